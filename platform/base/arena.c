@@ -1,0 +1,84 @@
+#include "platform/base/arena.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	ALIGNMENT = 16,
+	BLOCK_BYTES = 64 * 1024,
+};
+
+struct arena_block {
+	struct arena_block *older;
+	size_t capacity;
+	size_t used;
+	size_t pad; /* keeps data[] on a 16-byte boundary on 32-bit hosts */
+	_Alignas(ALIGNMENT) unsigned char data[];
+};
+
+struct arena arena_empty(void)
+{
+	return (struct arena){0};
+}
+
+static struct arena_block *grow(struct arena *arena, size_t bytes)
+{
+	size_t capacity = bytes > BLOCK_BYTES ? bytes : BLOCK_BYTES;
+	size_t total = (sizeof(struct arena_block) + capacity + ALIGNMENT - 1) &
+		~(size_t)(ALIGNMENT - 1);
+	struct arena_block *block = aligned_alloc(ALIGNMENT, total);
+
+	if (!block) {
+		return NULL;
+	}
+	memset(block, 0, total);
+	block->capacity = capacity;
+	block->older = arena->newest;
+	arena->newest = block;
+	return block;
+}
+
+void *arena_alloc(struct arena *arena, size_t count, size_t size)
+{
+	struct arena_block *block = arena->newest;
+	size_t bytes;
+	void *room;
+
+	if (size && count > (SIZE_MAX / 2) / size) {
+		return NULL;
+	}
+	bytes = (count * size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
+	if (!block || block->capacity - block->used < bytes) {
+		block = grow(arena, bytes);
+		if (!block) {
+			return NULL;
+		}
+	}
+	room = block->data + block->used;
+	block->used += bytes;
+	arena->used_bytes += bytes;
+	return room;
+}
+
+char *arena_strdup(struct arena *arena, const char *text)
+{
+	size_t bytes = strlen(text) + 1;
+	char *copy = arena_alloc(arena, bytes, 1);
+
+	if (copy) {
+		memcpy(copy, text, bytes);
+	}
+	return copy;
+}
+
+void arena_release(struct arena *arena)
+{
+	while (arena->newest) {
+		struct arena_block *block = arena->newest;
+
+		arena->newest = block->older;
+		free(block);
+	}
+	arena->used_bytes = 0;
+}

@@ -1,0 +1,39 @@
+/*
+ * Memory that is released all at once.
+ *
+ * A model lives in one arena, an instance in another. Blocks never move, so
+ * pointers stay valid until arena_release(). Nothing is freed singly.
+ */
+#ifndef PLATFORM_BASE_ARENA_H
+#define PLATFORM_BASE_ARENA_H
+
+#include <stddef.h>
+
+struct arena_block;
+
+struct arena {
+	struct arena_block *newest;
+	size_t used_bytes; /* handed out, including alignment */
+};
+
+/* An empty arena; allocates nothing yet. */
+struct arena arena_empty(void);
+
+/*
+ * Zeroed room for count elements of size bytes, aligned to 16 bytes, or NULL
+ * when memory is short or count * size overflows. A count of 0 gives a valid
+ * pointer to nothing. The arena owns it.
+ */
+void *arena_alloc(struct arena *arena, size_t count, size_t size);
+
+/* A copy of a string, or NULL when memory is short. */
+char *arena_strdup(struct arena *arena, const char *text);
+
+/* Releases all blocks and leaves the arena empty. */
+void arena_release(struct arena *arena);
+
+#define ARENA_NEW(arena, type) ((type *)arena_alloc((arena), 1, sizeof(type)))
+#define ARENA_ARRAY(arena, type, count)                                        \
+	((type *)arena_alloc((arena), (count), sizeof(type)))
+
+#endif

@@ -1,0 +1,36 @@
+/*
+ * Time as an input: from the machine, or counted in frames.
+ *
+ * With a fixed clock every run sees the same times, whatever the machine
+ * does; tests, pictures and replays stand on that.
+ */
+#ifndef PLATFORM_BASE_CLOCK_H
+#define PLATFORM_BASE_CLOCK_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct clock {
+	bool fixed;
+	double rate_hz;   /* fixed: frames a second */
+	double start_s;   /* time of frame 0 */
+	int64_t frame;    /* frames begun so far */
+	int64_t origin_ns; /* real: the monotonic clock at frame 0 */
+};
+
+/* Real time since now. */
+struct clock clock_real(void);
+
+/* start_s + frame / rate_hz, rate_hz above 0. */
+struct clock clock_fixed(double rate_hz, double start_s);
+
+/* Begins the next frame and returns its time in seconds. */
+double clock_tick(struct clock *clock);
+
+/*
+ * Reads "real" or "fixed:FPS" (0 < FPS <= 1000). 0, or -EINVAL for anything
+ * else; says nothing.
+ */
+int clock_parse(const char *text, struct clock *out);
+
+#endif

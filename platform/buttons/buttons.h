@@ -1,0 +1,107 @@
+/*
+ * Buttons: every source feeds one queue of {time, button, down}.
+ *
+ * The names are the i.MX31 PDK keypad's. A source that repeats or bounces is
+ * cleaned here: the queue only passes changes on.
+ */
+#ifndef PLATFORM_BUTTONS_BUTTONS_H
+#define PLATFORM_BUTTONS_BUTTONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "platform/base/log.h"
+
+enum button {
+	BUTTON_UP,
+	BUTTON_DOWN,
+	BUTTON_LEFT,
+	BUTTON_RIGHT,
+	BUTTON_ENTER,
+	BUTTON_F6,
+	BUTTON_F8,
+	BUTTON_F9,
+	BUTTON_F10,
+	BUTTON_COUNT,
+};
+
+struct button_event {
+	int64_t time_ms; /* since the first frame */
+	enum button button;
+	bool down;
+};
+
+enum { BUTTON_QUEUE_ROOM = 64 };
+
+/* First in, first out; the oldest event is dropped when it overflows. */
+struct button_queue {
+	struct button_event event[BUTTON_QUEUE_ROOM];
+	int first, count;
+	bool down[BUTTON_COUNT];          /* as last passed on */
+	int64_t changed_ms[BUTTON_COUNT]; /* when that was */
+	int debounce_ms;                  /* a change sooner than this after
+					     the last is held back as bounce */
+};
+
+/* "UP" and so on; BUTTON_COUNT and NULL for what is none. */
+const char *button_name(enum button button);
+enum button button_from_name(const char *name);
+
+void button_queue_init(struct button_queue *queue, int debounce_ms);
+
+/* Takes a raw report; repeats and bounces are dropped. */
+void button_queue_push(struct button_queue *queue, struct button_event event);
+
+/* The oldest event into *out, or false. */
+bool button_queue_pop(struct button_queue *queue, struct button_event *out);
+
+/* A place that buttons come from. */
+struct button_source;
+
+struct button_driver {
+	const char *name;
+	const char *summary;
+	/*
+	 * argument is what follows "NAME:" in --buttons, or NULL. 0, or
+	 * -errno after a sentence. Mandatory.
+	 */
+	int (*create)(const char *argument, const struct log *log,
+		struct button_source **out);
+	/* Pushes all that happened up to now_ms; never blocks. Mandatory. */
+	void (*poll)(struct button_source *source, int64_t now_ms,
+		struct button_queue *queue);
+	/* NULL is fine. Mandatory. */
+	void (*destroy)(struct button_source *source);
+};
+
+/* Built-in drivers, NULL at the end. */
+extern const struct button_driver *const button_registry[];
+
+/* A set of open sources that share one queue. */
+enum { BUTTON_SOURCES_MAX = 8 };
+
+struct buttons {
+	struct button_queue queue;
+	int source_count;
+	struct {
+		const struct button_driver *driver;
+		struct button_source *source;
+	} source[BUTTON_SOURCES_MAX];
+};
+
+/*
+ * Opens the sources of a comma-separated SPEC such as "script:run.txt"; NULL
+ * or "" opens none. 0, or -errno after a sentence with nothing left open.
+ * A window's keyboard needs no source: the display pushes it.
+ */
+int buttons_open(
+	struct buttons *buttons, const char *spec, const struct log *log);
+
+/* Adds one more source by driver name. */
+int buttons_add(struct buttons *buttons, const char *driver,
+	const char *argument, const struct log *log);
+
+void buttons_poll(struct buttons *buttons, int64_t now_ms);
+void buttons_close(struct buttons *buttons);
+
+#endif

@@ -1,0 +1,88 @@
+/*
+ * Displays: where finished pictures go.
+ *
+ * A display either hands out a buffer of pixels for each frame, or a native
+ * surface that only a GL driver of the same kind can draw on.
+ */
+#ifndef PLATFORM_DISPLAY_DISPLAY_H
+#define PLATFORM_DISPLAY_DISPLAY_H
+
+#include <stdbool.h>
+
+#include "platform/base/log.h"
+#include "platform/buttons/buttons.h"
+#include "platform/display/pixels.h"
+
+struct display;
+
+/* What a display is asked for; strings are borrowed for the call only. */
+struct display_options {
+	int width, height;   /* wanted size in pixels */
+	const char *title;   /* window */
+	const char *output;  /* image: the file to write */
+	int frame_count;     /* image: frames to expect, 0 if not known */
+	double rate_hz;      /* image: frames a second of an animation */
+	const struct log *log;
+};
+
+/* What happened outside since the last poll. */
+struct display_events {
+	bool close;   /* the person closed the window */
+	bool resized; /* begin_frame() hands out another size from now on */
+};
+
+struct display_driver {
+	const char *name;
+	const char *summary;
+	bool surface; /* hands out a native surface, not pixels */
+
+	/*
+	 * True when create() has a chance on this machine: a cheap look at the
+	 * environment, silent. Optional: NULL means always.
+	 */
+	bool (*probe)(void);
+
+	/* 0, or -errno after a sentence with nothing left open. Mandatory. */
+	int (*create)(
+		const struct display_options *options, struct display **out);
+
+	/*
+	 * The buffer to draw the next frame into, valid until end_frame().
+	 * Mandatory for displays of pixels.
+	 */
+	int (*begin_frame)(struct display *display, struct pixels *out);
+
+	/* Shows or stores the frame. 0, or -errno after a sentence. Mandatory. */
+	int (*end_frame)(struct display *display);
+
+	/*
+	 * Collects what happened; keys go into the queue stamped now_ms.
+	 * Optional.
+	 */
+	void (*poll)(struct display *display, int64_t now_ms,
+		struct button_queue *queue, struct display_events *events);
+
+	/*
+	 * Completes what is stored (an animation's file). 0, or -errno after a
+	 * sentence. Optional; called once, before destroy().
+	 */
+	int (*finish)(struct display *display);
+
+	/* NULL is fine. Mandatory. */
+	void (*destroy)(struct display *display);
+};
+
+/* Built-in drivers in order of preference, NULL at the end. */
+extern const struct display_driver *const display_registry[];
+
+/* The driver of that name, or NULL. */
+const struct display_driver *display_find(const char *name);
+
+/*
+ * The driver of that name, or for NULL the first whose probe says yes. NULL
+ * after a sentence that lists the names there are.
+ */
+const struct display_driver *display_choose(
+	const char *name, const struct log *log);
+
+#endif

@@ -1,0 +1,73 @@
+# How a target is built: once for each of host, asan and arm.
+
+TARGETS := host asan arm
+
+build:
+	$(Q)mkdir -p $@
+
+# A registry's list of drivers, rewritten only when it changes.
+define driver_list
+	$(Q)for name in $(2); do echo "$(1)_DRIVER($$name)"; done >$@.new
+	$(Q)cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+endef
+
+define target_rules
+OBJECTS_$(1) := $$(patsubst %.c,build/$(1)/obj/%.o,$$(SHARED_SOURCES) \
+	$$(call driver_sources,$(1)))
+LISTS_$(1) := build/$(1)/gen/gl_drivers.h build/$(1)/gen/display_drivers.h \
+	build/$(1)/gen/button_drivers.h
+
+build/$(1)/gen/gl_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call driver_list,GL,$$(GL_DRIVERS_$(1)))
+build/$(1)/gen/display_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call driver_list,DISPLAY,$$(DISPLAY_DRIVERS_$(1)))
+build/$(1)/gen/button_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call driver_list,BUTTON,$$(BUTTON_DRIVERS_$(1)))
+
+# Installs what the target needs, then asks the libraries for their flags.
+build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \
+		toolchain/$(if $(filter arm,$(1)),arm,host).mk
+	$$(Q)mkdir -p $$(@D)
+	$$(Q)toolchain/install.sh $$(SETS_$(1))
+	$$(Q)$$(PKG_CONFIG_$(1)) pkg-config --cflags $$(PACKAGES_$(1)) \
+		>build/$(1)/cflags
+	$$(Q)$$(PKG_CONFIG_$(1)) pkg-config --libs $$(PACKAGES_$(1)) \
+		>build/$(1)/libs
+	$$(Q)touch $$@
+
+build/$(1)/obj/%.o: %.c | build/$(1)/packages.stamp $$(LISTS_$(1))
+	@mkdir -p $$(@D)
+	$$(call say,CC,$$@)
+	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. \
+		-Ibuild/$(1)/gen @build/$(1)/cflags -MMD -MP -c -o $$@ $$<
+
+build/$(1)/obj/%.o: %.S | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call say,AS,$$@)
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -I. -MMD -MP -c -o $$@ $$<
+
+build/$(1)/liblimber.a: $$(OBJECTS_$(1))
+	$$(call say,AR,$$@)
+	$$(Q)rm -f $$@ && $$(if $$(filter arm,$(1)),$$(ARM_PREFIX))ar rcs $$@ $$^
+
+build/$(1)/limber: build/$(1)/obj/app/main.o build/$(1)/liblimber.a
+	$$(call say,LINK,$$@)
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs $$(LIBS_$(1))
+	$$(Q)$$(CHECK_BINARY)
+
+build/$(1)/unit/%: build/$(1)/obj/tests/unit/%.o \
+		$$(patsubst %.c,build/$(1)/obj/%.o,$$(SUPPORT_SOURCES)) \
+		build/$(1)/liblimber.a
+	@mkdir -p $$(@D)
+	$$(call say,LINK,$$@)
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs \
+		$$(LIBS_$(1)) -lcmocka
+
+.SECONDARY: $$(OBJECTS_$(1))
+-include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
+endef
+
+$(foreach target,$(TARGETS),$(eval $(call target_rules,$(target))))

@@ -1,0 +1,1 @@
+# make check: see tests/README.md.

@@ -1,0 +1,25 @@
+# This machine, and this machine under the sanitizers.
+
+WARNINGS := -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
+	-Wpointer-arith -Wvla -Wwrite-strings -Werror
+COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
+	-ffp-contract=off -fno-math-errno $(WARNINGS)
+
+CC_host ?= gcc
+CFLAGS_host ?= -O2 -g
+SETS_host := host
+PACKAGES_host := jansson libpng libjpeg sdl2
+LIBS_host := -lgif -lm -ldl
+RUN_host :=
+
+# Everything again with every access and every shift checked.
+CC_asan := gcc
+CFLAGS_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
+	-fno-sanitize-recover=all
+SETS_asan := host
+PACKAGES_asan := $(PACKAGES_host)
+LIBS_asan := $(LIBS_host) -fsanitize=address,undefined
+RUN_asan :=
+GL_DRIVERS_asan := $(GL_DRIVERS_host)
+DISPLAY_DRIVERS_asan := $(DISPLAY_DRIVERS_host)
+BUTTON_DRIVERS_asan := $(BUTTON_DRIVERS_host)

@@ -10,16 +10,10 @@ CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
 	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64
 SETS_arm := arm
 # Small libraries go in; libc stays out, and GL is opened at run time.
-# cglm is headers only; the archives below need no flags.
-PACKAGES_arm := zlib
+PACKAGES_arm :=
 LIBS_arm := -l:libjansson.a -l:libpng16.a -l:libz.a -l:libjpeg.a -l:libgif.a \
 	-lm -ldl
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
-PKG_CONFIG_arm := PKG_CONFIG_SYSROOT_DIR=$(SYSROOT) \
-	PKG_CONFIG_LIBDIR=$(SYSROOT)/usr/lib/arm-linux-gnueabi/pkgconfig:$(SYSROOT)/usr/share/pkgconfig
-
-# 64-bit time is the board's alone; a header of the build machine must not
-# slip in, so everything is found below the sysroot.
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 		toolchain/packages/arm.txt | build
 	$(Q)toolchain/install.sh arm

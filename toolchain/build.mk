@@ -32,9 +32,9 @@ build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1)))
 		toolchain/$(if $(filter arm,$(1)),arm,host).mk
 	$$(Q)mkdir -p $$(@D)
 	$$(Q)toolchain/install.sh $$(SETS_$(1))
-	$$(Q)$$(PKG_CONFIG_$(1)) pkg-config --cflags $$(PACKAGES_$(1)) \
+	$$(Q)$$(if $$(PACKAGES_$(1)),pkg-config --cflags $$(PACKAGES_$(1))) \
 		>build/$(1)/cflags
-	$$(Q)$$(PKG_CONFIG_$(1)) pkg-config --libs $$(PACKAGES_$(1)) \
+	$$(Q)$$(if $$(PACKAGES_$(1)),pkg-config --libs $$(PACKAGES_$(1))) \
 		>build/$(1)/libs
 	$$(Q)touch $$@
 

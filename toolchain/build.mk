@@ -66,8 +66,9 @@ build/$(1)/unit/%: build/$(1)/obj/tests/unit/%.o \
 	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs \
 		$$(LIBS_$(1)) -lcmocka
 
-.SECONDARY: $$(OBJECTS_$(1))
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef
 
+# Keep every object, those of tests too.
+.SECONDARY:
 $(foreach target,$(TARGETS),$(eval $(call target_rules,$(target))))

@@ -1,0 +1,52 @@
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+bool test_is_near(double actual, double expected, double tolerance)
+{
+	return fabs(actual - expected) <= tolerance || actual == expected;
+}
+
+void test_assert_near(double actual, double expected, double tolerance,
+	const char *what, const char *file, int line)
+{
+	if (!test_is_near(actual, expected, tolerance)) {
+		print_error("%s is %.9g, not %.9g within %g\n", what, actual,
+			expected, tolerance);
+		_fail(file, line);
+	}
+}
+
+void test_assert_all_near(const float *actual, const float *expected,
+	size_t count, double tolerance, const char *what, const char *file,
+	int line)
+{
+	for (size_t i = 0; i < count; i++) {
+		if (!test_is_near(actual[i], expected[i], tolerance)) {
+			print_error("%s: float %zu of %zu is %.9g, not %.9g "
+				    "within %g\n",
+				what, i, count, actual[i], expected[i],
+				tolerance);
+			_fail(file, line);
+		}
+	}
+}
+
+void test_assert_contains(
+	const char *text, const char *part, const char *file, int line)
+{
+	if (!text || !strstr(text, part)) {
+		print_error("\"%s\" does not hold \"%s\"\n",
+			text ? text : "(null)", part);
+		_fail(file, line);
+	}
+}
+
+void test_skip_because(const char *reason, const char *file, int line)
+{
+	printf("# skipped: %s\n", reason);
+	fflush(stdout);
+	_skip(file, line);
+}

@@ -36,7 +36,8 @@ struct model_target {
 
 /* A triangle list and its vertices. */
 struct model_primitive {
-	int material; /* index, never -1: loaders add a default material */
+	int file_index; /* the file's own number for it in its mesh */
+	int material;   /* index, never -1: loaders add a default material */
 
 	int vertex_count;
 	float (*position)[3];
@@ -202,6 +203,13 @@ struct model {
  * with model_destroy().
  */
 int model_load(const char *path, const struct log *log, struct model **out);
+
+/*
+ * The same from memory, of which nothing is kept. name stands for the file in
+ * sentences and in model.path; a model that names other files is refused.
+ */
+int model_load_memory(const void *data, size_t size, const char *name,
+	const struct log *log, struct model **out);
 
 /* Releases a model; NULL is fine. */
 void model_destroy(struct model *model);

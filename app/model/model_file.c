@@ -1,0 +1,210 @@
+#define _XOPEN_SOURCE 700 /* realpath() */
+
+#include "app/model/model_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int read_all(int fd, size_t size, struct model_file *out)
+{
+	uint8_t *data = malloc(size + 1);
+	size_t done = 0;
+
+	if (!data) {
+		return -ENOMEM;
+	}
+	while (done < size) {
+		ssize_t got = read(fd, data + done, size - done);
+
+		if (got < 0 && errno == EINTR) {
+			continue;
+		}
+		if (got <= 0) {
+			int error = got < 0 ? -errno : -EIO;
+
+			free(data);
+			return error;
+		}
+		done += (size_t)got;
+	}
+	data[size] = 0;
+	out->data = data;
+	out->size = size;
+	return 0;
+}
+
+static int read_open(int fd, const char *where, const struct log *log,
+	struct model_file *out)
+{
+	struct stat status;
+	int error;
+
+	if (fstat(fd, &status) < 0) {
+		error = -errno;
+		log_error(log, "%s: %s", where, strerror(-error));
+		return error;
+	}
+	if (!S_ISREG(status.st_mode)) {
+		log_error(log, "%s: is not a regular file", where);
+		return S_ISDIR(status.st_mode) ? -EISDIR : -EINVAL;
+	}
+	if (status.st_size > MODEL_FILE_BYTES_MAX) {
+		log_error(log, "%s: has %lld bytes; limber reads up to %d",
+			where, (long long)status.st_size, MODEL_FILE_BYTES_MAX);
+		return -EFBIG;
+	}
+	error = read_all(fd, (size_t)status.st_size, out);
+	if (error) {
+		log_error(log, "%s: %s", where, strerror(-error));
+	}
+	return error;
+}
+
+/* Not blocking, so that a named pipe is refused instead of waited for. */
+static int read_path(const char *path, const char *where, const struct log *log,
+	struct model_file *out)
+{
+	int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+	int error;
+
+	*out = (struct model_file){0};
+	if (fd < 0) {
+		error = -errno;
+		log_error(log, "%s: %s", where, strerror(-error));
+		return error;
+	}
+	error = read_open(fd, where, log, out);
+	close(fd);
+	return error;
+}
+
+int model_file_read(
+	const char *path, const struct log *log, struct model_file *out)
+{
+	return read_path(path, path, log, out);
+}
+
+static bool has_parent_step(const char *relative)
+{
+	const char *step = relative;
+
+	while (step) {
+		if (strncmp(step, "..", 2) == 0 &&
+			(step[2] == '/' || step[2] == '\0')) {
+			return true;
+		}
+		step = strchr(step, '/');
+		step = step ? step + 1 : NULL;
+	}
+	return false;
+}
+
+/* Why a name may not be followed, or NULL. */
+static const char *objection(const char *relative)
+{
+	const char *at;
+
+	if (relative[0] == '\0') {
+		return "an empty file name";
+	}
+	if (relative[0] == '/') {
+		return "an absolute path";
+	}
+	for (at = relative; *at; at++) {
+		if (*at == '\\') {
+			return "a backslash";
+		}
+		if ((unsigned char)*at < 0x20 || *at == 0x7f) {
+			return "a control character";
+		}
+	}
+	return has_parent_step(relative) ? "a \"..\" step" : NULL;
+}
+
+/* The model's folder and the file, both resolved; the caller frees them. */
+static int resolve(const struct model_source *source, const char *relative,
+	char **folder, char **file)
+{
+	const char *slash = strrchr(source->name, '/');
+	size_t length = slash ? (size_t)(slash - source->name) + 1 : 0;
+	char path[PATH_MAX];
+	int printed;
+
+	if (length >= sizeof(path)) {
+		return -ENAMETOOLONG;
+	}
+	snprintf(path, sizeof(path), "%.*s.", (int)length, source->name);
+	*folder = realpath(path, NULL);
+	if (!*folder) {
+		return -errno;
+	}
+	printed = snprintf(path, sizeof(path), "%.*s%s", (int)length,
+		source->name, relative);
+	if (printed < 0 || (size_t)printed >= sizeof(path)) {
+		return -ENAMETOOLONG;
+	}
+	*file = realpath(path, NULL);
+	return *file ? 0 : -errno;
+}
+
+static bool is_inside(const char *folder, const char *file)
+{
+	size_t length = strlen(folder);
+
+	if (length == 1) {
+		return true;
+	}
+	return strncmp(folder, file, length) == 0 && file[length] == '/';
+}
+
+int model_file_read_beside(const struct model_source *source,
+	const char *relative, const char *where, const struct log *log,
+	struct model_file *out)
+{
+	const char *problem = objection(relative);
+	char *folder = NULL;
+	char *file = NULL;
+	char place[512];
+	int error;
+
+	*out = (struct model_file){0};
+	if (!source->has_folder) {
+		log_error(log,
+			"%s: names another file, which only a model "
+			"with a folder of its own can",
+			where);
+		return -EACCES;
+	}
+	if (problem) {
+		log_error(log,
+			"%s: %s is not allowed; files must lie in the "
+			"model's folder",
+			where, problem);
+		return -EACCES;
+	}
+	snprintf(place, sizeof(place), "%s: %.200s", where, relative);
+	error = resolve(source, relative, &folder, &file);
+	if (error) {
+		log_error(log, "%s: %s", place, strerror(-error));
+	} else if (!is_inside(folder, file)) {
+		error = -EACCES;
+		log_error(log, "%s: leads out of the model's folder", place);
+	} else {
+		error = read_path(file, place, log, out);
+	}
+	free(folder);
+	free(file);
+	return error;
+}
+
+void model_file_release(struct model_file *file)
+{
+	free(file->data);
+	*file = (struct model_file){0};
+}

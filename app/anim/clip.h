@@ -28,7 +28,10 @@ int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 void clip_sample(const struct model_clip *clip, float time_s,
 	struct clip_cursor *cursor, struct pose *pose);
 
-/* One channel's value: width floats into out. key is its cached position. */
+/*
+ * One channel's value: width floats into out. key is its cached position.
+ * Rotations come out unit length whatever the keys' precision.
+ */
 void clip_sample_channel(const struct model_channel *channel, float time_s,
 	int *key, float *out);
 
@@ -37,7 +40,10 @@ enum clip_repeat {
 	CLIP_LOOP,
 };
 
-/* The clip's time for a playback time, in 0..duration_s. */
-float clip_time(float time_s, float duration_s, enum clip_repeat repeat);
+/*
+ * The clip's time for a playback time, in 0..duration_s. A loop begins again
+ * at duration_s itself. Double, as a playback may run for days.
+ */
+float clip_time(double time_s, float duration_s, enum clip_repeat repeat);
 
 #endif

@@ -58,7 +58,9 @@ struct pivot pivot_default(void);
 void hierarchy_walk(
 	const struct hierarchy *hierarchy, const struct pivot_visitor *visitor);
 
-enum { HIERARCHY_DEPTH = 15 };
+enum {
+	HIERARCHY_DEPTH = 15
+};
 
 /* 0, or -EINVAL when a parent does not come first or the tree is too deep. */
 int hierarchy_check(const struct hierarchy *hierarchy);

@@ -17,6 +17,8 @@
 
 #include <stdbool.h>
 
+struct kernel;
+
 /* One key frame: vertex_count positions and normals; not owned. */
 struct morph_key {
 	const float (*position)[3];
@@ -25,13 +27,14 @@ struct morph_key {
 
 enum morph_timing {
 	MORPH_OVER_TIME, /* 1.2.1: done after duration_ms */
-	MORPH_BY_FRAMES, /* 1.2.2: done after frame_count updates */
+	MORPH_BY_FRAMES, /* 1.2.2: done after frame_count updates, each of
+			    which goes on by (Destiny - Source) / frame_count */
 };
 
 enum morph_curve {
 	MORPH_LINEAR,     /* 1.2.3 */
 	MORPH_SINUSOIDAL, /* 1.2.5: plus direction * amplitude * sin(pi Omega),
-			     zero at both ends */
+			     zero at both ends with either timing */
 };
 
 struct morph_motion {
@@ -44,6 +47,7 @@ struct morph_motion {
 };
 
 struct morph {
+	const struct kernel *kernel; /* the float one; may be replaced */
 	int vertex_count;
 	float (*temporal)[3];        /* the shape to draw */
 	float (*temporal_normal)[3]; /* unit length, or NULL */
@@ -76,8 +80,8 @@ void morph_trigger(struct morph *morph, struct morph_key destiny,
 	const struct morph_motion *motion, double now_ms);
 
 /*
- * One frame. Returns true while it moves; at rest it costs nothing. now_ms
- * may not run backwards.
+ * One frame. Returns true when temporal changed, the arrival at Destiny
+ * included; at rest it costs nothing. now_ms may not run backwards.
  */
 bool morph_update(struct morph *morph, double now_ms);
 

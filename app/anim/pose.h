@@ -11,6 +11,7 @@
 #include "app/model/model.h"
 
 struct pose {
+	const struct model *model; /* whose pose it is; not owned */
 	int node_count;
 	struct transform *local; /* [node_count], the model's node order */
 	bool *animated;          /* [node_count]: a clip set it, so a node's
@@ -20,28 +21,27 @@ struct pose {
 };
 
 /* Room in the arena for a pose of this model, at rest. 0 or -ENOMEM. */
-int pose_init(
-	struct pose *pose, const struct model *model, struct arena *arena);
+int pose_init(struct pose *pose, const struct model *model, struct arena *arena);
 
 /* Puts every node and weight back to the file's rest values. */
 void pose_rest(struct pose *pose, const struct model *model);
 
-/* to = from; both of the same model. */
+/* to = from, the contents and not the pointers; both of the same model. */
 void pose_copy(struct pose *to, const struct pose *from);
 
 /*
  * One pass from parents to children: world[i] = world[parent] * local[i].
  * root is put before the nodes without a parent (NULL: identity).
  */
-void pose_world(const struct pose *pose, const struct model *model,
-	mat4 root, mat4 *world);
+void pose_world(const struct pose *pose, const struct model *model, mat4 root,
+	mat4 *world);
 
 /*
  * The matrices that carry bind-pose vertices to their places: palette[j] =
  * world[joint j] * inverse_bind[j]. The skinned node's own transform does not
  * count (glTF 2.0, 3.7.3.3).
  */
-void pose_palette(const struct model_skin *skin, const mat4 *world,
-	mat4 *palette);
+void pose_palette(
+	const struct model_skin *skin, const mat4 *world, mat4 *palette);
 
 #endif

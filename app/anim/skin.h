@@ -24,8 +24,8 @@ struct joint_weight {
 /* A skinned primitive made ready for the vertex loops. */
 struct skin_stream {
 	int vertex_count;
-	int influence_count; /* of all vertices together */
-	int max_influences;  /* of any one vertex */
+	int influence_count;            /* of all vertices together */
+	int max_influences;             /* of any one vertex */
 	struct joint_weight *influence; /* [influence_count] */
 	float (*position)[4];           /* weight * (x, y, z, 1) */
 	float (*normal)[4];             /* weight * (x, y, z, 0), or NULL */
@@ -43,9 +43,8 @@ int skin_stream_init(struct skin_stream *stream,
  * Rewrites the base vectors from other positions and normals, as morphing
  * before skinning needs; shapes as in the primitive, normal may be NULL.
  */
-void skin_stream_rebase(struct skin_stream *stream,
-	const float (*position)[3], const float (*normal)[3],
-	float position_scale);
+void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
+	const float (*normal)[3], float position_scale);
 
 /* Bytes of the stream, for `limber info`. */
 size_t skin_stream_bytes(const struct skin_stream *stream);

@@ -12,19 +12,19 @@
 
 struct clock {
 	bool fixed;
-	double rate_hz;   /* fixed: frames a second */
-	double start_s;   /* time of frame 0 */
-	int64_t frame;    /* frames begun so far */
+	double rate_hz;    /* fixed: frames a second */
+	double start_s;    /* time of frame 0 */
+	int64_t frame;     /* frames begun so far */
 	int64_t origin_ns; /* real: the monotonic clock at frame 0 */
 };
 
 /* Real time since now. */
 struct clock clock_real(void);
 
-/* start_s + frame / rate_hz, rate_hz above 0. */
+/* Frame n is at start_s + n / rate_hz; rate_hz above 0. */
 struct clock clock_fixed(double rate_hz, double start_s);
 
-/* Begins the next frame and returns its time in seconds. */
+/* Begins the next frame (the first one is frame 0); its time in seconds. */
 double clock_tick(struct clock *clock);
 
 /*

@@ -43,12 +43,15 @@ struct kernel {
 	 * skipped. which selects the terms' positions or normals.
 	 */
 	void (*morph_targets)(int count, const float (*base)[3],
-		const struct morph_term *term, int term_count,
-		bool use_normals, float (*out)[3]);
+		const struct morph_term *term, int term_count, bool use_normals,
+		float (*out)[3]);
 
 	/* Makes each vector unit length; a zero vector stays zero. */
 	void (*normalize)(int count, float (*vector)[3]);
 };
+
+/* The reference, plain C in float; always built in. */
+extern const struct kernel kernel_float;
 
 /* All kernels built in, best first, NULL at the end. */
 extern const struct kernel *const kernel_registry[];

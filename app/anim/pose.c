@@ -1,0 +1,83 @@
+#include "app/anim/pose.h"
+
+#include "app/anim/transform.h"
+
+#include <errno.h>
+#include <string.h>
+
+int pose_init(struct pose *pose, const struct model *model, struct arena *arena)
+{
+	*pose = (struct pose){
+		.model = model,
+		.node_count = model->node_count,
+		.weight_count = model->weight_count,
+	};
+	pose->local =
+		ARENA_ARRAY(arena, struct transform, (size_t)model->node_count);
+	pose->animated = ARENA_ARRAY(arena, bool, (size_t)model->node_count);
+	pose->weight = ARENA_ARRAY(arena, float, (size_t)model->weight_count);
+	if (!pose->local || !pose->animated || !pose->weight) {
+		return -ENOMEM;
+	}
+	pose_rest(pose, model);
+	return 0;
+}
+
+void pose_rest(struct pose *pose, const struct model *model)
+{
+	for (int i = 0; i < pose->node_count; i++) {
+		pose->local[i] = model->node[i].rest;
+		pose->animated[i] = false;
+	}
+	for (int i = 0; i < pose->weight_count; i++) {
+		pose->weight[i] = model->rest_weights[i];
+	}
+}
+
+void pose_copy(struct pose *to, const struct pose *from)
+{
+	size_t nodes = (size_t)from->node_count;
+	size_t weights = (size_t)from->weight_count;
+
+	for (size_t i = 0; i < nodes; i++) {
+		to->local[i] = from->local[i];
+		to->animated[i] = from->animated[i];
+	}
+	for (size_t i = 0; i < weights; i++) {
+		to->weight[i] = from->weight[i];
+	}
+}
+
+static void local_matrix(const struct pose *pose, const struct model_node *node,
+	int index, mat4 out)
+{
+	if (node->matrix && !pose->animated[index]) {
+		memcpy(out, node->matrix, sizeof(mat4));
+	} else {
+		transform_to_matrix(&pose->local[index], out);
+	}
+}
+
+void pose_world(const struct pose *pose, const struct model *model, mat4 root,
+	mat4 *world)
+{
+	for (int i = 0; i < pose->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		local_matrix(pose, node, i, world[i]);
+		if (node->parent >= 0) {
+			matrix_multiply(world[node->parent], world[i], world[i]);
+		} else if (root) {
+			matrix_multiply(root, world[i], world[i]);
+		}
+	}
+}
+
+void pose_palette(
+	const struct model_skin *skin, const mat4 *world, mat4 *palette)
+{
+	for (int j = 0; j < skin->joint_count; j++) {
+		matrix_multiply(((mat4 *)world)[skin->joint[j]],
+			skin->inverse_bind[j], palette[j]);
+	}
+}

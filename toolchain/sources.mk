@@ -4,25 +4,27 @@
 APP_SOURCES := $(filter-out app/main.c,$(sort $(wildcard app/*/*.c \
 	app/anim/kernel/*.c)))
 BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
-SEAM_SOURCES := platform/gl/registry.c platform/display/registry.c \
-	platform/buttons/registry.c
-SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) \
-	$(sort $(wildcard platform/gl/common/*.c platform/display/common/*.c \
-	platform/buttons/common/*.c))
+# What the drivers of a seam share lies beside its registry.
+SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
+	platform/buttons/*.c))
+SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES)
 
-# Drivers, best first. A driver NAME is platform/SEAM/NAME.c and exports
-# SEAM_driver_NAME.
-GL_DRIVERS_host :=
-DISPLAY_DRIVERS_host :=
-BUTTON_DRIVERS_host :=
+# Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
+# exports SEAM_driver_NAME.
+GL_DRIVERS_host := osmesa
+DISPLAY_DRIVERS_host := image null
+BUTTON_DRIVERS_host := script
 
-GL_DRIVERS_arm :=
-DISPLAY_DRIVERS_arm :=
-BUTTON_DRIVERS_arm :=
+GL_DRIVERS_arm := osmesa
+DISPLAY_DRIVERS_arm := image null
+BUTTON_DRIVERS_arm := script
 
-driver_sources = $(patsubst %,platform/gl/%.c,$(GL_DRIVERS_$(1))) \
-	$(patsubst %,platform/display/%.c,$(DISPLAY_DRIVERS_$(1))) \
-	$(patsubst %,platform/buttons/%.c,$(BUTTON_DRIVERS_$(1)))
+# $(call seam_driver_sources,SEAM,NAMES)
+seam_driver_sources = $(foreach name,$(2),\
+	$(sort $(wildcard platform/$(1)/$(name)/*.c)))
+driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
+	$(call seam_driver_sources,display,$(DISPLAY_DRIVERS_$(1))) \
+	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1)))
 
 TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))

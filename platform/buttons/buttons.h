@@ -31,14 +31,22 @@ struct button_event {
 	bool down;
 };
 
-enum { BUTTON_QUEUE_ROOM = 64 };
+enum {
+	BUTTON_QUEUE_ROOM = 64
+};
+
+/* What buttons_open() sets: longer than a switch bounces, shorter than a press. */
+enum {
+	BUTTON_DEBOUNCE_MS = 8
+};
 
 /* First in, first out; the oldest event is dropped when it overflows. */
 struct button_queue {
 	struct button_event event[BUTTON_QUEUE_ROOM];
 	int first, count;
 	bool down[BUTTON_COUNT];          /* as last passed on */
-	int64_t changed_ms[BUTTON_COUNT]; /* when that was */
+	bool held_back[BUTTON_COUNT];     /* it has changed again since */
+	int64_t changed_ms[BUTTON_COUNT]; /* when down changed last */
 	int debounce_ms;                  /* a change sooner than this after
 					     the last is held back as bounce */
 };
@@ -49,8 +57,18 @@ enum button button_from_name(const char *name);
 
 void button_queue_init(struct button_queue *queue, int debounce_ms);
 
-/* Takes a raw report; repeats and bounces are dropped. */
+/*
+ * Takes a raw report, in the order of time. Repeats are dropped. A change that
+ * comes too soon is held back: one back again makes it a bounce and drops
+ * both, otherwise it is passed on when debounce_ms have passed.
+ */
 void button_queue_push(struct button_queue *queue, struct button_event event);
+
+/*
+ * Passes on the changes held back whose time has come by now_ms, stamped with
+ * that time. buttons_poll() does it after asking the sources.
+ */
+void button_queue_settle(struct button_queue *queue, int64_t now_ms);
 
 /* The oldest event into *out, or false. */
 bool button_queue_pop(struct button_queue *queue, struct button_event *out);
@@ -67,7 +85,10 @@ struct button_driver {
 	 */
 	int (*create)(const char *argument, const struct log *log,
 		struct button_source **out);
-	/* Pushes all that happened up to now_ms; never blocks. Mandatory. */
+	/*
+	 * Pushes all that happened up to now_ms, oldest first; never blocks.
+	 * Mandatory.
+	 */
 	void (*poll)(struct button_source *source, int64_t now_ms,
 		struct button_queue *queue);
 	/* NULL is fine. Mandatory. */
@@ -78,7 +99,9 @@ struct button_driver {
 extern const struct button_driver *const button_registry[];
 
 /* A set of open sources that share one queue. */
-enum { BUTTON_SOURCES_MAX = 8 };
+enum {
+	BUTTON_SOURCES_MAX = 8
+};
 
 struct buttons {
 	struct button_queue queue;
@@ -90,18 +113,25 @@ struct buttons {
 };
 
 /*
- * Opens the sources of a comma-separated SPEC such as "script:run.txt"; NULL
- * or "" opens none. 0, or -errno after a sentence with nothing left open.
- * A window's keyboard needs no source: the display pushes it.
+ * Empties the queue and opens the sources of a comma-separated SPEC such as
+ * "script:run.txt"; NULL or "" opens none. 0, or -errno after a sentence with
+ * nothing left open. A window's keyboard needs no source: the display pushes
+ * it. Set queue.debounce_ms afterwards for another time than the usual.
  */
 int buttons_open(
 	struct buttons *buttons, const char *spec, const struct log *log);
 
-/* Adds one more source by driver name. */
+/*
+ * Adds one more source by driver name. 0, or -errno after a sentence: the
+ * driver's, or the names there are.
+ */
 int buttons_add(struct buttons *buttons, const char *driver,
 	const char *argument, const struct log *log);
 
+/* Asks all sources what happened up to now_ms and settles the queue. */
 void buttons_poll(struct buttons *buttons, int64_t now_ms);
+
+/* Closes all sources; what the queue holds can still be popped. */
 void buttons_close(struct buttons *buttons);
 
 #endif

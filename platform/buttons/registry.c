@@ -1,6 +1,7 @@
 #include "platform/buttons/buttons.h"
 
-#define BUTTON_DRIVER(name) extern const struct button_driver button_driver_##name;
+#define BUTTON_DRIVER(name) \
+	extern const struct button_driver button_driver_##name;
 #include "button_drivers.h"
 #undef BUTTON_DRIVER
 

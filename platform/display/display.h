@@ -15,13 +15,16 @@
 
 struct display;
 
-/* What a display is asked for; strings are borrowed for the call only. */
+/*
+ * What a display is asked for; strings are borrowed for the call only, the log
+ * is copied.
+ */
 struct display_options {
-	int width, height;   /* wanted size in pixels */
-	const char *title;   /* window */
-	const char *output;  /* image: the file to write */
-	int frame_count;     /* image: frames to expect, 0 if not known */
-	double rate_hz;      /* image: frames a second of an animation */
+	int width, height;  /* wanted size in pixels */
+	const char *title;  /* window */
+	const char *output; /* image: the file to write */
+	int frame_count;    /* image: frames to expect, 0 if not known */
+	double rate_hz;     /* image: frames a second of an animation */
 	const struct log *log;
 };
 
@@ -37,8 +40,10 @@ struct display_driver {
 	bool surface; /* hands out a native surface, not pixels */
 
 	/*
-	 * True when create() has a chance on this machine: a cheap look at the
-	 * environment, silent. Optional: NULL means always.
+	 * True when this display may be chosen unasked, because create() has a
+	 * chance on this machine: a cheap look at the environment, silent.
+	 * Optional: NULL means always. Those that show nobody anything (image,
+	 * null) say no.
 	 */
 	bool (*probe)(void);
 
@@ -48,7 +53,7 @@ struct display_driver {
 
 	/*
 	 * The buffer to draw the next frame into, valid until end_frame().
-	 * Mandatory for displays of pixels.
+	 * 0, or -errno after a sentence. Mandatory for displays of pixels.
 	 */
 	int (*begin_frame)(struct display *display, struct pixels *out);
 
@@ -63,12 +68,13 @@ struct display_driver {
 		struct button_queue *queue, struct display_events *events);
 
 	/*
-	 * Completes what is stored (an animation's file). 0, or -errno after a
-	 * sentence. Optional; called once, before destroy().
+	 * Completes what is stored (an animation's file), which destroy()
+	 * without it throws away. 0, or -errno after a sentence. Optional;
+	 * called once, before destroy().
 	 */
 	int (*finish)(struct display *display);
 
-	/* NULL is fine. Mandatory. */
+	/* NULL is fine. The GL context goes first. Mandatory. */
 	void (*destroy)(struct display *display);
 };
 

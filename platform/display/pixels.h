@@ -6,6 +6,8 @@
 
 #include <stdint.h>
 
+#include "platform/base/log.h"
+
 enum pixel_format {
 	PIXELS_RGB565,   /* uint16_t in the machine's byte order */
 	PIXELS_RGBA8888, /* bytes R G B A */
@@ -18,9 +20,20 @@ struct pixels {
 	enum pixel_format format;
 };
 
+enum {
+	PIXELS_SIZE_MAX = 8192
+};
+
 static inline int pixel_bytes(enum pixel_format format)
 {
 	return format == PIXELS_RGB565 ? 2 : 4;
 }
+
+/*
+ * A zeroed picture with no room between its rows; free() its data. 0, -EINVAL
+ * for a size outside 1..PIXELS_SIZE_MAX or -ENOMEM, both after a sentence.
+ */
+int pixels_alloc(struct pixels *out, int width, int height,
+	enum pixel_format format, const struct log *log);
 
 #endif

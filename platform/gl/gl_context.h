@@ -1,5 +1,9 @@
 /*
  * GL drivers: who carries out the calls of struct gl.
+ *
+ * As everywhere in GL, the calls mean the context that is current on the
+ * calling thread: the one last created or last begun a frame with. Use one
+ * context at a time, from the thread that made it.
  */
 #ifndef PLATFORM_GL_GL_CONTEXT_H
 #define PLATFORM_GL_GL_CONTEXT_H
@@ -13,8 +17,8 @@
 /* What every driver's context begins with; made and destroyed by the driver. */
 struct gl_context {
 	const struct gl_driver *driver;
-	struct gl gl;             /* the calls, all filled in */
-	const char *description;  /* vendor and version, for people */
+	struct gl gl;            /* the calls, all filled in */
+	const char *description; /* vendor and version, for people */
 };
 
 struct gl_driver {
@@ -26,20 +30,26 @@ struct gl_driver {
 	 * Opens the library and makes a context current on this thread for
 	 * pictures of this format. 0, or -errno after a sentence that names
 	 * what is missing (library, function, display) and what to install or
-	 * choose instead. Mandatory.
+	 * choose instead. The log is copied. Mandatory.
 	 */
 	int (*create)(enum pixel_format format, const struct log *log,
 		struct gl_context **out);
 
 	/*
 	 * Draws the next frame into target, whose size may change from frame
-	 * to frame; sets the viewport to all of it when it does. 0 or -errno
-	 * after a sentence. Mandatory.
+	 * to frame; sets the viewport and the scissor box to all of it when it
+	 * does. target's pixels have the format given to create() and are
+	 * used until end_frame(); between frames only state, matrices and
+	 * textures may be set. What the buffers hold at the start is
+	 * undefined: clear them. 0 or -errno after a sentence. Mandatory.
 	 */
 	int (*begin_frame)(
 		struct gl_context *context, const struct pixels *target);
 
-	/* Completes the picture in target. Mandatory. */
+	/*
+	 * Completes the picture in target. 0 or -errno after a sentence.
+	 * Mandatory.
+	 */
 	int (*end_frame)(struct gl_context *context);
 
 	/* NULL is fine. Mandatory. */
@@ -51,8 +61,8 @@ extern const struct gl_driver *const gl_registry[];
 
 /*
  * Opens the named driver, or for NULL or "auto" the first that opens. 0, or
- * -errno after a sentence (one a driver tried, and the names there are when
- * the name is unknown).
+ * -errno after a sentence: one for each driver tried, or for an unknown name
+ * (-EINVAL) the names there are.
  */
 int gl_open(const char *name, enum pixel_format format, const struct log *log,
 	struct gl_context **out);

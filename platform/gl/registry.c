@@ -1,8 +1,9 @@
 #include "platform/gl/gl_context.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <string.h>
+
+#include "platform/base/name_list.h"
 
 #define GL_DRIVER(name) extern const struct gl_driver gl_driver_##name;
 #include "gl_drivers.h"
@@ -15,23 +16,53 @@ const struct gl_driver *const gl_registry[] = {
 	NULL,
 };
 
-int gl_open(const char *name, enum pixel_format format, const struct log *log,
+static int open_first(enum pixel_format format, const struct log *log,
 	struct gl_context **out)
 {
-	bool any = !name || strcmp(name, "auto") == 0;
 	int error = -ENOENT;
 
 	for (int i = 0; gl_registry[i]; i++) {
-		if (any || strcmp(name, gl_registry[i]->name) == 0) {
-			error = gl_registry[i]->create(format, log, out);
-			if (!error || !any) {
-				return error;
-			}
+		error = gl_registry[i]->create(format, log, out);
+		if (!error) {
+			break;
 		}
 	}
-	log_error(log, any ? "--gl: no GL driver opens on this machine: see "
-			     "limber doctor"
-			   : "--gl %s: no such driver: choose auto or one of "
-			     "those that limber --help lists", name);
 	return error;
+}
+
+/* What a driver misses matters only when no other takes its place. */
+static int open_any(enum pixel_format format, const struct log *log,
+	struct gl_context **out)
+{
+	struct log nowhere = log_to_nowhere();
+	int error = open_first(format, &nowhere, out);
+
+	if (error) {
+		error = open_first(format, log, out);
+	}
+	if (error) {
+		log_error(log, "--gl auto: no GL driver opens here: see above");
+		return error;
+	}
+	log_note(log, "--gl auto: using %s", (*out)->driver->name);
+	return 0;
+}
+
+int gl_open(const char *name, enum pixel_format format, const struct log *log,
+	struct gl_context **out)
+{
+	struct name_list names = {"auto"};
+
+	if (!name || strcmp(name, "auto") == 0) {
+		return open_any(format, log, out);
+	}
+	for (int i = 0; gl_registry[i]; i++) {
+		if (strcmp(name, gl_registry[i]->name) == 0) {
+			return gl_registry[i]->create(format, log, out);
+		}
+		name_list_add(&names, gl_registry[i]->name);
+	}
+	log_error(log, "--gl %s: no such driver: choose one of %s", name,
+		names.text);
+	return -EINVAL;
 }

@@ -1,0 +1,131 @@
+/*
+ * Pictures into files; the file's extension says which kind.
+ */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "platform/base/name_list.h"
+#include "platform/display/display.h"
+#include "platform/display/image/writer.h"
+
+struct display {
+	struct pixels pixels;
+	const struct image_writer_kind *kind;
+	struct image_writer *writer;
+};
+
+static const struct image_writer_kind *const kinds[] = {
+	&image_writer_png,
+	NULL,
+};
+
+/* Never chosen unasked: it needs a file. */
+static bool image_probe(void)
+{
+	return false;
+}
+
+static const struct image_writer_kind *find_kind(
+	const char *path, const struct log *log)
+{
+	struct name_list names = {""};
+	size_t length = strlen(path);
+
+	for (int i = 0; kinds[i]; i++) {
+		size_t tail = strlen(kinds[i]->extension);
+
+		if (length > tail &&
+			strcasecmp(path + length - tail, kinds[i]->extension) ==
+				0) {
+			return kinds[i];
+		}
+		name_list_add(&names, kinds[i]->extension);
+	}
+	log_error(log, "%s: the name must end in one of %s", path, names.text);
+	return NULL;
+}
+
+static void image_destroy(struct display *display)
+{
+	if (display) {
+		if (display->kind) {
+			display->kind->destroy(display->writer);
+		}
+		free(display->pixels.data);
+		free(display);
+	}
+}
+
+static int open_writer(
+	struct display *display, const struct display_options *options)
+{
+	struct image_options image = {
+		.path = options->output,
+		.width = options->width,
+		.height = options->height,
+		.frame_count = options->frame_count,
+		.rate_hz = options->rate_hz > 0 ? options->rate_hz : 30,
+		.log = options->log,
+	};
+
+	if (!options->output || !options->output[0]) {
+		log_error(options->log,
+			"--display image: no file to write: give -o FILE");
+		return -EINVAL;
+	}
+	display->kind = find_kind(options->output, options->log);
+	return display->kind ? display->kind->create(&image, &display->writer)
+			     : -EINVAL;
+}
+
+static int image_create(
+	const struct display_options *options, struct display **out)
+{
+	struct display *display = calloc(1, sizeof(*display));
+	int error;
+
+	if (!display) {
+		log_error(options->log, "--display image: out of memory");
+		return -ENOMEM;
+	}
+	error = pixels_alloc(&display->pixels, options->width, options->height,
+		PIXELS_RGBA8888, options->log);
+	if (!error) {
+		error = open_writer(display, options);
+	}
+	if (error) {
+		image_destroy(display);
+		return error;
+	}
+	*out = display;
+	return 0;
+}
+
+static int image_begin_frame(struct display *display, struct pixels *out)
+{
+	*out = display->pixels;
+	return 0;
+}
+
+static int image_end_frame(struct display *display)
+{
+	return display->kind->add(display->writer, &display->pixels);
+}
+
+static int image_finish(struct display *display)
+{
+	return display->kind->finish(display->writer);
+}
+
+const struct display_driver display_driver_image = {
+	.name = "image",
+	.summary = "writes a .png, .gif or .y4m file",
+	.probe = image_probe,
+	.create = image_create,
+	.begin_frame = image_begin_frame,
+	.end_frame = image_end_frame,
+	.finish = image_finish,
+	.destroy = image_destroy,
+};

@@ -1,0 +1,126 @@
+#include <errno.h>
+#include <png.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/display/image/output.h"
+#include "platform/display/image/writer.h"
+
+struct image_writer {
+	struct log log;
+	struct output output;
+	char *path; /* of the current frame */
+	int stem;   /* bytes of path before "-0001.png" */
+	bool numbered;
+	int frame;    /* frames begun */
+	uint8_t *rgb; /* one frame */
+};
+
+/* "-", the digits of an int, ".png" and the end */
+enum {
+	NUMBER_ROOM = 24
+};
+
+static void png_destroy(struct image_writer *png)
+{
+	if (png) {
+		output_discard(&png->output);
+		free(png->rgb);
+		free(png->path);
+		free(png);
+	}
+}
+
+static int png_create(
+	const struct image_options *options, struct image_writer **out)
+{
+	struct image_writer *png = calloc(1, sizeof(*png));
+	size_t length = strlen(options->path);
+
+	if (!png) {
+		goto out_of_memory;
+	}
+	png->log = *options->log;
+	png->path = malloc(length + NUMBER_ROOM);
+	png->rgb = malloc((size_t)options->width * (size_t)options->height * 3);
+	if (!png->path || !png->rgb) {
+		goto out_of_memory;
+	}
+	memcpy(png->path, options->path, length + 1);
+	png->stem = (int)(length - strlen(image_writer_png.extension));
+	png->numbered = options->frame_count != 1;
+	*out = png;
+	return 0;
+
+out_of_memory:
+	log_error(options->log, "%s: out of memory", options->path);
+	png_destroy(png);
+	return -ENOMEM;
+}
+
+static void drop_alpha(uint8_t *rgb, const struct pixels *frame)
+{
+	for (int y = 0; y < frame->height; y++) {
+		const uint8_t *in = frame->data + y * frame->stride_bytes;
+
+		for (int x = 0; x < frame->width; x++) {
+			*rgb++ = *in++;
+			*rgb++ = *in++;
+			*rgb++ = *in++;
+			in++;
+		}
+	}
+}
+
+static int write_frame(struct image_writer *png, const struct pixels *frame)
+{
+	png_image header = {
+		.version = PNG_IMAGE_VERSION,
+		.width = (png_uint_32)frame->width,
+		.height = (png_uint_32)frame->height,
+		.format = PNG_FORMAT_RGB,
+	};
+	int written;
+	int cause;
+
+	drop_alpha(png->rgb, frame);
+	errno = 0;
+	written = png_image_write_to_stdio(
+		&header, png->output.file, 0, png->rgb, 0, NULL);
+	cause = errno;
+	if (!written) {
+		output_failed(&png->output, cause, header.message);
+		output_discard(&png->output);
+		return cause ? -cause : -EIO;
+	}
+	return output_commit(&png->output);
+}
+
+static int png_add(struct image_writer *png, const struct pixels *frame)
+{
+	int error;
+
+	png->frame++;
+	if (png->numbered) {
+		snprintf(png->path + png->stem, NUMBER_ROOM, "-%04d%s",
+			png->frame, image_writer_png.extension);
+	}
+	error = output_open(&png->output, png->path, &png->log);
+	return error ? error : write_frame(png, frame);
+}
+
+static int png_finish(struct image_writer *png)
+{
+	(void)png;
+	return 0;
+}
+
+const struct image_writer_kind image_writer_png = {
+	.extension = ".png",
+	.create = png_create,
+	.add = png_add,
+	.finish = png_finish,
+	.destroy = png_destroy,
+};

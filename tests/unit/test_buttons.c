@@ -1,0 +1,384 @@
+#include "platform/buttons/buttons.h"
+#include "tests/support/files.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+static void push(
+	struct button_queue *queue, int time_ms, enum button button, bool down)
+{
+	button_queue_push(queue,
+		(struct button_event){
+			.time_ms = time_ms, .button = button, .down = down});
+}
+
+static void expect(
+	struct button_queue *queue, int time_ms, enum button button, bool down)
+{
+	struct button_event event;
+
+	assert_true(button_queue_pop(queue, &event));
+	assert_int_equal(event.time_ms, time_ms);
+	assert_int_equal(event.button, button);
+	assert_int_equal(event.down, down);
+}
+
+static void expect_nothing(struct button_queue *queue)
+{
+	struct button_event event;
+
+	assert_false(button_queue_pop(queue, &event));
+}
+
+static void test_names_go_both_ways(void **state)
+{
+	(void)state;
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		const char *name = button_name((enum button)i);
+
+		assert_non_null(name);
+		assert_int_equal(button_from_name(name), i);
+	}
+	assert_string_equal(button_name(BUTTON_F10), "F10");
+	assert_null(button_name(BUTTON_COUNT));
+	assert_int_equal(button_from_name("up"), BUTTON_COUNT);
+	assert_int_equal(button_from_name(""), BUTTON_COUNT);
+}
+
+static void test_first_in_is_first_out(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	push(&queue, 0, BUTTON_UP, true);
+	push(&queue, 0, BUTTON_F6, true);
+	push(&queue, 1, BUTTON_UP, false);
+	expect(&queue, 0, BUTTON_UP, true);
+	expect(&queue, 0, BUTTON_F6, true);
+	expect(&queue, 1, BUTTON_UP, false);
+	expect_nothing(&queue);
+}
+
+static void test_repeats_are_dropped(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	push(&queue, 5, BUTTON_UP, false);
+	push(&queue, 10, BUTTON_UP, true);
+	push(&queue, 40, BUTTON_UP, true);
+	push(&queue, 70, BUTTON_UP, true);
+	expect(&queue, 10, BUTTON_UP, true);
+	expect_nothing(&queue);
+}
+
+static void test_a_press_at_time_zero_passes_at_once(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 0, BUTTON_ENTER, true);
+	expect(&queue, 0, BUTTON_ENTER, true);
+}
+
+static void test_a_bouncing_press_is_one_press(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 100, BUTTON_UP, true);
+	push(&queue, 101, BUTTON_UP, false);
+	push(&queue, 103, BUTTON_UP, true);
+	push(&queue, 104, BUTTON_UP, false);
+	push(&queue, 106, BUTTON_UP, true);
+	button_queue_settle(&queue, 1000);
+	expect(&queue, 100, BUTTON_UP, true);
+	expect_nothing(&queue);
+}
+
+static void test_the_last_state_of_a_bounce_is_not_lost(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 100, BUTTON_UP, true);
+	push(&queue, 103, BUTTON_UP, false);
+	push(&queue, 104, BUTTON_UP, true);
+	push(&queue, 105, BUTTON_UP, false);
+	button_queue_settle(&queue, 109);
+	expect(&queue, 100, BUTTON_UP, true);
+	expect_nothing(&queue);
+	button_queue_settle(&queue, 110);
+	expect(&queue, 110, BUTTON_UP, false);
+	button_queue_settle(&queue, 500);
+	expect_nothing(&queue);
+}
+
+static void test_a_later_report_settles_what_was_held_back(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 100, BUTTON_UP, true);
+	push(&queue, 103, BUTTON_UP, false);
+	push(&queue, 200, BUTTON_UP, true);
+	expect(&queue, 100, BUTTON_UP, true);
+	expect(&queue, 110, BUTTON_UP, false);
+	expect(&queue, 200, BUTTON_UP, true);
+	expect_nothing(&queue);
+}
+
+static void test_settled_changes_come_in_the_order_of_their_times(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 100, BUTTON_DOWN, true);
+	push(&queue, 102, BUTTON_UP, true);
+	push(&queue, 104, BUTTON_UP, false);
+	push(&queue, 105, BUTTON_DOWN, false);
+	button_queue_settle(&queue, 300);
+	expect(&queue, 100, BUTTON_DOWN, true);
+	expect(&queue, 102, BUTTON_UP, true);
+	expect(&queue, 110, BUTTON_DOWN, false);
+	expect(&queue, 112, BUTTON_UP, false);
+	expect_nothing(&queue);
+}
+
+static void test_buttons_do_not_hold_each_other_back(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	push(&queue, 100, BUTTON_UP, true);
+	push(&queue, 101, BUTTON_DOWN, true);
+	expect(&queue, 100, BUTTON_UP, true);
+	expect(&queue, 101, BUTTON_DOWN, true);
+}
+
+static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	for (int i = 0; i < BUTTON_QUEUE_ROOM + 3; i++) {
+		push(&queue, i, BUTTON_UP, i % 2 == 0);
+	}
+	for (int i = 3; i < BUTTON_QUEUE_ROOM + 3; i++) {
+		expect(&queue, i, BUTTON_UP, i % 2 == 0);
+	}
+	expect_nothing(&queue);
+}
+
+static void test_what_is_no_button_is_ignored(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	push(&queue, 0, BUTTON_COUNT, true);
+	push(&queue, 0, (enum button) - 1, true);
+	expect_nothing(&queue);
+}
+
+/* Opens a script of that text. */
+static int open_script(
+	struct buttons *buttons, const char *text, struct log_capture *capture)
+{
+	struct test_path directory = temp_dir_make();
+	struct test_path path = path_join(&directory, "run.txt");
+	struct log log = log_capture_begin(capture);
+	char spec[600];
+	int error;
+
+	file_write(path.text, text, strlen(text));
+	snprintf(spec, sizeof(spec), "script:%s", path.text);
+	error = buttons_open(buttons, spec, &log);
+	temp_dir_remove(&directory);
+	return error;
+}
+
+static void test_a_script_plays_what_is_due(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+
+	(void)state;
+	assert_int_equal(open_script(&buttons,
+				 "# a run\n"
+				 "\n"
+				 "0 ENTER down\n"
+				 "  50\tENTER\tup   # let go\r\n"
+				 "500 F10 down\n"
+				 "500 F9 down",
+				 &capture),
+		0);
+	buttons_poll(&buttons, 0);
+	expect(&buttons.queue, 0, BUTTON_ENTER, true);
+	expect_nothing(&buttons.queue);
+	buttons_poll(&buttons, 499);
+	expect(&buttons.queue, 50, BUTTON_ENTER, false);
+	expect_nothing(&buttons.queue);
+	buttons_poll(&buttons, 500);
+	expect(&buttons.queue, 500, BUTTON_F10, true);
+	expect(&buttons.queue, 500, BUTTON_F9, true);
+	buttons_poll(&buttons, 100000);
+	expect_nothing(&buttons.queue);
+	buttons_close(&buttons);
+}
+
+static void test_polling_settles_the_queue(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+
+	(void)state;
+	assert_int_equal(
+		open_script(&buttons, "10 UP down\n12 UP up\n", &capture), 0);
+	buttons_poll(&buttons, 12);
+	expect(&buttons.queue, 10, BUTTON_UP, true);
+	expect_nothing(&buttons.queue);
+	buttons_poll(&buttons, 10 + BUTTON_DEBOUNCE_MS);
+	expect(&buttons.queue, 10 + BUTTON_DEBOUNCE_MS, BUTTON_UP, false);
+	buttons_close(&buttons);
+}
+
+static void test_a_bad_line_is_named(void **state)
+{
+	static const struct {
+		const char *text, *place, *reason;
+	} cases[] = {
+		{"0 UP down\n5 UP\n", ":2: ", "TIME_MS BUTTON down|up"},
+		{"0 UP down again\n", ":1: ", "TIME_MS BUTTON down|up"},
+		{"\n# x\nsoon UP down\n", ":3: ", "\"soon\""},
+		{"1.5 UP down\n", ":1: ", "\"1.5\""},
+		{"-1 UP down\n", ":1: ", "\"-1\""},
+		{"99999999999999999999 UP down\n", ":1: ", "no time"},
+		{"0 LEFT down\n9 up down\n", ":2: ", "\"up\" is no button"},
+		{"0 LEFT pressed\n", ":1: ", "\"pressed\""},
+		{"10 UP down\n\n9 UP up\n", ":3: ", "before"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct buttons buttons;
+		struct log_capture capture;
+
+		assert_int_equal(open_script(&buttons, cases[i].text, &capture),
+			-EINVAL);
+		assert_int_equal(capture.count, 1);
+		assert_contains(capture.sentence[0], cases[i].place);
+		assert_contains(capture.sentence[0], cases[i].reason);
+		assert_int_equal(buttons.source_count, 0);
+	}
+}
+
+static void test_a_missing_script_is_named(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_int_equal(buttons_open(&buttons, "script:/nowhere/run.txt", &log),
+		-ENOENT);
+	assert_contains(capture.sentence[0], "/nowhere/run.txt");
+	assert_int_equal(buttons_open(&buttons, "script", &log), -EINVAL);
+	assert_contains(capture.sentence[1], "script:FILE");
+	assert_int_equal(buttons_open(&buttons, "script:/", &log), -EISDIR);
+	assert_contains(capture.sentence[2], "directory");
+}
+
+static void test_an_unknown_source_lists_the_known(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_int_equal(buttons_open(&buttons, "piano:4", &log), -EINVAL);
+	assert_contains(capture.sentence[0], "piano");
+	assert_contains(capture.sentence[0], "script");
+}
+
+static void test_no_spec_opens_nothing(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_int_equal(buttons_open(&buttons, NULL, &log), 0);
+	assert_int_equal(buttons_open(&buttons, "", &log), 0);
+	buttons_poll(&buttons, 5);
+	expect_nothing(&buttons.queue);
+	buttons_close(&buttons);
+}
+
+static void test_sources_share_one_queue(void **state)
+{
+	struct test_path directory = temp_dir_make();
+	struct test_path path = path_join(&directory, "run.txt");
+	char spec[(sizeof(path.text) + 8) * (BUTTON_SOURCES_MAX + 1)] = "";
+	struct buttons buttons;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	file_write(path.text, "3 UP down\n", 10);
+	for (int i = 0; i < BUTTON_SOURCES_MAX + 1; i++) {
+		size_t used = strlen(spec);
+
+		snprintf(spec + used, sizeof(spec) - used, "%sscript:%s",
+			i ? "," : "", path.text);
+	}
+	assert_int_equal(buttons_open(&buttons, spec, &log), -E2BIG);
+	*strrchr(spec, ',') = '\0';
+	assert_int_equal(buttons_open(&buttons, spec, &log), 0);
+	assert_int_equal(buttons.source_count, BUTTON_SOURCES_MAX);
+	buttons_poll(&buttons, 5);
+	expect(&buttons.queue, 3, BUTTON_UP, true);
+	expect_nothing(&buttons.queue);
+	buttons_close(&buttons);
+	temp_dir_remove(&directory);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_names_go_both_ways),
+		cmocka_unit_test(test_first_in_is_first_out),
+		cmocka_unit_test(test_repeats_are_dropped),
+		cmocka_unit_test(test_a_press_at_time_zero_passes_at_once),
+		cmocka_unit_test(test_a_bouncing_press_is_one_press),
+		cmocka_unit_test(test_the_last_state_of_a_bounce_is_not_lost),
+		cmocka_unit_test(test_a_later_report_settles_what_was_held_back),
+		cmocka_unit_test(
+			test_settled_changes_come_in_the_order_of_their_times),
+		cmocka_unit_test(test_buttons_do_not_hold_each_other_back),
+		cmocka_unit_test(
+			test_the_oldest_is_dropped_when_the_queue_is_full),
+		cmocka_unit_test(test_what_is_no_button_is_ignored),
+		cmocka_unit_test(test_a_script_plays_what_is_due),
+		cmocka_unit_test(test_polling_settles_the_queue),
+		cmocka_unit_test(test_a_bad_line_is_named),
+		cmocka_unit_test(test_a_missing_script_is_named),
+		cmocka_unit_test(test_an_unknown_source_lists_the_known),
+		cmocka_unit_test(test_no_spec_opens_nothing),
+		cmocka_unit_test(test_sources_share_one_queue),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

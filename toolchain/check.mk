@@ -1,1 +1,112 @@
-# make check: see tests/README.md.
+# make check: builds everything, runs every suite and tallies them. What the
+# suites are is told in tests/README.md.
+
+# Sample models and reference poses that are not part of the project.
+SAMPLES ?= ../shared
+CHECK := build/check
+
+# The fuzz targets' own build: clang has libFuzzer.
+CC_fuzz := clang-14
+CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
+	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+SETS_fuzz := host check
+PACKAGES_fuzz := jansson libpng libjpeg
+LIBS_fuzz := -lgif -lm -ldl
+$(eval $(call target_rules,fuzz))
+
+build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
+	$(call say,LINK,$@)
+	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ $^ \
+		@build/fuzz/libs $(LIBS_fuzz)
+
+# Programs that hold limber against references, from outside.
+objects = $(patsubst %.c,build/host/obj/%.o,$(1))
+build/host/conformance: $(call objects,$(wildcard tests/conformance/*.c))
+build/host/compare_png: $(call objects,tests/golden/compare_png.c)
+build/host/conformance build/host/compare_png: \
+		$(call objects,$(SUPPORT_SOURCES)) build/host/liblimber.a
+	$(call say,LINK,$@)
+	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host) \
+		-lcmocka
+
+# The Khronos validator, by the lock file, beside the tree.
+build/validator/stamp: $(addprefix tests/validator/,package.json \
+		package-lock.json .npmrc)
+	@mkdir -p $(@D)
+	$(call say,NPM,$(@D))
+	$(Q)cp $^ $(@D)
+	$(Q)cd $(@D) && npm ci --silent --no-audit --no-fund
+	$(Q)touch $@
+
+define newline
+
+
+endef
+TESTS := $(patsubst tests/unit/%.c,%,$(TEST_SOURCES))
+FUZZERS := $(patsubst tests/fuzz/%.c,%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+
+# A suite is a line: its name, then its command (tests/support/tally.sh).
+suite = $(1) $(2)$(newline)
+unit_suites = $(foreach test,$(TESTS),$(call \
+	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
+conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
+	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
+script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
+	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
+golden_suite = $(call suite,golden/$(1),tests/golden/golden.sh check $(1) \
+	build/host/limber $(CHECK)/golden/$(1))
+
+define SUITES
+$(call suite,build,cat build/check-build.tap)
+$(foreach fuzzer,$(FUZZERS),$(call \
+	suite,fuzz/$(fuzzer),tests/fuzz/run.sh build/fuzz/$(fuzzer)))
+$(call golden_suite,osmesa)
+$(call golden_suite,gles1)
+$(call conformance_suite,host)
+$(call conformance_suite,asan)
+$(call conformance_suite,arm)
+$(call unit_suites,host)
+$(call unit_suites,asan)
+$(call unit_suites,arm)
+$(call script_suites,cli,host/,LIMBER=build/host/limber)
+$(call script_suites,cli,asan/,LIMBER=build/asan/limber)
+$(call suite,assets,NODE_PATH=build/validator/node_modules \
+	node tests/validator/validate.js $(sort $(wildcard assets/*.glb)))
+$(call script_suites,toolchain)
+$(call script_suites,structure)
+$(call suite,conformance/checker,tests/conformance/checker.sh)
+$(call suite,golden/checker,tests/golden/checker.sh)
+$(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
+	tests/validator/checker.sh)
+$(call suite,tally,tests/support/tally_test.sh)
+endef
+
+# The same everywhere: no desktop, and what the loaded drivers lose is theirs.
+CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
+	CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 \
+	LSAN_OPTIONS=print_suppressions=0:suppressions=tests/support/lsan.supp
+
+.PHONY: check-build golden-build
+check-build: build/host/limber build/asan/limber build/arm/limber \
+		$(foreach target,$(TARGETS),$(patsubst \
+		%,build/$(target)/unit/%,$(TESTS))) \
+		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
+		build/host/compare_png build/validator/stamp
+golden-build: build/host/limber build/host/compare_png
+
+# As many jobs as processors, unless make was told.
+processors := $(shell nproc)
+make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(processors))
+
+check: | build
+	$(Q)date +%s >build/check-began
+	$(Q)toolchain/install.sh host arm check
+	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
+		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
+	$(file >build/check-suites,$(SUITES))
+	$(Q)sed -i 's/^ *//; /^$$/d' build/check-suites
+	$(Q)BEGAN=$$(cat build/check-began) $(CHECK_ENVIRONMENT) \
+		tests/support/tally.sh build/check-suites $(CHECK) $(processors)
+
+golden: golden-build
+	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber

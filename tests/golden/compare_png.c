@@ -1,0 +1,79 @@
+/*
+ * compare_png STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE PICTURE DIFFERENCE
+ *
+ * Prints how far PICTURE is from REFERENCE. Exit status 0 when it is within
+ * the four tolerances (struct picture_tolerance), else 1 with both and their
+ * difference in the PNG file DIFFERENCE; 2 for wrong usage.
+ */
+#include "tests/support/picture.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static void keep_difference(const char *path, const struct picture *reference,
+	const struct picture *picture)
+{
+	struct picture shown = picture_show_difference(reference, picture);
+
+	if (shown.rgb && picture_write(path, &shown) == 0) {
+		printf("reference, picture and difference: %s\n", path);
+	}
+	picture_release(&shown);
+}
+
+static int compare(const struct picture *reference,
+	const struct picture *picture, const struct picture_tolerance *limit,
+	const char *difference_path)
+{
+	struct picture_difference difference =
+		picture_compare(reference, picture, limit->step);
+
+	if (!difference.same_size) {
+		printf("%dx%d, not %dx%d\n", picture->width, picture->height,
+			reference->width, reference->height);
+		return 1;
+	}
+	printf("%.3f %% of the pixels off by more than %d (at most %g), mean "
+	       "%.3f (%g), worst block %.2f at %d,%d (%g), largest %d\n",
+		difference.far_percent, limit->step, limit->far_percent,
+		difference.mean, limit->mean, difference.block_mean,
+		difference.block_x, difference.block_y, limit->block_mean,
+		difference.worst);
+	if (picture_is_near(&difference, limit)) {
+		return 0;
+	}
+	keep_difference(difference_path, reference, picture);
+	return 1;
+}
+
+int main(int argc, char **argv)
+{
+	struct picture_tolerance limit;
+	struct picture reference = {0};
+	struct picture picture = {0};
+	int status = 1;
+
+	if (argc != 8) {
+		fprintf(stderr,
+			"usage: %s STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE "
+			"PICTURE DIFFERENCE\n",
+			argv[0]);
+		return 2;
+	}
+	limit = (struct picture_tolerance){
+		.step = atoi(argv[1]),
+		.far_percent = atof(argv[2]),
+		.mean = atof(argv[3]),
+		.block_mean = atof(argv[4]),
+	};
+	if (picture_read(argv[5], &reference)) {
+		printf("%s: missing or no PNG\n", argv[5]);
+	} else if (picture_read(argv[6], &picture)) {
+		printf("%s: missing or no PNG\n", argv[6]);
+	} else {
+		status = compare(&reference, &picture, &limit, argv[7]);
+	}
+	picture_release(&reference);
+	picture_release(&picture);
+	return status;
+}

@@ -1,0 +1,118 @@
+#!/bin/sh
+# golden.sh check GL LIMBER FOLDER: draws each picture of pictures.txt with the
+# GL driver and holds it against its reference; the pictures, and differences
+# of those that are too far, go into FOLDER. Speaks TAP.
+#
+# golden.sh make LIMBER: draws the references again, with the osmesa driver.
+#
+# GOLDEN is the folder of pictures.txt and the references, COMPARE the program
+# that compares.
+set -eu
+here=$(dirname "$0")
+golden=${GOLDEN:-$here}
+compare=${COMPARE:-build/host/compare_png}
+
+# How far a driver's picture may be from the reference (compare_png.c): step,
+# percent of pixels further off, mean, mean of the worst 16 x 16 block. The
+# rasterisers differ a little between processors, and more between drivers,
+# along edges.
+tolerance_of() {
+    case $1 in
+    osmesa) echo 8 0.5 0.5 12 ;;
+    gles1) echo 8 1.5 0.5 20 ;;
+    esac
+}
+
+pictures() {
+    sed '/^#/d; /^$/d' "$golden/pictures.txt"
+}
+
+# draw LIMBER GL FILE ARGUMENTS...
+draw() {
+    limber=$1
+    gl=$2
+    file=$3
+    shift 3
+    rm -f "$file"
+    "$limber" render "$@" --gl "$gl" -o "$file" </dev/null && [ -s "$file" ]
+}
+
+make_references() {
+    pictures | while read -r name arguments; do
+        # shellcheck disable=SC2086 # arguments are words
+        draw "$1" osmesa "$golden/$name.png" $arguments
+        echo "  PICTURE $golden/$name.png"
+    done
+}
+
+# Prints what is wrong and fails, or prints the figures.
+check_picture() {
+    reference=$golden/$name.png
+    if [ ! -f "$reference" ]; then
+        echo "no reference $reference: look at $folder/$name.png, then make golden"
+        return 1
+    fi
+    # shellcheck disable=SC2046 # four words
+    "$compare" $(tolerance_of "$gl") "$reference" "$folder/$name.png" \
+        "$folder/$name-difference.png"
+}
+
+# Every reference must be of a picture that is still drawn.
+check_leftovers() {
+    for file in "$golden"/*.png; do
+        name=$(basename "$file" .png)
+        if [ -f "$file" ] && ! pictures | grep -q "^$name "; then
+            echo "$file is a reference for nothing in pictures.txt"
+            return 1
+        fi
+    done
+}
+
+count=0
+failed=0
+# verdict STATUS NAME TEXT
+verdict() {
+    count=$((count + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $count - $2"
+    else
+        failed=1
+        echo "not ok $count - $2"
+    fi
+    [ -z "$3" ] || printf '%s\n' "$3" | sed 's/^/# /'
+}
+
+check_references() {
+    gl=$1
+    limber=$2
+    folder=$3
+    if [ -z "$(tolerance_of "$gl")" ]; then
+        echo "golden.sh: no tolerance for $gl" >&2
+        exit 2
+    fi
+    mkdir -p "$folder"
+    rm -f "$folder"/*.png
+    while read -r name arguments; do
+        status=0
+        # shellcheck disable=SC2086 # arguments are words
+        text=$(draw "$limber" "$gl" "$folder/$name.png" $arguments 2>&1 &&
+            check_picture) || status=$?
+        verdict "$status" "$name" "$text"
+    done <<END
+$(pictures)
+END
+    status=0
+    text=$(check_leftovers) || status=$?
+    verdict "$status" 'no reference is left over' "$text"
+    echo "1..$count"
+    exit "$failed"
+}
+
+case ${1-} in
+check) check_references "$2" "$3" "$4" ;;
+make) make_references "$2" ;;
+*)
+    echo "usage: $0 check GL LIMBER FOLDER | make LIMBER" >&2
+    exit 2
+    ;;
+esac

@@ -1,0 +1,85 @@
+#!/bin/sh
+# The two checks of this folder, held against made-up trees.
+. "$(dirname "$0")/../support/tap.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+tree=$scratch/tree
+
+# given FILE LINE: a clean tree with one more line in one file.
+given() {
+    rm -rf "$tree"
+    for folder in app/model app/anim/kernel app/scene app/demo app/cmd \
+        platform/base platform/gl/soft; do
+        mkdir -p "$tree/$folder"
+        printf '#include <string.h>\n' >"$tree/$folder/a.c"
+    done
+    printf '#include "app/cmd/a.h"\n' >"$tree/app/main.c"
+    printf '#include <jansson.h>\n' >"$tree/app/model/json.c"
+    printf '#include "platform/gl/gl.h"\n#include "app/anim/a.h"\n#include <cglm/cglm.h>\n' \
+        >"$tree/app/scene/b.c"
+    printf '#include "app/anim/a.h"\n#include "platform/base/a.h"\n' \
+        >"$tree/app/anim/kernel/b.c"
+    printf '#include <SDL2/SDL.h>\n#include "gl_drivers.h"\n' \
+        >"$tree/platform/gl/b.c"
+    [ $# -eq 0 ] || printf '%s\n' "$2" >>"$tree/$1"
+    TREE=$tree run "$here/includes.sh"
+}
+
+# refuses FILE LINE
+refuses() {
+    given "$1" "$2"
+    about "$1 with $2"
+    expect_status 1
+    expect_out '^not ok '
+    expect_out "# $1 includes "
+}
+
+given
+about 'a clean tree'
+expect_status 0
+refuses app/model/a.c '#include "app/anim/pose.h"'
+refuses app/anim/a.c '#include "app/scene/draw.h"'
+refuses app/anim/kernel/a.c '#include "app/demo/demo.h"'
+refuses app/scene/a.c '#include "app/demo/demo.h"'
+refuses app/demo/a.c '#include "app/cmd/options.h"'
+refuses app/demo/a.c '#include "app/other/x.h"'
+refuses platform/base/a.c '#include "app/model/model.h"'
+refuses platform/gl/soft/a.c '#  include "app/model/model.h"'
+refuses app/anim/a.c '#include "platform/gl/gl.h"'
+refuses app/model/a.c '#include "platform/display/display.h"'
+refuses app/scene/a.c '#include "platform/gl/soft/soft.h"'
+refuses app/scene/a.c '#include "draw.h"'
+refuses app/scene/a.c '#include <GLES/gl.h>'
+refuses app/cmd/a.c '#include <SDL2/SDL.h>'
+refuses app/scene/a.c '#include <jansson.h>'
+refuses app/model/a.c '#include <linux/fb.h>'
+refuses app/anim/a.c '#include <stdio.h>'
+
+rm -r "$tree/app" "$tree/platform"
+mkdir "$tree/app" "$tree/platform"
+TREE=$tree run "$here/includes.sh"
+about 'an empty tree'
+expect_out '^1..0$'
+
+# One object that calls the C library's maths, one that does not.
+mkdir "$scratch/objects"
+compile() {
+    printf '%s\n' "$2" | arm-linux-gnueabi-gcc -O2 -c -x c -o \
+        "$scratch/objects/$1.o" -
+}
+compile good 'float twice(float x) { return x + x; }'
+OBJECTS=$scratch/objects run "$here/libm.sh"
+about 'objects without maths'
+expect_status 0
+compile bad 'float sinf(float); float both(float x) { return sinf(x) + x; }'
+OBJECTS=$scratch/objects run "$here/libm.sh"
+about 'an object that calls sinf'
+expect_status 1
+expect_out '^not ok .*bad.o'
+expect_out '^ok .*good.o'
+expect_out '^# calls sinf'
+rm "$scratch"/objects/*
+OBJECTS=$scratch/objects run "$here/libm.sh"
+about 'no objects'
+expect_status 1
+
+tap_done

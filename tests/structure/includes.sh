@@ -1,0 +1,11 @@
+#!/bin/sh
+# Which way the includes run: cmd -> demo -> scene -> anim -> model, any of
+# them -> platform's public headers, platform -> nothing of app. TREE is the
+# folder of app/ and platform/. Speaks TAP.
+rules=$(cd "$(dirname "$0")" && pwd)/includes.awk
+cd "${TREE:-.}" || exit 1
+
+find app platform -name '*.[chS]' \
+    -exec grep -HE '^[[:space:]]*#[[:space:]]*include' {} + |
+    sed -E 's/^([^:]*):[[:space:]]*#[[:space:]]*include[[:space:]]*("([^"]*)"|(<[^>]*>)).*/\1 \3\4/' |
+    sort | awk -f "$rules"

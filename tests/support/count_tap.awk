@@ -1,0 +1,89 @@
+# Counts a suite's TAP. Variables: suite, status (the command's exit status).
+#
+# Prints one line "passed failed skipped", then a line "skip NAME: WHY" for
+# each skipped test and a line "fail WHY" for what is wrong with the suite as
+# a whole: no plan, an empty plan, tests missing, a failing exit status that no
+# test explains.
+#
+# cmocka 1.1.5 calls a skipped test "not ok N # SKIP NAME", and a failing group
+# fixture "not ok 0"; a line "# skipped: WHY" before a skip is its reason.
+
+function add_skip(name, why) {
+    skipped++
+    sub(/^ *-? */, "", name)
+    sub(/ *$/, "", name)
+    reasons[skipped] = (name == "" ? "" : name ": ") \
+        (why == "" ? "no reason given" : why)
+}
+
+/^1\.\.[0-9]+/ {
+    plans++
+    split(substr($1, 4), number, /[^0-9]/)
+    planned += number[1]
+    at = match(toupper($0), /# *SKIP/)
+    if (at && number[1] == 0) {
+        whole = 1
+        why = substr($0, at + RLENGTH)
+        sub(/^[^ ]* */, "", why)
+        add_skip("", why)
+    }
+    next
+}
+
+/^# skipped: / {
+    pending = substr($0, 12)
+    next
+}
+
+/^Bail out!/ {
+    bailed = 1
+    next
+}
+
+/^(not )?ok($| )/ {
+    good = $1 == "ok"
+    rest = $0
+    sub(/^(not )?ok */, "", rest)
+    counted = rest !~ /^0( |$)/
+    sub(/^[0-9]+ */, "", rest)
+    seen += counted
+    # A failing test only counts as skipped in cmocka's form, without a name.
+    at = match(toupper(rest), /(^|[^\\])# *SKIP(PED)?( |$)/)
+    if (at && (good || at == 1)) {
+        name = substr(rest, 1, at - 1 + (at > 1))
+        why = substr(rest, at + RLENGTH)
+        if (name == "") {
+            # cmocka: what follows is the test's name.
+            name = why
+            why = pending
+        }
+        add_skip(name, why == "" ? pending : why)
+    } else if (good) {
+        passed++
+    } else {
+        failed++
+    }
+    pending = ""
+}
+
+END {
+    if (bailed) {
+        wrong[++wrongs] = "it gave up"
+    } else if (plans == 0) {
+        wrong[++wrongs] = "no plan in its output"
+    } else if (planned == 0 && !whole) {
+        wrong[++wrongs] = "a plan of no tests"
+    } else if (seen != planned) {
+        wrong[++wrongs] = seen + 0 " of " planned " tests ran"
+    }
+    if (status != 0 && failed == 0) {
+        wrong[++wrongs] = "exit status " status
+    }
+    print passed + 0, failed + wrongs, skipped + 0
+    for (i = 1; i <= skipped; i++) {
+        print "skip " suite ": " reasons[i]
+    }
+    for (i = 1; i <= wrongs; i++) {
+        print "fail " suite ": " wrong[i]
+    }
+}

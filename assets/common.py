@@ -186,8 +186,10 @@ def bake_ao(objects, distance=0.5, samples=256, strength=1.0, rounds=1):
     scene.world.light_settings.distance = distance
     scene.render.bake.target = "VERTEX_COLORS"
     for obj in objects:
-        attr = obj.data.color_attributes.new("AO", "FLOAT_COLOR", "CORNER")
-        obj.data.color_attributes.active_color = attr
+        attrs = obj.data.color_attributes
+        attrs.active_color = attrs.new("AO", "FLOAT_COLOR", "CORNER")
+        # the bake goes to the one that would be rendered
+        attrs.render_color_index = attrs.active_color_index
     select_only(*objects)
     bpy.ops.object.bake(type="AO")
     for obj in objects:
@@ -220,6 +222,7 @@ def export_glb(path, tangents_for=(), tolerance=0.0005):
     names the materials whose primitives keep tangents. tolerance is the
     largest error, in the channel's own unit, that dropping keys may make.
     """
+    repair_exporter()
     bpy.ops.export_scene.gltf(
         filepath=path,
         export_format="GLB",
@@ -245,6 +248,31 @@ def export_glb(path, tangents_for=(), tolerance=0.0005):
         export_extras=False,
     )
     Tidy(path).write(path, tangents_for, tolerance)
+
+
+def repair_exporter():
+    """Makes Blender 3.4's exporter read colours by corner.
+
+    It looks a corner's colour up by the number of the corner's vertex.
+    """
+    if bpy.app.version >= (3, 5, 0):
+        return
+    from io_scene_gltf2.blender.exp import (
+        gltf2_blender_gather_primitives_extract as extract)
+
+    def get_color_attribute(self, attr):
+        colors = self.blender_mesh.color_attributes
+        data = colors[colors.render_color_index].data
+        rgba = np.empty(len(data) * 4, dtype=np.float32)
+        data.foreach_get("color", rgba)
+        rgba = rgba.reshape(-1, 4)
+        if attr["blender_domain"] == "POINT":
+            rgba = rgba[self.dots["vertex_index"]]
+        for i in range(4):
+            self.dots[attr["gltf_attribute_name"] + str(i)] = rgba[:, i]
+
+    extract.PrimitiveCreator._PrimitiveCreator__get_color_attribute = (
+        get_color_attribute)
 
 
 COMPONENT = {5120: "i1", 5121: "u1", 5122: "<i2", 5123: "<u2", 5125: "<u4",

@@ -1,7 +1,18 @@
-#include <stdio.h>
+/*
+ * The table of subcommands, nothing else.
+ */
+#include "app/cmd/command.h"
+#include "app/cmd/dispatch.h"
 
-int main(void)
+const struct command *const command_registry[] = {
+	&command_play,
+	&command_render,
+	&command_pose,
+	&command_info,
+	NULL,
+};
+
+int main(int argc, char **argv)
 {
-	puts("limber");
-	return 0;
+	return dispatch(command_registry, argc, argv);
 }

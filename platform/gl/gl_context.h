@@ -59,6 +59,9 @@ struct gl_driver {
 /* Built-in drivers in order of preference, NULL at the end. */
 extern const struct gl_driver *const gl_registry[];
 
+/* True for "auto" and the drivers' names; else says which names there are. */
+bool gl_is_known(const char *name, const struct log *log);
+
 /*
  * Opens the named driver, or for NULL or "auto" the first that opens. 0, or
  * -errno after a sentence: one for each driver tried, or for an unknown name

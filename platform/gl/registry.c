@@ -48,11 +48,27 @@ static int open_any(enum pixel_format format, const struct log *log,
 	return 0;
 }
 
-int gl_open(const char *name, enum pixel_format format, const struct log *log,
-	struct gl_context **out)
+bool gl_is_known(const char *name, const struct log *log)
 {
 	struct name_list names = {"auto"};
 
+	if (strcmp(name, "auto") == 0) {
+		return true;
+	}
+	for (int i = 0; gl_registry[i]; i++) {
+		if (strcmp(name, gl_registry[i]->name) == 0) {
+			return true;
+		}
+		name_list_add(&names, gl_registry[i]->name);
+	}
+	log_error(log, "--gl %s: no such driver: choose one of %s", name,
+		names.text);
+	return false;
+}
+
+int gl_open(const char *name, enum pixel_format format, const struct log *log,
+	struct gl_context **out)
+{
 	if (!name || strcmp(name, "auto") == 0) {
 		return open_any(format, log, out);
 	}
@@ -60,9 +76,6 @@ int gl_open(const char *name, enum pixel_format format, const struct log *log,
 		if (strcmp(name, gl_registry[i]->name) == 0) {
 			return gl_registry[i]->create(format, log, out);
 		}
-		name_list_add(&names, gl_registry[i]->name);
 	}
-	log_error(log, "--gl %s: no such driver: choose one of %s", name,
-		names.text);
-	return -EINVAL;
+	return gl_is_known(name, log) ? 0 : -EINVAL;
 }

@@ -1,0 +1,36 @@
+/*
+ * The subcommands: one file each, all with the same shape.
+ */
+#ifndef APP_CMD_COMMAND_H
+#define APP_CMD_COMMAND_H
+
+#include "app/cmd/options.h"
+
+enum exit_code {
+	EXIT_OK = 0,
+	EXIT_FAILED = 1, /* a file, a device, memory */
+	EXIT_USAGE = 2,  /* the words of the command line */
+};
+
+struct command {
+	const char *name;
+	enum command_bit bit;
+	const char *usage;   /* "MODEL -o FILE" and the like */
+	const char *summary; /* one line */
+	const char *detail;  /* a paragraph for --help, and examples */
+	/* One of enum exit_code. */
+	int (*run)(const struct options *options, const struct log *log);
+};
+
+extern const struct command command_play;
+extern const struct command command_render;
+extern const struct command command_pose;
+extern const struct command command_info;
+
+/* All of them, NULL at the end. */
+extern const struct command *const command_registry[];
+
+/* EXIT_OK for 0, EXIT_USAGE for -EINVAL of an option, else EXIT_FAILED. */
+int command_exit_code(int error);
+
+#endif

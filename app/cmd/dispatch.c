@@ -1,0 +1,121 @@
+#include "app/cmd/dispatch.h"
+
+#include "app/cmd/version.h"
+#include "platform/base/file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	COMMANDS_MAX = 16
+};
+
+int command_exit_code(int error)
+{
+	if (error == 0) {
+		return EXIT_OK;
+	}
+	return EXIT_FAILED;
+}
+
+static const struct command *find(
+	const struct command *const *commands, const char *name)
+{
+	for (; *commands; commands++) {
+		if (strcmp((*commands)->name, name) == 0) {
+			return *commands;
+		}
+	}
+	return NULL;
+}
+
+static void print_overview(const struct command *const *commands)
+{
+	puts("limber plays 3D character animation: morphing, hierarchical and "
+	     "skeletal.\n");
+	for (int i = 0; commands[i]; i++) {
+		printf("  limber %-7s %-26s %s\n", commands[i]->name,
+			commands[i]->usage, commands[i]->summary);
+	}
+	puts("\nlimber COMMAND --help tells more. Without a command it plays.");
+}
+
+static void print_help(const struct command *command)
+{
+	printf("limber %s %s\n\n%s\n\nOptions:\n", command->name,
+		command->usage, command->detail);
+	options_list(stdout, command->bit);
+}
+
+/* A first word that is neither a command, an option nor a file. */
+static int say_unknown(const struct command *const *commands, const char *word,
+	const struct log *log)
+{
+	const char *names[COMMANDS_MAX];
+	const char *closest;
+	int count = 0;
+
+	for (; commands[count] && count < COMMANDS_MAX - 1; count++) {
+		names[count] = commands[count]->name;
+	}
+	names[count] = NULL;
+	closest = options_closest(word, names);
+	if (closest) {
+		log_error(log,
+			"%s: no such command or file: did you mean "
+			"limber %s?",
+			word, closest);
+	} else {
+		log_error(log,
+			"%s: no such command or file: limber --help "
+			"lists the commands",
+			word);
+	}
+	return EXIT_USAGE;
+}
+
+/* A word that looks like a file's name is taken for one even if missing. */
+static bool looks_like_file(const char *word)
+{
+	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
+}
+
+int dispatch(const struct command *const *commands, int argc, char **argv)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct options options = options_default();
+	const struct command *command = commands[0];
+	int first = 1;
+
+	if (argc > 1 && argv[1][0] != '-') {
+		const struct command *named = find(commands, argv[1]);
+
+		if (named) {
+			command = named;
+			first = 2;
+		} else if (!looks_like_file(argv[1])) {
+			return say_unknown(commands, argv[1], &log);
+		}
+	}
+	if (options_parse(&options, command->bit, argc - first, argv + first,
+		    &log) != 0) {
+		return EXIT_USAGE;
+	}
+	if (options.help && first == 1) {
+		print_overview(commands);
+		return EXIT_OK;
+	}
+	if (options.help) {
+		print_help(command);
+		return EXIT_OK;
+	}
+	if (options.version) {
+		puts(version_text());
+		return EXIT_OK;
+	}
+	if (options.verbose) {
+		log = log_to_stderr(LOG_NOTE);
+	}
+	return command->run(&options, &log);
+}

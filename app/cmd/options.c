@@ -1,0 +1,404 @@
+#include "app/cmd/options.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	SIDE_MAX = 8192,
+	FRAMES_MAX = 1000000,
+	OPTIONS_MAX = 32
+};
+
+struct option_entry {
+	char letter;       /* or 0 */
+	const char *name;  /* without dashes */
+	const char *value; /* what follows it, or NULL */
+	int commands;
+	const char *summary;
+	const char *expected; /* what a good value looks like */
+	/* True when the value is good. */
+	bool (*set)(struct options *options, const char *value);
+};
+
+static bool read_int(const char *text, int low, int high, int *out)
+{
+	char *end;
+	long value;
+
+	errno = 0;
+	value = strtol(text, &end, 10);
+	if (errno || end == text || *end || value < low || value > high) {
+		return false;
+	}
+	*out = (int)value;
+	return true;
+}
+
+static bool set_demo(struct options *options, const char *value)
+{
+	options->demo = value;
+	return true;
+}
+
+static bool set_output(struct options *options, const char *value)
+{
+	options->output = value;
+	return value[0] != '\0';
+}
+
+static bool set_size(struct options *options, const char *value)
+{
+	char *end;
+	long width = strtol(value, &end, 10), height;
+
+	if (end == value || *end != 'x') {
+		return false;
+	}
+	value = end + 1;
+	height = strtol(value, &end, 10);
+	if (end == value || *end || width < 1 || height < 1 ||
+		width > SIDE_MAX || height > SIDE_MAX) {
+		return false;
+	}
+	options->width = (int)width;
+	options->height = (int)height;
+	return true;
+}
+
+static bool set_gl(struct options *options, const char *value)
+{
+	options->gl = value;
+	return true;
+}
+
+static bool set_display(struct options *options, const char *value)
+{
+	options->display = value;
+	return true;
+}
+
+static bool set_buttons(struct options *options, const char *value)
+{
+	options->buttons = value;
+	return true;
+}
+
+static bool set_script(struct options *options, const char *value)
+{
+	options->script = value;
+	return true;
+}
+
+static bool set_clock(struct options *options, const char *value)
+{
+	options->clock_given = true;
+	return clock_parse(value, &options->clock) == 0;
+}
+
+static bool set_frames(struct options *options, const char *value)
+{
+	return read_int(value, 1, FRAMES_MAX, &options->frames);
+}
+
+static bool set_time(struct options *options, const char *value)
+{
+	char *end;
+
+	options->time_s = strtod(value, &end);
+	options->time_given = true;
+	return end != value && !*end && options->time_s >= 0.0 &&
+		options->time_s <= 86400.0;
+}
+
+static bool set_clip(struct options *options, const char *value)
+{
+	options->clip = value;
+	return value[0] != '\0';
+}
+
+static bool set_math(struct options *options, const char *value)
+{
+	(void)options;
+	return strcmp(value, "float") == 0;
+}
+
+static bool set_kernel(struct options *options, const char *value)
+{
+	options->kernel = value;
+	return true;
+}
+
+static bool set_influences(struct options *options, const char *value)
+{
+	return read_int(value, 1, 8, &options->influences);
+}
+
+static bool set_json(struct options *options, const char *value)
+{
+	(void)value;
+	options->json = true;
+	return true;
+}
+
+static bool set_verbose(struct options *options, const char *value)
+{
+	(void)value;
+	options->verbose = true;
+	return true;
+}
+
+static bool set_help(struct options *options, const char *value)
+{
+	(void)value;
+	options->help = true;
+	return true;
+}
+
+static bool set_version(struct options *options, const char *value)
+{
+	(void)value;
+	options->version = true;
+	return true;
+}
+
+enum {
+	FOR_SHOW = FOR_PLAY | FOR_RENDER
+};
+
+/* clang-format off */
+static const struct option_entry entries[] = {
+	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
+		"the file to write", "a file name", set_output},
+	{0, "demo", "NAME", FOR_SHOW,
+		"a built-in demo instead of a model: walker, arm or face",
+		"a demo's name", set_demo},
+	{0, "clip", "NAME", FOR_SHOW | FOR_POSE,
+		"an animation of the model, by name or number (0 is the first)",
+		"a clip's name or number", set_clip},
+	{0, "time", "S", FOR_SHOW | FOR_POSE,
+		"the moment to show, or to begin at, in seconds",
+		"seconds such as 1.5, from 0 to 86400", set_time},
+	{0, "frames", "N", FOR_SHOW,
+		"stop after N frames", "a number from 1 to 1000000", set_frames},
+	{0, "size", "WxH", FOR_SHOW,
+		"size of the picture in pixels (480x640)",
+		"width x height such as 480x640, up to 8192x8192", set_size},
+	{0, "gl", "NAME", FOR_SHOW,
+		"the GL driver: auto, osmesa or gles1", "a driver's name",
+		set_gl},
+	{0, "display", "NAME", FOR_PLAY,
+		"where pictures go: window, image or null", "a display's name",
+		set_display},
+	{0, "buttons", "SPEC", FOR_SHOW,
+		"where buttons come from besides the window, such as "
+		"script:FILE", "sources such as script:FILE", set_buttons},
+	{0, "script", "FILE", FOR_SHOW,
+		"buttons from a file with lines TIME_MS BUTTON down|up",
+		"a file name", set_script},
+	{0, "clock", "KIND", FOR_SHOW,
+		"real, or fixed:FPS for the same times in every run",
+		"real or fixed:FPS, FPS up to 1000", set_clock},
+	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
+		"how vertices are computed: float", "float", set_math},
+	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE,
+		"which vertex loops: float", "a kernel's name", set_kernel},
+	{0, "influences", "N", FOR_SHOW | FOR_POSE,
+		"use at most N joints a vertex", "a number from 1 to 8",
+		set_influences},
+	{0, "json", NULL, FOR_INFO,
+		"print JSON", NULL, set_json},
+	{'v', "verbose", NULL, FOR_ALL,
+		"say more on the way", NULL, set_verbose},
+	{'h', "help", NULL, FOR_ALL,
+		"print this help", NULL, set_help},
+	{0, "version", NULL, FOR_ALL,
+		"print the version", NULL, set_version},
+};
+/* clang-format on */
+
+_Static_assert(ARRAY_COUNT(entries) < OPTIONS_MAX, "room for the names");
+
+struct options options_default(void)
+{
+	return (struct options){
+		.width = 480,
+		.height = 640,
+		.clock = clock_real(),
+	};
+}
+
+static int distance(const char *a, const char *b)
+{
+	int row[32];
+	int columns = (int)strlen(b);
+
+	if (columns > 31 || strlen(a) > 31) {
+		return 99;
+	}
+	for (int j = 0; j <= columns; j++) {
+		row[j] = j;
+	}
+	for (int i = 1; a[i - 1]; i++) {
+		int diagonal = row[0];
+
+		row[0] = i;
+		for (int j = 1; j <= columns; j++) {
+			int best = diagonal + (a[i - 1] != b[j - 1]);
+
+			diagonal = row[j];
+			best = row[j] + 1 < best ? row[j] + 1 : best;
+			best = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+			row[j] = best;
+		}
+	}
+	return row[columns];
+}
+
+const char *options_closest(const char *word, const char *const *candidates)
+{
+	const char *closest = NULL;
+	int best = strlen(word) < 4 ? 2 : 3;
+
+	for (; *candidates; candidates++) {
+		int d = distance(word, *candidates);
+
+		if (d < best) {
+			best = d;
+			closest = *candidates;
+		}
+	}
+	return closest;
+}
+
+static const struct option_entry *find_entry(const char *word, size_t length)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(entries); i++) {
+		const struct option_entry *entry = &entries[i];
+
+		if (length == 2 && word[0] == '-' && word[1] == entry->letter &&
+			entry->letter) {
+			return entry;
+		}
+		if (length > 2 && strncmp(word, "--", 2) == 0 &&
+			strlen(entry->name) == length - 2 &&
+			strncmp(word + 2, entry->name, length - 2) == 0) {
+			return entry;
+		}
+	}
+	return NULL;
+}
+
+static int say_unknown(const char *word, size_t length,
+	enum command_bit command, const struct log *log)
+{
+	const char *names[OPTIONS_MAX];
+	const char *closest;
+	char bare[32];
+	int count = 0;
+
+	for (size_t i = 0; i < ARRAY_COUNT(entries); i++) {
+		if (entries[i].commands & (int)command) {
+			names[count++] = entries[i].name;
+		}
+	}
+	names[count] = NULL;
+	snprintf(bare, sizeof(bare), "%.*s", (int)(length > 31 ? 31 : length),
+		word);
+	closest = options_closest(bare + strspn(bare, "-"), names);
+	if (closest) {
+		log_error(log, "%.*s: no such option: did you mean --%s?",
+			(int)length, word, closest);
+	} else {
+		log_error(log, "%.*s: no such option: --help lists them",
+			(int)length, word);
+	}
+	return -EINVAL;
+}
+
+/* One option and its value; *at moves over a value that is its own word. */
+static int parse_option(struct options *options, enum command_bit command,
+	int argc, char **argv, int *at, const struct log *log)
+{
+	const char *word = argv[*at];
+	const char *equals = strchr(word, '=');
+	size_t length = equals ? (size_t)(equals - word) : strlen(word);
+	const struct option_entry *entry = find_entry(word, length);
+	const char *value = equals ? equals + 1 : NULL;
+
+	if (!entry) {
+		return say_unknown(word, length, command, log);
+	}
+	if (!(entry->commands & (int)command)) {
+		log_error(log,
+			"--%s: not an option of this command: --help "
+			"lists its own",
+			entry->name);
+		return -EINVAL;
+	}
+	if (entry->value && !value) {
+		if (*at + 1 >= argc) {
+			log_error(log, "--%s: its value is missing: want %s",
+				entry->name, entry->expected);
+			return -EINVAL;
+		}
+		value = argv[++*at];
+	}
+	if (!entry->value && value) {
+		log_error(log, "--%s: takes no value", entry->name);
+		return -EINVAL;
+	}
+	if (!entry->set(options, value)) {
+		log_error(log, "--%s %s: want %s", entry->name, value,
+			entry->expected);
+		return -EINVAL;
+	}
+	return 0;
+}
+
+int options_parse(struct options *options, enum command_bit command, int argc,
+	char **argv, const struct log *log)
+{
+	bool only_words = false;
+
+	for (int i = 0; i < argc; i++) {
+		if (!only_words && strcmp(argv[i], "--") == 0) {
+			only_words = true;
+		} else if (!only_words && argv[i][0] == '-' && argv[i][1]) {
+			int error = parse_option(
+				options, command, argc, argv, &i, log);
+
+			if (error) {
+				return error;
+			}
+		} else if (options->model_path) {
+			log_error(log,
+				"%s: one model at a time, and %s came "
+				"first",
+				argv[i], options->model_path);
+			return -EINVAL;
+		} else {
+			options->model_path = argv[i];
+		}
+	}
+	return 0;
+}
+
+void options_list(FILE *out, enum command_bit command)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(entries); i++) {
+		const struct option_entry *entry = &entries[i];
+		char left[32];
+
+		if (!(entry->commands & (int)command)) {
+			continue;
+		}
+		snprintf(left, sizeof(left), "%s%c%s--%s %s",
+			entry->letter ? "-" : " ",
+			entry->letter ? entry->letter : ' ',
+			entry->letter ? ", " : "  ", entry->name,
+			entry->value ? entry->value : "");
+		fprintf(out, "  %-24s %s\n", left, entry->summary);
+	}
+}

@@ -1,0 +1,64 @@
+/*
+ * The command line: one table of options for all subcommands.
+ */
+#ifndef APP_CMD_OPTIONS_H
+#define APP_CMD_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "platform/base/clock.h"
+#include "platform/base/log.h"
+
+/* Which subcommands take an option. */
+enum command_bit {
+	FOR_PLAY = 1,
+	FOR_RENDER = 2,
+	FOR_POSE = 4,
+	FOR_INFO = 8,
+	FOR_ALL = 15,
+};
+
+struct options {
+	const char *model_path; /* the word that is no option, or NULL */
+	const char *demo;
+	const char *output;
+	const char *gl;
+	const char *display;
+	const char *buttons;
+	const char *script;
+	const char *clip;
+	const char *kernel;
+	int width, height;
+	struct clock clock;
+	bool clock_given;
+	int frames; /* 0: not given */
+	double time_s;
+	bool time_given;
+	int influences; /* 0: all */
+	bool json;
+	bool verbose;
+	bool help;
+	bool version;
+};
+
+struct options options_default(void);
+
+/*
+ * Reads the words after the subcommand. 0, or -EINVAL after a sentence that
+ * says what is wrong and, for a misspelt option, what it may have been. The
+ * strings stay argv's.
+ */
+int options_parse(struct options *options, enum command_bit command, int argc,
+	char **argv, const struct log *log);
+
+/* The options of a subcommand, a line each. */
+void options_list(FILE *out, enum command_bit command);
+
+/*
+ * The candidate that word was probably meant to be, or NULL: at most two
+ * letters off. candidates ends with NULL.
+ */
+const char *options_closest(const char *word, const char *const *candidates);
+
+#endif

@@ -1,0 +1,63 @@
+#include "app/cmd/progress.h"
+
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum {
+	BAR_WIDTH = 40,
+	PATIENCE_MS = 1000,
+	REDRAW_MS = 100
+};
+
+static int64_t now_ms(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+}
+
+struct progress progress_begin(int total, FILE *out)
+{
+	struct progress progress = {.total = total, .start_ms = now_ms()};
+
+	if (total > 1 && isatty(fileno(out))) {
+		progress.out = out;
+	}
+	return progress;
+}
+
+void progress_step(struct progress *progress, int done)
+{
+	char bar[BAR_WIDTH + 1];
+	int64_t now;
+	int filled;
+
+	if (!progress->out) {
+		return;
+	}
+	now = now_ms();
+	if (now - progress->start_ms < PATIENCE_MS ||
+		now - progress->shown_ms < REDRAW_MS) {
+		return;
+	}
+	filled = (int)((int64_t)done * BAR_WIDTH / progress->total);
+	memset(bar, '-', BAR_WIDTH);
+	memset(bar, '#', (size_t)(filled > BAR_WIDTH ? BAR_WIDTH : filled));
+	bar[BAR_WIDTH] = '\0';
+	fprintf(progress->out, "\r[%s] %d/%d frames", bar, done,
+		progress->total);
+	fflush(progress->out);
+	progress->shown_ms = now;
+	progress->visible = true;
+}
+
+void progress_end(struct progress *progress)
+{
+	if (progress->visible) {
+		fprintf(progress->out, "\r%*s\r", BAR_WIDTH + 32, "");
+		fflush(progress->out);
+		progress->visible = false;
+	}
+}

@@ -1,0 +1,74 @@
+#include "app/demo/actor.h"
+
+#include "app/scene/draw.h"
+
+int actor_load(struct actor *actor, const struct demo_env *env)
+{
+	int error;
+
+	*actor = (struct actor){0};
+	error = model_load(env->model_path, env->log, &actor->model);
+	if (error) {
+		return error;
+	}
+	error = instance_create(
+		actor->model, env->kernel, env->log, &actor->instance);
+	if (error) {
+		goto fail_model;
+	}
+	actor->instance->max_influences = env->max_influences;
+	error = clip_cursor_init(
+		&actor->cursor, actor->model, &actor->instance->arena);
+	if (error) {
+		log_error(env->log, "%s: not enough memory to play it",
+			env->model_path);
+		goto fail_instance;
+	}
+	error = texture_set_create(
+		&actor->textures, actor->model, env->gl, env->target, env->log);
+	if (!error) {
+		return 0;
+	}
+fail_instance:
+	instance_destroy(actor->instance);
+fail_model:
+	model_destroy(actor->model);
+	*actor = (struct actor){0};
+	return error;
+}
+
+void actor_unload(struct actor *actor, const struct gl *gl)
+{
+	texture_set_destroy(&actor->textures, gl);
+	instance_destroy(actor->instance);
+	model_destroy(actor->model);
+	*actor = (struct actor){0};
+}
+
+int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
+	struct stage *stage)
+{
+	struct bounds bounds = bounds_of_clip(actor->instance, clip);
+
+	return stage_init(
+		stage, env->gl, &bounds, env->aspect, env->target, env->log);
+}
+
+void actor_draw(const struct actor *actor, const struct stage *stage,
+	const struct gl *gl, int width, int height)
+{
+	stage_begin(stage, gl, width, height);
+	stage_shadow_begin(stage, gl);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
+	stage_shadow_end(stage, gl);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+}
+
+void actor_pose(struct actor *actor, int clip, float time_s)
+{
+	pose_rest(&actor->instance->pose, actor->model);
+	if (clip >= 0) {
+		clip_sample(&actor->model->clip[clip], time_s, &actor->cursor,
+			&actor->instance->pose);
+	}
+}

@@ -1,0 +1,39 @@
+/*
+ * A model on stage: file, instance and textures together.
+ */
+#ifndef APP_DEMO_ACTOR_H
+#define APP_DEMO_ACTOR_H
+
+#include "app/anim/clip.h"
+#include "app/demo/demo.h"
+#include "app/scene/instance.h"
+#include "app/scene/stage.h"
+#include "app/scene/texture.h"
+
+struct actor {
+	struct model *model;
+	struct instance *instance;
+	struct texture_set textures;
+	struct clip_cursor cursor;
+};
+
+/* Loads env's model. 0, or -errno after a sentence with nothing left behind. */
+int actor_load(struct actor *actor, const struct demo_env *env);
+
+void actor_unload(struct actor *actor, const struct gl *gl);
+
+/*
+ * A stage that frames the actor over all of a clip (-1: at rest). 0, or -errno
+ * after a sentence.
+ */
+int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
+	struct stage *stage);
+
+/* A whole frame with only this actor on the stage, shadow included. */
+void actor_draw(const struct actor *actor, const struct stage *stage,
+	const struct gl *gl, int width, int height);
+
+/* Puts the pose at a clip's time, nodes without a channel at rest. */
+void actor_pose(struct actor *actor, int clip, float time_s);
+
+#endif

@@ -1,0 +1,409 @@
+/*
+ * The arm: hierarchical animation, AN4044 section 2.
+ *
+ * Every node of the model is a pivot. To move a part is to change one of its
+ * pivot's variables; the walk over the pivots does the rest.
+ */
+#include "app/anim/hierarchy.h"
+#include "app/demo/actor.h"
+#include "app/demo/arm_program.h"
+#include "app/demo/demo.h"
+#include "app/scene/draw.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const float wheel_radius_m = 0.056f;
+static const float joint_deg_per_s = 45.0f;
+static const float truck_m_per_s = 0.35f;
+static const double breath_s = 1.0; /* between two runs of the program */
+
+/* The pivots that the demo moves, by their nodes' names. */
+enum part {
+	PART_ARM,
+	PART_FOREARM,
+	PART_HAND,
+	PART_INDEX,
+	PART_THUMB,
+	PART_TRUCK,
+	PART_WHEEL_FL,
+	PART_WHEEL_FR,
+	PART_WHEEL_RL,
+	PART_WHEEL_RR,
+	PART_CRATE,
+	PART_COUNT,
+};
+
+static const char *const part_names[PART_COUNT] = {"Arm", "Forearm", "Hand",
+	"IndexFinger", "Thumb", "Car", "WheelFL", "WheelFR", "WheelRL",
+	"WheelRR", "Crate"};
+
+/* What a person can select, and the joints that the arrows move. */
+struct handle {
+	const char *name;
+	enum arm_joint up_down, left_right;
+	float up, right; /* the direction of a press */
+};
+
+static const struct handle handles[] = {
+	{"arm", ARM_PITCH, ARM_HEADING, -1.0f, 1.0f},
+	{"forearm", FOREARM_PITCH, ARM_HEADING, -1.0f, 1.0f},
+	{"hand", HAND_PITCH, HAND_BANK, -1.0f, 1.0f},
+	{"finger", FINGER_HEADING, FINGER_HEADING, 1.0f, 1.0f},
+	{"truck", TRUCK_WAY, TRUCK_WAY, 1.0f, 1.0f},
+};
+
+static const struct {
+	float low, high;
+} joint_limits[ARM_JOINT_COUNT] = {
+	[ARM_HEADING] = {-160.0f, 160.0f},
+	[ARM_PITCH] = {-60.0f, 60.0f},
+	[FOREARM_PITCH] = {-50.0f, 80.0f},
+	[HAND_PITCH] = {-80.0f, 100.0f},
+	[HAND_BANK] = {-180.0f, 180.0f},
+	[FINGER_HEADING] = {-6.0f, 25.0f},
+	[TRUCK_WAY] = {-0.4f, 0.8f},
+};
+
+struct demo {
+	const struct gl *gl;
+	struct actor actor;
+	struct stage stage;
+	struct hierarchy hierarchy;
+	int pivot[PART_COUNT];
+	struct pivot crate_rest;
+	float truck_rest[3];
+
+	float joint[ARM_JOINT_COUNT];
+	enum crate_place crate;
+	size_t handle;
+	float up, right; /* while held: -1, 0 or 1 */
+
+	bool repeating;
+	int step; /* of the program, or -1 */
+	float from[ARM_JOINT_COUNT];
+	double step_start_s, now_s;
+};
+
+/*
+ * A pivot for each node, in the model's order but the crate last, so that any
+ * other part can become its parent.
+ */
+static int make_pivots(struct demo *demo, const struct demo_env *env)
+{
+	const struct model *model = demo->actor.model;
+	struct arena *arena = &demo->actor.instance->arena;
+	int crate = model_find_node(model, part_names[PART_CRATE]);
+	int *place = ARENA_ARRAY(arena, int, (size_t)model->node_count);
+	struct pivot *pivot =
+		ARENA_ARRAY(arena, struct pivot, (size_t)model->node_count);
+	int next = 0;
+
+	if (!place || !pivot) {
+		log_error(env->log, "%s: not enough memory for its pivots",
+			env->model_path);
+		return -ENOMEM;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		place[i] = i == crate ? model->node_count - 1 : next++;
+		pivot[place[i]] = pivot_default();
+		pivot[place[i]].part = i;
+		pivot[place[i]].parent =
+			node->parent < 0 ? -1 : place[node->parent];
+		memcpy(pivot[place[i]].position, node->rest.translation,
+			sizeof(float[3]));
+	}
+	demo->hierarchy = (struct hierarchy){model->node_count, pivot};
+	for (int part = 0; part < PART_COUNT; part++) {
+		int node = model_find_node(model, part_names[part]);
+
+		if (node < 0) {
+			log_error(env->log, "%s: has no node %s",
+				env->model_path, part_names[part]);
+			return -EINVAL;
+		}
+		demo->pivot[part] = place[node];
+	}
+	return hierarchy_check(&demo->hierarchy);
+}
+
+static struct pivot *pivot_of(struct demo *demo, enum part part)
+{
+	return &demo->hierarchy.pivot[demo->pivot[part]];
+}
+
+/* The orders of the document's robot arm. */
+static void set_orders(struct demo *demo)
+{
+	pivot_of(demo, PART_ARM)->order = PIVOT_HEADING_PITCH_BANK;
+	pivot_of(demo, PART_FOREARM)->order = PIVOT_PITCH_HEADING_BANK;
+	pivot_of(demo, PART_HAND)->order = PIVOT_PITCH_BANK_HEADING;
+	demo->crate_rest = *pivot_of(demo, PART_CRATE);
+	memcpy(demo->truck_rest, pivot_of(demo, PART_TRUCK)->position,
+		sizeof(demo->truck_rest));
+}
+
+static void begin_step(struct demo *demo, int step)
+{
+	demo->step = step;
+	demo->step_start_s = demo->now_s;
+	memcpy(demo->from, demo->joint, sizeof(demo->from));
+}
+
+static int arm_create(const struct demo_env *env, struct demo **out)
+{
+	struct demo *demo = calloc(1, sizeof(*demo));
+	int error = -ENOMEM;
+
+	if (!demo) {
+		log_error(env->log, "arm: not enough memory");
+		return error;
+	}
+	demo->gl = env->gl;
+	demo->step = -1;
+	memcpy(demo->joint, arm_home, sizeof(demo->joint));
+	error = actor_load(&demo->actor, env);
+	if (error) {
+		goto fail;
+	}
+	error = make_pivots(demo, env);
+	if (!error) {
+		set_orders(demo);
+		error = actor_set_stage(&demo->actor, env, -1, &demo->stage);
+	}
+	if (error) {
+		goto fail_actor;
+	}
+	demo->repeating = env->unattended;
+	if (demo->repeating) {
+		begin_step(demo, 0);
+	}
+	*out = demo;
+	return 0;
+
+fail_actor:
+	actor_unload(&demo->actor, env->gl);
+fail:
+	free(demo);
+	return error;
+}
+
+static void arm_destroy(struct demo *demo)
+{
+	if (demo) {
+		stage_finish(&demo->stage, demo->gl);
+		actor_unload(&demo->actor, demo->gl);
+		free(demo);
+	}
+}
+
+static void run_program(struct demo *demo)
+{
+	const struct arm_step *step = &arm_program[demo->step];
+	float share =
+		(float)(demo->now_s - demo->step_start_s) / step->duration_s;
+
+	if (share < 0.0f) {
+		return; /* a breath before the first step */
+	}
+	if (share < 1.0f) {
+		arm_step_blend(demo->from, step, share, demo->joint);
+		return;
+	}
+	memcpy(demo->joint, step->joint, sizeof(demo->joint));
+	demo->crate = step->crate;
+	if (demo->step + 1 < arm_program_length) {
+		double end_s = demo->step_start_s + (double)step->duration_s;
+
+		begin_step(demo, demo->step + 1);
+		demo->step_start_s = end_s;
+		run_program(demo);
+	} else if (demo->repeating) {
+		begin_step(demo, 0);
+		demo->step_start_s += breath_s;
+	} else {
+		demo->step = -1;
+	}
+}
+
+static void move_joint(
+	struct demo *demo, enum arm_joint joint, float direction, float step_s)
+{
+	float speed = joint == TRUCK_WAY ? truck_m_per_s : joint_deg_per_s;
+
+	demo->joint[joint] =
+		scalar_clamp(demo->joint[joint] + direction * speed * step_s,
+			joint_limits[joint].low, joint_limits[joint].high);
+}
+
+static float radians(float degrees)
+{
+	return degrees * (SCALAR_PI / 180.0f);
+}
+
+static void place_crate(struct demo *demo)
+{
+	static const float in_hand[3] = {0.0f, 0.0f, 0.275f};
+	static const float on_truck[3] = {0.0f, 0.194f, -0.118f};
+	struct pivot *crate = pivot_of(demo, PART_CRATE);
+
+	*crate = demo->crate_rest;
+	if (demo->crate == CRATE_IN_HAND) {
+		crate->parent = demo->pivot[PART_HAND];
+		crate->pitch_rad = radians(-90.0f);
+		memcpy(crate->position, in_hand, sizeof(in_hand));
+	} else if (demo->crate == CRATE_ON_TRUCK) {
+		crate->parent = demo->pivot[PART_TRUCK];
+		memcpy(crate->position, on_truck, sizeof(on_truck));
+	}
+}
+
+/* From joint values to the pivots' variables. */
+static void set_pivots(struct demo *demo)
+{
+	const float *joint = demo->joint;
+
+	pivot_of(demo, PART_ARM)->heading_rad = radians(joint[ARM_HEADING]);
+	pivot_of(demo, PART_ARM)->pitch_rad = radians(joint[ARM_PITCH]);
+	pivot_of(demo, PART_FOREARM)->pitch_rad = radians(joint[FOREARM_PITCH]);
+	pivot_of(demo, PART_HAND)->pitch_rad = radians(joint[HAND_PITCH]);
+	pivot_of(demo, PART_HAND)->bank_rad = radians(joint[HAND_BANK]);
+	pivot_of(demo, PART_INDEX)->heading_rad = radians(joint[FINGER_HEADING]);
+	pivot_of(demo, PART_THUMB)->heading_rad =
+		-radians(joint[FINGER_HEADING]);
+	pivot_of(demo, PART_TRUCK)->position[2] =
+		demo->truck_rest[2] + joint[TRUCK_WAY];
+	for (int wheel = PART_WHEEL_FL; wheel <= PART_WHEEL_RR; wheel++) {
+		pivot_of(demo, (enum part)wheel)->pitch_rad =
+			joint[TRUCK_WAY] / wheel_radius_m;
+	}
+	place_crate(demo);
+}
+
+static void arm_update(struct demo *demo, double time_s)
+{
+	const struct handle *handle = &handles[demo->handle];
+	float step_s = (float)(time_s - demo->now_s);
+
+	demo->now_s = time_s;
+	if (demo->step >= 0) {
+		run_program(demo);
+	} else {
+		move_joint(demo, handle->up_down, demo->up * handle->up, step_s);
+		move_joint(demo, handle->left_right,
+			demo->right * handle->right, step_s);
+	}
+	set_pivots(demo);
+}
+
+static void arm_draw(struct demo *demo, int width, int height)
+{
+	const struct gl *gl = demo->gl;
+	const struct actor *actor = &demo->actor;
+
+	stage_begin(&demo->stage, gl, width, height);
+	stage_shadow_begin(&demo->stage, gl);
+	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
+		DRAW_SHAPE);
+	stage_shadow_end(&demo->stage, gl);
+	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
+		DRAW_SHADED);
+}
+
+static double arm_period_s(const struct demo *demo)
+{
+	(void)demo;
+	return (double)arm_program_duration_s() + breath_s;
+}
+
+static void arm_status(const struct demo *demo, char *text, size_t size)
+{
+	snprintf(text, size, "%s",
+		demo->step >= 0 ? arm_program[demo->step].name
+				: handles[demo->handle].name);
+}
+
+/* A hand on the arrows ends the program where it is. */
+static void take_over(struct demo *demo)
+{
+	demo->step = -1;
+	demo->repeating = false;
+}
+
+static void press_up(struct demo *demo, bool down)
+{
+	demo->up = down ? 1.0f : 0.0f;
+	take_over(demo);
+}
+
+static void press_down(struct demo *demo, bool down)
+{
+	demo->up = down ? -1.0f : 0.0f;
+	take_over(demo);
+}
+
+static void press_left(struct demo *demo, bool down)
+{
+	demo->right = down ? -1.0f : 0.0f;
+	take_over(demo);
+}
+
+static void press_right(struct demo *demo, bool down)
+{
+	demo->right = down ? 1.0f : 0.0f;
+	take_over(demo);
+}
+
+static void press_next_part(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->handle = (demo->handle + 1) % ARRAY_COUNT(handles);
+	}
+}
+
+static void press_program(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->crate = CRATE_ON_FLOOR;
+		demo->repeating = false;
+		begin_step(demo, 0);
+	}
+}
+
+static void press_repeat(struct demo *demo, bool down)
+{
+	if (down) {
+		press_program(demo, true);
+		demo->repeating = true;
+	}
+}
+
+static const struct demo_action arm_actions[] = {
+	{BUTTON_UP, "raise the part (truck: forward)", press_up},
+	{BUTTON_DOWN, "lower the part (truck: back)", press_down},
+	{BUTTON_LEFT, "turn it left", press_left},
+	{BUTTON_RIGHT, "turn it right", press_right},
+	{BUTTON_ENTER, "next part: arm, forearm, hand, finger, truck",
+		press_next_part},
+	{BUTTON_F8, "pick the crate up and load the truck", press_program},
+	{BUTTON_F9, "the same, again and again", press_repeat},
+	{0},
+};
+
+const struct demo_driver demo_driver_arm = {
+	.name = "arm",
+	.summary = "hierarchical: a robot arm on pivots that loads a truck",
+	.asset = "arm.glb",
+	.action = arm_actions,
+	.create = arm_create,
+	.update = arm_update,
+	.draw = arm_draw,
+	.period_s = arm_period_s,
+	.status = arm_status,
+	.destroy = arm_destroy,
+};

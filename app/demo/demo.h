@@ -1,0 +1,77 @@
+/*
+ * Demos: programs of motion that buttons steer.
+ *
+ * A demo owns what it shows and draws it on a stage. It sees time and buttons
+ * as inputs and nothing of the display, so the same run gives the same frames
+ * anywhere. One file a demo; demo.c holds the list.
+ */
+#ifndef APP_DEMO_DEMO_H
+#define APP_DEMO_DEMO_H
+
+#include "app/anim/kernel/kernel.h"
+#include "platform/base/log.h"
+#include "platform/buttons/buttons.h"
+#include "platform/display/pixels.h"
+#include "platform/gl/gl.h"
+
+struct demo;
+
+/* What a demo is given; all of it outlives the demo. */
+struct demo_env {
+	const struct log *log;
+	const struct gl *gl;
+	enum pixel_format target;
+	const struct kernel *kernel;
+	float aspect;           /* width / height */
+	const char *model_path; /* the file to show */
+	const char *clip;       /* name or number to begin with, or NULL */
+	int max_influences;     /* a vertex; 0: all */
+	bool unattended;        /* nobody will press a button: show things */
+};
+
+/* Something a button does. */
+struct demo_action {
+	enum button button;
+	const char *summary;
+	void (*run)(struct demo *demo, bool down);
+};
+
+struct demo_driver {
+	const char *name;
+	const char *summary;
+	const char *asset; /* a file of assets/, or NULL: the user's model */
+	const struct demo_action *action; /* a NULL run ends it */
+
+	/* 0, or -errno after a sentence with nothing left behind. */
+	int (*create)(const struct demo_env *env, struct demo **out);
+
+	/* Moves on to time_s, which never runs backwards. No allocation. */
+	void (*update)(struct demo *demo, double time_s);
+
+	/* Draws a frame of this size. No allocation. */
+	void (*draw)(struct demo *demo, int width, int height);
+
+	/* Seconds after which it repeats: how long an animation file runs. */
+	double (*period_s)(const struct demo *demo);
+
+	/* What is going on, in a few words, for a title bar. */
+	void (*status)(const struct demo *demo, char *text, size_t size);
+
+	/* NULL is fine. */
+	void (*destroy)(struct demo *demo);
+};
+
+/* All demos, NULL at the end; the first is the default. */
+extern const struct demo_driver *const demo_registry[];
+
+/* Shows any model; not in the registry because it needs a file's name. */
+extern const struct demo_driver demo_driver_viewer;
+
+/* The demo of that name, or NULL. */
+const struct demo_driver *demo_find(const char *name);
+
+/* Runs the action on this button, if there is one. */
+void demo_press(const struct demo_driver *driver, struct demo *demo,
+	const struct button_event *event);
+
+#endif

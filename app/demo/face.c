@@ -1,0 +1,345 @@
+/*
+ * The face: morphing between key frames, AN4044 section 1.
+ *
+ * Each shape key of the model is a key frame: the base plus that target at
+ * weight 1. Buttons point Destiny at another one, also in mid-flight.
+ */
+#include "app/anim/morph.h"
+#include "app/anim/transform.h"
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum {
+	PARTS_MAX = 8
+};
+
+static const char mesh_node[] = "Face";
+static const float unhurried_ms = 600.0f;
+static const double dwell_s = 1.5; /* from one expression to the next */
+
+/* One primitive of the face and its key frames; key 0 is the base. */
+struct part {
+	struct drawable *drawable;
+	struct morph morph;
+	struct morph_key *key;
+};
+
+struct demo {
+	const struct gl *gl;
+	struct actor actor;
+	struct stage stage;
+	int head; /* node */
+	int part_count;
+	struct part part[PARTS_MAX];
+	int key_count;
+	const char **target_name;
+	int current; /* the key frame that Destiny is */
+	struct morph_motion motion;
+	double now_s;
+	bool touring;
+	double next_s;
+};
+
+/* Source and destiny of the morph: the base with one target at weight 1. */
+static int bake_key(struct demo *demo, const struct part *part, int target,
+	struct morph_key *out)
+{
+	const struct drawable *drawable = part->drawable;
+	const struct model_primitive *primitive = drawable->primitive;
+	const struct kernel *kernel = demo->actor.instance->kernel;
+	struct arena *arena = &demo->actor.instance->arena;
+	int count = primitive->vertex_count;
+	struct morph_term term = {
+		.weight = drawable->vertex_scale,
+		.position =
+			(const float(*)[3])primitive->target[target].position,
+		.normal = (const float(*)[3])primitive->target[target].normal,
+	};
+	float(*position)[3] =
+		arena_alloc(arena, (size_t)count, sizeof(*position));
+	float(*normal)[3] = arena_alloc(arena, (size_t)count, sizeof(*normal));
+
+	if (!position || !normal) {
+		return -ENOMEM;
+	}
+	kernel->morph_targets(
+		count, drawable->base_position, &term, 1, false, position);
+	out->position = (const float(*)[3])position;
+	if (!drawable->base_normal) {
+		return 0;
+	}
+	term.weight = 1.0f;
+	kernel->morph_targets(
+		count, drawable->base_normal, &term, 1, true, normal);
+	kernel->normalize(count, normal);
+	out->normal = (const float(*)[3])normal;
+	return 0;
+}
+
+static int init_part(
+	struct demo *demo, struct part *part, struct drawable *drawable)
+{
+	struct arena *arena = &demo->actor.instance->arena;
+	int error;
+
+	part->drawable = drawable;
+	part->key =
+		ARENA_ARRAY(arena, struct morph_key, (size_t)demo->key_count);
+	if (!part->key) {
+		return -ENOMEM;
+	}
+	part->key[0] = (struct morph_key){
+		.position = drawable->base_position,
+		.normal = drawable->base_normal,
+	};
+	for (int k = 1; k < demo->key_count; k++) {
+		error = bake_key(demo, part, k - 1, &part->key[k]);
+		if (error) {
+			return error;
+		}
+	}
+	error = morph_init(&part->morph, drawable->primitive->vertex_count,
+		part->key[0], arena);
+	if (!error) {
+		drawable_set_shape(drawable, part->morph.temporal,
+			part->morph.temporal_normal);
+	}
+	return error;
+}
+
+static int init_parts(struct demo *demo, const struct demo_env *env)
+{
+	const struct model *model = demo->actor.model;
+	struct instance *instance = demo->actor.instance;
+	const struct model_mesh *mesh;
+
+	demo->head = model_find_node(model, mesh_node);
+	if (demo->head < 0 || model->node[demo->head].mesh < 0) {
+		log_error(env->log, "%s: has no mesh node %s", env->model_path,
+			mesh_node);
+		return -EINVAL;
+	}
+	mesh = &model->mesh[model->node[demo->head].mesh];
+	demo->key_count = mesh->target_count + 1;
+	demo->target_name = mesh->target_name;
+	for (int i = 0; i < instance->drawable_count; i++) {
+		int error;
+
+		if (instance->drawable[i].node != demo->head ||
+			demo->part_count == PARTS_MAX) {
+			continue;
+		}
+		error = init_part(demo, &demo->part[demo->part_count++],
+			&instance->drawable[i]);
+		if (error) {
+			log_error(env->log,
+				"%s: not enough memory for its key "
+				"frames",
+				env->model_path);
+			return error;
+		}
+	}
+	return 0;
+}
+
+static int face_create(const struct demo_env *env, struct demo **out)
+{
+	struct demo *demo = calloc(1, sizeof(*demo));
+	int error = -ENOMEM;
+
+	if (!demo) {
+		log_error(env->log, "face: not enough memory");
+		return error;
+	}
+	demo->gl = env->gl;
+	demo->touring = env->unattended;
+	demo->motion = morph_motion_default();
+	demo->motion.duration_ms = unhurried_ms;
+	error = actor_load(&demo->actor, env);
+	if (error) {
+		goto fail;
+	}
+	error = init_parts(demo, env);
+	if (error) {
+		goto fail_actor;
+	}
+	error = actor_set_stage(&demo->actor, env, -1, &demo->stage);
+	if (error) {
+		goto fail_actor;
+	}
+	*out = demo;
+	return 0;
+
+fail_actor:
+	actor_unload(&demo->actor, env->gl);
+fail:
+	free(demo);
+	return error;
+}
+
+static void face_destroy(struct demo *demo)
+{
+	if (demo) {
+		stage_finish(&demo->stage, demo->gl);
+		actor_unload(&demo->actor, demo->gl);
+		free(demo);
+	}
+}
+
+static void go_to_key(struct demo *demo, int key)
+{
+	demo->current = (key + demo->key_count) % demo->key_count;
+	for (int i = 0; i < demo->part_count; i++) {
+		morph_trigger(&demo->part[i].morph,
+			demo->part[i].key[demo->current], &demo->motion,
+			demo->now_s * 1000.0);
+	}
+}
+
+/* The head is never quite still. */
+static void sway(struct demo *demo)
+{
+	static const float up[3] = {0.0f, 1.0f, 0.0f};
+	struct transform *local = &demo->actor.instance->pose.local[demo->head];
+	float turn[4];
+
+	pose_rest(&demo->actor.instance->pose, demo->actor.model);
+	quat_from_axis_angle(
+		up, 0.10f * scalar_sin((float)demo->now_s * 0.8f), turn);
+	quat_multiply(turn, local->rotation, local->rotation);
+}
+
+static void face_update(struct demo *demo, double time_s)
+{
+	demo->now_s = time_s;
+	if (demo->touring && time_s >= demo->next_s) {
+		go_to_key(demo, demo->current + 1);
+		demo->next_s += dwell_s;
+	}
+	for (int i = 0; i < demo->part_count; i++) {
+		morph_update(&demo->part[i].morph, time_s * 1000.0);
+	}
+	sway(demo);
+	instance_update(demo->actor.instance);
+}
+
+static void face_draw(struct demo *demo, int width, int height)
+{
+	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
+}
+
+static double face_period_s(const struct demo *demo)
+{
+	return dwell_s * demo->key_count;
+}
+
+static void face_status(const struct demo *demo, char *text, size_t size)
+{
+	snprintf(text, size, "%s, %s, %s",
+		demo->current ? demo->target_name[demo->current - 1] : "neutral",
+		demo->motion.timing == MORPH_OVER_TIME ? "over time"
+						       : "by frames",
+		demo->motion.curve == MORPH_LINEAR ? "linear" : "sinusoidal");
+}
+
+static void press_next(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		go_to_key(demo, demo->current + 1);
+	}
+}
+
+static void press_previous(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		go_to_key(demo, demo->current - 1);
+	}
+}
+
+static void press_neutral(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		go_to_key(demo, 0);
+	}
+}
+
+static void set_pace(struct demo *demo, float factor)
+{
+	demo->motion.duration_ms = scalar_clamp(
+		demo->motion.duration_ms * factor, 100.0f, 4800.0f);
+	demo->motion.frame_count =
+		(int)(demo->motion.duration_ms * 30.0f / 1000.0f);
+}
+
+static void press_faster(struct demo *demo, bool down)
+{
+	if (down) {
+		set_pace(demo, 0.5f);
+	}
+}
+
+static void press_slower(struct demo *demo, bool down)
+{
+	if (down) {
+		set_pace(demo, 2.0f);
+	}
+}
+
+static void press_timing(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->motion.timing = demo->motion.timing == MORPH_OVER_TIME
+			? MORPH_BY_FRAMES
+			: MORPH_OVER_TIME;
+	}
+}
+
+static void press_curve(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->motion.curve = demo->motion.curve == MORPH_LINEAR
+			? MORPH_SINUSOIDAL
+			: MORPH_LINEAR;
+	}
+}
+
+static void press_tour(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = !demo->touring;
+		demo->next_s = demo->now_s;
+	}
+}
+
+static const struct demo_action face_actions[] = {
+	{BUTTON_RIGHT, "the next expression", press_next},
+	{BUTTON_LEFT, "the one before", press_previous},
+	{BUTTON_ENTER, "back to neutral", press_neutral},
+	{BUTTON_UP, "twice as fast", press_faster},
+	{BUTTON_DOWN, "half as fast", press_slower},
+	{BUTTON_F6, "interpolate over time or by frames", press_timing},
+	{BUTTON_F8, "linear or sinusoidal", press_curve},
+	{BUTTON_F9, "run through all of them", press_tour},
+	{0},
+};
+
+const struct demo_driver demo_driver_face = {
+	.name = "face",
+	.summary = "morphing: a head that goes from expression to expression",
+	.asset = "face.glb",
+	.action = face_actions,
+	.create = face_create,
+	.update = face_update,
+	.draw = face_draw,
+	.period_s = face_period_s,
+	.status = face_status,
+	.destroy = face_destroy,
+};

@@ -1,0 +1,218 @@
+/*
+ * The viewer: any model, its clips on UP and DOWN, the camera on the others.
+ */
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const float orbit_rad_per_s = 1.4f;
+static const float zoom_per_s = 1.2f;
+
+struct demo {
+	const struct gl *gl;
+	struct actor actor;
+	struct stage stage;
+	int clip; /* or -1: at rest */
+	double clip_s;
+	double now_s;
+	bool paused;
+	bool tilting;           /* UP and DOWN move the camera */
+	float turn, tilt, zoom; /* while a button is held: -1, 0 or 1 */
+};
+
+/* The first clip or the one asked for; -1 where the model has none. */
+static int choose_clip(
+	const struct demo_env *env, const struct model *model, int *out)
+{
+	*out = model->clip_count > 0 ? 0 : -1;
+	if (!env->clip) {
+		return 0;
+	}
+	*out = model_find_clip(model, env->clip);
+	if (*out < 0) {
+		log_error(env->log,
+			"--clip %s: %s has no such clip: limber info lists "
+			"them",
+			env->clip, env->model_path);
+		return -ENOENT;
+	}
+	return 0;
+}
+
+static int viewer_create(const struct demo_env *env, struct demo **out)
+{
+	struct demo *demo = calloc(1, sizeof(*demo));
+	int error = -ENOMEM;
+
+	if (!demo) {
+		log_error(env->log, "viewer: not enough memory");
+		return error;
+	}
+	demo->gl = env->gl;
+	error = actor_load(&demo->actor, env);
+	if (error) {
+		goto fail;
+	}
+	error = choose_clip(env, demo->actor.model, &demo->clip);
+	if (error) {
+		goto fail_actor;
+	}
+	error = actor_set_stage(&demo->actor, env, demo->clip, &demo->stage);
+	if (error) {
+		goto fail_actor;
+	}
+	demo->tilting = demo->actor.model->clip_count < 2;
+	*out = demo;
+	return 0;
+
+fail_actor:
+	actor_unload(&demo->actor, env->gl);
+fail:
+	free(demo);
+	return error;
+}
+
+static void viewer_destroy(struct demo *demo)
+{
+	if (demo) {
+		stage_finish(&demo->stage, demo->gl);
+		actor_unload(&demo->actor, demo->gl);
+		free(demo);
+	}
+}
+
+static float viewer_duration_s(const struct demo *demo)
+{
+	return demo->clip < 0 ? 0.0f
+			      : demo->actor.model->clip[demo->clip].duration_s;
+}
+
+static void viewer_update(struct demo *demo, double time_s)
+{
+	float step_s = (float)(time_s - demo->now_s);
+
+	demo->now_s = time_s;
+	if (!demo->paused) {
+		demo->clip_s += step_s;
+	}
+	camera_orbit(&demo->stage.camera, demo->turn * orbit_rad_per_s * step_s,
+		demo->tilt * orbit_rad_per_s * step_s);
+	demo->stage.camera.distance *= 1.0f + demo->zoom * zoom_per_s * step_s;
+	actor_pose(&demo->actor, demo->clip,
+		clip_time((float)demo->clip_s, viewer_duration_s(demo),
+			CLIP_LOOP));
+	instance_update(demo->actor.instance);
+}
+
+static void viewer_draw(struct demo *demo, int width, int height)
+{
+	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
+}
+
+static double viewer_period_s(const struct demo *demo)
+{
+	float duration_s = viewer_duration_s(demo);
+
+	return duration_s > 0.0f ? duration_s : 1.0;
+}
+
+static void viewer_status(const struct demo *demo, char *text, size_t size)
+{
+	const struct model *model = demo->actor.model;
+	const char *name =
+		demo->clip < 0 ? "at rest" : model->clip[demo->clip].name;
+
+	snprintf(text, size, "%s%s%s", name[0] ? name : "unnamed clip",
+		demo->paused ? ", paused" : "",
+		demo->tilting ? ", tilting" : "");
+}
+
+static void step_clip(struct demo *demo, int step)
+{
+	int count = demo->actor.model->clip_count;
+
+	if (count > 0) {
+		demo->clip = (demo->clip + step + count) % count;
+		demo->clip_s = 0.0;
+	}
+}
+
+static void press_up(struct demo *demo, bool down)
+{
+	if (demo->tilting) {
+		demo->tilt = down ? 1.0f : 0.0f;
+	} else if (down) {
+		step_clip(demo, -1);
+	}
+}
+
+static void press_down(struct demo *demo, bool down)
+{
+	if (demo->tilting) {
+		demo->tilt = down ? -1.0f : 0.0f;
+	} else if (down) {
+		step_clip(demo, 1);
+	}
+}
+
+static void press_left(struct demo *demo, bool down)
+{
+	demo->turn = down ? -1.0f : 0.0f;
+}
+
+static void press_right(struct demo *demo, bool down)
+{
+	demo->turn = down ? 1.0f : 0.0f;
+}
+
+static void press_pause(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->paused = !demo->paused;
+	}
+}
+
+static void press_closer(struct demo *demo, bool down)
+{
+	demo->zoom = down ? -1.0f : 0.0f;
+}
+
+static void press_farther(struct demo *demo, bool down)
+{
+	demo->zoom = down ? 1.0f : 0.0f;
+}
+
+static void press_tilting(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->tilting = !demo->tilting;
+		demo->tilt = 0.0f;
+	}
+}
+
+static const struct demo_action viewer_actions[] = {
+	{BUTTON_UP, "the clip before (or tilt up)", press_up},
+	{BUTTON_DOWN, "the next clip (or tilt down)", press_down},
+	{BUTTON_LEFT, "turn left", press_left},
+	{BUTTON_RIGHT, "turn right", press_right},
+	{BUTTON_ENTER, "pause and go on", press_pause},
+	{BUTTON_F6, "closer", press_closer},
+	{BUTTON_F8, "farther", press_farther},
+	{BUTTON_F9, "UP and DOWN: clips or tilt", press_tilting},
+	{0},
+};
+
+const struct demo_driver demo_driver_viewer = {
+	.name = "viewer",
+	.summary = "any model and its clips",
+	.action = viewer_actions,
+	.create = viewer_create,
+	.update = viewer_update,
+	.draw = viewer_draw,
+	.period_s = viewer_period_s,
+	.status = viewer_status,
+	.destroy = viewer_destroy,
+};

@@ -1,0 +1,42 @@
+/*
+ * A camera that circles a point and frames what is there.
+ */
+#ifndef APP_SCENE_CAMERA_H
+#define APP_SCENE_CAMERA_H
+
+#include "app/scene/bounds.h"
+#include "platform/gl/gl.h"
+
+struct camera {
+	float target[3]; /* scene units */
+	float distance;
+	float yaw_rad;   /* 0 looks along -Z, at a model's front */
+	float pitch_rad; /* above the horizon */
+	float yfov_rad;
+	float reach; /* radius around target that must not be clipped */
+};
+
+/* From the front, a little to the side and from above; 30 degrees high. */
+struct camera camera_default(void);
+
+/*
+ * Moves target and distance so that the box fits from every yaw with a margin
+ * of a tenth, on a picture of this aspect (width / height).
+ */
+void camera_frame(
+	struct camera *camera, const struct bounds *bounds, float aspect);
+
+/* Turns it; pitch stays between the floor and straight down. */
+void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);
+
+/* Where the eye is, in scene units. */
+void camera_eye(const struct camera *camera, float out[3]);
+
+/* World to eye. */
+void camera_view(const struct camera *camera, mat4 out);
+
+/* Loads projection and model-view for a picture of this size. */
+void camera_apply(const struct camera *camera, const struct gl *gl, int width,
+	int height);
+
+#endif

@@ -1,0 +1,124 @@
+/*
+ * One model on stage: its state and its output vertices.
+ *
+ * A model may have many instances. Each owns a pose, the world matrices and
+ * palettes computed from it, and what the vertex loops write. All memory is
+ * taken in instance_create(); posing and drawing take none.
+ *
+ * Numbers: matrices go to GL in 16.16, so lengths have to stay near 1. Scene
+ * units are metres where the model is between 25 cm and 16 m large, else a
+ * power of two of them (unit_scale, exact in float). Likewise the positions of
+ * a rigid or morphed primitive are multiplied by a power of two (vertex_scale)
+ * when they are far from 1, and the matrix that draws them divides again.
+ */
+#ifndef APP_SCENE_INSTANCE_H
+#define APP_SCENE_INSTANCE_H
+
+#include "app/anim/kernel/kernel.h"
+#include "app/anim/pose.h"
+#include "app/anim/skin.h"
+#include "platform/base/fixed.h"
+
+/*
+ * A run of vertices that one GL call draws. Attributes are either the
+ * drawable's own arrays or copies in another order, see batch.h.
+ */
+struct batch {
+	int vertex_count;
+	const uint32_t *source; /* the primitive's vertex for each of the
+				   batch's, or NULL: the same order */
+	const float (*position)[3];
+	const float (*normal)[3];
+	const float (*texcoord)[2]; /* or NULL */
+	const uint8_t (*color)[4];  /* or NULL */
+
+	int index_count;
+	const uint16_t *index; /* or NULL: every three vertices in turn */
+
+	float (*gathered_position)[3]; /* with source: written each update */
+	float (*gathered_normal)[3];
+};
+
+/* One primitive as one node shows it. */
+struct drawable {
+	int node;
+	int primitive_index;
+	const struct model_primitive *primitive;
+	int skin;     /* or -1: rigid, drawn by its node's matrix */
+	bool morphed; /* has targets */
+	bool shaped;  /* shows what drawable_set_shape() gave it */
+	bool hidden;
+	fx16_t color[4]; /* the material's, sRGB-encoded */
+	float vertex_scale;
+
+	const float (*base_position)[3]; /* times vertex_scale */
+	const float (*base_normal)[3];   /* or NULL: flat */
+	float (*position)[3];            /* output, in scene units if skinned,
+					    else local times vertex_scale */
+	float (*normal)[3];              /* output, or NULL: flat */
+	float (*morphed_position)[3];    /* between morph and skin */
+	float (*morphed_normal)[3];
+	struct skin_stream stream;
+	struct morph_term *term; /* [target_count] */
+
+	int batch_count;
+	struct batch *batch;
+};
+
+struct instance {
+	const struct model *model;
+	struct arena arena;
+	const struct kernel *kernel;
+	int max_influences; /* 0: all */
+
+	struct pose pose;
+	mat4 *world;    /* [node_count], in the model's own units */
+	mat4 **palette; /* [skin_count][joint_count], times unit_scale */
+	float unit_scale;
+
+	int drawable_count;
+	struct drawable *drawable;
+};
+
+/*
+ * An instance at rest. The model must outlive it. 0, or -ENOMEM after a
+ * sentence. The caller releases it with instance_destroy().
+ */
+int instance_create(const struct model *model, const struct kernel *kernel,
+	const struct log *log, struct instance **out);
+
+/* NULL is fine. */
+void instance_destroy(struct instance *instance);
+
+/*
+ * The frame's work: from the pose to world matrices, palettes and output
+ * vertices. Allocates nothing.
+ */
+void instance_update(struct instance *instance);
+
+/*
+ * Shows a rigid drawable in a shape that the caller keeps: vertex_count
+ * positions in local units times vertex_scale, and normals where the primitive
+ * has them. The arrays are read at each draw, not copied.
+ */
+void drawable_set_shape(
+	struct drawable *drawable, float (*position)[3], float (*normal)[3]);
+
+/* World matrices alone, for whoever only needs to know where nodes are. */
+void instance_update_nodes(struct instance *instance);
+
+/*
+ * Where a node's origin is, in scene units, after the last update.
+ */
+void instance_node_position(
+	const struct instance *instance, int node, float out[3]);
+
+/* The matrix that carries a rigid drawable's positions to scene units. */
+void instance_drawable_matrix(const struct instance *instance,
+	const struct drawable *drawable, mat4 out);
+
+/* A vertex in world space and the model's own units, after the last update. */
+void instance_world_vertex(const struct instance *instance,
+	const struct drawable *drawable, int vertex, float out[3]);
+
+#endif

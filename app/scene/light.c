@@ -1,0 +1,64 @@
+#include "app/scene/light.h"
+
+#include "platform/base/fixed.h"
+
+#include <string.h>
+
+struct lamp {
+	float towards[4]; /* w 0: directional */
+	float diffuse[4];
+	float specular[4];
+};
+
+static const struct lamp key_lamp = {
+	.towards = {0.389f, 0.778f, 0.494f, 0.0f},
+	.diffuse = {0.78f, 0.75f, 0.69f, 1.0f},
+	.specular = {1.0f, 0.97f, 0.9f, 1.0f},
+};
+
+static const struct lamp fill_lamp = {
+	.towards = {-0.728f, 0.243f, 0.641f, 0.0f},
+	.diffuse = {0.20f, 0.23f, 0.29f, 1.0f},
+	.specular = {0.0f, 0.0f, 0.0f, 1.0f},
+};
+
+static const float ambient[4] = {0.36f, 0.37f, 0.40f, 1.0f};
+
+static void set_vector(
+	const struct gl *gl, GLenum light, GLenum name, const float value[4])
+{
+	GLfixed fixed[4];
+
+	for (int i = 0; i < 4; i++) {
+		fixed[i] = fx16_from_float(value[i]);
+	}
+	gl->Lightxv(light, name, fixed);
+}
+
+static void set_lamp(const struct gl *gl, GLenum light, const struct lamp *lamp)
+{
+	static const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+
+	gl->Enable(light);
+	set_vector(gl, light, GL_POSITION, lamp->towards);
+	set_vector(gl, light, GL_DIFFUSE, lamp->diffuse);
+	set_vector(gl, light, GL_SPECULAR, lamp->specular);
+	set_vector(gl, light, GL_AMBIENT, black);
+}
+
+void light_apply(const struct gl *gl)
+{
+	GLfixed fixed[4];
+
+	for (int i = 0; i < 4; i++) {
+		fixed[i] = fx16_from_float(ambient[i]);
+	}
+	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
+	set_lamp(gl, GL_LIGHT0, &key_lamp);
+	set_lamp(gl, GL_LIGHT1, &fill_lamp);
+}
+
+void light_direction(float out[3])
+{
+	memcpy(out, key_lamp.towards, sizeof(float[3]));
+}

@@ -649,8 +649,6 @@ def build(path):
         bake([wheel], [wheel], distance=0.05, strength=0.8)
     bake([crate], [crate], distance=0.05, strength=0.4)
     bpy.data.objects.remove(floor)
-    for obj in robot + [car] + wheels + [crate]:
-        common.colors_to_points(obj)
     common.export_glb(path)
 
 

@@ -448,29 +448,3 @@ class Tidy:
             f.write(struct.pack("<II", len(text), 0x4E4F534A) + text)
             f.write(struct.pack("<II", self.size, 0x004E4942))
             f.write(b"".join(self.chunks))
-
-
-# --- colours per vertex -----------------------------------------------------
-
-
-def colors_to_points(obj):
-    """Moves the colour attribute from the corners to the vertices.
-
-    Blender 3.4's exporter looks corner colours up by vertex number, which
-    mixes them up; colours of the vertices it writes right. Call it last,
-    before the export. Vertices whose corners differ get their average, so
-    borders between colours need vertices of their own on either side.
-    """
-    mesh = obj.data
-    linear = to_linear(get_colors(mesh))
-    corner = corner_vertices(mesh)
-    n = len(mesh.vertices)
-    count = np.maximum(np.bincount(corner, minlength=n), 1)
-    rgba = np.ones((n, 4), dtype=np.float32)
-    for k in range(3):
-        rgba[:, k] = np.bincount(corner, linear[:, k], n) / count
-    mesh.color_attributes.remove(mesh.color_attributes[COLOR])
-    attr = mesh.color_attributes.new(COLOR, "BYTE_COLOR", "POINT")
-    attr.data.foreach_set("color", rgba.ravel())
-    mesh.color_attributes.active_color = attr
-    mesh.color_attributes.render_color_index = 0

@@ -3,7 +3,8 @@
 #
 # Does nothing when all are there. Runs apt-get as root or through sudo, and
 # otherwise prints the line to run. A list's line is "PACKAGE" or
-# "PACKAGE ?COMMAND"; the second is needed only where COMMAND is missing.
+# "PACKAGE ?THING"; the second is needed only where THING, a command or the
+# absolute path of a file, is missing.
 set -eu
 
 lists=$(dirname "$0")/packages
@@ -12,37 +13,45 @@ is_installed() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
+has() {
+    case $1 in
+    '') return 1 ;;
+    /*) [ -e "$1" ] ;;
+    *) command -v "$1" >/dev/null ;;
+    esac
+}
+
+# The packages of the sets that are missing, each after a space.
 missing_of() {
-    while read -r package rest; do
-        case $package in
-        '' | '#'*) continue ;;
-        esac
-        command=${rest#\?}
-        if [ -n "$command" ] && command -v "$command" >/dev/null; then
-            continue
-        fi
-        is_installed "$package" || printf ' %s' "$package"
-    done <"$1"
+    for set in "$@"; do
+        while read -r package rest; do
+            case $package in
+            '' | '#'*) continue ;;
+            esac
+            has "${rest#\?}" || is_installed "$package" ||
+                printf ' %s' "$package"
+        done <"$lists/$set.txt"
+    done
 }
 
 if [ $# -eq 0 ]; then
-    echo "usage: $0 SET... (one of $(cd "$lists" && echo ./*.txt | sed 's|\./||g; s|\.txt||g'))" >&2
+    echo "usage: $0 SET... (one of $(cd "$lists" && echo ./*.txt |
+        sed 's|\./||g; s|\.txt||g'))" >&2
     exit 2
 fi
-
-missing=
 for set in "$@"; do
     if [ ! -f "$lists/$set.txt" ]; then
         echo "limber: no package list $lists/$set.txt" >&2
         exit 2
     fi
-    missing=$missing$(missing_of "$lists/$set.txt")
 done
+
+missing=$(missing_of "$@")
 [ -n "$missing" ] || exit 0
 
 if ! command -v apt-get >/dev/null; then
-    echo "limber: install what Debian calls:$missing" >&2
-    exit 1
+    echo "limber: no apt-get on this machine; what Debian calls$missing must be there" >&2
+    exit 0
 fi
 
 if [ "$(id -u)" -eq 0 ]; then
@@ -56,16 +65,24 @@ else
     exit 1
 fi
 
+# Two parts of a parallel build may come here at once; the second finds that
+# the first has done its work, or does the rest.
+exec 9<"$lists"
+flock 9
+missing=$(missing_of "$@")
+[ -n "$missing" ] || exit 0
+
 echo "  APT    $missing"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 run_apt() {
-    DEBIAN_FRONTEND=noninteractive $as_root apt-get "$@" >"$log" 2>&1
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get \
+        -o DPkg::Lock::Timeout=600 "$@" >"$log" 2>&1 9<&-
 }
 # shellcheck disable=SC2086 # the list is words on purpose
 if run_apt update && run_apt install -y --no-install-recommends $missing; then
     exit 0
 fi
 cat "$log" >&2
-echo "limber: apt-get could not install:$missing (its messages are above)" >&2
+echo "limber: apt-get could not install$missing (its messages are above)" >&2
 exit 1

@@ -197,12 +197,13 @@ static const char *parse_digits(
 static const char *parse_exponent(const char *text, int *exponent)
 {
 	const char *at = text + 1;
-	bool negative = *at == '-';
+	bool negative;
 	int value = 0;
 
-	if ((*text != 'e' && *text != 'E')) {
+	if (*text != 'e' && *text != 'E') {
 		return text;
 	}
+	negative = *at == '-';
 	at += *at == '-' || *at == '+';
 	if (!is_digit(*at)) {
 		return text;

@@ -1,0 +1,96 @@
+#include "tests/support/small_model.h"
+
+#include "tests/support/test.h"
+
+static void *take(struct model *model, size_t count, size_t size)
+{
+	void *room = arena_alloc(&model->arena, count, size);
+
+	assert_non_null(room);
+	return room;
+}
+
+static void fill_vertices(
+	struct model_primitive *primitive, int columns, int rows, float size)
+{
+	int v = 0;
+
+	for (int y = 0; y <= rows; y++) {
+		for (int x = 0; x <= columns; x++, v++) {
+			primitive->position[v][0] =
+				size * (float)x / (float)columns;
+			primitive->position[v][1] =
+				size * (float)y / (float)rows;
+			if (primitive->normal) {
+				primitive->normal[v][2] = 1.0f;
+			}
+		}
+	}
+}
+
+static void fill_indices(
+	struct model_primitive *primitive, int columns, int rows)
+{
+	uint32_t *next = primitive->index;
+
+	for (int y = 0; y < rows; y++) {
+		for (int x = 0; x < columns; x++) {
+			uint32_t at = (uint32_t)(y * (columns + 1) + x);
+			uint32_t above = at + (uint32_t)columns + 1;
+
+			*next++ = at;
+			*next++ = at + 1;
+			*next++ = above;
+			*next++ = above;
+			*next++ = at + 1;
+			*next++ = above + 1;
+		}
+	}
+}
+
+struct model *small_model_grid(
+	int columns, int rows, float size, bool with_normals)
+{
+	struct arena arena = arena_empty();
+	struct model *model = ARENA_NEW(&arena, struct model);
+	struct model_primitive *primitive;
+	size_t vertices = (size_t)(columns + 1) * (size_t)(rows + 1);
+	size_t indices = (size_t)columns * (size_t)rows * 6;
+
+	assert_non_null(model);
+	model->arena = arena;
+	model->path = "grid";
+	model->node_count = model->mesh_count = model->material_count = 1;
+	model->node = take(model, 1, sizeof(*model->node));
+	model->mesh = take(model, 1, sizeof(*model->mesh));
+	model->material = take(model, 1, sizeof(*model->material));
+	model->rest_weights = take(model, 0, sizeof(float));
+	*model->node = (struct model_node){
+		.name = "grid",
+		.parent = -1,
+		.in_scene = true,
+		.rest = {.rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}},
+		.skin = -1,
+		.camera = -1,
+	};
+	*model->material = (struct model_material){
+		.name = "white",
+		.base_color = {1, 1, 1, 1},
+		.texture = -1,
+		.normal_texture = -1,
+		.roughness = 1,
+	};
+	primitive = take(model, 1, sizeof(*primitive));
+	*model->mesh = (struct model_mesh){
+		.name = "grid", .primitive_count = 1, .primitive = primitive};
+	primitive->vertex_count = (int)vertices;
+	primitive->position = take(model, vertices, sizeof(float[3]));
+	if (with_normals) {
+		primitive->normal = take(model, vertices, sizeof(float[3]));
+	}
+	primitive->index_count = (int)indices;
+	primitive->index = take(model, indices, sizeof(uint32_t));
+	fill_vertices(primitive, columns, rows, size);
+	fill_indices(primitive, columns, rows);
+	return model;
+}

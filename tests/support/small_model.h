@@ -1,0 +1,17 @@
+/*
+ * Models made in memory, for tests of what comes after loading.
+ */
+#ifndef TESTS_SUPPORT_SMALL_MODEL_H
+#define TESTS_SUPPORT_SMALL_MODEL_H
+
+#include "app/model/model.h"
+
+/*
+ * One node with one mesh: a grid of columns x rows quads in the plane z = 0,
+ * from (0, 0) to (size, size), facing +Z. With normals or without. The caller
+ * ends with model_destroy().
+ */
+struct model *small_model_grid(
+	int columns, int rows, float size, bool with_normals);
+
+#endif

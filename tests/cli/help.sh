@@ -1,0 +1,55 @@
+#!/bin/sh
+# What limber says about itself.
+. "$(dirname "$0")/../support/cli.sh"
+
+# helped COMMAND OPTION...: its help is there and tells each option.
+helped() {
+    command=$1
+    shift
+    limber "$command" --help
+    expect_status 0
+    expect_no_err
+    expect_out "^limber $command "
+    for option; do
+        expect_out "^ +(-., )?$option( |$)"
+    done
+    # An example to begin with, and no line that a terminal would wrap.
+    expect_out "^  limber .*"
+    check "limber $command --help: at most 100 columns" awk \
+        'length > 100 { print; bad = 1 } END { exit bad }' "$out_file"
+    cp "$out_file" "$scratch/long"
+    limber "$command" -h
+    check "limber $command -h: the same" cmp "$scratch/long" "$out_file"
+}
+
+limber --help
+expect_status 0
+expect_no_err
+for command in play render pose info; do
+    expect_out "^ *limber $command "
+done
+cp "$out_file" "$scratch/long"
+limber -h
+check 'limber -h: the same' cmp "$scratch/long" "$out_file"
+
+helped play --demo --clip --time --frames --size --gl --display --buttons \
+    --script --clock --math --kernel --verbose --help --version
+helped render --output --demo --clip --time --frames --size --gl --buttons \
+    --script --clock --math --kernel --verbose --help --version
+helped pose --output --clip --time --math --kernel --verbose --help --version
+helped info --json --verbose --help --version
+
+limber --version
+expect_status 0
+expect_no_err
+expect_out '^limber [0-9]+\.[0-9]+\.[0-9]+( |$)'
+check 'limber --version: one line' test "$(wc -l <"$out_file")" -eq 1
+cp "$out_file" "$scratch/version"
+limber pose --version
+check 'limber pose --version: the same' cmp "$scratch/version" "$out_file"
+
+# Help comes first, whatever else stands there.
+limber render --size 10x10 --help
+expect_status 0
+expect_out '^limber render '
+tap_done

@@ -1,0 +1,23 @@
+#!/bin/sh
+# limber info: what it tells, for people and for programs.
+. "$(dirname "$0")/../support/cli.sh"
+
+limber info "$slider"
+expect_status 0
+expect_no_err
+expect_out 'slider\.gltf'
+expect_out 'triangle'
+expect_out 'slide'
+expect_out 'rise'
+expect_out '2(\.0+)? s'
+
+limber info "$slider" --json
+expect_status 0
+expect_no_err
+# shellcheck disable=SC2016 # JavaScript
+check 'JSON with the clips' node -e '
+    const info = JSON.parse(require("fs").readFileSync(process.argv[1]));
+    const names = info.clips.map((clip) => clip.name);
+    if (names.join() !== "slide,rise") { throw new Error(names.join()); }
+' "$out_file"
+tap_done

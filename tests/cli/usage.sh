@@ -1,0 +1,67 @@
+#!/bin/sh
+# Wrong words on the command line: exit status 2, one sentence that says what
+# is wrong and what would be right, nothing written.
+. "$(dirname "$0")/../support/cli.sh"
+
+refused() {
+    pattern=$1
+    shift
+    limber "$@"
+    expect_refusal 2 "$pattern"
+}
+
+out=$scratch/out.png
+
+refused 'play' plai
+refused 'render' rendr "$slider"
+refused '--help' zzzzzz
+refused '--size' render "$slider" --siez 10x10 -o "$out"
+refused '--clip' pose "$slider" --clpi 0 -o "$out"
+refused '--help' render "$slider" --zzzzzz -o "$out"
+refused '--help' render "$slider" -z -o "$out"
+refused '--json' info "$slider" --jsn
+refused '--json' render "$slider" --json -o "$out"
+refused '--size' pose "$slider" --size 10x10 -o "$out"
+refused '--demo' pose --demo walker -o "$out"
+refused '--display' render "$slider" --display window -o "$out"
+
+for size in '' x 10 10x 0x10 10x0 -1x10 10x-1 axb 10x10x10 99999x10 \
+    99999999999999999999x10 '10x10 '; do
+    refused '--size' render "$slider" --size "$size" -o "$out"
+done
+for seconds in '' one -1 nan inf 1s 1e99 '1 2'; do
+    refused '--time' render "$slider" --time "$seconds" -o "$out"
+    refused '--time' pose "$slider" --time "$seconds" -o "$out"
+done
+for frames in '' 0 -1 one 1.5 99999999999999999999; do
+    refused '--frames' render "$slider" --frames "$frames" -o "$out"
+done
+for clock in '' fixed fixed: fixed:0 fixed:-1 fixed:x fixed:nan fixed:1e9 \
+    unreal; do
+    refused '--clock' render "$slider" --clock "$clock" -o "$out"
+done
+for influences in 0 9 x; do
+    refused '--influences' pose "$slider" --influences "$influences" -o "$out"
+done
+refused '--math' pose "$slider" --math double -o "$out"
+refused 'float' pose "$slider" --kernel none -o "$out"
+refused 'osmesa' render "$slider" --gl none -o "$out"
+refused 'null' play "$slider" --display none
+refused 'walker' render --demo wlaker -o "$out"
+refused 'walker' render --demo zzzzzz -o "$out"
+
+refused '-o' render "$slider"
+refused '-o' pose "$slider"
+refused '[Mm]odel|nothing to show' render -o "$out"
+refused '[Mm]odel' pose -o "$out"
+refused '[Mm]odel' info
+refused 'one model' info "$slider" "$slider"
+refused 'both|demo' render "$slider" --demo walker -o "$out"
+for option in -o --size --time --clip --frames --gl --script --clock; do
+    refused 'missing' render "$slider" "$option"
+done
+refused 'no value' info "$slider" --json=1
+
+about 'wrong usage'
+check 'wrong usage writes nothing' test ! -e "$out"
+tap_done

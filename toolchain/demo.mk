@@ -1,1 +1,23 @@
-# make demo, make assets.
+# make demo: the demos in a window, or as pictures. make assets: the models
+# again from their scripts.
+
+demo: build/host/limber
+	$(Q)toolchain/demo.sh build/host/limber build/demo
+
+# Every model here has a script of the same name.
+MODELS := $(patsubst assets/%.glb,%,$(sort $(wildcard assets/*.glb)))
+
+.PHONY: $(MODELS:%=assets-%)
+assets: $(MODELS:%=assets-%)
+$(MODELS:%=assets-%): assets-%: build/assets/packages.stamp
+	$(call say,BLENDER,assets/$*.glb)
+	$(Q)blender -b --factory-startup --python-exit-code 1 \
+		-P assets/$*.py -- build/assets/$*.glb \
+		>build/assets/$*.log 2>&1 || \
+		{ cat build/assets/$*.log >&2; exit 1; }
+	$(Q)cp build/assets/$*.glb assets/$*.glb
+
+build/assets/packages.stamp: toolchain/packages/assets.txt
+	$(Q)mkdir -p $(@D)
+	$(Q)toolchain/install.sh assets
+	$(Q)touch $@

@@ -1,0 +1,128 @@
+#include "platform/base/arena.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+static void test_room_is_zeroed_and_aligned(void **state)
+{
+	struct arena arena = arena_empty();
+
+	(void)state;
+	for (size_t bytes = 0; bytes < 200; bytes += 7) {
+		unsigned char *room = arena_alloc(&arena, bytes, 1);
+
+		assert_non_null(room);
+		assert_int_equal((uintptr_t)room % 16, 0);
+		for (size_t i = 0; i < bytes; i++) {
+			assert_int_equal(room[i], 0);
+		}
+		memset(room, 0xa5, bytes);
+	}
+	arena_release(&arena);
+}
+
+static void test_rooms_do_not_overlap(void **state)
+{
+	enum {
+		COUNT = 500
+	};
+	struct arena arena = arena_empty();
+	int *room[COUNT];
+
+	(void)state;
+	for (int i = 0; i < COUNT; i++) {
+		room[i] = ARENA_ARRAY(&arena, int, (size_t)(i % 90 + 1));
+		for (int k = 0; k <= i % 90; k++) {
+			room[i][k] = i;
+		}
+	}
+	for (int i = 0; i < COUNT; i++) {
+		for (int k = 0; k <= i % 90; k++) {
+			assert_int_equal(room[i][k], i);
+		}
+	}
+	arena_release(&arena);
+}
+
+static void test_rooms_larger_than_a_block_work(void **state)
+{
+	enum {
+		BYTES = 1000000
+	};
+	struct arena arena = arena_empty();
+	char *small = arena_alloc(&arena, 10, 1);
+	char *large = arena_alloc(&arena, BYTES, 1);
+
+	(void)state;
+	assert_non_null(small);
+	assert_non_null(large);
+	large[0] = 1;
+	large[BYTES - 1] = 1;
+	assert_true(arena.used_bytes >= BYTES + 10);
+	arena_release(&arena);
+}
+
+static void test_overflowing_sizes_give_null(void **state)
+{
+	struct arena arena = arena_empty();
+
+	(void)state;
+	assert_null(arena_alloc(&arena, SIZE_MAX / 8, 16));
+	assert_null(arena_alloc(&arena, SIZE_MAX, 1));
+	assert_null(arena_alloc(&arena, 1, SIZE_MAX));
+	assert_int_equal(arena.used_bytes, 0);
+	arena_release(&arena);
+}
+
+static void test_a_count_of_zero_gives_a_pointer(void **state)
+{
+	struct arena arena = arena_empty();
+
+	(void)state;
+	assert_non_null(arena_alloc(&arena, 0, 16));
+	assert_non_null(arena_alloc(&arena, 16, 0));
+	arena_release(&arena);
+}
+
+static void test_strings_are_copied(void **state)
+{
+	struct arena arena = arena_empty();
+	char text[] = "elbow";
+	char *copy = arena_strdup(&arena, text);
+	char *empty = arena_strdup(&arena, "");
+
+	(void)state;
+	text[0] = 'E';
+	assert_string_equal(copy, "elbow");
+	assert_string_equal(empty, "");
+	arena_release(&arena);
+}
+
+static void test_release_leaves_an_empty_arena(void **state)
+{
+	struct arena arena = arena_empty();
+
+	(void)state;
+	arena_release(&arena);
+	assert_non_null(arena_alloc(&arena, 100, 1));
+	arena_release(&arena);
+	assert_null(arena.newest);
+	assert_int_equal(arena.used_bytes, 0);
+	assert_non_null(arena_alloc(&arena, 100, 1));
+	arena_release(&arena);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_room_is_zeroed_and_aligned),
+		cmocka_unit_test(test_rooms_do_not_overlap),
+		cmocka_unit_test(test_rooms_larger_than_a_block_work),
+		cmocka_unit_test(test_overflowing_sizes_give_null),
+		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
+		cmocka_unit_test(test_strings_are_copied),
+		cmocka_unit_test(test_release_leaves_an_empty_arena),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,213 @@
+#include "platform/base/scalar.h"
+#include "tests/support/test.h"
+
+#include <float.h>
+
+static const double TOLERANCE = 2e-6;
+
+static void test_sine_and_cosine_keep_their_tolerance(void **state)
+{
+	double worst = 0;
+
+	(void)state;
+	for (int i = -40000; i <= 40000; i++) {
+		float angle = (float)i * (8192.0f / 40000.0f);
+
+		worst = fmax(worst, fabs(scalar_sin(angle) - sin(angle)));
+		worst = fmax(worst, fabs(scalar_cos(angle) - cos(angle)));
+		angle = (float)i * (7.0f / 40000.0f);
+		worst = fmax(worst, fabs(scalar_sin(angle) - sin(angle)));
+		worst = fmax(worst, fabs(scalar_cos(angle) - cos(angle)));
+	}
+	assert_near(worst, 0, TOLERANCE);
+}
+
+static void test_sine_is_exact_where_it_matters(void **state)
+{
+	(void)state;
+	assert_true(scalar_sin(0) == 0);
+	assert_true(scalar_cos(0) == 1);
+	assert_true(scalar_sin(-0.25f) == -scalar_sin(0.25f));
+	assert_true(scalar_cos(-0.25f) == scalar_cos(0.25f));
+}
+
+static void test_absurd_angles_count_as_zero(void **state)
+{
+	const float absurd[] = {NAN, INFINITY, -INFINITY, FLT_MAX, 2e9f};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(absurd) / sizeof(absurd[0]); i++) {
+		assert_true(scalar_sin(absurd[i]) == 0);
+		assert_true(scalar_cos(absurd[i]) == 1);
+	}
+}
+
+static void test_arc_cosine_keeps_its_tolerance(void **state)
+{
+	double worst = 0;
+
+	(void)state;
+	for (int i = -20000; i <= 20000; i++) {
+		float x = (float)i / 20000.0f;
+
+		worst = fmax(worst, fabs(scalar_acos(x) - acos(x)));
+	}
+	/* Close to the ends, where the curve is steepest. */
+	for (float x = 1; x > 0.99f; x -= 0x1p-22f) {
+		worst = fmax(worst, fabs(scalar_acos(x) - acos(x)));
+		worst = fmax(worst, fabs(scalar_acos(-x) - acos(-x)));
+	}
+	assert_near(worst, 0, TOLERANCE);
+}
+
+static void test_arc_cosine_clamps_its_argument(void **state)
+{
+	(void)state;
+	assert_true(scalar_acos(1.0001f) == 0);
+	assert_true(scalar_acos(NAN) == 0);
+	assert_near(scalar_acos(-1.0001f), acos(-1), TOLERANCE);
+	assert_near(scalar_acos(-INFINITY), acos(-1), TOLERANCE);
+}
+
+static void test_arc_tangent_keeps_its_tolerance_all_round(void **state)
+{
+	double worst = 0;
+
+	(void)state;
+	for (int i = 0; i < 30000; i++) {
+		double angle = i * (2 * acos(-1) / 30000);
+		float x = (float)(cos(angle) * (0.001 + i));
+		float y = (float)(sin(angle) * (0.001 + i));
+
+		worst = fmax(worst, fabs(scalar_atan2(y, x) - atan2(y, x)));
+	}
+	assert_near(worst, 0, TOLERANCE);
+	assert_near(scalar_atan2(0, -1), acos(-1), TOLERANCE);
+	assert_near(scalar_atan2(1, 0), acos(-1) / 2, TOLERANCE);
+	assert_near(scalar_atan2(-1, 0), -acos(-1) / 2, TOLERANCE);
+}
+
+static void test_arc_tangent_of_no_direction_is_zero(void **state)
+{
+	(void)state;
+	assert_true(scalar_atan2(0, 0) == 0);
+	assert_true(scalar_atan2(NAN, 1) == 0);
+	assert_true(scalar_atan2(1, INFINITY) == 0);
+}
+
+static void test_square_root_never_gives_a_nan(void **state)
+{
+	(void)state;
+	assert_true(scalar_sqrt(9) == 3);
+	assert_true(scalar_sqrt(0) == 0);
+	assert_true(scalar_sqrt(-4) == 0);
+	assert_true(scalar_sqrt(NAN) == 0);
+}
+
+static void test_floor_rounds_down_at_both_signs(void **state)
+{
+	const float value[] = {
+		0, 0.5f, 1, -0.5f, -1, -1.5f, 7.999f, -8388607.5f, 3e9f, -3e9f};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(value) / sizeof(value[0]); i++) {
+		assert_true(scalar_floor(value[i]) == (float)floor(value[i]));
+	}
+}
+
+static void test_exponential_is_close_in_proportion(void **state)
+{
+	double worst = 0;
+
+	(void)state;
+	for (float x = -86; x < 88; x += 0.0137f) {
+		double want = exp(x);
+
+		worst = fmax(worst, fabs(scalar_exp(x) - want) / want);
+	}
+	assert_near(worst, 0, 1e-6);
+	assert_true(scalar_exp(0) == 1);
+	assert_true(scalar_exp(-200) == 0);
+	assert_true(scalar_exp(NAN) == 0);
+	assert_true(scalar_exp(1000) == FLT_MAX);
+}
+
+static void test_clamp_keeps_to_its_limits(void **state)
+{
+	(void)state;
+	assert_true(scalar_clamp(3, 0, 2) == 2);
+	assert_true(scalar_clamp(-3, 0, 2) == 0);
+	assert_true(scalar_clamp(1.5f, 0, 2) == 1.5f);
+	assert_true(scalar_clamp(NAN, 0, 2) == 0);
+}
+
+static void test_parse_reads_decimals_exactly(void **state)
+{
+	static const struct {
+		const char *text;
+		double value;
+		const char *rest;
+	} cases[] = {
+		{"0", 0, ""},
+		{"1.5", 1.5, ""},
+		{"-29.97fps", -29.97, "fps"},
+		{"+.25", 0.25, ""},
+		{"7.", 7, ""},
+		{"1e3", 1000, ""},
+		{"1.25e-2x", 0.0125, "x"},
+		{"2em", 2, "em"},
+		{"2e+", 2, "e+"},
+		{"0.1", 0.1, ""},
+		{"12345678901234567890123", 12345678901234567890123.0, ""},
+		{"0.00000000000000000000000001", 1e-26, ""},
+		{"1,5", 1, ",5"},
+		{"0e999999", 0, ""},
+		{"1e-99999", 0, ""},
+		{"0x10", 0, "x10"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		double value = -1;
+		const char *end = scalar_parse(cases[i].text, &value);
+
+		assert_non_null(end);
+		assert_string_equal(end, cases[i].rest);
+		assert_near(value, cases[i].value, fabs(cases[i].value) * 1e-15);
+	}
+}
+
+static void test_parse_refuses_what_is_no_number(void **state)
+{
+	static const char *const cases[] = {
+		"", ".", "-", "+.", "e5", "nan", "inf", " 1", "--1", "1e400"};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		double value = -1;
+
+		assert_null(scalar_parse(cases[i], &value));
+		assert_true(value == -1);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_sine_and_cosine_keep_their_tolerance),
+		cmocka_unit_test(test_sine_is_exact_where_it_matters),
+		cmocka_unit_test(test_absurd_angles_count_as_zero),
+		cmocka_unit_test(test_arc_cosine_keeps_its_tolerance),
+		cmocka_unit_test(test_arc_cosine_clamps_its_argument),
+		cmocka_unit_test(test_arc_tangent_keeps_its_tolerance_all_round),
+		cmocka_unit_test(test_arc_tangent_of_no_direction_is_zero),
+		cmocka_unit_test(test_square_root_never_gives_a_nan),
+		cmocka_unit_test(test_floor_rounds_down_at_both_signs),
+		cmocka_unit_test(test_exponential_is_close_in_proportion),
+		cmocka_unit_test(test_clamp_keeps_to_its_limits),
+		cmocka_unit_test(test_parse_reads_decimals_exactly),
+		cmocka_unit_test(test_parse_refuses_what_is_no_number),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,553 @@
+#include "app/anim/clip.h"
+#include "app/anim/transform.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+static float sample_one(
+	const struct model_channel *channel, float time_s, int element)
+{
+	float out[8] = {0};
+	int key = 0;
+
+	clip_sample_channel(channel, time_s, &key, out);
+	return out[element];
+}
+
+static const float TIMES[3] = {0.5f, 1, 3};
+static const float POINTS[9] = {1, 2, 3, 11, 12, 13, 11, 22, 33};
+
+static const struct model_channel LINEAR_POINTS = {.path = MODEL_TRANSLATION,
+	.interpolation = MODEL_LINEAR,
+	.width = 3,
+	.key_count = 3,
+	.time_s = TIMES,
+	.value = POINTS};
+
+static void test_pitfall_3_clamps_before_the_first_key(void **state)
+{
+	(void)state;
+	assert_true(sample_one(&LINEAR_POINTS, 0, 0) == 1);
+	assert_true(sample_one(&LINEAR_POINTS, 0.5f, 1) == 2);
+	assert_true(sample_one(&LINEAR_POINTS, -100, 2) == 3);
+	assert_true(sample_one(&LINEAR_POINTS, NAN, 2) == 3);
+}
+
+static void test_pitfall_3_clamps_after_the_last_key(void **state)
+{
+	(void)state;
+	assert_true(sample_one(&LINEAR_POINTS, 3, 0) == 11);
+	assert_true(sample_one(&LINEAR_POINTS, 3.0001f, 1) == 22);
+	assert_true(sample_one(&LINEAR_POINTS, 1e30f, 2) == 33);
+}
+
+static void test_linear_goes_straight_between_keys(void **state)
+{
+	(void)state;
+	assert_near(sample_one(&LINEAR_POINTS, 0.75f, 0), 6, 1e-6);
+	assert_true(sample_one(&LINEAR_POINTS, 1, 1) == 12);
+	assert_near(sample_one(&LINEAR_POINTS, 1.5f, 1), 14.5, 1e-6);
+	assert_near(sample_one(&LINEAR_POINTS, 2.5f, 2), 28, 1e-6);
+}
+
+/* Any time between the keys has its own value; nothing snaps to a rate. */
+static void test_pitfall_7_times_between_frames_are_not_rounded(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 1000; i++) {
+		float time_s = 1 + (float)i * 0.0017f;
+
+		assert_near(sample_one(&LINEAR_POINTS, time_s, 1),
+			12 + 10 * ((double)time_s - 1) / 2, 1e-5);
+	}
+}
+
+static void test_pitfall_4_one_key_holds_at_all_times(void **state)
+{
+	static const float time_s[1] = {2};
+	static const float cubic[9] = {9, 9, 9, 1, 2, 3, 7, 7, 7};
+	struct model_channel channel = {.path = MODEL_SCALE,
+		.width = 3,
+		.key_count = 1,
+		.time_s = time_s};
+
+	(void)state;
+	for (int kind = MODEL_STEP; kind <= MODEL_CUBICSPLINE; kind++) {
+		channel.interpolation = (enum model_interpolation)kind;
+		channel.value = kind == MODEL_CUBICSPLINE ? cubic : cubic + 3;
+		assert_true(sample_one(&channel, 0, 0) == 1);
+		assert_true(sample_one(&channel, 2, 1) == 2);
+		assert_true(sample_one(&channel, 5, 2) == 3);
+	}
+}
+
+static void test_pitfall_4_step_steps(void **state)
+{
+	struct model_channel channel = LINEAR_POINTS;
+
+	(void)state;
+	channel.interpolation = MODEL_STEP;
+	assert_true(sample_one(&channel, 0.999f, 1) == 2);
+	assert_true(sample_one(&channel, 1, 1) == 12);
+	assert_true(sample_one(&channel, 2.999f, 1) == 12);
+	assert_true(sample_one(&channel, 3, 1) == 22);
+}
+
+/* Two keys half a second apart: in, value, out each. */
+static const float CUBIC_TIMES[2] = {1, 1.5f};
+static const float CUBIC_POINTS[18] = {
+	77, 77, 77, 1, 2, 3, 4, 0, -2,  /* tangents out of key 0 */
+	-6, 2, 0, 5, 2, -1, 88, 88, 88, /* tangents into key 1 */
+};
+
+static void test_pitfall_1_cubic_tangents_scale_with_the_interval(void **state)
+{
+	const struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_CUBICSPLINE,
+		.width = 3,
+		.key_count = 2,
+		.time_s = CUBIC_TIMES,
+		.value = CUBIC_POINTS};
+
+	(void)state;
+	/*
+	 * Halfway: (from + to) / 2 + interval * (out - in) / 8, so for x
+	 * (1 + 5) / 2 + 0.5 * (4 + 6) / 8 = 3.625.
+	 */
+	assert_near(sample_one(&channel, 1.25f, 0), 3.625, 1e-6);
+	assert_near(sample_one(&channel, 1.25f, 1), 2 - 0.125, 1e-6);
+	assert_near(sample_one(&channel, 1.25f, 2), 1 - 0.125, 1e-6);
+	assert_true(sample_one(&channel, 1, 0) == 1);
+	assert_true(sample_one(&channel, 1.5f, 0) == 5);
+	/* Its slope at the first key is the tangent itself. */
+	assert_near((sample_one(&channel, 1.001f, 0) - 1) / 0.001, 4, 0.05);
+}
+
+static void test_pitfall_1_cubic_rotations_come_out_unit(void **state)
+{
+	static const float value[24] = {
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		1,
+		3,
+		0,
+		0,
+		0,
+		0,
+		0,
+		-3,
+		0,
+		0,
+		0.6f,
+		0,
+		0.8f,
+		0,
+		0,
+		0,
+		0,
+	};
+	const struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_CUBICSPLINE,
+		.width = 4,
+		.key_count = 2,
+		.time_s = CUBIC_TIMES,
+		.value = value};
+	float out[4];
+	int key = 0;
+	/* Halfway: mean of the keys + 0.5 / 8 * (out - in). */
+	double want[4] = {0.1875, 0.3, 0.1875, 0.9};
+	double length = sqrt(2 * 0.1875 * 0.1875 + 0.09 + 0.81);
+
+	(void)state;
+	clip_sample_channel(&channel, 1.25f, &key, out);
+	for (int k = 0; k < 4; k++) {
+		assert_near(out[k], want[k] / length, 1e-6);
+	}
+}
+
+static void test_pitfall_2_cubic_weights_are_packed_by_kind(void **state)
+{
+	/* Three targets: in-tangents, values, out-tangents of each key. */
+	static const float value[18] = {
+		9,
+		9,
+		9,
+		0,
+		0.5f,
+		1,
+		2,
+		0,
+		0,
+		0,
+		0,
+		4,
+		1,
+		0.5f,
+		0,
+		9,
+		9,
+		9,
+	};
+	const struct model_channel channel = {.path = MODEL_WEIGHTS,
+		.interpolation = MODEL_CUBICSPLINE,
+		.width = 3,
+		.key_count = 2,
+		.time_s = CUBIC_TIMES,
+		.value = value};
+
+	(void)state;
+	assert_true(sample_one(&channel, 1, 0) == 0);
+	assert_true(sample_one(&channel, 1, 1) == 0.5f);
+	assert_true(sample_one(&channel, 1, 2) == 1);
+	assert_near(sample_one(&channel, 1.25f, 0), 0.5 + 0.125, 1e-6);
+	assert_near(sample_one(&channel, 1.25f, 1), 0.5, 1e-6);
+	assert_near(sample_one(&channel, 1.25f, 2), 0.5 - 0.25, 1e-6);
+	assert_true(sample_one(&channel, 1.5f, 0) == 1);
+}
+
+static void test_linear_rotations_turn_at_constant_speed(void **state)
+{
+	const double pi = acos(-1);
+	static const float time_s[2] = {0, 1};
+	const float value[8] = {
+		0, 0, 0, 1, 0, (float)sin(pi / 3), 0, (float)cos(pi / 3)};
+	const struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 4,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = value};
+
+	(void)state;
+	for (int i = 0; i <= 20; i++) {
+		float t = (float)i / 20;
+
+		assert_near(sample_one(&channel, t, 1), sin(t * pi / 3), 3e-6);
+		assert_near(sample_one(&channel, t, 3), cos(t * pi / 3), 3e-6);
+	}
+}
+
+static void test_pitfall_5_rotation_keys_take_the_shorter_arc(void **state)
+{
+	const double pi = acos(-1);
+	static const float time_s[2] = {0, 1};
+	/* 40 degrees about x, as its negative. */
+	const float value[8] = {
+		0, 0, 0, 1, -(float)sin(pi / 9), 0, 0, -(float)cos(pi / 9)};
+	const struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 4,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = value};
+
+	(void)state;
+	assert_near(sample_one(&channel, 0.5f, 0), sin(pi / 18), 3e-6);
+	assert_near(sample_one(&channel, 0.5f, 3), cos(pi / 18), 3e-6);
+}
+
+/* i8 quaternions are off unit length by up to a percent. */
+static void test_pitfall_6_coarse_rotation_keys_come_out_unit(void **state)
+{
+	static const float time_s[3] = {0, 1, 2};
+	static const float value[12] = {13 / 127.0f, 0, 0, 126 / 127.0f, 0,
+		90 / 127.0f, 0, 90 / 127.0f, 63 / 127.0f, -64 / 127.0f,
+		64 / 127.0f, 64 / 127.0f};
+	struct model_channel channel = {.path = MODEL_ROTATION,
+		.width = 4,
+		.key_count = 3,
+		.time_s = time_s,
+		.value = value};
+
+	(void)state;
+	for (int i = -2; i < 50; i++) {
+		float out[4];
+		double length = 0;
+		int key = 0;
+
+		channel.interpolation = i % 2 ? MODEL_STEP : MODEL_LINEAR;
+		clip_sample_channel(&channel, (float)i * 0.05f, &key, out);
+		for (int k = 0; k < 4; k++) {
+			length += (double)out[k] * out[k];
+		}
+		assert_near(sqrt(length), 1, 1e-6);
+	}
+}
+
+enum {
+	MANY = 200
+};
+
+static void make_ramp(struct model_channel *channel, float *time_s, float *value)
+{
+	for (int i = 0; i < MANY; i++) {
+		time_s[i] = (float)i * 0.1f + (i % 3 ? 0.04f : 0);
+		value[i] = 10 * time_s[i];
+	}
+	*channel = (struct model_channel){.path = MODEL_WEIGHTS,
+		.interpolation = MODEL_LINEAR,
+		.width = 1,
+		.key_count = MANY,
+		.time_s = time_s,
+		.value = value};
+}
+
+static void assert_ramp(
+	const struct model_channel *channel, float time_s, int *key)
+{
+	float out;
+	double want = 10 * (double)time_s;
+
+	clip_sample_channel(channel, time_s, key, &out);
+	want = fmin(fmax(want, channel->value[0]), channel->value[MANY - 1]);
+	assert_near(out, want, 1e-4);
+	assert_true(*key >= 0 && *key < MANY);
+}
+
+static void test_keys_are_found_playing_either_way_and_jumping(void **state)
+{
+	float time_s[MANY], value[MANY];
+	struct model_channel channel;
+	int key = 0;
+
+	(void)state;
+	make_ramp(&channel, time_s, value);
+	for (float t = -1; t < 22; t += 0.013f) {
+		assert_ramp(&channel, t, &key);
+	}
+	for (float t = 22; t > -1; t -= 0.013f) {
+		assert_ramp(&channel, t, &key);
+	}
+	for (int i = 0; i < 2000; i++) {
+		assert_ramp(&channel, fmodf((float)i * 7.31f, 20), &key);
+	}
+}
+
+static void test_any_content_of_the_cache_is_valid(void **state)
+{
+	static const int odd[] = {-1, -1000, MANY - 2, MANY - 1, MANY, 9999,
+		INT32_MAX, INT32_MIN};
+	float time_s[MANY], value[MANY];
+	struct model_channel channel;
+
+	(void)state;
+	make_ramp(&channel, time_s, value);
+	for (size_t i = 0; i < sizeof(odd) / sizeof(odd[0]); i++) {
+		int key = odd[i];
+
+		assert_ramp(&channel, 12.34f, &key);
+		key = odd[i];
+		assert_ramp(&channel, 0.01f, &key);
+		key = odd[i];
+		assert_ramp(&channel, 19.85f, &key);
+	}
+}
+
+/* Two nodes, the second with two morph weights behind one of the first. */
+struct fixture {
+	struct model_node node[2];
+	float weights[3];
+	struct model_channel channel[3];
+	struct model_clip clip;
+	struct model model;
+	struct arena arena;
+	struct pose pose;
+	struct clip_cursor cursor;
+};
+
+static const float SPIN[8] = {0, 0, 0, 1, 0, 0, 1, 0};
+static const float FADE[4] = {0, 1, 1, 0};
+static const float SECONDS[2] = {0, 1};
+
+static void set_up(struct fixture *f)
+{
+	*f = (struct fixture){.weights = {0.1f, 0.2f, 0.3f}};
+	for (int i = 0; i < 2; i++) {
+		f->node[i] = (struct model_node){.name = "",
+			.parent = -1,
+			.rest = transform_identity(),
+			.mesh = -1,
+			.skin = -1,
+			.camera = -1};
+	}
+	f->node[0].rest.scale[1] = 4;
+	f->node[1].weight_offset = 1;
+	f->channel[0] = LINEAR_POINTS;
+	f->channel[1] = (struct model_channel){.node = 0,
+		.path = MODEL_ROTATION,
+		.interpolation = MODEL_STEP,
+		.width = 4,
+		.key_count = 2,
+		.time_s = SECONDS,
+		.value = SPIN};
+	f->channel[2] = (struct model_channel){.node = 1,
+		.path = MODEL_WEIGHTS,
+		.interpolation = MODEL_LINEAR,
+		.width = 2,
+		.key_count = 2,
+		.time_s = SECONDS,
+		.value = FADE};
+	f->clip = (struct model_clip){.name = "",
+		.duration_s = 3,
+		.channel_count = 3,
+		.channel = f->channel};
+	f->model = (struct model){.node_count = 2,
+		.node = f->node,
+		.clip_count = 1,
+		.clip = &f->clip,
+		.weight_count = 3,
+		.rest_weights = f->weights};
+	assert_int_equal(pose_init(&f->pose, &f->model, &f->arena), 0);
+	assert_int_equal(clip_cursor_init(&f->cursor, &f->model, &f->arena), 0);
+}
+
+static void test_pitfall_4_channels_interpolate_each_their_own_way(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	clip_sample(&f.clip, 0.75f, &f.cursor, &f.pose);
+	assert_near(f.pose.local[0].translation[0], 6, 1e-6);
+	assert_true(f.pose.local[0].rotation[3] == 1);
+	assert_near(f.pose.weight[1], 0.75, 1e-6);
+	assert_near(f.pose.weight[2], 0.25, 1e-6);
+	clip_sample(&f.clip, 1, &f.cursor, &f.pose);
+	assert_true(f.pose.local[0].rotation[2] == 1);
+	assert_true(f.pose.weight[1] == 1);
+	arena_release(&f.arena);
+}
+
+static void test_what_a_clip_has_no_channel_for_stays(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	clip_sample(&f.clip, 2, &f.cursor, &f.pose);
+	assert_true(f.pose.local[0].scale[1] == 4);
+	assert_true(f.pose.weight[0] == 0.1f);
+	assert_true(f.pose.local[1].translation[0] == 0);
+	assert_true(f.pose.animated[0]);
+	assert_false(f.pose.animated[1]);
+	arena_release(&f.arena);
+}
+
+static void test_pitfall_8_another_clip_starts_from_rest(void **state)
+{
+	struct fixture f;
+	struct model_clip other;
+
+	(void)state;
+	set_up(&f);
+	other = f.clip;
+	other.channel = &f.channel[2];
+	other.channel_count = 1;
+	clip_sample(&f.clip, 2, &f.cursor, &f.pose);
+	pose_rest(&f.pose, &f.model);
+	clip_sample(&other, 0.5f, &f.cursor, &f.pose);
+	assert_memory_equal(
+		&f.pose.local[0], &f.node[0].rest, sizeof(struct transform));
+	assert_false(f.pose.animated[0]);
+	assert_near(f.pose.weight[1], 0.5, 1e-6);
+	arena_release(&f.arena);
+}
+
+static void test_a_cursor_with_less_room_still_works(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	f.cursor.channel_count = 1;
+	clip_sample(&f.clip, 0.75f, &f.cursor, &f.pose);
+	assert_near(f.pose.weight[1], 0.75, 1e-6);
+	arena_release(&f.arena);
+}
+
+static void test_once_stays_at_the_end(void **state)
+{
+	(void)state;
+	assert_true(clip_time(-1, 2.5f, CLIP_ONCE) == 0);
+	assert_true(clip_time(1.25, 2.5f, CLIP_ONCE) == 1.25f);
+	assert_true(clip_time(2.5, 2.5f, CLIP_ONCE) == 2.5f);
+	assert_true(clip_time(1e12, 2.5f, CLIP_ONCE) == 2.5f);
+	assert_true(clip_time((double)NAN, 2.5f, CLIP_ONCE) == 0);
+}
+
+static void test_loops_wrap_at_both_ends(void **state)
+{
+	(void)state;
+	assert_true(clip_time(0, 2.5f, CLIP_LOOP) == 0);
+	assert_true(clip_time(2.5, 2.5f, CLIP_LOOP) == 0);
+	assert_near(clip_time(3, 2.5f, CLIP_LOOP), 0.5, 1e-6);
+	assert_near(clip_time(-0.5, 2.5f, CLIP_LOOP), 2, 1e-6);
+	assert_near(clip_time(-2.5, 2.5f, CLIP_LOOP), 0, 1e-6);
+	assert_true(clip_time((double)INFINITY, 2.5f, CLIP_LOOP) == 0);
+	assert_true(clip_time(1e300, 2.5f, CLIP_LOOP) == 0);
+	assert_true(clip_time((double)NAN, 2.5f, CLIP_LOOP) == 0);
+}
+
+static void test_loops_stay_in_range_and_precise_for_days(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 5000; i++) {
+		double time_s = 3 * 86400.0 + i * 0.0167;
+		float duration_s = 1.1f;
+		float at = clip_time(time_s, duration_s, CLIP_LOOP);
+
+		assert_true(at >= 0 && at < duration_s);
+		assert_near(at, fmod(time_s, (double)duration_s), 1e-6);
+	}
+	assert_true(clip_time(-1e-12, 1.1f, CLIP_LOOP) < 1.1f);
+}
+
+static void test_a_clip_without_length_stays_at_zero(void **state)
+{
+	(void)state;
+	assert_true(clip_time(5, 0, CLIP_LOOP) == 0);
+	assert_true(clip_time(5, 0, CLIP_ONCE) == 0);
+	assert_true(clip_time(5, NAN, CLIP_LOOP) == 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_pitfall_3_clamps_before_the_first_key),
+		cmocka_unit_test(test_pitfall_3_clamps_after_the_last_key),
+		cmocka_unit_test(test_linear_goes_straight_between_keys),
+		cmocka_unit_test(
+			test_pitfall_7_times_between_frames_are_not_rounded),
+		cmocka_unit_test(test_pitfall_4_one_key_holds_at_all_times),
+		cmocka_unit_test(test_pitfall_4_step_steps),
+		cmocka_unit_test(
+			test_pitfall_1_cubic_tangents_scale_with_the_interval),
+		cmocka_unit_test(test_pitfall_1_cubic_rotations_come_out_unit),
+		cmocka_unit_test(test_pitfall_2_cubic_weights_are_packed_by_kind),
+		cmocka_unit_test(test_linear_rotations_turn_at_constant_speed),
+		cmocka_unit_test(
+			test_pitfall_5_rotation_keys_take_the_shorter_arc),
+		cmocka_unit_test(
+			test_pitfall_6_coarse_rotation_keys_come_out_unit),
+		cmocka_unit_test(
+			test_keys_are_found_playing_either_way_and_jumping),
+		cmocka_unit_test(test_any_content_of_the_cache_is_valid),
+		cmocka_unit_test(
+			test_pitfall_4_channels_interpolate_each_their_own_way),
+		cmocka_unit_test(test_what_a_clip_has_no_channel_for_stays),
+		cmocka_unit_test(test_pitfall_8_another_clip_starts_from_rest),
+		cmocka_unit_test(test_a_cursor_with_less_room_still_works),
+		cmocka_unit_test(test_once_stays_at_the_end),
+		cmocka_unit_test(test_loops_wrap_at_both_ends),
+		cmocka_unit_test(test_loops_stay_in_range_and_precise_for_days),
+		cmocka_unit_test(test_a_clip_without_length_stays_at_zero),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

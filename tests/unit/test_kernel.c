@@ -1,0 +1,334 @@
+#include "app/anim/kernel/kernel.h"
+#include "app/anim/transform.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	VERTICES = 60,
+	WIDTH = 8,
+	JOINTS = 7
+};
+
+/* A scattered mesh whose vertices have one to eight influences. */
+struct fixture {
+	float position[VERTICES][3];
+	float normal[VERTICES][3];
+	uint16_t joint[VERTICES][WIDTH];
+	float weight[VERTICES][WIDTH];
+	mat4 palette[JOINTS];
+	struct arena arena;
+	struct skin_stream stream;
+	float out[VERTICES][3];
+	float out_normal[VERTICES][3];
+};
+
+static float scatter(int i)
+{
+	return (float)(fmod(i * 0.754877666 + 0.3, 1) * 2 - 1);
+}
+
+static void make_palette(struct fixture *f)
+{
+	for (int j = 0; j < JOINTS; j++) {
+		struct transform t = transform_identity();
+
+		for (int k = 0; k < 3; k++) {
+			t.translation[k] = 2 * scatter(j * 9 + k);
+			t.rotation[k] = scatter(j * 9 + 3 + k);
+		}
+		quat_normalize(t.rotation);
+		transform_to_matrix(&t, f->palette[j]);
+	}
+}
+
+static void make_vertex(struct fixture *f, int v)
+{
+	int count = v % WIDTH + 1;
+	float sum = 0;
+
+	for (int k = 0; k < 3; k++) {
+		f->position[v][k] = scatter(v * 3 + k);
+		f->normal[v][k] = scatter(v * 5 + k + 400);
+	}
+	vec_normalize(f->normal[v]);
+	for (int i = 0; i < count; i++) {
+		f->joint[v][i] = (uint16_t)((v + i * 3) % JOINTS);
+		f->weight[v][i] = 1.1f + scatter(v * 8 + i);
+		sum += f->weight[v][i];
+	}
+	for (int i = 0; i < count; i++) {
+		f->weight[v][i] /= sum;
+	}
+}
+
+static void set_up(struct fixture *f)
+{
+	struct model_primitive primitive;
+
+	memset(f, 0, sizeof(*f));
+	make_palette(f);
+	for (int v = 0; v < VERTICES; v++) {
+		make_vertex(f, v);
+	}
+	primitive = (struct model_primitive){.vertex_count = VERTICES,
+		.position = f->position,
+		.normal = f->normal,
+		.influences = WIDTH,
+		.joint = f->joint[0],
+		.weight = f->weight[0]};
+	assert_int_equal(
+		skin_stream_init(&f->stream, &primitive, 1, &f->arena), 0);
+}
+
+static void tear_down(struct fixture *f)
+{
+	arena_release(&f->arena);
+}
+
+/* The heaviest influence that is not used yet, or -1. */
+static int next_heaviest(const float weight[WIDTH], bool used[WIDTH])
+{
+	int best = -1;
+
+	for (int i = 0; i < WIDTH; i++) {
+		if (!used[i] && weight[i] > 0 &&
+			(best < 0 || weight[i] > weight[best])) {
+			best = i;
+		}
+	}
+	if (best >= 0) {
+		used[best] = true;
+	}
+	return best;
+}
+
+/*
+ * Example 4 of AN4044, in double and straight from the vertex attributes:
+ * w is 1 for positions and 0 for normals.
+ */
+static void skin_reference(const struct fixture *f, int v, int cap,
+	const float base[3], double w, double out[3])
+{
+	bool used[WIDTH] = {false};
+	double sum = 0;
+	int i;
+
+	out[0] = out[1] = out[2] = 0;
+	for (int n = 0; n < cap && (i = next_heaviest(f->weight[v], used)) >= 0;
+		n++) {
+		const vec4 *m = f->palette[f->joint[v][i]];
+		double weight = f->weight[v][i];
+
+		sum += weight;
+		for (int r = 0; r < 3; r++) {
+			out[r] += weight *
+				((double)m[0][r] * base[0] +
+					(double)m[1][r] * base[1] +
+					(double)m[2][r] * base[2] + m[3][r] * w);
+		}
+	}
+	for (int r = 0; r < 3; r++) {
+		out[r] /= sum;
+	}
+}
+
+static void assert_skinned(const struct fixture *f, int cap)
+{
+	for (int v = 0; v < VERTICES; v++) {
+		double want[3];
+		double length;
+
+		skin_reference(f, v, cap, f->position[v], 1, want);
+		for (int r = 0; r < 3; r++) {
+			assert_near(f->out[v][r], want[r], 2e-6);
+		}
+		skin_reference(f, v, cap, f->normal[v], 0, want);
+		length = sqrt(want[0] * want[0] + want[1] * want[1] +
+			want[2] * want[2]);
+		for (int r = 0; r < 3; r++) {
+			/* Short sums lose digits when they are stretched. */
+			assert_near(f->out_normal[v][r], want[r] / length,
+				1e-6 + 1e-6 / length);
+		}
+	}
+}
+
+static void test_skinning_sums_the_weighted_matrices(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	kernel_float.skin(
+		&f.stream, (const mat4 *)f.palette, 0, f.out, f.out_normal);
+	assert_skinned(&f, WIDTH);
+	tear_down(&f);
+}
+
+static void test_capped_weights_count_as_if_they_summed_to_one(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	for (int cap = 1; cap <= WIDTH + 1; cap++) {
+		kernel_float.skin(&f.stream, (const mat4 *)f.palette, cap,
+			f.out, f.out_normal);
+		assert_skinned(&f, cap);
+	}
+	tear_down(&f);
+}
+
+static void test_positions_alone_are_the_same_positions(void **state)
+{
+	struct fixture f;
+	float alone[VERTICES][3];
+
+	(void)state;
+	set_up(&f);
+	kernel_float.skin(
+		&f.stream, (const mat4 *)f.palette, 2, f.out, f.out_normal);
+	kernel_float.skin(&f.stream, (const mat4 *)f.palette, 2, alone, NULL);
+	assert_memory_equal(alone, f.out, sizeof(alone));
+	tear_down(&f);
+}
+
+static void test_the_bind_pose_stays_where_it_is(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	for (int j = 0; j < JOINTS; j++) {
+		struct transform t = transform_identity();
+
+		transform_to_matrix(&t, f.palette[j]);
+	}
+	kernel_float.skin(
+		&f.stream, (const mat4 *)f.palette, 0, f.out, f.out_normal);
+	assert_all_near(f.out, f.position, 3 * VERTICES, 1e-6);
+	assert_all_near(f.out_normal, f.normal, 3 * VERTICES, 1e-6);
+	tear_down(&f);
+}
+
+static void test_pitfall_16_a_morphed_shape_is_skinned(void **state)
+{
+	struct fixture f;
+	float delta[VERTICES][3];
+	struct morph_term term = {
+		0.5f, (const float(*)[3])delta, (const float(*)[3])delta};
+
+	(void)state;
+	set_up(&f);
+	for (int v = 0; v < VERTICES; v++) {
+		for (int k = 0; k < 3; k++) {
+			delta[v][k] = 0.4f * scatter(v * 3 + k + 1234);
+		}
+	}
+	kernel_float.morph_targets(VERTICES, (const float(*)[3])f.position,
+		&term, 1, false, f.position);
+	kernel_float.morph_targets(VERTICES, (const float(*)[3])f.normal, &term,
+		1, true, f.normal);
+	kernel_float.normalize(VERTICES, f.normal);
+	skin_stream_rebase(&f.stream, (const float(*)[3])f.position,
+		(const float(*)[3])f.normal, 1);
+	kernel_float.skin(
+		&f.stream, (const mat4 *)f.palette, 0, f.out, f.out_normal);
+	assert_skinned(&f, WIDTH);
+	tear_down(&f);
+}
+
+static void test_lerp_ends_at_its_inputs(void **state)
+{
+	static const float source[2][3] = {{0.1f, -7, 1e5f}, {3, 2, 0.7f}};
+	static const float destiny[2][3] = {{9.3f, 1e-3f, 2}, {0.3f, 4, 5}};
+	static const float none[3] = {0, 0, 0};
+	float out[2][3];
+
+	(void)state;
+	kernel_float.morph_lerp(2, source, destiny, 0, none, out);
+	assert_memory_equal(out, source, sizeof(out));
+	kernel_float.morph_lerp(2, source, destiny, 1, none, out);
+	assert_memory_equal(out, destiny, sizeof(out));
+}
+
+static void test_lerp_adds_the_offset_and_may_overwrite(void **state)
+{
+	float source[2][3] = {{0, 4, 8}, {1, 1, 1}};
+	static const float destiny[2][3] = {{4, 0, 8}, {3, 3, 3}};
+	static const float offset[3] = {0, 10, -10};
+	static const float want[2][3] = {{1, 13, -2}, {1.5f, 11.5f, -8.5f}};
+
+	(void)state;
+	kernel_float.morph_lerp(
+		2, (const float(*)[3])source, destiny, 0.25f, offset, source);
+	assert_all_near(source, want, 6, 1e-6);
+}
+
+static void test_targets_add_up_by_weight(void **state)
+{
+	static const float base[2][3] = {{1, 2, 3}, {4, 5, 6}};
+	static const float a[2][3] = {{1, 0, 0}, {0, 1, 0}};
+	static const float b[2][3] = {{0, 0, 8}, {8, 0, 0}};
+	static const float poison[2][3] = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
+	const struct morph_term term[4] = {{2, a, NULL}, {0.5f, b, a},
+		{0, poison, poison}, {7, NULL, NULL}};
+	static const float want[2][3] = {{3, 2, 7}, {8, 7, 6}};
+	static const float want_normal[2][3] = {{1.5f, 2, 3}, {4, 5.5f, 6}};
+	float out[2][3];
+
+	(void)state;
+	kernel_float.morph_targets(2, base, term, 4, false, out);
+	assert_all_near(out, want, 6, 1e-6);
+	kernel_float.morph_targets(2, base, term, 4, true, out);
+	assert_all_near(out, want_normal, 6, 1e-6);
+	kernel_float.morph_targets(2, base, term, 0, false, out);
+	assert_memory_equal(out, base, sizeof(out));
+}
+
+static void test_normalize_leaves_zero_vectors(void **state)
+{
+	float v[4][3] = {{3, 4, 0}, {0, 0, 0}, {0, 0, -1e-9f}, {1e9f, 0, 0}};
+	static const float want[4][3] = {
+		{0.6f, 0.8f, 0}, {0, 0, 0}, {0, 0, -1}, {1, 0, 0}};
+
+	(void)state;
+	kernel_float.normalize(4, v);
+	assert_all_near(v, want, 12, 1e-6);
+}
+
+static void test_kernels_are_found_by_name(void **state)
+{
+	(void)state;
+	assert_ptr_equal(kernel_find(NULL), kernel_registry[0]);
+	assert_ptr_equal(kernel_find("float"), &kernel_float);
+	assert_null(kernel_find("Float"));
+	assert_null(kernel_find(""));
+	for (int i = 0; kernel_registry[i]; i++) {
+		const struct kernel *kernel = kernel_registry[i];
+
+		assert_ptr_equal(kernel_find(kernel->name), kernel);
+		assert_true(strlen(kernel->summary) > 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_skinning_sums_the_weighted_matrices),
+		cmocka_unit_test(
+			test_capped_weights_count_as_if_they_summed_to_one),
+		cmocka_unit_test(test_positions_alone_are_the_same_positions),
+		cmocka_unit_test(test_the_bind_pose_stays_where_it_is),
+		cmocka_unit_test(test_pitfall_16_a_morphed_shape_is_skinned),
+		cmocka_unit_test(test_lerp_ends_at_its_inputs),
+		cmocka_unit_test(test_lerp_adds_the_offset_and_may_overwrite),
+		cmocka_unit_test(test_targets_add_up_by_weight),
+		cmocka_unit_test(test_normalize_leaves_zero_vectors),
+		cmocka_unit_test(test_kernels_are_found_by_name),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -88,10 +88,15 @@ def to_srgb(color):
     return np.where(c <= 0.0031308, c * 12.92, 1.055 * c ** (1 / 2.4) - 0.055)
 
 
-def image(name, pixels):
-    """A packed PNG from an array [height][width][3], sRGB, top row first."""
+def image(name, pixels, data=False):
+    """A packed PNG from an array [height][width][3], sRGB, top row first.
+
+    data: the values are no colours (a normal map) and mean themselves.
+    """
     height, width = pixels.shape[:2]
     img = bpy.data.images.new(name, width, height, alpha=False)
+    if data:
+        img.colorspace_settings.name = "Non-Color"
     rgba = np.ones((height, width, 4), dtype=np.float32)
     rgba[:, :, :3] = np.clip(pixels, 0, 1)
     img.pixels.foreach_set(np.ascontiguousarray(rgba[::-1]).ravel())
@@ -100,10 +105,23 @@ def image(name, pixels):
     return img
 
 
-def material(name, color="#ffffff", texture=None, roughness=0.8, cull=True):
+def normal_map(height, depth):
+    """Tangent-space normals [height][width][3] of a height map that tiles.
+
+    height is 0..1, top row first; depth is what 1 means, in texels.
+    """
+    right = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * depth / 2
+    up = (np.roll(height, 1, 0) - np.roll(height, -1, 0)) * depth / 2
+    n = np.stack([-right, -up, np.ones_like(height)], axis=-1)
+    return 0.5 + 0.5 * n / np.linalg.norm(n, axis=-1)[..., None]
+
+
+def material(name, color="#ffffff", texture=None, normals=None,
+             roughness=0.8, cull=True):
     """A Principled material: base colour (sRGB), or a base colour image.
 
-    Colour attributes multiply either. cull=False makes it double-sided.
+    Colour attributes multiply either. normals is a normal map (see image,
+    data=True). cull=False makes it double-sided.
     """
     mat = bpy.data.materials.new(name)
     mat.use_nodes = True
@@ -118,6 +136,14 @@ def material(name, color="#ffffff", texture=None, roughness=0.8, cull=True):
         node.image = texture
         mat.node_tree.links.new(
             shader.inputs["Base Color"], node.outputs["Color"]
+        )
+    if normals is not None:
+        node = mat.node_tree.nodes.new("ShaderNodeTexImage")
+        node.image = normals
+        bump = mat.node_tree.nodes.new("ShaderNodeNormalMap")
+        mat.node_tree.links.new(bump.inputs["Color"], node.outputs["Color"])
+        mat.node_tree.links.new(
+            shader.inputs["Normal"], bump.outputs["Normal"]
         )
     return mat
 
@@ -307,7 +333,9 @@ class Tidy:
 
     Drops channels that never leave the node's rest, keys that the straight
     line between others gives, texture coordinates and tangents that no
-    texture needs, and accessors that were written twice.
+    texture needs, and accessors that were written twice. Rounds normals and
+    tangents to 1/4096, since Blender's differ in the last bit from run to
+    run. Moves skinned meshes to the root, where glTF wants them.
     """
 
     def __init__(self, path):
@@ -382,7 +410,10 @@ class Tidy:
                 continue
             if name.startswith("TEXCOORD") and not textured and not wanted:
                 continue
-            attributes[name] = self.keep(index, target=34962)
+            array = self.read(index)
+            if name in ("NORMAL", "TANGENT"):
+                array = np.round(array * 4096) / np.float32(4096)
+            attributes[name] = self.keep(index, array, target=34962)
         prim["attributes"] = attributes
         if "indices" in prim:
             prim["indices"] = self.keep(prim["indices"], target=34963)
@@ -422,8 +453,22 @@ class Tidy:
         clip["channels"] = channels
         clip["samplers"] = samplers
 
+    def raise_skinned_nodes(self):
+        """A skinned mesh ignores its parents: none are left to mislead."""
+        nodes = self.json["nodes"]
+        skinned = {i for i, n in enumerate(nodes) if "skin" in n}
+        for node in nodes:
+            if skinned & set(node.get("children", [])):
+                left = [c for c in node["children"] if c not in skinned]
+                node["children"] = left
+                if not left:
+                    del node["children"]
+        roots = self.json["scenes"][0]["nodes"]
+        roots += sorted(skinned - set(roots))
+
     def write(self, path, tangents_for=(), tolerance=0.0005):
         gltf = self.json
+        self.raise_skinned_nodes()
         for mesh in gltf.get("meshes", []):
             for prim in mesh["primitives"]:
                 self.primitive(prim, tangents_for)

@@ -1,0 +1,1 @@
+"""The walker's parts: mesh tools, body, head, rig and clips."""

@@ -1,0 +1,405 @@
+"""Neck, head, face and hair."""
+
+import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+from . import rig
+from .mesh import (Piece, curve, gauss, ring_points, rounding, smoothstep,
+                   unit)
+
+X, Y, Z = np.eye(3)
+MIDDLE = np.array([0, 0.004, 1.602])  # of the skull
+COLUMNS = 28
+
+SKULL = [  # z in front, z behind, half width, front, behind, power
+    (1.4880, 1.512, 0.044, 0.046, 0.050, 2.0),
+    (1.4755, 1.512, 0.0470, 0.0690, 0.0580, 1.80),
+    (1.4785, 1.518, 0.0520, 0.0815, 0.0640, 1.80),
+    (1.4890, 1.527, 0.0570, 0.0880, 0.0710, 1.85),
+    (1.5030, 1.539, 0.0618, 0.0905, 0.0785, 1.90),
+    (1.5170, 1.551, 0.0660, 0.0915, 0.0850, 1.97),
+    (1.5300, 1.562, 0.0694, 0.0920, 0.0895, 2.05),
+    (1.5390, 1.570, 0.0714, 0.0922, 0.0925, 2.08),
+    (1.5490, 1.579, 0.0733, 0.0925, 0.0950, 2.10),
+    (1.5610, 1.589, 0.0750, 0.0928, 0.0970, 2.10),
+    (1.5750, 1.600, 0.0764, 0.0932, 0.0985, 2.10),
+    (1.5900, 1.612, 0.0775, 0.0940, 0.0995, 2.10),
+    (1.6060, 1.624, 0.0784, 0.0955, 0.1000, 2.15),
+    (1.6240, 1.638, 0.0786, 0.0966, 0.0990, 2.15),
+    (1.6460, 1.655, 0.0772, 0.0952, 0.0960, 2.15),
+    (1.6680, 1.673, 0.0730, 0.0895, 0.0900, 2.10),
+    (1.6900, 1.692, 0.0645, 0.0785, 0.0800, 2.05),
+    (1.7090, 1.709, 0.0510, 0.0610, 0.0640, 2.00),
+    (1.7220, 1.721, 0.0310, 0.0360, 0.0390, 2.00),
+]
+EYE = np.array([0.0325, 0, 1.5815])
+
+
+def shape_face(p):
+    """Nose, eye sockets, lips, chin and cheeks on the front of the skull."""
+    x, y, z = p
+    if y > 0:
+        return p
+    front = float(smoothstep(0.0, 0.05, -y))
+    ax = abs(x)
+    wide = 0.0078 + 0.0035 * float(gauss(z, 1.549, 0.010))
+    nose = float(curve([(1.530, 0.0), (1.539, 0.007), (1.549, 0.0200),
+                        (1.561, 0.0140), (1.575, 0.0085), (1.592, 0.0035),
+                        (1.612, 0.0)], z)[0]) * float(gauss(x, 0, wide))
+    nose += 0.004 * float(gauss(ax, 0.012, 0.006) * gauss(z, 1.546, 0.008))
+    socket = 0.0055 * float(gauss(ax, EYE[0], 0.017)
+                            * gauss(z, EYE[2] + 0.001, 0.015))
+    lips = 0.0035 * float(gauss(x, 0, 0.017) * gauss(z, 1.511, 0.010))
+    chin = 0.0045 * float(gauss(x, 0, 0.016) * gauss(z, 1.484, 0.011))
+    cheek = 0.0030 * float(gauss(ax, 0.044, 0.018) * gauss(z, 1.547, 0.018))
+    brow = 0.0020 * float(gauss(ax, 0.030, 0.022) * gauss(z, 1.610, 0.010))
+    out = nose + lips + chin + cheek + brow - socket
+    return np.array([x * (1 + 0.02 * cheek / 0.003), y - out * front, z])
+
+
+def make_skull():
+    """The closed head, also where hair will cover it."""
+    piece = Piece()
+    rings = []
+    for zf, zb, w, front, back, power in SKULL:
+        ring = []
+        for k in range(COLUMNS):
+            a = 2 * np.pi * k / COLUMNS
+            a = a - 0.48 * np.sin(a)  # more columns in front
+            s, c = np.sin(a), np.cos(a)
+            x = np.sign(s) * abs(s) ** (2 / power) * w
+            d = -front if c > 0 else back
+            y = abs(c) ** (2 / power) * d
+            z = zf + (zb - zf) * (1 - c) / 2
+            ring.append(shape_face(np.array([x, y, z])))
+        rings.append(piece.vertices(ring))
+    for a, b in zip(rings, rings[1:]):
+        piece.bridge(a, b, "skin")
+    piece.fan(rings[-1], piece.vertex((0, -0.001, 1.7265)), "skin")
+    piece.face(rings[0][::-1], "skin")
+    return piece
+
+
+def bare_skin(skull, cap):
+    """The skull without the faces that the hair covers."""
+    tree = BVHTree.FromPolygons([tuple(c) for c in cap.co], cap.faces)
+
+    def covered(points):
+        for p in points:
+            out = unit(p - MIDDLE)
+            hit = tree.ray_cast(Vector(p), Vector(out), 0.06)[0]
+            if hit is None or (hit - Vector(p)).length < 0.004:
+                return False
+        return True
+
+    return skull.without_faces(covered)
+
+
+class Surface:
+    """Looks points up on the skull."""
+
+    def __init__(self, piece):
+        self.tree = BVHTree.FromPolygons([tuple(c) for c in piece.co],
+                                         piece.faces)
+
+    def front(self, x, z):
+        """The y of the face at (x, z)."""
+        hit = self.tree.ray_cast(Vector((x, -1, z)), Vector((0, 1, 0)))[0]
+        return hit.y
+
+    def radius(self, direction):
+        """Distance from the middle of the skull in a direction."""
+        far = Vector(MIDDLE + direction * 0.5)
+        hit = self.tree.ray_cast(far, Vector(-direction))[0]
+        return (hit - Vector(MIDDLE)).length
+
+    def at(self, azimuth, z):
+        """Unit direction to the surface, 0 degrees in front, at height z."""
+        a = np.radians(azimuth)
+        level = np.array([np.sin(a), -np.cos(a), 0])
+        far = Vector(level * 0.5 + MIDDLE * (0, 1, 0) + Z * z)
+        hit = self.tree.ray_cast(far, Vector(-level))[0]
+        return unit(np.array(hit) - MIDDLE)
+
+
+# --- face -------------------------------------------------------------------
+
+
+def make_eye(skin):
+    """The left eye: white, iris and pupil, with the upper lashes."""
+    piece = Piece()
+    n = 14
+    rim = np.linspace(0, 2 * np.pi, n, endpoint=False)
+    edge = []
+    for a in rim:
+        x = EYE[0] + 0.0182 * np.cos(a)
+        z = EYE[2] + np.sin(a) * (0.0158 if np.sin(a) > 0 else 0.0146)
+        z += 0.0012 * np.cos(a)  # the outer corner is a little higher
+        edge.append(np.array([x, skin.front(x, z) + 0.0015, z]))
+    middle = np.mean(edge, axis=0) - Y * 0.0075
+    rings = [piece.vertices(edge)]
+    for r in (0.0128, 0.0066):
+        f = r / 0.0175
+        points = []
+        for a, e in zip(rim, edge):
+            p = middle + X * r * np.cos(a) + Z * r * np.sin(a)
+            p[1] = middle[1] * (1 - f * f) + e[1] * f * f
+            points.append(p)
+        rings.append(piece.vertices(points))
+    # seen from the front the ring runs counter-clockwise: outwards is -Y
+    piece.bridge(rings[0], rings[1], "eyewhite")
+    piece.bridge(rings[1], rings[2], "iris")
+    piece.fan(rings[2], piece.vertex(middle), "pupil")
+    add_lashes(piece, edge)
+    return piece
+
+
+def add_lashes(piece, edge):
+    """A dark band over the upper edge of the eye, pointed outside."""
+    center = np.mean(edge, axis=0)
+    rows = []
+    for k, thick in zip(range(7, -1, -1),
+                        (0.3, 0.7, 1.0, 1.15, 1.25, 1.25, 1.1, 0.5)):
+        e = edge[k]
+        out = unit((e - center) * (1, 0, 1))
+        tip = out * (0.0012 + 0.0034 * thick)
+        if k == 0:
+            tip = np.array([0.0062, 0, 0.0022])
+        rows.append(piece.vertices([e - out * 0.0016 - Y * 0.0042,
+                                    e + out * 0.0012 - Y * 0.0050,
+                                    e + tip - Y * 0.0016 + Y * 0.0020]))
+    for a, b in zip(rows, rows[1:]):
+        for i in range(2):
+            piece.face((a[i], b[i], b[i + 1], a[i + 1]), "lash")
+
+
+def make_glint(side):
+    """The light in an eye; on the same side in both."""
+    piece = Piece()
+    center = np.array([side * EYE[0] + 0.0046, 0, EYE[2] + 0.0052])
+    points = ring_points(center, X, Z, (0.0032, 0.0036, 0.0036), 6)
+    ring = piece.vertices(points)
+    piece.face(ring, "glint")
+    return piece
+
+
+def drop_on(piece, eye, out):
+    """Lays a piece onto an eye, facing forward, out metres before it."""
+    tree = BVHTree.FromPolygons([tuple(c) for c in eye.co], eye.faces)
+    for i, co in enumerate(piece.co):
+        hit = tree.ray_cast(Vector((co[0], -1, co[2])), Vector((0, 1, 0)))[0]
+        piece.co[i] = np.array([co[0], hit.y - out, co[2]])
+    return piece
+
+
+def make_brow(skin):
+    piece = Piece()
+    rows = []
+    for t in np.linspace(0, 1, 6):
+        x = 0.0125 + 0.0390 * t
+        z = 1.6135 + 0.0085 * np.sin(np.pi * (0.12 + 0.68 * t)) - 0.002 * t
+        half = 0.0042 * (1 - 0.62 * t ** 1.6)
+        rows.append(piece.vertices([
+            (x, skin.front(x, z - half) + 0.0010, z - half),
+            (x, skin.front(x, z) - 0.0034, z),
+            (x, skin.front(x, z + half) + 0.0010, z + half)]))
+    for a, b in zip(rows, rows[1:]):
+        for i in range(2):
+            piece.face((a[i], b[i], b[i + 1], a[i + 1]), "brow")
+    return piece
+
+
+def make_mouth(skin):
+    """A closed, smiling mouth: upper lip, line, lower lip."""
+    piece = Piece()
+    rows = []
+    for x in np.linspace(-1, 1, 9):
+        fall = 1 - x * x
+        px = 0.0215 * x
+        line = 1.5105 + 0.0055 * x * x
+        up = 0.0042 * fall ** 0.8 - 0.0012 * float(gauss(x, 0, 0.18))
+        low = 0.0058 * fall ** 0.9
+        out = 0.0026 * fall ** 0.5
+        zs = (line - low, line - 0.55 * low, line, line + up)
+        ys = (0.0010, -out, 0.4 * 0.0010 - 0.0008, 0.0010)
+        rows.append(piece.vertices([
+            (px, skin.front(px, z) + y - (0.0010 if i == 2 else 0), z)
+            for i, (z, y) in enumerate(zip(zs, ys))]))
+    for a, b in zip(rows, rows[1:]):
+        for i, region in enumerate(("lip", "lip", "upperlip")):
+            piece.face((a[i], b[i], b[i + 1], a[i + 1]), region)
+    return piece
+
+
+def make_ear():
+    """The left ear: a tilted shell with a hollow."""
+    piece = Piece()
+    normal = unit(np.array([1, 0.42, 0.05]))
+    up = unit(np.array([0.10, 0.16, 1]))
+    ahead = unit(np.cross(up, normal))
+    root = np.array([0.0735, 0.014, 1.569])
+    n, before = 12, None
+    for f, out in ((0.90, -0.006), (1.0, 0.008), (0.86, 0.0135),
+                   (0.60, 0.0085)):
+        ring = []
+        for k in range(n):
+            a = 2 * np.pi * k / n
+            c, s = np.cos(a), np.sin(a)
+            tall = 0.0300 if s > 0 else 0.0300
+            lobe = 1 - 0.30 * smoothstep(0.1, -1.0, s)
+            ring.append(root + ahead * c * 0.0185 * f * lobe
+                        + up * s * tall * f
+                        + normal * (out + 0.006 * c * (f > 0.8)))
+        ring = piece.vertices(ring)
+        if before:
+            piece.bridge(before, ring, "skin")
+        before = ring
+    piece.fan(before, piece.vertex(root + normal * 0.006), "skin")
+    return piece
+
+
+def make_neck():
+    piece = Piece()
+    before = None
+    for z, w, front, back, y in ((1.408, 0.0530, 0.048, 0.049, 0.022),
+                                 (1.436, 0.0475, 0.046, 0.046, 0.019),
+                                 (1.464, 0.0465, 0.046, 0.048, 0.015),
+                                 (1.510, 0.0500, 0.048, 0.060, 0.010)):
+        ring = piece.vertices(ring_points(
+            (0, y, z), X, Y, (w, front, back), 12))
+        if before:
+            piece.bridge(before, ring, "skin")
+        before = ring
+    return piece
+
+
+# --- hair -------------------------------------------------------------------
+
+HAIRLINE = [  # degrees from the front, height
+    (0, 1.6810), (18, 1.6830), (36, 1.6740), (52, 1.6540), (64, 1.6280),
+    (73, 1.6000), (80, 1.5740), (88, 1.5800), (97, 1.5960), (108, 1.5820),
+    (120, 1.5560), (140, 1.5340), (180, 1.5220)]
+TIE = rig.TAIL[0]
+
+
+def turn_towards(a, b, t):
+    """Along the great circle between two unit vectors."""
+    angle = np.arccos(np.clip(a @ b, -1, 1))
+    return (np.sin((1 - t) * angle) * a + np.sin(t * angle) * b) / np.sin(
+        angle)
+
+
+def make_cap(skin):
+    """Hair combed back from the hairline to the tie, in ridges."""
+    piece = Piece()
+    columns = 32
+    tie = unit(TIE - MIDDLE)
+    rows = [(0.0, -0.004), (0.015, 0.0050), (0.09, 0.0100), (0.26, 0.0155),
+            (0.50, 0.0175), (0.76, 0.0145), (0.965, 0.0050)]
+    rings = [[] for _ in rows]
+    for k in range(columns):
+        # seen from behind along the comb, rings run counter-clockwise
+        azimuth = 360 * k / columns
+        side = azimuth if azimuth <= 180 else azimuth - 360
+        z = float(curve(HAIRLINE, abs(side))[0])
+        start = skin.at(side, z)
+        for ring, (t, lift) in zip(rings, rows):
+            d = turn_towards(start, tie, t)
+            ridge = 0.0020 * smoothstep(0.10, 0.45, t) * (-1) ** k
+            crown = 0.006 * float(gauss(d[2], 0.9, 0.5)) * (t > 0.05)
+            thick = 0.65 + 0.35 * smoothstep(-0.5, 0.3, d[2])
+            r = skin.radius(d) + lift * thick + ridge + crown
+            ring.append(MIDDLE + d * r)
+    rings = [piece.vertices(r) for r in rings]
+    for i, ring in enumerate(rings):
+        piece.mark("light", ring[::2], 1.0 if i > 1 else 0.5)
+    for a, b in zip(rings, rings[1:]):
+        piece.bridge(a, b, "hair")
+    return piece
+
+
+LOCKS = [  # width, thickness, then (degrees, height) along the forehead
+    (0.020, 0.0085, [(-14, 1.704), (6, 1.692), (26, 1.672), (45, 1.646),
+                     (60, 1.616), (69, 1.588)]),
+    (0.017, 0.0080, [(-10, 1.709), (16, 1.702), (40, 1.678), (58, 1.648),
+                     (71, 1.612), (78, 1.566)]),
+    (0.018, 0.0085, [(-12, 1.705), (-28, 1.690), (-44, 1.664), (-58, 1.634),
+                     (-68, 1.600), (-73, 1.562)]),
+    (0.015, 0.0080, [(-16, 1.710), (-38, 1.696), (-56, 1.664), (-69, 1.628),
+                     (-77, 1.588), (-81, 1.540)]),
+]
+
+
+def make_lock(skin, width, thick, way):
+    """A flat strand that lies on the forehead and ends in a point."""
+    piece = Piece()
+    path = []
+    for t in np.linspace(0, 1, 7):
+        key = [(i / (len(way) - 1), *w) for i, w in enumerate(way)]
+        azimuth, z = curve(key, t)
+        d = skin.at(float(azimuth), float(z))
+        path.append((MIDDLE + d * (skin.radius(d) + 0.011 - 0.004 * t), d))
+    before = None
+    for i, (p, d) in enumerate(path[:-1]):
+        t = i / (len(path) - 1)
+        ahead = unit(path[i + 1][0] - path[max(i - 1, 0)][0])
+        side = unit(np.cross(ahead, d))
+        size = 0.55 + 0.45 * np.sin(np.pi * min(1.0, 0.25 + t))
+        size = size * (1 - t ** 3)
+        ring = piece.vertices(ring_points(
+            p, d, side, (thick * (0.5 + 0.5 * size), width * size,
+                         width * size), 6, power=1.8))
+        piece.mark("light", [ring[0]], 1.0)
+        if before:
+            piece.bridge(before, ring, "hair")
+        before = ring
+    piece.fan(before, piece.vertex(path[-1][0]), "hair")
+    return piece
+
+
+TAIL_SIZE = [(0, 0.014), (0.07, 0.017), (0.20, 0.033), (0.42, 0.038),
+             (0.66, 0.031), (0.86, 0.018), (1, 0.004)]
+
+
+def make_tail():
+    """The ponytail, along its bones, with the tie around its root."""
+    piece = Piece()
+    key = [(i / 4, *p) for i, p in enumerate(rig.TAIL)]
+    n, steps, before = 10, 11, None
+    for i in range(steps):
+        t = i / (steps - 0.5)
+        p = curve(key, t)
+        ahead = unit(curve(key, min(1, t + 0.03)) - curve(key, max(0, t - 0.03)))
+        size = float(curve(TAIL_SIZE, t)[0])
+        # across x side = ahead, so that rings run the right way round
+        side = unit(np.cross(ahead, X))
+        points = ring_points(p, X, side, (size, size * 0.9, size * 0.9), n)
+        for k in range(0, n, 2):
+            points[k] = p + (points[k] - p) * 0.90
+        ring = piece.vertices(points)
+        piece.mark("along", ring, t)
+        piece.mark("light", ring[1::2], 0.9)
+        if before:
+            piece.bridge(before, ring, "hair")
+        before = ring
+    tip = piece.vertex(rig.TAIL[4])
+    piece.mark("along", [tip], 1)
+    piece.fan(before, tip, "hair")
+    return piece
+
+
+def make_tie():
+    piece = Piece()
+    ahead = unit(rig.TAIL[1] - rig.TAIL[0])
+    side = unit(np.cross(ahead, X))
+    before = None
+    for s, r in ((-0.004, 0.014), (0.002, 0.0215), (0.012, 0.0225),
+                 (0.019, 0.016)):
+        ring = piece.vertices(ring_points(TIE + ahead * s, X, side,
+                                          (r, r, r), 12))
+        piece.mark("along", ring, 0.06)
+        if before:
+            piece.bridge(before, ring, "tie")
+        before = ring
+    return piece

@@ -11,11 +11,11 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES)
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
-GL_DRIVERS_host := osmesa
+GL_DRIVERS_host := osmesa gles1
 DISPLAY_DRIVERS_host := image null
 BUTTON_DRIVERS_host := script
 
-GL_DRIVERS_arm := osmesa
+GL_DRIVERS_arm := osmesa gles1
 DISPLAY_DRIVERS_arm := image null
 BUTTON_DRIVERS_arm := script
 

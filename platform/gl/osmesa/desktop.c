@@ -1,7 +1,5 @@
 #include "platform/gl/osmesa/desktop.h"
 
-#include <stdbool.h>
-
 #include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 
@@ -12,7 +10,7 @@
  * Follows the library's own current context of the thread: there is no
  * parameter to pass it by, and the library offers no room to keep it.
  */
-static _Thread_local const struct desktop_gl *current;
+static _Thread_local struct desktop *current;
 
 const struct gl_slot desktop_slots[] = {
 #define DESKTOP_FUNCTION(result, name, parameters) \
@@ -23,9 +21,14 @@ const struct gl_slot desktop_slots[] = {
 
 const int desktop_slot_count = (int)ARRAY_COUNT(desktop_slots);
 
-void desktop_make_current(const struct desktop_gl *desktop)
+void desktop_make_current(struct desktop *desktop)
 {
 	current = desktop;
+}
+
+struct desktop *desktop_current(void)
+{
+	return current;
 }
 
 static float to_float(GLfixed value)
@@ -48,29 +51,29 @@ static void to_floats(float *out, const GLfixed *values, int count)
 
 static void alpha_funcx(GLenum function, GLfixed reference)
 {
-	current->AlphaFunc(function, to_float(reference));
+	current->gl.AlphaFunc(function, to_float(reference));
 }
 
 static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
-	current->ClearColor(to_float(red), to_float(green), to_float(blue),
+	current->gl.ClearColor(to_float(red), to_float(green), to_float(blue),
 		to_float(alpha));
 }
 
 static void clear_depthx(GLfixed depth)
 {
-	current->ClearDepth(to_double(depth));
+	current->gl.ClearDepth(to_double(depth));
 }
 
 static void color4x(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
-	current->Color4f(to_float(red), to_float(green), to_float(blue),
+	current->gl.Color4f(to_float(red), to_float(green), to_float(blue),
 		to_float(alpha));
 }
 
 static void fogx(GLenum name, GLfixed value)
 {
-	current->Fogf(
+	current->gl.Fogf(
 		name, name == GL_FOG_MODE ? (float)value : to_float(value));
 }
 
@@ -83,19 +86,19 @@ static void fogxv(GLenum name, const GLfixed *values)
 		return;
 	}
 	to_floats(color, values, 4);
-	current->Fogfv(name, color);
+	current->gl.Fogfv(name, color);
 }
 
 static void frustumx(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	GLfixed near, GLfixed far)
 {
-	current->Frustum(to_double(left), to_double(right), to_double(bottom),
+	current->gl.Frustum(to_double(left), to_double(right), to_double(bottom),
 		to_double(top), to_double(near), to_double(far));
 }
 
 static void light_modelx(GLenum name, GLfixed value)
 {
-	current->LightModelf(name, to_float(value));
+	current->gl.LightModelf(name, to_float(value));
 }
 
 static void light_modelxv(GLenum name, const GLfixed *values)
@@ -107,12 +110,12 @@ static void light_modelxv(GLenum name, const GLfixed *values)
 		return;
 	}
 	to_floats(color, values, 4);
-	current->LightModelfv(name, color);
+	current->gl.LightModelfv(name, color);
 }
 
 static void lightx(GLenum light, GLenum name, GLfixed value)
 {
-	current->Lightf(light, name, to_float(value));
+	current->gl.Lightf(light, name, to_float(value));
 }
 
 static int light_value_count(GLenum name)
@@ -135,12 +138,12 @@ static void lightxv(GLenum light, GLenum name, const GLfixed *values)
 	float converted[4] = {0};
 
 	to_floats(converted, values, light_value_count(name));
-	current->Lightfv(light, name, converted);
+	current->gl.Lightfv(light, name, converted);
 }
 
 static void line_widthx(GLfixed width)
 {
-	current->LineWidth(to_float(width));
+	current->gl.LineWidth(to_float(width));
 }
 
 static void load_matrixx(const GLfixed *matrix)
@@ -148,12 +151,12 @@ static void load_matrixx(const GLfixed *matrix)
 	float converted[16];
 
 	to_floats(converted, matrix, 16);
-	current->LoadMatrixf(converted);
+	current->gl.LoadMatrixf(converted);
 }
 
 static void materialx(GLenum face, GLenum name, GLfixed value)
 {
-	current->Materialf(face, name, to_float(value));
+	current->gl.Materialf(face, name, to_float(value));
 }
 
 static void materialxv(GLenum face, GLenum name, const GLfixed *values)
@@ -161,7 +164,7 @@ static void materialxv(GLenum face, GLenum name, const GLfixed *values)
 	float converted[4] = {0};
 
 	to_floats(converted, values, name == GL_SHININESS ? 1 : 4);
-	current->Materialfv(face, name, converted);
+	current->gl.Materialfv(face, name, converted);
 }
 
 static void mult_matrixx(const GLfixed *matrix)
@@ -169,40 +172,40 @@ static void mult_matrixx(const GLfixed *matrix)
 	float converted[16];
 
 	to_floats(converted, matrix, 16);
-	current->MultMatrixf(converted);
+	current->gl.MultMatrixf(converted);
 }
 
 static void normal3x(GLfixed x, GLfixed y, GLfixed z)
 {
-	current->Normal3f(to_float(x), to_float(y), to_float(z));
+	current->gl.Normal3f(to_float(x), to_float(y), to_float(z));
 }
 
 static void orthox(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	GLfixed near, GLfixed far)
 {
-	current->Ortho(to_double(left), to_double(right), to_double(bottom),
+	current->gl.Ortho(to_double(left), to_double(right), to_double(bottom),
 		to_double(top), to_double(near), to_double(far));
 }
 
 static void point_sizex(GLfixed size)
 {
-	current->PointSize(to_float(size));
+	current->gl.PointSize(to_float(size));
 }
 
 static void polygon_offsetx(GLfixed factor, GLfixed units)
 {
-	current->PolygonOffset(to_float(factor), to_float(units));
+	current->gl.PolygonOffset(to_float(factor), to_float(units));
 }
 
 static void rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 {
-	current->Rotatef(
+	current->gl.Rotatef(
 		to_float(degrees), to_float(x), to_float(y), to_float(z));
 }
 
 static void scalex(GLfixed x, GLfixed y, GLfixed z)
 {
-	current->Scalef(to_float(x), to_float(y), to_float(z));
+	current->gl.Scalef(to_float(x), to_float(y), to_float(z));
 }
 
 /* All but the two scales are enumerants, exact in a float. */
@@ -210,7 +213,8 @@ static void tex_envx(GLenum target, GLenum name, GLfixed value)
 {
 	bool number = name == GL_RGB_SCALE || name == GL_ALPHA_SCALE;
 
-	current->TexEnvf(target, name, number ? to_float(value) : (float)value);
+	current->gl.TexEnvf(
+		target, name, number ? to_float(value) : (float)value);
 }
 
 static void tex_envxv(GLenum target, GLenum name, const GLfixed *values)
@@ -222,20 +226,20 @@ static void tex_envxv(GLenum target, GLenum name, const GLfixed *values)
 		return;
 	}
 	to_floats(color, values, 4);
-	current->TexEnvfv(target, name, color);
+	current->gl.TexEnvfv(target, name, color);
 }
 
 static void tex_parameterx(GLenum target, GLenum name, GLfixed value)
 {
 	bool number = name == GL_TEXTURE_MAX_ANISOTROPY;
 
-	current->TexParameterf(
+	current->gl.TexParameterf(
 		target, name, number ? to_float(value) : (float)value);
 }
 
 static void translatex(GLfixed x, GLfixed y, GLfixed z)
 {
-	current->Translatef(to_float(x), to_float(y), to_float(z));
+	current->gl.Translatef(to_float(x), to_float(y), to_float(z));
 }
 
 void desktop_set_shims(struct gl *gl)
@@ -266,4 +270,5 @@ void desktop_set_shims(struct gl *gl)
 	gl->TexEnvxv = tex_envxv;
 	gl->TexParameterx = tex_parameterx;
 	gl->Translatex = translatex;
+	desktop_set_array_shims(gl);
 }

@@ -44,7 +44,7 @@ extern const struct gl_driver gl_driver_osmesa;
 struct osmesa_context {
 	struct gl_context base; /* first: the two share their address */
 	struct osmesa_api api;
-	struct desktop_gl desktop;
+	struct desktop desktop;
 	struct log log;
 	enum pixel_format format;
 	void *handle;
@@ -71,7 +71,7 @@ static int load_functions(struct osmesa_context *osmesa)
 	missing = gl_load(&osmesa->api, osmesa_slots,
 		(int)ARRAY_COUNT(osmesa_slots), gl_library_find, library);
 	if (!missing) {
-		missing = gl_load(&osmesa->desktop, desktop_slots,
+		missing = gl_load(&osmesa->desktop.gl, desktop_slots,
 			desktop_slot_count, gl_library_find, library);
 	}
 	if (!missing) {
@@ -136,6 +136,7 @@ static void osmesa_destroy(struct gl_context *context)
 		desktop_make_current(NULL);
 		osmesa->api.DestroyContext(osmesa->handle);
 	}
+	desktop_release(&osmesa->desktop);
 	free(osmesa);
 }
 

@@ -1,0 +1,62 @@
+/*
+ * EGL with an OpenGL ES 1.1 context on it, opened at run time.
+ *
+ * Which surface the context draws on is the caller's matter: the functions
+ * here make a pbuffer, which any EGL has. Nothing here knows of struct gl.
+ *
+ * Vendors name the libraries in their own ways: LIMBER_EGL and LIMBER_GLES in
+ * the environment, file names as for dlopen(), stand in for the usual names.
+ */
+#ifndef PLATFORM_GL_GLES1_EGL_H
+#define PLATFORM_GL_GLES1_EGL_H
+
+/* Keeps X11's headers out. */
+#define EGL_NO_X11
+#define MESA_EGL_NO_X11_HEADERS
+#include <EGL/egl.h>
+
+#include "platform/base/log.h"
+#include "platform/display/pixels.h"
+#include "platform/gl/loader.h"
+
+struct egl_api {
+#define EGL_FUNCTION(result, name, parameters) result(*name) parameters;
+#include "platform/gl/gles1/egl_functions.h"
+#undef EGL_FUNCTION
+};
+
+struct egl {
+	struct egl_api api;
+	void *gles; /* the library of the GL calls */
+	EGLDisplay display;
+	EGLConfig config;
+	EGLContext context;
+	EGLSurface surface; /* current with the context, or EGL_NO_SURFACE */
+	struct log log;     /* what a sentence begins with is "--gl gles1" */
+};
+
+/*
+ * Opens the libraries, a display, a configuration for pictures of this format
+ * and surfaces of this type (EGL_PBUFFER_BIT, EGL_WINDOW_BIT), and a context.
+ * Nothing is current yet. Mesa's display without a screen is tried first, then
+ * the default one. 0, or -errno after a sentence with nothing left open.
+ */
+int egl_open(struct egl *egl, enum pixel_format format, EGLint surface_type,
+	const struct log *log);
+
+/*
+ * Replaces the surface by a pbuffer of this size and makes it current. 0, or
+ * -errno after a sentence.
+ */
+int egl_set_pbuffer(struct egl *egl, int width, int height);
+
+/* Makes context and surface current. 0, or -errno after a sentence. */
+int egl_make_current(struct egl *egl);
+
+/* A GL call by name ("glClear"), or NULL; for gl_load(), with a struct egl. */
+gl_function egl_find(void *egl, const char *name);
+
+/* Fine on what egl_open() left after a failure. */
+void egl_close(struct egl *egl);
+
+#endif

@@ -1,0 +1,27 @@
+/*
+ * The EGL calls in use: one list, read many times, like gl_functions.h.
+ */
+EGL_FUNCTION(EGLBoolean, BindAPI, (EGLenum api))
+EGL_FUNCTION(EGLBoolean, ChooseConfig,
+	(EGLDisplay display, const EGLint *attributes, EGLConfig *configs,
+		EGLint room, EGLint *count))
+EGL_FUNCTION(EGLContext, CreateContext,
+	(EGLDisplay display, EGLConfig config, EGLContext share,
+		const EGLint *attributes))
+EGL_FUNCTION(EGLSurface, CreatePbufferSurface,
+	(EGLDisplay display, EGLConfig config, const EGLint *attributes))
+EGL_FUNCTION(
+	EGLBoolean, DestroyContext, (EGLDisplay display, EGLContext context))
+EGL_FUNCTION(
+	EGLBoolean, DestroySurface, (EGLDisplay display, EGLSurface surface))
+EGL_FUNCTION(EGLBoolean, GetConfigAttrib,
+	(EGLDisplay display, EGLConfig config, EGLint attribute, EGLint *value))
+EGL_FUNCTION(EGLDisplay, GetDisplay, (EGLNativeDisplayType native))
+EGL_FUNCTION(EGLint, GetError, (void))
+EGL_FUNCTION(gl_function, GetProcAddress, (const char *name))
+EGL_FUNCTION(EGLBoolean, Initialize,
+	(EGLDisplay display, EGLint *major, EGLint *minor))
+EGL_FUNCTION(EGLBoolean, MakeCurrent,
+	(EGLDisplay display, EGLSurface draw, EGLSurface read,
+		EGLContext context))
+EGL_FUNCTION(const char *, QueryString, (EGLDisplay display, EGLint name))

@@ -1,0 +1,181 @@
+/*
+ * OpenGL ES 1.1 of any EGL, drawn into a pbuffer and read back.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/gl/gl_context.h"
+#include "platform/gl/gles1/egl.h"
+#include "platform/gl/loader.h"
+
+/* The context needs a surface before the first frame; nothing is drawn there. */
+enum {
+	FIRST_SIZE = 16
+};
+
+extern const struct gl_driver gl_driver_gles1;
+
+struct gles1_context {
+	struct gl_context base; /* first: the two share their address */
+	struct egl egl;
+	struct log log;
+	enum pixel_format format;
+	struct pixels target;
+	int width, height; /* of the pbuffer */
+	uint8_t *rgba;     /* what was read back, bottom row first */
+	char description[128];
+};
+
+static void gles1_destroy(struct gl_context *context)
+{
+	struct gles1_context *gles1 = (struct gles1_context *)context;
+
+	if (gles1) {
+		egl_close(&gles1->egl);
+		free(gles1->rgba);
+		free(gles1);
+	}
+}
+
+static int open_context(struct gles1_context *gles1)
+{
+	struct gl *gl = &gles1->base.gl;
+	const char *missing;
+	int error = egl_open(
+		&gles1->egl, gles1->format, EGL_PBUFFER_BIT, &gles1->log);
+
+	if (!error) {
+		error = egl_set_pbuffer(&gles1->egl, FIRST_SIZE, FIRST_SIZE);
+	}
+	if (error) {
+		return error;
+	}
+	missing = gl_load(gl, gl_slots, gl_slot_count, egl_find, &gles1->egl);
+	if (missing) {
+		log_error(&gles1->log,
+			"--gl gles1: the machine's OpenGL ES has no %s: choose "
+			"another --gl",
+			missing);
+		return -ENOSYS;
+	}
+	snprintf(gles1->description, sizeof(gles1->description), "%s, %s",
+		(const char *)gl->GetString(GL_RENDERER),
+		(const char *)gl->GetString(GL_VERSION));
+	gles1->base.description = gles1->description;
+	return 0;
+}
+
+static int gles1_create(enum pixel_format format, const struct log *log,
+	struct gl_context **out)
+{
+	struct gles1_context *gles1 = calloc(1, sizeof(*gles1));
+	int error;
+
+	if (!gles1) {
+		log_error(log, "--gl gles1: out of memory");
+		return -ENOMEM;
+	}
+	gles1->base.driver = &gl_driver_gles1;
+	gles1->log = *log;
+	gles1->format = format;
+	error = open_context(gles1);
+	if (error) {
+		gles1_destroy(&gles1->base);
+		return error;
+	}
+	*out = &gles1->base;
+	return 0;
+}
+
+static int resize(struct gles1_context *gles1, int width, int height)
+{
+	uint8_t *rgba = malloc((size_t)width * (size_t)height * 4);
+	int error;
+
+	if (!rgba) {
+		log_error(&gles1->log,
+			"--gl gles1: out of memory for a picture of %dx%d",
+			width, height);
+		return -ENOMEM;
+	}
+	error = egl_set_pbuffer(&gles1->egl, width, height);
+	if (error) {
+		free(rgba);
+		return error;
+	}
+	free(gles1->rgba);
+	gles1->rgba = rgba;
+	gles1->width = width;
+	gles1->height = height;
+	gles1->base.gl.Viewport(0, 0, width, height);
+	gles1->base.gl.Scissor(0, 0, width, height);
+	return 0;
+}
+
+static int gles1_begin_frame(
+	struct gl_context *context, const struct pixels *target)
+{
+	struct gles1_context *gles1 = (struct gles1_context *)context;
+
+	if (target->format != gles1->format) {
+		log_error(&gles1->log,
+			"--gl gles1: cannot draw into a picture of another "
+			"format than the context's");
+		return -EINVAL;
+	}
+	gles1->target = *target;
+	if (target->width != gles1->width || target->height != gles1->height) {
+		return resize(gles1, target->width, target->height);
+	}
+	return egl_make_current(&gles1->egl);
+}
+
+/* Rounded to nearest, which gives a 565 surface's own values back. */
+static void copy_565(uint8_t *out, const uint8_t *rgba, int width)
+{
+	for (int x = 0; x < width; x++, rgba += 4, out += 2) {
+		unsigned int red = (rgba[0] * 31u + 127) / 255;
+		unsigned int green = (rgba[1] * 63u + 127) / 255;
+		unsigned int blue = (rgba[2] * 31u + 127) / 255;
+		uint16_t pixel = (uint16_t)(red << 11 | green << 5 | blue);
+
+		memcpy(out, &pixel, 2);
+	}
+}
+
+static int gles1_end_frame(struct gl_context *context)
+{
+	struct gles1_context *gles1 = (struct gles1_context *)context;
+	const struct pixels *target = &gles1->target;
+	size_t row_bytes = (size_t)target->width * 4;
+	GLint alignment = 4;
+
+	context->gl.GetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+	context->gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+	context->gl.ReadPixels(0, 0, target->width, target->height, GL_RGBA,
+		GL_UNSIGNED_BYTE, gles1->rgba);
+	context->gl.PixelStorei(GL_PACK_ALIGNMENT, alignment);
+	for (int y = 0; y < target->height; y++) {
+		const uint8_t *row = gles1->rgba +
+			(size_t)(target->height - 1 - y) * row_bytes;
+		uint8_t *out = target->data + y * target->stride_bytes;
+
+		if (target->format == PIXELS_RGB565) {
+			copy_565(out, row, target->width);
+		} else {
+			memcpy(out, row, row_bytes);
+		}
+	}
+	return 0;
+}
+
+const struct gl_driver gl_driver_gles1 = {
+	.name = "gles1",
+	.summary = "OpenGL ES 1.1 through EGL",
+	.create = gles1_create,
+	.begin_frame = gles1_begin_frame,
+	.end_frame = gles1_end_frame,
+	.destroy = gles1_destroy,
+};

@@ -113,15 +113,6 @@ static void begin(struct demo *demo, enum move move)
 	demo->move_s = 0.0;
 }
 
-/* Whole tiles do not show, so the offset stays small. */
-static void run_floor(struct stage *stage, float distance)
-{
-	stage->floor_offset[1] += distance;
-	while (stage->floor_offset[1] > stage->tile) {
-		stage->floor_offset[1] -= stage->tile;
-	}
-}
-
 static void walker_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
@@ -136,7 +127,8 @@ static void walker_update(struct demo *demo, double time_s)
 	clip = clip_of(demo, demo->move);
 	camera_orbit(&demo->stage.camera, demo->turn * turn_rad_per_s * step_s,
 		0.0f);
-	run_floor(&demo->stage, moves[demo->move].ground_m_per_s * step_s);
+	floor_run(&demo->stage.floor, 0.0f,
+		moves[demo->move].ground_m_per_s * step_s);
 	actor_pose(&demo->actor, demo->clip[demo->move],
 		clip_time((float)demo->move_s, clip->duration_s, CLIP_LOOP));
 	instance_update(demo->actor.instance);

@@ -1,34 +1,20 @@
 /*
  * What is around a model: background, floor, light, shadow.
  *
- * A frame is stage_begin(), the models, stage_end(). Shadows go between the
- * floor and the models: stage_shadow_begin(), the shapes, stage_shadow_end().
+ * A frame is stage_begin(), the shadows, the models. Flat shadows go between
+ * stage_shadow_begin() and stage_shadow_end() as shapes; shadow volumes are
+ * drawn right after stage_begin().
  */
 #ifndef APP_SCENE_STAGE_H
 #define APP_SCENE_STAGE_H
 
 #include "app/scene/camera.h"
-#include "platform/display/pixels.h"
-
-enum {
-	STAGE_RINGS = 6,
-	STAGE_SPOKES = 32
-};
+#include "app/scene/floor.h"
 
 struct stage {
 	struct camera camera;
-	float floor_y;         /* scene units */
-	float floor_center[2]; /* x, z */
-	float floor_radius;    /* 0: no floor */
-	float floor_offset[2]; /* how far the floor has run under the models */
-	float tile;            /* side of a floor tile */
+	struct floor floor;
 	bool has_stencil;
-	GLuint floor_texture;
-
-	float floor_position[STAGE_RINGS * STAGE_SPOKES + 1][3];
-	float floor_texcoord[STAGE_RINGS * STAGE_SPOKES + 1][2];
-	uint8_t floor_color[STAGE_RINGS * STAGE_SPOKES + 1][4];
-	uint16_t floor_index[(STAGE_RINGS * 2 - 1) * STAGE_SPOKES * 3];
 };
 
 /*
@@ -46,8 +32,8 @@ void stage_begin(
 	const struct stage *stage, const struct gl *gl, int width, int height);
 
 /*
- * Until stage_shadow_end(), shapes are drawn flattened onto the floor along
- * the main light, in a dark see-through colour. Nothing without a floor.
+ * Until stage_shadow_end(), shapes are drawn flattened onto the level of the
+ * floor along the main light, in a dark see-through colour.
  */
 void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);

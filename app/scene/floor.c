@@ -1,0 +1,225 @@
+#include "app/scene/floor.h"
+
+#include "app/scene/texture.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	TILE_TEXELS = 64,
+	WAVE_TILES = 4, /* after so many tiles the ground repeats */
+};
+
+static const float shade = 208.0f; /* of level ground, of 255 */
+
+/* A tile with soft joints and two shades, so that motion shows. */
+static int make_texture(
+	struct floor *floor, const struct gl *gl, enum pixel_format target)
+{
+	const struct model_texture sampling = {
+		.wrap_s = MODEL_REPEAT, .wrap_t = MODEL_REPEAT, .mipmap = true};
+	struct model_image image = {
+		.width = TILE_TEXELS, .height = TILE_TEXELS, .opaque = true};
+
+	image.rgba = malloc(TILE_TEXELS * TILE_TEXELS * 4);
+	if (!image.rgba) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < TILE_TEXELS * TILE_TEXELS; i++) {
+		int x = i % TILE_TEXELS, y = i / TILE_TEXELS;
+		int half = TILE_TEXELS / 2;
+		bool joint = x % half == 0 || y % half == 0;
+		bool dark = (x < half) != (y < half);
+
+		memset(image.rgba + i * 4, joint ? 196 : dark ? 226 : 250, 3);
+		image.rgba[i * 4 + 3] = 255;
+	}
+	floor->texture = texture_upload(gl, &image, &sampling, target);
+	free(image.rgba);
+	return floor->texture ? 0 : -ENOMEM;
+}
+
+/* Rings get wider outwards, so that the middle has the detail. */
+static void place_vertices(struct floor *floor)
+{
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		int ring = i ? (i - 1) / FLOOR_SPOKES + 1 : 0;
+		float share = (float)ring / FLOOR_RINGS;
+		float angle = (float)((i + FLOOR_SPOKES - 1) % FLOOR_SPOKES) *
+			(2.0f * SCALAR_PI / FLOOR_SPOKES);
+		float out = floor->radius * share * share;
+		float *p = floor->position[i];
+
+		p[0] = floor->center[0] + out * scalar_cos(angle);
+		p[2] = floor->center[1] + out * scalar_sin(angle);
+		floor->texcoord[i][0] = p[0] / floor->tile;
+		floor->texcoord[i][1] = p[2] / floor->tile;
+		floor->color[i][3] =
+			(uint8_t)(255.0f * (1.0f - share * share) + 0.5f);
+	}
+}
+
+static void list_triangles(uint16_t *next)
+{
+	for (int spoke = 0; spoke < FLOOR_SPOKES; spoke++) {
+		int beside = (spoke + 1) % FLOOR_SPOKES;
+
+		*next++ = 0;
+		*next++ = (uint16_t)(1 + beside);
+		*next++ = (uint16_t)(1 + spoke);
+		for (int ring = 1; ring < FLOOR_RINGS; ring++) {
+			int in = 1 + (ring - 1) * FLOOR_SPOKES;
+			int out = in + FLOOR_SPOKES;
+
+			*next++ = (uint16_t)(in + spoke);
+			*next++ = (uint16_t)(in + beside);
+			*next++ = (uint16_t)(out + spoke);
+			*next++ = (uint16_t)(out + spoke);
+			*next++ = (uint16_t)(in + beside);
+			*next++ = (uint16_t)(out + beside);
+		}
+	}
+}
+
+float floor_height(const struct floor *floor, float x, float z)
+{
+	float turn = 2.0f * SCALAR_PI / (WAVE_TILES * floor->tile);
+	float u = (x + floor->offset[0]) * turn;
+	float v = (z + floor->offset[1]) * turn;
+
+	if (floor->relief == 0.0f) {
+		return floor->y;
+	}
+	return floor->y +
+		0.5f * floor->relief *
+		(scalar_sin(2.0f * v + scalar_sin(u)) +
+			scalar_sin(2.0f * u + 0.7f));
+}
+
+/* Heights, and a shade that tells slopes towards the light from others. */
+static void shape(struct floor *floor)
+{
+	float step = 0.02f * floor->tile;
+
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		float *p = floor->position[i];
+		float slope, value;
+
+		p[1] = floor_height(floor, p[0], p[2]);
+		slope = floor->relief == 0.0f
+			? 0.0f
+			: (floor_height(floor, p[0] + step, p[2] + step) - p[1]) /
+				step;
+		value = scalar_clamp(
+			shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
+		memset(floor->color[i], (uint8_t)value, 3);
+	}
+}
+
+/* 1, 2 or 5 times a power of ten, at most the size. */
+static float round_size(float size)
+{
+	float step = 1.0f;
+
+	while (step * 10.0f <= size) {
+		step *= 10.0f;
+	}
+	while (step > size) {
+		step *= 0.1f;
+	}
+	return size >= step * 5.0f    ? step * 5.0f
+		: size >= step * 2.0f ? step * 2.0f
+				      : step;
+}
+
+int floor_init(struct floor *floor, const struct gl *gl,
+	const struct bounds *bounds, enum pixel_format target,
+	const struct log *log)
+{
+	float middle[3], extent = bounds_extent(bounds);
+
+	extent = extent > 0.0f ? extent : 1.0f;
+	bounds_center(bounds, middle);
+	*floor = (struct floor){
+		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
+		.center = {middle[0], middle[2]},
+		.radius = 2.2f * extent,
+		.tile = round_size(0.5f * extent),
+	};
+	place_vertices(floor);
+	list_triangles(floor->index);
+	shape(floor);
+	if (make_texture(floor, gl, target) != 0) {
+		log_error(log, "floor: not enough memory for its texture");
+		return -ENOMEM;
+	}
+	return 0;
+}
+
+void floor_finish(struct floor *floor, const struct gl *gl)
+{
+	if (floor->texture) {
+		gl->DeleteTextures(1, &floor->texture);
+		floor->texture = 0;
+	}
+}
+
+/* Whole waves do not show, so the offset stays small. */
+static float wrap(float offset, float length)
+{
+	while (offset >= length) {
+		offset -= length;
+	}
+	while (offset < 0.0f) {
+		offset += length;
+	}
+	return offset;
+}
+
+void floor_run(struct floor *floor, float dx, float dz)
+{
+	float length = WAVE_TILES * floor->tile;
+
+	floor->offset[0] = wrap(floor->offset[0] + dx, length);
+	floor->offset[1] = wrap(floor->offset[1] + dz, length);
+	if (floor->relief != 0.0f) {
+		shape(floor);
+	}
+}
+
+void floor_set_relief(struct floor *floor, float relief)
+{
+	floor->relief = relief;
+	shape(floor);
+}
+
+void floor_draw(const struct floor *floor, const struct gl *gl)
+{
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_CULL_FACE);
+	gl->Enable(GL_TEXTURE_2D);
+	gl->BindTexture(GL_TEXTURE_2D, floor->texture);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->MatrixMode(GL_TEXTURE);
+	gl->LoadIdentity();
+	gl->Translatex(fx16_from_float(floor->offset[0] / floor->tile),
+		fx16_from_float(floor->offset[1] / floor->tile), 0);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
+	gl->DrawElements(
+		GL_TRIANGLES, FLOOR_INDICES, GL_UNSIGNED_SHORT, floor->index);
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+}

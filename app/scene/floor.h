@@ -1,0 +1,58 @@
+/*
+ * The ground: a tiled disc that fades into the background at its rim.
+ *
+ * It can run under a figure that walks on the spot, and it can be uneven. The
+ * figure stays, the offset grows; height and tiles move with it.
+ */
+#ifndef APP_SCENE_FLOOR_H
+#define APP_SCENE_FLOOR_H
+
+#include "app/scene/bounds.h"
+#include "platform/display/pixels.h"
+#include "platform/gl/gl.h"
+
+enum {
+	FLOOR_RINGS = 12,
+	FLOOR_SPOKES = 40,
+	FLOOR_VERTICES = FLOOR_RINGS * FLOOR_SPOKES + 1,
+	FLOOR_INDICES = (FLOOR_RINGS * 2 - 1) * FLOOR_SPOKES * 3,
+};
+
+struct floor {
+	float y;         /* scene units */
+	float center[2]; /* x, z */
+	float radius;
+	float tile;      /* side of a tile */
+	float offset[2]; /* how far it has run */
+	float relief;    /* height of its waves; 0: flat */
+	GLuint texture;
+
+	float position[FLOOR_VERTICES][3];
+	float texcoord[FLOOR_VERTICES][2];
+	uint8_t color[FLOOR_VERTICES][4];
+	uint16_t index[FLOOR_INDICES];
+};
+
+/*
+ * A flat floor under the box. 0, or -ENOMEM after a sentence; release with
+ * floor_finish().
+ */
+int floor_init(struct floor *floor, const struct gl *gl,
+	const struct bounds *bounds, enum pixel_format target,
+	const struct log *log);
+
+void floor_finish(struct floor *floor, const struct gl *gl);
+
+/* Runs on by a distance along x and z. */
+void floor_run(struct floor *floor, float dx, float dz);
+
+/* Makes it uneven, or flat again with 0. */
+void floor_set_relief(struct floor *floor, float relief);
+
+/* Its height at a place, in scene units. */
+float floor_height(const struct floor *floor, float x, float z);
+
+/* With the camera's model-view matrix loaded; leaves lighting off. */
+void floor_draw(const struct floor *floor, const struct gl *gl);
+
+#endif

@@ -1,0 +1,385 @@
+#include "app/scene/shadow_volume.h"
+
+#include "platform/base/fixed.h"
+
+#include <cglm/cglm.h>
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	HULL_VERTICES_MAX = 32768
+};
+
+/* An edge of one triangle; low and high are welded vertices. */
+struct half_edge {
+	uint32_t low, high;
+	uint32_t a, b; /* as the triangle goes round */
+	int32_t triangle;
+};
+
+struct welded {
+	float position[3];
+	uint32_t vertex;
+};
+
+static int compare_welded(const void *left, const void *right)
+{
+	const struct welded *a = left, *b = right;
+
+	for (int axis = 0; axis < 3; axis++) {
+		if (a->position[axis] != b->position[axis]) {
+			return a->position[axis] < b->position[axis] ? -1 : 1;
+		}
+	}
+	return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
+}
+
+static int compare_edges(const void *left, const void *right)
+{
+	const struct half_edge *a = left, *b = right;
+
+	if (a->low != b->low) {
+		return a->low < b->low ? -1 : 1;
+	}
+	if (a->high != b->high) {
+		return a->high < b->high ? -1 : 1;
+	}
+	return a->triangle < b->triangle ? -1 : a->triangle > b->triangle;
+}
+
+/*
+ * For each vertex the first one at the same place: seams of texture or colour
+ * are no borders. The caller frees it; NULL when memory is short.
+ */
+static uint32_t *weld(const struct model_primitive *primitive)
+{
+	size_t count = (size_t)primitive->vertex_count;
+	struct welded *sorted = malloc(count * sizeof(*sorted));
+	uint32_t *first = malloc(count * sizeof(*first));
+
+	if (!sorted || !first) {
+		free(sorted);
+		free(first);
+		return NULL;
+	}
+	for (size_t i = 0; i < count; i++) {
+		memcpy(sorted[i].position, primitive->position[i],
+			sizeof(float[3]));
+		sorted[i].vertex = (uint32_t)i;
+	}
+	qsort(sorted, count, sizeof(*sorted), compare_welded);
+	for (size_t i = 0; i < count; i++) {
+		bool same = i > 0 &&
+			memcmp(sorted[i].position, sorted[i - 1].position,
+				sizeof(float[3])) == 0;
+
+		first[sorted[i].vertex] =
+			same ? first[sorted[i - 1].vertex] : sorted[i].vertex;
+	}
+	free(sorted);
+	return first;
+}
+
+static void list_half_edges(const struct model_primitive *primitive,
+	const uint32_t *first, struct half_edge *out)
+{
+	for (int i = 0; i < primitive->index_count; i++) {
+		int triangle = i / 3;
+		uint32_t a = first[primitive->index[i]];
+		uint32_t b = first[primitive->index[triangle * 3 + (i + 1) % 3]];
+
+		out[i] = (struct half_edge){
+			.low = a < b ? a : b,
+			.high = a < b ? b : a,
+			.a = a,
+			.b = b,
+			.triangle = triangle,
+		};
+	}
+}
+
+/*
+ * Joins half edges that meet in opposite directions; what is left over is a
+ * border. Where more than two triangles share an edge they are taken in pairs.
+ */
+static void join_half_edges(
+	struct half_edge *half, int count, struct shadow_hull *hull)
+{
+	int i = 0;
+
+	qsort(half, (size_t)count, sizeof(*half), compare_edges);
+	while (i < count) {
+		const struct half_edge *h = &half[i];
+		bool pair = i + 1 < count && h[1].low == h->low &&
+			h[1].high == h->high && h[1].a == h->b;
+
+		if (h->low != h->high) {
+			hull->edge[hull->edge_count++] = (struct shadow_edge){
+				.a = h->a,
+				.b = h->b,
+				.left = h->triangle,
+				.right = pair ? h[1].triangle : -1,
+			};
+		}
+		i += pair ? 2 : 1;
+	}
+}
+
+static int find_edges(struct shadow_hull *hull, struct arena *arena)
+{
+	const struct model_primitive *primitive = hull->drawable->primitive;
+	size_t count = (size_t)primitive->index_count;
+	struct half_edge *half = malloc((count + 1) * sizeof(*half));
+	uint32_t *first = weld(primitive);
+	int error = -ENOMEM;
+
+	hull->edge = ARENA_ARRAY(arena, struct shadow_edge, count);
+	if (half && first && hull->edge) {
+		list_half_edges(primitive, first, half);
+		join_half_edges(half, (int)count, hull);
+		error = 0;
+	}
+	free(half);
+	free(first);
+	return error;
+}
+
+static int init_hull(struct shadow_hull *hull, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	size_t triangles = (size_t)primitive->index_count / 3;
+	int error;
+
+	hull->drawable = drawable;
+	error = find_edges(hull, arena);
+	if (error) {
+		return error;
+	}
+	hull->lit = ARENA_ARRAY(arena, bool, triangles);
+	hull->position = arena_alloc(
+		arena, 2 * (size_t)primitive->vertex_count, sizeof(float[3]));
+	/* Two caps of every triangle, two triangles for every edge. */
+	hull->index = ARENA_ARRAY(
+		arena, uint16_t, 6 * (triangles + (size_t)hull->edge_count));
+	return hull->lit && hull->position && hull->index ? 0 : -ENOMEM;
+}
+
+int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
+	const struct log *log)
+{
+	struct arena *arena = &instance->arena;
+
+	*volume = (struct shadow_volume){0};
+	volume->hull = ARENA_ARRAY(
+		arena, struct shadow_hull, (size_t)instance->drawable_count);
+	if (!volume->hull) {
+		goto fail;
+	}
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (drawable->primitive->vertex_count > HULL_VERTICES_MAX) {
+			log_warning(log,
+				"%s: a part of %d vertices is too "
+				"large to cast a shadow volume",
+				instance->model->path,
+				drawable->primitive->vertex_count);
+			continue;
+		}
+		if (init_hull(&volume->hull[volume->hull_count++], drawable,
+			    arena) != 0) {
+			goto fail;
+		}
+	}
+	return 0;
+fail:
+	log_error(log, "%s: not enough memory for its shadow",
+		instance->model->path);
+	return -ENOMEM;
+}
+
+/* Posed vertices in scene units, and the same moved away from the light. */
+static void place_vertices(struct shadow_hull *hull,
+	const struct instance *instance, const float towards_light[3],
+	float reach)
+{
+	const struct drawable *drawable = hull->drawable;
+	int count = drawable->primitive->vertex_count;
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+
+	if (drawable->skin < 0) {
+		instance_drawable_matrix(instance, drawable, matrix);
+	}
+	for (int v = 0; v < count; v++) {
+		const float *p = drawable->position[v];
+		float *near = hull->position[v];
+		float *far = hull->position[v + count];
+
+		for (int axis = 0; axis < 3; axis++) {
+			near[axis] = matrix[0][axis] * p[0] +
+				matrix[1][axis] * p[1] +
+				matrix[2][axis] * p[2] + matrix[3][axis];
+			far[axis] = near[axis] - towards_light[axis] * reach;
+		}
+	}
+}
+
+static bool faces(const struct shadow_hull *hull, const uint32_t *corner,
+	const float towards_light[3])
+{
+	const float *a = hull->position[corner[0]];
+	const float *b = hull->position[corner[1]];
+	const float *c = hull->position[corner[2]];
+	vec3 u, v, normal;
+
+	glm_vec3_sub((float *)b, (float *)a, u);
+	glm_vec3_sub((float *)c, (float *)a, v);
+	glm_vec3_cross(u, v, normal);
+	return glm_vec3_dot(normal, (float *)towards_light) > 0.0f;
+}
+
+static uint16_t *add_triangle(uint16_t *next, uint32_t a, uint32_t b, uint32_t c)
+{
+	next[0] = (uint16_t)a;
+	next[1] = (uint16_t)b;
+	next[2] = (uint16_t)c;
+	return next + 3;
+}
+
+/* The lit triangles close the hull near the light and, turned, far from it. */
+static uint16_t *add_caps(const struct shadow_hull *hull, uint16_t *next)
+{
+	const struct model_primitive *primitive = hull->drawable->primitive;
+	uint32_t away = (uint32_t)primitive->vertex_count;
+
+	for (int t = 0; t < primitive->index_count / 3; t++) {
+		const uint32_t *corner = primitive->index + t * 3;
+
+		if (hull->lit[t]) {
+			next = add_triangle(
+				next, corner[0], corner[1], corner[2]);
+			next = add_triangle(next, corner[0] + away,
+				corner[2] + away, corner[1] + away);
+		}
+	}
+	return next;
+}
+
+/* A quad along every edge between a lit triangle and one that is not. */
+static uint16_t *add_sides(const struct shadow_hull *hull, uint16_t *next)
+{
+	uint32_t away = (uint32_t)hull->drawable->primitive->vertex_count;
+
+	for (int i = 0; i < hull->edge_count; i++) {
+		const struct shadow_edge *edge = &hull->edge[i];
+		bool left = hull->lit[edge->left];
+		bool right = edge->right >= 0 && hull->lit[edge->right];
+		uint32_t a = left ? edge->a : edge->b;
+		uint32_t b = left ? edge->b : edge->a;
+
+		if (left != right) {
+			next = add_triangle(next, b, a, a + away);
+			next = add_triangle(next, b, a + away, b + away);
+		}
+	}
+	return next;
+}
+
+void shadow_volume_update(struct shadow_volume *volume,
+	const struct instance *instance, const float towards_light[3],
+	float reach)
+{
+	for (int i = 0; i < volume->hull_count; i++) {
+		struct shadow_hull *hull = &volume->hull[i];
+		const struct model_primitive *primitive =
+			hull->drawable->primitive;
+		uint16_t *end;
+
+		hull->index_count = 0;
+		if (hull->drawable->hidden) {
+			continue;
+		}
+		place_vertices(hull, instance, towards_light, reach);
+		for (int t = 0; t < primitive->index_count / 3; t++) {
+			hull->lit[t] = faces(
+				hull, primitive->index + t * 3, towards_light);
+		}
+		end = add_sides(hull, add_caps(hull, hull->index));
+		hull->index_count = (int)(end - hull->index);
+	}
+}
+
+static void draw_hulls(const struct shadow_volume *volume, const struct gl *gl)
+{
+	for (int i = 0; i < volume->hull_count; i++) {
+		const struct shadow_hull *hull = &volume->hull[i];
+
+		gl->VertexPointer(3, GL_FLOAT, 0, hull->position);
+		gl->DrawElements(GL_TRIANGLES, hull->index_count,
+			GL_UNSIGNED_SHORT, hull->index);
+	}
+}
+
+/* A see-through sheet over the picture wherever the stencil is not 0. */
+static void darken(const struct gl *gl, float strength)
+{
+	static const int16_t corner[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->PushMatrix();
+	gl->LoadIdentity();
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->PushMatrix();
+	gl->LoadIdentity();
+	gl->StencilFunc(GL_NOTEQUAL, 0, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
+		fx16_from_float(strength));
+	gl->VertexPointer(2, GL_SHORT, 0, corner);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	gl->Disable(GL_BLEND);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->PopMatrix();
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->PopMatrix();
+}
+
+/*
+ * Counts where the ground hides the hull: back faces up, front faces down, so
+ * that the eye may stand inside a volume. Back faces go first because GL ES
+ * 1.1's stencil does not wrap.
+ */
+void shadow_volume_draw(
+	const struct shadow_volume *volume, const struct gl *gl, float strength)
+{
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_BLEND);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, 0, 255);
+	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	gl->DepthMask(GL_FALSE);
+	gl->Enable(GL_CULL_FACE);
+	gl->CullFace(GL_FRONT);
+	gl->StencilOp(GL_KEEP, GL_INCR, GL_KEEP);
+	draw_hulls(volume, gl);
+	gl->CullFace(GL_BACK);
+	gl->StencilOp(GL_KEEP, GL_DECR, GL_KEEP);
+	draw_hulls(volume, gl);
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	gl->Disable(GL_CULL_FACE);
+	darken(gl, strength);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_STENCIL_TEST);
+}

@@ -1,0 +1,62 @@
+/*
+ * Stencil shadow volumes: the space that a drawable keeps from the light.
+ *
+ * Unlike a flattened shadow they fall on ground of any shape. They need
+ * positions only. The volume is drawn when the depth buffer holds the ground
+ * and not yet the figure, so the figure does not shade itself; its own lighting
+ * does that more smoothly.
+ */
+#ifndef APP_SCENE_SHADOW_VOLUME_H
+#define APP_SCENE_SHADOW_VOLUME_H
+
+#include "app/scene/instance.h"
+#include "platform/gl/gl.h"
+
+/* An edge and the triangles at it: one side goes a to b, the other b to a. */
+struct shadow_edge {
+	uint32_t a, b;
+	int32_t left, right; /* right -1: an open border */
+};
+
+/* One drawable's volume, sized for the worst case at creation. */
+struct shadow_hull {
+	const struct drawable *drawable;
+	int edge_count;
+	struct shadow_edge *edge;
+	bool *lit;            /* [triangle_count], by the last update */
+	float (*position)[3]; /* [2 * vertex_count]: as posed, then moved away
+				 from the light */
+	uint16_t *index;
+	int index_count;
+};
+
+struct shadow_volume {
+	int hull_count;
+	struct shadow_hull *hull;
+};
+
+/*
+ * Finds the edges of all drawables; memory comes from the instance's arena.
+ * Drawables with more than 32,768 vertices cast no shadow, which is said once.
+ * 0, or -ENOMEM after a sentence.
+ */
+int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
+	const struct log *log);
+
+/*
+ * After instance_update(): which triangles see the light, and the hulls that
+ * follow, reach scene units long. Allocates nothing.
+ */
+void shadow_volume_update(struct shadow_volume *volume,
+	const struct instance *instance, const float towards_light[3],
+	float reach);
+
+/*
+ * Darkens what lies in the volumes, by strength 0..1. Needs a stencil buffer
+ * that is clear, the camera's model-view matrix, and a depth buffer with what
+ * receives the shadow. Leaves the stencil test off and the stencil dirty.
+ */
+void shadow_volume_draw(const struct shadow_volume *volume, const struct gl *gl,
+	float strength);
+
+#endif

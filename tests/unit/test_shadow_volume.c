@@ -1,0 +1,193 @@
+#include "app/scene/shadow_volume.h"
+#include "tests/support/small_model.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+static const float from_front[3] = {0.0f, 0.0f, 1.0f};
+static const float from_back[3] = {0.0f, 0.0f, -1.0f};
+
+struct cast {
+	struct model *model;
+	struct instance *instance;
+	struct shadow_volume volume;
+};
+
+static struct cast begin(struct model *model)
+{
+	struct log nowhere = log_to_nowhere();
+	struct cast cast = {.model = model};
+
+	assert_int_equal(instance_create(model, kernel_find(NULL), &nowhere,
+				 &cast.instance),
+		0);
+	assert_int_equal(
+		shadow_volume_init(&cast.volume, cast.instance, &nowhere), 0);
+	return cast;
+}
+
+static void end(struct cast *cast)
+{
+	instance_destroy(cast->instance);
+	model_destroy(cast->model);
+}
+
+/* A unit cube with its eight corners shared. */
+static struct model *make_cube(void)
+{
+	static const uint32_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
+		0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
+		3, 7, 5};
+	struct model *model = small_model_grid(3, 2, 1.0f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+
+	primitive->vertex_count = 8;
+	primitive->index_count = 36;
+	memcpy(primitive->index, index, sizeof(index));
+	for (int i = 0; i < 8; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			primitive->position[i][axis] = i >> axis & 1 ? 1 : 0;
+		}
+	}
+	return model;
+}
+
+/* Each edge is passed as often in one direction as in the other. */
+static void assert_watertight(const struct shadow_hull *hull)
+{
+	for (int i = 0; i < hull->index_count; i++) {
+		int triangle = i / 3 * 3;
+		const float *a = hull->position[hull->index[i]];
+		const float *b =
+			hull->position[hull->index[triangle + (i + 1) % 3]];
+		int balance = 0;
+
+		for (int j = 0; j < hull->index_count; j++) {
+			const float *c = hull->position[hull->index[j]];
+			const float *d =
+				hull->position[hull->index[j / 3 * 3 + (j + 1) % 3]];
+
+			balance +=
+				memcmp(a, c, 12) == 0 && memcmp(b, d, 12) == 0;
+			balance -=
+				memcmp(a, d, 12) == 0 && memcmp(b, c, 12) == 0;
+		}
+		assert_int_equal(balance, 0);
+	}
+}
+
+/* Six times the volume; positive when triangles face outwards. */
+static float volume_of(const struct shadow_hull *hull)
+{
+	float sum = 0.0f;
+
+	for (int i = 0; i < hull->index_count; i += 3) {
+		const float *a = hull->position[hull->index[i]];
+		const float *b = hull->position[hull->index[i + 1]];
+		const float *c = hull->position[hull->index[i + 2]];
+
+		sum += a[0] * (b[1] * c[2] - b[2] * c[1]) +
+			a[1] * (b[2] * c[0] - b[0] * c[2]) +
+			a[2] * (b[0] * c[1] - b[1] * c[0]);
+	}
+	return sum;
+}
+
+static void test_a_sheet_facing_the_light_casts_a_closed_box(void **state)
+{
+	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
+	const struct shadow_hull *hull = &cast.volume.hull[0];
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, from_front, 3.0f);
+	/* 8 triangles, front and back, and 8 border edges of two each. */
+	assert_int_equal(hull->index_count, 3 * (8 + 8 + 16));
+	assert_watertight(hull);
+	assert_near(volume_of(hull), 6.0 * 3.0, 1e-4);
+	end(&cast);
+}
+
+static void test_a_sheet_facing_away_casts_nothing_of_its_own(void **state)
+{
+	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, from_back, 3.0f);
+	assert_int_equal(cast.volume.hull[0].index_count, 0);
+	end(&cast);
+}
+
+static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
+{
+	static const float slanted[3] = {0.36f, 0.48f, 0.8f};
+	struct cast cast = begin(make_cube());
+	const struct shadow_hull *hull = &cast.volume.hull[0];
+
+	(void)state;
+	assert_int_equal(hull->edge_count, 18);
+	shadow_volume_update(&cast.volume, cast.instance, slanted, 2.0f);
+	assert_true(hull->index_count > 0);
+	assert_watertight(hull);
+	/* The three lit sides swept by 2: areas times cosines. */
+	assert_near(volume_of(hull), 6.0 * 2.0 * (0.36 + 0.48 + 0.8), 1e-4);
+	end(&cast);
+}
+
+static void test_seams_are_not_borders(void **state)
+{
+	struct model *model = small_model_grid(2, 1, 1.0f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	struct cast cast;
+
+	(void)state;
+	/* The right quad gets corners of its own at the same places. */
+	primitive = &model->mesh[0].primitive[0];
+	primitive->position = arena_alloc(&model->arena, 8, sizeof(float[3]));
+	primitive->normal = arena_alloc(&model->arena, 8, sizeof(float[3]));
+	primitive->vertex_count = 8;
+	for (int i = 0; i < 8; i++) {
+		primitive->position[i][0] = (float)(i % 2 + i / 4);
+		primitive->position[i][1] = (float)(i / 2 % 2);
+		primitive->normal[i][2] = 1.0f;
+	}
+	memcpy(primitive->index,
+		((uint32_t[12]){0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7}), 48);
+	cast = begin(model);
+	shadow_volume_update(&cast.volume, cast.instance, from_front, 1.0f);
+	/* 4 triangles twice, 6 outer edges; the seam adds none. */
+	assert_int_equal(cast.volume.hull[0].index_count, 3 * (8 + 12));
+	end(&cast);
+}
+
+static void test_too_large_a_part_is_left_out_with_a_word(void **state)
+{
+	struct model *model = small_model_grid(200, 200, 1.0f, true);
+	struct log nowhere = log_to_nowhere();
+	struct shadow_volume volume;
+	struct instance *instance;
+
+	(void)state;
+	assert_int_equal(
+		instance_create(model, kernel_find(NULL), &nowhere, &instance),
+		0);
+	assert_int_equal(shadow_volume_init(&volume, instance, &nowhere), 0);
+	assert_int_equal(volume.hull_count, 0);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_sheet_facing_the_light_casts_a_closed_box),
+		cmocka_unit_test(
+			test_a_sheet_facing_away_casts_nothing_of_its_own),
+		cmocka_unit_test(
+			test_a_cube_casts_a_closed_hull_along_a_slanted_light),
+		cmocka_unit_test(test_seams_are_not_borders),
+		cmocka_unit_test(test_too_large_a_part_is_left_out_with_a_word),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

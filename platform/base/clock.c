@@ -1,8 +1,8 @@
 #include "platform/base/clock.h"
 
-#include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -42,7 +42,8 @@ double clock_tick(struct clock *clock)
 int clock_parse(const char *text, struct clock *out)
 {
 	static const char prefix[] = "fixed:";
-	const char *end;
+	const char *number = text + sizeof(prefix) - 1;
+	char *end;
 	double rate_hz;
 
 	if (strcmp(text, "real") == 0) {
@@ -52,8 +53,8 @@ int clock_parse(const char *text, struct clock *out)
 	if (strncmp(text, prefix, sizeof(prefix) - 1) != 0) {
 		return -EINVAL;
 	}
-	end = scalar_parse(text + sizeof(prefix) - 1, &rate_hz);
-	if (!end || *end || !(rate_hz > 0 && rate_hz <= 1000)) {
+	rate_hz = strtod(number, &end);
+	if (end == number || *end || !(rate_hz > 0 && rate_hz <= 1000)) {
 		return -EINVAL;
 	}
 	*out = clock_fixed(rate_hz, 0);

@@ -58,11 +58,4 @@ static inline float scalar_clamp(float value, float low, float high)
 	return value > low ? value : low;
 }
 
-/*
- * Reads a decimal number, [+-]digits[.digits][e[+-]digits], whatever the
- * locale; there must be a digit on one side of the point. Returns where it
- * ends, or NULL when text does not begin with one or it is beyond a double.
- */
-const char *scalar_parse(const char *text, double *out);
-
 #endif

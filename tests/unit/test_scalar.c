@@ -141,56 +141,6 @@ static void test_clamp_keeps_to_its_limits(void **state)
 	assert_true(scalar_clamp(NAN, 0, 2) == 0);
 }
 
-static void test_parse_reads_decimals_exactly(void **state)
-{
-	static const struct {
-		const char *text;
-		double value;
-		const char *rest;
-	} cases[] = {
-		{"0", 0, ""},
-		{"1.5", 1.5, ""},
-		{"-29.97fps", -29.97, "fps"},
-		{"+.25", 0.25, ""},
-		{"7.", 7, ""},
-		{"1e3", 1000, ""},
-		{"1.25e-2x", 0.0125, "x"},
-		{"2em", 2, "em"},
-		{"2e+", 2, "e+"},
-		{"0.1", 0.1, ""},
-		{"12345678901234567890123", 12345678901234567890123.0, ""},
-		{"0.00000000000000000000000001", 1e-26, ""},
-		{"1,5", 1, ",5"},
-		{"0e999999", 0, ""},
-		{"1e-99999", 0, ""},
-		{"0x10", 0, "x10"},
-	};
-
-	(void)state;
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		double value = -1;
-		const char *end = scalar_parse(cases[i].text, &value);
-
-		assert_non_null(end);
-		assert_string_equal(end, cases[i].rest);
-		assert_near(value, cases[i].value, fabs(cases[i].value) * 1e-15);
-	}
-}
-
-static void test_parse_refuses_what_is_no_number(void **state)
-{
-	static const char *const cases[] = {
-		"", ".", "-", "+.", "e5", "nan", "inf", " 1", "--1", "1e400"};
-
-	(void)state;
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		double value = -1;
-
-		assert_null(scalar_parse(cases[i], &value));
-		assert_true(value == -1);
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -205,8 +155,6 @@ int main(void)
 		cmocka_unit_test(test_floor_rounds_down_at_both_signs),
 		cmocka_unit_test(test_exponential_is_close_in_proportion),
 		cmocka_unit_test(test_clamp_keeps_to_its_limits),
-		cmocka_unit_test(test_parse_reads_decimals_exactly),
-		cmocka_unit_test(test_parse_refuses_what_is_no_number),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

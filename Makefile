@@ -23,7 +23,7 @@ include toolchain/check.mk
 include toolchain/demo.mk
 
 help:
-	@sed -n 's/^## //p' toolchain/help.txt
+	@cat toolchain/help.txt
 
 clean:
 	rm -rf build

@@ -35,7 +35,7 @@ build/validator/stamp: $(addprefix tests/validator/,package.json \
 	@mkdir -p $(@D)
 	$(call say,NPM,$(@D))
 	$(Q)cp $^ $(@D)
-	$(Q)cd $(@D) && npm ci --silent --no-audit --no-fund
+	$(Q)cd $(@D) && npm ci --loglevel=error --no-audit --no-fund >npm.log
 	$(Q)touch $@
 
 define newline

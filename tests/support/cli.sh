@@ -9,7 +9,7 @@ slider=$(dirname "$0")/slider.gltf
 limber() {
     # shellcheck disable=SC2086 # a command and its arguments
     run $limber "$@"
-    about "limber $*"
+    about "limber $(echo "$*" | sed "s|$scratch/||g")"
 }
 
 # expect_refusal STATUS PATTERN: that exit status, and nothing said but one

@@ -76,6 +76,7 @@ $(call script_suites,toolchain)
 $(call script_suites,structure)
 $(call suite,conformance/checker,tests/conformance/checker.sh)
 $(call suite,golden/checker,tests/golden/checker.sh)
+$(call suite,fuzz/checker,tests/fuzz/checker.sh)
 $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 	tests/validator/checker.sh)
 $(call suite,tally,tests/support/tally_test.sh)

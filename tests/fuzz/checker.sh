@@ -1,0 +1,48 @@
+#!/bin/sh
+# The fuzz runner itself, with a stand-in for a libFuzzer program.
+. "$(dirname "$0")/../support/tap.sh"
+runner=$(dirname "$0")/run.sh
+
+# given STATUS: a fuzzer that notes its arguments and seeds and ends so.
+given() {
+    cat >"$scratch/fuzz_toy" <<END
+#!/bin/sh
+echo "\$*" >$scratch/arguments
+for last; do :; done
+ls "\$last" >$scratch/seeds
+echo 'stat::number_of_executed_units: 12'
+echo 'SUMMARY: what went wrong' >&2
+exit $1
+END
+    chmod +x "$scratch/fuzz_toy"
+}
+
+mkdir -p "$scratch/first/deeper" "$scratch/second"
+echo small >"$scratch/first/deeper/a.bin"
+echo other >"$scratch/second/a.bin"
+echo script >"$scratch/second/make.py"
+dd if=/dev/zero of="$scratch/second/large.bin" bs=1024 count=100 2>/dev/null
+
+given 0
+run "$runner" "$scratch/fuzz_toy" "$scratch/first" "$scratch/second"
+about 'a run that finds nothing'
+expect_status 0
+expect_out '^1..1$'
+expect_out '^ok 1 - fuzz_toy survives'
+expect_out '^# stat::number_of_executed_units: 12'
+check 'runs and seed are fixed, time is bounded' grep -Eq -e \
+    '-runs=[0-9]+ -seed=1 -max_total_time=[0-9]+ ' "$scratch/arguments"
+check 'small files of all folders are seeds' test "$(wc -l <"$scratch/seeds")" -eq 2
+
+given 77
+run "$runner" "$scratch/fuzz_toy" "$scratch/first"
+about 'a run that finds something'
+expect_status 1
+expect_out '^not ok 1 - fuzz_toy survives'
+expect_out '^# SUMMARY: what went wrong'
+
+run "$runner" "$scratch/none" "$scratch/first"
+about 'a program that is not there'
+expect_status 1
+expect_out '^not ok 1'
+tap_done

@@ -1,10 +1,34 @@
 #include "app/anim/clip.h"
 
 #include "app/anim/transform.h"
+#include "platform/base/compiler.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
+
+static const char *const INTERPOLATION_NAME[] = {
+	[CLIP_AUTO] = "auto",
+	[CLIP_NEAREST] = "nearest",
+	[CLIP_STEP] = "step",
+	[CLIP_LINEAR] = "linear",
+	[CLIP_CUBIC] = "cubic",
+};
+
+const char *clip_interpolation_name(enum clip_interpolation interpolation)
+{
+	return INTERPOLATION_NAME[interpolation];
+}
+
+int clip_interpolation_find(const char *name)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(INTERPOLATION_NAME); i++) {
+		if (strcmp(INTERPOLATION_NAME[i], name) == 0) {
+			return (int)i;
+		}
+	}
+	return -1;
+}
 
 int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 	struct arena *arena)
@@ -78,25 +102,77 @@ static const float *key_value(const struct model_channel *channel, int key)
 	return channel->value + (size_t)key * width;
 }
 
-/* glTF 2.0, appendix C.5; tangents are per second, hence the interval. */
-static void sample_cubic(const struct model_channel *channel, int key, float u,
-	float interval_s, float *out)
+/* The four Hermite weights at u of an interval; glTF 2.0, appendix C.5. */
+struct hermite {
+	float from, out_tangent, to, in_tangent;
+};
+
+/* Tangents are per second, hence the interval. */
+static struct hermite hermite_at(float u, float interval_s)
 {
+	float u2 = u * u;
+	float u3 = u2 * u;
+	float to = 3 * u2 - 2 * u3;
+
+	return (struct hermite){
+		.from = 1 - to,
+		.out_tangent = (u3 - 2 * u2 + u) * interval_s,
+		.to = to,
+		.in_tangent = (u3 - u2) * interval_s,
+	};
+}
+
+static void sample_tangents(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	float interval_s = channel->time_s[key + 1] - channel->time_s[key];
+	struct hermite h = hermite_at(u, interval_s);
 	int width = channel->width;
 	const float *from = key_value(channel, key);
 	const float *to = key_value(channel, key + 1);
 	const float *out_tangent = from + width;
 	const float *in_tangent = to - width;
-	float u2 = u * u;
-	float u3 = u2 * u;
-	float to_factor = 3 * u2 - 2 * u3;
-	float from_factor = 1 - to_factor;
-	float out_factor = (u3 - 2 * u2 + u) * interval_s;
-	float in_factor = (u3 - u2) * interval_s;
 
 	for (int i = 0; i < width; i++) {
-		out[i] = from[i] * from_factor + out_tangent[i] * out_factor +
-			to[i] * to_factor + in_tangent[i] * in_factor;
+		out[i] = from[i] * h.from + out_tangent[i] * h.out_tangent +
+			to[i] * h.to + in_tangent[i] * h.in_tangent;
+	}
+}
+
+/* -1 where a rotation key has to change sign to be on the other's side. */
+static float side_of(
+	const struct model_channel *channel, const float *key, const float *of)
+{
+	if (channel->path != MODEL_ROTATION) {
+		return 1;
+	}
+	return vec_dot(key, of) + key[3] * of[3] < 0 ? -1 : 1;
+}
+
+/* At the ends, where a neighbour is missing, the key takes its place. */
+static void sample_catmull_rom(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	int before = key > 0 ? key - 1 : key;
+	int after = key + 2 < channel->key_count ? key + 2 : key + 1;
+	const float *time_s = channel->time_s;
+	struct hermite h = hermite_at(u, time_s[key + 1] - time_s[key]);
+	const float *p0 = key_value(channel, before);
+	const float *p1 = key_value(channel, key);
+	const float *p2 = key_value(channel, key + 1);
+	const float *p3 = key_value(channel, after);
+	float side0 = side_of(channel, p0, p1);
+	float side2 = side_of(channel, p2, p1);
+	float side3 = side_of(channel, p3, p2) * side2;
+	float out_rate = h.out_tangent / (time_s[key + 1] - time_s[before]);
+	float in_rate = h.in_tangent / (time_s[after] - time_s[key]);
+
+	for (int i = 0; i < channel->width; i++) {
+		float to = side2 * p2[i];
+
+		out[i] = p1[i] * h.from + to * h.to +
+			(to - side0 * p0[i]) * out_rate +
+			(side3 * p3[i] - p1[i]) * in_rate;
 	}
 }
 
@@ -121,8 +197,53 @@ static void sample_key(const struct model_channel *channel, int key, float *out)
 		(size_t)channel->width * sizeof(*out));
 }
 
-void clip_sample_channel(
-	const struct model_channel *channel, float time_s, int *key, float *out)
+static enum clip_interpolation own_interpolation(
+	const struct model_channel *channel)
+{
+	switch (channel->interpolation) {
+	case MODEL_STEP:
+		return CLIP_STEP;
+	case MODEL_LINEAR:
+		return CLIP_LINEAR;
+	case MODEL_CUBICSPLINE:
+		break;
+	}
+	return CLIP_CUBIC;
+}
+
+/* time_s is at or after the key and before the next one. */
+static void sample_between(const struct model_channel *channel, float time_s,
+	enum clip_interpolation interpolation, int key, float *out)
+{
+	float start_s = channel->time_s[key];
+	float u = (time_s - start_s) / (channel->time_s[key + 1] - start_s);
+
+	if (interpolation == CLIP_AUTO) {
+		interpolation = own_interpolation(channel);
+	}
+	switch (interpolation) {
+	case CLIP_AUTO:
+	case CLIP_STEP:
+		sample_key(channel, key, out);
+		break;
+	case CLIP_NEAREST:
+		sample_key(channel, u < 0.5f ? key : key + 1, out);
+		break;
+	case CLIP_LINEAR:
+		sample_linear(channel, key, u, out);
+		break;
+	case CLIP_CUBIC:
+		if (channel->interpolation == MODEL_CUBICSPLINE) {
+			sample_tangents(channel, key, u, out);
+		} else {
+			sample_catmull_rom(channel, key, u, out);
+		}
+		break;
+	}
+}
+
+void clip_sample_channel(const struct model_channel *channel, float time_s,
+	enum clip_interpolation interpolation, int *key, float *out)
 {
 	int last = channel->key_count - 1;
 
@@ -134,23 +255,8 @@ void clip_sample_channel(
 		*key = last;
 		sample_key(channel, last, out);
 	} else {
-		float start_s, interval_s, u;
-
 		*key = find_key(channel, time_s, *key);
-		start_s = channel->time_s[*key];
-		interval_s = channel->time_s[*key + 1] - start_s;
-		u = (time_s - start_s) / interval_s;
-		switch (channel->interpolation) {
-		case MODEL_STEP:
-			sample_key(channel, *key, out);
-			break;
-		case MODEL_LINEAR:
-			sample_linear(channel, *key, u, out);
-			break;
-		case MODEL_CUBICSPLINE:
-			sample_cubic(channel, *key, u, interval_s, out);
-			break;
-		}
+		sample_between(channel, time_s, interpolation, *key, out);
 	}
 	if (channel->path == MODEL_ROTATION) {
 		quat_normalize(out);
@@ -179,13 +285,20 @@ static float *channel_target(
 void clip_sample(const struct model_clip *clip, float time_s,
 	struct clip_cursor *cursor, struct pose *pose)
 {
+	clip_sample_as(clip, time_s, CLIP_AUTO, cursor, pose);
+}
+
+void clip_sample_as(const struct model_clip *clip, float time_s,
+	enum clip_interpolation interpolation, struct clip_cursor *cursor,
+	struct pose *pose)
+{
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
 		int start = 0;
 		int *key = i < cursor->channel_count ? &cursor->key[i] : &start;
 
-		clip_sample_channel(
-			channel, time_s, key, channel_target(channel, pose));
+		clip_sample_channel(channel, time_s, interpolation, key,
+			channel_target(channel, pose));
 		if (channel->path != MODEL_WEIGHTS) {
 			pose->animated[channel->node] = true;
 		}
@@ -216,6 +329,14 @@ float clip_time(double time_s, float duration_s, enum clip_repeat repeat)
 		float wrapped = (float)wrap(time_s, duration_s);
 
 		return wrapped < duration_s ? wrapped : 0;
+	}
+	if (repeat == CLIP_PING_PONG) {
+		double there_and_back_s = 2.0 * duration_s;
+		double phase_s = wrap(time_s, there_and_back_s);
+
+		return (float)(phase_s <= duration_s
+				? phase_s
+				: there_and_back_s - phase_s);
 	}
 	if (time_s > (double)duration_s) {
 		return duration_s;

@@ -15,6 +15,20 @@ struct clip_cursor {
 	int *key; /* [channel_count] */
 };
 
+/* How to go from key to key. */
+enum clip_interpolation {
+	CLIP_AUTO,    /* as the file says, channel by channel */
+	CLIP_NEAREST, /* the key that is closer in time; a tie goes forward */
+	CLIP_STEP,    /* the key before */
+	CLIP_LINEAR,  /* straight; rotations along the shorter arc */
+	CLIP_CUBIC,   /* by the file's tangents, else by Catmull-Rom ones:
+			 (next - previous) / their distance in time */
+};
+
+/* "auto", "nearest" and so on; and back: the value, or -1 when unknown. */
+const char *clip_interpolation_name(enum clip_interpolation interpolation);
+int clip_interpolation_find(const char *name);
+
 /* Room for the largest clip of the model. 0 or -ENOMEM. */
 int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 	struct arena *arena);
@@ -28,16 +42,22 @@ int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 void clip_sample(const struct model_clip *clip, float time_s,
 	struct clip_cursor *cursor, struct pose *pose);
 
+/* The same with another interpolation than the file's. */
+void clip_sample_as(const struct model_clip *clip, float time_s,
+	enum clip_interpolation interpolation, struct clip_cursor *cursor,
+	struct pose *pose);
+
 /*
  * One channel's value: width floats into out. key is its cached position.
  * Rotations come out unit length whatever the keys' precision.
  */
 void clip_sample_channel(const struct model_channel *channel, float time_s,
-	int *key, float *out);
+	enum clip_interpolation interpolation, int *key, float *out);
 
 enum clip_repeat {
 	CLIP_ONCE, /* stays at the end */
 	CLIP_LOOP,
+	CLIP_PING_PONG, /* to the end, back to the start, and again */
 };
 
 /*

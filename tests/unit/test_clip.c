@@ -11,7 +11,7 @@ static float sample_one(
 	float out[8] = {0};
 	int key = 0;
 
-	clip_sample_channel(channel, time_s, &key, out);
+	clip_sample_channel(channel, time_s, CLIP_AUTO, &key, out);
 	return out[element];
 }
 
@@ -165,7 +165,7 @@ static void test_pitfall_1_cubic_rotations_come_out_unit(void **state)
 	double length = sqrt(2 * 0.1875 * 0.1875 + 0.09 + 0.81);
 
 	(void)state;
-	clip_sample_channel(&channel, 1.25f, &key, out);
+	clip_sample_channel(&channel, 1.25f, CLIP_AUTO, &key, out);
 	for (int k = 0; k < 4; k++) {
 		assert_near(out[k], want[k] / length, 1e-6);
 	}
@@ -272,7 +272,8 @@ static void test_pitfall_6_coarse_rotation_keys_come_out_unit(void **state)
 		int key = 0;
 
 		channel.interpolation = i % 2 ? MODEL_STEP : MODEL_LINEAR;
-		clip_sample_channel(&channel, (float)i * 0.05f, &key, out);
+		clip_sample_channel(
+			&channel, (float)i * 0.05f, CLIP_AUTO, &key, out);
 		for (int k = 0; k < 4; k++) {
 			length += (double)out[k] * out[k];
 		}
@@ -304,7 +305,7 @@ static void assert_ramp(
 	float out;
 	double want = 10 * (double)time_s;
 
-	clip_sample_channel(channel, time_s, key, &out);
+	clip_sample_channel(channel, time_s, CLIP_AUTO, key, &out);
 	want = fmin(fmax(want, channel->value[0]), channel->value[MANY - 1]);
 	assert_near(out, want, 1e-4);
 	assert_true(*key >= 0 && *key < MANY);
@@ -347,6 +348,144 @@ static void test_any_content_of_the_cache_is_valid(void **state)
 		key = odd[i];
 		assert_ramp(&channel, 19.85f, &key);
 	}
+}
+
+static float sample_as(const struct model_channel *channel, float time_s,
+	enum clip_interpolation interpolation, int element)
+{
+	float out[8] = {0};
+	int key = 0;
+
+	clip_sample_channel(channel, time_s, interpolation, &key, out);
+	return out[element];
+}
+
+static void test_nearest_takes_the_closer_key(void **state)
+{
+	(void)state;
+	assert_true(sample_as(&LINEAR_POINTS, 0.7f, CLIP_NEAREST, 1) == 2);
+	assert_true(sample_as(&LINEAR_POINTS, 0.75f, CLIP_NEAREST, 1) == 12);
+	assert_true(sample_as(&LINEAR_POINTS, 1.99f, CLIP_NEAREST, 1) == 12);
+	assert_true(sample_as(&LINEAR_POINTS, 2, CLIP_NEAREST, 1) == 22);
+	assert_true(sample_as(&LINEAR_POINTS, 9, CLIP_NEAREST, 1) == 22);
+}
+
+static void test_an_override_counts_for_any_channel(void **state)
+{
+	const struct model_channel cubic = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_CUBICSPLINE,
+		.width = 3,
+		.key_count = 2,
+		.time_s = CUBIC_TIMES,
+		.value = CUBIC_POINTS};
+	struct model_channel step = LINEAR_POINTS;
+
+	(void)state;
+	step.interpolation = MODEL_STEP;
+	assert_near(sample_as(&step, 0.75f, CLIP_LINEAR, 0), 6, 1e-6);
+	assert_true(sample_as(&step, 0.75f, CLIP_AUTO, 0) == 1);
+	assert_true(sample_as(&LINEAR_POINTS, 0.9f, CLIP_STEP, 0) == 1);
+	assert_near(sample_as(&cubic, 1.25f, CLIP_LINEAR, 0), 3, 1e-6);
+	assert_true(sample_as(&cubic, 1.4f, CLIP_STEP, 0) == 1);
+	assert_true(sample_as(&cubic, 1.4f, CLIP_NEAREST, 0) == 5);
+	assert_near(sample_as(&cubic, 1.25f, CLIP_CUBIC, 0), 3.625, 1e-6);
+}
+
+/*
+ * Keys at 0.5, 1 and 3 s. Between the first two, x: 1 to 11; tangents are
+ * (11 - 1) / 0.5 = 20 at the end and (11 - 1) / 2.5 = 4 in the middle; halfway
+ * it is (1 + 11) / 2 + 0.5 * (20 - 4) / 8 = 7.
+ */
+static void test_cubic_makes_catmull_rom_tangents(void **state)
+{
+	(void)state;
+	assert_near(sample_as(&LINEAR_POINTS, 0.75f, CLIP_CUBIC, 0), 7, 1e-5);
+	/* x: 11 to 11, tangents 4 and 0: 11 + 2 * (4 - 0) / 8. */
+	assert_near(sample_as(&LINEAR_POINTS, 2, CLIP_CUBIC, 0), 12, 1e-5);
+	assert_true(sample_as(&LINEAR_POINTS, 1, CLIP_CUBIC, 0) == 11);
+	assert_true(sample_as(&LINEAR_POINTS, 3, CLIP_CUBIC, 1) == 22);
+}
+
+static void test_cubic_follows_a_line_exactly(void **state)
+{
+	float time_s[MANY], value[MANY];
+	struct model_channel channel;
+
+	(void)state;
+	make_ramp(&channel, time_s, value);
+	for (float t = 0; t < 19; t += 0.017f) {
+		assert_near(sample_as(&channel, t, CLIP_CUBIC, 0),
+			10 * (double)t, 1e-4);
+	}
+}
+
+static void test_cubic_has_no_corners(void **state)
+{
+	const float step_s = 1.0f / 1024;
+	float before = sample_as(&LINEAR_POINTS, 1 - step_s, CLIP_CUBIC, 1);
+	float at = sample_as(&LINEAR_POINTS, 1, CLIP_CUBIC, 1);
+	float after = sample_as(&LINEAR_POINTS, 1 + step_s, CLIP_CUBIC, 1);
+
+	(void)state;
+	/* The tangent in the middle: (22 - 2) / 2.5 a second. */
+	assert_near((at - before) / step_s, 8, 0.1);
+	assert_near((after - at) / step_s, 8, 0.1);
+}
+
+static void test_cubic_rotations_ignore_the_keys_signs(void **state)
+{
+	static const float time_s[4] = {0, 1, 2, 3};
+	float value[16], flipped[16];
+	struct model_channel a = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 4,
+		.key_count = 4,
+		.time_s = time_s,
+		.value = value};
+	struct model_channel b = a;
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		double half = 0.3 * i * i + 0.1;
+		float sign = i % 2 ? -1 : 1;
+
+		memset(value + 4 * i, 0, 4 * sizeof(*value));
+		value[4 * i + 1] = (float)sin(half);
+		value[4 * i + 3] = (float)cos(half);
+		for (int k = 0; k < 4; k++) {
+			flipped[4 * i + k] = sign * value[4 * i + k];
+		}
+	}
+	b.value = flipped;
+	for (float t = 0.05f; t < 3; t += 0.1f) {
+		float qa[4], qb[4];
+		double length = 0;
+		double dot = 0;
+		int key = 0;
+
+		clip_sample_channel(&a, t, CLIP_CUBIC, &key, qa);
+		clip_sample_channel(&b, t, CLIP_CUBIC, &key, qb);
+		for (int k = 0; k < 4; k++) {
+			length += (double)qa[k] * qa[k];
+			dot += (double)qa[k] * qb[k];
+		}
+		assert_near(length, 1, 1e-6);
+		assert_near(fabs(dot), 1, 1e-6);
+	}
+}
+
+static void test_interpolations_have_names(void **state)
+{
+	(void)state;
+	for (int i = CLIP_AUTO; i <= CLIP_CUBIC; i++) {
+		const char *name =
+			clip_interpolation_name((enum clip_interpolation)i);
+
+		assert_int_equal(clip_interpolation_find(name), i);
+	}
+	assert_int_equal(clip_interpolation_find("cubic"), CLIP_CUBIC);
+	assert_int_equal(clip_interpolation_find("bezier"), -1);
+	assert_int_equal(clip_interpolation_find(""), -1);
 }
 
 /* Two nodes, the second with two morph weights behind one of the first. */
@@ -508,6 +647,18 @@ static void test_loops_stay_in_range_and_precise_for_days(void **state)
 	assert_true(clip_time(-1e-12, 1.1f, CLIP_LOOP) < 1.1f);
 }
 
+static void test_ping_pong_turns_round_at_both_ends(void **state)
+{
+	static const float want[][2] = {{0, 0}, {1, 1}, {2.5f, 2.5f}, {3, 2},
+		{5, 0}, {5.5f, 0.5f}, {7.5f, 2.5f}, {-0.5f, 0.5f}, {-3, 2}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(want) / sizeof(want[0]); i++) {
+		assert_near(clip_time(want[i][0], 2.5f, CLIP_PING_PONG),
+			want[i][1], 1e-6);
+	}
+}
+
 static void test_a_clip_without_length_stays_at_zero(void **state)
 {
 	(void)state;
@@ -546,6 +697,14 @@ int main(void)
 		cmocka_unit_test(test_once_stays_at_the_end),
 		cmocka_unit_test(test_loops_wrap_at_both_ends),
 		cmocka_unit_test(test_loops_stay_in_range_and_precise_for_days),
+		cmocka_unit_test(test_ping_pong_turns_round_at_both_ends),
+		cmocka_unit_test(test_nearest_takes_the_closer_key),
+		cmocka_unit_test(test_an_override_counts_for_any_channel),
+		cmocka_unit_test(test_cubic_makes_catmull_rom_tangents),
+		cmocka_unit_test(test_cubic_follows_a_line_exactly),
+		cmocka_unit_test(test_cubic_has_no_corners),
+		cmocka_unit_test(test_cubic_rotations_ignore_the_keys_signs),
+		cmocka_unit_test(test_interpolations_have_names),
 		cmocka_unit_test(test_a_clip_without_length_stays_at_zero),
 	};
 

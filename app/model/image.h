@@ -24,4 +24,11 @@ enum {
 int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, struct arena *arena, struct model_image *out);
 
+/*
+ * Only the size of a picture, with the same errors; what image_decode() will
+ * take from its arena is width * height * 4.
+ */
+int image_measure(const uint8_t *data, size_t size, const char *where,
+	const struct log *log, int *width, int *height);
+
 #endif

@@ -233,7 +233,9 @@ def apply_ao(mesh, strength, rounds):
     ao = smooth_over_edges(mesh, ao, rounds)
     ao = 1 - strength * (1 - np.clip(ao, 0, 1))
     mesh.color_attributes.remove(mesh.color_attributes["AO"])
-    linear = to_linear(get_colors(mesh)) * ao[corner][:, None]
+    linear = to_linear(get_colors(mesh))
+    # light that bounces off bright surfaces fills their own shade
+    linear = linear * ao[corner][:, None] ** (1 - 0.55 * linear)
     set_colors(mesh, to_srgb(linear))
 
 

@@ -14,10 +14,10 @@ import numpy as np
 
 import common
 from figure import body, clips, head, rig
-from figure.mesh import Piece, gauss
+from figure.mesh import Piece, gauss, smoothstep
 
 COLORS = {
-    "skin": "#f5c3a0", "lip": "#d07566", "upperlip": "#b35850",
+    "skin": "#f8c199", "lip": "#d07566", "upperlip": "#b35850",
     "eyewhite": "#fbf7f2", "iris": "#3f7d6a", "pupil": "#17110f",
     "glint": "#ffffff", "lash": "#2b1812", "brow": "#5a2e1c",
     "hair": "#7b3a1e", "tie": "#e2583e",
@@ -107,11 +107,16 @@ def vertex_tint(co, region, light):
     if region == "hair":
         k = 0.72 + 0.62 * light
         return np.array([k, k, k])
+    if region == "trousers":  # worn pale in front, on thighs and knees
+        front = smoothstep(0.02, -0.05, co[1]) * gauss(abs(co[0]), 0.10, 0.05)
+        k = front * (0.75 * gauss(co[2], 0.70, 0.13)
+                     + 0.45 * gauss(co[2], 0.50, 0.06))
+        return 1 + k * np.array([1.0, 0.95, 0.75])
     if region == "skin" and co[1] < 0 and co[2] > 1.47:
         co = rig.unplace_head(co)
         blush = 0.55 * gauss(abs(co[0]), 0.043, 0.016) * gauss(
             co[2], 1.545, 0.016)
-        blush += 0.35 * gauss(co[0], 0, 0.010) * gauss(co[2], 1.549, 0.012)
+        blush += 0.20 * gauss(co[0], 0, 0.010) * gauss(co[2], 1.549, 0.012)
         return 1 - blush * np.array([0.02, 0.34, 0.30])
     return np.ones(3)
 

@@ -95,7 +95,7 @@ def make_shirt():
     add_sleeve(piece, [b[1], c[1], c[0], c[11], b[11], a[11], a[0], a[1]], 1)
     add_sleeve(piece, [b[5], c[5], c[6], c[7], b[7], a[7], a[6], a[5]], -1)
     mark_shoulders(piece, rings)
-    return piece.without_faces(lambda co: False).subdivided()
+    return piece.compact().subdivided()
 
 
 def mark_shoulders(piece, rings):
@@ -169,7 +169,7 @@ def make_sock():
     """The left one; a plain tube between cuff and shoe."""
     piece = Piece()
     before = None
-    for z, r in ((0.162, 0.040), (0.115, 0.038), (0.070, 0.040)):
+    for z, r in ((0.162, 0.039), (0.074, 0.031)):
         ring = piece.vertices(ring_points((0.098, 0.015, z), X, Y,
                                           (r, r, r * 1.1), 10))
         if before:
@@ -257,10 +257,10 @@ PALM = [  # along the hand, half width, half thickness
     (0.088, 0.0400, 0.0135),
 ]
 FINGER = [  # length, knuckle forward, spread in degrees; from the little one
-    (0.055, -0.007, 9.0),
-    (0.068, 0.000, 3.0),
+    (0.055, -0.007, 6.0),
+    (0.068, 0.000, 2.0),
     (0.074, 0.003, -2.0),
-    (0.066, 0.001, -8.0),
+    (0.066, 0.001, -5.5),
 ]
 
 
@@ -436,18 +436,18 @@ def make_shoe():
         piece.bridge(a, b, "sole")
     steps = (0.0, 0.20, 0.44, 0.72, 1.0)
     rings = [piece.vertices(toe_lift(shoe_ring(f, 0.004))) for f in steps]
-    inner = [np.array([0.099, 0.018, 0.0]) * (1, 1, 0) for _ in rings[-1]]
-    lining = piece.vertices([piece.co[v] * 0.84 + c * 0.16
-                             + Z * (piece.co[v][2] * 0.16 - 0.016)
-                             for v, c in zip(rings[-1], inner)])
+    middle = np.array([0.099, 0.018, 0.0])
+    lining = []
+    for v in rings[-1]:
+        p = piece.co[v]
+        lining.append(p * (0.7, 0.7, 1) + middle * 0.3 - Z * 0.020)
+    lining = piece.vertices(lining)
     for i, (a, b) in enumerate(zip(rings, rings[1:])):
         for k in range(COLUMNS):
             m = (k + 1) % COLUMNS
-            off = min(k, COLUMNS - 1 - k)  # columns away from the front
-            if k == COLUMNS - 1:
-                off = 0
+            off = min(k + 1, COLUMNS - 1 - k)  # columns away from the front
             region = "upper"
-            if i < 2 and off <= 1:
+            if i < 2 and off <= 2:
                 region = "toecap"
             elif i >= 2 and k == COLUMNS - 1:
                 region = "tongue"

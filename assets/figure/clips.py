@@ -5,7 +5,7 @@ import numpy as np
 from mathutils import Matrix
 
 from .mesh import curve, smoothstep
-from .pose import Pose, turn
+from .pose import Pose
 
 FPS = 30
 TAU = 2 * np.pi
@@ -53,22 +53,22 @@ def tail(pose, back=0.0, aside=0.0, curl=0.0):
 IDLE = 3.2
 
 
-def stand(phase=0.0, weight=0.0, breath=0.0):
+def stand(weight, breath):
     """The stance that idle, wave and jump share.
 
     weight shifts the hips to the left, breath is -1..1.
     """
     pose = Pose()
-    pose.offset = np.array([0.012 + weight * 0.020, 0.004,
-                            -0.0045 - 0.002 * abs(weight)])
-    tilt = 1.6 + 1.8 * weight
+    pose.offset = np.array([0.012 + weight * 0.028, 0.004,
+                            -0.0065 - 0.002 * abs(weight)])
+    tilt = 1.6 + 2.6 * weight
     pose.bend("hips", x=1.0, y=-tilt, z=3.0 + weight)
     pose.bend("spine", x=-1.5 - 0.4 * breath, y=tilt * 0.7, z=-1.5)
     pose.bend("chest", x=-1.0 - 1.3 * breath, y=tilt * 0.6, z=-2.0)
     pose.bend("neck", x=2.0 + 0.6 * breath, y=-tilt * 0.2)
     pose.bend("head", x=1.0 + 0.6 * breath, y=-tilt * 0.4, z=2.0)
     for side, s in ((".L", 1), (".R", -1)):
-        pose.arm(side, hang=37.0 - s * 0.5 - 0.9 * breath,
+        pose.arm(side, hang=39.0 - s * 0.5 - 0.9 * breath,
                  swing=1.0 + 1.5 * s, elbow=8.0 + 2 * s + 1.2 * breath,
                  curl=20.0 + 3 * breath, lift=1.3 * breath)
         pose.wrist(side, up=-4)
@@ -81,7 +81,7 @@ def idle(t):
     phase = t / IDLE
     weight = wave_at(phase, 0.05)
     breath = wave_at(2 * phase, 0.1)
-    pose = stand(phase, weight, breath)
+    pose = stand(weight, breath)
     pose.bend("head", x=1.2 * wave_at(phase, 0.3), z=5.0 * wave_at(phase, 0.2))
     pose.bend("neck", z=2.5 * wave_at(phase, 0.2))
     tail(pose, back=1.5 * wave_at(2 * phase, 0.25),
@@ -126,10 +126,10 @@ def walk(t):
     pose = Pose()
     rise = 0.0130 * np.cos(2 * TAU * (p - 0.33))
     sway = wave_at(p, 0.06)
-    pose.offset = np.array([0.020 * sway, 0.004 * wave_at(2 * p, 0.1),
+    pose.offset = np.array([0.025 * sway, 0.004 * wave_at(2 * p, 0.1),
                             -0.0225 + rise])
     yaw = -np.cos(TAU * p)
-    pose.bend("hips", x=2.5, y=-3.6 * wave_at(p, 0.02), z=7.0 * yaw)
+    pose.bend("hips", x=2.5, y=-4.2 * wave_at(p, 0.02), z=7.5 * yaw)
     pose.bend("spine", x=0.5, y=2.4 * wave_at(p, 0.02), z=-5.0 * yaw)
     pose.bend("chest", x=0.8 + 0.8 * wave_at(2 * p, 0.2),
               y=2.2 * wave_at(p, 0.02), z=-8.0 * yaw)
@@ -191,9 +191,9 @@ def run(t):
     for side, q in ((".L", p), (".R", p + 0.5)):
         swing = np.cos(TAU * (q - 0.03))
         ahead = 0.5 - 0.5 * swing
-        pose.arm(side, hang=30 + 5 * ahead, swing=8 + 40 * swing,
-                 elbow=84 + 14 * ahead, curl=62, out=-7 * ahead,
-                 twist=-14 * ahead, lift=2.0 * wave_at(2 * q, 0.3))
+        pose.arm(side, hang=25 + 8 * ahead, swing=8 + 40 * swing,
+                 elbow=84 + 14 * ahead, curl=50, out=-7 * ahead,
+                 twist=16 - 30 * ahead, lift=2.0 * wave_at(2 * q, 0.3))
         pose.wrist(side, up=-5)
         run_leg(pose, side, q)
     tail(pose, back=30 + 13.0 * wave_at(2 * p, 0.34),
@@ -211,20 +211,18 @@ def wave(t):
                 (2.24, 0), (WAVE, 0)], t)
     shake = wave_at((t - 0.50) / 0.44) * keyed(
         [(0, 0), (0.42, 0), (0.62, 1), (1.55, 1), (1.85, 0), (WAVE, 0)], t)
-    pose = stand(0, wave_at(0, 0.05) * (1 - up) + 0.55 * up,
+    pose = stand(wave_at(0, 0.05) * (1 - up) + 0.55 * up,
                  wave_at(0, 0.1) * (1 - up) + 0.4 * up)
-    for bone in ("shoulder.R", "upper_arm.R", "forearm.R", "hand.R",
-                 "fingers.R", "thumb.R"):
-        pose.rotation.pop(bone, None)
-    low = dict(hang=37.5, swing=-0.5, twist=0.0, elbow=6.0, curl=19.0,
+    pose.forget_arm(".R")
+    low = dict(hang=39.5, swing=-0.5, twist=0.0, elbow=6.0, curl=19.0,
                lift=-0.8)
-    high = dict(hang=-34.0, swing=-10.0, twist=72.0, elbow=82.0 + 17 * shake,
+    high = dict(hang=-32.0, swing=-10.0, twist=66.0, elbow=84.0 + 21 * shake,
                 curl=-6.0, lift=17.0)
     mix = {k: low[k] * (1 - up) + high[k] * up for k in low}
     # on its way the hand passes in front, not through, of the hip
     mix["elbow"] += 42 * np.sin(np.pi * up)
     pose.arm(".R", **mix)
-    pose.wrist(".R", up=-4 + 8 * up, aside=-9 * shake, twist=0)
+    pose.wrist(".R", up=-4 + 8 * up, aside=-12 * shake, twist=0)
     pose.bend("chest", y=2.5 * up + 0.7 * shake, z=-2 * up)
     pose.bend("head", y=6.0 * up + 1.2 * shake, z=-4.0 * up, x=-2.0 * up)
     tail(pose, aside=-6 * np.sin(np.pi * up) + 2.0 * shake)
@@ -236,7 +234,7 @@ def wave(t):
 JUMP = 1.5
 LEAVE, LAND = 0.50, 0.96
 GRAVITY = 9.81
-LANDING = 0.012  # the hips' height on landing, above standing
+LANDING = 0.019  # the hips' height on landing, above standing
 
 
 def jump(t):
@@ -244,8 +242,9 @@ def jump(t):
     if LEAVE < t < LAND:
         air = 0.5 * GRAVITY * (t - LEAVE) * (LAND - t)
     crouch = keyed([(0, 0), (0.06, 0.02), (0.30, 1.0), (0.36, 1.0),
-                    (LEAVE, 0), (LAND, 0), (1.07, 0.80), (1.12, 0.82),
-                    (1.38, 0.05), (JUMP, 0)], t)
+                    (LEAVE, 0), (0.56, -0.5), (0.90, -0.5), (LAND, 0),
+                    (1.07, 0.80), (1.12, 0.82), (1.38, 0.05), (JUMP, 0)], t)
+    crouch = max(0.0, crouch)  # below 0 only to be fast at either end
     lean = keyed([(0, 0), (0.30, 1.0), (0.36, 1.0), (0.52, -0.22), (0.73, 0.0),
                   (0.92, 0.12), (1.08, 0.72), (1.38, 0.05), (JUMP, 0)], t)
     raised = keyed([(0, 0), (0.10, -0.1), (0.32, -1.0), (0.37, -1.0),
@@ -256,17 +255,13 @@ def jump(t):
                 t)
     tuck = keyed([(0, 0), (LEAVE, 0), (0.72, 1), (0.90, 0.1), (LAND, 0),
                   (JUMP, 0)], t)
-    pose = stand(0, wave_at(0, 0.05), wave_at(0, 0.1))
-    for bone in list(pose.rotation):
-        if bone.split(".")[0] in ("upper_arm", "forearm", "shoulder", "hand",
-                                  "fingers", "thumb"):
-            del pose.rotation[bone]
-    ground = 0.050 * smoothstep(0, -52, tip) - 0.235 * max(0.0, crouch)
+    pose = stand(wave_at(0, 0.05), wave_at(0, 0.1))
+    ground = 0.050 * smoothstep(0, -52, tip) - 0.235 * crouch
     u = np.clip((t - LEAVE) / (LAND - LEAVE), 0, 1)
     if 0 < u < 1:
         ground = 0.050 * (1 - u) + LANDING * u
     pose.offset = pose.offset + np.array(
-        [0, 0.035 * max(0, crouch) * (air == 0), ground + air])
+        [0, 0.035 * crouch, ground + air])
     pose.bend("hips", x=24 * lean)
     pose.bend("spine", x=10 * lean)
     pose.bend("chest", x=6 * lean)
@@ -274,9 +269,10 @@ def jump(t):
     pose.bend("head", x=-16 * lean - 3 * max(0, raised) / 2)
     for side, s in ((".L", 1), (".R", -1)):
         back, front = max(0.0, -raised), max(0.0, raised)
-        pose.arm(side, hang=35.5 - s * 0.5 - 6 * back - 14 * front,
-                 swing=-2.0 + 1.5 * s + 44 * back - 64 * front,
-                 elbow=15 + 2 * s + 16 * front * (2 - front) + 4 * back,
+        pose.forget_arm(side)
+        pose.arm(side, hang=39.0 - s * 0.5 - 8 * back - 17 * front,
+                 swing=1.0 + 1.5 * s + 44 * back - 64 * front,
+                 elbow=8 + 2 * s + 20 * front * (2 - front) + 4 * back,
                  curl=20 - 9 * front, lift=5 * front, out=9 * front)
         pose.wrist(side, up=-4)
     toe = -tip * (1 - smoothstep(LEAVE, LEAVE + 0.10, t)
@@ -287,7 +283,7 @@ def jump(t):
         ankle = 0.925 + pose.offset[2] - 0.832 + (0.10 + lag) * tuck
         pose.leg(side, foot, pitch=tip, toe=toe, yaw=yaw,
                  at_least=ankle if air else 0.0,
-                 knee_out=6 * max(0, crouch))
+                 knee_out=6 * crouch)
     fly = keyed([(0, 0), (0.30, 6), (0.45, -10), (0.60, -14), (0.80, 30),
                  (0.95, 46), (1.06, -6), (1.20, 8), (1.34, -2), (JUMP, 0)], t)
     tail(pose, back=fly)

@@ -5,8 +5,7 @@ from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 from . import rig
-from .mesh import (Piece, curve, gauss, ring_points, rounding, smoothstep,
-                   unit)
+from .mesh import Piece, curve, gauss, ring_points, smoothstep, unit
 
 X, Y, Z = np.eye(3)
 MIDDLE = np.array([0, 0.004, 1.602])  # of the skull
@@ -43,11 +42,11 @@ def shape_face(p):
         return p
     front = float(smoothstep(0.0, 0.05, -y))
     ax = abs(x)
-    wide = 0.0078 + 0.0035 * float(gauss(z, 1.549, 0.010))
-    nose = float(curve([(1.530, 0.0), (1.539, 0.007), (1.549, 0.0200),
-                        (1.561, 0.0140), (1.575, 0.0085), (1.592, 0.0035),
+    wide = 0.0072 + 0.0030 * float(gauss(z, 1.549, 0.010))
+    nose = float(curve([(1.530, 0.0), (1.539, 0.007), (1.549, 0.0175),
+                        (1.561, 0.0125), (1.575, 0.0085), (1.592, 0.0035),
                         (1.612, 0.0)], z)[0]) * float(gauss(x, 0, wide))
-    nose += 0.004 * float(gauss(ax, 0.012, 0.006) * gauss(z, 1.546, 0.008))
+    nose += 0.003 * float(gauss(ax, 0.012, 0.006) * gauss(z, 1.546, 0.008))
     socket = 0.0055 * float(gauss(ax, EYE[0], 0.017)
                             * gauss(z, EYE[2] + 0.001, 0.015))
     lips = 0.0035 * float(gauss(x, 0, 0.017) * gauss(z, 1.511, 0.010))
@@ -196,7 +195,7 @@ def drop_on(piece, eye, out):
 def make_brow(skin):
     piece = Piece()
     rows = []
-    for t in np.linspace(0, 1, 6):
+    for t in np.linspace(0, 1, 5):
         x = 0.0125 + 0.0390 * t
         z = 1.6135 + 0.0085 * np.sin(np.pi * (0.12 + 0.68 * t)) - 0.002 * t
         half = 0.0042 * (1 - 0.62 * t ** 1.6)
@@ -216,8 +215,8 @@ def make_mouth(skin):
     rows = []
     for x in np.linspace(-1, 1, 9):
         fall = 1 - x * x
-        px = 0.0215 * x
-        line = 1.5105 + 0.0055 * x * x
+        px = 0.0250 * x
+        line = 1.5095 + 0.0080 * x * x
         up = 0.0042 * fall ** 0.8 - 0.0012 * float(gauss(x, 0, 0.18))
         low = 0.0058 * fall ** 0.9
         out = 0.0026 * fall ** 0.5
@@ -239,17 +238,16 @@ def make_ear():
     up = unit(np.array([0.10, 0.16, 1]))
     ahead = unit(np.cross(up, normal))
     root = np.array([0.0735, 0.014, 1.569])
-    n, before = 12, None
+    n, before = 10, None
     for f, out in ((0.90, -0.006), (1.0, 0.008), (0.86, 0.0135),
                    (0.60, 0.0085)):
         ring = []
         for k in range(n):
             a = 2 * np.pi * k / n
             c, s = np.cos(a), np.sin(a)
-            tall = 0.0300 if s > 0 else 0.0300
             lobe = 1 - 0.30 * smoothstep(0.1, -1.0, s)
             ring.append(root + ahead * c * 0.0185 * f * lobe
-                        + up * s * tall * f
+                        + up * s * 0.0300 * f
                         + normal * (out + 0.006 * c * (f > 0.8)))
         ring = piece.vertices(ring)
         if before:
@@ -263,8 +261,7 @@ def make_neck():
     piece = Piece()
     before = None
     for z, w, front, back, y in ((1.408, 0.0530, 0.048, 0.049, 0.022),
-                                 (1.436, 0.0475, 0.046, 0.046, 0.019),
-                                 (1.464, 0.0465, 0.046, 0.048, 0.015),
+                                 (1.450, 0.0470, 0.046, 0.047, 0.017),
                                  (1.510, 0.0500, 0.048, 0.060, 0.010)):
         ring = piece.vertices(ring_points(
             (0, y, z), X, Y, (w, front, back), 12))
@@ -295,8 +292,8 @@ def make_cap(skin):
     piece = Piece()
     columns = 32
     tie = unit(TIE - MIDDLE)
-    rows = [(0.0, -0.004), (0.015, 0.0050), (0.09, 0.0100), (0.26, 0.0155),
-            (0.50, 0.0175), (0.76, 0.0145), (0.965, 0.0050)]
+    rows = [(0.0, -0.004), (0.015, 0.0050), (0.10, 0.0100), (0.28, 0.0155),
+            (0.46, 0.0175), (0.64, 0.0170), (0.82, 0.0130), (0.965, 0.0050)]
     rings = [[] for _ in rows]
     for k in range(columns):
         # seen from behind along the comb, rings run counter-clockwise
@@ -359,7 +356,7 @@ def make_lock(skin, width, thick, way):
 
 
 TAIL_SIZE = [(0, 0.014), (0.07, 0.017), (0.20, 0.033), (0.42, 0.038),
-             (0.66, 0.031), (0.86, 0.018), (1, 0.004)]
+             (0.66, 0.030), (0.86, 0.0145), (1, 0.002)]
 
 
 def make_tail():
@@ -370,7 +367,8 @@ def make_tail():
     for i in range(steps):
         t = i / (steps - 0.5)
         p = curve(key, t)
-        ahead = unit(curve(key, min(1, t + 0.03)) - curve(key, max(0, t - 0.03)))
+        ahead = unit(curve(key, min(1, t + 0.03))
+                     - curve(key, max(0, t - 0.03)))
         size = float(curve(TAIL_SIZE, t)[0])
         # across x side = ahead, so that rings run the right way round
         side = unit(np.cross(ahead, X))

@@ -144,6 +144,10 @@ class Piece:
                                if v in new}
         return out
 
+    def compact(self):
+        """A copy without the vertices that no face uses."""
+        return self.without_faces(lambda points: False)
+
     def drop_uv(self, unneeded):
         """Zero texture coordinates, where unneeded(region): fewer seams."""
         self.uv = [[(0.0, 0.0)] * len(uv) if unneeded(region) else uv

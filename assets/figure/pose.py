@@ -35,7 +35,6 @@ def frame(along, hinge):
     return np.array([np.cross(y, z), y, z]).T
 
 
-MIRROR = np.diag([-1.0, 1, 1])
 FORWARD = np.array([0, -1.0, 0])
 REST = {n: (h, t) for n, _, h, t in rig.bone_table()}
 HIPS = REST["hips"][0]
@@ -85,13 +84,21 @@ class Pose:
             return m @ r @ m
 
         direction = turn("y", hang) @ rig.ARM_DIR
-        self.rotate("shoulder" + side, flip(turn("y", -lift)))
+        # the collar bone takes a third of the twist, which spreads it
+        self.rotate("shoulder" + side, flip(turn("y", -lift)),
+                    flip(turn(direction, -twist / 3)))
         self.rotate("upper_arm" + side, flip(turn("y", -out)),
-                    turn("x", swing), flip(turn(direction, -twist)),
+                    turn("x", swing), flip(turn(direction, -twist * 2 / 3)),
                     flip(turn("y", hang)))
         self.rotate("forearm" + side,
                     flip(towards(rig.FORE_DIR, FORWARD, elbow)))
         self.fingers(side, curl)
+
+    def forget_arm(self, side):
+        """Puts an arm back to rest."""
+        for bone in ("shoulder", "upper_arm", "forearm", "hand", "fingers",
+                     "thumb"):
+            self.rotation.pop(bone + side, None)
 
     def fingers(self, side, curl, thumb=None):
         m = np.diag([1 if side == ".L" else -1, 1, 1])

@@ -9,10 +9,12 @@ CFLAGS_arm ?= -O2 -g
 CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
 	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64
 SETS_arm := arm
-# Small libraries go in; libc stays out, and GL is opened at run time.
+# Small libraries go in; libc stays out, and GL is opened at run time. They
+# want the sysroot's C library, which is newer than the cross compiler's own.
 PACKAGES_arm :=
-LIBS_arm := -l:libjansson.a -l:libpng16.a -l:libz.a -l:libjpeg.a -l:libgif.a \
-	-lm -ldl
+LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
+	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libjpeg.a \
+	-l:libgif.a -lm -ldl
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 		toolchain/packages/arm.txt | build

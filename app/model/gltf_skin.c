@@ -49,7 +49,7 @@ static int read_set(
 	const struct gltf_accessor *joints;
 	struct gltf_values weights;
 	struct gltf_at member;
-	char joints_key[16], weights_key[16];
+	char joints_key[32], weights_key[32];
 	int error, v, k;
 
 	snprintf(joints_key, sizeof(joints_key), "JOINTS_%d", set);
@@ -77,7 +77,7 @@ static int read_set(
 /* How many sets there are; joints without weights mean nothing. */
 static int count_sets(const struct gltf_at *attributes, int *out)
 {
-	char joints[16], weights[16];
+	char joints[32], weights[32];
 	int set;
 
 	for (set = 0; set <= SETS_MAX; set++) {

@@ -1,0 +1,118 @@
+#include "app/model/model_stats.h"
+
+static void add_influences(
+	struct model_stats *stats, const struct model_primitive *primitive)
+{
+	int v, k;
+
+	if (primitive->influences == 0) {
+		return;
+	}
+	for (v = 0; v < primitive->vertex_count; v++) {
+		const float *weight =
+			primitive->weight + (size_t)v * primitive->influences;
+		int count = 0;
+
+		for (k = 0; k < primitive->influences; k++) {
+			count += weight[k] > 0;
+		}
+		stats->influence_histogram[count]++;
+		if (count > stats->max_influences) {
+			stats->max_influences = count;
+		}
+	}
+	stats->influence_bytes += (size_t)primitive->vertex_count *
+		(size_t)primitive->influences *
+		(sizeof(*primitive->joint) + sizeof(*primitive->weight));
+}
+
+static size_t vertex_bytes(const struct model_primitive *primitive)
+{
+	size_t bytes = sizeof(*primitive->position);
+
+	bytes += primitive->normal ? sizeof(*primitive->normal) : 0;
+	bytes += primitive->tangent ? sizeof(*primitive->tangent) : 0;
+	bytes += primitive->texcoord ? sizeof(*primitive->texcoord) : 0;
+	bytes += primitive->color ? sizeof(*primitive->color) : 0;
+	return bytes;
+}
+
+static size_t target_vertex_bytes(const struct model_target *target)
+{
+	size_t bytes = 0;
+
+	bytes += target->position ? sizeof(*target->position) : 0;
+	bytes += target->normal ? sizeof(*target->normal) : 0;
+	bytes += target->tangent ? sizeof(*target->tangent) : 0;
+	return bytes;
+}
+
+void model_stats_add_mesh(
+	struct model_stats *stats, const struct model_mesh *mesh)
+{
+	int i, k;
+
+	stats->target_count += mesh->target_count;
+	for (i = 0; i < mesh->primitive_count; i++) {
+		const struct model_primitive *primitive = &mesh->primitive[i];
+		size_t vertices = (size_t)primitive->vertex_count;
+
+		stats->primitive_count++;
+		stats->vertex_count += primitive->vertex_count;
+		stats->triangle_count += primitive->index_count / 3;
+		stats->geometry_bytes += vertices * vertex_bytes(primitive) +
+			(size_t)primitive->index_count *
+				sizeof(*primitive->index);
+		add_influences(stats, primitive);
+		for (k = 0; k < mesh->target_count; k++) {
+			stats->target_bytes += vertices *
+				target_vertex_bytes(&primitive->target[k]);
+		}
+		if (mesh->target_count > 0) {
+			stats->morph_vertex_count += primitive->vertex_count;
+		}
+	}
+}
+
+void model_stats_add_clip(
+	struct model_stats *stats, const struct model_clip *clip)
+{
+	int i;
+
+	if (clip->duration_s > stats->longest_s) {
+		stats->longest_s = clip->duration_s;
+	}
+	for (i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+		size_t keys = (size_t)channel->key_count;
+		size_t width = (size_t)channel->width;
+
+		if (channel->interpolation == MODEL_CUBICSPLINE) {
+			width *= 3;
+		}
+		stats->channel_count++;
+		stats->key_count += channel->key_count;
+		stats->clip_bytes += keys * (width + 1) * sizeof(float);
+	}
+}
+
+void model_measure(const struct model *model, struct model_stats *out)
+{
+	int i;
+
+	*out = (struct model_stats){0};
+	for (i = 0; i < model->mesh_count; i++) {
+		model_stats_add_mesh(out, &model->mesh[i]);
+	}
+	for (i = 0; i < model->clip_count; i++) {
+		model_stats_add_clip(out, &model->clip[i]);
+	}
+	for (i = 0; i < model->skin_count; i++) {
+		out->influence_bytes += (size_t)model->skin[i].joint_count *
+			sizeof(*model->skin[i].inverse_bind);
+	}
+	for (i = 0; i < model->image_count; i++) {
+		out->image_bytes += (size_t)model->image[i].width *
+			(size_t)model->image[i].height * 4;
+	}
+}

@@ -12,7 +12,7 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES)
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := osmesa gles1
-DISPLAY_DRIVERS_host := image null
+DISPLAY_DRIVERS_host := window image null
 BUTTON_DRIVERS_host := script
 
 GL_DRIVERS_arm := osmesa gles1

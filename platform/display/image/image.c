@@ -18,6 +18,8 @@ struct display {
 
 static const struct image_writer_kind *const kinds[] = {
 	&image_writer_png,
+	&image_writer_gif,
+	&image_writer_y4m,
 	NULL,
 };
 

@@ -37,4 +37,13 @@ struct image_writer_kind {
 /* One PNG a frame: PATH itself, or numbered when there may be several. */
 extern const struct image_writer_kind image_writer_png;
 
+/*
+ * An animation without end. Its clock counts hundredths of a second; frames
+ * are laid on it without drift, and those beyond 50 a second left out.
+ */
+extern const struct image_writer_kind image_writer_gif;
+
+/* Raw video for ffmpeg and players: 4:2:0, BT.601, limited range. */
+extern const struct image_writer_kind image_writer_y4m;
+
 #endif

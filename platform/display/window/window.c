@@ -1,0 +1,303 @@
+/*
+ * A window on the desktop, through SDL.
+ */
+#include <SDL.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/base/compiler.h"
+#include "platform/display/display.h"
+
+/* Between frames when the screen does not pace us: 60 a second. */
+enum {
+	FRAME_MS = 16
+};
+
+struct display {
+	struct log log;
+	SDL_Window *window;
+	SDL_Renderer *renderer;
+	SDL_Texture *texture;
+	struct pixels pixels;
+	bool paced; /* showing a frame waits for the screen */
+	Uint32 shown_ms;
+	bool held[BUTTON_COUNT]; /* pressed here and not yet let go */
+};
+
+static const struct {
+	SDL_Keycode key;
+	enum button button;
+} keys[] = {
+	{SDLK_UP, BUTTON_UP},
+	{SDLK_DOWN, BUTTON_DOWN},
+	{SDLK_LEFT, BUTTON_LEFT},
+	{SDLK_RIGHT, BUTTON_RIGHT},
+	{SDLK_RETURN, BUTTON_ENTER},
+	{SDLK_KP_ENTER, BUTTON_ENTER},
+	{SDLK_F6, BUTTON_F6},
+	{SDLK_F8, BUTTON_F8},
+	{SDLK_F9, BUTTON_F9},
+	{SDLK_F10, BUTTON_F10},
+};
+
+static bool is_set(const char *variable)
+{
+	const char *value = getenv(variable);
+
+	return value && value[0];
+}
+
+static bool window_probe(void)
+{
+	return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") ||
+		is_set("SDL_VIDEODRIVER");
+}
+
+static int failed(const struct display *display, const char *what)
+{
+	log_error(&display->log,
+		"--display window: %s: %s: choose another --display, or write "
+		"a file with limber render",
+		what, SDL_GetError());
+	return -EIO;
+}
+
+static void window_destroy(struct display *display)
+{
+	if (!display) {
+		return;
+	}
+	if (display->texture) {
+		SDL_DestroyTexture(display->texture);
+	}
+	if (display->renderer) {
+		SDL_DestroyRenderer(display->renderer);
+	}
+	if (display->window) {
+		SDL_DestroyWindow(display->window);
+	}
+	SDL_QuitSubSystem(SDL_INIT_VIDEO);
+	free(display->pixels.data);
+	free(display);
+}
+
+static int resize(struct display *display, int width, int height)
+{
+	struct pixels pixels;
+	SDL_Texture *texture;
+	int error = pixels_alloc(
+		&pixels, width, height, PIXELS_RGBA8888, &display->log);
+
+	if (error) {
+		return error;
+	}
+	texture = SDL_CreateTexture(display->renderer, SDL_PIXELFORMAT_RGBA32,
+		SDL_TEXTUREACCESS_STREAMING, width, height);
+	if (!texture) {
+		free(pixels.data);
+		return failed(display, "cannot make a picture for the screen");
+	}
+	if (display->texture) {
+		SDL_DestroyTexture(display->texture);
+	}
+	SDL_SetTextureBlendMode(texture, SDL_BLENDMODE_NONE);
+	free(display->pixels.data);
+	display->texture = texture;
+	display->pixels = pixels;
+	return 0;
+}
+
+static int open_window(
+	struct display *display, const struct display_options *options)
+{
+	SDL_RendererInfo info;
+
+	display->window =
+		SDL_CreateWindow(options->title ? options->title : "limber",
+			SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+			options->width, options->height, SDL_WINDOW_RESIZABLE);
+	if (!display->window) {
+		return failed(display, "cannot open a window");
+	}
+	display->renderer = SDL_CreateRenderer(
+		display->window, -1, SDL_RENDERER_PRESENTVSYNC);
+	if (!display->renderer) {
+		display->renderer = SDL_CreateRenderer(display->window, -1, 0);
+	}
+	if (!display->renderer) {
+		return failed(display, "cannot draw in a window");
+	}
+	display->paced = SDL_GetRendererInfo(display->renderer, &info) == 0 &&
+		(info.flags & SDL_RENDERER_PRESENTVSYNC);
+	return 0;
+}
+
+static int window_create(
+	const struct display_options *options, struct display **out)
+{
+	struct display *display = calloc(1, sizeof(*display));
+	int error;
+
+	if (!display) {
+		log_error(options->log, "--display window: out of memory");
+		return -ENOMEM;
+	}
+	display->log = *options->log;
+	if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
+		failed(display, "no desktop to open it on");
+		free(display);
+		return -ENODEV;
+	}
+	error = open_window(display, options);
+	if (!error) {
+		error = resize(display, options->width, options->height);
+	}
+	if (error) {
+		window_destroy(display);
+		return error;
+	}
+	*out = display;
+	return 0;
+}
+
+static int window_begin_frame(struct display *display, struct pixels *out)
+{
+	int width = 0, height = 0;
+
+	SDL_GetRendererOutputSize(display->renderer, &width, &height);
+	if (width > 0 && height > 0 &&
+		(width != display->pixels.width ||
+			height != display->pixels.height)) {
+		int error = resize(display, width, height);
+
+		if (error) {
+			return error;
+		}
+	}
+	*out = display->pixels;
+	return 0;
+}
+
+static void wait_for_turn(struct display *display)
+{
+	Uint32 since_ms = SDL_GetTicks() - display->shown_ms;
+
+	if (!display->paced && since_ms < FRAME_MS) {
+		SDL_Delay(FRAME_MS - since_ms);
+	}
+	display->shown_ms = SDL_GetTicks();
+}
+
+static int window_end_frame(struct display *display)
+{
+	const struct pixels *pixels = &display->pixels;
+
+	if (SDL_UpdateTexture(display->texture, NULL, pixels->data,
+		    pixels->stride_bytes) != 0 ||
+		SDL_RenderCopy(
+			display->renderer, display->texture, NULL, NULL) != 0) {
+		return failed(display, "cannot show a picture");
+	}
+	wait_for_turn(display);
+	SDL_RenderPresent(display->renderer);
+	return 0;
+}
+
+static void press(struct display *display, SDL_Keycode key, bool down,
+	int64_t now_ms, struct button_queue *queue)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
+		if (keys[i].key == key) {
+			display->held[keys[i].button] = down;
+			button_queue_push(queue,
+				(struct button_event){
+					now_ms, keys[i].button, down});
+		}
+	}
+}
+
+/* Whoever holds a key while going elsewhere lets it go there, unheard. */
+static void let_go(
+	struct display *display, int64_t now_ms, struct button_queue *queue)
+{
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		if (display->held[i]) {
+			display->held[i] = false;
+			button_queue_push(queue,
+				(struct button_event){
+					now_ms, (enum button)i, false});
+		}
+	}
+}
+
+static void take_key(struct display *display, const SDL_KeyboardEvent *key,
+	int64_t now_ms, struct button_queue *queue,
+	struct display_events *events)
+{
+	SDL_Keycode code = key->keysym.sym;
+
+	if (key->repeat) {
+		return;
+	}
+	if (key->state == SDL_PRESSED &&
+		(code == SDLK_ESCAPE || code == SDLK_q)) {
+		events->close = true;
+	}
+	press(display, code, key->state == SDL_PRESSED, now_ms, queue);
+}
+
+static void take_window_event(struct display *display,
+	const SDL_WindowEvent *event, int64_t now_ms,
+	struct button_queue *queue, struct display_events *events)
+{
+	switch (event->event) {
+	case SDL_WINDOWEVENT_CLOSE:
+		events->close = true;
+		break;
+	case SDL_WINDOWEVENT_SIZE_CHANGED:
+		events->resized = true;
+		break;
+	case SDL_WINDOWEVENT_FOCUS_LOST:
+		let_go(display, now_ms, queue);
+		break;
+	default:
+		break;
+	}
+}
+
+static void window_poll(struct display *display, int64_t now_ms,
+	struct button_queue *queue, struct display_events *events)
+{
+	SDL_Event event;
+
+	*events = (struct display_events){0};
+	while (SDL_PollEvent(&event)) {
+		switch (event.type) {
+		case SDL_QUIT:
+			events->close = true;
+			break;
+		case SDL_KEYDOWN:
+		case SDL_KEYUP:
+			take_key(display, &event.key, now_ms, queue, events);
+			break;
+		case SDL_WINDOWEVENT:
+			take_window_event(
+				display, &event.window, now_ms, queue, events);
+			break;
+		default:
+			break;
+		}
+	}
+}
+
+const struct display_driver display_driver_window = {
+	.name = "window",
+	.summary = "a window on the desktop; Esc or Q closes it",
+	.probe = window_probe,
+	.create = window_create,
+	.begin_frame = window_begin_frame,
+	.end_frame = window_end_frame,
+	.poll = window_poll,
+	.destroy = window_destroy,
+};

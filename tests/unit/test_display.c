@@ -1,0 +1,124 @@
+#include "platform/display/display.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void test_every_display_is_complete(void **state)
+{
+	(void)state;
+	for (int i = 0; display_registry[i]; i++) {
+		const struct display_driver *driver = display_registry[i];
+
+		assert_non_null(driver->name);
+		assert_non_null(driver->summary);
+		assert_non_null(driver->create);
+		assert_non_null(driver->end_frame);
+		assert_non_null(driver->destroy);
+		assert_true(driver->surface || driver->begin_frame);
+		assert_ptr_equal(display_find(driver->name), driver);
+		driver->destroy(NULL);
+	}
+	assert_null(display_find("hologram"));
+}
+
+static void test_an_unknown_display_lists_the_known(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_null(display_choose("hologram", &log));
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0], "--display hologram");
+	for (int i = 0; display_registry[i]; i++) {
+		assert_contains(capture.sentence[0], display_registry[i]->name);
+	}
+}
+
+static void test_a_named_display_is_chosen(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_string_equal(display_choose("image", &log)->name, "image");
+	assert_int_equal(capture.count, 0);
+}
+
+static void test_nobody_is_shown_a_picture_unasked(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	unsetenv("DISPLAY");
+	unsetenv("WAYLAND_DISPLAY");
+	unsetenv("SDL_VIDEODRIVER");
+	assert_null(display_choose(NULL, &log));
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0], "image");
+}
+
+static void test_null_hands_out_memory(void **state)
+{
+	const struct display_driver *driver = display_find("null");
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	const struct display_options options = {
+		.width = 13, .height = 7, .log = &log};
+	struct display *display;
+	struct pixels pixels;
+
+	(void)state;
+	assert_non_null(driver);
+	assert_int_equal(driver->create(&options, &display), 0);
+	for (int i = 0; i < 3; i++) {
+		assert_int_equal(driver->begin_frame(display, &pixels), 0);
+		assert_int_equal(pixels.width, 13);
+		assert_int_equal(pixels.height, 7);
+		assert_true(pixels.stride_bytes >= 13 * 4);
+		memset(pixels.data, 0xA5,
+			(size_t)(pixels.stride_bytes * pixels.height));
+		assert_int_equal(driver->end_frame(display), 0);
+	}
+	driver->destroy(display);
+	assert_int_equal(capture.count, 0);
+}
+
+static void test_impossible_sizes_are_refused(void **state)
+{
+	static const int sizes[][2] = {{0, 1}, {1, 0}, {-5, 5},
+		{PIXELS_SIZE_MAX + 1, 1}, {1, 1 << 30}};
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct pixels pixels;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		assert_int_equal(pixels_alloc(&pixels, sizes[i][0], sizes[i][1],
+					 PIXELS_RGB565, &log),
+			-EINVAL);
+		assert_int_equal(capture.count, (int)i + 1);
+		assert_contains(capture.sentence[i], "--size");
+	}
+	assert_int_equal(pixels_alloc(&pixels, 3, 2, PIXELS_RGB565, &log), 0);
+	assert_int_equal(pixels.stride_bytes, 6);
+	free(pixels.data);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_every_display_is_complete),
+		cmocka_unit_test(test_an_unknown_display_lists_the_known),
+		cmocka_unit_test(test_a_named_display_is_chosen),
+		cmocka_unit_test(test_nobody_is_shown_a_picture_unasked),
+		cmocka_unit_test(test_null_hands_out_memory),
+		cmocka_unit_test(test_impossible_sizes_are_refused),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,117 @@
+#include "platform/display/image/palette.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+
+enum {
+	WIDTH = 64,
+	HEIGHT = 64
+};
+
+static uint8_t data[HEIGHT][WIDTH][4];
+static const struct pixels picture = {
+	&data[0][0][0], WIDTH, HEIGHT, WIDTH * 4, PIXELS_RGBA8888};
+
+static void paint(int x, int y, int red, int green, int blue)
+{
+	data[y][x][0] = (uint8_t)red;
+	data[y][x][1] = (uint8_t)green;
+	data[y][x][2] = (uint8_t)blue;
+	data[y][x][3] = (uint8_t)(x * y);
+}
+
+static void test_a_picture_of_few_colours_keeps_them(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+
+	(void)state;
+	assert_non_null(maker);
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			int band = y / 8;
+
+			paint(x, y, band * 36, 255 - band * 36, band * 5);
+		}
+	}
+	/* A lone pixel counts too. */
+	paint(0, 0, 1, 2, 255);
+	palette_choose(maker, &picture, 255);
+	assert_int_equal(palette_chosen(maker)->count, 9);
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			const uint8_t *pixel = data[y][x];
+			int index = palette_nearest(
+				maker, pixel[0], pixel[1], pixel[2]);
+
+			assert_memory_equal(
+				palette_chosen(maker)->rgb[index], pixel, 3);
+		}
+	}
+	palette_maker_destroy(maker);
+}
+
+static void test_a_full_picture_is_near_its_palette(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+
+	(void)state;
+	assert_non_null(maker);
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			paint(x, y, 4 * x, 4 * y, 255 - 2 * (x + y));
+		}
+	}
+	palette_choose(maker, &picture, 255);
+	assert_int_equal(palette_chosen(maker)->count, 255);
+	/* 255 colours over a plane of 256 x 256: steps of 16, 8 at most away,
+	 * a mean square of 16^2 / 12 in red (2), green (4), less in blue. */
+	assert_in_range((int)palette_error(maker, &picture), 1, 220);
+	palette_maker_destroy(maker);
+}
+
+static void test_the_limit_holds(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+
+	(void)state;
+	assert_non_null(maker);
+	for (int limit = 1; limit <= PALETTE_ROOM; limit += 51) {
+		palette_choose(maker, &picture, limit);
+		assert_in_range(palette_chosen(maker)->count, 1, limit);
+		for (int i = 0; i < 256; i += 15) {
+			assert_in_range(palette_nearest(maker, i, 255 - i, i),
+				0, limit - 1);
+		}
+	}
+	palette_maker_destroy(maker);
+}
+
+static void test_another_picture_shows_as_error(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+	float before;
+
+	(void)state;
+	assert_non_null(maker);
+	palette_choose(maker, &picture, 255);
+	before = palette_error(maker, &picture);
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			paint(x, y, 255, 0, 255);
+		}
+	}
+	assert_true(palette_error(maker, &picture) > 10 * before);
+	palette_maker_destroy(maker);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_picture_of_few_colours_keeps_them),
+		cmocka_unit_test(test_a_full_picture_is_near_its_palette),
+		cmocka_unit_test(test_the_limit_holds),
+		cmocka_unit_test(test_another_picture_shows_as_error),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

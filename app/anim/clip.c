@@ -238,6 +238,9 @@ static void sample_between(const struct model_channel *channel, float time_s,
 		} else {
 			sample_catmull_rom(channel, key, u, out);
 		}
+		if (channel->path == MODEL_ROTATION) {
+			quat_normalize(out);
+		}
 		break;
 	}
 }
@@ -257,9 +260,6 @@ void clip_sample_channel(const struct model_channel *channel, float time_s,
 	} else {
 		*key = find_key(channel, time_s, *key);
 		sample_between(channel, time_s, interpolation, *key, out);
-	}
-	if (channel->path == MODEL_ROTATION) {
-		quat_normalize(out);
 	}
 }
 

@@ -151,49 +151,55 @@ void matrix_rotation(mat4 matrix, float out[4])
 	quat_normalize(out);
 }
 
-/*
- * Weights of a slerp over the angle whose cosine is 0..1. Below 1.8 degrees
- * the straight line differs by less than 1e-6 after normalising.
- */
-static void slerp_weights(float cosine, float t, float *from, float *to)
+static float length2_of(const float q[4])
 {
-	float angle, inverse_sine;
+	return vec_dot(q, q) + q[3] * q[3];
+}
 
-	*from = 1 - t;
-	*to = t;
-	if (cosine > 0.9995f) {
-		return;
+/*
+ * Below 1.8 degrees: along the chord, then out to the arc by one step of
+ * Newton's 1/sqrt. Keeps the length of the inputs, which is near 1.
+ */
+static void mix_near(
+	const float a[4], const float b[4], float from, float to, float out[4])
+{
+	float wanted2 = length2_of(a) +
+		(length2_of(b) - length2_of(a)) * scalar_abs(to);
+	float fix;
+
+	for (int i = 0; i < 4; i++) {
+		out[i] = a[i] * from + b[i] * to;
 	}
-	angle = scalar_acos(cosine);
-	inverse_sine = 1 / scalar_sqrt(1 - cosine * cosine);
-	*from = scalar_sin(*from * angle) * inverse_sine;
-	*to = scalar_sin(t * angle) * inverse_sine;
+	fix = 1 + 0.5f * (wanted2 - length2_of(out));
+	for (int i = 0; i < 4; i++) {
+		out[i] *= fix;
+	}
 }
 
 void quat_slerp(const float a[4], const float b[4], float t, float out[4])
 {
 	float cosine = vec_dot(a, b) + a[3] * b[3];
-	float from, to;
-	float length2 = 0;
-	float fix;
+	float side = cosine < 0 ? -1 : 1;
+	float angle, inverse_sine, from, to;
 
-	slerp_weights(scalar_abs(cosine), t, &from, &to);
-	to = cosine < 0 ? -to : to;
+	cosine *= side;
+	if (cosine > 0.9995f) {
+		mix_near(a, b, 1 - t, t * side, out);
+		return;
+	}
+	angle = scalar_acos(cosine);
+	inverse_sine = 1 / scalar_sin(angle);
+	from = scalar_sin((1 - t) * angle) * inverse_sine;
+	to = scalar_sin(t * angle) * inverse_sine * side;
 	for (int i = 0; i < 4; i++) {
 		out[i] = a[i] * from + b[i] * to;
-		length2 += out[i] * out[i];
-	}
-	/* One step of Newton's 1/sqrt: the length is 1 to 1e-3 already. */
-	fix = 1.5f - 0.5f * length2;
-	for (int i = 0; i < 4; i++) {
-		out[i] *= fix;
 	}
 }
 
 void quat_normalize(float q[4])
 {
 	static const float identity[4] = {0, 0, 0, 1};
-	float length2 = vec_dot(q, q) + q[3] * q[3];
+	float length2 = length2_of(q);
 	float scale;
 
 	if (!(length2 > 1e-30f && length2 < 1e30f)) {

@@ -27,8 +27,8 @@ struct move_kind {
 
 static const struct move_kind moves[MOVE_COUNT] = {
 	[MOVE_IDLE] = {"idle", 0.0f, false},
-	[MOVE_WALK] = {"walk", 1.25f, false},
-	[MOVE_RUN] = {"run", 3.2f, false},
+	[MOVE_WALK] = {"walk", 1.03f, false},
+	[MOVE_RUN] = {"run", 2.6f, false},
 	[MOVE_WAVE] = {"wave", 0.0f, true},
 	[MOVE_JUMP] = {"jump", 0.0f, true},
 };

@@ -113,8 +113,12 @@ static int read_times(const struct gltf_at *sampler,
 	return 0;
 }
 
-static int normalize_keys(
-	const struct gltf_at *at, float *value, const struct model_channel *out)
+/*
+ * Integer keys are off unit length by their rounding and are made unit. Float
+ * keys stay as the file has them, but none may be of length 0.
+ */
+static int normalize_keys(const struct gltf_at *at, bool integers, float *value,
+	const struct model_channel *out)
 {
 	int error = 0;
 	int i;
@@ -124,7 +128,13 @@ static int normalize_keys(
 		return 0;
 	}
 	for (i = 0; i < out->key_count && !error; i++) {
-		error = gltf_normalize_rotation(at, value + (size_t)i * 4);
+		float *key = value + (size_t)i * 4;
+		float unit[4] = {key[0], key[1], key[2], key[3]};
+
+		error = gltf_normalize_rotation(at, unit);
+		if (integers) {
+			memcpy(key, unit, sizeof(unit));
+		}
 	}
 	return error;
 }
@@ -152,7 +162,7 @@ static int read_values(const struct gltf_at *sampler,
 	}
 	error = gltf_unpack_floats(&at, output, value);
 	if (!error) {
-		error = normalize_keys(&at, value, out);
+		error = normalize_keys(&at, output->normalized, value, out);
 	}
 	out->value = value;
 	return error;

@@ -46,12 +46,13 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 }
 
 int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
-	struct stage *stage)
+	struct framing framing, struct stage *stage)
 {
 	struct bounds bounds = bounds_of_clip(actor->instance, clip);
 
+	framing.aspect = env->aspect;
 	return stage_init(
-		stage, env->gl, &bounds, env->aspect, env->target, env->log);
+		stage, env->gl, &bounds, &framing, env->target, env->log);
 }
 
 void actor_draw(const struct actor *actor, const struct stage *stage,

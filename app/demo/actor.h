@@ -23,11 +23,11 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * A stage that frames the actor over all of a clip (-1: at rest). 0, or -errno
- * after a sentence.
+ * A stage that frames the actor over all of a clip (-1: at rest). The framing's
+ * aspect is filled in from env. 0, or -errno after a sentence.
  */
 int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
-	struct stage *stage);
+	struct framing framing, struct stage *stage);
 
 /* A whole frame with only this actor on the stage, shadow included. */
 void actor_draw(const struct actor *actor, const struct stage *stage,

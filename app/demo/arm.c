@@ -68,6 +68,9 @@ static const struct {
 	[TRUCK_WAY] = {-0.4f, 0.8f},
 };
 
+static const struct framing framing = {
+	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .turn_rad = 0.0f};
+
 struct demo {
 	const struct gl *gl;
 	struct actor actor;
@@ -174,7 +177,8 @@ static int arm_create(const struct demo_env *env, struct demo **out)
 	error = make_pivots(demo, env);
 	if (!error) {
 		set_orders(demo);
-		error = actor_set_stage(&demo->actor, env, -1, &demo->stage);
+		error = actor_set_stage(
+			&demo->actor, env, -1, framing, &demo->stage);
 	}
 	if (error) {
 		goto fail_actor;

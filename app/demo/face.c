@@ -29,6 +29,9 @@ struct part {
 	struct morph_key *key;
 };
 
+static const struct framing framing = {
+	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f};
+
 struct demo {
 	const struct gl *gl;
 	struct actor actor;
@@ -168,7 +171,7 @@ static int face_create(const struct demo_env *env, struct demo **out)
 	if (error) {
 		goto fail_actor;
 	}
-	error = actor_set_stage(&demo->actor, env, -1, &demo->stage);
+	error = actor_set_stage(&demo->actor, env, -1, framing, &demo->stage);
 	if (error) {
 		goto fail_actor;
 	}

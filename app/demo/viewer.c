@@ -3,6 +3,7 @@
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -10,6 +11,9 @@
 
 static const float orbit_rad_per_s = 1.4f;
 static const float zoom_per_s = 1.2f;
+
+static const struct framing framing = {
+	.yaw_rad = 0.45f, .pitch_rad = 0.16f, .turn_rad = SCALAR_PI};
 
 struct demo {
 	const struct gl *gl;
@@ -60,7 +64,8 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 	if (error) {
 		goto fail_actor;
 	}
-	error = actor_set_stage(&demo->actor, env, demo->clip, &demo->stage);
+	error = actor_set_stage(
+		&demo->actor, env, demo->clip, framing, &demo->stage);
 	if (error) {
 		goto fail_actor;
 	}

@@ -35,6 +35,9 @@ static const struct move_kind moves[MOVE_COUNT] = {
 
 static const float turn_rad_per_s = 1.2f;
 
+static const struct framing framing = {
+	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .turn_rad = 0.3f};
+
 struct demo {
 	const struct gl *gl;
 	struct actor actor;
@@ -77,8 +80,8 @@ static int walker_create(const struct demo_env *env, struct demo **out)
 	}
 	error = find_clips(demo, env);
 	if (!error) {
-		error = actor_set_stage(
-			&demo->actor, env, demo->clip[MOVE_WALK], &demo->stage);
+		error = actor_set_stage(&demo->actor, env,
+			demo->clip[MOVE_WALK], framing, &demo->stage);
 	}
 	if (error) {
 		goto fail_actor;

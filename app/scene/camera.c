@@ -7,7 +7,7 @@
 #include <cglm/cglm.h>
 
 enum {
-	FRAMING_YAWS = 8
+	FRAMING_YAWS = 9
 };
 
 static const float framing_margin = 1.1f;
@@ -53,12 +53,14 @@ static float tan_half(float angle_rad)
 	return scalar_sin(0.5f * angle_rad) / scalar_cos(0.5f * angle_rad);
 }
 
-void camera_frame(
-	struct camera *camera, const struct bounds *bounds, float aspect)
+void camera_frame(struct camera *camera, const struct bounds *bounds,
+	const struct framing *framing)
 {
 	float tan_y = tan_half(camera->yfov_rad) / framing_margin;
 	float half[3], farthest = 0.0f;
 
+	camera->yaw_rad = framing->yaw_rad;
+	camera->pitch_rad = framing->pitch_rad;
 	bounds_center(bounds, camera->target);
 	for (int axis = 0; axis < 3; axis++) {
 		half[axis] = bounds_is_empty(bounds)
@@ -75,8 +77,8 @@ void camera_frame(
 				look >> axis & 1 ? half[axis] : -half[axis];
 		}
 		view_axes(yaw, camera->pitch_rad, right, up, back);
-		distance = distance_for(
-			corner, right, up, back, tan_y * aspect, tan_y);
+		distance = distance_for(corner, right, up, back,
+			tan_y * framing->aspect, tan_y);
 		farthest = distance > farthest ? distance : farthest;
 	}
 	camera->distance = farthest > 0.0f ? farthest : 1.0f;

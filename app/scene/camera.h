@@ -19,12 +19,19 @@ struct camera {
 /* From the front, a little to the side and from above; 30 degrees high. */
 struct camera camera_default(void);
 
+/* How a camera is to look at a box. */
+struct framing {
+	float aspect; /* of the picture: width / height */
+	float yaw_rad, pitch_rad;
+	float turn_rad; /* the yaw may turn so far to either side */
+};
+
 /*
- * Moves target and distance so that the box fits from every yaw with a margin
- * of a tenth, on a picture of this aspect (width / height).
+ * Moves the camera so that the box fits with a margin of a tenth, wherever the
+ * yaw is turned.
  */
-void camera_frame(
-	struct camera *camera, const struct bounds *bounds, float aspect);
+void camera_frame(struct camera *camera, const struct bounds *bounds,
+	const struct framing *framing);
 
 /* Turns it; pitch stays between the floor and straight down. */
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);

@@ -14,13 +14,13 @@ static const uint8_t middle_color[3] = {146, 158, 172};
 static const uint8_t ground_color[3] = {104, 114, 128};
 
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, float aspect, enum pixel_format target,
-	const struct log *log)
+	const struct bounds *bounds, const struct framing *framing,
+	enum pixel_format target, const struct log *log)
 {
 	GLint stencil_bits = 0;
 
 	*stage = (struct stage){.camera = camera_default()};
-	camera_frame(&stage->camera, bounds, aspect);
+	camera_frame(&stage->camera, bounds, framing);
 	gl->GetIntegerv(GL_STENCIL_BITS, &stencil_bits);
 	stage->has_stencil = stencil_bits > 0;
 	return floor_init(&stage->floor, gl, bounds, target, log);

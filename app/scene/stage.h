@@ -18,12 +18,12 @@ struct stage {
 };
 
 /*
- * A stage whose camera frames the box and whose floor lies under it. 0, or
- * -ENOMEM after a sentence. Release with stage_finish().
+ * A stage whose floor lies under the box and whose camera frames it, see
+ * camera_frame(). 0, or -ENOMEM after a sentence. Release with stage_finish().
  */
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, float aspect, enum pixel_format target,
-	const struct log *log);
+	const struct bounds *bounds, const struct framing *framing,
+	enum pixel_format target, const struct log *log);
 
 void stage_finish(struct stage *stage, const struct gl *gl);
 

@@ -28,9 +28,13 @@ static void project(const struct camera *camera, float aspect,
 static void check_framing(struct bounds bounds, float aspect)
 {
 	struct camera camera = camera_default();
+	const struct framing framing = {.aspect = aspect,
+		.yaw_rad = 0.3f,
+		.pitch_rad = 0.16f,
+		.turn_rad = 3.14159265f};
 	float largest = 0.0f;
 
-	camera_frame(&camera, &bounds, aspect);
+	camera_frame(&camera, &bounds, &framing);
 	for (int look = 0; look < 8 * 8; look++) {
 		float corner[3], at[2];
 
@@ -58,14 +62,15 @@ static void test_frames_any_box_from_all_sides(void **state)
 
 static void test_frames_nothing_without_dividing_by_zero(void **state)
 {
+	const struct framing framing = {.aspect = 0.75f};
 	struct camera camera = camera_default();
 	struct bounds nothing = bounds_empty();
 	struct bounds point = box(0.0f, 0.0f, 0.0f);
 
 	(void)state;
-	camera_frame(&camera, &nothing, 0.75f);
+	camera_frame(&camera, &nothing, &framing);
 	assert_true(camera.distance > 0.0f);
-	camera_frame(&camera, &point, 0.75f);
+	camera_frame(&camera, &point, &framing);
 	assert_true(camera.distance > 0.0f);
 }
 

@@ -19,6 +19,13 @@ build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ $^ \
 		@build/fuzz/libs $(LIBS_fuzz)
 
+# Tests want their packages, however they are asked for.
+build/check-packages.stamp: toolchain/packages/check.txt | build
+	$(Q)toolchain/install.sh check
+	$(Q)touch $@
+$(foreach target,$(TARGETS),$(patsubst %.c,build/$(target)/obj/%.o,\
+	$(TEST_SOURCES) $(SUPPORT_SOURCES))): | build/check-packages.stamp
+
 # Programs that hold limber against references, from outside.
 objects = $(patsubst %.c,build/host/obj/%.o,$(1))
 build/host/conformance: $(call objects,$(wildcard tests/conformance/*.c))

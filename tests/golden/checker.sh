@@ -75,6 +75,12 @@ expect_status 1
 expect_out 'missing or no PNG'
 
 rm "$scratch/given/one.png"
+run "$here/golden.sh" make "$scratch/limber"
+about 'making references where limber fails'
+expect_status 1
+check 'the others are made' test ! -e "$GOLDEN/one.png" -a -s "$GOLDEN/two.png"
+
+cp "$fixtures/circle.png" "$GOLDEN/one.png"
 checks
 about 'limber fails'
 expect_status 1

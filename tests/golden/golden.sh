@@ -38,11 +38,15 @@ draw() {
 }
 
 make_references() {
-    pictures | while read -r name arguments; do
-        # shellcheck disable=SC2086 # arguments are words
-        draw "$1" osmesa "$golden/$name.png" $arguments
-        echo "  PICTURE $golden/$name.png"
-    done
+    pictures | {
+        failed=0
+        while read -r name arguments; do
+            echo "  PICTURE $golden/$name.png"
+            # shellcheck disable=SC2086 # arguments are words
+            draw "$1" osmesa "$golden/$name.png" $arguments || failed=1
+        done
+        exit "$failed"
+    }
 }
 
 # Prints what is wrong and fails, or prints the figures.

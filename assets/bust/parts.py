@@ -107,8 +107,8 @@ def eye_rings():
     """
     return [(0, "pupil"), (PUPIL, "pupil"), (PUPIL, "limbus"),
             (PUPIL + 0.012, "iris"), (IRIS - 0.025, "iris"),
-            (IRIS - 0.012, "limbus"), (IRIS, "limbus"), (IRIS + 0.005, "white"),
-            (0.75, "white"), (0.88, "white"), (1, "white")]
+            (IRIS - 0.012, "limbus"), (IRIS, "limbus"),
+            (IRIS + 0.005, "white"), (0.75, "white"), (0.88, "white"), (1, "white")]
 
 
 def eyeball(side, sides=24):
@@ -234,7 +234,7 @@ def upper_teeth(count=15):
     return still("teeth", np.concatenate(points), face, color)
 
 
-def tongue(around=14, rings=7):
+def tongue(around=18, rings=7):
     middle, size = np.array([0, -0.70, 0.46]), np.array([0.17, 0.075, 0.26])
     angle = 2 * np.pi * np.arange(around) / around
     out = [[[0, 0, 1.0]]]
@@ -245,7 +245,7 @@ def tongue(around=14, rings=7):
                              np.full(around, np.cos(a))], axis=1))
     unit = np.concatenate(out)
     groove = np.exp(-((unit[:, 0] / 0.3) ** 2))
-    unit[:, 1] -= 0.3 * groove * np.clip(2 * unit[:, 1], 0, 1)
+    unit[:, 1] -= 0.1 * groove * np.clip(2 * unit[:, 1], 0, 1)
     rest = middle + unit * size
     face = [[0, 1 + k, 1 + (k + 1) % around] for k in range(around)]
     for r in range(rings - 2):

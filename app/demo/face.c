@@ -30,7 +30,7 @@ struct part {
 };
 
 static const struct framing framing = {
-	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f};
+	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 0.97f};
 
 struct demo {
 	const struct gl *gl;

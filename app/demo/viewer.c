@@ -12,8 +12,10 @@
 static const float orbit_rad_per_s = 1.4f;
 static const float zoom_per_s = 1.2f;
 
-static const struct framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.16f, .turn_rad = SCALAR_PI};
+static const struct framing framing = {.yaw_rad = 0.45f,
+	.pitch_rad = 0.16f,
+	.turn_rad = SCALAR_PI,
+	.margin = 1.1f};
 
 struct demo {
 	const struct gl *gl;

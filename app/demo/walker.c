@@ -36,7 +36,7 @@ static const struct move_kind moves[MOVE_COUNT] = {
 static const float turn_rad_per_s = 1.2f;
 
 static const struct framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .turn_rad = 0.3f};
+	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .turn_rad = 0.3f, .margin = 1.05f};
 
 struct demo {
 	const struct gl *gl;

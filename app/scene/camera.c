@@ -10,8 +10,6 @@ enum {
 	FRAMING_YAWS = 9
 };
 
-static const float framing_margin = 1.1f;
-
 struct camera camera_default(void)
 {
 	return (struct camera){
@@ -56,7 +54,7 @@ static float tan_half(float angle_rad)
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct framing *framing)
 {
-	float tan_y = tan_half(camera->yfov_rad) / framing_margin;
+	float tan_y = tan_half(camera->yfov_rad) / framing->margin;
 	float half[3], farthest = 0.0f;
 
 	camera->yaw_rad = framing->yaw_rad;

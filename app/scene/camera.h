@@ -24,11 +24,11 @@ struct framing {
 	float aspect; /* of the picture: width / height */
 	float yaw_rad, pitch_rad;
 	float turn_rad; /* the yaw may turn so far to either side */
+	float margin;   /* 1.1 leaves a tenth free around the box */
 };
 
 /*
- * Moves the camera so that the box fits with a margin of a tenth, wherever the
- * yaw is turned.
+ * Moves the camera so that the box fits, wherever the yaw is turned.
  */
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct framing *framing);

@@ -31,7 +31,8 @@ static void check_framing(struct bounds bounds, float aspect)
 	const struct framing framing = {.aspect = aspect,
 		.yaw_rad = 0.3f,
 		.pitch_rad = 0.16f,
-		.turn_rad = 3.14159265f};
+		.turn_rad = 3.14159265f,
+		.margin = 1.1f};
 	float largest = 0.0f;
 
 	camera_frame(&camera, &bounds, &framing);
@@ -62,7 +63,7 @@ static void test_frames_any_box_from_all_sides(void **state)
 
 static void test_frames_nothing_without_dividing_by_zero(void **state)
 {
-	const struct framing framing = {.aspect = 0.75f};
+	const struct framing framing = {.aspect = 0.75f, .margin = 1.1f};
 	struct camera camera = camera_default();
 	struct bounds nothing = bounds_empty();
 	struct bounds point = box(0.0f, 0.0f, 0.0f);

@@ -69,6 +69,22 @@ build/$(1)/unit/%: build/$(1)/obj/tests/unit/%.o \
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef
 
+# The font of the labels, baked on this machine once for all targets.
+FONT ?= /usr/share/fonts/opentype/inter/Inter-Medium.otf
+FONT_SIZES := 12 16 24
+
+build/gen/font.stamp: toolchain/packages/font.txt
+	@mkdir -p $(@D)
+	$(Q)toolchain/install.sh font
+	$(Q)touch $@
+build/gen/bake_font: toolchain/font/bake.c app/scene/font.h | build/gen/font.stamp
+	$(call say,CC,$@)
+	$(Q)$(CC_host) $(COMMON_CFLAGS) -O1 -I. -o $@ $< \
+		$$(pkg-config --cflags --libs freetype2)
+$(FONT_SOURCE): build/gen/bake_font toolchain/build.mk
+	$(call say,BAKE,$@)
+	$(Q)$< $(FONT) $(FONT_SIZES) >$@
+
 # Keep every object, those of tests too.
 .SECONDARY:
 $(foreach target,$(TARGETS),$(eval $(call target_rules,$(target))))

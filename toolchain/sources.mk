@@ -7,7 +7,8 @@ BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
 # What the drivers of a seam share lies beside its registry.
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
 	platform/buttons/*.c))
-SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES)
+FONT_SOURCE := build/gen/font_data.c
+SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.

@@ -1,4 +1,5 @@
 #include "app/scene/hud.h"
+#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "tests/support/gl_checks.h"
 #include "tests/support/gl_recorder.h"
@@ -7,6 +8,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const struct hud_color orange = {255, 128, 0, 255};
@@ -364,23 +366,20 @@ static void test_no_texture_is_an_error_with_a_sentence(void **state)
 	hud_finish(hud, &gl);
 }
 
-/* Pictures: each on every driver there is. */
+/* Pictures: these take a driver's name. */
 
-static void for_each_driver(void (*check)(struct stage *, struct hud *))
+static void check_picture(
+	const char *driver, void (*check)(struct stage *, struct hud *))
 {
 	static struct hud hud;
 	struct log log = log_to_stderr(LOG_WARNING);
+	struct stage stage = stage_open(driver, PIXELS_RGBA8888);
 
-	for (int i = 0; gl_registry[i]; i++) {
-		struct stage stage =
-			stage_open(gl_registry[i]->name, PIXELS_RGBA8888);
-
-		assert_int_equal(hud_init(&hud, stage.gl, &log), 0);
-		hud_begin(&hud, STAGE_WIDTH, STAGE_HEIGHT);
-		check(&stage, &hud);
-		hud_finish(&hud, stage.gl);
-		stage_close(&stage);
-	}
+	assert_int_equal(hud_init(&hud, stage.gl, &log), 0);
+	hud_begin(&hud, STAGE_WIDTH, STAGE_HEIGHT);
+	check(&stage, &hud);
+	hud_finish(&hud, stage.gl);
+	stage_close(&stage);
 }
 
 static int blend(int above, int below, int alpha)
@@ -432,8 +431,7 @@ static void check_letters(struct stage *stage, struct hud *hud)
 
 static void test_text_lands_on_its_pixels_in_its_colour(void **state)
 {
-	(void)state;
-	for_each_driver(check_letters);
+	check_picture(*state, check_letters);
 }
 
 static void check_letters_that_leave(struct stage *stage, struct hud *hud)
@@ -446,8 +444,7 @@ static void check_letters_that_leave(struct stage *stage, struct hud *hud)
 
 static void test_text_over_the_edge_is_cut_off_there(void **state)
 {
-	(void)state;
-	for_each_driver(check_letters_that_leave);
+	check_picture(*state, check_letters_that_leave);
 }
 
 static void check_order(struct stage *stage, struct hud *hud)
@@ -474,8 +471,7 @@ static void check_order(struct stage *stage, struct hud *hud)
 
 static void test_later_things_cover_earlier_ones(void **state)
 {
-	(void)state;
-	for_each_driver(check_order);
+	check_picture(*state, check_order);
 }
 
 /* Its corners are the disc's, all else is plain. */
@@ -506,8 +502,7 @@ static void check_panel(struct stage *stage, struct hud *hud)
 
 static void test_panels_are_whole_and_round(void **state)
 {
-	(void)state;
-	for_each_driver(check_panel);
+	check_picture(*state, check_panel);
 }
 
 /* Whatever was drawn before leaves its marks; none may reach the text. */
@@ -532,30 +527,52 @@ static void check_after_a_scene(struct stage *stage, struct hud *hud)
 
 static void test_state_of_the_scene_does_not_matter(void **state)
 {
-	(void)state;
-	for_each_driver(check_after_a_scene);
+	check_picture(*state, check_after_a_scene);
 }
+
+static const struct CMUnitTest plain_tests[] = {
+	cmocka_unit_test(test_widths_of_pieces_add_up),
+	cmocka_unit_test(test_text_grows_with_the_picture),
+	cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
+	cmocka_unit_test(test_no_ellipsis_follows_a_space),
+	cmocka_unit_test(test_what_does_not_fit_is_left_out),
+	cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
+	cmocka_unit_test(test_bars_fill_by_their_share),
+	cmocka_unit_test(test_a_frame_is_one_draw_call),
+	cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
+	cmocka_unit_test(test_leaves_the_state_it_promises),
+	cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
+};
+
+static const struct CMUnitTest picture_tests[] = {
+	cmocka_unit_test(test_text_lands_on_its_pixels_in_its_colour),
+	cmocka_unit_test(test_text_over_the_edge_is_cut_off_there),
+	cmocka_unit_test(test_later_things_cover_earlier_ones),
+	cmocka_unit_test(test_panels_are_whole_and_round),
+	cmocka_unit_test(test_state_of_the_scene_does_not_matter),
+};
+
+enum {
+	PLAIN_COUNT = ARRAY_COUNT(plain_tests),
+	PICTURE_COUNT = ARRAY_COUNT(picture_tests),
+	DRIVERS_MAX = 8
+};
 
 int main(void)
 {
-	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_widths_of_pieces_add_up),
-		cmocka_unit_test(test_text_grows_with_the_picture),
-		cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
-		cmocka_unit_test(test_no_ellipsis_follows_a_space),
-		cmocka_unit_test(test_what_does_not_fit_is_left_out),
-		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
-		cmocka_unit_test(test_bars_fill_by_their_share),
-		cmocka_unit_test(test_a_frame_is_one_draw_call),
-		cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
-		cmocka_unit_test(test_leaves_the_state_it_promises),
-		cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
-		cmocka_unit_test(test_text_lands_on_its_pixels_in_its_colour),
-		cmocka_unit_test(test_text_over_the_edge_is_cut_off_there),
-		cmocka_unit_test(test_later_things_cover_earlier_ones),
-		cmocka_unit_test(test_panels_are_whole_and_round),
-		cmocka_unit_test(test_state_of_the_scene_does_not_matter),
-	};
+	/* What is left empty is no test. */
+	static struct CMUnitTest tests[PLAIN_COUNT + PICTURE_COUNT * DRIVERS_MAX];
+	static char name[PICTURE_COUNT * DRIVERS_MAX][96];
 
+	memcpy(tests, plain_tests, sizeof(plain_tests));
+	for (int i = 0; gl_registry[i / PICTURE_COUNT]; i++) {
+		const char *driver = gl_registry[i / PICTURE_COUNT]->name;
+		struct CMUnitTest *test = &tests[PLAIN_COUNT + i];
+
+		*test = picture_tests[i % PICTURE_COUNT];
+		snprintf(name[i], sizeof(name[i]), "%s_%s", test->name, driver);
+		test->name = name[i];
+		test->initial_state = (void *)(uintptr_t)driver;
+	}
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

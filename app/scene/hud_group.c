@@ -6,16 +6,17 @@
 
 /* Lengths are in eighths of an em unless they say otherwise. */
 enum {
-	WIDTH_EMS = 13,
+	WIDTH_LEAST = 88,
+	WIDTH_MOST = 104,
 	MARGIN = 6, /* from the edge of the picture, and between groups */
-	PADDING_X = 6,
+	PADDING_X = 5,
 	PADDING_Y = 4,
 	RADIUS = 3,
 	ROW_GAP = 2,
 	TITLE_GAP = 2,
 	BAR_GAP = 1,
 	BAR_HEIGHT = 2,
-	COLUMN_GAP = 6,
+	COLUMN_GAP = 4,
 	CAP_PADDING_X = 2,
 	CAP_WIDTH_MIN = 20,
 	CAP_RADIUS = 2,
@@ -47,6 +48,17 @@ static bool is_bottom(enum hud_corner corner)
 	return corner == HUD_BOTTOM_LEFT || corner == HUD_BOTTOM_RIGHT;
 }
 
+/* Of the backdrop: three eighths of the picture where text allows that. */
+static int group_width(const struct hud *hud)
+{
+	int least = eighths(hud, WIDTH_LEAST), most = eighths(hud, WIDTH_MOST);
+	int room = hud->width - 2 * eighths(hud, MARGIN);
+	int width = hud->width * 3 / 8;
+
+	width = width < least ? least : width > most ? most : width;
+	return width < room ? width : room;
+}
+
 /* All of it, with its rows' padding, from y on. */
 static void add_backdrop(const struct hud_group *group, int y, int height)
 {
@@ -62,14 +74,12 @@ struct hud_group hud_group_begin(
 	struct hud *hud, enum hud_corner corner, const char *title)
 {
 	int margin = eighths(hud, MARGIN), padding = eighths(hud, PADDING_X);
-	int room = hud->width - 2 * margin;
-	int width = WIDTH_EMS * hud_em(hud);
+	int width = group_width(hud);
 	struct hud_group group = {.hud = hud,
 		.corner = corner,
 		.y = eighths(hud, PADDING_Y),
 		.first_quad = hud->quad_count};
 
-	width = width < room ? width : room;
 	group.width = width - 2 * padding;
 	group.left = is_right(corner) ? hud->width - margin - width + padding
 				      : margin + padding;

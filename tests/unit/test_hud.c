@@ -423,10 +423,10 @@ static void expect_letters(const struct stage *stage, const struct hud *hud,
 
 static void check_letters(struct stage *stage, struct hud *hud)
 {
-	hud_text(hud, 3, 5, orange, "Rg");
+	hud_text(hud, 3, 5, orange, "1g");
 	hud_end(hud, stage->gl);
 	stage_end_frame(stage);
-	expect_letters(stage, hud, "Rg", 3, 5);
+	expect_letters(stage, hud, "1g", 3, 5);
 }
 
 static void test_text_lands_on_its_pixels_in_its_colour(void **state)
@@ -436,10 +436,10 @@ static void test_text_lands_on_its_pixels_in_its_colour(void **state)
 
 static void check_letters_that_leave(struct stage *stage, struct hud *hud)
 {
-	hud_text(hud, -4, -6, orange, "Rg");
+	hud_text(hud, -3, -6, orange, "1g");
 	hud_end(hud, stage->gl);
 	stage_end_frame(stage);
-	expect_letters(stage, hud, "Rg", -4, -6);
+	expect_letters(stage, hud, "1g", -3, -6);
 }
 
 static void test_text_over_the_edge_is_cut_off_there(void **state)
@@ -510,6 +510,7 @@ static void check_after_a_scene(struct stage *stage, struct hud *hud)
 {
 	struct gl *gl = stage->gl;
 
+	gl->Enable(GL_DEPTH_TEST);
 	gl->Enable(GL_LIGHTING);
 	gl->Enable(GL_CULL_FACE);
 	gl->CullFace(GL_FRONT_AND_BACK);
@@ -522,7 +523,7 @@ static void check_after_a_scene(struct stage *stage, struct hud *hud)
 	gl->MatrixMode(GL_PROJECTION);
 	gl->Scalex(0, 0, 0);
 	gl->BlendFunc(GL_ZERO, GL_ONE);
-	check_letters(stage, hud);
+	check_order(stage, hud);
 }
 
 static void test_state_of_the_scene_does_not_matter(void **state)

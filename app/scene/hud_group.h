@@ -52,7 +52,7 @@ void hud_group_bar(struct hud_group *group, const char *label,
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color);
 
-/* "label    35 %" over a bar; weight 0..1. */
+/* "label    35%" over a bar; weight 0..1. */
 void hud_group_weight(struct hud_group *group, const char *label, float weight,
 	struct hud_color color);
 

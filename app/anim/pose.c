@@ -61,7 +61,13 @@ static void local_matrix(const struct pose *pose, const struct model_node *node,
 void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 	mat4 *world)
 {
-	for (int i = 0; i < pose->node_count; i++) {
+	pose_world_from(pose, model, root, 0, world);
+}
+
+void pose_world_from(const struct pose *pose, const struct model *model,
+	mat4 root, int first, mat4 *world)
+{
+	for (int i = first; i < pose->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 
 		local_matrix(pose, node, i, world[i]);

@@ -37,6 +37,13 @@ void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 	mat4 *world);
 
 /*
+ * The same for node first and all behind it, after a change to first's local
+ * transform or its descendants'. What comes before first is read from world.
+ */
+void pose_world_from(const struct pose *pose, const struct model *model,
+	mat4 root, int first, mat4 *world);
+
+/*
  * The matrices that carry bind-pose vertices to their places: palette[j] =
  * world[joint j] * inverse_bind[j]. The skinned node's own transform does not
  * count (glTF 2.0, 3.7.3.3).

@@ -156,6 +156,23 @@ static void test_the_root_matrix_goes_before_everything(void **state)
 	tear_down(&f);
 }
 
+static void test_a_late_change_reaches_its_descendants(void **state)
+{
+	struct fixture f;
+	mat4 root = {{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 5, 1}};
+	mat4 whole[4];
+
+	(void)state;
+	set_up(&f);
+	pose_world(&f.pose, &f.model, root, f.world);
+	f.pose.local[1].translation[2] = 4;
+	f.pose.local[3].translation[2] = 5;
+	pose_world_from(&f.pose, &f.model, root, 1, f.world);
+	pose_world(&f.pose, &f.model, root, whole);
+	assert_memory_equal(f.world, whole, sizeof(whole));
+	tear_down(&f);
+}
+
 static void test_a_sheared_matrix_counts_until_a_clip_moves_it(void **state)
 {
 	struct fixture f;
@@ -305,6 +322,7 @@ int main(void)
 		cmocka_unit_test(test_a_model_without_nodes_has_a_pose),
 		cmocka_unit_test(test_copies_keep_their_own_room),
 		cmocka_unit_test(test_children_move_with_their_parents),
+		cmocka_unit_test(test_a_late_change_reaches_its_descendants),
 		cmocka_unit_test(test_the_root_matrix_goes_before_everything),
 		cmocka_unit_test(
 			test_a_sheared_matrix_counts_until_a_clip_moves_it),

@@ -1,0 +1,415 @@
+#include "app/anim/blend.h"
+#include "app/anim/transform.h"
+#include "tests/support/bones.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+static const float ROOT_HALF = 0.70710678f;
+
+/*
+ * Four nodes: 0, 1 below it, 2 below 1, 3 below 0; node 2 carries a mesh with
+ * two morph targets.
+ */
+struct fixture {
+	struct bones bones;
+	struct pose a, b, out;
+};
+
+static void set_up(struct fixture *f)
+{
+	struct bones *bones = &f->bones;
+
+	bones_begin(bones);
+	bones_add(bones, -1, 0, 0, 0);
+	bones_add(bones, 0, 1, 0, 0);
+	bones_add(bones, 1, 1, 0, 0);
+	bones_add(bones, 0, 0, 1, 0);
+	bones->node[2].mesh = 0;
+	bones->mesh[0].target_count = 2;
+	bones->model.weight_count = 2;
+	bones_pose(bones);
+	pose_init(&f->a, &bones->model, &bones->model.arena);
+	pose_init(&f->b, &bones->model, &bones->model.arena);
+	pose_init(&f->out, &bones->model, &bones->model.arena);
+	f->b.local[2].translation[1] = 4;
+	f->b.local[2].scale[0] = 3;
+	f->b.local[2].rotation[2] = ROOT_HALF; /* a quarter about z */
+	f->b.local[2].rotation[3] = ROOT_HALF;
+	f->b.weight[1] = 0.5f;
+	f->b.animated[2] = true;
+}
+
+static void tear_down(struct fixture *f)
+{
+	bones_end(&f->bones);
+}
+
+static void assert_same_pose(const struct pose *a, const struct pose *b)
+{
+	assert_memory_equal(
+		a->local, b->local, (size_t)a->node_count * sizeof(*a->local));
+	assert_memory_equal(a->weight, b->weight,
+		(size_t)a->weight_count * sizeof(*a->weight));
+}
+
+static void test_easing_begins_and_ends_exactly(void **state)
+{
+	(void)state;
+	for (int e = EASE_LINEAR; e <= EASE_CUBIC; e++) {
+		enum ease ease = (enum ease)e;
+
+		assert_true(ease_at(ease, 0) == 0);
+		assert_true(ease_at(ease, 1) == 1);
+		assert_true(ease_at(ease, -1) == 0);
+		assert_true(ease_at(ease, 7) == 1);
+		assert_true(ease_at(ease, NAN) == 0);
+		assert_near(ease_at(ease, 0.5f), 0.5, 1e-6);
+	}
+	assert_near(ease_at(EASE_LINEAR, 0.25f), 0.25, 1e-6);
+	assert_near(ease_at(EASE_CUBIC, 0.25f), 0.15625, 1e-6);
+}
+
+static void test_a_mix_is_exact_at_both_ends(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	pose_mix(&f.a, &f.b, 0, NULL, &f.out);
+	assert_same_pose(&f.out, &f.a);
+	assert_false(f.out.animated[2]);
+	pose_mix(&f.a, &f.b, 1, NULL, &f.out);
+	assert_same_pose(&f.out, &f.b);
+	assert_true(f.out.animated[2]);
+	tear_down(&f);
+}
+
+static void test_a_mix_goes_part_of_the_way(void **state)
+{
+	struct fixture f;
+	double eighth = acos(-1) / 8;
+
+	(void)state;
+	set_up(&f);
+	pose_mix(&f.a, &f.b, 0.5f, NULL, &f.out);
+	assert_near(f.out.local[2].translation[0], 1, 1e-6);
+	assert_near(f.out.local[2].translation[1], 2, 1e-6);
+	assert_near(f.out.local[2].scale[0], 2, 1e-6);
+	assert_near(f.out.local[2].rotation[2], sin(eighth), 2e-6);
+	assert_near(f.out.local[2].rotation[3], cos(eighth), 2e-6);
+	assert_near(f.out.weight[1], 0.25, 1e-6);
+	assert_true(f.out.animated[2]);
+	assert_false(f.out.animated[1]);
+	pose_mix(&f.a, &f.b, 0.5f, NULL, &f.a);
+	assert_same_pose(&f.out, &f.a);
+	tear_down(&f);
+}
+
+static void test_a_mask_covers_a_subtree_and_its_weights(void **state)
+{
+	struct fixture f;
+	float mask[4];
+
+	(void)state;
+	set_up(&f);
+	mask_fill(mask, 4, 0);
+	mask_subtree(mask, &f.bones.model, 1, 0.5f);
+	assert_true(mask[0] == 0 && mask[3] == 0);
+	assert_true(mask[1] == 0.5f && mask[2] == 0.5f);
+	f.b.local[3].translation[1] = 9;
+	pose_mix(&f.a, &f.b, 1, mask, &f.out);
+	assert_near(f.out.local[2].translation[1], 2, 1e-6);
+	assert_near(f.out.weight[1], 0.25, 1e-6);
+	assert_true(f.out.local[3].translation[1] == 1);
+	mask_subtree(mask, &f.bones.model, 0, 1);
+	assert_true(mask[0] == 1 && mask[1] == 1 && mask[2] == 1);
+	assert_true(mask[3] == 1);
+	tear_down(&f);
+}
+
+static void test_a_layer_adds_its_difference(void **state)
+{
+	struct fixture f;
+	struct transform *bone;
+
+	(void)state;
+	set_up(&f);
+	/* The pose: a quarter about y, scale 2, somewhere. */
+	bone = &f.out.local[2];
+	bone->translation[1] = 10;
+	bone->scale[0] = 2;
+	bone->rotation[1] = ROOT_HALF;
+	bone->rotation[3] = ROOT_HALF;
+	f.out.weight[1] = 0.25f;
+	pose_add(&f.out, &f.b, &f.a, 1, NULL);
+	assert_near(bone->translation[0], 1, 1e-6);
+	assert_near(bone->translation[1], 14, 1e-6);
+	assert_near(bone->scale[0], 6, 1e-6);
+	assert_near(f.out.weight[1], 0.75, 1e-6);
+	/* A quarter about y, then within it one about z: all halves. */
+	assert_near(bone->rotation[0], 0.5, 1e-6);
+	assert_near(bone->rotation[1], 0.5, 1e-6);
+	assert_near(bone->rotation[2], 0.5, 1e-6);
+	assert_near(bone->rotation[3], 0.5, 1e-6);
+	assert_true(f.out.animated[2]);
+	tear_down(&f);
+}
+
+static void test_a_layer_like_its_reference_changes_nothing(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	pose_copy(&f.out, &f.b);
+	pose_add(&f.out, &f.b, &f.b, 1, NULL);
+	assert_all_near(f.out.local, f.b.local, 40, 1e-6);
+	pose_add(&f.out, &f.b, &f.a, 0, NULL);
+	assert_all_near(f.out.local, f.b.local, 40, 1e-6);
+	tear_down(&f);
+}
+
+static void test_a_layer_weighs_half(void **state)
+{
+	struct fixture f;
+	double eighth = acos(-1) / 8;
+
+	(void)state;
+	set_up(&f);
+	pose_add(&f.out, &f.b, &f.a, 0.5f, NULL);
+	assert_near(f.out.local[2].translation[1], 2, 1e-6);
+	assert_near(f.out.local[2].scale[0], 2, 1e-6);
+	assert_near(f.out.local[2].rotation[2], sin(eighth), 2e-6);
+	tear_down(&f);
+}
+
+static void test_a_zero_scale_in_the_reference_is_survived(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	f.a.local[2].scale[0] = 0;
+	pose_add(&f.out, &f.b, &f.a, 1, NULL);
+	assert_true(f.out.local[2].scale[0] == 1);
+	tear_down(&f);
+}
+
+static void test_a_fade_starts_at_what_was_shown(void **state)
+{
+	struct fixture f;
+	struct fade fade;
+
+	(void)state;
+	set_up(&f);
+	assert_int_equal(
+		fade_init(&fade, &f.bones.model, &f.bones.model.arena), 0);
+	pose_copy(&f.out, &f.b);
+	assert_false(fade_update(&fade, 0.1f, &f.out));
+	fade_begin(&fade, &f.a, 0.5f, EASE_CUBIC);
+	assert_true(fade_update(&fade, 0, &f.out));
+	assert_same_pose(&f.out, &f.a);
+	pose_copy(&f.out, &f.b);
+	assert_true(fade_update(&fade, 0.25f, &f.out));
+	assert_near(f.out.local[2].translation[1], 2, 1e-6);
+	pose_copy(&f.out, &f.b);
+	assert_true(fade_update(&fade, 0.125f, &f.out));
+	/* u = 0.75: 3 u^2 - 2 u^3 = 0.84375 */
+	assert_near(f.out.local[2].translation[1], 4 * 0.84375, 1e-5);
+	pose_copy(&f.out, &f.b);
+	assert_false(fade_update(&fade, 0.125f, &f.out));
+	assert_same_pose(&f.out, &f.b);
+	tear_down(&f);
+}
+
+static void test_a_fade_may_begin_during_another(void **state)
+{
+	struct fixture f;
+	struct fade fade;
+	struct pose shown;
+
+	(void)state;
+	set_up(&f);
+	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
+	pose_init(&shown, &f.bones.model, &f.bones.model.arena);
+	fade_begin(&fade, &f.a, 1, EASE_LINEAR);
+	pose_copy(&shown, &f.b);
+	fade_update(&fade, 0.5f, &shown);
+	/* Back to a, from halfway. */
+	fade_begin(&fade, &shown, 1, EASE_LINEAR);
+	pose_copy(&f.out, &f.a);
+	fade_update(&fade, 0, &f.out);
+	assert_same_pose(&f.out, &shown);
+	pose_copy(&f.out, &f.a);
+	fade_update(&fade, 0.5f, &f.out);
+	assert_near(f.out.local[2].translation[1], 1, 1e-6);
+	tear_down(&f);
+}
+
+/* The clip goes on under the fade; nothing divides by it or freezes. */
+static void test_pitfall_8_a_clip_may_fade_onto_itself(void **state)
+{
+	struct fixture f;
+	struct fade fade;
+
+	(void)state;
+	set_up(&f);
+	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
+	fade_begin(&fade, &f.b, 0.2f, EASE_CUBIC);
+	for (int i = 0; i < 5; i++) {
+		pose_copy(&f.out, &f.b);
+		fade_update(&fade, 0.05f, &f.out);
+		assert_all_near(f.out.local, f.b.local, 40, 1e-6);
+	}
+	assert_false(fade.running);
+	tear_down(&f);
+}
+
+static void test_a_fade_without_duration_is_over_at_once(void **state)
+{
+	struct fixture f;
+	struct fade fade;
+
+	(void)state;
+	set_up(&f);
+	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
+	pose_copy(&f.out, &f.b);
+	fade_begin(&fade, &f.a, 0, EASE_LINEAR);
+	assert_false(fade_update(&fade, 0, &f.out));
+	assert_same_pose(&f.out, &f.b);
+	tear_down(&f);
+}
+
+/* Two clips of one channel each: x from 0 to 1 in 1 s, from 5 to 7 in 2 s. */
+static const float FRAMES[11] = {
+	0, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
+static const float TWO_SECONDS[2] = {0, 2};
+static float RISE[33];
+static const float SLIDE[6] = {5, 0, 0, 7, 0, 0};
+
+static void make_clips(
+	struct model_channel channel[2], struct model_clip clip[2])
+{
+	for (int i = 0; i < 11; i++) {
+		RISE[3 * i] = FRAMES[i];
+	}
+	channel[0] = (struct model_channel){.node = 1,
+		.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 11,
+		.time_s = FRAMES,
+		.value = RISE};
+	channel[1] = channel[0];
+	channel[1].key_count = 2;
+	channel[1].time_s = TWO_SECONDS;
+	channel[1].value = SLIDE;
+	for (int i = 0; i < 2; i++) {
+		clip[i] = (struct model_clip){.name = "",
+			.channel_count = 1,
+			.duration_s = (float)i + 1,
+			.channel = &channel[i]};
+	}
+}
+
+static float joined(
+	struct fixture *f, const struct clip_join *join, float time_s)
+{
+	int key[2] = {0, 0};
+	struct clip_cursor from = {1, &key[0]};
+	struct clip_cursor to = {1, &key[1]};
+
+	f->out.local[3].translation[1] = 77; /* has to return to rest */
+	clip_join_sample(join, time_s, &from, &to, &f->a, &f->out);
+	assert_true(f->out.local[3].translation[1] == 1);
+	return f->out.local[1].translation[0];
+}
+
+static void test_joined_clips_lose_the_overlap(void **state)
+{
+	struct fixture f;
+	struct model_channel channel[2];
+	struct model_clip clip[2];
+	struct clip_join join;
+
+	(void)state;
+	set_up(&f);
+	make_clips(channel, clip);
+	assert_near(clip_frame_s(&clip[0]), 0.1, 1e-6);
+	join = clip_join_frames(&clip[0], &clip[1], JOIN_FRAMES);
+	assert_near(join.overlap_s, 0.4, 1e-6);
+	assert_near(clip_join_duration(&join), 2.6, 1e-6);
+	assert_near(joined(&f, &join, 0), 0, 1e-6);
+	assert_near(joined(&f, &join, 0.5f), 0.5, 1e-6);
+	/* Both ends of the overlap belong to one clip alone. */
+	assert_near(joined(&f, &join, 0.6f), 0.6, 1e-5);
+	assert_near(joined(&f, &join, 1), 5.4, 1e-5);
+	assert_near(joined(&f, &join, 2.6f), 7, 1e-5);
+	assert_near(joined(&f, &join, 99), 7, 1e-5);
+	tear_down(&f);
+}
+
+static void test_joined_clips_mix_in_the_overlap(void **state)
+{
+	struct fixture f;
+	struct model_channel channel[2];
+	struct model_clip clip[2];
+	struct clip_join join;
+
+	(void)state;
+	set_up(&f);
+	make_clips(channel, clip);
+	join = clip_join_frames(&clip[0], &clip[1], JOIN_FRAMES);
+	/* A quarter in: 0.7 and 5.1, eased 0.15625; linear 0.25. */
+	assert_near(joined(&f, &join, 0.7f), 0.7 + 4.4 * 0.15625, 1e-5);
+	join.ease = EASE_LINEAR;
+	assert_near(joined(&f, &join, 0.7f), 0.7 + 4.4 * 0.25, 1e-5);
+	assert_near(joined(&f, &join, 0.8f), (0.8 + 5.2) / 2, 1e-5);
+	tear_down(&f);
+}
+
+static void test_an_overlap_is_no_longer_than_a_clip(void **state)
+{
+	struct fixture f;
+	struct model_channel channel[2];
+	struct model_clip clip[2];
+	struct clip_join join;
+
+	(void)state;
+	set_up(&f);
+	make_clips(channel, clip);
+	join = clip_join_frames(&clip[0], &clip[1], 1000);
+	assert_near(join.overlap_s, 1, 1e-6);
+	join = clip_join_frames(&clip[0], &clip[1], -3);
+	assert_near(join.overlap_s, 0, 0);
+	assert_near(joined(&f, &join, 1), 1, 1e-5);
+	assert_near(joined(&f, &join, 1.5f), 5.5, 1e-5);
+	channel[0].key_count = 1;
+	assert_near(clip_frame_s(&clip[0]), 1 / 30.0, 1e-6);
+	tear_down(&f);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_easing_begins_and_ends_exactly),
+		cmocka_unit_test(test_a_mix_is_exact_at_both_ends),
+		cmocka_unit_test(test_a_mix_goes_part_of_the_way),
+		cmocka_unit_test(test_a_mask_covers_a_subtree_and_its_weights),
+		cmocka_unit_test(test_a_layer_adds_its_difference),
+		cmocka_unit_test(test_a_layer_like_its_reference_changes_nothing),
+		cmocka_unit_test(test_a_layer_weighs_half),
+		cmocka_unit_test(test_a_zero_scale_in_the_reference_is_survived),
+		cmocka_unit_test(test_a_fade_starts_at_what_was_shown),
+		cmocka_unit_test(test_a_fade_may_begin_during_another),
+		cmocka_unit_test(test_pitfall_8_a_clip_may_fade_onto_itself),
+		cmocka_unit_test(test_a_fade_without_duration_is_over_at_once),
+		cmocka_unit_test(test_joined_clips_lose_the_overlap),
+		cmocka_unit_test(test_joined_clips_mix_in_the_overlap),
+		cmocka_unit_test(test_an_overlap_is_no_longer_than_a_clip),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -142,6 +142,13 @@ static bool set_json(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_no_labels(struct options *options, const char *value)
+{
+	(void)value;
+	options->no_labels = true;
+	return true;
+}
+
 static bool set_verbose(struct options *options, const char *value)
 {
 	(void)value;
@@ -207,6 +214,8 @@ static const struct option_entry entries[] = {
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
 		"use at most N joints a vertex", "a number from 1 to 8",
 		set_influences},
+	{0, "no-labels", NULL, FOR_SHOW,
+		"leave out the text on the picture", NULL, set_no_labels},
 	{0, "json", NULL, FOR_INFO,
 		"print JSON", NULL, set_json},
 	{'v', "verbose", NULL, FOR_ALL,

@@ -37,6 +37,7 @@ struct options {
 	bool time_given;
 	int influences; /* 0: all */
 	bool json;
+	bool no_labels;
 	bool verbose;
 	bool help;
 	bool version;

@@ -23,6 +23,8 @@ struct show {
 	struct gl_context *gl;
 	struct buttons buttons;
 	struct demo *demo;
+	struct hud *hud;
+	bool labelled;
 	struct clock clock;
 	int frames; /* 0: until closed */
 	bool closed;
@@ -131,6 +133,28 @@ static int open_demo(struct show *show, const struct options *options)
 	return show->plan->demo->create(&env, &show->demo);
 }
 
+static int open_hud(struct show *show)
+{
+	int error;
+
+	show->hud = calloc(1, sizeof(*show->hud));
+	if (!show->hud) {
+		log_error(show->log, "labels: not enough memory");
+		return -ENOMEM;
+	}
+	error = hud_init(show->hud, &show->gl->gl, show->log);
+	if (error) {
+		free(show->hud);
+	}
+	return error;
+}
+
+static void close_hud(struct show *show)
+{
+	hud_finish(show->hud, &show->gl->gl);
+	free(show->hud);
+}
+
 static void press_buttons(struct show *show, int64_t now_ms)
 {
 	struct button_event event;
@@ -153,6 +177,11 @@ static int draw_frame(struct show *show)
 		return error;
 	}
 	show->plan->demo->draw(show->demo, pixels.width, pixels.height);
+	if (show->labelled) {
+		hud_begin(show->hud, pixels.width, pixels.height);
+		show->plan->demo->label(show->demo, show->hud);
+		hud_end(show->hud, &show->gl->gl);
+	}
 	error = show->gl->driver->end_frame(show->gl);
 	return error ? error : show->display_driver->end_frame(show->display);
 }
@@ -245,7 +274,8 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	struct show show = {.plan = plan,
 		.log = log,
 		.clock = plan->clock,
-		.frames = plan->frames};
+		.frames = plan->frames,
+		.labelled = !options->no_labels};
 	int error = -ENOENT;
 
 	show.display_driver = display_choose(plan->display, log);
@@ -260,9 +290,13 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	if (error) {
 		goto out_buttons;
 	}
-	error = open_demo(&show, options);
+	error = open_hud(&show);
 	if (error) {
 		goto out_gl;
+	}
+	error = open_demo(&show, options);
+	if (error) {
+		goto out_hud;
 	}
 	if (show.frames < 0) {
 		show.frames = period_frames(&show);
@@ -279,6 +313,8 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	show.display_driver->destroy(show.display);
 out_demo:
 	plan->demo->destroy(show.demo);
+out_hud:
+	close_hud(&show);
 out_gl:
 	show.gl->driver->destroy(show.gl);
 out_buttons:

@@ -325,11 +325,35 @@ static double arm_period_s(const struct demo *demo)
 	return (double)arm_program_duration_s() + breath_s;
 }
 
-static void arm_status(const struct demo *demo, char *text, size_t size)
+static void label_joint(struct hud_group *group, const char *name, float degrees)
 {
-	snprintf(text, size, "%s",
-		demo->step >= 0 ? arm_program[demo->step].name
-				: handles[demo->handle].name);
+	char value[32];
+
+	snprintf(value, sizeof(value), "%.0f\u00b0", (double)degrees);
+	hud_group_text(group, name, value);
+}
+
+static void arm_label(const struct demo *demo, struct hud *hud)
+{
+	struct hud_group group =
+		hud_group_begin(hud, HUD_TOP_LEFT, "Hierarchical");
+	const float *joint = demo->joint;
+
+	if (demo->step >= 0) {
+		const struct arm_step *step = &arm_program[demo->step];
+		float done_s = (float)(demo->now_s - demo->step_start_s);
+
+		hud_group_time(&group, step->name,
+			scalar_clamp(done_s, 0.0f, step->duration_s),
+			step->duration_s, hud_color_amber);
+	} else {
+		hud_group_text(&group, "moving", handles[demo->handle].name);
+	}
+	label_joint(&group, "arm heading", joint[ARM_HEADING]);
+	label_joint(&group, "arm pitch", joint[ARM_PITCH]);
+	label_joint(&group, "forearm pitch", joint[FOREARM_PITCH]);
+	label_joint(&group, "hand pitch", joint[HAND_PITCH]);
+	hud_group_end(&group);
 }
 
 /* A hand on the arrows ends the program where it is. */
@@ -408,6 +432,6 @@ const struct demo_driver demo_driver_arm = {
 	.update = arm_update,
 	.draw = arm_draw,
 	.period_s = arm_period_s,
-	.status = arm_status,
+	.label = arm_label,
 	.destroy = arm_destroy,
 };

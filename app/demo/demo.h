@@ -9,6 +9,7 @@
 #define APP_DEMO_DEMO_H
 
 #include "app/anim/kernel/kernel.h"
+#include "app/scene/hud_group.h"
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
@@ -54,8 +55,8 @@ struct demo_driver {
 	/* Seconds after which it repeats: how long an animation file runs. */
 	double (*period_s)(const struct demo *demo);
 
-	/* What is going on, in a few words, for a title bar. */
-	void (*status)(const struct demo *demo, char *text, size_t size);
+	/* Says on the picture what runs: technique, clip, time, weight. */
+	void (*label)(const struct demo *demo, struct hud *hud);
 
 	/* NULL is fine. */
 	void (*destroy)(struct demo *demo);

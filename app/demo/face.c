@@ -30,7 +30,7 @@ struct part {
 };
 
 static const struct framing framing = {
-	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 0.97f};
+	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 1.06f};
 
 struct demo {
 	const struct gl *gl;
@@ -41,7 +41,8 @@ struct demo {
 	struct part part[PARTS_MAX];
 	int key_count;
 	const char **target_name;
-	int current; /* the key frame that Destiny is */
+	int current;  /* the key frame that Destiny is */
+	int previous; /* the one before it */
 	struct morph_motion motion;
 	double now_s;
 	bool touring;
@@ -196,6 +197,7 @@ static void face_destroy(struct demo *demo)
 
 static void go_to_key(struct demo *demo, int key)
 {
+	demo->previous = demo->current;
 	demo->current = (key + demo->key_count) % demo->key_count;
 	for (int i = 0; i < demo->part_count; i++) {
 		morph_trigger(&demo->part[i].morph,
@@ -241,13 +243,30 @@ static double face_period_s(const struct demo *demo)
 	return dwell_s * demo->key_count;
 }
 
-static void face_status(const struct demo *demo, char *text, size_t size)
+static const char *key_name(const struct demo *demo, int key)
 {
-	snprintf(text, size, "%s, %s, %s",
-		demo->current ? demo->target_name[demo->current - 1] : "neutral",
-		demo->motion.timing == MORPH_OVER_TIME ? "over time"
-						       : "by frames",
-		demo->motion.curve == MORPH_LINEAR ? "linear" : "sinusoidal");
+	return key ? demo->target_name[key - 1] : "neutral";
+}
+
+static void face_label(const struct demo *demo, struct hud *hud)
+{
+	const struct morph_motion *motion = &demo->motion;
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "Morphing");
+	char pace[32];
+
+	hud_group_text(&group, "from", key_name(demo, demo->previous));
+	hud_group_weight(&group, key_name(demo, demo->current),
+		morph_omega(&demo->part[0].morph, demo->now_s * 1000.0),
+		hud_color_rose);
+	if (motion->timing == MORPH_OVER_TIME) {
+		snprintf(pace, sizeof(pace), "%.0f ms",
+			(double)motion->duration_ms);
+	} else {
+		snprintf(pace, sizeof(pace), "%d frames", motion->frame_count);
+	}
+	hud_group_text(&group,
+		motion->curve == MORPH_LINEAR ? "linear" : "sinusoidal", pace);
+	hud_group_end(&group);
 }
 
 static void press_next(struct demo *demo, bool down)
@@ -343,6 +362,6 @@ const struct demo_driver demo_driver_face = {
 	.update = face_update,
 	.draw = face_draw,
 	.period_s = face_period_s,
-	.status = face_status,
+	.label = face_label,
 	.destroy = face_destroy,
 };

@@ -6,7 +6,6 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static const float orbit_rad_per_s = 1.4f;
@@ -25,6 +24,7 @@ struct demo {
 	double clip_s;
 	double now_s;
 	bool paused;
+	const char *title;      /* the technique that moves most of it */
 	bool tilting;           /* UP and DOWN move the camera */
 	float turn, tilt, zoom; /* while a button is held: -1, 0 or 1 */
 };
@@ -46,6 +46,20 @@ static int choose_clip(
 		return -ENOENT;
 	}
 	return 0;
+}
+
+static const char *technique_of(const struct instance *instance)
+{
+	bool skinned = false, morphed = false;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		skinned = skinned || instance->drawable[i].skin >= 0;
+		morphed = morphed || instance->drawable[i].morphed;
+	}
+	return skinned && morphed ? "Skeletal and morphing"
+		: skinned         ? "Skeletal"
+		: morphed         ? "Morphing"
+				  : "Hierarchical";
 }
 
 static int viewer_create(const struct demo_env *env, struct demo **out)
@@ -72,6 +86,7 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 		goto fail_actor;
 	}
 	demo->tilting = demo->actor.model->clip_count < 2;
+	demo->title = technique_of(demo->actor.instance);
 	*out = demo;
 	return 0;
 
@@ -126,15 +141,25 @@ static double viewer_period_s(const struct demo *demo)
 	return duration_s > 0.0f ? duration_s : 1.0;
 }
 
-static void viewer_status(const struct demo *demo, char *text, size_t size)
+static void viewer_label(const struct demo *demo, struct hud *hud)
 {
 	const struct model *model = demo->actor.model;
-	const char *name =
-		demo->clip < 0 ? "at rest" : model->clip[demo->clip].name;
+	float duration_s = viewer_duration_s(demo);
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, demo->title);
 
-	snprintf(text, size, "%s%s%s", name[0] ? name : "unnamed clip",
-		demo->paused ? ", paused" : "",
-		demo->tilting ? ", tilting" : "");
+	if (demo->clip < 0) {
+		hud_group_text(&group, "at rest", "");
+	} else {
+		const char *name = model->clip[demo->clip].name;
+
+		hud_group_time(&group, name[0] ? name : "unnamed clip",
+			clip_time(demo->clip_s, duration_s, CLIP_LOOP),
+			duration_s, hud_color_blue);
+	}
+	if (demo->paused) {
+		hud_group_text(&group, "paused", "");
+	}
+	hud_group_end(&group);
 }
 
 static void step_clip(struct demo *demo, int step)
@@ -220,6 +245,6 @@ const struct demo_driver demo_driver_viewer = {
 	.update = viewer_update,
 	.draw = viewer_draw,
 	.period_s = viewer_period_s,
-	.status = viewer_status,
+	.label = viewer_label,
 	.destroy = viewer_destroy,
 };

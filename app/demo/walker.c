@@ -5,7 +5,6 @@
 #include "app/demo/demo.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 /* What the walker can do; gaits first, from slow to fast. */
@@ -147,9 +146,15 @@ static double walker_period_s(const struct demo *demo)
 	return clip_of(demo, demo->move)->duration_s;
 }
 
-static void walker_status(const struct demo *demo, char *text, size_t size)
+static void walker_label(const struct demo *demo, struct hud *hud)
 {
-	snprintf(text, size, "%s", moves[demo->move].clip);
+	const struct model_clip *clip = clip_of(demo, demo->move);
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "Skeletal");
+
+	hud_group_time(&group, clip->name,
+		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP),
+		clip->duration_s, hud_color_blue);
+	hud_group_end(&group);
 }
 
 static void change_gait(struct demo *demo, int step)
@@ -213,6 +218,6 @@ const struct demo_driver demo_driver_walker = {
 	.update = walker_update,
 	.draw = walker_draw,
 	.period_s = walker_period_s,
-	.status = walker_status,
+	.label = walker_label,
 	.destroy = walker_destroy,
 };

@@ -33,7 +33,7 @@ limber render "$slider" --size 34x18 --frames 2 --clock fixed:10 -o "$out.y4m"
 expect_quiet
 check 'a Y4M of 34 x 18 at 10 frames a second' \
     sh -c 'head -n 1 "$1" | grep -aq "^YUV4MPEG2 W34 H18 F10:1 "' sh "$out.y4m"
-check 'two frames' test "$(grep -ac '^FRAME' "$out.y4m")" -eq 2
+check 'two frames' test "$(grep -ao FRAME "$out.y4m" | wc -l)" -eq 2
 
 for gl in osmesa gles1; do
     limber render "$slider" --size 33x17 --gl $gl -o "$out-$gl.png"

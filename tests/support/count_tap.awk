@@ -1,7 +1,7 @@
 # Counts a suite's TAP. Variables: suite, status (the command's exit status).
 #
-# Prints one line "passed failed skipped", then a line "skip NAME: WHY" for
-# each skipped test and a line "fail WHY" for what is wrong with the suite as
+# Prints one line "passed failed skipped", then a line "skip WHERE: WHY" for
+# each reason to skip and a line "fail WHY" for what is wrong with the suite as
 # a whole: no plan, an empty plan, tests missing, a failing exit status that no
 # test explains.
 #
@@ -12,8 +12,14 @@ function add_skip(name, why) {
     skipped++
     sub(/^ *-? */, "", name)
     sub(/ *$/, "", name)
-    reasons[skipped] = (name == "" ? "" : name ": ") \
-        (why == "" ? "no reason given" : why)
+    if (why == "") {
+        why = "no reason given"
+    }
+    if (!(why in count_of)) {
+        reason[++reasons] = why
+        first[why] = name == "" ? "" : name ": "
+    }
+    count_of[why]++
 }
 
 /^1\.\.[0-9]+/ {
@@ -80,8 +86,11 @@ END {
         wrong[++wrongs] = "exit status " status
     }
     print passed + 0, failed + wrongs, skipped + 0
-    for (i = 1; i <= skipped; i++) {
-        print "skip " suite ": " reasons[i]
+    for (i = 1; i <= reasons; i++) {
+        why = reason[i]
+        many = count_of[why] > 1
+        print "skip " suite ": " \
+            (many ? count_of[why] " tests: " : first[why]) why
     }
     for (i = 1; i <= wrongs; i++) {
         print "fail " suite ": " wrong[i]

@@ -134,6 +134,14 @@ expect_status 0
 expect_total 1 0
 expect_out '^  skipped: cm: two: rain$'
 
+tally "$(suite many '1..4\nok 1 - a\nok 2 - b # SKIP rain\nok 3 - c # SKIP snow\nok 4 - d # SKIP rain\n')"
+about 'tests skipped for the same reason'
+expect_status 0
+expect_total 1 0
+expect_out '^  many +1 passed, 3 skipped'
+expect_out '^  skipped: many: 2 tests: rain$'
+expect_out '^  skipped: many: c: snow$'
+
 tally "$(suite cm 'TAP version 13\n1..2\nok 1 - a\nok 2 # SKIP b\n# ok - x\n')"
 about "a later cmocka's skipped test"
 expect_status 0

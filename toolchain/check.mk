@@ -60,15 +60,16 @@ conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
 script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
-golden_suite = $(call suite,golden/$(1),tests/golden/golden.sh check $(1) \
-	build/host/limber $(CHECK)/golden/$(1))
+golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
+	$(CHECK)/$(1)/golden-$(2) $(RUN_$(1)) build/$(1)/limber)
 
 define SUITES
 $(call suite,build,cat build/check-build.tap)
 $(foreach fuzzer,$(FUZZERS),$(call \
 	suite,fuzz/$(fuzzer),tests/fuzz/run.sh build/fuzz/$(fuzzer)))
-$(call golden_suite,osmesa)
-$(call golden_suite,gles1)
+$(call golden_suite,arm,osmesa)
+$(call golden_suite,host,osmesa)
+$(call golden_suite,host,gles1)
 $(call conformance_suite,host)
 $(call conformance_suite,asan)
 $(call conformance_suite,arm)
@@ -77,6 +78,7 @@ $(call unit_suites,asan)
 $(call unit_suites,arm)
 $(call script_suites,cli,host/,LIMBER=build/host/limber)
 $(call script_suites,cli,asan/,LIMBER=build/asan/limber)
+$(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber")
 $(call suite,assets,NODE_PATH=build/validator/node_modules \
 	node tests/validator/validate.js $(sort $(wildcard assets/*.glb)))
 $(call script_suites,toolchain)

@@ -28,7 +28,7 @@ cp "$fixtures/circle.png" "$scratch/given/one.png"
 cp "$fixtures/square.png" "$scratch/given/two.png"
 
 checks() {
-    run "$here/golden.sh" check osmesa "$scratch/limber" "$scratch/out"
+    run "$here/golden.sh" check osmesa "$scratch/out" sh "$scratch/limber"
 }
 
 checks

@@ -1,9 +1,10 @@
 #!/bin/sh
-# golden.sh check GL LIMBER FOLDER: draws each picture of pictures.txt with the
+# golden.sh check GL FOLDER LIMBER...: draws each picture of pictures.txt with the
 # GL driver and holds it against its reference; the pictures, and differences
 # of those that are too far, go into FOLDER. Speaks TAP.
 #
-# golden.sh make LIMBER: draws the references again, with the osmesa driver.
+# golden.sh make LIMBER...: draws the references again, with the osmesa driver.
+# LIMBER may be several words.
 #
 # GOLDEN is the folder of pictures.txt and the references, COMPARE the program
 # that compares.
@@ -27,14 +28,14 @@ pictures() {
     sed '/^#/d; /^$/d' "$golden/pictures.txt"
 }
 
-# draw LIMBER GL FILE ARGUMENTS...
+# draw GL FILE ARGUMENTS...
 draw() {
-    limber=$1
-    gl=$2
-    file=$3
-    shift 3
+    gl=$1
+    file=$2
+    shift 2
     rm -f "$file"
-    "$limber" render "$@" --gl "$gl" -o "$file" </dev/null && [ -s "$file" ]
+    # shellcheck disable=SC2086 # a command and its arguments
+    $limber render "$@" --gl "$gl" -o "$file" </dev/null && [ -s "$file" ]
 }
 
 make_references() {
@@ -43,7 +44,7 @@ make_references() {
         while read -r name arguments; do
             echo "  PICTURE $golden/$name.png"
             # shellcheck disable=SC2086 # arguments are words
-            draw "$1" osmesa "$golden/$name.png" $arguments || failed=1
+            draw osmesa "$golden/$name.png" $arguments || failed=1
         done
         exit "$failed"
     }
@@ -88,8 +89,7 @@ verdict() {
 
 check_references() {
     gl=$1
-    limber=$2
-    folder=$3
+    folder=$2
     if [ -z "$(tolerance_of "$gl")" ]; then
         echo "golden.sh: no tolerance for $gl" >&2
         exit 2
@@ -99,7 +99,7 @@ check_references() {
     while read -r name arguments; do
         status=0
         # shellcheck disable=SC2086 # arguments are words
-        text=$(draw "$limber" "$gl" "$folder/$name.png" $arguments 2>&1 &&
+        text=$(draw "$gl" "$folder/$name.png" $arguments 2>&1 &&
             check_picture) || status=$?
         verdict "$status" "$name" "$text"
     done <<END
@@ -112,11 +112,25 @@ END
     exit "$failed"
 }
 
-case ${1-} in
-check) check_references "$2" "$3" "$4" ;;
-make) make_references "$2" ;;
-*)
-    echo "usage: $0 check GL LIMBER FOLDER | make LIMBER" >&2
+usage() {
+    echo "usage: $0 check GL FOLDER LIMBER... | make LIMBER..." >&2
     exit 2
+}
+
+case ${1-} in
+check)
+    [ $# -ge 4 ] || usage
+    gl=$2
+    folder=$3
+    shift 3
+    limber=$*
+    check_references "$gl" "$folder"
     ;;
+make)
+    [ $# -ge 2 ] || usage
+    shift
+    limber=$*
+    make_references
+    ;;
+*) usage ;;
 esac

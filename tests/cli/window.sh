@@ -1,0 +1,41 @@
+#!/bin/sh
+# limber play in a window, on a desktop that nobody sees, and without any.
+. "$(dirname "$0")/../support/cli.sh"
+
+limber play "$slider" --display window --frames 1
+if grep -q 'no such display' "$err_file"; then
+    skip_all 'this target has no window'
+fi
+expect_status 1
+expect_err '^limber: --display window: .*(DISPLAY|desktop)'
+limber "$slider" --frames 1 --size 33x17
+expect_status 1
+expect_err '^limber: --display: .*window'
+
+mkfifo "$scratch/number"
+Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>"$scratch/number" \
+    >"$scratch/xvfb.log" 2>&1 &
+server=$!
+trap 'kill $server; rm -rf "$tap_folder"' EXIT
+read -r number <"$scratch/number"
+DISPLAY=:$number
+export DISPLAY
+
+limber play "$slider" --frames 3
+expect_status 0
+expect_no_err
+expect_out 'UP +the clip before'
+expect_out 'Esc +quit'
+limber "$slider" --frames 3 --size 320x240 --clip rise
+expect_status 0
+expect_no_err
+limber play "$slider" --display window --frames 2 --gl osmesa
+expect_status 0
+expect_no_err
+
+# The person ends it from the terminal.
+# shellcheck disable=SC2086 # a command and its arguments
+run timeout -s INT 1 $limber play "$slider"
+about 'limber play until Ctrl-C'
+check "$tap_about: it ends" test "$status" -ne 137
+tap_done

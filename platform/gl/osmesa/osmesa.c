@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/utsname.h>
 
 #include "platform/base/compiler.h"
 #include "platform/gl/gl_context.h"
@@ -53,14 +55,29 @@ struct osmesa_context {
 	uint32_t scratch[SCRATCH_SIZE * SCRATCH_SIZE];
 };
 
+/*
+ * On 32-bit ARM what Mesa's llvmpipe compiles jumps to address 0 (Debian 13's
+ * Mesa 25); softpipe compiles nothing. A choice of the user's is left alone.
+ */
+static void avoid_llvmpipe_on_arm(void)
+{
+	struct utsname machine;
+
+	if (uname(&machine) == 0 && strncmp(machine.machine, "armv", 4) == 0) {
+		setenv("GALLIUM_DRIVER", "softpipe", 0);
+	}
+}
+
 static int load_functions(struct osmesa_context *osmesa)
 {
 	static const char *const names[] = {
 		"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", NULL};
 	const char *missing;
 	const char *why = "";
-	void *library = gl_library_open(names, &why);
+	void *library;
 
+	avoid_llvmpipe_on_arm();
+	library = gl_library_open(names, &why);
 	if (!library) {
 		log_error(&osmesa->log,
 			"--gl osmesa: no libOSMesa.so.8 on this machine (%s): "

@@ -1,0 +1,212 @@
+/* glTF animations: interpolations, number formats, durations. */
+#include "app/model/model.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+static const struct model_channel *channel_of(
+	const struct model *model, int clip, int channel)
+{
+	assert_true(clip < model->clip_count);
+	assert_true(channel < model->clip[clip].channel_count);
+	return &model->clip[clip].channel[channel];
+}
+
+/* A key: both in-tangents, both values, both out-tangents. */
+static void test_keeps_the_layout_of_cubic_weights(void **state)
+{
+	static const float expected[12] = {
+		1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	const struct model_channel *channel = channel_of(model, 0, 0);
+
+	(void)state;
+	assert_int_equal(channel->path, MODEL_WEIGHTS);
+	assert_int_equal(channel->interpolation, MODEL_CUBICSPLINE);
+	assert_int_equal(channel->width, 2);
+	assert_int_equal(channel->key_count, 2);
+	assert_all_near(channel->value, expected, 12, 0);
+	model_destroy(model);
+}
+
+/* Scaling the values of a spline would bend it: its result is normalised. */
+static void test_leaves_cubic_rotations_as_they_are(void **state)
+{
+	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	const struct model_channel *channel = channel_of(model, 0, 1);
+
+	(void)state;
+	assert_int_equal(channel->path, MODEL_ROTATION);
+	assert_int_equal(channel->width, 4);
+	assert_near(channel->value[4 + 3], 1, 0);
+	assert_near(channel->value[8 + 2], 1, 0);
+	assert_near(channel->value[16 + 2], 2, 0);
+	model_destroy(model);
+}
+
+static void test_scales_signed_rotations_and_clamps_them(void **state)
+{
+	static const float bytes[8] = {0, 0, 0, 1, 0, 0, -1, 0};
+	static const float shorts[8] = {0, 0, 0, 1, 0, -1, 0, 0};
+	struct model *model = model_fixture("clip_normalized.gltf", NULL);
+
+	(void)state;
+	assert_all_near(channel_of(model, 0, 0)->value, bytes, 8, 0);
+	assert_all_near(channel_of(model, 0, 1)->value, shorts, 8, 0);
+	model_destroy(model);
+}
+
+static void test_scales_unsigned_weights(void **state)
+{
+	static const float expected[4] = {0, 1, 0.2f, 0.4f};
+	struct model *model = model_fixture("clip_normalized.gltf", NULL);
+	int i;
+
+	(void)state;
+	for (i = 2; i < 4; i++) {
+		assert_int_equal(channel_of(model, 0, i)->width, 2);
+		assert_all_near(
+			channel_of(model, 0, i)->value, expected, 4, 1e-7);
+	}
+	model_destroy(model);
+}
+
+static void test_makes_linear_rotations_unit(void **state)
+{
+	static const float expected[4] = {0, 0.6f, 0, 0.8f};
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	/* One key at 0; (0, 3, 0, 4) as bytes that nobody normalised. */
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{"
+			"'uri':'data:;base64,AAMABA==','byteLength':4}],"
+			"'bufferViews':[{'buffer':0,'byteLength':4}],"
+			"'accessors':[{'componentType':5126,'count':1,'type':"
+			"'SCALAR'},{'bufferView':0,'componentType':5120,"
+			"'count':1,'type':'VEC4'}],'animations':[{'samplers':"
+			"[{'input':0,'output':1}],'channels':[{'sampler':0,"
+			"'target':{'node':0,'path':'rotation'}}]}]}",
+			&heard, &model),
+		0);
+	assert_all_near(channel_of(model, 0, 0)->value, expected, 4, 1e-7);
+	model_destroy(model);
+}
+
+static void test_reads_samplers_with_a_single_key(void **state)
+{
+	struct model *model = model_fixture("clip_single_key.gltf", NULL);
+	int i;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		assert_int_equal(channel_of(model, 0, i)->key_count, 1);
+	}
+	assert_int_equal(channel_of(model, 0, 0)->interpolation, MODEL_STEP);
+	assert_int_equal(channel_of(model, 0, 1)->interpolation, MODEL_LINEAR);
+	assert_int_equal(
+		channel_of(model, 0, 2)->interpolation, MODEL_CUBICSPLINE);
+	assert_near(channel_of(model, 0, 2)->value[3], 4, 0);
+	model_destroy(model);
+}
+
+static void test_ends_a_clip_with_its_last_key(void **state)
+{
+	struct model *model = model_fixture("clip_single_key.gltf", NULL);
+	struct model *late = model_fixture("clip_late_start.gltf", NULL);
+
+	(void)state;
+	assert_near(model->clip[0].duration_s, 1.25, 0);
+	assert_near(late->clip[0].duration_s, 3, 0);
+	assert_near(channel_of(late, 0, 0)->time_s[0], 0.5, 0);
+	model_destroy(model);
+	model_destroy(late);
+}
+
+static void test_reads_the_interpolation_of_each_channel(void **state)
+{
+	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(channel_of(model, 0, 0)->interpolation, MODEL_STEP);
+	assert_int_equal(channel_of(model, 0, 1)->interpolation, MODEL_LINEAR);
+	model_destroy(model);
+}
+
+static void test_passes_over_a_channel_without_a_node(void **state)
+{
+	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(model->clip_count, 2);
+	assert_int_equal(model->clip[1].channel_count, 1);
+	model_destroy(model);
+}
+
+static void test_keeps_shared_times_once(void **state)
+{
+	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+
+	(void)state;
+	assert_ptr_equal(channel_of(model, 0, 0)->time_s,
+		channel_of(model, 1, 0)->time_s);
+	model_destroy(model);
+}
+
+static void test_finds_clips_by_name_and_then_by_number(void **state)
+{
+	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(model_find_clip(model, "late"), 0);
+	assert_int_equal(model_find_clip(model, "other"), 1);
+	assert_int_equal(model_find_clip(model, "1"), 1);
+	assert_int_equal(model_find_clip(model, "01"), 1);
+	assert_int_equal(model_find_clip(model, "2"), -1);
+	assert_int_equal(model_find_clip(model, "-1"), -1);
+	assert_int_equal(model_find_clip(model, "1x"), -1);
+	assert_int_equal(model_find_clip(model, ""), -1);
+	assert_int_equal(model_find_clip(model, " 1"), -1);
+	assert_int_equal(model_find_clip(model, "99999999999999999999999"), -1);
+	model_destroy(model);
+}
+
+static void test_prefers_a_clip_named_like_a_number(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text("{'asset':{'version':'2.0'},'animations':[{},"
+				"{'name':'0'}]}",
+			&heard, &model),
+		0);
+	assert_int_equal(model_find_clip(model, "0"), 1);
+	assert_int_equal(model_find_clip(model, "1"), 1);
+	assert_string_equal(model->clip[0].name, "");
+	assert_int_equal(model->clip[0].channel_count, 0);
+	assert_near(model->clip[0].duration_s, 0, 0);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_keeps_the_layout_of_cubic_weights),
+		cmocka_unit_test(test_leaves_cubic_rotations_as_they_are),
+		cmocka_unit_test(test_scales_signed_rotations_and_clamps_them),
+		cmocka_unit_test(test_scales_unsigned_weights),
+		cmocka_unit_test(test_makes_linear_rotations_unit),
+		cmocka_unit_test(test_reads_samplers_with_a_single_key),
+		cmocka_unit_test(test_ends_a_clip_with_its_last_key),
+		cmocka_unit_test(test_reads_the_interpolation_of_each_channel),
+		cmocka_unit_test(test_passes_over_a_channel_without_a_node),
+		cmocka_unit_test(test_keeps_shared_times_once),
+		cmocka_unit_test(test_finds_clips_by_name_and_then_by_number),
+		cmocka_unit_test(test_prefers_a_clip_named_like_a_number),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,254 @@
+/* glTF materials: colours, textures, pictures from three places. */
+#include "app/model/model.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+static void test_reads_factors_and_flags(void **state)
+{
+	static const float color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
+	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	const struct model_material *glass = &model->material[0];
+
+	(void)state;
+	assert_string_equal(glass->name, "glass");
+	assert_all_near(glass->base_color, color, 4, 0);
+	assert_near(glass->roughness, 0.125, 0);
+	assert_int_equal(glass->alpha, MODEL_BLEND);
+	assert_true(glass->double_sided);
+	assert_false(glass->unlit);
+	model_destroy(model);
+}
+
+static void test_reads_masks_and_unlit(void **state)
+{
+	struct model *model = model_fixture("material_kinds.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(model->material[1].alpha, MODEL_MASK);
+	assert_near(model->material[1].alpha_cutoff, 0.25, 0);
+	assert_true(model->material[1].unlit);
+	model_destroy(model);
+}
+
+static void expect_plain(const struct model_material *material)
+{
+	static const float white[4] = {1, 1, 1, 1};
+
+	assert_string_equal(material->name, "");
+	assert_all_near(material->base_color, white, 4, 0);
+	assert_int_equal(material->texture, -1);
+	assert_int_equal(material->normal_texture, -1);
+	assert_near(material->roughness, 1, 0);
+	assert_int_equal(material->alpha, MODEL_OPAQUE);
+	assert_near(material->alpha_cutoff, 0.5, 0);
+	assert_false(material->double_sided);
+	assert_false(material->unlit);
+}
+
+static void test_fills_in_what_a_material_leaves_out(void **state)
+{
+	struct model *model = model_fixture("material_kinds.gltf", NULL);
+
+	(void)state;
+	expect_plain(&model->material[2]);
+	model_destroy(model);
+}
+
+static void test_adds_one_material_for_primitives_without(void **state)
+{
+	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	const struct model_primitive *primitive = model->mesh[0].primitive;
+
+	(void)state;
+	assert_int_equal(model->material_count, 4);
+	assert_int_equal(primitive[0].material, 1);
+	assert_int_equal(primitive[1].material, 3);
+	assert_int_equal(primitive[2].material, 0);
+	assert_int_equal(primitive[3].material, 3);
+	expect_plain(&model->material[3]);
+	model_destroy(model);
+}
+
+static void test_adds_no_material_that_nothing_needs(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
+					 "'materials':[{}]}",
+				 &heard, &model),
+		0);
+	assert_int_equal(model->material_count, 1);
+	model_destroy(model);
+}
+
+static const struct model_image *image_of(
+	const struct model *model, int material)
+{
+	int texture = model->material[material].texture;
+
+	assert_true(texture >= 0 && texture < model->texture_count);
+	return &model->image[model->texture[texture].image];
+}
+
+static void test_reads_a_png_beside_the_file(void **state)
+{
+	static const uint8_t expected[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0,
+		0, 255, 255, 255, 255, 255, 128};
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	const struct model_image *image = image_of(model, 0);
+
+	(void)state;
+	assert_string_equal(image->name, "beside");
+	assert_int_equal(image->width, 2);
+	assert_int_equal(image->height, 2);
+	assert_memory_equal(image->rgba, expected, sizeof(expected));
+	assert_false(image->opaque);
+	model_destroy(model);
+}
+
+static void test_reads_a_png_from_a_buffer_view(void **state)
+{
+	static const uint8_t expected[4] = {1, 2, 3, 255};
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	const struct model_image *image = image_of(model, 1);
+
+	(void)state;
+	assert_string_equal(image->name, "inside");
+	assert_memory_equal(image->rgba, expected, sizeof(expected));
+	assert_true(image->opaque);
+	model_destroy(model);
+}
+
+/* Left half red, right half blue, to within what JPEG rounds. */
+static void test_reads_a_jpeg_from_a_data_uri(void **state)
+{
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	const struct model_image *image = image_of(model, 2);
+	const uint8_t *left, *right;
+
+	(void)state;
+	assert_int_equal(image->width, 16);
+	assert_int_equal(image->height, 8);
+	left = image->rgba;
+	right = image->rgba + (7 * 16 + 15) * 4;
+	assert_true(left[0] >= 252 && left[1] <= 3 && left[2] <= 3);
+	assert_true(right[0] <= 3 && right[1] <= 3 && right[2] >= 252);
+	assert_int_equal(right[3], 255);
+	model_destroy(model);
+}
+
+static void test_reads_only_pictures_that_materials_need(void **state)
+{
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	int i;
+
+	(void)state;
+	assert_int_equal(model->image_count, 3);
+	assert_int_equal(model->texture_count, 3);
+	for (i = 0; i < model->image_count; i++) {
+		assert_string_not_equal(model->image[i].name, "unused");
+	}
+	model_destroy(model);
+}
+
+static void test_reads_wraps_and_filters(void **state)
+{
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	const struct model_texture *first =
+		&model->texture[model->material[0].texture];
+	const struct model_texture *second =
+		&model->texture[model->material[1].texture];
+	const struct model_texture *third =
+		&model->texture[model->material[2].texture];
+
+	(void)state;
+	assert_int_equal(first->wrap_s, MODEL_CLAMP);
+	assert_int_equal(first->wrap_t, MODEL_MIRROR);
+	assert_true(first->nearest);
+	assert_false(first->mipmap);
+	assert_int_equal(second->wrap_s, MODEL_REPEAT);
+	assert_false(second->nearest);
+	assert_true(second->mipmap);
+	assert_int_equal(third->wrap_t, MODEL_REPEAT);
+	assert_true(third->mipmap);
+	model_destroy(model);
+}
+
+static void test_takes_the_coordinates_that_the_texture_names(void **state)
+{
+	static const float first[3][2] = {{0, 0}, {1, 0}, {0, 1}};
+	static const float second[3][2] = {
+		{0.5f, 0.5f}, {0.25f, 0.5f}, {0.5f, 0.25f}};
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+
+	(void)state;
+	assert_all_near(model->mesh[0].primitive[0].texcoord, first, 6, 0);
+	assert_all_near(model->mesh[1].primitive[0].texcoord, second, 6, 0);
+	model_destroy(model);
+}
+
+/*
+ * Scale (2, 4), a quarter turn counter-clockwise as the picture is seen, that
+ * is (u, v) -> (v, -u), then (0.5, 0.25).
+ */
+static void test_applies_a_texture_transform(void **state)
+{
+	static const float expected[3][2] = {
+		{0.5f, 0.25f}, {0.5f, -1.75f}, {4.5f, 0.25f}};
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+
+	(void)state;
+	assert_all_near(model->mesh[2].primitive[0].texcoord, expected, 6, 1e-6);
+	model_destroy(model);
+}
+
+static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
+{
+	struct log_capture heard;
+	struct model *model = model_fixture("material_textures.gltf", &heard);
+
+	(void)state;
+	assert_true(model->material[1].normal_texture >= 0);
+	assert_int_equal(model->material[2].normal_texture, -1);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/materials/2: normalTexture has other coordinates"));
+	model_destroy(model);
+}
+
+static void test_leaves_out_a_texture_in_a_foreign_format(void **state)
+{
+	struct log_capture heard;
+	struct model *model = model_fixture("material_textures.gltf", &heard);
+
+	(void)state;
+	assert_int_equal(model->material[3].texture, -1);
+	assert_true(log_capture_has(
+		&heard, LOG_WARNING, "/textures/4: has no source"));
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_reads_factors_and_flags),
+		cmocka_unit_test(test_reads_masks_and_unlit),
+		cmocka_unit_test(test_fills_in_what_a_material_leaves_out),
+		cmocka_unit_test(test_adds_one_material_for_primitives_without),
+		cmocka_unit_test(test_adds_no_material_that_nothing_needs),
+		cmocka_unit_test(test_reads_a_png_beside_the_file),
+		cmocka_unit_test(test_reads_a_png_from_a_buffer_view),
+		cmocka_unit_test(test_reads_a_jpeg_from_a_data_uri),
+		cmocka_unit_test(test_reads_only_pictures_that_materials_need),
+		cmocka_unit_test(test_reads_wraps_and_filters),
+		cmocka_unit_test(
+			test_takes_the_coordinates_that_the_texture_names),
+		cmocka_unit_test(test_applies_a_texture_transform),
+		cmocka_unit_test(
+			test_keeps_a_normal_map_with_the_same_coordinates),
+		cmocka_unit_test(test_leaves_out_a_texture_in_a_foreign_format),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,253 @@
+/* glTF meshes: triangle modes, indices, colours, morph weights. */
+#include "app/model/model.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+static void expect_indices(const struct model_primitive *primitive,
+	const uint32_t *expected, int count)
+{
+	assert_int_equal(primitive->index_count, count);
+	assert_memory_equal(
+		primitive->index, expected, (size_t)count * sizeof(*expected));
+}
+
+static void test_leaves_points_and_lines_out_with_a_warning(void **state)
+{
+	struct log_capture heard;
+	struct model *model = model_fixture("mesh_modes.gltf", &heard);
+	int mode;
+
+	(void)state;
+	for (mode = 0; mode < 4; mode++) {
+		assert_int_equal(model->mesh[mode].primitive_count, 1);
+	}
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"mesh_modes.gltf: /meshes/0/primitives/0: points are not "
+		"drawn"));
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/meshes/3/primitives/0: lines are not drawn"));
+	model_destroy(model);
+}
+
+static void test_keeps_the_numbers_of_primitives_behind_them(void **state)
+{
+	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(model->mesh[1].primitive[0].file_index, 1);
+	assert_int_equal(model->mesh[5].primitive_count, 2);
+	assert_int_equal(model->mesh[5].primitive[0].file_index, 0);
+	assert_int_equal(model->mesh[5].primitive[1].file_index, 1);
+	model_destroy(model);
+}
+
+static void test_drops_corners_that_make_no_triangle(void **state)
+{
+	static const uint32_t expected[3] = {0, 1, 2};
+	struct log_capture heard;
+	struct model *model = model_fixture("mesh_modes.gltf", &heard);
+
+	(void)state;
+	expect_indices(&model->mesh[4].primitive[0], expected, 3);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/meshes/4/primitives/0: 5 corners are no whole number"));
+	model_destroy(model);
+}
+
+/* glTF 2.0, 3.7.2.1: every second triangle of a strip is turned round. */
+static void test_turns_strips_into_triangles_that_face_one_way(void **state)
+{
+	static const uint32_t expected[9] = {0, 1, 2, 1, 3, 2, 2, 3, 4};
+	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+
+	(void)state;
+	expect_indices(&model->mesh[5].primitive[0], expected, 9);
+	model_destroy(model);
+}
+
+static void test_leaves_the_joints_of_strips_out(void **state)
+{
+	static const uint32_t expected[6] = {0, 1, 2, 1, 3, 2};
+	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+
+	(void)state;
+	expect_indices(&model->mesh[7].primitive[0], expected, 6);
+	model_destroy(model);
+}
+
+static void test_turns_fans_into_triangles(void **state)
+{
+	static const uint32_t expected[9] = {1, 2, 0, 2, 3, 0, 3, 4, 0};
+	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+
+	(void)state;
+	expect_indices(&model->mesh[6].primitive[0], expected, 9);
+	model_destroy(model);
+}
+
+static void test_reads_indices_of_every_size(void **state)
+{
+	static const uint32_t expected[6] = {0, 1, 2, 3, 2, 1};
+	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	int i;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		expect_indices(&model->mesh[i].primitive[0], expected, 6);
+	}
+	model_destroy(model);
+}
+
+/* 0.5 is 188, 0.25 is 137, 0.75 is 225, 0.1 is 89, 0.001 is 3 in sRGB. */
+static void test_encodes_linear_colours_as_srgb(void **state)
+{
+	static const uint8_t expected[3][4] = {
+		{0, 188, 255, 255}, {137, 3, 255, 255}, {0, 225, 89, 255}};
+	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+
+	(void)state;
+	assert_memory_equal(
+		model->mesh[0].primitive[0].color, expected, sizeof(expected));
+	model_destroy(model);
+}
+
+static void test_keeps_alpha_linear(void **state)
+{
+	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+	uint8_t(*color)[4] = model->mesh[1].primitive[0].color;
+
+	(void)state;
+	assert_int_equal(color[0][3], 0);
+	assert_int_equal(color[1][3], 128);
+	assert_int_equal(color[2][3], 255);
+	assert_int_equal(color[0][1], 188);
+	model_destroy(model);
+}
+
+static void test_reads_colours_of_bytes_and_shorts(void **state)
+{
+	static const uint8_t expected[3][4] = {
+		{0, 188, 255, 128}, {137, 0, 255, 128}, {0, 224, 90, 128}};
+	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+
+	(void)state;
+	assert_memory_equal(
+		model->mesh[2].primitive[0].color, expected, sizeof(expected));
+	assert_memory_equal(
+		model->mesh[3].primitive[0].color, expected, sizeof(expected));
+	model_destroy(model);
+}
+
+static void test_leaves_absent_attributes_null(void **state)
+{
+	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
+
+	(void)state;
+	assert_non_null(primitive->position);
+	assert_null(primitive->normal);
+	assert_null(primitive->tangent);
+	assert_null(primitive->texcoord);
+	assert_null(primitive->color);
+	assert_null(primitive->joint);
+	assert_null(primitive->weight);
+	assert_int_equal(primitive->influences, 0);
+	model_destroy(model);
+}
+
+static void test_takes_node_weights_before_mesh_weights_before_0(void **state)
+{
+	static const float expected[3][2] = {{0.75f, 1}, {0.25f, 0.5f}, {0, 0}};
+	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	int i;
+
+	(void)state;
+	assert_int_equal(model->weight_count, 6);
+	for (i = 0; i < 3; i++) {
+		assert_all_near(model->rest_weights +
+				fixture_node(model, i)->weight_offset,
+			expected[i], 2, 0);
+	}
+	model_destroy(model);
+}
+
+static void test_gives_every_node_weights_of_its_own(void **state)
+{
+	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	bool seen[6] = {false};
+	int i;
+
+	(void)state;
+	for (i = 0; i < 3; i++) {
+		int offset = fixture_node(model, i)->weight_offset;
+
+		assert_true(offset >= 0 && offset + 2 <= 6);
+		assert_false(seen[offset] || seen[offset + 1]);
+		seen[offset] = seen[offset + 1] = true;
+	}
+	model_destroy(model);
+}
+
+static void test_shares_targets_among_primitives(void **state)
+{
+	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	const struct model_mesh *mesh = &model->mesh[0];
+	int i;
+
+	(void)state;
+	assert_int_equal(mesh->target_count, 2);
+	for (i = 0; i < 2; i++) {
+		assert_near(mesh->primitive[i].target[1].position[2][2], 2, 0);
+		assert_null(mesh->primitive[i].target[1].normal);
+	}
+	assert_string_equal(mesh->target_name[0], "");
+	model_destroy(model);
+}
+
+static void test_drops_target_normals_where_the_base_has_none(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},"
+			"'accessors':[{'componentType':5126,'count':3,'type':'"
+			"VEC3'}],"
+			"'meshes':[{'primitives':[{'attributes':{'POSITION':0},"
+			"'targets':[{'NORMAL':0,'TANGENT':0}]}]}]}",
+			&heard, &model),
+		0);
+	assert_null(model->mesh[0].primitive[0].target[0].position);
+	assert_null(model->mesh[0].primitive[0].target[0].normal);
+	assert_null(model->mesh[0].primitive[0].target[0].tangent);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_leaves_points_and_lines_out_with_a_warning),
+		cmocka_unit_test(
+			test_keeps_the_numbers_of_primitives_behind_them),
+		cmocka_unit_test(test_drops_corners_that_make_no_triangle),
+		cmocka_unit_test(
+			test_turns_strips_into_triangles_that_face_one_way),
+		cmocka_unit_test(test_leaves_the_joints_of_strips_out),
+		cmocka_unit_test(test_turns_fans_into_triangles),
+		cmocka_unit_test(test_reads_indices_of_every_size),
+		cmocka_unit_test(test_encodes_linear_colours_as_srgb),
+		cmocka_unit_test(test_keeps_alpha_linear),
+		cmocka_unit_test(test_reads_colours_of_bytes_and_shorts),
+		cmocka_unit_test(test_leaves_absent_attributes_null),
+		cmocka_unit_test(
+			test_takes_node_weights_before_mesh_weights_before_0),
+		cmocka_unit_test(test_gives_every_node_weights_of_its_own),
+		cmocka_unit_test(test_shares_targets_among_primitives),
+		cmocka_unit_test(
+			test_drops_target_normals_where_the_base_has_none),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

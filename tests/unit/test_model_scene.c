@@ -1,0 +1,282 @@
+/* glTF nodes: scenes, matrices taken apart, cameras. */
+#include "app/model/model.h"
+#include "app/model/transform_decompose.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+/* T * R * S of a transform, in double, as four columns. */
+static void compose(const struct transform *t, double out[4][4])
+{
+	double x = t->rotation[0], y = t->rotation[1];
+	double z = t->rotation[2], w = t->rotation[3];
+	double r[3][3] = {
+		{1 - 2 * (y * y + z * z), 2 * (x * y + z * w),
+			2 * (x * z - y * w)},
+		{2 * (x * y - z * w), 1 - 2 * (x * x + z * z),
+			2 * (y * z + x * w)},
+		{2 * (x * z + y * w), 2 * (y * z - x * w),
+			1 - 2 * (x * x + y * y)},
+	};
+	int c, k;
+
+	for (c = 0; c < 3; c++) {
+		for (k = 0; k < 3; k++) {
+			out[c][k] = r[c][k] * t->scale[c];
+		}
+		out[c][3] = 0;
+		out[3][c] = t->translation[c];
+	}
+	out[3][3] = 1;
+}
+
+static void expect_same(
+	const float matrix[4][4], const struct transform *transform)
+{
+	double got[4][4];
+	int c, k;
+
+	compose(transform, got);
+	for (c = 0; c < 4; c++) {
+		for (k = 0; k < 4; k++) {
+			assert_near(got[c][k], matrix[c][k], 2e-5);
+		}
+	}
+	assert_near(transform->rotation[0] * transform->rotation[0] +
+			transform->rotation[1] * transform->rotation[1] +
+			transform->rotation[2] * transform->rotation[2] +
+			transform->rotation[3] * transform->rotation[3],
+		1, 1e-6);
+}
+
+static void test_takes_matrices_apart(void **state)
+{
+	static const struct transform transforms[] = {
+		{{1, 2, 3}, {0, 0, 0, 1}, {1, 1, 1}},
+		{{0, 0, 0}, {1, 0, 0, 0}, {1, 2, 3}},
+		{{0, 0, 0}, {0, 1, 0, 0}, {3, 2, 1}},
+		{{0, 0, 0}, {0, 0, 1, 0}, {2, 2, 2}},
+		{{9, 8, 7}, {0.5f, 0.5f, 0.5f, 0.5f}, {0.001f, 1, 10}},
+		{{0, 0, 0}, {0.6f, 0, 0, -0.8f}, {1, -1, 1}},
+		{{0, 0, 0}, {0, 0.6f, 0.8f, 0}, {-1, -1, -1}},
+		{{0, 0, 0}, {0, 0.6f, 0.8f, 0}, {1, 0, 1}},
+		{{0, 0, 0}, {0, 0.6f, 0, 0.8f}, {0, 0, 2}},
+		{{0, 0, 0}, {0, 0.6f, 0, 0.8f}, {0, 5, 0}},
+	};
+	size_t i;
+	int c, k;
+
+	(void)state;
+	for (i = 0; i < sizeof(transforms) / sizeof(transforms[0]); i++) {
+		struct transform got;
+		double exact[4][4];
+		float matrix[4][4];
+
+		compose(&transforms[i], exact);
+		for (c = 0; c < 4; c++) {
+			for (k = 0; k < 4; k++) {
+				matrix[c][k] = (float)exact[c][k];
+			}
+		}
+		assert_true(transform_decompose(matrix, &got));
+		expect_same(matrix, &got);
+	}
+}
+
+static void test_tells_shear_from_scale(void **state)
+{
+	static const float shear[4][4] = {
+		{1, 0, 0, 0}, {0.01f, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+	struct transform out;
+
+	(void)state;
+	assert_false(transform_decompose(shear, &out));
+	assert_near(out.scale[0], 1, 1e-3);
+}
+
+static void test_gives_nodes_the_parts_of_their_matrix(void **state)
+{
+	static const float matrix[4][4] = {
+		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
+	static const float mirror[4][4] = {
+		{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+
+	(void)state;
+	assert_null(fixture_node(model, 0)->matrix);
+	expect_same(matrix, &fixture_node(model, 0)->rest);
+	assert_null(fixture_node(model, 1)->matrix);
+	expect_same(mirror, &fixture_node(model, 1)->rest);
+	model_destroy(model);
+}
+
+static void test_survives_flat_and_null_matrices(void **state)
+{
+	static const float flat[4][4] = {
+		{2, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+	static const float null[4][4] = {{0}, {0}, {0}, {1, 2, 3, 1}};
+	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+
+	(void)state;
+	expect_same(flat, &fixture_node(model, 2)->rest);
+	expect_same(null, &fixture_node(model, 4)->rest);
+	model_destroy(model);
+}
+
+static void test_keeps_a_matrix_that_shears(void **state)
+{
+	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	const struct model_node *node = fixture_node(model, 3);
+
+	(void)state;
+	assert_non_null(node->matrix);
+	assert_near(node->matrix[1][0], 0.5, 0);
+	assert_near(node->matrix[3][2], 3, 0);
+	model_destroy(model);
+}
+
+static void test_drops_the_matrix_of_a_node_that_moves(void **state)
+{
+	static const float matrix[4][4] = {
+		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
+	struct log_capture heard;
+	struct model *model = model_fixture("scene_matrices.gltf", &heard);
+
+	(void)state;
+	assert_null(fixture_node(model, 5)->matrix);
+	expect_same(matrix, &fixture_node(model, 5)->rest);
+	assert_null(fixture_node(model, 6)->matrix);
+	assert_near(fixture_node(model, 6)->rest.translation[1], 2, 0);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/animations/0/channels/1/target: node 6 has a matrix that "
+		"shears"));
+	model_destroy(model);
+}
+
+static bool is_in_scene(const struct model *model, int file_index)
+{
+	return fixture_node(model, file_index)->in_scene;
+}
+
+static void test_shows_the_default_scene(void **state)
+{
+	struct model *model = model_fixture("scene_tree.gltf", NULL);
+
+	(void)state;
+	assert_true(is_in_scene(model, 0));
+	assert_false(is_in_scene(model, 1));
+	assert_true(is_in_scene(model, 2));
+	assert_true(is_in_scene(model, 3));
+	assert_true(is_in_scene(model, 4));
+	model_destroy(model);
+}
+
+static void test_shows_scene_0_where_no_default_is_named(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text("{'asset':{'version':'2.0'},'nodes':[{},{}],"
+				"'scenes':[{'nodes':[1]},{'nodes':[0]}]}",
+			&heard, &model),
+		0);
+	assert_false(is_in_scene(model, 0));
+	assert_true(is_in_scene(model, 1));
+	model_destroy(model);
+}
+
+static void test_shows_everything_without_scenes(void **state)
+{
+	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	int i;
+
+	(void)state;
+	for (i = 0; i < model->node_count; i++) {
+		assert_true(model->node[i].in_scene);
+	}
+	model_destroy(model);
+}
+
+static void test_keeps_the_numbers_and_names_of_nodes(void **state)
+{
+	static const char *const names[] = {
+		"leaf", "other root", "branch", "root", "second leaf"};
+	struct model *model = model_fixture("scene_tree.gltf", NULL);
+	int i;
+
+	(void)state;
+	for (i = 0; i < 5; i++) {
+		assert_string_equal(fixture_node(model, i)->name, names[i]);
+	}
+	for (i = 0; i < model->node_count; i++) {
+		assert_true(model->node[i].parent < i);
+	}
+	i = model_find_node(model, "leaf");
+	assert_string_equal(model->node[model->node[i].parent].name, "branch");
+	assert_int_equal(model_find_node(model, "nobody"), -1);
+	assert_int_equal(model_find_mesh(model, "leaf"), -1);
+	model_destroy(model);
+}
+
+static void test_makes_rest_rotations_unit(void **state)
+{
+	static const float expected[4] = {0, 0.6f, 0, 0.8f};
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
+					 "'nodes':[{'rotation':[0,3.0,0,4]}]}",
+				 &heard, &model),
+		0);
+	assert_all_near(model->node[0].rest.rotation, expected, 4, 1e-7);
+	assert_near(model->node[0].rest.scale[2], 1, 0);
+	model_destroy(model);
+}
+
+static void test_reads_cameras(void **state)
+{
+	struct model *model = model_fixture("scene_cameras.gltf", NULL);
+	const struct model_camera *camera = model->camera;
+
+	(void)state;
+	assert_int_equal(model->camera_count, 3);
+	assert_string_equal(camera[0].name, "eye");
+	assert_true(camera[0].perspective);
+	assert_near(camera[0].yfov_rad, 0.75, 0);
+	assert_near(camera[0].aspect, 1.5, 0);
+	assert_near(camera[0].znear, 0.1f, 0);
+	assert_near(camera[0].zfar, 100, 0);
+	assert_near(camera[1].aspect, 0, 0);
+	assert_near(camera[1].zfar, 0, 0);
+	assert_false(camera[2].perspective);
+	assert_near(camera[2].xmag, 2, 0);
+	assert_near(camera[2].ymag, 3, 0);
+	assert_near(camera[2].zfar, 10, 0);
+	assert_int_equal(fixture_node(model, 2)->camera, 2);
+	assert_int_equal(fixture_node(model, 0)->mesh, -1);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_takes_matrices_apart),
+		cmocka_unit_test(test_tells_shear_from_scale),
+		cmocka_unit_test(test_gives_nodes_the_parts_of_their_matrix),
+		cmocka_unit_test(test_survives_flat_and_null_matrices),
+		cmocka_unit_test(test_keeps_a_matrix_that_shears),
+		cmocka_unit_test(test_drops_the_matrix_of_a_node_that_moves),
+		cmocka_unit_test(test_shows_the_default_scene),
+		cmocka_unit_test(test_shows_scene_0_where_no_default_is_named),
+		cmocka_unit_test(test_shows_everything_without_scenes),
+		cmocka_unit_test(test_keeps_the_numbers_and_names_of_nodes),
+		cmocka_unit_test(test_makes_rest_rotations_unit),
+		cmocka_unit_test(test_reads_cameras),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

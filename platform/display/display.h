@@ -57,7 +57,10 @@ struct display_driver {
 	 */
 	int (*begin_frame)(struct display *display, struct pixels *out);
 
-	/* Shows or stores the frame. 0, or -errno after a sentence. Mandatory. */
+	/*
+	 * Shows or stores the frame; may wait for the screen's turn. 0, or
+	 * -errno after a sentence. Mandatory.
+	 */
 	int (*end_frame)(struct display *display);
 
 	/*
@@ -74,7 +77,7 @@ struct display_driver {
 	 */
 	int (*finish)(struct display *display);
 
-	/* NULL is fine. The GL context goes first. Mandatory. */
+	/* NULL is fine. Mandatory. */
 	void (*destroy)(struct display *display);
 };
 

@@ -1,6 +1,8 @@
 #include "platform/gl/loader.h"
 
 #include <dlfcn.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "platform/base/compiler.h"
@@ -15,8 +17,26 @@ const struct gl_slot gl_slots[] = {
 
 const int gl_slot_count = (int)ARRAY_COUNT(gl_slots);
 
+#ifdef __arm__
+static const bool mesa_compiler_fails = true;
+#else
+static const bool mesa_compiler_fails = false;
+#endif
+
+/*
+ * For 32-bit ARM with software floating point, the machine code that Mesa's
+ * llvmpipe makes crashes or draws rubbish; its interpreter is right.
+ */
+static void choose_mesa_renderer(void)
+{
+	if (mesa_compiler_fails) {
+		setenv("GALLIUM_DRIVER", "softpipe", 0);
+	}
+}
+
 void *gl_library_open(const char *const *names, const char **why)
 {
+	choose_mesa_renderer();
 	for (; *names; names++) {
 		void *library =
 			dlopen(*names, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);

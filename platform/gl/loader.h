@@ -25,6 +25,7 @@ extern const int gl_slot_count;
 /*
  * The first of these libraries that opens, NULL at the end of the list; or
  * NULL, and *why (unless NULL) is the dynamic loader's reason for the last.
+ * On 32-bit ARM it sets GALLIUM_DRIVER unless it is set: see there.
  */
 void *gl_library_open(const char *const *names, const char **why);
 

@@ -31,10 +31,6 @@ struct stage stage_open(const char *driver, enum pixel_format format)
 	struct stage stage;
 	int error;
 
-	/* Translated code draws faster than code translated twice. */
-	if (library_may_lack) {
-		setenv("GALLIUM_DRIVER", "softpipe", 0);
-	}
 	error = gl_open(driver, format, &log, &stage.context);
 	if (error) {
 		fail_or_skip(driver, error);

@@ -1,5 +1,9 @@
 /*
  * A window on the desktop, through SDL.
+ *
+ * Pictures are copied by the processor. SDL could draw them with OpenGL, but
+ * two copies of Mesa in one thread, SDL's and --gl osmesa's, take each other's
+ * context for their own.
  */
 #include <SDL.h>
 #include <errno.h>
@@ -9,19 +13,11 @@
 #include "platform/base/compiler.h"
 #include "platform/display/display.h"
 
-/* Between frames when the screen does not pace us: 60 a second. */
-enum {
-	FRAME_MS = 16
-};
-
 struct display {
 	struct log log;
 	SDL_Window *window;
-	SDL_Renderer *renderer;
-	SDL_Texture *texture;
 	struct pixels pixels;
-	bool paced; /* showing a frame waits for the screen */
-	Uint32 shown_ms;
+	SDL_Surface *picture;    /* the same pixels, as SDL sees them */
 	bool held[BUTTON_COUNT]; /* pressed here and not yet let go */
 };
 
@@ -68,12 +64,7 @@ static void window_destroy(struct display *display)
 	if (!display) {
 		return;
 	}
-	if (display->texture) {
-		SDL_DestroyTexture(display->texture);
-	}
-	if (display->renderer) {
-		SDL_DestroyRenderer(display->renderer);
-	}
+	SDL_FreeSurface(display->picture);
 	if (display->window) {
 		SDL_DestroyWindow(display->window);
 	}
@@ -85,25 +76,23 @@ static void window_destroy(struct display *display)
 static int resize(struct display *display, int width, int height)
 {
 	struct pixels pixels;
-	SDL_Texture *texture;
+	SDL_Surface *picture;
 	int error = pixels_alloc(
 		&pixels, width, height, PIXELS_RGBA8888, &display->log);
 
 	if (error) {
 		return error;
 	}
-	texture = SDL_CreateTexture(display->renderer, SDL_PIXELFORMAT_RGBA32,
-		SDL_TEXTUREACCESS_STREAMING, width, height);
-	if (!texture) {
+	picture = SDL_CreateRGBSurfaceWithFormatFrom(pixels.data, width, height,
+		32, pixels.stride_bytes, SDL_PIXELFORMAT_RGBA32);
+	if (!picture) {
 		free(pixels.data);
 		return failed(display, "cannot make a picture for the screen");
 	}
-	if (display->texture) {
-		SDL_DestroyTexture(display->texture);
-	}
-	SDL_SetTextureBlendMode(texture, SDL_BLENDMODE_NONE);
+	SDL_SetSurfaceBlendMode(picture, SDL_BLENDMODE_NONE);
+	SDL_FreeSurface(display->picture);
 	free(display->pixels.data);
-	display->texture = texture;
+	display->picture = picture;
 	display->pixels = pixels;
 	return 0;
 }
@@ -111,8 +100,7 @@ static int resize(struct display *display, int width, int height)
 static int open_window(
 	struct display *display, const struct display_options *options)
 {
-	SDL_RendererInfo info;
-
+	SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
 	display->window =
 		SDL_CreateWindow(options->title ? options->title : "limber",
 			SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
@@ -120,16 +108,10 @@ static int open_window(
 	if (!display->window) {
 		return failed(display, "cannot open a window");
 	}
-	display->renderer = SDL_CreateRenderer(
-		display->window, -1, SDL_RENDERER_PRESENTVSYNC);
-	if (!display->renderer) {
-		display->renderer = SDL_CreateRenderer(display->window, -1, 0);
-	}
-	if (!display->renderer) {
+	/* Wayland alone has nothing to copy to; X11 on top of it has. */
+	if (!SDL_GetWindowSurface(display->window)) {
 		return failed(display, "cannot draw in a window");
 	}
-	display->paced = SDL_GetRendererInfo(display->renderer, &info) == 0 &&
-		(info.flags & SDL_RENDERER_PRESENTVSYNC);
 	return 0;
 }
 
@@ -165,7 +147,7 @@ static int window_begin_frame(struct display *display, struct pixels *out)
 {
 	int width = 0, height = 0;
 
-	SDL_GetRendererOutputSize(display->renderer, &width, &height);
+	SDL_GetWindowSize(display->window, &width, &height);
 	if (width > 0 && height > 0 &&
 		(width != display->pixels.width ||
 			height != display->pixels.height)) {
@@ -179,28 +161,16 @@ static int window_begin_frame(struct display *display, struct pixels *out)
 	return 0;
 }
 
-static void wait_for_turn(struct display *display)
-{
-	Uint32 since_ms = SDL_GetTicks() - display->shown_ms;
-
-	if (!display->paced && since_ms < FRAME_MS) {
-		SDL_Delay(FRAME_MS - since_ms);
-	}
-	display->shown_ms = SDL_GetTicks();
-}
-
 static int window_end_frame(struct display *display)
 {
-	const struct pixels *pixels = &display->pixels;
+	/* Another one after a change of size; SDL owns it. */
+	SDL_Surface *screen = SDL_GetWindowSurface(display->window);
 
-	if (SDL_UpdateTexture(display->texture, NULL, pixels->data,
-		    pixels->stride_bytes) != 0 ||
-		SDL_RenderCopy(
-			display->renderer, display->texture, NULL, NULL) != 0) {
+	if (!screen ||
+		SDL_BlitSurface(display->picture, NULL, screen, NULL) != 0 ||
+		SDL_UpdateWindowSurface(display->window) != 0) {
 		return failed(display, "cannot show a picture");
 	}
-	wait_for_turn(display);
-	SDL_RenderPresent(display->renderer);
 	return 0;
 }
 

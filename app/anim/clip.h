@@ -49,7 +49,7 @@ void clip_sample_as(const struct model_clip *clip, float time_s,
 
 /*
  * One channel's value: width floats into out. key is its cached position.
- * Rotations come out unit length whatever the keys' precision.
+ * Cubic rotations come out unit length, others as unit as the file's keys.
  */
 void clip_sample_channel(const struct model_channel *channel, float time_s,
 	enum clip_interpolation interpolation, int *key, float *out);

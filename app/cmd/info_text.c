@@ -1,4 +1,5 @@
 #include "app/cmd/info_report.h"
+#include "app/cmd/time_text.h"
 
 #include <errno.h>
 
@@ -57,14 +58,16 @@ static void print_clips(const struct model *model, FILE *out)
 	if (model->clip_count == 0) {
 		return;
 	}
-	fprintf(out, "\nclips      seconds channels  keys\n");
+	fprintf(out, "\nclips      seconds  30 Hz  ticks channels  keys\n");
 	for (int i = 0; i < model->clip_count; i++) {
 		const struct model_clip *clip = &model->clip[i];
+		double duration_s = (double)clip->duration_s;
 		struct model_stats stats = {0};
 
 		model_stats_add_clip(&stats, clip);
-		fprintf(out, "  %3d      %7.2f %8d %5d  %s\n", i,
-			(double)clip->duration_s, stats.channel_count,
+		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  %s\n", i,
+			duration_s, duration_s * 30.0,
+			duration_s * TIME_TICKS_PER_S, stats.channel_count,
 			stats.key_count, or_unnamed(clip->name));
 	}
 }

@@ -1,5 +1,7 @@
 #include "app/cmd/options.h"
 
+#include "app/cmd/time_text.h"
+
 #include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -104,12 +106,46 @@ static bool set_frames(struct options *options, const char *value)
 
 static bool set_time(struct options *options, const char *value)
 {
+	options->time_given = true;
+	return time_text_parse(value, &options->time_s) &&
+		options->time_s >= 0.0 && options->time_s <= 86400.0;
+}
+
+static bool set_interpolation(struct options *options, const char *value)
+{
+	int found = clip_interpolation_find(value);
+
+	options->interpolation = (enum clip_interpolation)found;
+	return found >= 0;
+}
+
+static bool set_speed(struct options *options, const char *value)
+{
 	char *end;
 
-	options->time_s = strtod(value, &end);
-	options->time_given = true;
-	return end != value && !*end && options->time_s >= 0.0 &&
-		options->time_s <= 86400.0;
+	options->speed = strtof(value, &end);
+	return end != value && !*end && options->speed >= -100.0f &&
+		options->speed <= 100.0f;
+}
+
+static bool set_repeat(struct options *options, const char *value)
+{
+	static const struct {
+		const char *name;
+		enum clip_repeat repeat;
+	} kinds[] = {
+		{"loop", CLIP_LOOP},
+		{"ping-pong", CLIP_PING_PONG},
+		{"once", CLIP_ONCE},
+	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(kinds); i++) {
+		if (strcmp(value, kinds[i].name) == 0) {
+			options->repeat = kinds[i].repeat;
+			return true;
+		}
+	}
+	return false;
 }
 
 static bool set_clip(struct options *options, const char *value)
@@ -184,9 +220,21 @@ static const struct option_entry entries[] = {
 	{0, "clip", "NAME", FOR_SHOW | FOR_POSE,
 		"an animation of the model, by name or number (0 is the first)",
 		"a clip's name or number", set_clip},
-	{0, "time", "S", FOR_SHOW | FOR_POSE,
-		"the moment to show, or to begin at, in seconds",
-		"seconds such as 1.5, from 0 to 86400", set_time},
+	{0, "time", "T", FOR_SHOW | FOR_POSE,
+		"the moment to show, or to begin at: seconds, or frames such "
+		"as 45f@30, or 3ds Max ticks such as 7200t",
+		"seconds such as 1.5, frames such as 45f@30 or ticks such as "
+		"7200t, from 0 to 86400 s", set_time},
+	{0, "interpolation", "MODE", FOR_SHOW | FOR_POSE,
+		"between keys: auto (as the file says), nearest, step, linear "
+		"or cubic", "auto, nearest, step, linear or cubic",
+		set_interpolation},
+	{0, "speed", "X", FOR_SHOW,
+		"play a model's clip X times as fast, backwards if negative",
+		"a number from -100 to 100", set_speed},
+	{0, "repeat", "KIND", FOR_SHOW,
+		"play a model's clip once, in a loop or as ping-pong (loop)",
+		"loop, ping-pong or once", set_repeat},
 	{0, "frames", "N", FOR_SHOW,
 		"stop after N frames", "a number from 1 to 1000000", set_frames},
 	{0, "size", "WxH", FOR_SHOW,
@@ -235,6 +283,9 @@ struct options options_default(void)
 		.width = 480,
 		.height = 640,
 		.clock = clock_real(),
+		.speed = 1.0f,
+		.repeat = CLIP_LOOP,
+		.interpolation = CLIP_AUTO,
 	};
 }
 

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "app/anim/clip.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
 
@@ -35,6 +36,9 @@ struct options {
 	int frames; /* 0: not given */
 	double time_s;
 	bool time_given;
+	enum clip_interpolation interpolation;
+	float speed; /* of a model's clip */
+	enum clip_repeat repeat;
 	int influences; /* 0: all */
 	bool json;
 	bool no_labels;

@@ -97,8 +97,9 @@ static int pose_instance(struct instance *instance,
 		return error;
 	}
 	if (clip >= 0) {
-		clip_sample(&instance->model->clip[clip],
-			(float)options->time_s, &cursor, &instance->pose);
+		clip_sample_as(&instance->model->clip[clip],
+			(float)options->time_s, options->interpolation, &cursor,
+			&instance->pose);
 	}
 	instance->max_influences = options->influences;
 	instance_update(instance);

@@ -126,6 +126,9 @@ static int open_demo(struct show *show, const struct options *options)
 		.aspect = (float)options->width / (float)options->height,
 		.model_path = show->plan->model_path,
 		.clip = options->clip,
+		.interpolation = options->interpolation,
+		.repeat = options->repeat,
+		.speed = options->speed,
 		.max_influences = options->influences,
 		.unattended = show->plan->unattended,
 	};

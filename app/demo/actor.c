@@ -17,8 +17,13 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 		goto fail_model;
 	}
 	actor->instance->max_influences = env->max_influences;
+	actor->interpolation = env->interpolation;
 	error = clip_cursor_init(
 		&actor->cursor, actor->model, &actor->instance->arena);
+	if (!error) {
+		error = fade_init(
+			&actor->fade, actor->model, &actor->instance->arena);
+	}
 	if (error) {
 		log_error(env->log, "%s: not enough memory to play it",
 			env->model_path);
@@ -45,14 +50,12 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 	*actor = (struct actor){0};
 }
 
-int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
+int set_stage(const struct demo_env *env, const struct bounds *bounds,
 	struct framing framing, struct stage *stage)
 {
-	struct bounds bounds = bounds_of_clip(actor->instance, clip);
-
 	framing.aspect = env->aspect;
 	return stage_init(
-		stage, env->gl, &bounds, &framing, env->target, env->log);
+		stage, env->gl, bounds, &framing, env->target, env->log);
 }
 
 void actor_draw(const struct actor *actor, const struct stage *stage,
@@ -69,7 +72,8 @@ void actor_pose(struct actor *actor, int clip, float time_s)
 {
 	pose_rest(&actor->instance->pose, actor->model);
 	if (clip >= 0) {
-		clip_sample(&actor->model->clip[clip], time_s, &actor->cursor,
+		clip_sample_as(&actor->model->clip[clip], time_s,
+			actor->interpolation, &actor->cursor,
 			&actor->instance->pose);
 	}
 }

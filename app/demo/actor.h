@@ -4,6 +4,7 @@
 #ifndef APP_DEMO_ACTOR_H
 #define APP_DEMO_ACTOR_H
 
+#include "app/anim/blend.h"
 #include "app/anim/clip.h"
 #include "app/demo/demo.h"
 #include "app/scene/instance.h"
@@ -15,6 +16,8 @@ struct actor {
 	struct instance *instance;
 	struct texture_set textures;
 	struct clip_cursor cursor;
+	enum clip_interpolation interpolation;
+	struct fade fade; /* for whoever changes clips */
 };
 
 /* Loads env's model. 0, or -errno after a sentence with nothing left behind. */
@@ -23,10 +26,10 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * A stage that frames the actor over all of a clip (-1: at rest). The framing's
- * aspect is filled in from env. 0, or -errno after a sentence.
+ * A stage that frames the box, see bounds_of_clip(). The framing's aspect is
+ * filled in from env. 0, or -errno after a sentence.
  */
-int actor_set_stage(struct actor *actor, const struct demo_env *env, int clip,
+int set_stage(const struct demo_env *env, const struct bounds *bounds,
 	struct framing framing, struct stage *stage);
 
 /* A whole frame with only this actor on the stage, shadow included. */

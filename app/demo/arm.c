@@ -161,6 +161,7 @@ static void begin_step(struct demo *demo, int step)
 static int arm_create(const struct demo_env *env, struct demo **out)
 {
 	struct demo *demo = calloc(1, sizeof(*demo));
+	struct bounds bounds;
 	int error = -ENOMEM;
 
 	if (!demo) {
@@ -177,8 +178,8 @@ static int arm_create(const struct demo_env *env, struct demo **out)
 	error = make_pivots(demo, env);
 	if (!error) {
 		set_orders(demo);
-		error = actor_set_stage(
-			&demo->actor, env, -1, framing, &demo->stage);
+		bounds = bounds_of_clip(demo->actor.instance, -1);
+		error = set_stage(env, &bounds, framing, &demo->stage);
 	}
 	if (error) {
 		goto fail_actor;

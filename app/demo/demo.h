@@ -8,6 +8,7 @@
 #ifndef APP_DEMO_DEMO_H
 #define APP_DEMO_DEMO_H
 
+#include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/scene/hud_group.h"
 #include "platform/base/log.h"
@@ -26,8 +27,11 @@ struct demo_env {
 	float aspect;           /* width / height */
 	const char *model_path; /* the file to show */
 	const char *clip;       /* name or number to begin with, or NULL */
-	int max_influences;     /* a vertex; 0: all */
-	bool unattended;        /* nobody will press a button: show things */
+	enum clip_interpolation interpolation;
+	enum clip_repeat repeat; /* of the user's model's clips */
+	float speed;             /* likewise, negative: backwards */
+	int max_influences;      /* a vertex; 0: all */
+	bool unattended;         /* nobody will press a button: show things */
 };
 
 /* Something a button does. */

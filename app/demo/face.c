@@ -154,6 +154,7 @@ static int init_parts(struct demo *demo, const struct demo_env *env)
 static int face_create(const struct demo_env *env, struct demo **out)
 {
 	struct demo *demo = calloc(1, sizeof(*demo));
+	struct bounds bounds;
 	int error = -ENOMEM;
 
 	if (!demo) {
@@ -172,7 +173,8 @@ static int face_create(const struct demo_env *env, struct demo **out)
 	if (error) {
 		goto fail_actor;
 	}
-	error = actor_set_stage(&demo->actor, env, -1, framing, &demo->stage);
+	bounds = bounds_of_clip(demo->actor.instance, -1);
+	error = set_stage(env, &bounds, framing, &demo->stage);
 	if (error) {
 		goto fail_actor;
 	}

@@ -1,6 +1,7 @@
 /*
  * The viewer: any model, its clips on UP and DOWN, the camera on the others.
  */
+#include "app/anim/timeline.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "platform/base/scalar.h"
@@ -10,6 +11,7 @@
 
 static const float orbit_rad_per_s = 1.4f;
 static const float zoom_per_s = 1.2f;
+static const float fade_s = 0.25f;
 
 static const struct framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
@@ -21,7 +23,9 @@ struct demo {
 	struct actor actor;
 	struct stage stage;
 	int clip; /* or -1: at rest */
-	double clip_s;
+	struct playback playback;
+	enum clip_repeat repeat;
+	float speed;
 	double now_s;
 	bool paused;
 	const char *title;      /* the technique that moves most of it */
@@ -48,6 +52,18 @@ static int choose_clip(
 	return 0;
 }
 
+static float viewer_duration_s(const struct demo *demo)
+{
+	return demo->clip < 0 ? 0.0f
+			      : demo->actor.model->clip[demo->clip].duration_s;
+}
+
+static void begin_clip(struct demo *demo)
+{
+	demo->playback = playback_begin(
+		viewer_duration_s(demo), demo->repeat, demo->speed);
+}
+
 static const char *technique_of(const struct instance *instance)
 {
 	bool skinned = false, morphed = false;
@@ -65,6 +81,7 @@ static const char *technique_of(const struct instance *instance)
 static int viewer_create(const struct demo_env *env, struct demo **out)
 {
 	struct demo *demo = calloc(1, sizeof(*demo));
+	struct bounds bounds;
 	int error = -ENOMEM;
 
 	if (!demo) {
@@ -72,6 +89,8 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 		return error;
 	}
 	demo->gl = env->gl;
+	demo->repeat = env->repeat;
+	demo->speed = env->speed;
 	error = actor_load(&demo->actor, env);
 	if (error) {
 		goto fail;
@@ -80,12 +99,13 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 	if (error) {
 		goto fail_actor;
 	}
-	error = actor_set_stage(
-		&demo->actor, env, demo->clip, framing, &demo->stage);
+	bounds = bounds_of_clip(demo->actor.instance, demo->clip);
+	error = set_stage(env, &bounds, framing, &demo->stage);
 	if (error) {
 		goto fail_actor;
 	}
 	demo->tilting = demo->actor.model->clip_count < 2;
+	begin_clip(demo);
 	demo->title = technique_of(demo->actor.instance);
 	*out = demo;
 	return 0;
@@ -106,26 +126,19 @@ static void viewer_destroy(struct demo *demo)
 	}
 }
 
-static float viewer_duration_s(const struct demo *demo)
-{
-	return demo->clip < 0 ? 0.0f
-			      : demo->actor.model->clip[demo->clip].duration_s;
-}
-
 static void viewer_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
 
 	demo->now_s = time_s;
 	if (!demo->paused) {
-		demo->clip_s += step_s;
+		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
 	camera_orbit(&demo->stage.camera, demo->turn * orbit_rad_per_s * step_s,
 		demo->tilt * orbit_rad_per_s * step_s);
 	demo->stage.camera.distance *= 1.0f + demo->zoom * zoom_per_s * step_s;
-	actor_pose(&demo->actor, demo->clip,
-		clip_time((float)demo->clip_s, viewer_duration_s(demo),
-			CLIP_LOOP));
+	actor_pose(&demo->actor, demo->clip, demo->playback.time_s);
+	fade_update(&demo->actor.fade, step_s, &demo->actor.instance->pose);
 	instance_update(demo->actor.instance);
 }
 
@@ -153,8 +166,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 		const char *name = model->clip[demo->clip].name;
 
 		hud_group_time(&group, name[0] ? name : "unnamed clip",
-			clip_time(demo->clip_s, duration_s, CLIP_LOOP),
-			duration_s, hud_color_blue);
+			demo->playback.time_s, duration_s, hud_color_blue);
 	}
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
@@ -167,8 +179,10 @@ static void step_clip(struct demo *demo, int step)
 	int count = demo->actor.model->clip_count;
 
 	if (count > 0) {
+		fade_begin(&demo->actor.fade, &demo->actor.instance->pose,
+			fade_s, EASE_CUBIC);
 		demo->clip = (demo->clip + step + count) % count;
-		demo->clip_s = 0.0;
+		begin_clip(demo);
 	}
 }
 

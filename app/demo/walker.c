@@ -1,8 +1,15 @@
 /*
- * The walker: skeletal animation, AN4044 section 3. Buttons switch clips.
+ * The walker: skeletal animation, AN4044 section 3. Buttons switch clips, each
+ * fading into the next, and what is put on top of them.
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/walker_rig.h"
+#include "app/scene/ball.h"
+#include "app/scene/draw.h"
+#include "app/scene/light.h"
+#include "app/scene/shadow_volume.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -32,20 +39,54 @@ static const struct move_kind moves[MOVE_COUNT] = {
 	[MOVE_JUMP] = {"jump", 0.0f, true},
 };
 
+static const float fade_s = 0.3f;
 static const float turn_rad_per_s = 1.2f;
+static const float shadow_strength = 0.375f;
+static const float ball_radius_m = 0.05f;
+static const float ball_color[3] = {0.95f, 0.35f, 0.2f};
 
-static const struct framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .turn_rad = 0.3f, .margin = 1.05f};
+/* What happens by itself when nobody presses buttons. */
+struct tour_stop {
+	float time_s;
+	enum move move;
+	unsigned features; /* bits of enum rig_feature */
+};
+
+static const struct tour_stop tour[] = {
+	{0.0f, MOVE_WALK, 0},
+	{3.3f, MOVE_WALK, 1 << RIG_LOOK},
+	{5.5f, MOVE_WAVE, 1 << RIG_LOOK},
+	{7.9f, MOVE_RUN, 0},
+	{10.0f, MOVE_JUMP, 0},
+	{11.5f, MOVE_WALK, 1 << RIG_GROUND | 1 << RIG_LOOK | 1 << RIG_REACH},
+	{16.0f, MOVE_IDLE, 1 << RIG_SHAKE},
+};
+
+static const float tour_s = 18.0f;
+
+static const struct framing framing = {.yaw_rad = 0.45f,
+	.pitch_rad = 0.12f,
+	.turn_rad = 0.3f,
+	.margin = 1.02f,
+	.aside = 0.16f};
 
 struct demo {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
+	struct ball ball;
+	struct shadow_volume shadow;
+	struct walker_rig rig;
 	int clip[MOVE_COUNT];
 	enum move gait, move;
 	double move_s; /* since the move began */
+	float ground_m_per_s;
 	double now_s;
 	float turn;
+	int chosen; /* the feature that F8 switches */
+	bool touring;
+	size_t stop;
+	double tour_start_s;
 };
 
 static int find_clips(struct demo *demo, const struct demo_env *env)
@@ -62,6 +103,42 @@ static int find_clips(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
+/* Room for everything that it does. */
+static struct bounds bounds_of_moves(struct demo *demo)
+{
+	struct bounds all = bounds_empty();
+
+	for (int i = 0; i < MOVE_COUNT; i++) {
+		struct bounds bounds =
+			bounds_of_clip(demo->actor.instance, demo->clip[i]);
+
+		bounds_join(&all, &bounds);
+	}
+	/* A jump goes below the floor's level for a few millimetres. */
+	all.low[1] = 0.0f;
+	return all;
+}
+
+/* All that needs the model. */
+static int prepare(struct demo *demo, const struct demo_env *env)
+{
+	struct instance *instance = demo->actor.instance;
+	int error = find_clips(demo, env);
+
+	if (!error) {
+		error = walker_rig_init(&demo->rig, demo->actor.model, env->log);
+	}
+	if (!error) {
+		error = shadow_volume_init(&demo->shadow, instance, env->log);
+	}
+	if (!error) {
+		struct bounds bounds = bounds_of_moves(demo);
+
+		error = set_stage(env, &bounds, framing, &demo->stage);
+	}
+	return error;
+}
+
 static int walker_create(const struct demo_env *env, struct demo **out)
 {
 	struct demo *demo = calloc(1, sizeof(*demo));
@@ -72,16 +149,14 @@ static int walker_create(const struct demo_env *env, struct demo **out)
 		return error;
 	}
 	demo->gl = env->gl;
-	demo->gait = demo->move = env->unattended ? MOVE_WALK : MOVE_IDLE;
+	demo->touring = env->unattended;
+	demo->gait = demo->move = demo->touring ? MOVE_WALK : MOVE_IDLE;
+	ball_init(&demo->ball);
 	error = actor_load(&demo->actor, env);
 	if (error) {
 		goto fail;
 	}
-	error = find_clips(demo, env);
-	if (!error) {
-		error = actor_set_stage(&demo->actor, env,
-			demo->clip[MOVE_WALK], framing, &demo->stage);
-	}
+	error = prepare(demo, env);
 	if (error) {
 		goto fail_actor;
 	}
@@ -109,19 +184,63 @@ static const struct model_clip *clip_of(const struct demo *demo, enum move move)
 	return &demo->actor.model->clip[demo->clip[move]];
 }
 
+/* Fades from whatever is shown now, be it another fade. */
 static void begin(struct demo *demo, enum move move)
 {
+	if (move != demo->move) {
+		fade_begin(&demo->actor.fade, &demo->actor.instance->pose,
+			fade_s, EASE_CUBIC);
+	}
 	demo->move = move;
 	demo->move_s = 0.0;
 }
 
+static void go_on_tour(struct demo *demo)
+{
+	double tour_time_s = demo->now_s - demo->tour_start_s;
+
+	if (tour_time_s >= (double)tour_s) {
+		demo->tour_start_s += (double)tour_s;
+		demo->stop = 0;
+		tour_time_s -= (double)tour_s;
+	}
+	while (demo->stop < ARRAY_COUNT(tour) &&
+		tour_time_s >= (double)tour[demo->stop].time_s) {
+		const struct tour_stop *stop = &tour[demo->stop++];
+
+		if (stop->move != demo->move) {
+			demo->gait = moves[stop->move].once ? demo->gait
+							    : stop->move;
+			begin(demo, stop->move);
+		}
+		for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
+			demo->rig.on[i] = stop->features >> i & 1;
+		}
+	}
+}
+
+/* The floor takes up the speed of a gait as the fade does. */
+static void run_floor(struct demo *demo, float step_s)
+{
+	float goal = moves[demo->move].ground_m_per_s;
+	float share = scalar_clamp(step_s / fade_s * 2.0f, 0.0f, 1.0f);
+
+	demo->ground_m_per_s += (goal - demo->ground_m_per_s) * share;
+	floor_run(&demo->stage.floor, 0.0f, demo->ground_m_per_s * step_s);
+}
+
 static void walker_update(struct demo *demo, double time_s)
 {
+	struct instance *instance = demo->actor.instance;
 	float step_s = (float)(time_s - demo->now_s);
 	const struct model_clip *clip;
+	float light[3];
 
 	demo->now_s = time_s;
 	demo->move_s += step_s;
+	if (demo->touring) {
+		go_on_tour(demo);
+	}
 	if (moves[demo->move].once &&
 		demo->move_s >= clip_of(demo, demo->move)->duration_s) {
 		begin(demo, demo->gait);
@@ -129,21 +248,69 @@ static void walker_update(struct demo *demo, double time_s)
 	clip = clip_of(demo, demo->move);
 	camera_orbit(&demo->stage.camera, demo->turn * turn_rad_per_s * step_s,
 		0.0f);
-	floor_run(&demo->stage.floor, 0.0f,
-		moves[demo->move].ground_m_per_s * step_s);
+	run_floor(demo, step_s);
 	actor_pose(&demo->actor, demo->clip[demo->move],
-		clip_time((float)demo->move_s, clip->duration_s, CLIP_LOOP));
-	instance_update(demo->actor.instance);
+		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP));
+	fade_update(&demo->actor.fade, step_s, &instance->pose);
+	walker_rig_apply(
+		&demo->rig, instance, &demo->stage.floor, time_s, step_s);
+	instance_update(instance);
+	light_direction(light);
+	shadow_volume_update(&demo->shadow, instance, light,
+		2.0f * demo->stage.camera.reach);
+}
+
+static void draw_shadow(const struct demo *demo)
+{
+	const struct gl *gl = demo->gl;
+	const struct actor *actor = &demo->actor;
+
+	if (demo->stage.floor.relief != 0.0f && demo->stage.has_stencil) {
+		shadow_volume_draw(&demo->shadow, gl, shadow_strength);
+		return;
+	}
+	stage_shadow_begin(&demo->stage, gl);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
+	stage_shadow_end(&demo->stage, gl);
 }
 
 static void walker_draw(struct demo *demo, int width, int height)
 {
-	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
+	const struct gl *gl = demo->gl;
+	const struct actor *actor = &demo->actor;
+
+	stage_begin(&demo->stage, gl, width, height);
+	draw_shadow(demo);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	if (demo->rig.on[RIG_LOOK] || demo->rig.on[RIG_REACH]) {
+		ball_draw(&demo->ball, gl, demo->rig.ball, ball_radius_m,
+			ball_color);
+	}
 }
 
 static double walker_period_s(const struct demo *demo)
 {
-	return clip_of(demo, demo->move)->duration_s;
+	(void)demo;
+	return tour_s;
+}
+
+static void label_features(const struct demo *demo, struct hud_group *group)
+{
+	static const struct hud_color *const colors[] = {
+		&hud_color_green,
+		&hud_color_amber,
+		&hud_color_violet,
+		&hud_color_rose,
+	};
+
+	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
+		if (demo->rig.weight[i] > 0.0f) {
+			hud_group_weight(group,
+				rig_feature_name((enum rig_feature)i),
+				demo->rig.weight[i],
+				*colors[(size_t)i % ARRAY_COUNT(colors)]);
+		}
+	}
 }
 
 static void walker_label(const struct demo *demo, struct hud *hud)
@@ -154,13 +321,27 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 	hud_group_time(&group, clip->name,
 		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP),
 		clip->duration_s, hud_color_blue);
+	if (demo->actor.fade.running) {
+		hud_group_weight(&group, "fade",
+			demo->actor.fade.elapsed_s / demo->actor.fade.duration_s,
+			hud_color_blue);
+	}
+	label_features(demo, &group);
 	hud_group_end(&group);
+	if (!demo->touring) {
+		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+		hud_group_switch(&group, "F8",
+			rig_feature_name((enum rig_feature)demo->chosen),
+			demo->rig.on[demo->chosen], hud_color_green);
+		hud_group_end(&group);
+	}
 }
 
 static void change_gait(struct demo *demo, int step)
 {
 	int gait = (int)demo->gait + step;
 
+	demo->touring = false;
 	if (gait >= 0 && gait < GAIT_COUNT) {
 		demo->gait = (enum move)gait;
 		begin(demo, demo->gait);
@@ -184,6 +365,7 @@ static void press_slower(struct demo *demo, bool down)
 static void press_wave(struct demo *demo, bool down)
 {
 	if (down) {
+		demo->touring = false;
 		begin(demo, MOVE_WAVE);
 	}
 }
@@ -191,6 +373,7 @@ static void press_wave(struct demo *demo, bool down)
 static void press_jump(struct demo *demo, bool down)
 {
 	if (down) {
+		demo->touring = false;
 		begin(demo, MOVE_JUMP);
 	}
 }
@@ -200,12 +383,39 @@ static void press_turn(struct demo *demo, bool down)
 	demo->turn = down ? 1.0f : 0.0f;
 }
 
+static void press_choose(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->chosen = (demo->chosen + 1) % RIG_FEATURE_COUNT;
+	}
+}
+
+static void press_switch(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		demo->rig.on[demo->chosen] = !demo->rig.on[demo->chosen];
+	}
+}
+
+static void press_tour(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = true;
+		demo->stop = 0;
+		demo->tour_start_s = demo->now_s;
+	}
+}
+
 static const struct demo_action walker_actions[] = {
 	{BUTTON_UP, "faster: idle, walk, run", press_faster},
 	{BUTTON_DOWN, "slower", press_slower},
 	{BUTTON_LEFT, "wave", press_wave},
 	{BUTTON_RIGHT, "jump", press_jump},
 	{BUTTON_ENTER, "go round (hold)", press_turn},
+	{BUTTON_F6, "choose the next feature of the list", press_choose},
+	{BUTTON_F8, "switch the chosen feature", press_switch},
+	{BUTTON_F9, "show all of it in turn", press_tour},
 	{0},
 };
 

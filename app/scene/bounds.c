@@ -76,7 +76,7 @@ struct bounds bounds_of_instance(const struct instance *instance)
 	return bounds;
 }
 
-static void bounds_join(struct bounds *bounds, const struct bounds *other)
+void bounds_join(struct bounds *bounds, const struct bounds *other)
 {
 	if (!bounds_is_empty(other)) {
 		bounds_add(bounds, other->low);

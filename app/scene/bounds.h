@@ -16,6 +16,7 @@ struct bounds {
 struct bounds bounds_empty(void);
 bool bounds_is_empty(const struct bounds *bounds);
 void bounds_add(struct bounds *bounds, const float point[3]);
+void bounds_join(struct bounds *bounds, const struct bounds *other);
 
 /* The longest side; 0 when empty. */
 float bounds_extent(const struct bounds *bounds);

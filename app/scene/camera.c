@@ -59,6 +59,7 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 
 	camera->yaw_rad = framing->yaw_rad;
 	camera->pitch_rad = framing->pitch_rad;
+	camera->aside = framing->aside;
 	bounds_center(bounds, camera->target);
 	for (int axis = 0; axis < 3; axis++) {
 		half[axis] = bounds_is_empty(bounds)
@@ -127,16 +128,20 @@ void camera_apply(
 	float near = camera->distance - camera->reach;
 	float far = camera->distance + 3.0f * camera->reach;
 	float top;
-	fx16_t x, y;
+	float half_width, shift;
+	fx16_t y;
 	mat4 view;
 
 	near = near < 0.05f * camera->distance ? 0.05f * camera->distance : near;
 	top = near * tan_half(camera->yfov_rad);
 	y = fx16_from_float(top);
-	x = fx16_from_float(top * (float)width / (float)height);
+	half_width = top * (float)width / (float)height;
+	shift = camera->aside * half_width;
 	gl->MatrixMode(GL_PROJECTION);
 	gl->LoadIdentity();
-	gl->Frustumx(-x, x, -y, y, fx16_from_float(near), fx16_from_float(far));
+	gl->Frustumx(fx16_from_float(-half_width - shift),
+		fx16_from_float(half_width - shift), -y, y,
+		fx16_from_float(near), fx16_from_float(far));
 	gl->MatrixMode(GL_MODELVIEW);
 	camera_view(camera, view);
 	matrix_gl_load(gl, (const vec4 *)view);

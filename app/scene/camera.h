@@ -14,6 +14,8 @@ struct camera {
 	float pitch_rad; /* above the horizon */
 	float yfov_rad;
 	float reach; /* radius around target that must not be clipped */
+	float aside; /* how far right of the middle the target is shown, in
+			half widths of the picture */
 };
 
 /* From the front, a little to the side and from above; 30 degrees high. */
@@ -25,6 +27,7 @@ struct framing {
 	float yaw_rad, pitch_rad;
 	float turn_rad; /* the yaw may turn so far to either side */
 	float margin;   /* 1.1 leaves a tenth free around the box */
+	float aside;    /* as the camera's */
 };
 
 /*

@@ -10,7 +10,7 @@
 
 enum {
 	TILE_TEXELS = 64,
-	WAVE_TILES = 4, /* after so many tiles the ground repeats */
+	WAVE_TILES = 8, /* after so many tiles the ground repeats */
 };
 
 static const float shade = 208.0f; /* of level ground, of 255 */
@@ -95,8 +95,7 @@ float floor_height(const struct floor *floor, float x, float z)
 	}
 	return floor->y +
 		0.5f * floor->relief *
-		(scalar_sin(2.0f * v + scalar_sin(u)) +
-			scalar_sin(2.0f * u + 0.7f));
+		(scalar_sin(2.0f * v + scalar_sin(u)) + scalar_sin(u + 0.7f));
 }
 
 /* Heights, and a shade that tells slopes towards the light from others. */
@@ -185,15 +184,17 @@ void floor_run(struct floor *floor, float dx, float dz)
 
 	floor->offset[0] = wrap(floor->offset[0] + dx, length);
 	floor->offset[1] = wrap(floor->offset[1] + dz, length);
-	if (floor->relief != 0.0f) {
+	if (floor->relief != 0.0f && (dx != 0.0f || dz != 0.0f)) {
 		shape(floor);
 	}
 }
 
 void floor_set_relief(struct floor *floor, float relief)
 {
-	floor->relief = relief;
-	shape(floor);
+	if (relief != floor->relief) {
+		floor->relief = relief;
+		shape(floor);
+	}
 }
 
 void floor_draw(const struct floor *floor, const struct gl *gl)

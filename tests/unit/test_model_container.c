@@ -1,0 +1,265 @@
+/* Where glTF's bytes come from: .glb, data URIs, files, memory. */
+#include "app/model/model.h"
+#include "tests/support/files.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+static void expect_triangle(struct model *model)
+{
+	assert_int_equal(model->mesh[0].primitive[0].vertex_count, 3);
+	assert_all_near(model->mesh[0].primitive[0].position, triangle, 9, 0);
+	model_destroy(model);
+}
+
+static void test_reads_a_glb_and_passes_over_other_chunks(void **state)
+{
+	(void)state;
+	expect_triangle(model_fixture("container_binary.glb", NULL));
+}
+
+static void test_reads_a_buffer_beside_the_file(void **state)
+{
+	(void)state;
+	expect_triangle(model_fixture("container_beside.gltf", NULL));
+}
+
+static void test_names_the_model(void **state)
+{
+	struct model *model = model_fixture("container_binary.glb", NULL);
+
+	(void)state;
+	assert_string_equal(
+		model->path, fixture_path("container_binary.glb").text);
+	assert_string_equal(model->format, "glTF 2.0");
+	model_destroy(model);
+}
+
+static void test_accepts_a_byte_order_mark_and_blanks(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text("\xef\xbb\xbf \t\r\n"
+					 "{'asset':{'version':'2.1'}}",
+				 &heard, &model),
+		0);
+	assert_int_equal(model->node_count, 0);
+	model_destroy(model);
+}
+
+static void test_tells_a_missing_file(void **state)
+{
+	struct log_capture heard;
+	struct log log = log_capture_begin(&heard);
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load("no/such.glb", &log, &model), -ENOENT);
+	assert_null(model);
+	assert_int_equal(heard.count, 1);
+	assert_string_equal(
+		heard.sentence[0], "no/such.glb: No such file or directory");
+}
+
+/* A copy of the fixture at every length, in a block of just that length. */
+static void test_refuses_a_glb_cut_anywhere(void **state)
+{
+	size_t size, length;
+	struct test_path path = fixture_path("container_binary.glb");
+	char *whole = file_read(path.text, &size);
+
+	(void)state;
+	for (length = 0; length < size; length++) {
+		struct log_capture heard;
+		struct log log = log_capture_begin(&heard);
+		char *cut = malloc(length + 1);
+		struct model *model;
+		int error;
+
+		assert_non_null(cut);
+		memcpy(cut, whole, length);
+		error = model_load_memory(cut, length, "cut", &log, &model);
+		assert_true(error == -EINVAL || error == -ENOTSUP);
+		assert_null(model);
+		assert_int_equal(heard.count, 1);
+		free(cut);
+	}
+	free(whole);
+}
+
+struct damage {
+	size_t at;
+	uint8_t value;
+	int code;
+	const char *part;
+};
+
+static void test_refuses_broken_glb_headers(void **state)
+{
+	static const struct damage damages[] = {
+		{4, 1, -ENOTSUP, "version 1; limber reads version 2"},
+		{9, 0, -EINVAL, "the chunk at byte 12 claims"},
+		{11, 1, -EINVAL, "cut short: its header claims"},
+		{15, 1, -EINVAL, "the chunk at byte 12 claims"},
+		{16, 'X', -EINVAL, "the first chunk is not the JSON"},
+		{20, '[', -EINVAL, "line 1, column"},
+	};
+	struct test_path path = fixture_path("container_binary.glb");
+	size_t size, i;
+	char *whole = file_read(path.text, &size);
+
+	(void)state;
+	for (i = 0; i < sizeof(damages) / sizeof(damages[0]); i++) {
+		const struct damage *damage = &damages[i];
+		struct log_capture heard;
+		struct log log = log_capture_begin(&heard);
+		char kept = whole[damage->at];
+		struct model *model;
+
+		whole[damage->at] = (char)damage->value;
+		assert_int_equal(
+			model_load_memory(whole, size, "broken", &log, &model),
+			damage->code);
+		assert_contains(heard.sentence[0], "broken: ");
+		assert_contains(heard.sentence[0], damage->part);
+		whole[damage->at] = kept;
+	}
+	free(whole);
+}
+
+static void test_gives_memory_no_files(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text("{'asset':{'version':'2.0'},'buffers':[{"
+				"'byteLength':1,'uri':'Makefile'}]}",
+			&heard, &model),
+		-EACCES);
+	assert_contains(heard.sentence[0],
+		"t.gltf: /buffers/0/uri: names another file");
+}
+
+static int load_text(const struct test_path *folder, const char *text,
+	struct log_capture *heard)
+{
+	struct test_path path = path_join(folder, "m.gltf");
+	struct log log = log_capture_begin(heard);
+	struct model *model;
+	int error;
+
+	file_write(path.text, text, strlen(text));
+	error = model_load(path.text, &log, &model);
+	model_destroy(model);
+	return error;
+}
+
+struct reference {
+	const char *uri;
+	int code;
+	const char *part;
+};
+
+/* Beside the model lies x.bin, and above its folder too. */
+static void test_reads_no_file_outside_the_folder(void **state)
+{
+	static const struct reference references[] = {
+		{"x.bin", 0, ""},
+		{"./x.bin", 0, ""},
+		{"%78.bin", 0, ""},
+		{"../x.bin", -EACCES, "\"..\" step"},
+		{"%2e%2e/x.bin", -EACCES, "\"..\" step"},
+		{"..%2Fx.bin", -EACCES, "\"..\" step"},
+		{"..%5cx.bin", -EACCES, "backslash"},
+		{"/etc/hostname", -EACCES, "absolute path"},
+		{"%2Fetc/hostname", -EACCES, "absolute path"},
+		{"file:x.bin", -EACCES, "is not a file in the model's folder"},
+		{"http://a/x.bin", -EACCES, "is not a file in the model's"},
+		{"x%00.bin", -EINVAL, "bad % escape"},
+		{"x.bi%6", -EINVAL, "bad % escape"},
+		{"", -EACCES, "empty file name"},
+		{"y.bin", -ENOENT, "/buffers/0/uri: y.bin: No such file"},
+		{"data:,xx", -EINVAL, "without \";base64,\""},
+		{"data:;base64,A", -EINVAL, "not valid base64"},
+		{"data:;base64,AAAA", 0, ""},
+	};
+	struct test_path top = temp_dir_make();
+	struct test_path folder = path_join(&top, "models");
+	size_t i;
+
+	(void)state;
+	assert_int_equal(mkdir(folder.text, 0755), 0);
+	file_write(path_join(&top, "x.bin").text, "xx", 2);
+	file_write(path_join(&folder, "x.bin").text, "xx", 2);
+	for (i = 0; i < sizeof(references) / sizeof(references[0]); i++) {
+		struct log_capture heard;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{"
+			"\"byteLength\":2,\"uri\":\"%s\"}]}",
+			references[i].uri);
+		assert_int_equal(
+			load_text(&folder, text, &heard), references[i].code);
+		assert_int_equal(heard.count, references[i].code != 0);
+		if (references[i].code) {
+			assert_contains(heard.sentence[0], "/buffers/0/uri: ");
+			assert_contains(heard.sentence[0], references[i].part);
+		}
+	}
+	temp_dir_remove(&top);
+}
+
+static void test_wants_all_the_bytes_that_a_buffer_states(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct log_capture heard;
+
+	(void)state;
+	file_write(path_join(&folder, "x.bin").text, "xx", 2);
+	assert_int_equal(
+		load_text(&folder,
+			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{"
+			"\"byteLength\":3,\"uri\":\"x.bin\"}]}",
+			&heard),
+		-EINVAL);
+	assert_contains(heard.sentence[0],
+		"/buffers/0: byteLength is 3, but there are only 2 bytes");
+	temp_dir_remove(&folder);
+}
+
+static void test_accepts_destroying_nothing(void **state)
+{
+	(void)state;
+	model_destroy(NULL);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_reads_a_glb_and_passes_over_other_chunks),
+		cmocka_unit_test(test_reads_a_buffer_beside_the_file),
+		cmocka_unit_test(test_names_the_model),
+		cmocka_unit_test(test_accepts_a_byte_order_mark_and_blanks),
+		cmocka_unit_test(test_tells_a_missing_file),
+		cmocka_unit_test(test_refuses_a_glb_cut_anywhere),
+		cmocka_unit_test(test_refuses_broken_glb_headers),
+		cmocka_unit_test(test_gives_memory_no_files),
+		cmocka_unit_test(test_reads_no_file_outside_the_folder),
+		cmocka_unit_test(test_wants_all_the_bytes_that_a_buffer_states),
+		cmocka_unit_test(test_accepts_destroying_nothing),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

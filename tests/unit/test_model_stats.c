@@ -1,0 +1,120 @@
+/* model_stats.h: the figures of a model. */
+#include "app/model/model_stats.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+static void test_counts_vertices_triangles_and_bytes(void **state)
+{
+	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	struct model_stats stats;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.primitive_count, 3);
+	assert_int_equal(stats.vertex_count, 12);
+	assert_int_equal(stats.triangle_count, 6);
+	assert_int_equal(stats.geometry_bytes, 3 * (4 * 12 + 6 * 4));
+	assert_int_equal(stats.influence_bytes, 0);
+	assert_int_equal(stats.target_bytes, 0);
+	assert_int_equal(stats.clip_bytes, 0);
+	assert_int_equal(stats.max_influences, 0);
+	model_destroy(model);
+}
+
+static void test_counts_every_vertex_attribute(void **state)
+{
+	struct model *model = model_fixture("accessor_interleaved.gltf", NULL);
+	struct model_stats stats;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.geometry_bytes, 3 * (12 + 12 + 8 + 4) + 3 * 4);
+	model_destroy(model);
+}
+
+static void test_counts_influences_that_weigh_something(void **state)
+{
+	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model_stats stats;
+	int k;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.influence_histogram[1], 3);
+	assert_int_equal(stats.influence_histogram[2], 1);
+	for (k = 3; k <= MODEL_INFLUENCES_MAX; k++) {
+		assert_int_equal(stats.influence_histogram[k], 0);
+	}
+	assert_int_equal(stats.max_influences, 2);
+	assert_int_equal(stats.influence_bytes, 4 * 4 * (2 + 4) + 2 * 64);
+	model_destroy(model);
+}
+
+static void test_counts_five_of_eight_influences(void **state)
+{
+	struct model *model = model_fixture("skin_eight_influences.gltf", NULL);
+	struct model_stats stats;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.influence_histogram[5], 3);
+	assert_int_equal(stats.max_influences, 5);
+	model_destroy(model);
+}
+
+static void test_counts_targets_and_keys(void **state)
+{
+	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	struct model_stats stats;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.target_count, 2);
+	assert_int_equal(stats.morph_vertex_count, 3);
+	assert_int_equal(stats.target_bytes, 2 * 3 * 12);
+	assert_int_equal(stats.channel_count, 2);
+	assert_int_equal(stats.key_count, 4);
+	assert_int_equal(stats.clip_bytes, 2 * 4 * (1 + 6) + 2 * 4 * (1 + 12));
+	assert_near(stats.longest_s, 2, 0);
+	model_destroy(model);
+}
+
+static void test_counts_pictures(void **state)
+{
+	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model_stats stats;
+
+	(void)state;
+	model_measure(model, &stats);
+	assert_int_equal(stats.image_bytes, 4 * (4 + 1 + 128));
+	model_destroy(model);
+}
+
+static void test_counts_mesh_by_mesh(void **state)
+{
+	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model_stats stats = {0};
+
+	(void)state;
+	model_stats_add_mesh(&stats, &model->mesh[6]);
+	assert_int_equal(stats.primitive_count, 2);
+	assert_int_equal(stats.triangle_count, 3 + 1);
+	model_stats_add_mesh(&stats, &model->mesh[7]);
+	assert_int_equal(stats.triangle_count, 3 + 1 + 2);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_counts_vertices_triangles_and_bytes),
+		cmocka_unit_test(test_counts_every_vertex_attribute),
+		cmocka_unit_test(test_counts_influences_that_weigh_something),
+		cmocka_unit_test(test_counts_five_of_eight_influences),
+		cmocka_unit_test(test_counts_targets_and_keys),
+		cmocka_unit_test(test_counts_pictures),
+		cmocka_unit_test(test_counts_mesh_by_mesh),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -117,11 +117,16 @@ static int read_times(const struct gltf_at *sampler,
  * Integer keys are off unit length by their rounding and are made unit. Float
  * keys stay as the file has them, but none may be of length 0.
  */
-static int normalize_keys(const struct gltf_at *at, bool integers, float *value,
-	const struct model_channel *out)
+/*
+ * Splines are normalised after they are evaluated. Floats a little off unit
+ * stay as they are, since players interpolate them so; what is far off, and
+ * whole numbers, would distort the node.
+ */
+static int normalize_keys(const struct gltf_at *at, bool are_floats,
+	float *value, const struct model_channel *out)
 {
 	int error = 0;
-	int i;
+	int i, k;
 
 	if (out->path != MODEL_ROTATION ||
 		out->interpolation == MODEL_CUBICSPLINE) {
@@ -129,11 +134,13 @@ static int normalize_keys(const struct gltf_at *at, bool integers, float *value,
 	}
 	for (i = 0; i < out->key_count && !error; i++) {
 		float *key = value + (size_t)i * 4;
-		float unit[4] = {key[0], key[1], key[2], key[3]};
+		float length2 = 0;
 
-		error = gltf_normalize_rotation(at, unit);
-		if (integers) {
-			memcpy(key, unit, sizeof(unit));
+		for (k = 0; k < 4; k++) {
+			length2 += key[k] * key[k];
+		}
+		if (!are_floats || !(length2 > 0.98f && length2 < 1.02f)) {
+			error = gltf_normalize_rotation(at, key);
 		}
 	}
 	return error;
@@ -162,7 +169,8 @@ static int read_values(const struct gltf_at *sampler,
 	}
 	error = gltf_unpack_floats(&at, output, value);
 	if (!error) {
-		error = normalize_keys(&at, output->normalized, value, out);
+		error = normalize_keys(
+			&at, output->base.component == GLTF_F32, value, out);
 	}
 	out->value = value;
 	return error;

@@ -70,7 +70,7 @@ static void test_scales_unsigned_weights(void **state)
 	model_destroy(model);
 }
 
-static void test_makes_linear_rotations_unit(void **state)
+static void test_makes_rotations_of_whole_numbers_unit(void **state)
 {
 	static const float expected[4] = {0, 0.6f, 0, 0.8f};
 	struct log_capture heard;
@@ -91,6 +91,36 @@ static void test_makes_linear_rotations_unit(void **state)
 			&heard, &model),
 		0);
 	assert_all_near(channel_of(model, 0, 0)->value, expected, 4, 1e-7);
+	model_destroy(model);
+}
+
+#define ROTATING(bytes)                                                    \
+	"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{'uri':"       \
+	"'data:;base64," bytes "','byteLength':16}],'bufferViews':[{"      \
+	"'buffer':0,'byteLength':16}],'accessors':[{'componentType':5126," \
+	"'count':1,'type':'SCALAR'},{'bufferView':0,'componentType':5126," \
+	"'count':1,'type':'VEC4'}],'animations':[{'samplers':[{'input':0," \
+	"'output':1}],'channels':[{'sampler':0,'target':{'node':0,'path':" \
+	"'rotation'}}]}]}"
+
+/* (0, 3, 0, 4), then (0, 0, 0, 1.001), as floats. */
+static void test_makes_float_rotations_unit_that_are_far_from_it(void **state)
+{
+	static const float far[4] = {0, 0.6f, 0, 0.8f};
+	static const float near[4] = {0, 0, 0, 1.001f};
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text(ROTATING("AAAAAAAAQEAAAAAAAACAQA=="),
+				 &heard, &model),
+		0);
+	assert_all_near(channel_of(model, 0, 0)->value, far, 4, 1e-7);
+	model_destroy(model);
+	assert_int_equal(model_from_text(ROTATING("AAAAAAAAAAAAAAAAxSCAPw=="),
+				 &heard, &model),
+		0);
+	assert_all_near(channel_of(model, 0, 0)->value, near, 4, 0);
 	model_destroy(model);
 }
 
@@ -198,7 +228,9 @@ int main(void)
 		cmocka_unit_test(test_leaves_cubic_rotations_as_they_are),
 		cmocka_unit_test(test_scales_signed_rotations_and_clamps_them),
 		cmocka_unit_test(test_scales_unsigned_weights),
-		cmocka_unit_test(test_makes_linear_rotations_unit),
+		cmocka_unit_test(test_makes_rotations_of_whole_numbers_unit),
+		cmocka_unit_test(
+			test_makes_float_rotations_unit_that_are_far_from_it),
 		cmocka_unit_test(test_reads_samplers_with_a_single_key),
 		cmocka_unit_test(test_ends_a_clip_with_its_last_key),
 		cmocka_unit_test(test_reads_the_interpolation_of_each_channel),

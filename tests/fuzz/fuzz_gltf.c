@@ -1,0 +1,163 @@
+/*
+ * Any bytes as a glTF file in memory: a model that keeps model.h's promises,
+ * or one sentence and nothing left behind.
+ */
+#include "app/model/gltf.h"
+#include "app/model/model.h"
+#include "app/model/model_stats.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+struct heard {
+	int errors;
+};
+
+static void count_errors(void *user, enum log_level level, const char *sentence)
+{
+	struct heard *heard = user;
+
+	(void)sentence;
+	heard->errors += level == LOG_ERROR;
+}
+
+static void expect(bool holds)
+{
+	if (!holds) {
+		abort();
+	}
+}
+
+static void check_primitive(const struct model *model,
+	const struct model_mesh *mesh, const struct model_primitive *primitive)
+{
+	size_t total =
+		(size_t)primitive->vertex_count * (size_t)primitive->influences;
+	size_t i;
+	int k;
+
+	expect(primitive->material >= 0 &&
+		primitive->material < model->material_count);
+	expect(primitive->vertex_count > 0 && primitive->position);
+	expect(primitive->index_count % 3 == 0);
+	for (k = 0; k < primitive->index_count; k++) {
+		expect(primitive->index[k] < (uint32_t)primitive->vertex_count);
+	}
+	expect(primitive->influences == 0 || primitive->influences == 4 ||
+		primitive->influences == 8);
+	for (i = 0; i < total; i++) {
+		expect(primitive->weight[i] >= 0 && primitive->weight[i] <= 1);
+	}
+	expect(mesh->target_count == 0 || primitive->target);
+	expect(isfinite(primitive->position[0][0]));
+}
+
+static int max_joint(const struct model_primitive *primitive)
+{
+	size_t total =
+		(size_t)primitive->vertex_count * (size_t)primitive->influences;
+	int max = -1;
+	size_t i;
+
+	for (i = 0; i < total; i++) {
+		max = primitive->joint[i] > max ? primitive->joint[i] : max;
+	}
+	return max;
+}
+
+static void check_nodes(const struct model *model, const int *joint_of_mesh)
+{
+	int i;
+
+	for (i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		expect(node->parent >= -1 && node->parent < i);
+		expect(node->mesh >= -1 && node->mesh < model->mesh_count);
+		expect(node->camera < model->camera_count);
+		expect(node->skin < model->skin_count);
+		if (node->skin >= 0) {
+			expect(joint_of_mesh[node->mesh] <
+				model->skin[node->skin].joint_count);
+		}
+		if (node->mesh >= 0) {
+			expect(node->weight_offset +
+					model->mesh[node->mesh].target_count <=
+				model->weight_count);
+		}
+	}
+}
+
+static void check_clips(const struct model *model)
+{
+	int i, k;
+
+	for (i = 0; i < model->clip_count; i++) {
+		for (k = 0; k < model->clip[i].channel_count; k++) {
+			const struct model_channel *channel =
+				&model->clip[i].channel[k];
+
+			expect(channel->node >= 0 &&
+				channel->node < model->node_count);
+			expect(channel->key_count > 0 && channel->width > 0);
+			expect(isfinite(channel->value[0]));
+			expect(channel->time_s[channel->key_count - 1] <=
+					model->clip[i].duration_s ||
+				channel->time_s[0] < 0);
+		}
+	}
+}
+
+static void check(const struct model *model)
+{
+	int *joint_of_mesh =
+		calloc((size_t)model->mesh_count + 1, sizeof(*joint_of_mesh));
+	struct model_stats stats;
+	int i, k;
+
+	expect(joint_of_mesh != NULL);
+	for (i = 0; i < model->mesh_count; i++) {
+		const struct model_mesh *mesh = &model->mesh[i];
+
+		joint_of_mesh[i] = -1;
+		for (k = 0; k < mesh->primitive_count; k++) {
+			int joint = max_joint(&mesh->primitive[k]);
+
+			check_primitive(model, mesh, &mesh->primitive[k]);
+			joint_of_mesh[i] = joint > joint_of_mesh[i]
+				? joint
+				: joint_of_mesh[i];
+		}
+	}
+	check_nodes(model, joint_of_mesh);
+	check_clips(model);
+	model_measure(model, &stats);
+	free(joint_of_mesh);
+}
+
+/* Not static: libFuzzer calls it. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+	struct heard heard = {0};
+	struct log log = {
+		.write = count_errors,
+		.user = &heard,
+		.threshold = LOG_NOTE,
+	};
+	struct model *model;
+
+	if (!gltf_recognise(data, size)) {
+		return 0;
+	}
+	if (model_load_memory(data, size, "fuzz", &log, &model) == 0) {
+		expect(heard.errors == 0);
+		check(model);
+	} else {
+		expect(heard.errors == 1 && model == NULL);
+	}
+	model_destroy(model);
+	return 0;
+}

@@ -38,6 +38,22 @@ void stage_close(struct stage *stage);
 void stage_expect(const struct stage *stage, int x, int y, int red, int green,
 	int blue, int tolerance);
 
+/* A rectangle at depth z (in -1..1, clip space), as two triangles. */
+void stage_draw_rectangle(struct gl *gl, float left, float bottom, float right,
+	float top, float z);
+
+/* A rectangle over all of the picture at depth 0. */
+void stage_draw_all(struct gl *gl);
+
+/* Binds and enables 2x2 texels: red green / blue white, lower row first. */
+GLuint stage_make_texture(struct gl *gl);
+
+/*
+ * Lighting that is black but for light 0, which is white, has diffuse light
+ * alone and shines from (0, 0, 1) in eye space.
+ */
+void stage_set_up_light(struct gl *gl);
+
 /*
  * A lit, textured, fogged and blended scene that uses most of the calls, for
  * comparing drivers; the frame is ended.

@@ -20,6 +20,9 @@ GL_DRIVERS_arm := osmesa gles1
 DISPLAY_DRIVERS_arm := image null
 BUTTON_DRIVERS_arm := script
 
+# The fuzz targets need no more than what they feed.
+BUTTON_DRIVERS_fuzz := script
+
 # $(call seam_driver_sources,SEAM,NAMES)
 seam_driver_sources = $(foreach name,$(2),\
 	$(sort $(wildcard platform/$(1)/$(name)/*.c)))

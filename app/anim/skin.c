@@ -120,6 +120,30 @@ static void scale_into(const float v[3], float factor, float w, float out[4])
 	out[3] = w;
 }
 
+int skin_stream_add_tangents(struct skin_stream *stream,
+	const struct model_primitive *primitive, struct arena *arena)
+{
+	const int last = sizeof(struct joint_weight);
+	size_t count = (size_t)stream->influence_count;
+	int vertex = 0;
+
+	if (!primitive->tangent) {
+		return -EINVAL;
+	}
+	stream->tangent = arena_alloc(arena, count, sizeof(float[4]));
+	if (!stream->tangent) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < stream->influence_count; i++) {
+		const struct joint_weight *influence = &stream->influence[i];
+
+		scale_into(primitive->tangent[vertex], influence->weight, 0,
+			stream->tangent[i]);
+		vertex += influence->next_vertex_offset == last;
+	}
+	return 0;
+}
+
 void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 	const float (*normal)[3], float position_scale)
 {
@@ -144,5 +168,6 @@ size_t skin_stream_bytes(const struct skin_stream *stream)
 	size_t each = sizeof(struct joint_weight) + sizeof(float[4]);
 
 	each += stream->normal ? sizeof(float[4]) : 0;
+	each += stream->tangent ? sizeof(float[4]) : 0;
 	return (size_t)stream->influence_count * each;
 }

@@ -29,6 +29,7 @@ struct skin_stream {
 	struct joint_weight *influence; /* [influence_count] */
 	float (*position)[4];           /* weight * (x, y, z, 1) */
 	float (*normal)[4];             /* weight * (x, y, z, 0), or NULL */
+	float (*tangent)[4];            /* the same, or NULL until asked for */
 };
 
 /*
@@ -38,6 +39,13 @@ struct skin_stream {
 int skin_stream_init(struct skin_stream *stream,
 	const struct model_primitive *primitive, float position_scale,
 	struct arena *arena);
+
+/*
+ * Adds the primitive's tangents, for bump mapping. 0, -EINVAL when it has
+ * none, or -ENOMEM.
+ */
+int skin_stream_add_tangents(struct skin_stream *stream,
+	const struct model_primitive *primitive, struct arena *arena);
 
 /*
  * Rewrites the base vectors from other positions and normals, as morphing

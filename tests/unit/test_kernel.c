@@ -2,6 +2,7 @@
 #include "app/anim/transform.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -22,6 +23,9 @@ struct fixture {
 	struct skin_stream stream;
 	float out[VERTICES][3];
 	float out_normal[VERTICES][3];
+	float tangent[VERTICES][4];
+	float delta[3][VERTICES][3];
+	float out_tangent[VERTICES][3];
 };
 
 static float scatter(int i)
@@ -217,8 +221,9 @@ static void test_pitfall_16_a_morphed_shape_is_skinned(void **state)
 {
 	struct fixture f;
 	float delta[VERTICES][3];
-	struct morph_term term = {
-		0.5f, (const float(*)[3])delta, (const float(*)[3])delta};
+	struct morph_term term = {.weight = 0.5f,
+		.position = (const float(*)[3])delta,
+		.normal = (const float(*)[3])delta};
 
 	(void)state;
 	set_up(&f);
@@ -238,6 +243,165 @@ static void test_pitfall_16_a_morphed_shape_is_skinned(void **state)
 		&f.stream, (const mat4 *)f.palette, 0, f.out, f.out_normal);
 	assert_skinned(&f, WIDTH);
 	tear_down(&f);
+}
+
+/* Tangents as the normals of the fixture, three steps on, and deltas. */
+static void add_tangents(struct fixture *f, struct morph_term term[3])
+{
+	struct model_primitive primitive = {.tangent = f->tangent};
+
+	for (int v = 0; v < VERTICES; v++) {
+		memcpy(f->tangent[v], f->normal[(v + 3) % VERTICES],
+			3 * sizeof(float));
+		f->tangent[v][3] = v % 3 ? 1 : -1;
+		for (int t = 0; t < 3; t++) {
+			for (int k = 0; k < 3; k++) {
+				f->delta[t][v][k] =
+					scatter(v * 9 + t * 3 + k + 77);
+			}
+		}
+	}
+	assert_int_equal(
+		skin_stream_add_tangents(&f->stream, &primitive, &f->arena), 0);
+	for (int t = 0; t < 3; t++) {
+		term[t] = (struct morph_term){
+			.weight = 0.3f * (float)(t - 1),
+			.position = (const float(*)[3])f->delta[t],
+			.normal = t ? (const float(*)[3])f->delta[0] : NULL,
+			.tangent = t ? (const float(*)[3])f->delta[1] : NULL,
+		};
+	}
+}
+
+static void assert_unit_sum(const struct fixture *f, int v, int cap,
+	const float base[3], const float got[3])
+{
+	double want[3];
+	double length;
+
+	skin_reference(f, v, cap, base, 0, want);
+	length = sqrt(want[0] * want[0] + want[1] * want[1] + want[2] * want[2]);
+	for (int r = 0; r < 3; r++) {
+		assert_near(got[r], want[r] / length, 1e-6 + 1e-6 / length);
+	}
+}
+
+static void test_tangents_are_skinned_like_normals(void **state)
+{
+	struct fixture f;
+	struct morph_term term[3];
+
+	(void)state;
+	set_up(&f);
+	add_tangents(&f, term);
+	for (int cap = 1; cap <= 9; cap += 4) {
+		kernel_float.skin_tangents(
+			&f.stream, (const mat4 *)f.palette, cap, f.out_tangent);
+		for (int v = 0; v < VERTICES; v++) {
+			assert_unit_sum(
+				&f, v, cap, f.tangent[v], f.out_tangent[v]);
+		}
+	}
+	tear_down(&f);
+}
+
+static void test_primitives_without_tangents_are_refused(void **state)
+{
+	struct fixture f;
+	struct model_primitive primitive = {.vertex_count = VERTICES};
+
+	(void)state;
+	set_up(&f);
+	assert_int_equal(
+		skin_stream_add_tangents(&f.stream, &primitive, &f.arena),
+		-EINVAL);
+	assert_null(f.stream.tangent);
+	tear_down(&f);
+}
+
+static void test_morph_and_skin_in_one_pass_is_morph_then_skin(void **state)
+{
+	struct fixture f;
+	struct morph_term term[3];
+	struct morph_input input;
+	struct skin_output output;
+
+	(void)state;
+	set_up(&f);
+	add_tangents(&f, term);
+	input = (struct morph_input){
+		.position = (const float(*)[3])f.position,
+		.normal = (const float(*)[3])f.normal,
+		.tangent = (const float(*)[4])f.tangent,
+		.term = term,
+		.term_count = 3,
+		.position_scale = 2,
+	};
+	output = (struct skin_output){f.out, f.out_normal, f.out_tangent};
+	for (int cap = 0; cap <= 9; cap += 3) {
+		kernel_float.skin_morphed(&f.stream, &input,
+			(const mat4 *)f.palette, cap, &output);
+		for (int v = 0; v < VERTICES; v++) {
+			int used = cap ? cap : WIDTH;
+			float at[3], normal[3], tangent[3];
+			double want[3];
+
+			for (int k = 0; k < 3; k++) {
+				float last = term[2].weight;
+
+				at[k] = 2 *
+					(f.position[v][k] -
+						0.3f * f.delta[0][v][k] +
+						last * f.delta[2][v][k]);
+				normal[k] = f.normal[v][k] +
+					last * f.delta[0][v][k];
+				tangent[k] = f.tangent[v][k] +
+					last * f.delta[1][v][k];
+			}
+			skin_reference(&f, v, used, at, 1, want);
+			for (int r = 0; r < 3; r++) {
+				assert_near(f.out[v][r], want[r], 4e-6);
+			}
+			assert_unit_sum(&f, v, used, normal, f.out_normal[v]);
+			assert_unit_sum(&f, v, used, tangent, f.out_tangent[v]);
+		}
+	}
+	tear_down(&f);
+}
+
+static void test_one_pass_gives_positions_alone(void **state)
+{
+	struct fixture f;
+	struct morph_input input;
+	struct skin_output output = {NULL, NULL, NULL};
+	float alone[VERTICES][3];
+
+	(void)state;
+	set_up(&f);
+	input = (struct morph_input){
+		.position = (const float(*)[3])f.position,
+		.position_scale = 1,
+	};
+	output.position = alone;
+	kernel_float.skin_morphed(
+		&f.stream, &input, (const mat4 *)f.palette, 0, &output);
+	kernel_float.skin(&f.stream, (const mat4 *)f.palette, 0, f.out, NULL);
+	assert_all_near(alone, f.out, 3 * VERTICES, 1e-6);
+	tear_down(&f);
+}
+
+static void test_bitangents_take_their_sign_from_the_attribute(void **state)
+{
+	static const float normal[2][3] = {{0, 0, 1}, {0, 1, 0}};
+	static const float tangent[2][3] = {{1, 0, 0}, {1, 0, 0}};
+	static const float attribute[2][4] = {{9, 9, 9, 1}, {9, 9, 9, -1}};
+	/* z x x = y; -(y x x) = z. */
+	static const float want[2][3] = {{0, 1, 0}, {0, 0, 1}};
+	float out[2][3];
+
+	(void)state;
+	kernel_float.bitangents(2, normal, tangent, attribute, out);
+	assert_all_near(out, want, 6, 0);
 }
 
 static void test_lerp_ends_at_its_inputs(void **state)
@@ -273,8 +437,9 @@ static void test_targets_add_up_by_weight(void **state)
 	static const float a[2][3] = {{1, 0, 0}, {0, 1, 0}};
 	static const float b[2][3] = {{0, 0, 8}, {8, 0, 0}};
 	static const float poison[2][3] = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
-	const struct morph_term term[4] = {{2, a, NULL}, {0.5f, b, a},
-		{0, poison, poison}, {7, NULL, NULL}};
+	const struct morph_term term[4] = {{2, a, NULL, NULL},
+		{0.5f, b, a, NULL}, {0, poison, poison, NULL},
+		{7, NULL, NULL, NULL}};
 	static const float want[2][3] = {{3, 2, 7}, {8, 7, 6}};
 	static const float want_normal[2][3] = {{1.5f, 2, 3}, {4, 5.5f, 6}};
 	float out[2][3];
@@ -323,6 +488,13 @@ int main(void)
 		cmocka_unit_test(test_positions_alone_are_the_same_positions),
 		cmocka_unit_test(test_the_bind_pose_stays_where_it_is),
 		cmocka_unit_test(test_pitfall_16_a_morphed_shape_is_skinned),
+		cmocka_unit_test(test_tangents_are_skinned_like_normals),
+		cmocka_unit_test(test_primitives_without_tangents_are_refused),
+		cmocka_unit_test(
+			test_morph_and_skin_in_one_pass_is_morph_then_skin),
+		cmocka_unit_test(test_one_pass_gives_positions_alone),
+		cmocka_unit_test(
+			test_bitangents_take_their_sign_from_the_attribute),
 		cmocka_unit_test(test_lerp_ends_at_its_inputs),
 		cmocka_unit_test(test_lerp_adds_the_offset_and_may_overwrite),
 		cmocka_unit_test(test_targets_add_up_by_weight),

@@ -135,6 +135,13 @@ static void skin(const struct skin_stream *stream, const mat4 *palette,
 	}
 }
 
+static void skin_tangents(const struct skin_stream *stream, const mat4 *palette,
+	int max_influences, float (*tangent)[3])
+{
+	skin_directions(stream, (const float(*)[4])stream->tangent, palette,
+		max_influences, tangent);
+}
+
 static void morph_lerp(int count, const float (*source)[3],
 	const float (*destiny)[3], float omega, const float offset[3],
 	float (*out)[3])
@@ -183,6 +190,126 @@ static void normalize(int count, float (*vector)[3])
 	}
 }
 
+/* One vertex while it is morphed and skinned. */
+struct vertex {
+	float position[4]; /* w is 1 for a place and 0 for directions */
+	float normal[4];
+	float tangent[4];
+};
+
+static void add_delta(
+	float to[4], const float (*delta)[3], int index, float weight)
+{
+	if (delta) {
+		to[0] += delta[index][0] * weight;
+		to[1] += delta[index][1] * weight;
+		to[2] += delta[index][2] * weight;
+	}
+}
+
+static void load(const float *from, float w, float to[4])
+{
+	to[0] = from[0];
+	to[1] = from[1];
+	to[2] = from[2];
+	to[3] = w;
+}
+
+static void morph_vertex(const struct morph_input *input,
+	const struct skin_output *output, int index, struct vertex *vertex)
+{
+	load(input->position[index], 1, vertex->position);
+	if (output->normal) {
+		load(input->normal[index], 0, vertex->normal);
+	}
+	if (output->tangent) {
+		load(input->tangent[index], 0, vertex->tangent);
+	}
+	for (int t = 0; t < input->term_count; t++) {
+		const struct morph_term *term = &input->term[t];
+
+		if (term->weight == 0) {
+			continue;
+		}
+		add_delta(vertex->position, term->position, index, term->weight);
+		if (output->normal) {
+			add_delta(vertex->normal, term->normal, index,
+				term->weight);
+		}
+		if (output->tangent) {
+			add_delta(vertex->tangent, term->tangent, index,
+				term->weight);
+		}
+	}
+	for (int k = 0; k < 3; k++) {
+		vertex->position[k] *= input->position_scale;
+	}
+}
+
+/* out = the sum of weight * matrix * v, over count influences. */
+static void carry(const struct joint_weight *influence, int count,
+	const mat4 *palette, const float v[4], float out[3])
+{
+	float sum[3] = {0, 0, 0};
+
+	for (int i = 0; i < count; i++) {
+		float weight = influence[i].weight;
+		const float base[4] = {v[0] * weight, v[1] * weight,
+			v[2] * weight, v[3] * weight};
+
+		add_point(sum, joint_matrix(palette, influence[i].joint_offset),
+			base);
+	}
+	memcpy(out, sum, sizeof(sum));
+}
+
+static void skin_morphed(const struct skin_stream *stream,
+	const struct morph_input *input, const mat4 *palette,
+	int max_influences, const struct skin_output *output)
+{
+	const struct joint_weight *influence = stream->influence;
+
+	for (int v = 0; v < stream->vertex_count; v++) {
+		const struct joint_weight *next = next_vertex(influence);
+		struct vertex vertex;
+		float weights;
+		int count = cap(influence, next, max_influences, &weights);
+
+		morph_vertex(input, output, v, &vertex);
+		carry(influence, count, palette, vertex.position,
+			output->position[v]);
+		for (int k = 0; weights != 1 && k < 3; k++) {
+			output->position[v][k] *= 1 / weights;
+		}
+		if (output->normal) {
+			carry(influence, count, palette, vertex.normal,
+				output->normal[v]);
+			make_unit(output->normal[v]);
+		}
+		if (output->tangent) {
+			carry(influence, count, palette, vertex.tangent,
+				output->tangent[v]);
+			make_unit(output->tangent[v]);
+		}
+		influence = next;
+	}
+}
+
+static void bitangents(int count, const float (*normal)[3],
+	const float (*tangent)[3], const float (*attribute)[4],
+	float (*bitangent)[3])
+{
+	for (int i = 0; i < count; i++) {
+		const float *n = normal[i];
+		const float *t = tangent[i];
+		float sign = attribute[i][3];
+
+		bitangent[i][0] = sign * (n[1] * t[2] - n[2] * t[1]);
+		bitangent[i][1] = sign * (n[2] * t[0] - n[0] * t[2]);
+		bitangent[i][2] = sign * (n[0] * t[1] - n[1] * t[0]);
+	}
+}
+
 const struct kernel kernel_float = {
 	.name = "float",
 	.summary = "plain C in float, the reference",
@@ -190,4 +317,7 @@ const struct kernel kernel_float = {
 	.morph_lerp = morph_lerp,
 	.morph_targets = morph_targets,
 	.normalize = normalize,
+	.skin_tangents = skin_tangents,
+	.skin_morphed = skin_morphed,
+	.bitangents = bitangents,
 };

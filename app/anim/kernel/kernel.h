@@ -15,6 +15,24 @@ struct morph_term {
 	float weight;
 	const float (*position)[3];
 	const float (*normal)[3];
+	const float (*tangent)[3];
+};
+
+/* What is morphed before it is skinned: a primitive's own arrays and terms. */
+struct morph_input {
+	const float (*position)[3];
+	const float (*normal)[3];  /* or NULL */
+	const float (*tangent)[4]; /* or NULL */
+	const struct morph_term *term;
+	int term_count;
+	float position_scale; /* of positions, deltas included */
+};
+
+/* What is wanted of a vertex; position always, the others or NULL. */
+struct skin_output {
+	float (*position)[3];
+	float (*normal)[3];
+	float (*tangent)[3];
 };
 
 struct kernel {
@@ -48,6 +66,32 @@ struct kernel {
 
 	/* Makes each vector unit length; a zero vector stays zero. */
 	void (*normalize)(int count, float (*vector)[3]);
+
+	/*
+	 * Skins the stream's tangents, which must be there; they come out
+	 * unit length. max_influences as for skin().
+	 */
+	void (*skin_tangents)(const struct skin_stream *stream,
+		const mat4 *palette, int max_influences, float (*tangent)[3]);
+
+	/*
+	 * Morphs and skins in one pass, as AN4044's conclusion recommends for
+	 * the best looks: each vertex is morphed, then carried by the stream's
+	 * influences, whose base vectors are not used. The same as
+	 * morph_targets(), skin_stream_rebase() and skin() one after the
+	 * other, within rounding. Only what input has may be wanted.
+	 */
+	void (*skin_morphed)(const struct skin_stream *stream,
+		const struct morph_input *input, const mat4 *palette,
+		int max_influences, const struct skin_output *output);
+
+	/*
+	 * bitangent = attribute.w * (normal x tangent): AN4044, Example 2.
+	 * normal and tangent are posed ones, attribute the primitive's.
+	 */
+	void (*bitangents)(int count, const float (*normal)[3],
+		const float (*tangent)[3], const float (*attribute)[4],
+		float (*bitangent)[3]);
 };
 
 /* The reference, plain C in float; always built in. */

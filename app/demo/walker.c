@@ -255,6 +255,9 @@ static void walker_update(struct demo *demo, double time_s)
 	walker_rig_apply(
 		&demo->rig, instance, &demo->stage.floor, time_s, step_s);
 	instance_update(instance);
+	if (demo->stage.floor.relief == 0.0f) {
+		return;
+	}
 	light_direction(light);
 	shadow_volume_update(&demo->shadow, instance, light,
 		2.0f * demo->stage.camera.reach);

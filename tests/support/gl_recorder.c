@@ -15,7 +15,9 @@ static struct {
 	double stack[STACK_ROOM][16];
 	bool model_view;
 	const void *position;
+	bool floats;
 	GLenum front_face;
+	GLuint textures;
 } recorder;
 
 static double *top(void)
@@ -58,16 +60,20 @@ static void record_PushMatrix(void)
 {
 	struct gl_recording *r = &recorder.recording;
 
+	if (!recorder.model_view) {
+		return;
+	}
 	assert_true(r->depth + 1 < STACK_ROOM);
 	memcpy(recorder.stack[r->depth + 1], top(), sizeof(recorder.stack[0]));
 	r->depth++;
-	r->deepest = r->depth > r->deepest ? r->depth : r->deepest;
 }
 
 static void record_PopMatrix(void)
 {
-	assert_true(recorder.recording.depth > 0);
-	recorder.recording.depth--;
+	if (recorder.model_view) {
+		assert_true(recorder.recording.depth > 0);
+		recorder.recording.depth--;
+	}
 }
 
 static void record_MatrixMode(GLenum mode)
@@ -140,10 +146,9 @@ static void record_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 static void record_VertexPointer(
 	GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
-	(void)size;
-	(void)type;
 	(void)stride;
 	recorder.position = pointer;
+	recorder.floats = type == GL_FLOAT && size == 3;
 }
 
 static void record_FrontFace(GLenum mode)
@@ -151,9 +156,34 @@ static void record_FrontFace(GLenum mode)
 	recorder.front_face = mode;
 }
 
-static void record_draw(GLsizei count)
+/* FNV-1a, 64 bits. */
+static void add_to_hash(const void *data, size_t size)
+{
+	const uint8_t *bytes = data;
+	uint64_t hash = recorder.recording.vertex_hash;
+
+	for (size_t i = 0; i < size; i++) {
+		hash = (hash ^ bytes[i]) * 0x100000001b3u;
+	}
+	recorder.recording.vertex_hash = hash;
+}
+
+static void add_vertex(const float vertex[3])
+{
+	const double *m = top();
+
+	for (int i = 0; i < 3; i++) {
+		recorder.recording.sum[i] += m[i] * vertex[0] +
+			m[4 + i] * vertex[1] + m[8 + i] * vertex[2] + m[12 + i];
+	}
+	recorder.recording.vertex_count++;
+	add_to_hash(vertex, sizeof(float[3]));
+}
+
+static void record_draw(GLsizei count, const uint16_t *index, GLint first)
 {
 	struct gl_recording *r = &recorder.recording;
+	const float(*position)[3] = recorder.position;
 
 	assert_true(r->draw_count < GL_RECORDER_DRAWS);
 	memcpy(r->draw[r->draw_count].matrix, top(), sizeof(double[16]));
@@ -161,120 +191,87 @@ static void record_draw(GLsizei count)
 	r->draw[r->draw_count].position = recorder.position;
 	r->draw[r->draw_count].front_face = recorder.front_face;
 	r->draw_count++;
+	add_to_hash(top(), sizeof(double[16]));
+	for (GLsizei i = 0; recorder.floats && i < count; i++) {
+		add_vertex(position[index ? index[i] : first + i]);
+	}
 }
 
 static void record_DrawElements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
-	(void)indices;
-	assert_int_equal(mode, GL_TRIANGLES);
+	(void)mode;
 	assert_int_equal(type, GL_UNSIGNED_SHORT);
-	record_draw(count);
+	record_draw(count, indices, 0);
 }
 
 static void record_DrawArrays(GLenum mode, GLint first, GLsizei count)
 {
-	(void)first;
-	assert_int_equal(mode, GL_TRIANGLES);
-	record_draw(count);
+	(void)mode;
+	record_draw(count, NULL, first);
 }
 
-/* State that does not matter here. */
-static void ignore_enum(GLenum name)
+static void record_GenTextures(GLsizei count, GLuint *textures)
 {
-	(void)name;
+	for (GLsizei i = 0; i < count; i++) {
+		textures[i] = ++recorder.textures;
+	}
 }
 
-static void ignore_enum_fixed(GLenum name, GLfixed value)
+static void record_GetIntegerv(GLenum name, GLint *values)
 {
-	(void)name;
-	(void)value;
+	*values = name == GL_STENCIL_BITS ? 8 : 2048;
 }
 
-static void ignore_two_enums_fixed(GLenum target, GLenum name, GLfixed value)
-{
-	(void)target;
-	(void)name;
-	(void)value;
-}
-
-static void ignore_vector(GLenum target, GLenum name, const GLfixed *values)
-{
-	(void)target;
-	(void)name;
-	(void)values;
-}
-
-static void ignore_color(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
-{
-	(void)red;
-	(void)green;
-	(void)blue;
-	(void)alpha;
-}
-
-static void ignore_boolean(GLboolean value)
-{
-	(void)value;
-}
-
-static void ignore_two_enums(GLenum source, GLenum destination)
-{
-	(void)source;
-	(void)destination;
-}
-
-static void ignore_normals(GLenum type, GLsizei stride, const void *pointer)
-{
-	(void)type;
-	(void)stride;
-	(void)pointer;
-}
-
-static void ignore_array(
-	GLint size, GLenum type, GLsizei stride, const void *pointer)
-{
-	(void)size;
-	ignore_normals(type, stride, pointer);
-}
+/* Whatever else is called does nothing. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#define GL_FUNCTION(result, name, parameters)  \
+	static result ignore_##name parameters \
+	{                                      \
+		return (result)0;              \
+	}
+#include "platform/gl/gl_functions.h"
+#undef GL_FUNCTION
+#pragma GCC diagnostic pop
 
 struct gl gl_recorder_begin(void)
 {
+	struct gl gl = {
+#define GL_FUNCTION(result, name, parameters) .name = ignore_##name,
+#include "platform/gl/gl_functions.h"
+#undef GL_FUNCTION
+	};
+
 	memset(&recorder, 0, sizeof(recorder));
 	recorder.model_view = true;
 	recorder.front_face = GL_CCW;
+	recorder.recording.vertex_hash = 0xcbf29ce484222325u;
 	identity(top());
-	return (struct gl){
-		.AlphaFuncx = ignore_enum_fixed,
-		.BlendFunc = ignore_two_enums,
-		.Color4x = ignore_color,
-		.ColorPointer = ignore_array,
-		.CullFace = ignore_enum,
-		.DepthMask = ignore_boolean,
-		.Disable = ignore_enum,
-		.DisableClientState = ignore_enum,
-		.DrawArrays = record_DrawArrays,
-		.DrawElements = record_DrawElements,
-		.Enable = ignore_enum,
-		.EnableClientState = ignore_enum,
-		.FrontFace = record_FrontFace,
-		.LightModelx = ignore_enum_fixed,
-		.LoadIdentity = record_LoadIdentity,
-		.LoadMatrixx = record_LoadMatrixx,
-		.Materialx = ignore_two_enums_fixed,
-		.Materialxv = ignore_vector,
-		.MatrixMode = record_MatrixMode,
-		.MultMatrixx = record_MultMatrixx,
-		.NormalPointer = ignore_normals,
-		.PopMatrix = record_PopMatrix,
-		.PushMatrix = record_PushMatrix,
-		.Rotatex = record_Rotatex,
-		.Scalex = record_Scalex,
-		.TexCoordPointer = ignore_array,
-		.TexEnvx = ignore_two_enums_fixed,
-		.Translatex = record_Translatex,
-		.VertexPointer = record_VertexPointer,
-	};
+	gl.DrawArrays = record_DrawArrays;
+	gl.DrawElements = record_DrawElements;
+	gl.FrontFace = record_FrontFace;
+	gl.GenTextures = record_GenTextures;
+	gl.GetIntegerv = record_GetIntegerv;
+	gl.LoadIdentity = record_LoadIdentity;
+	gl.LoadMatrixx = record_LoadMatrixx;
+	gl.MatrixMode = record_MatrixMode;
+	gl.MultMatrixx = record_MultMatrixx;
+	gl.PopMatrix = record_PopMatrix;
+	gl.PushMatrix = record_PushMatrix;
+	gl.Rotatex = record_Rotatex;
+	gl.Scalex = record_Scalex;
+	gl.Translatex = record_Translatex;
+	gl.VertexPointer = record_VertexPointer;
+	return gl;
+}
+
+void gl_recorder_clear(void)
+{
+	recorder.recording.draw_count = 0;
+	recorder.recording.vertex_count = 0;
+	memset(recorder.recording.sum, 0, sizeof(recorder.recording.sum));
+	recorder.recording.vertex_hash = 0xcbf29ce484222325u;
 }
 
 const struct gl_recording *gl_recorder_result(void)

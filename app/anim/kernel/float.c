@@ -20,118 +20,170 @@ static const struct joint_weight *next_vertex(
 		influence->next_vertex_offset);
 }
 
-/* sum += matrix * base, base.w being the weight: MadMatVec of Example 6. */
-static void add_point(float sum[3], const mat4 *matrix, const float base[4])
+/*
+ * sum += matrix * base, base.w being the weight: MadMatVec of Example 6. In
+ * this order each line is a run of multiply-accumulates.
+ */
+static inline void add_point(
+	float sum[3], const mat4 *matrix, const float base[4])
 {
-	for (int r = 0; r < 3; r++) {
-		sum[r] += (*matrix)[0][r] * base[0] + (*matrix)[1][r] * base[1] +
-			(*matrix)[2][r] * base[2] + (*matrix)[3][r] * base[3];
-	}
+	const vec4 *m = *matrix;
+	float x = base[0], y = base[1], z = base[2], w = base[3];
+
+	sum[0] = sum[0] + m[0][0] * x + m[1][0] * y + m[2][0] * z + m[3][0] * w;
+	sum[1] = sum[1] + m[0][1] * x + m[1][1] * y + m[2][1] * z + m[3][1] * w;
+	sum[2] = sum[2] + m[0][2] * x + m[1][2] * y + m[2][2] * z + m[3][2] * w;
 }
 
-static void add_vector(float sum[3], const mat4 *matrix, const float base[4])
+static inline void add_vector(
+	float sum[3], const mat4 *matrix, const float base[4])
 {
-	for (int r = 0; r < 3; r++) {
-		sum[r] += (*matrix)[0][r] * base[0] +
-			(*matrix)[1][r] * base[1] + (*matrix)[2][r] * base[2];
-	}
+	const vec4 *m = *matrix;
+	float x = base[0], y = base[1], z = base[2];
+
+	sum[0] = sum[0] + m[0][0] * x + m[1][0] * y + m[2][0] * z;
+	sum[1] = sum[1] + m[0][1] * x + m[1][1] * y + m[2][1] * z;
+	sum[2] = sum[2] + m[0][2] * x + m[1][2] * y + m[2][2] * z;
 }
 
-static void make_unit(float v[3])
+static inline void store(const float sum[3], float out[3])
 {
-	float length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-	float scale;
+	out[0] = sum[0];
+	out[1] = sum[1];
+	out[2] = sum[2];
+}
 
-	/* Too short to have a direction: left alone, and zero stays zero. */
-	if (!(length2 > 1e-36f)) {
-		return;
-	}
-	scale = 1 / scalar_sqrt(length2);
+static inline void scale_vector(float v[3], float scale)
+{
 	v[0] *= scale;
 	v[1] *= scale;
 	v[2] *= scale;
 }
 
-/* How many influences of a vertex to use, and what their weights sum to. */
-static int cap(const struct joint_weight *influence,
-	const struct joint_weight *next, int max_influences, float *sum)
+static inline void make_unit(float v[3])
 {
-	int count = (int)(next - influence);
+	float length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
-	*sum = 1;
-	if (max_influences <= 0 || count <= max_influences) {
-		return count;
+	/* Too short to have a direction: left alone, and zero stays zero. */
+	if (length2 > 1e-36f) {
+		scale_vector(v, 1 / scalar_sqrt(length2));
 	}
-	*sum = 0;
-	for (int i = 0; i < max_influences; i++) {
-		*sum += influence[i].weight;
+}
+
+/* The end of a vertex's influences after at most max of them (0: all). */
+static const struct joint_weight *cap(const struct joint_weight *first,
+	const struct joint_weight *next, int max)
+{
+	/* A cap below the count is the rare case, and so is dividing. */
+	return max > 0 && next - first > max ? first + max : next;
+}
+
+/* What makes the weights that are left count as if they summed to one. */
+static float rest_scale(
+	const struct joint_weight *first, const struct joint_weight *end)
+{
+	float sum = 0;
+
+	for (; first < end; first++) {
+		sum += first->weight;
 	}
-	return max_influences;
+	return 1 / sum;
 }
 
 static void skin_positions(const struct skin_stream *stream,
 	const mat4 *palette, int max_influences, float (*position)[3])
 {
-	const struct joint_weight *first = stream->influence;
-	const struct joint_weight *influence = first;
+	const struct joint_weight *influence = stream->influence;
+	const float(*base)[4] = (const float(*)[4])stream->position;
 
 	for (int v = 0; v < stream->vertex_count; v++) {
-		const struct joint_weight *next = next_vertex(influence);
-		const float(*base)[4] = stream->position + (influence - first);
-		float weights;
-		int count = cap(influence, next, max_influences, &weights);
+		const struct joint_weight *first = influence;
+		const struct joint_weight *next = next_vertex(first);
+		const struct joint_weight *end =
+			cap(first, next, max_influences);
 		float sum[3] = {0, 0, 0};
 
-		for (int i = 0; i < count; i++) {
+		for (; influence < end; influence++) {
 			add_point(sum,
-				joint_matrix(palette, influence[i].joint_offset),
-				base[i]);
+				joint_matrix(palette, influence->joint_offset),
+				*base++);
 		}
-		if (weights != 1) {
-			float scale = 1 / weights;
+		if (end != next) {
+			scale_vector(sum, rest_scale(first, end));
+			base += next - end;
+			influence = next;
+		}
+		store(sum, position[v]);
+	}
+}
 
-			sum[0] *= scale;
-			sum[1] *= scale;
-			sum[2] *= scale;
+/* Both in one go, so that each matrix is loaded once. */
+static void skin_both(const struct skin_stream *stream, const mat4 *palette,
+	int max_influences, float (*position)[3], float (*normal)[3])
+{
+	const struct joint_weight *influence = stream->influence;
+	const float(*base)[4] = (const float(*)[4])stream->position;
+	const float(*base_normal)[4] = (const float(*)[4])stream->normal;
+
+	for (int v = 0; v < stream->vertex_count; v++) {
+		const struct joint_weight *first = influence;
+		const struct joint_weight *next = next_vertex(first);
+		const struct joint_weight *end =
+			cap(first, next, max_influences);
+		float sum[3] = {0, 0, 0};
+		float direction[3] = {0, 0, 0};
+
+		for (; influence < end; influence++) {
+			const mat4 *matrix =
+				joint_matrix(palette, influence->joint_offset);
+
+			add_point(sum, matrix, *base++);
+			add_vector(direction, matrix, *base_normal++);
 		}
-		memcpy(position[v], sum, sizeof(sum));
-		influence = next;
+		if (end != next) {
+			scale_vector(sum, rest_scale(first, end));
+			base += next - end;
+			base_normal += next - end;
+			influence = next;
+		}
+		make_unit(direction);
+		store(sum, position[v]);
+		store(direction, normal[v]);
 	}
 }
 
 /* The length is lost in any case, so the weights' sum does not matter. */
 static void skin_directions(const struct skin_stream *stream,
-	const float (*stream_base)[4], const mat4 *palette, int max_influences,
+	const float (*base)[4], const mat4 *palette, int max_influences,
 	float (*direction)[3])
 {
-	const struct joint_weight *first = stream->influence;
-	const struct joint_weight *influence = first;
+	const struct joint_weight *influence = stream->influence;
 
 	for (int v = 0; v < stream->vertex_count; v++) {
 		const struct joint_weight *next = next_vertex(influence);
-		const float(*base)[4] = stream_base + (influence - first);
-		float unused;
-		int count = cap(influence, next, max_influences, &unused);
+		const struct joint_weight *end =
+			cap(influence, next, max_influences);
 		float sum[3] = {0, 0, 0};
 
-		for (int i = 0; i < count; i++) {
+		for (; influence < end; influence++) {
 			add_vector(sum,
-				joint_matrix(palette, influence[i].joint_offset),
-				base[i]);
+				joint_matrix(palette, influence->joint_offset),
+				*base++);
 		}
-		make_unit(sum);
-		memcpy(direction[v], sum, sizeof(sum));
+		base += end != next ? next - end : 0;
 		influence = next;
+		make_unit(sum);
+		store(sum, direction[v]);
 	}
 }
 
 static void skin(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3])
 {
-	skin_positions(stream, palette, max_influences, position);
 	if (normal) {
-		skin_directions(stream, (const float(*)[4])stream->normal,
-			palette, max_influences, normal);
+		skin_both(stream, palette, max_influences, position, normal);
+	} else {
+		skin_positions(stream, palette, max_influences, position);
 	}
 }
 
@@ -246,52 +298,53 @@ static void morph_vertex(const struct morph_input *input,
 	}
 }
 
-/* out = the sum of weight * matrix * v, over count influences. */
-static void carry(const struct joint_weight *influence, int count,
-	const mat4 *palette, const float v[4], float out[3])
+/* out = the sum of weight * matrix * v, over the influences. */
+static void carry(const struct joint_weight *influence,
+	const struct joint_weight *end, const mat4 *palette, const float v[4],
+	float out[3])
 {
 	float sum[3] = {0, 0, 0};
 
-	for (int i = 0; i < count; i++) {
-		float weight = influence[i].weight;
+	for (; influence < end; influence++) {
+		float weight = influence->weight;
 		const float base[4] = {v[0] * weight, v[1] * weight,
 			v[2] * weight, v[3] * weight};
 
-		add_point(sum, joint_matrix(palette, influence[i].joint_offset),
+		add_point(sum, joint_matrix(palette, influence->joint_offset),
 			base);
 	}
-	memcpy(out, sum, sizeof(sum));
+	store(sum, out);
 }
 
 static void skin_morphed(const struct skin_stream *stream,
 	const struct morph_input *input, const mat4 *palette,
 	int max_influences, const struct skin_output *output)
 {
-	const struct joint_weight *influence = stream->influence;
+	const struct joint_weight *first = stream->influence;
 
 	for (int v = 0; v < stream->vertex_count; v++) {
-		const struct joint_weight *next = next_vertex(influence);
+		const struct joint_weight *next = next_vertex(first);
+		const struct joint_weight *end =
+			cap(first, next, max_influences);
 		struct vertex vertex;
-		float weights;
-		int count = cap(influence, next, max_influences, &weights);
 
 		morph_vertex(input, output, v, &vertex);
-		carry(influence, count, palette, vertex.position,
-			output->position[v]);
-		for (int k = 0; weights != 1 && k < 3; k++) {
-			output->position[v][k] *= 1 / weights;
+		carry(first, end, palette, vertex.position, output->position[v]);
+		if (end != next) {
+			scale_vector(
+				output->position[v], rest_scale(first, end));
 		}
 		if (output->normal) {
-			carry(influence, count, palette, vertex.normal,
+			carry(first, end, palette, vertex.normal,
 				output->normal[v]);
 			make_unit(output->normal[v]);
 		}
 		if (output->tangent) {
-			carry(influence, count, palette, vertex.tangent,
+			carry(first, end, palette, vertex.tangent,
 				output->tangent[v]);
 			make_unit(output->tangent[v]);
 		}
-		influence = next;
+		first = next;
 	}
 }
 

@@ -52,17 +52,20 @@ struct tour_stop {
 	unsigned features; /* bits of enum rig_feature */
 };
 
+#define ALIVE (1 << RIG_HAIR | 1 << RIG_BREATH)
+
 static const struct tour_stop tour[] = {
-	{0.0f, MOVE_WALK, 0},
-	{3.3f, MOVE_WALK, 1 << RIG_LOOK},
-	{5.5f, MOVE_WAVE, 1 << RIG_LOOK},
-	{7.9f, MOVE_RUN, 0},
-	{10.0f, MOVE_JUMP, 0},
-	{11.5f, MOVE_WALK, 1 << RIG_GROUND | 1 << RIG_LOOK | 1 << RIG_REACH},
-	{16.0f, MOVE_IDLE, 1 << RIG_SHAKE},
+	{0.0f, MOVE_WALK, ALIVE},
+	{2.2f, MOVE_WALK, ALIVE | 1 << RIG_LOOK},
+	{4.4f, MOVE_WAVE, ALIVE | 1 << RIG_LOOK},
+	{6.8f, MOVE_RUN, ALIVE | 1 << RIG_CAPE},
+	{9.6f, MOVE_JUMP, ALIVE | 1 << RIG_CAPE},
+	{11.1f, MOVE_WALK,
+		ALIVE | 1 << RIG_GROUND | 1 << RIG_LOOK | 1 << RIG_REACH},
+	{15.5f, MOVE_IDLE, ALIVE | 1 << RIG_SHAKE},
 };
 
-static const float tour_s = 18.0f;
+static const float tour_s = 17.6f;
 
 static const struct framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.12f,
@@ -126,7 +129,7 @@ static int prepare(struct demo *demo, const struct demo_env *env)
 	int error = find_clips(demo, env);
 
 	if (!error) {
-		error = walker_rig_init(&demo->rig, demo->actor.model, env->log);
+		error = walker_rig_init(&demo->rig, instance, env->log);
 	}
 	if (!error) {
 		error = shadow_volume_init(&demo->shadow, instance, env->log);
@@ -252,8 +255,11 @@ static void walker_update(struct demo *demo, double time_s)
 	actor_pose(&demo->actor, demo->clip[demo->move],
 		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP));
 	fade_update(&demo->actor.fade, step_s, &instance->pose);
-	walker_rig_apply(
-		&demo->rig, instance, &demo->stage.floor, time_s, step_s);
+	walker_rig_apply(&demo->rig, instance,
+		&(struct rig_frame){.time_s = time_s,
+			.step_s = step_s,
+			.speed_m_per_s = demo->ground_m_per_s,
+			.floor = &demo->stage.floor});
 	instance_update(instance);
 	if (demo->stage.floor.relief == 0.0f) {
 		return;
@@ -274,6 +280,9 @@ static void draw_shadow(const struct demo *demo)
 	}
 	stage_shadow_begin(&demo->stage, gl);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
+	if (demo->rig.on[RIG_CAPE]) {
+		walker_trail_draw_cape(&demo->rig.trail, gl, DRAW_SHAPE);
+	}
 	stage_shadow_end(&demo->stage, gl);
 }
 
@@ -285,6 +294,9 @@ static void walker_draw(struct demo *demo, int width, int height)
 	stage_begin(&demo->stage, gl, width, height);
 	draw_shadow(demo);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	if (demo->rig.on[RIG_CAPE]) {
+		walker_trail_draw_cape(&demo->rig.trail, gl, DRAW_SHADED);
+	}
 	if (demo->rig.on[RIG_LOOK] || demo->rig.on[RIG_REACH]) {
 		ball_draw(&demo->ball, gl, demo->rig.ball, ball_radius_m,
 			ball_color);

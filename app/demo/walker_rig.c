@@ -17,6 +17,9 @@ static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_REACH] = "reach",
 	[RIG_GROUND] = "ground",
 	[RIG_SHAKE] = "arm shake",
+	[RIG_BREATH] = "breath",
+	[RIG_HAIR] = "ponytail",
+	[RIG_CAPE] = "cape",
 };
 
 const char *rig_feature_name(enum rig_feature feature)
@@ -57,6 +60,11 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 		{"foot.R", &rig->leg[1].tip},
 		{"shoulder.L", &rig->shake[0].node},
 		{"shoulder.R", &rig->shake[1].node},
+		{"chest", &rig->breath.chest},
+		{"forearm.L", &rig->biceps[0].joint},
+		{"forearm.R", &rig->biceps[1].joint},
+		{"upper_arm.L", &rig->biceps[0].node},
+		{"upper_arm.R", &rig->biceps[1].node},
 	};
 
 	for (size_t i = 0; i < ARRAY_COUNT(bones); i++) {
@@ -69,20 +77,29 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 	return 0;
 }
 
-int walker_rig_init(struct walker_rig *rig, const struct model *model,
+int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	const struct log *log)
 {
+	const struct muscle biceps = {.from_rad = 0.3f,
+		.to_rad = 1.6f,
+		.swell = {0.16f, 0.0f, 0.16f},
+		.weight = -1};
 	struct procedural_preset preset = procedural_preset_default();
+	int error;
 
 	*rig = (struct walker_rig){
 		.neck = lookat_default(0),
 		.head = lookat_default(0),
+		.breath = breath_default(0),
+		.biceps = {biceps, biceps},
 	};
 	preset.unit = 0.01f;
 	for (int side = 0; side < 2; side++) {
 		rig->shake[side] = procedural_begin(&preset, 0);
 	}
-	return find_bones(rig, model, log);
+	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
+	error = find_bones(rig, instance->model, log);
+	return error ? error : walker_trail_init(&rig->trail, instance, log);
 }
 
 /* A slow figure of eight in front of the chest. */
@@ -123,6 +140,21 @@ static void shake(struct walker_rig *rig, struct pose *pose, double time_s)
 	for (int side = 0; side < 2; side++) {
 		rig->shake[side].fade = 1.0f - eased(rig, RIG_SHAKE);
 		procedural_apply(&rig->shake[side], time_s + 0.04 * side, pose);
+	}
+}
+
+/* Flesh: the chest heaves, and bent arms bulge. */
+static void swell(struct walker_rig *rig, struct pose *pose, double time_s)
+{
+	float weight = eased(rig, RIG_BREATH);
+
+	if (weight == 0.0f) {
+		return;
+	}
+	rig->breath.weight = weight;
+	breath_apply(&rig->breath, time_s, pose);
+	for (int side = 0; side < 2; side++) {
+		muscle_apply(&rig->biceps[side], pose);
 	}
 }
 
@@ -222,13 +254,21 @@ static void stand(
 }
 
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
-	struct floor *floor, double time_s, float step_s)
+	const struct rig_frame *frame)
 {
-	move_ball(rig, time_s);
-	move_switches(rig, step_s);
-	shake(rig, &instance->pose, time_s);
+	bool had_cape = rig->weight[RIG_CAPE] > 0.0f;
+
+	move_ball(rig, frame->time_s);
+	move_switches(rig, frame->step_s);
+	shake(rig, &instance->pose, frame->time_s);
+	swell(rig, &instance->pose, frame->time_s);
 	instance_update_nodes(instance);
-	stand(rig, instance, floor);
-	look(rig, instance, step_s);
+	stand(rig, instance, frame->floor);
+	look(rig, instance, frame->step_s);
 	reach(rig, instance);
+	if (!had_cape && rig->on[RIG_CAPE]) {
+		walker_trail_put_on(&rig->trail);
+	}
+	walker_trail_update(&rig->trail, instance, frame->speed_m_per_s,
+		eased(rig, RIG_HAIR), frame->step_s);
 }

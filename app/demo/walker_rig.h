@@ -9,9 +9,11 @@
 #ifndef APP_DEMO_WALKER_RIG_H
 #define APP_DEMO_WALKER_RIG_H
 
+#include "app/anim/drive.h"
 #include "app/anim/ik.h"
 #include "app/anim/lookat.h"
 #include "app/anim/procedural.h"
+#include "app/demo/walker_trail.h"
 #include "app/scene/floor.h"
 #include "app/scene/instance.h"
 
@@ -20,6 +22,9 @@ enum rig_feature {
 	RIG_REACH,  /* the right hand goes to it */
 	RIG_GROUND, /* the ground is uneven, feet stay on it */
 	RIG_SHAKE,  /* the arms shake as on harsh snow */
+	RIG_BREATH, /* the chest heaves, bent arms bulge */
+	RIG_HAIR,   /* the ponytail swings */
+	RIG_CAPE,   /* a cape hangs from the shoulders */
 	RIG_FEATURE_COUNT,
 };
 
@@ -31,21 +36,35 @@ struct walker_rig {
 	struct lookat neck, head;
 	struct ik_limb arm, leg[2];
 	struct procedural shake[2];
+	struct breath breath;
+	struct muscle biceps[2];
+	struct walker_trail trail;
 	int hips;
 };
 
-/* Finds the bones. 0, or -EINVAL after a sentence that names a missing one. */
-int walker_rig_init(struct walker_rig *rig, const struct model *model,
+/*
+ * Finds the bones; the instance stands at rest, and its arena gives memory. 0,
+ * or -errno after a sentence, which names a missing bone.
+ */
+int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	const struct log *log);
 
 /* "look at" and so on. */
 const char *rig_feature_name(enum rig_feature feature);
 
+/* What a frame brings. */
+struct rig_frame {
+	double time_s;
+	float step_s;
+	float speed_m_per_s; /* of the floor underneath */
+	struct floor *floor; /* its relief follows RIG_GROUND */
+};
+
 /*
  * Changes the instance's pose, which a clip has been sampled into; leaves its
- * world matrices up to date. The floor's relief follows RIG_GROUND.
+ * world matrices up to date.
  */
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
-	struct floor *floor, double time_s, float step_s);
+	const struct rig_frame *frame);
 
 #endif

@@ -2,10 +2,6 @@
 
 #include <errno.h>
 
-enum {
-	MAX_INFLUENCES = 8
-};
-
 struct influence {
 	float weight;
 	int joint;
@@ -25,7 +21,7 @@ static int gather(const struct model_primitive *primitive, int vertex,
 	const uint16_t *joint = primitive->joint + first;
 	int count = 0;
 
-	for (int i = 0; i < width && i < MAX_INFLUENCES; i++) {
+	for (int i = 0; i < width && i < SKIN_INFLUENCES_MAX; i++) {
 		int place = count;
 
 		if (!(weight[i] > 0)) {
@@ -48,12 +44,15 @@ static int gather(const struct model_primitive *primitive, int vertex,
 static void count_influences(
 	const struct model_primitive *primitive, struct skin_stream *stream)
 {
-	struct influence scratch[MAX_INFLUENCES];
+	struct influence scratch[SKIN_INFLUENCES_MAX];
 
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		int count = gather(primitive, v, scratch);
 
 		stream->influence_count += count;
+		for (int k = 1; k <= SKIN_INFLUENCES_MAX; k++) {
+			stream->capped[k] += count < k ? count : k;
+		}
 		if (count > stream->max_influences) {
 			stream->max_influences = count;
 		}
@@ -63,7 +62,7 @@ static void count_influences(
 static void write_influences(
 	const struct model_primitive *primitive, struct skin_stream *stream)
 {
-	struct influence sorted[MAX_INFLUENCES];
+	struct influence sorted[SKIN_INFLUENCES_MAX];
 	struct joint_weight *out = stream->influence;
 
 	for (int v = 0; v < primitive->vertex_count; v++) {
@@ -161,6 +160,19 @@ void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 		}
 		vertex += influence->next_vertex_offset == last;
 	}
+}
+
+int skin_cap_for_budget(const struct skin_stream *stream, int budget)
+{
+	int cap = stream->max_influences;
+
+	if (stream->influence_count <= budget) {
+		return 0;
+	}
+	while (cap > 1 && stream->capped[cap] > budget) {
+		cap--;
+	}
+	return cap;
 }
 
 size_t skin_stream_bytes(const struct skin_stream *stream)

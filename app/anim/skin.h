@@ -21,15 +21,20 @@ struct joint_weight {
 				       influence */
 };
 
+enum {
+	SKIN_INFLUENCES_MAX = 8
+};
+
 /* A skinned primitive made ready for the vertex loops. */
 struct skin_stream {
 	int vertex_count;
-	int influence_count;            /* of all vertices together */
-	int max_influences;             /* of any one vertex */
-	struct joint_weight *influence; /* [influence_count] */
-	float (*position)[4];           /* weight * (x, y, z, 1) */
-	float (*normal)[4];             /* weight * (x, y, z, 0), or NULL */
-	float (*tangent)[4];            /* the same, or NULL until asked for */
+	int influence_count;                 /* of all vertices together */
+	int max_influences;                  /* of any one vertex */
+	int capped[SKIN_INFLUENCES_MAX + 1]; /* influences left at each cap */
+	struct joint_weight *influence;      /* [influence_count] */
+	float (*position)[4];                /* weight * (x, y, z, 1) */
+	float (*normal)[4];  /* weight * (x, y, z, 0), or NULL */
+	float (*tangent)[4]; /* the same, or NULL until asked for */
 };
 
 /*
@@ -53,6 +58,13 @@ int skin_stream_add_tangents(struct skin_stream *stream,
  */
 void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 	const float (*normal)[3], float position_scale);
+
+/*
+ * Level of detail: the highest cap (the kernels' max_influences) that leaves
+ * at most budget influences in all; 0, no cap, when all of them fit, and 1
+ * when even one a vertex is more than the budget.
+ */
+int skin_cap_for_budget(const struct skin_stream *stream, int budget);
 
 /* Bytes of the stream, for `limber info`. */
 size_t skin_stream_bytes(const struct skin_stream *stream);

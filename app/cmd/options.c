@@ -168,7 +168,7 @@ static bool set_kernel(struct options *options, const char *value)
 
 static bool set_influences(struct options *options, const char *value)
 {
-	return read_int(value, 1, 8, &options->influences);
+	return lod_parse(value, &options->lod);
 }
 
 static bool set_json(struct options *options, const char *value)
@@ -260,7 +260,9 @@ static const struct option_entry entries[] = {
 	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE,
 		"which vertex loops: float", "a kernel's name", set_kernel},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
-		"use at most N joints a vertex", "a number from 1 to 8",
+		"use at most N joints a vertex; auto: fewer where the figure "
+		"is small; budget:N: at most N a frame",
+		"a number from 1 to 8, auto or budget:N",
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, set_no_labels},

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "app/anim/clip.h"
+#include "app/scene/lod.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
 
@@ -39,7 +40,7 @@ struct options {
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
-	int influences; /* 0: all */
+	struct lod lod;
 	bool json;
 	bool no_labels;
 	bool verbose;

@@ -101,7 +101,11 @@ static int pose_instance(struct instance *instance,
 			(float)options->time_s, options->interpolation, &cursor,
 			&instance->pose);
 	}
-	instance->max_influences = options->influences;
+	/* A pose has no distance: auto means all. */
+	if (options->lod.kind != LOD_DISTANCE) {
+		instance->max_influences =
+			lod_choose(&options->lod, instance, NULL, 0.0f, 0);
+	}
 	instance_update(instance);
 	return 0;
 }

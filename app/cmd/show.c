@@ -123,13 +123,14 @@ static int open_demo(struct show *show, const struct options *options)
 		.gl = &show->gl->gl,
 		.target = PIXELS_RGBA8888,
 		.kernel = kernel_choose(options->kernel, show->log),
-		.aspect = (float)options->width / (float)options->height,
+		.width = options->width,
+		.height = options->height,
 		.model_path = show->plan->model_path,
 		.clip = options->clip,
 		.interpolation = options->interpolation,
 		.repeat = options->repeat,
 		.speed = options->speed,
-		.max_influences = options->influences,
+		.lod = options->lod,
 		.unattended = show->plan->unattended,
 	};
 

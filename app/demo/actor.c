@@ -2,8 +2,11 @@
 
 #include "app/scene/draw.h"
 
+#include <stdio.h>
+
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
+	struct bounds bounds;
 	int error;
 
 	*actor = (struct actor){0};
@@ -16,7 +19,9 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	if (error) {
 		goto fail_model;
 	}
-	actor->instance->max_influences = env->max_influences;
+	actor->lod = env->lod;
+	bounds = bounds_of_instance(actor->instance);
+	actor->extent = bounds_extent(&bounds);
 	actor->interpolation = env->interpolation;
 	error = clip_cursor_init(
 		&actor->cursor, actor->model, &actor->instance->arena);
@@ -53,7 +58,7 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 int set_stage(const struct demo_env *env, const struct bounds *bounds,
 	struct framing framing, struct stage *stage)
 {
-	framing.aspect = env->aspect;
+	framing.aspect = (float)env->width / (float)env->height;
 	return stage_init(
 		stage, env->gl, bounds, &framing, env->target, env->log);
 }
@@ -66,6 +71,25 @@ void actor_draw(const struct actor *actor, const struct stage *stage,
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
 	stage_shadow_end(stage, gl);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+}
+
+void actor_update(
+	struct actor *actor, const struct camera *camera, int picture_height)
+{
+	actor->instance->max_influences = lod_choose(&actor->lod,
+		actor->instance, camera, actor->extent, picture_height);
+	instance_update(actor->instance);
+}
+
+void actor_label_detail(const struct actor *actor, struct hud_group *group)
+{
+	char value[32];
+
+	if (actor->instance->max_influences > 0) {
+		snprintf(value, sizeof(value), "at most %d",
+			actor->instance->max_influences);
+		hud_group_text(group, "influences", value);
+	}
 }
 
 void actor_pose(struct actor *actor, int clip, float time_s)

@@ -18,6 +18,8 @@ struct actor {
 	struct clip_cursor cursor;
 	enum clip_interpolation interpolation;
 	struct fade fade; /* for whoever changes clips */
+	struct lod lod;
+	float extent; /* at rest, scene units */
 };
 
 /* Loads env's model. 0, or -errno after a sentence with nothing left behind. */
@@ -35,6 +37,16 @@ int set_stage(const struct demo_env *env, const struct bounds *bounds,
 /* A whole frame with only this actor on the stage, shadow included. */
 void actor_draw(const struct actor *actor, const struct stage *stage,
 	const struct gl *gl, int width, int height);
+
+/*
+ * The frame's work for a picture of this height: influences as many as the
+ * level of detail says, then instance_update().
+ */
+void actor_update(
+	struct actor *actor, const struct camera *camera, int picture_height);
+
+/* Says how many influences are used where some are left out. */
+void actor_label_detail(const struct actor *actor, struct hud_group *group);
 
 /* Puts the pose at a clip's time, nodes without a channel at rest. */
 void actor_pose(struct actor *actor, int clip, float time_s);

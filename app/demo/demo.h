@@ -11,6 +11,7 @@
 #include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/scene/hud_group.h"
+#include "app/scene/lod.h"
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
@@ -24,13 +25,13 @@ struct demo_env {
 	const struct gl *gl;
 	enum pixel_format target;
 	const struct kernel *kernel;
-	float aspect;           /* width / height */
+	int width, height;      /* of the picture, at the start */
 	const char *model_path; /* the file to show */
 	const char *clip;       /* name or number to begin with, or NULL */
 	enum clip_interpolation interpolation;
 	enum clip_repeat repeat; /* of the user's model's clips */
 	float speed;             /* likewise, negative: backwards */
-	int max_influences;      /* a vertex; 0: all */
+	struct lod lod;          /* influences a vertex */
 	bool unattended;         /* nobody will press a button: show things */
 };
 

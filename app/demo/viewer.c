@@ -22,7 +22,8 @@ struct demo {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
-	int clip; /* or -1: at rest */
+	int height; /* of the picture */
+	int clip;   /* or -1: at rest */
 	struct playback playback;
 	enum clip_repeat repeat;
 	float speed;
@@ -89,6 +90,7 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 		return error;
 	}
 	demo->gl = env->gl;
+	demo->height = env->height;
 	demo->repeat = env->repeat;
 	demo->speed = env->speed;
 	error = actor_load(&demo->actor, env);
@@ -139,11 +141,12 @@ static void viewer_update(struct demo *demo, double time_s)
 	demo->stage.camera.distance *= 1.0f + demo->zoom * zoom_per_s * step_s;
 	actor_pose(&demo->actor, demo->clip, demo->playback.time_s);
 	fade_update(&demo->actor.fade, step_s, &demo->actor.instance->pose);
-	instance_update(demo->actor.instance);
+	actor_update(&demo->actor, &demo->stage.camera, demo->height);
 }
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
+	demo->height = height;
 	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
 }
 
@@ -168,6 +171,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 		hud_group_time(&group, name[0] ? name : "unnamed clip",
 			demo->playback.time_s, duration_s, hud_color_blue);
 	}
+	actor_label_detail(&demo->actor, &group);
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
 	}

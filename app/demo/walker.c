@@ -77,6 +77,7 @@ struct demo {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
+	int height; /* of the picture */
 	struct ball ball;
 	struct shadow_volume shadow;
 	struct walker_rig rig;
@@ -152,6 +153,7 @@ static int walker_create(const struct demo_env *env, struct demo **out)
 		return error;
 	}
 	demo->gl = env->gl;
+	demo->height = env->height;
 	demo->touring = env->unattended;
 	demo->gait = demo->move = demo->touring ? MOVE_WALK : MOVE_IDLE;
 	ball_init(&demo->ball);
@@ -260,7 +262,7 @@ static void walker_update(struct demo *demo, double time_s)
 			.step_s = step_s,
 			.speed_m_per_s = demo->ground_m_per_s,
 			.floor = &demo->stage.floor});
-	instance_update(instance);
+	actor_update(&demo->actor, &demo->stage.camera, demo->height);
 	if (demo->stage.floor.relief == 0.0f) {
 		return;
 	}
@@ -291,6 +293,7 @@ static void walker_draw(struct demo *demo, int width, int height)
 	const struct gl *gl = demo->gl;
 	const struct actor *actor = &demo->actor;
 
+	demo->height = height;
 	stage_begin(&demo->stage, gl, width, height);
 	draw_shadow(demo);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
@@ -341,6 +344,7 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 			demo->actor.fade.elapsed_s / demo->actor.fade.duration_s,
 			hud_color_blue);
 	}
+	actor_label_detail(&demo->actor, &group);
 	label_features(demo, &group);
 	hud_group_end(&group);
 	if (!demo->touring) {

@@ -13,11 +13,12 @@ import bpy
 import numpy as np
 
 import common
-from figure import body, clips, head, rig
-from figure.mesh import Piece, gauss, smoothstep
+from figure import body, clips, expression, head, rig
+from figure.mesh import Piece, gauss, hidden_behind, smoothstep
 
 COLORS = {
     "skin": "#f8c199", "lip": "#d07566", "upperlip": "#b35850",
+    "rim": "#d99a80", "mouth": "#5a1a1a", "teeth": "#fbf6ea",
     "eyewhite": "#fbf7f2", "iris": "#3f7d6a", "pupil": "#17110f",
     "glint": "#ffffff", "lash": "#2b1812", "brow": "#5a2e1c",
     "hair": "#7b3a1e", "tie": "#e2583e",
@@ -26,7 +27,8 @@ COLORS = {
     "tongue": "#f3dfc4", "heel": "#a93a2b", "lining": "#7a2d24",
     "lace": "#fffaf0", "brass": "#d9a441",
 }
-SHIRT, LEATHER = "shirt", "leather"
+PLAIN, SHIRT, LEATHER = "plain", "shirt", "leather"
+BAKED = "surprise"  # lets light onto teeth and eyes
 TEXTURED = {"shirt": SHIRT, "belt": LEATHER}
 
 
@@ -71,13 +73,10 @@ def both(piece):
     return [piece, piece.mirrored()]
 
 
-def build_pieces():
-    """Every piece with the function that weighs its vertices."""
+def build_body():
+    """Every piece but the head's, with the function that weighs it."""
     shirt, trousers = body.make_shirt(), body.make_trousers()
     belt = body.make_belt(shirt, trousers)
-    skull = head.make_skull()
-    skin = head.Surface(skull)
-    eye = head.make_eye(skin)
     pieces = [(shirt, rig.shirt_weights), (trousers, rig.leg_weights),
               (belt, rig.leg_weights),
               (body.make_buckle(belt), rig.leg_weights),
@@ -86,24 +85,46 @@ def build_pieces():
                         (body.make_sock, rig.ankle_weights),
                         (body.make_shoe, rig.shoe_weights)):
         pieces += [(p, weigh) for p in both(make())]
+    return pieces
+
+
+def build_head():
+    """The hair, which stays with the body, and the head, likewise."""
+    skin = head.Surface(head.make_skull())
     cap = head.make_cap(skin)
-    face = [head.bare_skin(skull, cap), head.make_mouth(skin), cap]
-    for piece in (eye, head.make_brow(skin), head.make_ear()):
-        face += both(piece)
-    for side, it in zip((1, -1), both(eye)):
-        face.append(head.drop_on(head.make_glint(side), it, 0.0012))
-    face += [head.make_lock(skin, *lock) for lock in head.LOCKS]
-    face = [(p, rig.head_weights) for p in face]
-    face += [(p, rig.tail_weights) for p in (head.make_tail(),
-                                             head.make_tie())]
-    for piece, _ in face:
+    hair = [(cap, rig.head_weights)]
+    hair += [(head.make_lock(skin, *lock), rig.head_weights)
+             for lock in head.LOCKS]
+    hair += [(head.make_tail(), rig.tail_weights),
+             (head.make_tie(), rig.tail_weights)]
+    face = expression.make_face() + both(head.make_ear())
+    face = [(piece, rig.head_weights) for piece in face]
+    for piece, _ in hair + face:
         piece.move(rig.place_head)
-    pieces += face
-    return [(piece.triangulated(), weigh) for piece, weigh in pieces]
+    # what stays with the head and hides some of it; the ponytail swings
+    solid = [p for p, weigh in hair + face if weigh == rig.head_weights]
+    hidden = hidden_behind(solid + [head.make_neck()])
+    return trimmed(hair, hidden), trimmed(face, hidden)
 
 
-def vertex_tint(co, region, light):
+def trimmed(pieces, hidden):
+    """Pieces without the faces that never move nor come to light."""
+    out = []
+    for piece, weigh in pieces:
+        moves = {tuple(co) for s in piece.shapes.values()
+                 for co, to in zip(piece.co, s) if any(co != to)}
+        if piece.region[0] in ("skin", "hair") and weigh == rig.head_weights:
+            piece = piece.triangulated().without_faces(
+                lambda points: not any(tuple(p) in moves for p in points)
+                and hidden(points))
+        out.append((piece, weigh))
+    return out
+
+
+def vertex_tint(co, region, light, dark):
     """Brightness and blush on top of a region's colour, linear factors."""
+    if dark:  # the line where the lips meet
+        return np.ones(3) * 0.45
     if region == "hair":
         k = 0.72 + 0.62 * light
         return np.array([k, k, k])
@@ -123,13 +144,13 @@ def vertex_tint(co, region, light):
 
 def corner_colors(piece):
     out = []
-    light = piece.marks.get("light", {})
+    light, dark = (piece.marks.get(n, {}) for n in ("light", "dark"))
     flat = {r: common.to_linear(common.srgb(c)) for r, c in COLORS.items()}
     for face, region in zip(piece.faces, piece.region):
         base = flat.get(region, np.ones(3))
         for v in face:
             out.append(base * vertex_tint(piece.co[v], region,
-                                          light.get(v, 0)))
+                                          light.get(v, 0), v in dark))
     return common.to_srgb(out)
 
 
@@ -145,43 +166,68 @@ def weigh_vertices(obj, pieces):
         base += len(piece.co)
 
 
-def make_body(pieces):
-    """One mesh out of all pieces, coloured, with its materials."""
+def make_object(name, pieces, materials):
+    """One mesh out of pieces, coloured; materials by region's texture."""
     whole = Piece()
     colors = []
     for piece, _ in pieces:
+        piece = piece.triangulated()
         colors.append(corner_colors(piece))
         piece.drop_uv(lambda region: region not in TEXTURED)
         whole.add(piece)
-    mesh, names = whole.to_mesh("walker_body")
-    order = ["plain", SHIRT, LEATHER]
-    mesh.materials.append(common.material("plain"))
-    mesh.materials.append(common.material(
-        SHIRT, texture=common.image("knit", shirt_texture())))
-    color, normals = leather_textures()
-    mesh.materials.append(common.material(
-        LEATHER, texture=common.image("leather", color),
-        normals=common.image("leather_normals", normals, data=True),
-        roughness=0.5))
-    slot = [order.index(TEXTURED.get(r, "plain")) for r in whole.region]
+    mesh, _ = whole.to_mesh(name)
+    order = [m.name for m in materials]
+    for material in materials:
+        mesh.materials.append(material)
+    slot = [order.index(TEXTURED.get(r, PLAIN)) for r in whole.region]
     mesh.polygons.foreach_set("material_index", slot)
     mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
     common.set_colors(mesh, np.concatenate(colors))
     mesh.validate()
-    obj = bpy.data.objects.new("walker_body", mesh)
-    return common.link(obj)
+    return common.link(bpy.data.objects.new(name, mesh)), whole
+
+
+def set_points(obj, points):
+    obj.data.vertices.foreach_set("co", np.array(points).ravel())
+    obj.data.update()
+
+
+def add_shapes(obj, whole):
+    """The morph targets as shape keys."""
+    set_points(obj, whole.co)
+    obj.shape_key_add(name="Basis", from_mix=False)
+    for name, points in whole.shapes.items():
+        key = obj.shape_key_add(name=name, from_mix=False)
+        key.data.foreach_set("co", np.array(points).ravel())
+
+
+def make_materials():
+    color, normals = leather_textures()
+    return [common.material(PLAIN),
+            common.material(SHIRT,
+                            texture=common.image("knit", shirt_texture())),
+            common.material(LEATHER, texture=common.image("leather", color),
+                            normals=common.image("leather_normals", normals,
+                                                 data=True),
+                            roughness=0.5)]
 
 
 def build(path):
     common.reset_scene()
-    pieces = build_pieces()
-    obj = make_body(pieces)
-    common.bake_ao([obj], distance=0.22, strength=0.8, samples=int(
-        os.environ.get("AO", 192)))
+    hair, face = build_head()
+    dressed = build_body() + hair
+    materials = make_materials()
+    body_object, _ = make_object("walker_body", dressed, materials)
+    head_object, whole = make_object("walker_head", face, materials[:1])
+    set_points(head_object, whole.shapes[BAKED])
+    common.bake_ao([body_object, head_object], distance=0.22, strength=0.8,
+                   samples=int(os.environ.get("AO", 192)))
+    add_shapes(head_object, whole)
     armature = rig.make_armature()
-    weigh_vertices(obj, pieces)
-    obj.parent = armature
-    obj.modifiers.new("armature", "ARMATURE").object = armature
+    for obj, pieces in ((body_object, dressed), (head_object, face)):
+        weigh_vertices(obj, pieces)
+        obj.parent = armature
+        obj.modifiers.new("armature", "ARMATURE").object = armature
     clips.add_clips(armature)
     common.export_glb(path, tangents_for=(LEATHER,))
 

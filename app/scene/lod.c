@@ -6,7 +6,6 @@
 #include <string.h>
 
 enum {
-	INFLUENCES_MAX = 8,
 	BUDGET_MAX = 100000000,
 	/* Below these heights a cap moves no vertex by a visible amount. */
 	TWO_BELOW_PX = 160,
@@ -39,28 +38,12 @@ bool lod_parse(const char *text, struct lod *out)
 			text + sizeof(budget) - 1, BUDGET_MAX, &out->value);
 	}
 	out->kind = LOD_FIXED;
-	return read_number(text, INFLUENCES_MAX, &out->value);
+	return read_number(text, SKIN_INFLUENCES_MAX, &out->value);
 }
 
 int lod_for_height(float height_px)
 {
 	return height_px < ONE_BELOW_PX ? 1 : height_px < TWO_BELOW_PX ? 2 : 0;
-}
-
-static long stream_cost(const struct skin_stream *stream, int max_influences)
-{
-	const struct joint_weight *influence = stream->influence;
-	long cost = 0;
-
-	for (int v = 0; v < stream->vertex_count; v++) {
-		int count =
-			influence->next_vertex_offset / (int)sizeof(*influence);
-
-		cost += max_influences && count > max_influences ? max_influences
-								 : count;
-		influence += count;
-	}
-	return cost;
 }
 
 long lod_cost(const struct instance *instance, int max_influences)
@@ -71,7 +54,9 @@ long lod_cost(const struct instance *instance, int max_influences)
 		const struct drawable *drawable = &instance->drawable[i];
 
 		if (drawable->skin >= 0 && !drawable->hidden) {
-			cost += stream_cost(&drawable->stream, max_influences);
+			cost += max_influences
+				? drawable->stream.capped[max_influences]
+				: drawable->stream.influence_count;
 		}
 	}
 	return cost;
@@ -79,12 +64,12 @@ long lod_cost(const struct instance *instance, int max_influences)
 
 static int for_budget(const struct instance *instance, long budget)
 {
-	int cap = INFLUENCES_MAX;
+	int cap = SKIN_INFLUENCES_MAX;
 
 	while (cap > 1 && lod_cost(instance, cap) > budget) {
 		cap--;
 	}
-	return cap == INFLUENCES_MAX ? 0 : cap;
+	return cap == SKIN_INFLUENCES_MAX ? 0 : cap;
 }
 
 int lod_choose(const struct lod *lod, const struct instance *instance,

@@ -1,4 +1,4 @@
-"""Neck, head, face and hair."""
+"""Neck, skull, ears and hair."""
 
 import numpy as np
 from mathutils import Vector
@@ -57,42 +57,35 @@ def shape_face(p):
     return np.array([x * (1 + 0.02 * cheek / 0.003), y - out * front, z])
 
 
-def make_skull():
+def skull_row(row):
+    """A row of SKULL, also between two."""
+    return curve([(i, *r) for i, r in enumerate(SKULL)], row)
+
+
+def skull_point(row, column):
+    """The skin at a row of SKULL and a column, 0 in front, running left."""
+    zf, zb, w, front, back, power = skull_row(row)
+    a = 2 * np.pi * column / COLUMNS
+    a = a - 0.48 * np.sin(a)  # more columns in front
+    s, c = np.sin(a), np.cos(a)
+    x = np.sign(s) * abs(s) ** (2 / power) * w
+    y = abs(c) ** (2 / power) * (-front if c > 0 else back)
+    z = zf + (zb - zf) * (1 - c) / 2
+    return shape_face(np.array([x, y, z]))
+
+
+def make_skull(finer=1):
     """The closed head, also where hair will cover it."""
     piece = Piece()
-    rings = []
-    for zf, zb, w, front, back, power in SKULL:
-        ring = []
-        for k in range(COLUMNS):
-            a = 2 * np.pi * k / COLUMNS
-            a = a - 0.48 * np.sin(a)  # more columns in front
-            s, c = np.sin(a), np.cos(a)
-            x = np.sign(s) * abs(s) ** (2 / power) * w
-            d = -front if c > 0 else back
-            y = abs(c) ** (2 / power) * d
-            z = zf + (zb - zf) * (1 - c) / 2
-            ring.append(shape_face(np.array([x, y, z])))
-        rings.append(piece.vertices(ring))
+    rows = np.arange(finer * (len(SKULL) - 1) + 1) / finer
+    columns = np.arange(finer * COLUMNS) / finer
+    rings = [piece.vertices([skull_point(r, c) for c in columns])
+             for r in rows]
     for a, b in zip(rings, rings[1:]):
         piece.bridge(a, b, "skin")
     piece.fan(rings[-1], piece.vertex((0, -0.001, 1.7265)), "skin")
     piece.face(rings[0][::-1], "skin")
     return piece
-
-
-def bare_skin(skull, cap):
-    """The skull without the faces that the hair covers."""
-    tree = BVHTree.FromPolygons([tuple(c) for c in cap.co], cap.faces)
-
-    def covered(points):
-        for p in points:
-            out = unit(p - MIDDLE)
-            hit = tree.ray_cast(Vector(p), Vector(out), 0.06)[0]
-            if hit is None or (hit - Vector(p)).length < 0.004:
-                return False
-        return True
-
-    return skull.without_faces(covered)
 
 
 class Surface:
@@ -122,113 +115,7 @@ class Surface:
         return unit(np.array(hit) - MIDDLE)
 
 
-# --- face -------------------------------------------------------------------
-
-
-def make_eye(skin):
-    """The left eye: white, iris and pupil, with the upper lashes."""
-    piece = Piece()
-    n = 14
-    rim = np.linspace(0, 2 * np.pi, n, endpoint=False)
-    edge = []
-    for a in rim:
-        x = EYE[0] + 0.0182 * np.cos(a)
-        z = EYE[2] + np.sin(a) * (0.0158 if np.sin(a) > 0 else 0.0146)
-        z += 0.0012 * np.cos(a)  # the outer corner is a little higher
-        edge.append(np.array([x, skin.front(x, z) + 0.0015, z]))
-    middle = np.mean(edge, axis=0) - Y * 0.0075
-    rings = [piece.vertices(edge)]
-    for r in (0.0128, 0.0066):
-        f = r / 0.0175
-        points = []
-        for a, e in zip(rim, edge):
-            p = middle + X * r * np.cos(a) + Z * r * np.sin(a)
-            p[1] = middle[1] * (1 - f * f) + e[1] * f * f
-            points.append(p)
-        rings.append(piece.vertices(points))
-    # seen from the front the ring runs counter-clockwise: outwards is -Y
-    piece.bridge(rings[0], rings[1], "eyewhite")
-    piece.bridge(rings[1], rings[2], "iris")
-    piece.fan(rings[2], piece.vertex(middle), "pupil")
-    add_lashes(piece, edge)
-    return piece
-
-
-def add_lashes(piece, edge):
-    """A dark band over the upper edge of the eye, pointed outside."""
-    center = np.mean(edge, axis=0)
-    rows = []
-    for k, thick in zip(range(7, -1, -1),
-                        (0.3, 0.7, 1.0, 1.15, 1.25, 1.25, 1.1, 0.5)):
-        e = edge[k]
-        out = unit((e - center) * (1, 0, 1))
-        tip = out * (0.0012 + 0.0034 * thick)
-        if k == 0:
-            tip = np.array([0.0062, 0, 0.0022])
-        rows.append(piece.vertices([e - out * 0.0016 - Y * 0.0042,
-                                    e + out * 0.0012 - Y * 0.0050,
-                                    e + tip - Y * 0.0016 + Y * 0.0020]))
-    for a, b in zip(rows, rows[1:]):
-        for i in range(2):
-            piece.face((a[i], b[i], b[i + 1], a[i + 1]), "lash")
-
-
-def make_glint(side):
-    """The light in an eye; on the same side in both."""
-    piece = Piece()
-    center = np.array([side * EYE[0] + 0.0046, 0, EYE[2] + 0.0052])
-    points = ring_points(center, X, Z, (0.0032, 0.0036, 0.0036), 6)
-    ring = piece.vertices(points)
-    piece.face(ring, "glint")
-    return piece
-
-
-def drop_on(piece, eye, out):
-    """Lays a piece onto an eye, facing forward, out metres before it."""
-    tree = BVHTree.FromPolygons([tuple(c) for c in eye.co], eye.faces)
-    for i, co in enumerate(piece.co):
-        hit = tree.ray_cast(Vector((co[0], -1, co[2])), Vector((0, 1, 0)))[0]
-        piece.co[i] = np.array([co[0], hit.y - out, co[2]])
-    return piece
-
-
-def make_brow(skin):
-    piece = Piece()
-    rows = []
-    for t in np.linspace(0, 1, 5):
-        x = 0.0125 + 0.0390 * t
-        z = 1.6135 + 0.0085 * np.sin(np.pi * (0.12 + 0.68 * t)) - 0.002 * t
-        half = 0.0042 * (1 - 0.62 * t ** 1.6)
-        rows.append(piece.vertices([
-            (x, skin.front(x, z - half) + 0.0010, z - half),
-            (x, skin.front(x, z) - 0.0034, z),
-            (x, skin.front(x, z + half) + 0.0010, z + half)]))
-    for a, b in zip(rows, rows[1:]):
-        for i in range(2):
-            piece.face((a[i], b[i], b[i + 1], a[i + 1]), "brow")
-    return piece
-
-
-def make_mouth(skin):
-    """A closed, smiling mouth: upper lip, line, lower lip."""
-    piece = Piece()
-    rows = []
-    for x in np.linspace(-1, 1, 9):
-        fall = 1 - x * x
-        px = 0.0250 * x
-        line = 1.5095 + 0.0080 * x * x
-        up = 0.0042 * fall ** 0.8 - 0.0012 * float(gauss(x, 0, 0.18))
-        low = 0.0058 * fall ** 0.9
-        out = 0.0026 * fall ** 0.5
-        zs = (line - low, line - 0.55 * low, line, line + up)
-        ys = (0.0010, -out, 0.4 * 0.0010 - 0.0008, 0.0010)
-        rows.append(piece.vertices([
-            (px, skin.front(px, z) + y - (0.0010 if i == 2 else 0), z)
-            for i, (z, y) in enumerate(zip(zs, ys))]))
-    for a, b in zip(rows, rows[1:]):
-        for i, region in enumerate(("lip", "lip", "upperlip")):
-            piece.face((a[i], b[i], b[i + 1], a[i + 1]), region)
-    return piece
+# --- ear and neck -----------------------------------------------------------
 
 
 def make_ear():
@@ -395,7 +282,7 @@ def make_tie():
     for s, r in ((-0.004, 0.014), (0.002, 0.0215), (0.012, 0.0225),
                  (0.019, 0.016)):
         ring = piece.vertices(ring_points(TIE + ahead * s, X, side,
-                                          (r, r, r), 12))
+                                          (r, r, r), 10))
         piece.mark("along", ring, 0.06)
         if before:
             piece.bridge(before, ring, "tie")

@@ -2,11 +2,14 @@
 
 A Piece collects vertices and faces, ring by ring. Each face has a region (a
 colour name), each face corner a texture coordinate, each vertex any number of
-named marks (0..1) that later decide bone weights.
+named marks (0..1) that later decide bone weights. Shapes by name say where
+all its vertices go in morph targets.
 """
 
 import bpy
 import numpy as np
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
 
 
 def smoothstep(low, high, x):
@@ -54,6 +57,7 @@ class Piece:
         self.region = []
         self.uv = []
         self.marks = {}
+        self.shapes = {}
 
     # --- building ---
 
@@ -69,7 +73,7 @@ class Piece:
             self.marks.setdefault(name, {})[v] = value
 
     def face(self, corners, region, uv=None):
-        self.faces.append(tuple(corners))
+        self.faces.append(tuple(int(v) for v in corners))
         self.region.append(region)
         self.uv.append(uv or [(0.0, 0.0)] * len(corners))
 
@@ -103,7 +107,11 @@ class Piece:
 
     def move(self, function):
         """Replaces every vertex co by function(co)."""
-        self.co = [np.asarray(function(co), dtype=float) for co in self.co]
+        def moved(points):
+            return [np.asarray(function(co), dtype=float) for co in points]
+
+        self.co = moved(self.co)
+        self.shapes = {n: moved(s) for n, s in self.shapes.items()}
         return self
 
     def mirrored(self):
@@ -114,11 +122,16 @@ class Piece:
         out.uv = [list(reversed(uv)) for uv in self.uv]
         out.region = list(self.region)
         out.marks = {n: dict(m) for n, m in self.marks.items()}
+        out.shapes = {n: [co * (-1, 1, 1) for co in s]
+                      for n, s in self.shapes.items()}
         return out
 
     def add(self, other):
         """Takes in another piece; nothing is welded."""
         base = len(self.co)
+        for name in {**self.shapes, **other.shapes}:
+            mine = self.shapes.setdefault(name, list(self.co))
+            mine += other.shapes.get(name, other.co)
         self.co += other.co
         self.faces += [tuple(v + base for v in f) for f in other.faces]
         self.region += other.region
@@ -142,6 +155,7 @@ class Piece:
         for name, values in self.marks.items():
             out.marks[name] = {new[v]: w for v, w in values.items()
                                if v in new}
+        out.shapes = {n: [s[v] for v in used] for n, s in self.shapes.items()}
         return out
 
     def compact(self):
@@ -156,7 +170,7 @@ class Piece:
     def triangulated(self):
         """A copy in triangles; quads are cut along the shorter diagonal."""
         out = Piece()
-        out.co, out.marks = self.co, self.marks
+        out.co, out.marks, out.shapes = self.co, self.marks, self.shapes
         for face, region, uv in zip(self.faces, self.region, self.uv):
             turn = 0
             if len(face) == 4:
@@ -219,6 +233,36 @@ def from_mesh(mesh, regions, marks):
                 name = marks[g.group]
                 out.marks.setdefault(name, {})[v.index] = g.weight
     return out
+
+
+def directions(n):
+    """n unit vectors, evenly all around."""
+    z = 1 - 2 * (np.arange(n) + 0.5) / n
+    a = np.pi * (1 + 5**0.5) * np.arange(n)
+    r = np.sqrt(1 - z * z)
+    return np.stack([r * np.cos(a), r * np.sin(a), z], axis=1)
+
+
+def hidden_behind(pieces, rays=200):
+    """Whether a face's points can be seen from nowhere, as a function."""
+    whole = Piece()
+    for piece in pieces:
+        whole.add(piece.triangulated())
+    tree = BVHTree.FromPolygons([tuple(c) for c in whole.co], whole.faces)
+    ways = directions(rays)
+
+    def hidden(points):
+        center = points.mean(axis=0)
+        normal = np.cross(points[1] - points[0], points[-1] - points[0])
+        normal /= max(np.linalg.norm(normal), 1e-12)
+        for p in (center, *(center + (points - center) * 0.93)):
+            start = Vector(p + normal * 1e-4)
+            for way in ways[ways @ normal > 0.02]:
+                if tree.ray_cast(start, Vector(way))[0] is None:
+                    return False
+        return True
+
+    return hidden
 
 
 def rounding(n):

@@ -4,23 +4,15 @@
 
 #include <string.h>
 
-/* Vertices of 3, 1 and 2 influences, as the stream holds them. */
-static const struct joint_weight influences[] = {
-	{0.5f, 0, 36},
-	{0.3f, 0, 24},
-	{0.2f, 0, 12},
-	{1.0f, 0, 12},
-	{0.6f, 0, 24},
-	{0.4f, 0, 12},
-};
-
+/* Vertices of 3, 1 and 2 influences. */
 static struct drawable drawable = {
-	.stream = {.vertex_count = 3, .influence_count = 6},
+	.stream = {.vertex_count = 3,
+		.influence_count = 6,
+		.capped = {0, 3, 5, 6, 6, 6, 6, 6, 6}},
 };
 
 static struct instance make_instance(void)
 {
-	drawable.stream.influence = (struct joint_weight *)influences;
 	return (struct instance){.drawable_count = 1, .drawable = &drawable};
 }
 

@@ -8,7 +8,7 @@ CC_arm := $(ARM_PREFIX)gcc --sysroot=$(SYSROOT)
 CFLAGS_arm ?= -O2 -g
 CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
 	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64
-SETS_arm := arm
+SETS_arm := arm font
 # Small libraries go in; libc stays out, and GL is opened at run time. They
 # want the sysroot's C library, which is newer than the cross compiler's own.
 # libjpeg stays out too: it carries NEON code, which it uses where it finds

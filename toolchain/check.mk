@@ -9,7 +9,7 @@ CHECK := build/check
 CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
-SETS_fuzz := host check
+SETS_fuzz := host font check
 PACKAGES_fuzz := jansson libpng libjpeg
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
@@ -110,7 +110,7 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 
 check: | build
 	$(Q)date +%s >build/check-began
-	$(Q)toolchain/install.sh host arm check
+	$(Q)toolchain/install.sh host font arm check
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

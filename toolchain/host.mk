@@ -7,7 +7,7 @@ COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
 
 CC_host ?= gcc
 CFLAGS_host ?= -O2 -g
-SETS_host := host
+SETS_host := host font
 PACKAGES_host := jansson libpng libjpeg sdl2
 LIBS_host := -lgif -lm -ldl
 RUN_host :=
@@ -16,7 +16,7 @@ RUN_host :=
 CC_asan := gcc
 CFLAGS_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=all
-SETS_asan := host
+SETS_asan := host font
 PACKAGES_asan := $(PACKAGES_host)
 LIBS_asan := $(LIBS_host) -fsanitize=address,undefined
 RUN_asan :=

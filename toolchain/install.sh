@@ -21,17 +21,16 @@ has() {
     esac
 }
 
-# The packages of the sets that are missing, each after a space.
+# The packages of the sets that are missing, each once and after a space.
 missing_of() {
     for set in "$@"; do
         while read -r package rest; do
             case $package in
             '' | '#'*) continue ;;
             esac
-            has "${rest#\?}" || is_installed "$package" ||
-                printf ' %s' "$package"
+            has "${rest#\?}" || is_installed "$package" || echo "$package"
         done <"$lists/$set.txt"
-    done
+    done | awk '!seen[$0]++ { printf " %s", $0 }'
 }
 
 if [ $# -eq 0 ]; then

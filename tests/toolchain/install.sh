@@ -11,7 +11,7 @@ printf 'gamma ?gamma-run\ndelta ?%s\n' "$scratch/delta-file" \
     >"$scratch/toolchain/packages/things.txt"
 
 # Only these commands are there.
-for tool in sh env dirname cat rm mktemp sed flock printf; do
+for tool in sh awk env dirname cat rm mktemp sed flock printf; do
     ln -s "$(command -v $tool)" "$scratch/bin/$tool"
 done
 stub() {
@@ -124,6 +124,13 @@ install things
 about 'a missing command; a package without its file'
 expect_status 0
 called 'apt-get .*install -y --no-install-recommends gamma .*'
+
+given 0
+printf 'beta\nomega\n' >"$scratch/toolchain/packages/also.txt"
+install two also
+about 'a package in two sets'
+expect_status 0
+called 'apt-get .*install -y --no-install-recommends alpha beta omega .*'
 
 given 0
 install two things

@@ -126,6 +126,15 @@ static int window_create(
 		return -ENOMEM;
 	}
 	display->log = *options->log;
+	if (!window_probe()) {
+		/* SDL would find a driver that nobody sees. */
+		log_error(&display->log,
+			"--display window: no desktop to open it on: DISPLAY "
+			"and WAYLAND_DISPLAY are not set: write a file with "
+			"limber render");
+		free(display);
+		return -ENODEV;
+	}
 	if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
 		failed(display, "no desktop to open it on");
 		free(display);

@@ -162,19 +162,6 @@ void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 	}
 }
 
-int skin_cap_for_budget(const struct skin_stream *stream, int budget)
-{
-	int cap = stream->max_influences;
-
-	if (stream->influence_count <= budget) {
-		return 0;
-	}
-	while (cap > 1 && stream->capped[cap] > budget) {
-		cap--;
-	}
-	return cap;
-}
-
 size_t skin_stream_bytes(const struct skin_stream *stream)
 {
 	size_t each = sizeof(struct joint_weight) + sizeof(float[4]);

@@ -59,13 +59,6 @@ int skin_stream_add_tangents(struct skin_stream *stream,
 void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 	const float (*normal)[3], float position_scale);
 
-/*
- * Level of detail: the highest cap (the kernels' max_influences) that leaves
- * at most budget influences in all; 0, no cap, when all of them fit, and 1
- * when even one a vertex is more than the budget.
- */
-int skin_cap_for_budget(const struct skin_stream *stream, int budget);
-
 /* Bytes of the stream, for `limber info`. */
 size_t skin_stream_bytes(const struct skin_stream *stream);
 

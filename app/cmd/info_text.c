@@ -1,5 +1,5 @@
 #include "app/cmd/info_report.h"
-#include "app/cmd/time_text.h"
+#include "platform/base/time_text.h"
 
 #include <errno.h>
 
@@ -67,7 +67,7 @@ static void print_clips(const struct model *model, FILE *out)
 		model_stats_add_clip(&stats, clip);
 		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  %s\n", i,
 			duration_s, duration_s * 30.0,
-			duration_s * TIME_TICKS_PER_S, stats.channel_count,
+			duration_s * TICKS_PER_SECOND, stats.channel_count,
 			stats.key_count, or_unnamed(clip->name));
 	}
 }

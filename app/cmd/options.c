@@ -1,6 +1,6 @@
 #include "app/cmd/options.h"
 
-#include "app/cmd/time_text.h"
+#include "platform/base/time_text.h"
 
 #include <errno.h>
 #include <stddef.h>
@@ -107,8 +107,7 @@ static bool set_frames(struct options *options, const char *value)
 static bool set_time(struct options *options, const char *value)
 {
 	options->time_given = true;
-	return time_text_parse(value, &options->time_s) &&
-		options->time_s >= 0.0 && options->time_s <= 86400.0;
+	return time_parse(value, &options->time_s) == 0;
 }
 
 static bool set_interpolation(struct options *options, const char *value)

@@ -321,6 +321,10 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 		&hud_color_rose,
 	};
 
+	if (demo->rig.on[RIG_SHAKE]) {
+		hud_group_text(group, "shaken by",
+			demo->rig.preset[demo->rig.preset_chosen].name);
+	}
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
 		if (demo->rig.weight[i] > 0.0f) {
 			hud_group_weight(group,
@@ -417,6 +421,13 @@ static void press_switch(struct demo *demo, bool down)
 	}
 }
 
+static void press_preset(struct demo *demo, bool down)
+{
+	if (down) {
+		walker_rig_next_preset(&demo->rig);
+	}
+}
+
 static void press_tour(struct demo *demo, bool down)
 {
 	if (down) {
@@ -435,6 +446,7 @@ static const struct demo_action walker_actions[] = {
 	{BUTTON_F6, "choose the next feature of the list", press_choose},
 	{BUTTON_F8, "switch the chosen feature", press_switch},
 	{BUTTON_F9, "show all of it in turn", press_tour},
+	{BUTTON_F10, "shake by the next preset", press_preset},
 	{0},
 };
 

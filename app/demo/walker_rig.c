@@ -3,10 +3,16 @@
 #include "app/anim/blend.h"
 #include "app/anim/bone.h"
 #include "app/anim/transform.h"
+#include "app/model/model_file.h"
+#include "platform/base/file.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
+
+enum {
+	PATH_ROOM = 1024
+};
 
 static const float switch_s = 0.4f; /* to come or go */
 static const float relief_m = 0.2f;
@@ -77,6 +83,46 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 	return 0;
 }
 
+/*
+ * The presets that come with the program. Without the file the document's own
+ * is left.
+ */
+static int read_presets(struct walker_rig *rig, const struct log *log)
+{
+	struct model_file file;
+	char path[PATH_ROOM];
+	int count;
+
+	rig->preset[0] = procedural_preset_default();
+	rig->preset[0].unit = 0.01f;
+	rig->preset_count = 1;
+	if (file_find_asset("presets.ini", log, path, sizeof(path)) != 0) {
+		return 0;
+	}
+	count = model_file_read(path, log, &file);
+	if (count < 0) {
+		return count;
+	}
+	count = procedural_presets_parse((const char *)file.data, path, log,
+		rig->preset, RIG_PRESETS_MAX);
+	model_file_release(&file);
+	rig->preset_count = count > 0 ? count : rig->preset_count;
+	return count < 0 ? count : 0;
+}
+
+static void use_preset(struct walker_rig *rig, int preset)
+{
+	rig->preset_chosen = preset;
+	for (int side = 0; side < 2; side++) {
+		rig->shake[side].preset = rig->preset[preset];
+	}
+}
+
+void walker_rig_next_preset(struct walker_rig *rig)
+{
+	use_preset(rig, (rig->preset_chosen + 1) % rig->preset_count);
+}
+
 int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	const struct log *log)
 {
@@ -84,7 +130,6 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 		.to_rad = 1.6f,
 		.swell = {0.16f, 0.0f, 0.16f},
 		.weight = -1};
-	struct procedural_preset preset = procedural_preset_default();
 	int error;
 
 	*rig = (struct walker_rig){
@@ -93,9 +138,12 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 		.breath = breath_default(0),
 		.biceps = {biceps, biceps},
 	};
-	preset.unit = 0.01f;
+	error = read_presets(rig, log);
+	if (error) {
+		return error;
+	}
 	for (int side = 0; side < 2; side++) {
-		rig->shake[side] = procedural_begin(&preset, 0);
+		rig->shake[side] = procedural_begin(&rig->preset[0], 0);
 	}
 	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
 	error = find_bones(rig, instance->model, log);

@@ -28,6 +28,10 @@ enum rig_feature {
 	RIG_FEATURE_COUNT,
 };
 
+enum {
+	RIG_PRESETS_MAX = 16
+};
+
 struct walker_rig {
 	bool on[RIG_FEATURE_COUNT];
 	float weight[RIG_FEATURE_COUNT]; /* on its way to 0 or 1 */
@@ -36,6 +40,8 @@ struct walker_rig {
 	struct lookat neck, head;
 	struct ik_limb arm, leg[2];
 	struct procedural shake[2];
+	struct procedural_preset preset[RIG_PRESETS_MAX];
+	int preset_count, preset_chosen;
 	struct breath breath;
 	struct muscle biceps[2];
 	struct walker_trail trail;
@@ -48,6 +54,9 @@ struct walker_rig {
  */
 int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	const struct log *log);
+
+/* Shakes by the next of the presets in assets/presets.ini. */
+void walker_rig_next_preset(struct walker_rig *rig);
 
 /* "look at" and so on. */
 const char *rig_feature_name(enum rig_feature feature);

@@ -142,21 +142,19 @@ static void test_counts_and_bytes_tell_the_streams_size(void **state)
 	arena_release(&arena);
 }
 
-static void test_a_budget_chooses_the_cap(void **state)
+static void test_knows_how_many_influences_each_cap_leaves(void **state)
 {
 	struct skin_stream stream;
 	struct arena arena;
 
 	(void)state;
-	/* 3, 1, 1 and 4 influences: 9 in all, then 8, 6 and 4. */
+	/* 3, 1, 1 and 4 influences. */
 	set_up(&stream, &arena);
-	assert_int_equal(skin_cap_for_budget(&stream, 100), 0);
-	assert_int_equal(skin_cap_for_budget(&stream, 9), 0);
-	assert_int_equal(skin_cap_for_budget(&stream, 8), 3);
-	assert_int_equal(skin_cap_for_budget(&stream, 7), 2);
-	assert_int_equal(skin_cap_for_budget(&stream, 6), 2);
-	assert_int_equal(skin_cap_for_budget(&stream, 5), 1);
-	assert_int_equal(skin_cap_for_budget(&stream, 0), 1);
+	assert_int_equal(stream.capped[1], 4);
+	assert_int_equal(stream.capped[2], 6);
+	assert_int_equal(stream.capped[3], 8);
+	assert_int_equal(stream.capped[4], 9);
+	assert_int_equal(stream.capped[SKIN_INFLUENCES_MAX], 9);
 	arena_release(&arena);
 }
 
@@ -262,7 +260,7 @@ int main(void)
 			test_pitfall_12_no_weight_at_all_holds_to_the_first),
 		cmocka_unit_test(test_pitfall_12_bad_weights_are_left_out),
 		cmocka_unit_test(test_counts_and_bytes_tell_the_streams_size),
-		cmocka_unit_test(test_a_budget_chooses_the_cap),
+		cmocka_unit_test(test_knows_how_many_influences_each_cap_leaves),
 		cmocka_unit_test(
 			test_base_vectors_are_multiplied_by_their_weight),
 		cmocka_unit_test(

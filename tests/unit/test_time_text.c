@@ -1,62 +1,83 @@
-#include "app/cmd/time_text.h"
-#include "platform/base/compiler.h"
+#include "platform/base/time_text.h"
 #include "tests/support/test.h"
 
-static void test_reads_seconds_frames_and_ticks_alike(void **state)
+#include <errno.h>
+
+static void test_seconds_frames_and_ticks_are_read(void **state)
 {
-	static const char *const texts[] = {
-		"1.5", "45f@30", "36f@24", "7200t", "37.5f@25", "1.5e0"};
+	static const struct {
+		const char *text;
+		double time_s;
+	} cases[] = {
+		{"0", 0},
+		{"1.5", 1.5},
+		{".25", 0.25},
+		{"45f@30", 1.5},
+		{"45f", 1.5},
+		{"36f@24", 1.5},
+		{"29.97f@29.97", 1},
+		{"7200t", 1.5},
+		{"160t", 1 / 30.0},
+		{"0.5t", 0.5 / 4800},
+		{"86400", 86400},
+		{"2592000f@30", 86400},
+	};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
-		double time_s = 0.0;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		double time_s = -1;
 
-		assert_true(time_text_parse(texts[i], &time_s));
-		assert_near(time_s, 1.5, 1e-12);
+		assert_int_equal(time_parse(cases[i].text, &time_s), 0);
+		assert_near(time_s, cases[i].time_s, 1e-12);
 	}
 }
 
-static void test_a_frame_of_each_usual_rate_is_whole_ticks(void **state)
+static void test_anything_else_is_refused(void **state)
 {
-	static const int rates[] = {24, 25, 30, 50, 60};
+	static const char *const cases[] = {"", " 1", "-1", "+1", "1s", "1.5x",
+		"45f@", "45f@0", "45f@-30", "45f@30x", "45 f", "f@30", "t",
+		"1tt", "45f30", "nan", "inf", "1e400", "86401", "45f@nan", "."};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(rates); i++) {
-		assert_int_equal(TIME_TICKS_PER_S % rates[i], 0);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		double time_s = -1;
+
+		assert_int_equal(time_parse(cases[i], &time_s), -EINVAL);
+		assert_true(time_s == -1);
 	}
 }
 
-static void test_reads_times_before_zero(void **state)
+static void test_written_times_are_read_back(void **state)
 {
-	double time_s = 0.0;
+	static const struct {
+		enum time_unit unit;
+		double rate_hz;
+		const char *text;
+	} cases[] = {
+		{TIME_SECONDS, 0, "1.500"},
+		{TIME_FRAMES, 30, "45f@30"},
+		{TIME_FRAMES, 23.976, "36f@23.976"},
+		{TIME_TICKS, 0, "7200t"},
+	};
 
 	(void)state;
-	assert_true(time_text_parse("-2400t", &time_s));
-	assert_near(time_s, -0.5, 1e-12);
-}
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		char text[TIME_TEXT_BYTES];
+		double time_s;
 
-static void test_refuses_what_is_no_time(void **state)
-{
-	static const char *const texts[] = {"", "soon", "1.5s", "45f", "45f@",
-		"45f@0", "45f@-30", "45f@30x", "45f@nan", "7200tt", "t", "nan",
-		"inf", "1e400", "1 5"};
-
-	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
-		double time_s = 7.0;
-
-		assert_false(time_text_parse(texts[i], &time_s));
-		assert_near(time_s, 7.0, 0.0);
+		time_format(1.5, cases[i].unit, cases[i].rate_hz, text);
+		assert_string_equal(text, cases[i].text);
+		assert_int_equal(time_parse(text, &time_s), 0);
+		assert_near(time_s, 1.5, 0.02);
 	}
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_reads_seconds_frames_and_ticks_alike),
-		cmocka_unit_test(test_a_frame_of_each_usual_rate_is_whole_ticks),
-		cmocka_unit_test(test_reads_times_before_zero),
-		cmocka_unit_test(test_refuses_what_is_no_time),
+		cmocka_unit_test(test_seconds_frames_and_ticks_are_read),
+		cmocka_unit_test(test_anything_else_is_refused),
+		cmocka_unit_test(test_written_times_are_read_back),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -229,6 +229,7 @@ def build(path):
         obj.parent = armature
         obj.modifiers.new("armature", "ARMATURE").object = armature
     clips.add_clips(armature)
+    clips.add_faces(head_object)
     common.export_glb(path, tangents_for=(LEATHER,))
 
 

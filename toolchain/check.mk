@@ -102,7 +102,8 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp
-golden-build: build/host/limber build/host/compare_png
+golden-build: build/host/limber build/host/compare_png \
+		build/host/unit/test_demo_runs
 
 # As many jobs as processors, unless make was told.
 processors := $(shell nproc)
@@ -120,3 +121,5 @@ check: | build
 
 golden: golden-build
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber
+	$(Q)$(CHECK_ENVIRONMENT) GOLDEN_WRITE=1 build/host/unit/test_demo_runs \
+		>/dev/null

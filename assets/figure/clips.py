@@ -1,4 +1,4 @@
-"""The walker's five clips, each a function from a time to a pose."""
+"""The walker's five clips: functions from a time to a pose, and faces."""
 
 import bpy
 import numpy as np
@@ -294,6 +294,32 @@ CLIPS = [("idle", idle, IDLE), ("walk", walk, WALK), ("run", run, RUN),
          ("wave", wave, WAVE), ("jump", jump, JUMP)]
 
 
+# --- faces ------------------------------------------------------------------
+
+
+def blinks(*times):
+    """Eyes closed for a moment at each time."""
+    return [(t + dt / FPS, w) for t in times
+            for dt, w in ((0, 0), (2, 1), (3, 1), (7, 0))]
+
+
+# Weights of the morph targets, as (seconds, weight) with straight lines
+# between. All end as they begin, at rest; walk and run leave the face alone.
+FACES = {
+    "idle": {"smile": [(0, 0), (0.9, 0.05), (1.5, 0.4), (2.2, 0.4), (3, 0)],
+             "blink": blinks(0.7, 2.4)},
+    "wave": {"smile": [(0, 0), (0.1, 0), (0.5, 1), (1.7, 1), (2.3, 0)],
+             "talk": [(0.6, 0), (0.7, 0.5), (0.8, 0.1), (0.95, 0.6),
+                      (1.15, 0)],
+             "blink": blinks(1.4)},
+    "jump": {"frown": [(0.05, 0), (0.28, 0.45), (0.42, 0.45), (0.54, 0)],
+             "smile": [(0.46, 0), (0.62, 1), (0.9, 0.7), (1.0, 0), (1.15, 0),
+                       (1.3, 0.4), (JUMP, 0)],
+             "talk": [(0.46, 0), (0.6, 0.45), (0.85, 0.3), (0.95, 0)],
+             "blink": blinks(29 / FPS)},
+}
+
+
 # --- into Blender -----------------------------------------------------------
 
 
@@ -341,5 +367,24 @@ def add_clips(armature):
                        values)
         add_curves(action, 'pose.bones["hips"].location', offsets)
         track = armature.animation_data.nla_tracks.new()
+        track.name = name
+        track.strips.new(name, 0, action)
+
+
+def add_faces(obj):
+    """The weights of an object's shape keys, on tracks of the same names."""
+    keys = obj.data.shape_keys
+    keys.animation_data_create()
+    for name, targets in FACES.items():
+        action = bpy.data.actions.new(name + ".face")
+        action.id_root = "KEY"
+        length = {n: s for n, _, s in CLIPS}[name]
+        for target in keys.key_blocks.keys()[1:]:
+            fcurve = action.fcurves.new(f'key_blocks["{target}"].value')
+            for time, weight in [*targets.get(target, [(0, 0)]), (length, 0)]:
+                key = fcurve.keyframe_points.insert(time * FPS, weight)
+                key.interpolation = "LINEAR"
+            fcurve.update()
+        track = keys.animation_data.nla_tracks.new()
         track.name = name
         track.strips.new(name, 0, action)

@@ -244,6 +244,22 @@ static int read_sparse(
 			       &out->sparse_value);
 }
 
+/*
+ * Unpacked to floats, an accessor alone must fit the budget; so products of
+ * count and width stay below 2^26, which 32-bit sizes hold in bytes, too.
+ */
+static int check_size(const struct gltf_at *at, int64_t count, int width)
+{
+	int64_t most = GLTF_BUDGET_BYTES / (int64_t)sizeof(float) / width;
+
+	if (count > most) {
+		return gltf_fail(at, -EFBIG,
+			"has %lld elements; limber reads up to %lld",
+			(long long)count, (long long)most);
+	}
+	return 0;
+}
+
 static int read_accessor(const struct gltf_at *at, struct gltf_accessor *out)
 {
 	const struct type *type = NULL;
@@ -252,8 +268,7 @@ static int read_accessor(const struct gltf_at *at, struct gltf_accessor *out)
 	int error = gltf_need(at, "count");
 
 	if (!error) {
-		error = gltf_maybe_integer(
-			at, "count", 1, GLTF_BUDGET_BYTES, &count);
+		error = gltf_maybe_integer(at, "count", 1, INT32_MAX, &count);
 	}
 	if (!error) {
 		error = read_type(at, &type);
@@ -267,9 +282,13 @@ static int read_accessor(const struct gltf_at *at, struct gltf_accessor *out)
 	if (error) {
 		return error;
 	}
-	out->count = (int)count;
 	out->type = type->name;
 	out->width = type->columns * type->rows;
+	error = check_size(at, count, out->width);
+	if (error) {
+		return error;
+	}
+	out->count = (int)count;
 	size = element_bytes(type, out->base.component);
 	error = read_elements(at, out->count, size, true, &out->base);
 	return error ? error : read_sparse(at, size, out);

@@ -102,6 +102,8 @@ struct gltf {
 	size_t binary_size;
 	size_t file_bytes; /* of the files beside it */
 
+	int warnings; /* said so far */
+
 	int buffer_count;
 	struct gltf_buffer *buffer;
 	int view_count;
@@ -123,6 +125,8 @@ struct gltf {
 /* Says "FILE: PATH: SENTENCE" and returns code. */
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	PRINTF_LIKE(3, 4);
+
+/* The same as a warning, of which a file gets only so many. */
 void gltf_warn(const struct gltf_at *at, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 

@@ -9,6 +9,7 @@
 
 enum {
 	PLACE_LENGTH = 512,
+	WARNINGS_MAX = 8, /* a file may have thousands of lines to leave out */
 };
 
 static size_t print_path(const struct gltf_at *at, char *text, size_t size)
@@ -79,9 +80,16 @@ void gltf_warn(const struct gltf_at *at, const char *format, ...)
 {
 	va_list arguments;
 
+	if (at->gltf->warnings++ >= WARNINGS_MAX) {
+		return;
+	}
 	va_start(arguments, format);
 	say(at, LOG_WARNING, format, arguments);
 	va_end(arguments);
+	if (at->gltf->warnings == WARNINGS_MAX) {
+		log_warning(at->gltf->log, "%s: further warnings are left out",
+			at->gltf->source->name);
+	}
 }
 
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key)

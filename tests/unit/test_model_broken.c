@@ -587,15 +587,30 @@ static void test_refuses_broken_animations(void **state)
 	EXPECT_ALL(broken);
 }
 
+/* Each claims 2^32 bytes or close to it, which 32 bits do not hold. */
+static void test_limits_the_size_of_an_accessor(void **state)
+{
+	(void)state;
+	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
+			    ZEROS("MAT4", "5126", "67108864")) "}",
+		-EFBIG,
+		"/accessors/0: has 67108864 elements; limber reads up to "
+		"4194304");
+	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
+			    ZEROS("VEC4", "5126", "268435456")) "}",
+		-EFBIG, "/accessors/0: has 268435456 elements");
+	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
+			    ZEROS("VEC3", "5126", "357913942")) "}",
+		-EFBIG, "/accessors/0: has 357913942 elements");
+	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
+			    ZEROS("SCALAR", "5126", "4294967297")) "}",
+		-EINVAL, "/accessors/0/count: 4294967297 is not within");
+}
+
 /* A few bytes of JSON must not claim the machine's memory. */
 static void test_limits_the_memory_of_a_model(void **state)
 {
 	(void)state;
-	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(ZEROS("VEC3", "5126",
-			    "100000000")) "," ATTRIBUTES("'POSITION':0") "}",
-		-ENOMEM,
-		"/meshes/0/primitives/0/attributes/POSITION: with this the "
-		"model needs more than 256 MiB");
 	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(ZEROS("VEC3",
 			    "5126", "9000000")) ",'meshes':[{"
 						"'primitives':[{'attributes':{'"
@@ -603,7 +618,9 @@ static void test_limits_the_memory_of_a_model(void **state)
 						"{'attributes':{'POSITION':0}},"
 						"{'attributes':{"
 						"'POSITION':0}}]}]}",
-		-ENOMEM, "needs more than 256 MiB");
+		-ENOMEM,
+		"/meshes/0/primitives/1: with this the model needs more than "
+		"256 MiB");
 }
 
 static void test_limits_the_number_of_json_values(void **state)
@@ -642,6 +659,7 @@ int main(void)
 		cmocka_unit_test(test_refuses_broken_cameras),
 		cmocka_unit_test(test_refuses_broken_materials),
 		cmocka_unit_test(test_refuses_broken_animations),
+		cmocka_unit_test(test_limits_the_size_of_an_accessor),
 		cmocka_unit_test(test_limits_the_memory_of_a_model),
 		cmocka_unit_test(test_limits_the_number_of_json_values),
 	};

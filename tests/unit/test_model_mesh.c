@@ -225,6 +225,29 @@ static void test_drops_target_normals_where_the_base_has_none(void **state)
 	model_destroy(model);
 }
 
+#define POINTS      "{'mode':0}"
+#define FOUR_POINTS POINTS "," POINTS "," POINTS "," POINTS
+
+static void test_says_eight_warnings_and_no_more(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text("{'asset':{'version':'2.0'},'meshes':[{"
+				"'primitives':[" FOUR_POINTS "," FOUR_POINTS
+				"," FOUR_POINTS "]}]}",
+			&heard, &model),
+		0);
+	assert_int_equal(model->mesh[0].primitive_count, 0);
+	assert_int_equal(heard.count, 9);
+	assert_contains(heard.sentence[7], "/meshes/0/primitives/7: points");
+	assert_string_equal(
+		heard.sentence[8], "t.gltf: further warnings are left out");
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -247,6 +270,7 @@ int main(void)
 		cmocka_unit_test(test_shares_targets_among_primitives),
 		cmocka_unit_test(
 			test_drops_target_normals_where_the_base_has_none),
+		cmocka_unit_test(test_says_eight_warnings_and_no_more),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

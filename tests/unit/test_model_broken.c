@@ -400,6 +400,9 @@ static void test_refuses_broken_skins(void **state)
 		{JOINTS("VEC4", "5126") "," PRIMITIVE(SKINNED),
 			"/attributes/JOINTS_0: is not of plain unsigned bytes "
 			"or shorts"},
+		{ACCESSORS(VEC3 "," ZEROS(
+			 "VEC4", "5121", "2") "," VEC4) "," PRIMITIVE(SKINNED),
+			"/attributes/JOINTS_0: has 2 elements, POSITION has 3"},
 		{JOINTS("VEC3", "5121") "," PRIMITIVE(SKINNED),
 			"/attributes/JOINTS_0: accessor 1 is VEC3 instead of "
 			"VEC4"},
@@ -467,6 +470,9 @@ static void test_refuses_broken_cameras(void **state)
 		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
 		 "'znear':1,'zfar':1}}]",
 			"/cameras/0/perspective/zfar: is not beyond znear"},
+		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
+		 "'znear':1,'aspectRatio':-1}}]",
+			"/cameras/0/perspective/aspectRatio: is not above 0"},
 		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
 		 "'ymag':1,'znear':-1,'zfar':1}}]",
 			"/cameras/0/orthographic/znear: is below 0"},
@@ -558,6 +564,10 @@ static void test_refuses_broken_animations(void **state)
 		{CLIP(SAMPLER("1", "1"), CHANNEL("scale")),
 			"/animations/0/samplers/0/input: accessor 1 is VEC3 "
 			"instead of SCALAR"},
+		{"'nodes':[{}]," ACCESSORS(ZEROS("SCALAR", "5121",
+			 "1") "," VEC3) ",'animations':[{'samplers':[" SAMPLER("0",
+			 "1") "],'channels':[" CHANNEL("scale") "]}]",
+			"/animations/0/samplers/0/input: is not of floats"},
 		{CLIP(SAMPLER("0", "3"), CHANNEL("scale")),
 			"/animations/0/samplers/0/output: accessor 3 is VEC4 "
 			"instead of VEC3"},

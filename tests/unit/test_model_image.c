@@ -83,7 +83,8 @@ static struct bytes make_png(int width, int height, const struct kind *kind,
 	return bytes;
 }
 
-static struct bytes make_jpeg(int width, int height, bool gray, int level)
+static struct bytes write_jpeg(
+	int width, int height, bool gray, int level, bool progressive)
 {
 	struct jpeg_compress_struct jpeg;
 	struct jpeg_error_mgr errors;
@@ -103,6 +104,9 @@ static struct bytes make_jpeg(int width, int height, bool gray, int level)
 	jpeg.input_components = gray ? 1 : 3;
 	jpeg.in_color_space = gray ? JCS_GRAYSCALE : JCS_RGB;
 	jpeg_set_defaults(&jpeg);
+	if (progressive) {
+		jpeg_simple_progression(&jpeg);
+	}
 	jpeg_start_compress(&jpeg, TRUE);
 	while (jpeg.next_scanline < jpeg.image_height) {
 		jpeg_write_scanlines(&jpeg, rows, 1);
@@ -114,6 +118,11 @@ static struct bytes make_jpeg(int width, int height, bool gray, int level)
 	bytes.size = size;
 	free(data);
 	return bytes;
+}
+
+static struct bytes make_jpeg(int width, int height, bool gray, int level)
+{
+	return write_jpeg(width, height, gray, level, false);
 }
 
 static int decode(const struct bytes *bytes, struct log_capture *heard,
@@ -399,6 +408,57 @@ static void test_measures_without_decoding(void **state)
 	assert_int_equal(heard.count, 0);
 }
 
+/* Repeats the last scan of a picture, from its marker to the file's end. */
+static void repeat_scan(struct bytes *bytes, int times)
+{
+	size_t end = bytes->size - 2;
+	size_t begin = end - 2;
+	size_t length;
+
+	while (bytes->data[begin] != 0xff || bytes->data[begin + 1] != 0xda) {
+		assert_true(begin > 0);
+		begin--;
+	}
+	length = end - begin;
+	while (times-- > 0) {
+		assert_true(end + length + 2 <= sizeof(bytes->data));
+		memcpy(bytes->data + end, bytes->data + begin, length);
+		end += length;
+	}
+	bytes->data[end] = 0xff;
+	bytes->data[end + 1] = 0xd9;
+	bytes->size = end + 2;
+}
+
+/* A few kilobytes could keep a decoder busy for minutes. */
+static void test_refuses_a_jpeg_of_endless_scans(void **state)
+{
+	struct bytes few = write_jpeg(8, 8, true, 128, true);
+	struct bytes many = few;
+	struct log_capture heard;
+	struct model_image image;
+	struct arena arena;
+
+	(void)state;
+	assert_int_equal(decode(&few, &heard, &arena, &image), 0);
+	assert_int_equal(image.rgba[0], 128);
+	arena_release(&arena);
+	repeat_scan(&many, 150);
+	expect_refusal(&many, -EINVAL, "broken JPEG: more than 100 scans");
+}
+
+static void test_refuses_a_png_without_pixels(void **state)
+{
+	struct bytes bytes = {.size = 0};
+	static const uint8_t rows[3];
+	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 8};
+
+	(void)state;
+	bytes = make_png(1, 1, &kind, rows, 3);
+	bytes.data[8 + 8 + 3] = 0;
+	expect_refusal(&bytes, -EINVAL, "broken PNG");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -419,6 +479,8 @@ int main(void)
 		cmocka_unit_test(test_warns_of_a_damaged_jpeg_and_shows_the_rest),
 		cmocka_unit_test(test_refuses_sizes_beyond_the_limit),
 		cmocka_unit_test(test_measures_without_decoding),
+		cmocka_unit_test(test_refuses_a_jpeg_of_endless_scans),
+		cmocka_unit_test(test_refuses_a_png_without_pixels),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

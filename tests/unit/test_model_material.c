@@ -229,6 +229,36 @@ static void test_leaves_out_a_texture_in_a_foreign_format(void **state)
 	model_destroy(model);
 }
 
+/* A 1x1 picture, by two textures, one of them a normal map only. */
+static void test_reads_a_shared_picture_once(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'images':[{'uri':"
+			"'data:image/png;base64,"
+			"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQV"
+			"R4"
+			"2mNgZGIGAAAOAAfpkjfUAAAAAElFTkSuQmCC'}],"
+			"'textures':[{'source':0},{'source':0}],'materials':[{"
+			"'normalTexture':{'index':1,'texCoord':3}},{"
+			"'pbrMetallicRoughness':{'baseColorTexture':{'index':"
+			"0}}}]}",
+			&heard, &model),
+		0);
+	assert_int_equal(model->image_count, 1);
+	assert_int_equal(model->texture_count, 2);
+	assert_int_equal(model->material[0].texture, -1);
+	assert_int_equal(model->material[0].normal_texture, 0);
+	assert_int_equal(model->material[1].texture, 1);
+	assert_int_equal(model->texture[0].image, 0);
+	assert_int_equal(model->texture[1].image, 0);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -248,6 +278,7 @@ int main(void)
 		cmocka_unit_test(
 			test_keeps_a_normal_map_with_the_same_coordinates),
 		cmocka_unit_test(test_leaves_out_a_texture_in_a_foreign_format),
+		cmocka_unit_test(test_reads_a_shared_picture_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -248,6 +248,48 @@ static void test_says_eight_warnings_and_no_more(void **state)
 	model_destroy(model);
 }
 
+#define VEC3_OF_ZEROS "{'componentType':5126,'count':3,'type':'VEC3'}"
+
+static void test_leaves_primitives_without_positions_out(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'accessors':[" VEC3_OF_ZEROS
+			"],'meshes':[{'primitives':[{"
+			"'attributes':{'NORMAL':0}},{'attributes':{"
+			"'POSITION':0}}]},{'primitives':[]}]}",
+			&heard, &model),
+		0);
+	assert_int_equal(model->mesh[0].primitive_count, 1);
+	assert_int_equal(model->mesh[0].primitive[0].file_index, 1);
+	assert_int_equal(model->mesh[1].primitive_count, 0);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/meshes/0/primitives/0: has no POSITION"));
+	model_destroy(model);
+}
+
+static void test_keeps_a_zero_normal_zero(void **state)
+{
+	static const float zeros[9];
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'accessors':[" VEC3_OF_ZEROS
+			"],'meshes':[{'primitives':[{"
+			"'attributes':{'POSITION':0.0,'NORMAL':0}}]}]}",
+			&heard, &model),
+		0);
+	assert_all_near(model->mesh[0].primitive[0].normal, zeros, 9, 0);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -271,6 +313,8 @@ int main(void)
 		cmocka_unit_test(
 			test_drops_target_normals_where_the_base_has_none),
 		cmocka_unit_test(test_says_eight_warnings_and_no_more),
+		cmocka_unit_test(test_leaves_primitives_without_positions_out),
+		cmocka_unit_test(test_keeps_a_zero_normal_zero),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -250,6 +250,50 @@ static void test_normalizes_weights_of_any_size(void **state)
 	assert_int_equal(model_max_joint(&primitive), 3);
 }
 
+static void test_warns_of_a_skin_without_a_mesh(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
+					 "'nodes':[{'skin':0}],"
+					 "'skins':[{'joints':[0]}]}",
+				 &heard, &model),
+		0);
+	assert_int_equal(model->node[0].skin, -1);
+	assert_true(log_capture_has(
+		&heard, LOG_WARNING, "/nodes/0: has a skin but no mesh"));
+	model_destroy(model);
+}
+
+static void test_takes_the_first_eight_influences(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'accessors':[" ZEROS("VEC3") "," BYTES("VEC4") "," ZEROS(
+				"VEC4") "],'nodes':[{'mesh':0,'skin':0}],"
+					"'skins':[{'joints':[0]}],'meshes':[{"
+					"'primitives':[{'attributes':{'"
+					"POSITION':0,"
+					"'JOINTS_0':1,'WEIGHTS_0':2,'JOINTS_1':"
+					"1,"
+					"'WEIGHTS_1':2,'JOINTS_2':1,'WEIGHTS_2'"
+					":2"
+					"}}]}]}",
+			&heard, &model),
+		0);
+	assert_int_equal(model->mesh[0].primitive[0].influences, 8);
+	assert_near(model->mesh[0].primitive[0].weight[0], 1, 0);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"/attributes: only the first 8 influences"));
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -270,6 +314,8 @@ int main(void)
 		cmocka_unit_test(
 			test_warns_of_a_skinned_primitive_without_joints),
 		cmocka_unit_test(test_normalizes_weights_of_any_size),
+		cmocka_unit_test(test_warns_of_a_skin_without_a_mesh),
+		cmocka_unit_test(test_takes_the_first_eight_influences),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -649,6 +649,38 @@ static void test_limits_the_number_of_json_values(void **state)
 	free(text);
 }
 
+/* The bytes 3 0 3 0, for numbers that are just one too large. */
+#define THREES                                                        \
+	"'buffers':[{'byteLength':4,'uri':'data:;base64,AwADAA=='}]," \
+	"'bufferViews':[{'buffer':0,'byteLength':4}]"
+
+static void test_refuses_numbers_that_are_one_too_large(void **state)
+{
+	static const struct broken broken[] = {
+		{THREES "," ACCESSORS(
+			 VEC3 ",{'bufferView':0,'type':'SCALAR',"
+			      "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
+			"/indices: index 0 is vertex 3, there are 3"},
+		{THREES "," ACCESSORS(
+			 "{'type':'SCALAR','componentType':5126,'count':3,"
+			 "'sparse':{'count':1,'indices':{'bufferView':0,"
+			 "'componentType':5121}}}"),
+			"/sparse/indices: index 3 is not below the count 3"},
+		{THREES
+			"," ACCESSORS(ZEROS("VEC3",
+				"5126", "1") ",{'bufferView':0,'type':'VEC4',"
+					     "'componentType':5121,'count':1}"
+					     ",{'bufferView':0,'type':'VEC4',"
+					     "'componentType':5121,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{},{}],"
+										"'skins':[{'joints':[0,1,2]}]," PRIMITIVE(
+											SKINNED),
+			"a vertex uses joint 3, skin 0 has 3"},
+	};
+
+	(void)state;
+	EXPECT_ALL(broken);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -672,6 +704,7 @@ int main(void)
 		cmocka_unit_test(test_limits_the_size_of_an_accessor),
 		cmocka_unit_test(test_limits_the_memory_of_a_model),
 		cmocka_unit_test(test_limits_the_number_of_json_values),
+		cmocka_unit_test(test_refuses_numbers_that_are_one_too_large),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

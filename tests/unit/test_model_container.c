@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
@@ -245,6 +246,61 @@ static void test_accepts_destroying_nothing(void **state)
 	model_destroy(NULL);
 }
 
+/* Holes, which take no room on the disk. */
+static void make_large_file(const struct test_path *folder, off_t mebibytes)
+{
+	struct test_path path = path_join(folder, "large.bin");
+
+	file_write(path.text, "", 0);
+	assert_int_equal(truncate(path.text, mebibytes << 20), 0);
+}
+
+#define LARGE "{\"byteLength\":1,\"uri\":\"large.bin\"}"
+
+static void test_limits_the_files_beside_a_model(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct log_capture heard;
+
+	(void)state;
+	make_large_file(&folder, 129);
+	assert_int_equal(
+		load_text(&folder,
+			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[" LARGE
+			"," LARGE "]}",
+			&heard),
+		-EFBIG);
+	assert_contains(heard.sentence[0],
+		"/buffers/1/uri: the files beside the model have more than");
+	temp_dir_remove(&folder);
+}
+
+/* The header of 4096 x 4096 pixels, 64 MiB, and nothing behind it. */
+#define HUGE_PNG                                   \
+	"data:;base64,"                            \
+	"iVBORw0KGgoAAAANSUhEUgAAEAAAABAACAIAAAB9" \
+	"wbNAAAAAAUlEQVQ="
+
+static void test_limits_pictures_before_they_are_decoded(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct log_capture heard;
+
+	(void)state;
+	make_large_file(&folder, 200);
+	assert_int_equal(
+		load_text(&folder,
+			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[" LARGE
+			"],\"images\":[{\"uri\":\"" HUGE_PNG "\"}],"
+			"\"textures\":[{\"source\":0}],\"materials\":[{"
+			"\"normalTexture\":{\"index\":0}}]}",
+			&heard),
+		-ENOMEM);
+	assert_contains(heard.sentence[0],
+		"/images/0: with this the model needs more than 256 MiB");
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -259,6 +315,8 @@ int main(void)
 		cmocka_unit_test(test_reads_no_file_outside_the_folder),
 		cmocka_unit_test(test_wants_all_the_bytes_that_a_buffer_states),
 		cmocka_unit_test(test_accepts_destroying_nothing),
+		cmocka_unit_test(test_limits_the_files_beside_a_model),
+		cmocka_unit_test(test_limits_pictures_before_they_are_decoded),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

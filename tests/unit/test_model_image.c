@@ -235,8 +235,8 @@ static void test_turns_a_key_colour_transparent(void **state)
 
 static void test_rounds_16_bits_to_8(void **state)
 {
-	static const uint8_t rows[6] = {0xff, 0xff, 0x80, 0x80, 0x01, 0x00};
-	static const uint8_t rgba[4] = {255, 128, 1, 255};
+	static const uint8_t rows[6] = {0xff, 0xff, 0x80, 0x80, 0x01, 0xff};
+	static const uint8_t rgba[4] = {255, 128, 2, 255};
 	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 16};
 	struct bytes bytes = make_png(1, 1, &kind, rows, 6);
 

@@ -290,6 +290,31 @@ static void test_keeps_a_zero_normal_zero(void **state)
 	model_destroy(model);
 }
 
+/* Bytes 0 128 255 64, 55 1 255 0 and 255 0 0 255, not marked. */
+static void test_takes_whole_colours_for_fractions(void **state)
+{
+	static const uint8_t expected[3][4] = {
+		{0, 188, 255, 64}, {128, 13, 255, 0}, {255, 0, 0, 255}};
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'buffers':[{'byteLength':"
+			"12,'uri':'data:;base64,AID/QDcB/wD/AAD/'}],"
+			"'bufferViews':[{'buffer':0,'byteLength':12}],"
+			"'accessors':[" VEC3_OF_ZEROS ",{'bufferView':0,"
+			"'componentType':5121,'count':3,'type':'VEC4'}],"
+			"'meshes':[{'primitives':[{'attributes':{"
+			"'POSITION':0,'COLOR_0':1}}]}]}",
+			&heard, &model),
+		0);
+	assert_memory_equal(
+		model->mesh[0].primitive[0].color, expected, sizeof(expected));
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -315,6 +340,7 @@ int main(void)
 		cmocka_unit_test(test_says_eight_warnings_and_no_more),
 		cmocka_unit_test(test_leaves_primitives_without_positions_out),
 		cmocka_unit_test(test_keeps_a_zero_normal_zero),
+		cmocka_unit_test(test_takes_whole_colours_for_fractions),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

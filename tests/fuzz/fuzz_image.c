@@ -1,0 +1,71 @@
+/* Any bytes as a picture: pixels, or one sentence and nothing left behind. */
+#include "app/model/image.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum {
+	PIXELS_MAX = 512 * 512, /* beyond, a run would only be slow */
+};
+
+static void count_errors(void *user, enum log_level level, const char *sentence)
+{
+	int *errors = user;
+
+	(void)sentence;
+	*errors += level == LOG_ERROR;
+}
+
+static void expect(bool holds)
+{
+	if (!holds) {
+		abort();
+	}
+}
+
+/* Reads every pixel, so that the sanitizers see where they lie. */
+static void check(const struct model_image *image)
+{
+	size_t total = (size_t)image->width * (size_t)image->height;
+	bool opaque = true;
+	size_t i;
+
+	for (i = 0; i < total; i++) {
+		opaque = opaque && image->rgba[i * 4 + 3] == 255;
+	}
+	expect(opaque == image->opaque);
+}
+
+/* Not static: libFuzzer calls it. */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+	struct arena arena = arena_empty();
+	struct model_image image = {0};
+	int errors = 0;
+	struct log log = {
+		.write = count_errors,
+		.user = &errors,
+		.threshold = LOG_NOTE,
+	};
+	int width, height;
+
+	if (image_measure(data, size, "fuzz", &log, &width, &height) < 0) {
+		expect(errors == 1);
+		return 0;
+	}
+	expect(errors == 0);
+	if (width * height > PIXELS_MAX) {
+		return 0;
+	}
+	if (image_decode(data, size, "fuzz", &log, &arena, &image) == 0) {
+		expect(errors == 0);
+		expect(image.width == width && image.height == height);
+		check(&image);
+	} else {
+		expect(errors == 1);
+	}
+	arena_release(&arena);
+	return 0;
+}

@@ -16,7 +16,7 @@ static void write_drawable(FILE *out, const struct instance *instance,
 
 	fprintf(out, "o node%d_prim%d\n",
 		instance->model->node[drawable->node].file_index,
-		drawable->primitive_index);
+		primitive->file_index);
 	for (int i = 0; i < primitive->vertex_count; i++) {
 		float p[3];
 

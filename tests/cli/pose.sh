@@ -39,4 +39,10 @@ cp "$slider" "$scratch/-strange name.gltf"
 limber pose --clip slide --time 1 -o "$scratch/out.obj" -- "$scratch/-strange name.gltf"
 expect_quiet
 expect_file "$scratch/out.obj"
+
+# Its first part is points, which are not drawn.
+limber pose tests/fixtures/mesh_modes.gltf -o "$scratch/out.obj"
+expect_status 0
+check 'parts keep the numbers of the file' \
+    grep -qx 'o node0_prim1' "$scratch/out.obj"
 tap_done

@@ -19,6 +19,7 @@ include toolchain/sources.mk
 include toolchain/host.mk
 include toolchain/arm.mk
 include toolchain/build.mk
+include toolchain/arm1136.mk
 include toolchain/check.mk
 include toolchain/demo.mk
 

@@ -1,0 +1,35 @@
+# The timing model of the board's core: a plugin for qemu-arm, and the small
+# programs that test it (tests/arm1136/README.md).
+
+MODEL_SOURCES := $(addprefix tests/arm1136/,core.c core_branch.c core_memory.c core_vfp.c decode.c decode_vfp.c \
+	memory.c params.c plugin.c predict.c program.c report.c symbols.c \
+	values.c)
+MODEL_OBJECTS := $(MODEL_SOURCES:%.c=build/arm1136/obj/%.o)
+MODEL := build/arm1136/model.so
+
+build/arm1136/obj/%.o: %.c | build
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -g -fPIC -fvisibility=hidden -I. \
+		-MMD -MP -c -o $@ $<
+
+$(MODEL): $(MODEL_OBJECTS)
+	$(call say,LINK,$@)
+	$(Q)$(CC_host) -shared -o $@ $^
+
+-include $(MODEL_OBJECTS:.o=.d)
+
+# Test programs need no C library: the cross compiler alone makes them.
+MICRO_CFLAGS := -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm
+MICRO := $(patsubst tests/arm1136/micro/%.S,build/arm1136/micro/%,\
+	$(sort $(wildcard tests/arm1136/micro/*.S)))
+
+build/arm1136/micro/%: tests/arm1136/micro/%.S tests/arm1136/micro/cases.h \
+		tests/arm1136/marker.h | build/arm/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,AS,$@)
+	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
+
+micro_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
+	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
+	tests/arm1136/micro/$(notdir $(program)).S))

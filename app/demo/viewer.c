@@ -16,7 +16,8 @@ static const float fade_s = 0.25f;
 static const struct framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.turn_rad = SCALAR_PI,
-	.margin = 1.1f};
+	.margin = 1.15f,
+	.aside = 0.15f};
 
 struct demo {
 	const struct gl *gl;
@@ -27,6 +28,13 @@ struct demo {
 	struct playback playback;
 	enum clip_repeat repeat;
 	float speed;
+
+	/* All clips in a row, each end blended into the next start. */
+	bool joining;
+	struct clip_join join;
+	double join_s;
+	struct clip_cursor next_cursor;
+	struct pose scratch;
 	double now_s;
 	bool paused;
 	const char *title;      /* the technique that moves most of it */
@@ -65,6 +73,51 @@ static void begin_clip(struct demo *demo)
 		viewer_duration_s(demo), demo->repeat, demo->speed);
 }
 
+/* This clip and the next one, overlapping by the document's four frames. */
+static void begin_join(struct demo *demo, double join_s)
+{
+	const struct model *model = demo->actor.model;
+	int next = (demo->clip + 1) % model->clip_count;
+
+	demo->join = clip_join_frames(
+		&model->clip[demo->clip], &model->clip[next], JOIN_FRAMES);
+	demo->join.interpolation = demo->actor.interpolation;
+	demo->join_s = join_s;
+}
+
+/* The second clip becomes the first as soon as the overlap is over. */
+static void run_join(struct demo *demo, float step_s)
+{
+	double first_s = (double)demo->join.from->duration_s;
+
+	demo->join_s += (double)step_s;
+	if (demo->join_s >= first_s) {
+		double into_s =
+			demo->join_s - first_s + (double)demo->join.overlap_s;
+
+		demo->clip = (demo->clip + 1) % demo->actor.model->clip_count;
+		begin_join(demo, into_s);
+	}
+	clip_join_sample(&demo->join, (float)demo->join_s, &demo->actor.cursor,
+		&demo->next_cursor, &demo->scratch, &demo->actor.instance->pose);
+}
+
+static int init_join(struct demo *demo, const struct demo_env *env)
+{
+	struct arena *arena = &demo->actor.instance->arena;
+	int error = pose_init(&demo->scratch, demo->actor.model, arena);
+
+	if (!error) {
+		error = clip_cursor_init(
+			&demo->next_cursor, demo->actor.model, arena);
+	}
+	if (error) {
+		log_error(env->log, "%s: not enough memory to join its clips",
+			env->model_path);
+	}
+	return error;
+}
+
 static const char *technique_of(const struct instance *instance)
 {
 	bool skinned = false, morphed = false;
@@ -98,6 +151,9 @@ static int viewer_create(const struct demo_env *env, struct demo **out)
 		goto fail;
 	}
 	error = choose_clip(env, demo->actor.model, &demo->clip);
+	if (!error) {
+		error = init_join(demo, env);
+	}
 	if (error) {
 		goto fail_actor;
 	}
@@ -139,8 +195,13 @@ static void viewer_update(struct demo *demo, double time_s)
 	camera_orbit(&demo->stage.camera, demo->turn * orbit_rad_per_s * step_s,
 		demo->tilt * orbit_rad_per_s * step_s);
 	demo->stage.camera.distance *= 1.0f + demo->zoom * zoom_per_s * step_s;
-	actor_pose(&demo->actor, demo->clip, demo->playback.time_s);
-	fade_update(&demo->actor.fade, step_s, &demo->actor.instance->pose);
+	if (demo->joining) {
+		run_join(demo, demo->paused ? 0.0f : step_s);
+	} else {
+		actor_pose(&demo->actor, demo->clip, demo->playback.time_s);
+		fade_update(
+			&demo->actor.fade, step_s, &demo->actor.instance->pose);
+	}
 	actor_update(&demo->actor, &demo->stage.camera, demo->height);
 }
 
@@ -169,7 +230,12 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 		const char *name = model->clip[demo->clip].name;
 
 		hud_group_time(&group, name[0] ? name : "unnamed clip",
-			demo->playback.time_s, duration_s, hud_color_blue);
+			demo->joining ? (float)demo->join_s
+				      : demo->playback.time_s,
+			duration_s, hud_color_blue);
+	}
+	if (demo->joining) {
+		hud_group_text(&group, "joined to", demo->join.to->name);
 	}
 	actor_label_detail(&demo->actor, &group);
 	if (demo->paused) {
@@ -186,6 +252,7 @@ static void step_clip(struct demo *demo, int step)
 		fade_begin(&demo->actor.fade, &demo->actor.instance->pose,
 			fade_s, EASE_CUBIC);
 		demo->clip = (demo->clip + step + count) % count;
+		demo->joining = false;
 		begin_clip(demo);
 	}
 }
@@ -243,6 +310,15 @@ static void press_tilting(struct demo *demo, bool down)
 	}
 }
 
+static void press_join(struct demo *demo, bool down)
+{
+	if (down && demo->actor.model->clip_count > 1) {
+		demo->joining = !demo->joining;
+		begin_clip(demo);
+		begin_join(demo, 0.0);
+	}
+}
+
 static const struct demo_action viewer_actions[] = {
 	{BUTTON_UP, "the clip before (or tilt up)", press_up},
 	{BUTTON_DOWN, "the next clip (or tilt down)", press_down},
@@ -252,6 +328,7 @@ static const struct demo_action viewer_actions[] = {
 	{BUTTON_F6, "closer", press_closer},
 	{BUTTON_F8, "farther", press_farther},
 	{BUTTON_F9, "UP and DOWN: clips or tilt", press_tilting},
+	{BUTTON_F10, "all clips in a row, each joined to the next", press_join},
 	{0},
 };
 

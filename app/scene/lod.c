@@ -75,8 +75,7 @@ static int for_budget(const struct instance *instance, long budget)
 int lod_choose(const struct lod *lod, const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height)
 {
-	float half = 0.5f * camera->yfov_rad;
-	float seen;
+	float half, seen;
 
 	switch (lod->kind) {
 	case LOD_FIXED:
@@ -86,6 +85,7 @@ int lod_choose(const struct lod *lod, const struct instance *instance,
 	case LOD_DISTANCE:
 		break;
 	}
+	half = 0.5f * camera->yfov_rad;
 	seen = 2.0f * camera->distance * scalar_sin(half) / scalar_cos(half);
 	return lod_for_height(extent / seen * (float)picture_height);
 }

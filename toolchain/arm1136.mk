@@ -33,3 +33,12 @@ build/arm1136/micro/%: tests/arm1136/micro/%.S tests/arm1136/micro/cases.h \
 micro_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
 	tests/arm1136/micro/$(notdir $(program)).S))
+
+# AN4044's skinning loop, as its compiler would have made it today.
+build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
+		tests/arm1136/an4044.h tests/arm1136/marker.h \
+		| build/arm/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(ARM_PREFIX)gcc $(COMMON_CFLAGS) -O3 $(MICRO_CFLAGS) -I. \
+		-nostdlib -static -o $@ $(filter %.c,$^)

@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+/* Helpers of the kernel that the emulator runs whole; a few cycles each. */
+#define KERNEL_PAGE 0xffff0000u
+
 #define BIT(insn, n) ((insn)->word >> (n)&1)
 
 void insn_reads(struct insn *insn, unsigned int reg, enum need need)
@@ -557,6 +560,12 @@ void insn_decode(struct insn *insn, uint32_t pc, uint32_t word)
 	insn->word = word;
 	insn->unit = UNIT_UNKNOWN;
 	insn->issue = 1;
+	if (pc >= KERNEL_PAGE) {
+		insn->unit = UNIT_SYSTEM;
+		insn->branch = BRANCH_RETURN;
+		insn->issue = 4;
+		return;
+	}
 	if (condition == 15) {
 		unconditional(insn);
 		return;

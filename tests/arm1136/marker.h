@@ -22,26 +22,26 @@
 #ifdef __ASSEMBLER__
 
 #define MARKER_JOIN(op, n, last) op r##n, r##n, last
-#define MARKER_BEGIN(n) MARKER_JOIN(orr, n, r##n)
-#define MARKER_END(n) MARKER_JOIN(and, n, r##n)
-#define MARKER_FLUSH_(what) MARKER_JOIN(bic, what, 0)
-#define MARKER_FLUSH(what) MARKER_FLUSH_(what)
+#define MARKER_BEGIN(n)          MARKER_JOIN(orr, n, r##n)
+#define MARKER_END(n)            MARKER_JOIN(and, n, r##n)
+#define MARKER_FLUSH_(what)      MARKER_JOIN(bic, what, 0)
+#define MARKER_FLUSH(what)       MARKER_FLUSH_(what)
 
 #elif defined(__arm__)
 
 #define MARKER_TEXT(x) #x
 #define MARKER_ASM(op, n, last)                                                \
-	__asm__ volatile(op " r" MARKER_TEXT(n) ", r" MARKER_TEXT(             \
-		n) ", " last ::                                                \
+	__asm__ volatile(op                                                    \
+			 " r" MARKER_TEXT(n) ", r" MARKER_TEXT(n) ", " last :: \
 				 : "memory")
-#define MARKER_BEGIN(n) MARKER_ASM("orr", n, "r" MARKER_TEXT(n))
-#define MARKER_END(n) MARKER_ASM("and", n, "r" MARKER_TEXT(n))
+#define MARKER_BEGIN(n)    MARKER_ASM("orr", n, "r" MARKER_TEXT(n))
+#define MARKER_END(n)      MARKER_ASM("and", n, "r" MARKER_TEXT(n))
 #define MARKER_FLUSH(what) MARKER_ASM("bic", what, "#0")
 
 #else
 
-#define MARKER_BEGIN(n) ((void)0)
-#define MARKER_END(n) ((void)0)
+#define MARKER_BEGIN(n)    ((void)0)
+#define MARKER_END(n)      ((void)0)
 #define MARKER_FLUSH(what) ((void)0)
 
 #endif

@@ -89,22 +89,28 @@ static bool inside(const struct image *image, size_t offset, size_t bytes)
 	return offset <= image->size && bytes <= image->size - offset;
 }
 
-/* How far the program is from the addresses it was linked for. */
-static uint32_t bias_of(const struct image *image, const Elf32_Ehdr *header,
-	uint32_t start_code)
+/* Where its code lies, and how far that is from where it was linked for. */
+static uint32_t place(struct symbols *symbols, const struct image *image,
+	const Elf32_Ehdr *header, uint32_t start_code)
 {
-	for (size_t i = 0; start_code && i < header->e_phnum; i++) {
+	for (size_t i = 0; i < header->e_phnum; i++) {
 		Elf32_Phdr segment;
 		size_t offset = header->e_phoff + i * sizeof(segment);
+		uint32_t bias = 0;
 
 		if (!inside(image, offset, sizeof(segment))) {
 			break;
 		}
 		memcpy(&segment, image->data + offset, sizeof(segment));
-		if (segment.p_type == PT_LOAD && segment.p_flags & PF_X) {
-			return (start_code & ~0xfffu) -
+		if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X)) {
+			continue;
+		}
+		if (start_code) {
+			bias = (start_code & ~0xfffu) -
 				(segment.p_vaddr & ~0xfffu);
 		}
+		symbols->code_end = segment.p_vaddr + bias + segment.p_memsz;
+		return bias;
 	}
 	return 0;
 }
@@ -177,7 +183,7 @@ static int read_image(
 		if (table.sh_type == SHT_SYMTAB &&
 			section(image, &header, table.sh_link, &strings)) {
 			return read_table(symbols, image, &table, &strings,
-				bias_of(image, &header, start_code));
+				place(symbols, image, &header, start_code));
 		}
 	}
 	return -ENOENT;
@@ -240,6 +246,9 @@ const struct symbol *symbols_find(
 	size_t low = 0;
 	size_t high = symbols->count;
 
+	if (symbols->code_end && address >= symbols->code_end) {
+		return NULL;
+	}
 	while (low < high) {
 		size_t middle = (low + high) / 2;
 

@@ -13,6 +13,7 @@ struct symbol {
 struct symbols {
 	struct symbol *symbol; /* sorted by address */
 	size_t count;
+	uint32_t code_end; /* nothing from there on; 0 if not known */
 };
 
 /*

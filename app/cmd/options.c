@@ -220,8 +220,8 @@ static const struct option_entry entries[] = {
 		"an animation of the model, by name or number (0 is the first)",
 		"a clip's name or number", set_clip},
 	{0, "time", "T", FOR_SHOW | FOR_POSE,
-		"the moment to show, or to begin at: seconds, or frames such "
-		"as 45f@30, or 3ds Max ticks such as 7200t",
+		"the moment to show or begin at: seconds, 45f@30 (frames) or "
+		"7200t (ticks)",
 		"seconds such as 1.5, frames such as 45f@30 or ticks such as "
 		"7200t, from 0 to 86400 s", set_time},
 	{0, "interpolation", "MODE", FOR_SHOW | FOR_POSE,
@@ -259,8 +259,8 @@ static const struct option_entry entries[] = {
 	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE,
 		"which vertex loops: float", "a kernel's name", set_kernel},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
-		"use at most N joints a vertex; auto: fewer where the figure "
-		"is small; budget:N: at most N a frame",
+		"at most N joints a vertex; auto: fewer on small figures; "
+		"budget:N",
 		"a number from 1 to 8, auto or budget:N",
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,

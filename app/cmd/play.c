@@ -29,6 +29,7 @@ static int run(const struct options *options, const struct log *log)
 		.clock = options->clock,
 		.begin_s = options->time_given ? options->time_s : 0.0,
 		.frames = options->frames,
+		.opened = print_buttons,
 	};
 	int error = show_choose(options, log, &plan, path, sizeof(path));
 
@@ -38,7 +39,6 @@ static int run(const struct options *options, const struct log *log)
 	if (plan.clock.fixed) {
 		plan.clock.start_s = plan.begin_s;
 	}
-	print_buttons(plan.demo);
 	return command_exit_code(show_run(&plan, options, log));
 }
 

@@ -309,6 +309,9 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	if (error) {
 		goto out_demo;
 	}
+	if (plan->opened) {
+		plan->opened(plan->demo);
+	}
 	run_up(&show);
 	error = run_frames(&show);
 	if (!error) {

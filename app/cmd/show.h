@@ -16,6 +16,8 @@ struct show_plan {
 	double begin_s; /* frames before this are not drawn */
 	int frames;     /* 0: until closed; -1: one period of the demo */
 	bool unattended;
+	/* Called when everything is open; or NULL. */
+	void (*opened)(const struct demo_driver *demo);
 	bool progress; /* show a bar on a terminal */
 };
 

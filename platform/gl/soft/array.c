@@ -1,0 +1,201 @@
+/* Elements of vertex arrays as fixed point. */
+#include <string.h>
+
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/number.h"
+
+static const float two_16 = 65536.0f, two_30 = 1073741824.0f;
+
+static const uint8_t *element_at(const struct array *array, uint32_t index)
+{
+	return array->pointer + (size_t)index * (size_t)array->stride_bytes;
+}
+
+static uint32_t load_bits(const uint8_t *at)
+{
+	uint32_t bits;
+
+	memcpy(&bits, at, sizeof(bits));
+	return bits;
+}
+
+static float to_float(uint32_t bits)
+{
+	float value;
+
+	memcpy(&value, &bits, sizeof(value));
+	return value;
+}
+
+/* Any float; what is too large is cut, NaN is 0. */
+static int32_t checked(uint32_t bits, float scale)
+{
+	float value = to_float(bits) * scale;
+
+	if (value >= 2147483520.0f) {
+		return INT32_MAX;
+	}
+	if (value <= -2147483520.0f) {
+		return -INT32_MAX;
+	}
+	return value == value ? (int32_t)value : 0;
+}
+
+/*
+ * Three floats below 2^(exponent - 126), told by their bits together; what may
+ * be larger is looked at one by one.
+ */
+static void load_floats(
+	const uint8_t *at, int count, float scale, uint32_t limit, int32_t *out)
+{
+	uint32_t bits[3], all = 0;
+
+	for (int i = 0; i < count; i++) {
+		bits[i] = load_bits(at + 4 * i);
+		all |= bits[i];
+	}
+	if ((all & INT32_MAX) < limit) {
+		for (int i = 0; i < count; i++) {
+			out[i] = (int32_t)(to_float(bits[i]) * scale);
+		}
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		out[i] = checked(bits[i], scale);
+	}
+}
+
+static int32_t load_integer(const uint8_t *at, GLenum type, int i)
+{
+	int16_t value;
+
+	switch (type) {
+	case GL_BYTE:
+		return (int8_t)at[i];
+	case GL_SHORT:
+		memcpy(&value, at + 2 * i, sizeof(value));
+		return value;
+	default:
+		return (int32_t)load_bits(at + 4 * i);
+	}
+}
+
+int array_position_exponent(
+	const struct array *array, uint32_t first, uint32_t count)
+{
+	const uint8_t *at = element_at(array, first);
+	int size = array->size < 3 ? array->size : 3;
+	uint32_t most = 0;
+
+	if (array->type == GL_BYTE) {
+		return 7;
+	}
+	if (array->type != GL_FLOAT) {
+		return 15;
+	}
+	for (uint32_t n = 0; n < count; n++, at += array->stride_bytes) {
+		for (int i = 0; i < size; i++) {
+			uint32_t bits = load_bits(at + 4 * i) << 1;
+
+			most = bits > most ? bits : most;
+		}
+	}
+	return (int)(most >> 24) - 127;
+}
+
+void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
+{
+	const struct array *array = &draw->soft->arrays.vertex;
+	const uint8_t *at = element_at(array, index);
+	int size = array->size < 3 ? array->size : 3;
+
+	out[2] = 0;
+	if (array->type == GL_FLOAT && !draw->checked) {
+		for (int i = 0; i < size; i++) {
+			out[i] = (int32_t)(to_float(load_bits(at + 4 * i)) *
+				draw->position_scale);
+		}
+		return;
+	}
+	for (int i = 0; i < size; i++) {
+		if (array->type == GL_FLOAT) {
+			out[i] = clamp_int(checked(load_bits(at + 4 * i),
+						   draw->position_scale),
+				-(1 << 30), 1 << 30);
+			continue;
+		}
+		/* 8 and 16 bits up to 2^29, 16.16 halved. */
+		out[i] = load_integer(at, array->type, i);
+		out[i] = array->type == GL_FIXED ? out[i] >> 2
+			: array->type == GL_BYTE ? out[i] * (1 << 22)
+						 : out[i] * (1 << 14);
+	}
+}
+
+void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3])
+{
+	const struct arrays *arrays = &draw->soft->arrays;
+	const struct array *array = &arrays->normal;
+	const uint8_t *at = element_at(array, index);
+
+	if (array->enabled && array->type == GL_FLOAT) {
+		load_floats(at, 3, two_30, 0x40000000, out);
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		GLenum type = array->enabled ? array->type : GL_FIXED;
+		int32_t value = array->enabled ? load_integer(at, type, i)
+					       : arrays->current_normal[i];
+
+		/* (2 c + 1) / (2^bits - 1) */
+		out[i] = type == GL_BYTE   ? (2 * value + 1) * 4210752
+			: type == GL_SHORT ? (2 * value + 1) * 16384
+					   : saturate_64((int64_t)value * 16384);
+	}
+}
+
+static int32_t color_from_byte(int byte)
+{
+	return byte * 257 + (byte >> 7);
+}
+
+void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4])
+{
+	const struct arrays *arrays = &draw->soft->arrays;
+	const struct array *array = &arrays->color;
+	const uint8_t *at = element_at(array, index);
+
+	for (int i = 0; i < 4; i++) {
+		if (!array->enabled) {
+			out[i] = arrays->current_color[i];
+		} else if (array->type == GL_UNSIGNED_BYTE) {
+			out[i] = color_from_byte(at[i]);
+		} else if (array->type == GL_FIXED) {
+			out[i] = (int32_t)load_bits(at + 4 * i);
+		} else {
+			out[i] = checked(load_bits(at + 4 * i), two_16);
+		}
+	}
+}
+
+void array_texcoord_q16(
+	const struct draw *draw, int unit, uint32_t index, int32_t out[2])
+{
+	const struct array *array = &draw->soft->arrays.texcoord[unit];
+	const uint8_t *at = element_at(array, index);
+
+	out[0] = 0;
+	out[1] = 0;
+	if (!array->enabled) {
+		return;
+	}
+	if (array->type == GL_FLOAT) {
+		/* Below 2^15, as the bits of 2^15 tell. */
+		load_floats(at, 2, two_16, 0x47000000, out);
+		return;
+	}
+	for (int i = 0; i < 2; i++) {
+		out[i] = load_integer(at, array->type, i);
+		out[i] = array->type == GL_FIXED ? out[i] : out[i] * 65536;
+	}
+}

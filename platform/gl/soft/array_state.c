@@ -1,0 +1,158 @@
+/* Where vertices come from, and the current colour and normal. */
+#include "platform/base/fixed.h"
+#include "platform/gl/soft/soft.h"
+
+static int type_bytes(GLenum type)
+{
+	switch (type) {
+	case GL_BYTE:
+	case GL_UNSIGNED_BYTE:
+		return 1;
+	case GL_SHORT:
+		return 2;
+	default:
+		return 4;
+	}
+}
+
+static bool is_signed_type(GLenum type)
+{
+	return type == GL_BYTE || type == GL_SHORT || type == GL_FIXED ||
+		type == GL_FLOAT;
+}
+
+static void describe(struct array *array, int size, int least, bool type_known,
+	GLenum type, GLsizei stride, const void *pointer)
+{
+	struct soft *soft = soft_current();
+
+	if (size < least || size > 4 || stride < 0) {
+		soft_set_error(soft, GL_INVALID_VALUE);
+		return;
+	}
+	if (!type_known) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return;
+	}
+	array->size = size;
+	array->type = type;
+	array->stride_bytes = stride ? stride : size * type_bytes(type);
+	array->pointer = pointer;
+}
+
+static void vertex_pointer(
+	GLint size, GLenum type, GLsizei stride, const void *pointer)
+{
+	describe(&soft_current()->arrays.vertex, size, 2, is_signed_type(type),
+		type, stride, pointer);
+}
+
+static void normal_pointer(GLenum type, GLsizei stride, const void *pointer)
+{
+	describe(&soft_current()->arrays.normal, 3, 3, is_signed_type(type),
+		type, stride, pointer);
+}
+
+static void color_pointer(
+	GLint size, GLenum type, GLsizei stride, const void *pointer)
+{
+	describe(&soft_current()->arrays.color, size, 4,
+		type == GL_UNSIGNED_BYTE || type == GL_FIXED || type == GL_FLOAT,
+		type, stride, pointer);
+}
+
+static void tex_coord_pointer(
+	GLint size, GLenum type, GLsizei stride, const void *pointer)
+{
+	struct arrays *arrays = &soft_current()->arrays;
+
+	describe(&arrays->texcoord[arrays->client_unit], size, 2,
+		is_signed_type(type), type, stride, pointer);
+}
+
+static void client_active_texture(GLenum unit)
+{
+	struct soft *soft = soft_current();
+
+	if (unit - GL_TEXTURE0 >= SOFT_UNITS) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return;
+	}
+	soft->arrays.client_unit = (int)(unit - GL_TEXTURE0);
+}
+
+static void set_enabled(GLenum name, bool on)
+{
+	struct soft *soft = soft_current();
+	struct arrays *arrays = &soft->arrays;
+
+	switch (name) {
+	case GL_VERTEX_ARRAY:
+		arrays->vertex.enabled = on;
+		return;
+	case GL_NORMAL_ARRAY:
+		arrays->normal.enabled = on;
+		return;
+	case GL_COLOR_ARRAY:
+		arrays->color.enabled = on;
+		return;
+	case GL_TEXTURE_COORD_ARRAY:
+		arrays->texcoord[arrays->client_unit].enabled = on;
+		return;
+	default:
+		soft_set_error(soft, GL_INVALID_ENUM);
+	}
+}
+
+static void enable_client_state(GLenum name)
+{
+	set_enabled(name, true);
+}
+
+static void disable_client_state(GLenum name)
+{
+	set_enabled(name, false);
+}
+
+static void color(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
+{
+	GLfixed *current = soft_current()->arrays.current_color;
+
+	current[0] = red;
+	current[1] = green;
+	current[2] = blue;
+	current[3] = alpha;
+}
+
+static void normal(GLfixed x, GLfixed y, GLfixed z)
+{
+	GLfixed *current = soft_current()->arrays.current_normal;
+
+	current[0] = x;
+	current[1] = y;
+	current[2] = z;
+}
+
+void soft_init_arrays(struct soft *soft)
+{
+	const struct array nothing = {
+		.size = 4, .type = GL_FLOAT, .stride_bytes = 16};
+	struct arrays *arrays = &soft->arrays;
+	struct gl *gl = &soft->base.gl;
+
+	*arrays = (struct arrays){.vertex = nothing,
+		.normal = nothing,
+		.color = nothing,
+		.texcoord = {nothing, nothing},
+		.current_color = {FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE},
+		.current_normal = {0, 0, FX16_ONE}};
+	gl->VertexPointer = vertex_pointer;
+	gl->NormalPointer = normal_pointer;
+	gl->ColorPointer = color_pointer;
+	gl->TexCoordPointer = tex_coord_pointer;
+	gl->ClientActiveTexture = client_active_texture;
+	gl->EnableClientState = enable_client_state;
+	gl->DisableClientState = disable_client_state;
+	gl->Color4x = color;
+	gl->Normal3x = normal;
+}

@@ -1,0 +1,207 @@
+/* DrawArrays and DrawElements: from indices to primitives. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/raster.h"
+
+#include <string.h>
+
+/* Where the vertices of a call come from. */
+struct source {
+	const uint8_t *indices; /* NULL: from first on */
+	GLenum type;
+	uint32_t first, count;
+};
+
+static uint32_t index_at(const struct source *source, uint32_t i)
+{
+	uint16_t index;
+
+	if (!source->indices) {
+		return source->first + i;
+	}
+	if (source->type == GL_UNSIGNED_BYTE) {
+		return source->indices[i];
+	}
+	memcpy(&index, source->indices + 2 * i, sizeof(index));
+	return index;
+}
+
+static struct vertex *find_vertex(
+	struct draw *draw, const struct source *source, uint32_t i)
+{
+	uint32_t index = index_at(source, i);
+	uint32_t slot = index % VERTEX_CACHE;
+
+	if (draw->cached[slot] != index + 1) {
+		draw->cached[slot] = index + 1;
+		soft_transform(draw, index, &draw->cache[slot]);
+	}
+	return &draw->cache[slot];
+}
+
+/*
+ * Vertices of one primitive whose indices share a slot of the cache: all but
+ * the last move to places of their own.
+ */
+static void find_vertices(struct draw *draw, const struct source *source,
+	const uint32_t *at, int count, struct vertex **out)
+{
+	for (int i = 0; i < count; i++) {
+		out[i] = find_vertex(draw, source, at[i]);
+		for (int j = 0; j < i; j++) {
+			if (out[j] == out[i] &&
+				index_at(source, at[j]) !=
+					index_at(source, at[i])) {
+				out[j] = &draw->apart[j];
+				soft_transform(
+					draw, index_at(source, at[j]), out[j]);
+			}
+		}
+	}
+}
+
+static void draw_triangle(struct draw *draw, const struct source *source,
+	uint32_t a, uint32_t b, uint32_t c)
+{
+	const uint32_t at[3] = {a, b, c};
+	struct vertex *v[3];
+	unsigned out;
+
+	find_vertices(draw, source, at, 3, v);
+	if (v[0]->outcode & v[1]->outcode & v[2]->outcode) {
+		return;
+	}
+	out = v[0]->outcode | v[1]->outcode | v[2]->outcode;
+	draw->provoking = v[2];
+	if (out) {
+		soft_clip_triangle(draw, v);
+	} else {
+		soft_fill_triangle(draw, v);
+	}
+}
+
+static void draw_line(
+	struct draw *draw, const struct source *source, uint32_t a, uint32_t b)
+{
+	const uint32_t at[2] = {a, b};
+	struct vertex *v[2];
+
+	find_vertices(draw, source, at, 2, v);
+	if (!(v[0]->outcode & v[1]->outcode)) {
+		draw->provoking = v[1];
+		soft_clip_line(draw, v[0], v[1]);
+	}
+}
+
+static void draw_lines(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	uint32_t step = mode == GL_LINES ? 2 : 1;
+
+	for (uint32_t i = 0; i + 1 < source->count; i += step) {
+		draw_line(draw, source, i, i + 1);
+	}
+	if (mode == GL_LINE_LOOP && source->count > 1) {
+		draw_line(draw, source, source->count - 1, 0);
+	}
+}
+
+static void draw_triangles(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	uint32_t step = mode == GL_TRIANGLES ? 3 : 1;
+
+	for (uint32_t i = 0; i + 2 < source->count; i += step) {
+		switch (mode) {
+		case GL_TRIANGLES:
+			draw_triangle(draw, source, i, i + 1, i + 2);
+			break;
+		case GL_TRIANGLE_STRIP:
+			/* Every second one is listed the other way round. */
+			draw_triangle(
+				draw, source, i + i % 2, i + 1 - i % 2, i + 2);
+			break;
+		default:
+			draw_triangle(draw, source, 0, i + 1, i + 2);
+			break;
+		}
+	}
+}
+
+static void draw_primitives(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	memset(draw->cached, 0, sizeof(draw->cached));
+	if (mode == GL_POINTS) {
+		for (uint32_t i = 0; i < source->count; i++) {
+			soft_draw_point(draw, find_vertex(draw, source, i));
+		}
+	} else if (mode <= GL_LINE_STRIP) {
+		draw_lines(draw, source, mode);
+	} else {
+		draw_triangles(draw, source, mode);
+	}
+}
+
+/* What both calls refuse; false ends them. */
+static bool may_draw(struct soft *soft, GLenum mode, GLsizei count)
+{
+	if (mode > GL_TRIANGLE_FAN) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return false;
+	}
+	if (count < 0) {
+		soft_set_error(soft, GL_INVALID_VALUE);
+		return false;
+	}
+	return count > 0;
+}
+
+static void draw_arrays(GLenum mode, GLint first, GLsizei count)
+{
+	struct soft *soft = soft_current();
+	struct source source = {.first = (uint32_t)first};
+
+	if (first < 0) {
+		soft_set_error(soft, GL_INVALID_VALUE);
+		return;
+	}
+	if (!may_draw(soft, mode, count)) {
+		return;
+	}
+	source.count = (uint32_t)count;
+	if (soft_prepare(soft, soft->draw, source.first, source.count)) {
+		draw_primitives(soft->draw, &source, mode);
+	}
+}
+
+static void draw_elements(
+	GLenum mode, GLsizei count, GLenum type, const void *indices)
+{
+	struct soft *soft = soft_current();
+	struct source source = {.indices = indices, .type = type};
+	uint32_t low = UINT32_MAX, high = 0;
+
+	if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return;
+	}
+	if (!may_draw(soft, mode, count)) {
+		return;
+	}
+	source.count = (uint32_t)count;
+	for (uint32_t i = 0; i < source.count; i++) {
+		uint32_t index = index_at(&source, i);
+
+		low = index < low ? index : low;
+		high = index > high ? index : high;
+	}
+	if (soft_prepare(soft, soft->draw, low, high - low + 1)) {
+		draw_primitives(soft->draw, &source, mode);
+	}
+}
+
+void soft_init_draw(struct soft *soft)
+{
+	soft->base.gl.DrawArrays = draw_arrays;
+	soft->base.gl.DrawElements = draw_elements;
+}

@@ -1,0 +1,202 @@
+/*
+ * A draw call: what is derived from the state for it, its vertices and the
+ * triangle under way. All of it is scratch of fixed size.
+ *
+ * Numbers, by their names' endings or here:
+ *	position    block floating: the array's largest coordinate is just below
+ *	            2^30; position_q says where the point is
+ *	clip        block floating for all of the draw, |coordinate| < 2^29
+ *	window x, y 4 bits of fraction, y downwards; 0 to 2^17
+ *	window z    2 bits of fraction: 18 bits
+ *	attributes  colours and fog 8.8 with 0x80 to spare at either end, texture
+ *	            coordinates 16.16, then texels with 8 bits of fraction
+ *	planes      8 bits of fraction more than the attributes; they wrap, and
+ *	            are right modulo 2^32 inside of their triangle
+ */
+#ifndef PLATFORM_GL_SOFT_DRAW_H
+#define PLATFORM_GL_SOFT_DRAW_H
+
+#include "platform/gl/soft/soft.h"
+
+enum {
+	VERTEX_CACHE = 512, /* a power of two */
+	CLIP_VERTICES = 9,  /* a triangle cut by six planes */
+	SPAN_PIXELS = 32,   /* fragments that go through the stages at a time */
+	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
+};
+
+enum attribute {
+	RED,
+	GREEN,
+	BLUE,
+	ALPHA,
+	FOG,
+	TEX_S, /* and T; then the next unit's */
+	ATTRIBUTES = TEX_S + 2 * SOFT_UNITS,
+	/* planes have two more */
+	DEPTH = ATTRIBUTES,
+	INVERSE_W,
+	PLANES,
+};
+
+/* Outside of which planes of the clip volume. */
+enum {
+	OUT_LEFT = 1,
+	OUT_RIGHT = 2,
+	OUT_BOTTOM = 4,
+	OUT_TOP = 8,
+	OUT_NEAR = 16,
+	OUT_FAR = 32,
+};
+
+struct vertex {
+	int32_t clip[4];
+	int32_t x, y, z;       /* window, where outcode is 0 */
+	int32_t inverse_w_q30; /* 2^62 / (w << w_zeros) */
+	uint8_t w_zeros;
+	uint8_t outcode;
+	bool shaded; /* attributes and back are there */
+	uint32_t index;
+	int32_t position[3];
+	int32_t attribute[ATTRIBUTES];
+	int32_t back[4]; /* colour of the other side, if there are two */
+};
+
+/* A light as vertices meet it, in the space normals are given in. */
+struct lamp {
+	bool positional, spot, specular;
+	int32_t towards_q28[3], half_q28[3];
+	int32_t diffuse_q22[3], specular_q20[3], ambient_q16[3];
+	/* positional ones, in eye space */
+	int32_t position_q16[3], direction_q28[3];
+	int32_t attenuation_q16[3], cutoff_q28, exponent_q16;
+};
+
+struct shading {
+	bool lit, two_side, tracked, normalize, rotate_normals;
+	int32_t normal_q28[9]; /* rotates normals where lights stay behind */
+	int lamp_count;
+	struct lamp lamp[SOFT_LIGHTS];
+	int32_t base_q16[4]; /* the colour without lamps */
+	int32_t emission_q16[3];
+	int32_t ambient_q16[3]; /* where the colour is tracked */
+	int32_t shininess_q16;
+	bool color_array;
+};
+
+struct texture_input {
+	bool used, identity;
+	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
+	int matrix_q;
+	int width_log2, height_log2;
+	const struct texture *texture;
+	const struct level *base;
+	int levels; /* how many there are to choose from */
+	const struct texenv *env;
+};
+
+struct plane {
+	uint32_t start; /* at the centre of raster.x0, of the row under way */
+	int32_t dx, dy;
+};
+
+/* The triangle under way. */
+struct raster {
+	struct plane plane[PLANES];
+	int x0; /* the column the planes start from */
+	int width, twice_area_zeros;
+	bool perspective;
+	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
+	int lod[SOFT_UNITS];           /* level, 8 bits of fraction */
+};
+
+struct span {
+	int x, y, count;
+	uint32_t value[PLANES];
+	int32_t step[PLANES];
+	int lod[SOFT_UNITS];
+};
+
+struct setup; /* raster.h */
+
+struct draw {
+	struct soft *soft;
+	/* from positions to the window */
+	int32_t clip_matrix[4][4];
+	int32_t eye_q16[3][4];
+	int position_q;
+	bool checked; /* positions may be out of range */
+	float position_scale;
+	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
+	struct clip_box box;
+	bool perspective, eye_needed, fogged;
+	int32_t fog_scale_q16, fog_end_q16;
+	struct shading shading;
+	struct texture_input texture[SOFT_UNITS];
+	uint32_t attributes; /* bits of those that are interpolated */
+	/* fragments */
+	bool cull_front, cull_back, color_written, early_tests, tests, blended;
+	void (*fill)(struct draw *draw, const struct setup *setup);
+	const struct vertex *provoking; /* whose colour is flat */
+	struct raster raster;
+	uint32_t cached[VERTEX_CACHE]; /* index + 1 */
+	struct vertex cache[VERTEX_CACHE];
+	struct vertex apart[2]; /* vertices that shared a place in it */
+	struct vertex clipped[2 * CLIP_VERTICES + 6];
+};
+
+/* prepare.c: derives all of this. False when there is nothing to draw. */
+bool soft_prepare(
+	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count);
+
+/* prepare_light.c */
+void soft_prepare_shading(const struct soft *soft, struct draw *draw);
+
+/* vertex.c: fetches and transforms; attributes follow when they are wanted. */
+void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
+/* From clip coordinates inside of the volume to the window. */
+void soft_project(const struct draw *draw, struct vertex *vertex);
+/* Fills the attributes unless they are there. */
+void soft_shade(const struct draw *draw, struct vertex *vertex);
+
+/* array.c: elements of arrays as fixed point. */
+void array_position(const struct draw *draw, uint32_t index, int32_t out[3]);
+void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3]);
+void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4]);
+void array_texcoord_q16(
+	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
+/* The exponent of the largest coordinate of these positions, within 1. */
+int array_position_exponent(
+	const struct array *array, uint32_t first, uint32_t count);
+
+/* light.c: lit colour, 8.8, of either side. */
+void soft_light(const struct draw *draw, struct vertex *vertex);
+
+/* clip.c: cuts a triangle and hands on what is left. */
+void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
+void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
+
+/*
+ * triangle.c: from three projected vertices to rows of pixels. Shades them once
+ * it is known that they are seen.
+ */
+void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
+
+/* line.c */
+void soft_draw_point(struct draw *draw, struct vertex *v);
+void soft_draw_line(
+	struct draw *draw, const struct vertex *a, const struct vertex *b);
+
+/* fragment.c: up to SPAN_PIXELS fragments of a row, all inside of draw->box. */
+void soft_draw_span(struct draw *draw, const struct span *span);
+
+/* texel.c: colours of texels for a span's fragments. */
+void soft_sample(const struct texture_input *input, const struct span *span,
+	int unit, uint8_t (*out)[4]);
+
+/* combine.c: what the environment makes of the fragments' colours. */
+void soft_combine(const struct texture_input *input, int count,
+	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
+	uint8_t (*color)[4]);
+
+#endif

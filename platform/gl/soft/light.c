@@ -1,0 +1,319 @@
+/* The colour of a lit vertex, by GL ES 1.1 section 2.12.1. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/number.h"
+
+/* What falls on a vertex so far; the terms of 16.16. */
+struct lit {
+	int32_t diffuse[3]; /* by the colour, where it is tracked */
+	int32_t specular[3];
+};
+
+static int32_t dot_q26(const int32_t n_q30[3], const int32_t v_q28[3])
+{
+	return mul_high(n_q30[0], v_q28[0]) + mul_high(n_q30[1], v_q28[1]) +
+		mul_high(n_q30[2], v_q28[2]);
+}
+
+/* To unit length, from any but 0. */
+static void normalize_q30(int32_t n[3])
+{
+	uint64_t square = (uint64_t)((int64_t)n[0] * n[0]) +
+		(uint64_t)((int64_t)n[1] * n[1]) +
+		(uint64_t)((int64_t)n[2] * n[2]);
+	uint32_t square_q28 = (uint32_t)(square >> 32);
+	struct root root;
+
+	/* Within 2^-10 of unit length nobody sees the difference. */
+	if (square_q28 - ((1u << 28) - (1u << 19)) < 1u << 20 || square == 0) {
+		return;
+	}
+	root = reciprocal_root(square);
+	for (int i = 0; i < 3; i++) {
+		n[i] = (int32_t)((int64_t)n[i] * root.mantissa_q30 >> root.shift);
+	}
+}
+
+static void rotate_normal(const int32_t m_q28[9], int32_t n[3])
+{
+	int32_t out[3];
+
+	for (int i = 0; i < 3; i++) {
+		int64_t sum = (int64_t)m_q28[i] * n[0] +
+			(int64_t)m_q28[3 + i] * n[1] +
+			(int64_t)m_q28[6 + i] * n[2];
+
+		out[i] = saturate_64(sum >> 28);
+	}
+	for (int i = 0; i < 3; i++) {
+		n[i] = out[i];
+	}
+}
+
+static void add_directional(const struct shading *shading,
+	const struct lamp *lamp, const int32_t n[3], struct lit *lit)
+{
+	int32_t towards_q26 = dot_q26(n, lamp->towards_q28);
+	int32_t glance_q26, gleam_q28;
+
+	if (towards_q26 <= 0) {
+		return;
+	}
+	lit->diffuse[0] += mul_high(towards_q26, lamp->diffuse_q22[0]);
+	lit->diffuse[1] += mul_high(towards_q26, lamp->diffuse_q22[1]);
+	lit->diffuse[2] += mul_high(towards_q26, lamp->diffuse_q22[2]);
+	if (!lamp->specular) {
+		return;
+	}
+	glance_q26 = dot_q26(n, lamp->half_q28);
+	if (glance_q26 <= 0) {
+		return;
+	}
+	gleam_q28 = power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
+		shading->shininess_q16);
+	for (int i = 0; i < 3; i++) {
+		lit->specular[i] += mul_high(gleam_q28, lamp->specular_q20[i]);
+	}
+}
+
+/* Its length in 16.16; the vector itself becomes Q28 of unit length. */
+static int32_t take_length(int32_t v[3])
+{
+	uint64_t square = 0;
+	struct root root;
+	int64_t length;
+
+	for (int i = 0; i < 3; i++) {
+		/* |v| < 2^31 / 2 a component, so that three squares fit. */
+		v[i] = clamp_int(v[i], -(1 << 30), 1 << 30);
+		square += (uint64_t)((int64_t)v[i] * v[i]);
+	}
+	if (square == 0) {
+		return 0;
+	}
+	root = reciprocal_root(square);
+	/* square / sqrt(square), square = high 2^32 + low */
+	length =
+		(int64_t)((square >> 16) * (uint64_t)(root.mantissa_q30 >> 14) >>
+			root.shift);
+	for (int i = 0; i < 3; i++) {
+		v[i] = (int32_t)((int64_t)v[i] * root.mantissa_q30 >>
+			(root.shift + 2));
+	}
+	return saturate_64(length);
+}
+
+/* 1 / value, both 16.16. */
+static int32_t invert_q16(int64_t value)
+{
+	int zeros;
+
+	if (value < 4) {
+		return INT32_MAX;
+	}
+	zeros = LEADING_ZEROS_64(value);
+	return reciprocal((uint32_t)((uint64_t)value << zeros >> 32)) >>
+		(62 - zeros > 31 ? 31 : 62 - zeros);
+}
+
+/* How much of a positional lamp arrives, 16.16. */
+static int32_t attenuate(const struct lamp *lamp, int32_t distance_q16,
+	const int32_t towards_q28[3])
+{
+	const int32_t *k = lamp->attenuation_q16;
+	int64_t d = distance_q16;
+	int64_t by = k[0] + (k[1] * d >> 16) + ((d * d >> 16) * k[2] >> 16);
+	int64_t share = invert_q16(by);
+	int64_t along = 0;
+
+	if (!lamp->spot) {
+		return (int32_t)share;
+	}
+	for (int i = 0; i < 3; i++) {
+		along -= (int64_t)towards_q28[i] * lamp->direction_q28[i];
+	}
+	along >>= 28;
+	if (along < lamp->cutoff_q28) {
+		return 0;
+	}
+	return (int32_t)(share *
+			power_q28((int32_t)(along > 1 << 28 ? 1 << 28 : along),
+				lamp->exponent_q16) >>
+		28);
+}
+
+static void add_positional(const struct shading *shading,
+	const struct lamp *lamp, const int32_t n[3], const int32_t eye_q16[3],
+	struct lit *lit)
+{
+	struct lamp here = *lamp;
+	struct lit added = {{0}, {0}};
+	int32_t distance, share;
+
+	for (int i = 0; i < 3; i++) {
+		here.towards_q28[i] = saturate_64(
+			(int64_t)lamp->position_q16[i] - eye_q16[i]);
+	}
+	distance = take_length(here.towards_q28);
+	share = attenuate(lamp, distance, here.towards_q28);
+	for (int i = 0; i < 3; i++) {
+		here.half_q28[i] = here.towards_q28[i] + (i == 2 ? 1 << 28 : 0);
+	}
+	take_length(here.half_q28);
+	add_directional(shading, &here, n, &added);
+	for (int i = 0; i < 3; i++) {
+		lit->diffuse[i] += saturate_64(
+			(int64_t)(added.diffuse[i] + lamp->ambient_q16[i]) *
+				share >>
+			16);
+		lit->specular[i] +=
+			saturate_64((int64_t)added.specular[i] * share >> 16);
+	}
+}
+
+/* 16.16 to 8.8, a bit inside of its range. */
+static int32_t to_attribute(int32_t value_q16)
+{
+	value_q16 = clamp_int(value_q16, 0, 65536);
+	return 128 + value_q16 - (value_q16 >> 8);
+}
+
+static void light_side(const struct draw *draw, const int32_t n[3],
+	const int32_t eye[3], const int32_t vertex_color[4], int32_t out[4])
+{
+	const struct shading *shading = &draw->shading;
+	struct lit lit = {{shading->ambient_q16[0], shading->ambient_q16[1],
+				  shading->ambient_q16[2]},
+		{0, 0, 0}};
+
+	for (int i = 0; i < shading->lamp_count; i++) {
+		const struct lamp *lamp = &shading->lamp[i];
+
+		if (lamp->positional) {
+			add_positional(shading, lamp, n, eye, &lit);
+		} else {
+			add_directional(shading, lamp, n, &lit);
+		}
+	}
+	for (int i = 0; i < 3; i++) {
+		int32_t value = lit.diffuse[i];
+
+		if (shading->tracked) {
+			value = (int32_t)((int64_t)value * vertex_color[i] >> 16);
+		}
+		out[i] = to_attribute(
+			value + lit.specular[i] + shading->emission_q16[i]);
+	}
+	out[3] = to_attribute(
+		shading->tracked ? vertex_color[3] : shading->base_q16[3]);
+}
+
+static void find_eye(const struct draw *draw, const int32_t p[3], int32_t out[3])
+{
+	for (int i = 0; i < 3; i++) {
+		const int32_t *row = draw->eye_q16[i];
+		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
+			(int64_t)row[2] * p[2];
+
+		out[i] = saturate_64((sum >> draw->position_q) + row[3]);
+	}
+}
+
+void soft_light(const struct draw *draw, struct vertex *vertex)
+{
+	const struct shading *shading = &draw->shading;
+	int32_t n[3], eye[3] = {0, 0, 0};
+	int32_t color[4] = {65536, 65536, 65536, 65536};
+
+	array_normal_q30(draw, vertex->index, n);
+	if (shading->rotate_normals) {
+		rotate_normal(shading->normal_q28, n);
+	}
+	if (shading->normalize) {
+		normalize_q30(n);
+	}
+	if (shading->tracked) {
+		array_color_q16(draw, vertex->index, color);
+	}
+	if (draw->eye_needed) {
+		find_eye(draw, vertex->position, eye);
+	}
+	light_side(draw, n, eye, color, vertex->attribute + RED);
+	if (shading->two_side) {
+		for (int i = 0; i < 3; i++) {
+			n[i] = -n[i];
+		}
+		light_side(draw, n, eye, color, vertex->back);
+	}
+}
+
+static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
+{
+	const struct fog *fog = &draw->soft->fog;
+	int64_t thickness_q16 = (int64_t)fog->density * distance_q16 >> 16;
+
+	if (fog->mode == GL_LINEAR) {
+		return saturate_64(
+			(int64_t)(draw->fog_end_q16 - (int64_t)distance_q16) *
+				draw->fog_scale_q16 >>
+			16);
+	}
+	if (fog->mode == GL_EXP2) {
+		thickness_q16 = saturate_64(thickness_q16);
+		thickness_q16 = thickness_q16 * thickness_q16 >> 16;
+	}
+	/* 1/e in Q28 */
+	return power_q28(98749918, saturate_64(thickness_q16)) >> 12;
+}
+
+/* The share of the fragment's own colour, like a colour. */
+static int32_t find_fog(const struct draw *draw, const struct vertex *vertex)
+{
+	int32_t eye[3];
+
+	find_eye(draw, vertex->position, eye);
+	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
+}
+
+static void find_texcoord(
+	const struct draw *draw, int unit, struct vertex *vertex)
+{
+	const struct texture_input *input = &draw->texture[unit];
+	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
+	int32_t st[2];
+
+	array_texcoord_q16(draw, unit, vertex->index, st);
+	for (int i = 0; i < 2; i++) {
+		const int32_t *m = input->matrix[i];
+		int64_t sum = (int64_t)m[0] * st[0] + (int64_t)m[1] * st[1] +
+			(int64_t)m[2] * 65536;
+
+		out[i] = input->identity ? st[i]
+					 : saturate_64(sum >> input->matrix_q);
+	}
+}
+
+void soft_shade(const struct draw *draw, struct vertex *vertex)
+{
+	int32_t color[4];
+
+	if (vertex->shaded || draw->attributes == 0) {
+		return;
+	}
+	vertex->shaded = true;
+	if (draw->shading.lit) {
+		soft_light(draw, vertex);
+	} else {
+		array_color_q16(draw, vertex->index, color);
+		for (int i = 0; i < 4; i++) {
+			vertex->attribute[i] = to_attribute(color[i]);
+		}
+	}
+	if (draw->fogged) {
+		vertex->attribute[FOG] = find_fog(draw, vertex);
+	}
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		if (draw->texture[i].used) {
+			find_texcoord(draw, i, vertex);
+		}
+	}
+}

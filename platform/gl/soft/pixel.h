@@ -1,0 +1,65 @@
+/* Pixels of both formats, one at a time. */
+#ifndef PLATFORM_GL_SOFT_PIXEL_H
+#define PLATFORM_GL_SOFT_PIXEL_H
+
+#include <string.h>
+
+#include "platform/gl/soft/soft.h"
+
+static inline uint16_t pack_565(int red, int green, int blue)
+{
+	return (uint16_t)((red >> 3) << 11 | (green >> 2) << 5 | blue >> 3);
+}
+
+/* Five and six bits to eight, so that all ones are 255. */
+static inline void unpack_565(uint16_t pixel, uint8_t out[3])
+{
+	int red = pixel >> 11, green = pixel >> 5 & 63, blue = pixel & 31;
+
+	out[0] = (uint8_t)(red << 3 | red >> 2);
+	out[1] = (uint8_t)(green << 2 | green >> 4);
+	out[2] = (uint8_t)(blue << 3 | blue >> 2);
+}
+
+static inline uint16_t load_16(const uint8_t *at)
+{
+	uint16_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
+static inline void store_16(uint8_t *at, uint16_t value)
+{
+	memcpy(at, &value, sizeof(value));
+}
+
+/* RGB565 has no alpha: it reads as 255. */
+static inline void load_pixel(
+	enum pixel_format format, const uint8_t *at, uint8_t rgba[4])
+{
+	if (format == PIXELS_RGB565) {
+		unpack_565(load_16(at), rgba);
+		rgba[3] = 255;
+	} else {
+		memcpy(rgba, at, 4);
+	}
+}
+
+static inline void store_pixel(
+	enum pixel_format format, uint8_t *at, const uint8_t rgba[4])
+{
+	if (format == PIXELS_RGB565) {
+		store_16(at, pack_565(rgba[0], rgba[1], rgba[2]));
+	} else {
+		memcpy(at, rgba, 4);
+	}
+}
+
+static inline uint8_t *pixel_at(const struct pixels *target, int x, int y)
+{
+	return target->data + (ptrdiff_t)y * target->stride_bytes +
+		x * pixel_bytes(target->format);
+}
+
+#endif

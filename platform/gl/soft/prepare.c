@@ -1,0 +1,253 @@
+/* What a draw call needs, from the state. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/matrix.h"
+#include "platform/gl/soft/number.h"
+#include "platform/gl/soft/raster.h"
+
+#include "platform/base/scalar.h"
+
+enum {
+	/* Positions are taken as at least, and cut at, 2 to these powers. */
+	EXPONENT_LEAST = -20,
+	EXPONENT_MOST = 29,
+};
+
+static void prepare_positions(const struct soft *soft, struct draw *draw,
+	uint32_t first, uint32_t count)
+{
+	const struct array *array = &soft->arrays.vertex;
+	int exponent = array_position_exponent(array, first, count);
+
+	draw->checked = exponent > EXPONENT_MOST;
+	exponent = exponent > EXPONENT_MOST ? EXPONENT_MOST
+		: exponent < EXPONENT_LEAST ? EXPONENT_LEAST
+					    : exponent;
+	/* |position| < 2^30; integers have fixed places, see array_position(). */
+	draw->position_q = array->type == GL_BYTE ? 22
+		: array->type == GL_FLOAT         ? 29 - exponent
+						  : 14;
+	draw->position_scale = soft_matrix_power_of_two(draw->position_q);
+}
+
+/* The largest that a row can give for coordinates up to most. */
+static float row_bound(const struct matrix *m, int row, float most)
+{
+	return (scalar_abs(m->m[row]) + scalar_abs(m->m[4 + row]) +
+		       scalar_abs(m->m[8 + row])) *
+		most +
+		scalar_abs(m->m[12 + row]);
+}
+
+/*
+ * The matrix with its products shifted by 32, so that clip coordinates stay
+ * below 2^28: entries are below 2^30, as positions are.
+ */
+static void prepare_clip(const struct soft *soft, struct draw *draw)
+{
+	float most = soft_matrix_power_of_two(30 - draw->position_q);
+	float bound = 0.0f, scale, moved;
+	struct matrix m;
+	int clip_q;
+
+	soft_matrix_multiply(soft->matrices.projection_stack.top,
+		soft->matrices.modelview_stack.top, &m);
+	for (int row = 0; row < 4; row++) {
+		float b = row_bound(&m, row, most);
+
+		bound = b > bound ? b : bound;
+	}
+	clip_q = clamp_int(27 - soft_matrix_exponent(bound), -60, 90);
+	scale = soft_matrix_power_of_two(
+		clamp_int(clip_q - draw->position_q + 32, -126, 127));
+	moved = soft_matrix_power_of_two(clip_q);
+	for (int row = 0; row < 4; row++) {
+		for (int column = 0; column < 3; column++) {
+			draw->clip_matrix[row][column] = soft_matrix_to_int(
+				m.m[4 * column + row] * scale);
+		}
+		draw->clip_matrix[row][3] =
+			soft_matrix_to_int(m.m[12 + row] * moved);
+	}
+	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
+}
+
+static int32_t to_q16(float value)
+{
+	return soft_matrix_to_int(
+		scalar_clamp(value, -16383.0f, 16383.0f) * 65536.0f);
+}
+
+static void prepare_eye(const struct soft *soft, struct draw *draw)
+{
+	const float *m = soft->matrices.modelview_stack.top->m;
+
+	for (int row = 0; row < 3; row++) {
+		for (int column = 0; column < 4; column++) {
+			draw->eye_q16[row][column] = to_q16(m[4 * column + row]);
+		}
+	}
+}
+
+static void prepare_viewport(const struct soft *soft, struct draw *draw)
+{
+	const struct rectangle *r = &soft->fragment.viewport;
+	int height = soft->buffers.target.height;
+
+	/* Half of a sixteenth more, so that cutting to 4 bits rounds. */
+	draw->center_x_q8 = r->x * 256 + r->width * 128 + 8;
+	draw->center_y_q8 = (height - r->y) * 256 - r->height * 128 + 8;
+	draw->width_q10 = r->width * 1024;
+	draw->height_q10 = r->height * -1024;
+	draw->box = soft_clip_box(soft, true);
+}
+
+static void prepare_fog(const struct soft *soft, struct draw *draw)
+{
+	const struct fog *fog = &soft->fog;
+	float range = (float)(fog->end - fog->start) / 65536.0f;
+
+	draw->fogged = fog->enabled;
+	draw->fog_end_q16 = fog->end;
+	draw->fog_scale_q16 = range != 0.0f ? to_q16(1.0f / range) : INT32_MAX;
+}
+
+static bool is_mipmap(GLenum filter)
+{
+	return filter >= GL_NEAREST_MIPMAP_NEAREST;
+}
+
+/* How many levels follow the base as they must; 0 when it cannot be used. */
+static int count_levels(const struct texture *texture)
+{
+	const struct level *base = &texture->level[0];
+	int most = base->width_log2 > base->height_log2 ? base->width_log2
+							: base->height_log2;
+
+	if (!base->texels) {
+		return 0;
+	}
+	if (!is_mipmap(texture->min_filter)) {
+		return 1;
+	}
+	for (int i = 1; i <= most; i++) {
+		const struct level *level = &texture->level[i];
+		int width = base->width_log2 - i, height = base->height_log2 - i;
+
+		if (!level->texels || level->format != base->format ||
+			level->width_log2 != (width > 0 ? width : 0) ||
+			level->height_log2 != (height > 0 ? height : 0)) {
+			return 0;
+		}
+	}
+	return most + 1;
+}
+
+static void prepare_texture_matrix(
+	const struct soft *soft, struct texture_input *input, int unit)
+{
+	const struct matrix *m = soft->matrices.texture_stack[unit].top;
+	static const int column[3] = {0, 4, 12};
+	float most = 0.0f, scale;
+
+	input->identity = true;
+	for (int i = 0; i < 16; i++) {
+		input->identity &= m->m[i] == soft_matrix_identity.m[i];
+	}
+	for (int i = 0; i < 6; i++) {
+		float value = scalar_abs(m->m[column[i / 2] + i % 2]);
+
+		most = value > most ? value : most;
+	}
+	input->matrix_q = clamp_int(29 - soft_matrix_exponent(most), 0, 40);
+	scale = soft_matrix_power_of_two(input->matrix_q);
+	for (int i = 0; i < 6; i++) {
+		input->matrix[i % 2][i / 2] =
+			soft_matrix_to_int(m->m[column[i / 2] + i % 2] * scale);
+	}
+}
+
+static void prepare_textures(const struct soft *soft, struct draw *draw)
+{
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		const struct unit *unit = &soft->textures.unit[i];
+		struct texture_input *input = &draw->texture[i];
+
+		input->levels = unit->enabled ? count_levels(unit->bound) : 0;
+		input->used = input->levels > 0;
+		if (!input->used) {
+			continue;
+		}
+		input->texture = unit->bound;
+		input->env = &unit->env;
+		input->base = &unit->bound->level[0];
+		input->width_log2 = input->base->width_log2;
+		input->height_log2 = input->base->height_log2;
+		prepare_texture_matrix(soft, input, i);
+	}
+}
+
+static bool reads_destination(const struct fragment_state *state)
+{
+	return state->blend &&
+		(state->blend_source != GL_ONE ||
+			state->blend_destination != GL_ZERO);
+}
+
+static void prepare_fragments(const struct soft *soft, struct draw *draw)
+{
+	const struct fragment_state *state = &soft->fragment;
+	const GLboolean *mask = state->color_mask;
+	bool both = state->cull_face == GL_FRONT_AND_BACK;
+
+	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
+	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);
+	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
+	draw->tests = state->depth_test || state->stencil.enabled;
+	draw->early_tests = !state->alpha_test;
+	draw->blended = reads_destination(state);
+}
+
+/* Which attributes fragments ask for. */
+static uint32_t choose_attributes(const struct draw *draw)
+{
+	uint32_t mask = 0;
+
+	if (draw->color_written || !draw->early_tests) {
+		mask = 15u << RED;
+		if (draw->fogged) {
+			mask |= 1u << FOG;
+		}
+		for (int i = 0; i < SOFT_UNITS; i++) {
+			if (draw->texture[i].used) {
+				mask |= 3u << (TEX_S + 2 * i);
+			}
+		}
+	}
+	return mask;
+}
+
+bool soft_prepare(
+	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
+{
+	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
+		return false;
+	}
+	draw->soft = soft;
+	prepare_viewport(soft, draw);
+	if (draw->box.left >= draw->box.right ||
+		draw->box.top >= draw->box.bottom) {
+		return false;
+	}
+	prepare_fragments(soft, draw);
+	prepare_fog(soft, draw);
+	prepare_textures(soft, draw);
+	draw->attributes = choose_attributes(draw);
+	prepare_positions(soft, draw, first, count);
+	prepare_clip(soft, draw);
+	soft_prepare_shading(soft, draw);
+	if (draw->eye_needed || draw->fogged) {
+		prepare_eye(soft, draw);
+	}
+	draw->fill = rows_fill;
+	return true;
+}

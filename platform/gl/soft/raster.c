@@ -1,0 +1,339 @@
+/* How attributes run across a triangle. */
+#include "platform/gl/soft/raster.h"
+
+enum {
+	/*
+	 * 1/512 of a texel: what gradients lose to rounding, so that centres
+	 * on the border of two texels fall to the same one always.
+	 */
+	TEXEL_NUDGE = 128,
+};
+
+/* num / area, times 2^scale; see struct setup. */
+static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
+{
+	uint64_t size = (uint64_t)(num < 0 ? -num : num);
+	int spare;
+
+	if (size == 0) {
+		return 0;
+	}
+	spare = LEADING_ZEROS_64(size) - 33; /* to 31 bits */
+	return shift_by(
+		mul_high((int32_t)(spare < 0 ? num >> -spare
+					     : num * ((int64_t)1 << spare)),
+			setup->inverse_area),
+		setup->area_zeros - spare - 62 + scale);
+}
+
+/* Moves a plane from a vertex to the centre of (x0, row). */
+static void start_plane(const struct raster *raster, const struct setup *setup,
+	int32_t value, struct plane *plane)
+{
+	int32_t off_x = raster->x0 * 16 + 8 - setup->v[0]->x;
+	int32_t off_y = setup->top * 16 + 8 - setup->v[0]->y;
+
+	/* Both within 16: less than a pixel. */
+	plane->start = (uint32_t)value +
+		(uint32_t)(plane->dx >> 4) * (uint32_t)off_x +
+		(uint32_t)(plane->dy >> 4) * (uint32_t)off_y;
+}
+
+/* A plane through three values; 2^scale over 16 is a unit of the plane. */
+static void set_plane(struct raster *raster, const struct setup *setup,
+	const int32_t value[3], int scale, struct plane *plane)
+{
+	int64_t d1 = (int64_t)value[1] - value[0];
+	int64_t d2 = (int64_t)value[2] - value[0];
+
+	plane->dx =
+		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
+	plane->dy =
+		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
+	start_plane(raster, setup, (int32_t)((uint32_t)value[0] << (scale - 4)),
+		plane);
+}
+
+/* The same for values that differ little, across little: see SMALL_EXTENT. */
+static void set_small_plane(struct raster *raster, const struct setup *setup,
+	const int32_t value[3], struct plane *plane)
+{
+	int32_t d1 = value[1] - value[0], d2 = value[2] - value[0];
+	int32_t across = d1 * setup->y2 - d2 * setup->y1;
+	int32_t down = d2 * setup->x1 - d1 * setup->x2;
+	int shift = setup->area_zeros - 50;
+
+	if (shift < 0) {
+		int32_t inverse = setup->inverse_area >> -shift;
+
+		plane->dx = mul_high(across, inverse);
+		plane->dy = mul_high(down, inverse);
+	} else {
+		plane->dx =
+			(int32_t)((uint32_t)mul_high(across, setup->inverse_area)
+				<< shift);
+		plane->dy =
+			(int32_t)((uint32_t)mul_high(down, setup->inverse_area)
+				<< shift);
+	}
+	start_plane(raster, setup, value[0] * 256, plane);
+}
+
+static void set_constant(struct plane *plane, int32_t value)
+{
+	*plane = (struct plane){(uint32_t)value << 8, 0, 0};
+}
+
+static bool is_small_delta(int32_t delta)
+{
+	return delta > -SMALL_DELTA && delta < SMALL_DELTA;
+}
+
+static void set_affine(struct draw *draw, const struct setup *setup,
+	const int32_t value[3], int name)
+{
+	struct raster *raster = &draw->raster;
+	struct plane *plane = &raster->plane[name];
+
+	if (value[0] == value[1] && value[0] == value[2]) {
+		set_constant(plane, value[0]);
+	} else if (!setup->wide && is_small_delta(value[1] - value[0]) &&
+		is_small_delta(value[2] - value[0])) {
+		set_small_plane(raster, setup, value, plane);
+	} else {
+		set_plane(raster, setup, value, 12, plane);
+	}
+}
+
+/* Colours and fog as they are, coordinates in 1/256 of texels. */
+static void gather(const struct draw *draw, const struct setup *setup, int name,
+	int32_t out[3])
+{
+	const struct vertex *flat = draw->provoking;
+
+	if (name >= TEX_S) {
+		const struct texture_input *input =
+			&draw->texture[(name - TEX_S) / 2];
+		bool t = (name - TEX_S) % 2;
+		int log2 = t ? input->height_log2 : input->width_log2;
+		GLenum wrap =
+			t ? input->texture->wrap_t : input->texture->wrap_s;
+		int32_t base = wrap == GL_REPEAT
+			? setup->v[0]->attribute[name] & ~0xFFFF
+			: 0;
+
+		for (int i = 0; i < 3; i++) {
+			out[i] = shift_by(
+				(int32_t)((uint32_t)setup->v[i]->attribute[name] -
+					(uint32_t)base),
+				log2 - 8);
+		}
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *v = draw->soft->fragment.flat && name < FOG
+			? flat
+			: setup->v[i];
+
+		out[i] = setup->back && draw->shading.two_side && name < FOG
+			? v->back[name]
+			: v->attribute[name];
+	}
+}
+
+static int32_t spread(const int32_t value[3])
+{
+	int64_t high = value[0], low = value[0];
+
+	for (int i = 1; i < 3; i++) {
+		high = value[i] > high ? value[i] : high;
+		low = value[i] < low ? value[i] : low;
+	}
+	return saturate_64(high - low);
+}
+
+/* 1 / w of the three in a common scale, below 2^29. */
+static void gather_inverse_w(const struct setup *setup, int32_t q[3])
+{
+	int most = 0;
+
+	for (int i = 0; i < 3; i++) {
+		int zeros = setup->v[i]->w_zeros;
+
+		most = zeros > most ? zeros : most;
+	}
+	for (int i = 0; i < 3; i++) {
+		int down = most - setup->v[i]->w_zeros + 2;
+
+		q[i] = setup->v[i]->inverse_w_q30 >> (down > 31 ? 31 : down);
+		q[i] = q[i] > 0 ? q[i] : 1;
+	}
+}
+
+/*
+ * Whether running linearly is off by more than a step of 255 or a quarter of a
+ * texel: by up to spread (qmax - qmin) / 4 qmin.
+ */
+static bool bends(const struct setup *setup, int name, const int32_t value[3],
+	const int32_t q[3])
+{
+	int32_t least = q[0] < q[1] ? q[0] : q[1];
+	int64_t allowed = name >= TEX_S ? 64 * 4 : 256 * 4;
+
+	(void)setup;
+	least = least < q[2] ? least : q[2];
+	return (int64_t)spread(value) * spread(q) > allowed * least;
+}
+
+/* Values times q, scaled to stay below 2^29; exact again after a division. */
+static void set_perspective(struct draw *draw, const struct setup *setup,
+	const int32_t value[3], const int32_t q[3], int name)
+{
+	struct raster *raster = &draw->raster;
+	int32_t product[3];
+	int shift = 16;
+
+	if (name >= TEX_S) {
+		uint32_t all = 1;
+
+		for (int i = 0; i < 3; i++) {
+			all |= (uint32_t)(value[i] < 0 ? -(value[i] + 1)
+						       : value[i]);
+		}
+		shift = 32 - LEADING_ZEROS_32(all);
+		raster->tex_shift[name - TEX_S] = shift;
+	}
+	for (int i = 0; i < 3; i++) {
+		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
+	}
+	set_plane(raster, setup, product, 4, &raster->plane[name]);
+}
+
+static void set_attributes(struct draw *draw, const struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	int32_t value[ATTRIBUTES][3], q[3];
+
+	raster->perspective = false;
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		if (draw->attributes >> i & 1) {
+			gather(draw, setup, i, value[i]);
+		}
+	}
+	if (draw->perspective) {
+		gather_inverse_w(setup, q);
+		for (int i = 0; i < ATTRIBUTES && !raster->perspective; i++) {
+			raster->perspective = (draw->attributes >> i & 1) &&
+				bends(setup, i, value[i], q);
+		}
+	}
+	if (raster->perspective) {
+		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
+	}
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		if (!(draw->attributes >> i & 1)) {
+			continue;
+		}
+		if (raster->perspective) {
+			set_perspective(draw, setup, value[i], q, i);
+		} else {
+			set_affine(draw, setup, value[i], i);
+			raster->plane[i].start += i >= TEX_S ? TEXEL_NUDGE : 0;
+		}
+	}
+}
+
+static int32_t size_of(int32_t value)
+{
+	return value < 0 ? value == INT32_MIN ? INT32_MAX : -value : value;
+}
+
+/* GL ES 1.1 section 3.5.5; cut so that no depth wraps. */
+static void offset_depth(
+	const struct draw *draw, const struct setup *setup, struct plane *plane)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	int32_t dx = size_of(plane->dx), dy = size_of(plane->dy);
+	int64_t offset =
+		((int64_t)state->offset_factor * (dx > dy ? dx : dy) >> 16) +
+		(state->offset_units >> 6);
+	int64_t low = setup->v[0]->z, high = low;
+
+	for (int i = 1; i < 3; i++) {
+		int32_t z = setup->v[i]->z;
+
+		low = z < low ? z : low;
+		high = z > high ? z : high;
+	}
+	low = -(low - 4) * 256;
+	high = (262138 - high) * 256;
+	offset = offset < low ? low : offset > high ? high : offset;
+	plane->start += (uint32_t)(int32_t)offset;
+}
+
+static void find_area(struct setup *setup)
+{
+	int64_t area;
+	uint64_t size;
+
+	setup->x1 = setup->v[1]->x - setup->v[0]->x;
+	setup->y1 = setup->v[1]->y - setup->v[0]->y;
+	setup->x2 = setup->v[2]->x - setup->v[0]->x;
+	setup->y2 = setup->v[2]->y - setup->v[0]->y;
+	area = (int64_t)setup->x1 * setup->y2 - (int64_t)setup->x2 * setup->y1;
+	size = (uint64_t)(area < 0 ? -area : area);
+	setup->middle_left = area < 0;
+	setup->area_zeros = LEADING_ZEROS_64(size);
+	setup->inverse_area =
+		reciprocal((uint32_t)(size << setup->area_zeros >> 32));
+	if (area < 0) {
+		setup->inverse_area = -setup->inverse_area;
+	}
+	if (size < 256) {
+		/* Less than half a pixel: gradients would only be noise. */
+		setup->inverse_area = 0;
+	}
+}
+
+void raster_set_up(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
+
+	find_area(setup);
+	raster->x0 = setup->v[0]->x >> 4;
+	set_affine(draw, setup, z, DEPTH);
+	if (draw->soft->fragment.offset_fill) {
+		offset_depth(draw, setup, &raster->plane[DEPTH]);
+	}
+	set_attributes(draw, setup);
+}
+
+struct side raster_side(const struct vertex *a, const struct vertex *b, int row)
+{
+	int32_t dx = b->x - a->x, dy = b->y - a->y;
+	int32_t down = row * 16 + 8 - a->y;
+	int zeros;
+	int64_t slope;
+
+	if (dy <= 0) {
+		return (struct side){a->x * 4096, 0};
+	}
+	zeros = LEADING_ZEROS_32((uint32_t)dy);
+	/* dx / dy in Q20: |dx| < 2^18, so below 2^38 */
+	slope = (int64_t)dx * reciprocal((uint32_t)dy << zeros) >> (42 - zeros);
+	/* sixteenths times Q20, cut to 16.16 of pixels */
+	return (struct side){
+		.x = a->x * 4096 + (int32_t)(slope * down >> 8),
+		.step = saturate_64(slope >> 4),
+	};
+}
+
+void raster_skip_rows(struct draw *draw, int rows)
+{
+	for (int i = 0; i < PLANES; i++) {
+		struct plane *plane = &draw->raster.plane[i];
+
+		plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+	}
+}

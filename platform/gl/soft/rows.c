@@ -1,0 +1,193 @@
+/* The rows of a triangle in any state: cut into spans for fragment.c. */
+#include "platform/gl/soft/raster.h"
+
+/* 65536 / n */
+static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
+	21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
+	4681, 4369, 4096};
+
+/* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
+static int log2_q8(uint32_t value_q16)
+{
+	int zeros = LEADING_ZEROS_32(value_q16 | 1);
+
+	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
+}
+
+static uint32_t greater_size(uint32_t most, int64_t value)
+{
+	uint64_t size = (uint64_t)(value < 0 ? -value : value);
+
+	return size > most ? size > UINT32_MAX ? UINT32_MAX : (uint32_t)size
+			   : most;
+}
+
+static void find_affine_lod(const struct draw *draw, struct span *span)
+{
+	const struct raster *raster = &draw->raster;
+
+	for (int unit = 0; unit < SOFT_UNITS; unit++) {
+		uint32_t most = 0;
+
+		if (!draw->texture[unit].used) {
+			continue;
+		}
+		for (int i = 0; i < 2; i++) {
+			const struct plane *p =
+				&raster->plane[TEX_S + 2 * unit + i];
+
+			most = greater_size(most, p->dx);
+			most = greater_size(most, p->dy);
+		}
+		span->lod[unit] = log2_q8(most);
+	}
+}
+
+static void row_affine(struct draw *draw, int y, int left, int right)
+{
+	uint32_t wanted = draw->attributes | 1u << DEPTH;
+	struct span span = {.y = y};
+
+	for (int i = 0; i < PLANES; i++) {
+		span.step[i] = draw->raster.plane[i].dx;
+	}
+	find_affine_lod(draw, &span);
+	for (int x = left; x < right; x += SPAN_PIXELS) {
+		span.x = x;
+		span.count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
+		for (int i = 0; i < PLANES; i++) {
+			if (wanted >> i & 1) {
+				span.value[i] = plane_at(&draw->raster, i, x);
+			}
+		}
+		soft_draw_span(draw, &span);
+	}
+}
+
+/* What is true at one column: attributes divided by q, and q itself. */
+struct point {
+	int32_t q, inverse;
+	int zeros;
+	int32_t value[ATTRIBUTES];
+};
+
+/* numerator / q times 2^up. */
+static int32_t divide(const struct point *point, int64_t numerator, int up)
+{
+	int64_t product = numerator * point->inverse;
+	int down = 62 - point->zeros - up;
+
+	if (down >= 0) {
+		return (int32_t)(product >> (down > 63 ? 63 : down));
+	}
+	return (int32_t)((uint64_t)product << (-down > 63 ? 63 : -down));
+}
+
+static void find_point(const struct draw *draw, int x, struct point *out)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t q = (int32_t)plane_at(raster, INVERSE_W, x);
+
+	out->q = q > 0 ? q : 1;
+	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
+	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		int32_t at;
+
+		if (!(draw->attributes >> i & 1)) {
+			continue;
+		}
+		at = (int32_t)plane_at(raster, i, x);
+		if (i >= TEX_S) {
+			out->value[i] = divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
+		} else {
+			out->value[i] =
+				clamp_int(divide(out, at, 24), 0, 0xFF80FF);
+		}
+	}
+}
+
+/* d(S / q) = (dS - S / q dq) / q */
+static void find_lod(
+	const struct draw *draw, const struct point *point, struct span *span)
+{
+	const struct raster *raster = &draw->raster;
+	const struct plane *q = &raster->plane[INVERSE_W];
+
+	for (int unit = 0; unit < SOFT_UNITS; unit++) {
+		uint32_t most = 0;
+
+		for (int i = 0; i < 2 && draw->texture[unit].used; i++) {
+			int name = TEX_S + 2 * unit + i;
+			const struct plane *p = &raster->plane[name];
+			int shift = raster->tex_shift[name - TEX_S];
+			int64_t u = point->value[name];
+			/* u is in 16.16: back to the plane's scale */
+			int64_t x = p->dx - (u * q->dx >> (shift + 8));
+			int64_t y = p->dy - (u * q->dy >> (shift + 8));
+
+			most = greater_size(
+				most, divide(point, saturate_64(x), shift + 8));
+			most = greater_size(
+				most, divide(point, saturate_64(y), shift + 8));
+		}
+		span->lod[unit] = log2_q8(most);
+	}
+}
+
+static void set_steps(const struct draw *draw, const struct point *from,
+	const struct point *to, int steps, struct span *span)
+{
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		if (draw->attributes >> i & 1) {
+			int64_t all = (int64_t)to->value[i] - from->value[i];
+
+			span->value[i] = (uint32_t)from->value[i];
+			span->step[i] =
+				(int32_t)(all * inverse_q16[steps] >> 16);
+		}
+	}
+}
+
+static void row_perspective(struct draw *draw, int y, int left, int right)
+{
+	struct span span = {.y = y};
+	struct point from, to;
+
+	span.step[DEPTH] = draw->raster.plane[DEPTH].dx;
+	find_point(draw, left, &from);
+	for (int x = left; x < right; x += PERSPECTIVE_STEP) {
+		int left_over = right - x;
+		/* Up to the last pixel, which still is inside. */
+		int steps = left_over > PERSPECTIVE_STEP ? PERSPECTIVE_STEP
+							 : left_over - 1;
+
+		span.x = x;
+		span.count = left_over < PERSPECTIVE_STEP ? left_over
+							  : PERSPECTIVE_STEP;
+		span.value[DEPTH] = plane_at(&draw->raster, DEPTH, x);
+		find_lod(draw, &from, &span);
+		to = from;
+		if (steps > 0) {
+			find_point(draw, x + steps, &to);
+		}
+		set_steps(draw, &from, &to, steps, &span);
+		soft_draw_span(draw, &span);
+		from = to;
+	}
+}
+
+static void next_row(struct draw *draw)
+{
+	raster_skip_rows(draw, 1);
+}
+
+void rows_fill(struct draw *draw, const struct setup *setup)
+{
+	if (draw->raster.perspective) {
+		raster_walk(draw, setup, row_perspective, next_row);
+	} else {
+		raster_walk(draw, setup, row_affine, next_row);
+	}
+}

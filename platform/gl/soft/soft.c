@@ -1,0 +1,184 @@
+/* The driver: its context, its frames and its buffers. */
+#include "platform/gl/soft/soft.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/gl/soft/draw.h"
+
+extern const struct gl_driver gl_driver_soft;
+
+/* What GL's calls on this thread mean: they have no parameter to say it. */
+static _Thread_local struct soft *current;
+
+struct soft *soft_current(void)
+{
+	return current;
+}
+
+static void soft_destroy(struct gl_context *context)
+{
+	struct soft *soft = (struct soft *)context;
+
+	if (!soft) {
+		return;
+	}
+	if (current == soft) {
+		current = NULL;
+	}
+	soft_release_textures(soft);
+	free(soft->buffers.depth);
+	free(soft->buffers.stencil);
+	free(soft->draw);
+	free(soft);
+}
+
+static int soft_create(enum pixel_format format, const struct log *log,
+	struct gl_context **out)
+{
+	struct soft *soft = calloc(1, sizeof(*soft));
+
+	if (!soft) {
+		log_error(log, "--gl soft: out of memory");
+		return -ENOMEM;
+	}
+	soft->draw = calloc(1, sizeof(*soft->draw));
+	if (!soft->draw) {
+		log_error(log, "--gl soft: out of memory");
+		free(soft);
+		return -ENOMEM;
+	}
+	soft->base.driver = &gl_driver_soft;
+	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";
+	soft->log = *log;
+	soft->format = format;
+	soft_init_state(soft);
+	soft_init_query(soft);
+	soft_init_matrices(soft);
+	soft_init_lighting(soft);
+	soft_init_fog(soft);
+	soft_init_arrays(soft);
+	soft_init_textures(soft);
+	soft_init_texenv(soft);
+	soft_init_clear(soft);
+	soft_init_read(soft);
+	soft_init_draw(soft);
+	current = soft;
+	*out = &soft->base;
+	return 0;
+}
+
+static int grow_depth(struct soft *soft, size_t count)
+{
+	struct buffers *buffers = &soft->buffers;
+	uint16_t *depth;
+
+	if (count <= buffers->room) {
+		return 0;
+	}
+	depth = calloc(count, sizeof(*depth));
+	if (!depth) {
+		log_error(&soft->log, "--gl soft: out of memory for depth");
+		return -ENOMEM;
+	}
+	free(buffers->depth);
+	buffers->depth = depth;
+	buffers->room = count;
+	return 0;
+}
+
+uint8_t *soft_stencil(struct soft *soft)
+{
+	struct buffers *buffers = &soft->buffers;
+
+	if (!buffers->stencil) {
+		size_t room = buffers->room ? buffers->room : 1;
+
+		buffers->stencil = malloc(room);
+		if (buffers->stencil) {
+			memset(buffers->stencil, soft->fragment.stencil.clear,
+				room);
+			buffers->stencil_room = room;
+		}
+	}
+	return buffers->stencil;
+}
+
+/* Once there is a stencil it keeps the size of the depth. */
+static int grow_stencil(struct soft *soft)
+{
+	struct buffers *buffers = &soft->buffers;
+
+	if (!buffers->stencil || buffers->stencil_room >= buffers->room) {
+		return 0;
+	}
+	free(buffers->stencil);
+	buffers->stencil = NULL;
+	if (!soft_stencil(soft)) {
+		log_error(&soft->log, "--gl soft: out of memory for stencil");
+		return -ENOMEM;
+	}
+	return 0;
+}
+
+static int soft_begin_frame(
+	struct gl_context *context, const struct pixels *target)
+{
+	struct soft *soft = (struct soft *)context;
+	struct buffers *buffers = &soft->buffers;
+	int error;
+
+	current = soft;
+	if (target->format != soft->format ||
+		target->stride_bytes % pixel_bytes(soft->format) != 0) {
+		log_error(&soft->log,
+			"--gl soft: cannot draw into a picture of another "
+			"format than the context's");
+		return -EINVAL;
+	}
+	if (target->width < 1 || target->height < 1 ||
+		target->width > PIXELS_SIZE_MAX ||
+		target->height > PIXELS_SIZE_MAX) {
+		log_error(&soft->log, "--gl soft: cannot draw %dx%d pixels",
+			target->width, target->height);
+		return -EINVAL;
+	}
+	error = grow_depth(soft, (size_t)target->width * (size_t)target->height);
+	if (!error) {
+		error = grow_stencil(soft);
+	}
+	if (error) {
+		return error;
+	}
+	if (target->width != buffers->width ||
+		target->height != buffers->height) {
+		const struct rectangle all = {
+			0, 0, target->width, target->height};
+
+		soft->fragment.viewport = all;
+		soft->fragment.scissor = all;
+		buffers->width = target->width;
+		buffers->height = target->height;
+	}
+	buffers->target = *target;
+	return 0;
+}
+
+/* Nothing of the target is touched after this. */
+static int soft_end_frame(struct gl_context *context)
+{
+	struct soft *soft = (struct soft *)context;
+
+	soft->buffers.target.data = NULL;
+	return 0;
+}
+
+const struct gl_driver gl_driver_soft = {
+	.name = "soft",
+	.summary = "limber's own fixed-point OpenGL, for boards without a GPU",
+	.create = soft_create,
+	.begin_frame = soft_begin_frame,
+	.end_frame = soft_end_frame,
+	.destroy = soft_destroy,
+};

@@ -1,0 +1,64 @@
+/* From positions to clip coordinates, and from there to the window. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/number.h"
+
+static int32_t transform_row(const int32_t m[4], const int32_t p[3])
+{
+	return m[3] + mul_high(m[0], p[0]) + mul_high(m[1], p[1]) +
+		mul_high(m[2], p[2]);
+}
+
+static uint8_t find_outcode(const int32_t c[4])
+{
+	unsigned out = 0;
+
+	/* |c| < 2^31 - 1, so that -w is a number. */
+	out |= c[0] < -c[3] ? OUT_LEFT : 0;
+	out |= c[0] > c[3] ? OUT_RIGHT : 0;
+	out |= c[1] < -c[3] ? OUT_BOTTOM : 0;
+	out |= c[1] > c[3] ? OUT_TOP : 0;
+	out |= c[2] < -c[3] || c[3] <= 0 ? OUT_NEAR : 0;
+	out |= c[2] > c[3] ? OUT_FAR : 0;
+	return (uint8_t)out;
+}
+
+void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
+{
+	array_position(draw, index, out->position);
+	for (int i = 0; i < 4; i++) {
+		out->clip[i] =
+			transform_row(draw->clip_matrix[i], out->position);
+	}
+	out->index = index;
+	out->shaded = false;
+	out->outcode = find_outcode(out->clip);
+	if (out->outcode == 0) {
+		soft_project(draw, out);
+	}
+}
+
+/* |x| <= w: x / w in Q29, from x << (zeros - 1) that fits 32 bits. */
+static int32_t divide_q29(int32_t x, const struct vertex *vertex)
+{
+	return mul_high((int32_t)((uint32_t)x << (vertex->w_zeros - 1)),
+		vertex->inverse_w_q30);
+}
+
+void soft_project(const struct draw *draw, struct vertex *vertex)
+{
+	const int32_t *c = vertex->clip;
+	int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
+
+	vertex->w_zeros = (uint8_t)zeros;
+	vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
+	vertex->x =
+		(draw->center_x_q8 +
+			mul_high(divide_q29(c[0], vertex), draw->width_q10)) >>
+		4;
+	vertex->y =
+		(draw->center_y_q8 +
+			mul_high(divide_q29(c[1], vertex), draw->height_q10)) >>
+		4;
+	/* 4 (1 + 65533 (z/w + 1) / 2) */
+	vertex->z = 131070 + mul_high(divide_q29(c[2], vertex), 1048528);
+}

@@ -30,10 +30,6 @@ build/arm1136/micro/%: tests/arm1136/micro/%.S tests/arm1136/micro/cases.h \
 	$(call say,AS,$@)
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
 
-micro_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
-	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
-	tests/arm1136/micro/$(notdir $(program)).S))
-
 # AN4044's skinning loop, as its compiler would have made it today.
 build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
 		tests/arm1136/an4044.h tests/arm1136/marker.h \
@@ -42,3 +38,10 @@ build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
 	$(call say,CC,$@)
 	$(Q)$(ARM_PREFIX)gcc $(COMMON_CFLAGS) -O3 $(MICRO_CFLAGS) -I. \
 		-nostdlib -static -o $@ $(filter %.c,$^)
+
+model_programs := $(MODEL) $(MICRO) build/arm1136/an4044
+model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
+	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
+	tests/arm1136/micro/$(notdir $(program)).S)) \
+	$(call suite,arm1136/plugin,tests/arm1136/plugin.sh $(MODEL) \
+	build/arm1136/an4044)

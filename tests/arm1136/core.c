@@ -31,6 +31,8 @@ struct core_totals core_totals(const struct core *core)
 	struct core_totals totals = core->totals;
 
 	totals.memory = core->memory.counts;
+	totals.foretold = core->values.foretold;
+	totals.mistaken = core->values.mistaken;
 	return totals;
 }
 

@@ -19,6 +19,8 @@ struct core_totals {
 	uint64_t stall[CAUSE_COUNT];
 	uint64_t branches;
 	uint64_t mispredicted;
+	uint64_t foretold; /* addresses that values.c knew */
+	uint64_t mistaken; /* and those of them that were others */
 	struct memory_counts memory;
 };
 

@@ -78,7 +78,8 @@ static void data_processing(struct insn *insn)
 			insn_field(insn, 4, 8) ? NEED_EARLY : NEED_NORMAL);
 	}
 	/* ADC, SBC, RSC and RRX take the carry. */
-	if (opcode >= 5 && opcode <= 7) {
+	if ((opcode >= 5 && opcode <= 7) ||
+		(!BIT(insn, 25) && insn_field(insn, 4, 8) == 6)) {
 		insn_reads(insn, REG_FLAGS, NEED_NORMAL);
 	}
 	if (tests) {
@@ -564,6 +565,9 @@ void insn_decode(struct insn *insn, uint32_t pc, uint32_t word)
 		insn->unit = UNIT_SYSTEM;
 		insn->branch = BRANCH_RETURN;
 		insn->issue = 4;
+		insn_writes(insn, 0, 3);
+		insn_writes(insn, 3, 3);
+		insn_writes(insn, 12, 3);
 		return;
 	}
 	if (condition == 15) {

@@ -40,6 +40,13 @@ else
     pass "every instruction is decoded"
 fi
 
+# Register values that the model worked out gave the addresses that were used.
+if awk '$2 == "foretold" && $5 { exit 1 }' "$scratch/report"; then
+    pass "no address is mistaken"
+else
+    fail "no address is mistaken" "$(grep foretold "$scratch/report")"
+fi
+
 # cycles = instructions - folded + stalls, in every region.
 if awk '
     $1 == "region" { name = $2; cycles = $6; want = $8; seen++ }

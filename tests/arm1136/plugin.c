@@ -36,8 +36,10 @@ struct plugin {
 
 	bool has_processor;
 	unsigned int processor;
-	bool runs;           /* the model does, from the first region on */
-	struct block *block; /* the one under way */
+	bool runs;              /* the model does, from the first region on */
+	struct block *block;    /* the one under way */
+	struct block *latest;   /* the same, watched or not */
+	struct block *previous; /* the one before that */
 	struct access access[MAX_ACCESSES];
 	size_t access_count;
 	uintptr_t guest_base; /* where the program's memory lies in this one's */
@@ -85,34 +87,43 @@ static void region_end(struct plugin *plugin)
 /* True for an instruction that is a marker, and costs nothing. */
 static bool obey_marker(struct plugin *plugin, const struct insn *insn)
 {
-	switch (insn->marker) {
-	case MARKER_BEGIN:
-		region_begin(plugin, insn->pc, insn->marker_id);
-		return true;
-	case MARKER_END:
-		region_end(plugin);
-		return true;
-	case MARKER_FLUSH:
+	if (insn->marker == MARKER_FLUSH) {
 		core_flush(&plugin->core, (enum memory_level)insn->marker_id);
-		return true;
-	default:
-		return false;
+	} else if (insn->marker == MARKER_BEGIN && !plugin->begin) {
+		region_begin(plugin, insn->pc, insn->marker_id);
+	} else if (insn->marker == MARKER_END && !plugin->begin) {
+		region_end(plugin);
 	}
+	return insn->marker != MARKER_NONE;
+}
+
+/* Where the function that the block under way begins will return to. */
+static uint32_t return_address(const struct plugin *plugin)
+{
+	const struct block *caller = plugin->previous;
+	const struct insn *call;
+
+	if (!caller) {
+		return 0;
+	}
+	call = caller->insn[caller->count - 1];
+	if (call->branch == BRANCH_CALL || call->branch == BRANCH_CALL_INDIRECT ||
+		!(plugin->core.values.known >> REG_LR & 1)) {
+		return call->pc + 4;
+	}
+	return plugin->core.values.value[REG_LR];
 }
 
 /* Regions that a symbol begins, and that its return or a symbol ends. */
 static void obey_symbols(struct plugin *plugin, const struct insn *insn)
 {
-	const struct values *values = &plugin->core.values;
-
 	if (plugin->region) {
-		if (insn->pc == plugin->end ||
-			(!plugin->end && insn->pc == plugin->region_return)) {
+		if (insn->pc ==
+			(plugin->end ? plugin->end : plugin->region_return)) {
 			region_end(plugin);
 		}
 	} else if (insn->pc == plugin->begin) {
-		plugin->region_return =
-			values->known >> REG_LR & 1 ? values->value[REG_LR] : 0;
+		plugin->region_return = return_address(plugin);
 		region_begin(plugin, insn->pc, 0);
 	}
 }
@@ -149,16 +160,19 @@ static void on_block(unsigned int processor, void *user)
 	struct plugin *plugin = the_plugin;
 	struct block *block = user;
 
-	if (plugin->has_processor ? processor != plugin->processor
-				  : !block->is_watched) {
+	if (plugin->has_processor && processor != plugin->processor) {
 		return;
 	}
-	plugin->processor = processor;
-	plugin->has_processor = true;
 	if (plugin->block) {
 		finish_block(plugin, block->insn[0]);
 	}
+	plugin->previous = plugin->latest;
+	plugin->latest = block;
 	plugin->block = plugin->runs || block->is_watched ? block : NULL;
+	if (plugin->block) {
+		plugin->processor = processor;
+		plugin->has_processor = true;
+	}
 }
 
 static uint32_t read_guest(

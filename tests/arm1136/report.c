@@ -94,6 +94,8 @@ static void text_region(
 		memory->preloads, memory->preloads_dropped,
 		memory->preloads_unknown, memory->l2_missed,
 		memory->lines_written);
+	fprintf(out, "  addresses foretold %" PRIu64 " mistaken %" PRIu64 "\n",
+		totals->foretold, totals->mistaken);
 	if (totals->unknown) {
 		fprintf(out, "  not decoded: %" PRIu64 "\n", totals->unknown);
 	}
@@ -315,6 +317,8 @@ static void json_region(
 		{"branches", totals->branches},
 		{"mispredicted", totals->mispredicted},
 		{"not_decoded", totals->unknown},
+		{"foretold", totals->foretold},
+		{"mistaken", totals->mistaken},
 	};
 	char name[256];
 

@@ -1,10 +1,9 @@
 #include "tests/arm1136/values.h"
 
-#include <string.h>
-
 void values_forget(struct values *values)
 {
-	memset(values, 0, sizeof(*values));
+	values->known = 0;
+	values->fpscr = 0;
 }
 
 static void set(struct values *values, unsigned int reg, uint32_t value)
@@ -228,6 +227,23 @@ static void step_base(struct values *values, const struct insn *insn,
 	}
 }
 
+/* Holds what is known of a base against where the access really goes. */
+static void check(struct values *values, const struct insn *insn,
+	const struct access *access)
+{
+	uint32_t group = insn_field(insn, 25, 3);
+	uint32_t base;
+	uint32_t offset = 0;
+
+	if (group > 3 || (group == 0 && insn_field(insn, 4, 4) == 9) ||
+		!get(values, insn, insn->base, &base) ||
+		(insn_field(insn, 24, 1) && !offset_of(values, insn, &offset))) {
+		return;
+	}
+	values->foretold++;
+	values->mistaken += base + offset != access->address;
+}
+
 static void step_loaded(struct values *values, const struct insn *insn,
 	const struct access *access, int count)
 {
@@ -256,6 +272,7 @@ void values_step(struct values *values, const struct insn *insn,
 		if (access_count == 0) {
 			return; /* the condition failed */
 		}
+		check(values, insn, access);
 		step_base(values, insn, access);
 		if (insn->unit == UNIT_LOAD) {
 			step_loaded(values, insn, access, access_count);

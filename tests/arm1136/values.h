@@ -15,6 +15,10 @@ struct values {
 	uint32_t value[16];
 	uint32_t known; /* a bit a register */
 	uint32_t fpscr; /* without its flags; 0 when nobody set it */
+
+	/* Addresses of loads and stores that were known before they were seen. */
+	uint64_t foretold;
+	uint64_t mistaken;
 };
 
 /* One access as QEMU reports it; the value of a word that was read. */
@@ -27,6 +31,7 @@ struct access {
 	bool has_value;
 };
 
+/* Nothing is known any more; the counts stay. */
 void values_forget(struct values *values);
 
 /* Follows an instruction whose condition passed, as far as is known. */

@@ -4,42 +4,16 @@
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/walker_moves.h"
 #include "app/demo/walker_rig.h"
 #include "app/scene/ball.h"
 #include "app/scene/draw.h"
 #include "app/scene/light.h"
 #include "app/scene/shadow_volume.h"
-#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
 
-/* What the walker can do; gaits first, from slow to fast. */
-enum move {
-	MOVE_IDLE,
-	MOVE_WALK,
-	MOVE_RUN,
-	MOVE_WAVE,
-	MOVE_JUMP,
-	MOVE_COUNT,
-	GAIT_COUNT = MOVE_RUN + 1,
-};
-
-struct move_kind {
-	const char *clip;
-	float ground_m_per_s; /* how fast the floor runs underneath */
-	bool once;            /* goes back to the gait when it is over */
-};
-
-static const struct move_kind moves[MOVE_COUNT] = {
-	[MOVE_IDLE] = {"idle", 0.0f, false},
-	[MOVE_WALK] = {"walk", 1.03f, false},
-	[MOVE_RUN] = {"run", 2.6f, false},
-	[MOVE_WAVE] = {"wave", 0.0f, true},
-	[MOVE_JUMP] = {"jump", 0.0f, true},
-};
-
-static const float fade_s = 0.3f;
 static const float turn_rad_per_s = 1.2f;
 static const float shadow_strength = 0.375f;
 static const float ball_radius_m = 0.05f;
@@ -52,12 +26,12 @@ struct tour_stop {
 	unsigned features; /* bits of enum rig_feature */
 };
 
-#define ALIVE (1 << RIG_HAIR | 1 << RIG_BREATH)
+#define ALIVE (1 << RIG_HAIR | 1 << RIG_BREATH | 1 << RIG_SHADOW)
 
 static const struct tour_stop tour[] = {
 	{0.0f, MOVE_WALK, ALIVE},
 	{2.2f, MOVE_WALK, ALIVE | 1 << RIG_LOOK},
-	{4.4f, MOVE_WAVE, ALIVE | 1 << RIG_LOOK},
+	{4.2f, MOVE_WAVE, ALIVE | 1 << RIG_LOOK | 1 << RIG_FACE},
 	{6.8f, MOVE_RUN, ALIVE | 1 << RIG_CAPE},
 	{9.6f, MOVE_JUMP, ALIVE | 1 << RIG_CAPE},
 	{11.1f, MOVE_WALK,
@@ -81,10 +55,7 @@ struct demo {
 	struct ball ball;
 	struct shadow_volume shadow;
 	struct walker_rig rig;
-	int clip[MOVE_COUNT];
-	enum move gait, move;
-	double move_s; /* since the move began */
-	float ground_m_per_s;
+	struct walker_moves moves;
 	double now_s;
 	float turn;
 	int chosen; /* the feature that F8 switches */
@@ -93,28 +64,14 @@ struct demo {
 	double tour_start_s;
 };
 
-static int find_clips(struct demo *demo, const struct demo_env *env)
-{
-	for (int i = 0; i < MOVE_COUNT; i++) {
-		demo->clip[i] =
-			model_find_clip(demo->actor.model, moves[i].clip);
-		if (demo->clip[i] < 0) {
-			log_error(env->log, "%s: has no clip %s",
-				env->model_path, moves[i].clip);
-			return -EINVAL;
-		}
-	}
-	return 0;
-}
-
 /* Room for everything that it does. */
 static struct bounds bounds_of_moves(struct demo *demo)
 {
 	struct bounds all = bounds_empty();
 
 	for (int i = 0; i < MOVE_COUNT; i++) {
-		struct bounds bounds =
-			bounds_of_clip(demo->actor.instance, demo->clip[i]);
+		struct bounds bounds = bounds_of_clip(
+			demo->actor.instance, demo->moves.clip[i]);
 
 		bounds_join(&all, &bounds);
 	}
@@ -127,7 +84,8 @@ static struct bounds bounds_of_moves(struct demo *demo)
 static int prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct instance *instance = demo->actor.instance;
-	int error = find_clips(demo, env);
+	enum move gait = demo->touring ? MOVE_WALK : MOVE_IDLE;
+	int error = walker_moves_init(&demo->moves, instance, gait, env->log);
 
 	if (!error) {
 		error = walker_rig_init(&demo->rig, instance, env->log);
@@ -155,7 +113,6 @@ static int walker_create(const struct demo_env *env, struct demo **out)
 	demo->gl = env->gl;
 	demo->height = env->height;
 	demo->touring = env->unattended;
-	demo->gait = demo->move = demo->touring ? MOVE_WALK : MOVE_IDLE;
 	ball_init(&demo->ball);
 	error = actor_load(&demo->actor, env);
 	if (error) {
@@ -184,22 +141,6 @@ static void walker_destroy(struct demo *demo)
 	}
 }
 
-static const struct model_clip *clip_of(const struct demo *demo, enum move move)
-{
-	return &demo->actor.model->clip[demo->clip[move]];
-}
-
-/* Fades from whatever is shown now, be it another fade. */
-static void begin(struct demo *demo, enum move move)
-{
-	if (move != demo->move) {
-		fade_begin(&demo->actor.fade, &demo->actor.instance->pose,
-			fade_s, EASE_CUBIC);
-	}
-	demo->move = move;
-	demo->move_s = 0.0;
-}
-
 static void go_on_tour(struct demo *demo)
 {
 	double tour_time_s = demo->now_s - demo->tour_start_s;
@@ -213,10 +154,8 @@ static void go_on_tour(struct demo *demo)
 		tour_time_s >= (double)tour[demo->stop].time_s) {
 		const struct tour_stop *stop = &tour[demo->stop++];
 
-		if (stop->move != demo->move) {
-			demo->gait = moves[stop->move].once ? demo->gait
-							    : stop->move;
-			begin(demo, stop->move);
+		if (stop->move != demo->moves.move) {
+			walker_moves_begin(&demo->moves, stop->move);
 		}
 		for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
 			demo->rig.on[i] = stop->features >> i & 1;
@@ -224,43 +163,24 @@ static void go_on_tour(struct demo *demo)
 	}
 }
 
-/* The floor takes up the speed of a gait as the fade does. */
-static void run_floor(struct demo *demo, float step_s)
-{
-	float goal = moves[demo->move].ground_m_per_s;
-	float share = scalar_clamp(step_s / fade_s * 2.0f, 0.0f, 1.0f);
-
-	demo->ground_m_per_s += (goal - demo->ground_m_per_s) * share;
-	floor_run(&demo->stage.floor, 0.0f, demo->ground_m_per_s * step_s);
-}
-
 static void walker_update(struct demo *demo, double time_s)
 {
 	struct instance *instance = demo->actor.instance;
 	float step_s = (float)(time_s - demo->now_s);
-	const struct model_clip *clip;
 	float light[3];
 
 	demo->now_s = time_s;
-	demo->move_s += step_s;
 	if (demo->touring) {
 		go_on_tour(demo);
 	}
-	if (moves[demo->move].once &&
-		demo->move_s >= clip_of(demo, demo->move)->duration_s) {
-		begin(demo, demo->gait);
-	}
-	clip = clip_of(demo, demo->move);
 	camera_orbit(&demo->stage.camera, demo->turn * turn_rad_per_s * step_s,
 		0.0f);
-	run_floor(demo, step_s);
-	actor_pose(&demo->actor, demo->clip[demo->move],
-		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP));
-	fade_update(&demo->actor.fade, step_s, &instance->pose);
+	walker_moves_update(&demo->moves, instance, step_s);
+	floor_run(&demo->stage.floor, 0.0f, demo->moves.ground_m_per_s * step_s);
 	walker_rig_apply(&demo->rig, instance,
 		&(struct rig_frame){.time_s = time_s,
 			.step_s = step_s,
-			.speed_m_per_s = demo->ground_m_per_s,
+			.speed_m_per_s = demo->moves.ground_m_per_s,
 			.floor = &demo->stage.floor});
 	actor_update(&demo->actor, &demo->stage.camera, demo->height);
 	if (demo->stage.floor.relief == 0.0f) {
@@ -276,6 +196,9 @@ static void draw_shadow(const struct demo *demo)
 	const struct gl *gl = demo->gl;
 	const struct actor *actor = &demo->actor;
 
+	if (!demo->rig.on[RIG_SHADOW]) {
+		return;
+	}
 	if (demo->stage.floor.relief != 0.0f && demo->stage.has_stencil) {
 		shadow_volume_draw(&demo->shadow, gl, shadow_strength);
 		return;
@@ -312,6 +235,14 @@ static double walker_period_s(const struct demo *demo)
 	return tour_s;
 }
 
+static const char *expression_name(const struct demo *demo)
+{
+	const struct model *model = demo->actor.model;
+	const struct model_node *head = &model->node[demo->rig.face];
+
+	return model->mesh[head->mesh].target_name[demo->rig.expression];
+}
+
 static void label_features(const struct demo *demo, struct hud_group *group)
 {
 	static const struct hud_color *const colors[] = {
@@ -321,12 +252,15 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 		&hud_color_rose,
 	};
 
+	if (demo->rig.on[RIG_FACE] && demo->rig.face >= 0) {
+		hud_group_text(group, "expression", expression_name(demo));
+	}
 	if (demo->rig.on[RIG_SHAKE]) {
-		hud_group_text(group, "shaken by",
+		hud_group_text(group, "preset",
 			demo->rig.preset[demo->rig.preset_chosen].name);
 	}
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
-		if (demo->rig.weight[i] > 0.0f) {
+		if (demo->rig.weight[i] > 0.0f && i != RIG_SHADOW) {
 			hud_group_weight(group,
 				rig_feature_name((enum rig_feature)i),
 				demo->rig.weight[i],
@@ -337,15 +271,21 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 
 static void walker_label(const struct demo *demo, struct hud *hud)
 {
-	const struct model_clip *clip = clip_of(demo, demo->move);
+	const struct walker_moves *moves = &demo->moves;
+	float time_s;
+	const struct model_clip *clip =
+		walker_moves_clip(moves, demo->actor.model, &time_s);
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "Skeletal");
 
-	hud_group_time(&group, clip->name,
-		clip_time(demo->move_s, clip->duration_s, CLIP_LOOP),
-		clip->duration_s, hud_color_blue);
-	if (demo->actor.fade.running) {
+	hud_group_time(
+		&group, clip->name, time_s, clip->duration_s, hud_color_blue);
+	if (moves->fade.running) {
 		hud_group_weight(&group, "fade",
-			demo->actor.fade.elapsed_s / demo->actor.fade.duration_s,
+			moves->fade.elapsed_s / moves->fade.duration_s,
+			hud_color_blue);
+	}
+	if (moves->wave_weight > 0.0f) {
+		hud_group_weight(&group, "wave", moves->wave_weight,
 			hud_color_blue);
 	}
 	actor_label_detail(&demo->actor, &group);
@@ -360,28 +300,19 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 	}
 }
 
-static void change_gait(struct demo *demo, int step)
-{
-	int gait = (int)demo->gait + step;
-
-	demo->touring = false;
-	if (gait >= 0 && gait < GAIT_COUNT) {
-		demo->gait = (enum move)gait;
-		begin(demo, demo->gait);
-	}
-}
-
 static void press_faster(struct demo *demo, bool down)
 {
 	if (down) {
-		change_gait(demo, 1);
+		demo->touring = false;
+		walker_moves_change_gait(&demo->moves, 1);
 	}
 }
 
 static void press_slower(struct demo *demo, bool down)
 {
 	if (down) {
-		change_gait(demo, -1);
+		demo->touring = false;
+		walker_moves_change_gait(&demo->moves, -1);
 	}
 }
 
@@ -389,7 +320,7 @@ static void press_wave(struct demo *demo, bool down)
 {
 	if (down) {
 		demo->touring = false;
-		begin(demo, MOVE_WAVE);
+		walker_moves_begin(&demo->moves, MOVE_WAVE);
 	}
 }
 
@@ -397,7 +328,7 @@ static void press_jump(struct demo *demo, bool down)
 {
 	if (down) {
 		demo->touring = false;
-		begin(demo, MOVE_JUMP);
+		walker_moves_begin(&demo->moves, MOVE_JUMP);
 	}
 }
 

@@ -15,6 +15,7 @@ enum {
 };
 
 static const float switch_s = 0.4f; /* to come or go */
+static const float expression_s = 1.3f;
 static const float relief_m = 0.2f;
 static const float hand_m = 0.1f; /* wrist to grip */
 
@@ -26,6 +27,8 @@ static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_BREATH] = "breath",
 	[RIG_HAIR] = "ponytail",
 	[RIG_CAPE] = "cape",
+	[RIG_FACE] = "face",
+	[RIG_SHADOW] = "shadow",
 };
 
 const char *rig_feature_name(enum rig_feature feature)
@@ -81,6 +84,15 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 		}
 	}
 	return 0;
+}
+
+/* A head with expressions, or -1: the walker does without. */
+static int find_face(const struct model *model)
+{
+	int node = model_find_node(model, "walker_head");
+	int mesh = node < 0 ? -1 : model->node[node].mesh;
+
+	return mesh >= 0 && model->mesh[mesh].target_count > 0 ? node : -1;
 }
 
 /*
@@ -145,8 +157,9 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	for (int side = 0; side < 2; side++) {
 		rig->shake[side] = procedural_begin(&rig->preset[0], 0);
 	}
-	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
+	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = rig->on[RIG_SHADOW] = true;
 	error = find_bones(rig, instance->model, log);
+	rig->face = find_face(instance->model);
 	return error ? error : walker_trail_init(&rig->trail, instance, log);
 }
 
@@ -203,6 +216,29 @@ static void swell(struct walker_rig *rig, struct pose *pose, double time_s)
 	breath_apply(&rig->breath, time_s, pose);
 	for (int side = 0; side < 2; side++) {
 		muscle_apply(&rig->biceps[side], pose);
+	}
+}
+
+/* One expression after the other, each coming and going softly. */
+static void make_face(
+	struct walker_rig *rig, struct instance *instance, double time_s)
+{
+	const struct model_node *node = &instance->model->node[rig->face];
+	const struct model_mesh *mesh = &instance->model->mesh[node->mesh];
+	float *weight = instance->pose.weight + node->weight_offset;
+	float share = eased(rig, RIG_FACE);
+	int turn = (int)(time_s / (double)expression_s);
+	float way = (float)(time_s - (double)turn * (double)expression_s) /
+		expression_s;
+
+	rig->expression = turn % mesh->target_count;
+	for (int i = 0; i < mesh->target_count; i++) {
+		float wanted = i == rig->expression
+			? ease_at(EASE_CUBIC,
+				  4.0f * (way < 0.5f ? way : 1.0f - way))
+			: 0.0f;
+
+		weight[i] += (wanted - weight[i]) * share;
 	}
 }
 
@@ -310,6 +346,9 @@ void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
 	move_switches(rig, frame->step_s);
 	shake(rig, &instance->pose, frame->time_s);
 	swell(rig, &instance->pose, frame->time_s);
+	if (rig->face >= 0) {
+		make_face(rig, instance, frame->time_s);
+	}
 	instance_update_nodes(instance);
 	stand(rig, instance, frame->floor);
 	look(rig, instance, frame->step_s);

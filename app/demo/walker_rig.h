@@ -25,6 +25,8 @@ enum rig_feature {
 	RIG_BREATH, /* the chest heaves, bent arms bulge */
 	RIG_HAIR,   /* the ponytail swings */
 	RIG_CAPE,   /* a cape hangs from the shoulders */
+	RIG_FACE,   /* expressions follow each other: morph and skin */
+	RIG_SHADOW, /* drawn by the demo */
 	RIG_FEATURE_COUNT,
 };
 
@@ -46,6 +48,8 @@ struct walker_rig {
 	struct muscle biceps[2];
 	struct walker_trail trail;
 	int hips;
+	int face;       /* the node whose targets are expressions, or -1 */
+	int expression; /* the one shown now */
 };
 
 /*

@@ -44,4 +44,6 @@ model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
 	tests/arm1136/micro/$(notdir $(program)).S)) \
 	$(call suite,arm1136/plugin,tests/arm1136/plugin.sh $(MODEL) \
-	build/arm1136/an4044)
+	build/arm1136/an4044) \
+	$(call suite,arm1136/checker,tests/arm1136/checker.sh $(MODEL) \
+	build/arm1136/micro)

@@ -168,7 +168,7 @@ static void wait_for_all(
 	}
 	if (insn_is_memory(insn)) {
 		core_wait_for_registers(core, insn, issue);
-		issue_wait(issue, core->memory_free, CAUSE_MEMORY_PIPE);
+		issue_wait(issue, core->memory_free, core->memory_cause);
 	}
 	if (insn->unit == UNIT_VFP || insn->unit == UNIT_VFP_DIVIDE) {
 		core_wait_for_vfp(core, insn, issue);

@@ -32,6 +32,7 @@ struct core {
 
 	int64_t now; /* the next instruction issues no earlier */
 	int64_t memory_free;
+	enum cause memory_cause; /* of waiting for it */
 	int64_t vfp_free;
 	int64_t divide_free;
 	int64_t flags_set;        /* cycle of the last instruction that did */

@@ -50,6 +50,23 @@ struct transfer {
 	bool missed;
 };
 
+static void occupy(struct core *core, int64_t until, enum cause cause)
+{
+	core->memory_free = until;
+	core->memory_cause = cause;
+}
+
+/* Nothing follows until a miss, or the write buffer, has room for it. */
+static void stop(struct core *core, const struct insn *insn,
+	const struct memory_answer *answer)
+{
+	if (answer->pipe_until > core->memory_free) {
+		occupy(core, answer->pipe_until,
+			insn->unit == UNIT_STORE ? CAUSE_WRITE_BUFFER
+						 : CAUSE_MISSES);
+	}
+}
+
 static void transfer_word(struct transfer *transfer, const struct insn *insn,
 	int word, int64_t at)
 {
@@ -68,9 +85,7 @@ static void transfer_word(struct transfer *transfer, const struct insn *insn,
 	} else {
 		transfer->answer = memory_store(&core->memory, address, when);
 	}
-	if (transfer->answer.pipe_until > core->memory_free) {
-		core->memory_free = transfer->answer.pipe_until;
-	}
+	stop(core, insn, &transfer->answer);
 }
 
 static void load_word(struct core *core, const struct insn *insn,
@@ -166,7 +181,8 @@ void core_execute_memory(struct core *core, struct insn *insn,
 	struct transfer transfer = {.core = core, .line = UINT32_MAX};
 
 	transfer.address = lowest_address(access, access_count);
-	core->memory_free = at + transfer_cycles(insn, transfer.address, words);
+	occupy(core, at + transfer_cycles(insn, transfer.address, words),
+		CAUSE_MEMORY_PIPE);
 	move_registers(core, insn, &transfer, at);
 	/* An unaligned word or halfword can lie in two lines. */
 	if (words == 1) {
@@ -187,13 +203,11 @@ void core_execute_preload(struct core *core, const struct insn *insn, int64_t at
 	uint32_t address;
 	struct memory_answer answer;
 
-	core->memory_free = at + 1;
+	occupy(core, at + 1, CAUSE_MEMORY_PIPE);
 	if (!values_address(&core->values, insn, &address)) {
 		core->memory.counts.preloads_unknown++;
 		return;
 	}
 	answer = memory_preload(&core->memory, address, at);
-	if (answer.pipe_until > core->memory_free) {
-		core->memory_free = answer.pipe_until;
-	}
+	stop(core, insn, &answer);
 }

@@ -229,6 +229,11 @@ struct memory_answer memory_load(
 	place = cache_find(&memory->l1d, line);
 	if (!place) {
 		memory->counts.loads_missed++;
+		/* What was just written there goes first. */
+		if (memory->is_open && memory->open_line == line) {
+			buffer_line(memory, line, now);
+			memory->is_open = false;
+		}
 		place = start_miss(memory, line, now, &answer);
 	} else if (place->arrives > now) {
 		memory->counts.loads_awaited++;

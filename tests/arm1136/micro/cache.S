@@ -77,8 +77,11 @@
 	.endr
 	END
 
-	/* A store that misses does not bring the line: the load misses too. */
-	CASE store_miss_does_not_allocate, 85
+	/*
+	 * A store that misses does not bring the line: the load misses too,
+	 * after what was written has left: 1 + 16 + 84.
+	 */
+	CASE store_miss_does_not_allocate, 101
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
 	str r2, [r0]

@@ -79,6 +79,13 @@ int show_choose(const struct options *options, const struct log *log,
 		plan->model_path = options->model_path;
 		return 0;
 	}
+	if (options->clip) {
+		log_error(log,
+			"--clip %s: a demo chooses its own clips: name "
+			"a model file instead",
+			options->clip);
+		return -EINVAL;
+	}
 	plan->demo = options->demo ? demo_find(options->demo) : demo_registry[0];
 	if (!plan->demo) {
 		return say_unknown_demo(options->demo, log);
@@ -134,7 +141,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.unattended = show->plan->unattended,
 	};
 
-	return show->plan->demo->create(&env, &show->demo);
+	return demo_create(show->plan->demo, &env, &show->demo);
 }
 
 static int open_hud(struct show *show)
@@ -319,7 +326,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	}
 	show.display_driver->destroy(show.display);
 out_demo:
-	plan->demo->destroy(show.demo);
+	demo_destroy(show.demo);
 out_hud:
 	close_hud(&show);
 out_gl:

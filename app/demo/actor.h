@@ -1,5 +1,6 @@
 /*
- * A model on stage: file, instance and textures together.
+ * A model on stage: file, instance and textures together, and what every demo
+ * has beside it.
  */
 #ifndef APP_DEMO_ACTOR_H
 #define APP_DEMO_ACTOR_H
@@ -20,6 +21,13 @@ struct actor {
 	struct fade fade; /* for whoever changes clips */
 	struct lod lod;
 	float extent; /* at rest, scene units */
+};
+
+/* What every demo's struct begins with. */
+struct act {
+	const struct gl *gl;
+	struct actor actor;
+	struct stage stage;
 };
 
 /* Loads env's model. 0, or -errno after a sentence with nothing left behind. */

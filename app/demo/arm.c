@@ -72,9 +72,7 @@ static const struct framing framing = {
 	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .turn_rad = 0.0f, .margin = 0.95f};
 
 struct demo {
-	const struct gl *gl;
-	struct actor actor;
-	struct stage stage;
+	struct act act;
 	struct hierarchy hierarchy;
 	int pivot[PART_COUNT];
 	struct pivot crate_rest;
@@ -97,8 +95,8 @@ struct demo {
  */
 static int make_pivots(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->actor.model;
-	struct arena *arena = &demo->actor.instance->arena;
+	const struct model *model = demo->act.actor.model;
+	struct arena *arena = &demo->act.actor.instance->arena;
 	int crate = model_find_node(model, part_names[PART_CRATE]);
 	int *place = ARENA_ARRAY(arena, int, (size_t)model->node_count);
 	struct pivot *pivot =
@@ -158,53 +156,20 @@ static void begin_step(struct demo *demo, int step)
 	memcpy(demo->from, demo->joint, sizeof(demo->from));
 }
 
-static int arm_create(const struct demo_env *env, struct demo **out)
+static int arm_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct demo *demo = calloc(1, sizeof(*demo));
 	struct bounds bounds;
-	int error = -ENOMEM;
+	int error = make_pivots(demo, env);
 
-	if (!demo) {
-		log_error(env->log, "arm: not enough memory");
+	if (error) {
 		return error;
 	}
-	demo->gl = env->gl;
-	demo->step = -1;
+	set_orders(demo);
 	memcpy(demo->joint, arm_home, sizeof(demo->joint));
-	error = actor_load(&demo->actor, env);
-	if (error) {
-		goto fail;
-	}
-	error = make_pivots(demo, env);
-	if (!error) {
-		set_orders(demo);
-		bounds = bounds_of_clip(demo->actor.instance, -1);
-		error = set_stage(env, &bounds, framing, &demo->stage);
-	}
-	if (error) {
-		goto fail_actor;
-	}
 	demo->repeating = env->unattended;
-	if (demo->repeating) {
-		begin_step(demo, 0);
-	}
-	*out = demo;
-	return 0;
-
-fail_actor:
-	actor_unload(&demo->actor, env->gl);
-fail:
-	free(demo);
-	return error;
-}
-
-static void arm_destroy(struct demo *demo)
-{
-	if (demo) {
-		stage_finish(&demo->stage, demo->gl);
-		actor_unload(&demo->actor, demo->gl);
-		free(demo);
-	}
+	begin_step(demo, demo->repeating ? 0 : -1);
+	bounds = bounds_of_clip(demo->act.actor.instance, -1);
+	return set_stage(env, &bounds, framing, &demo->act.stage);
 }
 
 static void run_program(struct demo *demo)
@@ -308,14 +273,14 @@ static void arm_update(struct demo *demo, double time_s)
 
 static void arm_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->gl;
-	const struct actor *actor = &demo->actor;
+	const struct gl *gl = demo->act.gl;
+	const struct actor *actor = &demo->act.actor;
 
-	stage_begin(&demo->stage, gl, width, height);
-	stage_shadow_begin(&demo->stage, gl);
+	stage_begin(&demo->act.stage, gl, width, height);
+	stage_shadow_begin(&demo->act.stage, gl);
 	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
 		DRAW_SHAPE);
-	stage_shadow_end(&demo->stage, gl);
+	stage_shadow_end(&demo->act.stage, gl);
 	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
 		DRAW_SHADED);
 }
@@ -429,10 +394,10 @@ const struct demo_driver demo_driver_arm = {
 	.summary = "hierarchical: a robot arm on pivots that loads a truck",
 	.asset = "arm.glb",
 	.action = arm_actions,
-	.create = arm_create,
+	.size = sizeof(struct demo),
+	.prepare = arm_prepare,
 	.update = arm_update,
 	.draw = arm_draw,
 	.period_s = arm_period_s,
 	.label = arm_label,
-	.destroy = arm_destroy,
 };

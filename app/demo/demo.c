@@ -1,5 +1,9 @@
 #include "app/demo/demo.h"
 
+#include "app/demo/actor.h"
+
+#include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 extern const struct demo_driver demo_driver_walker;
@@ -21,6 +25,46 @@ const struct demo_driver *demo_find(const char *name)
 		}
 	}
 	return NULL;
+}
+
+/* Every demo's struct begins with an act. */
+static struct act *act_of(struct demo *demo)
+{
+	return (struct act *)demo;
+}
+
+int demo_create(const struct demo_driver *driver, const struct demo_env *env,
+	struct demo **out)
+{
+	struct demo *demo = calloc(1, driver->size);
+	int error = -ENOMEM;
+
+	if (!demo) {
+		log_error(env->log, "%s: not enough memory", driver->name);
+		return error;
+	}
+	act_of(demo)->gl = env->gl;
+	error = actor_load(&act_of(demo)->actor, env);
+	if (!error) {
+		error = driver->prepare(demo, env);
+	}
+	if (error) {
+		demo_destroy(demo);
+		return error;
+	}
+	*out = demo;
+	return 0;
+}
+
+void demo_destroy(struct demo *demo)
+{
+	if (demo) {
+		struct act *act = act_of(demo);
+
+		stage_finish(&act->stage, act->gl);
+		actor_unload(&act->actor, act->gl);
+		free(demo);
+	}
 }
 
 void demo_press(const struct demo_driver *driver, struct demo *demo,

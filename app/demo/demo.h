@@ -48,8 +48,14 @@ struct demo_driver {
 	const char *asset; /* a file of assets/, or NULL: the user's model */
 	const struct demo_action *action; /* a NULL run ends it */
 
-	/* 0, or -errno after a sentence with nothing left behind. */
-	int (*create)(const struct demo_env *env, struct demo **out);
+	/* Of the demo's own struct, which begins with a struct act. */
+	size_t size;
+
+	/*
+	 * The act's actor is loaded, all else is zero: prepares the rest and,
+	 * last, sets the stage. 0, or -errno after a sentence.
+	 */
+	int (*prepare)(struct demo *demo, const struct demo_env *env);
 
 	/* Moves on to time_s, which never runs backwards. No allocation. */
 	void (*update)(struct demo *demo, double time_s);
@@ -62,9 +68,6 @@ struct demo_driver {
 
 	/* Says on the picture what runs: technique, clip, time, weight. */
 	void (*label)(const struct demo *demo, struct hud *hud);
-
-	/* NULL is fine. */
-	void (*destroy)(struct demo *demo);
 };
 
 /* All demos, NULL at the end; the first is the default. */
@@ -75,6 +78,16 @@ extern const struct demo_driver demo_driver_viewer;
 
 /* The demo of that name, or NULL. */
 const struct demo_driver *demo_find(const char *name);
+
+/*
+ * Loads the model, then prepares the demo. 0, or -errno after a sentence with
+ * nothing left behind. Release with demo_destroy().
+ */
+int demo_create(const struct demo_driver *driver, const struct demo_env *env,
+	struct demo **out);
+
+/* NULL is fine. */
+void demo_destroy(struct demo *demo);
 
 /* Runs the action on this button, if there is one. */
 void demo_press(const struct demo_driver *driver, struct demo *demo,

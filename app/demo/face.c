@@ -33,9 +33,7 @@ static const struct framing framing = {
 	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 1.06f};
 
 struct demo {
-	const struct gl *gl;
-	struct actor actor;
-	struct stage stage;
+	struct act act;
 	int head; /* node */
 	int part_count;
 	struct part part[PARTS_MAX];
@@ -55,8 +53,8 @@ static int bake_key(struct demo *demo, const struct part *part, int target,
 {
 	const struct drawable *drawable = part->drawable;
 	const struct model_primitive *primitive = drawable->primitive;
-	const struct kernel *kernel = demo->actor.instance->kernel;
-	struct arena *arena = &demo->actor.instance->arena;
+	const struct kernel *kernel = demo->act.actor.instance->kernel;
+	struct arena *arena = &demo->act.actor.instance->arena;
 	int count = primitive->vertex_count;
 	struct morph_term term = {
 		.weight = drawable->vertex_scale,
@@ -88,7 +86,7 @@ static int bake_key(struct demo *demo, const struct part *part, int target,
 static int init_part(
 	struct demo *demo, struct part *part, struct drawable *drawable)
 {
-	struct arena *arena = &demo->actor.instance->arena;
+	struct arena *arena = &demo->act.actor.instance->arena;
 	int error;
 
 	part->drawable = drawable;
@@ -118,8 +116,8 @@ static int init_part(
 
 static int init_parts(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->actor.model;
-	struct instance *instance = demo->actor.instance;
+	const struct model *model = demo->act.actor.model;
+	struct instance *instance = demo->act.actor.instance;
 	const struct model_mesh *mesh;
 
 	demo->head = model_find_node(model, mesh_node);
@@ -151,50 +149,19 @@ static int init_parts(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
-static int face_create(const struct demo_env *env, struct demo **out)
+static int face_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct demo *demo = calloc(1, sizeof(*demo));
 	struct bounds bounds;
-	int error = -ENOMEM;
+	int error = init_parts(demo, env);
 
-	if (!demo) {
-		log_error(env->log, "face: not enough memory");
+	if (error) {
 		return error;
 	}
-	demo->gl = env->gl;
 	demo->touring = env->unattended;
 	demo->motion = morph_motion_default();
 	demo->motion.duration_ms = unhurried_ms;
-	error = actor_load(&demo->actor, env);
-	if (error) {
-		goto fail;
-	}
-	error = init_parts(demo, env);
-	if (error) {
-		goto fail_actor;
-	}
-	bounds = bounds_of_clip(demo->actor.instance, -1);
-	error = set_stage(env, &bounds, framing, &demo->stage);
-	if (error) {
-		goto fail_actor;
-	}
-	*out = demo;
-	return 0;
-
-fail_actor:
-	actor_unload(&demo->actor, env->gl);
-fail:
-	free(demo);
-	return error;
-}
-
-static void face_destroy(struct demo *demo)
-{
-	if (demo) {
-		stage_finish(&demo->stage, demo->gl);
-		actor_unload(&demo->actor, demo->gl);
-		free(demo);
-	}
+	bounds = bounds_of_clip(demo->act.actor.instance, -1);
+	return set_stage(env, &bounds, framing, &demo->act.stage);
 }
 
 static void go_to_key(struct demo *demo, int key)
@@ -212,10 +179,11 @@ static void go_to_key(struct demo *demo, int key)
 static void sway(struct demo *demo)
 {
 	static const float up[3] = {0.0f, 1.0f, 0.0f};
-	struct transform *local = &demo->actor.instance->pose.local[demo->head];
+	struct transform *local =
+		&demo->act.actor.instance->pose.local[demo->head];
 	float turn[4];
 
-	pose_rest(&demo->actor.instance->pose, demo->actor.model);
+	pose_rest(&demo->act.actor.instance->pose, demo->act.actor.model);
 	quat_from_axis_angle(
 		up, 0.10f * scalar_sin((float)demo->now_s * 0.8f), turn);
 	quat_multiply(turn, local->rotation, local->rotation);
@@ -232,12 +200,13 @@ static void face_update(struct demo *demo, double time_s)
 		morph_update(&demo->part[i].morph, time_s * 1000.0);
 	}
 	sway(demo);
-	instance_update(demo->actor.instance);
+	instance_update(demo->act.actor.instance);
 }
 
 static void face_draw(struct demo *demo, int width, int height)
 {
-	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
+	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+		height);
 }
 
 static double face_period_s(const struct demo *demo)
@@ -360,10 +329,10 @@ const struct demo_driver demo_driver_face = {
 	.summary = "morphing: a head that goes from expression to expression",
 	.asset = "face.glb",
 	.action = face_actions,
-	.create = face_create,
+	.size = sizeof(struct demo),
+	.prepare = face_prepare,
 	.update = face_update,
 	.draw = face_draw,
 	.period_s = face_period_s,
 	.label = face_label,
-	.destroy = face_destroy,
 };

@@ -20,9 +20,7 @@ static const struct framing framing = {.yaw_rad = 0.45f,
 	.aside = 0.15f};
 
 struct demo {
-	const struct gl *gl;
-	struct actor actor;
-	struct stage stage;
+	struct act act;
 	int height; /* of the picture */
 	int clip;   /* or -1: at rest */
 	struct playback playback;
@@ -63,8 +61,9 @@ static int choose_clip(
 
 static float viewer_duration_s(const struct demo *demo)
 {
-	return demo->clip < 0 ? 0.0f
-			      : demo->actor.model->clip[demo->clip].duration_s;
+	return demo->clip < 0
+		? 0.0f
+		: demo->act.actor.model->clip[demo->clip].duration_s;
 }
 
 static void begin_clip(struct demo *demo)
@@ -76,12 +75,12 @@ static void begin_clip(struct demo *demo)
 /* This clip and the next one, overlapping by the document's four frames. */
 static void begin_join(struct demo *demo, double join_s)
 {
-	const struct model *model = demo->actor.model;
+	const struct model *model = demo->act.actor.model;
 	int next = (demo->clip + 1) % model->clip_count;
 
 	demo->join = clip_join_frames(
 		&model->clip[demo->clip], &model->clip[next], JOIN_FRAMES);
-	demo->join.interpolation = demo->actor.interpolation;
+	demo->join.interpolation = demo->act.actor.interpolation;
 	demo->join_s = join_s;
 }
 
@@ -95,21 +94,23 @@ static void run_join(struct demo *demo, float step_s)
 		double into_s =
 			demo->join_s - first_s + (double)demo->join.overlap_s;
 
-		demo->clip = (demo->clip + 1) % demo->actor.model->clip_count;
+		demo->clip =
+			(demo->clip + 1) % demo->act.actor.model->clip_count;
 		begin_join(demo, into_s);
 	}
-	clip_join_sample(&demo->join, (float)demo->join_s, &demo->actor.cursor,
-		&demo->next_cursor, &demo->scratch, &demo->actor.instance->pose);
+	clip_join_sample(&demo->join, (float)demo->join_s,
+		&demo->act.actor.cursor, &demo->next_cursor, &demo->scratch,
+		&demo->act.actor.instance->pose);
 }
 
 static int init_join(struct demo *demo, const struct demo_env *env)
 {
-	struct arena *arena = &demo->actor.instance->arena;
-	int error = pose_init(&demo->scratch, demo->actor.model, arena);
+	struct arena *arena = &demo->act.actor.instance->arena;
+	int error = pose_init(&demo->scratch, demo->act.actor.model, arena);
 
 	if (!error) {
 		error = clip_cursor_init(
-			&demo->next_cursor, demo->actor.model, arena);
+			&demo->next_cursor, demo->act.actor.model, arena);
 	}
 	if (error) {
 		log_error(env->log, "%s: not enough memory to join its clips",
@@ -132,56 +133,26 @@ static const char *technique_of(const struct instance *instance)
 				  : "Hierarchical";
 }
 
-static int viewer_create(const struct demo_env *env, struct demo **out)
+static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct demo *demo = calloc(1, sizeof(*demo));
+	const struct actor *actor = &demo->act.actor;
 	struct bounds bounds;
-	int error = -ENOMEM;
+	int error = choose_clip(env, actor->model, &demo->clip);
 
-	if (!demo) {
-		log_error(env->log, "viewer: not enough memory");
-		return error;
-	}
-	demo->gl = env->gl;
-	demo->height = env->height;
-	demo->repeat = env->repeat;
-	demo->speed = env->speed;
-	error = actor_load(&demo->actor, env);
-	if (error) {
-		goto fail;
-	}
-	error = choose_clip(env, demo->actor.model, &demo->clip);
 	if (!error) {
 		error = init_join(demo, env);
 	}
 	if (error) {
-		goto fail_actor;
+		return error;
 	}
-	bounds = bounds_of_clip(demo->actor.instance, demo->clip);
-	error = set_stage(env, &bounds, framing, &demo->stage);
-	if (error) {
-		goto fail_actor;
-	}
-	demo->tilting = demo->actor.model->clip_count < 2;
+	demo->height = env->height;
+	demo->repeat = env->repeat;
+	demo->speed = env->speed;
+	demo->tilting = actor->model->clip_count < 2;
+	demo->title = technique_of(actor->instance);
 	begin_clip(demo);
-	demo->title = technique_of(demo->actor.instance);
-	*out = demo;
-	return 0;
-
-fail_actor:
-	actor_unload(&demo->actor, env->gl);
-fail:
-	free(demo);
-	return error;
-}
-
-static void viewer_destroy(struct demo *demo)
-{
-	if (demo) {
-		stage_finish(&demo->stage, demo->gl);
-		actor_unload(&demo->actor, demo->gl);
-		free(demo);
-	}
+	bounds = bounds_of_clip(actor->instance, demo->clip);
+	return set_stage(env, &bounds, framing, &demo->act.stage);
 }
 
 static void viewer_update(struct demo *demo, double time_s)
@@ -192,23 +163,26 @@ static void viewer_update(struct demo *demo, double time_s)
 	if (!demo->paused) {
 		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
-	camera_orbit(&demo->stage.camera, demo->turn * orbit_rad_per_s * step_s,
+	camera_orbit(&demo->act.stage.camera,
+		demo->turn * orbit_rad_per_s * step_s,
 		demo->tilt * orbit_rad_per_s * step_s);
-	demo->stage.camera.distance *= 1.0f + demo->zoom * zoom_per_s * step_s;
+	demo->act.stage.camera.distance *=
+		1.0f + demo->zoom * zoom_per_s * step_s;
 	if (demo->joining) {
 		run_join(demo, demo->paused ? 0.0f : step_s);
 	} else {
-		actor_pose(&demo->actor, demo->clip, demo->playback.time_s);
-		fade_update(
-			&demo->actor.fade, step_s, &demo->actor.instance->pose);
+		actor_pose(&demo->act.actor, demo->clip, demo->playback.time_s);
+		fade_update(&demo->act.actor.fade, step_s,
+			&demo->act.actor.instance->pose);
 	}
-	actor_update(&demo->actor, &demo->stage.camera, demo->height);
+	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
 }
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
 	demo->height = height;
-	actor_draw(&demo->actor, &demo->stage, demo->gl, width, height);
+	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+		height);
 }
 
 static double viewer_period_s(const struct demo *demo)
@@ -220,7 +194,7 @@ static double viewer_period_s(const struct demo *demo)
 
 static void viewer_label(const struct demo *demo, struct hud *hud)
 {
-	const struct model *model = demo->actor.model;
+	const struct model *model = demo->act.actor.model;
 	float duration_s = viewer_duration_s(demo);
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, demo->title);
 
@@ -237,7 +211,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 	if (demo->joining) {
 		hud_group_text(&group, "joined to", demo->join.to->name);
 	}
-	actor_label_detail(&demo->actor, &group);
+	actor_label_detail(&demo->act.actor, &group);
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
 	}
@@ -246,11 +220,11 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 
 static void step_clip(struct demo *demo, int step)
 {
-	int count = demo->actor.model->clip_count;
+	int count = demo->act.actor.model->clip_count;
 
 	if (count > 0) {
-		fade_begin(&demo->actor.fade, &demo->actor.instance->pose,
-			fade_s, EASE_CUBIC);
+		fade_begin(&demo->act.actor.fade,
+			&demo->act.actor.instance->pose, fade_s, EASE_CUBIC);
 		demo->clip = (demo->clip + step + count) % count;
 		demo->joining = false;
 		begin_clip(demo);
@@ -312,7 +286,7 @@ static void press_tilting(struct demo *demo, bool down)
 
 static void press_join(struct demo *demo, bool down)
 {
-	if (down && demo->actor.model->clip_count > 1) {
+	if (down && demo->act.actor.model->clip_count > 1) {
 		demo->joining = !demo->joining;
 		begin_clip(demo);
 		begin_join(demo, 0.0);
@@ -336,10 +310,10 @@ const struct demo_driver demo_driver_viewer = {
 	.name = "viewer",
 	.summary = "any model and its clips",
 	.action = viewer_actions,
-	.create = viewer_create,
+	.size = sizeof(struct demo),
+	.prepare = viewer_prepare,
 	.update = viewer_update,
 	.draw = viewer_draw,
 	.period_s = viewer_period_s,
 	.label = viewer_label,
-	.destroy = viewer_destroy,
 };

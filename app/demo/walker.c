@@ -48,9 +48,7 @@ static const struct framing framing = {.yaw_rad = 0.45f,
 	.aside = 0.16f};
 
 struct demo {
-	const struct gl *gl;
-	struct actor actor;
-	struct stage stage;
+	struct act act;
 	int height; /* of the picture */
 	struct ball ball;
 	struct shadow_volume shadow;
@@ -71,7 +69,7 @@ static struct bounds bounds_of_moves(struct demo *demo)
 
 	for (int i = 0; i < MOVE_COUNT; i++) {
 		struct bounds bounds = bounds_of_clip(
-			demo->actor.instance, demo->moves.clip[i]);
+			demo->act.actor.instance, demo->moves.clip[i]);
 
 		bounds_join(&all, &bounds);
 	}
@@ -80,13 +78,15 @@ static struct bounds bounds_of_moves(struct demo *demo)
 	return all;
 }
 
-/* All that needs the model. */
-static int prepare(struct demo *demo, const struct demo_env *env)
+static int walker_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct instance *instance = demo->actor.instance;
-	enum move gait = demo->touring ? MOVE_WALK : MOVE_IDLE;
+	struct instance *instance = demo->act.actor.instance;
+	enum move gait = env->unattended ? MOVE_WALK : MOVE_IDLE;
 	int error = walker_moves_init(&demo->moves, instance, gait, env->log);
 
+	demo->touring = env->unattended;
+	demo->height = env->height;
+	ball_init(&demo->ball);
 	if (!error) {
 		error = walker_rig_init(&demo->rig, instance, env->log);
 	}
@@ -96,49 +96,9 @@ static int prepare(struct demo *demo, const struct demo_env *env)
 	if (!error) {
 		struct bounds bounds = bounds_of_moves(demo);
 
-		error = set_stage(env, &bounds, framing, &demo->stage);
+		error = set_stage(env, &bounds, framing, &demo->act.stage);
 	}
 	return error;
-}
-
-static int walker_create(const struct demo_env *env, struct demo **out)
-{
-	struct demo *demo = calloc(1, sizeof(*demo));
-	int error = -ENOMEM;
-
-	if (!demo) {
-		log_error(env->log, "walker: not enough memory");
-		return error;
-	}
-	demo->gl = env->gl;
-	demo->height = env->height;
-	demo->touring = env->unattended;
-	ball_init(&demo->ball);
-	error = actor_load(&demo->actor, env);
-	if (error) {
-		goto fail;
-	}
-	error = prepare(demo, env);
-	if (error) {
-		goto fail_actor;
-	}
-	*out = demo;
-	return 0;
-
-fail_actor:
-	actor_unload(&demo->actor, env->gl);
-fail:
-	free(demo);
-	return error;
-}
-
-static void walker_destroy(struct demo *demo)
-{
-	if (demo) {
-		stage_finish(&demo->stage, demo->gl);
-		actor_unload(&demo->actor, demo->gl);
-		free(demo);
-	}
 }
 
 static void go_on_tour(struct demo *demo)
@@ -165,7 +125,7 @@ static void go_on_tour(struct demo *demo)
 
 static void walker_update(struct demo *demo, double time_s)
 {
-	struct instance *instance = demo->actor.instance;
+	struct instance *instance = demo->act.actor.instance;
 	float step_s = (float)(time_s - demo->now_s);
 	float light[3];
 
@@ -173,51 +133,52 @@ static void walker_update(struct demo *demo, double time_s)
 	if (demo->touring) {
 		go_on_tour(demo);
 	}
-	camera_orbit(&demo->stage.camera, demo->turn * turn_rad_per_s * step_s,
-		0.0f);
+	camera_orbit(&demo->act.stage.camera,
+		demo->turn * turn_rad_per_s * step_s, 0.0f);
 	walker_moves_update(&demo->moves, instance, step_s);
-	floor_run(&demo->stage.floor, 0.0f, demo->moves.ground_m_per_s * step_s);
+	floor_run(&demo->act.stage.floor, 0.0f,
+		demo->moves.ground_m_per_s * step_s);
 	walker_rig_apply(&demo->rig, instance,
 		&(struct rig_frame){.time_s = time_s,
 			.step_s = step_s,
 			.speed_m_per_s = demo->moves.ground_m_per_s,
-			.floor = &demo->stage.floor});
-	actor_update(&demo->actor, &demo->stage.camera, demo->height);
-	if (demo->stage.floor.relief == 0.0f) {
+			.floor = &demo->act.stage.floor});
+	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
+	if (demo->act.stage.floor.relief == 0.0f) {
 		return;
 	}
 	light_direction(light);
 	shadow_volume_update(&demo->shadow, instance, light,
-		2.0f * demo->stage.camera.reach);
+		2.0f * demo->act.stage.camera.reach);
 }
 
 static void draw_shadow(const struct demo *demo)
 {
-	const struct gl *gl = demo->gl;
-	const struct actor *actor = &demo->actor;
+	const struct gl *gl = demo->act.gl;
+	const struct actor *actor = &demo->act.actor;
 
 	if (!demo->rig.on[RIG_SHADOW]) {
 		return;
 	}
-	if (demo->stage.floor.relief != 0.0f && demo->stage.has_stencil) {
+	if (demo->act.stage.floor.relief != 0.0f && demo->act.stage.has_stencil) {
 		shadow_volume_draw(&demo->shadow, gl, shadow_strength);
 		return;
 	}
-	stage_shadow_begin(&demo->stage, gl);
+	stage_shadow_begin(&demo->act.stage, gl);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
 	if (demo->rig.on[RIG_CAPE]) {
 		walker_trail_draw_cape(&demo->rig.trail, gl, DRAW_SHAPE);
 	}
-	stage_shadow_end(&demo->stage, gl);
+	stage_shadow_end(&demo->act.stage, gl);
 }
 
 static void walker_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->gl;
-	const struct actor *actor = &demo->actor;
+	const struct gl *gl = demo->act.gl;
+	const struct actor *actor = &demo->act.actor;
 
 	demo->height = height;
-	stage_begin(&demo->stage, gl, width, height);
+	stage_begin(&demo->act.stage, gl, width, height);
 	draw_shadow(demo);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
 	if (demo->rig.on[RIG_CAPE]) {
@@ -237,7 +198,7 @@ static double walker_period_s(const struct demo *demo)
 
 static const char *expression_name(const struct demo *demo)
 {
-	const struct model *model = demo->actor.model;
+	const struct model *model = demo->act.actor.model;
 	const struct model_node *head = &model->node[demo->rig.face];
 
 	return model->mesh[head->mesh].target_name[demo->rig.expression];
@@ -274,7 +235,7 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 	const struct walker_moves *moves = &demo->moves;
 	float time_s;
 	const struct model_clip *clip =
-		walker_moves_clip(moves, demo->actor.model, &time_s);
+		walker_moves_clip(moves, demo->act.actor.model, &time_s);
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "Skeletal");
 
 	hud_group_time(
@@ -285,10 +246,10 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 			hud_color_blue);
 	}
 	if (moves->wave_weight > 0.0f) {
-		hud_group_weight(&group, "wave", moves->wave_weight,
-			hud_color_blue);
+		hud_group_weight(
+			&group, "wave", moves->wave_weight, hud_color_blue);
 	}
-	actor_label_detail(&demo->actor, &group);
+	actor_label_detail(&demo->act.actor, &group);
 	label_features(demo, &group);
 	hud_group_end(&group);
 	if (!demo->touring) {
@@ -386,10 +347,10 @@ const struct demo_driver demo_driver_walker = {
 	.summary = "skeletal: a figure that idles, walks, runs, waves, jumps",
 	.asset = "walker.glb",
 	.action = walker_actions,
-	.create = walker_create,
+	.size = sizeof(struct demo),
+	.prepare = walker_prepare,
 	.update = walker_update,
 	.draw = walker_draw,
 	.period_s = walker_period_s,
 	.label = walker_label,
-	.destroy = walker_destroy,
 };

@@ -33,7 +33,7 @@ void demo_run_begin(struct demo_run *run, const char *name)
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
 	};
-	assert_int_equal(run->driver->create(&env, &run->demo), 0);
+	assert_int_equal(demo_create(run->driver, &env, &run->demo), 0);
 }
 
 static bool is_due(double at_s, double from_s, double to_s)
@@ -78,6 +78,6 @@ void demo_run_draw(struct demo_run *run)
 
 void demo_run_end(struct demo_run *run)
 {
-	run->driver->destroy(run->demo);
+	demo_destroy(run->demo);
 	run->demo = NULL;
 }

@@ -38,17 +38,16 @@ static struct predict_entry *entry_of(struct predict *predict, uint32_t pc)
 	return &predict->entry[pc >> 3 & mask];
 }
 
+/* Branches come in when resolved, taken or not; weakly, for want of a word. */
 static void learn(struct predict_entry *entry, uint32_t pc, bool taken)
 {
-	if (entry->valid && entry->pc == pc) {
-		if (taken && entry->state < 3) {
-			entry->state++;
-		} else if (!taken && entry->state > 0) {
-			entry->state--;
-		}
-	} else if (taken) {
+	if (!entry->valid || entry->pc != pc) {
 		*entry = (struct predict_entry){
-			.pc = pc, .valid = true, .state = 2};
+			.pc = pc, .valid = true, .state = taken ? 2 : 1};
+	} else if (taken && entry->state < 3) {
+		entry->state++;
+	} else if (!taken && entry->state > 0) {
+		entry->state--;
 	}
 }
 

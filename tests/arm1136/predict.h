@@ -1,5 +1,5 @@
 /*
- * Branch prediction: a dynamic predictor of direct branches that were taken
+ * Branch prediction: a dynamic predictor of direct branches that were met
  * before, a static one for the others (backward is taken), and a stack of
  * three return addresses.
  */

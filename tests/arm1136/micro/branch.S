@@ -29,15 +29,29 @@
 	bne 1b
 	END
 
-	/* Forward, never taken: right, statically. */
+	/*
+	 * Forward, never taken: right, statically, for the two of a doubleword
+	 * share an entry of the predictor and throw each other out.
+	 */
 	CASE static_not_taken, 9
 	cmp r0, r0
+	nop
 	BEGIN
 	.rept 8
 	bne 1f
 	.endr
 1:	mov r2, #1
 	END
+
+	/* With an entry each they are folded. */
+	CASE dynamic_not_taken, 8
+	cmp r0, r0
+	BEGIN
+	.rept 8
+	bne 1f
+	mov r2, #1
+	.endr
+1:	END
 
 	/*
 	 * Two branches that share an entry of the predictor throw each other

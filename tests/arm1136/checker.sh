@@ -30,7 +30,7 @@ expect_failures "bytes that come early are noticed" "ldrb_use ldrsh_use"
 run "$folder/micro.sh" "$model,fold=off" "$programs/branch" \
     "$folder/micro/branch.S"
 expect_failures "branches that never fold are noticed" \
-    "loop_folded loop_one_between loop_two_between branch_always_folded branch_to_branch"
+    "loop_folded loop_one_between loop_two_between dynamic_not_taken branch_always_folded branch_to_branch"
 
 run "$folder/micro.sh" "$model,ddr=81" "$programs/cache" \
     "$folder/micro/cache.S"

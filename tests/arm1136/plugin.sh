@@ -45,7 +45,6 @@ warm=$(value _start#4 cycles)
 cold=$(value _start#8 cycles)
 near "data from memory costs more than from L1" "$cold" \
     $((${warm:-0} * 3 / 2)) $((${warm:-0} * 4))
-expect_out '^$|^' >/dev/null
 expect_no_out
 
 model_run ,ddr=110,l2=16

@@ -27,6 +27,14 @@ static float to_float(uint32_t bits)
 	return value;
 }
 
+static ALWAYS_INLINE float load_float(const uint8_t *at)
+{
+	float value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
 /* Any float; what is too large is cut, NaN is 0. */
 static int32_t checked(uint32_t bits, float scale)
 {
@@ -45,7 +53,7 @@ static int32_t checked(uint32_t bits, float scale)
  * Three floats below 2^(exponent - 126), told by their bits together; what may
  * be larger is looked at one by one.
  */
-static void load_floats(
+static ALWAYS_INLINE void load_floats(
 	const uint8_t *at, int count, float scale, uint32_t limit, int32_t *out)
 {
 	uint32_t bits[3], all = 0;
@@ -80,6 +88,25 @@ static int32_t load_integer(const uint8_t *at, GLenum type, int i)
 	}
 }
 
+/* Of the sizes of floats, as bits without their sign. */
+static ALWAYS_INLINE uint32_t larger(uint32_t most, uint32_t bits)
+{
+	return bits << 1 > most ? bits << 1 : most;
+}
+
+static uint32_t largest_of_three(
+	const uint8_t *at, int stride_bytes, uint32_t count)
+{
+	uint32_t most = 0;
+
+	for (uint32_t n = 0; n < count; n++, at += stride_bytes) {
+		most = larger(most, load_bits(at));
+		most = larger(most, load_bits(at + 4));
+		most = larger(most, load_bits(at + 8));
+	}
+	return most;
+}
+
 int array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count)
 {
@@ -93,12 +120,13 @@ int array_position_exponent(
 	if (array->type != GL_FLOAT) {
 		return 15;
 	}
+	if (size == 3) {
+		most = largest_of_three(at, array->stride_bytes, count);
+		return (int)(most >> 24) - 127;
+	}
 	for (uint32_t n = 0; n < count; n++, at += array->stride_bytes) {
-		for (int i = 0; i < size; i++) {
-			uint32_t bits = load_bits(at + 4 * i) << 1;
-
-			most = bits > most ? bits : most;
-		}
+		most = larger(most, load_bits(at));
+		most = larger(most, load_bits(at + 4));
 	}
 	return (int)(most >> 24) - 127;
 }
@@ -109,14 +137,15 @@ void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 	const uint8_t *at = element_at(array, index);
 	int size = array->size < 3 ? array->size : 3;
 
-	out[2] = 0;
 	if (array->type == GL_FLOAT && !draw->checked) {
-		for (int i = 0; i < size; i++) {
-			out[i] = (int32_t)(to_float(load_bits(at + 4 * i)) *
-				draw->position_scale);
-		}
+		float scale = draw->position_scale;
+
+		out[0] = (int32_t)(load_float(at) * scale);
+		out[1] = (int32_t)(load_float(at + 4) * scale);
+		out[2] = size == 3 ? (int32_t)(load_float(at + 8) * scale) : 0;
 		return;
 	}
+	out[2] = 0;
 	for (int i = 0; i < size; i++) {
 		if (array->type == GL_FLOAT) {
 			out[i] = clamp_int(checked(load_bits(at + 4 * i),

@@ -59,14 +59,10 @@ static void find_vertices(struct draw *draw, const struct source *source,
 	}
 }
 
-static void draw_triangle(struct draw *draw, const struct source *source,
-	uint32_t a, uint32_t b, uint32_t c)
+static void draw_transformed(struct draw *draw, struct vertex *const v[3])
 {
-	const uint32_t at[3] = {a, b, c};
-	struct vertex *v[3];
 	unsigned out;
 
-	find_vertices(draw, source, at, 3, v);
 	if (v[0]->outcode & v[1]->outcode & v[2]->outcode) {
 		return;
 	}
@@ -76,6 +72,30 @@ static void draw_triangle(struct draw *draw, const struct source *source,
 		soft_clip_triangle(draw, v);
 	} else {
 		soft_fill_triangle(draw, v);
+	}
+}
+
+static void draw_triangle(struct draw *draw, const struct source *source,
+	uint32_t a, uint32_t b, uint32_t c)
+{
+	const uint32_t at[3] = {a, b, c};
+	struct vertex *v[3];
+
+	find_vertices(draw, source, at, 3, v);
+	draw_transformed(draw, v);
+}
+
+/* Triangles that share nothing need no cache. */
+static void draw_unshared(struct draw *draw, const struct source *source)
+{
+	struct vertex *const v[3] = {
+		&draw->cache[0], &draw->cache[1], &draw->cache[2]};
+
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		soft_transform(draw, source->first + i, v[0]);
+		soft_transform(draw, source->first + i + 1, v[1]);
+		soft_transform(draw, source->first + i + 2, v[2]);
+		draw_transformed(draw, v);
 	}
 }
 
@@ -137,6 +157,8 @@ static void draw_primitives(
 		}
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
+	} else if (mode == GL_TRIANGLES && !source->indices) {
+		draw_unshared(draw, source);
 	} else {
 		draw_triangles(draw, source, mode);
 	}

@@ -104,7 +104,6 @@ struct plane {
 struct raster {
 	struct plane plane[PLANES];
 	int x0; /* the column the planes start from */
-	int width, twice_area_zeros;
 	bool perspective;
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int lod[SOFT_UNITS];           /* level, 8 bits of fraction */
@@ -118,6 +117,8 @@ struct span {
 };
 
 struct setup; /* raster.h */
+
+typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
 struct draw {
 	struct soft *soft;
@@ -135,8 +136,9 @@ struct draw {
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
-	bool cull_front, cull_back, color_written, early_tests, tests, blended;
-	void (*fill)(struct draw *draw, const struct setup *setup);
+	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
+		tests, blended;
+	fill_function fill;
 	const struct vertex *provoking; /* whose colour is flat */
 	struct raster raster;
 	uint32_t cached[VERTEX_CACHE]; /* index + 1 */

@@ -8,7 +8,8 @@ struct lit {
 	int32_t specular[3];
 };
 
-static int32_t dot_q26(const int32_t n_q30[3], const int32_t v_q28[3])
+static ALWAYS_INLINE int32_t dot_q26(
+	const int32_t n_q30[3], const int32_t v_q28[3])
 {
 	return mul_high(n_q30[0], v_q28[0]) + mul_high(n_q30[1], v_q28[1]) +
 		mul_high(n_q30[2], v_q28[2]);
@@ -171,7 +172,7 @@ static void add_positional(const struct shading *shading,
 }
 
 /* 16.16 to 8.8, a bit inside of its range. */
-static int32_t to_attribute(int32_t value_q16)
+static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
 {
 	value_q16 = clamp_int(value_q16, 0, 65536);
 	return 128 + value_q16 - (value_q16 >> 8);
@@ -194,15 +195,19 @@ static void light_side(const struct draw *draw, const int32_t n[3],
 			add_directional(shading, lamp, n, &lit);
 		}
 	}
-	for (int i = 0; i < 3; i++) {
-		int32_t value = lit.diffuse[i];
-
-		if (shading->tracked) {
-			value = (int32_t)((int64_t)value * vertex_color[i] >> 16);
+	if (shading->tracked) {
+		for (int i = 0; i < 3; i++) {
+			lit.diffuse[i] = (int32_t)((int64_t)lit.diffuse[i] *
+					vertex_color[i] >>
+				16);
 		}
-		out[i] = to_attribute(
-			value + lit.specular[i] + shading->emission_q16[i]);
 	}
+	out[0] = to_attribute(
+		lit.diffuse[0] + lit.specular[0] + shading->emission_q16[0]);
+	out[1] = to_attribute(
+		lit.diffuse[1] + lit.specular[1] + shading->emission_q16[1]);
+	out[2] = to_attribute(
+		lit.diffuse[2] + lit.specular[2] + shading->emission_q16[2]);
 	out[3] = to_attribute(
 		shading->tracked ? vertex_color[3] : shading->base_q16[3]);
 }

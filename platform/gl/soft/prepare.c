@@ -199,6 +199,7 @@ static void prepare_fragments(const struct soft *soft, struct draw *draw)
 	const GLboolean *mask = state->color_mask;
 	bool both = state->cull_face == GL_FRONT_AND_BACK;
 
+	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);
 	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
@@ -226,6 +227,17 @@ static uint32_t choose_attributes(const struct draw *draw)
 	return mask;
 }
 
+static fill_function choose_fill(const struct draw *draw)
+{
+	if (!fill_is_opaque(draw)) {
+		return rows_fill;
+	}
+	if (!draw->texture[0].used) {
+		return fill_plain;
+	}
+	return fill_takes_texture(&draw->texture[0]) ? fill_textured : rows_fill;
+}
+
 bool soft_prepare(
 	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
 {
@@ -248,6 +260,6 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
-	draw->fill = rows_fill;
+	draw->fill = choose_fill(draw);
 	return true;
 }

@@ -1,14 +1,6 @@
 /* How attributes run across a triangle. */
 #include "platform/gl/soft/raster.h"
 
-enum {
-	/*
-	 * 1/512 of a texel: what gradients lose to rounding, so that centres
-	 * on the border of two texels fall to the same one always.
-	 */
-	TEXEL_NUDGE = 128,
-};
-
 /* num / area, times 2^scale; see struct setup. */
 static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 {
@@ -271,36 +263,12 @@ static void offset_depth(
 	plane->start += (uint32_t)(int32_t)offset;
 }
 
-static void find_area(struct setup *setup)
-{
-	int64_t area;
-	uint64_t size;
-
-	setup->x1 = setup->v[1]->x - setup->v[0]->x;
-	setup->y1 = setup->v[1]->y - setup->v[0]->y;
-	setup->x2 = setup->v[2]->x - setup->v[0]->x;
-	setup->y2 = setup->v[2]->y - setup->v[0]->y;
-	area = (int64_t)setup->x1 * setup->y2 - (int64_t)setup->x2 * setup->y1;
-	size = (uint64_t)(area < 0 ? -area : area);
-	setup->middle_left = area < 0;
-	setup->area_zeros = LEADING_ZEROS_64(size);
-	setup->inverse_area =
-		reciprocal((uint32_t)(size << setup->area_zeros >> 32));
-	if (area < 0) {
-		setup->inverse_area = -setup->inverse_area;
-	}
-	if (size < 256) {
-		/* Less than half a pixel: gradients would only be noise. */
-		setup->inverse_area = 0;
-	}
-}
-
 void raster_set_up(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
 
-	find_area(setup);
+	raster_find_area(setup);
 	raster->x0 = setup->v[0]->x >> 4;
 	set_affine(draw, setup, z, DEPTH);
 	if (draw->soft->fragment.offset_fill) {
@@ -309,24 +277,13 @@ void raster_set_up(struct draw *draw, struct setup *setup)
 	set_attributes(draw, setup);
 }
 
-struct side raster_side(const struct vertex *a, const struct vertex *b, int row)
+int32_t raster_long_slope(int32_t dx, int32_t dy)
 {
-	int32_t dx = b->x - a->x, dy = b->y - a->y;
-	int32_t down = row * 16 + 8 - a->y;
-	int zeros;
-	int64_t slope;
+	int zeros = LEADING_ZEROS_32((uint32_t)dy);
 
-	if (dy <= 0) {
-		return (struct side){a->x * 4096, 0};
-	}
-	zeros = LEADING_ZEROS_32((uint32_t)dy);
-	/* dx / dy in Q20: |dx| < 2^18, so below 2^38 */
-	slope = (int64_t)dx * reciprocal((uint32_t)dy << zeros) >> (42 - zeros);
-	/* sixteenths times Q20, cut to 16.16 of pixels */
-	return (struct side){
-		.x = a->x * 4096 + (int32_t)(slope * down >> 8),
-		.step = saturate_64(slope >> 4),
-	};
+	/* |dx| < 2^18, so below 2^49; long and flat edges end within a row */
+	return saturate_64((int64_t)dx * reciprocal((uint32_t)dy << zeros) >>
+		(46 - zeros));
 }
 
 void raster_skip_rows(struct draw *draw, int rows)

@@ -14,6 +14,11 @@ enum {
 	 */
 	SMALL_EXTENT = 2047,
 	SMALL_DELTA = 1 << 18,
+	/*
+	 * 1/512 of a texel: what gradients lose to rounding, so that centres
+	 * on the border of two texels fall to the same one always.
+	 */
+	TEXEL_NUDGE = 128,
 };
 
 /* A triangle on its way to the rows: its vertices by y, and its rows. */
@@ -21,6 +26,7 @@ struct setup {
 	const struct vertex *v[3];
 	bool back, wide;
 	bool middle_left; /* the middle vertex lies left of the long edge */
+	uint64_t area;    /* twice of it, in 1/256 of pixels */
 	int top, middle, bottom;
 	/* from v[0], in sixteenths */
 	int32_t x1, y1, x2, y2;
@@ -45,11 +51,70 @@ static inline int raster_column(int32_t x_q16)
 	return (x_q16 + 0x7FFF) >> 16;
 }
 
+/*
+ * What gradients need. A triangle of less than half a pixel gets none: they
+ * would only be noise.
+ */
+static ALWAYS_INLINE void raster_find_area(struct setup *setup)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	int64_t across;
+	int32_t inverse;
+
+	setup->x1 = b->x - a->x;
+	setup->y1 = b->y - a->y;
+	setup->x2 = c->x - a->x;
+	setup->y2 = c->y - a->y;
+	across = (int64_t)setup->x1 * setup->y2 - (int64_t)setup->x2 * setup->y1;
+	setup->middle_left = across < 0;
+	setup->area_zeros = LEADING_ZEROS_64(setup->area);
+	inverse = reciprocal((uint32_t)(setup->area << setup->area_zeros >> 32));
+	setup->inverse_area = setup->area < 256 ? 0
+		: setup->middle_left            ? -inverse
+						: inverse;
+}
+
 /* raster.c: fills draw->raster. */
 void raster_set_up(struct draw *draw, struct setup *setup);
 
-/* The edge from a down to b, at the centre of the row. */
-struct side raster_side(const struct vertex *a, const struct vertex *b, int row);
+/* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
+int32_t raster_long_slope(int32_t dx, int32_t dy);
+
+/* dx / dy in 16.16, of sixteenths; dy > 0. */
+static ALWAYS_INLINE int32_t raster_slope(int32_t dx, int32_t dy)
+{
+	int zeros;
+
+	if (dx + SMALL_EXTENT < 0 || dx > SMALL_EXTENT || dy > SMALL_EXTENT) {
+		return raster_long_slope(dx, dy);
+	}
+	/* 2^19 dx < 2^30; the product is dx / dy 2^(49 - zeros) */
+	zeros = LEADING_ZEROS_32((uint32_t)dy);
+	return mul_high(dx * (1 << 19), reciprocal((uint32_t)dy << zeros)) >>
+		(33 - zeros);
+}
+
+/*
+ * The edge from a down to b, at the centre of the row, by nothing but the edge
+ * itself: the triangles on both sides see the same.
+ */
+static ALWAYS_INLINE struct side raster_side(
+	const struct vertex *a, const struct vertex *b, int row)
+{
+	int32_t dy = b->y - a->y;
+	int first = raster_centre(a->y);
+	uint32_t x = (uint32_t)a->x << 12;
+	int32_t step;
+
+	if (dy <= 0) {
+		return (struct side){(int32_t)x, 0};
+	}
+	step = raster_slope(b->x - a->x, dy);
+	/* To the first row's centre, less than a pixel down; then by rows. */
+	x += (uint32_t)(step >> 4) * (uint32_t)(first * 16 + 8 - a->y);
+	x += (uint32_t)step * (uint32_t)(row - first);
+	return (struct side){(int32_t)x, step};
+}
 
 /* Moves all planes in use down by so many rows. */
 void raster_skip_rows(struct draw *draw, int rows);
@@ -63,7 +128,13 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 }
 
 /* rows.c: any state, through the stages of fragment.c. */
-void rows_fill(struct draw *draw, const struct setup *setup);
+void rows_fill(struct draw *draw, struct setup *setup);
+
+/* fill_opaque.c: see there; whether the state, and a texture, are its. */
+bool fill_is_opaque(const struct draw *draw);
+bool fill_takes_texture(const struct texture_input *input);
+void fill_plain(struct draw *draw, struct setup *setup);
+void fill_textured(struct draw *draw, struct setup *setup);
 
 /*
  * Calls row(draw, y, left, right) for each row with pixels, inside of

@@ -183,8 +183,9 @@ static void next_row(struct draw *draw)
 	raster_skip_rows(draw, 1);
 }
 
-void rows_fill(struct draw *draw, const struct setup *setup)
+void rows_fill(struct draw *draw, struct setup *setup)
 {
+	raster_set_up(draw, setup);
 	if (draw->raster.perspective) {
 		raster_walk(draw, setup, row_perspective, next_row);
 	} else {

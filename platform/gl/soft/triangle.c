@@ -16,15 +16,20 @@ static bool is_culled(const struct draw *draw, bool back)
 
 static void order_by_y(const struct vertex *v[3])
 {
-	for (int i = 0; i < 3; i++) {
-		int a = i == 1 ? 1 : 0;
+	const struct vertex *a = v[0], *b = v[1], *c = v[2];
 
-		if (v[a]->y > v[a + 1]->y) {
-			const struct vertex *swap = v[a];
+	if (a->y > b->y) {
+		v[0] = b;
+		v[1] = a;
+		a = v[0];
+		b = v[1];
+	}
+	if (b->y > c->y) {
+		bool first = a->y > c->y;
 
-			v[a] = v[a + 1];
-			v[a + 1] = swap;
-		}
+		v[2] = b;
+		v[1] = first ? a : c;
+		v[0] = first ? c : a;
 	}
 }
 
@@ -59,26 +64,34 @@ static bool find_extent(const struct draw *draw,
 		raster_centre(left) < raster_centre(right);
 }
 
+/* Twice the area in sixteenths squared; rarely more than 32 bits. */
+static int64_t find_area(
+	const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+	return (int64_t)(b->x - a->x) * (c->y - a->y) -
+		(int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 {
-	struct setup setup = {
-		.v = {v[0], v[1], v[2]},
-	};
-	int64_t area = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) -
-		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+	struct setup setup;
+	int64_t area = find_area(v[0], v[1], v[2]);
 	bool clockwise = area > 0; /* y runs downwards here */
 
-	setup.back = clockwise == (draw->soft->fragment.front_face == GL_CCW);
+	setup.back = clockwise == draw->front_is_ccw;
 	if (area == 0 || is_culled(draw, setup.back)) {
 		return;
 	}
+	setup.v[0] = v[0];
+	setup.v[1] = v[1];
+	setup.v[2] = v[2];
 	order_by_y(setup.v);
 	if (!find_extent(draw, setup.v, &setup)) {
 		return;
 	}
-	for (int i = 0; i < 3; i++) {
-		soft_shade(draw, v[i]);
-	}
-	raster_set_up(draw, &setup);
+	soft_shade(draw, v[0]);
+	soft_shade(draw, v[1]);
+	soft_shade(draw, v[2]);
+	setup.area = area < 0 ? (uint64_t)-area : (uint64_t)area;
 	draw->fill(draw, &setup);
 }

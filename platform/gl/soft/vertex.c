@@ -2,7 +2,8 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 
-static int32_t transform_row(const int32_t m[4], const int32_t p[3])
+static ALWAYS_INLINE int32_t transform_row(
+	const int32_t m[4], const int32_t p[3])
 {
 	return m[3] + mul_high(m[0], p[0]) + mul_high(m[1], p[1]) +
 		mul_high(m[2], p[2]);
@@ -10,25 +11,36 @@ static int32_t transform_row(const int32_t m[4], const int32_t p[3])
 
 static uint8_t find_outcode(const int32_t c[4])
 {
+	int32_t x = c[0], y = c[1], z = c[2], w = c[3];
 	unsigned out = 0;
 
-	/* |c| < 2^31 - 1, so that -w is a number. */
-	out |= c[0] < -c[3] ? OUT_LEFT : 0;
-	out |= c[0] > c[3] ? OUT_RIGHT : 0;
-	out |= c[1] < -c[3] ? OUT_BOTTOM : 0;
-	out |= c[1] > c[3] ? OUT_TOP : 0;
-	out |= c[2] < -c[3] || c[3] <= 0 ? OUT_NEAR : 0;
-	out |= c[2] > c[3] ? OUT_FAR : 0;
+	/* Sums stay below 2^31, see prepare_clip(): the signs tell. */
+	if (((w - x) | (w + x) | (w - y) | (w + y) | (w - z) | (w + z) |
+		    (w - 1)) >= 0) {
+		return 0;
+	}
+	out |= x < -w ? OUT_LEFT : 0;
+	out |= x > w ? OUT_RIGHT : 0;
+	out |= y < -w ? OUT_BOTTOM : 0;
+	out |= y > w ? OUT_TOP : 0;
+	out |= z < -w || w <= 0 ? OUT_NEAR : 0;
+	out |= z > w ? OUT_FAR : 0;
 	return (uint8_t)out;
 }
 
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 {
-	array_position(draw, index, out->position);
-	for (int i = 0; i < 4; i++) {
-		out->clip[i] =
-			transform_row(draw->clip_matrix[i], out->position);
-	}
+	const int32_t(*m)[4] = draw->clip_matrix;
+	int32_t p[3];
+
+	array_position(draw, index, p);
+	out->clip[0] = transform_row(m[0], p);
+	out->clip[1] = transform_row(m[1], p);
+	out->clip[2] = transform_row(m[2], p);
+	out->clip[3] = transform_row(m[3], p);
+	out->position[0] = p[0];
+	out->position[1] = p[1];
+	out->position[2] = p[2];
 	out->index = index;
 	out->shaded = false;
 	out->outcode = find_outcode(out->clip);

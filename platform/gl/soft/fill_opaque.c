@@ -1,0 +1,506 @@
+/*
+ * The common case by itself: small opaque triangles into RGB565, tested and
+ * written with the depth function LESS, plain or with one RGB565 texture whose
+ * nearest texels repeat. Everything else is rows.c's.
+ *
+ * The differences from there: colours run as one number of three fields, and
+ * textures are modulated in steps of 1/32.
+ */
+#include "platform/gl/soft/raster.h"
+
+enum {
+	/*
+	 * So many pixels the packed colour may run before it is taken afresh.
+	 * Its steps are cut towards zero, so that it stays between what it was
+	 * and what it should be, by at most half a step of RGB565 off.
+	 */
+	PACKED_RUN = 16,
+	/* Half of 1/32, so that 255 is 32/32. */
+	SHARE_ROUND = 4 << 16,
+};
+
+/* G in 31..21, R in 20..10, B in 9..0: 6.5, 5.6 and 5.5 bits. */
+static ALWAYS_INLINE uint32_t pack(uint32_t r, uint32_t g, uint32_t b)
+{
+	return (g >> 13 << 21) + (r >> 13 << 10) + (b >> 14);
+}
+
+static int32_t cut(int32_t value, int bits)
+{
+	return value < 0 ? -(-value >> bits) : value >> bits;
+}
+
+static uint32_t pack_step(int32_t r, int32_t g, int32_t b)
+{
+	return ((uint32_t)cut(g, 13) << 21) + ((uint32_t)cut(r, 13) << 10) +
+		(uint32_t)cut(b, 14);
+}
+
+/* An attribute across a small triangle. */
+struct ramp {
+	uint32_t at; /* at column 0 of the row under way */
+	int32_t dx, dy;
+};
+
+enum paint {
+	PAINT_GRAY, /* red alone stands for all */
+	PAINT_COLOR,
+	TEXTURE_GRAY,
+	TEXTURE_TINTED,
+};
+
+struct ramps {
+	struct ramp z, color[3], s, t;
+};
+
+/* Where pixels go and what they are made of. */
+struct run {
+	uint16_t *pixel, *depth;
+	int left, count;
+	const uint8_t *texels;
+	uint32_t s_mask, t_mask; /* of offsets in bytes */
+	int t_shift;
+};
+
+/* What all gradients of a triangle share; see raster_find_area(). */
+struct scale {
+	const struct setup *setup;
+	int32_t inverse;
+	int shift;
+	int32_t off_x, off_y; /* to the centre of column 0 of the first row */
+	int column;
+};
+
+static ALWAYS_INLINE struct scale find_scale(const struct setup *setup)
+{
+	const struct vertex *v = setup->v[0];
+	int shift = setup->area_zeros - 50;
+	int column = v->x >> 4;
+
+	return (struct scale){
+		.setup = setup,
+		.inverse = shift < 0 ? setup->inverse_area >> -shift
+				     : setup->inverse_area,
+		.shift = shift < 0 ? 0 : shift,
+		.off_x = column * 16 + 8 - v->x,
+		.off_y = setup->top * 16 + 8 - v->y,
+		.column = column,
+	};
+}
+
+/* Deltas below SMALL_DELTA: products fit 32 bits. */
+static ALWAYS_INLINE struct ramp find_ramp(
+	const struct scale *scale, int32_t first, int32_t d1, int32_t d2)
+{
+	const struct setup *setup = scale->setup;
+	int32_t across = d1 * setup->y2 - d2 * setup->y1;
+	int32_t down = d2 * setup->x1 - d1 * setup->x2;
+	uint32_t dx = (uint32_t)mul_high(across, scale->inverse) << scale->shift;
+	uint32_t dy = (uint32_t)mul_high(down, scale->inverse) << scale->shift;
+	uint32_t at = ((uint32_t)first << 8) +
+		(uint32_t)((int32_t)dx >> 4) * (uint32_t)scale->off_x +
+		(uint32_t)((int32_t)dy >> 4) * (uint32_t)scale->off_y;
+
+	return (struct ramp){
+		at - dx * (uint32_t)scale->column, (int32_t)dx, (int32_t)dy};
+}
+
+static ALWAYS_INLINE uint32_t ramp_at(const struct ramp *ramp, int x)
+{
+	return ramp->at + (uint32_t)ramp->dx * (uint32_t)x;
+}
+
+static ALWAYS_INLINE void ramp_down(struct ramp *ramp, int rows)
+{
+	ramp->at += (uint32_t)ramp->dy * (uint32_t)rows;
+}
+
+static ALWAYS_INLINE void run_packed(uint16_t *pixel, uint16_t *depth,
+	int count, uint32_t z, uint32_t dz, uint32_t packed, uint32_t step)
+{
+	uint16_t *const end = pixel + count;
+
+	do {
+		if (z >> 10 < *depth) {
+			*depth = (uint16_t)(z >> 10);
+			*pixel = (uint16_t)((packed >> 5 & 0xF81F) |
+				(packed >> 26 << 5));
+		}
+		depth++;
+		z += dz;
+		packed += step;
+	} while (++pixel != end);
+}
+
+static ALWAYS_INLINE void run_plain(const struct run *run,
+	const struct ramps *ramps, uint32_t step, bool gray)
+{
+	uint16_t *pixel = run->pixel + run->left;
+	uint16_t *depth = run->depth + run->left;
+	uint32_t z = ramp_at(&ramps->z, run->left);
+	uint32_t dz = (uint32_t)ramps->z.dx;
+	int left = run->left, count = run->count;
+
+	for (;;) {
+		uint32_t r = ramp_at(&ramps->color[0], left);
+		uint32_t g = gray ? r : ramp_at(&ramps->color[1], left);
+		uint32_t b = gray ? r : ramp_at(&ramps->color[2], left);
+		uint32_t packed = pack(r, g, b);
+
+		if (count <= PACKED_RUN) {
+			run_packed(pixel, depth, count, z, dz, packed, step);
+			return;
+		}
+		run_packed(pixel, depth, PACKED_RUN, z, dz, packed, step);
+		pixel += PACKED_RUN;
+		depth += PACKED_RUN;
+		left += PACKED_RUN;
+		count -= PACKED_RUN;
+		z += dz * PACKED_RUN;
+	}
+}
+
+static ALWAYS_INLINE uint32_t load_texel(
+	const struct run *run, uint32_t s, uint32_t t)
+{
+	uint32_t offset =
+		(s >> 15 & run->s_mask) + (t >> run->t_shift & run->t_mask);
+
+	return *(const uint16_t *)(const void *)(run->texels + offset);
+}
+
+/* Shares are 0..32. */
+static ALWAYS_INLINE uint32_t shade_gray(uint32_t texel, uint32_t share)
+{
+	texel = (texel | texel << 16) & 0x07E0F81F;
+	texel = texel * share >> 5 & 0x07E0F81F;
+	return texel | texel >> 16;
+}
+
+static ALWAYS_INLINE uint32_t shade_tinted(
+	uint32_t texel, uint32_t r, uint32_t g, uint32_t b)
+{
+	return ((texel & 0xF800) * r >> 5 & 0xF800) |
+		((texel & 0x07E0) * g >> 5 & 0x07E0) | (texel & 31) * b >> 5;
+}
+
+static ALWAYS_INLINE void run_texture(
+	const struct run *run, const struct ramps *ramps, bool gray)
+{
+	uint16_t *pixel = run->pixel + run->left;
+	uint16_t *depth = run->depth + run->left;
+	uint16_t *const end = pixel + run->count;
+	uint32_t z = ramp_at(&ramps->z, run->left);
+	uint32_t s = ramp_at(&ramps->s, run->left);
+	uint32_t t = ramp_at(&ramps->t, run->left);
+	uint32_t r = ramp_at(&ramps->color[0], run->left);
+	uint32_t g = gray ? 0 : ramp_at(&ramps->color[1], run->left);
+	uint32_t b = gray ? 0 : ramp_at(&ramps->color[2], run->left);
+
+	do {
+		if (z >> 10 < *depth) {
+			uint32_t texel = load_texel(run, s, t);
+
+			*depth = (uint16_t)(z >> 10);
+			*pixel = (uint16_t)(gray ? shade_gray(texel, r >> 19)
+						 : shade_tinted(texel, r >> 19,
+							   g >> 19, b >> 19));
+		}
+		depth++;
+		z += (uint32_t)ramps->z.dx;
+		s += (uint32_t)ramps->s.dx;
+		t += (uint32_t)ramps->t.dx;
+		r += (uint32_t)ramps->color[0].dx;
+		if (!gray) {
+			g += (uint32_t)ramps->color[1].dx;
+			b += (uint32_t)ramps->color[2].dx;
+		}
+	} while (++pixel != end);
+}
+
+static ALWAYS_INLINE void move_down(
+	struct ramps *ramps, int rows, enum paint paint)
+{
+	ramp_down(&ramps->z, rows);
+	ramp_down(&ramps->color[0], rows);
+	if (paint == PAINT_COLOR || paint == TEXTURE_TINTED) {
+		ramp_down(&ramps->color[1], rows);
+		ramp_down(&ramps->color[2], rows);
+	}
+	if (paint >= TEXTURE_GRAY) {
+		ramp_down(&ramps->s, rows);
+		ramp_down(&ramps->t, rows);
+	}
+}
+
+static ALWAYS_INLINE void begin_run(
+	const struct draw *draw, int y, enum paint paint, struct run *run)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct texture_input *input = &draw->texture[0];
+
+	run->pixel = (uint16_t *)(void *)(buffers->target.data +
+		(ptrdiff_t)y * buffers->target.stride_bytes);
+	run->depth = buffers->depth + y * buffers->width;
+	if (paint >= TEXTURE_GRAY) {
+		run->texels = input->base->texels;
+		run->s_mask = (2u << input->width_log2) - 2;
+		run->t_mask = ((1u << input->height_log2) - 1)
+			<< (input->width_log2 + 1);
+		run->t_shift = 15 - input->width_log2;
+	}
+}
+
+static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
+	const struct ramps *start, enum paint paint)
+{
+	struct ramps ramps = *start;
+	const struct clip_box box = draw->box;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const ptrdiff_t stride = buffers->target.stride_bytes;
+	const int depth_stride = buffers->width;
+	int top = setup->top < box.top ? box.top : setup->top;
+	int bottom = setup->bottom < box.bottom ? setup->bottom : box.bottom;
+	int turn = setup->middle < top ? top : setup->middle;
+	int y = top, end = turn < bottom ? turn : bottom;
+	const uint32_t step = paint == PAINT_GRAY
+		? pack_step(ramps.color[0].dx, ramps.color[0].dx,
+			  ramps.color[0].dx)
+		: pack_step(ramps.color[0].dx, ramps.color[1].dx,
+			  ramps.color[2].dx);
+	struct side whole = raster_side(setup->v[0], setup->v[2], top);
+	struct side part = raster_side(setup->v[0], setup->v[1], top);
+	struct run run;
+
+	begin_run(draw, y, paint, &run);
+	if (top > setup->top) {
+		move_down(&ramps, top - setup->top, paint);
+	}
+	for (;;) {
+		struct side left = setup->middle_left ? part : whole;
+		struct side right = setup->middle_left ? whole : part;
+
+		for (; y < end; y++) {
+			int from = raster_column(left.x);
+			int to = raster_column(right.x);
+
+			from = from > box.left ? from : box.left;
+			to = to < box.right ? to : box.right;
+			run.left = from;
+			run.count = to - from;
+			if (run.count > 0) {
+				if (paint >= TEXTURE_GRAY) {
+					run_texture(&run, &ramps,
+						paint == TEXTURE_GRAY);
+				} else {
+					run_plain(&run, &ramps, step,
+						paint == PAINT_GRAY);
+				}
+			}
+			move_down(&ramps, 1, paint);
+			left.x += left.step;
+			right.x += right.step;
+			run.pixel = (uint16_t *)(void *)((uint8_t *)run.pixel +
+				stride);
+			run.depth += depth_stride;
+		}
+		if (end == bottom) {
+			return;
+		}
+		end = bottom;
+		whole = setup->middle_left ? right : left;
+		part = raster_side(setup->v[1], setup->v[2], y);
+	}
+}
+
+static bool is_gray(const struct setup *setup)
+{
+	const int32_t *a = setup->v[0]->attribute + RED;
+	const int32_t *b = setup->v[1]->attribute + RED;
+	const int32_t *c = setup->v[2]->attribute + RED;
+
+	return ((a[0] ^ a[1]) | (a[0] ^ a[2]) | (b[0] ^ b[1]) | (b[0] ^ b[2]) |
+		       (c[0] ^ c[1]) | (c[0] ^ c[2])) == 0;
+}
+
+/* How much attributes may differ before perspective would show. */
+struct limits {
+	int32_t color, texel;
+};
+
+/*
+ * Running linearly is off by up to spread (wmax - wmin) / 4 wmin, see
+ * raster.c; deltas are at least half of the spread.
+ */
+static ALWAYS_INLINE struct limits find_limits(
+	const struct draw *draw, const struct setup *setup)
+{
+	int32_t a = setup->v[0]->clip[3], b = setup->v[1]->clip[3];
+	int32_t c = setup->v[2]->clip[3];
+	int32_t low = a < b ? a : b, high = a < b ? b : a;
+
+	if (!draw->perspective) {
+		return (struct limits){SMALL_DELTA, SMALL_DELTA};
+	}
+	low = c < low ? c : low;
+	high = c > high ? c : high;
+	if (high - low <= low >> 6) {
+		return (struct limits){1 << 16, 1 << 13};
+	}
+	if (high - low <= low >> 4) {
+		return (struct limits){1 << 13, 1 << 11};
+	}
+	return (struct limits){0, 0};
+}
+
+static ALWAYS_INLINE bool is_within(int32_t delta, int32_t limit)
+{
+	return delta <= limit && delta >= -limit;
+}
+
+/* False when the triangle has to go the general way. */
+static ALWAYS_INLINE bool find_color_ramp(const struct scale *scale, int name,
+	int32_t limit, int32_t round, struct ramp *out)
+{
+	const struct setup *setup = scale->setup;
+	int32_t first = setup->v[0]->attribute[name];
+	int32_t d1 = setup->v[1]->attribute[name] - first;
+	int32_t d2 = setup->v[2]->attribute[name] - first;
+
+	*out = find_ramp(scale, first + round, d1, d2);
+	return is_within(d1, limit) && is_within(d2, limit);
+}
+
+/* As gather() in raster.c, of a texture that repeats. */
+static ALWAYS_INLINE bool find_texel_ramp(const struct scale *scale, int name,
+	int log2, int32_t limit, struct ramp *out)
+{
+	const struct setup *setup = scale->setup;
+	uint32_t first = (uint32_t)setup->v[0]->attribute[name];
+	uint32_t base = first & ~0xFFFFu;
+	int32_t a = shift_by((int32_t)(first - base), log2 - 8);
+	int32_t d1 = shift_by(
+		(int32_t)((uint32_t)setup->v[1]->attribute[name] - first),
+		log2 - 8);
+	int32_t d2 = shift_by(
+		(int32_t)((uint32_t)setup->v[2]->attribute[name] - first),
+		log2 - 8);
+
+	if (!is_within(d1, limit) || !is_within(d2, limit)) {
+		return false;
+	}
+	*out = find_ramp(scale, a, d1, d2);
+	out->at += TEXEL_NUDGE;
+	return true;
+}
+
+static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
+	struct setup *setup, enum paint paint, struct ramps *out)
+{
+	const struct texture_input *input = &draw->texture[0];
+	int32_t round = paint >= TEXTURE_GRAY ? SHARE_ROUND >> 8 : 0;
+	int32_t z = setup->v[0]->z;
+	struct limits limits = find_limits(draw, setup);
+	struct scale scale;
+
+	if (setup->wide) {
+		return false;
+	}
+	raster_find_area(setup);
+	scale = find_scale(setup);
+	if (!find_color_ramp(&scale, RED, limits.color, round, &out->color[0])) {
+		return false;
+	}
+	if (paint == PAINT_COLOR || paint == TEXTURE_TINTED) {
+		if (!find_color_ramp(&scale, GREEN, limits.color, round,
+			    &out->color[1]) ||
+			!find_color_ramp(&scale, BLUE, limits.color, round,
+				&out->color[2])) {
+			return false;
+		}
+	}
+	if (paint >= TEXTURE_GRAY &&
+		(!find_texel_ramp(&scale, TEX_S, input->width_log2,
+			 limits.texel, &out->s) ||
+			!find_texel_ramp(&scale, TEX_S + 1, input->height_log2,
+				limits.texel, &out->t))) {
+		return false;
+	}
+	out->z = find_ramp(&scale, z, setup->v[1]->z - z, setup->v[2]->z - z);
+	return true;
+}
+
+static ALWAYS_INLINE void fill(
+	struct draw *draw, struct setup *setup, enum paint paint)
+{
+	struct ramps ramps;
+
+	if (find_ramps(draw, setup, paint, &ramps)) {
+		walk(draw, setup, &ramps, paint);
+	} else {
+		rows_fill(draw, setup);
+	}
+}
+
+static void fill_gray(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, PAINT_GRAY);
+}
+
+static void fill_color(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, PAINT_COLOR);
+}
+
+static void fill_texture_gray(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, TEXTURE_GRAY);
+}
+
+static void fill_texture_tinted(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, TEXTURE_TINTED);
+}
+
+void fill_plain(struct draw *draw, struct setup *setup)
+{
+	if (is_gray(setup)) {
+		fill_gray(draw, setup);
+	} else {
+		fill_color(draw, setup);
+	}
+}
+
+void fill_textured(struct draw *draw, struct setup *setup)
+{
+	if (is_gray(setup)) {
+		fill_texture_gray(draw, setup);
+	} else {
+		fill_texture_tinted(draw, setup);
+	}
+}
+
+bool fill_is_opaque(const struct draw *draw)
+{
+	const struct soft *soft = draw->soft;
+	const struct fragment_state *state = &soft->fragment;
+	const GLboolean *mask = state->color_mask;
+
+	return soft->format == PIXELS_RGB565 && !draw->blended &&
+		!state->alpha_test && !state->stencil.enabled && !draw->fogged &&
+		mask[0] && mask[1] && mask[2] && state->depth_test &&
+		state->depth_mask && state->depth_function == GL_LESS &&
+		!state->flat && !state->offset_fill &&
+		!draw->shading.two_side && !draw->texture[1].used;
+}
+
+bool fill_takes_texture(const struct texture_input *input)
+{
+	const struct texture *texture = input->texture;
+
+	return input->base->format == TEXEL_565 &&
+		input->env->mode == GL_MODULATE &&
+		texture->min_filter == GL_NEAREST &&
+		texture->mag_filter == GL_NEAREST &&
+		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
+}

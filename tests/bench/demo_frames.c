@@ -1,0 +1,107 @@
+/*
+ * Frames of a demo into an RGB565 picture of 480x640, for counting what they
+ * cost.
+ *
+ *	demo_frames DEMO FRAMES [DRIVER [PICTURE.ppm]]
+ *
+ * Time begins at a second and moves on by a 25th of one a frame.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app/demo/demo.h"
+#include "platform/base/file.h"
+#include "platform/gl/gl_context.h"
+
+enum {
+	WIDTH = 480,
+	HEIGHT = 640,
+};
+
+static void write_picture(const char *path, const struct pixels *pixels)
+{
+	FILE *file = fopen(path, "wb");
+
+	if (!file) {
+		perror(path);
+		exit(EXIT_FAILURE);
+	}
+	fprintf(file, "P6 %d %d 255\n", pixels->width, pixels->height);
+	for (int i = 0; i < pixels->width * pixels->height; i++) {
+		uint16_t p;
+
+		memcpy(&p, pixels->data + 2 * i, sizeof(p));
+		fputc((p >> 11) * 255 / 31, file);
+		fputc((p >> 5 & 63) * 255 / 63, file);
+		fputc((p & 31) * 255 / 31, file);
+	}
+	fclose(file);
+}
+
+static void draw_frames(const struct demo_driver *driver, struct demo *demo,
+	struct gl_context *context, struct pixels *pixels, int frames)
+{
+	static struct hud hud;
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	if (hud_init(&hud, &context->gl, &log) != 0) {
+		exit(EXIT_FAILURE);
+	}
+	for (int frame = 0; frame < frames; frame++) {
+		driver->update(demo, 1.0 + frame / 25.0);
+		if (context->driver->begin_frame(context, pixels) != 0) {
+			exit(EXIT_FAILURE);
+		}
+		driver->draw(demo, WIDTH, HEIGHT);
+		hud_begin(&hud, WIDTH, HEIGHT);
+		driver->label(demo, &hud);
+		hud_end(&hud, &context->gl);
+		context->driver->end_frame(context);
+	}
+	hud_finish(&hud, &context->gl);
+}
+
+int main(int argc, char **argv)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	const struct demo_driver *driver = argc > 2 ? demo_find(argv[1]) : NULL;
+	struct gl_context *context;
+	struct pixels pixels;
+	struct demo *demo;
+	char path[1024];
+	struct demo_env env = {
+		.log = &log,
+		.target = PIXELS_RGB565,
+		.kernel = kernel_registry[0],
+		.width = WIDTH,
+		.height = HEIGHT,
+		.model_path = path,
+		.speed = 1.0f,
+		.unattended = true,
+	};
+
+	if (!driver || atoi(argv[2]) < 1 ||
+		file_find_asset(driver->asset, &log, path, sizeof(path)) != 0) {
+		fprintf(stderr, "usage: %s DEMO FRAMES [DRIVER [PICTURE.ppm]]\n",
+			argv[0]);
+		return 2;
+	}
+	if (pixels_alloc(&pixels, WIDTH, HEIGHT, PIXELS_RGB565, &log) != 0 ||
+		gl_open(argc > 3 ? argv[3] : "soft", PIXELS_RGB565, &log,
+			&context) != 0) {
+		return EXIT_FAILURE;
+	}
+	env.gl = &context->gl;
+	if (driver->create(&env, &demo) != 0) {
+		return EXIT_FAILURE;
+	}
+	draw_frames(driver, demo, context, &pixels, atoi(argv[2]));
+	if (argc > 4) {
+		write_picture(argv[4], &pixels);
+	}
+	driver->destroy(demo);
+	context->driver->destroy(context);
+	free(pixels.data);
+	return EXIT_SUCCESS;
+}

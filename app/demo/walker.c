@@ -31,7 +31,7 @@ struct tour_stop {
 static const struct tour_stop tour[] = {
 	{0.0f, MOVE_WALK, ALIVE},
 	{2.2f, MOVE_WALK, ALIVE | 1 << RIG_LOOK},
-	{4.2f, MOVE_WAVE, ALIVE | 1 << RIG_LOOK | 1 << RIG_FACE},
+	{4.2f, MOVE_WAVE, ALIVE | 1 << RIG_FACE},
 	{6.8f, MOVE_RUN, ALIVE | 1 << RIG_CAPE},
 	{9.6f, MOVE_JUMP, ALIVE | 1 << RIG_CAPE},
 	{11.1f, MOVE_WALK,

@@ -13,6 +13,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
 	PARTS_MAX = 8
@@ -20,7 +21,9 @@ enum {
 
 static const char mesh_node[] = "Face";
 static const float unhurried_ms = 600.0f;
-static const double dwell_s = 1.5; /* from one expression to the next */
+static const float forward[3] = {0.0f, 0.0f, 1.0f};
+static const float bulge_m = 0.03f; /* of sinusoidal motion */
+static const double dwell_s = 1.5;  /* from one expression to the next */
 
 /* One primitive of the face and its key frames; key 0 is the base. */
 struct part {
@@ -160,6 +163,8 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 	demo->touring = env->unattended;
 	demo->motion = morph_motion_default();
 	demo->motion.duration_ms = unhurried_ms;
+	memcpy(demo->motion.direction, forward, sizeof(forward));
+	demo->motion.amplitude = bulge_m;
 	bounds = bounds_of_clip(demo->act.actor.instance, -1);
 	return set_stage(env, &bounds, framing, &demo->act.stage);
 }

@@ -7,6 +7,7 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static const float orbit_rad_per_s = 1.4f;
@@ -202,8 +203,10 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 		hud_group_text(&group, "at rest", "");
 	} else {
 		const char *name = model->clip[demo->clip].name;
+		char number[32];
 
-		hud_group_time(&group, name[0] ? name : "unnamed clip",
+		snprintf(number, sizeof(number), "clip %d", demo->clip);
+		hud_group_time(&group, name[0] ? name : number,
 			demo->joining ? (float)demo->join_s
 				      : demo->playback.time_s,
 			duration_s, hud_color_blue);

@@ -125,14 +125,15 @@ void camera_view(const struct camera *camera, mat4 out)
 void camera_apply(
 	const struct camera *camera, const struct gl *gl, int width, int height)
 {
-	float near = camera->distance - camera->reach;
-	float far = camera->distance + 3.0f * camera->reach;
+	/* The ground at the lower edge of the picture is nearer than a model. */
+	float near = scalar_clamp(camera->distance - camera->reach,
+		0.05f * camera->distance, 0.35f * camera->distance);
+	float far = 2.2f * camera->distance + 3.0f * camera->reach;
 	float top;
 	float half_width, shift;
 	fx16_t y;
 	mat4 view;
 
-	near = near < 0.05f * camera->distance ? 0.05f * camera->distance : near;
 	top = near * tan_half(camera->yfov_rad);
 	y = fx16_from_float(top);
 	half_width = top * (float)width / (float)height;

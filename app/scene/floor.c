@@ -135,8 +135,8 @@ static float round_size(float size)
 }
 
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, enum pixel_format target,
-	const struct log *log)
+	const struct bounds *bounds, float least_radius,
+	enum pixel_format target, const struct log *log)
 {
 	float middle[3], extent = bounds_extent(bounds);
 
@@ -145,7 +145,8 @@ int floor_init(struct floor *floor, const struct gl *gl,
 	*floor = (struct floor){
 		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
 		.center = {middle[0], middle[2]},
-		.radius = 2.2f * extent,
+		.radius = 2.2f * extent > least_radius ? 2.2f * extent
+						       : least_radius,
 		.tile = round_size(0.5f * extent),
 	};
 	place_vertices(floor);

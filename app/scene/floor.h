@@ -34,12 +34,12 @@ struct floor {
 };
 
 /*
- * A flat floor under the box. 0, or -ENOMEM after a sentence; release with
- * floor_finish().
+ * A flat floor under the box, at least so large as least_radius. 0, or -ENOMEM
+ * after a sentence; release with floor_finish().
  */
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, enum pixel_format target,
-	const struct log *log);
+	const struct bounds *bounds, float least_radius,
+	enum pixel_format target, const struct log *log);
 
 void floor_finish(struct floor *floor, const struct gl *gl);
 

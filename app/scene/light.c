@@ -10,19 +10,23 @@ struct lamp {
 	float specular[4];
 };
 
+/*
+ * Diffuse and ambient light together stay at 1 or below wherever a surface
+ * faces, so that drivers that clamp late agree with those that clamp early.
+ */
 static const struct lamp key_lamp = {
 	.towards = {0.389f, 0.778f, 0.494f, 0.0f},
-	.diffuse = {0.78f, 0.75f, 0.69f, 1.0f},
+	.diffuse = {0.65f, 0.63f, 0.58f, 1.0f},
 	.specular = {1.0f, 0.97f, 0.9f, 1.0f},
 };
 
 static const struct lamp fill_lamp = {
 	.towards = {-0.728f, 0.243f, 0.641f, 0.0f},
-	.diffuse = {0.20f, 0.23f, 0.29f, 1.0f},
+	.diffuse = {0.20f, 0.22f, 0.27f, 1.0f},
 	.specular = {0.0f, 0.0f, 0.0f, 1.0f},
 };
 
-static const float ambient[4] = {0.36f, 0.37f, 0.40f, 1.0f};
+static const float ambient[4] = {0.31f, 0.32f, 0.35f, 1.0f};
 
 static void set_vector(
 	const struct gl *gl, GLenum light, GLenum name, const float value[4])

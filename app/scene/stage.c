@@ -23,7 +23,9 @@ int stage_init(struct stage *stage, const struct gl *gl,
 	camera_frame(&stage->camera, bounds, framing);
 	gl->GetIntegerv(GL_STENCIL_BITS, &stencil_bits);
 	stage->has_stencil = stencil_bits > 0;
-	return floor_init(&stage->floor, gl, bounds, target, log);
+	/* It goes on to below the camera. */
+	return floor_init(&stage->floor, gl, bounds,
+		1.1f * stage->camera.distance, target, log);
 }
 
 void stage_finish(struct stage *stage, const struct gl *gl)

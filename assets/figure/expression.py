@@ -100,7 +100,7 @@ class Follow:
             self.firm[at] = firm
         for name, ring in (*skin.lids.items(), *skin.lips.items()):
             both = np.concatenate([ring, skin.twin[ring]])
-            self.firm[both] = 2.0 if name == "outside" else 30
+            self.firm[both] = 2 if name == "outside" else 30
             self.firm[both] = 1.5 if name == "crease" else self.firm[both]
 
     def wishes(self, what):

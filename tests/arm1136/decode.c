@@ -1,11 +1,9 @@
-#include "tests/arm1136/insn.h"
+#include "tests/arm1136/decode_parts.h"
 
 #include <string.h>
 
 /* Helpers of the kernel that the emulator runs whole; a few cycles each. */
 #define KERNEL_PAGE 0xffff0000u
-
-#define BIT(insn, n) ((insn)->word >> (n)&1)
 
 void insn_reads(struct insn *insn, unsigned int reg, enum need need)
 {
@@ -45,7 +43,7 @@ static void data_processing_to_pc(struct insn *insn)
 {
 	bool is_move = insn_field(insn, 21, 4) == 13;
 
-	if (is_move && !BIT(insn, 25) && insn_field(insn, 0, 12) == REG_LR) {
+	if (is_move && !insn_bit(insn, 25) && insn_field(insn, 0, 12) == REG_LR) {
 		insn->branch = BRANCH_RETURN;
 	} else {
 		insn->branch = BRANCH_INDIRECT;
@@ -60,26 +58,26 @@ static void data_processing(struct insn *insn)
 	uint32_t n = insn_field(insn, 16, 4);
 	uint32_t d = insn_field(insn, 12, 4);
 	uint32_t m = insn_field(insn, 0, 4);
-	bool by_register = !BIT(insn, 25) && BIT(insn, 4);
+	bool by_register = !insn_bit(insn, 25) && insn_bit(insn, 4);
 	unsigned int latency = by_register ? 2 : 1;
 
 	insn->unit = UNIT_ALU;
 	insn->value_rule = by_register ? VALUE_LOST : VALUE_ALU;
 	insn->issue = (uint8_t)latency;
-	insn->sets_flags = BIT(insn, 20);
+	insn->sets_flags = insn_bit(insn, 20);
 	if (!moves) {
 		insn_reads(insn, n, by_register ? NEED_LATE : NEED_NORMAL);
 	}
 	if (by_register) {
 		insn_reads(insn, m, NEED_NORMAL);
 		insn_reads(insn, insn_field(insn, 8, 4), NEED_EARLY);
-	} else if (!BIT(insn, 25)) {
+	} else if (!insn_bit(insn, 25)) {
 		insn_reads(insn, m,
 			insn_field(insn, 4, 8) ? NEED_EARLY : NEED_NORMAL);
 	}
 	/* ADC, SBC, RSC and RRX take the carry. */
 	if ((opcode >= 5 && opcode <= 7) ||
-		(!BIT(insn, 25) && insn_field(insn, 4, 8) == 6)) {
+		(!insn_bit(insn, 25) && insn_field(insn, 4, 8) == 6)) {
 		insn_reads(insn, REG_FLAGS, NEED_NORMAL);
 	}
 	if (tests) {
@@ -130,7 +128,7 @@ static void long_product(struct insn *insn, unsigned int issue,
 static void multiply(struct insn *insn)
 {
 	uint32_t opcode = insn_field(insn, 21, 3);
-	bool sets = BIT(insn, 20);
+	bool sets = insn_bit(insn, 20);
 
 	switch (opcode) {
 	case 0:
@@ -159,7 +157,7 @@ static void halfword_multiply(struct insn *insn)
 		product(insn, 1, 3, true, NEED_ACCUMULATOR);
 		break;
 	case 1:
-		product(insn, 1, 3, !BIT(insn, 5), NEED_ACCUMULATOR);
+		product(insn, 1, 3, !insn_bit(insn, 5), NEED_ACCUMULATOR);
 		break;
 	case 2:
 		long_product(insn, 2, 3, true, true);
@@ -178,7 +176,7 @@ static void alu(struct insn *insn, uint32_t d, unsigned int latency)
 
 static void saturating_add(struct insn *insn)
 {
-	bool doubles = BIT(insn, 22);
+	bool doubles = insn_bit(insn, 22);
 
 	alu(insn, insn_field(insn, 12, 4), doubles ? 3 : 2);
 	insn->issue = doubles ? 2 : 1;
@@ -204,7 +202,7 @@ static void branch_register(struct insn *insn, bool call)
 static void status_move(struct insn *insn)
 {
 	insn->unit = UNIT_SYSTEM;
-	if (BIT(insn, 21)) {
+	if (insn_bit(insn, 21)) {
 		insn_reads(insn, insn_field(insn, 0, 4), NEED_NORMAL);
 		insn->sets_flags = true;
 	} else {
@@ -238,139 +236,32 @@ static void miscellaneous(struct insn *insn)
 		saturating_add(insn);
 		break;
 	default:
-		if (BIT(insn, 7)) {
+		if (insn_bit(insn, 7)) {
 			halfword_multiply(insn);
 		}
 		break;
 	}
 }
 
-/* Base, offset and write-back of a single load or store. */
-static void address(struct insn *insn, bool by_register, bool odd_shift)
-{
-	uint32_t n = insn_field(insn, 16, 4);
-	bool pre = BIT(insn, 24);
-
-	insn->base = (uint8_t)n;
-	insn->writeback = !pre || BIT(insn, 21);
-	insn->slow_address = by_register && (!BIT(insn, 23) || odd_shift);
-	insn->issue = insn->slow_address ? 2 : 1;
-	insn_reads(insn, n, insn->slow_address ? NEED_NORMAL : NEED_ADDRESS);
-	if (by_register) {
-		insn_reads(insn, insn_field(insn, 0, 4), NEED_ADDRESS);
-	}
-	if (insn->writeback) {
-		insn_writes(insn, n, 1);
-	}
-}
-
-static void load(struct insn *insn, uint32_t d)
-{
-	insn->unit = UNIT_LOAD;
-	insn->value_rule = VALUE_LOAD;
-	insn->list = (uint16_t)(1u << d);
-	if (d == REG_PC) {
-		insn->branch = insn->base == REG_SP && !insn->slow_address
-			? BRANCH_POP
-			: BRANCH_LOAD;
-	}
-}
-
-static void store(struct insn *insn, uint32_t d)
-{
-	insn->unit = UNIT_STORE;
-	insn->list = (uint16_t)(1u << d);
-	insn_reads(insn, d, NEED_STORED);
-}
-
-static void word_or_byte(struct insn *insn)
-{
-	bool by_register = BIT(insn, 25);
-	uint32_t shift = insn_field(insn, 5, 7); /* amount and kind */
-	bool byte = BIT(insn, 22);
-
-	insn->access_bytes = byte ? 1 : 4;
-	address(insn, by_register, shift != 0 && shift != 2 << 2);
-	if (BIT(insn, 20)) {
-		insn->extends = byte;
-		load(insn, insn_field(insn, 12, 4));
-	} else {
-		store(insn, insn_field(insn, 12, 4));
-	}
-}
-
-/* LDRH, STRH, LDRSB, LDRSH, LDRD, STRD. */
-static void extra_load_store(struct insn *insn)
-{
-	uint32_t d = insn_field(insn, 12, 4);
-	uint32_t kind = insn_field(insn, 5, 2);
-
-	address(insn, !BIT(insn, 22), false);
-	if (BIT(insn, 20)) {
-		insn->access_bytes = kind == 2 ? 1 : 2;
-		insn->extends = true;
-		load(insn, d);
-	} else if (kind == 1) {
-		insn->access_bytes = 2;
-		store(insn, d);
-	} else {
-		insn->access_bytes = 8;
-		if (kind == 2) {
-			load(insn, d);
-		} else {
-			store(insn, d);
-			insn_reads(insn, d + 1, NEED_STORED);
-		}
-		insn->list = (uint16_t)(3u << d);
-	}
-}
-
-/* LDREX and STREX of any width, SWP. */
-static void exclusive(struct insn *insn)
-{
-	uint32_t width = insn_field(insn, 21, 2);
-	uint32_t d = insn_field(insn, 12, 4);
-
-	insn->base = (uint8_t)insn_field(insn, 16, 4);
-	insn_reads(insn, insn->base, NEED_ADDRESS);
-	insn->access_bytes = (uint8_t)(width == 3 ? 2
-			: width == 2              ? 1
-			: width == 1              ? 8
-						  : 4);
-	if (!BIT(insn, 23)) {
-		insn->access_bytes = BIT(insn, 22) ? 1 : 4;
-		insn->issue = 2;
-		insn_reads(insn, insn_field(insn, 0, 4), NEED_NORMAL);
-		load(insn, d);
-		insn->value_rule = VALUE_LOST;
-	} else if (BIT(insn, 20)) {
-		load(insn, d);
-		insn->list = (uint16_t)(width == 1 ? 3u << d : 1u << d);
-	} else {
-		store(insn, insn_field(insn, 0, 4));
-		insn_writes(insn, d, 3);
-	}
-}
-
 /* Groups 000 and 001. */
 static void data_group(struct insn *insn)
 {
-	bool immediate = BIT(insn, 25);
+	bool immediate = insn_bit(insn, 25);
 
 	if (!immediate && insn_field(insn, 4, 4) == 9) {
-		if (BIT(insn, 24)) {
-			exclusive(insn);
+		if (insn_bit(insn, 24)) {
+			insn_decode_exclusive(insn);
 		} else {
 			multiply(insn);
 		}
-	} else if (!immediate && BIT(insn, 7) && BIT(insn, 4)) {
-		extra_load_store(insn);
-	} else if (insn_field(insn, 23, 2) == 2 && !BIT(insn, 20)) {
+	} else if (!immediate && insn_bit(insn, 7) && insn_bit(insn, 4)) {
+		insn_decode_extra(insn);
+	} else if (insn_field(insn, 23, 2) == 2 && !insn_bit(insn, 20)) {
 		if (!immediate) {
 			miscellaneous(insn);
-		} else if (BIT(insn, 21)) {
+		} else if (insn_bit(insn, 21)) {
 			insn->unit = UNIT_SYSTEM; /* MSR, hints */
-			insn->sets_flags = BIT(insn, 19);
+			insn->sets_flags = insn_bit(insn, 19);
 		}
 	} else {
 		data_processing(insn);
@@ -395,7 +286,7 @@ static void pack(struct insn *insn)
 	uint32_t n = insn_field(insn, 16, 4);
 	uint32_t m = insn_field(insn, 0, 4);
 	uint32_t low = insn_field(insn, 5, 3);
-	bool saturates = BIT(insn, 21) &&
+	bool saturates = insn_bit(insn, 21) &&
 		(!(low & 1) || (low == 1 && (insn_field(insn, 20, 2) == 2)));
 
 	alu(insn, insn_field(insn, 12, 4), saturates ? 2 : 1);
@@ -406,7 +297,7 @@ static void pack(struct insn *insn)
 		return;
 	}
 	insn_reads(insn, m, saturates && low == 1 ? NEED_NORMAL : NEED_EARLY);
-	if ((low == 3 && n != REG_PC) || (!BIT(insn, 21) && !(low & 1))) {
+	if ((low == 3 && n != REG_PC) || (!insn_bit(insn, 21) && !(low & 1))) {
 		insn_reads(insn, n, NEED_NORMAL); /* SXTA, PKH */
 	}
 }
@@ -453,30 +344,6 @@ static void media(struct insn *insn)
 	}
 }
 
-static void load_store_multiple(struct insn *insn)
-{
-	uint32_t n = insn_field(insn, 16, 4);
-	uint32_t list = insn_field(insn, 0, 16);
-
-	insn->base = (uint8_t)n;
-	insn->writeback = BIT(insn, 21);
-	insn->list = (uint16_t)list;
-	insn->access_bytes = 4;
-	insn_reads(insn, n, NEED_ADDRESS);
-	if (insn->writeback) {
-		insn_writes(insn, n, 1);
-	}
-	if (!BIT(insn, 20)) {
-		insn->unit = UNIT_STORE;
-		return;
-	}
-	insn->unit = UNIT_LOAD;
-	insn->value_rule = VALUE_LOAD;
-	if (list >> REG_PC & 1) {
-		insn->branch = n == REG_SP ? BRANCH_POP : BRANCH_LOAD;
-	}
-}
-
 static void branch(struct insn *insn, bool call)
 {
 	uint32_t offset = insn_field(insn, 0, 24);
@@ -495,9 +362,9 @@ static void coprocessor(struct insn *insn)
 	if (insn_field(insn, 24, 4) == 15) { /* SVC */
 		insn->unit = UNIT_SYSTEM;
 		insn_writes(insn, 0, 1);
-	} else if (insn_field(insn, 24, 4) == 14 && BIT(insn, 4)) {
+	} else if (insn_field(insn, 24, 4) == 14 && insn_bit(insn, 4)) {
 		insn->unit = UNIT_SYSTEM;
-		if (BIT(insn, 20)) {
+		if (insn_bit(insn, 20)) {
 			insn_writes(insn, insn_field(insn, 12, 4), 3);
 		} else {
 			insn_reads(insn, insn_field(insn, 12, 4), NEED_NORMAL);
@@ -508,11 +375,7 @@ static void coprocessor(struct insn *insn)
 static void unconditional(struct insn *insn)
 {
 	if ((insn->word & 0xfd70f000) == 0xf550f000) {
-		insn->unit = UNIT_PRELOAD;
-		address(insn, BIT(insn, 25),
-			insn_field(insn, 5, 7) != 0 &&
-				insn_field(insn, 5, 7) != 2 << 2);
-		insn->writeback = false;
+		insn_decode_preload(insn);
 	} else if ((insn->word & 0xfe000000) == 0xfa000000) {
 		branch(insn, true);
 	} else if ((insn->word & 0xfff00000) == 0xf5700000 ||
@@ -529,20 +392,20 @@ static void conditional(struct insn *insn)
 		data_group(insn);
 		break;
 	case 2:
-		word_or_byte(insn);
+		insn_decode_single(insn);
 		break;
 	case 3:
-		if (BIT(insn, 4)) {
+		if (insn_bit(insn, 4)) {
 			media(insn);
 		} else {
-			word_or_byte(insn);
+			insn_decode_single(insn);
 		}
 		break;
 	case 4:
-		load_store_multiple(insn);
+		insn_decode_multiple(insn);
 		break;
 	case 5:
-		branch(insn, BIT(insn, 24));
+		branch(insn, insn_bit(insn, 24));
 		break;
 	default:
 		if (!insn_decode_vfp(insn)) {

@@ -1,6 +1,4 @@
-#include "tests/arm1136/insn.h"
-
-#define BIT(insn, n) ((insn)->word >> (n)&1)
+#include "tests/arm1136/decode_parts.h"
 
 /* A register from its four-bit field and its extra bit. */
 static uint8_t vfp_register(
@@ -9,7 +7,7 @@ static uint8_t vfp_register(
 	uint32_t field = insn_field(insn, low, 4);
 
 	/* VFPv2 has sixteen doubles; the extra bit must be zero there. */
-	return (uint8_t)(REG_S0 + field * 2 + (dbl ? 0 : BIT(insn, extra)));
+	return (uint8_t)(REG_S0 + field * 2 + (dbl ? 0 : insn_bit(insn, extra)));
 }
 
 static void reads(struct insn *insn, uint8_t reg, bool dbl, enum need need)
@@ -79,7 +77,7 @@ static void divide(struct insn *insn, enum vfp_form form)
 /* One operand; which operation is in the field of the second. */
 static void extension(struct insn *insn)
 {
-	bool n = BIT(insn, 7);
+	bool n = insn_bit(insn, 7);
 
 	switch (insn_field(insn, 16, 4)) {
 	case 0:
@@ -115,8 +113,8 @@ static void extension(struct insn *insn)
 static void data_operation(struct insn *insn)
 {
 	bool dbl = insn->is_double;
-	uint32_t opcode = BIT(insn, 23) << 3 | BIT(insn, 21) << 2 |
-		BIT(insn, 20) << 1 | BIT(insn, 6);
+	uint32_t opcode = insn_bit(insn, 23) << 3 | insn_bit(insn, 21) << 2 |
+		insn_bit(insn, 20) << 1 | insn_bit(insn, 6);
 
 	insn->unit = UNIT_VFP;
 	insn->vfp_d = vfp_register(insn, 12, 22, dbl);
@@ -140,7 +138,7 @@ static void data_operation(struct insn *insn)
 /* FMSR, FMRS, FMDLR and so on: one core register. */
 static void move_one(struct insn *insn)
 {
-	bool to_core = BIT(insn, 20);
+	bool to_core = insn_bit(insn, 20);
 	uint32_t core = insn_field(insn, 12, 4);
 	uint32_t opcode = insn_field(insn, 21, 3);
 	uint8_t reg = vfp_register(insn, 16, 7, insn->is_double);
@@ -183,7 +181,7 @@ static void move_two(struct insn *insn)
 	uint8_t reg = vfp_register(insn, 0, 5, insn->is_double);
 
 	insn->unit = UNIT_VFP_MOVE;
-	if (BIT(insn, 20)) {
+	if (insn_bit(insn, 20)) {
 		reads(insn, reg, true, NEED_STORED);
 		insn_writes(insn, insn_field(insn, 12, 4), 2);
 		insn_writes(insn, insn_field(insn, 16, 4), 2);
@@ -196,13 +194,13 @@ static void move_two(struct insn *insn)
 
 static void load_store(struct insn *insn)
 {
-	bool single = BIT(insn, 24) && !BIT(insn, 21);
+	bool single = insn_bit(insn, 24) && !insn_bit(insn, 21);
 	uint32_t words =
 		single ? (insn->is_double ? 2 : 1) : insn_field(insn, 0, 8);
 
-	insn->unit = BIT(insn, 20) ? UNIT_LOAD : UNIT_STORE;
+	insn->unit = insn_bit(insn, 20) ? UNIT_LOAD : UNIT_STORE;
 	insn->base = (uint8_t)insn_field(insn, 16, 4);
-	insn->writeback = !single && BIT(insn, 21);
+	insn->writeback = !single && insn_bit(insn, 21);
 	insn->access_bytes = 4;
 	insn->range_first = vfp_register(insn, 12, 22, insn->is_double);
 	/* FLDMX has a word more than its registers. */
@@ -226,7 +224,7 @@ bool insn_decode_vfp(struct insn *insn)
 	}
 	insn->is_double = coprocessor == 11;
 	if (group == 14) {
-		if (BIT(insn, 4)) {
+		if (insn_bit(insn, 4)) {
 			move_one(insn);
 		} else {
 			data_operation(insn);

@@ -163,12 +163,6 @@ struct insn {
 /* Fills in everything but text and counts. */
 void insn_decode(struct insn *insn, uint32_t pc, uint32_t word);
 
-/* The part for coprocessors 10 and 11; false when it is none of theirs. */
-bool insn_decode_vfp(struct insn *insn);
-
-void insn_reads(struct insn *insn, unsigned int reg, enum need need);
-void insn_writes(struct insn *insn, unsigned int reg, unsigned int latency);
-
 static inline bool insn_is_memory(const struct insn *insn)
 {
 	return insn->unit == UNIT_LOAD || insn->unit == UNIT_STORE ||
@@ -184,6 +178,11 @@ static inline uint32_t insn_field(
 	const struct insn *insn, unsigned int low, unsigned int bits)
 {
 	return insn->word >> low & ((1u << bits) - 1);
+}
+
+static inline bool insn_bit(const struct insn *insn, unsigned int bit)
+{
+	return insn->word >> bit & 1;
 }
 
 #endif

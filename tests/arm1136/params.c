@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Many lines are read in half the time that each takes by itself. */
+#define HALF_OF_DDR (-1)
+
 void params_default(struct params *params)
 {
 	*params = (struct params){
@@ -13,7 +16,7 @@ void params_default(struct params *params)
 		.l2 = 10,
 		.l2_busy = 8,
 		.ddr = 80,
-		.ddr_busy = 40,
+		.ddr_busy = HALF_OF_DDR,
 		.ddr_write = 16,
 		.misses = 2,
 		.writes = 4,
@@ -120,4 +123,11 @@ bool params_set(struct params *params, char *argument)
 		}
 	}
 	return false;
+}
+
+void params_complete(struct params *params)
+{
+	if (params->ddr_busy == HALF_OF_DDR) {
+		params->ddr_busy = params->ddr / 2;
+	}
 }

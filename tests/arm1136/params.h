@@ -32,4 +32,7 @@ void params_default(struct params *params);
 /* One KEY=VALUE; false when it is none. The strings must stay. */
 bool params_set(struct params *params, char *argument);
 
+/* Works out what was left open, once all are set. */
+void params_complete(struct params *params);
+
 #endif

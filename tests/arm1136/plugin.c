@@ -384,6 +384,7 @@ int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info_t *info,
 		fprintf(stderr, "arm1136: cannot use %s\n", wrong);
 		goto release_plugin;
 	}
+	params_complete(&plugin->params);
 	if (core_init(&plugin->core, &plugin->params)) {
 		goto release_plugin;
 	}

@@ -93,14 +93,14 @@ int main(int argc, char **argv)
 		return EXIT_FAILURE;
 	}
 	env.gl = &context->gl;
-	if (driver->create(&env, &demo) != 0) {
+	if (demo_create(driver, &env, &demo) != 0) {
 		return EXIT_FAILURE;
 	}
 	draw_frames(driver, demo, context, &pixels, atoi(argv[2]));
 	if (argc > 4) {
 		write_picture(argv[4], &pixels);
 	}
-	driver->destroy(demo);
+	demo_destroy(demo);
 	context->driver->destroy(context);
 	free(pixels.data);
 	return EXIT_SUCCESS;

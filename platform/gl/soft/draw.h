@@ -100,20 +100,21 @@ struct plane {
 	int32_t dx, dy;
 };
 
+/* Fragments of a row, and how their values run. */
+struct span {
+	int x, y, count;
+	uint32_t value[PLANES];
+	int32_t step[PLANES];
+	int lod[SOFT_UNITS]; /* level, 8 bits of fraction */
+};
+
 /* The triangle under way. */
 struct raster {
 	struct plane plane[PLANES];
 	int x0; /* the column the planes start from */
 	bool perspective;
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
-	int lod[SOFT_UNITS];           /* level, 8 bits of fraction */
-};
-
-struct span {
-	int x, y, count;
-	uint32_t value[PLANES];
-	int32_t step[PLANES];
-	int lod[SOFT_UNITS];
+	struct span span;              /* of the row under way */
 };
 
 struct setup; /* raster.h */
@@ -139,7 +140,9 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		tests, blended;
 	fill_function fill;
-	const struct vertex *provoking; /* whose colour is flat */
+	void (*span)(struct draw *draw, const struct span *span);
+	int planes[PLANES], plane_count; /* those in use */
+	const struct vertex *provoking;  /* whose colour is flat */
 	struct raster raster;
 	uint32_t cached[VERTEX_CACHE]; /* index + 1 */
 	struct vertex cache[VERTEX_CACHE];
@@ -191,6 +194,13 @@ void soft_draw_line(
 
 /* fragment.c: up to SPAN_PIXELS fragments of a row, all inside of draw->box. */
 void soft_draw_span(struct draw *draw, const struct span *span);
+
+/* Runs the tests on a span's fragments; how many pass, and which. */
+int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
+
+/* span_565.c: the same for what is drawn most; whether the state is that. */
+void soft_draw_span_565(struct draw *draw, const struct span *span);
+bool soft_takes_span_565(const struct draw *draw);
 
 /* texel.c: colours of texels for a span's fragments. */
 void soft_sample(const struct texture_input *input, const struct span *span,

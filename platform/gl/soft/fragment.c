@@ -91,6 +91,17 @@ static void run_tests(const struct draw *draw, const struct span *span,
 	}
 }
 
+int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
+{
+	struct fragments fragments;
+
+	fragments.left = span->count;
+	memset(fragments.passes, true, (size_t)span->count);
+	run_tests(draw, span, &fragments);
+	memcpy(passes, fragments.passes, (size_t)span->count);
+	return fragments.left;
+}
+
 static void fill_colors(const struct span *span, struct fragments *fragments)
 {
 	uint32_t c[4];

@@ -227,6 +227,20 @@ static uint32_t choose_attributes(const struct draw *draw)
 	return mask;
 }
 
+/* Those that run over rows: the depth's, and of the attributes. */
+static void list_planes(struct draw *draw)
+{
+	draw->plane_count = 0;
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		if (draw->attributes >> i & 1) {
+			draw->planes[draw->plane_count++] = i;
+		}
+	}
+	if (draw->tests) {
+		draw->planes[draw->plane_count++] = DEPTH;
+	}
+}
+
 static fill_function choose_fill(const struct draw *draw)
 {
 	if (!fill_is_opaque(draw)) {
@@ -260,6 +274,9 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
+	list_planes(draw);
+	draw->span =
+		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);
 	return true;
 }

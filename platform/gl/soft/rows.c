@@ -45,22 +45,18 @@ static void find_affine_lod(const struct draw *draw, struct span *span)
 
 static void row_affine(struct draw *draw, int y, int left, int right)
 {
-	uint32_t wanted = draw->attributes | 1u << DEPTH;
-	struct span span = {.y = y};
+	struct span *span = &draw->raster.span;
 
-	for (int i = 0; i < PLANES; i++) {
-		span.step[i] = draw->raster.plane[i].dx;
-	}
-	find_affine_lod(draw, &span);
+	span->y = y;
 	for (int x = left; x < right; x += SPAN_PIXELS) {
-		span.x = x;
-		span.count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
-		for (int i = 0; i < PLANES; i++) {
-			if (wanted >> i & 1) {
-				span.value[i] = plane_at(&draw->raster, i, x);
-			}
+		span->x = x;
+		span->count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
+		for (int i = 0; i < draw->plane_count; i++) {
+			int name = draw->planes[i];
+
+			span->value[name] = plane_at(&draw->raster, name, x);
 		}
-		soft_draw_span(draw, &span);
+		draw->span(draw, span);
 	}
 }
 
@@ -173,14 +169,35 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 			find_point(draw, x + steps, &to);
 		}
 		set_steps(draw, &from, &to, steps, &span);
-		soft_draw_span(draw, &span);
+		draw->span(draw, &span);
 		from = to;
 	}
 }
 
 static void next_row(struct draw *draw)
 {
-	raster_skip_rows(draw, 1);
+	for (int i = 0; i < draw->plane_count; i++) {
+		struct plane *plane = &draw->raster.plane[draw->planes[i]];
+
+		plane->start += (uint32_t)plane->dy;
+	}
+	if (draw->raster.perspective) {
+		struct plane *plane = &draw->raster.plane[INVERSE_W];
+
+		plane->start += (uint32_t)plane->dy;
+	}
+}
+
+static void begin_affine(struct draw *draw)
+{
+	struct span *span = &draw->raster.span;
+
+	for (int i = 0; i < draw->plane_count; i++) {
+		int name = draw->planes[i];
+
+		span->step[name] = draw->raster.plane[name].dx;
+	}
+	find_affine_lod(draw, span);
 }
 
 void rows_fill(struct draw *draw, struct setup *setup)
@@ -189,6 +206,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 	if (draw->raster.perspective) {
 		raster_walk(draw, setup, row_perspective, next_row);
 	} else {
+		begin_affine(draw);
 		raster_walk(draw, setup, row_affine, next_row);
 	}
 }

@@ -8,7 +8,7 @@ MODEL_SOURCES := $(addprefix tests/arm1136/,core.c core_branch.c \
 MODEL_OBJECTS := $(MODEL_SOURCES:%.c=build/arm1136/obj/%.o)
 MODEL := build/arm1136/model.so
 
-build/arm1136/obj/%.o: %.c | build
+build/arm1136/obj/%.o: %.c | build/host/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
 	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -g -fPIC -fvisibility=hidden -I. \

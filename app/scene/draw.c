@@ -1,5 +1,6 @@
 #include "app/scene/draw.h"
 
+#include "app/scene/bump.h"
 #include "app/scene/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -68,13 +69,19 @@ static void enable_array(const struct gl *gl, GLenum array, const void *data)
 	}
 }
 
+/* The arrays of one pass besides positions; any may be NULL. */
+struct arrays {
+	const float (*normal)[3];
+	const float (*texcoord)[2];
+	const uint8_t (*color)[4];
+};
+
 static void draw_batch(const struct gl *gl, const struct batch *batch,
-	bool textured, enum draw_pass pass)
+	const struct arrays *arrays)
 {
-	bool shaded = pass == DRAW_SHADED;
-	const void *texcoord = textured && shaded ? batch->texcoord : NULL;
-	const void *color = shaded ? batch->color : NULL;
-	const void *normal = shaded ? batch->normal : NULL;
+	const void *normal = arrays->normal;
+	const void *texcoord = arrays->texcoord;
+	const void *color = arrays->color;
 
 	enable_array(gl, GL_VERTEX_ARRAY, batch->position);
 	enable_array(gl, GL_NORMAL_ARRAY, normal);
@@ -98,29 +105,114 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	}
 }
 
+static const struct model_material *material_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return &instance->model->material[drawable->primitive->material];
+}
+
+static bool is_textured(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return material_of(instance, drawable)->texture >= 0 &&
+		drawable->primitive->texcoord;
+}
+
+static void set_surface(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	set_material(gl, material_of(instance, drawable), textures);
+	gl->Color4x(drawable->color[0], drawable->color[1], drawable->color[2],
+		drawable->color[3]);
+	if (!is_textured(instance, drawable)) {
+		gl->Disable(GL_TEXTURE_2D);
+	}
+}
+
+/* A batch in the drawable's own colours and texture, as the light falls. */
+static void draw_shaded(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct batch *batch)
+{
+	bool textured = is_textured(instance, drawable);
+
+	draw_batch(gl, batch,
+		&(struct arrays){
+			.normal = batch->normal,
+			.texcoord = textured ? batch->texcoord : NULL,
+			.color = batch->color,
+		});
+}
+
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	const struct model_material *material =
-		&instance->model->material[drawable->primitive->material];
-	bool textured = material->texture >= 0 && drawable->primitive->texcoord;
+	static const struct arrays none = {NULL, NULL, NULL};
+	bool shaded = pass == DRAW_SHADED;
 
-	if (pass == DRAW_SHADED) {
-		set_material(gl, material, textures);
-		gl->Color4x(drawable->color[0], drawable->color[1],
-			drawable->color[2], drawable->color[3]);
-		if (!textured) {
-			gl->Disable(GL_TEXTURE_2D);
-		}
+	if (shaded) {
+		set_surface(gl, instance, drawable, textures);
 	}
-	if (material->double_sided || pass == DRAW_SHAPE) {
+	if (!shaded || material_of(instance, drawable)->double_sided) {
 		gl->Disable(GL_CULL_FACE);
 	} else {
 		gl->Enable(GL_CULL_FACE);
 	}
 	for (int i = 0; i < drawable->batch_count; i++) {
-		draw_batch(gl, &drawable->batch[i], textured, pass);
+		if (shaded) {
+			draw_shaded(gl, instance, drawable, &drawable->batch[i]);
+		} else {
+			draw_batch(gl, &drawable->batch[i], &none);
+		}
+	}
+}
+
+/* The inner sides, whose normals point the other way: plainly. */
+static void draw_back(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	set_surface(gl, instance, drawable, textures);
+	gl->CullFace(GL_FRONT);
+	draw_shaded(gl, instance, drawable, drawable->batch);
+	gl->CullFace(GL_BACK);
+}
+
+/* In the three passes that bump.h tells of. */
+static void draw_relief(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	const struct model_material *material = material_of(instance, drawable);
+	const struct batch *batch = drawable->batch;
+
+	gl->Enable(GL_CULL_FACE);
+	texture_bind(textures, gl, material->normal_texture);
+	bump_begin_light(gl);
+	draw_batch(gl, batch,
+		&(struct arrays){
+			.texcoord = batch->texcoord,
+			.color = (const uint8_t(*)[4])drawable->light,
+		});
+	set_surface(gl, instance, drawable, textures);
+	bump_begin_tint(gl);
+	draw_shaded(gl, instance, drawable, batch);
+	bump_begin_rest(gl);
+	draw_shaded(gl, instance, drawable, batch);
+	bump_end(gl);
+	if (material->double_sided) {
+		draw_back(gl, instance, drawable, textures);
+	}
+}
+
+/* Drawn in scene units, with relief where it has one. */
+static void draw_placed(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass)
+{
+	if (pass == DRAW_SHADED && instance->relief && textures->relief &&
+		drawable->tangent) {
+		draw_relief(gl, instance, drawable, textures);
+	} else {
+		draw_drawable(gl, instance, drawable, textures, pass);
 	}
 }
 
@@ -132,14 +224,14 @@ static void place_and_draw(const struct gl *gl, const struct instance *instance,
 	mat4 matrix;
 
 	if (drawable->skin >= 0) {
-		draw_drawable(gl, instance, drawable, textures, pass);
+		draw_placed(gl, instance, drawable, textures, pass);
 		return;
 	}
 	instance_drawable_matrix(instance, drawable, matrix);
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)matrix);
 	gl->FrontFace(matrix_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
-	draw_drawable(gl, instance, drawable, textures, pass);
+	draw_placed(gl, instance, drawable, textures, pass);
 	gl->FrontFace(GL_CCW);
 	gl->PopMatrix();
 }
@@ -147,8 +239,7 @@ static void place_and_draw(const struct gl *gl, const struct instance *instance,
 static bool is_blended(
 	const struct instance *instance, const struct drawable *drawable)
 {
-	return instance->model->material[drawable->primitive->material].alpha ==
-		MODEL_BLEND;
+	return material_of(instance, drawable)->alpha == MODEL_BLEND;
 }
 
 void draw_instance(const struct gl *gl, const struct instance *instance,

@@ -17,11 +17,19 @@ enum draw_pass {
 	DRAW_SHAPE,  /* positions only, in the current colour */
 };
 
-/* All drawables that are not hidden: opaque ones, then blended ones. */
+/*
+ * All drawables that are not hidden: opaque ones, then blended ones. Normal
+ * maps show where instance.relief and texture_set.relief say so; they are lit
+ * in world space, so the model-view matrix has to be the camera's for them.
+ * Surfaces with relief leave the depth function at GL_LESS.
+ */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);
 
-/* What one node shows, in the current model-view matrix as it is. */
+/*
+ * What one node shows, in the current model-view matrix as it is; without
+ * relief, as is draw_hierarchy().
+ */
 void draw_node(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, int node, enum draw_pass pass);
 

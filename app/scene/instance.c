@@ -2,7 +2,9 @@
 
 #include "app/scene/batch.h"
 #include "app/scene/bounds.h"
+#include "app/scene/bump.h"
 #include "app/scene/color.h"
+#include "app/scene/light.h"
 
 #include <cglm/cglm.h>
 
@@ -75,38 +77,35 @@ static int init_morph(
 	struct drawable *drawable, int target_count, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
-	int count = primitive->vertex_count;
 
 	drawable->term =
 		ARENA_ARRAY(arena, struct morph_term, (size_t)target_count);
-	drawable->morphed_position = alloc_vectors(arena, count);
-	if (!drawable->term || !drawable->morphed_position) {
+	if (!drawable->term) {
 		return -ENOMEM;
 	}
-	if (primitive->normal) {
-		drawable->morphed_normal = alloc_vectors(arena, count);
-		if (!drawable->morphed_normal) {
-			return -ENOMEM;
-		}
+	for (int i = 0; i < target_count; i++) {
+		drawable->term[i] = (struct morph_term){
+			.position =
+				(const float(*)[3])primitive->target[i].position,
+			.normal = (const float(*)[3])primitive->target[i].normal,
+			.tangent =
+				(const float(*)[3])primitive->target[i].tangent,
+		};
 	}
 	return 0;
 }
 
 /*
- * Output arrays: a rigid drawable shows its base, a morphed one the result of
- * the morph, a skinned one arrays of its own.
+ * Output arrays: a rigid drawable shows its base, a morphed or skinned one
+ * arrays of its own.
  */
 static int init_output(struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 
-	if (drawable->skin < 0) {
-		drawable->position = drawable->morphed
-			? drawable->morphed_position
-			: (float(*)[3])drawable->base_position;
-		drawable->normal = drawable->morphed
-			? drawable->morphed_normal
-			: (float(*)[3])drawable->base_normal;
+	if (drawable->skin < 0 && !drawable->morphed) {
+		drawable->position = (float(*)[3])drawable->base_position;
+		drawable->normal = (float(*)[3])drawable->base_normal;
 		return 0;
 	}
 	drawable->position = alloc_vectors(arena, primitive->vertex_count);
@@ -118,6 +117,9 @@ static int init_output(struct drawable *drawable, struct arena *arena)
 		if (!drawable->normal) {
 			return -ENOMEM;
 		}
+	}
+	if (drawable->skin < 0) {
+		return 0;
 	}
 	return skin_stream_init(&drawable->stream, primitive, 1.0f, arena);
 }
@@ -171,6 +173,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	}
 	if (!error) {
 		batch_gather(drawable);
+		error = bump_init(drawable, model, &instance->arena);
 	}
 	return error;
 }
@@ -264,6 +267,8 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	instance->arena = arena;
 	instance->model = model;
 	instance->kernel = kernel;
+	instance->relief = true;
+	light_direction(instance->towards_light);
 	error = init_skeleton(instance);
 	if (!error) {
 		error = init_drawables(instance);
@@ -291,48 +296,121 @@ void instance_destroy(struct instance *instance)
 	}
 }
 
-static void morph_drawable(struct instance *instance, struct drawable *drawable)
+static int target_count(
+	const struct instance *instance, const struct drawable *drawable)
 {
 	const struct model *model = instance->model;
-	const struct model_primitive *primitive = drawable->primitive;
-	const struct model_node *node = &model->node[drawable->node];
-	const float *weight = instance->pose.weight + node->weight_offset;
-	int count = model->mesh[node->mesh].target_count;
 
-	for (int i = 0; i < count; i++) {
-		drawable->term[i] = (struct morph_term){
-			.weight = weight[i] * drawable->vertex_scale,
-			.position =
-				(const float(*)[3])primitive->target[i].position,
-			.normal = (const float(*)[3])primitive->target[i].normal,
-		};
-	}
-	instance->kernel->morph_targets(primitive->vertex_count,
-		drawable->base_position, drawable->term, count, false,
-		drawable->morphed_position);
-	if (!drawable->morphed_normal) {
-		return;
-	}
-	for (int i = 0; i < count; i++) {
-		drawable->term[i].weight = weight[i];
-	}
-	instance->kernel->morph_targets(primitive->vertex_count,
-		drawable->base_normal, drawable->term, count, true,
-		drawable->morphed_normal);
-	instance->kernel->normalize(
-		primitive->vertex_count, drawable->morphed_normal);
+	return model->mesh[model->node[drawable->node].mesh].target_count;
 }
 
-static void skin_drawable(struct instance *instance, struct drawable *drawable)
+static void set_weights(
+	const struct instance *instance, struct drawable *drawable, float scale)
 {
-	if (drawable->morphed) {
-		skin_stream_rebase(&drawable->stream,
-			(const float(*)[3])drawable->morphed_position,
-			(const float(*)[3])drawable->morphed_normal, 1.0f);
+	const struct model_node *node = &instance->model->node[drawable->node];
+	const float *weight = instance->pose.weight + node->weight_offset;
+	int count = target_count(instance, drawable);
+
+	for (int i = 0; i < count; i++) {
+		drawable->term[i].weight = weight[i] * scale;
 	}
-	instance->kernel->skin(&drawable->stream,
+}
+
+/* What the morph is for normals, with tangents in their place. */
+static void morph_tangents(
+	const struct instance *instance, struct drawable *drawable)
+{
+	int count = drawable->primitive->vertex_count;
+	int terms = target_count(instance, drawable);
+
+	memcpy(drawable->tangent, drawable->base_tangent,
+		(size_t)count * sizeof(*drawable->tangent));
+	for (int i = 0; i < terms; i++) {
+		struct morph_term term = drawable->term[i];
+
+		term.normal = term.tangent;
+		instance->kernel->morph_targets(count,
+			(const float(*)[3])drawable->tangent, &term, 1, true,
+			drawable->tangent);
+	}
+	instance->kernel->normalize(count, drawable->tangent);
+}
+
+static void morph_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const struct kernel *kernel = instance->kernel;
+	int count = drawable->primitive->vertex_count;
+	int terms = target_count(instance, drawable);
+
+	set_weights(instance, drawable, drawable->vertex_scale);
+	kernel->morph_targets(count, drawable->base_position, drawable->term,
+		terms, false, drawable->position);
+	set_weights(instance, drawable, 1.0f);
+	if (drawable->normal) {
+		kernel->morph_targets(count, drawable->base_normal,
+			drawable->term, terms, true, drawable->normal);
+		kernel->normalize(count, drawable->normal);
+	}
+	if (drawable->tangent && instance->relief) {
+		morph_tangents(instance, drawable);
+	}
+}
+
+static void skin_morphed_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	const struct morph_input input = {
+		.position = drawable->base_position,
+		.normal = drawable->base_normal,
+		.tangent = (const float(*)[4])primitive->tangent,
+		.term = drawable->term,
+		.term_count = target_count(instance, drawable),
+		.position_scale = 1.0f,
+	};
+	const struct skin_output output = {
+		.position = drawable->position,
+		.normal = drawable->normal,
+		.tangent = instance->relief ? drawable->tangent : NULL,
+	};
+
+	set_weights(instance, drawable, 1.0f);
+	instance->kernel->skin_morphed(&drawable->stream, &input,
 		(const mat4 *)instance->palette[drawable->skin],
+		instance->max_influences, &output);
+}
+
+static void skin_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const mat4 *palette = (const mat4 *)instance->palette[drawable->skin];
+
+	instance->kernel->skin(&drawable->stream, palette,
 		instance->max_influences, drawable->position, drawable->normal);
+	if (drawable->tangent && instance->relief) {
+		instance->kernel->skin_tangents(&drawable->stream, palette,
+			instance->max_influences, drawable->tangent);
+	}
+}
+
+/* Vertices for a pose whose matrices are there. */
+static void pose_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	if (drawable->skin >= 0 && drawable->morphed) {
+		skin_morphed_drawable(instance, drawable);
+	} else if (drawable->skin >= 0) {
+		skin_drawable(instance, drawable);
+	} else if (drawable->morphed && !drawable->shaped) {
+		morph_drawable(instance, drawable);
+	}
+	if (drawable->tangent && instance->relief) {
+		bump_update(instance, drawable);
+	}
+	if (drawable->morphed || drawable->skin >= 0) {
+		batch_gather(drawable);
+	}
 }
 
 void drawable_set_shape(
@@ -386,17 +464,8 @@ void instance_update(struct instance *instance)
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
 
-		if (drawable->hidden) {
-			continue;
-		}
-		if (drawable->morphed && !drawable->shaped) {
-			morph_drawable(instance, drawable);
-		}
-		if (drawable->skin >= 0) {
-			skin_drawable(instance, drawable);
-		}
-		if (drawable->morphed || drawable->skin >= 0) {
-			batch_gather(drawable);
+		if (!drawable->hidden) {
+			pose_drawable(instance, drawable);
 		}
 	}
 }

@@ -56,8 +56,13 @@ struct drawable {
 	float (*position)[3];            /* output, in scene units if skinned,
 					    else local times vertex_scale */
 	float (*normal)[3];              /* output, or NULL: flat */
-	float (*morphed_position)[3];    /* between morph and skin */
-	float (*morphed_normal)[3];
+
+	/* With relief (see bump.h), else NULL. Output like normal. */
+	const float (*base_tangent)[3]; /* of a rigid one */
+	float (*tangent)[3];
+	float (*bitangent)[3];
+	uint8_t (*light)[4]; /* towards the light, for the combiner */
+
 	struct skin_stream stream;
 	struct morph_term *term; /* [target_count] */
 
@@ -70,6 +75,15 @@ struct instance {
 	struct arena arena;
 	const struct kernel *kernel;
 	int max_influences; /* 0: all */
+
+	/*
+	 * Normal maps count: tangents are posed and lit at each update, and
+	 * drawn where texture_set.relief says the driver can. May be changed
+	 * before any update; true at first.
+	 */
+	bool relief;
+	float towards_light[3]; /* unit vector, world space; light.h's at first:
+				   what relief is lit from */
 
 	struct pose pose;
 	mat4 *world;    /* [node_count], in the model's own units */

@@ -27,6 +27,7 @@ static const struct lamp fill_lamp = {
 };
 
 static const float ambient[4] = {0.31f, 0.32f, 0.35f, 1.0f};
+static const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
 
 static void set_vector(
 	const struct gl *gl, GLenum light, GLenum name, const float value[4])
@@ -39,10 +40,18 @@ static void set_vector(
 	gl->Lightxv(light, name, fixed);
 }
 
+static void set_ambient(const struct gl *gl, const float value[4])
+{
+	GLfixed fixed[4];
+
+	for (int i = 0; i < 4; i++) {
+		fixed[i] = fx16_from_float(value[i]);
+	}
+	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
+}
+
 static void set_lamp(const struct gl *gl, GLenum light, const struct lamp *lamp)
 {
-	static const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-
 	gl->Enable(light);
 	set_vector(gl, light, GL_POSITION, lamp->towards);
 	set_vector(gl, light, GL_DIFFUSE, lamp->diffuse);
@@ -52,14 +61,24 @@ static void set_lamp(const struct gl *gl, GLenum light, const struct lamp *lamp)
 
 void light_apply(const struct gl *gl)
 {
-	GLfixed fixed[4];
-
-	for (int i = 0; i < 4; i++) {
-		fixed[i] = fx16_from_float(ambient[i]);
-	}
-	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
+	set_ambient(gl, ambient);
 	set_lamp(gl, GL_LIGHT0, &key_lamp);
 	set_lamp(gl, GL_LIGHT1, &fill_lamp);
+}
+
+void light_choose(const struct gl *gl, enum light_choice choice)
+{
+	if (choice == LIGHT_KEY_COLOR) {
+		gl->Disable(GL_LIGHT0);
+		gl->Disable(GL_LIGHT1);
+		set_ambient(gl, key_lamp.diffuse);
+		return;
+	}
+	gl->Enable(GL_LIGHT0);
+	gl->Enable(GL_LIGHT1);
+	set_ambient(gl, ambient);
+	set_vector(gl, GL_LIGHT0, GL_DIFFUSE,
+		choice == LIGHT_ALL ? key_lamp.diffuse : black);
 }
 
 void light_direction(float out[3])

@@ -9,6 +9,16 @@
 /* Sets them in world space: the model-view matrix is the camera's now. */
 void light_apply(const struct gl *gl);
 
+/* What of them shines. */
+enum light_choice {
+	LIGHT_ALL,
+	LIGHT_KEY_COLOR, /* the key light's colour, whatever way surfaces face */
+	LIGHT_BUT_KEY,   /* fill and ambient, and the key light's highlight */
+};
+
+/* After light_apply(); under any model-view matrix. */
+void light_choose(const struct gl *gl, enum light_choice choice);
+
 /* Unit vector from a point towards the key light, which casts shadows. */
 void light_direction(float out[3]);
 

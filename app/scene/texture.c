@@ -1,5 +1,6 @@
 #include "app/scene/texture.h"
 
+#include "app/scene/bump.h"
 #include "platform/base/fixed.h"
 
 #include <errno.h>
@@ -212,6 +213,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 			goto fail;
 		}
 	}
+	set->relief = bump_is_possible(model, gl, log);
 	return 0;
 fail:
 	log_error(log, "%s: not enough memory for its textures", model->path);

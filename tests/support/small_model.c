@@ -2,6 +2,8 @@
 
 #include "tests/support/test.h"
 
+#include <string.h>
+
 static void *take(struct model *model, size_t count, size_t size)
 {
 	void *room = arena_alloc(&model->arena, count, size);
@@ -93,4 +95,46 @@ struct model *small_model_grid(
 	fill_vertices(primitive, columns, rows, size);
 	fill_indices(primitive, columns, rows);
 	return model;
+}
+
+static void add_frames(struct model *model)
+{
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	size_t count = (size_t)primitive->vertex_count;
+	const float *far = primitive->position[count - 1];
+
+	primitive->tangent = take(model, count, sizeof(float[4]));
+	primitive->texcoord = take(model, count, sizeof(float[2]));
+	for (size_t v = 0; v < count; v++) {
+		primitive->tangent[v][0] = 1.0f;
+		primitive->tangent[v][3] = 1.0f;
+		primitive->texcoord[v][0] = primitive->position[v][0] / far[0];
+		primitive->texcoord[v][1] =
+			1.0f - primitive->position[v][1] / far[1];
+	}
+}
+
+void small_model_add_relief(
+	struct model *model, int width, const uint8_t (*rgba)[4])
+{
+	size_t bytes = (size_t)width * 4;
+
+	add_frames(model);
+	model->texture_count = model->image_count = 1;
+	model->texture = take(model, 1, sizeof(*model->texture));
+	model->image = take(model, 1, sizeof(*model->image));
+	*model->texture = (struct model_texture){
+		.wrap_s = MODEL_CLAMP,
+		.wrap_t = MODEL_CLAMP,
+		.nearest = true,
+	};
+	*model->image = (struct model_image){
+		.name = "normals",
+		.width = width,
+		.height = 1,
+		.opaque = true,
+		.rgba = take(model, bytes, 1),
+	};
+	memcpy(model->image->rgba, rgba, bytes);
+	model->material[0].normal_texture = 0;
 }

@@ -14,4 +14,12 @@
 struct model *small_model_grid(
 	int columns, int rows, float size, bool with_normals);
 
+/*
+ * Gives a grid with normals a normal map of one row: texture coordinates run
+ * from 0 to 1 along +X and from 1 to 0 along +Y, tangents along +X. The texels
+ * are copied.
+ */
+void small_model_add_relief(
+	struct model *model, int width, const uint8_t (*rgba)[4]);
+
 #endif

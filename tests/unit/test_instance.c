@@ -163,6 +163,160 @@ static void test_multiplies_vertex_colours_by_the_material(void **state)
 	model_destroy(model);
 }
 
+/* One joint, a node of its own that the grid hangs on. */
+static void add_skin(struct model *model)
+{
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	size_t count = (size_t)primitive->vertex_count;
+	struct arena *arena = &model->arena;
+	struct model_node *node = ARENA_ARRAY(arena, struct model_node, 2);
+
+	node[0] = node[1] = model->node[0];
+	node[0].mesh = -1;
+	node[1].skin = 0;
+	model->node = node;
+	model->node_count = 2;
+	model->skin = ARENA_NEW(arena, struct model_skin);
+	model->skin_count = 1;
+	model->skin->joint_count = 1;
+	model->skin->joint = ARENA_ARRAY(arena, int, 1);
+	model->skin->inverse_bind = ARENA_ARRAY(arena, mat4, 1);
+	for (int i = 0; i < 4; i++) {
+		model->skin->inverse_bind[0][i][i] = 1.0f;
+	}
+	primitive->influences = 4;
+	primitive->joint = ARENA_ARRAY(arena, uint16_t, count * 4);
+	primitive->weight = ARENA_ARRAY(arena, float, count * 4);
+	for (size_t v = 0; v < count; v++) {
+		primitive->weight[v * 4] = 1.0f;
+	}
+}
+
+/* One target: +0.5 Z, normals towards +X, tangents towards -Z. */
+static void add_target(struct model *model)
+{
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	size_t count = (size_t)primitive->vertex_count;
+	struct arena *arena = &model->arena;
+
+	primitive->target = ARENA_NEW(arena, struct model_target);
+	primitive->target->position = arena_alloc(arena, count, 12);
+	primitive->target->normal = arena_alloc(arena, count, 12);
+	primitive->target->tangent = arena_alloc(arena, count, 12);
+	for (size_t v = 0; v < count; v++) {
+		primitive->target->position[v][2] = 0.5f;
+		primitive->target->normal[v][0] = 1.0f;
+		primitive->target->tangent[v][2] = -1.0f;
+	}
+	model->mesh[0].target_count = 1;
+	model->weight_count = 1;
+	model->rest_weights = ARENA_ARRAY(arena, float, 1);
+}
+
+static const uint8_t flat_map[1][4] = {{128, 128, 255, 255}};
+
+/* A quarter turn about +Y: +X to -Z, +Z to +X. */
+static const float quarter_turn[4] = {0, 0.70710678f, 0, 0.70710678f};
+
+static void test_morphs_before_it_skins(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance;
+	const struct drawable *drawable;
+	const float half = 0.70710678f;
+
+	(void)state;
+	small_model_add_relief(model, 1, flat_map);
+	add_skin(model);
+	add_target(model);
+	instance = make_instance(model);
+	drawable = &instance->drawable[0];
+	instance->pose.weight[0] = 1.0f;
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	/* (1, 1, 0) goes to (1, 1, 0.5), then to (0.5, 1, -1). */
+	assert_all_near(
+		drawable->position[3], ((float[3]){0.5f, 1, -1}), 3, 1e-6);
+	/* (1, 0, 1) unit turns to (1, 0, -1); (1, 0, -1) to (-1, 0, -1). */
+	assert_all_near(
+		drawable->normal[3], ((float[3]){half, 0, -half}), 3, 1e-6);
+	assert_all_near(
+		drawable->tangent[3], ((float[3]){-half, 0, -half}), 3, 1e-6);
+	assert_all_near(drawable->bitangent[3], ((float[3]){0, 1, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_skins_tangents_with_the_joints(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance;
+	const struct drawable *drawable;
+
+	(void)state;
+	small_model_add_relief(model, 1, flat_map);
+	add_skin(model);
+	instance = make_instance(model);
+	drawable = &instance->drawable[0];
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	assert_all_near(drawable->tangent[2], ((float[3]){0, 0, -1}), 3, 1e-6);
+	assert_all_near(drawable->bitangent[2], ((float[3]){0, 1, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 100.0f, true);
+	struct instance *instance;
+	const struct drawable *drawable;
+
+	(void)state;
+	small_model_add_relief(model, 1, flat_map);
+	add_target(model);
+	instance = make_instance(model);
+	drawable = &instance->drawable[0];
+	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
+	instance->pose.weight[0] = 0.75f;
+	instance_update(instance);
+	assert_all_near(
+		drawable->tangent[0], ((float[3]){0.8f, 0, -0.6f}), 3, 1e-6);
+	assert_all_near(
+		drawable->normal[0], ((float[3]){0.6f, 0, 0.8f}), 3, 1e-6);
+	assert_near(drawable->position[0][2],
+		0.375 * (double)drawable->vertex_scale, 1e-6);
+	/* Again from the base, not from what is there. */
+	instance->pose.weight[0] = 0.0f;
+	instance_update(instance);
+	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_leaves_tangents_alone_without_relief(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance;
+	const struct drawable *drawable;
+
+	(void)state;
+	small_model_add_relief(model, 1, flat_map);
+	add_skin(model);
+	instance = make_instance(model);
+	drawable = &instance->drawable[0];
+	instance->relief = false;
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	assert_all_near(drawable->tangent[2], ((float[3]){1, 0, 0}), 3, 1e-6);
+	assert_all_near(drawable->normal[2], ((float[3]){1, 0, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_bounds_of_nothing_are_empty(void **state)
 {
 	struct bounds bounds = bounds_empty();
@@ -186,6 +340,10 @@ int main(void)
 		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
 		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
+		cmocka_unit_test(test_morphs_before_it_skins),
+		cmocka_unit_test(test_skins_tangents_with_the_joints),
+		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),
+		cmocka_unit_test(test_leaves_tangents_alone_without_relief),
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
 	};
 

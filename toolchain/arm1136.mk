@@ -31,6 +31,12 @@ build/arm1136/micro/%: tests/arm1136/micro/%.S tests/arm1136/micro/cases.h \
 	$(call say,AS,$@)
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
 
+build/arm1136/unknown: tests/arm1136/unknown.S tests/arm1136/marker.h \
+		| build/arm/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,AS,$@)
+	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
+
 # AN4044's skinning loop, as its compiler would have made it today.
 build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
 		tests/arm1136/an4044.h tests/arm1136/marker.h \
@@ -40,11 +46,11 @@ build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
 	$(Q)$(ARM_PREFIX)gcc $(COMMON_CFLAGS) -O3 $(MICRO_CFLAGS) -I. \
 		-nostdlib -static -o $@ $(filter %.c,$^)
 
-model_programs := $(MODEL) $(MICRO) build/arm1136/an4044
+model_programs := $(MODEL) $(MICRO) build/arm1136/an4044 build/arm1136/unknown
 model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
 	tests/arm1136/micro/$(notdir $(program)).S)) \
 	$(call suite,arm1136/plugin,tests/arm1136/plugin.sh $(MODEL) \
-	build/arm1136/an4044) \
+	build/arm1136/an4044 build/arm1136/unknown) \
 	$(call suite,arm1136/checker,tests/arm1136/checker.sh $(MODEL) \
 	build/arm1136/micro)

@@ -2,12 +2,13 @@
 # The model's command line, its regions and its reports; and AN4044's loop,
 # whose cycles were worked out apart from it.
 #
-#   plugin.sh MODEL AN4044
+#   plugin.sh MODEL AN4044 UNKNOWN
 set -u
 . "$(dirname "$0")/../support/tap.sh"
 
 model=$1
 program=$2
+unknown=$3
 
 # model_run OPTIONS: runs the program in the model.
 model_run() {
@@ -89,6 +90,12 @@ check "JSON has regions, symbols and parameters" node -e '
         throw Error("symbols do not sum to " + all);
     if (regions.length !== 9 || report.parameters.ddr !== 80)
         throw Error("not what was asked for");' "$scratch/report.json"
+
+run qemu-arm -cpu arm1136 -plugin "$model" "$unknown"
+about "an instruction that is not decoded"
+expect_status 0
+expect_err '^region _start entries 1 cycles 83 instructions 3 '
+expect_err '^not decoded [0-9a-f]*: f1010000, 1 times'
 
 for wrong in nonsense=1 ddr=much l1d=15 ideal=maybe misses=0; do
     model_run ",$wrong"

@@ -26,7 +26,8 @@ struct tour_stop {
 	unsigned features; /* bits of enum rig_feature */
 };
 
-#define ALIVE (1 << RIG_HAIR | 1 << RIG_BREATH | 1 << RIG_SHADOW)
+#define ALIVE \
+	(1 << RIG_HAIR | 1 << RIG_BREATH | 1 << RIG_SHADOW | 1 << RIG_BUMPS)
 
 static const struct tour_stop tour[] = {
 	{0.0f, MOVE_WALK, ALIVE},
@@ -143,6 +144,7 @@ static void walker_update(struct demo *demo, double time_s)
 			.step_s = step_s,
 			.speed_m_per_s = demo->moves.ground_m_per_s,
 			.floor = &demo->act.stage.floor});
+	instance->relief = demo->rig.on[RIG_BUMPS];
 	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
 	if (demo->act.stage.floor.relief == 0.0f) {
 		return;
@@ -221,7 +223,7 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 			demo->rig.preset[demo->rig.preset_chosen].name);
 	}
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
-		if (demo->rig.weight[i] > 0.0f && i != RIG_SHADOW) {
+		if (demo->rig.weight[i] > 0.0f && i < RIG_SHADOW) {
 			hud_group_weight(group,
 				rig_feature_name((enum rig_feature)i),
 				demo->rig.weight[i],

@@ -29,6 +29,7 @@ static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_CAPE] = "cape",
 	[RIG_FACE] = "face",
 	[RIG_SHADOW] = "shadow",
+	[RIG_BUMPS] = "bump map",
 };
 
 const char *rig_feature_name(enum rig_feature feature)
@@ -157,7 +158,8 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	for (int side = 0; side < 2; side++) {
 		rig->shake[side] = procedural_begin(&rig->preset[0], 0);
 	}
-	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = rig->on[RIG_SHADOW] = true;
+	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
+	rig->on[RIG_SHADOW] = rig->on[RIG_BUMPS] = true;
 	error = find_bones(rig, instance->model, log);
 	rig->face = find_face(instance->model);
 	return error ? error : walker_trail_init(&rig->trail, instance, log);

@@ -26,7 +26,8 @@ enum rig_feature {
 	RIG_HAIR,   /* the ponytail swings */
 	RIG_CAPE,   /* a cape hangs from the shoulders */
 	RIG_FACE,   /* expressions follow each other: morph and skin */
-	RIG_SHADOW, /* drawn by the demo */
+	RIG_SHADOW, /* drawn by the demo, as is the next */
+	RIG_BUMPS,  /* the belt's normal map */
 	RIG_FEATURE_COUNT,
 };
 

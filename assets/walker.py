@@ -231,7 +231,8 @@ class Morphs(common.Tidy):
     """Works out the normals of morph targets anew.
 
     Blender's differ in the last bit from run to run. Here they are the same,
-    and zero wherever nothing moves.
+    and zero wherever nothing moves. Other normals only lose the sign of zero,
+    which differs likewise.
     """
 
     def __init__(self, path):
@@ -243,6 +244,8 @@ class Morphs(common.Tidy):
             index)
 
     def primitive(self, prim, tangents_for):
+        normal = prim["attributes"]["NORMAL"]
+        self.fresh[normal] = self.read(normal) + np.float32(0)
         targets = prim.get("targets", [])
         if targets:
             co = self.read(prim["attributes"]["POSITION"]).astype(float)

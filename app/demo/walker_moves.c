@@ -18,6 +18,7 @@ static const struct move_kind kinds[MOVE_COUNT] = {
 };
 
 static const char waving_arm[] = "shoulder.R";
+static const char smiling_head[] = "walker_head"; /* for its morph weights */
 static const float fade_s = 0.3f;
 
 static int find_clips(struct walker_moves *moves, const struct model *model,
@@ -57,6 +58,7 @@ int walker_moves_init(struct walker_moves *moves, struct instance *instance,
 {
 	const struct model *model = instance->model;
 	int arm = model_find_node(model, waving_arm);
+	int head = model_find_node(model, smiling_head);
 	int error;
 
 	*moves = (struct walker_moves){
@@ -76,6 +78,9 @@ int walker_moves_init(struct walker_moves *moves, struct instance *instance,
 	}
 	mask_fill(moves->wave_mask, model->node_count, 0.0f);
 	mask_subtree(moves->wave_mask, model, arm, 1.0f);
+	if (head >= 0) {
+		moves->wave_mask[head] = 1.0f;
+	}
 	return 0;
 }
 

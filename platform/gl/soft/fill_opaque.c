@@ -6,6 +6,7 @@
  * The differences from there: colours run as one number of three fields, and
  * textures are modulated in steps of 1/32.
  */
+#include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
 
 enum {
@@ -22,7 +23,8 @@ enum {
 /* G in 31..21, R in 20..10, B in 9..0: 6.5, 5.6 and 5.5 bits. */
 static ALWAYS_INLINE uint32_t pack(uint32_t r, uint32_t g, uint32_t b)
 {
-	return (g >> 13 << 21) + (r >> 13 << 10) + (b >> 14);
+	return (round_to_6(g) >> 13 << 21) + (round_to_5(r) >> 13 << 10) +
+		(round_to_5(b) >> 14);
 }
 
 static int32_t cut(int32_t value, int bits)
@@ -32,8 +34,9 @@ static int32_t cut(int32_t value, int bits)
 
 static uint32_t pack_step(int32_t r, int32_t g, int32_t b)
 {
-	return ((uint32_t)cut(g, 13) << 21) + ((uint32_t)cut(r, 13) << 10) +
-		(uint32_t)cut(b, 14);
+	return ((uint32_t)cut(g - (g >> 6), 13) << 21) +
+		((uint32_t)cut(r - (r >> 5), 13) << 10) +
+		(uint32_t)cut(b - (b >> 5), 14);
 }
 
 /* An attribute across a small triangle. */
@@ -173,15 +176,16 @@ static ALWAYS_INLINE uint32_t load_texel(
 static ALWAYS_INLINE uint32_t shade_gray(uint32_t texel, uint32_t share)
 {
 	texel = (texel | texel << 16) & 0x07E0F81F;
-	texel = texel * share >> 5 & 0x07E0F81F;
+	texel = (texel * share + 0x02008010) >> 5 & 0x07E0F81F;
 	return texel | texel >> 16;
 }
 
 static ALWAYS_INLINE uint32_t shade_tinted(
 	uint32_t texel, uint32_t r, uint32_t g, uint32_t b)
 {
-	return ((texel & 0xF800) * r >> 5 & 0xF800) |
-		((texel & 0x07E0) * g >> 5 & 0x07E0) | (texel & 31) * b >> 5;
+	return (((texel & 0xF800) * r + 0x8000) >> 5 & 0xF800) |
+		(((texel & 0x07E0) * g + 0x200) >> 5 & 0x07E0) |
+		((texel & 31) * b + 16) >> 5;
 }
 
 static ALWAYS_INLINE void run_texture(

@@ -8,7 +8,22 @@
 
 static inline uint16_t pack_565(int red, int green, int blue)
 {
-	return (uint16_t)((red >> 3) << 11 | (green >> 2) << 5 | blue >> 3);
+	return (uint16_t)((red * 249 + 1014) >> 11 << 11 |
+		(green * 253 + 505) >> 10 << 5 | (blue * 249 + 1014) >> 11);
+}
+
+/*
+ * Planes of 8.16 whose upper five or six of eight bits are the nearest of 31
+ * or 63 steps: times 31/32 or 63/64, and a half.
+ */
+static inline uint32_t round_to_5(uint32_t value)
+{
+	return value - (value >> 5) + (1 << 18);
+}
+
+static inline uint32_t round_to_6(uint32_t value)
+{
+	return value - (value >> 6) + (1 << 17);
 }
 
 /* Five and six bits to eight, so that all ones are 255. */

@@ -10,6 +10,7 @@
 
 enum {
 	WIDE_MASK = 0x07E0F81F,
+	WIDE_ROUND = 0x02008010, /* a half of every field, before >> 5 */
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 16,
 };
@@ -34,12 +35,13 @@ static ALWAYS_INLINE uint16_t narrow(uint32_t wide)
 /* From a to b by 0..32 of 32. */
 static ALWAYS_INLINE uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
 {
-	return (a + ((b - a) * share >> 5)) & WIDE_MASK;
+	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
 }
 
 static ALWAYS_INLINE uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
 {
-	return (r >> 19 << 11) | (g >> 18 << 21) | b >> 19;
+	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
+		round_to_5(b) >> 19;
 }
 
 /* Depth LESS alone; how many pass. */
@@ -262,7 +264,9 @@ static void modulate_gray(const struct span *span, struct wide_span *out)
 		return;
 	}
 	for (int i = 0; i < span->count; i++) {
-		out->color[i] = out->color[i] * (share >> 19) >> 5 & WIDE_MASK;
+		out->color[i] =
+			(out->color[i] * (share >> 19) + WIDE_ROUND) >> 5 &
+			WIDE_MASK;
 		share += (uint32_t)span->step[RED];
 	}
 }
@@ -276,9 +280,10 @@ static void modulate_tinted(const struct span *span, struct wide_span *out)
 	for (int i = 0; i < span->count; i++) {
 		uint32_t c = out->color[i];
 
-		out->color[i] = ((c & 0xF800) * (r >> 19) >> 5 & 0xF800) |
-			((c >> 21) * (g >> 19) >> 5 << 21) |
-			(c & 31) * (b >> 19) >> 5;
+		out->color[i] =
+			(((c & 0xF800) * (r >> 19) + 0x8000) >> 5 & 0xF800) |
+			((c >> 21) * (g >> 19) + 16) >> 5 << 21 |
+			((c & 31) * (b >> 19) + 16) >> 5;
 		r += (uint32_t)span->step[RED];
 		g += (uint32_t)span->step[GREEN];
 		b += (uint32_t)span->step[BLUE];

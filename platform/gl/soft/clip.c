@@ -16,7 +16,8 @@ static int64_t distance(const struct vertex *v, int plane)
 
 static int32_t mix(int32_t a, int32_t b, uint32_t share_q31)
 {
-	return a + (int32_t)(((int64_t)b - a) * share_q31 >> 31);
+	/* |b - a| <= 2^31 */
+	return (int32_t)(a + (((int64_t)b - a) * share_q31 >> 31));
 }
 
 /* Where the edge from inside (da >= 0) to outside (db < 0) meets the plane. */

@@ -294,6 +294,8 @@ static void find_texcoord(
 
 		out[i] = input->identity ? st[i]
 					 : saturate_64(sum >> input->matrix_q);
+		/* So that differences fit 32 bits. */
+		out[i] = clamp_int(out[i], -(1 << 30), 1 << 30);
 	}
 }
 

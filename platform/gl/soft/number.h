@@ -24,8 +24,8 @@ static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)
 }
 
 /*
- * 2^62 / value for a value with its top bit set, never above it and less than
- * 32 below: within 2^-25. The result is in 2^30..2^31 - 1.
+ * 2^62 / value for a value with its top bit set, within 32: 2^-25 of it. The
+ * result is at most 2^31 - 1.
  */
 static inline int32_t reciprocal(uint32_t value)
 {

@@ -1,3 +1,4 @@
+# Not build/assets: the program looks for assets/ in the folders above itself.
 # make demo: the demos in a window, or as pictures. make assets: the models
 # again from their scripts.
 
@@ -9,15 +10,15 @@ MODELS := $(patsubst assets/%.glb,%,$(sort $(wildcard assets/*.glb)))
 
 .PHONY: $(MODELS:%=assets-%)
 assets: $(MODELS:%=assets-%)
-$(MODELS:%=assets-%): assets-%: build/assets/packages.stamp
+$(MODELS:%=assets-%): assets-%: build/blender/packages.stamp
 	$(call say,BLENDER,assets/$*.glb)
 	$(Q)blender -b --factory-startup --python-exit-code 1 \
-		-P assets/$*.py -- build/assets/$*.glb \
-		>build/assets/$*.log 2>&1 || \
-		{ cat build/assets/$*.log >&2; exit 1; }
-	$(Q)cp build/assets/$*.glb assets/$*.glb
+		-P assets/$*.py -- build/blender/$*.glb \
+		>build/blender/$*.log 2>&1 || \
+		{ cat build/blender/$*.log >&2; exit 1; }
+	$(Q)cp build/blender/$*.glb assets/$*.glb
 
-build/assets/packages.stamp: toolchain/packages/assets.txt
+build/blender/packages.stamp: toolchain/packages/assets.txt
 	$(Q)mkdir -p $(@D)
 	$(Q)toolchain/install.sh assets
 	$(Q)touch $@

@@ -114,7 +114,9 @@ struct raster {
 	int x0; /* the column the planes start from */
 	bool perspective;
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
-	struct span span;              /* of the row under way */
+	int moving[ATTRIBUTES];        /* the attributes that have planes */
+	int moving_count;
+	struct span span; /* of the row under way, and what is the same in all */
 };
 
 struct setup; /* raster.h */
@@ -141,8 +143,8 @@ struct draw {
 		tests, blended;
 	fill_function fill;
 	void (*span)(struct draw *draw, const struct span *span);
-	int planes[PLANES], plane_count; /* those in use */
-	const struct vertex *provoking;  /* whose colour is flat */
+	int attribute[ATTRIBUTES], attribute_count; /* those in use */
+	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
 	uint32_t cached[VERTEX_CACHE]; /* index + 1 */
 	struct vertex cache[VERTEX_CACHE];

@@ -50,6 +50,7 @@ enum paint {
 	PAINT_COLOR,
 	TEXTURE_GRAY,
 	TEXTURE_TINTED,
+	TEXTURE_LINEAR, /* tinted, four texels mixed */
 };
 
 struct ramps {
@@ -63,6 +64,7 @@ struct run {
 	const uint8_t *texels;
 	uint32_t s_mask, t_mask; /* of offsets in bytes */
 	int t_shift;
+	int level_shift; /* from the base's coordinates to the level's */
 };
 
 /* What all gradients of a triangle share; see raster_find_area(). */
@@ -172,6 +174,26 @@ static ALWAYS_INLINE uint32_t load_texel(
 	return *(const uint16_t *)(const void *)(run->texels + offset);
 }
 
+/* The mean of four texels by where the centre lies between them. */
+static ALWAYS_INLINE uint32_t load_linear(
+	const struct run *run, uint32_t s, uint32_t t)
+{
+	uint32_t left = s >> 15 & run->s_mask;
+	uint32_t right = (left + 2) & run->s_mask;
+	uint32_t row = t >> run->t_shift & run->t_mask;
+	const uint8_t *above = run->texels + row;
+	const uint8_t *below =
+		run->texels + ((row + run->s_mask + 2) & run->t_mask);
+	uint32_t across = s >> 11 & 31;
+	uint32_t mixed = mix_wide(mix_wide(widen(load_16(above + left)),
+					  widen(load_16(above + right)), across),
+		mix_wide(widen(load_16(below + left)),
+			widen(load_16(below + right)), across),
+		t >> 11 & 31);
+
+	return narrow(mixed);
+}
+
 /* Shares are 0..32. */
 static ALWAYS_INLINE uint32_t shade_gray(uint32_t texel, uint32_t share)
 {
@@ -189,21 +211,29 @@ static ALWAYS_INLINE uint32_t shade_tinted(
 }
 
 static ALWAYS_INLINE void run_texture(
-	const struct run *run, const struct ramps *ramps, bool gray)
+	const struct run *run, const struct ramps *ramps, enum paint paint)
 {
+	bool gray = paint == TEXTURE_GRAY, linear = paint == TEXTURE_LINEAR;
+	int shift = linear ? run->level_shift : 0;
+	uint32_t half = linear ? 32768 : 0;
 	uint16_t *pixel = run->pixel + run->left;
 	uint16_t *depth = run->depth + run->left;
 	uint16_t *const end = pixel + run->count;
 	uint32_t z = ramp_at(&ramps->z, run->left);
-	uint32_t s = ramp_at(&ramps->s, run->left);
-	uint32_t t = ramp_at(&ramps->t, run->left);
+	uint32_t s = (uint32_t)((int32_t)ramp_at(&ramps->s, run->left) >> shift);
+	uint32_t t = (uint32_t)((int32_t)ramp_at(&ramps->t, run->left) >> shift);
+	uint32_t ds = (uint32_t)(ramps->s.dx >> shift);
+	uint32_t dt = (uint32_t)(ramps->t.dx >> shift);
 	uint32_t r = ramp_at(&ramps->color[0], run->left);
 	uint32_t g = gray ? 0 : ramp_at(&ramps->color[1], run->left);
 	uint32_t b = gray ? 0 : ramp_at(&ramps->color[2], run->left);
 
+	s -= half;
+	t -= half;
 	do {
 		if (z >> 10 < *depth) {
-			uint32_t texel = load_texel(run, s, t);
+			uint32_t texel = linear ? load_linear(run, s, t)
+						: load_texel(run, s, t);
 
 			*depth = (uint16_t)(z >> 10);
 			*pixel = (uint16_t)(gray ? shade_gray(texel, r >> 19)
@@ -212,8 +242,8 @@ static ALWAYS_INLINE void run_texture(
 		}
 		depth++;
 		z += (uint32_t)ramps->z.dx;
-		s += (uint32_t)ramps->s.dx;
-		t += (uint32_t)ramps->t.dx;
+		s += ds;
+		t += dt;
 		r += (uint32_t)ramps->color[0].dx;
 		if (!gray) {
 			g += (uint32_t)ramps->color[1].dx;
@@ -227,7 +257,7 @@ static ALWAYS_INLINE void move_down(
 {
 	ramp_down(&ramps->z, rows);
 	ramp_down(&ramps->color[0], rows);
-	if (paint == PAINT_COLOR || paint == TEXTURE_TINTED) {
+	if (paint == PAINT_COLOR || paint >= TEXTURE_TINTED) {
 		ramp_down(&ramps->color[1], rows);
 		ramp_down(&ramps->color[2], rows);
 	}
@@ -237,8 +267,30 @@ static ALWAYS_INLINE void move_down(
 	}
 }
 
-static ALWAYS_INLINE void begin_run(
-	const struct draw *draw, int y, enum paint paint, struct run *run)
+static uint32_t size_of(int32_t value)
+{
+	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+}
+
+/* The level whose texels are nearest in size to pixels. */
+static int choose_level(
+	const struct texture_input *input, const struct ramps *ramps)
+{
+	uint32_t most = size_of(ramps->s.dx);
+	uint32_t size = size_of(ramps->s.dy);
+	int lod;
+
+	most = size > most ? size : most;
+	size = size_of(ramps->t.dx);
+	most = size > most ? size : most;
+	size = size_of(ramps->t.dy);
+	most = size > most ? size : most;
+	lod = (raster_log2_q8(most) + 127) >> 8;
+	return clamp_int(lod, 0, input->levels - 1);
+}
+
+static ALWAYS_INLINE void begin_run(const struct draw *draw,
+	const struct ramps *ramps, int y, enum paint paint, struct run *run)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct texture_input *input = &draw->texture[0];
@@ -247,11 +299,16 @@ static ALWAYS_INLINE void begin_run(
 		(ptrdiff_t)y * buffers->target.stride_bytes);
 	run->depth = buffers->depth + y * buffers->width;
 	if (paint >= TEXTURE_GRAY) {
-		run->texels = input->base->texels;
-		run->s_mask = (2u << input->width_log2) - 2;
-		run->t_mask = ((1u << input->height_log2) - 1)
-			<< (input->width_log2 + 1);
-		run->t_shift = 15 - input->width_log2;
+		int number =
+			paint == TEXTURE_LINEAR ? choose_level(input, ramps) : 0;
+		const struct level *level = &input->texture->level[number];
+
+		run->texels = level->texels;
+		run->level_shift = number;
+		run->s_mask = (2u << level->width_log2) - 2;
+		run->t_mask = ((1u << level->height_log2) - 1)
+			<< (level->width_log2 + 1);
+		run->t_shift = 15 - level->width_log2;
 	}
 }
 
@@ -276,7 +333,7 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 	struct side part = raster_side(setup->v[0], setup->v[1], top);
 	struct run run;
 
-	begin_run(draw, y, paint, &run);
+	begin_run(draw, &ramps, y, paint, &run);
 	if (top > setup->top) {
 		move_down(&ramps, top - setup->top, paint);
 	}
@@ -294,8 +351,7 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 			run.count = to - from;
 			if (run.count > 0) {
 				if (paint >= TEXTURE_GRAY) {
-					run_texture(&run, &ramps,
-						paint == TEXTURE_GRAY);
+					run_texture(&run, &ramps, paint);
 				} else {
 					run_plain(&run, &ramps, step,
 						paint == PAINT_GRAY);
@@ -415,7 +471,7 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	if (!find_color_ramp(&scale, RED, limits.color, round, &out->color[0])) {
 		return false;
 	}
-	if (paint == PAINT_COLOR || paint == TEXTURE_TINTED) {
+	if (paint == PAINT_COLOR || paint >= TEXTURE_TINTED) {
 		if (!find_color_ramp(&scale, GREEN, limits.color, round,
 			    &out->color[1]) ||
 			!find_color_ramp(&scale, BLUE, limits.color, round,
@@ -466,6 +522,11 @@ static void fill_texture_tinted(struct draw *draw, struct setup *setup)
 	fill(draw, setup, TEXTURE_TINTED);
 }
 
+static void fill_texture_linear(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, TEXTURE_LINEAR);
+}
+
 void fill_plain(struct draw *draw, struct setup *setup)
 {
 	if (is_gray(setup)) {
@@ -477,7 +538,9 @@ void fill_plain(struct draw *draw, struct setup *setup)
 
 void fill_textured(struct draw *draw, struct setup *setup)
 {
-	if (is_gray(setup)) {
+	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
+		fill_texture_linear(draw, setup);
+	} else if (is_gray(setup)) {
 		fill_texture_gray(draw, setup);
 	} else {
 		fill_texture_tinted(draw, setup);
@@ -501,10 +564,14 @@ bool fill_is_opaque(const struct draw *draw)
 bool fill_takes_texture(const struct texture_input *input)
 {
 	const struct texture *texture = input->texture;
+	GLenum min = texture->min_filter;
+	bool nearest = min == GL_NEAREST && texture->mag_filter == GL_NEAREST;
+	bool linear = texture->mag_filter == GL_LINEAR &&
+		(min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST);
 
+	/* Levels of squares alone are reached by one shift. */
 	return input->base->format == TEXEL_565 &&
-		input->env->mode == GL_MODULATE &&
-		texture->min_filter == GL_NEAREST &&
-		texture->mag_filter == GL_NEAREST &&
+		input->env->mode == GL_MODULATE && (nearest || linear) &&
+		(input->levels == 1 || input->width_log2 == input->height_log2) &&
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
 }

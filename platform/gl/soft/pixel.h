@@ -36,6 +36,31 @@ static inline void unpack_565(uint16_t pixel, uint8_t out[3])
 	out[2] = (uint8_t)(blue << 3 | blue >> 2);
 }
 
+/*
+ * RGB565 with room between its fields: green moved up by 16. One
+ * multiplication scales all three, in steps of 1/32.
+ */
+enum {
+	WIDE_MASK = 0x07E0F81F,
+	WIDE_ROUND = 0x02008010, /* a half of every field, before >> 5 */
+};
+
+static inline uint32_t widen(uint32_t pixel)
+{
+	return (pixel | pixel << 16) & WIDE_MASK;
+}
+
+static inline uint16_t narrow(uint32_t wide)
+{
+	return (uint16_t)(wide | wide >> 16);
+}
+
+/* From a to b by 0..32 of 32. */
+static inline uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
+{
+	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
+}
+
 static inline uint16_t load_16(const uint8_t *at)
 {
 	uint16_t value;

@@ -227,17 +227,13 @@ static uint32_t choose_attributes(const struct draw *draw)
 	return mask;
 }
 
-/* Those that run over rows: the depth's, and of the attributes. */
-static void list_planes(struct draw *draw)
+static void list_attributes(struct draw *draw)
 {
-	draw->plane_count = 0;
+	draw->attribute_count = 0;
 	for (int i = 0; i < ATTRIBUTES; i++) {
 		if (draw->attributes >> i & 1) {
-			draw->planes[draw->plane_count++] = i;
+			draw->attribute[draw->attribute_count++] = i;
 		}
-	}
-	if (draw->tests) {
-		draw->planes[draw->plane_count++] = DEPTH;
 	}
 }
 
@@ -274,7 +270,10 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
-	list_planes(draw);
+	if (soft_takes_span_565(draw) && !draw->blended) {
+		draw->attributes &= ~(1u << ALPHA);
+	}
+	list_attributes(draw);
 	draw->span =
 		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);

@@ -98,39 +98,38 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 }
 
 /* Colours and fog as they are, coordinates in 1/256 of texels. */
-static void gather(const struct draw *draw, const struct setup *setup, int name,
-	int32_t out[3])
+static void gather_texels(const struct draw *draw, const struct setup *setup,
+	int name, int32_t out[3])
 {
-	const struct vertex *flat = draw->provoking;
+	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
+	bool t = (name - TEX_S) % 2;
+	int log2 = t ? input->height_log2 : input->width_log2;
+	GLenum wrap = t ? input->texture->wrap_t : input->texture->wrap_s;
+	uint32_t first = (uint32_t)setup->v[0]->attribute[name];
+	uint32_t base = wrap == GL_REPEAT ? first & ~0xFFFFu : 0;
 
-	if (name >= TEX_S) {
-		const struct texture_input *input =
-			&draw->texture[(name - TEX_S) / 2];
-		bool t = (name - TEX_S) % 2;
-		int log2 = t ? input->height_log2 : input->width_log2;
-		GLenum wrap =
-			t ? input->texture->wrap_t : input->texture->wrap_s;
-		int32_t base = wrap == GL_REPEAT
-			? setup->v[0]->attribute[name] & ~0xFFFF
-			: 0;
-
-		for (int i = 0; i < 3; i++) {
-			out[i] = shift_by(
-				(int32_t)((uint32_t)setup->v[i]->attribute[name] -
-					(uint32_t)base),
-				log2 - 8);
-		}
-		return;
-	}
 	for (int i = 0; i < 3; i++) {
-		const struct vertex *v = draw->soft->fragment.flat && name < FOG
-			? flat
-			: setup->v[i];
-
-		out[i] = setup->back && draw->shading.two_side && name < FOG
-			? v->back[name]
-			: v->attribute[name];
+		out[i] = shift_by(
+			(int32_t)((uint32_t)setup->v[i]->attribute[name] - base),
+			log2 - 8);
 	}
+}
+
+/* A colour's channel, or fog; true if it is the same everywhere. */
+static bool gather_color(const struct draw *draw, const struct setup *setup,
+	int name, int32_t out[3])
+{
+	bool flat = draw->soft->fragment.flat;
+	bool behind = setup->back && draw->shading.two_side;
+
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *v =
+			flat && name < FOG ? draw->provoking : setup->v[i];
+
+		out[i] = behind && name < FOG ? v->back[name]
+					      : v->attribute[name];
+	}
+	return out[0] == out[1] && out[0] == out[2];
 }
 
 static int32_t spread(const int32_t value[3])
@@ -166,13 +165,11 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
  * Whether running linearly is off by more than a step of 255 or a quarter of a
  * texel: by up to spread (qmax - qmin) / 4 qmin.
  */
-static bool bends(const struct setup *setup, int name, const int32_t value[3],
-	const int32_t q[3])
+static bool bends(int name, const int32_t value[3], const int32_t q[3])
 {
 	int32_t least = q[0] < q[1] ? q[0] : q[1];
 	int64_t allowed = name >= TEX_S ? 64 * 4 : 256 * 4;
 
-	(void)setup;
 	least = least < q[2] ? least : q[2];
 	return (int64_t)spread(value) * spread(q) > allowed * least;
 }
@@ -201,36 +198,56 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 	set_plane(raster, setup, product, 4, &raster->plane[name]);
 }
 
+/* Of what differs; what does not goes into the span once and for all. */
+static int gather_attributes(
+	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
+{
+	struct raster *raster = &draw->raster;
+	int count = 0;
+
+	for (int i = 0; i < draw->attribute_count; i++) {
+		int name = draw->attribute[i];
+
+		if (name >= TEX_S) {
+			gather_texels(draw, setup, name, value[count]);
+		} else if (gather_color(draw, setup, name, value[count])) {
+			raster->span.value[name] = (uint32_t)value[count][0]
+				<< 8;
+			raster->span.step[name] = 0;
+			continue;
+		}
+		raster->moving[count++] = name;
+	}
+	return count;
+}
+
 static void set_attributes(struct draw *draw, const struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 	int32_t value[ATTRIBUTES][3], q[3];
+	int count = gather_attributes(draw, setup, value);
 
+	raster->moving_count = count;
 	raster->perspective = false;
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (draw->attributes >> i & 1) {
-			gather(draw, setup, i, value[i]);
-		}
-	}
-	if (draw->perspective) {
+	if (draw->perspective && count > 0) {
 		gather_inverse_w(setup, q);
-		for (int i = 0; i < ATTRIBUTES && !raster->perspective; i++) {
-			raster->perspective = (draw->attributes >> i & 1) &&
-				bends(setup, i, value[i], q);
+		for (int i = 0; i < count && !raster->perspective; i++) {
+			raster->perspective =
+				bends(raster->moving[i], value[i], q);
 		}
 	}
 	if (raster->perspective) {
 		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
 	}
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (!(draw->attributes >> i & 1)) {
-			continue;
-		}
+	for (int i = 0; i < count; i++) {
+		int name = raster->moving[i];
+
 		if (raster->perspective) {
-			set_perspective(draw, setup, value[i], q, i);
+			set_perspective(draw, setup, value[i], q, name);
 		} else {
-			set_affine(draw, setup, value[i], i);
-			raster->plane[i].start += i >= TEX_S ? TEXEL_NUDGE : 0;
+			set_affine(draw, setup, value[i], name);
+			raster->plane[name].start +=
+				name >= TEX_S ? TEXEL_NUDGE : 0;
 		}
 	}
 }
@@ -270,7 +287,9 @@ void raster_set_up(struct draw *draw, struct setup *setup)
 
 	raster_find_area(setup);
 	raster->x0 = setup->v[0]->x >> 4;
-	set_affine(draw, setup, z, DEPTH);
+	if (draw->soft->fragment.depth_test) {
+		set_affine(draw, setup, z, DEPTH);
+	}
 	if (draw->soft->fragment.offset_fill) {
 		offset_depth(draw, setup, &raster->plane[DEPTH]);
 	}
@@ -286,11 +305,20 @@ int32_t raster_long_slope(int32_t dx, int32_t dy)
 		(46 - zeros));
 }
 
+static void skip(struct plane *plane, int rows)
+{
+	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+}
+
 void raster_skip_rows(struct draw *draw, int rows)
 {
-	for (int i = 0; i < PLANES; i++) {
-		struct plane *plane = &draw->raster.plane[i];
+	struct raster *raster = &draw->raster;
 
-		plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+	for (int i = 0; i < raster->moving_count; i++) {
+		skip(&raster->plane[raster->moving[i]], rows);
+	}
+	skip(&raster->plane[DEPTH], rows);
+	if (raster->perspective) {
+		skip(&raster->plane[INVERSE_W], rows);
 	}
 }

@@ -119,6 +119,14 @@ static ALWAYS_INLINE struct side raster_side(
 /* Moves all planes in use down by so many rows. */
 void raster_skip_rows(struct draw *draw, int rows);
 
+/* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
+static inline int raster_log2_q8(uint32_t value_q16)
+{
+	int zeros = LEADING_ZEROS_32(value_q16 | 1);
+
+	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
+}
+
 /* A plane's value at column x of the row under way. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {

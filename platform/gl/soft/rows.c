@@ -6,14 +6,6 @@ static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
 	21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
 	4681, 4369, 4096};
 
-/* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
-static int log2_q8(uint32_t value_q16)
-{
-	int zeros = LEADING_ZEROS_32(value_q16 | 1);
-
-	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
-}
-
 static uint32_t greater_size(uint32_t most, int64_t value)
 {
 	uint64_t size = (uint64_t)(value < 0 ? -value : value);
@@ -39,23 +31,25 @@ static void find_affine_lod(const struct draw *draw, struct span *span)
 			most = greater_size(most, p->dx);
 			most = greater_size(most, p->dy);
 		}
-		span->lod[unit] = log2_q8(most);
+		span->lod[unit] = raster_log2_q8(most);
 	}
 }
 
 static void row_affine(struct draw *draw, int y, int left, int right)
 {
+	const struct raster *raster = &draw->raster;
 	struct span *span = &draw->raster.span;
 
 	span->y = y;
 	for (int x = left; x < right; x += SPAN_PIXELS) {
 		span->x = x;
 		span->count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
-		for (int i = 0; i < draw->plane_count; i++) {
-			int name = draw->planes[i];
+		for (int i = 0; i < raster->moving_count; i++) {
+			int name = raster->moving[i];
 
-			span->value[name] = plane_at(&draw->raster, name, x);
+			span->value[name] = plane_at(raster, name, x);
 		}
+		span->value[DEPTH] = plane_at(raster, DEPTH, x);
 		draw->span(draw, span);
 	}
 }
@@ -87,13 +81,10 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 	out->q = q > 0 ? q : 1;
 	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
 	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		int32_t at;
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		int32_t at = (int32_t)plane_at(raster, i, x);
 
-		if (!(draw->attributes >> i & 1)) {
-			continue;
-		}
-		at = (int32_t)plane_at(raster, i, x);
 		if (i >= TEX_S) {
 			out->value[i] = divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);
@@ -128,30 +119,28 @@ static void find_lod(
 			most = greater_size(
 				most, divide(point, saturate_64(y), shift + 8));
 		}
-		span->lod[unit] = log2_q8(most);
+		span->lod[unit] = raster_log2_q8(most);
 	}
 }
 
-static void set_steps(const struct draw *draw, const struct point *from,
+static void set_steps(const struct raster *raster, const struct point *from,
 	const struct point *to, int steps, struct span *span)
 {
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (draw->attributes >> i & 1) {
-			int64_t all = (int64_t)to->value[i] - from->value[i];
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		int64_t all = (int64_t)to->value[i] - from->value[i];
 
-			span->value[i] = (uint32_t)from->value[i];
-			span->step[i] =
-				(int32_t)(all * inverse_q16[steps] >> 16);
-		}
+		span->value[i] = (uint32_t)from->value[i];
+		span->step[i] = (int32_t)(all * inverse_q16[steps] >> 16);
 	}
 }
 
 static void row_perspective(struct draw *draw, int y, int left, int right)
 {
-	struct span span = {.y = y};
+	struct span *span = &draw->raster.span;
 	struct point from, to;
 
-	span.step[DEPTH] = draw->raster.plane[DEPTH].dx;
+	span->y = y;
 	find_point(draw, left, &from);
 	for (int x = left; x < right; x += PERSPECTIVE_STEP) {
 		int left_over = right - x;
@@ -159,54 +148,41 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 		int steps = left_over > PERSPECTIVE_STEP ? PERSPECTIVE_STEP
 							 : left_over - 1;
 
-		span.x = x;
-		span.count = left_over < PERSPECTIVE_STEP ? left_over
-							  : PERSPECTIVE_STEP;
-		span.value[DEPTH] = plane_at(&draw->raster, DEPTH, x);
-		find_lod(draw, &from, &span);
+		span->x = x;
+		span->count = left_over < PERSPECTIVE_STEP ? left_over
+							   : PERSPECTIVE_STEP;
+		span->value[DEPTH] = plane_at(&draw->raster, DEPTH, x);
+		find_lod(draw, &from, span);
 		to = from;
 		if (steps > 0) {
 			find_point(draw, x + steps, &to);
 		}
-		set_steps(draw, &from, &to, steps, &span);
-		draw->span(draw, &span);
+		set_steps(&draw->raster, &from, &to, steps, span);
+		draw->span(draw, span);
 		from = to;
 	}
 }
 
 static void next_row(struct draw *draw)
 {
-	for (int i = 0; i < draw->plane_count; i++) {
-		struct plane *plane = &draw->raster.plane[draw->planes[i]];
-
-		plane->start += (uint32_t)plane->dy;
-	}
-	if (draw->raster.perspective) {
-		struct plane *plane = &draw->raster.plane[INVERSE_W];
-
-		plane->start += (uint32_t)plane->dy;
-	}
-}
-
-static void begin_affine(struct draw *draw)
-{
-	struct span *span = &draw->raster.span;
-
-	for (int i = 0; i < draw->plane_count; i++) {
-		int name = draw->planes[i];
-
-		span->step[name] = draw->raster.plane[name].dx;
-	}
-	find_affine_lod(draw, span);
+	raster_skip_rows(draw, 1);
 }
 
 void rows_fill(struct draw *draw, struct setup *setup)
 {
+	struct raster *raster = &draw->raster;
+
 	raster_set_up(draw, setup);
-	if (draw->raster.perspective) {
+	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (raster->perspective) {
 		raster_walk(draw, setup, row_perspective, next_row);
-	} else {
-		begin_affine(draw);
-		raster_walk(draw, setup, row_affine, next_row);
+		return;
 	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		int name = raster->moving[i];
+
+		raster->span.step[name] = raster->plane[name].dx;
+	}
+	find_affine_lod(draw, &raster->span);
+	raster_walk(draw, setup, row_affine, next_row);
 }

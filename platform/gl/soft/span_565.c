@@ -9,8 +9,6 @@
 #include "platform/gl/soft/raster.h"
 
 enum {
-	WIDE_MASK = 0x07E0F81F,
-	WIDE_ROUND = 0x02008010, /* a half of every field, before >> 5 */
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 16,
 };
@@ -21,22 +19,6 @@ struct wide_span {
 	uint8_t alpha[SPAN_PIXELS];  /* 0..32 */
 	bool passes[SPAN_PIXELS];
 };
-
-static ALWAYS_INLINE uint32_t widen(uint32_t pixel)
-{
-	return (pixel | pixel << 16) & WIDE_MASK;
-}
-
-static ALWAYS_INLINE uint16_t narrow(uint32_t wide)
-{
-	return (uint16_t)(wide | wide >> 16);
-}
-
-/* From a to b by 0..32 of 32. */
-static ALWAYS_INLINE uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
-{
-	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
-}
 
 static ALWAYS_INLINE uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
 {

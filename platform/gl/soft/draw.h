@@ -21,7 +21,7 @@
 enum {
 	VERTEX_CACHE = 512, /* a power of two */
 	CLIP_VERTICES = 9,  /* a triangle cut by six planes */
-	SPAN_PIXELS = 32,   /* fragments that go through the stages at a time */
+	SPAN_PIXELS = 64,   /* fragments that go through the stages at a time */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
 };
 
@@ -130,10 +130,17 @@ struct draw {
 	int32_t eye_q16[3][4];
 	int position_q;
 	bool checked; /* positions may be out of range */
+	/* positions are three floats in range, the usual: */
+	bool float_positions;
+	const uint8_t *positions;
+	int position_stride;
 	float position_scale;
 	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
 	struct clip_box box;
 	bool perspective, eye_needed, fogged;
+	/* every vertex's, where w does not vary; see struct vertex */
+	int32_t inverse_w_q30;
+	uint8_t w_zeros;
 	int32_t fog_scale_q16, fog_end_q16;
 	struct shading shading;
 	struct texture_input texture[SOFT_UNITS];

@@ -50,11 +50,27 @@ static void rotate_normal(const int32_t m_q28[9], int32_t n[3])
 	}
 }
 
-static void add_directional(const struct shading *shading,
+/* The highlight, which few lamps and materials have. */
+static void add_gleam(const struct shading *shading, const struct lamp *lamp,
+	const int32_t n[3], struct lit *lit)
+{
+	int32_t glance_q26 = dot_q26(n, lamp->half_q28);
+	int32_t gleam_q28;
+
+	if (glance_q26 <= 0) {
+		return;
+	}
+	gleam_q28 = power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
+		shading->shininess_q16);
+	for (int i = 0; i < 3; i++) {
+		lit->specular[i] += mul_high(gleam_q28, lamp->specular_q20[i]);
+	}
+}
+
+static ALWAYS_INLINE void add_directional(const struct shading *shading,
 	const struct lamp *lamp, const int32_t n[3], struct lit *lit)
 {
 	int32_t towards_q26 = dot_q26(n, lamp->towards_q28);
-	int32_t glance_q26, gleam_q28;
 
 	if (towards_q26 <= 0) {
 		return;
@@ -65,15 +81,7 @@ static void add_directional(const struct shading *shading,
 	if (!lamp->specular) {
 		return;
 	}
-	glance_q26 = dot_q26(n, lamp->half_q28);
-	if (glance_q26 <= 0) {
-		return;
-	}
-	gleam_q28 = power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
-		shading->shininess_q16);
-	for (int i = 0; i < 3; i++) {
-		lit->specular[i] += mul_high(gleam_q28, lamp->specular_q20[i]);
-	}
+	add_gleam(shading, lamp, n, lit);
 }
 
 /* Its length in 16.16; the vector itself becomes Q28 of unit length. */
@@ -178,7 +186,7 @@ static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
 	return 128 + value_q16 - (value_q16 >> 8);
 }
 
-static void light_side(const struct draw *draw, const int32_t n[3],
+static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3],
 	const int32_t eye[3], const int32_t vertex_color[4], int32_t out[4])
 {
 	const struct shading *shading = &draw->shading;

@@ -27,6 +27,10 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
 	draw->position_scale = soft_matrix_power_of_two(draw->position_q);
+	draw->float_positions =
+		array->type == GL_FLOAT && array->size >= 3 && !draw->checked;
+	draw->positions = array->pointer;
+	draw->position_stride = array->stride_bytes;
 }
 
 /* The largest that a row can give for coordinates up to most. */
@@ -69,6 +73,12 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 			soft_matrix_to_int(m.m[12 + row] * moved);
 	}
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
+	if (!draw->perspective && draw->clip_matrix[3][3] > 0) {
+		uint32_t w = (uint32_t)draw->clip_matrix[3][3];
+
+		draw->w_zeros = (uint8_t)LEADING_ZEROS_32(w);
+		draw->inverse_w_q30 = reciprocal(w << draw->w_zeros);
+	}
 }
 
 static int32_t to_q16(float value)

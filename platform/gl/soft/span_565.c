@@ -285,6 +285,27 @@ static void modulate_alpha(const struct span *span, struct wide_span *out)
 	}
 }
 
+/* The three of a floor: its shade, its fading, and the mix with the picture. */
+static void write_shaded(
+	const struct span *span, const struct wide_span *in, uint16_t *pixel)
+{
+	uint32_t share = span->value[RED] + SHARE_ROUND;
+	uint32_t alpha = span->value[ALPHA] + SHARE_ROUND;
+
+	for (int i = 0; i < span->count; i++) {
+		if (in->passes[i]) {
+			uint32_t own =
+				(in->color[i] * (share >> 19) + WIDE_ROUND) >> 5 &
+				WIDE_MASK;
+
+			pixel[i] = narrow(
+				mix_wide(widen(pixel[i]), own, alpha >> 19));
+		}
+		share += (uint32_t)span->step[RED];
+		alpha += (uint32_t)span->step[ALPHA];
+	}
+}
+
 static void write_opaque(const struct wide_span *in, int count, uint16_t *pixel)
 {
 	for (int i = 0; i < count; i++) {
@@ -312,9 +333,16 @@ static void fill_constant(const struct span *span, uint16_t *pixel)
 {
 	uint16_t value = narrow(widen_color(
 		span->value[RED], span->value[GREEN], span->value[BLUE]));
+	uint16_t *const end = pixel + span->count;
 
-	for (int i = 0; i < span->count; i++) {
-		pixel[i] = value;
+	for (; end - pixel >= 4; pixel += 4) {
+		pixel[0] = value;
+		pixel[1] = value;
+		pixel[2] = value;
+		pixel[3] = value;
+	}
+	while (pixel < end) {
+		*pixel++ = value;
 	}
 }
 
@@ -344,6 +372,11 @@ void soft_draw_span_565(struct draw *draw, const struct span *span)
 		fill_colors(span, &wide);
 	} else {
 		sample(&draw->texture[0], span, &wide);
+		if (draw->blended && is_gray(span) &&
+			draw->texture[0].base->format == TEXEL_565) {
+			write_shaded(span, &wide, pixel);
+			return;
+		}
 		if (is_gray(span)) {
 			modulate_gray(span, &wide);
 		} else {

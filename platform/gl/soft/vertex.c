@@ -2,6 +2,8 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 
+#include <string.h>
+
 static ALWAYS_INLINE int32_t transform_row(
 	const int32_t m[4], const int32_t p[3])
 {
@@ -33,7 +35,19 @@ void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 	const int32_t(*m)[4] = draw->clip_matrix;
 	int32_t p[3];
 
-	array_position(draw, index, p);
+	if (draw->float_positions) {
+		float f[3];
+
+		memcpy(f,
+			draw->positions +
+				(size_t)index * (size_t)draw->position_stride,
+			sizeof(f));
+		p[0] = (int32_t)(f[0] * draw->position_scale);
+		p[1] = (int32_t)(f[1] * draw->position_scale);
+		p[2] = (int32_t)(f[2] * draw->position_scale);
+	} else {
+		array_position(draw, index, p);
+	}
 	out->clip[0] = transform_row(m[0], p);
 	out->clip[1] = transform_row(m[1], p);
 	out->clip[2] = transform_row(m[2], p);
@@ -50,7 +64,7 @@ void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 }
 
 /* |x| <= w: x / w in Q29, from x << (zeros - 1) that fits 32 bits. */
-static int32_t divide_q29(int32_t x, const struct vertex *vertex)
+static ALWAYS_INLINE int32_t divide_q29(int32_t x, const struct vertex *vertex)
 {
 	return mul_high((int32_t)((uint32_t)x << (vertex->w_zeros - 1)),
 		vertex->inverse_w_q30);
@@ -59,10 +73,16 @@ static int32_t divide_q29(int32_t x, const struct vertex *vertex)
 void soft_project(const struct draw *draw, struct vertex *vertex)
 {
 	const int32_t *c = vertex->clip;
-	int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
 
-	vertex->w_zeros = (uint8_t)zeros;
-	vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
+	if (draw->perspective) {
+		int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
+
+		vertex->w_zeros = (uint8_t)zeros;
+		vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
+	} else {
+		vertex->w_zeros = draw->w_zeros;
+		vertex->inverse_w_q30 = draw->inverse_w_q30;
+	}
 	vertex->x =
 		(draw->center_x_q8 +
 			mul_high(divide_q29(c[0], vertex), draw->width_q10)) >>

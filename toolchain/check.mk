@@ -10,7 +10,7 @@ CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 SETS_fuzz := host font check
-PACKAGES_fuzz := jansson libpng libjpeg
+PACKAGES_fuzz := jansson libpng libjpeg zlib
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
 
@@ -60,6 +60,8 @@ conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
 script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
+xfile_suite = $(call suite,$(1)/conformance-x,tests/conformance/xfile.sh \
+	$(SAMPLES) $(RUN_$(1)) build/$(1)/limber)
 golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
 	$(CHECK)/$(1)/golden-$(2) $(RUN_$(1)) build/$(1)/limber)
 
@@ -70,6 +72,9 @@ $(foreach fuzzer,$(FUZZERS),$(call \
 $(call golden_suite,arm,osmesa)
 $(call golden_suite,host,osmesa)
 $(call golden_suite,host,gles1)
+$(call xfile_suite,host)
+$(call xfile_suite,asan)
+$(call xfile_suite,arm)
 $(call conformance_suite,host)
 $(call conformance_suite,asan)
 $(call conformance_suite,arm)

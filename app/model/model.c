@@ -1,5 +1,6 @@
 #include "app/model/model.h"
 #include "app/model/gltf.h"
+#include "app/model/xfile.h"
 #include "app/model/model_loader.h"
 
 #include <errno.h>
@@ -9,6 +10,7 @@
 /* The first that recognises a file loads it. */
 static const struct model_format formats[] = {
 	{"glTF", gltf_recognise, gltf_load},
+	{"DirectX .x", xfile_recognise, xfile_load},
 };
 
 static int load_source(const struct model_source *source, const struct log *log,
@@ -27,8 +29,8 @@ static int load_source(const struct model_source *source, const struct log *log,
 		}
 	}
 	log_error(log,
-		"%s: is no model that limber knows (it reads .gltf and "
-		".glb)",
+		"%s: is no model that limber knows (it reads .gltf, "
+		".glb and .x)",
 		source->name);
 	return -ENOTSUP;
 }

@@ -279,6 +279,40 @@ static void test_the_same_depth_loses_to_less(void **state)
 	stage_close(&stage);
 }
 
+static int count_red(const struct stage *stage)
+{
+	int count = 0;
+
+	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
+		count += stage->pixels.data[4 * i] == 255;
+	}
+	return count;
+}
+
+static void test_lines_and_points_have_their_size(void **state)
+{
+	static const float ends[] = {-1, 0.04f, 0.99f, 0.04f};
+	static const float point[] = {0.5f, -0.5f};
+	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	(void)state;
+	gl->Color4x(ONE, 0, 0, ONE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(2, GL_FLOAT, 0, ends);
+	gl->DrawArrays(GL_LINES, 0, 2);
+	assert_in_range(count_red(&stage), STAGE_WIDTH - 1, STAGE_WIDTH);
+	stage_expect(&stage, 5, STAGE_HEIGHT / 2 - 1, 255, 0, 0, 0);
+	gl->Clear(GL_COLOR_BUFFER_BIT);
+	gl->PointSizex(3 * ONE);
+	gl->VertexPointer(2, GL_FLOAT, 0, point);
+	gl->DrawArrays(GL_POINTS, 0, 1);
+	assert_int_equal(count_red(&stage), 9);
+	stage_expect(&stage, 24, 18, 255, 0, 0, 0);
+	stage_end_frame(&stage);
+	stage_close(&stage);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -286,6 +320,7 @@ int main(void)
 		cmocka_unit_test(test_nothing_is_written_outside_the_picture),
 		cmocka_unit_test(test_every_plane_cuts),
 		cmocka_unit_test(test_the_same_depth_loses_to_less),
+		cmocka_unit_test(test_lines_and_points_have_their_size),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -78,10 +78,16 @@ static void draw_transformed(struct draw *draw, struct vertex *const v[3])
 static void draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c)
 {
-	const uint32_t at[3] = {a, b, c};
 	struct vertex *v[3];
 
-	find_vertices(draw, source, at, 3, v);
+	v[0] = find_vertex(draw, source, a);
+	v[1] = find_vertex(draw, source, b);
+	v[2] = find_vertex(draw, source, c);
+	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+		const uint32_t at[3] = {a, b, c};
+
+		find_vertices(draw, source, at, 3, v);
+	}
 	draw_transformed(draw, v);
 }
 

@@ -91,10 +91,37 @@ static void run_tests(const struct draw *draw, const struct span *span,
 	}
 }
 
+/* The stencil without a depth test: flat shadows and what they darken. */
+static int test_stencil(
+	const struct draw *draw, const struct span *span, bool *passes)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct stencil *s = &draw->soft->fragment.stencil;
+	uint8_t *stencil = buffers->stencil +
+		(size_t)span->y * (size_t)buffers->width + span->x;
+	int reference = s->reference & s->mask, left = 0;
+
+	for (int i = 0; i < span->count; i++) {
+		int old = stencil[i] & s->mask;
+		bool through = compares(s->function, reference, old);
+		GLenum action = through ? s->pass : s->fail;
+
+		passes[i] = through;
+		left += through;
+		if (action != GL_KEEP) {
+			stencil[i] = apply_stencil(s, action, stencil[i]);
+		}
+	}
+	return left;
+}
+
 int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
 {
 	struct fragments fragments;
 
+	if (!draw->soft->fragment.depth_test && draw->soft->buffers.stencil) {
+		return test_stencil(draw, span, passes);
+	}
 	fragments.left = span->count;
 	memset(fragments.passes, true, (size_t)span->count);
 	run_tests(draw, span, &fragments);

@@ -62,6 +62,15 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 		whole_size(draw->soft->fragment.point_size));
 }
 
+/* (b - a) / steps, by a reciprocal: a share of 2^-25 off at most. */
+static int32_t step_between(int32_t a, int32_t b, int steps)
+{
+	int zeros = LEADING_ZEROS_32((uint32_t)steps);
+	int32_t inverse = reciprocal((uint32_t)steps << zeros);
+
+	return (int32_t)(((int64_t)b - a) * inverse >> (62 - zeros));
+}
+
 /* Along the longer axis, the last pixel left out for the next line. */
 void soft_draw_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b)
@@ -70,22 +79,29 @@ void soft_draw_line(
 	int32_t wide = dx < 0 ? -dx : dx, high = dy < 0 ? -dy : dy;
 	int steps = ((wide > high ? wide : high) + 8) >> 4;
 	int width = whole_size(draw->soft->fragment.line_width);
-	uint32_t from[PLANES] = {0}, to[PLANES] = {0};
+	bool flat = draw->soft->fragment.flat;
+	uint32_t to[PLANES] = {0};
+	int32_t step[PLANES], step_x, step_y;
 	struct span span = {0};
 
-	set_values(draw, draw->soft->fragment.flat ? draw->provoking : a, from);
-	set_values(draw, draw->soft->fragment.flat ? draw->provoking : b, to);
-	from[DEPTH] = (uint32_t)a->z << 8;
+	if (steps == 0) {
+		return;
+	}
+	set_values(draw, flat ? draw->provoking : a, span.value);
+	set_values(draw, flat ? draw->provoking : b, to);
+	span.value[DEPTH] = (uint32_t)a->z << 8;
 	to[DEPTH] = (uint32_t)b->z << 8;
+	for (int i = 0; i < PLANES; i++) {
+		step[i] = step_between(
+			(int32_t)span.value[i], (int32_t)to[i], steps);
+	}
+	step_x = step_between(0, dx * 4096, steps);
+	step_y = step_between(0, dy * 4096, steps);
 	for (int i = 0; i < steps; i++) {
+		draw_square(draw, &span, a->x + (step_x * i >> 12),
+			a->y + (step_y * i >> 12), width);
 		for (int j = 0; j < PLANES; j++) {
-			int64_t all = (int64_t)(int32_t)to[j] - (int32_t)from[j];
-
-			span.value[j] =
-				from[j] + (uint32_t)(int32_t)(all * i / steps);
+			span.value[j] += (uint32_t)step[j];
 		}
-		draw_square(draw, &span,
-			a->x + (int32_t)((int64_t)dx * i / steps),
-			a->y + (int32_t)((int64_t)dy * i / steps), width);
 	}
 }

@@ -120,6 +120,64 @@ static void test_position_keys_are_converted(void **state)
 	model_destroy(model);
 }
 
+static const struct model_channel *find_channel(
+	const struct model *model, enum model_path path)
+{
+	const struct model_clip *clip = &model->clip[0];
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].path == path) {
+			return &clip->channel[i];
+		}
+	}
+	return NULL;
+}
+
+static void test_matrix_keys_are_taken_apart(void **state)
+{
+	struct log_capture said;
+	/* Twice as large and moved. */
+	struct model *model = load(HEADER
+		"Frame Bone { FrameTransformMatrix { 1,0,0,0,0,1,0,0,"
+		"0,0,1,0,0,0,0,1;; } }\nAnimationSet Move { Animation { "
+		"{ Bone } AnimationKey { 4; 1; 0;16;2,0,0,0,0,2,0,0,"
+		"0,0,2,0,1,2,3,1;;; } } }",
+		&said);
+	const struct model_channel *moved =
+		find_channel(model, MODEL_TRANSLATION);
+	const struct model_channel *scaled = find_channel(model, MODEL_SCALE);
+	const float place[3] = {1, 2, -3}, size[3] = {2, 2, 2};
+
+	(void)state;
+	assert_non_null(moved);
+	assert_non_null(scaled);
+	assert_all_near(moved->value, place, 3, 1e-6);
+	assert_all_near(scaled->value, size, 3, 1e-6);
+	model_destroy(model);
+}
+
+static void test_influences_come_from_skin_weights(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Frame Bone { FrameTransformMatrix { 1,0,0,0,0,1,0,0,0,0,1,0,"
+		"0,0,0,1;; }\n" QUAD "XSkinMeshHeader { 1; 1; 1; } "
+		"SkinWeights { \"Bone\"; 2; 0,1; 0.5,1.0; "
+		"1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1;; } } }",
+		&said);
+	const struct model_skin *skin = &model->skin[0];
+	const float offset[3] = {1, 2, -3};
+
+	(void)state;
+	assert_int_equal(model->skin_count, 1);
+	assert_string_equal(model->node[skin->joint[0]].name, "Bone");
+	assert_all_near(skin->inverse_bind[0][3], offset, 3, 1e-6);
+	assert_int_equal(model->mesh[0].primitive[0].influences, 4);
+	/* A lone influence counts fully, whatever its weight. */
+	assert_near(model->mesh[0].primitive[0].weight[0], 1, 1e-6);
+	model_destroy(model);
+}
+
 static void test_a_missing_texture_costs_a_warning_only(void **state)
 {
 	struct log_capture said;
@@ -178,6 +236,8 @@ int main(void)
 		cmocka_unit_test(
 			test_pitfall_19_the_tick_rate_is_4800_unless_given),
 		cmocka_unit_test(test_position_keys_are_converted),
+		cmocka_unit_test(test_matrix_keys_are_taken_apart),
+		cmocka_unit_test(test_influences_come_from_skin_weights),
 		cmocka_unit_test(test_a_missing_texture_costs_a_warning_only),
 		cmocka_unit_test(
 			test_malformed_files_get_one_sentence_with_the_line),

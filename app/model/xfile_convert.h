@@ -30,8 +30,8 @@ void xfile_convert_matrix(const float in[16], mat4 out);
 void xfile_convert_rotation(const float wxyz[4], float out[4]);
 
 /*
- * Splits a converted matrix into T, R and S; a mirroring one has a negative
- * scale in z. False where they cannot say it (shear); *out then comes near.
+ * transform_decompose() with room for the few decimals of text files: true
+ * where T R S give the matrix to 1e-4 of its largest factor.
  */
 bool xfile_decompose(const mat4 matrix, struct transform *out);
 

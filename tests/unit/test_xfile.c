@@ -1,10 +1,14 @@
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/model_fixture.h"
 #include "tests/support/test.h"
 
+#include <cglm/quat.h>
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define HEADER "xof 0303txt 0032\n"
@@ -227,6 +231,328 @@ static void test_malformed_files_get_one_sentence_with_the_line(void **state)
 	}
 }
 
+#define UNIT "1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1;; "
+#define FACE "3; 0;0;0;, 1;0;0;, 0;1;0;; 1; 3;0,1,2;; "
+
+/* D3DXMatrixRotationY(+30 degrees) takes (1 0 0) to (cos 30, 0, -sin 30). */
+static void test_a_rotation_key_turns_as_it_did_in_direct3d(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Frame Bone { }\nAnimationSet Turn { Animation { { Bone } "
+		"AnimationKey { 0; 1; 0;4;0.9659258,0,-0.2588190,0;;; } } }",
+		&said);
+	const float expected[3] = {0.8660254f, 0, 0.5f};
+	vec3 point = {1, 0, 0};
+	versor turn;
+
+	(void)state;
+	memcpy(turn, model->clip[0].channel[0].value, sizeof(turn));
+	glm_quat_rotatev(turn, point, point);
+	assert_all_near(point, expected, 3, 1e-6);
+	model_destroy(model);
+}
+
+static void check_tower_mesh(const struct model *model)
+{
+	const struct model_mesh *mesh = &model->mesh[0];
+	const struct model_primitive *front = &mesh->primitive[0];
+	const struct model_primitive *top = &mesh->primitive[1];
+	static const float corner[3] = {1, 0, -0.5f};
+	static const float ahead[3] = {0, 0, 1};
+	static const float up[3] = {0, 1, 0};
+	static const uint8_t red[4] = {255, 0, 0, 255};
+	static const uint32_t fan[] = {0, 4, 3, 0, 2, 4, 0, 1, 2};
+
+	assert_int_equal(mesh->primitive_count, 2);
+	assert_int_equal(front->vertex_count, 6);
+	assert_int_equal(top->vertex_count, 3);
+	assert_all_near(front->position[1], corner, 3, 0);
+	assert_all_near(front->normal[0], ahead, 3, 0);
+	assert_all_near(front->normal[5], up, 3, 0);
+	assert_memory_equal(front->color[1], red, 4);
+	assert_near(front->texcoord[2][1], 0.5, 0);
+	assert_int_equal(front->index_count, 12);
+	assert_memory_equal(front->index, fan, sizeof(fan));
+}
+
+static void check_tower_skin(const struct model *model)
+{
+	const struct model_primitive *front = &model->mesh[0].primitive[0];
+	const struct model_primitive *top = &model->mesh[0].primitive[1];
+	const struct model_skin *skin = &model->skin[0];
+
+	assert_int_equal(front->influences, 4);
+	/* Weights of 0.25 and 0.25, of 2, and none at all. */
+	assert_near(front->weight[2 * 4 + 0], 0.5, 1e-6);
+	assert_near(front->weight[2 * 4 + 1], 0.5, 1e-6);
+	assert_near(front->weight[4 * 4 + 0], 1, 1e-6);
+	assert_int_equal(skin->joint_count, 3);
+	assert_int_equal(top->joint[2 * 4], 2);
+	assert_near(top->weight[2 * 4], 1, 0);
+	assert_string_equal(model->node[skin->joint[1]].name, "Upper");
+	assert_string_equal(model->node[skin->joint[2]].name, "Root");
+	assert_near(skin->inverse_bind[1][3][1], -1, 0);
+}
+
+static const struct model_channel *find_channel(
+	const struct model *model, const char *node, enum model_path path)
+{
+	const struct model_clip *clip = &model->clip[0];
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (channel->path == path &&
+			!strcmp(model->node[channel->node].name, node)) {
+			return channel;
+		}
+	}
+	fail_msg("%s has no such channel", node);
+	return NULL;
+}
+
+static void check_tower_clip(const struct model *model)
+{
+	static const float second[3] = {4, 5, -6};
+	static const float turned[4] = {0, -0.7071068f, 0, 0.7071068f};
+	static const float doubled[3] = {2, 2, 2};
+	static const float moved[3] = {1, 2, -3};
+	const struct model_channel *channel =
+		find_channel(model, "Upper", MODEL_TRANSLATION);
+
+	assert_near(model->clip[0].duration_s, 2, 1e-6);
+	/* The file has the keys at 2, 0 and 1 s. */
+	assert_near(channel->time_s[1], 1, 1e-6);
+	assert_all_near(channel->value + 3, second, 3, 0);
+	channel = find_channel(model, "Lower", MODEL_ROTATION);
+	assert_near(channel->time_s[1], 0.5, 1e-6);
+	assert_all_near(channel->value + 4, turned, 4, 1e-6);
+	channel = find_channel(model, "Lower", MODEL_SCALE);
+	assert_all_near(channel->value + 3, doubled, 3, 1e-6);
+	channel = find_channel(model, "Lower", MODEL_TRANSLATION);
+	assert_all_near(channel->value + 3, moved, 3, 1e-6);
+}
+
+static void check_tower_materials(const struct model *model)
+{
+	const struct model_primitive *primitive = model->mesh[0].primitive;
+	const struct model_material *brick =
+		&model->material[primitive[0].material];
+	const struct model_material *glass =
+		&model->material[primitive[1].material];
+
+	assert_int_equal(model->material_count, 2);
+	assert_string_equal(brick->name, "Brick");
+	/* sRGB 0.5 in linear light. */
+	assert_near(brick->base_color[0], 0.2140411, 1e-5);
+	assert_int_equal(brick->alpha, MODEL_OPAQUE);
+	assert_int_equal(glass->alpha, MODEL_BLEND);
+	assert_near(glass->base_color[3], 0.5, 0);
+}
+
+static void test_every_encoding_gives_the_same_model(void **state)
+{
+	static const char *const name[] = {
+		"x/tower_text.x",
+		"x/tower_binary.x",
+		"x/tower_wide.x",
+		"x/tower_text_packed.x",
+		"x/tower_binary_packed.x",
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(name); i++) {
+		struct log_capture heard;
+		struct model *model = model_fixture(name[i], &heard);
+
+		assert_int_equal(heard.count, 0);
+		check_tower_mesh(model);
+		check_tower_skin(model);
+		check_tower_clip(model);
+		check_tower_materials(model);
+		model_destroy(model);
+	}
+}
+
+static void test_every_cut_of_every_encoding_is_survived(void **state)
+{
+	static const char *const name[] = {
+		"x/tower_text.x",
+		"x/tower_binary.x",
+		"x/tower_text_packed.x",
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(name); i++) {
+		struct test_path path = fixture_path(name[i]);
+		size_t size;
+		char *data = file_read(path.text, &size);
+
+		for (size_t cut = 4; cut < size; cut += 3) {
+			struct log_capture heard;
+			struct log log = log_capture_begin(&heard);
+			struct model *model = NULL;
+
+			if (model_load_memory(data, cut, "cut.x", &log, &model)) {
+				assert_int_equal(
+					log_capture_count(&heard, LOG_ERROR), 1);
+			}
+			model_destroy(model);
+		}
+		free(data);
+	}
+}
+
+static void test_vertices_split_where_normals_differ(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Mesh T { 4; 0;0;0;, 1;0;0;, 1;1;0;, 0;1;0;; "
+		"2; 3;0,1,2;, 3;0,2,3;; "
+		"MeshNormals { 2; 0;0;-1;, 0;1;0;; 2; 3;0,0,0;, 3;1,0,0;; } }",
+		&said);
+	const struct model_primitive *primitive = model->mesh[0].primitive;
+
+	(void)state;
+	assert_int_equal(primitive->vertex_count, 5);
+	assert_near(primitive->normal[primitive->index[0]][2], 1, 0);
+	assert_near(primitive->normal[primitive->index[3]][1], 1, 0);
+	model_destroy(model);
+}
+
+static void test_the_eight_strongest_of_ten_bones_stay(void **state)
+{
+	char text[4096] = HEADER "Frame B { } Mesh T { " FACE;
+	struct log_capture said;
+	struct model *model;
+	const struct model_primitive *primitive;
+
+	(void)state;
+	for (int i = 1; i <= 10; i++) {
+		size_t used = strlen(text);
+
+		snprintf(text + used, sizeof(text) - used,
+			"SkinWeights { \"B\"; 1; 0; %d; " UNIT "}\n", i);
+	}
+	strcat(text, "}");
+	model = load(text, &said);
+	primitive = model->mesh[0].primitive;
+	assert_int_equal(primitive->influences, 8);
+	assert_int_equal(primitive->joint[0], 9);
+	assert_near(primitive->weight[0], 10.0 / 52, 1e-6);
+	assert_int_equal(primitive->joint[7], 2);
+	assert_near(primitive->weight[7], 3.0 / 52, 1e-6);
+	model_destroy(model);
+}
+
+static void test_a_bone_without_a_frame_costs_a_warning_only(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Frame F { Mesh T { " FACE
+		"SkinWeights { \"Gone\"; 3; 0,1,2; 1,1,1; " UNIT "} } }",
+		&said);
+
+	(void)state;
+	assert_true(log_capture_has(&said, LOG_WARNING, "\"Gone\""));
+	assert_int_equal(model->skin[0].joint[0], model_find_node(model, "F"));
+	model_destroy(model);
+}
+
+static void test_meshes_share_a_frame_or_have_none(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Frame F { Mesh A { " FACE "} Mesh B { " FACE
+		"} { C } { Nobody } }\nMesh C { " FACE "}\nMesh D { " FACE "}",
+		&said);
+	int drawn = 0;
+
+	(void)state;
+	for (int i = 0; i < model->node_count; i++) {
+		drawn += model->node[i].mesh >= 0;
+		assert_true(model->node[i].parent < i);
+	}
+	assert_int_equal(drawn, 4);
+	assert_int_equal(model->node_count, 4);
+	assert_int_equal(model->node[model_find_node(model, "C")].parent, 0);
+	assert_int_equal(model->node[model_find_node(model, "D")].parent, -1);
+	assert_true(log_capture_has(&said, LOG_WARNING, "\"Nobody\""));
+	model_destroy(model);
+}
+
+static void test_a_sheared_frame_keeps_its_matrix(void **state)
+{
+	struct log_capture said;
+	struct model *model = load(HEADER
+		"Frame F { FrameTransformMatrix { 1,0,0,0, 1,1,0,0, 0,0,1,0, "
+		"0,0,0,1;; } }",
+		&said);
+
+	(void)state;
+	assert_non_null(model->node[0].matrix);
+	assert_near(model->node[0].matrix[1][0], 1, 0);
+	model_destroy(model);
+}
+
+#define TEXTURED(name)                                                   \
+	HEADER "Mesh T { " FACE "MeshMaterialList { 1; 1; 0; Material {" \
+	       "1;1;1;1;; 0; 0;0;0;; 0;0;0;; TextureFilename { \"" name  \
+	       "\"; } } } }"
+
+/* Of a path that leads elsewhere only the last part is looked for. */
+static void test_textures_come_from_the_models_folder_only(void **state)
+{
+	static const char inside[] = TEXTURED("C:\\\\old\\\\two by two.png");
+	static const char outside[] = TEXTURED("..\\\\secret.png");
+	struct test_path folder = temp_dir_make();
+	struct test_path model_path = path_join(&folder, "sub-model.x");
+	struct test_path beside = path_join(&folder, "two by two.png");
+	struct test_path picture = fixture_path("parts/two by two.png");
+	struct log_capture said;
+	struct log log = log_capture_begin(&said);
+	struct model *model;
+	size_t size;
+	char *data = file_read(picture.text, &size);
+
+	(void)state;
+	file_write(beside.text, data, size);
+	free(data);
+	file_write(model_path.text, inside, sizeof(inside) - 1);
+	assert_int_equal(model_load(model_path.text, &log, &model), 0);
+	assert_int_equal(model->texture_count, 1);
+	assert_int_equal(model->image[0].width, 2);
+	model_destroy(model);
+	file_write(model_path.text, outside, sizeof(outside) - 1);
+	assert_int_equal(model_load(model_path.text, &log, &model), 0);
+	assert_int_equal(model->texture_count, 0);
+	assert_int_equal(log_capture_count(&said, LOG_WARNING), 1);
+	model_destroy(model);
+	temp_dir_remove(&folder);
+}
+
+static void test_frames_too_deep_get_a_sentence(void **state)
+{
+	enum {
+		DEEP = 5000
+	};
+	static char text[20 + 6 * DEEP] = HEADER;
+	struct log_capture said;
+	struct log log = log_capture_begin(&said);
+	struct model *model;
+	size_t used = strlen(text);
+
+	(void)state;
+	for (int i = 0; i < DEEP; i++) {
+		memcpy(text + used, "Frame{", 6);
+		used += 6;
+	}
+	assert_int_equal(
+		model_load_memory(text, used, "deep.x", &log, &model), -EINVAL);
+	assert_true(log_capture_has(&said, LOG_ERROR, "deep.x: line 2"));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -241,6 +567,17 @@ int main(void)
 		cmocka_unit_test(test_a_missing_texture_costs_a_warning_only),
 		cmocka_unit_test(
 			test_malformed_files_get_one_sentence_with_the_line),
+		cmocka_unit_test(test_a_rotation_key_turns_as_it_did_in_direct3d),
+		cmocka_unit_test(test_every_encoding_gives_the_same_model),
+		cmocka_unit_test(test_every_cut_of_every_encoding_is_survived),
+		cmocka_unit_test(test_vertices_split_where_normals_differ),
+		cmocka_unit_test(test_the_eight_strongest_of_ten_bones_stay),
+		cmocka_unit_test(
+			test_a_bone_without_a_frame_costs_a_warning_only),
+		cmocka_unit_test(test_meshes_share_a_frame_or_have_none),
+		cmocka_unit_test(test_a_sheared_frame_keeps_its_matrix),
+		cmocka_unit_test(test_textures_come_from_the_models_folder_only),
+		cmocka_unit_test(test_frames_too_deep_get_a_sentence),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

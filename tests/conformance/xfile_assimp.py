@@ -77,9 +77,10 @@ def slerp(a, b, u):
 
 
 def worlds(scene, tick):
-    """World matrix of each node, and of each mesh by number."""
+    """World matrix of each node, and of each mesh by number; first clip."""
     animated = {}
-    for node in scene.iter("NodeAnim"):
+    clips = scene.find("AnimationList")
+    for node in clips[0].iter("NodeAnim") if clips is not None else []:
         animated[node.get("node")] = from_trs(
             value_at(node, "PositionKey", tick),
             value_at(node, "RotationKey", tick),

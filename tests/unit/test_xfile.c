@@ -295,7 +295,7 @@ static void check_tower_skin(const struct model *model)
 	assert_near(skin->inverse_bind[1][3][1], -1, 0);
 }
 
-static const struct model_channel *find_channel(
+static const struct model_channel *channel_of(
 	const struct model *model, const char *node, enum model_path path)
 {
 	const struct model_clip *clip = &model->clip[0];
@@ -319,18 +319,18 @@ static void check_tower_clip(const struct model *model)
 	static const float doubled[3] = {2, 2, 2};
 	static const float moved[3] = {1, 2, -3};
 	const struct model_channel *channel =
-		find_channel(model, "Upper", MODEL_TRANSLATION);
+		channel_of(model, "Upper", MODEL_TRANSLATION);
 
 	assert_near(model->clip[0].duration_s, 2, 1e-6);
 	/* The file has the keys at 2, 0 and 1 s. */
 	assert_near(channel->time_s[1], 1, 1e-6);
 	assert_all_near(channel->value + 3, second, 3, 0);
-	channel = find_channel(model, "Lower", MODEL_ROTATION);
+	channel = channel_of(model, "Lower", MODEL_ROTATION);
 	assert_near(channel->time_s[1], 0.5, 1e-6);
 	assert_all_near(channel->value + 4, turned, 4, 1e-6);
-	channel = find_channel(model, "Lower", MODEL_SCALE);
+	channel = channel_of(model, "Lower", MODEL_SCALE);
 	assert_all_near(channel->value + 3, doubled, 3, 1e-6);
-	channel = find_channel(model, "Lower", MODEL_TRANSLATION);
+	channel = channel_of(model, "Lower", MODEL_TRANSLATION);
 	assert_all_near(channel->value + 3, moved, 3, 1e-6);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/scene/draw.h"
 
+#include <errno.h>
 #include <stdio.h>
 
 int actor_load(struct actor *actor, const struct demo_env *env)
@@ -90,6 +91,17 @@ void actor_label_detail(const struct actor *actor, struct hud_group *group)
 			actor->instance->max_influences);
 		hud_group_text(group, "influences", value);
 	}
+}
+
+int find_bone(const struct model *model, const char *name,
+	const struct log *log, int *out)
+{
+	*out = model_find_node(model, name);
+	if (*out < 0) {
+		log_error(log, "%s: has no bone %s", model->path, name);
+		return -EINVAL;
+	}
+	return 0;
 }
 
 void actor_pose(struct actor *actor, int clip, float time_s)

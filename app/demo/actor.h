@@ -56,6 +56,10 @@ void actor_update(
 /* Says how many influences are used where some are left out. */
 void actor_label_detail(const struct actor *actor, struct hud_group *group);
 
+/* The node of that name. 0, or -EINVAL after a sentence. */
+int find_bone(const struct model *model, const char *name,
+	const struct log *log, int *out);
+
 /* Puts the pose at a clip's time, nodes without a channel at rest. */
 void actor_pose(struct actor *actor, int clip, float time_s);
 

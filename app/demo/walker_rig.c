@@ -3,6 +3,7 @@
 #include "app/anim/blend.h"
 #include "app/anim/bone.h"
 #include "app/anim/transform.h"
+#include "app/demo/actor.h"
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
 #include "platform/base/scalar.h"
@@ -35,17 +36,6 @@ static const char *const feature_names[RIG_FEATURE_COUNT] = {
 const char *rig_feature_name(enum rig_feature feature)
 {
 	return feature_names[feature];
-}
-
-static int find_bone(const struct model *model, const char *name,
-	const struct log *log, int *out)
-{
-	*out = model_find_node(model, name);
-	if (*out < 0) {
-		log_error(log, "%s: has no bone %s", model->path, name);
-		return -EINVAL;
-	}
-	return 0;
 }
 
 /* All bones that the rig turns. */
@@ -359,5 +349,6 @@ void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
 		walker_trail_put_on(&rig->trail);
 	}
 	walker_trail_update(&rig->trail, instance, frame->speed_m_per_s,
-		eased(rig, RIG_HAIR), frame->step_s);
+		eased(rig, RIG_HAIR), rig->on[RIG_CAPE] || had_cape,
+		frame->step_s);
 }

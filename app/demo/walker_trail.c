@@ -1,8 +1,8 @@
 #include "app/demo/walker_trail.h"
 
+#include "app/demo/actor.h"
 #include "platform/base/fixed.h"
 
-#include <errno.h>
 #include <string.h>
 
 /* The cape's shape at rest, metres: two upper corners, and how it falls. */
@@ -26,26 +26,16 @@ static const struct {
 	{"forearm.R", "hand.R", 0.045f},
 };
 
-static int find(const struct model *model, const char *name,
-	const struct log *log, int *out)
-{
-	*out = model_find_node(model, name);
-	if (*out < 0) {
-		log_error(log, "%s: has no bone %s", model->path, name);
-		return -EINVAL;
-	}
-	return 0;
-}
-
 static int make_body(struct walker_trail *trail, const struct model *model,
 	const struct log *log)
 {
 	for (int i = 0; i < BODY_CAPSULES; i++) {
 		struct capsule *capsule = &trail->body[i];
-		int error = find(model, body_shape[i].a, log, &capsule->node_a);
+		int error = find_bone(
+			model, body_shape[i].a, log, &capsule->node_a);
 
 		if (!error) {
-			error = find(
+			error = find_bone(
 				model, body_shape[i].b, log, &capsule->node_b);
 		}
 		if (error) {
@@ -66,7 +56,7 @@ static int make_cape(struct walker_trail *trail, struct instance *instance,
 	float shape[CAPE_COLUMNS * CAPE_ROWS][3];
 	int pin[CAPE_COLUMNS];
 	int chest;
-	int error = find(instance->model, "chest", log, &chest);
+	int error = find_bone(instance->model, "chest", log, &chest);
 
 	if (error) {
 		return error;
@@ -102,7 +92,7 @@ int walker_trail_init(struct walker_trail *trail, struct instance *instance,
 	const struct log *log)
 {
 	int last;
-	int error = find(instance->model, "ponytail.4", log, &last);
+	int error = find_bone(instance->model, "ponytail.4", log, &last);
 
 	*trail = (struct walker_trail){0};
 	if (!error) {
@@ -121,7 +111,7 @@ int walker_trail_init(struct walker_trail *trail, struct instance *instance,
 }
 
 void walker_trail_update(struct walker_trail *trail, struct instance *instance,
-	float speed_m_per_s, float hair, float step_s)
+	float speed_m_per_s, float hair, bool caped, float step_s)
 {
 	struct capsule_place body[BODY_CAPSULES];
 	struct spring *ponytail = &trail->ponytail;
@@ -132,8 +122,10 @@ void walker_trail_update(struct walker_trail *trail, struct instance *instance,
 	trail->cape.settings.wind[2] = -speed_m_per_s;
 	ponytail->gravity[2] = -3.0f * speed_m_per_s;
 	ponytail->weight = hair;
-	cloth_update(&trail->cape, step_s, body, BODY_CAPSULES,
-		(const mat4 *)instance->world);
+	if (caped) {
+		cloth_update(&trail->cape, step_s, body, BODY_CAPSULES,
+			(const mat4 *)instance->world);
+	}
 	spring_update(ponytail, step_s, body, BODY_CAPSULES,
 		(const mat4 *)instance->world, &instance->pose);
 	pose_world_from(&instance->pose, instance->model, NULL,

@@ -32,10 +32,11 @@ int walker_trail_init(struct walker_trail *trail, struct instance *instance,
 
 /*
  * Goes on by step_s in the wind of a forward speed. The ponytail's bones are
- * turned by as much as hair says, 0..1; world matrices stay up to date.
+ * turned by as much as hair says, 0..1; the cape costs nothing while it is
+ * not worn. World matrices stay up to date.
  */
 void walker_trail_update(struct walker_trail *trail, struct instance *instance,
-	float speed_m_per_s, float hair, float step_s);
+	float speed_m_per_s, float hair, bool caped, float step_s);
 
 /* The cape starts anew at rest, as when it is put on. */
 void walker_trail_put_on(struct walker_trail *trail);

@@ -1,3 +1,4 @@
+#include "app/model/color.h"
 #include "app/model/gltf_internal.h"
 
 #include <errno.h>
@@ -139,15 +140,6 @@ static uint8_t unit_to_byte(float value)
 	return value >= 1 ? 255 : (uint8_t)(value * 255.0f + 0.5f);
 }
 
-/* Linear light to IEC 61966-2-1. */
-static uint8_t linear_to_srgb(float value)
-{
-	if (value <= 0.0031308f) {
-		return unit_to_byte(value * 12.92f);
-	}
-	return unit_to_byte(1.055f * powf(value, 1.0f / 2.4f) - 0.055f);
-}
-
 /*
  * Colours are fractions; whole numbers that are not marked as normalised can
  * only be an exporter's slip.
@@ -182,7 +174,8 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 		const float *from = value + (size_t)i * fraction.width;
 
 		for (c = 0; c < 3; c++) {
-			out->color[i][c] = linear_to_srgb(from[c]);
+			out->color[i][c] =
+				unit_to_byte(color_encode_srgb(from[c]));
 		}
 		out->color[i][3] =
 			fraction.width == 4 ? unit_to_byte(from[3]) : 255;

@@ -1,3 +1,4 @@
+#include "app/model/color.h"
 #include "app/model/image.h"
 #include "app/model/xfile_build.h"
 
@@ -17,14 +18,6 @@ struct textures {
 	struct texture *list;
 	int count;
 };
-
-/* Colours are written as a screen shows them: the inverse of sRGB. */
-static float to_linear(float value)
-{
-	float c = fminf(fmaxf(value, 0), 1);
-
-	return c <= 0.04045f ? c / 12.92f : powf((c + 0.055f) / 1.055f, 2.4f);
-}
 
 /* What cannot be read costs a warning only. */
 static void write_warning(void *user, enum log_level level, const char *sentence)
@@ -176,7 +169,7 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 		return xfile_no_memory(build->where);
 	}
 	for (int i = 0; i < 3; i++) {
-		to->base_color[i] = to_linear(from->color[i]);
+		to->base_color[i] = color_decode_srgb(from->color[i]);
 	}
 	to->base_color[3] = fminf(fmaxf(from->color[3], 0), 1);
 	to->normal_texture = -1;

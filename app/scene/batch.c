@@ -1,6 +1,6 @@
 #include "app/scene/batch.h"
 
-#include "app/scene/color.h"
+#include "app/model/color.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

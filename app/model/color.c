@@ -1,4 +1,4 @@
-#include "app/scene/color.h"
+#include "app/model/color.h"
 
 #include "platform/base/scalar.h"
 
@@ -10,4 +10,11 @@ float color_encode_srgb(float linear)
 	return linear <= 0.0031308f
 		? 12.92f * linear
 		: 1.055f * powf(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float color_decode_srgb(float encoded)
+{
+	encoded = scalar_clamp(encoded, 0.0f, 1.0f);
+	return encoded <= 0.04045f ? encoded / 12.92f
+				   : powf((encoded + 0.055f) / 1.055f, 2.4f);
 }

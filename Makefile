@@ -20,6 +20,7 @@ include toolchain/host.mk
 include toolchain/arm.mk
 include toolchain/build.mk
 include toolchain/arm1136.mk
+include toolchain/bench.mk
 include toolchain/check.mk
 include toolchain/demo.mk
 

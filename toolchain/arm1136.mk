@@ -38,8 +38,8 @@ build/arm1136/unknown: tests/arm1136/unknown.S tests/arm1136/marker.h \
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
 
 # AN4044's skinning loop, as its compiler would have made it today.
-build/arm1136/an4044: tests/arm1136/an4044_run.c tests/arm1136/an4044.c \
-		tests/arm1136/an4044.h tests/arm1136/marker.h \
+build/arm1136/an4044: tests/arm1136/an4044_run.c app/anim/kernel/an4044.c \
+		app/anim/kernel/an4044.h tests/arm1136/marker.h \
 		| build/arm/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)

@@ -3,7 +3,7 @@
  * a vertex, everything in L1 (regions 1-4), then with data from memory
  * (regions 5-8). Needs no C library.
  */
-#include "tests/arm1136/an4044.h"
+#include "app/anim/kernel/an4044.h"
 #include "tests/arm1136/marker.h"
 
 #define VERTICES       64

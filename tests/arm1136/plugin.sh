@@ -62,7 +62,7 @@ model_run ,begin=an4044_transform
 expect_status 0
 expect_err '^region an4044_transform entries 16 '
 near "a function can be the region" "$(value an4044_transform instructions)" \
-    104096 104096
+    104112 104112
 
 model_run ,whole=on
 expect_err '^region whole entries 1 '

@@ -1,0 +1,138 @@
+#include "app/anim/kernel/an4044.h"
+
+typedef struct an4044_vec4 vec4;
+
+static inline float row(const float m[4], const vec4 *v)
+{
+	return m[0] * v->x + m[1] * v->y + m[2] * v->z + m[3] * v->w;
+}
+
+static inline void multiply(
+	vec4 *result, const struct an4044_joint_mat *m, const vec4 *v)
+{
+	result->x = row(&m->mat[0], v);
+	result->y = row(&m->mat[4], v);
+	result->z = row(&m->mat[8], v);
+}
+
+static inline void multiply_add(
+	vec4 *result, const struct an4044_joint_mat *m, const vec4 *v)
+{
+	result->x += row(&m->mat[0], v);
+	result->y += row(&m->mat[4], v);
+	result->z += row(&m->mat[8], v);
+}
+
+static inline const struct an4044_joint_mat *matrix(
+	const struct an4044_joint_mat *joint, int32_t offset)
+{
+	return (const struct an4044_joint_mat *)((const char *)joint + offset);
+}
+
+static inline void store(vec4 *to, const vec4 *from)
+{
+	to->x = from->x;
+	to->y = from->y;
+	to->z = from->z;
+}
+
+/* The compiler makes one loop of this for each number of attributes. */
+static inline void transform(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const vec4 *const base[3],
+	const struct an4044_joint_weight *weight, int attributes)
+{
+	for (int i = 0, j = 0; i < vertex_count; i++, j++) {
+		const struct an4044_joint_mat *m =
+			matrix(joint, weight[j].joint_mat_offset);
+		vec4 v[3];
+
+		for (int k = 0; k < attributes; k++) {
+			multiply(&v[k], m, &base[k][j]);
+		}
+		while (weight[j].next_vertex_offset != (int32_t)sizeof(*weight)) {
+			j++;
+			m = matrix(joint, weight[j].joint_mat_offset);
+			for (int k = 0; k < attributes; k++) {
+				multiply_add(&v[k], m, &base[k][j]);
+			}
+		}
+		store(&vertex[i].position, &v[0]);
+		if (attributes > 1) {
+			store(&vertex[i].normal, &v[1]);
+		}
+		if (attributes > 2) {
+			store(&vertex[i].tangent, &v[2]);
+		}
+	}
+}
+
+void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const vec4 *base,
+	const struct an4044_joint_weight *weight)
+{
+	const vec4 *const bases[3] = {base};
+
+	transform(vertex, vertex_count, joint, bases, weight, 1);
+}
+
+void an4044_transform_normals(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const vec4 *base,
+	const vec4 *normal, const struct an4044_joint_weight *weight)
+{
+	const vec4 *const bases[3] = {base, normal};
+
+	transform(vertex, vertex_count, joint, bases, weight, 2);
+}
+
+void an4044_transform_tangents(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const vec4 *base,
+	const vec4 *normal, const vec4 *tangent,
+	const struct an4044_joint_weight *weight)
+{
+	const vec4 *const bases[3] = {base, normal, tangent};
+
+	transform(vertex, vertex_count, joint, bases, weight, 3);
+}
+
+void an4044_over_time(int count, const an4044_vec3 *source,
+	const an4044_vec3 *destiny, float omega, an4044_vec3 *temporal)
+{
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k < 3; k++) {
+			temporal[i][k] = destiny[i][k] * omega +
+				source[i][k] * (1 - omega);
+		}
+	}
+}
+
+void an4044_add(int count, const float height[3], an4044_vec3 *temporal)
+{
+	for (int i = 0; i < count; i++) {
+		temporal[i][0] += height[0];
+		temporal[i][1] += height[1];
+		temporal[i][2] += height[2];
+	}
+}
+
+void an4044_by_frames(int count, const an4044_vec3 *source,
+	const an4044_vec3 *destiny, int frames, an4044_vec3 *temporal)
+{
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k < 3; k++) {
+			temporal[i][k] +=
+				(destiny[i][k] - source[i][k]) / (float)frames;
+		}
+	}
+}
+
+void an4044_two_targets(int count, const an4044_vec3 *base,
+	const an4044_vec3 *delta0, float weight0, const an4044_vec3 *delta1,
+	float weight1, an4044_vec3 *temporal)
+{
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k < 3; k++) {
+			temporal[i][k] = base[i][k] + delta0[i][k] * weight0 +
+				delta1[i][k] * weight1;
+		}
+	}
+}

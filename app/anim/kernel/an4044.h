@@ -1,0 +1,80 @@
+/*
+ * The vertex loops as AN4044 has them, data layout and all: the yardstick for
+ * the other kernels. Freescale, "3D Animation Techniques on the i.MX31 PDK".
+ *
+ * Needs no C library. kernel_an4044 (an4044_kernel.c) puts them behind the
+ * table of kernels.
+ */
+#ifndef APP_ANIM_KERNEL_AN4044_H
+#define APP_ANIM_KERNEL_AN4044_H
+
+#include <stdint.h>
+
+struct an4044_vec4 {
+	float x, y, z, w;
+};
+
+/* Example 1. */
+struct an4044_vertex {
+	struct an4044_vec4 position;
+	struct an4044_vec4 normal;
+	struct an4044_vec4 tangent;
+};
+
+/* Example 3; offsets in bytes. */
+struct an4044_joint_weight {
+	float weight;
+	int32_t joint_mat_offset;
+	int32_t next_vertex_offset;
+};
+
+/* Three rows of four. */
+struct an4044_joint_mat {
+	float mat[12];
+};
+
+/*
+ * Example 6. A base vector for each weight, already multiplied by it; the last
+ * weight of a vertex has next_vertex_offset == sizeof(struct
+ * an4044_joint_weight).
+ */
+void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
+	const struct an4044_joint_weight *weight);
+
+/*
+ * The same loop with normals, and with normals and tangents, whose base
+ * vectors have w = 0. They do not come out unit length.
+ */
+void an4044_transform_normals(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
+	const struct an4044_vec4 *normal,
+	const struct an4044_joint_weight *weight);
+void an4044_transform_tangents(struct an4044_vertex *vertex, int vertex_count,
+	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
+	const struct an4044_vec4 *normal, const struct an4044_vec4 *tangent,
+	const struct an4044_joint_weight *weight);
+
+/* A vector of a three-dimensional object (section 1). */
+typedef float an4044_vec3[3];
+
+/* 1.2.1: temporal = destiny * omega + source * (1 - omega). */
+void an4044_over_time(int count, const an4044_vec3 *source,
+	const an4044_vec3 *destiny, float omega, an4044_vec3 *temporal);
+
+/* 1.2.5: temporal += height, the sinusoid's. */
+void an4044_add(int count, const float height[3], an4044_vec3 *temporal);
+
+/* 1.2.2: temporal += (destiny - source) / frames, divided each time. */
+void an4044_by_frames(int count, const an4044_vec3 *source,
+	const an4044_vec3 *destiny, int frames, an4044_vec3 *temporal);
+
+/*
+ * Two objects mixed in at once, which the document leaves to the reader:
+ * temporal = base + delta0 * weight0 + delta1 * weight1.
+ */
+void an4044_two_targets(int count, const an4044_vec3 *base,
+	const an4044_vec3 *delta0, float weight0, const an4044_vec3 *delta1,
+	float weight1, an4044_vec3 *temporal);
+
+#endif

@@ -1,0 +1,182 @@
+#include "app/anim/kernel/an4044.h"
+#include "app/cmd/bench_job.h"
+
+#include <errno.h>
+#include <string.h>
+
+struct an4044_state {
+	int vertex_count;
+	struct skin_stream stream;
+	struct an4044_vertex *vertex;
+	struct an4044_joint_mat *joint;
+	struct an4044_joint_weight *weight;
+	const struct an4044_vec4 *base[3]; /* position, normal, tangent */
+	const an4044_vec3 *from[2];        /* positions, normals */
+	const an4044_vec3 *to[2];
+	an4044_vec3 *temporal[2];
+};
+
+static void skin(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_transform(
+		s->vertex, s->vertex_count, s->joint, s->base[0], s->weight);
+}
+
+static void skin_normals(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_transform_normals(s->vertex, s->vertex_count, s->joint,
+		s->base[0], s->base[1], s->weight);
+}
+
+static void skin_tangents(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_transform_tangents(s->vertex, s->vertex_count, s->joint,
+		s->base[0], s->base[1], s->base[2], s->weight);
+}
+
+static void lerp(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_over_time(
+		s->vertex_count, s->from[0], s->to[0], 0.3f, s->temporal[0]);
+}
+
+static void lerp_normals(void *user)
+{
+	struct an4044_state *s = user;
+
+	lerp(user);
+	an4044_over_time(
+		s->vertex_count, s->from[1], s->to[1], 0.3f, s->temporal[1]);
+}
+
+static void targets(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_two_targets(s->vertex_count, s->from[0], s->to[0], 0.25f,
+		s->to[1], 0.5f, s->temporal[0]);
+}
+
+static void by_frames(void *user)
+{
+	struct an4044_state *s = user;
+
+	an4044_by_frames(
+		s->vertex_count, s->from[0], s->to[0], 15, s->temporal[0]);
+}
+
+/* The document's matrices are rows, and have no fourth. */
+static void set_joints(struct an4044_state *state, const struct bench_mesh *mesh)
+{
+	for (int j = 0; j < mesh->joint_count; j++) {
+		for (int i = 0; i < 12; i++) {
+			state->joint[j].mat[i] = mesh->palette[j][i % 4][i / 4];
+		}
+	}
+}
+
+static void set_weights(struct an4044_state *state)
+{
+	for (int i = 0; i < state->stream.influence_count; i++) {
+		const struct joint_weight *from = &state->stream.influence[i];
+		size_t joint = (size_t)from->joint_offset / sizeof(mat4);
+
+		state->weight[i] = (struct an4044_joint_weight){
+			.weight = from->weight,
+			.joint_mat_offset =
+				(int32_t)(joint * sizeof(*state->joint)),
+			.next_vertex_offset = from->next_vertex_offset,
+		};
+	}
+}
+
+static int prepare_skin(struct an4044_state *state,
+	const struct bench_mesh *mesh, enum bench_work work, struct arena *arena)
+{
+	struct skin_stream *stream = &state->stream;
+	int error = skin_stream_init(stream, &mesh->primitive, 1.0f, arena);
+
+	if (!error && work == BENCH_SKIN_TANGENTS) {
+		error = skin_stream_add_tangents(
+			stream, &mesh->primitive, arena);
+	}
+	if (error) {
+		return error;
+	}
+	state->vertex = ARENA_ARRAY(
+		arena, struct an4044_vertex, (size_t)state->vertex_count);
+	state->joint = ARENA_ARRAY(
+		arena, struct an4044_joint_mat, (size_t)mesh->joint_count);
+	state->weight = ARENA_ARRAY(arena, struct an4044_joint_weight,
+		(size_t)stream->influence_count);
+	if (!state->vertex || !state->joint || !state->weight) {
+		return -ENOMEM;
+	}
+	state->base[0] = (const struct an4044_vec4 *)stream->position;
+	state->base[1] = (const struct an4044_vec4 *)stream->normal;
+	state->base[2] = (const struct an4044_vec4 *)stream->tangent;
+	set_joints(state, mesh);
+	set_weights(state);
+	return 0;
+}
+
+static int prepare_morph(struct an4044_state *state,
+	const struct bench_mesh *mesh, enum bench_work work, struct arena *arena)
+{
+	const struct model_primitive *primitive = &mesh->primitive;
+	bool is_lerp = work == BENCH_LERP || work == BENCH_LERP_NORMALS;
+
+	state->from[0] = (const an4044_vec3 *)primitive->position;
+	state->from[1] = (const an4044_vec3 *)primitive->normal;
+	state->to[0] = (const an4044_vec3 *)(work == BENCH_TARGETS
+			? mesh->target[0].position
+			: mesh->destiny);
+	state->to[1] = (const an4044_vec3 *)(is_lerp ? mesh->destiny_normal
+						     : mesh->target[1].position);
+	for (int i = 0; i < 2; i++) {
+		state->temporal[i] = arena_alloc(arena,
+			(size_t)state->vertex_count, sizeof(an4044_vec3));
+		if (!state->temporal[i]) {
+			return -ENOMEM;
+		}
+	}
+	memcpy(state->temporal[0], primitive->position,
+		(size_t)state->vertex_count * sizeof(an4044_vec3));
+	return 0;
+}
+
+int bench_an4044_prepare(const struct bench_mesh *mesh, enum bench_work work,
+	struct arena *arena, struct bench_job *out)
+{
+	static void (*const run[])(void *user) = {
+		[BENCH_SKIN] = skin,
+		[BENCH_SKIN_NORMALS] = skin_normals,
+		[BENCH_SKIN_TANGENTS] = skin_tangents,
+		[BENCH_LERP] = lerp,
+		[BENCH_LERP_NORMALS] = lerp_normals,
+		[BENCH_TARGETS] = targets,
+		[BENCH_BY_FRAMES] = by_frames,
+	};
+	struct an4044_state *state = ARENA_NEW(arena, struct an4044_state);
+
+	if (!state) {
+		return -ENOMEM;
+	}
+	state->vertex_count = mesh->primitive.vertex_count;
+	*out = (struct bench_job){
+		.vertex_count = state->vertex_count,
+		.state = state,
+		.run = run[work],
+	};
+	return work <= BENCH_SKIN_TANGENTS
+		? prepare_skin(state, mesh, work, arena)
+		: prepare_morph(state, mesh, work, arena);
+}

@@ -1,0 +1,327 @@
+#!/usr/bin/env python3
+"""make bench-arm11: what the loops cost on the timing model of the board's core.
+
+    arm11.py [OPTIONS]                 the table
+    arm11.py --check FILE [OPTIONS]    TAP: nothing worse than FILE records
+    arm11.py --record FILE [OPTIONS]   writes FILE
+
+What is measured is a line in ROWS. Every figure comes from tests/arm1136: it
+is a model, no hardware was measured.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+
+from arm11_rows import KERNELS, ROWS, Row
+
+# What the model is told, by the name of the column. In "warm" every access is
+# an L1 hit; the others have caches, and the pass that counts begins with all
+# data in memory.
+MEMORIES = {
+    "warm": "ideal=on",
+    "cold": "",
+    "cold low": "l2=8,ddr=50",
+    "cold high": "l2=16,ddr=110",
+}
+SHORT = ("warm", "cold")
+WORSE = 1.05
+MODEL_NOTE = (
+    "An ARM1136JF-S at 532 MHz by the timing model of tests/arm1136: "
+    "no hardware was measured."
+)
+
+
+@dataclass
+class Figures:
+    """What one kernel needs for one row, for each vertex, joint or frame."""
+
+    row: Row
+    kernel: str
+    per: int = 0
+    cycles: dict = field(default_factory=dict)
+    instructions: float = 0.0
+    symbols: list = field(default_factory=list)
+
+    def number(self, name):
+        return self.instructions if name == "instructions" else self.cycles.get(name)
+
+
+class Bench:
+    """Runs programs under qemu-arm with the model."""
+
+    def __init__(self, options):
+        self.options = options
+        self.scratch = tempfile.TemporaryDirectory(prefix="limber-bench-")
+
+    def command(self, row, kernel, memory, report):
+        parameters = [f"json={report}"]
+        if MEMORIES[memory]:
+            parameters.append(MEMORIES[memory])
+        if self.options.model_options:
+            parameters.append(self.options.model_options)
+        return [
+            "qemu-arm", "-cpu", "arm1136", "-L", self.options.sysroot,
+            "-plugin", ",".join([self.options.model, *parameters]),
+            *row.command(self.options, kernel),
+        ]  # fmt: skip
+
+    def run(self, row, kernel, memory):
+        """The program's denominator and the model's report, or None where the
+        kernel has no such loop."""
+        name = f"{row.name}-{kernel}-{memory}.json".replace(" ", "-")
+        report = pathlib.Path(self.scratch.name, name)
+        result = subprocess.run(
+            self.command(row, kernel, memory, report),
+            capture_output=True, text=True, check=False,
+            env={**os.environ, "LC_ALL": "C"},
+        )  # fmt: skip
+        if result.returncode == 3:
+            return None
+        if result.returncode or not report.exists():
+            raise RuntimeError(f"{row.name}, {kernel}: {result.stderr.strip()}")
+        per = int(re.search(r"^count (\d+)", result.stdout, re.M)[1])
+        return per, json.loads(report.read_text())
+
+    def figures(self, row, kernel, memories):
+        figures = Figures(row, kernel)
+        for memory in memories:
+            answer = self.run(row, kernel, memory)
+            if not answer:
+                return None
+            figures.per, report = answer
+            region = "#1" if memory == "warm" else "#2"
+            counts = next(
+                r["counts"] for r in report["regions"] if r["name"].endswith(region)
+            )
+            figures.cycles[memory] = counts["cycles"] / figures.per
+            figures.instructions = counts["instructions"] / figures.per
+            if memory == "cold":
+                figures.symbols = report["symbols"]
+        return figures
+
+    def all(self):
+        memories = SHORT if self.options.short else tuple(MEMORIES)
+        jobs = [
+            (row, kernel)
+            for row in ROWS
+            if row.wanted(self.options)
+            for kernel in row.kernels
+            if not self.options.kernel or kernel in self.options.kernel
+        ]
+        with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
+            results = pool.map(lambda job: self.figures(*job, memories), jobs)
+            return [figures for figures in results if figures]
+
+
+def ratios(all_figures):
+    """(row, kernel, column) -> how many times faster than an4044."""
+    base = {f.row.name: f for f in all_figures if f.kernel == "an4044"}
+    return {
+        (f.row.name, f.kernel, column): base[f.row.name].cycles[column] / cycles
+        for f in all_figures
+        if f.row.name in base
+        for column, cycles in f.cycles.items()
+        if cycles
+    }
+
+
+def number(value, width, digits=1):
+    return f"{value:{width}.{digits}f}" if value is not None else " " * width
+
+
+def print_table(all_figures, out):
+    ratio = ratios(all_figures)
+    unit = None
+    print(MODEL_NOTE, file=out)
+    for f in all_figures:
+        if f.row.unit != unit:
+            unit = f.row.unit
+            print(
+                f"\n{'cycles a ' + unit:38} {'warm':>9} {'cold':>9} "
+                f"{'(sweep)':^17} {'instr.':>9} {'warm':>6} {'cold':>6} {'bound':>6}",
+                file=out,
+            )
+        first = f.kernel == f.row.kernels[0]
+        low, high = f.cycles.get("cold low"), f.cycles.get("cold high")
+        sweep = f"({low:.1f} - {high:.1f})" if low else ""
+        times = [
+            f"{ratio[key]:5.2f}x" if (key := (f.row.name, f.kernel, c)) in ratio else ""
+            for c in ("warm", "cold")
+        ]
+        bound = number(f.row.bound, 6, 0) if f.kernel == "armv6" else " " * 6
+        print(
+            f"{f.row.title if first else '':31} {f.kernel:6} "
+            f"{number(f.cycles['warm'], 9)} {number(f.cycles['cold'], 9)} "
+            f"{sweep:^17} {number(f.instructions, 9)} {times[0]:>6} {times[1]:>6} {bound}",
+            file=out,
+        )
+        for symbol in f.row.parts(f):
+            print(f"    {symbol}", file=out)
+    print(NOTES, file=out)
+
+
+NOTES = """
+warm   every access hits L1.
+cold   data in memory, code in L1; L2 10 and DDR 80 cycles more than L1. The
+       sweep is L2 8, DDR 50 to L2 16, DDR 110.
+x      times an4044's float in the same run. an4044 is the document's own loop
+       and layout; its normals do not come out unit length, float's do.
+bound  MAC and load limits of the core (a scoreboard search), for the best loop."""
+
+
+def as_json(all_figures):
+    ratio = ratios(all_figures)
+    return {
+        "note": MODEL_NOTE,
+        "memories": MEMORIES,
+        "rows": [
+            {
+                "name": f.row.name,
+                "title": f.row.title,
+                "kernel": f.kernel,
+                "unit": f.row.unit,
+                "count": f.per,
+                "cycles": {k: round(v, 2) for k, v in f.cycles.items()},
+                "instructions": round(f.instructions, 2),
+                "times_an4044": {
+                    column: round(ratio[key], 2)
+                    for column in f.cycles
+                    if (key := (f.row.name, f.kernel, column)) in ratio
+                },
+                "bound": f.row.bound,
+            }
+            for f in all_figures
+        ],
+    }
+
+
+RECORDED = ("warm", "cold", "instructions")
+
+
+def read_figures(path):
+    """(row, kernel, figure) -> value"""
+    recorded = {}
+    for line in pathlib.Path(path).read_text().splitlines():
+        if line.strip() and not line.startswith("#"):
+            row, kernel, figure, value = line.split()
+            recorded[row, kernel, figure] = float(value)
+    return recorded
+
+
+def write_figures(path, all_figures):
+    with open(path, "w", encoding="ascii") as out:
+        print(f"# {MODEL_NOTE}", file=out)
+        print("# ROW KERNEL FIGURE VALUE; make bench-arm11-record renews it.", file=out)
+        for f in all_figures:
+            for name in RECORDED:
+                print(f.row.name, f.kernel, name, f"{f.number(name):.2f}", file=out)
+
+
+class Tap:
+    def __init__(self):
+        self.count = 0
+        self.failed = 0
+
+    def check(self, good, name):
+        self.count += 1
+        self.failed += not good
+        print(f"{'ok' if good else 'not ok'} {self.count} - {name}")
+
+    def done(self):
+        print(f"1..{self.count}")
+        return 1 if self.failed else 0
+
+
+def check_limits(tap, all_figures, recorded):
+    """What the loops once reached they must go on reaching."""
+    ratio = ratios(all_figures)
+    was = {}
+    for (row, kernel, figure), value in recorded.items():
+        if kernel != "an4044" and (base := recorded.get((row, "an4044", figure))):
+            was[row, kernel, figure] = base / value
+    for f in all_figures:
+        for figure, limit in f.row.limits(f.kernel):
+            value = f.number(figure)
+            reached = recorded.get((f.row.name, f.kernel, figure), 1e9) <= limit
+            tap.check(
+                value <= limit or not reached,
+                f"{f.row.name} {f.kernel} {figure}: {value:.1f} of at most {limit}"
+                + ("" if value <= limit else ", reached before" if reached else ", not yet"),
+            )
+        for figure, limit in f.row.ratios(f.kernel):
+            key = (f.row.name, f.kernel, figure)
+            reached = was.get(key, 0) >= limit
+            tap.check(
+                ratio[key] >= limit or not reached,
+                f"{f.row.name} {f.kernel} {figure}: {ratio[key]:.2f} times an4044 of {limit}"
+                + ("" if ratio[key] >= limit else ", reached before" if reached else ", not yet"),
+            )
+
+
+def check_figures(all_figures, path, options):
+    tap = Tap()
+    recorded = read_figures(path)
+    seen = set()
+    for f in all_figures:
+        for name in RECORDED:
+            key = (f.row.name, f.kernel, name)
+            value, before = f.number(name), recorded.get(key)
+            seen.add(key)
+            label = " ".join(key)
+            if before is None:
+                tap.check(False, f"{label}: {value:.2f}, and nothing is recorded")
+            else:
+                tap.check(
+                    value <= before * WORSE + 0.01,
+                    f"{label}: {value:.2f}, recorded {before:.2f}",
+                )
+    if not options.rows and not options.kernel:
+        for key in recorded.keys() - seen:
+            tap.check(False, f"{' '.join(key)} is recorded, and not measured")
+    check_limits(tap, all_figures, recorded)
+    return tap.done()
+
+
+def parse_options():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    add = parser.add_argument
+    add("--model", default="build/arm1136/model.so")
+    add("--programs", default="build/arm/bench")
+    add("--sysroot", default="build/sysroot")
+    add("--samples", default="../shared")
+    add("--json", metavar="FILE", help="the table for programs, to a file")
+    add("--short", action="store_true", help="without the sweep")
+    add("--rows", metavar="NAME,...", type=lambda s: s.split(","))
+    add("--kernel", metavar="NAME,...", type=lambda s: s.split(","))
+    add("--model-options", default="", metavar="KEY=VALUE,...")
+    add("--jobs", type=int, default=os.cpu_count())
+    add("--osmesa", action="store_true", help="Debian's OSMesa as well; slow")
+    add("--check", metavar="FILE")
+    add("--record", metavar="FILE")
+    return parser.parse_args()
+
+
+def main():
+    options = parse_options()
+    all_figures = Bench(options).all()
+    if options.json:
+        text = json.dumps(as_json(all_figures), indent=2)
+        pathlib.Path(options.json).write_text(text + "\n")
+    if options.record:
+        write_figures(options.record, all_figures)
+    if options.check:
+        return check_figures(all_figures, options.check, options)
+    print_table(all_figures, sys.stdout)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,23 @@
+# make bench-arm11: what the vertex loops cost on the timing model of the
+# board's core (tests/bench/README.md).
+
+# The loops over vertices are worth the compiler's best.
+build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
+build/host/obj/app/anim/kernel/%.o: CFLAGS_host += -O3
+
+BENCH_ARM := build/arm/bench/arm11
+BENCH_FIGURES := tests/bench/arm11.figures
+BENCH = tests/bench/arm11.py --samples $(SAMPLES)
+
+build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)
+	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
+
+.PHONY: bench-arm11 bench-arm11-record
+bench-arm11: $(BENCH_ARM) build/arm1136/model.so
+	$(Q)$(BENCH) --json build/bench-arm11.json
+	@echo "The same for programs: build/bench-arm11.json"
+# After a loop got better, or for a good reason worse.
+bench-arm11-record: $(BENCH_ARM) build/arm1136/model.so
+	$(Q)$(BENCH) --short --record $(BENCH_FIGURES)

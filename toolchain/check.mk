@@ -88,6 +88,7 @@ $(call suite,assets,NODE_PATH=build/validator/node_modules \
 	node tests/validator/validate.js $(sort $(wildcard assets/*.glb)))
 $(call script_suites,toolchain)
 $(call script_suites,structure)
+$(call script_suites,flash)
 $(call suite,conformance/checker,tests/conformance/checker.sh)
 $(call suite,golden/checker,tests/golden/checker.sh)
 $(call suite,fuzz/checker,tests/fuzz/checker.sh)

@@ -12,11 +12,11 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
-GL_DRIVERS_host := osmesa gles1 soft
+GL_DRIVERS_host := gles1 soft osmesa
 DISPLAY_DRIVERS_host := window image null
 BUTTON_DRIVERS_host := script
 
-GL_DRIVERS_arm := osmesa gles1 soft
+GL_DRIVERS_arm := gles1 soft osmesa
 DISPLAY_DRIVERS_arm := image null
 BUTTON_DRIVERS_arm := script
 

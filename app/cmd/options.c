@@ -66,13 +66,41 @@ static bool set_size(struct options *options, const char *value)
 	}
 	options->width = (int)width;
 	options->height = (int)height;
+	options->size_given = true;
 	return true;
+}
+
+static bool set_format(struct options *options, const char *value)
+{
+	options->format_given = true;
+	return pixel_format_parse(value, &options->format);
+}
+
+static bool set_fps(struct options *options, const char *value)
+{
+	char *end;
+
+	options->fps = strtod(value, &end);
+	return end != value && !*end && options->fps >= 1.0 &&
+		options->fps <= 1000.0;
 }
 
 static bool set_gl(struct options *options, const char *value)
 {
 	options->gl = value;
 	return true;
+}
+
+static bool set_egl_library(struct options *options, const char *value)
+{
+	options->egl_library = value;
+	return value[0] != '\0';
+}
+
+static bool set_gles_library(struct options *options, const char *value)
+{
+	options->gles_library = value;
+	return value[0] != '\0';
 }
 
 static bool set_display(struct options *options, const char *value)
@@ -237,14 +265,26 @@ static const struct option_entry entries[] = {
 	{0, "frames", "N", FOR_SHOW,
 		"stop after N frames", "a number from 1 to 1000000", set_frames},
 	{0, "size", "WxH", FOR_SHOW,
-		"size of the picture in pixels (480x640)",
+		"size of the picture in pixels (480x640, or the whole screen)",
 		"width x height such as 480x640, up to 8192x8192", set_size},
+	{0, "format", "NAME", FOR_SHOW,
+		"pixels drawn: rgb565 or rgba8888 (as suits the display)",
+		"rgb565 or rgba8888", set_format},
 	{0, "gl", "NAME", FOR_SHOW,
-		"the GL driver: auto, osmesa or gles1", "a driver's name",
-		set_gl},
+		"the GL driver: auto, gles1, soft or osmesa",
+		"a driver's name", set_gl},
+	{0, "egl-library", "FILE", FOR_SHOW,
+		"the vendor's EGL, for gles1", "a library's file name",
+		set_egl_library},
+	{0, "gles-library", "FILE", FOR_SHOW,
+		"the vendor's OpenGL ES 1.1, for gles1",
+		"a library's file name", set_gles_library},
 	{0, "display", "NAME", FOR_PLAY,
-		"where pictures go: window, image or null", "a display's name",
-		set_display},
+		"where pictures go: auto, window, image or null",
+		"a display's name", set_display},
+	{0, "fps", "N", FOR_PLAY,
+		"at most N frames a second (as the screen can, or 60)",
+		"a number from 1 to 1000", set_fps},
 	{0, "buttons", "SPEC", FOR_SHOW,
 		"where buttons come from besides the window, such as "
 		"script:FILE", "sources such as script:FILE", set_buttons},

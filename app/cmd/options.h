@@ -11,6 +11,7 @@
 #include "app/scene/lod.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
+#include "platform/display/pixels.h"
 
 /* Which subcommands take an option. */
 enum command_bit {
@@ -26,12 +27,17 @@ struct options {
 	const char *demo;
 	const char *output;
 	const char *gl;
+	const char *egl_library, *gles_library;
 	const char *display;
 	const char *buttons;
 	const char *script;
 	const char *clip;
 	const char *kernel;
 	int width, height;
+	bool size_given;
+	enum pixel_format format;
+	bool format_given;
+	double fps; /* 0: not given */
 	struct clock clock;
 	bool clock_given;
 	int frames; /* 0: not given */

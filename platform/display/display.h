@@ -12,6 +12,7 @@
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
+#include "platform/display/surface.h"
 
 struct display;
 
@@ -20,12 +21,27 @@ struct display;
  * is copied.
  */
 struct display_options {
-	int width, height;  /* wanted size in pixels */
-	const char *title;  /* window */
-	const char *output; /* image: the file to write */
-	int frame_count;    /* image: frames to expect, 0 if not known */
-	double rate_hz;     /* image: frames a second of an animation */
+	int width, height;        /* wanted size in pixels */
+	bool size_given;          /* by somebody, not by default */
+	enum pixel_format format; /* of pictures */
+	bool format_given;        /* else what suits the display */
+	const char *device;       /* what stood behind the name, or NULL */
+	const char *title;        /* window */
+	const char *output;       /* image: the file to write */
+	int frame_count;          /* image: frames to expect, 0: not known */
+	double rate_hz;           /* image: frames a second of an animation */
 	const struct log *log;
+};
+
+/* What a display came to be. */
+struct display_info {
+	int width, height;        /* of the first frame */
+	enum pixel_format format; /* of every frame */
+	/*
+	 * How often the screen shows a picture, for which end_frame() waits.
+	 * 0: it does not wait, or nobody knows.
+	 */
+	double rate_hz;
 };
 
 /* What happened outside since the last poll. */
@@ -37,7 +53,7 @@ struct display_events {
 struct display_driver {
 	const char *name;
 	const char *summary;
-	bool surface; /* hands out a native surface, not pixels */
+	const char *argument; /* what "NAME:..." takes, or NULL: nothing */
 
 	/*
 	 * True when this display may be chosen unasked, because create() has a
@@ -50,6 +66,19 @@ struct display_driver {
 	/* 0, or -errno after a sentence with nothing left open. Mandatory. */
 	int (*create)(
 		const struct display_options *options, struct display **out);
+
+	/* Size, format and pace; all zero but the rate for a surface. Mandatory.
+	 */
+	void (*get_info)(
+		const struct display *display, struct display_info *out);
+
+	/*
+	 * The surface that a GL driver draws on instead of into pixels; it
+	 * stays the display's. Mandatory for displays without begin_frame(),
+	 * NULL in others.
+	 */
+	void (*get_surface)(
+		const struct display *display, struct native_surface *out);
 
 	/*
 	 * The buffer to draw the next frame into, valid until end_frame().
@@ -88,10 +117,19 @@ extern const struct display_driver *const display_registry[];
 const struct display_driver *display_find(const char *name);
 
 /*
- * The driver of that name, or for NULL the first whose probe says yes. NULL
- * after a sentence that lists the names there are.
+ * The driver that "NAME" or "NAME:DEVICE" means. NULL after a sentence: there
+ * is no such driver (it lists those there are), or it takes no device.
  */
 const struct display_driver *display_choose(
-	const char *name, const struct log *log);
+	const char *spec, const struct log *log);
+
+/*
+ * Opens the display that spec means, with the device it names; for NULL or
+ * "auto" the first whose probe says yes and that opens. 0, or -errno after a
+ * sentence about each that was tried and, for auto, which there are.
+ * options->device is ignored.
+ */
+int display_open(const char *spec, const struct display_options *options,
+	const struct display_driver **driver, struct display **out);
 
 #endif

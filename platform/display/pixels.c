@@ -1,7 +1,10 @@
 #include "platform/display/pixels.h"
 
+#include "platform/base/compiler.h"
+
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 int pixels_alloc(struct pixels *out, int width, int height,
 	enum pixel_format format, const struct log *log)
@@ -28,4 +31,20 @@ int pixels_alloc(struct pixels *out, int width, int height,
 		.format = format,
 	};
 	return 0;
+}
+
+bool pixel_format_parse(const char *text, enum pixel_format *out)
+{
+	static const char *const names[] = {
+		[PIXELS_RGB565] = "rgb565",
+		[PIXELS_RGBA8888] = "rgba8888",
+	};
+
+	for (int i = 0; i < (int)ARRAY_COUNT(names); i++) {
+		if (strcmp(text, names[i]) == 0) {
+			*out = (enum pixel_format)i;
+			return true;
+		}
+	}
+	return false;
 }

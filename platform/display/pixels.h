@@ -4,6 +4,7 @@
 #ifndef PLATFORM_DISPLAY_PIXELS_H
 #define PLATFORM_DISPLAY_PIXELS_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "platform/base/log.h"
@@ -23,6 +24,9 @@ struct pixels {
 enum {
 	PIXELS_SIZE_MAX = 8192
 };
+
+/* Reads "rgb565" or "rgba8888". False for anything else; says nothing. */
+bool pixel_format_parse(const char *text, enum pixel_format *out);
 
 static inline int pixel_bytes(enum pixel_format format)
 {

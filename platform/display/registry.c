@@ -1,5 +1,6 @@
 #include "platform/display/display.h"
 
+#include <errno.h>
 #include <string.h>
 
 #include "platform/base/name_list.h"
@@ -26,37 +27,82 @@ const struct display_driver *display_find(const char *name)
 	return NULL;
 }
 
-static const struct display_driver *find_by_probe(void)
+static struct name_list list_names(void)
 {
-	for (int i = 0; display_registry[i]; i++) {
-		if (!display_registry[i]->probe || display_registry[i]->probe()) {
-			return display_registry[i];
-		}
-	}
-	return NULL;
-}
-
-const struct display_driver *display_choose(
-	const char *name, const struct log *log)
-{
-	const struct display_driver *driver =
-		name ? display_find(name) : find_by_probe();
 	struct name_list names = {""};
 
-	if (driver) {
-		return driver;
-	}
 	for (int i = 0; display_registry[i]; i++) {
 		name_list_add(&names, display_registry[i]->name);
 	}
-	if (name) {
-		log_error(log, "--display %s: no such display: choose one of %s",
-			name, names.text);
-	} else {
-		log_error(log,
+	return names;
+}
+
+const struct display_driver *display_choose(
+	const char *spec, const struct log *log)
+{
+	size_t length = strcspn(spec, ":");
+
+	for (int i = 0; display_registry[i]; i++) {
+		const struct display_driver *driver = display_registry[i];
+
+		if (strlen(driver->name) != length ||
+			strncmp(spec, driver->name, length) != 0) {
+			continue;
+		}
+		if (spec[length] && !driver->argument) {
+			log_error(log,
+				"--display %s: %s takes nothing behind a "
+				"colon: write --display %s",
+				spec, driver->name, driver->name);
+			return NULL;
+		}
+		return driver;
+	}
+	log_error(log, "--display %s: no such display: choose one of auto, %s",
+		spec, list_names().text);
+	return NULL;
+}
+
+static int open_named(const char *spec, const struct display_options *options,
+	const struct display_driver **driver, struct display **out)
+{
+	struct display_options own = *options;
+	const char *colon = strchr(spec, ':');
+
+	*driver = display_choose(spec, options->log);
+	if (!*driver) {
+		return -EINVAL;
+	}
+	own.device = colon && colon[1] ? colon + 1 : NULL;
+	return (*driver)->create(&own, out);
+}
+
+static int open_any(const struct display_options *options,
+	const struct display_driver **driver, struct display **out)
+{
+	struct display_options own = *options;
+	int error = -ENODEV;
+
+	own.device = NULL;
+	for (int i = 0; error && display_registry[i]; i++) {
+		*driver = display_registry[i];
+		if (!(*driver)->probe || (*driver)->probe()) {
+			error = (*driver)->create(&own, out);
+		}
+	}
+	if (error) {
+		log_error(options->log,
 			"--display: nothing to show pictures on was found: "
 			"choose one of %s, or write a file with limber render",
-			names.text);
+			list_names().text);
 	}
-	return NULL;
+	return error;
+}
+
+int display_open(const char *spec, const struct display_options *options,
+	const struct display_driver **driver, struct display **out)
+{
+	return !spec || strcmp(spec, "auto") == 0
+		? open_any(options, driver, out)
+		: open_named(spec, options, driver, out);
 }

@@ -16,35 +16,61 @@ const struct gl_driver *const gl_registry[] = {
 	NULL,
 };
 
-static int open_first(enum pixel_format format, const struct log *log,
-	struct gl_context **out)
+static bool is_auto(const char *name)
+{
+	return !name || strcmp(name, "auto") == 0;
+}
+
+static const struct gl_driver *find(const char *name)
+{
+	for (int i = 0; gl_registry[i]; i++) {
+		if (strcmp(name, gl_registry[i]->name) == 0) {
+			return gl_registry[i];
+		}
+	}
+	return NULL;
+}
+
+/* A surface has no other way than a driver for surfaces, whoever draws. */
+static bool suits_auto(
+	const struct gl_driver *driver, const struct gl_request *request)
+{
+	if (request->surface) {
+		return driver->surface;
+	}
+	return !driver->probe || driver->probe() ||
+		(driver->accelerates && request->egl_library);
+}
+
+static int open_any(const struct gl_request *request, struct gl_context **out)
 {
 	int error = -ENOENT;
 
-	for (int i = 0; gl_registry[i]; i++) {
-		error = gl_registry[i]->create(format, log, out);
-		if (!error) {
-			break;
+	for (int i = 0; error && gl_registry[i]; i++) {
+		const struct gl_driver *driver = gl_registry[i];
+
+		if (!suits_auto(driver, request)) {
+			continue;
+		}
+		error = driver->create(request, out);
+		if (!error && !request->surface && driver->accelerates &&
+			!(*out)->accelerated) {
+			log_note(request->log,
+				"--gl auto: not %s: no graphics processor "
+				"behind it (%s)",
+				driver->name, (*out)->description);
+			driver->destroy(*out);
+			error = -ENOENT;
 		}
 	}
-	return error;
-}
-
-/* What a driver misses matters only when no other takes its place. */
-static int open_any(enum pixel_format format, const struct log *log,
-	struct gl_context **out)
-{
-	struct log nowhere = log_to_nowhere();
-	int error = open_first(format, &nowhere, out);
-
 	if (error) {
-		error = open_first(format, log, out);
-	}
-	if (error) {
-		log_error(log, "--gl auto: no GL driver opens here: see above");
+		log_error(request->log,
+			"--gl auto: no GL driver opens here: name one with "
+			"--gl");
 		return error;
 	}
-	log_note(log, "--gl auto: using %s", (*out)->driver->name);
+	log_note(request->log, "--gl auto: using %s (%s)", (*out)->driver->name,
+		(*out)->description);
 	return 0;
 }
 
@@ -52,13 +78,10 @@ bool gl_is_known(const char *name, const struct log *log)
 {
 	struct name_list names = {"auto"};
 
-	if (strcmp(name, "auto") == 0) {
+	if (is_auto(name) || find(name)) {
 		return true;
 	}
 	for (int i = 0; gl_registry[i]; i++) {
-		if (strcmp(name, gl_registry[i]->name) == 0) {
-			return true;
-		}
 		name_list_add(&names, gl_registry[i]->name);
 	}
 	log_error(log, "--gl %s: no such driver: choose one of %s", name,
@@ -66,17 +89,25 @@ bool gl_is_known(const char *name, const struct log *log)
 	return false;
 }
 
+bool gl_can_draw(const char *name, bool on_surface)
+{
+	return is_auto(name) || !on_surface || find(name)->surface;
+}
+
+int gl_open_for(const char *name, const struct gl_request *request,
+	struct gl_context **out)
+{
+	if (!gl_is_known(name, request->log)) {
+		return -EINVAL;
+	}
+	return is_auto(name) ? open_any(request, out)
+			     : find(name)->create(request, out);
+}
+
 int gl_open(const char *name, enum pixel_format format, const struct log *log,
 	struct gl_context **out)
 {
-	if (!name || strcmp(name, "auto") == 0) {
-		return open_any(format, log, out);
-	}
-	for (int i = 0; gl_registry[i]; i++) {
-		if (strcmp(name, gl_registry[i]->name) == 0) {
-			return gl_registry[i]->create(format, log, out);
-		}
-	}
-	gl_is_known(name, log); /* says which there are */
-	return -EINVAL;
+	const struct gl_request request = {.format = format, .log = log};
+
+	return gl_open_for(name, &request, out);
 }

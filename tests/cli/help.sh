@@ -32,9 +32,10 @@ cp "$out_file" "$scratch/long"
 limber -h
 check 'limber -h: the same' cmp "$scratch/long" "$out_file"
 
-helped play --demo --clip --time --frames --size --gl --display --buttons \
+helped play --demo --clip --time --frames --size --format --gl --egl-library \
+    --gles-library --display --fps --buttons \
     --script --clock --math --kernel --verbose --help --version
-helped render --output --demo --clip --time --frames --size --gl --buttons \
+helped render --output --demo --clip --time --frames --size --format --gl --buttons \
     --script --clock --math --kernel --verbose --help --version
 helped pose --output --clip --time --math --kernel --verbose --help --version
 helped info --json --verbose --help --version

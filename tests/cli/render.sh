@@ -36,11 +36,23 @@ check 'a Y4M of 34 x 18 at 10 frames a second' \
     sh -c 'head -n 1 "$1" | grep -aq "^YUV4MPEG2 W34 H18 F10:1 "' sh "$out.y4m"
 check 'two frames' test "$(grep -ao FRAME "$out.y4m" | wc -l)" -eq 2
 
-for gl in ${GL_DRIVERS:-osmesa gles1}; do
+for gl in ${GL_DRIVERS:-osmesa gles1} soft auto; do
     limber render "$slider" --size 33x17 --gl $gl -o "$out-$gl.png"
     expect_quiet
     expect_png "$out-$gl.png" 33 17
 done
+
+# A picture in the panel's pixels, and one that differs from it by rounding.
+limber render "$slider" --size 33x17 --gl soft --format rgb565 -o "$out-565.png"
+expect_quiet
+expect_png "$out-565.png" 33 17
+limber render "$slider" --size 33x17 --gl soft --format rgba8888 -o "$out-8888.png"
+expect_quiet
+check 'another format gives another picture' \
+    sh -c '! cmp -s "$1" "$2"' sh "$out-565.png" "$out-8888.png"
+limber render "$slider" --size 33x17 -o "$out.png"
+check 'without --gl and --format, soft draws in rgba8888' \
+    cmp "$out.png" "$out-8888.png"
 
 printf '0 ENTER down\n20 ENTER up\n' >"$scratch/script.txt"
 limber render "$slider" --size 33x17 --script "$scratch/script.txt" -o "$out.png"
@@ -49,7 +61,21 @@ limber render "$slider" --size 33x17 --buttons "script:$scratch/script.txt" \
     -o "$out.png"
 expect_quiet
 
+limber play "$slider" --display null --frames 3 --clock fixed:30 --format rgb565
+expect_status 0
+expect_no_err
 limber play "$slider" --display null --frames 3 --clock fixed:30
 expect_status 0
 expect_no_err
+
+# Stopped halfway: no file, and it says so.
+half=$scratch/half.gif
+# shellcheck disable=SC2086,SC2016 # a command and its arguments
+run sh -c 'file=$1; shift; "$@" & while ! test -e "$file.part"; do sleep 0.1
+    done; kill -TERM $!; wait $!' sh "$half" $limber render "$slider" \
+    --frames 100000 -o "$half"
+about 'limber render until a signal'
+expect_status 1
+expect_err '^limber: .*stopped'
+check 'no half a file' test ! -e "$half" -a ! -e "$half.part"
 tap_done

@@ -43,6 +43,13 @@ done
 for influences in 0 9 x; do
     refused '--influences' pose "$slider" --influences "$influences" -o "$out"
 done
+for format in '' rgb RGB565 rgb565x; do
+    refused 'rgba8888' render "$slider" --format "$format" -o "$out"
+done
+for fps in 0 -1 x 1e9; do
+    refused '--fps' play "$slider" --fps "$fps"
+done
+refused 'takes nothing' play "$slider" --display null:/dev/fb0
 refused '--math' pose "$slider" --math double -o "$out"
 refused 'float' pose "$slider" --kernel none -o "$out"
 refused 'osmesa' render "$slider" --gl none -o "$out"
@@ -57,7 +64,7 @@ refused '[Mm]odel' pose -o "$out"
 refused '[Mm]odel' info
 refused 'one model' info "$slider" "$slider"
 refused 'both|demo' render "$slider" --demo walker -o "$out"
-for option in -o --size --time --clip --frames --gl --script --clock; do
+for option in -o --size --time --clip --frames --gl --script --clock --format; do
     refused 'missing' render "$slider" "$option"
 done
 refused 'no value' info "$slider" --json=1

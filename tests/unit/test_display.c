@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static void test_every_display_is_complete(void **state)
 {
@@ -17,7 +18,8 @@ static void test_every_display_is_complete(void **state)
 		assert_non_null(driver->create);
 		assert_non_null(driver->end_frame);
 		assert_non_null(driver->destroy);
-		assert_true(driver->surface || driver->begin_frame);
+		assert_non_null(driver->get_info);
+		assert_true(!driver->get_surface != !driver->begin_frame);
 		assert_ptr_equal(display_find(driver->name), driver);
 		driver->destroy(NULL);
 	}
@@ -48,18 +50,76 @@ static void test_a_named_display_is_chosen(void **state)
 	assert_int_equal(capture.count, 0);
 }
 
-static void test_nobody_is_shown_a_picture_unasked(void **state)
+static void test_a_device_is_refused_where_none_is_used(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 
 	(void)state;
+	assert_null(display_choose("null:/dev/null", &log));
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0], "--display null:/dev/null");
+	assert_null(display_choose("nul", &log));
+	assert_null(display_choose("nulls", &log));
+}
+
+/* Has this machine a screen of its own that "auto" may take? */
+static bool has_screen(void)
+{
+	return access("/dev/fb0", F_OK) == 0 ||
+		access("/dev/dri/card0", F_OK) == 0;
+}
+
+static void test_nobody_is_shown_a_picture_unasked(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	const struct display_options options = {
+		.width = 13, .height = 7, .log = &log};
+	const struct display_driver *driver;
+	struct display *display;
+
+	(void)state;
+	if (has_screen()) {
+		skip_because("this machine has a screen");
+	}
 	unsetenv("DISPLAY");
 	unsetenv("WAYLAND_DISPLAY");
 	unsetenv("SDL_VIDEODRIVER");
-	assert_null(display_choose(NULL, &log));
-	assert_int_equal(capture.count, 1);
+	assert_int_equal(
+		display_open(NULL, &options, &driver, &display), -ENODEV);
+	assert_int_equal(
+		display_open("auto", &options, &driver, &display), -ENODEV);
+	assert_int_equal(capture.count, 2);
 	assert_contains(capture.sentence[0], "image");
+}
+
+static void test_pictures_have_the_format_asked_for(void **state)
+{
+	static const enum pixel_format formats[] = {
+		PIXELS_RGB565, PIXELS_RGBA8888};
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct display_options options = {
+		.width = 13, .height = 7, .format_given = true, .log = &log};
+	const struct display_driver *driver;
+	struct display *display;
+	struct display_info info;
+	struct pixels pixels;
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		options.format = formats[i];
+		assert_int_equal(
+			display_open("null", &options, &driver, &display), 0);
+		driver->get_info(display, &info);
+		assert_int_equal(info.format, formats[i]);
+		assert_int_equal(info.width, 13);
+		assert_int_equal(info.height, 7);
+		assert_int_equal(driver->begin_frame(display, &pixels), 0);
+		assert_int_equal(pixels.format, formats[i]);
+		driver->destroy(display);
+	}
 }
 
 static void test_null_hands_out_memory(void **state)
@@ -115,6 +175,8 @@ int main(void)
 		cmocka_unit_test(test_every_display_is_complete),
 		cmocka_unit_test(test_an_unknown_display_lists_the_known),
 		cmocka_unit_test(test_a_named_display_is_chosen),
+		cmocka_unit_test(test_a_device_is_refused_where_none_is_used),
+		cmocka_unit_test(test_pictures_have_the_format_asked_for),
 		cmocka_unit_test(test_nobody_is_shown_a_picture_unasked),
 		cmocka_unit_test(test_null_hands_out_memory),
 		cmocka_unit_test(test_impossible_sizes_are_refused),

@@ -82,6 +82,52 @@ static void test_auto_opens_the_first_that_can(void **state)
 	stage_close(&stage);
 }
 
+static void test_auto_takes_no_reference_and_no_software_gl(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct gl_context *context = NULL;
+
+	(void)state;
+	assert_int_equal(gl_open("auto", PIXELS_RGB565, &log, &context), 0);
+	assert_true(context->accelerated ||
+		strcmp(context->driver->name, "soft") == 0);
+	context->driver->destroy(context);
+	assert_int_equal(log_capture_count(&capture, LOG_ERROR), 0);
+}
+
+static void test_auto_passes_over_a_gl_without_a_processor(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	const struct gl_request request = {.format = PIXELS_RGBA8888,
+		.egl_library = "libEGL.so.1",
+		.log = &log};
+	struct gl_context *context = NULL;
+
+	(void)state;
+	/* Asked about by name, Mesa's EGL is looked at, and draws by itself. */
+	setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+	assert_int_equal(gl_open_for("auto", &request, &context), 0);
+	unsetenv("LIBGL_ALWAYS_SOFTWARE");
+	assert_string_equal(context->driver->name, "soft");
+	context->driver->destroy(context);
+	assert_true(log_capture_count(&capture, LOG_ERROR) > 0 ||
+		log_capture_has(&capture, LOG_NOTE, "no graphics processor"));
+}
+
+static void test_only_surface_drivers_draw_on_surfaces(void **state)
+{
+	(void)state;
+	assert_true(gl_can_draw("gles1", true));
+	assert_true(gl_can_draw(NULL, true));
+	assert_true(gl_can_draw("auto", true));
+	assert_false(gl_can_draw("soft", true));
+	assert_false(gl_can_draw("osmesa", true));
+	assert_true(gl_can_draw("soft", false));
+	assert_true(gl_can_draw("gles1", false));
+}
+
 static void draw_with(
 	const char *driver, enum pixel_format format, uint8_t *out, size_t size)
 {
@@ -163,6 +209,9 @@ int main(void)
 			test_a_missing_library_is_named_with_its_package),
 		cmocka_unit_test(test_a_library_without_a_function_is_refused),
 		cmocka_unit_test(test_auto_opens_the_first_that_can),
+		cmocka_unit_test(test_auto_takes_no_reference_and_no_software_gl),
+		cmocka_unit_test(test_auto_passes_over_a_gl_without_a_processor),
+		cmocka_unit_test(test_only_surface_drivers_draw_on_surfaces),
 		cmocka_unit_test(test_the_drivers_agree),
 		cmocka_unit_test(test_the_drivers_agree_in_565),
 	};

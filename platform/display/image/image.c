@@ -9,9 +9,12 @@
 #include "platform/base/name_list.h"
 #include "platform/display/display.h"
 #include "platform/display/image/writer.h"
+#include "platform/display/packing.h"
 
 struct display {
-	struct pixels pixels;
+	struct pixels pixels;   /* drawn into */
+	struct pixels rgba;     /* what writers take, unless pixels is that */
+	struct packing packing; /* from the one to the other */
 	const struct image_writer_kind *kind;
 	struct image_writer *writer;
 };
@@ -56,6 +59,7 @@ static void image_destroy(struct display *display)
 			display->kind->destroy(display->writer);
 		}
 		free(display->pixels.data);
+		free(display->rgba.data);
 		free(display);
 	}
 }
@@ -82,6 +86,23 @@ static int open_writer(
 			     : -EINVAL;
 }
 
+static int alloc_pictures(
+	struct display *display, const struct display_options *options)
+{
+	const struct pixel_layout rgba = pixel_layout_of(PIXELS_RGBA8888);
+	enum pixel_format format =
+		options->format_given ? options->format : PIXELS_RGBA8888;
+	int error = pixels_alloc(&display->pixels, options->width,
+		options->height, format, options->log);
+
+	if (!error && format != PIXELS_RGBA8888) {
+		packing_init(&display->packing, format, &rgba);
+		error = pixels_alloc(&display->rgba, options->width,
+			options->height, PIXELS_RGBA8888, options->log);
+	}
+	return error;
+}
+
 static int image_create(
 	const struct display_options *options, struct display **out)
 {
@@ -92,8 +113,7 @@ static int image_create(
 		log_error(options->log, "--display image: out of memory");
 		return -ENOMEM;
 	}
-	error = pixels_alloc(&display->pixels, options->width, options->height,
-		PIXELS_RGBA8888, options->log);
+	error = alloc_pictures(display, options);
 	if (!error) {
 		error = open_writer(display, options);
 	}
@@ -105,6 +125,16 @@ static int image_create(
 	return 0;
 }
 
+static void image_get_info(
+	const struct display *display, struct display_info *out)
+{
+	*out = (struct display_info){
+		.width = display->pixels.width,
+		.height = display->pixels.height,
+		.format = display->pixels.format,
+	};
+}
+
 static int image_begin_frame(struct display *display, struct pixels *out)
 {
 	*out = display->pixels;
@@ -113,7 +143,12 @@ static int image_begin_frame(struct display *display, struct pixels *out)
 
 static int image_end_frame(struct display *display)
 {
-	return display->kind->add(display->writer, &display->pixels);
+	if (!display->rgba.data) {
+		return display->kind->add(display->writer, &display->pixels);
+	}
+	packing_copy(&display->packing, &display->pixels, display->rgba.data,
+		display->rgba.stride_bytes);
+	return display->kind->add(display->writer, &display->rgba);
 }
 
 static int image_finish(struct display *display)
@@ -126,6 +161,7 @@ const struct display_driver display_driver_image = {
 	.summary = "writes a .png, .gif or .y4m file",
 	.probe = image_probe,
 	.create = image_create,
+	.get_info = image_get_info,
 	.begin_frame = image_begin_frame,
 	.end_frame = image_end_frame,
 	.finish = image_finish,

@@ -27,13 +27,24 @@ static int null_create(
 		return -ENOMEM;
 	}
 	error = pixels_alloc(&display->pixels, options->width, options->height,
-		PIXELS_RGBA8888, options->log);
+		options->format_given ? options->format : PIXELS_RGBA8888,
+		options->log);
 	if (error) {
 		free(display);
 		return error;
 	}
 	*out = display;
 	return 0;
+}
+
+static void null_get_info(
+	const struct display *display, struct display_info *out)
+{
+	*out = (struct display_info){
+		.width = display->pixels.width,
+		.height = display->pixels.height,
+		.format = display->pixels.format,
+	};
 }
 
 static int null_begin_frame(struct display *display, struct pixels *out)
@@ -61,6 +72,7 @@ const struct display_driver display_driver_null = {
 	.summary = "draws into memory and forgets it",
 	.probe = null_probe,
 	.create = null_create,
+	.get_info = null_get_info,
 	.begin_frame = null_begin_frame,
 	.end_frame = null_end_frame,
 	.destroy = null_destroy,

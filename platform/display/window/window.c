@@ -16,6 +16,7 @@
 struct display {
 	struct log log;
 	SDL_Window *window;
+	enum pixel_format format;
 	struct pixels pixels;
 	SDL_Surface *picture;    /* the same pixels, as SDL sees them */
 	bool held[BUTTON_COUNT]; /* pressed here and not yet let go */
@@ -78,13 +79,15 @@ static int resize(struct display *display, int width, int height)
 	struct pixels pixels;
 	SDL_Surface *picture;
 	int error = pixels_alloc(
-		&pixels, width, height, PIXELS_RGBA8888, &display->log);
+		&pixels, width, height, display->format, &display->log);
 
 	if (error) {
 		return error;
 	}
 	picture = SDL_CreateRGBSurfaceWithFormatFrom(pixels.data, width, height,
-		32, pixels.stride_bytes, SDL_PIXELFORMAT_RGBA32);
+		8 * pixel_bytes(pixels.format), pixels.stride_bytes,
+		pixels.format == PIXELS_RGB565 ? SDL_PIXELFORMAT_RGB565
+					       : SDL_PIXELFORMAT_RGBA32);
 	if (!picture) {
 		free(pixels.data);
 		return failed(display, "cannot make a picture for the screen");
@@ -126,6 +129,8 @@ static int window_create(
 		return -ENOMEM;
 	}
 	display->log = *options->log;
+	display->format =
+		options->format_given ? options->format : PIXELS_RGBA8888;
 	if (!window_probe()) {
 		/* SDL would find a driver that nobody sees. */
 		log_error(&display->log,
@@ -150,6 +155,16 @@ static int window_create(
 	}
 	*out = display;
 	return 0;
+}
+
+static void window_get_info(
+	const struct display *display, struct display_info *out)
+{
+	*out = (struct display_info){
+		.width = display->pixels.width,
+		.height = display->pixels.height,
+		.format = display->format,
+	};
 }
 
 static int window_begin_frame(struct display *display, struct pixels *out)
@@ -275,6 +290,7 @@ const struct display_driver display_driver_window = {
 	.summary = "a window on the desktop; Esc or Q closes it",
 	.probe = window_probe,
 	.create = window_create,
+	.get_info = window_get_info,
 	.begin_frame = window_begin_frame,
 	.end_frame = window_end_frame,
 	.poll = window_poll,

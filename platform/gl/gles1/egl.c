@@ -20,14 +20,26 @@ enum {
 static const struct gl_slot egl_slots[] = {
 #define EGL_FUNCTION(result, name, parameters) \
 	{"egl" #name, offsetof(struct egl_api, name)},
+#define EGL_OPTIONAL(result, name, parameters)
 #include "platform/gl/gles1/egl_functions.h"
 #undef EGL_FUNCTION
+#undef EGL_OPTIONAL
 };
 
-static void *open_library(const char *variable, const char *const *usual,
-	const char *package, const struct log *log)
+static const struct gl_slot optional_slots[] = {
+#define EGL_FUNCTION(result, name, parameters)
+#define EGL_OPTIONAL(result, name, parameters) \
+	{"egl" #name, offsetof(struct egl_api, name)},
+#include "platform/gl/gles1/egl_functions.h"
+#undef EGL_FUNCTION
+#undef EGL_OPTIONAL
+};
+
+/* asked: a file's name or NULL; variable: where else one may be. */
+static void *open_library(const char *asked, const char *variable,
+	const char *const *usual, const char *package, const struct log *log)
 {
-	const char *named[2] = {getenv(variable), NULL};
+	const char *named[2] = {asked ? asked : getenv(variable), NULL};
 	const char *why = "";
 	void *library;
 
@@ -37,7 +49,7 @@ static void *open_library(const char *variable, const char *const *usual,
 			log_error(log,
 				"--gl gles1: the library that %s names does "
 				"not open: %s",
-				variable, why);
+				asked ? "an option" : variable, why);
 		}
 		return library;
 	}
@@ -52,21 +64,21 @@ static void *open_library(const char *variable, const char *const *usual,
 	return library;
 }
 
-static int open_libraries(struct egl *egl)
+static int open_libraries(struct egl *egl, const struct gl_request *request)
 {
 	static const char *const egl_names[] = {
 		"libEGL.so.1", "libEGL.so", NULL};
 	static const char *const gles_names[] = {"libGLESv1_CM.so.1",
 		"libGLESv1_CM.so", "libGLES_CM.so", "libGLESv1_CL.so", NULL};
 	const char *missing;
-	void *library = open_library(
-		"LIMBER_EGL", egl_names, "libegl1 and libegl-mesa0", &egl->log);
+	void *library = open_library(request->egl_library, "LIMBER_EGL",
+		egl_names, "libegl1 and libegl-mesa0", &egl->log);
 
 	if (!library) {
 		return -ENOENT;
 	}
-	egl->gles =
-		open_library("LIMBER_GLES", gles_names, "libgles1", &egl->log);
+	egl->gles = open_library(request->gles_library, "LIMBER_GLES",
+		gles_names, "libgles1", &egl->log);
 	if (!egl->gles) {
 		return -ENOENT;
 	}
@@ -78,6 +90,10 @@ static int open_libraries(struct egl *egl)
 			"another --gl",
 			missing);
 		return -ENOSYS;
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(optional_slots); i++) {
+		gl_load(&egl->api, &optional_slots[i], 1, gl_library_find,
+			library);
 	}
 	return 0;
 }
@@ -111,26 +127,30 @@ static EGLDisplay get_surfaceless_display(const struct egl_api *api)
 	return get ? get(PLATFORM_SURFACELESS, NULL, NULL) : EGL_NO_DISPLAY;
 }
 
-static int open_display(struct egl *egl)
+static bool initialize(struct egl *egl, EGLDisplay display)
+{
+	if (display == EGL_NO_DISPLAY ||
+		!egl->api.Initialize(display, NULL, NULL)) {
+		return false;
+	}
+	egl->display = display;
+	return true;
+}
+
+static int open_display(struct egl *egl, const struct gl_request *request)
 {
 	const struct egl_api *api = &egl->api;
 
-	egl->display = get_surfaceless_display(api);
-	if (egl->display == EGL_NO_DISPLAY ||
-		!api->Initialize(egl->display, NULL, NULL)) {
-		egl->display = api->GetDisplay(EGL_DEFAULT_DISPLAY);
-		if (egl->display == EGL_NO_DISPLAY ||
-			!api->Initialize(egl->display, NULL, NULL)) {
-			egl->display = EGL_NO_DISPLAY;
-			log_error(&egl->log,
-				"--gl gles1: EGL opens no display (error "
-				"0x%x): install Debian's libegl-mesa0 and "
-				"libgl1-mesa-dri, or choose another --gl",
-				(unsigned int)api->GetError());
-			return -ENODEV;
-		}
+	if ((request->surface || !initialize(egl, get_surfaceless_display(api))) &&
+		!initialize(egl, api->GetDisplay(EGL_DEFAULT_DISPLAY))) {
+		log_error(&egl->log,
+			"--gl gles1: EGL opens no display (error 0x%x): "
+			"install Debian's libegl-mesa0 and libgl1-mesa-dri, or "
+			"choose another --gl",
+			(unsigned int)api->GetError());
+		return -ENODEV;
 	}
-	if (!api->BindAPI(EGL_OPENGL_ES_API)) {
+	if (api->BindAPI && !api->BindAPI(EGL_OPENGL_ES_API)) {
 		log_error(&egl->log,
 			"--gl gles1: this EGL has no OpenGL ES: choose another "
 			"--gl");
@@ -163,13 +183,15 @@ static int rate_config(
 	return score;
 }
 
-static int choose_config(
-	struct egl *egl, enum pixel_format format, EGLint surface_type)
+/* What is younger than EGL_OPTIONAL's calls comes last, to be cut off. */
+static int choose_config(struct egl *egl, const struct gl_request *request)
 {
-	const EGLint wanted[] = {EGL_SURFACE_TYPE, surface_type,
-		EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_RED_SIZE, 5,
-		EGL_GREEN_SIZE, 5, EGL_BLUE_SIZE, 5, EGL_DEPTH_SIZE, 16,
-		EGL_NONE};
+	const EGLint wanted[] = {EGL_SURFACE_TYPE,
+		request->surface ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
+		EGL_RED_SIZE, 5, EGL_GREEN_SIZE, 5, EGL_BLUE_SIZE, 5,
+		EGL_DEPTH_SIZE, 16,
+		egl->api.BindAPI ? EGL_RENDERABLE_TYPE : EGL_NONE,
+		EGL_OPENGL_ES_BIT, EGL_NONE};
 	EGLConfig configs[CONFIGS_MAX];
 	EGLint count = 0;
 	int best = INT_MIN;
@@ -179,7 +201,7 @@ static int choose_config(
 		count = 0;
 	}
 	for (EGLint i = 0; i < count; i++) {
-		int score = rate_config(egl, configs[i], format);
+		int score = rate_config(egl, configs[i], request->format);
 
 		if (score > best) {
 			best = score;
@@ -195,30 +217,33 @@ static int choose_config(
 	return 0;
 }
 
-int egl_open(struct egl *egl, enum pixel_format format, EGLint surface_type,
-	const struct log *log)
+static int open_context(struct egl *egl)
 {
 	static const EGLint version_1[] = {
 		0x3098 /* EGL_CONTEXT_CLIENT_VERSION */, 1, EGL_NONE};
+
+	egl->context = egl->api.CreateContext(egl->display, egl->config,
+		EGL_NO_CONTEXT, egl->api.BindAPI ? version_1 : NULL);
+	if (egl->context == EGL_NO_CONTEXT) {
+		log_error(&egl->log,
+			"--gl gles1: this EGL makes no OpenGL ES 1 context "
+			"(error 0x%x; Debian 13's Mesa is built without it): "
+			"choose another --gl",
+			(unsigned int)egl->api.GetError());
+		return -ENODEV;
+	}
+	return 0;
+}
+
+int egl_open(struct egl *egl, const struct gl_request *request)
+{
 	int error;
 
-	*egl = (struct egl){.log = *log};
-	error = open_libraries(egl);
-	error = error ? error : open_display(egl);
-	error = error ? error : choose_config(egl, format, surface_type);
-	if (!error) {
-		egl->context = egl->api.CreateContext(
-			egl->display, egl->config, EGL_NO_CONTEXT, version_1);
-		if (egl->context == EGL_NO_CONTEXT) {
-			log_error(log,
-				"--gl gles1: this EGL makes no OpenGL ES 1 "
-				"context (error 0x%x; Debian 13's Mesa is "
-				"built "
-				"without it): choose another --gl",
-				(unsigned int)egl->api.GetError());
-			error = -ENODEV;
-		}
-	}
+	*egl = (struct egl){.log = *request->log};
+	error = open_libraries(egl, request);
+	error = error ? error : open_display(egl, request);
+	error = error ? error : choose_config(egl, request);
+	error = error ? error : open_context(egl);
 	if (error) {
 		egl_close(egl);
 	}
@@ -238,21 +263,12 @@ int egl_make_current(struct egl *egl)
 	return 0;
 }
 
-int egl_set_pbuffer(struct egl *egl, int width, int height)
+/* Takes the place of the surface there was; on failure that one stays. */
+static int replace_surface(struct egl *egl, EGLSurface new)
 {
-	const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
 	EGLSurface old = egl->surface;
-	EGLSurface new =
-		egl->api.CreatePbufferSurface(egl->display, egl->config, size);
 	int error;
 
-	if (new == EGL_NO_SURFACE) {
-		log_error(&egl->log,
-			"--gl gles1: EGL makes no pbuffer of %dx%d (error "
-			"0x%x)",
-			width, height, (unsigned int)egl->api.GetError());
-		return -EIO;
-	}
 	egl->surface = new;
 	error = egl_make_current(egl);
 	if (error) {
@@ -263,6 +279,67 @@ int egl_set_pbuffer(struct egl *egl, int width, int height)
 		egl->api.DestroySurface(egl->display, old);
 	}
 	return error;
+}
+
+int egl_set_pbuffer(struct egl *egl, int width, int height)
+{
+	const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+	EGLSurface pbuffer =
+		egl->api.CreatePbufferSurface(egl->display, egl->config, size);
+
+	if (pbuffer == EGL_NO_SURFACE) {
+		log_error(&egl->log,
+			"--gl gles1: EGL makes no pbuffer of %dx%d (error "
+			"0x%x)",
+			width, height, (unsigned int)egl->api.GetError());
+		return -EIO;
+	}
+	return replace_surface(egl, pbuffer);
+}
+
+int egl_set_window(struct egl *egl, uintptr_t window)
+{
+	EGLSurface surface =
+		egl->api.CreateWindowSurface(egl->display, egl->config,
+			(EGLNativeWindowType)window, /* NULL on bare screens */
+			NULL);
+	int error;
+
+	if (surface == EGL_NO_SURFACE) {
+		log_error(&egl->log,
+			"--display egl: EGL cannot draw on window %#lx (error "
+			"0x%x): name another with --display egl:NUMBER",
+			(unsigned long)window,
+			(unsigned int)egl->api.GetError());
+		return -EIO;
+	}
+	error = replace_surface(egl, surface);
+	if (!error && egl->api.SwapInterval) {
+		egl->api.SwapInterval(egl->display, 1);
+	}
+	return error;
+}
+
+void egl_get_size(const struct egl *egl, int *width, int *height)
+{
+	EGLint value = 0;
+
+	egl->api.QuerySurface(egl->display, egl->surface, EGL_WIDTH, &value);
+	*width = value;
+	value = 0;
+	egl->api.QuerySurface(egl->display, egl->surface, EGL_HEIGHT, &value);
+	*height = value;
+}
+
+int egl_swap(struct egl *egl)
+{
+	if (!egl->api.SwapBuffers(egl->display, egl->surface)) {
+		log_error(&egl->log,
+			"--display egl: EGL cannot show a picture (error 0x%x)",
+			(unsigned int)egl->api.GetError());
+		return -EIO;
+	}
+	return 0;
 }
 
 gl_function egl_find(void *user, const char *name)

@@ -1,11 +1,12 @@
 /*
  * EGL with an OpenGL ES 1.1 context on it, opened at run time.
  *
- * Which surface the context draws on is the caller's matter: the functions
- * here make a pbuffer, which any EGL has. Nothing here knows of struct gl.
+ * The context draws on a pbuffer, which any EGL has, or on a native window.
+ * Nothing here knows of struct gl.
  *
- * Vendors name the libraries in their own ways: LIMBER_EGL and LIMBER_GLES in
- * the environment, file names as for dlopen(), stand in for the usual names.
+ * Vendors name the libraries in their own ways: what the request names, else
+ * LIMBER_EGL and LIMBER_GLES in the environment, file names as for dlopen(),
+ * stand in for the usual names.
  */
 #ifndef PLATFORM_GL_GLES1_EGL_H
 #define PLATFORM_GL_GLES1_EGL_H
@@ -16,13 +17,15 @@
 #include <EGL/egl.h>
 
 #include "platform/base/log.h"
-#include "platform/display/pixels.h"
+#include "platform/gl/gl_context.h"
 #include "platform/gl/loader.h"
 
 struct egl_api {
 #define EGL_FUNCTION(result, name, parameters) result(*name) parameters;
+#define EGL_OPTIONAL(result, name, parameters) result(*name) parameters;
 #include "platform/gl/gles1/egl_functions.h"
 #undef EGL_FUNCTION
+#undef EGL_OPTIONAL
 };
 
 struct egl {
@@ -36,19 +39,31 @@ struct egl {
 };
 
 /*
- * Opens the libraries, a display, a configuration for pictures of this format
- * and surfaces of this type (EGL_PBUFFER_BIT, EGL_WINDOW_BIT), and a context.
- * Nothing is current yet. Mesa's display without a screen is tried first, then
- * the default one. 0, or -errno after a sentence with nothing left open.
+ * Opens the libraries, a display, a configuration for pictures of the
+ * request's format and a context; nothing is current yet. For pixels, Mesa's
+ * display without a screen is tried first, then the default one; for a native
+ * surface the default one alone. 0, or -errno after a sentence with nothing
+ * left open.
  */
-int egl_open(struct egl *egl, enum pixel_format format, EGLint surface_type,
-	const struct log *log);
+int egl_open(struct egl *egl, const struct gl_request *request);
 
 /*
  * Replaces the surface by a pbuffer of this size and makes it current. 0, or
  * -errno after a sentence.
  */
 int egl_set_pbuffer(struct egl *egl, int width, int height);
+
+/*
+ * Draws on this window from now on: makes a surface on it, current, that shows
+ * at most one picture a turn of the screen. 0, or -errno after a sentence.
+ */
+int egl_set_window(struct egl *egl, uintptr_t window);
+
+/* The surface's size now; 0 where EGL does not tell. */
+void egl_get_size(const struct egl *egl, int *width, int *height);
+
+/* Shows what was drawn on a window. 0, or -errno after a sentence. */
+int egl_swap(struct egl *egl);
 
 /* Makes context and surface current. 0, or -errno after a sentence. */
 int egl_make_current(struct egl *egl);

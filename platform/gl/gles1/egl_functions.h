@@ -1,7 +1,8 @@
 /*
  * The EGL calls in use: one list, read many times, like gl_functions.h.
+ * EGL_OPTIONAL: not in EGL 1.0, and left NULL where it is missing.
  */
-EGL_FUNCTION(EGLBoolean, BindAPI, (EGLenum api))
+EGL_OPTIONAL(EGLBoolean, BindAPI, (EGLenum api))
 EGL_FUNCTION(EGLBoolean, ChooseConfig,
 	(EGLDisplay display, const EGLint *attributes, EGLConfig *configs,
 		EGLint room, EGLint *count))
@@ -10,6 +11,9 @@ EGL_FUNCTION(EGLContext, CreateContext,
 		const EGLint *attributes))
 EGL_FUNCTION(EGLSurface, CreatePbufferSurface,
 	(EGLDisplay display, EGLConfig config, const EGLint *attributes))
+EGL_FUNCTION(EGLSurface, CreateWindowSurface,
+	(EGLDisplay display, EGLConfig config, EGLNativeWindowType window,
+		const EGLint *attributes))
 EGL_FUNCTION(
 	EGLBoolean, DestroyContext, (EGLDisplay display, EGLContext context))
 EGL_FUNCTION(
@@ -25,3 +29,8 @@ EGL_FUNCTION(EGLBoolean, MakeCurrent,
 	(EGLDisplay display, EGLSurface draw, EGLSurface read,
 		EGLContext context))
 EGL_FUNCTION(const char *, QueryString, (EGLDisplay display, EGLint name))
+EGL_FUNCTION(EGLBoolean, QuerySurface,
+	(EGLDisplay display, EGLSurface surface, EGLint attribute,
+		EGLint *value))
+EGL_FUNCTION(EGLBoolean, SwapBuffers, (EGLDisplay display, EGLSurface surface))
+EGL_OPTIONAL(EGLBoolean, SwapInterval, (EGLDisplay display, EGLint interval))

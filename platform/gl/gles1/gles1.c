@@ -1,7 +1,9 @@
 /*
- * OpenGL ES 1.1 of any EGL, drawn into a pbuffer and read back.
+ * OpenGL ES 1.1 of any EGL: on a native surface, or drawn into a pbuffer and
+ * read back.
  */
 #include <errno.h>
+#include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,8 +24,9 @@ struct gles1_context {
 	struct egl egl;
 	struct log log;
 	enum pixel_format format;
+	bool on_surface;
 	struct pixels target;
-	int width, height; /* of the pbuffer */
+	int width, height; /* that the viewport was last set to */
 	uint8_t *rgba;     /* what was read back, bottom row first */
 	char description[128];
 };
@@ -39,15 +42,44 @@ static void gles1_destroy(struct gl_context *context)
 	}
 }
 
-static int open_context(struct gles1_context *gles1)
+/* By the renderers' names: no GL tells who draws. */
+static bool is_software(const char *renderer)
+{
+	static const char *const names[] = {
+		"llvmpipe", "softpipe", "swrast", "Software Rasterizer", NULL};
+
+	for (int i = 0; names[i]; i++) {
+		if (strstr(renderer, names[i])) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void describe(struct gles1_context *gles1)
+{
+	const struct gl *gl = &gles1->base.gl;
+	const char *renderer = (const char *)gl->GetString(GL_RENDERER);
+	const char *version = (const char *)gl->GetString(GL_VERSION);
+
+	renderer = renderer ? renderer : "unnamed";
+	snprintf(gles1->description, sizeof(gles1->description), "%s, %s",
+		renderer, version ? version : "OpenGL ES");
+	gles1->base.description = gles1->description;
+	gles1->base.accelerated = !is_software(renderer);
+}
+
+static int open_context(
+	struct gles1_context *gles1, const struct gl_request *request)
 {
 	struct gl *gl = &gles1->base.gl;
 	const char *missing;
-	int error = egl_open(
-		&gles1->egl, gles1->format, EGL_PBUFFER_BIT, &gles1->log);
+	int error = egl_open(&gles1->egl, request);
 
 	if (!error) {
-		error = egl_set_pbuffer(&gles1->egl, FIRST_SIZE, FIRST_SIZE);
+		error = request->surface
+			? egl_set_window(&gles1->egl, request->surface->window)
+			: egl_set_pbuffer(&gles1->egl, FIRST_SIZE, FIRST_SIZE);
 	}
 	if (error) {
 		return error;
@@ -60,16 +92,14 @@ static int open_context(struct gles1_context *gles1)
 			missing);
 		return -ENOSYS;
 	}
-	snprintf(gles1->description, sizeof(gles1->description), "%s, %s",
-		(const char *)gl->GetString(GL_RENDERER),
-		(const char *)gl->GetString(GL_VERSION));
-	gles1->base.description = gles1->description;
+	describe(gles1);
 	return 0;
 }
 
-static int gles1_create(enum pixel_format format, const struct log *log,
-	struct gl_context **out)
+static int gles1_create(
+	const struct gl_request *request, struct gl_context **out)
 {
+	const struct log *log = request->log;
 	struct gles1_context *gles1 = calloc(1, sizeof(*gles1));
 	int error;
 
@@ -79,14 +109,23 @@ static int gles1_create(enum pixel_format format, const struct log *log,
 	}
 	gles1->base.driver = &gl_driver_gles1;
 	gles1->log = *log;
-	gles1->format = format;
-	error = open_context(gles1);
+	gles1->format = request->format;
+	gles1->on_surface = request->surface != NULL;
+	error = open_context(gles1, request);
 	if (error) {
 		gles1_destroy(&gles1->base);
 		return error;
 	}
 	*out = &gles1->base;
 	return 0;
+}
+
+static void set_size(struct gles1_context *gles1, int width, int height)
+{
+	gles1->width = width;
+	gles1->height = height;
+	gles1->base.gl.Viewport(0, 0, width, height);
+	gles1->base.gl.Scissor(0, 0, width, height);
 }
 
 static int resize(struct gles1_context *gles1, int width, int height)
@@ -107,10 +146,27 @@ static int resize(struct gles1_context *gles1, int width, int height)
 	}
 	free(gles1->rgba);
 	gles1->rgba = rgba;
-	gles1->width = width;
-	gles1->height = height;
-	gles1->base.gl.Viewport(0, 0, width, height);
-	gles1->base.gl.Scissor(0, 0, width, height);
+	set_size(gles1, width, height);
+	return 0;
+}
+
+static int begin_on_surface(struct gles1_context *gles1)
+{
+	struct gl_context *base = &gles1->base;
+	int error = egl_make_current(&gles1->egl);
+
+	if (error) {
+		return error;
+	}
+	egl_get_size(&gles1->egl, &base->width, &base->height);
+	if (base->width < 1 || base->height < 1) {
+		log_error(&gles1->log,
+			"--display egl: EGL tells no size of its surface");
+		return -EIO;
+	}
+	if (base->width != gles1->width || base->height != gles1->height) {
+		set_size(gles1, base->width, base->height);
+	}
 	return 0;
 }
 
@@ -119,6 +175,9 @@ static int gles1_begin_frame(
 {
 	struct gles1_context *gles1 = (struct gles1_context *)context;
 
+	if (gles1->on_surface) {
+		return begin_on_surface(gles1);
+	}
 	if (target->format != gles1->format) {
 		log_error(&gles1->log,
 			"--gl gles1: cannot draw into a picture of another "
@@ -145,9 +204,9 @@ static void copy_565(uint8_t *out, const uint8_t *rgba, int width)
 	}
 }
 
-static int gles1_end_frame(struct gl_context *context)
+static void read_back(struct gles1_context *gles1)
 {
-	struct gles1_context *gles1 = (struct gles1_context *)context;
+	const struct gl_context *context = &gles1->base;
 	const struct pixels *target = &gles1->target;
 	size_t row_bytes = (size_t)target->width * 4;
 	GLint alignment = 4;
@@ -168,12 +227,46 @@ static int gles1_end_frame(struct gl_context *context)
 			memcpy(out, row, row_bytes);
 		}
 	}
+}
+
+static int gles1_end_frame(struct gl_context *context)
+{
+	struct gles1_context *gles1 = (struct gles1_context *)context;
+
+	if (gles1->on_surface) {
+		return egl_swap(&gles1->egl);
+	}
+	read_back(gles1);
 	return 0;
+}
+
+/*
+ * Opening EGL only to learn that the processor draws costs start-up time, so
+ * "auto" wants to see a graphics processor's device, or a library by name.
+ */
+static bool gles1_probe(void)
+{
+	static const char *const devices[] = {"/dev/dri/renderD*", "/dev/pvr*",
+		"/dev/mali*", "/dev/galcore", "/dev/kgsl*", "/dev/nvidia0",
+		NULL};
+	const char *library = getenv("LIMBER_EGL");
+	bool found = library && library[0];
+
+	for (int i = 0; !found && devices[i]; i++) {
+		glob_t list = {0};
+
+		found = glob(devices[i], 0, NULL, &list) == 0;
+		globfree(&list);
+	}
+	return found;
 }
 
 const struct gl_driver gl_driver_gles1 = {
 	.name = "gles1",
 	.summary = "OpenGL ES 1.1 through EGL",
+	.surface = true,
+	.probe = gles1_probe,
+	.accelerates = true,
 	.create = gles1_create,
 	.begin_frame = gles1_begin_frame,
 	.end_frame = gles1_end_frame,

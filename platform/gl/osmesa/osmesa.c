@@ -157,9 +157,10 @@ static void osmesa_destroy(struct gl_context *context)
 	free(osmesa);
 }
 
-static int osmesa_create(enum pixel_format format, const struct log *log,
-	struct gl_context **out)
+static int osmesa_create(
+	const struct gl_request *request, struct gl_context **out)
 {
+	const struct log *log = request->log;
 	struct osmesa_context *osmesa = calloc(1, sizeof(*osmesa));
 	const struct gl *gl;
 	int error;
@@ -170,7 +171,7 @@ static int osmesa_create(enum pixel_format format, const struct log *log,
 	}
 	osmesa->base.driver = &gl_driver_osmesa;
 	osmesa->log = *log;
-	osmesa->format = format;
+	osmesa->format = request->format;
 	error = load_functions(osmesa);
 	if (!error) {
 		error = open_context(osmesa);
@@ -223,9 +224,16 @@ static int osmesa_end_frame(struct gl_context *context)
 	return 0;
 }
 
+/* The reference to hold others against; too slow to be chosen unasked. */
+static bool osmesa_probe(void)
+{
+	return false;
+}
+
 const struct gl_driver gl_driver_osmesa = {
 	.name = "osmesa",
 	.summary = "Mesa's off-screen OpenGL, drawn by the processor",
+	.probe = osmesa_probe,
 	.create = osmesa_create,
 	.begin_frame = osmesa_begin_frame,
 	.end_frame = osmesa_end_frame,

@@ -34,9 +34,10 @@ static void soft_destroy(struct gl_context *context)
 	free(soft);
 }
 
-static int soft_create(enum pixel_format format, const struct log *log,
-	struct gl_context **out)
+static int soft_create(
+	const struct gl_request *request, struct gl_context **out)
 {
+	const struct log *log = request->log;
 	struct soft *soft = calloc(1, sizeof(*soft));
 
 	if (!soft) {
@@ -52,7 +53,7 @@ static int soft_create(enum pixel_format format, const struct log *log,
 	soft->base.driver = &gl_driver_soft;
 	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";
 	soft->log = *log;
-	soft->format = format;
+	soft->format = request->format;
 	soft_init_state(soft);
 	soft_init_query(soft);
 	soft_init_matrices(soft);

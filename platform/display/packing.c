@@ -1,0 +1,204 @@
+#include "platform/display/packing.h"
+
+#include <string.h>
+
+struct pixel_layout pixel_layout_of(enum pixel_format format)
+{
+	static const uint16_t probe = 1;
+	bool little = *(const uint8_t *)&probe == 1;
+
+	if (format == PIXELS_RGB565) {
+		return (struct pixel_layout){
+			.bits = 16,
+			.red = {11, 5},
+			.green = {5, 6},
+			.blue = {0, 5},
+		};
+	}
+	return (struct pixel_layout){
+		.bits = 32,
+		.red = {little ? 0 : 24, 8},
+		.green = {little ? 8 : 16, 8},
+		.blue = {little ? 16 : 8, 8},
+		.alpha = {little ? 24 : 0, 8},
+	};
+}
+
+/* The bits of a field of a sound layout. */
+static uint32_t field_mask(struct pixel_field field)
+{
+	return field.length ? (UINT32_MAX >> (32 - field.length)) << field.offset
+			    : 0;
+}
+
+static bool is_within(struct pixel_field field, int bits)
+{
+	return field.length >= 0 && field.offset >= 0 && field.length <= bits &&
+		field.offset <= bits - field.length;
+}
+
+bool pixel_layout_is_sound(const struct pixel_layout *layout)
+{
+	const struct pixel_field fields[] = {
+		layout->red, layout->green, layout->blue, layout->alpha};
+	uint32_t taken = 0;
+
+	if (layout->bits < 1 || layout->bits > 32) {
+		return false;
+	}
+	for (int i = 0; i < 4; i++) {
+		/* Of the three equal fields of gray, one counts. */
+		bool counts = !layout->gray || i == 0 || i == 3;
+
+		if (!is_within(fields[i], layout->bits) ||
+			(i < 3 && fields[i].length == 0)) {
+			return false;
+		}
+		if (counts && (taken & field_mask(fields[i]))) {
+			return false;
+		}
+		taken |= counts ? field_mask(fields[i]) : 0;
+	}
+	return true;
+}
+
+int pixel_layout_bytes(const struct pixel_layout *layout)
+{
+	return (layout->bits + 7) / 8;
+}
+
+/* value of max, as so much of the field's full value. */
+static uint32_t scale(uint32_t value, uint32_t max, struct pixel_field field)
+{
+	uint64_t full = UINT32_MAX >> (32 - field.length);
+
+	return (uint32_t)((full * value + max / 2) / max) << field.offset;
+}
+
+/* BT.601's shares in 256ths; the roundings of white add up to white. */
+static uint32_t scale_gray(
+	uint32_t value, uint32_t max, uint32_t share, struct pixel_field field)
+{
+	uint64_t full = UINT32_MAX >> (32 - field.length);
+	uint64_t part = full * value * share / max;
+
+	return (uint32_t)(part / 256) << field.offset;
+}
+
+static void fill(uint32_t *table, uint32_t max, struct pixel_field field,
+	uint32_t gray_share)
+{
+	for (uint32_t i = 0; i <= max; i++) {
+		table[i] = gray_share ? scale_gray(i, max, gray_share, field)
+				      : scale(i, max, field);
+	}
+}
+
+static bool is_same(
+	const struct pixel_layout *layout, const struct pixel_layout *own)
+{
+	return layout->bits == own->bits && !layout->gray &&
+		field_mask(layout->red) == field_mask(own->red) &&
+		field_mask(layout->green) == field_mask(own->green) &&
+		field_mask(layout->blue) == field_mask(own->blue);
+}
+
+void packing_init(struct packing *packing, enum pixel_format from,
+	const struct pixel_layout *layout)
+{
+	bool narrow = from == PIXELS_RGB565;
+	bool gray = layout->gray;
+	struct pixel_layout own = pixel_layout_of(from);
+	uint32_t opaque = field_mask(layout->alpha);
+
+	*packing = (struct packing){
+		.from = from,
+		.same = is_same(layout, &own),
+		.bytes = pixel_layout_bytes(layout),
+	};
+	fill(packing->red, narrow ? 31 : 255, layout->red, gray ? 77 : 0);
+	fill(packing->green, narrow ? 63 : 255, layout->green, gray ? 150 : 0);
+	fill(packing->blue, narrow ? 31 : 255, layout->blue, gray ? 29 : 0);
+	for (int i = 0; i < 256; i++) {
+		packing->red[i] += opaque;
+	}
+	if (gray) {
+		/* Green's share is the largest: it takes what is missing. */
+		uint32_t white = field_mask(layout->red) + opaque;
+		int max = narrow ? 31 : 255;
+		int green_max = narrow ? 63 : 255;
+
+		packing->green[green_max] =
+			white - packing->red[max] - packing->blue[max];
+	}
+}
+
+static uint32_t pack(const struct packing *packing, const uint8_t *in)
+{
+	if (packing->from == PIXELS_RGB565) {
+		uint16_t pixel;
+
+		memcpy(&pixel, in, sizeof(pixel));
+		return packing->red[pixel >> 11] +
+			packing->green[pixel >> 5 & 63] +
+			packing->blue[pixel & 31];
+	}
+	return packing->red[in[0]] + packing->green[in[1]] +
+		packing->blue[in[2]];
+}
+
+static void store_24(uint8_t *out, uint32_t pixel)
+{
+	uint8_t bytes[4];
+
+	memcpy(bytes, &pixel, 4);
+	/* The number's low end comes first or last, as the machine has it. */
+	memcpy(out,
+		pixel_layout_of(PIXELS_RGBA8888).red.offset ? bytes + 1 : bytes,
+		3);
+}
+
+static void copy_row(const struct packing *packing, const uint8_t *in,
+	uint8_t *out, int width)
+{
+	int step = pixel_bytes(packing->from);
+	int bytes = packing->bytes;
+
+	for (int x = 0; x < width; x++, in += step, out += bytes) {
+		uint32_t pixel = pack(packing, in);
+		uint16_t half = (uint16_t)pixel;
+
+		switch (bytes) {
+		case 1:
+			*out = (uint8_t)pixel;
+			break;
+		case 2:
+			memcpy(out, &half, 2);
+			break;
+		case 3:
+			store_24(out, pixel);
+			break;
+		default:
+			memcpy(out, &pixel, 4);
+			break;
+		}
+	}
+}
+
+void packing_copy(const struct packing *packing, const struct pixels *picture,
+	uint8_t *data, int stride_bytes)
+{
+	size_t row_bytes =
+		(size_t)picture->width * (size_t)pixel_bytes(picture->format);
+
+	for (int y = 0; y < picture->height; y++) {
+		const uint8_t *in = picture->data + y * picture->stride_bytes;
+		uint8_t *out = data + y * stride_bytes;
+
+		if (packing->same) {
+			memcpy(out, in, row_bytes);
+		} else {
+			copy_row(packing, in, out, picture->width);
+		}
+	}
+}

@@ -3,7 +3,7 @@
 
 MODEL_SOURCES := $(addprefix tests/arm1136/,core.c core_branch.c \
 	core_memory.c core_vfp.c decode.c decode_memory.c decode_vfp.c \
-	memory.c params.c plugin.c predict.c program.c report.c symbols.c \
+	memory.c pages.c params.c plugin.c predict.c program.c report.c symbols.c \
 	values.c)
 MODEL_OBJECTS := $(MODEL_SOURCES:%.c=build/arm1136/obj/%.o)
 MODEL := build/arm1136/model.so

@@ -37,6 +37,11 @@ run "$folder/micro.sh" "$model,ddr=81" "$programs/cache" \
 expect_failures "slower memory is noticed" \
     "ddr_use two_misses ddr_streaming store_miss_does_not_allocate pld_late"
 
+run "$folder/micro.sh" "$model,tlb=9" "$programs/pages" \
+    "$folder/micro/pages.S"
+expect_failures "slower translation is noticed" \
+    "eleven_pages page_walk_in_l2 page_walk_in_memory no_hit_under_page_walk store_waits_for_page main_tlb_has_two_ways"
+
 sed 's/CASE ldr_use, 16/CASE ldr_use, 15/; s/CASE ldr_to_str,/CASE ldr_to_nothing,/' \
     "$folder/micro/memory.S" >"$scratch/memory.S"
 run "$folder/micro.sh" "$model" "$programs/memory" "$scratch/memory.S"

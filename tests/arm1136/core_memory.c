@@ -56,14 +56,11 @@ static void occupy(struct core *core, int64_t until, enum cause cause)
 	core->memory_cause = cause;
 }
 
-/* Nothing follows until a miss, or the write buffer, has room for it. */
-static void stop(struct core *core, const struct insn *insn,
-	const struct memory_answer *answer)
+/* Nothing follows until a miss or the write buffer has room, or a page is known. */
+static void stop(struct core *core, const struct memory_answer *answer)
 {
 	if (answer->pipe_until > core->memory_free) {
-		occupy(core, answer->pipe_until,
-			insn->unit == UNIT_STORE ? CAUSE_WRITE_BUFFER
-						 : CAUSE_MISSES);
+		occupy(core, answer->pipe_until, answer->pipe_cause);
 	}
 }
 
@@ -85,7 +82,7 @@ static void transfer_word(struct transfer *transfer, const struct insn *insn,
 	} else {
 		transfer->answer = memory_store(&core->memory, address, when);
 	}
-	stop(core, insn, &transfer->answer);
+	stop(core, &transfer->answer);
 }
 
 static void load_word(struct core *core, const struct insn *insn,
@@ -209,5 +206,5 @@ void core_execute_preload(struct core *core, const struct insn *insn, int64_t at
 		return;
 	}
 	answer = memory_preload(&core->memory, address, at);
-	stop(core, insn, &answer);
+	stop(core, &answer);
 }

@@ -43,6 +43,7 @@ enum cause {
 	CAUSE_LOAD,         /* waits for a load that hit */
 	CAUSE_L2,           /* waits for a line from L2 */
 	CAUSE_DDR,          /* waits for a line from memory */
+	CAUSE_PAGE,         /* waits for an address to be translated */
 	CAUSE_VFP,          /* waits for a VFP result */
 	CAUSE_ISSUE,        /* takes more than one issue cycle */
 	CAUSE_MEMORY_PIPE,  /* the load/store pipeline is busy */

@@ -10,7 +10,7 @@
  * 0-12. It may be entered often; regions do not nest. Between regions,
  * MARKER_FLUSH(MARKER_ALL) empties all caches, MARKER_DATA those of data, so
  * that it comes from memory, MARKER_L1_DATA only the first, so that it comes
- * from L2.
+ * from L2. MARKER_PAGES forgets where the pages of data lie.
  */
 #ifndef TESTS_ARM1136_MARKER_H
 #define TESTS_ARM1136_MARKER_H
@@ -18,6 +18,7 @@
 #define MARKER_ALL     0
 #define MARKER_DATA    1
 #define MARKER_L1_DATA 2
+#define MARKER_PAGES   3
 
 #ifdef __ASSEMBLER__
 

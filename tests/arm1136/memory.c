@@ -100,6 +100,13 @@ void memory_finish(struct memory *memory)
 
 void memory_flush(struct memory *memory, enum memory_level level)
 {
+	if (level == MEMORY_PAGES) {
+		pages_forget_data(&memory->pages);
+		return;
+	}
+	if (level == MEMORY_ALL) {
+		pages_forget(&memory->pages);
+	}
 	cache_empty(&memory->l1d);
 	if (level != MEMORY_L1_DATA) {
 		cache_empty(&memory->l2);
@@ -173,6 +180,57 @@ static int64_t fill(
 	return start + params->ddr;
 }
 
+/* Page tables lie where no program can, and are cached in L2. */
+static int64_t read_table(struct memory *memory, uint32_t line, int64_t now)
+{
+	uint8_t from;
+
+	return fill(memory, line, now, &from);
+}
+
+/* Cycles until the address is translated. */
+static int64_t translate(struct memory *memory, enum pages_side side,
+	uint32_t address, int64_t now)
+{
+	const uint32_t first_level = 1u << 30, second_level = 1u << 29;
+	uint32_t page = address >> PAGES_SHIFT;
+	int64_t done = now + memory->params->tlb;
+	enum pages_found found;
+
+	if (!memory->params->pages) {
+		return 0;
+	}
+	found = pages_look_up(&memory->pages, side, page);
+	if (found == PAGES_IN_MICRO) {
+		return 0;
+	}
+	memory->counts.pages_missed++;
+	if (found == PAGES_NOWHERE) {
+		/* A word for each megabyte, then one for each page of it. */
+		done = read_table(memory, first_level | page >> 11, done);
+		done = read_table(memory, second_level | page >> 3, done);
+		memory->counts.pages_walked++;
+	}
+	return done - now;
+}
+
+/* Loads and stores go in order: none passes one that is not translated. */
+static int64_t translate_data(struct memory *memory, uint32_t address,
+	int64_t now, struct memory_answer *answer)
+{
+	int64_t delay = translate(memory, PAGES_DATA, address, now);
+
+	if (delay > 0) {
+		*answer = (struct memory_answer){
+			.delay = delay,
+			.cause = CAUSE_PAGE,
+			.pipe_until = now + delay,
+			.pipe_cause = CAUSE_PAGE,
+		};
+	}
+	return now + delay;
+}
+
 /* Makes room in L1 and starts the fill. */
 static struct memory_line *allocate(struct memory *memory,
 	struct memory_cache *cache, uint32_t line, int64_t now)
@@ -210,22 +268,25 @@ static struct memory_line *start_miss(struct memory *memory, uint32_t line,
 
 	if (start > now) {
 		answer->pipe_until = start;
+		answer->pipe_cause = CAUSE_MISSES;
 	}
 	*slot = place->arrives;
 	return place;
 }
 
 struct memory_answer memory_load(
-	struct memory *memory, uint32_t address, int64_t now)
+	struct memory *memory, uint32_t address, int64_t began)
 {
 	struct memory_answer answer = {.cause = CAUSE_LOAD};
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
 	struct memory_line *place;
+	int64_t now;
 
 	memory->counts.loads++;
 	if (memory->params->ideal) {
 		return answer;
 	}
+	now = translate_data(memory, address, began, &answer);
 	place = cache_find(&memory->l1d, line);
 	if (!place) {
 		memory->counts.loads_missed++;
@@ -239,7 +300,7 @@ struct memory_answer memory_load(
 		memory->counts.loads_awaited++;
 	}
 	if (place->arrives > now) {
-		answer.delay = place->arrives - now;
+		answer.delay = place->arrives - began;
 		answer.cause = (enum cause)place->from;
 	}
 	return answer;
@@ -252,6 +313,9 @@ struct memory_answer memory_preload(
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
 
 	memory->counts.preloads++;
+	if (!memory->params->ideal) {
+		now = translate_data(memory, address, now, &answer);
+	}
 	if (memory->params->ideal || cache_find(&memory->l1d, line)) {
 		memory->counts.preloads_dropped++;
 	} else {
@@ -271,6 +335,7 @@ struct memory_answer memory_store(
 	if (memory->params->ideal) {
 		return answer;
 	}
+	now = translate_data(memory, address, now, &answer);
 	place = cache_find(&memory->l1d, line);
 	if (place) {
 		place->dirty = true;
@@ -285,6 +350,7 @@ struct memory_answer memory_store(
 
 		if (accepted > now) {
 			answer.pipe_until = accepted;
+			answer.pipe_cause = CAUSE_WRITE_BUFFER;
 		}
 	}
 	memory->is_open = true;
@@ -296,11 +362,16 @@ int64_t memory_fetch(struct memory *memory, uint32_t address, int64_t now)
 {
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
 	struct memory_line *place;
+	int64_t delay;
 
-	if (memory->params->ideal || cache_find(&memory->l1i, line)) {
+	if (memory->params->ideal) {
 		return 0;
 	}
+	delay = translate(memory, PAGES_CODE, address, now);
+	if (cache_find(&memory->l1i, line)) {
+		return delay;
+	}
 	memory->counts.fetches_missed++;
-	place = allocate(memory, &memory->l1i, line, now);
+	place = allocate(memory, &memory->l1i, line, now + delay);
 	return place->arrives - now;
 }

@@ -1,12 +1,13 @@
 /*
- * Caches, write buffer, L2 and memory: when data that is asked for at some
- * cycle arrives. Lines are 32 bytes; addresses are the program's, translation
- * costs nothing.
+ * Caches, address translation, write buffer, L2 and memory: when data that is
+ * asked for at some cycle arrives. Lines are 32 bytes; addresses are the
+ * program's.
  */
 #ifndef TESTS_ARM1136_MEMORY_H
 #define TESTS_ARM1136_MEMORY_H
 
 #include "tests/arm1136/insn.h"
+#include "tests/arm1136/pages.h"
 #include "tests/arm1136/params.h"
 
 #define MEMORY_LINE_SHIFT 5
@@ -40,11 +41,14 @@ struct memory_counts {
 	uint64_t preloads_unknown; /* the model does not know the address */
 	uint64_t l2_missed;
 	uint64_t lines_written; /* to memory */
+	uint64_t pages_missed;  /* not in a MicroTLB */
+	uint64_t pages_walked;  /* nor in the main TLB */
 };
 
 struct memory {
 	const struct params *params;
 	struct memory_cache l1i, l1d, l2;
+	struct pages pages;
 	uint32_t random;
 	int64_t miss_ends[MEMORY_MAX_MISSES];
 	int64_t write_ends[MEMORY_MAX_WRITES];
@@ -59,19 +63,24 @@ struct memory {
 int memory_init(struct memory *memory, const struct params *params);
 void memory_finish(struct memory *memory);
 
-/* Empties caches, down to and with some level, and all queues. */
+/*
+ * Empties caches, down to and with some level, and all queues. MEMORY_ALL
+ * forgets all translations, MEMORY_PAGES those of data and nothing else.
+ */
 enum memory_level {
 	MEMORY_ALL,
 	MEMORY_DATA,
-	MEMORY_L1_DATA
+	MEMORY_L1_DATA,
+	MEMORY_PAGES
 };
 void memory_flush(struct memory *memory, enum memory_level level);
 
 /* When the line of a load that starts at cycle now arrives, beside a hit. */
 struct memory_answer {
 	int64_t delay;      /* cycles after those of a hit */
-	int64_t pipe_until; /* the load/store pipeline is stopped until then */
 	enum cause cause;   /* of the delay */
+	int64_t pipe_until; /* the load/store pipeline is stopped until then */
+	enum cause pipe_cause;
 };
 
 struct memory_answer memory_load(

@@ -22,6 +22,8 @@ void params_default(struct params *params)
 		.writes = 4,
 		.byte_extra = 1,
 		.predictor = 128,
+		.tlb = 8,
+		.pages = true,
 		.fold = true,
 		.top = 20,
 	};
@@ -59,6 +61,8 @@ static const struct key keys[] = {
 	KEY("byte", INTEGER, byte_extra, 0, 3),
 	KEY("predictor", INTEGER, predictor, 1, 1024),
 	KEY("top", INTEGER, top, 0, 100000),
+	KEY("tlb", INTEGER, tlb, 0, 1000),
+	KEY("pages", SWITCH, pages, 0, 1),
 	KEY("fold", SWITCH, fold, 0, 1),
 	KEY("ideal", SWITCH, ideal, 0, 1),
 	KEY("whole", SWITCH, whole, 0, 1),

@@ -18,6 +18,8 @@ struct params {
 	int writes;     /* entries of the write buffer */
 	int byte_extra; /* a byte or halfword comes so much later than a word */
 	int predictor;  /* entries of the dynamic predictor */
+	int tlb;        /* cycles for a page that is in no MicroTLB */
+	bool pages;     /* addresses are translated */
 	bool fold;      /* predicted branches can vanish */
 	bool ideal;     /* every access hits L1 */
 	bool whole;     /* count from the first instruction to the last */

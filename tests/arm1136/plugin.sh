@@ -91,10 +91,11 @@ check "JSON has regions, symbols and parameters" node -e '
     if (regions.length !== 9 || report.parameters.ddr !== 80)
         throw Error("not what was asked for");' "$scratch/report.json"
 
+# A cycle each, and a line of code from memory with both words of its page.
 run qemu-arm -cpu arm1136 -plugin "$model" "$unknown"
 about "an instruction that is not decoded"
 expect_status 0
-expect_err '^region _start entries 1 cycles 83 instructions 3 '
+expect_err '^region _start entries 1 cycles 251 instructions 3 '
 expect_err '^not decoded [0-9a-f]*: f1010000, 1 times'
 
 for wrong in nonsense=1 ddr=much l1d=15 ideal=maybe misses=0; do

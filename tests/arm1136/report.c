@@ -10,6 +10,7 @@ static const char *const cause_name[CAUSE_COUNT] = {
 	[CAUSE_LOAD] = "load",
 	[CAUSE_L2] = "l2",
 	[CAUSE_DDR] = "ddr",
+	[CAUSE_PAGE] = "page",
 	[CAUSE_VFP] = "vfp",
 	[CAUSE_ISSUE] = "issue",
 	[CAUSE_MEMORY_PIPE] = "memory-pipe",
@@ -88,12 +89,13 @@ static void text_region(
 		" missed %" PRIu64 " awaited %" PRIu64 ", store %" PRIu64
 		" missed %" PRIu64 ", preload %" PRIu64 " dropped %" PRIu64
 		" unknown %" PRIu64 ", L2 missed %" PRIu64 ", written %" PRIu64
-		"\n",
+		"\n  pages: missed %" PRIu64 " walked %" PRIu64 "\n",
 		memory->fetches_missed, memory->loads, memory->loads_missed,
 		memory->loads_awaited, memory->stores, memory->stores_missed,
 		memory->preloads, memory->preloads_dropped,
 		memory->preloads_unknown, memory->l2_missed,
-		memory->lines_written);
+		memory->lines_written, memory->pages_missed,
+		memory->pages_walked);
 	fprintf(out, "  addresses foretold %" PRIu64 " mistaken %" PRIu64 "\n",
 		totals->foretold, totals->mistaken);
 	if (totals->unknown) {
@@ -296,6 +298,8 @@ static void json_lines(FILE *out, const struct memory_counts *memory)
 		{"preload_unknown", memory->preloads_unknown},
 		{"l2_missed", memory->l2_missed},
 		{"written", memory->lines_written},
+		{"pages_missed", memory->pages_missed},
+		{"pages_walked", memory->pages_walked},
 	};
 
 	json_counts(out, "lines", count, COUNT(count));
@@ -368,6 +372,8 @@ static void json_params(FILE *out, const struct params *params)
 		{"writes", (uint64_t)params->writes},
 		{"byte", (uint64_t)params->byte_extra},
 		{"predictor", (uint64_t)params->predictor},
+		{"tlb", (uint64_t)params->tlb},
+		{"pages", params->pages},
 		{"fold", params->fold},
 		{"ideal", params->ideal},
 	};

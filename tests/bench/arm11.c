@@ -48,6 +48,7 @@ static void measure(const struct bench_job *job)
 	job->run(job->state);
 	MARKER_END(1);
 	MARKER_FLUSH(MARKER_DATA);
+	MARKER_FLUSH(MARKER_PAGES);
 	MARKER_BEGIN(2);
 	job->run(job->state);
 	MARKER_END(2);

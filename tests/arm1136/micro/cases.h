@@ -51,7 +51,7 @@
 	.bss
 	.balign 4096
 data:
-	.space 256 * 1024
+	.space 512 * 1024
 
 	/* So that cases can keep clear of its branch's predictor entry. */
 	.text

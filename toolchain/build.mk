@@ -15,7 +15,7 @@ define target_rules
 OBJECTS_$(1) := $$(patsubst %.c,build/$(1)/obj/%.o,$$(SHARED_SOURCES) \
 	$$(call driver_sources,$(1)))
 LISTS_$(1) := build/$(1)/gen/gl_drivers.h build/$(1)/gen/display_drivers.h \
-	build/$(1)/gen/button_drivers.h
+	build/$(1)/gen/button_drivers.h build/$(1)/gen/camera_drivers.h
 
 build/$(1)/gen/gl_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)
@@ -26,6 +26,9 @@ build/$(1)/gen/display_drivers.h: toolchain/sources.mk | build/$(1)/packages.sta
 build/$(1)/gen/button_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)
 	$$(call driver_list,BUTTON,$$(BUTTON_DRIVERS_$(1)))
+build/$(1)/gen/camera_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call driver_list,CAMERA,$$(CAMERA_DRIVERS_$(1)))
 
 # Installs what the target needs, then asks the libraries for their flags.
 build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \

@@ -6,7 +6,7 @@ APP_SOURCES := $(filter-out app/main.c,$(sort $(wildcard app/*/*.c \
 BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
 # What the drivers of a seam share lies beside its registry.
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
-	platform/buttons/*.c))
+	platform/buttons/*.c platform/camera/*.c))
 FONT_SOURCE := build/gen/font_data.c
 SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 
@@ -15,10 +15,12 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 GL_DRIVERS_host := gles1 soft osmesa
 DISPLAY_DRIVERS_host := window image null
 BUTTON_DRIVERS_host := script
+CAMERA_DRIVERS_host := v4l2 pattern
 
 GL_DRIVERS_arm := gles1 soft osmesa
 DISPLAY_DRIVERS_arm := image null
 BUTTON_DRIVERS_arm := script
+CAMERA_DRIVERS_arm := v4l2 pattern
 
 # The fuzz targets need no more than what they feed.
 BUTTON_DRIVERS_fuzz := script
@@ -28,7 +30,8 @@ seam_driver_sources = $(foreach name,$(2),\
 	$(sort $(wildcard platform/$(1)/$(name)/*.c)))
 driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
 	$(call seam_driver_sources,display,$(DISPLAY_DRIVERS_$(1))) \
-	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1)))
+	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1))) \
+	$(call seam_driver_sources,camera,$(CAMERA_DRIVERS_$(1)))
 
 TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))

@@ -1,0 +1,146 @@
+#include "platform/camera/camera.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/base/name_list.h"
+
+enum {
+	SPEC_ROOM = 4096,
+	USUAL_WIDTH = 320,
+	USUAL_HEIGHT = 240
+};
+
+static bool read_side(const char *text, char end, char **after, int *out)
+{
+	long value;
+
+	if (*text < '0' || *text > '9') {
+		return false;
+	}
+	value = strtol(text, after, 10);
+	if (**after != end || value < 1 || value > CAMERA_SIDE_MAX) {
+		return false;
+	}
+	*out = (int)value;
+	return true;
+}
+
+static bool read_size(const char *text, struct camera_options *options)
+{
+	char *end;
+
+	return read_side(text, 'x', &end, &options->width) &&
+		read_side(end + 1, '\0', &end, &options->height);
+}
+
+/* One ",WxH" or ",FORMAT", without the comma. */
+static int read_detail(
+	const char *spec, const char *detail, struct camera_options *options)
+{
+	if (*detail >= '0' && *detail <= '9') {
+		if (read_size(detail, options)) {
+			return 0;
+		}
+		log_error(options->log,
+			"--camera %s: %s is no size: want such as 320x240, "
+			"sides up to %d",
+			spec, detail, CAMERA_SIDE_MAX);
+		return -EINVAL;
+	}
+	if (*detail == '\0') {
+		log_error(options->log,
+			"--camera %s: want a size or a format after the comma",
+			spec);
+		return -EINVAL;
+	}
+	options->format = detail;
+	return 0;
+}
+
+static const struct camera_driver *find_driver(
+	const char *spec, const char *name, const struct log *log)
+{
+	struct name_list names = {""};
+
+	for (int i = 0; camera_registry[i]; i++) {
+		if (strcmp(name, camera_registry[i]->name) == 0) {
+			return camera_registry[i];
+		}
+		name_list_add(&names, camera_registry[i]->name);
+	}
+	log_error(log,
+		"--camera %s: no such camera: want a device such as "
+		"/dev/video0, auto, or one of %s",
+		spec, names.text);
+	return NULL;
+}
+
+/* Cuts name into its parts. */
+static int read_spec(const char *spec, char *name,
+	struct camera_options *options, const struct camera_driver **driver)
+{
+	char *comma = strchr(name, ',');
+	char *colon;
+
+	while (comma) {
+		char *detail = comma + 1;
+		int error;
+
+		*comma = '\0';
+		comma = strchr(detail, ',');
+		if (comma) {
+			*comma = '\0';
+		}
+		error = read_detail(spec, detail, options);
+		if (error) {
+			return error;
+		}
+	}
+	if (name[0] == '/' || strcmp(name, "auto") == 0) {
+		options->argument = name[0] == '/' ? name : NULL;
+		*driver = find_driver(spec, "v4l2", options->log);
+		return *driver ? 0 : -EINVAL;
+	}
+	colon = strchr(name, ':');
+	if (colon) {
+		*colon = '\0';
+		options->argument = colon + 1;
+	}
+	*driver = find_driver(spec, name, options->log);
+	return *driver ? 0 : -EINVAL;
+}
+
+int camera_feed_open(
+	const char *spec, const struct log *log, struct camera_feed *out)
+{
+	struct camera_options options = {
+		.width = USUAL_WIDTH, .height = USUAL_HEIGHT, .log = log};
+	char name[SPEC_ROOM];
+	int error;
+
+	*out = (struct camera_feed){0};
+	if (strlen(spec) >= sizeof(name)) {
+		log_error(log, "--camera: more than %d characters",
+			SPEC_ROOM - 1);
+		return -EINVAL;
+	}
+	strcpy(name, spec);
+	error = read_spec(spec, name, &options, &out->driver);
+	if (!error) {
+		error = out->driver->create(&options, &out->source);
+	}
+	if (error) {
+		*out = (struct camera_feed){0};
+	}
+	return error;
+}
+
+void camera_feed_close(struct camera_feed *feed)
+{
+	if (feed->driver) {
+		feed->driver->destroy(feed->source);
+	}
+	*feed = (struct camera_feed){0};
+}

@@ -1,0 +1,94 @@
+#include "platform/camera/v4l2/convert_library.h"
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct v4lconvert_data;
+
+struct convert_library {
+	struct v4lconvert_data *data;
+	struct v4l2_format source, rgb;
+
+	struct v4lconvert_data *(*create)(int fd);
+	void (*destroy)(struct v4lconvert_data *data);
+	int (*convert)(struct v4lconvert_data *data,
+		const struct v4l2_format *source,
+		const struct v4l2_format *destination, unsigned char *from,
+		int from_size, unsigned char *to, int to_size);
+};
+
+/* C has no conversion from a data pointer; POSIX promises the bits. */
+static int find_function(void *handle, const char *name, void *out, size_t size)
+{
+	void *address = dlsym(handle, name);
+
+	memcpy(out, &address, size);
+	return address ? 0 : -ENOENT;
+}
+
+static int load(struct convert_library *library)
+{
+	void *handle = dlopen(
+		"libv4lconvert.so.0", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+
+	if (!handle ||
+		find_function(handle, "v4lconvert_create", &library->create,
+			sizeof(library->create)) ||
+		find_function(handle, "v4lconvert_destroy", &library->destroy,
+			sizeof(library->destroy)) ||
+		find_function(handle, "v4lconvert_convert", &library->convert,
+			sizeof(library->convert))) {
+		return -ENOENT;
+	}
+	return 0;
+}
+
+int convert_library_open(
+	int fd, const struct v4l2_format *format, struct convert_library **out)
+{
+	struct convert_library *library = calloc(1, sizeof(*library));
+	struct v4l2_pix_format *rgb;
+	int error = -ENOMEM;
+
+	if (!library) {
+		return error;
+	}
+	error = load(library);
+	if (error) {
+		goto fail;
+	}
+	library->source = library->rgb = *format;
+	rgb = &library->rgb.fmt.pix;
+	rgb->pixelformat = V4L2_PIX_FMT_RGB24;
+	rgb->bytesperline = rgb->width * 3;
+	rgb->sizeimage = rgb->bytesperline * rgb->height;
+	library->data = library->create(fd);
+	if (!library->data) {
+		error = -ENOMEM;
+		goto fail;
+	}
+	*out = library;
+	return 0;
+fail:
+	free(library);
+	return error;
+}
+
+int convert_library_run(struct convert_library *library, const uint8_t *data,
+	uint32_t size, uint8_t *rgb, int rgb_size)
+{
+	int written = library->convert(library->data, &library->source,
+		&library->rgb, (unsigned char *)data, (int)size, rgb, rgb_size);
+
+	return written == rgb_size ? 0 : -EIO;
+}
+
+void convert_library_close(struct convert_library *library)
+{
+	if (library) {
+		library->destroy(library->data);
+		free(library);
+	}
+}

@@ -1,0 +1,30 @@
+/*
+ * libv4lconvert for the formats that limber does not read itself: JPEG, Bayer
+ * and so on become RGB24. Opened at run time; without it these formats are
+ * refused.
+ */
+#ifndef PLATFORM_CAMERA_V4L2_CONVERT_LIBRARY_H
+#define PLATFORM_CAMERA_V4L2_CONVERT_LIBRARY_H
+
+#include <stdint.h>
+
+#include <linux/videodev2.h>
+
+struct convert_library;
+
+/*
+ * A converter from what the open device delivers, format being its answer to
+ * VIDIOC_S_FMT, to RGB24 of the same size without gaps. 0, -ENOENT when the
+ * library is missing, or -ENOMEM.
+ */
+int convert_library_open(
+	int fd, const struct v4l2_format *format, struct convert_library **out);
+
+/* One picture into width * height * 3 bytes; 0 or -EIO. */
+int convert_library_run(struct convert_library *library, const uint8_t *data,
+	uint32_t size, uint8_t *rgb, int rgb_size);
+
+/* NULL is fine. */
+void convert_library_close(struct convert_library *library);
+
+#endif

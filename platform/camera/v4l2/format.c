@@ -1,0 +1,203 @@
+#include "platform/camera/v4l2/format.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/base/compiler.h"
+
+enum {
+	OFFERED_MAX = 64
+};
+
+/* Cheapest first. */
+static const struct {
+	uint32_t fourcc;
+	enum camera_format format;
+} known[] = {
+	{V4L2_PIX_FMT_RGB565, CAMERA_RGB565},
+	{V4L2_PIX_FMT_UYVY, CAMERA_UYVY},
+	{V4L2_PIX_FMT_YUYV, CAMERA_YUYV},
+	{V4L2_PIX_FMT_NV12, CAMERA_NV12},
+	{V4L2_PIX_FMT_YUV420, CAMERA_YUV420},
+	{V4L2_PIX_FMT_RGB24, CAMERA_RGB24},
+	{V4L2_PIX_FMT_BGR24, CAMERA_BGR24},
+};
+
+enum camera_format v4l2_format_of(uint32_t fourcc)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(known); i++) {
+		if (known[i].fourcc == fourcc) {
+			return known[i].format;
+		}
+	}
+	return CAMERA_FORMATS;
+}
+
+uint32_t v4l2_format_find(const char *name)
+{
+	enum camera_format format = camera_format_find(name);
+	uint32_t fourcc = 0;
+
+	for (size_t i = 0; i < ARRAY_COUNT(known); i++) {
+		if (known[i].format == format) {
+			return known[i].fourcc;
+		}
+	}
+	if (strlen(name) != 4) {
+		return 0;
+	}
+	for (int i = 0; i < 4; i++) {
+		fourcc |= (uint32_t)toupper((unsigned char)name[i]) << 8 * i;
+	}
+	return fourcc;
+}
+
+void v4l2_format_text(uint32_t fourcc, char text[5])
+{
+	for (int i = 0; i < 4; i++) {
+		unsigned char letter = (unsigned char)(fourcc >> 8 * i);
+
+		text[i] = (char)(isprint(letter) ? letter : '?');
+	}
+	text[4] = '\0';
+}
+
+/* The codes that the device names; none from a driver that names nothing. */
+static int list_offered(const struct v4l2_device *device, uint32_t *fourcc)
+{
+	int count = 0;
+
+	while (count < OFFERED_MAX) {
+		struct v4l2_fmtdesc offer = {
+			.index = (uint32_t)count,
+			.type = V4L2_BUF_TYPE_VIDEO_CAPTURE,
+		};
+
+		if (device->calls->ioctl(device->calls->user, device->fd,
+			    VIDIOC_ENUM_FMT, &offer) != 0) {
+			break;
+		}
+		fourcc[count++] = offer.pixelformat;
+	}
+	return count;
+}
+
+/* 0 when the device took just this format, -EINVAL when it chose another. */
+static int try_fourcc(struct v4l2_device *device, const struct v4l2_wish *wish,
+	uint32_t fourcc)
+{
+	struct v4l2_format wanted = {.type = V4L2_BUF_TYPE_VIDEO_CAPTURE};
+	int error;
+
+	/* All else is zero, priv too: one driver takes it for a pointer. */
+	wanted.fmt.pix.width = (uint32_t)wish->width;
+	wanted.fmt.pix.height = (uint32_t)wish->height;
+	wanted.fmt.pix.pixelformat = fourcc;
+	wanted.fmt.pix.field = V4L2_FIELD_NONE;
+	error = device->calls->ioctl(
+		device->calls->user, device->fd, VIDIOC_S_FMT, &wanted);
+	if (!error && wanted.fmt.pix.pixelformat != fourcc) {
+		error = -EINVAL;
+	}
+	if (!error) {
+		device->answer = wanted;
+	}
+	return error;
+}
+
+static bool is_in(uint32_t fourcc, const uint32_t *list, int count)
+{
+	for (int i = 0; i < count; i++) {
+		if (list[i] == fourcc) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* What a device that is busy or gone says counts more than a refusal. */
+static int worse(int error, int other)
+{
+	return error == 0 || error == -EINVAL ? other : error;
+}
+
+static int choose(struct v4l2_device *device, const struct v4l2_wish *wish)
+{
+	uint32_t offered[OFFERED_MAX];
+	int count = list_offered(device, offered);
+	int error = -EINVAL;
+
+	if (wish->fourcc) {
+		return try_fourcc(device, wish, wish->fourcc);
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(known); i++) {
+		int result;
+
+		if (count && !is_in(known[i].fourcc, offered, count)) {
+			continue;
+		}
+		result = try_fourcc(device, wish, known[i].fourcc);
+		if (!result) {
+			return 0;
+		}
+		error = worse(error, result);
+	}
+	for (int i = 0; i < count; i++) {
+		int result = try_fourcc(device, wish, offered[i]);
+
+		if (!result) {
+			return 0;
+		}
+		error = worse(error, result);
+	}
+	return error;
+}
+
+static int refuse(
+	struct v4l2_device *device, const struct v4l2_wish *wish, int error)
+{
+	char text[5];
+
+	if (error == -EBUSY) {
+		snprintf(device->reason, sizeof(device->reason),
+			"another program is using it: close that");
+	} else if (error != -EINVAL) {
+		snprintf(device->reason, sizeof(device->reason),
+			"cannot set its format (%s)", strerror(-error));
+	} else if (wish->fourcc) {
+		v4l2_format_text(wish->fourcc, text);
+		snprintf(device->reason, sizeof(device->reason),
+			"it does not deliver %s: leave the format out", text);
+	} else {
+		snprintf(device->reason, sizeof(device->reason),
+			"it has no format of single-planar video: choose "
+			"another camera");
+	}
+	return error;
+}
+
+int v4l2_format_negotiate(
+	struct v4l2_device *device, const struct v4l2_wish *wish)
+{
+	const struct v4l2_pix_format *pix = &device->answer.fmt.pix;
+	int error = choose(device, wish);
+
+	if (error) {
+		return refuse(device, wish, error);
+	}
+	if (pix->width < 1 || pix->width > CAMERA_SIDE_MAX || pix->height < 1 ||
+		pix->height > CAMERA_SIDE_MAX || pix->bytesperline > 65536) {
+		snprintf(device->reason, sizeof(device->reason),
+			"pictures of %u x %u in rows of %u bytes: want sides "
+			"up to %d",
+			pix->width, pix->height, pix->bytesperline,
+			CAMERA_SIDE_MAX);
+		return -EINVAL;
+	}
+	device->width = (int)pix->width;
+	device->height = (int)pix->height;
+	device->format = v4l2_format_of(pix->pixelformat);
+	return 0;
+}

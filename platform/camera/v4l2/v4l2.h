@@ -1,0 +1,14 @@
+/*
+ * The V4L2 source over any set of system calls.
+ */
+#ifndef PLATFORM_CAMERA_V4L2_V4L2_H
+#define PLATFORM_CAMERA_V4L2_V4L2_H
+
+#include "platform/camera/camera.h"
+#include "platform/camera/v4l2/calls.h"
+
+/* As camera_driver.create(); calls must outlive the source and its thread. */
+int v4l2_source_create(const struct camera_options *options,
+	const struct v4l2_calls *calls, struct camera_source **out);
+
+#endif

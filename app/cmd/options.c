@@ -121,6 +121,18 @@ static bool set_script(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_camera(struct options *options, const char *value)
+{
+	options->camera = value;
+	return value[0] != '\0';
+}
+
+static bool set_camera_use(struct options *options, const char *value)
+{
+	options->camera_use = live_use_find(value);
+	return options->camera_use != LIVE_USES;
+}
+
 static bool set_clock(struct options *options, const char *value)
 {
 	options->clock_given = true;
@@ -291,6 +303,13 @@ static const struct option_entry entries[] = {
 	{0, "script", "FILE", FOR_SHOW,
 		"buttons from a file with lines TIME_MS BUTTON down|up",
 		"a file name", set_script},
+	{0, "camera", "SPEC", FOR_SHOW,
+		"live pictures: /dev/video0, auto or pattern; with ,320x240 "
+		"for a size", "a camera such as auto or /dev/video0",
+		set_camera},
+	{0, "camera-use", "USE", FOR_SHOW,
+		"what they are for: background or off (F10 changes it)",
+		"background or off", set_camera_use},
 	{0, "clock", "KIND", FOR_SHOW,
 		"real, or fixed:FPS for the same times in every run",
 		"real or fixed:FPS, FPS up to 1000", set_clock},

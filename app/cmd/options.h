@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "app/anim/clip.h"
+#include "app/demo/live.h"
 #include "app/scene/lod.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
@@ -31,6 +32,8 @@ struct options {
 	const char *display;
 	const char *buttons;
 	const char *script;
+	const char *camera;
+	enum live_use camera_use;
 	const char *clip;
 	const char *kernel;
 	int width, height;

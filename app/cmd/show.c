@@ -10,17 +10,21 @@
 #include <errno.h>
 #include <stdlib.h>
 
+static const int first_picture_ms = 3000;
+
 /* All that a run has open. */
 struct show {
 	const struct show_plan *plan;
 	const struct log *log;
 	struct screen screen;
 	struct buttons buttons;
+	struct camera_feed camera;
 	struct demo *demo;
 	struct hud *hud;
 	bool labelled;
 	struct clock clock;
 	struct pace pace;
+	double now_s;
 	int frames; /* 0: until closed */
 	bool closed;
 };
@@ -55,9 +59,30 @@ static int open_demo(struct show *show, const struct options *options)
 		.speed = options->speed,
 		.lod = options->lod,
 		.unattended = show->plan->unattended,
+		.camera = &show->camera,
+		.camera_use = options->camera_use,
+		.smooth = show->screen.gl->accelerated ||
+			show->screen.info.format != PIXELS_RGB565,
 	};
 
 	return demo_create(show->plan->demo, &env, &show->demo);
+}
+
+/* What is wrong in SPEC ends the program; a camera that fails does not. */
+static int open_camera(struct show *show, const struct options *options)
+{
+	struct camera_feed *camera = &show->camera;
+	int error;
+
+	if (!options->camera) {
+		return 0;
+	}
+	error = camera_feed_open(options->camera, show->log, camera);
+	/* A picture in a file cannot show what comes later. */
+	if (!error && show->clock.fixed && camera->driver->await) {
+		camera->driver->await(camera->source, first_picture_ms);
+	}
+	return error == -EINVAL ? error : 0;
 }
 
 static int open_hud(struct show *show)
@@ -100,10 +125,11 @@ static int draw_frame(struct show *show)
 	if (error) {
 		return error;
 	}
+	demo_watch(show->demo, show->now_s, width, height);
 	show->plan->demo->draw(show->demo, width, height);
 	if (show->labelled) {
 		hud_begin(show->hud, width, height);
-		show->plan->demo->label(show->demo, show->hud);
+		demo_label(show->plan->demo, show->demo, show->hud);
 		hud_end(show->hud, &show->screen.gl->gl);
 	}
 	return screen_end_frame(&show->screen);
@@ -144,7 +170,7 @@ static int run_frames(struct show *show)
 		if (show->frames && done >= show->frames) {
 			break;
 		}
-		now_s = clock_tick(&show->clock);
+		now_s = show->now_s = clock_tick(&show->clock);
 		poll_display(show, (int64_t)(now_s * 1000.0));
 		press_buttons(show, (int64_t)(now_s * 1000.0));
 		show->plan->demo->update(show->demo, now_s);
@@ -227,12 +253,18 @@ static int open_and_run(struct show *show, const struct options *options)
 	if (error) {
 		goto out_screen;
 	}
-	error = open_demo(show, options);
+	error = open_camera(show, options);
 	if (error) {
 		goto out_hud;
 	}
+	error = open_demo(show, options);
+	if (error) {
+		goto out_camera;
+	}
 	error = run(show, options);
 	demo_destroy(show->demo);
+out_camera:
+	camera_feed_close(&show->camera);
 out_hud:
 	close_hud(show);
 out_screen:

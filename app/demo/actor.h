@@ -8,6 +8,7 @@
 #include "app/anim/blend.h"
 #include "app/anim/clip.h"
 #include "app/demo/demo.h"
+#include "app/demo/live.h"
 #include "app/scene/instance.h"
 #include "app/scene/stage.h"
 #include "app/scene/texture.h"
@@ -28,6 +29,7 @@ struct act {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
+	struct live live;
 };
 
 /* Loads env's model. 0, or -errno after a sentence with nothing left behind. */

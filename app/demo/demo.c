@@ -48,6 +48,10 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	if (!error) {
 		error = driver->prepare(demo, env);
 	}
+	if (!error) {
+		error = live_init(&act_of(demo)->live, env->camera,
+			env->camera_use, env->smooth, env->gl, env->log);
+	}
 	if (error) {
 		demo_destroy(demo);
 		return error;
@@ -61,15 +65,38 @@ void demo_destroy(struct demo *demo)
 	if (demo) {
 		struct act *act = act_of(demo);
 
+		live_finish(&act->live, act->gl);
 		stage_finish(&act->stage, act->gl);
 		actor_unload(&act->actor, act->gl);
 		free(demo);
 	}
 }
 
+void demo_watch(struct demo *demo, double time_s, int width, int height)
+{
+	struct act *act = act_of(demo);
+
+	live_update(&act->live, act->gl, &act->stage, time_s, width, height);
+}
+
+void demo_label(const struct demo_driver *driver, const struct demo *demo,
+	struct hud *hud)
+{
+	driver->label(demo, hud);
+	live_label(&((const struct act *)demo)->live, hud);
+}
+
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
+	struct live *live = &act_of(demo)->live;
+
+	if (live->feed && event->button == BUTTON_F10) {
+		if (event->down) {
+			live_next_use(live);
+		}
+		return;
+	}
 	for (const struct demo_action *action = driver->action; action->run;
 		action++) {
 		if (action->button == event->button) {

@@ -10,6 +10,7 @@
 
 #include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
+#include "app/demo/live.h"
 #include "app/scene/hud_group.h"
 #include "app/scene/lod.h"
 #include "platform/base/log.h"
@@ -33,6 +34,9 @@ struct demo_env {
 	float speed;             /* likewise, negative: backwards */
 	struct lod lod;          /* influences a vertex */
 	bool unattended;         /* nobody will press a button: show things */
+	const struct camera_feed *camera; /* live pictures, or NULL */
+	enum live_use camera_use;         /* at the start */
+	bool smooth;                      /* blend enlarged live pictures */
 };
 
 /* Something a button does. */
@@ -89,7 +93,20 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 /* NULL is fine. */
 void demo_destroy(struct demo *demo);
 
-/* Runs the action on this button, if there is one. */
+/*
+ * Looks at the camera, for the frame of this time and size; before draw(). A
+ * demo without a camera is fine.
+ */
+void demo_watch(struct demo *demo, double time_s, int width, int height);
+
+/* The demo's own labels, and what the camera is for. */
+void demo_label(const struct demo_driver *driver, const struct demo *demo,
+	struct hud *hud);
+
+/*
+ * Runs the action on this button, if there is one. With a camera, F10 changes
+ * what its picture is for instead.
+ */
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event);
 

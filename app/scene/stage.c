@@ -89,10 +89,17 @@ void stage_begin(
 	gl->CullFace(GL_BACK);
 	gl->FrontFace(GL_CCW);
 	use_plain_state(gl);
-	draw_background(gl);
+	if (stage->backdrop) {
+		backdrop_draw(stage->backdrop, gl);
+	} else {
+		draw_background(gl);
+	}
 	camera_apply(&stage->camera, gl, width, height);
 	light_apply(gl);
-	floor_draw(&stage->floor, gl);
+	/* A figure stands in the picture; only hills have to be seen. */
+	if (!stage->backdrop || stage->floor.relief != 0.0f) {
+		floor_draw(&stage->floor, gl);
+	}
 }
 
 /* Projects along the light onto the floor: p - light * (p.y - floor) / light.y */

@@ -8,6 +8,7 @@
 #ifndef APP_SCENE_STAGE_H
 #define APP_SCENE_STAGE_H
 
+#include "app/scene/backdrop.h"
 #include "app/scene/camera.h"
 #include "app/scene/floor.h"
 
@@ -15,6 +16,8 @@ struct stage {
 	struct camera camera;
 	struct floor floor;
 	bool has_stencil;
+	/* In place of the background and the level floor; or NULL. */
+	const struct live_texture *backdrop;
 };
 
 /*

@@ -21,6 +21,7 @@ include toolchain/arm.mk
 include toolchain/build.mk
 include toolchain/arm1136.mk
 include toolchain/bench.mk
+include toolchain/board.mk
 include toolchain/check.mk
 include toolchain/demo.mk
 

@@ -1,0 +1,332 @@
+"""The emulated board: QEMU's i.MX31 with limber's image.
+
+Machine starts one, in a folder of its own, and reaches it from outside: the
+console through a socket and a log, the framebuffer through QEMU's memory (QMP),
+the buttons through the emulated GPIO controller's inputs (qtest). The command
+line beside this file and tests/board are made of it. Only the standard library
+is needed.
+"""
+import array
+import json
+import os
+import pathlib
+import re
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import time
+import zlib
+
+WIDTH, HEIGHT = 480, 640
+FRAME_BYTES = WIDTH * HEIGHT * 2
+FRAMEBUFFER = 0x87E00000
+
+# Lines of GPIO2 (../README.md, wiring).
+BUTTONS = {"UP": 18, "DOWN": 19, "LEFT": 20, "RIGHT": 21, "ENTER": 22,
+           "F6": 23, "F8": 24, "F9": 25}
+GPIO2 = "/machine/soc/gpio[1]"
+
+# A timer that the kernel leaves alone counts 32768 Hz down from the first
+# instruction on: the guest's time, the boot loader's part included.
+TIMER_CONTROL, TIMER_COUNT = 0x53F94000, 0x53F94010
+TIMER_RUN = 3 << 24 | 1 << 1 | 1 << 0
+TIMER_HZ = 32768.0
+TIMER_START = 0xFFFFFFFF
+
+
+class Error(Exception):
+    """Something to tell the person in one sentence."""
+
+
+def connect(folder, name):
+    """A socket to folder/name, however long the folder's path is."""
+    descriptor = os.open(folder, os.O_PATH)
+    try:
+        link = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        link.settimeout(60)
+        link.connect(f"/proc/self/fd/{descriptor}/{name}")
+        return link
+    except OSError:
+        link.close()
+        raise
+    finally:
+        os.close(descriptor)
+
+
+class Lines:
+    """A conversation in lines over a socket."""
+
+    def __init__(self, folder, name):
+        self.link = connect(folder, name)
+        self.file = self.link.makefile("rw", encoding="utf-8", newline="\n")
+
+    def ask(self, text):
+        self.file.write(text + "\n")
+        self.file.flush()
+        return self.read()
+
+    def read(self):
+        line = self.file.readline()
+        if not line:
+            raise Error("the emulated board has ended")
+        return line.rstrip("\n")
+
+    def close(self):
+        self.file.close()
+        self.link.close()
+
+
+class Monitor:
+    """QMP: commands with JSON answers."""
+
+    def __init__(self, folder):
+        self.lines = Lines(folder, "qmp.sock")
+        self.lines.read()
+        self.events = []
+        self.run("qmp_capabilities")
+
+    def run(self, command, **arguments):
+        answer = json.loads(self.lines.ask(json.dumps(
+            {"execute": command, "arguments": arguments})))
+        while "return" not in answer:
+            if "error" in answer:
+                raise Error(f"QEMU refuses {command}: {answer['error']['desc']}")
+            self.events.append(answer)
+            answer = json.loads(self.lines.read())
+        return answer["return"]
+
+    def close(self):
+        self.lines.close()
+
+
+class Wires:
+    """qtest: what happens at the chip's pins."""
+
+    def __init__(self, folder):
+        self.lines = Lines(folder, "qtest.sock")
+
+    def run(self, command):
+        answer = self.lines.ask(command)
+        if not answer.startswith("OK"):
+            raise Error(f"QEMU refuses {command}: {answer}")
+        return answer[2:].strip()
+
+    def level(self, button, high):
+        if button not in BUTTONS:
+            raise Error(f"{button}: no such button: {' '.join(BUTTONS)}")
+        self.run(f"set_irq_in {GPIO2} unnamed-gpio-in {BUTTONS[button]} "
+                 f"{int(high)}")
+
+    def time_s(self):
+        """Guest time since power-on, until a reset stops the timer."""
+        count = int(self.run(f"readl {TIMER_COUNT:#x}"), 16)
+        return (TIMER_START - count) / TIMER_HZ
+
+    def close(self):
+        self.lines.close()
+
+
+def qemu_command(image, initrd, arguments, icount, reboot):
+    command = ["qemu-system-arm", "-M", "kzm", "-m", "128", "-display", "none",
+               "-nic", "none", "-monitor", "none", "-S",
+               "-accel", "tcg" if icount else "tcg,thread=multi",
+               "-chardev", "socket,id=console,path=console.sock,server=on,"
+               "wait=off,logfile=console.log", "-serial", "chardev:console",
+               "-qmp", "unix:qmp.sock,server=on,wait=off",
+               "-qtest", "unix:qtest.sock,server=on,wait=off",
+               "-qtest-log", "none",
+               "-kernel", str(image / "zImage"),
+               "-dtb", str(image / "imx31-pdk-limber.dtb"),
+               "-initrd", str(initrd)]
+    if arguments:
+        command += ["-append", arguments]
+    if icount:
+        command += ["-icount", "shift=2,sleep=off"]
+    if not reboot:
+        command.append("-no-reboot")
+    return command
+
+
+class Machine:
+    """One emulated board. Starts in its folder, or finds what runs there."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder).resolve()
+        self.process = None
+        self.links = {}
+        self.seen = 0
+        self.asked = 0
+
+    def start(self, image, extra=(), arguments=None, icount=False,
+              reboot=True, power=True):
+        """Boots image; extra are more initramfs archives, laid over its own.
+
+        arguments replaces the kernel's command line of the device tree. With
+        icount time is a count of instructions, 4 ns each. Without reboot a
+        reset ends QEMU. Without power the machine waits for power_on()."""
+        image = pathlib.Path(image).resolve()
+        self.folder.mkdir(parents=True, exist_ok=True)
+        if self.pid():
+            raise Error(f"one is running in {self.folder} already: stop it")
+        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log"):
+            (self.folder / name).unlink(missing_ok=True)
+        with open(self.folder / "initrd", "wb") as out:
+            for part in (image / "initramfs.cpio.gz", *extra):
+                data = pathlib.Path(part).read_bytes()
+                out.write(data + b"\0" * (-len(data) % 4))
+        command = qemu_command(image, "initrd", arguments, icount, reboot)
+        with open(self.folder / "qemu.log", "wb") as log:
+            self.process = subprocess.Popen(
+                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
+                stderr=log, start_new_session=True)
+        (self.folder / "pid").write_text(str(self.process.pid))
+        self.wait_for_sockets()
+        self.wires.run(f"writel {TIMER_CONTROL:#x} {TIMER_RUN:#x}")
+        if power:
+            self.power_on()
+        return self
+
+    def wait_for_sockets(self):
+        for _ in range(600):
+            if self.process.poll() is not None:
+                break
+            if all((self.folder / name).exists() for name in
+                   ("qmp.sock", "qtest.sock", "console.sock")):
+                return
+            time.sleep(0.02)
+        said = (self.folder / "qemu.log").read_text(errors="replace").strip()
+        self.stop()
+        raise Error(f"QEMU does not start: {said or 'it says nothing'}")
+
+    def power_on(self):
+        self.monitor.run("cont")
+
+    def pid(self):
+        try:
+            pid = int((self.folder / "pid").read_text())
+            words = pathlib.Path(f"/proc/{pid}/cmdline").read_bytes()
+        except (OSError, ValueError):
+            return None
+        return pid if b"qemu-system-arm" in words else None
+
+    def link(self, name, make):
+        if name not in self.links:
+            if not self.pid():
+                raise Error(f"nothing runs in {self.folder}: start it first")
+            self.links[name] = make(self.folder)
+        return self.links[name]
+
+    @property
+    def monitor(self):
+        return self.link("monitor", Monitor)
+
+    @property
+    def wires(self):
+        return self.link("wires", Wires)
+
+    @property
+    def console(self):
+        return self.link("console",
+                         lambda folder: connect(folder, "console.sock"))
+
+    def stop(self):
+        for link in self.links.values():
+            link.close()
+        self.links = {}
+        pid = self.pid()
+        if pid:
+            os.kill(pid, signal.SIGTERM)
+        if self.process:
+            self.process.wait()
+        else:
+            while self.pid():
+                time.sleep(0.05)
+        (self.folder / "pid").unlink(missing_ok=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.stop()
+
+    # The console.
+
+    def log(self):
+        path = self.folder / "console.log"
+        return path.read_bytes().decode(errors="replace").replace("\r", "")
+
+    def mark(self):
+        """From here on is what wait() looks at."""
+        self.seen = len(self.log())
+
+    def wait(self, pattern, seconds=60):
+        """Until the console has said it since the last mark(); the match."""
+        deadline = time.monotonic() + seconds
+        while True:
+            found = re.search(pattern, self.log()[self.seen:], re.M)
+            if found:
+                return found
+            if time.monotonic() > deadline or not self.pid():
+                raise Error(f"the console has not said /{pattern}/, but:\n"
+                            + self.log()[self.seen:][-2000:])
+            time.sleep(0.02)
+
+    def shell(self, command, seconds=60):
+        """Runs a command in the console's shell: its status and output."""
+        self.asked += 1
+        end = f"done-{self.asked}-"
+        self.mark()
+        self.console.sendall(
+            f"{command}\necho do''ne-{self.asked}-$?-\n".encode())
+        found = self.wait(end + r"(\d+)-", seconds)
+        said = self.log()[self.seen:][:found.start()]
+        return int(found.group(1)), said
+
+    # Buttons, time and picture.
+
+    def press(self, button, seconds=0.1):
+        self.wires.level(button, True)
+        time.sleep(seconds)
+        self.wires.level(button, False)
+
+    def time_s(self):
+        return self.wires.time_s()
+
+    def frame(self):
+        """The framebuffer: RGB565, little-endian, row by row."""
+        name = f"frame-{os.getpid()}.raw"
+        self.monitor.run("pmemsave", val=FRAMEBUFFER, size=FRAME_BYTES,
+                         filename=name)
+        path = self.folder / name
+        data = path.read_bytes()
+        path.unlink()
+        return data
+
+
+def rgb_of(frame):
+    """RGB565 to RGB, three bytes a pixel, full range."""
+    pixels = array.array("H", frame)
+    if sys.byteorder == "big":
+        pixels.byteswap()
+    out = bytearray(len(pixels) * 3)
+    five = [value * 255 // 31 for value in range(32)]
+    six = [value * 255 // 63 for value in range(64)]
+    out[0::3] = bytes(five[pixel >> 11] for pixel in pixels)
+    out[1::3] = bytes(six[pixel >> 5 & 63] for pixel in pixels)
+    out[2::3] = bytes(five[pixel & 31] for pixel in pixels)
+    return bytes(out)
+
+
+def png_of(frame, width=WIDTH, height=HEIGHT):
+    def chunk(kind, data):
+        return (struct.pack(">I", len(data)) + kind + data +
+                struct.pack(">I", zlib.crc32(kind + data)))
+
+    rgb = rgb_of(frame)
+    rows = b"".join(b"\0" + rgb[y * width * 3:(y + 1) * width * 3]
+                    for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))

@@ -1,0 +1,83 @@
+#!/bin/sh
+# image.sh LINUX SYSROOT LIMBER DIR: all that goes onto the board, into DIR.
+#
+# LINUX is what kernel/build.sh made. The same input gives the same bytes, but
+# for the UBI image: mkfs.ubifs draws a new identity each time.
+set -eu
+
+linux=$1
+sysroot=$2
+limber=$3
+out=$4
+here=$(dirname "$0")
+top=$here/../..
+
+# What the flash chip and the BSP's layout allow (README.md).
+page=2048
+block=131072
+logical=$((block - 2 * page))
+rootfs_blocks=1440
+kernel_bytes=5242880
+total_bytes=$((12 * 1024 * 1024))
+
+rm -rf "$out"
+mkdir -p "$out"
+work=$out.work
+rm -rf "$work"
+mkdir -p "$work"
+trap 'rm -rf "$work"' EXIT
+
+# archive LIST FILE.gz: an initramfs, with fixed times and without root.
+archive() {
+    "$linux/obj/usr/gen_init_cpio" -t 0 "$1" | gzip -9n >"$2"
+}
+
+arm-linux-gnueabi-cpp -nostdinc -undef -x assembler-with-cpp \
+    -I "$linux/source/arch/arm/boot/dts" -I "$linux/source/include" \
+    "$here/imx31-pdk-limber.dts" |
+    dtc -q -I dts -O dtb -o "$out/imx31-pdk-limber.dtb" -
+cp "$linux/zImage" "$out/zImage"
+# RedBoot knows no device trees: the kernel finds its own behind itself.
+cat "$linux/zImage" "$out/imx31-pdk-limber.dtb" >"$out/zImage.redboot"
+
+"$here/rootfs/make.py" "$sysroot" "$limber" "$top/assets" "$work"
+archive "$work/list" "$out/initramfs.cpio.gz"
+
+# Modules that stand in for hardware, for emulation and tests alone.
+(cd "$linux/modules" && find . -type d ! -name . -printf 'dir /%P 0755 0 0\n' \
+    -o -type f -printf "file /%P $PWD/%P 0644 0 0\\n") | sort -k 2 >"$work/modules"
+archive "$work/modules" "$out/test-drivers.cpio.gz"
+
+mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x zlib -U \
+    -D "$here/rootfs/devices.txt" -r "$work/root" -o "$work/rootfs.ubifs" \
+    >"$work/log" || {
+    cat "$work/log" >&2
+    exit 1
+}
+cat >"$work/ubi.ini" <<END
+[rootfs]
+mode=ubi
+image=$work/rootfs.ubifs
+vol_id=0
+vol_type=dynamic
+vol_name=rootfs
+vol_flags=autoresize
+END
+ubinize -Q 1 -m "$page" -p "$block" -o "$out/rootfs.ubi" "$work/ubi.ini"
+
+"$here/package.sh" "$work/root" "$sysroot" "$out"
+
+(cd "$out" && sha256sum -- * >SHA256SUMS)
+size() {
+    stat -c %s "$out/$1"
+}
+for file in zImage zImage.redboot imx31-pdk-limber.dtb initramfs.cpio.gz \
+    rootfs.ubi; do
+    printf '  %9d  %s\n' "$(size $file)" "$out/$file"
+done
+together=$(($(size zImage.redboot) + $(size initramfs.cpio.gz)))
+if [ "$together" -gt "$total_bytes" ] ||
+    [ "$(size zImage.redboot)" -gt "$kernel_bytes" ]; then
+    echo "limber: kernel and root file system are too large: $together bytes together, $total_bytes allowed; the kernel's partition has $kernel_bytes" >&2
+    exit 1
+fi

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-only OR MIT
+/*
+ * The i.MX31 PDK's picture on a device-tree kernel.
+ *
+ * mx3fb and the IPU's driver take platform data only, and there is no pin
+ * controller for the i.MX31. So on "fsl,imx31-pdk" this file routes the pins,
+ * registers the two devices with the Epson panel's timing, and enables what the
+ * device tree leaves disabled for the emulated i.MX31, which has no IPU: that
+ * one keeps its simple framebuffer. Addresses, pins and timing are those of
+ * Freescale's board support (mach-mx31_3ds.c, up to Linux 5.9).
+ */
+#include <linux/clk.h>
+#include <linux/dma-mapping.h>
+#include <linux/init.h>
+#include <linux/io.h>
+#include <linux/kernel.h>
+#include <linux/of.h>
+#include <linux/of_address.h>
+#include <linux/platform_data/video-mx3fb.h>
+#include <linux/platform_device.h>
+#include <linux/slab.h>
+
+#define IPU_INT_CTRL_1 0x28
+#define IOMUX_BASE 0x43fac000
+#define IOMUX_SIZE 0x1000
+#define IOMUX_MUX 0x00c
+#define IOMUX_PAD 0x154
+
+enum pin_mode {
+	PIN_GPIO = 0x01,
+	PIN_FUNCTION = 0x12,
+	PIN_ALTERNATE_1 = 0x24,
+};
+
+/* Pulled down by 100 kOhm, with a Schmitt trigger. */
+#define PAD_BUTTON ((1 << 8) | (1 << 7) | (1 << 4))
+
+/* Pins by their number in the multiplexer, first to last. */
+struct pin_range {
+	u16 first, last;
+	enum pin_mode mode;
+};
+
+static const struct pin_range pins[] __initconst = {
+	{22, 23, PIN_FUNCTION},	    /* CONTRAST, VSYNC3 */
+	{27, 28, PIN_GPIO},	    /* SER_RS, LCS1: panel's enable, reset */
+	{34, 35, PIN_FUNCTION},	    /* FPSHIFT, HSYNC */
+	{37, 54, PIN_FUNCTION},	    /* LD17 to LD0 */
+	{84, 87, PIN_GPIO},	    /* KEY_COL7 to KEY_COL4: buttons */
+	{88, 91, PIN_FUNCTION},	    /* KEY_COL3 to KEY_COL0: keypad */
+	{92, 95, PIN_GPIO},	    /* KEY_ROW7 to KEY_ROW4: buttons */
+	{97, 99, PIN_FUNCTION},	    /* KEY_ROW2 to KEY_ROW0: keypad */
+	{111, 112, PIN_ALTERNATE_1}, /* RI_DCE1, DSR_DCE1: CSPI1 */
+	{118, 120, PIN_FUNCTION},   /* CSPI2_SPI_RDY, SCLK, SS2 */
+	{122, 124, PIN_FUNCTION},   /* CSPI2_SS0, MISO, MOSI */
+	{320, 320, PIN_GPIO},	    /* GPIO1_3: the power chip's interrupt */
+};
+
+static const struct fb_videomode panel_mode = {
+	.name = "Epson-VGA",
+	.refresh = 60,
+	.xres = 480,
+	.yres = 640,
+	.pixclock = 41701,
+	.left_margin = 20,
+	.right_margin = 41,
+	.upper_margin = 10,
+	.lower_margin = 5,
+	.hsync_len = 20,
+	.vsync_len = 10,
+	.sync = FB_SYNC_OE_ACT_HIGH | FB_SYNC_CLK_INVERT,
+	.vmode = FB_VMODE_NONINTERLACED,
+};
+
+/* Four pins a register, a byte each. */
+static void __init route_pin(void __iomem *iomux, unsigned int pin, u32 mode)
+{
+	void __iomem *reg = iomux + IOMUX_MUX + (pin & ~3u);
+	unsigned int shift = (pin & 3) * 8;
+
+	writel((readl(reg) & ~(0xffu << shift)) | mode << shift, reg);
+}
+
+/* Three pads a register, ten bits each, the first in the third field. */
+static void __init set_pad(void __iomem *iomux, unsigned int pin, u32 config)
+{
+	void __iomem *reg = iomux + IOMUX_PAD + (pin + 2) / 3 * 4;
+	unsigned int shift = (pin + 2) % 3 * 10;
+
+	writel((readl(reg) & ~(0x1ffu << shift)) | config << shift, reg);
+}
+
+static int __init route_pins(void)
+{
+	void __iomem *iomux = ioremap(IOMUX_BASE, IOMUX_SIZE);
+	unsigned int i, pin;
+
+	if (!iomux)
+		return -ENOMEM;
+	for (i = 0; i < ARRAY_SIZE(pins); i++) {
+		for (pin = pins[i].first; pin <= pins[i].last; pin++) {
+			route_pin(iomux, pin, pins[i].mode);
+			if (pins[i].mode == PIN_GPIO && pin >= 84 && pin <= 95)
+				set_pad(iomux, pin, PAD_BUTTON);
+		}
+	}
+	iounmap(iomux);
+	return 0;
+}
+
+/* The emulated i.MX31 reads zero where the IPU would keep what was written. */
+static bool __init has_ipu(struct device_node *node)
+{
+	struct clk *clock = of_clk_get(node, 0);
+	void __iomem *base;
+	bool found = false;
+
+	if (IS_ERR(clock))
+		return false;
+	base = of_iomap(node, 0);
+	if (base && !clk_prepare_enable(clock)) {
+		writel(1, base + IPU_INT_CTRL_1);
+		found = readl(base + IPU_INT_CTRL_1) == 1;
+		writel(0, base + IPU_INT_CTRL_1);
+		clk_disable_unprepare(clock);
+	}
+	if (base)
+		iounmap(base);
+	clk_put(clock);
+	return found;
+}
+
+static int __init set_status(struct device_node *node, const char *status)
+{
+	struct property *property;
+	int error;
+
+	if (!node)
+		return -ENODEV;
+	property = kzalloc(sizeof(*property), GFP_KERNEL);
+	if (!property)
+		return -ENOMEM;
+	property->name = "status";
+	property->value = (void *)status;
+	property->length = strlen(status) + 1;
+	error = of_update_property(node, property);
+	if (error)
+		kfree(property);
+	return error;
+}
+
+/* Buses, flash and picture as the board has them. */
+static int __init enable_board(void)
+{
+	struct device_node *nodes[] = {
+		of_find_node_by_path("spi0"),
+		of_find_node_by_path("spi1"),
+		of_find_compatible_node(NULL, NULL, "fsl,imx31-nand"),
+		of_get_compatible_child(of_chosen, "simple-framebuffer"),
+	};
+	unsigned int i, last = ARRAY_SIZE(nodes) - 1;
+	int error = 0;
+
+	for (i = 0; i <= last; i++) {
+		if (!error)
+			error = set_status(nodes[i],
+					   i == last ? "disabled" : "okay");
+		of_node_put(nodes[i]);
+	}
+	return error;
+}
+
+static int __init register_picture(struct device_node *node, u32 base)
+{
+	const struct resource ipu_registers[] = {
+		DEFINE_RES_MEM(base, 0x60),
+		DEFINE_RES_MEM(base + 0x88, 0x2c),
+	};
+	const struct resource screen_registers[] = {
+		DEFINE_RES_MEM(base + 0xb4, 0x10c),
+	};
+	struct platform_device_info info = {
+		.fwnode = of_fwnode_handle(node),
+		.of_node_reused = true,
+		.name = "ipu-core",
+		.id = PLATFORM_DEVID_NONE,
+		.res = ipu_registers,
+		.num_res = ARRAY_SIZE(ipu_registers),
+		.dma_mask = DMA_BIT_MASK(32),
+	};
+	struct mx3fb_platform_data panel = {
+		.name = panel_mode.name,
+		.mode = &panel_mode,
+		.num_modes = 1,
+		.disp_data_fmt = IPU_DISP_DATA_MAPPING_RGB666,
+	};
+	struct platform_device *ipu = platform_device_register_full(&info);
+
+	if (IS_ERR(ipu))
+		return PTR_ERR(ipu);
+	panel.dma_dev = &ipu->dev;
+	info.name = "mx3_sdc_fb";
+	info.res = screen_registers;
+	info.num_res = ARRAY_SIZE(screen_registers);
+	info.data = &panel;
+	info.size_data = sizeof(panel);
+	return PTR_ERR_OR_ZERO(platform_device_register_full(&info));
+}
+
+/* Before the device tree's devices are made, and before the IPU's driver. */
+static int __init limber_imx31_pdk_init(void)
+{
+	struct device_node *node;
+	struct resource registers;
+	int error;
+
+	if (!of_machine_is_compatible("fsl,imx31-pdk"))
+		return 0;
+	node = of_find_compatible_node(NULL, NULL, "limber,imx31-ipu");
+	if (!node || of_address_to_resource(node, 0, &registers)) {
+		pr_err("limber: no limber,imx31-ipu in the device tree: no panel\n");
+		of_node_put(node);
+		return 0;
+	}
+	if (!has_ipu(node)) {
+		pr_info("limber: no IPU here: the simple framebuffer is the screen\n");
+		of_node_put(node);
+		return 0;
+	}
+	error = route_pins();
+	if (!error)
+		error = enable_board();
+	if (!error)
+		error = register_picture(node, registers.start);
+	if (error)
+		pr_err("limber: the panel cannot be set up: %d\n", error);
+	of_node_put(node);
+	return 0;
+}
+arch_initcall(limber_imx31_pdk_init);

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""make.py SYSROOT LIMBER ASSETS STAGE: collects the board's root file system.
+
+STAGE/root receives the tree, for a flash image, and STAGE/list the same as a
+list for the kernel's gen_init_cpio, which needs no root to make nodes and
+owners. Programs bring the libraries that they name (DT_NEEDED), taken from the
+sysroot, and so on down; OPENED names those that limber opens at run time.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+PREFIX = "arm-linux-gnueabi-"
+LIBRARIES = "usr/lib/arm-linux-gnueabi"
+# Opened by limber when it is asked for what they do. Not Mesa: its drivers
+# alone are larger than the flash partition's worth of everything else.
+OPENED = ("libv4lconvert.so.0",)
+FOLDERS = ("bin", "dev", "etc", "lib", "proc", "run", "sbin", "sys", "usr",
+           "usr/bin", "usr/lib", "usr/sbin", "usr/share", "usr/share/limber")
+
+
+def run(*command):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE,
+                          text=True).stdout
+
+
+def needed(program):
+    out = run(PREFIX + "readelf", "-d", str(program))
+    return re.findall(r"\(NEEDED\).*\[(.+)\]", out)
+
+
+class Tree:
+    def __init__(self, sysroot, root):
+        self.sysroot = sysroot
+        self.root = root
+        self.libraries = set()
+        for folder in FOLDERS:
+            (root / folder).mkdir(parents=True)
+
+    def link(self, name, target):
+        os.symlink(target, self.root / name)
+
+    def file(self, source, name, mode):
+        shutil.copyfile(source, self.root / name)
+        (self.root / name).chmod(mode)
+
+    def program(self, source, name):
+        run(PREFIX + "strip", "-o", str(self.root / name), str(source))
+        (self.root / name).chmod(0o755)
+        for library in needed(source):
+            self.library(library)
+
+    def library(self, name):
+        if name in self.libraries:
+            return
+        self.libraries.add(name)
+        source = self.sysroot / LIBRARIES / name
+        if not source.exists():
+            sys.exit(f"limber: {source} is missing: make build/sysroot.stamp")
+        self.program(source, "lib/" + name)
+
+    def busybox(self):
+        source = self.sysroot / "usr/bin/busybox"
+        self.file(source, "bin/busybox", 0o755)
+        for applet in run("qemu-arm", str(source), "--list").split():
+            if applet != "busybox":
+                self.link("bin/" + applet, "busybox")
+        self.link("sbin/init", "../bin/busybox")
+        # The kernel's name for it in an initramfs.
+        self.link("init", "sbin/init")
+
+
+def collect(sysroot, limber, assets, root):
+    tree = Tree(sysroot, root)
+    tree.busybox()
+    tree.program(limber, "usr/bin/limber")
+    for library in OPENED:
+        tree.library(library)
+    for model in sorted(assets.glob("*.glb")):
+        tree.file(model, "usr/share/limber/" + model.name, 0o644)
+    for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
+        mode = 0o755 if os.access(path, os.X_OK) else 0o644
+        tree.file(path, str(path.relative_to(HERE)), mode)
+    tree.file(HERE.parent / "limber.conf", "etc/limber.conf", 0o644)
+    tree.link("tmp", "run/tmp")
+    tree.link("var", "run")
+    os.symlink("/proc/mounts", root / "etc/mtab")
+
+
+def listed(root):
+    """Lines for gen_init_cpio, in an order of their own."""
+    lines = ["nod /dev/console 0600 0 0 c 5 1"]
+    for folder, folders, files in os.walk(root):
+        folders.sort()
+        for name in sorted(folders + files):
+            path = pathlib.Path(folder) / name
+            inside = "/" + str(path.relative_to(root))
+            if path.is_symlink():
+                lines.append(f"slink {inside} {os.readlink(path)} 0777 0 0")
+            elif path.is_dir():
+                lines.append(f"dir {inside} 0755 0 0")
+            else:
+                mode = path.stat().st_mode & 0o777
+                lines.append(f"file {inside} {path} {mode:04o} 0 0")
+    # A folder comes before what is in it.
+    return sorted(lines, key=lambda line: line.split()[1])
+
+
+def main():
+    if len(sys.argv) != 5:
+        sys.exit(__doc__.splitlines()[0])
+    sysroot, limber, assets, stage = map(pathlib.Path, sys.argv[1:])
+    shutil.rmtree(stage, ignore_errors=True)
+    collect(sysroot, limber, assets, stage / "root")
+    (stage / "list").write_text("\n".join(listed(stage / "root")) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,23 @@
+# The i.MX31 PDK's image, its emulation and their tests.
+
+BOARD := board/imx31-pdk
+IMAGE := build/$(BOARD)
+KERNEL_SOURCE ?= /usr/src/linux-source-6.1.tar.xz
+
+build/board/packages.stamp: toolchain/packages/board.txt
+	$(Q)mkdir -p $(@D)
+	$(Q)toolchain/install.sh board
+	$(Q)touch $@
+
+# Made again only when what it is made of has changed; see the scripts.
+.PHONY: kernel image emulate bench-board soak
+kernel: build/board/packages.stamp build/arm/packages.stamp
+	$(call say,KERNEL,build/linux/zImage)
+	$(Q)$(BOARD)/kernel/build.sh $(KERNEL_SOURCE) build/linux
+
+image: kernel build/arm/limber
+	$(call say,IMAGE,$(IMAGE))
+	$(Q)$(BOARD)/image.sh build/linux build/sysroot build/arm/limber $(IMAGE)
+
+emulate: image
+	$(Q)$(BOARD)/emulate run

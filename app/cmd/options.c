@@ -133,6 +133,12 @@ static bool set_camera_use(struct options *options, const char *value)
 	return options->camera_use != LIVE_USES;
 }
 
+static bool set_stats(struct options *options, const char *value)
+{
+	options->stats = value;
+	return value[0] != '\0';
+}
+
 static bool set_clock(struct options *options, const char *value)
 {
 	options->clock_given = true;
@@ -310,6 +316,9 @@ static const struct option_entry entries[] = {
 	{0, "camera-use", "USE", FOR_SHOW,
 		"what they are for: background or off (F10 changes it)",
 		"background or off", set_camera_use},
+	{0, "stats", "FILE", FOR_SHOW,
+		"write at the end how long frames took, as JSON",
+		"a file name", set_stats},
 	{0, "clock", "KIND", FOR_SHOW,
 		"real, or fixed:FPS for the same times in every run",
 		"real or fixed:FPS, FPS up to 1000", set_clock},

@@ -34,6 +34,7 @@ struct options {
 	const char *script;
 	const char *camera;
 	enum live_use camera_use;
+	const char *stats; /* a file for them, or NULL */
 	const char *clip;
 	const char *kernel;
 	int width, height;

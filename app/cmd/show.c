@@ -1,5 +1,6 @@
 #include "app/cmd/show.h"
 
+#include "app/cmd/frame_stats.h"
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/pace.h"
 #include "app/cmd/progress.h"
@@ -25,6 +26,7 @@ struct show {
 	struct clock clock;
 	struct pace pace;
 	double now_s;
+	struct frame_stats stats;
 	int frames; /* 0: until closed */
 	bool closed;
 };
@@ -114,6 +116,10 @@ static void press_buttons(struct show *show, int64_t now_ms)
 	buttons_poll(&show->buttons, now_ms);
 	while (button_queue_pop(&show->buttons.queue, &event)) {
 		demo_press(show->plan->demo, show->demo, &event);
+		if (!show->clock.fixed) {
+			frame_stats_press(&show->stats,
+				show->clock.origin_ns + event.time_ms * 1000000);
+		}
 	}
 }
 
@@ -171,6 +177,7 @@ static int run_frames(struct show *show)
 			break;
 		}
 		now_s = show->now_s = clock_tick(&show->clock);
+		frame_stats_begin(&show->stats);
 		poll_display(show, (int64_t)(now_s * 1000.0));
 		press_buttons(show, (int64_t)(now_s * 1000.0));
 		show->plan->demo->update(show->demo, now_s);
@@ -178,6 +185,7 @@ static int run_frames(struct show *show)
 		if (error) {
 			break;
 		}
+		frame_stats_end(&show->stats);
 		progress_step(&progress, done + 1);
 		pace_wait(&show->pace);
 	}
@@ -226,6 +234,10 @@ static int run(struct show *show, const struct options *options)
 		? pace_none()
 		: pace_begin(options->fps, show->screen.info.rate_hz);
 	error = run_frames(show);
+	if (!error && options->stats) {
+		error = frame_stats_write(
+			&show->stats, options->stats, show->log);
+	}
 	return error ? error : finish(show);
 }
 

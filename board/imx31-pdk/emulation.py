@@ -16,6 +16,7 @@ import socket
 import struct
 import subprocess
 import sys
+import threading
 import time
 import zlib
 
@@ -75,6 +76,29 @@ class Lines:
 
     def close(self):
         self.file.close()
+        self.link.close()
+
+
+class Console:
+    """What is typed at the board. QEMU stops the board while nobody reads its
+    answers, so they are read and dropped: they are in the log, too."""
+
+    def __init__(self, folder):
+        self.link = connect(folder, "console.sock")
+        self.link.settimeout(None)
+        threading.Thread(target=self.drop, daemon=True).start()
+
+    def drop(self):
+        try:
+            while self.link.recv(65536):
+                pass
+        except OSError:
+            pass
+
+    def type(self, text):
+        self.link.sendall(text.encode())
+
+    def close(self):
         self.link.close()
 
 
@@ -228,8 +252,7 @@ class Machine:
 
     @property
     def console(self):
-        return self.link("console",
-                         lambda folder: connect(folder, "console.sock"))
+        return self.link("console", Console)
 
     def stop(self):
         for link in self.links.values():
@@ -278,8 +301,7 @@ class Machine:
         self.asked += 1
         end = f"done-{self.asked}-"
         self.mark()
-        self.console.sendall(
-            f"{command}\necho do''ne-{self.asked}-$?-\n".encode())
+        self.console.type(f"{command}\necho do''ne-{self.asked}-$?-\n")
         found = self.wait(end + r"(\d+)-", seconds)
         said = self.log()[self.seen:][:found.start()]
         return int(found.group(1)), said

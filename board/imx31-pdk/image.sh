@@ -37,8 +37,8 @@ arm-linux-gnueabi-cpp -nostdinc -undef -x assembler-with-cpp \
     "$here/imx31-pdk-limber.dts" |
     dtc -q -I dts -O dtb -o "$out/imx31-pdk-limber.dtb" -
 cp "$linux/zImage" "$out/zImage"
-# RedBoot knows no device trees: the kernel finds its own behind itself.
-cat "$linux/zImage" "$out/imx31-pdk-limber.dtb" >"$out/zImage.redboot"
+# Boot loaders of this age know no device trees: the kernel finds its own behind itself.
+cat "$linux/zImage" "$out/imx31-pdk-limber.dtb" >"$out/zImage-dtb"
 
 "$here/rootfs/make.py" "$sysroot" "$limber" "$top/assets" "$work"
 archive "$work/list" "$out/initramfs.cpio.gz"
@@ -71,13 +71,13 @@ ubinize -Q 1 -m "$page" -p "$block" -o "$out/rootfs.ubi" "$work/ubi.ini"
 size() {
     stat -c %s "$out/$1"
 }
-for file in zImage zImage.redboot imx31-pdk-limber.dtb initramfs.cpio.gz \
+for file in zImage zImage-dtb imx31-pdk-limber.dtb initramfs.cpio.gz \
     rootfs.ubi; do
     printf '  %9d  %s\n' "$(size $file)" "$out/$file"
 done
-together=$(($(size zImage.redboot) + $(size initramfs.cpio.gz)))
+together=$(($(size zImage-dtb) + $(size initramfs.cpio.gz)))
 if [ "$together" -gt "$total_bytes" ] ||
-    [ "$(size zImage.redboot)" -gt "$kernel_bytes" ]; then
+    [ "$(size zImage-dtb)" -gt "$kernel_bytes" ]; then
     echo "limber: kernel and root file system are too large: $together bytes together, $total_bytes allowed; the kernel's partition has $kernel_bytes" >&2
     exit 1
 fi

@@ -80,8 +80,8 @@ def collect(sysroot, limber, assets, root):
     tree.program(limber, "usr/bin/limber")
     for library in OPENED:
         tree.library(library)
-    for model in sorted(assets.glob("*.glb")):
-        tree.file(model, "usr/share/limber/" + model.name, 0o644)
+    for asset in sorted([*assets.glob("*.glb"), *assets.glob("*.ini")]):
+        tree.file(asset, "usr/share/limber/" + asset.name, 0o644)
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644
         tree.file(path, str(path.relative_to(HERE)), mode)

@@ -38,7 +38,8 @@ mkdir -p "$stage/DEBIAN" "$stage/usr/bin" "$stage/usr/share/limber" \
     "$stage/usr/share/doc/limber"
 cp "$root/usr/bin/limber" "$stage/usr/bin"
 cp "$root"/usr/share/limber/* "$stage/usr/share/limber"
-cp "$root/etc/limber.conf" "$stage/usr/share/doc/limber/imx31-pdk.conf"
+[ ! -f "$root/etc/limber.conf" ] ||
+    cp "$root/etc/limber.conf" "$stage/usr/share/doc/limber/imx31-pdk.conf"
 cp "$(dirname "$0")/../../LICENSE" "$stage/usr/share/doc/limber/copyright"
 cat >"$stage/DEBIAN/control" <<END
 Package: limber

@@ -85,7 +85,9 @@ def collect(sysroot, limber, assets, root):
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644
         tree.file(path, str(path.relative_to(HERE)), mode)
-    tree.file(HERE.parent / "limber.conf", "etc/limber.conf", 0o644)
+    settings = HERE.parent / "limber.conf"
+    if settings.exists():
+        tree.file(settings, "etc/limber.conf", 0o644)
     tree.link("tmp", "run/tmp")
     tree.link("var", "run")
     os.symlink("/proc/mounts", root / "etc/mtab")

@@ -12,10 +12,12 @@ define driver_list
 endef
 
 define target_rules
-OBJECTS_$(1) := $$(patsubst %.c,build/$(1)/obj/%.o,$$(SHARED_SOURCES) \
-	$$(call driver_sources,$(1)))
+OBJECTS_$(1) := $$(addprefix build/$(1)/obj/,$$(addsuffix .o,$$(basename \
+	$$(SHARED_SOURCES) $$(call driver_sources,$(1)) \
+	$$(KERNEL_SOURCES_$(1)))))
 LISTS_$(1) := build/$(1)/gen/gl_drivers.h build/$(1)/gen/display_drivers.h \
-	build/$(1)/gen/button_drivers.h build/$(1)/gen/camera_drivers.h
+	build/$(1)/gen/button_drivers.h build/$(1)/gen/camera_drivers.h \
+	build/$(1)/gen/kernel_drivers.h
 
 build/$(1)/gen/gl_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)
@@ -29,6 +31,9 @@ build/$(1)/gen/button_drivers.h: toolchain/sources.mk | build/$(1)/packages.stam
 build/$(1)/gen/camera_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)
 	$$(call driver_list,CAMERA,$$(CAMERA_DRIVERS_$(1)))
+build/$(1)/gen/kernel_drivers.h: toolchain/sources.mk | build/$(1)/packages.stamp
+	@mkdir -p $$(@D)
+	$$(call driver_list,KERNEL,$$(KERNELS_$(1)))
 
 # Installs what the target needs, then asks the libraries for their flags.
 build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \

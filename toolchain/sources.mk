@@ -22,6 +22,13 @@ DISPLAY_DRIVERS_arm := image null
 BUTTON_DRIVERS_arm := script
 CAMERA_DRIVERS_arm := v4l2 pattern
 
+# Vertex loops, best first: kernel_NAME. Assembly is the board's alone.
+KERNELS_host := float fixed
+KERNELS_asan := $(KERNELS_host)
+KERNELS_arm := fixed float
+KERNELS_fuzz := $(KERNELS_host)
+KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
+
 # The fuzz targets need no more than what they feed.
 BUTTON_DRIVERS_fuzz := script
 

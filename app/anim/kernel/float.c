@@ -1,7 +1,7 @@
 /*
  * The reference: plain C in float. Every other kernel is measured against it.
  */
-#include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/float.h"
 
 #include "platform/base/scalar.h"
 
@@ -177,7 +177,7 @@ static void skin_directions(const struct skin_stream *stream,
 	}
 }
 
-static void skin(const struct skin_stream *stream, const mat4 *palette,
+void float_skin(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3])
 {
 	if (normal) {
@@ -187,14 +187,14 @@ static void skin(const struct skin_stream *stream, const mat4 *palette,
 	}
 }
 
-static void skin_tangents(const struct skin_stream *stream, const mat4 *palette,
+void float_skin_tangents(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*tangent)[3])
 {
 	skin_directions(stream, (const float(*)[4])stream->tangent, palette,
 		max_influences, tangent);
 }
 
-static void morph_lerp(int count, const float (*source)[3],
+void float_morph_lerp(int count, const float (*source)[3],
 	const float (*destiny)[3], float omega, const float offset[3],
 	float (*out)[3])
 {
@@ -218,7 +218,7 @@ static void add_target(
 	}
 }
 
-static void morph_targets(int count, const float (*base)[3],
+void float_morph_targets(int count, const float (*base)[3],
 	const struct morph_term *term, int term_count, bool use_normals,
 	float (*out)[3])
 {
@@ -235,7 +235,7 @@ static void morph_targets(int count, const float (*base)[3],
 	}
 }
 
-static void normalize(int count, float (*vector)[3])
+void float_normalize(int count, float (*vector)[3])
 {
 	for (int i = 0; i < count; i++) {
 		make_unit(vector[i]);
@@ -316,7 +316,7 @@ static void carry(const struct joint_weight *influence,
 	store(sum, out);
 }
 
-static void skin_morphed(const struct skin_stream *stream,
+void float_skin_morphed(const struct skin_stream *stream,
 	const struct morph_input *input, const mat4 *palette,
 	int max_influences, const struct skin_output *output)
 {
@@ -348,7 +348,7 @@ static void skin_morphed(const struct skin_stream *stream,
 	}
 }
 
-static void bitangents(int count, const float (*normal)[3],
+void float_bitangents(int count, const float (*normal)[3],
 	const float (*tangent)[3], const float (*attribute)[4],
 	float (*bitangent)[3])
 {
@@ -366,11 +366,5 @@ static void bitangents(int count, const float (*normal)[3],
 const struct kernel kernel_float = {
 	.name = "float",
 	.summary = "plain C in float, the reference",
-	.skin = skin,
-	.morph_lerp = morph_lerp,
-	.morph_targets = morph_targets,
-	.normalize = normalize,
-	.skin_tangents = skin_tangents,
-	.skin_morphed = skin_morphed,
-	.bitangents = bitangents,
+	FLOAT_LOOPS,
 };

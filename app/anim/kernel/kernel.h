@@ -35,9 +35,17 @@ struct skin_output {
 	float (*tangent)[3];
 };
 
+struct fixed_loops;
+
 struct kernel {
 	const char *name;
 	const char *summary;
+
+	/*
+	 * The loops in fixed point (fixed.h), or NULL where the kernel is for
+	 * float. Those below are there in any case, and in float.
+	 */
+	const struct fixed_loops *fixed;
 
 	/*
 	 * Skins stream.vertex_count vertices. At most max_influences of each
@@ -97,7 +105,7 @@ struct kernel {
 /* The reference, plain C in float; always built in. */
 extern const struct kernel kernel_float;
 
-/* All kernels built in, best first, NULL at the end. */
+/* All kernels built in, best first, NULL at the end: toolchain/sources.mk. */
 extern const struct kernel *const kernel_registry[];
 
 /* The kernel of that name, or the first one for NULL; NULL when unknown. */

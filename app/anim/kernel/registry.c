@@ -2,10 +2,16 @@
 
 #include <string.h>
 
+#define KERNEL_DRIVER(name) extern const struct kernel kernel_##name;
+#include "kernel_drivers.h"
+#undef KERNEL_DRIVER
+
+#define KERNEL_DRIVER(name) &kernel_##name,
 const struct kernel *const kernel_registry[] = {
-	&kernel_float,
+#include "kernel_drivers.h"
 	NULL,
 };
+#undef KERNEL_DRIVER
 
 const struct kernel *kernel_find(const char *name)
 {

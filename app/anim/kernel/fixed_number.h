@@ -1,0 +1,40 @@
+/*
+ * From float to 16 bits, without the C library's maths.
+ */
+#ifndef APP_ANIM_KERNEL_FIXED_NUMBER_H
+#define APP_ANIM_KERNEL_FIXED_NUMBER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+/* The largest of 1, 1.25, 1.5, 1.75 times a power of two that is <= value. */
+static inline float fixed_step(float value)
+{
+	uint32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	bits &= 0xffe00000;
+	memcpy(&value, &bits, sizeof(value));
+	return value;
+}
+
+/* To the nearest; what is outside -32767..32767 is clamped. NaN gives -32767. */
+static inline int16_t fixed_round(float value)
+{
+	if (value >= 32767.0f) {
+		return 32767;
+	}
+	if (!(value > -32767.0f)) {
+		return -32767;
+	}
+	return (int16_t)(value + (value < 0.0f ? -0.5f : 0.5f));
+}
+
+/* Neither infinite nor NaN, and far enough from the end of float's range. */
+static inline bool fixed_can_use(float value)
+{
+	return value > -1e18f && value < 1e18f;
+}
+
+#endif

@@ -1,0 +1,275 @@
+/*
+ * Fixed point against float, on all models that there are: the project's, and
+ * Khronos' where their folder is there.
+ */
+#include "app/anim/clip.h"
+#include "app/anim/kernel/fixed_skin.h"
+#include "app/anim/kernel/kernel.h"
+#include "app/anim/pose.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	TIMES = 7
+};
+
+/* Worst of a primitive. */
+struct worst {
+	double position; /* of the posed vertices' radius */
+	double normal_rad;
+};
+
+struct scene {
+	const struct model *model;
+	struct arena arena;
+	struct pose pose;
+	mat4 *world;
+	mat4 *palette;
+};
+
+static void *room(struct arena *arena, int count, size_t size)
+{
+	void *block = arena_alloc(arena, (size_t)count, size);
+
+	assert_non_null(block);
+	return block;
+}
+
+static double distance(const float a[3], const float b[3])
+{
+	double sum = 0;
+
+	for (int k = 0; k < 3; k++) {
+		sum += ((double)a[k] - b[k]) * ((double)a[k] - b[k]);
+	}
+	return sqrt(sum);
+}
+
+/* Of the sphere around the middle of the box: no more than 1.5 the smallest. */
+static double radius(const float (*v)[3], int count)
+{
+	float low[3] = {1e30f, 1e30f, 1e30f};
+	float high[3] = {-1e30f, -1e30f, -1e30f};
+	float middle[3];
+	double most = 0;
+
+	for (int i = 0; i < count * 3; i++) {
+		float value = v[i / 3][i % 3];
+
+		low[i % 3] = value < low[i % 3] ? value : low[i % 3];
+		high[i % 3] = value > high[i % 3] ? value : high[i % 3];
+	}
+	for (int k = 0; k < 3; k++) {
+		middle[k] = 0.5f * (low[k] + high[k]);
+	}
+	for (int i = 0; i < count; i++) {
+		most = fmax(most, distance(v[i], middle));
+	}
+	return most;
+}
+
+static void place(const struct fixed_vector *v,
+	const struct fixed_placement *placement, float out[3])
+{
+	out[0] = (float)v->x * placement->scale + placement->offset[0];
+	out[1] = (float)v->y * placement->scale + placement->offset[1];
+	out[2] = (float)v->z * placement->scale + placement->offset[2];
+}
+
+static double angle_rad(const float unit[3], const struct fixed_vector *v)
+{
+	double length = sqrt((double)v->x * v->x + (double)v->y * v->y +
+		(double)v->z * v->z);
+	double chord;
+
+	if (length == 0) {
+		return 0;
+	}
+	chord = distance(unit,
+		(float[3]){(float)(v->x / length), (float)(v->y / length),
+			(float)(v->z / length)});
+	return 2 * asin(fmin(1, chord / 2));
+}
+
+static void compare_at(const struct scene *scene, struct fixed_skin *skin,
+	const struct skin_stream *stream, int cap, struct worst *worst)
+{
+	struct arena arena = arena_empty();
+	int count = skin->vertex_count;
+	float(*position)[3] = room(&arena, count, sizeof(*position));
+	float(*normal)[3] = room(&arena, count, sizeof(*normal));
+	struct fixed_vector *out = room(&arena, count, sizeof(*out));
+	struct fixed_vector *out_normal = room(&arena, count, sizeof(*out));
+	struct fixed_matrix *matrix =
+		room(&arena, skin->joint_count, sizeof(*matrix));
+	struct fixed_placement placement;
+	double size;
+
+	kernel_float.skin(stream, (const mat4 *)scene->palette, cap, position,
+		skin->normal ? normal : NULL);
+	fixed_skin_set_cap(skin, cap);
+	assert_int_equal(fixed_palette_make(skin, (const mat4 *)scene->palette,
+				 matrix, &placement),
+		0);
+	fixed_loops_c.skin(
+		skin->group, skin->group_count, skin->position, matrix, out);
+	if (skin->normal) {
+		fixed_loops_c.skin(skin->group, skin->group_count, skin->normal,
+			matrix, out_normal);
+	}
+	size = radius((const float(*)[3])position, count);
+	for (int i = 0; i < count; i++) {
+		float got[3];
+
+		place(&out[i], &placement, got);
+		worst->position = fmax(worst->position,
+			distance(got, position[skin->order[i]]) / size);
+		if (skin->normal) {
+			worst->normal_rad = fmax(worst->normal_rad,
+				angle_rad(normal[skin->order[i]],
+					&out_normal[i]));
+		}
+	}
+	arena_release(&arena);
+}
+
+static void compare_skinned(struct scene *scene, const struct model_node *node,
+	const struct model_primitive *primitive, struct worst *worst)
+{
+	const struct model *model = scene->model;
+	struct arena arena = arena_empty();
+	struct skin_stream stream;
+	struct fixed_skin skin;
+	struct clip_cursor cursor;
+
+	assert_int_equal(skin_stream_init(&stream, primitive, 1, &arena), 0);
+	assert_int_equal(clip_cursor_init(&cursor, model, &arena), 0);
+	assert_int_equal(fixed_skin_init(&skin, primitive,
+				 primitive->normal ? FIXED_NORMALS : 0, &arena),
+		0);
+	for (int c = -1; c < model->clip_count; c++) {
+		for (int i = 0; i < (c < 0 ? 1 : TIMES); i++) {
+			pose_rest(&scene->pose, model);
+			if (c >= 0) {
+				clip_sample(&model->clip[c],
+					model->clip[c].duration_s * (float)i /
+						(TIMES - 1),
+					&cursor, &scene->pose);
+			}
+			pose_world(&scene->pose, model, NULL, scene->world);
+			pose_palette(&model->skin[node->skin],
+				(const mat4 *)scene->world, scene->palette);
+			compare_at(scene, &skin, &stream, i % 5, worst);
+		}
+	}
+	arena_release(&arena);
+}
+
+static void expect_close(const char *path, const char *name, int primitive,
+	const struct worst *worst)
+{
+	print_message("# %s %s %d: %.2g of the radius, %.2g degrees\n", path,
+		name, primitive, worst->position,
+		worst->normal_rad * 180 / acos(-1));
+	assert_near(worst->position, 0, 2e-4);
+	assert_near(worst->normal_rad * 180 / acos(-1), 0, 1);
+}
+
+static void compare_model(const char *path)
+{
+	struct log_capture heard;
+	struct log log = log_capture_begin(&heard);
+	struct scene scene = {.arena = arena_empty()};
+	struct model *model;
+	int joints = 1;
+
+	if (model_load(path, &log, &model) != 0) {
+		return;
+	}
+	scene.model = model;
+	for (int i = 0; i < model->skin_count; i++) {
+		joints = model->skin[i].joint_count > joints
+			? model->skin[i].joint_count
+			: joints;
+	}
+	assert_int_equal(pose_init(&scene.pose, model, &scene.arena), 0);
+	scene.world = room(&scene.arena, model->node_count, sizeof(mat4));
+	scene.palette = room(&scene.arena, joints, sizeof(mat4));
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_node *node = &model->node[n];
+
+		if (node->mesh < 0) {
+			continue;
+		}
+		for (int p = 0; p < model->mesh[node->mesh].primitive_count;
+			p++) {
+			const struct model_primitive *primitive =
+				&model->mesh[node->mesh].primitive[p];
+			struct worst worst = {0};
+
+			if (node->skin >= 0 && primitive->influences) {
+				compare_skinned(&scene, node, primitive, &worst);
+			}
+			expect_close(path, node->name, p, &worst);
+		}
+	}
+	arena_release(&scene.arena);
+	model_destroy(model);
+}
+
+static int compare_folder(const char *folder)
+{
+	DIR *directory = opendir(folder);
+	struct dirent *entry;
+	int count = 0;
+
+	if (!directory) {
+		return 0;
+	}
+	while ((entry = readdir(directory))) {
+		const char *dot = strrchr(entry->d_name, '.');
+		char path[512];
+
+		if (dot &&
+			(!strcmp(dot, ".glb") || !strcmp(dot, ".gltf") ||
+				!strcmp(dot, ".x"))) {
+			snprintf(path, sizeof(path), "%s/%s", folder,
+				entry->d_name);
+			compare_model(path);
+			count++;
+		}
+	}
+	closedir(directory);
+	return count;
+}
+
+static void test_the_projects_models_are_as_in_float(void **state)
+{
+	(void)state;
+	assert_true(compare_folder("assets") > 0);
+}
+
+static void test_sample_models_are_as_in_float(void **state)
+{
+	(void)state;
+	if (compare_folder("../shared/models") == 0) {
+		skip_because("the sample models are not here");
+	}
+	compare_folder("../shared/models/x");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_projects_models_are_as_in_float),
+		cmocka_unit_test(test_sample_models_are_as_in_float),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -13,12 +13,12 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := gles1 soft osmesa
-DISPLAY_DRIVERS_host := window image null
+DISPLAY_DRIVERS_host := window fbdev image null
 BUTTON_DRIVERS_host := script
 CAMERA_DRIVERS_host := v4l2 pattern
 
 GL_DRIVERS_arm := gles1 soft osmesa
-DISPLAY_DRIVERS_arm := image null
+DISPLAY_DRIVERS_arm := fbdev image null
 BUTTON_DRIVERS_arm := script
 CAMERA_DRIVERS_arm := v4l2 pattern
 

@@ -8,9 +8,17 @@ if grep -q 'no such display' "$err_file"; then
 fi
 expect_status 1
 expect_err '^limber: --display window: .*(DISPLAY|desktop)'
-limber "$slider" --frames 1 --size 33x17
-expect_status 1
-expect_err '^limber: --display: .*window'
+if [ -e /dev/fb0 ] || [ -e /dev/dri/card0 ]; then
+    skip 'no screen at all' 'this machine has one'
+else
+    limber "$slider" --frames 1 --size 33x17
+    expect_status 1
+    expect_err '^limber: --display: .*window'
+    limber "$slider" --display fbdev --frames 1
+    expect_refusal 1 '/dev/fb0: this machine has no such framebuffer'
+fi
+limber "$slider" --display fbdev:/dev/null --frames 1
+expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 
 mkfifo "$scratch/number"
 Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>"$scratch/number" \

@@ -1,0 +1,29 @@
+/*
+ * The text console under a picture: kept from drawing, and brought back.
+ *
+ * A console in graphics mode stays dark after its program, so every way out
+ * must bring it back: the caller's own, and signals that end the process. The
+ * kernel does it for nobody, so after SIGKILL the next run has to.
+ */
+#ifndef PLATFORM_DISPLAY_CONSOLE_H
+#define PLATFORM_DISPLAY_CONSOLE_H
+
+#include "platform/base/log.h"
+#include "platform/display/device_calls.h"
+
+struct console {
+	const struct device_calls *calls;
+	int fd; /* -1: there is no console, or it is another program's */
+};
+
+/*
+ * Puts the machine's console in graphics mode, where it has one. Only one at a
+ * time: signal handlers belong to the process.
+ */
+void console_take(struct console *console, const struct device_calls *calls,
+	const struct log *log);
+
+/* Text again. Fine when nothing was taken. */
+void console_give_back(struct console *console);
+
+#endif

@@ -1,0 +1,226 @@
+/*
+ * Linux framebuffers: all of the screen, or a picture in its middle.
+ *
+ * With two pages, pictures of the screen's own layout are drawn straight into
+ * the page that is not seen. With one page, or another layout, they are drawn
+ * in ordinary memory and copied: nobody shall see a half-drawn picture, and
+ * reading a framebuffer back, as blending does, is slow.
+ */
+#include "platform/display/fbdev/fbdev.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "platform/display/console.h"
+#include "platform/display/fbdev/screen.h"
+#include "platform/display/packing.h"
+
+static const char usual_device[] = "/dev/fb0";
+
+struct display {
+	struct fb_screen screen;
+	struct console console;
+	int left, top;          /* of the picture on the screen */
+	struct pixels picture;  /* data is NULL where pages are drawn into */
+	struct packing packing; /* of the copy */
+};
+
+/* Sixteen bits gain nothing from wider pictures. */
+static enum pixel_format choose_format(
+	const struct display *display, const struct display_options *options)
+{
+	if (options->format_given) {
+		return options->format;
+	}
+	return display->screen.layout.bits <= 16 ? PIXELS_RGB565
+						 : PIXELS_RGBA8888;
+}
+
+static void place_picture(
+	struct display *display, const struct display_options *options)
+{
+	const struct fb_screen *screen = &display->screen;
+	struct pixels *picture = &display->picture;
+
+	picture->width = screen->width;
+	picture->height = screen->height;
+	if (options->size_given) {
+		if (options->width > screen->width ||
+			options->height > screen->height) {
+			log_warning(options->log,
+				"--size %dx%d: the screen is %dx%d: cut to "
+				"that",
+				options->width, options->height, screen->width,
+				screen->height);
+		}
+		picture->width = options->width < screen->width ? options->width
+								: screen->width;
+		picture->height = options->height < screen->height
+			? options->height
+			: screen->height;
+	}
+	display->left = (screen->width - picture->width) / 2;
+	display->top = (screen->height - picture->height) / 2;
+}
+
+/* Where the next picture begins on the screen. */
+static uint8_t *find_place(const struct display *display)
+{
+	const struct fb_screen *screen = &display->screen;
+
+	return fb_screen_back(screen) +
+		(size_t)display->top * (size_t)screen->stride_bytes +
+		(size_t)display->left *
+		(size_t)pixel_layout_bytes(&screen->layout);
+}
+
+/* Rows begin where whole pixels do, as GL drivers want them. */
+static bool can_draw_straight(const struct display *display)
+{
+	const struct fb_screen *screen = &display->screen;
+	uintptr_t pixel = (uintptr_t)display->packing.bytes;
+
+	return display->packing.same && screen->page_count == 2 &&
+		(uintptr_t)screen->stride_bytes % pixel == 0 &&
+		(uintptr_t)screen->memory % pixel == 0;
+}
+
+static int prepare_picture(
+	struct display *display, const struct display_options *options)
+{
+	enum pixel_format format = choose_format(display, options);
+	const struct fb_screen *screen = &display->screen;
+
+	place_picture(display, options);
+	packing_init(&display->packing, format, &screen->layout);
+	display->picture.format = format;
+	if (can_draw_straight(display)) {
+		display->picture.stride_bytes = screen->stride_bytes;
+		return 0;
+	}
+	return pixels_alloc(&display->picture, display->picture.width,
+		display->picture.height, format, options->log);
+}
+
+static void blacken(const struct fb_screen *screen)
+{
+	size_t page_bytes =
+		(size_t)screen->height * (size_t)screen->stride_bytes;
+
+	if (screen->page_count == 2) {
+		memset(screen->memory, 0, 2 * page_bytes);
+		return;
+	}
+	for (int y = 0; y < screen->height; y++) {
+		memset(fb_screen_back(screen) +
+				(size_t)y * (size_t)screen->stride_bytes,
+			0,
+			(size_t)screen->width *
+				(size_t)pixel_layout_bytes(&screen->layout));
+	}
+}
+
+int fbdev_create_on(const struct device_calls *calls,
+	const struct display_options *options, struct display **out)
+{
+	struct display *display = calloc(1, sizeof(*display));
+	int error;
+
+	if (!display) {
+		log_error(options->log, "--display fbdev: out of memory");
+		return -ENOMEM;
+	}
+	error = fb_screen_open(&display->screen, calls,
+		options->device ? options->device : usual_device, options->log);
+	if (error) {
+		goto out_free;
+	}
+	error = prepare_picture(display, options);
+	if (error) {
+		goto out_screen;
+	}
+	console_take(&display->console, calls, options->log);
+	blacken(&display->screen);
+	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %s",
+		display->screen.path, display->screen.width,
+		display->screen.height, display->screen.layout.bits,
+		display->picture.data ? "copied" : "drawn straight");
+	*out = display;
+	return 0;
+out_screen:
+	fb_screen_close(&display->screen);
+out_free:
+	free(display);
+	return error;
+}
+
+static int fbdev_create(
+	const struct display_options *options, struct display **out)
+{
+	return fbdev_create_on(&device_calls_system, options, out);
+}
+
+static bool fbdev_probe(void)
+{
+	return access(usual_device, R_OK | W_OK) == 0;
+}
+
+static void fbdev_get_info(
+	const struct display *display, struct display_info *out)
+{
+	*out = (struct display_info){
+		.width = display->picture.width,
+		.height = display->picture.height,
+		.format = display->picture.format,
+		.rate_hz = display->screen.waits
+			? fb_screen_rate_hz(&display->screen)
+			: 0.0,
+	};
+}
+
+static int fbdev_begin_frame(struct display *display, struct pixels *out)
+{
+	*out = display->picture;
+	if (!out->data) {
+		out->data = find_place(display);
+	}
+	return 0;
+}
+
+static int fbdev_end_frame(struct display *display)
+{
+	struct fb_screen *screen = &display->screen;
+
+	if (display->picture.data) {
+		if (screen->page_count == 1) {
+			fb_screen_wait(screen);
+		}
+		packing_copy(&display->packing, &display->picture,
+			find_place(display), screen->stride_bytes);
+	}
+	return screen->page_count == 2 ? fb_screen_flip(screen) : 0;
+}
+
+static void fbdev_destroy(struct display *display)
+{
+	if (display) {
+		fb_screen_close(&display->screen);
+		console_give_back(&display->console);
+		free(display->picture.data);
+		free(display);
+	}
+}
+
+const struct display_driver display_driver_fbdev = {
+	.name = "fbdev",
+	.summary = "a Linux framebuffer, /dev/fb0 unless named",
+	.argument = "DEVICE",
+	.probe = fbdev_probe,
+	.create = fbdev_create,
+	.get_info = fbdev_get_info,
+	.begin_frame = fbdev_begin_frame,
+	.end_frame = fbdev_end_frame,
+	.destroy = fbdev_destroy,
+};

@@ -1,0 +1,14 @@
+/*
+ * Linux framebuffers, for tests that stand in for one.
+ */
+#ifndef PLATFORM_DISPLAY_FBDEV_FBDEV_H
+#define PLATFORM_DISPLAY_FBDEV_FBDEV_H
+
+#include "platform/display/device_calls.h"
+#include "platform/display/display.h"
+
+/* The driver's create(), on a system of the caller's. */
+int fbdev_create_on(const struct device_calls *calls,
+	const struct display_options *options, struct display **out);
+
+#endif

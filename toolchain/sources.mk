@@ -6,7 +6,7 @@ APP_SOURCES := $(filter-out app/main.c,$(sort $(wildcard app/*/*.c \
 BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
 # What the drivers of a seam share lies beside its registry.
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
-	platform/buttons/*.c platform/camera/*.c))
+	platform/buttons/*.c platform/camera/*.c platform/watchdog/*.c))
 FONT_SOURCE := build/gen/font_data.c
 SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 

@@ -109,6 +109,12 @@ static bool set_display(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_watchdog(struct options *options, const char *value)
+{
+	options->watchdog = value;
+	return value[0] != '\0';
+}
+
 static bool set_buttons(struct options *options, const char *value)
 {
 	options->buttons = value;
@@ -304,6 +310,9 @@ static const struct option_entry entries[] = {
 	{0, "fps", "N", FOR_PLAY,
 		"at most N frames a second (as the screen can, or 60)",
 		"a number from 1 to 1000", set_fps},
+	{0, "watchdog", "DEVICE", FOR_PLAY,
+		"restart the board when pictures stop, such as /dev/watchdog",
+		"a device such as /dev/watchdog", set_watchdog},
 	{0, "buttons", "SPEC", FOR_SHOW,
 		"where buttons come from besides the window, such as "
 		"script:FILE", "sources such as script:FILE", set_buttons},

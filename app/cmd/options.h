@@ -30,6 +30,7 @@ struct options {
 	const char *gl;
 	const char *egl_library, *gles_library;
 	const char *display;
+	const char *watchdog;
 	const char *buttons;
 	const char *script;
 	const char *camera;

@@ -1,5 +1,7 @@
 #include "app/cmd/pace.h"
 
+#include "platform/base/clock.h"
+
 #include <time.h>
 
 static const double usual_hz = 60.0;
@@ -10,14 +12,6 @@ static const double usual_hz = 60.0;
  */
 static const double headroom = 1.05;
 
-static int64_t now_ns(void)
-{
-	struct timespec now = {0};
-
-	(void)clock_gettime(CLOCK_MONOTONIC, &now);
-	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
-}
-
 struct pace pace_begin(double fps, double screen_hz)
 {
 	double rate_hz = fps > 0.0 ? fps
@@ -27,7 +21,7 @@ struct pace pace_begin(double fps, double screen_hz)
 
 	return (struct pace){
 		.period_ns = period_ns,
-		.next_ns = now_ns() + period_ns,
+		.next_ns = clock_monotonic_ns() + period_ns,
 	};
 }
 
@@ -38,7 +32,7 @@ struct pace pace_none(void)
 
 void pace_wait(struct pace *pace)
 {
-	int64_t now = pace->period_ns ? now_ns() : 0;
+	int64_t now = pace->period_ns ? clock_monotonic_ns() : 0;
 	struct timespec until = {
 		.tv_sec = (time_t)(pace->next_ns / 1000000000),
 		.tv_nsec = (long)(pace->next_ns % 1000000000),

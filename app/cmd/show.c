@@ -7,6 +7,7 @@
 #include "app/cmd/screen.h"
 #include "platform/base/stop.h"
 #include "platform/buttons/buttons.h"
+#include "platform/watchdog/watchdog.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -19,6 +20,7 @@ struct show {
 	const struct log *log;
 	struct screen screen;
 	struct buttons buttons;
+	struct watchdog watchdog;
 	struct camera_feed camera;
 	struct demo *demo;
 	struct hud *hud;
@@ -153,12 +155,18 @@ static void poll_display(struct show *show, int64_t now_ms)
 	show->closed = show->closed || events.close || stop_is_wanted();
 }
 
+static void feed_watchdog(struct show *show)
+{
+	watchdog_feed(&show->watchdog, clock_monotonic_ns() / 1000000);
+}
+
 /* Up to the moment of the first frame, in the steps of the clock. */
 static void run_up(struct show *show)
 {
 	double step_s = 1.0 / (show->clock.fixed ? show->clock.rate_hz : 60.0);
 
 	for (double at = 0.0; at < show->plan->begin_s; at += step_s) {
+		feed_watchdog(show);
 		press_buttons(show, (int64_t)(at * 1000.0));
 		show->plan->demo->update(show->demo, at);
 	}
@@ -186,6 +194,7 @@ static int run_frames(struct show *show)
 			break;
 		}
 		frame_stats_end(&show->stats);
+		feed_watchdog(show);
 		progress_step(&progress, done + 1);
 		pace_wait(&show->pace);
 	}
@@ -295,11 +304,18 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		.clock = plan->clock,
 		.frames = plan->frames,
 		.labelled = !options->no_labels,
+		.watchdog = watchdog_none(),
 	};
 	int error;
 
 	stop_catch();
+	if (options->watchdog) {
+		/* Without one it goes on, and has said so. */
+		(void)watchdog_open(&show.watchdog, options->watchdog,
+			&device_calls_system, log);
+	}
 	error = open_and_run(&show, options);
+	watchdog_close(&show.watchdog);
 	stop_release();
 	return error;
 }

@@ -1,12 +1,11 @@
 #include "platform/base/clock.h"
 
-
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-static int64_t monotonic_ns(void)
+int64_t clock_monotonic_ns(void)
 {
 	struct timespec now = {0};
 
@@ -17,7 +16,7 @@ static int64_t monotonic_ns(void)
 
 struct clock clock_real(void)
 {
-	return (struct clock){.origin_ns = monotonic_ns()};
+	return (struct clock){.origin_ns = clock_monotonic_ns()};
 }
 
 struct clock clock_fixed(double rate_hz, double start_s)
@@ -36,7 +35,7 @@ double clock_tick(struct clock *clock)
 	if (clock->fixed) {
 		return clock->start_s + (double)frame / clock->rate_hz;
 	}
-	return (double)(monotonic_ns() - clock->origin_ns) * 1e-9;
+	return (double)(clock_monotonic_ns() - clock->origin_ns) * 1e-9;
 }
 
 int clock_parse(const char *text, struct clock *out)

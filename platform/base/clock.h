@@ -18,6 +18,9 @@ struct clock {
 	int64_t origin_ns; /* real: the monotonic clock at frame 0 */
 };
 
+/* Nanoseconds of the clock that runs on whatever is set. */
+int64_t clock_monotonic_ns(void);
+
 /* Real time since now. */
 struct clock clock_real(void);
 

@@ -9,7 +9,7 @@
 #define PLATFORM_DISPLAY_CONSOLE_H
 
 #include "platform/base/log.h"
-#include "platform/display/device_calls.h"
+#include "platform/base/device_calls.h"
 
 struct console {
 	const struct device_calls *calls;

@@ -73,6 +73,17 @@ limber render "$slider" -o "$out.bmp"
 expect_err '^limber: .*\.bmp: .*png.*gif.*y4m'
 expect_no_out
 
+# A watchdog: fed by frames, and dismissed; without one it goes on.
+: >"$scratch/watchdog"
+limber play "$slider" --display null --frames 2 --watchdog "$scratch/watchdog"
+expect_status 0
+expect_no_err
+check 'a watchdog is fed and dismissed' \
+    test "$(bytes "$scratch/watchdog" 0 9)" = 0056
+limber play "$slider" --display null --frames 2 --watchdog "$scratch/none"
+expect_status 0
+expect_err '^limber: --watchdog .*none: No such file'
+
 # Button scripts.
 limber render "$slider" --script "$scratch/none.txt" -o "$out.png"
 expect_refusal 1 'none\.txt: .*[Nn]o such file'

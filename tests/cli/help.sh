@@ -33,7 +33,7 @@ limber -h
 check 'limber -h: the same' cmp "$scratch/long" "$out_file"
 
 helped play --demo --clip --time --frames --size --format --gl --egl-library \
-    --gles-library --display --fps --buttons \
+    --gles-library --display --fps --watchdog --buttons \
     --script --clock --math --kernel --verbose --help --version
 helped render --output --demo --clip --time --frames --size --format --gl --buttons \
     --script --clock --math --kernel --verbose --help --version

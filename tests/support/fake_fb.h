@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "platform/display/device_calls.h"
+#include "platform/base/device_calls.h"
 #include "platform/display/packing.h"
 
 enum {

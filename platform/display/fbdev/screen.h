@@ -9,7 +9,7 @@
 #include <stdbool.h>
 
 #include "platform/base/log.h"
-#include "platform/display/device_calls.h"
+#include "platform/base/device_calls.h"
 #include "platform/display/packing.h"
 
 enum {

@@ -2,14 +2,16 @@
  * What drivers of device files ask of the system, so that tests can stand in
  * for a device. All return what their namesakes return, with errno.
  */
-#ifndef PLATFORM_DISPLAY_DEVICE_CALLS_H
-#define PLATFORM_DISPLAY_DEVICE_CALLS_H
+#ifndef PLATFORM_BASE_DEVICE_CALLS_H
+#define PLATFORM_BASE_DEVICE_CALLS_H
 
 #include <stddef.h>
+#include <sys/types.h>
 
 struct device_calls {
 	int (*open)(const char *path, int flags);
 	int (*close)(int fd);
+	ssize_t (*write)(int fd, const void *data, size_t size);
 	int (*ioctl)(int fd, unsigned long request, void *argument);
 	/* Shared, to be read and written, from the beginning of the device. */
 	void *(*map)(int fd, size_t size);

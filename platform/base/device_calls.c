@@ -1,4 +1,4 @@
-#include "platform/display/device_calls.h"
+#include "platform/base/device_calls.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -24,6 +24,7 @@ static void *system_map(int fd, size_t size)
 const struct device_calls device_calls_system = {
 	.open = system_open,
 	.close = close,
+	.write = write,
 	.ioctl = system_ioctl,
 	.map = system_map,
 	.unmap = munmap,

@@ -1,0 +1,92 @@
+#include "platform/watchdog/watchdog.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/watchdog.h>
+#include <string.h>
+#include <sys/ioctl.h>
+
+enum {
+	USUAL_PERIOD_MS = 1000,
+	SHORT_PERIOD_MS = 250
+};
+
+struct watchdog watchdog_none(void)
+{
+	return (struct watchdog){.fd = -1};
+}
+
+static void say_why(const char *path, int error, const struct log *log)
+{
+	const char *advice = error == ENOENT || error == ENODEV
+		? "load its driver, or leave --watchdog out"
+		: error == EBUSY
+		? "another program feeds it: stop that, or leave --watchdog out"
+		: "run as root, or leave --watchdog out";
+
+	log_warning(log, "--watchdog %s: %s: it goes on without one: %s", path,
+		strerror(error), advice);
+}
+
+int watchdog_open(struct watchdog *out, const char *path,
+	const struct device_calls *calls, const struct log *log)
+{
+	int fd = calls->open(path, O_WRONLY | O_CLOEXEC);
+	int timeout_s = 0;
+
+	*out = watchdog_none();
+	if (fd < 0) {
+		int error = errno;
+
+		say_why(path, error, log);
+		return -error;
+	}
+	*out = (struct watchdog){
+		.calls = calls,
+		.log = *log,
+		.path = path,
+		.fd = fd,
+		.period_ms = USUAL_PERIOD_MS,
+		.fed_ms = INT64_MIN,
+	};
+	if (device_control(calls, fd, WDIOC_GETTIMEOUT, &timeout_s) == 0) {
+		log_note(log, "--watchdog %s: restarts after %d s", path,
+			timeout_s);
+		if (timeout_s == 1) {
+			out->period_ms = SHORT_PERIOD_MS;
+		}
+	}
+	return 0;
+}
+
+void watchdog_feed(struct watchdog *watchdog, int64_t now_ms)
+{
+	if (watchdog->fd < 0 ||
+		(watchdog->fed_ms != INT64_MIN &&
+			now_ms - watchdog->fed_ms < watchdog->period_ms)) {
+		return;
+	}
+	watchdog->fed_ms = now_ms;
+	/* Any byte but V, which is the farewell. */
+	if (watchdog->calls->write(watchdog->fd, "", 1) != 1 && errno != EINTR) {
+		log_warning(&watchdog->log,
+			"--watchdog %s: cannot be fed: %s: the board may "
+			"restart",
+			watchdog->path, strerror(errno));
+	}
+}
+
+void watchdog_close(struct watchdog *watchdog)
+{
+	if (watchdog->fd < 0) {
+		return;
+	}
+	if (watchdog->calls->write(watchdog->fd, "V", 1) != 1) {
+		log_warning(&watchdog->log,
+			"--watchdog %s: cannot be stopped: %s: the board may "
+			"restart",
+			watchdog->path, strerror(errno));
+	}
+	watchdog->calls->close(watchdog->fd);
+	*watchdog = watchdog_none();
+}

@@ -1,0 +1,198 @@
+#include "platform/watchdog/watchdog.h"
+#include "tests/support/files.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <linux/watchdog.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+
+/* What a watchdog that is not there was told. */
+static struct {
+	char fed[64];
+	int fed_count;
+	int open_count;
+	int set_count; /* calls that change it; there must be none */
+	int timeout_s; /* 0: it does not tell */
+	int open_error, write_error;
+} fake;
+
+static int fake_open(const char *path, int flags)
+{
+	(void)path;
+	(void)flags;
+	if (fake.open_error) {
+		errno = fake.open_error;
+		return -1;
+	}
+	fake.open_count++;
+	return 5;
+}
+
+static int fake_close(int fd)
+{
+	assert_int_equal(fd, 5);
+	fake.open_count--;
+	return 0;
+}
+
+static ssize_t fake_write(int fd, const void *data, size_t size)
+{
+	assert_int_equal(fd, 5);
+	if (fake.write_error) {
+		errno = fake.write_error;
+		return -1;
+	}
+	assert_true(fake.fed_count + (int)size <= (int)sizeof(fake.fed));
+	memcpy(fake.fed + fake.fed_count, data, size);
+	fake.fed_count += (int)size;
+	return (ssize_t)size;
+}
+
+static int fake_ioctl(int fd, unsigned long request, void *argument)
+{
+	assert_int_equal(fd, 5);
+	if (request != WDIOC_GETTIMEOUT) {
+		fake.set_count++;
+	}
+	if (request != WDIOC_GETTIMEOUT || !fake.timeout_s) {
+		errno = ENOTTY;
+		return -1;
+	}
+	memcpy(argument, &fake.timeout_s, sizeof(int));
+	return 0;
+}
+
+static const struct device_calls calls = {
+	.open = fake_open,
+	.close = fake_close,
+	.write = fake_write,
+	.ioctl = fake_ioctl,
+};
+
+static int forget(void **state)
+{
+	(void)state;
+	memset(&fake, 0, sizeof(fake));
+	return 0;
+}
+
+static void test_it_is_fed_once_a_second(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	(void)state;
+	fake.timeout_s = 2;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	assert_int_equal(fake.fed_count, 0);
+	for (int64_t now_ms = -5000; now_ms <= 5000; now_ms += 10) {
+		watchdog_feed(&watchdog, now_ms);
+	}
+	assert_int_equal(fake.fed_count, 11);
+	assert_null(memchr(fake.fed, 'V', 11));
+	watchdog_close(&watchdog);
+	assert_int_equal(fake.fed[fake.fed_count - 1], 'V');
+	assert_int_equal(fake.open_count, 0);
+	assert_int_equal(fake.set_count, 0);
+	assert_int_equal(log_capture_count(&capture, LOG_WARNING), 0);
+	watchdog_feed(&watchdog, 100000);
+	watchdog_close(&watchdog);
+	assert_int_equal(fake.fed_count, 12);
+}
+
+static void test_one_of_a_second_is_fed_in_time(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+
+	(void)state;
+	fake.timeout_s = 1;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	for (int64_t now_ms = 0; now_ms < 2000; now_ms += 10) {
+		watchdog_feed(&watchdog, now_ms);
+	}
+	assert_int_equal(fake.fed_count, 8);
+	watchdog_close(&watchdog);
+}
+
+static void test_without_one_it_goes_on_after_a_sentence(void **state)
+{
+	static const int errors[] = {ENOENT, EBUSY, EACCES};
+	struct watchdog watchdog;
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		struct log_capture capture;
+		struct log log = log_capture_begin(&capture);
+
+		fake.open_error = errors[i];
+		assert_int_equal(
+			watchdog_open(&watchdog, "/dev/wd", &calls, &log),
+			-errors[i]);
+		assert_int_equal(capture.count, 1);
+		assert_int_equal(capture.level[0], LOG_WARNING);
+		assert_contains(capture.sentence[0], "/dev/wd");
+		watchdog_feed(&watchdog, 0);
+		watchdog_close(&watchdog);
+		assert_int_equal(fake.fed_count, 0);
+	}
+}
+
+static void test_one_that_takes_no_food_is_told_of(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	(void)state;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	fake.write_error = EIO;
+	watchdog_feed(&watchdog, 0);
+	assert_true(log_capture_has(&capture, LOG_WARNING, "cannot be fed"));
+	watchdog_close(&watchdog);
+	assert_int_equal(fake.open_count, 0);
+}
+
+static void test_a_file_of_the_system_is_fed(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "watchdog");
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+	size_t size;
+	char *fed;
+
+	(void)state;
+	file_write(path.text, "", 0);
+	assert_int_equal(
+		watchdog_open(&watchdog, path.text, &device_calls_system, &log),
+		0);
+	watchdog_feed(&watchdog, 0);
+	watchdog_feed(&watchdog, 1);
+	watchdog_close(&watchdog);
+	fed = file_read(path.text, &size);
+	assert_int_equal(size, 2);
+	assert_memory_equal(fed, "\0V", 2);
+	free(fed);
+	temp_dir_remove(&folder);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup(test_it_is_fed_once_a_second, forget),
+		cmocka_unit_test_setup(
+			test_one_of_a_second_is_fed_in_time, forget),
+		cmocka_unit_test_setup(
+			test_without_one_it_goes_on_after_a_sentence, forget),
+		cmocka_unit_test_setup(
+			test_one_that_takes_no_food_is_told_of, forget),
+		cmocka_unit_test_setup(test_a_file_of_the_system_is_fed, forget),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

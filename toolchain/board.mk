@@ -21,3 +21,14 @@ image: kernel build/arm/limber
 
 emulate: image
 	$(Q)$(BOARD)/emulate run
+
+# What the tests run on the board beside limber.
+build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_arm) $(WARNINGS) -std=c11 -D_DEFAULT_SOURCE -O2 \
+		$(filter-out -g -O2,$(CFLAGS_arm)) -o $@ $<
+
+board_suites = $(foreach test,$(sort $(wildcard tests/board/test_*.py)),\
+	$(call suite,board/$(patsubst test_%.py,%,$(notdir $(test))),\
+	python3 -B $(test)))

@@ -152,18 +152,17 @@ class Wires:
         self.lines.close()
 
 
-def qemu_command(image, initrd, arguments, icount, reboot):
+def qemu_command(image, tree, arguments, icount, reboot):
     command = ["qemu-system-arm", "-M", "kzm", "-m", "128", "-display", "none",
                "-nic", "none", "-monitor", "none", "-S",
-               "-accel", "tcg" if icount else "tcg,thread=multi",
+               "-accel", "tcg",
                "-chardev", "socket,id=console,path=console.sock,server=on,"
                "wait=off,logfile=console.log", "-serial", "chardev:console",
                "-qmp", "unix:qmp.sock,server=on,wait=off",
                "-qtest", "unix:qtest.sock,server=on,wait=off",
                "-qtest-log", "none",
                "-kernel", str(image / "zImage"),
-               "-dtb", str(image / "imx31-pdk-limber.dtb"),
-               "-initrd", str(initrd)]
+               "-dtb", str(tree), "-initrd", "initrd"]
     if arguments:
         command += ["-append", arguments]
     if icount:
@@ -183,12 +182,12 @@ class Machine:
         self.seen = 0
         self.asked = 0
 
-    def start(self, image, extra=(), arguments=None, icount=False,
-              reboot=True, power=True):
+    def start(self, image, extra=(), arguments=None, tree=None,
+              icount=False, reboot=True, power=True):
         """Boots image; extra are more initramfs archives, laid over its own.
 
-        arguments replaces the kernel's command line of the device tree. With
-        icount time is a count of instructions, 4 ns each. Without reboot a
+        arguments replaces the kernel's command line of the device tree, tree
+        the device tree. With icount time is a count of instructions, 4 ns each. Without reboot a
         reset ends QEMU. Without power the machine waits for power_on()."""
         image = pathlib.Path(image).resolve()
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -200,7 +199,8 @@ class Machine:
             for part in (image / "initramfs.cpio.gz", *extra):
                 data = pathlib.Path(part).read_bytes()
                 out.write(data + b"\0" * (-len(data) % 4))
-        command = qemu_command(image, "initrd", arguments, icount, reboot)
+        tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
+        command = qemu_command(image, tree, arguments, icount, reboot)
         with open(self.folder / "qemu.log", "wb") as log:
             self.process = subprocess.Popen(
                 command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,

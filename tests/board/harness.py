@@ -1,0 +1,246 @@
+"""What the board's tests share: TAP, a booted machine, pictures, overlays.
+
+A test is a script test_NAME.py beside this file. It boots what `make image`
+made with booted(), looks, calls check() for each thing it expects, and ends
+with done(). Machines live below build/check-board/NAME; the last one's console
+is kept there in console.log.
+"""
+import atexit
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import traceback
+
+TOP = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "board/imx31-pdk"))
+import emulation  # noqa: E402
+
+Error = emulation.Error
+IMAGE = pathlib.Path(os.environ.get("IMAGE", TOP / "build/board/imx31-pdk"))
+HOST = os.environ.get("LIMBER", str(TOP / "build/host/limber"))
+GUEST = TOP / "build/board/guest"
+DRIVERS = IMAGE / "test-drivers.cpio.gz"
+NAME = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
+FOLDER = TOP / "build/check-board" / NAME
+PROMPT = r"limber:/\S*# "
+
+# Limber does not start by itself, the shell is the test's.
+BY_HAND = {"etc/inittab": "::sysinit:/etc/rc\nttymxc0::respawn:-/bin/sh\n"}
+
+_count = 0
+_failed = 0
+_machines = []
+
+
+def check(name, good, why=""):
+    global _count, _failed
+    _count += 1
+    print(f"{'ok' if good else 'not ok'} {_count} - {name}", flush=True)
+    if not good:
+        _failed += 1
+        for line in str(why).splitlines()[-40:]:
+            print(f"# {line}", flush=True)
+    return good
+
+
+def note(text):
+    print(f"# {text}", flush=True)
+
+
+def done():
+    print(f"1..{_count}")
+    sys.exit(1 if _failed else 0)
+
+
+def _surprise(kind, error, trace):
+    """A test that ends early fails, and says where."""
+    check(f"goes on to its end: {kind.__name__}", False,
+          "".join(traceback.format_exception(kind, error, trace)))
+    for machine in _machines:
+        if machine.pid():
+            note("the console's last words:")
+            for line in machine.log().splitlines()[-25:]:
+                note(line)
+    print(f"1..{_count}", flush=True)
+
+
+sys.excepthook = _surprise
+
+
+def _stop_all():
+    for machine in _machines:
+        machine.stop()
+
+
+atexit.register(_stop_all)
+
+
+def archive(files):
+    """An initramfs archive of {path: text, bytes or Path}, all executable."""
+    out = bytearray()
+    inode = 0
+
+    def add(name, mode, data):
+        nonlocal inode
+        inode += 1
+        name = name.encode() + b"\0"
+        fields = (inode, mode, 0, 0, 1, 0, len(data), 0, 0, 0, 0, len(name), 0)
+        out.extend(b"070701" + b"".join(b"%08X" % field for field in fields))
+        out.extend(name)
+        out.extend(b"\0" * (-len(out) % 4))
+        out.extend(data)
+        out.extend(b"\0" * (-len(out) % 4))
+
+    made = set()
+    for path, data in files.items():
+        for folder in reversed(pathlib.PurePath(path).parents):
+            if str(folder) not in made | {"."}:
+                made.add(str(folder))
+                add(str(folder), 0o40755, b"")
+        if isinstance(data, pathlib.Path):
+            data = data.read_bytes()
+        elif isinstance(data, str):
+            data = data.encode()
+        add(path, 0o100755, data)
+    add("TRAILER!!!", 0, b"")
+    return bytes(out)
+
+
+def device_tree(*disabled):
+    """The board's device tree without some of its nodes."""
+    tree = FOLDER / "tree.dtb"
+    shutil.copyfile(IMAGE / "imx31-pdk-limber.dtb", tree)
+    for node in disabled:
+        subprocess.run(["fdtput", "-t", "s", str(tree), node, "status",
+                        "disabled"], check=True)
+    return tree
+
+
+def booted(files=None, drivers=False, tree=None, shell=True, **how):
+    """A machine that runs the image; files lie over its root file system."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    extra = []
+    if files:
+        overlay = FOLDER / "overlay.cpio"
+        overlay.write_bytes(archive(files))
+        extra.append(overlay)
+    if drivers:
+        extra.append(DRIVERS)
+    machine = emulation.Machine(FOLDER / f"machine-{len(_machines)}")
+    _machines.append(machine)
+    machine.start(IMAGE, extra, tree=tree, **how)
+    if shell:
+        machine.wait(PROMPT)
+    return machine
+
+
+def guest_tool():
+    """The small program for what the board's shell cannot do."""
+    return {"usr/bin/guest": GUEST}
+
+
+def wait_until(machine, condition, seconds, step_s=0.0):
+    """Until condition() is true, for at most this long on the board; the time
+    on the board then, or None."""
+    begun = machine.time_s()
+    while True:
+        good = condition()
+        now = machine.time_s()
+        if good:
+            return now
+        if now - begun > seconds:
+            return None
+        pause(machine, step_s, now)
+
+
+def pause(machine, seconds, now=None):
+    """Lets time pass on the board."""
+    until = (machine.time_s() if now is None else now) + seconds
+    while machine.time_s() < until:
+        pass
+
+
+def pixel(frame, x, y):
+    at = 2 * (y * emulation.WIDTH + x)
+    return frame[at] | frame[at + 1] << 8
+
+
+def is_drawn(frame):
+    """More than a console's few colours."""
+    return len({frame[at:at + 2] for at in range(0, len(frame), 1998)}) > 12
+
+
+def save(frame, name):
+    """Keeps a picture for a person to look at."""
+    path = FOLDER / name
+    path.write_bytes(emulation.png_of(frame))
+    return path
+
+
+def host_picture(*arguments):
+    """What limber draws on this machine, as RGB565."""
+    import zlib
+    path = FOLDER / "host.png"
+    path.unlink(missing_ok=True)
+    subprocess.run([HOST, "render", *arguments, "--gl", "soft", "--format",
+                    "rgb565", "-o", str(path)], check=True,
+                   stdin=subprocess.DEVNULL)
+    return frame_of_png(path.read_bytes(), zlib)
+
+
+def frame_of_png(data, zlib):
+    """RGB565 of a picture as limber writes it: 8-bit RGB or RGBA."""
+    at, packed, header = 8, b"", None
+    while at < len(data):
+        length = int.from_bytes(data[at:at + 4], "big")
+        kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + length]
+        header = body if kind == b"IHDR" else header
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    width, height = (int.from_bytes(header[i:i + 4], "big") for i in (0, 4))
+    if header[8] != 8 or header[9] not in (2, 6) or header[12]:
+        raise Error("the host's picture is no 8-bit RGB PNG")
+    size = 4 if header[9] == 6 else 3
+    raw, rows, above = zlib.decompress(packed), [], bytes(width * size)
+    for y in range(height):
+        start = y * (width * size + 1)
+        above = unfilter(raw[start], raw[start + 1:start + 1 + width * size],
+                         above, size)
+        rows.append(above)
+    out = bytearray()
+    for row in rows:
+        for x in range(0, len(row), size):
+            value = row[x] >> 3 << 11 | row[x + 1] >> 2 << 5 | row[x + 2] >> 3
+            out += value.to_bytes(2, "little")
+    return bytes(out)
+
+
+def unfilter(kind, row, above, size):
+    """PNG's five filters, section 9.2 of its specification."""
+    row = bytearray(row)
+    for x in range(len(row)):
+        left = row[x - size] if x >= size else 0
+        up = above[x]
+        corner = above[x - size] if x >= size else 0
+        if kind == 1:
+            add = left
+        elif kind == 2:
+            add = up
+        elif kind == 3:
+            add = (left + up) // 2
+        elif kind == 4:
+            near = left + up - corner
+            apart = (abs(near - left), abs(near - up), abs(near - corner))
+            add = (left, up, corner)[apart.index(min(apart))]
+        else:
+            add = 0
+        row[x] = (row[x] + add) & 255
+    return bytes(row)
+
+
+def limber_pid(machine):
+    status, said = machine.shell("pidof limber")
+    return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None

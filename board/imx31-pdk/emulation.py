@@ -196,7 +196,7 @@ class Machine:
         for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log"):
             (self.folder / name).unlink(missing_ok=True)
         with open(self.folder / "initrd", "wb") as out:
-            for part in (image / "initramfs.cpio.gz", *extra):
+            for part in (image / "initramfs.cpio.lz4", *extra):
                 data = pathlib.Path(part).read_bytes()
                 out.write(data + b"\0" * (-len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()

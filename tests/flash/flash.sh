@@ -12,7 +12,7 @@ mkdir "$images" "$served"
 
 # Images with a size that is no multiple of anything, and one beyond a page.
 head -c 300001 /dev/urandom >"$images/zImage-dtb"
-head -c 200003 /dev/urandom >"$images/initramfs.cpio.gz"
+head -c 200003 /dev/urandom >"$images/initramfs.cpio.lz4"
 head -c 262144 /dev/urandom >"$images/rootfs.ubi"
 (cd "$images" && sha256sum -- * >SHA256SUMS)
 
@@ -148,11 +148,11 @@ for loader in uboot redboot; do
     expect_err 'no answer to'
 
     board $loader
-    mv "$served/initramfs.cpio.gz" "$scratch/away"
+    mv "$served/initramfs.cpio.lz4" "$scratch/away"
     on_board "$loader: the second file is missing" run --tries 1
     expect_status 1
-    expect_err 'initramfs.cpio.gz: '
-    mv "$scratch/away" "$served/initramfs.cpio.gz"
+    expect_err 'initramfs.cpio.lz4: '
+    mv "$scratch/away" "$served/initramfs.cpio.lz4"
     on_board "$loader: it goes on where it was" run
     expect_status 0
     received_is "$start"

@@ -2,7 +2,7 @@
 # shellcheck shell=bash disable=SC2034,SC2154 # flash.sh's variables
 
 kernel=zImage-dtb
-initramfs=initramfs.cpio.gz
+initramfs=initramfs.cpio.lz4
 rootfs=rootfs.ubi
 
 # The BSP's partitions of the NAND: offset and size in bytes.

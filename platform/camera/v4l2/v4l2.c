@@ -98,6 +98,7 @@ static void tell_outage(struct camera_source *source)
 	source->out = true;
 	memcpy(source->reason, session->device.reason, sizeof(source->reason));
 	source->reason_new = true;
+	pthread_cond_broadcast(&source->changed);
 }
 
 /* Takes all pictures away from the frame loop, then closes. */

@@ -3,6 +3,7 @@
  * Khronos' where their folder is there.
  */
 #include "app/anim/clip.h"
+#include "app/anim/kernel/fixed_morph.h"
 #include "app/anim/kernel/fixed_skin.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/pose.h"
@@ -171,6 +172,92 @@ static void compare_skinned(struct scene *scene, const struct model_node *node,
 	arena_release(&arena);
 }
 
+/* Float terms with the weights of the pose, or one target by itself. */
+static void set_terms(const struct model_primitive *primitive,
+	const float *weight, int count, struct morph_term *term)
+{
+	for (int t = 0; t < count; t++) {
+		term[t] = (struct morph_term){weight[t],
+			(const float(*)[3])primitive->target[t].position,
+			(const float(*)[3])primitive->target[t].normal, NULL};
+	}
+}
+
+static void compare_morphed_at(const struct model_primitive *primitive,
+	int target_count, const float *weight, struct fixed_morph *morph,
+	struct worst *worst)
+{
+	struct arena arena = arena_empty();
+	int count = primitive->vertex_count;
+	float(*position)[3] = room(&arena, count, sizeof(*position));
+	float(*normal)[3] = room(&arena, count, sizeof(*normal));
+	struct fixed_vector *out = room(&arena, count, sizeof(*out));
+	struct morph_term *term = room(&arena, target_count, sizeof(*term));
+	double size;
+
+	set_terms(primitive, weight, target_count, term);
+	kernel_float.morph_targets(count, (const float(*)[3])primitive->position,
+		term, target_count, false, position);
+	assert_int_equal(fixed_morph_set_weights(morph, weight), 0);
+	fixed_morph_run(morph, &fixed_loops_c, FIXED_POSITION, out);
+	size = radius((const float(*)[3])position, count);
+	for (int i = 0; i < count; i++) {
+		float got[3];
+
+		place(&out[i], &morph->placement, got);
+		worst->position = fmax(
+			worst->position, distance(got, position[i]) / size);
+	}
+	if (primitive->normal) {
+		kernel_float.morph_targets(count,
+			(const float(*)[3])primitive->normal, term,
+			target_count, true, normal);
+		kernel_float.normalize(count, normal);
+		fixed_morph_run(morph, &fixed_loops_c, FIXED_NORMAL, out);
+		for (int i = 0; i < count; i++) {
+			worst->normal_rad = fmax(worst->normal_rad,
+				angle_rad(normal[i], &out[i]));
+		}
+	}
+	arena_release(&arena);
+}
+
+/* At times of all clips, and with each target as far as it goes. */
+static void compare_morphed(struct scene *scene, const struct model_node *node,
+	const struct model_primitive *primitive, struct worst *worst)
+{
+	const struct model *model = scene->model;
+	int targets = model->mesh[node->mesh].target_count;
+	struct arena arena = arena_empty();
+	float *weight = room(&arena, targets, sizeof(*weight));
+	struct clip_cursor cursor;
+	struct fixed_morph morph;
+
+	assert_int_equal(clip_cursor_init(&cursor, model, &arena), 0);
+	assert_int_equal(fixed_morph_init(&morph, primitive, targets,
+				 primitive->normal ? FIXED_NORMALS : 0, &arena),
+		0);
+	for (int t = 0; t < targets; t++) {
+		memset(weight, 0, (size_t)targets * sizeof(*weight));
+		weight[t] = 1;
+		compare_morphed_at(primitive, targets, weight, &morph, worst);
+		weight[0] = 1;
+		weight[targets - 1] = 1;
+		compare_morphed_at(primitive, targets, weight, &morph, worst);
+	}
+	for (int i = 0; i < model->clip_count * TIMES; i++) {
+		const struct model_clip *clip = &model->clip[i / TIMES];
+
+		pose_rest(&scene->pose, model);
+		clip_sample(clip,
+			clip->duration_s * (float)(i % TIMES) / (TIMES - 1),
+			&cursor, &scene->pose);
+		compare_morphed_at(primitive, targets,
+			scene->pose.weight + node->weight_offset, &morph, worst);
+	}
+	arena_release(&arena);
+}
+
 static void expect_close(const char *path, const char *name, int primitive,
 	const struct worst *worst)
 {
@@ -215,6 +302,9 @@ static void compare_model(const char *path)
 
 			if (node->skin >= 0 && primitive->influences) {
 				compare_skinned(&scene, node, primitive, &worst);
+			}
+			if (model->mesh[node->mesh].target_count > 0) {
+				compare_morphed(&scene, node, primitive, &worst);
 			}
 			expect_close(path, node->name, p, &worst);
 		}

@@ -19,7 +19,21 @@
 #ifndef APP_ANIM_KERNEL_FIXED_H
 #define APP_ANIM_KERNEL_FIXED_H
 
+#include <stdbool.h>
 #include <stdint.h>
+
+/* What a vertex has; and what is wanted besides positions. */
+enum fixed_attribute {
+	FIXED_POSITION,
+	FIXED_NORMAL,
+	FIXED_TANGENT,
+	FIXED_ATTRIBUTES
+};
+
+enum fixed_streams {
+	FIXED_NORMALS = 1 << FIXED_NORMAL,
+	FIXED_TANGENTS = 1 << FIXED_TANGENT
+};
 
 /*
  * What a loop writes. As a GL array: 3 GL_SHORT from &vector->x at a stride of
@@ -57,13 +71,28 @@ struct fixed_group {
 	const int32_t *run;
 };
 
-/* A component of two key frames or of two targets. */
+/*
+ * A component of two key frames or of two targets, which one multiplication
+ * weighs. A vertex is three of them.
+ */
 struct fixed_pair {
 	int16_t a, b;
 };
 
-/* Two weights for a pair: a in the lower half, b in the upper. */
-typedef uint32_t fixed_weights_t;
+struct fixed_weights {
+	int16_t a, b;
+};
+
+/* A vertex while targets are added, in 2^16 of a fixed_vector's unit. */
+struct fixed_sum {
+	int32_t x, y, z;
+};
+
+enum {
+	/* In the fraction of vectors that morph_pair() and morph_begin() start
+	   from: a half, for rounding. */
+	FIXED_HALF = -32768
+};
 
 struct fixed_loops {
 	/*
@@ -75,6 +104,30 @@ struct fixed_loops {
 	void (*skin)(const struct fixed_group *group, int group_count,
 		const struct fixed_base *base,
 		const struct fixed_matrix *palette, struct fixed_vector *out);
+
+	/* out = (pair.a * weights.a + pair.b * weights.b + 2^15) >> 16. */
+	void (*lerp)(int count, const struct fixed_pair (*pair)[3],
+		struct fixed_weights weights, struct fixed_vector *out);
+
+	/* vector += step, each number for itself, stopping at the ends. */
+	void (*increment)(int count, const struct fixed_vector *step,
+		struct fixed_vector *vector);
+
+	/*
+	 * out = base + (pair.a * weights.a + pair.b * weights.b) >> 16, with
+	 * base's fraction for rounding. out may be base.
+	 */
+	void (*morph_pair)(int count, const struct fixed_vector *base,
+		const struct fixed_pair (*pair)[3],
+		struct fixed_weights weights, struct fixed_vector *out);
+
+	/* The same for many pairs: begin, add each, end. */
+	void (*morph_begin)(int count, const struct fixed_vector *base,
+		struct fixed_sum *sum);
+	void (*morph_add)(int count, const struct fixed_pair (*pair)[3],
+		struct fixed_weights weights, struct fixed_sum *sum);
+	void (*morph_end)(int count, const struct fixed_sum *sum,
+		struct fixed_vector *out);
 };
 
 /* Plain C; the assembly must give the same. */

@@ -24,11 +24,6 @@
 #include "app/anim/kernel/fixed.h"
 #include "app/anim/skin.h"
 
-enum fixed_streams {
-	FIXED_NORMALS = 1,
-	FIXED_TANGENTS = 2,
-};
-
 /* A joint that moves vertices. */
 struct fixed_joint {
 	int joint;       /* its number in the model's skin */

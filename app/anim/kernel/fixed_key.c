@@ -1,0 +1,151 @@
+#include "app/anim/kernel/fixed_key.h"
+
+#include "app/anim/kernel/fixed_number.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	KEY_MAX = 16383, /* twice that, negated, fits a pair */
+	WEIGHT_ONE_Q15 = 32768
+};
+
+struct fixed_range fixed_range_empty(void)
+{
+	return (struct fixed_range){
+		{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};
+}
+
+void fixed_range_add(
+	struct fixed_range *range, int count, const float (*position)[3])
+{
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k < 3; k++) {
+			float at = position[i][k];
+
+			/* What is no number ends up in the range. */
+			range->low[k] = at >= range->low[k] ? range->low[k] : at;
+			range->high[k] =
+				at <= range->high[k] ? range->high[k] : at;
+		}
+	}
+}
+
+int fixed_range_placement(
+	const struct fixed_range *range, struct fixed_placement *placement)
+{
+	float half = 1e-12f;
+
+	*placement = (struct fixed_placement){.scale = 1};
+	for (int k = 0; k < 3; k++) {
+		float side = 0.5f * (range->high[k] - range->low[k]);
+
+		if (range->high[k] < range->low[k]) {
+			continue;
+		}
+		if (!fixed_can_use(range->low[k]) ||
+			!fixed_can_use(range->high[k])) {
+			return -ERANGE;
+		}
+		placement->offset[k] = range->low[k] + side;
+		half = side > half ? side : half;
+	}
+	placement->scale = half / KEY_MAX;
+	return 0;
+}
+
+static int16_t key_round(float value)
+{
+	return fixed_round(scalar_clamp(value, -KEY_MAX, KEY_MAX));
+}
+
+void fixed_key_positions(int count, const float (*position)[3],
+	const struct fixed_placement *placement, struct fixed_vector *out)
+{
+	const float *from = placement->offset;
+	float scale = 1.0f / placement->scale;
+
+	for (int i = 0; i < count; i++) {
+		out[i].fraction = 0;
+		out[i].x = key_round((position[i][0] - from[0]) * scale);
+		out[i].y = key_round((position[i][1] - from[1]) * scale);
+		out[i].z = key_round((position[i][2] - from[2]) * scale);
+	}
+}
+
+void fixed_key_normals(
+	int count, const float (*normal)[3], struct fixed_vector *out)
+{
+	static const struct fixed_placement unit = {1.0f / KEY_MAX, {0, 0, 0}};
+
+	fixed_key_positions(count, normal, &unit, out);
+}
+
+static struct fixed_pair lerp_pair(int16_t source, int16_t destiny)
+{
+	return (struct fixed_pair){
+		(int16_t)(-2 * source), (int16_t)(-2 * destiny)};
+}
+
+void fixed_lerp_prepare(int count, const struct fixed_vector *source,
+	const struct fixed_vector *destiny, struct fixed_pair (*pair)[3])
+{
+	for (int i = 0; i < count; i++) {
+		pair[i][0] = lerp_pair(source[i].x, destiny[i].x);
+		pair[i][1] = lerp_pair(source[i].y, destiny[i].y);
+		pair[i][2] = lerp_pair(source[i].z, destiny[i].z);
+	}
+}
+
+struct fixed_weights fixed_lerp_weights(float omega)
+{
+	int b = (int)(scalar_clamp(omega, 0, 1) * WEIGHT_ONE_Q15 + 0.5f);
+
+	/* Negative, for -1 fits where 1 would not. */
+	return (struct fixed_weights){
+		(int16_t)(b - WEIGHT_ONE_Q15), (int16_t)-b};
+}
+
+/* Of a whole number by another, to the nearest. */
+static int16_t divide(int number, int by)
+{
+	int half = by / 2;
+
+	return (int16_t)((number < 0 ? number - half : number + half) / by);
+}
+
+void fixed_walk_begin(struct fixed_walk *walk,
+	const struct fixed_vector *temporal, const struct fixed_vector *destiny,
+	int frame_count)
+{
+	int frames = frame_count > 1 ? frame_count : 1;
+
+	walk->frames_left = frames;
+	walk->destiny = destiny;
+	for (int i = 0; i < walk->vertex_count; i++) {
+		const struct fixed_vector *from = &temporal[i];
+		const struct fixed_vector *to = &destiny[i];
+
+		walk->step[i] = (struct fixed_vector){0,
+			divide(to->x - from->x, frames),
+			divide(to->y - from->y, frames),
+			divide(to->z - from->z, frames)};
+	}
+}
+
+bool fixed_walk_update(struct fixed_walk *walk, const struct fixed_loops *loops,
+	struct fixed_vector *temporal)
+{
+	if (walk->frames_left == 0) {
+		return false;
+	}
+	walk->frames_left--;
+	if (walk->frames_left == 0) {
+		memcpy(temporal, walk->destiny,
+			(size_t)walk->vertex_count * sizeof(*temporal));
+	} else {
+		loops->increment(walk->vertex_count, walk->step, temporal);
+	}
+	return true;
+}

@@ -9,6 +9,7 @@ const struct command *const command_registry[] = {
 	&command_render,
 	&command_pose,
 	&command_info,
+	&command_bench,
 	NULL,
 };
 

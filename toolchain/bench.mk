@@ -1,5 +1,5 @@
-# make bench-arm11: what the vertex loops cost on the timing model of the
-# board's core (tests/bench/README.md).
+# make bench, make bench-arm11: what the vertex loops cost, here and on the
+# timing model of the board's core (tests/bench/README.md).
 
 # The loops over vertices are worth the compiler's best.
 build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
@@ -14,7 +14,9 @@ build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
 
-.PHONY: bench-arm11 bench-arm11-record
+.PHONY: bench bench-arm11 bench-arm11-record
+bench: build/host/limber
+	$(Q)$< bench
 bench-arm11: $(BENCH_ARM) build/arm1136/model.so
 	$(Q)$(BENCH) --json build/bench-arm11.json
 	@echo "The same for programs: build/bench-arm11.json"

@@ -9,9 +9,7 @@ struct an4044_state {
 	struct skin_stream stream;
 	struct an4044_vertex *vertex;
 	struct an4044_joint_mat *joint;
-	struct an4044_joint_weight *weight;
-	const struct an4044_vec4 *base[3]; /* position, normal, tangent */
-	const an4044_vec3 *from[2];        /* positions, normals */
+	const an4044_vec3 *from[2]; /* positions, normals */
 	const an4044_vec3 *to[2];
 	an4044_vec3 *temporal[2];
 };
@@ -20,8 +18,8 @@ static void skin(void *user)
 {
 	struct an4044_state *s = user;
 
-	an4044_transform(
-		s->vertex, s->vertex_count, s->joint, s->base[0], s->weight);
+	an4044_transform(s->vertex, s->vertex_count, s->joint,
+		(const float(*)[4])s->stream.position, s->stream.influence);
 }
 
 static void skin_normals(void *user)
@@ -29,7 +27,8 @@ static void skin_normals(void *user)
 	struct an4044_state *s = user;
 
 	an4044_transform_normals(s->vertex, s->vertex_count, s->joint,
-		s->base[0], s->base[1], s->weight);
+		(const float(*)[4])s->stream.position,
+		(const float(*)[4])s->stream.normal, s->stream.influence);
 }
 
 static void skin_tangents(void *user)
@@ -37,7 +36,9 @@ static void skin_tangents(void *user)
 	struct an4044_state *s = user;
 
 	an4044_transform_tangents(s->vertex, s->vertex_count, s->joint,
-		s->base[0], s->base[1], s->base[2], s->weight);
+		(const float(*)[4])s->stream.position,
+		(const float(*)[4])s->stream.normal,
+		(const float(*)[4])s->stream.tangent, s->stream.influence);
 }
 
 static void lerp(void *user)
@@ -83,18 +84,14 @@ static void set_joints(struct an4044_state *state, const struct bench_mesh *mesh
 	}
 }
 
-static void set_weights(struct an4044_state *state)
+/* Limber's own matrices have a fourth row. */
+static void set_offsets(struct skin_stream *stream)
 {
-	for (int i = 0; i < state->stream.influence_count; i++) {
-		const struct joint_weight *from = &state->stream.influence[i];
-		size_t joint = (size_t)from->joint_offset / sizeof(mat4);
+	for (int i = 0; i < stream->influence_count; i++) {
+		int32_t *offset = &stream->influence[i].joint_offset;
 
-		state->weight[i] = (struct an4044_joint_weight){
-			.weight = from->weight,
-			.joint_mat_offset =
-				(int32_t)(joint * sizeof(*state->joint)),
-			.next_vertex_offset = from->next_vertex_offset,
-		};
+		*offset = *offset / (int32_t)sizeof(mat4) *
+			(int32_t)sizeof(struct an4044_joint_mat);
 	}
 }
 
@@ -115,16 +112,11 @@ static int prepare_skin(struct an4044_state *state,
 		arena, struct an4044_vertex, (size_t)state->vertex_count);
 	state->joint = ARENA_ARRAY(
 		arena, struct an4044_joint_mat, (size_t)mesh->joint_count);
-	state->weight = ARENA_ARRAY(arena, struct an4044_joint_weight,
-		(size_t)stream->influence_count);
-	if (!state->vertex || !state->joint || !state->weight) {
+	if (!state->vertex || !state->joint) {
 		return -ENOMEM;
 	}
-	state->base[0] = (const struct an4044_vec4 *)stream->position;
-	state->base[1] = (const struct an4044_vec4 *)stream->normal;
-	state->base[2] = (const struct an4044_vec4 *)stream->tangent;
 	set_joints(state, mesh);
-	set_weights(state);
+	set_offsets(stream);
 	return 0;
 }
 

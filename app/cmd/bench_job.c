@@ -120,6 +120,10 @@ int bench_job_prepare(const char *name, const struct bench_mesh *mesh,
 	if (!kernel) {
 		return -EINVAL;
 	}
+	if (kernel->fixed) {
+		return bench_fixed_prepare(
+			kernel->fixed, mesh, work, arena, out);
+	}
 	if (!run[work]) {
 		return -ENOTSUP;
 	}

@@ -20,7 +20,6 @@ enum bench_work {
 
 struct bench_job {
 	int vertex_count;
-	size_t bytes; /* read and written by a run */
 	void *state;
 	void (*run)(void *state);
 };
@@ -35,6 +34,11 @@ int bench_job_prepare(const char *kernel, const struct bench_mesh *mesh,
 
 /* "an4044": the document's loops alone, nothing of limber around them. */
 int bench_an4044_prepare(const struct bench_mesh *mesh, enum bench_work work,
+	struct arena *arena, struct bench_job *out);
+
+/* For kernels with loops in fixed point. */
+int bench_fixed_prepare(const struct fixed_loops *loops,
+	const struct bench_mesh *mesh, enum bench_work work,
 	struct arena *arena, struct bench_job *out);
 
 #endif

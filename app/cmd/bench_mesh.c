@@ -51,17 +51,36 @@ static void draw_vectors(uint32_t *state, int count, float size, float (*out)[3]
 	}
 }
 
-static void draw_influences(
-	uint32_t *state, struct model_primitive *primitive, int influences)
+/* Which joints move a vertex: those of a set, or any, all different. */
+static void draw_joints(
+	uint32_t *state, int influences, int joint_sets, uint16_t *joint)
+{
+	uint32_t set_state = draw(state);
+
+	if (joint_sets > 0) {
+		set_state %= (uint32_t)joint_sets;
+	}
+	for (int i = 0; i < influences; i++) {
+		joint[i] = (uint16_t)(draw(&set_state) % JOINTS);
+		for (int k = 0; k < i; k++) {
+			if (joint[k] == joint[i]) {
+				joint[i] = (uint16_t)((joint[i] + 1) % JOINTS);
+				k = -1;
+			}
+		}
+	}
+}
+
+static void draw_influences(uint32_t *state, struct model_primitive *primitive,
+	int influences, int joint_sets)
 {
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		uint16_t *joint = primitive->joint + v * INFLUENCES;
 		float *weight = primitive->weight + v * INFLUENCES;
-		int first = (int)(draw(state) % JOINTS);
 		float sum = 0.0f;
 
+		draw_joints(state, influences, joint_sets, joint);
 		for (int i = 0; i < influences; i++) {
-			joint[i] = (uint16_t)((first + i * 5) % JOINTS);
 			weight[i] = 1.25f + draw_float(state);
 			sum += weight[i];
 		}
@@ -132,7 +151,8 @@ static int add_keys(struct bench_mesh *mesh, uint32_t *state)
 	return 0;
 }
 
-int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences)
+int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
+	int joint_sets)
 {
 	struct model_primitive *primitive = &mesh->primitive;
 	uint32_t state = 4044;
@@ -154,7 +174,7 @@ int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences)
 		draw_unit(&state, primitive->tangent[v]);
 		primitive->tangent[v][3] = 1.0f;
 	}
-	draw_influences(&state, primitive, influences);
+	draw_influences(&state, primitive, influences, joint_sets);
 	draw_palette(&state, mesh->palette);
 	error = add_keys(mesh, &state);
 	if (!error) {
@@ -225,7 +245,7 @@ int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model)
 	int skin = -1;
 	int error;
 
-	*mesh = (struct bench_mesh){.arena = arena_empty()};
+	*mesh = (struct bench_mesh){.arena = arena_empty(), .is_whole = true};
 	primitive = largest_skinned(model, &skin);
 	if (!primitive) {
 		return -ENOENT;

@@ -17,13 +17,18 @@ struct bench_mesh {
 	float (*destiny)[3];
 	float (*destiny_normal)[3];
 	struct model_target target[2];
+
+	bool is_whole; /* a model's: jobs include what comes once a frame */
 };
 
 /*
  * A mesh within a sphere of radius 1, with normals and tangents; each vertex
- * has that many influences, 1 to 4. 0 or -ENOMEM.
+ * has that many influences, 1 to 4, of 24 joints. joint_sets says how many
+ * different sets of joints vertices have, in no order; 0: as chance has it.
+ * 0 or -ENOMEM.
  */
-int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences);
+int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
+	int joint_sets);
 
 /*
  * The largest skinned primitive of a model, in the middle of its first clip;

@@ -10,6 +10,7 @@
 enum {
 	SIDE_MAX = 8192,
 	FRAMES_MAX = 1000000,
+	RUNS_MAX = 1001,
 	OPTIONS_MAX = 32
 };
 
@@ -222,6 +223,11 @@ static bool set_influences(struct options *options, const char *value)
 	return lod_parse(value, &options->lod);
 }
 
+static bool set_runs(struct options *options, const char *value)
+{
+	return read_int(value, 1, RUNS_MAX, &options->runs);
+}
+
 static bool set_json(struct options *options, const char *value)
 {
 	(void)value;
@@ -334,7 +340,7 @@ static const struct option_entry entries[] = {
 		"real or fixed:FPS, FPS up to 1000", set_clock},
 	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
 		"how vertices are computed: float", "float", set_math},
-	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE,
+	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH,
 		"which vertex loops: float", "a kernel's name", set_kernel},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
 		"at most N joints a vertex; auto: fewer on small figures; "
@@ -343,7 +349,10 @@ static const struct option_entry entries[] = {
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, set_no_labels},
-	{0, "json", NULL, FOR_INFO,
+	{0, "runs", "N", FOR_BENCH,
+		"time everything N times and take the median (15)",
+		"a number from 1 to 1001", set_runs},
+	{0, "json", NULL, FOR_INFO | FOR_BENCH,
 		"print JSON", NULL, set_json},
 	{'v', "verbose", NULL, FOR_ALL,
 		"say more on the way", NULL, set_verbose},
@@ -363,6 +372,7 @@ struct options options_default(void)
 		.height = 640,
 		.clock = clock_real(),
 		.speed = 1.0f,
+		.runs = 15,
 		.repeat = CLIP_LOOP,
 		.interpolation = CLIP_AUTO,
 	};

@@ -20,7 +20,8 @@ enum command_bit {
 	FOR_RENDER = 2,
 	FOR_POSE = 4,
 	FOR_INFO = 8,
-	FOR_ALL = 15,
+	FOR_BENCH = 16,
+	FOR_ALL = 31,
 };
 
 struct options {
@@ -52,6 +53,7 @@ struct options {
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
 	struct lod lod;
+	int runs; /* of each measurement */
 	bool json;
 	bool no_labels;
 	bool verbose;

@@ -12,8 +12,8 @@
 
 static struct an4044_vertex vertex[VERTICES];
 static struct an4044_joint_mat joint[JOINTS];
-static struct an4044_vec4 base[VERTICES * MAX_INFLUENCES];
-static struct an4044_joint_weight weight[VERTICES * MAX_INFLUENCES];
+static float base[VERTICES * MAX_INFLUENCES][4];
+static struct joint_weight weight[VERTICES * MAX_INFLUENCES];
 
 static void fill(int influences)
 {
@@ -23,9 +23,12 @@ static void fill(int influences)
 	for (int i = 0, left = influences;
 		i<VERTICES * influences; i++, left = left> 1 ? left - 1
 							     : influences) {
-		base[i] = (struct an4044_vec4){(float)i, 1, 2, 0.5f};
+		base[i][0] = (float)i;
+		base[i][1] = 1;
+		base[i][2] = 2;
+		base[i][3] = 0.5f;
 		weight[i].weight = 0.5f;
-		weight[i].joint_mat_offset =
+		weight[i].joint_offset =
 			(i * 5 % JOINTS) * (int)sizeof(*joint);
 		weight[i].next_vertex_offset = left * (int)sizeof(*weight);
 	}
@@ -33,7 +36,8 @@ static void fill(int influences)
 
 static void transform(void)
 {
-	an4044_transform(vertex, VERTICES, joint, base, weight);
+	an4044_transform(vertex, VERTICES, joint,
+		(const float(*)[4])base, weight);
 }
 
 /* A marker carries its number in its encoding. */

@@ -77,7 +77,8 @@ static int run(const struct bench_row *row, const char *kernel, const char *from
 	int error;
 
 	if (atoi(from) > 0) {
-		error = bench_mesh_make(&mesh, atoi(from), row->influences);
+		error = bench_mesh_make(
+			&mesh, atoi(from), row->influences, row->joint_sets);
 	} else {
 		error = model_load(from, &log, &model);
 		if (!error) {

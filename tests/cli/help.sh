@@ -25,7 +25,7 @@ helped() {
 limber --help
 expect_status 0
 expect_no_err
-for command in play render pose info; do
+for command in play render pose info bench; do
     expect_out "^ *limber $command "
 done
 cp "$out_file" "$scratch/long"
@@ -39,6 +39,7 @@ helped render --output --demo --clip --time --frames --size --format --gl --butt
     --script --clock --math --kernel --verbose --help --version
 helped pose --output --clip --time --math --kernel --verbose --help --version
 helped info --json --verbose --help --version
+helped bench --kernel --runs --json --verbose --help --version
 
 limber --version
 expect_status 0

@@ -1,14 +1,14 @@
 #include "app/anim/kernel/an4044.h"
 
-typedef struct an4044_vec4 vec4;
+typedef struct an4044_vec4 vector;
 
-static inline float row(const float m[4], const vec4 *v)
+static inline float row(const float m[4], const float v[4])
 {
-	return m[0] * v->x + m[1] * v->y + m[2] * v->z + m[3] * v->w;
+	return m[0] * v[0] + m[1] * v[1] + m[2] * v[2] + m[3] * v[3];
 }
 
 static inline void multiply(
-	vec4 *result, const struct an4044_joint_mat *m, const vec4 *v)
+	vector *result, const struct an4044_joint_mat *m, const float v[4])
 {
 	result->x = row(&m->mat[0], v);
 	result->y = row(&m->mat[4], v);
@@ -16,7 +16,7 @@ static inline void multiply(
 }
 
 static inline void multiply_add(
-	vec4 *result, const struct an4044_joint_mat *m, const vec4 *v)
+	vector *result, const struct an4044_joint_mat *m, const float v[4])
 {
 	result->x += row(&m->mat[0], v);
 	result->y += row(&m->mat[4], v);
@@ -29,7 +29,7 @@ static inline const struct an4044_joint_mat *matrix(
 	return (const struct an4044_joint_mat *)((const char *)joint + offset);
 }
 
-static inline void store(vec4 *to, const vec4 *from)
+static inline void store(vector *to, const vector *from)
 {
 	to->x = from->x;
 	to->y = from->y;
@@ -38,22 +38,22 @@ static inline void store(vec4 *to, const vec4 *from)
 
 /* The compiler makes one loop of this for each number of attributes. */
 static inline void transform(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const vec4 *const base[3],
-	const struct an4044_joint_weight *weight, int attributes)
+	const struct an4044_joint_mat *joint, const float (*const base[3])[4],
+	const struct joint_weight *weight, int attributes)
 {
 	for (int i = 0, j = 0; i < vertex_count; i++, j++) {
 		const struct an4044_joint_mat *m =
-			matrix(joint, weight[j].joint_mat_offset);
-		vec4 v[3];
+			matrix(joint, weight[j].joint_offset);
+		vector v[3];
 
 		for (int k = 0; k < attributes; k++) {
-			multiply(&v[k], m, &base[k][j]);
+			multiply(&v[k], m, base[k][j]);
 		}
 		while (weight[j].next_vertex_offset != (int32_t)sizeof(*weight)) {
 			j++;
-			m = matrix(joint, weight[j].joint_mat_offset);
+			m = matrix(joint, weight[j].joint_offset);
 			for (int k = 0; k < attributes; k++) {
-				multiply_add(&v[k], m, &base[k][j]);
+				multiply_add(&v[k], m, base[k][j]);
 			}
 		}
 		store(&vertex[i].position, &v[0]);
@@ -67,29 +67,29 @@ static inline void transform(struct an4044_vertex *vertex, int vertex_count,
 }
 
 void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const vec4 *base,
-	const struct an4044_joint_weight *weight)
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const struct joint_weight *weight)
 {
-	const vec4 *const bases[3] = {base};
+	const float(*const bases[3])[4] = {base};
 
 	transform(vertex, vertex_count, joint, bases, weight, 1);
 }
 
 void an4044_transform_normals(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const vec4 *base,
-	const vec4 *normal, const struct an4044_joint_weight *weight)
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const float (*normal)[4], const struct joint_weight *weight)
 {
-	const vec4 *const bases[3] = {base, normal};
+	const float(*const bases[3])[4] = {base, normal};
 
 	transform(vertex, vertex_count, joint, bases, weight, 2);
 }
 
 void an4044_transform_tangents(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const vec4 *base,
-	const vec4 *normal, const vec4 *tangent,
-	const struct an4044_joint_weight *weight)
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const float (*normal)[4], const float (*tangent)[4],
+	const struct joint_weight *weight)
 {
-	const vec4 *const bases[3] = {base, normal, tangent};
+	const float(*const bases[3])[4] = {base, normal, tangent};
 
 	transform(vertex, vertex_count, joint, bases, weight, 3);
 }

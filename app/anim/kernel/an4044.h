@@ -2,13 +2,12 @@
  * The vertex loops as AN4044 has them, data layout and all: the yardstick for
  * the other kernels. Freescale, "3D Animation Techniques on the i.MX31 PDK".
  *
- * Needs no C library. kernel_an4044 (an4044_kernel.c) puts them behind the
- * table of kernels.
+ * Needs no C library. an4044_kernel.c puts them behind the table of kernels.
  */
 #ifndef APP_ANIM_KERNEL_AN4044_H
 #define APP_ANIM_KERNEL_AN4044_H
 
-#include <stdint.h>
+#include "app/anim/skin.h"
 
 struct an4044_vec4 {
 	float x, y, z, w;
@@ -21,39 +20,30 @@ struct an4044_vertex {
 	struct an4044_vec4 tangent;
 };
 
-/* Example 3; offsets in bytes. */
-struct an4044_joint_weight {
-	float weight;
-	int32_t joint_mat_offset;
-	int32_t next_vertex_offset;
-};
-
-/* Three rows of four. */
+/* Three rows of four. The offsets of weights say how far they are apart. */
 struct an4044_joint_mat {
 	float mat[12];
 };
 
 /*
- * Example 6. A base vector for each weight, already multiplied by it; the last
- * weight of a vertex has next_vertex_offset == sizeof(struct
- * an4044_joint_weight).
+ * Example 6: the streams of skin.h. The last weight of a vertex has
+ * next_vertex_offset == sizeof(struct joint_weight).
  */
 void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
-	const struct an4044_joint_weight *weight);
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const struct joint_weight *weight);
 
 /*
  * The same loop with normals, and with normals and tangents, whose base
  * vectors have w = 0. They do not come out unit length.
  */
 void an4044_transform_normals(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
-	const struct an4044_vec4 *normal,
-	const struct an4044_joint_weight *weight);
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const float (*normal)[4], const struct joint_weight *weight);
 void an4044_transform_tangents(struct an4044_vertex *vertex, int vertex_count,
-	const struct an4044_joint_mat *joint, const struct an4044_vec4 *base,
-	const struct an4044_vec4 *normal, const struct an4044_vec4 *tangent,
-	const struct an4044_joint_weight *weight);
+	const struct an4044_joint_mat *joint, const float (*base)[4],
+	const float (*normal)[4], const float (*tangent)[4],
+	const struct joint_weight *weight);
 
 /* A vector of a three-dimensional object (section 1). */
 typedef float an4044_vec3[3];

@@ -14,7 +14,7 @@ endef
 define target_rules
 OBJECTS_$(1) := $$(addprefix build/$(1)/obj/,$$(addsuffix .o,$$(basename \
 	$$(SHARED_SOURCES) $$(call driver_sources,$(1)) \
-	$$(KERNEL_SOURCES_$(1)))))
+	$$(KERNEL_SOURCES_$(1)) $$(JOINT_SOURCES_$(1)))))
 LISTS_$(1) := build/$(1)/gen/gl_drivers.h build/$(1)/gen/display_drivers.h \
 	build/$(1)/gen/button_drivers.h build/$(1)/gen/camera_drivers.h \
 	build/$(1)/gen/kernel_drivers.h

@@ -10,6 +10,12 @@ SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
 FONT_SOURCE := build/gen/font_data.c
 SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
 
+# The loops over joints, which a core may have in its own way.
+JOINT_SOURCES_host := app/anim/portable/joints.c
+JOINT_SOURCES_asan := $(JOINT_SOURCES_host)
+JOINT_SOURCES_fuzz := $(JOINT_SOURCES_host)
+JOINT_SOURCES_arm := app/anim/arm/joints.S
+
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := gles1 soft osmesa

@@ -187,14 +187,6 @@ float clip_join_duration(const struct clip_join *join)
 	return join->from->duration_s + join->to->duration_s - join->overlap_s;
 }
 
-static void sample_from_rest(const struct model_clip *clip, float time_s,
-	enum clip_interpolation interpolation, struct clip_cursor *cursor,
-	struct pose *pose)
-{
-	pose_rest(pose, pose->model);
-	clip_sample_as(clip, time_s, interpolation, cursor, pose);
-}
-
 void clip_join_sample(const struct clip_join *join, float time_s,
 	struct clip_cursor *from_cursor, struct clip_cursor *to_cursor,
 	struct pose *scratch, struct pose *pose)
@@ -202,14 +194,14 @@ void clip_join_sample(const struct clip_join *join, float time_s,
 	float into_s = time_s - (join->from->duration_s - join->overlap_s);
 
 	if (!(into_s > 0)) {
-		sample_from_rest(join->from, time_s, join->interpolation,
-			from_cursor, pose);
+		clip_pose(join->from, time_s, join->interpolation, from_cursor,
+			pose);
 		return;
 	}
-	sample_from_rest(join->to, into_s, join->interpolation, to_cursor, pose);
+	clip_pose(join->to, into_s, join->interpolation, to_cursor, pose);
 	if (into_s < join->overlap_s) {
-		sample_from_rest(join->from, time_s, join->interpolation,
-			from_cursor, scratch);
+		clip_pose(join->from, time_s, join->interpolation, from_cursor,
+			scratch);
 		pose_mix(scratch, pose,
 			ease_at(join->ease, into_s / join->overlap_s), NULL,
 			pose);

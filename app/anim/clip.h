@@ -6,13 +6,21 @@
 
 #include "app/anim/pose.h"
 
+struct clip_moving; /* a channel that does not hold still */
+
 /*
- * Where the last sample was found in each channel, so that playing on costs no
- * search. One per playback; any content is valid, only slower.
+ * What a playback keeps from frame to frame, so that playing on costs no
+ * search: where the last sample was found in each channel and, for clip_pose(),
+ * what of the clip moves at all. Of one model. All zero is valid, only slower.
  */
 struct clip_cursor {
 	int channel_count;
-	int *key; /* [channel_count] */
+	int *key; /* [channel_count]; any content is valid */
+
+	const struct model_clip *clip; /* that the rest is about; or NULL */
+	struct pose still;             /* at rest, and what holds still */
+	int moving_count;
+	struct clip_moving *moving; /* [channel_count] */
 };
 
 /* How to go from key to key. */
@@ -44,6 +52,15 @@ void clip_sample(const struct model_clip *clip, float time_s,
 
 /* The same with another interpolation than the file's. */
 void clip_sample_as(const struct model_clip *clip, float time_s,
+	enum clip_interpolation interpolation, struct clip_cursor *cursor,
+	struct pose *pose);
+
+/*
+ * The whole pose: rest where the clip has no channel. As pose_rest() followed
+ * by clip_sample_as(), but for channels that hold still (model_channel.constant)
+ * the first key's value. Does less, so it is what a frame wants.
+ */
+void clip_pose(const struct model_clip *clip, float time_s,
 	enum clip_interpolation interpolation, struct clip_cursor *cursor,
 	struct pose *pose);
 

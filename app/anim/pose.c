@@ -1,6 +1,7 @@
 #include "app/anim/pose.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/joints.h"
+#include "app/anim/transform_inline.h"
 
 #include <errno.h>
 #include <string.h>
@@ -48,16 +49,6 @@ void pose_copy(struct pose *to, const struct pose *from)
 	}
 }
 
-static void local_matrix(const struct pose *pose, const struct model_node *node,
-	int index, mat4 out)
-{
-	if (node->matrix && !pose->animated[index]) {
-		memcpy(out, node->matrix, sizeof(mat4));
-	} else {
-		transform_to_matrix(&pose->local[index], out);
-	}
-}
-
 void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 	mat4 *world)
 {
@@ -67,23 +58,30 @@ void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 void pose_world_from(const struct pose *pose, const struct model *model,
 	mat4 root, int first, mat4 *world)
 {
-	for (int i = first; i < pose->node_count; i++) {
-		const struct model_node *node = &model->node[i];
+	const struct model_node *node = model->node + first;
+	int count = pose->node_count - first;
 
-		local_matrix(pose, node, i, world[i]);
-		if (node->parent >= 0) {
-			matrix_multiply(world[node->parent], world[i], world[i]);
-		} else if (root) {
+	if (count <= 0) {
+		return;
+	}
+	joints_place(pose->local + first, count, world + first);
+	for (int i = first; i < pose->node_count; i++) {
+		if (model->node[i].matrix && !pose->animated[i]) {
+			memcpy(world[i], model->node[i].matrix, sizeof(mat4));
+		}
+	}
+	for (int i = first; root && i < pose->node_count; i++) {
+		if (model->node[i].parent < 0) {
 			matrix_multiply(root, world[i], world[i]);
 		}
 	}
+	joints_multiply((const mat4 *)world, &node->parent, sizeof(*node),
+		(const mat4 *)world + first, world + first, count);
 }
 
 void pose_palette(
 	const struct model_skin *skin, const mat4 *world, mat4 *palette)
 {
-	for (int j = 0; j < skin->joint_count; j++) {
-		matrix_multiply(((mat4 *)world)[skin->joint[j]],
-			skin->inverse_bind[j], palette[j]);
-	}
+	joints_multiply(world, skin->joint, sizeof(*skin->joint),
+		(const mat4 *)skin->inverse_bind, palette, skin->joint_count);
 }

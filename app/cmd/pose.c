@@ -97,9 +97,8 @@ static int pose_instance(struct instance *instance,
 		return error;
 	}
 	if (clip >= 0) {
-		clip_sample_as(&instance->model->clip[clip],
-			(float)options->time_s, options->interpolation, &cursor,
-			&instance->pose);
+		clip_pose(&instance->model->clip[clip], (float)options->time_s,
+			options->interpolation, &cursor, &instance->pose);
 	}
 	/* A pose has no distance: auto means all. */
 	if (options->lod.kind != LOD_DISTANCE) {

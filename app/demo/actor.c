@@ -106,10 +106,12 @@ int find_bone(const struct model *model, const char *name,
 
 void actor_pose(struct actor *actor, int clip, float time_s)
 {
-	pose_rest(&actor->instance->pose, actor->model);
-	if (clip >= 0) {
-		clip_sample_as(&actor->model->clip[clip], time_s,
-			actor->interpolation, &actor->cursor,
-			&actor->instance->pose);
+	struct pose *pose = &actor->instance->pose;
+
+	if (clip < 0) {
+		pose_rest(pose, actor->model);
+		return;
 	}
+	clip_pose(&actor->model->clip[clip], time_s, actor->interpolation,
+		&actor->cursor, pose);
 }

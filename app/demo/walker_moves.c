@@ -134,8 +134,8 @@ static void wave(
 	}
 	moves->wave_weight = ease_at(EASE_CUBIC, (float)moves->wave_s / fade_s) *
 		ease_at(EASE_CUBIC, left_s / fade_s);
-	pose_rest(&moves->wave, instance->model);
-	clip_sample(clip, (float)moves->wave_s, &moves->cursor[1], &moves->wave);
+	clip_pose(clip, (float)moves->wave_s, CLIP_AUTO, &moves->cursor[1],
+		&moves->wave);
 	pose_mix(&instance->pose, &moves->wave, moves->wave_weight,
 		moves->wave_mask, &instance->pose);
 }
@@ -156,9 +156,8 @@ void walker_moves_update(
 	moves->ground_m_per_s +=
 		(kinds[moves->move].ground_m_per_s - moves->ground_m_per_s) *
 		share;
-	pose_rest(&instance->pose, instance->model);
-	clip_sample(clip, clip_time(moves->move_s, clip->duration_s, CLIP_LOOP),
-		&moves->cursor[0], &instance->pose);
+	clip_pose(clip, clip_time(moves->move_s, clip->duration_s, CLIP_LOOP),
+		CLIP_AUTO, &moves->cursor[0], &instance->pose);
 	fade_update(&moves->fade, step_s, &instance->pose);
 	pose_copy(&moves->before, &instance->pose);
 	wave(moves, instance, step_s);

@@ -25,7 +25,12 @@ static int load_source(const struct model_source *source, const struct log *log,
 	}
 	for (i = 0; i < ARRAY_COUNT(formats); i++) {
 		if (formats[i].recognise(source->data, source->size)) {
-			return formats[i].load(source, log, out);
+			int error = formats[i].load(source, log, out);
+
+			if (!error) {
+				model_prepare_clips(*out);
+			}
+			return error;
 		}
 	}
 	log_error(log,

@@ -110,6 +110,9 @@ struct model_channel {
 	int node;
 	enum model_path path;
 	enum model_interpolation interpolation;
+	bool constant;       /* the first key's value will do at any time: no
+				other differs by more than 2e-6 of the largest
+				one that the clip has on this path */
 	int width;           /* floats of one value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */

@@ -318,8 +318,8 @@ static float joined(
 	struct fixture *f, const struct clip_join *join, float time_s)
 {
 	int key[2] = {0, 0};
-	struct clip_cursor from = {1, &key[0]};
-	struct clip_cursor to = {1, &key[1]};
+	struct clip_cursor from = {.channel_count = 1, .key = &key[0]};
+	struct clip_cursor to = {.channel_count = 1, .key = &key[1]};
 
 	f->out.local[3].translation[1] = 77; /* has to return to rest */
 	clip_join_sample(join, time_s, &from, &to, &f->a, &f->out);

@@ -588,6 +588,81 @@ static void test_pitfall_8_another_clip_starts_from_rest(void **state)
 	arena_release(&f.arena);
 }
 
+static void assert_same_pose(const struct pose *a, const struct pose *b)
+{
+	size_t nodes = (size_t)a->node_count;
+
+	assert_memory_equal(a->local, b->local, nodes * sizeof(*a->local));
+	assert_memory_equal(
+		a->animated, b->animated, nodes * sizeof(*a->animated));
+	assert_memory_equal(a->weight, b->weight,
+		(size_t)a->weight_count * sizeof(*a->weight));
+}
+
+/* With a channel that holds still, known as such, and one that turns. */
+static void set_up_whole(struct fixture *f)
+{
+	static const float still[6] = {1, 2, 3, 1, 2, 3};
+
+	set_up(f);
+	f->channel[0].constant = true;
+	f->channel[0].key_count = 2;
+	f->channel[0].time_s = SECONDS;
+	f->channel[0].value = still;
+	f->channel[1].interpolation = MODEL_LINEAR;
+}
+
+static void test_a_whole_pose_is_the_rest_and_the_samples(void **state)
+{
+	/* Eighths, for which equal keys mix without rounding. */
+	static const float times[] = {0, 0.5f, 0.25f, 0.875f, -1, 7, 1, 0.125f};
+	struct fixture f;
+	struct pose want;
+
+	(void)state;
+	set_up_whole(&f);
+	assert_int_equal(pose_init(&want, &f.model, &f.arena), 0);
+	for (int kind = CLIP_AUTO; kind <= CLIP_CUBIC; kind++) {
+		for (size_t i = 0; i < ARRAY_COUNT(times); i++) {
+			struct clip_cursor none = {0};
+			enum clip_interpolation as =
+				(enum clip_interpolation)kind;
+
+			pose_rest(&want, &f.model);
+			clip_sample_as(&f.clip, times[i], as, &none, &want);
+			memset(f.pose.local, 0x55, sizeof(*f.pose.local) * 2);
+			clip_pose(&f.clip, times[i], as, &f.cursor, &f.pose);
+			assert_same_pose(&f.pose, &want);
+			memset(f.pose.weight, 0x55, sizeof(float) * 3);
+			clip_pose(&f.clip, times[i], as, &none, &f.pose);
+			assert_same_pose(&f.pose, &want);
+		}
+	}
+	arena_release(&f.arena);
+}
+
+static void test_a_whole_pose_follows_a_change_of_clips(void **state)
+{
+	struct fixture f;
+	struct model_clip other;
+
+	(void)state;
+	set_up_whole(&f);
+	other = f.clip;
+	other.channel = &f.channel[2];
+	other.channel_count = 1;
+	clip_pose(&f.clip, 0.5f, CLIP_AUTO, &f.cursor, &f.pose);
+	assert_true(f.pose.local[0].translation[2] == 3);
+	clip_pose(&other, 0.5f, CLIP_AUTO, &f.cursor, &f.pose);
+	assert_memory_equal(
+		&f.pose.local[0], &f.node[0].rest, sizeof(struct transform));
+	assert_false(f.pose.animated[0]);
+	assert_near(f.pose.weight[1], 0.5, 1e-6);
+	clip_pose(&f.clip, 0, CLIP_AUTO, &f.cursor, &f.pose);
+	assert_true(f.pose.local[0].translation[2] == 3);
+	arena_release(&f.arena);
+}
+
 static void test_a_cursor_with_less_room_still_works(void **state)
 {
 	struct fixture f;
@@ -683,6 +758,8 @@ int main(void)
 			test_pitfall_4_channels_interpolate_each_their_own_way),
 		cmocka_unit_test(test_what_a_clip_has_no_channel_for_stays),
 		cmocka_unit_test(test_pitfall_8_another_clip_starts_from_rest),
+		cmocka_unit_test(test_a_whole_pose_is_the_rest_and_the_samples),
+		cmocka_unit_test(test_a_whole_pose_follows_a_change_of_clips),
 		cmocka_unit_test(test_a_cursor_with_less_room_still_works),
 		cmocka_unit_test(test_once_stays_at_the_end),
 		cmocka_unit_test(test_loops_wrap_at_both_ends),

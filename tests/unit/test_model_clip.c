@@ -1,7 +1,9 @@
 /* glTF animations: interpolations, number formats, durations. */
-#include "app/model/model.h"
+#include "app/model/model_loader.h"
 #include "tests/support/model_fixture.h"
 #include "tests/support/test.h"
+
+#include <math.h>
 
 static const struct model_channel *channel_of(
 	const struct model *model, int clip, int channel)
@@ -221,6 +223,44 @@ static void test_prefers_a_clip_named_like_a_number(void **state)
 	model_destroy(model);
 }
 
+/* Channels as a loader leaves them. */
+static void test_finds_what_holds_still(void **state)
+{
+	static const float time_s[2] = {0, 1}, again_s[2] = {0, 1};
+	static const float moving[6] = {0, 0, 0, 2, 0, 0};
+	static const float noisy[6] = {0.1f, 0.2f, 0.3f, 0.1f, 0.200003f, 0.3f};
+	static const float tiny[6] = {0, 1e-5f, 0, 0, 0, 0};
+	static const float invalid[6] = {1, 1, 1, 1, NAN, 1};
+	static const float curve[18] = {0};
+	struct model_channel channel[] = {
+		{.value = moving},
+		{.value = noisy},
+		{.value = tiny},
+		{.value = invalid, .path = MODEL_SCALE},
+		{.value = curve, .interpolation = MODEL_CUBICSPLINE},
+	};
+	struct model_clip clip = {.channel_count = 5, .channel = channel};
+	struct model model = {.clip_count = 1, .clip = &clip};
+
+	(void)state;
+	for (int i = 0; i < 5; i++) {
+		channel[i].width = 3;
+		channel[i].key_count = 2;
+		channel[i].time_s = i % 2 ? again_s : time_s;
+		channel[i].interpolation =
+			i == 4 ? MODEL_CUBICSPLINE : MODEL_LINEAR;
+	}
+	model_prepare_clips(&model);
+	assert_false(channel[0].constant);
+	assert_true(channel[1].constant); /* against the 2 of channel 0 */
+	assert_false(channel[2].constant);
+	assert_false(channel[3].constant);
+	assert_false(channel[4].constant);
+	for (int i = 0; i < 5; i++) {
+		assert_ptr_equal(channel[i].time_s, time_s);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -238,6 +278,7 @@ int main(void)
 		cmocka_unit_test(test_keeps_shared_times_once),
 		cmocka_unit_test(test_finds_clips_by_name_and_then_by_number),
 		cmocka_unit_test(test_prefers_a_clip_named_like_a_number),
+		cmocka_unit_test(test_finds_what_holds_still),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,237 @@
+#include "app/anim/clip_channel.h"
+
+#include <string.h>
+
+static bool holds(const struct model_channel *channel, int key, float time_s)
+{
+	return key >= 0 && key < channel->key_count - 1 &&
+		channel->time_s[key] <= time_s &&
+		time_s < channel->time_s[key + 1];
+}
+
+static int search_key(const struct model_channel *channel, float time_s)
+{
+	int low = 0;
+	int high = channel->key_count - 1;
+
+	/* time_s[low] <= time_s < time_s[high] */
+	while (high - low > 1) {
+		int middle = low + (high - low) / 2;
+
+		if (channel->time_s[middle] <= time_s) {
+			low = middle;
+		} else {
+			high = middle;
+		}
+	}
+	return low;
+}
+
+/*
+ * The key at or before time_s, which is inside the channel's range. Playing
+ * on, either way, finds it among the cached key and its neighbours.
+ */
+static int find_key(
+	const struct model_channel *channel, float time_s, int cached)
+{
+	if (holds(channel, cached, time_s)) {
+		return cached;
+	}
+	/* Compared first, as any content of the cache is valid. */
+	if (cached >= 0 && cached < channel->key_count) {
+		if (holds(channel, cached + 1, time_s)) {
+			return cached + 1;
+		}
+		if (holds(channel, cached - 1, time_s)) {
+			return cached - 1;
+		}
+	}
+	return search_key(channel, time_s);
+}
+
+struct moment moment_search(
+	const struct model_channel *channel, float time_s, int cached)
+{
+	const float *times = channel->time_s;
+	int last = channel->key_count - 1;
+	struct moment moment = {times, channel->key_count, last, MOMENT_AT_KEY};
+
+	/* Written so that a NaN takes the first key. */
+	if (!(time_s > times[0])) {
+		moment.key = 0;
+	} else if (time_s < times[last]) {
+		int key = find_key(channel, time_s, cached);
+
+		moment.key = key;
+		moment.u = (time_s - times[key]) / (times[key + 1] - times[key]);
+	}
+	return moment;
+}
+
+static const float *key_value(const struct model_channel *channel, int key)
+{
+	size_t width = (size_t)channel->width;
+
+	if (channel->interpolation == MODEL_CUBICSPLINE) {
+		return channel->value + (3 * (size_t)key + 1) * width;
+	}
+	return channel->value + (size_t)key * width;
+}
+
+/* The four Hermite weights at u of an interval; glTF 2.0, appendix C.5. */
+struct hermite {
+	float from, out_tangent, to, in_tangent;
+};
+
+/* Tangents are per second, hence the interval. */
+static struct hermite hermite_at(float u, float interval_s)
+{
+	float u2 = u * u;
+	float u3 = u2 * u;
+	float to = 3 * u2 - 2 * u3;
+
+	return (struct hermite){
+		.from = 1 - to,
+		.out_tangent = (u3 - 2 * u2 + u) * interval_s,
+		.to = to,
+		.in_tangent = (u3 - u2) * interval_s,
+	};
+}
+
+static void sample_tangents(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	float interval_s = channel->time_s[key + 1] - channel->time_s[key];
+	struct hermite h = hermite_at(u, interval_s);
+	int width = channel->width;
+	const float *from = key_value(channel, key);
+	const float *to = key_value(channel, key + 1);
+	const float *out_tangent = from + width;
+	const float *in_tangent = to - width;
+
+	for (int i = 0; i < width; i++) {
+		out[i] = from[i] * h.from + out_tangent[i] * h.out_tangent +
+			to[i] * h.to + in_tangent[i] * h.in_tangent;
+	}
+}
+
+/* -1 where a rotation key has to change sign to be on the other's side. */
+static float side_of(
+	const struct model_channel *channel, const float *key, const float *of)
+{
+	if (channel->path != MODEL_ROTATION) {
+		return 1;
+	}
+	return vec_dot(key, of) + key[3] * of[3] < 0 ? -1 : 1;
+}
+
+/* At the ends, where a neighbour is missing, the key takes its place. */
+static void sample_catmull_rom(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	int before = key > 0 ? key - 1 : key;
+	int after = key + 2 < channel->key_count ? key + 2 : key + 1;
+	const float *time_s = channel->time_s;
+	struct hermite h = hermite_at(u, time_s[key + 1] - time_s[key]);
+	const float *p0 = key_value(channel, before);
+	const float *p1 = key_value(channel, key);
+	const float *p2 = key_value(channel, key + 1);
+	const float *p3 = key_value(channel, after);
+	float side0 = side_of(channel, p0, p1);
+	float side2 = side_of(channel, p2, p1);
+	float side3 = side_of(channel, p3, p2) * side2;
+	float out_rate = h.out_tangent / (time_s[key + 1] - time_s[before]);
+	float in_rate = h.in_tangent / (time_s[after] - time_s[key]);
+
+	for (int i = 0; i < channel->width; i++) {
+		float to = side2 * p2[i];
+
+		out[i] = p1[i] * h.from + to * h.to +
+			(to - side0 * p0[i]) * out_rate +
+			(side3 * p3[i] - p1[i]) * in_rate;
+	}
+}
+
+static void sample_linear(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	const float *from = key_value(channel, key);
+	const float *to = key_value(channel, key + 1);
+
+	if (channel->path == MODEL_ROTATION) {
+		quat_slerp(from, to, u, out);
+		return;
+	}
+	for (int i = 0; i < channel->width; i++) {
+		out[i] = from[i] * (1 - u) + to[i] * u;
+	}
+}
+
+static void sample_key(const struct model_channel *channel, int key, float *out)
+{
+	memcpy(out, key_value(channel, key),
+		(size_t)channel->width * sizeof(*out));
+}
+
+static enum clip_interpolation own_interpolation(
+	const struct model_channel *channel)
+{
+	switch (channel->interpolation) {
+	case MODEL_STEP:
+		return CLIP_STEP;
+	case MODEL_LINEAR:
+		return CLIP_LINEAR;
+	case MODEL_CUBICSPLINE:
+		break;
+	}
+	return CLIP_CUBIC;
+}
+
+static void sample_cubic(
+	const struct model_channel *channel, int key, float u, float *out)
+{
+	if (channel->interpolation == MODEL_CUBICSPLINE) {
+		sample_tangents(channel, key, u, out);
+	} else {
+		sample_catmull_rom(channel, key, u, out);
+	}
+	if (channel->path == MODEL_ROTATION) {
+		quat_normalize(out);
+	}
+}
+
+void channel_sample_any(const struct model_channel *channel,
+	enum clip_interpolation interpolation, int key, float u, float *out)
+{
+	if (u < 0) {
+		sample_key(channel, key, out);
+		return;
+	}
+	if (interpolation == CLIP_AUTO) {
+		interpolation = own_interpolation(channel);
+	}
+	switch (interpolation) {
+	case CLIP_AUTO:
+	case CLIP_STEP:
+		sample_key(channel, key, out);
+		break;
+	case CLIP_NEAREST:
+		sample_key(channel, u < 0.5f ? key : key + 1, out);
+		break;
+	case CLIP_LINEAR:
+		sample_linear(channel, key, u, out);
+		break;
+	case CLIP_CUBIC:
+		sample_cubic(channel, key, u, out);
+		break;
+	}
+}
+
+void clip_sample_channel(const struct model_channel *channel, float time_s,
+	enum clip_interpolation interpolation, int *key, float *out)
+{
+	struct moment moment = moment_find(channel, time_s, *key);
+
+	*key = moment.key;
+	channel_sample_any(channel, interpolation, moment.key, moment.u, out);
+}

@@ -1,0 +1,91 @@
+#include "app/model/model_loader.h"
+
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+/* Of the largest value on the same path: 17 bits below a float's 24. */
+static const float NOISE = 2e-6f;
+
+static float largest_value(
+	const struct model_clip *clip, enum model_path path)
+{
+	float largest = 0;
+
+	for (int c = 0; c < clip->channel_count; c++) {
+		const struct model_channel *channel = &clip->channel[c];
+		size_t count =
+			(size_t)channel->key_count * (size_t)channel->width;
+
+		for (size_t i = 0; channel->path == path && i < count; i++) {
+			float size = scalar_abs(channel->value[i]);
+
+			largest = size > largest ? size : largest;
+		}
+	}
+	return largest;
+}
+
+static bool holds_still(const struct model_channel *channel, float tolerance)
+{
+	int width = channel->width;
+
+	for (int key = 1; key < channel->key_count; key++) {
+		const float *value =
+			channel->value + (size_t)key * (size_t)width;
+
+		for (int i = 0; i < width; i++) {
+			/* So written that a NaN does not pass. */
+			if (!(scalar_abs(value[i] - channel->value[i]) <=
+				    tolerance)) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+/*
+ * Exporters write keys for every part of every bone, most of which never move
+ * but for the last bits of a float.
+ */
+static void find_constant(struct model_clip *clip)
+{
+	float tolerance[MODEL_WEIGHTS + 1];
+
+	for (int path = 0; path <= MODEL_WEIGHTS; path++) {
+		tolerance[path] =
+			NOISE * largest_value(clip, (enum model_path)path);
+	}
+	for (int c = 0; c < clip->channel_count; c++) {
+		struct model_channel *channel = &clip->channel[c];
+
+		channel->constant =
+			channel->interpolation != MODEL_CUBICSPLINE &&
+			holds_still(channel, tolerance[channel->path]);
+	}
+}
+
+/* They also write the same times for each bone again. */
+static void share_times(struct model_clip *clip)
+{
+	for (int c = 1; c < clip->channel_count; c++) {
+		const struct model_channel *last = &clip->channel[c - 1];
+		struct model_channel *channel = &clip->channel[c];
+
+		if (channel->key_count == last->key_count &&
+			memcmp(channel->time_s, last->time_s,
+				(size_t)last->key_count *
+					sizeof(*last->time_s)) == 0) {
+			channel->time_s = last->time_s;
+		}
+	}
+}
+
+void model_prepare_clips(struct model *model)
+{
+	for (int i = 0; i < model->clip_count; i++) {
+		find_constant(&model->clip[i]);
+		share_times(&model->clip[i]);
+	}
+}

@@ -1,0 +1,143 @@
+/*
+ * The loops over joints against functions of one joint: bit for bit, on the
+ * host the portable ones, on ARM the assembly.
+ */
+#include "app/anim/joints.h"
+#include "app/anim/transform.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	JOINTS = 40
+};
+
+/* The i-th of a scattered series in -1..1. */
+static float scatter(int i)
+{
+	return (float)(fmod(i * 0.754877666 + 0.5, 1) * 2 - 1);
+}
+
+static void fill(struct transform local[JOINTS])
+{
+	for (int j = 0; j < JOINTS; j++) {
+		struct transform *t = &local[j];
+
+		*t = transform_identity();
+		for (int k = 0; k < 3; k++) {
+			t->translation[k] = scatter(10 * j + k) * 3;
+			t->scale[k] = 1 + 0.2f * scatter(10 * j + 3 + k);
+		}
+		for (int k = 0; k < 4; k++) {
+			t->rotation[k] = scatter(10 * j + 6 + k);
+		}
+		quat_normalize(t->rotation);
+	}
+	/* Signs of zero, and what is no rotation at all. */
+	local[1].rotation[0] = -0.0f;
+	local[1].scale[1] = -1;
+	memset(&local[2], 0, sizeof(local[2]));
+	local[3].scale[0] = 1e-30f;
+	local[3].translation[2] = 1e30f;
+}
+
+static void test_places_as_the_single_function_does(void **state)
+{
+	struct transform local[JOINTS];
+	mat4 want, out[JOINTS + 1];
+
+	(void)state;
+	fill(local);
+	memset(out, 0x55, sizeof(out));
+	joints_place(local, JOINTS, out);
+	for (int j = 0; j < JOINTS; j++) {
+		transform_to_matrix(&local[j], want);
+		assert_memory_equal(out[j], want, sizeof(want));
+	}
+	/* Nothing behind the last one, and nothing at all for none. */
+	memset(want, 0x55, sizeof(want));
+	assert_memory_equal(out[JOINTS], want, sizeof(want));
+	joints_place(local, 0, out + JOINTS);
+	assert_memory_equal(out[JOINTS], want, sizeof(want));
+}
+
+static void test_multiplies_as_the_single_function_does(void **state)
+{
+	struct transform local[JOINTS];
+	int index[JOINTS];
+	mat4 a[JOINTS], b[JOINTS], want, out[JOINTS + 1];
+
+	(void)state;
+	fill(local);
+	joints_place(local, JOINTS, a);
+	for (int j = 0; j < JOINTS; j++) {
+		index[j] = (j * 7 + 3) % JOINTS;
+		memcpy(b[j], a[(j * 11 + 5) % JOINTS], sizeof(b[j]));
+	}
+	memset(out, 0x55, sizeof(out));
+	joints_multiply((const mat4 *)a, index, sizeof(*index), (const mat4 *)b,
+		out, JOINTS);
+	for (int j = 0; j < JOINTS; j++) {
+		matrix_multiply(a[index[j]], b[j], want);
+		assert_memory_equal(out[j], want, sizeof(want));
+	}
+	memset(want, 0x55, sizeof(want));
+	assert_memory_equal(out[JOINTS], want, sizeof(want));
+}
+
+/* As pose_world() uses it: indices inside structs, -1 for roots, in place. */
+static void test_walks_down_a_tree_in_place(void **state)
+{
+	struct node {
+		float before;
+		int parent;
+		double behind;
+	} node[JOINTS];
+	struct transform local[JOINTS];
+	mat4 want[JOINTS], world[JOINTS];
+
+	(void)state;
+	fill(local);
+	joints_place(local, JOINTS, world);
+	memcpy(want, world, sizeof(want));
+	for (int j = 0; j < JOINTS; j++) {
+		node[j].parent = j % 13 == 0 ? -1 : j - 1 - j % 3;
+		node[j].parent =
+			j < 3 && node[j].parent >= j ? 0 : node[j].parent;
+		if (node[j].parent >= 0) {
+			matrix_multiply(want[node[j].parent], want[j], want[j]);
+		}
+	}
+	joints_multiply((const mat4 *)world, &node[0].parent, sizeof(*node),
+		(const mat4 *)world, world, JOINTS);
+	assert_memory_equal(world, want, sizeof(want));
+}
+
+/* The compiler's code around it expects single numbers, not short vectors. */
+static void test_leaves_the_processors_mode_alone(void **state)
+{
+	static const int index[1] = {0};
+	mat4 one[1], out[1];
+	volatile float a = 2, b = 3;
+	struct transform local = transform_identity();
+
+	(void)state;
+	joints_place(&local, 1, one);
+	joints_multiply((const mat4 *)one, index, sizeof(*index),
+		(const mat4 *)one, out, 1);
+	assert_true(a * b + a == 8);
+	assert_memory_equal(out, one, sizeof(one));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_places_as_the_single_function_does),
+		cmocka_unit_test(test_multiplies_as_the_single_function_does),
+		cmocka_unit_test(test_walks_down_a_tree_in_place),
+		cmocka_unit_test(test_leaves_the_processors_mode_alone),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -74,11 +74,10 @@ static ALWAYS_INLINE bool moment_fits(
 		channel->key_count == moment->key_count;
 }
 
-/* The channel's turn on the straight way between two keys. */
+/* Along the arc between unit rotations. */
 static ALWAYS_INLINE bool channel_is_slerp(const struct model_channel *channel)
 {
-	return channel->path == MODEL_ROTATION &&
-		channel->interpolation == MODEL_LINEAR;
+	return channel->unit && channel->interpolation == MODEL_LINEAR;
 }
 
 /* For such a channel, in its own interpolation. */

@@ -84,6 +84,7 @@ static ALWAYS_INLINE float slerp_weight_near(float t, float x)
 	return t + t * (t * t - 1) * (x * (1.0f / 3));
 }
 
+/* Of unit quaternions. */
 static ALWAYS_INLINE void inline_quat_slerp(
 	const float a[4], const float b[4], float t, float out[4])
 {

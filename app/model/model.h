@@ -113,6 +113,7 @@ struct model_channel {
 	bool constant;       /* the first key's value will do at any time: no
 				other differs by more than 2e-6 of the largest
 				one that the clip has on this path */
+	bool unit;           /* a rotation whose keys are unit length to 1e-6 */
 	int width;           /* floats of one value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */

@@ -66,6 +66,31 @@ static void find_constant(struct model_clip *clip)
 	}
 }
 
+static bool is_unit(const struct model_channel *channel)
+{
+	if (channel->path != MODEL_ROTATION ||
+		channel->interpolation == MODEL_CUBICSPLINE) {
+		return false;
+	}
+	for (int key = 0; key < channel->key_count; key++) {
+		const float *q = channel->value + (size_t)key * 4;
+		float length2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] +
+			q[3] * q[3];
+
+		if (!(length2 > 1 - 2e-6f && length2 < 1 + 2e-6f)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static void find_unit(struct model_clip *clip)
+{
+	for (int c = 0; c < clip->channel_count; c++) {
+		clip->channel[c].unit = is_unit(&clip->channel[c]);
+	}
+}
+
 /* They also write the same times for each bone again. */
 static void share_times(struct model_clip *clip)
 {
@@ -86,6 +111,7 @@ void model_prepare_clips(struct model *model)
 {
 	for (int i = 0; i < model->clip_count; i++) {
 		find_constant(&model->clip[i]);
+		find_unit(&model->clip[i]);
 		share_times(&model->clip[i]);
 	}
 }

@@ -37,8 +37,8 @@ void model_normalize_influences(struct model_primitive *primitive);
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
- * For whole models, after any loader: sets model_channel.constant where it is
- * so, and makes channels in a row that have equal times share one array.
+ * For whole models, after any loader: sets model_channel.constant and unit
+ * where they are so, and makes channels in a row that have equal times share one array.
  */
 void model_prepare_clips(struct model *model);
 

@@ -261,6 +261,32 @@ static void test_finds_what_holds_still(void **state)
 	}
 }
 
+static void test_finds_rotations_of_unit_length(void **state)
+{
+	static const float time_s[2] = {0, 1};
+	static const float unit[8] = {0, 0.6f, 0, 0.8f, 0, 0, -1, 0};
+	static const float rounded[8] = {0, 0, 0, 1, 0, 0, 0.707f, 0.707f};
+	struct model_channel channel[3] = {
+		{.path = MODEL_ROTATION, .value = unit},
+		{.path = MODEL_ROTATION, .value = rounded},
+		{.path = MODEL_WEIGHTS, .value = unit},
+	};
+	struct model_clip clip = {.channel_count = 3, .channel = channel};
+	struct model model = {.clip_count = 1, .clip = &clip};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		channel[i].interpolation = MODEL_LINEAR;
+		channel[i].width = 4;
+		channel[i].key_count = 2;
+		channel[i].time_s = time_s;
+	}
+	model_prepare_clips(&model);
+	assert_true(channel[0].unit);
+	assert_false(channel[1].unit);
+	assert_false(channel[2].unit);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -279,6 +305,7 @@ int main(void)
 		cmocka_unit_test(test_finds_clips_by_name_and_then_by_number),
 		cmocka_unit_test(test_prefers_a_clip_named_like_a_number),
 		cmocka_unit_test(test_finds_what_holds_still),
+		cmocka_unit_test(test_finds_rotations_of_unit_length),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

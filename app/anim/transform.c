@@ -157,22 +157,30 @@ void slerp_weights(float x, float t, float weight[2])
 	weight[1] = scalar_sin(t * angle) * inverse_sine;
 }
 
-void quat_slerp(const float a[4], const float b[4], float t, float out[4])
+static float distance2_of(const float a[4], const float b[4], float side)
 {
-	float cosine = vec_dot(a, b) + a[3] * b[3];
-	float side = cosine < 0 ? -1 : 1;
-	float distance2 = 0, weight[2];
+	float distance2 = 0;
 
-	/*
-	 * 1 - cosine is half the square of the distance, which does not care
-	 * as much whether both are quite unit length.
-	 */
 	for (int i = 0; i < 4; i++) {
 		float apart = b[i] * side - a[i];
 
 		distance2 += apart * apart;
 	}
-	slerp_weights(-0.5f * distance2, t, weight);
+	return distance2;
+}
+
+void quat_slerp(const float a[4], const float b[4], float t, float out[4])
+{
+	float cosine = vec_dot(a, b) + a[3] * b[3];
+	float side = cosine < 0 ? -1 : 1;
+	float x = cosine * side - 1;
+	float weight[2];
+
+	/* Not quite unit length would pass for an angle where that is small. */
+	if (x > -0.0005f) {
+		x = -0.5f * distance2_of(a, b, side);
+	}
+	slerp_weights(x, t, weight);
 	weight[1] *= side;
 	set_column(out, a[0] * weight[0] + b[0] * weight[1],
 		a[1] * weight[0] + b[1] * weight[1],

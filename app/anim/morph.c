@@ -125,6 +125,23 @@ static void interpolate(struct morph *morph, float omega)
 	}
 }
 
+void morph_hold(struct morph *morph, struct morph_key from,
+	struct morph_key to, float omega)
+{
+	static const float none[3] = {0, 0, 0};
+	const struct kernel *kernel = morph->kernel;
+	int count = morph->vertex_count;
+
+	morph->running = false;
+	kernel->morph_lerp(count, from.position, to.position, omega, none,
+		morph->temporal);
+	if (morph->temporal_normal) {
+		kernel->morph_lerp(count, from.normal, to.normal, omega, none,
+			morph->temporal_normal);
+		kernel->normalize(count, morph->temporal_normal);
+	}
+}
+
 bool morph_update(struct morph *morph, double now_ms)
 {
 	float omega;

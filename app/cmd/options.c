@@ -330,8 +330,9 @@ static const struct option_entry entries[] = {
 		"for a size", "a camera such as auto or /dev/video0",
 		set_camera},
 	{0, "camera-use", "USE", FOR_SHOW,
-		"what they are for: background or off (F10 changes it)",
-		"background or off", set_camera_use},
+		"what they are for: background, screen, motion or off (F10 "
+		"changes it)",
+		"background, screen, motion or off", set_camera_use},
 	{0, "stats", "FILE", FOR_SHOW,
 		"write at the end how long frames took, as JSON",
 		"a file name", set_stats},

@@ -51,6 +51,8 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	if (!error) {
 		error = live_init(&act_of(demo)->live, env->camera,
 			env->camera_use, env->smooth, env->gl, env->log);
+		live_set_stage(&act_of(demo)->live, &act_of(demo)->stage,
+			(float)env->width / (float)env->height);
 	}
 	if (error) {
 		demo_destroy(demo);

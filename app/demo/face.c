@@ -20,6 +20,7 @@ enum {
 };
 
 static const char mesh_node[] = "Face";
+static const char startled_target[] = "surprise";
 static const float unhurried_ms = 600.0f;
 static const float forward[3] = {0.0f, 0.0f, 1.0f};
 static const float bulge_m = 0.03f; /* of sinusoidal motion */
@@ -48,6 +49,8 @@ struct demo {
 	double now_s;
 	bool touring;
 	double next_s;
+	int startled; /* the key frame that motion leads to */
+	bool stirred; /* motion holds the face now */
 };
 
 /* Source and destiny of the morph: the base with one target at weight 1. */
@@ -152,6 +155,18 @@ static int init_parts(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
+/* The key frame of that target, or the last one there is. */
+static int find_key(const struct demo *demo, const char *target)
+{
+	int key = 1;
+
+	while (key + 1 < demo->key_count &&
+		strcmp(demo->target_name[key - 1], target) != 0) {
+		key++;
+	}
+	return key < demo->key_count ? key : 0;
+}
+
 static int face_prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct bounds bounds;
@@ -161,6 +176,7 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 		return error;
 	}
 	demo->touring = env->unattended;
+	demo->startled = find_key(demo, startled_target);
 	demo->motion = morph_motion_default();
 	demo->motion.duration_ms = unhurried_ms;
 	memcpy(demo->motion.direction, forward, sizeof(forward));
@@ -194,15 +210,37 @@ static void sway(struct demo *demo)
 	quat_multiply(turn, local->rotation, local->rotation);
 }
 
+/* Once, when the camera lets go of the face: from where it is to its key. */
+static void let_go(struct demo *demo)
+{
+	bool stirred = live_moves(&demo->act.live);
+
+	if (demo->stirred && !stirred) {
+		go_to_key(demo, demo->current);
+		demo->next_s = demo->now_s + dwell_s;
+	}
+	demo->stirred = stirred;
+}
+
 static void face_update(struct demo *demo, double time_s)
 {
+	const struct live *live = &demo->act.live;
+
 	demo->now_s = time_s;
-	if (demo->touring && time_s >= demo->next_s) {
+	let_go(demo);
+	if (demo->touring && !demo->stirred && time_s >= demo->next_s) {
 		go_to_key(demo, demo->current + 1);
 		demo->next_s += dwell_s;
 	}
 	for (int i = 0; i < demo->part_count; i++) {
-		morph_update(&demo->part[i].morph, time_s * 1000.0);
+		struct part *part = &demo->part[i];
+
+		if (live_moves(live)) {
+			morph_hold(&part->morph, part->key[demo->current],
+				part->key[demo->startled], live->motion);
+		} else {
+			morph_update(&part->morph, time_s * 1000.0);
+		}
 	}
 	sway(demo);
 	instance_update(demo->act.actor.instance);

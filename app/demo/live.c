@@ -1,9 +1,17 @@
 #include "app/demo/live.h"
 
+#include "platform/base/scalar.h"
+
 #include <string.h>
+
+/* Mean difference of luma, of 255, that counts as moving all over. */
+static const float full_stir = 6.0f;
+static const float rise_s = 0.08f, fall_s = 0.45f;
 
 static const char *const names[LIVE_USES] = {
 	[LIVE_BACKGROUND] = "background",
+	[LIVE_SCREEN] = "screen",
+	[LIVE_MOTION] = "motion",
 	[LIVE_OFF] = "off",
 };
 
@@ -37,6 +45,11 @@ int live_init(struct live *live, const struct camera_feed *feed,
 	return error;
 }
 
+void live_set_stage(struct live *live, const struct stage *stage, float aspect)
+{
+	monitor_init(&live->monitor, &stage->camera, aspect, stage->floor.y);
+}
+
 void live_finish(struct live *live, const struct gl *gl)
 {
 	if (live->feed) {
@@ -50,7 +63,33 @@ static void use_image(struct live *live, const struct gl *gl,
 {
 	if (live->use == LIVE_BACKGROUND) {
 		live_texture_update(&live->texture, gl, image, width, height);
+	} else if (live->use == LIVE_SCREEN) {
+		live_texture_update(&live->texture, gl, image, 4, 3);
+	} else if (live->use == LIVE_MOTION) {
+		float change =
+			(float)camera_motion_feed(&live->seen, image) / 256.0f;
+
+		live->stir = scalar_clamp(
+			scalar_sqrt(change / full_stir), 0.0f, 1.0f);
 	}
+}
+
+static void smooth_motion(struct live *live, float step_s)
+{
+	float way = live->stir - live->motion;
+	float time_s = way > 0.0f ? rise_s : fall_s;
+
+	live->motion += way * (1.0f - scalar_exp(-step_s / time_s));
+}
+
+static void set_stage(const struct live *live, struct stage *stage)
+{
+	bool filled = live->showing && live->texture.width > 0;
+	const struct live_texture *picture = filled ? &live->texture : NULL;
+
+	stage->backdrop = live->use == LIVE_BACKGROUND ? picture : NULL;
+	stage->monitor = live->use == LIVE_SCREEN ? &live->monitor : NULL;
+	stage->monitor_picture = picture;
 }
 
 void live_update(struct live *live, const struct gl *gl, struct stage *stage,
@@ -68,10 +107,14 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 		use_image(live, gl, &image, width, height);
 		live->feed->driver->give_back(live->feed->source);
 	}
-	live->showing = news != CAMERA_NONE && live->texture.width > 0;
-	stage->backdrop = live->showing && live->use == LIVE_BACKGROUND
-		? &live->texture
-		: NULL;
+	live->showing = news != CAMERA_NONE;
+	if (!live->showing) {
+		live->stir = 0.0f;
+		camera_motion_reset(&live->seen);
+	}
+	smooth_motion(live, (float)(time_s - live->now_s));
+	live->now_s = time_s;
+	set_stage(live, stage);
 }
 
 void live_next_use(struct live *live)
@@ -79,6 +122,13 @@ void live_next_use(struct live *live)
 	live->use = (enum live_use)((live->use + 1) % LIVE_USES);
 	/* What the texture holds was cut for another use. */
 	live->texture.width = live->texture.height = 0;
+	live->stir = 0.0f;
+	camera_motion_reset(&live->seen);
+}
+
+bool live_moves(const struct live *live)
+{
+	return live->feed && live->use == LIVE_MOTION;
 }
 
 void live_label(const struct live *live, struct hud *hud)
@@ -89,6 +139,12 @@ void live_label(const struct live *live, struct hud *hud)
 		return;
 	}
 	group = hud_group_begin(hud, HUD_BOTTOM_RIGHT, NULL);
+	if (live_moves(live) && live->showing) {
+		hud_group_weight(
+			&group, "motion", live->motion, hud_color_amber);
+		hud_group_end(&group);
+		return;
+	}
 	hud_group_text(&group, "camera",
 		live->use == LIVE_OFF || live->showing ? names[live->use]
 						       : "no picture");

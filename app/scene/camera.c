@@ -46,7 +46,7 @@ static float distance_for(const float corner[3], float right[3], float up[3],
 	return for_x > for_y ? for_x : for_y;
 }
 
-static float tan_half(float angle_rad)
+float camera_tan_half(float angle_rad)
 {
 	return scalar_sin(0.5f * angle_rad) / scalar_cos(0.5f * angle_rad);
 }
@@ -54,7 +54,7 @@ static float tan_half(float angle_rad)
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct framing *framing)
 {
-	float tan_y = tan_half(camera->yfov_rad) / framing->margin;
+	float tan_y = camera_tan_half(camera->yfov_rad) / framing->margin;
 	float half[3], farthest = 0.0f;
 
 	camera->yaw_rad = framing->yaw_rad;
@@ -134,7 +134,7 @@ void camera_apply(
 	fx16_t y;
 	mat4 view;
 
-	top = near * tan_half(camera->yfov_rad);
+	top = near * camera_tan_half(camera->yfov_rad);
 	y = fx16_from_float(top);
 	half_width = top * (float)width / (float)height;
 	shift = camera->aside * half_width;

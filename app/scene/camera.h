@@ -39,6 +39,9 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 /* Turns it; pitch stays between the floor and straight down. */
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);
 
+/* Of half an angle; for a field of view, how far it reaches a unit away. */
+float camera_tan_half(float angle_rad);
+
 /* Where the eye is, in scene units. */
 void camera_eye(const struct camera *camera, float out[3]);
 

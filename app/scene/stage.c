@@ -75,6 +75,22 @@ static void draw_background(const struct gl *gl)
 	gl->Enable(GL_DEPTH_TEST);
 }
 
+/* Flat shadows lie on the floor behind it: the stencil keeps them off. */
+static void draw_monitor(const struct stage *stage, const struct gl *gl)
+{
+	bool mark = stage->has_stencil && stage->floor.relief == 0.0f;
+
+	if (mark) {
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_ALWAYS, 0, 255);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+	}
+	monitor_draw(stage->monitor, stage->monitor_picture, gl);
+	if (mark) {
+		gl->Disable(GL_STENCIL_TEST);
+	}
+}
+
 void stage_begin(
 	const struct stage *stage, const struct gl *gl, int width, int height)
 {
@@ -99,6 +115,9 @@ void stage_begin(
 	/* A figure stands in the picture; only hills have to be seen. */
 	if (!stage->backdrop || stage->floor.relief != 0.0f) {
 		floor_draw(&stage->floor, gl);
+	}
+	if (stage->monitor) {
+		draw_monitor(stage, gl);
 	}
 }
 
@@ -138,6 +157,9 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 	shadow_matrix(stage, flatten);
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)flatten);
+	if (stage->monitor) {
+		monitor_draw_shape(stage->monitor, gl);
+	}
 }
 
 void stage_shadow_end(const struct stage *stage, const struct gl *gl)

@@ -11,6 +11,7 @@
 #include "app/scene/backdrop.h"
 #include "app/scene/camera.h"
 #include "app/scene/floor.h"
+#include "app/scene/monitor.h"
 
 struct stage {
 	struct camera camera;
@@ -18,6 +19,9 @@ struct stage {
 	bool has_stencil;
 	/* In place of the background and the level floor; or NULL. */
 	const struct live_texture *backdrop;
+	/* Stands on the stage, dark without its picture; or NULL. */
+	const struct monitor *monitor;
+	const struct live_texture *monitor_picture;
 };
 
 /*

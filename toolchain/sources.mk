@@ -20,12 +20,12 @@ JOINT_SOURCES_arm := app/anim/arm/joints.S
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := gles1 soft osmesa
 DISPLAY_DRIVERS_host := window fbdev image null
-BUTTON_DRIVERS_host := script
+BUTTON_DRIVERS_host := script gpiod
 CAMERA_DRIVERS_host := v4l2 pattern
 
 GL_DRIVERS_arm := gles1 soft osmesa
 DISPLAY_DRIVERS_arm := fbdev image null
-BUTTON_DRIVERS_arm := script
+BUTTON_DRIVERS_arm := script gpiod
 CAMERA_DRIVERS_arm := v4l2 pattern
 
 # Vertex loops, best first: kernel_NAME. Assembly is the board's alone.
@@ -38,13 +38,22 @@ KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 # The fuzz targets need no more than what they feed.
 BUTTON_DRIVERS_fuzz := script
 
+# The gpiod driver has a part of its own for each generation of libgpiod: this
+# machine's by what it has (Debian 12: 1.6), the sysroot's is known.
+GPIOD_API_host := $(or $(firstword $(subst ., ,$(shell \
+	pkg-config --modversion libgpiod 2>/dev/null))),1)
+GPIOD_API_asan := $(GPIOD_API_host)
+GPIOD_API_arm := 2
+
 # $(call seam_driver_sources,SEAM,NAMES)
 seam_driver_sources = $(foreach name,$(2),\
 	$(sort $(wildcard platform/$(1)/$(name)/*.c)))
 driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
 	$(call seam_driver_sources,display,$(DISPLAY_DRIVERS_$(1))) \
 	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1))) \
-	$(call seam_driver_sources,camera,$(CAMERA_DRIVERS_$(1)))
+	$(call seam_driver_sources,camera,$(CAMERA_DRIVERS_$(1))) \
+	$(if $(filter gpiod,$(BUTTON_DRIVERS_$(1))),\
+	platform/buttons/gpiod/v$(GPIOD_API_$(1))/gpio.c)
 
 TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))

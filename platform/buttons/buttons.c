@@ -49,42 +49,83 @@ int buttons_add(struct buttons *buttons, const char *driver,
 	return 0;
 }
 
-/* One "NAME" or "NAME:ARGUMENT" of length bytes. */
-static int open_item(struct buttons *buttons, const char *item, size_t length,
-	const struct log *log)
+/* A source's "NAME" or "NAME:ARGUMENT", cut in two. */
+struct spec_item {
+	char text[SPEC_ITEM_ROOM];
+	const char *argument; /* or NULL */
+};
+
+/* True for "WORD=...", which goes on with the source before it. */
+static bool goes_on(const char *item)
 {
-	char name[SPEC_ITEM_ROOM];
+	return item[strcspn(item, "=:,")] == '=';
+}
+
+/* Takes the first source off *spec. */
+static int next_item(
+	const char **spec, struct spec_item *item, const struct log *log)
+{
+	size_t length = strcspn(*spec, ",");
 	char *colon;
 
-	if (length >= sizeof(name)) {
+	while ((*spec)[length] && goes_on(*spec + length + 1)) {
+		length += 1 + strcspn(*spec + length + 1, ",");
+	}
+	if (length >= sizeof(item->text)) {
 		log_error(log, "--buttons: a source of more than %d characters",
 			SPEC_ITEM_ROOM - 1);
-		return -ENAMETOOLONG;
+		return -EINVAL;
 	}
-	memcpy(name, item, length);
-	name[length] = '\0';
-	colon = strchr(name, ':');
-	if (colon) {
-		*colon = '\0';
-	}
-	return buttons_add(buttons, name, colon ? colon + 1 : NULL, log);
+	memcpy(item->text, *spec, length);
+	item->text[length] = '\0';
+	colon = item->text + strcspn(item->text, ":");
+	item->argument = *colon ? colon + 1 : NULL;
+	*colon = '\0';
+	*spec += length + ((*spec)[length] == ',');
+	return 0;
 }
 
 int buttons_open(
 	struct buttons *buttons, const char *spec, const struct log *log)
 {
+	struct spec_item item;
+
 	buttons->source_count = 0;
 	button_queue_init(&buttons->queue, BUTTON_DEBOUNCE_MS);
 	while (spec && *spec) {
-		size_t length = strcspn(spec, ",");
-		int error = open_item(buttons, spec, length, log);
+		int error = next_item(&spec, &item, log);
 
+		if (!error) {
+			error = buttons_add(
+				buttons, item.text, item.argument, log);
+		}
 		if (error) {
 			buttons_close(buttons);
 			return error;
 		}
-		spec += length;
-		spec += *spec == ',';
+	}
+	return 0;
+}
+
+int buttons_check(const char *spec, const struct log *log)
+{
+	struct spec_item item;
+
+	while (spec && *spec) {
+		const struct button_driver *driver;
+		int error = next_item(&spec, &item, log);
+
+		if (error) {
+			return error;
+		}
+		driver = find_driver(item.text, log);
+		if (!driver) {
+			return -EINVAL;
+		}
+		error = driver->check ? driver->check(item.argument, log) : 0;
+		if (error) {
+			return error;
+		}
 	}
 	return 0;
 }

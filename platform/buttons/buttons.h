@@ -47,7 +47,7 @@ struct button_queue {
 	bool down[BUTTON_COUNT];          /* as last passed on */
 	bool held_back[BUTTON_COUNT];     /* it has changed again since */
 	int64_t changed_ms[BUTTON_COUNT]; /* when down changed last */
-	int debounce_ms;                  /* a change sooner than this after
+	int debounce_ms[BUTTON_COUNT];    /* a change sooner than this after
 					     the last is held back as bounce */
 };
 
@@ -55,6 +55,7 @@ struct button_queue {
 const char *button_name(enum button button);
 enum button button_from_name(const char *name);
 
+/* Empties the queue; all buttons are up, with the same debounce time. */
 void button_queue_init(struct button_queue *queue, int debounce_ms);
 
 /*
@@ -80,14 +81,21 @@ struct button_driver {
 	const char *name;
 	const char *summary;
 	/*
+	 * Reads the argument's words and opens nothing. 0, or -EINVAL after a
+	 * sentence. Optional.
+	 */
+	int (*check)(const char *argument, const struct log *log);
+	/*
 	 * argument is what follows "NAME:" in --buttons, or NULL. 0, or
-	 * -errno after a sentence. Mandatory.
+	 * -errno after a sentence: for wrong words and files. A device that is
+	 * missing gets a warning and a source that waits for it or gives
+	 * nothing. Mandatory.
 	 */
 	int (*create)(const char *argument, const struct log *log,
 		struct button_source **out);
 	/*
 	 * Pushes all that happened up to now_ms, oldest first; never blocks.
-	 * Mandatory.
+	 * May set the queue's debounce_ms of its buttons. Mandatory.
 	 */
 	void (*poll)(struct button_source *source, int64_t now_ms,
 		struct button_queue *queue);
@@ -114,12 +122,20 @@ struct buttons {
 
 /*
  * Empties the queue and opens the sources of a comma-separated SPEC such as
- * "script:run.txt"; NULL or "" opens none. 0, or -errno after a sentence with
- * nothing left open. A window's keyboard needs no source: the display pushes
- * it. Set queue.debounce_ms afterwards for another time than the usual.
+ * "script:run.txt,evdev"; NULL or "" opens none. An item "BUTTON=..." goes on
+ * with the source before it: "gpiod:UP=c/18,DOWN=c/19,evdev" is two sources.
+ * 0, or -errno after a sentence with nothing left open. A window's keyboard
+ * needs no source: the display pushes it. Set queue.debounce_ms afterwards for
+ * other times than the usual.
  */
 int buttons_open(
 	struct buttons *buttons, const char *spec, const struct log *log);
+
+/*
+ * Reads a SPEC as buttons_open() does and opens nothing. 0, or -EINVAL after
+ * a sentence.
+ */
+int buttons_check(const char *spec, const struct log *log);
 
 /*
  * Adds one more source by driver name. 0, or -errno after a sentence: the

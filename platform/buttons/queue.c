@@ -35,8 +35,9 @@ enum button button_from_name(const char *name)
 
 void button_queue_init(struct button_queue *queue, int debounce_ms)
 {
-	*queue = (struct button_queue){.debounce_ms = debounce_ms};
+	*queue = (struct button_queue){.count = 0};
 	for (int i = 0; i < BUTTON_COUNT; i++) {
+		queue->debounce_ms[i] = debounce_ms;
 		queue->changed_ms[i] = LONG_AGO_MS;
 	}
 }
@@ -60,13 +61,15 @@ static void pass_on(struct button_queue *queue, struct button_event event)
 /* The held-back change that is due first by now_ms, or BUTTON_COUNT. */
 static int find_due(const struct button_queue *queue, int64_t now_ms)
 {
+	int64_t first_ms = INT64_MAX;
 	int due = BUTTON_COUNT;
 
 	for (int i = 0; i < BUTTON_COUNT; i++) {
-		if (queue->held_back[i] &&
-			now_ms - queue->changed_ms[i] >= queue->debounce_ms &&
-			(due == BUTTON_COUNT ||
-				queue->changed_ms[i] < queue->changed_ms[due])) {
+		int64_t due_ms = queue->changed_ms[i] + queue->debounce_ms[i];
+
+		if (queue->held_back[i] && due_ms <= now_ms &&
+			due_ms < first_ms) {
+			first_ms = due_ms;
 			due = i;
 		}
 	}
@@ -81,7 +84,7 @@ void button_queue_settle(struct button_queue *queue, int64_t now_ms)
 		pass_on(queue,
 			(struct button_event){
 				.time_ms = queue->changed_ms[due] +
-					queue->debounce_ms,
+					queue->debounce_ms[due],
 				.button = (enum button)due,
 				.down = !queue->down[due],
 			});
@@ -101,7 +104,8 @@ void button_queue_push(struct button_queue *queue, struct button_event event)
 		return;
 	}
 	since_ms = event.time_ms - queue->changed_ms[event.button];
-	if (since_ms < queue->debounce_ms && queue->debounce_ms > 0) {
+	if (since_ms < queue->debounce_ms[event.button] &&
+		queue->debounce_ms[event.button] > 0) {
 		queue->held_back[event.button] = true;
 		return;
 	}

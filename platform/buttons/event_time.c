@@ -1,0 +1,37 @@
+#include "platform/buttons/event_time.h"
+
+#include <time.h>
+
+static const int64_t oldest_ns = INT64_C(10000000000);
+
+static int64_t read_clock(clockid_t id)
+{
+	struct timespec now = {0};
+
+	(void)clock_gettime(id, &now);
+	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
+}
+
+struct event_clocks event_clocks_now(void)
+{
+	return (struct event_clocks){
+		.monotonic_ns = read_clock(CLOCK_MONOTONIC),
+		.real_ns = read_clock(CLOCK_REALTIME),
+	};
+}
+
+int64_t event_time_ms(const struct event_clocks *clocks, int64_t stamp_ns,
+	int64_t earliest_ms, int64_t now_ms)
+{
+	int64_t age_ns = clocks->monotonic_ns - stamp_ns;
+	int64_t time_ms;
+
+	if (age_ns < 0 || age_ns > oldest_ns) {
+		age_ns = clocks->real_ns - stamp_ns;
+	}
+	if (age_ns < 0 || age_ns > oldest_ns) {
+		age_ns = 0;
+	}
+	time_ms = now_ms - age_ns / 1000000;
+	return time_ms < earliest_ms ? earliest_ms : time_ms;
+}

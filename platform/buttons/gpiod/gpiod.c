@@ -1,0 +1,406 @@
+/*
+ * Buttons on GPIO lines.
+ */
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/base/name_list.h"
+#include "platform/buttons/buttons.h"
+#include "platform/buttons/device_access.h"
+#include "platform/buttons/event_time.h"
+#include "platform/buttons/gpiod/line_spec.h"
+
+enum {
+	CHIPS_MAX = 32,
+	DEVICES_MAX = 128, /* /dev/gpiochip0 to 127; numbers may have gaps */
+	LINES_MAX = 16,
+	EDGES_MAX = LINES_MAX * (GPIO_EDGES_MAX + 1)
+};
+
+struct button_line {
+	struct gpio_line_spec spec;
+	struct gpio_line *line;
+	bool active; /* as last reported */
+};
+
+struct line_edge {
+	int64_t time_ms;
+	int line;
+	bool active;
+};
+
+struct button_source {
+	struct log log;
+	struct gpio_chip *chip[CHIPS_MAX];
+	int chip_count;
+	struct button_line line[LINES_MAX];
+	struct pollfd fd[LINES_MAX]; /* fd -1: lost */
+	int line_count;
+	bool polled; /* polled_ms is set */
+	int64_t polled_ms;
+	struct line_edge edge[EDGES_MAX];
+	int edge_count;
+};
+
+static void open_chips(struct button_source *source)
+{
+	char denied[32] = "";
+
+	for (int i = 0; i < DEVICES_MAX && source->chip_count < CHIPS_MAX; i++) {
+		char path[32];
+		int error;
+
+		snprintf(path, sizeof(path), "/dev/gpiochip%d", i);
+		error = gpio_chip_open(path, &source->chip[source->chip_count]);
+		if (!error) {
+			source->chip_count++;
+		} else if (error == -EACCES || error == -EPERM) {
+			memcpy(denied, path, sizeof(denied));
+		}
+	}
+	if (denied[0]) {
+		device_say_denied(&source->log, denied);
+	} else if (source->chip_count == 0) {
+		log_warning(&source->log,
+			"/dev/gpiochip*: no GPIO chip on this machine: the "
+			"buttons of gpiod: do nothing");
+	}
+}
+
+static bool chip_is_called(const struct gpio_chip *chip, const char *name)
+{
+	return strcmp(gpio_chip_label(chip), name) == 0 ||
+		strcmp(gpio_chip_name(chip), name) == 0;
+}
+
+static void say_no_chip(
+	const struct button_source *source, const struct gpio_line_spec *spec)
+{
+	struct name_list labels = {""};
+
+	for (int i = 0; i < source->chip_count; i++) {
+		name_list_add(&labels, gpio_chip_label(source->chip[i]));
+	}
+	log_warning(&source->log,
+		"gpiod:%s: no chip is labelled %s: there are %s",
+		button_name(spec->button), spec->chip, labels.text);
+}
+
+/* The offset on this chip, or -1. */
+static int offset_on(struct gpio_chip *chip, const struct gpio_line_spec *spec)
+{
+	if (spec->name[0]) {
+		return gpio_chip_find(chip, spec->name);
+	}
+	return spec->offset < gpio_chip_line_count(chip) ? (int)spec->offset
+							 : -1;
+}
+
+static void say_no_line(
+	const struct button_source *source, const struct gpio_line_spec *spec)
+{
+	if (spec->name[0]) {
+		log_warning(&source->log,
+			"gpiod:%s: %s%s has no line named %s: gpioinfo lists "
+			"the names",
+			button_name(spec->button),
+			spec->chip[0] ? "chip " : "this machine", spec->chip,
+			spec->name);
+	} else {
+		log_warning(&source->log,
+			"gpiod:%s: chip %s has no line %u: it has fewer",
+			button_name(spec->button), spec->chip, spec->offset);
+	}
+}
+
+/* The chip and offset of a line; NULL after a sentence. */
+static struct gpio_chip *find_line(const struct button_source *source,
+	const struct gpio_line_spec *spec, unsigned int *offset)
+{
+	bool chip_found = !spec->chip[0];
+
+	for (int i = 0; i < source->chip_count; i++) {
+		struct gpio_chip *chip = source->chip[i];
+		int found;
+
+		if (spec->chip[0] && !chip_is_called(chip, spec->chip)) {
+			continue;
+		}
+		chip_found = true;
+		found = offset_on(chip, spec);
+		if (found >= 0) {
+			*offset = (unsigned int)found;
+			return chip;
+		}
+	}
+	if (chip_found) {
+		say_no_line(source, spec);
+	} else {
+		say_no_chip(source, spec);
+	}
+	return NULL;
+}
+
+static void say_refused(const struct button_source *source,
+	const struct gpio_line_spec *spec, struct gpio_chip *chip,
+	unsigned int offset, int error)
+{
+	char holder[GPIO_NAME_ROOM];
+
+	if (error == -EBUSY) {
+		gpio_line_holder(chip, offset, holder, sizeof(holder));
+		log_warning(&source->log,
+			"gpiod:%s: line %u of %s is taken by %s: free it or "
+			"choose another line",
+			button_name(spec->button), offset,
+			gpio_chip_label(chip), holder[0] ? holder : "a driver");
+	} else {
+		log_warning(&source->log,
+			"gpiod:%s: line %u of %s cannot be watched: %s",
+			button_name(spec->button), offset,
+			gpio_chip_label(chip), strerror(-error));
+	}
+}
+
+static void open_line(
+	struct button_source *source, const struct gpio_line_spec *spec)
+{
+	struct button_line *line = &source->line[source->line_count];
+	char consumer[32];
+	unsigned int offset;
+	struct gpio_chip *chip = find_line(source, spec, &offset);
+	int error;
+
+	if (!chip) {
+		return;
+	}
+	snprintf(consumer, sizeof(consumer), "limber %s",
+		button_name(spec->button));
+	error = gpio_line_request(
+		chip, offset, &spec->settings, consumer, &line->line);
+	if (error) {
+		say_refused(source, spec, chip, offset, error);
+		return;
+	}
+	line->spec = *spec;
+	line->active = gpio_line_level(line->line) == 1;
+	source->fd[source->line_count++] = (struct pollfd){
+		.fd = gpio_line_fd(line->line),
+		.events = POLLIN,
+	};
+}
+
+/* Reads all items into specs; their number or -EINVAL after a sentence. */
+static int read_specs(const char *argument, struct gpio_line_spec *specs,
+	const struct log *log)
+{
+	int count = 0;
+
+	while (argument && *argument) {
+		size_t length = strcspn(argument, ",");
+		char item[512];
+		int error;
+
+		if (count == LINES_MAX || length >= sizeof(item)) {
+			log_error(log,
+				"gpiod: more than %d lines, or one of more "
+				"than %zu characters",
+				LINES_MAX, sizeof(item) - 1);
+			return -EINVAL;
+		}
+		memcpy(item, argument, length);
+		item[length] = '\0';
+		error = gpio_line_spec_parse(item, &specs[count], log);
+		if (error) {
+			return error;
+		}
+		count++;
+		argument += length + (argument[length] == ',');
+	}
+	if (count == 0) {
+		log_error(log,
+			"gpiod: no lines: give gpiod:BUTTON=CHIP/LINE,...");
+		return -EINVAL;
+	}
+	return count;
+}
+
+static void gpiod_destroy(struct button_source *source)
+{
+	if (!source) {
+		return;
+	}
+	for (int i = 0; i < source->line_count; i++) {
+		gpio_line_release(source->line[i].line);
+	}
+	for (int i = 0; i < source->chip_count; i++) {
+		gpio_chip_close(source->chip[i]);
+	}
+	free(source);
+}
+
+static int gpiod_check(const char *argument, const struct log *log)
+{
+	struct gpio_line_spec specs[LINES_MAX];
+	int count = read_specs(argument, specs, log);
+
+	return count < 0 ? count : 0;
+}
+
+static int gpiod_create(
+	const char *argument, const struct log *log, struct button_source **out)
+{
+	struct gpio_line_spec specs[LINES_MAX];
+	int count = read_specs(argument, specs, log);
+	struct button_source *source;
+
+	if (count < 0) {
+		return count;
+	}
+	source = calloc(1, sizeof(*source));
+	if (!source) {
+		log_error(log, "gpiod: out of memory");
+		return -ENOMEM;
+	}
+	source->log = *log;
+	open_chips(source);
+	for (int i = 0; i < count && source->chip_count > 0; i++) {
+		open_line(source, &specs[i]);
+	}
+	*out = source;
+	return 0;
+}
+
+static void add_edge(
+	struct button_source *source, int line, int64_t time_ms, bool active)
+{
+	source->line[line].active = active;
+	source->edge[source->edge_count++] = (struct line_edge){
+		.time_ms = time_ms,
+		.line = line,
+		.active = active,
+	};
+}
+
+static void lose_line(
+	struct button_source *source, int index, int64_t now_ms, int error)
+{
+	struct button_line *line = &source->line[index];
+
+	log_warning(&source->log, "gpiod:%s: its line is lost: %s",
+		button_name(line->spec.button), strerror(-error));
+	gpio_line_release(line->line);
+	line->line = NULL;
+	source->fd[index].fd = -1;
+	if (line->active) {
+		add_edge(source, index, now_ms, false);
+	}
+}
+
+/* What waits of one line. Edges that the kernel had no room for, or that came
+ * too fast for the controller, show in the level. */
+static void read_line(struct button_source *source, int index,
+	const struct event_clocks *clocks, int64_t now_ms)
+{
+	struct button_line *line = &source->line[index];
+	struct gpio_edge edges[GPIO_EDGES_MAX];
+	int count = source->fd[index].revents & POLLIN
+		? gpio_line_read(line->line, edges)
+		: -ENODEV;
+	int level;
+
+	if (count == -EAGAIN || count == -EINTR) {
+		return;
+	}
+	if (count <= 0) {
+		lose_line(source, index, now_ms, count ? count : -ENODEV);
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		int64_t time_ms = event_time_ms(
+			clocks, edges[i].stamp_ns, source->polled_ms, now_ms);
+
+		add_edge(source, index, time_ms, edges[i].active);
+	}
+	level = gpio_line_level(line->line);
+	if (level >= 0 && (level == 1) != line->active) {
+		add_edge(source, index, now_ms, level == 1);
+	}
+}
+
+/* In the order of time; those of one line keep theirs. */
+static void sort_edges(struct button_source *source)
+{
+	for (int i = 1; i < source->edge_count; i++) {
+		struct line_edge edge = source->edge[i];
+		int at = i;
+
+		for (; at > 0 && source->edge[at - 1].time_ms > edge.time_ms;
+			at--) {
+			source->edge[at] = source->edge[at - 1];
+		}
+		source->edge[at] = edge;
+	}
+}
+
+static void push_edges(struct button_source *source, struct button_queue *queue)
+{
+	sort_edges(source);
+	for (int i = 0; i < source->edge_count; i++) {
+		const struct line_edge *edge = &source->edge[i];
+
+		button_queue_push(queue,
+			(struct button_event){
+				.time_ms = edge->time_ms,
+				.button = source->line[edge->line].spec.button,
+				.down = edge->active,
+			});
+	}
+	source->edge_count = 0;
+}
+
+static void begin(struct button_source *source, int64_t now_ms,
+	struct button_queue *queue)
+{
+	source->polled = true;
+	source->polled_ms = now_ms;
+	for (int i = 0; i < source->line_count; i++) {
+		const struct gpio_line_spec *spec = &source->line[i].spec;
+
+		if (spec->debounce_ms > 0) {
+			queue->debounce_ms[spec->button] = spec->debounce_ms;
+		}
+	}
+}
+
+static void gpiod_poll(struct button_source *source, int64_t now_ms,
+	struct button_queue *queue)
+{
+	if (!source->polled) {
+		begin(source, now_ms, queue);
+	}
+	if (source->line_count > 0 &&
+		poll(source->fd, (nfds_t)source->line_count, 0) > 0) {
+		struct event_clocks clocks = event_clocks_now();
+
+		for (int i = 0; i < source->line_count; i++) {
+			if (source->fd[i].revents) {
+				read_line(source, i, &clocks, now_ms);
+			}
+		}
+		push_edges(source, queue);
+	}
+	source->polled_ms = now_ms;
+}
+
+const struct button_driver button_driver_gpiod = {
+	.name = "gpiod",
+	.summary = "gpiod:BUTTON=CHIP/LINE,..., buttons on GPIO lines",
+	.check = gpiod_check,
+	.create = gpiod_create,
+	.poll = gpiod_poll,
+	.destroy = gpiod_destroy,
+};

@@ -1,0 +1,150 @@
+/*
+ * libgpiod 1.x. Its lines belong to their chip.
+ */
+#include "platform/buttons/gpiod/gpio.h"
+
+#include <errno.h>
+#include <gpiod.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "platform/base/compiler.h"
+
+/* The library's own struct under the name of the seam. */
+static struct gpiod_chip *inside(const struct gpio_chip *chip)
+{
+	return (struct gpiod_chip *)chip;
+}
+
+static struct gpiod_line *inside_line(const struct gpio_line *line)
+{
+	return (struct gpiod_line *)line;
+}
+
+static int last_error(void)
+{
+	return errno ? -errno : -EIO;
+}
+
+int gpio_chip_open(const char *path, struct gpio_chip **out)
+{
+	struct gpiod_chip *chip = gpiod_chip_open(path);
+
+	if (!chip) {
+		return last_error();
+	}
+	*out = (struct gpio_chip *)chip;
+	return 0;
+}
+
+void gpio_chip_close(struct gpio_chip *chip)
+{
+	if (chip) {
+		gpiod_chip_close(inside(chip));
+	}
+}
+
+const char *gpio_chip_label(const struct gpio_chip *chip)
+{
+	return gpiod_chip_label(inside(chip));
+}
+
+const char *gpio_chip_name(const struct gpio_chip *chip)
+{
+	return gpiod_chip_name(inside(chip));
+}
+
+unsigned int gpio_chip_line_count(const struct gpio_chip *chip)
+{
+	return gpiod_chip_num_lines(inside(chip));
+}
+
+int gpio_chip_find(struct gpio_chip *chip, const char *name)
+{
+	struct gpiod_line *line = gpiod_chip_find_line(inside(chip), name);
+
+	return line ? (int)gpiod_line_offset(line) : -1;
+}
+
+void gpio_line_holder(
+	struct gpio_chip *chip, unsigned int offset, char *text, size_t size)
+{
+	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
+	const char *holder = NULL;
+
+	if (line && gpiod_line_update(line) == 0 && gpiod_line_is_used(line)) {
+		holder = gpiod_line_consumer(line);
+	}
+	snprintf(text, size, "%s", holder ? holder : "");
+}
+
+static int request_flags(const struct gpio_settings *settings)
+{
+	static const int bias[] = {
+		[GPIO_BIAS_AS_IS] = 0,
+		[GPIO_BIAS_NONE] = GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE,
+		[GPIO_BIAS_PULL_UP] = GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP,
+		[GPIO_BIAS_PULL_DOWN] = GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN,
+	};
+
+	return bias[settings->bias] |
+		(settings->active_low ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW : 0);
+}
+
+int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
+	const struct gpio_settings *settings, const char *consumer,
+	struct gpio_line **out)
+{
+	const struct gpiod_line_request_config config = {
+		.consumer = consumer,
+		.request_type = GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
+		.flags = request_flags(settings),
+	};
+	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
+
+	if (!line || gpiod_line_request(line, &config, 0) < 0) {
+		return last_error();
+	}
+	*out = (struct gpio_line *)line;
+	return 0;
+}
+
+void gpio_line_release(struct gpio_line *line)
+{
+	if (line) {
+		gpiod_line_release(inside_line(line));
+	}
+}
+
+int gpio_line_fd(const struct gpio_line *line)
+{
+	return gpiod_line_event_get_fd(inside_line(line));
+}
+
+int gpio_line_level(struct gpio_line *line)
+{
+	int value = gpiod_line_get_value(inside_line(line));
+
+	return value < 0 ? last_error() : value;
+}
+
+int gpio_line_read(
+	struct gpio_line *line, struct gpio_edge edges[GPIO_EDGES_MAX])
+{
+	struct gpiod_line_event events[GPIO_EDGES_MAX];
+	int count = gpiod_line_event_read_multiple(
+		inside_line(line), events, ARRAY_COUNT(events));
+
+	if (count < 0) {
+		return last_error();
+	}
+	for (int i = 0; i < count; i++) {
+		edges[i] = (struct gpio_edge){
+			.stamp_ns = (int64_t)events[i].ts.tv_sec * 1000000000 +
+				events[i].ts.tv_nsec,
+			.active = events[i].event_type ==
+				GPIOD_LINE_EVENT_RISING_EDGE,
+		};
+	}
+	return count;
+}

@@ -7,7 +7,8 @@ ARM_PREFIX := arm-linux-gnueabi-
 CC_arm := $(ARM_PREFIX)gcc --sysroot=$(SYSROOT)
 CFLAGS_arm ?= -O2 -g
 CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
-	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64
+	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64 \
+	-I$(SYSROOT)/usr/include/libdrm
 SETS_arm := arm font
 # Small libraries go in; libc stays out, and GL is opened at run time. They
 # want the sysroot's C library, which is newer than the cross compiler's own.
@@ -16,7 +17,7 @@ SETS_arm := arm font
 PACKAGES_arm :=
 LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libgif.a \
-	-l:libgpiod.a \
+	-l:libgpiod.a -l:libdrm.a \
 	-l:libjpeg.so -lm -ldl
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \

@@ -16,9 +16,9 @@ static int system_ioctl(int fd, unsigned long request, void *argument)
 	return ioctl(fd, request, argument);
 }
 
-static void *system_map(int fd, size_t size)
+static void *system_map(int fd, size_t size, off_t offset)
 {
-	return mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+	return mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, fd, offset);
 }
 
 const struct device_calls device_calls_system = {

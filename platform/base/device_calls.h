@@ -13,8 +13,8 @@ struct device_calls {
 	int (*close)(int fd);
 	ssize_t (*write)(int fd, const void *data, size_t size);
 	int (*ioctl)(int fd, unsigned long request, void *argument);
-	/* Shared, to be read and written, from the beginning of the device. */
-	void *(*map)(int fd, size_t size);
+	/* Shared, to be read and written; MAP_FAILED when it fails. */
+	void *(*map)(int fd, size_t size, off_t offset);
 	int (*unmap)(void *address, size_t size);
 };
 

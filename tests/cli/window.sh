@@ -17,6 +17,8 @@ else
     limber "$slider" --display fbdev --frames 1
     expect_refusal 1 '/dev/fb0: this machine has no such framebuffer'
 fi
+limber "$slider" --display kms:/dev/null --frames 1
+expect_refusal 1 '/dev/null: '
 limber "$slider" --display fbdev:/dev/null --frames 1
 expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 

@@ -125,9 +125,10 @@ static int fake_ioctl(int fd, unsigned long request, void *argument)
 			   : control_console(request, argument);
 }
 
-static void *fake_map(int fd, size_t size)
+static void *fake_map(int fd, size_t size, off_t offset)
 {
 	(void)fd;
+	(void)offset;
 	if (fake_fb.fail_map || size > FAKE_FB_ROOM) {
 		errno = ENOMEM;
 		return MAP_FAILED;

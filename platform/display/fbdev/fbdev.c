@@ -16,13 +16,14 @@
 #include "platform/display/console.h"
 #include "platform/display/fbdev/screen.h"
 #include "platform/display/packing.h"
+#include "platform/display/placement.h"
 
 static const char usual_device[] = "/dev/fb0";
 
 struct display {
 	struct fb_screen screen;
 	struct console console;
-	int left, top;          /* of the picture on the screen */
+	struct placement place; /* of the picture on the screen */
 	struct pixels picture;  /* data is NULL where pages are drawn into */
 	struct packing packing; /* of the copy */
 };
@@ -38,41 +39,14 @@ static enum pixel_format choose_format(
 						 : PIXELS_RGBA8888;
 }
 
-static void place_picture(
-	struct display *display, const struct display_options *options)
-{
-	const struct fb_screen *screen = &display->screen;
-	struct pixels *picture = &display->picture;
-
-	picture->width = screen->width;
-	picture->height = screen->height;
-	if (options->size_given) {
-		if (options->width > screen->width ||
-			options->height > screen->height) {
-			log_warning(options->log,
-				"--size %dx%d: the screen is %dx%d: cut to "
-				"that",
-				options->width, options->height, screen->width,
-				screen->height);
-		}
-		picture->width = options->width < screen->width ? options->width
-								: screen->width;
-		picture->height = options->height < screen->height
-			? options->height
-			: screen->height;
-	}
-	display->left = (screen->width - picture->width) / 2;
-	display->top = (screen->height - picture->height) / 2;
-}
-
 /* Where the next picture begins on the screen. */
 static uint8_t *find_place(const struct display *display)
 {
 	const struct fb_screen *screen = &display->screen;
 
 	return fb_screen_back(screen) +
-		(size_t)display->top * (size_t)screen->stride_bytes +
-		(size_t)display->left *
+		(size_t)display->place.top * (size_t)screen->stride_bytes +
+		(size_t)display->place.left *
 		(size_t)pixel_layout_bytes(&screen->layout);
 }
 
@@ -93,7 +67,10 @@ static int prepare_picture(
 	enum pixel_format format = choose_format(display, options);
 	const struct fb_screen *screen = &display->screen;
 
-	place_picture(display, options);
+	display->place =
+		placement_choose(options, screen->width, screen->height);
+	display->picture.width = display->place.width;
+	display->picture.height = display->place.height;
 	packing_init(&display->packing, format, &screen->layout);
 	display->picture.format = format;
 	if (can_draw_straight(display)) {

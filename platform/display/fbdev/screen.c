@@ -207,7 +207,7 @@ static int map_memory(struct fb_screen *screen)
 	size_t before = screen->fix.smem_start & (page_bytes - 1);
 
 	screen->map_bytes = before + screen->fix.smem_len;
-	screen->map = screen->calls->map(screen->fd, screen->map_bytes);
+	screen->map = screen->calls->map(screen->fd, screen->map_bytes, 0);
 	if (screen->map == MAP_FAILED) {
 		return failed(screen, "its memory cannot be mapped");
 	}

@@ -1,0 +1,315 @@
+#include "platform/display/kms/card.h"
+
+#include <drm_fourcc.h>
+#include <errno.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "platform/base/compiler.h"
+#include "platform/display/kms/card_find.h"
+#include "platform/display/pixels.h"
+
+enum {
+	/* No screen is slower; one that does not answer hangs nobody. */
+	TURN_MAX_MS = 1000
+};
+
+/* In the order of what GL drivers draw most easily. */
+static const struct card_format {
+	enum pixel_format format;
+	uint32_t fourcc;
+	struct pixel_layout layout;
+} card_formats[] = {
+	{PIXELS_RGB565, DRM_FORMAT_RGB565,
+		{.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}}},
+	{PIXELS_RGBA8888, DRM_FORMAT_XBGR8888,
+		{.bits = 32, .red = {0, 8}, .green = {8, 8}, .blue = {16, 8}}},
+	{PIXELS_RGBA8888, DRM_FORMAT_XRGB8888,
+		{.bits = 32, .red = {16, 8}, .green = {8, 8}, .blue = {0, 8}}},
+};
+
+static int failed(const struct card *card, const char *what)
+{
+	int error = errno ? errno : EIO;
+
+	log_error(&card->log,
+		"--display kms: %s: %s: %s: name another with --display "
+		"kms:/dev/dri/cardN, or choose another --display",
+		card->path, what, strerror(error));
+	return -error;
+}
+
+static void release_buffer(const struct card *card, struct card_buffer *buffer)
+{
+	const struct kms_calls *calls = card->calls;
+
+	if (buffer->fb) {
+		calls->remove_fb(card->fd, buffer->fb);
+	}
+	if (buffer->map) {
+		calls->device->unmap(buffer->map, (size_t)buffer->size_bytes);
+	}
+	if (buffer->handle) {
+		calls->destroy_dumb(card->fd, buffer->handle);
+	}
+	*buffer = (struct card_buffer){0};
+}
+
+static bool map_buffer(const struct card *card, struct card_buffer *buffer)
+{
+	const struct kms_calls *calls = card->calls;
+	uint64_t offset = 0;
+	void *map;
+
+	if (buffer->size_bytes > SIZE_MAX ||
+		calls->map_dumb(card->fd, buffer->handle, &offset) != 0) {
+		return false;
+	}
+	map = calls->device->map(
+		card->fd, (size_t)buffer->size_bytes, (off_t)offset);
+	if (map == MAP_FAILED) {
+		return false;
+	}
+	buffer->map = map;
+	memset(map, 0, (size_t)buffer->size_bytes);
+	return true;
+}
+
+static bool make_buffer(const struct card *card, struct card_buffer *buffer,
+	const struct card_format *format)
+{
+	const struct kms_calls *calls = card->calls;
+	uint32_t width = card->mode.hdisplay, height = card->mode.vdisplay;
+	uint32_t handles[4] = {0}, pitches[4] = {0}, offsets[4] = {0};
+	bool made;
+
+	if (calls->create_dumb(card->fd, width, height,
+		    (uint32_t)format->layout.bits, 0, &buffer->handle,
+		    &buffer->pitch_bytes, &buffer->size_bytes) != 0) {
+		buffer->handle = 0;
+		return false;
+	}
+	if (buffer->size_bytes < (uint64_t)buffer->pitch_bytes * height ||
+		buffer->pitch_bytes > INT32_MAX / PIXELS_SIZE_MAX) {
+		release_buffer(card, buffer);
+		errno = EINVAL;
+		return false;
+	}
+	handles[0] = buffer->handle;
+	pitches[0] = buffer->pitch_bytes;
+	made = calls->add_fb(card->fd, width, height, format->fourcc, handles,
+		       pitches, offsets, &buffer->fb, 0) == 0;
+	if (!made) {
+		buffer->fb = 0;
+	}
+	made = made && map_buffer(card, buffer);
+	if (!made) {
+		int error = errno;
+
+		release_buffer(card, buffer);
+		errno = error;
+	}
+	return made;
+}
+
+static bool wants_narrow(
+	const struct card *card, const struct display_options *options)
+{
+	uint64_t depth = 0;
+
+	if (options->format_given) {
+		return options->format == PIXELS_RGB565;
+	}
+	return card->calls->get_cap(
+		       card->fd, DRM_CAP_DUMB_PREFERRED_DEPTH, &depth) == 0 &&
+		depth == 16;
+}
+
+/* The first format that the card takes; those wanted come first. */
+static int make_buffers(struct card *card, const struct display_options *options)
+{
+	bool narrow = wants_narrow(card, options);
+
+	for (int i = 0; i < 2 * (int)ARRAY_COUNT(card_formats); i++) {
+		bool second_round = i >= (int)ARRAY_COUNT(card_formats);
+		const struct card_format *format =
+			&card_formats[i % (int)ARRAY_COUNT(card_formats)];
+		bool wanted = (format->format == PIXELS_RGB565) == narrow;
+
+		if (wanted == second_round ||
+			!make_buffer(card, &card->buffers[0], format)) {
+			continue;
+		}
+		card->layout = format->layout;
+		card->format = format->format;
+		/* One is enough where memory is short. */
+		if (!make_buffer(card, &card->buffers[1], format)) {
+			card->way = CARD_DIRTIES;
+		}
+		return 0;
+	}
+	return failed(card, "it gives no buffer to draw into");
+}
+
+static int set_mode(struct card *card, uint32_t fb)
+{
+	return card->calls->set_crtc(card->fd, card->crtc, fb, 0, 0,
+		&card->connector, 1, &card->mode);
+}
+
+static void take_flip(int fd, unsigned int sequence, unsigned int seconds,
+	unsigned int microseconds, void *user)
+{
+	bool *pending = user;
+
+	(void)fd;
+	(void)sequence;
+	(void)seconds;
+	(void)microseconds;
+	*pending = false;
+}
+
+int card_wait(struct card *card)
+{
+	drmEventContext context = {
+		.version = 2,
+		.page_flip_handler = take_flip,
+	};
+
+	while (card->pending) {
+		int ready = card->calls->wait(card->fd, TURN_MAX_MS);
+
+		if (ready < 0 && errno == EINTR) {
+			continue;
+		}
+		if (ready == 0) {
+			errno = ETIMEDOUT;
+		}
+		if (ready <= 0 ||
+			card->calls->handle_event(card->fd, &context) != 0) {
+			card->pending = false;
+			return failed(card, "the screen does not answer");
+		}
+	}
+	return 0;
+}
+
+static bool flip(struct card *card)
+{
+	card->pending = true;
+	if (card->calls->page_flip(card->fd, card->crtc,
+		    card->buffers[!card->seen].fb, DRM_MODE_PAGE_FLIP_EVENT,
+		    &card->pending) != 0) {
+		card->pending = false;
+		return false;
+	}
+	card->seen = !card->seen;
+	return true;
+}
+
+static bool set_anew(struct card *card)
+{
+	if (set_mode(card, card->buffers[!card->seen].fb) != 0) {
+		return false;
+	}
+	card->seen = !card->seen;
+	return true;
+}
+
+/* Found out with black buffers, before the first picture. */
+static void choose_way(struct card *card)
+{
+	if (card->way == CARD_DIRTIES) {
+		return;
+	}
+	card->way = CARD_FLIPS;
+	if (flip(card) && card_wait(card) == 0) {
+		return;
+	}
+	card->way = set_anew(card) ? CARD_SETS : CARD_DIRTIES;
+}
+
+int card_open(struct card *card, const struct kms_calls *calls,
+	const struct display_options *options)
+{
+	uint64_t prefers_shadow = 0;
+	int error;
+
+	*card = (struct card){.calls = calls, .log = *options->log};
+	error = card_find(card, options);
+	if (error) {
+		return error;
+	}
+	error = make_buffers(card, options);
+	if (error) {
+		goto out_close;
+	}
+	card->reads_slowly = calls->get_cap(card->fd, DRM_CAP_DUMB_PREFER_SHADOW,
+				     &prefers_shadow) == 0 &&
+		prefers_shadow;
+	card->before = calls->get_crtc(card->fd, card->crtc);
+	if (set_mode(card, card->buffers[0].fb) != 0) {
+		error = failed(card, "it does not show the mode");
+		goto out_buffers;
+	}
+	choose_way(card);
+	return 0;
+out_buffers:
+	if (card->before) {
+		calls->free_crtc(card->before);
+	}
+	release_buffer(card, &card->buffers[1]);
+	release_buffer(card, &card->buffers[0]);
+out_close:
+	calls->device->close(card->fd);
+	return error;
+}
+
+const struct card_buffer *card_back(const struct card *card)
+{
+	return &card->buffers[card->way == CARD_DIRTIES ? card->seen : !card->seen];
+}
+
+int card_show(struct card *card)
+{
+	switch (card->way) {
+	case CARD_FLIPS:
+		return flip(card) ? 0 : failed(card, "cannot flip pictures");
+	case CARD_SETS:
+		return set_anew(card) ? 0
+				      : failed(card, "cannot show a picture");
+	case CARD_DIRTIES:
+		/* Cards that look at the memory all the time know no dirt. */
+		(void)card->calls->dirty_fb(
+			card->fd, card->buffers[card->seen].fb, NULL, 0);
+		return 0;
+	}
+	return -EINVAL;
+}
+
+static void put_back(struct card *card)
+{
+	drmModeCrtcPtr before = card->before;
+
+	if (!before) {
+		return;
+	}
+	if (before->mode_valid && before->buffer_id) {
+		(void)card->calls->set_crtc(card->fd, before->crtc_id,
+			before->buffer_id, before->x, before->y,
+			&card->connector, 1, &before->mode);
+	}
+	card->calls->free_crtc(before);
+}
+
+void card_close(struct card *card)
+{
+	struct log nowhere = log_to_nowhere();
+
+	card->log = nowhere;
+	card_wait(card);
+	put_back(card);
+	release_buffer(card, &card->buffers[1]);
+	release_buffer(card, &card->buffers[0]);
+	card->calls->device->close(card->fd);
+}

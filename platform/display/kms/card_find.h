@@ -1,0 +1,15 @@
+/*
+ * Part of card.h: which card, screen and mode.
+ */
+#ifndef PLATFORM_DISPLAY_KMS_CARD_FIND_H
+#define PLATFORM_DISPLAY_KMS_CARD_FIND_H
+
+#include "platform/display/kms/card.h"
+
+/*
+ * Opens a card and fills in path, fd, connector, crtc and mode. 0, or -errno
+ * after a sentence with nothing left open.
+ */
+int card_find(struct card *card, const struct display_options *options);
+
+#endif

@@ -1,0 +1,177 @@
+/*
+ * Screens through kernel mode setting, drawn by the processor.
+ *
+ * Pictures of the buffers' own layout are drawn straight into the buffer that
+ * is not seen, unless the card says that reading it back is slow, as blending
+ * does; else they are drawn in memory and copied.
+ */
+#include <errno.h>
+#include <stdlib.h>
+
+#include "platform/display/console.h"
+#include "platform/display/kms/card.h"
+#include "platform/display/packing.h"
+#include "platform/display/placement.h"
+
+struct display {
+	struct card card;
+	struct console console;
+	struct placement place; /* of the picture on the screen */
+	struct pixels picture;  /* data is NULL where buffers are drawn into */
+	struct packing packing; /* of the copy */
+};
+
+static bool can_draw_straight(const struct display *display)
+{
+	const struct card *card = &display->card;
+
+	return display->packing.same && card->way != CARD_DIRTIES &&
+		!card->reads_slowly &&
+		card->buffers[0].pitch_bytes == card->buffers[1].pitch_bytes &&
+		card->buffers[0].pitch_bytes % (uint32_t)display->packing.bytes ==
+		0;
+}
+
+static int prepare_picture(
+	struct display *display, const struct display_options *options)
+{
+	const struct card *card = &display->card;
+	enum pixel_format format =
+		options->format_given ? options->format : card->format;
+
+	display->place = placement_choose(
+		options, card->mode.hdisplay, card->mode.vdisplay);
+	packing_init(&display->packing, format, &card->layout);
+	display->picture = (struct pixels){
+		.width = display->place.width,
+		.height = display->place.height,
+		.format = format,
+	};
+	if (can_draw_straight(display)) {
+		display->picture.stride_bytes =
+			(int)card->buffers[0].pitch_bytes;
+		return 0;
+	}
+	return pixels_alloc(&display->picture, display->place.width,
+		display->place.height, format, options->log);
+}
+
+int kms_create_on(const struct kms_calls *calls,
+	const struct display_options *options, struct display **out)
+{
+	struct display *display = calloc(1, sizeof(*display));
+	int error;
+
+	if (!display) {
+		log_error(options->log, "--display kms: out of memory");
+		return -ENOMEM;
+	}
+	error = card_open(&display->card, calls, options);
+	if (error) {
+		goto out_free;
+	}
+	error = prepare_picture(display, options);
+	if (error) {
+		goto out_card;
+	}
+	console_take(&display->console, calls->device, options->log);
+	log_note(options->log, "--display kms: %s, %dx%d, %d bits, %s, %s",
+		display->card.path, display->card.mode.hdisplay,
+		display->card.mode.vdisplay, display->card.layout.bits,
+		display->card.way == CARD_FLIPS          ? "flipped"
+			: display->card.way == CARD_SETS ? "set"
+							 : "one buffer",
+		display->picture.data ? "copied" : "drawn straight");
+	*out = display;
+	return 0;
+out_card:
+	card_close(&display->card);
+out_free:
+	free(display);
+	return error;
+}
+
+static int kms_create(
+	const struct display_options *options, struct display **out)
+{
+	return kms_create_on(&kms_calls_system, options, out);
+}
+
+static bool kms_probe(void)
+{
+	return card_is_there(&kms_calls_system);
+}
+
+static void kms_get_info(const struct display *display, struct display_info *out)
+{
+	const struct card *card = &display->card;
+
+	*out = (struct display_info){
+		.width = display->picture.width,
+		.height = display->picture.height,
+		.format = display->picture.format,
+		.rate_hz = card->way == CARD_FLIPS ? card->mode.vrefresh : 0.0,
+	};
+}
+
+/* Where the next picture begins in the buffer. */
+static uint8_t *find_place(const struct display *display)
+{
+	const struct card_buffer *buffer = card_back(&display->card);
+
+	return (uint8_t *)buffer->map +
+		(size_t)display->place.top * buffer->pitch_bytes +
+		(size_t)display->place.left * (size_t)display->packing.bytes;
+}
+
+static int kms_begin_frame(struct display *display, struct pixels *out)
+{
+	int error;
+
+	*out = display->picture;
+	if (out->data) {
+		return 0;
+	}
+	error = card_wait(&display->card);
+	out->data = find_place(display);
+	return error;
+}
+
+/* A copy waits for its buffer as late as it can. */
+static int kms_end_frame(struct display *display)
+{
+	struct card *card = &display->card;
+
+	if (display->picture.data) {
+		int error = card_wait(card);
+
+		if (error) {
+			return error;
+		}
+		packing_copy(&display->packing, &display->picture,
+			find_place(display), (int)card_back(card)->pitch_bytes);
+	}
+	return card_show(card);
+}
+
+static void kms_destroy(struct display *display)
+{
+	if (display) {
+		card_close(&display->card);
+		console_give_back(&display->console);
+		free(display->picture.data);
+		free(display);
+	}
+}
+
+const struct display_driver display_driver_kms = {
+	.name = "kms",
+	.summary = "a screen by kernel mode setting, /dev/dri/card*",
+	.argument = "DEVICE",
+	.probe = kms_probe,
+	.create = kms_create,
+	.get_info = kms_get_info,
+	.begin_frame = kms_begin_frame,
+	.end_frame = kms_end_frame,
+	.destroy = kms_destroy,
+};

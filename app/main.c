@@ -10,6 +10,7 @@ const struct command *const command_registry[] = {
 	&command_pose,
 	&command_info,
 	&command_bench,
+	&command_compare,
 	NULL,
 };
 

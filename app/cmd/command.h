@@ -27,6 +27,7 @@ extern const struct command command_render;
 extern const struct command command_pose;
 extern const struct command command_info;
 extern const struct command command_bench;
+extern const struct command command_compare;
 
 /* All of them, NULL at the end. */
 extern const struct command *const command_registry[];

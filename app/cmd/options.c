@@ -1,5 +1,6 @@
 #include "app/cmd/options.h"
 
+#include "app/compare/report.h"
 #include "platform/base/time_text.h"
 
 #include <errno.h>
@@ -11,7 +12,7 @@ enum {
 	SIDE_MAX = 8192,
 	FRAMES_MAX = 1000000,
 	RUNS_MAX = 1001,
-	OPTIONS_MAX = 32
+	OPTIONS_MAX = 48
 };
 
 struct option_entry {
@@ -228,6 +229,66 @@ static bool set_runs(struct options *options, const char *value)
 	return read_int(value, 1, RUNS_MAX, &options->runs);
 }
 
+static bool read_number(const char *text, double low, double high, double *out)
+{
+	char *end;
+
+	*out = strtod(text, &end);
+	return end != text && !*end && *out >= low && *out <= high;
+}
+
+static bool set_rate(struct options *options, const char *value)
+{
+	return read_number(value, 1.0, 240.0, &options->rate_hz);
+}
+
+static bool set_error(struct options *options, const char *value)
+{
+	double px;
+	bool good = read_number(value, 0.001, 1000.0, &px);
+
+	options->bound_px = (float)px;
+	return good;
+}
+
+/* A number of bytes, or of KiB or MiB after k or m. */
+static bool set_memory(struct options *options, const char *value)
+{
+	char *end;
+	double bytes = strtod(value, &end);
+
+	if (end == value || !(bytes >= 1.0) || bytes > 1e9) {
+		return false;
+	}
+	if (*end == 'k' || *end == 'K') {
+		bytes *= 1024.0;
+		end++;
+	} else if (*end == 'm' || *end == 'M') {
+		bytes *= 1024.0 * 1024.0;
+		end++;
+	}
+	options->memory_bytes = (size_t)bytes;
+	return *end == '\0' && bytes <= 4e9;
+}
+
+static bool set_report(struct options *options, const char *value)
+{
+	options->report = value;
+	return report_find(value) != NULL;
+}
+
+static bool set_plot(struct options *options, const char *value)
+{
+	options->plot = value;
+	return value[0] != '\0';
+}
+
+static bool set_export(struct options *options, const char *value)
+{
+	options->export_folder = value;
+	return value[0] != '\0';
+}
+
 static bool set_json(struct options *options, const char *value)
 {
 	(void)value;
@@ -274,7 +335,7 @@ static const struct option_entry entries[] = {
 	{0, "demo", "NAME", FOR_SHOW,
 		"a built-in demo instead of a model: walker, arm or face",
 		"a demo's name", set_demo},
-	{0, "clip", "NAME", FOR_SHOW | FOR_POSE,
+	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE,
 		"an animation of the model, by name or number (0 is the first)",
 		"a clip's name or number", set_clip},
 	{0, "time", "T", FOR_SHOW | FOR_POSE,
@@ -294,7 +355,7 @@ static const struct option_entry entries[] = {
 		"loop, ping-pong or once", set_repeat},
 	{0, "frames", "N", FOR_SHOW,
 		"stop after N frames", "a number from 1 to 1000000", set_frames},
-	{0, "size", "WxH", FOR_SHOW,
+	{0, "size", "WxH", FOR_SHOW | FOR_COMPARE,
 		"size of the picture in pixels (480x640, or the whole screen)",
 		"width x height such as 480x640, up to 8192x8192", set_size},
 	{0, "format", "NAME", FOR_SHOW,
@@ -341,7 +402,7 @@ static const struct option_entry entries[] = {
 		"real or fixed:FPS, FPS up to 1000", set_clock},
 	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
 		"how vertices are computed: float", "float", set_math},
-	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH,
+	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH | FOR_COMPARE,
 		"which vertex loops: float", "a kernel's name", set_kernel},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
 		"at most N joints a vertex; auto: fewer on small figures; "
@@ -353,6 +414,24 @@ static const struct option_entry entries[] = {
 	{0, "runs", "N", FOR_BENCH,
 		"time everything N times and take the median (15)",
 		"a number from 1 to 1001", set_runs},
+	{0, "fps", "F", FOR_COMPARE,
+		"compare F frames a second of the clip (60)",
+		"a number from 1 to 240", set_rate},
+	{0, "error", "PX", FOR_COMPARE,
+		"the error that may be, in pixels (0.5)",
+		"a number from 0.001 to 1000", set_error},
+	{0, "ram", "BYTES", FOR_COMPARE,
+		"the memory that may be used, such as 200000, 512k or 2m",
+		"a number of bytes such as 200000, 512k or 2m", set_memory},
+	{0, "format", "KIND", FOR_COMPARE,
+		"print text, json, csv or md (text)", "text, json, csv or md",
+		set_report},
+	{0, "plot", "FILE.svg", FOR_COMPARE,
+		"draw error against cost, a curve a technique", "a file name",
+		set_plot},
+	{0, "export", "DIR", FOR_COMPARE,
+		"keep the baked models as glTF in this folder",
+		"a folder's name", set_export},
 	{0, "json", NULL, FOR_INFO | FOR_BENCH,
 		"print JSON", NULL, set_json},
 	{'v', "verbose", NULL, FOR_ALL,
@@ -372,6 +451,9 @@ struct options options_default(void)
 		.width = 480,
 		.height = 640,
 		.clock = clock_real(),
+		.rate_hz = 60.0,
+		.bound_px = 0.5f,
+		.report = "text",
 		.speed = 1.0f,
 		.runs = 15,
 		.repeat = CLIP_LOOP,
@@ -422,22 +504,35 @@ const char *options_closest(const char *word, const char *const *candidates)
 	return closest;
 }
 
-static const struct option_entry *find_entry(const char *word, size_t length)
+static bool is_named(
+	const struct option_entry *entry, const char *word, size_t length)
 {
+	if (length == 2 && word[0] == '-') {
+		return entry->letter && word[1] == entry->letter;
+	}
+	return length > 2 && strncmp(word, "--", 2) == 0 &&
+		strlen(entry->name) == length - 2 &&
+		strncmp(word + 2, entry->name, length - 2) == 0;
+}
+
+/* The command's own, else another command's of that name, or NULL. */
+static const struct option_entry *find_entry(
+	const char *word, size_t length, enum command_bit command)
+{
+	const struct option_entry *found = NULL;
+
 	for (size_t i = 0; i < ARRAY_COUNT(entries); i++) {
 		const struct option_entry *entry = &entries[i];
 
-		if (length == 2 && word[0] == '-' && word[1] == entry->letter &&
-			entry->letter) {
+		if (!is_named(entry, word, length)) {
+			continue;
+		}
+		if (entry->commands & (int)command) {
 			return entry;
 		}
-		if (length > 2 && strncmp(word, "--", 2) == 0 &&
-			strlen(entry->name) == length - 2 &&
-			strncmp(word + 2, entry->name, length - 2) == 0) {
-			return entry;
-		}
+		found = found ? found : entry;
 	}
-	return NULL;
+	return found;
 }
 
 static int say_unknown(const char *word, size_t length,
@@ -474,7 +569,7 @@ static int parse_option(struct options *options, enum command_bit command,
 	const char *word = argv[*at];
 	const char *equals = strchr(word, '=');
 	size_t length = equals ? (size_t)(equals - word) : strlen(word);
-	const struct option_entry *entry = find_entry(word, length);
+	const struct option_entry *entry = find_entry(word, length, command);
 	const char *value = equals ? equals + 1 : NULL;
 
 	if (!entry) {

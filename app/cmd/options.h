@@ -21,7 +21,8 @@ enum command_bit {
 	FOR_POSE = 4,
 	FOR_INFO = 8,
 	FOR_BENCH = 16,
-	FOR_ALL = 31,
+	FOR_COMPARE = 32,
+	FOR_ALL = 63,
 };
 
 struct options {
@@ -53,7 +54,13 @@ struct options {
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
 	struct lod lod;
-	int runs; /* of each measurement */
+	int runs;            /* of each measurement */
+	double rate_hz;      /* frames a second that are compared */
+	float bound_px;      /* the error that may be */
+	size_t memory_bytes; /* that may be used; 0: any */
+	const char *report;  /* the kind, of a comparison */
+	const char *plot;
+	const char *export_folder;
 	bool json;
 	bool no_labels;
 	bool verbose;

@@ -38,6 +38,14 @@ double clock_tick(struct clock *clock)
 	return (double)(clock_monotonic_ns() - clock->origin_ns) * 1e-9;
 }
 
+double clock_thread_s(void)
+{
+	struct timespec spent = {0};
+
+	(void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
+	return (double)spent.tv_sec + (double)spent.tv_nsec * 1e-9;
+}
+
 int clock_parse(const char *text, struct clock *out)
 {
 	static const char prefix[] = "fixed:";

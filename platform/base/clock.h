@@ -30,6 +30,9 @@ struct clock clock_fixed(double rate_hz, double start_s);
 /* Begins the next frame (the first one is frame 0); its time in seconds. */
 double clock_tick(struct clock *clock);
 
+/* Processor time of this thread so far, in seconds: what work costs. */
+double clock_thread_s(void);
+
 /*
  * Reads "real" or "fixed:FPS" (0 < FPS <= 1000). 0, or -EINVAL for anything
  * else; says nothing.

@@ -25,7 +25,7 @@ helped() {
 limber --help
 expect_status 0
 expect_no_err
-for command in play render pose info bench; do
+for command in play render pose info bench compare; do
     expect_out "^ *limber $command "
 done
 cp "$out_file" "$scratch/long"
@@ -40,6 +40,7 @@ helped render --output --demo --clip --time --frames --size --format --gl --butt
 helped pose --output --clip --time --math --kernel --verbose --help --version
 helped info --json --verbose --help --version
 helped bench --kernel --runs --json --verbose --help --version
+helped compare --clip --size --kernel --fps --error --ram --format --plot --export --help
 
 limber --version
 expect_status 0

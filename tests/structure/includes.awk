@@ -3,7 +3,7 @@
 
 BEGIN {
     # Each layer may include itself and those before it.
-    layers = split("model anim scene demo cmd", layer)
+    layers = split("model anim scene compare demo cmd", layer)
     for (i = 1; i <= layers; i++) {
         rank_of[layer[i]] = i
     }
@@ -14,6 +14,7 @@ BEGIN {
     listed("<dirent.h> <fcntl.h> <libgen.h> <signal.h> <stdio.h> " \
         "<strings.h> <sys/stat.h> <sys/types.h> <time.h> <unistd.h>", outside)
     listed("<jansson.h> <png.h> <jpeglib.h> <zlib.h>", library_model)
+    listed("<jansson.h> <png.h>", library_compare)
     listed("<jansson.h> <ini.h>", library_cmd)
 
     rule("named", "headers are named from the top folder")
@@ -92,6 +93,7 @@ from == rank_of["anim"] && header in outside { broken("outside") }
 system_header && !(header in plain) && !(header in outside) &&
     header !~ /^<cglm\// &&
     !(from == rank_of["model"] && header in library_model) &&
+    !(from == rank_of["compare"] && header in library_compare) &&
     !(from == rank_of["cmd"] && header in library_cmd) {
     broken("foreign")
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Which way the includes run: cmd -> demo -> scene -> anim -> model, any of
+# Which way the includes run: cmd -> demo -> compare -> scene -> anim -> model, any of
 # them -> platform's public headers, platform -> nothing of app. TREE is the
 # folder of app/ and platform/. Speaks TAP.
 rules=$(cd "$(dirname "$0")" && pwd)/includes.awk

@@ -1,0 +1,245 @@
+/*
+ * The model as its file has it, fewer influences or no targets aside.
+ */
+#include "app/compare/candidate.h"
+
+#include "app/model/model_stats.h"
+
+#include <cglm/cglm.h>
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct as_is {
+	const struct reference *reference;
+	struct model model; /* a shallow copy: may have lost its targets */
+	struct arena arena;
+	struct instance *instance;
+	struct clip_cursor cursor;
+};
+
+static void pose_as_is(struct candidate *candidate, float time_s)
+{
+	struct as_is *state = candidate->state;
+
+	clip_sample(state->reference->clip, time_s, &state->cursor,
+		&state->instance->pose);
+	instance_update(state->instance);
+}
+
+static void vertex_as_is(
+	const struct candidate *candidate, int vertex, float out[3])
+{
+	const struct as_is *state = candidate->state;
+	const struct reference *reference = state->reference;
+	int part = 0;
+
+	while (vertex >= reference->part[part].first_vertex +
+			reference->part[part].vertex_count) {
+		part++;
+	}
+	instance_world_vertex(state->instance,
+		&state->instance->drawable[reference->part[part].drawable],
+		vertex - reference->part[part].first_vertex, out);
+}
+
+static void destroy_as_is(struct candidate *candidate)
+{
+	struct as_is *state = candidate->state;
+
+	if (state) {
+		instance_destroy(state->instance);
+		arena_release(&state->arena);
+		free(state);
+	}
+}
+
+static size_t vector_bytes(const struct drawable *drawable)
+{
+	return (size_t)drawable->primitive->vertex_count *
+		(drawable->normal ? 2 : 1) * sizeof(float[3]);
+}
+
+static size_t target_bytes(const struct model *model, const struct drawable *d)
+{
+	const struct model_mesh *mesh = &model->mesh[model->node[d->node].mesh];
+	size_t bytes = 0;
+
+	for (int t = 0; t < mesh->target_count; t++) {
+		const struct model_target *target = &d->primitive->target[t];
+		int arrays =
+			(target->position != NULL) + (target->normal != NULL);
+
+		bytes += (size_t)(d->primitive->vertex_count * arrays) *
+			sizeof(float[3]);
+	}
+	return bytes;
+}
+
+/* Influences of a stream with a cap, each a weight record and its bases. */
+static size_t stream_bytes(const struct skin_stream *stream, int cap)
+{
+	int count = cap > 0 && cap < stream->max_influences
+		? stream->capped[cap]
+		: stream->influence_count;
+	size_t each = sizeof(struct joint_weight) + sizeof(float[4]) +
+		(stream->normal ? sizeof(float[4]) : 0);
+
+	return (size_t)count * each;
+}
+
+static void count_drawable(struct candidate *candidate,
+	const struct model *model, const struct drawable *drawable, int cap)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	size_t vectors = vector_bytes(drawable);
+
+	candidate->file_bytes += vectors + target_bytes(model, drawable);
+	candidate->memory_bytes += vectors;
+	if (drawable->skin >= 0) {
+		size_t joint =
+			model->skin[drawable->skin].joint_count > 256 ? 2 : 1;
+
+		candidate->memory_bytes += stream_bytes(&drawable->stream, cap);
+		candidate->file_bytes += (size_t)primitive->vertex_count *
+			(size_t)primitive->influences * (joint + sizeof(float));
+	}
+	if (drawable->morphed) {
+		candidate->memory_bytes +=
+			vectors + target_bytes(model, drawable);
+	}
+}
+
+static void count_bytes(
+	struct candidate *candidate, const struct as_is *state, int cap)
+{
+	const struct model *model = &state->model;
+	struct model_stats stats = {0};
+
+	model_stats_add_clip(&stats, state->reference->clip);
+	candidate->memory_bytes = stats.clip_bytes +
+		(size_t)model->node_count *
+			(sizeof(struct transform) + sizeof(mat4));
+	candidate->file_bytes = stats.clip_bytes;
+	for (int i = 0; i < model->skin_count; i++) {
+		size_t matrices =
+			(size_t)model->skin[i].joint_count * sizeof(mat4);
+
+		candidate->memory_bytes += 2 * matrices; /* bind, palette */
+		candidate->file_bytes += matrices;
+	}
+	for (int i = 0; i < state->instance->drawable_count; i++) {
+		count_drawable(
+			candidate, model, &state->instance->drawable[i], cap);
+	}
+}
+
+/* The same model whose meshes have no targets. */
+static int drop_targets(struct as_is *state)
+{
+	const struct model *model = state->reference->model;
+	struct model_mesh *mesh = ARENA_ARRAY(
+		&state->arena, struct model_mesh, (size_t)model->mesh_count);
+
+	if (!mesh) {
+		return -ENOMEM;
+	}
+	memcpy(mesh, model->mesh, (size_t)model->mesh_count * sizeof(*mesh));
+	for (int i = 0; i < model->mesh_count; i++) {
+		mesh[i].target_count = 0;
+	}
+	state->model.mesh = mesh;
+	return 0;
+}
+
+static enum technique technique_of(const struct model *model, bool targets)
+{
+	bool morphs = false;
+
+	for (int i = 0; targets && i < model->mesh_count; i++) {
+		morphs = morphs || model->mesh[i].target_count > 0;
+	}
+	if (model->skin_count > 0) {
+		return morphs ? TECHNIQUE_COMBINED : TECHNIQUE_SKELETAL;
+	}
+	return morphs ? TECHNIQUE_MORPHING : TECHNIQUE_HIERARCHICAL;
+}
+
+static void name_as_is(struct candidate *candidate, int max_influences)
+{
+	static const char *const name[TECHNIQUE_COUNT] = {
+		[TECHNIQUE_MORPHING] = "morph targets",
+		[TECHNIQUE_HIERARCHICAL] = "nodes as they are",
+		[TECHNIQUE_SKELETAL] = "skin",
+		[TECHNIQUE_COMBINED] = "skin + morph",
+	};
+	const char *what = name[candidate->technique];
+
+	if (max_influences > 0) {
+		snprintf(candidate->name, sizeof(candidate->name),
+			"%s, %d influence%s", what, max_influences,
+			max_influences > 1 ? "s" : "");
+	} else {
+		snprintf(candidate->name, sizeof(candidate->name), "%s", what);
+	}
+}
+
+static int prepare(struct as_is *state, const struct kernel *kernel,
+	int max_influences, bool targets, const struct log *log)
+{
+	int error = 0;
+
+	state->model = *state->reference->model;
+	if (!targets) {
+		error = drop_targets(state);
+	}
+	if (!error) {
+		error = clip_cursor_init(
+			&state->cursor, &state->model, &state->arena);
+	}
+	if (error) {
+		log_error(log, "%s: not enough memory to compare it",
+			state->model.path);
+		return error;
+	}
+	error = instance_create(&state->model, kernel, log, &state->instance);
+	if (!error) {
+		state->instance->relief = false;
+		state->instance->max_influences = max_influences;
+	}
+	return error;
+}
+
+int candidate_as_is(struct candidate *candidate,
+	const struct reference *reference, const struct kernel *kernel,
+	int max_influences, bool targets, const struct log *log)
+{
+	struct as_is *state = calloc(1, sizeof(*state));
+	int error;
+
+	*candidate = (struct candidate){
+		.technique = technique_of(reference->model, targets),
+		.vertex_count = reference->vertex_count,
+		.pose = pose_as_is,
+		.vertex = vertex_as_is,
+		.destroy = destroy_as_is,
+		.state = state,
+	};
+	if (!state) {
+		log_error(log, "%s: not enough memory to compare it",
+			reference->model->path);
+		return -ENOMEM;
+	}
+	state->reference = reference;
+	state->arena = arena_empty();
+	error = prepare(state, kernel, max_influences, targets, log);
+	if (error) {
+		candidate_destroy(candidate);
+		return error;
+	}
+	name_as_is(candidate, max_influences);
+	count_bytes(candidate, state, max_influences);
+	return 0;
+}

@@ -1,0 +1,252 @@
+#include "app/compare/comparison.h"
+
+#include "app/compare/fit.h"
+#include "app/model/model_stats.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* AN4044, section 4: "20 key frames are required". */
+enum {
+	DOCUMENT_KEYS = 20
+};
+
+/* Points of the plot beside the wanted bound. */
+static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
+static const int caps[] = {4, 2, 1};
+
+static struct candidate *next(struct comparison *comparison)
+{
+	return &comparison->candidate[comparison->candidate_count];
+}
+
+/* Counts the candidate that was just made, unless making it failed. */
+static int added(struct comparison *comparison, int error, bool listed)
+{
+	if (!error) {
+		next(comparison)->listed = listed;
+		comparison->candidate_count++;
+	}
+	return error;
+}
+
+static int most_influences(const struct model *model)
+{
+	struct model_stats stats;
+
+	model_measure(model, &stats);
+	return stats.max_influences;
+}
+
+static bool has_targets(const struct model *model)
+{
+	for (int i = 0; i < model->mesh_count; i++) {
+		if (model->mesh[i].target_count > 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static int add_as_is(struct comparison *comparison, const struct log *log)
+{
+	const struct reference *reference = comparison->reference;
+	const struct kernel *kernel = comparison->request.kernel;
+	const struct model *model = reference->model;
+	int most = most_influences(model);
+	int error = added(comparison,
+		candidate_as_is(
+			next(comparison), reference, kernel, 0, true, log),
+		true);
+
+	if (!error && has_targets(model) && model->skin_count > 0) {
+		error = added(comparison,
+			candidate_as_is(next(comparison), reference, kernel, 0,
+				false, log),
+			true);
+	}
+	for (size_t i = 0; !error && i < ARRAY_COUNT(caps); i++) {
+		if (caps[i] < most) {
+			error = added(comparison,
+				candidate_as_is(next(comparison), reference,
+					kernel, caps[i], true, log),
+				true);
+		}
+	}
+	return error;
+}
+
+/* Fitted to a bound, or the document's number where bound_px is 0. */
+static int add_morph(struct comparison *comparison, float bound_px, bool listed,
+	const struct log *log)
+{
+	const struct reference *reference = comparison->reference;
+	int *key = malloc((size_t)reference->frame_count * sizeof(*key));
+	int count = -ENOMEM;
+	int error;
+
+	if (key && bound_px > 0.0f) {
+		count = fit_keys(reference, &comparison->screen, bound_px, key);
+	} else if (key) {
+		count = spread_keys(reference, DOCUMENT_KEYS, key);
+	}
+	if (count < 0) {
+		log_error(log, "%s: not enough memory to fit key frames",
+			reference->model->path);
+		free(key);
+		return count;
+	}
+	error = added(comparison,
+		candidate_morph(next(comparison), reference,
+			comparison->request.kernel, key, count, log),
+		listed);
+	if (!error) {
+		comparison->candidate[comparison->candidate_count - 1].even =
+			!(bound_px > 0.0f);
+	}
+	free(key);
+	return error;
+}
+
+static int add_all(struct comparison *comparison, const struct log *log)
+{
+	float bound_px = comparison->request.bound_px;
+	int error = add_as_is(comparison, log);
+
+	if (!error) {
+		error = add_morph(comparison, bound_px, true, log);
+	}
+	if (!error) {
+		snprintf(comparison->candidate[comparison->candidate_count - 1].name,
+			sizeof(comparison->candidate->name),
+			"morph, %d keys fitted",
+			comparison->candidate[comparison->candidate_count - 1]
+				.key_count);
+		error = add_morph(comparison, 0.0f, true, log);
+	}
+	if (!error) {
+		error = added(comparison,
+			candidate_rigid(
+				next(comparison), comparison->reference, log),
+			true);
+	}
+	for (size_t i = 0; !error && i < ARRAY_COUNT(other_bounds); i++) {
+		error = add_morph(
+			comparison, bound_px * other_bounds[i], false, log);
+	}
+	return error;
+}
+
+/* What a frame costs: instructions repeat, times only where they are not. */
+static double cost(const struct candidate *candidate)
+{
+	return candidate->instructions >= 0.0 ? candidate->instructions
+					      : candidate->frame_us;
+}
+
+static bool fits(
+	const struct comparison *comparison, const struct candidate *candidate)
+{
+	size_t limit = comparison->request.memory_bytes;
+
+	return limit == 0 || candidate->memory_bytes <= limit;
+}
+
+/* True where a is to be taken rather than b. */
+static bool better(const struct comparison *comparison,
+	const struct candidate *a, const struct candidate *b)
+{
+	float bound_px = comparison->request.bound_px;
+	bool a_keeps = a->error.peak_px <= bound_px;
+	bool b_keeps = b->error.peak_px <= bound_px;
+
+	if (fits(comparison, a) != fits(comparison, b)) {
+		return fits(comparison, a);
+	}
+	if (!fits(comparison, a)) {
+		return a->memory_bytes < b->memory_bytes;
+	}
+	if (a_keeps != b_keeps) {
+		return a_keeps;
+	}
+	return a_keeps ? cost(a) < cost(b) : a->error.peak_px < b->error.peak_px;
+}
+
+static void advise(struct comparison *comparison)
+{
+	const struct candidate *best = &comparison->candidate[0];
+	const char *why;
+
+	for (int i = 1; i < comparison->candidate_count; i++) {
+		const struct candidate *other = &comparison->candidate[i];
+
+		if (other->listed && better(comparison, other, best)) {
+			best = other;
+		}
+	}
+	comparison->advised = (int)(best - comparison->candidate);
+	if (!fits(comparison, best)) {
+		why = "nothing fits the memory, and this needs the least";
+	} else if (best->error.peak_px > comparison->request.bound_px) {
+		why = "nothing that fits keeps the error, and this comes "
+		      "nearest";
+	} else {
+		why = "the cheapest frame of all that keep the error and fit";
+	}
+	snprintf(comparison->reason, sizeof(comparison->reason), "%s", why);
+}
+
+static int prepare(struct comparison *comparison, const struct model *model,
+	const struct log *log)
+{
+	const struct comparison_request *request = &comparison->request;
+	int error = reference_create(model, request->clip, request->rate_hz,
+		log, &comparison->reference);
+
+	if (error) {
+		return error;
+	}
+	comparison->screen = screen_frame(
+		comparison->reference, request->width, request->height);
+	error = add_all(comparison, log);
+	for (int i = 0; !error && i < comparison->candidate_count; i++) {
+		candidate_measure(&comparison->candidate[i],
+			comparison->reference, &comparison->screen);
+	}
+	return error;
+}
+
+int comparison_create(const struct model *model,
+	const struct comparison_request *request, const struct log *log,
+	struct comparison **out)
+{
+	struct comparison *comparison = calloc(1, sizeof(*comparison));
+	int error;
+
+	if (!comparison) {
+		log_error(log, "%s: not enough memory to compare it",
+			model->path);
+		return -ENOMEM;
+	}
+	comparison->request = *request;
+	error = prepare(comparison, model, log);
+	if (error) {
+		comparison_destroy(comparison);
+		return error;
+	}
+	advise(comparison);
+	*out = comparison;
+	return 0;
+}
+
+void comparison_destroy(struct comparison *comparison)
+{
+	if (comparison) {
+		for (int i = 0; i < comparison->candidate_count; i++) {
+			candidate_destroy(&comparison->candidate[i]);
+		}
+		reference_destroy(comparison->reference);
+		free(comparison);
+	}
+}

@@ -1,0 +1,65 @@
+#!/bin/sh
+# limber compare: its figures recomputed from the files it writes, its formats,
+# and what it refuses.
+. "$(dirname "$0")/../support/cli.sh"
+
+model=${SAMPLES:-../shared}/models/CesiumMan.glb
+slow_machine=${COMPARE_FPS:-30}
+
+if [ -f "$model" ] && command -v python3 >/dev/null; then
+    limber compare "$model" --fps "$slow_machine" --error 2 --format json \
+        --export "$scratch/baked"
+    expect_status 0
+    expect_no_err
+    cp "$out_file" "$scratch/report.json"
+    # shellcheck disable=SC2086 # a command and its arguments
+    python3 "$(dirname "$0")/compare_check.py" "$scratch/report.json" \
+        "$model" "$scratch/baked" $limber >"$scratch/checked" 2>&1 || true
+    while read -r line; do
+        case $line in
+        'ok '*) pass "recomputed: ${line#* - }" ;;
+        'not ok '*) fail "recomputed: ${line#* - }" "$(cat "$scratch/checked")" ;;
+        esac
+    done <"$scratch/checked"
+    check 'all figures were recomputed' grep -qx '1..10' "$scratch/checked"
+fi
+
+limber compare "$slider" --fps 10 --plot "$scratch/plot.svg"
+expect_status 0
+expect_out '^> '
+expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
+check 'the plot has a point for each technique' \
+    test "$(grep -c '<circle' "$scratch/plot.svg")" -ge 4
+check 'the plot is well formed' python3 -c \
+    'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' \
+    "$scratch/plot.svg"
+
+limber compare "$slider" --fps 10 --format csv
+expect_status 0
+expect_out '^technique,kind,us_per_frame'
+limber compare "$slider" --fps 10 --format md
+expect_status 0
+expect_out '^\|---\|---\|---:\|'
+limber compare "$slider" --fps 10 --ram 1
+expect_status 0
+expect_out 'nothing fits the memory'
+
+limber compare
+expect_refusal 2 'no model'
+limber compare "$slider" --format xml
+expect_refusal 2 'text, json, csv or md'
+limber compare "$slider" --error 0
+expect_refusal 2 'from 0.001 to 1000'
+limber compare "$slider" --ram lots
+expect_refusal 2 'a number of bytes'
+limber compare "$slider" --clip none
+expect_refusal 1 'no such clip'
+limber compare "$slider" --fps 10 --plot "$scratch/none/plot.svg"
+expect_status 1
+expect_err 'plot.svg: cannot be written'
+limber compare "$slider" --fps 10 --export "$scratch/none/baked"
+expect_status 1
+expect_err 'baked: cannot be made'
+limber compare "$(dirname "$0")/../../assets/arm.glb"
+expect_refusal 1 'it has no clip'
+tap_done

@@ -1,0 +1,187 @@
+#!/usr/bin/env python3
+"""compare_check.py REPORT.json MODEL BAKED COMMAND...: recomputes the figures.
+
+Poses the model and what was baked from it with `COMMAND pose` and projects
+both by the report's view, so errors come from written files and not from the
+program's own arrays; takes bytes from the files' accessors. Prints TAP.
+"""
+import json
+import math
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+
+COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+FORMAT = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
+WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+class Glb:
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        length = struct.unpack_from("<I", data, 12)[0]
+        self.json = json.loads(data[20:20 + length])
+        self.binary = data[20 + length + 8:]
+
+    def accessor_bytes(self, index):
+        accessor = self.json["accessors"][index]
+        return (accessor["count"] * WIDTH[accessor["type"]]
+                * COMPONENT_BYTES[accessor["componentType"]])
+
+    def read(self, index):
+        accessor = self.json["accessors"][index]
+        view = self.json["bufferViews"][accessor["bufferView"]]
+        width = WIDTH[accessor["type"]]
+        kind = accessor["componentType"]
+        stride = view.get("byteStride", width * COMPONENT_BYTES[kind])
+        at = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        return [struct.unpack_from(f"<{width}{FORMAT[kind]}", self.binary,
+                                   at + i * stride)
+                for i in range(accessor["count"])]
+
+    def moving_bytes(self):
+        """Vertices, targets and clips: what file_bytes is of a bake."""
+        total = 0
+        for mesh in self.json["meshes"]:
+            for primitive in mesh["primitives"]:
+                for name, index in primitive["attributes"].items():
+                    if name in ("POSITION", "NORMAL"):
+                        total += self.accessor_bytes(index)
+                for target in primitive.get("targets", []):
+                    total += sum(map(self.accessor_bytes, target.values()))
+        for clip in self.json["animations"]:
+            for sampler in clip["samplers"]:
+                total += self.accessor_bytes(sampler["input"])
+                total += self.accessor_bytes(sampler["output"])
+        return total
+
+
+class Check:
+    count = 0
+    failed = 0
+
+    def __call__(self, good, name, why=""):
+        self.count += 1
+        self.failed += not good
+        print(f"{'ok' if good else 'not ok'} {self.count} - {name}")
+        if not good:
+            print(f"# {why}")
+
+
+def posed(command, model, clip, time_s, folder):
+    """World-space vertices, and faces by the file's node numbers."""
+    path = os.path.join(folder, "posed.obj")
+    subprocess.run(command + ["pose", model, "--clip", str(clip), "--time",
+                              f"{time_s:.9f}", "--math", "float", "-o", path],
+                   check=True)
+    vertices, objects = [], {}
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["v"]:
+                vertices.append(tuple(map(float, words[1:4])))
+            elif words[:1] == ["o"]:
+                node = int(words[1].split("_")[0][len("node"):])
+                faces = objects.setdefault(node, [])
+            elif words[:1] == ["f"]:
+                faces.append([int(word.split("/")[0]) - 1
+                              for word in words[1:4]])
+    return vertices, [face for node in sorted(objects)
+                      for face in objects[node]]
+
+
+def project(screen, point):
+    view = screen["view"]
+    eye = [sum(view[column * 4 + row] * (point + (1.0,))[column]
+               for column in range(4)) for row in range(3)]
+    return (eye[0] * screen["focal_px"] / -eye[2],
+            eye[1] * screen["focal_px"] / -eye[2])
+
+
+def distance_px(screen, a, b):
+    (ax, ay), (bx, by) = project(screen, a), project(screen, b)
+    return math.hypot(ax - bx, ay - by)
+
+
+def joint_of_triangle(joints, weights, corners):
+    sums = {}
+    for corner in corners:
+        for joint, weight in zip(joints[corner], weights[corner]):
+            sums[joint] = sums.get(joint, 0.0) + weight
+    best = max(sums.values())
+    return next(joint for joint, value in sums.items() if value == best)
+
+
+def rigid_corners(original):
+    """The model's corners in the order in which rigid parts have them."""
+    primitive = original.json["meshes"][0]["primitives"][0]
+    joints = original.read(primitive["attributes"]["JOINTS_0"])
+    weights = original.read(primitive["attributes"]["WEIGHTS_0"])
+    index = [i for (i,) in original.read(primitive["indices"])]
+    triangles = [index[i:i + 3] for i in range(0, len(index), 3)]
+    parts = {}
+    for triangle in triangles:
+        joint = joint_of_triangle(joints, weights, triangle)
+        parts.setdefault(joint, []).extend(triangle)
+    return [corner for joint in sorted(parts) for corner in parts[joint]]
+
+
+def main():
+    report_path, model, baked = sys.argv[1:4]
+    command = sys.argv[4:]
+    check = Check()
+    with open(report_path, encoding="utf-8") as file:
+        report = json.load(file)
+    original = Glb(model)
+    screen = report["screen"]
+    times = report["times_s"]
+
+    with tempfile.TemporaryDirectory() as folder:
+        for candidate in report["candidates"]:
+            if not candidate["listed"]:
+                continue
+            if "key_times_s" in candidate:
+                name = f"morph-{len(candidate['key_times_s'])}.glb"
+            elif candidate["name"] == "rigid parts":
+                name = "rigid.glb"
+            else:
+                continue
+            path = os.path.join(baked, name)
+            corners = rigid_corners(original) if name == "rigid.glb" else None
+            check(Glb(path).moving_bytes() == candidate["file_bytes"],
+                  f"{name}: as many bytes as the report says",
+                  f"{Glb(path).moving_bytes()} in the file, "
+                  f"{candidate['file_bytes']} in the report")
+            worst = {}
+            for time_s in times[::max(1, len(times) // 6)] + [candidate["peak_s"]]:
+                wanted, _ = posed(command, model, report["clip"], time_s, folder)
+                shown, faces = posed(command, path, 0, time_s, folder)
+                if corners:
+                    flat = [corner for face in faces for corner in face]
+                    pairs = list(zip(flat, corners))
+                else:
+                    pairs = [(i, i) for i in range(len(wanted))]
+                worst[time_s] = max(distance_px(screen, shown[a], wanted[b])
+                                    for a, b in pairs)
+            peak = candidate["peak_px"]
+            at_peak = worst[candidate["peak_s"]]
+            # The files have six decimals of a model a metre or two high.
+            check(abs(at_peak - peak) < 0.002 + 0.001 * peak,
+                  f"{name}: off by {peak:.3f} px at {candidate['peak_s']:.3f} s",
+                  f"{at_peak:.4f} px recomputed")
+            check(all(value < peak + 0.002 + 0.001 * peak
+                      for value in worst.values()),
+                  f"{name}: nowhere further off", f"{worst}")
+            if candidate["name"].endswith("fitted"):
+                check(peak <= report["bound_px"] * 1.0001,
+                      f"{name}: keeps the error that may be",
+                      f"{peak} px")
+    print(f"1..{check.count}")
+    return check.failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

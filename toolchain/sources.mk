@@ -31,7 +31,7 @@ CAMERA_DRIVERS_arm := v4l2 pattern
 # Vertex loops, best first: kernel_NAME. Assembly is the board's alone.
 KERNELS_host := float fixed an4044
 KERNELS_asan := $(KERNELS_host)
-KERNELS_arm := fixed float an4044
+KERNELS_arm := armv6 fixed float an4044
 KERNELS_fuzz := $(KERNELS_host)
 KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 

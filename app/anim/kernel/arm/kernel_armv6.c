@@ -1,0 +1,22 @@
+/*
+ * The table of the ARMv6 assembly beside this file.
+ */
+#include "app/anim/kernel/arm/armv6.h"
+#include "app/anim/kernel/float.h"
+
+const struct fixed_loops fixed_loops_armv6 = {
+	.skin = kernel_armv6_skin,
+	.lerp = kernel_armv6_lerp,
+	.increment = kernel_armv6_increment,
+	.morph_pair = kernel_armv6_morph_pair,
+	.morph_begin = kernel_armv6_morph_begin,
+	.morph_add = kernel_armv6_morph_add,
+	.morph_end = kernel_armv6_morph_end,
+};
+
+const struct kernel kernel_armv6 = {
+	.name = "armv6",
+	.summary = "ARMv6 assembly in fixed point",
+	.fixed = &fixed_loops_armv6,
+	FLOAT_LOOPS,
+};

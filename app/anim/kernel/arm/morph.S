@@ -1,0 +1,288 @@
+/*
+ * Morphing for ARMv6: what the functions of the same names in fixed_loops.c
+ * do, bit for bit. Vectors and sums are taken and given in words:
+ *
+ *   vector  { x, fraction }  { z, y }      upper half first
+ *   sum     x  y  z
+ */
+	.syntax	unified
+	.arch	armv6
+	.arm
+	.text
+
+#define AHEAD 96
+
+/* The upper halves of y and z into z. */
+	.macro	pack y, z
+	pkhtb	\z, \z, \y, asr #16
+	.endm
+
+/*
+ * void kernel_armv6_lerp(int count, const struct fixed_pair (*pair)[3],
+ *	struct fixed_weights weights, struct fixed_vector *out);
+ *
+ *   r0 vertices left   r1 pairs   r2 weights   r3 out   r12 a half
+ *
+ * Three vertices at a time, each loaded while the one before is weighed and
+ * the one before that is stored.
+ */
+	.macro	weigh x, y, z
+	smlad	\y, \y, r2, r12
+	smlad	\z, \z, r2, r12
+	smlad	\x, \x, r2, r12
+	.endm
+
+	.global	kernel_armv6_lerp
+	.type	kernel_armv6_lerp, %function
+kernel_armv6_lerp:
+	push	{r4-r11, lr}
+	subs	r0, r0, #1
+	mov	r12, #0x8000
+	blt	lerp_done
+	ldmia	r1!, {r4, r5, r6}
+	subs	r0, r0, #3
+	blt	lerp_rest
+1:	ldmia	r1!, {r7, r8, r9}
+	weigh	r4, r5, r6
+	ldmia	r1!, {r10, r11, lr}
+	weigh	r7, r8, r9
+	pack	r5, r6
+	pld	[r1, #AHEAD]
+	stmia	r3!, {r4, r6}
+	ldmia	r1!, {r4, r5, r6}
+	weigh	r10, r11, lr
+	pack	r8, r9
+	subs	r0, r0, #3
+	stmia	r3!, {r7, r9}
+	pack	r11, lr
+	stmia	r3!, {r10, lr}
+	bge	1b
+/* One is loaded, and r0 + 3 more are to come. */
+lerp_rest:
+	add	r0, r0, #3
+2:	weigh	r4, r5, r6
+	subs	r0, r0, #1
+	ldmiage	r1!, {r7, r8, r9}
+	pack	r5, r6
+	stmia	r3!, {r4, r6}
+	mov	r4, r7
+	mov	r5, r8
+	mov	r6, r9
+	bge	2b
+lerp_done:
+	pop	{r4-r11, pc}
+	.size	kernel_armv6_lerp, . - kernel_armv6_lerp
+
+/*
+ * void kernel_armv6_increment(int count, const struct fixed_vector *step,
+ *	struct fixed_vector *vector);
+ *
+ *   r0 vertices left   r1 steps   r2 vectors
+ */
+	.global	kernel_armv6_increment
+	.type	kernel_armv6_increment, %function
+kernel_armv6_increment:
+	push	{r4-r11, lr}
+	subs	r0, r0, #2
+	blt	2f
+1:	ldmia	r1!, {r4-r7}
+	ldmia	r2, {r8-r11}
+	pld	[r1, #AHEAD]
+	pld	[r2, #AHEAD]
+	qadd16	r4, r4, r8
+	qadd16	r5, r5, r9
+	qadd16	r6, r6, r10
+	qadd16	r7, r7, r11
+	subs	r0, r0, #2
+	stmia	r2!, {r4-r7}
+	bge	1b
+2:	adds	r0, r0, #1
+	blt	3f
+	ldmia	r1, {r4, r5}
+	ldmia	r2, {r8, r9}
+	qadd16	r4, r4, r8
+	qadd16	r5, r5, r9
+	stmia	r2, {r4, r5}
+3:	pop	{r4-r11, pc}
+	.size	kernel_armv6_increment, . - kernel_armv6_increment
+
+/*
+ * void kernel_armv6_morph_pair(int count, const struct fixed_vector *base,
+ *	const struct fixed_pair (*pair)[3], struct fixed_weights weights,
+ *	struct fixed_vector *out);
+ *
+ *   r0 vertices left   r1 base   r2 pairs   r3 weights   r12 out
+ *   r7 r11 lr  a vertex's pairs
+ *   r4 r5 r6, r8 r9 r10  sums x z y of two vertices in turn, from base
+ *
+ * A step loads a vertex's pairs, stores the vertex before, adds, and loads
+ * the base of the vertex after.
+ */
+	.macro	expand x, z, y
+	pkhbt	\y, \x, \z, lsl #16
+	pkhbt	\z, \x, \z
+	.endm
+
+	.macro	add_pair x, z, y
+	smlad	\y, r11, r3, \y
+	smlad	\z, lr, r3, \z
+	smlad	\x, r7, r3, \x
+	.endm
+
+	.macro	even_step
+	ldmia	r2!, {r7, r11, lr}
+	pack	r10, r9
+	stmia	r12!, {r8, r9}
+	expand	r4, r5, r6
+	add_pair r4, r5, r6
+	ldrd	r8, r9, [r1], #8
+	.endm
+
+	.macro	odd_step
+	ldmia	r2!, {r7, r11, lr}
+	pack	r6, r5
+	stmia	r12!, {r4, r5}
+	expand	r8, r9, r10
+	add_pair r8, r9, r10
+	ldrd	r4, r5, [r1], #8
+	.endm
+
+	.global	kernel_armv6_morph_pair
+	.type	kernel_armv6_morph_pair, %function
+kernel_armv6_morph_pair:
+	push	{r3-r11, lr}
+	ldr	r12, [sp, #40]
+	subs	r0, r0, #10
+	blt	morph_rest
+/* The first vertex has none before it to store. */
+	ldrd	r4, r5, [r1], #8
+	ldmia	r2!, {r7, r11, lr}
+	expand	r4, r5, r6
+	add_pair r4, r5, r6
+	ldrd	r8, r9, [r1], #8
+1:	odd_step
+	pld	[r2, #AHEAD]
+	even_step
+	odd_step
+	pld	[r2, #AHEAD]
+	even_step
+	pld	[r1, #AHEAD]
+	odd_step
+	even_step
+	pld	[r2, #AHEAD]
+	odd_step
+	even_step
+	subs	r0, r0, #8
+	pld	[r1, #AHEAD]
+	bge	1b
+/* r4 r5 r6 wait to be stored; one base is loaded too early. */
+	pack	r6, r5
+	stmia	r12!, {r4, r5}
+	sub	r1, r1, #8
+	sub	r0, r0, #1
+morph_rest:
+	adds	r0, r0, #10
+	ble	3f
+2:	ldrd	r4, r5, [r1], #8
+	ldmia	r2!, {r7, r11, lr}
+	subs	r0, r0, #1
+	expand	r4, r5, r6
+	add_pair r4, r5, r6
+	pack	r6, r5
+	stmia	r12!, {r4, r5}
+	bgt	2b
+3:	pop	{r3-r11, pc}
+	.size	kernel_armv6_morph_pair, . - kernel_armv6_morph_pair
+
+/*
+ * void kernel_armv6_morph_begin(int count, const struct fixed_vector *base,
+ *	struct fixed_sum *sum);
+ */
+	.global	kernel_armv6_morph_begin
+	.type	kernel_armv6_morph_begin, %function
+kernel_armv6_morph_begin:
+	push	{r4-r11, lr}
+	subs	r0, r0, #2
+	blt	2f
+1:	ldmia	r1!, {r4, r5}
+	ldmia	r1!, {r7, r8}
+	subs	r0, r0, #2
+	pkhbt	r6, r4, r5
+	pkhbt	r5, r4, r5, lsl #16
+	pkhbt	r9, r7, r8
+	pkhbt	r8, r7, r8, lsl #16
+	pld	[r1, #AHEAD]
+	stmia	r2!, {r4-r9}
+	bge	1b
+2:	adds	r0, r0, #1
+	blt	3f
+	ldmia	r1, {r4, r5}
+	pkhbt	r6, r4, r5
+	pkhbt	r5, r4, r5, lsl #16
+	stmia	r2, {r4, r5, r6}
+3:	pop	{r4-r11, pc}
+	.size	kernel_armv6_morph_begin, . - kernel_armv6_morph_begin
+
+/*
+ * void kernel_armv6_morph_add(int count, const struct fixed_pair (*pair)[3],
+ *	struct fixed_weights weights, struct fixed_sum *sum);
+ *
+ *   r0 vertices left   r1 pairs   r2 weights   r3 sums
+ */
+	.global	kernel_armv6_morph_add
+	.type	kernel_armv6_morph_add, %function
+kernel_armv6_morph_add:
+	push	{r4-r11, lr}
+	subs	r0, r0, #2
+	blt	2f
+1:	ldmia	r1!, {r4, r5, r6}
+	ldmia	r3, {r7, r8, r9}
+	pld	[r1, #AHEAD]
+	subs	r0, r0, #2
+	smlad	r7, r4, r2, r7
+	smlad	r8, r5, r2, r8
+	smlad	r9, r6, r2, r9
+	ldmia	r1!, {r4, r5, r6}
+	stmia	r3!, {r7, r8, r9}
+	ldmia	r3, {r10, r11, lr}
+	smlad	r10, r4, r2, r10
+	smlad	r11, r5, r2, r11
+	smlad	lr, r6, r2, lr
+	stmia	r3!, {r10, r11, lr}
+	bge	1b
+2:	adds	r0, r0, #1
+	blt	3f
+	ldmia	r1, {r4, r5, r6}
+	ldmia	r3, {r7, r8, r9}
+	smlad	r7, r4, r2, r7
+	smlad	r8, r5, r2, r8
+	smlad	r9, r6, r2, r9
+	stmia	r3, {r7, r8, r9}
+3:	pop	{r4-r11, pc}
+	.size	kernel_armv6_morph_add, . - kernel_armv6_morph_add
+
+/*
+ * void kernel_armv6_morph_end(int count, const struct fixed_sum *sum,
+ *	struct fixed_vector *out);
+ */
+	.global	kernel_armv6_morph_end
+	.type	kernel_armv6_morph_end, %function
+kernel_armv6_morph_end:
+	push	{r4-r11, lr}
+	subs	r0, r0, #2
+	blt	2f
+1:	ldmia	r1!, {r4-r9}
+	subs	r0, r0, #2
+	pack	r5, r6
+	pack	r8, r9
+	stmia	r2!, {r4, r6, r7, r9}
+	bge	1b
+2:	adds	r0, r0, #1
+	blt	3f
+	ldmia	r1, {r4, r5, r6}
+	pack	r5, r6
+	stmia	r2, {r4, r6}
+3:	pop	{r4-r11, pc}
+	.size	kernel_armv6_morph_end, . - kernel_armv6_morph_end
+
+	.section .note.GNU-stack, "", %progbits

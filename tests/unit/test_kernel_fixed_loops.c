@@ -1,0 +1,328 @@
+/*
+ * The fixed-point loops: the C against sums in 64 bits, and every other
+ * kernel's against the C's, bit for bit.
+ */
+#include "app/anim/kernel/fixed.h"
+#include "app/anim/kernel/kernel.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	VERTICES = 67,
+	JOINTS = 9,
+	INFLUENCES_MAX = 8,
+	GUARD = 4,
+	ROUNDS = 40
+};
+
+struct fixture {
+	/* Aligned as an arena's arrays are. */
+	_Alignas(16) struct fixed_base base[VERTICES * INFLUENCES_MAX + 1];
+	_Alignas(16) struct fixed_vector from[VERTICES];
+	_Alignas(16) struct fixed_vector step[VERTICES];
+	struct fixed_matrix palette[JOINTS];
+	struct fixed_pair pair[VERTICES][3];
+	int32_t run[VERTICES * (1 + INFLUENCES_MAX)];
+	struct fixed_group group[INFLUENCES_MAX];
+	int group_count;
+	struct fixed_weights weights;
+};
+
+/* What a loop writes, with room behind that it must leave alone. */
+struct output {
+	_Alignas(16) struct fixed_vector vector[VERTICES + GUARD];
+	_Alignas(16) struct fixed_sum sum[VERTICES + GUARD];
+};
+
+static uint32_t next_random(uint32_t *seed)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return *seed >> 8;
+}
+
+/* Anything, the ends of the range, or what no sum overflows with. */
+enum filling {
+	FILL_ANY,
+	FILL_ENDS,
+	FILL_SMALL
+};
+
+static void fill(void *to, size_t size, enum filling filling, uint32_t *seed)
+{
+	static const int16_t end[] = {
+		-32768, -32767, -1, 0, 1, 32767, 16384, -16384};
+	int16_t *out = to;
+
+	for (size_t i = 0; i < size / sizeof(*out); i++) {
+		uint32_t value = next_random(seed);
+
+		out[i] = (int16_t)value;
+		if (filling == FILL_ENDS) {
+			out[i] = end[value % 8];
+		} else if (filling == FILL_SMALL) {
+			out[i] = (int16_t)(value % 8001 - 4000);
+		}
+	}
+}
+
+/* Groups of 1, 2, ... influences, of runs as long as chance has them. */
+static void make_groups(struct fixture *f, uint32_t *seed)
+{
+	int32_t *end = f->run;
+	int left = VERTICES;
+
+	f->group_count = 0;
+	for (int k = 1; k <= INFLUENCES_MAX; k++) {
+		struct fixed_group *group = &f->group[f->group_count];
+		int most = k < INFLUENCES_MAX ? left / 2 : left;
+
+		*group = (struct fixed_group){k, 0, end};
+		while (most > 0) {
+			int count = (int)(next_random(seed) % 9) + 1;
+
+			count = count < most ? count : most;
+			*end++ = count;
+			for (int i = 0; i < k; i++) {
+				*end++ = (int32_t)(next_random(seed) % JOINTS *
+					sizeof(struct fixed_matrix));
+			}
+			group->run_count++;
+			most -= count;
+			left -= count;
+		}
+		f->group_count += group->run_count > 0;
+	}
+}
+
+static void set_up(struct fixture *f, enum filling filling, uint32_t seed)
+{
+	memset(f, 0, sizeof(*f));
+	fill(f->base, sizeof(f->base), filling, &seed);
+	fill(f->from, sizeof(f->from), filling, &seed);
+	fill(f->step, sizeof(f->step), filling, &seed);
+	fill(f->palette, sizeof(f->palette), filling, &seed);
+	fill(f->pair, sizeof(f->pair), filling, &seed);
+	fill(&f->weights, sizeof(f->weights), filling, &seed);
+	make_groups(f, &seed);
+}
+
+static int64_t dot_wide(const int16_t row[4], const struct fixed_base *base)
+{
+	return (int64_t)row[0] * base->x + (int64_t)row[1] * base->y +
+		(int64_t)row[2] * base->z + (int64_t)row[3] * base->w;
+}
+
+static int64_t weigh_wide(
+	const struct fixed_pair *pair, struct fixed_weights weights)
+{
+	return (int64_t)pair->a * weights.a + (int64_t)pair->b * weights.b;
+}
+
+static void assert_sums(const struct fixed_vector *got, const int64_t sum[3])
+{
+	assert_int_equal(got->x, sum[0] >> 16);
+	assert_int_equal(got->y, sum[1] >> 16);
+	assert_int_equal(got->z, sum[2] >> 16);
+	assert_int_equal((uint16_t)got->fraction, sum[0] & 0xffff);
+}
+
+static void test_skinning_sums_rows_times_vectors(void **state)
+{
+	static struct fixture f;
+	static struct output out;
+	const struct fixed_base *base = f.base;
+	int v = 0;
+
+	(void)state;
+	set_up(&f, FILL_SMALL, 1);
+	fixed_loops_c.skin(
+		f.group, f.group_count, f.base, f.palette, out.vector);
+	for (int g = 0; g < f.group_count; g++) {
+		const int32_t *run = f.group[g].run;
+
+		for (int r = 0; r < f.group[g].run_count; r++) {
+			int k = f.group[g].influences;
+
+			for (int i = 0; i < run[0]; i++, v++) {
+				int64_t sum[3] = {0, 0, 0};
+
+				for (int j = 0; j < k * 3; j++) {
+					int joint = run[1 + j / 3] /
+						(int)sizeof(struct fixed_matrix);
+
+					sum[j % 3] += dot_wide(
+						f.palette[joint].row[j % 3],
+						&base[j / 3]);
+				}
+				assert_sums(&out.vector[v], sum);
+				base += k;
+			}
+			run += 1 + k;
+		}
+	}
+	assert_int_equal(v, VERTICES);
+}
+
+static void test_a_lerp_weighs_and_rounds(void **state)
+{
+	static struct fixture f;
+	static struct output out;
+
+	(void)state;
+	set_up(&f, FILL_SMALL, 2);
+	fixed_loops_c.lerp(VERTICES, (const struct fixed_pair(*)[3])f.pair,
+		f.weights, out.vector);
+	for (int v = 0; v < VERTICES; v++) {
+		int64_t sum[3];
+
+		for (int k = 0; k < 3; k++) {
+			sum[k] = 32768 + weigh_wide(&f.pair[v][k], f.weights);
+		}
+		assert_sums(&out.vector[v], sum);
+	}
+}
+
+static void base_sums(const struct fixed_vector *base, int64_t sum[3])
+{
+	uint16_t fraction = (uint16_t)base->fraction;
+
+	sum[0] = (int64_t)base->x * 65536 + fraction;
+	sum[1] = (int64_t)base->y * 65536 + fraction;
+	sum[2] = (int64_t)base->z * 65536 + fraction;
+}
+
+static void test_a_pair_of_targets_is_added(void **state)
+{
+	static struct fixture f;
+	static struct output out;
+
+	(void)state;
+	set_up(&f, FILL_SMALL, 3);
+	fixed_loops_c.morph_pair(VERTICES, f.from,
+		(const struct fixed_pair(*)[3])f.pair, f.weights, out.vector);
+	for (int v = 0; v < VERTICES; v++) {
+		int64_t sum[3];
+
+		base_sums(&f.from[v], sum);
+		for (int k = 0; k < 3; k++) {
+			sum[k] += weigh_wide(&f.pair[v][k], f.weights);
+		}
+		assert_sums(&out.vector[v], sum);
+	}
+}
+
+static void test_many_pairs_are_added_like_one(void **state)
+{
+	static struct fixture f;
+	static struct output out, one;
+	const struct fixed_pair(*pair)[3] =
+		(const struct fixed_pair(*)[3])f.pair;
+
+	(void)state;
+	set_up(&f, FILL_SMALL, 4);
+	fixed_loops_c.morph_pair(VERTICES, f.from, pair, f.weights, one.vector);
+	fixed_loops_c.morph_begin(VERTICES, f.from, out.sum);
+	fixed_loops_c.morph_add(VERTICES, pair, f.weights, out.sum);
+	fixed_loops_c.morph_end(VERTICES, out.sum, out.vector);
+	assert_memory_equal(out.vector, one.vector, sizeof(out.vector));
+}
+
+static void test_increments_stop_at_the_ends(void **state)
+{
+	static const struct fixed_vector step[3] = {
+		{1, -1, 30000, -30000}, {0, 1, 2, 3}, {-5, 32767, -32768, 1}};
+	struct fixed_vector v[3] = {{32767, -32768, 30000, -30000},
+		{7, 8, 9, 10}, {-32766, 1, -1, 32767}};
+	static const struct fixed_vector want[3] = {
+		{32767, -32768, 32767, -32768}, {7, 9, 11, 13},
+		{-32768, 32767, -32768, 32767}};
+
+	(void)state;
+	fixed_loops_c.increment(3, step, v);
+	assert_memory_equal(v, want, sizeof(want));
+}
+
+/* All loops, count vertices of each; count 0 is allowed. */
+static void run_all(const struct fixed_loops *loops, const struct fixture *f,
+	int count, struct output out[5])
+{
+	const struct fixed_pair(*pair)[3] =
+		(const struct fixed_pair(*)[3])f->pair;
+
+	memset(out, 0x5a, 5 * sizeof(*out));
+	loops->skin(
+		f->group, f->group_count, f->base, f->palette, out[0].vector);
+	loops->lerp(count, pair, f->weights, out[1].vector);
+	memcpy(out[2].vector, f->from, sizeof(f->from));
+	loops->increment(count, f->step, out[2].vector);
+	loops->morph_pair(count, f->from, pair, f->weights, out[3].vector);
+	loops->morph_begin(count, f->from, out[4].sum);
+	loops->morph_add(count, pair, f->weights, out[4].sum);
+	loops->morph_end(count, out[4].sum, out[4].vector);
+}
+
+static void test_all_kernels_give_the_same_bits(void **state)
+{
+	static struct fixture f;
+	static struct output want[5], got[5];
+
+	(void)state;
+	for (int k = 0; kernel_registry[k]; k++) {
+		const struct fixed_loops *loops = kernel_registry[k]->fixed;
+
+		if (!loops) {
+			continue;
+		}
+		for (int round = 0; round < ROUNDS * 3; round++) {
+			int count = round / 3 * VERTICES / (ROUNDS - 1);
+
+			set_up(&f, (enum filling)(round % 3),
+				(uint32_t)round * 77 + 5);
+			run_all(&fixed_loops_c, &f, count, want);
+			run_all(loops, &f, count, got);
+			for (int i = 0; i < 5; i++) {
+				assert_memory_equal(
+					&got[i], &want[i], sizeof(*want));
+			}
+		}
+	}
+}
+
+static void test_a_morph_may_overwrite_its_base(void **state)
+{
+	static struct fixture f;
+	static struct output want;
+	const struct fixed_pair(*pair)[3] =
+		(const struct fixed_pair(*)[3])f.pair;
+
+	(void)state;
+	for (int k = 0; kernel_registry[k]; k++) {
+		const struct fixed_loops *loops = kernel_registry[k]->fixed;
+
+		if (!loops) {
+			continue;
+		}
+		set_up(&f, FILL_ANY, 9);
+		fixed_loops_c.morph_pair(
+			VERTICES, f.from, pair, f.weights, want.vector);
+		loops->morph_pair(VERTICES, f.from, pair, f.weights, f.from);
+		assert_memory_equal(f.from, want.vector, sizeof(f.from));
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_skinning_sums_rows_times_vectors),
+		cmocka_unit_test(test_a_lerp_weighs_and_rounds),
+		cmocka_unit_test(test_a_pair_of_targets_is_added),
+		cmocka_unit_test(test_many_pairs_are_added_like_one),
+		cmocka_unit_test(test_increments_stop_at_the_ends),
+		cmocka_unit_test(test_all_kernels_give_the_same_bits),
+		cmocka_unit_test(test_a_morph_may_overwrite_its_base),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

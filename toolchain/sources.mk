@@ -45,10 +45,19 @@ GPIOD_API_host := $(or $(firstword $(subst ., ,$(shell \
 GPIOD_API_asan := $(GPIOD_API_host)
 GPIOD_API_arm := 2
 
+# How the soft driver walks rows: a folder of platform/gl/soft.
+SOFT_ROWS_host := portable
+SOFT_ROWS_arm := arm
+SOFT_ROWS_asan := portable
+SOFT_ROWS_fuzz := portable
+
 # $(call seam_driver_sources,SEAM,NAMES)
 seam_driver_sources = $(foreach name,$(2),\
 	$(sort $(wildcard platform/$(1)/$(name)/*.c)))
+soft_row_sources = $(if $(filter soft,$(GL_DRIVERS_$(1))),$(sort $(wildcard \
+	$(patsubst %,platform/gl/soft/$(SOFT_ROWS_$(1))/*.%,c S))))
 driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
+	$(call soft_row_sources,$(1)) \
 	$(call seam_driver_sources,display,$(DISPLAY_DRIVERS_$(1))) \
 	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1))) \
 	$(call seam_driver_sources,camera,$(CAMERA_DRIVERS_$(1))) \

@@ -153,7 +153,8 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	if (shaded) {
 		set_surface(gl, instance, drawable, textures);
 	}
-	if (!shaded || material_of(instance, drawable)->double_sided) {
+	/* Shapes too: what faces the light has the outline of all. */
+	if (material_of(instance, drawable)->double_sided) {
 		gl->Disable(GL_CULL_FACE);
 	} else {
 		gl->Enable(GL_CULL_FACE);

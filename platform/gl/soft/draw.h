@@ -137,6 +137,7 @@ struct draw {
 	float position_scale;
 	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
 	struct clip_box box;
+	bool same_stride; /* the rows of depth and picture are as far apart */
 	bool perspective, eye_needed, fogged;
 	/* every vertex's, where w does not vary; see struct vertex */
 	int32_t inverse_w_q30;

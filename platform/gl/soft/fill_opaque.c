@@ -10,39 +10,12 @@
 #include "platform/gl/soft/ramp.h"
 
 enum {
-	/*
-	 * So many pixels the packed colour may run before it is taken afresh.
-	 * Its steps are cut towards zero, so that it stays between what it was
-	 * and what it should be, by at most half a step of RGB565 off.
-	 */
-	PACKED_RUN = 16,
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 16,
 };
 
-/* G in 31..21, R in 20..10, B in 9..0: 6.5, 5.6 and 5.5 bits. */
-static ALWAYS_INLINE uint32_t pack(uint32_t r, uint32_t g, uint32_t b)
-{
-	return (round_to_6(g) >> 13 << 21) + (round_to_5(r) >> 13 << 10) +
-		(round_to_5(b) >> 14);
-}
-
-static int32_t cut(int32_t value, int bits)
-{
-	return value < 0 ? -(-value >> bits) : value >> bits;
-}
-
-static uint32_t pack_step(int32_t r, int32_t g, int32_t b)
-{
-	return ((uint32_t)cut(g - (g >> 6), 13) << 21) +
-		((uint32_t)cut(r - (r >> 5), 13) << 10) +
-		(uint32_t)cut(b - (b >> 5), 14);
-}
-
 enum paint {
-	PAINT_GRAY, /* red alone stands for all */
-	PAINT_COLOR,
-	TEXTURE_GRAY,
+	TEXTURE_GRAY, /* red alone stands for all */
 	TEXTURE_TINTED,
 	TEXTURE_LINEAR, /* tinted, four texels mixed */
 };
@@ -60,65 +33,6 @@ struct run {
 	int t_shift;
 	int level_shift; /* from the base's coordinates to the level's */
 };
-
-static ALWAYS_INLINE void put_packed(
-	uint16_t *pixel, uint16_t *depth, uint32_t z, uint32_t packed)
-{
-	if (z >> 10 < *depth) {
-		*depth = (uint16_t)(z >> 10);
-		*pixel =
-			(uint16_t)((packed >> 5 & 0xF81F) | (packed >> 26 << 5));
-	}
-}
-
-/* By pairs, which halves what the loop itself costs. */
-static ALWAYS_INLINE void run_packed(uint16_t *pixel, uint16_t *depth,
-	int count, uint32_t z, uint32_t dz, uint32_t packed, uint32_t step)
-{
-	if (count & 1) {
-		put_packed(pixel++, depth++, z, packed);
-		z += dz;
-		packed += step;
-	}
-	for (count >>= 1; count > 0; count--) {
-		put_packed(pixel, depth, z, packed);
-		z += dz;
-		packed += step;
-		put_packed(pixel + 1, depth + 1, z, packed);
-		z += dz;
-		packed += step;
-		pixel += 2;
-		depth += 2;
-	}
-}
-
-static ALWAYS_INLINE void run_plain(const struct run *run,
-	const struct ramps *ramps, uint32_t step, bool gray)
-{
-	uint16_t *pixel = run->pixel + run->left;
-	uint16_t *depth = run->depth + run->left;
-	uint32_t z = ramp_at(&ramps->z, run->left);
-	uint32_t dz = (uint32_t)ramps->z.dx;
-	int left = run->left, count = run->count;
-
-	for (;;) {
-		uint32_t r = ramp_at(&ramps->color[0], left);
-		uint32_t g = gray ? r : ramp_at(&ramps->color[1], left);
-		uint32_t b = gray ? r : ramp_at(&ramps->color[2], left);
-		uint32_t packed = pack(r, g, b);
-
-		if (count <= PACKED_RUN) {
-			run_packed(pixel, depth, count, z, dz, packed, step);
-			return;
-		}
-		run_packed(pixel, depth, PACKED_RUN, z, dz, packed, step);
-		pixel += PACKED_RUN;
-		depth += PACKED_RUN;
-		left += PACKED_RUN;
-		count -= PACKED_RUN;
-		z += dz * PACKED_RUN;
-	}
-}
 
 static ALWAYS_INLINE uint32_t load_texel(
 	const struct run *run, uint32_t s, uint32_t t)
@@ -212,14 +126,12 @@ static ALWAYS_INLINE void move_down(
 {
 	ramp_down(&ramps->z, rows);
 	ramp_down(&ramps->color[0], rows);
-	if (paint == PAINT_COLOR || paint >= TEXTURE_TINTED) {
+	if (paint >= TEXTURE_TINTED) {
 		ramp_down(&ramps->color[1], rows);
 		ramp_down(&ramps->color[2], rows);
 	}
-	if (paint >= TEXTURE_GRAY) {
-		ramp_down(&ramps->s, rows);
-		ramp_down(&ramps->t, rows);
-	}
+	ramp_down(&ramps->s, rows);
+	ramp_down(&ramps->t, rows);
 }
 
 static uint32_t size_of(int32_t value)
@@ -249,22 +161,20 @@ static ALWAYS_INLINE void begin_run(const struct draw *draw,
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct texture_input *input = &draw->texture[0];
+	const struct level *level;
+	int number;
 
 	run->pixel = (uint16_t *)(void *)(buffers->target.data +
 		(ptrdiff_t)y * buffers->target.stride_bytes);
 	run->depth = buffers->depth + y * buffers->width;
-	if (paint >= TEXTURE_GRAY) {
-		int number =
-			paint == TEXTURE_LINEAR ? choose_level(input, ramps) : 0;
-		const struct level *level = &input->texture->level[number];
-
-		run->texels = level->texels;
-		run->level_shift = number;
-		run->s_mask = (2u << level->width_log2) - 2;
-		run->t_mask = ((1u << level->height_log2) - 1)
-			<< (level->width_log2 + 1);
-		run->t_shift = 15 - level->width_log2;
-	}
+	number = paint == TEXTURE_LINEAR ? choose_level(input, ramps) : 0;
+	level = &input->texture->level[number];
+	run->texels = level->texels;
+	run->level_shift = number;
+	run->s_mask = (2u << level->width_log2) - 2;
+	run->t_mask = ((1u << level->height_log2) - 1)
+		<< (level->width_log2 + 1);
+	run->t_shift = 15 - level->width_log2;
 }
 
 static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
@@ -279,11 +189,6 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 	int bottom = setup->bottom < box.bottom ? setup->bottom : box.bottom;
 	int turn = setup->middle < top ? top : setup->middle;
 	int y = top, end = turn < bottom ? turn : bottom;
-	const uint32_t step = paint == PAINT_GRAY
-		? pack_step(ramps.color[0].dx, ramps.color[0].dx,
-			  ramps.color[0].dx)
-		: pack_step(ramps.color[0].dx, ramps.color[1].dx,
-			  ramps.color[2].dx);
 	struct side whole = raster_side(setup->v[0], setup->v[2], top);
 	struct side part = raster_side(setup->v[0], setup->v[1], top);
 	struct run run;
@@ -305,12 +210,7 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 			run.left = from;
 			run.count = to - from;
 			if (run.count > 0) {
-				if (paint >= TEXTURE_GRAY) {
-					run_texture(&run, &ramps, paint);
-				} else {
-					run_plain(&run, &ramps, step,
-						paint == PAINT_GRAY);
-				}
+				run_texture(&run, &ramps, paint);
 			}
 			move_down(&ramps, 1, paint);
 			left.x += left.step;
@@ -342,7 +242,7 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	struct setup *setup, enum paint paint, struct ramps *out)
 {
 	const struct texture_input *input = &draw->texture[0];
-	int32_t round = paint >= TEXTURE_GRAY ? SHARE_ROUND >> 8 : 0;
+	int32_t round = SHARE_ROUND >> 8;
 	int32_t z = setup->v[0]->z;
 	struct limits limits = find_limits(draw, setup);
 	struct scale scale;
@@ -355,7 +255,7 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	if (!find_color_ramp(&scale, RED, limits.color, round, &out->color[0])) {
 		return false;
 	}
-	if (paint == PAINT_COLOR || paint >= TEXTURE_TINTED) {
+	if (paint >= TEXTURE_TINTED) {
 		if (!find_color_ramp(&scale, GREEN, limits.color, round,
 			    &out->color[1]) ||
 			!find_color_ramp(&scale, BLUE, limits.color, round,
@@ -363,11 +263,10 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 			return false;
 		}
 	}
-	if (paint >= TEXTURE_GRAY &&
-		(!find_texel_ramp(&scale, TEX_S, input->width_log2,
-			 limits.texel, &out->s) ||
-			!find_texel_ramp(&scale, TEX_S + 1, input->height_log2,
-				limits.texel, &out->t))) {
+	if (!find_texel_ramp(
+		    &scale, TEX_S, input->width_log2, limits.texel, &out->s) ||
+		!find_texel_ramp(&scale, TEX_S + 1, input->height_log2,
+			limits.texel, &out->t)) {
 		return false;
 	}
 	out->z = find_ramp(&scale, z, setup->v[1]->z - z, setup->v[2]->z - z);
@@ -386,16 +285,6 @@ static ALWAYS_INLINE void fill(
 	}
 }
 
-static void fill_gray(struct draw *draw, struct setup *setup)
-{
-	fill(draw, setup, PAINT_GRAY);
-}
-
-static void fill_color(struct draw *draw, struct setup *setup)
-{
-	fill(draw, setup, PAINT_COLOR);
-}
-
 static void fill_texture_gray(struct draw *draw, struct setup *setup)
 {
 	fill(draw, setup, TEXTURE_GRAY);
@@ -409,15 +298,6 @@ static void fill_texture_tinted(struct draw *draw, struct setup *setup)
 static void fill_texture_linear(struct draw *draw, struct setup *setup)
 {
 	fill(draw, setup, TEXTURE_LINEAR);
-}
-
-void fill_plain(struct draw *draw, struct setup *setup)
-{
-	if (is_gray(setup)) {
-		fill_gray(draw, setup);
-	} else {
-		fill_color(draw, setup);
-	}
 }
 
 void fill_textured(struct draw *draw, struct setup *setup)

@@ -59,6 +59,10 @@ static bool find_extent(const struct draw *draw,
 	setup->bottom = raster_centre(v[2]->y);
 	setup->wide =
 		right - left > SMALL_EXTENT || v[2]->y - v[0]->y > SMALL_EXTENT;
+	setup->inside = draw->same_stride && setup->top >= draw->box.top &&
+		setup->bottom <= draw->box.bottom &&
+		raster_centre(left) > draw->box.left &&
+		raster_centre(right) < draw->box.right;
 	return setup->top < setup->bottom && setup->top < draw->box.bottom &&
 		setup->bottom > draw->box.top &&
 		raster_centre(left) < raster_centre(right);

@@ -1,0 +1,89 @@
+/*
+ * Bands: rows of a triangle between two of its edges, with a depth that is
+ * tested LESS and written, into RGB565.
+ *
+ * fill_opaque.c sets them up. band.c walks them in C; platforms may bring
+ * faster functions (arm/band.S) which leave the same bytes. Which are used is
+ * soft_bands, from the folder that toolchain/sources.mk names.
+ */
+#ifndef PLATFORM_GL_SOFT_BAND_H
+#define PLATFORM_GL_SOFT_BAND_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+	/*
+	 * So many pixels the packed colour may run before it is taken afresh.
+	 * Its steps are cut towards zero, so that it stays between what it was
+	 * and what it should be, by at most half a step of RGB565 off.
+	 */
+	BAND_RUN = 16,
+};
+
+/*
+ * What moves on with every row; all but the depth's address is at column 0,
+ * and right modulo 2^32. Red and blue run together, 5.11 each, red above.
+ */
+struct band_row {
+	uintptr_t depth;
+	uint32_t z_q16, red_blue, green_q26;
+};
+
+/* Offsets are known to arm/band.S. */
+struct band {
+	_Alignas(8) struct band_row row; /* 0: of the next row */
+	struct band_row down;            /* 16: a row further */
+	uint32_t z_right;                /* 32: a pixel further */
+	uint32_t packed_right;           /* 36: see band_pack() */
+	uint32_t red_blue_right;         /* 40 */
+	uint32_t green_right;            /* 44 */
+	uint32_t edge[2];                /* 48: see BAND_LEFT */
+	uint32_t edge_step[2];           /* 56 */
+	uint32_t wide_mask;              /* 64: WIDE_MASK */
+	uintptr_t pixels; /* 68: from behind a depth to its pixel */
+	int32_t rows;     /* 72 */
+	/* For the C functions alone: */
+	uintptr_t pixels_step; /* what pixels grows by a row */
+	int32_t from, to;      /* columns that may be drawn */
+};
+
+/*
+ * The band's edges, left and right: 16.16, and 0x7FFF more than where they are,
+ * so that the upper half is the first column inside of it, or outside.
+ */
+enum {
+	BAND_LEFT,
+	BAND_RIGHT,
+};
+
+/*
+ * The packed colour: green in 31..21, red in 20..10, blue in 9..0: 6.5, 5.6
+ * and 5.5 bits. It runs as one number.
+ */
+static inline uint32_t band_pack(uint32_t red_blue, uint32_t green_q26)
+{
+	return (green_q26 >> 21 << 21) | (red_blue >> 21 << 10) |
+		(red_blue << 16 >> 22);
+}
+
+static inline uint16_t band_unpack(uint32_t packed)
+{
+	uint32_t wide = (packed >> 5 | packed << 27) & 0x07E0F81F;
+
+	return (uint16_t)(wide | wide >> 16);
+}
+
+/* Draws all rows, and leaves row and edge at the row after them. */
+typedef void (*band_function)(struct band *band);
+
+struct band_functions {
+	band_function color;
+};
+
+extern const struct band_functions soft_bands;
+
+/* In C. */
+void band_color_c(struct band *band);
+
+#endif

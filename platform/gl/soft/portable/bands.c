@@ -1,0 +1,5 @@
+#include "platform/gl/soft/band.h"
+
+const struct band_functions soft_bands = {
+	.color = band_color_c,
+};

@@ -17,4 +17,18 @@
 #define LEADING_ZEROS_32(value) __builtin_clz(value)
 #define LEADING_ZEROS_64(value) __builtin_clzll(value)
 
+/*
+ * sum + (word half >> 16), of 48 bits; wraps. One instruction where there is
+ * one.
+ */
+#ifdef __ARM_FEATURE_DSP
+#include <arm_acle.h>
+#define MULTIPLY_ADD_HALF(sum, word, half) __smlawb(word, half, sum)
+#else
+#include <stdint.h>
+#define MULTIPLY_ADD_HALF(sum, word, half)                                     \
+	((int32_t)((uint32_t)(sum) +                                           \
+		(uint32_t)(int32_t)((int64_t)(word) * (int16_t)(half) >> 16)))
+#endif
+
 #endif

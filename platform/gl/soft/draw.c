@@ -11,7 +11,7 @@ struct source {
 	uint32_t first, count;
 };
 
-static uint32_t index_at(const struct source *source, uint32_t i)
+static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
 {
 	uint16_t index;
 
@@ -25,17 +25,23 @@ static uint32_t index_at(const struct source *source, uint32_t i)
 	return index;
 }
 
-static struct vertex *find_vertex(
-	struct draw *draw, const struct source *source, uint32_t i)
+static ALWAYS_INLINE struct vertex *find_by_index(
+	struct draw *draw, uint32_t index)
 {
-	uint32_t index = index_at(source, i);
 	uint32_t slot = index % VERTEX_CACHE;
+	struct vertex *vertex = &draw->cache[slot];
 
 	if (draw->cached[slot] != index + 1) {
 		draw->cached[slot] = index + 1;
-		soft_transform(draw, index, &draw->cache[slot]);
+		soft_transform(draw, index, vertex);
 	}
-	return &draw->cache[slot];
+	return vertex;
+}
+
+static struct vertex *find_vertex(
+	struct draw *draw, const struct source *source, uint32_t i)
+{
+	return find_by_index(draw, index_at(source, i));
 }
 
 /*
@@ -59,7 +65,8 @@ static void find_vertices(struct draw *draw, const struct source *source,
 	}
 }
 
-static void draw_transformed(struct draw *draw, struct vertex *const v[3])
+static ALWAYS_INLINE void draw_transformed(
+	struct draw *draw, struct vertex *const v[3])
 {
 	unsigned out;
 
@@ -91,17 +98,144 @@ static void draw_triangle(struct draw *draw, const struct source *source,
 	draw_transformed(draw, v);
 }
 
-/* Triangles that share nothing need no cache. */
+/* Lists of triangles by 16-bit indices, which most are. */
+static void draw_listed(struct draw *draw, const struct source *source)
+{
+	const uint8_t *at = source->indices;
+
+	for (uint32_t i = 0; i + 2 < source->count; i += 3, at += 6) {
+		uint16_t index[3];
+		struct vertex *v[3];
+
+		memcpy(index, at, sizeof(index));
+		v[0] = find_by_index(draw, index[0]);
+		v[1] = find_by_index(draw, index[1]);
+		v[2] = find_by_index(draw, index[2]);
+		if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+			const uint32_t which[3] = {i, i + 1, i + 2};
+
+			find_vertices(draw, source, which, 3, v);
+		}
+		draw_transformed(draw, v);
+	}
+}
+
+/* An array in use, as words to compare. */
+struct stream {
+	const uint8_t *pointer;
+	size_t stride_bytes;
+	int words;
+};
+
+/* Whole words alone are compared, and seldom is something else given. */
+static bool add_stream(
+	const struct array *array, struct stream *streams, int *count)
+{
+	bool words = array->type == GL_FLOAT || array->type == GL_FIXED;
+	bool color = array->type == GL_UNSIGNED_BYTE && array->size == 4;
+
+	if (!array->enabled) {
+		return true;
+	}
+	streams[*count] = (struct stream){array->pointer,
+		(size_t)array->stride_bytes, color ? 1 : array->size};
+	++*count;
+	return words || color;
+}
+
+static ALWAYS_INLINE uint32_t load_word(const uint8_t *at)
+{
+	uint32_t word;
+
+	memcpy(&word, at, sizeof(word));
+	return word;
+}
+
+static ALWAYS_INLINE bool are_equal(
+	const struct stream *streams, int count, uint32_t a, uint32_t b)
+{
+	uint32_t differ = 0;
+
+	for (int i = 0; i < count; i++) {
+		const struct stream *stream = &streams[i];
+		const uint8_t *left = stream->pointer + a * stream->stride_bytes;
+		const uint8_t *right =
+			stream->pointer + b * stream->stride_bytes;
+
+		for (int n = 0; n < stream->words; n++) {
+			differ |= load_word(left + 4 * n) ^
+				load_word(right + 4 * n);
+		}
+	}
+	return differ == 0;
+}
+
+/* By what the vertex is made of: unindexed lists give it several times. */
+static ALWAYS_INLINE struct vertex *find_alike(struct draw *draw,
+	const struct stream *streams, int count, uint32_t index)
+{
+	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
+	uint32_t mixed = load_word(at) +
+		(load_word(at + 4) << 3 ^ load_word(at + 4) >> 9) -
+		(load_word(at + 8) >> 5);
+	uint32_t slot = mixed * 2654435761u >> 23;
+	struct vertex *vertex = &draw->cache[slot];
+	uint32_t cached = draw->cached[slot];
+
+	if (cached == 0 || !are_equal(streams, count, cached - 1, index)) {
+		draw->cached[slot] = index + 1;
+		soft_transform(draw, index, vertex);
+	}
+	return vertex;
+}
+
+static bool list_streams(
+	const struct draw *draw, struct stream *streams, int *count)
+{
+	const struct arrays *arrays = &draw->soft->arrays;
+
+	*count = 0;
+	return arrays->vertex.size == 3 &&
+		add_stream(&arrays->vertex, streams, count) &&
+		add_stream(&arrays->normal, streams, count) &&
+		add_stream(&arrays->color, streams, count) &&
+		add_stream(&arrays->texcoord[0], streams, count) &&
+		add_stream(&arrays->texcoord[1], streams, count);
+}
+
+static void draw_alike(struct draw *draw, const struct source *source,
+	const struct stream *streams, int count)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		uint32_t index = source->first + i;
+		struct vertex *v[3];
+
+		v[0] = find_alike(draw, streams, count, index);
+		v[1] = find_alike(draw, streams, count, index + 1);
+		v[2] = find_alike(draw, streams, count, index + 2);
+		if (v[0] == v[1] || v[0] == v[2]) {
+			v[0] = &draw->apart[0];
+			soft_transform(draw, index, v[0]);
+		}
+		if (v[1] == v[2]) {
+			v[1] = &draw->apart[1];
+			soft_transform(draw, index + 1, v[1]);
+		}
+		draw_transformed(draw, v);
+	}
+}
+
 static void draw_unshared(struct draw *draw, const struct source *source)
 {
-	struct vertex *const v[3] = {
-		&draw->cache[0], &draw->cache[1], &draw->cache[2]};
+	struct stream streams[3 + SOFT_UNITS];
+	int count;
 
+	if (list_streams(draw, streams, &count)) {
+		draw_alike(draw, source, streams, count);
+		return;
+	}
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
-		soft_transform(draw, source->first + i, v[0]);
-		soft_transform(draw, source->first + i + 1, v[1]);
-		soft_transform(draw, source->first + i + 2, v[2]);
-		draw_transformed(draw, v);
+		draw_triangle(draw, source, i, i + 1, i + 2);
 	}
 }
 
@@ -165,6 +299,8 @@ static void draw_primitives(
 		draw_lines(draw, source, mode);
 	} else if (mode == GL_TRIANGLES && !source->indices) {
 		draw_unshared(draw, source);
+	} else if (mode == GL_TRIANGLES && source->type == GL_UNSIGNED_SHORT) {
+		draw_listed(draw, source);
 	} else {
 		draw_triangles(draw, source, mode);
 	}
@@ -217,7 +353,9 @@ static void draw_elements(
 		return;
 	}
 	source.count = (uint32_t)count;
-	for (uint32_t i = 0; i < source.count; i++) {
+	/* Floats alone have a scale that their range decides. */
+	for (uint32_t i = 0;
+		i < source.count && soft->arrays.vertex.type == GL_FLOAT; i++) {
 		uint32_t index = index_at(&source, i);
 
 		low = index < low ? index : low;

@@ -57,7 +57,6 @@ struct vertex {
 	uint8_t outcode;
 	bool shaded; /* attributes and back are there */
 	uint32_t index;
-	int32_t position[3];
 	int32_t attribute[ATTRIBUTES];
 	int32_t back[4]; /* colour of the other side, if there are two */
 };
@@ -119,6 +118,13 @@ struct raster {
 	struct span span; /* of the row under way, and what is the same in all */
 };
 
+/* How positions are given; all but the last are quick to fetch. */
+enum position_kind {
+	POSITION_SHORTS, /* three */
+	POSITION_FLOATS, /* three, in range */
+	POSITION_OTHER,
+};
+
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
@@ -127,11 +133,11 @@ struct draw {
 	struct soft *soft;
 	/* from positions to the window */
 	int32_t clip_matrix[4][4];
+	int32_t short_matrix[4][4]; /* the same for POSITION_SHORTS */
 	int32_t eye_q16[3][4];
 	int position_q;
 	bool checked; /* positions may be out of range */
-	/* positions are three floats in range, the usual: */
-	bool float_positions;
+	enum position_kind position_kind;
 	const uint8_t *positions;
 	int position_stride;
 	float position_scale;

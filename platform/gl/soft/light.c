@@ -220,8 +220,11 @@ static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3]
 		shading->tracked ? vertex_color[3] : shading->base_q16[3]);
 }
 
-static void find_eye(const struct draw *draw, const int32_t p[3], int32_t out[3])
+static void find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
 {
+	int32_t p[3];
+
+	array_position(draw, index, p);
 	for (int i = 0; i < 3; i++) {
 		const int32_t *row = draw->eye_q16[i];
 		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
@@ -248,7 +251,7 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 		array_color_q16(draw, vertex->index, color);
 	}
 	if (draw->eye_needed) {
-		find_eye(draw, vertex->position, eye);
+		find_eye(draw, vertex->index, eye);
 	}
 	light_side(draw, n, eye, color, vertex->attribute + RED);
 	if (shading->two_side) {
@@ -283,7 +286,7 @@ static int32_t find_fog(const struct draw *draw, const struct vertex *vertex)
 {
 	int32_t eye[3];
 
-	find_eye(draw, vertex->position, eye);
+	find_eye(draw, vertex->index, eye);
 	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
 }
 

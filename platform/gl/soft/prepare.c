@@ -27,8 +27,10 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
 	draw->position_scale = soft_matrix_power_of_two(draw->position_q);
-	draw->float_positions =
-		array->type == GL_FLOAT && array->size >= 3 && !draw->checked;
+	draw->position_kind = array->size < 3               ? POSITION_OTHER
+		: array->type == GL_SHORT                   ? POSITION_SHORTS
+		: array->type == GL_FLOAT && !draw->checked ? POSITION_FLOATS
+							    : POSITION_OTHER;
 	draw->positions = array->pointer;
 	draw->position_stride = array->stride_bytes;
 }
@@ -72,6 +74,13 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 		draw->clip_matrix[row][3] =
 			soft_matrix_to_int(m.m[12 + row] * moved);
 	}
+	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
+	for (int i = 0; i < 16; i++) {
+		int32_t value = draw->clip_matrix[i / 4][i % 4];
+
+		draw->short_matrix[i / 4][i % 4] =
+			i % 4 == 3 ? value : value >> 2;
+	}
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
 	if (!draw->perspective && draw->clip_matrix[3][3] > 0) {
 		uint32_t w = (uint32_t)draw->clip_matrix[3][3];
@@ -109,8 +118,8 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 	draw->width_q10 = r->width * 1024;
 	draw->height_q10 = r->height * -1024;
 	draw->box = soft_clip_box(soft, true);
-	draw->same_stride = soft->buffers.target.stride_bytes ==
-		soft->buffers.width * 2;
+	draw->same_stride =
+		soft->buffers.target.stride_bytes == soft->buffers.width * 2;
 }
 
 static void prepare_fog(const struct soft *soft, struct draw *draw)

@@ -133,13 +133,20 @@ static bool add_stream(
 {
 	bool words = array->type == GL_FLOAT || array->type == GL_FIXED;
 	bool color = array->type == GL_UNSIGNED_BYTE && array->size == 4;
+	struct stream own, *last;
 
 	if (!array->enabled) {
 		return true;
 	}
-	streams[*count] = (struct stream){array->pointer,
-		(size_t)array->stride_bytes, color ? 1 : array->size};
-	++*count;
+	own = (struct stream){array->pointer, (size_t)array->stride_bytes,
+		color ? 1 : array->size};
+	last = *count > 0 ? &streams[*count - 1] : NULL;
+	if (last && last->stride_bytes == own.stride_bytes &&
+		last->pointer + 4 * last->words == own.pointer) {
+		last->words += own.words; /* interleaved */
+	} else {
+		streams[(*count)++] = own;
+	}
 	return words || color;
 }
 
@@ -151,23 +158,37 @@ static ALWAYS_INLINE uint32_t load_word(const uint8_t *at)
 	return word;
 }
 
+static ALWAYS_INLINE uint32_t differ_at(
+	const uint8_t *left, const uint8_t *right, int word)
+{
+	return load_word(left + 4 * word) ^ load_word(right + 4 * word);
+}
+
+/* The first stream has positions: three words or more. */
 static ALWAYS_INLINE bool are_equal(
 	const struct stream *streams, int count, uint32_t a, uint32_t b)
 {
-	uint32_t differ = 0;
-
 	for (int i = 0; i < count; i++) {
 		const struct stream *stream = &streams[i];
 		const uint8_t *left = stream->pointer + a * stream->stride_bytes;
 		const uint8_t *right =
 			stream->pointer + b * stream->stride_bytes;
+		int words = stream->words;
 
-		for (int n = 0; n < stream->words; n++) {
-			differ |= load_word(left + 4 * n) ^
-				load_word(right + 4 * n);
+		for (; words >= 3; words -= 3, left += 12, right += 12) {
+			if (differ_at(left, right, 0) |
+				differ_at(left, right, 1) |
+				differ_at(left, right, 2)) {
+				return false;
+			}
+		}
+		for (; words > 0; words--, left += 4, right += 4) {
+			if (differ_at(left, right, 0)) {
+				return false;
+			}
 		}
 	}
-	return differ == 0;
+	return true;
 }
 
 /* By what the vertex is made of: unindexed lists give it several times. */

@@ -20,8 +20,14 @@
 
 enum {
 	VERTEX_CACHE = 512, /* a power of two */
-	CLIP_VERTICES = 9,  /* a triangle cut by six planes */
-	SPAN_PIXELS = 64,   /* fragments that go through the stages at a time */
+	/*
+	 * Up to so many sixteenths of a pixel, and with attributes that differ
+	 * by less than SMALL_DELTA, products of a triangle's set-up fit 32 bits.
+	 */
+	SMALL_EXTENT = 2047,
+	SMALL_DELTA = 1 << 18,
+	CLIP_VERTICES = 9, /* a triangle cut by six planes */
+	SPAN_PIXELS = 64,  /* fragments that go through the stages at a time */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
 };
 
@@ -160,11 +166,15 @@ struct draw {
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
-	uint32_t cached[VERTEX_CACHE]; /* index + 1 */
+	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
+	uint32_t cached[VERTEX_CACHE];         /* index + 1 */
 	struct vertex cache[VERTEX_CACHE];
 	struct vertex apart[2]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 };
+
+/* prepare.c: what stays the same for good. */
+void soft_init_scratch(struct draw *draw);
 
 /* prepare.c: derives all of this. False when there is nothing to draw. */
 bool soft_prepare(

@@ -189,8 +189,8 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 	int bottom = setup->bottom < box.bottom ? setup->bottom : box.bottom;
 	int turn = setup->middle < top ? top : setup->middle;
 	int y = top, end = turn < bottom ? turn : bottom;
-	struct side whole = raster_side(setup->v[0], setup->v[2], top);
-	struct side part = raster_side(setup->v[0], setup->v[1], top);
+	struct side whole = raster_side(draw, setup->v[0], setup->v[2], top);
+	struct side part = raster_side(draw, setup->v[0], setup->v[1], top);
 	struct run run;
 
 	begin_run(draw, &ramps, y, paint, &run);
@@ -224,7 +224,7 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 		}
 		end = bottom;
 		whole = setup->middle_left ? right : left;
-		part = raster_side(setup->v[1], setup->v[2], y);
+		part = raster_side(draw, setup->v[1], setup->v[2], y);
 	}
 }
 

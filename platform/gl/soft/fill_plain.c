@@ -71,7 +71,7 @@ static ALWAYS_INLINE bool find_color(
 	out->gradient[name] = find_gradient(scale, d1, d2);
 	out->start[name] =
 		(int32_t)find_start(scale, first, &out->gradient[name]);
-	return is_within(d1, limit) && is_within(d2, limit);
+	return is_color_within(d1, d2, limit);
 }
 
 static ALWAYS_INLINE void set_colors(
@@ -150,10 +150,10 @@ static void skip_rows(struct band *band, int rows)
 	band->pixels += band->pixels_step * n;
 }
 
-static ALWAYS_INLINE void set_edge(struct band *band, int which,
-	const struct vertex *a, const struct vertex *b, int row)
+static ALWAYS_INLINE void set_edge(const struct draw *draw, struct band *band,
+	int which, const struct vertex *a, const struct vertex *b, int row)
 {
-	struct side side = raster_side(a, b, row);
+	struct side side = raster_side(draw, a, b, row);
 
 	band->edge[which] = (uint32_t)side.x + 0x7FFF;
 	band->edge_step[which] = (uint32_t)side.step;
@@ -174,14 +174,14 @@ static ALWAYS_INLINE void draw_bands(const struct draw *draw,
 	if (top > setup->top) {
 		skip_rows(band, top - setup->top);
 	}
-	set_edge(band, !part, setup->v[0], setup->v[2], top);
+	set_edge(draw, band, !part, setup->v[0], setup->v[2], top);
 	if (turn > top) {
-		set_edge(band, part, setup->v[0], setup->v[1], top);
+		set_edge(draw, band, part, setup->v[0], setup->v[1], top);
 		band->rows = turn - top;
 		function(band);
 	}
 	if (bottom > turn) {
-		set_edge(band, part, setup->v[1], setup->v[2], turn);
+		set_edge(draw, band, part, setup->v[1], setup->v[2], turn);
 		band->rows = bottom - turn;
 		function(band);
 	}

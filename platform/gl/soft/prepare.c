@@ -269,6 +269,15 @@ static fill_function choose_fill(const struct draw *draw)
 	return fill_takes_texture(&draw->texture[0]) ? fill_textured : rows_fill;
 }
 
+void soft_init_scratch(struct draw *draw)
+{
+	draw->inverse_q31[0] = INT32_MAX;
+	draw->inverse_q31[1] = INT32_MAX;
+	for (int i = 2; i <= SMALL_EXTENT; i++) {
+		draw->inverse_q31[i] = (int32_t)((1u << 31) / (unsigned)i);
+	}
+}
+
 bool soft_prepare(
 	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
 {

@@ -98,7 +98,14 @@ static ALWAYS_INLINE struct limits find_limits(
 
 static ALWAYS_INLINE bool is_within(int32_t delta, int32_t limit)
 {
-	return delta <= limit && delta >= -limit;
+	return (uint32_t)(delta + limit) <= 2 * (uint32_t)limit;
+}
+
+/* Colours differ by less than 2^16 anyway. */
+static ALWAYS_INLINE bool is_color_within(int32_t d1, int32_t d2, int32_t limit)
+{
+	return limit >= 1 << 16 ||
+		(is_within(d1, limit) && is_within(d2, limit));
 }
 
 /* False when the triangle has to go the general way. */
@@ -111,7 +118,7 @@ static ALWAYS_INLINE bool find_color_ramp(const struct scale *scale, int name,
 	int32_t d2 = setup->v[2]->attribute[name] - first;
 
 	*out = find_ramp(scale, first + round, d1, d2);
-	return is_within(d1, limit) && is_within(d2, limit);
+	return is_color_within(d1, d2, limit);
 }
 
 /* As gather() in raster.c, of a texture that repeats. */

@@ -9,12 +9,6 @@
 
 enum {
 	/*
-	 * Up to so many sixteenths of a pixel, and with attributes that differ
-	 * by less than SMALL_DELTA, products of the set-up fit 32 bits.
-	 */
-	SMALL_EXTENT = 2047,
-	SMALL_DELTA = 1 << 18,
-	/*
 	 * 1/512 of a texel: what gradients lose to rounding, so that centres
 	 * on the border of two texels fall to the same one always.
 	 */
@@ -25,7 +19,7 @@ enum {
 struct setup {
 	const struct vertex *v[3];
 	bool back, wide;
-	bool inside; /* of draw->box, with a pixel to spare at the sides */
+	bool inside;      /* of draw->box, with a pixel to spare at the sides */
 	bool middle_left; /* the middle vertex lies left of the long edge */
 	uint64_t area;    /* twice of it, in 1/256 of pixels */
 	int top, middle, bottom;
@@ -61,15 +55,27 @@ static ALWAYS_INLINE void raster_find_area(struct setup *setup)
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	int64_t across;
 	int32_t inverse;
+	bool small = !setup->wide;
 
 	setup->x1 = b->x - a->x;
 	setup->y1 = b->y - a->y;
 	setup->x2 = c->x - a->x;
 	setup->y2 = c->y - a->y;
-	across = (int64_t)setup->x1 * setup->y2 - (int64_t)setup->x2 * setup->y1;
+	across = small ? setup->x1 * setup->y2 - setup->x2 * setup->y1
+		       : (int64_t)setup->x1 * setup->y2 -
+			(int64_t)setup->x2 * setup->y1;
 	setup->middle_left = across < 0;
-	setup->area_zeros = LEADING_ZEROS_64(setup->area);
-	inverse = reciprocal((uint32_t)(setup->area << setup->area_zeros >> 32));
+	if (small) {
+		uint32_t area = (uint32_t)setup->area;
+		int zeros = LEADING_ZEROS_32(area);
+
+		setup->area_zeros = 32 + zeros;
+		inverse = reciprocal(area << zeros);
+	} else {
+		setup->area_zeros = LEADING_ZEROS_64(setup->area);
+		inverse = reciprocal(
+			(uint32_t)(setup->area << setup->area_zeros >> 32));
+	}
 	setup->inverse_area = setup->area < 256 ? 0
 		: setup->middle_left            ? -inverse
 						: inverse;
@@ -82,24 +88,20 @@ void raster_set_up(struct draw *draw, struct setup *setup);
 int32_t raster_long_slope(int32_t dx, int32_t dy);
 
 /* dx / dy in 16.16, of sixteenths; dy > 0. */
-static ALWAYS_INLINE int32_t raster_slope(int32_t dx, int32_t dy)
+static ALWAYS_INLINE int32_t raster_slope(
+	const struct draw *draw, int32_t dx, int32_t dy)
 {
-	int zeros;
-
-	if (dx + SMALL_EXTENT < 0 || dx > SMALL_EXTENT || dy > SMALL_EXTENT) {
+	if ((uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT || dy > SMALL_EXTENT) {
 		return raster_long_slope(dx, dy);
 	}
-	/* 2^19 dx < 2^30; the product is dx / dy 2^(49 - zeros) */
-	zeros = LEADING_ZEROS_32((uint32_t)dy);
-	return mul_high(dx * (1 << 19), reciprocal((uint32_t)dy << zeros)) >>
-		(33 - zeros);
+	return mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
 }
 
 /*
  * The edge from a down to b, at the centre of the row, by nothing but the edge
  * itself: the triangles on both sides see the same.
  */
-static ALWAYS_INLINE struct side raster_side(
+static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	const struct vertex *a, const struct vertex *b, int row)
 {
 	int32_t dy = b->y - a->y;
@@ -110,7 +112,7 @@ static ALWAYS_INLINE struct side raster_side(
 	if (dy <= 0) {
 		return (struct side){(int32_t)x, 0};
 	}
-	step = raster_slope(b->x - a->x, dy);
+	step = raster_slope(draw, b->x - a->x, dy);
 	/* To the first row's centre, less than a pixel down; then by rows. */
 	x += (uint32_t)(step >> 4) * (uint32_t)(first * 16 + 8 - a->y);
 	x += (uint32_t)step * (uint32_t)(row - first);
@@ -163,16 +165,16 @@ static ALWAYS_INLINE void raster_walk(struct draw *draw,
 		raster_skip_rows(draw, box.top - y);
 		y = box.top;
 	}
-	whole = raster_side(setup->v[0], setup->v[2], y);
+	whole = raster_side(draw, setup->v[0], setup->v[2], y);
 	if (y < turn) {
-		part = raster_side(setup->v[0], setup->v[1], y);
+		part = raster_side(draw, setup->v[0], setup->v[1], y);
 	}
 	turn = turn > y ? turn : y;
 	for (; y < end; y++) {
 		int left, right;
 
 		if (y == turn) {
-			part = raster_side(setup->v[1], setup->v[2], y);
+			part = raster_side(draw, setup->v[1], setup->v[2], y);
 		}
 		left = raster_column(setup->middle_left ? part.x : whole.x);
 		right = raster_column(setup->middle_left ? whole.x : part.x);

@@ -50,6 +50,7 @@ static int soft_create(
 		free(soft);
 		return -ENOMEM;
 	}
+	soft_init_scratch(soft->draw);
 	soft->base.driver = &gl_driver_soft;
 	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";
 	soft->log = *log;

@@ -93,9 +93,11 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 	if (!find_extent(draw, setup.v, &setup)) {
 		return;
 	}
-	soft_shade(draw, v[0]);
-	soft_shade(draw, v[1]);
-	soft_shade(draw, v[2]);
+	for (int i = 0; i < 3; i++) {
+		if (!v[i]->shaded) {
+			soft_shade(draw, v[i]);
+		}
+	}
 	setup.area = area < 0 ? (uint64_t)-area : (uint64_t)area;
 	draw->fill(draw, &setup);
 }

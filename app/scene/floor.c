@@ -34,12 +34,22 @@ static int make_texture(
 		bool joint = x % half == 0 || y % half == 0;
 		bool dark = (x < half) != (y < half);
 
-		memset(image.rgba + i * 4, joint ? 196 : dark ? 226 : 250, 3);
+		memset(image.rgba + i * 4, joint ? 192 : dark ? 233 : 252, 3);
 		image.rgba[i * 4 + 3] = 255;
 	}
 	floor->texture = texture_upload(gl, &image, &sampling, target);
 	free(image.rgba);
 	return floor->texture ? 0 : -ENOMEM;
+}
+
+/* Alpha: linear along the radius outside of what is solid. */
+static uint8_t fade_at(int ring)
+{
+	const int all = FLOOR_RINGS * FLOOR_RINGS;
+	const int solid = FLOOR_SOLID_RING * FLOOR_SOLID_RING;
+	int left = all - ring * ring;
+
+	return (uint8_t)(left >= all - solid ? 255 : 255 * left / (all - solid));
 }
 
 /* Rings get wider outwards, so that the middle has the detail. */
@@ -57,31 +67,46 @@ static void place_vertices(struct floor *floor)
 		p[2] = floor->center[1] + out * scalar_sin(angle);
 		floor->texcoord[i][0] = p[0] / floor->tile;
 		floor->texcoord[i][1] = p[2] / floor->tile;
-		floor->color[i][3] =
-			(uint8_t)(255.0f * (1.0f - share * share) + 0.5f);
+		floor->color[i][3] = fade_at(ring);
 	}
 }
 
-static void list_triangles(uint16_t *next)
+/* Between two rings; the inner one may be the middle. */
+static uint16_t *list_ring(uint16_t *next, int inner, int outer, int spokes)
 {
-	for (int spoke = 0; spoke < FLOOR_SPOKES; spoke++) {
-		int beside = (spoke + 1) % FLOOR_SPOKES;
+	int stride = FLOOR_SPOKES / spokes;
+	int in = 1 + (inner - 1) * FLOOR_SPOKES;
+	int out = 1 + (outer - 1) * FLOOR_SPOKES;
 
-		*next++ = 0;
-		*next++ = (uint16_t)(1 + beside);
-		*next++ = (uint16_t)(1 + spoke);
-		for (int ring = 1; ring < FLOOR_RINGS; ring++) {
-			int in = 1 + (ring - 1) * FLOOR_SPOKES;
-			int out = in + FLOOR_SPOKES;
+	for (int i = 0; i < spokes; i++) {
+		int spoke = i * stride, beside = (i + 1) % spokes * stride;
 
-			*next++ = (uint16_t)(in + spoke);
-			*next++ = (uint16_t)(in + beside);
-			*next++ = (uint16_t)(out + spoke);
-			*next++ = (uint16_t)(out + spoke);
-			*next++ = (uint16_t)(in + beside);
+		if (inner == 0) {
+			*next++ = 0;
 			*next++ = (uint16_t)(out + beside);
+			*next++ = (uint16_t)(out + spoke);
+			continue;
 		}
+		*next++ = (uint16_t)(in + spoke);
+		*next++ = (uint16_t)(in + beside);
+		*next++ = (uint16_t)(out + spoke);
+		*next++ = (uint16_t)(out + spoke);
+		*next++ = (uint16_t)(in + beside);
+		*next++ = (uint16_t)(out + beside);
 	}
+	return next;
+}
+
+static void list_triangles(struct floor *floor)
+{
+	uint16_t *next = floor->index;
+
+	for (int ring = 0; ring < FLOOR_RINGS; ring++) {
+		next = list_ring(next, ring, ring + 1, FLOOR_SPOKES);
+	}
+	next = list_ring(
+		floor->level_index, 0, FLOOR_SOLID_RING, FLOOR_LEVEL_SPOKES);
+	list_ring(next, FLOOR_SOLID_RING, FLOOR_RINGS, FLOOR_LEVEL_SPOKES);
 }
 
 float floor_height(const struct floor *floor, float x, float z)
@@ -150,7 +175,7 @@ int floor_init(struct floor *floor, const struct gl *gl,
 		.tile = round_size(0.5f * extent),
 	};
 	place_vertices(floor);
-	list_triangles(floor->index);
+	list_triangles(floor);
 	shape(floor);
 	if (make_texture(floor, gl, target) != 0) {
 		log_error(log, "floor: not enough memory for its texture");
@@ -198,6 +223,27 @@ void floor_set_relief(struct floor *floor, float relief)
 	}
 }
 
+static void draw_list(const struct gl *gl, const uint16_t *index, int count)
+{
+	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+}
+
+/* The solid part, then the one that fades. Level ground hides none of itself. */
+static void draw_parts(const struct floor *floor, const struct gl *gl)
+{
+	bool level = floor->relief == 0.0f;
+	const uint16_t *index = level ? floor->level_index : floor->index;
+	int all = level ? FLOOR_LEVEL_INDICES : FLOOR_INDICES;
+	int solid = level ? FLOOR_LEVEL_SPOKES * 3 : FLOOR_SOLID_INDICES;
+
+	gl->DepthFunc(level ? GL_ALWAYS : GL_LESS);
+	gl->Disable(GL_BLEND);
+	draw_list(gl, index, solid);
+	gl->Enable(GL_BLEND);
+	draw_list(gl, index + solid, all - solid);
+	gl->DepthFunc(GL_LESS);
+}
+
 void floor_draw(const struct floor *floor, const struct gl *gl)
 {
 	gl->Disable(GL_LIGHTING);
@@ -210,7 +256,6 @@ void floor_draw(const struct floor *floor, const struct gl *gl)
 	gl->Translatex(fx16_from_float(floor->offset[0] / floor->tile),
 		fx16_from_float(floor->offset[1] / floor->tile), 0);
 	gl->MatrixMode(GL_MODELVIEW);
-	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_COLOR_ARRAY);
@@ -219,8 +264,7 @@ void floor_draw(const struct floor *floor, const struct gl *gl)
 	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
-	gl->DrawElements(
-		GL_TRIANGLES, FLOOR_INDICES, GL_UNSIGNED_SHORT, floor->index);
+	draw_parts(floor, gl);
 	gl->Disable(GL_BLEND);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);

@@ -16,6 +16,12 @@ enum {
 	FLOOR_SPOKES = 40,
 	FLOOR_VERTICES = FLOOR_RINGS * FLOOR_SPOKES + 1,
 	FLOOR_INDICES = (FLOOR_RINGS * 2 - 1) * FLOOR_SPOKES * 3,
+	/* Up to this ring it is opaque, from there on it fades. */
+	FLOOR_SOLID_RING = 7,
+	FLOOR_SOLID_INDICES = (FLOOR_SOLID_RING * 2 - 1) * FLOOR_SPOKES * 3,
+	/* Level ground needs no rings between. */
+	FLOOR_LEVEL_SPOKES = 20,
+	FLOOR_LEVEL_INDICES = FLOOR_LEVEL_SPOKES * 3 * 3,
 };
 
 struct floor {
@@ -30,7 +36,8 @@ struct floor {
 	float position[FLOOR_VERTICES][3];
 	float texcoord[FLOOR_VERTICES][2];
 	uint8_t color[FLOOR_VERTICES][4];
-	uint16_t index[FLOOR_INDICES];
+	uint16_t index[FLOOR_INDICES]; /* from the middle outwards */
+	uint16_t level_index[FLOOR_LEVEL_INDICES];
 };
 
 /*

@@ -113,13 +113,45 @@ static void halve(struct texels *texels)
 	texels->height = height;
 }
 
-/* RGB565 or RGBA4444, packed over the front of the same memory or apart. */
-static void pack(const struct texels *texels, bool opaque, uint16_t *out)
+static bool is_gray(const struct texels *texels)
 {
 	for (int i = 0; i < texels->width * texels->height; i++) {
 		const uint8_t *t = texels->rgba[i];
 
-		out[i] = opaque
+		if (t[0] != t[1] || t[0] != t[2]) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* How texels go to GL. */
+enum packing {
+	PACK_RGBA,
+	PACK_GRAY, /* opaque */
+	PACK_565,
+	PACK_4444,
+};
+
+static enum packing choose_packing(
+	const struct texels *texels, bool opaque, enum pixel_format target)
+{
+	if (opaque && is_gray(texels)) {
+		return PACK_GRAY;
+	}
+	return target != PIXELS_RGB565 ? PACK_RGBA
+		: opaque               ? PACK_565
+				       : PACK_4444;
+}
+
+/* 16 bits each. */
+static void pack_short(
+	const struct texels *texels, enum packing packing, uint16_t *out)
+{
+	for (int i = 0; i < texels->width * texels->height; i++) {
+		const uint8_t *t = texels->rgba[i];
+
+		out[i] = packing == PACK_565
 			? (uint16_t)((t[0] >> 3) << 11 | (t[1] >> 2) << 5 |
 				  t[2] >> 3)
 			: (uint16_t)((t[0] >> 4) << 12 | (t[1] >> 4) << 8 |
@@ -127,22 +159,32 @@ static void pack(const struct texels *texels, bool opaque, uint16_t *out)
 	}
 }
 
+/* Packed has room for 16 bits a texel. */
 static void upload_level(const struct gl *gl, int level,
-	const struct texels *texels, bool opaque, uint16_t *packed)
+	const struct texels *texels, enum packing packing, uint16_t *packed)
 {
-	GLenum format = opaque ? GL_RGB : GL_RGBA;
+	static const struct {
+		GLenum format, type;
+	} as[] = {
+		[PACK_RGBA] = {GL_RGBA, GL_UNSIGNED_BYTE},
+		[PACK_GRAY] = {GL_LUMINANCE, GL_UNSIGNED_BYTE},
+		[PACK_565] = {GL_RGB, GL_UNSIGNED_SHORT_5_6_5},
+		[PACK_4444] = {GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4},
+	};
+	const void *data = packed;
 
-	if (packed) {
-		pack(texels, opaque, packed);
-		gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)format,
-			texels->width, texels->height, 0, format,
-			opaque ? GL_UNSIGNED_SHORT_5_6_5
-			       : GL_UNSIGNED_SHORT_4_4_4_4,
-			packed);
-		return;
+	if (packing == PACK_RGBA) {
+		data = texels->rgba;
+	} else if (packing == PACK_GRAY) {
+		for (int i = 0; i < texels->width * texels->height; i++) {
+			((uint8_t *)packed)[i] = texels->rgba[i][0];
+		}
+	} else {
+		pack_short(texels, packing, packed);
 	}
-	gl->TexImage2D(GL_TEXTURE_2D, level, GL_RGBA, texels->width,
-		texels->height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels->rgba);
+	gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)as[packing].format,
+		texels->width, texels->height, 0, as[packing].format,
+		as[packing].type, data);
 }
 
 static void set_sampling(
@@ -163,28 +205,28 @@ GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 	const struct model_texture *sampling, enum pixel_format target)
 {
 	struct texels texels = {0};
-	uint16_t *packed = NULL;
+	enum packing packing;
+	uint16_t *packed;
 	GLuint name = 0;
 	int level = 0;
 
 	if (resample(image, sampling, &texels) != 0) {
 		return 0;
 	}
-	if (target == PIXELS_RGB565) {
-		packed = malloc((size_t)texels.width * (size_t)texels.height *
-			sizeof(*packed));
-		if (!packed) {
-			goto out;
-		}
+	packing = choose_packing(&texels, image->opaque, target);
+	packed = malloc(
+		(size_t)texels.width * (size_t)texels.height * sizeof(*packed));
+	if (!packed) {
+		goto out;
 	}
 	gl->GenTextures(1, &name);
 	gl->BindTexture(GL_TEXTURE_2D, name);
-	gl->PixelStorei(GL_UNPACK_ALIGNMENT, packed ? 2 : 4);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
 	set_sampling(gl, sampling);
-	upload_level(gl, level, &texels, image->opaque, packed);
+	upload_level(gl, level, &texels, packing, packed);
 	while (sampling->mipmap && (texels.width > 1 || texels.height > 1)) {
 		halve(&texels);
-		upload_level(gl, ++level, &texels, image->opaque, packed);
+		upload_level(gl, ++level, &texels, packing, packed);
 	}
 out:
 	free(packed);

@@ -162,10 +162,13 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		tests, blended;
 	fill_function fill;
+	bool luminance; /* rows may be luminance.c's */
 	void (*span)(struct draw *draw, const struct span *span);
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
+	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
+	uint32_t shade[256];
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	uint32_t cached[VERTEX_CACHE];         /* index + 1 */
 	struct vertex cache[VERTEX_CACHE];

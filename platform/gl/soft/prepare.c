@@ -1,8 +1,8 @@
 /* What a draw call needs, from the state. */
 #include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/luminance.h"
 #include "platform/gl/soft/matrix.h"
 #include "platform/gl/soft/number.h"
-#include "platform/gl/soft/raster.h"
 
 #include "platform/base/scalar.h"
 
@@ -271,6 +271,7 @@ static fill_function choose_fill(const struct draw *draw)
 
 void soft_init_scratch(struct draw *draw)
 {
+	draw->shade_color[0] = UINT32_MAX; /* no colour */
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;
 	for (int i = 2; i <= SMALL_EXTENT; i++) {
@@ -307,5 +308,6 @@ bool soft_prepare(
 	draw->span =
 		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);
+	draw->luminance = luminance_takes(draw);
 	return true;
 }

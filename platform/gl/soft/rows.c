@@ -1,5 +1,6 @@
 /* The rows of a triangle in any state: cut into spans for fragment.c. */
-#include "platform/gl/soft/raster.h"
+#include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/luminance.h"
 
 /* 65536 / n */
 static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
@@ -54,13 +55,6 @@ static void row_affine(struct draw *draw, int y, int left, int right)
 	}
 }
 
-/* What is true at one column: attributes divided by q, and q itself. */
-struct point {
-	int32_t q, inverse;
-	int zeros;
-	int32_t value[ATTRIBUTES];
-};
-
 /* numerator / q times 2^up. */
 static int32_t divide(const struct point *point, int64_t numerator, int up)
 {
@@ -73,11 +67,20 @@ static int32_t divide(const struct point *point, int64_t numerator, int up)
 	return (int32_t)((uint64_t)product << (-down > 63 ? 63 : -down));
 }
 
-static void find_point(const struct draw *draw, int x, struct point *out)
+void rows_find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
-	int32_t q = (int32_t)plane_at(raster, INVERSE_W, x);
+	int32_t q;
 
+	if (!raster->perspective) {
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			out->value[i] = (int32_t)plane_at(raster, i, x);
+		}
+		return;
+	}
+	q = (int32_t)plane_at(raster, INVERSE_W, x);
 	out->q = q > 0 ? q : 1;
 	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
 	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
@@ -96,12 +99,16 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 }
 
 /* d(S / q) = (dS - S / q dq) / q */
-static void find_lod(
+void rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span)
 {
 	const struct raster *raster = &draw->raster;
 	const struct plane *q = &raster->plane[INVERSE_W];
 
+	if (!raster->perspective) {
+		find_affine_lod(draw, span);
+		return;
+	}
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
 		uint32_t most = 0;
 
@@ -141,7 +148,7 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 	struct point from, to;
 
 	span->y = y;
-	find_point(draw, left, &from);
+	rows_find_point(draw, left, &from);
 	for (int x = left; x < right; x += PERSPECTIVE_STEP) {
 		int left_over = right - x;
 		/* Up to the last pixel, which still is inside. */
@@ -152,10 +159,10 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 		span->count = left_over < PERSPECTIVE_STEP ? left_over
 							   : PERSPECTIVE_STEP;
 		span->value[DEPTH] = plane_at(&draw->raster, DEPTH, x);
-		find_lod(draw, &from, span);
+		rows_find_lod(draw, &from, span);
 		to = from;
 		if (steps > 0) {
-			find_point(draw, x + steps, &to);
+			rows_find_point(draw, x + steps, &to);
 		}
 		set_steps(&draw->raster, &from, &to, steps, span);
 		draw->span(draw, span);
@@ -174,6 +181,10 @@ void rows_fill(struct draw *draw, struct setup *setup)
 
 	raster_set_up(draw, setup);
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (draw->luminance && luminance_begin(draw)) {
+		raster_walk(draw, setup, luminance_row, next_row);
+		return;
+	}
 	if (raster->perspective) {
 		raster_walk(draw, setup, row_perspective, next_row);
 		return;

@@ -19,6 +19,7 @@ static void free_levels(struct texture *texture)
 {
 	for (int i = 0; i < SOFT_LEVELS; i++) {
 		free(texture->level[i].texels);
+		free(texture->level[i].quads);
 	}
 }
 
@@ -294,6 +295,39 @@ static int size_log2(GLsizei size)
 	return -1;
 }
 
+static void fill_quads(struct level *level)
+{
+	int width = 1 << level->width_log2, height = 1 << level->height_log2;
+	const uint8_t *texels = level->texels;
+
+	for (int y = 0; y < height && level->quads; y++) {
+		const uint8_t *row = texels + y * width;
+		const uint8_t *next = texels + (y + 1) % height * width;
+
+		for (int x = 0; x < width; x++) {
+			int right = (x + 1) % width;
+
+			level->quads[y * width + x] = row[x] |
+				(uint32_t)row[right] << 8 |
+				(uint32_t)next[x] << 16 |
+				(uint32_t)next[right] << 24;
+		}
+	}
+}
+
+/* Luminance goes without, slower, where memory is short. */
+static void make_quads(struct level *level)
+{
+	size_t width = (size_t)1 << level->width_log2;
+	size_t height = (size_t)1 << level->height_log2;
+
+	if (level->format == TEXEL_L8 && width <= SOFT_QUAD_SIDE_MAX &&
+		height <= SOFT_QUAD_SIDE_MAX) {
+		level->quads = calloc(width * height, sizeof(*level->quads));
+		fill_quads(level);
+	}
+}
+
 static void define_level(struct soft *soft, struct level *level,
 	const struct transfer *transfer, GLsizei width, GLsizei height,
 	const void *pixels)
@@ -303,6 +337,7 @@ static void define_level(struct soft *soft, struct level *level,
 	const struct rectangle all = {0, 0, width, height};
 
 	free(level->texels);
+	free(level->quads);
 	*level = (struct level){0};
 	if (width == 0 || height == 0) {
 		return;
@@ -319,6 +354,7 @@ static void define_level(struct soft *soft, struct level *level,
 	if (pixels) {
 		copy_rows(soft, transfer, level, &all, pixels);
 	}
+	make_quads(level);
 }
 
 static void tex_image(GLenum target, GLint level, GLint internal_format,
@@ -386,6 +422,7 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	}
 	if (pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
+		fill_quads(level);
 	}
 }
 

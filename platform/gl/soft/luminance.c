@@ -1,0 +1,298 @@
+#include "platform/gl/soft/luminance.h"
+
+#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/rows.h"
+
+enum {
+	HALF_TEXEL = 32768,
+	/* Half of 1/32, so that 255 is 32/32. */
+	SHARE_ROUND = 4 << 16,
+	RUN_MOST = 512,
+};
+
+static ALWAYS_INLINE uint32_t load_quad(
+	const struct shade_run *run, uint32_t s, uint32_t t)
+{
+	return run->quads[((t >> 16 & run->t_mask) << run->width_log2) +
+		(s >> 16 & run->s_mask)];
+}
+
+static ALWAYS_INLINE bool is_even(uint32_t quad)
+{
+	return quad == (quad >> 8 | quad << 24);
+}
+
+/*
+ * The mean of four texels by 16ths. Both rows are mixed at once; what one
+ * borrows from the other the sum gives back.
+ */
+static ALWAYS_INLINE uint32_t mix_quad(uint32_t quad, uint32_t s, uint32_t t)
+{
+	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
+	uint32_t across = s >> 12 & 15, down = t >> 12 & 15;
+	uint32_t rows = left * 16 + (right - left) * across;
+
+	return ((rows & 0xFFFF) * (16 - down) + (rows >> 16) * down + 128) >> 8;
+}
+
+static ALWAYS_INLINE void put(
+	uint16_t *pixel, uint32_t own, uint32_t alpha, bool blended)
+{
+	*pixel = narrow(blended ? mix_wide(widen(*pixel), own, alpha) : own);
+}
+
+static ALWAYS_INLINE void put_each(const struct shade_run *run, uint16_t *pixel,
+	int count, uint32_t s, uint32_t t, uint32_t alpha, bool blended)
+{
+	for (int i = 0; i < count; i++) {
+		uint32_t shade = mix_quad(load_quad(run, s, t), s, t);
+
+		put(pixel + i, run->shade[shade], alpha, blended);
+		s += (uint32_t)run->s_right;
+		t += (uint32_t)run->t_right;
+	}
+}
+
+static ALWAYS_INLINE void put_same(
+	uint16_t *pixel, int count, uint32_t own, uint32_t alpha, bool blended)
+{
+	uint32_t pair = narrow(own) * 0x10001u;
+
+	if (blended) {
+		for (int i = 0; i < count; i++) {
+			put(pixel + i, own, alpha, true);
+		}
+		return;
+	}
+	for (int i = 0; i < count; i += 2) {
+		memcpy(pixel + i, &pair, sizeof(pair));
+	}
+}
+
+/*
+ * Blocks of pixels that are no more than a texel wide together: where the
+ * texels around the first and the last are all the same, so are the others.
+ */
+static ALWAYS_INLINE void run_blocks(
+	const struct shade_run *run, int block, bool blended)
+{
+	uint16_t *pixel = run->pixel;
+	uint32_t s = run->s, t = run->t, alpha = run->alpha;
+	uint32_t s_last = (uint32_t)(run->s_right * (block - 1));
+	uint32_t t_last = (uint32_t)(run->t_right * (block - 1));
+	int left = run->count;
+
+	for (; left >= block; left -= block, pixel += block) {
+		uint32_t quad = load_quad(run, s, t);
+
+		if (is_even(quad) &&
+			quad == load_quad(run, s + s_last, t + t_last)) {
+			put_same(pixel, block, run->shade[quad & 255],
+				alpha >> 19, blended);
+		} else {
+			put_each(run, pixel, block, s, t, alpha >> 19, blended);
+		}
+		s += (uint32_t)(run->s_right * block);
+		t += (uint32_t)(run->t_right * block);
+		alpha += (uint32_t)(run->alpha_right * block);
+	}
+	put_each(run, pixel, left, s, t, alpha >> 19, blended);
+}
+
+static void write_depth(const struct shade_run *run)
+{
+	uint32_t z = run->z, step = (uint32_t)run->z_right;
+	uint16_t *depth = run->depth;
+	int left = run->count;
+
+	for (; left >= 2; left -= 2, depth += 2) {
+		uint32_t next = z + step;
+		uint32_t both = z >> 10 | next >> 10 << 16;
+
+		memcpy(depth, &both, sizeof(both));
+		z = next + step;
+	}
+	if (left) {
+		*depth = (uint16_t)(z >> 10);
+	}
+}
+
+static int32_t size_of(int32_t value)
+{
+	return value < 0 ? -value : value;
+}
+
+static void draw_run(const struct shade_run *run, bool blended)
+{
+	int32_t s = size_of(run->s_right), t = size_of(run->t_right);
+	int32_t most = s > t ? s : t;
+
+	if (run->depth) {
+		write_depth(run);
+	}
+	if (most <= 65536 / 3) {
+		if (blended) {
+			run_blocks(run, 4, true);
+		} else {
+			run_blocks(run, 4, false);
+		}
+	} else if (blended) {
+		run_blocks(run, 2, true);
+	} else {
+		run_blocks(run, 2, false);
+	}
+}
+
+/* How many pixels may run linearly: n^2 of the slope of q is below q. */
+static int find_length(const struct draw *draw, const struct point *from)
+{
+	const struct raster *raster = &draw->raster;
+	uint32_t slope, n = RUN_MOST;
+
+	if (!raster->perspective) {
+		return RUN_MOST;
+	}
+	slope = (uint32_t)size_of(raster->plane[INVERSE_W].dx);
+	while (n > PERSPECTIVE_STEP &&
+		(uint64_t)slope * n * n > (uint32_t)from->q) {
+		n /= 2;
+	}
+	return (int)n;
+}
+
+static int32_t share_out(const struct draw *draw, int32_t all, int steps)
+{
+	return steps < 2
+		? all
+		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
+}
+
+static void choose_texels(
+	const struct draw *draw, int lod, struct shade_run *run)
+{
+	const struct texture_input *input = &draw->texture[0];
+	int number = clamp_int((lod + 127) >> 8, 0, input->levels - 1);
+	const struct level *level = &input->texture->level[number];
+
+	run->quads = level->quads;
+	run->width_log2 = level->width_log2;
+	run->s_mask = (1u << level->width_log2) - 1;
+	run->t_mask = (1u << level->height_log2) - 1;
+	run->s = (uint32_t)((int32_t)run->s >>
+			 (input->width_log2 - level->width_log2)) -
+		HALF_TEXEL;
+	run->t = (uint32_t)((int32_t)run->t >>
+			 (input->height_log2 - level->height_log2)) -
+		HALF_TEXEL;
+	run->s_right >>= input->width_log2 - level->width_log2;
+	run->t_right >>= input->height_log2 - level->height_log2;
+}
+
+static void draw_between(struct draw *draw, const struct point *from,
+	const struct point *to, int x, int count, int steps)
+{
+	struct span *span = &draw->raster.span;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct fragment_state *state = &draw->soft->fragment;
+	uint16_t *depth =
+		buffers->depth + (size_t)span->y * (size_t)buffers->width + x;
+	struct shade_run run = {
+		.pixel = (uint16_t *)(void *)pixel_at(
+			&buffers->target, x, span->y),
+		.depth = state->depth_test && state->depth_mask ? depth : NULL,
+		.count = count,
+		.s = (uint32_t)from->value[TEX_S],
+		.t = (uint32_t)from->value[TEX_S + 1],
+		.s_right = share_out(
+			draw, to->value[TEX_S] - from->value[TEX_S], steps),
+		.t_right = share_out(draw,
+			to->value[TEX_S + 1] - from->value[TEX_S + 1], steps),
+		.z = plane_at(&draw->raster, DEPTH, x),
+		.z_right = draw->raster.plane[DEPTH].dx,
+		.alpha = (uint32_t)from->value[ALPHA] + SHARE_ROUND,
+		.alpha_right = share_out(
+			draw, to->value[ALPHA] - from->value[ALPHA], steps),
+		.shade = draw->shade,
+	};
+
+	rows_find_lod(draw, from, span);
+	choose_texels(draw, span->lod[0], &run);
+	draw_run(&run, draw->blended);
+}
+
+void luminance_row(struct draw *draw, int y, int left, int right)
+{
+	struct point from, to;
+	int length;
+
+	draw->raster.span.y = y;
+	/* Where it does not move. */
+	from.value[ALPHA] = (int32_t)draw->raster.span.value[ALPHA];
+	rows_find_point(draw, left, &from);
+	length = find_length(draw, &from);
+	for (int x = left; x < right; x += length) {
+		int count = right - x < length ? right - x : length;
+		/* Up to the last pixel, which still is inside. */
+		int steps = right - x > length ? length : count - 1;
+
+		to = from;
+		if (steps > 0) {
+			rows_find_point(draw, x + steps, &to);
+		}
+		draw_between(draw, &from, &to, x, count, steps);
+		from = to;
+	}
+}
+
+static void make_shades(struct draw *draw, const uint32_t color[3])
+{
+	for (uint32_t i = 0; i < 256; i++) {
+		int c[3];
+
+		for (int k = 0; k < 3; k++) {
+			c[k] = (int)(((color[k] >> 16) * i * 257 + 32896) >> 16);
+		}
+		draw->shade[i] = widen(pack_565(c[0], c[1], c[2]));
+	}
+	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
+}
+
+bool luminance_begin(struct draw *draw)
+{
+	const struct raster *raster = &draw->raster;
+	uint32_t color[3];
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		if (raster->moving[i] <= BLUE) {
+			return false;
+		}
+	}
+	for (int i = 0; i < 3; i++) {
+		color[i] = raster->span.value[RED + i];
+	}
+	if (memcmp(color, draw->shade_color, sizeof(color)) != 0) {
+		make_shades(draw, color);
+	}
+	return true;
+}
+
+bool luminance_takes(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct texture_input *input = &draw->texture[0];
+	const struct texture *texture = input->texture;
+	const GLboolean *mask = state->color_mask;
+
+	return input->used && draw->soft->format == PIXELS_RGB565 &&
+		!draw->fogged && !state->alpha_test && !draw->texture[1].used &&
+		(!draw->blended ||
+			(state->blend_source == GL_SRC_ALPHA &&
+				state->blend_destination ==
+					GL_ONE_MINUS_SRC_ALPHA)) &&
+		input->env->mode == GL_MODULATE && input->base->quads &&
+		texture->mag_filter == GL_LINEAR &&
+		texture->min_filter == GL_LINEAR_MIPMAP_NEAREST &&
+		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&
+		mask[0] && mask[1] && mask[2] && !state->stencil.enabled &&
+		(!state->depth_test || state->depth_function == GL_ALWAYS);
+}

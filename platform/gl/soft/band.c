@@ -1,5 +1,7 @@
 #include "platform/gl/soft/band.h"
 
+#include "platform/gl/soft/pixel.h"
+
 /* Addresses as numbers: arm/band.S adds them up like all else. */
 static uint16_t *at_address(uintptr_t address)
 {
@@ -52,5 +54,62 @@ void band_color_c(struct band *band)
 							: BAND_RUN);
 		}
 		move_down(band);
+	}
+}
+
+void band_fill_c(uint16_t *at, int count, uint16_t value)
+{
+	const uint32_t pair = value * 0x10001u;
+
+	for (; count >= 8; count -= 8, at += 8) {
+		memcpy(at, &pair, 4);
+		memcpy(at + 2, &pair, 4);
+		memcpy(at + 4, &pair, 4);
+		memcpy(at + 6, &pair, 4);
+	}
+	for (; count > 0; count--) {
+		*at++ = value;
+	}
+}
+
+static uint16_t darken(const struct flat_band *band, uint16_t pixel)
+{
+	return narrow((widen(pixel) * band->keep + band->own) >> 5 & WIDE_MASK);
+}
+
+static void flat_row(const struct flat_band *band, int left, int count)
+{
+	uint16_t *pixel = (uint16_t *)(void *)band->pixels + left;
+	uint8_t *stencil = band->stencil ? band->stencil + left : NULL;
+
+	if (!stencil && band->keep == 0) {
+		band_fill_c(pixel, count, band->opaque);
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		if (!stencil) {
+			pixel[i] = darken(band, pixel[i]);
+		} else if (stencil[i] == band->reference) {
+			stencil[i] = band->next;
+			pixel[i] = darken(band, pixel[i]);
+		}
+	}
+}
+
+void band_flat_c(struct flat_band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		left = left > band->from ? left : band->from;
+		right = right < band->to ? right : band->to;
+		if (left < right) {
+			flat_row(band, left, right - left);
+		}
+		band->pixels += band->stride_bytes;
+		band->stencil += band->stencil ? band->stencil_stride : 0;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	}
 }

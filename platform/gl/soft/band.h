@@ -10,6 +10,7 @@
 #define PLATFORM_GL_SOFT_BAND_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 enum {
@@ -77,13 +78,33 @@ static inline uint16_t band_unpack(uint32_t packed)
 /* Draws all rows, and leaves row and edge at the row after them. */
 typedef void (*band_function)(struct band *band);
 
+/*
+ * Rows in one colour without a depth test, opaque or blended, where a stencil
+ * lets them: what shadows on the ground and panels are.
+ */
+struct flat_band {
+	uint8_t *pixels, *stencil; /* of column 0; stencil may be NULL */
+	ptrdiff_t stride_bytes, stencil_stride;
+	int rows;
+	uint32_t edge[2], edge_step[2]; /* as in struct band */
+	int from, to;                   /* columns that may be drawn */
+	uint8_t reference, next;        /* what the stencil has, and gets */
+	/* (picture keep + own) >> 5, wide; own holds the rounding */
+	uint32_t keep, own;
+	uint16_t opaque; /* the colour where keep is 0 */
+};
+
 struct band_functions {
 	band_function color;
+	void (*flat)(struct flat_band *band);
+	void (*fill)(uint16_t *at, int count, uint16_t value);
 };
 
 extern const struct band_functions soft_bands;
 
 /* In C. */
 void band_color_c(struct band *band);
+void band_flat_c(struct flat_band *band);
+void band_fill_c(uint16_t *at, int count, uint16_t value);
 
 #endif

@@ -16,6 +16,7 @@
 #ifndef PLATFORM_GL_SOFT_DRAW_H
 #define PLATFORM_GL_SOFT_DRAW_H
 
+#include "platform/gl/soft/band.h"
 #include "platform/gl/soft/soft.h"
 
 enum {
@@ -162,7 +163,9 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		tests, blended;
 	fill_function fill;
+	struct flat_band flat;
 	bool luminance; /* rows may be luminance.c's */
+	bool plain;     /* colours into RGB565, nothing to test or blend */
 	void (*span)(struct draw *draw, const struct span *span);
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */

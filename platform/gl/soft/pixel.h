@@ -61,6 +61,18 @@ static inline uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
 	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
 }
 
+/* A colour of planes, 8.16 each. */
+static inline uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
+{
+	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
+		round_to_5(b) >> 19;
+}
+
+static inline uint16_t color_565(uint32_t r, uint32_t g, uint32_t b)
+{
+	return narrow(widen_color(r, g, b));
+}
+
 static inline uint16_t load_16(const uint8_t *at)
 {
 	uint16_t value;

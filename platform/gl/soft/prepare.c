@@ -260,6 +260,9 @@ static void list_attributes(struct draw *draw)
 
 static fill_function choose_fill(const struct draw *draw)
 {
+	if (fill_is_flat(draw)) {
+		return fill_flat;
+	}
 	if (!fill_is_opaque(draw)) {
 		return rows_fill;
 	}
@@ -309,5 +312,11 @@ bool soft_prepare(
 		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);
 	draw->luminance = luminance_takes(draw);
+	draw->plain = draw->span == soft_draw_span_565 && !draw->tests &&
+		!draw->blended && !draw->texture[0].used && draw->color_written;
+	if (draw->fill == fill_flat) {
+		draw->attributes = 0;
+		fill_flat_begin(draw);
+	}
 	return true;
 }

@@ -145,6 +145,11 @@ void rows_fill(struct draw *draw, struct setup *setup);
 bool fill_is_opaque(const struct draw *draw);
 bool fill_takes_texture(const struct texture_input *input);
 void fill_plain(struct draw *draw, struct setup *setup);
+
+/* fill_flat.c: see there; begin is called once a draw call. */
+bool fill_is_flat(const struct draw *draw);
+void fill_flat_begin(struct draw *draw);
+void fill_flat(struct draw *draw, struct setup *setup);
 void fill_textured(struct draw *draw, struct setup *setup);
 
 /*

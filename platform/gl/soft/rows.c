@@ -1,6 +1,7 @@
 /* The rows of a triangle in any state: cut into spans for fragment.c. */
 #include "platform/gl/soft/rows.h"
 #include "platform/gl/soft/luminance.h"
+#include "platform/gl/soft/pixel.h"
 
 /* 65536 / n */
 static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
@@ -170,6 +171,38 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 	}
 }
 
+/* Rows of one colour with nothing to test or blend: backdrops. */
+static void row_constant(struct draw *draw, int y, int left, int right)
+{
+	const struct raster *raster = &draw->raster;
+	uint32_t c[3];
+
+	for (int i = 0; i < 3; i++) {
+		c[i] = raster->span.value[RED + i];
+	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		c[raster->moving[i] - RED] =
+			raster->plane[raster->moving[i]].start;
+	}
+	soft_bands.fill((uint16_t *)(void *)pixel_at(
+				&draw->soft->buffers.target, left, y),
+		right - left, color_565(c[0], c[1], c[2]));
+}
+
+static bool is_constant_by_row(const struct draw *draw)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t across = 0;
+
+	if (!draw->plain || raster->perspective) {
+		return false;
+	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		across |= raster->plane[raster->moving[i]].dx;
+	}
+	return across == 0;
+}
+
 static void next_row(struct draw *draw)
 {
 	raster_skip_rows(draw, 1);
@@ -183,6 +216,10 @@ void rows_fill(struct draw *draw, struct setup *setup)
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	if (draw->luminance && luminance_begin(draw)) {
 		raster_walk(draw, setup, luminance_row, next_row);
+		return;
+	}
+	if (is_constant_by_row(draw)) {
+		raster_walk(draw, setup, row_constant, next_row);
 		return;
 	}
 	if (raster->perspective) {

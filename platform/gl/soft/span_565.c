@@ -20,12 +20,6 @@ struct wide_span {
 	bool passes[SPAN_PIXELS];
 };
 
-static ALWAYS_INLINE uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
-{
-	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
-		round_to_5(b) >> 19;
-}
-
 /* Depth LESS alone; how many pass. */
 static int test_less(const struct draw *draw, const struct span *span,
 	bool write, bool *passes)

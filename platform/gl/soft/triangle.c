@@ -94,7 +94,7 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 		return;
 	}
 	for (int i = 0; i < 3; i++) {
-		if (!v[i]->shaded) {
+		if (!v[i]->shaded && draw->attributes) {
 			soft_shade(draw, v[i]);
 		}
 	}

@@ -2,4 +2,6 @@
 
 const struct band_functions soft_bands = {
 	.color = band_color_c,
+	.flat = band_flat_c,
+	.fill = band_fill_c,
 };

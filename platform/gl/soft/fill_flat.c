@@ -1,0 +1,108 @@
+/*
+ * Triangles of any size in one colour for all of a call, without a depth test:
+ * shadows on level ground, whose stencil darkens each pixel once.
+ */
+#include "platform/gl/soft/band.h"
+#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/raster.h"
+
+bool fill_is_flat(const struct draw *draw)
+{
+	const struct soft *soft = draw->soft;
+	const struct fragment_state *state = &soft->fragment;
+	const struct stencil *stencil = &state->stencil;
+	const GLboolean *mask = state->color_mask;
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
+	bool once = stencil->function == GL_EQUAL && stencil->mask == 255 &&
+		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
+		stencil->reference < 255 &&
+		(stencil->pass == GL_INCR || stencil->pass == GL_KEEP ||
+			stencil->pass == GL_ZERO);
+
+	return soft->format == PIXELS_RGB565 && !draw->shading.lit &&
+		!draw->shading.color_array && !draw->texture[0].used &&
+		!draw->texture[1].used && !draw->fogged && !state->alpha_test &&
+		!state->depth_test && (!state->stencil.enabled || once) &&
+		(!draw->blended || by_alpha) && mask[0] && mask[1] && mask[2];
+}
+
+static uint8_t next_stencil(const struct stencil *stencil)
+{
+	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
+		: stencil->pass == GL_ZERO ? 0
+					   : stencil->reference;
+}
+
+/* The colour is the same for all of them, so that no vertex is shaded. */
+static void set_color(struct draw *draw, struct flat_band *band)
+{
+	const GLfixed *color = draw->soft->arrays.current_color;
+	uint32_t alpha =
+		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
+
+	band->opaque = pack_565(
+		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2]));
+	band->keep = 32 - alpha;
+	band->own = widen(band->opaque) * alpha + WIDE_ROUND;
+}
+
+void fill_flat_begin(struct draw *draw)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	struct flat_band *band = &draw->flat;
+
+	*band = (struct flat_band){
+		.stride_bytes = buffers->target.stride_bytes,
+		.stencil_stride = buffers->width,
+		.from = draw->box.left,
+		.to = draw->box.right,
+		.reference = stencil->reference,
+		.next = next_stencil(stencil),
+	};
+	set_color(draw, band);
+}
+
+static void set_edge(struct draw *draw, int which, const struct vertex *a,
+	const struct vertex *b, int row)
+{
+	struct side side = raster_side(draw, a, b, row);
+
+	draw->flat.edge[which] = (uint32_t)side.x + 0x7FFF;
+	draw->flat.edge_step[which] = (uint32_t)side.step;
+}
+
+void fill_flat(struct draw *draw, struct setup *setup)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct vertex *const *v = setup->v;
+	struct flat_band *band = &draw->flat;
+	int top = setup->top < draw->box.top ? draw->box.top : setup->top;
+	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+						      : draw->box.bottom;
+	int turn = setup->middle < top   ? top
+		: setup->middle > bottom ? bottom
+					 : setup->middle;
+	/* The long edge is left of the middle vertex or right of it. */
+	bool middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
+		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
+
+	band->pixels = buffers->target.data +
+		(ptrdiff_t)top * buffers->target.stride_bytes;
+	if (draw->soft->fragment.stencil.enabled) {
+		band->stencil = buffers->stencil + top * buffers->width;
+	}
+	set_edge(draw, !part, v[0], v[2], top);
+	if (turn > top) {
+		set_edge(draw, part, v[0], v[1], top);
+		band->rows = turn - top;
+		soft_bands.flat(band);
+	}
+	if (bottom > turn) {
+		set_edge(draw, part, v[1], v[2], turn);
+		band->rows = bottom - turn;
+		soft_bands.flat(band);
+	}
+}

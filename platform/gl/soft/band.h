@@ -91,7 +91,8 @@ struct flat_band {
 	uint8_t reference, next;        /* what the stencil has, and gets */
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
-	uint16_t opaque; /* the colour where keep is 0 */
+	uint16_t opaque; /* the colour itself */
+	uint32_t alpha;  /* 0 to 32 */
 };
 
 struct band_functions {

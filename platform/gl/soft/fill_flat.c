@@ -34,26 +34,23 @@ static uint8_t next_stencil(const struct stencil *stencil)
 					   : stencil->reference;
 }
 
-/* The colour is the same for all of them, so that no vertex is shaded. */
-static void set_color(struct draw *draw, struct flat_band *band)
+void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
 {
-	const GLfixed *color = draw->soft->arrays.current_color;
-	uint32_t alpha =
-		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
+	struct flat_band *band = &draw->flat;
 
-	band->opaque = pack_565(
-		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2]));
+	band->opaque = color;
+	band->alpha = alpha;
 	band->keep = 32 - alpha;
-	band->own = widen(band->opaque) * alpha + WIDE_ROUND;
+	band->own = widen(color) * alpha + WIDE_ROUND;
 }
 
 void fill_flat_begin(struct draw *draw)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
-	struct flat_band *band = &draw->flat;
+	const GLfixed *color = draw->soft->arrays.current_color;
 
-	*band = (struct flat_band){
+	draw->flat = (struct flat_band){
 		.stride_bytes = buffers->target.stride_bytes,
 		.stencil_stride = buffers->width,
 		.from = draw->box.left,
@@ -61,7 +58,11 @@ void fill_flat_begin(struct draw *draw)
 		.reference = stencil->reference,
 		.next = next_stencil(stencil),
 	};
-	set_color(draw, band);
+	/* Where all of a call has one colour, no vertex is shaded. */
+	fill_flat_color(draw,
+		pack_565(soft_byte(color[0]), soft_byte(color[1]),
+			soft_byte(color[2])),
+		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
 }
 
 static void set_edge(struct draw *draw, int which, const struct vertex *a,

@@ -263,6 +263,9 @@ static fill_function choose_fill(const struct draw *draw)
 	if (fill_is_flat(draw)) {
 		return fill_flat;
 	}
+	if (fill_is_glyph(draw)) {
+		return fill_glyph;
+	}
 	if (!fill_is_opaque(draw)) {
 		return rows_fill;
 	}
@@ -316,6 +319,8 @@ bool soft_prepare(
 		!draw->blended && !draw->texture[0].used && draw->color_written;
 	if (draw->fill == fill_flat) {
 		draw->attributes = 0;
+	}
+	if (draw->fill == fill_flat || draw->fill == fill_glyph) {
 		fill_flat_begin(draw);
 	}
 	return true;

@@ -150,6 +150,12 @@ void fill_plain(struct draw *draw, struct setup *setup);
 bool fill_is_flat(const struct draw *draw);
 void fill_flat_begin(struct draw *draw);
 void fill_flat(struct draw *draw, struct setup *setup);
+/* What fill_flat() goes on to draw in: alpha is 0 to 32. */
+void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
+
+/* fill_glyph.c, on top of fill_flat_begin() */
+bool fill_is_glyph(const struct draw *draw);
+void fill_glyph(struct draw *draw, struct setup *setup);
 void fill_textured(struct draw *draw, struct setup *setup);
 
 /*

@@ -4,7 +4,6 @@
 #include "platform/gl/soft/rows.h"
 
 enum {
-	HALF_TEXEL = 32768,
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 16,
 	RUN_MOST = 512,
@@ -13,8 +12,8 @@ enum {
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct shade_run *run, uint32_t s, uint32_t t)
 {
-	return run->quads[((t >> 16 & run->t_mask) << run->width_log2) +
-		(s >> 16 & run->s_mask)];
+	return run->quads[(t >> (32 - run->height_log2) << run->width_log2) +
+		(s >> (32 - run->width_log2))];
 }
 
 static ALWAYS_INLINE bool is_even(uint32_t quad)
@@ -26,10 +25,12 @@ static ALWAYS_INLINE bool is_even(uint32_t quad)
  * The mean of four texels by 16ths. Both rows are mixed at once; what one
  * borrows from the other the sum gives back.
  */
-static ALWAYS_INLINE uint32_t mix_quad(uint32_t quad, uint32_t s, uint32_t t)
+static ALWAYS_INLINE uint32_t mix_quad(
+	const struct shade_run *run, uint32_t quad, uint32_t s, uint32_t t)
 {
 	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
-	uint32_t across = s >> 12 & 15, down = t >> 12 & 15;
+	uint32_t across = s << run->width_log2 >> 28;
+	uint32_t down = t << run->height_log2 >> 28;
 	uint32_t rows = left * 16 + (right - left) * across;
 
 	return ((rows & 0xFFFF) * (16 - down) + (rows >> 16) * down + 128) >> 8;
@@ -45,7 +46,7 @@ static ALWAYS_INLINE void put_each(const struct shade_run *run, uint16_t *pixel,
 	int count, uint32_t s, uint32_t t, uint32_t alpha, bool blended)
 {
 	for (int i = 0; i < count; i++) {
-		uint32_t shade = mix_quad(load_quad(run, s, t), s, t);
+		uint32_t shade = mix_quad(run, load_quad(run, s, t), s, t);
 
 		put(pixel + i, run->shade[shade], alpha, blended);
 		s += (uint32_t)run->s_right;
@@ -71,29 +72,31 @@ static ALWAYS_INLINE void put_same(
 
 /*
  * Blocks of pixels that are no more than a texel wide together: where the
- * texels around the first and the last are all the same, so are the others.
+ * texels around the first and the one behind the last are all the same, so are
+ * the others.
  */
 static ALWAYS_INLINE void run_blocks(
 	const struct shade_run *run, int block, bool blended)
 {
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t, alpha = run->alpha;
-	uint32_t s_last = (uint32_t)(run->s_right * (block - 1));
-	uint32_t t_last = (uint32_t)(run->t_right * (block - 1));
+	uint32_t quad = load_quad(run, s, t);
 	int left = run->count;
 
 	for (; left >= block; left -= block, pixel += block) {
-		uint32_t quad = load_quad(run, s, t);
+		uint32_t next_s = s + (uint32_t)run->s_right * (uint32_t)block;
+		uint32_t next_t = t + (uint32_t)run->t_right * (uint32_t)block;
+		uint32_t next = load_quad(run, next_s, next_t);
 
-		if (is_even(quad) &&
-			quad == load_quad(run, s + s_last, t + t_last)) {
+		if (next == quad && is_even(quad)) {
 			put_same(pixel, block, run->shade[quad & 255],
 				alpha >> 19, blended);
 		} else {
 			put_each(run, pixel, block, s, t, alpha >> 19, blended);
 		}
-		s += (uint32_t)(run->s_right * block);
-		t += (uint32_t)(run->t_right * block);
+		quad = next;
+		s = next_s;
+		t = next_t;
 		alpha += (uint32_t)(run->alpha_right * block);
 	}
 	put_each(run, pixel, left, s, t, alpha >> 19, blended);
@@ -124,18 +127,17 @@ static int32_t size_of(int32_t value)
 
 static void draw_run(const struct shade_run *run, bool blended)
 {
-	int32_t s = size_of(run->s_right), t = size_of(run->t_right);
-	int32_t most = s > t ? s : t;
+	int32_t s = size_of(run->s_right) >> (30 - run->width_log2);
+	int32_t t = size_of(run->t_right) >> (30 - run->height_log2);
+	bool wide = s == 0 && t == 0; /* texels of four pixels or more */
 
 	if (run->depth) {
 		write_depth(run);
 	}
-	if (most <= 65536 / 3) {
-		if (blended) {
-			run_blocks(run, 4, true);
-		} else {
-			run_blocks(run, 4, false);
-		}
+	if (wide && blended) {
+		run_blocks(run, 4, true);
+	} else if (wide) {
+		run_blocks(run, 4, false);
 	} else if (blended) {
 		run_blocks(run, 2, true);
 	} else {
@@ -167,25 +169,26 @@ static int32_t share_out(const struct draw *draw, int32_t all, int steps)
 		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
 }
 
+/* Coordinates at the base, 16.16, into those of a level. */
 static void choose_texels(
 	const struct draw *draw, int lod, struct shade_run *run)
 {
 	const struct texture_input *input = &draw->texture[0];
-	int number = clamp_int((lod + 127) >> 8, 0, input->levels - 1);
+	int side = input->width_log2 < input->height_log2 ? input->width_log2
+							  : input->height_log2;
+	/* Down to two texels: none is shifted by 32 bits. */
+	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
+	int number = clamp_int((lod + 127) >> 8, 0, most);
 	const struct level *level = &input->texture->level[number];
+	int s_shift = 16 - input->width_log2, t_shift = 16 - input->height_log2;
 
 	run->quads = level->quads;
 	run->width_log2 = level->width_log2;
-	run->s_mask = (1u << level->width_log2) - 1;
-	run->t_mask = (1u << level->height_log2) - 1;
-	run->s = (uint32_t)((int32_t)run->s >>
-			 (input->width_log2 - level->width_log2)) -
-		HALF_TEXEL;
-	run->t = (uint32_t)((int32_t)run->t >>
-			 (input->height_log2 - level->height_log2)) -
-		HALF_TEXEL;
-	run->s_right >>= input->width_log2 - level->width_log2;
-	run->t_right >>= input->height_log2 - level->height_log2;
+	run->height_log2 = level->height_log2;
+	run->s = (run->s << s_shift) - (1u << (31 - level->width_log2));
+	run->t = (run->t << t_shift) - (1u << (31 - level->height_log2));
+	run->s_right = (int32_t)((uint32_t)run->s_right << s_shift);
+	run->t_right = (int32_t)((uint32_t)run->t_right << t_shift);
 }
 
 static void draw_between(struct draw *draw, const struct point *from,
@@ -290,6 +293,7 @@ bool luminance_takes(const struct draw *draw)
 				state->blend_destination ==
 					GL_ONE_MINUS_SRC_ALPHA)) &&
 		input->env->mode == GL_MODULATE && input->base->quads &&
+		input->width_log2 > 0 && input->height_log2 > 0 &&
 		texture->mag_filter == GL_LINEAR &&
 		texture->min_filter == GL_LINEAR_MIPMAP_NEAREST &&
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&

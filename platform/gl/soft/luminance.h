@@ -17,9 +17,12 @@ struct shade_run {
 	uint16_t *depth; /* NULL: none is written */
 	int count;
 	const uint32_t *quads;
-	int width_log2;
-	uint32_t s_mask, t_mask; /* of whole texels */
-	uint32_t s, t;           /* of the first centre's upper left texel */
+	int width_log2, height_log2; /* both more than 0 */
+	/*
+	 * Of the first centre's upper left texel: 2^32 are all of the texture,
+	 * so that it repeats by itself.
+	 */
+	uint32_t s, t;
 	int32_t s_right, t_right;
 	uint32_t z;
 	int32_t z_right;

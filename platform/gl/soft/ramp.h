@@ -71,6 +71,12 @@ struct limits {
 	int32_t color, texel;
 };
 
+/* Texels are no smaller than pixels then, and their spread no larger. */
+static ALWAYS_INLINE bool is_mipmapped(const struct draw *draw)
+{
+	return draw->texture[0].used && draw->texture[0].levels > 1;
+}
+
 /*
  * Running linearly is off by up to spread (wmax - wmin) / 4 wmin, see
  * raster.c; deltas are at least half of the spread.
@@ -88,10 +94,13 @@ static ALWAYS_INLINE struct limits find_limits(
 	low = c < low ? c : low;
 	high = c > high ? c : high;
 	if (high - low <= low >> 6) {
-		return (struct limits){1 << 16, 1 << 13};
+		return (struct limits){
+			1 << 16, is_mipmapped(draw) ? SMALL_DELTA : (1 << 13)};
 	}
 	if (high - low <= low >> 4) {
-		return (struct limits){1 << 13, 1 << 11};
+		return (struct limits){1 << 13,
+			(is_mipmapped(draw) && setup->tiny) ? SMALL_DELTA
+							    : 1 << 11};
 	}
 	return (struct limits){0, 0};
 }

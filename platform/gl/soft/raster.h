@@ -19,6 +19,7 @@ enum {
 struct setup {
 	const struct vertex *v[3];
 	bool back, wide;
+	bool tiny;        /* up to 16 pixels wide and high */
 	bool inside;      /* of draw->box, with a pixel to spare at the sides */
 	bool middle_left; /* the middle vertex lies left of the long edge */
 	uint64_t area;    /* twice of it, in 1/256 of pixels */

@@ -59,6 +59,7 @@ static bool find_extent(const struct draw *draw,
 	setup->bottom = raster_centre(v[2]->y);
 	setup->wide =
 		right - left > SMALL_EXTENT || v[2]->y - v[0]->y > SMALL_EXTENT;
+	setup->tiny = right - left <= 256 && v[2]->y - v[0]->y <= 256;
 	setup->inside = draw->same_stride && setup->top >= draw->box.top &&
 		setup->bottom <= draw->box.bottom &&
 		raster_centre(left) > draw->box.left &&

@@ -71,9 +71,9 @@ static ALWAYS_INLINE void put_same(
 }
 
 /*
- * Blocks of pixels that are no more than a texel wide together: where the
- * texels around the first and the one behind the last are all the same, so are
- * the others.
+ * Blocks of pixels that are no more than two texels wide together: where the
+ * texels around the first pixel and around the one behind the last are all the
+ * same, the others see no more than these, but for a corner.
  */
 static ALWAYS_INLINE void run_blocks(
 	const struct shade_run *run, int block, bool blended)
@@ -127,9 +127,9 @@ static int32_t size_of(int32_t value)
 
 static void draw_run(const struct shade_run *run, bool blended)
 {
-	int32_t s = size_of(run->s_right) >> (30 - run->width_log2);
-	int32_t t = size_of(run->t_right) >> (30 - run->height_log2);
-	bool wide = s == 0 && t == 0; /* texels of four pixels or more */
+	int32_t s = size_of(run->s_right) >> (31 - run->width_log2);
+	int32_t t = size_of(run->t_right) >> (31 - run->height_log2);
+	bool wide = s == 0 && t == 0; /* texels of two pixels or more */
 
 	if (run->depth) {
 		write_depth(run);

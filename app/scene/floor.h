@@ -17,7 +17,7 @@ enum {
 	FLOOR_VERTICES = FLOOR_RINGS * FLOOR_SPOKES + 1,
 	FLOOR_INDICES = (FLOOR_RINGS * 2 - 1) * FLOOR_SPOKES * 3,
 	/* Up to this ring it is opaque, from there on it fades. */
-	FLOOR_SOLID_RING = 7,
+	FLOOR_SOLID_RING = 9,
 	FLOOR_SOLID_INDICES = (FLOOR_SOLID_RING * 2 - 1) * FLOOR_SPOKES * 3,
 	/* Level ground needs no rings between. */
 	FLOOR_LEVEL_SPOKES = 10,

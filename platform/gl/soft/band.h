@@ -95,10 +95,15 @@ struct flat_band {
 	uint32_t alpha;  /* 0 to 32 */
 };
 
+struct shade_run;
+
 struct band_functions {
 	band_function color;
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
+	/* shade.h; of textures as wide as high */
+	void (*shade_four)(const struct shade_run *run);
+	void (*shade_two)(const struct shade_run *run);
 };
 
 extern const struct band_functions soft_bands;

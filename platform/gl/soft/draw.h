@@ -122,6 +122,7 @@ struct raster {
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
+	bool first_row;   /* luminance.c's */
 	struct span span; /* of the row under way, and what is the same in all */
 };
 

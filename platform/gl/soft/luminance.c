@@ -2,6 +2,7 @@
 
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/shade.h"
 
 enum {
 	/* Half of 1/32, so that 255 is 32/32. */
@@ -9,120 +10,29 @@ enum {
 	RUN_MOST = 512,
 };
 
-static ALWAYS_INLINE uint32_t load_quad(
-	const struct shade_run *run, uint32_t s, uint32_t t)
-{
-	return run->quads[(t >> (32 - run->height_log2) << run->width_log2) +
-		(s >> (32 - run->width_log2))];
-}
-
-static ALWAYS_INLINE bool is_even(uint32_t quad)
-{
-	return quad == (quad >> 8 | quad << 24);
-}
-
-/*
- * The mean of four texels by 16ths. Both rows are mixed at once; what one
- * borrows from the other the sum gives back.
- */
-static ALWAYS_INLINE uint32_t mix_quad(
-	const struct shade_run *run, uint32_t quad, uint32_t s, uint32_t t)
-{
-	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
-	uint32_t across = s << run->width_log2 >> 28;
-	uint32_t down = t << run->height_log2 >> 28;
-	uint32_t rows = left * 16 + (right - left) * across;
-
-	return ((rows & 0xFFFF) * (16 - down) + (rows >> 16) * down + 128) >> 8;
-}
-
-static ALWAYS_INLINE void put(
-	uint16_t *pixel, uint32_t own, uint32_t alpha, bool blended)
-{
-	*pixel = narrow(blended ? mix_wide(widen(*pixel), own, alpha) : own);
-}
-
-static ALWAYS_INLINE void put_each(const struct shade_run *run, uint16_t *pixel,
-	int count, uint32_t s, uint32_t t, uint32_t alpha, bool blended)
-{
-	for (int i = 0; i < count; i++) {
-		uint32_t shade = mix_quad(run, load_quad(run, s, t), s, t);
-
-		put(pixel + i, run->shade[shade], alpha, blended);
-		s += (uint32_t)run->s_right;
-		t += (uint32_t)run->t_right;
-	}
-}
-
-static ALWAYS_INLINE void put_same(
-	uint16_t *pixel, int count, uint32_t own, uint32_t alpha, bool blended)
-{
-	uint32_t pair = narrow(own) * 0x10001u;
-
-	if (blended) {
-		for (int i = 0; i < count; i++) {
-			put(pixel + i, own, alpha, true);
-		}
-		return;
-	}
-	for (int i = 0; i < count; i += 2) {
-		memcpy(pixel + i, &pair, sizeof(pair));
-	}
-}
-
-/*
- * Blocks of pixels that are no more than two texels wide together: where the
- * texels around the first pixel and around the one behind the last are all the
- * same, the others see no more than these, but for a corner.
- */
-static ALWAYS_INLINE void run_blocks(
-	const struct shade_run *run, int block, bool blended)
-{
-	uint16_t *pixel = run->pixel;
-	uint32_t s = run->s, t = run->t, alpha = run->alpha;
-	uint32_t quad = load_quad(run, s, t);
-	int left = run->count;
-
-	for (; left >= block; left -= block, pixel += block) {
-		uint32_t next_s = s + (uint32_t)run->s_right * (uint32_t)block;
-		uint32_t next_t = t + (uint32_t)run->t_right * (uint32_t)block;
-		uint32_t next = load_quad(run, next_s, next_t);
-
-		if (next == quad && is_even(quad)) {
-			put_same(pixel, block, run->shade[quad & 255],
-				alpha >> 19, blended);
-		} else {
-			put_each(run, pixel, block, s, t, alpha >> 19, blended);
-		}
-		quad = next;
-		s = next_s;
-		t = next_t;
-		alpha += (uint32_t)(run->alpha_right * block);
-	}
-	put_each(run, pixel, left, s, t, alpha >> 19, blended);
-}
-
-static void write_depth(const struct shade_run *run)
-{
-	uint32_t z = run->z, step = (uint32_t)run->z_right;
-	uint16_t *depth = run->depth;
-	int left = run->count;
-
-	for (; left >= 2; left -= 2, depth += 2) {
-		uint32_t next = z + step;
-		uint32_t both = z >> 10 | next >> 10 << 16;
-
-		memcpy(depth, &both, sizeof(both));
-		z = next + step;
-	}
-	if (left) {
-		*depth = (uint16_t)(z >> 10);
-	}
-}
-
 static int32_t size_of(int32_t value)
 {
 	return value < 0 ? -value : value;
+}
+
+/*
+ * Ground is as deep all along a row, but for what rounding left: then one value
+ * does.
+ */
+static void write_depth(const struct shade_run *run)
+{
+	int32_t all = run->z_right * run->count;
+	uint32_t z = run->z;
+
+	if (size_of(all) < 1 << 10) {
+		z += (uint32_t)(all / 2);
+		soft_bands.fill(run->depth, run->count, (uint16_t)(z >> 10));
+		return;
+	}
+	for (int i = 0; i < run->count; i++) {
+		run->depth[i] = (uint16_t)(z >> 10);
+		z += (uint32_t)run->z_right;
+	}
 }
 
 static void draw_run(const struct shade_run *run, bool blended)
@@ -130,18 +40,23 @@ static void draw_run(const struct shade_run *run, bool blended)
 	int32_t s = size_of(run->s_right) >> (31 - run->width_log2);
 	int32_t t = size_of(run->t_right) >> (31 - run->height_log2);
 	bool wide = s == 0 && t == 0; /* texels of two pixels or more */
+	bool square = run->width_log2 == run->height_log2;
 
 	if (run->depth) {
 		write_depth(run);
 	}
-	if (wide && blended) {
-		run_blocks(run, 4, true);
-	} else if (wide) {
-		run_blocks(run, 4, false);
+	if (blended && wide) {
+		shade_four_blended_c(run);
 	} else if (blended) {
-		run_blocks(run, 2, true);
+		shade_two_blended_c(run);
+	} else if (wide && square) {
+		soft_bands.shade_four(run);
+	} else if (wide) {
+		shade_four_c(run);
+	} else if (square) {
+		soft_bands.shade_two(run);
 	} else {
-		run_blocks(run, 2, false);
+		shade_two_c(run);
 	}
 }
 
@@ -218,7 +133,11 @@ static void draw_between(struct draw *draw, const struct point *from,
 		.shade = draw->shade,
 	};
 
-	rows_find_lod(draw, from, span);
+	/* Every fourth row, and in the triangle's first one. */
+	if (span->y % 4 == 0 || draw->raster.first_row) {
+		rows_find_lod(draw, from, span);
+		draw->raster.first_row = false;
+	}
 	choose_texels(draw, span->lod[0], &run);
 	draw_run(&run, draw->blended);
 }
@@ -273,6 +192,7 @@ bool luminance_begin(struct draw *draw)
 	for (int i = 0; i < 3; i++) {
 		color[i] = raster->span.value[RED + i];
 	}
+	draw->raster.first_row = true;
 	if (memcmp(color, draw->shade_color, sizeof(color)) != 0) {
 		make_shades(draw, color);
 	}

@@ -1,10 +1,20 @@
 #include "platform/gl/soft/band.h"
+#include "platform/gl/soft/shade.h"
 
 /* band.S */
 void band_color_arm(struct band *band);
 
+/* fill.S */
+void band_fill_arm(uint16_t *at, int count, uint16_t value);
+
+/* shade.S */
+void shade_four_arm(const struct shade_run *run);
+void shade_two_arm(const struct shade_run *run);
+
 const struct band_functions soft_bands = {
 	.color = band_color_arm,
 	.flat = band_flat_c,
-	.fill = band_fill_c,
+	.fill = band_fill_arm,
+	.shade_four = shade_four_arm,
+	.shade_two = shade_two_arm,
 };

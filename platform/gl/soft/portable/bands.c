@@ -1,7 +1,10 @@
 #include "platform/gl/soft/band.h"
+#include "platform/gl/soft/shade.h"
 
 const struct band_functions soft_bands = {
 	.color = band_color_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
+	.shade_four = shade_four_c,
+	.shade_two = shade_two_c,
 };

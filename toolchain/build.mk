@@ -66,13 +66,14 @@ build/$(1)/limber: build/$(1)/obj/app/main.o build/$(1)/liblimber.a
 	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs $$(LIBS_$(1))
 	$$(Q)$$(CHECK_BINARY)
 
+# Objects first: a test may bring its own in place of the program's.
 build/$(1)/unit/%: build/$(1)/obj/tests/unit/%.o \
 		$$(patsubst %.c,build/$(1)/obj/%.o,$$(SUPPORT_SOURCES)) \
 		build/$(1)/liblimber.a
 	@mkdir -p $$(@D)
 	$$(call say,LINK,$$@)
-	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs \
-		$$(LIBS_$(1)) -lcmocka
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) \
+		$$(filter %.a,$$^) @build/$(1)/libs $$(LIBS_$(1)) -lcmocka
 
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef

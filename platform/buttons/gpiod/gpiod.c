@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "platform/base/name_list.h"
+#include "platform/buttons/batch.h"
 #include "platform/buttons/buttons.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/event_time.h"
@@ -16,20 +17,13 @@
 enum {
 	CHIPS_MAX = 32,
 	DEVICES_MAX = 128, /* /dev/gpiochip0 to 127; numbers may have gaps */
-	LINES_MAX = 16,
-	EDGES_MAX = LINES_MAX * (GPIO_EDGES_MAX + 1)
+	LINES_MAX = 16
 };
 
 struct button_line {
 	struct gpio_line_spec spec;
 	struct gpio_line *line;
 	bool active; /* as last reported */
-};
-
-struct line_edge {
-	int64_t time_ms;
-	int line;
-	bool active;
 };
 
 struct button_source {
@@ -41,8 +35,7 @@ struct button_source {
 	int line_count;
 	bool polled; /* polled_ms is set */
 	int64_t polled_ms;
-	struct line_edge edge[EDGES_MAX];
-	int edge_count;
+	struct button_batch batch;
 };
 
 static void open_chips(struct button_source *source)
@@ -274,15 +267,19 @@ static int gpiod_create(
 	return 0;
 }
 
+_Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 1) <= BUTTON_BATCH_ROOM,
+	"room for all that the kernel keeps");
+
 static void add_edge(
 	struct button_source *source, int line, int64_t time_ms, bool active)
 {
 	source->line[line].active = active;
-	source->edge[source->edge_count++] = (struct line_edge){
-		.time_ms = time_ms,
-		.line = line,
-		.active = active,
-	};
+	button_batch_add(&source->batch,
+		(struct button_event){
+			.time_ms = time_ms,
+			.button = source->line[line].spec.button,
+			.down = active,
+		});
 }
 
 static void lose_line(
@@ -331,37 +328,6 @@ static void read_line(struct button_source *source, int index,
 	}
 }
 
-/* In the order of time; those of one line keep theirs. */
-static void sort_edges(struct button_source *source)
-{
-	for (int i = 1; i < source->edge_count; i++) {
-		struct line_edge edge = source->edge[i];
-		int at = i;
-
-		for (; at > 0 && source->edge[at - 1].time_ms > edge.time_ms;
-			at--) {
-			source->edge[at] = source->edge[at - 1];
-		}
-		source->edge[at] = edge;
-	}
-}
-
-static void push_edges(struct button_source *source, struct button_queue *queue)
-{
-	sort_edges(source);
-	for (int i = 0; i < source->edge_count; i++) {
-		const struct line_edge *edge = &source->edge[i];
-
-		button_queue_push(queue,
-			(struct button_event){
-				.time_ms = edge->time_ms,
-				.button = source->line[edge->line].spec.button,
-				.down = edge->active,
-			});
-	}
-	source->edge_count = 0;
-}
-
 static void begin(struct button_source *source, int64_t now_ms,
 	struct button_queue *queue)
 {
@@ -391,7 +357,7 @@ static void gpiod_poll(struct button_source *source, int64_t now_ms,
 				read_line(source, i, &clocks, now_ms);
 			}
 		}
-		push_edges(source, queue);
+		button_batch_push(&source->batch, queue);
 	}
 	source->polled_ms = now_ms;
 }

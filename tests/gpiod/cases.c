@@ -1,0 +1,415 @@
+#include "tests/gpiod/cases.h"
+
+#include "platform/base/compiler.h"
+#include "platform/buttons/buttons.h"
+#include "tests/gpiod/fake.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+/* A machine with its chips and a set of buttons on it. */
+struct bench {
+	struct fake_gpio gpio;
+	struct log_capture said;
+	struct log log;
+	struct buttons buttons;
+	int64_t now_ms;
+};
+
+static int setup(void **state)
+{
+	struct bench *bench = calloc(1, sizeof(*bench));
+
+	assert_non_null(bench);
+	fake_gpio_begin(&bench->gpio);
+	bench->log = log_capture_begin(&bench->said);
+	*state = bench;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct bench *bench = *state;
+
+	buttons_close(&bench->buttons);
+	fake_gpio_end(&bench->gpio);
+	free(bench);
+	return 0;
+}
+
+static void open_lines(struct bench *bench, const char *spec)
+{
+	assert_int_equal(buttons_open(&bench->buttons, spec, &bench->log), 0);
+	buttons_poll(&bench->buttons, 0);
+}
+
+/* A line of gpio2, the third chip. */
+static struct fake_line *wire(struct bench *bench, int offset)
+{
+	return &bench->gpio.chip[2].line[offset];
+}
+
+static void expect(struct bench *bench, enum button button, bool down)
+{
+	struct button_event event;
+
+	assert_true(button_queue_pop(&bench->buttons.queue, &event));
+	assert_int_equal(event.button, button);
+	assert_int_equal(event.down, down);
+}
+
+static void expect_nothing(struct bench *bench)
+{
+	struct button_event event;
+
+	assert_false(button_queue_pop(&bench->buttons.queue, &event));
+}
+
+/* One warning, and it has these parts. */
+static void expect_warning(
+	struct bench *bench, const char *what, const char *why)
+{
+	assert_int_equal(bench->said.count, 1);
+	assert_int_equal(bench->said.level[0], LOG_WARNING);
+	assert_contains(bench->said.sentence[0], what);
+	assert_contains(bench->said.sentence[0], why);
+	bench->said.count = 0;
+}
+
+static void press_works(
+	struct bench *bench, struct fake_line *line, enum button button)
+{
+	fake_gpio_set(line, true, 2000);
+	bench->now_ms += 1000;
+	buttons_poll(&bench->buttons, bench->now_ms);
+	expect(bench, button, true);
+	fake_gpio_set(line, false, 2000);
+	bench->now_ms += 1000;
+	buttons_poll(&bench->buttons, bench->now_ms);
+	expect(bench, button, false);
+	expect_nothing(bench);
+}
+
+static void test_a_line_by_label_and_offset_presses(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,F9=53fd0000.gpio/25");
+	assert_int_equal(bench->said.count, 0);
+	assert_true(wire(bench, 18)->input);
+	assert_true(wire(bench, 18)->both_edges);
+	assert_false(wire(bench, 18)->active_low);
+	assert_int_equal(wire(bench, 18)->bias, FAKE_AS_IS);
+	assert_string_equal(wire(bench, 18)->consumer, "limber UP");
+	press_works(bench, wire(bench, 18), BUTTON_UP);
+	press_works(bench, wire(bench, 25), BUTTON_F9);
+}
+
+static void test_a_label_finds_its_chip_under_any_number(void **state)
+{
+	struct bench *bench = *state;
+
+	bench->gpio.chip[0].label = "53fd0000.gpio";
+	bench->gpio.chip[2].label = "53fa4000.gpio";
+	bench->gpio.chip[0].name = "gpiochip7";
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	press_works(bench, &bench->gpio.chip[0].line[18], BUTTON_UP);
+	assert_false(wire(bench, 18)->requested);
+}
+
+static void test_a_line_is_found_by_its_name(void **state)
+{
+	struct bench *bench = *state;
+
+	bench->gpio.chip[1].line[3].name = "KEY_ROW4";
+	wire(bench, 5)->name = "A/B line";
+	wire(bench, 6)->name = "KEY_ROW4";
+	open_lines(bench,
+		"gpiod:LEFT=KEY_ROW4,RIGHT=gpiochip2/KEY_ROW4/active-high");
+	assert_int_equal(bench->said.count, 0);
+	press_works(bench, &bench->gpio.chip[1].line[3], BUTTON_LEFT);
+	press_works(bench, wire(bench, 6), BUTTON_RIGHT);
+}
+
+static void test_spaces_let_a_name_hold_slashes(void **state)
+{
+	struct bench *bench = *state;
+
+	wire(bench, 5)->name = "A/B";
+	open_lines(bench, "gpiod:LEFT=53fd0000.gpio A/B pull-up");
+	assert_int_equal(wire(bench, 5)->bias, FAKE_PULL_UP);
+	press_works(bench, wire(bench, 5), BUTTON_LEFT);
+}
+
+static void test_bias_and_sense_reach_the_kernel(void **state)
+{
+	struct bench *bench = *state;
+
+	wire(bench, 1)->high = true;
+	open_lines(bench,
+		"gpiod:UP=53fd0000.gpio/1/active-low/pull-up,"
+		"DOWN=53fd0000.gpio/2/pull-down,LEFT=53fd0000.gpio/3/no-pull");
+	assert_true(wire(bench, 1)->active_low);
+	assert_int_equal(wire(bench, 1)->bias, FAKE_PULL_UP);
+	assert_false(wire(bench, 2)->active_low);
+	assert_int_equal(wire(bench, 2)->bias, FAKE_PULL_DOWN);
+	assert_int_equal(wire(bench, 3)->bias, FAKE_NO_PULL);
+	fake_gpio_set(wire(bench, 1), false, 0);
+	buttons_poll(&bench->buttons, 100);
+	expect(bench, BUTTON_UP, true);
+	fake_gpio_set(wire(bench, 1), true, 0);
+	buttons_poll(&bench->buttons, 200);
+	expect(bench, BUTTON_UP, false);
+}
+
+static void test_a_bouncing_contact_counts_once(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	for (int i = 0; i < 7; i++) {
+		fake_gpio_set(wire(bench, 18), i % 2 == 0, 30000 - i * 1000);
+	}
+	buttons_poll(&bench->buttons, 100);
+	expect(bench, BUTTON_UP, true);
+	expect_nothing(bench);
+	buttons_poll(&bench->buttons, 1000);
+	expect_nothing(bench);
+}
+
+static void test_edges_are_told_apart_by_the_kernels_time(void **state)
+{
+	struct bench *bench = *state;
+
+	/* Two presses between two frames, 100 ms apart: both count. */
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	for (int i = 0; i < 4; i++) {
+		fake_gpio_set(wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
+	}
+	buttons_poll(&bench->buttons, 1000);
+	for (int i = 0; i < 4; i++) {
+		expect(bench, BUTTON_UP, i % 2 == 0);
+	}
+	expect_nothing(bench);
+}
+
+static void test_real_time_stamps_are_understood(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	for (int i = 0; i < 4; i++) {
+		fake_gpio_set_real_time(
+			wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
+	}
+	buttons_poll(&bench->buttons, 1000);
+	for (int i = 0; i < 4; i++) {
+		expect(bench, BUTTON_UP, i % 2 == 0);
+	}
+	expect_nothing(bench);
+}
+
+static void test_a_line_has_a_debounce_time_of_its_own(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench,
+		"gpiod:UP=53fd0000.gpio/18/debounce=200,"
+		"DOWN=53fd0000.gpio/19");
+	for (int i = 0; i < 3; i++) {
+		fake_gpio_set(wire(bench, 18), i % 2 == 0, 300000 - i * 50000);
+		fake_gpio_set(wire(bench, 19), i % 2 == 0, 290000 - i * 50000);
+	}
+	buttons_poll(&bench->buttons, 1000);
+	expect(bench, BUTTON_UP, true);
+	expect(bench, BUTTON_DOWN, true);
+	expect(bench, BUTTON_DOWN, false);
+	expect(bench, BUTTON_DOWN, true);
+	expect_nothing(bench);
+}
+
+static void test_edges_of_several_lines_come_in_order(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench,
+		"gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19,"
+		"LEFT=53fd0000.gpio/20");
+	fake_gpio_set(wire(bench, 18), true, 100000);
+	fake_gpio_set(wire(bench, 18), false, 20000);
+	fake_gpio_set(wire(bench, 19), true, 200000);
+	fake_gpio_set(wire(bench, 20), true, 50000);
+	buttons_poll(&bench->buttons, 1000);
+	expect(bench, BUTTON_DOWN, true);
+	expect(bench, BUTTON_UP, true);
+	expect(bench, BUTTON_LEFT, true);
+	expect(bench, BUTTON_UP, false);
+}
+
+static void test_edges_the_kernel_had_no_room_for_show_in_the_level(void **state)
+{
+	struct bench *bench = *state;
+
+	/* An odd number of edges more than it keeps: the last one is lost. */
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	for (int i = 0; i < FAKE_EDGES + 1; i++) {
+		fake_gpio_set(wire(bench, 18), i % 2 == 0, 900000 - i * 50000);
+	}
+	assert_int_equal(wire(bench, 18)->edges, FAKE_EDGES);
+	buttons_poll(&bench->buttons, 1000);
+	assert_true(bench->buttons.queue.down[BUTTON_UP]);
+}
+
+static void test_a_button_held_at_the_start_is_no_press(void **state)
+{
+	struct bench *bench = *state;
+
+	wire(bench, 18)->high = true;
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	buttons_poll(&bench->buttons, 100);
+	expect_nothing(bench);
+	fake_gpio_set(wire(bench, 18), false, 1000);
+	buttons_poll(&bench->buttons, 200);
+	expect_nothing(bench);
+	press_works(bench, wire(bench, 18), BUTTON_UP);
+}
+
+static void test_a_taken_line_is_named_with_its_holder(void **state)
+{
+	struct bench *bench = *state;
+
+	wire(bench, 18)->holder = "phy-reset";
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	expect_warning(bench, "gpiod:UP: line 18 of 53fd0000.gpio",
+		"taken by phy-reset");
+	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+}
+
+static void test_a_missing_chip_lists_those_there_are(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=pca9555/1,DOWN=53fd0000.gpio/19");
+	expect_warning(bench, "no chip is labelled pca9555",
+		"53fa4000.gpio, 53fcc000.gpio, 53fd0000.gpio");
+	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+}
+
+static void test_a_missing_line_is_named(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/32");
+	expect_warning(bench, "gpiod:UP", "no line 32");
+	buttons_close(&bench->buttons);
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/BELL");
+	expect_warning(bench, "chip 53fd0000.gpio", "no line named BELL");
+	buttons_close(&bench->buttons);
+	open_lines(bench, "gpiod:UP=BELL");
+	expect_warning(bench, "this machine", "no line named BELL");
+}
+
+static void test_no_chips_at_all_is_one_sentence(void **state)
+{
+	struct bench *bench = *state;
+
+	for (int i = 0; i < FAKE_CHIPS; i++) {
+		bench->gpio.chip[i].name = NULL;
+	}
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	expect_warning(bench, "/dev/gpiochip*", "no GPIO chip");
+	buttons_poll(&bench->buttons, 100);
+	expect_nothing(bench);
+}
+
+static void test_no_permission_names_the_device(void **state)
+{
+	struct bench *bench = *state;
+
+	for (int i = 0; i < FAKE_CHIPS; i++) {
+		bench->gpio.chip[i].error = EACCES;
+	}
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	expect_warning(bench, "/dev/gpiochip2", "no permission");
+}
+
+static void test_a_line_that_is_lost_lets_its_button_go(void **state)
+{
+	struct bench *bench = *state;
+
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	fake_gpio_set(wire(bench, 18), true, 0);
+	buttons_poll(&bench->buttons, 100);
+	expect(bench, BUTTON_UP, true);
+	fake_gpio_lose(wire(bench, 18));
+	buttons_poll(&bench->buttons, 200);
+	expect(bench, BUTTON_UP, false);
+	expect_warning(bench, "gpiod:UP", "lost");
+	buttons_poll(&bench->buttons, 300);
+	assert_int_equal(bench->said.count, 0);
+	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+}
+
+static void test_wrong_words_are_named(void **state)
+{
+	static const struct {
+		const char *spec, *reason;
+	} cases[] = {
+		{"gpiod", "no lines"},
+		{"gpiod:", "no lines"},
+		{"gpiod:53fd0000.gpio/18", "want BUTTON="},
+		{"gpiod:up=53fd0000.gpio/18", "no such button"},
+		{"gpiod:UP=", "the line is missing"},
+		{"gpiod:UP=18", "a number needs its chip"},
+		{"gpiod:UP=active-low", "the line is missing"},
+		{"gpiod:UP=53fd0000.gpio/18/pul-up", "want CHIP/LINE"},
+		{"gpiod:UP=53fd0000.gpio/18/debounce=0", "debounce=MS"},
+		{"gpiod:UP=53fd0000.gpio/18/debounce=9x", "debounce=MS"},
+		{"gpiod:UP=53fd0000.gpio/18/debounce=1001", "debounce=MS"},
+		{"gpiod:UP=53fd0000.gpio/18,DOWN=x/y/z/w", "want CHIP/LINE"},
+	};
+	struct bench *bench = *state;
+
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		bench->said.count = 0;
+		assert_int_equal(buttons_open(&bench->buttons, cases[i].spec,
+					 &bench->log),
+			-EINVAL);
+		assert_int_equal(bench->said.count, 1);
+		assert_contains(bench->said.sentence[0], cases[i].reason);
+		assert_int_equal(
+			buttons_check(cases[i].spec, &bench->log), -EINVAL);
+	}
+	assert_int_equal(buttons_check("gpiod:UP=a/1,DOWN=b/2", &bench->log), 0);
+}
+
+int gpiod_cases_run(void)
+{
+#define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+	const struct CMUnitTest tests[] = {
+		CASE(test_a_line_by_label_and_offset_presses),
+		CASE(test_a_label_finds_its_chip_under_any_number),
+		CASE(test_a_line_is_found_by_its_name),
+		CASE(test_spaces_let_a_name_hold_slashes),
+		CASE(test_bias_and_sense_reach_the_kernel),
+		CASE(test_a_bouncing_contact_counts_once),
+		CASE(test_edges_are_told_apart_by_the_kernels_time),
+		CASE(test_real_time_stamps_are_understood),
+		CASE(test_a_line_has_a_debounce_time_of_its_own),
+		CASE(test_edges_of_several_lines_come_in_order),
+		CASE(test_edges_the_kernel_had_no_room_for_show_in_the_level),
+		CASE(test_a_button_held_at_the_start_is_no_press),
+		CASE(test_a_taken_line_is_named_with_its_holder),
+		CASE(test_a_missing_chip_lists_those_there_are),
+		CASE(test_a_missing_line_is_named),
+		CASE(test_no_chips_at_all_is_one_sentence),
+		CASE(test_no_permission_names_the_device),
+		CASE(test_a_line_that_is_lost_lets_its_button_go),
+		CASE(test_wrong_words_are_named),
+	};
+#undef CASE
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

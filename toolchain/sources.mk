@@ -20,12 +20,12 @@ JOINT_SOURCES_arm := app/anim/arm/joints.S
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := gles1 soft osmesa
 DISPLAY_DRIVERS_host := window kms fbdev image null
-BUTTON_DRIVERS_host := script gpiod
+BUTTON_DRIVERS_host := script gpiod evdev
 CAMERA_DRIVERS_host := v4l2 pattern
 
 GL_DRIVERS_arm := gles1 soft osmesa
 DISPLAY_DRIVERS_arm := kms fbdev image null
-BUTTON_DRIVERS_arm := script gpiod
+BUTTON_DRIVERS_arm := script gpiod evdev
 CAMERA_DRIVERS_arm := v4l2 pattern
 
 # Vertex loops, best first: kernel_NAME. Assembly is the board's alone.

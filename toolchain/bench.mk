@@ -5,7 +5,7 @@
 build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
 build/host/obj/app/anim/kernel/%.o: CFLAGS_host += -O3
 
-BENCH_ARM := build/arm/bench/arm11
+BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes demo_frames)
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -14,12 +14,24 @@ build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
 
+# Counts instructions and nothing else, several times as fast as the model.
+build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -fPIC -shared -o $@ $<
+
 .PHONY: bench bench-arm11 bench-arm11-record
 bench: build/host/limber
 	$(Q)$< bench
-bench-arm11: $(BENCH_ARM) build/arm1136/model.so
-	$(Q)$(BENCH) --json build/bench-arm11.json
+# OSMESA=0 leaves out Debian's GL driver.
+OSMESA ?= 1
+bench-arm11: $(BENCH_ARM) build/arm1136/model.so build/arm1136/insn_count.so
+	$(Q)$(BENCH) --json build/bench-arm11.json $(if $(filter 1,$(OSMESA)),--osmesa)
 	@echo "The same for programs: build/bench-arm11.json"
 # After a loop got better, or for a good reason worse.
 bench-arm11-record: $(BENCH_ARM) build/arm1136/model.so
 	$(Q)$(BENCH) --short --record $(BENCH_FIGURES)
+
+bench_suites = $(call suite,bench/arm11,$(BENCH) --short --check \
+	$(BENCH_FIGURES)) \
+	$(call suite,bench/checker,tests/bench/checker.sh $(BENCH_FIGURES))

@@ -96,6 +96,7 @@ $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 	tests/validator/checker.sh)
 $(call suite,tally,tests/support/tally_test.sh)
 $(model_suites)
+$(bench_suites)
 endef
 
 # The same everywhere: no desktop, and what the loaded drivers lose is theirs.
@@ -108,7 +109,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		$(foreach target,$(TARGETS),$(patsubst \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
-		build/host/compare_png build/validator/stamp $(model_programs)
+		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM)
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs
 

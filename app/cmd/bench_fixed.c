@@ -1,3 +1,5 @@
+#include "app/anim/kernel/fixed_key.h"
+#include "app/anim/kernel/fixed_morph.h"
 #include "app/anim/kernel/fixed_skin.h"
 #include "app/cmd/bench_job.h"
 
@@ -9,7 +11,12 @@ struct fixed_state {
 	struct fixed_skin skin;
 	struct fixed_matrix *matrix;
 	struct fixed_placement placement;
-	struct fixed_vector *posed[3]; /* positions, normals, tangents */
+	struct fixed_vector *posed[FIXED_ATTRIBUTES];
+
+	struct fixed_pair (*pair[2])[3]; /* positions, normals */
+	struct fixed_vector *step;
+	struct model_primitive morphed; /* the mesh's with its targets */
+	struct fixed_morph morph;
 };
 
 static void skin_stream(struct fixed_state *s, const struct fixed_base *base,
@@ -46,6 +53,108 @@ static void skin_tangents(void *user)
 	skin_stream(s, s->skin.tangent, s->posed[2]);
 }
 
+static void lerp(void *user)
+{
+	struct fixed_state *s = user;
+
+	s->loops->lerp(s->mesh->primitive.vertex_count,
+		(const struct fixed_pair(*)[3])s->pair[0],
+		fixed_lerp_weights(0.3f), s->posed[FIXED_POSITION]);
+}
+
+static void lerp_normals(void *user)
+{
+	struct fixed_state *s = user;
+
+	lerp(user);
+	s->loops->lerp(s->mesh->primitive.vertex_count,
+		(const struct fixed_pair(*)[3])s->pair[1],
+		fixed_lerp_weights(0.3f), s->posed[FIXED_NORMAL]);
+}
+
+static void targets(void *user)
+{
+	struct fixed_state *s = user;
+
+	fixed_morph_run(
+		&s->morph, s->loops, FIXED_POSITION, s->posed[FIXED_POSITION]);
+}
+
+static void by_frames(void *user)
+{
+	struct fixed_state *s = user;
+
+	s->loops->increment(s->mesh->primitive.vertex_count, s->step,
+		s->posed[FIXED_POSITION]);
+}
+
+static struct fixed_vector *vectors(struct arena *arena, int count)
+{
+	return ARENA_ARRAY(arena, struct fixed_vector, (size_t)count);
+}
+
+static int prepare_keys(struct fixed_state *state, struct arena *arena)
+{
+	const struct bench_mesh *mesh = state->mesh;
+	int count = mesh->primitive.vertex_count;
+	const float(*from[2])[3] = {
+		(const float(*)[3])mesh->primitive.position,
+		(const float(*)[3])mesh->primitive.normal,
+	};
+	const float(*to[2])[3] = {
+		(const float(*)[3])mesh->destiny,
+		(const float(*)[3])mesh->destiny_normal,
+	};
+	struct fixed_vector *key[2] = {
+		vectors(arena, count), vectors(arena, count)};
+	struct fixed_range range = fixed_range_empty();
+	int error;
+
+	fixed_range_add(&range, count, from[0]);
+	fixed_range_add(&range, count, to[0]);
+	error = fixed_range_placement(&range, &state->placement);
+	if (error) {
+		return -ENOTSUP;
+	}
+	for (int i = 0; i < 2; i++) {
+		state->pair[i] = arena_alloc(
+			arena, (size_t)count, sizeof(struct fixed_pair[3]));
+	}
+	state->step = vectors(arena, count);
+	if (!key[0] || !key[1] || !state->pair[0] || !state->pair[1] ||
+		!state->step) {
+		return -ENOMEM;
+	}
+	fixed_key_normals(count, from[1], key[0]);
+	fixed_key_normals(count, to[1], key[1]);
+	fixed_lerp_prepare(count, key[0], key[1], state->pair[1]);
+	fixed_key_positions(count, from[0], &state->placement, key[0]);
+	fixed_key_positions(count, to[0], &state->placement, key[1]);
+	fixed_lerp_prepare(count, key[0], key[1], state->pair[0]);
+	for (int v = 0; v < count; v++) {
+		state->step[v] = (struct fixed_vector){
+			.x = (int16_t)((key[1][v].x - key[0][v].x) / 15),
+			.y = (int16_t)((key[1][v].y - key[0][v].y) / 15),
+			.z = (int16_t)((key[1][v].z - key[0][v].z) / 15),
+		};
+	}
+	return 0;
+}
+
+static int prepare_targets(struct fixed_state *state, struct arena *arena)
+{
+	static const float weight[2] = {0.25f, 0.5f};
+	int error;
+
+	state->morphed = state->mesh->primitive;
+	state->morphed.target = (struct model_target *)state->mesh->target;
+	error = fixed_morph_init(&state->morph, &state->morphed, 2, 0, arena);
+	if (!error) {
+		error = fixed_morph_set_weights(&state->morph, weight);
+	}
+	return error == -ERANGE ? -ENOTSUP : error;
+}
+
 static int prepare_skin(
 	struct fixed_state *state, enum bench_work work, struct arena *arena)
 {
@@ -63,19 +172,34 @@ static int prepare_skin(
 	}
 	state->matrix = ARENA_ARRAY(
 		arena, struct fixed_matrix, (size_t)state->skin.joint_count);
-	for (int i = 0; i < 3; i++) {
-		state->posed[i] = ARENA_ARRAY(arena, struct fixed_vector,
-			(size_t)mesh->primitive.vertex_count);
-		if (!state->posed[i]) {
-			return -ENOMEM;
-		}
-	}
 	if (!state->matrix) {
 		return -ENOMEM;
 	}
 	error = fixed_palette_make(&state->skin, (const mat4 *)mesh->palette,
 		state->matrix, &state->placement);
 	return error == -ERANGE ? -ENOTSUP : error;
+}
+
+static int prepare(
+	struct fixed_state *state, enum bench_work work, struct arena *arena)
+{
+	for (int i = 0; i < FIXED_ATTRIBUTES; i++) {
+		state->posed[i] =
+			vectors(arena, state->mesh->primitive.vertex_count);
+		if (!state->posed[i]) {
+			return -ENOMEM;
+		}
+	}
+	switch (work) {
+	case BENCH_LERP:
+	case BENCH_LERP_NORMALS:
+	case BENCH_BY_FRAMES:
+		return prepare_keys(state, arena);
+	case BENCH_TARGETS:
+		return prepare_targets(state, arena);
+	default:
+		return prepare_skin(state, work, arena);
+	}
 }
 
 int bench_fixed_prepare(const struct fixed_loops *loops,
@@ -86,14 +210,13 @@ int bench_fixed_prepare(const struct fixed_loops *loops,
 		[BENCH_SKIN] = skin,
 		[BENCH_SKIN_NORMALS] = skin_normals,
 		[BENCH_SKIN_TANGENTS] = skin_tangents,
-		[BENCH_BY_FRAMES] = NULL,
+		[BENCH_LERP] = lerp,
+		[BENCH_LERP_NORMALS] = lerp_normals,
+		[BENCH_TARGETS] = targets,
+		[BENCH_BY_FRAMES] = by_frames,
 	};
-	struct fixed_state *state;
+	struct fixed_state *state = ARENA_NEW(arena, struct fixed_state);
 
-	if (!run[work]) {
-		return -ENOTSUP;
-	}
-	state = ARENA_NEW(arena, struct fixed_state);
 	if (!state) {
 		return -ENOMEM;
 	}
@@ -104,5 +227,5 @@ int bench_fixed_prepare(const struct fixed_loops *loops,
 		.state = state,
 		.run = run[work],
 	};
-	return prepare_skin(state, work, arena);
+	return prepare(state, work, arena);
 }

@@ -1,67 +1,124 @@
-"""What make bench-arm11 measures: one line a row."""
+"""What make bench-arm11 measures: one line a row.
+
+A row is a program and its arguments. It prints "count N", what its figures are
+divided by, and marks regions for the model: 1 and 2, or others by number.
+"""
 
 import os
 from dataclasses import dataclass
 
-KERNELS = ("an4044", "float", "fixed", "armv6")
-VERTICES = 1024
+LOOPS = ("an4044", "float", "fixed", "armv6")
+VERTICES = "1024"
 
 
 @dataclass(frozen=True)
 class Row:
     name: str
     title: str
-    loop: str  # a row of app/cmd/bench_rows.c
-    mesh: str = str(VERTICES)  # vertices of a made mesh, or a sample model
-    bound: float = None  # what the core cannot beat
-    limit: float = None  # warm, for armv6
-    times: float = None  # an4044's warm cycles, for armv6
-    cold_times: float = None
+    program: str
+    arguments: tuple  # KERNEL stands for the kernel's name
+    kernels: tuple = LOOPS
     unit: str = "vertex"
-    kernels: tuple = KERNELS
+    scale: float = 1  # of the figures
+    regions: dict = None  # by the memory's name; "" stands for all others
+    full: tuple = ("warm", "cold", "cold low", "cold high")
+    short: tuple = ("warm", "cold")
+    bound: float = None  # what the core cannot beat
+    limit: dict = None  # what the best kernel is to reach, by figure
+    times: dict = None  # the same, as so many times an4044's speed
+    osmesa: bool = False  # instructions of the other GL driver, too
+    chapters: str = None  # a folder of objects, to tell cycles apart
+
+    def model(self):
+        """The model that it needs, as found under the samples, or None."""
+        return next((a for a in self.arguments if a.endswith(".glb")), None)
+
+    def missing(self, options):
+        model = self.model()
+        return model and not os.path.exists(self.path(options, model))
+
+    def path(self, options, model):
+        here = model.startswith("assets/")
+        return model if here else os.path.join(options.samples, "models", model)
 
     def command(self, options, kernel):
-        mesh = self.mesh
-        if mesh.endswith(".glb"):
-            mesh = os.path.join(options.samples, "models", mesh)
-        return [f"{options.programs}/arm11", self.loop, kernel, mesh]
+        words = [kernel if a == "KERNEL" else a for a in self.arguments]
+        words = [self.path(options, a) if a == self.model() else a for a in words]
+        return [f"{options.programs}/{self.program}", *words]
 
-    def wanted(self, options):
-        if options.rows and self.name not in options.rows:
-            return False
-        return not self.mesh.endswith(".glb") or os.path.exists(
-            os.path.join(options.samples, "models", self.mesh)
-        )
+    def region(self, memory):
+        return self.regions.get(memory, self.regions[""])
 
-    def limits(self, kernel):
-        if kernel == "armv6" and self.limit:
-            yield "warm", self.limit
+    def is_best(self, kernel):
+        return kernel == self.kernels[-1]
 
-    def ratios(self, kernel):
-        if kernel == "armv6" and self.times:
-            yield "warm", self.times
-        if kernel == "armv6" and self.cold_times:
-            yield "cold", self.cold_times
 
-    def parts(self, figures):
-        return ()
+def loop(name, title, mesh=VERTICES, loop=None, **more):
+    regions = {"warm": (1,), "": (2,)}
+    return Row(name, title, "arm11", (loop or name, "KERNEL", mesh), regions=regions, **more)
+
+
+def pose(model, clip, **more):
+    return Row(
+        f"pose-{model.split('/')[-1][:-4].lower()}-{clip.lower()}",
+        f"{model.split('/')[-1][:-4]}, clip {clip}",
+        "pose_cost",
+        (model, clip, "20"),
+        kernels=("pose",),
+        unit="joint",
+        regions={"": (1, 2, 3)},
+        full=("warm", "cold"),
+        limit={"instructions": 250},
+        **more,
+    )
+
+
+def picture(name, title, program, *arguments, **more):
+    return Row(
+        name,
+        title,
+        program,
+        (*arguments, "2", "soft"),
+        kernels=("soft",),
+        unit="frame, millions",
+        scale=1e6,
+        regions={"": (1,)},
+        full=("cold", "cold low", "cold high"),
+        short=("cold",),
+        osmesa=True,
+        chapters="platform/gl/soft",
+        **more,
+    )
 
 
 # fmt: off
 ROWS = (
-    Row("skin-1", "skin positions, 1 influence", "skin-1", bound=14, limit=15, times=3.5),
-    Row("skin-2", "skin positions, 2 influences", "skin-2", bound=26, limit=28, times=3.5),
-    Row("skin-3", "skin positions, 3 influences", "skin-3"),
-    Row("skin-4", "skin positions, 4 influences", "skin-4"),
-    Row("skin-normals-1", "skin with normals, 1 influence", "skin-normals-1"),
-    Row("skin-normals-2", "skin with normals, 2 influences", "skin-normals-2", limit=55, times=3.3),
-    Row("skin-normals-4", "skin with normals, 4 influences", "skin-normals-4"),
-    Row("skin-tangents-2", "skin with tangents too, 2", "skin-tangents-2"),
-    Row("lerp", "morph lerp, positions", "lerp"),
-    Row("lerp-normals", "morph lerp, positions, normals", "lerp-normals", bound=15, limit=17, times=8),
-    Row("targets-2", "morph two targets, positions", "targets-2", bound=9, limit=10, times=8),
-    Row("by-frames", "morph by frames, positions", "by-frames"),
-    Row("cesium", "CesiumMan, positions", "skin-1", "CesiumMan.glb", limit=36, times=3, cold_times=2.8),
-    Row("cesium-normals", "CesiumMan, with normals", "skin-normals-1", "CesiumMan.glb"),
+    loop("skin-1", "skin positions, 1 influence", bound=14, limit={"warm": 15}, times={"warm": 3.5}),
+    loop("skin-2", "skin positions, 2 influences", bound=26, limit={"warm": 28}, times={"warm": 3.5}),
+    loop("skin-3", "skin positions, 3 influences"),
+    loop("skin-4", "skin positions, 4 influences"),
+    loop("skin-2-scattered", "2 influences, joints at random"),
+    loop("skin-normals-1", "skin with normals, 1 influence"),
+    loop("skin-normals-2", "skin with normals, 2 influences", limit={"warm": 55}, times={"warm": 3.3}),
+    loop("skin-normals-4", "skin with normals, 4 influences"),
+    loop("skin-tangents-2", "skin with tangents too, 2"),
+    loop("lerp", "morph lerp, positions"),
+    loop("lerp-normals", "morph lerp, positions, normals", bound=15, limit={"warm": 17}, times={"warm": 8}),
+    loop("targets-2", "morph two targets, positions", bound=9, limit={"warm": 10}, times={"warm": 8}),
+    loop("by-frames", "morph by frames, positions"),
+    loop("cesium", "CesiumMan, positions", "CesiumMan.glb", "skin-1", limit={"warm": 36}, times={"warm": 3, "cold": 2.8}),
+    loop("cesium-normals", "CesiumMan, with normals", "CesiumMan.glb", "skin-normals-1"),
+    loop("walker-normals", "walker's body, with normals", "assets/walker.glb", "skin-normals-1"),
+    loop("walker-update", "walker, all that moves", "assets/walker.glb", "update"),
+    pose("CesiumMan.glb", "0"),
+    pose("assets/walker.glb", "walk"),
+    picture("gl-A", "A: lit sphere, Gouraud", "gl_scenes", "A"),
+    picture("gl-B", "B: lit sphere, textured", "gl_scenes", "B"),
+    picture("gl-Ac", "A, culled", "gl_scenes", "Ac"),
+    picture("gl-Bc", "B, culled", "gl_scenes", "Bc"),
+    picture("gl-Ag", "A, geometry alone", "gl_scenes", "Ag"),
+    picture("gl-Bg", "B, geometry alone", "gl_scenes", "Bg"),
+    picture("gl-clear", "clear alone", "gl_scenes", "clear"),
+    picture("gl-walker", "the walker demo", "demo_frames", "walker"),
 )
 # fmt: on

@@ -4,15 +4,19 @@
  *
  *	demo_frames DEMO FRAMES [DRIVER [PICTURE.ppm]]
  *
- * Time begins at a second and moves on by a 25th of one a frame.
+ * Time begins at a second and moves on by a 25th of one a frame. For the timing
+ * model (tests/arm1136) the last frame is region 1.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include <jansson.h>
+
 #include "app/demo/demo.h"
 #include "platform/base/file.h"
 #include "platform/gl/gl_context.h"
+#include "tests/arm1136/marker.h"
 
 enum {
 	WIDTH = 480,
@@ -49,6 +53,9 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 		exit(EXIT_FAILURE);
 	}
 	for (int frame = 0; frame < frames; frame++) {
+		if (frame == frames - 1) {
+			MARKER_BEGIN(1);
+		}
 		driver->update(demo, 1.0 + frame / 25.0);
 		if (context->driver->begin_frame(context, pixels) != 0) {
 			exit(EXIT_FAILURE);
@@ -58,6 +65,7 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 		driver->label(demo, &hud);
 		hud_end(&hud, &context->gl);
 		context->driver->end_frame(context);
+		MARKER_END(1);
 	}
 	hud_finish(&hud, &context->gl);
 }
@@ -81,6 +89,8 @@ int main(int argc, char **argv)
 		.unattended = true,
 	};
 
+	/* Else memory is handed out in another order each time. */
+	json_object_seed(1);
 	if (!driver || atoi(argv[2]) < 1 ||
 		file_find_asset(driver->asset, &log, path, sizeof(path)) != 0) {
 		fprintf(stderr, "usage: %s DEMO FRAMES [DRIVER [PICTURE.ppm]]\n",

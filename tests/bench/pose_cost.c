@@ -4,11 +4,13 @@
  *
  *	pose_cost MODEL CLIP FRAMES
  *
- * Plays the clip from its start at 25 frames a second and prints "joints N" for all skins together, or the nodes where
- * there is no skin. pose.sh divides.
+ * Plays the clip from its start at 25 frames a second and prints "joints N" for
+ *all skins together, or the nodes where there is no skin. pose.sh divides.
  */
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <jansson.h>
 
 #include "app/anim/clip.h"
 #include "tests/arm1136/marker.h"
@@ -76,6 +78,8 @@ int main(int argc, char **argv)
 	struct model *model;
 	int clip;
 
+	/* Else memory is handed out in another order each time. */
+	json_object_seed(1);
 	if (argc != 4 || model_load(argv[1], &log, &model) != 0) {
 		fprintf(stderr, "usage: pose_cost MODEL CLIP FRAMES\n");
 		return 2;

@@ -1,0 +1,80 @@
+#!/bin/sh
+# Whether the check of recorded figures (arm11.py --check) can fail.
+#
+#   checker.sh FIGURES
+set -u
+folder=$(dirname "$0")
+. "$folder/../support/tap.sh"
+figures=$1
+
+# check_against FILE OPTIONS...
+check_against() {
+    file=$1
+    shift
+    run "$folder/arm11.py" --short --check "$file" "$@"
+    about "${file##*/} $*"
+}
+
+# failures: the figures of which the last run complained.
+failures() {
+    sed -n 's/^not ok [0-9]* - \([^:]*\):.*/\1/p; s/^not ok [0-9]* - \(.* is recorded\),.*/\1/p' \
+        "$out_file" | tr '\n' ',' | sed 's/,$//'
+}
+
+# expect_failures NAME LIST
+expect_failures() {
+    if [ "$status" -ne 0 ] && [ "$(failures)" = "$2" ]; then
+        pass "$1"
+    else
+        fail "$1" "failed: $(failures)"
+    fi
+}
+
+check_against "$figures" --rows lerp,targets-2
+expect_status 0
+expect_no_err
+
+awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.07 } { print }' \
+    "$figures" >"$scratch/faster"
+check_against "$scratch/faster" --rows lerp
+expect_failures 'a loop that got 7% slower is noticed' 'lerp fixed warm'
+
+awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.03 } { print }' \
+    "$figures" >"$scratch/near"
+check_against "$scratch/near" --rows lerp
+expect_status 0
+
+check_against "$figures" --rows skin-1 --kernel an4044 --model-options ddr=110
+expect_failures 'slower memory is noticed where memory is used' \
+    'skin-1 an4044 cold'
+
+grep -v '^lerp float' "$figures" >"$scratch/fewer"
+check_against "$scratch/fewer" --rows lerp
+expect_failures 'a figure that was never recorded is noticed' \
+    'lerp float warm,lerp float cold,lerp float instructions'
+
+echo 'lerp float hot 1' | cat "$figures" - >"$scratch/more"
+check_against "$scratch/more" --rows lerp
+expect_failures 'a figure that is measured no more is noticed' \
+    'lerp float hot is recorded'
+
+# What once was within its limit may not leave it, not even by less than 5%.
+awk '$1 == "pose-walker-walk" && $3 == "instructions" { $4 = 249 } { print }' \
+    "$figures" >"$scratch/reached"
+cp "$folder"/arm11*.py "$scratch"
+sed -i 's/"instructions": 250/"instructions": 240/' "$scratch/arm11_rows.py"
+sed -i 's/ 249$/ 239/' "$scratch/reached"
+run "$scratch/arm11.py" --short --check "$scratch/reached" --rows pose-walker-walk
+about 'a limit'
+expect_failures 'a limit that was reached and is missed is noticed' \
+    'pose-walker-walk pose instructions'
+
+run "$folder/arm11.py" --short --check "$figures" --rows cesium --samples "$scratch"
+about 'without samples'
+expect_status 0
+expect_out '^ok 1 - cesium # SKIP no '
+
+run "$folder/arm11.py" --short --check "$figures" --rows lerp --model "$scratch/none.so"
+about 'without a model'
+expect_status 1
+tap_done

@@ -26,6 +26,22 @@ build/check-packages.stamp: toolchain/packages/check.txt | build
 $(foreach target,$(TARGETS),$(patsubst %.c,build/$(target)/obj/%.o,\
 	$(TEST_SOURCES) $(SUPPORT_SOURCES))): | build/check-packages.stamp
 
+# A vendor's GL that is not there, and one of EGL 1.0; they lie beside the test.
+FAKE_GLES := $(sort $(wildcard tests/fake_gles/*.c))
+define fake_gles_rules
+build/$(1)/unit/fake_gles.so: $$(FAKE_GLES)
+build/$(1)/unit/fake_gles_old.so: $$(FAKE_GLES)
+build/$(1)/unit/fake_gles_old.so: FAKE_GLES_DEFINES := -DFAKE_GLES_OLD
+build/$(1)/unit/fake_gles.so build/$(1)/unit/fake_gles_old.so:
+	@mkdir -p $$(@D)
+	$$(call say,LINK,$$@)
+	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. -fPIC -shared \
+		$$(FAKE_GLES_DEFINES) -o $$@ $$(FAKE_GLES)
+build/$(1)/unit/test_display_egl: | build/$(1)/unit/fake_gles.so \
+		build/$(1)/unit/fake_gles_old.so
+endef
+$(foreach target,$(TARGETS),$(eval $(call fake_gles_rules,$(target))))
+
 # Programs that hold limber against references, from outside.
 objects = $(patsubst %.c,build/host/obj/%.o,$(1))
 build/host/conformance: $(call objects,$(wildcard tests/conformance/*.c))

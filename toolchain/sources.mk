@@ -19,12 +19,12 @@ JOINT_SOURCES_arm := app/anim/arm/joints.S
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.
 GL_DRIVERS_host := gles1 soft osmesa
-DISPLAY_DRIVERS_host := window kms fbdev image null
+DISPLAY_DRIVERS_host := window kms fbdev egl image null
 BUTTON_DRIVERS_host := script gpiod evdev
 CAMERA_DRIVERS_host := v4l2 pattern
 
 GL_DRIVERS_arm := gles1 soft osmesa
-DISPLAY_DRIVERS_arm := kms fbdev image null
+DISPLAY_DRIVERS_arm := kms fbdev egl image null
 BUTTON_DRIVERS_arm := script gpiod evdev
 CAMERA_DRIVERS_arm := v4l2 pattern
 

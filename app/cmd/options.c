@@ -371,8 +371,7 @@ static const struct option_entry entries[] = {
 		"the vendor's OpenGL ES 1.1, for gles1",
 		"a library's file name", set_gles_library},
 	{0, "display", "NAME", FOR_PLAY,
-		"where pictures go: auto, window, kms or fbdev (:DEVICE), image "
-		"or null",
+		"where pictures go: auto, window, kms, fbdev, egl, image or null",
 		"a display's name", set_display},
 	{0, "fps", "N", FOR_PLAY,
 		"at most N frames a second (as the screen can, or 60)",

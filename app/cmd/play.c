@@ -49,7 +49,8 @@ const struct command command_play = {
 	.summary = "show a model or a demo until you quit",
 	.detail =
 		"Shows a glTF model, or a demo, in a window until it is closed "
-		"or Esc is pressed.\nButtons are the arrow keys, Enter, F6, "
+		"or Esc is pressed;\nwithout a desktop on the screen, through "
+		"kms or fbdev, until Ctrl-C.\nButtons are the arrow keys, Enter, F6, "
 		"F8, "
 		"F9 and F10, named as on the i.MX31 PDK's\nkeypad; what they "
 		"do "
@@ -58,6 +59,9 @@ const struct command command_play = {
 		"  limber play --demo face          a built-in demo\n"
 		"  limber --demo arm --script run.txt\n"
 		"                                   the same without the word "
-		"play, buttons from a file",
+		"play, buttons from a file\n"
+		"  limber play --demo walker --display fbdev:/dev/fb1\n"
+		"                                   on a framebuffer, all of "
+		"it; --size for less",
 	.run = run,
 };

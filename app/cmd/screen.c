@@ -81,8 +81,13 @@ int screen_open(struct screen *screen, const struct options *options,
 	error = open_gl(screen, options, log);
 	if (error) {
 		screen->driver->destroy(screen->display);
+		return error;
 	}
-	return error;
+	if (has_surface(screen->driver)) {
+		screen->info.width = screen->gl->width;
+		screen->info.height = screen->gl->height;
+	}
+	return 0;
 }
 
 int screen_begin_frame(struct screen *screen, int *width, int *height)

@@ -67,7 +67,9 @@ struct display_driver {
 	int (*create)(
 		const struct display_options *options, struct display **out);
 
-	/* Size, format and pace; all zero but the rate for a surface. Mandatory.
+	/*
+	 * Size, format and pace. The size of a surface is zero, as only the GL
+	 * driver learns it, and its format a wish. Mandatory.
 	 */
 	void (*get_info)(
 		const struct display *display, struct display_info *out);

@@ -21,7 +21,7 @@ struct gl_context {
 	struct gl gl;            /* the calls, all filled in */
 	const char *description; /* vendor and version, for people */
 	bool accelerated;        /* a graphics processor draws */
-	int width, height; /* of a native surface, from begin_frame() on */
+	int width, height;       /* of a native surface, else 0 */
 };
 
 /* What a context is asked for; borrowed for the call, the log is copied. */

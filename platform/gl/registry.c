@@ -63,10 +63,12 @@ static int open_any(const struct gl_request *request, struct gl_context **out)
 			error = -ENOENT;
 		}
 	}
-	if (error) {
+	if (error && !request->surface) {
 		log_error(request->log,
 			"--gl auto: no GL driver opens here: name one with "
 			"--gl");
+	}
+	if (error) {
 		return error;
 	}
 	log_note(request->log, "--gl auto: using %s (%s)", (*out)->driver->name,
@@ -98,6 +100,14 @@ int gl_open_for(const char *name, const struct gl_request *request,
 	struct gl_context **out)
 {
 	if (!gl_is_known(name, request->log)) {
+		return -EINVAL;
+	}
+	if (!gl_can_draw(name, request->surface != NULL)) {
+		log_error(request->log,
+			"--gl %s: it draws into memory, and this display has "
+			"none to offer: choose --gl gles1, or another "
+			"--display",
+			name);
 		return -EINVAL;
 	}
 	return is_auto(name) ? open_any(request, out)

@@ -49,6 +49,9 @@ done
 for fps in 0 -1 x 1e9; do
     refused '--fps' play "$slider" --fps "$fps"
 done
+for gl in soft osmesa; do
+    refused "egl with --gl $gl" play "$slider" --display egl --gl "$gl"
+done
 refused 'takes nothing' play "$slider" --display null:/dev/fb0
 refused '--math' pose "$slider" --math double -o "$out"
 refused 'float' pose "$slider" --kernel none -o "$out"

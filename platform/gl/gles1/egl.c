@@ -184,7 +184,8 @@ static int rate_config(
 }
 
 /* What is younger than EGL_OPTIONAL's calls comes last, to be cut off. */
-static int choose_config(struct egl *egl, const struct gl_request *request)
+static int list_configs(
+	struct egl *egl, const struct gl_request *request, EGLConfig *configs)
 {
 	const EGLint wanted[] = {EGL_SURFACE_TYPE,
 		request->surface ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
@@ -192,29 +193,68 @@ static int choose_config(struct egl *egl, const struct gl_request *request)
 		EGL_DEPTH_SIZE, 16,
 		egl->api.BindAPI ? EGL_RENDERABLE_TYPE : EGL_NONE,
 		EGL_OPENGL_ES_BIT, EGL_NONE};
-	EGLConfig configs[CONFIGS_MAX];
 	EGLint count = 0;
-	int best = INT_MIN;
 
 	if (!egl->api.ChooseConfig(
 		    egl->display, wanted, configs, CONFIGS_MAX, &count)) {
 		count = 0;
 	}
-	for (EGLint i = 0; i < count; i++) {
-		int score = rate_config(egl, configs[i], request->format);
+	return count;
+}
 
-		if (score > best) {
-			best = score;
-			egl->config = configs[i];
+/* The best of what is left moves to the front. */
+static void bring_best(const struct egl *egl, enum pixel_format format,
+	EGLConfig *configs, int count)
+{
+	int best = 0, best_score = INT_MIN;
+	EGLConfig first = configs[0];
+
+	for (int i = 0; i < count; i++) {
+		int score = rate_config(egl, configs[i], format);
+
+		if (score > best_score) {
+			best_score = score;
+			best = i;
 		}
 	}
+	configs[0] = configs[best];
+	configs[best] = first;
+}
+
+static bool open_window(struct egl *egl, uintptr_t window)
+{
+	egl->surface = egl->api.CreateWindowSurface(egl->display, egl->config,
+		(EGLNativeWindowType)window, /* NULL on bare screens */
+		NULL);
+	return egl->surface != EGL_NO_SURFACE;
+}
+
+/* Not every configuration fits a window: the best that does is taken. */
+static int choose_config(struct egl *egl, const struct gl_request *request)
+{
+	EGLConfig configs[CONFIGS_MAX];
+	int count = list_configs(egl, request, configs);
+
 	if (count == 0) {
 		log_error(&egl->log,
 			"--gl gles1: this EGL has no configuration for OpenGL "
 			"ES 1.1 with 16 bits of depth: choose another --gl");
 		return -ENODEV;
 	}
-	return 0;
+	for (int i = 0; i < count; i++) {
+		bring_best(egl, request->format, configs + i, count - i);
+		egl->config = configs[i];
+		if (!request->surface ||
+			open_window(egl, request->surface->window)) {
+			return 0;
+		}
+	}
+	log_error(&egl->log,
+		"--display egl: EGL cannot draw on window %#lx (error 0x%x): "
+		"name another with --display egl:NUMBER",
+		(unsigned long)request->surface->window,
+		(unsigned int)egl->api.GetError());
+	return -EIO;
 }
 
 static int open_context(struct egl *egl)
@@ -263,12 +303,21 @@ int egl_make_current(struct egl *egl)
 	return 0;
 }
 
-/* Takes the place of the surface there was; on failure that one stays. */
-static int replace_surface(struct egl *egl, EGLSurface new)
+int egl_set_pbuffer(struct egl *egl, int width, int height)
 {
+	const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
 	EGLSurface old = egl->surface;
+	EGLSurface new =
+		egl->api.CreatePbufferSurface(egl->display, egl->config, size);
 	int error;
 
+	if (new == EGL_NO_SURFACE) {
+		log_error(&egl->log,
+			"--gl gles1: EGL makes no pbuffer of %dx%d (error "
+			"0x%x)",
+			width, height, (unsigned int)egl->api.GetError());
+		return -EIO;
+	}
 	egl->surface = new;
 	error = egl_make_current(egl);
 	if (error) {
@@ -281,43 +330,11 @@ static int replace_surface(struct egl *egl, EGLSurface new)
 	return error;
 }
 
-int egl_set_pbuffer(struct egl *egl, int width, int height)
+void egl_set_turns(struct egl *egl)
 {
-	const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-	EGLSurface pbuffer =
-		egl->api.CreatePbufferSurface(egl->display, egl->config, size);
-
-	if (pbuffer == EGL_NO_SURFACE) {
-		log_error(&egl->log,
-			"--gl gles1: EGL makes no pbuffer of %dx%d (error "
-			"0x%x)",
-			width, height, (unsigned int)egl->api.GetError());
-		return -EIO;
-	}
-	return replace_surface(egl, pbuffer);
-}
-
-int egl_set_window(struct egl *egl, uintptr_t window)
-{
-	EGLSurface surface =
-		egl->api.CreateWindowSurface(egl->display, egl->config,
-			(EGLNativeWindowType)window, /* NULL on bare screens */
-			NULL);
-	int error;
-
-	if (surface == EGL_NO_SURFACE) {
-		log_error(&egl->log,
-			"--display egl: EGL cannot draw on window %#lx (error "
-			"0x%x): name another with --display egl:NUMBER",
-			(unsigned long)window,
-			(unsigned int)egl->api.GetError());
-		return -EIO;
-	}
-	error = replace_surface(egl, surface);
-	if (!error && egl->api.SwapInterval) {
+	if (egl->api.SwapInterval) {
 		egl->api.SwapInterval(egl->display, 1);
 	}
-	return error;
 }
 
 void egl_get_size(const struct egl *egl, int *width, int *height)

@@ -42,8 +42,8 @@ struct egl {
  * Opens the libraries, a display, a configuration for pictures of the
  * request's format and a context; nothing is current yet. For pixels, Mesa's
  * display without a screen is tried first, then the default one; for a native
- * surface the default one alone. 0, or -errno after a sentence with nothing
- * left open.
+ * surface the default one alone, and the surface is made. 0, or -errno after a
+ * sentence with nothing left open.
  */
 int egl_open(struct egl *egl, const struct gl_request *request);
 
@@ -53,11 +53,8 @@ int egl_open(struct egl *egl, const struct gl_request *request);
  */
 int egl_set_pbuffer(struct egl *egl, int width, int height);
 
-/*
- * Draws on this window from now on: makes a surface on it, current, that shows
- * at most one picture a turn of the screen. 0, or -errno after a sentence.
- */
-int egl_set_window(struct egl *egl, uintptr_t window);
+/* Shows at most one picture a turn of the screen, for what is current. */
+void egl_set_turns(struct egl *egl);
 
 /* The surface's size now; 0 where EGL does not tell. */
 void egl_get_size(const struct egl *egl, int *width, int *height);

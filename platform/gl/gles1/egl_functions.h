@@ -30,7 +30,6 @@ EGL_FUNCTION(EGLBoolean, MakeCurrent,
 		EGLContext context))
 EGL_FUNCTION(const char *, QueryString, (EGLDisplay display, EGLint name))
 EGL_FUNCTION(EGLBoolean, QuerySurface,
-	(EGLDisplay display, EGLSurface surface, EGLint attribute,
-		EGLint *value))
+	(EGLDisplay display, EGLSurface surface, EGLint attribute, EGLint *value))
 EGL_FUNCTION(EGLBoolean, SwapBuffers, (EGLDisplay display, EGLSurface surface))
 EGL_OPTIONAL(EGLBoolean, SwapInterval, (EGLDisplay display, EGLint interval))

@@ -78,7 +78,7 @@ static int open_context(
 
 	if (!error) {
 		error = request->surface
-			? egl_set_window(&gles1->egl, request->surface->window)
+			? egl_make_current(&gles1->egl)
 			: egl_set_pbuffer(&gles1->egl, FIRST_SIZE, FIRST_SIZE);
 	}
 	if (error) {
@@ -93,6 +93,11 @@ static int open_context(
 		return -ENOSYS;
 	}
 	describe(gles1);
+	if (request->surface) {
+		egl_set_turns(&gles1->egl);
+		egl_get_size(
+			&gles1->egl, &gles1->base.width, &gles1->base.height);
+	}
 	return 0;
 }
 

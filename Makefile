@@ -25,6 +25,7 @@ include toolchain/board.mk
 include toolchain/check.mk
 include toolchain/gpiod.mk
 include toolchain/demo.mk
+include toolchain/package.mk
 
 help:
 	@cat toolchain/help.txt

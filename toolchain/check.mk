@@ -105,6 +105,7 @@ $(call suite,assets,NODE_PATH=build/validator/node_modules \
 $(call script_suites,toolchain)
 $(call script_suites,structure)
 $(call script_suites,flash)
+$(call script_suites,package)
 $(call suite,conformance/checker,tests/conformance/checker.sh)
 $(call suite,golden/checker,tests/golden/checker.sh)
 $(call suite,fuzz/checker,tests/fuzz/checker.sh)
@@ -135,7 +136,7 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 
 check: | build
 	$(Q)date +%s >build/check-began
-	$(Q)toolchain/install.sh host font arm check
+	$(Q)toolchain/install.sh host font arm check package
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

@@ -111,7 +111,7 @@ int dispatch(const struct command *const *commands, int argc, char **argv)
 		return EXIT_OK;
 	}
 	if (options.version) {
-		puts(version_text());
+		version_print(stdout);
 		return EXIT_OK;
 	}
 	if (options.verbose) {

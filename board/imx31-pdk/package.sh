@@ -9,7 +9,7 @@ out=$3
 stage=$out/deb.new
 trap 'rm -rf "$stage"' EXIT
 version=$(qemu-arm -cpu arm1136 -L "$sysroot" "$root/usr/bin/limber" --version |
-    sed 's/^limber //; s/ .*//')
+    sed -n '1s/^limber \([^ ]*\).*/\1/p')
 
 # Which Debian 13 packages the libraries come in, for those that limber names.
 depends=

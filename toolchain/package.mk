@@ -1,0 +1,45 @@
+# make install: limber on this machine. make deb: the same as a package.
+
+prefix ?= /usr/local
+DESTDIR ?=
+INSTALLED := $(DESTDIR)$(prefix)
+PACKAGE := toolchain/package
+ASSET_FILES := $(sort $(wildcard assets/*.glb)) assets/presets.ini
+
+build/host/limber.1: build/host/limber $(PACKAGE)/man.sh
+	$(call say,MAN,$@)
+	$(Q)$(PACKAGE)/man.sh build/host/limber >$@
+
+.PHONY: install uninstall deb
+install: build/host/limber build/host/limber.1
+	$(call say,INSTALL,$(INSTALLED))
+	$(Q)install -D -m 755 build/host/limber $(INSTALLED)/bin/limber
+	$(Q)install -d $(INSTALLED)/share/limber
+	$(Q)install -m 644 $(ASSET_FILES) $(INSTALLED)/share/limber
+	$(Q)install -D -m 644 build/host/limber.1 \
+		$(INSTALLED)/share/man/man1/limber.1
+	$(Q)install -D -m 644 $(PACKAGE)/limber.bash \
+		$(INSTALLED)/share/bash-completion/completions/limber
+	$(Q)install -D -m 644 $(PACKAGE)/limber.desktop \
+		$(INSTALLED)/share/applications/limber.desktop
+	$(Q)install -D -m 644 $(PACKAGE)/limber.svg \
+		$(INSTALLED)/share/icons/hicolor/scalable/apps/limber.svg
+	$(Q)install -D -m 644 LICENSE $(INSTALLED)/share/doc/limber/copyright
+
+uninstall:
+	$(Q)rm -rf $(INSTALLED)/share/limber $(INSTALLED)/share/doc/limber
+	$(Q)rm -f $(INSTALLED)/bin/limber $(INSTALLED)/share/man/man1/limber.1 \
+		$(INSTALLED)/share/bash-completion/completions/limber \
+		$(INSTALLED)/share/applications/limber.desktop \
+		$(INSTALLED)/share/icons/hicolor/scalable/apps/limber.svg
+
+build/package/packages.stamp: toolchain/packages/package.txt
+	$(Q)mkdir -p $(@D)
+	$(Q)toolchain/install.sh package
+	$(Q)touch $@
+
+deb: build/host/limber build/package/packages.stamp
+	$(Q)rm -rf build/package/stage
+	$(Q)$(MAKE) --no-print-directory install DESTDIR=build/package/stage \
+		prefix=/usr
+	$(Q)$(PACKAGE)/deb.sh build/package/stage build/package

@@ -1,0 +1,51 @@
+# Completion of limber in bash. It asks the program, so it never lags behind.
+# shellcheck shell=bash
+
+_limber_commands() {
+    "$1" --help 2>/dev/null | sed -n 's/^  limber \([a-z]*\) .*/\1/p'
+}
+
+# _limber_options PROGRAM COMMAND
+_limber_options() {
+    "$1" "$2" --help 2>/dev/null | sed -n 's/^  [- ][a-zA-Z, ] *\(--[a-z-]*\).*/\1/p'
+}
+
+# What the help of an option lists after a colon: "auto, gles1, soft or osmesa".
+_limber_values() {
+    "$1" "$2" --help 2>/dev/null | sed -n "s/^ .*$3 [A-Z]* .*: //p" |
+        sed 's/ or /, /; s/,/ /g; s/([^)]*)//g'
+}
+
+_limber() {
+    local word=$2 previous=$3 program=${COMP_WORDS[0]} command=play
+    local commands
+    COMPREPLY=()
+    commands=$(_limber_commands "$program")
+    if [[ " ${commands//$'\n'/ } " == *" ${COMP_WORDS[1]} "* ]]; then
+        command=${COMP_WORDS[1]}
+    fi
+    case $previous in
+    --demo | --display | --gl | --math | --kernel | --interpolation | --camera-use)
+        mapfile -t COMPREPLY < <(compgen -W \
+            "$(_limber_values "$program" "$command" "$previous")" -- "$word")
+        return
+        ;;
+    esac
+    case $word in
+    -*)
+        mapfile -t COMPREPLY < <(compgen -W \
+            "$(_limber_options "$program" "$command")" -- "$word")
+        ;;
+    *)
+        mapfile -t COMPREPLY < <(compgen -f -X '!*.@(glb|gltf|x)' -- "$word"
+            compgen -d -- "$word")
+        if [ "$COMP_CWORD" -eq 1 ]; then
+            mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(
+                compgen -W "$commands" -- "$word")
+        fi
+        ;;
+    esac
+}
+
+shopt -s extglob
+complete -o filenames -F _limber limber

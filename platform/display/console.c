@@ -3,10 +3,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/kd.h>
+#include <linux/vt.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "platform/base/compiler.h"
 
@@ -91,14 +91,20 @@ static void release_endings(void)
 	}
 }
 
-static int open_console(const struct device_calls *calls, const struct log *log)
+/*
+ * Opens the console that is seen, by its other name where there are no
+ * numbers; *in_use as console_is_in_use() has it. -1: there is none.
+ */
+static int open_console(
+	const struct device_calls *calls, const struct log *log, bool *in_use)
 {
-	/* The one that is seen; a name for it where there are no numbers. */
 	static const char *const paths[] = {"/dev/tty0", "/dev/tty", NULL};
 
+	*in_use = false;
 	for (int i = 0; paths[i]; i++) {
 		int fd = calls->open(paths[i], O_RDWR | O_CLOEXEC | O_NOCTTY);
-		int mode = 0;
+		struct vt_mode watch = {0};
+		int mode = KD_TEXT;
 
 		if (fd < 0) {
 			if (errno == EACCES || errno == EPERM) {
@@ -109,9 +115,11 @@ static int open_console(const struct device_calls *calls, const struct log *log)
 			}
 			continue;
 		}
-		/* A console that shows graphics is another program's matter. */
-		if (device_control(calls, fd, KDGETMODE, &mode) == 0 &&
-			mode == KD_TEXT) {
+		if (device_control(calls, fd, KDGETMODE, &mode) == 0) {
+			*in_use = mode != KD_TEXT &&
+				device_control(calls, fd, VT_GETMODE, &watch) ==
+					0 &&
+				watch.mode != VT_AUTO;
 			return fd;
 		}
 		calls->close(fd);
@@ -119,24 +127,42 @@ static int open_console(const struct device_calls *calls, const struct log *log)
 	return -1;
 }
 
+bool console_is_in_use(const struct device_calls *calls)
+{
+	struct log nowhere = log_to_nowhere();
+	bool in_use;
+	int fd = open_console(calls, &nowhere, &in_use);
+
+	if (fd >= 0) {
+		calls->close(fd);
+	}
+	return in_use;
+}
+
 void console_take(struct console *console, const struct device_calls *calls,
 	const struct log *log)
 {
-	*console = (struct console){.calls = calls, .fd = -1};
-	console->fd = open_console(calls, log);
+	bool in_use;
+
+	*console = (struct console){.calls = calls};
+	console->fd = open_console(calls, log, &in_use);
 	if (console->fd < 0) {
 		return;
 	}
-	catch_endings(console);
-	if (set_mode(calls, console->fd, KD_GRAPHICS) < 0) {
-		log_note(log,
-			"console: no graphics mode (%s): it may write over the "
-			"picture",
-			strerror(errno));
+	if (!in_use) {
+		catch_endings(console);
+		if (set_mode(calls, console->fd, KD_GRAPHICS) == 0) {
+			return;
+		}
 		release_endings();
-		calls->close(console->fd);
-		console->fd = -1;
 	}
+	log_warning(log,
+		in_use ? "console: another program (X or Wayland) draws on "
+			 "this screen, too: leave it first"
+		       : "console: no graphics mode: it may write over the "
+			 "picture");
+	calls->close(console->fd);
+	console->fd = -1;
 }
 
 void console_give_back(struct console *console)

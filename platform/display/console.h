@@ -8,8 +8,10 @@
 #ifndef PLATFORM_DISPLAY_CONSOLE_H
 #define PLATFORM_DISPLAY_CONSOLE_H
 
-#include "platform/base/log.h"
+#include <stdbool.h>
+
 #include "platform/base/device_calls.h"
+#include "platform/base/log.h"
 
 struct console {
 	const struct device_calls *calls;
@@ -17,8 +19,16 @@ struct console {
 };
 
 /*
- * Puts the machine's console in graphics mode, where it has one. Only one at a
- * time: signal handlers belong to the process.
+ * Whether another program shows its pictures on the console: one that is in
+ * graphics mode and watched over. A console that a killed program left in
+ * graphics mode is nobody's.
+ */
+bool console_is_in_use(const struct device_calls *calls);
+
+/*
+ * Puts the machine's console in graphics mode, where it has one; a warning when
+ * another program has it. Only one at a time: signal handlers belong to the
+ * process.
  */
 void console_take(struct console *console, const struct device_calls *calls,
 	const struct log *log);

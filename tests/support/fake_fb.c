@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <linux/kd.h>
+#include <linux/vt.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -102,6 +103,10 @@ static int control_console(unsigned long request, void *argument)
 	switch (request) {
 	case KDGETMODE:
 		memcpy(argument, &fake_fb.console_mode, sizeof(int));
+		return 0;
+	case VT_GETMODE:
+		*(struct vt_mode *)argument = (struct vt_mode){
+			.mode = fake_fb.console_watched ? VT_PROCESS : VT_AUTO};
 		return 0;
 	case KDSETMODE:
 		fake_fb.console_mode = mode;

@@ -34,6 +34,7 @@ struct fake_fb {
 	bool has_wait;
 	bool has_console;
 	int console_mode;
+	bool console_watched; /* by another program */
 	int report_fd; /* console modes are written there, too; -1: not */
 
 	int open_count; /* now */

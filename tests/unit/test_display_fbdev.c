@@ -1,4 +1,5 @@
 #include "platform/base/stop.h"
+#include "platform/display/console.h"
 #include "platform/display/fbdev/fbdev.h"
 #include "tests/support/fake_fb.h"
 #include "tests/support/log_capture.h"
@@ -580,9 +581,29 @@ static void test_the_console_is_dark_meanwhile(void **state)
 	draw(&scene);
 	scene_close(&scene);
 
-	/* Another program's: neither taken nor given back. */
+	/* Left so by a program that was killed. */
 	fake_fb.console_mode = KD_GRAPHICS;
+	assert_false(console_is_in_use(&fake_fb_calls));
 	assert_int_equal(scene_open(&scene), 0);
+	scene_close(&scene);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_WARNING), 0);
+}
+
+static void test_another_programs_console_is_left_alone(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT, HEIGHT, WIDTH * 2, rgb565);
+	assert_false(console_is_in_use(&fake_fb_calls));
+	fake_fb.has_console = true;
+	fake_fb.console_watched = true;
+	assert_false(console_is_in_use(&fake_fb_calls));
+	fake_fb.console_mode = KD_GRAPHICS;
+	assert_true(console_is_in_use(&fake_fb_calls));
+	assert_int_equal(scene_open(&scene), 0);
+	assert_true(log_capture_has(&scene.capture, LOG_WARNING, "another"));
+	draw(&scene);
 	scene.driver->destroy(scene.display);
 	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
 	assert_int_equal(fake_fb.open_count, 0);
@@ -684,6 +705,7 @@ int main(void)
 		cmocka_unit_test(test_a_missing_device_says_what_to_do),
 		cmocka_unit_test(test_modes_without_sense_are_refused),
 		cmocka_unit_test(test_the_console_is_dark_meanwhile),
+		cmocka_unit_test(test_another_programs_console_is_left_alone),
 		cmocka_unit_test(test_a_signal_that_ends_brings_the_console_back),
 		cmocka_unit_test(test_a_wish_to_stop_is_left_to_the_frame_loop),
 		cmocka_unit_test(test_the_real_system_is_asked_politely),

@@ -141,7 +141,8 @@ static int fbdev_create(
 
 static bool fbdev_probe(void)
 {
-	return access(usual_device, R_OK | W_OK) == 0;
+	return access(usual_device, R_OK | W_OK) == 0 &&
+		!console_is_in_use(&device_calls_system);
 }
 
 static void fbdev_get_info(

@@ -31,6 +31,50 @@ static inline int16_t fixed_round(float value)
 	return (int16_t)(value + (value < 0.0f ? -0.5f : 0.5f));
 }
 
+/*
+ * The same for what is known to be within -32767..32767, faster: ties go to
+ * the even number.
+ */
+static inline int16_t fixed_round_fast(float value)
+{
+	const float magic = 12582912.0f; /* 1.5 * 2^23: no bits below 1 */
+	float sum = value + magic;
+	uint32_t bits;
+
+	memcpy(&bits, &sum, sizeof(bits));
+	return (int16_t)(bits & 0xffff);
+}
+
+/*
+ * Whole numbers ordered as floats are, -0 below 0, NaNs beyond infinity; and
+ * the float of such a number.
+ */
+static inline int32_t fixed_key_of(float value)
+{
+	int32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	return bits < 0 ? bits ^ INT32_MAX : bits;
+}
+
+static inline float fixed_float_of(int32_t key)
+{
+	int32_t bits = key < 0 ? key ^ INT32_MAX : key;
+	float value;
+
+	memcpy(&value, &bits, sizeof(value));
+	return value;
+}
+
+/* fixed_key_of() of the absolute value. */
+static inline int32_t fixed_size_of(float value)
+{
+	int32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	return bits & INT32_MAX;
+}
+
 /* Neither infinite nor NaN, and far enough from the end of float's range. */
 static inline bool fixed_can_use(float value)
 {

@@ -9,80 +9,92 @@
 #include "app/anim/kernel/fixed_skin.h"
 
 #include "app/anim/kernel/fixed_number.h"
-#include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <math.h>
 
 /* Keeps scales within what float has room for. */
 #define ELEMENT_MIN 1e-12f
 #define ELEMENT_MAX 1e12f
 
-/* What a frame's vertices can reach. */
+/*
+ * What a frame's vertices can reach, as whole numbers that are ordered as the
+ * floats are (fixed_key_of()): the core waits long for what a comparison of
+ * floats says.
+ */
 struct reach {
-	float low[3], high[3]; /* the box around what the matrices make of the
-				  joints' boxes */
-	float from[3], to[3];  /* and of their middles */
-	float element;         /* the largest of any matrix */
-	bool usable;
+	int32_t low[3], high[3]; /* the box around what the matrices make of
+				    the joints' boxes */
+	int32_t from[3], to[3];  /* and of their middles */
+	int32_t element;         /* the size of the largest of any matrix */
 };
-
-static void extend(float value, float *low, float *high)
-{
-	*low = value < *low ? value : *low;
-	*high = value > *high ? value : *high;
-}
 
 static float larger(float a, float b)
 {
 	return a > b ? a : b;
 }
 
-static float carry_middle(
-	const vec4 *m, const struct fixed_joint *joint, int row)
+static inline void extend_low(int32_t *low, int32_t key)
 {
-	return m[0][row] * joint->middle[0] + m[1][row] * joint->middle[1] +
-		m[2][row] * joint->middle[2] + m[3][row];
+	*low = key < *low ? key : *low;
 }
 
-static void reach_joint(
-	struct reach *reach, const vec4 *m, const struct fixed_joint *joint)
+static inline void extend_high(int32_t *high, int32_t key)
 {
-	for (int row = 0; row < 3; row++) {
-		float at = carry_middle(m, joint, row);
-		float half = 0.0f;
+	*high = key > *high ? key : *high;
+}
 
-		for (int column = 0; column < 3; column++) {
-			float element = scalar_abs(m[column][row]);
+static inline void reach_row(struct reach *reach, const vec4 *m,
+	const struct fixed_joint *joint, int row)
+{
+	const float *c = joint->middle, *h = joint->half;
+	float x = m[0][row], y = m[1][row], z = m[2][row];
+	float at = x * c[0] + y * c[1] + z * c[2] + m[3][row];
+	float half = fabsf(x) * h[0] + fabsf(y) * h[1] + fabsf(z) * h[2];
+	int32_t key = fixed_key_of(at);
 
-			if (!(element <= 1e18f)) {
-				reach->usable = false;
-			}
-			reach->element = larger(reach->element, element);
-			half += element * joint->half[column];
-		}
-		reach->usable = reach->usable && fixed_can_use(at) &&
-			fixed_can_use(half);
-		extend(at - half, &reach->low[row], &reach->high[row]);
-		extend(at + half, &reach->low[row], &reach->high[row]);
-		extend(at, &reach->from[row], &reach->to[row]);
-	}
+	extend_high(&reach->element, fixed_size_of(x));
+	extend_high(&reach->element, fixed_size_of(y));
+	extend_high(&reach->element, fixed_size_of(z));
+	extend_low(&reach->low[row], fixed_key_of(at - half));
+	extend_high(&reach->high[row], fixed_key_of(at + half));
+	extend_low(&reach->from[row], key);
+	extend_high(&reach->to[row], key);
 }
 
 static void measure(
-	const struct fixed_skin *skin, const mat4 *palette, struct reach *reach)
+	const struct fixed_skin *skin, const mat4 *palette, struct reach *out)
 {
-	*reach = (struct reach){.usable = true};
-	for (int row = 0; row < 3; row++) {
-		reach->low[row] = reach->from[row] = 1e30f;
-		reach->high[row] = reach->to[row] = -1e30f;
-	}
+	struct reach reach = {{INT32_MAX, INT32_MAX, INT32_MAX},
+		{INT32_MIN, INT32_MIN, INT32_MIN},
+		{INT32_MAX, INT32_MAX, INT32_MAX},
+		{INT32_MIN, INT32_MIN, INT32_MIN}, 0};
+
 	for (int j = 0; j < skin->joint_count; j++) {
 		const struct fixed_joint *joint = &skin->joint[j];
+		const vec4 *m = palette[joint->joint];
 
 		if (joint->used) {
-			reach_joint(reach, palette[joint->joint], joint);
+			reach_row(&reach, m, joint, 0);
+			reach_row(&reach, m, joint, 1);
+			reach_row(&reach, m, joint, 2);
 		}
 	}
+	*out = reach;
+}
+
+/* NaNs are beyond infinity, either way. */
+static bool is_usable(const struct reach *reach)
+{
+	const int32_t most = fixed_key_of(1e18f), least = fixed_key_of(-1e18f);
+	bool usable = reach->element <= most;
+
+	for (int row = 0; row < 3; row++) {
+		usable = usable && reach->low[row] >= least &&
+			reach->high[row] <= most && reach->from[row] >= least &&
+			reach->to[row] <= most;
+	}
+	return usable;
 }
 
 /*
@@ -94,19 +106,38 @@ static float choose_element(
 	const struct reach *reach, const float middle[3], float position_scale)
 {
 	float size = 0.0f, away = 0.0f;
-	float limit = 32767.0f / (reach->element + 1e-18f);
+	float limit = 32767.0f / (fixed_float_of(reach->element) + 1e-18f);
 	float rest;
 
 	for (int row = 0; row < 3; row++) {
-		size = larger(size, reach->high[row] - middle[row]);
-		away = larger(away, reach->to[row] - middle[row]);
-		away = larger(away, middle[row] - reach->from[row]);
+		size = larger(
+			size, fixed_float_of(reach->high[row]) - middle[row]);
+		away = larger(
+			away, fixed_float_of(reach->to[row]) - middle[row]);
+		away = larger(
+			away, middle[row] - fixed_float_of(reach->from[row]));
 	}
 	rest = 32700.0f / (size + 1e-18f) * (65536.0f / position_scale);
 	limit = rest < limit ? rest : limit;
 	rest = 16380.0f / (away + 1e-18f) * (65536.0f / position_scale);
 	limit = rest < limit ? rest : limit;
 	return fixed_step(limit > ELEMENT_MAX ? ELEMENT_MAX : limit);
+}
+
+/* per_unit: what a translation of 1 is. */
+static inline void write_row(const vec4 *m, const struct fixed_joint *joint,
+	int row, float middle, float element, float per_unit, int16_t out[4])
+{
+	const float *c = joint->middle;
+	float x = m[0][row], y = m[1][row], z = m[2][row];
+	float at = x * c[0] + y * c[1] + z * c[2] + m[3][row] - middle;
+
+	out[0] = fixed_round_fast(x * element);
+	out[1] = fixed_round_fast(y * element);
+	out[2] = fixed_round_fast(z * element);
+	/* Weights are negative. The 1 is half of the output's last bit, which
+	   rounds. */
+	out[3] = (int16_t)(-fixed_round_fast(at * per_unit) - 1);
 }
 
 int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
@@ -117,11 +148,13 @@ int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 	float element, output;
 
 	measure(skin, palette, &reach);
-	if (!reach.usable) {
+	if (!is_usable(&reach)) {
 		return -ERANGE;
 	}
 	for (int row = 0; row < 3; row++) {
-		middle[row] = 0.5f * (reach.low[row] + reach.high[row]);
+		middle[row] = 0.5f *
+			(fixed_float_of(reach.low[row]) +
+				fixed_float_of(reach.high[row]));
 	}
 	element = choose_element(&reach, middle, skin->position_scale);
 	if (element < ELEMENT_MIN) {
@@ -134,15 +167,8 @@ int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 		const vec4 *m = palette[joint->joint];
 
 		for (int row = 0; row < 3 && joint->used; row++) {
-			float at = carry_middle(m, joint, row) - middle[row];
-			int16_t *to = matrix[j].row[row];
-
-			to[0] = fixed_round(m[0][row] * element);
-			to[1] = fixed_round(m[1][row] * element);
-			to[2] = fixed_round(m[2][row] * element);
-			/* Weights are negative. The 1 is half of the
-			   output's last bit, which rounds. */
-			to[3] = (int16_t)(-fixed_round(at * 2.0f * output) - 1);
+			write_row(m, joint, row, middle[row], element,
+				2.0f * output, matrix[j].row[row]);
 		}
 	}
 	return 0;

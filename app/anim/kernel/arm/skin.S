@@ -28,7 +28,7 @@
 #define INFLUENCES 276
 #define FRAME      280
 #define OUT        (FRAME + 40) /* the fifth argument */
-#define AHEAD      96
+#define AHEAD      128
 
 /*
  * One influence: row and vector by row and vector, while the next influence's
@@ -93,6 +93,9 @@
 	.rept	\count
 	.if	i > 0
 	influence (i == last), (i - 1) * 32, (i - 1 + \count) * 8
+	.if	(i & 1) == 0
+	pld	[r0, #AHEAD + 16 * i]
+	.endif
 	.else
 	influence (i == last), -1, 2 * \count * 8
 	.endif

@@ -98,8 +98,9 @@ struct fixed_loops {
 	/*
 	 * Skins one stream of base vectors (positions, normals or tangents):
 	 * out = the sum over its influences of matrix * base, >> 16. base has
-	 * the influences of all groups one after the other, out a vector a
-	 * vertex. Nothing wraps that fixed_palette_make() let through.
+	 * the influences of all groups one after the other, and one more of
+	 * any content, which may be loaded; out a vector a vertex. Nothing
+	 * wraps that fixed_palette_make() let through.
 	 */
 	void (*skin)(const struct fixed_group *group, int group_count,
 		const struct fixed_base *base,

@@ -494,7 +494,8 @@ static int reserve(
 	struct fixed_skin *skin, unsigned streams, struct arena *arena)
 {
 	size_t vertices = (size_t)skin->vertex_count;
-	size_t count = (size_t)count_influences(skin);
+	/* One more than there are: loops load ahead. */
+	size_t count = (size_t)count_influences(skin) + 1;
 
 	skin->order = ARENA_ARRAY(arena, uint32_t, vertices);
 	skin->place = ARENA_ARRAY(arena, uint32_t, vertices);

@@ -33,5 +33,6 @@ int64_t event_time_ms(const struct event_clocks *clocks, int64_t stamp_ns,
 		age_ns = 0;
 	}
 	time_ms = now_ms - age_ns / 1000000;
-	return time_ms < earliest_ms ? earliest_ms : time_ms;
+	time_ms = time_ms < earliest_ms ? earliest_ms : time_ms;
+	return time_ms > now_ms ? now_ms : time_ms;
 }

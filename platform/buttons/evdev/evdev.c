@@ -245,8 +245,8 @@ static bool read_device(struct button_source *source, int index,
 		struct evdev_event event = evdev_decode(bytes + at, EVDEV_SIZE);
 
 		take_event(source, index, &event,
-			event_time_ms(clocks, event.stamp_ns, source->polled_ms,
-				now_ms));
+			event_time_ms(clocks, event.stamp_ns,
+				source->polled_ms + 1, now_ms));
 	}
 	return count > 0;
 }

@@ -318,7 +318,7 @@ static void read_line(struct button_source *source, int index,
 	}
 	for (int i = 0; i < count; i++) {
 		int64_t time_ms = event_time_ms(
-			clocks, edges[i].stamp_ns, source->polled_ms, now_ms);
+			clocks, edges[i].stamp_ns, source->polled_ms + 1, now_ms);
 
 		add_edge(source, index, time_ms, edges[i].active);
 	}

@@ -17,7 +17,7 @@ SETS_arm := arm font
 PACKAGES_arm :=
 LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libgif.a \
-	-l:libgpiod.a -l:libdrm.a \
+	-l:libgpiod.a -l:libdrm.a -l:libinih.a \
 	-l:libjpeg.so -lm -ldl
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \

@@ -118,6 +118,7 @@ endef
 
 # The same everywhere: no desktop, and what the loaded drivers lose is theirs.
 CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
+	LIMBER_CONFIG=none \
 	CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 \
 	LSAN_OPTIONS=print_suppressions=0:suppressions=tests/support/lsan.supp
 

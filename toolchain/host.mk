@@ -8,7 +8,7 @@ COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
 CC_host ?= gcc
 CFLAGS_host ?= -O2 -g
 SETS_host := host font
-PACKAGES_host := jansson libpng libjpeg sdl2 zlib libgpiod libdrm
+PACKAGES_host := jansson libpng libjpeg sdl2 zlib libgpiod libdrm inih
 LIBS_host := -lgif -lm -ldl
 RUN_host :=
 

@@ -1,5 +1,6 @@
 #include "app/cmd/dispatch.h"
 
+#include "app/cmd/config.h"
 #include "app/cmd/version.h"
 #include "platform/base/file.h"
 
@@ -8,7 +9,8 @@
 #include <string.h>
 
 enum {
-	COMMANDS_MAX = 16
+	COMMANDS_MAX = 16,
+	PATH_ROOM = 1024
 };
 
 int command_exit_code(int error)
@@ -81,12 +83,44 @@ static bool looks_like_file(const char *word)
 	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
 }
 
+/* Puts the file of options below what the command line says. */
+static int configure(const struct command *command, int argc, char **argv,
+	struct config *config, struct options *options, const struct log *log)
+{
+	struct options merged = options_default();
+	const char *model;
+	char path[PATH_ROOM];
+	int error;
+
+	if (!options_takes(command->bit, "config") ||
+		!config_find(options->config, command->bit == FOR_PLAY, path,
+			sizeof(path))) {
+		return 0;
+	}
+	log_note(log, "%s: options from this file", path);
+	error = config_load(config, path, command->bit, &merged, log);
+	if (error) {
+		return error;
+	}
+	if (options->model_path || options->demo) {
+		merged.model_path = merged.demo = merged.clip = NULL;
+	}
+	model = merged.model_path;
+	merged.model_path = NULL;
+	error = options_parse(&merged, command->bit, argc, argv, log);
+	merged.model_path = merged.model_path ? merged.model_path : model;
+	*options = merged;
+	return error;
+}
+
 int dispatch(const struct command *const *commands, int argc, char **argv)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
 	struct options options = options_default();
+	struct config config = {arena_empty()};
 	const struct command *command = commands[0];
 	int first = 1;
+	int status;
 
 	if (argc > 1 && argv[1][0] != '-') {
 		const struct command *named = find(commands, argv[1]);
@@ -117,5 +151,12 @@ int dispatch(const struct command *const *commands, int argc, char **argv)
 	if (options.verbose) {
 		log = log_to_stderr(LOG_NOTE);
 	}
-	return command->run(&options, &log);
+	if (configure(command, argc - first, argv + first, &config, &options,
+		    &log) != 0) {
+		status = EXIT_FAILED;
+	} else {
+		status = command->run(&options, &log);
+	}
+	config_release(&config);
+	return status;
 }

@@ -123,6 +123,18 @@ static bool set_buttons(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_record(struct options *options, const char *value)
+{
+	options->record = value;
+	return value[0] != '\0';
+}
+
+static bool set_config(struct options *options, const char *value)
+{
+	options->config = value;
+	return value[0] != '\0';
+}
+
 static bool set_script(struct options *options, const char *value)
 {
 	options->script = value;
@@ -385,6 +397,12 @@ static const struct option_entry entries[] = {
 	{0, "script", "FILE", FOR_SHOW,
 		"buttons from a file with lines TIME_MS BUTTON down|up",
 		"a file name", set_script},
+	{0, "record-buttons", "FILE", FOR_PLAY,
+		"write down what is pressed, for --script", "a file name",
+		set_record},
+	{0, "config", "FILE", FOR_SHOW | FOR_POSE,
+		"options from this file instead of limber.conf; none: from no "
+		"file", "a file name or none", set_config},
 	{0, "camera", "SPEC", FOR_SHOW,
 		"live pictures: /dev/video0, auto or pattern; with ,320x240 "
 		"for a size", "a camera such as auto or /dev/video0",
@@ -446,7 +464,7 @@ _Static_assert(ARRAY_COUNT(entries) < OPTIONS_MAX, "room for the names");
 
 struct options options_default(void)
 {
-	return (struct options){
+	struct options options = {
 		.width = 480,
 		.height = 640,
 		.clock = clock_real(),
@@ -458,6 +476,11 @@ struct options options_default(void)
 		.repeat = CLIP_LOOP,
 		.interpolation = CLIP_AUTO,
 	};
+
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		options.action[i] = (enum button)i;
+	}
+	return options;
 }
 
 static int distance(const char *a, const char *b)
@@ -625,6 +648,70 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 		} else {
 			options->model_path = argv[i];
 		}
+	}
+	return 0;
+}
+
+/* The entry of that name, the command's own before another's, or NULL. */
+static const struct option_entry *find_named(
+	enum command_bit command, const char *name)
+{
+	const struct option_entry *found = NULL;
+
+	for (size_t i = 0; i < ARRAY_COUNT(entries); i++) {
+		if (strcmp(entries[i].name, name) == 0 &&
+			(!found || (entries[i].commands & (int)command))) {
+			found = &entries[i];
+		}
+	}
+	return found;
+}
+
+bool options_takes(enum command_bit command, const char *name)
+{
+	const struct option_entry *entry = find_named(command, name);
+
+	return entry && (entry->commands & (int)command);
+}
+
+int options_names(enum command_bit command, const char **names, int room)
+{
+	int count = 0;
+
+	for (size_t i = 0; i < ARRAY_COUNT(entries) && count < room; i++) {
+		if (entries[i].commands & (int)command) {
+			names[count++] = entries[i].name;
+		}
+	}
+	return count;
+}
+
+int options_set(struct options *options, enum command_bit command,
+	const char *name, const char *value, const struct log *log)
+{
+	const struct option_entry *entry = find_named(command, name);
+	struct options tried = *options;
+	bool good;
+
+	if (!entry) {
+		log_error(log, "%s: no such option", name);
+		return -EINVAL;
+	}
+	if (entry->value) {
+		good = entry->set(&tried, value);
+	} else {
+		good = strcmp(value, "yes") == 0 || strcmp(value, "no") == 0;
+		if (good && value[0] == 'y') {
+			good = entry->set(&tried, NULL);
+		}
+	}
+	if (!good) {
+		log_error(log, "%s = %s: want %s", name, value,
+			entry->value ? entry->expected : "yes or no");
+		return -EINVAL;
+	}
+	if (entry->commands & (int)command) {
+		*options = tried;
 	}
 	return 0;
 }

@@ -12,6 +12,7 @@
 #include "app/scene/lod.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
+#include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
 
 /* Which subcommands take an option. */
@@ -35,6 +36,9 @@ struct options {
 	const char *watchdog;
 	const char *buttons;
 	const char *script;
+	const char *record; /* a file for what is pressed, or NULL */
+	const char *config; /* as given, or NULL */
+	enum button action[BUTTON_COUNT]; /* whose action each does */
 	const char *camera;
 	enum live_use camera_use;
 	const char *stats; /* a file for them, or NULL */
@@ -77,6 +81,20 @@ struct options options_default(void);
  */
 int options_parse(struct options *options, enum command_bit command, int argc,
 	char **argv, const struct log *log);
+
+/*
+ * Sets one option by its name as in "--name value"; a switch takes yes or no.
+ * One that the command has not is checked and left alone. 0, or -EINVAL after
+ * a sentence. The value stays the caller's.
+ */
+int options_set(struct options *options, enum command_bit command,
+	const char *name, const char *value, const struct log *log);
+
+/* Whether the command has an option of that name. */
+bool options_takes(enum command_bit command, const char *name);
+
+/* The names of the command's options, at most room; their number. */
+int options_names(enum command_bit command, const char **names, int room);
 
 /* The options of a subcommand, a line each. */
 void options_list(FILE *out, enum command_bit command);

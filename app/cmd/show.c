@@ -4,6 +4,7 @@
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/pace.h"
 #include "app/cmd/progress.h"
+#include "app/cmd/record.h"
 #include "app/cmd/screen.h"
 #include "platform/base/stop.h"
 #include "platform/buttons/buttons.h"
@@ -20,6 +21,8 @@ struct show {
 	const struct log *log;
 	struct screen screen;
 	struct buttons buttons;
+	const enum button *action; /* whose action a button does */
+	struct record record;
 	struct watchdog watchdog;
 	struct camera_feed camera;
 	struct demo *demo;
@@ -40,9 +43,12 @@ static int open_buttons(struct show *show, const struct options *options)
 	if (!error && options->script) {
 		error = buttons_add(
 			&show->buttons, "script", options->script, show->log);
-		if (error) {
-			buttons_close(&show->buttons);
-		}
+	}
+	if (!error && options->record) {
+		error = record_open(&show->record, options->record, show->log);
+	}
+	if (error) {
+		buttons_close(&show->buttons);
 	}
 	return error;
 }
@@ -111,13 +117,23 @@ static void close_hud(struct show *show)
 	free(show->hud);
 }
 
+/* Does the action that the button is to have. */
+static void press(struct show *show, struct button_event event)
+{
+	event.button = show->action[event.button];
+	if (event.button != BUTTON_COUNT) {
+		demo_press(show->plan->demo, show->demo, &event);
+	}
+}
+
 static void press_buttons(struct show *show, int64_t now_ms)
 {
 	struct button_event event;
 
 	buttons_poll(&show->buttons, now_ms);
 	while (button_queue_pop(&show->buttons.queue, &event)) {
-		demo_press(show->plan->demo, show->demo, &event);
+		record_event(&show->record, &event);
+		press(show, event);
 		if (!show->clock.fixed) {
 			frame_stats_press(&show->stats,
 				show->clock.origin_ns + event.time_ms * 1000000);
@@ -262,6 +278,7 @@ static int open_screen(struct show *show, const struct options *options)
 static int open_and_run(struct show *show, const struct options *options)
 {
 	int error = open_buttons(show, options);
+	int recorded;
 
 	if (error) {
 		return error;
@@ -292,7 +309,8 @@ out_screen:
 	screen_close(&show->screen);
 out_buttons:
 	buttons_close(&show->buttons);
-	return error;
+	recorded = record_close(&show->record, show->log);
+	return error ? error : recorded;
 }
 
 int show_run(const struct show_plan *plan, const struct options *options,
@@ -304,6 +322,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		.clock = plan->clock,
 		.frames = plan->frames,
 		.labelled = !options->no_labels,
+		.action = options->action,
 		.watchdog = watchdog_none(),
 	};
 	int error;

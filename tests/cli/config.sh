@@ -1,0 +1,89 @@
+#!/bin/sh
+# limber.conf: which file, who wins, what is said of a mistake; and what
+# --record-buttons writes down plays the same again.
+. "$(dirname "$0")/../support/cli.sh"
+conf=$scratch/limber.conf
+
+# given LINE...: a limber.conf of these lines.
+given() {
+    printf '%s\n' "$@" >"$conf"
+}
+
+# The demo that play says it shows.
+expect_demo() {
+    expect_status 0
+    expect_out "^$1: "
+}
+
+given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25'
+limber play --config "$conf"
+expect_demo face
+limber play --config "$conf" --demo arm
+expect_demo arm
+limber play --config "$conf" "$slider"
+expect_demo viewer
+
+LIMBER_CONFIG=$conf limber play
+expect_demo face
+unset LIMBER_CONFIG
+mkdir -p "$scratch/home/.config/limber" "$scratch/xdg/limber"
+given '[start]' 'demo = arm' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25'
+cp "$conf" "$scratch/xdg/limber"
+HOME=$scratch/home XDG_CONFIG_HOME=$scratch/xdg limber play
+expect_demo arm
+mv "$scratch/xdg/limber/limber.conf" "$scratch/home/.config/limber"
+HOME=$scratch/home XDG_CONFIG_HOME='' limber play
+expect_demo arm
+HOME=$scratch/home XDG_CONFIG_HOME='' limber play --config none \
+    --display null --frames 1 --demo face
+expect_demo face
+export LIMBER_CONFIG=none
+
+given '[start]' 'dmeo = arm'
+limber play --config "$conf"
+expect_refusal 1 'limber.conf:2: dmeo: .*did you mean demo\?$'
+given '[display]' 'gl = soft' 'size = 480'
+limber play --config "$conf"
+expect_refusal 1 'limber.conf:3: size = 480: want'
+limber play --config "$scratch/missing.conf"
+expect_refusal 1 'missing.conf: cannot be read'
+
+# The same run twice: from a script, then from what was written down of it.
+printf '%s\n' '40 RIGHT down' '130 RIGHT up' '200 ENTER down' '210 ENTER up' \
+    '300 UP down' '303 UP up' '304 UP down' '700 UP up' >"$scratch/run.txt"
+play() {
+    limber play --demo arm --display image --size 60x80 --clock fixed:30 \
+        --frames 25 --no-labels "$@"
+    expect_status 0
+}
+play --script "$scratch/run.txt" --record-buttons "$scratch/said.txt" \
+    -o "$scratch/first.y4m"
+play --script "$scratch/said.txt" --record-buttons "$scratch/again.txt" \
+    -o "$scratch/second.y4m"
+play -o "$scratch/idle.y4m"
+about 'a recorded run'
+expect_file "$scratch/said.txt"
+check 'the bounce is written as one press' test \
+    "$(grep -c UP "$scratch/said.txt")" -eq 2
+check 'the same is pressed again' cmp "$scratch/said.txt" "$scratch/again.txt"
+check 'the same is seen again' cmp "$scratch/first.y4m" "$scratch/second.y4m"
+if cmp -s "$scratch/first.y4m" "$scratch/idle.y4m"; then
+    fail 'the buttons do something'
+else
+    pass 'the buttons do something'
+fi
+
+given '[actions]' 'F6 = RIGHT' 'RIGHT = none'
+sed s/RIGHT/F6/ "$scratch/run.txt" >"$scratch/moved.txt"
+play --config "$conf" --script "$scratch/moved.txt" -o "$scratch/moved.y4m"
+check 'an action moves to another button' cmp "$scratch/first.y4m" \
+    "$scratch/moved.y4m"
+
+limber play --demo arm --display null --frames 1 \
+    --record-buttons "$scratch/missing/x.txt"
+expect_status 1
+expect_err 'x.txt: cannot be written'
+
+tap_done

@@ -143,8 +143,13 @@ class Wires:
         self.run(f"set_irq_in {GPIO2} unnamed-gpio-in {BUTTONS[button]} "
                  f"{int(high)}")
 
+    def start_timer(self):
+        self.run(f"writel {TIMER_CONTROL:#x} {TIMER_RUN:#x}")
+
     def time_s(self):
-        """Guest time since power-on, until a reset stops the timer."""
+        """Guest time since start_timer()."""
+        if int(self.run(f"readl {TIMER_CONTROL:#x}"), 16) != TIMER_RUN:
+            raise Error("the board has been reset, which stopped its timer")
         count = int(self.run(f"readl {TIMER_COUNT:#x}"), 16)
         return (TIMER_START - count) / TIMER_HZ
 
@@ -207,7 +212,7 @@ class Machine:
                 stderr=log, start_new_session=True)
         (self.folder / "pid").write_text(str(self.process.pid))
         self.wait_for_sockets()
-        self.wires.run(f"writel {TIMER_CONTROL:#x} {TIMER_RUN:#x}")
+        self.wires.start_timer()
         if power:
             self.power_on()
         return self
@@ -315,6 +320,10 @@ class Machine:
 
     def time_s(self):
         return self.wires.time_s()
+
+    def clear(self):
+        """Makes the framebuffer black."""
+        self.wires.run(f"memset {FRAMEBUFFER:#x} {FRAME_BYTES:#x} 0x00")
 
     def frame(self):
         """The framebuffer: RGB565, little-endian, row by row."""

@@ -10,8 +10,10 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 import traceback
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
@@ -25,6 +27,7 @@ GUEST = TOP / "build/board/guest"
 DRIVERS = IMAGE / "test-drivers.cpio.lz4"
 NAME = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
 FOLDER = TOP / "build/check-board" / NAME
+PATIENCE_S = int(os.environ.get("PATIENCE_S", 400))
 PROMPT = r"limber:/\S*# "
 
 # Limber does not start by itself, the shell is the test's.
@@ -78,6 +81,14 @@ def _stop_all():
 atexit.register(_stop_all)
 
 
+def _too_long(*_):
+    raise Error(f"{NAME} takes longer than {PATIENCE_S} s")
+
+
+signal.signal(signal.SIGALRM, _too_long)
+signal.alarm(PATIENCE_S)
+
+
 def archive(files):
     """An initramfs archive of {path: text, bytes or Path}, all executable."""
     out = bytearray()
@@ -120,7 +131,8 @@ def device_tree(*disabled):
 
 
 def booted(files=None, drivers=False, tree=None, shell=True, **how):
-    """A machine that runs the image; files lie over its root file system."""
+    """A machine that runs the image; files lie over its root file system. Its
+    time is a count of instructions, so a busy host changes nothing."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     extra = []
     if files:
@@ -131,7 +143,7 @@ def booted(files=None, drivers=False, tree=None, shell=True, **how):
         extra.append(DRIVERS)
     machine = emulation.Machine(FOLDER / f"machine-{len(_machines)}")
     _machines.append(machine)
-    machine.start(IMAGE, extra, tree=tree, **how)
+    machine.start(IMAGE, extra, tree=tree, icount=True, **how)
     if shell:
         machine.wait(PROMPT)
     return machine
@@ -142,9 +154,9 @@ def guest_tool():
     return {"usr/bin/guest": GUEST}
 
 
-def wait_until(machine, condition, seconds, step_s=0.0):
+def wait_until(machine, condition, seconds, look_s=0.01):
     """Until condition() is true, for at most this long on the board; the time
-    on the board then, or None."""
+    on the board then, or None. Looks every look_s of this machine's time."""
     begun = machine.time_s()
     while True:
         good = condition()
@@ -153,14 +165,14 @@ def wait_until(machine, condition, seconds, step_s=0.0):
             return now
         if now - begun > seconds:
             return None
-        pause(machine, step_s, now)
+        time.sleep(look_s)
 
 
-def pause(machine, seconds, now=None):
+def pause(machine, seconds):
     """Lets time pass on the board."""
-    until = (machine.time_s() if now is None else now) + seconds
+    until = machine.time_s() + seconds
     while machine.time_s() < until:
-        pass
+        time.sleep(0.005)
 
 
 def pixel(frame, x, y):

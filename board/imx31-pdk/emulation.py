@@ -144,6 +144,8 @@ class Wires:
                  f"{int(high)}")
 
     def start_timer(self):
+        # A reset leaves it enabled but stopped.
+        self.run(f"writel {TIMER_CONTROL:#x} 0")
         self.run(f"writel {TIMER_CONTROL:#x} {TIMER_RUN:#x}")
 
     def time_s(self):
@@ -203,7 +205,9 @@ class Machine:
         with open(self.folder / "initrd", "wb") as out:
             for part in (image / "initramfs.cpio.lz4", *extra):
                 data = pathlib.Path(part).read_bytes()
-                out.write(data + b"\0" * (-len(data) % 4))
+                # Four zeros end LZ4's blocks; archives begin at multiples
+                # of four.
+                out.write(data + b"\0" * (4 + -len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
         command = qemu_command(image, tree, arguments, icount, reboot)
         with open(self.folder / "qemu.log", "wb") as log:

@@ -5,7 +5,9 @@ made with booted(), looks, calls check() for each thing it expects, and ends
 with done(). Machines live below build/check-board/NAME; the last one's console
 is kept there in console.log.
 """
+import array
 import atexit
+import operator
 import os
 import pathlib
 import re
@@ -256,3 +258,35 @@ def unfilter(kind, row, above, size):
 def limber_pid(machine):
     status, said = machine.shell("pidof limber")
     return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None
+
+
+# The wiring of ../../board/imx31-pdk/README.md, for limber without a file.
+BUTTONS = ",".join(f"gpiod:{name}=53fd0000.gpio/{line}"
+                   for name, line in emulation.BUTTONS.items())
+
+
+def start_limber(machine, arguments, seconds=10):
+    """Starts it by hand in the background, until its picture is there."""
+    machine.clear()
+    status, said = machine.shell(f"limber play {arguments} >/run/said 2>&1 &")
+    if wait_until(machine, lambda: is_drawn(machine.frame()), seconds) is None:
+        raise Error(f"limber {arguments} shows nothing:\n"
+                    + machine.shell("cat /run/said")[1])
+
+
+def stop_limber(machine):
+    """Ends it; what it has said."""
+    machine.shell("killall limber; while pidof limber; do usleep 50000; done")
+    return machine.shell("cat /run/said")[1]
+
+
+def region(frame, x, y, width, height):
+    row = 2 * emulation.WIDTH
+    return b"".join(frame[at * row + 2 * x:at * row + 2 * (x + width)]
+                    for at in range(y, y + height))
+
+
+def difference(a, b):
+    """How many pixels differ."""
+    a, b = array.array("H", a), array.array("H", b)
+    return sum(map(operator.ne, a, b))

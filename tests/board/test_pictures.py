@@ -1,0 +1,29 @@
+"""Pictures on the board's framebuffer are those of this machine, to the byte.
+
+Both draw with the soft driver in RGB565; the clock is fixed, so what a time
+shows does not depend on how long anything takes.
+"""
+from harness import (BY_HAND, booted, check, difference, done, emulation,
+                     host_picture, save)
+
+PICTURES = [(demo, time) for demo in ("walker", "arm", "face")
+            for time in ("0.52", "2.2", "5")]
+
+machine = booted(BY_HAND)
+# Else the console takes the screen back when limber ends.
+machine.shell("echo 0 >/sys/class/vtconsole/vtcon1/bind")
+for demo, time in PICTURES:
+    arguments = ("--demo", demo, "--time", time, "--clock", "fixed:25")
+    script = "/dev/null"
+    machine.clear()
+    status, said = machine.shell(
+        f"limber play {' '.join(arguments)} --frames 1 --script {script}")
+    frame = machine.frame()
+    wanted = host_picture(*arguments, "--script", script)
+    save(frame, f"{demo}-{time}.png")
+    apart = difference(frame, wanted)
+    if not check(f"{demo} after {time} s", status == 0 and apart == 0,
+                 f"{apart} of {emulation.WIDTH * emulation.HEIGHT} pixels "
+                 f"differ\n{said}"):
+        save(wanted, f"{demo}-{time}-host.png")
+done()

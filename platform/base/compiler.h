@@ -31,4 +31,7 @@
 		(uint32_t)(int32_t)((int64_t)(word) * (int16_t)(half) >> 16)))
 #endif
 
+/* The same value, of which the compiler knows nothing any more. */
+#define OPAQUE(value) __asm__("" : "+r"(value))
+
 #endif

@@ -22,17 +22,41 @@
 #define BLUE_BIAS  (HALF - 16 * LUMA_5 - 128 * CB_BLUE)
 #define GREEN_BIAS (HALF - 16 * LUMA_6 + 128 * (CR_GREEN + CB_GREEN))
 
+/*
+ * The constants in registers: known, they would be taken apart into shifts and
+ * additions, which take longer than ARMv6's multiplication of 16 bits.
+ */
+struct matrix {
+	int16_t luma_5, luma_6, cr_red, cb_blue, cr_green, cb_green;
+	int red_bias, green_bias, blue_bias;
+};
+
+static ALWAYS_INLINE struct matrix load_matrix(void)
+{
+	struct matrix m = {LUMA_5, LUMA_6, CR_RED, CB_BLUE, -CR_GREEN,
+		-CB_GREEN, RED_BIAS, GREEN_BIAS, BLUE_BIAS};
+
+	OPAQUE(m.luma_5);
+	OPAQUE(m.luma_6);
+	OPAQUE(m.cr_red);
+	OPAQUE(m.cb_blue);
+	OPAQUE(m.cr_green);
+	OPAQUE(m.cb_green);
+	return m;
+}
+
 /* What a pair's chroma adds to each channel. */
 struct tint {
 	int red, green, blue;
 };
 
-static ALWAYS_INLINE struct tint tint_of(int cb, int cr)
+static ALWAYS_INLINE struct tint tint_of(
+	const struct matrix *m, int16_t cb, int16_t cr)
 {
 	return (struct tint){
-		.red = cr * CR_RED + RED_BIAS,
-		.green = GREEN_BIAS - cr * CR_GREEN - cb * CB_GREEN,
-		.blue = cb * CB_BLUE + BLUE_BIAS,
+		.red = cr * m->cr_red + m->red_bias,
+		.green = cr * m->cr_green + (cb * m->cb_green + m->green_bias),
+		.blue = cb * m->cb_blue + m->blue_bias,
 	};
 }
 
@@ -45,69 +69,117 @@ static ALWAYS_INLINE uint32_t limit(int sum, int most)
 	return (uint32_t)(value > most ? most : value);
 }
 
-static ALWAYS_INLINE uint32_t color_of(int luma, struct tint tint)
+static ALWAYS_INLINE uint32_t color_of(
+	const struct matrix *m, int16_t luma, const struct tint *tint)
 {
-	int luma_5 = luma * LUMA_5;
+	int luma_5 = luma * m->luma_5;
 
-	return limit(luma_5 + tint.red, 31) << 11 |
-		limit(luma * LUMA_6 + tint.green, 63) << 5 |
-		limit(luma_5 + tint.blue, 31);
+	return limit(luma_5 + tint->blue, 31) |
+		limit(luma_5 + tint->red, 31) << 11 |
+		limit(luma * m->luma_6 + tint->green, 63) << 5;
 }
 
-static ALWAYS_INLINE void put_pair(
-	uint16_t *out, int luma, int next_luma, struct tint tint)
+/* Two pixels as one word; lumas has the first's in its lower half. */
+static ALWAYS_INLINE void put_pair(const struct matrix *m, uint32_t lumas,
+	int16_t cb, int16_t cr, uint16_t *out)
 {
-	out[0] = (uint16_t)color_of(luma, tint);
-	out[1] = (uint16_t)color_of(next_luma, tint);
+	struct tint tint = tint_of(m, cb, cr);
+	uint32_t left = color_of(m, (int16_t)lumas, &tint);
+	uint32_t right = color_of(m, (int16_t)(lumas >> 16), &tint);
+
+	out[0] = (uint16_t)left;
+	out[1] = (uint16_t)right;
 }
 
-/* Four bytes a pair: where in them the two lumas and Cb stand, Cr after it. */
-static ALWAYS_INLINE void convert_packed(const uint8_t *in, int luma_at,
-	int cb_at, int cr_at, int count, uint16_t *out)
+static ALWAYS_INLINE void put_last(const struct matrix *m, int16_t luma,
+	int16_t cb, int16_t cr, uint16_t *out)
 {
+	struct tint tint = tint_of(m, cb, cr);
+
+	*out = (uint16_t)color_of(m, luma, &tint);
+}
+
+/* One load: buffers of drivers are often not cached. */
+static ALWAYS_INLINE uint32_t load_word(const uint8_t *in)
+{
+	return in[0] | (uint32_t)in[1] << 8 | (uint32_t)in[2] << 16 |
+		(uint32_t)in[3] << 24;
+}
+
+static ALWAYS_INLINE void convert_packed(
+	const uint8_t *in, int luma_at, int count, uint16_t *out)
+{
+	const struct matrix m = load_matrix();
+	const int luma_shift = 8 * luma_at, chroma_shift = 8 - luma_shift;
+
 	for (; count >= 2; count -= 2, in += 4, out += 2) {
-		put_pair(out, in[luma_at], in[luma_at + 2],
-			tint_of(in[cb_at], in[cr_at]));
-	}
-	if (count) {
-		*out = (uint16_t)color_of(
-			in[luma_at], tint_of(in[cb_at], in[cr_at]));
-	}
-}
+		uint32_t word = load_word(in);
+		uint32_t lumas = word >> luma_shift & 0xff00ff;
+		uint32_t chroma = word >> chroma_shift & 0xff00ff;
 
-static ALWAYS_INLINE void convert_planar(const uint8_t *luma, const uint8_t *cb,
-	const uint8_t *cr, int chroma_step, int count, uint16_t *out)
-{
-	for (; count >= 2; count -= 2, luma += 2, out += 2) {
-		put_pair(out, luma[0], luma[1], tint_of(*cb, *cr));
-		cb += chroma_step;
-		cr += chroma_step;
+		put_pair(&m, lumas, (int16_t)chroma, (int16_t)(chroma >> 16),
+			out);
 	}
 	if (count) {
-		*out = (uint16_t)color_of(*luma, tint_of(*cb, *cr));
+		put_last(&m, in[luma_at], in[1 - luma_at], in[3 - luma_at], out);
 	}
 }
 
 static void convert_uyvy(const uint8_t *in, int count, uint16_t *out)
 {
-	convert_packed(in, 1, 0, 2, count, out);
+	convert_packed(in, 1, count, out);
 }
 
 static void convert_yuyv(const uint8_t *in, int count, uint16_t *out)
 {
-	convert_packed(in, 0, 1, 3, count, out);
+	convert_packed(in, 0, count, out);
+}
+
+/* What is left of a row after fours. */
+static void convert_end(const struct matrix *m, const uint8_t *luma,
+	const uint8_t *cb, const uint8_t *cr, int chroma_step, int count,
+	uint16_t *out)
+{
+	for (int i = 0; i < count; i++) {
+		int at = i / 2 * chroma_step;
+
+		put_last(m, luma[i], cb[at], cr[at], &out[i]);
+	}
 }
 
 static void convert_nv12(
 	const uint8_t *luma, const uint8_t *chroma, int count, uint16_t *out)
 {
-	convert_planar(luma, chroma, chroma + 1, 2, count, out);
+	const struct matrix m = load_matrix();
+
+	for (; count >= 4; count -= 4, luma += 4, chroma += 4, out += 4) {
+		uint32_t lumas = load_word(luma), pairs = load_word(chroma);
+		uint32_t left = (lumas & 0xff) | (lumas & 0xff00) << 8;
+		uint32_t right = (lumas >> 16 & 0xff) | (lumas >> 24) << 16;
+
+		put_pair(&m, left, pairs & 0xff, pairs >> 8 & 0xff, out);
+		put_pair(&m, right, pairs >> 16 & 0xff, (int16_t)(pairs >> 24),
+			out + 2);
+	}
+	convert_end(&m, luma, chroma, chroma + 1, 2, count, out);
 }
 
 static void convert_yuv420(const uint8_t *luma, const uint8_t *cb,
 	const uint8_t *cr, int count, uint16_t *out)
 {
-	convert_planar(luma, cb, cr, 1, count, out);
+	const struct matrix m = load_matrix();
+
+	for (; count >= 4; count -= 4, luma += 4, out += 4) {
+		uint32_t lumas = load_word(luma);
+		uint32_t left = (lumas & 0xff) | (lumas & 0xff00) << 8;
+		uint32_t right = (lumas >> 16 & 0xff) | (lumas >> 24) << 16;
+
+		put_pair(&m, left, cb[0], cr[0], out);
+		put_pair(&m, right, cb[1], cr[1], out + 2);
+		cb += 2;
+		cr += 2;
+	}
+	convert_end(&m, luma, cb, cr, 1, count, out);
 }
 
 static void convert_565(const uint8_t *in, int count, uint16_t *out)

@@ -9,13 +9,19 @@ enum {
 };
 
 /* What the buttons do, for the person at the terminal. */
-static void print_buttons(const struct demo_driver *demo)
+static void print_buttons(const struct demo_driver *demo, bool camera)
 {
 	printf("%s: %s\n", demo->name, demo->summary);
 	for (const struct demo_action *action = demo->action; action->run;
 		action++) {
-		printf("  %-6s %s\n", button_name(action->button),
-			action->summary);
+		/* With a camera, F10 is the camera's. */
+		if (!camera || action->button != BUTTON_F10) {
+			printf("  %-6s %s\n", button_name(action->button),
+				action->summary);
+		}
+	}
+	if (camera) {
+		puts("  F10    camera: background, screen, motion, off");
 	}
 	puts("  Esc    quit");
 	fflush(stdout);

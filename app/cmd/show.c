@@ -185,6 +185,8 @@ static void run_up(struct show *show)
 		feed_watchdog(show);
 		press_buttons(show, (int64_t)(at * 1000.0));
 		show->plan->demo->update(show->demo, at);
+		demo_watch(show->demo, at, show->screen.info.width,
+			show->screen.info.height);
 	}
 }
 
@@ -252,7 +254,8 @@ static int run(struct show *show, const struct options *options)
 		show->frames = period_frames(show);
 	}
 	if (show->plan->opened) {
-		show->plan->opened(show->plan->demo);
+		show->plan->opened(
+			show->plan->demo, show->camera.driver != NULL);
 	}
 	run_up(show);
 	show->pace = show->clock.fixed

@@ -17,7 +17,7 @@ struct show_plan {
 	int frames;     /* 0: until closed; -1: one period of the demo */
 	bool unattended;
 	/* Called when everything is open; or NULL. */
-	void (*opened)(const struct demo_driver *demo);
+	void (*opened)(const struct demo_driver *demo, bool camera);
 	bool progress; /* show a bar on a terminal */
 };
 

@@ -145,7 +145,7 @@ void live_label(const struct live *live, struct hud *hud)
 		hud_group_end(&group);
 		return;
 	}
-	hud_group_text(&group, "camera",
+	hud_group_text(&group, "live",
 		live->use == LIVE_OFF || live->showing ? names[live->use]
 						       : "no picture");
 	hud_group_end(&group);

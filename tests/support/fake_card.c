@@ -27,6 +27,9 @@ static bool fails(enum fake_card_call call)
 	if (fake_card.fail != call || fake_card.calls++ < fake_card.fail_from) {
 		return false;
 	}
+	if (fake_card.fail_once) {
+		fake_card.fail = CALL_NONE;
+	}
 	errno = fake_card.fail_error;
 	return true;
 }

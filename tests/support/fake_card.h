@@ -40,6 +40,7 @@ struct fake_card {
 
 	enum fake_card_call fail;
 	int fail_from, fail_error;
+	bool fail_once;
 	int calls; /* of the one that fails */
 
 	/* Two buffers; handle and fb are the index and 1. */

@@ -268,6 +268,23 @@ static void test_one_buffer_is_copied_into_and_told_of(void **state)
 	scene_close(&scene);
 }
 
+static void test_what_the_screen_does_not_take_is_passed_over(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	/* XBGR8888 comes first, and is taken as a buffer alone. */
+	fake_card.fail = CALL_SET;
+	fake_card.fail_once = true;
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene, 1);
+	draw(&scene, 1);
+	assert_int_equal(fake_card.buffers[0].fourcc, DRM_FORMAT_XRGB8888);
+	assert_int_equal(fake_card_seen(0, 0), 0x080000);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+	scene_close(&scene);
+}
+
 static void test_what_drives_no_screen_yet_is_found(void **state)
 {
 	struct scene scene = {0};
@@ -315,7 +332,7 @@ static void test_what_is_missing_is_said(void **state)
 		{.words = "no buffer", .fail = CALL_ADD},
 		{.words = "no buffer", .fail = CALL_MAP_DUMB},
 		{.words = "no buffer", .fail = CALL_MAP},
-		{.words = "does not show", .fail = CALL_SET},
+		{.words = "no buffer", .fail = CALL_SET},
 	};
 
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
@@ -403,6 +420,7 @@ int main(void)
 		KMS_TEST(test_the_mode_nearest_to_the_size_is_set),
 		KMS_TEST(test_without_flips_the_mode_is_set_anew),
 		KMS_TEST(test_one_buffer_is_copied_into_and_told_of),
+		KMS_TEST(test_what_the_screen_does_not_take_is_passed_over),
 		KMS_TEST(test_what_drives_no_screen_yet_is_found),
 		KMS_TEST(test_any_card_with_a_screen_is_found),
 		KMS_TEST(test_what_is_missing_is_said),

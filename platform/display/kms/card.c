@@ -125,19 +125,44 @@ static bool wants_narrow(
 		depth == 16;
 }
 
-/* The first format that the card takes; those wanted come first. */
+static int set_mode(struct card *card, uint32_t fb)
+{
+	return card->calls->set_crtc(card->fd, card->crtc, fb, 0, 0,
+		&card->connector, 1, &card->mode);
+}
+
+/*
+ * Only setting the mode tells whether the screen takes a format: there are
+ * cards whose cursor takes more than their screens.
+ */
+static bool show_black(struct card *card, const struct card_format *format)
+{
+	struct card_buffer *first = &card->buffers[0];
+	int error;
+
+	if (!make_buffer(card, first, format)) {
+		return false;
+	}
+	if (set_mode(card, first->fb) == 0) {
+		return true;
+	}
+	error = errno;
+	release_buffer(card, first);
+	errno = error;
+	return false;
+}
+
+/* The first format that the screen takes; those wanted come first. */
 static int make_buffers(struct card *card, const struct display_options *options)
 {
 	bool narrow = wants_narrow(card, options);
+	int count = (int)ARRAY_COUNT(card_formats);
 
-	for (int i = 0; i < 2 * (int)ARRAY_COUNT(card_formats); i++) {
-		bool second_round = i >= (int)ARRAY_COUNT(card_formats);
-		const struct card_format *format =
-			&card_formats[i % (int)ARRAY_COUNT(card_formats)];
+	for (int i = 0; i < 2 * count; i++) {
+		const struct card_format *format = &card_formats[i % count];
 		bool wanted = (format->format == PIXELS_RGB565) == narrow;
 
-		if (wanted == second_round ||
-			!make_buffer(card, &card->buffers[0], format)) {
+		if (wanted != (i < count) || !show_black(card, format)) {
 			continue;
 		}
 		card->layout = format->layout;
@@ -148,13 +173,7 @@ static int make_buffers(struct card *card, const struct display_options *options
 		}
 		return 0;
 	}
-	return failed(card, "it gives no buffer to draw into");
-}
-
-static int set_mode(struct card *card, uint32_t fb)
-{
-	return card->calls->set_crtc(card->fd, card->crtc, fb, 0, 0,
-		&card->connector, 1, &card->mode);
+	return failed(card, "it takes no buffer to draw into");
 }
 
 static void take_flip(int fd, unsigned int sequence, unsigned int seconds,
@@ -240,27 +259,20 @@ int card_open(struct card *card, const struct kms_calls *calls,
 	if (error) {
 		return error;
 	}
+	card->before = calls->get_crtc(card->fd, card->crtc);
 	error = make_buffers(card, options);
 	if (error) {
-		goto out_close;
+		goto out_before;
 	}
 	card->reads_slowly = calls->get_cap(card->fd, DRM_CAP_DUMB_PREFER_SHADOW,
 				     &prefers_shadow) == 0 &&
 		prefers_shadow;
-	card->before = calls->get_crtc(card->fd, card->crtc);
-	if (set_mode(card, card->buffers[0].fb) != 0) {
-		error = failed(card, "it does not show the mode");
-		goto out_buffers;
-	}
 	choose_way(card);
 	return 0;
-out_buffers:
+out_before:
 	if (card->before) {
 		calls->free_crtc(card->before);
 	}
-	release_buffer(card, &card->buffers[1]);
-	release_buffer(card, &card->buffers[0]);
-out_close:
 	calls->device->close(card->fd);
 	return error;
 }

@@ -156,13 +156,14 @@ def counts_of(report, number):
 def chapters(folder):
     """symbol -> file it is from, without its ending."""
     places = {}
-    for path in sorted(pathlib.Path("build/arm/obj", folder).glob("*.o")):
+    root = pathlib.Path("build/arm/obj", folder)
+    for path in sorted(root.rglob("*.o")):
         listing = subprocess.run(
             ["arm-linux-gnueabi-nm", path], capture_output=True, text=True, check=True
         ).stdout
         for line in listing.splitlines():
             if (words := line.split())[-2] in "tT":
-                places.setdefault(words[-1], path.stem)
+                places.setdefault(words[-1], str(path.relative_to(root).with_suffix("")))
     return places
 
 
@@ -238,8 +239,9 @@ Loops over made meshes are the loops alone: 1024 vertices, 24 joints, 24 sets of
 them where not said otherwise (CesiumMan has 54 sets, the walker 63). A model's
 mesh includes what comes once a frame; "all that moves" is everything from pose
 to drawing. A pose is sampling, world matrices and palette. Frames are 480x640,
-RGB565; below them the files of platform/gl/soft that take most cycles. osmesa
-is Debian's armel build: instructions alone."""
+RGB565; below them the files of platform/gl/soft that take most cycles (the rest
+is libc's memset and the program around it). osmesa is Debian's armel build:
+instructions alone."""
 
 
 def as_json(all_figures):

@@ -11,6 +11,7 @@ const struct command *const command_registry[] = {
 	&command_info,
 	&command_bench,
 	&command_compare,
+	&command_doctor,
 	NULL,
 };
 

@@ -28,6 +28,7 @@ extern const struct command command_pose;
 extern const struct command command_info;
 extern const struct command command_bench;
 extern const struct command command_compare;
+extern const struct command command_doctor;
 
 /* All of them, NULL at the end. */
 extern const struct command *const command_registry[];

@@ -23,7 +23,8 @@ enum command_bit {
 	FOR_INFO = 8,
 	FOR_BENCH = 16,
 	FOR_COMPARE = 32,
-	FOR_ALL = 63,
+	FOR_DOCTOR = 64,
+	FOR_ALL = 127,
 };
 
 struct options {

@@ -117,7 +117,7 @@ static int read_all(struct gltf *gltf)
 	return 0;
 }
 
-static void release(struct gltf *gltf)
+void gltf_end(struct gltf *gltf)
 {
 	int i;
 
@@ -128,30 +128,38 @@ static void release(struct gltf *gltf)
 	arena_release(&gltf->scratch);
 }
 
-int gltf_load(const struct model_source *source, const struct log *log,
-	struct model **out)
+int gltf_begin(struct gltf *gltf, const struct model_source *source,
+	const struct log *log)
 {
-	struct gltf gltf = {
+	int error;
+
+	*gltf = (struct gltf){
 		.source = source,
 		.log = log,
 		.scratch = arena_empty(),
 		.default_material = -1,
 	};
-	int error;
-
-	*out = NULL;
-	gltf.root.gltf = &gltf;
-	gltf.model = model_create(source->name, "glTF 2.0");
-	if (!gltf.model) {
+	gltf->root.gltf = gltf;
+	gltf->model = model_create(source->name, "glTF 2.0");
+	if (!gltf->model) {
 		log_error(log, "%s: not enough memory", source->name);
 		return -ENOMEM;
 	}
-	error = read_all(&gltf);
-	release(&gltf);
+	error = read_all(gltf);
 	if (error) {
-		model_destroy(gltf.model);
-		return error;
+		model_destroy(gltf->model);
+		gltf->model = NULL;
 	}
+	return error;
+}
+
+int gltf_load(const struct model_source *source, const struct log *log,
+	struct model **out)
+{
+	struct gltf gltf;
+	int error = gltf_begin(&gltf, source, log);
+
 	*out = gltf.model;
-	return 0;
+	gltf_end(&gltf);
+	return error;
 }

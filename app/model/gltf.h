@@ -4,6 +4,7 @@
 #ifndef APP_MODEL_GLTF_H
 #define APP_MODEL_GLTF_H
 
+#include "app/model/examine.h"
 #include "app/model/model_loader.h"
 
 /* True for the magic of a .glb, or where a JSON object begins. */
@@ -16,5 +17,9 @@ bool gltf_recognise(const uint8_t *data, size_t size);
  */
 int gltf_load(const struct model_source *source, const struct log *log,
 	struct model **out);
+
+/* What such a file holds that is easy to get wrong. */
+int gltf_examine(const struct model_source *source,
+	const struct examiner *examiner, const struct log *log);
 
 #endif

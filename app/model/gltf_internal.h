@@ -120,6 +120,17 @@ struct gltf {
 	int *node_place;      /* file's number -> model's */
 };
 
+/* gltf.c */
+
+/*
+ * Reads all of the source into gltf->model, which is NULL after an error. In
+ * any case gltf_end() has to follow; the model is the caller's to keep or to
+ * destroy.
+ */
+int gltf_begin(struct gltf *gltf, const struct model_source *source,
+	const struct log *log);
+void gltf_end(struct gltf *gltf);
+
 /* gltf_json.c */
 
 /* Says "FILE: PATH: SENTENCE" and returns code. */

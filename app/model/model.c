@@ -1,7 +1,7 @@
 #include "app/model/model.h"
 #include "app/model/gltf.h"
-#include "app/model/xfile.h"
 #include "app/model/model_loader.h"
+#include "app/model/xfile.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -9,28 +9,24 @@
 
 /* The first that recognises a file loads it. */
 static const struct model_format formats[] = {
-	{"glTF", gltf_recognise, gltf_load},
-	{"DirectX .x", xfile_recognise, xfile_load},
+	{"glTF", gltf_recognise, gltf_load, gltf_examine},
+	{"DirectX .x", xfile_recognise, xfile_load, xfile_examine},
 };
 
-static int load_source(const struct model_source *source, const struct log *log,
-	struct model **out)
+/* The format of the bytes, or -errno after a sentence. */
+static int find_format(const struct model_source *source, const struct log *log,
+	const struct model_format **out)
 {
 	size_t i;
 
-	*out = NULL;
 	if (source->size == 0) {
 		log_error(log, "%s: is empty", source->name);
 		return -EINVAL;
 	}
 	for (i = 0; i < ARRAY_COUNT(formats); i++) {
 		if (formats[i].recognise(source->data, source->size)) {
-			int error = formats[i].load(source, log, out);
-
-			if (!error) {
-				model_prepare_clips(*out);
-			}
-			return error;
+			*out = &formats[i];
+			return 0;
 		}
 	}
 	log_error(log,
@@ -38,6 +34,43 @@ static int load_source(const struct model_source *source, const struct log *log,
 		".glb and .x)",
 		source->name);
 	return -ENOTSUP;
+}
+
+static int load_source(const struct model_source *source, const struct log *log,
+	struct model **out)
+{
+	const struct model_format *format;
+	int error = find_format(source, log, &format);
+
+	*out = NULL;
+	if (!error) {
+		error = format->load(source, log, out);
+	}
+	if (!error) {
+		model_prepare_clips(*out);
+	}
+	return error;
+}
+
+int model_examine(const char *path, const struct examiner *examiner,
+	const struct log *log)
+{
+	struct model_source source = {.name = path, .has_folder = true};
+	const struct model_format *format;
+	struct model_file file;
+	int error = model_file_read(path, log, &file);
+
+	if (error) {
+		return error;
+	}
+	source.data = file.data;
+	source.size = file.size;
+	error = find_format(&source, log, &format);
+	if (!error) {
+		error = format->examine(&source, examiner, log);
+	}
+	model_file_release(&file);
+	return error;
 }
 
 int model_load(const char *path, const struct log *log, struct model **out)

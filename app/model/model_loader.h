@@ -6,6 +6,7 @@
 #ifndef APP_MODEL_MODEL_LOADER_H
 #define APP_MODEL_MODEL_LOADER_H
 
+#include "app/model/examine.h"
 #include "app/model/model.h"
 #include "app/model/model_file.h"
 
@@ -18,6 +19,10 @@ struct model_format {
 	/* As model_load() promises, from bytes that were recognised. */
 	int (*load)(const struct model_source *source, const struct log *log,
 		struct model **out);
+
+	/* As model_examine() promises. */
+	int (*examine)(const struct model_source *source,
+		const struct examiner *examiner, const struct log *log);
 };
 
 /*

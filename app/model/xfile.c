@@ -186,3 +186,21 @@ int xfile_load(const struct model_source *source, const struct log *log,
 	free(unpacked);
 	return error;
 }
+
+int xfile_examine(const struct model_source *source,
+	const struct examiner *examiner, const struct log *log)
+{
+	struct model *model;
+	int error = xfile_load(source, log, &model);
+
+	if (error) {
+		return error;
+	}
+	examine_say(examiner,
+		"the format is left-handed, with vectors in rows: limber "
+		"mirrors it along z and turns its triangles round");
+	examine_clips(model, examiner);
+	examine_skins(model, examiner);
+	model_destroy(model);
+	return 0;
+}

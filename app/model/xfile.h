@@ -35,4 +35,8 @@ bool xfile_recognise(const uint8_t *data, size_t size);
 int xfile_load(const struct model_source *source, const struct log *log,
 	struct model **out);
 
+/* What such a file holds that is easy to get wrong. */
+int xfile_examine(const struct model_source *source,
+	const struct examiner *examiner, const struct log *log);
+
 #endif

@@ -73,6 +73,26 @@ static int pan(const struct fb_var_screeninfo *var)
 	return 0;
 }
 
+static int copy_colors(const struct fb_cmap *map, bool put)
+{
+	uint16_t *given[] = {map->red, map->green, map->blue};
+
+	if (map->start + map->len > 256 ||
+		fake_fb.fix.visual == FB_VISUAL_TRUECOLOR) {
+		return fail_with(EINVAL);
+	}
+	for (int channel = 0; channel < 3; channel++) {
+		for (uint32_t i = 0; i < map->len; i++) {
+			if (put) {
+				fake_fb.colors[channel][i] = given[channel][i];
+			} else {
+				given[channel][i] = fake_fb.colors[channel][i];
+			}
+		}
+	}
+	return 0;
+}
+
 static int control_screen(unsigned long request, void *argument)
 {
 	switch (request) {
@@ -91,6 +111,9 @@ static int control_screen(unsigned long request, void *argument)
 		return fake_fb.has_wait ? 0 : fail_with(ENOTTY);
 	case FBIOBLANK:
 		return 0;
+	case FBIOGETCMAP:
+	case FBIOPUTCMAP:
+		return copy_colors(argument, request == FBIOPUTCMAP);
 	default:
 		return fail_with(ENOTTY);
 	}

@@ -22,6 +22,7 @@ enum {
 struct fake_fb {
 	struct fb_fix_screeninfo fix;
 	struct fb_var_screeninfo var;
+	uint16_t colors[3][256]; /* red, green, blue tables */
 	uint8_t map[FAKE_FB_ROOM];
 	uint8_t *memory; /* smem_len bytes within the map */
 

@@ -192,6 +192,79 @@ static void test_every_layout_shows_its_colours(void **state)
 	}
 }
 
+/* What a screen with tables shows, 0 to 255 a channel. */
+static void expect_color(
+	const int index[3], int red, int green, int blue, int tolerance)
+{
+	const int wanted[3] = {red, green, blue};
+
+	for (int channel = 0; channel < 3; channel++) {
+		int shown = fake_fb.colors[channel][index[channel]] >> 8;
+
+		assert_in_range(shown + tolerance, wanted[channel],
+			wanted[channel] + 2 * tolerance);
+	}
+}
+
+static void test_a_palette_is_filled_and_put_back(void **state)
+{
+	static const struct pixel_layout palette = {
+		.bits = 8, .red = {0, 8}, .green = {0, 8}, .blue = {0, 8}};
+	struct scene scene = {0};
+	int seen;
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT, WIDTH, palette);
+	fake_fb.fix.visual = FB_VISUAL_PSEUDOCOLOR;
+	for (int i = 0; i < 256; i++) {
+		fake_fb.colors[0][i] = (uint16_t)(7 * i);
+	}
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene);
+	seen = (int)fake_fb_seen(0, 0);
+	expect_color((const int[]){seen, seen, seen}, 255, 0, 0, 0);
+	seen = (int)fake_fb_seen(WIDTH - 1, 0);
+	expect_color((const int[]){seen, seen, seen}, 0, 255, 0, 0);
+	seen = (int)fake_fb_seen(0, HEIGHT - 1);
+	expect_color((const int[]){seen, seen, seen}, 0, 0, 255, 0);
+	seen = (int)fake_fb_seen(WIDTH / 2, HEIGHT / 2);
+	expect_color((const int[]){seen, seen, seen}, 132, 132, 132, 43);
+	scene_close(&scene);
+	for (int i = 0; i < 256; i++) {
+		assert_int_equal(fake_fb.colors[0][i], 7 * i);
+	}
+	fake_fb.fail_request = FBIOPUTCMAP;
+	assert_int_equal(scene_open(&scene), -ENOTSUP);
+	expect_all_closed();
+}
+
+static void test_tables_of_channels_become_straight(void **state)
+{
+	static const struct pixel_layout layouts[] = {
+		{.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}},
+		{.bits = 32, .red = {16, 8}, .green = {8, 8}, .blue = {0, 8}}};
+	struct scene scene = {0};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		uint32_t seen;
+
+		fake_fb_begin(
+			WIDTH, HEIGHT, HEIGHT, HEIGHT, WIDTH * 4, layouts[i]);
+		fake_fb.fix.visual = FB_VISUAL_DIRECTCOLOR;
+		assert_int_equal(scene_open(&scene), 0);
+		draw(&scene);
+		seen = fake_fb_seen(WIDTH / 2, HEIGHT / 2);
+		expect_color(
+			i ? (const int[]){seen >> 16 & 255, seen >> 8 & 255,
+				    seen & 255}
+			  : (const int[]){seen >> 11, seen >> 5 & 63, seen & 31},
+			132, 132, 132, 4);
+		scene_close(&scene);
+		assert_int_equal(fake_fb.colors[1][63], 0);
+	}
+}
+
 static void test_nothing_beside_the_picture_is_written(void **state)
 {
 	enum {
@@ -689,6 +762,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_every_layout_shows_its_colours),
+		cmocka_unit_test(test_a_palette_is_filled_and_put_back),
+		cmocka_unit_test(test_tables_of_channels_become_straight),
 		cmocka_unit_test(test_nothing_beside_the_picture_is_written),
 		cmocka_unit_test(test_two_pages_are_drawn_into_in_turn),
 		cmocka_unit_test(test_a_second_page_is_asked_for_and_given_back),

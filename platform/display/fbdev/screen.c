@@ -87,8 +87,14 @@ static int read_layout(struct fb_screen *screen)
 		var->blue.msb_right || var->grayscale > 1) {
 		return refused(screen, "its pixels are not packed as numbers");
 	}
-	if (screen->fix.visual != FB_VISUAL_TRUECOLOR) {
-		return refused(screen, "its colours come from a palette");
+	if (screen->fix.visual == FB_VISUAL_PSEUDOCOLOR &&
+		var->bits_per_pixel == 8) {
+		screen->layout = colormap_palette_layout();
+		return 0;
+	}
+	if (screen->fix.visual != FB_VISUAL_TRUECOLOR &&
+		screen->fix.visual != FB_VISUAL_DIRECTCOLOR) {
+		return refused(screen, "it has no colours that can be mixed");
 	}
 	screen->layout = (struct pixel_layout){
 		.bits = var->bits_per_pixel > 32 ? 64 : (int)var->bits_per_pixel,
@@ -223,8 +229,17 @@ static bool can_wait(const struct fb_screen *screen)
 	return control(screen, FBIO_WAITFORVSYNC, &crtc) == 0;
 }
 
+static int set_colors(struct fb_screen *screen)
+{
+	return colormap_set(&screen->colors, screen->calls, screen->fd,
+		       screen->fix.visual, &screen->layout)
+		? 0
+		: refused(screen, "it does not take tables of colours");
+}
+
 static void put_back(struct fb_screen *screen)
 {
+	colormap_put_back(&screen->colors, screen->calls, screen->fd);
 	if (screen->changed) {
 		screen->before.activate = FB_ACTIVATE_NOW;
 		control(screen, FBIOPUT_VSCREENINFO, &screen->before);
@@ -257,7 +272,8 @@ int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
 	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
 	find_pages(screen);
 	screen->waits = can_wait(screen);
-	error = map_memory(screen);
+	error = set_colors(screen);
+	error = error ? error : map_memory(screen);
 	if (!error) {
 		return 0;
 	}

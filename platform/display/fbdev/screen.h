@@ -8,8 +8,9 @@
 #include <linux/fb.h>
 #include <stdbool.h>
 
-#include "platform/base/log.h"
 #include "platform/base/device_calls.h"
+#include "platform/base/log.h"
+#include "platform/display/fbdev/colormap.h"
 #include "platform/display/packing.h"
 
 enum {
@@ -26,6 +27,7 @@ struct fb_screen {
 	struct fb_var_screeninfo before; /* to be put back */
 	bool changed;                    /* there is something to put back */
 	struct pixel_layout layout;
+	struct colormap colors;
 	int width, height;
 	int stride_bytes;
 	int page_count; /* 2: flips by panning */

@@ -28,12 +28,14 @@ struct fixture {
 	struct fixed_group group[INFLUENCES_MAX];
 	int group_count;
 	struct fixed_weights weights;
+	struct fixed_rebase rebase[VERTICES];
 };
 
 /* What a loop writes, with room behind that it must leave alone. */
 struct output {
 	_Alignas(16) struct fixed_vector vector[VERTICES + GUARD];
 	_Alignas(16) struct fixed_sum sum[VERTICES + GUARD];
+	_Alignas(16) struct fixed_base base[VERTICES + GUARD];
 };
 
 static uint32_t next_random(uint32_t *seed)
@@ -106,6 +108,11 @@ static void set_up(struct fixture *f, enum filling filling, uint32_t seed)
 	fill(f->pair, sizeof(f->pair), filling, &seed);
 	fill(&f->weights, sizeof(f->weights), filling, &seed);
 	make_groups(f, &seed);
+	fill(f->rebase, sizeof(f->rebase), filling, &seed);
+	for (int i = 0; i < VERTICES; i++) {
+		f->rebase[i].at = (uint32_t)(i * 5 % VERTICES);
+		f->rebase[i].moved = (uint16_t)(i * 7 % VERTICES);
+	}
 }
 
 static int64_t dot_wide(const int16_t row[4], const struct fixed_base *base)
@@ -229,6 +236,23 @@ static void test_many_pairs_are_added_like_one(void **state)
 	assert_memory_equal(out.vector, one.vector, sizeof(out.vector));
 }
 
+static void test_moved_influences_are_rewritten(void **state)
+{
+	static const struct fixed_rebase rebase[2] = {
+		{{100, -200, 300, -5}, 1, 2, 16384},
+		{{-7, 8, -9, -32768}, 0, 0, -32768}};
+	static const struct fixed_vector delta[3] = {
+		{77, 1, 2, 3}, {0, 0, 0, 0}, {-1, 4, 41, -400}};
+	static const struct fixed_base want[2] = {
+		{-7, 7, -10, -32768}, {101, -190, 200, -5}};
+	struct fixed_base out[2];
+
+	(void)state;
+	/* 4 / 4, 41 / 4 = 10.25; -1 / 2 and -3 / 2 round up. */
+	fixed_loops_c.rebase(2, rebase, delta, out);
+	assert_memory_equal(out, want, sizeof(want));
+}
+
 static void test_increments_stop_at_the_ends(void **state)
 {
 	static const struct fixed_vector step[3] = {
@@ -261,6 +285,7 @@ static void run_all(const struct fixed_loops *loops, const struct fixture *f,
 	loops->morph_begin(count, f->from, out[4].sum);
 	loops->morph_add(count, pair, f->weights, out[4].sum);
 	loops->morph_end(count, out[4].sum, out[4].vector);
+	loops->rebase(count, f->rebase, f->from, out[4].base);
 }
 
 static void test_all_kernels_give_the_same_bits(void **state)
@@ -319,6 +344,7 @@ int main(void)
 		cmocka_unit_test(test_a_lerp_weighs_and_rounds),
 		cmocka_unit_test(test_a_pair_of_targets_is_added),
 		cmocka_unit_test(test_many_pairs_are_added_like_one),
+		cmocka_unit_test(test_moved_influences_are_rewritten),
 		cmocka_unit_test(test_increments_stop_at_the_ends),
 		cmocka_unit_test(test_all_kernels_give_the_same_bits),
 		cmocka_unit_test(test_a_morph_may_overwrite_its_base),

@@ -4,7 +4,7 @@
  */
 #include "app/anim/clip.h"
 #include "app/anim/kernel/fixed_morph.h"
-#include "app/anim/kernel/fixed_skin.h"
+#include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/pose.h"
 #include "tests/support/log_capture.h"
@@ -98,9 +98,55 @@ static double angle_rad(const float unit[3], const struct fixed_vector *v)
 	return 2 * asin(fmin(1, chord / 2));
 }
 
-static void compare_at(const struct scene *scene, struct fixed_skin *skin,
-	const struct skin_stream *stream, int cap, struct worst *worst)
+/* Float terms with the weights of the pose, or one target by itself. */
+static void set_terms(const struct model_primitive *primitive,
+	const float *weight, int count, struct morph_term *term)
 {
+	for (int t = 0; t < count; t++) {
+		term[t] = (struct morph_term){weight[t],
+			(const float(*)[3])primitive->target[t].position,
+			(const float(*)[3])primitive->target[t].normal, NULL};
+	}
+}
+
+/* A skinned primitive, with targets where it has some. */
+struct skinned {
+	struct fixed_skin skin;
+	struct fixed_skin_morph morph;
+	struct skin_stream stream;
+	int target_count;
+	float *weight;
+};
+
+static void skin_float(const struct scene *scene, const struct skinned *it,
+	int cap, float (*position)[3], float (*normal)[3])
+{
+	const struct model_primitive *primitive = it->skin.primitive;
+	struct morph_term term[64];
+	const struct morph_input input = {
+		.position = (const float(*)[3])primitive->position,
+		.normal = (const float(*)[3])primitive->normal,
+		.term = term,
+		.term_count = it->target_count,
+		.position_scale = 1,
+	};
+	const struct skin_output output = {position, normal, NULL};
+
+	if (it->target_count == 0) {
+		kernel_float.skin(&it->stream, (const mat4 *)scene->palette,
+			cap, position, normal);
+		return;
+	}
+	assert_true(it->target_count <= 64);
+	set_terms(primitive, it->weight, it->target_count, term);
+	kernel_float.skin_morphed(&it->stream, &input,
+		(const mat4 *)scene->palette, cap, &output);
+}
+
+static void compare_at(const struct scene *scene, struct skinned *it, int cap,
+	struct worst *worst)
+{
+	struct fixed_skin *skin = &it->skin;
 	struct arena arena = arena_empty();
 	int count = skin->vertex_count;
 	float(*position)[3] = room(&arena, count, sizeof(*position));
@@ -112,9 +158,13 @@ static void compare_at(const struct scene *scene, struct fixed_skin *skin,
 	struct fixed_placement placement;
 	double size;
 
-	kernel_float.skin(stream, (const mat4 *)scene->palette, cap, position,
-		skin->normal ? normal : NULL);
+	skin_float(scene, it, cap, position, skin->normal ? normal : NULL);
 	fixed_skin_set_cap(skin, cap);
+	if (it->target_count > 0) {
+		assert_int_equal(fixed_skin_morph_update(&it->morph,
+					 &fixed_loops_c, it->weight),
+			0);
+	}
 	assert_int_equal(fixed_palette_make(skin, (const mat4 *)scene->palette,
 				 matrix, &placement),
 		0);
@@ -140,47 +190,59 @@ static void compare_at(const struct scene *scene, struct fixed_skin *skin,
 	arena_release(&arena);
 }
 
+static void set_up_skinned(struct skinned *it, const struct scene *scene,
+	const struct model_node *node, const struct model_primitive *primitive,
+	struct arena *arena)
+{
+	it->target_count = scene->model->mesh[node->mesh].target_count;
+	it->weight = room(arena, it->target_count, sizeof(*it->weight));
+	assert_int_equal(skin_stream_init(&it->stream, primitive, 1, arena), 0);
+	assert_int_equal(fixed_skin_init(&it->skin, primitive,
+				 primitive->normal ? FIXED_NORMALS : 0, arena),
+		0);
+	if (it->target_count > 0) {
+		assert_int_equal(fixed_skin_morph_init(&it->morph, &it->skin,
+					 it->target_count, arena),
+			0);
+	}
+}
+
+static void pose_at(struct scene *scene, const struct model_node *node,
+	const struct model_clip *clip, int time, struct clip_cursor *cursor)
+{
+	const struct model *model = scene->model;
+
+	pose_rest(&scene->pose, model);
+	if (clip) {
+		clip_sample(clip, clip->duration_s * (float)time / (TIMES - 1),
+			cursor, &scene->pose);
+	}
+	pose_world(&scene->pose, model, NULL, scene->world);
+	pose_palette(&model->skin[node->skin], (const mat4 *)scene->world,
+		scene->palette);
+}
+
 static void compare_skinned(struct scene *scene, const struct model_node *node,
 	const struct model_primitive *primitive, struct worst *worst)
 {
 	const struct model *model = scene->model;
 	struct arena arena = arena_empty();
-	struct skin_stream stream;
-	struct fixed_skin skin;
 	struct clip_cursor cursor;
+	struct skinned it;
 
-	assert_int_equal(skin_stream_init(&stream, primitive, 1, &arena), 0);
+	set_up_skinned(&it, scene, node, primitive, &arena);
 	assert_int_equal(clip_cursor_init(&cursor, model, &arena), 0);
-	assert_int_equal(fixed_skin_init(&skin, primitive,
-				 primitive->normal ? FIXED_NORMALS : 0, &arena),
-		0);
-	for (int c = -1; c < model->clip_count; c++) {
-		for (int i = 0; i < (c < 0 ? 1 : TIMES); i++) {
-			pose_rest(&scene->pose, model);
-			if (c >= 0) {
-				clip_sample(&model->clip[c],
-					model->clip[c].duration_s * (float)i /
-						(TIMES - 1),
-					&cursor, &scene->pose);
-			}
-			pose_world(&scene->pose, model, NULL, scene->world);
-			pose_palette(&model->skin[node->skin],
-				(const mat4 *)scene->world, scene->palette);
-			compare_at(scene, &skin, &stream, i % 5, worst);
+	for (int i = 0; i < 1 + model->clip_count * TIMES; i++) {
+		pose_at(scene, node, i ? &model->clip[(i - 1) / TIMES] : NULL,
+			(i - 1) % TIMES, &cursor);
+		memcpy(it.weight, scene->pose.weight + node->weight_offset,
+			(size_t)it.target_count * sizeof(*it.weight));
+		if (it.target_count > 0) {
+			it.weight[i % it.target_count] = 1;
 		}
+		compare_at(scene, &it, i % 5, worst);
 	}
 	arena_release(&arena);
-}
-
-/* Float terms with the weights of the pose, or one target by itself. */
-static void set_terms(const struct model_primitive *primitive,
-	const float *weight, int count, struct morph_term *term)
-{
-	for (int t = 0; t < count; t++) {
-		term[t] = (struct morph_term){weight[t],
-			(const float(*)[3])primitive->target[t].position,
-			(const float(*)[3])primitive->target[t].normal, NULL};
-	}
 }
 
 static void compare_morphed_at(const struct model_primitive *primitive,
@@ -303,7 +365,8 @@ static void compare_model(const char *path)
 			if (node->skin >= 0 && primitive->influences) {
 				compare_skinned(&scene, node, primitive, &worst);
 			}
-			if (model->mesh[node->mesh].target_count > 0) {
+			if (node->skin < 0 &&
+				model->mesh[node->mesh].target_count > 0) {
 				compare_morphed(&scene, node, primitive, &worst);
 			}
 			expect_close(path, node->name, p, &worst);

@@ -88,6 +88,14 @@ struct fixed_sum {
 	int32_t x, y, z;
 };
 
+/* An influence of a vertex that targets move, see fixed_skin_morph.h. */
+struct fixed_rebase {
+	struct fixed_base rest; /* without any target */
+	uint32_t at;            /* which base vector it is */
+	uint16_t moved;         /* which of the moved vertices */
+	int16_t weight_q16;     /* of what that moved, in the base's unit */
+};
+
 enum {
 	/* In the fraction of vectors that morph_pair() and morph_begin() start
 	   from: a half, for rounding. */
@@ -129,6 +137,13 @@ struct fixed_loops {
 		struct fixed_weights weights, struct fixed_sum *sum);
 	void (*morph_end)(int count, const struct fixed_sum *sum,
 		struct fixed_vector *out);
+
+	/*
+	 * base[at] = rest + (delta[moved] * weight_q16 + 2^15) >> 16; w stays
+	 * rest's.
+	 */
+	void (*rebase)(int count, const struct fixed_rebase *rebase,
+		const struct fixed_vector *delta, struct fixed_base *base);
 };
 
 /* Plain C; the assembly must give the same. */

@@ -189,6 +189,25 @@ static void morph_end(
 	}
 }
 
+static inline int16_t move(int16_t rest, int16_t delta, int16_t weight_q16)
+{
+	return upper(widen(rest, FIXED_HALF) + (uint32_t)(delta * weight_q16));
+}
+
+static void rebase(int count, const struct fixed_rebase *rebase,
+	const struct fixed_vector *delta, struct fixed_base *base)
+{
+	for (int i = 0; i < count; i++) {
+		const struct fixed_rebase *r = &rebase[i];
+		const struct fixed_vector *by = &delta[r->moved];
+
+		base[r->at] = (struct fixed_base){
+			move(r->rest.x, by->x, r->weight_q16),
+			move(r->rest.y, by->y, r->weight_q16),
+			move(r->rest.z, by->z, r->weight_q16), r->rest.w};
+	}
+}
+
 const struct fixed_loops fixed_loops_c = {
 	.skin = skin,
 	.lerp = lerp,
@@ -197,4 +216,5 @@ const struct fixed_loops fixed_loops_c = {
 	.morph_begin = morph_begin,
 	.morph_add = morph_add,
 	.morph_end = morph_end,
+	.rebase = rebase,
 };

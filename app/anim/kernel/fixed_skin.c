@@ -1,6 +1,8 @@
 #include "app/anim/kernel/fixed_skin.h"
 
+#include "app/anim/kernel/fixed_influences.h"
 #include "app/anim/kernel/fixed_number.h"
+#include "app/anim/kernel/fixed_skin_morph.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -9,7 +11,6 @@
 enum {
 	WIDTH = SKIN_INFLUENCES_MAX,
 	JOINTS_MAX = 2048,
-	WEIGHT_ONE_Q14 = 16384,
 	MATRIX_ONE = 28672, /* the step that unit matrices are scaled to */
 	FINER_BITS = 2
 };
@@ -21,109 +22,6 @@ struct sorted {
 	uint16_t joint[WIDTH];   /* ascending */
 	uint16_t heavier[WIDTH]; /* by descending weight */
 };
-
-/* Influences by descending weight. */
-struct influences {
-	int count;
-	uint16_t joint[WIDTH];
-	int16_t weight_q14[WIDTH]; /* they sum to WEIGHT_ONE_Q14 */
-};
-
-static void gather(const struct model_primitive *primitive, uint32_t vertex,
-	float weight[WIDTH], struct influences *out)
-{
-	size_t width = (size_t)primitive->influences;
-	const float *from = primitive->weight + vertex * width;
-	const uint16_t *joint = primitive->joint + vertex * width;
-
-	out->count = 0;
-	for (size_t i = 0; i < width && i < WIDTH; i++) {
-		int place = out->count;
-
-		if (!(from[i] > 0.0f)) {
-			continue;
-		}
-		while (place > 0 && weight[place - 1] < from[i]) {
-			weight[place] = weight[place - 1];
-			out->joint[place] = out->joint[place - 1];
-			place--;
-		}
-		weight[place] = from[i];
-		out->joint[place] = joint[i];
-		out->count++;
-	}
-	if (out->count == 0) {
-		weight[0] = 1.0f;
-		out->joint[0] = joint[0];
-		out->count = 1;
-	}
-}
-
-/* Rounded down, then up where most was lost, until the sum is right. */
-static void quantize(struct influences *out, const float weight[WIDTH])
-{
-	float lost[WIDTH];
-	float sum = 0.0f;
-	int left = WEIGHT_ONE_Q14;
-
-	for (int i = 0; i < out->count; i++) {
-		sum += weight[i];
-	}
-	for (int i = 0; i < out->count; i++) {
-		float exact = weight[i] / sum * WEIGHT_ONE_Q14;
-
-		out->weight_q14[i] = (int16_t)exact;
-		if (out->weight_q14[i] > left) {
-			out->weight_q14[i] = (int16_t)left;
-		}
-		lost[i] = exact - (float)out->weight_q14[i];
-		left -= out->weight_q14[i];
-	}
-	while (left > 0) {
-		int most = 0;
-
-		for (int i = 1; i < out->count; i++) {
-			most = lost[i] > lost[most] ? i : most;
-		}
-		out->weight_q14[most]++;
-		lost[most] -= 1.0f;
-		left--;
-	}
-}
-
-/* The influences that a cap leaves (0: all), without those that are naught. */
-static void gather_capped(const struct model_primitive *primitive,
-	uint32_t vertex, int cap, struct influences *out)
-{
-	float weight[WIDTH];
-
-	gather(primitive, vertex, weight, out);
-	quantize(out, weight);
-	while (out->count > 1 && out->weight_q14[out->count - 1] == 0) {
-		out->count--;
-	}
-	if (cap > 0 && out->count > cap) {
-		out->count = cap;
-		quantize(out, weight);
-	}
-}
-
-/* Into the order in which a run has them: by joint. */
-static void by_joint(struct influences *v)
-{
-	for (int i = 1; i < v->count; i++) {
-		uint16_t joint = v->joint[i];
-		int16_t weight = v->weight_q14[i];
-		int place = i;
-
-		for (; place > 0 && v->joint[place - 1] > joint; place--) {
-			v->joint[place] = v->joint[place - 1];
-			v->weight_q14[place] = v->weight_q14[place - 1];
-		}
-		v->joint[place] = joint;
-		v->weight_q14[place] = weight;
-	}
-}
 
 static int compare_sorted(const void *left, const void *right)
 {
@@ -179,13 +77,13 @@ static int sort_vertices(struct fixed_skin *skin, struct arena *arena)
 		return -ENOMEM;
 	}
 	for (uint32_t v = 0; v < count; v++) {
-		struct influences in;
+		struct fixed_influences in;
 
-		gather_capped(skin->primitive, v, 0, &in);
+		fixed_influences_gather(skin->primitive, v, 0, &in);
 		list[v].vertex = v;
 		list[v].count = in.count;
 		memcpy(list[v].heavier, in.joint, sizeof(in.joint));
-		by_joint(&in);
+		fixed_influences_by_joint(&in);
 		memcpy(list[v].joint, in.joint, sizeof(in.joint));
 	}
 	qsort(list, count, sizeof(*list), compare_sorted);
@@ -215,9 +113,9 @@ static int list_joints(struct fixed_skin *skin, struct arena *arena)
 		return -ENOMEM;
 	}
 	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
-		struct influences in;
+		struct fixed_influences in;
 
-		gather_capped(primitive, v, 0, &in);
+		fixed_influences_gather(primitive, v, 0, &in);
 		for (int i = 0; i < in.count; i++) {
 			skin->slot[in.joint[i]] = 1;
 		}
@@ -267,17 +165,22 @@ static void measure_joints(struct fixed_skin *skin)
 	}
 	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
 		const float *at = primitive->position[v];
-		struct influences in;
+		const float *grow = fixed_skin_growth(skin, v);
+		struct fixed_influences in;
 
-		gather_capped(primitive, v, skin->max_influences, &in);
+		fixed_influences_gather(primitive, v, skin->max_influences, &in);
 		for (int i = 0; i < in.count * 3; i++) {
 			struct fixed_joint *joint =
 				&skin->joint[skin->slot[in.joint[i / 3]]];
-			float low = joint->middle[i % 3];
-			float high = joint->half[i % 3];
+			float low = at[i % 3] - grow[i % 3];
+			float high = at[i % 3] + grow[i % 3];
 
-			joint->middle[i % 3] = at[i % 3] < low ? at[i % 3] : low;
-			joint->half[i % 3] = at[i % 3] > high ? at[i % 3] : high;
+			if (low < joint->middle[i % 3]) {
+				joint->middle[i % 3] = low;
+			}
+			if (high > joint->half[i % 3]) {
+				joint->half[i % 3] = high;
+			}
 		}
 	}
 	for (int i = 0; i < skin->joint_count * 3; i++) {
@@ -303,19 +206,20 @@ static float measure_bases(const struct fixed_skin *skin)
 	float size = 0.0f;
 
 	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
-		struct influences in;
+		const float *grow = fixed_skin_growth(skin, v);
+		struct fixed_influences in;
 
-		gather_capped(primitive, v, skin->max_influences, &in);
+		fixed_influences_gather(primitive, v, skin->max_influences, &in);
 		for (int i = 0; i < in.count * 3; i++) {
 			const struct fixed_joint *joint =
 				&skin->joint[skin->slot[in.joint[i / 3]]];
 			float away = primitive->position[v][i % 3] -
 				joint->middle[i % 3];
 
-			away = away < 0.0f ? -away : away;
+			away = (away < 0.0f ? -away : away) + grow[i % 3];
 			size = largest(size,
 				away * (float)in.weight_q14[i / 3] /
-					WEIGHT_ONE_Q14);
+					FIXED_WEIGHT_ONE_Q14);
 		}
 	}
 	return size;
@@ -361,6 +265,8 @@ static float choose_scale(const struct fixed_skin *skin)
 	most = per_output * 32767.0f / largest(1.25f * vertices, 1e-12f);
 	rest = per_output * 16383.0f / largest(1.25f * middles, 1e-12f);
 	most = rest < most ? rest : most;
+	rest = fixed_skin_scale_limit(skin, FIXED_POSITION);
+	scale = rest < scale ? rest : scale;
 	for (int i = 0; i < FINER_BITS && most * 2.0f <= scale; i++) {
 		most *= 2.0f;
 	}
@@ -370,25 +276,24 @@ static float choose_scale(const struct fixed_skin *skin)
 static void write_base(const float v[3], const float middle[3], float scale,
 	int weight_q14, struct fixed_base *out)
 {
-	float weight = scale * (float)weight_q14 / WEIGHT_ONE_Q14;
+	float weight = scale * (float)weight_q14 / FIXED_WEIGHT_ONE_Q14;
 
 	out->x = fixed_round((v[0] - middle[0]) * weight);
 	out->y = fixed_round((v[1] - middle[1]) * weight);
 	out->z = fixed_round((v[2] - middle[2]) * weight);
 }
 
-/* Unit vectors at 32767; longer ones are made unit length by clamping. */
 static void write_direction(
-	const float *v, int weight_q14, struct fixed_base *out)
+	const float *v, float scale, int weight_q14, struct fixed_base *out)
 {
 	static const float origin[3] = {0, 0, 0};
 
-	write_base(v, origin, 32767.0f, weight_q14, out);
+	write_base(v, origin, scale, weight_q14, out);
 	out->w = 0;
 }
 
 static void write_vertex(struct fixed_skin *skin, uint32_t vertex,
-	const struct influences *in, size_t at)
+	const struct fixed_influences *in, size_t at)
 {
 	const struct model_primitive *primitive = skin->primitive;
 
@@ -401,12 +306,12 @@ static void write_vertex(struct fixed_skin *skin, uint32_t vertex,
 		/* -1 fits where 1 would not. */
 		skin->position[at].w = (int16_t)(-2 * weight);
 		if (skin->normal) {
-			write_direction(primitive->normal[vertex], weight,
-				&skin->normal[at]);
+			write_direction(primitive->normal[vertex],
+				skin->normal_scale, weight, &skin->normal[at]);
 		}
 		if (skin->tangent) {
-			write_direction(primitive->tangent[vertex], weight,
-				&skin->tangent[at]);
+			write_direction(primitive->tangent[vertex],
+				skin->tangent_scale, weight, &skin->tangent[at]);
 		}
 	}
 }
@@ -417,8 +322,8 @@ static struct fixed_group *last_group(struct fixed_skin *skin)
 }
 
 /* Extends the last run by a vertex or begins another one. */
-static int32_t *extend_run(struct fixed_skin *skin, const struct influences *in,
-	int32_t *last, int32_t *end)
+static int32_t *extend_run(struct fixed_skin *skin,
+	const struct fixed_influences *in, int32_t *last, int32_t *end)
 {
 	bool same = last && last_group(skin)->influences == in->count;
 
@@ -452,12 +357,12 @@ static void write_streams(struct fixed_skin *skin)
 	skin->group_count = 0;
 	skin->influence_count = 0;
 	for (int i = 0; i < skin->vertex_count; i++) {
-		struct influences in;
+		struct fixed_influences in;
 		int32_t *run;
 
-		gather_capped(skin->primitive, skin->order[i],
+		fixed_influences_gather(skin->primitive, skin->order[i],
 			skin->max_influences, &in);
-		by_joint(&in);
+		fixed_influences_by_joint(&in);
 		run = extend_run(skin, &in, last, end);
 		if (run == end) {
 			end += 1 + in.count;
@@ -469,12 +374,17 @@ static void write_streams(struct fixed_skin *skin)
 	}
 }
 
-static void lay_out(struct fixed_skin *skin, int max_influences)
+void fixed_skin_lay_out(struct fixed_skin *skin, int max_influences)
 {
 	skin->max_influences = max_influences;
 	measure_joints(skin);
 	skin->position_scale = choose_scale(skin);
+	skin->normal_scale = fixed_skin_scale_limit(skin, FIXED_NORMAL);
+	skin->tangent_scale = fixed_skin_scale_limit(skin, FIXED_TANGENT);
 	write_streams(skin);
+	if (skin->morph) {
+		fixed_skin_morph_lay_out(skin->morph);
+	}
 }
 
 static int count_influences(const struct fixed_skin *skin)
@@ -482,9 +392,9 @@ static int count_influences(const struct fixed_skin *skin)
 	int count = 0;
 
 	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
-		struct influences in;
+		struct fixed_influences in;
 
-		gather_capped(skin->primitive, v, 0, &in);
+		fixed_influences_gather(skin->primitive, v, 0, &in);
 		count += in.count;
 	}
 	return count;
@@ -539,7 +449,7 @@ int fixed_skin_init(struct fixed_skin *skin,
 		error = sort_vertices(skin, arena);
 	}
 	if (!error) {
-		lay_out(skin, 0);
+		fixed_skin_lay_out(skin, 0);
 	}
 	return error;
 }
@@ -549,7 +459,7 @@ void fixed_skin_set_cap(struct fixed_skin *skin, int max_influences)
 	int cap = max_influences < WIDTH ? max_influences : 0;
 
 	if (cap != skin->max_influences) {
-		lay_out(skin, cap);
+		fixed_skin_lay_out(skin, cap);
 	}
 }
 

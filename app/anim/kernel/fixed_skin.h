@@ -50,6 +50,9 @@ struct fixed_skin {
 	int joint_count;
 	struct fixed_joint *joint; /* [joint_count]: the palette's matrices */
 	float position_scale;      /* of positions in the base vectors */
+	float normal_scale, tangent_scale;
+
+	struct fixed_skin_morph *morph; /* or NULL: fixed_skin_morph.h */
 
 	/* Below: for fixed_skin.c. */
 	int32_t *run;

@@ -22,5 +22,7 @@ void kernel_armv6_morph_add(int count, const struct fixed_pair (*pair)[3],
 	struct fixed_weights weights, struct fixed_sum *sum);
 void kernel_armv6_morph_end(
 	int count, const struct fixed_sum *sum, struct fixed_vector *out);
+void kernel_armv6_rebase(int count, const struct fixed_rebase *rebase,
+	const struct fixed_vector *delta, struct fixed_base *base);
 
 #endif

@@ -12,6 +12,7 @@ const struct fixed_loops fixed_loops_armv6 = {
 	.morph_begin = kernel_armv6_morph_begin,
 	.morph_add = kernel_armv6_morph_add,
 	.morph_end = kernel_armv6_morph_end,
+	.rebase = kernel_armv6_rebase,
 };
 
 const struct kernel kernel_armv6 = {

@@ -285,4 +285,37 @@ kernel_armv6_morph_end:
 3:	pop	{r4-r11, pc}
 	.size	kernel_armv6_morph_end, . - kernel_armv6_morph_end
 
+/*
+ * void kernel_armv6_rebase(int count, const struct fixed_rebase *rebase,
+ *	const struct fixed_vector *delta, struct fixed_base *base);
+ *
+ *   r0 influences left   r1 rebase   r2 deltas   r3 base   r12 a half
+ */
+	.global	kernel_armv6_rebase
+	.type	kernel_armv6_rebase, %function
+kernel_armv6_rebase:
+	push	{r4-r11, lr}
+	subs	r0, r0, #1
+	mov	r12, #0x8000
+	blt	2f
+1:	ldmia	r1!, {r4-r7}	/* y x, w z, at, weight moved */
+	pld	[r1, #AHEAD]
+	subs	r0, r0, #1
+	pkhbt	r10, r12, r4, lsl #16
+	pkhbt	r11, r12, r4
+	pkhbt	lr, r12, r5, lsl #16
+	uxth	r8, r7
+	add	r8, r2, r8, lsl #3
+	ldmia	r8, {r8, r9}	/* x fraction, z y */
+	add	r6, r3, r6, lsl #3
+	smlatt	r10, r8, r7, r10
+	smlabt	r11, r9, r7, r11
+	smlatt	lr, r9, r7, lr
+	pkhtb	r10, r11, r10, asr #16
+	pkhtb	r11, r5, lr, asr #16
+	stmia	r6, {r10, r11}
+	bge	1b
+2:	pop	{r4-r11, pc}
+	.size	kernel_armv6_rebase, . - kernel_armv6_rebase
+
 	.section .note.GNU-stack, "", %progbits

@@ -10,7 +10,7 @@ CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 SETS_fuzz := host font check
-PACKAGES_fuzz := jansson libpng libjpeg zlib
+PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod inih
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
 

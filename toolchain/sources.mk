@@ -36,13 +36,14 @@ KERNELS_fuzz := $(KERNELS_host)
 KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 
 # The fuzz targets need no more than what they feed.
-BUTTON_DRIVERS_fuzz := script
+BUTTON_DRIVERS_fuzz := script gpiod evdev
 
 # The gpiod driver has a part of its own for each generation of libgpiod: this
 # machine's by what it has (Debian 12: 1.6), the sysroot's is known.
 GPIOD_API_host := $(or $(firstword $(subst ., ,$(shell \
 	pkg-config --modversion libgpiod 2>/dev/null))),1)
 GPIOD_API_asan := $(GPIOD_API_host)
+GPIOD_API_fuzz := $(GPIOD_API_host)
 GPIOD_API_arm := 2
 
 # How the soft driver walks rows: a folder of platform/gl/soft.

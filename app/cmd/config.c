@@ -305,7 +305,7 @@ static int take_buttons(struct reading *reading)
 	return 0;
 }
 
-int config_load(struct config *config, const char *path,
+int config_read(struct config *config, FILE *file, const char *path,
 	enum command_bit command, struct options *options, const struct log *log)
 {
 	struct reading *reading = calloc(1, sizeof(*reading));
@@ -315,26 +315,38 @@ int config_load(struct config *config, const char *path,
 		log_error(log, "%s: out of memory", path);
 		return -ENOMEM;
 	}
-	*reading = (struct reading){.path = path,
+	*reading = (struct reading){
+		.path = path,
+		.file = file,
 		.config = config,
 		.options = options,
 		.command = command,
-		.outer = log};
+		.outer = log,
+	};
 	reading->log = (struct log){
 		.write = say_with_place,
 		.user = reading,
 		.threshold = log->threshold,
 	};
-	reading->file = fopen(path, "r");
-	if (reading->file) {
-		error = read_lines(reading);
-		error = error ? error : take_buttons(reading);
-		fclose(reading->file);
-	} else {
+	error = read_lines(reading);
+	error = error ? error : take_buttons(reading);
+	free(reading);
+	return error;
+}
+
+int config_load(struct config *config, const char *path,
+	enum command_bit command, struct options *options, const struct log *log)
+{
+	FILE *file = fopen(path, "r");
+	int error;
+
+	if (!file) {
 		error = -errno;
 		log_error(log, "%s: cannot be read: %s", path, strerror(-error));
+		return error;
 	}
-	free(reading);
+	error = config_read(config, file, path, command, options, log);
+	fclose(file);
 	return error;
 }
 

@@ -32,6 +32,11 @@ int config_load(struct config *config, const char *path,
 	enum command_bit command, struct options *options,
 	const struct log *log);
 
+/* The same from an open file, which path names in sentences. */
+int config_read(struct config *config, FILE *file, const char *path,
+	enum command_bit command, struct options *options,
+	const struct log *log);
+
 /* The options that were read must not be used any more. */
 void config_release(struct config *config);
 

@@ -3,6 +3,7 @@
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/screen.h"
 #include "platform/base/file.h"
+#include "platform/buttons/buttons.h"
 
 #include <errno.h>
 
@@ -31,7 +32,7 @@ static int check_names(const struct options *options, const struct log *log)
 	if (!error && !kernel_choose(options->kernel, log)) {
 		error = -EINVAL;
 	}
-	return error;
+	return error ? error : buttons_check(options->buttons, log);
 }
 
 int show_choose(const struct options *options, const struct log *log,

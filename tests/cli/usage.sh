@@ -56,6 +56,9 @@ refused 'takes nothing' play "$slider" --display null:/dev/fb0
 refused '--math' pose "$slider" --math double -o "$out"
 refused 'float' pose "$slider" --kernel none -o "$out"
 refused 'osmesa' render "$slider" --gl none -o "$out"
+refused 'no such source' play "$slider" --buttons piano
+refused 'want CHIP/LINE' play "$slider" --buttons gpiod:UP=a/1/pul-up
+refused 'no such key' play "$slider" --buttons evdev:UP=KEY_NO
 refused 'null' play "$slider" --display none
 refused 'walker' render --demo wlaker -o "$out"
 refused 'walker' render --demo zzzzzz -o "$out"

@@ -355,6 +355,30 @@ static void test_sources_share_one_queue(void **state)
 	temp_dir_remove(&directory);
 }
 
+static void test_an_item_with_an_equals_sign_goes_on(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_int_equal(buttons_open(&buttons,
+				 "evdev:no such thing,UP=KEY_W,DOWN=KEY_S,"
+				 "evdev:nor such",
+				 &log),
+		0);
+	assert_int_equal(buttons.source_count, 2);
+	buttons_close(&buttons);
+	assert_int_equal(
+		buttons_check("evdev:,UP=KEY_W,DOWN=KEY_NO,evdev", &log),
+		-EINVAL);
+	assert_contains(capture.sentence[capture.count - 1], "DOWN=KEY_NO");
+	assert_int_equal(buttons_check("evdev,piano", &log), -EINVAL);
+	assert_contains(capture.sentence[capture.count - 1], "piano");
+	assert_int_equal(buttons_check("script:x,evdev:UP=17", &log), 0);
+	assert_int_equal(buttons_check(NULL, &log), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -378,6 +402,7 @@ int main(void)
 		cmocka_unit_test(test_an_unknown_source_lists_the_known),
 		cmocka_unit_test(test_no_spec_opens_nothing),
 		cmocka_unit_test(test_sources_share_one_queue),
+		cmocka_unit_test(test_an_item_with_an_equals_sign_goes_on),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -41,11 +41,14 @@ static int gather(const struct model_primitive *primitive, int vertex,
 	return count;
 }
 
-static void count_influences(
-	const struct model_primitive *primitive, struct skin_stream *stream)
+void skin_stream_count(
+	struct skin_stream *stream, const struct model_primitive *primitive)
 {
 	struct influence scratch[SKIN_INFLUENCES_MAX];
 
+	*stream = (struct skin_stream){
+		.vertex_count = primitive->vertex_count,
+	};
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		int count = gather(primitive, v, scratch);
 
@@ -89,10 +92,7 @@ int skin_stream_init(struct skin_stream *stream,
 {
 	size_t count;
 
-	*stream = (struct skin_stream){
-		.vertex_count = primitive->vertex_count,
-	};
-	count_influences(primitive, stream);
+	skin_stream_count(stream, primitive);
 	count = (size_t)stream->influence_count;
 	stream->influence = ARENA_ARRAY(arena, struct joint_weight, count);
 	stream->position = arena_alloc(arena, count, sizeof(float[4]));

@@ -37,6 +37,10 @@ struct skin_stream {
 	float (*tangent)[4]; /* the same, or NULL until asked for */
 };
 
+/* The counts that a primitive's stream has, and no arrays. */
+void skin_stream_count(
+	struct skin_stream *stream, const struct model_primitive *primitive);
+
 /*
  * Builds the stream of a primitive that has influences. Zero weights are left
  * out. Positions are multiplied by position_scale. 0 or -ENOMEM.

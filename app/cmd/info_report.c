@@ -17,7 +17,7 @@ int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out)
 {
 	struct instance *instance;
-	int error = instance_create(model, kernel_find(NULL), log, &instance);
+	int error = instance_create(model, &kernel_float, log, &instance);
 
 	if (error) {
 		return error;

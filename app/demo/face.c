@@ -4,20 +4,16 @@
  * Each shape key of the model is a key frame: the base plus that target at
  * weight 1. Buttons point Destiny at another one, also in mid-flight.
  */
-#include "app/anim/morph.h"
 #include "app/anim/transform.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/face_keys.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum {
-	PARTS_MAX = 8
-};
 
 static const char mesh_node[] = "Face";
 static const char startled_target[] = "surprise";
@@ -26,23 +22,13 @@ static const float forward[3] = {0.0f, 0.0f, 1.0f};
 static const float bulge_m = 0.03f; /* of sinusoidal motion */
 static const double dwell_s = 1.5;  /* from one expression to the next */
 
-/* One primitive of the face and its key frames; key 0 is the base. */
-struct part {
-	struct drawable *drawable;
-	struct morph morph;
-	struct morph_key *key;
-};
-
 static const struct framing framing = {
 	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 1.06f};
 
 struct demo {
 	struct act act;
 	int head; /* node */
-	int part_count;
-	struct part part[PARTS_MAX];
-	int key_count;
-	const char **target_name;
+	struct face_keys keys;
 	int current;  /* the key frame that Destiny is */
 	int previous; /* the one before it */
 	struct morph_motion motion;
@@ -53,78 +39,10 @@ struct demo {
 	bool stirred; /* motion holds the face now */
 };
 
-/* Source and destiny of the morph: the base with one target at weight 1. */
-static int bake_key(struct demo *demo, const struct part *part, int target,
-	struct morph_key *out)
-{
-	const struct drawable *drawable = part->drawable;
-	const struct model_primitive *primitive = drawable->primitive;
-	const struct kernel *kernel = demo->act.actor.instance->kernel;
-	struct arena *arena = &demo->act.actor.instance->arena;
-	int count = primitive->vertex_count;
-	struct morph_term term = {
-		.weight = drawable->vertex_scale,
-		.position =
-			(const float(*)[3])primitive->target[target].position,
-		.normal = (const float(*)[3])primitive->target[target].normal,
-	};
-	float(*position)[3] =
-		arena_alloc(arena, (size_t)count, sizeof(*position));
-	float(*normal)[3] = arena_alloc(arena, (size_t)count, sizeof(*normal));
-
-	if (!position || !normal) {
-		return -ENOMEM;
-	}
-	kernel->morph_targets(
-		count, drawable->base_position, &term, 1, false, position);
-	out->position = (const float(*)[3])position;
-	if (!drawable->base_normal) {
-		return 0;
-	}
-	term.weight = 1.0f;
-	kernel->morph_targets(
-		count, drawable->base_normal, &term, 1, true, normal);
-	kernel->normalize(count, normal);
-	out->normal = (const float(*)[3])normal;
-	return 0;
-}
-
-static int init_part(
-	struct demo *demo, struct part *part, struct drawable *drawable)
-{
-	struct arena *arena = &demo->act.actor.instance->arena;
-	int error;
-
-	part->drawable = drawable;
-	part->key =
-		ARENA_ARRAY(arena, struct morph_key, (size_t)demo->key_count);
-	if (!part->key) {
-		return -ENOMEM;
-	}
-	part->key[0] = (struct morph_key){
-		.position = drawable->base_position,
-		.normal = drawable->base_normal,
-	};
-	for (int k = 1; k < demo->key_count; k++) {
-		error = bake_key(demo, part, k - 1, &part->key[k]);
-		if (error) {
-			return error;
-		}
-	}
-	error = morph_init(&part->morph, drawable->primitive->vertex_count,
-		part->key[0], arena);
-	if (!error) {
-		drawable_set_shape(drawable, part->morph.temporal,
-			part->morph.temporal_normal);
-	}
-	return error;
-}
-
-static int init_parts(struct demo *demo, const struct demo_env *env)
+static int init_keys(struct demo *demo, const struct demo_env *env)
 {
 	const struct model *model = demo->act.actor.model;
-	struct instance *instance = demo->act.actor.instance;
-	const struct model_mesh *mesh;
+	int error;
 
 	demo->head = model_find_node(model, mesh_node);
 	if (demo->head < 0 || model->node[demo->head].mesh < 0) {
@@ -132,27 +50,13 @@ static int init_parts(struct demo *demo, const struct demo_env *env)
 			mesh_node);
 		return -EINVAL;
 	}
-	mesh = &model->mesh[model->node[demo->head].mesh];
-	demo->key_count = mesh->target_count + 1;
-	demo->target_name = mesh->target_name;
-	for (int i = 0; i < instance->drawable_count; i++) {
-		int error;
-
-		if (instance->drawable[i].node != demo->head ||
-			demo->part_count == PARTS_MAX) {
-			continue;
-		}
-		error = init_part(demo, &demo->part[demo->part_count++],
-			&instance->drawable[i]);
-		if (error) {
-			log_error(env->log,
-				"%s: not enough memory for its key "
-				"frames",
-				env->model_path);
-			return error;
-		}
+	error = face_keys_init(
+		&demo->keys, demo->act.actor.instance, demo->head);
+	if (error) {
+		log_error(env->log, "%s: not enough memory for its key frames",
+			env->model_path);
 	}
-	return 0;
+	return error;
 }
 
 /* The key frame of that target, or the last one there is. */
@@ -160,17 +64,17 @@ static int find_key(const struct demo *demo, const char *target)
 {
 	int key = 1;
 
-	while (key + 1 < demo->key_count &&
-		strcmp(demo->target_name[key - 1], target) != 0) {
+	while (key + 1 < demo->keys.key_count &&
+		strcmp(demo->keys.target_name[key - 1], target) != 0) {
 		key++;
 	}
-	return key < demo->key_count ? key : 0;
+	return key < demo->keys.key_count ? key : 0;
 }
 
 static int face_prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct bounds bounds;
-	int error = init_parts(demo, env);
+	int error = init_keys(demo, env);
 
 	if (error) {
 		return error;
@@ -188,12 +92,9 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 static void go_to_key(struct demo *demo, int key)
 {
 	demo->previous = demo->current;
-	demo->current = (key + demo->key_count) % demo->key_count;
-	for (int i = 0; i < demo->part_count; i++) {
-		morph_trigger(&demo->part[i].morph,
-			demo->part[i].key[demo->current], &demo->motion,
-			demo->now_s * 1000.0);
-	}
+	demo->current = (key + demo->keys.key_count) % demo->keys.key_count;
+	face_keys_go(&demo->keys, demo->current, &demo->motion,
+		demo->now_s * 1000.0);
 }
 
 /* The head is never quite still. */
@@ -232,17 +133,14 @@ static void face_update(struct demo *demo, double time_s)
 		go_to_key(demo, demo->current + 1);
 		demo->next_s += dwell_s;
 	}
-	for (int i = 0; i < demo->part_count; i++) {
-		struct part *part = &demo->part[i];
-
-		if (live_moves(live)) {
-			morph_hold(&part->morph, part->key[demo->current],
-				part->key[demo->startled], live->motion);
-		} else {
-			morph_update(&part->morph, time_s * 1000.0);
-		}
+	if (live_moves(live)) {
+		face_keys_hold(&demo->keys, demo->current, demo->startled,
+			live->motion);
+	} else {
+		face_keys_update(&demo->keys, time_s * 1000.0);
 	}
 	sway(demo);
+	face_keys_apply(&demo->keys);
 	instance_update(demo->act.actor.instance);
 }
 
@@ -254,12 +152,12 @@ static void face_draw(struct demo *demo, int width, int height)
 
 static double face_period_s(const struct demo *demo)
 {
-	return dwell_s * demo->key_count;
+	return dwell_s * demo->keys.key_count;
 }
 
 static const char *key_name(const struct demo *demo, int key)
 {
-	return key ? demo->target_name[key - 1] : "neutral";
+	return key ? demo->keys.target_name[key - 1] : "neutral";
 }
 
 static void face_label(const struct demo *demo, struct hud *hud)
@@ -270,7 +168,7 @@ static void face_label(const struct demo *demo, struct hud *hud)
 
 	hud_group_text(&group, "from", key_name(demo, demo->previous));
 	hud_group_weight(&group, key_name(demo, demo->current),
-		morph_omega(&demo->part[0].morph, demo->now_s * 1000.0),
+		face_keys_omega(&demo->keys, demo->now_s * 1000.0),
 		hud_color_rose);
 	if (motion->timing == MORPH_OVER_TIME) {
 		snprintf(pace, sizeof(pace), "%.0f ms",

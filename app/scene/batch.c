@@ -16,17 +16,36 @@ static bool is_white(const float base_color[4])
 		base_color[2] == 1.0f && base_color[3] == 1.0f;
 }
 
+/* Which of the primitive's vertices a batch's is. */
+static size_t vertex_of(
+	const struct drawable *drawable, const struct batch *batch, int v)
+{
+	if (batch->source) {
+		return batch->source[v];
+	}
+	return drawable->fixed && drawable->fixed->order
+		? drawable->fixed->order[v]
+		: (size_t)v;
+}
+
+static bool in_primitives_order(
+	const struct drawable *drawable, const struct batch *batch)
+{
+	return !batch->source && !(drawable->fixed && drawable->fixed->order);
+}
+
 /* Vertex colours times the material's, or the model's own array. */
-static int tint(struct batch *batch, const struct model_primitive *primitive,
+static int tint(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
+	const struct model_primitive *primitive = drawable->primitive;
 	uint8_t(*color)[4];
 	float factor[4];
 
 	if (!primitive->color) {
 		return 0;
 	}
-	if (!batch->source && is_white(base_color)) {
+	if (in_primitives_order(drawable, batch) && is_white(base_color)) {
 		batch->color = (const uint8_t(*)[4])primitive->color;
 		return 0;
 	}
@@ -39,7 +58,7 @@ static int tint(struct batch *batch, const struct model_primitive *primitive,
 	}
 	factor[3] = scalar_clamp(base_color[3], 0.0f, 1.0f);
 	for (int v = 0; v < batch->vertex_count; v++) {
-		size_t from = batch->source ? batch->source[v] : (size_t)v;
+		size_t from = vertex_of(drawable, batch, v);
 
 		for (int i = 0; i < 4; i++) {
 			color[v][i] =
@@ -51,12 +70,13 @@ static int tint(struct batch *batch, const struct model_primitive *primitive,
 	return 0;
 }
 
-static int copy_texcoords(struct batch *batch,
-	const struct model_primitive *primitive, struct arena *arena)
+static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
 {
+	const struct model_primitive *primitive = drawable->primitive;
 	float(*texcoord)[2];
 
-	if (!primitive->texcoord || !batch->source) {
+	if (!primitive->texcoord || in_primitives_order(drawable, batch)) {
 		batch->texcoord = (const float(*)[2])primitive->texcoord;
 		return 0;
 	}
@@ -66,24 +86,47 @@ static int copy_texcoords(struct batch *batch,
 		return -ENOMEM;
 	}
 	for (int v = 0; v < batch->vertex_count; v++) {
-		memcpy(texcoord[v], primitive->texcoord[batch->source[v]],
+		memcpy(texcoord[v],
+			primitive->texcoord[vertex_of(drawable, batch, v)],
 			sizeof(texcoord[v]));
 	}
 	batch->texcoord = (const float(*)[2])texcoord;
 	return 0;
 }
 
+static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
+	struct arena *arena)
+{
+	size_t count = (size_t)batch->vertex_count;
+
+	batch->fixed_position = fixed->position;
+	batch->fixed_normal = fixed->normal;
+	if (!batch->source) {
+		return 0;
+	}
+	batch->gathered_fixed = ARENA_ARRAY(arena, struct fixed_vector, count);
+	batch->gathered_fixed_normal =
+		ARENA_ARRAY(arena, struct fixed_vector, count);
+	batch->fixed_position = batch->gathered_fixed;
+	batch->fixed_normal = batch->gathered_fixed_normal;
+	return batch->gathered_fixed && batch->gathered_fixed_normal ? 0
+								     : -ENOMEM;
+}
+
 /* Attributes that do not move, and room for those that do. */
 static int fill(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
-	int error = tint(batch, drawable->primitive, base_color, arena);
+	int error = tint(batch, drawable, base_color, arena);
 
 	if (!error) {
-		error = copy_texcoords(batch, drawable->primitive, arena);
+		error = copy_texcoords(batch, drawable, arena);
 	}
 	if (error) {
 		return error;
+	}
+	if (drawable->fixed) {
+		return fill_fixed(batch, drawable->fixed, arena);
 	}
 	if (!batch->source) {
 		batch->position = (const float(*)[3])drawable->position;
@@ -106,6 +149,7 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
+	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
 	struct batch *batch = ARENA_NEW(arena, struct batch);
 	uint16_t *index =
 		ARENA_ARRAY(arena, uint16_t, (size_t)primitive->index_count);
@@ -114,7 +158,9 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 		return -ENOMEM;
 	}
 	for (int i = 0; i < primitive->index_count; i++) {
-		index[i] = (uint16_t)primitive->index[i];
+		uint32_t vertex = primitive->index[i];
+
+		index[i] = (uint16_t)(place ? place[vertex] : vertex);
 	}
 	*batch = (struct batch){
 		.vertex_count = primitive->vertex_count,
@@ -162,7 +208,7 @@ static int make_unshared(struct drawable *drawable, const float base_color[4],
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
-	bool whole = drawable->normal &&
+	bool whole = drawable->primitive->normal &&
 		drawable->primitive->vertex_count <= BATCH_VERTICES_MAX;
 
 	return whole ? make_whole(drawable, base_color, arena)
@@ -202,12 +248,55 @@ static void gather_flat_normals(struct batch *batch)
 	}
 }
 
+/* Of three corners in 16 bits. */
+static struct fixed_vector fixed_face_normal(const struct fixed_vector *corner)
+{
+	float at[3][3], normal[3];
+
+	for (int i = 0; i < 3; i++) {
+		at[i][0] = corner[i].x;
+		at[i][1] = corner[i].y;
+		at[i][2] = corner[i].z;
+	}
+	face_normal(at[0], at[1], at[2], normal);
+	return (struct fixed_vector){
+		.x = (int16_t)(normal[0] * 32767.0f),
+		.y = (int16_t)(normal[1] * 32767.0f),
+		.z = (int16_t)(normal[2] * 32767.0f),
+	};
+}
+
+static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch)
+{
+	struct fixed_vector *position = batch->gathered_fixed;
+	struct fixed_vector *normal = batch->gathered_fixed_normal;
+
+	for (int v = 0; v < batch->vertex_count; v++) {
+		uint32_t from = batch->source[v];
+
+		from = fixed->place ? fixed->place[from] : from;
+		position[v] = fixed->position[from];
+		if (fixed->normal) {
+			normal[v] = fixed->normal[from];
+		}
+	}
+	for (int v = 0; !fixed->normal && v + 2 < batch->vertex_count; v += 3) {
+		normal[v] = fixed_face_normal(&position[v]);
+		normal[v + 1] = normal[v];
+		normal[v + 2] = normal[v];
+	}
+}
+
 void batch_gather(struct drawable *drawable)
 {
 	for (int i = 0; i < drawable->batch_count; i++) {
 		struct batch *batch = &drawable->batch[i];
 
 		if (!batch->source) {
+			continue;
+		}
+		if (drawable->fixed) {
+			gather_fixed(drawable->fixed, batch);
 			continue;
 		}
 		for (int v = 0; v < batch->vertex_count; v++) {

@@ -13,7 +13,7 @@ enum {
 	ERRORS_MAX = 16
 };
 
-static bool has_relief(
+bool bump_has_relief(
 	const struct model *model, const struct model_primitive *primitive)
 {
 	const struct model_material *material =
@@ -30,7 +30,7 @@ static bool model_has_relief(const struct model *model)
 		const struct model_mesh *mesh = &model->mesh[m];
 
 		for (int p = 0; p < mesh->primitive_count; p++) {
-			if (has_relief(model, &mesh->primitive[p])) {
+			if (bump_has_relief(model, &mesh->primitive[p])) {
 				return true;
 			}
 		}
@@ -76,8 +76,13 @@ int bump_init(struct drawable *drawable, const struct model *model,
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t count = (size_t)primitive->vertex_count;
 
-	if (!has_relief(model, primitive) || drawable->batch[0].source) {
+	if (!bump_has_relief(model, primitive) || drawable->batch[0].source) {
 		return 0;
+	}
+	if (drawable->fixed) {
+		drawable->light =
+			arena_alloc(arena, count, sizeof(*drawable->light));
+		return drawable->light ? 0 : -ENOMEM;
 	}
 	drawable->tangent = arena_alloc(arena, count, sizeof(float[3]));
 	drawable->bitangent = arena_alloc(arena, count, sizeof(float[3]));
@@ -160,22 +165,60 @@ void bump_encode(const float light[3], const float tangent[3],
 	out[3] = 255;
 }
 
+/* The light's direction where the drawable's vertices are. */
+static void find_light(const struct instance *instance,
+	const struct drawable *drawable, float out[3])
+{
+	if (drawable->skin >= 0) {
+		memcpy(out, instance->towards_light, 3 * sizeof(*out));
+	} else {
+		into_local((const vec4 *)instance->world[drawable->node],
+			instance->towards_light, out);
+	}
+	make_unit(out);
+}
+
+static void unpack(const struct fixed_vector *v, float out[3])
+{
+	out[0] = v->x;
+	out[1] = v->y;
+	out[2] = v->z;
+	make_unit(out);
+}
+
+static void encode_fixed(struct drawable *drawable, const float light[3])
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+	int count = drawable->primitive->vertex_count;
+
+	for (int v = 0; v < count; v++) {
+		uint32_t from = fixed->order ? fixed->order[v] : (uint32_t)v;
+		float normal[3], tangent[3], bitangent[3];
+
+		unpack(&fixed->normal[v], normal);
+		unpack(&fixed->tangent[v], tangent);
+		glm_vec3_cross(normal, tangent, bitangent);
+		glm_vec3_scale(bitangent, drawable->primitive->tangent[from][3],
+			bitangent);
+		bump_encode(
+			light, tangent, bitangent, normal, drawable->light[v]);
+	}
+}
+
 void bump_update(const struct instance *instance, struct drawable *drawable)
 {
 	int count = drawable->primitive->vertex_count;
 	float light[3];
 
+	find_light(instance, drawable, light);
+	if (drawable->fixed) {
+		encode_fixed(drawable, light);
+		return;
+	}
 	instance->kernel->bitangents(count, (const float(*)[3])drawable->normal,
 		(const float(*)[3])drawable->tangent,
 		(const float(*)[4])drawable->primitive->tangent,
 		drawable->bitangent);
-	if (drawable->skin >= 0) {
-		memcpy(light, instance->towards_light, sizeof(light));
-	} else {
-		into_local((const vec4 *)instance->world[drawable->node],
-			instance->towards_light, light);
-	}
-	make_unit(light);
 	for (int v = 0; v < count; v++) {
 		bump_encode(light, drawable->tangent[v], drawable->bitangent[v],
 			drawable->normal[v], drawable->light[v]);

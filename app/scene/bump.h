@@ -27,6 +27,10 @@
 bool bump_is_possible(
 	const struct model *model, const struct gl *gl, const struct log *log);
 
+/* Whether the primitive has relief at all. */
+bool bump_has_relief(
+	const struct model *model, const struct model_primitive *primitive);
+
 /*
  * Room for the tangents of a drawable that has relief, whose batches are made;
  * leaves others alone. 0 or -ENOMEM.

@@ -1,9 +1,12 @@
 #include "app/scene/draw.h"
 
+#include "app/anim/transform.h"
 #include "app/scene/bump.h"
 #include "app/scene/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
 
 /* A faint highlight that tightens as the surface gets smoother. */
 static void set_highlight(const struct gl *gl, float roughness)
@@ -71,26 +74,42 @@ static void enable_array(const struct gl *gl, GLenum array, const void *data)
 
 /* The arrays of one pass besides positions; any may be NULL. */
 struct arrays {
-	const float (*normal)[3];
+	bool lit; /* with the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
 };
 
+/* Positions, and normals if wanted. */
+static void set_vertices(
+	const struct gl *gl, const struct batch *batch, bool with_normals)
+{
+	const struct fixed_vector *position = batch->fixed_position;
+	const struct fixed_vector *normal = batch->fixed_normal;
+	const GLsizei stride = sizeof(*position);
+
+	enable_array(gl, GL_NORMAL_ARRAY, with_normals ? batch : NULL);
+	if (position) {
+		gl->VertexPointer(3, GL_SHORT, stride, &position->x);
+	} else {
+		gl->VertexPointer(3, GL_FLOAT, 0, batch->position);
+	}
+	if (with_normals && position) {
+		gl->NormalPointer(GL_SHORT, stride, &normal->x);
+	} else if (with_normals) {
+		gl->NormalPointer(GL_FLOAT, 0, batch->normal);
+	}
+}
+
 static void draw_batch(const struct gl *gl, const struct batch *batch,
 	const struct arrays *arrays)
 {
-	const void *normal = arrays->normal;
 	const void *texcoord = arrays->texcoord;
 	const void *color = arrays->color;
 
-	enable_array(gl, GL_VERTEX_ARRAY, batch->position);
-	enable_array(gl, GL_NORMAL_ARRAY, normal);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	set_vertices(gl, batch, arrays->lit);
 	enable_array(gl, GL_TEXTURE_COORD_ARRAY, texcoord);
 	enable_array(gl, GL_COLOR_ARRAY, color);
-	gl->VertexPointer(3, GL_FLOAT, 0, batch->position);
-	if (normal) {
-		gl->NormalPointer(GL_FLOAT, 0, normal);
-	}
 	if (texcoord) {
 		gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
 	}
@@ -137,7 +156,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 
 	draw_batch(gl, batch,
 		&(struct arrays){
-			.normal = batch->normal,
+			.lit = true,
 			.texcoord = textured ? batch->texcoord : NULL,
 			.color = batch->color,
 		});
@@ -147,7 +166,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	static const struct arrays none = {NULL, NULL, NULL};
+	static const struct arrays none = {.lit = false};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {
@@ -210,11 +229,36 @@ static void draw_placed(const struct gl *gl, const struct instance *instance,
 	enum draw_pass pass)
 {
 	if (pass == DRAW_SHADED && instance->relief && textures->relief &&
-		drawable->tangent) {
+		drawable->light) {
 		draw_relief(gl, instance, drawable, textures);
 	} else {
 		draw_drawable(gl, instance, drawable, textures, pass);
 	}
+}
+
+/*
+ * From the units of the arrays to those of drawable_position(). GL ES 1.1 keeps
+ * 16 bits behind the point, so what is left of a fixed-point scale is brought
+ * near 1 and goes with the rest of the matrix; a power of two follows.
+ */
+static void enter_units(
+	const struct drawable *drawable, mat4 matrix, const struct gl *gl)
+{
+	const struct fixed_placement *placement;
+	float scale;
+
+	if (!drawable->fixed) {
+		matrix_gl_multiply(gl, (const vec4 *)matrix);
+		return;
+	}
+	placement = &drawable->fixed->placement;
+	scale = placement->scale * 32768.0f;
+	matrix_apply(matrix, placement->offset, matrix[3]);
+	for (int column = 0; column < 3; column++) {
+		glm_vec3_scale(matrix[column], scale, matrix[column]);
+	}
+	matrix_gl_multiply(gl, (const vec4 *)matrix);
+	gl->Scalex(FX16_ONE / 32768, FX16_ONE / 32768, FX16_ONE / 32768);
 }
 
 /* By its node's matrix if rigid; skinned vertices are in place already. */
@@ -222,16 +266,18 @@ static void place_and_draw(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	mat4 matrix;
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
-	if (drawable->skin >= 0) {
+	if (drawable->skin >= 0 && !drawable->fixed) {
 		draw_placed(gl, instance, drawable, textures, pass);
 		return;
 	}
-	instance_drawable_matrix(instance, drawable, matrix);
+	if (drawable->skin < 0) {
+		instance_drawable_matrix(instance, drawable, matrix);
+	}
 	gl->PushMatrix();
-	matrix_gl_multiply(gl, (const vec4 *)matrix);
 	gl->FrontFace(matrix_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
+	enter_units(drawable, matrix, gl);
 	draw_placed(gl, instance, drawable, textures, pass);
 	gl->FrontFace(GL_CCW);
 	gl->PopMatrix();
@@ -266,11 +312,12 @@ void draw_node(const struct gl *gl, const struct instance *instance,
 		const struct drawable *drawable = &instance->drawable[i];
 
 		if (drawable->node == node && !drawable->hidden) {
-			fx16_t scale =
-				fx16_from_float(1.0f / drawable->vertex_scale);
+			float scale = 1.0f / drawable->vertex_scale;
+			mat4 matrix;
 
+			glm_scale_make(matrix, (vec3){scale, scale, scale});
 			gl->PushMatrix();
-			gl->Scalex(scale, scale, scale);
+			enter_units(drawable, matrix, gl);
 			draw_drawable(gl, instance, drawable, textures, pass);
 			gl->PopMatrix();
 		}

@@ -2,6 +2,7 @@
 
 #include "app/scene/batch.h"
 #include "app/scene/bump.h"
+#include "app/scene/drawable_fixed.h"
 
 #include <cglm/cglm.h>
 
@@ -109,14 +110,16 @@ static void skin_drawable(
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
-	if (drawable->skin >= 0 && drawable->morphed) {
+	if (drawable->fixed) {
+		drawable_fixed_pose(instance, drawable);
+	} else if (drawable->skin >= 0 && drawable->morphed) {
 		skin_morphed_drawable(instance, drawable);
 	} else if (drawable->skin >= 0) {
 		skin_drawable(instance, drawable);
 	} else if (drawable->morphed && !drawable->shaped) {
 		morph_drawable(instance, drawable);
 	}
-	if (drawable->tangent && instance->relief) {
+	if (drawable->light && instance->relief) {
 		bump_update(instance, drawable);
 	}
 	if (drawable->morphed || drawable->skin >= 0) {
@@ -181,6 +184,18 @@ void instance_update(struct instance *instance)
 	}
 }
 
+bool instance_failed(const struct instance *instance)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable_fixed *fixed = instance->drawable[i].fixed;
+
+		if (fixed && fixed->failed) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void instance_node_position(
 	const struct instance *instance, int node, float out[3])
 {
@@ -206,8 +221,10 @@ void instance_drawable_matrix(const struct instance *instance,
 void instance_world_vertex(const struct instance *instance,
 	const struct drawable *drawable, int vertex, float out[3])
 {
-	const float *from = drawable->position[vertex];
 	const vec4 *world = instance->world[drawable->node];
+	float from[3];
+
+	drawable_position(drawable, vertex, from);
 
 	for (int axis = 0; axis < 3; axis++) {
 		if (drawable->skin >= 0) {

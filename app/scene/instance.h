@@ -10,14 +10,23 @@
  * power of two of them (unit_scale, exact in float). Likewise the positions of
  * a rigid or morphed primitive are multiplied by a power of two (vertex_scale)
  * when they are far from 1, and the matrix that draws them divides again.
+ *
+ * Where the kernel has fixed-point loops, vertices are 16-bit numbers, and the
+ * matrix that draws them has their scale and offset. A primitive that cannot be
+ * had so stays in float. Whoever wants to know where a vertex is asks
+ * drawable_position() and need not care.
  */
 #ifndef APP_SCENE_INSTANCE_H
 #define APP_SCENE_INSTANCE_H
 
+#include "app/anim/kernel/fixed_morph.h"
+#include "app/anim/kernel/fixed_skin.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/pose.h"
 #include "app/anim/skin.h"
 #include "platform/base/fixed.h"
+
+#include <string.h>
 
 /*
  * A run of vertices that one GL call draws. Attributes are either the
@@ -25,10 +34,12 @@
  */
 struct batch {
 	int vertex_count;
-	const uint32_t *source; /* the primitive's vertex for each of the
-				   batch's, or NULL: the same order */
-	const float (*position)[3];
+	const uint32_t *source;     /* the primitive's vertex for each of the
+				       batch's, or NULL: the drawable's order */
+	const float (*position)[3]; /* NULL: fixed_position, and so on */
 	const float (*normal)[3];
+	const struct fixed_vector *fixed_position;
+	const struct fixed_vector *fixed_normal;
 	const float (*texcoord)[2]; /* or NULL */
 	const uint8_t (*color)[4];  /* or NULL */
 
@@ -37,6 +48,31 @@ struct batch {
 
 	float (*gathered_position)[3]; /* with source: written each update */
 	float (*gathered_normal)[3];
+	struct fixed_vector *gathered_fixed; /* the same in fixed point */
+	struct fixed_vector *gathered_fixed_normal;
+};
+
+/* The vertices of a drawable in fixed point. */
+struct drawable_fixed {
+	const struct fixed_loops *loops;
+	struct fixed_placement placement; /* what positions mean, see fixed.h:
+					     in scene units if skinned, else
+					     local ones; by the last update */
+	struct fixed_vector *position;    /* output */
+	struct fixed_vector *normal;      /* output, or NULL: flat */
+	struct fixed_vector *tangent;     /* output, or NULL: no relief */
+
+	/*
+	 * Vertices are in an order of their own where these are not NULL:
+	 * place says where the primitive's vertex is, order which one is here.
+	 */
+	const uint32_t *place, *order;
+
+	struct fixed_skin skin;      /* of a skinned one */
+	struct fixed_matrix *matrix; /* [skin.joint_count] */
+	struct fixed_morph morph;    /* of another; rigid: without targets */
+	bool failed; /* the last pose has no place in 16 bits; the output is
+			an earlier one's */
 };
 
 /* One primitive as one node shows it. */
@@ -57,14 +93,17 @@ struct drawable {
 					    else local times vertex_scale */
 	float (*normal)[3];              /* output, or NULL: flat */
 
-	/* With relief (see bump.h), else NULL. Output like normal. */
-	const float (*base_tangent)[3]; /* of a rigid one */
-	float (*tangent)[3];
-	float (*bitangent)[3];
-	uint8_t (*light)[4]; /* towards the light, for the combiner */
+	/* Output in place of the two above; vertex_scale is 1. Or NULL. */
+	struct drawable_fixed *fixed;
 
-	struct skin_stream stream;
-	struct morph_term *term; /* [target_count] */
+	/* With relief (see bump.h), else NULL. Output like normal. */
+	uint8_t (*light)[4]; /* towards the light, for the combiner */
+	const float (*base_tangent)[3]; /* of a rigid one */
+	float (*tangent)[3];            /* these three: in float alone */
+	float (*bitangent)[3];
+
+	struct skin_stream stream; /* in fixed point: its counts alone */
+	struct morph_term *term;   /* [target_count] */
 
 	int batch_count;
 	struct batch *batch;
@@ -92,6 +131,7 @@ struct instance {
 
 	int drawable_count;
 	struct drawable *drawable;
+	int unfit_count; /* drawables in float because 16 bits will not do */
 };
 
 /*
@@ -103,6 +143,9 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 
 /* NULL is fine. */
 void instance_destroy(struct instance *instance);
+
+/* Whether an update left out what has no place in 16 bits. */
+bool instance_failed(const struct instance *instance);
 
 /*
  * The frame's work: from the pose to world matrices, palettes and output
@@ -127,9 +170,33 @@ void instance_update_nodes(struct instance *instance);
 void instance_node_position(
 	const struct instance *instance, int node, float out[3]);
 
-/* The matrix that carries a rigid drawable's positions to scene units. */
+/*
+ * The matrix that carries a rigid drawable's positions, as drawable_position()
+ * tells them, to scene units.
+ */
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
+
+/* Where the primitive's vertex is: in scene units if skinned, else local ones
+   times vertex_scale. */
+static inline void drawable_position(
+	const struct drawable *drawable, int vertex, float out[3])
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+	const struct fixed_placement *placement;
+	const struct fixed_vector *v;
+
+	if (!fixed) {
+		memcpy(out, drawable->position[vertex], sizeof(float[3]));
+		return;
+	}
+	placement = &fixed->placement;
+	v = &fixed->position[fixed->place ? fixed->place[vertex]
+					  : (uint32_t)vertex];
+	out[0] = (float)v->x * placement->scale + placement->offset[0];
+	out[1] = (float)v->y * placement->scale + placement->offset[1];
+	out[2] = (float)v->z * placement->scale + placement->offset[2];
+}
 
 /* A vertex in world space and the model's own units, after the last update. */
 void instance_world_vertex(const struct instance *instance,

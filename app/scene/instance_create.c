@@ -4,6 +4,7 @@
 #include "app/scene/batch.h"
 #include "app/scene/bounds.h"
 #include "app/scene/bump.h"
+#include "app/scene/drawable_fixed.h"
 #include "app/scene/light.h"
 
 #include <errno.h>
@@ -121,6 +122,37 @@ static int init_output(struct drawable *drawable, struct arena *arena)
 	return skin_stream_init(&drawable->stream, primitive, 1.0f, arena);
 }
 
+/* In fixed point, if the kernel has it and the numbers fit, else in float. */
+static int init_vertices(struct instance *instance, struct drawable *drawable)
+{
+	const struct model *model = instance->model;
+	const struct fixed_loops *loops = instance->kernel->fixed;
+	int mesh = model->node[drawable->node].mesh;
+	struct arena *arena = &instance->arena;
+	int error = -ENOTSUP;
+
+	if (loops) {
+		error = drawable_fixed_init(drawable, model, loops, arena);
+	}
+	if (!error && drawable->skin >= 0) {
+		skin_stream_count(&drawable->stream, drawable->primitive);
+	}
+	if (error != -ENOTSUP && error != -ERANGE) {
+		return error;
+	}
+	instance->unfit_count += error == -ERANGE;
+	if (drawable->skin < 0) {
+		drawable->vertex_scale = near_one(
+			largest_coordinate(drawable->primitive), 0.25f, 16.0f);
+	}
+	error = init_base(drawable, arena);
+	if (!error && drawable->morphed) {
+		error = init_morph(
+			drawable, model->mesh[mesh].target_count, arena);
+	}
+	return error ? error : init_output(drawable, arena);
+}
+
 static void init_color(
 	struct drawable *drawable, const struct model_material *material)
 {
@@ -150,19 +182,8 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	if (drawable->primitive->influences == 0) {
 		drawable->skin = -1;
 	}
-	if (drawable->skin < 0) {
-		drawable->vertex_scale = near_one(
-			largest_coordinate(drawable->primitive), 0.25f, 16.0f);
-	}
 	init_color(drawable, &model->material[drawable->primitive->material]);
-	error = init_base(drawable, &instance->arena);
-	if (!error && drawable->morphed) {
-		error = init_morph(
-			drawable, mesh->target_count, &instance->arena);
-	}
-	if (!error) {
-		error = init_output(drawable, &instance->arena);
-	}
+	error = init_vertices(instance, drawable);
 	if (!error) {
 		error = batch_make(drawable,
 			model->material[drawable->primitive->material].base_color,
@@ -273,6 +294,13 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	arena = instance->arena;
 	if (error) {
 		goto fail;
+	}
+	if (instance->unfit_count > 0) {
+		log_warning(log,
+			"%s: %d of its %d parts are posed in float: their "
+			"positions do not fit 16 bits",
+			model->path, instance->unfit_count,
+			instance->drawable_count);
 	}
 	choose_unit_scale(instance);
 	*out = instance;

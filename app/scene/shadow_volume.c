@@ -214,10 +214,11 @@ static void place_vertices(struct shadow_hull *hull,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	for (int v = 0; v < count; v++) {
-		const float *p = drawable->position[v];
+		float p[3];
 		float *near = hull->position[v];
 		float *far = hull->position[v + count];
 
+		drawable_position(drawable, v, p);
 		for (int axis = 0; axis < 3; axis++) {
 			near[axis] = matrix[0][axis] * p[0] +
 				matrix[1][axis] * p[1] +

@@ -15,7 +15,9 @@ static struct {
 	double stack[STACK_ROOM][16];
 	bool model_view;
 	const void *position;
-	bool floats;
+	bool counted;
+	GLenum type;
+	GLsizei stride;
 	GLenum front_face;
 	GLuint textures;
 } recorder;
@@ -146,9 +148,10 @@ static void record_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 static void record_VertexPointer(
 	GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
-	(void)stride;
 	recorder.position = pointer;
-	recorder.floats = type == GL_FLOAT && size == 3;
+	recorder.stride = stride;
+	recorder.counted = size == 3 && (type == GL_FLOAT || type == GL_SHORT);
+	recorder.type = type;
 }
 
 static void record_FrontFace(GLenum mode)
@@ -180,11 +183,28 @@ static void add_vertex(const float vertex[3])
 	add_to_hash(vertex, sizeof(float[3]));
 }
 
+static void load_vertex(GLint index, float out[3])
+{
+	const char *array = recorder.position;
+	int16_t shorts[3];
+
+	if (recorder.type == GL_FLOAT) {
+		GLsizei stride = recorder.stride ? recorder.stride
+						 : (GLsizei)sizeof(float[3]);
+
+		memcpy(out, array + (ptrdiff_t)index * stride, sizeof(float[3]));
+		return;
+	}
+	memcpy(shorts, array + (ptrdiff_t)index * recorder.stride,
+		sizeof(shorts));
+	for (int i = 0; i < 3; i++) {
+		out[i] = shorts[i];
+	}
+}
+
 static void record_draw(GLsizei count, const uint16_t *index, GLint first)
 {
 	struct gl_recording *r = &recorder.recording;
-	const float(*position)[3] = recorder.position;
-
 	assert_true(r->draw_count < GL_RECORDER_DRAWS);
 	memcpy(r->draw[r->draw_count].matrix, top(), sizeof(double[16]));
 	r->draw[r->draw_count].count = count;
@@ -192,8 +212,11 @@ static void record_draw(GLsizei count, const uint16_t *index, GLint first)
 	r->draw[r->draw_count].front_face = recorder.front_face;
 	r->draw_count++;
 	add_to_hash(top(), sizeof(double[16]));
-	for (GLsizei i = 0; recorder.floats && i < count; i++) {
-		add_vertex(position[index ? index[i] : first + i]);
+	for (GLsizei i = 0; recorder.counted && i < count; i++) {
+		float vertex[3];
+
+		load_vertex(index ? index[i] : first + i, vertex);
+		add_vertex(vertex);
 	}
 }
 

@@ -1,7 +1,7 @@
 /*
  * A struct gl that draws nothing and keeps count: of the model-view stack in
  * double precision, of each draw call with the matrix it was made under, and
- * of where float vertices go.
+ * of where vertices go, of floats or of 16 bits.
  */
 #ifndef TESTS_SUPPORT_GL_RECORDER_H
 #define TESTS_SUPPORT_GL_RECORDER_H
@@ -24,7 +24,7 @@ struct gl_recording {
 	struct gl_recorded_draw draw[GL_RECORDER_DRAWS];
 	int depth; /* of the model-view stack, 0 at the bottom */
 
-	/* Of all float vertices that were drawn, as often as drawn. */
+	/* Of all vertices of three parts that were drawn, as often as drawn. */
 	long vertex_count;
 	double sum[3];        /* in eye space */
 	uint64_t vertex_hash; /* FNV-1a of their bytes and of the matrices */

@@ -20,8 +20,7 @@ static struct instance *make_instance(const struct model *model)
 	struct instance *instance = NULL;
 
 	assert_int_equal(
-		instance_create(model, kernel_find(NULL), &nowhere, &instance),
-		0);
+		instance_create(model, &kernel_float, &nowhere, &instance), 0);
 	return instance;
 }
 

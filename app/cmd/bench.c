@@ -143,7 +143,7 @@ static int run(const struct options *options, const struct log *log)
 	struct model *model = NULL;
 	int error = 0;
 
-	if (options->kernel && !kernel_choose(options->kernel, log)) {
+	if (options->kernel && !kernel_choose(options, log)) {
 		return EXIT_USAGE;
 	}
 	if (options->model_path) {

@@ -50,7 +50,7 @@ static int run_with_model(const struct model *model,
 		.memory_bytes = options->memory_bytes,
 		.width = options->width,
 		.height = options->height,
-		.kernel = kernel_choose(options->kernel, log),
+		.kernel = kernel_choose(options, log),
 	};
 	struct comparison *comparison;
 	int error = find_clip(model, options->clip, log, &request.clip);
@@ -75,7 +75,7 @@ static int run(const struct options *options, const struct log *log)
 		log_error(log, "compare: no model: limber compare MODEL");
 		return EXIT_USAGE;
 	}
-	if (!kernel_choose(options->kernel, log)) {
+	if (!kernel_choose(options, log)) {
 		return EXIT_USAGE;
 	}
 	error = model_load(options->model_path, log, &model);

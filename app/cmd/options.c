@@ -221,8 +221,8 @@ static bool set_clip(struct options *options, const char *value)
 
 static bool set_math(struct options *options, const char *value)
 {
-	(void)options;
-	return strcmp(value, "float") == 0;
+	options->math = strcmp(value, "fixed") == 0 ? MATH_FIXED : MATH_FLOAT;
+	return options->math == MATH_FIXED || strcmp(value, "float") == 0;
 }
 
 static bool set_kernel(struct options *options, const char *value)
@@ -418,9 +418,11 @@ static const struct option_entry entries[] = {
 		"real, or fixed:FPS for the same times in every run",
 		"real or fixed:FPS, FPS up to 1000", set_clock},
 	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
-		"how vertices are computed: float", "float", set_math},
+		"how vertices are computed: float or fixed", "float or fixed",
+		set_math},
 	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH | FOR_COMPARE,
-		"which vertex loops: float", "a kernel's name", set_kernel},
+		"which vertex loops: float, fixed, an4044, on ARM armv6",
+		"a kernel's name", set_kernel},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
 		"at most N joints a vertex; auto: fewer on small figures; "
 		"budget:N",

@@ -27,6 +27,13 @@ enum command_bit {
 	FOR_ALL = 127,
 };
 
+/* How vertices are computed. */
+enum math {
+	MATH_ANY, /* as is best */
+	MATH_FLOAT,
+	MATH_FIXED,
+};
+
 struct options {
 	const char *model_path; /* the word that is no option, or NULL */
 	const char *demo;
@@ -44,7 +51,8 @@ struct options {
 	enum live_use camera_use;
 	const char *stats; /* a file for them, or NULL */
 	const char *clip;
-	const char *kernel;
+	const char *kernel; /* or NULL */
+	enum math math;
 	int width, height;
 	bool size_given;
 	enum pixel_format format;

@@ -106,13 +106,31 @@ static int pose_instance(struct instance *instance,
 			lod_choose(&options->lod, instance, NULL, 0.0f, 0);
 	}
 	instance_update(instance);
+	if (instance_failed(instance)) {
+		log_error(log,
+			"%s: this pose does not fit 16 bits: use --math float",
+			instance->model->path);
+		return -ERANGE;
+	}
 	return 0;
+}
+
+/* A pose is a reference for others: in float, unless told otherwise. */
+static const struct kernel *choose_kernel(
+	const struct options *options, const struct log *log)
+{
+	struct options chosen = *options;
+
+	if (!options->kernel && options->math == MATH_ANY) {
+		chosen.math = MATH_FLOAT;
+	}
+	return kernel_choose(&chosen, log);
 }
 
 static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
-	const struct kernel *kernel = kernel_choose(options->kernel, log);
+	const struct kernel *kernel = choose_kernel(options, log);
 	struct instance *instance;
 	int error = instance_create(model, kernel, log, &instance);
 
@@ -140,7 +158,7 @@ static int run(const struct options *options, const struct log *log)
 		log_error(log, "pose: no file to write: add -o FILE.obj");
 		return EXIT_USAGE;
 	}
-	if (!kernel_choose(options->kernel, log)) {
+	if (!choose_kernel(options, log)) {
 		return EXIT_USAGE;
 	}
 	error = model_load(options->model_path, log, &model);

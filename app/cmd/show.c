@@ -59,7 +59,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.log = show->log,
 		.gl = &show->screen.gl->gl,
 		.target = show->screen.info.format,
-		.kernel = kernel_choose(options->kernel, show->log),
+		.kernel = kernel_choose(options, show->log),
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
 		.model_path = show->plan->model_path,

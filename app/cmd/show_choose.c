@@ -29,7 +29,7 @@ static int check_names(const struct options *options, const struct log *log)
 {
 	int error = screen_check(options, log);
 
-	if (!error && !kernel_choose(options->kernel, log)) {
+	if (!error && !kernel_choose(options, log)) {
 		error = -EINVAL;
 	}
 	return error ? error : buttons_check(options->buttons, log);

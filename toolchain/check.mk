@@ -91,6 +91,8 @@ $(call golden_suite,host,gles1)
 $(call xfile_suite,host)
 $(call xfile_suite,asan)
 $(call xfile_suite,arm)
+$(call suite,conformance-fixed,tests/conformance/fixed.sh $(SAMPLES) \
+	build/host/limber $(RUN_arm) build/arm/limber)
 $(call conformance_suite,host)
 $(call conformance_suite,asan)
 $(call conformance_suite,arm)

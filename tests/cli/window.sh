@@ -23,8 +23,8 @@ limber "$slider" --display fbdev:/dev/null --frames 1
 expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 
 mkfifo "$scratch/number"
-Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp 3>"$scratch/number" \
-    >"$scratch/xvfb.log" 2>&1 &
+Xvfb -displayfd 3 -screen 0 800x600x24 -noreset -nolisten tcp \
+    3>"$scratch/number" >"$scratch/xvfb.log" 2>&1 &
 server=$!
 trap 'kill $server; rm -rf "$tap_folder"' EXIT
 read -r number <"$scratch/number"
@@ -42,6 +42,19 @@ expect_no_err
 limber play "$slider" --display window --frames 2 --gl osmesa
 expect_status 0
 expect_no_err
+
+# EGL's own screen: here the root window, which any X server has.
+root=$(xwininfo -root | sed -n 's/.*Window id: \(0x[0-9a-f]*\).*/\1/p')
+limber play "$slider" --display "egl:$root" --frames 3
+expect_status 0
+expect_no_err
+limber play "$slider" --display "egl:$root" --frames 3 --gl gles1 \
+    --format rgba8888
+expect_status 0
+expect_no_err
+limber play "$slider" --display egl --frames 3
+expect_status 1
+expect_err '^limber: --display egl: .*window 0 .*egl:NUMBER'
 
 # The person ends it from the terminal.
 # shellcheck disable=SC2086 # a command and its arguments

@@ -34,4 +34,24 @@
 /* The same value, of which the compiler knows nothing any more. */
 #define OPAQUE(value) __asm__("" : "+r"(value))
 
+/*
+ * Two signed halves in a word, B the bottom and T the top one:
+ * HALVES_BT(a, b, sum) is bottom of a * top of b + sum, of 32 bits. And bytes
+ * 0 and 2 of a word as halves. One instruction each where there is one.
+ */
+#ifdef __ARM_FEATURE_DSP
+#define HALVES_BB(a, b, sum) __smlabb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_BT(a, b, sum) __smlabt((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TB(a, b, sum) __smlatb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TT(a, b, sum) __smlatt((int32_t)(a), (int32_t)(b), sum)
+#define BYTES_AS_HALVES(word) __uxtb16(word)
+#else
+#define HALVES_BB(a, b, sum) ((int16_t)(a) * (int16_t)(b) + (sum))
+#define HALVES_BT(a, b, sum) ((int16_t)(a) * (int16_t)((b) >> 16) + (sum))
+#define HALVES_TB(a, b, sum) ((int16_t)((a) >> 16) * (int16_t)(b) + (sum))
+#define HALVES_TT(a, b, sum) \
+	((int16_t)((a) >> 16) * (int16_t)((b) >> 16) + (sum))
+#define BYTES_AS_HALVES(word) ((word)&0x00ff00ffu)
+#endif
+
 #endif

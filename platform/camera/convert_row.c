@@ -23,80 +23,94 @@
 #define GREEN_BIAS (HALF - 16 * LUMA_6 + 128 * (CR_GREEN + CB_GREEN))
 
 /*
- * The constants in registers: known, they would be taken apart into shifts and
- * additions, which take longer than ARMv6's multiplication of 16 bits.
+ * The constants by twos, as ARMv6 multiplies 16 bits by 16. They are hidden
+ * from the compiler, which else takes them apart into shifts and additions.
  */
 struct matrix {
-	int16_t luma_5, luma_6, cr_red, cb_blue, cr_green, cb_green;
-	int red_bias, green_bias, blue_bias;
+	uint32_t luma; /* to 5 bits, to 6 bits */
+	uint32_t cr;   /* to red, to green */
+	uint32_t cb;   /* to blue, to green */
+	int32_t red_bias, green_bias, blue_bias;
 };
+
+static ALWAYS_INLINE uint32_t two_halves(int bottom, int top)
+{
+	return (uint16_t)bottom | (uint32_t)(uint16_t)top << 16;
+}
 
 static ALWAYS_INLINE struct matrix load_matrix(void)
 {
-	struct matrix m = {LUMA_5, LUMA_6, CR_RED, CB_BLUE, -CR_GREEN,
-		-CB_GREEN, RED_BIAS, GREEN_BIAS, BLUE_BIAS};
+	struct matrix m = {
+		.luma = two_halves(LUMA_5, LUMA_6),
+		.cr = two_halves(CR_RED, -CR_GREEN),
+		.cb = two_halves(CB_BLUE, -CB_GREEN),
+		.red_bias = RED_BIAS,
+		.green_bias = GREEN_BIAS,
+		.blue_bias = BLUE_BIAS,
+	};
 
-	OPAQUE(m.luma_5);
-	OPAQUE(m.luma_6);
-	OPAQUE(m.cr_red);
-	OPAQUE(m.cb_blue);
-	OPAQUE(m.cr_green);
-	OPAQUE(m.cb_green);
+	OPAQUE(m.luma);
+	OPAQUE(m.cr);
+	OPAQUE(m.cb);
+	OPAQUE(m.red_bias);
+	OPAQUE(m.green_bias);
+	OPAQUE(m.blue_bias);
 	return m;
 }
 
 /* What a pair's chroma adds to each channel. */
 struct tint {
-	int red, green, blue;
+	int32_t red, green, blue;
 };
 
-static ALWAYS_INLINE struct tint tint_of(
-	const struct matrix *m, int16_t cb, int16_t cr)
+/* chroma: Cb at the bottom, Cr at the top. */
+static ALWAYS_INLINE struct tint tint_of(const struct matrix *m, uint32_t chroma)
 {
+	int32_t green = HALVES_BT(chroma, m->cb, m->green_bias);
+
 	return (struct tint){
-		.red = cr * m->cr_red + m->red_bias,
-		.green = cr * m->cr_green + (cb * m->cb_green + m->green_bias),
-		.blue = cb * m->cb_blue + m->blue_bias,
+		.red = HALVES_TB(chroma, m->cr, m->red_bias),
+		.green = HALVES_TT(chroma, m->cr, green),
+		.blue = HALVES_BB(chroma, m->cb, m->blue_bias),
 	};
 }
 
 /* ARMv6 has one instruction for the shift and both limits. */
-static ALWAYS_INLINE uint32_t limit(int sum, int most)
+static ALWAYS_INLINE uint32_t limit(int32_t sum, int most)
 {
-	int value = sum >> 16;
+	int32_t value = sum >> 16;
 
 	value = value < 0 ? 0 : value;
 	return (uint32_t)(value > most ? most : value);
 }
 
-static ALWAYS_INLINE uint32_t color_of(
-	const struct matrix *m, int16_t luma, const struct tint *tint)
+static ALWAYS_INLINE uint32_t pack(int32_t red, int32_t green, int32_t blue)
 {
-	int luma_5 = luma * m->luma_5;
-
-	return limit(luma_5 + tint->blue, 31) |
-		limit(luma_5 + tint->red, 31) << 11 |
-		limit(luma * m->luma_6 + tint->green, 63) << 5;
+	return limit(blue, 31) | limit(red, 31) << 11 | limit(green, 63) << 5;
 }
 
-/* Two pixels as one word; lumas has the first's in its lower half. */
-static ALWAYS_INLINE void put_pair(const struct matrix *m, uint32_t lumas,
-	int16_t cb, int16_t cr, uint16_t *out)
+/* Two pixels; lumas has the first's at the bottom. */
+static ALWAYS_INLINE void put_pair(
+	const struct matrix *m, uint32_t lumas, uint32_t chroma, uint16_t *out)
 {
-	struct tint tint = tint_of(m, cb, cr);
-	uint32_t left = color_of(m, (int16_t)lumas, &tint);
-	uint32_t right = color_of(m, (int16_t)(lumas >> 16), &tint);
+	struct tint tint = tint_of(m, chroma);
 
-	out[0] = (uint16_t)left;
-	out[1] = (uint16_t)right;
+	out[0] = (uint16_t)pack(HALVES_BB(lumas, m->luma, tint.red),
+		HALVES_BT(lumas, m->luma, tint.green),
+		HALVES_BB(lumas, m->luma, tint.blue));
+	out[1] = (uint16_t)pack(HALVES_TB(lumas, m->luma, tint.red),
+		HALVES_TT(lumas, m->luma, tint.green),
+		HALVES_TB(lumas, m->luma, tint.blue));
 }
 
-static ALWAYS_INLINE void put_last(const struct matrix *m, int16_t luma,
-	int16_t cb, int16_t cr, uint16_t *out)
+static ALWAYS_INLINE void put_last(
+	const struct matrix *m, int luma, int cb, int cr, uint16_t *out)
 {
-	struct tint tint = tint_of(m, cb, cr);
+	struct tint tint = tint_of(m, two_halves(cb, cr));
 
-	*out = (uint16_t)color_of(m, luma, &tint);
+	*out = (uint16_t)pack(HALVES_BB((uint32_t)luma, m->luma, tint.red),
+		HALVES_BT((uint32_t)luma, m->luma, tint.green),
+		HALVES_BB((uint32_t)luma, m->luma, tint.blue));
 }
 
 /* One load: buffers of drivers are often not cached. */
@@ -106,19 +120,22 @@ static ALWAYS_INLINE uint32_t load_word(const uint8_t *in)
 		(uint32_t)in[3] << 24;
 }
 
+/* Bytes 0 and 1 as halves. */
+static ALWAYS_INLINE uint32_t first_bytes(uint32_t word)
+{
+	return (word & 0xff) | (word & 0xff00) << 8;
+}
+
 static ALWAYS_INLINE void convert_packed(
 	const uint8_t *in, int luma_at, int count, uint16_t *out)
 {
 	const struct matrix m = load_matrix();
-	const int luma_shift = 8 * luma_at, chroma_shift = 8 - luma_shift;
-
 	for (; count >= 2; count -= 2, in += 4, out += 2) {
 		uint32_t word = load_word(in);
-		uint32_t lumas = word >> luma_shift & 0xff00ff;
-		uint32_t chroma = word >> chroma_shift & 0xff00ff;
+		uint32_t even = BYTES_AS_HALVES(word);
+		uint32_t odd = BYTES_AS_HALVES(word >> 8);
 
-		put_pair(&m, lumas, (int16_t)chroma, (int16_t)(chroma >> 16),
-			out);
+		put_pair(&m, luma_at ? odd : even, luma_at ? even : odd, out);
 	}
 	if (count) {
 		put_last(&m, in[luma_at], in[1 - luma_at], in[3 - luma_at], out);
@@ -154,12 +171,11 @@ static void convert_nv12(
 
 	for (; count >= 4; count -= 4, luma += 4, chroma += 4, out += 4) {
 		uint32_t lumas = load_word(luma), pairs = load_word(chroma);
-		uint32_t left = (lumas & 0xff) | (lumas & 0xff00) << 8;
-		uint32_t right = (lumas >> 16 & 0xff) | (lumas >> 24) << 16;
+		uint32_t left = first_bytes(lumas);
+		uint32_t right = first_bytes(lumas >> 16);
 
-		put_pair(&m, left, pairs & 0xff, pairs >> 8 & 0xff, out);
-		put_pair(&m, right, pairs >> 16 & 0xff, (int16_t)(pairs >> 24),
-			out + 2);
+		put_pair(&m, left, first_bytes(pairs), out);
+		put_pair(&m, right, first_bytes(pairs >> 16), out + 2);
 	}
 	convert_end(&m, luma, chroma, chroma + 1, 2, count, out);
 }
@@ -171,11 +187,11 @@ static void convert_yuv420(const uint8_t *luma, const uint8_t *cb,
 
 	for (; count >= 4; count -= 4, luma += 4, out += 4) {
 		uint32_t lumas = load_word(luma);
-		uint32_t left = (lumas & 0xff) | (lumas & 0xff00) << 8;
-		uint32_t right = (lumas >> 16 & 0xff) | (lumas >> 24) << 16;
+		uint32_t left = first_bytes(lumas);
+		uint32_t right = first_bytes(lumas >> 16);
 
-		put_pair(&m, left, cb[0], cr[0], out);
-		put_pair(&m, right, cb[1], cr[1], out + 2);
+		put_pair(&m, left, two_halves(cb[0], cr[0]), out);
+		put_pair(&m, right, two_halves(cb[1], cr[1]), out + 2);
 		cb += 2;
 		cr += 2;
 	}
@@ -184,6 +200,14 @@ static void convert_yuv420(const uint8_t *luma, const uint8_t *cb,
 
 static void convert_565(const uint8_t *in, int count, uint16_t *out)
 {
+	const uint16_t one = 1;
+	uint8_t first;
+
+	memcpy(&first, &one, 1);
+	if (first == 1) {
+		memcpy(out, in, (size_t)count * sizeof(*out));
+		return;
+	}
 	for (int i = 0; i < count; i++) {
 		out[i] = (uint16_t)(in[2 * i] | in[2 * i + 1] << 8);
 	}

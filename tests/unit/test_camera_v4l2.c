@@ -323,6 +323,37 @@ static void test_auto_takes_the_first_that_captures(void **state)
 	end(fake, &session);
 }
 
+/* Cr and Cb the other way round: for libv4lconvert. Bytes of 128 are grey. */
+static void test_other_formats_go_through_the_library(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+	struct camera_image image;
+	bool opened;
+	int index;
+
+	(void)state;
+	fake->offered[0] = V4L2_PIX_FMT_YVYU;
+	opened = v4l2_session_open(&session);
+	if (!opened) {
+		assert_contains(session.device.reason, "YVYU");
+		assert_contains(session.device.reason, "libv4lconvert");
+		end(fake, &session);
+		skip_because("libv4lconvert is not installed");
+	}
+	fake->next = 128;
+	fake->ready = 1;
+	index = v4l2_session_dequeue(&session, 20);
+	assert_true(index >= 0);
+	image = v4l2_device_image(&session.device, index);
+	assert_int_equal(image.format, CAMERA_RGB24);
+	assert_int_equal(image.stride_bytes[0], 36 * 3);
+	for (int i = 0; i < 36 * 26 * 3; i++) {
+		assert_near(image.plane[0][i], 128, 4);
+	}
+	end(fake, &session);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -338,6 +369,7 @@ int main(void)
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
 		cmocka_unit_test(test_passing_errors_are_no_failure),
 		cmocka_unit_test(test_auto_takes_the_first_that_captures),
+		cmocka_unit_test(test_other_formats_go_through_the_library),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

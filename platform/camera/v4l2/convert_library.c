@@ -4,6 +4,9 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/types.h>
+
+#include <libv4l-plugin.h>
 
 struct v4lconvert_data;
 
@@ -11,7 +14,8 @@ struct convert_library {
 	struct v4lconvert_data *data;
 	struct v4l2_format source, rgb;
 
-	struct v4lconvert_data *(*create)(int fd);
+	struct v4lconvert_data *(*create)(
+		int fd, void *user, const struct libv4l_dev_ops *calls);
 	void (*destroy)(struct v4lconvert_data *data);
 	int (*convert)(struct v4lconvert_data *data,
 		const struct v4l2_format *source,
@@ -34,8 +38,8 @@ static int load(struct convert_library *library)
 		"libv4lconvert.so.0", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
 
 	if (!handle ||
-		find_function(handle, "v4lconvert_create", &library->create,
-			sizeof(library->create)) ||
+		find_function(handle, "v4lconvert_create_with_dev_ops",
+			&library->create, sizeof(library->create)) ||
 		find_function(handle, "v4lconvert_destroy", &library->destroy,
 			sizeof(library->destroy)) ||
 		find_function(handle, "v4lconvert_convert", &library->convert,
@@ -45,8 +49,20 @@ static int load(struct convert_library *library)
 	return 0;
 }
 
-int convert_library_open(
-	int fd, const struct v4l2_format *format, struct convert_library **out)
+/* The library asks the device what it can do, through the same calls. */
+static int ask(void *user, int fd, unsigned long request, void *argument)
+{
+	const struct v4l2_calls *calls = user;
+	int error = calls->ioctl(calls->user, fd, request, argument);
+
+	errno = -error;
+	return error ? -1 : 0;
+}
+
+static const struct libv4l_dev_ops asking = {.ioctl = ask};
+
+int convert_library_open(const struct v4l2_calls *calls, int fd,
+	const struct v4l2_format *format, struct convert_library **out)
 {
 	struct convert_library *library = calloc(1, sizeof(*library));
 	struct v4l2_pix_format *rgb;
@@ -64,9 +80,9 @@ int convert_library_open(
 	rgb->pixelformat = V4L2_PIX_FMT_RGB24;
 	rgb->bytesperline = rgb->width * 3;
 	rgb->sizeimage = rgb->bytesperline * rgb->height;
-	library->data = library->create(fd);
+	library->data = library->create(fd, (void *)calls, &asking);
 	if (!library->data) {
-		error = -ENOMEM;
+		error = -EINVAL;
 		goto fail;
 	}
 	*out = library;

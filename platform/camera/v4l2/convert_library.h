@@ -10,15 +10,17 @@
 
 #include <linux/videodev2.h>
 
+#include "platform/camera/v4l2/calls.h"
+
 struct convert_library;
 
 /*
  * A converter from what the open device delivers, format being its answer to
  * VIDIOC_S_FMT, to RGB24 of the same size without gaps. 0, -ENOENT when the
- * library is missing, or -ENOMEM.
+ * library is missing, -EINVAL when it does not want the device, or -ENOMEM.
  */
-int convert_library_open(
-	int fd, const struct v4l2_format *format, struct convert_library **out);
+int convert_library_open(const struct v4l2_calls *calls, int fd,
+	const struct v4l2_format *format, struct convert_library **out);
 
 /* One picture into width * height * 3 bytes; 0 or -EIO. */
 int convert_library_run(struct convert_library *library, const uint8_t *data,

@@ -102,7 +102,7 @@ static int lay_out(struct v4l2_device *device)
 		return 0;
 	}
 	error = convert_library_open(
-		device->fd, &device->answer, &device->library);
+		device->calls, device->fd, &device->answer, &device->library);
 	if (error) {
 		v4l2_format_text(device->answer.fmt.pix.pixelformat, text);
 		snprintf(device->reason, sizeof(device->reason),

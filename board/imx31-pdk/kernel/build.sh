@@ -65,9 +65,12 @@ END
     echo 'obj-$(CONFIG_LIMBER_IMX31_PDK) += limber-imx31-pdk.o' \
         >>"$source/arch/arm/mach-imx/Makefile"
     # simpledrm is a module, loaded by a test after it has unbound the simple
-    # framebuffer. Both built in would fight, so Kconfig allows one alone.
+    # framebuffer. Both built in would fight, so Kconfig allows one alone, and
+    # both drivers have one name.
     sed -i '/^config FB_SIMPLE$/,/^config /{/depends on !DRM_SIMPLEDRM/d}' \
         "$source/drivers/video/fbdev/Kconfig"
+    sed -i 's/\.name = "simple-framebuffer", .*/.name = "simpledrm",/' \
+        "$source/drivers/gpu/drm/tiny/simpledrm.c"
 }
 
 # Every line of the fragment must have become true.

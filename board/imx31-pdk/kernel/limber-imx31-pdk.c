@@ -149,12 +149,13 @@ static int __init set_status(struct device_node *node, const char *status)
 	return error;
 }
 
-/* Buses, flash and picture as the board has them. */
+/* Buses, keypad, flash and picture as the board has them. */
 static int __init enable_board(void)
 {
 	struct device_node *nodes[] = {
 		of_find_node_by_path("spi0"),
 		of_find_node_by_path("spi1"),
+		of_find_compatible_node(NULL, NULL, "fsl,imx31-kpp"),
 		of_find_compatible_node(NULL, NULL, "fsl,imx31-nand"),
 		of_get_compatible_child(of_chosen, "simple-framebuffer"),
 	};

@@ -29,6 +29,11 @@ build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.st
 	$(Q)$(CC_arm) $(WARNINGS) -std=c11 -D_DEFAULT_SOURCE -O2 \
 		$(filter-out -g -O2,$(CFLAGS_arm)) -o $@ $<
 
+# SOAK_S=SECONDS of the board's time, SOAK_SEED=N for other buttons.
+soak: image build/board/guest
+	$(Q)SOAK_S=$(or $(SOAK_S),1800) PATIENCE_S=1000000 \
+		python3 -B tests/board/test_soak.py
+
 board_suites = $(foreach test,$(sort $(wildcard tests/board/test_*.py)),\
 	$(call suite,board/$(patsubst test_%.py,%,$(notdir $(test))),\
 	python3 -B $(test)))

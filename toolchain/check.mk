@@ -139,7 +139,7 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 
 check: | build
 	$(Q)date +%s >build/check-began
-	$(Q)toolchain/install.sh host font arm check package
+	$(Q)toolchain/install.sh host font arm check board package
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

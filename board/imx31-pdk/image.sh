@@ -15,7 +15,10 @@ top=$here/../..
 # What the flash chip and the BSP's layout allow (README.md).
 page=2048
 block=131072
-logical=$((block - 2 * page))
+# The NAND driver corrects errors by 512 bytes, so UBI takes that for a part of
+# a page it can write, and looks for its second header there.
+part=512
+logical=$((block - page))
 rootfs_blocks=1440
 kernel_bytes=5242880
 total_bytes=$((12 * 1024 * 1024))
@@ -61,10 +64,12 @@ mode=ubi
 image=$work/rootfs.ubifs
 vol_id=0
 vol_type=dynamic
+vol_size=$(stat -c %s "$work/rootfs.ubifs")
 vol_name=rootfs
 vol_flags=autoresize
 END
-ubinize -Q 1 -m "$page" -p "$block" -o "$out/rootfs.ubi" "$work/ubi.ini"
+ubinize -Q 1 -m "$page" -s "$part" -p "$block" -o "$out/rootfs.ubi" \
+    "$work/ubi.ini" >>"$work/log"
 
 "$here/package.sh" "$work/root" "$sysroot" "$out"
 

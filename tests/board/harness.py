@@ -124,6 +124,7 @@ def archive(files):
 
 def device_tree(*disabled):
     """The board's device tree without some of its nodes."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
     tree = FOLDER / "tree.dtb"
     shutil.copyfile(IMAGE / "imx31-pdk-limber.dtb", tree)
     for node in disabled:

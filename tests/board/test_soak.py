@@ -1,0 +1,67 @@
+"""SOAK_S seconds of the board's time with buttons pressed at random: memory
+stays flat, no frame takes longer than 100 ms, nothing is said or lost."""
+import os
+import random
+import re
+
+from harness import (BUTTONS, BY_HAND, booted, check, done, emulation, note,
+                     pause, save, start_limber)
+
+SECONDS = float(os.environ.get("SOAK_S", 120))
+SEED = int(os.environ.get("SOAK_SEED", 1))
+FRAME_MS = 100
+DEMOS = ("walker", "arm", "face")
+
+
+def memory_kib(machine):
+    """What limber has taken for itself, and its peak in all."""
+    said = machine.shell("cat /proc/$(pidof limber)/status")[1]
+    return [int(re.search(rf"^{name}:\s+(\d+)", said, re.M)[1])
+            for name in ("RssAnon", "VmHWM")]
+
+
+def press_at_random(machine, chance, until_s):
+    down = set()
+    while machine.time_s() < until_s:
+        button = chance.choice(list(emulation.BUTTONS))
+        machine.wires.level(button, button not in down)
+        down ^= {button}
+        pause(machine, chance.choice((0.01, 0.05, 0.2, 0.5)))
+    for button in down:
+        machine.wires.level(button, False)
+
+
+def soak(machine, demo, seconds):
+    chance = random.Random(f"{SEED} {demo}")
+    start_limber(machine,
+                 f"--demo {demo} --buttons {BUTTONS} --stats /run/stats")
+    pause(machine, 2)
+    before = memory_kib(machine)[0]
+    press_at_random(machine, chance, machine.time_s() + seconds)
+    after, peak = memory_kib(machine)
+    save(machine.frame(), f"{demo}.png")
+    machine.shell("killall limber; while pidof limber >/dev/null; "
+                  "do usleep 50000; done")
+    said = machine.shell("cat /run/said")[1]
+    stats = machine.shell("cat /run/stats")[1]
+    values = {name: float(value) for name, value in
+              re.findall(r'"(\w+)": ([\d.]+)', stats)}
+    check(f"{demo}: memory stays flat", after <= before + 64,
+          f"{before} KiB, then {after} KiB")
+    check(f"{demo}: no frame longer than {FRAME_MS} ms",
+          0 < values["apart_ms_max"] <= FRAME_MS, stats)
+    check(f"{demo}: every press is seen within {FRAME_MS} ms",
+          values["presses"] > 0 and values["latency_ms_max"] <= FRAME_MS,
+          stats)
+    check(f"{demo}: it has nothing to complain of",
+          "limber:" not in said.replace("limber:/#", ""), said)
+    note(f"{demo}: {values['frames']:.0f} frames, {values['fps']:.1f} a "
+         f"second, longest {values['apart_ms_max']:.1f} ms, "
+         f"{values['presses']:.0f} changes of buttons, shown within "
+         f"{values['latency_ms_max']:.1f} ms, {peak / 1024:.1f} MiB")
+
+
+machine = booted(BY_HAND)
+for demo in DEMOS:
+    soak(machine, demo, SECONDS / len(DEMOS))
+done()

@@ -116,6 +116,7 @@ $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 $(call suite,tally,tests/support/tally_test.sh)
 $(model_suites)
 $(bench_suites)
+$(board_suites)
 endef
 
 # The same everywhere: no desktop, and what the loaded drivers lose is theirs.
@@ -129,7 +130,8 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		$(foreach target,$(TARGETS),$(patsubst \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
-		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM)
+		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
+		image build/board/guest
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs
 

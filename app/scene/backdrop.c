@@ -12,7 +12,9 @@ void backdrop_draw(const struct live_texture *texture, const struct gl *gl)
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->LoadIdentity();
 	live_texture_bind(texture, gl);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+	/* By white: some drivers are faster at that than at GL_REPLACE. */
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
 	gl->Disable(GL_DEPTH_TEST);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
@@ -22,7 +24,6 @@ void backdrop_draw(const struct live_texture *texture, const struct gl *gl)
 	gl->TexCoordPointer(2, GL_BYTE, 0, texcoord);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 	live_texture_unbind(gl);
 	gl->Enable(GL_DEPTH_TEST);
 }

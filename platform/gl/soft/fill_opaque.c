@@ -143,15 +143,13 @@ static uint32_t size_of(int32_t value)
 static int choose_level(
 	const struct texture_input *input, const struct ramps *ramps)
 {
-	uint32_t most = size_of(ramps->s.dx);
-	uint32_t size = size_of(ramps->s.dy);
+	uint32_t right =
+		raster_length(size_of(ramps->s.dx), size_of(ramps->t.dx));
+	uint32_t down =
+		raster_length(size_of(ramps->s.dy), size_of(ramps->t.dy));
+	uint32_t most = right > down ? right : down;
 	int lod;
 
-	most = size > most ? size : most;
-	size = size_of(ramps->t.dx);
-	most = size > most ? size : most;
-	size = size_of(ramps->t.dy);
-	most = size > most ? size : most;
 	lod = (raster_log2_q8(most) + 127) >> 8;
 	return clamp_int(lod, 0, input->levels - 1);
 }

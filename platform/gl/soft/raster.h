@@ -131,6 +131,12 @@ static inline int raster_log2_q8(uint32_t value_q16)
 	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
 }
 
+/* How long a vector is, from the sizes of both parts: within 7 %. */
+static inline uint32_t raster_length(uint32_t a, uint32_t b)
+{
+	return a > b ? a + (b >> 2) + (b >> 3) : b + (a >> 2) + (a >> 3);
+}
+
 /* A plane's value at column x of the row under way. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {

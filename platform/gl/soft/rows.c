@@ -8,12 +8,20 @@ static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
 	21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
 	4681, 4369, 4096};
 
-static uint32_t greater_size(uint32_t most, int64_t value)
+static uint32_t size_of(int64_t value)
 {
 	uint64_t size = (uint64_t)(value < 0 ? -value : value);
 
-	return size > most ? size > UINT32_MAX ? UINT32_MAX : (uint32_t)size
-			   : most;
+	return size > UINT32_MAX / 2 ? UINT32_MAX / 2 : (uint32_t)size;
+}
+
+/* The longer of the two ways a step across and a step down lead. */
+static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
+{
+	uint32_t right = raster_length(size_of(across[0]), size_of(across[1]));
+	uint32_t below = raster_length(size_of(down[0]), size_of(down[1]));
+
+	return right > below ? right : below;
 }
 
 static void find_affine_lod(const struct draw *draw, struct span *span)
@@ -21,19 +29,15 @@ static void find_affine_lod(const struct draw *draw, struct span *span)
 	const struct raster *raster = &draw->raster;
 
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		uint32_t most = 0;
+		const struct plane *p = &raster->plane[TEX_S + 2 * unit];
 
-		if (!draw->texture[unit].used) {
-			continue;
-		}
-		for (int i = 0; i < 2; i++) {
-			const struct plane *p =
-				&raster->plane[TEX_S + 2 * unit + i];
+		if (draw->texture[unit].used) {
+			const int64_t across[2] = {p[0].dx, p[1].dx};
+			const int64_t down[2] = {p[0].dy, p[1].dy};
 
-			most = greater_size(most, p->dx);
-			most = greater_size(most, p->dy);
+			span->lod[unit] =
+				raster_log2_q8(longer_way(across, down));
 		}
-		span->lod[unit] = raster_log2_q8(most);
 	}
 }
 
@@ -111,7 +115,7 @@ void rows_find_lod(
 		return;
 	}
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		uint32_t most = 0;
+		int64_t across[2] = {0}, down[2] = {0};
 
 		for (int i = 0; i < 2 && draw->texture[unit].used; i++) {
 			int name = TEX_S + 2 * unit + i;
@@ -122,12 +126,10 @@ void rows_find_lod(
 			int64_t x = p->dx - (u * q->dx >> (shift + 8));
 			int64_t y = p->dy - (u * q->dy >> (shift + 8));
 
-			most = greater_size(
-				most, divide(point, saturate_64(x), shift + 8));
-			most = greater_size(
-				most, divide(point, saturate_64(y), shift + 8));
+			across[i] = divide(point, saturate_64(x), shift + 8);
+			down[i] = divide(point, saturate_64(y), shift + 8);
 		}
-		span->lod[unit] = raster_log2_q8(most);
+		span->lod[unit] = raster_log2_q8(longer_way(across, down));
 	}
 }
 

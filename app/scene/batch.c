@@ -1,5 +1,7 @@
 #include "app/scene/batch.h"
 
+#include "app/scene/outline.h"
+
 #include "app/model/color.h"
 #include "platform/base/scalar.h"
 
@@ -151,6 +153,8 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	const struct model_primitive *primitive = drawable->primitive;
 	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
 	struct batch *batch = ARENA_NEW(arena, struct batch);
+	uint16_t *outline;
+	int error;
 	uint16_t *index =
 		ARENA_ARRAY(arena, uint16_t, (size_t)primitive->index_count);
 
@@ -169,7 +173,9 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	};
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	return fill(batch, drawable, base_color, arena);
+	error = outline_make(primitive, arena, &outline, &batch->outline_count);
+	batch->outline = outline;
+	return error ? error : fill(batch, drawable, base_color, arena);
 }
 
 /*

@@ -77,6 +77,7 @@ struct arrays {
 	bool lit; /* with the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
+	bool outline; /* what it looks like does not matter */
 };
 
 /* Positions, and normals if wanted. */
@@ -116,7 +117,10 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
-	if (batch->index) {
+	if (arrays->outline && batch->outline) {
+		gl->DrawElements(GL_TRIANGLES, batch->outline_count,
+			GL_UNSIGNED_SHORT, batch->outline);
+	} else if (batch->index) {
 		gl->DrawElements(GL_TRIANGLES, batch->index_count,
 			GL_UNSIGNED_SHORT, batch->index);
 	} else {
@@ -166,7 +170,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	static const struct arrays none = {.lit = false};
+	static const struct arrays none = {.outline = true};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {

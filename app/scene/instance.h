@@ -45,6 +45,9 @@ struct batch {
 
 	int index_count;
 	const uint16_t *index; /* or NULL: every three vertices in turn */
+	/* Fewer triangles with the same outline, or NULL */
+	const uint16_t *outline;
+	int outline_count;
 
 	float (*gathered_position)[3]; /* with source: written each update */
 	float (*gathered_normal)[3];

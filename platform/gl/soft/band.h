@@ -78,6 +78,33 @@ static inline uint16_t band_unpack(uint32_t packed)
 /* Draws all rows, and leaves row and edge at the row after them. */
 typedef void (*band_function)(struct band *band);
 
+/* As struct band_row, with an RGB565 texture and one share of its colour. */
+struct texture_row {
+	uintptr_t depth;
+	uint32_t z_q16;
+	/* t in the upper half, s in the lower one, in 1/256 of texels */
+	uint32_t texel;
+	uint32_t share_q26; /* 0 to 32 */
+};
+
+/* Offsets are known to arm/texture.S. Up to 256 texels that repeat. */
+struct texture_band {
+	_Alignas(8) struct texture_row row; /* 0 */
+	struct texture_row down;            /* 16 */
+	uint32_t z_right;                   /* 32 */
+	uint32_t texel_right;               /* 36 */
+	const uint8_t *texels;              /* 40 */
+	uint32_t texel_mask;                /* 44: whole texels of struct row */
+	uint32_t texel_shift;               /* 48: 24 less the width's log2 */
+	uint32_t wide_mask;                 /* 52 */
+	uintptr_t pixels;                   /* 56: as in struct band */
+	uint32_t wide_round;                /* 60 */
+	uint32_t edge[2];                   /* 64 */
+	uint32_t edge_step[2];              /* 72 */
+	uint32_t share_right;               /* 80 */
+	int32_t rows;                       /* 84 */
+};
+
 /*
  * Rows in one colour without a depth test, opaque or blended, where a stencil
  * lets them: what shadows on the ground and panels are.
@@ -99,6 +126,8 @@ struct shade_run;
 
 struct band_functions {
 	band_function color;
+	/* Inside of the picture, whose rows are as far apart as the depth's. */
+	void (*texture)(struct texture_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
 	/* shade.h; of textures as wide as high */
@@ -110,6 +139,7 @@ extern const struct band_functions soft_bands;
 
 /* In C. */
 void band_color_c(struct band *band);
+void band_texture_c(struct texture_band *band);
 void band_flat_c(struct flat_band *band);
 void band_fill_c(uint16_t *at, int count, uint16_t value);
 

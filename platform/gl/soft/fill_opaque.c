@@ -271,15 +271,93 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	return true;
 }
 
+/* Small ones inside of the picture, so that 1/256 of texels are enough. */
+static bool takes_band(const struct draw *draw, const struct setup *setup)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	return setup->inside && setup->extent <= 32 * 16 &&
+		input->width_log2 <= 8 && input->height_log2 <= 8;
+}
+
+static uint32_t pair_texels(uint32_t s_q16, uint32_t t_q16)
+{
+	return ((t_q16 << 8) & 0xFFFF0000) + (uint32_t)((int32_t)s_q16 >> 8);
+}
+
+/* Ramps are at column 0 already; packed ones have to start near the triangle. */
+static void set_texels(struct texture_band *band, const struct ramps *ramps,
+	const struct texture_input *input, int column)
+{
+	band->texels = input->base->texels;
+	band->texel_mask = ((1u << input->height_log2) - 1) << 24 |
+		((1u << input->width_log2) - 1) << 8;
+	band->texel_shift = 24 - (uint32_t)input->width_log2;
+	band->texel_right =
+		pair_texels((uint32_t)ramps->s.dx, (uint32_t)ramps->t.dx);
+	band->down.texel =
+		pair_texels((uint32_t)ramps->s.dy, (uint32_t)ramps->t.dy);
+	band->row.texel = pair_texels(ramp_at(&ramps->s, column),
+				  ramp_at(&ramps->t, column)) -
+		band->texel_right * (uint32_t)column;
+}
+
+static void set_band_edge(const struct draw *draw, struct texture_band *band,
+	int which, const struct vertex *a, const struct vertex *b, int row)
+{
+	struct side side = raster_side(draw, a, b, row);
+
+	band->edge[which] = (uint32_t)side.x + 0x7FFF;
+	band->edge_step[which] = (uint32_t)side.step;
+}
+
+static void draw_texture_bands(
+	struct draw *draw, const struct setup *setup, const struct ramps *ramps)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const uintptr_t stride = (uintptr_t)buffers->width * 2;
+	const uintptr_t offset = (uintptr_t)setup->top * stride;
+	int part = setup->middle_left ? BAND_LEFT : BAND_RIGHT;
+	struct texture_band band = {
+		.row = {(uintptr_t)buffers->depth + offset, ramps->z.at << 6, 0,
+			ramps->color[0].at << 7},
+		.down = {stride, (uint32_t)ramps->z.dy << 6, 0,
+			(uint32_t)ramps->color[0].dy << 7},
+		.z_right = (uint32_t)ramps->z.dx << 6,
+		.share_right = (uint32_t)ramps->color[0].dx << 7,
+		.wide_mask = WIDE_MASK,
+		.wide_round = WIDE_ROUND,
+		.pixels = (uintptr_t)buffers->target.data -
+			(uintptr_t)buffers->depth - 2,
+	};
+
+	set_texels(&band, ramps, &draw->texture[0], setup->v[0]->x >> 4);
+	set_band_edge(draw, &band, !part, setup->v[0], setup->v[2], setup->top);
+	if (setup->middle > setup->top) {
+		set_band_edge(draw, &band, part, setup->v[0], setup->v[1],
+			setup->top);
+		band.rows = setup->middle - setup->top;
+		soft_bands.texture(&band);
+	}
+	if (setup->bottom > setup->middle) {
+		set_band_edge(draw, &band, part, setup->v[1], setup->v[2],
+			setup->middle);
+		band.rows = setup->bottom - setup->middle;
+		soft_bands.texture(&band);
+	}
+}
+
 static ALWAYS_INLINE void fill(
 	struct draw *draw, struct setup *setup, enum paint paint)
 {
 	struct ramps ramps;
 
-	if (find_ramps(draw, setup, paint, &ramps)) {
-		walk(draw, setup, &ramps, paint);
-	} else {
+	if (!find_ramps(draw, setup, paint, &ramps)) {
 		rows_fill(draw, setup);
+	} else if (paint == TEXTURE_GRAY && takes_band(draw, setup)) {
+		draw_texture_bands(draw, setup, &ramps);
+	} else {
+		walk(draw, setup, &ramps, paint);
 	}
 }
 

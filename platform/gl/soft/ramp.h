@@ -99,8 +99,8 @@ static ALWAYS_INLINE struct limits find_limits(
 	}
 	if (high - low <= low >> 4) {
 		return (struct limits){1 << 13,
-			(is_mipmapped(draw) && setup->tiny) ? SMALL_DELTA
-							    : 1 << 11};
+			(is_mipmapped(draw) && setup->extent <= 256) ? SMALL_DELTA
+								     : 1 << 11};
 	}
 	return (struct limits){0, 0};
 }

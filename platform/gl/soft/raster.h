@@ -18,8 +18,8 @@ enum {
 /* A triangle on its way to the rows: its vertices by y, and its rows. */
 struct setup {
 	const struct vertex *v[3];
+	int32_t extent; /* how wide or high it is, in sixteenths */
 	bool back, wide;
-	bool tiny;        /* up to 16 pixels wide and high */
 	bool inside;      /* of draw->box, with a pixel to spare at the sides */
 	bool middle_left; /* the middle vertex lies left of the long edge */
 	uint64_t area;    /* twice of it, in 1/256 of pixels */

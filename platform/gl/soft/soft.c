@@ -34,8 +34,7 @@ static void soft_destroy(struct gl_context *context)
 	free(soft);
 }
 
-static int soft_create(
-	const struct gl_request *request, struct gl_context **out)
+static int soft_create(const struct gl_request *request, struct gl_context **out)
 {
 	const struct log *log = request->log;
 	struct soft *soft = calloc(1, sizeof(*soft));

@@ -57,9 +57,9 @@ static bool find_extent(const struct draw *draw,
 	setup->top = raster_centre(v[0]->y);
 	setup->middle = raster_centre(v[1]->y);
 	setup->bottom = raster_centre(v[2]->y);
-	setup->wide =
-		right - left > SMALL_EXTENT || v[2]->y - v[0]->y > SMALL_EXTENT;
-	setup->tiny = right - left <= 256 && v[2]->y - v[0]->y <= 256;
+	setup->extent = right - left > v[2]->y - v[0]->y ? right - left
+							 : v[2]->y - v[0]->y;
+	setup->wide = setup->extent > SMALL_EXTENT;
 	setup->inside = draw->same_stride && setup->top >= draw->box.top &&
 		setup->bottom <= draw->box.bottom &&
 		raster_centre(left) > draw->box.left &&

@@ -4,6 +4,9 @@
 /* band.S */
 void band_color_arm(struct band *band);
 
+/* texture.S */
+void band_texture_arm(struct texture_band *band);
+
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
 
@@ -13,6 +16,7 @@ void shade_two_arm(const struct shade_run *run);
 
 const struct band_functions soft_bands = {
 	.color = band_color_arm,
+	.texture = band_texture_arm,
 	.flat = band_flat_c,
 	.fill = band_fill_arm,
 	.shade_four = shade_four_arm,

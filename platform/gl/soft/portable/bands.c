@@ -3,6 +3,7 @@
 
 const struct band_functions soft_bands = {
 	.color = band_color_c,
+	.texture = band_texture_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
 	.shade_four = shade_four_c,

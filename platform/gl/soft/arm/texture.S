@@ -1,0 +1,121 @@
+/*
+ * band.c's band_texture_c() for ARMv6: the same bytes. Offsets are those of
+ * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
+ */
+	.syntax unified
+	.arch armv6
+	.arm
+	.text
+
+#define RIGHT 32
+#define TEXELS 40
+#define EDGE 64
+#define EDGE_STEP 72
+#define SHARE_RIGHT 80
+#define ROWS 84
+
+/*
+ * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
+ * r7 texel_right, r8 texels, r9 texel_mask, r10 texel_shift, r11 wide_mask,
+ * r12 pixels, lr wide_round; 20 instructions, which the jump to them knows.
+ */
+	.macro	texture_pixel
+	ldrh	r5, [r1], #2
+	cmp	r2, r5, lsl #16
+	bhs	1f
+	and	r5, r3, r9
+	mov	r0, r2, lsr #16
+	strh	r0, [r1, #-2]
+	uxtb	r0, r5, ror #8
+	add	r0, r0, r5, lsr r10
+	add	r0, r8, r0, lsl #1
+	ldrh	r0, [r0]
+	mov	r5, r4, lsr #26
+	orr	r0, r0, r0, lsl #16
+	and	r0, r0, r11
+	mla	r0, r5, r0, lr
+	and	r0, r11, r0, lsr #5
+	orr	r0, r0, r0, lsr #16
+	strh	r0, [r1, r12]
+1:	add	r2, r2, r6
+	add	r3, r3, r7
+	add	r4, r4, r4, lsl #16
+	.endm
+
+	.global	band_texture_arm
+	.type	band_texture_arm, %function
+band_texture_arm:
+	push	{r4-r11, lr}
+	ldr	r1, [r0, #ROWS]
+	push	{r0, r1}
+
+	/* this row's values; the next one's go back at once */
+.Lrow:
+	ldmia	r0!, {r1-r4}
+	ldmia	r0, {r5-r8}
+	add	r5, r5, r1
+	add	r6, r6, r2
+	add	r7, r7, r3
+	add	r8, r8, r4
+	stmdb	r0!, {r5-r8}
+	ldrd	r10, [r0, #EDGE]
+	ldrd	r8, [r0, #EDGE_STEP]
+	mov	r12, r10, asr #16
+	rsbs	r5, r12, r11, asr #16
+	add	r10, r10, r8
+	add	r11, r11, r9
+	strd	r10, [r0, #EDGE]
+	ble	.Lnext
+
+	/* from column 0 to column r12; r5 pixels are left */
+.Lbegin:
+	ldrd	r6, [r0, #RIGHT]
+	ldr	r8, [r0, #SHARE_RIGHT]
+	mla	r2, r12, r6, r2
+	mla	r3, r12, r7, r3
+	mla	r4, r12, r8, r4
+	add	r1, r1, r12, lsl #1
+	cmp	r5, #16
+	bgt	.Llong
+	pkhtb	r4, r4, r8, asr #16
+	add	r0, r0, #TEXELS
+	ldmia	r0, {r8-r12, lr}
+	rsb	r5, r5, #16
+	add	r5, r5, r5, lsl #2
+	add	pc, pc, r5, lsl #4
+	nop
+	.rept	16
+	texture_pixel
+	.endr
+
+.Lnext:
+	pop	{r0, r1}
+	subs	r1, r1, #1
+	pushne	{r0, r1}
+	bne	.Lrow
+	pop	{r4-r11, pc}
+
+	/* 16 of more; then the row's values again, which are one row back */
+.Llong:
+	pkhtb	r4, r4, r8, asr #16
+	push	{r5, r12}
+	add	r0, r0, #TEXELS
+	ldmia	r0, {r8-r12, lr}
+	.rept	16
+	texture_pixel
+	.endr
+	pop	{r5, r12}
+	ldr	r0, [sp]
+	ldmia	r0!, {r1-r4}
+	ldmia	r0, {r6-r9}
+	sub	r0, r0, #16
+	sub	r1, r1, r6
+	sub	r2, r2, r7
+	sub	r3, r3, r8
+	sub	r4, r4, r9
+	sub	r5, r5, #16
+	add	r12, r12, #16
+	b	.Lbegin
+	.size	band_texture_arm, . - band_texture_arm
+
+	.section .note.GNU-stack, "", %progbits

@@ -4,8 +4,10 @@
 #ifndef PLATFORM_BASE_COMPILER_H
 #define PLATFORM_BASE_COMPILER_H
 
+#include <stdint.h>
+
 /* Checks a printf-like function's arguments against its format. */
-#define PRINTF_LIKE(format_index, first_argument)                              \
+#define PRINTF_LIKE(format_index, first_argument) \
 	__attribute__((format(printf, format_index, first_argument)))
 
 #define ARRAY_COUNT(array) (sizeof(array) / sizeof((array)[0]))
@@ -25,9 +27,8 @@
 #include <arm_acle.h>
 #define MULTIPLY_ADD_HALF(sum, word, half) __smlawb(word, half, sum)
 #else
-#include <stdint.h>
-#define MULTIPLY_ADD_HALF(sum, word, half)                                     \
-	((int32_t)((uint32_t)(sum) +                                           \
+#define MULTIPLY_ADD_HALF(sum, word, half) \
+	((int32_t)((uint32_t)(sum) +       \
 		(uint32_t)(int32_t)((int64_t)(word) * (int16_t)(half) >> 16)))
 #endif
 
@@ -52,6 +53,35 @@
 #define HALVES_TT(a, b, sum) \
 	((int16_t)((a) >> 16) * (int16_t)((b) >> 16) + (sum))
 #define BYTES_AS_HALVES(word) ((word)&0x00ff00ffu)
+#endif
+
+/* The smaller, the larger of the halves of two words, each by itself. */
+#ifdef __ARM_FEATURE_SIMD32
+static inline uint32_t least_halves(uint32_t a, uint32_t b)
+{
+	__usub16(a, b);
+	return __sel(b, a);
+}
+
+static inline uint32_t most_halves(uint32_t a, uint32_t b)
+{
+	__usub16(a, b);
+	return __sel(a, b);
+}
+#else
+static inline uint32_t least_halves(uint32_t a, uint32_t b)
+{
+	uint32_t low = (a & 0xFFFF) < (b & 0xFFFF) ? a & 0xFFFF : b & 0xFFFF;
+
+	return (a >> 16 < b >> 16 ? a >> 16 : b >> 16) << 16 | low;
+}
+
+static inline uint32_t most_halves(uint32_t a, uint32_t b)
+{
+	uint32_t low = (a & 0xFFFF) > (b & 0xFFFF) ? a & 0xFFFF : b & 0xFFFF;
+
+	return (a >> 16 > b >> 16 ? a >> 16 : b >> 16) << 16 | low;
+}
 #endif
 
 #endif

@@ -164,28 +164,27 @@ static ALWAYS_INLINE uint32_t differ_at(
 	return load_word(left + 4 * word) ^ load_word(right + 4 * word);
 }
 
-/* The first stream has positions: three words or more. */
-static ALWAYS_INLINE bool are_equal(
+static ALWAYS_INLINE bool are_equal_words(
+	const uint8_t *left, const uint8_t *right, int words)
+{
+	uint32_t differ = 0;
+
+	for (int i = 0; i < words; i++) {
+		differ |= differ_at(left, right, i);
+	}
+	return differ == 0;
+}
+
+static bool are_equal_streams(
 	const struct stream *streams, int count, uint32_t a, uint32_t b)
 {
 	for (int i = 0; i < count; i++) {
 		const struct stream *stream = &streams[i];
-		const uint8_t *left = stream->pointer + a * stream->stride_bytes;
-		const uint8_t *right =
-			stream->pointer + b * stream->stride_bytes;
-		int words = stream->words;
 
-		for (; words >= 3; words -= 3, left += 12, right += 12) {
-			if (differ_at(left, right, 0) |
-				differ_at(left, right, 1) |
-				differ_at(left, right, 2)) {
-				return false;
-			}
-		}
-		for (; words > 0; words--, left += 4, right += 4) {
-			if (differ_at(left, right, 0)) {
-				return false;
-			}
+		if (!are_equal_words(stream->pointer + a * stream->stride_bytes,
+			    stream->pointer + b * stream->stride_bytes,
+			    stream->words)) {
+			return false;
 		}
 	}
 	return true;
@@ -193,17 +192,25 @@ static ALWAYS_INLINE bool are_equal(
 
 /* By what the vertex is made of: unindexed lists give it several times. */
 static ALWAYS_INLINE struct vertex *find_alike(struct draw *draw,
-	const struct stream *streams, int count, uint32_t index)
+	const struct stream *streams, int count, int words, uint32_t index)
 {
 	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
-	uint32_t mixed = load_word(at) +
-		(load_word(at + 4) << 3 ^ load_word(at + 4) >> 9) -
-		(load_word(at + 8) >> 5);
+	uint32_t y = load_word(at + 4);
+	uint32_t mixed =
+		load_word(at) + (y << 3) + (y >> 9) - (load_word(at + 8) >> 5);
 	uint32_t slot = mixed * 2654435761u >> 23;
 	struct vertex *vertex = &draw->cache[slot];
 	uint32_t cached = draw->cached[slot];
+	bool equal = cached != 0;
 
-	if (cached == 0 || !are_equal(streams, count, cached - 1, index)) {
+	if (equal && words) {
+		equal = are_equal_words(
+			streams->pointer + (cached - 1) * streams->stride_bytes,
+			at, words);
+	} else if (equal) {
+		equal = are_equal_streams(streams, count, cached - 1, index);
+	}
+	if (!equal) {
 		draw->cached[slot] = index + 1;
 		soft_transform(draw, index, vertex);
 	}
@@ -224,16 +231,18 @@ static bool list_streams(
 		add_stream(&arrays->texcoord[1], streams, count);
 }
 
-static void draw_alike(struct draw *draw, const struct source *source,
-	const struct stream *streams, int count)
+/* Words is constant where all of a vertex lies together, else 0. */
+static ALWAYS_INLINE void draw_alike(struct draw *draw,
+	const struct source *source, const struct stream *streams, int count,
+	int words)
 {
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
 		uint32_t index = source->first + i;
 		struct vertex *v[3];
 
-		v[0] = find_alike(draw, streams, count, index);
-		v[1] = find_alike(draw, streams, count, index + 1);
-		v[2] = find_alike(draw, streams, count, index + 2);
+		v[0] = find_alike(draw, streams, count, words, index);
+		v[1] = find_alike(draw, streams, count, words, index + 1);
+		v[2] = find_alike(draw, streams, count, words, index + 2);
 		if (v[0] == v[1] || v[0] == v[2]) {
 			v[0] = &draw->apart[0];
 			soft_transform(draw, index, v[0]);
@@ -252,7 +261,13 @@ static void draw_unshared(struct draw *draw, const struct source *source)
 	int count;
 
 	if (list_streams(draw, streams, &count)) {
-		draw_alike(draw, source, streams, count);
+		if (count == 1 && streams->words == 6) {
+			draw_alike(draw, source, streams, 1, 6);
+		} else if (count == 1 && streams->words == 8) {
+			draw_alike(draw, source, streams, 1, 8);
+		} else {
+			draw_alike(draw, source, streams, count, 0);
+		}
 		return;
 	}
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
@@ -359,6 +374,35 @@ static void draw_arrays(GLenum mode, GLint first, GLsizei count)
 	}
 }
 
+static void find_range(
+	const struct source *source, uint32_t *low, uint32_t *high)
+{
+	uint32_t i = 0, least = UINT32_MAX, most = 0;
+
+	if (source->type == GL_UNSIGNED_SHORT) {
+		uint32_t highest = 0, lowest = UINT32_MAX;
+
+		for (; i + 1 < source->count; i += 2) {
+			uint32_t two = load_word(source->indices + 2 * i);
+
+			lowest = least_halves(lowest, two);
+			highest = most_halves(highest, two);
+		}
+		least = lowest & 0xFFFF;
+		least = lowest >> 16 < least ? lowest >> 16 : least;
+		most = highest & 0xFFFF;
+		most = highest >> 16 > most ? highest >> 16 : most;
+	}
+	for (; i < source->count; i++) {
+		uint32_t index = index_at(source, i);
+
+		least = index < least ? index : least;
+		most = index > most ? index : most;
+	}
+	*low = least;
+	*high = most;
+}
+
 static void draw_elements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
@@ -375,12 +419,8 @@ static void draw_elements(
 	}
 	source.count = (uint32_t)count;
 	/* Floats alone have a scale that their range decides. */
-	for (uint32_t i = 0;
-		i < source.count && soft->arrays.vertex.type == GL_FLOAT; i++) {
-		uint32_t index = index_at(&source, i);
-
-		low = index < low ? index : low;
-		high = index > high ? index : high;
+	if (soft->arrays.vertex.type == GL_FLOAT) {
+		find_range(&source, &low, &high);
 	}
 	if (soft_prepare(soft, soft->draw, low, high - low + 1)) {
 		draw_primitives(soft->draw, &source, mode);

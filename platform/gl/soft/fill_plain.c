@@ -96,6 +96,18 @@ static ALWAYS_INLINE void set_colors(
 		(uint32_t)cut(five(b->right), 14);
 }
 
+static ALWAYS_INLINE bool is_gray_vertex(const struct vertex *v)
+{
+	return v->attribute[RED] == v->attribute[GREEN] &&
+		v->attribute[RED] == v->attribute[BLUE];
+}
+
+static ALWAYS_INLINE bool is_gray(const struct setup *setup)
+{
+	return is_gray_vertex(setup->v[0]) && is_gray_vertex(setup->v[1]) &&
+		is_gray_vertex(setup->v[2]);
+}
+
 static ALWAYS_INLINE bool set_values(
 	struct draw *draw, struct setup *setup, struct band *band)
 {
@@ -107,8 +119,14 @@ static ALWAYS_INLINE bool set_values(
 
 	raster_find_area(setup);
 	scale = find_scale(setup);
-	if (!find_color(&scale, RED, limits.color, &colors) ||
-		!find_color(&scale, GREEN, limits.color, &colors) ||
+	if (!find_color(&scale, RED, limits.color, &colors)) {
+		return false;
+	}
+	if (is_gray(setup)) {
+		colors.start[GREEN] = colors.start[BLUE] = colors.start[RED];
+		colors.gradient[GREEN] = colors.gradient[RED];
+		colors.gradient[BLUE] = colors.gradient[RED];
+	} else if (!find_color(&scale, GREEN, limits.color, &colors) ||
 		!find_color(&scale, BLUE, limits.color, &colors)) {
 		return false;
 	}

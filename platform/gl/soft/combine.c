@@ -166,6 +166,42 @@ static void apply_combiner(
 	}
 }
 
+/*
+ * What relief asks for: the texel's normal by the light in the primary colour,
+ * alpha modulated. So much as apply_combiner(), without looking things up.
+ */
+static bool is_plain_dot(const struct texenv *env)
+{
+	return env->mode == GL_COMBINE && env->combine_rgb == GL_DOT3_RGB &&
+		env->source_rgb[0] == GL_TEXTURE &&
+		env->source_rgb[1] == GL_PRIMARY_COLOR &&
+		env->operand_rgb[0] == GL_SRC_COLOR &&
+		env->operand_rgb[1] == GL_SRC_COLOR &&
+		env->scale_rgb == 65536 && env->scale_alpha == 65536 &&
+		env->combine_alpha == GL_MODULATE &&
+		env->source_alpha[0] == GL_TEXTURE &&
+		env->source_alpha[1] == GL_PREVIOUS &&
+		env->operand_alpha[0] == GL_SRC_ALPHA &&
+		env->operand_alpha[1] == GL_SRC_ALPHA;
+}
+
+static void dot_plainly(int count, const uint8_t (*texel)[4],
+	const uint8_t (*primary)[4], uint8_t (*color)[4])
+{
+	for (int i = 0; i < count; i++) {
+		int sum = 0;
+
+		for (int k = 0; k < 3; k++) {
+			sum += (2 * texel[i][k] - 255) *
+				(2 * primary[i][k] - 255);
+		}
+		/* sum / 255 towards zero, of 0 to 195,075 */
+		memset(color[i],
+			to_byte(sum <= 0 ? 0 : (sum * 257 + 257) >> 16), 3);
+		color[i][3] = (uint8_t)scale_byte(texel[i][3], color[i][3]);
+	}
+}
+
 void soft_combine(const struct texture_input *input, int count,
 	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
 	uint8_t (*color)[4])
@@ -173,6 +209,10 @@ void soft_combine(const struct texture_input *input, int count,
 	const struct texenv *env = input->env;
 	struct meeting m;
 
+	if (is_plain_dot(env)) {
+		dot_plainly(count, texel, primary, color);
+		return;
+	}
 	for (int i = 0; i < 4; i++) {
 		m.constant[i] = (uint8_t)soft_byte(env->color[i]);
 	}

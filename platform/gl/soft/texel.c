@@ -99,6 +99,51 @@ static void sample_linear(const struct texture *texture,
 	mix_texels(side[0], side[1], t >> 8 & 255, out);
 }
 
+/* All three channels of an RGB565 texel by 256ths, 10 bits apart. */
+static ALWAYS_INLINE void mix_565(
+	const uint16_t texel[4], uint32_t across, uint32_t down, uint8_t out[4])
+{
+	static const int shift[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
+
+	for (int i = 0; i < 3; i++) {
+		uint32_t mask = (1u << bits[i]) - 1;
+		uint32_t above = (texel[0] >> shift[i] & mask) * (256 - across) +
+			(texel[1] >> shift[i] & mask) * across;
+		uint32_t below = (texel[2] >> shift[i] & mask) * (256 - across) +
+			(texel[3] >> shift[i] & mask) * across;
+		uint32_t all = above * (256 - down) + below * down;
+
+		/* times 255 / 31 or 255 / 63, in 1/256 */
+		out[i] = (uint8_t)(((all >> 8) * (bits[i] == 5 ? 2106 : 1036) +
+					   32768) >>
+			16);
+	}
+	out[3] = 255;
+}
+
+/* As sample_level(), of what most textures are. */
+static void sample_linear_565(const struct level *level, int count, uint32_t s,
+	uint32_t t, const int32_t step[2], const int shift[2], uint8_t (*out)[4])
+{
+	const uint32_t mask_s = (1u << level->width_log2) - 1;
+	const uint32_t mask_t = (1u << level->height_log2) - 1;
+	const uint16_t *texels = (const uint16_t *)(const void *)level->texels;
+
+	for (int i = 0; i < count; i++) {
+		uint32_t at_s = (uint32_t)((int32_t)s >> shift[0]) - 32768;
+		uint32_t at_t = (uint32_t)((int32_t)t >> shift[1]) - 32768;
+		uint32_t x0 = at_s >> 16 & mask_s, x1 = (x0 + 1) & mask_s;
+		uint32_t y0 = at_t >> 16 & mask_t, y1 = (y0 + 1) & mask_t;
+		const uint16_t *row = texels + (y0 << level->width_log2);
+		const uint16_t *next = texels + (y1 << level->width_log2);
+		const uint16_t four[4] = {row[x0], row[x1], next[x0], next[x1]};
+
+		mix_565(four, at_s >> 8 & 255, at_t >> 8 & 255, out[i]);
+		s += (uint32_t)step[0];
+		t += (uint32_t)step[1];
+	}
+}
+
 /* One level for all of a span, as s and t run at level 0. */
 static void sample_level(const struct texture_input *input, int number,
 	bool linear, const struct span *span, int unit, uint8_t (*out)[4])
@@ -110,6 +155,14 @@ static void sample_level(const struct texture_input *input, int number,
 	int s_shift = input->width_log2 - level->width_log2;
 	int t_shift = input->height_log2 - level->height_log2;
 
+	if (linear && level->format == TEXEL_565 &&
+		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT) {
+		const int shift[2] = {s_shift, t_shift};
+
+		sample_linear_565(level, span->count, s, t, &span->step[s_name],
+			shift, out);
+		return;
+	}
 	for (int i = 0; i < span->count; i++) {
 		int32_t at_s = (int32_t)s >> s_shift;
 		int32_t at_t = (int32_t)t >> t_shift;

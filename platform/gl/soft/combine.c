@@ -195,7 +195,7 @@ static void dot_plainly(int count, const uint8_t (*texel)[4],
 			sum += (2 * texel[i][k] - 255) *
 				(2 * primary[i][k] - 255);
 		}
-		/* sum / 255 towards zero, of 0 to 195,075 */
+		/* sum / 255 towards zero, wherever that is below 256 */
 		memset(color[i],
 			to_byte(sum <= 0 ? 0 : (sum * 257 + 257) >> 16), 3);
 		color[i][3] = (uint8_t)scale_byte(texel[i][3], color[i][3]);

@@ -1,0 +1,558 @@
+/*
+ * The soft driver's short cuts: against the long way, which takes any state;
+ * and those in assembly against the same in C.
+ */
+#include "platform/base/fixed.h"
+#include "platform/gl/soft/band.h"
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/shade.h"
+#include "tests/support/test.h"
+
+#include <malloc.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	WIDTH = 96,
+	HEIGHT = 80,
+	GUARD = 8, /* rows above and below */
+	PIXELS = WIDTH * (HEIGHT + 2 * GUARD),
+	SIDE = 32, /* of the texture */
+};
+
+static uint32_t next_random(uint32_t *seed)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return *seed >> 8;
+}
+
+static int random_between(uint32_t *seed, int low, int high)
+{
+	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
+}
+
+/* A picture whose rows lie as close as those of its depth. */
+struct scene {
+	struct gl_context *context;
+	const struct gl *gl;
+	struct soft *soft;
+	uint16_t all[PIXELS];
+	struct pixels picture;
+};
+
+/* Calls of GL go to the context whose frame began last. */
+static void use(struct scene *scene)
+{
+	assert_int_equal(scene->context->driver->begin_frame(
+				 scene->context, &scene->picture),
+		0);
+}
+
+static void make_texture(const struct gl *gl, uint32_t seed)
+{
+	uint8_t texels[SIDE * SIDE * 3];
+	GLuint name;
+
+	for (size_t i = 0; i < sizeof(texels); i++) {
+		texels[i] = (uint8_t)next_random(&seed);
+	}
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE, SIDE, 0, GL_RGB,
+		GL_UNSIGNED_BYTE, texels);
+}
+
+static struct scene *open_scene(uint32_t seed)
+{
+	const struct log log = {0};
+	struct scene *scene = calloc(1, sizeof(*scene));
+
+	assert_non_null(scene);
+	memset(scene->all, 0xA5, sizeof(scene->all));
+	scene->picture = (struct pixels){
+		.width = WIDTH,
+		.height = HEIGHT,
+		.stride_bytes = WIDTH * 2,
+		.format = PIXELS_RGB565,
+		.data = (uint8_t *)(scene->all + GUARD * WIDTH),
+	};
+	assert_int_equal(
+		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
+	scene->gl = &scene->context->gl;
+	scene->soft = (struct soft *)scene->context;
+	use(scene);
+	scene->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	make_texture(scene->gl, seed);
+	return scene;
+}
+
+static void close_scene(struct scene *scene)
+{
+	scene->context->driver->end_frame(scene->context);
+	scene->context->driver->destroy(scene->context);
+	for (int i = 0; i < GUARD * WIDTH; i++) {
+		assert_int_equal(scene->all[i], 0xA5A5);
+		assert_int_equal(scene->all[PIXELS - 1 - i], 0xA5A5);
+	}
+	free(scene);
+}
+
+struct corner {
+	float position[3];
+	uint8_t color[4];
+	float texcoord[2];
+};
+
+enum kind {
+	PLAIN,
+	TEXTURED,
+	SHADOW,
+	KINDS,
+};
+
+enum {
+	TRIANGLES = 40,
+	CORNERS = TRIANGLES * 3,
+};
+
+/* Small and large ones, inside of the picture and across its borders. */
+static void make_triangles(
+	struct corner *corner, uint32_t seed, enum kind kind, int size)
+{
+	for (int i = 0; i < TRIANGLES; i++) {
+		float x = (float)random_between(&seed, -1100, 1100) / 1000.0f;
+		float y = (float)random_between(&seed, -1100, 1100) / 1000.0f;
+
+		for (int k = 0; k < 3; k++) {
+			struct corner *c = &corner[i * 3 + k];
+			int gray = random_between(&seed, 0, 255);
+
+			c->position[0] = x +
+				(float)random_between(&seed, -size, size) /
+					1000.0f;
+			c->position[1] = y +
+				(float)random_between(&seed, -size, size) /
+					1000.0f;
+			c->position[2] =
+				(float)random_between(&seed, -900, 900) /
+				1000.0f;
+			for (int n = 0; n < 3; n++) {
+				c->color[n] = (uint8_t)(kind == TEXTURED
+						? gray
+						: random_between(&seed, 0, 255));
+			}
+			c->color[3] = 255;
+			c->texcoord[0] =
+				(float)random_between(&seed, -40, 40) / 64.0f;
+			c->texcoord[1] =
+				(float)random_between(&seed, -40, 40) / 64.0f;
+		}
+	}
+}
+
+/* The alpha test that all pass sends fragments the long way. */
+static void draw(struct scene *scene, const struct corner *corner,
+	enum kind kind, bool long_way)
+{
+	const struct gl *gl = scene->gl;
+	const GLsizei stride = sizeof(*corner);
+
+	use(scene);
+	(long_way ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_ALWAYS, 0);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
+	if (kind == TEXTURED) {
+		gl->Enable(GL_TEXTURE_2D);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+		gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
+	}
+	if (kind == SHADOW) {
+		gl->Disable(GL_DEPTH_TEST);
+		gl->DisableClientState(GL_COLOR_ARRAY);
+		gl->Color4x(FX16_ONE, FX16_ONE / 2, 0, FX16_ONE * 3 / 8);
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_EQUAL, 0, 255);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+		gl->Clear(GL_STENCIL_BUFFER_BIT);
+	}
+	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+}
+
+static int differ_most(uint16_t a, uint16_t b)
+{
+	int red = abs((a >> 11) - (b >> 11));
+	int green = (abs((a >> 5 & 63) - (b >> 5 & 63)) + 1) / 2;
+	int blue = abs((a & 31) - (b & 31));
+	int most = red > green ? red : green;
+
+	return most > blue ? most : blue;
+}
+
+/* Coverage, depth and stencil are the same, colours within a step. */
+static void compare(const struct scene *a, const struct scene *b)
+{
+	const struct buffers *left = &a->soft->buffers;
+	const struct buffers *right = &b->soft->buffers;
+	const uint16_t *p = a->all + GUARD * WIDTH, *q = b->all + GUARD * WIDTH;
+
+	assert_memory_equal(left->depth, right->depth, WIDTH * HEIGHT * 2);
+	if (left->stencil) {
+		assert_memory_equal(
+			left->stencil, right->stencil, WIDTH * HEIGHT);
+	}
+	for (int i = 0; i < WIDTH * HEIGHT; i++) {
+		if (differ_most(p[i], q[i]) > 1) {
+			fail_msg("pixel %d,%d is %04x, the long way %04x",
+				i % WIDTH, i / WIDTH, p[i], q[i]);
+		}
+	}
+}
+
+static void check_kind(enum kind kind)
+{
+	static const int sizes[] = {30, 100, 300, 900, 3000};
+
+	for (uint32_t seed = 1; seed <= 60; seed++) {
+		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct corner corner[CORNERS];
+
+		make_triangles(corner, seed, kind, sizes[seed % 5]);
+		draw(quick, corner, kind, false);
+		draw(slow, corner, kind, true);
+		compare(quick, slow);
+		close_scene(quick);
+		close_scene(slow);
+	}
+}
+
+static void test_plain_triangles_are_those_of_the_long_way(void **state)
+{
+	(void)state;
+	check_kind(PLAIN);
+}
+
+static void test_shadows_are_those_of_the_long_way(void **state)
+{
+	(void)state;
+	check_kind(SHADOW);
+}
+
+/*
+ * Coordinates run in 1/256 of texels there, so that near the border of two
+ * texels either may be taken: with a texture of noise, pixels are counted.
+ */
+static void test_textured_triangles_are_nearly_those_of_the_long_way(
+	void **state)
+{
+	int other = 0, seen = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 60; seed++) {
+		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct corner corner[CORNERS];
+
+		make_triangles(corner, seed, TEXTURED, 30 + (int)seed * 6);
+		draw(quick, corner, TEXTURED, false);
+		draw(slow, corner, TEXTURED, true);
+		assert_memory_equal(quick->soft->buffers.depth,
+			slow->soft->buffers.depth, WIDTH * HEIGHT * 2);
+		for (int i = 0; i < PIXELS; i++) {
+			seen += slow->all[i] != 0 && slow->all[i] != 0xA5A5;
+			other += differ_most(quick->all[i], slow->all[i]) > 1;
+		}
+		close_scene(quick);
+		close_scene(slow);
+	}
+	assert_true(seen > 10000);
+	assert_true(other * 30 < seen);
+}
+
+/* Positions and normals in 16 bits show what floats show. */
+static void test_shorts_are_drawn_like_floats(void **state)
+{
+	struct scene *a = open_scene(7), *b = open_scene(7);
+	struct corner corner[CORNERS];
+	int16_t shorts[CORNERS][4];
+
+	(void)state;
+	make_triangles(corner, 5, PLAIN, 300);
+	for (int i = 0; i < CORNERS; i++) {
+		for (int k = 0; k < 3; k++) {
+			shorts[i][k] =
+				(int16_t)(corner[i].position[k] * 8192.0f);
+			corner[i].position[k] = (float)shorts[i][k];
+		}
+	}
+	for (int i = 0; i < 2; i++) {
+		const struct gl *gl = i ? a->gl : b->gl;
+
+		use(i ? a : b);
+		gl->Scalex(FX16_ONE / 8192, FX16_ONE / 8192, FX16_ONE / 8192);
+	}
+	draw(a, corner, PLAIN, false);
+	use(b);
+	b->gl->Enable(GL_DEPTH_TEST);
+	b->gl->EnableClientState(GL_VERTEX_ARRAY);
+	b->gl->EnableClientState(GL_COLOR_ARRAY);
+	b->gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
+	b->gl->VertexPointer(3, GL_SHORT, sizeof(shorts[0]), shorts);
+	b->gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+	compare(a, b);
+	close_scene(a);
+	close_scene(b);
+}
+
+static void test_a_context_needs_less_than_256_kib(void **state)
+{
+	(void)state;
+	assert_true(sizeof(struct soft) + sizeof(struct draw) < 256 * 1024);
+}
+
+static void test_drawing_takes_no_memory(void **state)
+{
+	struct scene *scene = open_scene(7);
+	struct corner corner[CORNERS];
+	struct mallinfo2 before, after;
+
+	(void)state;
+	for (int round = 0; round < 2; round++) {
+		before = mallinfo2();
+		for (int kind = 0; kind < KINDS; kind++) {
+			make_triangles(corner, 3, (enum kind)kind, 200);
+			draw(scene, corner, (enum kind)kind, false);
+			draw(scene, corner, (enum kind)kind, true);
+		}
+		after = mallinfo2();
+	}
+	/* In the first round the stencil was made. */
+	assert_int_equal(before.uordblks, after.uordblks);
+	assert_int_equal(before.arena, after.arena);
+	close_scene(scene);
+}
+
+/* Two sets of buffers that begin alike. */
+struct twins {
+	uint16_t pixel[2][64 * 64], depth[2][64 * 64];
+};
+
+static struct twins *make_twins(uint32_t *seed)
+{
+	struct twins *twins = calloc(1, sizeof(*twins));
+
+	assert_non_null(twins);
+	for (int i = 0; i < 64 * 64; i++) {
+		twins->depth[0][i] = (uint16_t)next_random(seed);
+		twins->pixel[0][i] = (uint16_t)next_random(seed);
+	}
+	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
+	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
+	return twins;
+}
+
+static void check_twins(struct twins *twins)
+{
+	assert_memory_equal(
+		twins->depth[0], twins->depth[1], sizeof(twins->depth[0]));
+	assert_memory_equal(
+		twins->pixel[0], twins->pixel[1], sizeof(twins->pixel[0]));
+	free(twins);
+}
+
+/* Between columns 4 and 60 of 64, in 20 rows at most. */
+static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
+{
+	for (int side = 0; side < 2; side++) {
+		int from = random_between(seed, 4, 60);
+		int to = random_between(seed, 4, 60);
+
+		edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
+		step[side] = (uint32_t)((to - from) * 65536 / 20);
+	}
+}
+
+static uint32_t any_word(uint32_t *seed)
+{
+	uint32_t upper = next_random(seed);
+
+	return upper << 16 ^ next_random(seed);
+}
+
+static void test_the_color_band_is_as_in_c(void **state)
+{
+	uint32_t seed = 1;
+
+	(void)state;
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = make_twins(&seed);
+		struct band band = {
+			.row = {0, any_word(&seed), any_word(&seed),
+				any_word(&seed)},
+			.down = {128, any_word(&seed), any_word(&seed),
+				any_word(&seed)},
+			.z_right = any_word(&seed) >> 6,
+			.packed_right = any_word(&seed),
+			.red_blue_right = any_word(&seed),
+			.green_right = any_word(&seed),
+			.wide_mask = WIDE_MASK,
+			.rows = random_between(&seed, 1, 20),
+			.from = 0,
+			.to = 64,
+		};
+		struct band other;
+
+		make_edges(&seed, band.edge, band.edge_step);
+		other = band;
+		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
+		band.pixels = (uintptr_t)twins->pixel[0] -
+			(uintptr_t)twins->depth[0] - 2;
+		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
+		other.pixels = (uintptr_t)twins->pixel[1] -
+			(uintptr_t)twins->depth[1] - 2;
+		soft_bands.color(&band);
+		band_color_c(&other);
+		assert_int_equal(band.row.z_q16, other.row.z_q16);
+		assert_int_equal(band.row.green_q26, other.row.green_q26);
+		assert_int_equal(band.edge[0], other.edge[0]);
+		assert_int_equal(band.edge[1], other.edge[1]);
+		check_twins(twins);
+	}
+}
+
+static void test_the_texture_band_is_as_in_c(void **state)
+{
+	uint8_t texels[2 * 64 * 32];
+	uint32_t seed = 2;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(texels); i++) {
+		texels[i] = (uint8_t)next_random(&seed);
+	}
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = make_twins(&seed);
+		struct texture_band band = {
+			.row = {0, any_word(&seed), any_word(&seed),
+				next_random(&seed) << 6},
+			.down = {128, any_word(&seed), any_word(&seed), 0},
+			.z_right = any_word(&seed) >> 6,
+			.texel_right = any_word(&seed),
+			.texels = texels,
+			.texel_mask = 31u << 24 | 63u << 8,
+			.texel_shift = 24 - 6,
+			.wide_mask = WIDE_MASK,
+			.wide_round = WIDE_ROUND,
+			.share_right = next_random(&seed) & 0xFFFFF,
+			.rows = random_between(&seed, 1, 20),
+		};
+		struct texture_band other;
+
+		make_edges(&seed, band.edge, band.edge_step);
+		other = band;
+		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
+		band.pixels = (uintptr_t)twins->pixel[0] -
+			(uintptr_t)twins->depth[0] - 2;
+		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
+		other.pixels = (uintptr_t)twins->pixel[1] -
+			(uintptr_t)twins->depth[1] - 2;
+		soft_bands.texture(&band);
+		band_texture_c(&other);
+		assert_int_equal(band.row.texel, other.row.texel);
+		assert_int_equal(band.edge[0], other.edge[0]);
+		assert_int_equal(band.edge[1], other.edge[1]);
+		check_twins(twins);
+	}
+}
+
+/* Fields of equal texels among others, as floors have them. */
+static void make_quads(uint32_t *seed, uint32_t *quads, int count)
+{
+	for (int i = 0; i < count; i++) {
+		quads[i] = i / 7 % 3 ? 0x01010101u * (uint32_t)(i / 21 % 256)
+				     : any_word(seed);
+	}
+}
+
+static void test_shades_are_as_in_c(void **state)
+{
+	uint32_t quads[16 * 16], shade[256], seed = 3;
+
+	(void)state;
+	make_quads(&seed, quads, 16 * 16);
+	for (uint32_t i = 0; i < 256; i++) {
+		shade[i] = widen(next_random(&seed) & 0xFFFF);
+	}
+	for (int round = 0; round < 2000; round++) {
+		struct twins *twins = make_twins(&seed);
+		int at = random_between(&seed, 100, 120);
+		struct shade_run run = {
+			.pixel = twins->pixel[0] + at,
+			.count = random_between(&seed, 1, 200),
+			.quads = quads,
+			.width_log2 = 4,
+			.height_log2 = 4,
+			.s = any_word(&seed),
+			.t = any_word(&seed),
+			.s_right = (int32_t)any_word(&seed) >> 5,
+			.t_right = (int32_t)any_word(&seed) >> 5,
+			.shade = shade,
+		};
+		struct shade_run other = run;
+
+		other.pixel = twins->pixel[1] + at;
+		if (round % 2) {
+			soft_bands.shade_four(&run);
+			shade_four_c(&other);
+		} else {
+			soft_bands.shade_two(&run);
+			shade_two_c(&other);
+		}
+		check_twins(twins);
+	}
+}
+
+static void test_fills_end_where_they_should(void **state)
+{
+	(void)state;
+	for (int count = 0; count < 70; count++) {
+		for (int at = 4; at < 8; at++) {
+			uint16_t row[90];
+
+			memset(row, 0xA5, sizeof(row));
+			soft_bands.fill(row + at, count, 0x1234);
+			for (int i = 0; i < 90; i++) {
+				bool in = i >= at && i < at + count;
+
+				assert_int_equal(row[i], in ? 0x1234 : 0xA5A5);
+			}
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_plain_triangles_are_those_of_the_long_way),
+		cmocka_unit_test(test_shadows_are_those_of_the_long_way),
+		cmocka_unit_test(
+			test_textured_triangles_are_nearly_those_of_the_long_way),
+		cmocka_unit_test(test_shorts_are_drawn_like_floats),
+		cmocka_unit_test(test_a_context_needs_less_than_256_kib),
+		cmocka_unit_test(test_drawing_takes_no_memory),
+		cmocka_unit_test(test_the_color_band_is_as_in_c),
+		cmocka_unit_test(test_the_texture_band_is_as_in_c),
+		cmocka_unit_test(test_shades_are_as_in_c),
+		cmocka_unit_test(test_fills_end_where_they_should),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

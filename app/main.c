@@ -12,6 +12,7 @@ const struct command *const command_registry[] = {
 	&command_bench,
 	&command_compare,
 	&command_doctor,
+	&command_export,
 	NULL,
 };
 

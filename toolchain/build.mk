@@ -94,6 +94,14 @@ $(FONT_SOURCE): build/gen/bake_font toolchain/build.mk
 	$(call say,BAKE,$@)
 	$(Q)$< $(FONT) $(FONT_SIZES) >$@
 
-# Keep every object, those of tests too.
-.SECONDARY:
+# The player that limber export writes out, as a string.
+$(PLAYER_SOURCE): app/embed/player.inc toolchain/build.mk
+	@mkdir -p $(@D)
+	$(call say,TEXT,$@)
+	$(Q){ echo 'extern const char embed_player_text[];'; \
+		echo 'const char embed_player_text[] ='; \
+		sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $<; echo ';'; } >$@
+
+# Keep every object, those of tests too, and make those that are missing.
+.PRECIOUS: $(foreach target,$(TARGETS),build/$(target)/obj/%.o)
 $(foreach target,$(TARGETS),$(eval $(call target_rules,$(target))))

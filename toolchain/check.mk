@@ -76,6 +76,8 @@ conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
 script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
+exact_suite = $(call suite,$(1)/golden-exact,tests/golden/golden.sh exact \
+	$(CHECK)/$(1)/golden-exact $(RUN_$(1)) build/$(1)/limber)
 xfile_suite = $(call suite,$(1)/conformance-x,tests/conformance/xfile.sh \
 	$(SAMPLES) $(RUN_$(1)) build/$(1)/limber)
 golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
@@ -88,6 +90,9 @@ $(foreach fuzzer,$(FUZZERS),$(call \
 $(call golden_suite,arm,osmesa)
 $(call golden_suite,host,osmesa)
 $(call golden_suite,host,gles1)
+$(call golden_suite,host,soft)
+$(call exact_suite,host)
+$(call exact_suite,arm)
 $(call xfile_suite,host)
 $(call xfile_suite,asan)
 $(call xfile_suite,arm)

@@ -8,7 +8,9 @@ BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
 	platform/buttons/*.c platform/camera/*.c platform/watchdog/*.c))
 FONT_SOURCE := build/gen/font_data.c
-SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE)
+PLAYER_SOURCE := build/gen/player_text.c
+SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE) \
+	$(PLAYER_SOURCE)
 
 # The loops over joints, which a core may have in its own way.
 JOINT_SOURCES_host := app/anim/portable/joints.c

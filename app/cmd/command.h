@@ -29,6 +29,7 @@ extern const struct command command_info;
 extern const struct command command_bench;
 extern const struct command command_compare;
 extern const struct command command_doctor;
+extern const struct command command_export;
 
 /* All of them, NULL at the end. */
 extern const struct command *const command_registry[];

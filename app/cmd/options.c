@@ -295,6 +295,12 @@ static bool set_plot(struct options *options, const char *value)
 	return value[0] != '\0';
 }
 
+static bool set_c_file(struct options *options, const char *value)
+{
+	options->c_file = value;
+	return value[0] != '\0';
+}
+
 static bool set_export(struct options *options, const char *value)
 {
 	options->export_folder = value;
@@ -347,7 +353,7 @@ static const struct option_entry entries[] = {
 	{0, "demo", "NAME", FOR_SHOW,
 		"a built-in demo instead of a model: walker, arm or face",
 		"a demo's name", set_demo},
-	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE,
+	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,
 		"an animation of the model, by name or number (0 is the first)",
 		"a clip's name or number", set_clip},
 	{0, "time", "T", FOR_SHOW | FOR_POSE,
@@ -448,6 +454,9 @@ static const struct option_entry entries[] = {
 	{0, "plot", "FILE.svg", FOR_COMPARE,
 		"draw error against cost, a curve a technique", "a file name",
 		set_plot},
+	{0, "c", "FILE.c", FOR_EXPORT,
+		"the C source to write; its name becomes the functions' prefix",
+		"a file name", set_c_file},
 	{0, "export", "DIR", FOR_COMPARE,
 		"keep the baked models as glTF in this folder",
 		"a folder's name", set_export},

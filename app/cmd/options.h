@@ -24,7 +24,8 @@ enum command_bit {
 	FOR_BENCH = 16,
 	FOR_COMPARE = 32,
 	FOR_DOCTOR = 64,
-	FOR_ALL = 127,
+	FOR_EXPORT = 128,
+	FOR_ALL = 255,
 };
 
 /* How vertices are computed. */
@@ -74,6 +75,7 @@ struct options {
 	const char *report;  /* the kind, of a comparison */
 	const char *plot;
 	const char *export_folder;
+	const char *c_file; /* to export to */
 	bool json;
 	bool no_labels;
 	bool verbose;

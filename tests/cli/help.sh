@@ -25,7 +25,7 @@ helped() {
 limber --help
 expect_status 0
 expect_no_err
-for command in play render pose info bench compare doctor; do
+for command in play render pose info bench compare doctor export; do
     expect_out "^ *limber $command "
 done
 cp "$out_file" "$scratch/long"

@@ -54,6 +54,22 @@ check 'the arguments are passed on' grep -Eqx \
     'render --demo one --time 1 --gl osmesa -o .*/out/one.png' \
     "$scratch/limber.arguments"
 
+run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
+about 'pictures equal to soft own references'
+expect_status 0
+expect_out '^ok 2 - two'
+cp "$fixtures/moved.png" "$GOLDEN/soft/one.png"
+run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
+about 'a reference of soft that differs'
+expect_status 1
+expect_out '^not ok 1 - one'
+rm "$GOLDEN/soft/one.png"
+run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
+about 'a reference of soft that is missing'
+expect_status 1
+expect_out 'no reference .*/golden/soft/one.png'
+cp "$GOLDEN/one.png" "$GOLDEN/soft/one.png"
+
 cp "$fixtures/moved.png" "$scratch/given/one.png"
 checks
 about 'a circle that moved'

@@ -3,8 +3,12 @@
 # GL driver and holds it against its reference; the pictures, and differences
 # of those that are too far, go into FOLDER. Speaks TAP.
 #
-# golden.sh make LIMBER...: draws the references again, with the osmesa driver.
-# LIMBER may be several words.
+# golden.sh exact FOLDER LIMBER...: draws them with the soft driver, whose
+# pictures are the same to the bit on every machine: its references are those
+# in soft/.
+#
+# golden.sh make LIMBER...: draws the references again, with the osmesa driver,
+# and soft's own. LIMBER may be several words.
 #
 # GOLDEN is the folder of pictures.txt and the references, COMPARE the program
 # that compares.
@@ -21,6 +25,9 @@ tolerance_of() {
     case $1 in
     osmesa) echo 8 1.0 0.5 12 ;;
     gles1) echo 8 1.5 0.5 20 ;;
+    # Two steps of RGB565, which it draws in.
+    soft) echo 16 0.5 2.0 20 ;;
+    exact) echo 0 0 0 0 ;;
     esac
 }
 
@@ -29,22 +36,29 @@ pictures() {
 }
 
 # draw GL FILE ARGUMENTS...
-draw() {
+draw() (
     gl=$1
     file=$2
     shift 2
     rm -f "$file"
+    case $gl in
+    soft | exact) set -- "$@" --gl soft --format rgb565 ;;
+    *) set -- "$@" --gl "$gl" ;;
+    esac
     # shellcheck disable=SC2086 # a command and its arguments
-    $limber render "$@" --gl "$gl" -o "$file" </dev/null && [ -s "$file" ]
-}
+    $limber render "$@" -o "$file" </dev/null && [ -s "$file" ]
+)
 
 make_references() {
+    mkdir -p "$golden/soft"
     pictures | {
         failed=0
         while read -r name arguments; do
             echo "  PICTURE $golden/$name.png"
             # shellcheck disable=SC2086 # arguments are words
             draw osmesa "$golden/$name.png" $arguments || failed=1
+            # shellcheck disable=SC2086 # arguments are words
+            draw exact "$golden/soft/$name.png" $arguments || failed=1
         done
         exit "$failed"
     }
@@ -52,7 +66,7 @@ make_references() {
 
 # Prints what is wrong and fails, or prints the figures.
 check_picture() {
-    reference=$golden/$name.png
+    reference=$references/$name.png
     if [ ! -f "$reference" ]; then
         echo "no reference $reference: look at $folder/$name.png, then make golden"
         return 1
@@ -64,7 +78,7 @@ check_picture() {
 
 # Every reference must be of a picture that is still drawn.
 check_leftovers() {
-    for file in "$golden"/*.png; do
+    for file in "$references"/*.png; do
         name=$(basename "$file" .png)
         if [ -f "$file" ] && ! pictures | grep -q "^$name "; then
             echo "$file is a reference for nothing in pictures.txt"
@@ -90,6 +104,8 @@ verdict() {
 check_references() {
     gl=$1
     folder=$2
+    references=$golden
+    [ "$gl" != exact ] || references=$golden/soft
     if [ -z "$(tolerance_of "$gl")" ]; then
         echo "golden.sh: no tolerance for $gl" >&2
         exit 2
@@ -113,7 +129,7 @@ END
 }
 
 usage() {
-    echo "usage: $0 check GL FOLDER LIMBER... | make LIMBER..." >&2
+    echo "usage: $0 check GL FOLDER LIMBER... | exact FOLDER LIMBER... | make LIMBER..." >&2
     exit 2
 }
 
@@ -125,6 +141,13 @@ check)
     shift 3
     limber=$*
     check_references "$gl" "$folder"
+    ;;
+exact)
+    [ $# -ge 3 ] || usage
+    folder=$2
+    shift 2
+    limber=$*
+    check_references exact "$folder"
     ;;
 make)
     [ $# -ge 2 ] || usage

@@ -3,7 +3,7 @@
 
 BEGIN {
     # Each layer may include itself and those before it.
-    layers = split("model anim scene compare demo cmd", layer)
+    layers = split("model embed anim scene compare demo cmd", layer)
     for (i = 1; i <= layers; i++) {
         rank_of[layer[i]] = i
     }

@@ -1,0 +1,103 @@
+#include "app/cmd/command.h"
+#include "app/embed/embed.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	PREFIX_ROOM = 256
+};
+
+/* "walker" of "out/walker.c". */
+static void take_prefix(const char *path, char prefix[PREFIX_ROOM])
+{
+	const char *slash = strrchr(path, '/');
+
+	snprintf(prefix, PREFIX_ROOM, "%s", slash ? slash + 1 : path);
+	prefix[strcspn(prefix, ".")] = '\0';
+}
+
+static int find_clip(const struct options *options, const struct model *model,
+	const struct log *log, int *out)
+{
+	*out = model->clip_count > 0 ? 0 : -1;
+	if (!options->clip) {
+		return 0;
+	}
+	*out = model_find_clip(model, options->clip);
+	if (*out < 0) {
+		log_error(log,
+			"--clip %s: %s has no such clip: limber info lists "
+			"them",
+			options->clip, model->path);
+		return -ENOENT;
+	}
+	return 0;
+}
+
+static int write_source(const struct model *model, int clip, const char *path,
+	const struct log *log, struct embed_size *size)
+{
+	char prefix[PREFIX_ROOM];
+	FILE *out = fopen(path, "w");
+	int error;
+
+	if (!out) {
+		error = -errno;
+		log_error(log, "--c %s: %s", path, strerror(-error));
+		return error;
+	}
+	take_prefix(path, prefix);
+	error = embed_print(model, clip, prefix, log, out, size);
+	if (!error && ferror(out)) {
+		error = -EIO;
+		log_error(log, "--c %s: cannot be written", path);
+	}
+	if (fclose(out) != 0 && !error) {
+		error = -errno;
+		log_error(log, "--c %s: %s", path, strerror(-error));
+	}
+	if (error) {
+		remove(path);
+	}
+	return error;
+}
+
+static int run(const struct options *options, const struct log *log)
+{
+	struct embed_size size;
+	struct model *model;
+	int clip, error;
+
+	if (!options->model_path || !options->c_file) {
+		log_error(log, "export: limber export MODEL --c FILE.c");
+		return EXIT_USAGE;
+	}
+	if (model_load(options->model_path, log, &model) != 0) {
+		return EXIT_FAILED;
+	}
+	error = find_clip(options, model, log, &clip);
+	if (!error) {
+		error = write_source(model, clip, options->c_file, log, &size);
+	}
+	if (!error) {
+		printf("%s: %zu bytes of tables (ROM), %zu bytes of state "
+		       "(RAM)\n",
+			options->c_file, size.rom_bytes, size.ram_bytes);
+	}
+	model_destroy(model);
+	return command_exit_code(error);
+}
+
+const struct command command_export = {
+	.name = "export",
+	.bit = FOR_EXPORT,
+	.usage = "MODEL --c FILE.c",
+	.summary = "write a model and a clip as C source",
+	.detail = "Writes const tables and a small player, for boards without "
+		  "a file system: the file needs\nnothing of limber, only "
+		  "<math.h> and <string.h>. Says what it takes in ROM and "
+		  "RAM.\n\n"
+		  "  limber export robot.glb --clip walk --c robot.c",
+	.run = run,
+};

@@ -1,0 +1,250 @@
+#include "app/embed/embed_internal.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <string.h>
+
+/* app/embed/player.inc, by the build. */
+extern const char embed_player_text[];
+
+static void count_part(struct embed *embed, const struct part *part)
+{
+	const struct model_primitive *primitive = part->primitive;
+
+	embed->parts++;
+	embed->vertices += primitive->vertex_count;
+	embed->indices += primitive->index_count;
+	embed->targets += primitive->vertex_count * part->mesh->target_count * 6;
+	embed->wide_index = embed->wide_index || primitive->vertex_count > 65536;
+	if (embed_is_skinned(part)) {
+		embed->influences +=
+			primitive->vertex_count * primitive->influences;
+	}
+}
+
+static void count_all(struct embed *embed)
+{
+	const struct model *model = embed->model;
+
+	embed_each_part(embed, count_part);
+	for (int i = 0; i < model->skin_count; i++) {
+		embed->joints += model->skin[i].joint_count;
+		embed->wide_joint =
+			embed->wide_joint || model->skin[i].joint_count > 256;
+	}
+	embed->weights = model->weight_count;
+	for (int c = 0; embed->clip && c < embed->clip->channel_count; c++) {
+		const struct model_channel *channel = &embed->clip->channel[c];
+
+		embed->channels++;
+		embed->times += channel->key_count;
+		embed->values += embed_channel_values(channel);
+	}
+}
+
+/* Where the next part's data begin, while parts are listed. */
+struct places {
+	int vertex, index, influence, target;
+};
+
+static void put_part(
+	struct embed *embed, const struct part *part, struct places *at)
+{
+	const struct model_primitive *primitive = part->primitive;
+	const struct model_material *material =
+		&embed->model->material[primitive->material];
+	int skin = -1;
+
+	for (int s = 0; embed_is_skinned(part) && s <= part->node->skin; s++) {
+		skin = s == 0 ? 0 : skin + embed->model->skin[s - 1].joint_count;
+	}
+	fprintf(embed->out,
+		"\n\t{{%.9g, %.9g, %.9g, %.9g}, %d, %d, %d, %d, %d, %d, "
+		"%d, %d, %d, %d, %d},",
+		(double)material->base_color[0], (double)material->base_color[1],
+		(double)material->base_color[2], (double)material->base_color[3],
+		at->vertex, primitive->vertex_count, at->index,
+		primitive->index_count, at->influence,
+		embed_is_skinned(part) ? primitive->influences : 0, skin,
+		part->node_index, at->target, part->mesh->target_count,
+		part->mesh->target_count ? part->node->weight_offset : 0);
+	at->vertex += primitive->vertex_count;
+	at->index += primitive->index_count;
+	at->target += primitive->vertex_count * part->mesh->target_count * 6;
+	if (embed_is_skinned(part)) {
+		at->influence += primitive->vertex_count * primitive->influences;
+	}
+}
+
+static void print_parts(struct embed *embed)
+{
+	const struct model *model = embed->model;
+	struct places at = {0};
+
+	fprintf(embed->out,
+		"\n/* Offsets into the tables above, and how many. */\n"
+		"static const struct %s_part {\n\tfloat color[4];\n"
+		"\tint32_t vertex, vertices, index, indices;\n"
+		"\tint32_t influence, influences, skin, node;\n"
+		"\tint32_t target, targets, weight;\n} %s_part[%d] = {",
+		embed->prefix, embed->prefix, embed->parts);
+	embed->rom_bytes += (size_t)embed->parts * 60;
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+		const struct model_mesh *mesh;
+
+		if (!node->in_scene || node->mesh < 0) {
+			continue;
+		}
+		mesh = &model->mesh[node->mesh];
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			const struct part part = {
+				node, i, mesh, &mesh->primitive[p]};
+
+			put_part(embed, &part, &at);
+		}
+	}
+	fprintf(embed->out, "\n};\n");
+}
+
+static size_t ram_bytes(const struct embed *embed)
+{
+	size_t joints = (size_t)(embed->joints ? embed->joints : 1);
+	size_t weights = (size_t)(embed->weights ? embed->weights : 1);
+	size_t nodes = (size_t)embed->model->node_count;
+
+	return nodes * (10 + 12) * 4 + weights * 4 + joints * 12 * 4 +
+		(size_t)embed->vertices * 6 * 4;
+}
+
+static void print_state(struct embed *embed)
+{
+	const char *p = embed->prefix, *u = embed->upper;
+
+	fprintf(embed->out,
+		"\n#define %s_NODES %d\n#define %s_JOINTS %d\n"
+		"#define %s_PARTS %d\n#define %s_CHANNELS %d\n"
+		"#define %s_VERTICES %d\n",
+		u, embed->model->node_count, u, embed->joints, u, embed->parts,
+		u, embed->channels, u, embed->vertices);
+	fprintf(embed->out,
+		"\n/* What changes: %zu bytes. */\nstruct %s_state {\n"
+		"\tfloat local[%d][10], world[%d][12];\n\tfloat weight[%d];\n"
+		"\tfloat palette[%d][12];\n"
+		"\tfloat position[%d][3], normal[%d][3];\n};\n",
+		ram_bytes(embed), p, embed->model->node_count,
+		embed->model->node_count, embed->weights ? embed->weights : 1,
+		embed->joints ? embed->joints : 1, embed->vertices,
+		embed->vertices);
+}
+
+/* The player with its names turned into this model's. */
+static void print_player(const struct embed *embed)
+{
+	static const char lower[] = "embedded", upper[] = "EMBEDDED";
+	const char *at = embed_player_text;
+
+	while (*at) {
+		if (strncmp(at, lower, sizeof(lower) - 1) == 0) {
+			fputs(embed->prefix, embed->out);
+			at += sizeof(lower) - 1;
+		} else if (strncmp(at, upper, sizeof(upper) - 1) == 0) {
+			fputs(embed->upper, embed->out);
+			at += sizeof(upper) - 1;
+		} else {
+			fputc(*at++, embed->out);
+		}
+	}
+}
+
+static void print_head(const struct embed *embed)
+{
+	fprintf(embed->out,
+		"/*\n * %s%s%s as C: %d vertices in %d parts, %d nodes, %d "
+		"joints, %d channels.\n * Made by limber export. Use it so:\n"
+		" *\n *\tstatic struct %s_state state;\n"
+		" *\t%s_pose(&state, time_s);          0 to %.4f seconds\n"
+		" *\t%s_draw(&state, draw, NULL);       a function of yours\n"
+		" *\n * -ffast-math or a processor without floating point "
+		"make it slower or less\n * exact, nothing more.\n */\n"
+		"#include <math.h>\n#include <stdint.h>\n#include <string.h>\n",
+		embed->model->path, embed->clip ? ", clip " : "",
+		embed->clip ? embed->clip->name : "", embed->vertices,
+		embed->parts, embed->model->node_count, embed->joints,
+		embed->channels, embed->prefix, embed->prefix,
+		embed->clip ? (double)embed->clip->duration_s : 0.0,
+		embed->prefix);
+}
+
+static int set_prefix(
+	struct embed *embed, const char *prefix, const struct log *log)
+{
+	size_t length = strlen(prefix);
+	bool good = length > 0 && length < EMBED_NAME_ROOM &&
+		!isdigit((unsigned char)prefix[0]);
+
+	for (size_t i = 0; good && i <= length; i++) {
+		unsigned char c = (unsigned char)prefix[i];
+
+		good = c < 128 && (isalnum(c) || c == '_' || c == '\0');
+		embed->prefix[i] = prefix[i];
+		embed->upper[i] = (char)toupper(c);
+	}
+	if (!good) {
+		log_error(log,
+			"%s: its name does not make a C identifier of up to %d "
+			"letters: name the file otherwise",
+			prefix, EMBED_NAME_ROOM - 1);
+		return -EINVAL;
+	}
+	return 0;
+}
+
+static int check_nodes(const struct model *model, const struct log *log)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].matrix) {
+			log_error(log,
+				"%s: node %d is sheared by its matrix, which "
+				"the player in C cannot do",
+				model->path, model->node[i].file_index);
+			return -EINVAL;
+		}
+	}
+	return 0;
+}
+
+int embed_print(const struct model *model, int clip, const char *prefix,
+	const struct log *log, FILE *out, struct embed_size *size)
+{
+	struct embed embed = {
+		.model = model,
+		.clip = clip >= 0 ? &model->clip[clip] : NULL,
+		.out = out,
+	};
+	int error = set_prefix(&embed, prefix, log);
+
+	if (!error) {
+		error = check_nodes(model, log);
+	}
+	if (error) {
+		return error;
+	}
+	count_all(&embed);
+	if (embed.parts == 0) {
+		log_error(log, "%s: it has nothing to draw", model->path);
+		return -EINVAL;
+	}
+	print_head(&embed);
+	embed_print_vertices(&embed);
+	embed_print_nodes(&embed);
+	embed_print_skins(&embed);
+	embed_print_clip(&embed);
+	print_parts(&embed);
+	print_state(&embed);
+	print_player(&embed);
+	/* The player's own table, an identity. */
+	embed.rom_bytes += 48;
+	*size = (struct embed_size){embed.rom_bytes, ram_bytes(&embed)};
+	return 0;
+}

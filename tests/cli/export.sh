@@ -1,0 +1,71 @@
+#!/bin/sh
+# limber export: the C source compiles without a warning, plays what limber
+# poses, and takes what it says.
+. "$(dirname "$0")/../support/cli.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+samples=${SAMPLES:-../shared}/models
+
+# farthest A B: how far vertices are apart, over the largest coordinate.
+farthest() {
+    paste -d' ' "$1" "$2" | awk '
+        { for (i = 2; i <= 4; i++) {
+            d = $i - $(i + 4); d = d < 0 ? -d : d; if (d > far) far = d
+            c = $i < 0 ? -$i : $i; if (c > large) large = c } }
+        END { printf "%.7f\n", NR && large ? far / large : 1 }'
+}
+
+# plays MODEL CLIP TIME...
+plays() {
+    model=$1
+    clip=$2
+    shift 2
+    limber export "$model" --clip "$clip" --c "$scratch/one.c"
+    expect_status 0
+    expect_no_err
+    rom=$(sed -n 's/.*: \([0-9]*\) bytes of tables.*/\1/p' "$out_file")
+    ram=$(sed -n 's/.*, \([0-9]*\) bytes of state.*/\1/p' "$out_file")
+    check "$(basename "$model"): compiles without a warning" \
+        gcc -std=c99 -pedantic -Wall -Wextra -Wshadow -Werror -O1 -DP=one \
+        "-DEXPORTED=\"$scratch/one.c\"" -o "$scratch/one" "$here/export_run.c" -lm
+    for time in "$@"; do
+        limber pose "$model" --clip "$clip" --time "$time" --math float -o "$scratch/one.obj"
+        grep '^v ' "$scratch/one.obj" >"$scratch/wanted"
+        "$scratch/one" "$time" >"$scratch/played"
+        grep '^v ' "$scratch/played" >"$scratch/shown"
+        far=$(farthest "$scratch/wanted" "$scratch/shown")
+        check "$(basename "$model") at $time s: off by $far of its size" \
+            sh -c "test $(wc -l <"$scratch/wanted") -eq $(wc -l <"$scratch/shown") &&
+                echo $far | awk '{ exit !(\$1 < 0.00001) }'"
+    done
+    check "$(basename "$model"): $ram bytes of RAM" \
+        grep -qx "state $ram" "$scratch/played"
+    gcc -std=c99 -O0 -c -o "$scratch/one.o" "$scratch/one.c"
+    tables=$(nm -S "$scratch/one.o" | awk '
+        $3 == "r" && $4 !~ /^place/ {
+            n = 0
+            for (i = 1; i <= length($2); i++)
+                n = n * 16 + index("0123456789abcdef", substr($2, i, 1)) - 1
+            sum += n
+        } END { print sum }')
+    check "$(basename "$model"): $rom bytes of ROM" test "$tables" -eq "$rom"
+}
+
+assets=$here/../../assets
+plays "$assets/walker.glb" walk 0 0.31 0.9
+plays "$assets/face.glb" 0 0 1.7 5
+plays "$slider" 0 0 0.4 9
+if [ -d "$samples" ]; then
+    for name in CesiumMan.glb BoxAnimated.glb RiggedFigure.glb SimpleSkin.gltf \
+        AnimatedMorphCube.glb; do
+        plays "$samples/$name" 0 0.1 0.8
+    done
+fi
+
+limber export "$slider"
+expect_refusal 2 'limber export MODEL --c FILE.c'
+limber export "$slider" --c "$scratch/1st.c"
+expect_refusal 1 'does not make a C identifier'
+check 'nothing is left of it' test ! -e "$scratch/1st.c"
+limber export "$slider" --c "$scratch/none/one.c"
+expect_refusal 1 'No such file'
+tap_done

@@ -30,8 +30,10 @@ DISPLAY_DRIVERS_arm := kms fbdev egl image null
 BUTTON_DRIVERS_arm := script gpiod evdev
 CAMERA_DRIVERS_arm := v4l2 pattern
 
-# Vertex loops, best first: kernel_NAME. Assembly is the board's alone.
-KERNELS_host := float fixed an4044
+# Vertex loops, best first: kernel_NAME. Assembly is the board's alone. On a PC
+# fixed point takes a frame of CesiumMan 1.3 times, of the walker 1.35 times and
+# of the face 1.4 times as fast as float (instance_update(), the median of 301).
+KERNELS_host := fixed float an4044
 KERNELS_asan := $(KERNELS_host)
 KERNELS_arm := armv6 fixed float an4044
 KERNELS_fuzz := $(KERNELS_host)

@@ -55,6 +55,14 @@ done
 refused 'takes nothing' play "$slider" --display null:/dev/fb0
 refused '--math' pose "$slider" --math double -o "$out"
 refused 'float' pose "$slider" --kernel none -o "$out"
+refused 'fixed point' pose "$slider" --math float --kernel fixed -o "$out"
+refused 'in float' pose "$slider" --math fixed --kernel float -o "$out"
+refused 'in float' render "$slider" --math fixed --kernel float -o "$out"
+limber --version
+case $(cat "$out_file") in
+*armv6*) refused 'fixed point' pose "$slider" --math float --kernel armv6 -o "$out" ;;
+*) refused 'ARM' pose "$slider" --kernel armv6 -o "$out" ;;
+esac
 refused 'osmesa' render "$slider" --gl none -o "$out"
 refused 'no such source' play "$slider" --buttons piano
 refused 'want CHIP/LINE' play "$slider" --buttons gpiod:UP=a/1/pul-up

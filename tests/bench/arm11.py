@@ -195,6 +195,22 @@ def number(value, width, digits=1):
     return f"{value:{width}.{digits}f}" if value is not None else " " * width
 
 
+def aims(figures, ratio):
+    """What the row is to reach, and whether it does, as text."""
+    row, kernel = figures.row, figures.kernel
+    if not row.is_best(kernel):
+        return ""
+    texts = []
+    for figure, limit in (row.limit or {}).items():
+        met = round(figures.number(figure), 1) <= limit
+        texts.append(f"{limit:g}" + ("" if met else " not yet"))
+    for figure, limit in (row.times or {}).items():
+        times = ratio.get((row.name, kernel, figure))
+        if times:
+            texts.append(f"{limit:g}x" + ("" if times >= limit else " not yet"))
+    return ", ".join(texts)
+
+
 def print_table(all_figures, out):
     ratio = ratios(all_figures)
     unit = None
@@ -204,7 +220,7 @@ def print_table(all_figures, out):
             unit = f.row.unit
             print(
                 f"\n{'cycles a ' + unit:38} {'warm':>9} {'cold':>9} "
-                f"{'(sweep)':^17} {'instr.':>9} {'warm':>6} {'cold':>6} {'bound':>6}",
+                f"{'(sweep)':^17} {'instr.':>9} {'warm':>6} {'cold':>6} {'bound':>6}  aim",
                 file=out,
             )
         first = f.kernel == f.row.kernels[0]
@@ -219,7 +235,8 @@ def print_table(all_figures, out):
         print(
             f"{f.row.title if first else '':31} {f.kernel:6} "
             f"{number(f.cycles.get('warm'), 9)} {number(cold, 9)} "
-            f"{sweep:^17} {number(f.instructions, 9)} {times[0]:>6} {times[1]:>6} {bound}",
+            f"{sweep:^17} {number(f.instructions, 9)} {times[0]:>6} {times[1]:>6} {bound}"
+            f"  {aims(f, ratio)}".rstrip(),
             file=out,
         )
         if f.row.chapters and f.report:
@@ -235,6 +252,7 @@ cold   data in memory, code in L1; L2 10 and DDR 80 cycles more than L1. The
 x      times an4044's float in the same run. an4044 is the document's own loop
        and layout; its normals do not come out unit length, float's do.
 bound  MAC and load limits of the core (a scoreboard search), for the best loop.
+aim    cycles (loops, warm) or instructions (poses, frames) at most; times an4044.
 Loops over made meshes are the loops alone: 1024 vertices, 24 joints, 24 sets of
 them where not said otherwise (CesiumMan has 54 sets, the walker 63). A model's
 mesh includes what comes once a frame; "all that moves" is everything from pose
@@ -264,6 +282,7 @@ def as_json(all_figures):
                     if (key := (f.row.name, f.kernel, column)) in ratio
                 },
                 "bound": f.row.bound,
+                "aim": aims(f, ratio),
                 "shares": shares(f) if f.row.chapters and f.report else [],
             }
             for f in all_figures

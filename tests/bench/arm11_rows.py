@@ -73,7 +73,7 @@ def pose(model, clip, **more):
     )
 
 
-def picture(name, title, program, *arguments, **more):
+def picture(name, title, aim, program, *arguments, **more):
     return Row(
         name,
         title,
@@ -85,6 +85,7 @@ def picture(name, title, program, *arguments, **more):
         regions={"": (1,)},
         full=("cold", "cold low", "cold high"),
         short=("cold",),
+        limit={"instructions": aim},
         osmesa=True,
         chapters="platform/gl/soft",
         **more,
@@ -112,13 +113,13 @@ ROWS = (
     loop("walker-update", "walker, all that moves", "assets/walker.glb", "update"),
     pose("CesiumMan.glb", "0"),
     pose("assets/walker.glb", "walk"),
-    picture("gl-A", "A: lit sphere, Gouraud", "gl_scenes", "A"),
-    picture("gl-B", "B: lit sphere, textured", "gl_scenes", "B"),
-    picture("gl-Ac", "A, culled", "gl_scenes", "Ac"),
-    picture("gl-Bc", "B, culled", "gl_scenes", "Bc"),
-    picture("gl-Ag", "A, geometry alone", "gl_scenes", "Ag"),
-    picture("gl-Bg", "B, geometry alone", "gl_scenes", "Bg"),
-    picture("gl-clear", "clear alone", "gl_scenes", "clear"),
-    picture("gl-walker", "the walker demo", "demo_frames", "walker"),
+    picture("gl-A", "A: lit sphere, Gouraud", 9, "gl_scenes", "A"),
+    picture("gl-B", "B: lit sphere, textured", 10, "gl_scenes", "B"),
+    picture("gl-Ac", "A, culled", 7, "gl_scenes", "Ac"),
+    picture("gl-Bc", "B, culled", 7.5, "gl_scenes", "Bc"),
+    picture("gl-Ag", "A, geometry alone", 2.5, "gl_scenes", "Ag"),
+    picture("gl-Bg", "B, geometry alone", 2.5, "gl_scenes", "Bg"),
+    picture("gl-clear", "clear alone", 0.4, "gl_scenes", "clear"),
+    picture("gl-walker", "the walker demo", 8.3, "demo_frames", "walker"),
 )
 # fmt: on

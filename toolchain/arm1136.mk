@@ -54,10 +54,3 @@ model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	build/arm1136/an4044 build/arm1136/unknown) \
 	$(call suite,arm1136/checker,tests/arm1136/checker.sh $(MODEL) \
 	build/arm1136/micro)
-
-# The kernels of app/anim, warm, and a whole model.
-build/arm1136/kernels: build/arm/obj/tests/arm1136/kernels_run.o \
-		build/arm/liblimber.a
-	@mkdir -p $(@D)
-	$(call say,LINK,$@)
-	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)

@@ -6,69 +6,92 @@
 #include <string.h>
 
 enum {
-	INFLUENCES_MAX = 8
+	INFLUENCES_MAX = 8,
+	CHUNK = 64
 };
 
-/* As SMLAD has it: should a sum not fit, it wraps and is nothing worse. */
-static inline uint32_t dot(const int16_t row[4], const struct fixed_base *base)
+/*
+ * As SMLAD has it: should a sum not fit, it wraps and is nothing worse. For a
+ * length known to the compiler, a multiple of 8, this is a run of pmaddwd.
+ */
+static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 {
-	return (uint32_t)(row[0] * base->x) + (uint32_t)(row[1] * base->y) +
-		(uint32_t)(row[2] * base->z) + (uint32_t)(row[3] * base->w);
-}
+	uint32_t sum = 0;
 
-static inline int16_t upper(uint32_t sum)
-{
-	return (int16_t)(sum >> 16);
-}
-
-static inline struct fixed_vector narrow(uint32_t x, uint32_t y, uint32_t z)
-{
-	return (struct fixed_vector){(int16_t)x, upper(x), upper(y), upper(z)};
-}
-
-static inline struct fixed_vector skin_vertex(int influences,
-	const struct fixed_base *base, const struct fixed_matrix *matrix)
-{
-	uint32_t x = 0, y = 0, z = 0;
-
-	for (int i = 0; i < influences; i++) {
-		x += dot(matrix[i].row[0], &base[i]);
-		y += dot(matrix[i].row[1], &base[i]);
-		z += dot(matrix[i].row[2], &base[i]);
+#pragma GCC unroll 1
+	for (int i = 0; i < length; i++) {
+		sum += (uint32_t)(row[i] * base[i]);
 	}
-	return (struct fixed_vector){(int16_t)x, upper(x), upper(y), upper(z)};
+	return sum;
 }
 
-/* Inlined for each number of influences, so that inner loops unroll. */
-static inline void skin_run(int influences, int count,
-	const struct fixed_base *base, const struct fixed_matrix *matrix,
-	struct fixed_vector *out)
+/* In words, for that is how all of it is moved. */
+static inline void narrow(
+	uint32_t x, uint32_t y, uint32_t z, struct fixed_vector *out)
 {
-	for (int v = 0; v < count; v++) {
-		out[v] = skin_vertex(influences, base + v * influences, matrix);
+	const uint32_t words[2] = {x, y >> 16 | (z & 0xffff0000)};
+
+	_Static_assert(sizeof(words) == sizeof(*out), "a vector is two words");
+	memcpy(out, words, sizeof(words));
+}
+
+/*
+ * The matrices of a run: all their x rows in turn, all y rows, all z rows. An
+ * odd number of them is made even by zeros, so that the base vector behind is
+ * multiplied by nothing.
+ */
+struct rows {
+	int16_t row[3][4 * INFLUENCES_MAX];
+};
+
+static inline void skin_run(int length, int count, int stride,
+	const int16_t *base, const struct rows *rows, struct fixed_vector *out)
+{
+	for (int v = 0; v < count; v++, base += stride) {
+		narrow(dot(length, rows->row[0], base),
+			dot(length, rows->row[1], base),
+			dot(length, rows->row[2], base), &out[v]);
 	}
 }
 
-static void skin_run_of(int influences, int count, const struct fixed_base *base,
-	const struct fixed_matrix *matrix, struct fixed_vector *out)
+/* Inlined for each length. */
+static void skin_run_of(int influences, int count, const struct fixed_base *from,
+	const struct rows *rows, struct fixed_vector *out)
 {
-	switch (influences) {
+	const int16_t *base = (const int16_t *)from;
+	int stride = 4 * influences;
+
+	switch ((influences + 1) / 2) {
 	case 1:
-		skin_run(1, count, base, matrix, out);
+		skin_run(8, count, stride, base, rows, out);
 		break;
 	case 2:
-		skin_run(2, count, base, matrix, out);
+		skin_run(16, count, stride, base, rows, out);
 		break;
 	case 3:
-		skin_run(3, count, base, matrix, out);
-		break;
-	case 4:
-		skin_run(4, count, base, matrix, out);
+		skin_run(24, count, stride, base, rows, out);
 		break;
 	default:
-		skin_run(influences, count, base, matrix, out);
+		skin_run(32, count, stride, base, rows, out);
 		break;
 	}
+}
+
+static const int32_t *gather_rows(int influences, const int32_t *joint,
+	const struct fixed_matrix *palette, struct rows *out)
+{
+	*out = (struct rows){{{0}}};
+	for (int i = 0; i < influences; i++) {
+		const struct fixed_matrix *matrix =
+			(const struct fixed_matrix *)((const char *)palette +
+				*joint++);
+
+		for (int row = 0; row < 3; row++) {
+			memcpy(&out->row[row][4 * i], matrix->row[row],
+				sizeof(matrix->row[row]));
+		}
+	}
+	return joint;
 }
 
 static void skin(const struct fixed_group *group, int group_count,
@@ -80,15 +103,11 @@ static void skin(const struct fixed_group *group, int group_count,
 		int influences = group[g].influences;
 
 		for (int r = 0; r < group[g].run_count; r++) {
-			struct fixed_matrix matrix[INFLUENCES_MAX];
+			struct rows rows;
 			int count = *run++;
 
-			for (int i = 0; i < influences; i++) {
-				memcpy(&matrix[i],
-					(const char *)palette + *run++,
-					sizeof(matrix[i]));
-			}
-			skin_run_of(influences, count, base, matrix, out);
+			run = gather_rows(influences, run, palette, &rows);
+			skin_run_of(influences, count, base, &rows, out);
 			base += (size_t)count * (size_t)influences;
 			out += count;
 		}
@@ -101,15 +120,24 @@ static inline uint32_t weigh(
 	return (uint32_t)(pair->a * weights.a) + (uint32_t)(pair->b * weights.b);
 }
 
+/* In two steps, the first of which compilers can do many at a time. */
 static void lerp(int count, const struct fixed_pair (*pair)[3],
 	struct fixed_weights weights, struct fixed_vector *out)
 {
-	const uint32_t half = 0x8000;
+	const struct fixed_pair *from = pair[0];
 
-	for (int i = 0; i < count; i++) {
-		out[i] = narrow(half + weigh(&pair[i][0], weights),
-			half + weigh(&pair[i][1], weights),
-			half + weigh(&pair[i][2], weights));
+	for (int first = 0; first < count; first += CHUNK) {
+		uint32_t sum[3 * CHUNK];
+		int left = count - first < CHUNK ? count - first : CHUNK;
+
+		for (int i = 0; i < 3 * left; i++) {
+			sum[i] = 0x8000 + weigh(&from[i], weights);
+		}
+		for (int i = 0; i < left; i++) {
+			narrow(sum[3 * i], sum[3 * i + 1], sum[3 * i + 2],
+				out++);
+		}
+		from += 3 * left;
 	}
 }
 
@@ -148,10 +176,10 @@ static void morph_pair(int count, const struct fixed_vector *base,
 	for (int i = 0; i < count; i++) {
 		int16_t fraction = base[i].fraction;
 
-		out[i] = narrow(widen(base[i].x, fraction) +
-				weigh(&pair[i][0], weights),
+		narrow(widen(base[i].x, fraction) + weigh(&pair[i][0], weights),
 			widen(base[i].y, fraction) + weigh(&pair[i][1], weights),
-			widen(base[i].z, fraction) + weigh(&pair[i][2], weights));
+			widen(base[i].z, fraction) + weigh(&pair[i][2], weights),
+			&out[i]);
 	}
 }
 
@@ -184,14 +212,16 @@ static void morph_end(
 	int count, const struct fixed_sum *sum, struct fixed_vector *out)
 {
 	for (int i = 0; i < count; i++) {
-		out[i] = narrow((uint32_t)sum[i].x, (uint32_t)sum[i].y,
-			(uint32_t)sum[i].z);
+		narrow((uint32_t)sum[i].x, (uint32_t)sum[i].y,
+			(uint32_t)sum[i].z, &out[i]);
 	}
 }
 
 static inline int16_t move(int16_t rest, int16_t delta, int16_t weight_q16)
 {
-	return upper(widen(rest, FIXED_HALF) + (uint32_t)(delta * weight_q16));
+	uint32_t sum = widen(rest, FIXED_HALF) + (uint32_t)(delta * weight_q16);
+
+	return (int16_t)(sum >> 16);
 }
 
 static void rebase(int count, const struct fixed_rebase *rebase,

@@ -24,10 +24,11 @@ void fixed_range_add(
 		for (int k = 0; k < 3; k++) {
 			float at = position[i][k];
 
-			/* What is no number ends up in the range. */
-			range->low[k] = at >= range->low[k] ? range->low[k] : at;
+			/* What is no number leaves the range no range. */
+			at = fixed_can_use(at) ? at : -1e30f;
+			range->low[k] = at < range->low[k] ? at : range->low[k];
 			range->high[k] =
-				at <= range->high[k] ? range->high[k] : at;
+				at > range->high[k] ? at : range->high[k];
 		}
 	}
 }

@@ -51,7 +51,7 @@ static float largest_delta(const float (*delta)[3], int count)
 	for (int i = 0; delta && i < count * 3; i++) {
 		float size = scalar_abs(delta[i / 3][i % 3]);
 
-		most = size <= most ? most : size;
+		most = size > most ? size : most;
 	}
 	return most;
 }
@@ -99,17 +99,17 @@ static int choose_unit(struct fixed_morph *morph, enum fixed_attribute attribute
 
 				sum += delta ? scalar_abs(delta[v][k]) : 0.0f;
 			}
-			total = sum <= total ? total : sum;
+			if (!fixed_can_use(sum)) {
+				return -ERANGE;
+			}
+			total = sum > total ? sum : total;
 		}
 	}
 	for (int t = 0; t < morph->target_count; t++) {
 		float size = largest_delta(
 			deltas_of(morph, attribute, t), morph->vertex_count);
 
-		single = size <= single ? single : size;
-	}
-	if (!fixed_can_use(total)) {
-		return -ERANGE;
+		single = size > single ? size : single;
 	}
 	stream->fits = 32600.0f / total;
 	if (stream->fits > 16383.0f / single) {

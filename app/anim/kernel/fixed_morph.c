@@ -354,7 +354,10 @@ static bool is_active(const struct fixed_deltas *deltas)
 static void copy(const struct fixed_vector *from, int first, int end,
 	struct fixed_vector *to)
 {
-	memcpy(to + first, from + first, (size_t)(end - first) * sizeof(*to));
+	if (end > first) {
+		memcpy(to + first, from + first,
+			(size_t)(end - first) * sizeof(*to));
+	}
 }
 
 /* Added in one go, and the vertices between its spans copied. */

@@ -150,9 +150,14 @@ kernel_armv6_increment:
 	.global	kernel_armv6_morph_pair
 	.type	kernel_armv6_morph_pair, %function
 kernel_armv6_morph_pair:
+	pld	[r1]
+	pld	[r2]
 	push	{r3-r11, lr}
+	pld	[r2, #32]
+	pld	[r1, #32]
 	ldr	r12, [sp, #40]
 	subs	r0, r0, #10
+	pld	[r2, #64]
 	blt	morph_rest
 /* The first vertex has none before it to store. */
 	ldrd	r4, r5, [r1], #8

@@ -22,6 +22,10 @@ image: kernel build/arm/limber
 emulate: image
 	$(Q)$(BOARD)/emulate run
 
+bench-board: image build/arm/bench/demo_frames build/arm1136/insn_count.so
+	$(Q)PATIENCE_S=3000 python3 -B tests/board/bench.py build/bench-board.json
+	@echo "The same for programs: build/bench-board.json"
+
 # What the tests run on the board beside limber.
 build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.stamp
 	@mkdir -p $(@D)

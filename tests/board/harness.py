@@ -261,11 +261,6 @@ def limber_pid(machine):
     return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None
 
 
-# The wiring of ../../board/imx31-pdk/README.md, for limber without a file.
-BUTTONS = ",".join(f"gpiod:{name}=53fd0000.gpio/{line}"
-                   for name, line in emulation.BUTTONS.items())
-
-
 def start_limber(machine, arguments, seconds=10):
     """Starts it by hand in the background, until its picture is there."""
     machine.clear()

@@ -1,16 +1,17 @@
 """Buttons pressed at the emulated GPIO controller's pins.
 
-Each press must change the picture within 100 ms of the board's time, and to
+Each press must change the picture within 100 ms of the board's time, by
+limber's own count from the kernel's time stamp of the edge, and to
 what the same button shows on this machine: of the pictures of all buttons the
 right one must be the nearest.
 """
-import time
+import re
 
-from harness import (BUTTONS, BY_HAND, FOLDER, Error, booted, check, difference,
+from harness import (BY_HAND, FOLDER, Error, booted, check, difference,
                      done, emulation, host_picture, note, pause, region, save,
                      start_limber, stop_limber, wait_until)
 
-LATENCY_S = 0.1
+LATENCY_MS = 100
 HOLD_S = 0.4
 # Of the arm everything stands still until a button is pressed; of the walker
 # the line at the bottom that names a feature.
@@ -28,8 +29,9 @@ def expected(demo, button):
 
 
 def press_and_look(machine, demo, button, area):
-    """The time until the picture changed, and the picture after HOLD_S."""
-    start_limber(machine, f"--demo {demo} --buttons {BUTTONS}")
+    """Whether the picture changed, how long that took, and the picture after
+    HOLD_S. Buttons are wired as the image's limber.conf says."""
+    start_limber(machine, f"--demo {demo} --stats /run/stats")
     pause(machine, 0.5)
     before = region(machine.frame(), *area)
     pressed_s = machine.time_s()
@@ -41,7 +43,9 @@ def press_and_look(machine, demo, button, area):
     machine.wires.level(button, False)
     save(after, f"{button}.png")
     stop_limber(machine)
-    return changed_s - pressed_s if changed_s else None, after
+    stats = machine.shell("cat /run/stats")[1]
+    took = re.search(r'"presses": [1-9].*"latency_ms_max": ([\d.]+)', stats)
+    return changed_s, float(took[1]) if took else None, after
 
 
 def bounce(machine, button, times):
@@ -56,7 +60,7 @@ def bounce(machine, button, times):
 
 def presses_seen(machine, press):
     """The arm's picture after press(), once it stands still."""
-    start_limber(machine, f"--demo arm --buttons {BUTTONS}")
+    start_limber(machine, "--demo arm")
     pause(machine, 0.3)
     press()
     pause(machine, 0.3)
@@ -73,16 +77,17 @@ for demo, (buttons, area) in DEMOS.items():
     pictures = {button: region(expected(demo, button), *area)
                 for button in buttons}
     for button in buttons:
-        took_s, frame = press_and_look(machine, demo, button, area)
+        changed_s, took_ms, frame = press_and_look(machine, demo, button, area)
         seen = region(frame, *area)
         apart = {name: difference(seen, picture)
                  for name, picture in pictures.items()}
-        check(f"{button} changes the picture within 100 ms",
-              took_s is not None and took_s <= LATENCY_S, took_s)
+        check(f"{button} changes the picture", changed_s is not None)
+        check(f"{button} does so within {LATENCY_MS} ms",
+              took_ms is not None and took_ms <= LATENCY_MS, took_ms)
         check(f"{button} does what {button} does",
               min(apart, key=apart.get) == button, apart)
-        slowest = max(slowest, took_s or 0)
-note(f"the slowest button took {1000 * slowest:.0f} ms to show")
+        slowest = max(slowest, took_ms or 0)
+note(f"the slowest button took {slowest:.0f} ms to show")
 
 
 def press_once():

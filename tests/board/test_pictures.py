@@ -13,7 +13,8 @@ machine = booted(BY_HAND)
 # Else the console takes the screen back when limber ends.
 machine.shell("echo 0 >/sys/class/vtconsole/vtcon1/bind")
 for demo, time in PICTURES:
-    arguments = ("--demo", demo, "--time", time, "--clock", "fixed:25")
+    arguments = ("--demo", demo, "--time", time, "--clock", "fixed:25",
+                 "--math", "fixed")
     script = "/dev/null"
     machine.clear()
     status, said = machine.shell(

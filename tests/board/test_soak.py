@@ -4,7 +4,7 @@ import os
 import random
 import re
 
-from harness import (BUTTONS, BY_HAND, booted, check, done, emulation, note,
+from harness import (BY_HAND, booted, check, done, emulation, note,
                      pause, save, start_limber)
 
 SECONDS = float(os.environ.get("SOAK_S", 120))
@@ -33,8 +33,7 @@ def press_at_random(machine, chance, until_s):
 
 def soak(machine, demo, seconds):
     chance = random.Random(f"{SEED} {demo}")
-    start_limber(machine,
-                 f"--demo {demo} --buttons {BUTTONS} --stats /run/stats")
+    start_limber(machine, f"--demo {demo} --stats /run/stats")
     pause(machine, 2)
     before = memory_kib(machine)[0]
     press_at_random(machine, chance, machine.time_s() + seconds)

@@ -1,0 +1,70 @@
+"""bench.py JSON: what the emulated board makes of the demos, as a table.
+
+Time is a count of instructions there, 4 ns each: 250 million a second, about
+what a 532 MHz ARM1136 gets through. Beside soft's frames stands what Mesa's
+software rasteriser (OSMesa) needs for the same pictures, in instructions under
+qemu-arm, as it could not be shown in this time.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+from harness import (BY_HAND, FOLDER, TOP, booted, is_drawn, note, wait_until)
+
+DEMOS = ("walker", "arm", "face")
+FRAMES = 60
+BENCH = TOP / "build/arm/bench/demo_frames"
+COUNTER = TOP / "build/arm1136/insn_count.so"
+
+
+def boot_s():
+    with booted(shell=False) as machine:
+        return wait_until(machine, lambda: is_drawn(machine.frame()), 10)
+
+
+def frames_of(machine, demo):
+    """Frames and memory of a run on the framebuffer, as fast as it can."""
+    status, said = machine.shell(
+        f"limber play --demo {demo} --gl soft --clock fixed:25 --frames "
+        f"{FRAMES} --stats /run/stats >/dev/null & "
+        "while kill -0 $! 2>/dev/null; do grep VmHWM /proc/$!/status "
+        "2>/dev/null; usleep 200000; done; cat /run/stats", 300)
+    peaks = [int(peak) for peak in re.findall(r"VmHWM:\s+(\d+)", said)]
+    stats = json.loads(re.search(r"\{.*\}", said, re.S)[0])
+    return {"fps": stats["fps"], "work_ms": stats["work_ms"],
+            "memory_mib": round(max(peaks) / 1024, 1)}
+
+
+def instructions_m(demo, driver):
+    """Millions of instructions a frame under qemu-arm."""
+    run = subprocess.run(
+        [TOP / "tests/bench/count.sh", COUNTER, BENCH, demo, "FRAMES", driver],
+        cwd=TOP, check=True, stdout=subprocess.PIPE, text=True)
+    return float(run.stdout)
+
+
+def main():
+    first_s = boot_s()
+    machine = booted(BY_HAND)
+    figures = {"first_picture_s": round(first_s, 3), "demos": {}}
+    for demo in DEMOS:
+        row = frames_of(machine, demo)
+        row["soft_minstr"] = instructions_m(demo, "soft")
+        row["osmesa_minstr"] = instructions_m(demo, "osmesa")
+        figures["demos"][demo] = row
+    machine.stop()
+    print(f"{'demo':8} {'frames/s':>8} {'ms a frame':>10} {'worst':>6} "
+          f"{'memory':>9} {'M instructions a frame':>24}")
+    print(f"{'':8} {'soft':>8} {'soft':>10} {'ms':>6} {'MiB':>9} "
+          f"{'soft':>12} {'OSMesa':>11}")
+    for demo, row in figures["demos"].items():
+        print(f"{demo:8} {row['fps']:8.1f} {row['work_ms']['mean']:10.1f} "
+              f"{row['work_ms']['max']:6.1f} {row['memory_mib']:9.1f} "
+              f"{row['soft_minstr']:12.1f} {row['osmesa_minstr']:11.1f}")
+    print(f"first picture {first_s:.2f} s after power-on")
+    pathlib.Path(sys.argv[1]).write_text(json.dumps(figures, indent=1) + "\n")
+
+
+main()

@@ -24,6 +24,9 @@ WIDTH, HEIGHT = 480, 640
 FRAME_BYTES = WIDTH * HEIGHT * 2
 FRAMEBUFFER = 0x87E00000
 
+# The shell's, on the console.
+PROMPT = r"limber:/\S*# "
+
 # Lines of GPIO2 (../README.md, wiring).
 BUTTONS = {"UP": 18, "DOWN": 19, "LEFT": 20, "RIGHT": 21, "ENTER": 22,
            "F6": 23, "F8": 24, "F9": 25}

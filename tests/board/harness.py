@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 import traceback
+import zlib
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "board/imx31-pdk"))
@@ -30,7 +31,7 @@ DRIVERS = IMAGE / "test-drivers.cpio.lz4"
 NAME = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
 FOLDER = TOP / "build/check-board" / NAME
 PATIENCE_S = int(os.environ.get("PATIENCE_S", 400))
-PROMPT = r"limber:/\S*# "
+PROMPT = emulation.PROMPT
 
 # Limber does not start by itself, the shell is the test's.
 BY_HAND = {"etc/inittab": "::sysinit:/etc/rc\nttymxc0::respawn:-/bin/sh\n"}
@@ -197,16 +198,15 @@ def save(frame, name):
 
 def host_picture(*arguments):
     """What limber draws on this machine, as RGB565."""
-    import zlib
     path = FOLDER / "host.png"
     path.unlink(missing_ok=True)
     subprocess.run([HOST, "render", *arguments, "--gl", "soft", "--format",
                     "rgb565", "-o", str(path)], check=True,
                    stdin=subprocess.DEVNULL)
-    return frame_of_png(path.read_bytes(), zlib)
+    return frame_of_png(path.read_bytes())
 
 
-def frame_of_png(data, zlib):
+def frame_of_png(data):
     """RGB565 of a picture as limber writes it: 8-bit RGB or RGBA."""
     at, packed, header = 8, b"", None
     while at < len(data):

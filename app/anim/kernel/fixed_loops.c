@@ -12,13 +12,14 @@ enum {
 
 /*
  * As SMLAD has it: should a sum not fit, it wraps and is nothing worse. For a
- * length known to the compiler, a multiple of 8, this is a run of pmaddwd.
+ * length known to the compiler, a multiple of 8, this is a run of pmaddwd,
+ * provided that GCC does not unroll all of it before it looks for vectors.
  */
 static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 {
 	uint32_t sum = 0;
 
-#pragma GCC unroll 1
+#pragma GCC unroll 4
 	for (int i = 0; i < length; i++) {
 		sum += (uint32_t)(row[i] * base[i]);
 	}

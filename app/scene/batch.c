@@ -173,7 +173,8 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	};
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = outline_make(primitive, arena, &outline, &batch->outline_count);
+	error = outline_make(
+		primitive, place, arena, &outline, &batch->outline_count);
 	batch->outline = outline;
 	return error ? error : fill(batch, drawable, base_color, arena);
 }

@@ -122,8 +122,16 @@ static int list_triangles(const struct model_primitive *primitive,
 	return count;
 }
 
-int outline_make(const struct model_primitive *primitive, struct arena *arena,
-	uint16_t **index, int *index_count)
+static void move_to_places(
+	const uint32_t *place, uint16_t *index, int index_count)
+{
+	for (int i = 0; i < index_count && place; i++) {
+		index[i] = (uint16_t)place[index[i]];
+	}
+}
+
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
 {
 	size_t count = (size_t)primitive->vertex_count;
 	struct member *members = malloc((count + 1) * sizeof(*members));
@@ -137,6 +145,7 @@ int outline_make(const struct model_primitive *primitive, struct arena *arena,
 	if (members && leader && list) {
 		find_leaders(primitive, members, leader);
 		*index_count = list_triangles(primitive, leader, list);
+		move_to_places(place, list, *index_count);
 		*index = ARENA_ARRAY(arena, uint16_t, (size_t)*index_count);
 		error = *index_count > 0 && !*index ? -ENOMEM : 0;
 	}

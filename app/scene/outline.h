@@ -15,9 +15,10 @@
 
 /*
  * Lists the triangles of a primitive of at most 65,536 vertices with normals,
- * in the arena. 0 or -ENOMEM.
+ * in the arena. Place says where each vertex is drawn from, NULL: where the
+ * primitive has it. 0 or -ENOMEM.
  */
-int outline_make(const struct model_primitive *primitive, struct arena *arena,
-	uint16_t **index, int *index_count);
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count);
 
 #endif

@@ -37,11 +37,15 @@ static int init_output(struct drawable_fixed *fixed, int vertex_count,
 }
 
 static int init_skin(struct drawable_fixed *fixed,
-	const struct model_primitive *primitive, unsigned streams,
-	struct arena *arena)
+	const struct model_primitive *primitive, int target_count,
+	unsigned streams, struct arena *arena)
 {
 	int error = fixed_skin_init(&fixed->skin, primitive, streams, arena);
 
+	if (!error && target_count > 0) {
+		error = fixed_skin_morph_init(
+			&fixed->skin_morph, &fixed->skin, target_count, arena);
+	}
 	if (error) {
 		return error;
 	}
@@ -80,23 +84,22 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	int mesh = model->node[drawable->node].mesh;
+	int target_count = model->mesh[mesh].target_count;
 	unsigned streams = wanted_streams(model, primitive);
 	struct drawable_fixed *fixed;
 	int error;
 
-	if (drawable->skin >= 0 && drawable->morphed) {
-		return -ENOTSUP;
-	}
 	fixed = ARENA_NEW(arena, struct drawable_fixed);
 	if (!fixed) {
 		return -ENOMEM;
 	}
 	fixed->loops = loops;
 	if (drawable->skin >= 0) {
-		error = init_skin(fixed, primitive, streams, arena);
+		error = init_skin(
+			fixed, primitive, target_count, streams, arena);
 	} else {
-		error = init_morph(fixed, primitive,
-			model->mesh[mesh].target_count, streams, arena);
+		error = init_morph(
+			fixed, primitive, target_count, streams, arena);
 	}
 	drawable->fixed = error ? NULL : fixed;
 	return error;
@@ -119,12 +122,32 @@ static void run_skin(const struct drawable_fixed *fixed, bool with_tangents)
 	}
 }
 
+static const float *weights_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return instance->pose.weight +
+		instance->model->node[drawable->node].weight_offset;
+}
+
+static bool set_skin_weights(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+
+	return fixed_skin_morph_update(&fixed->skin_morph, fixed->loops,
+		       weights_of(instance, drawable)) == 0;
+}
+
 static void pose_skin(const struct instance *instance,
 	struct drawable *drawable, bool with_tangents)
 {
 	struct drawable_fixed *fixed = drawable->fixed;
 
 	fixed_skin_set_cap(&fixed->skin, instance->max_influences);
+	if (drawable->morphed && !set_skin_weights(instance, drawable)) {
+		fixed->failed = true;
+		return;
+	}
 	fixed->failed = fixed_palette_make(&fixed->skin,
 		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
 		&fixed->placement);
@@ -136,12 +159,11 @@ static void pose_skin(const struct instance *instance,
 static void pose_morph(const struct instance *instance,
 	struct drawable *drawable, bool with_tangents)
 {
-	const struct model_node *node = &instance->model->node[drawable->node];
 	struct drawable_fixed *fixed = drawable->fixed;
 	struct fixed_morph *morph = &fixed->morph;
 
-	fixed->failed = fixed_morph_set_weights(
-		morph, instance->pose.weight + node->weight_offset);
+	fixed->failed =
+		fixed_morph_set_weights(morph, weights_of(instance, drawable));
 	if (fixed->failed) {
 		return;
 	}

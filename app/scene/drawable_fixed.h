@@ -9,7 +9,7 @@
 /*
  * Makes a drawable that has its skin, morphed and primitive fixed, with
  * tangents where it has relief. 0; -ENOMEM; -ERANGE for what 16 bits cannot
- * hold and -ENOTSUP for what the loops cannot do: these want float.
+ * hold: it wants float.
  */
 int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	const struct fixed_loops *loops, struct arena *arena);

@@ -19,8 +19,7 @@
 #ifndef APP_SCENE_INSTANCE_H
 #define APP_SCENE_INSTANCE_H
 
-#include "app/anim/kernel/fixed_morph.h"
-#include "app/anim/kernel/fixed_skin.h"
+#include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/pose.h"
 #include "app/anim/skin.h"
@@ -71,9 +70,10 @@ struct drawable_fixed {
 	 */
 	const uint32_t *place, *order;
 
-	struct fixed_skin skin;      /* of a skinned one */
-	struct fixed_matrix *matrix; /* [skin.joint_count] */
-	struct fixed_morph morph;    /* of another; rigid: without targets */
+	struct fixed_skin skin;             /* of a skinned one */
+	struct fixed_matrix *matrix;        /* [skin.joint_count] */
+	struct fixed_skin_morph skin_morph; /* if it is morphed, too */
+	struct fixed_morph morph; /* of another; rigid: without targets */
 	bool failed; /* the last pose has no place in 16 bits; the output is
 			an earlier one's */
 };

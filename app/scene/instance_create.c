@@ -129,18 +129,19 @@ static int init_vertices(struct instance *instance, struct drawable *drawable)
 	const struct fixed_loops *loops = instance->kernel->fixed;
 	int mesh = model->node[drawable->node].mesh;
 	struct arena *arena = &instance->arena;
-	int error = -ENOTSUP;
+	int error;
 
 	if (loops) {
 		error = drawable_fixed_init(drawable, model, loops, arena);
+		if (!error && drawable->skin >= 0) {
+			skin_stream_count(
+				&drawable->stream, drawable->primitive);
+		}
+		if (error != -ERANGE) {
+			return error;
+		}
+		instance->unfit_count++;
 	}
-	if (!error && drawable->skin >= 0) {
-		skin_stream_count(&drawable->stream, drawable->primitive);
-	}
-	if (error != -ENOTSUP && error != -ERANGE) {
-		return error;
-	}
-	instance->unfit_count += error == -ERANGE;
 	if (drawable->skin < 0) {
 		drawable->vertex_scale = near_one(
 			largest_coordinate(drawable->primitive), 0.25f, 16.0f);

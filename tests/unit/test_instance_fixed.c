@@ -206,7 +206,7 @@ static void compare_model(const char *path)
 		      "degrees\n",
 		path, count_fixed(pair.fixed), pair.fixed->drawable_count,
 		position, normal_rad / DEGREE);
-	assert_true(count_fixed(pair.fixed) > 0);
+	assert_int_equal(count_fixed(pair.fixed), pair.fixed->drawable_count);
 	assert_near(position, 0, 2e-4);
 	assert_near(normal_rad / DEGREE, 0, 1);
 	pair_end(&pair);

@@ -121,24 +121,28 @@ static inline uint32_t weigh(
 	return (uint32_t)(pair->a * weights.a) + (uint32_t)(pair->b * weights.b);
 }
 
-/* In two steps, the first of which compilers can do many at a time. */
+/* Pairs by themselves: compilers can do many at a time. */
+static void weigh_pairs(int count, const struct fixed_pair *pair,
+	struct fixed_weights weights, uint32_t start, uint32_t *sum)
+{
+	for (int i = 0; i < count; i++) {
+		sum[i] = start + weigh(&pair[i], weights);
+	}
+}
+
 static void lerp(int count, const struct fixed_pair (*pair)[3],
 	struct fixed_weights weights, struct fixed_vector *out)
 {
-	const struct fixed_pair *from = pair[0];
+	const uint32_t half = 0x8000;
 
 	for (int first = 0; first < count; first += CHUNK) {
-		uint32_t sum[3 * CHUNK];
+		uint32_t sum[CHUNK][3];
 		int left = count - first < CHUNK ? count - first : CHUNK;
 
-		for (int i = 0; i < 3 * left; i++) {
-			sum[i] = 0x8000 + weigh(&from[i], weights);
-		}
+		weigh_pairs(3 * left, pair[first], weights, half, sum[0]);
 		for (int i = 0; i < left; i++) {
-			narrow(sum[3 * i], sum[3 * i + 1], sum[3 * i + 2],
-				out++);
+			narrow(sum[i][0], sum[i][1], sum[i][2], &out[first + i]);
 		}
-		from += 3 * left;
 	}
 }
 
@@ -155,12 +159,11 @@ static inline int16_t add_clamped(int16_t a, int16_t b)
 static void increment(
 	int count, const struct fixed_vector *step, struct fixed_vector *vector)
 {
-	for (int i = 0; i < count; i++) {
-		vector[i] = (struct fixed_vector){
-			add_clamped(vector[i].fraction, step[i].fraction),
-			add_clamped(vector[i].x, step[i].x),
-			add_clamped(vector[i].y, step[i].y),
-			add_clamped(vector[i].z, step[i].z)};
+	const int16_t *by = (const int16_t *)step;
+	int16_t *to = (int16_t *)vector;
+
+	for (int i = 0; i < 4 * count; i++) {
+		to[i] = add_clamped(to[i], by[i]);
 	}
 }
 
@@ -170,17 +173,33 @@ static inline uint32_t widen(int16_t number, int16_t fraction)
 	return (uint32_t)(uint16_t)number << 16 | (uint16_t)fraction;
 }
 
+/* The opposite of narrow(): all three get x's fraction. */
+static inline void widen_all(const struct fixed_vector *vector, uint32_t out[3])
+{
+	uint32_t words[2];
+
+	memcpy(words, vector, sizeof(words));
+	out[0] = words[0];
+	out[1] = words[1] << 16 | (words[0] & 0xffff);
+	out[2] = (words[1] & 0xffff0000) | (words[0] & 0xffff);
+}
+
 static void morph_pair(int count, const struct fixed_vector *base,
 	const struct fixed_pair (*pair)[3], struct fixed_weights weights,
 	struct fixed_vector *out)
 {
-	for (int i = 0; i < count; i++) {
-		int16_t fraction = base[i].fraction;
+	for (int first = 0; first < count; first += CHUNK) {
+		uint32_t sum[CHUNK][3];
+		int left = count - first < CHUNK ? count - first : CHUNK;
 
-		narrow(widen(base[i].x, fraction) + weigh(&pair[i][0], weights),
-			widen(base[i].y, fraction) + weigh(&pair[i][1], weights),
-			widen(base[i].z, fraction) + weigh(&pair[i][2], weights),
-			&out[i]);
+		weigh_pairs(3 * left, pair[first], weights, 0, sum[0]);
+		for (int i = 0; i < left; i++) {
+			uint32_t from[3];
+
+			widen_all(&base[first + i], from);
+			narrow(sum[i][0] + from[0], sum[i][1] + from[1],
+				sum[i][2] + from[2], &out[first + i]);
+		}
 	}
 }
 
@@ -188,11 +207,10 @@ static void morph_begin(
 	int count, const struct fixed_vector *base, struct fixed_sum *sum)
 {
 	for (int i = 0; i < count; i++) {
-		int16_t fraction = base[i].fraction;
+		uint32_t from[3];
 
-		sum[i].x = (int32_t)widen(base[i].x, fraction);
-		sum[i].y = (int32_t)widen(base[i].y, fraction);
-		sum[i].z = (int32_t)widen(base[i].z, fraction);
+		widen_all(&base[i], from);
+		memcpy(&sum[i], from, sizeof(from));
 	}
 }
 

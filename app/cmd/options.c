@@ -12,7 +12,7 @@ enum {
 	SIDE_MAX = 8192,
 	FRAMES_MAX = 1000000,
 	RUNS_MAX = 1001,
-	OPTIONS_MAX = 48
+	OPTIONS_MAX = 64
 };
 
 struct option_entry {
@@ -321,6 +321,13 @@ static bool set_no_labels(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_hud(struct options *options, const char *value)
+{
+	(void)value;
+	options->hud = true;
+	return true;
+}
+
 static bool set_verbose(struct options *options, const char *value)
 {
 	(void)value;
@@ -436,6 +443,9 @@ static const struct option_entry entries[] = {
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, set_no_labels},
+	{0, "hud", NULL, FOR_SHOW,
+		"show how long frames take, as F9 held and H in a window do",
+		NULL, set_hud},
 	{0, "runs", "N", FOR_BENCH,
 		"time everything N times and take the median (15)",
 		"a number from 1 to 1001", set_runs},

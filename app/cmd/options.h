@@ -78,6 +78,7 @@ struct options {
 	const char *c_file; /* to export to */
 	bool json;
 	bool no_labels;
+	bool hud; /* the graph of frame times */
 	bool verbose;
 	bool help;
 	bool version;

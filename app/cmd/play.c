@@ -23,6 +23,7 @@ static void print_buttons(const struct demo_driver *demo, bool camera)
 	if (camera) {
 		puts("  F10    camera: background, screen, motion, off");
 	}
+	puts("  F9     held: how long frames take (H in a window)");
 	puts("  Esc    quit");
 	fflush(stdout);
 }

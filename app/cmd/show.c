@@ -1,8 +1,10 @@
 #include "app/cmd/show.h"
 
 #include "app/cmd/frame_stats.h"
+#include "app/cmd/frame_watch.h"
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/pace.h"
+#include "app/cmd/program_keys.h"
 #include "app/cmd/progress.h"
 #include "app/cmd/record.h"
 #include "app/cmd/screen.h"
@@ -28,6 +30,8 @@ struct show {
 	struct demo *demo;
 	struct hud *hud;
 	bool labelled;
+	struct program_keys keys;
+	struct frame_watch watch;
 	struct clock clock;
 	struct pace pace;
 	double now_s;
@@ -117,12 +121,26 @@ static void close_hud(struct show *show)
 	free(show->hud);
 }
 
+static void fulfil(struct show *show, enum program_wish wish)
+{
+	if (wish == WISH_GRAPH) {
+		show->watch.shown = !show->watch.shown;
+	}
+}
+
 /* Does the action that the button is to have. */
 static void press(struct show *show, struct button_event event)
 {
+	struct button_event passed[PROGRAM_KEYS_PASSED];
+	int count;
+
 	event.button = show->action[event.button];
-	if (event.button != BUTTON_COUNT) {
-		demo_press(show->plan->demo, show->demo, &event);
+	if (event.button == BUTTON_COUNT) {
+		return;
+	}
+	fulfil(show, program_keys_take(&show->keys, &event, passed, &count));
+	for (int i = 0; i < count; i++) {
+		demo_press(show->plan->demo, show->demo, &passed[i]);
 	}
 }
 
@@ -139,6 +157,25 @@ static void press_buttons(struct show *show, int64_t now_ms)
 				show->clock.origin_ns + event.time_ms * 1000000);
 		}
 	}
+	fulfil(show, program_keys_wait(&show->keys, now_ms));
+}
+
+/* Labels and the graph, whichever are wanted. */
+static void draw_hud(struct show *show, int width, int height)
+{
+	const struct demo_driver *driver = show->plan->demo;
+	const struct demo_facts facts = demo_tell(driver, show->demo);
+
+	if (!show->labelled && !show->watch.shown) {
+		return;
+	}
+	hud_begin(show->hud, width, height);
+	if (show->labelled) {
+		demo_label(driver, show->demo, show->hud);
+	}
+	frame_watch_show(&show->watch, &facts,
+		show->screen.gl->driver->name, NULL, show->hud);
+	hud_end(show->hud, &show->screen.gl->gl);
 }
 
 static int draw_frame(struct show *show)
@@ -151,12 +188,11 @@ static int draw_frame(struct show *show)
 	}
 	demo_watch(show->demo, show->now_s, width, height);
 	show->plan->demo->draw(show->demo, width, height);
-	if (show->labelled) {
-		hud_begin(show->hud, width, height);
-		demo_label(show->plan->demo, show->demo, show->hud);
-		hud_end(show->hud, &show->screen.gl->gl);
-	}
-	return screen_end_frame(&show->screen);
+	draw_hud(show, width, height);
+	frame_watch_stage(&show->watch, HUD_DRAW);
+	error = screen_end_frame(&show->screen);
+	frame_watch_stage(&show->watch, HUD_PRESENT);
+	return error;
 }
 
 static void poll_display(struct show *show, int64_t now_ms)
@@ -169,6 +205,12 @@ static void poll_display(struct show *show, int64_t now_ms)
 			screen->display, now_ms, &show->buttons.queue, &events);
 	}
 	show->closed = show->closed || events.close || stop_is_wanted();
+	if (events.graph) {
+		fulfil(show, WISH_GRAPH);
+	}
+	if (events.picture) {
+		fulfil(show, WISH_PICTURE);
+	}
 }
 
 static void feed_watchdog(struct show *show)
@@ -204,14 +246,17 @@ static int run_frames(struct show *show)
 		}
 		now_s = show->now_s = clock_tick(&show->clock);
 		frame_stats_begin(&show->stats);
+		frame_watch_begin(&show->watch);
 		poll_display(show, (int64_t)(now_s * 1000.0));
 		press_buttons(show, (int64_t)(now_s * 1000.0));
 		show->plan->demo->update(show->demo, now_s);
+		frame_watch_stage(&show->watch, HUD_ANIMATE);
 		error = draw_frame(show);
 		if (error) {
 			break;
 		}
 		frame_stats_end(&show->stats);
+		frame_watch_end(&show->watch);
 		feed_watchdog(show);
 		progress_step(&progress, done + 1);
 		pace_wait(&show->pace);
@@ -326,6 +371,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		.frames = plan->frames,
 		.labelled = !options->no_labels,
 		.action = options->action,
+		.watch.shown = options->hud,
 		.watchdog = watchdog_none(),
 	};
 	int error;

@@ -93,6 +93,33 @@ void actor_label_detail(const struct actor *actor, struct hud_group *group)
 	}
 }
 
+const char *technique_of(const struct instance *instance)
+{
+	bool skinned = false, morphed = false;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		skinned = skinned || instance->drawable[i].skin >= 0;
+		morphed = morphed || instance->drawable[i].morphed;
+	}
+	return skinned && morphed ? "Skeletal + morph"
+		: skinned         ? "Skeletal"
+		: morphed         ? "Morphing"
+				  : "Hierarchical";
+}
+
+long count_triangles(const struct instance *instance)
+{
+	long corners = 0;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		corners += drawable->hidden ? 0
+					    : drawable->primitive->index_count;
+	}
+	return corners / 3;
+}
+
 int find_bone(const struct model *model, const char *name,
 	const struct log *log, int *out)
 {

@@ -58,6 +58,12 @@ void actor_update(
 /* Says how many influences are used where some are left out. */
 void actor_label_detail(const struct actor *actor, struct hud_group *group);
 
+/* The technique that moves most of it: "Skeletal" and so on. */
+const char *technique_of(const struct instance *instance);
+
+/* Of all that is not hidden. */
+long count_triangles(const struct instance *instance);
+
 /* The node of that name. 0, or -EINVAL after a sentence. */
 int find_bone(const struct model *model, const char *name,
 	const struct log *log, int *out);

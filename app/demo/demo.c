@@ -88,6 +88,22 @@ void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	live_label(&((const struct act *)demo)->live, hud);
 }
 
+struct demo_facts demo_tell(
+	const struct demo_driver *driver, const struct demo *demo)
+{
+	const struct instance *instance =
+		((const struct act *)demo)->actor.instance;
+	struct demo_facts facts = {
+		.technique = technique_of(instance),
+		.triangles = count_triangles(instance),
+	};
+
+	if (driver->tell) {
+		driver->tell(demo, &facts);
+	}
+	return facts;
+}
+
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {

@@ -39,6 +39,12 @@ struct demo_env {
 	bool smooth;                      /* blend enlarged live pictures */
 };
 
+/* What a demo shows, for whoever measures. */
+struct demo_facts {
+	const char *technique; /* "Skeletal" */
+	long triangles;        /* of models, each once */
+};
+
 /* Something a button does. */
 struct demo_action {
 	enum button button;
@@ -72,6 +78,9 @@ struct demo_driver {
 
 	/* Says on the picture what runs: technique, clip, time, weight. */
 	void (*label)(const struct demo *demo, struct hud *hud);
+
+	/* Optional: NULL where the actor is all there is. */
+	void (*tell)(const struct demo *demo, struct demo_facts *out);
 };
 
 /* All demos, NULL at the end; the first is the default. */
@@ -102,6 +111,10 @@ void demo_watch(struct demo *demo, double time_s, int width, int height);
 /* The demo's own labels, and what the camera is for. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud);
+
+/* What it shows now. */
+struct demo_facts demo_tell(
+	const struct demo_driver *driver, const struct demo *demo);
 
 /*
  * Runs the action on this button, if there is one. With a camera, F10 changes

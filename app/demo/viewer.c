@@ -120,20 +120,6 @@ static int init_join(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-static const char *technique_of(const struct instance *instance)
-{
-	bool skinned = false, morphed = false;
-
-	for (int i = 0; i < instance->drawable_count; i++) {
-		skinned = skinned || instance->drawable[i].skin >= 0;
-		morphed = morphed || instance->drawable[i].morphed;
-	}
-	return skinned && morphed ? "Skeletal and morphing"
-		: skinned         ? "Skeletal"
-		: morphed         ? "Morphing"
-				  : "Hierarchical";
-}
-
 static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
 	const struct actor *actor = &demo->act.actor;

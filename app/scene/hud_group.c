@@ -23,6 +23,8 @@ enum {
 	SWITCH_WIDTH = 12,
 	SWITCH_HEIGHT = 6,
 	KNOB_INSET = 1,
+	MARK_SIDE = 4,
+	MARK_GAP = 3,
 	TEXT_ROOM = 32
 };
 
@@ -108,16 +110,23 @@ static int add_value(const struct hud_group *group, const char *value)
 	return x;
 }
 
-static void add_line(
-	const struct hud_group *group, const char *label, const char *value)
+/* The label from x on. */
+static void add_line_from(const struct hud_group *group, int x,
+	const char *label, const char *value)
 {
 	int right = add_value(group, value);
 
 	if (*value) {
 		right -= eighths(group->hud, COLUMN_GAP);
 	}
-	hud_text_cut(group->hud, group->left, group->y, right - group->left,
-		hud_color_dim, label);
+	hud_text_cut(
+		group->hud, x, group->y, right - x, hud_color_dim, label);
+}
+
+static void add_line(
+	const struct hud_group *group, const char *label, const char *value)
+{
+	add_line_from(group, group->left, label, value);
 }
 
 static void next_row(struct hud_group *group, int height)
@@ -186,6 +195,27 @@ static int add_cap(const struct hud_group *group, const char *key)
 	hud_text(hud, group->left + (width - text) / 2, group->y,
 		hud_color_text, key);
 	return group->left + width + eighths(hud, COLUMN_GAP);
+}
+
+void hud_group_mark(struct hud_group *group, const char *label,
+	const char *value, struct hud_color color)
+{
+	struct hud *hud = group->hud;
+	int side = eighths(hud, MARK_SIDE);
+	int top = group->y + (hud_line_height(hud) - side) / 2;
+
+	hud_panel(hud, group->left, top, side, side, side / 2, color);
+	add_line_from(group, group->left + side + eighths(hud, MARK_GAP), label,
+		value);
+	next_row(group, hud_line_height(hud));
+}
+
+int hud_group_space(struct hud_group *group, int height)
+{
+	int top = group->y;
+
+	next_row(group, height);
+	return top;
 }
 
 void hud_group_key(struct hud_group *group, const char *key, const char *what)

@@ -56,6 +56,16 @@ void hud_group_time(struct hud_group *group, const char *label, float time_s,
 void hud_group_weight(struct hud_group *group, const char *label, float weight,
 	struct hud_color color);
 
+/* A label behind a spot of that colour, and a value. */
+void hud_group_mark(struct hud_group *group, const char *label,
+	const char *value, struct hud_color color);
+
+/*
+ * Room of that height for the caller to fill, as wide as the rows, from
+ * group.left on; returns its top. It moves with the group until it ends.
+ */
+int hud_group_space(struct hud_group *group, int height);
+
 /* A key's cap and what it does. */
 void hud_group_key(struct hud_group *group, const char *key, const char *what);
 

@@ -48,6 +48,8 @@ struct display_info {
 struct display_events {
 	bool close;   /* the person closed the window */
 	bool resized; /* begin_frame() hands out another size from now on */
+	bool graph;   /* to show how long frames take, or no longer */
+	bool picture; /* to keep the picture in a file */
 };
 
 struct display_driver {

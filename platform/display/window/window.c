@@ -238,6 +238,10 @@ static void take_key(struct display *display, const SDL_KeyboardEvent *key,
 		(code == SDLK_ESCAPE || code == SDLK_q)) {
 		events->close = true;
 	}
+	if (key->state == SDL_PRESSED) {
+		events->graph = events->graph || code == SDLK_h;
+		events->picture = events->picture || code == SDLK_p;
+	}
 	press(display, code, key->state == SDL_PRESSED, now_ms, queue);
 }
 

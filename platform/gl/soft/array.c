@@ -171,15 +171,23 @@ void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3])
 		load_floats(at, 3, two_30, 0x40000000, out);
 		return;
 	}
+	if (array->enabled && array->type == GL_SHORT) {
+		int16_t n[3];
+
+		memcpy(n, at, sizeof(n));
+		out[0] = (2 * n[0] + 1) * 16384;
+		out[1] = (2 * n[1] + 1) * 16384;
+		out[2] = (2 * n[2] + 1) * 16384;
+		return;
+	}
 	for (int i = 0; i < 3; i++) {
 		GLenum type = array->enabled ? array->type : GL_FIXED;
 		int32_t value = array->enabled ? load_integer(at, type, i)
 					       : arrays->current_normal[i];
 
 		/* (2 c + 1) / (2^bits - 1) */
-		out[i] = type == GL_BYTE   ? (2 * value + 1) * 4210752
-			: type == GL_SHORT ? (2 * value + 1) * 16384
-					   : saturate_64((int64_t)value * 16384);
+		out[i] = type == GL_BYTE ? (2 * value + 1) * 4210752
+					 : saturate_64((int64_t)value * 16384);
 	}
 }
 
@@ -194,11 +202,16 @@ void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4])
 	const struct array *array = &arrays->color;
 	const uint8_t *at = element_at(array, index);
 
+	if (array->enabled && array->type == GL_UNSIGNED_BYTE) {
+		out[0] = color_from_byte(at[0]);
+		out[1] = color_from_byte(at[1]);
+		out[2] = color_from_byte(at[2]);
+		out[3] = color_from_byte(at[3]);
+		return;
+	}
 	for (int i = 0; i < 4; i++) {
 		if (!array->enabled) {
 			out[i] = arrays->current_color[i];
-		} else if (array->type == GL_UNSIGNED_BYTE) {
-			out[i] = color_from_byte(at[i]);
 		} else if (array->type == GL_FIXED) {
 			out[i] = (int32_t)load_bits(at + 4 * i);
 		} else {

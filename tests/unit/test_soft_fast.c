@@ -473,6 +473,61 @@ static void test_the_texture_band_is_as_in_c(void **state)
 	}
 }
 
+static struct flat_band make_flat_band(
+	struct twins *twins, int which, const struct flat_band *like)
+{
+	struct flat_band band = *like;
+
+	band.pixels = (uint8_t *)(twins->pixel[which] + 20 * 64);
+	band.stencil =
+		like->stencil ? (uint8_t *)twins->depth[which] + 20 * 64 : NULL;
+	return band;
+}
+
+static void test_the_flat_band_is_as_in_c(void **state)
+{
+	uint32_t seed = 4;
+
+	(void)state;
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = make_twins(&seed);
+		struct flat_band like = {
+			.stencil = round % 3 ? (uint8_t *)twins : NULL,
+			.stride_bytes = 128,
+			.stencil_stride = 64,
+			.rows = random_between(&seed, 1, 20),
+			.from = random_between(&seed, 0, 40),
+			.to = random_between(&seed, 30, 64),
+			.reference = (uint8_t)random_between(&seed, 0, 3),
+			.next = (uint8_t)random_between(&seed, 0, 255),
+			.keep = (uint32_t)random_between(&seed, 0, 32),
+			.opaque = (uint16_t)next_random(&seed),
+		};
+		struct flat_band band, other;
+
+		/* Half of the stencil has the reference. */
+		for (int i = 0; i < 64 * 64; i++) {
+			if (next_random(&seed) & 1) {
+				memset((uint8_t *)twins->depth[0] + i,
+					like.reference, 1);
+			}
+		}
+		memcpy(twins->depth[1], twins->depth[0],
+			sizeof(twins->depth[0]));
+		like.own = widen(like.opaque) * (32 - like.keep) + WIDE_ROUND;
+		make_edges(&seed, like.edge, like.edge_step);
+		band = make_flat_band(twins, 0, &like);
+		other = make_flat_band(twins, 1, &like);
+		soft_bands.flat(&band);
+		band_flat_c(&other);
+		assert_int_equal(band.edge[0], other.edge[0]);
+		assert_int_equal(band.edge[1], other.edge[1]);
+		assert_int_equal(band.pixels - (uint8_t *)twins->pixel[0],
+			other.pixels - (uint8_t *)twins->pixel[1]);
+		check_twins(twins);
+	}
+}
+
 /* Fields of equal texels among others, as floors have them. */
 static void make_quads(uint32_t *seed, uint32_t *quads, int count)
 {
@@ -550,6 +605,7 @@ int main(void)
 		cmocka_unit_test(test_drawing_takes_no_memory),
 		cmocka_unit_test(test_the_color_band_is_as_in_c),
 		cmocka_unit_test(test_the_texture_band_is_as_in_c),
+		cmocka_unit_test(test_the_flat_band_is_as_in_c),
 		cmocka_unit_test(test_shades_are_as_in_c),
 		cmocka_unit_test(test_fills_end_where_they_should),
 	};

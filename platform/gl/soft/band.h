@@ -109,6 +109,7 @@ struct texture_band {
  * Rows in one colour without a depth test, opaque or blended, where a stencil
  * lets them: what shadows on the ground and panels are.
  */
+/* Offsets are known to arm/flat.S. */
 struct flat_band {
 	uint8_t *pixels, *stencil; /* of column 0; stencil may be NULL */
 	ptrdiff_t stride_bytes, stencil_stride;

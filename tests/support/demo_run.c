@@ -10,6 +10,12 @@ static const double press_s = 0.1;
 
 void demo_run_begin(struct demo_run *run, const char *name)
 {
+	demo_run_begin_by(run, name, "float");
+}
+
+void demo_run_begin_by(
+	struct demo_run *run, const char *name, const char *kernel)
+{
 	const char *asset;
 	char path[256];
 	struct demo_env env;
@@ -26,7 +32,7 @@ void demo_run_begin(struct demo_run *run, const char *name)
 		.log = &run->log,
 		.gl = &run->gl,
 		.target = PIXELS_RGBA8888,
-		.kernel = kernel_find("float"),
+		.kernel = kernel_find(kernel),
 		.width = 480,
 		.height = 640,
 		.model_path = path,

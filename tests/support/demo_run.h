@@ -25,6 +25,10 @@ struct demo_run {
  */
 void demo_run_begin(struct demo_run *run, const char *name);
 
+/* The same with another kernel than float. */
+void demo_run_begin_by(
+	struct demo_run *run, const char *name, const char *kernel);
+
 /* Updates up to time_s at rate_hz, with the presses that are due. */
 void demo_run_to(struct demo_run *run, double time_s, double rate_hz,
 	const struct demo_press *press, int press_count);

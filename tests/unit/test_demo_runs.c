@@ -6,6 +6,7 @@
 #include "tests/support/gl_recorder.h"
 #include "tests/support/test.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -69,13 +70,13 @@ static const struct demo_press presses[] = {
 static const char *const demos[] = {"walker", "arm", "face", "walker.glb"};
 
 /* Only the last frame is drawn. */
-static struct gl_recording minute(const char *name)
+static struct gl_recording minute(const char *name, const char *kernel)
 {
 	const int count = (int)ARRAY_COUNT(presses);
 	struct gl_recording recording;
 	struct demo_run run;
 
-	demo_run_begin(&run, name);
+	demo_run_begin_by(&run, name, kernel);
 	demo_run_to(&run, MINUTE_S, RATE_HZ, presses, count);
 	demo_run_draw(&run);
 	recording = *gl_recorder_result();
@@ -96,7 +97,7 @@ static void write_reference(void)
 
 	assert_non_null(out);
 	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
-		struct gl_recording end = minute(demos[i]);
+		struct gl_recording end = minute(demos[i], "float");
 		double count = (double)end.vertex_count;
 
 		fprintf(out, "%s %.6f %.6f %.6f\n", demos[i], end.sum[0] / count,
@@ -116,7 +117,7 @@ static void test_a_minute_ends_in_the_same_place_on_each_machine(void **state)
 	in = fopen(reference, "r");
 	assert_non_null(in);
 	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
-		struct gl_recording end = minute(demos[i]);
+		struct gl_recording end = minute(demos[i], "float");
 		double expected[3];
 		char name[32];
 
@@ -134,12 +135,60 @@ static void test_a_minute_ends_in_the_same_place_on_each_machine(void **state)
 	fclose(in);
 }
 
+/*
+ * In fixed point whatever rounds differently would show: the bytes are the
+ * same wherever it runs, and by each fixed-point kernel.
+ */
+static const char fixed_reference[] = "tests/golden/demo-runs-fixed.txt";
+
+static void write_fixed_reference(void)
+{
+	FILE *out = fopen(fixed_reference, "w");
+
+	assert_non_null(out);
+	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
+		fprintf(out, "%s %016" PRIx64 "\n", demos[i],
+			minute(demos[i], "fixed").vertex_hash);
+	}
+	assert_int_equal(fclose(out), 0);
+}
+
+static void test_a_minute_in_fixed_point_is_the_same_bytes(void **state)
+{
+	FILE *in;
+
+	(void)state;
+	if (getenv("GOLDEN_WRITE")) {
+		write_fixed_reference();
+	}
+	in = fopen(fixed_reference, "r");
+	assert_non_null(in);
+	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
+		uint64_t hash;
+		char name[32];
+
+		assert_int_equal(fscanf(in, "%31s %" SCNx64, name, &hash), 2);
+		assert_string_equal(name, demos[i]);
+		for (int k = 0; kernel_registry[k]; k++) {
+			const struct kernel *kernel = kernel_registry[k];
+
+			if (kernel->fixed) {
+				print_message(
+					"# %s by %s\n", name, kernel->name);
+				assert_true(minute(demos[i], kernel->name)
+						    .vertex_hash == hash);
+			}
+		}
+	}
+	fclose(in);
+}
+
 static void test_a_minute_leaves_the_same_state_each_time(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
-		struct gl_recording first = minute(demos[i]);
-		struct gl_recording second = minute(demos[i]);
+		struct gl_recording first = minute(demos[i], "float");
+		struct gl_recording second = minute(demos[i], "float");
 
 		assert_true(first.vertex_hash == second.vertex_hash);
 	}
@@ -149,11 +198,11 @@ static void test_no_frame_after_the_first_allocates(void **state)
 {
 	(void)state;
 #if COUNTS_ALLOCATIONS
-	for (size_t i = 0; i < ARRAY_COUNT(demos); i++) {
+	for (size_t i = 0; i < 2 * ARRAY_COUNT(demos); i++) {
 		struct demo_run run;
 		long before;
 
-		demo_run_begin(&run, demos[i]);
+		demo_run_begin_by(&run, demos[i / 2], i % 2 ? "fixed" : "float");
 		demo_run_to(&run, 0.1, RATE_HZ, NULL, 0);
 		demo_run_draw(&run);
 		before = allocations;
@@ -177,6 +226,7 @@ int main(void)
 		cmocka_unit_test(test_a_minute_leaves_the_same_state_each_time),
 		cmocka_unit_test(
 			test_a_minute_ends_in_the_same_place_on_each_machine),
+		cmocka_unit_test(test_a_minute_in_fixed_point_is_the_same_bytes),
 		cmocka_unit_test(test_no_frame_after_the_first_allocates),
 	};
 

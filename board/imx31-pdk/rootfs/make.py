@@ -91,6 +91,8 @@ def collect(sysroot, limber, assets, root):
     tree.link("tmp", "run/tmp")
     tree.link("var", "run")
     os.symlink("/proc/mounts", root / "etc/mtab")
+    for path in root.rglob("*"):
+        os.utime(path, (0, 0), follow_symlinks=False)
 
 
 def listed(root):

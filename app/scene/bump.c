@@ -180,10 +180,13 @@ static void find_light(const struct instance *instance,
 
 static void unpack(const struct fixed_vector *v, float out[3])
 {
-	out[0] = v->x;
-	out[1] = v->y;
-	out[2] = v->z;
-	make_unit(out);
+	float x = v->x, y = v->y, z = v->z;
+	float length2 = x * x + y * y + z * z;
+	float scale = length2 > 0.0f ? 1.0f / scalar_sqrt(length2) : 0.0f;
+
+	out[0] = x * scale;
+	out[1] = y * scale;
+	out[2] = z * scale;
 }
 
 static void encode_fixed(struct drawable *drawable, const float light[3])

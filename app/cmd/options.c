@@ -12,7 +12,8 @@ enum {
 	SIDE_MAX = 8192,
 	FRAMES_MAX = 1000000,
 	RUNS_MAX = 1001,
-	OPTIONS_MAX = 64
+	OPTIONS_MAX = 64,
+	WALKERS_MAX = 50
 };
 
 struct option_entry {
@@ -321,6 +322,11 @@ static bool set_no_labels(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_walkers(struct options *options, const char *value)
+{
+	return read_int(value, 1, WALKERS_MAX, &options->walkers);
+}
+
 static bool set_hud(struct options *options, const char *value)
 {
 	(void)value;
@@ -358,7 +364,8 @@ static const struct option_entry entries[] = {
 	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
 		"the file to write", "a file name", set_output},
 	{0, "demo", "NAME", FOR_SHOW,
-		"a built-in demo instead of a model: walker, arm or face",
+		"a built-in demo instead of a model: walker, arm, face or "
+		"crowd",
 		"a demo's name", set_demo},
 	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,
 		"an animation of the model, by name or number (0 is the first)",
@@ -443,6 +450,9 @@ static const struct option_entry entries[] = {
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, set_no_labels},
+	{0, "walkers", "N", FOR_SHOW,
+		"how many walkers the demo crowd begins with (12)",
+		"a number from 1 to 50", set_walkers},
 	{0, "hud", NULL, FOR_SHOW,
 		"show how long frames take, as F9 held and H in a window do",
 		NULL, set_hud},

@@ -72,6 +72,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.repeat = options->repeat,
 		.speed = options->speed,
 		.lod = options->lod,
+		.walkers = options->walkers,
 		.unattended = show->plan->unattended,
 		.camera = &show->camera,
 		.camera_use = options->camera_use,
@@ -257,6 +258,10 @@ static int run_frames(struct show *show)
 		}
 		frame_stats_end(&show->stats);
 		frame_watch_end(&show->watch);
+		if (!show->clock.fixed) {
+			demo_set_rate(show->demo,
+				hud_graph_rate(&show->watch.graph));
+		}
 		feed_watchdog(show);
 		progress_step(&progress, done + 1);
 		pace_wait(&show->pace);
@@ -348,7 +353,7 @@ static int open_and_run(struct show *show, const struct options *options)
 		goto out_camera;
 	}
 	error = run(show, options);
-	demo_destroy(show->demo);
+	demo_destroy(show->plan->demo, show->demo);
 out_camera:
 	camera_feed_close(&show->camera);
 out_hud:

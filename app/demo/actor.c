@@ -77,8 +77,12 @@ void actor_draw(const struct actor *actor, const struct stage *stage,
 void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height)
 {
-	actor->instance->max_influences = lod_choose(&actor->lod,
-		actor->instance, camera, actor->extent, picture_height);
+	int cap = lod_choose(&actor->lod, actor->instance, camera,
+		actor->extent, picture_height);
+	int most = actor->most_influences;
+
+	actor->instance->max_influences =
+		most > 0 && (cap == 0 || most < cap) ? most : cap;
 	instance_update(actor->instance);
 }
 

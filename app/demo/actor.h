@@ -21,6 +21,7 @@ struct actor {
 	enum clip_interpolation interpolation;
 	struct fade fade; /* for whoever changes clips */
 	struct lod lod;
+	int most_influences; /* whatever lod says; 0: no limit */
 	float extent; /* at rest, scene units */
 };
 
@@ -30,6 +31,8 @@ struct act {
 	struct actor actor;
 	struct stage stage;
 	struct live live;
+	struct shed shed;
+	float frames_per_s; /* 0: not known */
 };
 
 /* Loads env's model. 0, or -errno after a sentence with nothing left behind. */

@@ -9,11 +9,13 @@
 extern const struct demo_driver demo_driver_walker;
 extern const struct demo_driver demo_driver_arm;
 extern const struct demo_driver demo_driver_face;
+extern const struct demo_driver demo_driver_crowd;
 
 const struct demo_driver *const demo_registry[] = {
 	&demo_driver_walker,
 	&demo_driver_arm,
 	&demo_driver_face,
+	&demo_driver_crowd,
 	NULL,
 };
 
@@ -55,18 +57,21 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 			(float)env->width / (float)env->height);
 	}
 	if (error) {
-		demo_destroy(demo);
+		demo_destroy(driver, demo);
 		return error;
 	}
 	*out = demo;
 	return 0;
 }
 
-void demo_destroy(struct demo *demo)
+void demo_destroy(const struct demo_driver *driver, struct demo *demo)
 {
 	if (demo) {
 		struct act *act = act_of(demo);
 
+		if (driver->finish) {
+			driver->finish(demo);
+		}
 		live_finish(&act->live, act->gl);
 		stage_finish(&act->stage, act->gl);
 		actor_unload(&act->actor, act->gl);
@@ -86,6 +91,20 @@ void demo_label(const struct demo_driver *driver, const struct demo *demo,
 {
 	driver->label(demo, hud);
 	live_label(&((const struct act *)demo)->live, hud);
+}
+
+void demo_shed(struct demo *demo, const struct shed *shed)
+{
+	struct act *act = act_of(demo);
+
+	act->shed = *shed;
+	act->actor.most_influences = shed->max_influences;
+	act->actor.instance->hold_normals = shed->hold_normals;
+}
+
+void demo_set_rate(struct demo *demo, float frames_per_s)
+{
+	act_of(demo)->frames_per_s = frames_per_s;
 }
 
 struct demo_facts demo_tell(

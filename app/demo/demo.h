@@ -33,6 +33,7 @@ struct demo_env {
 	enum clip_repeat repeat; /* of the user's model's clips */
 	float speed;             /* likewise, negative: backwards */
 	struct lod lod;          /* influences a vertex */
+	int walkers;             /* of a crowd; 0: as it likes */
 	bool unattended;         /* nobody will press a button: show things */
 	const struct camera_feed *camera; /* live pictures, or NULL */
 	enum live_use camera_use;         /* at the start */
@@ -67,6 +68,9 @@ struct demo_driver {
 	 */
 	int (*prepare)(struct demo *demo, const struct demo_env *env);
 
+	/* Releases what prepare() and presses took. Optional. */
+	void (*finish)(struct demo *demo);
+
 	/* Moves on to time_s, which never runs backwards. No allocation. */
 	void (*update)(struct demo *demo, double time_s);
 
@@ -100,7 +104,19 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	struct demo **out);
 
 /* NULL is fine. */
-void demo_destroy(struct demo *demo);
+void demo_destroy(const struct demo_driver *driver, struct demo *demo);
+
+/* What to leave out to keep a budget; all zero: nothing. */
+struct shed {
+	int max_influences; /* of any vertex; 0: all */
+	bool hold_normals;  /* as they are */
+};
+
+/* From the next update on. */
+void demo_shed(struct demo *demo, const struct shed *shed);
+
+/* How many frames a second there are; 0: not known. For labels. */
+void demo_set_rate(struct demo *demo, float frames_per_s);
 
 /*
  * Looks at the camera, for the frame of this time and size; before draw(). A

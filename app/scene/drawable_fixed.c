@@ -105,14 +105,15 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	return error;
 }
 
-static void run_skin(const struct drawable_fixed *fixed, bool with_tangents)
+static void run_skin(const struct drawable_fixed *fixed, bool with_normals,
+	bool with_tangents)
 {
 	const struct fixed_skin *skin = &fixed->skin;
 	const struct fixed_loops *loops = fixed->loops;
 
 	loops->skin(skin->group, skin->group_count, skin->position,
 		fixed->matrix, fixed->position);
-	if (fixed->normal) {
+	if (fixed->normal && with_normals) {
 		loops->skin(skin->group, skin->group_count, skin->normal,
 			fixed->matrix, fixed->normal);
 	}
@@ -152,7 +153,7 @@ static void pose_skin(const struct instance *instance,
 		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
 		&fixed->placement);
 	if (!fixed->failed) {
-		run_skin(fixed, with_tangents);
+		run_skin(fixed, !instance->hold_normals, with_tangents);
 	}
 }
 

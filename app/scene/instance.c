@@ -83,7 +83,7 @@ static void skin_morphed_drawable(
 	};
 	const struct skin_output output = {
 		.position = drawable->position,
-		.normal = drawable->normal,
+		.normal = instance->hold_normals ? NULL : drawable->normal,
 		.tangent = instance->relief ? drawable->tangent : NULL,
 	};
 
@@ -99,7 +99,8 @@ static void skin_drawable(
 	const mat4 *palette = (const mat4 *)instance->palette[drawable->skin];
 
 	instance->kernel->skin(&drawable->stream, palette,
-		instance->max_influences, drawable->position, drawable->normal);
+		instance->max_influences, drawable->position,
+		instance->hold_normals ? NULL : drawable->normal);
 	if (drawable->tangent && instance->relief) {
 		instance->kernel->skin_tangents(&drawable->stream, palette,
 			instance->max_influences, drawable->tangent);

@@ -119,6 +119,12 @@ struct instance {
 	int max_influences; /* 0: all */
 
 	/*
+	 * Updates move skinned vertices and leave their normals as they were,
+	 * which saves much where light need not follow closely.
+	 */
+	bool hold_normals;
+
+	/*
 	 * Normal maps count: tangents are posed and lit at each update, and
 	 * drawn where texture_set.relief says the driver can. May be changed
 	 * before any update; true at first.

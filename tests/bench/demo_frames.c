@@ -110,7 +110,7 @@ int main(int argc, char **argv)
 	if (argc > 4) {
 		write_picture(argv[4], &pixels);
 	}
-	demo_destroy(demo);
+	demo_destroy(driver, demo);
 	context->driver->destroy(context);
 	free(pixels.data);
 	return EXIT_SUCCESS;

@@ -84,6 +84,6 @@ void demo_run_draw(struct demo_run *run)
 
 void demo_run_end(struct demo_run *run)
 {
-	demo_destroy(run->demo);
+	demo_destroy(run->driver, run->demo);
 	run->demo = NULL;
 }

@@ -35,7 +35,20 @@ static void write_depth(const struct shade_run *run)
 	}
 }
 
-static void draw_run(const struct shade_run *run, bool blended)
+/* Pairs of pixels go where words may: mapped memory can be particular. */
+static void put_odd_pixel(struct shade_run *run)
+{
+	struct shade_run odd = *run;
+
+	odd.count = 1;
+	shade_two_c(&odd);
+	run->pixel++;
+	run->count--;
+	run->s += (uint32_t)run->s_right;
+	run->t += (uint32_t)run->t_right;
+}
+
+static void draw_run(struct shade_run *run, bool blended)
 {
 	int32_t s = size_of(run->s_right) >> (31 - run->width_log2);
 	int32_t t = size_of(run->t_right) >> (31 - run->height_log2);
@@ -44,6 +57,9 @@ static void draw_run(const struct shade_run *run, bool blended)
 
 	if (run->depth) {
 		write_depth(run);
+	}
+	if (!blended && (uintptr_t)run->pixel % sizeof(uint32_t) != 0) {
+		put_odd_pixel(run);
 	}
 	if (blended && wide) {
 		shade_four_blended_c(run);

@@ -28,7 +28,8 @@ struct shade_run {
 };
 
 /*
- * Draws blocks of four or of two pixels, opaque: no more than two texels wide.
+ * Draws blocks of four or of two pixels, opaque, from a word's address on (if
+ * mapped memory asks for that): no more than two texels wide.
  * Where the texels around the first pixel and around the one behind the last
  * are all the same, the others see no more than these, but for a corner.
  */

@@ -59,7 +59,7 @@ static void destroy_as_is(struct candidate *candidate)
 static size_t vector_bytes(const struct drawable *drawable)
 {
 	return (size_t)drawable->primitive->vertex_count *
-		(drawable->normal ? 2 : 1) * sizeof(float[3]);
+		(drawable->primitive->normal ? 2 : 1) * sizeof(float[3]);
 }
 
 static size_t target_bytes(const struct model *model, const struct drawable *d)
@@ -90,6 +90,33 @@ static size_t stream_bytes(const struct skin_stream *stream, int cap)
 	return (size_t)count * each;
 }
 
+/* What is posed. */
+static size_t output_bytes(const struct drawable *drawable)
+{
+	return drawable->fixed ? vector_bytes(drawable) / sizeof(float[3]) *
+			sizeof(struct fixed_vector)
+			       : vector_bytes(drawable);
+}
+
+/* In fixed point a morph has its base, and its targets two by two. */
+static size_t morph_bytes(
+	const struct model *model, const struct drawable *drawable)
+{
+	return drawable->fixed && drawable->skin < 0
+		? fixed_morph_bytes(&drawable->fixed->morph)
+		: vector_bytes(drawable) + target_bytes(model, drawable);
+}
+
+static size_t skin_bytes(const struct drawable *drawable, int cap)
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+
+	return fixed ? fixed_skin_bytes(&fixed->skin) +
+			(size_t)fixed->skin.joint_count *
+				sizeof(struct fixed_matrix)
+		     : stream_bytes(&drawable->stream, cap);
+}
+
 static void count_drawable(struct candidate *candidate,
 	const struct model *model, const struct drawable *drawable, int cap)
 {
@@ -97,18 +124,17 @@ static void count_drawable(struct candidate *candidate,
 	size_t vectors = vector_bytes(drawable);
 
 	candidate->file_bytes += vectors + target_bytes(model, drawable);
-	candidate->memory_bytes += vectors;
+	candidate->memory_bytes += output_bytes(drawable);
 	if (drawable->skin >= 0) {
 		size_t joint =
 			model->skin[drawable->skin].joint_count > 256 ? 2 : 1;
 
-		candidate->memory_bytes += stream_bytes(&drawable->stream, cap);
+		candidate->memory_bytes += skin_bytes(drawable, cap);
 		candidate->file_bytes += (size_t)primitive->vertex_count *
 			(size_t)primitive->influences * (joint + sizeof(float));
 	}
 	if (drawable->morphed) {
-		candidate->memory_bytes +=
-			vectors + target_bytes(model, drawable);
+		candidate->memory_bytes += morph_bytes(model, drawable);
 	}
 }
 

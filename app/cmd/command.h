@@ -18,6 +18,7 @@ struct command {
 	const char *usage;   /* "MODEL -o FILE" and the like */
 	const char *summary; /* one line */
 	const char *detail;  /* a paragraph for --help, and examples */
+	bool reads_config;   /* by itself: dispatch leaves limber.conf alone */
 	/* One of enum exit_code. */
 	int (*run)(const struct options *options, const struct log *log);
 };

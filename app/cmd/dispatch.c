@@ -92,7 +92,7 @@ static int configure(const struct command *command, int argc, char **argv,
 	char path[PATH_ROOM];
 	int error;
 
-	if (!options_takes(command->bit, "config") ||
+	if (command->reads_config || !options_takes(command->bit, "config") ||
 		!config_find(options->config, command->bit == FOR_PLAY, path,
 			sizeof(path))) {
 		return 0;

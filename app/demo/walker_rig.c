@@ -86,6 +86,8 @@ static int find_face(const struct model *model)
 	return mesh >= 0 && model->mesh[mesh].target_count > 0 ? node : -1;
 }
 
+const char walker_rig_presets[] = "presets.ini";
+
 /*
  * The presets that come with the program. Without the file the document's own
  * is left.
@@ -99,7 +101,7 @@ static int read_presets(struct walker_rig *rig, const struct log *log)
 	rig->preset[0] = procedural_preset_default();
 	rig->preset[0].unit = 0.01f;
 	rig->preset_count = 1;
-	if (file_find_asset("presets.ini", log, path, sizeof(path)) != 0) {
+	if (file_find_asset(walker_rig_presets, log, path, sizeof(path)) != 0) {
 		return 0;
 	}
 	count = model_file_read(path, log, &file);

@@ -17,6 +17,9 @@
 #include "app/scene/floor.h"
 #include "app/scene/instance.h"
 
+/* The file of assets/ that holds presets of shaking. */
+extern const char walker_rig_presets[];
+
 enum rig_feature {
 	RIG_LOOK,   /* neck and head follow the ball */
 	RIG_REACH,  /* the right hand goes to it */

@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "platform/base/log.h"
+#include "platform/base/survey.h"
 
 enum button {
 	BUTTON_UP,
@@ -101,6 +102,12 @@ struct button_driver {
 		struct button_queue *queue);
 	/* NULL is fine. Mandatory. */
 	void (*destroy)(struct button_source *source);
+
+	/*
+	 * Says what there is to press, or that there is nothing; takes no
+	 * device. Optional.
+	 */
+	void (*survey)(const struct survey *survey);
 };
 
 /* Built-in drivers, NULL at the end. */

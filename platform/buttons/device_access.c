@@ -1,23 +1,16 @@
 #include "platform/buttons/device_access.h"
 
-#include <grp.h>
-#include <stddef.h>
-#include <sys/stat.h>
+#include "platform/base/survey.h"
 
 void device_say_denied(const struct log *log, const char *path)
 {
-	struct stat status;
-	const struct group *group = NULL;
+	char group[64];
 
-	if (stat(path, &status) == 0 && (status.st_mode & S_IRGRP) &&
-		status.st_gid != 0) {
-		group = getgrgid(status.st_gid);
-	}
-	if (group) {
+	if (survey_group_of(path, group, sizeof(group))) {
 		log_warning(log,
 			"%s: no permission: join the group %s (as root: "
 			"adduser USER %s, then log in again)",
-			path, group->gr_name, group->gr_name);
+			path, group, group);
 	} else {
 		log_warning(log,
 			"%s: no permission: only root may open it: run as "

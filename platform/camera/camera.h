@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "platform/base/log.h"
+#include "platform/base/survey.h"
 
 enum {
 	CAMERA_SIDE_MAX = 2048, /* of a picture, in pixels */
@@ -111,6 +112,13 @@ struct camera_driver {
 
 	/* NULL is fine. Mandatory. */
 	void (*destroy)(struct camera_source *source);
+
+	/*
+	 * Says which devices there are and what they deliver, or that there
+	 * are none; sets no format, starts nothing and waits for no device
+	 * longer than a fraction of a second. Optional.
+	 */
+	void (*survey)(const struct survey *survey);
 };
 
 /* Built-in drivers, NULL at the end. */

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 
 #include "platform/base/log.h"
+#include "platform/base/survey.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
 #include "platform/display/surface.h"
@@ -112,6 +113,14 @@ struct display_driver {
 
 	/* NULL is fine. Mandatory. */
 	void (*destroy)(struct display *display);
+
+	/*
+	 * Says which of the machine's screens it could show pictures on, at
+	 * least one finding: SURVEY_WORKS means that create() would do. Opens
+	 * nothing for longer than a look. Optional: NULL where the machine
+	 * does not matter.
+	 */
+	void (*survey)(const struct survey *survey);
 };
 
 /* Built-in drivers in order of preference, NULL at the end. */

@@ -37,6 +37,7 @@ struct gl_driver {
 	const char *name;
 	const char *summary;
 	bool surface; /* can draw on a native surface as well */
+	const char *packages; /* Debian's, that bring it; NULL: none */
 
 	/*
 	 * True when "auto" shall try this driver: a cheap look at the machine,
@@ -75,6 +76,12 @@ struct gl_driver {
 
 	/* NULL is fine. Mandatory. */
 	void (*destroy)(struct gl_context *context);
+
+	/*
+	 * Whether there is something to make native surfaces on; shows
+	 * nothing. 0, or -errno after a sentence. Mandatory with .surface.
+	 */
+	int (*find_screen)(const struct gl_request *request);
 };
 
 /* Built-in drivers in order of preference, NULL at the end. */

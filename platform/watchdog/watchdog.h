@@ -12,6 +12,7 @@
 
 #include "platform/base/device_calls.h"
 #include "platform/base/log.h"
+#include "platform/base/survey.h"
 
 struct watchdog {
 	const struct device_calls *calls;
@@ -37,6 +38,12 @@ int watchdog_open(struct watchdog *out, const char *path,
  * a second. now_ms: of any clock that runs on.
  */
 void watchdog_feed(struct watchdog *watchdog, int64_t now_ms);
+
+/*
+ * Says which watchdogs there are below the folder of devices ("/dev"), by
+ * sysfs alone: opening one would start it.
+ */
+void watchdog_survey(const char *devices, const struct survey *survey);
 
 /* An orderly end: stops it where the kernel allows. */
 void watchdog_close(struct watchdog *watchdog);

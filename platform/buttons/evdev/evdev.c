@@ -417,6 +417,11 @@ static int evdev_create(
 	return evdev_create_on(&evdev_linux, argument, log, out);
 }
 
+static void evdev_survey(const struct survey *survey)
+{
+	evdev_survey_on(&evdev_linux, survey);
+}
+
 const struct button_driver button_driver_evdev = {
 	.name = "evdev",
 	.summary = "evdev[:DEVICE][,BUTTON=KEY...], keyboards and keypads",
@@ -424,4 +429,5 @@ const struct button_driver button_driver_evdev = {
 	.create = evdev_create,
 	.poll = evdev_poll,
 	.destroy = evdev_destroy,
+	.survey = evdev_survey,
 };

@@ -33,4 +33,8 @@ extern const struct evdev_system evdev_linux;
 int evdev_create_on(const struct evdev_system *system, const char *argument,
 	const struct log *log, struct button_source **out);
 
+/* The driver's survey(), likewise. */
+void evdev_survey_on(
+	const struct evdev_system *system, const struct survey *survey);
+
 #endif

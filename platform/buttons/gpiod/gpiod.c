@@ -13,6 +13,7 @@
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/event_time.h"
 #include "platform/buttons/gpiod/line_spec.h"
+#include "platform/buttons/gpiod/survey.h"
 
 enum {
 	CHIPS_MAX = 32,
@@ -369,4 +370,5 @@ const struct button_driver button_driver_gpiod = {
 	.create = gpiod_create,
 	.poll = gpiod_poll,
 	.destroy = gpiod_destroy,
+	.survey = gpiod_survey,
 };

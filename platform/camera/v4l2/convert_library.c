@@ -49,6 +49,13 @@ static int load(struct convert_library *library)
 	return 0;
 }
 
+bool convert_library_is_there(void)
+{
+	struct convert_library library;
+
+	return load(&library) == 0;
+}
+
 /* The library asks the device what it can do, through the same calls. */
 static int ask(void *user, int fd, unsigned long request, void *argument)
 {

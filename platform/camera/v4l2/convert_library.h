@@ -6,6 +6,7 @@
 #ifndef PLATFORM_CAMERA_V4L2_CONVERT_LIBRARY_H
 #define PLATFORM_CAMERA_V4L2_CONVERT_LIBRARY_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <linux/videodev2.h>
@@ -13,6 +14,9 @@
 #include "platform/camera/v4l2/calls.h"
 
 struct convert_library;
+
+/* Whether the library is there. */
+bool convert_library_is_there(void);
 
 /*
  * A converter from what the open device delivers, format being its answer to

@@ -468,6 +468,11 @@ static void destroy(struct camera_source *source)
 	}
 }
 
+static void survey_real(const struct survey *survey)
+{
+	v4l2_survey_on(&v4l2_calls_real, survey);
+}
+
 const struct camera_driver camera_driver_v4l2 = {
 	.name = "v4l2",
 	.summary = "a Video4Linux device",
@@ -476,4 +481,5 @@ const struct camera_driver camera_driver_v4l2 = {
 	.give_back = give_back,
 	.await = await,
 	.destroy = destroy,
+	.survey = survey_real,
 };

@@ -191,6 +191,11 @@ static void fbdev_destroy(struct display *display)
 	}
 }
 
+static void fbdev_survey(const struct survey *survey)
+{
+	fbdev_survey_on(&device_calls_system, survey);
+}
+
 const struct display_driver display_driver_fbdev = {
 	.name = "fbdev",
 	.summary = "a Linux framebuffer, /dev/fb0 unless named",
@@ -201,4 +206,5 @@ const struct display_driver display_driver_fbdev = {
 	.begin_frame = fbdev_begin_frame,
 	.end_frame = fbdev_end_frame,
 	.destroy = fbdev_destroy,
+	.survey = fbdev_survey,
 };

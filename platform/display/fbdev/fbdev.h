@@ -11,4 +11,8 @@
 int fbdev_create_on(const struct device_calls *calls,
 	const struct display_options *options, struct display **out);
 
+/* The driver's survey(), likewise. */
+void fbdev_survey_on(
+	const struct device_calls *calls, const struct survey *survey);
+
 #endif

@@ -247,8 +247,10 @@ static void put_back(struct fb_screen *screen)
 	}
 }
 
-int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
-	const char *path, const struct log *log)
+/* Open and known, or -errno with nothing left open. */
+static int open_and_read(struct fb_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log)
 {
 	int error;
 
@@ -265,7 +267,29 @@ int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
 	}
 	error = read_all(screen);
 	if (error) {
-		goto out_close;
+		calls->close(screen->fd);
+	}
+	return error;
+}
+
+int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
+	const char *path, const struct log *log)
+{
+	int error = open_and_read(screen, calls, path, log);
+
+	if (!error) {
+		calls->close(screen->fd);
+	}
+	return error;
+}
+
+int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
+	const char *path, const struct log *log)
+{
+	int error = open_and_read(screen, calls, path, log);
+
+	if (error) {
+		return error;
 	}
 	screen->before = screen->var;
 	/* A screen that sleeps; many know no sleep. */
@@ -278,7 +302,6 @@ int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
 		return 0;
 	}
 	put_back(screen);
-out_close:
 	calls->close(screen->fd);
 	return error;
 }

@@ -45,6 +45,13 @@ struct fb_screen {
 int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
 	const char *path, const struct log *log);
 
+/*
+ * What the device is, without a change to it: fills fix, var, layout, size and
+ * stride, and leaves nothing open. 0, or -errno after a sentence.
+ */
+int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
+	const char *path, const struct log *log);
+
 /* The first pixel of the page to draw: not the one shown, if there are two. */
 uint8_t *fb_screen_back(const struct fb_screen *screen);
 

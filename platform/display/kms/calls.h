@@ -51,4 +51,7 @@ extern const struct kms_calls kms_calls_system;
 int kms_create_on(const struct kms_calls *calls,
 	const struct display_options *options, struct display **out);
 
+/* The driver's survey(), likewise. */
+void kms_survey_on(const struct kms_calls *calls, const struct survey *survey);
+
 #endif

@@ -32,8 +32,7 @@ static drmModeConnectorPtr find_connector(
 	return NULL;
 }
 
-/* The one that is set now, else the first that can be. */
-static uint32_t find_crtc(const struct card *card, drmModeResPtr resources,
+uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,
 	drmModeConnectorPtr connector)
 {
 	const struct kms_calls *calls = card->calls;
@@ -118,7 +117,7 @@ static const char *find_screen(
 		return "no screen is connected to it";
 	}
 	card->connector = connector->connector_id;
-	card->crtc = find_crtc(card, resources, connector);
+	card->crtc = card_find_crtc(card, resources, connector);
 	choose_mode(card, connector, options);
 	calls->free_connector(connector);
 	calls->free_resources(resources);

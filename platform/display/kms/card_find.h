@@ -12,4 +12,11 @@
  */
 int card_find(struct card *card, const struct display_options *options);
 
+/*
+ * What drives that connector of an open card: what does now, else the first
+ * that can; 0 when nothing can.
+ */
+uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,
+	drmModeConnectorPtr connector);
+
 #endif

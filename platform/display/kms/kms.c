@@ -164,6 +164,11 @@ static void kms_destroy(struct display *display)
 	}
 }
 
+static void kms_survey(const struct survey *survey)
+{
+	kms_survey_on(&kms_calls_system, survey);
+}
+
 const struct display_driver display_driver_kms = {
 	.name = "kms",
 	.summary = "a screen by kernel mode setting, /dev/dri/card*",
@@ -174,4 +179,5 @@ const struct display_driver display_driver_kms = {
 	.begin_frame = kms_begin_frame,
 	.end_frame = kms_end_frame,
 	.destroy = kms_destroy,
+	.survey = kms_survey,
 };

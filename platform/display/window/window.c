@@ -12,6 +12,7 @@
 
 #include "platform/base/compiler.h"
 #include "platform/display/display.h"
+#include "platform/display/window/survey.h"
 
 struct display {
 	struct log log;
@@ -299,4 +300,5 @@ const struct display_driver display_driver_window = {
 	.end_frame = window_end_frame,
 	.poll = window_poll,
 	.destroy = window_destroy,
+	.survey = window_survey,
 };

@@ -290,6 +290,27 @@ int egl_open(struct egl *egl, const struct gl_request *request)
 	return error;
 }
 
+int egl_find_screen(const struct gl_request *request)
+{
+	const struct native_surface none = {0};
+	struct gl_request wanted = *request;
+	struct egl egl = {.log = *request->log};
+	EGLConfig configs[CONFIGS_MAX];
+	int error;
+
+	wanted.surface = &none;
+	error = open_libraries(&egl, &wanted);
+	error = error ? error : open_display(&egl, &wanted);
+	if (!error && list_configs(&egl, &wanted, configs) == 0) {
+		log_error(&egl.log,
+			"--display egl: this EGL has no screen and no windows "
+			"for OpenGL ES 1.1: choose another --display");
+		error = -ENODEV;
+	}
+	egl_close(&egl);
+	return error;
+}
+
 int egl_make_current(struct egl *egl)
 {
 	if (!egl->api.MakeCurrent(

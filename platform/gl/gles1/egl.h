@@ -47,6 +47,9 @@ struct egl {
  */
 int egl_open(struct egl *egl, const struct gl_request *request);
 
+/* gl_driver.find_screen(). */
+int egl_find_screen(const struct gl_request *request);
+
 /*
  * Replaces the surface by a pbuffer of this size and makes it current. 0, or
  * -errno after a sentence.

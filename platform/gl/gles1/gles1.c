@@ -272,8 +272,10 @@ const struct gl_driver gl_driver_gles1 = {
 	.surface = true,
 	.probe = gles1_probe,
 	.accelerates = true,
+	.packages = "libegl1 libegl-mesa0 libgles1 libgl1-mesa-dri",
 	.create = gles1_create,
 	.begin_frame = gles1_begin_frame,
 	.end_frame = gles1_end_frame,
 	.destroy = gles1_destroy,
+	.find_screen = egl_find_screen,
 };

@@ -233,6 +233,7 @@ static bool osmesa_probe(void)
 const struct gl_driver gl_driver_osmesa = {
 	.name = "osmesa",
 	.summary = "Mesa's off-screen OpenGL, drawn by the processor",
+	.packages = "libosmesa6",
 	.probe = osmesa_probe,
 	.create = osmesa_create,
 	.begin_frame = osmesa_begin_frame,

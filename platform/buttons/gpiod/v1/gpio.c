@@ -78,6 +78,24 @@ void gpio_line_holder(
 	snprintf(text, size, "%s", holder ? holder : "");
 }
 
+int gpio_line_look(struct gpio_chip *chip, unsigned int offset,
+	struct gpio_line_news *out)
+{
+	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
+	const char *name, *holder;
+
+	if (!line || gpiod_line_update(line) < 0) {
+		return last_error();
+	}
+	name = gpiod_line_name(line);
+	holder = gpiod_line_consumer(line);
+	out->taken = gpiod_line_is_used(line);
+	snprintf(out->name, sizeof(out->name), "%s", name ? name : "");
+	snprintf(out->holder, sizeof(out->holder), "%s",
+		out->taken && holder ? holder : "");
+	return 0;
+}
+
 static int request_flags(const struct gpio_settings *settings)
 {
 	static const int bias[] = {

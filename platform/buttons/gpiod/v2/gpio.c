@@ -94,6 +94,26 @@ void gpio_line_holder(
 	gpiod_line_info_free(info);
 }
 
+int gpio_line_look(struct gpio_chip *chip, unsigned int offset,
+	struct gpio_line_news *out)
+{
+	struct gpiod_line_info *info =
+		gpiod_chip_get_line_info(chip->chip, offset);
+	const char *name, *holder;
+
+	if (!info) {
+		return last_error();
+	}
+	name = gpiod_line_info_get_name(info);
+	holder = gpiod_line_info_get_consumer(info);
+	out->taken = gpiod_line_info_is_used(info);
+	snprintf(out->name, sizeof(out->name), "%s", name ? name : "");
+	snprintf(out->holder, sizeof(out->holder), "%s",
+		out->taken && holder ? holder : "");
+	gpiod_line_info_free(info);
+	return 0;
+}
+
 /* NULL with errno set. */
 static struct gpiod_line_settings *make_settings(
 	const struct gpio_settings *settings)

@@ -1,0 +1,184 @@
+#include "platform/base/survey.h"
+
+#include <errno.h>
+#include <grp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+	TEXT_ROOM = 512,
+	SUBJECT_ROOM = 128,
+	PATH_ROOM = 256
+};
+
+const char *survey_state_name(enum survey_state state)
+{
+	static const char *const names[] = {
+		[SURVEY_WORKS] = "works",
+		[SURVEY_UNUSED] = "unused",
+		[SURVEY_TAKEN] = "taken",
+		[SURVEY_MISSING] = "missing",
+		[SURVEY_BROKEN] = "broken",
+	};
+
+	return names[state];
+}
+
+/* Bytes of the UTF-8 letter that text begins with, 0 for none. */
+static int letter_length(const char *text)
+{
+	unsigned char first = (unsigned char)text[0];
+	int length = first < 0x80 ? 1
+		: first >= 0xF0   ? 4
+		: first >= 0xE0   ? 3
+				  : 2;
+
+	if (first < ' ' || first == 0x7F || (first >= 0x80 && first < 0xC2) ||
+		first > 0xF4) {
+		return 0;
+	}
+	/* Controls of the second half, forms that are too long, surrogates. */
+	if ((first == 0xC2 && (unsigned char)text[1] < 0xA0) ||
+		(first == 0xE0 && (unsigned char)text[1] < 0xA0) ||
+		(first == 0xED && (unsigned char)text[1] > 0x9F) ||
+		(first == 0xF0 && (unsigned char)text[1] < 0x90) ||
+		(first == 0xF4 && (unsigned char)text[1] > 0x8F)) {
+		return 0;
+	}
+	for (int i = 1; i < length; i++) {
+		if (((unsigned char)text[i] & 0xC0) != 0x80) {
+			return 0;
+		}
+	}
+	return length;
+}
+
+/* A terminal obeys what it is told, and JSON is UTF-8. */
+static void make_printable(char *text)
+{
+	while (*text) {
+		int length = letter_length(text);
+
+		if (length == 0) {
+			*text = '?';
+			length = 1;
+		}
+		text += length;
+	}
+}
+
+void survey_say(const struct survey *survey, enum survey_state state,
+	const char *subject, const char *remedy, const char *format, ...)
+{
+	char name[SUBJECT_ROOM], text[TEXT_ROOM];
+	va_list arguments;
+
+	snprintf(name, sizeof(name), "%s", subject);
+	va_start(arguments, format);
+	vsnprintf(text, sizeof(text), format, arguments);
+	va_end(arguments);
+	make_printable(name);
+	make_printable(text);
+	survey->take(survey->user,
+		&(struct survey_finding){state, name, text, remedy});
+}
+
+static void keep(void *user, enum log_level level, const char *text)
+{
+	struct survey_sentence *sentence = user;
+
+	(void)level;
+	if (!sentence->text[0]) {
+		snprintf(sentence->text, sizeof(sentence->text), "%s", text);
+	}
+}
+
+struct log survey_log(struct survey_sentence *sentence)
+{
+	sentence->text[0] = '\0';
+	return (struct log){keep, sentence, LOG_WARNING};
+}
+
+void survey_say_sentence(const struct survey *survey, enum survey_state state,
+	const char *subject, const struct survey_sentence *sentence,
+	const char *remedy)
+{
+	const char *text = sentence->text, *last = NULL;
+
+	for (const char *at = strstr(text, ": "); at; at = strstr(at + 2, ": ")) {
+		last = at;
+	}
+	survey_say(survey, state, subject,
+		remedy         ? remedy
+			: last ? last + 2
+			       : NULL,
+		"%.*s", last ? (int)(last - text) : (int)strlen(text), text);
+}
+
+bool survey_group_of(const char *path, char *name, int size)
+{
+	const struct group *group = NULL;
+	struct stat status;
+
+	if (stat(path, &status) == 0 && (status.st_mode & S_IRGRP) &&
+		status.st_gid != 0) {
+		group = getgrgid(status.st_gid);
+	}
+	return group &&
+		snprintf(name, (size_t)size, "%s", group->gr_name) < size;
+}
+
+void survey_say_denied(const struct survey *survey, const char *path)
+{
+	char group[64], remedy[TEXT_ROOM];
+
+	if (survey_group_of(path, group, sizeof(group))) {
+		snprintf(remedy, sizeof(remedy),
+			"sudo usermod -aG %s $USER, then log in again", group);
+	} else {
+		snprintf(remedy, sizeof(remedy),
+			"run limber as root, or give it a group: sudo chgrp "
+			"video %s && sudo chmod g+rw %s",
+			path, path);
+	}
+	survey_say(survey, SURVEY_BROKEN, path, remedy, "no permission");
+}
+
+/* The numbers that sysfs tells of a device. */
+static bool read_numbers(const struct survey *survey, const char *entry,
+	unsigned int *major, unsigned int *minor)
+{
+	char path[PATH_ROOM];
+	FILE *file;
+	bool fine;
+
+	if (snprintf(path, sizeof(path), "%s/%s/dev", survey->system, entry) >=
+		(int)sizeof(path)) {
+		return false;
+	}
+	file = fopen(path, "r");
+	if (!file) {
+		return false;
+	}
+	fine = fscanf(file, "%u:%u", major, minor) == 2;
+	fclose(file);
+	return fine;
+}
+
+bool survey_say_no_node(const struct survey *survey, const char *path,
+	const char *entry, int error)
+{
+	unsigned int major, minor;
+	char remedy[TEXT_ROOM];
+
+	if (error != -ENOENT || !read_numbers(survey, entry, &major, &minor)) {
+		return false;
+	}
+	snprintf(remedy, sizeof(remedy), "sudo mknod -m 660 %s c %u %u", path,
+		major, minor);
+	survey_say(survey, SURVEY_MISSING, path, remedy,
+		"the kernel has it, its device node is not there");
+	return true;
+}

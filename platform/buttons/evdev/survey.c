@@ -1,0 +1,113 @@
+/* What there is to be seen of keyboards and keypads. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "platform/base/name_list.h"
+#include "platform/buttons/evdev/system.h"
+
+enum {
+	PATH_ROOM = 256,
+	NUMBERS_MAX = 256
+};
+
+/* The buttons that the device's keys are, in words. */
+static struct name_list mapped_buttons(
+	const struct evdev_description *description)
+{
+	const struct evdev_keys keys = evdev_keys_default();
+	struct name_list list = {""};
+	bool has[BUTTON_COUNT + 1] = {false};
+
+	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
+		if (evdev_key_bit(description->keys, code)) {
+			has[evdev_keys_find(&keys, code)] = true;
+		}
+	}
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		if (has[i]) {
+			name_list_add(&list, button_name((enum button)i));
+		}
+	}
+	return list;
+}
+
+static bool has_keys(const struct evdev_description *description)
+{
+	for (size_t i = 0; i < sizeof(description->keys); i++) {
+		if (description->keys[i]) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void say_device(const char *path,
+	const struct evdev_description *description, const struct survey *survey)
+{
+	struct name_list buttons = mapped_buttons(description);
+	char remedy[PATH_ROOM + 80];
+
+	if (buttons.text[0]) {
+		survey_say(survey, SURVEY_WORKS, path, NULL, "%s: %s",
+			description->name, buttons.text);
+		return;
+	}
+	snprintf(remedy, sizeof(remedy),
+		"to use one: --buttons evdev:%s,UP=KEY, with a key that evtest "
+		"shows",
+		path);
+	survey_say(survey, SURVEY_UNUSED, path,
+		has_keys(description) ? remedy : NULL,
+		"%s: no key that is a button", description->name);
+}
+
+/* Whether there was something to say of that device. */
+static bool look_at(const struct evdev_system *system, int number,
+	const struct survey *survey)
+{
+	struct evdev_description description;
+	char path[PATH_ROOM], entry[64];
+	int fd, error;
+
+	if (snprintf(path, sizeof(path), "%s/event%d", system->directory,
+		    number) >= (int)sizeof(path)) {
+		return false;
+	}
+	fd = system->open(path);
+	if (fd == -EACCES || fd == -EPERM) {
+		survey_say_denied(survey, path);
+		return true;
+	}
+	if (fd < 0) {
+		snprintf(entry, sizeof(entry), "class/input/event%d", number);
+		return survey_say_no_node(survey, path, entry, fd);
+	}
+	error = system->describe(fd, &description);
+	close(fd);
+	if (error) {
+		survey_say(survey, SURVEY_BROKEN, path,
+			"unplug it and plug it in again",
+			"does not answer as a keyboard: %s", strerror(-error));
+	} else {
+		say_device(path, &description, survey);
+	}
+	return true;
+}
+
+void evdev_survey_on(
+	const struct evdev_system *system, const struct survey *survey)
+{
+	bool any = false;
+
+	for (int i = 0; i < NUMBERS_MAX; i++) {
+		any = look_at(system, i, survey) || any;
+	}
+	if (!any) {
+		survey_say(survey, SURVEY_MISSING, "evdev",
+			"plug a keyboard in, or load the driver: sudo modprobe "
+			"evdev",
+			"no keyboard or keypad in %s", system->directory);
+	}
+}

@@ -1,0 +1,99 @@
+#include "platform/watchdog/watchdog.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+	WATCHDOGS_MAX = 8,
+	PATH_ROOM = 256,
+	VALUE_ROOM = 80
+};
+
+/* What sysfs tells of a watchdog, "" when nothing. */
+static void read_value(const struct survey *survey, int number,
+	const char *name, char value[VALUE_ROOM])
+{
+	char path[PATH_ROOM];
+	FILE *file;
+
+	value[0] = '\0';
+	if (snprintf(path, sizeof(path), "%s/class/watchdog/watchdog%d/%s",
+		    survey->system, number, name) >= (int)sizeof(path)) {
+		return;
+	}
+	file = fopen(path, "r");
+	if (!file) {
+		return;
+	}
+	if (!fgets(value, VALUE_ROOM, file)) {
+		value[0] = '\0';
+	}
+	value[strcspn(value, "\n")] = '\0';
+	fclose(file);
+}
+
+static void say_watchdog(
+	const char *path, int number, const struct survey *survey)
+{
+	char identity[VALUE_ROOM], timeout_s[VALUE_ROOM], state[VALUE_ROOM];
+
+	read_value(survey, number, "identity", identity);
+	read_value(survey, number, "timeout", timeout_s);
+	read_value(survey, number, "state", state);
+	if (strcmp(state, "active") == 0) {
+		survey_say(survey, SURVEY_TAKEN, path,
+			"stop who feeds it (systemd: RuntimeWatchdogSec=off), "
+			"or leave --watchdog out",
+			"%s, it counts already", identity);
+	} else if (access(path, W_OK) != 0) {
+		survey_say_denied(survey, path);
+	} else {
+		survey_say(survey, SURVEY_WORKS, path, NULL,
+			"%s%srestarts after %s s", identity,
+			identity[0] ? ", " : "",
+			timeout_s[0] ? timeout_s : "some");
+	}
+}
+
+/* Whether there was something to say of that one. */
+static bool look_at(const char *devices, int number, const struct survey *survey)
+{
+	char path[PATH_ROOM], entry[64];
+
+	if (snprintf(path, sizeof(path), "%s/watchdog%d", devices, number) >=
+		(int)sizeof(path)) {
+		return false;
+	}
+	if (access(path, F_OK) == 0) {
+		say_watchdog(path, number, survey);
+		return true;
+	}
+	snprintf(entry, sizeof(entry), "class/watchdog/watchdog%d", number);
+	return survey_say_no_node(survey, path, entry, -errno);
+}
+
+void watchdog_survey(const char *devices, const struct survey *survey)
+{
+	char path[PATH_ROOM];
+	bool any = false;
+
+	for (int i = 0; i < WATCHDOGS_MAX; i++) {
+		any = look_at(devices, i, survey) || any;
+	}
+	/* The first one's older name stands alone on old kernels. */
+	if (!any &&
+		snprintf(path, sizeof(path), "%s/watchdog", devices) <
+			(int)sizeof(path) &&
+		access(path, F_OK) == 0) {
+		say_watchdog(path, 0, survey);
+		any = true;
+	}
+	if (!any) {
+		survey_say(survey, SURVEY_MISSING, "watchdog",
+			"load its driver, or one in software: sudo modprobe "
+			"softdog",
+			"no watchdog in %s", devices);
+	}
+}

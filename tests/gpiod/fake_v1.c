@@ -75,6 +75,11 @@ bool gpiod_line_is_used(struct gpiod_line *line)
 	return fake_line(line)->holder || fake_line(line)->requested;
 }
 
+const char *gpiod_line_name(struct gpiod_line *line)
+{
+	return fake_line(line)->name;
+}
+
 const char *gpiod_line_consumer(struct gpiod_line *line)
 {
 	return fake_line(line)->requested ? fake_line(line)->consumer

@@ -120,6 +120,11 @@ bool gpiod_line_info_is_used(struct gpiod_line_info *info)
 	return line->holder || line->requested;
 }
 
+const char *gpiod_line_info_get_name(struct gpiod_line_info *info)
+{
+	return (*(struct fake_line **)info)->name;
+}
+
 const char *gpiod_line_info_get_consumer(struct gpiod_line_info *info)
 {
 	const struct fake_line *line = *(struct fake_line **)info;

@@ -73,6 +73,8 @@ static void fake_close(void *user, int fd)
 
 static int query_capability(struct v4l2_capability *capability)
 {
+	strcpy((char *)capability->card, "Fake camera");
+	strcpy((char *)capability->driver, "fake");
 	capability->capabilities = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
 	return 0;
 }

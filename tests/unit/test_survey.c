@@ -1,0 +1,202 @@
+#include "platform/base/survey.h"
+#include "platform/watchdog/watchdog.h"
+#include "tests/support/files.h"
+#include "tests/support/survey_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <grp.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void make_folder(const struct test_path *at, const char *name)
+{
+	assert_int_equal(mkdir(path_join(at, name).text, 0700), 0);
+}
+
+static void write_text(
+	const struct test_path *at, const char *name, const char *text)
+{
+	file_write(path_join(at, name).text, text, strlen(text));
+}
+
+static void test_what_devices_say_cannot_hurt_a_terminal(void **state)
+{
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+
+	(void)state;
+	survey_say(&survey, SURVEY_WORKS, "a\033b", "do", "x\x7fy\n%s",
+		"\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+	assert_string_equal(capture.finding[0].subject, "a?b");
+	assert_string_equal(capture.finding[0].text,
+		"x?y?\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+	assert_string_equal(capture.finding[0].remedy, "do");
+	survey_say(&survey, SURVEY_WORKS, "", NULL, "%s",
+		"\xC3|\x80|\xC2\x9B|\xC0\xAF|\xED\xA0\x80|\xF5|\xE2\x82");
+	assert_string_equal(capture.finding[1].text, "?|?|??|??|???|?|??");
+}
+
+static void test_a_sentence_ends_with_its_remedy(void **state)
+{
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+	struct survey_sentence sentence;
+	const struct log log = survey_log(&sentence);
+
+	(void)state;
+	log_note(&log, "a note");
+	log_error(&log, "x.conf:2: dmeo: no such key: did you mean demo?");
+	log_error(&log, "a second one");
+	survey_say_sentence(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "x",
+		"x.conf:2: dmeo: no such key", "did you mean demo?");
+	survey_say_sentence(&survey, SURVEY_MISSING, "x", &sentence, "else");
+	survey_capture_expect(&capture, 1, SURVEY_MISSING, "x",
+		"x.conf:2: dmeo: no such key", "else");
+	strcpy(sentence.text, "alone");
+	survey_say_sentence(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
+	survey_capture_expect(&capture, 2, SURVEY_BROKEN, "x", "alone", NULL);
+}
+
+static void test_who_is_denied_learns_the_group(void **state)
+{
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "device");
+	const struct group *group = getgrnam("video");
+	bool given;
+
+	(void)state;
+	file_write(path.text, "", 0);
+	assert_int_equal(chmod(path.text, 0600), 0);
+	survey_say_denied(&survey, path.text);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, path.text,
+		"no permission", "run limber as root");
+	assert_int_equal(chmod(path.text, 0660), 0);
+	given = group && chown(path.text, (uid_t)-1, group->gr_gid) == 0;
+	survey_say_denied(&survey, path.text);
+	temp_dir_remove(&folder);
+	if (!given) {
+		skip_because("only root gives files to the group video");
+	}
+	survey_capture_expect(&capture, 1, SURVEY_BROKEN, path.text,
+		"no permission", "sudo usermod -aG video $USER");
+}
+
+static void test_a_device_without_a_node_gets_its_mknod(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+
+	(void)state;
+	make_folder(&folder, "class");
+	make_folder(&folder, "class/graphics");
+	make_folder(&folder, "class/graphics/fb0");
+	make_folder(&folder, "class/graphics/fb1");
+	write_text(&folder, "class/graphics/fb0/dev", "29:0\n");
+	write_text(&folder, "class/graphics/fb1/dev", "rubbish\n");
+	assert_true(survey_say_no_node(
+		&survey, "/dev/fb0", "class/graphics/fb0", -ENOENT));
+	survey_capture_expect(&capture, 0, SURVEY_MISSING, "/dev/fb0",
+		"its device node is not there",
+		"sudo mknod -m 660 /dev/fb0 c 29 0");
+	assert_false(survey_say_no_node(
+		&survey, "/dev/fb0", "class/graphics/fb0", -EIO));
+	assert_false(survey_say_no_node(
+		&survey, "/dev/fb1", "class/graphics/fb1", -ENOENT));
+	assert_false(survey_say_no_node(
+		&survey, "/dev/fb2", "class/graphics/fb2", -ENOENT));
+	assert_int_equal(capture.count, 1);
+	temp_dir_remove(&folder);
+}
+
+/* A sysfs with two watchdogs, and a folder of devices with the first. */
+static void make_watchdogs(const struct test_path *folder, const char *active)
+{
+	make_folder(folder, "dev");
+	make_folder(folder, "class");
+	make_folder(folder, "class/watchdog");
+	make_folder(folder, "class/watchdog/watchdog0");
+	make_folder(folder, "class/watchdog/watchdog1");
+	write_text(folder, "class/watchdog/watchdog0/identity", "imx2+ wdt\n");
+	write_text(folder, "class/watchdog/watchdog0/timeout", "60\n");
+	write_text(folder, "class/watchdog/watchdog0/state", active);
+	write_text(folder, "class/watchdog/watchdog1/dev", "248:1\n");
+	write_text(folder, "dev/watchdog0", "");
+}
+
+static void test_watchdogs_are_told_without_starting_them(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path devices = path_join(&folder, "dev");
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+	char *content;
+
+	(void)state;
+	make_watchdogs(&folder, "inactive\n");
+	watchdog_survey(devices.text, &survey);
+	assert_int_equal(capture.count, 2);
+	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/watchdog0",
+		"imx2+ wdt, restarts after 60 s", NULL);
+	survey_capture_expect(&capture, 1, SURVEY_MISSING, "/watchdog1",
+		"node is not there", "c 248 1");
+	content = file_read(path_join(&devices, "watchdog0").text, NULL);
+	assert_string_equal(content, "");
+	free(content);
+	temp_dir_remove(&folder);
+}
+
+static void test_a_watchdog_that_counts_is_taken(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path devices = path_join(&folder, "dev");
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+
+	(void)state;
+	make_watchdogs(&folder, "active\n");
+	watchdog_survey(devices.text, &survey);
+	survey_capture_expect(&capture, 0, SURVEY_TAKEN, "/watchdog0",
+		"it counts already", "RuntimeWatchdogSec");
+	temp_dir_remove(&folder);
+}
+
+static void test_no_watchdog_is_one_finding(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+
+	(void)state;
+	watchdog_survey(folder.text, &survey);
+	assert_int_equal(capture.count, 1);
+	survey_capture_expect(&capture, 0, SURVEY_MISSING, "watchdog",
+		"no watchdog", "modprobe softdog");
+	write_text(&folder, "watchdog", "");
+	watchdog_survey(folder.text, &survey);
+	assert_int_equal(capture.count, 2);
+	survey_capture_expect(&capture, 1, SURVEY_WORKS, "/watchdog",
+		"restarts after some s", NULL);
+	temp_dir_remove(&folder);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_what_devices_say_cannot_hurt_a_terminal),
+		cmocka_unit_test(test_a_sentence_ends_with_its_remedy),
+		cmocka_unit_test(test_who_is_denied_learns_the_group),
+		cmocka_unit_test(test_a_device_without_a_node_gets_its_mknod),
+		cmocka_unit_test(test_watchdogs_are_told_without_starting_them),
+		cmocka_unit_test(test_a_watchdog_that_counts_is_taken),
+		cmocka_unit_test(test_no_watchdog_is_one_finding),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

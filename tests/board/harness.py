@@ -30,7 +30,7 @@ GUEST = TOP / "build/board/guest"
 DRIVERS = IMAGE / "test-drivers.cpio.lz4"
 NAME = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
 FOLDER = TOP / "build/check-board" / NAME
-PATIENCE_S = int(os.environ.get("PATIENCE_S", 400))
+PATIENCE_S = int(os.environ.get("PATIENCE_S", 560))
 PROMPT = emulation.PROMPT
 
 # Limber does not start by itself, the shell is the test's.

@@ -37,7 +37,7 @@ def press_and_look(machine, demo, button, area):
     """Whether the picture changed, how long that took, and the picture after
     HOLD_S. Buttons are wired as the image's limber.conf says."""
     start_limber(machine, f"--demo {demo} --stats /run/stats "
-                 "--record /run/record")
+                 "--record-buttons /run/record")
     pause(machine, 0.5)
     before = region(machine.frame(), *area)
     pressed_s = machine.time_s()

@@ -121,4 +121,32 @@ about 'no folder of references'
 expect_status 0
 expect_out '^1..0 # SKIP .*SAMPLES='
 
+# fixed.sh, with stand-ins for both programs: the board's may have a vertex of
+# its own for one kernel.
+cat >"$scratch/stand-in" <<'END'
+#!/bin/sh
+[ "$1" != info ] || { echo '{"clips": []}'; exit; }
+kernel=
+for word; do
+    case $last in
+    --kernel) kernel=$word ;;
+    -o) echo "v 1 2 $([ "$kernel" = "$WRONG" ] && echo 4 || echo 3)" >"$word" ;;
+    esac
+    last=$word
+done
+END
+chmod +x "$scratch/stand-in"
+for wrong in none armv6; do
+    WRONG=$wrong run tests/conformance/fixed.sh "$samples" \
+        "$scratch/stand-in" "$scratch/stand-in"
+    about "fixed.sh, wrong kernel: $wrong"
+    if [ "$wrong" = none ]; then
+        expect_status 0
+        expect_out '^ok .*walker.glb at rest'
+    else
+        expect_status 1
+        expect_out '^not ok .*walker.glb at rest'
+    fi
+done
+
 tap_done

@@ -73,6 +73,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.speed = options->speed,
 		.lod = options->lod,
 		.walkers = options->walkers,
+		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,
 		.unattended = show->plan->unattended,
 		.camera = &show->camera,
 		.camera_use = options->camera_use,

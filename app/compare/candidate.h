@@ -123,6 +123,10 @@ struct rigid {
 
 const struct rigid *candidate_rigid_parts(const struct candidate *candidate);
 
+/* A morph's vertices after its last pose: [vertex_count] each. */
+void candidate_morph_vertices(const struct candidate *candidate,
+	const float (**position)[3], const float (**normal)[3]);
+
 /* The frames that are keys of a morph. */
 const int *candidate_morph_keys(const struct candidate *candidate);
 

@@ -149,3 +149,12 @@ const int *candidate_morph_keys(const struct candidate *candidate)
 
 	return bake->key;
 }
+
+void candidate_morph_vertices(const struct candidate *candidate,
+	const float (**position)[3], const float (**normal)[3])
+{
+	const struct morph_bake *bake = candidate->state;
+
+	*position = (const float(*)[3])bake->position;
+	*normal = (const float(*)[3])bake->normal;
+}

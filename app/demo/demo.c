@@ -10,12 +10,14 @@ extern const struct demo_driver demo_driver_walker;
 extern const struct demo_driver demo_driver_arm;
 extern const struct demo_driver demo_driver_face;
 extern const struct demo_driver demo_driver_crowd;
+extern const struct demo_driver demo_driver_duel;
 
 const struct demo_driver *const demo_registry[] = {
 	&demo_driver_walker,
 	&demo_driver_arm,
 	&demo_driver_face,
 	&demo_driver_crowd,
+	&demo_driver_duel,
 	NULL,
 };
 

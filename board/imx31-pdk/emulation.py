@@ -162,7 +162,7 @@ class Wires:
         self.lines.close()
 
 
-def qemu_command(image, tree, arguments, icount, reboot):
+def qemu_command(image, tree, arguments, icount, reboot, more):
     command = ["qemu-system-arm", "-M", "kzm", "-m", "128", "-display", "none",
                "-nic", "none", "-monitor", "none", "-S",
                "-accel", "tcg",
@@ -179,7 +179,7 @@ def qemu_command(image, tree, arguments, icount, reboot):
         command += ["-icount", "shift=2,sleep=off"]
     if not reboot:
         command.append("-no-reboot")
-    return command
+    return command + list(more)
 
 
 class Machine:
@@ -193,12 +193,13 @@ class Machine:
         self.asked = 0
 
     def start(self, image, extra=(), arguments=None, tree=None,
-              icount=False, reboot=True, power=True):
+              icount=False, reboot=True, power=True, more=()):
         """Boots image; extra are more initramfs archives, laid over its own.
 
         arguments replaces the kernel's command line of the device tree, tree
         the device tree. With icount time is a count of instructions, 4 ns each. Without reboot a
-        reset ends QEMU. Without power the machine waits for power_on()."""
+        reset ends QEMU. Without power the machine waits for power_on(). more
+        are further words of QEMU's command line."""
         image = pathlib.Path(image).resolve()
         self.folder.mkdir(parents=True, exist_ok=True)
         if self.pid():
@@ -212,7 +213,7 @@ class Machine:
                 # of four.
                 out.write(data + b"\0" * (4 + -len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
-        command = qemu_command(image, tree, arguments, icount, reboot)
+        command = qemu_command(image, tree, arguments, icount, reboot, more)
         with open(self.folder / "qemu.log", "wb") as log:
             self.process = subprocess.Popen(
                 command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,

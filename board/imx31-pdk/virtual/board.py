@@ -1,0 +1,299 @@
+"""The emulated board as the server sees it.
+
+QEMU is asked from one thread, question by question; everything else happens in
+the event loop. listener is told what changes: listener.state(), .log(text) and
+.picture(first_row, rows).
+"""
+import asyncio
+import concurrent.futures
+import contextlib
+import pathlib
+import time
+
+import overlay
+from overlay import LINES, emulation
+
+ROW_BYTES = emulation.WIDTH * 2
+# How often the screen is looked at: while it changes, and at rest.
+LOOK_S, REST_S = 1 / 30, 1 / 6
+# How often QEMU is asked whether it lives while nobody looks.
+UNSEEN_S = 0.5
+# A press that limber's debouncing and a slow host let through.
+SHORTEST_PRESS_S = 0.1
+LOG_KEPT = 100_000
+# The last words of a kernel that will not go on, and what to tell of them.
+LAST_WORDS = {
+    "Kernel panic": "its kernel has panicked, the console says why",
+    "reboot: System halted": "its system has been halted",
+    "reboot: Power down": "its system has been shut down",
+}
+
+
+def changed_rows(old, new, step=16):
+    """The first row and the number of rows from the first to the last block
+    of rows that differ; (0, 0) where nothing does."""
+    old, new = memoryview(old), memoryview(new)
+    block = step * ROW_BYTES
+    starts = [at for at in range(0, len(new), block)
+              if old[at:at + block] != new[at:at + block]]
+    if not starts:
+        return 0, 0
+    first = starts[0] // ROW_BYTES
+    return first, starts[-1] // ROW_BYTES + step - first
+
+
+def is_drawn(frame):
+    """More than the few colours of an empty screen."""
+    return len({frame[at:at + 2] for at in range(0, len(frame), 1998)}) > 12
+
+
+class Board:
+    """phase is off, starting, booting, running, halted or ended; why says it
+    in words for the last two."""
+
+    def __init__(self, image, state, listener):
+        self.image = pathlib.Path(image)
+        self.folder = pathlib.Path(state)
+        self.listener = listener
+        self.machine = emulation.Machine(self.folder)
+        self.worker = concurrent.futures.ThreadPoolExecutor(1)
+        self.switching = asyncio.Lock()
+        self.phase, self.why = "off", ""
+        self.camera_wanted = self.camera_seen = False
+        self.camera_line = None
+        self.console_line = None
+        self.log = ""
+        self.frame = bytes(emulation.FRAME_BYTES)
+        self.tasks = []
+        self.pressed = {}
+        self.hurry = asyncio.Event()
+
+    async def ask(self, function, *arguments):
+        """In the thread that talks to QEMU."""
+        loop = asyncio.get_running_loop()
+        return await loop.run_in_executor(self.worker, function, *arguments)
+
+    def enter(self, phase, why=""):
+        if (self.phase, self.why) != (phase, why):
+            self.phase, self.why = phase, why
+            self.listener.state()
+
+    @property
+    def is_on(self):
+        return self.phase in ("booting", "running", "halted")
+
+    # Power.
+
+    async def power(self, on):
+        async with self.switching:
+            if on and not self.is_on:
+                await self.start()
+            elif not on:
+                await self.stop("off")
+
+    async def start(self):
+        self.enter("starting")
+        self.log = ""
+        self.listener.log(None)
+        try:
+            await self.ask(self.launch)
+            await self.open_lines()
+            await self.ask(self.machine.power_on)
+        except (emulation.Error, OSError) as error:
+            await self.stop("ended", str(error))
+            return
+        self.enter("booting")
+        self.tasks.append(asyncio.create_task(self.watch()))
+
+    def launch(self):
+        stale = self.machine.pid()
+        if stale:
+            # Of a server that could not stop it; ours holds the folder's lock.
+            emulation.Machine(self.folder).stop()
+        for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
+                     "test-drivers.cpio.lz4"):
+            if not (self.image / name).exists():
+                raise emulation.Error(
+                    f"{self.image / name} is missing: make image")
+        self.machine = emulation.Machine(self.folder)
+        (self.folder / "camera.sock").unlink(missing_ok=True)
+        self.machine.start(
+            self.image, (self.image / "test-drivers.cpio.lz4",
+                         overlay.make_archive(self.folder)),
+            tree=overlay.make_tree(self.image, self.folder),
+            power=False, more=overlay.SERIAL)
+
+    async def open_lines(self):
+        console, self.console_line = await asyncio.open_unix_connection(
+            sock=emulation.connect(self.folder, "console.sock"))
+        camera, self.camera_line = await asyncio.open_unix_connection(
+            sock=emulation.connect(self.folder, "camera.sock"))
+        self.tasks += [asyncio.create_task(self.read_console(console)),
+                       asyncio.create_task(self.read_camera(camera))]
+
+    async def stop(self, phase, why=""):
+        this = asyncio.current_task()
+        for task in self.tasks:
+            if task is not this:
+                task.cancel()
+        self.tasks = []
+        for line in (self.console_line, self.camera_line):
+            if line:
+                line.close()
+        self.console_line = self.camera_line = None
+        self.camera_seen = False
+        await self.ask(self.machine.stop)
+        self.show(bytes(emulation.FRAME_BYTES))
+        self.enter(phase, why)
+
+    async def reset(self):
+        async with self.switching:
+            if not self.is_on:
+                await self.start()
+                return
+            try:
+                await self.ask(self.push_reset)
+            except (emulation.Error, OSError):
+                return  # watch() tells it
+            self.say("\n-- reset --\n")
+            self.begin_again()
+
+    def push_reset(self):
+        self.machine.monitor.run("system_reset")
+        self.machine.clear()
+
+    def begin_again(self):
+        """The machine has been reset, by the switch or by itself."""
+        self.camera_seen = False
+        self.show(bytes(emulation.FRAME_BYTES))
+        self.enter("booting")
+        self.listener.state()
+
+    async def end(self):
+        await self.power(False)
+        self.worker.shutdown()
+
+    # Picture.
+
+    def show(self, frame):
+        first, rows = changed_rows(self.frame, frame)
+        if rows:
+            self.frame = frame
+            self.listener.picture(first, rows)
+        return rows > 0
+
+    async def watch(self):
+        """Looks at the screen while somebody else does, and after QEMU."""
+        pause = LOOK_S
+        while True:
+            begun = time.monotonic()
+            try:
+                if self.listener.is_watched() or self.phase == "booting":
+                    changed = await self.look()
+                    pause = LOOK_S if changed else min(pause * 1.3, REST_S)
+                else:
+                    await self.ask(self.machine.monitor.run, "query-status")
+                    pause = UNSEEN_S
+                self.hear_news()
+            except (emulation.Error, OSError):
+                await self.tell_end()
+                return
+            self.hurry.clear()
+            left = pause - (time.monotonic() - begun)
+            with contextlib.suppress(asyncio.TimeoutError):
+                # A press makes it look at once.
+                await asyncio.wait_for(self.hurry.wait(), max(left, 0.005))
+                pause = LOOK_S
+
+    async def look(self):
+        frame = await self.ask(self.machine.frame)
+        if self.phase == "booting" and is_drawn(frame):
+            self.enter("running")
+        return self.show(frame)
+
+    def hear_news(self):
+        events = self.machine.monitor.events
+        for event in events:
+            if event["event"] == "RESET" and event["data"].get("guest"):
+                self.say("\n-- the board has reset itself --\n")
+                self.begin_again()
+        events.clear()
+
+    async def tell_end(self):
+        said = ""
+        with contextlib.suppress(OSError):
+            said = (self.folder / "qemu.log").read_text(errors="replace")
+        lines = said.strip().splitlines()
+        async with self.switching:
+            await self.stop("ended", "QEMU has ended" +
+                            (f": {lines[-1]}" if lines else ""))
+
+    # Buttons: a line is high while anybody holds it.
+
+    async def press(self, name, who):
+        held = self.pressed.setdefault(name, {})
+        first = not held
+        held[who] = time.monotonic()
+        if first:
+            await self.level(name, True)
+
+    async def release(self, name, who):
+        held = self.pressed.get(name, {})
+        if who not in held:
+            return
+        short = SHORTEST_PRESS_S - (time.monotonic() - held[who])
+        if short > 0:
+            await asyncio.sleep(short)
+        if held.pop(who, None) is not None and not held:
+            await self.level(name, False)
+
+    def held(self):
+        return [name for name in LINES if self.pressed.get(name)]
+
+    async def level(self, name, high):
+        self.listener.state()
+        if self.is_on:
+            with contextlib.suppress(emulation.Error, OSError):
+                await self.ask(self.machine.wires.run,
+                               f"set_irq_in {emulation.GPIO2} unnamed-gpio-in "
+                               f"{LINES[name]} {int(high)}")
+            self.hurry.set()
+
+    # Serial lines. QEMU stops the board while nobody reads them.
+
+    def say(self, text):
+        self.log = (self.log + text)[-LOG_KEPT:]
+        self.listener.log(text)
+
+    async def read_console(self, line):
+        tail = ""
+        while data := await line.read(65536):
+            text = data.decode(errors="replace")
+            self.say(text)
+            tail = tail[-200:] + text
+            for words, why in LAST_WORDS.items():
+                if words in tail:
+                    tail = ""
+                    self.enter("halted", why)
+
+    def type(self, text):
+        if self.console_line:
+            self.console_line.write(text.encode())
+
+    async def read_camera(self, line):
+        while data := await line.readline():
+            words = data.decode(errors="replace").split()
+            if words[-1:] == ["ready"]:
+                self.send_camera()
+            elif words[:1] == ["camera"]:
+                self.camera_seen = words[-1] == "on"
+                self.listener.state()
+
+    def camera(self, on):
+        self.camera_wanted = on
+        self.send_camera()
+        self.listener.state()
+
+    def send_camera(self):
+        if self.camera_line:
+            self.camera_line.write(b"on\n" if self.camera_wanted else b"off\n")

@@ -1,0 +1,71 @@
+"""What the virtual board has beside the image: a camera that can be switched,
+and a contact for F10.
+
+On the board F10 is on the keypad's matrix, and the camera a part on I2C. QEMU's
+i.MX31 has neither, so here F10 is a GPIO line, and the camera the kernel's test
+camera, switched through the second serial line (guest/camera-switch).
+"""
+import pathlib
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+BOARD = HERE.parent
+sys.path.insert(0, str(BOARD))
+import emulation  # noqa: E402
+
+# The line after those of limber.conf.
+LINES = {**emulation.BUTTONS, "F10": 26}
+
+SETTINGS = f"""
+[camera]
+camera = /dev/video0,320x240
+camera-use = screen
+[buttons]
+F10 = gpio 53fd0000.gpio {LINES["F10"]} active-high
+"""
+SERVICES = "ttymxc1::respawn:/usr/sbin/camera-switch\n"
+SERIAL = ("-chardev", "socket,id=camera,path=camera.sock,server=on,wait=off",
+          "-serial", "chardev:camera")
+
+
+def run(*command, **how):
+    try:
+        return subprocess.run(command, check=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, **how).stdout
+    except FileNotFoundError:
+        raise emulation.Error(f"{command[0]} is missing: "
+                              "toolchain/install.sh board") from None
+    except subprocess.CalledProcessError as error:
+        said = error.stderr.decode(errors="replace").strip()
+        raise emulation.Error(f"{command[0]} fails: {said}") from None
+
+
+def make_archive(folder):
+    """The files over the image's own, as an initramfs archive in folder."""
+    tree = folder / "overlay"
+    files = {
+        "etc/inittab": (BOARD / "rootfs/etc/inittab").read_text() + SERVICES,
+        "etc/limber.conf": (BOARD / "limber.conf").read_text() + SETTINGS,
+        "usr/sbin/camera-switch": (HERE / "guest/camera-switch").read_text(),
+    }
+    names = []
+    for name, text in files.items():
+        path = tree / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        path.chmod(0o755 if "bin/" in name else 0o644)
+        names.append(name)
+    archive = folder / "overlay.cpio"
+    archive.write_bytes(run("cpio", "-o", "-H", "newc", "-R", "0:0", "--quiet",
+                            cwd=tree, input="\n".join(names).encode()))
+    return archive
+
+
+def make_tree(image, folder):
+    """The board's device tree with the second serial line enabled."""
+    tree = folder / "virtual.dtb"
+    tree.write_bytes((image / "imx31-pdk-limber.dtb").read_bytes())
+    node = run("fdtget", str(tree), "/aliases", "serial1").decode().strip()
+    run("fdtput", "-t", "s", str(tree), node, "status", "okay")
+    return tree

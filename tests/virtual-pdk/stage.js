@@ -1,0 +1,85 @@
+// What the test and the picture share: the server as a person starts it, and
+// Chromium with a page of it.
+
+const { spawn } = require("child_process");
+const fs = require("fs");
+const path = require("path");
+const { chromium } = require("playwright-core");
+
+const TOP = path.resolve(__dirname, "../..");
+const SERVE = path.join(TOP, "board/imx31-pdk/virtual/serve");
+const BOOT_MS = 90000;
+const FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
+	"--no-first-run", "--disable-background-networking",
+	"--disable-component-update", "--disable-sync", "--no-proxy-server"];
+
+const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
+
+// Until get() is true; its value, or the last that was not.
+async function until(get, ms = 20000, step = 100) {
+	const end = Date.now() + ms;
+	for (;;) {
+		const value = await get();
+		if (value || Date.now() > end) {
+			return value;
+		}
+		await sleep(step);
+	}
+}
+
+class Server {
+	constructor(folder, ...options) {
+		this.folder = folder;
+		this.said = "";
+		this.status = null;
+		const image = process.env.IMAGE ? ["--image", process.env.IMAGE] : [];
+		this.process = spawn(SERVE, ["--state", folder, ...image, ...options],
+			{ stdio: ["ignore", "pipe", "pipe"] });
+		for (const stream of [this.process.stdout, this.process.stderr]) {
+			stream.on("data", (data) => { this.said += data; });
+		}
+		this.ended = new Promise((done) => {
+			this.process.on("exit", (code, name) => {
+				this.status = code ?? name;
+				done(this.status);
+			});
+		});
+	}
+
+	async url() {
+		await until(() => /http:\S+/.test(this.said) || this.status !== null, 60000);
+		return this.said.match(/http:\S+/)?.[0];
+	}
+
+	// The emulated board's process, 0 when there is none.
+	qemu() {
+		try {
+			const pid = Number(fs.readFileSync(path.join(this.folder, "pid")));
+			const words = fs.readFileSync(`/proc/${pid}/cmdline`, "utf8");
+			return words.includes("qemu-system-arm") ? pid : 0;
+		} catch {
+			return 0;
+		}
+	}
+
+	async end(signal) {
+		this.process.kill(signal);
+		return Promise.race([this.ended, sleep(20000).then(() => "nothing")]);
+	}
+}
+
+async function openBrowser(folder, options = {}) {
+	fs.mkdirSync(folder, { recursive: true });
+	const profile = fs.mkdtempSync(path.join(folder, "profile-"));
+	const browser = await chromium.launchPersistentContext(profile, {
+		executablePath: "/usr/bin/chromium", headless: true, args: FLAGS,
+		viewport: { width: 1280, height: 760 }, timeout: 60000, ...options });
+	browser.on("close", () => fs.rmSync(profile, { recursive: true, force: true }));
+	return browser;
+}
+
+const phase = (page) => page.textContent("#phase");
+const isRunning = (page) =>
+	until(async () => await phase(page) === "running", BOOT_MS);
+
+module.exports = { Server, openBrowser, isRunning, phase, sleep, until, TOP };

@@ -22,6 +22,37 @@ image: kernel build/arm/limber
 emulate: image
 	$(Q)$(BOARD)/emulate run
 
+build/virtual-pdk/packages.stamp: toolchain/packages/virtual.txt
+	$(Q)mkdir -p $(@D)
+	$(Q)toolchain/install.sh virtual
+	$(Q)touch $@
+
+# PORT=NUMBER for another than 8031.
+.PHONY: virtual-pdk screenshots screenshots-virtual-pdk
+virtual-pdk: image build/virtual-pdk/packages.stamp
+	$(Q)exec $(BOARD)/virtual/serve $(if $(PORT),--port $(PORT))
+
+# What its test drives a browser with, by the lock file, beside the tree.
+build/virtual-pdk-test/stamp: $(addprefix tests/virtual-pdk/,package.json \
+		package-lock.json .npmrc) toolchain/packages/browser.txt
+	@mkdir -p $(@D)
+	$(Q)toolchain/install.sh browser virtual
+	$(call say,NPM,$(@D))
+	$(Q)cp $(filter tests/%,$^) $(@D)
+	$(Q)cd $(@D) && npm ci --loglevel=error --no-audit --no-fund >npm.log
+	$(Q)touch $@
+
+virtual_pdk_node := NODE_PATH=build/virtual-pdk-test/node_modules node
+virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
+	tests/virtual-pdk/test.js)
+
+# The pictures of README pages that are no references of the tests.
+screenshots: screenshots-virtual-pdk
+screenshots-virtual-pdk: image build/virtual-pdk-test/stamp
+	$(call say,PICTURE,$(BOARD)/virtual/page.png)
+	$(Q)$(virtual_pdk_node) tests/virtual-pdk/picture.js \
+		$(BOARD)/virtual/page.png
+
 bench-board: image build/arm/bench/demo_frames build/arm1136/insn_count.so
 	$(Q)PATIENCE_S=3000 python3 -B tests/board/bench.py build/bench-board.json
 	@echo "The same for programs: build/bench-board.json"

@@ -123,6 +123,7 @@ $(call suite,tally,tests/support/tally_test.sh)
 $(model_suites)
 $(bench_suites)
 $(board_suites)
+$(virtual_pdk_suite)
 endef
 
 # The same everywhere: no desktop, and what the loaded drivers lose is theirs.
@@ -137,7 +138,8 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
-		image build/board/guest
+		image build/board/guest \
+		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs
 
@@ -147,7 +149,8 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 
 check: | build
 	$(Q)date +%s >build/check-began
-	$(Q)toolchain/install.sh host font arm check board package
+	$(Q)toolchain/install.sh host font arm check board package \
+		virtual browser
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

@@ -20,7 +20,7 @@ enum {
 	FLOOR_SOLID_RING = 9,
 	FLOOR_SOLID_INDICES = (FLOOR_SOLID_RING * 2 - 1) * FLOOR_SPOKES * 3,
 	/* Level ground needs no rings between. */
-	FLOOR_LEVEL_SPOKES = 10,
+	FLOOR_LEVEL_SPOKES = 8,
 	FLOOR_LEVEL_INDICES = FLOOR_LEVEL_SPOKES * 3 * 3,
 };
 

@@ -322,6 +322,15 @@ static bool set_no_labels(struct options *options, const char *value)
 	return true;
 }
 
+static bool set_budget(struct options *options, const char *value)
+{
+	double ms;
+	bool good = read_number(value, 1.0, 1000.0, &ms);
+
+	options->budget_ms = (float)ms;
+	return good;
+}
+
 static bool set_walkers(struct options *options, const char *value)
 {
 	return read_int(value, 1, WALKERS_MAX, &options->walkers);
@@ -450,6 +459,10 @@ static const struct option_entry entries[] = {
 		set_influences},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, set_no_labels},
+	{0, "budget-ms", "N", FOR_PLAY,
+		"keep frames within N ms: leave out influences, then normals, "
+		"then poses",
+		"a number from 1 to 1000", set_budget},
 	{0, "walkers", "N", FOR_SHOW,
 		"how many walkers the demo crowd begins with (12)",
 		"a number from 1 to 50", set_walkers},

@@ -68,6 +68,7 @@ struct options {
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
 	struct lod lod;
+	float budget_ms;     /* of a frame; 0: none */
 	int walkers;         /* of a crowd; 0: not given */
 	int runs;            /* of each measurement */
 	double rate_hz;      /* frames a second that are compared */

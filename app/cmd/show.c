@@ -8,6 +8,7 @@
 #include "app/cmd/progress.h"
 #include "app/cmd/record.h"
 #include "app/cmd/screen.h"
+#include "app/demo/governor.h"
 #include "platform/base/stop.h"
 #include "platform/buttons/buttons.h"
 #include "platform/watchdog/watchdog.h"
@@ -32,6 +33,7 @@ struct show {
 	bool labelled;
 	struct program_keys keys;
 	struct frame_watch watch;
+	struct governor governor;
 	struct clock clock;
 	struct pace pace;
 	double now_s;
@@ -174,9 +176,12 @@ static void draw_hud(struct show *show, int width, int height)
 	hud_begin(show->hud, width, height);
 	if (show->labelled) {
 		demo_label(driver, show->demo, show->hud);
+		governor_label(&show->governor, show->hud);
 	}
 	frame_watch_show(&show->watch, &facts,
-		show->screen.gl->driver->name, NULL, show->hud);
+		show->screen.gl->driver->name,
+		show->labelled ? NULL : governor_text(&show->governor),
+		show->hud);
 	hud_end(show->hud, &show->screen.gl->gl);
 }
 
@@ -234,6 +239,21 @@ static void run_up(struct show *show)
 	}
 }
 
+/* Work is what the processor does; a screen with a pace waits in between. */
+static void keep_budget(struct show *show, double now_s)
+{
+	const float *stage_ms = show->watch.stage_ms;
+	bool waits = show->screen.info.rate_hz > 0.0;
+	float work_ms = stage_ms[HUD_ANIMATE] + stage_ms[HUD_DRAW] +
+		(waits ? 0.0f : stage_ms[HUD_PRESENT]);
+
+	if (governor_feed(&show->governor, now_s, work_ms)) {
+		struct shed shed = governor_shed(&show->governor);
+
+		demo_shed(show->demo, &shed);
+	}
+}
+
 static int run_frames(struct show *show)
 {
 	struct progress progress =
@@ -251,7 +271,9 @@ static int run_frames(struct show *show)
 		frame_watch_begin(&show->watch);
 		poll_display(show, (int64_t)(now_s * 1000.0));
 		press_buttons(show, (int64_t)(now_s * 1000.0));
-		show->plan->demo->update(show->demo, now_s);
+		if (governor_poses(&show->governor)) {
+			show->plan->demo->update(show->demo, now_s);
+		}
 		frame_watch_stage(&show->watch, HUD_ANIMATE);
 		error = draw_frame(show);
 		if (error) {
@@ -260,6 +282,7 @@ static int run_frames(struct show *show)
 		frame_stats_end(&show->stats);
 		frame_watch_end(&show->watch);
 		if (!show->clock.fixed) {
+			keep_budget(show, now_s);
 			demo_set_rate(show->demo,
 				hud_graph_rate(&show->watch.graph));
 		}
@@ -378,6 +401,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		.labelled = !options->no_labels,
 		.action = options->action,
 		.watch.shown = options->hud,
+		.governor = governor_begin(options->budget_ms),
 		.watchdog = watchdog_none(),
 	};
 	int error;

@@ -1,0 +1,160 @@
+#include "app/demo/governor.h"
+
+#include <stdio.h>
+
+enum {
+	SETTLING_FRAMES = 8 /* before the mean says something */
+};
+
+static const float newest_share = 0.15f; /* of the mean */
+static const float room = 0.9f;          /* of the budget, to restore */
+static const double over_limit_s = 0.2;
+static const double wait_least_s = 1.0, wait_most_s = 30.0;
+static const double lasting_s = 5.0; /* a restored step that stays so long */
+
+static const struct {
+	struct shed shed;
+	unsigned frames_a_pose;
+	const char *text;
+} levels[GOVERNOR_STEPS + 1] = {
+	{{0, false}, 1, NULL},
+	{{2, false}, 1, "2 influences"},
+	{{1, false}, 1, "1 influence"},
+	{{1, true}, 1, "normals held"},
+	{{1, true}, 2, "half the poses"},
+	{{1, true}, 4, "a quarter of poses"},
+};
+
+static void rest(struct governor *governor)
+{
+	governor->frames = 0;
+	governor->over_s = governor->under_s = -1.0;
+}
+
+struct governor governor_begin(float budget_ms)
+{
+	struct governor governor = {
+		.budget_ms = budget_ms,
+		.wait_s = wait_least_s,
+		.restored_s = -lasting_s,
+	};
+
+	rest(&governor);
+	return governor;
+}
+
+static void average(struct governor *governor, float work_ms)
+{
+	/* A plain mean at first, so that one frame does not count for many. */
+	float share = 1.0f / (float)(governor->frames + 1);
+
+	share = share > newest_share ? share : newest_share;
+	governor->mean_ms =
+		(governor->frames ? governor->mean_ms : 0.0f) * (1.0f - share) +
+		work_ms * share;
+	governor->frames++;
+}
+
+static void weigh(struct governor *governor)
+{
+	float saved_ms = governor->before_ms - governor->mean_ms;
+
+	if (governor->weighing) {
+		governor->saved_ms[governor->level] =
+			saved_ms > 0.0f ? saved_ms : 0.0f;
+		governor->weighing = false;
+	}
+}
+
+static void shed(struct governor *governor, double now_s)
+{
+	bool lasted = now_s - governor->restored_s > lasting_s;
+	double longer_s = 2.0 * governor->wait_s;
+
+	governor->wait_s = lasted        ? wait_least_s
+		: longer_s < wait_most_s ? longer_s
+					 : wait_most_s;
+	governor->before_ms = governor->mean_ms;
+	governor->weighing = true;
+	governor->level++;
+	rest(governor);
+}
+
+static void restore(struct governor *governor, double now_s)
+{
+	governor->restored_s = now_s;
+	governor->level--;
+	rest(governor);
+}
+
+/* Since when it is so; -1 where it is not. */
+static double since(bool is, double begun_s, double now_s)
+{
+	return !is ? -1.0 : begun_s < 0.0 ? now_s : begun_s;
+}
+
+bool governor_feed(struct governor *governor, double now_s, float work_ms)
+{
+	int level = governor->level;
+	float restored_ms;
+
+	if (governor->budget_ms <= 0.0f) {
+		return false;
+	}
+	average(governor, work_ms);
+	if (governor->frames < SETTLING_FRAMES) {
+		return false;
+	}
+	weigh(governor);
+	restored_ms = governor->mean_ms + governor->saved_ms[level];
+	governor->over_s = since(level < GOVERNOR_STEPS &&
+			governor->mean_ms > governor->budget_ms,
+		governor->over_s, now_s);
+	governor->under_s =
+		since(level > 0 && restored_ms < room * governor->budget_ms,
+			governor->under_s, now_s);
+	if (governor->over_s >= 0.0 && now_s - governor->over_s >= over_limit_s) {
+		shed(governor, now_s);
+	} else if (governor->under_s >= 0.0 &&
+		now_s - governor->under_s >= governor->wait_s) {
+		restore(governor, now_s);
+	}
+	return governor->level != level;
+}
+
+struct shed governor_shed(const struct governor *governor)
+{
+	return levels[governor->level].shed;
+}
+
+bool governor_poses(struct governor *governor)
+{
+	return governor->turn++ % levels[governor->level].frames_a_pose == 0;
+}
+
+const char *governor_text(const struct governor *governor)
+{
+	return levels[governor->level].text;
+}
+
+void governor_label(const struct governor *governor, struct hud *hud)
+{
+	const char *text = governor_text(governor);
+	struct hud_group group;
+	char label[32], value[32];
+
+	if (governor->budget_ms <= 0.0f) {
+		return;
+	}
+	group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	snprintf(label, sizeof(label), "budget %.3g ms",
+		(double)governor->budget_ms);
+	snprintf(value, sizeof(value), "%.1f", (double)governor->mean_ms);
+	hud_group_bar(&group, label, value,
+		governor->mean_ms / governor->budget_ms,
+		governor->mean_ms > governor->budget_ms ? hud_color_rose
+							: hud_color_green);
+	hud_group_mark(&group, text ? text : "nothing left out", "",
+		text ? hud_color_rose : hud_color_green);
+	hud_group_end(&group);
+}

@@ -119,7 +119,8 @@ class Monitor:
             {"execute": command, "arguments": arguments})))
         while "return" not in answer:
             if "error" in answer:
-                raise Error(f"QEMU refuses {command}: {answer['error']['desc']}")
+                why = answer["error"]["desc"]
+                raise Error(f"QEMU refuses {command}: {why}")
             self.events.append(answer)
             answer = json.loads(self.lines.read())
         return answer["return"]
@@ -197,9 +198,9 @@ class Machine:
         """Boots image; extra are more initramfs archives, laid over its own.
 
         arguments replaces the kernel's command line of the device tree, tree
-        the device tree. With icount time is a count of instructions, 4 ns each. Without reboot a
-        reset ends QEMU. Without power the machine waits for power_on(). more
-        are further words of QEMU's command line."""
+        the device tree. With icount time is a count of instructions, 4 ns
+        each. Without reboot a reset ends QEMU. Without power the machine waits
+        for power_on(). more are further words of QEMU's command line."""
         image = pathlib.Path(image).resolve()
         self.folder.mkdir(parents=True, exist_ok=True)
         if self.pid():
@@ -367,5 +368,6 @@ def png_of(frame, width=WIDTH, height=HEIGHT):
     rows = b"".join(b"\0" + rgb[y * width * 3:(y + 1) * width * 3]
                     for y in range(height))
     return (b"\x89PNG\r\n\x1a\n" +
-            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2,
+                                       0, 0, 0)) +
             chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))

@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-from harness import (BY_HAND, FOLDER, TOP, booted, is_drawn, note, wait_until)
+from harness import BY_HAND, TOP, booted, is_drawn, wait_until
 
 DEMOS = ("walker", "arm", "face")
 FRAMES = 60

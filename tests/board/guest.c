@@ -51,8 +51,7 @@ static void wait_ms(long ms)
 
 static void emit(int fd, unsigned short type, unsigned short code, int value)
 {
-	struct input_event event = {
-		.type = type, .code = code, .value = value};
+	struct input_event event = {.type = type, .code = code, .value = value};
 
 	if (write(fd, &event, sizeof(event)) != (ssize_t)sizeof(event)) {
 		exit(fail("/dev/uinput"));

@@ -272,7 +272,8 @@ def start_limber(machine, arguments, seconds=10):
 
 def stop_limber(machine):
     """Ends it; what it has said."""
-    machine.shell("killall limber; while pidof limber >/dev/null; do usleep 50000; done")
+    machine.shell("killall limber; while pidof limber >/dev/null; "
+                  "do usleep 50000; done")
     return machine.shell("cat /run/said")[1]
 
 

@@ -7,9 +7,9 @@ right one must be the nearest. What limber writes down must name the button.
 """
 import re
 
-from harness import (BY_HAND, FOLDER, booted, check, difference,
-                     done, emulation, host_picture, note, pause, region, save,
-                     start_limber, stop_limber, wait_until)
+from harness import (BY_HAND, FOLDER, booted, check, difference, done,
+                     host_picture, note, pause, region, save, start_limber,
+                     stop_limber, wait_until)
 
 LATENCY_MS = 100
 HOLD_S = 0.4
@@ -97,7 +97,8 @@ for demo, buttons, others, area in DEMOS:
     pictures = {button: region(expected(demo, button), *area)
                 for button in buttons + others}
     for button in buttons:
-        changed_s, took_ms, frame, down = press_and_look(machine, demo, button, area)
+        changed_s, took_ms, frame, down = press_and_look(
+            machine, demo, button, area)
         seen = region(frame, *area)
         apart = {name: difference(seen, picture)
                  for name, picture in pictures.items()}

@@ -3,8 +3,8 @@ a background and as a texture, and limber goes on without it."""
 import array
 import colorsys
 
-from harness import (BY_HAND, booted, check, done, emulation, guest_tool, note,
-                     pause, save, start_limber, stop_limber, wait_until)
+from harness import (BY_HAND, booted, check, done, guest_tool, note, pause,
+                     save, start_limber, stop_limber, wait_until)
 
 DRIVER = "/sys/bus/platform/drivers/vivid"
 # vivid's controls: no text over the bars; gone until nobody holds it.

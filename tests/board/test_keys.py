@@ -1,6 +1,6 @@
 """Keys of a keyboard that is plugged in while limber runs, through evdev."""
-from harness import (BY_HAND, booted, check, difference, done, guest_tool,
-                     is_drawn, pause, start_limber, stop_limber)
+from harness import (BY_HAND, booted, check, done, guest_tool, is_drawn,
+                     pause, start_limber, stop_limber)
 
 machine = booted(BY_HAND | guest_tool(), drivers=True)
 status, said = machine.shell("modprobe uinput && ls /dev/uinput")

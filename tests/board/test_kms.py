@@ -10,13 +10,13 @@ status, said = machine.shell(f"echo 87e00000.framebuffer >{UNBIND}; "
 check("simpledrm has the screen", "card0" in said, said)
 
 # Stands still, so that any moment will do.
-start_limber(machine, "--demo arm --script /dev/null --display kms")
+start_limber(machine, "--demo arm --script /dev/null --math fixed --display kms")
 pause(machine, 1)
 frame = machine.frame()
 said = stop_limber(machine)
 save(frame, "arm.png")
-apart = difference(frame, host_picture("--demo", "arm", "--math", "fixed", "--script",
-                                       "/dev/null", "--time", "1"))
+apart = difference(frame, host_picture(
+    "--demo", "arm", "--math", "fixed", "--script", "/dev/null", "--time", "1"))
 check("the picture in its dumb buffers is the host's, to the byte",
       apart == 0, f"{apart} pixels differ\n{said}")
 

@@ -30,11 +30,11 @@ static void print_head(const struct bench_report *report, FILE *out)
 		"warm: run after run. cold: after 32 MiB of other data. x: "
 		"times float's speed, warm\n\n",
 		report->runs);
-	fprintf(out, "%-36s%-8s", "", "");
+	fprintf(out, "%-37s%-8s", "", "");
 	for (int s = 0; s < report->size_count; s++) {
 		fprintf(out, "%12d vertices    ", report->vertex_count[s]);
 	}
-	fprintf(out, "\n%-36s%-8s", "", "");
+	fprintf(out, "\n%-37s%-8s", "", "");
 	for (int s = 0; s < report->size_count; s++) {
 		fprintf(out, "%9s%8s%8s", "warm", "cold", "x");
 	}
@@ -46,7 +46,7 @@ static void print_result(const struct bench_report *report,
 {
 	const struct bench_result *base = float_result(report, result->row);
 
-	fprintf(out, "%-36s%-8s", title, result->kernel->name);
+	fprintf(out, "%-37s%-8s", title, result->kernel->name);
 	for (int s = 0; s < report->size_count; s++) {
 		const struct bench_time *time = &result->time[s];
 

@@ -1,6 +1,7 @@
 /* Elements of vertex arrays as fixed point. */
 #include <string.h>
 
+#include "platform/base/scalar.h"
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 
@@ -161,13 +162,48 @@ void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 	}
 }
 
+/* Of floats or 16.16, with components below 1/2: any length, one direction. */
+static void load_long_normal(
+	const uint8_t *at, bool floats, const GLfixed *fixed, int32_t out[3])
+{
+	float n[3], most = 0.0f;
+
+	for (int i = 0; i < 3; i++) {
+		n[i] = floats ? load_float(at + 4 * i) : (float)fixed[i];
+		most = scalar_abs(n[i]) > most ? scalar_abs(n[i]) : most;
+	}
+	for (int i = 0; i < 3; i++) {
+		float share = n[i] / most * (two_30 / 4.0f);
+
+		/* Infinite ones leave no direction. */
+		out[i] = share == share ? (int32_t)share : 0;
+	}
+}
+
+static bool is_long(const GLfixed n[3])
+{
+	const GLfixed two = 2 * 65536;
+
+	return n[0] >= two || n[1] >= two || n[2] >= two || n[0] <= -two ||
+		n[1] <= -two || n[2] <= -two;
+}
+
 void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	const struct arrays *arrays = &draw->soft->arrays;
 	const struct array *array = &arrays->normal;
 	const uint8_t *at = element_at(array, index);
+	GLenum type = array->enabled ? array->type : GL_FIXED;
+	GLfixed value[3];
 
 	if (array->enabled && array->type == GL_FLOAT) {
+		uint32_t all =
+			load_bits(at) | load_bits(at + 4) | load_bits(at + 8);
+
+		if (draw->shading.normalize && (all & INT32_MAX) >= 0x40000000) {
+			load_long_normal(at, true, NULL, out);
+			return;
+		}
 		load_floats(at, 3, two_30, 0x40000000, out);
 		return;
 	}
@@ -181,13 +217,18 @@ void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3])
 		return;
 	}
 	for (int i = 0; i < 3; i++) {
-		GLenum type = array->enabled ? array->type : GL_FIXED;
-		int32_t value = array->enabled ? load_integer(at, type, i)
-					       : arrays->current_normal[i];
-
+		value[i] = array->enabled ? load_integer(at, type, i)
+					  : arrays->current_normal[i];
+	}
+	if (draw->shading.normalize && type == GL_FIXED && is_long(value)) {
+		load_long_normal(NULL, false, value, out);
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
 		/* (2 c + 1) / (2^bits - 1) */
-		out[i] = type == GL_BYTE ? (2 * value + 1) * 4210752
-					 : saturate_64((int64_t)value * 16384);
+		out[i] = type == GL_BYTE
+			? (2 * value[i] + 1) * 4210752
+			: saturate_64((int64_t)value[i] * 16384);
 	}
 }
 

@@ -34,19 +34,21 @@ static void normalize_q30(int32_t n[3])
 	}
 }
 
-static void rotate_normal(const int32_t m_q28[9], int32_t n[3])
+/* One that is to be normalised may be too long for Q30: then a 16th of it. */
+static void rotate_normal(const int32_t m_q28[9], bool any_length, int32_t n[3])
 {
-	int32_t out[3];
+	int64_t sum[3], sizes = 0;
+	int shift;
 
 	for (int i = 0; i < 3; i++) {
-		int64_t sum = (int64_t)m_q28[i] * n[0] +
+		sum[i] = (int64_t)m_q28[i] * n[0] +
 			(int64_t)m_q28[3 + i] * n[1] +
 			(int64_t)m_q28[6 + i] * n[2];
-
-		out[i] = saturate_64(sum >> 28);
+		sizes |= sum[i] ^ (sum[i] >> 63);
 	}
+	shift = any_length && sizes >> 59 ? 32 : 28;
 	for (int i = 0; i < 3; i++) {
-		n[i] = out[i];
+		n[i] = saturate_64(sum[i] >> shift);
 	}
 }
 
@@ -242,7 +244,7 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 
 	array_normal_q30(draw, vertex->index, n);
 	if (shading->rotate_normals) {
-		rotate_normal(shading->normal_q28, n);
+		rotate_normal(shading->normal_q28, shading->normalize, n);
 	}
 	if (shading->normalize) {
 		normalize_q30(n);

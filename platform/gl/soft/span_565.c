@@ -356,6 +356,8 @@ void soft_draw_span_565(struct draw *draw, const struct span *span)
 		if (left == 0 || !draw->color_written) {
 			return;
 		}
+	} else if (!draw->color_written) {
+		return;
 	} else if (!textured && !draw->blended && is_constant(span, RED, 3)) {
 		fill_constant(span, pixel);
 		return;

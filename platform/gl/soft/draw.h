@@ -156,7 +156,9 @@ struct draw {
 	/* every vertex's, where w does not vary; see struct vertex */
 	int32_t inverse_w_q30;
 	uint8_t w_zeros;
-	int32_t fog_scale_q16, fog_end_q16;
+	int32_t fog_end_q16;
+	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
+	int fog_scale_q;
 	struct shading shading;
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */

@@ -270,10 +270,10 @@ static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
 	int64_t thickness_q16 = (int64_t)fog->density * distance_q16 >> 16;
 
 	if (fog->mode == GL_LINEAR) {
-		return saturate_64(
-			(int64_t)(draw->fog_end_q16 - (int64_t)distance_q16) *
-				draw->fog_scale_q16 >>
-			16);
+		/* |difference| < 2^32, |scale| <= 2^29 */
+		return saturate_64(((int64_t)draw->fog_end_q16 - distance_q16) *
+				draw->fog_scale >>
+			draw->fog_scale_q);
 	}
 	if (fog->mode == GL_EXP2) {
 		thickness_q16 = saturate_64(thickness_q16);

@@ -125,11 +125,15 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 static void prepare_fog(const struct soft *soft, struct draw *draw)
 {
 	const struct fog *fog = &soft->fog;
-	float range = (float)(fog->end - fog->start) / 65536.0f;
+	float range = (float)(fog->end - (int64_t)fog->start) / 65536.0f;
+	float scale = range != 0.0f ? 1.0f / range : 32768.0f;
 
 	draw->fogged = fog->enabled;
 	draw->fog_end_q16 = fog->end;
-	draw->fog_scale_q16 = range != 0.0f ? to_q16(1.0f / range) : INT32_MAX;
+	/* 2^28 to 2^29, whatever the range. */
+	draw->fog_scale_q = 28 - soft_matrix_exponent(scale);
+	draw->fog_scale = soft_matrix_to_int(
+		scale * soft_matrix_power_of_two(draw->fog_scale_q));
 }
 
 static bool is_mipmap(GLenum filter)

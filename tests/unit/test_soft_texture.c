@@ -14,10 +14,8 @@ static void bind_new(struct gl *gl, GLenum filter, GLenum wrap_s, GLenum wrap_t)
 
 	gl->GenTextures(1, &name);
 	gl->BindTexture(GL_TEXTURE_2D, name);
-	gl->TexParameterx(
-		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLfixed)filter);
-	gl->TexParameterx(
-		GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLfixed)filter);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLfixed)filter);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLfixed)filter);
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, (GLfixed)wrap_s);
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, (GLfixed)wrap_t);
 	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -74,7 +72,8 @@ static void test_each_format_is_read(void **state)
 	(void)state;
 	for (size_t i = 0; i < 8 * sizeof(formats) / sizeof(formats[0]); i++) {
 		const struct format_case *c = &formats[i / 8];
-		struct stage stage = stage_open("soft", gl_expect_formats[i % 2]);
+		struct stage stage =
+			stage_open("soft", gl_expect_formats[i % 2]);
 		struct gl *gl = stage.gl;
 		double wanted[4];
 		bool blended = i & 2;
@@ -197,7 +196,8 @@ static void check_part(struct stage *stage, const struct wrap_case *c,
 static void check_parts(bool linear)
 {
 	for (size_t i = 0; i < 8 * sizeof(parts) / sizeof(parts[0]); i++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[i % 2]);
+		struct stage stage =
+			stage_open("soft", gl_expect_formats[i % 2]);
 
 		check_part(&stage, &parts[i / 8],
 			i & 2 ? GL_REPEAT : GL_CLAMP_TO_EDGE,
@@ -262,7 +262,8 @@ static void test_rows_begin_where_the_alignment_says(void **state)
 	for (int i = 0; i < 8; i++) {
 		int align = alignments[i / 2];
 		int row = (3 + align - 1) / align * align;
-		struct stage stage = stage_open("soft", gl_expect_formats[i % 2]);
+		struct stage stage =
+			stage_open("soft", gl_expect_formats[i % 2]);
 		uint8_t texels[16] = {0};
 
 		memcpy(texels, (uint8_t[]){255, 0, 0}, 3);
@@ -289,8 +290,8 @@ static void make_levels(struct gl *gl)
 	for (int level = 0; level < 4; level++) {
 		for (int i = 0; i < 64; i++) {
 			for (int j = 0; j < 3; j++) {
-				texels[i][j] = (uint8_t)(
-					255 * level_color[level][j]);
+				texels[i][j] =
+					(uint8_t)(255 * level_color[level][j]);
 			}
 		}
 		gl->TexImage2D(GL_TEXTURE_2D, level, GL_RGB, 8 >> level,
@@ -327,7 +328,8 @@ static void test_a_level_is_chosen_by_size(void **state)
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
 		size_t n = i / 2;
-		struct stage stage = stage_open("soft", gl_expect_formats[i % 2]);
+		struct stage stage =
+			stage_open("soft", gl_expect_formats[i % 2]);
 		struct gl *gl = stage.gl;
 		double size = exp2(cases[n].lod) / 8;
 		double wanted[3];
@@ -357,8 +359,9 @@ static void test_an_incomplete_texture_is_none(void **state)
 	struct gl *gl = stage.gl;
 
 	(void)state;
-	bind_new(gl, GL_LINEAR_MIPMAP_LINEAR, GL_REPEAT, GL_REPEAT);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	bind_new(gl, GL_LINEAR, GL_REPEAT, GL_REPEAT);
+	gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGB,
 		GL_UNSIGNED_BYTE, black);
 	draw_part(gl, 0, 0, 1, 1);

@@ -209,9 +209,13 @@ void soft_sample(const struct texture_input *input, const struct span *span,
 	level = clamp_int(lod >> 8, 0, last);
 	sample_level(input, level, is_linear(min), span, unit, out);
 	if (level < last) {
+		/* lod runs straight between powers of two, a logarithm above. */
+		int line = lod & 255;
+		int share = line + (line * (256 - line) * 92 >> 16);
+
 		sample_level(input, level + 1, is_linear(min), span, unit, next);
 		for (int i = 0; i < span->count; i++) {
-			mix_texels(out[i], next[i], lod & 255, out[i]);
+			mix_texels(out[i], next[i], share, out[i]);
 		}
 	}
 }

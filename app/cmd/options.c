@@ -331,6 +331,14 @@ static bool set_budget(struct options *options, const char *value)
 	return good;
 }
 
+static bool set_film(struct options *options, const char *value)
+{
+	const char *dot = strrchr(value, '.');
+
+	options->film = value;
+	return dot && (strcmp(dot, ".gif") == 0 || strcmp(dot, ".y4m") == 0);
+}
+
 static bool set_walkers(struct options *options, const char *value)
 {
 	return read_int(value, 1, WALKERS_MAX, &options->walkers);
@@ -426,6 +434,9 @@ static const struct option_entry entries[] = {
 	{0, "script", "FILE", FOR_SHOW,
 		"buttons from a file with lines TIME_MS BUTTON down|up",
 		"a file name", set_script},
+	{0, "record", "FILE", FOR_PLAY,
+		"keep what is shown as a film: .gif or .y4m",
+		"a file name that ends in .gif or .y4m", set_film},
 	{0, "record-buttons", "FILE", FOR_PLAY,
 		"write down what is pressed, for --script", "a file name",
 		set_record},

@@ -46,6 +46,7 @@ struct options {
 	const char *buttons;
 	const char *script;
 	const char *record; /* a file for what is pressed, or NULL */
+	const char *film;   /* a file for what is shown, or NULL */
 	const char *config; /* as given, or NULL */
 	enum button action[BUTTON_COUNT]; /* whose action each does */
 	const char *camera;

@@ -24,6 +24,7 @@ static void print_buttons(const struct demo_driver *demo, bool camera)
 		puts("  F10    camera: background, screen, motion, off");
 	}
 	puts("  F9     held: how long frames take (H in a window)");
+	puts("  F9+F8  keep the picture in a file (P in a window)");
 	puts("  Esc    quit");
 	fflush(stdout);
 }

@@ -96,6 +96,7 @@ int screen_begin_frame(struct screen *screen, int *width, int *height)
 	struct pixels pixels;
 	int error;
 
+	screen->pixels = (struct pixels){0};
 	if (has_surface(screen->driver)) {
 		error = gl->driver->begin_frame(gl, NULL);
 		*width = gl->width;
@@ -105,15 +106,25 @@ int screen_begin_frame(struct screen *screen, int *width, int *height)
 	error = screen->driver->begin_frame(screen->display, &pixels);
 	if (!error) {
 		error = gl->driver->begin_frame(gl, &pixels);
+		screen->pixels = pixels;
 		*width = pixels.width;
 		*height = pixels.height;
 	}
 	return error;
 }
 
+int screen_complete_frame(struct screen *screen)
+{
+	return has_surface(screen->driver)
+		? 0
+		: screen->gl->driver->end_frame(screen->gl);
+}
+
 int screen_end_frame(struct screen *screen)
 {
-	int error = screen->gl->driver->end_frame(screen->gl);
+	int error = has_surface(screen->driver)
+		? screen->gl->driver->end_frame(screen->gl)
+		: 0;
 
 	return error ? error : screen->driver->end_frame(screen->display);
 }

@@ -13,6 +13,7 @@ struct screen {
 	struct display *display;
 	struct display_info info;
 	struct gl_context *gl;
+	struct pixels pixels; /* of the frame under way; no data: a surface */
 };
 
 /*
@@ -32,7 +33,13 @@ int screen_open(struct screen *screen, const struct options *options,
 /* Begins a frame and tells its size. 0, or -errno after a sentence. */
 int screen_begin_frame(struct screen *screen, int *width, int *height);
 
-/* Shows or stores it. 0, or -errno after a sentence. */
+/*
+ * Completes the picture: it is in pixels, or can be read back from the
+ * surface. 0, or -errno after a sentence.
+ */
+int screen_complete_frame(struct screen *screen);
+
+/* Then shows or stores it. 0, or -errno after a sentence. */
 int screen_end_frame(struct screen *screen);
 
 void screen_close(struct screen *screen);

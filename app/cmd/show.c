@@ -1,5 +1,6 @@
 #include "app/cmd/show.h"
 
+#include "app/cmd/film.h"
 #include "app/cmd/frame_stats.h"
 #include "app/cmd/frame_watch.h"
 #include "app/cmd/kernel_choice.h"
@@ -17,6 +18,7 @@
 #include <stdlib.h>
 
 static const int first_picture_ms = 3000;
+static const double film_rate_hz = 25.0; /* of what is recorded as it comes */
 
 /* All that a run has open. */
 struct show {
@@ -34,6 +36,10 @@ struct show {
 	struct program_keys keys;
 	struct frame_watch watch;
 	struct governor governor;
+	struct film film;
+	int film_error;        /* the film has ended early by it */
+	bool picture_wanted;   /* in a file, of the frame under way */
+	struct pixels looked;  /* what is read back from a surface */
 	struct clock clock;
 	struct pace pace;
 	double now_s;
@@ -130,6 +136,9 @@ static void fulfil(struct show *show, enum program_wish wish)
 	if (wish == WISH_GRAPH) {
 		show->watch.shown = !show->watch.shown;
 	}
+	if (wish == WISH_PICTURE) {
+		show->picture_wanted = true;
+	}
 }
 
 /* Does the action that the button is to have. */
@@ -185,6 +194,31 @@ static void draw_hud(struct show *show, int width, int height)
 	hud_end(show->hud, &show->screen.gl->gl);
 }
 
+/* Into the files that are wanted; what fails there does not end the run. */
+static void keep_frame(struct show *show, int width, int height)
+{
+	const struct pixels *on = &show->screen.pixels;
+	struct pixels picture;
+
+	if (!show->film.display && !show->picture_wanted) {
+		return;
+	}
+	if (film_look(on->data ? on : NULL, &show->screen.gl->gl, width, height,
+		    &show->looked, &picture, show->log) != 0) {
+		show->picture_wanted = false;
+		return;
+	}
+	if (show->picture_wanted) {
+		/* It has told what failed. */
+		(void)film_keep_picture(&picture, show->log);
+		show->picture_wanted = false;
+	}
+	if (!show->film_error) {
+		show->film_error =
+			film_add(&show->film, &picture, show->now_s);
+	}
+}
+
 static int draw_frame(struct show *show)
 {
 	int width, height;
@@ -196,8 +230,12 @@ static int draw_frame(struct show *show)
 	demo_watch(show->demo, show->now_s, width, height);
 	show->plan->demo->draw(show->demo, width, height);
 	draw_hud(show, width, height);
+	error = screen_complete_frame(&show->screen);
 	frame_watch_stage(&show->watch, HUD_DRAW);
-	error = screen_end_frame(&show->screen);
+	if (!error) {
+		keep_frame(show, width, height);
+		error = screen_end_frame(&show->screen);
+	}
 	frame_watch_stage(&show->watch, HUD_PRESENT);
 	return error;
 }
@@ -319,11 +357,31 @@ static int period_frames(const struct show *show)
 	return frames < 1 ? 1 : frames;
 }
 
+static int open_film(struct show *show, const char *path)
+{
+	const struct display_info *info = &show->screen.info;
+	const struct pixels size = {
+		.width = info->width,
+		.height = info->height,
+		.format = show->screen.driver->get_surface ? PIXELS_RGBA8888
+							   : info->format,
+	};
+
+	return film_open(&show->film, path, &size,
+		show->clock.fixed ? show->clock.rate_hz : film_rate_hz,
+		show->log);
+}
+
 /* With everything open. */
 static int run(struct show *show, const struct options *options)
 {
 	int error;
+	int filmed;
 
+	error = options->film ? open_film(show, options->film) : 0;
+	if (error) {
+		return error;
+	}
 	if (show->frames < 0) {
 		show->frames = period_frames(show);
 	}
@@ -339,6 +397,10 @@ static int run(struct show *show, const struct options *options)
 	if (!error && options->stats) {
 		error = frame_stats_write(
 			&show->stats, options->stats, show->log);
+	}
+	filmed = film_close(&show->film);
+	if (!error) {
+		error = show->film_error ? show->film_error : filmed;
 	}
 	return error ? error : finish(show);
 }
@@ -377,6 +439,7 @@ static int open_and_run(struct show *show, const struct options *options)
 		goto out_camera;
 	}
 	error = run(show, options);
+	free(show->looked.data);
 	demo_destroy(show->plan->demo, show->demo);
 out_camera:
 	camera_feed_close(&show->camera);

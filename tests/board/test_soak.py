@@ -52,8 +52,10 @@ def soak(machine, demo, seconds):
     check(f"{demo}: every press is seen within {FRAME_MS} ms",
           values["presses"] > 0 and values["latency_ms_max"] <= FRAME_MS,
           stats)
-    check(f"{demo}: it has nothing to complain of",
-          "limber:" not in said.replace("limber:/#", ""), said)
+    # There is no keyboard, which it says once.
+    complaints = [line for line in said.splitlines()
+                  if line.startswith("limber: ") and "no keyboard" not in line]
+    check(f"{demo}: it has nothing to complain of", not complaints, complaints)
     note(f"{demo}: {values['frames']:.0f} frames, {values['fps']:.1f} a "
          f"second, longest {values['apart_ms_max']:.1f} ms, "
          f"{values['presses']:.0f} changes of buttons, shown within "

@@ -12,6 +12,7 @@
 #include "platform/gl/survey.h"
 #include "platform/watchdog/watchdog.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -145,6 +146,11 @@ static void survey_config(
 	if (!config_find(options->config, true, path, sizeof(path))) {
 		survey_say(&survey, SURVEY_UNUSED, "limber.conf", NULL,
 			"there is none: everything is as built in");
+	} else if (access(path, R_OK) != 0) {
+		survey_say(&survey, SURVEY_BROKEN, path,
+			"name another with --config FILE, or none with "
+			"--config none",
+			"cannot be read: %s", strerror(errno));
 	} else if (options_are_good(path, &said)) {
 		survey_say(&survey, SURVEY_WORKS, path, NULL,
 			"read by limber play, without a mistake");

@@ -1,5 +1,6 @@
 #!/bin/sh
-# limber doctor: a sound model has nothing, and each pitfall its sentence.
+# limber doctor: a sound model has nothing, and each pitfall its sentence;
+# without a model, what the machine has, what it lacks and what to do.
 . "$(dirname "$0")/../support/cli.sh"
 
 python3 "$(dirname "$0")/doctor_models.py" "$scratch" >"$scratch/pitfalls"
@@ -18,4 +19,93 @@ check 'every pitfall had its model' test "$(wc -l <"$scratch/pitfalls")" -ge 24
 
 limber doctor "$scratch/none.glb"
 expect_refusal 1 'none.glb: '
+limber doctor "$scratch/sound.gltf" --json
+expect_status 0
+check 'a sound model in JSON' python3 -c '
+import json, sys
+assert json.load(open(sys.argv[1]))["findings"] == []' "$out_file"
+
+# Without a desktop, and with a window that nobody sees.
+unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
+limber doctor
+cp "$out_file" "$scratch/machine"
+expect_no_err
+for title in Displays 'GL drivers' Kernels Buttons Cameras Watchdogs \
+    Configuration "The demos' files"; do
+    expect_out "^$title$"
+done
+expect_out '^  works    soft: .*; the processor draws$'
+expect_out '^  works    auto: takes '
+expect_out '^  works    float: '
+expect_out '^  works    .*; taken by default$'
+expect_out '^  works    walker\.glb: /.*/walker\.glb$'
+expect_out '^  works    presets\.ini: /'
+check 'what is missing or broken has its remedy' awk '
+    wants && !/^           -> ./ { print last; bad = 1 }
+    { wants = /^  (missing|broken) /; last = $0 }
+    END { exit bad }' "$out_file"
+case $(limber --version; cat "$out_file") in
+*window*) has_window=yes ;;
+*) has_window=no ;;
+esac
+if ls /dev/fb* /dev/dri/card* >/dev/null 2>&1; then
+    skip 'limber doctor: a bare machine' 'this one has a screen'
+else
+    run $limber doctor
+    about 'limber doctor on a bare machine'
+    expect_status 1
+    expect_out '^  missing  kms /dev/dri/card\*: '
+    expect_out '^  missing  fbdev /dev/fb\*: '
+    expect_out '^limber cannot play here: no display works: limber render '
+fi
+if [ $has_window = yes ]; then
+    SDL_VIDEODRIVER=dummy limber doctor
+    expect_status 0
+    expect_out '^  works    window: SDL_VIDEODRIVER=dummy$'
+    expect_out '^limber plays here, on window$'
+fi
+
+SDL_VIDEODRIVER=dummy limber doctor --json
+check 'the machine in JSON: well formed, and true to the exit status' \
+    python3 -c '
+import json, sys
+report = json.load(open(sys.argv[1]))
+assert report["version"].startswith("limber ")
+assert report["plays"] == (sys.argv[2] == "0")
+states = {"works", "unused", "taken", "missing", "broken"}
+sections = set()
+for finding in report["findings"]:
+    sections.add(finding["section"])
+    assert finding["state"] in states, finding
+    assert finding["subject"] and finding["text"], finding
+    if finding["state"] in ("missing", "broken"):
+        assert finding["remedy"], finding
+assert sections == {"displays", "gl", "kernels", "buttons", "cameras",
+    "watchdogs", "configuration", "files"}, sections' "$out_file" "$status"
+
+# The file of options: which one, and its first mistake.
+limber doctor
+expect_out '^  unused   limber\.conf: there is none'
+printf '%s\n' '[start]' 'demo = face' >"$scratch/limber.conf"
+limber doctor --config "$scratch/limber.conf"
+expect_out '^  works    .*/limber\.conf: read by limber play'
+printf '%s\n' '[start]' 'dmeo = face' >"$scratch/limber.conf"
+LIMBER_CONFIG=$scratch/limber.conf limber doctor
+expect_no_err
+expect_out '^  broken   .*limber\.conf: .*limber\.conf:2: dmeo: no such key$'
+expect_out '^           -> did you mean demo\?$'
+printf '%s\n' '[display]' 'gl = mesa' >"$scratch/limber.conf"
+limber doctor --config "$scratch/limber.conf"
+expect_out '^  broken   .*--gl mesa: no such driver$'
+limber doctor --config "$scratch/none.conf"
+expect_out '^  broken   .*none\.conf: cannot be read: '
+expect_out '^           -> name another with --config FILE'
+
+limber doctor --egl-library "$scratch/no.so"
+expect_out '^  broken   gles1: .*does not open'
+
+limber doctor --jsno
+expect_refusal 2 'did you mean --json'
+limber doctor --display null
+expect_refusal 2 '--display'
 tap_done

@@ -40,6 +40,7 @@ helped render --output --demo --clip --time --frames --size --format --gl --butt
 helped pose --output --clip --time --math --kernel --verbose --help --version
 helped info --json --verbose --help --version
 helped bench --kernel --runs --json --verbose --help --version
+helped doctor --config --egl-library --gles-library --json --verbose --help --version
 helped compare --clip --size --kernel --fps --error --ram --format --plot --export --help
 
 limber --version

@@ -2,8 +2,10 @@
 
 #include "platform/base/compiler.h"
 #include "platform/buttons/buttons.h"
+#include "platform/buttons/gpiod/survey.h"
 #include "tests/gpiod/fake.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -385,6 +387,48 @@ static void test_wrong_words_are_named(void **state)
 	assert_int_equal(buttons_check("gpiod:UP=a/1,DOWN=b/2", &bench->log), 0);
 }
 
+static void test_a_survey_tells_chips_lines_and_who_has_them(void **state)
+{
+	struct bench *bench = *state;
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+
+	bench->gpio.chip[0].name = NULL;
+	bench->gpio.chip[1].error = EACCES;
+	wire(bench, 3)->name = "KEY_ROW4";
+	wire(bench, 18)->holder = "phy-reset";
+	wire(bench, 20)->name = "LED";
+	wire(bench, 20)->holder = "leds";
+	gpiod_survey(&survey);
+	assert_int_equal(capture.count, 5);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/gpiochip1",
+		"no permission", "root");
+	survey_capture_expect(&capture, 1, SURVEY_WORKS, "/dev/gpiochip2",
+		"label 53fd0000.gpio, 32 lines, 2 of them used", NULL);
+	survey_capture_expect(&capture, 2, SURVEY_WORKS, "53fd0000.gpio/3",
+		"KEY_ROW4: free", NULL);
+	survey_capture_expect(&capture, 3, SURVEY_TAKEN, "53fd0000.gpio/18",
+		"no name: used by phy-reset", NULL);
+	survey_capture_expect(&capture, 4, SURVEY_TAKEN, "53fd0000.gpio/20",
+		"LED: used by leds", NULL);
+	assert_false(wire(bench, 3)->requested);
+}
+
+static void test_a_survey_without_chips_is_one_finding(void **state)
+{
+	struct bench *bench = *state;
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+
+	for (int i = 0; i < FAKE_CHIPS; i++) {
+		bench->gpio.chip[i].name = NULL;
+	}
+	gpiod_survey(&survey);
+	assert_int_equal(capture.count, 1);
+	survey_capture_expect(&capture, 0, SURVEY_MISSING, "/dev/gpiochip*",
+		"no GPIO chip", "CONFIG_GPIO_CDEV");
+}
+
 int gpiod_cases_run(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
@@ -408,6 +452,8 @@ int gpiod_cases_run(void)
 		CASE(test_no_permission_names_the_device),
 		CASE(test_a_line_that_is_lost_lets_its_button_go),
 		CASE(test_wrong_words_are_named),
+		CASE(test_a_survey_tells_chips_lines_and_who_has_them),
+		CASE(test_a_survey_without_chips_is_one_finding),
 	};
 #undef CASE
 

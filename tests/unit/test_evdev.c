@@ -6,6 +6,7 @@
 #include "platform/buttons/event_time.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -186,7 +187,8 @@ static void look(struct bench *bench)
 	button_queue_settle(&bench->queue, bench->now_ms);
 }
 
-static void send_event(struct bench *bench, int number, int type, int code, int value)
+static void send_event(
+	struct bench *bench, int number, int type, int code, int value)
 {
 	unsigned char bytes[EVDEV_SIZE];
 	struct event_clocks clocks = event_clocks_now();
@@ -474,6 +476,31 @@ static void test_stamps_become_the_programs_time(void **state)
 	assert_int_equal(event_time_ms(&clocks, 0, 900, 1000), 1000);
 }
 
+static void test_a_survey_tells_whose_keys_are_buttons(void **state)
+{
+	struct bench *bench = *state;
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+
+	evdev_survey_on(&bench->system, &survey);
+	assert_int_equal(capture.count, 1);
+	survey_capture_expect(&capture, 0, SURVEY_MISSING, "evdev",
+		bench->folder.text, "modprobe evdev");
+	plug_in(bench, 0, "Keypad", KEY_F6);
+	set_bit(bench->plug[0].description.keys, KEY_KP8, true);
+	plug_in(bench, 1, "Mouse", BTN_LEFT);
+	plug_in(bench, 2, "Locked", KEY_UP);
+	bench->plug[2].error = EACCES;
+	evdev_survey_on(&bench->system, &survey);
+	assert_int_equal(capture.count, 4);
+	survey_capture_expect(
+		&capture, 1, SURVEY_WORKS, "/event0", "Keypad: UP, F6", NULL);
+	survey_capture_expect(&capture, 2, SURVEY_UNUSED, "/event1",
+		"Mouse: no key that is a button", ",UP=KEY");
+	survey_capture_expect(
+		&capture, 3, SURVEY_BROKEN, "/event2", "no permission", "root");
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
@@ -491,6 +518,7 @@ int main(void)
 		CASE(test_wrong_words_are_named),
 		cmocka_unit_test(test_both_layouts_are_read),
 		cmocka_unit_test(test_stamps_become_the_programs_time),
+		CASE(test_a_survey_tells_whose_keys_are_buttons),
 	};
 #undef CASE
 

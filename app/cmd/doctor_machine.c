@@ -6,7 +6,7 @@
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/screen.h"
 #include "app/demo/demo.h"
-#include "app/demo/walker_rig.h"
+#include "app/demo/preset_file.h"
 #include "platform/base/file.h"
 #include "platform/camera/camera.h"
 #include "platform/gl/survey.h"
@@ -189,7 +189,7 @@ static void survey_files(struct doctor_report *report)
 			survey_file(&survey, demo_registry[i]->asset);
 		}
 	}
-	survey_file(&survey, walker_rig_presets);
+	survey_file(&survey, preset_file_asset);
 }
 
 int doctor_examine_machine(const struct options *options, const struct log *log)

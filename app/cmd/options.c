@@ -382,7 +382,7 @@ static const struct option_entry entries[] = {
 		"the file to write", "a file name", set_output},
 	{0, "demo", "NAME", FOR_SHOW,
 		"a built-in demo instead of a model: walker, arm, face, "
-		"crowd or duel",
+		"crowd, duel or tuner",
 		"a demo's name", set_demo},
 	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,
 		"an animation of the model, by name or number (0 is the first)",

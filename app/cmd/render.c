@@ -39,7 +39,7 @@ static int run(const struct options *options, const struct log *log)
 	if (!options->model_path && !options->demo) {
 		log_error(log,
 			"render: nothing to show: name a model file or "
-			"--demo walker, arm, face, crowd or duel");
+			"--demo walker, arm, face, crowd, duel or tuner");
 		return EXIT_USAGE;
 	}
 	error = show_choose(options, log, &plan, path, sizeof(path));

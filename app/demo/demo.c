@@ -11,6 +11,7 @@ extern const struct demo_driver demo_driver_arm;
 extern const struct demo_driver demo_driver_face;
 extern const struct demo_driver demo_driver_crowd;
 extern const struct demo_driver demo_driver_duel;
+extern const struct demo_driver demo_driver_tuner;
 
 const struct demo_driver *const demo_registry[] = {
 	&demo_driver_walker,
@@ -18,6 +19,7 @@ const struct demo_driver *const demo_registry[] = {
 	&demo_driver_face,
 	&demo_driver_crowd,
 	&demo_driver_duel,
+	&demo_driver_tuner,
 	NULL,
 };
 

@@ -220,7 +220,7 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 	}
 	if (demo->rig.on[RIG_SHAKE]) {
 		hud_group_text(group, "preset",
-			demo->rig.preset[demo->rig.preset_chosen].name);
+			demo->rig.presets.preset[demo->rig.preset_chosen].name);
 	}
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
 		if (demo->rig.weight[i] > 0.0f && i < RIG_SHADOW) {

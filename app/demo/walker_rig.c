@@ -4,16 +4,10 @@
 #include "app/anim/bone.h"
 #include "app/anim/transform.h"
 #include "app/demo/actor.h"
-#include "app/model/model_file.h"
-#include "platform/base/file.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
-
-enum {
-	PATH_ROOM = 1024
-};
 
 static const float switch_s = 0.4f; /* to come or go */
 static const float expression_s = 1.3f;
@@ -86,46 +80,17 @@ static int find_face(const struct model *model)
 	return mesh >= 0 && model->mesh[mesh].target_count > 0 ? node : -1;
 }
 
-const char walker_rig_presets[] = "presets.ini";
-
-/*
- * The presets that come with the program. Without the file the document's own
- * is left.
- */
-static int read_presets(struct walker_rig *rig, const struct log *log)
-{
-	struct model_file file;
-	char path[PATH_ROOM];
-	int count;
-
-	rig->preset[0] = procedural_preset_default();
-	rig->preset[0].unit = 0.01f;
-	rig->preset_count = 1;
-	if (file_find_asset(walker_rig_presets, log, path, sizeof(path)) != 0) {
-		return 0;
-	}
-	count = model_file_read(path, log, &file);
-	if (count < 0) {
-		return count;
-	}
-	count = procedural_presets_parse((const char *)file.data, path, log,
-		rig->preset, RIG_PRESETS_MAX);
-	model_file_release(&file);
-	rig->preset_count = count > 0 ? count : rig->preset_count;
-	return count < 0 ? count : 0;
-}
-
 static void use_preset(struct walker_rig *rig, int preset)
 {
 	rig->preset_chosen = preset;
 	for (int side = 0; side < 2; side++) {
-		rig->shake[side].preset = rig->preset[preset];
+		rig->shake[side].preset = rig->presets.preset[preset];
 	}
 }
 
 void walker_rig_next_preset(struct walker_rig *rig)
 {
-	use_preset(rig, (rig->preset_chosen + 1) % rig->preset_count);
+	use_preset(rig, (rig->preset_chosen + 1) % rig->presets.count);
 }
 
 int walker_rig_init(struct walker_rig *rig, struct instance *instance,
@@ -143,12 +108,12 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 		.breath = breath_default(0),
 		.biceps = {biceps, biceps},
 	};
-	error = read_presets(rig, log);
+	error = preset_file_read(&rig->presets, log);
 	if (error) {
 		return error;
 	}
 	for (int side = 0; side < 2; side++) {
-		rig->shake[side] = procedural_begin(&rig->preset[0], 0);
+		rig->shake[side] = procedural_begin(&rig->presets.preset[0], 0);
 	}
 	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
 	rig->on[RIG_SHADOW] = rig->on[RIG_BUMPS] = true;

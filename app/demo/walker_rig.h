@@ -13,12 +13,10 @@
 #include "app/anim/ik.h"
 #include "app/anim/lookat.h"
 #include "app/anim/procedural.h"
+#include "app/demo/preset_file.h"
 #include "app/demo/walker_trail.h"
 #include "app/scene/floor.h"
 #include "app/scene/instance.h"
-
-/* The file of assets/ that holds presets of shaking. */
-extern const char walker_rig_presets[];
 
 enum rig_feature {
 	RIG_LOOK,   /* neck and head follow the ball */
@@ -34,10 +32,6 @@ enum rig_feature {
 	RIG_FEATURE_COUNT,
 };
 
-enum {
-	RIG_PRESETS_MAX = 16
-};
-
 struct walker_rig {
 	bool on[RIG_FEATURE_COUNT];
 	float weight[RIG_FEATURE_COUNT]; /* on its way to 0 or 1 */
@@ -46,8 +40,8 @@ struct walker_rig {
 	struct lookat neck, head;
 	struct ik_limb arm, leg[2];
 	struct procedural shake[2];
-	struct procedural_preset preset[RIG_PRESETS_MAX];
-	int preset_count, preset_chosen;
+	struct preset_file presets;
+	int preset_chosen;
 	struct breath breath;
 	struct muscle biceps[2];
 	struct walker_trail trail;

@@ -1,0 +1,257 @@
+#include "app/demo/preset_file.h"
+
+#include "app/model/model_file.h"
+#include "platform/base/compiler.h"
+#include "platform/base/file.h"
+
+#include <errno.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+const char preset_file_asset[] = "presets.ini";
+
+const struct preset_field preset_fields[PRESET_FIELDS] = {
+	{"speed", "speed", 0, 1.0f, 0.0f, 200.0f},
+	{"amplitude", "amplitude", 0, 0.02f, 0.0f, 4.0f},
+	{"attenuation", "attenuation", 0, 0.05f, -2.0f, 2.0f},
+	{"modifier", "modifier", 0, 0.1f, 0.0f, 4.0f},
+	{"shift x", "translation", 0, 0.1f, -20.0f, 20.0f},
+	{"shift y", "translation", 1, 0.1f, -20.0f, 20.0f},
+	{"shift z", "translation", 2, 0.1f, -20.0f, 20.0f},
+	{"turn x", "rotation", 0, 0.02f, -3.0f, 3.0f},
+	{"turn y", "rotation", 1, 0.02f, -3.0f, 3.0f},
+	{"turn z", "rotation", 2, 0.02f, -3.0f, 3.0f},
+};
+
+/* The keys of a section in the order that they are added in. */
+static const struct {
+	const char *key;
+	size_t offset;
+	int count;
+} keys[] = {
+	{"speed", offsetof(struct procedural_preset, speed), 1},
+	{"amplitude", offsetof(struct procedural_preset, amplitude), 1},
+	{"attenuation", offsetof(struct procedural_preset, attenuation), 1},
+	{"translation", offsetof(struct procedural_preset, translation), 3},
+	{"rotation", offsetof(struct procedural_preset, rotation), 3},
+	{"modifier", offsetof(struct procedural_preset, modifier), 1},
+	{"unit", offsetof(struct procedural_preset, unit), 1},
+};
+
+float *preset_value(
+	struct procedural_preset *preset, const struct preset_field *field)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
+		if (strcmp(keys[i].key, field->key) == 0) {
+			char *at = (char *)preset + keys[i].offset;
+
+			return (float *)at + field->element;
+		}
+	}
+	return NULL;
+}
+
+int preset_file_read(struct preset_file *file, const struct log *log)
+{
+	struct model_file text;
+	int count;
+
+	file->preset[0] = procedural_preset_default();
+	file->preset[0].unit = 0.01f;
+	file->count = 1;
+	file->path[0] = '\0';
+	if (file_find_asset(preset_file_asset, log, file->path,
+		    sizeof(file->path)) != 0) {
+		file->path[0] = '\0';
+		return 0;
+	}
+	count = model_file_read(file->path, log, &text);
+	if (count < 0) {
+		return count;
+	}
+	count = procedural_presets_parse((const char *)text.data, file->path,
+		log, file->preset, PRESETS_MAX);
+	model_file_release(&text);
+	file->count = count > 0 ? count : file->count;
+	return count < 0 ? count : 0;
+}
+
+/* What a line is to the section being written. */
+struct line {
+	const char *at;
+	size_t length; /* without its end */
+	const char *comment;
+	bool section;
+};
+
+static struct line read_line(const char *text)
+{
+	struct line line = {.at = text, .length = strcspn(text, "\n")};
+	size_t blank = strspn(text, " \t");
+
+	line.comment = text + strcspn(text, ";#\n");
+	line.section = text[blank] == '[';
+	return line;
+}
+
+static bool names(const struct line *line, const char *word)
+{
+	const char *at = line->at + strspn(line->at, " \t[");
+	size_t length = strlen(word);
+
+	return strncmp(at, word, length) == 0 &&
+		strchr(" \t=]", at[length]) != NULL && at[length] != '\0';
+}
+
+static const float *values_of(const struct procedural_preset *preset, size_t key)
+{
+	return (const float *)(const void *)((const char *)preset +
+		keys[key].offset);
+}
+
+static void write_values(
+	FILE *out, const struct procedural_preset *preset, size_t key)
+{
+	const float *value = values_of(preset, key);
+
+	fprintf(out, "%s =", keys[key].key);
+	for (int i = 0; i < keys[key].count; i++) {
+		fprintf(out, " %.6g", (double)value[i]);
+	}
+}
+
+/* What the section does not say yet and a preset does not begin with. */
+static void write_rest(FILE *out, const struct procedural_preset *preset,
+	const bool written[ARRAY_COUNT(keys)])
+{
+	const struct procedural_preset plain = procedural_preset_default();
+
+	for (size_t key = 0; key < ARRAY_COUNT(keys); key++) {
+		size_t size = (size_t)keys[key].count * sizeof(float);
+
+		if (!written[key] &&
+			memcmp(values_of(preset, key), values_of(&plain, key),
+				size) != 0) {
+			write_values(out, preset, key);
+			fputc('\n', out);
+		}
+	}
+}
+
+/* The key that a line of the section sets, or how many keys there are. */
+static size_t find_key(const struct line *line)
+{
+	size_t key = 0;
+
+	while (key < ARRAY_COUNT(keys) && !names(line, keys[key].key)) {
+		key++;
+	}
+	return key;
+}
+
+static void write_line(FILE *out, const struct line *line,
+	const struct procedural_preset *preset, bool written[ARRAY_COUNT(keys)])
+{
+	size_t key = find_key(line);
+
+	if (key == ARRAY_COUNT(keys)) {
+		fprintf(out, "%.*s\n", (int)line->length, line->at);
+		return;
+	}
+	written[key] = true;
+	write_values(out, preset, key);
+	if (line->comment < line->at + line->length) {
+		fprintf(out, " %.*s",
+			(int)(line->at + line->length - line->comment),
+			line->comment);
+	}
+	fputc('\n', out);
+}
+
+/* Blank lines and comments at a section's end are the next one's. */
+static bool ends_section(const char *text)
+{
+	while (*text) {
+		struct line line = read_line(text);
+		size_t blank = strspn(text, " \t\r");
+
+		if (line.section) {
+			return true;
+		}
+		if (blank < line.length && strchr(";#", text[blank]) == NULL) {
+			return false;
+		}
+		text += line.length + (text[line.length] == '\n');
+	}
+	return true;
+}
+
+static void rewrite(
+	FILE *out, const char *text, const struct procedural_preset *preset)
+{
+	bool written[ARRAY_COUNT(keys)] = {false};
+	bool within = false, found = false;
+
+	while (*text) {
+		struct line line = read_line(text);
+
+		if (within && ends_section(text)) {
+			write_rest(out, preset, written);
+			within = false;
+		}
+		if (line.section && !found && names(&line, preset->name)) {
+			within = found = true;
+		}
+		if (within) {
+			write_line(out, &line, preset, written);
+		} else {
+			fprintf(out, "%.*s\n", (int)line.length, line.at);
+		}
+		text += line.length + (text[line.length] == '\n');
+	}
+	if (!found) {
+		fprintf(out, "\n[%s]\n", preset->name);
+	}
+	if (within || !found) {
+		write_rest(out, preset, written);
+	}
+}
+
+static int say_failed(const char *path, const struct log *log)
+{
+	int error = errno ? -errno : -EIO;
+
+	log_error(log, "%s: cannot be written: %s", path, strerror(-error));
+	return error;
+}
+
+int preset_file_save(const char *path, const struct procedural_preset *preset,
+	const struct log *log)
+{
+	struct model_file text;
+	char part[PRESET_PATH_ROOM + 8];
+	FILE *out;
+	bool bad;
+	int error = model_file_read(path, log, &text);
+
+	if (error) {
+		return error;
+	}
+	snprintf(part, sizeof(part), "%s.part", path);
+	out = fopen(part, "w");
+	if (!out) {
+		model_file_release(&text);
+		return say_failed(path, log);
+	}
+	rewrite(out, (const char *)text.data, preset);
+	model_file_release(&text);
+	errno = 0;
+	bad = ferror(out) != 0;
+	bad = fclose(out) != 0 || bad;
+	if (bad || rename(part, path) != 0) {
+		error = say_failed(path, log);
+		remove(part);
+	}
+	return error;
+}

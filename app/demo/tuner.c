@@ -1,0 +1,426 @@
+/*
+ * The tuner: the shaken bones' parameters, changed while they shake.
+ *
+ * "Physic-based Implementation" of the document on offline and physics-based
+ * animation. The chain below each shoulder is painted by how strongly it
+ * swings: red at its strongest bone, blue where the attenuation has left
+ * nothing.
+ */
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+#include "app/demo/preset_file.h"
+#include "app/demo/tint.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	SIDES = 2,
+	LEVELS_MAX = 16,
+	OFF_CHAIN = -1
+};
+
+static const char clip_name[] = "idle";
+static const char *const bones[SIDES] = {"shoulder.L", "shoulder.R"};
+static const float fade_s = 0.3f;
+static const double repeat_after_s = 0.4, repeat_s = 0.06; /* while held */
+static const double news_s = 2.0;
+static const double tour_s = 6.0;
+static const int attenuation = 2; /* of preset_fields */
+static const uint8_t off_chain_rgb[3] = {206, 210, 216};
+
+static const struct framing framing = {.yaw_rad = 0.3f,
+	.pitch_rad = 0.1f,
+	.turn_rad = 0.3f,
+	.margin = 1.04f,
+	.aside = 0.36f};
+
+struct demo {
+	struct act act;
+	const struct log *log;
+	int height; /* of the picture */
+	struct preset_file file;
+	int chosen; /* preset */
+	int field;
+	struct procedural swing[SIDES];
+	struct tint tint;
+	int8_t **level; /* [drawable_count][vertex_count]: below a bone */
+	bool painted, touring, shaking;
+	int clip;
+	double now_s;
+	int turning; /* of a value, while held: -1, 0 or 1 */
+	double next_turn_s;
+	const char *news;
+	double news_until_s;
+};
+
+static struct procedural_preset *preset_of(struct demo *demo)
+{
+	return &demo->file.preset[demo->chosen];
+}
+
+/* Levels below either bone, or OFF_CHAIN. */
+static int8_t level_of(const struct demo *demo, int node)
+{
+	const struct model *model = demo->act.actor.model;
+	int8_t level = 0;
+
+	while (node >= 0 && level < LEVELS_MAX) {
+		if (node == demo->swing[0].node || node == demo->swing[1].node) {
+			return level;
+		}
+		node = model->node[node].parent;
+		level++;
+	}
+	return OFF_CHAIN;
+}
+
+/* The node that carries most of the vertex. */
+static int carrier(
+	const struct model *model, const struct drawable *drawable, int vertex)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	const float *weight;
+	int most = 0;
+
+	if (drawable->skin < 0) {
+		return drawable->node;
+	}
+	weight = primitive->weight + vertex * primitive->influences;
+	for (int i = 1; i < primitive->influences; i++) {
+		most = weight[i] > weight[most] ? i : most;
+	}
+	return model->skin[drawable->skin]
+		.joint[primitive->joint[vertex * primitive->influences + most]];
+}
+
+static int find_levels(struct demo *demo)
+{
+	struct instance *instance = demo->act.actor.instance;
+	struct arena *arena = &instance->arena;
+
+	demo->level = arena_alloc(
+		arena, (size_t)instance->drawable_count, sizeof(*demo->level));
+	for (int d = 0; demo->level && d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		int count = drawable->primitive->vertex_count;
+
+		demo->level[d] = arena_alloc(arena, (size_t)count, 1);
+		if (!demo->level[d]) {
+			return -ENOMEM;
+		}
+		for (int v = 0; v < count; v++) {
+			demo->level[d][v] = level_of(
+				demo, carrier(instance->model, drawable, v));
+		}
+	}
+	return demo->level ? 0 : -ENOMEM;
+}
+
+static void paint(struct demo *demo)
+{
+	const struct instance *instance = demo->act.actor.instance;
+	const struct procedural_preset *preset = preset_of(demo);
+	uint8_t rgb[LEVELS_MAX + 1][3];
+	float most = 0.001f;
+
+	for (int level = 0; level <= LEVELS_MAX; level++) {
+		float modifier = procedural_modifier(preset, level);
+
+		/* The chain is no longer than six bones. */
+		most = level < 6 && modifier > most ? modifier : most;
+	}
+	for (int level = 0; level <= LEVELS_MAX; level++) {
+		tint_ramp(procedural_modifier(preset, level) / most, rgb[level]);
+	}
+	for (int d = 0; d < instance->drawable_count; d++) {
+		int count = instance->drawable[d].primitive->vertex_count;
+
+		for (int v = 0; v < count; v++) {
+			int level = demo->level[d][v];
+
+			tint_vertex(&demo->tint, d, v,
+				level == OFF_CHAIN ? off_chain_rgb : rgb[level]);
+		}
+	}
+}
+
+/* After any change of the preset. */
+static void use_preset(struct demo *demo)
+{
+	for (int side = 0; side < SIDES; side++) {
+		demo->swing[side].preset = *preset_of(demo);
+	}
+	paint(demo);
+}
+
+static void tell(struct demo *demo, const char *news)
+{
+	demo->news = news;
+	demo->news_until_s = demo->now_s + news_s;
+}
+
+static int begin_swings(struct demo *demo, const struct log *log)
+{
+	const struct model *model = demo->act.actor.model;
+
+	for (int side = 0; side < SIDES; side++) {
+		int node;
+		int error = find_bone(model, bones[side], log, &node);
+
+		if (error) {
+			return error;
+		}
+		demo->swing[side] = procedural_begin(preset_of(demo), node);
+		procedural_fade(&demo->swing[side], 0.0f, fade_s);
+	}
+	return 0;
+}
+
+static int tuner_prepare(struct demo *demo, const struct demo_env *env)
+{
+	struct instance *instance = demo->act.actor.instance;
+	struct bounds bounds;
+	int error = preset_file_read(&demo->file, env->log);
+
+	demo->log = env->log;
+	demo->height = env->height;
+	demo->touring = env->unattended;
+	demo->painted = demo->shaking = true;
+	demo->field = attenuation;
+	demo->clip = model_find_clip(instance->model, clip_name);
+	instance->relief = false;
+	if (!error) {
+		error = begin_swings(demo, env->log);
+	}
+	if (error) {
+		return error;
+	}
+	error = tint_init(&demo->tint, instance);
+	if (!error) {
+		error = find_levels(demo);
+	}
+	if (error) {
+		log_error(env->log, "%s: not enough memory to tune it",
+			env->model_path);
+		return error;
+	}
+	use_preset(demo);
+	bounds = bounds_of_clip(instance, demo->clip);
+	tint_switch(&demo->tint, demo->painted);
+	return set_stage(env, &bounds, framing, &demo->act.stage);
+}
+
+static void change(struct demo *demo, int steps)
+{
+	const struct preset_field *field = &preset_fields[demo->field];
+	float *value = preset_value(preset_of(demo), field);
+	float count = *value / field->step + (float)steps;
+	/* On the grid of steps, so that they can be taken back. */
+	float whole = (float)(int)(count + (count < 0.0f ? -0.5f : 0.5f));
+
+	*value = scalar_clamp(whole * field->step, field->low, field->high);
+	use_preset(demo);
+}
+
+static void repeat_change(struct demo *demo)
+{
+	while (demo->turning && demo->now_s >= demo->next_turn_s) {
+		change(demo, demo->turning);
+		demo->next_turn_s += repeat_s;
+	}
+}
+
+static void go_on_tour(struct demo *demo)
+{
+	float angle = (float)(demo->now_s / tour_s -
+			      (double)(long)(demo->now_s / tour_s)) *
+		2.0f * SCALAR_PI;
+
+	*preset_value(preset_of(demo), &preset_fields[attenuation]) =
+		-0.35f * scalar_cos(angle);
+	use_preset(demo);
+}
+
+static void tuner_update(struct demo *demo, double time_s)
+{
+	struct actor *actor = &demo->act.actor;
+	float step_s = (float)(time_s - demo->now_s);
+
+	demo->now_s = time_s;
+	if (demo->touring) {
+		go_on_tour(demo);
+	}
+	repeat_change(demo);
+	actor_pose(actor, demo->clip,
+		demo->clip < 0
+			? 0.0f
+			: clip_time(time_s,
+				  actor->model->clip[demo->clip].duration_s,
+				  CLIP_LOOP));
+	for (int side = 0; side < SIDES; side++) {
+		procedural_update(&demo->swing[side], step_s);
+		procedural_apply(
+			&demo->swing[side], time_s, &actor->instance->pose);
+	}
+	actor_update(actor, &demo->act.stage.camera, demo->height);
+}
+
+static void tuner_draw(struct demo *demo, int width, int height)
+{
+	demo->height = height;
+	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+		height);
+}
+
+static double tuner_period_s(const struct demo *demo)
+{
+	(void)demo;
+	return tour_s;
+}
+
+static void tuner_label(const struct demo *demo, struct hud *hud)
+{
+	struct procedural_preset preset = demo->file.preset[demo->chosen];
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, preset.name);
+
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		const struct preset_field *field = &preset_fields[i];
+		char value[32];
+
+		snprintf(value, sizeof(value), "%.2f",
+			(double)*preset_value(&preset, field));
+		if (i == demo->field) {
+			hud_group_mark(
+				&group, field->name, value, hud_color_amber);
+		} else {
+			hud_group_text(&group, field->name, value);
+		}
+	}
+	hud_group_end(&group);
+	if (demo->news && demo->now_s < demo->news_until_s) {
+		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+		hud_group_text(&group, demo->news, "");
+		hud_group_end(&group);
+	}
+}
+
+static void step_field(struct demo *demo, int step)
+{
+	demo->field = (demo->field + step + PRESET_FIELDS) % PRESET_FIELDS;
+}
+
+static void press_up(struct demo *demo, bool down)
+{
+	step_field(demo, down ? -1 : 0);
+}
+
+static void press_down(struct demo *demo, bool down)
+{
+	step_field(demo, down ? 1 : 0);
+}
+
+static void turn_value(struct demo *demo, int way, bool down)
+{
+	demo->turning = down ? way : 0;
+	if (down) {
+		demo->touring = false;
+		change(demo, way);
+		demo->next_turn_s = demo->now_s + repeat_after_s;
+	}
+}
+
+static void press_left(struct demo *demo, bool down)
+{
+	turn_value(demo, -1, down);
+}
+
+static void press_right(struct demo *demo, bool down)
+{
+	turn_value(demo, 1, down);
+}
+
+static void press_save(struct demo *demo, bool down)
+{
+	if (!down) {
+		return;
+	}
+	if (!demo->file.path[0]) {
+		tell(demo, "no file to save to");
+		return;
+	}
+	tell(demo,
+		preset_file_save(demo->file.path, preset_of(demo), demo->log)
+			? "could not be saved"
+			: "saved");
+}
+
+static void press_next(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		demo->chosen = (demo->chosen + 1) % demo->file.count;
+		use_preset(demo);
+	}
+}
+
+static void press_paint(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->painted = !demo->painted;
+		tint_switch(&demo->tint, demo->painted);
+	}
+}
+
+/* What the file says again. */
+static void press_again(struct demo *demo, bool down)
+{
+	struct preset_file file;
+
+	if (down && preset_file_read(&file, demo->log) == 0 &&
+		demo->chosen < file.count) {
+		demo->touring = false;
+		*preset_of(demo) = file.preset[demo->chosen];
+		use_preset(demo);
+		tell(demo, "as in the file");
+	}
+}
+
+static void press_shake(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->shaking = !demo->shaking;
+		for (int side = 0; side < SIDES; side++) {
+			procedural_fade(&demo->swing[side],
+				demo->shaking ? 0.0f : 1.0f, fade_s);
+		}
+	}
+}
+
+static const struct demo_action tuner_actions[] = {
+	{BUTTON_UP, "the parameter before", press_up},
+	{BUTTON_DOWN, "the next parameter", press_down},
+	{BUTTON_LEFT, "less of it (hold for more steps)", press_left},
+	{BUTTON_RIGHT, "more of it", press_right},
+	{BUTTON_ENTER, "save to the preset file", press_save},
+	{BUTTON_F6, "the next preset", press_next},
+	{BUTTON_F8, "paint the chain, or not", press_paint},
+	{BUTTON_F9, "back to what the file says", press_again},
+	{BUTTON_F10, "shake, or hold still", press_shake},
+	{0},
+};
+
+const struct demo_driver demo_driver_tuner = {
+	.name = "tuner",
+	.summary = "procedural: a shake's parameters, changed while it shakes",
+	.asset = "walker.glb",
+	.action = tuner_actions,
+	.size = sizeof(struct demo),
+	.prepare = tuner_prepare,
+	.update = tuner_update,
+	.draw = tuner_draw,
+	.period_s = tuner_period_s,
+	.label = tuner_label,
+};

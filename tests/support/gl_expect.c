@@ -105,22 +105,38 @@ static uint8_t *draw_with(const char *driver,
 	return picture;
 }
 
+/* Whether the colour of pixel at is found in the other picture within reach. */
+static bool is_found(const uint8_t *own, const uint8_t *other, int at,
+	int reach, int tolerance)
+{
+	for (int i = 0; i < (2 * reach + 1) * (2 * reach + 1); i++) {
+		int x = at % STAGE_WIDTH + i % (2 * reach + 1) - reach;
+		int y = at / STAGE_WIDTH + i / (2 * reach + 1) - reach;
+		bool near =
+			x >= 0 && x < STAGE_WIDTH && y >= 0 && y < STAGE_HEIGHT;
+
+		for (int j = 0; j < 3 && near; j++) {
+			near = abs(own[4 * at + j] -
+				       other[4 * (y * STAGE_WIDTH + x) + j]) <=
+				tolerance;
+		}
+		if (near) {
+			return true;
+		}
+	}
+	return false;
+}
+
 int gl_count_differences(void (*draw)(struct gl *gl, const void *context),
-	const void *context, int tolerance)
+	const void *context, int reach, int tolerance)
 {
 	uint8_t *reference = draw_with("osmesa", draw, context);
 	uint8_t *own = draw_with("soft", draw, context);
 	int count = 0;
 
 	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-		bool differs = false;
-
-		for (int j = 0; j < 3; j++) {
-			differs = differs ||
-				abs(own[4 * i + j] - reference[4 * i + j]) >
-					tolerance;
-		}
-		count += differs;
+		count += !is_found(own, reference, i, reach, tolerance) ||
+			!is_found(reference, own, i, reach, tolerance);
 	}
 	free(reference);
 	free(own);

@@ -33,11 +33,11 @@ void gl_set_color(struct gl *gl, const double rgba[4]);
 void gl_clear_to(struct gl *gl, const double rgba[4]);
 
 /*
- * Draws with soft and with osmesa into RGBA8888 and counts the pixels that
- * differ by more than tolerance in a channel. Skips the test on an ARM machine
- * without osmesa. Neither dithers.
+ * Draws with soft and with osmesa into RGBA8888 and counts the pixels of either
+ * picture whose colour the other has nowhere within reach, each channel within
+ * tolerance. Skips the test on an ARM machine without osmesa. Neither dithers.
  */
 int gl_count_differences(void (*draw)(struct gl *gl, const void *context),
-	const void *context, int tolerance);
+	const void *context, int reach, int tolerance);
 
 #endif

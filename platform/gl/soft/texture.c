@@ -183,6 +183,12 @@ struct transfer {
 	GLenum format, type;
 };
 
+static bool is_format(GLenum format)
+{
+	return format == GL_RGB || format == GL_RGBA || format == GL_ALPHA ||
+		format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
+}
+
 /* 0, or the error GL has for this pair. */
 static GLenum choose_transfer(const struct soft *soft, GLenum format,
 	GLenum type, struct transfer *out)
@@ -190,8 +196,7 @@ static GLenum choose_transfer(const struct soft *soft, GLenum format,
 	bool wide = soft->format == PIXELS_RGBA8888;
 
 	*out = (struct transfer){2, TEXEL_NONE, format, type};
-	if (format != GL_RGB && format != GL_RGBA && format != GL_ALPHA &&
-		format != GL_LUMINANCE && format != GL_LUMINANCE_ALPHA) {
+	if (!is_format(format)) {
 		return GL_INVALID_ENUM;
 	}
 	switch (type) {
@@ -375,6 +380,7 @@ static void tex_image(GLenum target, GLint level, GLint internal_format,
 		return;
 	}
 	if (level < 0 || level >= SOFT_LEVELS || border != 0 ||
+		!is_format((GLenum)internal_format) ||
 		(width != 0 && size_log2(width) < 0) ||
 		(height != 0 && size_log2(height) < 0)) {
 		soft_set_error(soft, GL_INVALID_VALUE);

@@ -80,7 +80,7 @@ const struct command command_doctor = {
 	.name = "doctor",
 	.bit = FOR_DOCTOR,
 	.usage = "[MODEL] [--json]",
-	.summary = "tell what of this machine works, or what is odd in a model",
+	.summary = "tell what works here, or what is odd in a model",
 	.detail =
 		"Without a model: lists displays, GL drivers, vertex kernels, "
 		"GPIO lines, keyboards,\ncameras, watchdogs, limber.conf and "

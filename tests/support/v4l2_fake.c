@@ -38,6 +38,13 @@ static void pass_time(struct v4l2_fake *fake, int ms)
 	}
 }
 
+static bool fake_exists(void *user, const char *path)
+{
+	(void)user;
+	(void)path;
+	return true;
+}
+
 static int fake_open(void *user, const char *path)
 {
 	struct v4l2_fake *fake = user;
@@ -345,6 +352,7 @@ struct v4l2_fake *v4l2_fake_new(void)
 		abort();
 	}
 	fake->calls = (struct v4l2_calls){
+		.exists = fake_exists,
 		.open = fake_open,
 		.close = fake_close,
 		.ioctl = fake_ioctl,

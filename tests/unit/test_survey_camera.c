@@ -30,6 +30,12 @@ static int64_t now_ms(void)
 	return v4l2_calls_real.now_ms(NULL);
 }
 
+static bool is_there(void *user, const char *path)
+{
+	(void)user;
+	return strcmp(path, "/dev/video2") == 0;
+}
+
 static int open_one(void *user, const char *path)
 {
 	struct machine *machine = user;
@@ -72,6 +78,7 @@ static int setup(void **state)
 	assert_non_null(machine);
 	machine->fake = v4l2_fake_new();
 	machine->calls = machine->fake->calls;
+	machine->calls.exists = is_there;
 	machine->calls.open = open_one;
 	machine->calls.close = close_one;
 	machine->calls.ioctl = ask_one;

@@ -8,6 +8,12 @@
 #include <time.h>
 #include <unistd.h>
 
+static bool real_exists(void *user, const char *path)
+{
+	(void)user;
+	return access(path, F_OK) == 0;
+}
+
 static int real_open(void *user, const char *path)
 {
 	int fd;
@@ -73,6 +79,7 @@ static int64_t real_now_ms(void *user)
 }
 
 const struct v4l2_calls v4l2_calls_real = {
+	.exists = real_exists,
 	.open = real_open,
 	.close = real_close,
 	.ioctl = real_ioctl,

@@ -5,11 +5,14 @@
 #ifndef PLATFORM_CAMERA_V4L2_CALLS_H
 #define PLATFORM_CAMERA_V4L2_CALLS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 /* Errors are -errno; what signals interrupt is begun again. */
 struct v4l2_calls {
+	/* Whether there is such a device; asks no driver. */
+	bool (*exists)(void *user, const char *path);
 	/* For reading and writing, without blocking: a descriptor. */
 	int (*open)(void *user, const char *path);
 	void (*close)(void *user, int fd);

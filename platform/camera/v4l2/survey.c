@@ -15,7 +15,7 @@
 
 enum {
 	DEVICES_MAX = 64,
-	PATIENCE_MS = 400,
+	PATIENCE_MS = 700,
 	FORMATS_MAX = 16
 };
 
@@ -30,7 +30,7 @@ struct view {
 struct look {
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
-	bool done, abandoned;
+	bool begun, done, abandoned;
 	const struct v4l2_calls *calls;
 	char path[V4L2_PATH_ROOM];
 	struct view view;
@@ -64,10 +64,14 @@ static void *run(void *argument)
 	struct look *look = argument;
 	const struct v4l2_calls *calls = look->calls;
 	struct view view = {0};
-	int fd = calls->open(calls->user, look->path);
 	bool abandoned;
+	int fd;
 
-	view.error = fd;
+	pthread_mutex_lock(&look->lock);
+	look->begun = true;
+	pthread_cond_signal(&look->changed);
+	pthread_mutex_unlock(&look->lock);
+	view.error = fd = calls->open(calls->user, look->path);
 	if (fd >= 0) {
 		view.error = calls->ioctl(
 			calls->user, fd, VIDIOC_QUERYCAP, &view.capability);
@@ -99,13 +103,20 @@ static struct timespec soon(void)
 	return until;
 }
 
-/* Takes what the thread found, or leaves it; the look is its then. */
+/*
+ * Takes what the thread found, or leaves it; the look is its then. The time
+ * begins with the thread, which a busy machine may keep waiting.
+ */
 static int await(struct look *look, pthread_t thread, struct view *out)
 {
-	const struct timespec until = soon();
+	struct timespec until;
 	int error = 0;
 
 	pthread_mutex_lock(&look->lock);
+	while (!look->begun) {
+		pthread_cond_wait(&look->changed, &look->lock);
+	}
+	until = soon();
 	while (!look->done && !error) {
 		error = pthread_cond_timedwait(
 			&look->changed, &look->lock, &until);
@@ -237,7 +248,8 @@ static bool look_at_number(
 	int error;
 
 	snprintf(path, sizeof(path), "/dev/video%d", number);
-	error = look_at(calls, path, &view);
+	error = calls->exists(calls->user, path) ? look_at(calls, path, &view)
+						 : -ENOENT;
 	if (error == -ENOENT || error == -ENXIO || error == -ENODEV) {
 		snprintf(entry, sizeof(entry), "class/video4linux/video%d",
 			number);

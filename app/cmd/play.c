@@ -38,6 +38,7 @@ static int run(const struct options *options, const struct log *log)
 		.begin_s = options->time_given ? options->time_s : 0.0,
 		.frames = options->frames,
 		.opened = print_buttons,
+		.follow_file = true,
 	};
 	int error = show_choose(options, log, &plan, path, sizeof(path));
 

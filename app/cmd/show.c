@@ -81,6 +81,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.speed = options->speed,
 		.lod = options->lod,
 		.walkers = options->walkers,
+		.follow_file = show->plan->follow_file,
 		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,
 		.unattended = show->plan->unattended,
 		.camera = &show->camera,

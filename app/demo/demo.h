@@ -34,6 +34,7 @@ struct demo_env {
 	float speed;             /* likewise, negative: backwards */
 	struct lod lod;          /* influences a vertex */
 	int walkers;             /* of a crowd; 0: as it likes */
+	bool follow_file;        /* show the model anew when it changes */
 	int64_t (*now_ns)(void); /* measures; NULL where times must repeat */
 	bool unattended;         /* nobody will press a button: show things */
 	const struct camera_feed *camera; /* live pictures, or NULL */

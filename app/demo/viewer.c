@@ -4,6 +4,7 @@
 #include "app/anim/timeline.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "platform/base/file.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -13,12 +14,22 @@
 static const float orbit_rad_per_s = 1.4f;
 static const float zoom_per_s = 1.2f;
 static const float fade_s = 0.25f;
+static const double look_s = 1.0; /* between looks at the file */
 
 static const struct framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.turn_rad = SCALAR_PI,
 	.margin = 1.15f,
 	.aside = 0.15f};
+
+/* Whether the file has changed: looked at once a second. */
+struct file_watch {
+	struct demo_env env; /* to load it again */
+	uint64_t shown;      /* the stamp of what is shown, or was tried */
+	uint64_t seen;       /* of the last look */
+	double next_s;
+	bool broken; /* what is there now cannot be shown */
+};
 
 struct demo {
 	struct act act;
@@ -36,6 +47,7 @@ struct demo {
 	struct pose scratch;
 	double now_s;
 	bool paused;
+	struct file_watch watch;
 	const char *title;      /* the technique that moves most of it */
 	bool tilting;           /* UP and DOWN move the camera */
 	float turn, tilt, zoom; /* while a button is held: -1, 0 or 1 */
@@ -133,6 +145,8 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 		return error;
 	}
 	demo->height = env->height;
+	demo->watch.env = *env;
+	demo->watch.shown = demo->watch.seen = file_stamp(env->model_path);
 	demo->repeat = env->repeat;
 	demo->speed = env->speed;
 	demo->tilting = actor->model->clip_count < 2;
@@ -142,11 +156,92 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 	return set_stage(env, &bounds, framing, &demo->act.stage);
 }
 
+/* The clip of that name, or else of that number, or the first. */
+static int same_clip(const struct model *old, const struct model *new, int clip)
+{
+	int found = clip < 0 ? -1 : model_find_clip(new, old->clip[clip].name);
+
+	if (found >= 0 || new->clip_count == 0) {
+		return found;
+	}
+	return clip >= 0 && clip < new->clip_count ? clip : 0;
+}
+
+/* The camera stays where it is, unless that would no longer show it. */
+static void reframe(struct demo *demo, float old_extent)
+{
+	struct stage *stage = &demo->act.stage;
+	float ratio = demo->act.actor.extent / old_extent;
+	struct bounds bounds;
+	struct stage fresh;
+
+	if (ratio > 0.8f && ratio < 1.25f) {
+		return;
+	}
+	bounds = bounds_of_clip(demo->act.actor.instance, demo->clip);
+	if (set_stage(&demo->watch.env, &bounds, framing, &fresh) == 0) {
+		stage_finish(stage, demo->act.gl);
+		*stage = fresh;
+	}
+}
+
+/* In place of the old one, which stays where the new one cannot be had. */
+static int load_again(struct demo *demo)
+{
+	const struct demo_env *env = &demo->watch.env;
+	struct actor old = demo->act.actor, fresh;
+	const struct demo before = *demo;
+	int error = actor_load(&fresh, env);
+
+	if (error) {
+		return error;
+	}
+	demo->act.actor = fresh;
+	error = init_join(demo, env);
+	if (error) {
+		actor_unload(&fresh, env->gl);
+		*demo = before;
+		return error;
+	}
+	demo->clip = same_clip(old.model, fresh.model, demo->clip);
+	demo->title = technique_of(fresh.instance);
+	demo->tilting = demo->tilting || fresh.model->clip_count < 2;
+	demo->joining = false;
+	begin_clip(demo);
+	playback_seek(&demo->playback,
+		scalar_clamp(
+			before.playback.time_s, 0.0f, viewer_duration_s(demo)));
+	reframe(demo, old.extent);
+	actor_unload(&old, env->gl);
+	return 0;
+}
+
+/* A file that is still being written has another stamp at the next look. */
+static void look_at_file(struct demo *demo)
+{
+	struct file_watch *watch = &demo->watch;
+	uint64_t seen;
+	bool settled;
+
+	if (!watch->env.follow_file || demo->now_s < watch->next_s) {
+		return;
+	}
+	watch->next_s = demo->now_s + look_s;
+	seen = file_stamp(watch->env.model_path);
+	settled = seen == watch->seen;
+	watch->seen = seen;
+	if (seen != 0 && settled && seen != watch->shown) {
+		watch->shown = seen;
+		watch->broken = load_again(demo) != 0;
+	}
+}
+
 static void viewer_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
 
 	demo->now_s = time_s;
+	look_at_file(demo);
 	if (!demo->paused) {
 		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
@@ -203,6 +298,9 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 	actor_label_detail(&demo->act.actor, &group);
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
+	}
+	if (demo->watch.broken) {
+		hud_group_mark(&group, "new file is broken", "", hud_color_rose);
 	}
 	hud_group_end(&group);
 }

@@ -18,6 +18,25 @@ bool file_exists(const char *path)
 	return stat(path, &status) == 0;
 }
 
+/* FNV-1a over what changes; never 0. */
+uint64_t file_stamp(const char *path)
+{
+	struct stat status;
+	uint64_t parts[4], stamp = 14695981039346656037u;
+
+	if (stat(path, &status) != 0) {
+		return 0;
+	}
+	parts[0] = (uint64_t)status.st_mtim.tv_sec;
+	parts[1] = (uint64_t)status.st_mtim.tv_nsec;
+	parts[2] = (uint64_t)status.st_size;
+	parts[3] = (uint64_t)status.st_ino;
+	for (int i = 0; i < 4; i++) {
+		stamp = (stamp ^ parts[i]) * 1099511628211u;
+	}
+	return stamp | 1u;
+}
+
 /* "FOLDER/NAME" if it is there; FOLDER is given with its length. */
 static bool try_path(const char *folder, int length, const char *below,
 	const char *name, char *path, size_t size)

@@ -6,11 +6,18 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "platform/base/log.h"
 
 /* True for anything there is at that path. */
 bool file_exists(const char *path);
+
+/*
+ * A number that is another one when the file has been written or replaced
+ * since, by its time, size and place on the disk; 0 where there is none.
+ */
+uint64_t file_stamp(const char *path);
 
 /*
  * The path of a file that comes with the program, such as "walker.glb":

@@ -6,6 +6,8 @@ static void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height,
 {
 	struct soft *soft = soft_current();
 	const struct pixels *target = &soft->buffers.target;
+	size_t align = (size_t)soft->textures.pack_alignment;
+	size_t row_bytes;
 
 	if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) {
 		soft_set_error(soft, GL_INVALID_ENUM);
@@ -15,10 +17,10 @@ static void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height,
 		soft_set_error(soft, GL_INVALID_VALUE);
 		return;
 	}
+	row_bytes = ((size_t)width * 4 + align - 1) / align * align;
 	for (int row = 0; row < height && target->data; row++) {
 		int64_t from_y = (int64_t)target->height - 1 - y - row;
-		uint8_t *out =
-			(uint8_t *)pixels + (size_t)row * (size_t)width * 4;
+		uint8_t *out = (uint8_t *)pixels + (size_t)row * row_bytes;
 
 		for (int column = 0; column < width; column++) {
 			int64_t from_x = (int64_t)x + column;

@@ -381,7 +381,7 @@ static const struct option_entry entries[] = {
 	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
 		"the file to write", "a file name", set_output},
 	{0, "demo", "NAME", FOR_SHOW,
-		"a built-in demo instead of a model: walker, arm, face, "
+		"a built-in demo, no model: walker, arm, face, "
 		"crowd, duel or tuner",
 		"a demo's name", set_demo},
 	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,

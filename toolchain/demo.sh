@@ -5,13 +5,13 @@
 set -eu
 limber=$1
 folder=$2
-demos='walker face arm'
+demos='walker face arm crowd duel tuner'
 
 show_windows() {
     number=0
     for demo in $demos; do
         number=$((number + 1))
-        printf '\nDemo %d of 3. Esc, or closing the window, goes on; Ctrl-C here ends.\n' \
+        printf '\nDemo %d of 6. Esc, or closing the window, goes on; Ctrl-C here ends.\n' \
             "$number"
         "$limber" play --demo "$demo" || return 1
     done

@@ -68,6 +68,9 @@ refused 'no such source' play "$slider" --buttons piano
 refused 'want CHIP/LINE' play "$slider" --buttons gpiod:UP=a/1/pul-up
 refused 'no such key' play "$slider" --buttons evdev:UP=KEY_NO
 refused 'null' play "$slider" --display none
+refused 'from 1 to 50' play --demo crowd --walkers 0
+refused 'from 1 to 50' play --demo crowd --walkers 51
+refused 'from 1 to 1000' play --budget-ms nothing
 refused 'walker' render --demo wlaker -o "$out"
 refused 'walker' render --demo zzzzzz -o "$out"
 

@@ -22,7 +22,7 @@ demo() {
 }
 
 pictures_are_there() {
-    for demo in walker face arm; do
+    for demo in walker face arm crowd duel tuner; do
         expect_file "$scratch/pictures/$demo.png"
         expect_file "$scratch/pictures/$demo.gif"
         expect_out "^  .*/pictures/$demo.png$"
@@ -44,7 +44,7 @@ for desktop in ':0 ' ' wayland-0'; do
     about "a desktop (${desktop})"
     expect_status 0
     check "$tap_about: all are played" test \
-        "$(grep -c '^play --demo' "$scratch/calls")" -eq 3
+        "$(grep -c '^play --demo' "$scratch/calls")" -eq 6
     check "$tap_about: nothing is drawn" test ! -e "$scratch/pictures"
 done
 

@@ -216,6 +216,29 @@ static void test_a_resized_window_hands_out_the_new_size(void **state)
 	scene_close(&scene);
 }
 
+static void test_h_and_p_ask_for_graph_and_picture_once(void **state)
+{
+	struct scene scene;
+
+	(void)state;
+	scene_open(&scene);
+	push_key(SDLK_h, true, false);
+	push_key(SDLK_h, true, true);
+	poll(&scene, 1);
+	assert_true(scene.events.graph);
+	assert_false(scene.events.picture);
+	push_key(SDLK_h, false, false);
+	poll(&scene, 2);
+	assert_false(scene.events.graph);
+	push_key(SDLK_p, true, false);
+	poll(&scene, 3);
+	assert_true(scene.events.picture);
+	assert_false(scene.events.graph);
+	poll(&scene, 4);
+	assert_false(scene.events.picture);
+	scene_close(&scene);
+}
+
 static void test_escape_q_and_the_cross_close(void **state)
 {
 	struct scene scene;
@@ -392,6 +415,7 @@ int main(void)
 		cmocka_unit_test(test_key_repeat_is_ignored),
 		cmocka_unit_test(test_losing_the_focus_lets_go),
 		cmocka_unit_test(test_a_resized_window_hands_out_the_new_size),
+		cmocka_unit_test(test_h_and_p_ask_for_graph_and_picture_once),
 		cmocka_unit_test(test_escape_q_and_the_cross_close),
 		cmocka_unit_test(test_an_interrupt_closes),
 		cmocka_unit_test(test_windows_may_follow_each_other),

@@ -37,9 +37,9 @@ struct show {
 	struct frame_watch watch;
 	struct governor governor;
 	struct film film;
-	int film_error;        /* the film has ended early by it */
-	bool picture_wanted;   /* in a file, of the frame under way */
-	struct pixels looked;  /* what is read back from a surface */
+	int film_error;       /* the film has ended early by it */
+	bool picture_wanted;  /* in a file, of the frame under way */
+	struct pixels looked; /* what is read back from a surface */
 	struct clock clock;
 	struct pace pace;
 	double now_s;
@@ -188,8 +188,7 @@ static void draw_hud(struct show *show, int width, int height)
 		demo_label(driver, show->demo, show->hud);
 		governor_label(&show->governor, show->hud);
 	}
-	frame_watch_show(&show->watch, &facts,
-		show->screen.gl->driver->name,
+	frame_watch_show(&show->watch, &facts, show->screen.gl->driver->name,
 		show->labelled ? NULL : governor_text(&show->governor),
 		show->hud);
 	hud_end(show->hud, &show->screen.gl->gl);
@@ -215,8 +214,7 @@ static void keep_frame(struct show *show, int width, int height)
 		show->picture_wanted = false;
 	}
 	if (!show->film_error) {
-		show->film_error =
-			film_add(&show->film, &picture, show->now_s);
+		show->film_error = film_add(&show->film, &picture, show->now_s);
 	}
 }
 
@@ -322,8 +320,8 @@ static int run_frames(struct show *show)
 		frame_watch_end(&show->watch);
 		if (!show->clock.fixed) {
 			keep_budget(show, now_s);
-			demo_set_rate(show->demo,
-				hud_graph_rate(&show->watch.graph));
+			demo_set_rate(
+				show->demo, hud_graph_rate(&show->watch.graph));
 		}
 		feed_watchdog(show);
 		progress_step(&progress, done + 1);

@@ -118,8 +118,8 @@ long count_triangles(const struct instance *instance)
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
-		corners += drawable->hidden ? 0
-					    : drawable->primitive->index_count;
+		corners +=
+			drawable->hidden ? 0 : drawable->primitive->index_count;
 	}
 	return corners / 3;
 }

@@ -4,6 +4,11 @@
  * A walker is an instance, so it costs what a figure costs. Those that are
  * small on the screen cost less: fewer influences, poses at half or a third of
  * the rate, a plain shadow.
+ *
+ * With the soft driver at 480x640 a frame takes 16, 44 and 106 million ARM
+ * instructions with 1, 4 and 12 walkers: tests/bench/count.sh with `limber play
+ * --demo crowd --walkers N --gl soft --display null --format rgb565 --clock
+ * fixed:25 --no-labels --frames FRAMES`. Drawing is nearly all of it.
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd_places.h"

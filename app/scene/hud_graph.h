@@ -5,6 +5,11 @@
  * the stages' times and what the frame shows. Times come from the caller, so
  * a graph that is fed the same looks the same. It is drawn with the hud's one
  * call: about 260 rectangles of a pixel or three, and text.
+ *
+ * 1.7 million ARM instructions a frame with the soft driver at 480x640, beside
+ * 16 of the walker's own: tests/bench/count.sh with `limber play --demo walker
+ * --hud --gl soft --display null --format rgb565 --clock fixed:25 --no-labels
+ * --frames FRAMES`.
  */
 #ifndef APP_SCENE_HUD_GRAPH_H
 #define APP_SCENE_HUD_GRAPH_H

@@ -60,12 +60,8 @@ static const struct demo_press presses[] = {
 	{2.0, BUTTON_DOWN},  /* 12 */
 	{3.0, BUTTON_RIGHT}, /* 17 */
 	{4.0, BUTTON_LEFT},  /* 12, 7, 2, 1 */
-	{5.0, BUTTON_LEFT},
-	{6.0, BUTTON_LEFT},
-	{7.0, BUTTON_LEFT},
-	{8.0, BUTTON_DOWN},
-	{9.0, BUTTON_F6},
-	{10.0, BUTTON_F8},
+	{5.0, BUTTON_LEFT}, {6.0, BUTTON_LEFT}, {7.0, BUTTON_LEFT},
+	{8.0, BUTTON_DOWN}, {9.0, BUTTON_F6}, {10.0, BUTTON_F8},
 	{11.0, BUTTON_RIGHT}, /* 6 */
 };
 
@@ -127,8 +123,7 @@ int main(void)
 		cmocka_unit_test(
 			test_walkers_go_where_they_look_as_fast_as_their_feet),
 		cmocka_unit_test(test_buttons_add_and_remove_walkers),
-		cmocka_unit_test(
-			test_a_budget_holds_normals_and_caps_influences),
+		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -29,12 +29,11 @@ static void begin(struct bench *bench, enum contender_kind kind)
 				 &bench->reference),
 		0);
 	bench->screen = screen_frame(bench->reference, 480, 640);
-	bench->env = (struct demo_env){.log = &bench->log,
-		.kernel = &kernel_float,
-		.model_path = path};
-	assert_int_equal(contender_init(&bench->contender, kind,
-				 bench->reference, &bench->screen, 0.5f,
-				 &bench->env),
+	bench->env = (struct demo_env){
+		.log = &bench->log, .kernel = &kernel_float, .model_path = path};
+	assert_int_equal(
+		contender_init(&bench->contender, kind, bench->reference,
+			&bench->screen, 0.5f, &bench->env),
 		0);
 }
 
@@ -50,8 +49,7 @@ static float largest_error(struct bench *bench, float full_px)
 	float peak_px = 0.0f;
 
 	for (int f = 0; f < bench->reference->frame_count; f++) {
-		contender_pose(
-			&bench->contender, bench->reference->time_s[f]);
+		contender_pose(&bench->contender, bench->reference->time_s[f]);
 		contender_judge(&bench->contender, &bench->screen, f, full_px);
 		if (bench->contender.peak_px > peak_px) {
 			peak_px = bench->contender.peak_px;
@@ -100,8 +98,8 @@ static void test_rigid_parts_keep_every_triangle(void **state)
 	(void)state;
 	begin(&bench, CONTENDER_RIGID);
 	for (int i = 0; i < bench.contender.shown->drawable_count; i++) {
-		corners += bench.contender.shown->drawable[i]
-				   .primitive->index_count;
+		corners +=
+			bench.contender.shown->drawable[i].primitive->index_count;
 	}
 	for (int i = 0; i < bench.reference->instance->drawable_count; i++) {
 		wanted += bench.reference->instance->drawable[i]

@@ -45,16 +45,21 @@ class Error(Exception):
 
 
 def connect(folder, name):
-    """A socket to folder/name, however long the folder's path is."""
+    """A socket to folder/name, however long the folder's path is. QEMU's is a
+    file a moment before it listens, on a busy machine a long one."""
     descriptor = os.open(folder, os.O_PATH)
     try:
-        link = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-        link.settimeout(60)
-        link.connect(f"/proc/self/fd/{descriptor}/{name}")
-        return link
-    except OSError:
-        link.close()
-        raise
+        for left in reversed(range(100)):
+            link = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+            try:
+                link.settimeout(60)
+                link.connect(f"/proc/self/fd/{descriptor}/{name}")
+                return link
+            except OSError as error:
+                link.close()
+                if left == 0 or not isinstance(error, ConnectionRefusedError):
+                    raise
+            time.sleep(0.02)
     finally:
         os.close(descriptor)
 

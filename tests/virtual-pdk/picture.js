@@ -3,7 +3,7 @@
 
 const fs = require("fs");
 const path = require("path");
-const { Server, openBrowser, isRunning, sleep, TOP } = require("./stage.js");
+const { Server, openBrowser, isRunning, sleep, told, TOP } = require("./stage.js");
 
 const SETTLE_MS = 6000;
 
@@ -18,7 +18,8 @@ async function draw(file) {
 		const page = await browser?.newPage();
 		await page?.goto(url);
 		if (!page || !await isRunning(page)) {
-			throw new Error(`the virtual PDK does not start: ${server.said}`);
+			throw new Error("the virtual PDK does not start: " +
+				(page ? await told(page) : server.said));
 		}
 		await page.waitForSelector('#camera[aria-checked="true"]:not([data-pending])');
 		await page.keyboard.press("ArrowUp");

@@ -79,7 +79,9 @@ async function openBrowser(folder, options = {}) {
 }
 
 const phase = (page) => page.textContent("#phase");
+const told = async (page) =>
+	`${await phase(page)}: ${await page.textContent("#notice")}`;
 const isRunning = (page) =>
 	until(async () => await phase(page) === "running", BOOT_MS);
 
-module.exports = { Server, openBrowser, isRunning, phase, sleep, until, TOP };
+module.exports = { Server, openBrowser, isRunning, told, sleep, until, TOP };

@@ -4,7 +4,7 @@
 const fs = require("fs");
 const http = require("http");
 const path = require("path");
-const { Server, openBrowser, isRunning, phase, sleep, until, TOP } =
+const { Server, openBrowser, isRunning, told, sleep, until, TOP } =
 	require("./stage.js");
 
 const FOLDER = path.join(TOP, "build/check-virtual-pdk");
@@ -53,13 +53,20 @@ const logText = (page) => page.textContent("#log");
 const isDown = (page, name) =>
 	page.locator(`[data-button="${name}"][data-down]`).count();
 
-// Whether doing something changes a part that stood still.
-async function changes(page, part, act) {
-	const before = await region(page, part);
-	await sleep(400);
-	const still = await region(page, part) === before;
+// Checks that doing something changes a part that stands still.
+async function checkChange(name, page, part, act) {
+	let before = "";
+	const still = await until(async () => {
+		const last = before;
+		before = await region(page, part);
+		return last === before;
+	}, 20000, 800);
 	await act();
-	return still && await until(async () => await region(page, part) !== before);
+	const changed = await until(async () => await region(page, part) !== before);
+	check(name, still && changed, still ? "it stays the same" : "it never stood still");
+	if (!still || !changed) {
+		await page.screenshot({ path: path.join(FOLDER, `not-${count}.png`) });
+	}
 }
 
 // The status of a request with these headers.
@@ -77,7 +84,7 @@ function ask(url, headers, file = "") {
 
 async function testPicture(page) {
 	check("the board boots, and its page says so", await isRunning(page),
-		await phase(page) + await logText(page));
+		`${await logText(page)}\n${await told(page)}`);
 	const colours = await page.evaluate(() => new Set(new Uint32Array(
 		document.getElementById("screen").getContext("2d")
 			.getImageData(0, 0, 480, 640).data.buffer)).size);
@@ -92,16 +99,26 @@ async function testPicture(page) {
 
 async function testButtons(page, other) {
 	const key = page.locator('[data-button="F6"]');
-	check("a click changes the picture",
-		await changes(page, FEATURE, () => key.click()));
+	await checkChange("a click changes the picture", page, FEATURE,
+		() => key.click());
 	await until(async () => !await isDown(page, "F6"));
-	check("a key does",
-		await changes(page, FEATURE, () => page.keyboard.press("F6")));
-	check("so does its digit",
-		await changes(page, FEATURE, () => page.keyboard.press("6")));
+	await checkChange("a key does", page, FEATURE,
+		() => page.keyboard.press("F6"));
+	await checkChange("so does its digit", page, FEATURE,
+		() => page.keyboard.press("6"));
+	const presses = [];
+	await page.exposeFunction("onKeypad", (down) => presses.push(down));
+	await page.evaluate(() => new MutationObserver(([change]) =>
+		onKeypad(change.target.hasAttribute("data-down"))).observe(
+		document.querySelector('[data-button="F6"]'),
+		{ attributeFilter: ["data-down"] }));
+	await page.keyboard.press("6");
+	await page.keyboard.press("6");
+	check("two quick presses are two", await until(() => presses.length === 4) &&
+		presses.join() === "true,false,true,false", presses);
 	await key.focus();
-	check("and Space on the focused button",
-		await changes(page, FEATURE, () => page.keyboard.press("Space")));
+	await checkChange("and Space on the focused button", page, FEATURE,
+		() => page.keyboard.press("Space"));
 	await page.evaluate(() => document.activeElement.blur());
 	check("a second page has the same picture",
 		await until(async () => await region(other, FEATURE) ===
@@ -145,8 +162,10 @@ async function testCamera(page) {
 		await until(async () => await colourBars(page) > 0.004, 30000),
 		await colourBars(page));
 	await page.screenshot({ path: path.join(FOLDER, "camera.png") });
-	check("F10 puts it elsewhere",
-		await changes(page, CAMERA_USE, () => page.keyboard.press("F10")));
+	// She walks since UP, and the floor shines through the label.
+	await page.keyboard.press("ArrowDown");
+	await checkChange("F10 puts it elsewhere", page, CAMERA_USE,
+		() => page.keyboard.press("F10"));
 }
 
 async function testReset(page) {
@@ -154,7 +173,7 @@ async function testReset(page) {
 	check("reset begins again", await until(async () =>
 		/-- reset --\n[^]*Booting Linux/.test(await logText(page))),
 	await logText(page));
-	check("and the board is back", await isRunning(page));
+	check("and the board is back", await isRunning(page), await told(page));
 	check("with its camera", await until(() => page.locator(
 		'#camera[aria-checked="true"]:not([data-pending])').count(), 40000));
 	await page.click("#camera");
@@ -168,13 +187,20 @@ async function testPower(page, server) {
 		page.locator("#notice:visible", { hasText: "is off" }).count()));
 	check("and no QEMU runs", server.qemu() === 0);
 	await page.click("#power");
-	check("switched on it boots", await isRunning(page));
+	check("switched on it boots", await isRunning(page), await told(page));
+	await page.fill("#text", "halt -f");
+	await page.keyboard.press("Enter");
+	check("a system that is halted is told of", await until(() =>
+		page.locator("#notice:visible", { hasText: "halted" }).count()),
+	await logText(page));
+	await page.click("#notice button");
+	check("and reset from there", await isRunning(page), await told(page));
 	process.kill(server.qemu(), "SIGKILL");
 	check("a board that has stopped is told of", await until(() =>
 		page.locator("#notice:visible", { hasText: "has stopped" }).count()));
 	await page.screenshot({ path: path.join(FOLDER, "stopped.png") });
 	await page.click("#notice button");
-	check("and starts again from there", await isRunning(page));
+	check("and starts again from there", await isRunning(page), await told(page));
 }
 
 async function testLayout(page) {

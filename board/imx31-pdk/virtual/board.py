@@ -18,8 +18,12 @@ ROW_BYTES = emulation.WIDTH * 2
 LOOK_S, REST_S = 1 / 30, 1 / 6
 # How often QEMU is asked whether it lives while nobody looks.
 UNSEEN_S = 0.5
-# A press that limber's debouncing and a slow host let through.
-SHORTEST_PRESS_S = 0.1
+# A press lasts so long at least, and until the board has drawn twice, but no
+# longer than the last of them: QEMU on a busy host may stand still for longer
+# than a click takes, and then never sees it.
+SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S = 0.1, 2, 0.4
+# And between two of them.
+PAUSE_S = 0.05
 LOG_KEPT = 100_000
 # The last words of a kernel that will not go on, and what to tell of them.
 LAST_WORDS = {
@@ -65,7 +69,9 @@ class Board:
         self.log = ""
         self.frame = bytes(emulation.FRAME_BYTES)
         self.tasks = []
-        self.pressed = {}
+        self.pressed = {name: {} for name in LINES}
+        self.turns = {name: asyncio.Lock() for name in LINES}
+        self.drawn = 0
         self.hurry = asyncio.Event()
 
     async def ask(self, function, *arguments):
@@ -179,6 +185,7 @@ class Board:
         first, rows = changed_rows(self.frame, frame)
         if rows:
             self.frame = frame
+            self.drawn += 1
             self.listener.picture(first, rows)
         return rows > 0
 
@@ -195,7 +202,8 @@ class Board:
                     await self.ask(self.machine.monitor.run, "query-status")
                     pause = UNSEEN_S
                 self.hear_news()
-            except (emulation.Error, OSError):
+            except (emulation.Error, OSError, ValueError):
+                # ValueError: it ended in the middle of an answer.
                 await self.tell_end()
                 return
             self.hurry.clear()
@@ -228,27 +236,37 @@ class Board:
             await self.stop("ended", "QEMU has ended" +
                             (f": {lines[-1]}" if lines else ""))
 
-    # Buttons: a line is high while anybody holds it.
+    # Buttons: a line is high while anybody holds it. What is done to one is
+    # done in its order, so two quick clicks are two.
 
     async def press(self, name, who):
-        held = self.pressed.setdefault(name, {})
-        first = not held
-        held[who] = time.monotonic()
-        if first:
-            await self.level(name, True)
+        async with self.turns[name]:
+            held = self.pressed[name]
+            held[who] = (time.monotonic(), self.drawn)
+            if len(held) == 1:
+                await self.level(name, True)
 
     async def release(self, name, who):
-        held = self.pressed.get(name, {})
-        if who not in held:
-            return
-        short = SHORTEST_PRESS_S - (time.monotonic() - held[who])
-        if short > 0:
-            await asyncio.sleep(short)
-        if held.pop(who, None) is not None and not held:
-            await self.level(name, False)
+        async with self.turns[name]:
+            held = self.pressed[name]
+            if who not in held:
+                return
+            while len(held) == 1 and not self.is_noticed(*held[who]):
+                await asyncio.sleep(0.02)
+            del held[who]
+            if not held:
+                await self.level(name, False)
+                await asyncio.sleep(PAUSE_S)
+
+    def is_noticed(self, pressed_s, drawn):
+        """Whether the board has had its time to see the press."""
+        lasted_s = time.monotonic() - pressed_s
+        return lasted_s >= SLOWEST_PRESS_S or (
+            lasted_s >= SHORTEST_PRESS_S and
+            self.drawn >= drawn + SHORTEST_DRAWN)
 
     def held(self):
-        return [name for name in LINES if self.pressed.get(name)]
+        return [name for name in LINES if self.pressed[name]]
 
     async def level(self, name, high):
         self.listener.state()

@@ -1,7 +1,8 @@
 # Counts a suite's TAP. Variables: suite, status (the command's exit status).
 #
 # Prints one line "passed failed skipped", then a line "skip WHERE: WHY" for
-# each reason to skip and a line "fail WHY" for what is wrong with the suite as
+# each reason to skip, a line "todo WHERE: WHAT" for each aim that is not reached
+# yet ("not ok N - WHAT # TODO WHY"), and a line "fail WHY" for what is wrong with the suite as
 # a whole: no plan, an empty plan, tests missing, a failing exit status that no
 # test explains.
 #
@@ -43,6 +44,16 @@ function add_skip(name, why) {
 
 /^Bail out!/ {
     bailed = 1
+    next
+}
+
+# Something aimed at that is not there yet: known, told, no failure.
+/^not ok .*[^\\]# *TODO( |$)/ {
+    name = $0
+    sub(/^not ok *[0-9]* *-? */, "", name)
+    sub(/ *# *TODO */, ": ", name)
+    todo[++todos] = name
+    seen++
     next
 }
 
@@ -91,6 +102,9 @@ END {
         many = count_of[why] > 1
         print "skip " suite ": " \
             (many ? count_of[why] " tests: " : first[why]) why
+    }
+    for (i = 1; i <= todos; i++) {
+        print "todo " suite ": " todo[i]
     }
     for (i = 1; i <= wrongs; i++) {
         print "fail " suite ": " wrong[i]

@@ -2,8 +2,9 @@
 # tally.sh LIST FOLDER [JOBS]: runs every suite of LIST, JOBS at a time, with
 # their logs and figures in FOLDER (see suite.sh). Then shows all output of
 # those that failed, names what was skipped, and ends with the line
-# "N passed, N failed". Fails when anything failed or nothing ran. BEGAN is when
-# all of it began, in seconds since the epoch; the time since then is printed.
+# "N passed, N failed". What is aimed at and not reached is named, too. Fails
+# when anything failed or nothing ran. BEGAN is when all of it began, in seconds
+# since the epoch; the time since then is printed.
 set -eu
 here=$(dirname "$0")
 list=$1
@@ -21,7 +22,9 @@ seconds=$(($(date +%s) - BEGAN))
 passed=0
 failed=0
 skips=$folder/skipped
+aims=$folder/not-reached
 : >"$skips"
+: >"$aims"
 while read -r suite rest; do
     if ! read -r good bad skipped 2>/dev/null <"$folder/$suite.count"; then
         echo "fail $suite: it could not be run" >"$folder/$suite.count"
@@ -31,6 +34,7 @@ while read -r suite rest; do
     fi
     passed=$((passed + good))
     failed=$((failed + bad))
+    sed -n 's/^todo //p' "$folder/$suite.count" >>"$aims"
     [ "$skipped" -eq 0 ] || sed -n 's/^skip //p' "$folder/$suite.count" >>"$skips"
     if [ "$bad" -ne 0 ]; then
         echo
@@ -43,6 +47,10 @@ done <"$list"
 if [ -s "$skips" ]; then
     echo
     sort "$skips" | sed 's/^/  skipped: /'
+fi
+if [ -s "$aims" ]; then
+    echo
+    sort "$aims" | sed 's/^/  not reached: /'
 fi
 echo
 printf '  %d min %02d s\n' $((seconds / 60)) $((seconds % 60))

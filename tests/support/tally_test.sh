@@ -48,6 +48,12 @@ expect_total 3 1
 expect_out '# found-by-eye'
 expect_out '^  good +2 passed'
 
+tally "$(suite aim '1..2\nok 1 - one\nnot ok 2 - in 100 ms # TODO 124 ms so far\n')"
+about 'an aim that is not reached'
+expect_status 0
+expect_total 1 0
+expect_out 'not reached: aim: in 100 ms: 124 ms so far'
+
 tally "$(suite lying '1..1\nnot ok 1 - one\n')"
 about 'a failing test, exit status 0'
 expect_status 1

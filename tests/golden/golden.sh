@@ -42,7 +42,15 @@ draw() (
     shift 2
     rm -f "$file"
     case $gl in
-    soft | exact) set -- "$@" --gl soft --format rgb565 ;;
+    exact) set -- "$@" --gl soft --format rgb565 ;;
+    soft)
+        # In RGB565 a camera's picture is not filtered, for speed; the
+        # reference's is.
+        case $* in
+        *--camera*) set -- "$@" --gl soft --format rgba8888 ;;
+        *) set -- "$@" --gl soft --format rgb565 ;;
+        esac
+        ;;
     *) set -- "$@" --gl "$gl" ;;
     esac
     # shellcheck disable=SC2086 # a command and its arguments

@@ -2,20 +2,25 @@
  * The crowd: walkers that share one model, each with its own clip and phase.
  *
  * A walker is an instance, so it costs what a figure costs. Those that are
- * small on the screen cost less: fewer influences, poses at half or a third of
- * the rate, a plain shadow.
+ * small on the screen cost less: fewer triangles and influences, poses at half
+ * or a third of the rate, a plain shadow.
  *
- * With the soft driver at 480x640 a frame takes 16, 44 and 106 million ARM
- * instructions with 1, 4 and 12 walkers: tests/bench/count.sh with `limber play
- * --demo crowd --walkers N --gl soft --display null --format rgb565 --clock
- * fixed:25 --no-labels --frames FRAMES`. Drawing is nearly all of it.
+ * With the soft driver at 480x640 a frame takes 16, 44, 106 and 153 million ARM
+ * instructions with 1, 4, 12 and 50 walkers: tests/bench/count.sh with `limber
+ * play --demo crowd --walkers N --gl soft --display null --format rgb565
+ * --clock fixed:25 --no-labels --frames FRAMES`. Drawing is most of it.
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd_places.h"
 #include "app/demo/demo.h"
+#include "app/scene/coarse.h"
 #include "app/scene/draw.h"
+#include "app/scene/light.h"
+#include "app/scene/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
 
 #include <errno.h>
 #include <stdio.h>
@@ -27,7 +32,11 @@ enum {
 	HALF_BELOW_PX = 110,
 	THIRD_BELOW_PX = 64,
 	PLAIN_BELOW_PX = 110,
-	RATES = 3
+	RATES = 3,
+	/* Below these heights: cells of 1/60 and 1/30 of the figure. */
+	COARSE_BELOW_PX = 130,
+	COARSER_BELOW_PX = 70,
+	DETAILS = 3
 };
 
 static const float turn_rad_per_s = 0.9f;
@@ -62,7 +71,8 @@ struct demo {
 	float turn;
 	bool drifting;
 	bool plain_shadows;
-	bool saving;        /* level of detail */
+	bool saving;                   /* level of detail */
+	struct coarse detail[DETAILS]; /* all triangles, fewer, fewest */
 	int at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
 
@@ -149,6 +159,35 @@ static struct camera camera_for(const struct demo *demo, int count)
 	return camera;
 }
 
+/* Index lists that all walkers share; the first one has them. */
+static int make_details(struct demo *demo)
+{
+	struct instance *first = demo->act.actor.instance;
+	float height = demo->act.actor.extent / first->unit_scale;
+	int error = coarse_keep(&demo->detail[0], first, &first->arena);
+
+	if (!error) {
+		error = coarse_init(
+			&demo->detail[1], first, height / 60.0f, &first->arena);
+	}
+	if (!error) {
+		error = coarse_init(
+			&demo->detail[2], first, height / 30.0f, &first->arena);
+	}
+	if (error) {
+		log_error(demo->log, "crowd: not enough memory");
+	}
+	return error;
+}
+
+static int detail_of(const struct demo *demo, const struct walker *walker)
+{
+	if (!demo->saving || walker->height_px >= COARSE_BELOW_PX) {
+		return 0;
+	}
+	return walker->height_px >= COARSER_BELOW_PX ? 1 : 2;
+}
+
 static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 {
 	int wanted = env->walkers > 0 ? env->walkers : COUNT_AT_FIRST;
@@ -164,6 +203,10 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	while (!error && demo->count < wanted && demo->count < CROWD_MAX) {
 		error = add_walker(demo);
 	}
+	if (error) {
+		return error;
+	}
+	error = make_details(demo);
 	if (error) {
 		return error;
 	}
@@ -264,6 +307,8 @@ static void crowd_update(struct demo *demo, double time_s)
 		walker->height_px = height_px(demo, walker);
 		walker->every = frames_a_pose(demo, walker->height_px);
 		demo->at_rate[walker->every - 1]++;
+		coarse_use(&demo->detail[detail_of(demo, walker)],
+			walker->instance);
 		/* Turn by turn, so that each frame has as much to do. */
 		if (first ||
 			(demo->frame + (unsigned)i) % (unsigned)walker->every ==
@@ -295,20 +340,38 @@ static void draw_plain_shape(const struct gl *gl)
 	gl->DrawArrays(GL_TRIANGLE_FAN, 0, (int)ARRAY_COUNT(outline));
 }
 
+/* Upright at the spot, its flat side towards the light. */
+static void face_light(const struct crowd_spot *spot, const struct gl *gl)
+{
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+	float light[3], length;
+
+	light_direction(light);
+	length = scalar_sqrt(light[0] * light[0] + light[2] * light[2]);
+	matrix[0][0] = matrix[2][2] = light[2] / length;
+	matrix[2][0] = light[0] / length;
+	matrix[0][2] = -light[0] / length;
+	matrix[3][0] = spot->x;
+	matrix[3][2] = spot->z;
+	gl->PushMatrix();
+	matrix_gl_multiply(gl, (const vec4 *)matrix);
+}
+
 static void draw_shadow(const struct demo *demo, const struct walker *walker)
 {
 	const struct gl *gl = demo->act.gl;
 	bool plain = demo->plain_shadows ||
 		(demo->saving && walker->height_px < PLAIN_BELOW_PX);
 
-	enter_spot(&walker->spot, gl);
 	if (plain) {
+		face_light(&walker->spot, gl);
 		gl->EnableClientState(GL_VERTEX_ARRAY);
 		gl->DisableClientState(GL_NORMAL_ARRAY);
 		gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
 		gl->Disable(GL_CULL_FACE);
 		draw_plain_shape(gl);
 	} else {
+		enter_spot(&walker->spot, gl);
 		draw_instance(gl, walker->instance, &demo->act.actor.textures,
 			DRAW_SHAPE);
 	}
@@ -371,7 +434,13 @@ static void crowd_label(const struct demo *demo, struct hud *hud)
 
 static void crowd_tell(const struct demo *demo, struct demo_facts *out)
 {
-	out->triangles *= demo->count;
+	out->triangles = 0;
+	for (int i = 0; i < demo->count; i++) {
+		const struct walker *walker = &demo->walker[i];
+
+		out->triangles +=
+			demo->detail[detail_of(demo, walker)].triangles;
+	}
 }
 
 static void press_more(struct demo *demo, bool down)

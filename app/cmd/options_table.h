@@ -1,0 +1,27 @@
+/*
+ * The rows of the command line: one an option, for all subcommands.
+ */
+#ifndef APP_CMD_OPTIONS_TABLE_H
+#define APP_CMD_OPTIONS_TABLE_H
+
+#include "app/cmd/options.h"
+
+enum {
+	OPTIONS_MAX = 64 /* rows, for arrays of their names */
+};
+
+struct option_entry {
+	char letter;       /* or 0 */
+	const char *name;  /* without dashes */
+	const char *value; /* what follows it, or NULL */
+	int commands;
+	const char *summary;
+	const char *expected; /* what a good value looks like */
+	/* True when the value is good. */
+	bool (*set)(struct options *options, const char *value);
+};
+
+/* All of them; the last one has no name. */
+extern const struct option_entry option_entries[];
+
+#endif

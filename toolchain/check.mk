@@ -88,7 +88,7 @@ define SUITES
 $(call suite,build,cat build/check-build.tap)
 $(foreach fuzzer,$(FUZZERS),$(call \
 	suite,fuzz/$(fuzzer),tests/fuzz/run.sh build/fuzz/$(fuzzer)))
-$(call golden_suite,arm,osmesa)
+$(call golden_suite,arm,softpipe)
 $(call golden_suite,host,osmesa)
 $(call golden_suite,host,gles1)
 $(call golden_suite,host,soft)

@@ -24,6 +24,9 @@ compare=${COMPARE:-build/host/compare_png}
 tolerance_of() {
     case $1 in
     osmesa) echo 8 1.0 0.5 12 ;;
+    # Mesa's rasteriser on ARM goes over from one level of detail to the next
+    # at other pixels of the floor: up to 1.3% of arm-1.
+    softpipe) echo 8 1.5 0.5 12 ;;
     gles1) echo 8 1.5 0.5 20 ;;
     # Two steps of RGB565, which it draws in.
     soft) echo 16 0.5 2.0 20 ;;
@@ -42,6 +45,7 @@ draw() (
     shift 2
     rm -f "$file"
     case $gl in
+    softpipe) set -- "$@" --gl osmesa ;;
     exact) set -- "$@" --gl soft --format rgb565 ;;
     soft)
         # In RGB565 a camera's picture is not filtered, for speed; the

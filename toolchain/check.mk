@@ -32,7 +32,8 @@ define fake_gles_rules
 build/$(1)/unit/fake_gles.so: $$(FAKE_GLES)
 build/$(1)/unit/fake_gles_old.so: $$(FAKE_GLES)
 build/$(1)/unit/fake_gles_old.so: FAKE_GLES_DEFINES := -DFAKE_GLES_OLD
-build/$(1)/unit/fake_gles.so build/$(1)/unit/fake_gles_old.so:
+build/$(1)/unit/fake_gles.so build/$(1)/unit/fake_gles_old.so: \
+		| build/$(1)/packages.stamp build/check-packages.stamp
 	@mkdir -p $$(@D)
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. -fPIC -shared \

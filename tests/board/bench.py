@@ -15,6 +15,9 @@ from harness import BY_HAND, TOP, booted, is_drawn, wait_until
 
 DEMOS = ("walker", "arm", "face")
 FRAMES = 60
+CROWDS = (1, 2, 3, 4, 6, 8, 12)
+CROWD_FRAMES = 30
+CROWD_FPS = 30
 BENCH = TOP / "build/arm/bench/demo_frames"
 COUNTER = TOP / "build/arm1136/insn_count.so"
 
@@ -37,6 +40,28 @@ def frames_of(machine, demo):
             "memory_mib": round(max(peaks) / 1024, 1)}
 
 
+def crowd_of(machine, walkers):
+    """Frames a second of so many walkers."""
+    machine.shell(
+        f"limber play --demo crowd --walkers {walkers} --gl soft --no-labels "
+        f"--clock fixed:25 --frames {CROWD_FRAMES} --stats /run/stats "
+        ">/dev/null", 300)
+    said = machine.shell("cat /run/stats")[1]
+    return json.loads(re.search(r"\{.*\}", said, re.S)[0])["fps"]
+
+
+def crowd(machine):
+    """Frames a second for growing crowds, down to half the wanted rate, and
+    the largest crowd that holds it."""
+    rates = {}
+    for walkers in CROWDS:
+        rates[walkers] = crowd_of(machine, walkers)
+        if rates[walkers] < CROWD_FPS / 2:
+            break
+    held = [walkers for walkers, fps in rates.items() if fps >= CROWD_FPS]
+    return {"fps": rates, "holds_30": max(held, default=0)}
+
+
 def instructions_m(demo, driver):
     """Millions of instructions a frame under qemu-arm."""
     run = subprocess.run(
@@ -54,6 +79,7 @@ def main():
         row["soft_minstr"] = instructions_m(demo, "soft")
         row["osmesa_minstr"] = instructions_m(demo, "osmesa")
         figures["demos"][demo] = row
+    figures["crowd"] = crowd(machine)
     machine.stop()
     print(f"{'demo':8} {'frames/s':>8} {'ms a frame':>10} {'worst':>6} "
           f"{'memory':>9} {'M instructions a frame':>24}")
@@ -63,6 +89,10 @@ def main():
         print(f"{demo:8} {row['fps']:8.1f} {row['work_ms']['mean']:10.1f} "
               f"{row['work_ms']['max']:6.1f} {row['memory_mib']:9.1f} "
               f"{row['soft_minstr']:12.1f} {row['osmesa_minstr']:11.1f}")
+    rates = ", ".join(f"{walkers}: {fps:.1f}" for walkers, fps in
+                      figures["crowd"]["fps"].items())
+    print(f"walkers that hold {CROWD_FPS} frames a second: "
+          f"{figures['crowd']['holds_30']} ({rates})")
     print(f"first picture {first_s:.2f} s after power-on")
     pathlib.Path(sys.argv[1]).write_text(json.dumps(figures, indent=1) + "\n")
 

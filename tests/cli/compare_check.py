@@ -135,7 +135,9 @@ def main():
     check = Check()
     with open(report_path, encoding="utf-8") as file:
         report = json.load(file)
-    original = Glb(model)
+    original = Glb(model) if model.endswith(".glb") else None
+    simple = original and len(original.json["meshes"]) == 1 and \
+        len(original.json["meshes"][0]["primitives"]) == 1
     screen = report["screen"]
     times = report["times_s"]
 
@@ -145,7 +147,8 @@ def main():
                 continue
             if "key_times_s" in candidate:
                 name = f"morph-{len(candidate['key_times_s'])}.glb"
-            elif candidate["name"] == "rigid parts":
+            elif candidate["name"] == "rigid parts" and simple:
+                # Of one part alone the order of triangles is known.
                 name = "rigid.glb"
             else:
                 continue

@@ -1,0 +1,36 @@
+"""limber compare on the board: its figures are those of this machine."""
+import json
+import subprocess
+
+from harness import BY_HAND, HOST, TOP, booted, check, done
+
+QUESTION = ("compare", "--fps", "4", "--error", "2", "--format", "json",
+            "--kernel", "float")
+MODEL = "walker.glb"
+
+
+def by_name(report):
+    return {row["name"]: row for row in report["candidates"] if row["listed"]}
+
+
+machine = booted(BY_HAND)
+status, _ = machine.shell(
+    f"limber {' '.join(QUESTION)} /usr/share/limber/{MODEL} >/run/report", 300)
+check("it runs", status == 0)
+# Lines are short enough for the console.
+board = by_name(json.loads(machine.shell("cat /run/report", 60)[1]))
+host = by_name(json.loads(subprocess.run(
+    [HOST, *QUESTION, str(TOP / "assets" / MODEL)], check=True,
+    stdout=subprocess.PIPE, text=True).stdout))
+check("it has the same candidates", board.keys() == host.keys(),
+      f"{board.keys()} {host.keys()}")
+for name, row in host.items():
+    there = board.get(name, {})
+    check(f"{name}: the same bytes",
+          all(there.get(key) == row[key] for key in ("file_bytes", "vertices")),
+          there)
+    check(f"{name}: off by as many pixels, {row['peak_px']:.3f}",
+          abs(there.get("peak_px", 1e9) - row["peak_px"]) < 0.001, there)
+    check(f"{name}: a frame takes {there.get('us_per_frame', 0):.0f} us there",
+          there.get("us_per_frame", 0) > 0, there)
+done()

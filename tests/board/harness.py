@@ -278,7 +278,8 @@ def limber_pid(machine):
 def start_limber(machine, arguments, seconds=10):
     """Starts it by hand in the background, until its picture is there."""
     machine.clear()
-    status, said = machine.shell(f"limber play {arguments} >/run/said 2>&1 &")
+    status, said = machine.shell("cd /run/tmp; "
+                                 f"limber play {arguments} >/run/said 2>&1 &")
     if wait_until(machine, lambda: is_drawn(machine.frame()), seconds) is None:
         raise Error(f"limber {arguments} shows nothing:\n"
                     + machine.shell("cat /run/said")[1])

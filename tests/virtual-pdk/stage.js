@@ -74,7 +74,9 @@ async function openBrowser(folder, options = {}) {
 	const browser = await chromium.launchPersistentContext(profile, {
 		executablePath: "/usr/bin/chromium", headless: true, args: FLAGS,
 		viewport: { width: 1280, height: 760 }, timeout: 60000, ...options });
-	browser.on("close", () => fs.rmSync(profile, { recursive: true, force: true , maxRetries: 20, retryDelay: 100}));
+	/* Chromium may still be writing into it. */
+	browser.on("close", () => fs.rmSync(profile,
+		{ recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
 	return browser;
 }
 

@@ -74,9 +74,13 @@ async function openBrowser(folder, options = {}) {
 	const browser = await chromium.launchPersistentContext(profile, {
 		executablePath: "/usr/bin/chromium", headless: true, args: FLAGS,
 		viewport: { width: 1280, height: 760 }, timeout: 60000, ...options });
-	/* Chromium may still be writing into it. */
-	browser.on("close", () => fs.rmSync(profile,
-		{ recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
+	browser.on("close", () => {
+		try {
+			fs.rmSync(profile, { recursive: true, force: true });
+		} catch {
+			/* Chromium still writes into it: it stays in build/. */
+		}
+	});
 	return browser;
 }
 

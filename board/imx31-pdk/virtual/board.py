@@ -202,8 +202,8 @@ class Board:
                     await self.ask(self.machine.monitor.run, "query-status")
                     pause = UNSEEN_S
                 self.hear_news()
-            except (emulation.Error, OSError, ValueError):
-                # ValueError: it ended in the middle of an answer.
+            except Exception:  # pylint: disable=broad-except
+                # QEMU may have ended in the middle of anything it said.
                 await self.tell_end()
                 return
             self.hurry.clear()

@@ -5,6 +5,7 @@
 #define APP_CMD_COMMAND_H
 
 #include "app/cmd/options.h"
+#include "app/model/model.h"
 
 enum exit_code {
 	EXIT_OK = 0,
@@ -37,5 +38,13 @@ extern const struct command *const command_registry[];
 
 /* EXIT_OK for 0, EXIT_USAGE for -EINVAL of an option, else EXIT_FAILED. */
 int command_exit_code(int error);
+
+/*
+ * Loads the model that the options name, runs on it and releases it; the exit
+ * code of run, which gives 0 or -errno after a sentence.
+ */
+int command_with_model(const struct options *options, const struct log *log,
+	int (*run)(const struct model *model, const struct options *options,
+		const struct log *log));
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <errno.h>
 
-static int find_clip(const struct model *model, const char *name,
+static int choose_clip(const struct model *model, const char *name,
 	const struct log *log, int *out)
 {
 	if (model->clip_count == 0) {
@@ -15,15 +15,7 @@ static int find_clip(const struct model *model, const char *name,
 			model->path);
 		return -ENOENT;
 	}
-	*out = name ? model_find_clip(model, name) : 0;
-	if (*out < 0) {
-		log_error(log,
-			"--clip %s: %s has no such clip: limber info lists "
-			"them",
-			name, model->path);
-		return -ENOENT;
-	}
-	return 0;
+	return model_choose_clip(model, name, 0, log, out);
 }
 
 static int print(const struct comparison *comparison,
@@ -53,7 +45,7 @@ static int run_with_model(const struct model *model,
 		.kernel = kernel_choose(options, log),
 	};
 	struct comparison *comparison;
-	int error = find_clip(model, options->clip, log, &request.clip);
+	int error = choose_clip(model, options->clip, log, &request.clip);
 
 	if (!error) {
 		error = comparison_create(model, &request, log, &comparison);
@@ -68,9 +60,6 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	struct model *model;
-	int error;
-
 	if (!options->model_path) {
 		log_error(log, "compare: no model: limber compare MODEL");
 		return EXIT_USAGE;
@@ -78,13 +67,7 @@ static int run(const struct options *options, const struct log *log)
 	if (!kernel_choose(options, log)) {
 		return EXIT_USAGE;
 	}
-	error = model_load(options->model_path, log, &model);
-	if (error) {
-		return EXIT_FAILED;
-	}
-	error = run_with_model(model, options, log);
-	model_destroy(model);
-	return command_exit_code(error);
+	return command_with_model(options, log, run_with_model);
 }
 
 const struct command command_compare = {

@@ -21,6 +21,20 @@ int command_exit_code(int error)
 	return EXIT_FAILED;
 }
 
+int command_with_model(const struct options *options, const struct log *log,
+	int (*run)(const struct model *model, const struct options *options,
+		const struct log *log))
+{
+	struct model *model;
+	int error = model_load(options->model_path, log, &model);
+
+	if (!error) {
+		error = run(model, options, log);
+		model_destroy(model);
+	}
+	return command_exit_code(error);
+}
+
 static const struct command *find(
 	const struct command *const *commands, const char *name)
 {

@@ -17,24 +17,6 @@ static void take_prefix(const char *path, char prefix[PREFIX_ROOM])
 	prefix[strcspn(prefix, ".")] = '\0';
 }
 
-static int find_clip(const struct options *options, const struct model *model,
-	const struct log *log, int *out)
-{
-	*out = model->clip_count > 0 ? 0 : -1;
-	if (!options->clip) {
-		return 0;
-	}
-	*out = model_find_clip(model, options->clip);
-	if (*out < 0) {
-		log_error(log,
-			"--clip %s: %s has no such clip: limber info lists "
-			"them",
-			options->clip, model->path);
-		return -ENOENT;
-	}
-	return 0;
-}
-
 static int write_source(const struct model *model, int clip, const char *path,
 	const struct log *log, struct embed_size *size)
 {
@@ -63,20 +45,14 @@ static int write_source(const struct model *model, int clip, const char *path,
 	return error;
 }
 
-static int run(const struct options *options, const struct log *log)
+static int run_with_model(const struct model *model,
+	const struct options *options, const struct log *log)
 {
+	int first = model->clip_count > 0 ? 0 : -1;
 	struct embed_size size;
-	struct model *model;
-	int clip, error;
+	int clip;
+	int error = model_choose_clip(model, options->clip, first, log, &clip);
 
-	if (!options->model_path || !options->c_file) {
-		log_error(log, "export: limber export MODEL --c FILE.c");
-		return EXIT_USAGE;
-	}
-	if (model_load(options->model_path, log, &model) != 0) {
-		return EXIT_FAILED;
-	}
-	error = find_clip(options, model, log, &clip);
 	if (!error) {
 		error = write_source(model, clip, options->c_file, log, &size);
 	}
@@ -85,8 +61,16 @@ static int run(const struct options *options, const struct log *log)
 		       "(RAM)\n",
 			options->c_file, size.rom_bytes, size.ram_bytes);
 	}
-	model_destroy(model);
-	return command_exit_code(error);
+	return error;
+}
+
+static int run(const struct options *options, const struct log *log)
+{
+	if (!options->model_path || !options->c_file) {
+		log_error(log, "export: limber export MODEL --c FILE.c");
+		return EXIT_USAGE;
+	}
+	return command_with_model(options, log, run_with_model);
 }
 
 const struct command command_export = {

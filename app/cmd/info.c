@@ -3,26 +3,26 @@
 
 #include <stdio.h>
 
-static int run(const struct options *options, const struct log *log)
+static int run_with_model(const struct model *model,
+	const struct options *options, const struct log *log)
 {
 	struct info_report report;
-	struct model *model;
-	int error;
+	int error = info_measure(model, log, &report);
 
+	if (error) {
+		return error;
+	}
+	return options->json ? info_print_json(&report, log, stdout)
+			     : info_print_text(&report, log, stdout);
+}
+
+static int run(const struct options *options, const struct log *log)
+{
 	if (!options->model_path) {
 		log_error(log, "info: no model: limber info MODEL");
 		return EXIT_USAGE;
 	}
-	if (model_load(options->model_path, log, &model) != 0) {
-		return EXIT_FAILED;
-	}
-	error = info_measure(model, log, &report);
-	if (!error) {
-		error = options->json ? info_print_json(&report, log, stdout)
-				      : info_print_text(&report, log, stdout);
-	}
-	model_destroy(model);
-	return command_exit_code(error);
+	return command_with_model(options, log, run_with_model);
 }
 
 const struct command command_info = {

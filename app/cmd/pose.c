@@ -61,31 +61,13 @@ static int write_obj(const struct instance *instance, const char *path,
 	return error;
 }
 
-/* The clip that the options name; -1 for the rest pose. */
-static int find_clip(const struct options *options, const struct model *model,
-	const struct log *log, int *out)
-{
-	*out = -1;
-	if (!options->clip) {
-		return 0;
-	}
-	*out = model_find_clip(model, options->clip);
-	if (*out < 0) {
-		log_error(log,
-			"--clip %s: %s has no such clip: limber info "
-			"lists them",
-			options->clip, model->path);
-		return -ENOENT;
-	}
-	return 0;
-}
-
 static int pose_instance(struct instance *instance,
 	const struct options *options, const struct log *log)
 {
 	struct clip_cursor cursor;
 	int clip;
-	int error = find_clip(options, instance->model, log, &clip);
+	int error = model_choose_clip(
+		instance->model, options->clip, -1, log, &clip);
 
 	if (error) {
 		return error;
@@ -147,9 +129,6 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	struct model *model;
-	int error;
-
 	if (!options->model_path) {
 		log_error(log, "pose: no model: limber pose MODEL -o FILE.obj");
 		return EXIT_USAGE;
@@ -161,13 +140,7 @@ static int run(const struct options *options, const struct log *log)
 	if (!choose_kernel(options, log)) {
 		return EXIT_USAGE;
 	}
-	error = model_load(options->model_path, log, &model);
-	if (error) {
-		return EXIT_FAILED;
-	}
-	error = run_with_model(model, options, log);
-	model_destroy(model);
-	return command_exit_code(error);
+	return command_with_model(options, log, run_with_model);
 }
 
 const struct command command_pose = {

@@ -53,25 +53,6 @@ struct demo {
 	float turn, tilt, zoom; /* while a button is held: -1, 0 or 1 */
 };
 
-/* The first clip or the one asked for; -1 where the model has none. */
-static int choose_clip(
-	const struct demo_env *env, const struct model *model, int *out)
-{
-	*out = model->clip_count > 0 ? 0 : -1;
-	if (!env->clip) {
-		return 0;
-	}
-	*out = model_find_clip(model, env->clip);
-	if (*out < 0) {
-		log_error(env->log,
-			"--clip %s: %s has no such clip: limber info lists "
-			"them",
-			env->clip, env->model_path);
-		return -ENOENT;
-	}
-	return 0;
-}
-
 static float viewer_duration_s(const struct demo *demo)
 {
 	return demo->clip < 0
@@ -136,7 +117,8 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
 	const struct actor *actor = &demo->act.actor;
 	struct bounds bounds;
-	int error = choose_clip(env, actor->model, &demo->clip);
+	int error = model_choose_clip(actor->model, env->clip,
+		actor->model->clip_count > 0 ? 0 : -1, env->log, &demo->clip);
 
 	if (!error) {
 		error = init_join(demo, env);

@@ -170,6 +170,20 @@ int model_find_clip(const struct model *model, const char *name_or_index)
 	return (int)number;
 }
 
+int model_choose_clip(const struct model *model, const char *wanted,
+	int unasked, const struct log *log, int *out)
+{
+	*out = wanted ? model_find_clip(model, wanted) : unasked;
+	if (wanted && *out < 0) {
+		log_error(log,
+			"--clip %s: %s has no such clip: limber info lists "
+			"them",
+			wanted, model->path);
+		return -ENOENT;
+	}
+	return 0;
+}
+
 /*
  * A vertex without any weight would collapse into the origin, so its first
  * joint carries it: that is where exporters which write a rigid vertex

@@ -228,4 +228,11 @@ int model_find_mesh(const struct model *model, const char *name);
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
 
+/*
+ * The clip that --clip names into *out, or unasked where wanted is NULL. 0, or
+ * -ENOENT after a sentence.
+ */
+int model_choose_clip(const struct model *model, const char *wanted,
+	int unasked, const struct log *log, int *out);
+
 #endif

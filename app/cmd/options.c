@@ -127,6 +127,23 @@ static int say_unknown(const char *word, size_t length,
 	return -EINVAL;
 }
 
+/* True when the value, NULL for a switch, is good. */
+static bool set_entry(const struct option_entry *entry, struct options *options,
+	const char *value)
+{
+	char *member = (char *)options + entry->member;
+
+	if (entry->set) {
+		return entry->set(options, value);
+	}
+	if (!entry->value) {
+		*(bool *)member = true;
+		return true;
+	}
+	*(const char **)member = value;
+	return value[0] != '\0';
+}
+
 /* One option and its value; *at moves over a value that is its own word. */
 static int parse_option(struct options *options, enum command_bit command,
 	int argc, char **argv, int *at, const struct log *log)
@@ -159,7 +176,7 @@ static int parse_option(struct options *options, enum command_bit command,
 		log_error(log, "--%s: takes no value", entry->name);
 		return -EINVAL;
 	}
-	if (!entry->set(options, value)) {
+	if (!set_entry(entry, options, value)) {
 		log_error(log, "--%s %s: want %s", entry->name, value,
 			entry->expected);
 		return -EINVAL;
@@ -241,11 +258,11 @@ int options_set(struct options *options, enum command_bit command,
 		return -EINVAL;
 	}
 	if (entry->value) {
-		good = entry->set(&tried, value);
+		good = set_entry(entry, &tried, value);
 	} else {
 		good = strcmp(value, "yes") == 0 || strcmp(value, "no") == 0;
 		if (good && value[0] == 'y') {
-			good = entry->set(&tried, NULL);
+			good = set_entry(entry, &tried, NULL);
 		}
 	}
 	if (!good) {

@@ -29,18 +29,6 @@ static bool read_int(const char *text, int low, int high, int *out)
 	return true;
 }
 
-static bool set_demo(struct options *options, const char *value)
-{
-	options->demo = value;
-	return true;
-}
-
-static bool set_output(struct options *options, const char *value)
-{
-	options->output = value;
-	return value[0] != '\0';
-}
-
 static bool set_size(struct options *options, const char *value)
 {
 	char *end;
@@ -76,76 +64,16 @@ static bool set_fps(struct options *options, const char *value)
 		options->fps <= 1000.0;
 }
 
-static bool set_gl(struct options *options, const char *value)
-{
-	options->gl = value;
-	return true;
-}
-
-static bool set_egl_library(struct options *options, const char *value)
-{
-	options->egl_library = value;
-	return value[0] != '\0';
-}
-
-static bool set_gles_library(struct options *options, const char *value)
-{
-	options->gles_library = value;
-	return value[0] != '\0';
-}
-
-static bool set_display(struct options *options, const char *value)
-{
-	options->display = value;
-	return true;
-}
-
-static bool set_watchdog(struct options *options, const char *value)
-{
-	options->watchdog = value;
-	return value[0] != '\0';
-}
-
 static bool set_buttons(struct options *options, const char *value)
 {
 	options->buttons = value;
 	return true;
 }
 
-static bool set_record(struct options *options, const char *value)
-{
-	options->record = value;
-	return value[0] != '\0';
-}
-
-static bool set_config(struct options *options, const char *value)
-{
-	options->config = value;
-	return value[0] != '\0';
-}
-
-static bool set_script(struct options *options, const char *value)
-{
-	options->script = value;
-	return true;
-}
-
-static bool set_camera(struct options *options, const char *value)
-{
-	options->camera = value;
-	return value[0] != '\0';
-}
-
 static bool set_camera_use(struct options *options, const char *value)
 {
 	options->camera_use = live_use_find(value);
 	return options->camera_use != LIVE_USES;
-}
-
-static bool set_stats(struct options *options, const char *value)
-{
-	options->stats = value;
-	return value[0] != '\0';
 }
 
 static bool set_clock(struct options *options, const char *value)
@@ -202,22 +130,10 @@ static bool set_repeat(struct options *options, const char *value)
 	return false;
 }
 
-static bool set_clip(struct options *options, const char *value)
-{
-	options->clip = value;
-	return value[0] != '\0';
-}
-
 static bool set_math(struct options *options, const char *value)
 {
 	options->math = strcmp(value, "fixed") == 0 ? MATH_FIXED : MATH_FLOAT;
 	return options->math == MATH_FIXED || strcmp(value, "float") == 0;
-}
-
-static bool set_kernel(struct options *options, const char *value)
-{
-	options->kernel = value;
-	return true;
 }
 
 static bool set_influences(struct options *options, const char *value)
@@ -278,38 +194,6 @@ static bool set_report(struct options *options, const char *value)
 	return report_find(value) != NULL;
 }
 
-static bool set_plot(struct options *options, const char *value)
-{
-	options->plot = value;
-	return value[0] != '\0';
-}
-
-static bool set_c_file(struct options *options, const char *value)
-{
-	options->c_file = value;
-	return value[0] != '\0';
-}
-
-static bool set_export(struct options *options, const char *value)
-{
-	options->export_folder = value;
-	return value[0] != '\0';
-}
-
-static bool set_json(struct options *options, const char *value)
-{
-	(void)value;
-	options->json = true;
-	return true;
-}
-
-static bool set_no_labels(struct options *options, const char *value)
-{
-	(void)value;
-	options->no_labels = true;
-	return true;
-}
-
 static bool set_budget(struct options *options, const char *value)
 {
 	double ms;
@@ -332,175 +216,149 @@ static bool set_walkers(struct options *options, const char *value)
 	return read_int(value, 1, WALKERS_MAX, &options->walkers);
 }
 
-static bool set_hud(struct options *options, const char *value)
-{
-	(void)value;
-	options->hud = true;
-	return true;
-}
-
-static bool set_verbose(struct options *options, const char *value)
-{
-	(void)value;
-	options->verbose = true;
-	return true;
-}
-
-static bool set_help(struct options *options, const char *value)
-{
-	(void)value;
-	options->help = true;
-	return true;
-}
-
-static bool set_version(struct options *options, const char *value)
-{
-	(void)value;
-	options->version = true;
-	return true;
-}
-
 enum {
 	FOR_SHOW = FOR_PLAY | FOR_RENDER
 };
 
+#define AS_IS(member) NULL, offsetof(struct options, member)
+
 /* clang-format off */
 const struct option_entry option_entries[] = {
 	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
-		"the file to write", "a file name", set_output},
+		"the file to write", "a file name", AS_IS(output)},
 	{0, "demo", "NAME", FOR_SHOW,
 		"a built-in demo, no model: walker, arm, face, "
 		"crowd, duel or tuner",
-		"a demo's name", set_demo},
+		"a demo's name", AS_IS(demo)},
 	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,
 		"an animation of the model, by name or number (0 is the first)",
-		"a clip's name or number", set_clip},
+		"a clip's name or number", AS_IS(clip)},
 	{0, "time", "T", FOR_SHOW | FOR_POSE,
 		"the moment to show or begin at: seconds, 45f@30 (frames) or "
 		"7200t (ticks)",
 		"seconds such as 1.5, frames such as 45f@30 or ticks such as "
-		"7200t, from 0 to 86400 s", set_time},
+		"7200t, from 0 to 86400 s", set_time, 0},
 	{0, "interpolation", "MODE", FOR_SHOW | FOR_POSE,
 		"between keys: auto (as the file says), nearest, step, linear "
 		"or cubic", "auto, nearest, step, linear or cubic",
-		set_interpolation},
+		set_interpolation, 0},
 	{0, "speed", "X", FOR_SHOW,
 		"play a model's clip X times as fast, backwards if negative",
-		"a number from -100 to 100", set_speed},
+		"a number from -100 to 100", set_speed, 0},
 	{0, "repeat", "KIND", FOR_SHOW,
 		"play a model's clip once, in a loop or as ping-pong (loop)",
-		"loop, ping-pong or once", set_repeat},
+		"loop, ping-pong or once", set_repeat, 0},
 	{0, "frames", "N", FOR_SHOW,
-		"stop after N frames", "a number from 1 to 1000000", set_frames},
+		"stop after N frames", "a number from 1 to 1000000", set_frames, 0},
 	{0, "size", "WxH", FOR_SHOW | FOR_COMPARE,
 		"size of the picture in pixels (480x640, or the whole screen)",
-		"width x height such as 480x640, up to 8192x8192", set_size},
+		"width x height such as 480x640, up to 8192x8192", set_size, 0},
 	{0, "format", "NAME", FOR_SHOW,
 		"pixels drawn: rgb565 or rgba8888 (as suits the display)",
-		"rgb565 or rgba8888", set_format},
+		"rgb565 or rgba8888", set_format, 0},
 	{0, "gl", "NAME", FOR_SHOW,
 		"the GL driver: auto, gles1, soft or osmesa",
-		"a driver's name", set_gl},
+		"a driver's name", AS_IS(gl)},
 	{0, "egl-library", "FILE", FOR_SHOW | FOR_DOCTOR,
 		"the vendor's EGL, for gles1", "a library's file name",
-		set_egl_library},
+		AS_IS(egl_library)},
 	{0, "gles-library", "FILE", FOR_SHOW | FOR_DOCTOR,
 		"the vendor's OpenGL ES 1.1, for gles1",
-		"a library's file name", set_gles_library},
+		"a library's file name", AS_IS(gles_library)},
 	{0, "display", "NAME", FOR_PLAY,
 		"where pictures go: auto, window, kms, fbdev, egl, image or null",
-		"a display's name", set_display},
+		"a display's name", AS_IS(display)},
 	{0, "fps", "N", FOR_PLAY,
 		"at most N frames a second (as the screen can, or 60)",
-		"a number from 1 to 1000", set_fps},
+		"a number from 1 to 1000", set_fps, 0},
 	{0, "watchdog", "DEVICE", FOR_PLAY,
 		"restart the board when pictures stop, such as /dev/watchdog",
-		"a device such as /dev/watchdog", set_watchdog},
+		"a device such as /dev/watchdog", AS_IS(watchdog)},
 	{0, "buttons", "SPEC", FOR_SHOW,
 		"where buttons come from besides the window, such as "
-		"script:FILE", "sources such as script:FILE", set_buttons},
+		"script:FILE", "sources such as script:FILE", set_buttons, 0},
 	{0, "script", "FILE", FOR_SHOW,
 		"buttons from a file with lines TIME_MS BUTTON down|up",
-		"a file name", set_script},
+		"a file name", AS_IS(script)},
 	{0, "record", "FILE", FOR_PLAY,
 		"keep what is shown as a film: .gif or .y4m",
-		"a file name that ends in .gif or .y4m", set_film},
+		"a file name that ends in .gif or .y4m", set_film, 0},
 	{0, "record-buttons", "FILE", FOR_PLAY,
 		"write down what is pressed, for --script", "a file name",
-		set_record},
+		AS_IS(record)},
 	{0, "config", "FILE", FOR_SHOW | FOR_POSE | FOR_DOCTOR,
 		"options from this file instead of limber.conf; none: from no "
-		"file", "a file name or none", set_config},
+		"file", "a file name or none", AS_IS(config)},
 	{0, "camera", "SPEC", FOR_SHOW,
 		"live pictures: /dev/video0, auto or pattern; with ,320x240 "
 		"for a size", "a camera such as auto or /dev/video0",
-		set_camera},
+		AS_IS(camera)},
 	{0, "camera-use", "USE", FOR_SHOW,
 		"what they are for: background, screen, motion or off (F10 "
 		"changes it)",
-		"background, screen, motion or off", set_camera_use},
+		"background, screen, motion or off", set_camera_use, 0},
 	{0, "stats", "FILE", FOR_SHOW,
 		"write at the end how long frames took, as JSON",
-		"a file name", set_stats},
+		"a file name", AS_IS(stats)},
 	{0, "clock", "KIND", FOR_SHOW,
 		"real, or fixed:FPS for the same times in every run",
-		"real or fixed:FPS, FPS up to 1000", set_clock},
+		"real or fixed:FPS, FPS up to 1000", set_clock, 0},
 	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
 		"how vertices are computed: float or fixed", "float or fixed",
-		set_math},
+		set_math, 0},
 	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH | FOR_COMPARE,
 		"which vertex loops: float, fixed, an4044, on ARM armv6",
-		"a kernel's name", set_kernel},
+		"a kernel's name", AS_IS(kernel)},
 	{0, "influences", "N", FOR_SHOW | FOR_POSE,
 		"at most N joints a vertex; auto: fewer on small figures; "
 		"budget:N",
 		"a number from 1 to 8, auto or budget:N",
-		set_influences},
+		set_influences, 0},
 	{0, "no-labels", NULL, FOR_SHOW,
-		"leave out the text on the picture", NULL, set_no_labels},
+		"leave out the text on the picture", NULL, AS_IS(no_labels)},
 	{0, "budget-ms", "N", FOR_PLAY,
 		"keep frames within N ms: leave out influences, then normals, "
 		"then poses",
-		"a number from 1 to 1000", set_budget},
+		"a number from 1 to 1000", set_budget, 0},
 	{0, "walkers", "N", FOR_SHOW,
 		"how many walkers the demo crowd begins with (12)",
-		"a number from 1 to 50", set_walkers},
+		"a number from 1 to 50", set_walkers, 0},
 	{0, "hud", NULL, FOR_SHOW,
 		"show how long frames take, as F9 held and H in a window do",
-		NULL, set_hud},
+		NULL, AS_IS(hud)},
 	{0, "runs", "N", FOR_BENCH,
 		"time everything N times and take the median (15)",
-		"a number from 1 to 1001", set_runs},
+		"a number from 1 to 1001", set_runs, 0},
 	{0, "fps", "F", FOR_COMPARE,
 		"compare F frames a second of the clip (60)",
-		"a number from 1 to 240", set_rate},
+		"a number from 1 to 240", set_rate, 0},
 	{0, "error", "PX", FOR_COMPARE,
 		"the error that may be, in pixels (0.5)",
-		"a number from 0.001 to 1000", set_error},
+		"a number from 0.001 to 1000", set_error, 0},
 	{0, "ram", "BYTES", FOR_COMPARE,
 		"the memory that may be used, such as 200000, 512k or 2m",
-		"a number of bytes such as 200000, 512k or 2m", set_memory},
+		"a number of bytes such as 200000, 512k or 2m", set_memory, 0},
 	{0, "format", "KIND", FOR_COMPARE,
 		"print text, json, csv or md (text)", "text, json, csv or md",
-		set_report},
+		set_report, 0},
 	{0, "plot", "FILE.svg", FOR_COMPARE,
 		"draw error against cost, a curve a technique", "a file name",
-		set_plot},
+		AS_IS(plot)},
 	{0, "c", "FILE.c", FOR_EXPORT,
 		"the C source to write; its name becomes the functions' prefix",
-		"a file name", set_c_file},
+		"a file name", AS_IS(c_file)},
 	{0, "export", "DIR", FOR_COMPARE,
 		"keep the baked models as glTF in this folder",
-		"a folder's name", set_export},
+		"a folder's name", AS_IS(export_folder)},
 	{0, "json", NULL, FOR_INFO | FOR_BENCH | FOR_DOCTOR,
-		"print JSON", NULL, set_json},
+		"print JSON", NULL, AS_IS(json)},
 	{'v', "verbose", NULL, FOR_ALL,
-		"say more on the way", NULL, set_verbose},
+		"say more on the way", NULL, AS_IS(verbose)},
 	{'h', "help", NULL, FOR_ALL,
-		"print this help", NULL, set_help},
+		"print this help", NULL, AS_IS(help)},
 	{0, "version", NULL, FOR_ALL,
-		"print the version", NULL, set_version},
-	{0, NULL, NULL, 0, NULL, NULL, NULL},
+		"print the version", NULL, AS_IS(version)},
+	{0, NULL, NULL, 0, NULL, NULL, NULL, 0},
 };
 /* clang-format on */
 

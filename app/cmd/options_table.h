@@ -6,6 +6,8 @@
 
 #include "app/cmd/options.h"
 
+#include <stddef.h>
+
 enum {
 	OPTIONS_MAX = 64 /* rows, for arrays of their names */
 };
@@ -17,8 +19,13 @@ struct option_entry {
 	int commands;
 	const char *summary;
 	const char *expected; /* what a good value looks like */
-	/* True when the value is good. */
+	/*
+	 * True when the value is good. NULL: the member at that offset of
+	 * struct options keeps it as it is, a text that is not empty, or true
+	 * for a switch.
+	 */
 	bool (*set)(struct options *options, const char *value);
+	size_t member;
 };
 
 /* All of them; the last one has no name. */

@@ -55,6 +55,17 @@ static void test_starts_from_the_panels_size(void **state)
 	assert_false(options.clock.fixed);
 }
 
+static void test_refuses_a_text_that_is_empty(void **state)
+{
+	struct parse demo = PARSE(FOR_RENDER, "--demo", "");
+	struct parse output = PARSE(FOR_POSE, "-o", "");
+
+	(void)state;
+	assert_int_equal(demo.error, -EINVAL);
+	assert_non_null(strstr(demo.said.text, "want a demo's name"));
+	assert_int_equal(output.error, -EINVAL);
+}
+
 static void test_suggests_the_option_that_was_meant(void **state)
 {
 	struct parse p = PARSE(FOR_RENDER, "--tmie", "1");
@@ -177,6 +188,7 @@ int main(void)
 		cmocka_unit_test(
 			test_reads_values_after_a_space_or_an_equals_sign),
 		cmocka_unit_test(test_starts_from_the_panels_size),
+		cmocka_unit_test(test_refuses_a_text_that_is_empty),
 		cmocka_unit_test(test_suggests_the_option_that_was_meant),
 		cmocka_unit_test(test_points_to_help_when_nothing_is_near),
 		cmocka_unit_test(

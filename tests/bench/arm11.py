@@ -20,6 +20,7 @@ import sys
 import tempfile
 from dataclasses import dataclass, field
 
+from arm11_frame import places, print_split, split_as_json
 from arm11_rows import ROWS, Row
 
 # What the model is told, by the name of the column. In "warm" every access is
@@ -153,26 +154,12 @@ def counts_of(report, number):
     return next(r["counts"] for r in report["regions"] if r["name"].endswith(suffix))
 
 
-def chapters(folder):
-    """symbol -> file it is from, without its ending."""
-    places = {}
-    root = pathlib.Path("build/arm/obj", folder)
-    for path in sorted(root.rglob("*.o")):
-        listing = subprocess.run(
-            ["arm-linux-gnueabi-nm", path], capture_output=True, text=True, check=True
-        ).stdout
-        for line in listing.splitlines():
-            if (words := line.split())[-2] in "tT":
-                places.setdefault(words[-1], str(path.relative_to(root).with_suffix("")))
-    return places
-
-
 def shares(figures):
     """The region's cycles by chapter, largest first, as text."""
-    places = chapters(figures.row.chapters)
+    where = places(figures.row.chapters)
     sums = {}
     for symbol in figures.report["symbols"]:
-        chapter = places.get(symbol["name"], "the rest")
+        chapter = where.get(symbol["name"], "the rest")
         sums[chapter] = sums.get(chapter, 0) + symbol["cycles"]
     total = sum(sums.values())
     largest = sorted(sums.items(), key=lambda item: -item[1])
@@ -241,6 +228,8 @@ def print_table(all_figures, out):
         )
         if f.row.chapters and f.report:
             print(f"    {', '.join(shares(f))}", file=out)
+        if f.row.stages and f.report:
+            print_split(f.report, out)
     print(NOTES, file=out)
 
 
@@ -258,8 +247,9 @@ them where not said otherwise (CesiumMan has 54 sets, the walker 63). A model's
 mesh includes what comes once a frame; "all that moves" is everything from pose
 to drawing. A pose is sampling, world matrices and palette. Frames are 480x640,
 RGB565; below them the files of platform/gl/soft that take most cycles (the rest
-is libc's memset and the program around it). osmesa is Debian's armel build:
-instructions alone."""
+is libc's memset and the program around it). Nothing is presented in a demo's:
+the picture is the framebuffer. osmesa is Debian's armel build: instructions
+alone, its floating point in software."""
 
 
 def as_json(all_figures):
@@ -284,6 +274,7 @@ def as_json(all_figures):
                 "bound": f.row.bound,
                 "aim": aims(f, ratio),
                 "shares": shares(f) if f.row.chapters and f.report else [],
+                "stages": split_as_json(f.report) if f.row.stages and f.report else {},
             }
             for f in all_figures
         ],

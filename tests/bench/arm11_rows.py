@@ -28,6 +28,7 @@ class Row:
     times: dict = None  # the same, as so many times an4044's speed
     osmesa: bool = False  # instructions of the other GL driver, too
     chapters: str = None  # a folder of objects, to tell cycles apart
+    stages: bool = False  # a whole frame, from animation to picture
 
     def model(self):
         """The model that it needs, as found under the samples, or None."""
@@ -120,6 +121,6 @@ ROWS = (
     picture("gl-Ag", "A, geometry alone", 2.5, "gl_scenes", "Ag"),
     picture("gl-Bg", "B, geometry alone", 2.5, "gl_scenes", "Bg"),
     picture("gl-clear", "clear alone", 0.4, "gl_scenes", "clear"),
-    picture("gl-walker", "the walker demo", 8.3, "demo_frames", "walker"),
+    picture("gl-walker", "the walker demo", 8.3, "demo_frames", "walker", stages=True),
 )
 # fmt: on

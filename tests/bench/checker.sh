@@ -77,4 +77,10 @@ expect_out '^ok 1 - cesium # SKIP no '
 run "$folder/arm11.py" --short --check "$figures" --rows lerp --model "$scratch/none.so"
 about 'without a model'
 expect_status 1
+
+sed -i 's/ fill_plain / /' "$scratch/arm11_frame.py"
+run "$scratch/arm11.py" --short --rows gl-walker
+about 'a file of the driver without a stage'
+expect_status 1
+expect_err 'STAGES in tests/bench/arm11_frame.py lacks platform/gl/soft/fill_plain.c'
 tap_done

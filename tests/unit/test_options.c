@@ -62,7 +62,7 @@ static void test_refuses_a_text_that_is_empty(void **state)
 
 	(void)state;
 	assert_int_equal(demo.error, -EINVAL);
-	assert_non_null(strstr(demo.said.text, "want a demo's name"));
+	assert_contains(demo.said.sentence[0], "want a demo's name");
 	assert_int_equal(output.error, -EINVAL);
 }
 

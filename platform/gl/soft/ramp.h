@@ -87,6 +87,8 @@ static ALWAYS_INLINE struct limits find_limits(
 	int32_t a = setup->v[0]->clip[3], b = setup->v[1]->clip[3];
 	int32_t c = setup->v[2]->clip[3];
 	int32_t low = a < b ? a : b, high = a < b ? b : a;
+	bool mipmapped;
+	int near; /* w differs by less than 1 / 2^near of it */
 
 	if (!draw->perspective) {
 		return (struct limits){SMALL_DELTA, SMALL_DELTA};
@@ -97,12 +99,15 @@ static ALWAYS_INLINE struct limits find_limits(
 		return (struct limits){
 			1 << 16, is_mipmapped(draw) ? SMALL_DELTA : (1 << 13)};
 	}
-	if (high - low <= low >> 4) {
-		return (struct limits){1 << 13,
-			(is_mipmapped(draw) && setup->extent <= 256) ? SMALL_DELTA
-								     : 1 << 11};
+	near = LEADING_ZEROS_32((uint32_t)(high - low)) -
+		LEADING_ZEROS_32((uint32_t)low);
+	near -= near > 0 && high - low > low >> near;
+	if (near <= 0) {
+		return (struct limits){0, 0};
 	}
-	return (struct limits){0, 0};
+	mipmapped = near >= 4 && setup->extent <= 256 && is_mipmapped(draw);
+	return (struct limits){
+		512 << near, mipmapped ? SMALL_DELTA : 128 << near};
 }
 
 static ALWAYS_INLINE bool is_within(int32_t delta, int32_t limit)
@@ -110,11 +115,18 @@ static ALWAYS_INLINE bool is_within(int32_t delta, int32_t limit)
 	return (uint32_t)(delta + limit) <= 2 * (uint32_t)limit;
 }
 
+/* From 0 to the two. */
+static ALWAYS_INLINE int32_t find_spread(int32_t d1, int32_t d2)
+{
+	int32_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1;
+
+	return (high > 0 ? high : 0) - (low < 0 ? low : 0);
+}
+
 /* Colours differ by less than 2^16 anyway. */
 static ALWAYS_INLINE bool is_color_within(int32_t d1, int32_t d2, int32_t limit)
 {
-	return limit >= 1 << 16 ||
-		(is_within(d1, limit) && is_within(d2, limit));
+	return limit >= 1 << 16 || find_spread(d1, d2) <= 2 * limit;
 }
 
 /* False when the triangle has to go the general way. */

@@ -32,6 +32,37 @@
 		(uint32_t)(int32_t)((int64_t)(word) * (int16_t)(half) >> 16)))
 #endif
 
+/* The upper half of the product of two int32_t; the same added to sum; wraps. */
+#if defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6
+static inline int32_t multiply_high(int32_t a, int32_t b)
+{
+	int32_t product;
+
+	__asm__("smmul %0, %1, %2" : "=r"(product) : "r"(a), "r"(b));
+	return product;
+}
+
+static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
+{
+	int32_t product;
+
+	__asm__("smmla %0, %1, %2, %3"
+		: "=r"(product)
+		: "r"(a), "r"(b), "r"(sum));
+	return product;
+}
+#else
+static inline int32_t multiply_high(int32_t a, int32_t b)
+{
+	return (int32_t)(((int64_t)a * b) >> 32);
+}
+
+static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
+{
+	return (int32_t)((uint32_t)sum + (uint32_t)multiply_high(a, b));
+}
+#endif
+
 /* The same value, of which the compiler knows nothing any more. */
 #define OPAQUE(value) __asm__("" : "+r"(value))
 

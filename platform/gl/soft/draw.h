@@ -56,15 +56,20 @@ enum {
 	OUT_FAR = 32,
 };
 
+/*
+ * Three cache lines: what every triangle wants, what textured ones want
+ * besides, and what clipping and two sides want. arm/vertex.S knows the
+ * offsets.
+ */
 struct vertex {
-	int32_t clip[4];
-	int32_t x, y, z;       /* window, where outcode is 0 */
-	int32_t inverse_w_q30; /* 2^62 / (w << w_zeros) */
-	uint8_t w_zeros;
+	_Alignas(32) uint8_t w_zeros;
 	uint8_t outcode;
-	bool shaded; /* attributes and back are there */
-	uint32_t index;
+	bool shaded;     /* attributes and back are there */
+	int32_t x, y, z; /* window, where outcode is 0 */
 	int32_t attribute[ATTRIBUTES];
+	int32_t inverse_w_q30; /* 2^62 / (w << w_zeros) */
+	uint32_t index;
+	_Alignas(32) int32_t clip[4];
 	int32_t back[4]; /* colour of the other side, if there are two */
 };
 

@@ -15,7 +15,13 @@ extern const uint16_t soft_reciprocal_table[256];
 /* The upper half of the product; rounds down. */
 static inline int32_t mul_high(int32_t a, int32_t b)
 {
-	return (int32_t)(((int64_t)a * b) >> 32);
+	return multiply_high(a, b);
+}
+
+/* The same added to a sum; wraps. */
+static inline int32_t mul_high_add(int32_t sum, int32_t a, int32_t b)
+{
+	return multiply_add_high(sum, a, b);
 }
 
 static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)

@@ -43,12 +43,13 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 		log_error(log, "--gl soft: out of memory");
 		return -ENOMEM;
 	}
-	soft->draw = calloc(1, sizeof(*soft->draw));
+	soft->draw = aligned_alloc(_Alignof(struct draw), sizeof(*soft->draw));
 	if (!soft->draw) {
 		log_error(log, "--gl soft: out of memory");
 		free(soft);
 		return -ENOMEM;
 	}
+	memset(soft->draw, 0, sizeof(*soft->draw));
 	soft_init_scratch(soft->draw);
 	soft->base.driver = &gl_driver_soft;
 	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";

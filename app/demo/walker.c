@@ -128,7 +128,8 @@ static void walker_update(struct demo *demo, double time_s)
 {
 	struct instance *instance = demo->act.actor.instance;
 	float step_s = (float)(time_s - demo->now_s);
-	float light[3];
+	const struct floor *floor = &demo->act.stage.floor;
+	struct shadow_light light;
 
 	demo->now_s = time_s;
 	if (demo->touring) {
@@ -146,12 +147,14 @@ static void walker_update(struct demo *demo, double time_s)
 			.floor = &demo->act.stage.floor});
 	instance->relief = demo->rig.on[RIG_BUMPS];
 	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
-	if (demo->act.stage.floor.relief == 0.0f) {
+	if (floor->relief == 0.0f) {
 		return;
 	}
-	light_direction(light);
-	shadow_volume_update(&demo->shadow, instance, light,
-		2.0f * demo->act.stage.camera.reach);
+	light.reach = 2.0f * demo->act.stage.camera.reach;
+	light.ground_low = floor->y - floor->relief;
+	light.ground_high = floor->y + floor->relief;
+	light_direction(light.towards);
+	shadow_volume_update(&demo->shadow, instance, &light);
 }
 
 static void draw_shadow(const struct demo *demo)

@@ -1,6 +1,7 @@
 #include "app/scene/shadow_volume.h"
 
 #include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
 
@@ -201,10 +202,27 @@ fail:
 	return -ENOMEM;
 }
 
-/* Posed vertices in scene units, and the same moved away from the light. */
+/* How far down the light a place is at this height; between 0 and most. */
+static float way_down(
+	const struct shadow_light *light, float from_y, float to_y, float most)
+{
+	if (light->towards[1] <= 0.0f) {
+		return most;
+	}
+	return scalar_clamp((from_y - to_y) / light->towards[1], 0.0f, most);
+}
+
+static void move(const float from[3], const float towards_light[3], float way,
+	float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = from[axis] - towards_light[axis] * way;
+	}
+}
+
+/* Posed vertices in scene units, where the hull begins and where it ends. */
 static void place_vertices(struct shadow_hull *hull,
-	const struct instance *instance, const float towards_light[3],
-	float reach)
+	const struct instance *instance, const struct shadow_light *light)
 {
 	const struct drawable *drawable = hull->drawable;
 	int count = drawable->primitive->vertex_count;
@@ -214,17 +232,21 @@ static void place_vertices(struct shadow_hull *hull,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	for (int v = 0; v < count; v++) {
-		float p[3];
-		float *near = hull->position[v];
-		float *far = hull->position[v + count];
+		float p[3], posed[3], far_way, near_way;
 
 		drawable_position(drawable, v, p);
 		for (int axis = 0; axis < 3; axis++) {
-			near[axis] = matrix[0][axis] * p[0] +
+			posed[axis] = matrix[0][axis] * p[0] +
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
-			far[axis] = near[axis] - towards_light[axis] * reach;
 		}
+		far_way = way_down(
+			light, posed[1], light->ground_low, light->reach);
+		near_way = light->ground_high < posed[1]
+			? way_down(light, posed[1], light->ground_high, far_way)
+			: 0.0f;
+		move(posed, light->towards, near_way, hull->position[v]);
+		move(posed, light->towards, far_way, hull->position[v + count]);
 	}
 }
 
@@ -290,8 +312,7 @@ static uint16_t *add_sides(const struct shadow_hull *hull, uint16_t *next)
 }
 
 void shadow_volume_update(struct shadow_volume *volume,
-	const struct instance *instance, const float towards_light[3],
-	float reach)
+	const struct instance *instance, const struct shadow_light *light)
 {
 	for (int i = 0; i < volume->hull_count; i++) {
 		struct shadow_hull *hull = &volume->hull[i];
@@ -303,10 +324,10 @@ void shadow_volume_update(struct shadow_volume *volume,
 		if (hull->drawable->hidden) {
 			continue;
 		}
-		place_vertices(hull, instance, towards_light, reach);
+		place_vertices(hull, instance, light);
 		for (int t = 0; t < primitive->index_count / 3; t++) {
 			hull->lit[t] = faces(
-				hull, primitive->index + t * 3, towards_light);
+				hull, primitive->index + t * 3, light->towards);
 		}
 		end = add_sides(hull, add_caps(hull, hull->index));
 		hull->index_count = (int)(end - hull->index);

@@ -24,8 +24,8 @@ struct shadow_hull {
 	int edge_count;
 	struct shadow_edge *edge;
 	bool *lit;            /* [triangle_count], by the last update */
-	float (*position)[3]; /* [2 * vertex_count]: as posed, then moved away
-				 from the light */
+	float (*position)[3]; /* [2 * vertex_count]: as posed or moved down to
+				 the ground, then moved away from the light */
 	uint16_t *index;
 	int index_count;
 };
@@ -33,6 +33,17 @@ struct shadow_hull {
 struct shadow_volume {
 	int hull_count;
 	struct shadow_hull *hull;
+};
+
+/*
+ * The light, and between which heights there is ground. Hulls lie between them
+ * alone, so that they cover no more of the picture than they must.
+ */
+struct shadow_light {
+	float towards[3]; /* unit length */
+	float reach;      /* scene units: hulls are no longer */
+	/* scene units; -INFINITY and INFINITY where that is not known */
+	float ground_low, ground_high;
 };
 
 /*
@@ -45,11 +56,10 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 
 /*
  * After instance_update(): which triangles see the light, and the hulls that
- * follow, reach scene units long. Allocates nothing.
+ * follow. Allocates nothing.
  */
 void shadow_volume_update(struct shadow_volume *volume,
-	const struct instance *instance, const float towards_light[3],
-	float reach);
+	const struct instance *instance, const struct shadow_light *light);
 
 /*
  * Darkens what lies in the volumes, by strength 0..1. Needs a stencil buffer

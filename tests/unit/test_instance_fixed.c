@@ -437,7 +437,10 @@ static void test_relief_is_lit_alike(void **state)
 
 static void test_shadows_fall_alike(void **state)
 {
-	static const float light[3] = {0.3f, 0.9f, 0.3f};
+	static const struct shadow_light light = {.towards = {0.3f, 0.9f, 0.3f},
+		.reach = 5.0f,
+		.ground_low = -INFINITY,
+		.ground_high = INFINITY};
 	struct log nowhere = log_to_nowhere();
 	struct shadow_volume exact, fixed;
 	struct pair pair;
@@ -447,8 +450,8 @@ static void test_shadows_fall_alike(void **state)
 	pair_pose(&pair, 0, 0.3f);
 	assert_int_equal(shadow_volume_init(&exact, pair.exact, &nowhere), 0);
 	assert_int_equal(shadow_volume_init(&fixed, pair.fixed, &nowhere), 0);
-	shadow_volume_update(&exact, pair.exact, light, 5);
-	shadow_volume_update(&fixed, pair.fixed, light, 5);
+	shadow_volume_update(&exact, pair.exact, &light);
+	shadow_volume_update(&fixed, pair.fixed, &light);
 	for (int h = 0; h < exact.hull_count; h++) {
 		int count = pair.exact->drawable[h].primitive->vertex_count;
 

@@ -2,6 +2,7 @@
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <string.h>
 
 static const float from_front[3] = {0.0f, 0.0f, 1.0f};
@@ -24,6 +25,19 @@ static struct cast begin(struct model *model)
 	assert_int_equal(
 		shadow_volume_init(&cast.volume, cast.instance, &nowhere), 0);
 	return cast;
+}
+
+/* Over ground whose heights are not known. */
+static void update(struct cast *cast, const float towards[3], float reach)
+{
+	const struct shadow_light light = {
+		.towards = {towards[0], towards[1], towards[2]},
+		.reach = reach,
+		.ground_low = -INFINITY,
+		.ground_high = INFINITY,
+	};
+
+	shadow_volume_update(&cast->volume, cast->instance, &light);
 }
 
 static void end(struct cast *cast)
@@ -99,7 +113,7 @@ static void test_a_sheet_facing_the_light_casts_a_closed_box(void **state)
 	const struct shadow_hull *hull = &cast.volume.hull[0];
 
 	(void)state;
-	shadow_volume_update(&cast.volume, cast.instance, from_front, 3.0f);
+	update(&cast, from_front, 3.0f);
 	/* 8 triangles, front and back, and 8 border edges of two each. */
 	assert_int_equal(hull->index_count, 3 * (8 + 8 + 16));
 	assert_watertight(hull);
@@ -112,7 +126,7 @@ static void test_a_sheet_facing_away_casts_nothing_of_its_own(void **state)
 	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
 
 	(void)state;
-	shadow_volume_update(&cast.volume, cast.instance, from_back, 3.0f);
+	update(&cast, from_back, 3.0f);
 	assert_int_equal(cast.volume.hull[0].index_count, 0);
 	end(&cast);
 }
@@ -125,11 +139,55 @@ static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
 
 	(void)state;
 	assert_int_equal(hull->edge_count, 18);
-	shadow_volume_update(&cast.volume, cast.instance, slanted, 2.0f);
+	update(&cast, slanted, 2.0f);
 	assert_true(hull->index_count > 0);
 	assert_watertight(hull);
 	/* The three lit sides swept by 2: areas times cosines. */
 	assert_near(volume_of(hull), 6.0 * 2.0 * (0.36 + 0.48 + 0.8), 1e-4);
+	end(&cast);
+}
+
+static void test_a_hull_lies_between_the_ground_s_heights(void **state)
+{
+	static const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.reach = 5.0f,
+		.ground_low = -0.4f,
+		.ground_high = 0.4f};
+	struct cast cast = begin(make_cube());
+	const struct shadow_hull *hull = &cast.volume.hull[0];
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_true(hull->index_count > 0);
+	assert_watertight(hull);
+	for (int v = 0; v < 8; v++) {
+		const float *near = hull->position[v];
+		const float *far = hull->position[v + 8];
+		float y = (float)(v >> 1 & 1);
+
+		/* The upper corners begin half a unit further away. */
+		assert_near(near[0], (v & 1) - (y > 0 ? 0.45 : 0.0), 1e-5);
+		assert_near(near[1], y > 0 ? 0.4 : 0.0, 1e-5);
+		assert_near(far[0], near[0] - (y > 0 ? 0.6 : 0.3), 1e-5);
+		assert_near(far[1], -0.4, 1e-5);
+	}
+	/* The top side's is 0.8 high, the lit wall's 0.4 to 0.8 over 0.75. */
+	assert_near(volume_of(hull), 6.0 * (0.8 + 0.75 * 0.6), 1e-4);
+	end(&cast);
+}
+
+static void test_a_hull_is_no_longer_than_its_reach(void **state)
+{
+	static const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.reach = 2.0f,
+		.ground_low = -9.0f,
+		.ground_high = -8.0f};
+	struct cast cast = begin(make_cube());
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_near(cast.volume.hull[0].position[8][1], -1.6, 1e-5);
+	assert_near(cast.volume.hull[0].position[0][1], -1.6, 1e-5);
 	end(&cast);
 }
 
@@ -153,7 +211,7 @@ static void test_seams_are_not_borders(void **state)
 	memcpy(primitive->index,
 		((uint32_t[12]){0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7}), 48);
 	cast = begin(model);
-	shadow_volume_update(&cast.volume, cast.instance, from_front, 1.0f);
+	update(&cast, from_front, 1.0f);
 	/* 4 triangles twice, 6 outer edges; the seam adds none. */
 	assert_int_equal(cast.volume.hull[0].index_count, 3 * (8 + 12));
 	end(&cast);
@@ -185,6 +243,8 @@ int main(void)
 			test_a_sheet_facing_away_casts_nothing_of_its_own),
 		cmocka_unit_test(
 			test_a_cube_casts_a_closed_hull_along_a_slanted_light),
+		cmocka_unit_test(test_a_hull_lies_between_the_ground_s_heights),
+		cmocka_unit_test(test_a_hull_is_no_longer_than_its_reach),
 		cmocka_unit_test(test_seams_are_not_borders),
 		cmocka_unit_test(test_too_large_a_part_is_left_out_with_a_word),
 	};

@@ -5,16 +5,6 @@
 
 #include <png.h>
 
-static json_t *floats(const float *value, int count)
-{
-	json_t *array = json_array();
-
-	for (int i = 0; i < count; i++) {
-		json_array_append_new(array, json_real((double)value[i]));
-	}
-	return array;
-}
-
 static json_t *material_json(const struct model_material *material)
 {
 	static const char *const alpha[] = {
@@ -23,7 +13,7 @@ static json_t *material_json(const struct model_material *material)
 		[MODEL_BLEND] = "BLEND",
 	};
 	json_t *surface = json_pack("{s:o, s:f, s:f}", "baseColorFactor",
-		floats(material->base_color, 4), "metallicFactor", 0.0,
+		glb_floats(material->base_color, 4), "metallicFactor", 0.0,
 		"roughnessFactor", (double)material->roughness);
 	json_t *json = json_pack("{s:s, s:o, s:s, s:b}", "name", material->name,
 		"pbrMetallicRoughness", surface, "alphaMode",

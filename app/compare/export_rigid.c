@@ -5,29 +5,20 @@
 #include <errno.h>
 #include <stdlib.h>
 
-static json_t *floats(const float *value, int count)
-{
-	json_t *array = json_array();
-
-	for (int i = 0; i < count; i++) {
-		json_array_append_new(array, json_real((double)value[i]));
-	}
-	return array;
-}
-
 static json_t *node_json(const struct model_node *node)
 {
 	json_t *json = json_pack("{s:s}", "name", node->name);
 
 	if (json && node->matrix) {
 		json_object_set_new(
-			json, "matrix", floats(&node->matrix[0][0], 16));
+			json, "matrix", glb_floats(&node->matrix[0][0], 16));
 	} else if (json) {
+		json_object_set_new(json, "translation",
+			glb_floats(node->rest.translation, 3));
 		json_object_set_new(
-			json, "translation", floats(node->rest.translation, 3));
+			json, "rotation", glb_floats(node->rest.rotation, 4));
 		json_object_set_new(
-			json, "rotation", floats(node->rest.rotation, 4));
-		json_object_set_new(json, "scale", floats(node->rest.scale, 3));
+			json, "scale", glb_floats(node->rest.scale, 3));
 	}
 	return json;
 }

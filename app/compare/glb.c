@@ -24,6 +24,16 @@ void glb_begin(struct glb *glb)
 			"limber compare"));
 }
 
+json_t *glb_floats(const float *value, int count)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < count; i++) {
+		json_array_append_new(array, json_real((double)value[i]));
+	}
+	return array;
+}
+
 void glb_set(struct glb *glb, const char *name, json_t *value)
 {
 	if (!value || json_object_set_new(glb->root, name, value) != 0) {

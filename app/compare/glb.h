@@ -42,6 +42,9 @@ int glb_add_view(struct glb *glb, const void *data, size_t size);
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);
 
+/* The numbers as a JSON array. */
+json_t *glb_floats(const float *value, int count);
+
 /* Sets a member of the root; takes value. */
 void glb_set(struct glb *glb, const char *name, json_t *value);
 

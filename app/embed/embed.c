@@ -42,14 +42,9 @@ static void count_all(struct embed *embed)
 	}
 }
 
-/* Where the next part's data begin, while parts are listed. */
-struct places {
-	int vertex, index, influence, target;
-};
-
-static void put_part(
-	struct embed *embed, const struct part *part, struct places *at)
+static void put_part(struct embed *embed, const struct part *part)
 {
+	struct embed_places *at = &embed->next;
 	const struct model_primitive *primitive = part->primitive;
 	const struct model_material *material =
 		&embed->model->material[primitive->material];
@@ -78,9 +73,6 @@ static void put_part(
 
 static void print_parts(struct embed *embed)
 {
-	const struct model *model = embed->model;
-	struct places at = {0};
-
 	fprintf(embed->out,
 		"\n/* Offsets into the tables above, and how many. */\n"
 		"static const struct %s_part {\n\tfloat color[4];\n"
@@ -89,21 +81,7 @@ static void print_parts(struct embed *embed)
 		"\tint32_t target, targets, weight;\n} %s_part[%d] = {",
 		embed->prefix, embed->prefix, embed->parts);
 	embed->rom_bytes += (size_t)embed->parts * 60;
-	for (int i = 0; i < model->node_count; i++) {
-		const struct model_node *node = &model->node[i];
-		const struct model_mesh *mesh;
-
-		if (!node->in_scene || node->mesh < 0) {
-			continue;
-		}
-		mesh = &model->mesh[node->mesh];
-		for (int p = 0; p < mesh->primitive_count; p++) {
-			const struct part part = {
-				node, i, mesh, &mesh->primitive[p]};
-
-			put_part(embed, &part, &at);
-		}
-	}
+	embed_each_part(embed, put_part);
 	fprintf(embed->out, "\n};\n");
 }
 

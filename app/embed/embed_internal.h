@@ -16,6 +16,11 @@ enum {
 	EMBED_NAME_ROOM = 64
 };
 
+/* Where a part's data begin in the tables. */
+struct embed_places {
+	int vertex, index, influence, target;
+};
+
 struct embed {
 	const struct model *model;
 	const struct model_clip *clip; /* or NULL */
@@ -28,6 +33,8 @@ struct embed {
 	int parts, vertices, indices, influences, targets, joints, weights;
 	int channels, times, values;
 	bool wide_index, wide_joint;
+
+	struct embed_places next; /* while parts are listed */
 };
 
 /* One primitive as one node shows it. */

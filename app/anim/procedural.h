@@ -11,6 +11,8 @@
 
 #include "app/anim/pose.h"
 
+#include <stddef.h>
+
 /* The document's initial parameters, m_fAnimProcedural... */
 struct procedural_preset {
 	char name[32];
@@ -22,6 +24,20 @@ struct procedural_preset {
 	float modifier;       /* of the bone where the swing begins */
 	float unit; /* one of the document's units in the bone's own */
 };
+
+/* A member of a preset that is numbers; its key in a text is its name. */
+struct procedural_field {
+	const char *key;
+	size_t offset;
+	int count; /* of floats */
+};
+
+enum {
+	PROCEDURAL_FIELDS = 7
+};
+
+/* In the order in which they are written. */
+extern const struct procedural_field procedural_fields[PROCEDURAL_FIELDS];
 
 /* The document's values under the name "snowboard"; modifier and unit 1. */
 struct procedural_preset procedural_preset_default(void);

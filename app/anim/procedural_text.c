@@ -1,17 +1,10 @@
 #include "app/anim/procedural.h"
-#include "platform/base/compiler.h"
 
 #include <errno.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What can be set in a preset. */
-static const struct {
-	const char *key;
-	size_t offset;
-	int count;
-} FIELD[] = {
+const struct procedural_field procedural_fields[PROCEDURAL_FIELDS] = {
 	{"speed", offsetof(struct procedural_preset, speed), 1},
 	{"amplitude", offsetof(struct procedural_preset, amplitude), 1},
 	{"attenuation", offsetof(struct procedural_preset, attenuation), 1},
@@ -73,17 +66,18 @@ static bool read_numbers(struct piece piece, float *out, int count)
 static const char *set_field(
 	struct procedural_preset *preset, struct piece key, struct piece value)
 {
-	for (size_t i = 0; i < ARRAY_COUNT(FIELD); i++) {
-		float *out = (float *)((char *)preset + FIELD[i].offset);
+	for (int i = 0; i < PROCEDURAL_FIELDS; i++) {
+		const struct procedural_field *field = &procedural_fields[i];
 
-		if (!equals(key, FIELD[i].key)) {
+		if (!equals(key, field->key)) {
 			continue;
 		}
-		if (read_numbers(value, out, FIELD[i].count)) {
+		if (read_numbers(value, (float *)((char *)preset + field->offset),
+			    field->count)) {
 			return NULL;
 		}
-		return FIELD[i].count == 1 ? "one number is wanted"
-					   : "three numbers are wanted";
+		return field->count == 1 ? "one number is wanted"
+					 : "three numbers are wanted";
 	}
 	return "no such key; there are speed, amplitude, attenuation, "
 	       "translation, rotation, modifier and unit";

@@ -1,11 +1,9 @@
 #include "app/demo/preset_file.h"
 
 #include "app/model/model_file.h"
-#include "platform/base/compiler.h"
 #include "platform/base/file.h"
 
 #include <errno.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -24,27 +22,12 @@ const struct preset_field preset_fields[PRESET_FIELDS] = {
 	{"turn z", "rotation", 2, 0.02f, -3.0f, 3.0f},
 };
 
-/* The keys of a section in the order that they are added in. */
-static const struct {
-	const char *key;
-	size_t offset;
-	int count;
-} keys[] = {
-	{"speed", offsetof(struct procedural_preset, speed), 1},
-	{"amplitude", offsetof(struct procedural_preset, amplitude), 1},
-	{"attenuation", offsetof(struct procedural_preset, attenuation), 1},
-	{"translation", offsetof(struct procedural_preset, translation), 3},
-	{"rotation", offsetof(struct procedural_preset, rotation), 3},
-	{"modifier", offsetof(struct procedural_preset, modifier), 1},
-	{"unit", offsetof(struct procedural_preset, unit), 1},
-};
-
 float *preset_value(
 	struct procedural_preset *preset, const struct preset_field *field)
 {
-	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
-		if (strcmp(keys[i].key, field->key) == 0) {
-			char *at = (char *)preset + keys[i].offset;
+	for (int i = 0; i < PROCEDURAL_FIELDS; i++) {
+		if (strcmp(procedural_fields[i].key, field->key) == 0) {
+			char *at = (char *)preset + procedural_fields[i].offset;
 
 			return (float *)at + field->element;
 		}
@@ -104,31 +87,32 @@ static bool names(const struct line *line, const char *word)
 		strchr(" \t=]", at[length]) != NULL && at[length] != '\0';
 }
 
-static const float *values_of(const struct procedural_preset *preset, size_t key)
+static const float *values_of(const struct procedural_preset *preset, int key)
 {
 	return (const float *)(const void *)((const char *)preset +
-		keys[key].offset);
+		procedural_fields[key].offset);
 }
 
 static void write_values(
-	FILE *out, const struct procedural_preset *preset, size_t key)
+	FILE *out, const struct procedural_preset *preset, int key)
 {
 	const float *value = values_of(preset, key);
 
-	fprintf(out, "%s =", keys[key].key);
-	for (int i = 0; i < keys[key].count; i++) {
+	fprintf(out, "%s =", procedural_fields[key].key);
+	for (int i = 0; i < procedural_fields[key].count; i++) {
 		fprintf(out, " %.6g", (double)value[i]);
 	}
 }
 
 /* What the section does not say yet and a preset does not begin with. */
 static void write_rest(FILE *out, const struct procedural_preset *preset,
-	const bool written[ARRAY_COUNT(keys)])
+	const bool written[PROCEDURAL_FIELDS])
 {
 	const struct procedural_preset plain = procedural_preset_default();
 
-	for (size_t key = 0; key < ARRAY_COUNT(keys); key++) {
-		size_t size = (size_t)keys[key].count * sizeof(float);
+	for (int key = 0; key < PROCEDURAL_FIELDS; key++) {
+		size_t size =
+			(size_t)procedural_fields[key].count * sizeof(float);
 
 		if (!written[key] &&
 			memcmp(values_of(preset, key), values_of(&plain, key),
@@ -140,22 +124,23 @@ static void write_rest(FILE *out, const struct procedural_preset *preset,
 }
 
 /* The key that a line of the section sets, or how many keys there are. */
-static size_t find_key(const struct line *line)
+static int find_key(const struct line *line)
 {
-	size_t key = 0;
+	int key = 0;
 
-	while (key < ARRAY_COUNT(keys) && !names(line, keys[key].key)) {
+	while (key < PROCEDURAL_FIELDS &&
+		!names(line, procedural_fields[key].key)) {
 		key++;
 	}
 	return key;
 }
 
 static void write_line(FILE *out, const struct line *line,
-	const struct procedural_preset *preset, bool written[ARRAY_COUNT(keys)])
+	const struct procedural_preset *preset, bool written[PROCEDURAL_FIELDS])
 {
-	size_t key = find_key(line);
+	int key = find_key(line);
 
-	if (key == ARRAY_COUNT(keys)) {
+	if (key == PROCEDURAL_FIELDS) {
 		fprintf(out, "%.*s\n", (int)line->length, line->at);
 		return;
 	}
@@ -190,7 +175,7 @@ static bool ends_section(const char *text)
 static void rewrite(
 	FILE *out, const char *text, const struct procedural_preset *preset)
 {
-	bool written[ARRAY_COUNT(keys)] = {false};
+	bool written[PROCEDURAL_FIELDS] = {false};
 	bool within = false, found = false;
 
 	while (*text) {

@@ -11,14 +11,14 @@ enum {
 	CARDS_MAX = 8
 };
 
-static drmModeConnectorPtr find_connector(
-	const struct card *card, drmModeResPtr resources)
+drmModeConnectorPtr card_next_screen(
+	const struct card *card, drmModeResPtr resources, int *at)
 {
 	const struct kms_calls *calls = card->calls;
 
-	for (int i = 0; i < resources->count_connectors; i++) {
+	while (*at < resources->count_connectors) {
 		drmModeConnectorPtr connector = calls->get_connector(
-			card->fd, resources->connectors[i]);
+			card->fd, resources->connectors[(*at)++]);
 
 		if (!connector) {
 			continue;
@@ -102,6 +102,7 @@ static const char *find_screen(
 	uint64_t has_dumb = 0;
 	drmModeResPtr resources;
 	drmModeConnectorPtr connector;
+	int first = 0;
 
 	if (calls->get_cap(card->fd, DRM_CAP_DUMB_BUFFER, &has_dumb) != 0 ||
 		!has_dumb) {
@@ -111,7 +112,7 @@ static const char *find_screen(
 	if (!resources) {
 		return "it drives no screens";
 	}
-	connector = find_connector(card, resources);
+	connector = card_next_screen(card, resources, &first);
 	if (!connector) {
 		calls->free_resources(resources);
 		return "no screen is connected to it";

@@ -13,6 +13,13 @@
 int card_find(struct card *card, const struct display_options *options);
 
 /*
+ * The next connector with a screen and modes, looked for from number *at on,
+ * which moves behind it; NULL when there is no more. The caller frees it.
+ */
+drmModeConnectorPtr card_next_screen(
+	const struct card *card, drmModeResPtr resources, int *at);
+
+/*
  * What drives that connector of an open card: what does now, else the first
  * that can; 0 when nothing can.
  */

@@ -353,22 +353,13 @@ static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 	return 0;
 }
 
-static const struct model_material plain_material = {
-	.name = "",
-	.base_color = {1, 1, 1, 1},
-	.texture = -1,
-	.normal_texture = -1,
-	.roughness = 1,
-	.alpha_cutoff = 0.5f,
-};
-
 static int read_material(const struct gltf_at *at, struct model_material *out,
 	struct gltf_uv *uv)
 {
 	struct gltf_at pbr, extensions;
 	int error;
 
-	*out = plain_material;
+	*out = model_plain_material;
 	error = gltf_name(at, &out->name);
 	if (!error) {
 		error = gltf_object(at, "pbrMetallicRoughness", &pbr);
@@ -460,7 +451,7 @@ int gltf_default_material(struct gltf *gltf)
 
 	if (gltf->default_material < 0) {
 		gltf->default_material = model->material_count++;
-		model->material[gltf->default_material] = plain_material;
+		model->material[gltf->default_material] = model_plain_material;
 	}
 	return gltf->default_material;
 }

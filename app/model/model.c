@@ -7,6 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+const struct model_material model_plain_material = {
+	.name = "",
+	.base_color = {1, 1, 1, 1},
+	.texture = -1,
+	.normal_texture = -1,
+	.roughness = 1,
+	.alpha_cutoff = 0.5f,
+};
+
 /* The first that recognises a file loads it. */
 static const struct model_format formats[] = {
 	{"glTF", gltf_recognise, gltf_load, gltf_examine},

@@ -165,6 +165,9 @@ struct model_material {
 	bool unlit;
 };
 
+/* Of what has none: white, rough, opaque. */
+extern const struct model_material model_plain_material;
+
 struct model_camera {
 	const char *name;
 	bool perspective;

@@ -159,8 +159,10 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 	const struct xfile_material *from, struct model_material *to)
 {
 	struct model *model = build->model;
-	int error = find_texture(build, textures, from, &to->texture);
+	int error;
 
+	*to = model_plain_material;
+	error = find_texture(build, textures, from, &to->texture);
 	if (error) {
 		return error;
 	}
@@ -172,9 +174,7 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 		to->base_color[i] = color_decode_srgb(from->color[i]);
 	}
 	to->base_color[3] = fminf(fmaxf(from->color[3], 0), 1);
-	to->normal_texture = -1;
 	to->roughness = to_roughness(from);
-	to->alpha_cutoff = 0.5f;
 	if (to->base_color[3] < 1) {
 		to->alpha = MODEL_BLEND;
 	} else if (to->texture >= 0 &&
@@ -182,19 +182,6 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 		to->alpha = MODEL_MASK;
 	}
 	return 0;
-}
-
-/* Behind the file's own; it counts once a face without a material needs it. */
-static void fill_default(struct model_material *material)
-{
-	*material = (struct model_material){
-		.name = "",
-		.base_color = {1, 1, 1, 1},
-		.texture = -1,
-		.normal_texture = -1,
-		.roughness = 1,
-		.alpha_cutoff = 0.5f,
-	};
 }
 
 int xfile_build_materials(struct xfile_build *build)
@@ -219,7 +206,8 @@ int xfile_build_materials(struct xfile_build *build)
 		error = fill_material(
 			build, &textures, from, &model->material[from->index]);
 	}
-	fill_default(&model->material[count]);
+	/* It counts once a face without a material needs it. */
+	model->material[count] = model_plain_material;
 	model->material_count = (int)count;
 	return error;
 }

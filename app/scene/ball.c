@@ -1,5 +1,6 @@
 #include "app/scene/ball.h"
 
+#include "app/scene/light.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -36,19 +37,8 @@ void ball_draw(const struct ball *ball, const struct gl *gl,
 	const float center[3], float radius, const float color[3])
 {
 	GLfixed scale = fx16_from_float(radius);
-	GLfixed specular[4] = {
-		FX16_ONE / 2, FX16_ONE / 2, FX16_ONE / 2, FX16_ONE};
 
-	gl->Enable(GL_LIGHTING);
-	gl->Enable(GL_COLOR_MATERIAL);
-	gl->Enable(GL_NORMALIZE);
-	gl->Enable(GL_CULL_FACE);
-	gl->Disable(GL_TEXTURE_2D);
-	gl->Disable(GL_BLEND);
-	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
-	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, 40 * FX16_ONE);
-	gl->Color4x(fx16_from_float(color[0]), fx16_from_float(color[1]),
-		fx16_from_float(color[2]), FX16_ONE);
+	light_solid(gl, color, 0.5f, 40);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->DisableClientState(GL_COLOR_ARRAY);

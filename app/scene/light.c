@@ -81,6 +81,24 @@ void light_choose(const struct gl *gl, enum light_choice choice)
 		choice == LIGHT_ALL ? key_lamp.diffuse : black);
 }
 
+void light_solid(const struct gl *gl, const float color[3], float specular,
+	int shininess)
+{
+	GLfixed shine = fx16_from_float(specular);
+	const GLfixed shines[4] = {shine, shine, shine, FX16_ONE};
+
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_COLOR_MATERIAL);
+	gl->Enable(GL_NORMALIZE);
+	gl->Enable(GL_CULL_FACE);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_BLEND);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, shines);
+	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, shininess * FX16_ONE);
+	gl->Color4x(fx16_from_float(color[0]), fx16_from_float(color[1]),
+		fx16_from_float(color[2]), FX16_ONE);
+}
+
 void light_direction(float out[3])
 {
 	memcpy(out, key_lamp.towards, sizeof(float[3]));

@@ -19,6 +19,13 @@ enum light_choice {
 /* After light_apply(); under any model-view matrix. */
 void light_choose(const struct gl *gl, enum light_choice choice);
 
+/*
+ * What comes next is lit and of one colour, without texture, and only its
+ * outside shows; specular and shininess are GL's. For the stage's own things.
+ */
+void light_solid(const struct gl *gl, const float color[3], float specular,
+	int shininess);
+
 /* Unit vector from a point towards the key light, which casts shadows. */
 void light_direction(float out[3]);
 

@@ -1,5 +1,6 @@
 #include "app/scene/monitor.h"
 
+#include "app/scene/light.h"
 #include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -108,20 +109,7 @@ static void push_place(const struct monitor *monitor, const struct gl *gl)
 
 static void draw_body(const struct monitor *monitor, const struct gl *gl)
 {
-	GLfixed specular[4] = {
-		FX16_ONE / 4, FX16_ONE / 4, FX16_ONE / 4, FX16_ONE};
-
-	gl->Enable(GL_LIGHTING);
-	gl->Enable(GL_COLOR_MATERIAL);
-	gl->Enable(GL_NORMALIZE);
-	gl->Enable(GL_CULL_FACE);
-	gl->Disable(GL_TEXTURE_2D);
-	gl->Disable(GL_BLEND);
-	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
-	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, 20 * FX16_ONE);
-	gl->Color4x(fx16_from_float(body_color[0]),
-		fx16_from_float(body_color[1]), fx16_from_float(body_color[2]),
-		FX16_ONE);
+	light_solid(gl, body_color, 0.25f, 20);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->NormalPointer(GL_BYTE, sizeof(monitor->normal[0]), monitor->normal);
 	monitor_draw_shape(monitor, gl);

@@ -10,6 +10,10 @@
 
 #include "platform/base/compiler.h"
 
+const char console_in_use_remedy[] =
+	"use its desktop with --display window, or go to a text console with "
+	"sudo chvt 3";
+
 /*
  * What ends a process. Whoever handles the last ones, ends in order and gives
  * the console back itself.

@@ -25,6 +25,9 @@ struct console {
  */
 bool console_is_in_use(const struct device_calls *calls);
 
+/* What to do about it, for people. */
+extern const char console_in_use_remedy[];
+
 /*
  * Puts the machine's console in graphics mode, where it has one; a warning when
  * another program has it. Only one at a time: signal handlers belong to the

@@ -43,8 +43,7 @@ static void say_screen(const struct device_calls *calls,
 		pages == 1 ? "" : "s");
 	if (console_is_in_use(calls)) {
 		survey_say(survey, SURVEY_TAKEN, screen->path,
-			"use its desktop with --display window, or go to a "
-			"text console with sudo chvt 3",
+			console_in_use_remedy,
 			"%s, another program draws there (X or Wayland)", text);
 	} else {
 		survey_say(survey, SURVEY_WORKS, screen->path, NULL, "%s", text);

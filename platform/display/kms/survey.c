@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <stdio.h>
 
+#include "platform/display/console.h"
 #include "platform/display/kms/card_find.h"
 
 enum {
@@ -43,8 +44,7 @@ static void say_screen(const struct card *card, drmModeResPtr resources,
 			"%s, and nothing drives it", text);
 	} else if (!card->calls->is_master(card->fd)) {
 		survey_say(survey, SURVEY_TAKEN, card->path,
-			"use its desktop with --display window, or go to a "
-			"text console with sudo chvt 3",
+			console_in_use_remedy,
 			"%s, another program has it (X or Wayland)", text);
 	} else {
 		survey_say(survey, SURVEY_WORKS, card->path, NULL, "%s", text);
@@ -54,24 +54,21 @@ static void say_screen(const struct card *card, drmModeResPtr resources,
 static void say_screens(const struct card *card, drmModeResPtr resources,
 	const struct survey *survey)
 {
-	const struct kms_calls *calls = card->calls;
-	int count = 0;
+	int at = 0;
+	bool any = false;
 
-	for (int i = 0; i < resources->count_connectors; i++) {
-		drmModeConnectorPtr connector = calls->get_connector(
-			card->fd, resources->connectors[i]);
+	for (;;) {
+		drmModeConnectorPtr connector =
+			card_next_screen(card, resources, &at);
 
 		if (!connector) {
-			continue;
+			break;
 		}
-		if (connector->connection == DRM_MODE_CONNECTED &&
-			connector->count_modes > 0) {
-			say_screen(card, resources, connector, survey);
-			count++;
-		}
-		calls->free_connector(connector);
+		say_screen(card, resources, connector, survey);
+		card->calls->free_connector(connector);
+		any = true;
 	}
-	if (count == 0) {
+	if (!any) {
 		survey_say(survey, SURVEY_MISSING, card->path,
 			"connect a screen: cat /sys/class/drm/*/status tells "
 			"what is seen",

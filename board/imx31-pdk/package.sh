@@ -7,6 +7,7 @@ root=$1
 sysroot=$2
 out=$3
 stage=$out/deb.new
+top=$(dirname "$0")/../..
 trap 'rm -rf "$stage"' EXIT
 version=$(qemu-arm -cpu arm1136 -L "$sysroot" "$root/usr/bin/limber" --version |
     sed -n '1s/^limber \([^ ]*\).*/\1/p')
@@ -34,26 +35,11 @@ for library in $(arm-linux-gnueabi-readelf -d "$root/usr/bin/limber" |
 done
 
 rm -rf "$stage"
-mkdir -p "$stage/DEBIAN" "$stage/usr/bin" "$stage/usr/share/limber" \
+mkdir -p "$stage/usr/bin" "$stage/usr/share/limber" \
     "$stage/usr/share/doc/limber"
 cp "$root/usr/bin/limber" "$stage/usr/bin"
 cp "$root"/usr/share/limber/* "$stage/usr/share/limber"
 [ ! -f "$root/etc/limber.conf" ] ||
     cp "$root/etc/limber.conf" "$stage/usr/share/doc/limber/imx31-pdk.conf"
-cp "$(dirname "$0")/../../LICENSE" "$stage/usr/share/doc/limber/copyright"
-cat >"$stage/DEBIAN/control" <<END
-Package: limber
-Version: $version
-Architecture: armel
-Maintainer: The limber project <limber@localhost>
-Depends: $depends
-Suggests: libosmesa6, libegl1, libgles1
-Section: graphics
-Priority: optional
-Description: 3D character animation for ARM11 boards
- Plays glTF and DirectX .x models with skeletal, hierarchical and morph
- animation, on boards without a GPU driver and on desktops.
-END
-find "$stage" -exec touch -h -d @0 {} +
-SOURCE_DATE_EPOCH=0 dpkg-deb --root-owner-group -Zgzip --build "$stage" \
-    "$out/limber_${version}_armel.deb" >/dev/null
+cp "$top/LICENSE" "$stage/usr/share/doc/limber/copyright"
+"$top/toolchain/package/pack.sh" "$stage" "$out" "$version" armel "$depends" >/dev/null

@@ -1,0 +1,26 @@
+#!/bin/sh
+# pack.sh STAGE OUT VERSION ARCHITECTURE DEPENDS: the tree STAGE as limber's
+# Debian package in the folder OUT. The same tree gives the same bytes. Prints
+# the package's name.
+set -eu
+stage=$1
+package=$2/limber_$3_$4.deb
+
+mkdir -p "$stage/DEBIAN"
+cat >"$stage/DEBIAN/control" <<END
+Package: limber
+Version: $3
+Architecture: $4
+Maintainer: The limber project <limber@localhost>
+Depends: $5
+Suggests: libosmesa6, libegl1, libgles1
+Section: graphics
+Priority: optional
+Description: 3D character animation for ARM11 boards and desktops
+ Plays glTF and DirectX .x models with skeletal, hierarchical and morph
+ animation, on boards without a GPU driver and on desktops.
+END
+find "$stage" -exec touch -h -d @0 {} +
+SOURCE_DATE_EPOCH=0 dpkg-deb --root-owner-group -Zgzip --build "$stage" \
+    "$package" >/dev/null
+echo "$package"

@@ -145,30 +145,21 @@ static int prepare_morph(struct an4044_state *state,
 	return 0;
 }
 
-int bench_an4044_prepare(const struct bench_mesh *mesh, enum bench_work work,
-	struct arena *arena, struct bench_job *out)
+static int prepare(void *user, const struct kernel *kernel,
+	const struct bench_mesh *mesh, enum bench_work work, struct arena *arena)
 {
-	static void (*const run[])(void *user) = {
-		[BENCH_SKIN] = skin,
-		[BENCH_SKIN_NORMALS] = skin_normals,
-		[BENCH_SKIN_TANGENTS] = skin_tangents,
-		[BENCH_LERP] = lerp,
-		[BENCH_LERP_NORMALS] = lerp_normals,
-		[BENCH_TARGETS] = targets,
-		[BENCH_BY_FRAMES] = by_frames,
-	};
-	struct an4044_state *state = ARENA_NEW(arena, struct an4044_state);
+	struct an4044_state *state = user;
 
-	if (!state) {
-		return -ENOMEM;
-	}
+	(void)kernel;
 	state->vertex_count = mesh->primitive.vertex_count;
-	*out = (struct bench_job){
-		.vertex_count = state->vertex_count,
-		.state = state,
-		.run = run[work],
-	};
 	return work <= BENCH_SKIN_TANGENTS
 		? prepare_skin(state, mesh, work, arena)
 		: prepare_morph(state, mesh, work, arena);
 }
+
+const struct bench_loops bench_an4044_loops = {
+	sizeof(struct an4044_state),
+	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets,
+		by_frames},
+	prepare,
+};

@@ -180,12 +180,15 @@ static int prepare_skin(
 	return error == -ERANGE ? -ENOTSUP : error;
 }
 
-static int prepare(
-	struct fixed_state *state, enum bench_work work, struct arena *arena)
+static int prepare(void *user, const struct kernel *kernel,
+	const struct bench_mesh *mesh, enum bench_work work, struct arena *arena)
 {
+	struct fixed_state *state = user;
+
+	state->loops = kernel->fixed;
+	state->mesh = mesh;
 	for (int i = 0; i < FIXED_ATTRIBUTES; i++) {
-		state->posed[i] =
-			vectors(arena, state->mesh->primitive.vertex_count);
+		state->posed[i] = vectors(arena, mesh->primitive.vertex_count);
 		if (!state->posed[i]) {
 			return -ENOMEM;
 		}
@@ -202,30 +205,9 @@ static int prepare(
 	}
 }
 
-int bench_fixed_prepare(const struct fixed_loops *loops,
-	const struct bench_mesh *mesh, enum bench_work work,
-	struct arena *arena, struct bench_job *out)
-{
-	static void (*const run[])(void *user) = {
-		[BENCH_SKIN] = skin,
-		[BENCH_SKIN_NORMALS] = skin_normals,
-		[BENCH_SKIN_TANGENTS] = skin_tangents,
-		[BENCH_LERP] = lerp,
-		[BENCH_LERP_NORMALS] = lerp_normals,
-		[BENCH_TARGETS] = targets,
-		[BENCH_BY_FRAMES] = by_frames,
-	};
-	struct fixed_state *state = ARENA_NEW(arena, struct fixed_state);
-
-	if (!state) {
-		return -ENOMEM;
-	}
-	state->loops = loops;
-	state->mesh = mesh;
-	*out = (struct bench_job){
-		.vertex_count = mesh->primitive.vertex_count,
-		.state = state,
-		.run = run[work],
-	};
-	return prepare(state, work, arena);
-}
+const struct bench_loops bench_fixed_loops = {
+	sizeof(struct fixed_state),
+	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets,
+		by_frames},
+	prepare,
+};

@@ -75,14 +75,16 @@ static void targets(void *user)
 		s->position);
 }
 
-static int prepare(const struct kernel *kernel, const struct bench_mesh *mesh,
-	enum bench_work work, struct arena *arena, struct kernel_state *state)
+static int prepare(void *user, const struct kernel *kernel,
+	const struct bench_mesh *mesh, enum bench_work work, struct arena *arena)
 {
 	const struct model_primitive *primitive = &mesh->primitive;
+	struct kernel_state *state = user;
 	size_t count = (size_t)primitive->vertex_count;
 	int error = 0;
 
-	*state = (struct kernel_state){.kernel = kernel, .mesh = mesh};
+	state->kernel = kernel;
+	state->mesh = mesh;
 	if (work <= BENCH_SKIN_TANGENTS) {
 		error = skin_stream_init(&state->stream, primitive, 1.0f, arena);
 	}
@@ -99,42 +101,44 @@ static int prepare(const struct kernel *kernel, const struct bench_mesh *mesh,
 	return error;
 }
 
+/* Of kernels in float, by their table. */
+static const struct bench_loops float_loops = {
+	sizeof(struct kernel_state),
+	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets, NULL},
+	prepare,
+};
+
+static const struct bench_loops *loops_of(
+	const char *name, const struct kernel *kernel)
+{
+	if (strcmp(name, "an4044") == 0) {
+		return &bench_an4044_loops;
+	}
+	if (!kernel) {
+		return NULL;
+	}
+	return kernel->fixed ? &bench_fixed_loops : &float_loops;
+}
+
 int bench_job_prepare(const char *name, const struct bench_mesh *mesh,
 	enum bench_work work, struct arena *arena, struct bench_job *out)
 {
-	static void (*const run[])(void *user) = {
-		[BENCH_SKIN] = skin,
-		[BENCH_SKIN_NORMALS] = skin_normals,
-		[BENCH_SKIN_TANGENTS] = skin_tangents,
-		[BENCH_LERP] = lerp,
-		[BENCH_LERP_NORMALS] = lerp_normals,
-		[BENCH_TARGETS] = targets,
-		[BENCH_BY_FRAMES] = NULL,
-	};
 	const struct kernel *kernel = kernel_find(name);
-	struct kernel_state *state;
+	const struct bench_loops *loops = loops_of(name, kernel);
 
-	if (strcmp(name, "an4044") == 0) {
-		return bench_an4044_prepare(mesh, work, arena, out);
-	}
-	if (!kernel) {
+	if (!loops) {
 		return -EINVAL;
 	}
-	if (kernel->fixed) {
-		return bench_fixed_prepare(
-			kernel->fixed, mesh, work, arena, out);
-	}
-	if (!run[work]) {
+	if (!loops->run[work]) {
 		return -ENOTSUP;
-	}
-	state = ARENA_NEW(arena, struct kernel_state);
-	if (!state) {
-		return -ENOMEM;
 	}
 	*out = (struct bench_job){
 		.vertex_count = mesh->primitive.vertex_count,
-		.state = state,
-		.run = run[work],
+		.state = arena_alloc(arena, 1, loops->state_size),
+		.run = loops->run[work],
 	};
-	return prepare(kernel, mesh, work, arena, state);
+	if (!out->state) {
+		return -ENOMEM;
+	}
+	return loops->prepare(out->state, kernel, mesh, work, arena);
 }

@@ -16,6 +16,7 @@ enum bench_work {
 	BENCH_LERP_NORMALS,  /* and normals */
 	BENCH_TARGETS,       /* two weighted targets, positions */
 	BENCH_BY_FRAMES,     /* the increment by frames, positions */
+	BENCH_WORKS
 };
 
 struct bench_job {
@@ -32,13 +33,21 @@ struct bench_job {
 int bench_job_prepare(const char *kernel, const struct bench_mesh *mesh,
 	enum bench_work work, struct arena *arena, struct bench_job *out);
 
-/* "an4044": the document's loops alone, nothing of limber around them. */
-int bench_an4044_prepare(const struct bench_mesh *mesh, enum bench_work work,
-	struct arena *arena, struct bench_job *out);
+/* One kind of loops, for bench_job.c. */
+struct bench_loops {
+	size_t state_size;
+	/* In the order of enum bench_work; NULL: there is no such loop. */
+	void (*run[BENCH_WORKS])(void *state);
+	/* Fills a state of zeros; errors as bench_job_prepare(). */
+	int (*prepare)(void *state, const struct kernel *kernel,
+		const struct bench_mesh *mesh, enum bench_work work,
+		struct arena *arena);
+};
 
-/* For kernels with loops in fixed point. */
-int bench_fixed_prepare(const struct fixed_loops *loops,
-	const struct bench_mesh *mesh, enum bench_work work,
-	struct arena *arena, struct bench_job *out);
+/* "an4044": the document's loops alone, nothing of limber around them. */
+extern const struct bench_loops bench_an4044_loops;
+
+/* Of kernels in fixed point. */
+extern const struct bench_loops bench_fixed_loops;
 
 #endif

@@ -139,9 +139,9 @@ static void flat_row(const struct flat_band *band, int left, int count)
 		return;
 	}
 	for (int i = 0; i < count; i++) {
-		if (!stencil) {
+		if (!stencil || (band->unlike && stencil[i] != band->reference)) {
 			pixel[i] = darken(band, pixel[i]);
-		} else if (stencil[i] == band->reference) {
+		} else if (!band->unlike && stencil[i] == band->reference) {
 			stencil[i] = band->next;
 			pixel[i] = darken(band, pixel[i]);
 		}

@@ -117,6 +117,8 @@ struct flat_band {
 	uint32_t edge[2], edge_step[2]; /* as in struct band */
 	int from, to;                   /* columns that may be drawn */
 	uint8_t reference, next;        /* what the stencil has, and gets */
+	/* the other way: drawn where it has anything else, and keeps that */
+	bool unlike;
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
 	uint16_t opaque; /* the colour itself */
@@ -124,6 +126,7 @@ struct flat_band {
 };
 
 struct shade_run;
+struct count_band;
 
 struct band_functions {
 	band_function color;
@@ -134,6 +137,7 @@ struct band_functions {
 	/* shade.h; of textures as wide as high */
 	void (*shade_four)(const struct shade_run *run);
 	void (*shade_two)(const struct shade_run *run);
+	void (*count)(struct count_band *band); /* count.h */
 };
 
 extern const struct band_functions soft_bands;

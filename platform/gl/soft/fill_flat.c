@@ -6,6 +6,13 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
 
+/* What lies under a sheet that shows wherever anything was counted. */
+static bool is_unlike(const struct stencil *stencil)
+{
+	return stencil->enabled && stencil->function == GL_NOTEQUAL &&
+		stencil->fail == GL_KEEP && stencil->pass == GL_KEEP;
+}
+
 bool fill_is_flat(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
@@ -14,7 +21,7 @@ bool fill_is_flat(const struct draw *draw)
 	const GLboolean *mask = state->color_mask;
 	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
-	bool once = stencil->function == GL_EQUAL && stencil->mask == 255 &&
+	bool once = stencil->function == GL_EQUAL &&
 		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
 		stencil->reference < 255 &&
 		(stencil->pass == GL_INCR || stencil->pass == GL_KEEP ||
@@ -23,7 +30,9 @@ bool fill_is_flat(const struct draw *draw)
 	return soft->format == PIXELS_RGB565 && !draw->shading.lit &&
 		!draw->shading.color_array && !draw->texture[0].used &&
 		!draw->texture[1].used && !draw->fogged && !state->alpha_test &&
-		!state->depth_test && (!state->stencil.enabled || once) &&
+		!state->depth_test &&
+		(!state->stencil.enabled ||
+			(stencil->mask == 255 && (once || is_unlike(stencil)))) &&
 		(!draw->blended || by_alpha) && mask[0] && mask[1] && mask[2];
 }
 
@@ -57,6 +66,7 @@ void fill_flat_begin(struct draw *draw)
 		.to = draw->box.right,
 		.reference = stencil->reference,
 		.next = next_stencil(stencil),
+		.unlike = is_unlike(stencil),
 	};
 	/* Where all of a call has one colour, no vertex is shaded. */
 	fill_flat_color(draw,

@@ -267,6 +267,9 @@ static fill_function choose_fill(const struct draw *draw)
 	if (fill_is_flat(draw)) {
 		return fill_flat;
 	}
+	if (fill_is_count(draw)) {
+		return fill_count;
+	}
 	if (fill_is_glyph(draw)) {
 		return fill_glyph;
 	}

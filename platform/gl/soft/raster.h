@@ -160,6 +160,10 @@ void fill_flat(struct draw *draw, struct setup *setup);
 /* What fill_flat() goes on to draw in: alpha is 0 to 32. */
 void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 
+/* fill_count.c: see there */
+bool fill_is_count(const struct draw *draw);
+void fill_count(struct draw *draw, struct setup *setup);
+
 /* fill_glyph.c, on top of fill_flat_begin() */
 bool fill_is_glyph(const struct draw *draw);
 void fill_glyph(struct draw *draw, struct setup *setup);

@@ -1,4 +1,5 @@
 #include "platform/gl/soft/band.h"
+#include "platform/gl/soft/count.h"
 #include "platform/gl/soft/shade.h"
 
 /* band.S */
@@ -13,6 +14,16 @@ void band_fill_arm(uint16_t *at, int count, uint16_t value);
 /* shade.S */
 void shade_four_arm(const struct shade_run *run);
 void shade_two_arm(const struct shade_run *run);
+
+/* count.S: of one row or more */
+void count_band_arm(struct count_band *band);
+
+static void count_arm(struct count_band *band)
+{
+	if (band->rows > 0) {
+		count_band_arm(band);
+	}
+}
 
 /* flat.S: blended ones of one row or more */
 void band_flat_arm(struct flat_band *band);
@@ -33,4 +44,5 @@ const struct band_functions soft_bands = {
 	.fill = band_fill_arm,
 	.shade_four = shade_four_arm,
 	.shade_two = shade_two_arm,
+	.count = count_arm,
 };

@@ -1,6 +1,7 @@
 /*
  * band.c's band_flat_c() for ARMv6, blended: the same bytes. Offsets are those
- * of struct flat_band. A pixel costs 9 instructions, 13 with a stencil.
+ * of struct flat_band. A pixel costs 9 instructions, 13 with a stencil; where
+ * that is as it should not be, one of eight.
  */
 	.syntax unified
 	.arch armv6
@@ -15,6 +16,7 @@
 #define TO 40
 #define REFERENCE 44
 #define NEXT 45
+#define UNLIKE 46
 #define KEEP 48
 
 /* r12 = a pixel blended, at r11 */
@@ -45,7 +47,11 @@ band_flat_arm:
 	ldr	r6, [r9, #EDGE + 4]
 	ldrb	r7, [r9, #REFERENCE]
 	ldrb	r8, [r9, #NEXT]
+	orr	r10, r7, r7, lsl #8
 	ldm	r9, {r0, r1}
+	ldrb	r12, [r9, #UNLIKE]
+	cmp	r12, #0
+	orrne	r7, r10, r10, lsl #16
 
 .Lrow:	ldr	r12, [r9, #FROM]
 	ldr	lr, [r9, #TO]
@@ -61,6 +67,9 @@ band_flat_arm:
 	add	lr, r1, r11
 	add	r11, r0, r11, lsl #1
 	beq	.Lfree
+	ldrb	r12, [r9, #UNLIKE]
+	cmp	r12, #0
+	bne	.Lunlike
 
 .Ltest:	ldrb	r12, [lr], #1
 	cmp	r12, r7
@@ -98,6 +107,38 @@ band_flat_arm:
 	blend
 	subs	r10, r10, #2
 	bne	2b
+	b	.Lnext
+/* r7 what the stencil must not have, four times; r8 pixels up to a word's */
+.Lunlike:
+	rsb	r8, lr, #0
+	and	r8, r8, #3
+	cmp	r8, r10
+	movgt	r8, r10
+	sub	r10, r10, r8
+	cmp	r8, #0
+	beq	.Lwords
+.Leach:	ldrb	r12, [lr], #1
+	eor	r12, r12, r7
+	tst	r12, #255
+	addeq	r11, r11, #2
+	beq	1f
+	blend
+1:	subs	r8, r8, #1
+	bne	.Leach
+.Lwords:
+	subs	r10, r10, #8
+	blt	1f
+	ldm	lr!, {r8, r12}
+	cmp	r8, r7
+	cmpeq	r12, r7
+	addeq	r11, r11, #16
+	beq	.Lwords
+	sub	lr, lr, #8
+	mov	r8, #8
+	b	.Leach
+1:	adds	r8, r10, #8
+	mov	r10, #0
+	bne	.Leach
 	b	.Lnext
 	.size	band_flat_arm, . - band_flat_arm
 

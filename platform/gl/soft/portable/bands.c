@@ -1,4 +1,5 @@
 #include "platform/gl/soft/band.h"
+#include "platform/gl/soft/count.h"
 #include "platform/gl/soft/shade.h"
 
 const struct band_functions soft_bands = {
@@ -8,4 +9,5 @@ const struct band_functions soft_bands = {
 	.fill = band_fill_c,
 	.shade_four = shade_four_c,
 	.shade_two = shade_two_c,
+	.count = count_band_c,
 };

@@ -1,0 +1,104 @@
+/*
+ * Triangles of any size that count in the stencil where they are hidden: the
+ * hulls of shadow volumes. See count.h.
+ */
+#include "platform/gl/soft/count.h"
+#include "platform/gl/soft/raster.h"
+
+bool fill_is_count(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct stencil *stencil = &state->stencil;
+
+	return !draw->color_written && !state->alpha_test && state->depth_test &&
+		!state->depth_mask && state->depth_function == GL_LESS &&
+		stencil->enabled && draw->soft->buffers.stencil &&
+		stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
+		(stencil->depth_fail == GL_INCR ||
+			stencil->depth_fail == GL_DECR) &&
+		stencil->pass == GL_KEEP;
+}
+
+static void set_edge(const struct draw *draw, struct count_band *band,
+	int which, const struct vertex *a, const struct vertex *b, int row)
+{
+	struct side side = raster_side(draw, a, b, row);
+
+	band->edge[which] = (uint32_t)side.x + 0x7FFF;
+	band->edge_step[which] = (uint32_t)side.step;
+}
+
+void fill_count(struct draw *draw, struct setup *setup)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct plane *z = &draw->raster.plane[DEPTH];
+	int top = setup->top < draw->box.top ? draw->box.top : setup->top;
+	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+						      : draw->box.bottom;
+	int turn = setup->middle < top   ? top
+		: setup->middle > bottom ? bottom
+					 : setup->middle;
+	size_t first = (size_t)top * (size_t)buffers->width;
+	struct count_band band;
+	int part;
+
+	raster_set_up(draw, setup);
+	part = setup->middle_left ? BAND_LEFT : BAND_RIGHT;
+	band = (struct count_band){
+		.depth = buffers->depth + first,
+		.stencil = buffers->stencil + first,
+		.z = z->start + (uint32_t)z->dy * (uint32_t)(top - setup->top) -
+			(uint32_t)z->dx * (uint32_t)draw->raster.x0,
+		.z_right = (uint32_t)z->dx,
+		.z_down = (uint32_t)z->dy,
+		.width = buffers->width,
+		.from = draw->box.left,
+		.to = draw->box.right,
+		.down = draw->soft->fragment.stencil.depth_fail == GL_DECR,
+	};
+	set_edge(draw, &band, !part, setup->v[0], setup->v[2], top);
+	if (turn > top) {
+		set_edge(draw, &band, part, setup->v[0], setup->v[1], top);
+		band.rows = turn - top;
+		soft_bands.count(&band);
+	}
+	if (bottom > turn) {
+		set_edge(draw, &band, part, setup->v[1], setup->v[2], turn);
+		band.rows = bottom - turn;
+		soft_bands.count(&band);
+	}
+}
+
+static void count_row(const struct count_band *band, int left, int right)
+{
+	uint32_t z = band->z + band->z_right * (uint32_t)left;
+
+	for (int i = left; i < right; i++, z += band->z_right) {
+		uint8_t *stencil = &band->stencil[i];
+
+		if (z >> 10 < band->depth[i]) {
+			continue;
+		}
+		if (band->down) {
+			*stencil = (uint8_t)(*stencil - (*stencil > 0));
+		} else {
+			*stencil = (uint8_t)(*stencil + (*stencil < 255));
+		}
+	}
+}
+
+void count_band_c(struct count_band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		count_row(band, left > band->from ? left : band->from,
+			right < band->to ? right : band->to);
+		band->depth += band->width;
+		band->stencil += band->width;
+		band->z += band->z_down;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
+}

@@ -122,27 +122,36 @@ void camera_view(const struct camera *camera, mat4 out)
 	}
 }
 
-void camera_apply(
-	const struct camera *camera, const struct gl *gl, int width, int height)
+struct lens camera_lens(const struct camera *camera, int width, int height)
 {
 	/* The ground at the lower edge of the picture is nearer than a model. */
 	float near = scalar_clamp(camera->distance - camera->reach,
 		0.05f * camera->distance, 0.35f * camera->distance);
 	float far = 2.2f * camera->distance + 3.0f * camera->reach;
-	float top;
-	float half_width, shift;
-	fx16_t y;
+	float top = near * camera_tan_half(camera->yfov_rad);
+	float half_width = top * (float)width / (float)height;
+	float shift = camera->aside * half_width;
+
+	return (struct lens){
+		.left = fx16_from_float(-half_width - shift),
+		.right = fx16_from_float(half_width - shift),
+		.bottom = -fx16_from_float(top),
+		.top = fx16_from_float(top),
+		.near = fx16_from_float(near),
+		.far = fx16_from_float(far),
+	};
+}
+
+void camera_apply(
+	const struct camera *camera, const struct gl *gl, int width, int height)
+{
+	const struct lens lens = camera_lens(camera, width, height);
 	mat4 view;
 
-	top = near * camera_tan_half(camera->yfov_rad);
-	y = fx16_from_float(top);
-	half_width = top * (float)width / (float)height;
-	shift = camera->aside * half_width;
 	gl->MatrixMode(GL_PROJECTION);
 	gl->LoadIdentity();
-	gl->Frustumx(fx16_from_float(-half_width - shift),
-		fx16_from_float(half_width - shift), -y, y,
-		fx16_from_float(near), fx16_from_float(far));
+	gl->Frustumx(lens.left, lens.right, lens.bottom, lens.top, lens.near,
+		lens.far);
 	gl->MatrixMode(GL_MODELVIEW);
 	camera_view(camera, view);
 	matrix_gl_load(gl, (const vec4 *)view);

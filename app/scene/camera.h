@@ -5,6 +5,7 @@
 #define APP_SCENE_CAMERA_H
 
 #include "app/scene/bounds.h"
+#include "platform/base/fixed.h"
 #include "platform/gl/gl.h"
 
 struct camera {
@@ -47,6 +48,13 @@ void camera_eye(const struct camera *camera, float out[3]);
 
 /* World to eye. */
 void camera_view(const struct camera *camera, mat4 out);
+
+/* What Frustumx() gets, 16.16, for a picture of this size. */
+struct lens {
+	fx16_t left, right, bottom, top; /* in the near plane */
+	fx16_t near, far;
+};
+struct lens camera_lens(const struct camera *camera, int width, int height);
 
 /* Loads projection and model-view for a picture of this size. */
 void camera_apply(const struct camera *camera, const struct gl *gl, int width,

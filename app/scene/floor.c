@@ -71,17 +71,15 @@ static void place_vertices(struct floor *floor)
 	}
 }
 
-/* Between two rings; the inner one may be the middle. */
-static uint16_t *list_ring(uint16_t *next, int inner, int outer, int spokes)
+/* Between a ring, which may be the middle, and the next one. */
+static uint16_t *list_ring(uint16_t *next, int ring)
 {
-	int stride = FLOOR_SPOKES / spokes;
-	int in = 1 + (inner - 1) * FLOOR_SPOKES;
-	int out = 1 + (outer - 1) * FLOOR_SPOKES;
+	int in = 1 + (ring - 1) * FLOOR_SPOKES, out = 1 + ring * FLOOR_SPOKES;
 
-	for (int i = 0; i < spokes; i++) {
-		int spoke = i * stride, beside = (i + 1) % spokes * stride;
+	for (int spoke = 0; spoke < FLOOR_SPOKES; spoke++) {
+		int beside = (spoke + 1) % FLOOR_SPOKES;
 
-		if (inner == 0) {
+		if (ring == 0) {
 			*next++ = 0;
 			*next++ = (uint16_t)(out + beside);
 			*next++ = (uint16_t)(out + spoke);
@@ -102,11 +100,8 @@ static void list_triangles(struct floor *floor)
 	uint16_t *next = floor->index;
 
 	for (int ring = 0; ring < FLOOR_RINGS; ring++) {
-		next = list_ring(next, ring, ring + 1, FLOOR_SPOKES);
+		next = list_ring(next, ring);
 	}
-	next = list_ring(
-		floor->level_index, 0, FLOOR_SOLID_RING, FLOOR_LEVEL_SPOKES);
-	list_ring(next, FLOOR_SOLID_RING, FLOOR_RINGS, FLOOR_LEVEL_SPOKES);
 }
 
 float floor_height(const struct floor *floor, float x, float z)
@@ -223,29 +218,70 @@ void floor_set_relief(struct floor *floor, float relief)
 	}
 }
 
-static void draw_list(const struct gl *gl, const uint16_t *index, int count)
+void floor_look(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_sight *out)
 {
-	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+	const float solid_share = (float)(FLOOR_SOLID_RING * FLOOR_SOLID_RING) /
+		(FLOOR_RINGS * FLOOR_RINGS);
+	float sine = scalar_sin(camera->yaw_rad);
+	float cosine = scalar_cos(camera->yaw_rad);
+	float eye[3], ahead;
+
+	if (floor->relief != 0.0f) {
+		*out = (struct floor_sight){.horizon_px = height};
+		return;
+	}
+	camera_eye(camera, eye);
+	ahead = (eye[0] - floor->center[0]) * sine +
+		(eye[2] - floor->center[1]) * cosine;
+	floor_sight_find(out, camera, width, height, floor->y,
+		ahead + solid_share * floor->radius, ahead + floor->radius);
 }
 
-/* The solid part, then the one that fades. Level ground hides none of itself. */
-static void draw_parts(const struct floor *floor, const struct gl *gl)
+/* The solid part, then the one that fades. */
+static void draw_disc(const struct floor *floor, const struct gl *gl)
 {
-	bool level = floor->relief == 0.0f;
-	const uint16_t *index = level ? floor->level_index : floor->index;
-	int all = level ? FLOOR_LEVEL_INDICES : FLOOR_INDICES;
-	int solid = level ? FLOOR_LEVEL_SPOKES * 3 : FLOOR_SOLID_INDICES;
-
-	gl->DepthFunc(level ? GL_ALWAYS : GL_LESS);
-	gl->Disable(GL_BLEND);
-	draw_list(gl, index, solid);
+	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_SOLID_INDICES, GL_UNSIGNED_SHORT,
+		floor->index);
 	gl->Enable(GL_BLEND);
-	draw_list(gl, index + solid, all - solid);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_INDICES - FLOOR_SOLID_INDICES,
+		GL_UNSIGNED_SHORT, floor->index + FLOOR_SOLID_INDICES);
+}
+
+/* The same; level ground hides none of itself. */
+static void draw_strips(const struct floor *floor,
+	const struct floor_sight *sight, const struct gl *gl)
+{
+	float texcoord[6][2];
+	uint8_t color[6][4];
+
+	for (int i = 0; i < 6; i++) {
+		texcoord[i][0] = sight->position[i][0] / floor->tile;
+		texcoord[i][1] = sight->position[i][2] / floor->tile;
+		memset(color[i], (uint8_t)shade, 3);
+		color[i][3] = sight->alpha[i];
+	}
+	gl->VertexPointer(3, GL_FLOAT, 0, sight->position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	gl->DepthFunc(GL_ALWAYS);
+	if (sight->solid) {
+		gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	}
+	gl->Enable(GL_BLEND);
+	if (sight->fading) {
+		gl->DrawArrays(GL_TRIANGLE_STRIP, 2, 4);
+	}
 	gl->DepthFunc(GL_LESS);
 }
 
-void floor_draw(const struct floor *floor, const struct gl *gl)
+void floor_draw(const struct floor *floor, const struct floor_sight *sight,
+	const struct gl *gl)
 {
+	gl->Disable(GL_BLEND);
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_CULL_FACE);
 	gl->Enable(GL_TEXTURE_2D);
@@ -261,10 +297,11 @@ void floor_draw(const struct floor *floor, const struct gl *gl)
 	gl->EnableClientState(GL_COLOR_ARRAY);
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
-	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
-	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
-	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
-	draw_parts(floor, gl);
+	if (floor->relief != 0.0f) {
+		draw_disc(floor, gl);
+	} else {
+		draw_strips(floor, sight, gl);
+	}
 	gl->Disable(GL_BLEND);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);

@@ -1,5 +1,6 @@
 /*
- * The ground: a tiled disc that fades into the background at its rim.
+ * The ground: tiles that fade into the background far out. Uneven ground is a
+ * disc; level ground is what the camera sees of a plane (floor_sight.h).
  *
  * It can run under a figure that walks on the spot, and it can be uneven. The
  * figure stays, the offset grows; height and tiles move with it.
@@ -8,6 +9,7 @@
 #define APP_SCENE_FLOOR_H
 
 #include "app/scene/bounds.h"
+#include "app/scene/floor_sight.h"
 #include "platform/display/pixels.h"
 #include "platform/gl/gl.h"
 
@@ -19,9 +21,6 @@ enum {
 	/* Up to this ring it is opaque, from there on it fades. */
 	FLOOR_SOLID_RING = 9,
 	FLOOR_SOLID_INDICES = (FLOOR_SOLID_RING * 2 - 1) * FLOOR_SPOKES * 3,
-	/* Level ground needs no rings between. */
-	FLOOR_LEVEL_SPOKES = 8,
-	FLOOR_LEVEL_INDICES = FLOOR_LEVEL_SPOKES * 3 * 3,
 };
 
 struct floor {
@@ -37,7 +36,6 @@ struct floor {
 	float texcoord[FLOOR_VERTICES][2];
 	uint8_t color[FLOOR_VERTICES][4];
 	uint16_t index[FLOOR_INDICES]; /* from the middle outwards */
-	uint16_t level_index[FLOOR_LEVEL_INDICES];
 };
 
 /*
@@ -59,7 +57,12 @@ void floor_set_relief(struct floor *floor, float relief);
 /* Its height at a place, in scene units. */
 float floor_height(const struct floor *floor, float x, float z);
 
+/* What a camera sees of it: of uneven ground that it may be anywhere. */
+void floor_look(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_sight *out);
+
 /* With the camera's model-view matrix loaded; leaves lighting off. */
-void floor_draw(const struct floor *floor, const struct gl *gl);
+void floor_draw(const struct floor *floor, const struct floor_sight *sight,
+	const struct gl *gl);
 
 #endif

@@ -91,30 +91,55 @@ static void draw_monitor(const struct stage *stage, const struct gl *gl)
 	}
 }
 
-void stage_begin(
-	const struct stage *stage, const struct gl *gl, int width, int height)
+/* Nothing where opaque ground will set both colour and depth. */
+static void draw_behind(const struct stage *stage, const struct gl *gl,
+	int width, int height, int covered_px)
 {
-	gl->Viewport(0, 0, width, height);
-	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-	gl->DepthMask(GL_TRUE);
-	gl->ClearDepthx(FX16_ONE);
-	gl->ClearStencil(0);
-	gl->Clear(GL_DEPTH_BUFFER_BIT |
-		(stage->has_stencil ? GL_STENCIL_BUFFER_BIT : 0));
-	gl->DepthFunc(GL_LESS);
-	gl->CullFace(GL_BACK);
-	gl->FrontFace(GL_CCW);
-	use_plain_state(gl);
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, covered_px, width, height - covered_px);
+	gl->Clear(GL_DEPTH_BUFFER_BIT);
 	if (stage->backdrop) {
 		backdrop_draw(stage->backdrop, gl);
 	} else {
 		draw_background(gl);
 	}
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
+/* Flat shadows end at the horizon. */
+static void clear_stencil(const struct gl *gl, int width, int rows)
+{
+	gl->ClearStencil(0);
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, 0, width, rows);
+	gl->Clear(GL_STENCIL_BUFFER_BIT);
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
+void stage_begin(
+	const struct stage *stage, const struct gl *gl, int width, int height)
+{
+	/* A figure stands in the picture; only hills have to be seen. */
+	bool ground = !stage->backdrop || stage->floor.relief != 0.0f;
+	struct floor_sight sight;
+
+	floor_look(&stage->floor, &stage->camera, width, height, &sight);
+	gl->Viewport(0, 0, width, height);
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearDepthx(FX16_ONE);
+	gl->DepthFunc(GL_LESS);
+	gl->CullFace(GL_BACK);
+	gl->FrontFace(GL_CCW);
+	use_plain_state(gl);
+	if (stage->has_stencil) {
+		clear_stencil(gl, width, sight.horizon_px);
+	}
+	draw_behind(stage, gl, width, height, ground ? sight.covered_px : 0);
 	camera_apply(&stage->camera, gl, width, height);
 	light_apply(gl);
-	/* A figure stands in the picture; only hills have to be seen. */
-	if (!stage->backdrop || stage->floor.relief != 0.0f) {
-		floor_draw(&stage->floor, gl);
+	if (ground) {
+		floor_draw(&stage->floor, &sight, gl);
 	}
 	if (stage->monitor) {
 		draw_monitor(stage, gl);

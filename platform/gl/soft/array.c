@@ -139,7 +139,7 @@ void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 	int size = array->size < 3 ? array->size : 3;
 
 	if (array->type == GL_FLOAT && !draw->checked) {
-		float scale = draw->position_scale;
+		float scale = draw->view.scale;
 
 		out[0] = (int32_t)(load_float(at) * scale);
 		out[1] = (int32_t)(load_float(at + 4) * scale);
@@ -150,7 +150,7 @@ void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 	for (int i = 0; i < size; i++) {
 		if (array->type == GL_FLOAT) {
 			out[i] = clamp_int(checked(load_bits(at + 4 * i),
-						   draw->position_scale),
+						   draw->view.scale),
 				-(1 << 30), 1 << 30);
 			continue;
 		}

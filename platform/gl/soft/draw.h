@@ -134,8 +134,29 @@ struct raster {
 /* How positions are given; all but the last are quick to fetch. */
 enum position_kind {
 	POSITION_SHORTS, /* three */
-	POSITION_FLOATS, /* three, in range */
+	POSITION_FLOATS, /* three, in range and aligned */
 	POSITION_OTHER,
+};
+
+/*
+ * From positions to the window; arm/vertex.S knows the offsets. A row of the
+ * matrix gives a clip coordinate: moved + row . position, the products shifted
+ * by 16 for POSITION_SHORTS, else by 32.
+ */
+struct view {
+	_Alignas(32) int32_t moved_x;
+	int32_t moved_y, row_x[3], row_y[3];
+	int32_t row_z[3], row_w[3], moved_z, moved_w;
+	const uint8_t *positions;
+	int stride_bytes;
+	enum position_kind kind;
+	float scale; /* of floats */
+	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
+	int32_t center_z, depth; /* 2 bits of fraction; for z / w in Q29 */
+	/* every vertex's, where w does not vary, else 0; see struct vertex */
+	int32_t inverse_w_q30;
+	uint32_t w_zeros;
+	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 
 struct setup; /* raster.h */
@@ -143,24 +164,14 @@ struct setup; /* raster.h */
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
 struct draw {
+	struct view view; /* first: arm/vertex.S */
 	struct soft *soft;
-	/* from positions to the window */
-	int32_t clip_matrix[4][4];
-	int32_t short_matrix[4][4]; /* the same for POSITION_SHORTS */
 	int32_t eye_q16[3][4];
 	int position_q;
 	bool checked; /* positions may be out of range */
-	enum position_kind position_kind;
-	const uint8_t *positions;
-	int position_stride;
-	float position_scale;
-	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
 	struct clip_box box;
 	bool same_stride; /* the rows of depth and picture are as far apart */
 	bool perspective, eye_needed, fogged;
-	/* every vertex's, where w does not vary; see struct vertex */
-	int32_t inverse_w_q30;
-	uint8_t w_zeros;
 	int32_t fog_end_q16;
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
 	int fog_scale_q;
@@ -199,6 +210,8 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
 /* vertex.c: fetches and transforms; attributes follow when they are wanted. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
+/* The same in C; arm/vertex.S has another for the quick kinds. */
+void transform_c(const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* Fills the attributes unless they are there. */

@@ -12,10 +12,19 @@ enum {
 	EXPONENT_MOST = 29,
 };
 
+static bool are_quick_floats(const struct draw *draw, const struct array *array)
+{
+	uintptr_t places =
+		(uintptr_t)array->pointer | (uintptr_t)array->stride_bytes;
+
+	return array->type == GL_FLOAT && !draw->checked && places % 4 == 0;
+}
+
 static void prepare_positions(const struct soft *soft, struct draw *draw,
 	uint32_t first, uint32_t count)
 {
 	const struct array *array = &soft->arrays.vertex;
+	struct view *view = &draw->view;
 	int exponent = array_position_exponent(array, first, count);
 
 	draw->checked = exponent > EXPONENT_MOST;
@@ -26,13 +35,13 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 	draw->position_q = array->type == GL_BYTE ? 22
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
-	draw->position_scale = soft_matrix_power_of_two(draw->position_q);
-	draw->position_kind = array->size < 3               ? POSITION_OTHER
-		: array->type == GL_SHORT                   ? POSITION_SHORTS
-		: array->type == GL_FLOAT && !draw->checked ? POSITION_FLOATS
-							    : POSITION_OTHER;
-	draw->positions = array->pointer;
-	draw->position_stride = array->stride_bytes;
+	view->scale = soft_matrix_power_of_two(draw->position_q);
+	view->kind = array->size < 3            ? POSITION_OTHER
+		: array->type == GL_SHORT       ? POSITION_SHORTS
+		: are_quick_floats(draw, array) ? POSITION_FLOATS
+						: POSITION_OTHER;
+	view->positions = array->pointer;
+	view->stride_bytes = array->stride_bytes;
 }
 
 /* The largest that a row can give for coordinates up to most. */
@@ -52,6 +61,10 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 {
 	float most = soft_matrix_power_of_two(30 - draw->position_q);
 	float bound = 0.0f, scale, moved;
+	struct view *view = &draw->view;
+	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
+	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
+	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
 	struct matrix m;
 	int clip_q;
 
@@ -68,25 +81,23 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	moved = soft_matrix_power_of_two(clip_q);
 	for (int row = 0; row < 4; row++) {
 		for (int column = 0; column < 3; column++) {
-			draw->clip_matrix[row][column] = soft_matrix_to_int(
-				m.m[4 * column + row] * scale);
+			rows[row][column] =
+				soft_matrix_to_int(
+					m.m[4 * column + row] * scale) >>
+				shift;
 		}
-		draw->clip_matrix[row][3] =
-			soft_matrix_to_int(m.m[12 + row] * moved);
 	}
-	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
-	for (int i = 0; i < 16; i++) {
-		int32_t value = draw->clip_matrix[i / 4][i % 4];
-
-		draw->short_matrix[i / 4][i % 4] =
-			i % 4 == 3 ? value : value >> 2;
-	}
+	view->moved_x = soft_matrix_to_int(m.m[12] * moved);
+	view->moved_y = soft_matrix_to_int(m.m[13] * moved);
+	view->moved_z = soft_matrix_to_int(m.m[14] * moved);
+	view->moved_w = soft_matrix_to_int(m.m[15] * moved);
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
-	if (!draw->perspective && draw->clip_matrix[3][3] > 0) {
-		uint32_t w = (uint32_t)draw->clip_matrix[3][3];
+	view->inverse_w_q30 = 0;
+	if (!draw->perspective && view->moved_w > 0) {
+		uint32_t w = (uint32_t)view->moved_w;
 
-		draw->w_zeros = (uint8_t)LEADING_ZEROS_32(w);
-		draw->inverse_w_q30 = reciprocal(w << draw->w_zeros);
+		view->w_zeros = (uint32_t)LEADING_ZEROS_32(w);
+		view->inverse_w_q30 = reciprocal(w << view->w_zeros);
 	}
 }
 
@@ -111,12 +122,13 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 {
 	const struct rectangle *r = &soft->fragment.viewport;
 	int height = soft->buffers.target.height;
+	struct view *view = &draw->view;
 
 	/* Half of a sixteenth more, so that cutting to 4 bits rounds. */
-	draw->center_x_q8 = r->x * 256 + r->width * 128 + 8;
-	draw->center_y_q8 = (height - r->y) * 256 - r->height * 128 + 8;
-	draw->width_q10 = r->width * 1024;
-	draw->height_q10 = r->height * -1024;
+	view->center_x_q8 = r->x * 256 + r->width * 128 + 8;
+	view->center_y_q8 = (height - r->y) * 256 - r->height * 128 + 8;
+	view->width_q10 = r->width * 1024;
+	view->height_q10 = r->height * -1024;
 	draw->box = soft_clip_box(soft, true);
 	draw->same_stride =
 		soft->buffers.target.stride_bytes == soft->buffers.width * 2;
@@ -284,6 +296,10 @@ static fill_function choose_fill(const struct draw *draw)
 
 void soft_init_scratch(struct draw *draw)
 {
+	draw->view.reciprocals = soft_reciprocal_table;
+	/* 4 (1 + 65533 (z/w + 1) / 2) */
+	draw->view.center_z = 131070;
+	draw->view.depth = 1048528;
 	draw->shade_color[0] = UINT32_MAX; /* no colour */
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;

@@ -5,18 +5,21 @@
 #include <string.h>
 
 static ALWAYS_INLINE int32_t transform_row(
-	const int32_t m[4], int32_t x, int32_t y, int32_t z)
+	int32_t moved, const int32_t m[3], const int32_t p[3])
 {
-	return m[3] + mul_high(m[0], x) + mul_high(m[1], y) + mul_high(m[2], z);
+	int32_t sum = mul_high_add(moved, m[0], p[0]);
+
+	sum = mul_high_add(sum, m[1], p[1]);
+	return mul_high_add(sum, m[2], p[2]);
 }
 
 static ALWAYS_INLINE int32_t transform_shorts(
-	const int32_t m[4], int x, int y, int z)
+	int32_t moved, const int32_t m[3], const int16_t p[3])
 {
-	int32_t sum = MULTIPLY_ADD_HALF(m[3], m[0], x);
+	int32_t sum = MULTIPLY_ADD_HALF(moved, m[0], p[0]);
 
-	sum = MULTIPLY_ADD_HALF(sum, m[1], y);
-	return MULTIPLY_ADD_HALF(sum, m[2], z);
+	sum = MULTIPLY_ADD_HALF(sum, m[1], p[1]);
+	return MULTIPLY_ADD_HALF(sum, m[2], p[2]);
 }
 
 static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
@@ -45,78 +48,75 @@ static ALWAYS_INLINE int32_t divide_q29(int32_t x, const struct vertex *vertex)
 		vertex->inverse_w_q30);
 }
 
-static ALWAYS_INLINE void project(const struct draw *draw, struct vertex *vertex)
+static ALWAYS_INLINE void project(const struct view *view, struct vertex *vertex)
 {
 	const int32_t *c = vertex->clip;
 
-	if (draw->perspective) {
+	if (view->inverse_w_q30 == 0) {
 		int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
 
 		vertex->w_zeros = (uint8_t)zeros;
 		vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
 	} else {
-		vertex->w_zeros = draw->w_zeros;
-		vertex->inverse_w_q30 = draw->inverse_w_q30;
+		vertex->w_zeros = (uint8_t)view->w_zeros;
+		vertex->inverse_w_q30 = view->inverse_w_q30;
 	}
-	vertex->x =
-		(draw->center_x_q8 +
-			mul_high(divide_q29(c[0], vertex), draw->width_q10)) >>
+	vertex->x = mul_high_add(view->center_x_q8, divide_q29(c[0], vertex),
+			    view->width_q10) >>
 		4;
-	vertex->y =
-		(draw->center_y_q8 +
-			mul_high(divide_q29(c[1], vertex), draw->height_q10)) >>
+	vertex->y = mul_high_add(view->center_y_q8, divide_q29(c[1], vertex),
+			    view->height_q10) >>
 		4;
-	/* 4 (1 + 65533 (z/w + 1) / 2) */
-	vertex->z = 131070 + mul_high(divide_q29(c[2], vertex), 1048528);
+	vertex->z = mul_high_add(
+		view->center_z, divide_q29(c[2], vertex), view->depth);
 }
 
 void soft_project(const struct draw *draw, struct vertex *vertex)
 {
-	project(draw, vertex);
+	project(&draw->view, vertex);
 }
 
 static ALWAYS_INLINE void find_clip(
 	const struct draw *draw, uint32_t index, int32_t out[4])
 {
+	const struct view *view = &draw->view;
 	const void *at =
-		draw->positions + (size_t)index * (size_t)draw->position_stride;
-	const int32_t(*m)[4] = draw->clip_matrix;
+		view->positions + (size_t)index * (size_t)view->stride_bytes;
 	int32_t p[3];
 
-	if (draw->position_kind == POSITION_SHORTS) {
+	if (view->kind == POSITION_SHORTS) {
 		int16_t s[3];
 
 		memcpy(s, at, sizeof(s));
-		m = draw->short_matrix;
-		out[0] = transform_shorts(m[0], s[0], s[1], s[2]);
-		out[1] = transform_shorts(m[1], s[0], s[1], s[2]);
-		out[2] = transform_shorts(m[2], s[0], s[1], s[2]);
-		out[3] = transform_shorts(m[3], s[0], s[1], s[2]);
+		out[0] = transform_shorts(view->moved_x, view->row_x, s);
+		out[1] = transform_shorts(view->moved_y, view->row_y, s);
+		out[2] = transform_shorts(view->moved_z, view->row_z, s);
+		out[3] = transform_shorts(view->moved_w, view->row_w, s);
 		return;
 	}
-	if (draw->position_kind == POSITION_FLOATS) {
+	if (view->kind == POSITION_FLOATS) {
 		float f[3];
 
 		memcpy(f, at, sizeof(f));
-		p[0] = (int32_t)(f[0] * draw->position_scale);
-		p[1] = (int32_t)(f[1] * draw->position_scale);
-		p[2] = (int32_t)(f[2] * draw->position_scale);
+		p[0] = (int32_t)(f[0] * view->scale);
+		p[1] = (int32_t)(f[1] * view->scale);
+		p[2] = (int32_t)(f[2] * view->scale);
 	} else {
 		array_position(draw, index, p);
 	}
-	out[0] = transform_row(m[0], p[0], p[1], p[2]);
-	out[1] = transform_row(m[1], p[0], p[1], p[2]);
-	out[2] = transform_row(m[2], p[0], p[1], p[2]);
-	out[3] = transform_row(m[3], p[0], p[1], p[2]);
+	out[0] = transform_row(view->moved_x, view->row_x, p);
+	out[1] = transform_row(view->moved_y, view->row_y, p);
+	out[2] = transform_row(view->moved_z, view->row_z, p);
+	out[3] = transform_row(view->moved_w, view->row_w, p);
 }
 
-void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
+void transform_c(const struct draw *draw, uint32_t index, struct vertex *out)
 {
 	find_clip(draw, index, out->clip);
 	out->index = index;
 	out->shaded = false;
 	out->outcode = find_outcode(out->clip);
 	if (out->outcode == 0) {
-		project(draw, out);
+		project(&draw->view, out);
 	}
 }

@@ -1,0 +1,171 @@
+/*
+ * vertex.c for ARMv6: the same numbers. Offsets are those of struct view and
+ * struct vertex.
+ *
+ * A vertex of three shorts costs 70 instructions, one of three floats 81;
+ * where w does not vary, 17 less.
+ */
+	.syntax unified
+	.arch armv6
+	.fpu vfpv2
+	.arm
+	.text
+
+#define POSITIONS 64
+#define KIND 72
+#define SCALE 76
+/* behind the matrix, whose end r0 is at then */
+#define CENTER 16
+#define INVERSE_W 40
+#define RECIPROCALS 48
+
+#define VERTEX_INVERSE_W 52
+#define VERTEX_INDEX 56
+#define VERTEX_CLIP 64
+
+
+/* r0 draw, r1 index, r2 vertex */
+	.global	soft_transform
+	.type	soft_transform, %function
+soft_transform:
+	ldr	r12, [r0, #KIND]
+	push	{r2, r4-r11, lr}
+	ldrd	r4, [r0, #POSITIONS]
+	cmp	r12, #1
+	str	r1, [r2, #VERTEX_INDEX]
+	bhi	.Lother
+	mla	r3, r1, r5, r4
+	beq	.Lfloats
+
+	/* r1 x, r4 y, r12 z, lr w; r3 the position's x and y, r11 its z */
+	ldrsh	r11, [r3, #4]
+	pld	[r3, #64]
+	ldr	r3, [r3]
+	ldmia	r0!, {r1, r4-r10}
+	smlawb	r1, r5, r3, r1
+	smlawb	r4, r8, r3, r4
+	smlawt	r1, r6, r3, r1
+	smlawt	r4, r9, r3, r4
+	smlawb	r1, r7, r11, r1
+	smlawb	r4, r10, r11, r4
+	ldmia	r0!, {r5-r10, r12, lr}
+	smlawb	lr, r8, r3, lr
+	smlawb	r12, r5, r3, r12
+	smlawt	lr, r9, r3, lr
+	smlawt	r12, r6, r3, r12
+	smlawb	lr, r10, r11, lr
+	smlawb	r12, r7, r11, r12
+
+	/* Sums stay below 2^31: comparing is as good as subtracting. */
+.Lclip:
+	cmp	lr, #1
+	cmpge	lr, r1
+	cmpge	lr, r4
+	cmpge	lr, r12
+	cmnge	lr, r1
+	cmnge	lr, r4
+	cmnge	lr, r12
+	add	r3, r2, #VERTEX_CLIP
+	stmia	r3, {r1, r4, r12, lr}
+	blt	.Loutside
+
+	/* r6 1/w, r7 its zeros */
+	ldrd	r6, [r0, #INVERSE_W]
+	ldr	r11, [r0, #RECIPROCALS]
+	cmp	r6, #0
+	bne	.Ldivide
+	clz	r7, lr
+	lsl	r8, lr, r7
+	lsl	r9, r8, #1
+	lsr	r9, r9, #23
+	bic	r9, r9, #1
+	ldrh	r10, [r11, r9]
+	lsl	r10, r10, #15
+	umull	r3, r5, r8, r10
+	rsb	r5, r5, #0x80000000
+	umull	r3, r10, r5, r10
+	lsl	r10, r10, #2
+	umull	r3, r5, r8, r10
+	rsb	r5, r5, #0x80000000
+	umull	r3, r6, r5, r10
+	lsls	r6, r6, #2
+	mvnmi	r6, #0x80000000
+
+	/* r8 x / w, r9 y / w, r10 z / w */
+.Ldivide:
+	sub	r5, r7, #1
+	lsl	r8, r1, r5
+	lsl	r9, r4, r5
+	lsl	r10, r12, r5
+	smmul	r8, r8, r6
+	smmul	r9, r9, r6
+	smmul	r10, r10, r6
+	add	r0, r0, #CENTER
+	ldmia	r0, {r0, r1, r3, r4, r5, r11}
+	smmla	r8, r8, r3, r0
+	smmla	r9, r9, r4, r1
+	smmla	r10, r10, r11, r5
+	str	r6, [r2, #VERTEX_INVERSE_W]
+	asr	r8, r8, #4
+	asr	r9, r9, #4
+	/* outcode and shaded are zeros' upper bytes */
+	stmia	r2, {r7-r10}
+	pop	{r2, r4-r11, pc}
+
+.Lfloats:
+	fldmias	r3, {s0-s2}
+	flds	s3, [r0, #SCALE]
+	pld	[r3, #64]
+	ldmia	r0!, {r1, r4-r10}
+	fmuls	s0, s0, s3
+	fmuls	s1, s1, s3
+	fmuls	s2, s2, s3
+	ftosizs	s0, s0
+	ftosizs	s1, s1
+	ftosizs	s2, s2
+	fmrs	r3, s0
+	fmrs	r11, s1
+	fmrs	r2, s2
+	smmla	r1, r5, r3, r1
+	smmla	r4, r8, r3, r4
+	smmla	r1, r6, r11, r1
+	smmla	r4, r9, r11, r4
+	smmla	r1, r7, r2, r1
+	smmla	r4, r10, r2, r4
+	ldmia	r0!, {r5-r10, r12, lr}
+	smmla	lr, r8, r3, lr
+	smmla	r12, r5, r3, r12
+	smmla	lr, r9, r11, lr
+	smmla	r12, r6, r11, r12
+	smmla	lr, r10, r2, lr
+	smmla	r12, r7, r2, r12
+	ldr	r2, [sp]
+	b	.Lclip
+
+	/* r1 x, r4 y, r12 z, lr w */
+.Loutside:
+	rsb	r5, lr, #0
+	mov	r3, #0
+	cmp	r1, r5
+	orrlt	r3, r3, #1 << 8
+	cmp	r1, lr
+	orrgt	r3, r3, #2 << 8
+	cmp	r4, r5
+	orrlt	r3, r3, #4 << 8
+	cmp	r4, lr
+	orrgt	r3, r3, #8 << 8
+	cmp	r12, r5
+	orrlt	r3, r3, #16 << 8
+	cmp	r12, lr
+	orrgt	r3, r3, #32 << 8
+	cmp	lr, #0
+	orrle	r3, r3, #16 << 8
+	str	r3, [r2]
+	pop	{r2, r4-r11, pc}
+
+.Lother:
+	pop	{r2, r4-r11, lr}
+	b	transform_c
+	.size	soft_transform, . - soft_transform
+
+	.section .note.GNU-stack, "", %progbits

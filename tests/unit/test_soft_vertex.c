@@ -1,0 +1,206 @@
+/* The soft driver's vertices: in assembly as in C, and against double. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/number.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	VERTICES = 64
+};
+
+static uint32_t next_random(uint32_t *seed)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return *seed >> 8;
+}
+
+static int32_t random_within(uint32_t *seed, int32_t most)
+{
+	uint32_t wide = next_random(seed) << 16 ^ next_random(seed);
+
+	return (int32_t)(wide % (2 * (uint32_t)most + 1)) - most;
+}
+
+static struct draw *make_draw(void)
+{
+	struct draw *draw = aligned_alloc(_Alignof(struct draw), sizeof(*draw));
+
+	assert_non_null(draw);
+	memset(draw, 0, sizeof(*draw));
+	soft_init_scratch(draw);
+	draw->view.center_x_q8 = 240 * 256 + 8;
+	draw->view.center_y_q8 = 320 * 256 + 8;
+	draw->view.width_q10 = 480 * 1024;
+	draw->view.height_q10 = -640 * 1024;
+	return draw;
+}
+
+/* Coordinates below 2^28 for positions below 2^30, or 2^15 * 2^16. */
+static void make_view(
+	struct view *view, enum position_kind kind, bool affine, uint32_t *seed)
+{
+	int32_t entry = kind == POSITION_SHORTS ? 1 << 26 : 1 << 28;
+	int32_t move = (1 << 28) - 3 * (1 << 26);
+
+	view->kind = kind;
+	for (int i = 0; i < 3; i++) {
+		view->row_x[i] = random_within(seed, entry);
+		view->row_y[i] = random_within(seed, entry);
+		view->row_z[i] = random_within(seed, entry);
+		view->row_w[i] = affine ? 0 : random_within(seed, entry);
+	}
+	view->moved_x = random_within(seed, move);
+	view->moved_y = random_within(seed, move);
+	view->moved_z = random_within(seed, move);
+	view->moved_w = move + random_within(seed, affine ? 0 : move);
+	view->inverse_w_q30 = 0;
+	if (affine) {
+		view->w_zeros = (uint32_t)LEADING_ZEROS_32(move);
+		view->inverse_w_q30 =
+			reciprocal((uint32_t)move << view->w_zeros);
+	}
+}
+
+static void check_vertex(const struct draw *draw, uint32_t index)
+{
+	struct vertex vertex = {.shaded = true}, other = {.shaded = true};
+
+	soft_transform(draw, index, &vertex);
+	transform_c(draw, index, &other);
+	assert_memory_equal(vertex.clip, other.clip, sizeof(vertex.clip));
+	assert_int_equal(vertex.outcode, other.outcode);
+	assert_int_equal(vertex.index, index);
+	assert_int_equal(other.index, index);
+	assert_false(vertex.shaded);
+	assert_false(other.shaded);
+	if (vertex.outcode == 0) {
+		assert_int_equal(vertex.x, other.x);
+		assert_int_equal(vertex.y, other.y);
+		assert_int_equal(vertex.z, other.z);
+		assert_int_equal(vertex.w_zeros, other.w_zeros);
+		assert_int_equal(vertex.inverse_w_q30, other.inverse_w_q30);
+	}
+}
+
+/* Where exact arithmetic puts what is inside. */
+static void check_place(const struct draw *draw, uint32_t index)
+{
+	const struct view *view = &draw->view;
+	struct vertex v = {.shaded = true};
+	double w, x, y;
+
+	soft_transform(draw, index, &v);
+	if (v.outcode != 0 || v.clip[3] < 1 << 20) {
+		return;
+	}
+	w = v.clip[3];
+	x = (view->center_x_q8 + v.clip[0] / w * view->width_q10 / 8) / 16;
+	y = (view->center_y_q8 + v.clip[1] / w * view->height_q10 / 8) / 16;
+	assert_true(fabs(v.x + 0.5 - x) < 0.51);
+	assert_true(fabs(v.y + 0.5 - y) < 0.51);
+	assert_true(fabs(v.z - (131070 + v.clip[2] / w * 131066)) < 2);
+}
+
+static void check_shorts(bool affine)
+{
+	struct draw *draw = make_draw();
+	int16_t position[VERTICES][4];
+	uint32_t seed = 7;
+
+	draw->view.positions = (const uint8_t *)&position[0][1];
+	draw->view.stride_bytes = sizeof(position[0]);
+	for (int round = 0; round < 300; round++) {
+		make_view(&draw->view, POSITION_SHORTS, affine, &seed);
+		for (int i = 0; i < 4 * VERTICES; i++) {
+			int16_t any = (int16_t)random_within(&seed, 32767);
+
+			position[i / 4][i % 4] = i < 12 ? INT16_MIN
+				: i < 24                ? INT16_MAX
+				: i < 128               ? any >> 2
+							: any;
+		}
+		for (uint32_t i = 0; i + 1 < VERTICES; i++) {
+			check_vertex(draw, i);
+			check_place(draw, i);
+		}
+	}
+	free(draw);
+}
+
+static void test_shorts_are_transformed_as_in_c(void **state)
+{
+	(void)state;
+	check_shorts(false);
+}
+
+static void test_flat_projections_are_transformed_as_in_c(void **state)
+{
+	(void)state;
+	check_shorts(true);
+}
+
+static void test_floats_are_transformed_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	float position[VERTICES][5];
+	uint32_t seed = 11;
+
+	(void)state;
+	draw->view.positions = (const uint8_t *)position;
+	draw->view.stride_bytes = sizeof(position[0]);
+	draw->view.scale = 1 << 24;
+	for (int round = 0; round < 300; round++) {
+		make_view(&draw->view, POSITION_FLOATS, round % 4 == 0, &seed);
+		for (int i = 0; i < 5 * VERTICES; i++) {
+			int32_t any = random_within(&seed, (1 << 30) - 1);
+
+			position[i / 5][i % 5] = i < 10 ? 0.0f
+				: i < 20                ? -63.999996f
+				: i < 99 ? (float)(any >> 3) / (1 << 24)
+					 : (float)(any >> 7) / (1 << 17);
+		}
+		for (uint32_t i = 0; i < VERTICES; i++) {
+			check_vertex(draw, i);
+			check_place(draw, i);
+		}
+	}
+	free(draw);
+}
+
+/* All of the volume's planes, and w of 0 and below. */
+static void test_outcodes_are_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	int16_t position[1][3] = {{0, 0, 0}};
+	static const int32_t some[] = {
+		-(1 << 27), -1001, -1000, -1, 0, 1, 1000, 1001, 1 << 27};
+	struct view *view = &draw->view;
+
+	(void)state;
+	view->kind = POSITION_SHORTS;
+	view->positions = (const uint8_t *)position;
+	view->stride_bytes = sizeof(position[0]);
+	for (int i = 0; i < 9 * 9 * 9 * 9; i++) {
+		view->moved_x = some[i % 9];
+		view->moved_y = some[i / 9 % 9];
+		view->moved_z = some[i / 81 % 9];
+		view->moved_w = some[i / 729];
+		check_vertex(draw, 0);
+	}
+	free(draw);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_shorts_are_transformed_as_in_c),
+		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
+		cmocka_unit_test(test_floats_are_transformed_as_in_c),
+		cmocka_unit_test(test_outcodes_are_as_in_c),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

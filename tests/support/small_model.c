@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+const uint8_t small_model_flat_map[1][4] = {{128, 128, 255, 255}};
+
 static void *take(struct model *model, size_t count, size_t size)
 {
 	void *room = arena_alloc(&model->arena, count, size);
@@ -137,4 +139,14 @@ void small_model_add_relief(
 	};
 	memcpy(model->image->rgba, rgba, bytes);
 	model->material[0].normal_texture = 0;
+}
+
+struct instance *small_model_instance(const struct model *model)
+{
+	struct log nowhere = log_to_nowhere();
+	struct instance *instance = NULL;
+
+	assert_int_equal(
+		instance_create(model, &kernel_float, &nowhere, &instance), 0);
+	return instance;
 }

@@ -4,7 +4,7 @@
 #ifndef TESTS_SUPPORT_SMALL_MODEL_H
 #define TESTS_SUPPORT_SMALL_MODEL_H
 
-#include "app/model/model.h"
+#include "app/scene/instance.h"
 
 /*
  * One node with one mesh: a grid of columns x rows quads in the plane z = 0,
@@ -21,5 +21,11 @@ struct model *small_model_grid(
  */
 void small_model_add_relief(
 	struct model *model, int width, const uint8_t (*rgba)[4]);
+
+/* A normal map of one texel that changes nothing. */
+extern const uint8_t small_model_flat_map[1][4];
+
+/* Its instance, computed in float. */
+struct instance *small_model_instance(const struct model *model);
 
 #endif

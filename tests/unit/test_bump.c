@@ -8,21 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const uint8_t flat_map[1][4] = {{128, 128, 255, 255}};
-
 /* Left half tilted towards -X, right half towards +X, by 45 degrees. */
 static const uint8_t ridge_map[2][4] = {
 	{37, 128, 218, 255}, {218, 128, 218, 255}};
-
-static struct instance *make_instance(const struct model *model)
-{
-	struct log nowhere = log_to_nowhere();
-	struct instance *instance = NULL;
-
-	assert_int_equal(
-		instance_create(model, &kernel_float, &nowhere, &instance), 0);
-	return instance;
-}
 
 static void light_from(struct instance *instance, float x, float y, float z)
 {
@@ -85,8 +73,8 @@ static void test_rigid_meshes_are_lit_as_their_node_stands(void **state)
 	const uint8_t(*light)[4];
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
-	instance = make_instance(model);
+	small_model_add_relief(model, 1, small_model_flat_map);
+	instance = small_model_instance(model);
 	local = &instance->pose.local[0];
 	light = (const uint8_t(*)[4])instance->drawable[0].light;
 	light_from(instance, 0.6f, 0, 0.8f);
@@ -117,9 +105,9 @@ static void test_the_attributes_sign_turns_the_bitangent(void **state)
 	const uint8_t(*light)[4];
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
+	small_model_add_relief(model, 1, small_model_flat_map);
 	model->mesh[0].primitive[0].tangent[1][3] = -1;
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	light = (const uint8_t(*)[4])instance->drawable[0].light;
 	light_from(instance, 0, 0.6f, 0.8f);
 	assert_texel(light[0], 128, 204, 230);
@@ -135,9 +123,9 @@ static bool has_relief(void (*change)(struct model *model))
 	struct instance *instance;
 	bool has;
 
-	small_model_add_relief(model, 1, flat_map);
+	small_model_add_relief(model, 1, small_model_flat_map);
 	change(model);
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	has = instance->drawable[0].tangent;
 	instance_destroy(instance);
 	model_destroy(model);
@@ -198,8 +186,8 @@ static void test_gathered_batches_are_lit_plainly(void **state)
 	struct instance *instance;
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
-	instance = make_instance(model);
+	small_model_add_relief(model, 1, small_model_flat_map);
+	instance = small_model_instance(model);
 	assert_null(instance->drawable[0].tangent);
 	instance_destroy(instance);
 	model_destroy(model);
@@ -255,8 +243,8 @@ static void test_a_driver_without_combiner_gets_one_sentence(void **state)
 	(void)state;
 	gl.GetError = tell_error;
 	gl.TexEnvx = refuse_combiner;
-	small_model_add_relief(model, 1, flat_map);
-	instance = make_instance(model);
+	small_model_add_relief(model, 1, small_model_flat_map);
+	instance = small_model_instance(model);
 	pending_error = GL_NO_ERROR;
 	assert_int_equal(
 		texture_set_create(&textures, model, &gl, PIXELS_RGBA8888, &log),
@@ -276,37 +264,41 @@ static void test_a_driver_without_combiner_gets_one_sentence(void **state)
 	model_destroy(model);
 }
 
-static void test_an_older_error_does_not_hide_the_combiner(void **state)
+/* Whether relief is possible with that GL, which is found out without a word. */
+static bool is_possible(const struct model *model,
+	void (*combiner)(GLenum target, GLenum name, GLfixed value),
+	GLenum older_error)
 {
-	struct model *model = small_model_grid(1, 1, 1.0f, true);
 	struct gl gl = gl_recorder_begin();
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
+	bool possible;
+
+	gl.GetError = tell_error;
+	gl.TexEnvx = combiner;
+	pending_error = older_error;
+	possible = bump_is_possible(model, &gl, &log);
+	assert_int_equal(capture.count, 0);
+	return possible;
+}
+
+static void test_an_older_error_does_not_hide_the_combiner(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
 
 	(void)state;
-	gl.GetError = tell_error;
-	gl.TexEnvx = accept_combiner;
-	small_model_add_relief(model, 1, flat_map);
-	pending_error = GL_INVALID_VALUE;
-	assert_true(bump_is_possible(model, &gl, &log));
+	small_model_add_relief(model, 1, small_model_flat_map);
+	assert_true(is_possible(model, accept_combiner, GL_INVALID_VALUE));
 	assert_int_equal(environment_mode, GL_MODULATE);
-	assert_int_equal(capture.count, 0);
 	model_destroy(model);
 }
 
 static void test_models_without_relief_need_no_combiner(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct gl gl = gl_recorder_begin();
-	struct log_capture capture;
-	struct log log = log_capture_begin(&capture);
 
 	(void)state;
-	gl.GetError = tell_error;
-	gl.TexEnvx = refuse_combiner;
-	pending_error = GL_NO_ERROR;
-	assert_false(bump_is_possible(model, &gl, &log));
-	assert_int_equal(capture.count, 0);
+	assert_false(is_possible(model, refuse_combiner, GL_NO_ERROR));
 	model_destroy(model);
 }
 
@@ -319,10 +311,10 @@ static void test_relief_takes_three_passes_and_can_be_off(void **state)
 	struct instance *instance;
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
+	small_model_add_relief(model, 1, small_model_flat_map);
 	textures.name = &name;
 	textures.relief = true;
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 3);
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHAPE), 1);
 	instance->relief = false;
@@ -357,7 +349,7 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 		arena_alloc(&shown->model->arena, 4, 4);
 	assert_non_null(shown->model->mesh[0].primitive[0].color);
 	memcpy(shown->model->mesh[0].primitive[0].color, color, sizeof(color));
-	shown->instance = make_instance(shown->model);
+	shown->instance = small_model_instance(shown->model);
 	local = &shown->instance->pose.local[0];
 	for (int axis = 0; axis < 2; axis++) {
 		local->translation[axis] = -1;
@@ -440,7 +432,7 @@ static void test_a_flat_map_looks_like_plain_light(void **state)
 	struct shown shown;
 
 	(void)state;
-	set_up(&shown, 1, flat_map);
+	set_up(&shown, 1, small_model_flat_map);
 	show(&shown, relief);
 	shown.instance->relief = false;
 	show(&shown, plain);

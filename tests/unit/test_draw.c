@@ -3,16 +3,6 @@
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
-static struct instance *make_instance(const struct model *model)
-{
-	struct log nowhere = log_to_nowhere();
-	struct instance *instance = NULL;
-
-	assert_int_equal(
-		instance_create(model, &kernel_float, &nowhere, &instance), 0);
-	return instance;
-}
-
 static void assert_matrix_near(
 	const struct gl_recorded_draw *draw, mat4 expected)
 {
@@ -45,7 +35,7 @@ static void make_arm(struct pivot pivot[4])
 static void test_matrix_stack_agrees_with_the_pivots_world(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct gl gl = gl_recorder_begin();
 	struct texture_set no_textures = {0};
 	const struct gl_recording *recording = gl_recorder_result();
@@ -69,7 +59,7 @@ static void test_matrix_stack_agrees_with_the_pivots_world(void **state)
 static void test_a_rigid_mesh_is_placed_by_its_node(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1000.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct gl gl = gl_recorder_begin();
 	struct texture_set no_textures = {0};
 	const struct gl_recorded_draw *draw = gl_recorder_result()->draw;
@@ -90,7 +80,7 @@ static void test_a_rigid_mesh_is_placed_by_its_node(void **state)
 static void test_a_mirrored_node_turns_the_front_face(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct gl gl = gl_recorder_begin();
 	struct texture_set no_textures = {0};
 
@@ -106,7 +96,7 @@ static void test_a_mirrored_node_turns_the_front_face(void **state)
 static void test_hidden_drawables_cost_no_call(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct gl gl = gl_recorder_begin();
 	struct texture_set no_textures = {0};
 
@@ -136,7 +126,7 @@ static void test_blended_surfaces_come_after_opaque_ones(void **state)
 	model->mesh[0].primitive = two;
 	model->mesh[0].primitive_count = model->material_count = 2;
 	model->material = material;
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	draw_instance(&gl, instance, &no_textures, DRAW_SHADED);
 	assert_int_equal(gl_recorder_result()->draw_count, 2);
 	assert_int_equal(gl_recorder_result()->draw[0].count, 3);

@@ -6,20 +6,10 @@
 
 #include <string.h>
 
-static struct instance *make_instance(const struct model *model)
-{
-	struct log nowhere = log_to_nowhere();
-	struct instance *instance = NULL;
-
-	assert_int_equal(
-		instance_create(model, &kernel_float, &nowhere, &instance), 0);
-	return instance;
-}
-
 static void test_keeps_metres_for_a_model_of_human_size(void **state)
 {
 	struct model *model = small_model_grid(2, 2, 1.75f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct bounds bounds;
 
 	(void)state;
@@ -33,7 +23,7 @@ static void test_keeps_metres_for_a_model_of_human_size(void **state)
 static void test_scales_a_huge_model_by_a_power_of_two(void **state)
 {
 	struct model *model = small_model_grid(2, 2, 5000.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct bounds bounds;
 	mat4 matrix;
 	float corner[3];
@@ -57,7 +47,7 @@ static void test_scales_a_huge_model_by_a_power_of_two(void **state)
 static void test_scales_a_tiny_model_up(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 0.001f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	struct bounds bounds = bounds_of_instance(instance);
 
 	(void)state;
@@ -70,7 +60,7 @@ static void test_scales_a_tiny_model_up(void **state)
 static void test_moves_a_rigid_mesh_with_its_node(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	float corner[3];
 
 	(void)state;
@@ -89,7 +79,7 @@ static void test_nodes_outside_the_scene_are_not_shown(void **state)
 
 	(void)state;
 	model->node[0].in_scene = false;
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	assert_int_equal(instance->drawable_count, 0);
 	instance_destroy(instance);
 	model_destroy(model);
@@ -98,7 +88,7 @@ static void test_nodes_outside_the_scene_are_not_shown(void **state)
 static void test_gives_flat_normals_where_the_file_has_none(void **state)
 {
 	struct model *model = small_model_grid(2, 1, 1.0f, false);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	const struct batch *batch = &instance->drawable[0].batch[0];
 
 	(void)state;
@@ -117,7 +107,7 @@ static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
 {
 	/* 300 x 300 quads: 90,601 vertices, 540,000 indices. */
 	struct model *model = small_model_grid(300, 300, 1.0f, true);
-	struct instance *instance = make_instance(model);
+	struct instance *instance = small_model_instance(model);
 	const struct drawable *drawable = &instance->drawable[0];
 	const struct model_primitive *primitive = drawable->primitive;
 	int done = 0;
@@ -153,7 +143,7 @@ static void test_multiplies_vertex_colours_by_the_material(void **state)
 	primitive->color = arena_alloc(&model->arena, 4, 4);
 	memset(primitive->color, 200, 16);
 	model->material[0].base_color[0] = 0.0f;
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	color = instance->drawable[0].batch[0].color[2];
 	assert_int_equal(color[0], 0);
 	assert_int_equal(color[1], 200);
@@ -212,10 +202,30 @@ static void add_target(struct model *model)
 	model->rest_weights = ARENA_ARRAY(arena, float, 1);
 }
 
-static const uint8_t flat_map[1][4] = {{128, 128, 255, 255}};
-
 /* A quarter turn about +Y: +X to -Z, +Z to +X. */
 static const float quarter_turn[4] = {0, 0.70710678f, 0, 0.70710678f};
+
+/* A square with tangents and something that moves it. */
+struct relief {
+	struct model *model;
+	struct instance *instance;
+};
+
+static struct relief relief_begin(float size, void (*add)(struct model *model))
+{
+	struct relief relief = {small_model_grid(1, 1, size, true), NULL};
+
+	small_model_add_relief(relief.model, 1, small_model_flat_map);
+	add(relief.model);
+	relief.instance = small_model_instance(relief.model);
+	return relief;
+}
+
+static void relief_end(struct relief *relief)
+{
+	instance_destroy(relief->instance);
+	model_destroy(relief->model);
+}
 
 static void test_morphs_before_it_skins(void **state)
 {
@@ -225,10 +235,10 @@ static void test_morphs_before_it_skins(void **state)
 	const float half = 0.70710678f;
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
+	small_model_add_relief(model, 1, small_model_flat_map);
 	add_skin(model);
 	add_target(model);
-	instance = make_instance(model);
+	instance = small_model_instance(model);
 	drawable = &instance->drawable[0];
 	instance->pose.weight[0] = 1.0f;
 	memcpy(instance->pose.local[0].rotation, quarter_turn,
@@ -249,35 +259,26 @@ static void test_morphs_before_it_skins(void **state)
 
 static void test_skins_tangents_with_the_joints(void **state)
 {
-	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance;
-	const struct drawable *drawable;
+	struct relief relief = relief_begin(1.0f, add_skin);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
-	add_skin(model);
-	instance = make_instance(model);
-	drawable = &instance->drawable[0];
 	memcpy(instance->pose.local[0].rotation, quarter_turn,
 		sizeof(quarter_turn));
 	instance_update(instance);
 	assert_all_near(drawable->tangent[2], ((float[3]){0, 0, -1}), 3, 1e-6);
 	assert_all_near(drawable->bitangent[2], ((float[3]){0, 1, 0}), 3, 1e-6);
-	instance_destroy(instance);
-	model_destroy(model);
+	relief_end(&relief);
 }
 
 static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
 {
-	struct model *model = small_model_grid(1, 1, 100.0f, true);
-	struct instance *instance;
-	const struct drawable *drawable;
+	struct relief relief = relief_begin(100.0f, add_target);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
-	add_target(model);
-	instance = make_instance(model);
-	drawable = &instance->drawable[0];
 	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
 	instance->pose.weight[0] = 0.75f;
 	instance_update(instance);
@@ -291,29 +292,23 @@ static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
 	instance->pose.weight[0] = 0.0f;
 	instance_update(instance);
 	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
-	instance_destroy(instance);
-	model_destroy(model);
+	relief_end(&relief);
 }
 
 static void test_leaves_tangents_alone_without_relief(void **state)
 {
-	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance;
-	const struct drawable *drawable;
+	struct relief relief = relief_begin(1.0f, add_skin);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
-	small_model_add_relief(model, 1, flat_map);
-	add_skin(model);
-	instance = make_instance(model);
-	drawable = &instance->drawable[0];
 	instance->relief = false;
 	memcpy(instance->pose.local[0].rotation, quarter_turn,
 		sizeof(quarter_turn));
 	instance_update(instance);
 	assert_all_near(drawable->tangent[2], ((float[3]){1, 0, 0}), 3, 1e-6);
 	assert_all_near(drawable->normal[2], ((float[3]){1, 0, 0}), 3, 1e-6);
-	instance_destroy(instance);
-	model_destroy(model);
+	relief_end(&relief);
 }
 
 static void test_bounds_of_nothing_are_empty(void **state)

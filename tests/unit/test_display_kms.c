@@ -2,6 +2,7 @@
 #include "tests/support/fake_card.h"
 #include "tests/support/fake_fb.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/paint.h"
 #include "tests/support/test.h"
 
 #include <drm_fourcc.h>
@@ -64,38 +65,15 @@ static void scene_close(struct scene *scene)
 	expect_all_closed();
 }
 
-static void set_pixel(
-	const struct pixels *pixels, int x, int y, int red, int green, int blue)
-{
-	uint8_t *at = pixels->data + y * pixels->stride_bytes +
-		x * pixel_bytes(pixels->format);
-
-	if (pixels->format == PIXELS_RGB565) {
-		uint16_t pixel =
-			(uint16_t)(red >> 3 << 11 | green >> 2 << 5 | blue >> 3);
-
-		memcpy(at, &pixel, 2);
-	} else {
-		memcpy(at,
-			(const uint8_t[]){
-				(uint8_t)red, (uint8_t)green, (uint8_t)blue, 0},
-			4);
-	}
-}
-
 /* A picture whose corner tells its number in red. */
 static struct pixels draw(struct scene *scene, int number)
 {
 	struct pixels pixels;
 
 	assert_int_equal(scene->driver->begin_frame(scene->display, &pixels), 0);
-	for (int y = 0; y < pixels.height; y++) {
-		for (int x = 0; x < pixels.width; x++) {
-			set_pixel(&pixels, x, y, 0, 0, 255);
-		}
-	}
-	set_pixel(&pixels, 0, 0, number << 3, 0, 0);
-	set_pixel(&pixels, pixels.width - 1, pixels.height - 1, 0, 255, 0);
+	paint_all(&pixels, 0, 0, 255);
+	paint_pixel(&pixels, 0, 0, number << 3, 0, 0);
+	paint_pixel(&pixels, pixels.width - 1, pixels.height - 1, 0, 255, 0);
 	assert_int_equal(scene->driver->end_frame(scene->display), 0);
 	return pixels;
 }

@@ -19,6 +19,14 @@ struct scene {
 	struct gl_context *gl;
 };
 
+/* What is asked first, of EGL 1.4 and of 1.0. */
+#define BEGUN                                          \
+	"GetDisplay 0\nInitialize 1\nBindAPI 0x30a0\n" \
+	"ChooseConfig surface 4 renderable 1\n"
+#define BEGUN_OLD                      \
+	"GetDisplay 0\nInitialize 1\n" \
+	"ChooseConfig surface 4 renderable -1\n"
+
 /* The fake lies beside this program. */
 static struct test_path beside(const char *name)
 {
@@ -111,14 +119,10 @@ static void test_frames_are_drawn_on_the_whole_screen(void **state)
 	scene_begin(&scene, "fake_gles.so");
 	assert_int_equal(scene_open(&scene, "egl", NULL, PIXELS_RGB565), 0);
 	expect_told(&scene,
-		"GetDisplay 0\n"
-		"Initialize 1\n"
-		"BindAPI 0x30a0\n"
-		"ChooseConfig surface 4 renderable 1\n"
-		"CreateWindowSurface config 2 window 0x0\n"
-		"CreateContext config 2 version 1\n"
-		"MakeCurrent 7 9\n"
-		"SwapInterval 1\n");
+		BEGUN "CreateWindowSurface config 2 window 0x0\n"
+		      "CreateContext config 2 version 1\n"
+		      "MakeCurrent 7 9\n"
+		      "SwapInterval 1\n");
 	assert_string_equal(scene.gl->driver->name, "gles1");
 	assert_true(scene.gl->accelerated);
 	assert_int_equal(scene.gl->width, 48);
@@ -149,12 +153,9 @@ static void test_an_old_egl_is_asked_for_nothing_younger(void **state)
 	scene_begin(&scene, "fake_gles_old.so");
 	assert_int_equal(scene_open(&scene, "egl", "gles1", PIXELS_RGB565), 0);
 	expect_told(&scene,
-		"GetDisplay 0\n"
-		"Initialize 1\n"
-		"ChooseConfig surface 4 renderable -1\n"
-		"CreateWindowSurface config 2 window 0x0\n"
-		"CreateContext config 2\n"
-		"MakeCurrent 7 9\n");
+		BEGUN_OLD "CreateWindowSurface config 2 window 0x0\n"
+			  "CreateContext config 2\n"
+			  "MakeCurrent 7 9\n");
 	scene_draw(&scene);
 	scene_close(&scene);
 	scene_end(&scene);
@@ -170,14 +171,10 @@ static void test_a_window_is_named_by_its_number(void **state)
 		scene_open(&scene, "egl:0x1e00003", "gles1", PIXELS_RGBA8888),
 		0);
 	expect_told(&scene,
-		"GetDisplay 0\n"
-		"Initialize 1\n"
-		"BindAPI 0x30a0\n"
-		"ChooseConfig surface 4 renderable 1\n"
-		"CreateWindowSurface config 1 window 0x1e00003\n"
-		"CreateContext config 1 version 1\n"
-		"MakeCurrent 7 9\n"
-		"SwapInterval 1\n");
+		BEGUN "CreateWindowSurface config 1 window 0x1e00003\n"
+		      "CreateContext config 1 version 1\n"
+		      "MakeCurrent 7 9\n"
+		      "SwapInterval 1\n");
 	scene_close(&scene);
 	scene_end(&scene);
 }
@@ -210,13 +207,10 @@ static void test_the_next_configuration_is_tried(void **state)
 	setenv("FAKE_GLES_REFUSE", "1", 1);
 	assert_int_equal(scene_open(&scene, "egl", "gles1", PIXELS_RGB565), 0);
 	expect_told(&scene,
-		"GetDisplay 0\n"
-		"Initialize 1\n"
-		"ChooseConfig surface 4 renderable -1\n"
-		"CreateWindowSurface config 2 window 0x0\n"
-		"CreateWindowSurface config 1 window 0x0\n"
-		"CreateContext config 1\n"
-		"MakeCurrent 7 9\n");
+		BEGUN_OLD "CreateWindowSurface config 2 window 0x0\n"
+			  "CreateWindowSurface config 1 window 0x0\n"
+			  "CreateContext config 1\n"
+			  "MakeCurrent 7 9\n");
 	scene_close(&scene);
 	scene_end(&scene);
 }
@@ -231,13 +225,9 @@ static void test_a_window_that_nothing_fits_is_told(void **state)
 	assert_int_equal(
 		scene_open(&scene, "egl:7", "gles1", PIXELS_RGB565), -EIO);
 	expect_told(&scene,
-		"GetDisplay 0\n"
-		"Initialize 1\n"
-		"BindAPI 0x30a0\n"
-		"ChooseConfig surface 4 renderable 1\n"
-		"CreateWindowSurface config 2 window 0x7\n"
-		"CreateWindowSurface config 1 window 0x7\n"
-		"MakeCurrent 0 0\n");
+		BEGUN "CreateWindowSurface config 2 window 0x7\n"
+		      "CreateWindowSurface config 1 window 0x7\n"
+		      "MakeCurrent 0 0\n");
 	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 1);
 	assert_contains(scene.capture.sentence[0], "0x7");
 	assert_contains(scene.capture.sentence[0], "0x3009");

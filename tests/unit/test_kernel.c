@@ -1,5 +1,6 @@
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/transform.h"
+#include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -28,19 +29,14 @@ struct fixture {
 	float out_tangent[VERTICES][3];
 };
 
-static float scatter(int i)
-{
-	return (float)(fmod(i * 0.754877666 + 0.3, 1) * 2 - 1);
-}
-
 static void make_palette(struct fixture *f)
 {
 	for (int j = 0; j < JOINTS; j++) {
 		struct transform t = transform_identity();
 
 		for (int k = 0; k < 3; k++) {
-			t.translation[k] = 2 * scatter(j * 9 + k);
-			t.rotation[k] = scatter(j * 9 + 3 + k);
+			t.translation[k] = 2 * scattered(j * 9 + k);
+			t.rotation[k] = scattered(j * 9 + 3 + k);
 		}
 		quat_normalize(t.rotation);
 		transform_to_matrix(&t, f->palette[j]);
@@ -49,22 +45,9 @@ static void make_palette(struct fixture *f)
 
 static void make_vertex(struct fixture *f, int v)
 {
-	int count = v % WIDTH + 1;
-	float sum = 0;
-
-	for (int k = 0; k < 3; k++) {
-		f->position[v][k] = scatter(v * 3 + k);
-		f->normal[v][k] = scatter(v * 5 + k + 400);
-	}
-	vec_normalize(f->normal[v]);
-	for (int i = 0; i < count; i++) {
-		f->joint[v][i] = (uint16_t)((v + i * 3) % JOINTS);
-		f->weight[v][i] = 1.1f + scatter(v * 8 + i);
-		sum += f->weight[v][i];
-	}
-	for (int i = 0; i < count; i++) {
-		f->weight[v][i] /= sum;
-	}
+	scattered_point(v, f->position[v], f->normal[v]);
+	scattered_influences(
+		v, v % WIDTH + 1, JOINTS, f->joint[v], f->weight[v]);
 }
 
 static void set_up(struct fixture *f)
@@ -229,7 +212,7 @@ static void test_pitfall_16_a_morphed_shape_is_skinned(void **state)
 	set_up(&f);
 	for (int v = 0; v < VERTICES; v++) {
 		for (int k = 0; k < 3; k++) {
-			delta[v][k] = 0.4f * scatter(v * 3 + k + 1234);
+			delta[v][k] = 0.4f * scattered(v * 3 + k + 1234);
 		}
 	}
 	kernel_float.morph_targets(VERTICES, (const float(*)[3])f.position,
@@ -257,7 +240,7 @@ static void add_tangents(struct fixture *f, struct morph_term term[3])
 		for (int t = 0; t < 3; t++) {
 			for (int k = 0; k < 3; k++) {
 				f->delta[t][v][k] =
-					scatter(v * 9 + t * 3 + k + 77);
+					scattered(v * 9 + t * 3 + k + 77);
 			}
 		}
 	}

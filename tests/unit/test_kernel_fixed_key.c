@@ -4,6 +4,7 @@
 #include "app/anim/kernel/fixed_key.h"
 #include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
+#include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -23,11 +24,6 @@ struct keys {
 	struct fixed_vector temporal[VERTICES], step[VERTICES];
 };
 
-static float scatter(int i)
-{
-	return (float)(fmod(i * 0.754877666 + 0.3, 1) * 2 - 1);
-}
-
 static void set_up(struct keys *k)
 {
 	struct fixed_range range = fixed_range_empty();
@@ -37,7 +33,7 @@ static void set_up(struct keys *k)
 		int v = i / 3;
 
 		k->position[v / VERTICES][v % VERTICES][i % 3] =
-			3 * scatter(i) + (float)(i % 3);
+			3 * scattered(i) + (float)(i % 3);
 	}
 	for (int n = 0; n < 2; n++) {
 		fixed_range_add(
@@ -222,8 +218,8 @@ static void set_up_morphed(struct morphed *m)
 		m->normal[v][1] = 1;
 		m->weight[v] = 1;
 		for (int k = 0; k < 3; k++) {
-			m->delta[0][v][k] = v < 9 ? 4 * scatter(v * 3 + k) : 0;
-			m->delta[2][v][k] = v % 16 > 11 ? scatter(v + k) : 0;
+			m->delta[0][v][k] = v < 9 ? 4 * scattered(v * 3 + k) : 0;
+			m->delta[2][v][k] = v % 16 > 11 ? scattered(v + k) : 0;
 		}
 	}
 	for (int t = 0; t < TARGETS; t++) {

@@ -4,6 +4,7 @@
 #include "app/anim/kernel/fixed_skin.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/transform.h"
+#include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -33,31 +34,13 @@ struct fixture {
 	float want[VERTICES][3], want_normal[VERTICES][3];
 };
 
-static float scatter(int i)
-{
-	return (float)(fmod(i * 0.754877666 + 0.3, 1) * 2 - 1);
-}
-
 static void make_vertex(struct fixture *f, int v)
 {
-	int count = v % WIDTH + 1;
-	float sum = 0;
-
-	for (int k = 0; k < 3; k++) {
-		f->position[v][k] = scatter(v * 3 + k);
-		f->normal[v][k] = scatter(v * 5 + k + 400);
-	}
-	vec_normalize(f->normal[v]);
+	scattered_point(v, f->position[v], f->normal[v]);
 	memcpy(f->tangent[v], f->normal[v], sizeof(f->normal[v]));
 	f->tangent[v][3] = 1;
-	for (int i = 0; i < count; i++) {
-		f->joint[v][i] = (uint16_t)((v + i * 3) % JOINTS);
-		f->weight[v][i] = 1.1f + scatter(v * 8 + i);
-		sum += f->weight[v][i];
-	}
-	for (int i = 0; i < count; i++) {
-		f->weight[v][i] /= sum;
-	}
+	scattered_influences(
+		v, v % WIDTH + 1, JOINTS, f->joint[v], f->weight[v]);
 }
 
 static void make_palette(struct fixture *f, float scale, float distance)
@@ -66,8 +49,8 @@ static void make_palette(struct fixture *f, float scale, float distance)
 		struct transform t = transform_identity();
 
 		for (int k = 0; k < 3; k++) {
-			t.translation[k] = distance * scatter(j * 9 + k);
-			t.rotation[k] = 0.5f * scatter(j * 9 + 3 + k);
+			t.translation[k] = distance * scattered(j * 9 + k);
+			t.rotation[k] = 0.5f * scattered(j * 9 + 3 + k);
 			t.scale[k] = scale;
 		}
 		quat_normalize(t.rotation);

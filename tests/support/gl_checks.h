@@ -34,6 +34,9 @@ void stage_end_frame(struct stage *stage);
 
 void stage_close(struct stage *stage);
 
+/* Both. */
+void stage_end_and_close(struct stage *stage);
+
 /* Fails unless the pixel is this colour, each channel within tolerance. */
 void stage_expect(const struct stage *stage, int x, int y, int red, int green,
 	int blue, int tolerance);

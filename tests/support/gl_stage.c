@@ -64,6 +64,12 @@ void stage_close(struct stage *stage)
 	free(stage->pixels.data);
 }
 
+void stage_end_and_close(struct stage *stage)
+{
+	stage_end_frame(stage);
+	stage_close(stage);
+}
+
 static void read_pixel(const struct pixels *pixels, int x, int y, int rgb[3])
 {
 	const uint8_t *data = pixels->data + y * pixels->stride_bytes +

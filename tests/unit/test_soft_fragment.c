@@ -58,12 +58,6 @@ static struct stage open_red(int format)
 	return stage;
 }
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 static void test_each_alpha_function_compares(void **state)
 {
 	(void)state;
@@ -78,7 +72,7 @@ static void test_each_alpha_function_compares(void **state)
 			draw_third(stage.gl, third, 0);
 		}
 		expect_thirds(&stage, c);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -97,7 +91,7 @@ static void test_alpha_is_tested_before_depth_is_written(void **state)
 		gl_set_color(stage.gl, green);
 		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, 0.5f);
 		gl_expect_color(&stage, "behind", 9, 9, green);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -117,7 +111,7 @@ static void test_each_depth_function_compares(void **state)
 			draw_third(stage.gl, third, (float)(third - 1) / 2);
 		}
 		expect_thirds(&stage, c);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -135,7 +129,7 @@ static void test_the_depth_mask_keeps_depth(void **state)
 		gl_set_color(gl, green);
 		stage_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
 		gl_expect_color(&stage, "masked", 9, 9, i % 2 ? red : green);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -152,7 +146,7 @@ static void test_depth_is_written_by_the_test_alone(void **state)
 		gl_set_color(stage.gl, green);
 		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, 0.5f);
 		gl_expect_color(&stage, "untested", 9, 9, green);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -177,7 +171,7 @@ static void test_depth_clears_to_a_value(void **state)
 		stage_draw_all(stage.gl);
 		gl_expect_color(&stage, cases[i / 2].name, 9, 9,
 			cases[i / 2].drawn ? green : red);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -213,7 +207,7 @@ static void test_scissors_cut_drawing_and_clearing(void **state)
 			gl_expect_color(&stage, cases[i / 4].name, x,
 				p / STAGE_WIDTH, in ? green : red);
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -252,7 +246,7 @@ static void test_culling_goes_by_face_and_winding(void **state)
 			cases[i / 2].ccw ? green : red);
 		gl_expect_color(&stage, cases[i / 2].name, 24, 16,
 			cases[i / 2].cw ? green : red);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -299,7 +293,7 @@ static void test_polygon_offset_moves_depth(void **state)
 			gl_expect_color(&stage, cases[i / 2].name, x, 11,
 				cases[i / 2].nearer ? green : red);
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -330,7 +324,7 @@ static void test_flat_shading_takes_the_last_vertex(void **state)
 		}
 		gl_expect_color(&stage, "first", 30, 20, red);
 		gl_expect_color(&stage, "second", 1, 3, green);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 

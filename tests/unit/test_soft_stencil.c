@@ -22,12 +22,6 @@ static struct stage open_cleared(int format, int stencil)
 	return stage;
 }
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 static void test_each_stencil_function_compares(void **state)
 {
 	static const struct {
@@ -71,7 +65,7 @@ static void test_each_stencil_function_compares(void **state)
 		stage_draw_all(stage.gl);
 		gl_expect_color(&stage, cases[n].name, 9, 9,
 			cases[n].passes ? green : red);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -128,7 +122,7 @@ static void test_each_stencil_action_acts(void **state)
 		gl->StencilFunc(GL_EQUAL, cases[n].after, 0xFF);
 		stage_draw_all(gl);
 		gl_expect_color(&stage, cases[n].name, 9, 9, green);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -143,7 +137,7 @@ static void test_clearing_the_stencil_heeds_its_mask(void **state)
 	stage.gl->StencilFunc(GL_EQUAL, 0x3A, 0xFF);
 	stage_draw_all(stage.gl);
 	gl_expect_color(&stage, "both halves", 9, 9, green);
-	close_good(&stage);
+	stage_end_and_close(&stage);
 }
 
 /* A volume's two sides, as shadows are made: counted up, then down. */
@@ -169,7 +163,7 @@ static void test_sides_of_a_volume_count_up_and_down(void **state)
 		stage_draw_all(gl);
 		gl_expect_color(&stage, "in the volume", 4, 9, black);
 		gl_expect_color(&stage, "through it", 28, 9, red);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -241,7 +235,7 @@ static void test_each_fog_is_the_formulas(void **state)
 				(1 - left_by(c)) * mist[j];
 		}
 		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 

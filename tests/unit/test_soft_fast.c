@@ -155,7 +155,7 @@ static void make_triangles(
 }
 
 /* The alpha test that all pass sends fragments the long way. */
-static void draw(struct scene *scene, const struct corner *corner,
+static void set_state(struct scene *scene, const struct corner *corner,
 	enum kind kind, bool long_way)
 {
 	const struct gl *gl = scene->gl;
@@ -186,7 +186,13 @@ static void draw(struct scene *scene, const struct corner *corner,
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 		gl->Clear(GL_STENCIL_BUFFER_BIT);
 	}
-	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+}
+
+static void draw(struct scene *scene, const struct corner *corner,
+	enum kind kind, bool long_way)
+{
+	set_state(scene, corner, kind, long_way);
+	scene->gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
 }
 
 static int differ_most(uint16_t a, uint16_t b)
@@ -276,6 +282,73 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 	}
 	assert_true(seen > 10000);
 	assert_true(other * 30 < seen);
+}
+
+enum {
+	MANY = 1400, /* more vertices than the cache has slots */
+	LISTED = 300,
+};
+
+static void make_list(uint32_t seed, uint16_t index[LISTED * 3])
+{
+	for (int i = 0; i < LISTED; i++) {
+		int near = random_between(&seed, 0, MANY - 3);
+		bool same_slot = i % 11 == 0;
+
+		for (int k = 0; k < 3; k++) {
+			index[3 * i + k] = (uint16_t)(i % 5
+					? near + k
+					: random_between(&seed, 0, MANY - 1));
+		}
+		if (same_slot) {
+			index[3 * i + 1] =
+				(uint16_t)((index[3 * i] + VERTEX_CACHE) % MANY);
+		}
+	}
+}
+
+static void draw_list(
+	struct scene *scene, enum kind kind, int cull, const void *indices)
+{
+	const struct gl *gl = scene->gl;
+
+	(cull ? gl->Enable : gl->Disable)(GL_CULL_FACE);
+	gl->CullFace(cull == 1      ? GL_BACK
+			: cull == 2 ? GL_FRONT
+				    : GL_FRONT_AND_BACK);
+	gl->ShadeModel(kind == PLAIN && cull == 2 ? GL_FLAT : GL_SMOOTH);
+	gl->DrawElements(GL_TRIANGLES, LISTED * 3, GL_UNSIGNED_SHORT, indices);
+}
+
+/* Indices at odd addresses go the portable way. */
+static void test_lists_are_drawn_the_same_in_assembly(void **state)
+{
+	static const int sizes[] = {20, 60, 150, 400, 3000};
+	static struct corner corner[MANY + CORNERS];
+	static uint16_t index[LISTED * 3];
+	static uint8_t odd[sizeof(index) + 1];
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 120; seed++) {
+		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		enum kind kind = (enum kind)(seed % KINDS);
+		int cull = (int)(seed / KINDS % 4);
+
+		for (uint32_t i = 0; i < MANY; i += CORNERS) {
+			make_triangles(corner + i, seed * 64 + i, kind,
+				sizes[seed % 5]);
+		}
+		make_list(seed, index);
+		memcpy(odd + 1, index, sizeof(index));
+		set_state(quick, corner, kind, false);
+		draw_list(quick, kind, cull, index);
+		set_state(slow, corner, kind, false);
+		draw_list(slow, kind, cull, odd + 1);
+		compare(quick, slow);
+		assert_memory_equal(quick->all, slow->all, sizeof(quick->all));
+		close_scene(quick);
+		close_scene(slow);
+	}
 }
 
 /* Positions and normals in 16 bits show what floats show. */
@@ -600,6 +673,7 @@ int main(void)
 		cmocka_unit_test(test_shadows_are_those_of_the_long_way),
 		cmocka_unit_test(
 			test_textured_triangles_are_nearly_those_of_the_long_way),
+		cmocka_unit_test(test_lists_are_drawn_the_same_in_assembly),
 		cmocka_unit_test(test_shorts_are_drawn_like_floats),
 		cmocka_unit_test(test_a_context_needs_less_than_256_kib),
 		cmocka_unit_test(test_drawing_takes_no_memory),

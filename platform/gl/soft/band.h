@@ -127,8 +127,12 @@ struct flat_band {
 
 struct shade_run;
 struct count_band;
+struct draw;
+struct setup;
 
 struct band_functions {
+	/* draw.h: three vertices or more, of indices at an even address */
+	void (*list)(struct draw *draw, const void *indices, uint32_t count);
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);

@@ -25,15 +25,25 @@ static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
 	return index;
 }
 
+static void load_slot(struct draw *draw, uint32_t slot, uint32_t index)
+{
+	struct vertex *vertex = &draw->cache[slot];
+	struct place *place = &draw->place[slot];
+
+	soft_transform(draw, index, vertex);
+	place->tag = vertex->outcode || !draw->packed ? PLACE_OUTSIDE : index;
+	place->xy = vertex_xy(vertex);
+}
+
 static ALWAYS_INLINE struct vertex *find_by_index(
 	struct draw *draw, uint32_t index)
 {
 	uint32_t slot = index % VERTEX_CACHE;
 	struct vertex *vertex = &draw->cache[slot];
+	uint32_t tag = draw->place[slot].tag;
 
-	if (draw->cached[slot] != index + 1) {
-		draw->cached[slot] = index + 1;
-		soft_transform(draw, index, vertex);
+	if (tag != index && (tag != PLACE_OUTSIDE || vertex->index != index)) {
+		load_slot(draw, slot, index);
 	}
 	return vertex;
 }
@@ -98,25 +108,51 @@ static void draw_triangle(struct draw *draw, const struct source *source,
 	draw_transformed(draw, v);
 }
 
+static void draw_indexed(struct draw *draw, const uint16_t index[3])
+{
+	struct vertex *v[3];
+
+	v[0] = find_by_index(draw, index[0]);
+	v[1] = find_by_index(draw, index[1]);
+	v[2] = find_by_index(draw, index[2]);
+	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+		const struct source source = {
+			.indices = (const uint8_t *)index,
+			.type = GL_UNSIGNED_SHORT,
+		};
+		const uint32_t which[3] = {0, 1, 2};
+
+		find_vertices(draw, &source, which, 3, v);
+	}
+	draw_transformed(draw, v);
+}
+
+void soft_list_other(struct draw *draw, const uint16_t index[3])
+{
+	draw_indexed(draw, index);
+}
+
+void soft_list_c(struct draw *draw, const void *indices, uint32_t count)
+{
+	const uint8_t *at = indices;
+
+	for (uint32_t i = 0; i + 2 < count; i += 3, at += 6) {
+		uint16_t index[3];
+
+		memcpy(index, at, sizeof(index));
+		draw_indexed(draw, index);
+	}
+}
+
 /* Lists of triangles by 16-bit indices, which most are. */
 static void draw_listed(struct draw *draw, const struct source *source)
 {
-	const uint8_t *at = source->indices;
+	bool even = ((uintptr_t)source->indices & 1) == 0;
 
-	for (uint32_t i = 0; i + 2 < source->count; i += 3, at += 6) {
-		uint16_t index[3];
-		struct vertex *v[3];
-
-		memcpy(index, at, sizeof(index));
-		v[0] = find_by_index(draw, index[0]);
-		v[1] = find_by_index(draw, index[1]);
-		v[2] = find_by_index(draw, index[2]);
-		if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-			const uint32_t which[3] = {i, i + 1, i + 2};
-
-			find_vertices(draw, source, which, 3, v);
-		}
-		draw_transformed(draw, v);
+	if (draw->packed && even) {
+		soft_bands.list(draw, source->indices, source->count);
+	} else {
+		soft_list_c(draw, source->indices, source->count);
 	}
 }
 
@@ -200,19 +236,18 @@ static ALWAYS_INLINE struct vertex *find_alike(struct draw *draw,
 		load_word(at) + (y << 3) + (y >> 9) - (load_word(at + 8) >> 5);
 	uint32_t slot = mixed * 2654435761u >> 23;
 	struct vertex *vertex = &draw->cache[slot];
-	uint32_t cached = draw->cached[slot];
-	bool equal = cached != 0;
+	bool equal = draw->place[slot].tag != PLACE_EMPTY;
+	uint32_t cached = vertex->index;
 
 	if (equal && words) {
 		equal = are_equal_words(
-			streams->pointer + (cached - 1) * streams->stride_bytes,
-			at, words);
+			streams->pointer + cached * streams->stride_bytes, at,
+			words);
 	} else if (equal) {
-		equal = are_equal_streams(streams, count, cached - 1, index);
+		equal = are_equal_streams(streams, count, cached, index);
 	}
 	if (!equal) {
-		draw->cached[slot] = index + 1;
-		soft_transform(draw, index, vertex);
+		load_slot(draw, slot, index);
 	}
 	return vertex;
 }
@@ -326,7 +361,7 @@ static void draw_triangles(
 static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
-	memset(draw->cached, 0, sizeof(draw->cached));
+	memset(draw->place, 0xFF, sizeof(draw->place));
 	if (mode == GL_POINTS) {
 		for (uint32_t i = 0; i < source->count; i++) {
 			soft_draw_point(draw, find_vertex(draw, source, i));

@@ -6,7 +6,8 @@
  *	position    block floating: the array's largest coordinate is just below
  *	            2^30; position_q says where the point is
  *	clip        block floating for all of the draw, |coordinate| < 2^29
- *	window x, y 4 bits of fraction, y downwards; 0 to 2^17
+ *	window x, y 4 bits of fraction, y downwards; 0 to 2^17; below 2^15 they
+ *	            also go as one number, y in its upper half (struct place)
  *	window z    2 bits of fraction: 18 bits
  *	attributes  colours and fog 8.8 with 0x80 to spare at either end, texture
  *	            coordinates 16.16, then texels with 8 bits of fraction
@@ -27,6 +28,8 @@ enum {
 	 */
 	SMALL_EXTENT = 2047,
 	SMALL_DELTA = 1 << 18,
+	/* Viewports that end there have their x and y as one number. */
+	PACKED_PIXELS = 2047,
 	CLIP_VERTICES = 9, /* a triangle cut by six planes */
 	SPAN_PIXELS = 64,  /* fragments that go through the stages at a time */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
@@ -58,8 +61,8 @@ enum {
 
 /*
  * Three cache lines: what every triangle wants, what textured ones want
- * besides, and what clipping and two sides want. arm/vertex.S knows the
- * offsets.
+ * besides, and what clipping and two sides want. arm/vertex.S, arm/list.S
+ * and arm/narrow.S know the offsets.
  */
 struct vertex {
 	_Alignas(32) uint8_t w_zeros;
@@ -71,6 +74,19 @@ struct vertex {
 	uint32_t index;
 	_Alignas(32) int32_t clip[4];
 	int32_t back[4]; /* colour of the other side, if there are two */
+};
+
+/*
+ * Which vertex is in a slot of the cache, and its window x and y as one number,
+ * y in the upper half. A tag of PLACE_OUTSIDE says that the vertex lies outside
+ * of the clip volume, or too far off for 15 bits: then xy is nothing, and the
+ * vertex itself has the index.
+ */
+#define PLACE_EMPTY   UINT32_MAX
+#define PLACE_OUTSIDE (UINT32_MAX - 1)
+struct place {
+	_Alignas(8) uint32_t tag; /* else the index */
+	uint32_t xy;
 };
 
 /* A light as vertices meet it, in the space normals are given in. */
@@ -163,14 +179,43 @@ struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
+/*
+ * What rejects triangles, and sets small ones up, in one place. Offsets are
+ * known to arm/list.S, arm/narrow.S and arm/shadow.S.
+ */
+struct quick {
+	fill_function fill;     /* 0 */
+	struct place *place;    /* 4 */
+	struct vertex *cache;   /* 8 */
+	const int32_t *inverse; /* 12: draw->inverse_q31 */
+	/* positive areas are clockwise as they are seen */
+	_Alignas(8) uint32_t cull_side; /* 16: all ones: of negative areas */
+	uint32_t cull_mask;             /* 20: the sign's bit, or 0 for none */
+	/* draw->box, as struct place has xy, a column narrower at both sides */
+	uint32_t box_low;       /* 24 */
+	uint32_t box_high;      /* 28 */
+	uintptr_t depth;        /* 32: of column and row 0 */
+	uintptr_t stride_bytes; /* 36 */
+	uintptr_t pixels;       /* 40: from behind a depth to its pixel */
+	uint32_t attributes;    /* 44: 0 where no vertex is shaded */
+	uint32_t perspective;   /* 48 */
+	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
+};
+
 struct draw {
-	struct view view; /* first: arm/vertex.S */
+	struct view view;   /* first: arm/vertex.S */
+	struct quick quick; /* at once: arm/list.S */
 	struct soft *soft;
 	int32_t eye_q16[3][4];
 	int position_q;
 	bool checked; /* positions may be out of range */
 	struct clip_box box;
 	bool same_stride; /* the rows of depth and picture are as far apart */
+	/*
+	 * x and y of all that is inside are below 2^15, and no state is in the
+	 * way of arm/list.S: places have tags
+	 */
+	bool packed;
 	bool perspective, eye_needed, fogged;
 	int32_t fog_end_q16;
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
@@ -192,11 +237,24 @@ struct draw {
 	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
 	uint32_t shade[256];
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
-	uint32_t cached[VERTEX_CACHE];         /* index + 1 */
+	struct place place[VERTEX_CACHE];      /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];
 	struct vertex apart[2]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 };
+
+/* Of a vertex inside of the clip volume, while draw->packed. */
+static inline uint32_t vertex_xy(const struct vertex *vertex)
+{
+	return (uint32_t)vertex->y << 16 | (uint32_t)vertex->x;
+}
+
+/*
+ * draw.c: a list of triangles by 16-bit indices; arm/list.S does the same where
+ * draw->packed, and hands on what it does not draw itself.
+ */
+void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
+void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
 /* prepare.c: what stays the same for good. */
 void soft_init_scratch(struct draw *draw);
@@ -233,6 +291,9 @@ void soft_light(const struct draw *draw, struct vertex *vertex);
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
+
+/* triangle.c: draw->quick, once a call, after all else. */
+void soft_prepare_quick(struct draw *draw);
 
 /*
  * triangle.c: from three projected vertices to rows of pixels. Shades them once

@@ -346,5 +346,6 @@ bool soft_prepare(
 	if (draw->fill == fill_flat || draw->fill == fill_glyph) {
 		fill_flat_begin(draw);
 	}
+	soft_prepare_quick(draw);
 	return true;
 }

@@ -15,15 +15,25 @@ enum {
 	TEXEL_NUDGE = 128,
 };
 
-/* A triangle on its way to the rows: its vertices by y, and its rows. */
+/*
+ * A triangle on its way to the rows: its vertices by y, those of one row by x,
+ * and its rows. Offsets on ARM are known to arm/list.S, arm/narrow.S and
+ * arm/shadow.S.
+ */
 struct setup {
-	const struct vertex *v[3];
-	int32_t extent; /* how wide or high it is, in sixteenths */
-	bool back, wide;
-	bool inside;      /* of draw->box, with a pixel to spare at the sides */
+	const struct vertex *v[3]; /* 0 */
+	uint32_t xy[3];            /* 12: of struct place, if quick */
+	int top, middle, bottom;   /* 24 */
+	int columns;               /* 36: how many can be covered */
+	int32_t extent; /* 40: how wide or high it is, in sixteenths */
+	/* 44: all of it lies in draw->box with a pixel to spare at the sides */
+	bool inside;
+	bool wide;  /* extent > SMALL_EXTENT */
+	bool quick; /* inside, not wide, with xy */
+	bool back;
+	_Alignas(8) uint64_t area; /* 48: twice of it, in 1/256 of pixels */
+	/* raster_find_area(): */
 	bool middle_left; /* the middle vertex lies left of the long edge */
-	uint64_t area;    /* twice of it, in 1/256 of pixels */
-	int top, middle, bottom;
 	/* from v[0], in sixteenths */
 	int32_t x1, y1, x2, y2;
 	/* 2^62 over the area (shifted up by zeros), with its sign */

@@ -14,23 +14,26 @@ static bool is_culled(const struct draw *draw, bool back)
 	return back ? draw->cull_back : draw->cull_front;
 }
 
-static void order_by_y(const struct vertex *v[3])
+static bool is_after(const struct vertex *a, const struct vertex *b)
 {
-	const struct vertex *a = v[0], *b = v[1], *c = v[2];
+	return a->y != b->y ? a->y > b->y : a->x > b->x;
+}
 
-	if (a->y > b->y) {
-		v[0] = b;
-		v[1] = a;
-		a = v[0];
-		b = v[1];
-	}
-	if (b->y > c->y) {
-		bool first = a->y > c->y;
+static void order(const struct vertex **a, const struct vertex **b)
+{
+	if (is_after(*a, *b)) {
+		const struct vertex *first = *b;
 
-		v[2] = b;
-		v[1] = first ? a : c;
-		v[0] = first ? c : a;
+		*b = *a;
+		*a = first;
 	}
+}
+
+static void order_all(const struct vertex *v[3])
+{
+	order(&v[0], &v[1]);
+	order(&v[1], &v[2]);
+	order(&v[0], &v[1]);
 }
 
 static int32_t least(int32_t a, int32_t b, int32_t c)
@@ -48,25 +51,35 @@ static int32_t most(int32_t a, int32_t b, int32_t c)
 }
 
 /* The rows and columns whose centres can be covered; false if none. */
-static bool find_extent(const struct draw *draw,
-	const struct vertex *const v[3], struct setup *setup)
+static bool find_extent(const struct draw *draw, struct setup *setup)
 {
+	const struct vertex *const *v = setup->v;
+	const struct clip_box *box = &draw->box;
 	int32_t left = least(v[0]->x, v[1]->x, v[2]->x);
 	int32_t right = most(v[0]->x, v[1]->x, v[2]->x);
+	int32_t width = right - left, height = v[2]->y - v[0]->y;
 
 	setup->top = raster_centre(v[0]->y);
 	setup->middle = raster_centre(v[1]->y);
 	setup->bottom = raster_centre(v[2]->y);
-	setup->extent = right - left > v[2]->y - v[0]->y ? right - left
-							 : v[2]->y - v[0]->y;
+	setup->columns = raster_centre(right) - raster_centre(left);
+	setup->extent = width > height ? width : height;
 	setup->wide = setup->extent > SMALL_EXTENT;
-	setup->inside = draw->same_stride && setup->top >= draw->box.top &&
-		setup->bottom <= draw->box.bottom &&
-		raster_centre(left) > draw->box.left &&
-		raster_centre(right) < draw->box.right;
-	return setup->top < setup->bottom && setup->top < draw->box.bottom &&
-		setup->bottom > draw->box.top &&
-		raster_centre(left) < raster_centre(right);
+	setup->inside = draw->same_stride && setup->top >= box->top &&
+		setup->bottom <= box->bottom &&
+		raster_centre(left) > box->left &&
+		raster_centre(right) < box->right;
+	return setup->top < setup->bottom && setup->top < box->bottom &&
+		setup->bottom > box->top && setup->columns > 0;
+}
+
+/* Where their numbers fit, setup->xy is there too. */
+static void pack_corners(const struct draw *draw, struct setup *setup)
+{
+	setup->quick = draw->packed && setup->inside && !setup->wide;
+	for (int i = 0; i < 3 && setup->quick; i++) {
+		setup->xy[i] = vertex_xy(setup->v[i]);
+	}
 }
 
 /* Twice the area in sixteenths squared; rarely more than 32 bits. */
@@ -90,10 +103,11 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 	setup.v[0] = v[0];
 	setup.v[1] = v[1];
 	setup.v[2] = v[2];
-	order_by_y(setup.v);
-	if (!find_extent(draw, setup.v, &setup)) {
+	order_all(setup.v);
+	if (!find_extent(draw, &setup)) {
 		return;
 	}
+	pack_corners(draw, &setup);
 	for (int i = 0; i < 3; i++) {
 		if (!v[i]->shaded && draw->attributes) {
 			soft_shade(draw, v[i]);
@@ -101,4 +115,52 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 	}
 	setup.area = area < 0 ? (uint64_t)-area : (uint64_t)area;
 	draw->fill(draw, &setup);
+}
+
+static bool is_packed(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct rectangle *r = &state->viewport;
+	int top = draw->soft->buffers.target.height - r->y - r->height;
+
+	return r->x >= 0 && top >= 0 && r->x + r->width <= PACKED_PIXELS &&
+		top + r->height <= PACKED_PIXELS && !state->flat &&
+		!(draw->cull_front && draw->cull_back);
+}
+
+/* Sixteenths, as struct place has them. */
+static uint32_t pack_pixels(int x, int y)
+{
+	return (uint32_t)y << 20 | (uint32_t)x << 4;
+}
+
+void soft_prepare_quick(struct draw *draw)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct clip_box *box = &draw->box;
+	bool clockwise_culled =
+		draw->front_is_ccw ? draw->cull_back : draw->cull_front;
+
+	draw->packed = is_packed(draw);
+	draw->quick = (struct quick){
+		.fill = draw->fill,
+		.place = draw->place,
+		.cache = draw->cache,
+		.inverse = draw->inverse_q31,
+		.cull_side = clockwise_culled ? UINT32_MAX : 0,
+		.cull_mask = draw->cull_front || draw->cull_back ? 1u << 31 : 0,
+		.depth = (uintptr_t)buffers->depth,
+		.stride_bytes = (uintptr_t)buffers->target.stride_bytes,
+		.pixels = (uintptr_t)buffers->target.data -
+			(uintptr_t)buffers->depth - 2,
+		.attributes = draw->attributes,
+		.perspective = draw->perspective,
+		.back_flip = draw->front_is_ccw,
+	};
+	/* Nothing is inside of an empty box. */
+	draw->quick.box_low = PACKED_PIXELS * 0x100010u;
+	if (draw->packed && draw->same_stride && box->right - box->left > 2) {
+		draw->quick.box_low = pack_pixels(box->left + 1, box->top);
+		draw->quick.box_high = pack_pixels(box->right - 1, box->bottom);
+	}
 }

@@ -1,5 +1,8 @@
+#include <assert.h>
+
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
+#include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/shade.h"
 
 /* band.S */
@@ -37,7 +40,36 @@ static void flat_arm(struct flat_band *band)
 	}
 }
 
+/* list.S, with struct setup and its own on the stack */
+void list_arm(struct draw *draw, const void *indices, uint32_t count);
+
+static void list(struct draw *draw, const void *indices, uint32_t count)
+{
+	if (count >= 3) {
+		list_arm(draw, indices, count / 3 * 3);
+	}
+}
+
+/* What the assembly knows. */
+static_assert(sizeof(struct vertex) == 96, "VERTEX_BYTES");
+static_assert(offsetof(struct vertex, x) == 4, "VERTEX_XY");
+static_assert(offsetof(struct vertex, outcode) == 1, "VERTEX_OUTCODE");
+static_assert(offsetof(struct vertex, shaded) == 2, "VERTEX_SHADED");
+static_assert(offsetof(struct vertex, index) == 56, "VERTEX_INDEX");
+static_assert(offsetof(struct draw, quick) == 128, "QUICK_");
+static_assert(offsetof(struct quick, cull_side) == 16, "QUICK_CULL");
+static_assert(offsetof(struct quick, box_low) == 24, "QUICK_BOX");
+static_assert(offsetof(struct quick, attributes) == 44, "QUICK_ATTRIBUTES");
+static_assert(offsetof(struct quick, back_flip) == 52, "QUICK_BACK");
+static_assert(sizeof(struct setup) <= 88, "CULL");
+static_assert(offsetof(struct setup, xy) == 12, "SETUP_XY");
+static_assert(offsetof(struct setup, extent) == 40, "SETUP_EXTENT");
+static_assert(offsetof(struct setup, inside) == 44, "SETUP_FLAGS");
+static_assert(offsetof(struct setup, back) == 47, "SETUP_FLAGS");
+static_assert(offsetof(struct setup, area) == 48, "SETUP_AREA");
+
 const struct band_functions soft_bands = {
+	.list = list,
 	.color = band_color_arm,
 	.texture = band_texture_arm,
 	.flat = flat_arm,

@@ -1,8 +1,10 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
+#include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/shade.h"
 
 const struct band_functions soft_bands = {
+	.list = soft_list_c,
 	.color = band_color_c,
 	.texture = band_texture_c,
 	.flat = band_flat_c,

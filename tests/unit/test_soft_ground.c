@@ -6,6 +6,7 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/pixel.h"
 #include "tests/support/test.h"
 
@@ -17,7 +18,9 @@ enum {
 	HEIGHT = 80,
 	TRIANGLES = 24,
 	CORNERS = TRIANGLES * 3,
-	SIDE = 64, /* of what the functions in assembly draw in */
+	HILLS = 12, /* a side */
+	TILE = 64,  /* texels */
+	SIDE = 64,  /* of what the functions in assembly draw in */
 };
 
 static uint32_t next_random(uint32_t *seed)
@@ -80,6 +83,7 @@ static void close_scene(struct scene *scene)
 struct corner {
 	float position[3];
 	uint8_t color[4];
+	float texcoord[2];
 };
 
 static void make_triangles(struct corner *corner, uint32_t *seed, int size)
@@ -202,6 +206,122 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 		close_scene(slow);
 	}
 	assert_true(counted > 10000);
+}
+
+/* Fields of one shade and lines between them, in all levels. */
+static void make_tiles(const struct gl *gl)
+{
+	uint8_t texel[TILE * TILE];
+	GLuint name;
+
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	for (int level = 0, side = TILE; side; level++, side /= 2) {
+		for (int i = 0; i < side * side; i++) {
+			int x = i % side, y = i / side;
+
+			texel[i] = x % 8 == 0 || y % 8 == 0 ? 190
+				: (x ^ y) & 8               ? 230
+							    : 255;
+		}
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, side,
+			0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texel);
+	}
+}
+
+/* A field of hills, seen in perspective, that goes on beyond the picture. */
+static void make_hills(struct corner *corner, uint32_t *seed)
+{
+	static const int part[6][2] = {
+		{0, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}};
+	enum {
+		ROW = HILLS + 1
+	};
+	float height[ROW * ROW];
+	uint8_t gray[ROW * ROW], alpha[ROW * ROW];
+
+	for (int i = 0; i < ROW * ROW; i++) {
+		height[i] = (float)random_between(seed, -300, 300) / 1000.0f;
+		gray[i] = (uint8_t)random_between(seed, 90, 255);
+		alpha[i] = (uint8_t)random_between(seed, 0, 255);
+	}
+	for (int i = 0; i < HILLS * HILLS * 6; i++) {
+		int x = i / 6 % HILLS + part[i % 6][0];
+		int z = i / 6 / HILLS + part[i % 6][1];
+		int at = z * ROW + x;
+
+		corner[i] = (struct corner){
+			.position = {(float)(x - HILLS / 2), height[at] - 0.7f,
+				(float)-z - 0.2f},
+			.texcoord = {(float)x / 16, (float)z / 16},
+			.color = {gray[at], gray[at], gray[at], alpha[at]},
+		};
+	}
+}
+
+static void draw_hills(struct scene *scene, const struct corner *corner,
+	bool blended, bool long_way)
+{
+	const struct gl *gl = scene->gl;
+	const GLsizei stride = sizeof(*corner);
+
+	use(scene, long_way);
+	make_tiles(gl);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Frustumx(-FX16_ONE / 16, FX16_ONE / 16, -FX16_ONE / 16,
+		FX16_ONE / 16, FX16_ONE / 8, FX16_ONE * 40);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Enable(GL_TEXTURE_2D);
+	(blended ? gl->Enable : gl->Disable)(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
+	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
+	gl->DrawArrays(GL_TRIANGLES, 0, HILLS * HILLS * 6);
+}
+
+/*
+ * Depth is the same, and so is the colour but where runs end elsewhere: half a
+ * texel on a line, or a step of 1/32 more of the picture.
+ */
+static void test_hills_are_nearly_those_of_the_long_way(void **state)
+{
+	static struct corner corner[HILLS * HILLS * 6];
+
+	(void)state;
+	for (uint32_t round = 0; round < 40; round++) {
+		struct scene *quick = open_scene(), *slow = open_scene();
+		uint32_t seed = round + 1;
+		int seen = 0, other = 0, far = 0;
+
+		make_hills(corner, &seed);
+		draw_hills(quick, corner, round % 2, false);
+		draw_hills(slow, corner, round % 2, true);
+		assert_true(quick->soft->draw->ground);
+		assert_false(slow->soft->draw->ground);
+		assert_memory_equal(quick->soft->buffers.depth,
+			slow->soft->buffers.depth, WIDTH * HEIGHT * 2);
+		for (int i = 0; i < WIDTH * HEIGHT; i++) {
+			int step = differ_most(quick->pixel[i], slow->pixel[i]);
+
+			seen += slow->soft->buffers.depth[i] < 65535;
+			other += step > 1;
+			far += step > 3;
+		}
+		assert_true(seen > 2000);
+		assert_true(other * 40 < seen);
+		assert_true(far * 200 < seen);
+		close_scene(quick);
+		close_scene(slow);
+	}
 }
 
 /* Two sets of buffers that begin alike. */
@@ -351,6 +471,81 @@ static void test_the_sheet_is_as_in_c(void **state)
 	}
 }
 
+static void test_ground_is_shaded_as_in_c(void **state)
+{
+	uint32_t quads[16 * 16], gray[256], seed = 3;
+
+	(void)state;
+	for (int i = 0; i < 16 * 16; i++) {
+		quads[i] = i / 7 % 3
+			? 0x01010101u * (uint32_t)(i / 21 % 256)
+			: next_random(&seed) << 16 ^ next_random(&seed);
+	}
+	for (uint32_t i = 0; i < 256; i++) {
+		gray[i] = next_random(&seed) & 0xFFFF;
+	}
+	for (int round = 0; round < 3000; round++) {
+		struct twins *twins = make_twins(&seed, 2);
+		int at = random_between(&seed, 100, 120);
+		int count = random_between(&seed, 1, 100);
+		int32_t share[2] = {random_between(&seed, 0, 0x10000) << 8,
+			random_between(&seed, 0, 0x10000) << 8};
+		struct shade_run run = {
+			.pixel = twins->pixel[0] + at,
+			.count = count,
+			.quads = quads,
+			.width_log2 = 4,
+			.height_log2 = 4,
+			.s = next_random(&seed) << 8,
+			.t = next_random(&seed) << 8,
+			.s_right = random_between(&seed, -0x100000, 0x100000) *
+				(round % 4 ? 80 : 400),
+			.t_right = random_between(&seed, -0x100000, 0x100000) *
+				(round % 4 ? 80 : 400),
+			.share = (uint32_t)share[0],
+			.share_right = (share[1] - share[0]) / count,
+			.shade = gray,
+		};
+		struct shade_run other = run;
+
+		other.pixel = twins->pixel[1] + at;
+		soft_bands.shade_ground(&run);
+		ground_shade_c(&other);
+		check_twins(twins);
+	}
+}
+
+static void test_depth_is_tested_as_in_c(void **state)
+{
+	uint32_t seed = 8;
+	int all = 0, some = 0;
+
+	(void)state;
+	for (int round = 0; round < 2000; round++) {
+		struct twins *twins = make_twins(&seed, 2);
+		int count = random_between(&seed, 0, 40);
+		uint32_t z = next_random(&seed) % (1 << 26);
+		uint32_t step = (uint32_t)random_between(&seed, -9999, 9999);
+		int passed;
+
+		for (int i = 0; i < 2 * SIDE * SIDE; i++) {
+			if (round % 2 && i % 37 != round % 37) {
+				twins->depth[0][i % (SIDE * SIDE)] = 65535;
+				twins->depth[1][i % (SIDE * SIDE)] = 65535;
+			}
+		}
+		passed = soft_bands.depth(
+			twins->depth[0] + 64 + round % 2, count, z, step);
+		assert_int_equal(passed,
+			ground_depth_c(twins->depth[1] + 64 + round % 2, count,
+				z, step));
+		all += passed == count;
+		some += passed > 0 && passed < count;
+		check_twins(twins);
+	}
+	assert_true(all > 100 && some > 100);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -358,6 +553,9 @@ int main(void)
 		cmocka_unit_test(test_the_count_band_is_as_in_c),
 		cmocka_unit_test(test_counts_neither_wrap_up_nor_down),
 		cmocka_unit_test(test_the_sheet_is_as_in_c),
+		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),
+		cmocka_unit_test(test_ground_is_shaded_as_in_c),
+		cmocka_unit_test(test_depth_is_tested_as_in_c),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

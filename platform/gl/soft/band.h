@@ -142,6 +142,10 @@ struct band_functions {
 	void (*shade_four)(const struct shade_run *run);
 	void (*shade_two)(const struct shade_run *run);
 	void (*count)(struct count_band *band); /* count.h */
+	/* ground.h */
+	void (*shade_ground)(const struct shade_run *run);
+	int (*depth)(
+		uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 };
 
 extern const struct band_functions soft_bands;

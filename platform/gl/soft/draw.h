@@ -229,6 +229,7 @@ struct draw {
 	fill_function fill;
 	struct flat_band flat;
 	bool luminance; /* rows may be luminance.c's */
+	bool ground;    /* rows may be ground.c's */
 	bool plain;     /* colours into RGB565, nothing to test or blend */
 	void (*span)(struct draw *draw, const struct span *span);
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
@@ -236,6 +237,7 @@ struct draw {
 	struct raster raster;
 	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
 	uint32_t shade[256];
+	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct place place[VERTEX_CACHE];      /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];

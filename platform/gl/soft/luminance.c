@@ -76,8 +76,8 @@ static void draw_run(struct shade_run *run, bool blended)
 	}
 }
 
-/* How many pixels may run linearly: n^2 of the slope of q is below q. */
-static int find_length(const struct draw *draw, const struct point *from)
+/* n^2 of the slope of q is below q. */
+int luminance_find_length(const struct draw *draw, const struct point *from)
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t slope, n = RUN_MOST;
@@ -93,15 +93,14 @@ static int find_length(const struct draw *draw, const struct point *from)
 	return (int)n;
 }
 
-static int32_t share_out(const struct draw *draw, int32_t all, int steps)
+int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps)
 {
 	return steps < 2
 		? all
 		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
 }
 
-/* Coordinates at the base, 16.16, into those of a level. */
-static void choose_texels(
+void luminance_choose_texels(
 	const struct draw *draw, int lod, struct shade_run *run)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -137,14 +136,14 @@ static void draw_between(struct draw *draw, const struct point *from,
 		.count = count,
 		.s = (uint32_t)from->value[TEX_S],
 		.t = (uint32_t)from->value[TEX_S + 1],
-		.s_right = share_out(
+		.s_right = luminance_share_out(
 			draw, to->value[TEX_S] - from->value[TEX_S], steps),
-		.t_right = share_out(draw,
+		.t_right = luminance_share_out(draw,
 			to->value[TEX_S + 1] - from->value[TEX_S + 1], steps),
 		.z = plane_at(&draw->raster, DEPTH, x),
 		.z_right = draw->raster.plane[DEPTH].dx,
 		.alpha = (uint32_t)from->value[ALPHA] + SHARE_ROUND,
-		.alpha_right = share_out(
+		.alpha_right = luminance_share_out(
 			draw, to->value[ALPHA] - from->value[ALPHA], steps),
 		.shade = draw->shade,
 	};
@@ -154,7 +153,7 @@ static void draw_between(struct draw *draw, const struct point *from,
 		rows_find_lod(draw, from, span);
 		draw->raster.first_row = false;
 	}
-	choose_texels(draw, span->lod[0], &run);
+	luminance_choose_texels(draw, span->lod[0], &run);
 	draw_run(&run, draw->blended);
 }
 
@@ -167,7 +166,7 @@ void luminance_row(struct draw *draw, int y, int left, int right)
 	/* Where it does not move. */
 	from.value[ALPHA] = (int32_t)draw->raster.span.value[ALPHA];
 	rows_find_point(draw, left, &from);
-	length = find_length(draw, &from);
+	length = luminance_find_length(draw, &from);
 	for (int x = left; x < right; x += length) {
 		int count = right - x < length ? right - x : length;
 		/* Up to the last pixel, which still is inside. */
@@ -215,7 +214,7 @@ bool luminance_begin(struct draw *draw)
 	return true;
 }
 
-bool luminance_takes(const struct draw *draw)
+bool luminance_takes_texture(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct texture_input *input = &draw->texture[0];
@@ -233,6 +232,13 @@ bool luminance_takes(const struct draw *draw)
 		texture->mag_filter == GL_LINEAR &&
 		texture->min_filter == GL_LINEAR_MIPMAP_NEAREST &&
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&
-		mask[0] && mask[1] && mask[2] && !state->stencil.enabled &&
+		mask[0] && mask[1] && mask[2] && !state->stencil.enabled;
+}
+
+bool luminance_takes(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+
+	return luminance_takes_texture(draw) &&
 		(!state->depth_test || state->depth_function == GL_ALWAYS);
 }

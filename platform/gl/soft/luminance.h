@@ -10,6 +10,8 @@
 #define PLATFORM_GL_SOFT_LUMINANCE_H
 
 #include "platform/gl/soft/raster.h"
+#include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/shade.h"
 
 /* Whether the state of a draw call is this. */
 bool luminance_takes(const struct draw *draw);
@@ -19,5 +21,20 @@ bool luminance_begin(struct draw *draw);
 
 /* As raster_walk() calls it. */
 void luminance_row(struct draw *draw, int y, int left, int right);
+
+/* For ground.c: */
+
+/* Whether it is, but for the depth test. */
+bool luminance_takes_texture(const struct draw *draw);
+
+/* How many pixels may run linearly from there. */
+int luminance_find_length(const struct draw *draw, const struct point *from);
+
+/* A step of so many that lead over all of it. */
+int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps);
+
+/* Coordinates at the base, 16.16, into those of a level. */
+void luminance_choose_texels(
+	const struct draw *draw, int lod, struct shade_run *run);
 
 #endif

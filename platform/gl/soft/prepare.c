@@ -1,5 +1,6 @@
 /* What a draw call needs, from the state. */
 #include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/luminance.h"
 #include "platform/gl/soft/matrix.h"
 #include "platform/gl/soft/number.h"
@@ -301,6 +302,7 @@ void soft_init_scratch(struct draw *draw)
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
 	draw->shade_color[0] = UINT32_MAX; /* no colour */
+	ground_init(draw);
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;
 	for (int i = 2; i <= SMALL_EXTENT; i++) {
@@ -338,6 +340,7 @@ bool soft_prepare(
 		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);
 	draw->luminance = luminance_takes(draw);
+	draw->ground = ground_takes(draw);
 	draw->plain = draw->span == soft_draw_span_565 && !draw->tests &&
 		!draw->blended && !draw->texture[0].used && draw->color_written;
 	if (draw->fill == fill_flat) {

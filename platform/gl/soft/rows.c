@@ -1,5 +1,6 @@
 /* The rows of a triangle in any state: cut into spans for fragment.c. */
 #include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/luminance.h"
 #include "platform/gl/soft/pixel.h"
 
@@ -218,6 +219,10 @@ void rows_fill(struct draw *draw, struct setup *setup)
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	if (draw->luminance && luminance_begin(draw)) {
 		raster_walk(draw, setup, luminance_row, next_row);
+		return;
+	}
+	if (draw->ground && ground_begin(draw)) {
+		raster_walk(draw, setup, ground_row, next_row);
 		return;
 	}
 	if (is_constant_by_row(draw)) {

@@ -25,6 +25,9 @@ struct shade_run {
 	uint32_t alpha; /* 8.16 and the half of 1/32 */
 	int32_t alpha_right;
 	const uint32_t *shade; /* 256 wide colours */
+	/* ground.c's: how much of 256 a texel counts, 8.16 */
+	uint32_t share; /* 60 */
+	int32_t share_right;
 };
 
 /*

@@ -2,6 +2,7 @@
 
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
+#include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/shade.h"
 
@@ -77,4 +78,6 @@ const struct band_functions soft_bands = {
 	.shade_four = shade_four_arm,
 	.shade_two = shade_two_arm,
 	.count = count_arm,
+	.shade_ground = ground_shade_c,
+	.depth = ground_depth_c,
 };

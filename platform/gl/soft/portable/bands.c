@@ -1,6 +1,7 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/shade.h"
 
 const struct band_functions soft_bands = {
@@ -12,4 +13,6 @@ const struct band_functions soft_bands = {
 	.shade_four = shade_four_c,
 	.shade_two = shade_two_c,
 	.count = count_band_c,
+	.shade_ground = ground_shade_c,
+	.depth = ground_depth_c,
 };

@@ -1,0 +1,36 @@
+/*
+ * Rows of triangles with a luminance texture in shades of gray that vary, depth
+ * LESS, opaque or blended by alpha, into RGB565: what uneven ground is. As
+ * luminance.h, whose rows have one colour and need no test.
+ */
+#ifndef PLATFORM_GL_SOFT_GROUND_H
+#define PLATFORM_GL_SOFT_GROUND_H
+
+#include "platform/gl/soft/raster.h"
+#include "platform/gl/soft/shade.h"
+
+/* Once: the table of grays. */
+void ground_init(struct draw *draw);
+
+/* Whether the state of a draw call is this. */
+bool ground_takes(const struct draw *draw);
+
+/* After raster_set_up(): whether the triangle is gray, which is taken. */
+bool ground_begin(struct draw *draw);
+
+/* As raster_walk() calls it. */
+void ground_row(struct draw *draw, int y, int left, int right);
+
+/*
+ * Draws a run whose shade varies: as shade_four_c(), in blocks of four pixels
+ * where texels are wide enough for that, else one by one.
+ */
+void ground_shade_c(const struct shade_run *run);
+
+/*
+ * Tests depth LESS, and writes it, until one fails; how many passed. z has 10
+ * bits of fraction.
+ */
+int ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+
+#endif

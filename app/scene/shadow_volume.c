@@ -1,5 +1,6 @@
 #include "app/scene/shadow_volume.h"
 
+#include "app/scene/outline.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -83,13 +84,13 @@ static uint32_t *weld(const struct model_primitive *primitive)
 	return first;
 }
 
-static void list_half_edges(const struct model_primitive *primitive,
+static void list_half_edges(const struct shadow_hull *hull,
 	const uint32_t *first, struct half_edge *out)
 {
-	for (int i = 0; i < primitive->index_count; i++) {
+	for (int i = 0; i < hull->corner_count; i++) {
 		int triangle = i / 3;
-		uint32_t a = first[primitive->index[i]];
-		uint32_t b = first[primitive->index[triangle * 3 + (i + 1) % 3]];
+		uint32_t a = first[hull->corner[i]];
+		uint32_t b = first[hull->corner[triangle * 3 + (i + 1) % 3]];
 
 		out[i] = (struct half_edge){
 			.low = a < b ? a : b,
@@ -131,14 +132,14 @@ static void join_half_edges(
 static int find_edges(struct shadow_hull *hull, struct arena *arena)
 {
 	const struct model_primitive *primitive = hull->drawable->primitive;
-	size_t count = (size_t)primitive->index_count;
+	size_t count = (size_t)hull->corner_count;
 	struct half_edge *half = malloc((count + 1) * sizeof(*half));
 	uint32_t *first = weld(primitive);
 	int error = -ENOMEM;
 
 	hull->edge = ARENA_ARRAY(arena, struct shadow_edge, count);
 	if (half && first && hull->edge) {
-		list_half_edges(primitive, first, half);
+		list_half_edges(hull, first, half);
 		join_half_edges(half, (int)count, hull);
 		error = 0;
 	}
@@ -147,15 +148,67 @@ static int find_edges(struct shadow_hull *hull, struct arena *arena)
 	return error;
 }
 
+/* All triangles as they are. */
+static int copy_corners(const struct model_primitive *primitive,
+	struct shadow_hull *hull, struct arena *arena)
+{
+	hull->corner_count = primitive->index_count;
+	hull->corner = ARENA_ARRAY(arena, uint16_t, (size_t)hull->corner_count);
+	if (!hull->corner) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < hull->corner_count; i++) {
+		hull->corner[i] = (uint16_t)primitive->index[i];
+	}
+	return 0;
+}
+
+/* Edges are of welded vertices: the first of those at a place has to be there. */
+static int list_vertices(struct shadow_hull *hull, struct arena *arena)
+{
+	size_t count = (size_t)hull->drawable->primitive->vertex_count;
+	bool *used = calloc(count + 1, sizeof(*used));
+
+	hull->vertex = ARENA_ARRAY(arena, uint16_t, count);
+	if (!used || !hull->vertex) {
+		free(used);
+		return -ENOMEM;
+	}
+	for (int i = 0; i < hull->corner_count; i++) {
+		used[hull->corner[i]] = true;
+	}
+	for (int i = 0; i < hull->edge_count; i++) {
+		used[hull->edge[i].a] = true;
+		used[hull->edge[i].b] = true;
+	}
+	for (size_t v = 0; v < count; v++) {
+		if (used[v]) {
+			hull->vertex[hull->vertex_count++] = (uint16_t)v;
+		}
+	}
+	free(used);
+	return 0;
+}
+
 static int init_hull(struct shadow_hull *hull, const struct drawable *drawable,
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
-	size_t triangles = (size_t)primitive->index_count / 3;
+	size_t triangles;
 	int error;
 
 	hull->drawable = drawable;
+	error = primitive->normal ? outline_make(primitive, NULL, arena,
+					    &hull->corner, &hull->corner_count)
+				  : copy_corners(primitive, hull, arena);
+	if (error) {
+		return error;
+	}
+	triangles = (size_t)hull->corner_count / 3;
 	error = find_edges(hull, arena);
+	if (!error) {
+		error = list_vertices(hull, arena);
+	}
 	if (error) {
 		return error;
 	}
@@ -231,7 +284,8 @@ static void place_vertices(struct shadow_hull *hull,
 	if (drawable->skin < 0) {
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
-	for (int v = 0; v < count; v++) {
+	for (int i = 0; i < hull->vertex_count; i++) {
+		int v = hull->vertex[i];
 		float p[3], posed[3], far_way, near_way;
 
 		drawable_position(drawable, v, p);
@@ -250,7 +304,7 @@ static void place_vertices(struct shadow_hull *hull,
 	}
 }
 
-static bool faces(const struct shadow_hull *hull, const uint32_t *corner,
+static bool faces(const struct shadow_hull *hull, const uint16_t *corner,
 	const float towards_light[3])
 {
 	const float *a = hull->position[corner[0]];
@@ -275,11 +329,10 @@ static uint16_t *add_triangle(uint16_t *next, uint32_t a, uint32_t b, uint32_t c
 /* The lit triangles close the hull near the light and, turned, far from it. */
 static uint16_t *add_caps(const struct shadow_hull *hull, uint16_t *next)
 {
-	const struct model_primitive *primitive = hull->drawable->primitive;
-	uint32_t away = (uint32_t)primitive->vertex_count;
+	uint32_t away = (uint32_t)hull->drawable->primitive->vertex_count;
 
-	for (int t = 0; t < primitive->index_count / 3; t++) {
-		const uint32_t *corner = primitive->index + t * 3;
+	for (int t = 0; t < hull->corner_count / 3; t++) {
+		const uint16_t *corner = hull->corner + t * 3;
 
 		if (hull->lit[t]) {
 			next = add_triangle(
@@ -316,8 +369,6 @@ void shadow_volume_update(struct shadow_volume *volume,
 {
 	for (int i = 0; i < volume->hull_count; i++) {
 		struct shadow_hull *hull = &volume->hull[i];
-		const struct model_primitive *primitive =
-			hull->drawable->primitive;
 		uint16_t *end;
 
 		hull->index_count = 0;
@@ -325,9 +376,9 @@ void shadow_volume_update(struct shadow_volume *volume,
 			continue;
 		}
 		place_vertices(hull, instance, light);
-		for (int t = 0; t < primitive->index_count / 3; t++) {
+		for (int t = 0; t < hull->corner_count / 3; t++) {
 			hull->lit[t] = faces(
-				hull, primitive->index + t * 3, light->towards);
+				hull, hull->corner + t * 3, light->towards);
 		}
 		end = add_sides(hull, add_caps(hull, hull->index));
 		hull->index_count = (int)(end - hull->index);

@@ -21,10 +21,15 @@ struct shadow_edge {
 /* One drawable's volume, sized for the worst case at creation. */
 struct shadow_hull {
 	const struct drawable *drawable;
+	/* Fewer triangles than are drawn; their outline is what counts. */
+	uint16_t *corner;
+	int corner_count; /* three a triangle */
+	uint16_t *vertex; /* those that they need */
+	int vertex_count;
 	int edge_count;
 	struct shadow_edge *edge;
-	bool *lit;            /* [triangle_count], by the last update */
-	float (*position)[3]; /* [2 * vertex_count]: as posed or moved down to
+	bool *lit;            /* [corner_count / 3], by the last update */
+	float (*position)[3]; /* [2 * primitive's vertices]: as posed or moved down to
 				 the ground, then moved away from the light */
 	uint16_t *index;
 	int index_count;

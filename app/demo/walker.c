@@ -151,8 +151,7 @@ static void walker_update(struct demo *demo, double time_s)
 		return;
 	}
 	light.reach = 2.0f * demo->act.stage.camera.reach;
-	light.ground_low = floor->y - floor->relief;
-	light.ground_high = floor->y + floor->relief;
+	light.ground = floor;
 	light_direction(light.towards);
 	shadow_volume_update(&demo->shadow, instance, &light);
 }

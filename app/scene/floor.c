@@ -118,6 +118,11 @@ float floor_height(const struct floor *floor, float x, float z)
 		(scalar_sin(2.0f * v + scalar_sin(u)) + scalar_sin(u + 0.7f));
 }
 
+float floor_sag(const struct floor *floor)
+{
+	return 0.4f * floor->relief;
+}
+
 /* Heights, and a shade that tells slopes towards the light from others. */
 static void shape(struct floor *floor)
 {

@@ -57,6 +57,12 @@ void floor_set_relief(struct floor *floor, float relief);
 /* Its height at a place, in scene units. */
 float floor_height(const struct floor *floor, float x, float z);
 
+/*
+ * How far off that it may be drawn where it is solid: its triangles are level
+ * between their corners.
+ */
+float floor_sag(const struct floor *floor);
+
 /* What a camera sees of it: of uneven ground that it may be anywhere. */
 void floor_look(const struct floor *floor, const struct camera *camera,
 	int width, int height, struct floor_sight *out);

@@ -255,14 +255,47 @@ fail:
 	return -ENOMEM;
 }
 
-/* How far down the light a place is at this height; between 0 and most. */
-static float way_down(
-	const struct shadow_light *light, float from_y, float to_y, float most)
+/*
+ * How far from a place the ground is, down the light. From level ground on by
+ * the secant: waves are so low that one step leaves less than they sag.
+ */
+static float way_to_ground(const struct shadow_light *light, const float from[3])
 {
-	if (light->towards[1] <= 0.0f) {
-		return most;
+	const struct floor *ground = light->ground;
+	const float *towards = light->towards;
+	float per_height = 1.0f / towards[1];
+	float way[2] = {(from[1] - ground->y) * per_height, 0.0f};
+	float height[2], slope;
+
+	for (int i = 0; i < 2; i++) {
+		height[i] = floor_height(ground, from[0] - towards[0] * way[i],
+			from[2] - towards[2] * way[i]);
+		if (i == 0) {
+			way[1] = (from[1] - height[0]) * per_height;
+		}
 	}
-	return scalar_clamp((from_y - to_y) / light->towards[1], 0.0f, most);
+	slope = way[1] == way[0] ? 0.0f
+				 : (height[1] - height[0]) / (way[1] - way[0]);
+	return way[1] -
+		(height[1] - height[0]) /
+		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
+}
+
+/* From where to where a vertex is carried: a little to both sides of it. */
+static void find_ways(const struct shadow_light *light, const float posed[3],
+	float *near, float *far)
+{
+	float ground, slack;
+
+	*near = 0.0f;
+	*far = light->reach;
+	if (!light->ground || light->towards[1] <= 0.0f) {
+		return;
+	}
+	ground = way_to_ground(light, posed);
+	slack = floor_sag(light->ground) / light->towards[1];
+	*far = scalar_clamp(ground + slack, 0.0f, light->reach);
+	*near = scalar_clamp(ground - slack, 0.0f, *far);
 }
 
 static void move(const float from[3], const float towards_light[3], float way,
@@ -286,7 +319,7 @@ static void place_vertices(struct shadow_hull *hull,
 	}
 	for (int i = 0; i < hull->vertex_count; i++) {
 		int v = hull->vertex[i];
-		float p[3], posed[3], far_way, near_way;
+		float p[3], posed[3], near_way, far_way;
 
 		drawable_position(drawable, v, p);
 		for (int axis = 0; axis < 3; axis++) {
@@ -294,11 +327,7 @@ static void place_vertices(struct shadow_hull *hull,
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
 		}
-		far_way = way_down(
-			light, posed[1], light->ground_low, light->reach);
-		near_way = light->ground_high < posed[1]
-			? way_down(light, posed[1], light->ground_high, far_way)
-			: 0.0f;
+		find_ways(light, posed, &near_way, &far_way);
 		move(posed, light->towards, near_way, hull->position[v]);
 		move(posed, light->towards, far_way, hull->position[v + count]);
 	}

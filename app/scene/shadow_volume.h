@@ -9,6 +9,7 @@
 #ifndef APP_SCENE_SHADOW_VOLUME_H
 #define APP_SCENE_SHADOW_VOLUME_H
 
+#include "app/scene/floor.h"
 #include "app/scene/instance.h"
 #include "platform/gl/gl.h"
 
@@ -41,14 +42,13 @@ struct shadow_volume {
 };
 
 /*
- * The light, and between which heights there is ground. Hulls lie between them
- * alone, so that they cover no more of the picture than they must.
+ * The light, and the ground it falls on. Hulls lie where that can be alone, so
+ * that they cover no more of the picture than they must.
  */
 struct shadow_light {
 	float towards[3]; /* unit length */
 	float reach;      /* scene units: hulls are no longer */
-	/* scene units; -INFINITY and INFINITY where that is not known */
-	float ground_low, ground_high;
+	const struct floor *ground; /* NULL: hulls go all the way */
 };
 
 /*

@@ -438,9 +438,7 @@ static void test_relief_is_lit_alike(void **state)
 static void test_shadows_fall_alike(void **state)
 {
 	static const struct shadow_light light = {.towards = {0.3f, 0.9f, 0.3f},
-		.reach = 5.0f,
-		.ground_low = -INFINITY,
-		.ground_high = INFINITY};
+		.reach = 5.0f};
 	struct log nowhere = log_to_nowhere();
 	struct shadow_volume exact, fixed;
 	struct pair pair;

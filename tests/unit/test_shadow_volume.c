@@ -2,7 +2,6 @@
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
-#include <math.h>
 #include <string.h>
 
 static const float from_front[3] = {0.0f, 0.0f, 1.0f};
@@ -27,14 +26,12 @@ static struct cast begin(struct model *model)
 	return cast;
 }
 
-/* Over ground whose heights are not known. */
+/* Over no ground that is known. */
 static void update(struct cast *cast, const float towards[3], float reach)
 {
 	const struct shadow_light light = {
 		.towards = {towards[0], towards[1], towards[2]},
 		.reach = reach,
-		.ground_low = -INFINITY,
-		.ground_high = INFINITY,
 	};
 
 	shadow_volume_update(&cast->volume, cast->instance, &light);
@@ -147,12 +144,12 @@ static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
 	end(&cast);
 }
 
-static void test_a_hull_lies_between_the_ground_s_heights(void **state)
+/* On level ground it is as thin as uneven ground would have it. */
+static void test_a_hull_lies_where_the_ground_can_be(void **state)
 {
-	static const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
-		.reach = 5.0f,
-		.ground_low = -0.4f,
-		.ground_high = 0.4f};
+	static struct floor floor = {.y = -2.0f, .tile = 1.0f, .relief = 0.5f};
+	const struct shadow_light light = {
+		.towards = {0.6f, 0.8f, 0.0f}, .reach = 9.0f, .ground = &floor};
 	struct cast cast = begin(make_cube());
 	const struct shadow_hull *hull = &cast.volume.hull[0];
 
@@ -163,31 +160,45 @@ static void test_a_hull_lies_between_the_ground_s_heights(void **state)
 	for (int v = 0; v < 8; v++) {
 		const float *near = hull->position[v];
 		const float *far = hull->position[v + 8];
-		float y = (float)(v >> 1 & 1);
+		float x = 0.5f * (near[0] + far[0]);
+		float z = 0.5f * (near[2] + far[2]);
+		float y = 0.5f * (near[1] + far[1]);
 
-		/* The upper corners begin half a unit further away. */
-		assert_near(near[0], (v & 1) - (y > 0 ? 0.45 : 0.0), 1e-5);
-		assert_near(near[1], y > 0 ? 0.4 : 0.0, 1e-5);
-		assert_near(far[0], near[0] - (y > 0 ? 0.6 : 0.3), 1e-5);
-		assert_near(far[1], -0.4, 1e-5);
+		/* Down the light from the corner onto the ground itself. */
+		assert_near(x, (v & 1) - 0.75 * ((v >> 1 & 1) - y), 1e-5);
+		assert_near(z, v >> 2 & 1, 1e-5);
+		assert_near(y, floor_height(&floor, x, z), 0.02);
+		assert_near(near[1] - far[1], 2.0f * floor_sag(&floor), 1e-5);
 	}
-	/* The top side's is 0.8 high, the lit wall's 0.4 to 0.8 over 0.75. */
-	assert_near(volume_of(hull), 6.0 * (0.8 + 0.75 * 0.6), 1e-4);
 	end(&cast);
 }
 
 static void test_a_hull_is_no_longer_than_its_reach(void **state)
 {
-	static const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
-		.reach = 2.0f,
-		.ground_low = -9.0f,
-		.ground_high = -8.0f};
+	static struct floor floor = {.y = -9.0f, .tile = 1.0f};
+	const struct shadow_light light = {
+		.towards = {0.6f, 0.8f, 0.0f}, .reach = 2.0f, .ground = &floor};
 	struct cast cast = begin(make_cube());
 
 	(void)state;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
 	assert_near(cast.volume.hull[0].position[8][1], -1.6, 1e-5);
 	assert_near(cast.volume.hull[0].position[0][1], -1.6, 1e-5);
+	end(&cast);
+}
+
+/* A corner below the ground stays where it is. */
+static void test_a_hull_does_not_rise_towards_the_light(void **state)
+{
+	static struct floor floor = {.y = 3.0f, .tile = 1.0f, .relief = 0.5f};
+	const struct shadow_light light = {
+		.towards = {0.6f, 0.8f, 0.0f}, .reach = 2.0f, .ground = &floor};
+	struct cast cast = begin(make_cube());
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_near(cast.volume.hull[0].position[2][1], 1.0, 1e-5);
+	assert_near(cast.volume.hull[0].position[10][1], 1.0, 1e-5);
 	end(&cast);
 }
 
@@ -243,8 +254,9 @@ int main(void)
 			test_a_sheet_facing_away_casts_nothing_of_its_own),
 		cmocka_unit_test(
 			test_a_cube_casts_a_closed_hull_along_a_slanted_light),
-		cmocka_unit_test(test_a_hull_lies_between_the_ground_s_heights),
+		cmocka_unit_test(test_a_hull_lies_where_the_ground_can_be),
 		cmocka_unit_test(test_a_hull_is_no_longer_than_its_reach),
+		cmocka_unit_test(test_a_hull_does_not_rise_towards_the_light),
 		cmocka_unit_test(test_seams_are_not_borders),
 		cmocka_unit_test(test_too_large_a_part_is_left_out_with_a_word),
 	};

@@ -44,7 +44,8 @@ build/virtual-pdk-test/stamp: $(addprefix tests/virtual-pdk/,package.json \
 
 virtual_pdk_node := NODE_PATH=build/virtual-pdk-test/node_modules node
 virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
-	tests/virtual-pdk/test.js)
+	tests/virtual-pdk/test.js) \
+	$(call suite,virtual-pdk-board,python3 -B tests/virtual-pdk/test_board.py)
 
 # The pictures of README pages that are no references of the tests.
 screenshots: screenshots-virtual-pdk

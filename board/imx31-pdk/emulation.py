@@ -7,6 +7,7 @@ line beside this file and tests/board are made of it. Only the standard library
 is needed.
 """
 import array
+import contextlib
 import json
 import os
 import pathlib
@@ -39,6 +40,9 @@ TIMER_RUN = 3 << 24 | 1 << 1 | 1 << 0
 TIMER_HZ = 32768.0
 TIMER_START = 0xFFFFFFFF
 
+# How long QEMU may take for an answer, on a busy machine too, and to end.
+ANSWER_S, END_S = 60, 10
+
 
 class Error(Exception):
     """Something to tell the person in one sentence."""
@@ -52,7 +56,7 @@ def connect(folder, name):
         for left in reversed(range(100)):
             link = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
             try:
-                link.settimeout(60)
+                link.settimeout(ANSWER_S)
                 link.connect(f"/proc/self/fd/{descriptor}/{name}")
                 return link
             except OSError as error:
@@ -65,22 +69,40 @@ def connect(folder, name):
 
 
 class Lines:
-    """A conversation in lines over a socket."""
+    """A conversation in lines over a socket. What is asked leaves at once:
+    nothing is kept that could not be sent later, when QEMU has ended and this
+    is closed. After an answer that does not come in time there is none, lest
+    it is taken for the next one's."""
 
     def __init__(self, folder, name):
         self.link = connect(folder, name)
-        self.file = self.link.makefile("rw", encoding="utf-8", newline="\n")
+        self.file = self.link.makefile("r", encoding="utf-8", newline="\n")
+        self.is_late = False
+
+    @contextlib.contextmanager
+    def told(self):
+        """What goes wrong with the socket, as the sentence for a person."""
+        if self.is_late:
+            raise Error("QEMU does not answer")
+        try:
+            yield
+        except ConnectionError:
+            raise Error("QEMU has ended") from None
+        except TimeoutError:
+            self.is_late = True
+            raise Error("QEMU does not answer") from None
 
     def ask(self, text):
-        self.file.write(text + "\n")
-        self.file.flush()
+        with self.told():
+            self.link.sendall(f"{text}\n".encode())
         return self.read()
 
     def read(self):
-        line = self.file.readline()
-        if not line:
-            raise Error("the emulated board has ended")
-        return line.rstrip("\n")
+        with self.told():
+            line = self.file.readline()
+        if not line.endswith("\n"):
+            raise Error("QEMU has ended")
+        return line[:-1]
 
     def close(self):
         self.file.close()
@@ -277,15 +299,32 @@ class Machine:
         for link in self.links.values():
             link.close()
         self.links = {}
-        pid = self.pid()
-        if pid:
-            os.kill(pid, signal.SIGTERM)
-        if self.process:
-            self.process.wait()
-        else:
-            while self.pid():
-                time.sleep(0.05)
+        self.end()
         (self.folder / "pid").unlink(missing_ok=True)
+
+    def end(self):
+        """Ends QEMU, also one that no longer listens to anybody. Another
+        thread that waits for its answer gets an Error."""
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            with contextlib.suppress(ProcessLookupError):
+                if self.process:
+                    self.process.send_signal(number)
+                elif pid := self.pid():
+                    os.kill(pid, number)
+            if self.has_ended(END_S):
+                return
+        raise Error(f"QEMU (process {self.pid()}) cannot be ended")
+
+    def has_ended(self, seconds):
+        """Whether it has, after at most this long."""
+        if self.process:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self.process.wait(seconds)
+            return self.process.returncode is not None
+        deadline = time.monotonic() + seconds
+        while self.pid() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        return not self.pid()
 
     def __enter__(self):
         return self

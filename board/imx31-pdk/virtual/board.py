@@ -91,6 +91,10 @@ class Board:
     # Power.
 
     async def power(self, on):
+        if not on:
+            # First of all, so that nobody goes on waiting for its answer.
+            self.leave_alone()
+            await self.end_qemu()
         async with self.switching:
             if on and not self.is_on:
                 await self.start()
@@ -137,7 +141,8 @@ class Board:
         self.tasks += [asyncio.create_task(self.read_console(console)),
                        asyncio.create_task(self.read_camera(camera))]
 
-    async def stop(self, phase, why=""):
+    def leave_alone(self):
+        """Nobody looks at this QEMU or listens to it any longer."""
         this = asyncio.current_task()
         for task in self.tasks:
             if task is not this:
@@ -148,7 +153,20 @@ class Board:
                 line.close()
         self.console_line = self.camera_line = None
         self.camera_seen = False
-        await self.ask(self.machine.stop)
+
+    async def end_qemu(self):
+        """Not in the thread that talks to it, which may be waiting for an
+        answer. What it fails in, stop() fails in, too, and tells."""
+        with contextlib.suppress(emulation.Error, OSError):
+            await asyncio.to_thread(self.machine.end)
+
+    async def stop(self, phase, why=""):
+        self.leave_alone()
+        await self.end_qemu()
+        try:
+            await self.ask(self.machine.stop)
+        except (emulation.Error, OSError) as error:
+            phase, why = "ended", str(error)
         self.show(bytes(emulation.FRAME_BYTES))
         self.enter(phase, why)
 
@@ -165,8 +183,11 @@ class Board:
             self.begin_again()
 
     def push_reset(self):
+        # It stands still meanwhile, lest it draws on what is cleared.
+        self.machine.monitor.run("stop")
         self.machine.monitor.run("system_reset")
         self.machine.clear()
+        self.machine.monitor.run("cont")
 
     def begin_again(self):
         """The machine has been reset, by the switch or by itself."""
@@ -194,6 +215,7 @@ class Board:
         pause = LOOK_S
         while True:
             begun = time.monotonic()
+            self.hurry.clear()
             try:
                 if self.listener.is_watched() or self.phase == "booting":
                     changed = await self.look()
@@ -202,15 +224,15 @@ class Board:
                     await self.ask(self.machine.monitor.run, "query-status")
                     pause = UNSEEN_S
                 self.hear_news()
-            except Exception:  # pylint: disable=broad-except
-                # QEMU may have ended in the middle of anything it said.
-                await self.tell_end()
+            except Exception as error:  # pylint: disable=broad-except
+                # Whatever it is, the page must not go on as if nothing were.
+                await self.tell_end(error)
                 return
-            self.hurry.clear()
             left = pause - (time.monotonic() - begun)
-            with contextlib.suppress(asyncio.TimeoutError):
+            with contextlib.suppress(TimeoutError):
                 # A press makes it look at once.
-                await asyncio.wait_for(self.hurry.wait(), max(left, 0.005))
+                async with asyncio.timeout(max(left, 0.005)):
+                    await self.hurry.wait()
                 pause = LOOK_S
 
     async def look(self):
@@ -227,13 +249,13 @@ class Board:
                 self.begin_again()
         events.clear()
 
-    async def tell_end(self):
+    async def tell_end(self, error):
         said = ""
         with contextlib.suppress(OSError):
             said = (self.folder / "qemu.log").read_text(errors="replace")
         lines = said.strip().splitlines()
         async with self.switching:
-            await self.stop("ended", "QEMU has ended" +
+            await self.stop("ended", str(error) +
                             (f": {lines[-1]}" if lines else ""))
 
     # Buttons: a line is high while anybody holds it. What is done to one is

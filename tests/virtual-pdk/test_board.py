@@ -1,0 +1,210 @@
+"""The server's part that talks to QEMU, with one that dies or hangs at chosen
+moments: the page is always told, and nothing is left behind. TAP."""
+import asyncio
+import os
+import pathlib
+import shutil
+import signal
+import sys
+import time
+import traceback
+
+HERE = pathlib.Path(__file__).resolve().parent
+TOP = HERE.parents[1]
+FOLDER = TOP / "build/check-virtual-board"
+STATE, IMAGE, PROGRAMS = (FOLDER / name for name in ("state", "image", "bin"))
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(TOP / "board/imx31-pdk/virtual"))
+import board  # noqa: E402
+from overlay import emulation  # noqa: E402
+
+TOLD_S = 10
+# What a test can wait for; a QEMU that hangs is given up after so long.
+emulation.ANSWER_S, emulation.END_S = 1, 1
+
+_count = _failed = 0
+
+
+def check(name, good, why=""):
+    global _count, _failed
+    _count += 1
+    _failed += not good
+    print(f"{'ok' if good else 'not ok'} {_count} - {name}", flush=True)
+    for line in [] if good else str(why).splitlines():
+        print(f"# {line}", flush=True)
+
+
+class Listener:
+    """Somebody who looks, and remembers the phases."""
+
+    def __init__(self):
+        self.board = None
+        self.looks = True
+        self.phases = []
+
+    def state(self):
+        if self.phases[-1:] != [self.board.phase]:
+            self.phases.append(self.board.phase)
+
+    def log(self, _):
+        pass
+
+    def picture(self, *_):
+        pass
+
+    def is_watched(self):
+        return self.looks
+
+
+async def until(condition, seconds=TOLD_S):
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        await asyncio.sleep(0.005)
+    return True
+
+
+def prepare():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    for folder in (STATE, IMAGE, PROGRAMS):
+        folder.mkdir(parents=True)
+    (PROGRAMS / "qemu-system-arm").symlink_to(HERE / "fake_qemu.py")
+    os.environ["PATH"] = f"{PROGRAMS}:{os.environ['PATH']}"
+    for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
+                 "test-drivers.cpio.lz4"):
+        (IMAGE / name).write_bytes(b"none")
+    board.overlay.make_tree = lambda image, folder: image / "zImage"
+    board.overlay.make_archive = lambda folder: IMAGE / "zImage"
+
+
+def wish(name, on=True):
+    path = STATE / name
+    if on:
+        path.touch()
+    else:
+        path.unlink(missing_ok=True)
+
+
+async def is_running(virtual):
+    await virtual.power(True)
+    return await until(lambda: virtual.phase == "running")
+
+
+def kill(virtual, number=signal.SIGKILL):
+    os.kill(virtual.machine.process.pid, number)
+
+
+async def check_told(name, virtual, why):
+    """That the end is told of with that word, no process is left, and the
+    board starts again."""
+    process = virtual.machine.process
+    told = await until(lambda: virtual.phase == "ended")
+    check(f"{name}: it is told", told and why in virtual.why,
+          f"{virtual.phase}: {virtual.why}")
+    check(f"{name}: no process is left", process.poll() is not None)
+    if not told:
+        await virtual.power(False)
+    check(f"{name}: it starts again", await is_running(virtual), virtual.why)
+
+
+async def test_deaths(virtual):
+    for wait_s in (0, 0.004, 0.011, 0.02, 0.035):
+        await asyncio.sleep(wait_s)
+        kill(virtual)
+        await check_told(f"QEMU dies after {wait_s * 1000:.0f} ms", virtual,
+                         "QEMU has ended")
+    # In this thread, so that nothing is being asked: the next question finds
+    # nobody.
+    kill(virtual)
+    virtual.machine.process.wait()
+    await check_told("QEMU dies between questions", virtual, "QEMU has ended")
+    wish("half")
+    await until(lambda: virtual.phase == "ended")
+    wish("half", False)
+    await check_told("QEMU dies in an answer", virtual, "QEMU has ended")
+    kill(virtual)
+    await virtual.reset()
+    await check_told("QEMU dies before a reset", virtual, "QEMU has ended")
+    kill(virtual, signal.SIGTERM)
+    await check_told("somebody ends QEMU", virtual, "QEMU has ended")
+
+
+async def test_hanging(virtual):
+    kill(virtual, signal.SIGSTOP)
+    await check_told("QEMU hangs", virtual, "does not answer")
+    kill(virtual, signal.SIGSTOP)
+    await virtual.reset()
+    await check_told("QEMU hangs in a reset", virtual, "does not answer")
+    emulation.ANSWER_S = 60
+    await virtual.power(False)
+    check("it starts with patience", await is_running(virtual), virtual.why)
+    kill(virtual, signal.SIGSTOP)
+    await asyncio.sleep(0.1)
+    reset = asyncio.create_task(virtual.reset())
+    await asyncio.sleep(0.1)
+    begun = time.monotonic()
+    await virtual.power(False)
+    took_s = time.monotonic() - begun
+    check("switched off, one that hangs ends at once",
+          virtual.phase == "off" and took_s < 5, f"{virtual.phase}, {took_s} s")
+    await reset
+    wish("deaf")
+    check("it starts deaf", await is_running(virtual), virtual.why)
+    process = virtual.machine.process
+    await virtual.power(False)
+    check("one that does not mind SIGTERM is killed",
+          virtual.phase == "off" and process.returncode == -signal.SIGKILL)
+    wish("deaf", False)
+
+
+async def test_switching_off(virtual):
+    """A press wakes the task that looks just as it is cancelled."""
+    left = []
+    for ticks in range(6):
+        await is_running(virtual)
+        watcher = virtual.tasks[-1]
+        # So it mostly rests, and does not ask.
+        virtual.listener.looks = False
+        await asyncio.sleep(0.2)
+        virtual.listener.phases.clear()
+        virtual.hurry.set()
+        for _ in range(ticks):
+            await asyncio.sleep(0)
+        await virtual.power(False)
+        await asyncio.sleep(0.05)
+        if not watcher.done() or virtual.listener.phases != ["off"]:
+            left.append((ticks, virtual.listener.phases[:]))
+        virtual.listener.looks = True
+    check("switched off while pressed, nobody looks on", not left, left)
+
+
+async def test_reset(virtual):
+    check("it starts", await is_running(virtual), virtual.why)
+    virtual.listener.phases.clear()
+    begun = time.monotonic()
+    await virtual.reset()
+    await until(lambda: virtual.phase == "running")
+    took_s = time.monotonic() - begun
+    check("after a reset it runs once it has drawn again",
+          virtual.listener.phases == ["booting", "running"] and took_s > 0.3,
+          f"{virtual.listener.phases}, {took_s} s")
+
+
+async def test_all():
+    listener = Listener()
+    virtual = listener.board = board.Board(IMAGE, STATE, listener)
+    try:
+        await test_reset(virtual)
+        await test_deaths(virtual)
+        await test_hanging(virtual)
+        await test_switching_off(virtual)
+    except Exception:  # pylint: disable=broad-except
+        check("goes on to its end", False, traceback.format_exc())
+    await virtual.end()
+
+
+prepare()
+asyncio.run(test_all())
+print(f"1..{_count}")
+sys.exit(1 if _failed else 0)

@@ -13,8 +13,8 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state draw fog_state light light_state matrix"
-    " number prepare prepare_light query soft state texenv_state vertex",
+    "transform and light": "array array_state beams draw fog_state light light_state matrix"
+    " number prepare prepare_beams prepare_light query soft state texenv_state vertex",
     "set-up": "clip fill_count fill_flat fill_glyph fill_opaque fill_plain raster triangle",
     "pixels": "band bands combine count fill flat fragment ground line luminance read"
     " rows shade span_565 texel texture",

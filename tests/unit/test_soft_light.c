@@ -292,12 +292,56 @@ static void tell_material(struct gl *gl, const struct lit_case *c)
 		gl_fixed(c->normal[2]));
 }
 
-static void draw_case(struct gl *gl, const struct lit_case *c)
+/* Where normals and tracked colours come from. */
+enum given {
+	CURRENT,
+	FLOATS,
+	SHORTS
+};
+
+/* What the arrays of draw_case() point to. */
+struct lit_arrays {
+	float vertex[3][3], normal[3][3];
+	int16_t short_normal[3][3];
+	uint8_t color[3][4];
+};
+
+static void tell_arrays(struct gl *gl, const struct lit_case *c,
+	enum given given, struct lit_arrays *arrays)
 {
-	float vertex[3][3];
+	double most = fmax(fmax(fabs(c->normal[0]), fabs(c->normal[1])),
+		fabs(c->normal[2]));
+
+	for (int i = 0; i < 9; i++) {
+		double n = c->normal[i % 3];
+
+		arrays->normal[i / 3][i % 3] = (float)n;
+		arrays->short_normal[i / 3][i % 3] =
+			(int16_t)lrint(n * 20000 / most);
+	}
+	for (int i = 0; i < 12; i++) {
+		arrays->color[i / 4][i % 4] =
+			(uint8_t)lrint(c->color[i % 4] * 255);
+	}
+	if (given != CURRENT) {
+		gl->EnableClientState(GL_NORMAL_ARRAY);
+		gl->EnableClientState(GL_COLOR_ARRAY);
+		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, arrays->color);
+		gl->NormalPointer(GL_FLOAT, 0, arrays->normal);
+	}
+	if (given == SHORTS) {
+		gl->NormalPointer(GL_SHORT, 0, arrays->short_normal);
+	}
+}
+
+static void draw_case(struct gl *gl, const struct lit_case *c, enum given given,
+	struct lit_arrays *arrays)
+{
+	float(*vertex)[3] = arrays->vertex;
 
 	tell_light(gl, c);
 	tell_material(gl, c);
+	tell_arrays(gl, c, given, arrays);
 	for (int i = 0; i < 9; i++) {
 		int corner = c->clockwise ? 2 - i / 3 : i / 3;
 
@@ -333,16 +377,20 @@ static void expect_lit(
 	gl_expect_color(stage, c->name, x, y, color);
 }
 
-static void check_cases(enum pixel_format format)
+static void check_cases(enum pixel_format format, enum given given)
 {
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct stage stage = stage_open("soft", format);
+		struct lit_case c = cases[i];
+		struct lit_arrays arrays;
 
-		draw_case(stage.gl, &cases[i]);
-		expect_lit(&stage, &cases[i], 2, 22);
-		expect_lit(&stage, &cases[i], 29, 22);
-		expect_lit(&stage, &cases[i], 15, 3);
-		expect_lit(&stage, &cases[i], 17, 14);
+		/* Shorts have no length of use. */
+		c.normalize |= given == SHORTS;
+		draw_case(stage.gl, &c, given, &arrays);
+		expect_lit(&stage, &c, 2, 22);
+		expect_lit(&stage, &c, 29, 22);
+		expect_lit(&stage, &c, 15, 3);
+		expect_lit(&stage, &c, 17, 14);
 		stage_end_frame(&stage);
 		stage_close(&stage);
 	}
@@ -351,13 +399,20 @@ static void check_cases(enum pixel_format format)
 static void test_each_term_is_the_formulas(void **state)
 {
 	(void)state;
-	check_cases(PIXELS_RGBA8888);
+	check_cases(PIXELS_RGBA8888, CURRENT);
 }
 
 static void test_each_term_is_the_formulas_in_565(void **state)
 {
 	(void)state;
-	check_cases(PIXELS_RGB565);
+	check_cases(PIXELS_RGB565, CURRENT);
+}
+
+static void test_each_term_is_the_formulas_by_arrays(void **state)
+{
+	(void)state;
+	check_cases(PIXELS_RGBA8888, FLOATS);
+	check_cases(PIXELS_RGBA8888, SHORTS);
 }
 
 /* Eight lights of an eighth each; then one goes out. */
@@ -416,6 +471,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_term_is_the_formulas),
 		cmocka_unit_test(test_each_term_is_the_formulas_in_565),
+		cmocka_unit_test(test_each_term_is_the_formulas_by_arrays),
 		cmocka_unit_test(test_every_light_counts),
 		cmocka_unit_test(test_a_position_goes_to_eye_space_at_once),
 	};

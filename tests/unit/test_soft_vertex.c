@@ -193,6 +193,118 @@ static void test_outcodes_are_as_in_c(void **state)
 	free(draw);
 }
 
+/* What arrays hold, and one gleam for all. */
+struct lit_mesh {
+	int16_t halves[VERTICES][4];
+	float floats[VERTICES][3];
+	uint8_t color[VERTICES][4];
+	struct gleam_step step[GLEAM_STEPS];
+	struct beams light;
+};
+
+static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
+{
+	for (int i = 0; i < VERTICES; i++) {
+		float most = i % 3 ? 0.6f : 1.9999999f;
+
+		for (int j = 0; j < 3; j++) {
+			int16_t any = (int16_t)random_within(seed, 32767);
+
+			mesh->halves[i][j + 1] = i < 2 ? INT16_MIN
+				: i < 4                ? INT16_MAX
+				: i < 6                ? (int16_t)(i - 5)
+				: i < 20               ? any >> 6
+						       : any;
+			mesh->floats[i][j] = most * (float)any / 32767.0f;
+			mesh->color[i][j] = (uint8_t)next_random(seed);
+		}
+		mesh->color[i][3] = (uint8_t)next_random(seed);
+	}
+	mesh->floats[0][0] = 2.0f;
+	mesh->floats[1][1] = -1e30f;
+	mesh->floats[2][2] = NAN;
+	mesh->floats[3][0] = INFINITY;
+}
+
+static void make_lamp(struct lit_mesh *mesh, int i, uint32_t *seed)
+{
+	struct beam *lamp = &mesh->light.beam[i];
+	int32_t most = next_random(seed) % 2 ? 620000000 : INT32_MAX - 1;
+
+	for (int j = 0; j < 3; j++) {
+		lamp->towards_q30[j] = random_within(seed, most / 2) * 2;
+		lamp->half_q30[j] = random_within(seed, most / 2) * 2;
+		lamp->diffuse_q30[j] = random_within(seed, 1 << 30);
+		lamp->specular_q20[j] = random_within(seed, 1 << 22);
+	}
+	lamp->gleams = next_random(seed) % 2;
+	lamp->least_q26 = abs(random_within(seed, 1 << 26)) & ~7;
+	lamp->scale =
+		(int32_t)(ldexp(1, 46) / ((1 << 26) - lamp->least_q26 + 8));
+	lamp->step = mesh->step;
+}
+
+static void make_light(struct lit_mesh *mesh, uint32_t *seed)
+{
+	struct beams *light = &mesh->light;
+	int lamps = random_within(seed, 4) + 4;
+
+	light->roots = soft_root_table;
+	light->floats = next_random(seed) % 2;
+	light->normals = light->floats ? (const uint8_t *)mesh->floats
+				       : (const uint8_t *)&mesh->halves[0][1];
+	light->normal_stride = light->floats ? 12 : 8;
+	light->colors = mesh->color[0];
+	light->color_stride = next_random(seed) % 2 ? 4 : 0;
+	light->two_side = next_random(seed) % 2;
+	light->square_least = next_random(seed) % 2 << 23;
+	light->square_range = light->square_least ? 1u << 24 : 1u << 26;
+	for (int i = 0; i < 3; i++) {
+		light->ambient_q24[i] = random_within(seed, 1 << 25);
+		light->emission_q16[i] = random_within(seed, 1 << 16);
+	}
+	for (int i = 0; i < lamps; i++) {
+		make_lamp(mesh, i, seed);
+	}
+	light->end = light->beam + lamps;
+}
+
+static void test_vertices_are_lit_as_in_c(void **state)
+{
+	struct lit_mesh *mesh =
+		aligned_alloc(_Alignof(struct lit_mesh), sizeof(*mesh));
+	uint32_t seed = 3;
+	int lit = 0;
+
+	(void)state;
+	assert_non_null(mesh);
+	memset(mesh, 0, sizeof(*mesh));
+	for (int i = 0; i < GLEAM_STEPS; i++) {
+		mesh->step[i].value_q28 = i << 22;
+		mesh->step[i].rise_q28 = random_within(&seed, 1 << 14);
+	}
+	for (int round = 0; round < 1000; round++) {
+		fill_mesh(mesh, &seed);
+		make_light(mesh, &seed);
+		for (uint32_t i = 0; i < VERTICES; i++) {
+			struct vertex a = {.index = i}, b = {.index = i};
+			bool done = light_by_beams_c(&mesh->light, i, &b);
+
+			assert_int_equal(
+				soft_light_by_beams(&mesh->light, i, &a), done);
+			if (done) {
+				lit++;
+				assert_memory_equal(a.attribute, b.attribute,
+					sizeof(a.attribute));
+				assert_memory_equal(
+					a.back, b.back, sizeof(a.back));
+			}
+		}
+	}
+	assert_true(lit > 1000 * VERTICES / 2);
+	free(mesh);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -200,6 +312,7 @@ int main(void)
 		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
 		cmocka_unit_test(test_floats_are_transformed_as_in_c),
 		cmocka_unit_test(test_outcodes_are_as_in_c),
+		cmocka_unit_test(test_vertices_are_lit_as_in_c),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -109,6 +109,55 @@ struct shading {
 	int32_t ambient_q16[3]; /* where the colour is tracked */
 	int32_t shininess_q16;
 	bool color_array;
+	bool by_beams; /* struct beams takes it */
+};
+
+/*
+ * The powers of cosines for one shininess, of 1 or more: 64 steps from where
+ * they begin to count, 2^-10, to 1.
+ */
+enum { GLEAM_STEPS = 64, GLEAMS = 4 };
+
+struct gleam {
+	int32_t shininess_q16; /* 0: none yet */
+	int32_t least_q26;     /* the cosine where they begin */
+	int32_t scale;         /* from there, Q26, to steps with 8 bits, Q-18 */
+	struct gleam_step {
+		_Alignas(8) int32_t value_q28;
+		int32_t rise_q28; /* a 256th of the way to the next */
+	} step[GLEAM_STEPS];
+};
+
+/*
+ * What most vertices are lit by: directional lights in the normals' space, for
+ * normals of three GL_SHORTs of any length or three aligned floats, and colours
+ * of four bytes. arm/light.S knows the offsets. Colours are 257/256 of what
+ * they are, so that a byte's 255 makes 1 of them.
+ */
+struct beam {
+	int32_t towards_q30[3], diffuse_q30[3];
+	int32_t gleams; /* whether what follows is of use */
+	int32_t half_q30[3], least_q26, scale;
+	const struct gleam_step *step;
+	int32_t specular_q20[3]; /* as it is */
+};
+
+struct beams {
+	_Alignas(32) const uint8_t *normals;
+	int normal_stride;
+	const uint8_t *colors;
+	int color_stride; /* 0: all of the same colour, below */
+	const uint16_t *roots; /* soft_root_table */
+	const struct beam *end;
+	int two_side, floats;
+	/*
+	 * Floats whose squares, Q24, are not from least on and less than range
+	 * above it are left to soft_light(); the sum is at most 2^26.
+	 */
+	uint32_t square_least, square_range;
+	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
+	struct beam beam[SOFT_LIGHTS];
+	uint8_t color[4];
 };
 
 struct texture_input {
@@ -221,6 +270,9 @@ struct draw {
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
 	int fog_scale_q;
 	struct shading shading;
+	struct beams beams;
+	struct gleam gleam[GLEAMS];
+	int gleam_next; /* to be made over */
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
@@ -268,6 +320,9 @@ bool soft_prepare(
 /* prepare_light.c */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
+/* prepare_beams.c: after the above, of what is lit. */
+void soft_prepare_beams(const struct soft *soft, struct draw *draw);
+
 /* vertex.c: fetches and transforms; attributes follow when they are wanted. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
 /* The same in C; arm/vertex.S has another for the quick kinds. */
@@ -289,6 +344,15 @@ int array_position_exponent(
 
 /* light.c: lit colour, 8.8, of either side. */
 void soft_light(const struct draw *draw, struct vertex *vertex);
+
+/*
+ * beams.c: the same by struct beams. False where the normal is not
+ * for it. The other is in C; arm/light.S has one besides.
+ */
+bool soft_light_by_beams(
+	const struct beams *light, uint32_t index, struct vertex *vertex);
+bool light_by_beams_c(
+	const struct beams *light, uint32_t index, struct vertex *vertex);
 
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);

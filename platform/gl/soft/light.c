@@ -321,7 +321,11 @@ void soft_shade(const struct draw *draw, struct vertex *vertex)
 	}
 	vertex->shaded = true;
 	if (draw->shading.lit) {
-		soft_light(draw, vertex);
+		if (!draw->shading.by_beams ||
+			!soft_light_by_beams(
+				&draw->beams, vertex->index, vertex)) {
+			soft_light(draw, vertex);
+		}
 	} else {
 		array_color_q16(draw, vertex->index, color);
 		for (int i = 0; i < 4; i++) {

@@ -36,8 +36,7 @@ const uint16_t soft_reciprocal_table[256] = {
 	33255, 33189, 33123, 33058, 32993, 32928, 32864, 32800,
 };
 
-/* 1 / sqrt((64.5 + i) / 256) in Q15. */
-static const uint16_t root_table[192] = {
+const uint16_t soft_root_table[192] = {
 	65281, 64781, 64292, 63814, 63347, 62889, 62442, 62004,
 	61575, 61154, 60742, 60339, 59943, 59555, 59175, 58801,
 	58435, 58075, 57722, 57376, 57035, 56700, 56372, 56049,
@@ -95,7 +94,7 @@ struct root reciprocal_root(uint64_t value)
 {
 	int zeros = LEADING_ZEROS_64(value) & ~1;
 	uint32_t v = (uint32_t)(value << zeros >> 32); /* 0.25..1 in Q32 */
-	uint32_t r = (uint32_t)root_table[(v >> 24) - 64] << 13; /* Q28 */
+	uint32_t r = (uint32_t)soft_root_table[(v >> 24) - 64] << 13; /* Q28 */
 
 	/* r (3 - v r^2) / 2, twice: 7 bits become 14, then 28. */
 	for (int i = 0; i < 2; i++) {

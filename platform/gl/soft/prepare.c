@@ -298,6 +298,7 @@ static fill_function choose_fill(const struct draw *draw)
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
+	draw->beams.roots = soft_root_table;
 	/* 4 (1 + 65533 (z/w + 1) / 2) */
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;

@@ -88,14 +88,26 @@ static void prepare_directional(
 	turn(normal, half, lamp->half_q28);
 }
 
+/* What is tracked by vertex comes later; else the current colour is known. */
+static const GLfixed *choose_color(const struct soft *soft,
+	const struct shading *shading, const GLfixed *material)
+{
+	static const GLfixed whole[4] = {65536, 65536, 65536, 65536};
+
+	if (shading->tracked) {
+		return whole;
+	}
+	return soft->lighting.color_material ? soft->arrays.current_color
+					     : material;
+}
+
 static void prepare_lamp(const struct soft *soft, const struct light *light,
 	const float *normal, struct shading *shading)
 {
 	struct lamp *lamp = &shading->lamp[shading->lamp_count++];
 	const struct material *material = &soft->lighting.material;
-	GLfixed whole[4] = {65536, 65536, 65536, 65536};
-	const GLfixed *diffuse = shading->tracked ? whole : material->diffuse;
-	const GLfixed *ambient = shading->tracked ? whole : material->ambient;
+	const GLfixed *diffuse = choose_color(soft, shading, material->diffuse);
+	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
 
 	*lamp = (struct lamp){0};
 	for (int i = 0; i < 3; i++) {
@@ -167,18 +179,18 @@ static bool prepare_normals(
 	return !shading->rotate_normals;
 }
 
-static void prepare_base(
-	const struct lighting *lighting, struct shading *shading)
+static void prepare_base(const struct soft *soft, struct shading *shading)
 {
+	const struct lighting *lighting = &soft->lighting;
 	const struct material *material = &lighting->material;
+	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
 
 	for (int i = 0; i < 3; i++) {
 		shading->emission_q16[i] = material->emission[i];
 		shading->ambient_q16[i] =
-			product(shading->tracked ? 65536 : material->ambient[i],
-				lighting->ambient[i], -16);
+			product(ambient[i], lighting->ambient[i], -16);
 	}
-	shading->base_q16[3] = material->diffuse[3];
+	shading->base_q16[3] = choose_color(soft, shading, material->diffuse)[3];
 	shading->shininess_q16 = material->shininess;
 }
 
@@ -191,7 +203,9 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 
 	shading->lit = lighting->enabled;
 	shading->two_side = lighting->enabled && lighting->two_side;
-	shading->tracked = lighting->color_material;
+	shading->tracked =
+		lighting->color_material && soft->arrays.color.enabled;
+	shading->by_beams = false;
 	shading->color_array = soft->arrays.color.enabled;
 	shading->lamp_count = 0;
 	draw->eye_needed = false;
@@ -200,11 +214,12 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 	}
 	draw->eye_needed = has_positional(lighting);
 	turn_lights = prepare_normals(soft, draw, normal);
-	prepare_base(lighting, shading);
+	prepare_base(soft, shading);
 	for (int i = 0; i < SOFT_LIGHTS; i++) {
 		if (lighting->light[i].enabled) {
 			prepare_lamp(soft, &lighting->light[i],
 				turn_lights ? normal : NULL, shading);
 		}
 	}
+	soft_prepare_beams(soft, draw);
 }

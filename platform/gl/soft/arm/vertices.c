@@ -1,4 +1,4 @@
-/* What vertex.S knows of the structures. */
+/* What vertex.S and light.S know of the structures. */
 #include "platform/gl/soft/draw.h"
 
 _Static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
@@ -22,3 +22,16 @@ _Static_assert(offsetof(struct vertex, attribute) == 16, "");
 _Static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
 _Static_assert(offsetof(struct vertex, index) == 56, "");
 _Static_assert(offsetof(struct vertex, clip) == 64, "");
+
+/* light.S */
+_Static_assert(offsetof(struct beams, floats) == 28, "eight words");
+_Static_assert(offsetof(struct beams, square_least) == 32, "");
+_Static_assert(offsetof(struct beams, ambient_q24) == 40, "SUMS");
+_Static_assert(offsetof(struct beams, emission_q16) == 52, "");
+_Static_assert(offsetof(struct beams, beam) == 64, "behind the sums");
+_Static_assert(sizeof(struct beam) == 64, "");
+_Static_assert(offsetof(struct beam, gleams) == 24, "");
+_Static_assert(offsetof(struct beam, half_q30) == 28, "");
+_Static_assert(offsetof(struct beam, specular_q20) == 52, "");
+_Static_assert(sizeof(struct gleam_step) == 8, "by LDRD");
+_Static_assert(offsetof(struct vertex, back) == 80, "VERTEX_BACK");

@@ -126,6 +126,7 @@ struct flat_band {
 };
 
 struct shade_run;
+struct tint_band;
 struct count_band;
 struct draw;
 struct setup;
@@ -136,6 +137,9 @@ struct band_functions {
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);
+	/* tint.h; the same */
+	void (*tint_linear)(struct tint_band *band);
+	void (*tint_nearest)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
 	/* shade.h; of textures as wide as high */

@@ -31,7 +31,7 @@ struct run {
 	const uint8_t *texels;
 	uint32_t s_mask, t_mask; /* of offsets in bytes */
 	int t_shift;
-	int level_shift; /* from the base's coordinates to the level's */
+	int s_down, t_down; /* from the base's coordinates to the level's */
 };
 
 static ALWAYS_INLINE uint32_t load_texel(
@@ -83,16 +83,18 @@ static ALWAYS_INLINE void run_texture(
 	const struct run *run, const struct ramps *ramps, enum paint paint)
 {
 	bool gray = paint == TEXTURE_GRAY, linear = paint == TEXTURE_LINEAR;
-	int shift = linear ? run->level_shift : 0;
+	int s_down = linear ? run->s_down : 0, t_down = linear ? run->t_down : 0;
 	uint32_t half = linear ? 32768 : 0;
 	uint16_t *pixel = run->pixel + run->left;
 	uint16_t *depth = run->depth + run->left;
 	uint16_t *const end = pixel + run->count;
 	uint32_t z = ramp_at(&ramps->z, run->left);
-	uint32_t s = (uint32_t)((int32_t)ramp_at(&ramps->s, run->left) >> shift);
-	uint32_t t = (uint32_t)((int32_t)ramp_at(&ramps->t, run->left) >> shift);
-	uint32_t ds = (uint32_t)(ramps->s.dx >> shift);
-	uint32_t dt = (uint32_t)(ramps->t.dx >> shift);
+	uint32_t s =
+		(uint32_t)((int32_t)ramp_at(&ramps->s, run->left) >> s_down);
+	uint32_t t =
+		(uint32_t)((int32_t)ramp_at(&ramps->t, run->left) >> t_down);
+	uint32_t ds = (uint32_t)(ramps->s.dx >> s_down);
+	uint32_t dt = (uint32_t)(ramps->t.dx >> t_down);
 	uint32_t r = ramp_at(&ramps->color[0], run->left);
 	uint32_t g = gray ? 0 : ramp_at(&ramps->color[1], run->left);
 	uint32_t b = gray ? 0 : ramp_at(&ramps->color[2], run->left);
@@ -134,19 +136,14 @@ static ALWAYS_INLINE void move_down(
 	ramp_down(&ramps->t, rows);
 }
 
-static uint32_t size_of(int32_t value)
-{
-	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
-}
-
 /* The level whose texels are nearest in size to pixels. */
 static int choose_level(
 	const struct texture_input *input, const struct ramps *ramps)
 {
-	uint32_t right =
-		raster_length(size_of(ramps->s.dx), size_of(ramps->t.dx));
-	uint32_t down =
-		raster_length(size_of(ramps->s.dy), size_of(ramps->t.dy));
+	uint32_t right = raster_length(
+		raster_size(ramps->s.dx), raster_size(ramps->t.dx));
+	uint32_t down = raster_length(
+		raster_size(ramps->s.dy), raster_size(ramps->t.dy));
 	uint32_t most = right > down ? right : down;
 	int lod;
 
@@ -168,7 +165,8 @@ static ALWAYS_INLINE void begin_run(const struct draw *draw,
 	number = paint == TEXTURE_LINEAR ? choose_level(input, ramps) : 0;
 	level = &input->texture->level[number];
 	run->texels = level->texels;
-	run->level_shift = number;
+	run->s_down = input->width_log2 - level->width_log2;
+	run->t_down = input->height_log2 - level->height_log2;
 	run->s_mask = (2u << level->width_log2) - 2;
 	run->t_mask = ((1u << level->height_log2) - 1)
 		<< (level->width_log2 + 1);
@@ -271,119 +269,45 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	return true;
 }
 
-/* Small ones inside of the picture, so that 1/256 of texels are enough. */
-static bool takes_band(const struct draw *draw, const struct setup *setup)
-{
-	const struct texture_input *input = &draw->texture[0];
-
-	return setup->inside && setup->extent <= 32 * 16 &&
-		input->width_log2 <= 8 && input->height_log2 <= 8;
-}
-
-static uint32_t pair_texels(uint32_t s_q16, uint32_t t_q16)
-{
-	return ((t_q16 << 8) & 0xFFFF0000) + (uint32_t)((int32_t)s_q16 >> 8);
-}
-
-/* Ramps are at column 0 already; packed ones have to start near the triangle. */
-static void set_texels(struct texture_band *band, const struct ramps *ramps,
-	const struct texture_input *input, int column)
-{
-	band->texels = input->base->texels;
-	band->texel_mask = ((1u << input->height_log2) - 1) << 24 |
-		((1u << input->width_log2) - 1) << 8;
-	band->texel_shift = 24 - (uint32_t)input->width_log2;
-	band->texel_right =
-		pair_texels((uint32_t)ramps->s.dx, (uint32_t)ramps->t.dx);
-	band->down.texel =
-		pair_texels((uint32_t)ramps->s.dy, (uint32_t)ramps->t.dy);
-	band->row.texel = pair_texels(ramp_at(&ramps->s, column),
-				  ramp_at(&ramps->t, column)) -
-		band->texel_right * (uint32_t)column;
-}
-
-static void set_band_edge(const struct draw *draw, struct texture_band *band,
-	int which, const struct vertex *a, const struct vertex *b, int row)
-{
-	struct side side = raster_side(draw, a, b, row);
-
-	band->edge[which] = (uint32_t)side.x + 0x7FFF;
-	band->edge_step[which] = (uint32_t)side.step;
-}
-
-static void draw_texture_bands(
-	struct draw *draw, const struct setup *setup, const struct ramps *ramps)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-	const uintptr_t stride = (uintptr_t)buffers->width * 2;
-	const uintptr_t offset = (uintptr_t)setup->top * stride;
-	int part = setup->middle_left ? BAND_LEFT : BAND_RIGHT;
-	struct texture_band band = {
-		.row = {(uintptr_t)buffers->depth + offset, ramps->z.at << 6, 0,
-			ramps->color[0].at << 7},
-		.down = {stride, (uint32_t)ramps->z.dy << 6, 0,
-			(uint32_t)ramps->color[0].dy << 7},
-		.z_right = (uint32_t)ramps->z.dx << 6,
-		.share_right = (uint32_t)ramps->color[0].dx << 7,
-		.wide_mask = WIDE_MASK,
-		.wide_round = WIDE_ROUND,
-		.pixels = (uintptr_t)buffers->target.data -
-			(uintptr_t)buffers->depth - 2,
-	};
-
-	set_texels(&band, ramps, &draw->texture[0], setup->v[0]->x >> 4);
-	set_band_edge(draw, &band, !part, setup->v[0], setup->v[2], setup->top);
-	if (setup->middle > setup->top) {
-		set_band_edge(draw, &band, part, setup->v[0], setup->v[1],
-			setup->top);
-		band.rows = setup->middle - setup->top;
-		soft_bands.texture(&band);
-	}
-	if (setup->bottom > setup->middle) {
-		set_band_edge(draw, &band, part, setup->v[1], setup->v[2],
-			setup->middle);
-		band.rows = setup->bottom - setup->middle;
-		soft_bands.texture(&band);
-	}
-}
-
-static ALWAYS_INLINE void fill(
+static ALWAYS_INLINE void fill_walking(
 	struct draw *draw, struct setup *setup, enum paint paint)
 {
 	struct ramps ramps;
 
-	if (!find_ramps(draw, setup, paint, &ramps)) {
-		rows_fill(draw, setup);
-	} else if (paint == TEXTURE_GRAY && takes_band(draw, setup)) {
-		draw_texture_bands(draw, setup, &ramps);
-	} else {
+	if (find_ramps(draw, setup, paint, &ramps)) {
 		walk(draw, setup, &ramps, paint);
+	} else {
+		rows_fill(draw, setup);
 	}
 }
 
-static void fill_texture_gray(struct draw *draw, struct setup *setup)
+static void fill_gray(struct draw *draw, struct setup *setup)
 {
-	fill(draw, setup, TEXTURE_GRAY);
+	fill_walking(draw, setup, TEXTURE_GRAY);
 }
 
-static void fill_texture_tinted(struct draw *draw, struct setup *setup)
+static void fill_tinted(struct draw *draw, struct setup *setup)
 {
-	fill(draw, setup, TEXTURE_TINTED);
+	fill_walking(draw, setup, TEXTURE_TINTED);
 }
 
-static void fill_texture_linear(struct draw *draw, struct setup *setup)
+static void fill_linear(struct draw *draw, struct setup *setup)
 {
-	fill(draw, setup, TEXTURE_LINEAR);
+	fill_walking(draw, setup, TEXTURE_LINEAR);
 }
 
 void fill_textured(struct draw *draw, struct setup *setup)
 {
 	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
-		fill_texture_linear(draw, setup);
+		if (!fill_texture_linear(draw, setup)) {
+			fill_linear(draw, setup);
+		}
 	} else if (is_gray(setup)) {
-		fill_texture_gray(draw, setup);
-	} else {
-		fill_texture_tinted(draw, setup);
+		if (!fill_texture_gray(draw, setup)) {
+			fill_gray(draw, setup);
+		}
+	} else if (!fill_texture_nearest(draw, setup)) {
+		fill_tinted(draw, setup);
 	}
 }
 
@@ -409,9 +333,7 @@ bool fill_takes_texture(const struct texture_input *input)
 	bool linear = texture->mag_filter == GL_LINEAR &&
 		(min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST);
 
-	/* Levels of squares alone are reached by one shift. */
 	return input->base->format == TEXEL_565 &&
 		input->env->mode == GL_MODULATE && (nearest || linear) &&
-		(input->levels == 1 || input->width_log2 == input->height_log2) &&
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
 }

@@ -130,6 +130,11 @@ static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	return (struct side){(int32_t)x, step};
 }
 
+static inline uint32_t raster_size(int32_t value)
+{
+	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+}
+
 /* Moves all planes in use down by so many rows. */
 void raster_skip_rows(struct draw *draw, int rows);
 
@@ -162,6 +167,12 @@ void rows_fill(struct draw *draw, struct setup *setup);
 bool fill_is_opaque(const struct draw *draw);
 bool fill_takes_texture(const struct texture_input *input);
 void fill_plain(struct draw *draw, struct setup *setup);
+void fill_textured(struct draw *draw, struct setup *setup);
+
+/* fill_texture.c: its small ones, as bands; false if a triangle is not. */
+bool fill_texture_gray(const struct draw *draw, const struct setup *setup);
+bool fill_texture_linear(const struct draw *draw, const struct setup *setup);
+bool fill_texture_nearest(const struct draw *draw, const struct setup *setup);
 
 /* fill_flat.c: see there; begin is called once a draw call. */
 bool fill_is_flat(const struct draw *draw);
@@ -177,7 +188,6 @@ void fill_count(struct draw *draw, struct setup *setup);
 /* fill_glyph.c, on top of fill_flat_begin() */
 bool fill_is_glyph(const struct draw *draw);
 void fill_glyph(struct draw *draw, struct setup *setup);
-void fill_textured(struct draw *draw, struct setup *setup);
 
 /*
  * Calls row(draw, y, left, right) for each row with pixels, inside of

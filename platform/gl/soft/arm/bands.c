@@ -12,6 +12,10 @@ void band_color_arm(struct band *band);
 /* texture.S */
 void band_texture_arm(struct texture_band *band);
 
+/* tint.S */
+void tint_linear_arm(struct tint_band *band);
+void tint_nearest_arm(struct tint_band *band);
+
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
 
@@ -73,6 +77,8 @@ const struct band_functions soft_bands = {
 	.list = list,
 	.color = band_color_arm,
 	.texture = band_texture_arm,
+	.tint_linear = tint_linear_arm,
+	.tint_nearest = tint_nearest_arm,
 	.flat = flat_arm,
 	.fill = band_fill_arm,
 	.shade_four = shade_four_arm,

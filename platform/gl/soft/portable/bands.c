@@ -3,11 +3,14 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/shade.h"
+#include "platform/gl/soft/tint.h"
 
 const struct band_functions soft_bands = {
 	.list = soft_list_c,
 	.color = band_color_c,
 	.texture = band_texture_c,
+	.tint_linear = tint_linear_c,
+	.tint_nearest = tint_nearest_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
 	.shade_four = shade_four_c,

@@ -1,0 +1,372 @@
+/*
+ * The soft driver's short cuts for coloured textures: against the long way, and
+ * the rows in assembly against the same in C.
+ */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/tint.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	WIDTH = 96,
+	HEIGHT = 80,
+	TRIANGLES = 40,
+	CORNERS = TRIANGLES * 3,
+	LEVELS = 7, /* of the textures, 64 texels wide */
+	SIDE = 64,  /* of what the rows are drawn in */
+};
+
+static uint32_t next_random(uint32_t *seed)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return *seed >> 8;
+}
+
+static int random_between(uint32_t *seed, int low, int high)
+{
+	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
+}
+
+static uint32_t any_word(uint32_t *seed)
+{
+	uint32_t upper = next_random(seed);
+
+	return upper << 16 ^ next_random(seed);
+}
+
+struct scene {
+	struct gl_context *context;
+	const struct gl *gl;
+	struct soft *soft;
+	uint16_t pixel[WIDTH * HEIGHT];
+	struct pixels picture;
+};
+
+/* Waves as high and as far apart as rounding in bands cannot show. */
+static uint8_t wave(int at, int width)
+{
+	int down = at * 64 / width % 64;
+
+	return (uint8_t)(40 + 5 * (down < 32 ? down : 63 - down));
+}
+
+/* Each level of another blue, so that a wrong one shows. */
+static void make_texture(
+	const struct gl *gl, GLint min, GLint mag, int height_part)
+{
+	uint8_t texels[64 * 64 * 3];
+	GLuint name;
+
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	for (int level = 0; level < LEVELS; level++) {
+		int width = 64 >> level, height = width / height_part;
+
+		height = height > 0 ? height : 1;
+		for (int i = 0; i < width * height; i++) {
+			texels[3 * i] = wave(i % width, width);
+			texels[3 * i + 1] = wave(i / width, height);
+			texels[3 * i + 2] = (uint8_t)(255 - 40 * level);
+		}
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_RGB, width, height, 0,
+			GL_RGB, GL_UNSIGNED_BYTE, texels);
+	}
+}
+
+static struct scene *open_scene(GLint min, GLint mag, int height_part)
+{
+	const struct log log = {0};
+	struct scene *scene = calloc(1, sizeof(*scene));
+
+	assert_non_null(scene);
+	scene->picture = (struct pixels){
+		.width = WIDTH,
+		.height = HEIGHT,
+		.stride_bytes = WIDTH * 2,
+		.format = PIXELS_RGB565,
+		.data = (uint8_t *)scene->pixel,
+	};
+	assert_int_equal(
+		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
+	scene->gl = &scene->context->gl;
+	scene->soft = (struct soft *)scene->context;
+	assert_int_equal(scene->context->driver->begin_frame(
+				 scene->context, &scene->picture),
+		0);
+	scene->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	make_texture(scene->gl, min, mag, height_part);
+	return scene;
+}
+
+static void close_scene(struct scene *scene)
+{
+	scene->context->driver->end_frame(scene->context);
+	scene->context->driver->destroy(scene->context);
+	free(scene);
+}
+
+struct corner {
+	float position[3];
+	uint8_t color[4];
+	float texcoord[2];
+};
+
+static void make_triangles(struct corner *corner, uint32_t *seed, int size)
+{
+	for (int i = 0; i < CORNERS; i++) {
+		const struct corner *first = &corner[i / 3 * 3];
+		struct corner *c = &corner[i];
+		int range = i % 3 ? size : 900;
+
+		for (int k = 0; k < 3; k++) {
+			float around = i % 3 && k < 2 ? first->position[k] : 0;
+
+			c->position[k] = around +
+				(float)random_between(seed, -range, range) /
+					1000.0f;
+			c->color[k] = (uint8_t)random_between(seed, 0, 255);
+		}
+		c->color[3] = 255;
+		for (int k = 0; k < 2; k++) {
+			c->texcoord[k] =
+				(float)random_between(seed, -600, 600) / 500.0f;
+		}
+	}
+}
+
+/* The alpha test that all pass sends fragments the long way. */
+static void draw(struct scene *scene, const struct corner *corner, bool long_way)
+{
+	const struct gl *gl = scene->gl;
+	const GLsizei stride = sizeof(*corner);
+
+	assert_int_equal(scene->context->driver->begin_frame(
+				 scene->context, &scene->picture),
+		0);
+	(long_way ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_ALWAYS, 0);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Enable(GL_TEXTURE_2D);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
+	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+}
+
+static int differ_most(uint16_t a, uint16_t b)
+{
+	int red = abs((a >> 11) - (b >> 11));
+	int green = (abs((a >> 5 & 63) - (b >> 5 & 63)) + 1) / 2;
+	int blue = abs((a & 31) - (b & 31));
+	int most = red > green ? red : green;
+
+	return most > blue ? most : blue;
+}
+
+struct figures {
+	int seen, other;
+};
+
+static void add_difference(struct figures *figures, const struct scene *quick,
+	const struct scene *slow)
+{
+	const size_t size = sizeof(quick->pixel);
+
+	assert_memory_equal(
+		quick->soft->buffers.depth, slow->soft->buffers.depth, size);
+	for (int i = 0; i < WIDTH * HEIGHT; i++) {
+		figures->seen += slow->pixel[i] != 0;
+		figures->other +=
+			differ_most(quick->pixel[i], slow->pixel[i]) > 1;
+	}
+}
+
+static struct figures compare_ways(GLint min, GLint mag, int height_part)
+{
+	struct figures figures = {0};
+
+	for (uint32_t round = 1; round <= 40; round++) {
+		struct scene *quick = open_scene(min, mag, height_part);
+		struct scene *slow = open_scene(min, mag, height_part);
+		struct corner corner[CORNERS];
+		uint32_t seed = round;
+
+		make_triangles(corner, &seed, 30 + (int)round * 6);
+		draw(quick, corner, false);
+		draw(slow, corner, true);
+		add_difference(&figures, quick, slow);
+		close_scene(quick);
+		close_scene(slow);
+	}
+	assert_true(figures.seen > 10000);
+	return figures;
+}
+
+static void test_mixed_texels_are_those_of_the_long_way(void **state)
+{
+	struct figures figures = compare_ways(GL_LINEAR, GL_LINEAR, 1);
+
+	(void)state;
+	assert_true(figures.other * 1000 < figures.seen);
+}
+
+static void test_levels_are_those_of_the_long_way(void **state)
+{
+	struct figures figures =
+		compare_ways(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1);
+
+	(void)state;
+	assert_true(figures.other * 1000 < figures.seen);
+}
+
+static void test_levels_that_are_no_squares_are_too(void **state)
+{
+	struct figures figures =
+		compare_ways(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 4);
+
+	(void)state;
+	assert_true(figures.other * 1000 < figures.seen);
+}
+
+static void test_nearest_texels_are_those_of_the_long_way(void **state)
+{
+	struct figures figures = compare_ways(GL_NEAREST, GL_NEAREST, 1);
+
+	(void)state;
+	assert_true(figures.other * 1000 < figures.seen);
+}
+
+/* Two sets of buffers that begin alike. */
+struct twins {
+	uint16_t pixel[2][SIDE * SIDE], depth[2][SIDE * SIDE];
+};
+
+static struct twins *make_twins(uint32_t *seed)
+{
+	struct twins *twins = calloc(1, sizeof(*twins));
+
+	assert_non_null(twins);
+	for (int i = 0; i < SIDE * SIDE; i++) {
+		twins->depth[0][i] = (uint16_t)next_random(seed);
+		twins->pixel[0][i] = (uint16_t)next_random(seed);
+	}
+	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
+	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
+	return twins;
+}
+
+static void place(struct tint_band *band, struct twins *twins, int which)
+{
+	band->row.depth = (uintptr_t)(twins->depth[which] + 20 * SIDE);
+	band->pixels = (uintptr_t)twins->pixel[which] -
+		(uintptr_t)twins->depth[which] - 2;
+}
+
+/* Up to 20 rows of up to 56 pixels; colours end between 0 and 1. */
+static struct tint_band make_band(
+	uint32_t *seed, const uint8_t *texels, int width_log2, int height_log2)
+{
+	struct tint_band band = {
+		.row = {0, any_word(seed), any_word(seed), 0x40004000, 0x4000},
+		.down = {2 * SIDE, any_word(seed), any_word(seed), 0, 0},
+		.rows = random_between(seed, 1, 20),
+		.z_right = any_word(seed) >> 6,
+		.texel_right = any_word(seed),
+		.texels = texels,
+		.texel_mask = ((1u << height_log2) - 1) << 24 |
+			((1u << width_log2) - 1) << 8,
+		.texel_shift = (uint32_t)(24 - width_log2),
+		.stride_bytes = 2u << width_log2,
+		.next = TINT_NEXT,
+		.red_blue_mask = TINT_RED_BLUE,
+		.green_mask = TINT_GREEN,
+	};
+
+	for (int side = 0; side < 2; side++) {
+		int from = random_between(seed, 4, 60);
+		int to = random_between(seed, 4, 60);
+
+		band.edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
+		band.edge_step[side] = (uint32_t)((to - from) * 65536 / 20);
+	}
+	band.red_blue_right = (uint32_t)random_between(seed, -200, 200) << 16;
+	band.red_blue_right += (uint32_t)random_between(seed, -200, 200);
+	band.green_right = (uint32_t)random_between(seed, -200, 200) - 0x10000;
+	band.down.red_blue = (uint32_t)random_between(seed, -200, 200) << 16;
+	band.down.red_blue += (uint32_t)random_between(seed, -200, 200);
+	band.down.green = (uint32_t)random_between(seed, -200, 200);
+	return band;
+}
+
+static void check_rows(void (*rows)(struct tint_band *band),
+	void (*rows_c)(struct tint_band *band), uint32_t round)
+{
+	uint8_t *texels = malloc(2 * 256 * 256);
+	uint32_t seed = 5;
+
+	assert_non_null(texels);
+	for (int i = 0; i < 2 * 256 * 256; i++) {
+		texels[i] = (uint8_t)next_random(&seed);
+	}
+	for (int i = 0; i < 1000; i++) {
+		struct twins *twins = make_twins(&seed);
+		struct tint_band band = make_band(
+			&seed, texels, i % 9, random_between(&seed, 0, 8));
+		struct tint_band other;
+
+		band.round = round;
+		other = band;
+		place(&band, twins, 0);
+		place(&other, twins, 1);
+		rows(&band);
+		rows_c(&other);
+		assert_int_equal(band.rows, 0);
+		assert_int_equal(band.row.z_q16, other.row.z_q16);
+		assert_int_equal(band.row.texel, other.row.texel);
+		assert_int_equal(band.row.red_blue, other.row.red_blue);
+		assert_int_equal(band.row.green, other.row.green);
+		assert_memory_equal(band.edge, other.edge, sizeof(band.edge));
+		assert_memory_equal(twins->depth[0], twins->depth[1],
+			sizeof(twins->depth[0]));
+		assert_memory_equal(twins->pixel[0], twins->pixel[1],
+			sizeof(twins->pixel[0]));
+		free(twins);
+	}
+	free(texels);
+}
+
+static void test_rows_of_mixed_texels_are_as_in_c(void **state)
+{
+	(void)state;
+	check_rows(soft_bands.tint_linear, tint_linear_c, TINT_ROUND_LINEAR);
+}
+
+static void test_rows_of_nearest_texels_are_as_in_c(void **state)
+{
+	(void)state;
+	check_rows(soft_bands.tint_nearest, tint_nearest_c, TINT_ROUND_NEAREST);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_mixed_texels_are_those_of_the_long_way),
+		cmocka_unit_test(test_levels_are_those_of_the_long_way),
+		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
+		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),
+		cmocka_unit_test(test_rows_of_mixed_texels_are_as_in_c),
+		cmocka_unit_test(test_rows_of_nearest_texels_are_as_in_c),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -134,6 +134,8 @@ struct setup;
 struct band_functions {
 	/* draw.h: three vertices or more, of indices at an even address */
 	void (*list)(struct draw *draw, const void *indices, uint32_t count);
+	/* fill_narrow.c; a fill_function */
+	void (*narrow)(struct draw *draw, struct setup *setup);
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);

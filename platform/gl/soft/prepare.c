@@ -290,7 +290,7 @@ static fill_function choose_fill(const struct draw *draw)
 		return rows_fill;
 	}
 	if (!draw->texture[0].used) {
-		return fill_plain;
+		return soft_bands.narrow;
 	}
 	return fill_takes_texture(&draw->texture[0]) ? fill_textured : rows_fill;
 }

@@ -174,6 +174,9 @@ bool fill_texture_gray(const struct draw *draw, const struct setup *setup);
 bool fill_texture_linear(const struct draw *draw, const struct setup *setup);
 bool fill_texture_nearest(const struct draw *draw, const struct setup *setup);
 
+/* fill_narrow.c: what it does not take is fill_plain()'s. */
+void fill_narrow_c(struct draw *draw, struct setup *setup);
+
 /* fill_flat.c: see there; begin is called once a draw call. */
 bool fill_is_flat(const struct draw *draw);
 void fill_flat_begin(struct draw *draw);

@@ -45,6 +45,9 @@ static void flat_arm(struct flat_band *band)
 	}
 }
 
+/* narrow.S, narrow_rows.S */
+void fill_narrow_arm(struct draw *draw, struct setup *setup);
+
 /* list.S, with struct setup and its own on the stack */
 void list_arm(struct draw *draw, const void *indices, uint32_t count);
 
@@ -61,7 +64,12 @@ static_assert(offsetof(struct vertex, x) == 4, "VERTEX_XY");
 static_assert(offsetof(struct vertex, outcode) == 1, "VERTEX_OUTCODE");
 static_assert(offsetof(struct vertex, shaded) == 2, "VERTEX_SHADED");
 static_assert(offsetof(struct vertex, index) == 56, "VERTEX_INDEX");
+static_assert(offsetof(struct vertex, z) == 12, "VERTEX_Z");
+static_assert(offsetof(struct vertex, attribute) == 16, "VERTEX_COLOR");
+static_assert(offsetof(struct vertex, clip) == 64, "VERTEX_W");
+static_assert(offsetof(struct draw, view.reciprocals) == 112, "RECIPROCALS");
 static_assert(offsetof(struct draw, quick) == 128, "QUICK_");
+static_assert(offsetof(struct quick, inverse) == 12, "QUICK_INVERSE");
 static_assert(offsetof(struct quick, cull_side) == 16, "QUICK_CULL");
 static_assert(offsetof(struct quick, box_low) == 24, "QUICK_BOX");
 static_assert(offsetof(struct quick, attributes) == 44, "QUICK_ATTRIBUTES");
@@ -75,6 +83,7 @@ static_assert(offsetof(struct setup, area) == 48, "SETUP_AREA");
 
 const struct band_functions soft_bands = {
 	.list = list,
+	.narrow = fill_narrow_arm,
 	.color = band_color_arm,
 	.texture = band_texture_arm,
 	.tint_linear = tint_linear_arm,

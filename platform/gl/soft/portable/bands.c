@@ -1,12 +1,13 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
-#include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/ground.h"
+#include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/shade.h"
 #include "platform/gl/soft/tint.h"
 
 const struct band_functions soft_bands = {
 	.list = soft_list_c,
+	.narrow = fill_narrow_c,
 	.color = band_color_c,
 	.texture = band_texture_c,
 	.tint_linear = tint_linear_c,

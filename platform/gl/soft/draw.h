@@ -18,6 +18,7 @@
 #define PLATFORM_GL_SOFT_DRAW_H
 
 #include "platform/gl/soft/band.h"
+#include "platform/gl/soft/shade.h"
 #include "platform/gl/soft/soft.h"
 
 enum {
@@ -224,6 +225,12 @@ struct view {
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 
+/* ground.c's triangle under way. */
+struct ground_rows {
+	struct shade_run run; /* of the row */
+	bool shaded, fading;  /* its gray and its alpha move */
+};
+
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
@@ -289,6 +296,7 @@ struct draw {
 	struct raster raster;
 	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
 	uint32_t shade[256];
+	struct ground_rows ground_rows;
 	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct place place[VERTEX_CACHE];      /* of cache, slot by slot */

@@ -140,97 +140,193 @@ static void shade_part(const struct draw *draw, const struct shade_run *run,
 	blend_run(&part, run->pixel + first);
 }
 
-/* Parts that are nearer than what is there; mostly all of it is. */
-static void draw_run(const struct draw *draw, const struct shade_run *run)
+/* Parts that are nearer than what is there; the first was tested already. */
+static void draw_parts(
+	const struct draw *draw, const struct shade_run *run, int passed)
 {
-	uint32_t z = run->z, z_right = (uint32_t)run->z_right;
+	int first = 0;
 
-	for (int first = 0; first < run->count;) {
-		int count = soft_bands.depth(
-			run->depth + first, run->count - first, z, z_right);
+	while (first < run->count) {
+		int count = passed < BLENDED_MOST ? passed : BLENDED_MOST;
 
 		if (count > 0) {
 			shade_part(draw, run, first, count);
 		}
-		/* what follows is hidden */
-		first += count + 1;
-		z += z_right * (uint32_t)(count + 1);
+		first += count;
+		passed -= count;
+		if (passed == 0) {
+			/* what follows is hidden, unless the run is over */
+			first++;
+			passed = soft_bands.depth(run->depth + first,
+				run->count - first,
+				run->z + (uint32_t)run->z_right * (uint32_t)first,
+				(uint32_t)run->z_right);
+		}
 	}
 }
 
-/* Of 255 parts into 256, 8.16. */
+/* Mostly all of it is. */
+static void draw_run(const struct draw *draw, const struct shade_run *run)
+{
+	int passed = soft_bands.depth(
+		run->depth, run->count, run->z, (uint32_t)run->z_right);
+
+	if (passed == run->count && !draw->blended) {
+		soft_bands.shade_ground(run);
+	} else {
+		draw_parts(draw, run, passed);
+	}
+}
+
+/* Of 255 parts into 256, 8.16; the half that planes have rounds. */
 static int32_t to_share(int32_t color_q16)
 {
 	return color_q16 + (color_q16 >> 8);
 }
 
-static void draw_between(struct draw *draw, const struct point *from,
-	const struct point *to, int x, int count, int steps)
+static void choose_level(struct draw *draw)
 {
-	struct span *span = &draw->raster.span;
-	const struct buffers *buffers = &draw->soft->buffers;
-	int32_t s = from->value[TEX_S], t = from->value[TEX_S + 1];
-	struct shade_run run = {
-		.pixel = (uint16_t *)(void *)pixel_at(
-			&buffers->target, x, span->y),
-		.depth = buffers->depth +
-			(size_t)span->y * (size_t)buffers->width + x,
-		.count = count,
-		.s = (uint32_t)s,
-		.t = (uint32_t)t,
-		.s_right =
-			luminance_share_out(draw, to->value[TEX_S] - s, steps),
-		.t_right = luminance_share_out(
-			draw, to->value[TEX_S + 1] - t, steps),
-		.z = plane_at(&draw->raster, DEPTH, x),
-		.z_right = draw->raster.plane[DEPTH].dx,
-		.alpha = (uint32_t)from->value[ALPHA] + ALPHA_ROUND,
-		.alpha_right = luminance_share_out(
-			draw, to->value[ALPHA] - from->value[ALPHA], steps),
-		.share = (uint32_t)to_share(from->value[RED]),
-		.share_right = to_share(luminance_share_out(
-			draw, to->value[RED] - from->value[RED], steps)),
-		.shade = draw->gray,
-	};
+	const struct texture_input *input = &draw->texture[0];
+	/* Down to two texels: none is shifted by 32 bits. */
+	int most = input->levels - 1 < input->width_log2 - 1
+		? input->levels - 1
+		: input->width_log2 - 1;
+	int number = clamp_int((draw->raster.span.lod[0] + 127) >> 8, 0, most);
+	const struct level *level = &input->texture->level[number];
 
-	/* Every fourth row, and in the triangle's first one. */
-	if (span->y % 4 == 0 || draw->raster.first_row) {
-		rows_find_lod(draw, from, span);
-		draw->raster.first_row = false;
-	}
-	luminance_choose_texels(draw, span->lod[0], &run);
-	draw_run(draw, &run);
+	draw->ground_rows.run.quads = level->quads;
+	draw->ground_rows.run.width_log2 = level->width_log2;
+	draw->ground_rows.run.height_log2 = level->height_log2;
 }
 
-void ground_row(struct draw *draw, int y, int left, int right)
+/* Where it begins; coordinates are those of the base, 16.16. */
+static void start_run(struct draw *draw, int x, uint32_t s, uint32_t t)
 {
-	const struct span *span = &draw->raster.span;
+	const struct buffers *buffers = &draw->soft->buffers;
+	struct shade_run *run = &draw->ground_rows.run;
+	int y = draw->raster.span.y, shift = 16 - draw->texture[0].width_log2;
+	/* From centres to the upper left texel of four. */
+	uint32_t half = 1u << (31 - run->width_log2);
+
+	run->pixel = (uint16_t *)(void *)pixel_at(&buffers->target, x, y);
+	run->depth = buffers->depth + (size_t)y * (size_t)buffers->width + x;
+	run->z = plane_at(&draw->raster, DEPTH, x);
+	run->s = (s << shift) - half;
+	run->t = (t << shift) - half;
+}
+
+/* How it goes on, where that is not the same in all of a triangle. */
+static void step_run(struct draw *draw, const struct point *from,
+	const struct point *to, int steps)
+{
+	struct shade_run *run = &draw->ground_rows.run;
+	int shift = 16 - draw->texture[0].width_log2;
+	int32_t step[ATTRIBUTES];
+
+	for (int i = 0; i < draw->raster.moving_count; i++) {
+		int name = draw->raster.moving[i];
+
+		step[name] = luminance_share_out(
+			draw, to->value[name] - from->value[name], steps);
+		if (name == RED) {
+			run->share = (uint32_t)to_share(from->value[RED]);
+			run->share_right = to_share(step[RED]);
+		} else if (name == ALPHA) {
+			run->alpha = (uint32_t)from->value[ALPHA] + ALPHA_ROUND;
+			run->alpha_right = step[ALPHA];
+		}
+	}
+	run->s_right = (int32_t)((uint32_t)step[TEX_S] << shift);
+	run->t_right = (int32_t)((uint32_t)step[TEX_S + 1] << shift);
+}
+
+static void row_perspective(struct draw *draw, int left, int right)
+{
+	struct raster *raster = &draw->raster;
+	struct shade_run *run = &draw->ground_rows.run;
 	struct point from, to;
 	int length;
 
-	draw->raster.span.y = y;
-	/* Where they do not move. */
-	from.value[RED] = (int32_t)span->value[RED];
-	from.value[ALPHA] = (int32_t)span->value[ALPHA];
 	rows_find_point(draw, left, &from);
 	length = luminance_find_length(draw, &from);
-	if (draw->blended && length > BLENDED_MOST) {
-		length = BLENDED_MOST;
+	/* Every fourth row, and in the triangle's first one. */
+	if (raster->span.y % 4 == 0 || raster->first_row) {
+		rows_find_lod(draw, &from, &raster->span);
+		choose_level(draw);
+		raster->first_row = false;
 	}
 	for (int x = left; x < right; x += length) {
-		int count = right - x < length ? right - x : length;
 		/* Up to the last pixel, which still is inside. */
-		int steps = right - x > length ? length : count - 1;
+		int steps = right - x > length ? length : right - x - 1;
 
-		to = from;
 		if (steps > 0) {
 			rows_find_point(draw, x + steps, &to);
+		} else {
+			to = from;
 		}
-		draw_between(draw, &from, &to, x, count, steps);
+		run->count = right - x < length ? right - x : length;
+		start_run(draw, x, (uint32_t)from.value[TEX_S],
+			(uint32_t)from.value[TEX_S + 1]);
+		step_run(draw, &from, &to, steps);
+		draw_run(draw, run);
 		from = to;
 	}
 }
 
+static void row_affine(struct draw *draw, int left, int right)
+{
+	const struct raster *raster = &draw->raster;
+	struct shade_run *run = &draw->ground_rows.run;
+
+	run->count = right - left;
+	start_run(draw, left, plane_at(raster, TEX_S, left),
+		plane_at(raster, TEX_S + 1, left));
+	if (draw->ground_rows.shaded) {
+		run->share = (uint32_t)to_share(
+			(int32_t)plane_at(raster, RED, left));
+	}
+	if (draw->ground_rows.fading) {
+		run->alpha = plane_at(raster, ALPHA, left) + ALPHA_ROUND;
+	}
+	draw_run(draw, run);
+}
+
+void ground_row(struct draw *draw, int y, int left, int right)
+{
+	draw->raster.span.y = y;
+	if (draw->raster.perspective) {
+		row_perspective(draw, left, right);
+	} else {
+		row_affine(draw, left, right);
+	}
+}
+
+/* What is the same in all of a triangle. */
+static void begin_runs(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	const struct plane *plane = raster->plane;
+	struct ground_rows *rows = &draw->ground_rows;
+	struct shade_run *run = &rows->run;
+	int shift = 16 - draw->texture[0].width_log2;
+
+	run->shade = draw->gray;
+	run->z_right = plane[DEPTH].dx;
+	run->share = (uint32_t)to_share((int32_t)raster->span.value[RED]);
+	run->share_right = 0;
+	run->alpha = raster->span.value[ALPHA] + ALPHA_ROUND;
+	run->alpha_right = 0;
+	raster->first_row = true;
+	if (raster->perspective) {
+		return;
+	}
+	rows_find_lod(draw, NULL, &raster->span);
+	choose_level(draw);
+	run->s_right = (int32_t)((uint32_t)plane[TEX_S].dx << shift);
+	run->t_right = (int32_t)((uint32_t)plane[TEX_S + 1].dx << shift);
+	run->share_right = rows->shaded ? to_share(plane[RED].dx) : 0;
+	run->alpha_right = rows->fading ? plane[ALPHA].dx : 0;
+}
 static bool is_same_plane(const struct plane *a, const struct plane *b)
 {
 	return a->start == b->start && a->dx == b->dx && a->dy == b->dy;
@@ -265,6 +361,8 @@ bool ground_begin(struct draw *draw)
 	if (grays < 0) {
 		return false;
 	}
+	draw->ground_rows.shaded = grays > 0;
+	draw->ground_rows.fading = false;
 	/* One of the three stands for all. */
 	for (int i = 0; i < raster->moving_count; i++) {
 		int name = raster->moving[i];
@@ -272,21 +370,17 @@ bool ground_begin(struct draw *draw)
 		if (name != GREEN && name != BLUE) {
 			raster->moving[count++] = name;
 		}
+		draw->ground_rows.fading |= name == ALPHA;
 	}
 	raster->moving_count = count;
-	raster->first_row = true;
+	begin_runs(draw);
 	return true;
 }
 
 void ground_init(struct draw *draw)
 {
-	/* What is cut to i is between i and i + 1. */
 	for (int i = 0; i < 256; i++) {
-		int red = (int)(round_to_5((uint32_t)(2 * i + 1) << 15) >> 19);
-		int green = (int)(round_to_6((uint32_t)(2 * i + 1) << 15) >> 18);
-
-		draw->gray[i] =
-			(uint32_t)(red << 11 | green << 5 | red) * 0x10001u;
+		draw->gray[i] = pack_565(i, i, i) * 0x10001u;
 	}
 }
 

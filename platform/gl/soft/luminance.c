@@ -100,7 +100,8 @@ int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps)
 		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
 }
 
-void luminance_choose_texels(
+/* Coordinates at the base, 16.16, into those of a level. */
+static void choose_texels(
 	const struct draw *draw, int lod, struct shade_run *run)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -153,7 +154,7 @@ static void draw_between(struct draw *draw, const struct point *from,
 		rows_find_lod(draw, from, span);
 		draw->raster.first_row = false;
 	}
-	luminance_choose_texels(draw, span->lod[0], &run);
+	choose_texels(draw, span->lod[0], &run);
 	draw_run(&run, draw->blended);
 }
 

@@ -11,7 +11,6 @@
 
 #include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/rows.h"
-#include "platform/gl/soft/shade.h"
 
 /* Whether the state of a draw call is this. */
 bool luminance_takes(const struct draw *draw);
@@ -32,9 +31,5 @@ int luminance_find_length(const struct draw *draw, const struct point *from);
 
 /* A step of so many that lead over all of it. */
 int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps);
-
-/* Coordinates at the base, 16.16, into those of a level. */
-void luminance_choose_texels(
-	const struct draw *draw, int lod, struct shade_run *run);
 
 #endif

@@ -16,7 +16,7 @@ struct point {
 
 void rows_find_point(const struct draw *draw, int x, struct point *out);
 
-/* The levels of detail there, into span->lod. */
+/* The levels of detail there, into span->lod; linear ones have no point. */
 void rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span);
 

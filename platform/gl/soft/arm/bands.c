@@ -33,6 +33,11 @@ static void count_arm(struct count_band *band)
 	}
 }
 
+/* ground.S */
+void ground_shade_arm(const struct shade_run *run);
+int ground_depth_arm(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+
 /* flat.S: blended ones of one row or more */
 void band_flat_arm(struct flat_band *band);
 
@@ -93,6 +98,6 @@ const struct band_functions soft_bands = {
 	.shade_four = shade_four_arm,
 	.shade_two = shade_two_arm,
 	.count = count_arm,
-	.shade_ground = ground_shade_c,
-	.depth = ground_depth_c,
+	.shade_ground = ground_shade_arm,
+	.depth = ground_depth_arm,
 };

@@ -21,7 +21,7 @@ build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stam
 	$(call say,CC,$@)
 	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -fPIC -shared -o $@ $<
 
-.PHONY: bench bench-arm11 bench-arm11-record
+.PHONY: bench bench-arm11 bench-arm11-record bench-arm11-table
 bench: build/host/limber
 	$(Q)$< bench
 # OSMESA=0 leaves out Debian's GL driver.
@@ -32,6 +32,11 @@ bench-arm11: $(BENCH_ARM) build/arm1136/model.so build/arm1136/insn_count.so
 # After a loop got better, or for a good reason worse.
 bench-arm11-record: $(BENCH_ARM) build/arm1136/model.so
 	$(Q)$(BENCH) --short --record $(BENCH_FIGURES)
+	$(Q)$(MAKE) --no-print-directory bench-arm11-table
+# What of it the program itself knows.
+bench-arm11-table:
+	$(Q)python3 -B tests/bench/arm11_table.py $(BENCH_FIGURES) \
+		app/anim/kernel/arm11_cost.c
 
 bench_suites = $(call suite,bench/arm11,$(BENCH) --short --check \
 	$(BENCH_FIGURES)) \

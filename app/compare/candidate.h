@@ -8,6 +8,7 @@
 #ifndef APP_COMPARE_CANDIDATE_H
 #define APP_COMPARE_CANDIDATE_H
 
+#include "app/compare/board_cost.h"
 #include "app/compare/screen.h"
 
 /* AN4044's three, and the two it recommends together. */
@@ -58,6 +59,9 @@ struct candidate {
 	double frame_us;     /* of this machine, the median */
 	double instructions; /* a frame; below 0: this machine cannot say */
 
+	/* Of the board's core, predicted; not of this machine. */
+	struct board_cost board;
+
 	/* The frame's work, and a vertex afterwards in world space. */
 	void (*pose)(struct candidate *candidate, float time_s);
 	void (*vertex)(
@@ -74,7 +78,11 @@ int candidate_as_is(struct candidate *candidate,
 	const struct reference *reference, const struct kernel *kernel,
 	int max_influences, bool targets, const struct log *log);
 
-/* Key frames, straight lines between them; key is copied. */
+/*
+ * Key frames, straight lines between them; key is copied. A kernel with loops
+ * in fixed point uses those, and then candidate_morph_vertices() is not to be
+ * asked.
+ */
 int candidate_morph(struct candidate *candidate,
 	const struct reference *reference, const struct kernel *kernel,
 	const int *key, int key_count, const struct log *log);

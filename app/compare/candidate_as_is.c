@@ -267,5 +267,8 @@ int candidate_as_is(struct candidate *candidate,
 	}
 	name_as_is(candidate, max_influences);
 	count_bytes(candidate, state, max_influences);
+	candidate->board = board_cost_clip(
+		reference, state->instance, &state->cursor, max_influences);
+	pose_rest(&state->instance->pose, &state->model);
 	return 0;
 }

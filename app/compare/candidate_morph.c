@@ -1,9 +1,15 @@
 /*
  * Morph key frames baked from the clip: AN4044, section 1.
+ *
+ * Where the kernel has fixed-point loops, they do a frame's work. The error is
+ * that of the key frames in float all the same, as they are exported.
  */
 #include "app/compare/candidate.h"
 
+#include "app/anim/kernel/fixed_key.h"
 #include "app/compare/fit.h"
+
+#include <cglm/cglm.h>
 
 #include <errno.h>
 #include <stdio.h>
@@ -15,10 +21,16 @@ struct morph_bake {
 	const struct kernel *kernel;
 	struct arena arena;
 	int key_count;
-	int *key; /* frames of the reference, which holds their vertices */
-	int at;   /* the key before the last time */
+	int *key;    /* frames of the reference, which holds their vertices */
+	int at;      /* the key before the last time */
+	float omega; /* how far from there to the next */
 	float (*position)[3];
 	float (*normal)[3];
+
+	/* Instead of these two; positions and normals. */
+	const struct fixed_loops *loops;
+	struct fixed_pair (*pair[2])[3]; /* [key_count - 1][vertex_count] */
+	struct fixed_vector *posed[2];
 };
 
 static float key_time_s(const struct morph_bake *bake, int key)
@@ -37,6 +49,44 @@ static void find_key(struct morph_bake *bake, float time_s)
 	}
 }
 
+static void find_omega(struct morph_bake *bake, float time_s)
+{
+	float from_s, to_s;
+
+	find_key(bake, time_s);
+	from_s = key_time_s(bake, bake->at);
+	to_s = key_time_s(bake, bake->at + 1);
+	bake->omega = (time_s - from_s) / (to_s - from_s);
+	bake->omega = bake->omega > 1.0f ? 1.0f : bake->omega;
+}
+
+static void pose_fixed(struct candidate *candidate, float time_s)
+{
+	struct morph_bake *bake = candidate->state;
+	int count = bake->reference->vertex_count;
+	size_t first;
+
+	find_omega(bake, time_s);
+	first = (size_t)bake->at * (size_t)count;
+	for (int i = 0; i < 2; i++) {
+		bake->loops->lerp(count,
+			(const struct fixed_pair(*)[3])bake->pair[i] + first,
+			fixed_lerp_weights(bake->omega), bake->posed[i]);
+	}
+}
+
+static void vertex_fixed(
+	const struct candidate *candidate, int vertex, float out[3])
+{
+	const struct morph_bake *bake = candidate->state;
+	const int *key = bake->key + bake->at;
+
+	glm_vec3_lerp(
+		(float *)reference_position(bake->reference, key[0])[vertex],
+		(float *)reference_position(bake->reference, key[1])[vertex],
+		bake->omega, out);
+}
+
 static void pose_morph(struct candidate *candidate, float time_s)
 {
 	static const float nowhere[3] = {0.0f, 0.0f, 0.0f};
@@ -46,12 +96,10 @@ static void pose_morph(struct candidate *candidate, float time_s)
 	int from, to;
 	float omega;
 
-	find_key(bake, time_s);
+	find_omega(bake, time_s);
 	from = bake->key[bake->at];
 	to = bake->key[bake->at + 1];
-	omega = (time_s - reference->time_s[from]) /
-		(reference->time_s[to] - reference->time_s[from]);
-	omega = omega > 1.0f ? 1.0f : omega;
+	omega = bake->omega;
 	bake->kernel->morph_lerp(count, reference_position(reference, from),
 		reference_position(reference, to), omega, nowhere,
 		bake->position);
@@ -78,36 +126,122 @@ static void destroy_morph(struct candidate *candidate)
 	}
 }
 
-/* Key frames as base and targets, and one weight a target and key. */
-static void count_bytes(struct candidate *candidate,
-	const struct reference *reference, size_t keys)
+/*
+ * Key frames as base and targets, and one weight a target and key. On the
+ * board vertices go from key to key in fixed point.
+ */
+static void count_costs(
+	struct candidate *candidate, const struct morph_bake *bake)
 {
+	const struct reference *reference = bake->reference;
+	size_t keys = (size_t)bake->key_count;
 	size_t vectors = 0;
 
 	for (int i = 0; i < reference->part_count; i++) {
 		const struct reference_part *part = &reference->part[i];
 
+		struct board_cost cost =
+			board_cost_lerp(part->vertex_count, part->normals);
+
+		board_cost_add(&candidate->board, &cost);
 		vectors +=
 			(size_t)(part->vertex_count * (part->normals ? 2 : 1));
 	}
-	candidate->memory_bytes =
-		(keys + 1) * vectors * sizeof(float[3]) + keys * sizeof(float);
+	candidate->memory_bytes = bake->loops
+		? (keys - 1) * vectors * sizeof(struct fixed_pair[3]) +
+			vectors * sizeof(struct fixed_vector)
+		: (keys + 1) * vectors * sizeof(float[3]);
+	candidate->memory_bytes += keys * sizeof(float);
 	candidate->file_bytes = keys * vectors * sizeof(float[3]) +
 		keys * sizeof(float) + keys * (keys - 1) * sizeof(float);
+}
+
+/* Positions (0) or normals (1) of a key in fixed point. */
+static void write_key(const struct morph_bake *bake, int stream, int key,
+	const struct fixed_placement *placement, struct fixed_vector *out)
+{
+	const struct reference *reference = bake->reference;
+	int frame = bake->key[key];
+
+	if (stream == 0) {
+		fixed_key_positions(reference->vertex_count,
+			reference_position(reference, frame), placement, out);
+	} else {
+		fixed_key_normals(reference->vertex_count,
+			reference_normal(reference, frame), out);
+	}
+}
+
+/* Every key with the next; scratch has room for two. */
+static void pair_keys(struct morph_bake *bake,
+	const struct fixed_placement *placement, struct fixed_vector *scratch)
+{
+	int count = bake->reference->vertex_count;
+
+	for (int i = 0; i < 2 * (bake->key_count - 1); i++) {
+		int stream = i % 2, key = i / 2;
+
+		write_key(bake, stream, key, placement, scratch);
+		write_key(bake, stream, key + 1, placement, scratch + count);
+		fixed_lerp_prepare(count, scratch, scratch + count,
+			bake->pair[stream] + (size_t)key * (size_t)count);
+	}
+}
+
+/* 0, -ENOMEM, or -ERANGE where 16 bits cannot hold the keys. */
+static int prepare_fixed(struct morph_bake *bake)
+{
+	const struct reference *reference = bake->reference;
+	size_t count = (size_t)reference->vertex_count;
+	size_t pairs = (size_t)(bake->key_count - 1) * count;
+	struct fixed_range range = fixed_range_empty();
+	struct fixed_placement placement;
+	struct fixed_vector *scratch;
+
+	for (int k = 0; k < bake->key_count; k++) {
+		fixed_range_add(&range, reference->vertex_count,
+			reference_position(reference, bake->key[k]));
+	}
+	if (fixed_range_placement(&range, &placement) != 0) {
+		return -ERANGE;
+	}
+	for (int i = 0; i < 2; i++) {
+		bake->pair[i] = arena_alloc(
+			&bake->arena, pairs, sizeof(struct fixed_pair[3]));
+		bake->posed[i] =
+			ARENA_ARRAY(&bake->arena, struct fixed_vector, count);
+	}
+	scratch = calloc(2 * count, sizeof(*scratch));
+	if (!bake->pair[0] || !bake->pair[1] || !bake->posed[0] ||
+		!bake->posed[1] || !scratch) {
+		free(scratch);
+		return -ENOMEM;
+	}
+	pair_keys(bake, &placement, scratch);
+	free(scratch);
+	bake->loops = bake->kernel->fixed;
+	return 0;
 }
 
 static int prepare(struct morph_bake *bake, const int *key)
 {
 	size_t count = (size_t)bake->reference->vertex_count;
+	int error;
 
 	bake->key = ARENA_ARRAY(&bake->arena, int, (size_t)bake->key_count);
-	bake->position = arena_alloc(&bake->arena, count, sizeof(float[3]));
-	bake->normal = arena_alloc(&bake->arena, count, sizeof(float[3]));
-	if (!bake->key || !bake->position || !bake->normal) {
+	if (!bake->key) {
 		return -ENOMEM;
 	}
 	memcpy(bake->key, key, (size_t)bake->key_count * sizeof(*key));
-	return 0;
+	if (bake->kernel->fixed) {
+		error = prepare_fixed(bake);
+		if (error != -ERANGE) {
+			return error;
+		}
+	}
+	bake->position = arena_alloc(&bake->arena, count, sizeof(float[3]));
+	bake->normal = arena_alloc(&bake->arena, count, sizeof(float[3]));
+	return bake->position && bake->normal ? 0 : -ENOMEM;
 }
 
 int candidate_morph(struct candidate *candidate,
@@ -137,9 +271,13 @@ int candidate_morph(struct candidate *candidate,
 		candidate_destroy(candidate);
 		return -ENOMEM;
 	}
+	if (bake->loops) {
+		candidate->pose = pose_fixed;
+		candidate->vertex = vertex_fixed;
+	}
 	snprintf(candidate->name, sizeof(candidate->name), "morph, %d keys",
 		key_count);
-	count_bytes(candidate, reference, (size_t)key_count);
+	count_costs(candidate, bake);
 	return 0;
 }
 

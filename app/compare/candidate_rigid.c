@@ -292,6 +292,7 @@ int candidate_rigid(struct candidate *candidate,
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;
 	count_bytes(candidate, rigid);
+	candidate->board = board_cost_pose(reference->model);
 	return 0;
 }
 

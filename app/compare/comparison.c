@@ -12,6 +12,9 @@ enum {
 	DOCUMENT_KEYS = 20
 };
 
+/* The core's own loops, which no other machine's program has. */
+static const char board_kernel[] = "armv6";
+
 /* Points of the plot beside the wanted bound. */
 static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
 static const int caps[] = {4, 2, 1};
@@ -138,9 +141,13 @@ static int add_all(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
-/* What a frame costs: instructions repeat, times only where they are not. */
-static double cost(const struct candidate *candidate)
+/* Instructions repeat, so times only where there are none. */
+double comparison_cost(
+	const struct comparison *comparison, const struct candidate *candidate)
 {
+	if (!comparison->on_board) {
+		return board_cost_us(&candidate->board);
+	}
 	return candidate->instructions >= 0.0 ? candidate->instructions
 					      : candidate->frame_us;
 }
@@ -170,7 +177,9 @@ static bool better(const struct comparison *comparison,
 	if (a_keeps != b_keeps) {
 		return a_keeps;
 	}
-	return a_keeps ? cost(a) < cost(b) : a->error.peak_px < b->error.peak_px;
+	return a_keeps
+		? comparison_cost(comparison, a) < comparison_cost(comparison, b)
+		: a->error.peak_px < b->error.peak_px;
 }
 
 static void advise(struct comparison *comparison)
@@ -191,8 +200,11 @@ static void advise(struct comparison *comparison)
 	} else if (best->error.peak_px > comparison->request.bound_px) {
 		why = "nothing that fits keeps the error, and this comes "
 		      "nearest";
-	} else {
+	} else if (comparison->on_board) {
 		why = "the cheapest frame of all that keep the error and fit";
+	} else {
+		why = "on an ARM1136 the cheapest frame, by the timing model, "
+		      "of all that keep the error and fit";
 	}
 	snprintf(comparison->reason, sizeof(comparison->reason), "%s", why);
 }
@@ -230,6 +242,7 @@ int comparison_create(const struct model *model,
 		return -ENOMEM;
 	}
 	comparison->request = *request;
+	comparison->on_board = kernel_find(board_kernel) != NULL;
 	error = prepare(comparison, model, log);
 	if (error) {
 		comparison_destroy(comparison);

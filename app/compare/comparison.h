@@ -27,6 +27,7 @@ struct comparison {
 	int candidate_count;
 	struct candidate candidate[CANDIDATES_MAX];
 
+	bool on_board;    /* measured on the core that predictions are for */
 	int advised;      /* the candidate to take */
 	char reason[200]; /* why, in a sentence */
 };
@@ -38,6 +39,14 @@ struct comparison {
 int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,
 	struct comparison **out);
+
+/*
+ * What a frame of the candidate costs, as advice and plots take it: on the
+ * board, instructions as they were counted, or the time where they were not;
+ * elsewhere the board's time, predicted. Only to be compared.
+ */
+double comparison_cost(
+	const struct comparison *comparison, const struct candidate *candidate);
 
 /* NULL is fine. */
 void comparison_destroy(struct comparison *comparison);

@@ -53,11 +53,29 @@ static json_t *candidate_json(const struct comparison *comparison, int index)
 		json_object_set_new(json, "instructions_per_frame",
 			json_real(candidate->instructions));
 	}
+	if (json) {
+		json_object_set_new(json, "arm11_predicted",
+			json_pack("{s:f, s:f}", "us_per_frame",
+				board_cost_us(&candidate->board),
+				"instructions_per_frame",
+				candidate->board.instructions));
+	}
 	if (json && candidate->key_count > 0) {
 		json_object_set_new(
 			json, "key_times_s", keys_json(comparison, candidate));
 	}
 	return json;
+}
+
+/* Which of the figures of a frame. */
+static const char *advised_by(const struct comparison *comparison)
+{
+	if (!comparison->on_board) {
+		return "arm11_predicted";
+	}
+	return comparison->candidate[0].instructions >= 0.0
+		? "instructions_per_frame"
+		: "us_per_frame";
 }
 
 int report_print_json(const struct comparison *comparison, FILE *out)
@@ -77,7 +95,7 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 	}
 	root = json_pack(
 		"{s:s, s:i, s:s, s:i, s:f, s:I, s:s, s:{s:i, s:i, s:f, s:o}, "
-		"s:o, s:s, s:s, s:o}",
+		"s:o, s:s, s:s, s:s, s:o}",
 		"model", reference->model->path, "clip", reference->clip_index,
 		"clip_name", reference->clip->name, "vertices",
 		reference->vertex_count, "bound_px",
@@ -88,7 +106,8 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 		(double)screen->focal_px, "view",
 		matrix_json((const vec4 *)screen->view), "times_s", times,
 		"advice", comparison->candidate[comparison->advised].name,
-		"reason", comparison->reason, "candidates", candidates);
+		"reason", comparison->reason, "advised_by",
+		advised_by(comparison), "candidates", candidates);
 	if (!root) {
 		return -ENOMEM;
 	}

@@ -29,19 +29,17 @@ static const char *const color[TECHNIQUE_COUNT] = {
 /* A panel: what its x axis is, and the decades both axes show. */
 struct panel {
 	const char *title;
-	double (*cost)(const struct candidate *candidate);
+	double (*cost)(const struct comparison *comparison,
+		const struct candidate *candidate);
 	double left;
 	int low_x, high_x, low_y, high_y; /* powers of ten */
 };
 
-static double memory_cost(const struct candidate *candidate)
+static double memory_cost(
+	const struct comparison *comparison, const struct candidate *candidate)
 {
+	(void)comparison;
 	return (double)candidate->memory_bytes / 1024.0;
-}
-
-static double time_cost(const struct candidate *candidate)
-{
-	return candidate->frame_us;
 }
 
 static double shown_px(const struct candidate *candidate)
@@ -56,7 +54,9 @@ static void fit_axes(struct panel *panel, const struct comparison *comparison)
 	panel->low_x = panel->low_y = 99;
 	panel->high_x = panel->high_y = -99;
 	for (int i = 0; i < comparison->candidate_count; i++) {
-		double x = log10(panel->cost(&comparison->candidate[i]) + 1e-9);
+		double x = log10(
+			panel->cost(comparison, &comparison->candidate[i]) +
+			1e-9);
 		double y = log10(shown_px(&comparison->candidate[i]));
 
 		panel->low_x = (int)fmin(panel->low_x, floor(x));
@@ -144,7 +144,7 @@ static void draw_points(const struct panel *panel,
 		fprintf(out,
 			"<circle cx='%.1f' cy='%.1f' r='%d' fill='%s' "
 			"stroke='%s'><title>%s: %.3f px</title></circle>\n",
-			place_x(panel, panel->cost(point[i])),
+			place_x(panel, panel->cost(comparison, point[i])),
 			place_y(panel, shown_px(point[i])), advised ? 7 : 4,
 			point[i]->even ? "white" : paint, paint, point[i]->name,
 			(double)point[i]->error.peak_px);
@@ -163,7 +163,7 @@ static void draw_curve(const struct panel *panel,
 	for (int i = 0; i < count; i++) {
 		if (!point[i]->even) {
 			fprintf(out, "%s%.1f %.1f", drawn ? " L" : begin,
-				place_x(panel, panel->cost(point[i])),
+				place_x(panel, panel->cost(comparison, point[i])),
 				place_y(panel, shown_px(point[i])));
 			drawn = true;
 		}
@@ -204,14 +204,24 @@ static void draw_legend(const struct comparison *comparison, FILE *out)
 		comparison->candidate[comparison->advised].name);
 }
 
+static const char *frame_title(const struct comparison *comparison)
+{
+	if (!comparison->on_board) {
+		return "against microseconds a frame of an ARM1136, predicted";
+	}
+	return comparison->candidate[0].instructions >= 0.0
+		? "against instructions a frame"
+		: "against microseconds a frame";
+}
+
 static void draw(const struct comparison *comparison, FILE *out)
 {
 	struct panel panels[] = {
 		{.title = "peak error in pixels against memory in KiB",
 			.cost = memory_cost,
 			.left = PANEL_LEFT},
-		{.title = "peak error in pixels against microseconds a frame",
-			.cost = time_cost,
+		{.title = frame_title(comparison),
+			.cost = comparison_cost,
 			.left = PANEL_LEFT + PANEL_STEP},
 	};
 

@@ -1,5 +1,7 @@
 #include "app/compare/report.h"
 
+#include "app/anim/kernel/arm11_cost.h"
+
 /* AN4044, section 4. */
 enum {
 	DOCUMENT_KEYS = 20,
@@ -24,10 +26,13 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		reference->frame_count, reference->rate_hz,
 		reference->vertex_count, reference->model->node_count);
 	fprintf(out,
-		"Errors in pixels of a %dx%d screen; time a frame on this "
-		"machine, kernel %s\n\n",
+		"Errors in pixels of a %dx%d screen. \"here\": measured on "
+		"this "
+		"machine, kernel %s.\n\"ARM11\": predicted for an ARM1136 at "
+		"%d "
+		"MHz by the timing model, not measured.\n\n",
 		comparison->screen.width, comparison->screen.height,
-		comparison->request.kernel->name);
+		comparison->request.kernel->name, ARM11_MHZ);
 }
 
 static void print_instructions(const struct candidate *candidate, FILE *out)
@@ -42,18 +47,43 @@ static void print_instructions(const struct candidate *candidate, FILE *out)
 static void print_row(const struct comparison *comparison, int index, FILE *out)
 {
 	const struct candidate *candidate = &comparison->candidate[index];
-	const struct technique_rating *rating =
-		&technique_rating[candidate->technique];
 
-	fprintf(out, "%c %-24s %8.1f ", index == comparison->advised ? '>' : ' ',
-		candidate->name, candidate->frame_us);
+	fprintf(out, "%c %-26s %8.1f %8.1f ",
+		index == comparison->advised ? '>' : ' ', candidate->name,
+		board_cost_us(&candidate->board), candidate->frame_us);
 	print_instructions(candidate, out);
-	fprintf(out, " %9.1f %9.1f %8.3f %8.3f  %-18s %-17s %s\n",
+	fprintf(out, " %9.1f %9.1f %8.3f %8.3f\n",
 		kilobytes(candidate->memory_bytes),
 		kilobytes(candidate->file_bytes),
 		(double)candidate->error.peak_px,
-		(double)candidate->error.mean_px, rating->control,
-		rating->looks, rating->coding);
+		(double)candidate->error.mean_px);
+}
+
+static bool has_technique(
+	const struct comparison *comparison, enum technique technique)
+{
+	for (int i = 0; i < comparison->candidate_count; i++) {
+		const struct candidate *candidate = &comparison->candidate[i];
+
+		if (candidate->listed && candidate->technique == technique) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void print_ratings(const struct comparison *comparison, FILE *out)
+{
+	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 says of them",
+		"control over", "looks", "to program");
+	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
+		const struct technique_rating *rating = &technique_rating[t];
+
+		if (has_technique(comparison, (enum technique)t)) {
+			fprintf(out, "  %-26s %-20s %-20s %s\n", rating->name,
+				rating->control, rating->looks, rating->coding);
+		}
+	}
 }
 
 static void print_advice(const struct comparison *comparison, FILE *out)
@@ -79,14 +109,15 @@ static void print_advice(const struct comparison *comparison, FILE *out)
 int report_print_text(const struct comparison *comparison, FILE *out)
 {
 	print_head(comparison, out);
-	fprintf(out, "  %-24s %8s %9s %9s %9s %8s %8s  %-18s %-17s %s\n",
-		"technique", "us/frame", "k instr.", "KiB RAM", "KiB file",
-		"peak px", "mean px", "control over", "looks", "to program");
+	fprintf(out, "  %-26s %8s %8s %9s %9s %9s %8s %8s\n", "a frame takes",
+		"ARM11 us", "us here", "k instr.", "KiB RAM", "KiB file",
+		"peak px", "mean px");
 	for (int i = 0; i < comparison->candidate_count; i++) {
 		if (comparison->candidate[i].listed) {
 			print_row(comparison, i, out);
 		}
 	}
+	print_ratings(comparison, out);
 	print_advice(comparison, out);
 	return 0;
 }
@@ -96,6 +127,8 @@ static const char *const columns[] = {
 	"kind",
 	"us_per_frame",
 	"instructions_per_frame",
+	"arm11_us_predicted",
+	"arm11_instructions_predicted",
 	"ram_bytes",
 	"file_bytes",
 	"peak_px",
@@ -115,9 +148,11 @@ static void print_cells(const struct comparison *comparison, int index,
 	if (candidate->instructions >= 0.0) {
 		fprintf(out, "%.0f", candidate->instructions);
 	}
-	fprintf(out, "%s%zu%s%zu%s%.4f%s%.4f%s%s", between,
-		candidate->memory_bytes, between, candidate->file_bytes,
-		between, (double)candidate->error.peak_px, between,
+	fprintf(out, "%s%.2f%s%.0f%s%zu%s%zu%s%.4f%s%.4f%s%s", between,
+		board_cost_us(&candidate->board), between,
+		candidate->board.instructions, between, candidate->memory_bytes,
+		between, candidate->file_bytes, between,
+		(double)candidate->error.peak_px, between,
 		(double)candidate->error.mean_px, between,
 		index == comparison->advised ? "yes" : "no");
 }

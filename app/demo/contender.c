@@ -23,11 +23,11 @@ static int init_morph(struct contender *contender, const struct screen *screen,
 		log_error(env->log, "%s: not enough memory to fit key frames",
 			env->model_path);
 	} else {
+		/* Its vertices are shown as it leaves them, in float. */
 		error = candidate_morph(&contender->candidate, reference,
-			env->kernel, key, count, env->log);
+			&kernel_float, key, count, env->log);
 	}
 	free(key);
-	/* Shows vertices as the morph leaves them, in float. */
 	return error ? error
 		     : instance_create(reference->model, &kernel_float,
 			       env->log, &contender->shown);

@@ -30,23 +30,41 @@ recomputed() {
     check "$name: all figures were recomputed" grep -qx "1..$3" "$scratch/checked"
 }
 
-recomputed "$samples/CesiumMan.glb" 30 10
-recomputed "$here/../../assets/walker.glb" 8 7
-recomputed "$samples/x/anim_test.x" 8 7
+recomputed "$samples/CesiumMan.glb" 30 17
+recomputed "$here/../../assets/walker.glb" 8 8
+recomputed "$samples/x/anim_test.x" 8 8
 
 limber compare "$slider" --fps 10 --plot "$scratch/plot.svg"
 expect_status 0
 expect_out '^> '
+expect_out '^"ARM11": predicted for an ARM1136 at 532 MHz by the timing model, not measured\.$'
+expect_out '  a frame takes  *ARM11 us  us here '
 expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
 check 'the plot has a point for each technique' \
     test "$(grep -c '<circle' "$scratch/plot.svg")" -ge 4
+check 'the plot says what its second axis is' grep -qE \
+    'against (microseconds a frame of an ARM1136, predicted|instructions a frame|microseconds a frame)<' \
+    "$scratch/plot.svg"
 check 'the plot is well formed' python3 -c \
     'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' \
     "$scratch/plot.svg"
 
 limber compare "$slider" --fps 10 --format csv
 expect_status 0
-expect_out '^technique,kind,us_per_frame'
+expect_out '^technique,kind,us_per_frame,instructions_per_frame,arm11_us_predicted,arm11_instructions_predicted,ram_bytes'
+cp "$out_file" "$scratch/report.csv"
+limber compare "$slider" --fps 10 --format json
+check 'CSV and JSON agree on the prediction' python3 -c '
+import csv, json, sys
+rows = list(csv.DictReader(open(sys.argv[1], newline="")))
+listed = [c for c in json.load(open(sys.argv[2]))["candidates"] if c["listed"]]
+assert len(rows) == len(listed) > 0
+for row, candidate in zip(rows, listed):
+    told = candidate["arm11_predicted"]
+    assert told["us_per_frame"] > 0
+    assert abs(float(row["arm11_us_predicted"]) - told["us_per_frame"]) < 0.006
+    assert abs(float(row["arm11_instructions_predicted"]) - told["instructions_per_frame"]) < 0.6
+' "$scratch/report.csv" "$out_file"
 limber compare "$slider" --fps 10 --format md
 expect_status 0
 expect_out '^\|---\|---\|---:\|'

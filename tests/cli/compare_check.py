@@ -129,6 +129,75 @@ def rigid_corners(original):
     return [corner for joint in sorted(parts) for corner in parts[joint]]
 
 
+FIGURES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                       "../bench/arm11.figures")
+ARM11_MHZ = 532
+PALETTE_CYCLES = 270  # a joint, app/compare/board_cost.c
+
+
+def read_figures():
+    """row -> cycles of the board's loop, data in memory"""
+    figures = {}
+    with open(FIGURES, encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words[1:3] in (["armv6", "cold"], ["pose", "cold"]):
+                figures[words[0]] = float(words[3])
+    return figures
+
+
+def predicted_us(original, candidate):
+    """Of a model of one skinned primitive with normals, or None."""
+    figures = read_figures()
+    primitive = original.json["meshes"][0]["primitives"][0]
+    weights = original.read(primitive["attributes"]["WEIGHTS_0"])
+    joints = original.read(primitive["attributes"]["JOINTS_0"])
+    pose = (figures["pose-cesiumman-0"] + figures["pose-walker-walk"]) / 2
+    posing = pose * len(original.json["skins"][0]["joints"])
+    name = candidate["name"]
+    if name.startswith("morph"):
+        cycles = len(weights) * figures["lerp-normals"]
+    elif name == "rigid parts":
+        cycles = posing
+    elif name.startswith("skin"):
+        cap = int(name.split()[1]) if "," in name else 8
+        one, two, four = (figures[f"skin-normals-{i}"] for i in (1, 2, 4))
+        by_count = {1: one, 2: two, 3: (two + four) / 2, 4: four}
+        used = {joint for row, weight in zip(joints, weights)
+                for joint, share in zip(row, weight) if share > 0}
+        cycles = posing + PALETTE_CYCLES * len(used) + sum(
+            by_count[min(cap, sum(share > 0 for share in weight))]
+            for weight in weights)
+    else:
+        return None
+    return cycles / ARM11_MHZ
+
+
+def check_predictions(check, original, candidates):
+    for candidate in candidates:
+        wanted = predicted_us(original, candidate)
+        got = candidate["arm11_predicted"]["us_per_frame"]
+        if candidate["listed"] and wanted is not None:
+            check(abs(got / wanted - 1) < 1e-3,
+                  f"{candidate['name']}: an ARM1136 takes {wanted:.1f} us",
+                  f"{got:.1f} us in the report")
+
+
+def check_advice(check, report):
+    """The cheapest of those that keep the error, by the figure it names."""
+    def cost(candidate):
+        if report["advised_by"] == "arm11_predicted":
+            return candidate["arm11_predicted"]["us_per_frame"]
+        return candidate[report["advised_by"]]
+
+    good = [c for c in report["candidates"]
+            if c["listed"] and c["peak_px"] <= report["bound_px"]]
+    best = min(good, key=cost)["name"] if good else None
+    check(report["advice"] == best if good else report["advice"],
+          f"the advice is by {report['advised_by']}",
+          f"{report['advice']}, not {best}")
+
+
 def main():
     report_path, model, baked = sys.argv[1:4]
     command = sys.argv[4:]
@@ -182,6 +251,10 @@ def main():
                 check(peak <= report["bound_px"] * 1.0001,
                       f"{name}: keeps the error that may be",
                       f"{peak} px")
+    if simple and "JOINTS_0" in \
+            original.json["meshes"][0]["primitives"][0]["attributes"]:
+        check_predictions(check, original, report["candidates"])
+    check_advice(check, report)
     print(f"1..{check.count}")
     return check.failed > 0
 

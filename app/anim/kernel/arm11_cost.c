@@ -1,0 +1,17 @@
+#include "app/anim/kernel/arm11_cost.h"
+
+/* make bench-arm11-table writes the numbers. */
+const struct arm11_cost arm11_cost[ARM11_WORKS] = {
+	[ARM11_SKIN_1] = {"skin-1", 18.07f, 11.54f},
+	[ARM11_SKIN_2] = {"skin-2", 30.01f, 21.80f},
+	[ARM11_SKIN_3] = {"skin-3", 42.45f, 32.52f},
+	[ARM11_SKIN_4] = {"skin-4", 55.32f, 42.69f},
+	[ARM11_SKIN_NORMALS_1] = {"skin-normals-1", 32.34f, 23.07f},
+	[ARM11_SKIN_NORMALS_2] = {"skin-normals-2", 56.38f, 43.59f},
+	[ARM11_SKIN_NORMALS_4] = {"skin-normals-4", 106.41f, 85.37f},
+	[ARM11_LERP] = {"lerp", 21.33f, 7.05f},
+	[ARM11_LERP_NORMALS] = {"lerp-normals", 41.77f, 14.10f},
+	[ARM11_TARGETS_2] = {"targets-2", 30.63f, 9.97f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 550.22f, 234.27f},
+	[ARM11_POSE_WALKER] = {"pose-walker-walk", 588.03f, 248.06f},
+};

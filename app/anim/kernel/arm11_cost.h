@@ -1,0 +1,39 @@
+/*
+ * What the board's loops take, for predictions on other machines.
+ *
+ * An ARM1136JF-S at 532 MHz by the timing model of tests/arm1136, with the
+ * data in memory and the code in L1: no hardware was measured. The numbers are
+ * those of tests/bench/arm11.figures, armv6 and cold, which the model's runs
+ * write down; `make bench-arm11-table` copies them into arm11_cost.c.
+ */
+#ifndef APP_ANIM_KERNEL_ARM11_COST_H
+#define APP_ANIM_KERNEL_ARM11_COST_H
+
+enum {
+	ARM11_MHZ = 532
+};
+
+enum arm11_work {
+	ARM11_SKIN_1, /* a vertex's position, so many influences */
+	ARM11_SKIN_2,
+	ARM11_SKIN_3,
+	ARM11_SKIN_4,
+	ARM11_SKIN_NORMALS_1, /* and its normal */
+	ARM11_SKIN_NORMALS_2,
+	ARM11_SKIN_NORMALS_4,
+	ARM11_LERP,         /* a vertex's position between two key frames */
+	ARM11_LERP_NORMALS, /* and its normal */
+	ARM11_TARGETS_2,    /* a vertex's position by two weighted targets */
+	ARM11_POSE_CESIUM,  /* a joint: sampling, world matrix, palette */
+	ARM11_POSE_WALKER,  /* the same of another figure */
+	ARM11_WORKS
+};
+
+struct arm11_cost {
+	const char *row; /* of tests/bench/arm11.figures */
+	float cycles, instructions;
+};
+
+extern const struct arm11_cost arm11_cost[ARM11_WORKS];
+
+#endif

@@ -1,0 +1,123 @@
+/*
+ * A whole clip as limber plays it: which loops run each frame, and how long
+ * they would be at it on the board.
+ */
+#include "app/compare/board_cost.h"
+
+#include <string.h>
+
+/* Who plays what. */
+struct played {
+	const struct reference *reference;
+	struct instance *instance;
+	struct clip_cursor *cursor;
+};
+
+static bool is_zero(const float delta[3])
+{
+	return delta[0] == 0.0f && delta[1] == 0.0f && delta[2] == 0.0f;
+}
+
+static bool moves(const struct model_target *target, int vertex)
+{
+	return (target->position && !is_zero(target->position[vertex])) ||
+		(target->normal && !is_zero(target->normal[vertex]));
+}
+
+static int target_count(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	const struct model *model = instance->model;
+
+	return model->mesh[model->node[drawable->node].mesh].target_count;
+}
+
+/* Vertices that targets t and, if there is one, t + 1 move. */
+static int count_moved(const struct model_primitive *primitive, int t, int count)
+{
+	int moved = 0;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		moved += moves(&primitive->target[t], v) ||
+			(t + 1 < count && moves(&primitive->target[t + 1], v));
+	}
+	return moved;
+}
+
+/* Frames of the clip in which targets t and t + 1 have work to do. */
+static int count_frames(
+	const struct played *played, const struct drawable *drawable, int t)
+{
+	const struct reference *reference = played->reference;
+	struct instance *instance = played->instance;
+	const struct model_node *node = &instance->model->node[drawable->node];
+	const float *weight = instance->pose.weight + node->weight_offset + t;
+	size_t size = t + 1 < target_count(instance, drawable) ? sizeof(float[2])
+							       : sizeof(float);
+	static const float none[2] = {0.0f, 0.0f};
+	float before[2] = {0.0f, 0.0f};
+	int frames = 0;
+
+	for (int i = 0; i < reference->frame_count; i++) {
+		clip_sample(reference->clip, reference->time_s[i],
+			played->cursor, &instance->pose);
+		/* A skin's base vectors stay while weights do. */
+		frames += drawable->skin >= 0 ? memcmp(weight, before, size) != 0
+					      : memcmp(weight, none, size) != 0;
+		memcpy(before, weight, size);
+	}
+	return frames;
+}
+
+/* Vertices that targets move, of an average frame. */
+static double average_moves(
+	const struct played *played, const struct drawable *drawable)
+{
+	int count = target_count(played->instance, drawable);
+	double sum = 0.0;
+
+	for (int t = 0; t < count; t += 2) {
+		sum += (double)count_moved(drawable->primitive, t, count) *
+			count_frames(played, drawable, t);
+	}
+	return sum / played->reference->frame_count;
+}
+
+static void add_drawable(struct board_cost *sum, const struct played *played,
+	const struct drawable *drawable, int max_influences)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	bool normals = primitive->normal != NULL;
+	double moved = 0.0;
+	struct board_cost cost;
+
+	if (drawable->morphed) {
+		moved = average_moves(played, drawable);
+	}
+	if (drawable->skin >= 0) {
+		cost = board_cost_skin(primitive, max_influences);
+		board_cost_add(sum, &cost);
+		/* Then they go into the base vectors. */
+		cost = board_cost_lerp((int)moved, normals);
+		board_cost_add(sum, &cost);
+	} else if (drawable->morphed && moved < primitive->vertex_count) {
+		/* The others are carried over. */
+		moved = primitive->vertex_count;
+	}
+	cost = board_cost_targets(moved, normals);
+	board_cost_add(sum, &cost);
+}
+
+struct board_cost board_cost_clip(const struct reference *reference,
+	struct instance *instance, struct clip_cursor *cursor,
+	int max_influences)
+{
+	const struct played played = {reference, instance, cursor};
+	struct board_cost sum = board_cost_pose(instance->model);
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		add_drawable(
+			&sum, &played, &instance->drawable[i], max_influences);
+	}
+	return sum;
+}

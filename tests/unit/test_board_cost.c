@@ -1,0 +1,178 @@
+/* The board's predicted cost against what the timing model wrote down. */
+#include "app/anim/kernel/arm11_cost.h"
+#include "app/compare/board_cost.h"
+#include "app/model/model.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char figures_path[] = "tests/bench/arm11.figures";
+
+/* One figure of the board's kernel or of posing, or a failure. */
+static double recorded(const char *row, const char *figure)
+{
+	FILE *file = fopen(figures_path, "r");
+	char line[160], name[40], kernel[16], kind[16];
+	double value = -1.0, at;
+
+	assert_non_null(file);
+	while (fgets(line, sizeof(line), file)) {
+		if (sscanf(line, "%39s %15s %15s %lf", name, kernel, kind,
+			    &at) == 4 &&
+			strcmp(name, row) == 0 && strcmp(kind, figure) == 0 &&
+			(strcmp(kernel, "armv6") == 0 ||
+				strcmp(kernel, "pose") == 0)) {
+			value = at;
+		}
+	}
+	fclose(file);
+	if (value < 0.0) {
+		fail_msg("%s: no %s %s", figures_path, row, figure);
+	}
+	return value;
+}
+
+static void assert_copied(const char *row, double got, double wanted)
+{
+	if (fabs(got - wanted) > 0.0051) {
+		fail_msg("%s is %.2f, in %s %.2f: make bench-arm11-table "
+			 "renews app/anim/kernel/arm11_cost.c",
+			row, got, figures_path, wanted);
+	}
+}
+
+static void test_the_table_is_what_was_recorded(void **state)
+{
+	(void)state;
+	for (int i = 0; i < ARM11_WORKS; i++) {
+		const struct arm11_cost *cost = &arm11_cost[i];
+
+		assert_non_null(cost->row);
+		assert_copied(cost->row, (double)cost->cycles,
+			recorded(cost->row, "cold"));
+		assert_copied(cost->row, (double)cost->instructions,
+			recorded(cost->row, "instructions"));
+	}
+}
+
+/* The primitive that the bench takes of a model: the largest with a skin. */
+static const struct model_primitive *body_of(const struct model *model)
+{
+	const struct model_primitive *best = NULL;
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+			const struct model_primitive *primitive =
+				&model->mesh[m].primitive[p];
+
+			if (primitive->influences > 0 &&
+				(!best ||
+					primitive->vertex_count >
+						best->vertex_count)) {
+				best = primitive;
+			}
+		}
+	}
+	assert_non_null(best);
+	return best;
+}
+
+static void assert_share(double got, double wanted, const char *what)
+{
+	if (fabs(got / wanted - 1.0) > 0.05) {
+		fail_msg("%s: %.2f a vertex, the model counted %.2f", what, got,
+			wanted);
+	}
+}
+
+static void expect_row(const char *path, const char *row)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	const struct model_primitive *body;
+	struct board_cost cost;
+	struct model *model;
+
+	if (access(path, R_OK) != 0) {
+		skip();
+	}
+	assert_int_equal(model_load(path, &log, &model), 0);
+	body = body_of(model);
+	cost = board_cost_skin(body, 0);
+	assert_share(
+		cost.cycles / body->vertex_count, recorded(row, "cold"), row);
+	assert_share(cost.instructions / body->vertex_count,
+		recorded(row, "instructions"), row);
+	model_destroy(model);
+}
+
+static void test_the_walkers_body_costs_what_the_model_counted(void **state)
+{
+	(void)state;
+	expect_row("assets/walker.glb", "walker-normals");
+}
+
+static void test_cesium_man_costs_what_the_model_counted(void **state)
+{
+	(void)state;
+	expect_row("../shared/models/CesiumMan.glb", "cesium-normals");
+}
+
+/* One vertex held by count joints in equal parts. */
+static double vertex_cycles(int count, int cap, bool normals)
+{
+	float position[1][3] = {{0}}, weight[8] = {0};
+	uint16_t joint[8] = {0};
+	const struct model_primitive primitive = {
+		.vertex_count = 1,
+		.position = position,
+		.normal = normals ? position : NULL,
+		.influences = 8,
+		.joint = joint,
+		.weight = weight,
+	};
+
+	for (int i = 0; i < count; i++) {
+		weight[i] = 1.0f / (float)count;
+	}
+	return board_cost_skin(&primitive, cap).cycles;
+}
+
+static void test_each_influence_costs_more_and_caps_cost_less(void **state)
+{
+	(void)state;
+	for (int i = 2; i <= 8; i++) {
+		for (int normals = 0; normals < 2; normals++) {
+			assert_true(vertex_cycles(i, 0, normals) >
+				vertex_cycles(i - 1, 0, normals));
+			assert_near(vertex_cycles(i, i - 1, normals),
+				vertex_cycles(i - 1, 0, normals), 1e-9);
+		}
+	}
+	assert_true(vertex_cycles(2, 0, true) > vertex_cycles(2, 0, false));
+}
+
+static void test_time_is_cycles_at_532_mhz(void **state)
+{
+	const struct board_cost cost = {.cycles = 532000.0};
+
+	(void)state;
+	assert_near(board_cost_us(&cost), 1000.0, 1e-9);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_table_is_what_was_recorded),
+		cmocka_unit_test(
+			test_the_walkers_body_costs_what_the_model_counted),
+		cmocka_unit_test(test_cesium_man_costs_what_the_model_counted),
+		cmocka_unit_test(
+			test_each_influence_costs_more_and_caps_cost_less),
+		cmocka_unit_test(test_time_is_cycles_at_532_mhz),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -7,7 +7,6 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/shade.h"
 #include "tests/support/test.h"
 
 #include <malloc.h>
@@ -699,53 +698,6 @@ static void test_the_flat_band_is_as_in_c(void **state)
 	}
 }
 
-/* Fields of equal texels among others, as floors have them. */
-static void make_quads(uint32_t *seed, uint32_t *quads, int count)
-{
-	for (int i = 0; i < count; i++) {
-		quads[i] = i / 7 % 3 ? 0x01010101u * (uint32_t)(i / 21 % 256)
-				     : any_word(seed);
-	}
-}
-
-static void test_shades_are_as_in_c(void **state)
-{
-	uint32_t quads[16 * 16], shade[256], seed = 3;
-
-	(void)state;
-	make_quads(&seed, quads, 16 * 16);
-	for (uint32_t i = 0; i < 256; i++) {
-		shade[i] = widen(next_random(&seed) & 0xFFFF);
-	}
-	for (int round = 0; round < 2000; round++) {
-		struct twins *twins = make_twins(&seed);
-		int at = random_between(&seed, 100, 120);
-		struct shade_run run = {
-			.pixel = twins->pixel[0] + at,
-			.count = random_between(&seed, 1, 200),
-			.quads = quads,
-			.width_log2 = 4,
-			.height_log2 = 4,
-			.s = any_word(&seed),
-			.t = any_word(&seed),
-			.s_right = (int32_t)any_word(&seed) >> 5,
-			.t_right = (int32_t)any_word(&seed) >> 5,
-			.shade = shade,
-		};
-		struct shade_run other = run;
-
-		other.pixel = twins->pixel[1] + at;
-		if (round % 2) {
-			soft_bands.shade_four(&run);
-			shade_four_c(&other);
-		} else {
-			soft_bands.shade_two(&run);
-			shade_two_c(&other);
-		}
-		check_twins(twins);
-	}
-}
-
 static void test_fills_end_where_they_should(void **state)
 {
 	(void)state;
@@ -780,7 +732,6 @@ int main(void)
 		cmocka_unit_test(test_narrow_triangles_are_those_of_the_long_way),
 		cmocka_unit_test(test_the_texture_band_is_as_in_c),
 		cmocka_unit_test(test_the_flat_band_is_as_in_c),
-		cmocka_unit_test(test_shades_are_as_in_c),
 		cmocka_unit_test(test_fills_end_where_they_should),
 	};
 

@@ -126,6 +126,7 @@ struct flat_band {
 };
 
 struct shade_run;
+struct tile_run;
 struct tint_band;
 struct count_band;
 struct draw;
@@ -144,9 +145,10 @@ struct band_functions {
 	void (*tint_nearest)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
-	/* shade.h; of textures as wide as high */
-	void (*shade_four)(const struct shade_run *run);
-	void (*shade_two)(const struct shade_run *run);
+	/* tile_row.h; the row of textures as wide as high */
+	void (*tile_row)(const struct tile_run *run);
+	void (*tile_blend)(uint16_t *pixel, const uint16_t *own, int count,
+		uint32_t share);
 	void (*count)(struct count_band *band); /* count.h */
 	/* ground.h */
 	void (*shade_ground)(const struct shade_run *run);

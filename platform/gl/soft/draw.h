@@ -34,6 +34,7 @@ enum {
 	CLIP_VERTICES = 9, /* a triangle cut by six planes */
 	SPAN_PIXELS = 64,  /* fragments that go through the stages at a time */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
+	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
 };
 
 enum attribute {
@@ -295,7 +296,8 @@ struct draw {
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
 	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
-	uint32_t shade[256];
+	uint32_t shade[255];
+	uint16_t shaded[LUMINANCE_RUN + 1]; /* luminance.c's, to be blended */
 	struct ground_rows ground_rows;
 	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */

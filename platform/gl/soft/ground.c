@@ -18,7 +18,7 @@ static ALWAYS_INLINE uint32_t load_quad(
 		(s >> (32 - run->width_log2))];
 }
 
-/* As shade.c's mix_quad(), with 8 bits of fraction. */
+/* The mean of four texels by 16ths, with 8 bits of fraction. */
 static ALWAYS_INLINE uint32_t mix_quad_q8(
 	const struct shade_run *run, uint32_t quad, uint32_t s, uint32_t t)
 {

@@ -22,8 +22,8 @@ bool ground_begin(struct draw *draw);
 void ground_row(struct draw *draw, int y, int left, int right);
 
 /*
- * Draws a run whose shade varies: as shade_four_c(), in blocks of four pixels
- * where texels are wide enough for that, else one by one.
+ * Draws a run whose shade varies, in blocks of four pixels where texels are
+ * wide enough for that, else one by one.
  */
 void ground_shade_c(const struct shade_run *run);
 

@@ -2,77 +2,140 @@
 
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/rows.h"
-#include "platform/gl/soft/shade.h"
+#include "platform/gl/soft/tile_row.h"
+#include "platform/gl/soft/tiles.h"
 
 enum {
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 16,
-	RUN_MOST = 512,
+	SHARE_STEP = 1 << 19,
+	/* Shares may move on by more than a step every so many pixels. */
+	SHARE_PIXELS = 8,
 };
 
-static int32_t size_of(int32_t value)
+/* Pixels of a row whose values run linearly; texels are the base's, 16.16. */
+struct piece {
+	int x, count;
+	uint32_t s, t, alpha; /* of the first */
+	int32_t s_right, t_right, alpha_right;
+};
+
+static uint32_t size_of(int32_t value)
 {
-	return value < 0 ? -value : value;
+	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
 }
 
 /*
  * Ground is as deep all along a row, but for what rounding left: then one value
  * does.
  */
-static void write_depth(const struct shade_run *run)
+static void write_depth(const struct draw *draw, const struct piece *piece)
 {
-	int32_t all = run->z_right * run->count;
-	uint32_t z = run->z;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct buffers *buffers = &draw->soft->buffers;
+	size_t row = (size_t)draw->raster.span.y * (size_t)buffers->width;
+	uint16_t *depth = buffers->depth + row + piece->x;
+	int32_t right = draw->raster.plane[DEPTH].dx;
+	uint32_t z;
 
-	if (size_of(all) < 1 << 10) {
-		z += (uint32_t)(all / 2);
-		soft_bands.fill(run->depth, run->count, (uint16_t)(z >> 10));
+	if (!state->depth_test || !state->depth_mask) {
 		return;
 	}
-	for (int i = 0; i < run->count; i++) {
-		run->depth[i] = (uint16_t)(z >> 10);
-		z += (uint32_t)run->z_right;
+	z = plane_at(&draw->raster, DEPTH, piece->x);
+	if ((uint64_t)size_of(right) * (uint32_t)piece->count < 1 << 10) {
+		z += (uint32_t)(right * piece->count / 2);
+		soft_bands.fill(depth, piece->count, (uint16_t)(z >> 10));
+		return;
+	}
+	for (int i = 0; i < piece->count; i++) {
+		depth[i] = (uint16_t)(z >> 10);
+		z += (uint32_t)right;
 	}
 }
 
-/* Pairs of pixels go where words may: mapped memory can be particular. */
-static void put_odd_pixel(struct shade_run *run)
+static const struct level *choose_level(const struct draw *draw, int *number)
 {
-	struct shade_run odd = *run;
+	const struct texture_input *input = &draw->texture[0];
+	int side = input->width_log2 < input->height_log2 ? input->width_log2
+							  : input->height_log2;
+	/* Down to two texels: less has no quads. */
+	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
 
-	odd.count = 1;
-	shade_two_c(&odd);
-	run->pixel++;
-	run->count--;
-	run->s += (uint32_t)run->s_right;
-	run->t += (uint32_t)run->t_right;
+	*number = clamp_int((draw->raster.span.lod[0] + 127) >> 8, 0, most);
+	while (!input->texture->level[*number].tiles) {
+		--*number;
+	}
+	return &input->texture->level[*number];
 }
 
-static void draw_run(struct shade_run *run, bool blended)
+static void shade(
+	const struct draw *draw, const struct piece *piece, uint16_t *pixel)
 {
-	int32_t s = size_of(run->s_right) >> (31 - run->width_log2);
-	int32_t t = size_of(run->t_right) >> (31 - run->height_log2);
-	bool wide = s == 0 && t == 0; /* texels of two pixels or more */
-	bool square = run->width_log2 == run->height_log2;
+	int number;
+	const struct level *level = choose_level(draw, &number);
+	int32_t s_right = piece->s_right >> number;
+	int32_t t_right = piece->t_right >> number;
+	const struct tile_run run = {
+		.pixel = pixel,
+		.count = piece->count,
+		.quads = level->tiles->quad,
+		.s = (uint32_t)((int32_t)piece->s >> number) - 0x8000,
+		.t = (uint32_t)((int32_t)piece->t >> number) - 0x8000,
+		.s_right = s_right,
+		.t_right = t_right,
+		.shade = draw->shade,
+		.s_end = &level->tiles->patch->s[s_right >= 0],
+		.t_end = &level->tiles->patch->t[t_right >= 0],
+		.s_pixels = tile_pixels(s_right, level->width_log2),
+		.t_pixels = tile_pixels(t_right, level->height_log2),
+		.width_log2 = level->width_log2,
+		.height_log2 = level->height_log2,
+	};
 
-	if (run->depth) {
-		write_depth(run);
-	}
-	if (!blended && (uintptr_t)run->pixel % sizeof(uint32_t) != 0) {
-		put_odd_pixel(run);
-	}
-	if (blended && wide) {
-		shade_four_blended_c(run);
-	} else if (blended) {
-		shade_two_blended_c(run);
-	} else if (wide && square) {
-		soft_bands.shade_four(run);
-	} else if (wide) {
-		shade_four_c(run);
-	} else if (square) {
-		soft_bands.shade_two(run);
+	if (tile_is_square(&run)) {
+		soft_bands.tile_row(&run);
 	} else {
-		shade_two_c(run);
+		tile_row_c(&run);
+	}
+}
+
+/* What is shaded already, with one share for as many pixels as will do. */
+static void blend(
+	const struct piece *piece, const uint16_t *shaded, uint16_t *pixel)
+{
+	int count;
+
+	for (int i = 0; i < piece->count; i += count) {
+		uint32_t alpha;
+
+		count = piece->count - i;
+		if ((uint64_t)size_of(piece->alpha_right) * (uint32_t)count >=
+				SHARE_STEP &&
+			count > SHARE_PIXELS) {
+			count = SHARE_PIXELS;
+		}
+		alpha = piece->alpha +
+			(uint32_t)(piece->alpha_right * (i + count / 2));
+		soft_bands.tile_blend(pixel + i, shaded + i, count,
+			(alpha + SHARE_ROUND) >> 19);
+	}
+}
+
+static void draw_piece(struct draw *draw, const struct piece *piece)
+{
+	uint16_t *pixel = (uint16_t *)(void *)pixel_at(
+		&draw->soft->buffers.target, piece->x, draw->raster.span.y);
+
+	write_depth(draw, piece);
+	if (draw->blended) {
+		/* Words lie in one as they do in the other. */
+		uint16_t *shaded =
+			draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
+
+		shade(draw, piece, shaded);
+		blend(piece, shaded, pixel);
+	} else {
+		shade(draw, piece, pixel);
 	}
 }
 
@@ -80,17 +143,74 @@ static void draw_run(struct shade_run *run, bool blended)
 int luminance_find_length(const struct draw *draw, const struct point *from)
 {
 	const struct raster *raster = &draw->raster;
-	uint32_t slope, n = RUN_MOST;
+	uint32_t slope, n = LUMINANCE_RUN;
 
 	if (!raster->perspective) {
-		return RUN_MOST;
+		return LUMINANCE_RUN;
 	}
-	slope = (uint32_t)size_of(raster->plane[INVERSE_W].dx);
+	slope = size_of(raster->plane[INVERSE_W].dx);
 	while (n > PERSPECTIVE_STEP &&
 		(uint64_t)slope * n * n > (uint32_t)from->q) {
 		n /= 2;
 	}
 	return (int)n;
+}
+
+/*
+ * Ground that is equally far all along a row: q moves by less than 2^-16 of it,
+ * and so do coordinates, of thousands of texels, by less than their fraction.
+ */
+static bool is_level(
+	const struct draw *draw, const struct point *from, int count)
+{
+	const struct raster *raster = &draw->raster;
+
+	return !raster->perspective ||
+		((uint64_t)size_of(raster->plane[INVERSE_W].dx) * (uint32_t)count
+			<< 16) < (uint32_t)from->q;
+}
+
+/* How much an attribute changes from pixel to pixel of such a row. */
+static int32_t level_step(
+	const struct draw *draw, const struct point *from, int name)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t dx = raster->plane[name].dx;
+
+	if (!raster->perspective) {
+		return dx;
+	}
+	return rows_divide(from, dx,
+		name >= TEX_S ? raster->tex_shift[name - TEX_S] + 8 : 24);
+}
+
+static void set_start(struct piece *piece, const struct point *from)
+{
+	piece->s = (uint32_t)from->value[TEX_S];
+	piece->t = (uint32_t)from->value[TEX_S + 1];
+	piece->alpha = (uint32_t)from->value[ALPHA];
+}
+
+static void level_row(struct draw *draw, const struct point *from, int left,
+	int right, bool fading)
+{
+	struct piece piece = {
+		.x = left,
+		.s_right = level_step(draw, from, TEX_S),
+		.t_right = level_step(draw, from, TEX_S + 1),
+		.alpha_right = fading ? level_step(draw, from, ALPHA) : 0,
+	};
+
+	set_start(&piece, from);
+	for (int left_over; piece.x < right; piece.x += LUMINANCE_RUN) {
+		left_over = right - piece.x;
+		piece.count =
+			left_over < LUMINANCE_RUN ? left_over : LUMINANCE_RUN;
+		draw_piece(draw, &piece);
+		piece.s += (uint32_t)piece.s_right * LUMINANCE_RUN;
+		piece.t += (uint32_t)piece.t_right * LUMINANCE_RUN;
+		piece.alpha += (uint32_t)piece.alpha_right * LUMINANCE_RUN;
+	}
 }
 
 int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps)
@@ -100,97 +220,70 @@ int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps)
 		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
 }
 
-/* Coordinates at the base, 16.16, into those of a level. */
-static void choose_texels(
-	const struct draw *draw, int lod, struct shade_run *run)
+static void bent_row(
+	struct draw *draw, const struct point *begin, int left, int right)
 {
-	const struct texture_input *input = &draw->texture[0];
-	int side = input->width_log2 < input->height_log2 ? input->width_log2
-							  : input->height_log2;
-	/* Down to two texels: none is shifted by 32 bits. */
-	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
-	int number = clamp_int((lod + 127) >> 8, 0, most);
-	const struct level *level = &input->texture->level[number];
-	int s_shift = 16 - input->width_log2, t_shift = 16 - input->height_log2;
+	struct point from = *begin, to;
+	int length = luminance_find_length(draw, &from);
 
-	run->quads = level->quads;
-	run->width_log2 = level->width_log2;
-	run->height_log2 = level->height_log2;
-	run->s = (run->s << s_shift) - (1u << (31 - level->width_log2));
-	run->t = (run->t << t_shift) - (1u << (31 - level->height_log2));
-	run->s_right = (int32_t)((uint32_t)run->s_right << s_shift);
-	run->t_right = (int32_t)((uint32_t)run->t_right << t_shift);
-}
-
-static void draw_between(struct draw *draw, const struct point *from,
-	const struct point *to, int x, int count, int steps)
-{
-	struct span *span = &draw->raster.span;
-	const struct buffers *buffers = &draw->soft->buffers;
-	const struct fragment_state *state = &draw->soft->fragment;
-	uint16_t *depth =
-		buffers->depth + (size_t)span->y * (size_t)buffers->width + x;
-	struct shade_run run = {
-		.pixel = (uint16_t *)(void *)pixel_at(
-			&buffers->target, x, span->y),
-		.depth = state->depth_test && state->depth_mask ? depth : NULL,
-		.count = count,
-		.s = (uint32_t)from->value[TEX_S],
-		.t = (uint32_t)from->value[TEX_S + 1],
-		.s_right = luminance_share_out(
-			draw, to->value[TEX_S] - from->value[TEX_S], steps),
-		.t_right = luminance_share_out(draw,
-			to->value[TEX_S + 1] - from->value[TEX_S + 1], steps),
-		.z = plane_at(&draw->raster, DEPTH, x),
-		.z_right = draw->raster.plane[DEPTH].dx,
-		.alpha = (uint32_t)from->value[ALPHA] + SHARE_ROUND,
-		.alpha_right = luminance_share_out(
-			draw, to->value[ALPHA] - from->value[ALPHA], steps),
-		.shade = draw->shade,
-	};
-
-	/* Every fourth row, and in the triangle's first one. */
-	if (span->y % 4 == 0 || draw->raster.first_row) {
-		rows_find_lod(draw, from, span);
-		draw->raster.first_row = false;
-	}
-	choose_texels(draw, span->lod[0], &run);
-	draw_run(&run, draw->blended);
-}
-
-void luminance_row(struct draw *draw, int y, int left, int right)
-{
-	struct point from, to;
-	int length;
-
-	draw->raster.span.y = y;
-	/* Where it does not move. */
-	from.value[ALPHA] = (int32_t)draw->raster.span.value[ALPHA];
-	rows_find_point(draw, left, &from);
-	length = luminance_find_length(draw, &from);
 	for (int x = left; x < right; x += length) {
 		int count = right - x < length ? right - x : length;
 		/* Up to the last pixel, which still is inside. */
 		int steps = right - x > length ? length : count - 1;
+		struct piece piece = {.x = x, .count = count};
+		const int32_t *at = from.value;
 
 		to = from;
 		if (steps > 0) {
 			rows_find_point(draw, x + steps, &to);
 		}
-		draw_between(draw, &from, &to, x, count, steps);
+		set_start(&piece, &from);
+		piece.s_right = luminance_share_out(
+			draw, to.value[TEX_S] - at[TEX_S], steps);
+		piece.t_right = luminance_share_out(
+			draw, to.value[TEX_S + 1] - at[TEX_S + 1], steps);
+		piece.alpha_right = luminance_share_out(
+			draw, to.value[ALPHA] - at[ALPHA], steps);
+		draw_piece(draw, &piece);
 		from = to;
+	}
+}
+
+void luminance_row(struct draw *draw, int y, int left, int right)
+{
+	struct raster *raster = &draw->raster;
+	struct point from;
+	/* Coordinates are last. */
+	bool fading = raster->moving[0] == ALPHA;
+
+	raster->span.y = y;
+	/* Where it does not move. */
+	from.value[ALPHA] = (int32_t)raster->span.value[ALPHA];
+	rows_find_point(draw, left, &from);
+	/* Every fourth row, and in the triangle's first one. */
+	if (y % 4 == 0 || raster->first_row) {
+		rows_find_lod(draw, &from, &raster->span);
+		raster->first_row = false;
+	}
+	if (is_level(draw, &from, right - left)) {
+		level_row(draw, &from, left, right, fading);
+	} else {
+		bent_row(draw, &from, left, right);
 	}
 }
 
 static void make_shades(struct draw *draw, const uint32_t color[3])
 {
-	for (uint32_t i = 0; i < 256; i++) {
+	for (uint32_t i = 0; i < 255; i++) {
+		uint32_t luminance = (i * 257 + 128) >> 8;
 		int c[3];
 
 		for (int k = 0; k < 3; k++) {
-			c[k] = (int)(((color[k] >> 16) * i * 257 + 32896) >> 16);
+			c[k] = (int)(((color[k] >> 16) * luminance * 257 +
+					     32896) >>
+				16);
 		}
-		draw->shade[i] = widen(pack_565(c[0], c[1], c[2]));
+		draw->shade[i] = pack_565(c[0], c[1], c[2]);
 	}
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
@@ -229,8 +322,8 @@ bool luminance_takes_texture(const struct draw *draw)
 				state->blend_destination ==
 					GL_ONE_MINUS_SRC_ALPHA)) &&
 		input->env->mode == GL_MODULATE && input->base->quads &&
-		input->width_log2 > 0 && input->height_log2 > 0 &&
-		texture->mag_filter == GL_LINEAR &&
+		input->base->tiles && input->width_log2 > 0 &&
+		input->height_log2 > 0 && texture->mag_filter == GL_LINEAR &&
 		texture->min_filter == GL_LINEAR_MIPMAP_NEAREST &&
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&
 		mask[0] && mask[1] && mask[2] && !state->stencil.enabled;

@@ -61,18 +61,6 @@ static void row_affine(struct draw *draw, int y, int left, int right)
 	}
 }
 
-/* numerator / q times 2^up. */
-static int32_t divide(const struct point *point, int64_t numerator, int up)
-{
-	int64_t product = numerator * point->inverse;
-	int down = 62 - point->zeros - up;
-
-	if (down >= 0) {
-		return (int32_t)(product >> (down > 63 ? 63 : down));
-	}
-	return (int32_t)((uint64_t)product << (-down > 63 ? 63 : -down));
-}
-
 void rows_find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
@@ -95,11 +83,11 @@ void rows_find_point(const struct draw *draw, int x, struct point *out)
 		int32_t at = (int32_t)plane_at(raster, i, x);
 
 		if (i >= TEX_S) {
-			out->value[i] = divide(
+			out->value[i] = rows_divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);
 		} else {
-			out->value[i] =
-				clamp_int(divide(out, at, 24), 0, 0xFF80FF);
+			out->value[i] = clamp_int(
+				rows_divide(out, at, 24), 0, 0xFF80FF);
 		}
 	}
 }
@@ -127,8 +115,9 @@ void rows_find_lod(
 			int64_t x = p->dx - (u * q->dx >> (shift + 8));
 			int64_t y = p->dy - (u * q->dy >> (shift + 8));
 
-			across[i] = divide(point, saturate_64(x), shift + 8);
-			down[i] = divide(point, saturate_64(y), shift + 8);
+			across[i] =
+				rows_divide(point, saturate_64(x), shift + 8);
+			down[i] = rows_divide(point, saturate_64(y), shift + 8);
 		}
 		span->lod[unit] = raster_log2_q8(longer_way(across, down));
 	}

@@ -14,6 +14,19 @@ struct point {
 	int32_t value[ATTRIBUTES];
 };
 
+/* numerator / q times 2^up. */
+static inline int32_t rows_divide(
+	const struct point *point, int64_t numerator, int up)
+{
+	int64_t product = numerator * point->inverse;
+	int down = 62 - point->zeros - up;
+
+	if (down >= 0) {
+		return (int32_t)(product >> (down > 63 ? 63 : down));
+	}
+	return (int32_t)((uint64_t)product << (-down > 63 ? 63 : -down));
+}
+
 void rows_find_point(const struct draw *draw, int x, struct point *out);
 
 /* The levels of detail there, into span->lod; linear ones have no point. */

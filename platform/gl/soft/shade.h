@@ -1,13 +1,12 @@
 /*
- * Rows of a luminance texture in one colour; luminance.h tells how. shade.c has
- * the functions in C, arm/shade.S some of them again.
+ * Rows of a luminance texture in shades that vary: what ground.h draws.
  */
 #ifndef PLATFORM_GL_SOFT_SHADE_H
 #define PLATFORM_GL_SOFT_SHADE_H
 
 #include <stdint.h>
 
-/* Pixels of a row; texels of one level. Offsets are known to arm/shade.S. */
+/* Pixels of a row; texels of one level. Offsets are known to arm/ground.S. */
 struct shade_run {
 	uint16_t *pixel; /* 0 */
 	uint16_t *depth; /* NULL: none is written */
@@ -29,17 +28,5 @@ struct shade_run {
 	uint32_t share; /* 60 */
 	int32_t share_right;
 };
-
-/*
- * Draws blocks of four or of two pixels, opaque, from a word's address on (if
- * mapped memory asks for that): no more than two texels wide.
- * Where the texels around the first pixel and around the one behind the last
- * are all the same, the others see no more than these, but for a corner.
- */
-void shade_four_c(const struct shade_run *run);
-void shade_two_c(const struct shade_run *run);
-/* The same, blended by alpha with the picture. */
-void shade_four_blended_c(const struct shade_run *run);
-void shade_two_blended_c(const struct shade_run *run);
 
 #endif

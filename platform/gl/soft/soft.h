@@ -112,6 +112,7 @@ struct level {
 	 * above and above right, from the low byte up, as it repeats; owned.
 	 */
 	uint32_t *quads;
+	struct tiles *tiles; /* of luminance, see tiles.h; or NULL; owned */
 };
 
 struct texture {

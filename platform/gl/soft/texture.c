@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/tiles.h"
 
 static struct texture new_texture(GLuint name)
 {
@@ -20,6 +21,7 @@ static void free_levels(struct texture *texture)
 	for (int i = 0; i < SOFT_LEVELS; i++) {
 		free(texture->level[i].texels);
 		free(texture->level[i].quads);
+		free(texture->level[i].tiles);
 	}
 }
 
@@ -330,6 +332,7 @@ static void make_quads(struct level *level)
 		height <= SOFT_QUAD_SIDE_MAX) {
 		level->quads = calloc(width * height, sizeof(*level->quads));
 		fill_quads(level);
+		tiles_update(level);
 	}
 }
 
@@ -343,6 +346,7 @@ static void define_level(struct soft *soft, struct level *level,
 
 	free(level->texels);
 	free(level->quads);
+	free(level->tiles);
 	*level = (struct level){0};
 	if (width == 0 || height == 0) {
 		return;
@@ -360,6 +364,7 @@ static void define_level(struct soft *soft, struct level *level,
 		copy_rows(soft, transfer, level, &all, pixels);
 	}
 	make_quads(level);
+	tiles_make(level);
 }
 
 static void tex_image(GLenum target, GLint level, GLint internal_format,
@@ -429,6 +434,7 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	if (pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
 		fill_quads(level);
+		tiles_update(level);
 	}
 }
 

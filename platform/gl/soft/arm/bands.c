@@ -4,7 +4,7 @@
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/shade.h"
+#include "platform/gl/soft/tile_row.h"
 
 /* band.S */
 void band_color_arm(struct band *band);
@@ -19,9 +19,10 @@ void tint_nearest_arm(struct tint_band *band);
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
 
-/* shade.S */
-void shade_four_arm(const struct shade_run *run);
-void shade_two_arm(const struct shade_run *run);
+/* tile_row.S */
+void tile_row_arm(const struct tile_run *run);
+void tile_blend_arm(
+	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
 /* count.S: of one row or more */
 void count_band_arm(struct count_band *band);
@@ -95,8 +96,8 @@ const struct band_functions soft_bands = {
 	.tint_nearest = tint_nearest_arm,
 	.flat = flat_arm,
 	.fill = band_fill_arm,
-	.shade_four = shade_four_arm,
-	.shade_two = shade_two_arm,
+	.tile_row = tile_row_arm,
+	.tile_blend = tile_blend_arm,
 	.count = count_arm,
 	.shade_ground = ground_shade_arm,
 	.depth = ground_depth_arm,

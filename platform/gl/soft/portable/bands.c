@@ -2,7 +2,7 @@
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/shade.h"
+#include "platform/gl/soft/tile_row.h"
 #include "platform/gl/soft/tint.h"
 
 const struct band_functions soft_bands = {
@@ -14,8 +14,8 @@ const struct band_functions soft_bands = {
 	.tint_nearest = tint_nearest_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
-	.shade_four = shade_four_c,
-	.shade_two = shade_two_c,
+	.tile_row = tile_row_c,
+	.tile_blend = tile_blend_c,
 	.count = count_band_c,
 	.shade_ground = ground_shade_c,
 	.depth = ground_depth_c,

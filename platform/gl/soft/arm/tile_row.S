@@ -1,0 +1,171 @@
+/*
+ * tile_row.c for ARMv6: the same bytes. Offsets are those of struct tile_run.
+ * A pixel of its own costs 23 instructions, those in a patch 46 and 3 for
+ * eight of them; to blend one takes 7.5.
+ */
+	.syntax unified
+	.arch armv6
+	.arm
+	.text
+
+#define SHADE 28
+#define S_END 32
+#define WIDTH_LOG2 48
+
+/*
+ * r0 pixel, r1 count, r2 quads, r3 s, r4 t, r5, r6 their steps, r7 the columns'
+ * mask, r8 the rows' where it lies in an index, r9 shade, r10 from 16.16 to
+ * 2^32; the run's address is at sp.
+ */
+	.global	tile_row_arm
+	.type	tile_row_arm, %function
+tile_row_arm:
+	push	{r0, r4-r11, lr}
+	mov	r12, r0
+	ldr	r9, [r0, #SHADE]
+	ldr	r10, [r0, #WIDTH_LOG2]
+	ldm	r12, {r0-r6}
+	mov	r7, #1
+	rsb	r7, r7, r7, lsl r10
+	mov	r8, r7, lsl r10
+	rsb	r10, r10, #16
+
+.Lpixel:
+	and	r12, r8, r4, lsr r10
+	and	r11, r7, r3, lsr #16
+	add	r12, r12, r11
+	ldr	r12, [r2, r12, lsl #2]
+	uxtb	lr, r3, ror #8
+	cmp	r12, #0
+	bmi	.Lpatch
+	uxtb16	r11, r12
+	uxtb16	r12, r12, ror #8
+	sub	r12, r12, r11
+	mul	r12, lr, r12
+	uxtb	lr, r4, ror #8
+	rsb	lr, lr, lr, lsl #16
+	add	lr, lr, #256
+	add	r12, r12, r11, lsl #8
+	smuad	r12, r12, lr
+	add	r3, r3, r5
+	add	r4, r4, r6
+	mov	r12, r12, lsr #15
+	ldr	r12, [r9, r12, lsl #2]
+	subs	r1, r1, #1
+	strh	r12, [r0], #2
+	bne	.Lpixel
+	pop	{r0, r4-r11, pc}
+
+	/* r2 pixels, this one and those that are inside as well */
+.Lpatch:
+	push	{r2, r7, r8}
+	ldr	lr, [sp, #12]
+	uxtb	r11, r12, ror #8
+	uxtb	r12, r12
+	add	lr, lr, #S_END
+	ldm	lr, {r2, r7, r8, lr}
+	ldr	r12, [r9, r12, lsl #3]
+	ldr	r2, [r2, r11, lsl #4]
+	ldr	r7, [r7, r11, lsl #4]
+	pkhbt	r12, r12, r12, lsl #16
+	sub	r2, r2, r3, lsl r10
+	sub	r7, r7, r4, lsl r10
+	eor	r2, r2, r5, asr #31
+	eor	r7, r7, r6, asr #31
+	umull	r11, r2, r8, r2
+	umull	r11, r7, lr, r7
+	cmp	r2, r7
+	movhi	r2, r7
+	cmp	r2, r1
+	subhs	r2, r1, #1
+	add	r2, r2, #1
+	mla	r3, r2, r5, r3
+	mla	r4, r2, r6, r4
+	sub	r1, r1, r2
+	tst	r0, #2
+	strhne	r12, [r0], #2
+	subne	r2, r2, #1
+	subs	r2, r2, #8
+	mov	r7, r12
+	blt	2f
+	mov	r8, r12
+	mov	lr, r12
+1:	subs	r2, r2, #8
+	stmia	r0!, {r7, r8, r12, lr}
+	bge	1b
+2:	tst	r2, #4
+	stmiane	r0!, {r7, r12}
+	tst	r2, #2
+	strne	r12, [r0], #4
+	tst	r2, #1
+	strhne	r12, [r0], #2
+	pop	{r2, r7, r8}
+	cmp	r1, #0
+	bne	.Lpixel
+	pop	{r0, r4-r11, pc}
+	.size	tile_row_arm, . - tile_row_arm
+
+/*
+ * r0 pixel, r1 own, r2 count, r3 share, r4 the wide mask, r5 what is kept, r6
+ * what rounds. Two pixels are two wide ones, each with the other's green.
+ */
+	.macro	blend_two
+	ldr	r7, [r0]
+	ldr	r9, [r1], #4
+	and	r8, r4, r7, ror #16
+	and	r7, r4, r7
+	and	r10, r4, r9, ror #16
+	mla	r8, r5, r8, r6
+	and	r9, r4, r9
+	mla	r7, r5, r7, r6
+	mla	r8, r3, r10, r8
+	mla	r7, r3, r9, r7
+	and	r8, r4, r8, lsr #5
+	and	r7, r4, r7, lsr #5
+	orr	r7, r7, r8, ror #16
+	str	r7, [r0], #4
+	.endm
+
+	.macro	blend_one
+	ldrh	r7, [r0]
+	ldrh	r9, [r1], #2
+	orr	r7, r7, r7, lsl #16
+	orr	r9, r9, r9, lsl #16
+	and	r7, r4, r7
+	and	r9, r4, r9
+	mla	r7, r5, r7, r6
+	mla	r7, r3, r9, r7
+	and	r7, r4, r7, lsr #5
+	orr	r7, r7, r7, lsr #16
+	strh	r7, [r0], #2
+	.endm
+
+	.global	tile_blend_arm
+	.type	tile_blend_arm, %function
+tile_blend_arm:
+	cmp	r2, #0
+	bxle	lr
+	push	{r4-r10, lr}
+	ldr	r4, =0x07E0F81F
+	ldr	r6, =0x02008010
+	rsb	r5, r3, #32
+	tst	r0, #2
+	beq	1f
+	blend_one
+	sub	r2, r2, #1
+1:	subs	r2, r2, #4
+	blt	3f
+2:	blend_two
+	subs	r2, r2, #4
+	blend_two
+	bge	2b
+3:	tst	r2, #2
+	beq	4f
+	blend_two
+4:	tst	r2, #1
+	beq	5f
+	blend_one
+5:	pop	{r4-r10, pc}
+	.size	tile_blend_arm, . - tile_blend_arm
+
+	.section .note.GNU-stack, "", %progbits

@@ -701,13 +701,13 @@ static void test_the_flat_band_is_as_in_c(void **state)
 static void test_fills_end_where_they_should(void **state)
 {
 	(void)state;
-	for (int count = 0; count < 70; count++) {
+	for (int count = 0; count < 200; count++) {
 		for (int at = 4; at < 8; at++) {
-			uint16_t row[90];
+			uint16_t row[220];
 
 			memset(row, 0xA5, sizeof(row));
 			soft_bands.fill(row + at, count, 0x1234);
-			for (int i = 0; i < 90; i++) {
+			for (int i = 0; i < 220; i++) {
 				bool in = i >= at && i < at + count;
 
 				assert_int_equal(row[i], in ? 0x1234 : 0xA5A5);

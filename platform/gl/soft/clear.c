@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "platform/base/fixed.h"
+#include "platform/gl/soft/band.h"
 #include "platform/gl/soft/pixel.h"
 
 static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
@@ -37,23 +38,41 @@ static void repeat_row(uint8_t *first, size_t bytes, ptrdiff_t stride, int rows)
 	}
 }
 
+/* Rows that follow one another without a gap are one. */
+static void fill_rows(
+	uint16_t *first, int width, ptrdiff_t stride, int rows, uint16_t value)
+{
+	if (width == stride) {
+		soft_bands.fill(first, width * rows, value);
+		return;
+	}
+	for (int y = 0; y < rows; y++) {
+		soft_bands.fill(first + y * stride, width, value);
+	}
+}
+
 static void clear_color(struct soft *soft, const struct clip_box *box)
 {
 	const struct pixels *target = &soft->buffers.target;
 	const GLfixed *wanted = soft->fragment.clear_color;
 	int bytes = pixel_bytes(target->format);
-	int width = box->right - box->left;
+	int width = box->right - box->left, rows = box->bottom - box->top;
 	uint8_t *first = pixel_at(target, box->left, box->top);
 	uint8_t rgba[4];
 
 	for (int i = 0; i < 4; i++) {
 		rgba[i] = (uint8_t)soft_byte(wanted[i]);
 	}
+	if (target->format == PIXELS_RGB565) {
+		fill_rows((uint16_t *)(void *)first, width,
+			target->stride_bytes / (ptrdiff_t)sizeof(uint16_t),
+			rows, pack_565(rgba[0], rgba[1], rgba[2]));
+		return;
+	}
 	for (int x = 0; x < width; x++) {
 		store_pixel(target->format, first + x * bytes, rgba);
 	}
-	repeat_row(first, (size_t)(width * bytes), target->stride_bytes,
-		box->bottom - box->top);
+	repeat_row(first, (size_t)(width * bytes), target->stride_bytes, rows);
 }
 
 static void clear_masked_color(struct soft *soft, const struct clip_box *box)
@@ -80,38 +99,36 @@ static void clear_masked_color(struct soft *soft, const struct clip_box *box)
 
 static void clear_depth(struct soft *soft, const struct clip_box *box)
 {
-	int stride = soft->buffers.width, width = box->right - box->left;
-	uint16_t *first = soft->buffers.depth +
-		(size_t)box->top * (size_t)stride + box->left;
-	uint16_t value = (uint16_t)soft_depth_units(soft->fragment.clear_depth);
+	int stride = soft->buffers.width;
 
-	if (width == stride && (value & 255) == value >> 8) {
-		memset(first, value & 255,
-			(size_t)width * (size_t)(box->bottom - box->top) * 2);
-		return;
-	}
-	for (int x = 0; x < width; x++) {
-		first[x] = value;
-	}
-	repeat_row((uint8_t *)first, (size_t)width * 2, (ptrdiff_t)stride * 2,
-		box->bottom - box->top);
+	fill_rows(soft->buffers.depth + (size_t)box->top * (size_t)stride +
+			box->left,
+		box->right - box->left, stride, box->bottom - box->top,
+		(uint16_t)soft_depth_units(soft->fragment.clear_depth));
 }
 
 static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
 {
 	const struct stencil *stencil = &soft->fragment.stencil;
 	size_t stride = (size_t)soft->buffers.width;
+	uint8_t *first = soft->buffers.stencil + (size_t)box->top * stride;
+	int width = box->right - box->left, rows = box->bottom - box->top;
 	uint8_t keep = (uint8_t)~stencil->write_mask;
 
-	for (int y = box->top; y < box->bottom; y++) {
-		uint8_t *row = soft->buffers.stencil + (size_t)y * stride;
+	/* By two, where rows begin and end with a pair. */
+	if (keep == 0 && width == (int)stride && width % 2 == 0) {
+		soft_bands.fill((uint16_t *)(void *)first, width / 2 * rows,
+			(uint16_t)(stencil->clear * 0x101u));
+		return;
+	}
+	for (int y = 0; y < rows; y++) {
+		uint8_t *row = first + (size_t)y * stride + box->left;
 
 		if (keep == 0) {
-			memset(row + box->left, stencil->clear,
-				(size_t)(box->right - box->left));
+			memset(row, stencil->clear, (size_t)width);
 			continue;
 		}
-		for (int x = box->left; x < box->right; x++) {
+		for (int x = 0; x < width; x++) {
 			row[x] = (uint8_t)((row[x] & keep) |
 				(stencil->clear & stencil->write_mask));
 		}

@@ -47,7 +47,7 @@ virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
 	tests/virtual-pdk/test.js) \
 	$(call suite,virtual-pdk-board,python3 -B tests/virtual-pdk/test_board.py)
 
-# The pictures of README pages that are no references of the tests.
+# See demo.mk for the other pictures.
 screenshots: screenshots-virtual-pdk
 screenshots-virtual-pdk: image build/virtual-pdk-test/stamp
 	$(call say,PICTURE,$(BOARD)/virtual/page.png)

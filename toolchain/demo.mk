@@ -1,9 +1,17 @@
 # Not build/assets: the program looks for assets/ in the folders above itself.
 # make demo: the demos in a window, or as pictures. make assets: the models
-# again from their scripts.
+# again from their scripts. make screenshots: the pictures of README pages.
 
 demo: build/host/limber
 	$(Q)toolchain/demo.sh build/host/limber build/demo
+
+# Most of the pictures are references of the tests, which make golden draws; the
+# virtual PDK's page is board.mk's.
+.PHONY: screenshots-program
+screenshots: golden screenshots-program
+screenshots-program: build/host/limber
+	$(call say,PICTURE,assets/pictures)
+	$(Q)toolchain/screenshots.sh $< assets/pictures
 
 # Every model here has a script of the same name.
 MODELS := $(patsubst assets/%.glb,%,$(sort $(wildcard assets/*.glb)))

@@ -165,6 +165,8 @@ static bool better(const struct comparison *comparison,
 	const struct candidate *a, const struct candidate *b)
 {
 	float bound_px = comparison->request.bound_px;
+	double a_cost = comparison_cost(comparison, a);
+	double b_cost = comparison_cost(comparison, b);
 	bool a_keeps = a->error.peak_px <= bound_px;
 	bool b_keeps = b->error.peak_px <= bound_px;
 
@@ -177,9 +179,11 @@ static bool better(const struct comparison *comparison,
 	if (a_keeps != b_keeps) {
 		return a_keeps;
 	}
-	return a_keeps
-		? comparison_cost(comparison, a) < comparison_cost(comparison, b)
-		: a->error.peak_px < b->error.peak_px;
+	if (!a_keeps) {
+		return a->error.peak_px < b->error.peak_px;
+	}
+	return a_cost < b_cost ||
+		(a_cost <= b_cost && a->memory_bytes < b->memory_bytes);
 }
 
 static void advise(struct comparison *comparison)

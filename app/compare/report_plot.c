@@ -207,11 +207,11 @@ static void draw_legend(const struct comparison *comparison, FILE *out)
 static const char *frame_title(const struct comparison *comparison)
 {
 	if (!comparison->on_board) {
-		return "against microseconds a frame of an ARM1136, predicted";
+		return "against us a frame on an ARM1136 (predicted)";
 	}
 	return comparison->candidate[0].instructions >= 0.0
-		? "against instructions a frame"
-		: "against microseconds a frame";
+		? "peak error in pixels against instructions a frame"
+		: "peak error in pixels against us a frame";
 }
 
 static void draw(const struct comparison *comparison, FILE *out)

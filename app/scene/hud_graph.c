@@ -150,19 +150,15 @@ static void show_bars(const struct hud_graph *graph, struct hud_group *group)
 	show_marks(&field, hud);
 }
 
-static void show_stages(const struct hud_graph *graph, const char *driver,
-	struct hud_group *group)
+static void show_stages(const struct hud_graph *graph, struct hud_group *group)
 {
-	char value[32], draw[32];
-
-	snprintf(draw, sizeof(draw), "draw: %s", driver);
+	char value[32];
 
 	for (int stage = 0; stage < HUD_STAGES; stage++) {
 		snprintf(value, sizeof(value), "%.1f ms",
 			(double)graph->shown.stage_ms[stage]);
-		hud_group_mark(group,
-			stage == HUD_DRAW ? draw : stages[stage].name, value,
-			*stages[stage].color);
+		hud_group_mark(
+			group, stages[stage].name, value, *stages[stage].color);
 	}
 }
 
@@ -170,6 +166,7 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 {
 	char value[32];
 
+	hud_group_text(group, "GL driver", facts->driver);
 	snprintf(value, sizeof(value), "%ld", facts->triangles);
 	hud_group_text(group, "triangles", value);
 	if (facts->memory_bytes > 0) {
@@ -195,7 +192,7 @@ void hud_graph_show(const struct hud_graph *graph,
 		(double)hud_graph_scale_ms(graph));
 	hud_group_text(&group, scale, rate);
 	show_bars(graph, &group);
-	show_stages(graph, facts->driver, &group);
+	show_stages(graph, &group);
 	show_facts(facts, &group);
 	hud_group_end(&group);
 }

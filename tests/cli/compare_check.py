@@ -192,7 +192,7 @@ def check_advice(check, report):
 
     good = [c for c in report["candidates"]
             if c["listed"] and c["peak_px"] <= report["bound_px"]]
-    best = min(good, key=cost)["name"] if good else None
+    best = min(good, key=lambda c: (cost(c), c["ram_bytes"]))["name"] if good else None
     check(report["advice"] == best if good else report["advice"],
           f"the advice is by {report['advised_by']}",
           f"{report['advice']}, not {best}")

@@ -1,0 +1,31 @@
+#!/bin/sh
+# screenshots.sh LIMBER FOLDER: the pictures of README pages that are no
+# references of the tests, into FOLDER: the graph of frame times and a
+# comparison. The graph's times are this machine's and differ from run to run;
+# all else comes out the same.
+set -eu
+limber=$(realpath "$1")
+assets=$(realpath "$(dirname "$0")/../assets")
+mkdir -p "$2"
+folder=$(realpath "$2")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# F8 while F9 is held keeps a picture, as limber-0001.png where limber stands.
+cd "$scratch"
+cat >buttons <<END
+0 UP down
+100 UP up
+2000 F9 down
+2400 F8 down
+2500 F8 up
+END
+"$limber" play --demo walker --hud --gl soft --display null --format rgb565 \
+    --clock fixed:25 --script buttons --frames 70 >log 2>&1 || {
+    cat log >&2
+    exit 1
+}
+mv limber-0001.png "$folder/frame-times.png"
+
+"$limber" compare "$assets/walker.glb" --clip walk --error 1 --ram 2m \
+    --plot "$folder/compare.svg" >/dev/null

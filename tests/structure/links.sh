@@ -1,0 +1,29 @@
+#!/bin/sh
+# What README pages point to is there: pictures, pages, folders.
+. "$(dirname "$0")/../support/tap.sh"
+
+# links FILE: what it links to in this tree, a line each.
+links() {
+    grep -oE '\]\([^)]+\)' "$1" | sed 's/^](//; s/)$//; s/#.*//' |
+        grep -vE '^$|^[a-z]+:' || true
+}
+
+# broken FILE: those of its links that lead nowhere.
+broken() {
+    links "$1" | while read -r link; do
+        [ -e "$(dirname "$1")/$link" ] || echo "$link"
+    done
+}
+
+cd "$(dirname "$0")/../.." || exit 1
+for page in $(find . -path ./build -prune -o -name README.md -print | sort); do
+    check "$page leads where it says" test -z "$(broken "$page")"
+done
+
+mkdir -p "$scratch/page"
+echo '[a](there.md#part) ![b](gone.png) [c](https://example.com)' \
+    >"$scratch/page/README.md"
+: >"$scratch/page/there.md"
+check 'a link that leads nowhere is noticed' \
+    test "$(broken "$scratch/page/README.md")" = gone.png
+tap_done

@@ -16,7 +16,7 @@ STAGES = {
     "transform and light": "array array_state beams draw fog_state light light_state matrix"
     " number prepare prepare_beams prepare_light query soft state texenv_state vertex",
     "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
-    " fill_texture list narrow raster triangle",
+    " fill_texture list narrow raster shadow triangle",
     "pixels": "band bands combine count fill flat fragment ground line luminance narrow_rows"
     " read rows shade span_565 texel texture tint",
     "clear": "clear",

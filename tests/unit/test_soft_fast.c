@@ -576,6 +576,27 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 	}
 }
 
+static void test_shadows_are_as_in_c(void **state)
+{
+	struct corner corner[CORNERS];
+
+	(void)state;
+	make_triangles(corner, 1, SHADOW, 10);
+	for (uint32_t seed = 1; seed <= 200; seed++) {
+		struct scene *quick = open_scene(7), *slow = open_scene(7);
+
+		draw(slow, corner, SHADOW, false);
+		fill_projected(slow, fill_flat, seed, false);
+		draw(quick, corner, SHADOW, false);
+		assert_true(quick->soft->draw->fill == soft_bands.shadow);
+		fill_projected(quick, soft_bands.shadow, seed, false);
+		compare(quick, slow);
+		assert_memory_equal(quick->all, slow->all, sizeof(quick->all));
+		close_scene(quick);
+		close_scene(slow);
+	}
+}
+
 /*
  * Slivers whose edges round to a centre outside of them may get any depth
  * there: one in 30,000 of these triangles does, none of the first 15,000.
@@ -729,6 +750,7 @@ int main(void)
 		cmocka_unit_test(test_drawing_takes_no_memory),
 		cmocka_unit_test(test_the_color_band_is_as_in_c),
 		cmocka_unit_test(test_narrow_triangles_are_as_in_c),
+		cmocka_unit_test(test_shadows_are_as_in_c),
 		cmocka_unit_test(test_narrow_triangles_are_those_of_the_long_way),
 		cmocka_unit_test(test_the_texture_band_is_as_in_c),
 		cmocka_unit_test(test_the_flat_band_is_as_in_c),

@@ -137,6 +137,8 @@ struct band_functions {
 	void (*list)(struct draw *draw, const void *indices, uint32_t count);
 	/* fill_narrow.c; a fill_function */
 	void (*narrow)(struct draw *draw, struct setup *setup);
+	/* fill_flat.c, of what a stencil lets through once; the same */
+	void (*shadow)(struct draw *draw, struct setup *setup);
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);

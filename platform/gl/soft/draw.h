@@ -118,7 +118,10 @@ struct shading {
  * The powers of cosines for one shininess, of 1 or more: 64 steps from where
  * they begin to count, 2^-10, to 1.
  */
-enum { GLEAM_STEPS = 64, GLEAMS = 4 };
+enum {
+	GLEAM_STEPS = 64,
+	GLEAMS = 4
+};
 
 struct gleam {
 	int32_t shininess_q16; /* 0: none yet */
@@ -148,7 +151,7 @@ struct beams {
 	_Alignas(32) const uint8_t *normals;
 	int normal_stride;
 	const uint8_t *colors;
-	int color_stride; /* 0: all of the same colour, below */
+	int color_stride;      /* 0: all of the same colour, below */
 	const uint16_t *roots; /* soft_root_table */
 	const struct beam *end;
 	int two_side, floats;
@@ -257,6 +260,9 @@ struct quick {
 	uint32_t attributes;    /* 44: 0 where no vertex is shaded */
 	uint32_t perspective;   /* 48 */
 	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
+	const struct flat_band *flat; /* 56: draw->flat */
+	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
+	uint32_t stencil_stride;      /* 68 */
 };
 
 struct draw {

@@ -19,31 +19,20 @@ bool fill_is_count(const struct draw *draw)
 		stencil->pass == GL_KEEP;
 }
 
-static void set_edge(const struct draw *draw, struct count_band *band,
-	int which, const struct vertex *a, const struct vertex *b, int row)
+static void draw_band(void *band)
 {
-	struct side side = raster_side(draw, a, b, row);
-
-	band->edge[which] = (uint32_t)side.x + 0x7FFF;
-	band->edge_step[which] = (uint32_t)side.step;
+	soft_bands.count(band);
 }
 
 void fill_count(struct draw *draw, struct setup *setup)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct plane *z = &draw->raster.plane[DEPTH];
-	int top = setup->top < draw->box.top ? draw->box.top : setup->top;
-	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-						      : draw->box.bottom;
-	int turn = setup->middle < top   ? top
-		: setup->middle > bottom ? bottom
-					 : setup->middle;
+	int top = raster_first_row(draw, setup);
 	size_t first = (size_t)top * (size_t)buffers->width;
 	struct count_band band;
-	int part;
 
 	raster_set_up(draw, setup);
-	part = setup->middle_left ? BAND_LEFT : BAND_RIGHT;
 	band = (struct count_band){
 		.depth = buffers->depth + first,
 		.stencil = buffers->stencil + first,
@@ -56,17 +45,9 @@ void fill_count(struct draw *draw, struct setup *setup)
 		.to = draw->box.right,
 		.down = draw->soft->fragment.stencil.depth_fail == GL_DECR,
 	};
-	set_edge(draw, &band, !part, setup->v[0], setup->v[2], top);
-	if (turn > top) {
-		set_edge(draw, &band, part, setup->v[0], setup->v[1], top);
-		band.rows = turn - top;
-		soft_bands.count(&band);
-	}
-	if (bottom > turn) {
-		set_edge(draw, &band, part, setup->v[1], setup->v[2], turn);
-		band.rows = bottom - turn;
-		soft_bands.count(&band);
-	}
+	raster_draw_bands(draw, setup, setup->middle_left,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		draw_band, &band);
 }
 
 static void count_row(const struct count_band *band, int left, int right)

@@ -75,13 +75,15 @@ void fill_flat_begin(struct draw *draw)
 		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
 }
 
-static void set_edge(struct draw *draw, int which, const struct vertex *a,
-	const struct vertex *b, int row)
+bool fill_flat_is_once(const struct draw *draw)
 {
-	struct side side = raster_side(draw, a, b, row);
+	return draw->soft->fragment.stencil.enabled &&
+		draw->soft->buffers.stencil && !draw->flat.unlike;
+}
 
-	draw->flat.edge[which] = (uint32_t)side.x + 0x7FFF;
-	draw->flat.edge_step[which] = (uint32_t)side.step;
+static void draw_band(void *band)
+{
+	soft_bands.flat(band);
 }
 
 void fill_flat(struct draw *draw, struct setup *setup)
@@ -89,31 +91,17 @@ void fill_flat(struct draw *draw, struct setup *setup)
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct vertex *const *v = setup->v;
 	struct flat_band *band = &draw->flat;
-	int top = setup->top < draw->box.top ? draw->box.top : setup->top;
-	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-						      : draw->box.bottom;
-	int turn = setup->middle < top   ? top
-		: setup->middle > bottom ? bottom
-					 : setup->middle;
+	int top = raster_first_row(draw, setup);
 	/* The long edge is left of the middle vertex or right of it. */
 	bool middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
 		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
-	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
 
 	band->pixels = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
 	if (draw->soft->fragment.stencil.enabled) {
 		band->stencil = buffers->stencil + top * buffers->width;
 	}
-	set_edge(draw, !part, v[0], v[2], top);
-	if (turn > top) {
-		set_edge(draw, part, v[0], v[1], top);
-		band->rows = turn - top;
-		soft_bands.flat(band);
-	}
-	if (bottom > turn) {
-		set_edge(draw, part, v[1], v[2], turn);
-		band->rows = bottom - turn;
-		soft_bands.flat(band);
-	}
+	raster_draw_bands(draw, setup, middle_left,
+		&(struct band_ends){band->edge, band->edge_step, &band->rows},
+		draw_band, band);
 }

@@ -61,6 +61,8 @@ struct channel {
 
 struct narrow {
 	uintptr_t depth, pixel; /* addresses of column 0 */
+	uintptr_t stride_bytes; /* of both */
+	int32_t rows;
 	uint32_t edge[2], step[2];
 	uint32_t z, z_right, z_down;
 	uint32_t packed, packed_right, packed_down; /* as band_pack() has it */
@@ -210,9 +212,11 @@ static void draw_row(const struct narrow *narrow, int left, int right)
 	}
 }
 
-static void draw_rows(struct narrow *narrow, uintptr_t stride_bytes, int rows)
+static void draw_rows(void *band)
 {
-	for (; rows > 0; rows--) {
+	struct narrow *narrow = band;
+
+	for (; narrow->rows > 0; narrow->rows--) {
 		if (narrow->chunk == 0) {
 			pack_again(narrow);
 		}
@@ -220,22 +224,12 @@ static void draw_rows(struct narrow *narrow, uintptr_t stride_bytes, int rows)
 			(int32_t)narrow->edge[BAND_RIGHT] >> 16);
 		narrow->edge[BAND_LEFT] += narrow->step[BAND_LEFT];
 		narrow->edge[BAND_RIGHT] += narrow->step[BAND_RIGHT];
-		narrow->depth += stride_bytes;
-		narrow->pixel += stride_bytes;
+		narrow->depth += narrow->stride_bytes;
+		narrow->pixel += narrow->stride_bytes;
 		narrow->z += narrow->z_down;
 		narrow->packed += narrow->packed_down;
 		narrow->chunk--;
 	}
-}
-
-static void set_edge(struct narrow *narrow, const struct draw *draw,
-	const struct setup *setup, int side, int from, int to)
-{
-	struct side edge = raster_side(draw, setup->v[from], setup->v[to],
-		raster_centre(setup->v[from]->y));
-
-	narrow->edge[side] = (uint32_t)edge.x + 0x7FFF;
-	narrow->step[side] = (uint32_t)edge.step;
 }
 
 static void set_up(const struct draw *draw, const struct setup *setup,
@@ -246,6 +240,7 @@ static void set_up(const struct draw *draw, const struct setup *setup,
 	*narrow = (struct narrow){
 		.depth = quick->depth +
 			(uintptr_t)setup->top * quick->stride_bytes,
+		.stride_bytes = quick->stride_bytes,
 		.column = scale->column,
 	};
 	narrow->pixel = narrow->depth + 2 + quick->pixels;
@@ -258,10 +253,8 @@ static void set_up(const struct draw *draw, const struct setup *setup,
 
 void fill_narrow_c(struct draw *draw, struct setup *setup)
 {
-	const uintptr_t stride = draw->quick.stride_bytes;
 	struct narrow narrow;
 	struct scale scale;
-	int part;
 
 	if (!setup->quick || setup->columns > NARROW_COLUMNS ||
 		!runs_linearly(draw, setup)) {
@@ -269,15 +262,8 @@ void fill_narrow_c(struct draw *draw, struct setup *setup)
 		return;
 	}
 	scale = find_scale(setup);
-	part = cross(scale.xs, scale.ys) < 0 ? BAND_LEFT : BAND_RIGHT;
 	set_up(draw, setup, &scale, &narrow);
-	set_edge(&narrow, draw, setup, !part, 0, 2);
-	if (setup->middle > setup->top) {
-		set_edge(&narrow, draw, setup, part, 0, 1);
-		draw_rows(&narrow, stride, setup->middle - setup->top);
-	}
-	if (setup->bottom > setup->middle) {
-		set_edge(&narrow, draw, setup, part, 1, 2);
-		draw_rows(&narrow, stride, setup->bottom - setup->middle);
-	}
+	raster_draw_bands(draw, setup, cross(scale.xs, scale.ys) < 0,
+		&(struct band_ends){narrow.edge, narrow.step, &narrow.rows},
+		draw_rows, &narrow);
 }

@@ -168,41 +168,14 @@ static void skip_rows(struct band *band, int rows)
 	band->pixels += band->pixels_step * n;
 }
 
-static ALWAYS_INLINE void set_edge(const struct draw *draw, struct band *band,
-	int which, const struct vertex *a, const struct vertex *b, int row)
+static void draw_inside(void *band)
 {
-	struct side side = raster_side(draw, a, b, row);
-
-	band->edge[which] = (uint32_t)side.x + 0x7FFF;
-	band->edge_step[which] = (uint32_t)side.step;
+	soft_bands.color(band);
 }
 
-/* Both halves, as far as the box shows them. */
-static ALWAYS_INLINE void draw_bands(const struct draw *draw,
-	const struct setup *setup, struct band *band, band_function function)
+static void draw_cut(void *band)
 {
-	int top = setup->top < draw->box.top ? draw->box.top : setup->top;
-	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-						      : draw->box.bottom;
-	int turn = setup->middle < top   ? top
-		: setup->middle > bottom ? bottom
-					 : setup->middle;
-	int part = setup->middle_left ? BAND_LEFT : BAND_RIGHT;
-
-	if (top > setup->top) {
-		skip_rows(band, top - setup->top);
-	}
-	set_edge(draw, band, !part, setup->v[0], setup->v[2], top);
-	if (turn > top) {
-		set_edge(draw, band, part, setup->v[0], setup->v[1], top);
-		band->rows = turn - top;
-		function(band);
-	}
-	if (bottom > turn) {
-		set_edge(draw, band, part, setup->v[1], setup->v[2], turn);
-		band->rows = bottom - turn;
-		function(band);
-	}
+	band_color_c(band);
 }
 
 void fill_plain(struct draw *draw, struct setup *setup)
@@ -214,6 +187,8 @@ void fill_plain(struct draw *draw, struct setup *setup)
 		return;
 	}
 	place(draw, setup, &band);
-	draw_bands(draw, setup, &band,
-		setup->inside ? soft_bands.color : band_color_c);
+	skip_rows(&band, raster_first_row(draw, setup) - setup->top);
+	raster_draw_bands(draw, setup, setup->middle_left,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		setup->inside ? draw_inside : draw_cut, &band);
 }

@@ -350,6 +350,9 @@ bool soft_prepare(
 	if (draw->fill == fill_flat || draw->fill == fill_glyph) {
 		fill_flat_begin(draw);
 	}
+	if (draw->fill == fill_flat && fill_flat_is_once(draw)) {
+		draw->fill = soft_bands.shadow;
+	}
 	soft_prepare_quick(draw);
 	return true;
 }

@@ -135,6 +135,58 @@ static inline uint32_t raster_size(int32_t value)
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
 }
 
+/* The first row that the box shows. */
+static inline int raster_first_row(
+	const struct draw *draw, const struct setup *setup)
+{
+	return setup->top < draw->box.top ? draw->box.top : setup->top;
+}
+
+/* Where a band has its edges (see BAND_LEFT) and its number of rows. */
+struct band_ends {
+	uint32_t *edge, *edge_step;
+	int32_t *rows;
+};
+
+static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
+	const struct setup *setup, const struct band_ends *ends, int which,
+	int from, int to, int row)
+{
+	struct side side = raster_side(draw, setup->v[from], setup->v[to], row);
+
+	ends->edge[which] = (uint32_t)side.x + 0x7FFF;
+	ends->edge_step[which] = (uint32_t)side.step;
+}
+
+/*
+ * Draws a band from raster_first_row() to the middle corner and another from
+ * there on, as far as the box shows them.
+ */
+static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
+	const struct setup *setup, bool middle_left,
+	const struct band_ends *ends, void (*function)(void *band), void *band)
+{
+	int top = raster_first_row(draw, setup);
+	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+						      : draw->box.bottom;
+	int turn = setup->middle < top   ? top
+		: setup->middle > bottom ? bottom
+					 : setup->middle;
+	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
+
+	raster_set_edge(draw, setup, ends, !part, 0, 2, top);
+	if (turn > top) {
+		raster_set_edge(draw, setup, ends, part, 0, 1, top);
+		*ends->rows = turn - top;
+		function(band);
+	}
+	if (bottom > turn) {
+		raster_set_edge(draw, setup, ends, part, 1, 2, turn);
+		*ends->rows = bottom - turn;
+		function(band);
+	}
+}
+
 /* Moves all planes in use down by so many rows. */
 void raster_skip_rows(struct draw *draw, int rows);
 
@@ -180,6 +232,8 @@ void fill_narrow_c(struct draw *draw, struct setup *setup);
 /* fill_flat.c: see there; begin is called once a draw call. */
 bool fill_is_flat(const struct draw *draw);
 void fill_flat_begin(struct draw *draw);
+/* Whether a stencil has the last word: soft_bands.shadow takes it then. */
+bool fill_flat_is_once(const struct draw *draw);
 void fill_flat(struct draw *draw, struct setup *setup);
 /* What fill_flat() goes on to draw in: alpha is 0 to 32. */
 void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);

@@ -156,6 +156,9 @@ void soft_prepare_quick(struct draw *draw)
 		.attributes = draw->attributes,
 		.perspective = draw->perspective,
 		.back_flip = draw->front_is_ccw,
+		.flat = &draw->flat,
+		.stencil = buffers->stencil,
+		.stencil_stride = (uint32_t)buffers->width,
 	};
 	/* Nothing is inside of an empty box. */
 	draw->quick.box_low = PACKED_PIXELS * 0x100010u;

@@ -54,6 +54,9 @@ static void flat_arm(struct flat_band *band)
 /* narrow.S, narrow_rows.S */
 void fill_narrow_arm(struct draw *draw, struct setup *setup);
 
+/* shadow.S */
+void fill_shadow_arm(struct draw *draw, struct setup *setup);
+
 /* list.S, with struct setup and its own on the stack */
 void list_arm(struct draw *draw, const void *indices, uint32_t count);
 
@@ -80,6 +83,10 @@ static_assert(offsetof(struct quick, cull_side) == 16, "QUICK_CULL");
 static_assert(offsetof(struct quick, box_low) == 24, "QUICK_BOX");
 static_assert(offsetof(struct quick, attributes) == 44, "QUICK_ATTRIBUTES");
 static_assert(offsetof(struct quick, back_flip) == 52, "QUICK_BACK");
+static_assert(offsetof(struct quick, flat) == 56, "QUICK_FLAT");
+static_assert(offsetof(struct quick, stencil) == 64, "QUICK_STENCIL");
+static_assert(offsetof(struct flat_band, reference) == 44, "FLAT_REFERENCE");
+static_assert(offsetof(struct flat_band, keep) == 48, "FLAT_KEEP");
 static_assert(sizeof(struct setup) <= 88, "CULL");
 static_assert(offsetof(struct setup, xy) == 12, "SETUP_XY");
 static_assert(offsetof(struct setup, extent) == 40, "SETUP_EXTENT");
@@ -90,6 +97,7 @@ static_assert(offsetof(struct setup, area) == 48, "SETUP_AREA");
 const struct band_functions soft_bands = {
 	.list = list,
 	.narrow = fill_narrow_arm,
+	.shadow = fill_shadow_arm,
 	.color = band_color_arm,
 	.texture = band_texture_arm,
 	.tint_linear = tint_linear_arm,

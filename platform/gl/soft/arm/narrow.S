@@ -2,6 +2,7 @@
  * fill_narrow.c for ARMv6: the same bytes. Offsets are those of struct view,
  * struct quick, struct setup and struct vertex; arm/bands.c asserts them.
  */
+#include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/narrow.h"
 
 	.syntax unified
@@ -66,29 +67,6 @@
 	.else
 	mov	r10, r1
 	.endif
-	.endm
-
-/*
- * raster.h's raster_side() from r1 to r2, places' xy, at the first row, r3; lr
- * has 2^31 / n. Leaves x in r1 and the step in r2.
- */
-	.macro	find_edge
-	ssub16	r2, r2, r1
-	mov	r12, r2, lsr #16
-	ldr	r12, [lr, r12, lsl #2]
-	mov	r2, r2, lsl #17
-	smmul	r2, r2, r12
-	mov	r12, r1, lsr #16
-	rsb	r12, r12, r3, lsl #4
-	mov	r1, r1, lsl #16
-	add	r12, r12, #8
-	mov	r1, r1, lsr #4
-	mov	r3, r2, asr #4
-	add	r1, r1, #0x8000
-	mla	r1, r3, r12, r1
-	ldr	r12, [sp, #SIDE]
-	sub	r1, r1, #1
-	cmp	r12, #0
 	.endm
 
 	/* It is the left one or, where the middle corner is elsewhere, right. */
@@ -243,6 +221,8 @@ fill_narrow_arm:
 	ldr	r1, [r10, #SETUP_XY]
 	ldr	r2, [r10, #SETUP_XY + 8]
 	find_edge
+	ldr	r12, [sp, #SIDE]
+	cmp	r12, #0
 	set_edge ge, lt
 
 	ldr	r1, [sp, #SETUP]
@@ -259,6 +239,8 @@ fill_narrow_arm:
 	ldr	r2, [r1, #SETUP_XY + 4]
 	ldr	r1, [r1, #SETUP_XY]
 	find_edge
+	ldr	r12, [sp, #SIDE]
+	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #REST]
 	bl	narrow_rows_arm
@@ -273,6 +255,8 @@ fill_narrow_arm:
 	ldr	r2, [r1, #SETUP_XY + 8]
 	ldr	r1, [r1, #SETUP_XY + 4]
 	find_edge
+	ldr	r12, [sp, #SIDE]
+	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #LATER]
 	bl	narrow_rows_arm

@@ -8,6 +8,7 @@
 const struct band_functions soft_bands = {
 	.list = soft_list_c,
 	.narrow = fill_narrow_c,
+	.shadow = fill_flat,
 	.color = band_color_c,
 	.texture = band_texture_c,
 	.tint_linear = tint_linear_c,

@@ -1,0 +1,155 @@
+/*
+ * fill_flat.c for ARMv6, of small triangles that a stencil lets draw each pixel
+ * once: the same bytes. Offsets are those of struct quick, struct setup and
+ * struct flat_band; arm/bands.c asserts them.
+ *
+ * A triangle costs 75 instructions, a row 13, a pixel 14, or 6 unseen.
+ */
+#include "platform/gl/soft/arm/edge.h"
+
+	.syntax unified
+	.arch armv6
+	.arm
+	.text
+
+#define QUICK 128
+#define QUICK_INVERSE (QUICK + 12)
+#define QUICK_DEPTH (QUICK + 32)
+#define QUICK_PIXELS (QUICK + 40)
+#define QUICK_FLAT (QUICK + 56)
+#define QUICK_STENCIL (QUICK + 64)
+#define SETUP_XY 12
+#define SETUP_MIDDLE 28
+#define SETUP_FLAGS 44
+#define FLAT_REFERENCE 44
+#define FLAT_NEXT 45
+#define FLAT_KEEP 48
+
+/* the stack; the first four are what a row adds to r0, r1, r5, r6 */
+#define STENCIL_STRIDE 4
+#define LEFT_STEP 8
+#define RIGHT_STEP 12
+#define LATER 16
+#define SIDE 20
+#define ROOM 28
+#define DRAW 28
+#define SETUP 32
+
+	.global	fill_shadow_arm
+	.type	fill_shadow_arm, %function
+fill_shadow_arm:
+	ldr	r2, [r1, #SETUP_FLAGS]
+	tst	r2, #1 << 16
+	beq	fill_flat
+	push	{r0, r1, r4-r11, lr}
+	sub	sp, sp, #ROOM
+	ldr	lr, [r0, #QUICK_INVERSE]
+	add	r1, r1, #SETUP_XY
+	ldm	r1, {r4-r9}
+	ldr	r0, [r0, #QUICK_FLAT]
+	ssub16	r2, r5, r4
+	ssub16	r3, r6, r4
+	smusdx	r10, r2, r3
+	mov	r1, r4
+	mov	r2, r6
+	mov	r3, r7
+	find_edge
+	str	r10, [sp, #SIDE]
+	mov	r11, r1
+	cmp	r10, #0
+	strge	r2, [sp, #LEFT_STEP]
+	strlt	r2, [sp, #RIGHT_STEP]
+
+	/* the upper part, or the lower one where that is all; r9 its rows */
+	sub	r3, r9, r8
+	subs	r9, r8, r7
+	moveq	r9, r3
+	moveq	r3, #0
+	moveq	r4, r5
+	moveq	r5, r6
+	str	r3, [sp, #LATER]
+	mov	r1, r4
+	mov	r2, r5
+	mov	r3, r7
+	find_edge
+	ldr	r12, [sp, #DRAW]
+	cmp	r10, #0
+	strlt	r2, [sp, #LEFT_STEP]
+	strge	r2, [sp, #RIGHT_STEP]
+	movlt	r5, r1
+	movlt	r6, r11
+	movge	r5, r11
+	movge	r6, r1
+
+	ldrd	r2, [r12, #QUICK_STENCIL]
+	ldrd	r10, [r12, #QUICK_DEPTH]
+	ldr	r12, [r12, #QUICK_PIXELS]
+	str	r3, [sp, #STENCIL_STRIDE]
+	str	r11, [sp]
+	mla	r1, r7, r3, r2
+	mla	r10, r7, r11, r10
+	ldrb	r8, [r0, #FLAT_NEXT]
+	ldrb	r7, [r0, #FLAT_REFERENCE]
+	add	r10, r10, #2
+	ldr	r3, [r0, #FLAT_KEEP]
+	ldr	r4, [r0, #FLAT_KEEP + 4]
+	ldr	r2, =0x07E0F81F
+	add	r0, r10, r12
+
+	/* r0 pixels and r1 stencil of column 0, r5, r6 edges */
+.Lrow:	mov	r11, r5, asr #16
+	rsbs	r10, r11, r6, asr #16
+	ble	.Lnext
+	add	lr, r1, r11
+	add	r11, r0, r11, lsl #1
+1:	ldrb	r12, [lr], #1
+	cmp	r12, r7
+	addne	r11, r11, #2
+	bne	2f
+	ldrh	r12, [r11]
+	strb	r8, [lr, #-1]
+	orr	r12, r12, r12, lsl #16
+	and	r12, r12, r2
+	mla	r12, r3, r12, r4
+	and	r12, r2, r12, lsr #5
+	orr	r12, r12, r12, lsr #16
+	strh	r12, [r11], #2
+2:	subs	r10, r10, #1
+	bne	1b
+.Lnext:	ldm	sp, {r10, r11, r12, lr}
+	add	r0, r0, r10
+	add	r1, r1, r11
+	add	r5, r5, r12
+	add	r6, r6, lr
+	subs	r9, r9, #1
+	bne	.Lrow
+
+	ldr	r9, [sp, #LATER]
+	ldr	lr, [sp, #DRAW]
+	cmp	r9, #0
+	beq	.Ldone
+	mov	r10, #0
+	str	r10, [sp, #LATER]
+	mov	r11, r3
+	ldr	r3, [sp, #SETUP]
+	mov	r10, r1
+	ldr	lr, [lr, #QUICK_INVERSE]
+	ldr	r1, [r3, #SETUP_XY + 4]
+	ldr	r2, [r3, #SETUP_XY + 8]
+	ldr	r3, [r3, #SETUP_MIDDLE]
+	find_edge
+	ldr	r12, [sp, #SIDE]
+	mov	r3, r11
+	cmp	r12, #0
+	strlt	r2, [sp, #LEFT_STEP]
+	strge	r2, [sp, #RIGHT_STEP]
+	ldr	r2, =0x07E0F81F
+	movlt	r5, r1
+	movge	r6, r1
+	mov	r1, r10
+	b	.Lrow
+.Ldone:	add	sp, sp, #ROOM + 8
+	pop	{r4-r11, pc}
+	.size	fill_shadow_arm, . - fill_shadow_arm
+
+	.section .note.GNU-stack, "", %progbits

@@ -99,6 +99,7 @@ static int read_all(struct gltf *gltf)
 		gltf_read_buffers,
 		gltf_read_accessors,
 		gltf_read_materials,
+		gltf_find_levels,
 		gltf_read_meshes,
 		gltf_read_cameras,
 		gltf_read_nodes,

@@ -262,9 +262,8 @@ static int read_target(const struct gltf_at *target, struct reading *reading,
 	struct model_channel *out)
 {
 	struct gltf *gltf = target->gltf;
-	int node = 0;
-	int error = gltf_maybe_index(
-		target, "node", gltf->model->node_count, "node", &node);
+	struct gltf_at node = gltf_member(target, "node");
+	int error = gltf_node(&node, &out->node);
 
 	if (!error) {
 		error = read_path(target, &out->path);
@@ -272,7 +271,6 @@ static int read_target(const struct gltf_at *target, struct reading *reading,
 	if (error) {
 		return error;
 	}
-	out->node = gltf->node_place[node];
 	error = read_width(target, gltf->model, out);
 	if (!error) {
 		error = claim(target, reading, out);

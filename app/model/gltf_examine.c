@@ -169,6 +169,9 @@ static void say_weights(const struct examination *at)
 
 	json_array_foreach(member(at, "meshes"), m, mesh)
 	{
+		if (at->gltf->mesh_place[m] < 0) {
+			continue; /* a level's vertices are another's */
+		}
 		json_array_foreach(
 			json_object_get(mesh, "primitives"), p, primitive)
 		{

@@ -7,6 +7,7 @@
  *	gltf_accessor.c   accessors: checked once, then read
  *	gltf_material.c   materials, textures, images
  *	gltf_mesh.c       meshes and primitives; gltf_target.c morph targets
+ *	gltf_lod.c        coarser levels of meshes (MSFT_lod)
  *	gltf_node.c       nodes and scenes; gltf_camera.c cameras
  *	gltf_skin.c       skins, and influences of vertices
  *	gltf_animation.c  clips
@@ -90,6 +91,17 @@ struct gltf_uv {
 	float row[2][3];
 };
 
+/* A mesh of the file that is a coarser level of another, or has levels. */
+struct gltf_level {
+	int of;          /* the other's number in the file, or -1: it is none */
+	int first, next; /* its own levels: the first, that one's next; or -1 */
+	int count;
+	float error_m;  /* as the file states it, or 0 */
+	float coverage; /* without it: the share of the screen below which this
+			   level will do */
+	bool shape;
+};
+
 struct gltf {
 	const struct model_source *source;
 	const struct log *log;
@@ -116,8 +128,16 @@ struct gltf {
 	int *texture_place;   /* file's number -> model's, -1: not needed */
 	int *image_place;     /* likewise */
 	int default_material; /* -1: not needed so far */
-	float **mesh_weights; /* [mesh_count], NULL where there are none */
-	int *node_place;      /* file's number -> model's */
+	float **mesh_weights; /* of the model's meshes, NULL without */
+
+	/* Numbers of the file; levels are no nodes and meshes of the model. */
+	int mesh_count;
+	struct gltf_level *level; /* [mesh_count] */
+	int *mesh_place;          /* file's number -> model's, -1: a level */
+	int *mesh_number;         /* model's -> file's */
+	int node_count;
+	bool *node_is_level; /* [node_count] */
+	int *node_place;     /* file's number -> model's, -1: a level */
 };
 
 /* gltf.c */
@@ -278,11 +298,34 @@ int gltf_read_targets(const struct gltf_at *primitive,
 /* The "weights" of a mesh or node, in scratch; NULL where it has none. */
 int gltf_read_weights(const struct gltf_at *at, int target_count, float **out);
 
+/*
+ * The triangle list of a primitive with so many vertices, whatever its mode;
+ * "indices" may be missing.
+ */
+int gltf_read_triangles(const struct gltf_at *primitive, int vertex_count,
+	uint32_t **index, int *index_count);
+
+/* gltf_lod.c */
+
+/*
+ * Finds the nodes and meshes that are but levels of others by MSFT_lod: they
+ * have the attributes of the mesh they stand for, the same transform, say how
+ * coarse they are, and nothing else names them. Other levels stay what they
+ * are without the extension, which is no mistake of the file.
+ */
+int gltf_find_levels(struct gltf *gltf);
+
+/* The lists of a mesh's levels, into its primitives. */
+int gltf_read_levels(struct gltf *gltf, int mesh);
+
 /* gltf_camera.c */
 int gltf_read_cameras(struct gltf *gltf);
 
 /* gltf_node.c: nodes, their order, scene and weights. */
 int gltf_read_nodes(struct gltf *gltf);
+
+/* The model's number for the node whose number stands at this place. */
+int gltf_node(const struct gltf_at *at, int *out);
 
 /* Makes a quaternion unit; fails on zero. */
 int gltf_normalize_rotation(const struct gltf_at *at, float rotation[4]);

@@ -207,7 +207,7 @@ static void triangle_corners(enum mode mode, int t, int corner[3])
 
 /* Strips are joined by triangles without area; those are left out. */
 static int build_triangles(const struct gltf_at *at, enum mode mode,
-	const uint32_t *list, int count, struct model_primitive *out)
+	const uint32_t *list, int count, uint32_t **index, int *index_count)
 {
 	int triangles = mode == MODE_TRIANGLES ? count / 3 : count - 2;
 	int t, k, corner[3];
@@ -217,11 +217,11 @@ static int build_triangles(const struct gltf_at *at, enum mode mode,
 	if (triangles > INT32_MAX / 3) {
 		return gltf_fail(at, -EFBIG, "has %d triangles", triangles);
 	}
-	out->index = GLTF_KEEP(at, uint32_t, (size_t)triangles * 3);
-	if (!out->index) {
+	*index = GLTF_KEEP(at, uint32_t, (size_t)triangles * 3);
+	if (!*index) {
 		return -ENOMEM;
 	}
-	to = out->index;
+	to = *index;
 	for (t = 0; t < triangles; t++) {
 		triangle_corners(mode, t, corner);
 		for (k = 0; k < 3; k++) {
@@ -232,7 +232,7 @@ static int build_triangles(const struct gltf_at *at, enum mode mode,
 			to += 3;
 		}
 	}
-	out->index_count = (int)(to - out->index);
+	*index_count = (int)(to - *index);
 	if (mode == MODE_TRIANGLES && count % 3) {
 		gltf_warn(at,
 			"%d corners are no whole number of triangles; "
@@ -257,19 +257,33 @@ static int check_indices(const struct gltf_at *at, const uint32_t *list,
 	return 0;
 }
 
-static int read_indices(
-	const struct gltf_at *at, enum mode mode, struct model_primitive *out)
+static int read_mode(const struct gltf_at *at, enum mode *out)
+{
+	int64_t mode = MODE_TRIANGLES;
+	int error = gltf_maybe_integer(at, "mode", 0, MODE_FAN, &mode);
+
+	*out = (enum mode)mode;
+	return error;
+}
+
+int gltf_read_triangles(const struct gltf_at *at, int vertex_count,
+	uint32_t **index, int *index_count)
 {
 	struct gltf_at member = gltf_member(at, "indices");
 	const struct gltf_accessor *accessor;
+	enum mode mode;
 	uint32_t *list;
-	int error = gltf_maybe_accessor(at, "indices", "SCALAR", &accessor);
+	int error = read_mode(at, &mode);
 
+	if (!error) {
+		error = gltf_maybe_accessor(at, "indices", "SCALAR", &accessor);
+	}
 	if (error) {
 		return error;
 	}
 	if (!accessor) {
-		return build_triangles(at, mode, NULL, out->vertex_count, out);
+		return build_triangles(
+			at, mode, NULL, vertex_count, index, index_count);
 	}
 	if (!gltf_is_unsigned(accessor)) {
 		return gltf_fail(&member, -EINVAL,
@@ -281,19 +295,18 @@ static int read_indices(
 		return -ENOMEM;
 	}
 	gltf_unpack_uints(accessor, list);
-	error = check_indices(&member, list, accessor->count, out->vertex_count);
-	return error
-		? error
-		: build_triangles(&member, mode, list, accessor->count, out);
+	error = check_indices(&member, list, accessor->count, vertex_count);
+	return error ? error
+		     : build_triangles(&member, mode, list, accessor->count,
+			       index, index_count);
 }
 
-static int read_mode(const struct gltf_at *at, enum mode *out, bool *is_drawn)
+static int find_drawn(const struct gltf_at *at, bool *is_drawn)
 {
-	int64_t mode = MODE_TRIANGLES;
-	int error = gltf_maybe_integer(at, "mode", 0, MODE_FAN, &mode);
+	enum mode mode;
+	int error = read_mode(at, &mode);
 
 	*is_drawn = mode >= MODE_TRIANGLES;
-	*out = (enum mode)mode;
 	if (!error && !*is_drawn) {
 		gltf_warn(at, "%s are not drawn", mode ? "lines" : "points");
 	}
@@ -344,8 +357,7 @@ static int read_primitive(const struct gltf_at *at,
 {
 	const struct gltf_accessor *position;
 	struct gltf_at attributes;
-	enum mode mode;
-	int error = read_mode(at, &mode, is_drawn);
+	int error = find_drawn(at, is_drawn);
 
 	if (error || !*is_drawn) {
 		return error;
@@ -370,7 +382,8 @@ static int read_primitive(const struct gltf_at *at,
 		error = read_vertices(&attributes, out);
 	}
 	if (!error) {
-		error = read_indices(at, mode, out);
+		error = gltf_read_triangles(at, out->vertex_count, &out->index,
+			&out->index_count);
 	}
 	return error ? error : gltf_read_targets(at, mesh, out);
 }
@@ -430,16 +443,24 @@ int gltf_read_meshes(struct gltf *gltf)
 	if (!model->mesh || !gltf->mesh_weights) {
 		return -ENOMEM;
 	}
-	model->mesh_count = count;
 	for (i = 0; i < count && !error; i++) {
+		int place = gltf->mesh_place[i];
+
+		if (place < 0) {
+			continue;
+		}
+		model->mesh_count = place + 1;
 		error = gltf_item(&array, i, &item);
 		if (!error) {
-			error = read_mesh(&item, &model->mesh[i]);
+			error = read_mesh(&item, &model->mesh[place]);
 		}
 		if (!error) {
 			error = gltf_read_weights(&item,
-				model->mesh[i].target_count,
-				&gltf->mesh_weights[i]);
+				model->mesh[place].target_count,
+				&gltf->mesh_weights[place]);
+		}
+		if (!error) {
+			error = gltf_read_levels(gltf, i);
 		}
 	}
 	return error;

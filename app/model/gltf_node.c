@@ -97,8 +97,11 @@ static int read_node(const struct gltf_at *at, struct model_node *out)
 		error = read_transform(at, out);
 	}
 	if (!error) {
-		error = gltf_maybe_index(at, "mesh", gltf->model->mesh_count,
-			"mesh", &out->mesh);
+		error = gltf_maybe_index(
+			at, "mesh", gltf->mesh_count, "mesh", &out->mesh);
+	}
+	if (!error && out->mesh >= 0) {
+		out->mesh = gltf->mesh_place[out->mesh];
 	}
 	if (!error) {
 		error = count_of(gltf, "skins", &skin_count);
@@ -150,6 +153,7 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 	int *order = GLTF_SCRATCH(array, int, count);
 	struct gltf_at item;
 	int error = 0;
+	int next = 0;
 	int culprit, i;
 
 	gltf->node_place = GLTF_SCRATCH(array, int, count);
@@ -178,12 +182,34 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 		return gltf_fail(array, error, "not enough memory");
 	}
 	for (i = 0; i < count; i++) {
-		node[i].file_index = order[i];
-		node[i].parent = parent[order[i]] < 0
-			? -1
-			: gltf->node_place[parent[order[i]]];
+		int number = order[i];
+		int *place = &gltf->node_place[number];
+
+		*place = gltf->node_is_level[number] ? -1 : next++;
+		if (*place >= 0) {
+			node[*place].file_index = number;
+			node[*place].parent = parent[number] < 0
+				? -1
+				: gltf->node_place[parent[number]];
+		}
 	}
+	gltf->model->node_count = next;
 	return 0;
+}
+
+int gltf_node(const struct gltf_at *at, int *out)
+{
+	int number = 0;
+	int error = gltf_index(at, at->gltf->node_count, "node", &number);
+
+	if (!error) {
+		*out = at->gltf->node_place[number];
+	}
+	if (!error && *out < 0) {
+		error = gltf_fail(at, -EINVAL,
+			"node %d is a level of detail of another", number);
+	}
+	return error;
 }
 
 static int mark_roots(struct gltf *gltf, const struct gltf_at *scene)
@@ -196,10 +222,8 @@ static int mark_roots(struct gltf *gltf, const struct gltf_at *scene)
 		struct gltf_at element = gltf_element(&array, i);
 		int node = 0;
 
-		error = gltf_index(
-			&element, gltf->model->node_count, "node", &node);
+		error = gltf_node(&element, &node);
 		if (!error) {
-			node = gltf->node_place[node];
 			gltf->model->node[node].in_scene = true;
 		}
 	}
@@ -306,11 +330,13 @@ int gltf_read_nodes(struct gltf *gltf)
 	if (!model->node || !parent) {
 		return -ENOMEM;
 	}
-	model->node_count = count;
 	error = order_nodes(&array, count, parent);
 	for (i = 0; i < count && !error; i++) {
 		item = gltf_element(&array, i);
-		error = read_node(&item, &model->node[gltf->node_place[i]]);
+		if (gltf->node_place[i] >= 0) {
+			error = read_node(
+				&item, &model->node[gltf->node_place[i]]);
+		}
 	}
 	if (!error) {
 		error = mark_scene(gltf);

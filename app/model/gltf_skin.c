@@ -137,7 +137,6 @@ int gltf_read_influences(
 
 static int read_joints(const struct gltf_at *at, struct model_skin *out)
 {
-	struct gltf *gltf = at->gltf;
 	struct gltf_at array;
 	int i;
 	int error = gltf_array(at, "joints", &array, &out->joint_count);
@@ -154,13 +153,8 @@ static int read_joints(const struct gltf_at *at, struct model_skin *out)
 	}
 	for (i = 0; i < out->joint_count && !error; i++) {
 		struct gltf_at element = gltf_element(&array, i);
-		int node = 0;
 
-		error = gltf_index(
-			&element, gltf->model->node_count, "node", &node);
-		if (!error) {
-			out->joint[i] = gltf->node_place[node];
-		}
+		error = gltf_node(&element, &out->joint[i]);
 	}
 	return error;
 }
@@ -220,7 +214,7 @@ static int read_skin(const struct gltf_at *at, struct model_skin *out)
 	}
 	if (!error) {
 		error = gltf_maybe_index(at, "skeleton",
-			at->gltf->model->node_count, "node", &skeleton);
+			at->gltf->node_count, "node", &skeleton);
 	}
 	return error ? error : read_inverse_binds(at, out);
 }
@@ -288,7 +282,7 @@ static int check_joints(struct gltf *gltf)
 	find_smallest_skins(model, smallest);
 	for (i = 0; i < model->mesh_count; i++) {
 		struct model_mesh *mesh = &model->mesh[i];
-		struct gltf_at at = gltf_element(&meshes, i);
+		struct gltf_at at = gltf_element(&meshes, gltf->mesh_number[i]);
 
 		for (k = 0; k < mesh->primitive_count && !error; k++) {
 			error = check_primitive(

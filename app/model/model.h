@@ -34,6 +34,18 @@ struct model_target {
 	float (*tangent)[3];
 };
 
+/*
+ * A coarser list of triangles over the vertices of a primitive, for pictures in
+ * which the full one's are too small to see.
+ */
+struct model_lod {
+	float error_m; /* how far its surface is from the full one's, in the
+			  unit of the positions */
+	bool shape;    /* for shadows: only where it is looks right */
+	int index_count; /* as the primitive's own */
+	uint32_t *index;
+};
+
 /* A triangle list and its vertices. */
 struct model_primitive {
 	int file_index; /* the file's own number for it in its mesh */
@@ -59,6 +71,10 @@ struct model_primitive {
 
 	int index_count; /* a multiple of 3 */
 	uint32_t *index; /* each below vertex_count */
+
+	/* The finest first, those for shapes last; mostly there are none. */
+	int lod_count;
+	struct model_lod *lod;
 };
 
 struct model_mesh {

@@ -1,0 +1,211 @@
+// Fewer triangles over the same vertices, for the primitives of a mesh.
+//
+// All of them are simplified at once, so that a border between two materials
+// loses the same corners on both sides and stays closed. Where the mesh meets
+// another, as the head meets the body, it keeps its vertices. What a vertex is besides its place counts in metres, by the
+// factors below: an attribute that is off by so much looks as wrong as a place
+// that is off by that many metres.
+import { MeshoptSimplifier } from 'meshoptimizer';
+import { valuesOf } from './glb.mjs';
+import { surfaceDistance } from './distance.mjs';
+
+await MeshoptSimplifier.ready;
+
+const NORMAL_M = 0.02; // a unit of the normal
+const COLOR_M = 0.04; // from black to white
+const TEXTURE = 8; // what the texture slips by, in metres of the surface
+const WEIGHT_M = 0.3; // all of an influence: so much a limb's bend moves it
+const WEIGHT_SLOTS = 8;
+const FACE = 2; // errors count so much where there are morph targets
+const SMALL_PARTS_FROM_M = 0.008; // above it whole small parts may go
+
+const encode = (x) =>
+    (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
+
+// A direction for each joint in a space of few dimensions: weights of up to 30
+// joints make as many numbers as that, and different weights different ones.
+function jointDirections(count) {
+    let state = 12345;
+    const random = () => {
+        state = (Math.imul(state, 1103515245) + 12345) >>> 0;
+        return (state >>> 8) / (1 << 23) - 1;
+    };
+    return Array.from({ length: count }, () => {
+        const v = Array.from({ length: WEIGHT_SLOTS }, random);
+        return v.map((x) => x / Math.hypot(...v));
+    });
+}
+
+// How many metres of surface a unit of the texture coordinates covers.
+function textureScale(position, texcoord, index) {
+    let metres = 0, units = 0;
+    for (let i = 0; i + 1 < index.length; i += 3) {
+        const a = index[i], b = index[i + 1];
+        metres += Math.hypot(...[0, 1, 2].map((k) =>
+            position[a * 3 + k] - position[b * 3 + k]));
+        units += Math.hypot(...[0, 1].map((k) =>
+            texcoord[a * 2 + k] - texcoord[b * 2 + k]));
+    }
+    return units > 0 ? metres / units : 0;
+}
+
+function readPrimitive(glb, primitive) {
+    const { POSITION, NORMAL, COLOR_0, TEXCOORD_0, JOINTS_0, WEIGHTS_0 } =
+        primitive.attributes;
+    const maybe = (i) => (i === undefined ? null : valuesOf(glb, i));
+    return {
+        position: valuesOf(glb, POSITION),
+        normal: maybe(NORMAL),
+        color: maybe(COLOR_0),
+        texcoord: maybe(TEXCOORD_0),
+        joint: maybe(JOINTS_0),
+        weight: maybe(WEIGHTS_0),
+        target: (primitive.targets ?? []).map((t) =>
+            valuesOf(glb, t.POSITION).value),
+        index: Array.from(valuesOf(glb, primitive.indices).value),
+    };
+}
+
+// Rows of attributes in metres: normal, colour, texture, then what makes it
+// move: targets, or influences.
+function attributesOf(part, slots, directions) {
+    const { normal, color, texcoord, joint, weight, target } = part;
+    const width = 8 + slots;
+    const out = new Float32Array(part.position.count * width);
+    const uv = texcoord ? textureScale(
+        part.position.value, texcoord.value, part.index) : 0;
+    for (let v = 0; v < part.position.count; v++) {
+        const row = out.subarray(v * width, (v + 1) * width);
+        for (let k = 0; k < 3; k++) {
+            row[k] = normal ? normal.value[v * 3 + k] * NORMAL_M : 0;
+            row[3 + k] = color
+                ? encode(color.value[v * color.width + k]) * COLOR_M : 0;
+        }
+        for (let k = 0; k < 2; k++) {
+            row[6 + k] = texcoord ? texcoord.value[v * 2 + k] * uv * TEXTURE : 0;
+        }
+        target.forEach((t, i) => {
+            for (let k = 0; k < 3; k++) row[8 + i * 3 + k] = t[v * 3 + k];
+        });
+        for (let i = 0; joint && target.length === 0 && i < 4; i++) {
+            const w = weight.value[v * 4 + i] * WEIGHT_M;
+            directions[joint.value[v * 4 + i]].forEach((d, k) => {
+                row[8 + k] += w * d;
+            });
+        }
+    }
+    return out;
+}
+
+const placesOf = (part) => Array.from({ length: part.position.count }, (_, v) =>
+    part.position.value.subarray(v * 3, v * 3 + 3).join());
+
+// Vertices of all parts in a row, with their attributes.
+function join(glb, primitives, others) {
+    const parts = primitives.map((p) => readPrimitive(glb, p));
+    const taken = new Set(others.flatMap((p) =>
+        placesOf(readPrimitive(glb, p))));
+    const joints = 1 + Math.max(0, ...parts.flatMap((p) =>
+        (p.joint ? Array.from(p.joint.value) : [])));
+    const directions = jointDirections(joints);
+    const slots = Math.max(...parts.map((p) =>
+        Math.max(p.target.length * 3, p.joint ? WEIGHT_SLOTS : 0)));
+    const first = [];
+    let count = 0;
+    for (const part of parts) {
+        first.push(count);
+        count += part.position.count;
+    }
+    const position = new Float32Array(count * 3);
+    const attribute = new Float32Array(count * (8 + slots));
+    parts.forEach((part, i) => {
+        position.set(part.position.value, first[i] * 3);
+        attribute.set(attributesOf(part, slots, directions),
+            first[i] * (8 + slots));
+    });
+    return { parts, first, count, position, attribute, width: 8 + slots,
+        lock: Uint8Array.from(parts.flatMap(placesOf), (at) => taken.has(at)),
+        index: Uint32Array.from(parts.flatMap((part, i) =>
+            part.index.map((v) => v + first[i]))) };
+}
+
+// For shapes: within a part, vertices in one place that move alike are one.
+function weld({ parts, first, count, position, attribute, width }) {
+    const same = new Map();
+    const weldTo = Uint32Array.from({ length: count }, (_, i) => i);
+    parts.forEach((part, p) => {
+        for (let v = first[p]; v < first[p] + part.position.count; v++) {
+            const key = [p, ...position.subarray(v * 3, v * 3 + 3),
+                ...attribute.subarray(v * width + 8, (v + 1) * width)].join();
+            if (!same.has(key)) same.set(key, v);
+            weldTo[v] = same.get(key);
+        }
+    });
+    return weldTo;
+}
+
+function simplify(group, index, error, used) {
+    const { position, attribute, width, lock } = group;
+    const scale = MeshoptSimplifier.getScale(position, 3);
+    const factor = Array.from({ length: width }, (_, i) =>
+        (used(i) ? 1 / scale : 0));
+    const flags = ['ErrorAbsolute'];
+    if (error >= SMALL_PARTS_FROM_M) flags.push('Prune');
+    return MeshoptSimplifier.simplifyWithAttributes(index, position, 3,
+        attribute, width, factor, lock, 0, error, flags)[0];
+}
+
+// The distance at rest and in every morph target's shape.
+function measure(group, list) {
+    const { position, parts, first, index } = group;
+    const targets = Math.max(...parts.map((p) => p.target.length));
+    let worst = surfaceDistance(position, index, list);
+    for (let t = 0; t < targets; t++) {
+        const moved = position.slice();
+        parts.forEach((part, p) => part.target[t]?.forEach((d, i) => {
+            moved[first[p] * 3 + i] += d;
+        }));
+        worst = Math.max(worst, surfaceDistance(moved, index, list));
+    }
+    return worst;
+}
+
+// A list a primitive again.
+function split({ parts, first }, list) {
+    return parts.map((part, p) => {
+        const out = [];
+        for (let i = 0; i < list.length; i += 3) {
+            if (list[i] >= first[p] && list[i] < first[p] + part.position.count) {
+                out.push(...[0, 1, 2].map((k) => list[i + k] - first[p]));
+            }
+        }
+        return out;
+    });
+}
+
+// For each error in metres { error_m, index: a list a primitive }: error_m is
+// what was measured, as it counts. shape: for shadows, where only places and what moves them
+// count and seams are none. A level has to save a share of the one before.
+// others: primitives of the meshes that this one meets.
+export function makeLevels(glb, primitives, others, errors, shapeError, share) {
+    const group = join(glb, primitives, others);
+    const counts = group.parts[0].target.length > 0 ? FACE : 1;
+    const levels = [];
+    let last = group.index.length;
+    for (const error of errors) {
+        const list = simplify(group, group.index, error / counts, () => true);
+        if (list.length > 0 && list.length <= last * (1 - share)) {
+            levels.push({ error_m: measure(group, list) * counts,
+                index: split(group, list) });
+            last = list.length;
+        }
+    }
+    const welded = weld(group);
+    const list = simplify(group, group.index.map((v) => welded[v]), shapeError,
+        (i) => i >= 8);
+    if (list.length > 0 && list.length < group.index.length) {
+        levels.push({ error_m: measure(group, list), shape: true,
+            index: split(group, list) });
+    }
+    return levels;
+}

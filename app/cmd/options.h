@@ -9,6 +9,7 @@
 
 #include "app/anim/clip.h"
 #include "app/demo/live.h"
+#include "app/scene/detail.h"
 #include "app/scene/lod.h"
 #include "platform/base/clock.h"
 #include "platform/base/log.h"
@@ -68,7 +69,8 @@ struct options {
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
-	struct lod lod;
+	struct lod lod;       /* influences */
+	struct detail detail; /* triangles */
 	float budget_ms;     /* of a frame; 0: none */
 	int walkers;         /* of a crowd; 0: not given */
 	int runs;            /* of each measurement */

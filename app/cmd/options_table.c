@@ -141,6 +141,11 @@ static bool set_influences(struct options *options, const char *value)
 	return lod_parse(value, &options->lod);
 }
 
+static bool set_lod(struct options *options, const char *value)
+{
+	return detail_parse(value, &options->detail);
+}
+
 static bool set_runs(struct options *options, const char *value)
 {
 	return read_int(value, 1, RUNS_MAX, &options->runs);
@@ -314,11 +319,16 @@ const struct option_entry option_entries[] = {
 		"budget:N",
 		"a number from 1 to 8, auto or budget:N",
 		set_influences, 0},
+	{0, "lod", "PX", FOR_SHOW,
+		"coarser triangles, off by at most PX pixels; auto: 1; off: "
+		"none; level:N",
+		"auto, off, a number of pixels up to 100 or level:N", set_lod,
+		0},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"leave out the text on the picture", NULL, AS_IS(no_labels)},
 	{0, "budget-ms", "N", FOR_PLAY,
-		"keep frames within N ms: leave out influences, then normals, "
-		"then poses",
+		"keep frames within N ms: leave out triangles, influences, "
+		"normals, poses",
 		"a number from 1 to 1000", set_budget, 0},
 	{0, "walkers", "N", FOR_SHOW,
 		"how many walkers the demo crowd begins with (12)",

@@ -80,6 +80,7 @@ static int open_demo(struct show *show, const struct options *options)
 		.repeat = options->repeat,
 		.speed = options->speed,
 		.lod = options->lod,
+		.detail = options->detail,
 		.walkers = options->walkers,
 		.follow_file = show->plan->follow_file,
 		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,

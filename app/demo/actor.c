@@ -21,6 +21,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 		goto fail_model;
 	}
 	actor->lod = env->lod;
+	actor->detail = env->detail;
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent(&bounds);
 	actor->interpolation = env->interpolation;
@@ -84,6 +85,18 @@ void actor_update(
 	actor->instance->max_influences =
 		most > 0 && (cap == 0 || most < cap) ? most : cap;
 	instance_update(actor->instance);
+	actor_choose_detail(actor, camera, picture_height);
+}
+
+void actor_choose_detail(
+	struct actor *actor, const struct camera *camera, int picture_height)
+{
+	struct detail detail =
+		detail_relax(&actor->detail, actor->least_error_px);
+
+	detail_choose(actor->instance, &detail,
+		detail_px_per_unit(actor->instance, camera, actor->extent,
+			picture_height));
 }
 
 void actor_label_detail(const struct actor *actor, struct hud_group *group)
@@ -109,19 +122,6 @@ const char *technique_of(const struct instance *instance)
 		: skinned         ? "Skeletal"
 		: morphed         ? "Morphing"
 				  : "Hierarchical";
-}
-
-long count_triangles(const struct instance *instance)
-{
-	long corners = 0;
-
-	for (int i = 0; i < instance->drawable_count; i++) {
-		const struct drawable *drawable = &instance->drawable[i];
-
-		corners +=
-			drawable->hidden ? 0 : drawable->primitive->index_count;
-	}
-	return corners / 3;
 }
 
 int find_bone(const struct model *model, const char *name,

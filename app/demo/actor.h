@@ -22,7 +22,9 @@ struct actor {
 	struct fade fade; /* for whoever changes clips */
 	struct lod lod;
 	int most_influences; /* whatever lod says; 0: no limit */
-	float extent; /* at rest, scene units */
+	struct detail detail;
+	float least_error_px; /* whatever detail says; 0: as it says */
+	float extent;         /* at rest, scene units */
 };
 
 /* What every demo's struct begins with. */
@@ -52,10 +54,14 @@ void actor_draw(const struct actor *actor, const struct stage *stage,
 	const struct gl *gl, int width, int height);
 
 /*
- * The frame's work for a picture of this height: influences as many as the
- * level of detail says, then instance_update().
+ * The frame's work for a picture of this height: influences and triangles as
+ * many as the levels of detail say, and instance_update().
  */
 void actor_update(
+	struct actor *actor, const struct camera *camera, int picture_height);
+
+/* Triangles alone, for whoever does not update the instance. */
+void actor_choose_detail(
 	struct actor *actor, const struct camera *camera, int picture_height);
 
 /* Says how many influences are used where some are left out. */
@@ -63,9 +69,6 @@ void actor_label_detail(const struct actor *actor, struct hud_group *group);
 
 /* The technique that moves most of it: "Skeletal" and so on. */
 const char *technique_of(const struct instance *instance);
-
-/* Of all that is not hidden. */
-long count_triangles(const struct instance *instance);
 
 /* The node of that name. 0, or -EINVAL after a sentence. */
 int find_bone(const struct model *model, const char *name,

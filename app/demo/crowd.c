@@ -14,7 +14,6 @@
 #include "app/demo/crowd_places.h"
 #include "app/demo/crowd_shadow.h"
 #include "app/demo/demo.h"
-#include "app/scene/coarse.h"
 #include "app/scene/draw.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -31,11 +30,7 @@ enum {
 	HALF_BELOW_PX = 110,
 	THIRD_BELOW_PX = 64,
 	PLAIN_BELOW_PX = 110,
-	RATES = 3,
-	/* Below these heights: cells of 1/60 and 1/30 of the figure. */
-	COARSE_BELOW_PX = 130,
-	COARSER_BELOW_PX = 70,
-	DETAILS = 3
+	RATES = 3
 };
 
 static const float turn_rad_per_s = 0.9f;
@@ -70,8 +65,7 @@ struct demo {
 	float turn;
 	bool drifting;
 	bool plain_shadows;
-	bool saving;                   /* level of detail */
-	struct coarse detail[DETAILS]; /* all triangles, fewer, fewest */
+	bool saving;        /* level of detail */
 	int at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
 
@@ -158,35 +152,6 @@ static struct camera camera_for(const struct demo *demo, int count)
 	return camera;
 }
 
-/* Index lists that all walkers share; the first one has them. */
-static int make_details(struct demo *demo)
-{
-	struct instance *first = demo->act.actor.instance;
-	float height = demo->act.actor.extent / first->unit_scale;
-	int error = coarse_keep(&demo->detail[0], first, &first->arena);
-
-	if (!error) {
-		error = coarse_init(
-			&demo->detail[1], first, height / 60.0f, &first->arena);
-	}
-	if (!error) {
-		error = coarse_init(
-			&demo->detail[2], first, height / 30.0f, &first->arena);
-	}
-	if (error) {
-		log_error(demo->log, "crowd: not enough memory");
-	}
-	return error;
-}
-
-static int detail_of(const struct demo *demo, const struct walker *walker)
-{
-	if (!demo->saving || walker->height_px >= COARSE_BELOW_PX) {
-		return 0;
-	}
-	return walker->height_px >= COARSER_BELOW_PX ? 1 : 2;
-}
-
 static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 {
 	int wanted = env->walkers > 0 ? env->walkers : COUNT_AT_FIRST;
@@ -202,10 +167,6 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	while (!error && demo->count < wanted && demo->count < CROWD_MAX) {
 		error = add_walker(demo);
 	}
-	if (error) {
-		return error;
-	}
-	error = make_details(demo);
 	if (error) {
 		return error;
 	}
@@ -289,6 +250,17 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 	instance_update(instance);
 }
 
+static void choose_detail(struct demo *demo, struct walker *walker)
+{
+	static const struct detail all = {.kind = DETAIL_ALL};
+	const struct actor *actor = &demo->act.actor;
+	struct detail detail =
+		detail_relax(&actor->detail, actor->least_error_px);
+
+	detail_choose(walker->instance, demo->saving ? &detail : &all,
+		walker->height_px / actor->extent);
+}
+
 static void crowd_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
@@ -306,8 +278,7 @@ static void crowd_update(struct demo *demo, double time_s)
 		walker->height_px = height_px(demo, walker);
 		walker->every = frames_a_pose(demo, walker->height_px);
 		demo->at_rate[walker->every - 1]++;
-		coarse_use(&demo->detail[detail_of(demo, walker)],
-			walker->instance);
+		choose_detail(demo, walker);
 		/* Turn by turn, so that each frame has as much to do. */
 		if (first ||
 			(demo->frame + (unsigned)i) % (unsigned)walker->every ==
@@ -400,10 +371,7 @@ static void crowd_tell(const struct demo *demo, struct demo_facts *out)
 {
 	out->triangles = 0;
 	for (int i = 0; i < demo->count; i++) {
-		const struct walker *walker = &demo->walker[i];
-
-		out->triangles +=
-			demo->detail[detail_of(demo, walker)].triangles;
+		out->triangles += detail_triangles(demo->walker[i].instance);
 	}
 }
 

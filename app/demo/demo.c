@@ -103,6 +103,7 @@ void demo_shed(struct demo *demo, const struct shed *shed)
 
 	act->shed = *shed;
 	act->actor.most_influences = shed->max_influences;
+	act->actor.least_error_px = shed->error_px;
 	act->actor.instance->hold_normals = shed->hold_normals;
 }
 
@@ -118,7 +119,7 @@ struct demo_facts demo_tell(
 		((const struct act *)demo)->actor.instance;
 	struct demo_facts facts = {
 		.technique = technique_of(instance),
-		.triangles = count_triangles(instance),
+		.triangles = detail_triangles(instance),
 	};
 
 	if (driver->tell) {

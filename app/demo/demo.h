@@ -11,6 +11,7 @@
 #include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
 #include "app/demo/live.h"
+#include "app/scene/detail.h"
 #include "app/scene/hud_group.h"
 #include "app/scene/lod.h"
 #include "platform/base/log.h"
@@ -33,6 +34,7 @@ struct demo_env {
 	enum clip_repeat repeat; /* of the user's model's clips */
 	float speed;             /* likewise, negative: backwards */
 	struct lod lod;          /* influences a vertex */
+	struct detail detail;    /* triangles */
 	int walkers;             /* of a crowd; 0: as it likes */
 	bool follow_file;        /* show the model anew when it changes */
 	int64_t (*now_ns)(void); /* measures; NULL where times must repeat */
@@ -45,7 +47,7 @@ struct demo_env {
 /* What a demo shows, for whoever measures. */
 struct demo_facts {
 	const char *technique; /* "Skeletal" */
-	long triangles;        /* of models, each once */
+	long triangles;        /* of models, each once, as they are drawn */
 };
 
 /* Something a button does. */
@@ -110,6 +112,7 @@ void demo_destroy(const struct demo_driver *driver, struct demo *demo);
 
 /* What to leave out to keep a budget; all zero: nothing. */
 struct shed {
+	float error_px;     /* of coarser triangles, at least; 0: as it is */
 	int max_influences; /* of any vertex; 0: all */
 	bool hold_normals;  /* as they are */
 };

@@ -190,7 +190,7 @@ static void duel_tell(const struct demo *demo, struct demo_facts *out)
 	out->technique = "All three";
 	out->triangles = 0;
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		out->triangles += count_triangles(demo->contender[i].shown);
+		out->triangles += detail_triangles(demo->contender[i].shown);
 	}
 }
 

@@ -17,12 +17,14 @@ static const struct {
 	unsigned frames_a_pose;
 	const char *text;
 } levels[GOVERNOR_STEPS + 1] = {
-	{{0, false}, 1, NULL},
-	{{2, false}, 1, "2 influences"},
-	{{1, false}, 1, "1 influence"},
-	{{1, true}, 1, "normals held"},
-	{{1, true}, 2, "half the poses"},
-	{{1, true}, 4, "a quarter of poses"},
+	{{0.0f, 0, false}, 1, NULL},
+	{{2.0f, 0, false}, 1, "triangles to 2 px"},
+	{{4.0f, 0, false}, 1, "triangles to 4 px"},
+	{{4.0f, 2, false}, 1, "2 influences"},
+	{{4.0f, 1, false}, 1, "1 influence"},
+	{{4.0f, 1, true}, 1, "normals held"},
+	{{4.0f, 1, true}, 2, "half the poses"},
+	{{4.0f, 1, true}, 4, "a quarter of poses"},
 };
 
 static void rest(struct governor *governor)

@@ -147,24 +147,79 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
+/* A list of the primitive's vertices, each where it is drawn from. */
+static const uint16_t *place_list(const struct drawable *drawable,
+	const uint32_t *list, int count, struct arena *arena)
+{
+	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
+
+	for (int i = 0; index && i < count; i++) {
+		index[i] = (uint16_t)(place ? place[list[i]] : list[i]);
+	}
+	return index;
+}
+
+/* The model's own coarser lists; the last one for shapes is the outline. */
+static int place_lods(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	batch->lod = ARENA_ARRAY(
+		arena, struct batch_lod, (size_t)primitive->lod_count);
+	if (!batch->lod) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+		const uint16_t *index = place_list(
+			drawable, lod->index, lod->index_count, arena);
+
+		if (!index) {
+			return -ENOMEM;
+		}
+		if (lod->shape) {
+			batch->outline = index;
+			batch->outline_count = lod->index_count;
+		} else {
+			batch->lod[batch->lod_count++] = (struct batch_lod){
+				.error = lod->error_m,
+				.index_count = lod->index_count,
+				.index = index,
+			};
+		}
+	}
+	return 0;
+}
+
+static int make_outline(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	uint16_t *outline;
+	int error;
+
+	if (batch->outline) {
+		return 0;
+	}
+	error = outline_make(drawable->primitive, place, arena, &outline,
+		&batch->outline_count);
+	batch->outline = outline;
+	return error;
+}
+
 static int make_whole(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
-	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
 	struct batch *batch = ARENA_NEW(arena, struct batch);
-	uint16_t *outline;
+	const uint16_t *index = place_list(
+		drawable, primitive->index, primitive->index_count, arena);
 	int error;
-	uint16_t *index =
-		ARENA_ARRAY(arena, uint16_t, (size_t)primitive->index_count);
 
 	if (!batch || !index) {
 		return -ENOMEM;
-	}
-	for (int i = 0; i < primitive->index_count; i++) {
-		uint32_t vertex = primitive->index[i];
-
-		index[i] = (uint16_t)(place ? place[vertex] : vertex);
 	}
 	*batch = (struct batch){
 		.vertex_count = primitive->vertex_count,
@@ -173,9 +228,10 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	};
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = outline_make(
-		primitive, place, arena, &outline, &batch->outline_count);
-	batch->outline = outline;
+	error = place_lods(batch, drawable, arena);
+	if (!error) {
+		error = make_outline(batch, drawable, arena);
+	}
 	return error ? error : fill(batch, drawable, base_color, arena);
 }
 

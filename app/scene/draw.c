@@ -78,6 +78,7 @@ struct arrays {
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
 	bool outline; /* what it looks like does not matter */
+	int lod;      /* of the drawable */
 };
 
 /* Positions, and normals if wanted. */
@@ -101,6 +102,11 @@ static void set_vertices(
 	}
 }
 
+static void draw_list(const struct gl *gl, const uint16_t *index, int count)
+{
+	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+}
+
 static void draw_batch(const struct gl *gl, const struct batch *batch,
 	const struct arrays *arrays)
 {
@@ -118,11 +124,13 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
 	if (arrays->outline && batch->outline) {
-		gl->DrawElements(GL_TRIANGLES, batch->outline_count,
-			GL_UNSIGNED_SHORT, batch->outline);
+		draw_list(gl, batch->outline, batch->outline_count);
+	} else if (arrays->lod > 0) {
+		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
+
+		draw_list(gl, lod->index, lod->index_count);
 	} else if (batch->index) {
-		gl->DrawElements(GL_TRIANGLES, batch->index_count,
-			GL_UNSIGNED_SHORT, batch->index);
+		draw_list(gl, batch->index, batch->index_count);
 	} else {
 		gl->DrawArrays(GL_TRIANGLES, 0, batch->vertex_count);
 	}
@@ -163,6 +171,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 			.lit = true,
 			.texcoord = textured ? batch->texcoord : NULL,
 			.color = batch->color,
+			.lod = drawable->lod,
 		});
 }
 
@@ -170,7 +179,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	static const struct arrays none = {.outline = true};
+	const struct arrays none = {.outline = true, .lod = drawable->lod};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {
@@ -215,6 +224,7 @@ static void draw_relief(const struct gl *gl, const struct instance *instance,
 		&(struct arrays){
 			.texcoord = batch->texcoord,
 			.color = (const uint8_t(*)[4])drawable->light,
+			.lod = drawable->lod,
 		});
 	set_surface(gl, instance, drawable, textures);
 	bump_begin_tint(gl);

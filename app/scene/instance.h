@@ -27,6 +27,13 @@
 
 #include <string.h>
 
+/* A coarser list of a batch's triangles, see detail.h. */
+struct batch_lod {
+	float error; /* in the unit of the model's positions */
+	int index_count;
+	const uint16_t *index;
+};
+
 /*
  * A run of vertices that one GL call draws. Attributes are either the
  * drawable's own arrays or copies in another order, see batch.h.
@@ -44,6 +51,8 @@ struct batch {
 
 	int index_count;
 	const uint16_t *index; /* or NULL: every three vertices in turn */
+	int lod_count;
+	struct batch_lod *lod; /* the finest first */
 	/* Fewer triangles with the same outline, or NULL */
 	const uint16_t *outline;
 	int outline_count;
@@ -87,6 +96,7 @@ struct drawable {
 	bool morphed; /* has targets */
 	bool shaped;  /* shows what drawable_set_shape() gave it */
 	bool hidden;
+	int lod; /* drawn by the batch's lod[lod - 1]; 0: by all triangles */
 	fx16_t color[4]; /* the material's, sRGB-encoded */
 	float vertex_scale;
 
@@ -137,6 +147,8 @@ struct instance {
 	mat4 *world;    /* [node_count], in the model's own units */
 	mat4 **palette; /* [skin_count][joint_count], times unit_scale */
 	float unit_scale;
+	float detail_px_per_unit; /* what drawables' lods were chosen for; 0:
+				     nothing so far */
 
 	int drawable_count;
 	struct drawable *drawable;

@@ -320,8 +320,8 @@ const struct option_entry option_entries[] = {
 		"a number from 1 to 8, auto or budget:N",
 		set_influences, 0},
 	{0, "lod", "PX", FOR_SHOW,
-		"coarser triangles, off by at most PX pixels; auto: 1; off: "
-		"none; level:N",
+		"coarser triangles, off by at most PX pixels (auto: 1); level:N "
+		"or off",
 		"auto, off, a number of pixels up to 100 or level:N", set_lod,
 		0},
 	{0, "no-labels", NULL, FOR_SHOW,

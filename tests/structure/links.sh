@@ -4,7 +4,8 @@
 
 # links FILE: what it links to in this tree, a line each.
 links() {
-    grep -oE '\]\([^)]+\)' "$1" | sed 's/^](//; s/)$//; s/#.*//' |
+    grep -oE '\]\([^)]+\)|src="[^"]+"' "$1" |
+        sed 's/^](//; s/)$//; s/^src="//; s/"$//; s/#.*//' |
         grep -vE '^$|^[a-z]+:' || true
 }
 
@@ -21,9 +22,10 @@ for page in $(find . -path ./build -prune -o -name README.md -print | sort); do
 done
 
 mkdir -p "$scratch/page"
-echo '[a](there.md#part) ![b](gone.png) [c](https://example.com)' \
+echo '[a](there.md#part) ![b](gone.png) [c](https://example.com)
+<img src="there.md"> <img src="lost.png">' \
     >"$scratch/page/README.md"
 : >"$scratch/page/there.md"
 check 'a link that leads nowhere is noticed' \
-    test "$(broken "$scratch/page/README.md")" = gone.png
+    test "$(broken "$scratch/page/README.md" | tr '\n' ' ')" = 'gone.png lost.png '
 tap_done

@@ -127,6 +127,7 @@ struct flat_band {
 
 struct shade_run;
 struct tile_run;
+struct glyph;
 struct tint_band;
 struct count_band;
 struct draw;
@@ -147,6 +148,9 @@ struct band_functions {
 	void (*tint_nearest)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
+	/* glyph.h */
+	void (*glyph)(const struct glyph *glyph);
+	void (*mix)(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 	/* tile_row.h; the row of textures as wide as high */
 	void (*tile_row)(const struct tile_run *run);
 	void (*tile_blend)(uint16_t *pixel, const uint16_t *own, int count,
@@ -154,8 +158,7 @@ struct band_functions {
 	void (*count)(struct count_band *band); /* count.h */
 	/* ground.h */
 	void (*shade_ground)(const struct shade_run *run);
-	int (*depth)(
-		uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+	int (*depth)(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 };
 
 extern const struct band_functions soft_bands;

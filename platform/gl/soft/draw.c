@@ -144,12 +144,41 @@ void soft_list_c(struct draw *draw, const void *indices, uint32_t count)
 	}
 }
 
+/* Triangles of fill_glyph.c, many of them two to a rectangle. */
+static void draw_rectangles(struct draw *draw, const struct source *source)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		uint16_t index[6];
+		struct vertex *v[4];
+
+		memcpy(index, source->indices + 2 * i, 3 * sizeof(index[0]));
+		if (i + 5 < source->count) {
+			memcpy(index, source->indices + 2 * i, sizeof(index));
+			v[0] = find_by_index(draw, index[0]);
+			v[1] = find_by_index(draw, index[1]);
+			v[2] = find_by_index(draw, index[2]);
+			v[3] = find_by_index(draw, index[5]);
+			if (index[3] == index[2] && index[4] == index[1] &&
+				v[0]->index == index[0] &&
+				v[1]->index == index[1] &&
+				v[2]->index == index[2] &&
+				fill_rectangle(draw, v)) {
+				i += 3;
+				continue;
+			}
+		}
+		draw_indexed(draw, index);
+	}
+}
+
 /* Lists of triangles by 16-bit indices, which most are. */
 static void draw_listed(struct draw *draw, const struct source *source)
 {
 	bool even = ((uintptr_t)source->indices & 1) == 0;
 
-	if (draw->packed && even) {
+	if (draw->fill == fill_glyph) {
+		draw_rectangles(draw, source);
+	} else if (draw->packed && even) {
 		soft_bands.list(draw, source->indices, source->count);
 	} else {
 		soft_list_c(draw, source->indices, source->count);

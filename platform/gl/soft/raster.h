@@ -245,6 +245,11 @@ void fill_count(struct draw *draw, struct setup *setup);
 /* fill_glyph.c, on top of fill_flat_begin() */
 bool fill_is_glyph(const struct draw *draw);
 void fill_glyph(struct draw *draw, struct setup *setup);
+/*
+ * Two triangles of its, v[0] v[1] v[2] and v[2] v[1] v[3]; false, with nothing
+ * drawn, where they are no upright rectangle it can draw as one.
+ */
+bool fill_rectangle(struct draw *draw, struct vertex *const v[4]);
 
 /*
  * Calls row(draw, y, left, right) for each row with pixels, inside of

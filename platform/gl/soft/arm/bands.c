@@ -2,6 +2,7 @@
 
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
+#include "platform/gl/soft/glyph.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/tile_row.h"
@@ -18,6 +19,10 @@ void tint_nearest_arm(struct tint_band *band);
 
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
+
+/* glyph.S */
+void glyph_draw_arm(const struct glyph *glyph);
+void glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 
 /* tile_row.S */
 void tile_row_arm(const struct tile_run *run);
@@ -104,6 +109,8 @@ const struct band_functions soft_bands = {
 	.tint_nearest = tint_nearest_arm,
 	.flat = flat_arm,
 	.fill = band_fill_arm,
+	.glyph = glyph_draw_arm,
+	.mix = glyph_mix_arm,
 	.tile_row = tile_row_arm,
 	.tile_blend = tile_blend_arm,
 	.count = count_arm,

@@ -1,5 +1,6 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/count.h"
+#include "platform/gl/soft/glyph.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/tile_row.h"
@@ -15,6 +16,8 @@ const struct band_functions soft_bands = {
 	.tint_nearest = tint_nearest_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
+	.glyph = glyph_draw_c,
+	.mix = glyph_mix_c,
 	.tile_row = tile_row_c,
 	.tile_blend = tile_blend_c,
 	.count = count_band_c,

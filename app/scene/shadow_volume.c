@@ -190,17 +190,39 @@ static int list_vertices(struct shadow_hull *hull, struct arena *arena)
 	return 0;
 }
 
-static int init_hull(struct shadow_hull *hull, const struct drawable *drawable,
-	struct arena *arena)
+/*
+ * Parts of a skinned figure are told apart as finely as its largest one is:
+ * their shadow is one.
+ */
+static float choose_cell(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	float cell = outline_cell(drawable->primitive);
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *other = &instance->drawable[i];
+
+		if (drawable->skin >= 0 && other->skin == drawable->skin) {
+			float side = outline_cell(other->primitive);
+
+			cell = side > cell ? side : cell;
+		}
+	}
+	return cell;
+}
+
+static int init_hull(struct shadow_hull *hull, const struct instance *instance,
+	const struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t triangles;
 	int error;
 
 	hull->drawable = drawable;
-	error = primitive->normal ? outline_make(primitive, NULL, arena,
-					    &hull->corner, &hull->corner_count)
-				  : copy_corners(primitive, hull, arena);
+	error = primitive->normal
+		? outline_make(primitive, choose_cell(instance, drawable), NULL,
+			  arena, &hull->corner, &hull->corner_count)
+		: copy_corners(primitive, hull, arena);
 	if (error) {
 		return error;
 	}
@@ -243,8 +265,8 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 				drawable->primitive->vertex_count);
 			continue;
 		}
-		if (init_hull(&volume->hull[volume->hull_count++], drawable,
-			    arena) != 0) {
+		if (init_hull(&volume->hull[volume->hull_count++], instance,
+			    drawable, arena) != 0) {
 			goto fail;
 		}
 	}

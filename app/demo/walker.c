@@ -153,6 +153,7 @@ static void walker_update(struct demo *demo, double time_s)
 	light.reach = 2.0f * demo->act.stage.camera.reach;
 	light.ground = floor;
 	light_direction(light.towards);
+	camera_near_plane(&demo->act.stage.camera, light.near_plane);
 	shadow_volume_update(&demo->shadow, instance, &light);
 }
 

@@ -122,6 +122,18 @@ void camera_view(const struct camera *camera, mat4 out)
 	}
 }
 
+void camera_near_plane(const struct camera *camera, float out[4])
+{
+	const struct lens lens = camera_lens(camera, 1, 1);
+	mat4 view;
+
+	camera_view(camera, view);
+	for (int i = 0; i < 4; i++) {
+		out[i] = -view[i][2];
+	}
+	out[3] -= fx16_to_float(lens.near);
+}
+
 struct lens camera_lens(const struct camera *camera, int width, int height)
 {
 	/* The ground at the lower edge of the picture is nearer than a model. */

@@ -46,6 +46,9 @@ float camera_tan_half(float angle_rad);
 /* Where the eye is, in scene units. */
 void camera_eye(const struct camera *camera, float out[3]);
 
+/* Its x, y, z times a place's plus the last is positive beyond it. */
+void camera_near_plane(const struct camera *camera, float out[4]);
+
 /* World to eye. */
 void camera_view(const struct camera *camera, mat4 out);
 

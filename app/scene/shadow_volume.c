@@ -303,8 +303,11 @@ static float way_to_ground(const struct shadow_light *light, const float from[3]
 		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
 }
 
-/* From where to where a vertex is carried: a little to both sides of it. */
-static void find_ways(const struct shadow_light *light, const float posed[3],
+/*
+ * From where to where a vertex is carried: a little to both sides of it, if it
+ * is within reach.
+ */
+static bool find_ways(const struct shadow_light *light, const float posed[3],
 	float *near, float *far)
 {
 	float ground, slack;
@@ -312,12 +315,13 @@ static void find_ways(const struct shadow_light *light, const float posed[3],
 	*near = 0.0f;
 	*far = light->reach;
 	if (!light->ground || light->towards[1] <= 0.0f) {
-		return;
+		return false;
 	}
 	ground = way_to_ground(light, posed);
 	slack = floor_sag(light->ground) / light->towards[1];
 	*far = scalar_clamp(ground + slack, 0.0f, light->reach);
 	*near = scalar_clamp(ground - slack, 0.0f, *far);
+	return *far < light->reach;
 }
 
 static void move(const float from[3], const float towards_light[3], float way,
@@ -339,6 +343,7 @@ static void place_vertices(struct shadow_hull *hull,
 	if (drawable->skin < 0) {
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
+	hull->too_short = false;
 	for (int i = 0; i < hull->vertex_count; i++) {
 		int v = hull->vertex[i];
 		float p[3], posed[3], near_way, far_way;
@@ -349,7 +354,7 @@ static void place_vertices(struct shadow_hull *hull,
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
 		}
-		find_ways(light, posed, &near_way, &far_way);
+		hull->too_short |= !find_ways(light, posed, &near_way, &far_way);
 		move(posed, light->towards, near_way, hull->position[v]);
 		move(posed, light->towards, far_way, hull->position[v + count]);
 	}
@@ -377,8 +382,22 @@ static uint16_t *add_triangle(uint16_t *next, uint32_t a, uint32_t b, uint32_t c
 	return next + 3;
 }
 
-/* The lit triangles close the hull near the light and, turned, far from it. */
-static uint16_t *add_caps(const struct shadow_hull *hull, uint16_t *next)
+/* The lit triangles close the hull near the light. */
+static uint16_t *add_near(const struct shadow_hull *hull, uint16_t *next)
+{
+	for (int t = 0; t < hull->corner_count / 3; t++) {
+		const uint16_t *corner = hull->corner + t * 3;
+
+		if (hull->lit[t]) {
+			next = add_triangle(
+				next, corner[0], corner[1], corner[2]);
+		}
+	}
+	return next;
+}
+
+/* Turned round, they close it far from the light. */
+static uint16_t *add_far(const struct shadow_hull *hull, uint16_t *next)
 {
 	uint32_t away = (uint32_t)hull->drawable->primitive->vertex_count;
 
@@ -386,8 +405,6 @@ static uint16_t *add_caps(const struct shadow_hull *hull, uint16_t *next)
 		const uint16_t *corner = hull->corner + t * 3;
 
 		if (hull->lit[t]) {
-			next = add_triangle(
-				next, corner[0], corner[1], corner[2]);
 			next = add_triangle(next, corner[0] + away,
 				corner[2] + away, corner[1] + away);
 		}
@@ -415,14 +432,40 @@ static uint16_t *add_sides(const struct shadow_hull *hull, uint16_t *next)
 	return next;
 }
 
+static float distance(const float plane[4], const float from[3])
+{
+	return glm_vec3_dot((float *)plane, (float *)from) + plane[3];
+}
+
+/* Of the near plane, and not ended by the light's reach. */
+static bool is_beyond(
+	const struct shadow_hull *hull, const struct shadow_light *light)
+{
+	const float *plane = light->near_plane;
+	int away = hull->drawable->primitive->vertex_count;
+	float least = 1.0f;
+
+	for (int i = 0; i < hull->vertex_count; i++) {
+		int v = hull->vertex[i];
+		float near = distance(plane, hull->position[v]);
+		float far = distance(plane, hull->position[v + away]);
+
+		least = near < least ? near : least;
+		least = far < least ? far : least;
+	}
+	return least > 0.0f && !hull->too_short;
+}
+
 void shadow_volume_update(struct shadow_volume *volume,
 	const struct instance *instance, const struct shadow_light *light)
 {
+	volume->beyond = light->ground && light->towards[1] > 0.0f;
 	for (int i = 0; i < volume->hull_count; i++) {
 		struct shadow_hull *hull = &volume->hull[i];
-		uint16_t *end;
+		uint16_t *sides_end, *end;
 
 		hull->index_count = 0;
+		hull->far_count = 0;
 		if (hull->drawable->hidden) {
 			continue;
 		}
@@ -431,19 +474,25 @@ void shadow_volume_update(struct shadow_volume *volume,
 			hull->lit[t] = faces(
 				hull, hull->corner + t * 3, light->towards);
 		}
-		end = add_sides(hull, add_caps(hull, hull->index));
+		sides_end = add_sides(hull, add_near(hull, hull->index));
+		end = add_far(hull, sides_end);
 		hull->index_count = (int)(end - hull->index);
+		hull->far_count = (int)(end - sides_end);
+		volume->beyond &= is_beyond(hull, light);
 	}
 }
 
+/* Far ends lie behind the ground: nobody sees them who is outside. */
 static void draw_hulls(const struct shadow_volume *volume, const struct gl *gl)
 {
 	for (int i = 0; i < volume->hull_count; i++) {
 		const struct shadow_hull *hull = &volume->hull[i];
+		int count = hull->index_count -
+			(volume->beyond ? hull->far_count : 0);
 
 		gl->VertexPointer(3, GL_FLOAT, 0, hull->position);
-		gl->DrawElements(GL_TRIANGLES, hull->index_count,
-			GL_UNSIGNED_SHORT, hull->index);
+		gl->DrawElements(
+			GL_TRIANGLES, count, GL_UNSIGNED_SHORT, hull->index);
 	}
 }
 
@@ -476,10 +525,26 @@ static void darken(const struct gl *gl, float strength)
 }
 
 /*
- * Counts where the ground hides the hull: back faces up, front faces down, so
- * that the eye may stand inside a volume. Back faces go first because GL ES
- * 1.1's stencil does not wrap.
+ * How many hulls' surfaces lie between the eye and the ground: front faces up,
+ * back faces down. An eye inside of one misses its front; then it is counted
+ * where the ground hides the hull, back faces up and front faces down. What
+ * counts up goes first because GL ES 1.1's stencil does not wrap.
  */
+static void count_hulls(const struct shadow_volume *volume, const struct gl *gl)
+{
+	bool seen = volume->beyond;
+
+	gl->CullFace(seen ? GL_BACK : GL_FRONT);
+	gl->StencilOp(
+		GL_KEEP, seen ? GL_KEEP : GL_INCR, seen ? GL_INCR : GL_KEEP);
+	draw_hulls(volume, gl);
+	gl->CullFace(seen ? GL_FRONT : GL_BACK);
+	gl->StencilOp(
+		GL_KEEP, seen ? GL_KEEP : GL_DECR, seen ? GL_DECR : GL_KEEP);
+	draw_hulls(volume, gl);
+	gl->CullFace(GL_BACK);
+}
+
 void shadow_volume_draw(
 	const struct shadow_volume *volume, const struct gl *gl, float strength)
 {
@@ -495,12 +560,7 @@ void shadow_volume_draw(
 	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 	gl->DepthMask(GL_FALSE);
 	gl->Enable(GL_CULL_FACE);
-	gl->CullFace(GL_FRONT);
-	gl->StencilOp(GL_KEEP, GL_INCR, GL_KEEP);
-	draw_hulls(volume, gl);
-	gl->CullFace(GL_BACK);
-	gl->StencilOp(GL_KEEP, GL_DECR, GL_KEEP);
-	draw_hulls(volume, gl);
+	count_hulls(volume, gl);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->Disable(GL_CULL_FACE);
 	darken(gl, strength);

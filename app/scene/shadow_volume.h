@@ -32,11 +32,13 @@ struct shadow_hull {
 	bool *lit;            /* [corner_count / 3], by the last update */
 	float (*position)[3]; /* [2 * primitive's vertices]: as posed or moved down to
 				 the ground, then moved away from the light */
-	uint16_t *index;
-	int index_count;
+	uint16_t *index; /* the far ends last */
+	int index_count, far_count;
+	bool too_short; /* to reach the ground everywhere */
 };
 
 struct shadow_volume {
+	bool beyond; /* all hulls, of the near plane; and they end in the ground */
 	int hull_count;
 	struct shadow_hull *hull;
 };
@@ -49,6 +51,11 @@ struct shadow_light {
 	float towards[3]; /* unit length */
 	float reach;      /* scene units: hulls are no longer */
 	const struct floor *ground; /* NULL: hulls go all the way */
+	/*
+	 * The camera's (camera_near_plane()): where all hulls lie beyond, the
+	 * eye is outside of them, and less has to be drawn.
+	 */
+	float near_plane[4];
 };
 
 /*

@@ -1,8 +1,15 @@
 #include "app/scene/shadow_volume.h"
+#include "platform/base/fixed.h"
+#include "platform/gl/gl_context.h"
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+enum {
+	PICTURE = 96
+};
 
 static const float from_front[3] = {0.0f, 0.0f, 1.0f};
 static const float from_back[3] = {0.0f, 0.0f, -1.0f};
@@ -202,6 +209,124 @@ static void test_a_hull_does_not_rise_towards_the_light(void **state)
 	end(&cast);
 }
 
+/* Only then may it be drawn without its far end. */
+static void test_a_hull_in_the_ground_may_lie_beyond_the_near_plane(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f, .relief = 0.1f};
+	struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.reach = 5.0f,
+		.ground = &floor,
+		/* x from -1.6 on */
+		.near_plane = {1.0f, 0.0f, 0.0f, 1.6f}};
+	struct cast cast = begin(make_cube());
+	const struct shadow_hull *hull = &cast.volume.hull[0];
+	int lit = 0;
+
+	(void)state;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	for (int t = 0; t < hull->corner_count / 3; t++) {
+		lit += hull->lit[t];
+	}
+	assert_true(lit > 0);
+	assert_int_equal(hull->far_count, 3 * lit);
+	assert_true(cast.volume.beyond);
+	/* It cuts the far end of the shadow. */
+	light.near_plane[3] = 1.4f;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_false(cast.volume.beyond);
+	/* What ends above the ground has an end to be seen. */
+	light.near_plane[3] = 1.6f;
+	light.reach = 1.5f;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_false(cast.volume.beyond);
+	light.ground = NULL;
+	light.reach = 1.0f;
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	assert_false(cast.volume.beyond);
+	end(&cast);
+}
+
+/* From above, 8 units a side. */
+static void look_down(const struct gl *gl)
+{
+	static const GLfixed down[16] = {FX16_ONE / 4, 0, 0, 0, 0, 0,
+		-FX16_ONE / 4, 0, 0, -FX16_ONE / 4, 0, 0, 0, 0, 0, FX16_ONE};
+
+	gl->ClearColorx(0, 0, 0, FX16_ONE);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+		GL_STENCIL_BUFFER_BIT);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->LoadIdentity();
+	gl->MultMatrixx(down);
+}
+
+/* How many pixels of white ground are dark. */
+static int draw_shadow(struct gl_context *context, struct pixels *picture,
+	const struct floor *floor, const struct shadow_volume *volume)
+{
+	const struct gl *gl = &context->gl;
+	int dark = 0;
+
+	assert_int_equal(context->driver->begin_frame(context, picture), 0);
+	look_down(gl);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Disable(GL_CULL_FACE);
+	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_SOLID_INDICES, GL_UNSIGNED_SHORT,
+		floor->index);
+	shadow_volume_draw(volume, gl, 0.5f);
+	context->driver->end_frame(context);
+	for (int i = 0; i < PICTURE * PICTURE; i++) {
+		uint8_t value = picture->data[4 * i];
+
+		dark += value > 0 && value < 200;
+	}
+	return dark;
+}
+
+static void test_shadows_are_the_same_with_and_without_far_ends(void **state)
+{
+	const struct bounds bounds = {
+		.low = {0.0f, -1.0f, 0.0f}, .high = {1.0f, 1.0f, 1.0f}};
+	struct log log = log_to_nowhere();
+	struct cast cast = begin(make_cube());
+	struct pixels picture[2];
+	struct gl_context *context;
+	struct floor floor;
+	struct shadow_light light = {.towards = {0.36f, 0.8f, 0.48f},
+		.reach = 5.0f,
+		.ground = &floor,
+		.near_plane = {0.0f, 0.0f, 0.0f, 1.0f}};
+
+	(void)state;
+	assert_int_equal(gl_open("soft", PIXELS_RGBA8888, &log, &context), 0);
+	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.0f,
+				 PIXELS_RGBA8888, &log),
+		0);
+	floor_set_relief(&floor, 0.2f);
+	shadow_volume_update(&cast.volume, cast.instance, &light);
+	for (int i = 0; i < 2; i++) {
+		assert_int_equal(pixels_alloc(&picture[i], PICTURE, PICTURE,
+					 PIXELS_RGBA8888, &log),
+			0);
+		assert_true(cast.volume.beyond == (i == 0));
+		/* 1 + 0.45 + 0.6 square units of 144 pixels. */
+		assert_in_range(
+			draw_shadow(context, &picture[i], &floor, &cast.volume),
+			270, 330);
+		cast.volume.beyond = false;
+	}
+	assert_memory_equal(
+		picture[0].data, picture[1].data, PICTURE * PICTURE * 4);
+	free(picture[0].data);
+	free(picture[1].data);
+	floor_finish(&floor, &context->gl);
+	context->driver->destroy(context);
+	end(&cast);
+}
+
 static void test_seams_are_not_borders(void **state)
 {
 	struct model *model = small_model_grid(2, 1, 1.0f, true);
@@ -257,6 +382,10 @@ int main(void)
 		cmocka_unit_test(test_a_hull_lies_where_the_ground_can_be),
 		cmocka_unit_test(test_a_hull_is_no_longer_than_its_reach),
 		cmocka_unit_test(test_a_hull_does_not_rise_towards_the_light),
+		cmocka_unit_test(
+			test_a_hull_in_the_ground_may_lie_beyond_the_near_plane),
+		cmocka_unit_test(
+			test_shadows_are_the_same_with_and_without_far_ends),
 		cmocka_unit_test(test_seams_are_not_borders),
 		cmocka_unit_test(test_too_large_a_part_is_left_out_with_a_word),
 	};

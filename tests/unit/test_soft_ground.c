@@ -18,6 +18,7 @@ enum {
 	HEIGHT = 80,
 	TRIANGLES = 24,
 	CORNERS = TRIANGLES * 3,
+	HULLS = 5,
 	HILLS = 12, /* a side */
 	TILE = 64,  /* texels */
 	SIDE = 64,  /* of what the functions in assembly draw in */
@@ -119,7 +120,10 @@ static void cast_shadow(struct scene *scene, bool long_way,
 	const struct corner *ground, const struct corner *hull)
 {
 	static const int16_t sheet[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-	static const GLenum change[3] = {GL_INCR, GL_INCR, GL_DECR};
+	static const GLenum hidden[HULLS] = {
+		GL_INCR, GL_INCR, GL_DECR, GL_KEEP, GL_KEEP};
+	static const GLenum seen[HULLS] = {
+		GL_KEEP, GL_KEEP, GL_KEEP, GL_INCR, GL_DECR};
 	const struct gl *gl = scene->gl;
 
 	use(scene, long_way);
@@ -133,8 +137,8 @@ static void cast_shadow(struct scene *scene, bool long_way,
 	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 	gl->Enable(GL_STENCIL_TEST);
 	gl->StencilFunc(GL_ALWAYS, 0, 255);
-	for (int i = 0; i < 3; i++) {
-		gl->StencilOp(GL_KEEP, change[i], GL_KEEP);
+	for (int i = 0; i < HULLS; i++) {
+		gl->StencilOp(GL_KEEP, hidden[i], seen[i]);
 		draw_corners(gl, hull + i * CORNERS);
 	}
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -183,7 +187,7 @@ static void compare(const struct scene *a, const struct scene *b)
 static void test_volumes_shade_what_the_long_way_does(void **state)
 {
 	static const int sizes[] = {40, 200, 700, 3000};
-	struct corner ground[CORNERS], hull[3 * CORNERS];
+	struct corner ground[CORNERS], hull[HULLS * CORNERS];
 	int counted = 0;
 
 	(void)state;
@@ -192,7 +196,7 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 		uint32_t seed = round + 1;
 
 		make_triangles(ground, &seed, 900);
-		for (int i = 0; i < 3; i++) {
+		for (int i = 0; i < HULLS; i++) {
 			make_triangles(
 				hull + i * CORNERS, &seed, sizes[round % 4]);
 		}
@@ -391,7 +395,7 @@ static void test_the_count_band_is_as_in_c(void **state)
 			.width = SIDE,
 			.from = random_between(&seed, 0, 40),
 			.to = random_between(&seed, 30, SIDE),
-			.down = round % 2,
+			.kind = (uint8_t)(round % 4),
 		};
 		struct count_band other;
 
@@ -426,7 +430,7 @@ static void test_counts_neither_wrap_up_nor_down(void **state)
 			.rows = 1,
 			.width = 4,
 			.to = 4,
-			.down = down,
+			.kind = down ? COUNT_DOWN : 0,
 		};
 
 		soft_bands.count(&band);

@@ -1,13 +1,18 @@
 /*
  * Counting in the stencil, with nothing drawn: what shadow volumes do. Depth
- * is tested LESS; where that fails the stencil goes up or down by one and stays
- * between 0 and 255.
+ * is tested LESS; where that fails, or where it passes, the stencil goes up or
+ * down by one and stays between 0 and 255.
  */
 #ifndef PLATFORM_GL_SOFT_COUNT_H
 #define PLATFORM_GL_SOFT_COUNT_H
 
 #include <stdbool.h>
 #include <stdint.h>
+
+enum {
+	COUNT_DOWN = 1,
+	COUNT_PASSED = 2, /* else what failed */
+};
 
 /* Rows between two edges, as struct band. Offsets are known to arm/count.S. */
 struct count_band {
@@ -21,7 +26,7 @@ struct count_band {
 	uint32_t z_down;       /* 36 */
 	int32_t width;         /* 40: pixels from a row to the next */
 	int32_t from, to;      /* 44: columns that may be counted */
-	bool down;             /* 52 */
+	uint8_t kind;          /* 52: of the two below, added up */
 };
 
 /* Counts in all rows, and leaves the band at the row after them. */

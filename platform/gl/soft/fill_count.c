@@ -1,9 +1,19 @@
 /*
- * Triangles of any size that count in the stencil where they are hidden: the
- * hulls of shadow volumes. See count.h.
+ * Triangles of any size that count in the stencil, where they are hidden or
+ * where they are seen: the hulls of shadow volumes. See count.h.
  */
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/raster.h"
+
+static bool counts(GLenum operation)
+{
+	return operation == GL_INCR || operation == GL_DECR;
+}
+
+static bool is_down(const struct stencil *stencil)
+{
+	return stencil->pass == GL_DECR || stencil->depth_fail == GL_DECR;
+}
 
 bool fill_is_count(const struct draw *draw)
 {
@@ -14,9 +24,9 @@ bool fill_is_count(const struct draw *draw)
 		!state->depth_mask && state->depth_function == GL_LESS &&
 		stencil->enabled && draw->soft->buffers.stencil &&
 		stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
-		(stencil->depth_fail == GL_INCR ||
-			stencil->depth_fail == GL_DECR) &&
-		stencil->pass == GL_KEEP;
+		((counts(stencil->depth_fail) && stencil->pass == GL_KEEP) ||
+			(counts(stencil->pass) &&
+				stencil->depth_fail == GL_KEEP));
 }
 
 static void draw_band(void *band)
@@ -28,6 +38,7 @@ void fill_count(struct draw *draw, struct setup *setup)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct plane *z = &draw->raster.plane[DEPTH];
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
 	int top = raster_first_row(draw, setup);
 	size_t first = (size_t)top * (size_t)buffers->width;
 	struct count_band band;
@@ -43,7 +54,8 @@ void fill_count(struct draw *draw, struct setup *setup)
 		.width = buffers->width,
 		.from = draw->box.left,
 		.to = draw->box.right,
-		.down = draw->soft->fragment.stencil.depth_fail == GL_DECR,
+		.kind = (uint8_t)((is_down(stencil) ? COUNT_DOWN : 0) +
+			(stencil->pass != GL_KEEP ? COUNT_PASSED : 0)),
 	};
 	raster_draw_bands(draw, setup, setup->middle_left,
 		&(struct band_ends){band.edge, band.edge_step, &band.rows},
@@ -53,14 +65,15 @@ void fill_count(struct draw *draw, struct setup *setup)
 static void count_row(const struct count_band *band, int left, int right)
 {
 	uint32_t z = band->z + band->z_right * (uint32_t)left;
+	bool passed = band->kind & COUNT_PASSED, down = band->kind & COUNT_DOWN;
 
 	for (int i = left; i < right; i++, z += band->z_right) {
 		uint8_t *stencil = &band->stencil[i];
 
-		if (z >> 10 < band->depth[i]) {
+		if ((z >> 10 < band->depth[i]) != passed) {
 			continue;
 		}
-		if (band->down) {
+		if (down) {
 			*stencil = (uint8_t)(*stencil - (*stencil > 0));
 		} else {
 			*stencil = (uint8_t)(*stencil + (*stencil < 255));

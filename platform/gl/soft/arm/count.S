@@ -9,22 +9,23 @@
 
 #define ROWS 24
 #define FROM 44
-#define DOWN 52
+#define KIND 52
 
 /* r0 band, of one row or more */
 	.global	count_band_arm
 	.type	count_band_arm, %function
 count_band_arm:
-	ldrb	r1, [r0, #DOWN]
-	cmp	r1, #0
-	bne	count_down
+	ldrb	r1, [r0, #KIND]
+	cmp	r1, #1
+	beq	count_down
+	bhi	4f
 
 /*
  * r0 depth and r1 stencil of the row's column 0, r2, r3 edges, r4 z at column
  * 0, r5 z a pixel further, r6 one, r7 scratch, r8 rows, r9 band, r10 count,
  * r11 depth, r12 z, lr stencil
  */
-	.macro	count	name, operation
+	.macro	count	name, operation, where
 \name:	push	{r4-r11, lr}
 	mov	r9, r0
 	ldr	r8, [r9, #ROWS]
@@ -44,10 +45,10 @@ count_band_arm:
 
 2:	ldrh	r7, [r11], #2
 	cmp	r7, r12, lsr #10
-	ldrbls	r7, [lr]
+	ldrb\where	r7, [lr]
 	add	r12, r12, r5
-	\operation\()ls	r7, r7, r6
-	strbls	r7, [lr]
+	\operation\where	r7, r7, r6
+	strb\where	r7, [lr]
 	add	lr, lr, #1
 	subs	r10, r10, #1
 	bgt	2b
@@ -66,8 +67,12 @@ count_band_arm:
 	pop	{r4-r11, pc}
 	.endm
 
-	count	count_up, uqadd8
-	count	count_down, uqsub8
+	count	count_up, uqadd8, ls
+	count	count_down, uqsub8, ls
+4:	cmp	r1, #2
+	bne	count_passed_down
+	count	count_passed_up, uqadd8, hi
+	count	count_passed_down, uqsub8, hi
 	.size	count_band_arm, . - count_band_arm
 
 	.section .note.GNU-stack, "", %progbits

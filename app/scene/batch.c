@@ -203,8 +203,7 @@ static int make_outline(struct batch *batch, const struct drawable *drawable,
 	if (batch->outline) {
 		return 0;
 	}
-	error = outline_make(drawable->primitive,
-		outline_cell(drawable->primitive), place, arena, &outline,
+	error = outline_make(drawable->primitive, place, arena, &outline,
 		&batch->outline_count);
 	batch->outline = outline;
 	return error;

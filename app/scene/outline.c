@@ -6,7 +6,6 @@
 
 enum {
 	CELLS = 40, /* along the longest side */
-	CELLS_MOST = 255,
 };
 
 struct member {
@@ -65,8 +64,7 @@ static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
 /* Files may hold anything. */
 static uint64_t cell_at(float at)
 {
-	return at > 0.0f ? at < (float)CELLS_MOST ? (uint64_t)at : CELLS_MOST
-			 : 0;
+	return at > 0.0f ? at < (float)CELLS ? (uint64_t)at : CELLS : 0;
 }
 
 static void describe(const struct model_primitive *primitive, int vertex,
@@ -88,13 +86,13 @@ static void describe(const struct model_primitive *primitive, int vertex,
 }
 
 /* For each vertex the one that stands for it. */
-static void find_leaders(const struct model_primitive *primitive, float cell,
+static void find_leaders(const struct model_primitive *primitive,
 	struct member *members, uint16_t *leader)
 {
-	float low[3], scale = cell > 0.0f ? 1.0f / cell : 0.0f;
+	float low[3], longest = find_box(primitive, low);
+	float scale = longest > 0.0f ? (float)CELLS / longest : 0.0f;
 	int count = primitive->vertex_count, first = 0;
 
-	find_box(primitive, low);
 	for (int v = 0; v < count; v++) {
 		describe(primitive, v, low, scale, &members[v]);
 	}
@@ -132,16 +130,8 @@ static void move_to_places(
 	}
 }
 
-float outline_cell(const struct model_primitive *primitive)
-{
-	float low[3];
-
-	return find_box(primitive, low) / (float)CELLS;
-}
-
-int outline_make(const struct model_primitive *primitive, float cell,
-	const uint32_t *place, struct arena *arena, uint16_t **index,
-	int *index_count)
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
 {
 	size_t count = (size_t)primitive->vertex_count;
 	struct member *members = malloc((count + 1) * sizeof(*members));
@@ -153,7 +143,7 @@ int outline_make(const struct model_primitive *primitive, float cell,
 	*index = NULL;
 	*index_count = 0;
 	if (members && leader && list) {
-		find_leaders(primitive, cell, members, leader);
+		find_leaders(primitive, members, leader);
 		*index_count = list_triangles(primitive, leader, list);
 		move_to_places(place, list, *index_count);
 		*index = ARENA_ARRAY(arena, uint16_t, (size_t)*index_count);

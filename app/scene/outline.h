@@ -13,16 +13,12 @@
 
 #include <stdint.h>
 
-/* A fortieth of a primitive's longest side. */
-float outline_cell(const struct model_primitive *primitive);
-
 /*
  * Lists the triangles of a primitive of at most 65,536 vertices with normals,
- * in the arena; cells have that side. Place says where each vertex is drawn
- * from, NULL: where the primitive has it. 0 or -ENOMEM.
+ * in the arena. Place says where each vertex is drawn from, NULL: where the
+ * primitive has it. 0 or -ENOMEM.
  */
-int outline_make(const struct model_primitive *primitive, float cell,
-	const uint32_t *place, struct arena *arena, uint16_t **index,
-	int *index_count);
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count);
 
 #endif

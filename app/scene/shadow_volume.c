@@ -148,19 +148,39 @@ static int find_edges(struct shadow_hull *hull, struct arena *arena)
 	return error;
 }
 
-/* All triangles as they are. */
-static int copy_corners(const struct model_primitive *primitive,
-	struct shadow_hull *hull, struct arena *arena)
+static int copy_corners(struct shadow_hull *hull, const uint32_t *index,
+	int count, struct arena *arena)
 {
-	hull->corner_count = primitive->index_count;
-	hull->corner = ARENA_ARRAY(arena, uint16_t, (size_t)hull->corner_count);
+	hull->corner_count = count;
+	hull->corner = ARENA_ARRAY(arena, uint16_t, (size_t)count);
 	if (!hull->corner) {
 		return -ENOMEM;
 	}
-	for (int i = 0; i < hull->corner_count; i++) {
-		hull->corner[i] = (uint16_t)primitive->index[i];
+	for (int i = 0; i < count; i++) {
+		hull->corner[i] = (uint16_t)index[i];
 	}
 	return 0;
+}
+
+/* The model's own triangles for shapes, else made ones, else all. */
+static int choose_corners(struct shadow_hull *hull, struct arena *arena)
+{
+	const struct model_primitive *primitive = hull->drawable->primitive;
+
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+
+		if (lod->shape) {
+			return copy_corners(
+				hull, lod->index, lod->index_count, arena);
+		}
+	}
+	if (!primitive->normal) {
+		return copy_corners(
+			hull, primitive->index, primitive->index_count, arena);
+	}
+	return outline_make(
+		primitive, NULL, arena, &hull->corner, &hull->corner_count);
 }
 
 /* Edges are of welded vertices: the first of those at a place has to be there. */
@@ -190,39 +210,15 @@ static int list_vertices(struct shadow_hull *hull, struct arena *arena)
 	return 0;
 }
 
-/*
- * Parts of a skinned figure are told apart as finely as its largest one is:
- * their shadow is one.
- */
-static float choose_cell(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	float cell = outline_cell(drawable->primitive);
-
-	for (int i = 0; i < instance->drawable_count; i++) {
-		const struct drawable *other = &instance->drawable[i];
-
-		if (drawable->skin >= 0 && other->skin == drawable->skin) {
-			float side = outline_cell(other->primitive);
-
-			cell = side > cell ? side : cell;
-		}
-	}
-	return cell;
-}
-
-static int init_hull(struct shadow_hull *hull, const struct instance *instance,
-	const struct drawable *drawable, struct arena *arena)
+static int init_hull(struct shadow_hull *hull, const struct drawable *drawable,
+	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t triangles;
 	int error;
 
 	hull->drawable = drawable;
-	error = primitive->normal
-		? outline_make(primitive, choose_cell(instance, drawable), NULL,
-			  arena, &hull->corner, &hull->corner_count)
-		: copy_corners(primitive, hull, arena);
+	error = choose_corners(hull, arena);
 	if (error) {
 		return error;
 	}
@@ -265,8 +261,8 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 				drawable->primitive->vertex_count);
 			continue;
 		}
-		if (init_hull(&volume->hull[volume->hull_count++], instance,
-			    drawable, arena) != 0) {
+		if (init_hull(&volume->hull[volume->hull_count++], drawable,
+			    arena) != 0) {
 			goto fail;
 		}
 	}

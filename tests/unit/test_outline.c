@@ -71,8 +71,7 @@ static void test_a_fine_net_loses_most_triangles_and_keeps_its_border(
 
 	(void)state;
 	assert_int_equal(
-		outline_make(&net->primitive, outline_cell(&net->primitive),
-			NULL, &net->arena, &index, &count),
+		outline_make(&net->primitive, NULL, &net->arena, &index, &count),
 		0);
 	assert_true(count > 0 && count < INDICES / 2);
 	assert_int_equal(count % 3, 0);
@@ -101,8 +100,7 @@ static void test_joints_stay_apart(void **state)
 		net->joint[i] = (uint16_t)i;
 	}
 	assert_int_equal(
-		outline_make(&net->primitive, outline_cell(&net->primitive),
-			NULL, &net->arena, &index, &count),
+		outline_make(&net->primitive, NULL, &net->arena, &index, &count),
 		0);
 	assert_int_equal(count, INDICES);
 	for (int i = 0; i < count; i++) {
@@ -123,12 +121,10 @@ static void test_vertices_are_named_where_they_are_drawn_from(void **state)
 		place[i] = COUNT - 1 - i;
 	}
 	assert_int_equal(
-		outline_make(&net->primitive, outline_cell(&net->primitive),
-			NULL, &net->arena, &here, &count),
+		outline_make(&net->primitive, NULL, &net->arena, &here, &count),
 		0);
-	assert_int_equal(
-		outline_make(&net->primitive, outline_cell(&net->primitive),
-			place, &net->arena, &there, &moved),
+	assert_int_equal(outline_make(&net->primitive, place, &net->arena,
+				 &there, &moved),
 		0);
 	assert_int_equal(count, moved);
 	for (int i = 0; i < count; i++) {

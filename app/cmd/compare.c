@@ -11,7 +11,7 @@ static int choose_clip(const struct model *model, const char *name,
 	if (model->clip_count == 0) {
 		log_error(log,
 			"%s: it has no clip, and techniques are compared by "
-			"how a clip looks",
+			"how a clip looks: give a model with an animation",
 			model->path);
 		return -ENOENT;
 	}

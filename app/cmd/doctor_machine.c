@@ -179,13 +179,27 @@ static void survey_file(const struct survey *survey, const char *name)
 	}
 }
 
+/* Whether a demo before that one has the same file. */
+static bool is_known_asset(int demo)
+{
+	const char *asset = demo_registry[demo]->asset;
+
+	for (int i = 0; i < demo; i++) {
+		if (demo_registry[i]->asset &&
+			strcmp(demo_registry[i]->asset, asset) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
 static void survey_files(struct doctor_report *report)
 {
 	const struct survey survey = doctor_report_survey(report);
 
 	doctor_report_section(report, "The demos' files", "files");
 	for (int i = 0; demo_registry[i]; i++) {
-		if (demo_registry[i]->asset) {
+		if (demo_registry[i]->asset && !is_known_asset(i)) {
 			survey_file(&survey, demo_registry[i]->asset);
 		}
 	}

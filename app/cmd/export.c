@@ -26,7 +26,8 @@ static int write_source(const struct model *model, int clip, const char *path,
 
 	if (!out) {
 		error = -errno;
-		log_error(log, "--c %s: %s", path, strerror(-error));
+		log_error(log, "--c %s: cannot be written: %s", path,
+			strerror(-error));
 		return error;
 	}
 	take_prefix(path, prefix);
@@ -37,7 +38,8 @@ static int write_source(const struct model *model, int clip, const char *path,
 	}
 	if (fclose(out) != 0 && !error) {
 		error = -errno;
-		log_error(log, "--c %s: %s", path, strerror(-error));
+		log_error(log, "--c %s: cannot be written: %s", path,
+			strerror(-error));
 	}
 	if (error) {
 		remove(path);
@@ -66,8 +68,13 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	if (!options->model_path || !options->c_file) {
-		log_error(log, "export: limber export MODEL --c FILE.c");
+	if (!options->model_path) {
+		log_error(log,
+			"export: no model: limber export MODEL --c FILE.c");
+		return EXIT_USAGE;
+	}
+	if (!options->c_file) {
+		log_error(log, "export: no file to write: add --c FILE.c");
 		return EXIT_USAGE;
 	}
 	return command_with_model(options, log, run_with_model);

@@ -2,6 +2,7 @@
 
 #include "app/cmd/kernel_choice.h"
 #include "app/cmd/screen.h"
+#include "app/model/model_file.h"
 #include "platform/base/file.h"
 #include "platform/buttons/buttons.h"
 
@@ -53,7 +54,7 @@ int show_choose(const struct options *options, const struct log *log,
 	if (options->model_path) {
 		plan->demo = &demo_driver_viewer;
 		plan->model_path = options->model_path;
-		return 0;
+		return model_file_check(plan->model_path, log);
 	}
 	if (options->clip) {
 		log_error(log,

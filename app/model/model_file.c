@@ -39,14 +39,15 @@ static int read_all(int fd, size_t size, struct model_file *out)
 	return 0;
 }
 
-static int read_open(int fd, const char *where, const struct log *log,
-	struct model_file *out)
+/* Whether it is of a kind and size that is read. */
+static int check_open(
+	int fd, const char *where, const struct log *log, size_t *size)
 {
 	struct stat status;
-	int error;
 
 	if (fstat(fd, &status) < 0) {
-		error = -errno;
+		int error = -errno;
+
 		log_error(log, "%s: %s", where, strerror(-error));
 		return error;
 	}
@@ -59,29 +60,62 @@ static int read_open(int fd, const char *where, const struct log *log,
 			where, (long long)status.st_size, MODEL_FILE_BYTES_MAX);
 		return -EFBIG;
 	}
-	error = read_all(fd, (size_t)status.st_size, out);
-	if (error) {
-		log_error(log, "%s: %s", where, strerror(-error));
-	}
-	return error;
+	*size = (size_t)status.st_size;
+	return 0;
 }
 
-/* Not blocking, so that a named pipe is refused instead of waited for. */
-static int read_path(const char *path, const char *where, const struct log *log,
-	struct model_file *out)
+/*
+ * Not blocking, so that a named pipe is refused instead of waited for. An open
+ * file and its size, or -errno after a sentence.
+ */
+static int open_path(const char *path, const char *where, const struct log *log,
+	size_t *size)
 {
 	int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
 	int error;
 
-	*out = (struct model_file){0};
 	if (fd < 0) {
 		error = -errno;
 		log_error(log, "%s: %s", where, strerror(-error));
 		return error;
 	}
-	error = read_open(fd, where, log, out);
+	error = check_open(fd, where, log, size);
+	if (error) {
+		close(fd);
+		return error;
+	}
+	return fd;
+}
+
+static int read_path(const char *path, const char *where, const struct log *log,
+	struct model_file *out)
+{
+	size_t size;
+	int fd = open_path(path, where, log, &size);
+	int error;
+
+	*out = (struct model_file){0};
+	if (fd < 0) {
+		return fd;
+	}
+	error = read_all(fd, size, out);
+	if (error) {
+		log_error(log, "%s: %s", where, strerror(-error));
+	}
 	close(fd);
 	return error;
+}
+
+int model_file_check(const char *path, const struct log *log)
+{
+	size_t size;
+	int fd = open_path(path, path, log, &size);
+
+	if (fd < 0) {
+		return fd;
+	}
+	close(fd);
+	return 0;
 }
 
 int model_file_read(

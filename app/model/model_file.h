@@ -41,6 +41,11 @@ int model_file_read(
 	const char *path, const struct log *log, struct model_file *out);
 
 /*
+ * Whether model_file_read() would find such a file, with the same sentences.
+ */
+int model_file_check(const char *path, const struct log *log);
+
+/*
  * Reads a file named by the model: relative, folders divided by '/', already
  * decoded from whatever the format wraps it in. It is refused with -EACCES
  * when it is empty, absolute, holds a backslash, a control character or a ".."

@@ -93,7 +93,8 @@ static int open_any(const struct display_options *options,
 	if (error) {
 		log_error(options->log,
 			"--display: nothing to show pictures on was found: "
-			"choose one of %s, or write a file with limber render",
+			"limber doctor says why; choose one of %s, or write a "
+			"file with limber render",
 			list_names().text);
 	}
 	return error;

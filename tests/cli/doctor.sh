@@ -108,4 +108,7 @@ limber doctor --jsno
 expect_refusal 2 'did you mean --json'
 limber doctor --display null
 expect_refusal 2 '--display'
+limber doctor
+check 'each file of the demos is listed once' test -z \
+    "$(sed -n "/^The demos' files/,/^$/p" "$out_file" | sort | uniq -d | sed '/^$/d')"
 tap_done

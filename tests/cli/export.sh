@@ -61,11 +61,13 @@ if [ -d "$samples" ]; then
     done
 fi
 
+limber export
+expect_refusal 2 'no model: limber export MODEL --c FILE.c'
 limber export "$slider"
-expect_refusal 2 'limber export MODEL --c FILE.c'
+expect_refusal 2 'no file to write: add --c FILE.c'
 limber export "$slider" --c "$scratch/1st.c"
 expect_refusal 1 'does not make a C identifier'
 check 'nothing is left of it' test ! -e "$scratch/1st.c"
 limber export "$slider" --c "$scratch/none/one.c"
-expect_refusal 1 'No such file'
+expect_refusal 1 'one.c: cannot be written: No such file'
 tap_done

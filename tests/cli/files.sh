@@ -22,6 +22,10 @@ refused 'none\.glb: .*[Nn]o such file' "$scratch/none.glb"
 limber "$scratch/none.glb" --display null
 expect_status 1
 expect_err 'none\.glb: '
+# Before a display is looked for, of which there may be none.
+limber play "$scratch/none.glb" --display kms:/dev/none
+expect_status 1
+expect_err '^limber: .*none\.glb: No such file'
 
 mkdir "$scratch/folder.glb"
 refused 'folder\.glb: .*(directory|regular file)' "$scratch/folder.glb"

@@ -45,6 +45,11 @@ completed() {
 check 'bash completes commands' test "$(completed limber co)" = compare
 check 'bash completes options' test "$(completed limber pose --interp)" = --interpolation
 check 'bash completes demos' test "$(completed limber play --demo wal)" = walker
+check 'bash completes formats' test "$(completed limber compare --format j)" = json
+check 'bash completes kernels' test "$(completed limber bench --kernel fl)" = float
+check 'bash completes help' test "$(completed limber pose --he)" = --help
+check 'bash offers any file to write' test "$(completed limber render -o not)" = notes.txt
+check 'bash offers nothing for a number' test -z "$(completed limber play --frames '')"
 check 'bash offers models' test "$(completed limber play rob)" = robot.glb
 check 'bash offers no other files' test -z "$(completed limber play not)"
 

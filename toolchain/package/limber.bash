@@ -7,7 +7,13 @@ _limber_commands() {
 
 # _limber_options PROGRAM COMMAND
 _limber_options() {
-    "$1" "$2" --help 2>/dev/null | sed -n 's/^  [- ][a-zA-Z, ] *\(--[a-z-]*\).*/\1/p'
+    "$1" "$2" --help 2>/dev/null | sed -n 's/^  [- ][a-zA-Z ][, ] *\(--[a-z-]*\).*/\1/p'
+}
+
+# What the help of an option says follows it: "FILE", "N", or nothing.
+_limber_operand() {
+    "$1" "$2" --help 2>/dev/null |
+        sed -n "s/^  [- ][a-zA-Z ][, ].*$3 \([A-Z][^ ]*\) .*/\1/p; s/^  $3, --[a-z]* \([A-Z][^ ]*\) .*/\1/p"
 }
 
 # What the help of an option lists after a colon: "auto, gles1, soft or osmesa".
@@ -25,10 +31,20 @@ _limber() {
         command=${COMP_WORDS[1]}
     fi
     case $previous in
-    --demo | --display | --gl | --math | --kernel | --interpolation | --camera-use)
+    --demo | --display | --gl | --math | --kernel | --interpolation | --camera-use | \
+        --format | --repeat)
         mapfile -t COMPREPLY < <(compgen -W \
             "$(_limber_values "$program" "$command" "$previous")" -- "$word")
         return
+        ;;
+    -*)
+        case $(_limber_operand "$program" "$command" "$previous") in
+        FILE* | DIR)
+            mapfile -t COMPREPLY < <(compgen -f -- "$word")
+            return
+            ;;
+        ?*) return ;;
+        esac
         ;;
     esac
     case $word in

@@ -29,8 +29,10 @@ static void nearest(
 	vec_subtract(place->b, place->a, line);
 	vec_subtract(point, place->a, way);
 	length2 = vec_dot(line, line);
-	along = length2 > 0 ? vec_dot(way, line) / length2 : 0;
-	vec_add_scaled(place->a, line, scalar_clamp(along, 0, 1), out);
+	along = vec_dot(way, line);
+	/* Most points are beyond an end: no division for them. */
+	along = !(along > 0) ? 0 : along < length2 ? along / length2 : 1;
+	vec_add_scaled(place->a, line, along, out);
 }
 
 /* Some unit direction at right angles to the capsule's line. */

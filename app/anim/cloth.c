@@ -112,9 +112,9 @@ static void hold_link(struct cloth *cloth, const struct cloth_link *link)
 }
 
 /* No farther from its pin than the column is long. */
-static void hold_reach(struct cloth *cloth, int i)
+static void hold_reach(struct cloth *cloth, int i, int column)
 {
-	const float *pin = cloth->position[i % cloth->settings.columns];
+	const float *pin = cloth->position[column];
 	float limit = cloth->hang[i] * GIVE;
 	float way[3];
 	float length;
@@ -134,12 +134,13 @@ static void hold_together(struct cloth *cloth,
 			hold_link(cloth, &cloth->link[l]);
 		}
 	}
-	for (int i = cloth->settings.columns; i < cloth->count; i++) {
-		hold_reach(cloth, i);
+	for (int i = cloth->settings.columns, c = 0; i < cloth->count; i++) {
+		hold_reach(cloth, i, c);
 		if (capsule_push_all(capsule, capsule_count,
 			    cloth->settings.radius, cloth->position[i])) {
-			hold_reach(cloth, i);
+			hold_reach(cloth, i, c);
 		}
+		c = c + 1 < cloth->settings.columns ? c + 1 : 0;
 	}
 }
 

@@ -286,49 +286,6 @@ float quat_angle(const float q[4])
 	return 2 * scalar_atan2(vec_length(q), scalar_abs(q[3]));
 }
 
-float vec_dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-float vec_length(const float v[3])
-{
-	return scalar_sqrt(vec_dot(v, v));
-}
-
-void vec_cross(const float a[3], const float b[3], float out[3])
-{
-	float x = a[1] * b[2] - a[2] * b[1];
-	float y = a[2] * b[0] - a[0] * b[2];
-	float z = a[0] * b[1] - a[1] * b[0];
-
-	out[0] = x;
-	out[1] = y;
-	out[2] = z;
-}
-
-void vec_subtract(const float a[3], const float b[3], float out[3])
-{
-	for (int i = 0; i < 3; i++) {
-		out[i] = a[i] - b[i];
-	}
-}
-
-void vec_add_scaled(
-	const float a[3], const float b[3], float factor, float out[3])
-{
-	for (int i = 0; i < 3; i++) {
-		out[i] = a[i] + b[i] * factor;
-	}
-}
-
-void vec_mix(const float a[3], const float b[3], float t, float out[3])
-{
-	for (int i = 0; i < 3; i++) {
-		out[i] = a[i] * (1 - t) + b[i] * t;
-	}
-}
-
 float vec_normalize(float v[3])
 {
 	float length = vec_length(v);

@@ -10,6 +10,7 @@
 #define APP_ANIM_TRANSFORM_H
 
 #include "app/model/model.h"
+#include "platform/base/scalar.h"
 
 struct transform transform_identity(void);
 
@@ -71,17 +72,63 @@ void quat_between(const float from[3], const float to[3], float out[4]);
 /* The angle of a unit quaternion's rotation, 0..pi. */
 float quat_angle(const float q[4]);
 
-float vec_dot(const float a[3], const float b[3]);
-float vec_length(const float v[3]);
-void vec_cross(const float a[3], const float b[3], float out[3]);
-void vec_subtract(const float a[3], const float b[3], float out[3]);
+/* These are a few instructions, and loops over cloth are made of them. */
+
+static inline float vec_dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline float vec_length(const float v[3])
+{
+	return scalar_sqrt(vec_dot(v, v));
+}
+
+static inline void vec_cross(const float a[3], const float b[3], float out[3])
+{
+	float x = a[1] * b[2] - a[2] * b[1];
+	float y = a[2] * b[0] - a[0] * b[2];
+	float z = a[0] * b[1] - a[1] * b[0];
+
+	out[0] = x;
+	out[1] = y;
+	out[2] = z;
+}
+
+static inline void vec_subtract(const float a[3], const float b[3], float out[3])
+{
+	float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+
+	out[0] = x;
+	out[1] = y;
+	out[2] = z;
+}
 
 /* out = a + b * factor. */
-void vec_add_scaled(
-	const float a[3], const float b[3], float factor, float out[3]);
+static inline void vec_add_scaled(
+	const float a[3], const float b[3], float factor, float out[3])
+{
+	float x = a[0] + b[0] * factor;
+	float y = a[1] + b[1] * factor;
+	float z = a[2] + b[2] * factor;
+
+	out[0] = x;
+	out[1] = y;
+	out[2] = z;
+}
 
 /* out = a + (b - a) * t, and exactly b at t = 1. */
-void vec_mix(const float a[3], const float b[3], float t, float out[3]);
+static inline void vec_mix(
+	const float a[3], const float b[3], float t, float out[3])
+{
+	float x = a[0] * (1 - t) + b[0] * t;
+	float y = a[1] * (1 - t) + b[1] * t;
+	float z = a[2] * (1 - t) + b[2] * t;
+
+	out[0] = x;
+	out[1] = y;
+	out[2] = z;
+}
 
 /* Makes v unit length and returns its length; a zero vector stays zero. */
 float vec_normalize(float v[3]);

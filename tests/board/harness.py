@@ -275,20 +275,32 @@ def limber_pid(machine):
     return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None
 
 
+# What is done beside a running limber takes time from its frames. So the shell
+# does it by itself: a program that it started would take some twenty
+# milliseconds.
+
 def start_limber(machine, arguments, seconds=10):
     """Starts it by hand in the background, until its picture is there."""
     machine.clear()
-    status, said = machine.shell("cd /run/tmp; "
-                                 f"limber play {arguments} >/run/said 2>&1 &")
+    status, said = machine.shell(f"cd /run/tmp; limber play {arguments} "
+                                 ">/run/said 2>&1 & limber=$!")
     if wait_until(machine, lambda: is_drawn(machine.frame()), seconds) is None:
         raise Error(f"limber {arguments} shows nothing:\n"
                     + machine.shell("cat /run/said")[1])
 
 
+def limber_memory_kib(machine):
+    """What start_limber()'s has taken for itself, and its peak in all."""
+    said = machine.shell(
+        "while read -r line; do case $line in RssAnon*|VmHWM*) echo $line;; "
+        "esac; done </proc/$limber/status")[1]
+    return [int(re.search(rf"^{name}:\s+(\d+)", said, re.M)[1])
+            for name in ("RssAnon", "VmHWM")]
+
+
 def stop_limber(machine):
-    """Ends it; what it has said."""
-    machine.shell("killall limber; while pidof limber >/dev/null; "
-                  "do usleep 50000; done")
+    """Ends what start_limber() started; what it has said."""
+    machine.shell("kill $limber; wait $limber")
     return machine.shell("cat /run/said")[1]
 
 

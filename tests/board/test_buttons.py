@@ -51,6 +51,8 @@ def press_and_look(machine, demo, button, area):
     after = machine.frame()
     machine.wires.level(button, False)
     save(after, f"{button}.png")
+    # The release has its picture, too, before anything else runs there.
+    pause(machine, HOLD_S)
     stop_limber(machine)
     stats = machine.shell("cat /run/stats")[1]
     took = re.search(r'"presses": [1-9].*"latency_ms_max": ([\d.]+)', stats)

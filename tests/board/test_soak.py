@@ -4,24 +4,20 @@ import os
 import random
 import re
 
-from harness import (BY_HAND, aim, booted, check, done, emulation, note,
-                     pause, save, start_limber)
+from harness import (BY_HAND, aim, booted, check, done, emulation,
+                     limber_memory_kib, note, pause, save, start_limber,
+                     stop_limber)
 
 SECONDS = float(os.environ.get("SOAK_S", 120))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = 100
 # The walker's uneven ground is drawn the slow way, for seconds a frame.
 FRAME_WORST_MS = 4000
+# So long after the last press its picture has surely come.
+SHOWN_S = 0.3
 # Together they write a file, which takes its time.
 KEEP_A_PICTURE = {"F8", "F9"}
 DEMOS = ("walker", "arm", "face")
-
-
-def memory_kib(machine):
-    """What limber has taken for itself, and its peak in all."""
-    said = machine.shell("cat /proc/$(pidof limber)/status")[1]
-    return [int(re.search(rf"^{name}:\s+(\d+)", said, re.M)[1])
-            for name in ("RssAnon", "VmHWM")]
 
 
 def press_at_random(machine, chance, until_s):
@@ -35,19 +31,18 @@ def press_at_random(machine, chance, until_s):
         pause(machine, chance.choice((0.01, 0.05, 0.2, 0.5)))
     for button in down:
         machine.wires.level(button, False)
+    pause(machine, SHOWN_S)
 
 
 def soak(machine, demo, seconds):
     chance = random.Random(f"{SEED} {demo}")
     start_limber(machine, f"--demo {demo} --stats /run/stats")
     pause(machine, 2)
-    before = memory_kib(machine)[0]
+    before = limber_memory_kib(machine)[0]
     press_at_random(machine, chance, machine.time_s() + seconds)
-    after, peak = memory_kib(machine)
+    after, peak = limber_memory_kib(machine)
     save(machine.frame(), f"{demo}.png")
-    machine.shell("killall limber; while pidof limber >/dev/null; "
-                  "do usleep 50000; done")
-    said = machine.shell("cat /run/said")[1]
+    said = stop_limber(machine)
     stats = machine.shell("cat /run/stats")[1]
     values = {name: float(value) for name, value in
               re.findall(r'"(\w+)": ([\d.]+)', stats)}

@@ -56,6 +56,68 @@ void bounds_center(const struct bounds *bounds, float out[3])
 	}
 }
 
+static int16_t lesser(int16_t a, int16_t b)
+{
+	return a < b ? a : b;
+}
+
+static int16_t greater(int16_t a, int16_t b)
+{
+	return a > b ? a : b;
+}
+
+/*
+ * The same as from each vertex of a skinned drawable: what makes scene units of
+ * 16 bits, rounding included, keeps their order.
+ */
+static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
+{
+	const struct fixed_placement *placement = &drawable->fixed->placement;
+	const struct fixed_vector *v = drawable->fixed->position;
+	const struct fixed_vector *end = v + drawable->primitive->vertex_count;
+	struct fixed_vector low = {
+		.x = INT16_MAX, .y = INT16_MAX, .z = INT16_MAX};
+	struct fixed_vector high = {
+		.x = INT16_MIN, .y = INT16_MIN, .z = INT16_MIN};
+
+	if (v == end) {
+		return;
+	}
+	for (; v < end; v++) {
+		low.x = lesser(low.x, v->x);
+		low.y = lesser(low.y, v->y);
+		low.z = lesser(low.z, v->z);
+		high.x = greater(high.x, v->x);
+		high.y = greater(high.y, v->y);
+		high.z = greater(high.z, v->z);
+	}
+	for (int side = 0; side < 2; side++) {
+		const struct fixed_vector *corner = side ? &high : &low;
+		const int16_t at[3] = {corner->x, corner->y, corner->z};
+		float point[3];
+
+		for (int axis = 0; axis < 3; axis++) {
+			point[axis] = (float)at[axis] * placement->scale +
+				placement->offset[axis];
+		}
+		bounds_add(bounds, point);
+	}
+}
+
+static void add_vertices(struct bounds *bounds, const struct instance *instance,
+	const struct drawable *drawable)
+{
+	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+		float point[3];
+
+		instance_world_vertex(instance, drawable, v, point);
+		for (int axis = 0; axis < 3; axis++) {
+			point[axis] *= instance->unit_scale;
+		}
+		bounds_add(bounds, point);
+	}
+}
+
 struct bounds bounds_of_instance(const struct instance *instance)
 {
 	struct bounds bounds = bounds_empty();
@@ -63,14 +125,10 @@ struct bounds bounds_of_instance(const struct instance *instance)
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
-		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
-			float point[3];
-
-			instance_world_vertex(instance, drawable, v, point);
-			for (int axis = 0; axis < 3; axis++) {
-				point[axis] *= instance->unit_scale;
-			}
-			bounds_add(&bounds, point);
+		if (drawable->fixed && drawable->skin >= 0) {
+			add_skinned(&bounds, drawable);
+		} else {
+			add_vertices(&bounds, instance, drawable);
 		}
 	}
 	return bounds;
@@ -86,6 +144,7 @@ void bounds_join(struct bounds *bounds, const struct bounds *other)
 
 struct bounds bounds_of_clip(struct instance *instance, int clip)
 {
+	bool hold_normals = instance->hold_normals, relief = instance->relief;
 	struct bounds all = bounds_empty();
 	struct clip_cursor none = {0};
 
@@ -100,6 +159,9 @@ struct bounds bounds_of_clip(struct instance *instance, int clip)
 
 		clip_sample(c, c->duration_s * (float)look / CLIP_LOOKS, &none,
 			&instance->pose);
+		/* Where vertices look counts at the last one, which is left. */
+		instance->hold_normals = hold_normals || look > 0;
+		instance->relief = relief && look == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
 		bounds_join(&all, &now);

@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
 	SIDE_MAX = 1024
@@ -74,6 +75,12 @@ static int resample(const struct model_image *image,
 	out->rgba = malloc((size_t)out->width * (size_t)out->height * 4);
 	if (!out->rgba) {
 		return -ENOMEM;
+	}
+	/* Most are as GL wants them. */
+	if (out->width == image->width && out->height == image->height) {
+		memcpy(out->rgba, image->rgba,
+			(size_t)out->width * (size_t)out->height * 4);
+		return 0;
 	}
 	for (int y = 0; y < out->height; y++) {
 		int from_y = source_at(y, out->height, image->height, mirror_t);

@@ -108,6 +108,26 @@ static double radius_of(const struct instance *instance)
 	return most / (double)instance->unit_scale;
 }
 
+static struct bounds bounds_of_each_vertex(const struct instance *instance)
+{
+	struct bounds box = bounds_empty();
+
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float at[3];
+
+			instance_world_vertex(instance, drawable, v, at);
+			for (int i = 0; i < 3; i++) {
+				at[i] *= instance->unit_scale;
+			}
+			bounds_add(&box, at);
+		}
+	}
+	return box;
+}
+
 static double worst_position(const struct pair *pair, int d)
 {
 	const struct drawable *drawable = &pair->exact->drawable[d];
@@ -162,7 +182,10 @@ static void compare_posed(
 	struct pair *pair, double *position, double *normal_rad)
 {
 	double radius = radius_of(pair->exact);
+	struct bounds box = bounds_of_instance(pair->fixed);
+	struct bounds same = bounds_of_each_vertex(pair->fixed);
 
+	assert_memory_equal(&box, &same, sizeof(box));
 	for (int d = 0; d < pair->exact->drawable_count; d++) {
 		*position = fmax(*position,
 			worst_position(pair, d) / (radius > 0 ? radius : 1));

@@ -63,6 +63,12 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 }
 #endif
 
+/* Asks for the cache line at an address, which need not be there. */
+#define PRELOAD(address) __builtin_prefetch(address)
+
+/* Apart from its caller, whose usual way shall not pay for it. */
+#define NEVER_INLINE __attribute__((noinline))
+
 /* The same value, of which the compiler knows nothing any more. */
 #define OPAQUE(value) __asm__("" : "+r"(value))
 

@@ -167,6 +167,8 @@ struct beams {
 
 struct texture_input {
 	bool used, identity;
+	bool floats; /* coordinates come from the array as they are */
+	const struct array *array;
 	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
 	int matrix_q;
 	int width_log2, height_log2;

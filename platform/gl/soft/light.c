@@ -2,6 +2,8 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 
+#include <string.h>
+
 /* What falls on a vertex so far; the terms of 16.16. */
 struct lit {
 	int32_t diffuse[3]; /* by the colour, where it is tracked */
@@ -284,7 +286,8 @@ static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
 }
 
 /* The share of the fragment's own colour, like a colour. */
-static int32_t find_fog(const struct draw *draw, const struct vertex *vertex)
+static NEVER_INLINE int32_t find_fog(
+	const struct draw *draw, const struct vertex *vertex)
 {
 	int32_t eye[3];
 
@@ -292,14 +295,13 @@ static int32_t find_fog(const struct draw *draw, const struct vertex *vertex)
 	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
 }
 
-static void find_texcoord(
-	const struct draw *draw, int unit, struct vertex *vertex)
+static NEVER_INLINE void find_any_texcoord(
+	const struct draw *draw, int unit, uint32_t index, int32_t out[2])
 {
 	const struct texture_input *input = &draw->texture[unit];
-	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
 	int32_t st[2];
 
-	array_texcoord_q16(draw, unit, vertex->index, st);
+	array_texcoord_q16(draw, unit, index, st);
 	for (int i = 0; i < 2; i++) {
 		const int32_t *m = input->matrix[i];
 		int64_t sum = (int64_t)m[0] * st[0] + (int64_t)m[1] * st[1] +
@@ -312,32 +314,62 @@ static void find_texcoord(
 	}
 }
 
-void soft_shade(const struct draw *draw, struct vertex *vertex)
+static ALWAYS_INLINE void find_texcoord(
+	const struct draw *draw, int unit, struct vertex *vertex)
+{
+	const struct texture_input *input = &draw->texture[unit];
+	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
+	uint32_t bits[2];
+	float st[2];
+
+	if (input->floats) {
+		const uint8_t *at = input->array->pointer +
+			(size_t)vertex->index *
+				(size_t)input->array->stride_bytes;
+
+		PRELOAD(at + 40);
+		memcpy(bits, at, sizeof(bits));
+		/* Below 2^14, as the bits of 2^14 tell. */
+		if (((bits[0] | bits[1]) & INT32_MAX) < 0x46800000) {
+			memcpy(st, bits, sizeof(st));
+			out[0] = (int32_t)(st[0] * 65536.0f);
+			out[1] = (int32_t)(st[1] * 65536.0f);
+			return;
+		}
+	}
+	find_any_texcoord(draw, unit, vertex->index, out);
+}
+
+static NEVER_INLINE void find_color(
+	const struct draw *draw, struct vertex *vertex)
 {
 	int32_t color[4];
 
+	array_color_q16(draw, vertex->index, color);
+	for (int i = 0; i < 4; i++) {
+		vertex->attribute[i] = to_attribute(color[i]);
+	}
+}
+
+void soft_shade(const struct draw *draw, struct vertex *vertex)
+{
 	if (vertex->shaded || draw->attributes == 0) {
 		return;
 	}
 	vertex->shaded = true;
-	if (draw->shading.lit) {
-		if (!draw->shading.by_beams ||
-			!soft_light_by_beams(
-				&draw->beams, vertex->index, vertex)) {
-			soft_light(draw, vertex);
-		}
-	} else {
-		array_color_q16(draw, vertex->index, color);
-		for (int i = 0; i < 4; i++) {
-			vertex->attribute[i] = to_attribute(color[i]);
-		}
+	if (!draw->shading.lit) {
+		find_color(draw, vertex);
+	} else if (!draw->shading.by_beams ||
+		!soft_light_by_beams(&draw->beams, vertex->index, vertex)) {
+		soft_light(draw, vertex);
 	}
 	if (draw->fogged) {
 		vertex->attribute[FOG] = find_fog(draw, vertex);
 	}
-	for (int i = 0; i < SOFT_UNITS; i++) {
-		if (draw->texture[i].used) {
-			find_texcoord(draw, i, vertex);
-		}
+	if (draw->texture[0].used) {
+		find_texcoord(draw, 0, vertex);
+	}
+	if (draw->texture[1].used) {
+		find_texcoord(draw, 1, vertex);
 	}
 }

@@ -221,6 +221,9 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 		input->width_log2 = input->base->width_log2;
 		input->height_log2 = input->base->height_log2;
 		prepare_texture_matrix(soft, input, i);
+		input->array = &soft->arrays.texcoord[i];
+		input->floats = input->identity && input->array->enabled &&
+			input->array->type == GL_FLOAT;
 	}
 }
 

@@ -319,12 +319,34 @@ static ALWAYS_INLINE void draw_alike(struct draw *draw,
 	}
 }
 
+void soft_draw_apart(struct draw *draw, uint32_t index)
+{
+	struct vertex *v[3];
+
+	for (uint32_t i = 0; i < 3; i++) {
+		v[i] = &draw->apart[i];
+		soft_transform(draw, index + i, v[i]);
+	}
+	draw_transformed(draw, v);
+}
+
+static bool draw_together(struct draw *draw, const struct source *source,
+	const struct stream *stream)
+{
+	return draw->packed &&
+		soft_draw_alike(draw, stream->pointer, stream->stride_bytes,
+			stream->words, source->first, source->count);
+}
+
 static void draw_unshared(struct draw *draw, const struct source *source)
 {
 	struct stream streams[3 + SOFT_UNITS];
 	int count;
 
 	if (list_streams(draw, streams, &count)) {
+		if (count == 1 && draw_together(draw, source, streams)) {
+			return;
+		}
 		if (count == 1 && streams->words == 6) {
 			draw_alike(draw, source, streams, 1, 6);
 		} else if (count == 1 && streams->words == 8) {

@@ -237,6 +237,19 @@ struct ground_rows {
 	bool shaded, fading;  /* its gray and its alpha move */
 };
 
+/*
+ * Slots of the vertex cache by what their vertices are made of, and triangles
+ * as lists of slots; arm/alike.S knows the offsets.
+ */
+enum { ALIKE_TRIANGLES = 64 };
+
+struct alike {
+	const uint8_t *source[VERTEX_CACHE]; /* or one of nothing[] */
+	uint8_t listed[VERTEX_CACHE];        /* in slots[], which is under way */
+	uint16_t slots[3 * ALIKE_TRIANGLES];
+	uint32_t nothing[2][8]; /* no vertex of a slot: slot 0's is the second */
+};
+
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
@@ -311,7 +324,8 @@ struct draw {
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct place place[VERTEX_CACHE];      /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];
-	struct vertex apart[2]; /* vertices that shared a place in it */
+	struct alike alike;
+	struct vertex apart[3]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 };
 
@@ -327,6 +341,17 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
  */
 void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
+
+/* draw.c: a triangle of a list without indices, past the cache. */
+void soft_draw_apart(struct draw *draw, uint32_t index);
+
+/*
+ * Draws such a list while draw->packed, from index first on, whose vertices lie
+ * together, words of 4 bytes from at on. False where it is left to draw.c: it
+ * always is in C; else arm/alike.S does it.
+ */
+bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+	int words, uint32_t first, uint32_t count);
 
 /* prepare.c: what stays the same for good. */
 void soft_init_scratch(struct draw *draw);

@@ -10,3 +10,15 @@ bool soft_light_by_beams(
 {
 	return light_by_beams_c(light, index, vertex);
 }
+
+bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+	int words, uint32_t first, uint32_t count)
+{
+	(void)draw;
+	(void)at;
+	(void)stride_bytes;
+	(void)words;
+	(void)first;
+	(void)count;
+	return false;
+}

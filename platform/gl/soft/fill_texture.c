@@ -17,7 +17,7 @@ enum {
 
 /* What all gradients of a triangle share: struct scale, by itself. */
 struct frame {
-	int32_t x1, y1, x2, y2; /* from the first vertex */
+	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
 	int32_t inverse;
 	int shift;
 	int32_t off_x, off_y; /* to the centre of column, of the first row */
@@ -25,7 +25,10 @@ struct frame {
 	bool middle_left;
 };
 
-/* How a value runs: per pixel, from the centre of frame.column. */
+/*
+ * How a value runs: per pixel, from the centre of frame.column, which is column
+ * 0 of the bands.
+ */
 struct run {
 	int32_t start, right, down;
 };
@@ -39,15 +42,15 @@ static ALWAYS_INLINE struct frame find_frame(const struct setup *setup)
 	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
 	struct frame frame = {
 		.x1 = b->x - a->x,
-		.y1 = b->y - a->y,
-		.x2 = c->x - a->x,
+		.less_y1 = a->y - b->y,
+		.less_x2 = a->x - c->x,
 		.y2 = c->y - a->y,
 		.column = a->x >> 4,
 		.off_x = 8 - (a->x & 15),
 		.off_y = (8 - a->y) & 15,
 	};
 
-	frame.middle_left = frame.x1 * frame.y2 < frame.x2 * frame.y1;
+	frame.middle_left = frame.x1 * frame.y2 < frame.less_x2 * frame.less_y1;
 	inverse = frame.middle_left ? -inverse : inverse;
 	frame.shift = zeros > 18 ? zeros - 18 : 0;
 	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
@@ -58,9 +61,11 @@ static ALWAYS_INLINE struct frame find_frame(const struct setup *setup)
 static ALWAYS_INLINE struct run find_run(
 	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
 {
-	uint32_t right = (uint32_t)mul_high(d1 * f->y2 - d2 * f->y1, f->inverse)
+	uint32_t right =
+		(uint32_t)mul_high(d1 * f->y2 + d2 * f->less_y1, f->inverse)
 		<< f->shift;
-	uint32_t down = (uint32_t)mul_high(d2 * f->x1 - d1 * f->x2, f->inverse)
+	uint32_t down =
+		(uint32_t)mul_high(d2 * f->x1 + d1 * f->less_x2, f->inverse)
 		<< f->shift;
 	uint32_t start = ((uint32_t)first << 8) +
 		(uint32_t)((int32_t)right >> 4) * (uint32_t)f->off_x +
@@ -111,13 +116,6 @@ static ALWAYS_INLINE bool find_texels(const struct setup *setup,
 	return true;
 }
 
-/* At column 0, of planes that wrap. */
-static ALWAYS_INLINE uint32_t at_zero(
-	uint32_t start, uint32_t right, const struct frame *frame)
-{
-	return start - right * (uint32_t)frame->column;
-}
-
 static ALWAYS_INLINE struct run find_depth(
 	const struct setup *setup, const struct frame *frame)
 {
@@ -126,16 +124,17 @@ static ALWAYS_INLINE struct run find_depth(
 	return find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
 }
 
-/* An edge at the centre of its first row; see raster_side(). */
+/* At the centre of its first row; see raster_side(). */
 static ALWAYS_INLINE void set_edge(const struct draw *draw,
-	const struct vertex *from, int32_t dx, int32_t dy, uint32_t *edge,
-	uint32_t *edge_step)
+	const struct frame *frame, const struct vertex *from, int32_t dx,
+	int32_t dy, uint32_t *edge, uint32_t *edge_step)
 {
 	int32_t step = mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
 	uint32_t off = (uint32_t)(8 - from->y) & 15;
+	uint32_t x = (uint32_t)(from->x - frame->column * 16);
 
 	*edge_step = (uint32_t)step;
-	*edge = ((uint32_t)from->x << 12) + (uint32_t)(step >> 4) * off + 0x7FFF;
+	*edge = (x << 12) + (uint32_t)(step >> 4) * off + 0x7FFF;
 }
 
 /* The upper part's edges, then the lower one's; how many rows it has. */
@@ -147,11 +146,11 @@ static ALWAYS_INLINE int set_upper(const struct draw *draw,
 	int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
 	int rows = setup->middle - setup->top;
 
-	set_edge(draw, top, frame->x2, frame->y2, &edge[!part],
+	set_edge(draw, frame, top, -frame->less_x2, frame->y2, &edge[!part],
 		&edge_step[!part]);
 	if (rows > 0) {
-		set_edge(draw, top, frame->x1, frame->y1, &edge[part],
-			&edge_step[part]);
+		set_edge(draw, frame, top, frame->x1, -frame->less_y1,
+			&edge[part], &edge_step[part]);
 	}
 	return rows;
 }
@@ -164,10 +163,20 @@ static ALWAYS_INLINE int set_lower(const struct draw *draw,
 	int rows = setup->bottom - setup->middle;
 
 	if (rows > 0) {
-		set_edge(draw, setup->v[1], frame->x2 - frame->x1,
-			frame->y2 - frame->y1, &edge[part], &edge_step[part]);
+		set_edge(draw, frame, setup->v[1], -frame->less_x2 - frame->x1,
+			frame->y2 + frame->less_y1, &edge[part],
+			&edge_step[part]);
 	}
 	return rows;
+}
+
+/* The depth at frame.column of the first row. */
+static ALWAYS_INLINE uintptr_t find_place(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame)
+{
+	return draw->quick.depth +
+		(uintptr_t)setup->top * draw->quick.stride_bytes +
+		2 * (uintptr_t)frame->column;
 }
 
 /* Whole 256ths of texels, which s and t have 8 bits more than. */
@@ -194,15 +203,13 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	z = find_depth(setup, frame);
 	band->z_right = (uint32_t)z.right << 6;
 	band->down.z_q16 = (uint32_t)z.down << 6;
-	band->row.z_q16 = at_zero((uint32_t)z.start << 6, band->z_right, frame);
+	band->row.z_q16 = (uint32_t)z.start << 6;
 	band->texel_right = pair_cut(s.right, t.right);
 	band->down.texel = pair_cut(s.down, t.down);
-	band->row.texel =
-		at_zero(pair_cut(s.start, t.start), band->texel_right, frame);
+	band->row.texel = pair_cut(s.start, t.start);
 	band->share_right = (uint32_t)share.right << 7;
 	band->down.share_q26 = (uint32_t)share.down << 7;
-	band->row.share_q26 =
-		at_zero((uint32_t)share.start << 7, band->share_right, frame);
+	band->row.share_q26 = (uint32_t)share.start << 7;
 	band->texels = input->base->texels;
 	band->texel_mask = ((1u << input->height_log2) - 1) << 24 |
 		((1u << input->width_log2) - 1) << 8;
@@ -214,9 +221,8 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 
 bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
 	const struct texture_input *input = &draw->texture[0];
-	const uintptr_t stride = (uintptr_t)buffers->width * 2;
+	const struct quick *quick = &draw->quick;
 	struct texture_band band;
 	struct frame frame;
 
@@ -228,11 +234,9 @@ bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
 	if (!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
-	band.row.depth =
-		(uintptr_t)buffers->depth + (uintptr_t)setup->top * stride;
-	band.down.depth = stride;
-	band.pixels =
-		(uintptr_t)buffers->target.data - (uintptr_t)buffers->depth - 2;
+	band.row.depth = find_place(draw, setup, &frame);
+	band.down.depth = quick->stride_bytes;
+	band.pixels = quick->pixels;
 	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
 		soft_bands.texture(&band);
@@ -290,13 +294,11 @@ static ALWAYS_INLINE bool set_tint(const struct setup *setup,
 	}
 	band->red_blue_right = pair_weights(r.right, b.right);
 	band->down.red_blue = pair_weights(r.down, b.down);
-	band->row.red_blue = at_zero(
-		pair_weights(r.start, b.start), band->red_blue_right, frame);
+	band->row.red_blue = pair_weights(r.start, b.start);
 	/* Steps that leave 16 bits are of rows of one pixel. */
 	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
 	band->down.green = (uint32_t)weight(g.down);
-	band->row.green =
-		at_zero((uint32_t)weight(g.start), band->green_right, frame);
+	band->row.green = (uint32_t)weight(g.start);
 	return true;
 }
 
@@ -324,29 +326,14 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 	}
 	band->texel_right = pair_round(s.right, t.right, s_shift, t_shift);
 	band->down.texel = pair_round(s.down, t.down, s_shift, t_shift);
-	band->row.texel =
-		at_zero(pair_round(s.start, t.start, s_shift, t_shift) -
-				(linear ? TINT_NEXT / 2 : 0),
-			band->texel_right, frame);
+	band->row.texel = pair_round(s.start, t.start, s_shift, t_shift) -
+		(linear ? TINT_NEXT / 2 : 0);
 	band->texels = level->texels;
 	band->texel_mask = ((1u << level->height_log2) - 1) << 24 |
 		((1u << level->width_log2) - 1) << 8;
 	band->texel_shift = 24 - (uint32_t)level->width_log2;
 	band->stride_bytes = 2u << level->width_log2;
 	return true;
-}
-
-static ALWAYS_INLINE void place(const struct draw *draw,
-	const struct setup *setup, struct tint_band *band)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-	const uintptr_t stride = (uintptr_t)buffers->width * 2;
-
-	band->row.depth =
-		(uintptr_t)buffers->depth + (uintptr_t)setup->top * stride;
-	band->down.depth = stride;
-	band->pixels =
-		(uintptr_t)buffers->target.data - (uintptr_t)buffers->depth - 2;
 }
 
 static ALWAYS_INLINE bool fill_tinted(
@@ -371,12 +358,14 @@ static ALWAYS_INLINE bool fill_tinted(
 	z = find_depth(setup, &frame);
 	band.z_right = (uint32_t)z.right << 6;
 	band.down.z_q16 = (uint32_t)z.down << 6;
-	band.row.z_q16 = at_zero((uint32_t)z.start << 6, band.z_right, &frame);
+	band.row.z_q16 = (uint32_t)z.start << 6;
 	band.next = TINT_NEXT;
 	band.red_blue_mask = TINT_RED_BLUE;
 	band.green_mask = TINT_GREEN;
 	band.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST;
-	place(draw, setup, &band);
+	band.row.depth = find_place(draw, setup, &frame);
+	band.down.depth = draw->quick.stride_bytes;
+	band.pixels = draw->quick.pixels;
 	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
 		rows(&band);

@@ -4,6 +4,7 @@
  */
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/tint.h"
 #include "tests/support/test.h"
 
@@ -246,6 +247,105 @@ static void test_nearest_texels_are_those_of_the_long_way(void **state)
 	assert_true(figures.other * 1000 < figures.seen);
 }
 
+static void make_vertex(uint32_t *seed, const struct vertex *near, int reach,
+	int w_bits, bool gray, struct vertex *out)
+{
+	*out = (struct vertex){
+		.shaded = true,
+		.x = near->x + random_between(seed, -reach, reach),
+		.y = near->y + random_between(seed, -reach, reach),
+		.z = random_between(seed, 4, 262138),
+		.clip[3] = (1 << 28) - random_between(seed, 0, (1 << w_bits)),
+	};
+	for (int i = 0; i < 3; i++) {
+		out->attribute[i] = gray && i > 0
+			? out->attribute[0]
+			: random_between(seed, 0x80, 0xFF80);
+	}
+	for (int i = 0; i < 2; i++) {
+		out->attribute[TEX_S + i] = near->attribute[TEX_S + i] +
+			(int32_t)any_word(seed) / 65536;
+	}
+}
+
+/* Near the borders as well, where they are not the short cut's. */
+static void make_vertices(uint32_t *seed, struct vertex v[3])
+{
+	const struct vertex near = {
+		.x = random_between(seed, 0, WIDTH * 16),
+		.y = random_between(seed, 0, HEIGHT * 16),
+		.attribute[TEX_S] = (int32_t)any_word(seed) / 64,
+		.attribute[TEX_S + 1] = (int32_t)any_word(seed) / 64,
+	};
+	int reach = random_between(seed, 4, 20) * random_between(seed, 1, 14);
+	int w_bits = random_between(seed, 10, 27);
+	bool gray = random_between(seed, 0, 1) != 0;
+
+	for (int i = 0; i < 3; i++) {
+		make_vertex(seed, &near, reach, w_bits, gray, &v[i]);
+		v[i].x = v[i].x < 0 ? 0 : v[i].x;
+		v[i].y = v[i].y < 0 ? 0 : v[i].y;
+		v[i].x = v[i].x > WIDTH * 16 ? WIDTH * 16 : v[i].x;
+		v[i].y = v[i].y > HEIGHT * 16 ? HEIGHT * 16 : v[i].y;
+	}
+}
+
+static void fill_twice(struct scene *scene[2], uint32_t *seed)
+{
+	for (int i = 0; i < 30; i++) {
+		struct vertex v[3];
+
+		make_vertices(seed, v);
+		for (int k = 0; k < 2; k++) {
+			struct vertex own[3] = {v[0], v[1], v[2]};
+			struct vertex *const list[3] = {
+				&own[0], &own[1], &own[2]};
+
+			soft_fill_triangle(scene[k]->soft->draw, list);
+		}
+	}
+}
+
+static void check_triangles(GLint min, GLint mag, int height_part)
+{
+	struct corner corner[CORNERS] = {0};
+	uint32_t seed = 11;
+
+	for (int round = 0; round < 150; round++) {
+		struct scene *scene[2];
+
+		for (int k = 0; k < 2; k++) {
+			struct draw *prepared;
+
+			scene[k] = open_scene(min, mag, height_part);
+			draw(scene[k], corner, false);
+			prepared = scene[k]->soft->draw;
+			prepared->perspective = round % 4 != 0;
+			fill_textured_begin(prepared);
+			if (k == 1) {
+				prepared->textured.gray_triangle = NULL;
+				prepared->textured.tint_triangle = NULL;
+			}
+		}
+		fill_twice(scene, &seed);
+		assert_memory_equal(scene[0]->soft->buffers.depth,
+			scene[1]->soft->buffers.depth, WIDTH * HEIGHT * 2);
+		assert_memory_equal(scene[0]->pixel, scene[1]->pixel,
+			sizeof(scene[0]->pixel));
+		close_scene(scene[0]);
+		close_scene(scene[1]);
+	}
+}
+
+static void test_triangles_are_set_up_as_in_c(void **state)
+{
+	(void)state;
+	check_triangles(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1);
+	check_triangles(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 4);
+	check_triangles(GL_LINEAR, GL_LINEAR, 1);
+	check_triangles(GL_NEAREST, GL_NEAREST, 2);
+}
+
 /* Two sets of buffers that begin alike. */
 struct twins {
 	uint16_t pixel[2][SIDE * SIDE], depth[2][SIDE * SIDE];
@@ -364,6 +464,7 @@ int main(void)
 		cmocka_unit_test(test_levels_are_those_of_the_long_way),
 		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
 		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),
+		cmocka_unit_test(test_triangles_are_set_up_as_in_c),
 		cmocka_unit_test(test_rows_of_mixed_texels_are_as_in_c),
 		cmocka_unit_test(test_rows_of_nearest_texels_are_as_in_c),
 	};

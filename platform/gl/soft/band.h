@@ -128,6 +128,7 @@ struct flat_band {
 struct shade_run;
 struct tile_run;
 struct glyph;
+struct textured;
 struct tint_band;
 struct count_band;
 struct draw;
@@ -143,7 +144,12 @@ struct band_functions {
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);
-	/* tint.h; the same */
+	/* textured_function of textured.h, NULL where C sets triangles up */
+	bool (*gray_triangle)(
+		const struct textured *textured, const struct setup *setup);
+	bool (*tint_triangle)(
+		const struct textured *textured, const struct setup *setup);
+	/* tint.h; as texture() */
 	void (*tint_linear)(struct tint_band *band);
 	void (*tint_nearest)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);

@@ -20,6 +20,7 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/shade.h"
 #include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/textured.h"
 
 enum {
 	VERTEX_CACHE = 512, /* a power of two */
@@ -309,6 +310,7 @@ struct draw {
 		tests, blended;
 	fill_function fill;
 	struct flat_band flat;
+	struct textured textured; /* for fill_textured() */
 	bool luminance; /* rows may be luminance.c's */
 	bool ground;    /* rows may be ground.c's */
 	bool plain;     /* colours into RGB565, nothing to test or blend */

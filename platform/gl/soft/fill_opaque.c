@@ -299,14 +299,14 @@ static void fill_linear(struct draw *draw, struct setup *setup)
 void fill_textured(struct draw *draw, struct setup *setup)
 {
 	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
-		if (!fill_texture_linear(draw, setup)) {
+		if (!fill_texture_tinted(draw, setup)) {
 			fill_linear(draw, setup);
 		}
 	} else if (is_gray(setup)) {
 		if (!fill_texture_gray(draw, setup)) {
 			fill_gray(draw, setup);
 		}
-	} else if (!fill_texture_nearest(draw, setup)) {
+	} else if (!fill_texture_tinted(draw, setup)) {
 		fill_tinted(draw, setup);
 	}
 }

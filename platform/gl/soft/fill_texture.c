@@ -174,8 +174,8 @@ static ALWAYS_INLINE int set_lower(const struct draw *draw,
 static ALWAYS_INLINE uintptr_t find_place(const struct draw *draw,
 	const struct setup *setup, const struct frame *frame)
 {
-	return draw->quick.depth +
-		(uintptr_t)setup->top * draw->quick.stride_bytes +
+	return draw->textured.depth +
+		(uintptr_t)setup->top * draw->textured.stride_bytes +
 		2 * (uintptr_t)frame->column;
 }
 
@@ -190,6 +190,7 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	struct texture_band *band)
 {
 	const struct texture_input *input = &draw->texture[0];
+	const struct textured_level *level = &draw->textured.level[0];
 	const struct limits limits = find_limits(draw, setup);
 	struct run share, s, t, z;
 
@@ -210,33 +211,26 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	band->share_right = (uint32_t)share.right << 7;
 	band->down.share_q26 = (uint32_t)share.down << 7;
 	band->row.share_q26 = (uint32_t)share.start << 7;
-	band->texels = input->base->texels;
-	band->texel_mask = ((1u << input->height_log2) - 1) << 24 |
-		((1u << input->width_log2) - 1) << 8;
-	band->texel_shift = 24 - (uint32_t)input->width_log2;
+	band->texels = level->texels;
+	band->texel_mask = level->texel_mask;
+	band->texel_shift = level->texel_shift;
 	band->wide_mask = WIDE_MASK;
 	band->wide_round = WIDE_ROUND;
 	return true;
 }
 
-bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
+static bool fill_gray(const struct draw *draw, const struct setup *setup)
 {
-	const struct texture_input *input = &draw->texture[0];
-	const struct quick *quick = &draw->quick;
+	const struct frame frame = find_frame(setup);
 	struct texture_band band;
-	struct frame frame;
 
-	if (!setup->inside || setup->extent > BAND_EXTENT ||
-		input->width_log2 > 8 || input->height_log2 > 8) {
-		return false;
-	}
-	frame = find_frame(setup);
-	if (!set_nearest(draw, setup, &frame, &band)) {
+	if (!draw->textured.level[0].texels ||
+		!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
 	band.row.depth = find_place(draw, setup, &frame);
-	band.down.depth = quick->stride_bytes;
-	band.pixels = quick->pixels;
+	band.down.depth = draw->textured.stride_bytes;
+	band.pixels = draw->textured.pixels;
 	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
 		soft_bands.texture(&band);
@@ -248,9 +242,21 @@ bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
 	return true;
 }
 
+bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
+{
+	const struct textured *textured = &draw->textured;
+
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
+		return false;
+	}
+	return (textured->gray_triangle &&
+		       textured->gray_triangle(textured, setup)) ||
+		fill_gray(draw, setup);
+}
+
 /* The level whose texels are nearest in size to pixels; see choose_level(). */
-static ALWAYS_INLINE int find_level(const struct texture_input *input,
-	const struct run *s, const struct run *t)
+static ALWAYS_INLINE int find_level(
+	int last, const struct run *s, const struct run *t)
 {
 	uint32_t right =
 		raster_length(raster_size(s->right), raster_size(t->right));
@@ -258,15 +264,17 @@ static ALWAYS_INLINE int find_level(const struct texture_input *input,
 		raster_length(raster_size(s->down), raster_size(t->down));
 	int lod = (raster_log2_q8(right > down ? right : down) + 127) >> 8;
 
-	return clamp_int(lod, 0, input->levels - 1);
+	return clamp_int(lod, 0, last);
 }
 
-/* The nearest 256ths of the texels of a level that is smaller by so much. */
+/* The nearest 256ths of the level's texels. */
 static ALWAYS_INLINE uint32_t pair_round(
-	int32_t s, int32_t t, int s_shift, int t_shift)
+	const struct textured_level *level, int32_t s, int32_t t)
 {
-	uint32_t low = (uint32_t)((s + (1 << (s_shift + 7))) >> (s_shift + 8));
-	uint32_t high = (uint32_t)((t + (1 << (t_shift + 7))) >> (t_shift + 8));
+	uint32_t low =
+		(uint32_t)((s + (1 << (level->s_down - 1))) >> level->s_down);
+	uint32_t high =
+		(uint32_t)((t + (1 << (level->t_down - 1))) >> level->t_down);
 
 	return (high << 16) + low;
 }
@@ -304,11 +312,11 @@ static ALWAYS_INLINE bool set_tint(const struct setup *setup,
 
 static ALWAYS_INLINE bool set_level(const struct draw *draw,
 	const struct setup *setup, const struct frame *frame, int32_t limit,
-	bool linear, struct tint_band *band)
+	struct tint_band *band)
 {
 	const struct texture_input *input = &draw->texture[0];
-	const struct level *level = input->base;
-	int s_shift = 0, t_shift = 0;
+	const struct textured *textured = &draw->textured;
+	const struct textured_level *level;
 	struct run s, t;
 
 	if (!find_texels(setup, frame, TEX_S, input->width_log2, limit, &s) ||
@@ -316,73 +324,113 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 			&t)) {
 		return false;
 	}
-	if (linear) {
-		level = &input->texture->level[find_level(input, &s, &t)];
-		s_shift = input->width_log2 - level->width_log2;
-		t_shift = input->height_log2 - level->height_log2;
-	}
-	if (level->width_log2 > 8 || level->height_log2 > 8) {
-		return false;
-	}
-	band->texel_right = pair_round(s.right, t.right, s_shift, t_shift);
-	band->down.texel = pair_round(s.down, t.down, s_shift, t_shift);
-	band->row.texel = pair_round(s.start, t.start, s_shift, t_shift) -
-		(linear ? TINT_NEXT / 2 : 0);
+	level = &textured->level[find_level(textured->last_level, &s, &t)];
+	band->texel_right = pair_round(level, s.right, t.right);
+	band->down.texel = pair_round(level, s.down, t.down);
+	band->row.texel =
+		pair_round(level, s.start, t.start) - textured->half_texel;
+	band->texel_mask = level->texel_mask;
+	band->next = level->next;
+	band->texel_shift = level->texel_shift;
 	band->texels = level->texels;
-	band->texel_mask = ((1u << level->height_log2) - 1) << 24 |
-		((1u << level->width_log2) - 1) << 8;
-	band->texel_shift = 24 - (uint32_t)level->width_log2;
-	band->stride_bytes = 2u << level->width_log2;
-	return true;
+	band->stride_bytes = level->stride_bytes;
+	return level->texels != NULL;
 }
 
-static ALWAYS_INLINE bool fill_tinted(
-	const struct draw *draw, const struct setup *setup, bool linear)
+static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 {
-	void (*const rows)(struct tint_band * band) =
-		linear ? soft_bands.tint_linear : soft_bands.tint_nearest;
+	const struct limits limits = find_limits(draw, setup);
+	const struct textured *textured = &draw->textured;
+	const struct frame frame = find_frame(setup);
 	struct tint_band band;
-	struct limits limits;
-	struct frame frame;
 	struct run z;
 
-	if (!setup->inside || setup->extent > BAND_EXTENT) {
-		return false;
-	}
-	limits = find_limits(draw, setup);
-	frame = find_frame(setup);
 	if (!set_tint(setup, &frame, limits.color, &band) ||
-		!set_level(draw, setup, &frame, limits.texel, linear, &band)) {
+		!set_level(draw, setup, &frame, limits.texel, &band)) {
 		return false;
 	}
 	z = find_depth(setup, &frame);
 	band.z_right = (uint32_t)z.right << 6;
 	band.down.z_q16 = (uint32_t)z.down << 6;
 	band.row.z_q16 = (uint32_t)z.start << 6;
-	band.next = TINT_NEXT;
-	band.red_blue_mask = TINT_RED_BLUE;
-	band.green_mask = TINT_GREEN;
-	band.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST;
+	band.red_blue_mask = textured->red_blue_mask;
+	band.green_mask = textured->green_mask;
+	band.round = textured->round;
 	band.row.depth = find_place(draw, setup, &frame);
-	band.down.depth = draw->quick.stride_bytes;
-	band.pixels = draw->quick.pixels;
+	band.down.depth = textured->stride_bytes;
+	band.pixels = textured->pixels;
 	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
-		rows(&band);
+		textured->tint(&band);
 	}
 	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
-		rows(&band);
+		textured->tint(&band);
 	}
 	return true;
 }
 
-bool fill_texture_linear(const struct draw *draw, const struct setup *setup)
+bool fill_texture_tinted(const struct draw *draw, const struct setup *setup)
 {
-	return fill_tinted(draw, setup, true);
+	const struct textured *textured = &draw->textured;
+
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
+		return false;
+	}
+	return (textured->tint_triangle &&
+		       textured->tint_triangle(textured, setup)) ||
+		fill_tinted(draw, setup);
 }
 
-bool fill_texture_nearest(const struct draw *draw, const struct setup *setup)
+static void set_levels(
+	const struct texture_input *input, struct textured_level *out)
 {
-	return fill_tinted(draw, setup, false);
+	for (int i = 0; i < input->levels; i++) {
+		const struct level *level = &input->texture->level[i];
+		int width = level->width_log2, height = level->height_log2;
+		bool fits = width <= 8 && height <= 8;
+
+		out[i] = (struct textured_level){
+			.texel_mask = ((1u << height) - 1) << 24 |
+				((1u << width) - 1) << 8,
+			.next = TINT_NEXT,
+			.texel_shift = (uint32_t)(24 - width),
+			.texels = fits ? level->texels : NULL,
+			.stride_bytes = 2u << width,
+			.s_down = input->width_log2 - width + 8,
+			.t_down = input->height_log2 - height + 8,
+		};
+	}
+}
+
+void fill_textured_begin(struct draw *draw)
+{
+	const struct texture_input *input = &draw->texture[0];
+	bool linear = input->texture->mag_filter == GL_LINEAR;
+	bool free = !draw->perspective || is_mipmapped(draw);
+
+	draw->textured = (struct textured){
+		.depth = draw->quick.depth,
+		.stride_bytes = draw->quick.stride_bytes,
+		.inverse = draw->inverse_q31,
+		.reciprocals = soft_reciprocal_table,
+		.tint = linear ? soft_bands.tint_linear
+			       : soft_bands.tint_nearest,
+		.perspective = draw->perspective,
+		.texel_limit = free ? SMALL_DELTA : 1 << 13,
+		.s_shift = 8 - input->width_log2,
+		.t_shift = 8 - input->height_log2,
+		.last_level = linear ? input->levels - 1 : 0,
+		.red_blue_mask = TINT_RED_BLUE,
+		.green_mask = TINT_GREEN,
+		.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST,
+		.pixels = draw->quick.pixels,
+		.half_texel = linear ? TINT_NEXT / 2 : 0,
+		.near_limit = is_mipmapped(draw) ? SMALL_DELTA : 0,
+	};
+	if (input->width_log2 <= 8 && input->height_log2 <= 8) {
+		draw->textured.gray_triangle = soft_bands.gray_triangle;
+		draw->textured.tint_triangle = soft_bands.tint_triangle;
+	}
+	set_levels(input, draw->textured.level);
 }

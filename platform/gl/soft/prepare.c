@@ -357,5 +357,8 @@ bool soft_prepare(
 		draw->fill = soft_bands.shadow;
 	}
 	soft_prepare_quick(draw);
+	if (draw->fill == fill_textured) {
+		fill_textured_begin(draw);
+	}
 	return true;
 }

@@ -221,10 +221,13 @@ bool fill_takes_texture(const struct texture_input *input);
 void fill_plain(struct draw *draw, struct setup *setup);
 void fill_textured(struct draw *draw, struct setup *setup);
 
-/* fill_texture.c: its small ones, as bands; false if a triangle is not. */
+/*
+ * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
+ * is called once a draw call.
+ */
+void fill_textured_begin(struct draw *draw);
 bool fill_texture_gray(const struct draw *draw, const struct setup *setup);
-bool fill_texture_linear(const struct draw *draw, const struct setup *setup);
-bool fill_texture_nearest(const struct draw *draw, const struct setup *setup);
+bool fill_texture_tinted(const struct draw *draw, const struct setup *setup);
 
 /* fill_narrow.c: what it does not take is fill_plain()'s. */
 void fill_narrow_c(struct draw *draw, struct setup *setup);

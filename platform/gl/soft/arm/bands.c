@@ -13,6 +13,12 @@ void band_color_arm(struct band *band);
 /* texture.S */
 void band_texture_arm(struct texture_band *band);
 
+/* textured.S */
+bool gray_triangle_arm(
+	const struct textured *textured, const struct setup *setup);
+bool tint_triangle_arm(
+	const struct textured *textured, const struct setup *setup);
+
 /* tint.S */
 void tint_linear_arm(struct tint_band *band);
 void tint_nearest_arm(struct tint_band *band);
@@ -105,6 +111,8 @@ const struct band_functions soft_bands = {
 	.shadow = fill_shadow_arm,
 	.color = band_color_arm,
 	.texture = band_texture_arm,
+	.gray_triangle = gray_triangle_arm,
+	.tint_triangle = tint_triangle_arm,
 	.tint_linear = tint_linear_arm,
 	.tint_nearest = tint_nearest_arm,
 	.flat = flat_arm,

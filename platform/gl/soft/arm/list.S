@@ -44,7 +44,7 @@
 #define FILL 124
 #define ATTRIBUTES 128
 #define FLAGS 132
-#define TRIED 136
+#define RETURN 136
 #define ROOM 140 /* with the nine registers a multiple of 8 */
 
 /*
@@ -81,7 +81,6 @@ list_arm:
 	str	r4, [sp, #FLAGS]
 	mov	r4, #0
 	str	r4, [sp, #SETUP_AREA + 4]
-	str	r4, [sp, #TRIED]
 
 .Lloop:	ldrh	r0, [r11], #2
 	ldrh	r1, [r11], #2
@@ -99,6 +98,7 @@ list_arm:
 	cmpeq	r6, r1
 	cmpeq	r8, r2
 	bne	.Lmiss
+.Lready:
 	ssub16	r0, r7, r5
 	ssub16	r1, r9, r5
 	smusdx	r2, r0, r1
@@ -219,56 +219,74 @@ list_arm:
 	bne	1b
 	b	.Lfill
 
-	/*
-	 * Transforms those that are missing and tries again, once; what lies
-	 * outside gets no place, and two may want the same.
-	 */
-.Lmiss:	ldr	r0, [sp, #TRIED]
-	cmp	r0, r11
-	beq	.Lother
-	str	r11, [sp, #TRIED]
-	sub	r11, r11, #6
-	mov	r9, #3
-2:	ldrh	r7, [r11], #2
-	mov	r6, r7, lsl #23
-	add	r6, r10, r6, lsr #20
-	ldr	r0, [r6]
-	cmp	r0, r7
-	bne	.Ltransform
-3:	subs	r9, r9, #1
-	bne	2b
-	sub	r11, r11, #6
-	b	.Lloop
+	/* Those that are missing, from r5, r7, r9: of what the indices are. */
+.Lmiss:	mov	r5, r3
+	mov	r7, r12
+	mov	r9, lr
+	mov	r1, r0
+	mov	r0, r4
+	mov	r8, r5
+	cmp	r0, r1
+	blne	.Lload
+	ldrh	r1, [r11, #-4]
+	ldr	r0, [r7]
+	mov	r8, r7
+	cmp	r0, r1
+	blne	.Lload
+	ldrh	r1, [r11, #-2]
+	ldr	r0, [r9]
+	mov	r8, r9
+	cmp	r0, r1
+	blne	.Lload
+	mov	r3, r5
+	mov	r12, r7
+	cmp	r5, r7
+	cmpne	r5, r9
+	cmpne	r7, r9
+	mov	lr, r9
+	ldr	r5, [r5, #4]
+	ldr	r7, [r7, #4]
+	ldr	r9, [r9, #4]
+	bne	.Lready
 
+	/* outside, or two of one slot */
 .Lother:
 	ldr	r0, [sp, #DRAW]
 	sub	r1, r11, #6
 	bl	soft_list_other
 	b	.Lnext
 
-	/* r7 index, r6 its place, r4 the vertex */
-.Ltransform:
-	ldr	r4, [sp, #CACHE]
-	mov	r5, #VERTEX_BYTES / 8
-	sub	r2, r6, r10
-	mla	r4, r5, r2, r4
+	/* r8 a place, of tag r0, for the vertex of index r1 */
+.Lload:	ldr	r3, [sp, #CACHE]
+	sub	r2, r8, r10
+	mov	r4, #VERTEX_BYTES / 8
+	mla	r4, r4, r2, r3
 	cmn	r0, #2
-	ldreq	r2, [r4, #VERTEX_INDEX]
-	cmpeq	r2, r7
-	beq	3b
+	beq	.Lknown
+.Ltransform:
+	str	lr, [sp, #RETURN]
 	ldr	r0, [sp, #DRAW]
-	mov	r1, r7
+	mov	r6, r1
 	mov	r2, r4
 	bl	soft_transform
 	ldrb	r0, [r4, #VERTEX_OUTCODE]
 	ldr	r2, [r4, #VERTEX_X]
 	ldr	r3, [r4, #VERTEX_X + 4]
 	cmp	r0, #0
-	mvnne	r7, #1
+	bne	.Loutside
 	orr	r3, r2, r3, lsl #16
-	mov	r2, r7
-	strd	r2, [r6]
-	b	3b
+	mov	r2, r6
+	strd	r2, [r8]
+	ldr	pc, [sp, #RETURN]
+.Lknown:
+	ldr	r0, [r4, #VERTEX_INDEX]
+	cmp	r0, r1
+	bne	.Ltransform
+	b	.Lother
+.Loutside:
+	mvn	r6, #1
+	str	r6, [r8]
+	b	.Lother
 	.size	list_arm, . - list_arm
 
 	.section .note.GNU-stack, "", %progbits

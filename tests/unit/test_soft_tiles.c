@@ -234,6 +234,7 @@ static struct tile_run random_run(
 		.shade = shade,
 		.width_log2 = level->width_log2,
 		.height_log2 = level->height_log2,
+		.fine = level->tiles->fine,
 	};
 
 	/* Also quite still, and along one axis. */
@@ -247,14 +248,17 @@ static struct tile_run random_run(
 }
 
 /* Each pixel by itself, the mean in double of rows that are cut to 8 bits. */
-static void draw_each(const struct tile_run *run, const struct level *level)
+static void draw_each(
+	const struct tile_run *run, const struct level *level, bool fine)
 {
 	uint32_t s = run->s, t = run->t;
 
 	for (int i = 0; i < run->count; i++) {
 		uint32_t quad = quad_at(level, s, t);
-		double across = (s >> 8 & 255) / 256.0;
-		double down = (t >> 8 & 255) / 256.0;
+		/* The middle of the 16th of a quad that it is in. */
+		uint32_t at_s = fine ? (s >> 14 & 3) * 64 + 32 : s >> 8 & 255;
+		uint32_t at_t = fine ? (t >> 14 & 3) * 64 + 32 : t >> 8 & 255;
+		double across = at_s / 256.0, down = at_t / 256.0;
 		uint32_t v = quad & 127;
 		double mean = v;
 
@@ -293,10 +297,17 @@ static void test_rows_are_pixel_by_pixel_what_bilinear_means(void **state)
 		make_rows(&seed, &rows);
 		run = random_run(&seed, &level, shade);
 		run.pixel = rows.expected + MARGIN;
-		draw_each(&run, &level);
+		draw_each(&run, &level, false);
 		run.pixel = rows.drawn + MARGIN;
 		tile_row_c(&run);
 		check_rows(&rows);
+		if (run.fine) {
+			run.pixel = rows.expected + MARGIN;
+			draw_each(&run, &level, true);
+			run.pixel = rows.drawn + MARGIN;
+			tile_fine_c(&run);
+			check_rows(&rows);
+		}
 		free_level(&level);
 	}
 }
@@ -323,6 +334,13 @@ static void test_rows_are_as_in_c(void **state)
 		run.pixel = rows.drawn + at;
 		soft_bands.tile_row(&run);
 		check_rows(&rows);
+		if (run.fine) {
+			run.pixel = rows.expected + at;
+			tile_fine_c(&run);
+			run.pixel = rows.drawn + at;
+			soft_bands.tile_fine(&run);
+			check_rows(&rows);
+		}
 		free_level(&level);
 	}
 }

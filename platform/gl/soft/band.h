@@ -157,8 +157,9 @@ struct band_functions {
 	/* glyph.h */
 	void (*glyph)(const struct glyph *glyph);
 	void (*mix)(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
-	/* tile_row.h; the row of textures as wide as high */
+	/* tile_row.h; rows of textures as wide as high */
 	void (*tile_row)(const struct tile_run *run);
+	void (*tile_fine)(const struct tile_run *run);
 	void (*tile_blend)(uint16_t *pixel, const uint16_t *own, int count,
 		uint32_t share);
 	void (*count)(struct count_band *band); /* count.h */

@@ -90,12 +90,15 @@ static void shade(
 		.t_pixels = tile_pixels(t_right, level->height_log2),
 		.width_log2 = level->width_log2,
 		.height_log2 = level->height_log2,
+		.fine = level->tiles->fine,
 	};
+	/* The base may be seen from so near that its places show. */
+	bool fine = number > 0 && run.fine;
 
 	if (tile_is_square(&run)) {
-		soft_bands.tile_row(&run);
+		(fine ? soft_bands.tile_fine : soft_bands.tile_row)(&run);
 	} else {
-		tile_row_c(&run);
+		(fine ? tile_fine_c : tile_row_c)(&run);
 	}
 }
 

@@ -29,17 +29,13 @@ static ALWAYS_INLINE uint32_t load_quad(
 	return run->quads[(row << run->width_log2) + column];
 }
 
-/*
- * In halves of 127ths, cut. Both rows are mixed at once; what one borrows from
- * the other the sum gives back.
- */
-static ALWAYS_INLINE uint32_t mix_quad(uint32_t quad, uint32_t s, uint32_t t)
+static ALWAYS_INLINE uint32_t load_fine(
+	const struct tile_run *run, uint32_t s, uint32_t t)
 {
-	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
-	uint32_t across = s >> 8 & 255, down = t >> 8 & 255;
-	uint32_t rows = left * 256 + (right - left) * across;
+	uint32_t column = s >> 14 & ((4u << run->width_log2) - 1);
+	uint32_t row = t >> 14 & ((4u << run->height_log2) - 1);
 
-	return ((rows & 0xFFFF) * (256 - down) + (rows >> 16) * down) >> 15;
+	return run->fine[(row << (run->width_log2 + 2)) + column];
 }
 
 /* How many pixels further a coordinate stays before its end. */
@@ -66,7 +62,7 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 	return further < (uint32_t)most ? (int)further + 1 : most;
 }
 
-void tile_row_c(const struct tile_run *run)
+static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 {
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t;
@@ -80,13 +76,26 @@ void tile_row_c(const struct tile_run *run)
 			band_fill_c(pixel, count,
 				(uint16_t)run->shade[2 * quad_luminance(quad)]);
 		} else {
-			*pixel = (uint16_t)run->shade[mix_quad(quad, s, t)];
+			*pixel = (uint16_t)run->shade[fine
+					? load_fine(run, s, t)
+					: quad_mix(quad, s >> 8 & 255,
+						  t >> 8 & 255)];
 		}
 		pixel += count;
 		left -= count;
 		s += (uint32_t)run->s_right * (uint32_t)count;
 		t += (uint32_t)run->t_right * (uint32_t)count;
 	}
+}
+
+void tile_row_c(const struct tile_run *run)
+{
+	draw_run(run, false);
+}
+
+void tile_fine_c(const struct tile_run *run)
+{
+	draw_run(run, true);
 }
 
 void tile_blend_c(

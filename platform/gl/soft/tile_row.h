@@ -20,6 +20,7 @@ struct tile_run {
 	const uint32_t *t_end;    /* 36 */
 	uint32_t s_pixels, t_pixels; /* 40: see tile_pixels() */
 	int width_log2, height_log2; /* 48 */
+	const uint8_t *fine;         /* 56: or NULL */
 };
 
 /*
@@ -30,12 +31,13 @@ uint32_t tile_pixels(int32_t step_q16, int log2);
 
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
- * bits. Whole runs of pixels in a patch are found at once, which does not
- * change what they become.
+ * bits, or from fine the mean of the place that is nearest. Whole runs of
+ * pixels in a patch are found at once, which does not change what they become.
  */
 void tile_row_c(const struct tile_run *run);
+void tile_fine_c(const struct tile_run *run);
 
-/* As tile_row of band_functions takes it: as wide as high. */
+/* As those of band_functions take it: as wide as high. */
 static inline bool tile_is_square(const struct tile_run *run)
 {
 	return run->width_log2 == run->height_log2;

@@ -116,6 +116,33 @@ static void set_patch(
 	};
 }
 
+static void fill_fine(const struct grid *grid, uint8_t *fine)
+{
+	int width = 4 * grid->width, height = 4 * grid->height;
+
+	for (int i = 0; i < width * height; i++) {
+		int x = i % width, y = i / width;
+		uint32_t quad = grid->quads[y / 4 * grid->width + x / 4];
+
+		fine[i] = (uint8_t)(quad & QUAD_PATCH
+				? FINE_PATCH
+				: quad_mix(quad, (uint32_t)(x % 4) * 64 + 32,
+					  (uint32_t)(y % 4) * 64 + 32));
+	}
+}
+
+static void fill_patches(struct grid *grid)
+{
+	for (int number = 1; number <= PATCHES_MOST; number++) {
+		struct rectangle_of_quads r = find_largest(grid);
+
+		if (area_of(&r) == 0) {
+			return;
+		}
+		set_patch(grid, number, &r);
+	}
+}
+
 void tiles_update(struct level *level)
 {
 	struct tiles *tiles = level->tiles;
@@ -128,13 +155,9 @@ void tiles_update(struct level *level)
 		1 << level->height_log2, 32 - level->width_log2,
 		32 - level->height_log2};
 	fill_quads(level);
-	for (int number = 1; number <= PATCHES_MOST; number++) {
-		struct rectangle_of_quads r = find_largest(&grid);
-
-		if (area_of(&r) == 0) {
-			return;
-		}
-		set_patch(&grid, number, &r);
+	fill_patches(&grid);
+	if (tiles->fine) {
+		fill_fine(&grid, tiles->fine);
 	}
 }
 
@@ -142,14 +165,21 @@ void tiles_make(struct level *level)
 {
 	size_t width = (size_t)1 << level->width_log2;
 	size_t height = (size_t)1 << level->height_log2;
+	size_t quads_bytes;
+	bool fine;
 
 	/* Of one texel no shift can tell. */
 	if (level->format != TEXEL_L8 || width > TILE_SIDE_MAX ||
 		height > TILE_SIDE_MAX || width < 2 || height < 2) {
 		return;
 	}
+	quads_bytes = width * height * sizeof(level->tiles->quad[0]);
+	fine = width <= FINE_SIDE_MAX && height <= FINE_SIDE_MAX;
 	level->tiles = calloc(1,
-		sizeof(*level->tiles) +
-			width * height * sizeof(level->tiles->quad[0]));
+		sizeof(*level->tiles) + quads_bytes +
+			(fine ? 16 * width * height : 0));
+	if (level->tiles && fine) {
+		level->tiles->fine = (uint8_t *)level->tiles->quad + quads_bytes;
+	}
 	tiles_update(level);
 }

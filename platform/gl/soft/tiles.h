@@ -20,11 +20,26 @@ struct level;
 enum {
 	TILE_SIDE_MAX = 128,
 	PATCHES_MOST = 63, /* larger ones first; their numbers begin at 1 */
+	FINE_SIDE_MAX = 32,
+	FINE_PATCH = 255,
 };
 
 static inline uint32_t quad_luminance(uint32_t patch_quad)
 {
 	return patch_quad & 127;
+}
+
+/*
+ * The mean, in halves of 127ths, cut, of a quad that is none of a patch; places
+ * between its texels in 256ths. Both rows are mixed at once; what one borrows
+ * from the other the sum gives back.
+ */
+static inline uint32_t quad_mix(uint32_t quad, uint32_t across, uint32_t down)
+{
+	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
+	uint32_t rows = left * 256 + (right - left) * across;
+
+	return ((rows & 0xFFFF) * (256 - down) + (rows >> 16) * down) >> 15;
 }
 
 static inline uint32_t quad_patch(uint32_t patch_quad)
@@ -40,9 +55,14 @@ struct patch {
 	uint32_t s[2], t[2];
 };
 
-/* Of a level; row by row. */
+/*
+ * Of a level; row by row. Of smaller ones the mean of four texels is there for
+ * each of 4 x 4 places between them as well, in halves of 127ths, or FINE_PATCH
+ * inside of a patch.
+ */
 struct tiles {
 	struct patch patch[PATCHES_MOST + 1];
+	uint8_t *fine; /* behind the quads, or NULL */
 	uint32_t quad[];
 };
 

@@ -32,6 +32,7 @@ void glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 
 /* tile_row.S */
 void tile_row_arm(const struct tile_run *run);
+void tile_fine_arm(const struct tile_run *run);
 void tile_blend_arm(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
@@ -120,6 +121,7 @@ const struct band_functions soft_bands = {
 	.glyph = glyph_draw_arm,
 	.mix = glyph_mix_arm,
 	.tile_row = tile_row_arm,
+	.tile_fine = tile_fine_arm,
 	.tile_blend = tile_blend_arm,
 	.count = count_arm,
 	.shade_ground = ground_shade_arm,

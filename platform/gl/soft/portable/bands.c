@@ -19,6 +19,7 @@ const struct band_functions soft_bands = {
 	.glyph = glyph_draw_c,
 	.mix = glyph_mix_c,
 	.tile_row = tile_row_c,
+	.tile_fine = tile_fine_c,
 	.tile_blend = tile_blend_c,
 	.count = count_band_c,
 	.shade_ground = ground_shade_c,

@@ -122,5 +122,7 @@ ROWS = (
     picture("gl-Bg", "B, geometry alone", 2.5, "gl_scenes", "Bg"),
     picture("gl-clear", "clear alone", 0.4, "gl_scenes", "clear"),
     picture("gl-walker", "the walker demo", 8.3, "demo_frames", "walker", stages=True),
+    # 100 ms at 250 million instructions a second
+    picture("gl-walker-ground", "the walker on uneven ground", 25, "demo_frames", "walker@13"),
 )
 # fmt: on

@@ -2,11 +2,10 @@
  * Frames of a demo into an RGB565 picture of 480x640, for counting what they
  * cost.
  *
- *	demo_frames DEMO[-ground] FRAMES [DRIVER [PICTURE.ppm]]
+ *	demo_frames DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm]]
  *
- * Time begins at a second, with -ground where the walker's tour has come to
- * uneven ground, and moves on by a 25th of one a frame. For the timing model
- * (tests/arm1136) the last frame is region 1.
+ * Time begins at a second, or where it is told, and moves on by a 25th of one a
+ * frame. For the timing model (tests/arm1136) the last frame is region 1.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,19 +23,18 @@ enum {
 	HEIGHT = 640,
 };
 
-static const char ground_ending[] = "-ground";
-static const double start_s = 1.0, ground_start_s = 13.0;
-
-/* Cuts -ground off; when the run begins. */
+/* Cuts @SECONDS off a demo's name; when the run begins, or -1. */
 static double find_start(char *name)
 {
-	char *ending = strstr(name, ground_ending);
+	char *at = strchr(name, '@'), *end;
+	double start_s;
 
-	if (!ending || strcmp(ending, ground_ending) != 0) {
-		return start_s;
+	if (!at) {
+		return 1.0;
 	}
-	*ending = '\0';
-	return ground_start_s;
+	*at = '\0';
+	start_s = strtod(at + 1, &end);
+	return end > at + 1 && *end == '\0' && start_s >= 0.0 ? start_s : -1.0;
 }
 
 static void write_picture(const char *path, const struct pixels *pixels)
@@ -90,7 +88,7 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 int main(int argc, char **argv)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
-	double from_s = argc > 2 ? find_start(argv[1]) : 0.0;
+	double from_s = argc > 2 ? find_start(argv[1]) : -1.0;
 	const struct demo_driver *driver = argc > 2 ? demo_find(argv[1]) : NULL;
 	struct gl_context *context;
 	struct pixels pixels;
@@ -109,10 +107,10 @@ int main(int argc, char **argv)
 
 	/* Else memory is handed out in another order each time. */
 	json_object_seed(1);
-	if (!driver || atoi(argv[2]) < 1 ||
+	if (!driver || from_s < 0.0 || atoi(argv[2]) < 1 ||
 		file_find_asset(driver->asset, &log, path, sizeof(path)) != 0) {
 		fprintf(stderr,
-			"usage: %s DEMO[-ground] FRAMES "
+			"usage: %s DEMO[@SECONDS] FRAMES "
 			"[DRIVER [PICTURE.ppm]]\n",
 			argv[0]);
 		return 2;

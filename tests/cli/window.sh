@@ -22,6 +22,9 @@ expect_refusal 1 '/dev/null: '
 limber "$slider" --display fbdev:/dev/null --frames 1
 expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 
+DISPLAY=:59000 limber "$slider" --display window --frames 1
+expect_refusal 1 '(no desktop answers|no desktop to open it on)'
+
 mkfifo "$scratch/number"
 Xvfb -displayfd 3 -screen 0 800x600x24 -noreset -nolisten tcp \
     3>"$scratch/number" >"$scratch/xvfb.log" 2>&1 &

@@ -52,6 +52,17 @@ static bool window_probe(void)
 		is_set("SDL_VIDEODRIVER");
 }
 
+/* Where no desktop answers, SDL goes on to drivers that nobody sees. */
+static bool is_seen(void)
+{
+	const char *driver = SDL_GetCurrentVideoDriver();
+
+	return is_set("SDL_VIDEODRIVER") ||
+		(driver &&
+			(strcmp(driver, "x11") == 0 ||
+				strcmp(driver, "wayland") == 0));
+}
+
 static int failed(const struct display *display, const char *what)
 {
 	log_error(&display->log,
@@ -141,9 +152,21 @@ static int window_create(
 		free(display);
 		return -ENODEV;
 	}
+	if (!is_set("SDL_VIDEODRIVER") && !is_set("WAYLAND_DISPLAY")) {
+		/* Else Wayland's library complains on its own. */
+		SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
+	}
 	if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
 		failed(display, "no desktop to open it on");
 		free(display);
+		return -ENODEV;
+	}
+	if (!is_seen()) {
+		log_error(&display->log,
+			"--display window: no desktop answers where DISPLAY "
+			"and WAYLAND_DISPLAY say: start limber in a terminal "
+			"of the desktop, or write a file with limber render");
+		window_destroy(display);
 		return -ENODEV;
 	}
 	error = open_window(display, options);

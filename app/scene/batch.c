@@ -160,7 +160,7 @@ static const uint16_t *place_list(const struct drawable *drawable,
 	return index;
 }
 
-/* The model's own coarser lists; the last one for shapes is the outline. */
+/* The model's own coarser lists, but for those for shapes (outline.h). */
 static int place_lods(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
@@ -173,22 +173,21 @@ static int place_lods(struct batch *batch, const struct drawable *drawable,
 	}
 	for (int i = 0; i < primitive->lod_count; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
-		const uint16_t *index = place_list(
-			drawable, lod->index, lod->index_count, arena);
+		struct batch_lod *to = &batch->lod[batch->lod_count];
 
-		if (!index) {
+		if (lod->shape) {
+			continue;
+		}
+		*to = (struct batch_lod){
+			.error = lod->error_m,
+			.index_count = lod->index_count,
+			.index = place_list(
+				drawable, lod->index, lod->index_count, arena),
+		};
+		if (!to->index) {
 			return -ENOMEM;
 		}
-		if (lod->shape) {
-			batch->outline = index;
-			batch->outline_count = lod->index_count;
-		} else {
-			batch->lod[batch->lod_count++] = (struct batch_lod){
-				.error = lod->error_m,
-				.index_count = lod->index_count,
-				.index = index,
-			};
-		}
+		batch->lod_count++;
 	}
 	return 0;
 }
@@ -198,13 +197,9 @@ static int make_outline(struct batch *batch, const struct drawable *drawable,
 {
 	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
 	uint16_t *outline;
-	int error;
-
-	if (batch->outline) {
-		return 0;
-	}
-	error = outline_make(drawable->primitive, place, arena, &outline,
+	int error = outline_make(drawable->primitive, place, arena, &outline,
 		&batch->outline_count);
+
 	batch->outline = outline;
 	return error;
 }

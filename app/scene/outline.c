@@ -130,8 +130,9 @@ static void move_to_places(
 	}
 }
 
-int outline_make(const struct model_primitive *primitive, const uint32_t *place,
-	struct arena *arena, uint16_t **index, int *index_count)
+static int cluster(const struct model_primitive *primitive,
+	const uint32_t *place, struct arena *arena, uint16_t **index,
+	int *index_count)
 {
 	size_t count = (size_t)primitive->vertex_count;
 	struct member *members = malloc((count + 1) * sizeof(*members));
@@ -156,4 +157,40 @@ int outline_make(const struct model_primitive *primitive, const uint32_t *place,
 	free(leader);
 	free(members);
 	return error;
+}
+
+/* The model's own list, or NULL. */
+static const struct model_lod *find_shape(
+	const struct model_primitive *primitive)
+{
+	for (int i = 0; i < primitive->lod_count; i++) {
+		if (primitive->lod[i].shape) {
+			return &primitive->lod[i];
+		}
+	}
+	return NULL;
+}
+
+static int copy_shape(const struct model_lod *shape, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
+{
+	*index_count = shape->index_count;
+	*index = ARENA_ARRAY(arena, uint16_t, (size_t)shape->index_count);
+	if (!*index) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < shape->index_count; i++) {
+		(*index)[i] = (uint16_t)shape->index[i];
+	}
+	move_to_places(place, *index, *index_count);
+	return 0;
+}
+
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
+{
+	const struct model_lod *shape = find_shape(primitive);
+
+	return shape ? copy_shape(shape, place, arena, index, index_count)
+		     : cluster(primitive, place, arena, index, index_count);
 }

@@ -1,9 +1,10 @@
 /*
- * A mesh of fewer triangles with nearly the same outline, for shadows.
+ * A mesh of fewer triangles with nearly the same outline, for shadows: the
+ * model's own level for shapes, or else one that is made here.
  *
- * Vertices that lie in one cell of a grid, face the same octant and follow the
- * same joint become one of them; triangles that lose a corner go. The vertices
- * stay where they are, so posing them costs nothing more.
+ * For that, vertices that lie in one cell of a grid, face the same octant and
+ * follow the same joint become one of them; triangles that lose a corner go.
+ * The vertices stay where they are, so posing them costs nothing more.
  */
 #ifndef APP_SCENE_OUTLINE_H
 #define APP_SCENE_OUTLINE_H

@@ -30,8 +30,8 @@ const struct command command_info = {
 	.bit = FOR_INFO,
 	.usage = "MODEL [--json]",
 	.summary = "tell what a model holds",
-	.detail = "Lists a model's meshes, joints, influences, morph targets "
-		  "and clips, and the bytes that each\ntechnique needs to "
+	.detail = "Lists a model's meshes and their levels of detail, joints, "
+		  "influences, morph targets and\nclips, and the bytes that each technique needs to "
 		  "animate it.\n\n"
 		  "  limber info robot.glb\n"
 		  "  limber info robot.glb --json | jq .clips",

@@ -6,6 +6,22 @@
 
 /* json_array_append_new() and json_pack() take NULL for "memory is short". */
 
+static json_t *levels(const struct model_mesh *mesh)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < model_level_count(mesh); i++) {
+		struct model_level level = model_level(mesh, i);
+
+		json_array_append_new(array,
+			json_pack("{s:i, s:f, s:b}", "triangles",
+				level.triangle_count, "error_m",
+				(double)level.error_m, "shape",
+				level.shape ? 1 : 0));
+	}
+	return array;
+}
+
 static json_t *meshes(const struct model *model)
 {
 	json_t *array = json_array();
@@ -21,10 +37,11 @@ static json_t *meshes(const struct model *model)
 				targets, json_string(mesh->target_name[t]));
 		}
 		json_array_append_new(array,
-			json_pack("{s:s, s:i, s:i, s:i, s:o}", "name",
+			json_pack("{s:s, s:i, s:i, s:i, s:o, s:o}", "name",
 				mesh->name, "primitives", mesh->primitive_count,
 				"vertices", stats.vertex_count, "triangles",
-				stats.triangle_count, "targets", targets));
+				stats.triangle_count, "targets", targets,
+				"levels", levels(mesh)));
 	}
 	return array;
 }

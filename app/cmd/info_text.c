@@ -9,6 +9,24 @@ static const char *or_unnamed(const char *name)
 	return name[0] ? name : "(unnamed)";
 }
 
+/* As a mesh's own triangles: each with how far it is off. */
+static void print_levels(const struct model_mesh *mesh, FILE *out)
+{
+	int count = model_level_count(mesh);
+
+	for (int i = 0; i < count; i++) {
+		struct model_level level = model_level(mesh, i);
+
+		fprintf(out, "%s%d at %.3g mm%s",
+			i ? ", " : "           levels: ", level.triangle_count,
+			(double)level.error_m * 1000.0,
+			level.shape ? " for shadows" : "");
+	}
+	if (count) {
+		fprintf(out, "\n");
+	}
+}
+
 static void print_meshes(const struct model *model, FILE *out)
 {
 	fprintf(out, "\nmeshes     parts vertices triangles targets\n");
@@ -28,6 +46,7 @@ static void print_meshes(const struct model *model, FILE *out)
 		if (mesh->target_count) {
 			fprintf(out, "\n");
 		}
+		print_levels(mesh, out);
 	}
 }
 

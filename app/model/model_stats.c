@@ -47,6 +47,53 @@ static size_t target_vertex_bytes(const struct model_target *target)
 	return bytes;
 }
 
+static size_t lod_bytes(const struct model_primitive *primitive)
+{
+	size_t count = 0;
+	int i;
+
+	for (i = 0; i < primitive->lod_count; i++) {
+		count += (size_t)primitive->lod[i].index_count;
+	}
+	return count * sizeof(*primitive->index);
+}
+
+int model_level_count(const struct model_mesh *mesh)
+{
+	int count = 0;
+	int i;
+
+	for (i = 0; i < mesh->primitive_count; i++) {
+		if (mesh->primitive[i].lod_count > count) {
+			count = mesh->primitive[i].lod_count;
+		}
+	}
+	return count;
+}
+
+struct model_level model_level(const struct model_mesh *mesh, int level)
+{
+	struct model_level out = {0};
+	int i;
+
+	for (i = 0; i < mesh->primitive_count; i++) {
+		const struct model_primitive *primitive = &mesh->primitive[i];
+		const struct model_lod *lod;
+
+		if (level >= primitive->lod_count) {
+			out.triangle_count += primitive->index_count / 3;
+			continue;
+		}
+		lod = &primitive->lod[level];
+		out.triangle_count += lod->index_count / 3;
+		out.shape = lod->shape;
+		if (lod->error_m > out.error_m) {
+			out.error_m = lod->error_m;
+		}
+	}
+	return out;
+}
+
 void model_stats_add_mesh(
 	struct model_stats *stats, const struct model_mesh *mesh)
 {
@@ -62,7 +109,8 @@ void model_stats_add_mesh(
 		stats->triangle_count += primitive->index_count / 3;
 		stats->geometry_bytes += vertices * vertex_bytes(primitive) +
 			(size_t)primitive->index_count *
-				sizeof(*primitive->index);
+				sizeof(*primitive->index) +
+			lod_bytes(primitive);
 		add_influences(stats, primitive);
 		for (k = 0; k < mesh->target_count; k++) {
 			stats->target_bytes += vertices *

@@ -37,6 +37,19 @@ struct model_stats {
 	size_t image_bytes;
 };
 
+/* A coarser level of a mesh: of all its primitives that have one so far. */
+struct model_level {
+	float error_m;
+	bool shape;
+	int triangle_count; /* a primitive without such a level keeps its own */
+};
+
+/* How many levels a mesh has: those of the primitive with most. */
+int model_level_count(const struct model_mesh *mesh);
+
+/* The level of that number, below model_level_count(). */
+struct model_level model_level(const struct model_mesh *mesh, int level);
+
 /* All of a model. */
 void model_measure(const struct model *model, struct model_stats *out);
 

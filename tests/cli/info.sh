@@ -20,4 +20,21 @@ check 'JSON with the clips' node -e '
     const names = info.clips.map((clip) => clip.name);
     if (names.join() !== "slide,rise") { throw new Error(names.join()); }
 ' "$out_file"
+
+levels=tests/fixtures/mesh_levels.gltf
+limber info "$levels"
+expect_status 0
+expect_no_err
+expect_out 'levels: 6 at 10 mm, 2 at 100 mm, 1 at 50 mm for shadows'
+
+limber info "$levels" --json
+# shellcheck disable=SC2016 # JavaScript
+check 'JSON with the levels' node -e '
+    const info = JSON.parse(require("fs").readFileSync(process.argv[1]));
+    const told = info.meshes[0].levels.map((level) =>
+        `${level.triangles} ${level.error_m.toFixed(3)} ${level.shape}`);
+    if (told.join() !== "6 0.010 false,2 0.100 false,1 0.050 true") {
+        throw new Error(told.join());
+    }
+' "$out_file"
 tap_done

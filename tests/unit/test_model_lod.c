@@ -1,0 +1,240 @@
+/* Coarser levels of glTF meshes (MSFT_lod). */
+#include "app/model/model.h"
+#include "tests/support/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdio.h>
+
+static const struct model_primitive *primitive_of(
+	const struct model *model, const char *node)
+{
+	int index = model_find_node(model, node);
+
+	assert_true(index >= 0);
+	return &model->mesh[model->node[index].mesh].primitive[0];
+}
+
+static void test_levels_are_lists_of_the_mesh_they_stand_for(void **state)
+{
+	static const uint32_t corners[6] = {0, 2, 8, 0, 8, 6};
+	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	const struct model_primitive *grid = primitive_of(model, "grid");
+
+	(void)state;
+	assert_int_equal(grid->vertex_count, 9);
+	assert_int_equal(grid->index_count, 24);
+	assert_int_equal(grid->lod_count, 3);
+	assert_int_equal(grid->lod[1].index_count, 6);
+	assert_memory_equal(grid->lod[1].index, corners, sizeof(corners));
+	model_destroy(model);
+}
+
+/* The file has the one for shapes first, the finest last. */
+static void test_the_finest_comes_first_and_shapes_last(void **state)
+{
+	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	const struct model_lod *lod = primitive_of(model, "grid")->lod;
+
+	(void)state;
+	assert_near(lod[0].error_m, 0.01, 1e-7);
+	assert_int_equal(lod[0].index_count, 18);
+	assert_false(lod[0].shape);
+	assert_near(lod[1].error_m, 0.1, 1e-7);
+	assert_false(lod[1].shape);
+	assert_near(lod[2].error_m, 0.05, 1e-7);
+	assert_int_equal(lod[2].index_count, 3);
+	assert_true(lod[2].shape);
+	model_destroy(model);
+}
+
+static void test_levels_are_no_nodes_and_no_meshes(void **state)
+{
+	static const char *const levels[] = {
+		"finest", "coarsest", "shape", "covered level"};
+	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+
+	(void)state;
+	assert_int_equal(model->node_count, 5);
+	assert_int_equal(model->mesh_count, 4);
+	for (size_t i = 0; i < 4; i++) {
+		assert_int_equal(model_find_node(model, levels[i]), -1);
+	}
+	model_destroy(model);
+}
+
+static void test_what_comes_behind_a_level_is_found_all_the_same(void **state)
+{
+	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	int own = model_find_node(model, "own");
+
+	(void)state;
+	assert_int_equal(model->node[own].file_index, 5);
+	assert_int_equal(model->clip[0].channel[0].node, own);
+	assert_int_equal(
+		model->node[own].parent, model_find_node(model, "root"));
+	model_destroy(model);
+}
+
+static void test_a_level_with_vertices_of_its_own_is_none(void **state)
+{
+	struct log_capture heard;
+	struct model *model = model_fixture("mesh_levels.gltf", &heard);
+	int level = model_find_node(model, "own level");
+
+	(void)state;
+	assert_int_equal(primitive_of(model, "own")->lod_count, 0);
+	assert_true(level >= 0);
+	assert_false(model->node[level].in_scene);
+	assert_int_equal(heard.count, 0);
+	model_destroy(model);
+}
+
+/* A quarter of the screen is half of 640 pixels for the grid's one metre. */
+static void test_screen_coverage_says_how_coarse_a_level_is(void **state)
+{
+	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	const struct model_primitive *covered = primitive_of(model, "covered");
+
+	(void)state;
+	assert_int_equal(covered->lod_count, 1);
+	assert_near(covered->lod[0].error_m, 1.0 / 320.0, 1e-7);
+	model_destroy(model);
+}
+
+/* Node 0 has a level 1; more is put in between. */
+static struct model *load(const char *level, const char *more)
+{
+	struct log_capture heard;
+	struct model *model = NULL;
+	char text[2048];
+
+	snprintf(text, sizeof(text),
+		"{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}],"
+		"'accessors':[{'componentType':5126,'count':3,'type':'VEC3'},"
+		"{'componentType':5121,'count':3,'type':'SCALAR'},"
+		"{'componentType':5126,'count':1,'type':'SCALAR'},"
+		"{'componentType':5126,'count':1,'type':'VEC3'}],"
+		"'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]},"
+		"{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],"
+		"'nodes':[{'mesh':0,'extensions':{'MSFT_lod':{'ids':[1]}}},"
+		"{'mesh':1,%s}%s}",
+		level, more);
+	assert_int_equal(model_from_text(text, &heard, &model), 0);
+	return model;
+}
+
+static void expect_levels(const char *level, const char *more, int count)
+{
+	struct model *model = load(level, more);
+
+	assert_int_equal(model->mesh[0].primitive[0].lod_count, count);
+	assert_int_equal(model->mesh_count, 2 - count);
+	model_destroy(model);
+}
+
+#define ERROR "'extras':{'error_m':1}"
+
+static void test_a_level_that_something_else_names_is_none(void **state)
+{
+	(void)state;
+	expect_levels(ERROR, "]", 1);
+	expect_levels(ERROR, ",{'children':[1]}]", 0);
+	expect_levels(ERROR, ",{'mesh':1}]", 0);
+	expect_levels(ERROR, "],'skins':[{'joints':[1]}]", 0);
+	expect_levels(ERROR,
+		"],'animations':[{'samplers':[{'input':2,'output':3}],"
+		"'channels':[{'sampler':0,'target':{'node':1,"
+		"'path':'translation'}}]}]",
+		0);
+}
+
+static void test_a_level_that_is_elsewhere_is_none(void **state)
+{
+	(void)state;
+	expect_levels(ERROR ",'translation':[0,0,1]", "]", 0);
+	expect_levels(ERROR ",'children':[]", "]", 0);
+}
+
+static void test_a_level_that_does_not_say_how_coarse_is_none(void **state)
+{
+	(void)state;
+	expect_levels("'extras':{'error_m':0}", "]", 0);
+	expect_levels("'extras':{'error_m':'much'}", "]", 0);
+	expect_levels("'extras':7", "]", 0);
+}
+
+static void expect_failure(const char *text, const char *sentence)
+{
+	struct log_capture heard;
+	struct model *model = NULL;
+
+	assert_int_equal(model_from_text(text, &heard, &model), -EINVAL);
+	assert_true(log_capture_has(&heard, LOG_ERROR, sentence));
+}
+
+/* The level's one triangle is of vertices 0, 1 and 2. */
+static void test_a_level_beyond_the_vertices_is_refused(void **state)
+{
+	(void)state;
+	expect_failure(
+		"{'asset':{'version':'2.0'},"
+		"'buffers':[{'byteLength':3,'uri':"
+		"'data:application/octet-stream;base64,AAEC'}],"
+		"'bufferViews':[{'buffer':0,'byteLength':3}],"
+		"'accessors':[{'componentType':5126,'count':2,'type':'VEC3'},"
+		"{'bufferView':0,'componentType':5121,'count':3,"
+		"'type':'SCALAR'}],"
+		"'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]},"
+		"{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],"
+		"'nodes':[{'mesh':0,'extensions':{'MSFT_lod':{'ids':[1]}}},"
+		"{'mesh':1," ERROR "}]}",
+		"t.gltf: /meshes/1/primitives/0/indices: index 2 is vertex 2, "
+		"there are 2");
+}
+
+static void test_strange_ids_are_passed_over(void **state)
+{
+	static const char *const ids[] = {
+		"7", "{}", "[7,-1,'x',1.5,0]", "[[1]]", "null"};
+
+	(void)state;
+	for (size_t i = 0; i < 5; i++) {
+		struct log_capture heard;
+		struct model *model = NULL;
+		char text[1024];
+
+		snprintf(text, sizeof(text),
+			"{'asset':{'version':'2.0'},'accessors':"
+			"[{'componentType':5126,'count':3,'type':'VEC3'}],"
+			"'meshes':[{'primitives':[{'attributes':"
+			"{'POSITION':0}}]}],'nodes':[{'mesh':0," ERROR
+			",'extensions':{'MSFT_lod':{'ids':%s}}}]}",
+			ids[i]);
+		assert_int_equal(model_from_text(text, &heard, &model), 0);
+		assert_int_equal(model->node_count, 1);
+		model_destroy(model);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_levels_are_lists_of_the_mesh_they_stand_for),
+		cmocka_unit_test(test_the_finest_comes_first_and_shapes_last),
+		cmocka_unit_test(test_levels_are_no_nodes_and_no_meshes),
+		cmocka_unit_test(
+			test_what_comes_behind_a_level_is_found_all_the_same),
+		cmocka_unit_test(test_a_level_with_vertices_of_its_own_is_none),
+		cmocka_unit_test(test_screen_coverage_says_how_coarse_a_level_is),
+		cmocka_unit_test(test_a_level_that_something_else_names_is_none),
+		cmocka_unit_test(test_a_level_that_is_elsewhere_is_none),
+		cmocka_unit_test(
+			test_a_level_that_does_not_say_how_coarse_is_none),
+		cmocka_unit_test(test_a_level_beyond_the_vertices_is_refused),
+		cmocka_unit_test(test_strange_ids_are_passed_over),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -2,9 +2,9 @@
 //
 // All of them are simplified at once, so that a border between two materials
 // loses the same corners on both sides and stays closed. Where the mesh meets
-// another, as the head meets the body, it keeps its vertices. What a vertex is besides its place counts in metres, by the
-// factors below: an attribute that is off by so much looks as wrong as a place
-// that is off by that many metres.
+// another, as the head meets the body, it keeps its vertices. What a vertex is
+// besides its place counts in metres, by the factors below: an attribute that is
+// off by so much looks as wrong as a place that is off by that many metres.
 import { MeshoptSimplifier } from 'meshoptimizer';
 import { valuesOf } from './glb.mjs';
 import { surfaceDistance } from './distance.mjs';
@@ -14,7 +14,7 @@ await MeshoptSimplifier.ready;
 const NORMAL_M = 0.02; // a unit of the normal
 const COLOR_M = 0.04; // from black to white
 const TEXTURE = 8; // what the texture slips by, in metres of the surface
-const WEIGHT_M = 0.3; // all of an influence: so much a limb's bend moves it
+const WEIGHT_M = 0.5; // all of an influence: so much a limb's bend moves it
 const WEIGHT_SLOTS = 8;
 const FACE = 2; // errors count so much where there are morph targets
 const SMALL_PARTS_FROM_M = 0.008; // above it whole small parts may go

@@ -141,15 +141,31 @@ static int add_all(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
-/* Instructions repeat, so times only where there are none. */
 double comparison_cost(
 	const struct comparison *comparison, const struct candidate *candidate)
 {
-	if (!comparison->on_board) {
+	switch (comparison->cost) {
+	case COST_INSTRUCTIONS:
+		return candidate->instructions;
+	case COST_TIME:
+		return candidate->frame_us;
+	default:
 		return board_cost_us(&candidate->board);
 	}
-	return candidate->instructions >= 0.0 ? candidate->instructions
-					      : candidate->frame_us;
+}
+
+/* Of the measured candidates. */
+static enum cost_kind choose_cost(const struct comparison *comparison)
+{
+	if (!kernel_find(board_kernel)) {
+		return COST_PREDICTED;
+	}
+	for (int i = 0; i < comparison->candidate_count; i++) {
+		if (comparison->candidate[i].instructions < 0.0) {
+			return COST_TIME;
+		}
+	}
+	return COST_INSTRUCTIONS;
 }
 
 static bool fits(
@@ -204,7 +220,7 @@ static void advise(struct comparison *comparison)
 	} else if (best->error.peak_px > comparison->request.bound_px) {
 		why = "nothing that fits keeps the error, and this comes "
 		      "nearest";
-	} else if (comparison->on_board) {
+	} else if (comparison->cost != COST_PREDICTED) {
 		why = "the cheapest frame of all that keep the error and fit";
 	} else {
 		why = "on an ARM1136 the cheapest frame, by the timing model, "
@@ -246,12 +262,12 @@ int comparison_create(const struct model *model,
 		return -ENOMEM;
 	}
 	comparison->request = *request;
-	comparison->on_board = kernel_find(board_kernel) != NULL;
 	error = prepare(comparison, model, log);
 	if (error) {
 		comparison_destroy(comparison);
 		return error;
 	}
+	comparison->cost = choose_cost(comparison);
 	advise(comparison);
 	*out = comparison;
 	return 0;

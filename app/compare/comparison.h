@@ -10,6 +10,14 @@ enum {
 	CANDIDATES_MAX = 20
 };
 
+/* What a frame costs. */
+enum cost_kind {
+	COST_PREDICTED,    /* the board's time, on any other machine */
+	COST_INSTRUCTIONS, /* counted here, on the board: they repeat */
+	COST_TIME,         /* measured there, where it cannot count */
+	COST_KINDS
+};
+
 /* What is asked. */
 struct comparison_request {
 	int clip;
@@ -27,9 +35,9 @@ struct comparison {
 	int candidate_count;
 	struct candidate candidate[CANDIDATES_MAX];
 
-	bool on_board;    /* measured on the core that predictions are for */
-	int advised;      /* the candidate to take */
-	char reason[200]; /* why, in a sentence */
+	enum cost_kind cost; /* what advice and plots go by */
+	int advised;         /* the candidate to take */
+	char reason[200];    /* why, in a sentence */
 };
 
 /*
@@ -40,11 +48,7 @@ int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,
 	struct comparison **out);
 
-/*
- * What a frame of the candidate costs, as advice and plots take it: on the
- * board, instructions as they were counted, or the time where they were not;
- * elsewhere the board's time, predicted. Only to be compared.
- */
+/* By that kind; only to be compared. */
 double comparison_cost(
 	const struct comparison *comparison, const struct candidate *candidate);
 

@@ -4,6 +4,13 @@
 
 #include <jansson.h>
 
+/* As the candidates have them. */
+static const char *const cost_names[COST_KINDS] = {
+	[COST_PREDICTED] = "arm11_predicted",
+	[COST_INSTRUCTIONS] = "instructions_per_frame",
+	[COST_TIME] = "us_per_frame",
+};
+
 static json_t *matrix_json(const vec4 *matrix)
 {
 	json_t *array = json_array();
@@ -67,17 +74,6 @@ static json_t *candidate_json(const struct comparison *comparison, int index)
 	return json;
 }
 
-/* Which of the figures of a frame. */
-static const char *advised_by(const struct comparison *comparison)
-{
-	if (!comparison->on_board) {
-		return "arm11_predicted";
-	}
-	return comparison->candidate[0].instructions >= 0.0
-		? "instructions_per_frame"
-		: "us_per_frame";
-}
-
 int report_print_json(const struct comparison *comparison, FILE *out)
 {
 	const struct reference *reference = comparison->reference;
@@ -107,7 +103,7 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 		matrix_json((const vec4 *)screen->view), "times_s", times,
 		"advice", comparison->candidate[comparison->advised].name,
 		"reason", comparison->reason, "advised_by",
-		advised_by(comparison), "candidates", candidates);
+		cost_names[comparison->cost], "candidates", candidates);
 	if (!root) {
 		return -ENOMEM;
 	}

@@ -19,6 +19,13 @@ enum {
 /* Errors below this are shown as this: the axis is logarithmic. */
 static const double least_px = 0.01;
 
+static const char *const cost_titles[COST_KINDS] = {
+	[COST_PREDICTED] = "against us a frame on an ARM1136 (predicted)",
+	[COST_INSTRUCTIONS] =
+		"peak error in pixels against instructions a frame",
+	[COST_TIME] = "peak error in pixels against us a frame",
+};
+
 static const char *const color[TECHNIQUE_COUNT] = {
 	[TECHNIQUE_MORPHING] = "#c2410c",
 	[TECHNIQUE_HIERARCHICAL] = "#4d7c0f",
@@ -204,23 +211,13 @@ static void draw_legend(const struct comparison *comparison, FILE *out)
 		comparison->candidate[comparison->advised].name);
 }
 
-static const char *frame_title(const struct comparison *comparison)
-{
-	if (!comparison->on_board) {
-		return "against us a frame on an ARM1136 (predicted)";
-	}
-	return comparison->candidate[0].instructions >= 0.0
-		? "peak error in pixels against instructions a frame"
-		: "peak error in pixels against us a frame";
-}
-
 static void draw(const struct comparison *comparison, FILE *out)
 {
 	struct panel panels[] = {
 		{.title = "peak error in pixels against memory in KiB",
 			.cost = memory_cost,
 			.left = PANEL_LEFT},
-		{.title = frame_title(comparison),
+		{.title = cost_titles[comparison->cost],
 			.cost = comparison_cost,
 			.left = PANEL_LEFT + PANEL_STEP},
 	};

@@ -278,7 +278,10 @@ static void draw_strips(const struct floor *floor,
 	}
 	gl->Enable(GL_BLEND);
 	if (sight->fading) {
+		/* What sinks in where it fades is seen through it. */
+		gl->DepthMask(GL_FALSE);
 		gl->DrawArrays(GL_TRIANGLE_STRIP, 2, 4);
+		gl->DepthMask(GL_TRUE);
 	}
 	gl->DepthFunc(GL_LESS);
 }

@@ -166,19 +166,40 @@ static void row_perspective(struct draw *draw, int y, int left, int right)
 /* Rows of one colour with nothing to test or blend: backdrops. */
 static void row_constant(struct draw *draw, int y, int left, int right)
 {
-	const struct raster *raster = &draw->raster;
-	uint32_t c[3];
+	const struct plane *plane = draw->raster.plane;
 
-	for (int i = 0; i < 3; i++) {
-		c[i] = raster->span.value[RED + i];
-	}
-	for (int i = 0; i < raster->moving_count; i++) {
-		c[raster->moving[i] - RED] =
-			raster->plane[raster->moving[i]].start;
-	}
 	soft_bands.fill((uint16_t *)(void *)pixel_at(
 				&draw->soft->buffers.target, left, y),
-		right - left, color_565(c[0], c[1], c[2]));
+		right - left,
+		color_565(plane[RED].start, plane[GREEN].start,
+			plane[BLUE].start));
+}
+
+static void next_constant(struct draw *draw)
+{
+	struct plane *plane = draw->raster.plane;
+
+	for (int i = RED; i <= BLUE; i++) {
+		plane[i].start += (uint32_t)plane[i].dy;
+	}
+}
+
+/* Colours that stand still have planes too. */
+static void fill_constant(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	uint32_t still = 7u << RED;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		still &= ~(1u << raster->moving[i]);
+	}
+	for (int i = RED; i <= BLUE; i++) {
+		if (still >> i & 1) {
+			raster->plane[i] =
+				(struct plane){.start = raster->span.value[i]};
+		}
+	}
+	raster_walk(draw, setup, row_constant, next_constant);
 }
 
 static bool is_constant_by_row(const struct draw *draw)
@@ -207,7 +228,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 	raster_set_up(draw, setup);
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	if (draw->luminance && luminance_begin(draw)) {
-		raster_walk(draw, setup, luminance_row, next_row);
+		raster_walk(draw, setup, luminance_row, luminance_next);
 		return;
 	}
 	if (draw->ground && ground_begin(draw)) {
@@ -215,7 +236,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		return;
 	}
 	if (is_constant_by_row(draw)) {
-		raster_walk(draw, setup, row_constant, next_row);
+		fill_constant(draw, setup);
 		return;
 	}
 	if (raster->perspective) {

@@ -88,7 +88,8 @@ glyph_mix_arm:
 	sub	r1, r1, #1
 1:	subs	r1, r1, #8
 	blt	3f
-2:	ldm	r0, {r5, r6, r7, r8}
+2:	pld	[r0, #64]
+	ldm	r0, {r5, r6, r7, r8}
 	mix_two	r5, r12
 	mix_two	r6, r12
 	mix_two	r7, r12

@@ -209,6 +209,7 @@ tile_blend_arm:
 	cmp	r2, #0
 	bxle	lr
 	push	{r4-r10, lr}
+	pld	[r0, #32]
 	ldr	r4, =0x07E0F81F
 	ldr	r6, =0x02008010
 	rsb	r5, r3, #32
@@ -218,7 +219,8 @@ tile_blend_arm:
 	sub	r2, r2, #1
 1:	subs	r2, r2, #4
 	blt	3f
-2:	blend_two
+2:	pld	[r0, #64]
+	blend_two
 	subs	r2, r2, #4
 	blend_two
 	bge	2b

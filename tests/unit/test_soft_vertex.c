@@ -136,6 +136,30 @@ static void test_shorts_are_transformed_as_in_c(void **state)
 	check_shorts(false);
 }
 
+static void test_pairs_are_transformed_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	int16_t position[VERTICES][2];
+	uint32_t seed = 13;
+
+	(void)state;
+	draw->view.positions = (const uint8_t *)position;
+	draw->view.stride_bytes = sizeof(position[0]);
+	for (int round = 0; round < 100; round++) {
+		make_view(&draw->view, POSITION_SHORTS, round % 2, &seed);
+		draw->view.kind = POSITION_PAIRS;
+		for (int i = 0; i < 2 * VERTICES; i++) {
+			position[i / 2][i % 2] =
+				(int16_t)random_within(&seed, 32767 >> i % 3);
+		}
+		for (uint32_t i = 0; i < VERTICES; i++) {
+			check_vertex(draw, i);
+			check_place(draw, i);
+		}
+	}
+	free(draw);
+}
+
 static void test_flat_projections_are_transformed_as_in_c(void **state)
 {
 	(void)state;
@@ -191,6 +215,36 @@ static void test_outcodes_are_as_in_c(void **state)
 		check_vertex(draw, 0);
 	}
 	free(draw);
+}
+
+static void test_the_largest_float_is_found_as_in_c(void **state)
+{
+	float position[VERTICES][4];
+	const uint8_t *at = (const uint8_t *)position;
+	uint32_t seed = 1;
+
+	(void)state;
+	for (int round = 0; round < 2000; round++) {
+		uint32_t count = (uint32_t)round % VERTICES;
+		int stride = round % 3 ? 16 : 12;
+		uint32_t found;
+
+		for (int i = 0; i < 4 * VERTICES; i++) {
+			position[i / 4][i % 4] =
+				(float)random_within(&seed, 1 << (i % 24));
+		}
+		found = soft_largest_float(at, stride, count);
+		assert_int_equal(found, largest_float_c(at, stride, count));
+		if (count > 0) {
+			size_t last = (size_t)stride * (count - 1) + 8;
+			uint32_t bits = 0xC5000000u | (uint32_t)round;
+
+			/* 2048 and more */
+			memcpy((uint8_t *)position + last, &bits, 4);
+			assert_true(soft_largest_float(at, stride, count) >=
+				bits << 1);
+		}
+	}
 }
 
 /* What arrays hold, and one gleam for all. */
@@ -309,9 +363,11 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_shorts_are_transformed_as_in_c),
+		cmocka_unit_test(test_pairs_are_transformed_as_in_c),
 		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
 		cmocka_unit_test(test_floats_are_transformed_as_in_c),
 		cmocka_unit_test(test_outcodes_are_as_in_c),
+		cmocka_unit_test(test_the_largest_float_is_found_as_in_c),
 		cmocka_unit_test(test_vertices_are_lit_as_in_c),
 	};
 

@@ -95,8 +95,7 @@ static ALWAYS_INLINE uint32_t larger(uint32_t most, uint32_t bits)
 	return bits << 1 > most ? bits << 1 : most;
 }
 
-static uint32_t largest_of_three(
-	const uint8_t *at, int stride_bytes, uint32_t count)
+uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count)
 {
 	uint32_t most = 0;
 
@@ -122,7 +121,7 @@ int array_position_exponent(
 		return 15;
 	}
 	if (size == 3) {
-		most = largest_of_three(at, array->stride_bytes, count);
+		most = soft_largest_float(at, array->stride_bytes, count);
 		return (int)(most >> 24) - 127;
 	}
 	for (uint32_t n = 0; n < count; n++, at += array->stride_bytes) {
@@ -149,8 +148,8 @@ void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 	out[2] = 0;
 	for (int i = 0; i < size; i++) {
 		if (array->type == GL_FLOAT) {
-			out[i] = clamp_int(checked(load_bits(at + 4 * i),
-						   draw->view.scale),
+			out[i] = clamp_int(
+				checked(load_bits(at + 4 * i), draw->view.scale),
 				-(1 << 30), 1 << 30);
 			continue;
 		}

@@ -166,9 +166,16 @@ struct beams {
 	uint8_t color[4];
 };
 
+/* How coordinates are given; all but the last are quick to fetch. */
+enum texcoord_kind {
+	TEXCOORD_FLOATS, /* as they are; too large ones are TEXCOORD_OTHER */
+	TEXCOORD_SHORTS, /* each by a factor, and moved: below 2^14 then */
+	TEXCOORD_OTHER,
+};
+
 struct texture_input {
 	bool used, identity;
-	bool floats; /* coordinates come from the array as they are */
+	enum texcoord_kind kind;
 	const struct array *array;
 	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
 	int matrix_q;
@@ -208,13 +215,14 @@ struct raster {
 enum position_kind {
 	POSITION_SHORTS, /* three */
 	POSITION_FLOATS, /* three, in range and aligned */
+	POSITION_PAIRS,  /* two shorts */
 	POSITION_OTHER,
 };
 
 /*
  * From positions to the window; arm/vertex.S knows the offsets. A row of the
  * matrix gives a clip coordinate: moved + row . position, the products shifted
- * by 16 for POSITION_SHORTS, else by 32.
+ * by 16 for shorts, else by 32.
  */
 struct view {
 	_Alignas(32) int32_t moved_x;
@@ -383,6 +391,13 @@ void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3]);
 void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4]);
 void array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
+/*
+ * The largest of count times three floats, as bits without their sign, shifted
+ * to the left by one. The other is in C; arm/vertex.S has one besides.
+ */
+uint32_t soft_largest_float(
+	const uint8_t *at, int stride_bytes, uint32_t count);
+uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
 int array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);

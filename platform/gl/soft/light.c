@@ -314,19 +314,26 @@ static NEVER_INLINE void find_any_texcoord(
 	}
 }
 
+static ALWAYS_INLINE int32_t scale_short(
+	const struct texture_input *input, int i, int16_t value)
+{
+	int64_t sum = (int64_t)input->matrix[i][i] * value + input->matrix[i][2];
+
+	return (int32_t)(sum >> (input->matrix_q - 16));
+}
+
 static ALWAYS_INLINE void find_texcoord(
 	const struct draw *draw, int unit, struct vertex *vertex)
 {
 	const struct texture_input *input = &draw->texture[unit];
+	const uint8_t *at = input->array->pointer +
+		(size_t)vertex->index * (size_t)input->array->stride_bytes;
 	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
 	uint32_t bits[2];
+	int16_t shorts[2];
 	float st[2];
 
-	if (input->floats) {
-		const uint8_t *at = input->array->pointer +
-			(size_t)vertex->index *
-				(size_t)input->array->stride_bytes;
-
+	if (input->kind == TEXCOORD_FLOATS) {
 		PRELOAD(at + 40);
 		memcpy(bits, at, sizeof(bits));
 		/* Below 2^14, as the bits of 2^14 tell. */
@@ -336,15 +343,35 @@ static ALWAYS_INLINE void find_texcoord(
 			out[1] = (int32_t)(st[1] * 65536.0f);
 			return;
 		}
+	} else if (input->kind == TEXCOORD_SHORTS) {
+		memcpy(shorts, at, sizeof(shorts));
+		out[0] = scale_short(input, 0, shorts[0]);
+		out[1] = scale_short(input, 1, shorts[1]);
+		return;
 	}
 	find_any_texcoord(draw, unit, vertex->index, out);
+}
+
+/* As array_color_q16() and to_attribute() have it. */
+static ALWAYS_INLINE int32_t attribute_from_byte(int byte)
+{
+	return 128 + byte * 256 + (byte >> 7) - (byte == 255);
 }
 
 static NEVER_INLINE void find_color(
 	const struct draw *draw, struct vertex *vertex)
 {
+	const struct array *array = &draw->soft->arrays.color;
+	const uint8_t *at = array->pointer +
+		(size_t)vertex->index * (size_t)array->stride_bytes;
 	int32_t color[4];
 
+	if (array->enabled && array->type == GL_UNSIGNED_BYTE) {
+		for (int i = 0; i < 4; i++) {
+			vertex->attribute[i] = attribute_from_byte(at[i]);
+		}
+		return;
+	}
 	array_color_q16(draw, vertex->index, color);
 	for (int i = 0; i < 4; i++) {
 		vertex->attribute[i] = to_attribute(color[i]);

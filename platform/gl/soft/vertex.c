@@ -84,10 +84,10 @@ static ALWAYS_INLINE void find_clip(
 		view->positions + (size_t)index * (size_t)view->stride_bytes;
 	int32_t p[3];
 
-	if (view->kind == POSITION_SHORTS) {
-		int16_t s[3];
+	if (view->kind == POSITION_SHORTS || view->kind == POSITION_PAIRS) {
+		int16_t s[3] = {0, 0, 0};
 
-		memcpy(s, at, sizeof(s));
+		memcpy(s, at, view->kind == POSITION_PAIRS ? 4 : sizeof(s));
 		out[0] = transform_shorts(view->moved_x, view->row_x, s);
 		out[1] = transform_shorts(view->moved_y, view->row_y, s);
 		out[2] = transform_shorts(view->moved_z, view->row_z, s);

@@ -33,13 +33,14 @@ soft_transform:
 	ldrd	r4, [r0, #POSITIONS]
 	cmp	r12, #1
 	str	r1, [r2, #VERTEX_INDEX]
-	bhi	.Lother
 	mla	r3, r1, r5, r4
+	bhi	.Lpair
 	beq	.Lfloats
 
 	/* r1 x, r4 y, r12 z, lr w; r3 the position's x and y, r11 its z */
 	ldrsh	r11, [r3, #4]
 	pld	[r3, #64]
+.Lshorts:
 	ldr	r3, [r3]
 	ldmia	r0!, {r1, r4-r10}
 	smlawb	r1, r5, r3, r1
@@ -163,9 +164,49 @@ soft_transform:
 	str	r3, [r2]
 	pop	{r2, r4-r11, pc}
 
-.Lother:
+.Lpair:
+	cmp	r12, #2
+	moveq	r11, #0
+	beq	.Lshorts
 	pop	{r2, r4-r11, lr}
 	b	transform_c
 	.size	soft_transform, . - soft_transform
+
+	.macro	larger value
+	cmp	r12, \value, lsl #1
+	movlo	r12, \value, lsl #1
+	.endm
+
+	.macro	larger_vertex
+	ldmia	r0, {r3-r5}
+	pld	[r0, #96]
+	add	r0, r0, r1
+	larger	r3
+	larger	r4
+	larger	r5
+	.endm
+
+/* r0 the first, r1 bytes to the next, r2 how many; 9 instructions each */
+	.global	largest_float_arm
+	.type	largest_float_arm, %function
+largest_float_arm:
+	push	{r4, r5}
+	mov	r12, #0
+	subs	r2, r2, #4
+	blo	2f
+1:	.rept	4
+	larger_vertex
+	.endr
+	subs	r2, r2, #4
+	bhs	1b
+2:	adds	r2, r2, #4
+	beq	4f
+3:	larger_vertex
+	subs	r2, r2, #1
+	bne	3b
+4:	mov	r0, r12
+	pop	{r4, r5}
+	bx	lr
+	.size	largest_float_arm, . - largest_float_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -30,7 +30,9 @@ _Static_assert(offsetof(struct view, depth) == 100, "");
 _Static_assert(offsetof(struct view, inverse_w_q30) == 64 + 40, "INVERSE_W");
 _Static_assert(offsetof(struct view, w_zeros) == 108, "");
 _Static_assert(offsetof(struct view, reciprocals) == 64 + 48, "RECIPROCALS");
-_Static_assert(POSITION_SHORTS == 0 && POSITION_FLOATS == 1, "by KIND");
+_Static_assert(
+	POSITION_SHORTS == 0 && POSITION_FLOATS == 1 && POSITION_PAIRS == 2,
+	"by KIND");
 _Static_assert(offsetof(struct vertex, outcode) == 1, "");
 _Static_assert(offsetof(struct vertex, shaded) == 2, "");
 _Static_assert(offsetof(struct vertex, x) == 4, "");
@@ -62,6 +64,16 @@ _Static_assert(sizeof(struct vertex) == 96, "");
 _Static_assert(sizeof(struct place) == 8, "");
 _Static_assert(offsetof(struct draw, quick.place) == 132, "QUICK_PLACE");
 _Static_assert(offsetof(struct draw, quick.cache) == 136, "QUICK_CACHE");
+
+/* vertex.S: of aligned ones */
+uint32_t largest_float_arm(const uint8_t *at, int stride_bytes, uint32_t count);
+
+uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
+{
+	return ((uintptr_t)at | (uintptr_t)stride_bytes) % 4 == 0
+		? largest_float_arm(at, stride_bytes, count)
+		: largest_float_c(at, stride_bytes, count);
+}
 
 /* Zeros belong to slot 0, and one followed by zeros does not. */
 static void forget_all(struct alike *alike)

@@ -5,6 +5,11 @@ void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 	transform_c(draw, index, out);
 }
 
+uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
+{
+	return largest_float_c(at, stride_bytes, count);
+}
+
 bool soft_light_by_beams(
 	const struct beams *light, uint32_t index, struct vertex *vertex)
 {

@@ -72,12 +72,6 @@ enum {
 	TYPES = sizeof(types) / sizeof(types[0])
 };
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 /* The lower right triangle, at whole numbers that a matrix makes small. */
 static void test_positions_of_each_type_and_stride(void **state)
 {
@@ -108,7 +102,7 @@ static void test_positions_of_each_type_and_stride(void **state)
 		gl_expect_color(&stage, c->name, 30, 20, (double[]){1, 1, 1});
 		gl_expect_color(&stage, c->name, 18, 13, (double[]){1, 1, 1});
 		gl_expect_color(&stage, c->name, 13, 10, (double[]){0, 0, 0});
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -138,7 +132,7 @@ static void test_normals_of_each_type_and_stride(void **state)
 		stage_draw_all(stage.gl);
 		gl_expect_color(
 			&stage, c->name, 9, 9, (double[]){0.6, 0.6, 0.6});
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -169,7 +163,7 @@ static void test_colours_of_each_type_and_stride(void **state)
 		stage.gl->ColorPointer(4, c->type, c->stride, data);
 		stage_draw_all(stage.gl);
 		gl_expect_color_alpha(&stage, c->name, 9, 9, own);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -197,7 +191,7 @@ static void test_texture_coordinates_of_each_type_and_stride(void **state)
 		gl_expect_color(&stage, c->name, 7, 5, (double[]){0, 0, 1});
 		gl_expect_color(&stage, c->name, 24, 5, (double[]){1, 1, 1});
 		stage.gl->DeleteTextures(1, &texture);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -210,7 +204,7 @@ static void test_nothing_is_drawn_without_positions(void **state)
 	stage.gl->VertexPointer(2, GL_FLOAT, 0, corner);
 	stage.gl->DrawArrays(GL_TRIANGLES, 0, 3);
 	gl_expect_color(&stage, "nothing", 16, 18, (double[]){0, 0, 0});
-	close_good(&stage);
+	stage_end_and_close(&stage);
 }
 
 /*

@@ -7,12 +7,6 @@
 
 #define ONE FX16_ONE
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 /* Planes z = a + b x + c y over the picture, the lower z in front. */
 struct plane_case {
 	const char *name;
@@ -77,7 +71,7 @@ static void test_the_nearer_of_crossing_triangles_is_seen(void **state)
 					colors[gap > 0]);
 			}
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -182,7 +176,7 @@ static void test_viewports_place_the_picture(void **state)
 			gl_expect_color(&stage, cases[n].name, column, row,
 				(double[]){on, on, on});
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -202,7 +196,7 @@ static void test_viewports_cut_triangles(void **state)
 			gl_expect_color(
 				&stage, "cut", x, y, (double[]){on, on, on});
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -237,7 +231,7 @@ static void test_pixels_are_read_as_they_were_drawn(void **state)
 			assert_int_equal(pixels[n], gap);
 		}
 		assert_int_equal(pixels[row + 12], gap);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -258,7 +252,7 @@ static void test_reading_may_leave_the_picture(void **state)
 		INT32_MAX, INT32_MAX, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 	stage.gl->ReadPixels(
 		INT32_MIN, INT32_MIN, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-	close_good(&stage);
+	stage_end_and_close(&stage);
 }
 
 int main(void)

@@ -50,12 +50,6 @@ static void set_env(struct gl *gl, GLenum name, GLenum value)
 	gl->TexEnvx(GL_TEXTURE_ENV, name, (GLfixed)value);
 }
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 /* GL ES 1.1 tables 3.15 to 3.17. */
 static void find_mode(GLenum mode, GLenum format, double out[4])
 {
@@ -127,7 +121,7 @@ static void test_each_mode_is_the_formulas(void **state)
 		stage_draw_all(stage.gl);
 		find_mode(mode, f, wanted);
 		gl_expect_color_alpha(&stage, modes[i / 10].name, 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -257,7 +251,7 @@ static void test_each_combiner_is_the_formulas(void **state)
 		wanted[3] = c->combine == GL_DOT3_RGBA ? wanted[0]
 						       : texel[3] * own[3];
 		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -288,7 +282,7 @@ static void test_alpha_is_combined_apart(void **state)
 		stage_draw_all(stage.gl);
 		gl_expect_color_alpha(&stage, cases[i].name, 9, 9,
 			(double[]){texel[0], texel[1], texel[2], cases[i].alpha});
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -318,7 +312,7 @@ static void test_a_second_unit_takes_the_first_ones_colour(void **state)
 			wanted[i] = (dot > 1 ? 1 : dot) * constant[i];
 		}
 		gl_expect_color(&stage, "two units", 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -391,7 +385,7 @@ static void test_texels_lie_in_perspective(void **state)
 					(double[]){ramp_at(s), ramp_at(t), 0});
 			}
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 

@@ -35,12 +35,6 @@ static void draw_part(
 	stage_draw_all(gl);
 }
 
-static void close_good(struct stage *stage)
-{
-	stage_end_frame(stage);
-	stage_close(stage);
-}
-
 static const struct format_case {
 	const char *name;
 	GLenum format, type;
@@ -92,7 +86,7 @@ static void test_each_format_is_read(void **state)
 			wanted[j] = wanted[j] * a + (j >= 2 ? 1 - a : 0);
 		}
 		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -202,7 +196,7 @@ static void check_parts(bool linear)
 		check_part(&stage, &parts[i / 8],
 			i & 2 ? GL_REPEAT : GL_CLAMP_TO_EDGE,
 			i & 4 ? GL_REPEAT : GL_CLAMP_TO_EDGE, linear);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -249,7 +243,7 @@ static void test_a_part_of_a_texture_is_replaced(void **state)
 			gl_expect_color(&stage, "texel", 4 * s + 2,
 				STAGE_HEIGHT - 3 - 6 * t, wanted);
 		}
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -275,7 +269,7 @@ static void test_rows_begin_where_the_alignment_says(void **state)
 		draw_part(stage.gl, 0, 0, 1, 1);
 		gl_expect_color(&stage, "lower", 9, 20, (double[]){1, 0, 0});
 		gl_expect_color(&stage, "upper", 9, 3, (double[]){0, 1, 0});
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -347,7 +341,7 @@ static void test_a_level_is_chosen_by_size(void **state)
 				level_color[next][j] * cases[n].next;
 		}
 		gl_expect_color(&stage, cases[n].name, 9, 9, wanted);
-		close_good(&stage);
+		stage_end_and_close(&stage);
 	}
 }
 
@@ -369,7 +363,7 @@ static void test_an_incomplete_texture_is_none(void **state)
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 	draw_part(gl, 0, 0, 1, 1);
 	gl_expect_color(&stage, "one level", 9, 9, (double[]){0, 0, 0});
-	close_good(&stage);
+	stage_end_and_close(&stage);
 }
 
 int main(void)

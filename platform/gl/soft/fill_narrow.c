@@ -71,10 +71,7 @@ struct narrow {
 	int chunk; /* rows until it is taken afresh */
 };
 
-/*
- * Whether w differs so little that linear is right to a step of 255; see
- * find_limits().
- */
+/* Mostly w differs so little that all colours run linearly. */
 static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 {
 	int32_t w = setup->v[0]->clip[3];
@@ -82,7 +79,8 @@ static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 
 	d1 = d1 < 0 ? -d1 : d1;
 	d2 = d2 < 0 ? -d2 : d2;
-	return !draw->perspective || d1 + d2 <= w >> 6;
+	return !draw->perspective || d1 + d2 <= w >> 6 ||
+		fill_plain_is_linear(draw, setup);
 }
 
 static struct scale find_scale(const struct setup *setup)

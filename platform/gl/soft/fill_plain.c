@@ -96,6 +96,20 @@ static ALWAYS_INLINE void set_colors(
 		(uint32_t)cut(five(b->right), 14);
 }
 
+bool fill_plain_is_linear(const struct draw *draw, const struct setup *setup)
+{
+	int32_t limit = find_limits(draw, setup).color;
+	bool within = true;
+
+	for (int name = RED; name <= BLUE; name++) {
+		int32_t first = setup->v[0]->attribute[name];
+
+		within &= is_color_within(setup->v[1]->attribute[name] - first,
+			setup->v[2]->attribute[name] - first, limit);
+	}
+	return within;
+}
+
 static ALWAYS_INLINE bool is_gray_vertex(const struct vertex *v)
 {
 	return v->attribute[RED] == v->attribute[GREEN] &&

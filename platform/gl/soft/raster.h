@@ -219,6 +219,8 @@ void rows_fill(struct draw *draw, struct setup *setup);
 bool fill_is_opaque(const struct draw *draw);
 bool fill_takes_texture(const struct texture_input *input);
 void fill_plain(struct draw *draw, struct setup *setup);
+/* Whether its colours run linearly, to a step of 255. */
+bool fill_plain_is_linear(const struct draw *draw, const struct setup *setup);
 void fill_textured(struct draw *draw, struct setup *setup);
 
 /*

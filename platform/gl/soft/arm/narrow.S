@@ -101,7 +101,7 @@ fill_narrow_arm:
 	rsbmi	lr, lr, #0
 	add	r3, r3, lr
 	cmp	r3, r2, asr #6
-	bgt	.Lplain
+	bgt	.Ldiffer
 
 	/* r12 the area's reciprocal, lr the shift */
 1:	ldr	r3, [r1, #SETUP_AREA]
@@ -263,7 +263,13 @@ fill_narrow_arm:
 .Ldone:	add	sp, sp, #ROOM + 8
 	pop	{r4-r11, pc}
 
-.Lplain:
+	/* more of w: colours may run linearly yet */
+.Ldiffer:
+	bl	fill_plain_is_linear
+	cmp	r0, #0
+	ldr	r0, [sp, #DRAW]
+	ldr	r1, [sp, #SETUP]
+	bne	1b
 	add	sp, sp, #ROOM
 	pop	{r0, r1, r4-r11, lr}
 	b	fill_plain

@@ -80,11 +80,6 @@ static void row_glyph(struct draw *draw, int y, int left, int right)
 	}
 }
 
-static void next_row(struct draw *draw)
-{
-	raster_skip_rows(draw, 1);
-}
-
 static int texel_of(int32_t at_q16, int log2)
 {
 	return (int)((int64_t)at_q16 * (1 << log2) >> 16);
@@ -130,7 +125,7 @@ void fill_glyph(struct draw *draw, struct setup *setup)
 		rows_fill(draw, setup);
 		return;
 	}
-	raster_walk(draw, setup, row_glyph, next_row);
+	raster_walk(draw, setup, row_glyph, raster_next_row);
 }
 
 static bool are_upright(struct vertex *const v[4])

@@ -115,32 +115,37 @@ static void gather_texels(const struct draw *draw, const struct setup *setup,
 	}
 }
 
-/* A colour's channel, or fog; true if it is the same everywhere. */
-static bool gather_color(const struct draw *draw, const struct setup *setup,
-	int name, int32_t out[3])
+/* Whose colours a triangle has: its corners', or one's. */
+struct colored {
+	const int32_t *corner[3];
+};
+
+static struct colored find_colored(
+	const struct draw *draw, const struct setup *setup)
 {
-	bool flat = draw->soft->fragment.flat;
 	bool behind = setup->back && draw->shading.two_side;
+	struct colored colored;
 
 	for (int i = 0; i < 3; i++) {
-		const struct vertex *v =
-			flat && name < FOG ? draw->provoking : setup->v[i];
+		const struct vertex *v = draw->soft->fragment.flat
+			? draw->provoking
+			: setup->v[i];
 
-		out[i] = behind && name < FOG ? v->back[name]
-					      : v->attribute[name];
+		colored.corner[i] = behind ? v->back : v->attribute;
 	}
-	return out[0] == out[1] && out[0] == out[2];
+	return colored;
 }
 
-static int32_t spread(const int32_t value[3])
+static ALWAYS_INLINE int32_t spread(const int32_t value[3])
 {
-	int64_t high = value[0], low = value[0];
+	int32_t a = value[0], b = value[1], c = value[2];
+	int32_t high = a > b ? a : b, low = a > b ? b : a;
+	uint32_t most;
 
-	for (int i = 1; i < 3; i++) {
-		high = value[i] > high ? value[i] : high;
-		low = value[i] < low ? value[i] : low;
-	}
-	return saturate_64(high - low);
+	high = c > high ? c : high;
+	low = c < low ? c : low;
+	most = (uint32_t)high - (uint32_t)low;
+	return most > INT32_MAX ? INT32_MAX : (int32_t)most;
 }
 
 /* 1 / w of the three in a common scale, below 2^29. */
@@ -165,13 +170,26 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
  * Whether running linearly is off by more than a step of 255 or a quarter of a
  * texel: by up to spread (qmax - qmin) / 4 qmin.
  */
-static bool bends(int name, const int32_t value[3], const int32_t q[3])
+static ALWAYS_INLINE bool bends(
+	int name, const int32_t value[3], int32_t q_spread, int32_t q_least)
 {
-	int32_t least = q[0] < q[1] ? q[0] : q[1];
 	int64_t allowed = name >= TEX_S ? 64 * 4 : 256 * 4;
 
-	least = least < q[2] ? least : q[2];
-	return (int64_t)spread(value) * spread(q) > allowed * least;
+	return (int64_t)spread(value) * q_spread > allowed * q_least;
+}
+
+static bool any_bends(const struct raster *raster, int count,
+	int32_t (*value)[3], const int32_t q[3])
+{
+	int32_t q_least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
+
+	q_least = q_least < q[2] ? q_least : q[2];
+	for (int i = 0; i < count; i++) {
+		if (bends(raster->moving[i], value[i], q_spread, q_least)) {
+			return true;
+		}
+	}
+	return false;
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
@@ -202,21 +220,29 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 static int gather_attributes(
 	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
 {
+	const struct colored colored = find_colored(draw, setup);
 	struct raster *raster = &draw->raster;
 	int count = 0;
 
 	for (int i = 0; i < draw->attribute_count; i++) {
 		int name = draw->attribute[i];
+		int32_t *out = value[count];
 
 		if (name >= TEX_S) {
-			gather_texels(draw, setup, name, value[count]);
-		} else if (gather_color(draw, setup, name, value[count])) {
-			raster->span.value[name] = (uint32_t)value[count][0]
-				<< 8;
-			raster->span.step[name] = 0;
+			gather_texels(draw, setup, name, out);
+			raster->moving[count++] = name;
 			continue;
 		}
-		raster->moving[count++] = name;
+		for (int k = 0; k < 3; k++) {
+			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
+					     : colored.corner[k][name];
+		}
+		if (out[0] != out[1] || out[0] != out[2]) {
+			raster->moving[count++] = name;
+			continue;
+		}
+		raster->span.value[name] = (uint32_t)out[0] << 8;
+		raster->span.step[name] = 0;
 	}
 	return count;
 }
@@ -231,10 +257,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	raster->perspective = false;
 	if (draw->perspective && count > 0) {
 		gather_inverse_w(setup, q);
-		for (int i = 0; i < count && !raster->perspective; i++) {
-			raster->perspective =
-				bends(raster->moving[i], value[i], q);
-		}
+		raster->perspective = any_bends(raster, count, value, q);
 	}
 	if (raster->perspective) {
 		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
@@ -320,5 +343,25 @@ void raster_skip_rows(struct draw *draw, int rows)
 	skip(&raster->plane[DEPTH], rows);
 	if (raster->perspective) {
 		skip(&raster->plane[INVERSE_W], rows);
+	}
+}
+
+static ALWAYS_INLINE void next(struct plane *plane)
+{
+	plane->start += (uint32_t)plane->dy;
+}
+
+void raster_next_row(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	const int *name = raster->moving;
+	const int *end = name + raster->moving_count;
+
+	while (name < end) {
+		next(&raster->plane[*name++]);
+	}
+	next(&raster->plane[DEPTH]);
+	if (raster->perspective) {
+		next(&raster->plane[INVERSE_W]);
 	}
 }

@@ -189,6 +189,7 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 
 /* Moves all planes in use down by so many rows. */
 void raster_skip_rows(struct draw *draw, int rows);
+void raster_next_row(struct draw *draw);
 
 /* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
 static inline int raster_log2_q8(uint32_t value_q16)

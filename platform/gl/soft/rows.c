@@ -216,11 +216,6 @@ static bool is_constant_by_row(const struct draw *draw)
 	return across == 0;
 }
 
-static void next_row(struct draw *draw)
-{
-	raster_skip_rows(draw, 1);
-}
-
 void rows_fill(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
@@ -232,7 +227,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		return;
 	}
 	if (draw->ground && ground_begin(draw)) {
-		raster_walk(draw, setup, ground_row, next_row);
+		raster_walk(draw, setup, ground_row, raster_next_row);
 		return;
 	}
 	if (is_constant_by_row(draw)) {
@@ -240,7 +235,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		return;
 	}
 	if (raster->perspective) {
-		raster_walk(draw, setup, row_perspective, next_row);
+		raster_walk(draw, setup, row_perspective, raster_next_row);
 		return;
 	}
 	for (int i = 0; i < raster->moving_count; i++) {
@@ -249,5 +244,5 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		raster->span.step[name] = raster->plane[name].dx;
 	}
 	find_affine_lod(draw, &raster->span);
-	raster_walk(draw, setup, row_affine, next_row);
+	raster_walk(draw, setup, row_affine, raster_next_row);
 }

@@ -85,6 +85,7 @@ list_arm:
 .Lloop:	ldrh	r0, [r11], #2
 	ldrh	r1, [r11], #2
 	ldrh	r2, [r11], #2
+	pld	[r11, #64]
 	mov	r3, r0, lsl #23
 	mov	r12, r1, lsl #23
 	mov	lr, r2, lsl #23

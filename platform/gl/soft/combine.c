@@ -170,7 +170,7 @@ static void apply_combiner(
  * What relief asks for: the texel's normal by the light in the primary colour,
  * alpha modulated. So much as apply_combiner(), without looking things up.
  */
-static bool is_plain_dot(const struct texenv *env)
+bool soft_is_plain_dot(const struct texenv *env)
 {
 	return env->mode == GL_COMBINE && env->combine_rgb == GL_DOT3_RGB &&
 		env->source_rgb[0] == GL_TEXTURE &&
@@ -209,7 +209,7 @@ void soft_combine(const struct texture_input *input, int count,
 	const struct texenv *env = input->env;
 	struct meeting m;
 
-	if (is_plain_dot(env)) {
+	if (soft_is_plain_dot(env)) {
 		dot_plainly(count, texel, primary, color);
 		return;
 	}

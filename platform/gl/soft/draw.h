@@ -262,6 +262,7 @@ struct alike {
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
+typedef void (*span_function)(struct draw *draw, const struct span *span);
 
 /*
  * What rejects triangles, and sets small ones up, in one place. Offsets are
@@ -322,7 +323,7 @@ struct draw {
 	bool luminance; /* rows may be luminance.c's */
 	bool ground;    /* rows may be ground.c's */
 	bool plain;     /* colours into RGB565, nothing to test or blend */
-	void (*span)(struct draw *draw, const struct span *span);
+	span_function span;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
@@ -442,9 +443,15 @@ int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
 void soft_draw_span_565(struct draw *draw, const struct span *span);
 bool soft_takes_span_565(const struct draw *draw);
 
+/* relief.c: the same for what relief is drawn in, or NULL. */
+span_function relief_choose_span(const struct draw *draw);
+
 /* texel.c: colours of texels for a span's fragments. */
 void soft_sample(const struct texture_input *input, const struct span *span,
 	int unit, uint8_t (*out)[4]);
+
+/* combine.c: whether it is a texel's normal by the light in the primary colour */
+bool soft_is_plain_dot(const struct texenv *env);
 
 /* combine.c: what the environment makes of the fragments' colours. */
 void soft_combine(const struct texture_input *input, int count,

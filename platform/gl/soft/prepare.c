@@ -328,6 +328,20 @@ static fill_function choose_fill(const struct draw *draw)
 	return fill_takes_texture(&draw->texture[0]) ? fill_textured : rows_fill;
 }
 
+/* And no alpha where nobody asks for it. */
+static void choose_span(struct draw *draw)
+{
+	span_function relief = relief_choose_span(draw);
+	bool quick = soft_takes_span_565(draw);
+
+	draw->span = relief ? relief
+		: quick     ? soft_draw_span_565
+			    : soft_draw_span;
+	if (relief || (quick && !draw->blended)) {
+		draw->attributes &= ~(1u << ALPHA);
+	}
+}
+
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
@@ -366,12 +380,8 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
-	if (soft_takes_span_565(draw) && !draw->blended) {
-		draw->attributes &= ~(1u << ALPHA);
-	}
+	choose_span(draw);
 	list_attributes(draw);
-	draw->span =
-		soft_takes_span_565(draw) ? soft_draw_span_565 : soft_draw_span;
 	draw->fill = choose_fill(draw);
 	draw->luminance = luminance_takes(draw);
 	draw->ground = ground_takes(draw);

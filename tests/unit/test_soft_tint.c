@@ -154,7 +154,6 @@ static void draw(struct scene *scene, const struct corner *corner, bool long_way
 	gl->AlphaFuncx(GL_ALWAYS, 0);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->Enable(GL_TEXTURE_2D);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
 	gl->EnableClientState(GL_COLOR_ARRAY);
@@ -245,6 +244,50 @@ static void test_nearest_texels_are_those_of_the_long_way(void **state)
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
+}
+
+/* What bump.c draws relief with, one pass over the other. */
+static void set_pass(const struct gl *gl, int pass)
+{
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		pass == 0 ? GL_COMBINE : GL_MODULATE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_DOT3_RGB);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC1_RGB, GL_PRIMARY_COLOR);
+	gl->DepthFunc(pass == 0 ? GL_LESS : GL_EQUAL);
+	gl->DepthMask(pass == 0);
+	(pass == 0 ? gl->Disable : gl->Enable)(GL_BLEND);
+	if (pass == 1) {
+		gl->BlendFunc(GL_DST_COLOR, GL_ZERO);
+	} else {
+		gl->BlendFunc(GL_ONE, GL_ONE);
+	}
+}
+
+static void test_relief_is_that_of_the_long_way(void **state)
+{
+	struct figures figures = {0};
+
+	(void)state;
+	for (uint32_t round = 1; round <= 60; round++) {
+		struct scene *scene[2];
+		struct corner corner[CORNERS];
+		uint32_t seed = round;
+
+		make_triangles(corner, &seed, 30 + (int)round * 4);
+		for (int k = 0; k < 2; k++) {
+			scene[k] = open_scene(
+				GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 2);
+			for (uint32_t pass = 0; pass <= round % 3; pass++) {
+				set_pass(scene[k]->gl, (int)pass);
+				draw(scene[k], corner, k == 1);
+			}
+		}
+		add_difference(&figures, scene[0], scene[1]);
+		close_scene(scene[0]);
+		close_scene(scene[1]);
+	}
+	assert_true(figures.seen > 5000);
+	assert_true(figures.other * 200 < figures.seen);
 }
 
 static void make_vertex(uint32_t *seed, const struct vertex *near, int reach,
@@ -372,6 +415,16 @@ static void place(struct tint_band *band, struct twins *twins, int which)
 		(uintptr_t)twins->depth[which] - 2;
 }
 
+/* Depths of which half are those of the band that follows. */
+static void make_equal(struct twins *twins, uint32_t *seed)
+{
+	for (int i = 0; i < SIDE * SIDE; i++) {
+		twins->depth[0][i] =
+			(uint16_t)(0x4000 | (next_random(seed) & 1));
+	}
+	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
+}
+
 /* Up to 20 rows of up to 56 pixels; colours end between 0 and 1. */
 static struct tint_band make_band(
 	uint32_t *seed, const uint8_t *texels, int width_log2, int height_log2)
@@ -409,7 +462,7 @@ static struct tint_band make_band(
 }
 
 static void check_rows(void (*rows)(struct tint_band *band),
-	void (*rows_c)(struct tint_band *band), uint32_t round)
+	void (*rows_c)(struct tint_band *band), uint32_t round, bool equal)
 {
 	uint8_t *texels = malloc(2 * 256 * 256);
 	uint32_t seed = 5;
@@ -425,6 +478,12 @@ static void check_rows(void (*rows)(struct tint_band *band),
 		struct tint_band other;
 
 		band.round = round;
+		if (equal) {
+			make_equal(twins, &seed);
+			band.row.z_q16 = 0x40000000 | (any_word(&seed) >> 15);
+			band.z_right = 0;
+			band.down.z_q16 = 0;
+		}
 		other = band;
 		place(&band, twins, 0);
 		place(&other, twins, 1);
@@ -448,13 +507,24 @@ static void check_rows(void (*rows)(struct tint_band *band),
 static void test_rows_of_mixed_texels_are_as_in_c(void **state)
 {
 	(void)state;
-	check_rows(soft_bands.tint_linear, tint_linear_c, TINT_ROUND_LINEAR);
+	check_rows(soft_bands.tint_linear, tint_linear_c, TINT_ROUND_LINEAR,
+		false);
 }
 
 static void test_rows_of_nearest_texels_are_as_in_c(void **state)
 {
 	(void)state;
-	check_rows(soft_bands.tint_nearest, tint_nearest_c, TINT_ROUND_NEAREST);
+	check_rows(soft_bands.tint_nearest, tint_nearest_c, TINT_ROUND_NEAREST,
+		false);
+}
+
+static void test_rows_of_relief_are_as_in_c(void **state)
+{
+	(void)state;
+	check_rows(soft_bands.tint_dot, tint_dot_c, TINT_ROUND_LINEAR, false);
+	check_rows(soft_bands.tint_multiply, tint_multiply_c, TINT_ROUND_LINEAR,
+		true);
+	check_rows(soft_bands.tint_add, tint_add_c, TINT_ROUND_LINEAR, true);
 }
 
 int main(void)
@@ -464,9 +534,11 @@ int main(void)
 		cmocka_unit_test(test_levels_are_those_of_the_long_way),
 		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
 		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),
+		cmocka_unit_test(test_relief_is_that_of_the_long_way),
 		cmocka_unit_test(test_triangles_are_set_up_as_in_c),
 		cmocka_unit_test(test_rows_of_mixed_texels_are_as_in_c),
 		cmocka_unit_test(test_rows_of_nearest_texels_are_as_in_c),
+		cmocka_unit_test(test_rows_of_relief_are_as_in_c),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

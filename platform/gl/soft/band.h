@@ -150,8 +150,11 @@ struct band_functions {
 	bool (*tint_triangle)(
 		const struct textured *textured, const struct setup *setup);
 	/* tint.h; as texture() */
-	void (*tint_linear)(struct tint_band *band);
 	void (*tint_nearest)(struct tint_band *band);
+	void (*tint_linear)(struct tint_band *band);
+	void (*tint_dot)(struct tint_band *band);
+	void (*tint_multiply)(struct tint_band *band);
+	void (*tint_add)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
 	/* glyph.h */

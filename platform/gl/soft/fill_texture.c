@@ -403,6 +403,25 @@ static void set_levels(
 	}
 }
 
+/* The rows of tints that the state asks for; see fill_is_relief(). */
+static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	if (input->texture->mag_filter != GL_LINEAR) {
+		return soft_bands.tint_nearest;
+	}
+	if (input->env->mode == GL_COMBINE) {
+		return soft_bands.tint_dot;
+	}
+	if (!draw->blended) {
+		return soft_bands.tint_linear;
+	}
+	return draw->soft->fragment.blend_source == GL_ONE
+		? soft_bands.tint_add
+		: soft_bands.tint_multiply;
+}
+
 void fill_textured_begin(struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -414,8 +433,7 @@ void fill_textured_begin(struct draw *draw)
 		.stride_bytes = draw->quick.stride_bytes,
 		.inverse = draw->inverse_q31,
 		.reciprocals = soft_reciprocal_table,
-		.tint = linear ? soft_bands.tint_linear
-			       : soft_bands.tint_nearest,
+		.tint = choose_tint(draw),
 		.perspective = draw->perspective,
 		.texel_limit = free ? SMALL_DELTA : 1 << 13,
 		.s_shift = 8 - input->width_log2,

@@ -319,6 +319,9 @@ static fill_function choose_fill(const struct draw *draw)
 	if (fill_is_glyph(draw)) {
 		return fill_glyph;
 	}
+	if (fill_is_relief(draw)) {
+		return fill_relief;
+	}
 	if (!fill_is_opaque(draw)) {
 		return rows_fill;
 	}
@@ -397,7 +400,7 @@ bool soft_prepare(
 		draw->fill = soft_bands.shadow;
 	}
 	soft_prepare_quick(draw);
-	if (draw->fill == fill_textured) {
+	if (draw->fill == fill_textured || draw->fill == fill_relief) {
 		fill_textured_begin(draw);
 	}
 	return true;

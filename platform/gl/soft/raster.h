@@ -225,6 +225,13 @@ bool fill_plain_is_linear(const struct draw *draw, const struct setup *setup);
 void fill_textured(struct draw *draw, struct setup *setup);
 
 /*
+ * fill_relief.c: what light, tint and rest of relief are drawn by; the others
+ * of its triangles go the long way.
+ */
+bool fill_is_relief(const struct draw *draw);
+void fill_relief(struct draw *draw, struct setup *setup);
+
+/*
  * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
  * is called once a draw call.
  */

@@ -60,16 +60,101 @@ static struct channels load_nearest(const struct tint_band *band, uint32_t at)
 	};
 }
 
-/* Below 2^24, and 2^15. */
-static uint32_t tint(uint32_t channel, uint32_t color)
+/* The channel by a colour: 17 bits of fraction. */
+static int32_t tint(uint32_t channel, uint32_t color)
 {
-	uint32_t product = (uint32_t)((uint64_t)channel * color >> 16);
-
-	return (product + TINT_ROUND_LINEAR) / (2 * TINT_ROUND_LINEAR);
+	return (int32_t)((uint64_t)channel * color >> 16);
 }
 
-static void run_tint(const struct tint_band *band, int column, int count,
-	struct channels (*load)(const struct tint_band *band, uint32_t at))
+static uint32_t to_channel(int32_t value, int fraction, int32_t most)
+{
+	int32_t whole = (value + (1 << (fraction - 1))) >> fraction;
+
+	return (uint32_t)(whole < 0 ? 0 : whole > most ? most : whole);
+}
+
+static uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
+{
+	return (uint16_t)(red << 11 | green << 5 | blue);
+}
+
+/* What a pixel becomes: the texel's channels, their colours, what it was. */
+typedef uint16_t (*finish_function)(const struct channels *c, uint32_t red_blue,
+	uint32_t green, uint16_t old);
+
+static uint16_t replace(const struct channels *c, uint32_t red_blue,
+	uint32_t green, uint16_t old)
+{
+	(void)old;
+	return pack(to_channel(tint(c->red, red_blue >> 16), 17, 31),
+		to_channel(tint(c->green, green), 17, 63),
+		to_channel(tint(c->blue, red_blue & 0xFFFF), 17, 31));
+}
+
+static uint16_t add(const struct channels *c, uint32_t red_blue, uint32_t green,
+	uint16_t old)
+{
+	int32_t red = old >> 11, own = old >> 5 & 63, blue = old & 31;
+
+	return pack(
+		to_channel(tint(c->red, red_blue >> 16) + (red << 17), 17, 31),
+		to_channel(tint(c->green, green) + (own << 17), 17, 63),
+		to_channel(tint(c->blue, red_blue & 0xFFFF) + (blue << 17), 17,
+			31));
+}
+
+/* By 31 or 63 parts, which go on in 1023 and 4095. */
+static uint32_t multiply_channel(int32_t value, uint32_t part, int bits)
+{
+	uint32_t share = part << bits | part;
+
+	return to_channel(tint((uint32_t)value, share), 2 * bits + 1, 63);
+}
+
+static uint16_t multiply(const struct channels *c, uint32_t red_blue,
+	uint32_t green, uint16_t old)
+{
+	return pack(multiply_channel(tint(c->red, red_blue >> 16), old >> 11, 5),
+		multiply_channel(tint(c->green, green), old >> 5 & 63, 6),
+		multiply_channel(tint(c->blue, red_blue & 0xFFFF), old & 31, 5));
+}
+
+/* (2 texel - 1) (color - 1/2) of a channel of 63 parts that lies at half. */
+static int32_t project(int32_t channel, int32_t half, uint32_t color)
+{
+	int32_t own = channel - half;
+
+	return (int32_t)((int64_t)own * (int32_t)color >> 16) - (own >> 2);
+}
+
+/* Red and blue to 63 parts, half as large as green's: 31 by 65 / 64. */
+static uint16_t dot(const struct channels *c, uint32_t red_blue, uint32_t green,
+	uint16_t old)
+{
+	int32_t red = (int32_t)(c->red + (c->red >> 6));
+	int32_t blue = (int32_t)(c->blue + (c->blue >> 6));
+	int32_t own = (int32_t)c->green;
+	int32_t sum;
+	uint32_t five;
+
+	(void)old;
+	sum = 2 *
+			(project(red, 63 << 16, red_blue >> 16) +
+				project(blue, 63 << 16, red_blue & 0xFFFF)) +
+		project(own, 63 << 17, green);
+	five = to_channel(sum - (sum >> 6), 16, 31);
+	return pack(five, to_channel(sum, 15, 63), five);
+}
+
+/* How a band looks at its pixels. */
+struct look {
+	struct channels (*load)(const struct tint_band *band, uint32_t at);
+	finish_function finish;
+	bool equal; /* the depth has to be, and stays, what it is */
+};
+
+static ALWAYS_INLINE void run_tint(const struct tint_band *band, int column,
+	int count, const struct look *look)
 {
 	uintptr_t address = band->row.depth + 2 * (uintptr_t)column;
 	uint16_t *depth = (uint16_t *)address;
@@ -81,13 +166,13 @@ static void run_tint(const struct tint_band *band, int column, int count,
 	uint32_t green = band->row.green + band->green_right * at;
 
 	for (int i = 0; i < count; i++) {
-		if (z < (uint32_t)depth[i] << 16) {
-			struct channels c = load(band, texel);
+		if (look->equal ? z >> 16 == depth[i]
+				: z < (uint32_t)depth[i] << 16) {
+			struct channels c = look->load(band, texel);
 
 			depth[i] = (uint16_t)(z >> 16);
-			pixel[i] = (uint16_t)(tint(c.red, red_blue >> 16) << 11 |
-				tint(c.green, green & 0xFFFF) << 5 |
-				tint(c.blue, red_blue & 0xFFFF));
+			pixel[i] = look->finish(
+				&c, red_blue, green & 0xFFFF, pixel[i]);
 		}
 		z += band->z_right;
 		texel += band->texel_right;
@@ -96,14 +181,13 @@ static void run_tint(const struct tint_band *band, int column, int count,
 	}
 }
 
-static ALWAYS_INLINE void walk(struct tint_band *band,
-	struct channels (*load)(const struct tint_band *band, uint32_t at))
+static ALWAYS_INLINE void walk(struct tint_band *band, const struct look *look)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
 		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
 
-		run_tint(band, left, right - left, load);
+		run_tint(band, left, right - left, look);
 		band->row.depth += band->down.depth;
 		band->row.z_q16 += band->down.z_q16;
 		band->row.texel += band->down.texel;
@@ -116,10 +200,25 @@ static ALWAYS_INLINE void walk(struct tint_band *band,
 
 void tint_linear_c(struct tint_band *band)
 {
-	walk(band, load_linear);
+	walk(band, &(const struct look){load_linear, replace, false});
 }
 
 void tint_nearest_c(struct tint_band *band)
 {
-	walk(band, load_nearest);
+	walk(band, &(const struct look){load_nearest, replace, false});
+}
+
+void tint_dot_c(struct tint_band *band)
+{
+	walk(band, &(const struct look){load_linear, dot, false});
+}
+
+void tint_multiply_c(struct tint_band *band)
+{
+	walk(band, &(const struct look){load_linear, multiply, true});
+}
+
+void tint_add_c(struct tint_band *band)
+{
+	walk(band, &(const struct look){load_linear, add, true});
 }

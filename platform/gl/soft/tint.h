@@ -66,8 +66,16 @@ struct tint_band {
 	uintptr_t pixels;                /* 116: as in struct band */
 };
 
-/* As band_functions.texture. */
-void tint_linear_c(struct tint_band *band);
+/*
+ * As band_functions.texture, tinted: of the nearest texels, and of four mixed,
+ * which all others take as well. dot has texel and colour as directions and
+ * writes their product (GL_DOT3_RGB); multiply and add do that to the picture
+ * where the depth is EQUAL.
+ */
 void tint_nearest_c(struct tint_band *band);
+void tint_linear_c(struct tint_band *band);
+void tint_dot_c(struct tint_band *band);
+void tint_multiply_c(struct tint_band *band);
+void tint_add_c(struct tint_band *band);
 
 #endif

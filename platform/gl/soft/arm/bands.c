@@ -22,6 +22,9 @@ bool tint_triangle_arm(
 /* tint.S */
 void tint_linear_arm(struct tint_band *band);
 void tint_nearest_arm(struct tint_band *band);
+void tint_dot_arm(struct tint_band *band);
+void tint_multiply_arm(struct tint_band *band);
+void tint_add_arm(struct tint_band *band);
 
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
@@ -116,6 +119,9 @@ const struct band_functions soft_bands = {
 	.tint_triangle = tint_triangle_arm,
 	.tint_linear = tint_linear_arm,
 	.tint_nearest = tint_nearest_arm,
+	.tint_dot = tint_dot_arm,
+	.tint_multiply = tint_multiply_arm,
+	.tint_add = tint_add_arm,
 	.flat = flat_arm,
 	.fill = band_fill_arm,
 	.glyph = glyph_draw_arm,

@@ -2,7 +2,8 @@
  * tint.c for ARMv6: the same bytes. Offsets are those of struct tint_band.
  *
  * A row costs 30 instructions; a pixel 51 with four texels mixed, 31 with the
- * nearest, 9 where it is hidden.
+ * nearest, 9 where it is hidden; 56 if it is added, 62 if it multiplies, 62 if
+ * it is a product of directions.
  */
 	.syntax unified
 	.arch armv6
@@ -67,26 +68,38 @@
 	bne	\row
 	.endm
 
-	.global	tint_linear_arm
-	.type	tint_linear_arm, %function
-tint_linear_arm:
+/*
+ * tint_NAME_arm(): four texels mixed, into lr red, r12 green and r6 blue, then
+ * the macro \finish. Where \equal is 1 the depth has to be, and stays, what it
+ * is.
+ */
+	.macro	linear name, finish, equal=0
+	.global	tint_\name\()_arm
+	.type	tint_\name\()_arm, %function
+tint_\name\()_arm:
 	push	{r4-r11, lr}
-.Llinear_row:
-	begin_row .Llinear_end
+.Lrow_\name:
+	begin_row .Lend_\name
 
-.Llinear:
+.Lpixel_\name:
 	ldrh	r6, [r1], #2
+	.if	\equal
+	cmp	r6, r2, lsr #16
+	bne	.Lnext_\name
+	ldmia	r0, {r8-r12}
+	.else
 	cmp	r2, r6, lsl #16
-	bhs	.Llinear_next
+	bhs	.Lnext_\name
 	/* mask, next, shift, texels, stride */
 	ldmia	r0, {r8-r12}
 	mov	r6, r2, lsr #16
 	strh	r6, [r1, #-2]
+	.endif
 	and	r6, r3, r8
 	/* if a neighbour is at the other side of the level */
 	adds	r7, r6, r9
 	bicscc	r7, r7, r8
-	bne	.Lwrap
+	bne	.Lwrap_\name
 	uxtb	r7, r6, ror #8
 	add	r7, r7, r6, lsr r10
 	add	r7, r11, r7, lsl #1
@@ -94,7 +107,7 @@ tint_linear_arm:
 	ldr	r7, [r7, r12]
 
 	/* r6 the two above, r7 below; r10 and r11 their weights */
-.Lmix:
+.Lmix_\name:
 	mov	r10, r3, lsl #24
 	mov	r10, r10, lsr #27
 	uxtb	r11, r3, ror #16
@@ -115,24 +128,15 @@ tint_linear_arm:
 	smlad	lr, r10, r11, lr
 	smlad	r12, r9, r11, r12
 	smlad	r6, r7, r11, r6
-	ldrd	r8, [r0, #ROUND_PIXELS]
-	smlawt	lr, lr, r4, r8
-	smlawb	r12, r12, r5, r8
-	smlawb	r6, r6, r4, r8
-	and	lr, lr, #0x1F << 17
-	and	r12, r12, #0x3F << 17
-	mov	r6, r6, lsr #17
-	orr	r6, r6, r12, lsr #12
-	orr	r6, r6, lr, lsr #6
-	strh	r6, [r1, r9]
+	\finish
 
-.Llinear_next:
-	next_pixel .Llinear
-.Llinear_end:
-	next_row .Llinear_row
+.Lnext_\name:
+	next_pixel .Lpixel_\name
+.Lend_\name:
+	next_row .Lrow_\name
 	pop	{r4-r11, pc}
 
-.Lwrap:
+.Lwrap_\name:
 	add	r7, r6, #0x100
 	add	r9, r6, #0x1000000
 	and	r7, r7, r8
@@ -151,8 +155,102 @@ tint_linear_arm:
 	ldrh	r11, [r9, r12]
 	orr	r6, r6, r10, lsl #16
 	orr	r7, r7, r11, lsl #16
-	b	.Lmix
-	.size	tint_linear_arm, . - tint_linear_arm
+	b	.Lmix_\name
+	.size	tint_\name\()_arm, . - tint_\name\()_arm
+	.endm
+
+/* Tinted, and written. */
+	.macro	write_color
+	ldrd	r8, [r0, #ROUND_PIXELS]
+	smlawt	lr, lr, r4, r8
+	smlawb	r12, r12, r5, r8
+	smlawb	r6, r6, r4, r8
+	and	lr, lr, #0x1F << 17
+	and	r12, r12, #0x3F << 17
+	mov	r6, r6, lsr #17
+	orr	r6, r6, r12, lsr #12
+	orr	r6, r6, lr, lsr #6
+	strh	r6, [r1, r9]
+	.endm
+
+/* Tinted, and added to the picture. */
+	.macro	add_color
+	ldrd	r8, [r0, #ROUND_PIXELS]
+	smlawt	lr, lr, r4, r8
+	ldrh	r7, [r1, r9]
+	smlawb	r12, r12, r5, r8
+	smlawb	r6, r6, r4, r8
+	and	r10, r7, #0xF800
+	and	r11, r7, #0x07E0
+	and	r7, r7, #31
+	add	lr, lr, r10, lsl #6
+	add	r12, r12, r11, lsl #12
+	add	r6, r6, r7, lsl #17
+	usat	lr, #5, lr, asr #17
+	usat	r12, #6, r12, asr #17
+	usat	r6, #5, r6, asr #17
+	orr	r6, r6, r12, lsl #5
+	orr	r6, r6, lr, lsl #11
+	strh	r6, [r1, r9]
+	.endm
+
+/* Tinted; the picture is multiplied by it, in 1/1023 and 1/4095. */
+	.macro	multiply_color
+	ldr	r9, [r0, #ROUND_PIXELS + 4]
+	smulwt	lr, lr, r4
+	ldrh	r7, [r1, r9]
+	smulwb	r12, r12, r5
+	smulwb	r6, r6, r4
+	mov	r8, r7, lsr #11
+	and	r10, r7, #0x07E0
+	and	r7, r7, #31
+	add	r8, r8, r8, lsl #5
+	mov	r10, r10, lsl #1
+	add	r7, r7, r7, lsl #5
+	add	r10, r10, r10, lsr #6
+	smulwb	lr, lr, r8
+	smulwb	r12, r12, r10
+	smulwb	r6, r6, r7
+	add	lr, lr, #1 << 10
+	add	r12, r12, #1 << 12
+	add	r6, r6, #1 << 10
+	mov	lr, lr, lsr #11
+	mov	r12, r12, lsr #13
+	mov	r6, r6, lsr #11
+	orr	r6, r6, r12, lsl #5
+	orr	r6, r6, lr, lsl #11
+	strh	r6, [r1, r9]
+	.endm
+
+/* Texel and colour as directions: what one has of the other, as a gray. */
+	.macro	write_dot
+	ldr	r9, [r0, #ROUND_PIXELS + 4]
+	add	lr, lr, lr, lsr #6
+	add	r6, r6, r6, lsr #6
+	sub	r12, r12, #63 << 17
+	sub	lr, lr, #63 << 16
+	sub	r6, r6, #63 << 16
+	smulwb	r8, r12, r5
+	smulwt	r7, lr, r4
+	smlawb	r7, r6, r4, r7
+	sub	r8, r8, r12, asr #2
+	sub	r7, r7, lr, asr #2
+	sub	r7, r7, r6, asr #2
+	add	r7, r8, r7, lsl #1
+	sub	r8, r7, r7, asr #6
+	add	r7, r7, #1 << 14
+	add	r8, r8, #1 << 15
+	usat	r7, #6, r7, asr #15
+	usat	r8, #5, r8, asr #16
+	orr	r7, r8, r7, lsl #5
+	orr	r7, r7, r8, lsl #11
+	strh	r7, [r1, r9]
+	.endm
+
+	linear	linear, write_color
+	linear	add, add_color, 1
+	linear	multiply, multiply_color, 1
+	linear	dot, write_dot
 
 	.global	tint_nearest_arm
 	.type	tint_nearest_arm, %function

@@ -11,8 +11,9 @@ from harness import (BY_HAND, aim, booted, check, done, emulation,
 SECONDS = float(os.environ.get("SOAK_S", 120))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = 100
-# The walker's uneven ground is drawn the slow way, for seconds a frame.
-FRAME_WORST_MS = 4000
+# The walker's uneven ground takes up to 92 ms a frame; a press may wait for one
+# and its picture is the next.
+FRAME_WORST_MS, LATENCY_WORST_MS = 130, 220
 # So long after the last press its picture has surely come.
 SHOWN_S = 0.3
 # Together they write a file, which takes its time.
@@ -52,7 +53,7 @@ def soak(machine, demo, seconds):
         FRAME_MS, FRAME_WORST_MS)
     check(f"{demo}: presses are seen", values["presses"] > 0, stats)
     aim(f"{demo}: every press is seen within milliseconds:",
-        values["latency_ms_max"], FRAME_MS, FRAME_WORST_MS)
+        values["latency_ms_max"], FRAME_MS, LATENCY_WORST_MS)
     # There is no keyboard, which it says once.
     complaints = [line for line in said.splitlines()
                   if line.startswith("limber: ") and "no keyboard" not in line]

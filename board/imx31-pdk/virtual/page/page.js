@@ -61,10 +61,13 @@ function showState() {
 	find("camera").setAttribute("aria-checked", state.camera);
 	find("camera").toggleAttribute("data-pending",
 		isOn() && state.camera !== state.camera_seen);
-	for (const id of ["power", "camera", "reset", "text"]) {
+	for (const id of ["power", "camera"]) {
 		find(id).disabled = state.phase === "lost";
 	}
-	find("reset").disabled = !isOn();
+	/* What a board that is off would not notice. */
+	for (const id of ["reset", "text"]) {
+		find(id).disabled = !isOn();
+	}
 	keypad.show(state.held);
 	showRate();
 }

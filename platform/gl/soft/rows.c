@@ -104,9 +104,12 @@ void rows_find_lod(
 		return;
 	}
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		int64_t across[2] = {0}, down[2] = {0};
+		int64_t across[2], down[2];
 
-		for (int i = 0; i < 2 && draw->texture[unit].used; i++) {
+		if (!draw->texture[unit].used) {
+			continue;
+		}
+		for (int i = 0; i < 2; i++) {
 			int name = TEX_S + 2 * unit + i;
 			const struct plane *p = &raster->plane[name];
 			int shift = raster->tex_shift[name - TEX_S];

@@ -44,7 +44,9 @@ glyph_draw_arm:
 	cmp	r2, #0
 	bne	.Lletter
 	add	r0, r0, r11
+	add	r8, r0, r11
 	add	r1, r1, lr
+	pld	[r8, r10, lsl #1]
 	mov	r2, r10
 	subs	r3, r3, #1
 	bne	.Lletter

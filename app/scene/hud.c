@@ -112,8 +112,12 @@ static int16_t to_short(int value)
 static void add_vertex(struct hud *hud, int corner, int x, int y, int s, int t,
 	struct hud_color color)
 {
-	hud->vertex[hud->quad_count * 4 + corner] = (struct hud_vertex){
-		to_short(x), to_short(y), to_short(s), to_short(t), color};
+	hud->vertex[hud->quad_count * 4 + corner] =
+		(struct hud_vertex){.x = to_short(x),
+			.y = to_short(y),
+			.s = (float)s,
+			.t = (float)t,
+			.color = color};
 }
 
 /* Texels s, t, wide and high by the next two, onto pixels. */
@@ -282,33 +286,29 @@ static void convert_vertices(struct hud *hud)
 {
 	int32_t x_q16 = (CLIP << 16) / hud->width;
 	int32_t y_q16 = (CLIP << 16) / hud->height;
+	/* Of powers of two. */
+	float width = 1.0f / (float)hud->font->width;
+	float height = 1.0f / (float)hud->font->height;
 
 	for (int i = 0; i < hud->quad_count * 4; i++) {
 		struct hud_vertex *vertex = &hud->vertex[i];
 
 		vertex->x = to_clip(vertex->x, x_q16, hud->width);
 		vertex->y = to_clip(vertex->y, y_q16, hud->height);
+		vertex->s *= width;
+		vertex->t *= height;
 	}
 }
 
-static void set_matrices(const struct gl *gl, const struct font *font)
+static void set_matrices(const struct gl *gl)
 {
 	gl->MatrixMode(GL_TEXTURE);
 	gl->LoadIdentity();
-	gl->Scalex(FX16_ONE / font->width, FX16_ONE / font->height, FX16_ONE);
 	gl->MatrixMode(GL_PROJECTION);
 	gl->LoadIdentity();
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->LoadIdentity();
 	gl->Scalex(FX16_ONE / CLIP, -FX16_ONE / CLIP, FX16_ONE);
-}
-
-static void reset_matrices(const struct gl *gl)
-{
-	gl->MatrixMode(GL_TEXTURE);
-	gl->LoadIdentity();
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->LoadIdentity();
 }
 
 static void set_state(const struct gl *gl, const struct hud *hud)
@@ -334,8 +334,8 @@ static void set_arrays(const struct gl *gl, const struct hud_vertex *vertex)
 	gl->EnableClientState(GL_COLOR_ARRAY);
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
-	gl->VertexPointer(2, GL_SHORT, stride, &vertex->x);
-	gl->TexCoordPointer(2, GL_SHORT, stride, &vertex->s);
+	gl->VertexPointer(3, GL_SHORT, stride, &vertex->x);
+	gl->TexCoordPointer(2, GL_FLOAT, stride, &vertex->s);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, &vertex->color);
 }
 
@@ -343,14 +343,14 @@ void hud_end(struct hud *hud, const struct gl *gl)
 {
 	convert_vertices(hud);
 	set_state(gl, hud);
-	set_matrices(gl, hud->font);
+	set_matrices(gl);
 	set_arrays(gl, hud->vertex);
 	if (hud->quad_count > 0) {
 		gl->DrawElements(GL_TRIANGLES, hud->quad_count * 6,
 			GL_UNSIGNED_SHORT, hud->index);
 	}
 	hud->quad_count = 0;
-	reset_matrices(gl);
+	gl->LoadIdentity();
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->Disable(GL_BLEND);

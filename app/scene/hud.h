@@ -36,8 +36,9 @@ extern const struct hud_color hud_color_rose;
 extern const struct hud_color hud_color_violet;
 
 struct hud_vertex {
-	int16_t x, y; /* pixels until hud_end() */
-	int16_t s, t; /* texels */
+	int16_t x, y;      /* pixels until hud_end() */
+	int16_t z, unused; /* 0; of three shorts drivers are quickest */
+	float s, t;        /* texels until hud_end() */
 	struct hud_color color;
 };
 

@@ -24,24 +24,15 @@ static int read_path(const struct gltf_at *target, enum model_path *out)
 		[MODEL_SCALE] = "scale",
 		[MODEL_WEIGHTS] = "weights",
 	};
-	struct gltf_at member = gltf_member(target, "path");
-	const char *name = NULL;
-	size_t i;
+	int choice = 0;
 	int error = gltf_need(target, "path");
 
 	if (!error) {
-		error = gltf_maybe_string(target, "path", &name);
+		error = gltf_maybe_choice(
+			target, "path", names, ARRAY_COUNT(names), &choice);
 	}
-	if (error) {
-		return error;
-	}
-	for (i = 0; i < ARRAY_COUNT(names); i++) {
-		if (strcmp(names[i], name) == 0) {
-			*out = (enum model_path)i;
-			return 0;
-		}
-	}
-	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", name);
+	*out = (enum model_path)choice;
+	return error;
 }
 
 static int read_interpolation(
@@ -52,21 +43,12 @@ static int read_interpolation(
 		[MODEL_LINEAR] = "LINEAR",
 		[MODEL_CUBICSPLINE] = "CUBICSPLINE",
 	};
-	struct gltf_at member = gltf_member(at, "interpolation");
-	const char *name = "LINEAR";
-	size_t i;
-	int error = gltf_maybe_string(at, "interpolation", &name);
+	int choice = MODEL_LINEAR;
+	int error = gltf_maybe_choice(
+		at, "interpolation", names, ARRAY_COUNT(names), &choice);
 
-	if (error) {
-		return error;
-	}
-	for (i = 0; i < ARRAY_COUNT(names); i++) {
-		if (strcmp(names[i], name) == 0) {
-			*out = (enum model_interpolation)i;
-			return 0;
-		}
-	}
-	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", name);
+	*out = (enum model_interpolation)choice;
+	return error;
 }
 
 static int check_times(const struct gltf_at *at, const float *time_s, int count)

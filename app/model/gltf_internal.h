@@ -182,6 +182,9 @@ int gltf_array(const struct gltf_at *at, const char *key, struct gltf_at *out,
 	int *count);
 int gltf_maybe_string(
 	const struct gltf_at *at, const char *key, const char **out);
+/* The place among count names of the one it is; another is -EINVAL. */
+int gltf_maybe_choice(const struct gltf_at *at, const char *key,
+	const char *const *names, int count, int *out);
 int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out);
 int gltf_maybe_number(const struct gltf_at *at, const char *key, float *out);
 int gltf_maybe_floats(

@@ -157,6 +157,25 @@ int gltf_maybe_string(
 	return 0;
 }
 
+int gltf_maybe_choice(const struct gltf_at *at, const char *key,
+	const char *const *names, int count, int *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+	const char *name = NULL;
+	int error = gltf_maybe_string(at, key, &name);
+
+	if (error || !name) {
+		return error;
+	}
+	for (int i = 0; i < count; i++) {
+		if (strcmp(names[i], name) == 0) {
+			*out = i;
+			return 0;
+		}
+	}
+	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", name);
+}
+
 int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out)
 {
 	struct gltf_at member = gltf_member(at, key);

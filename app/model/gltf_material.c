@@ -302,22 +302,19 @@ static int read_texture_info(const struct gltf_at *parent, const char *key,
 
 static int read_alpha(const struct gltf_at *at, struct model_material *out)
 {
-	const char *mode = "OPAQUE";
-	struct gltf_at member = gltf_member(at, "alphaMode");
-	int error = gltf_maybe_string(at, "alphaMode", &mode);
+	static const char *const names[] = {
+		[MODEL_OPAQUE] = "OPAQUE",
+		[MODEL_MASK] = "MASK",
+		[MODEL_BLEND] = "BLEND",
+	};
+	int choice = MODEL_OPAQUE;
+	int error = gltf_maybe_choice(
+		at, "alphaMode", names, ARRAY_COUNT(names), &choice);
 
 	if (error) {
 		return error;
 	}
-	if (strcmp(mode, "OPAQUE") == 0) {
-		out->alpha = MODEL_OPAQUE;
-	} else if (strcmp(mode, "MASK") == 0) {
-		out->alpha = MODEL_MASK;
-	} else if (strcmp(mode, "BLEND") == 0) {
-		out->alpha = MODEL_BLEND;
-	} else {
-		return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", mode);
-	}
+	out->alpha = (enum model_alpha)choice;
 	return gltf_maybe_number(at, "alphaCutoff", &out->alpha_cutoff);
 }
 

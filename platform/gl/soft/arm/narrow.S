@@ -26,7 +26,7 @@
 #define VERTEX_Z 12
 #define VERTEX_COLOR 16
 #define VERTEX_W 76
-#define ROOM 76 /* then r0 and r1 follow */
+#define ROOM 84 /* then r0 and r1 follow */
 
 /*
  * A channel of the colour. r4, r5, r6 vertices, r2 and r3 their x and y from

@@ -23,5 +23,6 @@
 #define SIDE 64 /* negative: the middle corner is left of the long edge */
 #define LATER 68 /* rows of the lower part */
 #define RETURN 72
-#define DRAW 76
-#define SETUP 80
+#define END 76 /* r0 after the rows under way */
+#define DRAW 84
+#define SETUP 88

@@ -11,15 +11,29 @@
 
 #define COLUMNS 24
 
-/* r1 behind the depth, r2 z, r3 packed; the jump to them knows their 9. */
+/*
+ * r1 the depth's address, r12 the depth, r2 z, r3 packed; loads the next depth.
+ * The jump to them knows their 9 instructions.
+ */
 	.macro	see_pixel
-	ldrh	r12, [r1], #2
 	cmp	r2, r12, lsl #16
-	movlo	r12, r2, lsr #16
-	strhlo	r12, [r1, #-2]
-	andlo	r12, r8, r3, ror #5
-	orrlo	r12, r12, r12, lsr #16
-	strhlo	r12, [r1, r9]
+	ldrh	r12, [r1, #2]!
+	movlo	lr, r2, lsr #16
+	strhlo	lr, [r1, #-2]
+	andlo	lr, r8, r3, ror #5
+	add	r2, r2, r6
+	orrlo	lr, lr, lr, lsr #16
+	strhlo	lr, [r1, r9]
+	add	r3, r3, r7
+	.endm
+
+	.macro	see_last
+	cmp	r2, r12, lsl #16
+	movlo	lr, r2, lsr #16
+	strhlo	lr, [r1], #2
+	andlo	lr, r8, r3, ror #5
+	orrlo	lr, lr, lr, lsr #16
+	strhlo	lr, [r1, r9]
 	.endm
 
 /* r2 rows, of 1 or more; leaves all at the row after them. */
@@ -32,35 +46,37 @@ narrow_rows_arm:
 	cmp	r3, #0
 	beq	.Lafresh
 .Lrows:	cmp	r2, r3
-	movle	lr, r2
-	movgt	lr, r3
-	sub	r2, r2, lr
-	sub	r3, r3, lr
+	movle	r12, r2
+	movgt	r12, r3
+	ldr	r1, [sp, #STRIDE]
+	sub	r2, r2, r12
+	sub	r3, r3, r12
 	strd	r2, [sp, #REST]
+	mla	r1, r12, r1, r0
+	str	r1, [sp, #END]
 
-.Lrow:	mov	r12, r10, asr #16
-	mla	r2, r12, r6, r4
-	mla	r3, r12, r7, r5
-	add	r1, r0, r12, lsl #1
-	sub	r12, r12, r11, asr #16
-	cmp	r12, #COLUMNS - 1
-	addls	r12, r12, r12, lsl #3
-	addls	pc, pc, r12, lsl #2
+.Lrow:	mov	lr, r10, asr #16
+	mla	r2, lr, r6, r4
+	add	r1, r0, lr, lsl #1
+	mla	r3, lr, r7, r5
+	ldrh	r12, [r1]
+	sub	lr, lr, r11, asr #16
+	cmp	lr, #COLUMNS - 1
+	addls	lr, lr, lr, lsl #3
+	addls	pc, pc, lr, lsl #2
 	b	.Lnext
 	.rept	COLUMNS - 1
 	see_pixel
-	add	r2, r2, r6
-	add	r3, r3, r7
 	.endr
-	see_pixel
-.Lnext:	ldm	sp, {r1, r2, r3, r12}
+	see_last
+.Lnext:	ldm	sp, {r1, r2, r3, r12, lr}
 	add	r0, r0, r1
-	ldr	r1, [sp, #RIGHT_STEP]
+	ldr	r1, [sp, #END]
 	add	r4, r4, r2
 	add	r5, r5, r3
 	add	r10, r10, r12
-	add	r11, r11, r1
-	subs	lr, lr, #1
+	add	r11, r11, lr
+	cmp	r0, r1
 	bne	.Lrow
 
 	ldrd	r2, [sp, #REST]

@@ -68,7 +68,7 @@ static int init_technique(struct contender *contender,
 	default:
 		/* For its bytes, counted as `limber compare` does. */
 		error = candidate_as_is(&contender->candidate, reference,
-			&kernel_float, 0, true, env->log);
+			env->kernel, 0, true, env->log);
 		return error ? error
 			     : instance_create(reference->model, env->kernel,
 				       env->log, &contender->shown);

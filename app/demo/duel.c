@@ -162,10 +162,25 @@ static void draw_row(const struct demo *demo, enum draw_pass pass)
 	}
 }
 
+/* All as one would be in the middle: they stand side by side. */
+static void choose_detail(struct demo *demo, int height)
+{
+	const struct actor *actor = &demo->act.actor;
+	struct detail detail =
+		detail_relax(&actor->detail, actor->least_error_px);
+	float px = detail_px_per_unit(actor->instance,
+		&demo->act.stage.camera, actor->extent, height);
+
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		detail_choose(demo->contender[i].shown, &detail, px);
+	}
+}
+
 static void duel_draw(struct demo *demo, int width, int height)
 {
 	const struct gl *gl = demo->act.gl;
 
+	choose_detail(demo, height);
 	stage_begin(&demo->act.stage, gl, width, height);
 	stage_shadow_begin(&demo->act.stage, gl);
 	draw_row(demo, DRAW_SHAPE);

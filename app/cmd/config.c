@@ -28,7 +28,7 @@ static const struct {
 			"gles-library", "fps", "labels"}},
 	{"camera", {"camera", "camera-use"}},
 	{"watchdog", {"watchdog"}},
-	{"math", {"math", "kernel", "influences"}},
+	{"math", {"math", "kernel", "influences", "lod"}},
 };
 
 /* Options of play that make no sense in a file. */

@@ -5,8 +5,8 @@
  * small on the screen cost less: fewer triangles and influences, poses at half
  * or a third of the rate, a plain shadow.
  *
- * With the soft driver at 480x640 a frame takes 16, 44, 106 and 153 million ARM
- * instructions with 1, 4, 12 and 50 walkers: tests/bench/count.sh with `limber
+ * With the soft driver at 480x640 a frame takes 5.1, 13.0, 23.1 and 33.1 million
+ * ARM instructions with 1, 4, 12 and 50 walkers: tests/bench/count.sh with `limber
  * play --demo crowd --walkers N --gl soft --display null --format rgb565
  * --clock fixed:25 --no-labels --frames FRAMES`. Drawing is most of it.
  */

@@ -30,6 +30,8 @@ for command in $("$installed" --help | sed -n 's/^  limber \([a-z]*\) .*/\1/p');
     done
 done
 
+check 'the manual page says where limber.conf is' grep -q '^\.I /etc/limber.conf' "$page"
+
 # completed WORD...: what bash offers for the last one.
 completed() {
     PATH=$root/usr/bin:$PATH bash -c '
@@ -54,6 +56,9 @@ check 'bash offers models' test "$(completed limber play rob)" = robot.glb
 check 'bash offers no other files' test -z "$(completed limber play not)"
 
 cd - >/dev/null || exit 1
+for variable in $(grep -rhoE '"LIMBER_[A-Z]+"' app platform | tr -d '"' | sort -u); do
+    check "the manual page has $variable" grep -q "$variable" "$page"
+done
 run make --no-print-directory uninstall DESTDIR="$root" prefix=/usr
 expect_status 0
 check 'make uninstall leaves no file' test -z "$(find "$root" -type f)"

@@ -57,8 +57,42 @@ cat <<'END'
 .SH "EXIT STATUS"
 0 when all went well, 1 when a file, a device or memory failed, 2 when the
 command line is wrong. Messages go to standard error, a sentence each.
+When something does not play,
+.B limber doctor
+says why and which command mends it.
+.SH FILES
+.TP
+.I ~/.config/limber/limber.conf
+.TQ
+.I /etc/limber.conf
+Options of
+.BR "limber play" ,
+by their names without dashes; the first of these files that is there. The
+command line wins over them.
+.PP
+.nf
+  [start]
+  demo = walker
+  [display]
+  display = fbdev
+  [buttons]
+  UP = gpio 53fd0000.gpio 18
+  [actions]
+  F9 = UP
+  [options]
+  frames = 100
+.fi
 .SH ENVIRONMENT
 .TP
 .B LIMBER_ASSETS
 The folder of the demos' models, before the one that was installed.
+.TP
+.B LIMBER_CONFIG
+A file in place of limber.conf, or none.
+.TP
+.BR LIMBER_EGL ", " LIMBER_GLES
+The vendor's libraries, as --egl-library and --gles-library.
+.TP
+.BR DISPLAY ", " WAYLAND_DISPLAY
+Where the desktop is. Without one pictures go to the screen itself.
 END

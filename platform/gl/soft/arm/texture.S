@@ -61,6 +61,7 @@ band_texture_arm:
 	ldrd	r10, [r0, #EDGE]
 	ldrd	r8, [r0, #EDGE_STEP]
 	mov	r12, r10, asr #16
+	pld	[r5, r12, lsl #1]
 	rsbs	r5, r12, r11, asr #16
 	add	r10, r10, r8
 	add	r11, r11, r9

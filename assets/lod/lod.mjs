@@ -9,7 +9,9 @@ import { addIndices, readGlb, valuesOf, writeGlb } from './glb.mjs';
 import { makeLevels } from './simplify.mjs';
 
 const ERRORS_M = [0.0004, 0.0008, 0.0016, 0.0035, 0.007, 0.014];
-const SHAPE_ERROR_M = 0.012;
+// Of the largest mesh's extent: a pixel and a half where that is as high as two
+// thirds of a screen of 640.
+const SHAPE_ERROR = 0.0035;
 const WORTH = 0.2; // a level has to save so much of the one before
 const LOD = 'MSFT_lod';
 
@@ -74,10 +76,12 @@ function addLevelMesh(glb, mesh, lists) {
 function addMeshes(glb) {
     const levels = new Map();
     const primitives = (mesh) => glb.json.meshes[mesh].primitives;
+    const shapeError = SHAPE_ERROR * Math.max(...glb.json.meshes.map((_, m) =>
+        extentOf(glb, m)));
     for (let m = glb.json.meshes.length - 1; m >= 0; m--) {
         const others = neighboursOf(glb.json, m).flatMap(primitives);
         const made = makeLevels(glb, primitives(m), others, ERRORS_M,
-            SHAPE_ERROR_M, WORTH);
+            shapeError, WORTH);
         levels.set(m, made.map(({ error_m, shape, index }) => ({
             error_m, shape, mesh: addLevelMesh(glb, m, index),
         })));

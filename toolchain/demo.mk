@@ -12,7 +12,8 @@ demo: build/host/limber
 screenshots: golden screenshots-program
 screenshots-program: build/host/limber
 	$(call say,PICTURE,assets/pictures)
-	$(Q)$(CHECK_ENVIRONMENT) toolchain/screenshots.sh $< assets/pictures
+	$(Q)$(CHECK_ENVIRONMENT) toolchain/screenshots.sh $< assets/pictures \
+		README.md
 
 # Every model here has a script of the same name.
 MODELS := $(patsubst assets/%.glb,%,$(sort $(wildcard assets/*.glb)))

@@ -1,13 +1,14 @@
 #!/bin/sh
-# screenshots.sh LIMBER FOLDER: the pictures of README pages that are no
+# screenshots.sh LIMBER FOLDER README: the pictures of README pages that are no
 # references of the tests, into FOLDER: the graph of frame times and a
-# comparison. The graph's times are this machine's and differ from run to run;
-# all else comes out the same.
+# comparison; and the comparison's table into the page README. Times are this
+# machine's and differ from run to run; all else comes out the same.
 set -eu
 limber=$(realpath "$1")
 assets=$(realpath "$(dirname "$0")/../assets")
 mkdir -p "$2"
 folder=$(realpath "$2")
+readme=$(realpath "$3")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -28,4 +29,21 @@ END
 mv limber-0001.png "$folder/frame-times.png"
 
 "$limber" compare "$assets/walker.glb" --clip walk --error 1 --ram 2m \
-    --plot "$folder/compare.svg" >/dev/null
+    --plot "$folder/compare.svg" >table
+
+# The rows from "a frame takes" on, in the place of those on the page.
+sed -n '/^  a frame takes/,/^$/p' table | sed '/^$/d; s/^/    /' >rows
+grep -q '^      a frame takes' "$readme" || {
+    echo "limber: $3 has no table of limber compare" >&2
+    exit 1
+}
+awk -v rows=rows '
+    /^      a frame takes/ {
+        while ((getline row <rows) > 0) {
+            print row
+        }
+        old = 1
+    }
+    /^      \.\.\.$/ { old = 0 }
+    !old { print }' "$readme" >page
+cat page >"$readme"

@@ -4,8 +4,16 @@
 script=$(dirname "$0")/../../toolchain/screenshots.sh
 limber=build/host/limber
 
+# steady FILE: the rows of limber compare on a page, without this machine's
+# times, the two columns after the board's.
+steady() {
+    sed -n '/^      a frame takes/,/^      \.\.\.$/p' "$1" |
+        sed -E 's/^(.{41}).{19}/\1/'
+}
+
 for time in once again; do
-    run "$script" "$limber" "$scratch/$time"
+    cp README.md "$scratch/$time.md"
+    run "$script" "$limber" "$scratch/$time" "$scratch/$time.md"
     expect_status 0
     expect_no_err
     expect_file "$scratch/$time/compare.svg"
@@ -15,9 +23,26 @@ done
 check 'the comparison is the same again' \
     cmp "$scratch/once/compare.svg" "$scratch/again/compare.svg"
 
+steady README.md >"$scratch/wanted"
+steady "$scratch/once.md" >"$scratch/got"
+check 'there are rows to look at' test "$(wc -l <"$scratch/got")" -ge 6
+if cmp -s "$scratch/wanted" "$scratch/got"; then
+    pass 'the table in README.md is what limber compare says'
+else
+    fail 'the table in README.md is what limber compare says' \
+        "make screenshots renews it: $(diff "$scratch/wanted" "$scratch/got")"
+fi
+check 'nothing else of the page is touched' test \
+    "$(diff README.md "$scratch/once.md" | grep -c '^[<>] [A-Za-z#]')" -eq 0
+
 printf '#!/bin/sh\necho "no such demo" >&2\nexit 1\n' >"$scratch/limber"
 chmod +x "$scratch/limber"
-run "$script" "$scratch/limber" "$scratch/failed"
+run "$script" "$scratch/limber" "$scratch/failed" "$scratch/once.md"
 expect_status 1
 expect_err 'no such demo'
+
+echo 'a page' >"$scratch/page.md"
+run "$script" "$limber" "$scratch/other" "$scratch/page.md"
+expect_status 1
+expect_err 'page.md has no table'
 tap_done

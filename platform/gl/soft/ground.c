@@ -5,12 +5,6 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/rows.h"
 
-enum {
-	/* Half of 1/32, so that 255 is 32/32. */
-	ALPHA_ROUND = 4 << 16,
-	BLENDED_MOST = 64, /* pixels of a blended run */
-};
-
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct shade_run *run, uint32_t s, uint32_t t)
 {
@@ -106,48 +100,37 @@ int ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 	return i;
 }
 
-static void blend_run(struct shade_run *run, uint16_t *pixel)
+/* A part of a run, from its pixel first on; up to LUMINANCE_RUN pixels. */
+static void shade_part(
+	struct draw *draw, const struct shade_run *run, int first, int count)
 {
-	uint32_t alpha = run->alpha;
-
-	for (int i = 0; i < run->count; i++) {
-		pixel[i] = narrow(mix_wide(
-			widen(pixel[i]), widen(run->pixel[i]), alpha >> 19));
-		alpha += (uint32_t)run->alpha_right;
-	}
-}
-
-/* A part of a run, from its pixel first on. */
-static void shade_part(const struct draw *draw, const struct shade_run *run,
-	int first, int count)
-{
-	uint16_t own[BLENDED_MOST];
 	struct shade_run part = *run;
+	uint16_t *pixel = run->pixel + first;
 	uint32_t n = (uint32_t)first;
 
-	part.pixel += first;
 	part.count = count;
 	part.s += (uint32_t)run->s_right * n;
 	part.t += (uint32_t)run->t_right * n;
 	part.share += (uint32_t)run->share_right * n;
-	if (!draw->blended) {
-		soft_bands.shade_ground(&part);
-		return;
-	}
-	part.alpha += (uint32_t)run->alpha_right * n;
-	part.pixel = own;
+	part.pixel = draw->blended
+		? draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2
+		: pixel;
 	soft_bands.shade_ground(&part);
-	blend_run(&part, run->pixel + first);
+	if (draw->blended) {
+		luminance_blend(pixel, part.pixel, count,
+			run->alpha + (uint32_t)run->alpha_right * n,
+			run->alpha_right);
+	}
 }
 
 /* Parts that are nearer than what is there; the first was tested already. */
 static void draw_parts(
-	const struct draw *draw, const struct shade_run *run, int passed)
+	struct draw *draw, const struct shade_run *run, int passed)
 {
 	int first = 0;
 
 	while (first < run->count) {
-		int count = passed < BLENDED_MOST ? passed : BLENDED_MOST;
+		int count = passed < LUMINANCE_RUN ? passed : LUMINANCE_RUN;
 
 		if (count > 0) {
 			shade_part(draw, run, first, count);
@@ -166,7 +149,7 @@ static void draw_parts(
 }
 
 /* Mostly all of it is. */
-static void draw_run(const struct draw *draw, const struct shade_run *run)
+static void draw_run(struct draw *draw, const struct shade_run *run)
 {
 	int passed = soft_bands.depth(
 		run->depth, run->count, run->z, (uint32_t)run->z_right);
@@ -232,7 +215,7 @@ static void step_run(struct draw *draw, const struct point *from,
 			run->share = (uint32_t)to_share(from->value[RED]);
 			run->share_right = to_share(step[RED]);
 		} else if (name == ALPHA) {
-			run->alpha = (uint32_t)from->value[ALPHA] + ALPHA_ROUND;
+			run->alpha = (uint32_t)from->value[ALPHA];
 			run->alpha_right = step[ALPHA];
 		}
 	}
@@ -286,7 +269,7 @@ static void row_affine(struct draw *draw, int left, int right)
 			(int32_t)plane_at(raster, RED, left));
 	}
 	if (draw->ground_rows.fading) {
-		run->alpha = plane_at(raster, ALPHA, left) + ALPHA_ROUND;
+		run->alpha = plane_at(raster, ALPHA, left);
 	}
 	draw_run(draw, run);
 }
@@ -314,7 +297,7 @@ static void begin_runs(struct draw *draw)
 	run->z_right = plane[DEPTH].dx;
 	run->share = (uint32_t)to_share((int32_t)raster->span.value[RED]);
 	run->share_right = 0;
-	run->alpha = raster->span.value[ALPHA] + ALPHA_ROUND;
+	run->alpha = raster->span.value[ALPHA];
 	run->alpha_right = 0;
 	raster->first_row = true;
 	if (raster->perspective) {

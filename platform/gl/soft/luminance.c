@@ -102,25 +102,36 @@ static void shade(
 	}
 }
 
-/* What is shaded already, with one share for as many pixels as will do. */
-static void blend(
-	const struct piece *piece, const uint16_t *shaded, uint16_t *pixel)
+/* So many that one share is less than a step off for each, or as will do. */
+static int share_pixels(int32_t alpha_right)
 {
-	int count;
+	uint32_t step = size_of(alpha_right);
+	int count = SHARE_PIXELS;
 
-	for (int i = 0; i < piece->count; i += count) {
-		uint32_t alpha;
+	while (count > 1 && step * (uint32_t)count >= 2 * SHARE_STEP) {
+		count /= 2;
+	}
+	return count;
+}
 
-		count = piece->count - i;
-		if ((uint64_t)size_of(piece->alpha_right) * (uint32_t)count >=
+/* With one share for as many pixels as will do. */
+void luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
+	uint32_t alpha, int32_t alpha_right)
+{
+	int most = share_pixels(alpha_right), count;
+
+	for (int i = 0; i < all; i += count) {
+		uint32_t middle;
+
+		count = all - i;
+		if ((uint64_t)size_of(alpha_right) * (uint32_t)count >=
 				SHARE_STEP &&
-			count > SHARE_PIXELS) {
-			count = SHARE_PIXELS;
+			count > most) {
+			count = most;
 		}
-		alpha = piece->alpha +
-			(uint32_t)(piece->alpha_right * (i + count / 2));
+		middle = alpha + (uint32_t)(alpha_right * (i + count / 2));
 		soft_bands.tile_blend(pixel + i, shaded + i, count,
-			(alpha + SHARE_ROUND) >> 19);
+			(middle + SHARE_ROUND) >> 19);
 	}
 }
 
@@ -136,7 +147,8 @@ static void draw_piece(struct draw *draw, const struct piece *piece)
 			draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
 		shade(draw, piece, shaded);
-		blend(piece, shaded, pixel);
+		luminance_blend(pixel, shaded, piece->count, piece->alpha,
+			piece->alpha_right);
 	} else {
 		shade(draw, piece, pixel);
 	}

@@ -41,6 +41,13 @@ bool luminance_takes_texture(const struct draw *draw);
 /* How many pixels may run linearly from there. */
 int luminance_find_length(const struct draw *draw, const struct point *from);
 
+/*
+ * Mixes what is shaded aside into the picture, by alpha of 8.16; words lie in
+ * one as they do in the other.
+ */
+void luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
+	uint32_t alpha, int32_t alpha_right);
+
 /* A step of so many that lead over all of it. */
 int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps);
 

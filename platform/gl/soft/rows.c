@@ -230,7 +230,7 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		return;
 	}
 	if (draw->ground && ground_begin(draw)) {
-		raster_walk(draw, setup, ground_row, raster_next_row);
+		raster_walk(draw, setup, ground_row, ground_next);
 		return;
 	}
 	if (is_constant_by_row(draw)) {

@@ -107,22 +107,13 @@ int film_close(struct film *film)
 	return error;
 }
 
-int film_keep_picture(const struct pixels *picture, const struct log *log)
+static int write_picture(
+	const char *path, const struct pixels *picture, const struct log *log)
 {
 	const struct display_driver *driver;
 	struct display *display;
-	char path[32];
-	int number = 1;
-	int error;
+	int error = open_file(&driver, &display, path, picture, 1.0, 1, log);
 
-	do {
-		snprintf(path, sizeof(path), "limber-%04d.png", number);
-	} while (file_exists(path) && ++number <= PICTURES_MAX);
-	if (number > PICTURES_MAX) {
-		log_error(log, "%s: there are too many pictures already", path);
-		return -EEXIST;
-	}
-	error = open_file(&driver, &display, path, picture, 1.0, 1, log);
 	if (error) {
 		return error;
 	}
@@ -131,11 +122,49 @@ int film_keep_picture(const struct pixels *picture, const struct log *log)
 		error = driver->finish(display);
 	}
 	driver->destroy(display);
-	if (!error) {
+	return error;
+}
+
+static void write_snapshot(void *context)
+{
+	const struct snapshot *snapshot = context;
+	char path[32];
+	int number = 1;
+
+	do {
+		snprintf(path, sizeof(path), "limber-%04d.png", number);
+	} while (file_exists(path) && ++number <= PICTURES_MAX);
+	if (number > PICTURES_MAX) {
+		log_error(&snapshot->log,
+			"%s: there are too many pictures already", path);
+		return;
+	}
+	if (write_picture(path, &snapshot->picture, &snapshot->log) == 0) {
 		printf("limber: the picture is in %s\n", path);
 		fflush(stdout);
 	}
-	return error;
+}
+
+void snapshot_take(struct snapshot *snapshot, const struct pixels *picture,
+	const struct log *log)
+{
+	struct pixels *copy = &snapshot->picture;
+
+	snapshot_finish(snapshot);
+	if (pixels_alloc(copy, picture->width, picture->height, picture->format,
+		    log) != 0) {
+		return;
+	}
+	copy_rows(copy, picture);
+	snapshot->log = *log;
+	background_begin(&snapshot->background, write_snapshot, snapshot);
+}
+
+void snapshot_finish(struct snapshot *snapshot)
+{
+	background_wait(&snapshot->background);
+	free(snapshot->picture.data);
+	snapshot->picture = (struct pixels){0};
 }
 
 /* GL's first row is the lowest. */

@@ -8,6 +8,7 @@
 #ifndef APP_CMD_FILM_H
 #define APP_CMD_FILM_H
 
+#include "platform/base/background.h"
 #include "platform/display/display.h"
 #include "platform/gl/gl.h"
 
@@ -35,11 +36,24 @@ int film_add(struct film *film, const struct pixels *picture, double now_s);
 /* Completes the file. 0, or -errno after a sentence. Closed is fine. */
 int film_close(struct film *film);
 
+/* A picture on its way into a file. All zero: none. */
+struct snapshot {
+	struct background background;
+	struct pixels picture;
+	struct log log;
+};
+
 /*
- * Writes one picture to the first of limber-0001.png and so on that is free,
- * and says which. 0, or -errno after a sentence.
+ * Writes a copy of the picture to the first of limber-0001.png and so on that
+ * is free, and says which, or what is in the way. That takes a while on a small
+ * machine, and goes on beside the caller; the picture taken before is waited
+ * for.
  */
-int film_keep_picture(const struct pixels *picture, const struct log *log);
+void snapshot_take(struct snapshot *snapshot, const struct pixels *picture,
+	const struct log *log);
+
+/* Until the last picture is in its file. None is fine. */
+void snapshot_finish(struct snapshot *snapshot);
 
 /*
  * The picture drawn last as pixels: on is what it was drawn into, NULL for a

@@ -37,8 +37,9 @@ struct show {
 	struct frame_watch watch;
 	struct governor governor;
 	struct film film;
-	int film_error;       /* the film has ended early by it */
-	bool picture_wanted;  /* in a file, of the frame under way */
+	int film_error;      /* the film has ended early by it */
+	bool picture_wanted; /* in a file, of the frame under way */
+	struct snapshot snapshot;
 	struct pixels looked; /* what is read back from a surface */
 	struct clock clock;
 	struct pace pace;
@@ -210,8 +211,7 @@ static void keep_frame(struct show *show, int width, int height)
 		return;
 	}
 	if (show->picture_wanted) {
-		/* It has told what failed. */
-		(void)film_keep_picture(&picture, show->log);
+		snapshot_take(&show->snapshot, &picture, show->log);
 		show->picture_wanted = false;
 	}
 	if (!show->film_error) {
@@ -398,6 +398,7 @@ static int run(struct show *show, const struct options *options)
 		error = frame_stats_write(
 			&show->stats, options->stats, show->log);
 	}
+	snapshot_finish(&show->snapshot);
 	filmed = film_close(&show->film);
 	if (!error) {
 		error = show->film_error ? show->film_error : filmed;

@@ -11,7 +11,7 @@ from harness import (BY_HAND, FOLDER, aim, booted, check, difference, done,
                      host_picture, note, pause, region, save, start_limber,
                      stop_limber, wait_until)
 
-LATENCY_MS = 100
+LATENCY_MS, FRAME_MS = 100, 100
 # A press may wait for the frame under way, and its own frame follows: twice
 # what a frame takes, up to 50 ms of the arm's, and some. Nothing else adds to it.
 LATENCY_WORST_MS = 120
@@ -115,6 +115,26 @@ for demo, buttons, others, area in DEMOS:
               f"{apart}, written down: {down}")
         slowest = max(slowest, took_ms or 0)
 note(f"the slowest button took {slowest:.0f} ms to show")
+
+
+start_limber(machine, "--demo walker --stats /run/stats")
+pause(machine, 0.5)
+machine.wires.level("F9", True)
+pause(machine, 0.2)
+machine.wires.level("F8", True)
+pause(machine, 4)
+machine.wires.level("F8", False)
+machine.wires.level("F9", False)
+pause(machine, HOLD_S)
+said = stop_limber(machine)
+stats = machine.shell("cat /run/stats")[1]
+check("F8 while F9 is held keeps a picture in a file",
+      "limber: the picture is in limber-0001.png" in said and machine.shell(
+          "[ -s /run/tmp/limber-0001.png ]")[0] == 0, said)
+apart_ms = float(re.search(r'"apart_ms_max": ([\d.]+)', stats)[1])
+check(f"and no frame takes longer than {FRAME_MS} ms for it",
+      apart_ms <= FRAME_MS, stats)
+note(f"with the picture the longest frame is {apart_ms:.0f} ms")
 
 
 def press_once():

@@ -16,7 +16,7 @@ FRAME_MS = 100
 FRAME_WORST_MS, LATENCY_WORST_MS = 130, 220
 # So long after the last press its picture has surely come.
 SHOWN_S = 0.3
-# Together they write a file, which takes its time.
+# Together they write a file, and the board's files take memory.
 KEEP_A_PICTURE = {"F8", "F9"}
 DEMOS = ("walker", "arm", "face")
 

@@ -18,7 +18,7 @@ static bool is_dot(const struct texenv *env)
 static bool takes_texture(const struct texture_input *input)
 {
 	const struct texture *texture = input->texture;
-	GLenum min = texture->min_filter;
+	GLenum min = input->used ? texture->min_filter : GL_NEAREST;
 
 	return input->used && input->base->format == TEXEL_565 &&
 		texture->mag_filter == GL_LINEAR &&

@@ -1,12 +1,13 @@
 /*
  * The soft driver's short cuts: against the long way, which takes any state;
- * and those in assembly against the same in C.
+ * and triangles in assembly against the same in C.
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <malloc.h>
@@ -20,17 +21,6 @@ enum {
 	PIXELS = WIDTH * (HEIGHT + 2 * GUARD),
 	SIDE = 32, /* of the texture */
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
 
 /* A picture whose rows lie as close as those of its depth. */
 struct scene {
@@ -414,94 +404,6 @@ static void test_drawing_takes_no_memory(void **state)
 	close_scene(scene);
 }
 
-/* Two sets of buffers that begin alike. */
-struct twins {
-	uint16_t pixel[2][64 * 64], depth[2][64 * 64];
-};
-
-static struct twins *make_twins(uint32_t *seed)
-{
-	struct twins *twins = calloc(1, sizeof(*twins));
-
-	assert_non_null(twins);
-	for (int i = 0; i < 64 * 64; i++) {
-		twins->depth[0][i] = (uint16_t)next_random(seed);
-		twins->pixel[0][i] = (uint16_t)next_random(seed);
-	}
-	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
-	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
-	return twins;
-}
-
-static void check_twins(struct twins *twins)
-{
-	assert_memory_equal(
-		twins->depth[0], twins->depth[1], sizeof(twins->depth[0]));
-	assert_memory_equal(
-		twins->pixel[0], twins->pixel[1], sizeof(twins->pixel[0]));
-	free(twins);
-}
-
-/* Between columns 4 and 60 of 64, in 20 rows at most. */
-static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
-{
-	for (int side = 0; side < 2; side++) {
-		int from = random_between(seed, 4, 60);
-		int to = random_between(seed, 4, 60);
-
-		edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
-		step[side] = (uint32_t)((to - from) * 65536 / 20);
-	}
-}
-
-static uint32_t any_word(uint32_t *seed)
-{
-	uint32_t upper = next_random(seed);
-
-	return upper << 16 ^ next_random(seed);
-}
-
-static void test_the_color_band_is_as_in_c(void **state)
-{
-	uint32_t seed = 1;
-
-	(void)state;
-	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
-		struct band band = {
-			.row = {0, any_word(&seed), any_word(&seed),
-				any_word(&seed)},
-			.down = {128, any_word(&seed), any_word(&seed),
-				any_word(&seed)},
-			.z_right = any_word(&seed) >> 6,
-			.packed_right = any_word(&seed),
-			.red_blue_right = any_word(&seed),
-			.green_right = any_word(&seed),
-			.wide_mask = WIDE_MASK,
-			.rows = random_between(&seed, 1, 20),
-			.from = 0,
-			.to = 64,
-		};
-		struct band other;
-
-		make_edges(&seed, band.edge, band.edge_step);
-		other = band;
-		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
-		band.pixels = (uintptr_t)twins->pixel[0] -
-			(uintptr_t)twins->depth[0] - 2;
-		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
-		other.pixels = (uintptr_t)twins->pixel[1] -
-			(uintptr_t)twins->depth[1] - 2;
-		soft_bands.color(&band);
-		band_color_c(&other);
-		assert_int_equal(band.row.z_q16, other.row.z_q16);
-		assert_int_equal(band.row.green_q26, other.row.green_q26);
-		assert_int_equal(band.edge[0], other.edge[0]);
-		assert_int_equal(band.edge[1], other.edge[1]);
-		check_twins(twins);
-	}
-}
-
 /* Any place and size in sixteenths, colours and depths up to their ends. */
 static void make_projected(uint32_t *seed, struct vertex v[3])
 {
@@ -620,123 +522,6 @@ static void test_narrow_triangles_are_those_of_the_long_way(void **state)
 	}
 }
 
-static void test_the_texture_band_is_as_in_c(void **state)
-{
-	uint8_t texels[2 * 64 * 32];
-	uint32_t seed = 2;
-
-	(void)state;
-	for (size_t i = 0; i < sizeof(texels); i++) {
-		texels[i] = (uint8_t)next_random(&seed);
-	}
-	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
-		struct texture_band band = {
-			.row = {0, any_word(&seed), any_word(&seed),
-				next_random(&seed) << 6},
-			.down = {128, any_word(&seed), any_word(&seed), 0},
-			.z_right = any_word(&seed) >> 6,
-			.texel_right = any_word(&seed),
-			.texels = texels,
-			.texel_mask = 31u << 24 | 63u << 8,
-			.texel_shift = 24 - 6,
-			.wide_mask = WIDE_MASK,
-			.wide_round = WIDE_ROUND,
-			.share_right = next_random(&seed) & 0xFFFFF,
-			.rows = random_between(&seed, 1, 20),
-		};
-		struct texture_band other;
-
-		make_edges(&seed, band.edge, band.edge_step);
-		other = band;
-		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
-		band.pixels = (uintptr_t)twins->pixel[0] -
-			(uintptr_t)twins->depth[0] - 2;
-		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
-		other.pixels = (uintptr_t)twins->pixel[1] -
-			(uintptr_t)twins->depth[1] - 2;
-		soft_bands.texture(&band);
-		band_texture_c(&other);
-		assert_int_equal(band.row.texel, other.row.texel);
-		assert_int_equal(band.edge[0], other.edge[0]);
-		assert_int_equal(band.edge[1], other.edge[1]);
-		check_twins(twins);
-	}
-}
-
-static struct flat_band make_flat_band(
-	struct twins *twins, int which, const struct flat_band *like)
-{
-	struct flat_band band = *like;
-
-	band.pixels = (uint8_t *)(twins->pixel[which] + 20 * 64);
-	band.stencil =
-		like->stencil ? (uint8_t *)twins->depth[which] + 20 * 64 : NULL;
-	return band;
-}
-
-static void test_the_flat_band_is_as_in_c(void **state)
-{
-	uint32_t seed = 4;
-
-	(void)state;
-	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
-		struct flat_band like = {
-			.stencil = round % 3 ? (uint8_t *)twins : NULL,
-			.stride_bytes = 128,
-			.stencil_stride = 64,
-			.rows = random_between(&seed, 1, 20),
-			.from = random_between(&seed, 0, 40),
-			.to = random_between(&seed, 30, 64),
-			.reference = (uint8_t)random_between(&seed, 0, 3),
-			.next = (uint8_t)random_between(&seed, 0, 255),
-			.keep = (uint32_t)random_between(&seed, 0, 32),
-			.opaque = (uint16_t)next_random(&seed),
-		};
-		struct flat_band band, other;
-
-		/* Half of the stencil has the reference. */
-		for (int i = 0; i < 64 * 64; i++) {
-			if (next_random(&seed) & 1) {
-				memset((uint8_t *)twins->depth[0] + i,
-					like.reference, 1);
-			}
-		}
-		memcpy(twins->depth[1], twins->depth[0],
-			sizeof(twins->depth[0]));
-		like.own = widen(like.opaque) * (32 - like.keep) + WIDE_ROUND;
-		make_edges(&seed, like.edge, like.edge_step);
-		band = make_flat_band(twins, 0, &like);
-		other = make_flat_band(twins, 1, &like);
-		soft_bands.flat(&band);
-		band_flat_c(&other);
-		assert_int_equal(band.edge[0], other.edge[0]);
-		assert_int_equal(band.edge[1], other.edge[1]);
-		assert_int_equal(band.pixels - (uint8_t *)twins->pixel[0],
-			other.pixels - (uint8_t *)twins->pixel[1]);
-		check_twins(twins);
-	}
-}
-
-static void test_fills_end_where_they_should(void **state)
-{
-	(void)state;
-	for (int count = 0; count < 200; count++) {
-		for (int at = 4; at < 8; at++) {
-			uint16_t row[220];
-
-			memset(row, 0xA5, sizeof(row));
-			soft_bands.fill(row + at, count, 0x1234);
-			for (int i = 0; i < 220; i++) {
-				bool in = i >= at && i < at + count;
-
-				assert_int_equal(row[i], in ? 0x1234 : 0xA5A5);
-			}
-		}
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -748,13 +533,9 @@ int main(void)
 		cmocka_unit_test(test_shorts_are_drawn_like_floats),
 		cmocka_unit_test(test_a_context_needs_less_than_256_kib),
 		cmocka_unit_test(test_drawing_takes_no_memory),
-		cmocka_unit_test(test_the_color_band_is_as_in_c),
 		cmocka_unit_test(test_narrow_triangles_are_as_in_c),
 		cmocka_unit_test(test_shadows_are_as_in_c),
 		cmocka_unit_test(test_narrow_triangles_are_those_of_the_long_way),
-		cmocka_unit_test(test_the_texture_band_is_as_in_c),
-		cmocka_unit_test(test_the_flat_band_is_as_in_c),
-		cmocka_unit_test(test_fills_end_where_they_should),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

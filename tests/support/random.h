@@ -1,0 +1,20 @@
+/* Numbers by chance, the same in every run. */
+#ifndef TESTS_SUPPORT_RANDOM_H
+#define TESTS_SUPPORT_RANDOM_H
+
+#include <stdint.h>
+
+/* 24 bits. */
+static inline uint32_t next_random(uint32_t *seed)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return *seed >> 8;
+}
+
+/* low to high, both of them included. */
+static inline int random_between(uint32_t *seed, int low, int high)
+{
+	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
+}
+
+#endif

@@ -157,6 +157,9 @@ struct band_functions {
 	void (*tint_add)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
+	/* picture.h */
+	void (*picture)(uint16_t *pixel, const uint16_t *texels, int count,
+		uint32_t s_q16, uint32_t s_right_q16);
 	/* glyph.h */
 	void (*glyph)(const struct glyph *glyph);
 	void (*mix)(uint16_t *pixel, int count, uint32_t keep, uint32_t own);

@@ -322,6 +322,7 @@ struct draw {
 	struct textured textured; /* for fill_textured() */
 	bool luminance; /* rows may be luminance.c's */
 	bool ground;    /* rows may be ground.c's */
+	bool picture;   /* rows may be picture.c's */
 	bool plain;     /* colours into RGB565, nothing to test or blend */
 	span_function span;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */

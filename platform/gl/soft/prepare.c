@@ -4,6 +4,7 @@
 #include "platform/gl/soft/luminance.h"
 #include "platform/gl/soft/matrix.h"
 #include "platform/gl/soft/number.h"
+#include "platform/gl/soft/picture.h"
 
 #include <stdlib.h>
 
@@ -387,6 +388,7 @@ bool soft_prepare(
 	list_attributes(draw);
 	draw->fill = choose_fill(draw);
 	draw->luminance = luminance_takes(draw);
+	draw->picture = picture_takes(draw);
 	draw->ground = ground_takes(draw);
 	draw->plain = draw->span == soft_draw_span_565 && !draw->tests &&
 		!draw->blended && !draw->texture[0].used && draw->color_written;

@@ -215,6 +215,8 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 
 /* rows.c: any state, through the stages of fragment.c. */
 void rows_fill(struct draw *draw, struct setup *setup);
+/* One of its rows whose values run linearly, their steps in the span. */
+void rows_affine(struct draw *draw, int y, int left, int right);
 
 /* fill_opaque.c: see there; whether the state, and a texture, are its. */
 bool fill_is_opaque(const struct draw *draw);

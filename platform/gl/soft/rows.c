@@ -2,6 +2,7 @@
 #include "platform/gl/soft/rows.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/luminance.h"
+#include "platform/gl/soft/picture.h"
 #include "platform/gl/soft/pixel.h"
 
 /* 65536 / n */
@@ -42,7 +43,7 @@ static void find_affine_lod(const struct draw *draw, struct span *span)
 	}
 }
 
-static void row_affine(struct draw *draw, int y, int left, int right)
+void rows_affine(struct draw *draw, int y, int left, int right)
 {
 	const struct raster *raster = &draw->raster;
 	struct span *span = &draw->raster.span;
@@ -247,5 +248,9 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		raster->span.step[name] = raster->plane[name].dx;
 	}
 	find_affine_lod(draw, &raster->span);
-	raster_walk(draw, setup, row_affine, raster_next_row);
+	if (draw->picture && picture_begin(draw)) {
+		raster_walk(draw, setup, picture_row, raster_next_row);
+		return;
+	}
+	raster_walk(draw, setup, rows_affine, raster_next_row);
 }

@@ -29,6 +29,10 @@ void tint_add_arm(struct tint_band *band);
 /* fill.S */
 void band_fill_arm(uint16_t *at, int count, uint16_t value);
 
+/* picture.S */
+void picture_copy_arm(uint16_t *pixel, const uint16_t *texels, int count,
+	uint32_t s_q16, uint32_t s_right_q16);
+
 /* glyph.S */
 void glyph_draw_arm(const struct glyph *glyph);
 void glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
@@ -124,6 +128,7 @@ const struct band_functions soft_bands = {
 	.tint_add = tint_add_arm,
 	.flat = flat_arm,
 	.fill = band_fill_arm,
+	.picture = picture_copy_arm,
 	.glyph = glyph_draw_arm,
 	.mix = glyph_mix_arm,
 	.tile_row = tile_row_arm,

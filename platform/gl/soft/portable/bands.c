@@ -2,6 +2,7 @@
 #include "platform/gl/soft/count.h"
 #include "platform/gl/soft/glyph.h"
 #include "platform/gl/soft/ground.h"
+#include "platform/gl/soft/picture.h"
 #include "platform/gl/soft/raster.h"
 #include "platform/gl/soft/tile_row.h"
 #include "platform/gl/soft/tint.h"
@@ -19,6 +20,7 @@ const struct band_functions soft_bands = {
 	.tint_add = tint_add_c,
 	.flat = band_flat_c,
 	.fill = band_fill_c,
+	.picture = picture_copy_c,
 	.glyph = glyph_draw_c,
 	.mix = glyph_mix_c,
 	.tile_row = tile_row_c,

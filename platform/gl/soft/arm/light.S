@@ -39,7 +39,7 @@ soft_light_by_beams:
 	mla	r5, r1, r6, r5
 	cmp	r10, #0
 	add	r2, r2, #VERTEX_ATTRIBUTE
-	pld	[r5, #32]
+	pld	[r5]
 	push	{r0, r2, r5, r8, r9}
 	bne	.Lfloats
 

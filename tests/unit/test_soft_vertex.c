@@ -252,8 +252,8 @@ struct lit_mesh {
 	int16_t halves[VERTICES][4];
 	float floats[VERTICES][3];
 	uint8_t color[VERTICES][4];
+	float texcoord[VERTICES][2];
 	struct gleam_step step[GLEAM_STEPS];
-	struct beams light;
 };
 
 static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
@@ -280,9 +280,9 @@ static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
 	mesh->floats[3][0] = INFINITY;
 }
 
-static void make_lamp(struct lit_mesh *mesh, int i, uint32_t *seed)
+static void make_lamp(
+	const struct lit_mesh *mesh, struct beam *lamp, uint32_t *seed)
 {
-	struct beam *lamp = &mesh->light.beam[i];
 	int32_t most = next_random(seed) % 2 ? 620000000 : INT32_MAX - 1;
 
 	for (int j = 0; j < 3; j++) {
@@ -298,9 +298,9 @@ static void make_lamp(struct lit_mesh *mesh, int i, uint32_t *seed)
 	lamp->step = mesh->step;
 }
 
-static void make_light(struct lit_mesh *mesh, uint32_t *seed)
+static void make_light(
+	const struct lit_mesh *mesh, struct beams *light, uint32_t *seed)
 {
-	struct beams *light = &mesh->light;
 	int lamps = random_within(seed, 4) + 4;
 
 	light->roots = soft_root_table;
@@ -318,44 +318,107 @@ static void make_light(struct lit_mesh *mesh, uint32_t *seed)
 		light->emission_q16[i] = random_within(seed, 1 << 16);
 	}
 	for (int i = 0; i < lamps; i++) {
-		make_lamp(mesh, i, seed);
+		make_lamp(mesh, &light->beam[i], seed);
 	}
 	light->end = light->beam + lamps;
 }
 
-static void test_vertices_are_lit_as_in_c(void **state)
+/* Untextured, or with coordinates of which some are too large. */
+static void make_texture(
+	struct lit_mesh *mesh, struct draw *draw, uint32_t *seed)
+{
+	struct texture_input *input = &draw->texture[0];
+
+	input->used = next_random(seed) % 2;
+	input->identity = true;
+	input->kind = TEXCOORD_FLOATS;
+	input->array = &draw->soft->arrays.texcoord[0];
+	for (int i = 0; i < 2 * VERTICES; i++) {
+		mesh->texcoord[i / 2][i % 2] =
+			ldexpf((float)random_within(seed, 1 << 20), i % 9 - 20);
+	}
+	mesh->texcoord[0][0] = 16383.999f;
+	mesh->texcoord[1][1] = 16384.0f;
+	mesh->texcoord[2][0] = -16384.0f;
+	mesh->texcoord[3][1] = -1e20f;
+	draw->soft->arrays.texcoord[0] = (struct array){
+		.enabled = true,
+		.size = 2,
+		.type = GL_FLOAT,
+		.stride_bytes = 8,
+		.pointer = (const uint8_t *)mesh->texcoord,
+	};
+	draw->beams.texcoords =
+		input->used ? (const uint8_t *)mesh->texcoord : NULL;
+	draw->beams.texcoord_stride = 8;
+}
+
+/* What beams do not take is lit by no lamp here, by floats. */
+static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
+{
+	draw->attributes = 15;
+	draw->view.beams = (uint32_t)offsetof(struct draw, beams);
+	draw->shading.lit = true;
+	draw->shading.by_beams = true;
+	draw->shading.two_side = draw->beams.two_side;
+	draw->shading.base_q16[3] = 65536;
+	draw->soft->arrays.normal = (struct array){
+		.enabled = true,
+		.size = 3,
+		.type = GL_FLOAT,
+		.stride_bytes = 12,
+		.pointer = (const uint8_t *)mesh->floats,
+	};
+}
+
+static int check_lit(const struct draw *draw)
+{
+	int lit = 0;
+
+	for (uint32_t i = 0; i < VERTICES; i++) {
+		struct vertex a = {.index = i}, b = {.index = i},
+			      c = {.index = i};
+
+		soft_shade(draw, &a);
+		shade_c(draw, &b);
+		assert_true(a.shaded);
+		assert_true(b.shaded);
+		assert_memory_equal(
+			a.attribute, b.attribute, sizeof(a.attribute));
+		assert_memory_equal(a.back, b.back, sizeof(a.back));
+		lit += soft_light_by_beams(&draw->beams, &c);
+	}
+	return lit;
+}
+
+static void test_vertices_are_shaded_as_in_c(void **state)
 {
 	struct lit_mesh *mesh =
 		aligned_alloc(_Alignof(struct lit_mesh), sizeof(*mesh));
+	struct soft *soft = calloc(1, sizeof(*soft));
+	struct draw *draw = make_draw();
 	uint32_t seed = 3;
 	int lit = 0;
 
 	(void)state;
 	assert_non_null(mesh);
+	assert_non_null(soft);
 	memset(mesh, 0, sizeof(*mesh));
+	draw->soft = soft;
 	for (int i = 0; i < GLEAM_STEPS; i++) {
 		mesh->step[i].value_q28 = i << 22;
 		mesh->step[i].rise_q28 = random_within(&seed, 1 << 14);
 	}
 	for (int round = 0; round < 1000; round++) {
 		fill_mesh(mesh, &seed);
-		make_light(mesh, &seed);
-		for (uint32_t i = 0; i < VERTICES; i++) {
-			struct vertex a = {.index = i}, b = {.index = i};
-			bool done = light_by_beams_c(&mesh->light, i, &b);
-
-			assert_int_equal(
-				soft_light_by_beams(&mesh->light, i, &a), done);
-			if (done) {
-				lit++;
-				assert_memory_equal(a.attribute, b.attribute,
-					sizeof(a.attribute));
-				assert_memory_equal(
-					a.back, b.back, sizeof(a.back));
-			}
-		}
+		make_light(mesh, &draw->beams, &seed);
+		make_texture(mesh, draw, &seed);
+		make_rest(mesh, draw);
+		lit += check_lit(draw);
 	}
 	assert_true(lit > 1000 * VERTICES / 2);
+	free(draw);
+	free(soft);
 	free(mesh);
 }
 
@@ -368,7 +431,7 @@ int main(void)
 		cmocka_unit_test(test_floats_are_transformed_as_in_c),
 		cmocka_unit_test(test_outcodes_are_as_in_c),
 		cmocka_unit_test(test_the_largest_float_is_found_as_in_c),
-		cmocka_unit_test(test_vertices_are_lit_as_in_c),
+		cmocka_unit_test(test_vertices_are_shaded_as_in_c),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -114,13 +114,13 @@ static void light_side(const struct beams *light, const int32_t n[3],
 	out[3] = 128 + color[3] * 256;
 }
 
-bool light_by_beams_c(
-	const struct beams *light, uint32_t index, struct vertex *vertex)
+bool soft_light_by_beams(const struct beams *light, struct vertex *vertex)
 {
+	size_t index = vertex->index;
 	const void *normal =
-		light->normals + (size_t)index * (size_t)light->normal_stride;
+		light->normals + index * (size_t)light->normal_stride;
 	const uint8_t *color =
-		light->colors + (size_t)index * (size_t)light->color_stride;
+		light->colors + index * (size_t)light->color_stride;
 	int16_t c[3];
 	int32_t n[3];
 

@@ -164,6 +164,8 @@ struct beams {
 	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
 	struct beam beam[SOFT_LIGHTS];
 	uint8_t color[4];
+	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
+	int texcoord_stride;
 };
 
 /* How coordinates are given; all but the last are quick to fetch. */
@@ -238,6 +240,11 @@ struct view {
 	int32_t inverse_w_q30;
 	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
+	/*
+	 * How far behind the draw struct beams lies where it is all that
+	 * soft_shade() needs, else 0
+	 */
+	uint32_t beams;
 };
 
 /* ground.c's triangle under way. */
@@ -386,6 +393,8 @@ void transform_c(const struct draw *draw, uint32_t index, struct vertex *out);
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* Fills the attributes unless they are there. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
+/* The same in C; arm/light.S has another for what struct beams takes. */
+void shade_c(const struct draw *draw, struct vertex *vertex);
 
 /* array.c: elements of arrays as fixed point. */
 void array_position(const struct draw *draw, uint32_t index, int32_t out[3]);
@@ -408,13 +417,10 @@ int array_position_exponent(
 void soft_light(const struct draw *draw, struct vertex *vertex);
 
 /*
- * beams.c: the same by struct beams. False where the normal is not
- * for it. The other is in C; arm/light.S has one besides.
+ * beams.c: the same by struct beams, of the vertex's index. False where the
+ * normal is not for it.
  */
-bool soft_light_by_beams(
-	const struct beams *light, uint32_t index, struct vertex *vertex);
-bool light_by_beams_c(
-	const struct beams *light, uint32_t index, struct vertex *vertex);
+bool soft_light_by_beams(const struct beams *beams, struct vertex *vertex);
 
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);

@@ -378,7 +378,7 @@ static NEVER_INLINE void find_color(
 	}
 }
 
-void soft_shade(const struct draw *draw, struct vertex *vertex)
+void shade_c(const struct draw *draw, struct vertex *vertex)
 {
 	if (vertex->shaded || draw->attributes == 0) {
 		return;
@@ -387,7 +387,7 @@ void soft_shade(const struct draw *draw, struct vertex *vertex)
 	if (!draw->shading.lit) {
 		find_color(draw, vertex);
 	} else if (!draw->shading.by_beams ||
-		!soft_light_by_beams(&draw->beams, vertex->index, vertex)) {
+		!soft_light_by_beams(&draw->beams, vertex)) {
 		soft_light(draw, vertex);
 	}
 	if (draw->fogged) {

@@ -362,6 +362,24 @@ void soft_init_scratch(struct draw *draw)
 	}
 }
 
+/* What arm/light.S shades. */
+static void prepare_shade(struct draw *draw)
+{
+	const struct texture_input *input = draw->texture;
+	bool textured = input[0].used;
+
+	draw->view.beams = 0;
+	if (draw->attributes == 0 || !draw->shading.lit ||
+		!draw->shading.by_beams || draw->fogged || input[1].used ||
+		(textured && input[0].kind != TEXCOORD_FLOATS)) {
+		return;
+	}
+	draw->view.beams = (uint32_t)offsetof(struct draw, beams);
+	draw->beams.texcoords = textured ? input[0].array->pointer : NULL;
+	draw->beams.texcoord_stride =
+		textured ? input[0].array->stride_bytes : 0;
+}
+
 bool soft_prepare(
 	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
 {
@@ -401,6 +419,7 @@ bool soft_prepare(
 	if (draw->fill == fill_flat && fill_flat_is_once(draw)) {
 		draw->fill = soft_bands.shadow;
 	}
+	prepare_shade(draw);
 	soft_prepare_quick(draw);
 	if (draw->fill == fill_textured || draw->fill == fill_relief) {
 		fill_textured_begin(draw);

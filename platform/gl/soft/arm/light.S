@@ -1,15 +1,18 @@
 /*
- * beams.c for ARMv6: the same numbers. Offsets are those of struct
- * beams and struct vertex.
+ * light.c's soft_shade() and beams.c for ARMv6: the same numbers. Offsets are
+ * those of struct view, struct beams and struct vertex.
  *
- * A vertex costs 69 instructions, normalising a normal of shorts included, and
- * each light that it faces 18, with a highlight 36.
+ * A vertex costs 79 instructions, normalising a normal of shorts included, each
+ * light that it faces 18, with a highlight 36, and texture coordinates 20.
  */
 	.syntax unified
 	.arch armv6
 	.fpu vfpv2
 	.arm
 	.text
+
+/* of the draw */
+#define BEAMS 116
 
 #define SQUARE_LEAST 32
 #define SUMS 40
@@ -19,28 +22,43 @@
 #define BEHIND_GLEAMS 36
 #define BEHIND_STEPS 12
 
+#define TEXCOORDS 580
+
+#define VERTEX_SHADED 2
 #define VERTEX_ATTRIBUTE 16
+#define VERTEX_TEX 36
+#define VERTEX_INDEX 56
 #define VERTEX_BACK 80
 
 /* of the stack */
 #define LIGHT 0
-#define OUT 4
-#define COLOR 8
-#define END 12
-#define SIDES 16
+#define VERTEX 4
+#define OUT 8
+#define COLOR 12
+#define END 16
+#define SIDES 20
+#define FRAME 24
 
-/* r0 light, r1 index, r2 vertex; r0 is whether the normal was fit for it */
-	.global	soft_light_by_beams
-	.type	soft_light_by_beams, %function
-soft_light_by_beams:
-	push	{r4-r11, lr}
+/* r0 draw, r1 vertex */
+	.global	soft_shade
+	.type	soft_shade, %function
+soft_shade:
+	ldrb	r2, [r1, #VERTEX_SHADED]
+	ldr	r12, [r0, #BEAMS]
+	cmp	r2, #0
+	bxne	lr
+	cmp	r12, #0
+	beq	shade_c
+	push	{r0, r1, r4-r11, lr}
+	ldr	r2, [r1, #VERTEX_INDEX]
+	add	r0, r0, r12
 	ldmia	r0, {r3-r10}
-	mla	r3, r1, r4, r3
-	mla	r5, r1, r6, r5
+	mla	r3, r2, r4, r3
+	mla	r5, r2, r6, r5
 	cmp	r10, #0
-	add	r2, r2, #VERTEX_ATTRIBUTE
+	add	r2, r1, #VERTEX_ATTRIBUTE
 	pld	[r5]
-	push	{r0, r2, r5, r8, r9}
+	push	{r0, r1, r2, r5, r8, r9}
 	bne	.Lfloats
 
 	/* r9 the square, r10 its zeros, r1 the root; r4 r5 r6 are 2 c + 1 */
@@ -148,9 +166,41 @@ soft_light_by_beams:
 	stmia	r0, {r6-r9}
 	cmp	r4, #0
 	bne	.Lback
-	add	sp, sp, #20
-	mov	r0, #1
+	ldr	r3, [sp, #LIGHT]
+	ldr	r5, [sp, #VERTEX]
+	mov	r4, #1
+	ldr	r1, [r3, #TEXCOORDS]
+	cmp	r1, #0
+	beq	.Lshaded
+	ldr	r2, [r3, #TEXCOORDS + 4]
+	ldr	r3, [r5, #VERTEX_INDEX]
+	mla	r1, r2, r3, r1
+	ldr	r2, [r1]
+	ldr	r3, [r1, #4]
+	pld	[r1, #40]
+	orr	r1, r2, r3
+	lsl	r1, r1, #1
+	/* below 2^14, without their signs */
+	cmp	r1, #0x46800000 << 1
+	bhs	.Lother
+	fmsr	s0, r2
+	fmsr	s1, r3
+	flds	s2, .Lone_q16
+	fmuls	s0, s0, s2
+	fmuls	s1, s1, s2
+	ftosizs	s0, s0
+	ftosizs	s1, s1
+	fsts	s0, [r5, #VERTEX_TEX]
+	fsts	s1, [r5, #VERTEX_TEX + 4]
+.Lshaded:
+	strb	r4, [r5, #VERTEX_SHADED]
+	add	sp, sp, #FRAME + 8
 	pop	{r4-r11, pc}
+
+.Lother:
+	add	sp, sp, #FRAME
+	pop	{r0, r1, r4-r11, lr}
+	b	shade_c
 
 	/* the other side, once */
 .Lback:
@@ -185,11 +235,12 @@ soft_light_by_beams:
 	sub	r1, r1, r6
 	cmp	r1, r7
 	blo	.Lside
-	add	sp, sp, #20
-	mov	r0, #0
-	pop	{r4-r11, pc}
+	b	.Lother
+
 .Lone_q28:
 	.float	268435456.0
-	.size	soft_light_by_beams, . - soft_light_by_beams
+.Lone_q16:
+	.float	65536.0
+	.size	soft_shade, . - soft_shade
 
 	.section .note.GNU-stack, "", %progbits

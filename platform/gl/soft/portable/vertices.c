@@ -10,10 +10,9 @@ uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
 	return largest_float_c(at, stride_bytes, count);
 }
 
-bool soft_light_by_beams(
-	const struct beams *light, uint32_t index, struct vertex *vertex)
+void soft_shade(const struct draw *draw, struct vertex *vertex)
 {
-	return light_by_beams_c(light, index, vertex);
+	shade_c(draw, vertex);
 }
 
 bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,

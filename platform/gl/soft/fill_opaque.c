@@ -1,10 +1,10 @@
 /*
- * The common case by itself: small opaque triangles into RGB565, tested and
- * written with the depth function LESS, plain or with one RGB565 texture whose
- * nearest texels repeat. Everything else is rows.c's.
+ * A common case by itself: opaque triangles of up to 128 pixels into RGB565,
+ * tested and written with the depth function LESS, with one RGB565 texture that
+ * repeats. The small ones of them are fill_texture.c's, all else is rows.c's.
  *
- * The differences from there: colours run as one number of three fields, and
- * textures are modulated in steps of 1/32.
+ * The differences from there: four texels are mixed, and those under one share
+ * modulated, in steps of 1/32.
  */
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/ramp.h"
@@ -71,12 +71,13 @@ static ALWAYS_INLINE uint32_t shade_gray(uint32_t texel, uint32_t share)
 	return texel | texel >> 16;
 }
 
+/* Colours are below 2^15. */
 static ALWAYS_INLINE uint32_t shade_tinted(
 	uint32_t texel, uint32_t r, uint32_t g, uint32_t b)
 {
-	return (((texel & 0xF800) * r + 0x8000) >> 5 & 0xF800) |
-		(((texel & 0x07E0) * g + 0x200) >> 5 & 0x07E0) |
-		((texel & 31) * b + 16) >> 5;
+	return (((texel & 0xF800) * r + (1 << 25)) >> 15 & 0xF800) |
+		(((texel & 0x07E0) * g + (1 << 19)) >> 15 & 0x07E0) |
+		((texel & 31) * b + (1 << 14)) >> 15;
 }
 
 static ALWAYS_INLINE void run_texture(
@@ -108,8 +109,8 @@ static ALWAYS_INLINE void run_texture(
 
 			*depth = (uint16_t)(z >> 10);
 			*pixel = (uint16_t)(gray ? shade_gray(texel, r >> 19)
-						 : shade_tinted(texel, r >> 19,
-							   g >> 19, b >> 19));
+						 : shade_tinted(texel, r >> 9,
+							   g >> 9, b >> 9));
 		}
 		depth++;
 		z += (uint32_t)ramps->z.dx;
@@ -238,7 +239,7 @@ static ALWAYS_INLINE bool find_ramps(const struct draw *draw,
 	struct setup *setup, enum paint paint, struct ramps *out)
 {
 	const struct texture_input *input = &draw->texture[0];
-	int32_t round = SHARE_ROUND >> 8;
+	int32_t round = paint == TEXTURE_GRAY ? SHARE_ROUND >> 8 : 0;
 	int32_t z = setup->v[0]->z;
 	struct limits limits = find_limits(draw, setup);
 	struct scale scale;

@@ -163,6 +163,7 @@ static void draw_shadow(const struct demo *demo)
 	const struct actor *actor = &demo->act.actor;
 
 	if (!demo->rig.on[RIG_SHADOW]) {
+		stage_stand(&demo->act.stage, gl);
 		return;
 	}
 	if (demo->act.stage.floor.relief != 0.0f && demo->act.stage.has_stencil) {

@@ -75,22 +75,6 @@ static void draw_background(const struct gl *gl)
 	gl->Enable(GL_DEPTH_TEST);
 }
 
-/* Flat shadows lie on the floor behind it: the stencil keeps them off. */
-static void draw_monitor(const struct stage *stage, const struct gl *gl)
-{
-	bool mark = stage->has_stencil && stage->floor.relief == 0.0f;
-
-	if (mark) {
-		gl->Enable(GL_STENCIL_TEST);
-		gl->StencilFunc(GL_ALWAYS, 0, 255);
-		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-	}
-	monitor_draw(stage->monitor, stage->monitor_picture, gl);
-	if (mark) {
-		gl->Disable(GL_STENCIL_TEST);
-	}
-}
-
 /* Nothing where opaque ground will set both colour and depth. */
 static void draw_behind(const struct stage *stage, const struct gl *gl,
 	int width, int height, int covered_px)
@@ -141,8 +125,8 @@ void stage_begin(
 	if (ground) {
 		floor_draw(&stage->floor, &sight, gl);
 	}
-	if (stage->monitor) {
-		draw_monitor(stage, gl);
+	if (stage->monitor && stage->floor.relief != 0.0f) {
+		monitor_draw(stage->monitor, stage->monitor_picture, gl);
 	}
 }
 
@@ -196,4 +180,13 @@ void stage_shadow_end(const struct stage *stage, const struct gl *gl)
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthMask(GL_TRUE);
 	gl->Disable(GL_BLEND);
+	stage_stand(stage, gl);
+}
+
+void stage_stand(const struct stage *stage, const struct gl *gl)
+{
+	if (stage->monitor && stage->floor.relief == 0.0f) {
+		monitor_draw(stage->monitor, stage->monitor_picture, gl);
+		use_plain_state(gl);
+	}
 }

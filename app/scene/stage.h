@@ -45,4 +45,10 @@ void stage_begin(
 void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);
 
+/*
+ * What stands on level ground, over flat shadows: stage_shadow_end() draws it,
+ * and this where there are none.
+ */
+void stage_stand(const struct stage *stage, const struct gl *gl);
+
 #endif

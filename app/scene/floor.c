@@ -71,26 +71,50 @@ static void place_vertices(struct floor *floor)
 	}
 }
 
-/* Between a ring, which may be the middle, and the next one. */
+/* So many that a ring's triangles are no flatter than they must be. */
+static int count_spokes(int ring)
+{
+	return ring <= FLOOR_QUARTER_RING ? FLOOR_SPOKES / 4
+		: ring <= FLOOR_HALF_RING ? FLOOR_SPOKES / 2
+					  : FLOOR_SPOKES;
+}
+
+/* The vertex of a ring at the n-th of its spokes; ring 0 is the middle. */
+static uint16_t vertex_at(int ring, int n)
+{
+	int count = count_spokes(ring);
+
+	return (uint16_t)(ring == 0 ? 0
+				    : 1 + (ring - 1) * FLOOR_SPOKES +
+				n % count * (FLOOR_SPOKES / count));
+}
+
+static uint16_t *add_triangle(uint16_t *next, int a, int b, int c)
+{
+	next[0] = (uint16_t)a;
+	next[1] = (uint16_t)b;
+	next[2] = (uint16_t)c;
+	return next + 3;
+}
+
+/* From a ring outwards: each outer edge with the inner vertex beside it. */
 static uint16_t *list_ring(uint16_t *next, int ring)
 {
-	int in = 1 + (ring - 1) * FLOOR_SPOKES, out = 1 + ring * FLOOR_SPOKES;
+	int inner = ring == 0 ? 1 : count_spokes(ring);
+	int outer = count_spokes(ring + 1), each = outer / inner;
 
-	for (int spoke = 0; spoke < FLOOR_SPOKES; spoke++) {
-		int beside = (spoke + 1) % FLOOR_SPOKES;
+	for (int i = 0; i < inner; i++) {
+		int first = i * each, middle = first + each / 2;
+		int a = vertex_at(ring, i), b = vertex_at(ring, i + 1);
 
-		if (ring == 0) {
-			*next++ = 0;
-			*next++ = (uint16_t)(out + beside);
-			*next++ = (uint16_t)(out + spoke);
-			continue;
+		if (ring > 0) {
+			next = add_triangle(
+				next, a, b, vertex_at(ring + 1, middle));
 		}
-		*next++ = (uint16_t)(in + spoke);
-		*next++ = (uint16_t)(in + beside);
-		*next++ = (uint16_t)(out + spoke);
-		*next++ = (uint16_t)(out + spoke);
-		*next++ = (uint16_t)(in + beside);
-		*next++ = (uint16_t)(out + beside);
+		for (int n = first; n < first + each; n++) {
+			next = add_triangle(next, vertex_at(ring + 1, n),
+				n < middle ? a : b, vertex_at(ring + 1, n + 1));
+		}
 	}
 	return next;
 }

@@ -16,11 +16,20 @@
 enum {
 	FLOOR_RINGS = 12,
 	FLOOR_SPOKES = 40,
+	/* Up to these rings a quarter and a half of the spokes are enough. */
+	FLOOR_QUARTER_RING = 3,
+	FLOOR_HALF_RING = 5,
 	FLOOR_VERTICES = FLOOR_RINGS * FLOOR_SPOKES + 1,
-	FLOOR_INDICES = (FLOOR_RINGS * 2 - 1) * FLOOR_SPOKES * 3,
+	/* A ring's spokes and the next one's are the triangles between them. */
+	FLOOR_INNER_QUARTERS = (FLOOR_QUARTER_RING * 2 - 1) + 3 +
+		(FLOOR_HALF_RING - FLOOR_QUARTER_RING - 1) * 4 + 6,
+	FLOOR_INNER_INDICES = FLOOR_INNER_QUARTERS * (FLOOR_SPOKES / 4) * 3,
+	FLOOR_INDICES = FLOOR_INNER_INDICES +
+		(FLOOR_RINGS - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
 	/* Up to this ring it is opaque, from there on it fades. */
 	FLOOR_SOLID_RING = 9,
-	FLOOR_SOLID_INDICES = (FLOOR_SOLID_RING * 2 - 1) * FLOOR_SPOKES * 3,
+	FLOOR_SOLID_INDICES = FLOOR_INNER_INDICES +
+		(FLOOR_SOLID_RING - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
 };
 
 struct floor {

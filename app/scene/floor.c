@@ -254,6 +254,9 @@ void floor_look(const struct floor *floor, const struct camera *camera,
 		(FLOOR_RINGS * FLOOR_RINGS);
 	float sine = scalar_sin(camera->yaw_rad);
 	float cosine = scalar_cos(camera->yaw_rad);
+	/* From farther away it ends farther out, as softly. */
+	float least = 1.1f * camera->distance;
+	float radius = floor->radius > least ? floor->radius : least;
 	float eye[3], ahead;
 
 	if (floor->relief != 0.0f) {
@@ -264,7 +267,7 @@ void floor_look(const struct floor *floor, const struct camera *camera,
 	ahead = (eye[0] - floor->center[0]) * sine +
 		(eye[2] - floor->center[1]) * cosine;
 	floor_sight_find(out, camera, width, height, floor->y,
-		ahead + solid_share * floor->radius, ahead + floor->radius);
+		ahead + solid_share * radius, ahead + radius);
 }
 
 /* The solid part, then the one that fades. */

@@ -295,6 +295,7 @@ struct quick {
 	const struct flat_band *flat; /* 56: draw->flat */
 	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
 	uint32_t stencil_stride;      /* 68 */
+	uint32_t shadow; /* 72: 1 where fill is soft_bands.shadow, else 0 */
 };
 
 struct draw {

@@ -159,6 +159,7 @@ void soft_prepare_quick(struct draw *draw)
 		.flat = &draw->flat,
 		.stencil = buffers->stencil,
 		.stencil_stride = (uint32_t)buffers->width,
+		.shadow = draw->fill == soft_bands.shadow,
 	};
 	/* Nothing is inside of an empty box. */
 	draw->quick.box_low = PACKED_PIXELS * 0x100010u;

@@ -104,6 +104,7 @@ static_assert(offsetof(struct quick, attributes) == 44, "QUICK_ATTRIBUTES");
 static_assert(offsetof(struct quick, back_flip) == 52, "QUICK_BACK");
 static_assert(offsetof(struct quick, flat) == 56, "QUICK_FLAT");
 static_assert(offsetof(struct quick, stencil) == 64, "QUICK_STENCIL");
+static_assert(offsetof(struct quick, shadow) == 72, "QUICK_SHADOW");
 static_assert(offsetof(struct flat_band, reference) == 44, "FLAT_REFERENCE");
 static_assert(offsetof(struct flat_band, keep) == 48, "FLAT_KEEP");
 static_assert(sizeof(struct setup) <= 88, "CULL");

@@ -19,6 +19,7 @@
 #define QUICK_BOX (QUICK + 24)
 #define QUICK_ATTRIBUTES (QUICK + 44)
 #define QUICK_BACK (QUICK + 52)
+#define QUICK_SHADOW (QUICK + 72)
 
 #define VERTEX_BYTES 96
 #define VERTEX_X 4
@@ -45,7 +46,8 @@
 #define ATTRIBUTES 128
 #define FLAGS 132
 #define RETURN 136
-#define ROOM 140 /* with the nine registers a multiple of 8 */
+#define SHADOW 140
+#define ROOM 148 /* with the nine registers a multiple of 8 */
 
 /*
  * r0 draw, r1 indices, r2 how many, of 3 or more. Then r10 places, r11 the
@@ -79,7 +81,9 @@ list_arm:
 	ldr	r4, =0x00010001
 	orr	r4, r4, r7, lsl #24
 	str	r4, [sp, #FLAGS]
+	ldr	r5, [r0, #QUICK_SHADOW]
 	mov	r4, #0
+	str	r5, [sp, #SHADOW]
 	str	r4, [sp, #SETUP_AREA + 4]
 
 .Lloop:	ldrh	r0, [r11], #2
@@ -150,6 +154,9 @@ list_arm:
 	movlt	r8, r0
 	cmp	r8, #2048
 	bge	.Lother
+	ldr	r0, [sp, #SHADOW]
+	cmp	r0, #0
+	bne	.Lshadow
 	mov	r4, r4, lsr #20
 	mov	r6, r6, lsr #20
 	str	r4, [sp, #SETUP_TOP]
@@ -219,6 +226,33 @@ list_arm:
 	subs	r5, r5, #1
 	bne	1b
 	b	.Lfill
+
+	/* shadow.S asks for no more than the corners by y, and the rows */
+.Lshadow:
+	ldr	r0, [sp, #DRAW]
+	cmp	r5, r7
+	movgt	r1, r5
+	movgt	r5, r7
+	movgt	r7, r1
+	cmp	r7, r9
+	movgt	r1, r7
+	movgt	r7, r9
+	movgt	r9, r1
+	cmp	r5, r7
+	movgt	r1, r5
+	movgt	r5, r7
+	movgt	r7, r1
+	add	r8, r7, #7 << 16
+	mov	r1, r4, lsr #20
+	mov	r2, r6, lsr #20
+	mov	r8, r8, lsr #20
+	mov	r6, r9
+	mov	r4, r5
+	mov	r5, r7
+	mov	r7, r1
+	mov	r9, r2
+	bl	shadow_sorted_arm
+	b	.Lnext
 
 	/* Those that are missing, from r5, r7, r9: of what the indices are. */
 .Lmiss:	mov	r5, r3

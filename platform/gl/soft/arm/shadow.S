@@ -19,7 +19,6 @@
 #define QUICK_FLAT (QUICK + 56)
 #define QUICK_STENCIL (QUICK + 64)
 #define SETUP_XY 12
-#define SETUP_MIDDLE 28
 #define SETUP_FLAGS 44
 #define FLAT_REFERENCE 44
 #define FLAT_NEXT 45
@@ -32,8 +31,11 @@
 #define LATER 16
 #define SIDE 20
 #define ROOM 28
+/* and what is pushed first */
 #define DRAW 28
-#define SETUP 32
+#define SECOND 32
+#define THIRD 36
+#define MIDDLE 40
 
 	.global	fill_shadow_arm
 	.type	fill_shadow_arm, %function
@@ -41,11 +43,23 @@ fill_shadow_arm:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	tst	r2, #1 << 16
 	beq	fill_flat
-	push	{r0, r1, r4-r11, lr}
-	sub	sp, sp, #ROOM
-	ldr	lr, [r0, #QUICK_INVERSE]
+	push	{r4-r11, lr}
 	add	r1, r1, #SETUP_XY
 	ldm	r1, {r4-r9}
+	bl	shadow_sorted_arm
+	pop	{r4-r11, pc}
+	.size	fill_shadow_arm, . - fill_shadow_arm
+
+/*
+ * r0 draw, r4, r5, r6 struct place's xy by y, r7 to r9 the rows top, middle and
+ * bottom; leaves r10 and r11.
+ */
+	.global	shadow_sorted_arm
+	.type	shadow_sorted_arm, %function
+shadow_sorted_arm:
+	push	{r0, r5, r6, r8, r10, r11, lr}
+	sub	sp, sp, #ROOM
+	ldr	lr, [r0, #QUICK_INVERSE]
 	ldr	r0, [r0, #QUICK_FLAT]
 	ssub16	r2, r5, r4
 	ssub16	r3, r6, r4
@@ -131,12 +145,11 @@ fill_shadow_arm:
 	mov	r10, #0
 	str	r10, [sp, #LATER]
 	mov	r11, r3
-	ldr	r3, [sp, #SETUP]
 	mov	r10, r1
 	ldr	lr, [lr, #QUICK_INVERSE]
-	ldr	r1, [r3, #SETUP_XY + 4]
-	ldr	r2, [r3, #SETUP_XY + 8]
-	ldr	r3, [r3, #SETUP_MIDDLE]
+	ldr	r1, [sp, #SECOND]
+	ldr	r2, [sp, #THIRD]
+	ldr	r3, [sp, #MIDDLE]
 	find_edge
 	ldr	r12, [sp, #SIDE]
 	mov	r3, r11
@@ -148,8 +161,8 @@ fill_shadow_arm:
 	movge	r6, r1
 	mov	r1, r10
 	b	.Lrow
-.Ldone:	add	sp, sp, #ROOM + 8
-	pop	{r4-r11, pc}
-	.size	fill_shadow_arm, . - fill_shadow_arm
+.Ldone:	add	sp, sp, #ROOM
+	pop	{r0, r5, r6, r8, r10, r11, pc}
+	.size	shadow_sorted_arm, . - shadow_sorted_arm
 
 	.section .note.GNU-stack, "", %progbits

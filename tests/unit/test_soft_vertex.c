@@ -348,8 +348,10 @@ static void make_texture(
 		.stride_bytes = 8,
 		.pointer = (const uint8_t *)mesh->texcoord,
 	};
-	draw->beams.texcoords =
-		input->used ? (const uint8_t *)mesh->texcoord : NULL;
+	draw->beams.rest = input->used && next_random(seed) % 2;
+	draw->beams.texcoords = input->used && !draw->beams.rest
+		? (const uint8_t *)mesh->texcoord
+		: NULL;
 	draw->beams.texcoord_stride = 8;
 }
 

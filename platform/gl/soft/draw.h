@@ -166,6 +166,7 @@ struct beams {
 	uint8_t color[4];
 	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
 	int texcoord_stride;
+	int rest; /* instead: whether shade_rest() is wanted */
 };
 
 /* How coordinates are given; all but the last are quick to fetch. */
@@ -241,8 +242,8 @@ struct view {
 	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 	/*
-	 * How far behind the draw struct beams lies where it is all that
-	 * soft_shade() needs, else 0
+	 * How far behind the draw struct beams lies where soft_shade() may
+	 * light by it, else 0
 	 */
 	uint32_t beams;
 };
@@ -396,6 +397,8 @@ void soft_project(const struct draw *draw, struct vertex *vertex);
 void soft_shade(const struct draw *draw, struct vertex *vertex);
 /* The same in C; arm/light.S has another for what struct beams takes. */
 void shade_c(const struct draw *draw, struct vertex *vertex);
+/* What follows the colour: fog and texture coordinates. */
+void shade_rest(const struct draw *draw, struct vertex *vertex);
 
 /* array.c: elements of arrays as fixed point. */
 void array_position(const struct draw *draw, uint32_t index, int32_t out[3]);

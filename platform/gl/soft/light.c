@@ -336,8 +336,8 @@ static ALWAYS_INLINE void find_texcoord(
 	if (input->kind == TEXCOORD_FLOATS) {
 		PRELOAD(at + 40);
 		memcpy(bits, at, sizeof(bits));
-		/* Below 2^14, as the bits of 2^14 tell. */
-		if (((bits[0] | bits[1]) & INT32_MAX) < 0x46800000) {
+		/* Below 2^14, as the bits of 2^14 tell, without their signs. */
+		if (bits[0] << 1 < 0x8D000000 && bits[1] << 1 < 0x8D000000) {
 			memcpy(st, bits, sizeof(st));
 			out[0] = (int32_t)(st[0] * 65536.0f);
 			out[1] = (int32_t)(st[1] * 65536.0f);
@@ -378,6 +378,19 @@ static NEVER_INLINE void find_color(
 	}
 }
 
+void shade_rest(const struct draw *draw, struct vertex *vertex)
+{
+	if (draw->fogged) {
+		vertex->attribute[FOG] = find_fog(draw, vertex);
+	}
+	if (draw->texture[0].used) {
+		find_texcoord(draw, 0, vertex);
+	}
+	if (draw->texture[1].used) {
+		find_texcoord(draw, 1, vertex);
+	}
+}
+
 void shade_c(const struct draw *draw, struct vertex *vertex)
 {
 	if (vertex->shaded || draw->attributes == 0) {
@@ -390,13 +403,5 @@ void shade_c(const struct draw *draw, struct vertex *vertex)
 		!soft_light_by_beams(&draw->beams, vertex)) {
 		soft_light(draw, vertex);
 	}
-	if (draw->fogged) {
-		vertex->attribute[FOG] = find_fog(draw, vertex);
-	}
-	if (draw->texture[0].used) {
-		find_texcoord(draw, 0, vertex);
-	}
-	if (draw->texture[1].used) {
-		find_texcoord(draw, 1, vertex);
-	}
+	shade_rest(draw, vertex);
 }

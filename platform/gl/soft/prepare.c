@@ -366,18 +366,21 @@ void soft_init_scratch(struct draw *draw)
 static void prepare_shade(struct draw *draw)
 {
 	const struct texture_input *input = draw->texture;
-	bool textured = input[0].used;
+	struct beams *beams = &draw->beams;
 
 	draw->view.beams = 0;
 	if (draw->attributes == 0 || !draw->shading.lit ||
-		!draw->shading.by_beams || draw->fogged || input[1].used ||
-		(textured && input[0].kind != TEXCOORD_FLOATS)) {
+		!draw->shading.by_beams) {
 		return;
 	}
 	draw->view.beams = (uint32_t)offsetof(struct draw, beams);
-	draw->beams.texcoords = textured ? input[0].array->pointer : NULL;
-	draw->beams.texcoord_stride =
-		textured ? input[0].array->stride_bytes : 0;
+	beams->texcoords = NULL;
+	beams->rest = draw->fogged || input[1].used ||
+		(input[0].used && input[0].kind != TEXCOORD_FLOATS);
+	if (input[0].used && !beams->rest) {
+		beams->texcoords = input[0].array->pointer;
+		beams->texcoord_stride = input[0].array->stride_bytes;
+	}
 }
 
 bool soft_prepare(

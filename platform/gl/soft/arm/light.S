@@ -171,17 +171,18 @@ soft_shade:
 	mov	r4, #1
 	ldr	r1, [r3, #TEXCOORDS]
 	cmp	r1, #0
-	beq	.Lshaded
+	beq	.Lrest
 	ldr	r2, [r3, #TEXCOORDS + 4]
 	ldr	r3, [r5, #VERTEX_INDEX]
 	mla	r1, r2, r3, r1
 	ldr	r2, [r1]
 	ldr	r3, [r1, #4]
 	pld	[r1, #40]
-	orr	r1, r2, r3
-	lsl	r1, r1, #1
 	/* below 2^14, without their signs */
-	cmp	r1, #0x46800000 << 1
+	lsl	r1, r2, #1
+	cmp	r1, #0x8D000000
+	lsllo	r1, r3, #1
+	cmplo	r1, #0x8D000000
 	bhs	.Lother
 	fmsr	s0, r2
 	fmsr	s1, r3
@@ -196,6 +197,15 @@ soft_shade:
 	strb	r4, [r5, #VERTEX_SHADED]
 	add	sp, sp, #FRAME + 8
 	pop	{r4-r11, pc}
+
+.Lrest:
+	ldr	r3, [r3, #TEXCOORDS + 8]
+	cmp	r3, #0
+	beq	.Lshaded
+	strb	r4, [r5, #VERTEX_SHADED]
+	add	sp, sp, #FRAME
+	pop	{r0, r1, r4-r11, lr}
+	b	shade_rest
 
 .Lother:
 	add	sp, sp, #FRAME

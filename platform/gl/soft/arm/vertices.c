@@ -45,6 +45,7 @@ _Static_assert(offsetof(struct vertex, clip) == 64, "");
 _Static_assert(offsetof(struct view, beams) == 116, "BEAMS");
 _Static_assert(offsetof(struct beams, texcoords) == 580, "TEXCOORDS");
 _Static_assert(offsetof(struct beams, texcoord_stride) == 584, "");
+_Static_assert(offsetof(struct beams, rest) == 588, "");
 _Static_assert(offsetof(struct vertex, attribute[TEX_S]) == 36, "VERTEX_TEX");
 _Static_assert(offsetof(struct beams, floats) == 28, "eight words");
 _Static_assert(offsetof(struct beams, square_least) == 32, "");

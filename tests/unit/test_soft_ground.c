@@ -8,14 +8,14 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/pixel.h"
+#include "tests/support/random.h"
+#include "tests/support/soft_scene.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-	WIDTH = 96,
-	HEIGHT = 80,
 	TRIANGLES = 24,
 	CORNERS = TRIANGLES * 3,
 	HULLS = 5,
@@ -23,63 +23,6 @@ enum {
 	TILE = 64,  /* texels */
 	SIDE = 64,  /* of what the functions in assembly draw in */
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
-
-struct scene {
-	struct gl_context *context;
-	const struct gl *gl;
-	struct soft *soft;
-	uint16_t pixel[WIDTH * HEIGHT];
-	struct pixels picture;
-};
-
-static struct scene *open_scene(void)
-{
-	const struct log log = {0};
-	struct scene *scene = calloc(1, sizeof(*scene));
-
-	assert_non_null(scene);
-	scene->picture = (struct pixels){
-		.width = WIDTH,
-		.height = HEIGHT,
-		.stride_bytes = WIDTH * 2,
-		.format = PIXELS_RGB565,
-		.data = (uint8_t *)scene->pixel,
-	};
-	assert_int_equal(
-		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
-	scene->gl = &scene->context->gl;
-	scene->soft = (struct soft *)scene->context;
-	return scene;
-}
-
-/* Calls of GL go to the context whose frame began last. */
-static void use(struct scene *scene, bool long_way)
-{
-	assert_int_equal(scene->context->driver->begin_frame(
-				 scene->context, &scene->picture),
-		0);
-	/* The alpha test that all pass sends fragments the long way. */
-	(long_way ? scene->gl->Enable : scene->gl->Disable)(GL_ALPHA_TEST);
-	scene->gl->AlphaFuncx(GL_ALWAYS, 0);
-}
-
-static void close_scene(struct scene *scene)
-{
-	scene->context->driver->end_frame(scene->context);
-	scene->context->driver->destroy(scene->context);
-	free(scene);
-}
 
 struct corner {
 	float position[3];
@@ -116,7 +59,7 @@ static void draw_corners(const struct gl *gl, const struct corner *corner)
 }
 
 /* Something to be hidden by, a hull's sides as told, and the sheet over all. */
-static void cast_shadow(struct scene *scene, bool long_way,
+static void cast_shadow(struct soft_scene *scene, bool long_way,
 	const struct corner *ground, const struct corner *hull)
 {
 	static const int16_t sheet[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -126,7 +69,7 @@ static void cast_shadow(struct scene *scene, bool long_way,
 		GL_KEEP, GL_KEEP, GL_KEEP, GL_INCR, GL_DECR};
 	const struct gl *gl = scene->gl;
 
-	use(scene, long_way);
+	soft_scene_use(scene, long_way);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
 		GL_STENCIL_BUFFER_BIT);
 	gl->Enable(GL_DEPTH_TEST);
@@ -155,31 +98,22 @@ static void cast_shadow(struct scene *scene, bool long_way,
 	gl->DepthMask(GL_TRUE);
 }
 
-static int differ_most(uint16_t a, uint16_t b)
-{
-	int red = abs((a >> 11) - (b >> 11));
-	int green = (abs((a >> 5 & 63) - (b >> 5 & 63)) + 1) / 2;
-	int blue = abs((a & 31) - (b & 31));
-	int most = red > green ? red : green;
-
-	return most > blue ? most : blue;
-}
-
 /* Coverage, depth and stencil are the same, colours within a step. */
-static void compare(const struct scene *a, const struct scene *b)
+static void compare(const struct soft_scene *a, const struct soft_scene *b)
 {
 	const struct buffers *left = &a->soft->buffers;
 	const struct buffers *right = &b->soft->buffers;
 
-	assert_memory_equal(left->depth, right->depth, WIDTH * HEIGHT * 2);
+	assert_memory_equal(left->depth, right->depth, SOFT_SCENE_PIXELS * 2);
 	if (left->stencil) {
 		assert_memory_equal(
-			left->stencil, right->stencil, WIDTH * HEIGHT);
+			left->stencil, right->stencil, SOFT_SCENE_PIXELS);
 	}
-	for (int i = 0; i < WIDTH * HEIGHT; i++) {
-		if (differ_most(a->pixel[i], b->pixel[i]) > 1) {
+	for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+		if (soft_scene_steps(a->pixel[i], b->pixel[i]) > 1) {
 			fail_msg("pixel %d,%d is %04x, the long way %04x",
-				i % WIDTH, i / WIDTH, a->pixel[i], b->pixel[i]);
+				i % SOFT_SCENE_WIDTH, i / SOFT_SCENE_WIDTH,
+				a->pixel[i], b->pixel[i]);
 		}
 	}
 }
@@ -192,7 +126,8 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 
 	(void)state;
 	for (uint32_t round = 0; round < 60; round++) {
-		struct scene *quick = open_scene(), *slow = open_scene();
+		struct soft_scene *quick = soft_scene_open(),
+				  *slow = soft_scene_open();
 		uint32_t seed = round + 1;
 
 		make_triangles(ground, &seed, 900);
@@ -203,11 +138,11 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 		cast_shadow(quick, false, ground, hull);
 		cast_shadow(slow, true, ground, hull);
 		compare(quick, slow);
-		for (int i = 0; i < WIDTH * HEIGHT; i++) {
+		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 			counted += quick->soft->buffers.stencil[i];
 		}
-		close_scene(quick);
-		close_scene(slow);
+		soft_scene_close(quick);
+		soft_scene_close(slow);
 	}
 	assert_true(counted > 10000);
 }
@@ -266,13 +201,13 @@ static void make_hills(struct corner *corner, uint32_t *seed)
 	}
 }
 
-static void draw_hills(struct scene *scene, const struct corner *corner,
+static void draw_hills(struct soft_scene *scene, const struct corner *corner,
 	bool blended, bool long_way)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	use(scene, long_way);
+	soft_scene_use(scene, long_way);
 	make_tiles(gl);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	gl->MatrixMode(GL_PROJECTION);
@@ -302,7 +237,8 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 
 	(void)state;
 	for (uint32_t round = 0; round < 40; round++) {
-		struct scene *quick = open_scene(), *slow = open_scene();
+		struct soft_scene *quick = soft_scene_open(),
+				  *slow = soft_scene_open();
 		uint32_t seed = round + 1;
 		int seen = 0, other = 0, far = 0;
 
@@ -312,9 +248,10 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 		assert_true(quick->soft->draw->ground);
 		assert_false(slow->soft->draw->ground);
 		assert_memory_equal(quick->soft->buffers.depth,
-			slow->soft->buffers.depth, WIDTH * HEIGHT * 2);
-		for (int i = 0; i < WIDTH * HEIGHT; i++) {
-			int step = differ_most(quick->pixel[i], slow->pixel[i]);
+			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
+		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+			int step = soft_scene_steps(
+				quick->pixel[i], slow->pixel[i]);
 
 			seen += slow->soft->buffers.depth[i] < 65535;
 			other += step > 1;
@@ -323,8 +260,8 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 		assert_true(seen > 2000);
 		assert_true(other * 40 < seen);
 		assert_true(far * 200 < seen);
-		close_scene(quick);
-		close_scene(slow);
+		soft_scene_close(quick);
+		soft_scene_close(slow);
 	}
 }
 

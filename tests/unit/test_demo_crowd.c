@@ -133,6 +133,27 @@ static void test_a_budget_holds_normals_and_caps_influences(void **state)
 	assert_true(fabs(all.sum[0] - less.sum[0]) > 1e-3);
 }
 
+static void test_a_budget_leaves_out_triangles_and_gives_them_back(void **state)
+{
+	const struct shed shed = {.error_px = 4.0f}, nothing = {0};
+	struct demo_run run;
+	long all, less;
+
+	(void)state;
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, 1.0, 5, NULL, 0);
+	all = demo_tell(run.driver, run.demo).triangles;
+	demo_shed(run.demo, &shed);
+	demo_run_to(&run, 1.5, 5, NULL, 0);
+	less = demo_tell(run.driver, run.demo).triangles;
+	assert_true(less < 2 * all / 3);
+	assert_true(less > all / 10);
+	demo_shed(run.demo, &nothing);
+	demo_run_to(&run, 2.0, 5, NULL, 0);
+	assert_int_equal(demo_tell(run.driver, run.demo).triangles, all);
+	demo_run_end(&run);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -143,6 +164,8 @@ int main(void)
 		cmocka_unit_test(test_buttons_add_and_remove_walkers),
 		cmocka_unit_test(test_small_figures_have_fewer_triangles),
 		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
+		cmocka_unit_test(
+			test_a_budget_leaves_out_triangles_and_gives_them_back),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

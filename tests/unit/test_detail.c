@@ -2,6 +2,7 @@
 #include "app/anim/clip.h"
 #include "app/scene/detail.h"
 #include "platform/base/compiler.h"
+#include "tests/support/demo_run.h"
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
@@ -454,6 +455,28 @@ static void test_levels_keep_near_in_motion(void **state)
 	model_destroy(model);
 }
 
+/* All that she does by herself, the camera going round her. */
+static void test_nothing_pops_while_she_moves(void **state)
+{
+	static const struct demo_press press[] = {{0.05, BUTTON_F9}};
+	struct demo_run run;
+	long first;
+
+	(void)state;
+	demo_run_begin(&run, "walker");
+	demo_run_to(&run, 0.2, 25, press, 1);
+	demo_run_draw(&run);
+	demo_run_to(&run, 0.4, 25, press, 1);
+	first = demo_tell(run.driver, run.demo).triangles;
+	assert_true(first < 5000);
+	for (double at_s = 0.5; at_s < 18.0; at_s += 0.1) {
+		demo_run_to(&run, at_s, 25, press, 1);
+		assert_int_equal(
+			demo_tell(run.driver, run.demo).triangles, first);
+	}
+	demo_run_end(&run);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -468,6 +491,7 @@ int main(void)
 		cmocka_unit_test(test_fixed_point_draws_the_same_vertices),
 		cmocka_unit_test(test_levels_have_no_cracks),
 		cmocka_unit_test(test_levels_keep_near_in_motion),
+		cmocka_unit_test(test_nothing_pops_while_she_moves),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -69,6 +69,15 @@
 	.endif
 	.endm
 
+/* A channel that does not run: r4 the vertex, r3 0; leaves the start in r2. */
+	.macro	keep_channel at, color, bits, round
+	ldr	r2, [r4, #\color]
+	rsb	r2, r2, r2, lsl #\bits
+	mov	r2, r2, lsl #7 - \bits
+	add	r2, r2, #\round
+	strd	r2, [sp, #\at]
+	.endm
+
 	/* It is the left one or, where the middle corner is elsewhere, right. */
 	.macro	set_edge left, right
 	add\left	r10, r1, #24 << 16
@@ -108,6 +117,8 @@ fill_narrow_arm:
 	ldr	r12, [r0, #RECIPROCALS]
 	ssub16	r8, r8, r7
 	ssub16	r9, r9, r7
+	cmp	r3, #256
+	blo	.Ltiny
 	clz	lr, r3
 	mov	r2, r3, lsl lr
 	mov	r0, r2, lsl #1
@@ -130,8 +141,6 @@ fill_narrow_arm:
 	mov	r11, r7, lsr #16
 	movs	r12, r12, lsl #2
 	mvnmi	r12, #1 << 31
-	cmp	r3, #256
-	movlo	r12, #0
 	cmp	r0, #0
 	rsblt	r12, r12, #0
 	subs	lr, lr, #18
@@ -206,6 +215,7 @@ fill_narrow_arm:
 	str	r10, [sp, #PACKED_DOWN]
 
 	/* where the rows begin, and the long edge */
+.Lbegin:
 	ldr	r1, [sp, #DRAW]
 	ldr	r10, [sp, #SETUP]
 	ldr	lr, [r1, #QUICK_INVERSE]
@@ -262,6 +272,27 @@ fill_narrow_arm:
 	bl	narrow_rows_arm
 .Ldone:	add	sp, sp, #ROOM + 8
 	pop	{r4-r11, pc}
+
+	/* Less than half a pixel: nothing runs. */
+.Ltiny:	smusdx	r0, r8, r9
+	mov	r3, #0
+	str	r0, [sp, #SIDE]
+	ldr	r2, [r4, #VERTEX_Z]
+	str	r3, [sp, #Z_DOWN]
+	str	r3, [sp, #PACKED_DOWN]
+	str	r3, [sp, #COLUMN]
+	mov	r2, r2, lsl #14
+	strd	r2, [sp, #Z]
+	keep_channel BLUE, VERTEX_COLOR + 8, 5, 0x21000
+	mov	r5, r2, asr #13
+	keep_channel RED, VERTEX_COLOR, 5, 0x20800
+	mov	r2, r2, asr #12
+	add	r5, r5, r2, lsl #10
+	keep_channel GREEN, VERTEX_COLOR + 4, 6, 0x10800
+	mov	r2, r2, asr #12
+	add	r5, r5, r2, lsl #21
+	mov	r7, #0
+	b	.Lbegin
 
 	/* more of w: colours may run linearly yet */
 .Ldiffer:

@@ -352,29 +352,31 @@ static ALWAYS_INLINE void find_texcoord(
 	find_any_texcoord(draw, unit, vertex->index, out);
 }
 
-/* As array_color_q16() and to_attribute() have it. */
-static ALWAYS_INLINE int32_t attribute_from_byte(int byte)
+static NEVER_INLINE void find_any_color(
+	const struct draw *draw, struct vertex *vertex)
 {
-	return 128 + byte * 256 + (byte >> 7) - (byte == 255);
+	int32_t color[4];
+
+	array_color_q16(draw, vertex->index, color);
+	for (int i = 0; i < 4; i++) {
+		vertex->attribute[i] = to_attribute(color[i]);
+	}
 }
 
-static NEVER_INLINE void find_color(
+/* Bytes become what to_attribute() makes of them, or one below. */
+static ALWAYS_INLINE void find_color(
 	const struct draw *draw, struct vertex *vertex)
 {
 	const struct array *array = &draw->soft->arrays.color;
 	const uint8_t *at = array->pointer +
 		(size_t)vertex->index * (size_t)array->stride_bytes;
-	int32_t color[4];
 
-	if (array->enabled && array->type == GL_UNSIGNED_BYTE) {
-		for (int i = 0; i < 4; i++) {
-			vertex->attribute[i] = attribute_from_byte(at[i]);
-		}
+	if (!array->enabled || array->type != GL_UNSIGNED_BYTE) {
+		find_any_color(draw, vertex);
 		return;
 	}
-	array_color_q16(draw, vertex->index, color);
 	for (int i = 0; i < 4; i++) {
-		vertex->attribute[i] = to_attribute(color[i]);
+		vertex->attribute[i] = at[i] << 8 | 128;
 	}
 }
 

@@ -186,6 +186,9 @@ async function testPower(page, server) {
 	check("switched off, the page says so", await until(() =>
 		page.locator("#notice:visible", { hasText: "is off" }).count()));
 	check("and no QEMU runs", server.qemu() === 0);
+	check("nor can one type to it", await page.isDisabled("#text") &&
+		await page.isDisabled("#reset"));
+	await page.screenshot({ path: path.join(FOLDER, "off.png") });
 	await page.click("#power");
 	check("switched on it boots", await isRunning(page), await told(page));
 	await page.fill("#text", "halt -f");

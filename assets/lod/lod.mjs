@@ -27,11 +27,14 @@ function removeUse(json) {
     else delete json.extensionsUsed;
 }
 
-// Levels are always the last of everything.
+// Levels made here are the last of everything.
 function removeLevels(glb) {
     const { json } = glb;
     const ids = json.nodes.flatMap(levelsOf);
     if (ids.length === 0) return;
+    if (!ids.every((i) => json.nodes[i].extras?.error_m > 0)) {
+        throw new Error('it has levels that were not made here');
+    }
     const mesh = Math.min(...ids.map((i) => json.nodes[i].mesh));
     const accessor = Math.min(...json.meshes.slice(mesh).flatMap((m) =>
         m.primitives.map((p) => p.indices)));
@@ -78,7 +81,9 @@ function addMeshes(glb) {
     const primitives = (mesh) => glb.json.meshes[mesh].primitives;
     const shapeError = SHAPE_ERROR * Math.max(...glb.json.meshes.map((_, m) =>
         extentOf(glb, m)));
+    const isList = (p) => p.indices !== undefined && (p.mode ?? 4) === 4;
     for (let m = glb.json.meshes.length - 1; m >= 0; m--) {
+        if (!primitives(m).every(isList)) continue;
         const others = neighboursOf(glb.json, m).flatMap(primitives);
         const made = makeLevels(glb, primitives(m), others, ERRORS_M,
             shapeError, WORTH);
@@ -136,13 +141,18 @@ function tell(path, { json }) {
 }
 
 for (const path of process.argv.slice(2)) {
-    const glb = readGlb(path);
-    removeLevels(glb);
-    const levels = addMeshes(glb);
-    if ([...levels.values()].some((made) => made.length > 0)) {
-        addNodes(glb, levels);
-        glb.json.extensionsUsed = [...glb.json.extensionsUsed ?? [], LOD];
+    try {
+        const glb = readGlb(path);
+        removeLevels(glb);
+        const levels = addMeshes(glb);
+        if ([...levels.values()].some((made) => made.length > 0)) {
+            addNodes(glb, levels);
+            glb.json.extensionsUsed = [...glb.json.extensionsUsed ?? [], LOD];
+        }
+        writeGlb(path, glb);
+        tell(path, glb);
+    } catch (error) {
+        console.error(`lod.mjs: ${path}: ${error.message}`);
+        process.exitCode = 1;
     }
-    writeGlb(path, glb);
-    tell(path, glb);
 }

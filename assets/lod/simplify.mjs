@@ -195,8 +195,10 @@ export function makeLevels(glb, primitives, others, errors, shapeError, share) {
     for (const error of errors) {
         const list = simplify(group, group.index, error / counts, () => true);
         if (list.length > 0 && list.length <= last * (1 - share)) {
-            levels.push({ error_m: measure(group, list) * counts,
-                index: split(group, list) });
+            const error_m = measure(group, list) * counts;
+            // By luck a coarser one may be nearer: it does for both.
+            while (levels.at(-1)?.error_m >= error_m) levels.pop();
+            levels.push({ error_m, index: split(group, list) });
             last = list.length;
         }
     }

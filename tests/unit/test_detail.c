@@ -1,5 +1,6 @@
 /* How many triangles: which level is drawn, and what the models' levels are. */
 #include "app/anim/clip.h"
+#include "app/model/model_stats.h"
 #include "app/scene/detail.h"
 #include "platform/base/compiler.h"
 #include "tests/support/demo_run.h"
@@ -8,6 +9,7 @@
 
 #include <cglm/cglm.h>
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -333,6 +335,31 @@ static void test_levels_have_no_cracks(void **state)
 	}
 }
 
+static void test_coarser_levels_have_fewer_triangles(void **state)
+{
+	(void)state;
+	for (size_t a = 0; a < ARRAY_COUNT(assets); a++) {
+		struct model *model = load(assets[a]);
+
+		for (int m = 0; m < model->mesh_count; m++) {
+			const struct model_mesh *mesh = &model->mesh[m];
+			struct model_level finer = {.triangle_count = INT_MAX};
+
+			for (int k = 0; k < model_level_count(mesh); k++) {
+				struct model_level level = model_level(mesh, k);
+
+				assert_true(level.shape ||
+					(level.error_m > finer.error_m &&
+						level.triangle_count <
+							finer.triangle_count));
+				finer = level;
+			}
+			assert_true(finer.shape);
+		}
+		model_destroy(model);
+	}
+}
+
 static float squared_distance(const float p[3], const float q[3])
 {
 	float x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
@@ -489,6 +516,7 @@ int main(void)
 		cmocka_unit_test(test_a_budget_asks_for_less_but_never_for_more),
 		cmocka_unit_test(test_half_as_far_has_twice_the_pixels),
 		cmocka_unit_test(test_fixed_point_draws_the_same_vertices),
+		cmocka_unit_test(test_coarser_levels_have_fewer_triangles),
 		cmocka_unit_test(test_levels_have_no_cracks),
 		cmocka_unit_test(test_levels_keep_near_in_motion),
 		cmocka_unit_test(test_nothing_pops_while_she_moves),

@@ -3,6 +3,8 @@
  *
  * A row costs 31 instructions, a pixel 9, whether it is seen or not.
  */
+#include "platform/gl/soft/arm/see.h"
+
 	.syntax unified
 	.arch armv6
 	.arm
@@ -15,32 +17,6 @@
 #define EDGE_STEP 56
 #define MASK_PIXELS 64
 #define ROWS 72
-
-/*
- * r1 the depth's address, r4 the depth, r2 z, r3 packed, r6 z_right, r7
- * packed_right, r8 wide_mask, r9 pixels; loads the next depth. The jump to them
- * knows their 9 instructions.
- */
-	.macro	color_pixel
-	cmp	r2, r4, lsl #16
-	ldrh	r4, [r1, #2]!
-	movlo	r12, r2, lsr #16
-	strhlo	r12, [r1, #-2]
-	andlo	r12, r8, r3, ror #5
-	add	r2, r2, r6
-	orrlo	r12, r12, r12, lsr #16
-	strhlo	r12, [r1, r9]
-	add	r3, r3, r7
-	.endm
-
-	.macro	color_last
-	cmp	r2, r4, lsl #16
-	movlo	r12, r2, lsr #16
-	strhlo	r12, [r1], #2
-	andlo	r12, r8, r3, ror #5
-	orrlo	r12, r12, r12, lsr #16
-	strhlo	r12, [r1, r9]
-	.endm
 
 	.global	band_color_arm
 	.type	band_color_arm, %function
@@ -88,9 +64,9 @@ band_color_arm:
 	add	pc, pc, r5, lsl #2
 	nop
 	.rept	15
-	color_pixel
+	see_pixel r4, r12
 	.endr
-	color_last
+	see_last r4, r12
 
 .Lnext:
 	subs	lr, lr, #1
@@ -104,7 +80,7 @@ band_color_arm:
 	mov	r5, #4
 .Lfour:
 	.rept	4
-	color_pixel
+	see_pixel r4, r12
 	.endr
 	subs	r5, r5, #1
 	bne	.Lfour

@@ -3,6 +3,7 @@
  * instructions, a pixel 9, whether it is seen or not.
  */
 #include "platform/gl/soft/arm/narrow.h"
+#include "platform/gl/soft/arm/see.h"
 
 	.syntax unified
 	.arch armv6
@@ -10,31 +11,6 @@
 	.text
 
 #define COLUMNS 24
-
-/*
- * r1 the depth's address, r12 the depth, r2 z, r3 packed; loads the next depth.
- * The jump to them knows their 9 instructions.
- */
-	.macro	see_pixel
-	cmp	r2, r12, lsl #16
-	ldrh	r12, [r1, #2]!
-	movlo	lr, r2, lsr #16
-	strhlo	lr, [r1, #-2]
-	andlo	lr, r8, r3, ror #5
-	add	r2, r2, r6
-	orrlo	lr, lr, lr, lsr #16
-	strhlo	lr, [r1, r9]
-	add	r3, r3, r7
-	.endm
-
-	.macro	see_last
-	cmp	r2, r12, lsl #16
-	movlo	lr, r2, lsr #16
-	strhlo	lr, [r1], #2
-	andlo	lr, r8, r3, ror #5
-	orrlo	lr, lr, lr, lsr #16
-	strhlo	lr, [r1, r9]
-	.endm
 
 /* r2 rows, of 1 or more; leaves all at the row after them. */
 	.global	narrow_rows_arm
@@ -66,9 +42,9 @@ narrow_rows_arm:
 	addls	pc, pc, lr, lsl #2
 	b	.Lnext
 	.rept	COLUMNS - 1
-	see_pixel
+	see_pixel r12, lr
 	.endr
-	see_last
+	see_last r12, lr
 .Lnext:	ldm	sp, {r1, r2, r3, r12, lr}
 	add	r0, r0, r1
 	ldr	r1, [sp, #END]

@@ -11,6 +11,13 @@ static inline uint32_t next_random(uint32_t *seed)
 	return *seed >> 8;
 }
 
+static inline uint32_t any_word(uint32_t *seed)
+{
+	uint32_t upper = next_random(seed);
+
+	return upper << 16 ^ next_random(seed);
+}
+
 /* low to high, both of them included. */
 static inline int random_between(uint32_t *seed, int low, int high)
 {

@@ -4,6 +4,7 @@
  */
 #include "app/anim/kernel/fixed.h"
 #include "app/anim/kernel/kernel.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -37,12 +38,6 @@ struct output {
 	_Alignas(16) struct fixed_sum sum[VERTICES + GUARD];
 	_Alignas(16) struct fixed_base base[VERTICES + GUARD];
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
 
 /* Anything, the ends of the range, or what no sum overflows with. */
 enum filling {

@@ -4,6 +4,7 @@
  */
 #include "platform/base/fixed.h"
 #include "tests/support/gl_checks.h"
+#include "tests/support/random.h"
 
 #include <string.h>
 
@@ -19,12 +20,6 @@ enum {
 struct layout {
 	int stride, used;
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
 
 static float random_float(uint32_t *seed)
 {

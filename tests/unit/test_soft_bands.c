@@ -47,13 +47,6 @@ static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
 	}
 }
 
-static uint32_t any_word(uint32_t *seed)
-{
-	uint32_t upper = next_random(seed);
-
-	return upper << 16 ^ next_random(seed);
-}
-
 static void test_the_color_band_is_as_in_c(void **state)
 {
 	uint32_t seed = 1;

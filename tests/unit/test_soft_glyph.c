@@ -3,6 +3,7 @@
 #include "platform/gl/soft/glyph.h"
 #include "platform/gl/soft/pixel.h"
 #include "tests/support/gl_checks.h"
+#include "tests/support/random.h"
 
 #include <string.h>
 
@@ -17,17 +18,6 @@ struct corner {
 	float texcoord[2];
 	uint8_t color[4];
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
 
 static void test_letters_are_as_in_c(void **state)
 {

@@ -1,6 +1,7 @@
 /* A camera's picture behind the scene: rows that are copied. */
 #include "platform/gl/soft/picture.h"
 #include "tests/support/gl_checks.h"
+#include "tests/support/random.h"
 
 #include <string.h>
 
@@ -14,17 +15,6 @@ struct corner {
 	float position[2], texcoord[2];
 	uint8_t color[4];
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
 
 static void test_copies_are_as_in_c(void **state)
 {

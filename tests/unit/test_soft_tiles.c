@@ -3,6 +3,7 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/tile_row.h"
 #include "platform/gl/soft/tiles.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -17,22 +18,6 @@ struct rows {
 	uint32_t aligned;
 	uint16_t expected[ROW + 2 * MARGIN], drawn[ROW + 2 * MARGIN];
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
-
-static uint32_t any_word(uint32_t *seed)
-{
-	return next_random(seed) << 16 ^ next_random(seed);
-}
 
 /* Tiles with joints, here and there something else; or mere noise. */
 static void make_level(uint32_t *seed, int width_log2, int height_log2,

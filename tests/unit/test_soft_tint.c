@@ -5,6 +5,7 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -17,24 +18,6 @@ enum {
 	CORNERS = TRIANGLES * 3,
 	LEVELS = 7, /* of the textures, 64 texels wide */
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
-
-static uint32_t any_word(uint32_t *seed)
-{
-	uint32_t upper = next_random(seed);
-
-	return upper << 16 ^ next_random(seed);
-}
 
 struct scene {
 	struct gl_context *context;

@@ -1,6 +1,7 @@
 /* Rows of coloured textures in assembly against the same in C. */
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/tint.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -9,24 +10,6 @@
 enum {
 	SIDE = 64, /* of what the rows are drawn in */
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static int random_between(uint32_t *seed, int low, int high)
-{
-	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
-}
-
-static uint32_t any_word(uint32_t *seed)
-{
-	uint32_t upper = next_random(seed);
-
-	return upper << 16 ^ next_random(seed);
-}
 
 /* Two sets of buffers that begin alike. */
 struct twins {

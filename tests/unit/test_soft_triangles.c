@@ -1,6 +1,7 @@
 /* Which pixels the soft driver's triangles cover, and that no others change. */
 #include "platform/base/fixed.h"
 #include "tests/support/gl_checks.h"
+#include "tests/support/random.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,14 +14,7 @@ enum {
 	BORDER = 8,
 };
 
-/* The same sequence everywhere. */
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
-
-static float random_between(uint32_t *seed, float low, float high)
+static float random_float(uint32_t *seed, float low, float high)
 {
 	return low + (high - low) * (float)next_random(seed) / 16777216.0f;
 }
@@ -36,8 +30,8 @@ static void make_net(float (*net)[2], uint32_t seed)
 		net[i][0] = -1.0f + (float)x * step;
 		net[i][1] = -1.0f + (float)y * step;
 		if (inner) {
-			net[i][0] += random_between(&seed, -0.2f, 0.2f) * step;
-			net[i][1] += random_between(&seed, -0.2f, 0.2f) * step;
+			net[i][0] += random_float(&seed, -0.2f, 0.2f) * step;
+			net[i][1] += random_float(&seed, -0.2f, 0.2f) * step;
 		}
 	}
 }
@@ -144,7 +138,7 @@ static float wild_number(uint32_t *seed)
 
 	return kind < sizeof(wild) / sizeof(wild[0])
 		? wild[kind]
-		: random_between(seed, -3.0f, 3.0f);
+		: random_float(seed, -3.0f, 3.0f);
 }
 
 /* Any mixture of states, by the bits of a number. */

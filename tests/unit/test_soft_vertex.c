@@ -1,6 +1,7 @@
 /* The soft driver's vertices: in assembly as in C, and against double. */
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -10,12 +11,6 @@
 enum {
 	VERTICES = 64
 };
-
-static uint32_t next_random(uint32_t *seed)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return *seed >> 8;
-}
 
 static int32_t random_within(uint32_t *seed, int32_t most)
 {

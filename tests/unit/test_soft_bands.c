@@ -3,48 +3,14 @@
 #include "platform/gl/soft/pixel.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
+#include "tests/support/twins.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-/* Two sets of buffers that begin alike. */
-struct twins {
-	uint16_t pixel[2][64 * 64], depth[2][64 * 64];
-};
-
-static struct twins *make_twins(uint32_t *seed)
-{
-	struct twins *twins = calloc(1, sizeof(*twins));
-
-	assert_non_null(twins);
-	for (int i = 0; i < 64 * 64; i++) {
-		twins->depth[0][i] = (uint16_t)next_random(seed);
-		twins->pixel[0][i] = (uint16_t)next_random(seed);
-	}
-	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
-	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
-	return twins;
-}
-
-static void check_twins(struct twins *twins)
-{
-	assert_memory_equal(
-		twins->depth[0], twins->depth[1], sizeof(twins->depth[0]));
-	assert_memory_equal(
-		twins->pixel[0], twins->pixel[1], sizeof(twins->pixel[0]));
-	free(twins);
-}
-
-/* Between columns 4 and 60 of 64, in 20 rows at most. */
+/* Between columns 4 and 60. */
 static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
 {
-	for (int side = 0; side < 2; side++) {
-		int from = random_between(seed, 4, 60);
-		int to = random_between(seed, 4, 60);
-
-		edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
-		step[side] = (uint32_t)((to - from) * 65536 / 20);
-	}
+	twins_edges(seed, 4, 60, edge, step);
 }
 
 static void test_the_color_band_is_as_in_c(void **state)
@@ -53,38 +19,34 @@ static void test_the_color_band_is_as_in_c(void **state)
 
 	(void)state;
 	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
+		struct twins *twins = twins_make(&seed);
 		struct band band = {
 			.row = {0, any_word(&seed), any_word(&seed),
 				any_word(&seed)},
-			.down = {128, any_word(&seed), any_word(&seed),
-				any_word(&seed)},
+			.down = {2 * TWINS_SIDE, any_word(&seed),
+				any_word(&seed), any_word(&seed)},
 			.z_right = any_word(&seed) >> 6,
 			.packed_right = any_word(&seed),
 			.red_blue_right = any_word(&seed),
 			.green_right = any_word(&seed),
 			.wide_mask = WIDE_MASK,
-			.rows = random_between(&seed, 1, 20),
+			.rows = random_between(&seed, 1, TWINS_ROWS),
 			.from = 0,
-			.to = 64,
+			.to = TWINS_SIDE,
 		};
 		struct band other;
 
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;
-		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
-		band.pixels = (uintptr_t)twins->pixel[0] -
-			(uintptr_t)twins->depth[0] - 2;
-		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
-		other.pixels = (uintptr_t)twins->pixel[1] -
-			(uintptr_t)twins->depth[1] - 2;
+		twins_place(twins, 0, &band.row.depth, &band.pixels);
+		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		soft_bands.color(&band);
 		band_color_c(&other);
 		assert_int_equal(band.row.z_q16, other.row.z_q16);
 		assert_int_equal(band.row.green_q26, other.row.green_q26);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 
@@ -98,11 +60,12 @@ static void test_the_texture_band_is_as_in_c(void **state)
 		texels[i] = (uint8_t)next_random(&seed);
 	}
 	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
+		struct twins *twins = twins_make(&seed);
 		struct texture_band band = {
 			.row = {0, any_word(&seed), any_word(&seed),
 				next_random(&seed) << 6},
-			.down = {128, any_word(&seed), any_word(&seed), 0},
+			.down = {2 * TWINS_SIDE, any_word(&seed),
+				any_word(&seed), 0},
 			.z_right = any_word(&seed) >> 6,
 			.texel_right = any_word(&seed),
 			.texels = texels,
@@ -111,24 +74,20 @@ static void test_the_texture_band_is_as_in_c(void **state)
 			.wide_mask = WIDE_MASK,
 			.wide_round = WIDE_ROUND,
 			.share_right = next_random(&seed) & 0xFFFFF,
-			.rows = random_between(&seed, 1, 20),
+			.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
 		struct texture_band other;
 
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;
-		band.row.depth = (uintptr_t)(twins->depth[0] + 20 * 64);
-		band.pixels = (uintptr_t)twins->pixel[0] -
-			(uintptr_t)twins->depth[0] - 2;
-		other.row.depth = (uintptr_t)(twins->depth[1] + 20 * 64);
-		other.pixels = (uintptr_t)twins->pixel[1] -
-			(uintptr_t)twins->depth[1] - 2;
+		twins_place(twins, 0, &band.row.depth, &band.pixels);
+		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		soft_bands.texture(&band);
 		band_texture_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 
@@ -137,9 +96,10 @@ static struct flat_band make_flat_band(
 {
 	struct flat_band band = *like;
 
-	band.pixels = (uint8_t *)(twins->pixel[which] + 20 * 64);
-	band.stencil =
-		like->stencil ? (uint8_t *)twins->depth[which] + 20 * 64 : NULL;
+	band.pixels = (uint8_t *)(twins->pixel[which] + TWINS_ROW * TWINS_SIDE);
+	band.stencil = like->stencil
+		? (uint8_t *)twins->depth[which] + TWINS_ROW * TWINS_SIDE
+		: NULL;
 	return band;
 }
 
@@ -149,14 +109,14 @@ static void test_the_flat_band_is_as_in_c(void **state)
 
 	(void)state;
 	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed);
+		struct twins *twins = twins_make(&seed);
 		struct flat_band like = {
 			.stencil = round % 3 ? (uint8_t *)twins : NULL,
-			.stride_bytes = 128,
-			.stencil_stride = 64,
-			.rows = random_between(&seed, 1, 20),
+			.stride_bytes = 2 * TWINS_SIDE,
+			.stencil_stride = TWINS_SIDE,
+			.rows = random_between(&seed, 1, TWINS_ROWS),
 			.from = random_between(&seed, 0, 40),
-			.to = random_between(&seed, 30, 64),
+			.to = random_between(&seed, 30, TWINS_SIDE),
 			.reference = (uint8_t)random_between(&seed, 0, 3),
 			.next = (uint8_t)random_between(&seed, 0, 255),
 			.keep = (uint32_t)random_between(&seed, 0, 32),
@@ -165,7 +125,7 @@ static void test_the_flat_band_is_as_in_c(void **state)
 		struct flat_band band, other;
 
 		/* Half of the stencil has the reference. */
-		for (int i = 0; i < 64 * 64; i++) {
+		for (int i = 0; i < TWINS_PIXELS; i++) {
 			if (next_random(&seed) & 1) {
 				memset((uint8_t *)twins->depth[0] + i,
 					like.reference, 1);
@@ -183,7 +143,7 @@ static void test_the_flat_band_is_as_in_c(void **state)
 		assert_int_equal(band.edge[1], other.edge[1]);
 		assert_int_equal(band.pixels - (uint8_t *)twins->pixel[0],
 			other.pixels - (uint8_t *)twins->pixel[1]);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 

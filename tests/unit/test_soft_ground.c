@@ -11,8 +11,8 @@
 #include "tests/support/random.h"
 #include "tests/support/soft_scene.h"
 #include "tests/support/test.h"
+#include "tests/support/twins.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -21,7 +21,6 @@ enum {
 	HULLS = 5,
 	HILLS = 12, /* a side */
 	TILE = 64,  /* texels */
-	SIDE = 64,  /* of what the functions in assembly draw in */
 };
 
 struct corner {
@@ -265,52 +264,24 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 	}
 }
 
-/* Two sets of buffers that begin alike. */
-struct twins {
-	uint16_t pixel[2][SIDE * SIDE], depth[2][SIDE * SIDE];
-	uint8_t stencil[2][SIDE * SIDE];
-};
-
 /* Of the stencil, one in rarely is not 0. */
 static struct twins *make_twins(uint32_t *seed, int rarely)
 {
-	struct twins *twins = calloc(1, sizeof(*twins));
+	struct twins *twins = twins_make(seed);
 
-	assert_non_null(twins);
-	for (int i = 0; i < SIDE * SIDE; i++) {
-		twins->depth[0][i] = (uint16_t)next_random(seed);
-		twins->pixel[0][i] = (uint16_t)next_random(seed);
+	for (int i = 0; i < TWINS_PIXELS; i++) {
 		if (random_between(seed, 1, rarely) == 1) {
 			twins->stencil[0][i] = (uint8_t)next_random(seed);
 		}
 	}
-	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
-	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
 	memcpy(twins->stencil[1], twins->stencil[0], sizeof(twins->stencil[0]));
 	return twins;
 }
 
-static void check_twins(struct twins *twins)
-{
-	assert_memory_equal(
-		twins->depth[0], twins->depth[1], sizeof(twins->depth[0]));
-	assert_memory_equal(
-		twins->pixel[0], twins->pixel[1], sizeof(twins->pixel[0]));
-	assert_memory_equal(twins->stencil[0], twins->stencil[1],
-		sizeof(twins->stencil[0]));
-	free(twins);
-}
-
-/* Anywhere, also crossed and beyond the picture, in 20 rows at most. */
+/* Anywhere, also crossed and beyond the picture. */
 static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
 {
-	for (int side = 0; side < 2; side++) {
-		int from = random_between(seed, -9, SIDE + 9);
-		int to = random_between(seed, -9, SIDE + 9);
-
-		edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
-		step[side] = (uint32_t)((to - from) * 65536 / 20);
-	}
+	twins_edges(seed, -9, TWINS_SIDE + 9, edge, step);
 }
 
 static void test_the_count_band_is_as_in_c(void **state)
@@ -321,25 +292,25 @@ static void test_the_count_band_is_as_in_c(void **state)
 	for (int round = 0; round < 500; round++) {
 		struct twins *twins = make_twins(&seed, 2);
 		struct count_band band = {
-			.depth = twins->depth[0] + 20 * SIDE,
-			.stencil = twins->stencil[0] + 20 * SIDE,
+			.depth = twins->depth[0] + TWINS_ROW * TWINS_SIDE,
+			.stencil = twins->stencil[0] + TWINS_ROW * TWINS_SIDE,
 			.z = next_random(&seed),
 			.z_right = (uint32_t)random_between(
 				&seed, -1000000, 1000000),
 			.z_down = (uint32_t)random_between(
 				&seed, -1000000, 1000000),
-			.rows = random_between(&seed, 0, 20),
-			.width = SIDE,
+			.rows = random_between(&seed, 0, TWINS_ROWS),
+			.width = TWINS_SIDE,
 			.from = random_between(&seed, 0, 40),
-			.to = random_between(&seed, 30, SIDE),
+			.to = random_between(&seed, 30, TWINS_SIDE),
 			.kind = (uint8_t)(round % 4),
 		};
 		struct count_band other;
 
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;
-		other.depth = twins->depth[1] + 20 * SIDE;
-		other.stencil = twins->stencil[1] + 20 * SIDE;
+		other.depth = twins->depth[1] + TWINS_ROW * TWINS_SIDE;
+		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
 		soft_bands.count(&band);
 		count_band_c(&other);
 		assert_int_equal(band.edge[0], other.edge[0]);
@@ -349,7 +320,7 @@ static void test_the_count_band_is_as_in_c(void **state)
 			other.depth - twins->depth[1]);
 		assert_int_equal(band.stencil - twins->stencil[0],
 			other.stencil - twins->stencil[1]);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 
@@ -387,13 +358,14 @@ static void test_the_sheet_is_as_in_c(void **state)
 	for (int round = 0; round < 500; round++) {
 		struct twins *twins = make_twins(&seed, round % 3 == 0 ? 2 : 30);
 		struct flat_band band = {
-			.pixels = (uint8_t *)(twins->pixel[0] + 20 * SIDE),
-			.stencil = twins->stencil[0] + 20 * SIDE,
-			.stride_bytes = 2 * SIDE,
-			.stencil_stride = SIDE,
-			.rows = random_between(&seed, 1, 20),
+			.pixels = (uint8_t *)(twins->pixel[0] +
+				TWINS_ROW * TWINS_SIDE),
+			.stencil = twins->stencil[0] + TWINS_ROW * TWINS_SIDE,
+			.stride_bytes = 2 * TWINS_SIDE,
+			.stencil_stride = TWINS_SIDE,
+			.rows = random_between(&seed, 1, TWINS_ROWS),
 			.from = random_between(&seed, 0, 40),
-			.to = random_between(&seed, 30, SIDE),
+			.to = random_between(&seed, 30, TWINS_SIDE),
 			.keep = (uint32_t)random_between(&seed, 0, 32),
 			.reference = round % 7 ? 0 : 129,
 			.unlike = true,
@@ -404,11 +376,12 @@ static void test_the_sheet_is_as_in_c(void **state)
 		band.own = widen(band.opaque) * (32 - band.keep) + WIDE_ROUND;
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;
-		other.pixels = (uint8_t *)(twins->pixel[1] + 20 * SIDE);
-		other.stencil = twins->stencil[1] + 20 * SIDE;
+		other.pixels =
+			(uint8_t *)(twins->pixel[1] + TWINS_ROW * TWINS_SIDE);
+		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
 		soft_bands.flat(&band);
 		band_flat_c(&other);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 
@@ -452,7 +425,7 @@ static void test_ground_is_shaded_as_in_c(void **state)
 		other.pixel = twins->pixel[1] + at;
 		soft_bands.shade_ground(&run);
 		ground_shade_c(&other);
-		check_twins(twins);
+		twins_check(twins);
 	}
 }
 
@@ -469,10 +442,10 @@ static void test_depth_is_tested_as_in_c(void **state)
 		uint32_t step = (uint32_t)random_between(&seed, -9999, 9999);
 		int passed;
 
-		for (int i = 0; i < 2 * SIDE * SIDE; i++) {
+		for (int i = 0; i < 2 * TWINS_PIXELS; i++) {
 			if (round % 2 && i % 37 != round % 37) {
-				twins->depth[0][i % (SIDE * SIDE)] = 65535;
-				twins->depth[1][i % (SIDE * SIDE)] = 65535;
+				twins->depth[0][i % TWINS_PIXELS] = 65535;
+				twins->depth[1][i % TWINS_PIXELS] = 65535;
 			}
 		}
 		passed = soft_bands.depth(
@@ -482,7 +455,7 @@ static void test_depth_is_tested_as_in_c(void **state)
 				z, step));
 		all += passed == count;
 		some += passed > 0 && passed < count;
-		check_twins(twins);
+		twins_check(twins);
 	}
 	assert_true(all > 100 && some > 100);
 }

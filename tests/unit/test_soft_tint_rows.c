@@ -3,44 +3,15 @@
 #include "platform/gl/soft/tint.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
+#include "tests/support/twins.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-	SIDE = 64, /* of what the rows are drawn in */
-};
-
-/* Two sets of buffers that begin alike. */
-struct twins {
-	uint16_t pixel[2][SIDE * SIDE], depth[2][SIDE * SIDE];
-};
-
-static struct twins *make_twins(uint32_t *seed)
-{
-	struct twins *twins = calloc(1, sizeof(*twins));
-
-	assert_non_null(twins);
-	for (int i = 0; i < SIDE * SIDE; i++) {
-		twins->depth[0][i] = (uint16_t)next_random(seed);
-		twins->pixel[0][i] = (uint16_t)next_random(seed);
-	}
-	memcpy(twins->depth[1], twins->depth[0], sizeof(twins->depth[0]));
-	memcpy(twins->pixel[1], twins->pixel[0], sizeof(twins->pixel[0]));
-	return twins;
-}
-
-static void place(struct tint_band *band, struct twins *twins, int which)
-{
-	band->row.depth = (uintptr_t)(twins->depth[which] + 20 * SIDE);
-	band->pixels = (uintptr_t)twins->pixel[which] -
-		(uintptr_t)twins->depth[which] - 2;
-}
-
 /* Depths of which half are those of the band that follows. */
 static void make_equal(struct twins *twins, uint32_t *seed)
 {
-	for (int i = 0; i < SIDE * SIDE; i++) {
+	for (int i = 0; i < TWINS_PIXELS; i++) {
 		twins->depth[0][i] =
 			(uint16_t)(0x4000 | (next_random(seed) & 1));
 	}
@@ -53,8 +24,8 @@ static struct tint_band make_band(
 {
 	struct tint_band band = {
 		.row = {0, any_word(seed), any_word(seed), 0x40004000, 0x4000},
-		.down = {2 * SIDE, any_word(seed), any_word(seed), 0, 0},
-		.rows = random_between(seed, 1, 20),
+		.down = {2 * TWINS_SIDE, any_word(seed), any_word(seed), 0, 0},
+		.rows = random_between(seed, 1, TWINS_ROWS),
 		.z_right = any_word(seed) >> 6,
 		.texel_right = any_word(seed),
 		.texels = texels,
@@ -67,13 +38,7 @@ static struct tint_band make_band(
 		.green_mask = TINT_GREEN,
 	};
 
-	for (int side = 0; side < 2; side++) {
-		int from = random_between(seed, 4, 60);
-		int to = random_between(seed, 4, 60);
-
-		band.edge[side] = (uint32_t)(from * 65536 + 0x7FFF);
-		band.edge_step[side] = (uint32_t)((to - from) * 65536 / 20);
-	}
+	twins_edges(seed, 4, 60, band.edge, band.edge_step);
 	band.red_blue_right = (uint32_t)random_between(seed, -200, 200) << 16;
 	band.red_blue_right += (uint32_t)random_between(seed, -200, 200);
 	band.green_right = (uint32_t)random_between(seed, -200, 200) - 0x10000;
@@ -94,7 +59,7 @@ static void check_rows(void (*rows)(struct tint_band *band),
 		texels[i] = (uint8_t)next_random(&seed);
 	}
 	for (int i = 0; i < 1000; i++) {
-		struct twins *twins = make_twins(&seed);
+		struct twins *twins = twins_make(&seed);
 		struct tint_band band = make_band(
 			&seed, texels, i % 9, random_between(&seed, 0, 8));
 		struct tint_band other;
@@ -107,8 +72,8 @@ static void check_rows(void (*rows)(struct tint_band *band),
 			band.down.z_q16 = 0;
 		}
 		other = band;
-		place(&band, twins, 0);
-		place(&other, twins, 1);
+		twins_place(twins, 0, &band.row.depth, &band.pixels);
+		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		rows(&band);
 		rows_c(&other);
 		assert_int_equal(band.rows, 0);
@@ -117,11 +82,7 @@ static void check_rows(void (*rows)(struct tint_band *band),
 		assert_int_equal(band.row.red_blue, other.row.red_blue);
 		assert_int_equal(band.row.green, other.row.green);
 		assert_memory_equal(band.edge, other.edge, sizeof(band.edge));
-		assert_memory_equal(twins->depth[0], twins->depth[1],
-			sizeof(twins->depth[0]));
-		assert_memory_equal(twins->pixel[0], twins->pixel[1],
-			sizeof(twins->pixel[0]));
-		free(twins);
+		twins_check(twins);
 	}
 	free(texels);
 }

@@ -1,5 +1,6 @@
 #include "tests/support/soft_scene.h"
 
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -39,6 +40,30 @@ void soft_scene_close(struct soft_scene *scene)
 	scene->context->driver->end_frame(scene->context);
 	scene->context->driver->destroy(scene->context);
 	free(scene);
+}
+
+static float around(float middle, uint32_t *seed, int range, float per_unit)
+{
+	return middle + (float)random_between(seed, -range, range) / per_unit;
+}
+
+void soft_scene_scatter(struct soft_corner *corner, int triangles,
+	uint32_t *seed, int reach, int size, float flatten)
+{
+	for (int i = 0; i < 3 * triangles; i++) {
+		const float *first = corner[i / 3 * 3].position;
+		struct soft_corner *c = &corner[i];
+		bool begins = i % 3 == 0;
+
+		for (int k = 0; k < 3; k++) {
+			c->position[k] =
+				around(begins || k == 2 ? 0.0f : first[k], seed,
+					begins ? reach : size,
+					k == 2 ? 1000.0f * flatten : 1000.0f);
+			c->color[k] = (uint8_t)random_between(seed, 0, 255);
+		}
+		c->color[3] = 255;
+	}
 }
 
 int soft_scene_steps(uint16_t a, uint16_t b)

@@ -32,6 +32,21 @@ void soft_scene_use(struct soft_scene *scene, bool long_way);
 
 void soft_scene_close(struct soft_scene *scene);
 
+/* A vertex of triangles that chance makes. */
+struct soft_corner {
+	float position[3];
+	uint8_t color[4];
+	float texcoord[2];
+};
+
+/*
+ * Triangles in any opaque colours, that begin within reach of the middle and
+ * whose other corners lie within size of that, both in thousandths. Depths are
+ * around 0 by the same, divided by flatten. Leaves texture coordinates alone.
+ */
+void soft_scene_scatter(struct soft_corner *corner, int triangles,
+	uint32_t *seed, int reach, int size, float flatten);
+
 /* How far apart two pixels are, in 32nds. */
 int soft_scene_steps(uint16_t a, uint16_t b);
 

@@ -8,6 +8,7 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
 #include "tests/support/random.h"
+#include "tests/support/soft_scene.h"
 #include "tests/support/test.h"
 
 #include <malloc.h>
@@ -91,12 +92,6 @@ static void close_scene(struct scene *scene)
 	free(scene);
 }
 
-struct corner {
-	float position[3];
-	uint8_t color[4];
-	float texcoord[2];
-};
-
 enum kind {
 	PLAIN,
 	TEXTURED,
@@ -111,14 +106,14 @@ enum {
 
 /* Small and large ones, inside of the picture and across its borders. */
 static void make_triangles(
-	struct corner *corner, uint32_t seed, enum kind kind, int size)
+	struct soft_corner *corner, uint32_t seed, enum kind kind, int size)
 {
 	for (int i = 0; i < TRIANGLES; i++) {
 		float x = (float)random_between(&seed, -1100, 1100) / 1000.0f;
 		float y = (float)random_between(&seed, -1100, 1100) / 1000.0f;
 
 		for (int k = 0; k < 3; k++) {
-			struct corner *c = &corner[i * 3 + k];
+			struct soft_corner *c = &corner[i * 3 + k];
 			int gray = random_between(&seed, 0, 255);
 
 			c->position[0] = x +
@@ -145,7 +140,7 @@ static void make_triangles(
 }
 
 /* The alpha test that all pass sends fragments the long way. */
-static void set_state(struct scene *scene, const struct corner *corner,
+static void set_state(struct scene *scene, const struct soft_corner *corner,
 	enum kind kind, bool long_way)
 {
 	const struct gl *gl = scene->gl;
@@ -178,21 +173,11 @@ static void set_state(struct scene *scene, const struct corner *corner,
 	}
 }
 
-static void draw(struct scene *scene, const struct corner *corner,
+static void draw(struct scene *scene, const struct soft_corner *corner,
 	enum kind kind, bool long_way)
 {
 	set_state(scene, corner, kind, long_way);
 	scene->gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
-}
-
-static int differ_most(uint16_t a, uint16_t b)
-{
-	int red = abs((a >> 11) - (b >> 11));
-	int green = (abs((a >> 5 & 63) - (b >> 5 & 63)) + 1) / 2;
-	int blue = abs((a & 31) - (b & 31));
-	int most = red > green ? red : green;
-
-	return most > blue ? most : blue;
 }
 
 /* Coverage, depth and stencil are the same, colours within a step. */
@@ -208,7 +193,7 @@ static void compare(const struct scene *a, const struct scene *b)
 			left->stencil, right->stencil, WIDTH * HEIGHT);
 	}
 	for (int i = 0; i < WIDTH * HEIGHT; i++) {
-		if (differ_most(p[i], q[i]) > 1) {
+		if (soft_scene_steps(p[i], q[i]) > 1) {
 			fail_msg("pixel %d,%d is %04x, the long way %04x",
 				i % WIDTH, i / WIDTH, p[i], q[i]);
 		}
@@ -221,7 +206,7 @@ static void check_kind(enum kind kind)
 
 	for (uint32_t seed = 1; seed <= 60; seed++) {
 		struct scene *quick = open_scene(7), *slow = open_scene(7);
-		struct corner corner[CORNERS];
+		struct soft_corner corner[CORNERS];
 
 		make_triangles(corner, seed, kind, sizes[seed % 5]);
 		draw(quick, corner, kind, false);
@@ -256,7 +241,7 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 	(void)state;
 	for (uint32_t seed = 1; seed <= 60; seed++) {
 		struct scene *quick = open_scene(7), *slow = open_scene(7);
-		struct corner corner[CORNERS];
+		struct soft_corner corner[CORNERS];
 
 		make_triangles(corner, seed, TEXTURED, 30 + (int)seed * 6);
 		draw(quick, corner, TEXTURED, false);
@@ -265,7 +250,8 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 			slow->soft->buffers.depth, WIDTH * HEIGHT * 2);
 		for (int i = 0; i < PIXELS; i++) {
 			seen += slow->all[i] != 0 && slow->all[i] != 0xA5A5;
-			other += differ_most(quick->all[i], slow->all[i]) > 1;
+			other += soft_scene_steps(quick->all[i], slow->all[i]) >
+				1;
 		}
 		close_scene(quick);
 		close_scene(slow);
@@ -314,7 +300,7 @@ static void draw_list(
 static void test_lists_are_drawn_the_same_in_assembly(void **state)
 {
 	static const int sizes[] = {20, 60, 150, 400, 3000};
-	static struct corner corner[MANY + CORNERS];
+	static struct soft_corner corner[MANY + CORNERS];
 	static uint16_t index[LISTED * 3];
 	static uint8_t odd[sizeof(index) + 1];
 
@@ -345,7 +331,7 @@ static void test_lists_are_drawn_the_same_in_assembly(void **state)
 static void test_shorts_are_drawn_like_floats(void **state)
 {
 	struct scene *a = open_scene(7), *b = open_scene(7);
-	struct corner corner[CORNERS];
+	struct soft_corner corner[CORNERS];
 	int16_t shorts[CORNERS][4];
 
 	(void)state;
@@ -385,7 +371,7 @@ static void test_a_context_needs_less_than_256_kib(void **state)
 static void test_drawing_takes_no_memory(void **state)
 {
 	struct scene *scene = open_scene(7);
-	struct corner corner[CORNERS];
+	struct soft_corner corner[CORNERS];
 	struct mallinfo2 before, after;
 
 	(void)state;
@@ -459,7 +445,7 @@ static void fill_projected(struct scene *scene, fill_function fill,
 
 static void test_narrow_triangles_are_as_in_c(void **state)
 {
-	struct corner corner[CORNERS];
+	struct soft_corner corner[CORNERS];
 
 	(void)state;
 	make_triangles(corner, 1, PLAIN, 10);
@@ -480,7 +466,7 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 
 static void test_shadows_are_as_in_c(void **state)
 {
-	struct corner corner[CORNERS];
+	struct soft_corner corner[CORNERS];
 
 	(void)state;
 	make_triangles(corner, 1, SHADOW, 10);
@@ -505,7 +491,7 @@ static void test_shadows_are_as_in_c(void **state)
  */
 static void test_narrow_triangles_are_those_of_the_long_way(void **state)
 {
-	struct corner corner[CORNERS];
+	struct soft_corner corner[CORNERS];
 
 	(void)state;
 	make_triangles(corner, 1, PLAIN, 10);

@@ -23,33 +23,12 @@ enum {
 	TILE = 64,  /* texels */
 };
 
-struct corner {
-	float position[3];
-	uint8_t color[4];
-	float texcoord[2];
-};
-
-static void make_triangles(struct corner *corner, uint32_t *seed, int size)
+static void make_triangles(struct soft_corner *corner, uint32_t *seed, int size)
 {
-	for (int i = 0; i < CORNERS; i++) {
-		const struct corner *first = &corner[i / 3 * 3];
-		int range = i % 3 ? size : 1100;
-
-		for (int axis = 0; axis < 3; axis++) {
-			float around = i % 3 && axis < 2 ? first->position[axis]
-							 : 0.0f;
-
-			corner[i].position[axis] = around +
-				(float)random_between(seed, -range, range) /
-					(axis < 2 ? 1000.0f : 3300.0f);
-			corner[i].color[axis] =
-				(uint8_t)random_between(seed, 0, 255);
-		}
-		corner[i].color[3] = 255;
-	}
+	soft_scene_scatter(corner, TRIANGLES, seed, 1100, size, 3.3f);
 }
 
-static void draw_corners(const struct gl *gl, const struct corner *corner)
+static void draw_corners(const struct gl *gl, const struct soft_corner *corner)
 {
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
@@ -59,7 +38,7 @@ static void draw_corners(const struct gl *gl, const struct corner *corner)
 
 /* Something to be hidden by, a hull's sides as told, and the sheet over all. */
 static void cast_shadow(struct soft_scene *scene, bool long_way,
-	const struct corner *ground, const struct corner *hull)
+	const struct soft_corner *ground, const struct soft_corner *hull)
 {
 	static const int16_t sheet[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
 	static const GLenum hidden[HULLS] = {
@@ -120,7 +99,7 @@ static void compare(const struct soft_scene *a, const struct soft_scene *b)
 static void test_volumes_shade_what_the_long_way_does(void **state)
 {
 	static const int sizes[] = {40, 200, 700, 3000};
-	struct corner ground[CORNERS], hull[HULLS * CORNERS];
+	struct soft_corner ground[CORNERS], hull[HULLS * CORNERS];
 	int counted = 0;
 
 	(void)state;
@@ -171,7 +150,7 @@ static void make_tiles(const struct gl *gl)
 }
 
 /* A field of hills, seen in perspective, that goes on beyond the picture. */
-static void make_hills(struct corner *corner, uint32_t *seed)
+static void make_hills(struct soft_corner *corner, uint32_t *seed)
 {
 	static const int part[6][2] = {
 		{0, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}};
@@ -191,7 +170,7 @@ static void make_hills(struct corner *corner, uint32_t *seed)
 		int z = i / 6 / HILLS + part[i % 6][1];
 		int at = z * ROW + x;
 
-		corner[i] = (struct corner){
+		corner[i] = (struct soft_corner){
 			.position = {(float)(x - HILLS / 2), height[at] - 0.7f,
 				(float)-z - 0.2f},
 			.texcoord = {(float)x / 16, (float)z / 16},
@@ -200,8 +179,8 @@ static void make_hills(struct corner *corner, uint32_t *seed)
 	}
 }
 
-static void draw_hills(struct soft_scene *scene, const struct corner *corner,
-	bool blended, bool long_way)
+static void draw_hills(struct soft_scene *scene,
+	const struct soft_corner *corner, bool blended, bool long_way)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
@@ -232,7 +211,7 @@ static void draw_hills(struct soft_scene *scene, const struct corner *corner,
  */
 static void test_hills_are_nearly_those_of_the_long_way(void **state)
 {
-	static struct corner corner[HILLS * HILLS * 6];
+	static struct soft_corner corner[HILLS * HILLS * 6];
 
 	(void)state;
 	for (uint32_t round = 0; round < 40; round++) {

@@ -6,25 +6,15 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
 #include "tests/support/random.h"
+#include "tests/support/soft_scene.h"
 #include "tests/support/test.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 enum {
-	WIDTH = 96,
-	HEIGHT = 80,
 	TRIANGLES = 40,
 	CORNERS = TRIANGLES * 3,
 	LEVELS = 7, /* of the textures, 64 texels wide */
-};
-
-struct scene {
-	struct gl_context *context;
-	const struct gl *gl;
-	struct soft *soft;
-	uint16_t pixel[WIDTH * HEIGHT];
-	struct pixels picture;
 };
 
 /* Waves as high and as far apart as rounding in bands cannot show. */
@@ -61,78 +51,33 @@ static void make_texture(
 	}
 }
 
-static struct scene *open_scene(GLint min, GLint mag, int height_part)
+static struct soft_scene *open_scene(GLint min, GLint mag, int height_part)
 {
-	const struct log log = {0};
-	struct scene *scene = calloc(1, sizeof(*scene));
+	struct soft_scene *scene = soft_scene_open();
 
-	assert_non_null(scene);
-	scene->picture = (struct pixels){
-		.width = WIDTH,
-		.height = HEIGHT,
-		.stride_bytes = WIDTH * 2,
-		.format = PIXELS_RGB565,
-		.data = (uint8_t *)scene->pixel,
-	};
-	assert_int_equal(
-		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
-	scene->gl = &scene->context->gl;
-	scene->soft = (struct soft *)scene->context;
-	assert_int_equal(scene->context->driver->begin_frame(
-				 scene->context, &scene->picture),
-		0);
 	scene->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	make_texture(scene->gl, min, mag, height_part);
 	return scene;
 }
 
-static void close_scene(struct scene *scene)
+static void make_triangles(struct soft_corner *corner, uint32_t *seed, int size)
 {
-	scene->context->driver->end_frame(scene->context);
-	scene->context->driver->destroy(scene->context);
-	free(scene);
-}
-
-struct corner {
-	float position[3];
-	uint8_t color[4];
-	float texcoord[2];
-};
-
-static void make_triangles(struct corner *corner, uint32_t *seed, int size)
-{
+	soft_scene_scatter(corner, TRIANGLES, seed, 900, size, 1.0f);
 	for (int i = 0; i < CORNERS; i++) {
-		const struct corner *first = &corner[i / 3 * 3];
-		struct corner *c = &corner[i];
-		int range = i % 3 ? size : 900;
-
-		for (int k = 0; k < 3; k++) {
-			float around = i % 3 && k < 2 ? first->position[k] : 0;
-
-			c->position[k] = around +
-				(float)random_between(seed, -range, range) /
-					1000.0f;
-			c->color[k] = (uint8_t)random_between(seed, 0, 255);
-		}
-		c->color[3] = 255;
 		for (int k = 0; k < 2; k++) {
-			c->texcoord[k] =
+			corner[i].texcoord[k] =
 				(float)random_between(seed, -600, 600) / 500.0f;
 		}
 	}
 }
 
-/* The alpha test that all pass sends fragments the long way. */
-static void draw(struct scene *scene, const struct corner *corner, bool long_way)
+static void draw(struct soft_scene *scene, const struct soft_corner *corner,
+	bool long_way)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	assert_int_equal(scene->context->driver->begin_frame(
-				 scene->context, &scene->picture),
-		0);
-	(long_way ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_ALWAYS, 0);
+	soft_scene_use(scene, long_way);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->Enable(GL_TEXTURE_2D);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
@@ -144,31 +89,21 @@ static void draw(struct scene *scene, const struct corner *corner, bool long_way
 	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
 }
 
-static int differ_most(uint16_t a, uint16_t b)
-{
-	int red = abs((a >> 11) - (b >> 11));
-	int green = (abs((a >> 5 & 63) - (b >> 5 & 63)) + 1) / 2;
-	int blue = abs((a & 31) - (b & 31));
-	int most = red > green ? red : green;
-
-	return most > blue ? most : blue;
-}
-
 struct figures {
 	int seen, other;
 };
 
-static void add_difference(struct figures *figures, const struct scene *quick,
-	const struct scene *slow)
+static void add_difference(struct figures *figures,
+	const struct soft_scene *quick, const struct soft_scene *slow)
 {
 	const size_t size = sizeof(quick->pixel);
 
 	assert_memory_equal(
 		quick->soft->buffers.depth, slow->soft->buffers.depth, size);
-	for (int i = 0; i < WIDTH * HEIGHT; i++) {
+	for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 		figures->seen += slow->pixel[i] != 0;
 		figures->other +=
-			differ_most(quick->pixel[i], slow->pixel[i]) > 1;
+			soft_scene_steps(quick->pixel[i], slow->pixel[i]) > 1;
 	}
 }
 
@@ -177,17 +112,17 @@ static struct figures compare_ways(GLint min, GLint mag, int height_part)
 	struct figures figures = {0};
 
 	for (uint32_t round = 1; round <= 40; round++) {
-		struct scene *quick = open_scene(min, mag, height_part);
-		struct scene *slow = open_scene(min, mag, height_part);
-		struct corner corner[CORNERS];
+		struct soft_scene *quick = open_scene(min, mag, height_part);
+		struct soft_scene *slow = open_scene(min, mag, height_part);
+		struct soft_corner corner[CORNERS];
 		uint32_t seed = round;
 
 		make_triangles(corner, &seed, 30 + (int)round * 6);
 		draw(quick, corner, false);
 		draw(slow, corner, true);
 		add_difference(&figures, quick, slow);
-		close_scene(quick);
-		close_scene(slow);
+		soft_scene_close(quick);
+		soft_scene_close(slow);
 	}
 	assert_true(figures.seen > 10000);
 	return figures;
@@ -250,8 +185,8 @@ static void test_relief_is_that_of_the_long_way(void **state)
 
 	(void)state;
 	for (uint32_t round = 1; round <= 60; round++) {
-		struct scene *scene[2];
-		struct corner corner[CORNERS];
+		struct soft_scene *scene[2];
+		struct soft_corner corner[CORNERS];
 		uint32_t seed = round;
 
 		make_triangles(corner, &seed, 30 + (int)round * 4);
@@ -264,8 +199,8 @@ static void test_relief_is_that_of_the_long_way(void **state)
 			}
 		}
 		add_difference(&figures, scene[0], scene[1]);
-		close_scene(scene[0]);
-		close_scene(scene[1]);
+		soft_scene_close(scene[0]);
+		soft_scene_close(scene[1]);
 	}
 	assert_true(figures.seen > 5000);
 	assert_true(figures.other * 200 < figures.seen);
@@ -296,8 +231,8 @@ static void make_vertex(uint32_t *seed, const struct vertex *near, int reach,
 static void make_vertices(uint32_t *seed, struct vertex v[3])
 {
 	const struct vertex near = {
-		.x = random_between(seed, 0, WIDTH * 16),
-		.y = random_between(seed, 0, HEIGHT * 16),
+		.x = random_between(seed, 0, SOFT_SCENE_WIDTH * 16),
+		.y = random_between(seed, 0, SOFT_SCENE_HEIGHT * 16),
 		.attribute[TEX_S] = (int32_t)any_word(seed) / 64,
 		.attribute[TEX_S + 1] = (int32_t)any_word(seed) / 64,
 	};
@@ -309,12 +244,14 @@ static void make_vertices(uint32_t *seed, struct vertex v[3])
 		make_vertex(seed, &near, reach, w_bits, gray, &v[i]);
 		v[i].x = v[i].x < 0 ? 0 : v[i].x;
 		v[i].y = v[i].y < 0 ? 0 : v[i].y;
-		v[i].x = v[i].x > WIDTH * 16 ? WIDTH * 16 : v[i].x;
-		v[i].y = v[i].y > HEIGHT * 16 ? HEIGHT * 16 : v[i].y;
+		v[i].x = v[i].x > SOFT_SCENE_WIDTH * 16 ? SOFT_SCENE_WIDTH * 16
+							: v[i].x;
+		v[i].y = v[i].y > SOFT_SCENE_HEIGHT * 16 ? SOFT_SCENE_HEIGHT * 16
+							 : v[i].y;
 	}
 }
 
-static void fill_twice(struct scene *scene[2], uint32_t *seed)
+static void fill_twice(struct soft_scene *scene[2], uint32_t *seed)
 {
 	for (int i = 0; i < 30; i++) {
 		struct vertex v[3];
@@ -332,11 +269,11 @@ static void fill_twice(struct scene *scene[2], uint32_t *seed)
 
 static void check_triangles(GLint min, GLint mag, int height_part)
 {
-	struct corner corner[CORNERS] = {0};
+	struct soft_corner corner[CORNERS] = {0};
 	uint32_t seed = 11;
 
 	for (int round = 0; round < 150; round++) {
-		struct scene *scene[2];
+		struct soft_scene *scene[2];
 
 		for (int k = 0; k < 2; k++) {
 			struct draw *prepared;
@@ -353,11 +290,11 @@ static void check_triangles(GLint min, GLint mag, int height_part)
 		}
 		fill_twice(scene, &seed);
 		assert_memory_equal(scene[0]->soft->buffers.depth,
-			scene[1]->soft->buffers.depth, WIDTH * HEIGHT * 2);
+			scene[1]->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
 		assert_memory_equal(scene[0]->pixel, scene[1]->pixel,
 			sizeof(scene[0]->pixel));
-		close_scene(scene[0]);
-		close_scene(scene[1]);
+		soft_scene_close(scene[0]);
+		soft_scene_close(scene[1]);
 	}
 }
 

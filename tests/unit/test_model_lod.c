@@ -1,5 +1,6 @@
 /* Coarser levels of glTF meshes (MSFT_lod). */
 #include "app/model/model.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model_fixture.h"
 #include "tests/support/test.h"
 
@@ -102,14 +103,25 @@ static void test_screen_coverage_says_how_coarse_a_level_is(void **state)
 	model_destroy(model);
 }
 
-/* Node 0 has a level 1; more is put in between. */
-static struct model *load(const char *level, const char *more)
+PRINTF_LIKE(1, 2) static struct model *load_text(const char *format, ...)
 {
 	struct log_capture heard;
 	struct model *model = NULL;
 	char text[2048];
+	va_list values;
 
-	snprintf(text, sizeof(text),
+	va_start(values, format);
+	assert_in_range(vsnprintf(text, sizeof(text), format, values), 0,
+		sizeof(text) - 1);
+	va_end(values);
+	assert_int_equal(model_from_text(text, &heard, &model), 0);
+	return model;
+}
+
+/* Node 0 has a level 1; more is put in between. */
+static struct model *load(const char *level, const char *more)
+{
+	return load_text(
 		"{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}],"
 		"'accessors':[{'componentType':5126,'count':3,'type':'VEC3'},"
 		"{'componentType':5121,'count':3,'type':'SCALAR'},"
@@ -120,8 +132,6 @@ static struct model *load(const char *level, const char *more)
 		"'nodes':[{'mesh':0,'extensions':{'MSFT_lod':{'ids':[1]}}},"
 		"{'mesh':1,%s}%s}",
 		level, more);
-	assert_int_equal(model_from_text(text, &heard, &model), 0);
-	return model;
 }
 
 static void expect_levels(const char *level, const char *more, int count)
@@ -200,18 +210,14 @@ static void test_strange_ids_are_passed_over(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < 5; i++) {
-		struct log_capture heard;
-		struct model *model = NULL;
-		char text[1024];
-
-		snprintf(text, sizeof(text),
+		struct model *model = load_text(
 			"{'asset':{'version':'2.0'},'accessors':"
 			"[{'componentType':5126,'count':3,'type':'VEC3'}],"
 			"'meshes':[{'primitives':[{'attributes':"
 			"{'POSITION':0}}]}],'nodes':[{'mesh':0," ERROR
 			",'extensions':{'MSFT_lod':{'ids':%s}}}]}",
 			ids[i]);
-		assert_int_equal(model_from_text(text, &heard, &model), 0);
+
 		assert_int_equal(model->node_count, 1);
 		model_destroy(model);
 	}

@@ -84,6 +84,16 @@ static double distance(const float a[3], const float b[3])
 		(double)a[2] - b[2]);
 }
 
+/* In scene units. */
+static void scaled_vertex(const struct instance *instance,
+	const struct drawable *drawable, int v, float out[3])
+{
+	instance_world_vertex(instance, drawable, v, out);
+	for (int i = 0; i < 3; i++) {
+		out[i] *= instance->unit_scale;
+	}
+}
+
 /* Of the sphere around the middle of the model's box. */
 static double radius_of(const struct instance *instance)
 {
@@ -98,10 +108,7 @@ static double radius_of(const struct instance *instance)
 		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
 			float at[3];
 
-			instance_world_vertex(instance, drawable, v, at);
-			for (int i = 0; i < 3; i++) {
-				at[i] *= instance->unit_scale;
-			}
+			scaled_vertex(instance, drawable, v, at);
 			most = fmax(most, distance(at, middle));
 		}
 	}
@@ -118,10 +125,7 @@ static struct bounds bounds_of_each_vertex(const struct instance *instance)
 		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
 			float at[3];
 
-			instance_world_vertex(instance, drawable, v, at);
-			for (int i = 0; i < 3; i++) {
-				at[i] *= instance->unit_scale;
-			}
+			scaled_vertex(instance, drawable, v, at);
 			bounds_add(&box, at);
 		}
 	}
@@ -460,8 +464,8 @@ static void test_relief_is_lit_alike(void **state)
 
 static void test_shadows_fall_alike(void **state)
 {
-	static const struct shadow_light light = {.towards = {0.3f, 0.9f, 0.3f},
-		.reach = 5.0f};
+	static const struct shadow_light light = {
+		.towards = {0.3f, 0.9f, 0.3f}, .reach = 5.0f};
 	struct log nowhere = log_to_nowhere();
 	struct shadow_volume exact, fixed;
 	struct pair pair;

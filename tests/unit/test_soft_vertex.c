@@ -99,6 +99,14 @@ static void check_place(const struct draw *draw, uint32_t index)
 	assert_true(fabs(v.z - (131070 + v.clip[2] / w * 131066)) < 2);
 }
 
+static void check_vertices(struct draw *draw, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		check_vertex(draw, i);
+		check_place(draw, i);
+	}
+}
+
 static void check_shorts(bool affine)
 {
 	struct draw *draw = make_draw();
@@ -117,10 +125,7 @@ static void check_shorts(bool affine)
 				: i < 128               ? any >> 2
 							: any;
 		}
-		for (uint32_t i = 0; i + 1 < VERTICES; i++) {
-			check_vertex(draw, i);
-			check_place(draw, i);
-		}
+		check_vertices(draw, VERTICES - 1);
 	}
 	free(draw);
 }
@@ -147,10 +152,7 @@ static void test_pairs_are_transformed_as_in_c(void **state)
 			position[i / 2][i % 2] =
 				(int16_t)random_within(&seed, 32767 >> i % 3);
 		}
-		for (uint32_t i = 0; i < VERTICES; i++) {
-			check_vertex(draw, i);
-			check_place(draw, i);
-		}
+		check_vertices(draw, VERTICES);
 	}
 	free(draw);
 }
@@ -181,10 +183,7 @@ static void test_floats_are_transformed_as_in_c(void **state)
 				: i < 99 ? (float)(any >> 3) / (1 << 24)
 					 : (float)(any >> 7) / (1 << 17);
 		}
-		for (uint32_t i = 0; i < VERTICES; i++) {
-			check_vertex(draw, i);
-			check_place(draw, i);
-		}
+		check_vertices(draw, VERTICES);
 	}
 	free(draw);
 }

@@ -3,6 +3,8 @@
  * of struct flat_band. A pixel costs 9 instructions, 13 with a stencil; where
  * that is as it should not be, one of eight.
  */
+#include "platform/gl/soft/arm/wide.h"
+
 	.syntax unified
 	.arch armv6
 	.arm
@@ -22,11 +24,7 @@
 /* r12 = a pixel blended, at r11 */
 	.macro	blend
 	ldrh	r12, [r11]
-	orr	r12, r12, r12, lsl #16
-	and	r12, r12, r2
-	mla	r12, r3, r12, r4
-	and	r12, r2, r12, lsr #5
-	orr	r12, r12, r12, lsr #16
+	mix_wide r12, r3, r4, r2
 	strh	r12, [r11], #2
 	.endm
 

@@ -6,6 +6,7 @@
  * A triangle costs 75 instructions, a row 13, a pixel 14, or 6 unseen.
  */
 #include "platform/gl/soft/arm/edge.h"
+#include "platform/gl/soft/arm/wide.h"
 
 	.syntax unified
 	.arch armv6
@@ -122,11 +123,7 @@ shadow_sorted_arm:
 	bne	2f
 	ldrh	r12, [r11]
 	strb	r8, [lr, #-1]
-	orr	r12, r12, r12, lsl #16
-	and	r12, r12, r2
-	mla	r12, r3, r12, r4
-	and	r12, r2, r12, lsr #5
-	orr	r12, r12, r12, lsr #16
+	mix_wide r12, r3, r4, r2
 	strh	r12, [r11], #2
 2:	subs	r10, r10, #1
 	bne	1b

@@ -2,6 +2,8 @@
  * band.c's band_texture_c() for ARMv6: the same bytes. Offsets are those of
  * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
  */
+#include "platform/gl/soft/arm/wide.h"
+
 	.syntax unified
 	.arch armv6
 	.arm
@@ -31,11 +33,7 @@
 	add	r0, r8, r0, lsl #1
 	ldrh	r0, [r0]
 	mov	r5, r4, lsr #26
-	orr	r0, r0, r0, lsl #16
-	and	r0, r0, r11
-	mla	r0, r5, r0, lr
-	and	r0, r11, r0, lsr #5
-	orr	r0, r0, r0, lsr #16
+	mix_wide r0, r5, lr, r11
 	strh	r0, [r1, r12]
 1:	add	r2, r2, r6
 	add	r3, r3, r7

@@ -14,7 +14,7 @@ SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
     "transform and light": "alike array array_state beams draw fog_state light light_state matrix"
-    " number prepare prepare_beams prepare_light query soft state texenv_state vertex"
+    " number prepare prepare_beams prepare_light query soft state texenv_state unshared vertex"
     " vertices",
     "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
     " fill_relief fill_texture list narrow raster shadow textured triangle",

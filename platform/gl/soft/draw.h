@@ -363,13 +363,13 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
-/* draw.c: a triangle of a list without indices, past the cache. */
+/* unshared.c: a triangle of a list without indices, past the cache. */
 void soft_draw_apart(struct draw *draw, uint32_t index);
 
 /*
  * Draws such a list while draw->packed, from index first on, whose vertices lie
- * together, words of 4 bytes from at on. False where it is left to draw.c: it
- * always is in C; else arm/alike.S does it.
+ * together, words of 4 bytes from at on. False where it is left to unshared.c:
+ * it always is in C; else arm/alike.S does it.
  */
 bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	int words, uint32_t first, uint32_t count);

@@ -1,6 +1,6 @@
 /*
  * Lists of triangles without indices, for ARMv6: gives each vertex a slot of
- * the cache by what it is made of, as draw.c's find_alike() does, and hands
+ * the cache by what it is made of, as unshared.c's find_alike() does, and hands
  * slots instead of indices to list.S, up to 64 triangles at a time. Offsets are
  * those of struct alike, struct alike_run, struct quick and struct vertex.
  *

@@ -11,31 +11,8 @@
 
 #include "app/scene/floor.h"
 #include "app/scene/instance.h"
+#include "app/scene/shadow_hull.h"
 #include "platform/gl/gl.h"
-
-/* An edge and the triangles at it: one side goes a to b, the other b to a. */
-struct shadow_edge {
-	uint32_t a, b;
-	int32_t left, right; /* right -1: an open border */
-};
-
-/* One drawable's volume, sized for the worst case at creation. */
-struct shadow_hull {
-	const struct drawable *drawable;
-	/* Fewer triangles than are drawn; their outline is what counts. */
-	uint16_t *corner;
-	int corner_count; /* three a triangle */
-	uint16_t *vertex; /* those that they need */
-	int vertex_count;
-	int edge_count;
-	struct shadow_edge *edge;
-	bool *lit;            /* [corner_count / 3], by the last update */
-	float (*position)[3]; /* [2 * primitive's vertices]: as posed or moved down to
-				 the ground, then moved away from the light */
-	uint16_t *index; /* the far ends last */
-	int index_count, far_count;
-	bool too_short; /* to reach the ground everywhere */
-};
 
 struct shadow_volume {
 	bool beyond; /* all hulls, of the near plane; and they end in the ground */
@@ -48,8 +25,8 @@ struct shadow_volume {
  * that they cover no more of the picture than they must.
  */
 struct shadow_light {
-	float towards[3]; /* unit length */
-	float reach;      /* scene units: hulls are no longer */
+	float towards[3];           /* unit length */
+	float reach;                /* scene units: hulls are no longer */
 	const struct floor *ground; /* NULL: hulls go all the way */
 	/*
 	 * The camera's (camera_near_plane()): where all hulls lie beyond, the

@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-from harness import BY_HAND, TOP, booted, is_drawn, wait_until
+from harness import BY_HAND, TOP, booted, frames_of, is_drawn, wait_until
 
 DEMOS = ("walker", "arm", "face")
 FRAMES = 60
@@ -25,19 +25,6 @@ COUNTER = TOP / "build/arm1136/insn_count.so"
 def boot_s():
     with booted(shell=False) as machine:
         return wait_until(machine, lambda: is_drawn(machine.frame()), 10)
-
-
-def frames_of(machine, demo):
-    """Frames and memory of a run on the framebuffer, as fast as it can."""
-    status, said = machine.shell(
-        f"limber play --demo {demo} --gl soft --clock fixed:25 --frames "
-        f"{FRAMES} --stats /run/stats >/dev/null & "
-        "while kill -0 $! 2>/dev/null; do grep VmHWM /proc/$!/status "
-        "2>/dev/null; usleep 200000; done; cat /run/stats", 300)
-    peaks = [int(peak) for peak in re.findall(r"VmHWM:\s+(\d+)", said)]
-    stats = json.loads(re.search(r"\{.*\}", said, re.S)[0])
-    return {"fps": stats["fps"], "work_ms": stats["work_ms"],
-            "memory_mib": round(max(peaks) / 1024, 1)}
 
 
 def crowd_of(machine, walkers):
@@ -75,7 +62,7 @@ def main():
     machine = booted(BY_HAND)
     figures = {"first_picture_s": round(first_s, 3), "demos": {}}
     for demo in DEMOS:
-        row = frames_of(machine, demo)
+        row = frames_of(machine, demo, FRAMES)
         row["soft_minstr"] = instructions_m(demo, "soft")
         row["osmesa_minstr"] = instructions_m(demo, "osmesa")
         figures["demos"][demo] = row

@@ -7,6 +7,7 @@ is kept there in console.log.
 """
 import array
 import atexit
+import json
 import operator
 import os
 import pathlib
@@ -302,6 +303,19 @@ def stop_limber(machine):
     """Ends what start_limber() started; what it has said."""
     machine.shell("kill $limber; wait $limber")
     return machine.shell("cat /run/said")[1]
+
+
+def frames_of(machine, demo, frames):
+    """Frames and memory of a run on the framebuffer, as fast as it can."""
+    status, said = machine.shell(
+        f"limber play --demo {demo} --gl soft --clock fixed:25 --frames "
+        f"{frames} --stats /run/stats >/dev/null & "
+        "while kill -0 $! 2>/dev/null; do grep VmHWM /proc/$!/status "
+        "2>/dev/null; usleep 200000; done; cat /run/stats", 300)
+    peaks = [int(peak) for peak in re.findall(r"VmHWM:\s+(\d+)", said)]
+    stats = json.loads(re.search(r"\{.*\}", said, re.S)[0])
+    return {"fps": stats["fps"], "work_ms": stats["work_ms"],
+            "memory_mib": round(max(peaks) / 1024, 1)}
 
 
 def region(frame, x, y, width, height):

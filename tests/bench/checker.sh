@@ -78,9 +78,9 @@ run "$folder/arm11.py" --short --check "$figures" --rows lerp --model "$scratch/
 about 'without a model'
 expect_status 1
 
-sed -i 's/ fill_plain / /' "$scratch/arm11_frame.py"
+sed -i 's/\bprepare\b//' "$scratch/arm11_frame.py"
 run "$scratch/arm11.py" --short --rows gl-walker
 about 'a file of the driver without a stage'
 expect_status 1
-expect_err 'STAGES in tests/bench/arm11_frame.py lacks platform/gl/soft/fill_plain.c'
+expect_err 'STAGES in tests/bench/arm11_frame.py lacks platform/gl/soft/prepare.c'
 tap_done

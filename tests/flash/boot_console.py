@@ -38,6 +38,11 @@ def cksum(data):
     return crc ^ 0xFFFFFFFF
 
 
+def spoil(data):
+    """The data with another first byte."""
+    return bytes([data[0] ^ 0xFF]) + data[1:]
+
+
 class Board:
     def __init__(self, files, log, faults):
         self.files = files
@@ -60,7 +65,7 @@ class Board:
         if self.fault("short"):
             data = data[:-512]
         if self.fault("corrupt"):
-            data = b"\0" + data[1:]
+            data = spoil(data)
         return data
 
     def store(self, address, data):
@@ -129,7 +134,7 @@ class UBoot(Board):
             return "NAND write to offset failed -5\n 0 bytes written: ERROR\n"
         data = self.range(address, size)
         if self.fault("write"):
-            data = b"\0" + data[1:]
+            data = spoil(data)
         self.nand[offset:offset + size] = data
         return f"\nNAND write: device 0 offset 0x{offset:x}, size 0x{size:x}\n {size} bytes written: OK\n"
 

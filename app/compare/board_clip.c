@@ -24,14 +24,6 @@ static bool moves(const struct model_target *target, int vertex)
 		(target->normal && !is_zero(target->normal[vertex]));
 }
 
-static int target_count(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	const struct model *model = instance->model;
-
-	return model->mesh[model->node[drawable->node].mesh].target_count;
-}
-
 /* Vertices that targets t and, if there is one, t + 1 move. */
 static int count_moved(const struct model_primitive *primitive, int t, int count)
 {
@@ -52,8 +44,9 @@ static int count_frames(
 	struct instance *instance = played->instance;
 	const struct model_node *node = &instance->model->node[drawable->node];
 	const float *weight = instance->pose.weight + node->weight_offset + t;
-	size_t size = t + 1 < target_count(instance, drawable) ? sizeof(float[2])
-							       : sizeof(float);
+	size_t size = t + 1 < drawable_target_count(instance, drawable)
+		? sizeof(float[2])
+		: sizeof(float);
 	static const float none[2] = {0.0f, 0.0f};
 	float before[2] = {0.0f, 0.0f};
 	int frames = 0;
@@ -73,7 +66,7 @@ static int count_frames(
 static double average_moves(
 	const struct played *played, const struct drawable *drawable)
 {
-	int count = target_count(played->instance, drawable);
+	int count = drawable_target_count(played->instance, drawable);
 	double sum = 0.0;
 
 	for (int t = 0; t < count; t += 2) {

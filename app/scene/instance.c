@@ -8,20 +8,12 @@
 
 #include <string.h>
 
-static int target_count(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	const struct model *model = instance->model;
-
-	return model->mesh[model->node[drawable->node].mesh].target_count;
-}
-
 static void set_weights(
 	const struct instance *instance, struct drawable *drawable, float scale)
 {
 	const struct model_node *node = &instance->model->node[drawable->node];
 	const float *weight = instance->pose.weight + node->weight_offset;
-	int count = target_count(instance, drawable);
+	int count = drawable_target_count(instance, drawable);
 
 	for (int i = 0; i < count; i++) {
 		drawable->term[i].weight = weight[i] * scale;
@@ -33,7 +25,7 @@ static void morph_tangents(
 	const struct instance *instance, struct drawable *drawable)
 {
 	int count = drawable->primitive->vertex_count;
-	int terms = target_count(instance, drawable);
+	int terms = drawable_target_count(instance, drawable);
 
 	memcpy(drawable->tangent, drawable->base_tangent,
 		(size_t)count * sizeof(*drawable->tangent));
@@ -53,7 +45,7 @@ static void morph_drawable(
 {
 	const struct kernel *kernel = instance->kernel;
 	int count = drawable->primitive->vertex_count;
-	int terms = target_count(instance, drawable);
+	int terms = drawable_target_count(instance, drawable);
 
 	set_weights(instance, drawable, drawable->vertex_scale);
 	kernel->morph_targets(count, drawable->base_position, drawable->term,
@@ -78,7 +70,7 @@ static void skin_morphed_drawable(
 		.normal = drawable->base_normal,
 		.tangent = (const float(*)[4])primitive->tangent,
 		.term = drawable->term,
-		.term_count = target_count(instance, drawable),
+		.term_count = drawable_target_count(instance, drawable),
 		.position_scale = 1.0f,
 	};
 	const struct skin_output output = {

@@ -198,6 +198,15 @@ void instance_node_position(
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
 
+/* Morph targets of the mesh that a drawable is of. */
+static inline int drawable_target_count(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	const struct model *model = instance->model;
+
+	return model->mesh[model->node[drawable->node].mesh].target_count;
+}
+
 /* Where the primitive's vertex is: in scene units if skinned, else local ones
    times vertex_scale. */
 static inline void drawable_position(

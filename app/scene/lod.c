@@ -1,7 +1,5 @@
 #include "app/scene/lod.h"
 
-#include "platform/base/scalar.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,7 +73,7 @@ static int for_budget(const struct instance *instance, long budget)
 int lod_choose(const struct lod *lod, const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height)
 {
-	float half, seen;
+	float seen;
 
 	switch (lod->kind) {
 	case LOD_FIXED:
@@ -85,7 +83,6 @@ int lod_choose(const struct lod *lod, const struct instance *instance,
 	case LOD_DISTANCE:
 		break;
 	}
-	half = 0.5f * camera->yfov_rad;
-	seen = 2.0f * camera->distance * scalar_sin(half) / scalar_cos(half);
+	seen = 2.0f * camera->distance * camera_tan_half(camera->yfov_rad);
 	return lod_for_height(extent / seen * (float)picture_height);
 }

@@ -17,13 +17,6 @@ struct meeting {
 	uint8_t constant[4];
 };
 
-static int scale_byte(int a, int b)
-{
-	int product = a * b + 128;
-
-	return (product + (product >> 8)) >> 8;
-}
-
 static uint8_t to_byte(int value)
 {
 	return (uint8_t)clamp_int(value, 0, 255);

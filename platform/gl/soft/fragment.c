@@ -161,14 +161,6 @@ static void add_textures(const struct draw *draw, const struct span *span,
 	}
 }
 
-/* a b / 255, rounded; 255 is one. */
-static int scale_byte(int a, int b)
-{
-	int product = a * b + 128;
-
-	return (product + (product >> 8)) >> 8;
-}
-
 static void add_fog(const struct draw *draw, const struct span *span,
 	struct fragments *fragments)
 {

@@ -1,17 +1,10 @@
 #include "app/cmd/frame_stats.h"
 
+#include "platform/base/clock.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
-
-static int64_t now_ns(void)
-{
-	struct timespec now = {0};
-
-	(void)clock_gettime(CLOCK_MONOTONIC, &now);
-	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
-}
 
 static int64_t larger(int64_t a, int64_t b)
 {
@@ -25,7 +18,7 @@ static double ms(int64_t ns)
 
 void frame_stats_begin(struct frame_stats *stats)
 {
-	stats->begun_ns = now_ns();
+	stats->begun_ns = clock_monotonic_ns();
 	if (stats->frames == 0) {
 		stats->first_ns = stats->begun_ns;
 	}
@@ -41,7 +34,7 @@ void frame_stats_press(struct frame_stats *stats, int64_t pressed_ns)
 
 void frame_stats_end(struct frame_stats *stats)
 {
-	int64_t now = now_ns();
+	int64_t now = clock_monotonic_ns();
 	int64_t work_ns = now - stats->begun_ns;
 	int64_t work_ms = work_ns / 1000000;
 

@@ -1,7 +1,8 @@
 #include "app/cmd/progress.h"
 
+#include "platform/base/clock.h"
+
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 enum {
@@ -12,10 +13,7 @@ enum {
 
 static int64_t now_ms(void)
 {
-	struct timespec now;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+	return clock_monotonic_ns() / 1000000;
 }
 
 struct progress progress_begin(int total, FILE *out)

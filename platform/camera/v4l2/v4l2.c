@@ -17,6 +17,7 @@
  */
 #include "platform/camera/v4l2/v4l2.h"
 
+#include "platform/base/clock.h"
 #include "platform/camera/v4l2/format.h"
 #include "platform/camera/v4l2/session.h"
 
@@ -65,10 +66,7 @@ struct camera_source {
 
 static int64_t now_ms(void)
 {
-	struct timespec now;
-
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+	return clock_monotonic_ns() / 1000000;
 }
 
 /* Waits for a change, with the lock held; false when the time is over. */

@@ -1,10 +1,8 @@
 # The timing model of the board's core: a plugin for qemu-arm, and the small
 # programs that test it (tests/arm1136/README.md).
 
-MODEL_SOURCES := $(addprefix tests/arm1136/,core.c core_branch.c \
-	core_memory.c core_vfp.c decode.c decode_memory.c decode_vfp.c \
-	memory.c pages.c params.c plugin.c predict.c program.c report.c symbols.c \
-	values.c)
+MODEL_SOURCES := $(sort $(wildcard tests/arm1136/core/*.c)) \
+	$(addprefix tests/arm1136/,plugin.c program.c report.c symbols.c)
 MODEL_OBJECTS := $(MODEL_SOURCES:%.c=build/arm1136/obj/%.o)
 MODEL := build/arm1136/model.so
 

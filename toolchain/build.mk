@@ -66,8 +66,10 @@ build/$(1)/limber: build/$(1)/obj/app/main.o build/$(1)/liblimber.a
 	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs $$(LIBS_$(1))
 	$$(Q)$$(CHECK_BINARY)
 
+$$(foreach test,$$(TEST_SOURCES),$$(eval build/$(1)/unit/$$(basename \
+	$$(notdir $$(test))): build/$(1)/obj/$$(test:.c=.o)))
 # Objects first: a test may bring its own in place of the program's.
-build/$(1)/unit/%: build/$(1)/obj/tests/unit/%.o \
+build/$(1)/unit/test_%: \
 		$$(patsubst %.c,build/$(1)/obj/%.o,$$(SUPPORT_SOURCES)) \
 		build/$(1)/liblimber.a
 	@mkdir -p $$(@D)
@@ -86,7 +88,7 @@ build/gen/font.stamp: toolchain/packages/font.txt
 	@mkdir -p $(@D)
 	$(Q)toolchain/install.sh font
 	$(Q)touch $@
-build/gen/bake_font: toolchain/font/bake.c app/scene/font.h | build/gen/font.stamp
+build/gen/bake_font: toolchain/font/bake.c app/scene/hud/font.h | build/gen/font.stamp
 	$(call say,CC,$@)
 	$(Q)$(CC_host) $(COMMON_CFLAGS) -O1 -I. -o $@ $< \
 		$$(pkg-config --cflags --libs freetype2)

@@ -67,7 +67,7 @@ define newline
 
 
 endef
-TESTS := $(patsubst tests/unit/%.c,%,$(TEST_SOURCES))
+TESTS := $(basename $(notdir $(TEST_SOURCES)))
 FUZZERS := $(patsubst tests/fuzz/%.c,%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
 
 # A suite is a line: its name, then its command (tests/support/tally.sh).

@@ -1,9 +1,13 @@
 # What limber is made of. Which drivers a target has is a list here, not an
 # #ifdef in their code; the registries are generated from these lists.
 
-APP_SOURCES := $(filter-out app/main.c,$(sort $(wildcard app/*/*.c \
-	app/anim/kernel/*.c)))
-BASE_SOURCES := $(sort $(wildcard platform/base/*.c))
+# A folder's C files, those of its folders too.
+c_files = $(sort $(shell find $(1) -name '*.c'))
+
+# What lies in a folder named after an architecture is chosen below.
+APP_SOURCES := $(filter-out app/main.c app/anim/portable/% \
+	app/anim/kernel/arm/%,$(call c_files,app))
+BASE_SOURCES := $(call c_files,platform/base platform/process)
 # What the drivers of a seam share lies beside its registry.
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
 	platform/buttons/*.c platform/camera/*.c platform/watchdog/*.c))
@@ -67,7 +71,7 @@ driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
 	$(call seam_driver_sources,buttons,$(BUTTON_DRIVERS_$(1))) \
 	$(call seam_driver_sources,camera,$(CAMERA_DRIVERS_$(1))) \
 	$(if $(filter gpiod,$(BUTTON_DRIVERS_$(1))),\
-	platform/buttons/gpiod/v$(GPIOD_API_$(1))/gpio.c)
+	platform/buttons/gpiod/v$(GPIOD_API_$(1))/gpio_v$(GPIOD_API_$(1)).c)
 
-TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c))
-SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))
+TEST_SOURCES := $(filter %.c,$(call c_files,tests/unit))
+SUPPORT_SOURCES := $(call c_files,tests/support)

@@ -4,7 +4,7 @@
 #ifndef APP_CMD_COMMAND_H
 #define APP_CMD_COMMAND_H
 
-#include "app/cmd/options.h"
+#include "app/cmd/options/options.h"
 #include "app/model/model.h"
 
 enum exit_code {

@@ -1,6 +1,6 @@
 #include "app/cmd/dispatch.h"
 
-#include "app/cmd/config.h"
+#include "app/cmd/options/config.h"
 #include "app/cmd/version.h"
 #include "platform/base/file.h"
 

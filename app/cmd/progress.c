@@ -1,6 +1,6 @@
 #include "app/cmd/progress.h"
 
-#include "platform/base/clock.h"
+#include "platform/process/clock.h"
 
 #include <string.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include "app/compare/candidate.h"
 
-#include "platform/base/clock.h"
-#include "platform/base/instruction_count.h"
+#include "platform/process/clock.h"
+#include "platform/process/instruction_count.h"
 
 #include <stdlib.h>
 

@@ -9,7 +9,7 @@
 #define APP_COMPARE_CANDIDATE_H
 
 #include "app/compare/board_cost.h"
-#include "app/compare/screen.h"
+#include "app/compare/screen_error.h"
 
 /* AN4044's three, and the two it recommends together. */
 enum technique {

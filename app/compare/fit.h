@@ -4,7 +4,7 @@
 #ifndef APP_COMPARE_FIT_H
 #define APP_COMPARE_FIT_H
 
-#include "app/compare/screen.h"
+#include "app/compare/screen_error.h"
 
 /*
  * The fewest of the reference's frames such that every vertex, carried in a

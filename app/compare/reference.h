@@ -9,7 +9,7 @@
 #define APP_COMPARE_REFERENCE_H
 
 #include "app/anim/clip.h"
-#include "app/scene/instance.h"
+#include "app/scene/instance/instance.h"
 
 /* The vertices of one drawable. */
 struct reference_part {

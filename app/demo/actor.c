@@ -1,6 +1,6 @@
 #include "app/demo/actor.h"
 
-#include "app/scene/draw.h"
+#include "app/scene/draw/draw.h"
 
 #include <errno.h>
 #include <stdio.h>

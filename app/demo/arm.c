@@ -8,7 +8,7 @@
 #include "app/demo/actor.h"
 #include "app/demo/arm_program.h"
 #include "app/demo/demo.h"
-#include "app/scene/draw.h"
+#include "app/scene/draw/draw.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

@@ -11,7 +11,7 @@
 #define APP_DEMO_FACE_KEYS_H
 
 #include "app/anim/morph.h"
-#include "app/scene/instance.h"
+#include "app/scene/instance/instance.h"
 
 enum {
 	FACE_PARTS_MAX = 8

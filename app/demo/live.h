@@ -8,10 +8,10 @@
 #ifndef APP_DEMO_LIVE_H
 #define APP_DEMO_LIVE_H
 
-#include "app/scene/hud_group.h"
-#include "app/scene/live_texture.h"
-#include "app/scene/monitor.h"
-#include "app/scene/stage.h"
+#include "app/scene/hud/hud_group.h"
+#include "app/scene/draw/live_texture.h"
+#include "app/scene/stage/monitor.h"
+#include "app/scene/stage/stage.h"
 #include "platform/camera/camera.h"
 #include "platform/camera/motion.h"
 

@@ -4,7 +4,7 @@
 #ifndef APP_DEMO_PRESET_FILE_H
 #define APP_DEMO_PRESET_FILE_H
 
-#include "app/anim/procedural.h"
+#include "app/anim/procedural/procedural.h"
 #include "platform/base/log.h"
 
 enum {

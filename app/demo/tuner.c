@@ -9,7 +9,7 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/preset_file.h"
-#include "app/demo/tint.h"
+#include "app/demo/vertex_tint.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

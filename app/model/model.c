@@ -1,7 +1,7 @@
 #include "app/model/model.h"
-#include "app/model/gltf.h"
+#include "app/model/gltf/gltf.h"
 #include "app/model/model_loader.h"
-#include "app/model/xfile.h"
+#include "app/model/xfile/xfile.h"
 
 #include <errno.h>
 #include <stdlib.h>

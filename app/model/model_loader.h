@@ -6,7 +6,7 @@
 #ifndef APP_MODEL_MODEL_LOADER_H
 #define APP_MODEL_MODEL_LOADER_H
 
-#include "app/model/examine.h"
+#include "app/model/examine/examine.h"
 #include "app/model/model.h"
 #include "app/model/model_file.h"
 

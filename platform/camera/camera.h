@@ -4,7 +4,7 @@
  * A source hands out its newest picture and never waits for one: what nobody
  * took in time is dropped. It may lose its device and find it again; all that
  * is seen of that here is that there is no picture for a while. (What looks at
- * a scene is another camera: app/scene/camera.h.)
+ * a scene is another camera: app/scene/stage/camera.h.)
  */
 #ifndef PLATFORM_CAMERA_CAMERA_H
 #define PLATFORM_CAMERA_CAMERA_H

@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-#include "platform/base/device_calls.h"
+#include "platform/process/device_calls.h"
 #include "platform/base/log.h"
 
 struct console {

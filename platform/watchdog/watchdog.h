@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "platform/base/device_calls.h"
+#include "platform/process/device_calls.h"
 #include "platform/base/log.h"
 #include "platform/base/survey.h"
 

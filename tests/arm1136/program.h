@@ -5,7 +5,7 @@
 #ifndef TESTS_ARM1136_PROGRAM_H
 #define TESTS_ARM1136_PROGRAM_H
 
-#include "tests/arm1136/core.h"
+#include "tests/arm1136/core/core.h"
 #include "tests/arm1136/symbols.h"
 
 #define PROGRAM_MAX_REGIONS 512

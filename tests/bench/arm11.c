@@ -5,7 +5,7 @@
  *	arm11 ROW KERNEL VERTICES|MODEL
  *	arm11 update KERNEL MODEL
  *
- * ROW is one of app/cmd/bench_rows.c; update is all that a posed model needs
+ * ROW is one of app/cmd/bench/bench_rows.c; update is all that a posed model needs
  * before it is drawn, in the middle of its first clip.
  *
  * Region 1 is a pass right after others, region 2 one with all data in memory.
@@ -20,8 +20,8 @@
 #include <jansson.h>
 
 #include "app/anim/clip.h"
-#include "app/cmd/bench_rows.h"
-#include "app/scene/instance.h"
+#include "app/cmd/bench/bench_rows.h"
+#include "app/scene/instance/instance.h"
 #include "tests/arm1136/marker.h"
 
 static const struct bench_row *find_row(const char *name)

@@ -1,7 +1,7 @@
 /*
  * limber.conf, with its GPIO lines and keys, from any text.
  */
-#include "app/cmd/config.h"
+#include "app/cmd/options/config.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -2,7 +2,7 @@
  * Any bytes as a glTF file in memory: a model that keeps model.h's promises,
  * or one sentence and nothing left behind.
  */
-#include "app/model/gltf.h"
+#include "app/model/gltf/gltf.h"
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
 

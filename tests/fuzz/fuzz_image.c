@@ -1,5 +1,5 @@
 /* Any bytes as a picture: pixels, or one sentence and nothing left behind. */
-#include "app/model/image.h"
+#include "app/model/image/image.h"
 
 #include <stdint.h>
 #include <stdlib.h>

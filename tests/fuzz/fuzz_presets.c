@@ -1,7 +1,7 @@
 /*
  * Presets of shaken bones, from any text.
  */
-#include "app/anim/procedural.h"
+#include "app/anim/procedural/procedural.h"
 
 #include <stdlib.h>
 #include <string.h>

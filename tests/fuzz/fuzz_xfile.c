@@ -4,7 +4,7 @@
  */
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
-#include "app/model/xfile.h"
+#include "app/model/xfile/xfile.h"
 
 #include <stdint.h>
 #include <stdlib.h>

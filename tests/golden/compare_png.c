@@ -5,7 +5,7 @@
  * the four tolerances (struct picture_tolerance), else 1 with both and their
  * difference in the PNG file DIFFERENCE; 2 for wrong usage.
  */
-#include "tests/support/picture.h"
+#include "tests/support/gl/picture.h"
 
 #include <stdio.h>
 #include <stdlib.h>

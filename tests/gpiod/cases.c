@@ -2,7 +2,7 @@
 
 #include "platform/base/compiler.h"
 #include "platform/buttons/buttons.h"
-#include "platform/buttons/gpiod/survey.h"
+#include "platform/buttons/gpiod/gpiod_survey.h"
 #include "tests/gpiod/fake.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/survey_capture.h"

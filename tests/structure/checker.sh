@@ -37,10 +37,10 @@ given
 about 'a clean tree'
 expect_status 0
 refuses app/model/a.c '#include "app/anim/pose.h"'
-refuses app/anim/a.c '#include "app/scene/draw.h"'
+refuses app/anim/a.c '#include "app/scene/draw/draw.h"'
 refuses app/anim/kernel/a.c '#include "app/demo/demo.h"'
 refuses app/scene/a.c '#include "app/demo/demo.h"'
-refuses app/demo/a.c '#include "app/cmd/options.h"'
+refuses app/demo/a.c '#include "app/cmd/options/options.h"'
 refuses app/demo/a.c '#include "app/other/x.h"'
 refuses platform/base/a.c '#include "app/model/model.h"'
 refuses platform/gl/soft/a.c '#  include "app/model/model.h"'

@@ -1,6 +1,6 @@
 #include "tests/support/demo_run.h"
 
-#include "tests/support/gl_recorder.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #ifndef TESTS_SUPPORT_SMALL_MODEL_H
 #define TESTS_SUPPORT_SMALL_MODEL_H
 
-#include "app/scene/instance.h"
+#include "app/scene/instance/instance.h"
 
 /*
  * One node with one mesh: a grid of columns x rows quads in the plane z = 0,

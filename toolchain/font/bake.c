@@ -1,12 +1,12 @@
 /*
- * Bakes a font file into C for app/scene/font.h: an atlas with the glyphs in
+ * Bakes a font file into C for app/scene/hud/font.h: an atlas with the glyphs in
  * several sizes, a solid patch and discs, and the glyphs' metrics.
  *
  *	bake FONT SIZE... >font_data.c
  *
  * Runs on the build machine; the result is the same for every target.
  */
-#include "app/scene/font.h"
+#include "app/scene/hud/font.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -377,7 +377,7 @@ static void write_c(const struct bake *bake)
 {
 	printf("/* Made by toolchain/font/bake.c from %s %s. */\n",
 		bake->font->family_name, bake->font->style_name);
-	printf("#include \"app/scene/font.h\"\n\n");
+	printf("#include \"app/scene/hud/font.h\"\n\n");
 	write_atlas(bake);
 	write_codes();
 	write_faces(bake);

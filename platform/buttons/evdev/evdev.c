@@ -12,7 +12,7 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-#include "platform/buttons/batch.h"
+#include "platform/buttons/button_batch.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/evdev/decode.h"
 #include "platform/buttons/evdev/system.h"

@@ -8,12 +8,12 @@
 #include <string.h>
 
 #include "platform/base/name_list.h"
-#include "platform/buttons/batch.h"
+#include "platform/buttons/button_batch.h"
 #include "platform/buttons/buttons.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/event_time.h"
 #include "platform/buttons/gpiod/line_spec.h"
-#include "platform/buttons/gpiod/survey.h"
+#include "platform/buttons/gpiod/gpiod_survey.h"
 
 enum {
 	CHIPS_MAX = 32,

@@ -11,7 +11,7 @@
 
 #include <linux/videodev2.h>
 
-#include "platform/camera/v4l2/calls.h"
+#include "platform/camera/v4l2/v4l2_calls.h"
 
 struct convert_library;
 

@@ -17,7 +17,7 @@
  */
 #include "platform/camera/v4l2/v4l2.h"
 
-#include "platform/base/clock.h"
+#include "platform/process/clock.h"
 #include "platform/camera/v4l2/format.h"
 #include "platform/camera/v4l2/session.h"
 

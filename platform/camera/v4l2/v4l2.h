@@ -5,7 +5,7 @@
 #define PLATFORM_CAMERA_V4L2_V4L2_H
 
 #include "platform/camera/camera.h"
-#include "platform/camera/v4l2/calls.h"
+#include "platform/camera/v4l2/v4l2_calls.h"
 
 /* As camera_driver.create(); calls must outlive the source and its thread. */
 int v4l2_source_create(const struct camera_options *options,

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "platform/base/device_calls.h"
+#include "platform/process/device_calls.h"
 #include "platform/display/packing.h"
 
 enum {

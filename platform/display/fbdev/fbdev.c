@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "platform/display/console.h"
-#include "platform/display/fbdev/screen.h"
+#include "platform/display/fbdev/fbdev_screen.h"
 #include "platform/display/packing.h"
 #include "platform/display/placement.h"
 

@@ -4,7 +4,7 @@
 #ifndef PLATFORM_DISPLAY_FBDEV_FBDEV_H
 #define PLATFORM_DISPLAY_FBDEV_FBDEV_H
 
-#include "platform/base/device_calls.h"
+#include "platform/process/device_calls.h"
 #include "platform/display/display.h"
 
 /* The driver's create(), on a system of the caller's. */

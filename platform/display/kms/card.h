@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "platform/display/kms/calls.h"
+#include "platform/display/kms/kms_calls.h"
 #include "platform/display/packing.h"
 
 enum {

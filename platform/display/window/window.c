@@ -12,7 +12,7 @@
 
 #include "platform/base/compiler.h"
 #include "platform/display/display.h"
-#include "platform/display/window/survey.h"
+#include "platform/display/window/window_survey.h"
 
 struct display {
 	struct log log;

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "platform/gl/gl_context.h"
-#include "platform/gl/gles1/egl.h"
+#include "platform/gl/gles1/gles1_egl.h"
 #include "platform/gl/loader.h"
 
 /* The context needs a surface before the first frame; nothing is drawn there. */

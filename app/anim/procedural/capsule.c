@@ -1,0 +1,80 @@
+#include "app/anim/procedural/capsule.h"
+
+#include "app/anim/transform.h"
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+void capsule_put(const struct capsule *capsule, int count, const mat4 *world,
+	struct capsule_place *place)
+{
+	mat4 *at = (mat4 *)world;
+
+	for (int i = 0; i < count; i++) {
+		const struct capsule *c = &capsule[i];
+
+		matrix_apply(at[c->node_a], c->offset_a, place[i].a);
+		matrix_apply(at[c->node_b], c->offset_b, place[i].b);
+		place[i].radius = c->radius;
+	}
+}
+
+/* The point of the line a-b that is nearest to a point. */
+static void nearest(
+	const struct capsule_place *place, const float point[3], float out[3])
+{
+	float line[3], way[3];
+	float length2, along;
+
+	vec_subtract(place->b, place->a, line);
+	vec_subtract(point, place->a, way);
+	length2 = vec_dot(line, line);
+	along = vec_dot(way, line);
+	/* Most points are beyond an end: no division for them. */
+	along = !(along > 0) ? 0 : along < length2 ? along / length2 : 1;
+	vec_add_scaled(place->a, line, along, out);
+}
+
+/* Some unit direction at right angles to the capsule's line. */
+static void any_side(const struct capsule_place *place, float out[3])
+{
+	float line[3];
+	float least[3] = {0, 0, 0};
+
+	vec_subtract(place->b, place->a, line);
+	vec_normalize(line);
+	least[scalar_abs(line[2]) < 0.9f ? 2 : 0] = 1;
+	vec_add_scaled(least, line, -vec_dot(least, line), out);
+	vec_normalize(out);
+}
+
+bool capsule_push(
+	const struct capsule_place *place, float margin, float point[3])
+{
+	float limit = place->radius + margin;
+	float axis[3], out[3];
+	float distance2;
+
+	nearest(place, point, axis);
+	vec_subtract(point, axis, out);
+	distance2 = vec_dot(out, out);
+	if (distance2 >= limit * limit) {
+		return false;
+	}
+	if (vec_normalize(out) == 0) {
+		any_side(place, out);
+	}
+	vec_add_scaled(axis, out, limit, point);
+	return true;
+}
+
+bool capsule_push_all(const struct capsule_place *place, int count,
+	float margin, float point[3])
+{
+	bool moved = false;
+
+	for (int i = 0; i < count; i++) {
+		moved = capsule_push(&place[i], margin, point) || moved;
+	}
+	return moved;
+}

@@ -1,0 +1,334 @@
+#include "app/anim/procedural/bone.h"
+#include "app/anim/procedural/ik.h"
+#include "app/anim/transform.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+/* The chain while it is being solved. */
+struct solver {
+	int bones;
+	const struct ik_chain *chain;
+	const struct pose *pose;
+	float root[4];                /* world rotation above the chain */
+	float local[IK_CHAIN_MAX][4]; /* rotations */
+	float bone[IK_CHAIN_MAX][3];  /* to the next joint, in own axes */
+	float length[IK_CHAIN_MAX];
+	float total;
+	float joint[IK_CHAIN_MAX][3];   /* world places */
+	float reached[IK_CHAIN_MAX][3]; /* places seen from the target */
+};
+
+int ik_chain_init(
+	struct ik_chain *chain, const struct model *model, int tip, int count)
+{
+	*chain = (struct ik_chain){
+		.count = count,
+		.iterations = 32,
+		.tolerance = 0.0005f,
+		.weight = 1,
+	};
+	if (count < 2 || count > IK_CHAIN_MAX) {
+		return -EINVAL;
+	}
+	for (int i = count - 1; i >= 0; i--) {
+		if (tip < 0 || tip >= model->node_count) {
+			return -EINVAL;
+		}
+		chain->node[i] = tip;
+		tip = model->node[tip].parent;
+	}
+	return 0;
+}
+
+static void begin(struct solver *solver, const struct ik_chain *chain,
+	const mat4 *world, const struct pose *pose)
+{
+	solver->bones = chain->count - 1;
+	solver->chain = chain;
+	solver->pose = pose;
+	solver->total = 0;
+	bone_parent_rotation(pose, world, chain->node[0], solver->root);
+	for (int i = 0; i < chain->count; i++) {
+		memcpy(solver->joint[i], world[chain->node[i]][3],
+			sizeof(solver->joint[i]));
+		memcpy(solver->local[i], pose->local[chain->node[i]].rotation,
+			sizeof(solver->local[i]));
+	}
+	for (int i = 0; i < solver->bones; i++) {
+		float rotation[4];
+
+		bone_parent_rotation(pose, world, chain->node[i + 1], rotation);
+		quat_conjugate(rotation, rotation);
+		vec_subtract(solver->joint[i + 1], solver->joint[i],
+			solver->bone[i]);
+		quat_rotate(rotation, solver->bone[i], solver->bone[i]);
+		solver->length[i] = vec_length(solver->bone[i]);
+		solver->total += solver->length[i];
+	}
+}
+
+static float missing(const struct solver *solver, const float target[3])
+{
+	float way[3];
+
+	vec_subtract(target, solver->joint[solver->bones], way);
+	return vec_length(way);
+}
+
+/* From the target back to the root, each bone drawn along. */
+static void reach_back(struct solver *solver, const float target[3])
+{
+	memcpy(solver->reached[solver->bones], target, sizeof(float[3]));
+	for (int i = solver->bones - 1; i >= 0; i--) {
+		float way[3];
+
+		vec_subtract(solver->joint[i], solver->reached[i + 1], way);
+		vec_normalize(way);
+		vec_add_scaled(solver->reached[i + 1], way, solver->length[i],
+			solver->reached[i]);
+	}
+}
+
+/* Gives a joint a world rotation, as far as its limit lets it. */
+static void set_joint(struct solver *solver, int i, const float parent[4],
+	const float world[4])
+{
+	float *local = solver->local[i];
+	float limit_rad = solver->chain->limit_rad[i];
+	int node = solver->chain->node[i];
+	float back[4];
+
+	quat_conjugate(parent, back);
+	quat_multiply(back, world, local);
+	quat_normalize(local);
+	if (limit_rad > 0) {
+		quat_limit(local, solver->pose->model->node[node].rest.rotation,
+			limit_rad);
+	}
+}
+
+/* Where the next joint is, given a joint's rotation above it. */
+static void step_forth(
+	struct solver *solver, int i, const float parent[4], float world[4])
+{
+	float bone[3];
+
+	quat_multiply(parent, solver->local[i], world);
+	quat_normalize(world);
+	quat_rotate(world, solver->bone[i], bone);
+	vec_add_scaled(solver->joint[i], bone, 1, solver->joint[i + 1]);
+}
+
+/* From the root forth: what the joints can make of the places reached. */
+static void reach_forth(struct solver *solver)
+{
+	float above[4];
+
+	memcpy(above, solver->root, sizeof(above));
+	for (int i = 0; i < solver->bones; i++) {
+		float world[4], turn[4], now[3], wanted[3];
+
+		quat_multiply(above, solver->local[i], world);
+		quat_rotate(world, solver->bone[i], now);
+		vec_subtract(solver->reached[i + 1], solver->joint[i], wanted);
+		quat_between(now, wanted, turn);
+		quat_multiply(turn, world, world);
+		set_joint(solver, i, above, world);
+		step_forth(solver, i, above, world);
+		memcpy(above, world, sizeof(above));
+	}
+}
+
+/* Turns one joint in the world; what is behind it goes along. */
+static void turn_joint(struct solver *solver, int turned, const float turn[4])
+{
+	float above[4];
+
+	memcpy(above, solver->root, sizeof(above));
+	for (int i = 0; i < solver->bones; i++) {
+		float world[4];
+
+		if (i == turned) {
+			quat_multiply(above, solver->local[i], world);
+			quat_multiply(turn, world, world);
+			set_joint(solver, i, above, world);
+		}
+		step_forth(solver, i, above, world);
+		memcpy(above, world, sizeof(above));
+	}
+}
+
+/*
+ * Takes what is before a joint and what is behind it as two stiff bones and
+ * bends them to the target's distance, then turns the whole onto the target.
+ */
+static void close_triangle(struct solver *solver, int bent, const float goal[3])
+{
+	float before[3], behind[3], way[3], axis[3], turn[4];
+	float a, b, distance, now, wanted;
+
+	vec_subtract(solver->joint[0], solver->joint[bent], before);
+	vec_subtract(solver->joint[solver->bones], solver->joint[bent], behind);
+	vec_subtract(goal, solver->joint[0], way);
+	vec_cross(before, behind, axis);
+	a = vec_length(before);
+	b = vec_length(behind);
+	distance = vec_length(way);
+	if (vec_normalize(axis) == 0 || !(a * b > 0)) {
+		return;
+	}
+	now = scalar_acos(vec_dot(before, behind) / (a * b));
+	wanted = scalar_acos(
+		(a * a + b * b - distance * distance) / (2 * a * b));
+	quat_from_axis_angle(axis, wanted - now, turn);
+	turn_joint(solver, bent, turn);
+	vec_subtract(solver->joint[solver->bones], solver->joint[0], behind);
+	quat_between(behind, way, turn);
+	turn_joint(solver, 0, turn);
+}
+
+/* Pulls the joints of a stretched-out chain aside: on a line none can bend. */
+static void buckle(struct solver *solver, const float target[3])
+{
+	float line[3], side[3], offset[3];
+	float least[3] = {0, 0, 0};
+	float widest = 0;
+
+	vec_subtract(target, solver->joint[0], line);
+	if (vec_normalize(line) == 0) {
+		memcpy(line, solver->bone[0], sizeof(line));
+		vec_normalize(line);
+	}
+	for (int i = 1; i <= solver->bones; i++) {
+		vec_subtract(solver->joint[i], solver->joint[0], offset);
+		vec_cross(offset, line, side);
+		widest = vec_length(side) > widest ? vec_length(side) : widest;
+	}
+	if (widest > 1e-3f * solver->total) {
+		return;
+	}
+	least[scalar_abs(line[0]) < 0.6f ? 0 : 1] = 1;
+	vec_cross(line, least, side);
+	vec_normalize(side);
+	for (int i = 1; i < solver->bones; i++) {
+		vec_add_scaled(solver->joint[i], side, 0.1f * solver->length[i],
+			solver->joint[i]);
+	}
+}
+
+/*
+ * Moves a target that is out of reach to where the chain ends. True when only
+ * the stretched-out chain gets there.
+ */
+static bool bring_near(
+	const struct solver *solver, const float target[3], float out[3])
+{
+	float way[3];
+	float distance;
+
+	vec_subtract(target, solver->joint[0], way);
+	distance = vec_normalize(way);
+	memcpy(out, target, sizeof(way));
+	if (distance < 0.99999f * solver->total) {
+		return false;
+	}
+	vec_add_scaled(solver->joint[0], way, solver->total, out);
+	return true;
+}
+
+/* All bones in line: the places for reaching far. */
+static void stretch(struct solver *solver, const float target[3])
+{
+	float way[3];
+
+	vec_subtract(target, solver->joint[0], way);
+	vec_normalize(way);
+	memcpy(solver->reached[0], solver->joint[0], sizeof(way));
+	for (int i = 0; i < solver->bones; i++) {
+		vec_add_scaled(solver->reached[i], way, solver->length[i],
+			solver->reached[i + 1]);
+	}
+}
+
+static void store(const struct solver *solver, struct pose *pose)
+{
+	const struct ik_chain *chain = solver->chain;
+
+	for (int i = 0; i < solver->bones; i++) {
+		float *local = pose->local[chain->node[i]].rotation;
+
+		quat_slerp(local, solver->local[i], chain->weight, local);
+		quat_normalize(local);
+		pose->animated[chain->node[i]] = true;
+	}
+}
+
+/* Keeps the better of two. */
+static void keep_best(const struct solver *candidate, const float target[3],
+	struct solver *best, float *least)
+{
+	float now = missing(candidate, target);
+
+	if (now < *least) {
+		*least = now;
+		*best = *candidate;
+	}
+}
+
+/*
+ * FABRIK slows down when the chain is nearly straight or folded, or stands at
+ * a limit; the best of the triangles makes up for what is left.
+ */
+static void close_gap(const float goal[3], const float target[3],
+	struct solver *best, float *least)
+{
+	struct solver start = *best;
+
+	for (int bent = 1; bent < start.bones; bent++) {
+		struct solver candidate = start;
+
+		close_triangle(&candidate, bent, goal);
+		keep_best(&candidate, target, best, least);
+	}
+}
+
+float ik_chain_solve(const struct ik_chain *chain, const float target[3],
+	const mat4 *world, struct pose *pose)
+{
+	struct solver solver;
+	struct solver best;
+	float goal[3];
+	float least;
+	bool far;
+
+	begin(&solver, chain, world, pose);
+	best = solver;
+	least = missing(&solver, target);
+	if (!(solver.total > 1e-9f)) {
+		return least;
+	}
+	far = bring_near(&solver, target, goal);
+	if (!far && least > chain->tolerance) {
+		buckle(&solver, goal);
+	}
+	for (int n = 0; n < chain->iterations; n++) {
+		if (missing(&best, goal) <= chain->tolerance) {
+			break;
+		}
+		if (far && n == 0) {
+			stretch(&solver, goal);
+		} else {
+			reach_back(&solver, goal);
+		}
+		reach_forth(&solver);
+		keep_best(&solver, target, &best, &least);
+		if (n % 8 == 7) {
+			close_gap(goal, target, &best, &least);
+			solver = best;
+		}
+	}
+	store(&best, pose);
+	return least;
+}

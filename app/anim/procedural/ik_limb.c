@@ -1,0 +1,166 @@
+#include "app/anim/procedural/bone.h"
+#include "app/anim/procedural/ik.h"
+#include "app/anim/transform.h"
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+/* Where the three joints are and where the middle and last should be. */
+struct limb_shape {
+	float upper[3], lower[3], tip[3];
+	float new_lower[3], new_tip[3];
+	float bend[3]; /* unit, from the line upper-tip towards the middle */
+};
+
+/* The part of v at right angles to a unit direction, made unit length. */
+static bool make_side(const float v[3], const float direction[3], float out[3])
+{
+	float length = vec_length(v);
+
+	vec_add_scaled(v, direction, -vec_dot(v, direction), out);
+	/* Nearly along the direction there is no side to speak of. */
+	if (!(vec_length(out) > 1e-4f * length)) {
+		return false;
+	}
+	return vec_normalize(out) > 0;
+}
+
+static void find_bend(
+	struct limb_shape *shape, const float direction[3], const float pole[3])
+{
+	static const float axis[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+	float offset[3];
+
+	if (pole) {
+		vec_subtract(pole, shape->upper, offset);
+		if (make_side(offset, direction, shape->bend)) {
+			return;
+		}
+	}
+	vec_subtract(shape->lower, shape->upper, offset);
+	for (int i = 0; i < 4; i++) {
+		const float *v = i == 0 ? offset : axis[i - 1];
+
+		if (make_side(v, direction, shape->bend)) {
+			return;
+		}
+	}
+}
+
+/* The triangle over the lengths of both bones; returns what is missing. */
+static float place_joints(
+	struct limb_shape *shape, const float target[3], const float pole[3])
+{
+	float to_lower[3], to_tip[3], way[3];
+	float a, b, distance, reach, cosine;
+
+	vec_subtract(shape->lower, shape->upper, to_lower);
+	vec_subtract(shape->tip, shape->lower, to_tip);
+	vec_subtract(target, shape->upper, way);
+	a = vec_length(to_lower);
+	b = vec_length(to_tip);
+	distance = vec_normalize(way);
+	if (distance == 0) {
+		/* On the shoulder itself: any way will do. */
+		memcpy(way, to_lower, sizeof(way));
+		vec_normalize(way);
+	}
+	reach = scalar_clamp(distance, scalar_abs(a - b), a + b);
+	reach = reach > 1e-6f * (a + b) ? reach : 1e-6f * (a + b);
+	cosine = scalar_clamp(
+		(a * a + reach * reach - b * b) / (2 * a * reach), -1, 1);
+	find_bend(shape, way, pole);
+	vec_add_scaled(shape->upper, way, a * cosine, shape->new_lower);
+	vec_add_scaled(shape->new_lower, shape->bend,
+		a * scalar_sqrt(1 - cosine * cosine), shape->new_lower);
+	vec_add_scaled(shape->upper, way, reach, shape->new_tip);
+	return scalar_abs(distance - reach);
+}
+
+/* The rotation of a frame with x along a direction and z along a normal. */
+static bool frame(const float direction[3], const float normal[3], float out[4])
+{
+	mat4 m = {{0}};
+
+	memcpy(m[0], direction, sizeof(float[3]));
+	if (vec_normalize(m[0]) == 0 || !make_side(normal, m[0], m[2])) {
+		return false;
+	}
+	vec_cross(m[2], m[0], m[1]);
+	matrix_rotation(m, out);
+	return true;
+}
+
+/*
+ * The turn of the upper bone: with the plane in which the limb bends, so that
+ * an elbow stays a hinge; a straight limb has no plane and turns directly.
+ */
+static void upper_turn(const struct limb_shape *shape, float out[4])
+{
+	float old_bone[3], old_tip[3], new_bone[3], new_tip[3];
+	float old_normal[3], new_normal[3];
+	float old_frame[4], new_frame[4];
+
+	vec_subtract(shape->lower, shape->upper, old_bone);
+	vec_subtract(shape->tip, shape->lower, old_tip);
+	vec_subtract(shape->new_lower, shape->upper, new_bone);
+	vec_subtract(shape->new_tip, shape->upper, new_tip);
+	vec_cross(old_bone, old_tip, old_normal);
+	/* The way to the tip and the side of the bend span the new plane. */
+	vec_cross(shape->bend, new_tip, new_normal);
+	if (vec_length(old_normal) >
+			1e-3f * vec_length(old_bone) * vec_length(old_tip) &&
+		frame(old_bone, old_normal, old_frame) &&
+		frame(new_bone, new_normal, new_frame)) {
+		quat_conjugate(old_frame, old_frame);
+		quat_multiply(new_frame, old_frame, out);
+		return;
+	}
+	quat_between(old_bone, new_bone, out);
+}
+
+/* Everything below the upper bone turns with it, the lower's parent too. */
+static void set_lower(const struct ik_limb *limb, const float upper[4],
+	const float lower[4], const mat4 *world, struct pose *pose)
+{
+	float *local = pose->local[limb->lower].rotation;
+	float parent[4], goal[4];
+
+	bone_parent_rotation(pose, world, limb->lower, parent);
+	quat_multiply(upper, parent, parent);
+	quat_multiply(parent, local, goal);
+	quat_multiply(lower, goal, goal);
+	quat_conjugate(parent, parent);
+	quat_multiply(parent, goal, goal);
+	quat_normalize(goal);
+	quat_slerp(local, goal, limb->weight, local);
+	pose->animated[limb->lower] = true;
+}
+
+float ik_limb_solve(const struct ik_limb *limb, const float target[3],
+	const float pole[3], const mat4 *world, struct pose *pose)
+{
+	struct limb_shape shape;
+	float upper[4], lower[4];
+	float now[3], wanted[3];
+	float missing;
+
+	memcpy(shape.upper, world[limb->upper][3], sizeof(shape.upper));
+	memcpy(shape.lower, world[limb->lower][3], sizeof(shape.lower));
+	memcpy(shape.tip, world[limb->tip][3], sizeof(shape.tip));
+	vec_subtract(shape.lower, shape.upper, now);
+	vec_subtract(shape.tip, shape.lower, wanted);
+	if (!(vec_length(now) > 1e-9f && vec_length(wanted) > 1e-9f)) {
+		vec_subtract(target, shape.tip, now);
+		return vec_length(now);
+	}
+	missing = place_joints(&shape, target, pole);
+	upper_turn(&shape, upper);
+	vec_subtract(shape.tip, shape.lower, now);
+	quat_rotate(upper, now, now);
+	vec_subtract(shape.new_tip, shape.new_lower, wanted);
+	quat_between(now, wanted, lower);
+	set_lower(limb, upper, lower, world, pose);
+	bone_turn_world(pose, world, limb->upper, upper, limb->weight);
+	return missing;
+}

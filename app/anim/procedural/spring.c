@@ -1,0 +1,310 @@
+#include "app/anim/procedural/spring.h"
+
+#include "app/anim/procedural/bone.h"
+#include "app/anim/transform.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+static const float LONGEST_STEP_S = 0.2f;
+static const float PART_S = 1.0f / 120;
+enum {
+	MOST_PARTS = 12
+}; /* a slow frame must not make itself slower */
+
+static const float HIGHEST_HZ = 15;
+static const float FASTEST_TURN = 40; /* radians a second */
+
+/* What one update works with. */
+struct swing {
+	struct spring *spring;
+	const struct pose *pose;
+	const struct capsule_place *capsule;
+	int capsule_count;
+	float bone[SPRING_MAX][3]; /* to the end, in own axes, world units */
+	float length[SPRING_MAX];
+	float turned[SPRING_MAX][4]; /* world rotations */
+	float total;
+};
+
+int spring_init(
+	struct spring *spring, const struct model *model, int last, int count)
+{
+	*spring = (struct spring){
+		.count = count,
+		.frequency_hz = 2,
+		.damping = 0.3f,
+		.gravity = {0, -9.81f, 0},
+		.weight = 1,
+	};
+	if (count < 1 || count > SPRING_MAX || last < 0 ||
+		last >= model->node_count) {
+		return -EINVAL;
+	}
+	memcpy(spring->end, model->node[last].rest.translation,
+		sizeof(spring->end));
+	for (int i = count - 1; i >= 0; i--) {
+		if (last < 0) {
+			return -EINVAL;
+		}
+		spring->node[i] = last;
+		last = model->node[last].parent;
+	}
+	return 0;
+}
+
+void spring_reset(struct spring *spring)
+{
+	spring->begun = false;
+}
+
+/* The bones as vectors, from the next node's place or the last one's end. */
+static void measure(
+	struct swing *swing, const mat4 *world, const struct pose *pose)
+{
+	const struct spring *spring = swing->spring;
+
+	swing->total = 0;
+	for (int i = 0; i < spring->count; i++) {
+		int node = spring->node[i];
+		const float *to = i + 1 < spring->count
+			? pose->local[spring->node[i + 1]].translation
+			: spring->end;
+		float above = matrix_scale(&world[node]);
+
+		for (int k = 0; k < 3; k++) {
+			swing->bone[i][k] = to[k] * above;
+		}
+		swing->length[i] = vec_length(swing->bone[i]);
+		swing->total += swing->length[i];
+	}
+}
+
+static void begin_at_rest(
+	struct spring *spring, const struct swing *swing, const mat4 *world)
+{
+	for (int i = 0; i < spring->count; i++) {
+		float rotation[4], bone[3];
+
+		matrix_rotation(((mat4 *)world)[spring->node[i]], rotation);
+		quat_rotate(rotation, swing->bone[i], bone);
+		vec_add_scaled(
+			world[spring->node[i]][3], bone, 1, spring->place[i]);
+	}
+	memset(spring->velocity, 0, sizeof(spring->velocity));
+	spring->begun = true;
+}
+
+/*
+ * One part of a step of a damped spring, by the trapezoidal rule: stable for
+ * any stiffness, and it neither adds nor takes energy.
+ */
+static void pull(struct spring *spring, int i, const float goal[3], float part_s)
+{
+	float hz = scalar_clamp(spring->frequency_hz, 0, HIGHEST_HZ);
+	float omega = 2 * SCALAR_PI * hz;
+	float stiffness = omega * omega;
+	float half = part_s * spring->damping * omega +
+		0.25f * part_s * part_s * stiffness;
+	float *place = spring->place[i];
+	float *velocity = spring->velocity[i];
+
+	for (int k = 0; k < 3; k++) {
+		float before = velocity[k];
+		float force =
+			stiffness * (goal[k] - place[k]) + spring->gravity[k];
+
+		velocity[k] =
+			((1 - half) * before + part_s * force) / (1 + half);
+		place[k] += 0.5f * part_s * (before + velocity[k]);
+	}
+}
+
+/* Puts a place at the bone's length from its origin. */
+static void hold_length(const float origin[3], const float fallback[3],
+	float length, float place[3])
+{
+	float way[3];
+
+	vec_subtract(place, origin, way);
+	if (vec_normalize(way) == 0) {
+		memcpy(way, fallback, sizeof(way));
+		vec_normalize(way);
+	}
+	vec_add_scaled(origin, way, length, place);
+}
+
+/*
+ * What a bone of fixed length leaves of a speed: nothing along the bone, as
+ * seen from its origin, and no more than some turns a second.
+ */
+static void hold_speed(const float origin[3], const float origin_velocity[3],
+	float length, const float place[3], float velocity[3])
+{
+	float way[3], relative[3];
+	float speed;
+
+	vec_subtract(place, origin, way);
+	vec_normalize(way);
+	vec_subtract(velocity, origin_velocity, relative);
+	vec_add_scaled(relative, way, -vec_dot(relative, way), relative);
+	speed = vec_length(relative);
+	if (!(speed <= FASTEST_TURN * length)) {
+		speed = vec_normalize(relative) > 0 ? FASTEST_TURN * length : 0;
+		vec_add_scaled(origin_velocity, relative, speed, velocity);
+		return;
+	}
+	vec_add_scaled(origin_velocity, relative, 1, velocity);
+}
+
+/* Out of the capsules, and no longer towards them. */
+static void keep_out(
+	struct swing *swing, int i, const float origin[3], const float ahead[3])
+{
+	struct spring *spring = swing->spring;
+	float *place = spring->place[i];
+	float *velocity = spring->velocity[i];
+	float out[3] = {place[0], place[1], place[2]};
+	float inward;
+
+	if (!capsule_push_all(swing->capsule, swing->capsule_count,
+		    spring->radius, place)) {
+		return;
+	}
+	vec_subtract(place, out, out);
+	if (vec_normalize(out) > 0) {
+		inward = vec_dot(velocity, out);
+		vec_add_scaled(
+			velocity, out, inward < 0 ? -inward : 0, velocity);
+	}
+	hold_length(origin, ahead, swing->length[i], place);
+}
+
+/* A bone's origin and how it moves. */
+struct base {
+	float place[3], velocity[3];
+};
+
+/* Moves one bone's end; turns its animated rotation into what it becomes. */
+static void swing_bone(struct swing *swing, int i, const struct base *base,
+	float part_s, float rotation[4])
+{
+	struct spring *spring = swing->spring;
+	const float *origin = base->place;
+	float *place = spring->place[i];
+	float animated[4] = {rotation[0], rotation[1], rotation[2], rotation[3]};
+	float ahead[3], goal[3], way[3], turn[4];
+
+	quat_rotate(rotation, swing->bone[i], ahead);
+	vec_add_scaled(origin, ahead, 1, goal);
+	pull(spring, i, goal, part_s);
+	hold_length(origin, ahead, swing->length[i], place);
+	keep_out(swing, i, origin, ahead);
+	hold_speed(origin, base->velocity, swing->length[i], place,
+		spring->velocity[i]);
+	vec_subtract(place, origin, way);
+	quat_between(ahead, way, turn);
+	quat_multiply(turn, rotation, rotation);
+	quat_normalize(rotation);
+	if (spring->limit_rad > 0 &&
+		quat_limit(rotation, animated, spring->limit_rad)) {
+		quat_rotate(rotation, swing->bone[i], way);
+		vec_add_scaled(origin, way, 1, place);
+		memcpy(spring->velocity[i], base->velocity, sizeof(way));
+	}
+}
+
+/* One part of a step, with the first bone's base at a share of its way. */
+static void swing_chain(struct swing *swing, struct base base,
+	const float above[4], float part_s)
+{
+	struct spring *spring = swing->spring;
+	const float *parent = above;
+
+	for (int i = 0; i < spring->count; i++) {
+		const float *local =
+			swing->pose->local[spring->node[i]].rotation;
+
+		quat_multiply(parent, local, swing->turned[i]);
+		quat_normalize(swing->turned[i]);
+		swing_bone(swing, i, &base, part_s, swing->turned[i]);
+		memcpy(base.place, spring->place[i], sizeof(base.place));
+		memcpy(base.velocity, spring->velocity[i],
+			sizeof(base.velocity));
+		parent = swing->turned[i];
+	}
+}
+
+static void store(
+	const struct swing *swing, const float above[4], struct pose *pose)
+{
+	const struct spring *spring = swing->spring;
+	const float *parent = above;
+
+	for (int i = 0; i < spring->count; i++) {
+		float *local = pose->local[spring->node[i]].rotation;
+		float goal[4];
+
+		quat_conjugate(parent, goal);
+		quat_multiply(goal, swing->turned[i], goal);
+		quat_slerp(local, goal, spring->weight, local);
+		quat_normalize(local);
+		pose->animated[spring->node[i]] = true;
+		parent = swing->turned[i];
+	}
+}
+
+static bool jumped(
+	const struct spring *spring, const float origin[3], float total)
+{
+	float way[3];
+
+	vec_subtract(origin, spring->origin, way);
+	return !(vec_length(way) <= 4 * total);
+}
+
+static void keep_base(
+	struct spring *spring, const float origin[3], const float above[4])
+{
+	memcpy(spring->origin, origin, sizeof(spring->origin));
+	memcpy(spring->rotation, above, sizeof(spring->rotation));
+}
+
+void spring_update(struct spring *spring, float step_s,
+	const struct capsule_place *capsule, int capsule_count,
+	const mat4 *world, struct pose *pose)
+{
+	struct swing swing = {.spring = spring,
+		.pose = pose,
+		.capsule = capsule,
+		.capsule_count = capsule_count};
+	const float *origin = world[spring->node[0]][3];
+	struct base base;
+	float above[4];
+	int parts;
+
+	measure(&swing, world, pose);
+	bone_parent_rotation(pose, world, spring->node[0], above);
+	if (!spring->begun || jumped(spring, origin, swing.total)) {
+		begin_at_rest(spring, &swing, world);
+		keep_base(spring, origin, above);
+	}
+	step_s = scalar_clamp(step_s, 1e-4f, LONGEST_STEP_S);
+	parts = (int)(step_s / PART_S) + 1;
+	parts = parts < MOST_PARTS ? parts : MOST_PARTS;
+	vec_subtract(origin, spring->origin, base.velocity);
+	for (int k = 0; k < 3; k++) {
+		base.velocity[k] /= step_s;
+	}
+	for (int p = 1; p <= parts; p++) {
+		float share = (float)p / (float)parts;
+		float rotation[4];
+
+		vec_mix(spring->origin, origin, share, base.place);
+		quat_slerp(spring->rotation, above, share, rotation);
+		swing_chain(&swing, base, rotation, step_s / (float)parts);
+	}
+	store(&swing, above, pose);
+	keep_base(spring, origin, above);
+}

@@ -1,0 +1,139 @@
+#include "app/cmd/bench/bench_report.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include <jansson.h>
+
+/* The same work by the float kernel, or NULL where it was not measured. */
+static const struct bench_result *float_result(
+	const struct bench_report *report, const struct bench_row *row)
+{
+	for (int i = 0; i < report->result_count; i++) {
+		const struct bench_result *result = &report->result[i];
+
+		if (result->row == row &&
+			strcmp(result->kernel->name, "float") == 0) {
+			return result;
+		}
+	}
+	return NULL;
+}
+
+static void print_head(const struct bench_report *report, FILE *out)
+{
+	if (report->mesh) {
+		fprintf(out, "%s: ", report->mesh);
+	}
+	fprintf(out,
+		"nanoseconds a vertex on this machine, the median of %d runs\n"
+		"warm: run after run. cold: after 32 MiB of other data. x: "
+		"times float's speed, warm\n\n",
+		report->runs);
+	fprintf(out, "%-37s%-8s", "", "");
+	for (int s = 0; s < report->size_count; s++) {
+		fprintf(out, "%12d vertices    ", report->vertex_count[s]);
+	}
+	fprintf(out, "\n%-37s%-8s", "", "");
+	for (int s = 0; s < report->size_count; s++) {
+		fprintf(out, "%9s%8s%8s", "warm", "cold", "x");
+	}
+	fprintf(out, "\n");
+}
+
+static void print_result(const struct bench_report *report,
+	const struct bench_result *result, const char *title, FILE *out)
+{
+	const struct bench_result *base = float_result(report, result->row);
+
+	fprintf(out, "%-37s%-8s", title, result->kernel->name);
+	for (int s = 0; s < report->size_count; s++) {
+		const struct bench_time *time = &result->time[s];
+
+		fprintf(out, " %8.2f %7.2f", time->warm_ns, time->cold_ns);
+		if (base && time->warm_ns > 0) {
+			fprintf(out, "%8.2f",
+				base->time[s].warm_ns / time->warm_ns);
+		} else {
+			fprintf(out, "%8s", "");
+		}
+	}
+	fprintf(out, "\n");
+}
+
+static int finish(const struct log *log, FILE *out)
+{
+	if (fflush(out) != 0 || ferror(out)) {
+		log_error(log, "bench: the output cannot be written");
+		return -EIO;
+	}
+	return 0;
+}
+
+int bench_print_text(
+	const struct bench_report *report, const struct log *log, FILE *out)
+{
+	const struct bench_row *last = NULL;
+
+	print_head(report, out);
+	for (int i = 0; i < report->result_count; i++) {
+		const struct bench_result *result = &report->result[i];
+		bool is_first = result->row != last;
+
+		print_result(report, result, is_first ? result->row->title : "",
+			out);
+		last = result->row;
+	}
+	return finish(log, out);
+}
+
+/* json_array_append_new() and json_pack() take NULL for "memory is short". */
+static json_t *times(
+	const struct bench_report *report, const struct bench_result *result)
+{
+	json_t *array = json_array();
+
+	for (int s = 0; s < report->size_count; s++) {
+		json_array_append_new(array,
+			json_pack("{s:i, s:f, s:f}", "vertices",
+				report->vertex_count[s], "warm_ns",
+				result->time[s].warm_ns, "cold_ns",
+				result->time[s].cold_ns));
+	}
+	return array;
+}
+
+static json_t *results(const struct bench_report *report)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < report->result_count; i++) {
+		const struct bench_result *result = &report->result[i];
+
+		json_array_append_new(array,
+			json_pack("{s:s, s:s, s:s, s:o}", "name",
+				result->row->name, "title", result->row->title,
+				"kernel", result->kernel->name, "times",
+				times(report, result)));
+	}
+	return array;
+}
+
+int bench_print_json(
+	const struct bench_report *report, const struct log *log, FILE *out)
+{
+	json_t *root = json_pack("{s:s?, s:i, s:s, s:o}", "model", report->mesh,
+		"runs", report->runs, "unit", "ns a vertex", "results",
+		results(report));
+
+	if (!root) {
+		log_error(log,
+			"bench: not enough memory, or a file's name "
+			"is no UTF-8, which JSON needs");
+		return -EINVAL;
+	}
+	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(5));
+	fputc('\n', out);
+	json_decref(root);
+	return finish(log, out);
+}

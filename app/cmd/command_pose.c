@@ -1,0 +1,158 @@
+#include "app/cmd/command.h"
+
+#include "app/anim/clip.h"
+#include "app/cmd/show/kernel_choice.h"
+#include "app/scene/instance/instance.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Numbers are printed with a point whatever the locale: none is ever set. */
+static void write_drawable(FILE *out, const struct instance *instance,
+	const struct drawable *drawable, int first_vertex)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	fprintf(out, "o node%d_prim%d\n",
+		instance->model->node[drawable->node].file_index,
+		primitive->file_index);
+	for (int i = 0; i < primitive->vertex_count; i++) {
+		float p[3];
+
+		instance_world_vertex(instance, drawable, i, p);
+		fprintf(out, "v %.6f %.6f %.6f\n", p[0], p[1], p[2]);
+	}
+	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
+		fprintf(out, "f %u %u %u\n",
+			primitive->index[i] + (uint32_t)first_vertex,
+			primitive->index[i + 1] + (uint32_t)first_vertex,
+			primitive->index[i + 2] + (uint32_t)first_vertex);
+	}
+}
+
+static int write_obj(const struct instance *instance, const char *path,
+	const struct log *log)
+{
+	FILE *out = fopen(path, "w");
+	int first_vertex = 1;
+	int error = 0;
+
+	if (!out) {
+		error = -errno;
+		log_error(log, "%s: %s", path, strerror(-error));
+		return error;
+	}
+	for (int i = 0; i < instance->drawable_count; i++) {
+		write_drawable(
+			out, instance, &instance->drawable[i], first_vertex);
+		first_vertex += instance->drawable[i].primitive->vertex_count;
+	}
+	if (ferror(out)) {
+		error = -EIO;
+	}
+	if (fclose(out) != 0) {
+		error = -errno;
+	}
+	if (error) {
+		log_error(log, "%s: writing fails: %s", path, strerror(-error));
+		remove(path);
+	}
+	return error;
+}
+
+static int pose_instance(struct instance *instance,
+	const struct options *options, const struct log *log)
+{
+	struct clip_cursor cursor;
+	int clip;
+	int error = model_choose_clip(
+		instance->model, options->clip, -1, log, &clip);
+
+	if (error) {
+		return error;
+	}
+	error = clip_cursor_init(&cursor, instance->model, &instance->arena);
+	if (error) {
+		log_error(log, "%s: not enough memory to pose it",
+			instance->model->path);
+		return error;
+	}
+	if (clip >= 0) {
+		clip_pose(&instance->model->clip[clip], (float)options->time_s,
+			options->interpolation, &cursor, &instance->pose);
+	}
+	/* A pose has no distance: auto means all. */
+	if (options->lod.kind != LOD_DISTANCE) {
+		instance->max_influences =
+			lod_choose(&options->lod, instance, NULL, 0.0f, 0);
+	}
+	instance_update(instance);
+	if (instance_failed(instance)) {
+		log_error(log,
+			"%s: this pose does not fit 16 bits: use --math float",
+			instance->model->path);
+		return -ERANGE;
+	}
+	return 0;
+}
+
+/* A pose is a reference for others: in float, unless told otherwise. */
+static const struct kernel *choose_kernel(
+	const struct options *options, const struct log *log)
+{
+	struct options chosen = *options;
+
+	if (!options->kernel && options->math == MATH_ANY) {
+		chosen.math = MATH_FLOAT;
+	}
+	return kernel_choose(&chosen, log);
+}
+
+static int run_with_model(const struct model *model,
+	const struct options *options, const struct log *log)
+{
+	const struct kernel *kernel = choose_kernel(options, log);
+	struct instance *instance;
+	int error = instance_create(model, kernel, log, &instance);
+
+	if (error) {
+		return error;
+	}
+	error = pose_instance(instance, options, log);
+	if (!error) {
+		error = write_obj(instance, options->output, log);
+	}
+	instance_destroy(instance);
+	return error;
+}
+
+static int run(const struct options *options, const struct log *log)
+{
+	if (!options->model_path) {
+		log_error(log, "pose: no model: limber pose MODEL -o FILE.obj");
+		return EXIT_USAGE;
+	}
+	if (!options->output) {
+		log_error(log, "pose: no file to write: add -o FILE.obj");
+		return EXIT_USAGE;
+	}
+	if (!choose_kernel(options, log)) {
+		return EXIT_USAGE;
+	}
+	return command_with_model(options, log, run_with_model);
+}
+
+const struct command command_pose = {
+	.name = "pose",
+	.bit = FOR_POSE,
+	.usage = "MODEL -o FILE.obj",
+	.summary = "write posed vertices as Wavefront OBJ",
+	.detail = "Writes where each vertex is at a moment of a clip, in world "
+		  "space: one OBJ object a node\nand primitive, named "
+		  "node<N>_prim<P> after the file's numbers, vertices in the "
+		  "file's order.\nTimes outside the clip are clamped. Without "
+		  "--clip it is the rest pose.\n\n"
+		  "  limber pose robot.glb --clip walk --time 0.4 -o walk.obj",
+	.run = run,
+};

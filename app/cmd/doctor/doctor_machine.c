@@ -1,0 +1,229 @@
+#include "app/cmd/doctor/doctor_machine.h"
+
+#include "app/cmd/command.h"
+#include "app/cmd/options/config.h"
+#include "app/cmd/doctor/doctor_report.h"
+#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/show/show_screen.h"
+#include "app/demo/demo.h"
+#include "app/demo/preset_file.h"
+#include "platform/base/file.h"
+#include "platform/camera/camera.h"
+#include "platform/gl/gl_survey.h"
+#include "platform/watchdog/watchdog.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+	PATH_ROOM = 1024
+};
+
+/* The display that play would take, or could be told to. */
+struct choice {
+	const char *name; /* or NULL */
+	bool unasked;
+};
+
+static struct gl_request request_of(const struct options *options)
+{
+	return (struct gl_request){
+		.format = options->format,
+		.egl_library = options->egl_library,
+		.gles_library = options->gles_library,
+	};
+}
+
+static bool survey_display(struct doctor_report *report,
+	const struct display_driver *driver, const struct options *options)
+{
+	const struct survey survey = doctor_report_survey(report);
+	const struct gl_request request = request_of(options);
+
+	report->works = 0;
+	report->driver = driver->name;
+	if (driver->get_surface) {
+		gl_survey_screen(&request, driver->name, &survey);
+	} else if (driver->survey) {
+		driver->survey(&survey);
+	}
+	return report->works > 0;
+}
+
+static struct choice survey_displays(
+	struct doctor_report *report, const struct options *options)
+{
+	struct choice choice = {0};
+
+	doctor_report_section(report, "Displays", "displays");
+	for (int i = 0; display_registry[i]; i++) {
+		const struct display_driver *driver = display_registry[i];
+		bool unasked = !driver->probe || driver->probe();
+
+		if (survey_display(report, driver, options) &&
+			(!choice.name || (unasked && !choice.unasked))) {
+			choice = (struct choice){driver->name, unasked};
+		}
+	}
+	return choice;
+}
+
+static bool survey_gl(
+	struct doctor_report *report, const struct options *options)
+{
+	const struct survey survey = doctor_report_survey(report);
+	const struct gl_request request = request_of(options);
+
+	doctor_report_section(report, "GL drivers", "gl");
+	report->works = 0;
+	gl_survey(&request, &survey);
+	return report->works > 0;
+}
+
+static void survey_kernels(struct doctor_report *report, const struct log *log)
+{
+	const struct survey survey = doctor_report_survey(report);
+	const struct options usual = options_default();
+	const struct kernel *chosen = kernel_choose(&usual, log);
+
+	doctor_report_section(report, "Kernels", "kernels");
+	for (int i = 0; kernel_registry[i]; i++) {
+		const struct kernel *kernel = kernel_registry[i];
+
+		survey_say(&survey, SURVEY_WORKS, kernel->name, NULL, "%s%s",
+			kernel->summary,
+			kernel == chosen ? "; taken by default" : "");
+	}
+}
+
+static void survey_devices(struct doctor_report *report)
+{
+	const struct survey survey = doctor_report_survey(report);
+
+	doctor_report_section(report, "Buttons", "buttons");
+	for (int i = 0; button_registry[i]; i++) {
+		report->driver = button_registry[i]->name;
+		if (button_registry[i]->survey) {
+			button_registry[i]->survey(&survey);
+		}
+	}
+	doctor_report_section(report, "Cameras", "cameras");
+	for (int i = 0; camera_registry[i]; i++) {
+		report->driver = camera_registry[i]->name;
+		if (camera_registry[i]->survey) {
+			camera_registry[i]->survey(&survey);
+		}
+	}
+	doctor_report_section(report, "Watchdogs", "watchdogs");
+	watchdog_survey("/dev", &survey);
+}
+
+/* Whether play could begin with these options; the log has why not. */
+static bool options_are_good(const char *path, const struct log *log)
+{
+	struct config config = {arena_empty()};
+	struct options options = options_default();
+	bool fine = config_load(&config, path, FOR_PLAY, &options, log) == 0 &&
+		screen_check(&options, log) == 0 &&
+		kernel_choose(&options, log) &&
+		buttons_check(options.buttons, log) == 0;
+
+	config_release(&config);
+	return fine;
+}
+
+static void survey_config(
+	struct doctor_report *report, const struct options *options)
+{
+	const struct survey survey = doctor_report_survey(report);
+	struct survey_sentence sentence;
+	struct log said = survey_log(&sentence);
+	char path[PATH_ROOM];
+
+	doctor_report_section(report, "Configuration", "configuration");
+	if (!config_find(options->config, true, path, sizeof(path))) {
+		survey_say(&survey, SURVEY_UNUSED, "limber.conf", NULL,
+			"there is none: everything is as built in");
+	} else if (access(path, R_OK) != 0) {
+		survey_say(&survey, SURVEY_BROKEN, path,
+			"name another with --config FILE, or none with "
+			"--config none",
+			"cannot be read: %s", strerror(errno));
+	} else if (options_are_good(path, &said)) {
+		survey_say(&survey, SURVEY_WORKS, path, NULL,
+			"read by limber play, without a mistake");
+	} else {
+		survey_say_sentence(
+			&survey, SURVEY_BROKEN, path, &sentence, NULL);
+	}
+}
+
+static void survey_file(const struct survey *survey, const char *name)
+{
+	const struct log nowhere = log_to_nowhere();
+	char path[PATH_ROOM], remedy[PATH_ROOM + 32];
+
+	if (file_find_asset(name, &nowhere, path, sizeof(path)) != 0) {
+		survey_say(survey, SURVEY_MISSING, name,
+			"export LIMBER_ASSETS=FOLDER, the one that holds "
+			"limber's models",
+			"not found");
+	} else if (access(path, R_OK) != 0) {
+		snprintf(remedy, sizeof(remedy), "sudo chmod a+r %s", path);
+		survey_say(survey, SURVEY_BROKEN, name, remedy,
+			"%s: no permission", path);
+	} else {
+		survey_say(survey, SURVEY_WORKS, name, NULL, "%s", path);
+	}
+}
+
+/* Whether a demo before that one has the same file. */
+static bool is_known_asset(int demo)
+{
+	const char *asset = demo_registry[demo]->asset;
+
+	for (int i = 0; i < demo; i++) {
+		if (demo_registry[i]->asset &&
+			strcmp(demo_registry[i]->asset, asset) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void survey_files(struct doctor_report *report)
+{
+	const struct survey survey = doctor_report_survey(report);
+
+	doctor_report_section(report, "The demos' files", "files");
+	for (int i = 0; demo_registry[i]; i++) {
+		if (demo_registry[i]->asset && !is_known_asset(i)) {
+			survey_file(&survey, demo_registry[i]->asset);
+		}
+	}
+	survey_file(&survey, preset_file_asset);
+}
+
+int doctor_examine_machine(const struct options *options, const struct log *log)
+{
+	struct doctor_report report;
+	struct choice display;
+	bool plays;
+
+	if (doctor_report_begin(&report, stdout, options->json, log) != 0) {
+		return EXIT_FAILED;
+	}
+	display = survey_displays(&report, options);
+	plays = survey_gl(&report, options) && display.name;
+	survey_kernels(&report, log);
+	survey_devices(&report);
+	survey_config(&report, options);
+	survey_files(&report);
+	if (doctor_report_end(
+		    &report, plays, display.name, display.unasked, log) != 0) {
+		return EXIT_FAILED;
+	}
+	return plays ? EXIT_OK : EXIT_FAILED;
+}

@@ -1,0 +1,39 @@
+#include "app/cmd/command.h"
+#include "app/cmd/info/info_report.h"
+
+#include <stdio.h>
+
+static int run_with_model(const struct model *model,
+	const struct options *options, const struct log *log)
+{
+	struct info_report report;
+	int error = info_measure(model, log, &report);
+
+	if (error) {
+		return error;
+	}
+	return options->json ? info_print_json(&report, log, stdout)
+			     : info_print_text(&report, log, stdout);
+}
+
+static int run(const struct options *options, const struct log *log)
+{
+	if (!options->model_path) {
+		log_error(log, "info: no model: limber info MODEL");
+		return EXIT_USAGE;
+	}
+	return command_with_model(options, log, run_with_model);
+}
+
+const struct command command_info = {
+	.name = "info",
+	.bit = FOR_INFO,
+	.usage = "MODEL [--json]",
+	.summary = "tell what a model holds",
+	.detail = "Lists a model's meshes and their levels of detail, joints, "
+		  "influences, morph targets and\nclips, and the bytes that each technique needs to "
+		  "animate it.\n\n"
+		  "  limber info robot.glb\n"
+		  "  limber info robot.glb --json | jq .clips",
+	.run = run,
+};

@@ -1,0 +1,156 @@
+#include "app/cmd/info/info_report.h"
+#include "platform/base/time_text.h"
+
+#include <errno.h>
+
+/* Names may be missing. */
+static const char *or_unnamed(const char *name)
+{
+	return name[0] ? name : "(unnamed)";
+}
+
+/* As a mesh's own triangles: each with how far it is off. */
+static void print_levels(const struct model_mesh *mesh, FILE *out)
+{
+	int count = model_level_count(mesh);
+
+	for (int i = 0; i < count; i++) {
+		struct model_level level = model_level(mesh, i);
+
+		fprintf(out, "%s%d at %.3g mm%s",
+			i ? ", " : "           levels: ", level.triangle_count,
+			(double)level.error_m * 1000.0,
+			level.shape ? " for shadows" : "");
+	}
+	if (count) {
+		fprintf(out, "\n");
+	}
+}
+
+static void print_meshes(const struct model *model, FILE *out)
+{
+	fprintf(out, "\nmeshes     parts vertices triangles targets\n");
+	for (int i = 0; i < model->mesh_count; i++) {
+		const struct model_mesh *mesh = &model->mesh[i];
+		struct model_stats stats = {0};
+
+		model_stats_add_mesh(&stats, mesh);
+		fprintf(out, "  %3d      %5d %8d %9d %7d  %s\n", i,
+			mesh->primitive_count, stats.vertex_count,
+			stats.triangle_count, mesh->target_count,
+			or_unnamed(mesh->name));
+		for (int t = 0; t < mesh->target_count; t++) {
+			fprintf(out, "%s%s", t ? ", " : "           targets: ",
+				or_unnamed(mesh->target_name[t]));
+		}
+		if (mesh->target_count) {
+			fprintf(out, "\n");
+		}
+		print_levels(mesh, out);
+	}
+}
+
+static void print_skins(const struct info_report *report, FILE *out)
+{
+	const struct model_stats *stats = &report->stats;
+	const struct model *model = report->model;
+
+	if (model->skin_count == 0) {
+		return;
+	}
+	fprintf(out, "\nskins      joints\n");
+	for (int i = 0; i < model->skin_count; i++) {
+		fprintf(out, "  %3d      %6d  %s\n", i,
+			model->skin[i].joint_count,
+			or_unnamed(model->skin[i].name));
+	}
+	fprintf(out, "influences a vertex:");
+	for (int k = 1; k <= stats->max_influences; k++) {
+		fprintf(out, " %s%d on %d", k > 1 ? "| " : "", k,
+			stats->influence_histogram[k]);
+	}
+	fprintf(out, "\n");
+}
+
+static void print_clips(const struct model *model, FILE *out)
+{
+	if (model->clip_count == 0) {
+		return;
+	}
+	fprintf(out, "\nclips      seconds  30 Hz  ticks channels  keys\n");
+	for (int i = 0; i < model->clip_count; i++) {
+		const struct model_clip *clip = &model->clip[i];
+		double duration_s = (double)clip->duration_s;
+		struct model_stats stats = {0};
+
+		model_stats_add_clip(&stats, clip);
+		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  %s\n", i,
+			duration_s, duration_s * 30.0,
+			duration_s * TICKS_PER_SECOND, stats.channel_count,
+			stats.key_count, or_unnamed(clip->name));
+	}
+}
+
+static void print_images(const struct model *model, FILE *out)
+{
+	if (model->image_count == 0) {
+		return;
+	}
+	fprintf(out, "\nimages     size\n");
+	for (int i = 0; i < model->image_count; i++) {
+		const struct model_image *image = &model->image[i];
+
+		fprintf(out, "  %3d      %dx%d%s  %s\n", i, image->width,
+			image->height, image->opaque ? "" : " with alpha",
+			or_unnamed(image->name));
+	}
+}
+
+static void print_bytes_line(
+	FILE *out, const char *what, size_t bytes, const char *remark)
+{
+	if (bytes > 0) {
+		fprintf(out, "  %-13s %9zu  %s\n", what, bytes, remark);
+	}
+}
+
+static void print_bytes(const struct info_report *report, FILE *out)
+{
+	const struct model_stats *stats = &report->stats;
+
+	fprintf(out, "\nbytes in memory\n");
+	print_bytes_line(out, "geometry", stats->geometry_bytes,
+		"vertices and indices, whatever the technique");
+	print_bytes_line(out, "hierarchical", report->hierarchical_bytes,
+		"a transform and a matrix a node");
+	print_bytes_line(out, "morphing", report->morphing_bytes,
+		"targets, and the shape they give");
+	print_bytes_line(out, "skeletal", report->skeletal_bytes,
+		"influences, palette, the skinned shape");
+	print_bytes_line(out, "clips", stats->clip_bytes, "keys and times");
+	print_bytes_line(out, "images", stats->image_bytes, "decoded");
+}
+
+int info_print_text(
+	const struct info_report *report, const struct log *log, FILE *out)
+{
+	const struct model *model = report->model;
+	const struct model_stats *stats = &report->stats;
+
+	fprintf(out,
+		"%s: %s, %d nodes, %d vertices, %d triangles, "
+		"%d materials\n",
+		model->path, model->format, model->node_count,
+		stats->vertex_count, stats->triangle_count,
+		model->material_count);
+	print_meshes(model, out);
+	print_skins(report, out);
+	print_clips(model, out);
+	print_images(model, out);
+	print_bytes(report, out);
+	if (fflush(out) != 0 || ferror(out)) {
+		log_error(log, "info: the output cannot be written");
+		return -EIO;
+	}
+	return 0;
+}

@@ -1,0 +1,137 @@
+#include "app/cmd/options/config_buttons.h"
+
+#include "platform/buttons/buttons.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *const config_buttons_keys[] = {"UP", "DOWN", "LEFT", "RIGHT",
+	"ENTER", "F6", "F8", "F9", "F10", "keyboard", "sources", NULL};
+
+static const char space[] = " \t";
+
+static int append(char *list, size_t room, const char *button,
+	const char *words, size_t length, const struct log *log)
+{
+	size_t used = strlen(list);
+	int wanted = snprintf(list + used, room - used, ",%s=%.*s", button,
+		(int)length, words);
+
+	if (wanted < 0 || (size_t)wanted >= room - used) {
+		list[used] = '\0';
+		log_error(log, "%s: too many buttons", button);
+		return -EINVAL;
+	}
+	return 0;
+}
+
+/* Holds one line or key against its driver's language. */
+static int check(const char *driver, const char *item, const struct log *log)
+{
+	char spec[600];
+	int length = snprintf(spec, sizeof(spec), "%s:%s", driver, item);
+
+	if (length < 0 || (size_t)length >= sizeof(spec)) {
+		log_error(log, "%.20s...: too long", item);
+		return -EINVAL;
+	}
+	return buttons_check(spec, log);
+}
+
+/* "gpio WORDS" or "key NAME", length bytes. */
+static int add_way(struct config_buttons *buttons, const char *button,
+	const char *way, size_t length, const struct log *log)
+{
+	bool gpio = strncmp(way, "gpio", 4) == 0;
+	bool key = strncmp(way, "key", 3) == 0;
+	size_t word = strcspn(way, " \t,");
+	char *list = gpio ? buttons->lines : buttons->keys;
+	size_t before = strlen(list);
+	const char *rest = way + word + strspn(way + word, space);
+	int error;
+
+	if ((!gpio || word != 4) && (!key || word != 3)) {
+		log_error(log,
+			"%s = %.*s: want gpio CHIP LINE or key NAME, several "
+			"parted by commas",
+			button, (int)length, way);
+		return -EINVAL;
+	}
+	length = rest < way + length ? length - (size_t)(rest - way) : 0;
+	while (length > 0 && strchr(space, rest[length - 1])) {
+		length--;
+	}
+	error = append(list, CONFIG_LIST_ROOM, button, rest, length, log);
+	return error ? error
+		     : check(gpio ? "gpiod" : "evdev", list + before + 1, log);
+}
+
+static int add_ways(struct config_buttons *buttons, const char *button,
+	const char *value, const struct log *log)
+{
+	int error;
+
+	do {
+		size_t length;
+
+		value += strspn(value, space);
+		length = strcspn(value, ",");
+		error = add_way(buttons, button, value, length, log);
+		value += length;
+	} while (!error && *value++ == ',');
+	return error;
+}
+
+static int copy(char *text, size_t room, const char *value, const char *key,
+	const struct log *log)
+{
+	if (strlen(value) >= room) {
+		log_error(log, "%s: more than %zu characters", key, room - 1);
+		return -EINVAL;
+	}
+	strcpy(text, value);
+	return 0;
+}
+
+int config_buttons_set(struct config_buttons *buttons, const char *key,
+	const char *value, const struct log *log)
+{
+	int error;
+
+	if (strcmp(key, "sources") == 0) {
+		error = buttons_check(value, log);
+		return error ? error
+			     : copy(buttons->sources, sizeof(buttons->sources),
+				       value, key, log);
+	}
+	if (strcmp(key, "keyboard") == 0) {
+		buttons->no_keyboard = strcmp(value, "none") == 0;
+		buttons->keyboard_given = !buttons->no_keyboard;
+		return copy(buttons->keyboard, sizeof(buttons->keyboard),
+			strcmp(value, "all") == 0 ? "" : value, key, log);
+	}
+	return add_ways(buttons, key, value, log);
+}
+
+int config_buttons_spec(const struct config_buttons *buttons, char *spec,
+	size_t size, const struct log *log)
+{
+	bool lines = buttons->lines[0];
+	bool keys = !buttons->no_keyboard &&
+		(buttons->keyboard_given || buttons->keys[0]);
+	bool colon = buttons->keyboard[0] || buttons->keys[0];
+	int length = snprintf(spec, size, "%s%s%s%s%s%s%s%s%s",
+		lines ? "gpiod:" : "", lines ? buttons->lines + 1 : "",
+		lines && keys ? "," : "", keys ? "evdev" : "",
+		keys && colon ? ":" : "", keys ? buttons->keyboard : "",
+		keys ? buttons->keys : "",
+		(lines || keys) && buttons->sources[0] ? "," : "",
+		buttons->sources);
+
+	if (length < 0 || (size_t)length >= size) {
+		log_error(log, "[buttons]: too many buttons");
+		return -EINVAL;
+	}
+	return 0;
+}

@@ -1,0 +1,117 @@
+#include "app/compare/export/export_look.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+#include <png.h>
+
+static json_t *material_json(const struct model_material *material)
+{
+	static const char *const alpha[] = {
+		[MODEL_OPAQUE] = "OPAQUE",
+		[MODEL_MASK] = "MASK",
+		[MODEL_BLEND] = "BLEND",
+	};
+	json_t *surface = json_pack("{s:o, s:f, s:f}", "baseColorFactor",
+		glb_floats(material->base_color, 4), "metallicFactor", 0.0,
+		"roughnessFactor", (double)material->roughness);
+	json_t *json = json_pack("{s:s, s:o, s:s, s:b}", "name", material->name,
+		"pbrMetallicRoughness", surface, "alphaMode",
+		alpha[material->alpha], "doubleSided", material->double_sided);
+
+	if (json && material->texture >= 0) {
+		json_object_set_new(surface, "baseColorTexture",
+			json_pack("{s:i}", "index", material->texture));
+	}
+	if (json && material->alpha == MODEL_MASK) {
+		json_object_set_new(json, "alphaCutoff",
+			json_real((double)material->alpha_cutoff));
+	}
+	if (json && material->unlit) {
+		json_object_set_new(json, "extensions",
+			json_pack("{s:{}}", "KHR_materials_unlit"));
+	}
+	return json;
+}
+
+static json_t *sampler_json(const struct model_texture *texture)
+{
+	static const int wrap[] = {
+		[MODEL_REPEAT] = 10497,
+		[MODEL_CLAMP] = 33071,
+		[MODEL_MIRROR] = 33648,
+	};
+	int smaller = texture->mipmap ? 9987 : 9729;
+
+	return json_pack("{s:i, s:i, s:i, s:i}", "magFilter",
+		texture->nearest ? 9728 : 9729, "minFilter", smaller, "wrapS",
+		wrap[texture->wrap_s], "wrapT", wrap[texture->wrap_t]);
+}
+
+/* The number of its view, or -1. */
+static int add_png(struct glb *glb, const struct model_image *image)
+{
+	png_image png = {
+		.version = PNG_IMAGE_VERSION,
+		.width = (png_uint_32)image->width,
+		.height = (png_uint_32)image->height,
+		.format = PNG_FORMAT_RGBA,
+	};
+	png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+	void *data = malloc(size);
+	int view = -1;
+
+	if (data &&
+		png_image_write_to_memory(
+			&png, data, &size, 0, image->rgba, 0, NULL)) {
+		view = glb_add_view(glb, data, size);
+	} else {
+		glb->error = glb->error ? glb->error : -ENOMEM;
+	}
+	png_image_free(&png);
+	free(data);
+	return view;
+}
+
+static void export_textures(struct glb *glb, const struct model *model)
+{
+	json_t *textures = json_array(), *samplers = json_array();
+	json_t *images = json_array();
+
+	for (int i = 0; i < model->texture_count; i++) {
+		json_array_append_new(
+			samplers, sampler_json(&model->texture[i]));
+		json_array_append_new(textures,
+			json_pack("{s:i, s:i}", "sampler", i, "source",
+				model->texture[i].image));
+	}
+	for (int i = 0; i < model->image_count; i++) {
+		json_array_append_new(images,
+			json_pack("{s:i, s:s}", "bufferView",
+				add_png(glb, &model->image[i]), "mimeType",
+				"image/png"));
+	}
+	glb_set(glb, "textures", textures);
+	glb_set(glb, "samplers", samplers);
+	glb_set(glb, "images", images);
+}
+
+void export_materials(struct glb *glb, const struct model *model)
+{
+	json_t *materials = json_array();
+	bool unlit = false;
+
+	for (int i = 0; i < model->material_count; i++) {
+		unlit = unlit || model->material[i].unlit;
+		json_array_append_new(
+			materials, material_json(&model->material[i]));
+	}
+	glb_set(glb, "materials", materials);
+	if (unlit) {
+		glb_set(glb, "extensionsUsed",
+			json_pack("[s]", "KHR_materials_unlit"));
+	}
+	if (model->texture_count > 0) {
+		export_textures(glb, model);
+	}
+}

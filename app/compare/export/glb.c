@@ -1,0 +1,229 @@
+#include "app/compare/export/glb.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	CHUNK_JSON = 0x4E4F534A,
+	CHUNK_BINARY = 0x004E4942,
+	MAGIC = 0x46546C67,
+	HEADER_BYTES = 12,
+	CHUNK_HEADER_BYTES = 8,
+	COMPONENT_BYTES = 4
+};
+
+void glb_begin(struct glb *glb)
+{
+	*glb = (struct glb){.root = json_object(),
+		.accessors = json_array(),
+		.views = json_array()};
+	glb_set(glb, "asset",
+		json_pack("{s:s, s:s}", "version", "2.0", "generator",
+			"limber compare"));
+}
+
+json_t *glb_floats(const float *value, int count)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < count; i++) {
+		json_array_append_new(array, json_real((double)value[i]));
+	}
+	return array;
+}
+
+void glb_set(struct glb *glb, const char *name, json_t *value)
+{
+	if (!value || json_object_set_new(glb->root, name, value) != 0) {
+		glb->error = glb->error ? glb->error : -ENOMEM;
+	}
+}
+
+static bool make_room(struct glb *glb, size_t size)
+{
+	size_t room = glb->room ? glb->room : 65536;
+	uint8_t *data;
+
+	while (room - glb->size < size) {
+		room *= 2;
+	}
+	if (room == glb->room) {
+		return true;
+	}
+	data = realloc(glb->data, room);
+	if (!data) {
+		glb->error = -ENOMEM;
+		return false;
+	}
+	glb->data = data;
+	glb->room = room;
+	return true;
+}
+
+int glb_add_view(struct glb *glb, const void *data, size_t size)
+{
+	size_t padded = (size + 3) & ~(size_t)3;
+	json_t *view;
+
+	if (glb->error || !make_room(glb, padded)) {
+		return -1;
+	}
+	view = json_pack("{s:i, s:I, s:I}", "buffer", 0, "byteOffset",
+		(json_int_t)glb->size, "byteLength", (json_int_t)size);
+	if (!view || json_array_append_new(glb->views, view) != 0) {
+		glb->error = -ENOMEM;
+		return -1;
+	}
+	memcpy(glb->data + glb->size, data, size);
+	memset(glb->data + glb->size + size, 0, padded - size);
+	glb->size += padded;
+	return (int)json_array_size(glb->views) - 1;
+}
+
+static const char *type_name(int width)
+{
+	static const char *const names[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+
+	return names[width - 1];
+}
+
+/* The smallest and largest of each component. */
+static void set_bounds(
+	json_t *accessor, const float *value, int count, int width)
+{
+	json_t *low = json_array(), *high = json_array();
+
+	for (int axis = 0; axis < width; axis++) {
+		float least = value[axis], most = value[axis];
+
+		for (int i = 1; i < count; i++) {
+			float v = value[i * width + axis];
+
+			least = v < least ? v : least;
+			most = v > most ? v : most;
+		}
+		json_array_append_new(low, json_real((double)least));
+		json_array_append_new(high, json_real((double)most));
+	}
+	json_object_set_new(accessor, "min", low);
+	json_object_set_new(accessor, "max", high);
+}
+
+static int add_accessor(struct glb *glb, json_t *accessor)
+{
+	if (!accessor || json_array_append_new(glb->accessors, accessor) != 0) {
+		glb->error = glb->error ? glb->error : -ENOMEM;
+		return -1;
+	}
+	return (int)json_array_size(glb->accessors) - 1;
+}
+
+int glb_add_array(struct glb *glb, const void *data, int count, int width,
+	enum glb_component component)
+{
+	int view = glb_add_view(
+		glb, data, (size_t)count * (size_t)width * COMPONENT_BYTES);
+	json_t *accessor;
+
+	if (view < 0) {
+		return -1;
+	}
+	accessor = json_pack("{s:i, s:i, s:i, s:s}", "bufferView", view,
+		"componentType", (int)component, "count", count, "type",
+		type_name(width));
+	if (accessor && component == GLB_FLOAT && (width == 1 || width == 3)) {
+		set_bounds(accessor, data, count, width);
+	}
+	return add_accessor(glb, accessor);
+}
+
+static void put_u32(uint8_t *out, size_t value)
+{
+	for (int i = 0; i < 4; i++) {
+		out[i] = (uint8_t)(value >> 8 * i);
+	}
+}
+
+static bool put_chunk(
+	FILE *file, uint32_t type, const void *data, size_t size, char pad)
+{
+	uint8_t header[CHUNK_HEADER_BYTES];
+	size_t padding = -size & 3;
+
+	put_u32(header, size + padding);
+	put_u32(header + 4, type);
+	if (fwrite(header, sizeof(header), 1, file) != 1 ||
+		fwrite(data, 1, size, file) != size) {
+		return false;
+	}
+	while (padding-- > 0) {
+		if (fputc(pad, file) == EOF) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static bool put_file(const struct glb *glb, const char *text, FILE *file)
+{
+	uint8_t header[HEADER_BYTES];
+	size_t length = strlen(text);
+
+	put_u32(header, MAGIC);
+	put_u32(header + 4, 2);
+	put_u32(header + 8,
+		HEADER_BYTES + 2 * CHUNK_HEADER_BYTES + ((length + 3) & ~3UL) +
+			glb->size);
+	return fwrite(header, sizeof(header), 1, file) == 1 &&
+		put_chunk(file, CHUNK_JSON, text, length, ' ') &&
+		put_chunk(file, CHUNK_BINARY, glb->data, glb->size, '\0');
+}
+
+static int write_file(const struct glb *glb, const char *text, const char *path)
+{
+	FILE *file = fopen(path, "wb");
+	int error = 0;
+
+	if (!file) {
+		return -errno;
+	}
+	if (!put_file(glb, text, file)) {
+		error = -EIO;
+	}
+	if (fclose(file) != 0 && !error) {
+		error = -errno;
+	}
+	if (error) {
+		remove(path);
+	}
+	return error;
+}
+
+int glb_write(struct glb *glb, const char *path, const struct log *log)
+{
+	char *text = NULL;
+	int error;
+
+	glb_set(glb, "buffers",
+		json_pack("[{s:I}]", "byteLength", (json_int_t)glb->size));
+	glb_set(glb, "accessors", json_incref(glb->accessors));
+	glb_set(glb, "bufferViews", json_incref(glb->views));
+	if (!glb->error) {
+		text = json_dumps(glb->root, JSON_COMPACT);
+		glb->error = text ? 0 : -ENOMEM;
+	}
+	error = glb->error ? glb->error : write_file(glb, text, path);
+	if (error) {
+		log_error(log, "%s: cannot be written: %s", path,
+			strerror(-error));
+	}
+	free(text);
+	free(glb->data);
+	json_decref(glb->accessors);
+	json_decref(glb->views);
+	json_decref(glb->root);
+	*glb = (struct glb){0};
+	return error;
+}

@@ -1,0 +1,449 @@
+/*
+ * The crowd: walkers that share one model, each with its own clip and phase.
+ *
+ * A walker is an instance, so it costs what a figure costs. Those that are
+ * small on the screen cost less: fewer triangles and influences, poses at half
+ * or a third of the rate, a plain shadow.
+ *
+ * With the soft driver at 480x640 a frame takes 5.1, 13.0, 23.1 and 33.1 million
+ * ARM instructions with 1, 4, 12 and 50 walkers: tests/bench/count.sh with `limber
+ * play --demo crowd --walkers N --gl soft --display null --format rgb565
+ * --clock fixed:25 --no-labels --frames FRAMES`. Drawing is most of it.
+ */
+#include "app/demo/actor.h"
+#include "app/demo/crowd/crowd_places.h"
+#include "app/demo/crowd/crowd_shadow.h"
+#include "app/demo/demo.h"
+#include "app/scene/draw/draw.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+#include <errno.h>
+#include <stdio.h>
+
+enum {
+	COUNT_AT_FIRST = 12,
+	STRIDE = 5, /* of LEFT and RIGHT */
+	/* Below these heights: poses at half and a third, a plain shadow. */
+	HALF_BELOW_PX = 110,
+	THIRD_BELOW_PX = 64,
+	PLAIN_BELOW_PX = 110,
+	RATES = 3
+};
+
+static const float turn_rad_per_s = 0.9f;
+static const float drift_rad_per_s = 0.08f;
+static const float ease_per_s = 3.0f; /* of the camera to its distance */
+static const double period_s = 8.0;
+
+static const struct framing framing = {
+	.yaw_rad = 0.45f, .pitch_rad = 0.42f, .turn_rad = 0.0f, .margin = 1.0f};
+
+struct walker {
+	struct instance *instance;
+	struct clip_cursor cursor;
+	struct crowd_place place;
+	int clip;
+	struct crowd_spot spot;
+	float height_px; /* on the screen */
+	int every;       /* so many frames a pose */
+};
+
+struct demo {
+	struct act act;
+	const struct log *log;
+	const struct kernel *kernel;
+	float aspect;
+	int height; /* of the picture */
+	int count;
+	bool full; /* no memory for more */
+	struct walker walker[CROWD_MAX];
+	unsigned frame;
+	double now_s;
+	float turn;
+	bool drifting;
+	bool plain_shadows;
+	bool saving;        /* level of detail */
+	int at_rate[RATES]; /* walkers posed at full, half, third rate */
+};
+
+/* The clip is one that the model has, whatever it is called. */
+static int find_clip(const struct model *model, const char *name)
+{
+	int clip = model_find_clip(model, name);
+
+	return clip >= 0 ? clip : model->clip_count > 0 ? 0 : -1;
+}
+
+/* The first one is the actor's own instance. */
+static int add_walker(struct demo *demo)
+{
+	const struct model *model = demo->act.actor.model;
+	struct walker *walker = &demo->walker[demo->count];
+	int error = 0;
+
+	*walker = (struct walker){.place = crowd_place(demo->count), .every = 1};
+	if (demo->count == 0) {
+		walker->instance = demo->act.actor.instance;
+	} else {
+		error = instance_create(
+			model, demo->kernel, demo->log, &walker->instance);
+	}
+	if (error) {
+		return error;
+	}
+	error = clip_cursor_init(
+		&walker->cursor, model, &walker->instance->arena);
+	if (error) {
+		log_error(demo->log, "crowd: not enough memory for %d walkers",
+			demo->count + 1);
+		instance_destroy(walker->instance);
+		return error;
+	}
+	walker->instance->relief = false; /* lit in world space; they turn */
+	walker->clip = find_clip(model, walker->place.clip);
+	demo->count++;
+	return 0;
+}
+
+static void remove_walker(struct demo *demo)
+{
+	if (demo->count > 1) {
+		demo->count--;
+		instance_destroy(demo->walker[demo->count].instance);
+		demo->walker[demo->count] = (struct walker){0};
+		demo->full = false;
+	}
+}
+
+static void change_count(struct demo *demo, int by)
+{
+	for (; by > 0 && demo->count < CROWD_MAX && !demo->full; by--) {
+		demo->full = add_walker(demo) != 0;
+	}
+	for (; by < 0; by++) {
+		remove_walker(demo);
+	}
+}
+
+static struct bounds bounds_of_crowd(const struct demo *demo, int count)
+{
+	/* The camera frames the box however it is turned; this one lies in
+	   the circle. */
+	float r = 0.7f * crowd_radius_m(count > 1 ? count : 2);
+
+	return (struct bounds){
+		.low = {-r, 0.0f, -r},
+		.high = {r, demo->act.actor.extent, r},
+	};
+}
+
+/* Where the camera belongs for so many walkers. */
+static struct camera camera_for(const struct demo *demo, int count)
+{
+	struct bounds bounds = bounds_of_crowd(demo, count);
+	struct camera camera = camera_default();
+	struct framing wanted = framing;
+
+	wanted.aspect = demo->aspect;
+	camera_frame(&camera, &bounds, &wanted);
+	return camera;
+}
+
+static int crowd_prepare(struct demo *demo, const struct demo_env *env)
+{
+	int wanted = env->walkers > 0 ? env->walkers : COUNT_AT_FIRST;
+	struct bounds bounds;
+	int error = 0;
+
+	demo->log = env->log;
+	demo->kernel = env->kernel;
+	demo->aspect = (float)env->width / (float)env->height;
+	demo->height = env->height;
+	demo->drifting = env->unattended;
+	demo->saving = true;
+	while (!error && demo->count < wanted && demo->count < CROWD_MAX) {
+		error = add_walker(demo);
+	}
+	if (error) {
+		return error;
+	}
+	/* The floor is laid out for the largest crowd. */
+	bounds = bounds_of_crowd(demo, CROWD_MAX);
+	error = set_stage(env, &bounds, framing, &demo->act.stage);
+	demo->act.stage.camera = camera_for(demo, demo->count);
+	return error;
+}
+
+static void crowd_finish(struct demo *demo)
+{
+	for (int i = 1; i < demo->count; i++) {
+		instance_destroy(demo->walker[i].instance);
+	}
+}
+
+static void move_camera(struct demo *demo, float step_s)
+{
+	struct camera *camera = &demo->act.stage.camera;
+	struct camera goal = camera_for(demo, demo->count);
+	float share = 1.0f - scalar_exp(-ease_per_s * step_s);
+	float drift = demo->drifting ? drift_rad_per_s : 0.0f;
+
+	camera->distance += (goal.distance - camera->distance) * share;
+	camera->reach += (goal.reach - camera->reach) * share;
+	camera_orbit(
+		camera, (demo->turn * turn_rad_per_s + drift) * step_s, 0.0f);
+}
+
+/* How high the figure is on the screen. */
+static float height_px(const struct demo *demo, const struct walker *walker)
+{
+	const struct camera *camera = &demo->act.stage.camera;
+	float eye[3], dx, dz, seen;
+
+	camera_eye(camera, eye);
+	dx = eye[0] - walker->spot.x;
+	dz = eye[2] - walker->spot.z;
+	seen = 2.0f * camera_tan_half(camera->yfov_rad) *
+		scalar_sqrt(dx * dx + dz * dz + eye[1] * eye[1]);
+	return demo->act.actor.extent / seen * (float)demo->height;
+}
+
+static int influences_of(const struct demo *demo, const struct walker *walker)
+{
+	const struct lod *lod = &demo->act.actor.lod;
+	int cap = demo->saving ? lod_for_height(walker->height_px) : 0;
+	int shed = demo->act.shed.max_influences;
+
+	if (lod->kind == LOD_FIXED && lod->value > 0) {
+		cap = lod->value;
+	}
+	return shed > 0 && (cap == 0 || shed < cap) ? shed : cap;
+}
+
+static int frames_a_pose(const struct demo *demo, float height)
+{
+	if (!demo->saving || height >= HALF_BELOW_PX) {
+		return 1;
+	}
+	return height >= THIRD_BELOW_PX ? 2 : 3;
+}
+
+static void pose_walker(struct demo *demo, struct walker *walker)
+{
+	struct instance *instance = walker->instance;
+	const struct model *model = demo->act.actor.model;
+
+	instance->max_influences = influences_of(demo, walker);
+	instance->hold_normals = demo->act.shed.hold_normals;
+	if (walker->clip >= 0) {
+		const struct model_clip *clip = &model->clip[walker->clip];
+		double at_s = demo->now_s +
+			(double)(walker->place.phase * clip->duration_s);
+
+		clip_pose(clip, clip_time(at_s, clip->duration_s, CLIP_LOOP),
+			demo->act.actor.interpolation, &walker->cursor,
+			&instance->pose);
+	}
+	instance_update(instance);
+}
+
+static void choose_detail(struct demo *demo, struct walker *walker)
+{
+	static const struct detail all = {.kind = DETAIL_ALL};
+	const struct actor *actor = &demo->act.actor;
+	struct detail detail =
+		detail_relax(&actor->detail, actor->least_error_px);
+
+	detail_choose(walker->instance, demo->saving ? &detail : &all,
+		walker->height_px / actor->extent);
+}
+
+static void crowd_update(struct demo *demo, double time_s)
+{
+	float step_s = (float)(time_s - demo->now_s);
+
+	demo->now_s = time_s;
+	move_camera(demo, step_s);
+	for (int rate = 0; rate < RATES; rate++) {
+		demo->at_rate[rate] = 0;
+	}
+	for (int i = 0; i < demo->count; i++) {
+		struct walker *walker = &demo->walker[i];
+		bool first = walker->height_px == 0.0f;
+
+		walker->spot = crowd_spot_at(&walker->place, time_s);
+		walker->height_px = height_px(demo, walker);
+		walker->every = frames_a_pose(demo, walker->height_px);
+		demo->at_rate[walker->every - 1]++;
+		choose_detail(demo, walker);
+		/* Turn by turn, so that each frame has as much to do. */
+		if (first ||
+			(demo->frame + (unsigned)i) % (unsigned)walker->every ==
+				0) {
+			pose_walker(demo, walker);
+		}
+	}
+	demo->frame++;
+}
+
+static void enter_spot(const struct crowd_spot *spot, const struct gl *gl)
+{
+	gl->PushMatrix();
+	gl->Translatex(fx16_from_float(spot->x), 0, fx16_from_float(spot->z));
+	gl->Rotatex(fx16_from_float(spot->yaw_rad * (180.0f / SCALAR_PI)), 0,
+		FX16_ONE, 0);
+}
+
+static void draw_shadow(const struct demo *demo, const struct walker *walker)
+{
+	const struct gl *gl = demo->act.gl;
+	bool plain = demo->plain_shadows ||
+		(demo->saving && walker->height_px < PLAIN_BELOW_PX);
+
+	if (plain) {
+		crowd_shadow_draw(&walker->spot, gl);
+	} else {
+		enter_spot(&walker->spot, gl);
+		draw_instance(gl, walker->instance, &demo->act.actor.textures,
+			DRAW_SHAPE);
+		gl->PopMatrix();
+	}
+}
+
+static void crowd_draw(struct demo *demo, int width, int height)
+{
+	const struct gl *gl = demo->act.gl;
+
+	demo->height = height;
+	demo->aspect = (float)width / (float)height;
+	stage_begin(&demo->act.stage, gl, width, height);
+	stage_shadow_begin(&demo->act.stage, gl);
+	for (int i = 0; i < demo->count; i++) {
+		draw_shadow(demo, &demo->walker[i]);
+	}
+	stage_shadow_end(&demo->act.stage, gl);
+	for (int i = 0; i < demo->count; i++) {
+		enter_spot(&demo->walker[i].spot, gl);
+		draw_instance(gl, demo->walker[i].instance,
+			&demo->act.actor.textures, DRAW_SHADED);
+		gl->PopMatrix();
+	}
+}
+
+static double crowd_period_s(const struct demo *demo)
+{
+	(void)demo;
+	return period_s;
+}
+
+static void crowd_label(const struct demo *demo, struct hud *hud)
+{
+	static const char *const rate[RATES] = {
+		"full rate", "half rate", "a third"};
+	struct hud_group group;
+	char text[48];
+	int length = snprintf(text, sizeof(text), "%d walker%s", demo->count,
+		demo->count == 1 ? "" : "s");
+
+	if (demo->act.frames_per_s > 0.0f) {
+		snprintf(text + length, sizeof(text) - (size_t)length,
+			", %.0f fps", (double)demo->act.frames_per_s);
+	}
+	group = hud_group_begin(hud, HUD_TOP_LEFT, text);
+	for (int i = 0; i < RATES; i++) {
+		snprintf(text, sizeof(text), "%d", demo->at_rate[i]);
+		if (demo->at_rate[i] > 0) {
+			hud_group_bar(&group, rate[i], text,
+				(float)demo->at_rate[i] / (float)demo->count,
+				hud_color_blue);
+		}
+	}
+	if (demo->full) {
+		hud_group_text(&group, "no memory for more", "");
+	}
+	hud_group_end(&group);
+}
+
+static void crowd_tell(const struct demo *demo, struct demo_facts *out)
+{
+	out->triangles = 0;
+	for (int i = 0; i < demo->count; i++) {
+		out->triangles += detail_triangles(demo->walker[i].instance);
+	}
+}
+
+static void press_more(struct demo *demo, bool down)
+{
+	change_count(demo, down ? 1 : 0);
+}
+
+static void press_fewer(struct demo *demo, bool down)
+{
+	change_count(demo, down ? -1 : 0);
+}
+
+static void press_many_more(struct demo *demo, bool down)
+{
+	change_count(demo, down ? STRIDE : 0);
+}
+
+static void press_many_fewer(struct demo *demo, bool down)
+{
+	change_count(demo, down ? -STRIDE : 0);
+}
+
+static void press_turn(struct demo *demo, bool down)
+{
+	demo->turn = down ? 1.0f : 0.0f;
+}
+
+static void press_shadows(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->plain_shadows = !demo->plain_shadows;
+	}
+}
+
+static void press_saving(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->saving = !demo->saving;
+	}
+}
+
+static void press_drift(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->drifting = !demo->drifting;
+	}
+}
+
+static const struct demo_action crowd_actions[] = {
+	{BUTTON_UP, "one walker more", press_more},
+	{BUTTON_DOWN, "one fewer", press_fewer},
+	{BUTTON_RIGHT, "five more", press_many_more},
+	{BUTTON_LEFT, "five fewer", press_many_fewer},
+	{BUTTON_ENTER, "go round (hold)", press_turn},
+	{BUTTON_F6, "plain shadows for all", press_shadows},
+	{BUTTON_F8, "save on small figures, or not", press_saving},
+	{BUTTON_F9, "go round slowly", press_drift},
+	{0},
+};
+
+const struct demo_driver demo_driver_crowd = {
+	.name = "crowd",
+	.summary = "skeletal: walkers that share a model, as many as you like",
+	.asset = "walker.glb",
+	.action = crowd_actions,
+	.size = sizeof(struct demo),
+	.prepare = crowd_prepare,
+	.finish = crowd_finish,
+	.update = crowd_update,
+	.draw = crowd_draw,
+	.period_s = crowd_period_s,
+	.label = crowd_label,
+	.tell = crowd_tell,
+};

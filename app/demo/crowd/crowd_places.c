@@ -1,0 +1,73 @@
+#include "app/demo/crowd/crowd_places.h"
+
+#include "platform/base/compiler.h"
+#include "platform/base/scalar.h"
+
+struct ring {
+	int count, step; /* step from a place to the one filled next */
+	float radius_m;
+	float speed_m_s;     /* as fast as the clip's feet go */
+	const char *clip[4]; /* in turn; NULL: the first again */
+	float facing_rad;
+};
+
+/* Steps share no factor with their ring's count. */
+static const struct ring rings[] = {
+	{1, 1, 0.0f, 0.0f, {"wave"}, 0.45f},
+	{5, 2, 1.15f, 1.03f, {"walk"}, 0.0f},
+	{10, 3, 2.2f, -2.6f, {"run"}, 0.0f},
+	{14, 5, 3.3f, 1.03f, {"walk"}, 0.0f},
+	{20, 7, 4.4f, 0.0f, {"idle", "wave", "jump", "idle"}, SCALAR_PI},
+};
+
+static const float golden = 0.618034f;
+static const float body_m = 0.4f; /* around a walker */
+
+struct crowd_place crowd_place(int number)
+{
+	const struct ring *ring = rings;
+	int slot = number;
+	const char *clip;
+	float share = (float)number * golden;
+
+	while (slot >= ring->count && ring < rings + ARRAY_COUNT(rings) - 1) {
+		slot -= ring->count;
+		ring++;
+	}
+	clip = ring->clip[slot % (int)ARRAY_COUNT(ring->clip)];
+	return (struct crowd_place){
+		.clip = clip ? clip : ring->clip[0],
+		.phase = share - (float)(int)share,
+		.radius_m = ring->radius_m,
+		.angle_rad = (float)(slot * ring->step % ring->count) *
+			(2.0f * SCALAR_PI / (float)ring->count),
+		.speed_m_s = ring->speed_m_s,
+		.facing_rad = ring->facing_rad,
+	};
+}
+
+float crowd_radius_m(int count)
+{
+	return crowd_place(count > 0 ? count - 1 : 0).radius_m + body_m;
+}
+
+struct crowd_spot crowd_spot_at(const struct crowd_place *place, double time_s)
+{
+	float angle = place->angle_rad;
+	float facing = place->facing_rad;
+
+	if (place->speed_m_s != 0.0f) {
+		double turns = time_s * (double)place->speed_m_s /
+			(2.0 * (double)SCALAR_PI * (double)place->radius_m);
+
+		turns -= (double)(long)turns;
+		angle += (float)turns * 2.0f * SCALAR_PI;
+		facing = place->speed_m_s > 0.0f ? 0.5f * SCALAR_PI
+						 : -0.5f * SCALAR_PI;
+	}
+	return (struct crowd_spot){
+		.x = place->radius_m * scalar_sin(angle),
+		.z = place->radius_m * scalar_cos(angle),
+		.yaw_rad = angle + facing,
+	};
+}

@@ -1,0 +1,50 @@
+#include "app/demo/crowd/crowd_shadow.h"
+
+#include "app/scene/stage/light.h"
+#include "app/scene/draw/matrix_gl.h"
+#include "platform/base/compiler.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+/* In 1/256 m. */
+static void draw_outline(const struct gl *gl)
+{
+	static const int16_t outline[][3] = {{0, 250, 0}, {-28, 440, 0},
+		{-44, 380, 0}, {-68, 360, 0}, {-76, 200, 0}, {-48, 190, 0},
+		{-42, 0, 0}, {42, 0, 0}, {48, 190, 0}, {76, 200, 0},
+		{68, 360, 0}, {44, 380, 0}, {28, 440, 0}, {-28, 440, 0}};
+
+	gl->Scalex(FX16_ONE / 256, FX16_ONE / 256, FX16_ONE / 256);
+	gl->VertexPointer(3, GL_SHORT, 0, outline);
+	gl->DrawArrays(GL_TRIANGLE_FAN, 0, (int)ARRAY_COUNT(outline));
+}
+
+/* Upright at the spot, its flat side towards the light. */
+static void face_light(const struct crowd_spot *spot, const struct gl *gl)
+{
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+	float light[3], length;
+
+	light_direction(light);
+	length = scalar_sqrt(light[0] * light[0] + light[2] * light[2]);
+	matrix[0][0] = matrix[2][2] = light[2] / length;
+	matrix[2][0] = light[0] / length;
+	matrix[0][2] = -light[0] / length;
+	matrix[3][0] = spot->x;
+	matrix[3][2] = spot->z;
+	gl->PushMatrix();
+	matrix_gl_multiply(gl, (const vec4 *)matrix);
+}
+
+void crowd_shadow_draw(const struct crowd_spot *spot, const struct gl *gl)
+{
+	face_light(spot, gl);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->Disable(GL_CULL_FACE);
+	draw_outline(gl);
+	gl->PopMatrix();
+}

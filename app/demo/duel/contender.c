@@ -1,0 +1,227 @@
+#include "app/demo/duel/contender.h"
+
+#include "app/compare/fit.h"
+#include "app/scene/instance/batch.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	FRAMES_A_MEAN = 16
+};
+
+static int init_morph(struct contender *contender, const struct screen *screen,
+	float bound_px, const struct demo_env *env)
+{
+	const struct reference *reference = contender->reference;
+	int *key = malloc((size_t)reference->frame_count * sizeof(*key));
+	int count = key ? fit_keys(reference, screen, bound_px, key) : -ENOMEM;
+	int error = count < 0 ? count : 0;
+
+	if (error) {
+		log_error(env->log, "%s: not enough memory to fit key frames",
+			env->model_path);
+	} else {
+		/* Its vertices are shown as it leaves them, in float. */
+		error = candidate_morph(&contender->candidate, reference,
+			&kernel_float, key, count, env->log);
+	}
+	free(key);
+	return error ? error
+		     : instance_create(reference->model, &kernel_float,
+			       env->log, &contender->shown);
+}
+
+static int init_rigid(struct contender *contender, const struct demo_env *env)
+{
+	const struct reference *reference = contender->reference;
+	struct arena arena = arena_empty();
+	int error = candidate_rigid(&contender->candidate, reference, env->log);
+
+	if (error) {
+		return error;
+	}
+	error = duel_rigid_init(&contender->rigid,
+		candidate_rigid_parts(&contender->candidate), &arena);
+	contender->rigid.model.arena = arena;
+	if (error) {
+		log_error(env->log, "%s: not enough memory for its rigid parts",
+			env->model_path);
+		return error;
+	}
+	return instance_create(&contender->rigid.model, env->kernel, env->log,
+		&contender->shown);
+}
+
+static int init_technique(struct contender *contender,
+	const struct screen *screen, float bound_px, const struct demo_env *env)
+{
+	const struct reference *reference = contender->reference;
+	int error;
+
+	switch (contender->kind) {
+	case CONTENDER_MORPH:
+		return init_morph(contender, screen, bound_px, env);
+	case CONTENDER_RIGID:
+		return init_rigid(contender, env);
+	default:
+		/* For its bytes, counted as `limber compare` does. */
+		error = candidate_as_is(&contender->candidate, reference,
+			env->kernel, 0, true, env->log);
+		return error ? error
+			     : instance_create(reference->model, env->kernel,
+				       env->log, &contender->shown);
+	}
+}
+
+int contender_init(struct contender *contender, enum contender_kind kind,
+	const struct reference *reference, const struct screen *screen,
+	float bound_px, const struct demo_env *env)
+{
+	struct instance *shown;
+	int error;
+
+	*contender = (struct contender){.kind = kind,
+		.reference = reference,
+		.now_ns = env->now_ns,
+		.ms = -1.0f};
+	error = init_technique(contender, screen, bound_px, env);
+	if (error) {
+		return error;
+	}
+	shown = contender->shown;
+	shown->relief = false;
+	error = clip_cursor_init(
+		&contender->cursor, shown->model, &shown->arena);
+	if (!error) {
+		error = tint_init(&contender->heat, shown);
+	}
+	if (error) {
+		log_error(env->log, "%s: not enough memory to compare it",
+			env->model_path);
+	}
+	return error;
+}
+
+void contender_finish(struct contender *contender)
+{
+	instance_destroy(contender->shown);
+	arena_release(&contender->rigid.model.arena);
+	candidate_destroy(&contender->candidate);
+}
+
+static void run(struct contender *contender, float time_s)
+{
+	struct instance *shown = contender->shown;
+
+	if (contender->kind == CONTENDER_MORPH) {
+		contender->candidate.pose(&contender->candidate, time_s);
+		return;
+	}
+	clip_pose(contender->reference->clip, time_s, CLIP_AUTO,
+		&contender->cursor, &shown->pose);
+	instance_update(shown);
+}
+
+/* The morph's vertices to where they are drawn from. */
+static void show_morph(struct contender *contender)
+{
+	const struct reference *reference = contender->reference;
+	float unit = reference->instance->unit_scale;
+	const float(*position)[3], (*normal)[3];
+
+	candidate_morph_vertices(&contender->candidate, &position, &normal);
+	for (int i = 0; i < reference->part_count; i++) {
+		const struct reference_part *part = &reference->part[i];
+		struct drawable *drawable =
+			&contender->shown->drawable[part->drawable];
+
+		for (int v = 0; v < part->vertex_count; v++) {
+			const float *from = position[part->first_vertex + v];
+
+			for (int axis = 0; axis < 3; axis++) {
+				drawable->position[v][axis] = from[axis] * unit;
+			}
+		}
+		if (drawable->normal) {
+			memcpy(drawable->normal, normal + part->first_vertex,
+				(size_t)part->vertex_count *
+					sizeof(*drawable->normal));
+		}
+		batch_gather(drawable);
+	}
+}
+
+static void count_time(struct contender *contender, int64_t ns)
+{
+	contender->gathered_ms += (float)ns * 1e-6f;
+	contender->gathered++;
+	if (contender->gathered == FRAMES_A_MEAN || contender->ms < 0.0f) {
+		contender->ms =
+			contender->gathered_ms / (float)contender->gathered;
+		contender->gathered_ms = 0.0f;
+		contender->gathered = 0;
+	}
+}
+
+void contender_pose(struct contender *contender, float time_s)
+{
+	int64_t begun_ns = contender->now_ns ? contender->now_ns() : 0;
+
+	run(contender, time_s);
+	if (contender->now_ns) {
+		count_time(contender, contender->now_ns() - begun_ns);
+	}
+	if (contender->kind == CONTENDER_MORPH) {
+		show_morph(contender);
+	}
+}
+
+static int source_of(const struct contender *contender, int drawable, int vertex)
+{
+	const struct reference *reference = contender->reference;
+
+	if (contender->kind == CONTENDER_RIGID) {
+		return duel_rigid_source(&contender->rigid,
+			&contender->shown->drawable[drawable], vertex);
+	}
+	for (int i = 0; i < reference->part_count; i++) {
+		if (reference->part[i].drawable == drawable) {
+			return reference->part[i].first_vertex + vertex;
+		}
+	}
+	return vertex;
+}
+
+void contender_judge(struct contender *contender, const struct screen *screen,
+	int frame, float full_px)
+{
+	const float(*wanted)[3] =
+		reference_position(contender->reference, frame);
+	const struct instance *shown = contender->shown;
+	float sum_px = 0.0f;
+	int count = 0;
+
+	contender->peak_px = 0.0f;
+	for (int d = 0; d < shown->drawable_count; d++) {
+		const struct drawable *drawable = &shown->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			uint8_t rgb[3];
+			float at[3], px;
+
+			instance_world_vertex(shown, drawable, v, at);
+			px = screen_distance_px(
+				screen, at, wanted[source_of(contender, d, v)]);
+			if (px > contender->peak_px) {
+				contender->peak_px = px;
+			}
+			sum_px += px;
+			tint_ramp(px / full_px, rgb);
+			tint_vertex(&contender->heat, d, v, rgb);
+		}
+		count += drawable->primitive->vertex_count;
+	}
+	contender->mean_px = count > 0 ? sum_px / (float)count : 0.0f;
+}

@@ -1,0 +1,295 @@
+/*
+ * The duel: AN4044's three techniques side by side, the same clip in each.
+ *
+ * The model's skin, morph key frames baked from it, and rigid parts cut from
+ * it are posed and drawn at once; below each stands what its frame takes, what
+ * it keeps in memory and how far it is off. Errors are those that `limber
+ * compare` tells: pixels of the viewer's picture of this size.
+ */
+#include "app/demo/actor.h"
+#include "app/demo/duel/contender.h"
+#include "app/demo/demo.h"
+#include "app/demo/duel/duel_board.h"
+#include "app/scene/draw/draw.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+
+static const char clip_name[] = "walk";
+static const double rate_hz = 60.0; /* of the reference */
+static const float bound_px = 0.5f; /* of the morph */
+static const float ground_m_per_s = 1.03f;
+static const float apart_m = 0.92f;
+static const float board_m = 0.2f; /* the figures stand above the board */
+static const float turn_rad_per_s = 1.2f;
+static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
+static const double heat_s = 3.3; /* with and without, when nobody presses */
+
+static const struct framing framing = {
+	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .turn_rad = 0.0f, .margin = 0.98f};
+
+struct demo {
+	struct act act;
+	struct reference *reference;
+	struct screen screen;
+	struct contender contender[CONTENDER_KINDS];
+	double clip_s, now_s;
+	unsigned frame;
+	int slowness; /* halvings of the speed */
+	bool heated, paused, touring;
+	int scale; /* of full_px */
+	float turn;
+};
+
+static int init_contenders(struct demo *demo, const struct demo_env *env)
+{
+	int error = 0;
+
+	for (int i = 0; i < CONTENDER_KINDS && !error; i++) {
+		error = contender_init(&demo->contender[i],
+			(enum contender_kind)i, demo->reference, &demo->screen,
+			bound_px, env);
+	}
+	return error;
+}
+
+/* Three figures in a row. */
+static struct bounds bounds_of_row(struct demo *demo)
+{
+	struct bounds bounds = bounds_of_clip(
+		demo->act.actor.instance, demo->reference->clip_index);
+
+	bounds.low[0] -= apart_m;
+	bounds.high[0] += apart_m;
+	bounds.low[1] = 0.0f;
+	return bounds;
+}
+
+static int duel_prepare(struct demo *demo, const struct demo_env *env)
+{
+	const struct model *model = demo->act.actor.model;
+	int clip = model_find_clip(model, clip_name);
+	struct bounds bounds;
+	int error;
+
+	if (clip < 0) {
+		log_error(
+			env->log, "%s: has no clip %s", model->path, clip_name);
+		return -EINVAL;
+	}
+	error = reference_create(
+		model, clip, rate_hz, env->log, &demo->reference);
+	if (error) {
+		return error;
+	}
+	demo->screen = screen_frame(demo->reference, env->width, env->height);
+	demo->scale = 2;
+	demo->touring = env->unattended;
+	error = init_contenders(demo, env);
+	if (error) {
+		return error;
+	}
+	bounds = bounds_of_row(demo);
+	error = set_stage(env, &bounds, framing, &demo->act.stage);
+	demo->act.stage.camera.target[1] -= board_m;
+	return error;
+}
+
+static void duel_finish(struct demo *demo)
+{
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		contender_finish(&demo->contender[i]);
+	}
+	reference_destroy(demo->reference);
+}
+
+static void set_heat(struct demo *demo, bool on)
+{
+	demo->heated = on;
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		tint_switch(&demo->contender[i].heat, on);
+	}
+}
+
+/* One of them a frame, to be cheap; all of them at first. */
+static void judge(struct demo *demo, int frame)
+{
+	for (unsigned i = 0; i < CONTENDER_KINDS; i++) {
+		if (demo->frame == 0 || demo->frame % CONTENDER_KINDS == i) {
+			contender_judge(&demo->contender[i], &demo->screen,
+				frame, full_px[demo->scale]);
+		}
+	}
+}
+
+static void duel_update(struct demo *demo, double time_s)
+{
+	float step_s = (float)(time_s - demo->now_s);
+	float clip_step_s =
+		demo->paused ? 0.0f : step_s / (float)(1 << demo->slowness);
+	const struct reference *reference = demo->reference;
+	int frame;
+
+	demo->now_s = time_s;
+	demo->clip_s += (double)clip_step_s;
+	if (demo->touring) {
+		set_heat(demo, (long)(time_s / heat_s) % 2 == 1);
+	}
+	camera_orbit(&demo->act.stage.camera,
+		demo->turn * turn_rad_per_s * step_s, 0.0f);
+	floor_run(&demo->act.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
+	/* Moments that the reference has, so that errors are exact. */
+	frame = reference_frame_at(reference,
+		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP));
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		contender_pose(&demo->contender[i], reference->time_s[frame]);
+	}
+	judge(demo, frame);
+	demo->frame++;
+}
+
+static void draw_row(const struct demo *demo, enum draw_pass pass)
+{
+	const struct gl *gl = demo->act.gl;
+
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		gl->PushMatrix();
+		gl->Translatex(fx16_from_float((float)(i - 1) * apart_m), 0, 0);
+		draw_instance(gl, demo->contender[i].shown,
+			&demo->act.actor.textures, pass);
+		gl->PopMatrix();
+	}
+}
+
+/* All as one would be in the middle: they stand side by side. */
+static void choose_detail(struct demo *demo, int height)
+{
+	const struct actor *actor = &demo->act.actor;
+	struct detail detail =
+		detail_relax(&actor->detail, actor->least_error_px);
+	float px = detail_px_per_unit(actor->instance,
+		&demo->act.stage.camera, actor->extent, height);
+
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		detail_choose(demo->contender[i].shown, &detail, px);
+	}
+}
+
+static void duel_draw(struct demo *demo, int width, int height)
+{
+	const struct gl *gl = demo->act.gl;
+
+	choose_detail(demo, height);
+	stage_begin(&demo->act.stage, gl, width, height);
+	stage_shadow_begin(&demo->act.stage, gl);
+	draw_row(demo, DRAW_SHAPE);
+	stage_shadow_end(&demo->act.stage, gl);
+	draw_row(demo, DRAW_SHADED);
+}
+
+static double duel_period_s(const struct demo *demo)
+{
+	(void)demo;
+	return 2.0 * heat_s;
+}
+
+static void duel_label(const struct demo *demo, struct hud *hud)
+{
+	duel_board_show(demo->contender,
+		demo->heated ? full_px[demo->scale] : 0.0f, hud);
+}
+
+static void duel_tell(const struct demo *demo, struct demo_facts *out)
+{
+	out->technique = "All three";
+	out->triangles = 0;
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		out->triangles += detail_triangles(demo->contender[i].shown);
+	}
+}
+
+static void press_heat(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = false;
+		set_heat(demo, !demo->heated);
+	}
+}
+
+static void change_scale(struct demo *demo, int step)
+{
+	int scale = demo->scale + step;
+
+	if (scale >= 0 && scale < (int)ARRAY_COUNT(full_px)) {
+		demo->scale = scale;
+	}
+}
+
+static void press_coarser(struct demo *demo, bool down)
+{
+	change_scale(demo, down ? 1 : 0);
+}
+
+static void press_finer(struct demo *demo, bool down)
+{
+	change_scale(demo, down ? -1 : 0);
+}
+
+static void press_left(struct demo *demo, bool down)
+{
+	demo->turn = down ? -1.0f : 0.0f;
+}
+
+static void press_right(struct demo *demo, bool down)
+{
+	demo->turn = down ? 1.0f : 0.0f;
+}
+
+static void press_pause(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->paused = !demo->paused;
+	}
+}
+
+static void press_slower(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->slowness = (demo->slowness + 1) % 4;
+	}
+}
+
+static void press_tour(struct demo *demo, bool down)
+{
+	if (down) {
+		demo->touring = !demo->touring;
+	}
+}
+
+static const struct demo_action duel_actions[] = {
+	{BUTTON_UP, "errors: red for more pixels", press_coarser},
+	{BUTTON_DOWN, "errors: red for fewer", press_finer},
+	{BUTTON_LEFT, "turn left", press_left},
+	{BUTTON_RIGHT, "turn right", press_right},
+	{BUTTON_ENTER, "pause and go on", press_pause},
+	{BUTTON_F6, "half the speed, down to an eighth", press_slower},
+	{BUTTON_F8, "show where they are off", press_heat},
+	{BUTTON_F9, "the same now and then", press_tour},
+	{0},
+};
+
+const struct demo_driver demo_driver_duel = {
+	.name = "duel",
+	.summary = "all three techniques side by side, with what they cost",
+	.asset = "walker.glb",
+	.action = duel_actions,
+	.size = sizeof(struct demo),
+	.prepare = duel_prepare,
+	.finish = duel_finish,
+	.update = duel_update,
+	.draw = duel_draw,
+	.period_s = duel_period_s,
+	.label = duel_label,
+	.tell = duel_tell,
+};

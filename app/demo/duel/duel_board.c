@@ -1,0 +1,122 @@
+#include "app/demo/duel/duel_board.h"
+
+#include <stdio.h>
+
+enum {
+	ROWS = 3, /* time, bytes, error */
+	RAMP_STEPS = 24
+};
+
+static const char *const titles[CONTENDER_KINDS] = {
+	[CONTENDER_SKIN] = "Skeletal",
+	[CONTENDER_MORPH] = "Morphing",
+	[CONTENDER_RIGID] = "Hierarchical",
+};
+
+/* Less is better; below 0: not known. */
+static float figure(const struct contender *contender, int row)
+{
+	return row == 0    ? contender->ms
+		: row == 1 ? (float)contender->candidate.memory_bytes / 1024.0f
+			   : contender->peak_px;
+}
+
+static void write_figure(float value, int row, char *text, size_t size)
+{
+	static const char *const format[ROWS] = {
+		"%.2f ms", "%.0f KiB", "%.2f px"};
+
+	snprintf(text, size, format[row], (double)value);
+}
+
+static bool is_least(const struct contender *contender, int kind, int row)
+{
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		if (figure(&contender[i], row) < figure(&contender[kind], row)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static void write_centered(struct hud *hud, int left, int width, int y,
+	struct hud_color color, const char *text)
+{
+	int wide = hud_text_width(hud, text);
+
+	hud_text_cut(hud, wide < width ? left + (width - wide) / 2 : left, y,
+		width, color, text);
+}
+
+static void show_column(const struct contender *contender, int kind, int left,
+	int width, int y, struct hud *hud)
+{
+	int line = hud_line_height(hud);
+	int key_count = contender[kind].candidate.key_count;
+	char text[32];
+
+	write_centered(hud, left, width, y, hud_color_text, titles[kind]);
+	if (key_count > 0) {
+		snprintf(text, sizeof(text), "%d keys", key_count);
+	} else {
+		snprintf(text, sizeof(text), "%s",
+			kind == CONTENDER_SKIN ? "skin" : "rigid parts");
+	}
+	write_centered(hud, left, width, y += line, hud_color_dim, text);
+	for (int row = 0; row < ROWS; row++) {
+		float value = figure(&contender[kind], row);
+
+		if (value >= 0.0f) {
+			write_figure(value, row, text, sizeof(text));
+			write_centered(hud, left, width, y += line,
+				is_least(contender, kind, row) ? hud_color_green
+							       : hud_color_text,
+				text);
+		}
+	}
+}
+
+/* What the colours mean. */
+static void show_ramp(float full_px, struct hud *hud)
+{
+	int em = hud_em(hud), line = hud_line_height(hud);
+	int left = em, width = hud->width - 2 * em, y = em;
+	int bar = width / 3;
+	char text[32];
+	int x;
+
+	hud_panel(hud, left - em / 2, y - em / 4, width + em, line + em / 2,
+		em / 3, hud_color_panel);
+	x = hud_text(hud, left, y, hud_color_dim, "off by 0 ") + em / 4;
+	for (int i = 0; i < RAMP_STEPS; i++) {
+		int from = x + bar * i / RAMP_STEPS;
+		int to = x + bar * (i + 1) / RAMP_STEPS;
+		uint8_t rgb[3];
+
+		tint_ramp((float)i / (RAMP_STEPS - 1), rgb);
+		hud_rectangle(hud, from, y + line / 4, to - from, line / 2,
+			(struct hud_color){rgb[0], rgb[1], rgb[2], 255});
+	}
+	snprintf(text, sizeof(text), "%.0f px or more", (double)full_px);
+	hud_text(hud, x + bar + em / 2, y, hud_color_dim, text);
+}
+
+void duel_board_show(const struct contender contender[CONTENDER_KINDS],
+	float full_px, struct hud *hud)
+{
+	int em = hud_em(hud), line = hud_line_height(hud);
+	int rows = 2 + ROWS - (contender[0].ms < 0.0f);
+	int height = rows * line + em;
+	int y = hud->height - height - em / 2;
+	int left = em / 2, width = hud->width - em;
+	int column = width / CONTENDER_KINDS;
+
+	hud_panel(hud, left, y, width, height, em / 3, hud_color_panel);
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		show_column(contender, i, left + i * column, column, y + em / 2,
+			hud);
+	}
+	if (full_px > 0.0f) {
+		show_ramp(full_px, hud);
+	}
+}

@@ -1,0 +1,104 @@
+#include "app/demo/vertex_tint.h"
+
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+static int init_materials(struct tint *tint)
+{
+	struct model *plain = &tint->plain;
+	size_t count = (size_t)tint->kept->material_count;
+	struct model_material *material = ARENA_ARRAY(
+		&tint->instance->arena, struct model_material, count);
+
+	if (!material) {
+		return -ENOMEM;
+	}
+	memcpy(material, tint->kept->material, count * sizeof(*material));
+	for (size_t i = 0; i < count; i++) {
+		material[i].texture = material[i].normal_texture = -1;
+		material[i].roughness = 1.0f;
+		material[i].alpha = MODEL_OPAQUE;
+	}
+	*plain = *tint->kept;
+	plain->material = material;
+	return 0;
+}
+
+/* One batch in the primitive's order, or the arrays' own, see instance.h. */
+static bool can_paint(const struct drawable *drawable)
+{
+	return drawable->batch_count == 1 && !drawable->batch[0].source;
+}
+
+int tint_init(struct tint *tint, struct instance *instance)
+{
+	struct arena *arena = &instance->arena;
+	size_t count = (size_t)instance->drawable_count;
+
+	*tint = (struct tint){.instance = instance, .kept = instance->model};
+	tint->kept_color = arena_alloc(arena, count, sizeof(*tint->kept_color));
+	tint->color = arena_alloc(arena, count, sizeof(*tint->color));
+	if (!tint->kept_color || !tint->color) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		size_t vertices = (size_t)drawable->primitive->vertex_count;
+
+		if (!can_paint(drawable)) {
+			continue;
+		}
+		tint->color[i] = arena_alloc(arena, vertices, 4);
+		if (!tint->color[i]) {
+			return -ENOMEM;
+		}
+		memset(tint->color[i], 255, vertices * 4);
+		tint->kept_color[i] = drawable->batch[0].color;
+	}
+	return init_materials(tint);
+}
+
+void tint_switch(struct tint *tint, bool on)
+{
+	struct instance *instance = tint->instance;
+
+	instance->model = on ? &tint->plain : tint->kept;
+	for (int i = 0; i < instance->drawable_count; i++) {
+		if (tint->color[i]) {
+			instance->drawable[i].batch[0].color = on
+				? (const uint8_t(*)[4])tint->color[i]
+				: tint->kept_color[i];
+		}
+	}
+}
+
+void tint_vertex(
+	struct tint *tint, int drawable, int vertex, const uint8_t rgb[3])
+{
+	const struct drawable_fixed *fixed =
+		tint->instance->drawable[drawable].fixed;
+
+	if (tint->color[drawable]) {
+		size_t at = fixed && fixed->place ? fixed->place[vertex]
+						  : (size_t)vertex;
+
+		memcpy(tint->color[drawable][at], rgb, 3);
+	}
+}
+
+void tint_ramp(float share, uint8_t rgb[3])
+{
+	static const float stop[4][3] = {{70.0f, 110.0f, 190.0f},
+		{70.0f, 190.0f, 120.0f}, {246.0f, 204.0f, 72.0f},
+		{236.0f, 60.0f, 56.0f}};
+	float at = scalar_clamp(share, 0.0f, 1.0f) * 3.0f;
+	int from = at < 1.0f ? 0 : at < 2.0f ? 1 : 2;
+	float part = at - (float)from;
+
+	for (int i = 0; i < 3; i++) {
+		rgb[i] = (uint8_t)(stop[from][i] +
+			(stop[from + 1][i] - stop[from][i]) * part + 0.5f);
+	}
+}

@@ -1,0 +1,31 @@
+/*
+ * An instance painted by numbers: a colour a vertex in place of its materials.
+ *
+ * Light falls on it as before. Drawables without normals keep their looks.
+ */
+#ifndef APP_DEMO_VERTEX_TINT_H
+#define APP_DEMO_VERTEX_TINT_H
+
+#include "app/scene/instance/instance.h"
+
+struct tint {
+	struct instance *instance;       /* not owned */
+	const struct model *kept;        /* the instance's own model */
+	struct model plain;              /* the same, with white materials */
+	const uint8_t (**kept_color)[4]; /* [drawable_count] */
+	uint8_t (**color)[4]; /* [drawable_count][vertex_count], or NULL */
+};
+
+/* Off. Memory is the instance's arena's. 0 or -ENOMEM. */
+int tint_init(struct tint *tint, struct instance *instance);
+
+void tint_switch(struct tint *tint, bool on);
+
+/* The colour of a drawable's vertex, numbered as in its primitive. */
+void tint_vertex(
+	struct tint *tint, int drawable, int vertex, const uint8_t rgb[3]);
+
+/* From blue for 0 over green and yellow to red for 1; clamps. */
+void tint_ramp(float share, uint8_t rgb[3]);
+
+#endif

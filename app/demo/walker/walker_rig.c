@@ -1,0 +1,321 @@
+#include "app/demo/walker/walker_rig.h"
+
+#include "app/anim/blend.h"
+#include "app/anim/procedural/bone.h"
+#include "app/anim/transform.h"
+#include "app/demo/actor.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+static const float switch_s = 0.4f; /* to come or go */
+static const float expression_s = 1.3f;
+static const float relief_m = 0.2f;
+static const float hand_m = 0.1f; /* wrist to grip */
+
+static const char *const feature_names[RIG_FEATURE_COUNT] = {
+	[RIG_LOOK] = "look at",
+	[RIG_REACH] = "reach",
+	[RIG_GROUND] = "ground",
+	[RIG_SHAKE] = "arm shake",
+	[RIG_BREATH] = "breath",
+	[RIG_HAIR] = "ponytail",
+	[RIG_CAPE] = "cape",
+	[RIG_FACE] = "face",
+	[RIG_SHADOW] = "shadow",
+	[RIG_BUMPS] = "bump map",
+};
+
+const char *rig_feature_name(enum rig_feature feature)
+{
+	return feature_names[feature];
+}
+
+/* All bones that the rig turns. */
+static int find_bones(struct walker_rig *rig, const struct model *model,
+	const struct log *log)
+{
+	const struct {
+		const char *name;
+		int *node;
+	} bones[] = {
+		{"hips", &rig->hips},
+		{"neck", &rig->neck.node},
+		{"head", &rig->head.node},
+		{"upper_arm.R", &rig->arm.upper},
+		{"forearm.R", &rig->arm.lower},
+		{"hand.R", &rig->arm.tip},
+		{"thigh.L", &rig->leg[0].upper},
+		{"shin.L", &rig->leg[0].lower},
+		{"foot.L", &rig->leg[0].tip},
+		{"thigh.R", &rig->leg[1].upper},
+		{"shin.R", &rig->leg[1].lower},
+		{"foot.R", &rig->leg[1].tip},
+		{"shoulder.L", &rig->shake[0].node},
+		{"shoulder.R", &rig->shake[1].node},
+		{"chest", &rig->breath.chest},
+		{"forearm.L", &rig->biceps[0].joint},
+		{"forearm.R", &rig->biceps[1].joint},
+		{"upper_arm.L", &rig->biceps[0].node},
+		{"upper_arm.R", &rig->biceps[1].node},
+	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(bones); i++) {
+		int error = find_bone(model, bones[i].name, log, bones[i].node);
+
+		if (error) {
+			return error;
+		}
+	}
+	return 0;
+}
+
+/* A head with expressions, or -1: the walker does without. */
+static int find_face(const struct model *model)
+{
+	int node = model_find_node(model, "walker_head");
+	int mesh = node < 0 ? -1 : model->node[node].mesh;
+
+	return mesh >= 0 && model->mesh[mesh].target_count > 0 ? node : -1;
+}
+
+static void use_preset(struct walker_rig *rig, int preset)
+{
+	rig->preset_chosen = preset;
+	for (int side = 0; side < 2; side++) {
+		rig->shake[side].preset = rig->presets.preset[preset];
+	}
+}
+
+void walker_rig_next_preset(struct walker_rig *rig)
+{
+	use_preset(rig, (rig->preset_chosen + 1) % rig->presets.count);
+}
+
+int walker_rig_init(struct walker_rig *rig, struct instance *instance,
+	const struct log *log)
+{
+	const struct muscle biceps = {.from_rad = 0.3f,
+		.to_rad = 1.6f,
+		.swell = {0.16f, 0.0f, 0.16f},
+		.weight = -1};
+	int error;
+
+	*rig = (struct walker_rig){
+		.neck = lookat_default(0),
+		.head = lookat_default(0),
+		.breath = breath_default(0),
+		.biceps = {biceps, biceps},
+	};
+	error = preset_file_read(&rig->presets, log);
+	if (error) {
+		return error;
+	}
+	for (int side = 0; side < 2; side++) {
+		rig->shake[side] = procedural_begin(&rig->presets.preset[0], 0);
+	}
+	rig->on[RIG_HAIR] = rig->on[RIG_BREATH] = true;
+	rig->on[RIG_SHADOW] = rig->on[RIG_BUMPS] = true;
+	error = find_bones(rig, instance->model, log);
+	rig->face = find_face(instance->model);
+	return error ? error : walker_trail_init(&rig->trail, instance, log);
+}
+
+/* A slow figure of eight in front of the chest. */
+static void move_ball(struct walker_rig *rig, double time_s)
+{
+	float turn = 0.9f * (float)time_s;
+
+	rig->ball[0] = -0.14f + 0.34f * scalar_sin(turn);
+	rig->ball[1] = 1.34f + 0.16f * scalar_sin(2.0f * turn);
+	rig->ball[2] = 0.46f + 0.08f * scalar_cos(turn);
+}
+
+static void move_switches(struct walker_rig *rig, float step_s)
+{
+	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
+		float way = rig->on[i] ? step_s : -step_s;
+
+		rig->weight[i] = scalar_clamp(
+			rig->weight[i] + way / switch_s, 0.0f, 1.0f);
+	}
+}
+
+static float eased(const struct walker_rig *rig, enum rig_feature feature)
+{
+	return ease_at(EASE_CUBIC, rig->weight[feature]);
+}
+
+/* World matrices again from a changed node on. */
+static void settle(struct instance *instance, int node)
+{
+	pose_world_from(
+		&instance->pose, instance->model, NULL, node, instance->world);
+}
+
+/* The document's own modifier on both arms, against each other. */
+static void shake(struct walker_rig *rig, struct pose *pose, double time_s)
+{
+	for (int side = 0; side < 2; side++) {
+		rig->shake[side].fade = 1.0f - eased(rig, RIG_SHAKE);
+		procedural_apply(&rig->shake[side], time_s + 0.04 * side, pose);
+	}
+}
+
+/* Flesh: the chest heaves, and bent arms bulge. */
+static void swell(struct walker_rig *rig, struct pose *pose, double time_s)
+{
+	float weight = eased(rig, RIG_BREATH);
+
+	if (weight == 0.0f) {
+		return;
+	}
+	rig->breath.weight = weight;
+	breath_apply(&rig->breath, time_s, pose);
+	for (int side = 0; side < 2; side++) {
+		muscle_apply(&rig->biceps[side], pose);
+	}
+}
+
+/* One expression after the other, each coming and going softly. */
+static void make_face(
+	struct walker_rig *rig, struct instance *instance, double time_s)
+{
+	const struct model_node *node = &instance->model->node[rig->face];
+	const struct model_mesh *mesh = &instance->model->mesh[node->mesh];
+	float *weight = instance->pose.weight + node->weight_offset;
+	float share = eased(rig, RIG_FACE);
+	int turn = (int)(time_s / (double)expression_s);
+	float way = (float)(time_s - (double)turn * (double)expression_s) /
+		expression_s;
+
+	rig->expression = turn % mesh->target_count;
+	for (int i = 0; i < mesh->target_count; i++) {
+		float wanted = i == rig->expression
+			? ease_at(EASE_CUBIC,
+				  4.0f * (way < 0.5f ? way : 1.0f - way))
+			: 0.0f;
+
+		weight[i] += (wanted - weight[i]) * share;
+	}
+}
+
+/* Neck first, then the head for what is left. */
+static void look(struct walker_rig *rig, struct instance *instance, float step_s)
+{
+	const float *target = rig->on[RIG_LOOK] ? rig->ball : NULL;
+	struct lookat *lookat[2] = {&rig->neck, &rig->head};
+
+	for (int i = 0; i < 2; i++) {
+		lookat[i]->weight = (i ? 1.0f : 0.4f) * eased(rig, RIG_LOOK);
+		lookat_update(lookat[i], target, step_s,
+			(const mat4 *)instance->world, &instance->pose);
+		settle(instance, lookat[i]->node);
+	}
+}
+
+/* The wrist stays a hand's length short of the ball. */
+static void reach(struct walker_rig *rig, struct instance *instance)
+{
+	const float *shoulder = instance->world[rig->arm.upper][3];
+	const float *ball = rig->ball;
+	/* The elbow hangs down and a little outwards. */
+	const float pole[3] = {ball[0] - 0.5f, ball[1] - 1.0f, ball[2] - 0.6f};
+	float wrist[3], way[3], share;
+
+	rig->arm.weight = eased(rig, RIG_REACH);
+	if (rig->arm.weight == 0.0f) {
+		return;
+	}
+	vec_subtract(shoulder, ball, way);
+	share = hand_m / (scalar_sqrt(vec_dot(way, way)) + hand_m);
+	vec_add_scaled(ball, way, share, wrist);
+	ik_limb_solve(&rig->arm, wrist, pole, (const mat4 *)instance->world,
+		&instance->pose);
+	settle(instance, rig->arm.upper);
+}
+
+/* The rotation that lays a level foot on the ground's slope. */
+static void slope_rotation(
+	const struct floor *floor, const float at[3], float out[4])
+{
+	float step = 0.08f;
+	float here = floor_height(floor, at[0], at[2]);
+	float dx = (floor_height(floor, at[0] + step, at[2]) - here) / step;
+	float dz = (floor_height(floor, at[0], at[2] + step) - here) / step;
+
+	/* From up (0 1 0) to the normal (-dx 1 -dz), half way is enough. */
+	out[0] = -0.5f * dz;
+	out[1] = 0.0f;
+	out[2] = 0.5f * dx;
+	out[3] = 1.0f;
+	quat_normalize(out);
+}
+
+/*
+ * Each foot is lifted by the height of the ground under it. The hips go down
+ * with the lower foot, so that both legs can reach.
+ */
+static void stand(
+	struct walker_rig *rig, struct instance *instance, struct floor *floor)
+{
+	struct pose *pose = &instance->pose;
+	mat4 *world = instance->world;
+	float target[2][3], slope[2][4], lift[2];
+
+	floor_set_relief(floor, relief_m * eased(rig, RIG_GROUND));
+	if (floor->relief == 0.0f) {
+		return;
+	}
+	for (int side = 0; side < 2; side++) {
+		memcpy(target[side], world[rig->leg[side].tip][3],
+			sizeof(target[side]));
+		slope_rotation(floor, target[side], slope[side]);
+		lift[side] =
+			floor_height(floor, target[side][0], target[side][2]) -
+			floor->y;
+		target[side][1] += lift[side];
+	}
+	pose->local[rig->hips].translation[1] +=
+		lift[0] < lift[1] ? lift[0] : lift[1];
+	for (int side = 0; side < 2; side++) {
+		struct ik_limb *leg = &rig->leg[side];
+		float turned[4];
+
+		settle(instance, rig->hips);
+		matrix_rotation(world[leg->tip], turned);
+		quat_multiply(slope[side], turned, turned);
+		leg->weight = 1.0f;
+		ik_limb_solve(
+			leg, target[side], NULL, (const mat4 *)world, pose);
+		settle(instance, leg->upper);
+		bone_set_world_rotation(
+			pose, (const mat4 *)world, leg->tip, turned, 1.0f);
+	}
+	settle(instance, rig->hips);
+}
+
+void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
+	const struct rig_frame *frame)
+{
+	bool had_cape = rig->weight[RIG_CAPE] > 0.0f;
+
+	move_ball(rig, frame->time_s);
+	move_switches(rig, frame->step_s);
+	shake(rig, &instance->pose, frame->time_s);
+	swell(rig, &instance->pose, frame->time_s);
+	if (rig->face >= 0) {
+		make_face(rig, instance, frame->time_s);
+	}
+	instance_update_nodes(instance);
+	stand(rig, instance, frame->floor);
+	look(rig, instance, frame->step_s);
+	reach(rig, instance);
+	if (!had_cape && rig->on[RIG_CAPE]) {
+		walker_trail_put_on(&rig->trail);
+	}
+	walker_trail_update(&rig->trail, instance, frame->speed_m_per_s,
+		eased(rig, RIG_HAIR), rig->on[RIG_CAPE] || had_cape,
+		frame->step_s);
+}

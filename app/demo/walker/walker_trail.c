@@ -1,0 +1,171 @@
+#include "app/demo/walker/walker_trail.h"
+
+#include "app/demo/actor.h"
+#include "platform/base/fixed.h"
+
+#include <string.h>
+
+/* The cape's shape at rest, metres: two upper corners, and how it falls. */
+static const float cape_half_width_m = 0.17f;
+static const float cape_flare = 1.5f; /* hem to top */
+static const float cape_top_m = 1.435f;
+static const float cape_length_m = 0.78f;
+static const float cape_back_m = 0.115f;
+
+static const struct {
+	const char *a, *b;
+	float radius;
+} body_shape[BODY_CAPSULES] = {
+	{"hips", "chest", 0.135f},
+	{"chest", "neck", 0.115f},
+	{"head", "head", 0.135f},
+	{"upper_arm.L", "forearm.L", 0.055f},
+	{"upper_arm.R", "forearm.R", 0.055f},
+	{"thigh.L", "shin.L", 0.095f},
+	{"thigh.R", "shin.R", 0.095f},
+	{"forearm.R", "hand.R", 0.045f},
+};
+
+static int make_body(struct walker_trail *trail, const struct model *model,
+	const struct log *log)
+{
+	for (int i = 0; i < BODY_CAPSULES; i++) {
+		struct capsule *capsule = &trail->body[i];
+		int error = find_bone(
+			model, body_shape[i].a, log, &capsule->node_a);
+
+		if (!error) {
+			error = find_bone(
+				model, body_shape[i].b, log, &capsule->node_b);
+		}
+		if (error) {
+			return error;
+		}
+		capsule->radius = body_shape[i].radius;
+		if (capsule->node_a == capsule->node_b) {
+			capsule->offset_a[1] = capsule->offset_b[1] = 0.11f;
+		}
+	}
+	return 0;
+}
+
+static int make_cape(struct walker_trail *trail, struct instance *instance,
+	const struct log *log)
+{
+	struct cloth_settings settings = cloth_settings_default();
+	float shape[CAPE_COLUMNS * CAPE_ROWS][3];
+	int pin[CAPE_COLUMNS];
+	int chest;
+	int error = find_bone(instance->model, "chest", log, &chest);
+
+	if (error) {
+		return error;
+	}
+	settings.columns = CAPE_COLUMNS;
+	settings.rows = CAPE_ROWS;
+	settings.radius = 0.02f;
+	for (int i = 0; i < CAPE_COLUMNS * CAPE_ROWS; i++) {
+		/* From the wearer's left to the right, so that it faces back. */
+		float across = 1.0f -
+			2.0f * (float)(i % CAPE_COLUMNS) / (CAPE_COLUMNS - 1);
+		float down = (float)(i / CAPE_COLUMNS) / (CAPE_ROWS - 1);
+		float flare = 1.0f + (cape_flare - 1.0f) * down;
+
+		shape[i][0] = across * cape_half_width_m * flare;
+		shape[i][1] = cape_top_m - cape_length_m * down;
+		shape[i][2] =
+			-cape_back_m - 0.09f * down + 0.05f * across * across;
+	}
+	for (int i = 0; i < CAPE_COLUMNS; i++) {
+		pin[i] = chest;
+	}
+	error = cloth_init(&trail->cape, &settings, (const float(*)[3])shape,
+		pin, (const mat4 *)instance->world, &instance->arena);
+	cloth_triangles(&settings, trail->cape_index);
+	if (error) {
+		log_error(log, "cape: not enough memory");
+	}
+	return error;
+}
+
+int walker_trail_init(struct walker_trail *trail, struct instance *instance,
+	const struct log *log)
+{
+	int last;
+	int error = find_bone(instance->model, "ponytail.4", log, &last);
+
+	*trail = (struct walker_trail){0};
+	if (!error) {
+		error = make_body(trail, instance->model, log);
+	}
+	if (!error) {
+		error = spring_init(&trail->ponytail, instance->model, last, 4);
+	}
+	if (!error) {
+		trail->ponytail.damping = 0.35f;
+		trail->ponytail.limit_rad = 1.1f;
+		trail->ponytail.radius = 0.03f;
+		error = make_cape(trail, instance, log);
+	}
+	return error;
+}
+
+void walker_trail_update(struct walker_trail *trail, struct instance *instance,
+	float speed_m_per_s, float hair, bool caped, float step_s)
+{
+	struct capsule_place body[BODY_CAPSULES];
+	struct spring *ponytail = &trail->ponytail;
+
+	capsule_put(trail->body, BODY_CAPSULES, (const mat4 *)instance->world,
+		body);
+	/* On the spot the air moves instead of the figure. */
+	trail->cape.settings.wind[2] = -speed_m_per_s;
+	ponytail->gravity[2] = -3.0f * speed_m_per_s;
+	ponytail->weight = hair;
+	if (caped) {
+		cloth_update(&trail->cape, step_s, body, BODY_CAPSULES,
+			(const mat4 *)instance->world);
+	}
+	spring_update(ponytail, step_s, body, BODY_CAPSULES,
+		(const mat4 *)instance->world, &instance->pose);
+	pose_world_from(&instance->pose, instance->model, NULL,
+		ponytail->node[0], instance->world);
+}
+
+void walker_trail_put_on(struct walker_trail *trail)
+{
+	cloth_reset(&trail->cape);
+}
+
+static void set_cape_material(const struct gl *gl)
+{
+	static const GLfixed dull[4] = {0, 0, 0, FX16_ONE};
+
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_COLOR_MATERIAL);
+	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, dull);
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Color4x(FX16_ONE * 70 / 100, FX16_ONE * 13 / 100,
+		FX16_ONE * 16 / 100, FX16_ONE);
+}
+
+void walker_trail_draw_cape(const struct walker_trail *trail,
+	const struct gl *gl, enum draw_pass pass)
+{
+	if (pass == DRAW_SHADED) {
+		set_cape_material(gl);
+		gl->EnableClientState(GL_NORMAL_ARRAY);
+		gl->NormalPointer(GL_FLOAT, 0, trail->cape.normal);
+	} else {
+		gl->DisableClientState(GL_NORMAL_ARRAY);
+	}
+	gl->Disable(GL_CULL_FACE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, 0, trail->cape.position);
+	gl->DrawElements(GL_TRIANGLES, CAPE_INDICES, GL_UNSIGNED_SHORT,
+		trail->cape_index);
+}

@@ -1,0 +1,207 @@
+#include "app/model/examine/examine.h"
+
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+static const char *clip_name(const struct model_clip *clip)
+{
+	return clip->name[0] ? clip->name : "(unnamed)";
+}
+
+/* Cubic rotations and weights: glTF pitfalls of their own. */
+static void say_cubic(
+	const struct model_clip *clip, const struct examiner *examiner)
+{
+	int cubic = 0, weights = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (channel->interpolation == MODEL_CUBICSPLINE) {
+			cubic++;
+			weights += channel->path == MODEL_WEIGHTS;
+		}
+	}
+	if (cubic > 0) {
+		examine_say(examiner,
+			"clip %s: CUBICSPLINE channels (%d): their tangents "
+			"count "
+			"per second, so limber scales them by each key's "
+			"interval and makes rotations unit length afterwards",
+			clip_name(clip), cubic);
+	}
+	if (weights > 0) {
+		examine_say(examiner,
+			"clip %s: cubic morph weights (%d channels): a key "
+			"packs "
+			"all in-tangents, all values, all out-tangents",
+			clip_name(clip), weights);
+	}
+}
+
+static void say_beginning(
+	const struct model_clip *clip, const struct examiner *examiner)
+{
+	float latest_s = 0.0f, soonest_end_s = clip->duration_s;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+		float begin_s = channel->time_s[0];
+		float end_s = channel->time_s[channel->key_count - 1];
+
+		latest_s = begin_s > latest_s ? begin_s : latest_s;
+		if (channel->key_count > 1 && end_s < soonest_end_s) {
+			soonest_end_s = end_s;
+		}
+	}
+	if (latest_s > 0.0f) {
+		examine_say(examiner,
+			"clip %s: first keys lie up to %.4f s after its start: "
+			"until then limber holds them, it does not extend the "
+			"curve",
+			clip_name(clip), (double)latest_s);
+	}
+	if (soonest_end_s < clip->duration_s) {
+		examine_say(examiner,
+			"clip %s: some channels end at %.4f s of %.4f s: their "
+			"last key is held",
+			clip_name(clip), (double)soonest_end_s,
+			(double)clip->duration_s);
+	}
+}
+
+static void say_kinds(
+	const struct model_clip *clip, const struct examiner *examiner)
+{
+	int step = 0, single = 0, linear = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		single += channel->key_count == 1;
+		step += channel->key_count > 1 &&
+			channel->interpolation == MODEL_STEP;
+		linear += channel->key_count > 1 &&
+			channel->interpolation == MODEL_LINEAR;
+	}
+	if (single > 0) {
+		examine_say(examiner,
+			"clip %s: channels with a single key (%d): it counts "
+			"at "
+			"every time",
+			clip_name(clip), single);
+	}
+	if (step > 0) {
+		examine_say(examiner,
+			"clip %s: STEP channels (%d)%s: they jump, and "
+			"interpolation is a matter of the channel",
+			clip_name(clip), step,
+			linear > 0 ? " beside linear ones" : "");
+	}
+}
+
+static float key_dot(const struct model_channel *channel, int key)
+{
+	int wide = channel->interpolation == MODEL_CUBICSPLINE ? 12 : 4;
+	int middle = wide == 12 ? 4 : 0;
+	const float *a = channel->value + key * wide + middle;
+	const float *b = a + wide;
+
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+}
+
+static void say_long_ways(
+	const struct model_clip *clip, const struct examiner *examiner)
+{
+	int keys = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		for (int k = 0; channel->path == MODEL_ROTATION &&
+			k < channel->key_count - 1;
+			k++) {
+			keys += key_dot(channel, k) < 0.0f;
+		}
+	}
+	if (keys > 0) {
+		examine_say(examiner,
+			"clip %s: rotation keys on the far side of the one "
+			"before (%d, by a negative dot product): limber turns "
+			"the short way",
+			clip_name(clip), keys);
+	}
+}
+
+static bool clip_moves(
+	const struct model_clip *clip, int node, enum model_path path)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].node == node &&
+			clip->channel[i].path == path) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Channels of one clip that another clip leaves alone. */
+static void say_left_alone(
+	const struct model *model, const struct examiner *examiner)
+{
+	int left = 0;
+
+	for (int a = 0; a < model->clip_count; a++) {
+		for (int i = 0; i < model->clip[a].channel_count; i++) {
+			const struct model_channel *channel =
+				&model->clip[a].channel[i];
+			bool everywhere = true;
+
+			for (int b = 0; b < model->clip_count && everywhere;
+				b++) {
+				everywhere = clip_moves(&model->clip[b],
+					channel->node, channel->path);
+			}
+			left += !everywhere;
+		}
+	}
+	if (left > 0) {
+		examine_say(examiner,
+			"channels that move what another clip leaves alone "
+			"(%d, "
+			"in %d clips): changing clips puts that back to rest",
+			left, model->clip_count);
+	}
+}
+
+static void say_matrices(
+	const struct model *model, const struct examiner *examiner)
+{
+	int nodes = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		nodes += model->node[i].matrix != NULL;
+	}
+	if (nodes > 0) {
+		examine_say(examiner,
+			"nodes with a sheared matrix (%d), which no "
+			"translation, "
+			"rotation and scale can say: limber keeps it as it is",
+			nodes);
+	}
+}
+
+void examine_clips(const struct model *model, const struct examiner *examiner)
+{
+	for (int i = 0; i < model->clip_count; i++) {
+		const struct model_clip *clip = &model->clip[i];
+
+		say_cubic(clip, examiner);
+		say_beginning(clip, examiner);
+		say_kinds(clip, examiner);
+		say_long_ways(clip, examiner);
+	}
+	say_left_alone(model, examiner);
+	say_matrices(model, examiner);
+}

@@ -1,0 +1,218 @@
+/*
+ * What only the file shows: the loader has already put it right.
+ */
+#include "app/model/gltf/gltf.h"
+#include "app/model/gltf/gltf_internal.h"
+
+#include <string.h>
+
+struct examination {
+	struct gltf *gltf;
+	const struct examiner *examiner;
+};
+
+static json_t *member(const struct examination *at, const char *key)
+{
+	return json_object_get(at->gltf->json, key);
+}
+
+/* An element's accessor number, or -1. */
+static int accessor_of(const json_t *object, const char *key)
+{
+	const json_t *number = json_object_get(object, key);
+
+	return json_is_integer(number) ? (int)json_integer_value(number) : -1;
+}
+
+static void say_accessors(const struct examination *at)
+{
+	int empty = 0, sparse = 0, odd = 0;
+
+	for (int i = 0; i < at->gltf->accessor_count; i++) {
+		const struct gltf_accessor *accessor = &at->gltf->accessor[i];
+		const struct gltf_elements *base = &accessor->base;
+
+		empty += base->data == NULL;
+		sparse += accessor->sparse_count > 0;
+		odd += base->data && base->component == GLTF_F32 &&
+			((uintptr_t)base->data % 4 != 0 ||
+				base->stride % 4 != 0);
+	}
+	if (empty > 0) {
+		examine_say(at->examiner,
+			"accessors without a buffer view (%d): their values "
+			"are "
+			"zeros%s",
+			empty, sparse > 0 ? ", but for the sparse ones" : "");
+	}
+	if (sparse > 0) {
+		examine_say(
+			at->examiner, "sparse accessors (%d): a few values replace those below",
+			sparse);
+	}
+	if (odd > 0) {
+		examine_say(at->examiner,
+			"accessors of floats not aligned to four bytes (%d): a "
+			"cast faults on ARM, limber copies",
+			odd);
+	}
+}
+
+static void say_samplers(const struct examination *at)
+{
+	size_t i, k;
+	json_t *clip, *sampler;
+	int scaled = 0;
+
+	json_array_foreach(member(at, "animations"), i, clip)
+	{
+		json_array_foreach(json_object_get(clip, "samplers"), k, sampler)
+		{
+			int output = accessor_of(sampler, "output");
+
+			scaled += output >= 0 &&
+				output < at->gltf->accessor_count &&
+				at->gltf->accessor[output].base.component !=
+					GLTF_F32;
+		}
+	}
+	if (scaled > 0) {
+		examine_say(at->examiner,
+			"samplers that give integers (%d): they stand for "
+			"-1..1 "
+			"or 0..1",
+			scaled);
+	}
+}
+
+static void say_skins(const struct examination *at)
+{
+	size_t i;
+	json_t *skin;
+	int missing = 0;
+
+	json_array_foreach(member(at, "skins"), i, skin)
+	{
+		missing += !json_object_get(skin, "inverseBindMatrices");
+	}
+	if (missing > 0) {
+		examine_say(at->examiner,
+			"skins without inverse bind matrices (%d): they are "
+			"identities then",
+			missing);
+	}
+}
+
+static void say_nodes(const struct examination *at)
+{
+	size_t i, k;
+	json_t *node, *child;
+	int before = 0, own_weights = 0;
+
+	json_array_foreach(member(at, "nodes"), i, node)
+	{
+		json_array_foreach(json_object_get(node, "children"), k, child)
+		{
+			before += json_integer_value(child) < (json_int_t)i;
+		}
+		own_weights += json_object_get(node, "weights") != NULL;
+	}
+	if (before > 0) {
+		examine_say(at->examiner,
+			"nodes that come before their parents in the file "
+			"(%d): "
+			"one pass in the file's order would use last frame's "
+			"matrices",
+			before);
+	}
+	if (own_weights > 0) {
+		examine_say(at->examiner,
+			"nodes with morph weights of their own (%d): they "
+			"replace "
+			"the mesh's",
+			own_weights);
+	}
+}
+
+/* Vertices of a primitive whose weights are all zero, or do not sum to 1. */
+static void count_weights(const struct examination *at,
+	const json_t *attributes, int *none, int *unequal)
+{
+	int index = accessor_of(attributes, "WEIGHTS_0");
+	const struct gltf_accessor *accessor;
+	float *weight;
+
+	if (index < 0 || index >= at->gltf->accessor_count ||
+		json_object_get(attributes, "WEIGHTS_1")) {
+		return;
+	}
+	accessor = &at->gltf->accessor[index];
+	weight = GLTF_SCRATCH(&at->gltf->root, float, accessor->count * 4);
+	if (!weight || accessor->width != 4 ||
+		gltf_unpack_floats(&at->gltf->root, accessor, weight) != 0) {
+		return;
+	}
+	for (int v = 0; v < accessor->count; v++) {
+		const float *w = weight + (size_t)v * 4;
+		float sum = w[0] + w[1] + w[2] + w[3];
+
+		*none += !(sum > 0.0f);
+		*unequal += sum > 0.0f && (sum < 0.999f || sum > 1.001f);
+	}
+}
+
+static void say_weights(const struct examination *at)
+{
+	size_t m, p;
+	json_t *mesh, *primitive;
+	int none = 0, unequal = 0;
+
+	json_array_foreach(member(at, "meshes"), m, mesh)
+	{
+		if (at->gltf->mesh_place[m] < 0) {
+			continue; /* a level's vertices are another's */
+		}
+		json_array_foreach(
+			json_object_get(mesh, "primitives"), p, primitive)
+		{
+			count_weights(at,
+				json_object_get(primitive, "attributes"), &none,
+				&unequal);
+		}
+	}
+	if (none > 0) {
+		examine_say(at->examiner,
+			"vertices without any weight (%d): they would collapse "
+			"into the origin, so limber gives them to their first "
+			"joint",
+			none);
+	}
+	if (unequal > 0) {
+		examine_say(at->examiner,
+			"vertices whose weights do not sum to 1 (%d): limber "
+			"divides by the sum",
+			unequal);
+	}
+}
+
+int gltf_examine(const struct model_source *source,
+	const struct examiner *examiner, const struct log *log)
+{
+	struct gltf gltf;
+	int error = gltf_begin(&gltf, source, log);
+
+	if (!error) {
+		const struct examination at = {&gltf, examiner};
+
+		examine_clips(gltf.model, examiner);
+		examine_skins(gltf.model, examiner);
+		say_skins(&at);
+		say_nodes(&at);
+		say_weights(&at);
+		say_accessors(&at);
+		say_samplers(&at);
+		model_destroy(gltf.model);
+	}
+	gltf_end(&gltf);
+	return error;
+}

@@ -1,0 +1,166 @@
+#include "app/model/gltf/gltf.h"
+#include "app/model/gltf/gltf_internal.h"
+
+#include <errno.h>
+#include <string.h>
+
+bool gltf_recognise(const uint8_t *data, size_t size)
+{
+	size_t i = 0;
+
+	if (size >= 4 && memcmp(data, "glTF", 4) == 0) {
+		return true;
+	}
+	if (size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
+		i = 3;
+	}
+	while (i < size && data[i] && strchr(" \t\r\n", data[i])) {
+		i++;
+	}
+	return i < size && data[i] == '{';
+}
+
+/* "2" and "2.x", whatever follows the point. */
+static bool is_version_2(const char *version)
+{
+	return version[0] == '2' && (version[1] == '.' || version[1] == '\0');
+}
+
+static int check_version(struct gltf *gltf)
+{
+	struct gltf_at asset;
+	const char *version = NULL;
+	const char *minimum = "2.0";
+	int error = gltf_object(&gltf->root, "asset", &asset);
+
+	if (!error) {
+		error = gltf_maybe_string(&asset, "version", &version);
+	}
+	if (!error) {
+		error = gltf_maybe_string(&asset, "minVersion", &minimum);
+	}
+	if (error) {
+		return error;
+	}
+	if (!version) {
+		return gltf_fail(&asset, -EINVAL, "has no version");
+	}
+	if (!is_version_2(version) || strcmp(minimum, "2.0") != 0) {
+		return gltf_fail(&asset, -ENOTSUP,
+			"is glTF %.20s; limber reads glTF 2.0",
+			is_version_2(version) ? minimum : version);
+	}
+	return 0;
+}
+
+static int check_extension(const struct gltf_at *at)
+{
+	static const char *const known[] = {
+		"KHR_materials_unlit",
+		"KHR_mesh_quantization",
+		"KHR_texture_transform",
+	};
+	const char *name = json_string_value(at->json);
+	size_t i;
+
+	if (!name) {
+		return gltf_fail(at, -EINVAL, "is not a string");
+	}
+	for (i = 0; i < ARRAY_COUNT(known); i++) {
+		if (strcmp(known[i], name) == 0) {
+			return 0;
+		}
+	}
+	return gltf_fail(at, -ENOTSUP,
+		"the model requires %.80s, which limber does not know", name);
+}
+
+static int check_extensions(struct gltf *gltf)
+{
+	struct gltf_at array;
+	int count, i;
+	int error =
+		gltf_array(&gltf->root, "extensionsRequired", &array, &count);
+
+	for (i = 0; i < count && !error; i++) {
+		struct gltf_at element = gltf_element(&array, i);
+
+		error = check_extension(&element);
+	}
+	return error;
+}
+
+static int read_all(struct gltf *gltf)
+{
+	static int (*const steps[])(struct gltf * gltf) = {
+		gltf_open,
+		check_version,
+		check_extensions,
+		gltf_read_buffers,
+		gltf_read_accessors,
+		gltf_read_materials,
+		gltf_find_levels,
+		gltf_read_meshes,
+		gltf_read_cameras,
+		gltf_read_nodes,
+		gltf_read_skins,
+		gltf_read_animations,
+	};
+	size_t i;
+
+	for (i = 0; i < ARRAY_COUNT(steps); i++) {
+		int error = steps[i](gltf);
+
+		if (error) {
+			return error;
+		}
+	}
+	return 0;
+}
+
+void gltf_end(struct gltf *gltf)
+{
+	int i;
+
+	for (i = 0; i < gltf->buffer_count; i++) {
+		model_file_release(&gltf->buffer[i].file);
+	}
+	json_decref(gltf->json);
+	arena_release(&gltf->scratch);
+}
+
+int gltf_begin(struct gltf *gltf, const struct model_source *source,
+	const struct log *log)
+{
+	int error;
+
+	*gltf = (struct gltf){
+		.source = source,
+		.log = log,
+		.scratch = arena_empty(),
+		.default_material = -1,
+	};
+	gltf->root.gltf = gltf;
+	gltf->model = model_create(source->name, "glTF 2.0");
+	if (!gltf->model) {
+		log_error(log, "%s: not enough memory", source->name);
+		return -ENOMEM;
+	}
+	error = read_all(gltf);
+	if (error) {
+		model_destroy(gltf->model);
+		gltf->model = NULL;
+	}
+	return error;
+}
+
+int gltf_load(const struct model_source *source, const struct log *log,
+	struct model **out)
+{
+	struct gltf gltf;
+	int error = gltf_begin(&gltf, source, log);
+
+	*out = gltf.model;
+	gltf_end(&gltf);
+	return error;
+}

@@ -1,0 +1,363 @@
+#include "app/model/gltf/gltf_internal.h"
+
+#include <errno.h>
+#include <string.h>
+
+struct sampler {
+	const struct gltf_accessor *input, *output;
+	enum model_interpolation interpolation;
+};
+
+/* What the channels of one animation share while they are read. */
+struct reading {
+	struct gltf_at samplers;
+	int sampler_count;
+	int stamp;      /* of this animation */
+	int (*seen)[4]; /* [node_count][path]: the last one's stamp */
+};
+
+static int read_path(const struct gltf_at *target, enum model_path *out)
+{
+	static const char *const names[] = {
+		[MODEL_TRANSLATION] = "translation",
+		[MODEL_ROTATION] = "rotation",
+		[MODEL_SCALE] = "scale",
+		[MODEL_WEIGHTS] = "weights",
+	};
+	int choice = 0;
+	int error = gltf_need(target, "path");
+
+	if (!error) {
+		error = gltf_maybe_choice(
+			target, "path", names, ARRAY_COUNT(names), &choice);
+	}
+	*out = (enum model_path)choice;
+	return error;
+}
+
+static int read_interpolation(
+	const struct gltf_at *at, enum model_interpolation *out)
+{
+	static const char *const names[] = {
+		[MODEL_STEP] = "STEP",
+		[MODEL_LINEAR] = "LINEAR",
+		[MODEL_CUBICSPLINE] = "CUBICSPLINE",
+	};
+	int choice = MODEL_LINEAR;
+	int error = gltf_maybe_choice(
+		at, "interpolation", names, ARRAY_COUNT(names), &choice);
+
+	*out = (enum model_interpolation)choice;
+	return error;
+}
+
+static int check_times(const struct gltf_at *at, const float *time_s, int count)
+{
+	int i;
+
+	for (i = 1; i < count; i++) {
+		if (!(time_s[i] > time_s[i - 1])) {
+			return gltf_fail(at, -EINVAL,
+				"key %d at %g s does not come after key %d "
+				"at %g s",
+				i, (double)time_s[i], i - 1,
+				(double)time_s[i - 1]);
+		}
+	}
+	return 0;
+}
+
+/* Most channels share their times; each accessor is unpacked once. */
+static int read_times(const struct gltf_at *sampler,
+	const struct gltf_accessor *input, const float **out)
+{
+	struct gltf *gltf = sampler->gltf;
+	struct gltf_at at = gltf_member(sampler, "input");
+	const float **known = &gltf->times[input - gltf->accessor];
+	float *time_s;
+	int error;
+
+	if (!*known) {
+		time_s = GLTF_KEEP(&at, float, input->count);
+		if (!time_s) {
+			return -ENOMEM;
+		}
+		error = gltf_unpack_floats(&at, input, time_s);
+		if (!error) {
+			error = check_times(&at, time_s, input->count);
+		}
+		if (error) {
+			return error;
+		}
+		*known = time_s;
+	}
+	*out = *known;
+	return 0;
+}
+
+/*
+ * Integer keys are off unit length by their rounding and are made unit. Float
+ * keys stay as the file has them, but none may be of length 0.
+ */
+/*
+ * Splines are normalised after they are evaluated. Floats a little off unit
+ * stay as they are, since players interpolate them so; what is far off, and
+ * whole numbers, would distort the node.
+ */
+static int normalize_keys(const struct gltf_at *at, bool are_floats,
+	float *value, const struct model_channel *out)
+{
+	int error = 0;
+	int i, k;
+
+	if (out->path != MODEL_ROTATION ||
+		out->interpolation == MODEL_CUBICSPLINE) {
+		return 0;
+	}
+	for (i = 0; i < out->key_count && !error; i++) {
+		float *key = value + (size_t)i * 4;
+		float length2 = 0;
+
+		for (k = 0; k < 4; k++) {
+			length2 += key[k] * key[k];
+		}
+		if (!are_floats || !(length2 > 0.98f && length2 < 1.02f)) {
+			error = gltf_normalize_rotation(at, key);
+		}
+	}
+	return error;
+}
+
+static int read_values(const struct gltf_at *sampler,
+	const struct gltf_accessor *output, struct model_channel *out)
+{
+	struct gltf_at at = gltf_member(sampler, "output");
+	int64_t floats = (int64_t)output->count * output->width;
+	int64_t expected = (int64_t)out->key_count * out->width;
+	float *value;
+	int error;
+
+	if (out->interpolation == MODEL_CUBICSPLINE) {
+		expected *= 3;
+	}
+	if (floats != expected) {
+		return gltf_fail(&at, -EINVAL,
+			"has %lld numbers, %d keys need %lld",
+			(long long)floats, out->key_count, (long long)expected);
+	}
+	value = GLTF_KEEP(&at, float, floats);
+	if (!value) {
+		return -ENOMEM;
+	}
+	error = gltf_unpack_floats(&at, output, value);
+	if (!error) {
+		error = normalize_keys(
+			&at, output->base.component == GLTF_F32, value, out);
+	}
+	out->value = value;
+	return error;
+}
+
+static int need_accessor(const struct gltf_at *at, const char *key,
+	const char *type, const struct gltf_accessor **out)
+{
+	int error = gltf_need(at, key);
+
+	return error ? error : gltf_maybe_accessor(at, key, type, out);
+}
+
+static int read_sampler(const struct gltf_at *at, struct model_channel *out)
+{
+	static const char *const types[] = {
+		[MODEL_TRANSLATION] = "VEC3",
+		[MODEL_ROTATION] = "VEC4",
+		[MODEL_SCALE] = "VEC3",
+		[MODEL_WEIGHTS] = "SCALAR",
+	};
+	struct gltf_at input_at = gltf_member(at, "input");
+	const struct gltf_accessor *input, *output;
+	int error = need_accessor(at, "input", "SCALAR", &input);
+
+	if (!error && input->base.component != GLTF_F32) {
+		error = gltf_fail(&input_at, -EINVAL, "is not of floats");
+	}
+	if (!error) {
+		error = need_accessor(at, "output", types[out->path], &output);
+	}
+	if (!error) {
+		error = read_interpolation(at, &out->interpolation);
+	}
+	if (!error) {
+		out->key_count = input->count;
+		error = read_times(at, input, &out->time_s);
+	}
+	return error ? error : read_values(at, output, out);
+}
+
+static int read_width(const struct gltf_at *target, const struct model *model,
+	struct model_channel *out)
+{
+	const struct model_node *node = &model->node[out->node];
+
+	out->width = out->path == MODEL_ROTATION ? 4 : 3;
+	if (out->path != MODEL_WEIGHTS) {
+		return 0;
+	}
+	out->width = node->mesh < 0 ? 0 : model->mesh[node->mesh].target_count;
+	if (out->width == 0) {
+		return gltf_fail(target, -EINVAL,
+			"node %d has no morph targets to weigh",
+			node->file_index);
+	}
+	return 0;
+}
+
+/* Moving a node asks for its parts; a matrix that has none gives way. */
+static void release_matrix(
+	const struct gltf_at *target, const struct model_channel *channel)
+{
+	struct model_node *node = &target->gltf->model->node[channel->node];
+
+	if (node->matrix && channel->path != MODEL_WEIGHTS) {
+		gltf_warn(target,
+			"node %d has a matrix that shears; "
+			"moving it loses the shear",
+			node->file_index);
+		node->matrix = NULL;
+	}
+}
+
+static int claim(const struct gltf_at *target, struct reading *reading,
+	const struct model_channel *channel)
+{
+	int *seen = &reading->seen[channel->node][channel->path];
+
+	if (*seen == reading->stamp) {
+		return gltf_fail(target, -EINVAL,
+			"another channel sets the same of this node");
+	}
+	*seen = reading->stamp;
+	return 0;
+}
+
+static int read_target(const struct gltf_at *target, struct reading *reading,
+	struct model_channel *out)
+{
+	struct gltf *gltf = target->gltf;
+	struct gltf_at node = gltf_member(target, "node");
+	int error = gltf_node(&node, &out->node);
+
+	if (!error) {
+		error = read_path(target, &out->path);
+	}
+	if (error) {
+		return error;
+	}
+	error = read_width(target, gltf->model, out);
+	if (!error) {
+		error = claim(target, reading, out);
+	}
+	if (!error) {
+		release_matrix(target, out);
+	}
+	return error;
+}
+
+/* A channel without a node belongs to some extension. */
+static int read_channel(const struct gltf_at *at, struct reading *reading,
+	struct model_channel *out, bool *is_ours)
+{
+	struct gltf_at target, sampler;
+	int index = 0;
+	int error = gltf_need(at, "target");
+
+	if (!error) {
+		error = gltf_object(at, "target", &target);
+	}
+	if (!error) {
+		error = gltf_need(at, "sampler");
+	}
+	if (!error) {
+		error = gltf_maybe_index(at, "sampler", reading->sampler_count,
+			"sampler", &index);
+	}
+	*is_ours = !error && json_object_get(target.json, "node");
+	if (!*is_ours) {
+		return error;
+	}
+	error = read_target(&target, reading, out);
+	if (!error) {
+		error = gltf_item(&reading->samplers, index, &sampler);
+	}
+	return error ? error : read_sampler(&sampler, out);
+}
+
+static int read_animation(const struct gltf_at *at, struct reading *reading,
+	struct model_clip *out)
+{
+	struct gltf_at array, item;
+	int count, i;
+	int error = gltf_name(at, &out->name);
+
+	if (!error) {
+		error = gltf_array(at, "samplers", &reading->samplers,
+			&reading->sampler_count);
+	}
+	if (!error) {
+		error = gltf_array(at, "channels", &array, &count);
+	}
+	if (error) {
+		return error;
+	}
+	out->channel = GLTF_KEEP(&array, struct model_channel, count);
+	if (!out->channel) {
+		return -ENOMEM;
+	}
+	for (i = 0; i < count && !error; i++) {
+		struct model_channel *channel =
+			&out->channel[out->channel_count];
+		bool is_ours = false;
+
+		error = gltf_item(&array, i, &item);
+		if (!error) {
+			error = read_channel(&item, reading, channel, &is_ours);
+		}
+		if (!error && is_ours) {
+			float end_s = channel->time_s[channel->key_count - 1];
+
+			out->duration_s = end_s > out->duration_s
+				? end_s
+				: out->duration_s;
+			out->channel_count++;
+		}
+	}
+	return error;
+}
+
+int gltf_read_animations(struct gltf *gltf)
+{
+	struct model *model = gltf->model;
+	struct reading reading = {0};
+	struct gltf_at array, item;
+	int count, i;
+	int error = gltf_array(&gltf->root, "animations", &array, &count);
+
+	if (error) {
+		return error;
+	}
+	model->clip = GLTF_KEEP(&array, struct model_clip, count);
+	reading.seen = gltf_room(&array, &gltf->scratch,
+		(size_t)model->node_count, sizeof(*reading.seen));
+	if (!model->clip || !reading.seen) {
+		return -ENOMEM;
+	}
+	model->clip_count = count;
+	for (i = 0; i < count && !error; i++) {
+		reading.stamp = i + 1;
+		error = gltf_item(&array, i, &item);
+		if (!error) {
+			error = read_animation(&item, &reading, &model->clip[i]);
+		}
+	}
+	return error;
+}

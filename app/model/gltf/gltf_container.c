@@ -1,0 +1,355 @@
+#include "app/model/gltf/base64.h"
+#include "app/model/gltf/gltf_internal.h"
+#include "app/model/gltf/uri.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	GLB_HEADER_BYTES = 12,
+	GLB_CHUNK_HEADER_BYTES = 8,
+	GLB_JSON = 0x4e4f534a,
+	GLB_BIN = 0x004e4942,
+};
+
+struct chunk {
+	const uint8_t *data;
+	size_t size;
+	uint32_t type;
+};
+
+static uint32_t get_u32(const uint8_t *bytes)
+{
+	return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
+		(uint32_t)bytes[3] << 24;
+}
+
+/* The chunk at *offset, which moves on; offset is at most length. */
+static int next_chunk(
+	struct gltf *gltf, size_t length, size_t *offset, struct chunk *out)
+{
+	const uint8_t *at = gltf->source->data + *offset;
+	size_t left = length - *offset;
+	size_t size;
+
+	if (left < GLB_CHUNK_HEADER_BYTES) {
+		return gltf_fail(&gltf->root, -EINVAL,
+			"a chunk at byte %zu is cut short", *offset);
+	}
+	size = get_u32(at);
+	if (size > left - GLB_CHUNK_HEADER_BYTES) {
+		return gltf_fail(&gltf->root, -EINVAL,
+			"the chunk at byte %zu claims %zu bytes, %zu are left",
+			*offset, size, left - GLB_CHUNK_HEADER_BYTES);
+	}
+	*out = (struct chunk){
+		.data = at + GLB_CHUNK_HEADER_BYTES,
+		.size = size,
+		.type = get_u32(at + 4),
+	};
+	*offset += GLB_CHUNK_HEADER_BYTES + size;
+	return 0;
+}
+
+/* glTF 2.0, chapter 4: a JSON chunk, perhaps a BIN chunk, perhaps others. */
+static int open_glb(struct gltf *gltf, struct chunk *json)
+{
+	const struct model_source *source = gltf->source;
+	size_t offset = GLB_HEADER_BYTES;
+	struct chunk binary;
+	size_t length;
+	int error;
+
+	if (source->size < GLB_HEADER_BYTES) {
+		return gltf_fail(&gltf->root, -EINVAL, "is cut short");
+	}
+	if (get_u32(source->data + 4) != 2) {
+		return gltf_fail(&gltf->root, -ENOTSUP,
+			"is a .glb of version %u; limber reads version 2",
+			get_u32(source->data + 4));
+	}
+	length = get_u32(source->data + 8);
+	if (length < GLB_HEADER_BYTES || length > source->size) {
+		return gltf_fail(&gltf->root, -EINVAL,
+			"is cut short: its header claims %zu bytes, "
+			"the file has %zu",
+			length, source->size);
+	}
+	error = next_chunk(gltf, length, &offset, json);
+	if (!error && json->type != GLB_JSON) {
+		error = gltf_fail(&gltf->root, -EINVAL,
+			"the first chunk is not the JSON");
+	}
+	if (error || offset == length) {
+		return error;
+	}
+	error = next_chunk(gltf, length, &offset, &binary);
+	if (!error && binary.type == GLB_BIN) {
+		gltf->binary = binary.data;
+		gltf->binary_size = binary.size;
+	}
+	return error;
+}
+
+/* At least as many as the text has values; each costs some 100 bytes. */
+static size_t count_values(const struct chunk *text)
+{
+	size_t count = 1;
+	size_t i;
+
+	for (i = 0; i < text->size; i++) {
+		uint8_t c = text->data[i];
+
+		count += c == ',' || c == '[' || c == '{';
+	}
+	return count;
+}
+
+static int parse(struct gltf *gltf, const struct chunk *text)
+{
+	json_error_t error;
+
+	if (text->size > GLTF_JSON_BYTES_MAX) {
+		return gltf_fail(&gltf->root, -EFBIG,
+			"has %zu bytes of JSON; limber reads up to %d",
+			text->size, GLTF_JSON_BYTES_MAX);
+	}
+	if (count_values(text) > GLTF_JSON_VALUES_MAX) {
+		return gltf_fail(&gltf->root, -EFBIG,
+			"has more than %d JSON values", GLTF_JSON_VALUES_MAX);
+	}
+	gltf->json = json_loadb((const char *)text->data, text->size,
+		JSON_REJECT_DUPLICATES, &error);
+	if (!gltf->json) {
+		return gltf_fail(&gltf->root, -EINVAL, "line %d, column %d: %s",
+			error.line, error.column, error.text);
+	}
+	gltf->root.json = gltf->json;
+	if (!json_is_object(gltf->json)) {
+		return gltf_fail(&gltf->root, -EINVAL, "is not an object");
+	}
+	return 0;
+}
+
+int gltf_open(struct gltf *gltf)
+{
+	struct chunk text = {
+		.data = gltf->source->data,
+		.size = gltf->source->size,
+	};
+	int error = 0;
+
+	if (text.size >= 4 && memcmp(text.data, "glTF", 4) == 0) {
+		error = open_glb(gltf, &text);
+	} else if (text.size >= 3 && memcmp(text.data, "\xef\xbb\xbf", 3) == 0) {
+		text.data += 3;
+		text.size -= 3;
+	}
+	return error ? error : parse(gltf, &text);
+}
+
+static int read_data_uri(const struct gltf_at *at, const char *uri,
+	const uint8_t **data, size_t *size)
+{
+	const char *text = uri_data_base64(uri);
+	size_t length;
+	uint8_t *bytes;
+
+	if (!text) {
+		return gltf_fail(
+			at, -EINVAL, "is a data URI without \";base64,\"");
+	}
+	length = strlen(text);
+	bytes = GLTF_SCRATCH(at, uint8_t, base64_room(length));
+	if (!bytes) {
+		return -ENOMEM;
+	}
+	if (base64_decode(text, length, bytes, size) < 0) {
+		return gltf_fail(at, -EINVAL, "is not valid base64");
+	}
+	*data = bytes;
+	return 0;
+}
+
+static int read_file_uri(
+	const struct gltf_at *at, const char *uri, struct model_file *file)
+{
+	struct gltf *gltf = at->gltf;
+	char where[256];
+	char *name;
+	int error;
+
+	if (uri_has_scheme(uri)) {
+		return gltf_fail(at, -EACCES,
+			"\"%.80s\" is not a file in the model's folder", uri);
+	}
+	name = GLTF_SCRATCH(at, char, strlen(uri) + 1);
+	if (!name) {
+		return -ENOMEM;
+	}
+	if (uri_unescape(uri, name) < 0) {
+		return gltf_fail(
+			at, -EINVAL, "\"%.80s\" has a bad %% escape", uri);
+	}
+	gltf_where(at, where, sizeof(where));
+	error = model_file_read_beside(
+		gltf->source, name, where, gltf->log, file);
+	if (error) {
+		return error;
+	}
+	gltf->file_bytes += file->size;
+	if (gltf->file_bytes > GLTF_BUDGET_BYTES) {
+		model_file_release(file);
+		return gltf_fail(at, -EFBIG,
+			"the files beside the model have more than %d MiB",
+			GLTF_BUDGET_BYTES >> 20);
+	}
+	return 0;
+}
+
+int gltf_read_uri(const struct gltf_at *at, const char *uri,
+	struct model_file *file, const uint8_t **data, size_t *size)
+{
+	int error;
+
+	if (uri_is_data(uri)) {
+		return read_data_uri(at, uri, data, size);
+	}
+	error = read_file_uri(at, uri, file);
+	if (!error) {
+		*data = file->data;
+		*size = file->size;
+	}
+	return error;
+}
+
+/* Without a URI it is the .glb's own, which only buffer 0 can be. */
+static int find_buffer(const struct gltf_at *at, struct gltf_buffer *out)
+{
+	struct gltf_at uri_at = gltf_member(at, "uri");
+	const char *uri = NULL;
+	int error = gltf_maybe_string(at, "uri", &uri);
+
+	if (error) {
+		return error;
+	}
+	if (uri) {
+		return gltf_read_uri(
+			&uri_at, uri, &out->file, &out->data, &out->size);
+	}
+	if (at->index != 0 || !at->gltf->binary) {
+		return gltf_fail(at, -EINVAL,
+			"has no uri, and the file no binary chunk for it");
+	}
+	out->data = at->gltf->binary;
+	out->size = at->gltf->binary_size;
+	return 0;
+}
+
+static int read_buffer(const struct gltf_at *at, struct gltf_buffer *out)
+{
+	int64_t length = 0;
+	int error = gltf_need(at, "byteLength");
+
+	if (!error) {
+		error = gltf_maybe_integer(
+			at, "byteLength", 1, MODEL_FILE_BYTES_MAX, &length);
+	}
+	if (!error) {
+		error = find_buffer(at, out);
+	}
+	if (!error && out->size < (size_t)length) {
+		error = gltf_fail(at, -EINVAL,
+			"byteLength is %lld, but there are only %zu bytes",
+			(long long)length, out->size);
+	}
+	out->size = (size_t)length;
+	return error;
+}
+
+static int read_view(const struct gltf_at *at, struct gltf_view *out)
+{
+	struct gltf *gltf = at->gltf;
+	int64_t offset = 0, length = 0, stride = 0;
+	int buffer = -1;
+	int error = gltf_need(at, "buffer");
+
+	if (!error) {
+		error = gltf_need(at, "byteLength");
+	}
+	if (!error) {
+		error = gltf_maybe_index(
+			at, "buffer", gltf->buffer_count, "buffer", &buffer);
+	}
+	if (!error) {
+		error = gltf_maybe_integer(
+			at, "byteOffset", 0, INT32_MAX, &offset);
+	}
+	if (!error) {
+		error = gltf_maybe_integer(
+			at, "byteLength", 1, INT32_MAX, &length);
+	}
+	if (!error) {
+		error = gltf_maybe_integer(at, "byteStride", 4, 252, &stride);
+	}
+	if (error) {
+		return error;
+	}
+	if ((uint64_t)(offset + length) > gltf->buffer[buffer].size) {
+		return gltf_fail(at, -EINVAL,
+			"ends at byte %lld, buffer %d has %zu",
+			(long long)(offset + length), buffer,
+			gltf->buffer[buffer].size);
+	}
+	out->data = gltf->buffer[buffer].data + offset;
+	out->size = (size_t)length;
+	out->stride = (size_t)stride;
+	return 0;
+}
+
+static int read_views(struct gltf *gltf)
+{
+	struct gltf_at array, item;
+	int count, i;
+	int error = gltf_array(&gltf->root, "bufferViews", &array, &count);
+
+	if (error) {
+		return error;
+	}
+	gltf->view = GLTF_SCRATCH(&array, struct gltf_view, count);
+	if (!gltf->view) {
+		return -ENOMEM;
+	}
+	gltf->view_count = count;
+	for (i = 0; i < count && !error; i++) {
+		error = gltf_item(&array, i, &item);
+		if (!error) {
+			error = read_view(&item, &gltf->view[i]);
+		}
+	}
+	return error;
+}
+
+int gltf_read_buffers(struct gltf *gltf)
+{
+	struct gltf_at array, item;
+	int count, i;
+	int error = gltf_array(&gltf->root, "buffers", &array, &count);
+
+	if (error) {
+		return error;
+	}
+	gltf->buffer = GLTF_SCRATCH(&array, struct gltf_buffer, count);
+	if (!gltf->buffer) {
+		return -ENOMEM;
+	}
+	gltf->buffer_count = count;
+	for (i = 0; i < count && !error; i++) {
+		error = gltf_item(&array, i, &item);
+		if (!error) {
+			error = read_buffer(&item, &gltf->buffer[i]);
+		}
+	}
+	return error ? error : read_views(gltf);
+}

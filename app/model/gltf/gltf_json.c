@@ -1,0 +1,361 @@
+#include "app/model/gltf/gltf_internal.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	PLACE_LENGTH = 512,
+	WARNINGS_MAX = 8, /* a file may have thousands of lines to leave out */
+};
+
+static size_t print_path(const struct gltf_at *at, char *text, size_t size)
+{
+	size_t used;
+	int printed;
+
+	if (!at->up) {
+		return 0;
+	}
+	used = print_path(at->up, text, size);
+	if (at->key) {
+		printed = snprintf(text + used, size - used, "/%s", at->key);
+	} else {
+		printed = snprintf(text + used, size - used, "/%d", at->index);
+	}
+	if (printed < 0) {
+		return used;
+	}
+	used += (size_t)printed;
+	return used < size ? used : size - 1;
+}
+
+void gltf_where(const struct gltf_at *at, char *text, size_t size)
+{
+	const char *name = at->gltf->source->name;
+	int printed;
+
+	if (!at->up) {
+		snprintf(text, size, "%s", name);
+		return;
+	}
+	printed = snprintf(text, size, "%s: ", name);
+	if (printed >= 0 && (size_t)printed < size) {
+		print_path(at, text + printed, size - (size_t)printed);
+	}
+}
+
+/* Strings of the file may hold anything; a terminal shall not obey them. */
+static void say(const struct gltf_at *at, enum log_level level,
+	const char *format, va_list arguments)
+{
+	char place[PLACE_LENGTH];
+	char reason[PLACE_LENGTH];
+	char *c;
+
+	gltf_where(at, place, sizeof(place));
+	vsnprintf(reason, sizeof(reason), format, arguments);
+	for (c = reason; *c; c++) {
+		if ((unsigned char)*c < 0x20 || *c == 0x7f) {
+			*c = '?';
+		}
+	}
+	log_say(at->gltf->log, level, "%s: %s", place, reason);
+}
+
+int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
+{
+	va_list arguments;
+
+	va_start(arguments, format);
+	say(at, LOG_ERROR, format, arguments);
+	va_end(arguments);
+	return code;
+}
+
+void gltf_warn(const struct gltf_at *at, const char *format, ...)
+{
+	va_list arguments;
+
+	if (at->gltf->warnings++ >= WARNINGS_MAX) {
+		return;
+	}
+	va_start(arguments, format);
+	say(at, LOG_WARNING, format, arguments);
+	va_end(arguments);
+	if (at->gltf->warnings == WARNINGS_MAX) {
+		log_warning(at->gltf->log, "%s: further warnings are left out",
+			at->gltf->source->name);
+	}
+}
+
+struct gltf_at gltf_member(const struct gltf_at *at, const char *key)
+{
+	return (struct gltf_at){
+		.gltf = at->gltf,
+		.up = at,
+		.key = key,
+		.json = json_object_get(at->json, key),
+	};
+}
+
+struct gltf_at gltf_element(const struct gltf_at *array, int index)
+{
+	return (struct gltf_at){
+		.gltf = array->gltf,
+		.up = array,
+		.index = index,
+		.json = json_array_get(array->json, (size_t)index),
+	};
+}
+
+int gltf_item(const struct gltf_at *array, int index, struct gltf_at *out)
+{
+	*out = gltf_element(array, index);
+	if (!json_is_object(out->json)) {
+		return gltf_fail(out, -EINVAL, "is not an object");
+	}
+	return 0;
+}
+
+int gltf_object(const struct gltf_at *at, const char *key, struct gltf_at *out)
+{
+	*out = gltf_member(at, key);
+	if (out->json && !json_is_object(out->json)) {
+		return gltf_fail(out, -EINVAL, "is not an object");
+	}
+	return 0;
+}
+
+int gltf_array(const struct gltf_at *at, const char *key, struct gltf_at *out,
+	int *count)
+{
+	*out = gltf_member(at, key);
+	if (out->json && !json_is_array(out->json)) {
+		return gltf_fail(out, -EINVAL, "is not an array");
+	}
+	/* Below 2^31, since the JSON text is. */
+	*count = (int)json_array_size(out->json);
+	return 0;
+}
+
+int gltf_maybe_string(
+	const struct gltf_at *at, const char *key, const char **out)
+{
+	struct gltf_at member = gltf_member(at, key);
+
+	if (!member.json) {
+		return 0;
+	}
+	if (!json_is_string(member.json)) {
+		return gltf_fail(&member, -EINVAL, "is not a string");
+	}
+	*out = json_string_value(member.json);
+	return 0;
+}
+
+int gltf_maybe_choice(const struct gltf_at *at, const char *key,
+	const char *const *names, int count, int *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+	const char *name = NULL;
+	int error = gltf_maybe_string(at, key, &name);
+
+	if (error || !name) {
+		return error;
+	}
+	for (int i = 0; i < count; i++) {
+		if (strcmp(names[i], name) == 0) {
+			*out = i;
+			return 0;
+		}
+	}
+	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", name);
+}
+
+int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+
+	if (!member.json) {
+		return 0;
+	}
+	if (!json_is_boolean(member.json)) {
+		return gltf_fail(&member, -EINVAL, "is neither true nor false");
+	}
+	*out = json_is_true(member.json);
+	return 0;
+}
+
+static int number(const struct gltf_at *at, float *out)
+{
+	double value;
+
+	if (!json_is_number(at->json)) {
+		return gltf_fail(at, -EINVAL, "is not a number");
+	}
+	value = json_number_value(at->json);
+	if (!(fabs(value) <= (double)FLT_MAX)) {
+		return gltf_fail(at, -EINVAL, "%g is too large", value);
+	}
+	*out = (float)value;
+	return 0;
+}
+
+int gltf_maybe_number(const struct gltf_at *at, const char *key, float *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+
+	return member.json ? number(&member, out) : 0;
+}
+
+int gltf_maybe_floats(
+	const struct gltf_at *at, const char *key, float *out, int count)
+{
+	struct gltf_at array;
+	int length, i;
+	int error = gltf_array(at, key, &array, &length);
+
+	if (error || !array.json) {
+		return error;
+	}
+	if (length != count) {
+		return gltf_fail(&array, -EINVAL,
+			"has %d numbers instead of %d", length, count);
+	}
+	for (i = 0; i < count && !error; i++) {
+		struct gltf_at element = gltf_element(&array, i);
+
+		error = number(&element, &out[i]);
+	}
+	return error;
+}
+
+/* Some writers give whole numbers a ".0". */
+static int integer(const struct gltf_at *at, int64_t *out)
+{
+	double value;
+
+	if (json_is_integer(at->json)) {
+		*out = json_integer_value(at->json);
+		return 0;
+	}
+	value = json_is_real(at->json) ? json_real_value(at->json) : 0.5;
+	if (!(fabs(value) < 9e15) || floor(value) != value) {
+		return gltf_fail(at, -EINVAL, "is not a whole number");
+	}
+	*out = (int64_t)value;
+	return 0;
+}
+
+int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
+	int64_t max, int64_t *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+	int64_t value;
+	int error;
+
+	if (!member.json) {
+		return 0;
+	}
+	error = integer(&member, &value);
+	if (error) {
+		return error;
+	}
+	if (value < min || value > max) {
+		return gltf_fail(&member, -EINVAL,
+			"%lld is not within %lld to %lld", (long long)value,
+			(long long)min, (long long)max);
+	}
+	*out = value;
+	return 0;
+}
+
+int gltf_index(const struct gltf_at *at, int count, const char *what, int *out)
+{
+	int64_t value;
+	int error = integer(at, &value);
+
+	if (error) {
+		return error;
+	}
+	if (value < 0 || value >= count) {
+		return gltf_fail(at, -EINVAL,
+			"%s %lld does not exist (the file has %d)", what,
+			(long long)value, count);
+	}
+	*out = (int)value;
+	return 0;
+}
+
+int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
+	const char *what, int *out)
+{
+	struct gltf_at member = gltf_member(at, key);
+
+	return member.json ? gltf_index(&member, count, what, out) : 0;
+}
+
+int gltf_need(const struct gltf_at *at, const char *key)
+{
+	if (!json_object_get(at->json, key)) {
+		return gltf_fail(at, -EINVAL, "has no \"%s\"", key);
+	}
+	return 0;
+}
+
+int gltf_keep_string(
+	const struct gltf_at *at, const char *text, const char **out)
+{
+	size_t bytes = strlen(text) + 1;
+	char *copy = GLTF_KEEP(at, char, bytes);
+
+	if (!copy) {
+		return -ENOMEM;
+	}
+	memcpy(copy, text, bytes);
+	*out = copy;
+	return 0;
+}
+
+int gltf_name(const struct gltf_at *at, const char **out)
+{
+	const char *name = "";
+	int error = gltf_maybe_string(at, "name", &name);
+
+	return error ? error : gltf_keep_string(at, name, out);
+}
+
+bool gltf_has_room(const struct gltf_at *at, size_t count, size_t size)
+{
+	const struct gltf *gltf = at->gltf;
+	size_t used = gltf->model->arena.used_bytes + gltf->scratch.used_bytes +
+		gltf->file_bytes;
+
+	if (used > GLTF_BUDGET_BYTES ||
+		count > (GLTF_BUDGET_BYTES - used) / size) {
+		gltf_fail(at, -ENOMEM,
+			"with this the model needs more than %d MiB",
+			GLTF_BUDGET_BYTES >> 20);
+		return false;
+	}
+	return true;
+}
+
+void *gltf_room(const struct gltf_at *at, struct arena *arena, size_t count,
+	size_t size)
+{
+	void *room;
+
+	if (!gltf_has_room(at, count, size)) {
+		return NULL;
+	}
+	room = arena_alloc(arena, count, size);
+	if (!room) {
+		gltf_fail(at, -ENOMEM, "not enough memory");
+	}
+	return room;
+}

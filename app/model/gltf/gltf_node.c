@@ -1,0 +1,345 @@
+#include "app/model/gltf/gltf_internal.h"
+#include "app/model/model_order.h"
+#include "app/model/transform_decompose.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+static int read_matrix(const struct gltf_at *at, struct model_node *out)
+{
+	static const float last_row[4] = {0, 0, 0, 1};
+	struct gltf_at member = gltf_member(at, "matrix");
+	float(*matrix)[4];
+	int i;
+	int error;
+
+	if (json_object_get(at->json, "translation") ||
+		json_object_get(at->json, "rotation") ||
+		json_object_get(at->json, "scale")) {
+		return gltf_fail(at, -EINVAL,
+			"has a matrix as well as translation, rotation or "
+			"scale");
+	}
+	matrix = gltf_room(&member, &at->gltf->model->arena, 4, sizeof(*matrix));
+	if (!matrix) {
+		return -ENOMEM;
+	}
+	error = gltf_maybe_floats(at, "matrix", &matrix[0][0], 16);
+	for (i = 0; i < 4 && !error; i++) {
+		if (matrix[i][3] != last_row[i]) {
+			error = gltf_fail(&member, -EINVAL,
+				"its last row is not 0 0 0 1");
+		}
+	}
+	if (!error && !transform_decompose(matrix, &out->rest)) {
+		out->matrix = matrix;
+	}
+	return error;
+}
+
+int gltf_normalize_rotation(const struct gltf_at *at, float rotation[4])
+{
+	double sum = 0;
+	int i;
+
+	for (i = 0; i < 4; i++) {
+		sum += (double)rotation[i] * rotation[i];
+	}
+	if (!(sum > 0)) {
+		return gltf_fail(at, -EINVAL, "is a rotation of length 0");
+	}
+	for (i = 0; i < 4; i++) {
+		rotation[i] = (float)(rotation[i] / sqrt(sum));
+	}
+	return 0;
+}
+
+static int read_transform(const struct gltf_at *at, struct model_node *out)
+{
+	struct gltf_at rotation = gltf_member(at, "rotation");
+	struct transform *rest = &out->rest;
+	int error;
+
+	*rest = (struct transform){
+		.rotation = {0, 0, 0, 1},
+		.scale = {1, 1, 1},
+	};
+	if (json_object_get(at->json, "matrix")) {
+		return read_matrix(at, out);
+	}
+	error = gltf_maybe_floats(at, "translation", rest->translation, 3);
+	if (!error) {
+		error = gltf_maybe_floats(at, "rotation", rest->rotation, 4);
+	}
+	if (!error) {
+		error = gltf_maybe_floats(at, "scale", rest->scale, 3);
+	}
+	return error ? error
+		     : gltf_normalize_rotation(&rotation, rest->rotation);
+}
+
+static int count_of(struct gltf *gltf, const char *key, int *out)
+{
+	struct gltf_at array;
+
+	return gltf_array(&gltf->root, key, &array, out);
+}
+
+static int read_node(const struct gltf_at *at, struct model_node *out)
+{
+	struct gltf *gltf = at->gltf;
+	int skin_count;
+	int error = gltf_name(at, &out->name);
+
+	out->mesh = out->skin = out->camera = -1;
+	if (!error) {
+		error = read_transform(at, out);
+	}
+	if (!error) {
+		error = gltf_maybe_index(
+			at, "mesh", gltf->mesh_count, "mesh", &out->mesh);
+	}
+	if (!error && out->mesh >= 0) {
+		out->mesh = gltf->mesh_place[out->mesh];
+	}
+	if (!error) {
+		error = count_of(gltf, "skins", &skin_count);
+	}
+	if (!error) {
+		error = gltf_maybe_index(
+			at, "skin", skin_count, "skin", &out->skin);
+	}
+	if (!error) {
+		error = gltf_maybe_index(at, "camera",
+			gltf->model->camera_count, "camera", &out->camera);
+	}
+	if (!error && out->skin >= 0 && out->mesh < 0) {
+		gltf_warn(at, "has a skin but no mesh");
+		out->skin = -1;
+	}
+	return error;
+}
+
+/* Child lists become parent numbers; a second parent is an error. */
+static int read_children(const struct gltf_at *at, int count, int *parent)
+{
+	struct gltf_at array;
+	int children, i;
+	int error = gltf_array(at, "children", &array, &children);
+
+	for (i = 0; i < children && !error; i++) {
+		struct gltf_at element = gltf_element(&array, i);
+		int child = 0;
+
+		error = gltf_index(&element, count, "node", &child);
+		if (error) {
+			break;
+		}
+		if (parent[child] >= 0) {
+			return gltf_fail(&element, -EINVAL,
+				"node %d is a child of node %d already", child,
+				parent[child]);
+		}
+		parent[child] = at->index;
+	}
+	return error;
+}
+
+static int order_nodes(const struct gltf_at *array, int count, int *parent)
+{
+	struct gltf *gltf = array->gltf;
+	struct model_node *node = gltf->model->node;
+	int *order = GLTF_SCRATCH(array, int, count);
+	struct gltf_at item;
+	int error = 0;
+	int next = 0;
+	int culprit, i;
+
+	gltf->node_place = GLTF_SCRATCH(array, int, count);
+	if (!order || !gltf->node_place) {
+		return -ENOMEM;
+	}
+	for (i = 0; i < count; i++) {
+		parent[i] = -1;
+	}
+	for (i = 0; i < count && !error; i++) {
+		error = gltf_item(array, i, &item);
+		if (!error) {
+			error = read_children(&item, count, parent);
+		}
+	}
+	if (error) {
+		return error;
+	}
+	error = model_order_nodes(
+		parent, count, order, gltf->node_place, &culprit);
+	if (error == -ELOOP) {
+		item = gltf_element(array, culprit);
+		return gltf_fail(&item, -EINVAL, "is its own ancestor");
+	}
+	if (error) {
+		return gltf_fail(array, error, "not enough memory");
+	}
+	for (i = 0; i < count; i++) {
+		int number = order[i];
+		int *place = &gltf->node_place[number];
+
+		*place = gltf->node_is_level[number] ? -1 : next++;
+		if (*place >= 0) {
+			node[*place].file_index = number;
+			node[*place].parent = parent[number] < 0
+				? -1
+				: gltf->node_place[parent[number]];
+		}
+	}
+	gltf->model->node_count = next;
+	return 0;
+}
+
+int gltf_node(const struct gltf_at *at, int *out)
+{
+	int number = 0;
+	int error = gltf_index(at, at->gltf->node_count, "node", &number);
+
+	if (!error) {
+		*out = at->gltf->node_place[number];
+	}
+	if (!error && *out < 0) {
+		error = gltf_fail(at, -EINVAL,
+			"node %d is a level of detail of another", number);
+	}
+	return error;
+}
+
+static int mark_roots(struct gltf *gltf, const struct gltf_at *scene)
+{
+	struct gltf_at array;
+	int count, i;
+	int error = gltf_array(scene, "nodes", &array, &count);
+
+	for (i = 0; i < count && !error; i++) {
+		struct gltf_at element = gltf_element(&array, i);
+		int node = 0;
+
+		error = gltf_node(&element, &node);
+		if (!error) {
+			gltf->model->node[node].in_scene = true;
+		}
+	}
+	return error;
+}
+
+/* The default scene, else the first; without any scene everything counts. */
+static int mark_scene(struct gltf *gltf)
+{
+	struct model *model = gltf->model;
+	struct gltf_at array, item;
+	int scene = 0;
+	int count, i;
+	int error = gltf_array(&gltf->root, "scenes", &array, &count);
+
+	if (!error) {
+		error = gltf_maybe_index(
+			&gltf->root, "scene", count, "scene", &scene);
+	}
+	if (!error && count > 0) {
+		error = gltf_item(&array, scene, &item);
+		if (!error) {
+			error = mark_roots(gltf, &item);
+		}
+	}
+	for (i = 0; i < model->node_count && !error; i++) {
+		int parent = model->node[i].parent;
+
+		model->node[i].in_scene |= count == 0 ||
+			(parent >= 0 && model->node[parent].in_scene);
+	}
+	return error;
+}
+
+/* A node's weights, else its mesh's, else 0 (glTF 2.0, 3.7.2.2). */
+static int read_node_weights(
+	const struct gltf_at *at, const struct model_node *node, float *out)
+{
+	const struct gltf *gltf = at->gltf;
+	float *weights = NULL;
+	int count = gltf->model->mesh[node->mesh].target_count;
+	int error = gltf_read_weights(at, count, &weights);
+
+	if (error) {
+		return error;
+	}
+	weights = weights ? weights : gltf->mesh_weights[node->mesh];
+	if (weights) {
+		memcpy(out, weights, (size_t)count * sizeof(*out));
+	}
+	return 0;
+}
+
+static int read_rest_weights(const struct gltf_at *array)
+{
+	struct gltf *gltf = array->gltf;
+	struct model *model = gltf->model;
+	int64_t total = 0;
+	int error = 0;
+	int i;
+
+	for (i = 0; i < model->node_count; i++) {
+		struct model_node *node = &model->node[i];
+
+		node->weight_offset = (int)total;
+		if (node->mesh >= 0) {
+			total += model->mesh[node->mesh].target_count;
+		}
+		if (total > GLTF_BUDGET_BYTES) {
+			return gltf_fail(array, -EFBIG,
+				"there are too many morph weights");
+		}
+	}
+	model->rest_weights = GLTF_KEEP(array, float, total);
+	if (!model->rest_weights) {
+		return -ENOMEM;
+	}
+	model->weight_count = (int)total;
+	for (i = 0; i < model->node_count && !error; i++) {
+		const struct model_node *node = &model->node[i];
+		struct gltf_at item = gltf_element(array, node->file_index);
+
+		if (node->mesh >= 0) {
+			error = read_node_weights(&item, node,
+				model->rest_weights + node->weight_offset);
+		}
+	}
+	return error;
+}
+
+int gltf_read_nodes(struct gltf *gltf)
+{
+	struct model *model = gltf->model;
+	struct gltf_at array, item;
+	int *parent;
+	int count, i;
+	int error = gltf_array(&gltf->root, "nodes", &array, &count);
+
+	if (error) {
+		return error;
+	}
+	model->node = GLTF_KEEP(&array, struct model_node, count);
+	parent = GLTF_SCRATCH(&array, int, count);
+	if (!model->node || !parent) {
+		return -ENOMEM;
+	}
+	error = order_nodes(&array, count, parent);
+	for (i = 0; i < count && !error; i++) {
+		item = gltf_element(&array, i);
+		if (gltf->node_place[i] >= 0) {
+			error = read_node(
+				&item, &model->node[gltf->node_place[i]]);
+		}
+	}
+	if (!error) {
+		error = mark_scene(gltf);
+	}
+	return error ? error : read_rest_weights(&array);
+}

@@ -1,0 +1,98 @@
+#include "app/model/image/image.h"
+
+#include "app/model/image/image_codec.h"
+
+#include <errno.h>
+#include <string.h>
+
+static const struct image_codec *find_codec(const uint8_t *data, size_t size)
+{
+	static const struct image_codec *const codecs[] = {
+		&image_codec_png,
+		&image_codec_jpeg,
+	};
+	size_t i;
+
+	for (i = 0; i < ARRAY_COUNT(codecs); i++) {
+		if (size > codecs[i]->magic_bytes &&
+			memcmp(data, codecs[i]->magic,
+				codecs[i]->magic_bytes) == 0) {
+			return codecs[i];
+		}
+	}
+	return NULL;
+}
+
+static int check_size(const struct image_input *input, int width, int height)
+{
+	if (width < 1 || height < 1) {
+		log_error(input->log, "%s: has no pixels", input->where);
+		return -EINVAL;
+	}
+	if (width > IMAGE_SIDE_MAX || height > IMAGE_SIDE_MAX) {
+		log_error(input->log,
+			"%s: is %dx%d pixels; limber reads up to %d a side",
+			input->where, width, height, IMAGE_SIDE_MAX);
+		return -EFBIG;
+	}
+	return 0;
+}
+
+static int measure(const struct image_codec *codec,
+	const struct image_input *input, int *width, int *height)
+{
+	int error;
+
+	if (!codec) {
+		log_error(input->log, "%s: is neither PNG nor JPEG",
+			input->where);
+		return -ENOTSUP;
+	}
+	error = codec->measure(input, width, height);
+	return error ? error : check_size(input, *width, *height);
+}
+
+int image_measure(const uint8_t *data, size_t size, const char *where,
+	const struct log *log, int *width, int *height)
+{
+	struct image_input input = {data, size, where, log};
+
+	return measure(find_codec(data, size), &input, width, height);
+}
+
+static bool is_opaque(const struct model_image *image)
+{
+	size_t total = (size_t)image->width * (size_t)image->height;
+	size_t i;
+
+	for (i = 0; i < total; i++) {
+		if (image->rgba[i * 4 + 3] != 255) {
+			return false;
+		}
+	}
+	return true;
+}
+
+int image_decode(const uint8_t *data, size_t size, const char *where,
+	const struct log *log, struct arena *arena, struct model_image *out)
+{
+	const struct image_codec *codec = find_codec(data, size);
+	struct image_input input = {data, size, where, log};
+	int error = measure(codec, &input, &out->width, &out->height);
+
+	if (error) {
+		return error;
+	}
+	out->rgba =
+		arena_alloc(arena, (size_t)out->width * (size_t)out->height, 4);
+	if (!out->rgba) {
+		log_error(log, "%s: not enough memory for %dx%d pixels", where,
+			out->width, out->height);
+		return -ENOMEM;
+	}
+	error = codec->decode(&input, out->width, out->height, out->rgba);
+	if (!error) {
+		out->opaque = is_opaque(out);
+	}
+	return error;
+}

@@ -1,0 +1,206 @@
+#include "app/model/xfile/xfile.h"
+
+#include "app/model/xfile/xfile_build.h"
+#include "app/model/xfile/xfile_inflate.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* "xof " VERSION FORMAT FLOAT-SIZE, four characters each. */
+static const char magic[] = "xof ";
+
+struct header {
+	char version[5];
+	bool binary;
+	bool packed;
+	int float_bytes;
+};
+
+bool xfile_recognise(const uint8_t *data, size_t size)
+{
+	return size >= 4 && !memcmp(data, magic, 4);
+}
+
+static bool read_format(const uint8_t *format, struct header *out)
+{
+	static const struct {
+		char name[5];
+		bool binary;
+		bool packed;
+	} formats[] = {
+		{"txt ", false, false},
+		{"bin ", true, false},
+		{"tzip", false, true},
+		{"bzip", true, true},
+	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(formats); i++) {
+		if (!memcmp(format, formats[i].name, 4)) {
+			out->binary = formats[i].binary;
+			out->packed = formats[i].packed;
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Four characters from a file as something to print. */
+static const char *printable(const uint8_t *text, char room[5])
+{
+	for (int i = 0; i < 4; i++) {
+		room[i] = text[i] >= ' ' && text[i] <= '~' ? (char)text[i] : '?';
+	}
+	room[4] = '\0';
+	return room;
+}
+
+static int fail_header(const struct model_source *source, const struct log *log,
+	int error, const char *what, const uint8_t *found)
+{
+	char room[5];
+
+	log_error(log, "%s: byte %d: the header's %s is \"%s\"", source->name,
+		(int)(found - source->data), what, printable(found, room));
+	return error;
+}
+
+static int read_header(const struct model_source *source, const struct log *log,
+	struct header *out)
+{
+	const uint8_t *data = source->data;
+
+	if (source->size < XFILE_HEADER_BYTES) {
+		log_error(log, "%s: byte %zu: the file ends within its header",
+			source->name, source->size);
+		return -EINVAL;
+	}
+	printable(data + 4, out->version);
+	if (memcmp(data + 4, "0303", 4) && memcmp(data + 4, "0302", 4)) {
+		return fail_header(source, log, -ENOTSUP,
+			"version, which limber knows as 0302 and 0303,",
+			data + 4);
+	}
+	if (!read_format(data + 8, out)) {
+		return fail_header(source, log, -EINVAL,
+			"format, one of txt, bin, tzip and bzip,", data + 8);
+	}
+	if (memcmp(data + 12, "0032", 4) && memcmp(data + 12, "0064", 4)) {
+		return fail_header(source, log, -EINVAL,
+			"float size, 0032 or 0064,", data + 12);
+	}
+	out->float_bytes = data[14] == '3' ? 4 : 8;
+	return 0;
+}
+
+static struct model *make_model(
+	const struct model_source *source, const struct header *header)
+{
+	char format[64];
+
+	snprintf(format, sizeof(format), "DirectX .x %.2s.%.2s (%s%s)",
+		header->version, header->version + 2,
+		header->binary ? "binary" : "text",
+		header->packed ? ", compressed" : "");
+	return model_create(source->name, format);
+}
+
+static int build_model(const struct model_source *source,
+	const struct header *header, const struct xfile_source *where,
+	const struct xfile_scene *scene, struct arena *scratch,
+	struct model **out)
+{
+	struct xfile_build build = {
+		.source = source,
+		.where = where,
+		.log = where->log,
+		.scratch = scratch,
+		.scene = scene,
+		.model = make_model(source, header),
+	};
+	int error;
+
+	if (!build.model) {
+		return xfile_no_memory(where);
+	}
+	error = xfile_build(&build);
+	if (error) {
+		model_destroy(build.model);
+		return error;
+	}
+	*out = build.model;
+	return 0;
+}
+
+static int load_body(const struct model_source *source,
+	const struct header *header, const struct xfile_source *where,
+	const uint8_t *body, size_t size, struct model **out)
+{
+	struct arena scratch = arena_empty();
+	struct xfile_scene scene = {0};
+	struct xfile_reader reader = {
+		.source = *where,
+		.scratch = &scratch,
+		.scan = header->binary ? xfile_scan_binary : xfile_scan_text,
+		.float_bytes = header->float_bytes,
+	};
+	int error = xfile_reader_begin(&reader, body, size);
+
+	if (!error) {
+		error = xfile_parse(&reader, &scene);
+	}
+	if (!error) {
+		error = build_model(
+			source, header, where, &scene, &scratch, out);
+	}
+	arena_release(&scratch);
+	return error;
+}
+
+int xfile_load(const struct model_source *source, const struct log *log,
+	struct model **out)
+{
+	struct header header;
+	struct xfile_source where = {.path = source->name, .log = log};
+	const uint8_t *body;
+	uint8_t *unpacked = NULL;
+	size_t size;
+	int error = read_header(source, log, &header);
+
+	*out = NULL;
+	if (error) {
+		return error;
+	}
+	body = source->data + XFILE_HEADER_BYTES;
+	size = source->size - XFILE_HEADER_BYTES;
+	where.binary = header.binary;
+	where.unpacked = header.packed;
+	if (header.packed) {
+		error = xfile_inflate(&where, body, size, &unpacked, &size);
+		body = unpacked;
+	}
+	if (!error) {
+		error = load_body(source, &header, &where, body, size, out);
+	}
+	free(unpacked);
+	return error;
+}
+
+int xfile_examine(const struct model_source *source,
+	const struct examiner *examiner, const struct log *log)
+{
+	struct model *model;
+	int error = xfile_load(source, log, &model);
+
+	if (error) {
+		return error;
+	}
+	examine_say(examiner,
+		"the format is left-handed, with vectors in rows: limber "
+		"mirrors it along z and turns its triangles round");
+	examine_clips(model, examiner);
+	examine_skins(model, examiner);
+	model_destroy(model);
+	return 0;
+}

@@ -1,0 +1,253 @@
+#include "app/model/xfile/xfile_build.h"
+
+#include "app/model/model_order.h"
+#include "app/model/xfile/xfile_convert.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <string.h>
+
+static int index_names(struct xfile_build *build)
+{
+	const struct xfile_scene *scene = build->scene;
+	struct arena *scratch = build->scratch;
+	const struct xfile_material *material = scene->materials;
+	const struct xfile_frame *frame = scene->frames;
+	const struct xfile_mesh *mesh = scene->meshes;
+
+	build->mesh = ARENA_ARRAY(
+		scratch, const struct xfile_mesh *, scene->mesh_count);
+	if (!build->mesh ||
+		xfile_names_init(
+			&build->frame_names, scratch, scene->frame_count) ||
+		xfile_names_init(&build->mesh_names, scratch, scene->mesh_count) ||
+		xfile_names_init(&build->material_names, scratch,
+			scene->material_count)) {
+		return xfile_no_memory(build->where);
+	}
+	for (int i = 0; frame; frame = frame->next, i++) {
+		xfile_names_add(&build->frame_names, frame->name, i);
+	}
+	for (int i = 0; mesh; mesh = mesh->next, i++) {
+		xfile_names_add(&build->mesh_names, mesh->name, i);
+		build->mesh[i] = mesh;
+	}
+	for (; material; material = material->next) {
+		xfile_names_add(&build->material_names, material->name,
+			material->index);
+	}
+	return 0;
+}
+
+static void add_instance(struct xfile_build *build, int mesh, int frame)
+{
+	if (build->mesh[mesh]->faces.count) {
+		build->instance[build->instance_count++] =
+			(struct xfile_instance){.mesh = mesh, .frame = frame};
+	}
+}
+
+/* Marks the meshes that are drawn by reference. */
+static void list_references(struct xfile_build *build, bool *referenced)
+{
+	const struct xfile_frame *frame = build->scene->frames;
+
+	for (int i = 0; frame; frame = frame->next, i++) {
+		const struct xfile_reference *at = frame->references;
+
+		for (; at; at = at->next) {
+			int mesh =
+				xfile_names_find(&build->mesh_names, at->name);
+
+			if (mesh < 0) {
+				xfile_warn_at(build->where, at->place,
+					"there is no mesh \"%.200s\" to draw "
+					"here",
+					at->name);
+				continue;
+			}
+			referenced[mesh] = true;
+			add_instance(build, mesh, i);
+		}
+	}
+}
+
+static int list_instances(struct xfile_build *build)
+{
+	const struct xfile_scene *scene = build->scene;
+	const struct xfile_frame *frame = scene->frames;
+	size_t room = (size_t)scene->mesh_count;
+	bool *referenced = ARENA_ARRAY(build->scratch, bool, room);
+
+	for (; frame; frame = frame->next) {
+		const struct xfile_reference *at = frame->references;
+
+		for (; at; at = at->next) {
+			room++;
+		}
+	}
+	build->instance =
+		ARENA_ARRAY(build->scratch, struct xfile_instance, room);
+	if (!build->instance || !referenced) {
+		return xfile_no_memory(build->where);
+	}
+	list_references(build, referenced);
+	for (int i = 0; i < scene->mesh_count; i++) {
+		if (build->mesh[i]->frame >= 0 || !referenced[i]) {
+			add_instance(build, i, build->mesh[i]->frame);
+		}
+	}
+	return 0;
+}
+
+/* The first mesh of a frame is drawn by the frame's own node. */
+static int number_nodes(struct xfile_build *build, int *parent)
+{
+	const struct xfile_frame *frame = build->scene->frames;
+	bool *drawn =
+		ARENA_ARRAY(build->scratch, bool, build->scene->frame_count);
+	int count = 0;
+
+	if (!drawn) {
+		return xfile_no_memory(build->where);
+	}
+	for (; frame; frame = frame->next) {
+		parent[count++] = frame->parent;
+	}
+	for (int i = 0; i < build->instance_count; i++) {
+		struct xfile_instance *instance = &build->instance[i];
+
+		if (instance->frame >= 0 && !drawn[instance->frame]) {
+			drawn[instance->frame] = true;
+			instance->node = instance->frame;
+		} else {
+			instance->node = count;
+			parent[count++] = instance->frame;
+		}
+	}
+	build->model->node_count = count;
+	return 0;
+}
+
+static int order_nodes(struct xfile_build *build, int *parent)
+{
+	struct model *model = build->model;
+	int count = model->node_count;
+	int *order = ARENA_ARRAY(build->scratch, int, count);
+	int culprit;
+
+	build->place = ARENA_ARRAY(build->scratch, int, count);
+	build->moved = ARENA_ARRAY(build->scratch, bool, count);
+	model->node = ARENA_ARRAY(&model->arena, struct model_node, count);
+	if (!order || !build->place || !build->moved || !model->node ||
+		model_order_nodes(parent, count, order, build->place, &culprit)) {
+		return xfile_no_memory(build->where);
+	}
+	for (int i = 0; i < count; i++) {
+		int from = parent[order[i]];
+
+		model->node[i] = (struct model_node){
+			.name = "",
+			.file_index = order[i],
+			.parent = from < 0 ? -1 : build->place[from],
+			.in_scene = true,
+			.rest = {.rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}},
+			.mesh = -1,
+			.skin = -1,
+			.camera = -1,
+		};
+	}
+	return 0;
+}
+
+static int place_nodes(struct xfile_build *build)
+{
+	size_t room = (size_t)build->scene->frame_count +
+		(size_t)build->instance_count;
+	int *parent = ARENA_ARRAY(build->scratch, int, room);
+	int error;
+
+	if (!parent || room > INT_MAX) {
+		return xfile_no_memory(build->where);
+	}
+	error = number_nodes(build, parent);
+	return error ? error : order_nodes(build, parent);
+}
+
+/* After the clips, since a node that moves has no use for its matrix. */
+static int fill_frame(
+	struct xfile_build *build, const struct xfile_frame *frame, int place)
+{
+	struct arena *arena = &build->model->arena;
+	struct model_node *node = &build->model->node[place];
+	mat4 matrix;
+	mat4 *kept;
+
+	node->name = arena_strdup(arena, frame->name);
+	if (!node->name) {
+		return xfile_no_memory(build->where);
+	}
+	xfile_convert_matrix(frame->matrix, matrix);
+	if (xfile_decompose(matrix, &node->rest)) {
+		return 0;
+	}
+	if (build->moved[place]) {
+		log_warning(build->log,
+			"%s: frame \"%.200s\" is sheared, which its animation "
+			"cannot keep",
+			build->where->path, frame->name);
+		return 0;
+	}
+	kept = ARENA_NEW(arena, mat4);
+	if (!kept) {
+		return xfile_no_memory(build->where);
+	}
+	memcpy(kept, matrix, sizeof(matrix));
+	node->matrix = (const float(*)[4]) * kept;
+	return 0;
+}
+
+static int fill_nodes(struct xfile_build *build)
+{
+	const struct xfile_frame *frame = build->scene->frames;
+	struct model *model = build->model;
+
+	for (int i = 0; frame; frame = frame->next, i++) {
+		int error = fill_frame(build, frame, build->place[i]);
+
+		if (error) {
+			return error;
+		}
+	}
+	for (int i = 0; i < build->instance_count; i++) {
+		const struct xfile_instance *instance = &build->instance[i];
+		struct model_node *node =
+			&model->node[build->place[instance->node]];
+
+		node->mesh = build->mesh_place[instance->mesh];
+		node->skin = build->mesh_skin[instance->mesh];
+		if (instance->node >= build->scene->frame_count) {
+			node->name = model->mesh[node->mesh].name;
+		}
+	}
+	return 0;
+}
+
+int xfile_build(struct xfile_build *build)
+{
+	static int (*const step[])(struct xfile_build *) = {
+		index_names,
+		list_instances,
+		place_nodes,
+		xfile_build_materials,
+		xfile_build_meshes,
+		xfile_build_clips,
+		fill_nodes,
+	};
+	int error = 0;
+
+	for (size_t i = 0; !error && i < ARRAY_COUNT(step); i++) {
+		error = step[i](build);
+	}
+	return error;
+}

@@ -1,0 +1,65 @@
+#include "app/model/xfile/xfile_names.h"
+
+#include <errno.h>
+#include <stdint.h>
+#include <string.h>
+
+struct xfile_named {
+	const char *name; /* NULL: free */
+	int number;
+};
+
+int xfile_names_init(
+	struct xfile_names *names, struct arena *arena, size_t count)
+{
+	size_t size = 4;
+
+	/* At least half of the table stays free, so that searches end soon. */
+	while (size / 2 < count) {
+		size *= 2;
+	}
+	names->mask = size - 1;
+	names->table = ARENA_ARRAY(arena, struct xfile_named, size);
+	return names->table ? 0 : -ENOMEM;
+}
+
+/* FNV-1a. */
+static size_t hash(const char *name)
+{
+	uint32_t hash = 2166136261u;
+
+	for (; *name; name++) {
+		hash = (hash ^ (unsigned char)*name) * 16777619u;
+	}
+	return hash;
+}
+
+/* Where the name is, or where it would be. */
+static struct xfile_named *look_up(
+	const struct xfile_names *names, const char *name)
+{
+	size_t place = hash(name) & names->mask;
+
+	while (names->table[place].name &&
+		strcmp(names->table[place].name, name) != 0) {
+		place = (place + 1) & names->mask;
+	}
+	return &names->table[place];
+}
+
+void xfile_names_add(struct xfile_names *names, const char *name, int number)
+{
+	struct xfile_named *named = look_up(names, name);
+
+	if (*name && !named->name) {
+		named->name = name;
+		named->number = number;
+	}
+}
+
+int xfile_names_find(const struct xfile_names *names, const char *name)
+{
+	const struct xfile_named *named = look_up(names, name);
+
+	return named->name ? named->number : -1;
+}

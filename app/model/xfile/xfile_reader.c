@@ -1,0 +1,445 @@
+#include "app/model/xfile/xfile_reader.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static void say_at(const struct xfile_source *source, size_t place,
+	enum log_level level, const char *format, va_list arguments)
+{
+	char reason[512];
+
+	vsnprintf(reason, sizeof(reason), format, arguments);
+	log_say(source->log, level, "%s: %s %zu%s: %s", source->path,
+		source->binary ? "byte" : "line", place,
+		source->unpacked ? " of the unpacked data" : "", reason);
+}
+
+int xfile_fail_at(const struct xfile_source *source, size_t place,
+	const char *format, ...)
+{
+	va_list arguments;
+
+	va_start(arguments, format);
+	say_at(source, place, LOG_ERROR, format, arguments);
+	va_end(arguments);
+	return -EINVAL;
+}
+
+void xfile_warn_at(const struct xfile_source *source, size_t place,
+	const char *format, ...)
+{
+	va_list arguments;
+
+	va_start(arguments, format);
+	say_at(source, place, LOG_WARNING, format, arguments);
+	va_end(arguments);
+}
+
+int xfile_no_memory(const struct xfile_source *source)
+{
+	log_error(source->log, "%s: memory is too short for this model",
+		source->path);
+	return -ENOMEM;
+}
+
+int xfile_reader_begin(
+	struct xfile_reader *reader, const uint8_t *body, size_t size)
+{
+	reader->body = body;
+	reader->at = body;
+	reader->end = body + size;
+	reader->line = 1;
+	reader->list_left = 0;
+	reader->depth = 0;
+	return xfile_advance(reader);
+}
+
+int xfile_advance(struct xfile_reader *reader)
+{
+	return reader->scan(reader, &reader->token);
+}
+
+static char *copy_text(struct xfile_reader *reader)
+{
+	const struct xfile_token *token = &reader->token;
+	char *text = ARENA_ARRAY(reader->scratch, char, token->length + 1);
+
+	if (text && token->length) {
+		memcpy(text, token->text, token->length);
+	}
+	return text;
+}
+
+/* What the next token is, for sentences; room for a few characters of it. */
+static const char *describe(const struct xfile_token *token, char room[48])
+{
+	static const char *const other[] = {
+		[XFILE_END] = "the file ends",
+		[XFILE_GUID] = "there is a GUID",
+		[XFILE_OPEN] = "there is an opening brace",
+		[XFILE_CLOSE] = "there is a closing brace",
+		[XFILE_OTHER] = "there is a punctuation mark",
+	};
+	int length = 0;
+
+	switch (token->kind) {
+	case XFILE_WORD:
+	case XFILE_STRING:
+		length = snprintf(room, 48, "there is \"%.*s\"",
+			(int)(token->length < 32 ? token->length : 32),
+			token->text);
+		break;
+	case XFILE_NUMBER:
+		length = snprintf(room, 48, "there is %.9g", token->number);
+		break;
+	default:
+		return other[token->kind];
+	}
+	for (int i = 0; i < length && i < 47; i++) {
+		if ((unsigned char)room[i] < ' ' ||
+			(unsigned char)room[i] > '~') {
+			room[i] = '?';
+		}
+	}
+	return room;
+}
+
+static int fail_expected(struct xfile_reader *reader, const char *what)
+{
+	char room[48];
+
+	return xfile_fail_at(&reader->source, reader->token.place,
+		"%s is expected, but %s", what, describe(&reader->token, room));
+}
+
+int xfile_read_double(struct xfile_reader *reader, const char *what, double *out)
+{
+	if (reader->token.kind != XFILE_NUMBER) {
+		return fail_expected(reader, what);
+	}
+	*out = reader->token.number;
+	if (!(fabs(*out) <= (double)FLT_MAX)) {
+		return xfile_fail_at(&reader->source, reader->token.place,
+			"%s is not a finite number", what);
+	}
+	return xfile_advance(reader);
+}
+
+int xfile_read_integer(
+	struct xfile_reader *reader, const char *what, uint32_t *out)
+{
+	size_t place = reader->token.place;
+	double value = 0;
+	int error = xfile_read_double(reader, what, &value);
+
+	if (error) {
+		return error;
+	}
+	if (!(value >= 0 && value <= (double)UINT32_MAX) ||
+		value != floor(value)) {
+		return xfile_fail_at(&reader->source, place,
+			"%s is %.9g, not a whole number from 0 to 4294967295",
+			what, value);
+	}
+	*out = (uint32_t)value;
+	return 0;
+}
+
+int xfile_read_floats(
+	struct xfile_reader *reader, const char *what, size_t count, float *out)
+{
+	for (size_t i = 0; i < count; i++) {
+		double value = 0;
+		int error = xfile_read_double(reader, what, &value);
+
+		if (error) {
+			return error;
+		}
+		out[i] = (float)value;
+	}
+	return 0;
+}
+
+int xfile_read_string(
+	struct xfile_reader *reader, const char *what, const char **out)
+{
+	if (reader->token.kind != XFILE_STRING &&
+		reader->token.kind != XFILE_WORD) {
+		return fail_expected(reader, what);
+	}
+	*out = copy_text(reader);
+	if (!*out) {
+		return xfile_no_memory(&reader->source);
+	}
+	return xfile_advance(reader);
+}
+
+static size_t utf8_length(const unsigned char *text)
+{
+	size_t length = text[0] < 0x80              ? 1
+		: text[0] >= 0xc2 && text[0] < 0xe0 ? 2
+		: text[0] >= 0xe0 && text[0] < 0xf0 ? 3
+		: text[0] >= 0xf0 && text[0] < 0xf5 ? 4
+						    : 0;
+
+	for (size_t i = 1; i < length; i++) {
+		if ((text[i] & 0xc0) != 0x80) {
+			return 0;
+		}
+	}
+	/* Over-long forms, surrogates and what lies beyond U+10FFFF. */
+	if ((text[0] == 0xe0 && text[1] < 0xa0) ||
+		(text[0] == 0xed && text[1] > 0x9f) ||
+		(text[0] == 0xf0 && text[1] < 0x90) ||
+		(text[0] == 0xf4 && text[1] > 0x8f)) {
+		return 0;
+	}
+	return length;
+}
+
+/* At most twice as long as the text. */
+char *xfile_clean_name(struct arena *arena, const char *text)
+{
+	const unsigned char *from = (const unsigned char *)text;
+	char *name = arena_alloc(arena, 2 * strlen(text) + 1, 1);
+	char *to = name;
+
+	while (name && *from) {
+		size_t length = utf8_length(from);
+
+		if (!length) {
+			*to++ = (char)(0xc0 | *from >> 6);
+			*to++ = (char)(0x80 | (*from & 0x3f));
+			from++;
+		} else if (*from < ' ' || *from == 0x7f) {
+			*to++ = ' ';
+			from++;
+		} else {
+			memcpy(to, from, length);
+			to += length;
+			from += length;
+		}
+	}
+	return name;
+}
+
+int xfile_read_name(
+	struct xfile_reader *reader, const char *what, const char **out)
+{
+	const char *text;
+	int error;
+
+	/* A text file's name may look like a number. */
+	if (reader->token.kind == XFILE_NUMBER && reader->token.text) {
+		reader->token.kind = XFILE_WORD;
+	}
+	error = xfile_read_string(reader, what, &text);
+	if (error) {
+		return error;
+	}
+	*out = xfile_clean_name(reader->scratch, text);
+	return *out ? 0 : xfile_no_memory(&reader->source);
+}
+
+/* A number takes at least a digit and a separator in text. */
+static size_t numbers_left(const struct xfile_reader *reader)
+{
+	size_t bytes = (size_t)(reader->end - reader->at);
+
+	return 1 + (reader->source.binary ? bytes / 4 : bytes / 2 + 1);
+}
+
+int xfile_read_count(struct xfile_reader *reader, const char *what,
+	size_t numbers, uint32_t *out)
+{
+	size_t place = reader->token.place;
+	int error = xfile_read_integer(reader, what, out);
+
+	if (error) {
+		return error;
+	}
+	if (*out > numbers_left(reader) / numbers) {
+		return xfile_fail_at(&reader->source, place,
+			"%s is %u, more than the rest of the file can hold",
+			what, (unsigned)*out);
+	}
+	return 0;
+}
+
+int xfile_read_vectors(struct xfile_reader *reader, const char *what, int width,
+	uint32_t *count, float **out)
+{
+	size_t floats;
+	int error = xfile_read_count(reader, what, (size_t)width, count);
+
+	if (error) {
+		return error;
+	}
+	floats = (size_t)*count * (size_t)width;
+	*out = ARENA_ARRAY(reader->scratch, float, floats);
+	if (!*out) {
+		return xfile_no_memory(&reader->source);
+	}
+	return xfile_read_floats(reader, what, floats, *out);
+}
+
+/* Behind an opening brace: skips to behind the one that closes it. */
+int xfile_read_rest(struct xfile_reader *reader)
+{
+	size_t open = 1;
+	int error;
+
+	while (open) {
+		if (reader->token.kind == XFILE_END) {
+			return xfile_fail_at(&reader->source,
+				reader->token.place,
+				"the file ends before a closing brace");
+		}
+		open += reader->token.kind == XFILE_OPEN;
+		open -= reader->token.kind == XFILE_CLOSE;
+		error = xfile_advance(reader);
+		if (error) {
+			return error;
+		}
+	}
+	return 0;
+}
+
+static bool is_word(const struct xfile_token *token, const char *word)
+{
+	return token->kind == XFILE_WORD && token->length == strlen(word) &&
+		!strncasecmp(token->text, word, token->length);
+}
+
+static const struct xfile_kind *find_kind(
+	const struct xfile_token *token, const struct xfile_kind *kinds)
+{
+	for (; kinds->type; kinds++) {
+		if (is_word(token, kinds->type)) {
+			return kinds;
+		}
+	}
+	return NULL;
+}
+
+/* TYPE [NAME] { [<GUID>], up to the first member. */
+static int read_head(struct xfile_reader *reader, const char **name)
+{
+	int error = xfile_advance(reader);
+
+	*name = "";
+	if (!error && reader->token.kind != XFILE_OPEN) {
+		error = xfile_read_name(reader,
+			"a data object's name or its opening brace", name);
+	}
+	if (!error && reader->token.kind != XFILE_OPEN) {
+		error = fail_expected(
+			reader, "the opening brace of a data object");
+	}
+	if (!error) {
+		error = xfile_advance(reader);
+	}
+	if (!error && reader->token.kind == XFILE_GUID) {
+		error = xfile_advance(reader);
+	}
+	return error;
+}
+
+static int read_object(struct xfile_reader *reader,
+	const struct xfile_grammar *grammar, const struct xfile_scope *scope)
+{
+	const struct xfile_kind *kind =
+		find_kind(&reader->token, grammar->kinds);
+	size_t place = reader->token.place;
+	const char *name;
+	int error = read_head(reader, &name);
+
+	if (error) {
+		return error;
+	}
+	if (reader->depth == XFILE_MAX_DEPTH) {
+		return xfile_fail_at(&reader->source, place,
+			"data objects are nested more than %d deep",
+			XFILE_MAX_DEPTH);
+	}
+	reader->depth++;
+	error = kind ? kind->parse(reader, scope, name)
+		     : xfile_read_rest(reader);
+	reader->depth--;
+	return error;
+}
+
+/* { NAME }, { <GUID> } or { NAME <GUID> }. */
+static int read_reference(struct xfile_reader *reader,
+	const struct xfile_grammar *grammar, const struct xfile_scope *scope)
+{
+	size_t place = reader->token.place;
+	const char *name = NULL;
+	int error = xfile_advance(reader);
+
+	if (!error && reader->token.kind != XFILE_GUID &&
+		reader->token.kind != XFILE_CLOSE) {
+		error = xfile_read_name(
+			reader, "the name of a data object", &name);
+	}
+	if (!error) {
+		error = xfile_read_rest(reader);
+	}
+	if (!error && name && grammar->reference) {
+		error = grammar->reference(reader, scope, name, place);
+	}
+	return error;
+}
+
+int xfile_read_children(struct xfile_reader *reader,
+	const struct xfile_grammar *grammar, const struct xfile_scope *scope)
+{
+	int error = 0;
+
+	while (!error) {
+		switch (reader->token.kind) {
+		case XFILE_CLOSE:
+			return xfile_advance(reader);
+		case XFILE_END:
+			return xfile_fail_at(&reader->source,
+				reader->token.place,
+				"the file ends before a closing brace");
+		case XFILE_WORD:
+			error = read_object(reader, grammar, scope);
+			break;
+		case XFILE_OPEN:
+			error = read_reference(reader, grammar, scope);
+			break;
+		default:
+			error = xfile_advance(reader);
+			break;
+		}
+	}
+	return error;
+}
+
+int xfile_read_top(struct xfile_reader *reader,
+	const struct xfile_grammar *grammar, const struct xfile_scope *scope)
+{
+	int error = 0;
+
+	while (!error && reader->token.kind != XFILE_END) {
+		switch (reader->token.kind) {
+		case XFILE_WORD:
+			error = read_object(reader, grammar, scope);
+			break;
+		case XFILE_OPEN:
+			error = read_reference(reader, grammar, scope);
+			break;
+		default:
+			error = fail_expected(reader, "a data object");
+			break;
+		}
+	}
+	return error;
+}

@@ -1,0 +1,161 @@
+/*
+ * What a .x file says, checked but still in its own conventions: left-handed,
+ * matrices in rows for row vectors, times in ticks, objects named rather than
+ * numbered. All of it lives in the reader's scratch arena.
+ */
+#ifndef APP_MODEL_XFILE_XFILE_SCENE_H
+#define APP_MODEL_XFILE_XFILE_SCENE_H
+
+#include "app/model/xfile/xfile_reader.h"
+
+struct xfile_frame {
+	struct xfile_frame *next; /* in the file's order: parents first */
+	const char *name;
+	int parent; /* counted in that order, or -1 */
+	float matrix[16];
+	struct xfile_reference *references, *last_reference;
+};
+
+/* An object drawn in a frame under the name it has elsewhere. */
+struct xfile_reference {
+	struct xfile_reference *next;
+	const char *name;
+	size_t place;
+};
+
+struct xfile_material {
+	struct xfile_material *next;
+	const char *name;
+	int index; /* in the file's order */
+	float color[4];
+	float power;
+	float specular[3];
+	const char *texture; /* file name as written, or NULL */
+	size_t texture_place;
+};
+
+/* One of a mesh's materials: here, or elsewhere under a name. */
+struct xfile_slot {
+	struct xfile_slot *next;
+	const struct xfile_material *material; /* or NULL */
+	const char *name;
+	size_t place;
+};
+
+/* Corners of all faces, one after the other. */
+struct xfile_faces {
+	uint32_t count;
+	uint32_t *first;  /* [count + 1]: where a face's corners begin */
+	uint32_t *corner; /* [first[count]] */
+};
+
+struct xfile_bone {
+	struct xfile_bone *next;
+	const char *name;
+	size_t place;
+	uint32_t count;
+	uint32_t *vertex; /* each below the mesh's vertex_count */
+	float *weight;    /* not negative */
+	float offset[16];
+};
+
+struct xfile_mesh {
+	struct xfile_mesh *next;
+	const char *name;
+	size_t place;
+	int frame; /* or -1 */
+	uint32_t vertex_count;
+	float (*position)[3];
+	struct xfile_faces faces;
+	uint32_t normal_count;
+	float (*normal)[3];              /* or NULL */
+	struct xfile_faces normal_faces; /* if normal; corners as in faces */
+	float (*declared_normal)[3];     /* [vertex_count] or NULL */
+	float (*texcoord)[2];            /* [vertex_count] or NULL */
+	float (*color)[4];               /* [vertex_count] or NULL */
+	uint32_t *face_slot;             /* [faces.count] or NULL */
+	struct xfile_slot *slots, *last_slot;
+	struct xfile_bone *bones, *last_bone;
+	uint32_t bone_count;
+};
+
+enum xfile_key_type {
+	XFILE_KEY_ROTATION, /* w x y z */
+	XFILE_KEY_SCALE,
+	XFILE_KEY_POSITION,
+	XFILE_KEY_MATRIX,
+};
+
+struct xfile_keys {
+	struct xfile_keys *next;
+	enum xfile_key_type type;
+	int width;      /* 4, 3, 3, 16 */
+	uint32_t count; /* at least 1 */
+	double *tick;
+	float *value; /* [count][width] */
+};
+
+struct xfile_animation {
+	struct xfile_animation *next;
+	const char *frame; /* the name of what moves, or NULL */
+	size_t place;
+	struct xfile_keys *keys, *last_keys;
+};
+
+struct xfile_set {
+	struct xfile_set *next;
+	const char *name;
+	size_t place;
+	struct xfile_animation *animations, *last_animation;
+};
+
+struct xfile_scene {
+	double ticks_per_second;
+	int frame_count, mesh_count, material_count, set_count;
+	struct xfile_frame *frames, *last_frame;
+	struct xfile_mesh *meshes, *last_mesh;
+	struct xfile_material *materials, *last_material;
+	struct xfile_set *sets, *last_set;
+};
+
+/* What the data object being read is part of; NULL where nothing. */
+struct xfile_scope {
+	struct xfile_scene *scene;
+	struct xfile_frame *frame;
+	int frame_index; /* -1 outside of frames */
+	struct xfile_mesh *mesh;
+	struct xfile_material *material;
+	struct xfile_set *set;
+	struct xfile_animation *animation;
+};
+
+/* Ticks in a second where the file does not say. */
+#define XFILE_TICKS_PER_SECOND 4800.0
+
+/* Reads the whole body into a zeroed scene. 0 or -errno after a sentence. */
+int xfile_parse(struct xfile_reader *reader, struct xfile_scene *scene);
+
+/* Data objects of these types, as struct xfile_kind wants them. */
+int xfile_parse_mesh(struct xfile_reader *reader,
+	const struct xfile_scope *scope, const char *name);
+int xfile_parse_material(struct xfile_reader *reader,
+	const struct xfile_scope *scope, const char *name);
+int xfile_parse_declared(struct xfile_reader *reader,
+	const struct xfile_scope *scope, const char *name);
+int xfile_parse_skin_weights(struct xfile_reader *reader,
+	const struct xfile_scope *scope, const char *name);
+int xfile_parse_animation_set(struct xfile_reader *reader,
+	const struct xfile_scope *scope, const char *name);
+
+/* Puts an element at the end of a list kept by its first and last. */
+#define XFILE_APPEND(first, last, element)        \
+	do {                                      \
+		if (last) {                       \
+			(last)->next = (element); \
+		} else {                          \
+			(first) = (element);      \
+		}                                 \
+		(last) = (element);               \
+	} while (0)
+
+#endif

@@ -1,0 +1,404 @@
+#include "app/scene/draw/draw.h"
+
+#include "app/anim/transform.h"
+#include "app/scene/draw/bump.h"
+#include "app/scene/draw/matrix_gl.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+/* A faint highlight that tightens as the surface gets smoother. */
+static void set_highlight(const struct gl *gl, float roughness)
+{
+	float gloss = 1.0f - scalar_clamp(roughness, 0.0f, 1.0f);
+	GLfixed strength = fx16_from_float(0.5f * gloss * gloss);
+	GLfixed specular[4] = {strength, strength, strength, FX16_ONE};
+
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, specular);
+	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS,
+		fx16_from_float(4.0f + 60.0f * gloss));
+}
+
+static void set_light(const struct gl *gl, const struct model_material *m)
+{
+	if (m->unlit) {
+		gl->Disable(GL_LIGHTING);
+		return;
+	}
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_COLOR_MATERIAL);
+	gl->Enable(GL_NORMALIZE);
+	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, m->double_sided);
+	set_highlight(gl, m->roughness);
+}
+
+static void set_alpha(const struct gl *gl, const struct model_material *m)
+{
+	if (m->alpha == MODEL_MASK) {
+		gl->Enable(GL_ALPHA_TEST);
+		gl->AlphaFuncx(GL_GEQUAL, fx16_from_float(m->alpha_cutoff));
+	} else {
+		gl->Disable(GL_ALPHA_TEST);
+	}
+	if (m->alpha == MODEL_BLEND) {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	} else {
+		gl->Disable(GL_BLEND);
+	}
+	gl->DepthMask(m->alpha != MODEL_BLEND);
+}
+
+static void set_material(const struct gl *gl, const struct model_material *m,
+	const struct texture_set *textures)
+{
+	set_light(gl, m);
+	set_alpha(gl, m);
+	if (m->texture >= 0) {
+		texture_bind(textures, gl, m->texture);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	} else {
+		gl->Disable(GL_TEXTURE_2D);
+	}
+}
+
+static void enable_array(const struct gl *gl, GLenum array, const void *data)
+{
+	if (data) {
+		gl->EnableClientState(array);
+	} else {
+		gl->DisableClientState(array);
+	}
+}
+
+/* The arrays of one pass besides positions; any may be NULL. */
+struct arrays {
+	bool lit; /* with the batch's normals */
+	const float (*texcoord)[2];
+	const uint8_t (*color)[4];
+	bool outline; /* what it looks like does not matter */
+	int lod;      /* of the drawable */
+};
+
+/* Positions, and normals if wanted. */
+static void set_vertices(
+	const struct gl *gl, const struct batch *batch, bool with_normals)
+{
+	const struct fixed_vector *position = batch->fixed_position;
+	const struct fixed_vector *normal = batch->fixed_normal;
+	const GLsizei stride = sizeof(*position);
+
+	enable_array(gl, GL_NORMAL_ARRAY, with_normals ? batch : NULL);
+	if (position) {
+		gl->VertexPointer(3, GL_SHORT, stride, &position->x);
+	} else {
+		gl->VertexPointer(3, GL_FLOAT, 0, batch->position);
+	}
+	if (with_normals && position) {
+		gl->NormalPointer(GL_SHORT, stride, &normal->x);
+	} else if (with_normals) {
+		gl->NormalPointer(GL_FLOAT, 0, batch->normal);
+	}
+}
+
+static void draw_list(const struct gl *gl, const uint16_t *index, int count)
+{
+	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+}
+
+static void draw_batch(const struct gl *gl, const struct batch *batch,
+	const struct arrays *arrays)
+{
+	const void *texcoord = arrays->texcoord;
+	const void *color = arrays->color;
+
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	set_vertices(gl, batch, arrays->lit);
+	enable_array(gl, GL_TEXTURE_COORD_ARRAY, texcoord);
+	enable_array(gl, GL_COLOR_ARRAY, color);
+	if (texcoord) {
+		gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	}
+	if (color) {
+		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	}
+	if (arrays->outline && batch->outline) {
+		draw_list(gl, batch->outline, batch->outline_count);
+	} else if (arrays->lod > 0) {
+		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
+
+		draw_list(gl, lod->index, lod->index_count);
+	} else if (batch->index) {
+		draw_list(gl, batch->index, batch->index_count);
+	} else {
+		gl->DrawArrays(GL_TRIANGLES, 0, batch->vertex_count);
+	}
+}
+
+static const struct model_material *material_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return &instance->model->material[drawable->primitive->material];
+}
+
+static bool is_textured(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return material_of(instance, drawable)->texture >= 0 &&
+		drawable->primitive->texcoord;
+}
+
+static void set_surface(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	set_material(gl, material_of(instance, drawable), textures);
+	gl->Color4x(drawable->color[0], drawable->color[1], drawable->color[2],
+		drawable->color[3]);
+	if (!is_textured(instance, drawable)) {
+		gl->Disable(GL_TEXTURE_2D);
+	}
+}
+
+/* A batch in the drawable's own colours and texture, as the light falls. */
+static void draw_shaded(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct batch *batch)
+{
+	bool textured = is_textured(instance, drawable);
+
+	draw_batch(gl, batch,
+		&(struct arrays){
+			.lit = true,
+			.texcoord = textured ? batch->texcoord : NULL,
+			.color = batch->color,
+			.lod = drawable->lod,
+		});
+}
+
+static void draw_drawable(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass)
+{
+	const struct arrays none = {.outline = true, .lod = drawable->lod};
+	bool shaded = pass == DRAW_SHADED;
+
+	if (shaded) {
+		set_surface(gl, instance, drawable, textures);
+	}
+	/* Shapes too: what faces the light has the outline of all. */
+	if (material_of(instance, drawable)->double_sided) {
+		gl->Disable(GL_CULL_FACE);
+	} else {
+		gl->Enable(GL_CULL_FACE);
+	}
+	for (int i = 0; i < drawable->batch_count; i++) {
+		if (shaded) {
+			draw_shaded(gl, instance, drawable, &drawable->batch[i]);
+		} else {
+			draw_batch(gl, &drawable->batch[i], &none);
+		}
+	}
+}
+
+/* The inner sides, whose normals point the other way: plainly. */
+static void draw_back(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	set_surface(gl, instance, drawable, textures);
+	gl->CullFace(GL_FRONT);
+	draw_shaded(gl, instance, drawable, drawable->batch);
+	gl->CullFace(GL_BACK);
+}
+
+/* In the three passes that bump.h tells of. */
+static void draw_relief(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	const struct model_material *material = material_of(instance, drawable);
+	const struct batch *batch = drawable->batch;
+
+	gl->Enable(GL_CULL_FACE);
+	texture_bind(textures, gl, material->normal_texture);
+	bump_begin_light(gl);
+	draw_batch(gl, batch,
+		&(struct arrays){
+			.texcoord = batch->texcoord,
+			.color = (const uint8_t(*)[4])drawable->light,
+			.lod = drawable->lod,
+		});
+	set_surface(gl, instance, drawable, textures);
+	bump_begin_tint(gl);
+	draw_shaded(gl, instance, drawable, batch);
+	bump_begin_rest(gl);
+	draw_shaded(gl, instance, drawable, batch);
+	bump_end(gl);
+	if (material->double_sided) {
+		draw_back(gl, instance, drawable, textures);
+	}
+}
+
+/* Drawn in scene units, with relief where it has one. */
+static void draw_placed(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass)
+{
+	if (pass == DRAW_SHADED && instance->relief && textures->relief &&
+		drawable->light) {
+		draw_relief(gl, instance, drawable, textures);
+	} else {
+		draw_drawable(gl, instance, drawable, textures, pass);
+	}
+}
+
+/*
+ * From the units of the arrays to those of drawable_position(). GL ES 1.1 keeps
+ * 16 bits behind the point, so what is left of a fixed-point scale is brought
+ * near 1 and goes with the rest of the matrix; a power of two follows.
+ */
+static void enter_units(
+	const struct drawable *drawable, mat4 matrix, const struct gl *gl)
+{
+	const struct fixed_placement *placement;
+	float scale;
+
+	if (!drawable->fixed) {
+		matrix_gl_multiply(gl, (const vec4 *)matrix);
+		return;
+	}
+	placement = &drawable->fixed->placement;
+	scale = placement->scale * 32768.0f;
+	matrix_apply(matrix, placement->offset, matrix[3]);
+	for (int column = 0; column < 3; column++) {
+		glm_vec3_scale(matrix[column], scale, matrix[column]);
+	}
+	matrix_gl_multiply(gl, (const vec4 *)matrix);
+	gl->Scalex(FX16_ONE / 32768, FX16_ONE / 32768, FX16_ONE / 32768);
+}
+
+/* By its node's matrix if rigid; skinned vertices are in place already. */
+static void place_and_draw(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass)
+{
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+
+	if (drawable->skin >= 0 && !drawable->fixed) {
+		draw_placed(gl, instance, drawable, textures, pass);
+		return;
+	}
+	if (drawable->skin < 0) {
+		instance_drawable_matrix(instance, drawable, matrix);
+	}
+	gl->PushMatrix();
+	gl->FrontFace(matrix_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
+	enter_units(drawable, matrix, gl);
+	draw_placed(gl, instance, drawable, textures, pass);
+	gl->FrontFace(GL_CCW);
+	gl->PopMatrix();
+}
+
+static bool is_blended(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return material_of(instance, drawable)->alpha == MODEL_BLEND;
+}
+
+void draw_instance(const struct gl *gl, const struct instance *instance,
+	const struct texture_set *textures, enum draw_pass pass)
+{
+	for (int blended = 0; blended <= 1; blended++) {
+		for (int i = 0; i < instance->drawable_count; i++) {
+			const struct drawable *drawable = &instance->drawable[i];
+
+			if (!drawable->hidden &&
+				is_blended(instance, drawable) == blended) {
+				place_and_draw(
+					gl, instance, drawable, textures, pass);
+			}
+		}
+	}
+}
+
+void draw_node(const struct gl *gl, const struct instance *instance,
+	const struct texture_set *textures, int node, enum draw_pass pass)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (drawable->node == node && !drawable->hidden) {
+			float scale = 1.0f / drawable->vertex_scale;
+			mat4 matrix;
+
+			glm_scale_make(matrix, (vec3){scale, scale, scale});
+			gl->PushMatrix();
+			enter_units(drawable, matrix, gl);
+			draw_drawable(gl, instance, drawable, textures, pass);
+			gl->PopMatrix();
+		}
+	}
+}
+
+/* What the steps of a walk need. */
+struct walk {
+	const struct gl *gl;
+	const struct instance *instance;
+	const struct texture_set *textures;
+	enum draw_pass pass;
+};
+
+static void walk_push(void *user)
+{
+	((struct walk *)user)->gl->PushMatrix();
+}
+
+static void walk_pop(void *user)
+{
+	((struct walk *)user)->gl->PopMatrix();
+}
+
+static void walk_translate(void *user, const float offset[3])
+{
+	((struct walk *)user)
+		->gl->Translatex(fx16_from_float(offset[0]),
+			fx16_from_float(offset[1]), fx16_from_float(offset[2]));
+}
+
+static void walk_rotate(void *user, float angle_rad, const float axis[3])
+{
+	((struct walk *)user)
+		->gl->Rotatex(fx16_from_float(angle_rad * (180.0f / SCALAR_PI)),
+			fx16_from_float(axis[0]), fx16_from_float(axis[1]),
+			fx16_from_float(axis[2]));
+}
+
+static void walk_scale(void *user, const float factor[3])
+{
+	((struct walk *)user)
+		->gl->Scalex(fx16_from_float(factor[0]),
+			fx16_from_float(factor[1]), fx16_from_float(factor[2]));
+}
+
+static void walk_draw(void *user, int part)
+{
+	struct walk *walk = user;
+
+	draw_node(walk->gl, walk->instance, walk->textures, part, walk->pass);
+}
+
+void draw_hierarchy(const struct gl *gl, const struct hierarchy *hierarchy,
+	const struct instance *instance, const struct texture_set *textures,
+	enum draw_pass pass)
+{
+	struct walk walk = {gl, instance, textures, pass};
+	const struct pivot_visitor visitor = {
+		.user = &walk,
+		.push = walk_push,
+		.translate = walk_translate,
+		.rotate = walk_rotate,
+		.scale = walk_scale,
+		.draw = walk_draw,
+		.pop = walk_pop,
+	};
+
+	hierarchy_walk(hierarchy, &visitor);
+}

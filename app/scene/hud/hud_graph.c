@@ -1,0 +1,198 @@
+#include "app/scene/hud/hud_graph.h"
+
+#include "platform/base/compiler.h"
+
+#include <stdio.h>
+
+static const float renew_ms = 250.0f;
+
+/* Ends of the scale, and frame times that a line marks. */
+static const float scales_ms[] = {5.0f, 20.0f, 40.0f, 100.0f, 250.0f, 1000.0f};
+static const float marks_ms[] = {1000.0f / 60.0f, 1000.0f / 30.0f};
+
+static const struct hud_color ground_color = {255, 255, 255, 22};
+static const struct hud_color mark_color = {255, 255, 255, 110};
+
+static const struct {
+	const char *name;
+	const struct hud_color *color;
+} stages[HUD_STAGES] = {
+	[HUD_ANIMATE] = {"animate", &hud_color_blue},
+	[HUD_DRAW] = {"draw", &hud_color_green},
+	[HUD_PRESENT] = {"present", &hud_color_amber},
+};
+
+static void renew(struct hud_graph *graph)
+{
+	const struct hud_graph_means *sum = &graph->gathering;
+	float share = 1.0f / (float)sum->frames;
+
+	graph->shown = *sum;
+	graph->shown.apart_ms *= share;
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		graph->shown.stage_ms[stage] *= share;
+	}
+	graph->gathering = (struct hud_graph_means){.frames = 0};
+}
+
+void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
+	float apart_ms)
+{
+	struct hud_graph_means *sum = &graph->gathering;
+
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		float ms = stage_ms[stage] > 0.0f ? stage_ms[stage] : 0.0f;
+
+		graph->ms[graph->next][stage] = ms;
+		sum->stage_ms[stage] += ms;
+	}
+	graph->next = (graph->next + 1) % HUD_GRAPH_FRAMES;
+	graph->count += graph->count < HUD_GRAPH_FRAMES;
+	sum->apart_ms += apart_ms;
+	sum->frames++;
+	if (sum->apart_ms >= renew_ms || graph->shown.frames == 0) {
+		renew(graph);
+	}
+}
+
+float hud_graph_rate(const struct hud_graph *graph)
+{
+	float ms = graph->shown.apart_ms;
+
+	return ms > 0.0f ? 1000.0f / ms : 0.0f;
+}
+
+static float total_ms(const struct hud_graph *graph, int frame)
+{
+	float total = 0.0f;
+
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		total += graph->ms[frame][stage];
+	}
+	return total;
+}
+
+float hud_graph_scale_ms(const struct hud_graph *graph)
+{
+	float tallest = 0.0f;
+	size_t scale = 0;
+
+	for (int i = 0; i < graph->count; i++) {
+		float total = total_ms(graph, i);
+
+		tallest = total > tallest ? total : tallest;
+	}
+	while (scale + 1 < ARRAY_COUNT(scales_ms) && tallest > scales_ms[scale]) {
+		scale++;
+	}
+	return scales_ms[scale];
+}
+
+/* The field that the bars stand in. */
+struct field {
+	int left, width, bottom, height;
+	float px_per_ms;
+};
+
+static void show_frame(const struct field *field, struct hud *hud,
+	const float stage_ms[HUD_STAGES], int slot)
+{
+	int x = field->left + field->width * slot / HUD_GRAPH_FRAMES;
+	int end = field->left + field->width * (slot + 1) / HUD_GRAPH_FRAMES;
+	int gap = end - x > 2;
+	float sum_ms = 0.0f;
+	int from = 0;
+
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		int to;
+
+		sum_ms += stage_ms[stage];
+		to = (int)(sum_ms * field->px_per_ms + 0.5f);
+		to = to > field->height ? field->height : to;
+		hud_rectangle(hud, x, field->bottom - to, end - x - gap,
+			to - from, *stages[stage].color);
+		from = to;
+	}
+}
+
+static void show_marks(const struct field *field, struct hud *hud)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(marks_ms); i++) {
+		int up = (int)(marks_ms[i] * field->px_per_ms + 0.5f);
+
+		if (up < field->height) {
+			hud_rectangle(hud, field->left, field->bottom - up,
+				field->width, hud->scale, mark_color);
+		}
+	}
+}
+
+static void show_bars(const struct hud_graph *graph, struct hud_group *group)
+{
+	struct hud *hud = group->hud;
+	int height = 3 * hud_em(hud);
+	int top = hud_group_space(group, height);
+	const struct field field = {
+		.left = group->left,
+		.width = group->width,
+		.bottom = top + height,
+		.height = height,
+		.px_per_ms = (float)height / hud_graph_scale_ms(graph),
+	};
+	int first = graph->next - graph->count + HUD_GRAPH_FRAMES;
+
+	hud_rectangle(hud, group->left, top, group->width, height, ground_color);
+	for (int i = 0; i < graph->count; i++) {
+		show_frame(&field, hud,
+			graph->ms[(first + i) % HUD_GRAPH_FRAMES],
+			HUD_GRAPH_FRAMES - graph->count + i);
+	}
+	show_marks(&field, hud);
+}
+
+static void show_stages(const struct hud_graph *graph, struct hud_group *group)
+{
+	char value[32];
+
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		snprintf(value, sizeof(value), "%.1f ms",
+			(double)graph->shown.stage_ms[stage]);
+		hud_group_mark(
+			group, stages[stage].name, value, *stages[stage].color);
+	}
+}
+
+static void show_facts(const struct hud_facts *facts, struct hud_group *group)
+{
+	char value[32];
+
+	hud_group_text(group, "GL driver", facts->driver);
+	snprintf(value, sizeof(value), "%ld", facts->triangles);
+	hud_group_text(group, "triangles", value);
+	if (facts->memory_bytes > 0) {
+		snprintf(value, sizeof(value), "%.1f MiB",
+			(double)facts->memory_bytes / (1024.0 * 1024.0));
+		hud_group_text(group, "memory", value);
+	}
+	hud_group_text(group, facts->technique, "");
+	if (facts->shed) {
+		hud_group_mark(group, "left out", facts->shed, hud_color_rose);
+	}
+}
+
+void hud_graph_show(const struct hud_graph *graph,
+	const struct hud_facts *facts, struct hud *hud)
+{
+	struct hud_group group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	char rate[32];
+	char scale[32];
+
+	snprintf(rate, sizeof(rate), "%.0f fps", (double)hud_graph_rate(graph));
+	snprintf(scale, sizeof(scale), "0 to %.0f ms",
+		(double)hud_graph_scale_ms(graph));
+	hud_group_text(&group, scale, rate);
+	show_bars(graph, &group);
+	show_stages(graph, &group);
+	show_facts(facts, &group);
+	hud_group_end(&group);
+}

@@ -1,0 +1,267 @@
+#include "app/scene/hud/hud_group.h"
+
+#include "platform/base/scalar.h"
+
+#include <stdio.h>
+
+/* Lengths are in eighths of an em unless they say otherwise. */
+enum {
+	WIDTH_LEAST = 88,
+	WIDTH_MOST = 104,
+	MARGIN = 6, /* from the edge of the picture, and between groups */
+	PADDING_X = 5,
+	PADDING_Y = 4,
+	RADIUS = 3,
+	ROW_GAP = 2,
+	TITLE_GAP = 2,
+	BAR_GAP = 1,
+	BAR_HEIGHT = 2,
+	COLUMN_GAP = 4,
+	CAP_PADDING_X = 2,
+	CAP_WIDTH_MIN = 20,
+	CAP_RADIUS = 2,
+	SWITCH_WIDTH = 12,
+	SWITCH_HEIGHT = 6,
+	KNOB_INSET = 1,
+	MARK_SIDE = 4,
+	MARK_GAP = 3,
+	TEXT_ROOM = 32
+};
+
+static const struct hud_color cap_color = {255, 255, 255, 40};
+static const struct hud_color rule_color = {255, 255, 255, 36};
+static const struct hud_color off_color = {255, 255, 255, 56};
+static const struct hud_color off_knob = {196, 204, 214, 255};
+
+static int eighths(const struct hud *hud, int count)
+{
+	int pixels = hud_em(hud) * count / 8;
+
+	return pixels < 1 ? 1 : pixels;
+}
+
+static bool is_right(enum hud_corner corner)
+{
+	return corner == HUD_TOP_RIGHT || corner == HUD_BOTTOM_RIGHT;
+}
+
+static bool is_bottom(enum hud_corner corner)
+{
+	return corner == HUD_BOTTOM_LEFT || corner == HUD_BOTTOM_RIGHT;
+}
+
+/* Of the backdrop: three eighths of the picture where text allows that. */
+static int group_width(const struct hud *hud)
+{
+	int least = eighths(hud, WIDTH_LEAST), most = eighths(hud, WIDTH_MOST);
+	int room = hud->width - 2 * eighths(hud, MARGIN);
+	int width = hud->width * 3 / 8;
+
+	width = width < least ? least : width > most ? most : width;
+	return width < room ? width : room;
+}
+
+/* All of it, with its rows' padding, from y on. */
+static void add_backdrop(const struct hud_group *group, int y, int height)
+{
+	const struct hud *hud = group->hud;
+	int padding = eighths(hud, PADDING_X);
+
+	hud_panel(group->hud, group->left - padding, y,
+		group->width + 2 * padding, height, eighths(hud, RADIUS),
+		hud_color_panel);
+}
+
+struct hud_group hud_group_begin(
+	struct hud *hud, enum hud_corner corner, const char *title)
+{
+	int margin = eighths(hud, MARGIN), padding = eighths(hud, PADDING_X);
+	int width = group_width(hud);
+	struct hud_group group = {.hud = hud,
+		.corner = corner,
+		.y = eighths(hud, PADDING_Y),
+		.first_quad = hud->quad_count};
+
+	group.width = width - 2 * padding;
+	group.left = is_right(corner) ? hud->width - margin - width + padding
+				      : margin + padding;
+	/* Holds the place below the rows until the height is known. */
+	add_backdrop(&group, 0, hud->height);
+	if (title) {
+		hud_text_cut(hud, group.left, group.y, group.width,
+			hud_color_text, title);
+		group.y += hud_line_height(hud) + eighths(hud, TITLE_GAP);
+		hud_rectangle(hud, group.left, group.y, group.width, hud->scale,
+			rule_color);
+		group.y += hud->scale + eighths(hud, TITLE_GAP);
+	}
+	return group;
+}
+
+/* Right-aligned; returns its left edge. */
+static int add_value(const struct hud_group *group, const char *value)
+{
+	int width = hud_text_width(group->hud, value);
+	int x = group->left + group->width - width;
+
+	x = x < group->left ? group->left : x;
+	hud_text_cut(
+		group->hud, x, group->y, group->width, hud_color_text, value);
+	return x;
+}
+
+/* The label from x on. */
+static void add_line_from(const struct hud_group *group, int x,
+	const char *label, const char *value)
+{
+	int right = add_value(group, value);
+
+	if (*value) {
+		right -= eighths(group->hud, COLUMN_GAP);
+	}
+	hud_text_cut(
+		group->hud, x, group->y, right - x, hud_color_dim, label);
+}
+
+static void add_line(
+	const struct hud_group *group, const char *label, const char *value)
+{
+	add_line_from(group, group->left, label, value);
+}
+
+static void next_row(struct hud_group *group, int height)
+{
+	group->y += height + eighths(group->hud, ROW_GAP);
+}
+
+void hud_group_text(
+	struct hud_group *group, const char *label, const char *value)
+{
+	add_line(group, label, value);
+	next_row(group, hud_line_height(group->hud));
+}
+
+void hud_group_bar(struct hud_group *group, const char *label,
+	const char *value, float share, struct hud_color color)
+{
+	const struct hud *hud = group->hud;
+	int below = hud_line_height(hud) + eighths(hud, BAR_GAP);
+	int height = eighths(hud, BAR_HEIGHT);
+
+	add_line(group, label, value);
+	hud_bar(group->hud, group->left, group->y + below, group->width, height,
+		share, color);
+	next_row(group, below + height + eighths(hud, ROW_GAP));
+}
+
+static int hundredths(float value, float limit)
+{
+	return (int)(scalar_clamp(value, 0.0f, limit) * 100.0f + 0.5f);
+}
+
+void hud_group_time(struct hud_group *group, const char *label, float time_s,
+	float duration_s, struct hud_color color)
+{
+	int time = hundredths(time_s, 9999.0f);
+	int duration = hundredths(duration_s, 9999.0f);
+	char value[TEXT_ROOM];
+
+	snprintf(value, sizeof(value), "%d.%02d / %d.%02d s", time / 100,
+		time % 100, duration / 100, duration % 100);
+	hud_group_bar(group, label, value,
+		duration_s > 0.0f ? time_s / duration_s : 0.0f, color);
+}
+
+void hud_group_weight(struct hud_group *group, const char *label, float weight,
+	struct hud_color color)
+{
+	char value[TEXT_ROOM];
+
+	snprintf(value, sizeof(value), "%d%%", hundredths(weight, 1.0f));
+	hud_group_bar(group, label, value, weight, color);
+}
+
+/* Returns where the text behind the cap begins. */
+static int add_cap(const struct hud_group *group, const char *key)
+{
+	struct hud *hud = group->hud;
+	int text = hud_text_width(hud, key);
+	int least = eighths(hud, CAP_WIDTH_MIN);
+	int width = text + 2 * eighths(hud, CAP_PADDING_X);
+
+	width = width < least ? least : width;
+	hud_panel(hud, group->left, group->y, width, hud_line_height(hud),
+		eighths(hud, CAP_RADIUS), cap_color);
+	hud_text(hud, group->left + (width - text) / 2, group->y,
+		hud_color_text, key);
+	return group->left + width + eighths(hud, COLUMN_GAP);
+}
+
+void hud_group_mark(struct hud_group *group, const char *label,
+	const char *value, struct hud_color color)
+{
+	struct hud *hud = group->hud;
+	int side = eighths(hud, MARK_SIDE);
+	int top = group->y + (hud_line_height(hud) - side) / 2;
+
+	hud_panel(hud, group->left, top, side, side, side / 2, color);
+	add_line_from(group, group->left + side + eighths(hud, MARK_GAP), label,
+		value);
+	next_row(group, hud_line_height(hud));
+}
+
+int hud_group_space(struct hud_group *group, int height)
+{
+	int top = group->y;
+
+	next_row(group, height);
+	return top;
+}
+
+void hud_group_key(struct hud_group *group, const char *key, const char *what)
+{
+	int x = add_cap(group, key);
+
+	hud_text_cut(group->hud, x, group->y, group->left + group->width - x,
+		hud_color_dim, what);
+	next_row(group, hud_line_height(group->hud));
+}
+
+void hud_group_switch(struct hud_group *group, const char *key,
+	const char *what, bool on, struct hud_color color)
+{
+	struct hud *hud = group->hud;
+	int x = add_cap(group, key);
+	int width = eighths(hud, SWITCH_WIDTH);
+	int height = eighths(hud, SWITCH_HEIGHT);
+	int inset = eighths(hud, KNOB_INSET), knob = height - 2 * inset;
+	int left = group->left + group->width - width;
+	int top = group->y + (hud_line_height(hud) - height) / 2;
+
+	hud_text_cut(hud, x, group->y, left - eighths(hud, COLUMN_GAP) - x,
+		on ? hud_color_text : hud_color_dim, what);
+	hud_panel(hud, left, top, width, height, height / 2,
+		on ? color : off_color);
+	hud_panel(hud, on ? left + width - inset - knob : left + inset,
+		top + inset, knob, knob, knob / 2,
+		on ? hud_color_text : off_knob);
+	next_row(group, hud_line_height(hud));
+}
+
+void hud_group_end(struct hud_group *group)
+{
+	struct hud *hud = group->hud;
+	int *stacked = &hud->stacked_px[group->corner];
+	int margin = eighths(hud, MARGIN);
+	int height = group->y - eighths(hud, ROW_GAP) + eighths(hud, PADDING_Y);
+	int y = is_bottom(group->corner)
+		? hud->height - margin - *stacked - height
+		: margin + *stacked;
+	int end = hud->quad_count;
+
+	hud->quad_count = group->first_quad;
+	add_backdrop(group, 0, height);
+	hud->quad_count = end;
+	hud_move(hud, group->first_quad, 0, y);
+	*stacked += height + margin;
+}

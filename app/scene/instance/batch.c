@@ -1,0 +1,375 @@
+#include "app/scene/instance/batch.h"
+
+#include "app/scene/shadow/outline.h"
+
+#include "app/model/color.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	BATCH_VERTICES_MAX = 65536
+};
+
+static bool is_white(const float base_color[4])
+{
+	return base_color[0] == 1.0f && base_color[1] == 1.0f &&
+		base_color[2] == 1.0f && base_color[3] == 1.0f;
+}
+
+/* Which of the primitive's vertices a batch's is. */
+static size_t vertex_of(
+	const struct drawable *drawable, const struct batch *batch, int v)
+{
+	if (batch->source) {
+		return batch->source[v];
+	}
+	return drawable->fixed && drawable->fixed->order
+		? drawable->fixed->order[v]
+		: (size_t)v;
+}
+
+static bool in_primitives_order(
+	const struct drawable *drawable, const struct batch *batch)
+{
+	return !batch->source && !(drawable->fixed && drawable->fixed->order);
+}
+
+/* Vertex colours times the material's, or the model's own array. */
+static int tint(struct batch *batch, const struct drawable *drawable,
+	const float base_color[4], struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	uint8_t(*color)[4];
+	float factor[4];
+
+	if (!primitive->color) {
+		return 0;
+	}
+	if (in_primitives_order(drawable, batch) && is_white(base_color)) {
+		batch->color = (const uint8_t(*)[4])primitive->color;
+		return 0;
+	}
+	color = arena_alloc(arena, (size_t)batch->vertex_count, sizeof(*color));
+	if (!color) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < 3; i++) {
+		factor[i] = color_encode_srgb(base_color[i]);
+	}
+	factor[3] = scalar_clamp(base_color[3], 0.0f, 1.0f);
+	for (int v = 0; v < batch->vertex_count; v++) {
+		size_t from = vertex_of(drawable, batch, v);
+
+		for (int i = 0; i < 4; i++) {
+			color[v][i] =
+				(uint8_t)(primitive->color[from][i] * factor[i] +
+					0.5f);
+		}
+	}
+	batch->color = (const uint8_t(*)[4])color;
+	return 0;
+}
+
+static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	float(*texcoord)[2];
+
+	if (!primitive->texcoord || in_primitives_order(drawable, batch)) {
+		batch->texcoord = (const float(*)[2])primitive->texcoord;
+		return 0;
+	}
+	texcoord = arena_alloc(
+		arena, (size_t)batch->vertex_count, sizeof(*texcoord));
+	if (!texcoord) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < batch->vertex_count; v++) {
+		memcpy(texcoord[v],
+			primitive->texcoord[vertex_of(drawable, batch, v)],
+			sizeof(texcoord[v]));
+	}
+	batch->texcoord = (const float(*)[2])texcoord;
+	return 0;
+}
+
+static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
+	struct arena *arena)
+{
+	size_t count = (size_t)batch->vertex_count;
+
+	batch->fixed_position = fixed->position;
+	batch->fixed_normal = fixed->normal;
+	if (!batch->source) {
+		return 0;
+	}
+	batch->gathered_fixed = ARENA_ARRAY(arena, struct fixed_vector, count);
+	batch->gathered_fixed_normal =
+		ARENA_ARRAY(arena, struct fixed_vector, count);
+	batch->fixed_position = batch->gathered_fixed;
+	batch->fixed_normal = batch->gathered_fixed_normal;
+	return batch->gathered_fixed && batch->gathered_fixed_normal ? 0
+								     : -ENOMEM;
+}
+
+/* Attributes that do not move, and room for those that do. */
+static int fill(struct batch *batch, const struct drawable *drawable,
+	const float base_color[4], struct arena *arena)
+{
+	int error = tint(batch, drawable, base_color, arena);
+
+	if (!error) {
+		error = copy_texcoords(batch, drawable, arena);
+	}
+	if (error) {
+		return error;
+	}
+	if (drawable->fixed) {
+		return fill_fixed(batch, drawable->fixed, arena);
+	}
+	if (!batch->source) {
+		batch->position = (const float(*)[3])drawable->position;
+		batch->normal = (const float(*)[3])drawable->normal;
+		return 0;
+	}
+	batch->gathered_position = arena_alloc(arena,
+		(size_t)batch->vertex_count, sizeof(*batch->gathered_position));
+	batch->gathered_normal = arena_alloc(arena, (size_t)batch->vertex_count,
+		sizeof(*batch->gathered_normal));
+	if (!batch->gathered_position || !batch->gathered_normal) {
+		return -ENOMEM;
+	}
+	batch->position = (const float(*)[3])batch->gathered_position;
+	batch->normal = (const float(*)[3])batch->gathered_normal;
+	return 0;
+}
+
+/* A list of the primitive's vertices, each where it is drawn from. */
+static const uint16_t *place_list(const struct drawable *drawable,
+	const uint32_t *list, int count, struct arena *arena)
+{
+	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
+
+	for (int i = 0; index && i < count; i++) {
+		index[i] = (uint16_t)(place ? place[list[i]] : list[i]);
+	}
+	return index;
+}
+
+/* The model's own coarser lists, but for those for shapes (outline.h). */
+static int place_lods(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	batch->lod = ARENA_ARRAY(
+		arena, struct batch_lod, (size_t)primitive->lod_count);
+	if (!batch->lod) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+		struct batch_lod *to = &batch->lod[batch->lod_count];
+
+		if (lod->shape) {
+			continue;
+		}
+		*to = (struct batch_lod){
+			.error = lod->error_m,
+			.index_count = lod->index_count,
+			.index = place_list(
+				drawable, lod->index, lod->index_count, arena),
+		};
+		if (!to->index) {
+			return -ENOMEM;
+		}
+		batch->lod_count++;
+	}
+	return 0;
+}
+
+static int make_outline(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	uint16_t *outline;
+	int error = outline_make(drawable->primitive, place, arena, &outline,
+		&batch->outline_count);
+
+	batch->outline = outline;
+	return error;
+}
+
+static int make_whole(struct drawable *drawable, const float base_color[4],
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	struct batch *batch = ARENA_NEW(arena, struct batch);
+	const uint16_t *index = place_list(
+		drawable, primitive->index, primitive->index_count, arena);
+	int error;
+
+	if (!batch || !index) {
+		return -ENOMEM;
+	}
+	*batch = (struct batch){
+		.vertex_count = primitive->vertex_count,
+		.index_count = primitive->index_count,
+		.index = index,
+	};
+	drawable->batch = batch;
+	drawable->batch_count = 1;
+	error = place_lods(batch, drawable, arena);
+	if (!error) {
+		error = make_outline(batch, drawable, arena);
+	}
+	return error ? error : fill(batch, drawable, base_color, arena);
+}
+
+/*
+ * Unshared triangles in runs of at most BATCH_VERTICES_MAX vertices: the index
+ * list itself says where each vertex comes from.
+ */
+static int make_unshared(struct drawable *drawable, const float base_color[4],
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	int most = BATCH_VERTICES_MAX / 3 * 3;
+	int count = (primitive->index_count + most - 1) / most;
+
+	drawable->batch = ARENA_ARRAY(arena, struct batch, (size_t)count);
+	if (!drawable->batch) {
+		return -ENOMEM;
+	}
+	drawable->batch_count = count;
+	for (int i = 0; i < count; i++) {
+		int first = i * most;
+		int left = primitive->index_count - first;
+		int error;
+
+		drawable->batch[i] = (struct batch){
+			.vertex_count = left < most ? left : most,
+			.source = primitive->index + first,
+		};
+		error = fill(&drawable->batch[i], drawable, base_color, arena);
+		if (error) {
+			return error;
+		}
+	}
+	return 0;
+}
+
+int batch_make(struct drawable *drawable, const float base_color[4],
+	struct arena *arena)
+{
+	bool whole = drawable->primitive->normal &&
+		drawable->primitive->vertex_count <= BATCH_VERTICES_MAX;
+
+	return whole ? make_whole(drawable, base_color, arena)
+		     : make_unshared(drawable, base_color, arena);
+}
+
+static void face_normal(
+	const float a[3], const float b[3], const float c[3], float out[3])
+{
+	float u[3], v[3], length;
+
+	for (int i = 0; i < 3; i++) {
+		u[i] = b[i] - a[i];
+		v[i] = c[i] - a[i];
+	}
+	out[0] = u[1] * v[2] - u[2] * v[1];
+	out[1] = u[2] * v[0] - u[0] * v[2];
+	out[2] = u[0] * v[1] - u[1] * v[0];
+	length = scalar_sqrt(
+		out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+	for (int i = 0; i < 3; i++) {
+		out[i] = length > 0.0f ? out[i] / length : 0.0f;
+	}
+}
+
+static void gather_flat_normals(struct batch *batch)
+{
+	for (int v = 0; v + 2 < batch->vertex_count; v += 3) {
+		face_normal(batch->gathered_position[v],
+			batch->gathered_position[v + 1],
+			batch->gathered_position[v + 2],
+			batch->gathered_normal[v]);
+		memcpy(batch->gathered_normal[v + 1], batch->gathered_normal[v],
+			sizeof(float[3]));
+		memcpy(batch->gathered_normal[v + 2], batch->gathered_normal[v],
+			sizeof(float[3]));
+	}
+}
+
+/* Of three corners in 16 bits. */
+static struct fixed_vector fixed_face_normal(const struct fixed_vector *corner)
+{
+	float at[3][3], normal[3];
+
+	for (int i = 0; i < 3; i++) {
+		at[i][0] = corner[i].x;
+		at[i][1] = corner[i].y;
+		at[i][2] = corner[i].z;
+	}
+	face_normal(at[0], at[1], at[2], normal);
+	return (struct fixed_vector){
+		.x = (int16_t)(normal[0] * 32767.0f),
+		.y = (int16_t)(normal[1] * 32767.0f),
+		.z = (int16_t)(normal[2] * 32767.0f),
+	};
+}
+
+static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch)
+{
+	struct fixed_vector *position = batch->gathered_fixed;
+	struct fixed_vector *normal = batch->gathered_fixed_normal;
+
+	for (int v = 0; v < batch->vertex_count; v++) {
+		uint32_t from = batch->source[v];
+
+		from = fixed->place ? fixed->place[from] : from;
+		position[v] = fixed->position[from];
+		if (fixed->normal) {
+			normal[v] = fixed->normal[from];
+		}
+	}
+	for (int v = 0; !fixed->normal && v + 2 < batch->vertex_count; v += 3) {
+		normal[v] = fixed_face_normal(&position[v]);
+		normal[v + 1] = normal[v];
+		normal[v + 2] = normal[v];
+	}
+}
+
+void batch_gather(struct drawable *drawable)
+{
+	for (int i = 0; i < drawable->batch_count; i++) {
+		struct batch *batch = &drawable->batch[i];
+
+		if (!batch->source) {
+			continue;
+		}
+		if (drawable->fixed) {
+			gather_fixed(drawable->fixed, batch);
+			continue;
+		}
+		for (int v = 0; v < batch->vertex_count; v++) {
+			uint32_t from = batch->source[v];
+
+			memcpy(batch->gathered_position[v],
+				drawable->position[from], sizeof(float[3]));
+			if (drawable->normal) {
+				memcpy(batch->gathered_normal[v],
+					drawable->normal[from],
+					sizeof(float[3]));
+			}
+		}
+		if (!drawable->normal) {
+			gather_flat_normals(batch);
+		}
+	}
+}

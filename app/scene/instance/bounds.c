@@ -1,0 +1,170 @@
+#include "app/scene/instance/bounds.h"
+
+#include "app/anim/clip.h"
+
+#include <float.h>
+
+enum {
+	CLIP_LOOKS = 12
+};
+
+struct bounds bounds_empty(void)
+{
+	return (struct bounds){
+		.low = {FLT_MAX, FLT_MAX, FLT_MAX},
+		.high = {-FLT_MAX, -FLT_MAX, -FLT_MAX},
+	};
+}
+
+bool bounds_is_empty(const struct bounds *bounds)
+{
+	return bounds->low[0] > bounds->high[0];
+}
+
+void bounds_add(struct bounds *bounds, const float point[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		if (point[axis] < bounds->low[axis]) {
+			bounds->low[axis] = point[axis];
+		}
+		if (point[axis] > bounds->high[axis]) {
+			bounds->high[axis] = point[axis];
+		}
+	}
+}
+
+float bounds_extent(const struct bounds *bounds)
+{
+	float extent = 0.0f;
+
+	for (int axis = 0; axis < 3; axis++) {
+		float side = bounds->high[axis] - bounds->low[axis];
+
+		if (side > extent) {
+			extent = side;
+		}
+	}
+	return extent;
+}
+
+void bounds_center(const struct bounds *bounds, float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = bounds_is_empty(bounds)
+			? 0.0f
+			: 0.5f * (bounds->low[axis] + bounds->high[axis]);
+	}
+}
+
+static int16_t lesser(int16_t a, int16_t b)
+{
+	return a < b ? a : b;
+}
+
+static int16_t greater(int16_t a, int16_t b)
+{
+	return a > b ? a : b;
+}
+
+/*
+ * The same as from each vertex of a skinned drawable: what makes scene units of
+ * 16 bits, rounding included, keeps their order.
+ */
+static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
+{
+	const struct fixed_placement *placement = &drawable->fixed->placement;
+	const struct fixed_vector *v = drawable->fixed->position;
+	const struct fixed_vector *end = v + drawable->primitive->vertex_count;
+	struct fixed_vector low = {
+		.x = INT16_MAX, .y = INT16_MAX, .z = INT16_MAX};
+	struct fixed_vector high = {
+		.x = INT16_MIN, .y = INT16_MIN, .z = INT16_MIN};
+
+	if (v == end) {
+		return;
+	}
+	for (; v < end; v++) {
+		low.x = lesser(low.x, v->x);
+		low.y = lesser(low.y, v->y);
+		low.z = lesser(low.z, v->z);
+		high.x = greater(high.x, v->x);
+		high.y = greater(high.y, v->y);
+		high.z = greater(high.z, v->z);
+	}
+	for (int side = 0; side < 2; side++) {
+		const struct fixed_vector *corner = side ? &high : &low;
+		const int16_t at[3] = {corner->x, corner->y, corner->z};
+		float point[3];
+
+		for (int axis = 0; axis < 3; axis++) {
+			point[axis] = (float)at[axis] * placement->scale +
+				placement->offset[axis];
+		}
+		bounds_add(bounds, point);
+	}
+}
+
+static void add_vertices(struct bounds *bounds, const struct instance *instance,
+	const struct drawable *drawable)
+{
+	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+		float point[3];
+
+		instance_world_vertex(instance, drawable, v, point);
+		for (int axis = 0; axis < 3; axis++) {
+			point[axis] *= instance->unit_scale;
+		}
+		bounds_add(bounds, point);
+	}
+}
+
+struct bounds bounds_of_instance(const struct instance *instance)
+{
+	struct bounds bounds = bounds_empty();
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (drawable->fixed && drawable->skin >= 0) {
+			add_skinned(&bounds, drawable);
+		} else {
+			add_vertices(&bounds, instance, drawable);
+		}
+	}
+	return bounds;
+}
+
+void bounds_join(struct bounds *bounds, const struct bounds *other)
+{
+	if (!bounds_is_empty(other)) {
+		bounds_add(bounds, other->low);
+		bounds_add(bounds, other->high);
+	}
+}
+
+struct bounds bounds_of_clip(struct instance *instance, int clip)
+{
+	bool hold_normals = instance->hold_normals, relief = instance->relief;
+	struct bounds all = bounds_empty();
+	struct clip_cursor none = {0};
+
+	pose_rest(&instance->pose, instance->model);
+	if (clip < 0) {
+		instance_update(instance);
+		return bounds_of_instance(instance);
+	}
+	for (int look = CLIP_LOOKS; look >= 0; look--) {
+		const struct model_clip *c = &instance->model->clip[clip];
+		struct bounds now;
+
+		clip_sample(c, c->duration_s * (float)look / CLIP_LOOKS, &none,
+			&instance->pose);
+		/* Where vertices look counts at the last one, which is left. */
+		instance->hold_normals = hold_normals || look > 0;
+		instance->relief = relief && look == 0;
+		instance_update(instance);
+		now = bounds_of_instance(instance);
+		bounds_join(&all, &now);
+	}
+	return all;
+}

@@ -1,0 +1,193 @@
+#include "app/scene/instance/drawable_fixed.h"
+
+#include "app/scene/draw/bump.h"
+
+#include <errno.h>
+
+static struct fixed_vector *vectors(struct arena *arena, int count)
+{
+	return ARENA_ARRAY(arena, struct fixed_vector, (size_t)count);
+}
+
+static unsigned wanted_streams(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	unsigned streams = primitive->normal ? FIXED_NORMALS : 0;
+
+	return streams |
+		(bump_has_relief(model, primitive) ? FIXED_TANGENTS : 0);
+}
+
+/* Arrays of its own for what is posed each frame. */
+static int init_output(struct drawable_fixed *fixed, int vertex_count,
+	unsigned streams, struct arena *arena)
+{
+	fixed->position = vectors(arena, vertex_count);
+	if (streams & FIXED_NORMALS) {
+		fixed->normal = vectors(arena, vertex_count);
+	}
+	if (streams & FIXED_TANGENTS) {
+		fixed->tangent = vectors(arena, vertex_count);
+	}
+	return fixed->position &&
+			(fixed->normal || !(streams & FIXED_NORMALS)) &&
+			(fixed->tangent || !(streams & FIXED_TANGENTS))
+		? 0
+		: -ENOMEM;
+}
+
+static int init_skin(struct drawable_fixed *fixed,
+	const struct model_primitive *primitive, int target_count,
+	unsigned streams, struct arena *arena)
+{
+	int error = fixed_skin_init(&fixed->skin, primitive, streams, arena);
+
+	if (!error && target_count > 0) {
+		error = fixed_skin_morph_init(
+			&fixed->skin_morph, &fixed->skin, target_count, arena);
+	}
+	if (error) {
+		return error;
+	}
+	fixed->order = fixed->skin.order;
+	fixed->place = fixed->skin.place;
+	fixed->matrix = ARENA_ARRAY(
+		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
+	return fixed->matrix
+		? init_output(fixed, primitive->vertex_count, streams, arena)
+		: -ENOMEM;
+}
+
+/* A rigid one shows its base. */
+static int init_morph(struct drawable_fixed *fixed,
+	const struct model_primitive *primitive, int target_count,
+	unsigned streams, struct arena *arena)
+{
+	struct fixed_morph *morph = &fixed->morph;
+	int error = fixed_morph_init(
+		morph, primitive, target_count, streams, arena);
+
+	fixed->placement = morph->placement;
+	if (error || target_count > 0) {
+		return error ? error
+			     : init_output(fixed, primitive->vertex_count,
+				       streams, arena);
+	}
+	fixed->position = morph->stream[FIXED_POSITION].base;
+	fixed->normal = morph->stream[FIXED_NORMAL].base;
+	fixed->tangent = morph->stream[FIXED_TANGENT].base;
+	return 0;
+}
+
+int drawable_fixed_init(struct drawable *drawable, const struct model *model,
+	const struct fixed_loops *loops, struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	int mesh = model->node[drawable->node].mesh;
+	int target_count = model->mesh[mesh].target_count;
+	unsigned streams = wanted_streams(model, primitive);
+	struct drawable_fixed *fixed;
+	int error;
+
+	fixed = ARENA_NEW(arena, struct drawable_fixed);
+	if (!fixed) {
+		return -ENOMEM;
+	}
+	fixed->loops = loops;
+	if (drawable->skin >= 0) {
+		error = init_skin(
+			fixed, primitive, target_count, streams, arena);
+	} else {
+		error = init_morph(
+			fixed, primitive, target_count, streams, arena);
+	}
+	drawable->fixed = error ? NULL : fixed;
+	return error;
+}
+
+static void run_skin(const struct drawable_fixed *fixed, bool with_normals,
+	bool with_tangents)
+{
+	const struct fixed_skin *skin = &fixed->skin;
+	const struct fixed_loops *loops = fixed->loops;
+
+	loops->skin(skin->group, skin->group_count, skin->position,
+		fixed->matrix, fixed->position);
+	if (fixed->normal && with_normals) {
+		loops->skin(skin->group, skin->group_count, skin->normal,
+			fixed->matrix, fixed->normal);
+	}
+	if (with_tangents) {
+		loops->skin(skin->group, skin->group_count, skin->tangent,
+			fixed->matrix, fixed->tangent);
+	}
+}
+
+static const float *weights_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return instance->pose.weight +
+		instance->model->node[drawable->node].weight_offset;
+}
+
+static bool set_skin_weights(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+
+	return fixed_skin_morph_update(&fixed->skin_morph, fixed->loops,
+		       weights_of(instance, drawable)) == 0;
+}
+
+static void pose_skin(const struct instance *instance,
+	struct drawable *drawable, bool with_tangents)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+
+	fixed_skin_set_cap(&fixed->skin, instance->max_influences);
+	if (drawable->morphed && !set_skin_weights(instance, drawable)) {
+		fixed->failed = true;
+		return;
+	}
+	fixed->failed = fixed_palette_make(&fixed->skin,
+		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
+		&fixed->placement);
+	if (!fixed->failed) {
+		run_skin(fixed, !instance->hold_normals, with_tangents);
+	}
+}
+
+static void pose_morph(const struct instance *instance,
+	struct drawable *drawable, bool with_tangents)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+	struct fixed_morph *morph = &fixed->morph;
+
+	fixed->failed =
+		fixed_morph_set_weights(morph, weights_of(instance, drawable));
+	if (fixed->failed) {
+		return;
+	}
+	fixed->placement = morph->placement;
+	fixed_morph_run(morph, fixed->loops, FIXED_POSITION, fixed->position);
+	if (fixed->normal) {
+		fixed_morph_run(
+			morph, fixed->loops, FIXED_NORMAL, fixed->normal);
+	}
+	if (with_tangents) {
+		fixed_morph_run(
+			morph, fixed->loops, FIXED_TANGENT, fixed->tangent);
+	}
+}
+
+void drawable_fixed_pose(
+	const struct instance *instance, struct drawable *drawable)
+{
+	bool with_tangents = drawable->light && instance->relief;
+
+	if (drawable->skin >= 0) {
+		pose_skin(instance, drawable, with_tangents);
+	} else if (drawable->morphed && !drawable->shaped) {
+		pose_morph(instance, drawable, with_tangents);
+	}
+}

@@ -1,0 +1,233 @@
+#include "app/scene/instance/instance.h"
+
+#include "app/scene/instance/batch.h"
+#include "app/scene/draw/bump.h"
+#include "app/scene/instance/drawable_fixed.h"
+
+#include <cglm/cglm.h>
+
+#include <string.h>
+
+static void set_weights(
+	const struct instance *instance, struct drawable *drawable, float scale)
+{
+	const struct model_node *node = &instance->model->node[drawable->node];
+	const float *weight = instance->pose.weight + node->weight_offset;
+	int count = drawable_target_count(instance, drawable);
+
+	for (int i = 0; i < count; i++) {
+		drawable->term[i].weight = weight[i] * scale;
+	}
+}
+
+/* What the morph is for normals, with tangents in their place. */
+static void morph_tangents(
+	const struct instance *instance, struct drawable *drawable)
+{
+	int count = drawable->primitive->vertex_count;
+	int terms = drawable_target_count(instance, drawable);
+
+	memcpy(drawable->tangent, drawable->base_tangent,
+		(size_t)count * sizeof(*drawable->tangent));
+	for (int i = 0; i < terms; i++) {
+		struct morph_term term = drawable->term[i];
+
+		term.normal = term.tangent;
+		instance->kernel->morph_targets(count,
+			(const float(*)[3])drawable->tangent, &term, 1, true,
+			drawable->tangent);
+	}
+	instance->kernel->normalize(count, drawable->tangent);
+}
+
+static void morph_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const struct kernel *kernel = instance->kernel;
+	int count = drawable->primitive->vertex_count;
+	int terms = drawable_target_count(instance, drawable);
+
+	set_weights(instance, drawable, drawable->vertex_scale);
+	kernel->morph_targets(count, drawable->base_position, drawable->term,
+		terms, false, drawable->position);
+	set_weights(instance, drawable, 1.0f);
+	if (drawable->normal) {
+		kernel->morph_targets(count, drawable->base_normal,
+			drawable->term, terms, true, drawable->normal);
+		kernel->normalize(count, drawable->normal);
+	}
+	if (drawable->tangent && instance->relief) {
+		morph_tangents(instance, drawable);
+	}
+}
+
+static void skin_morphed_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	const struct morph_input input = {
+		.position = drawable->base_position,
+		.normal = drawable->base_normal,
+		.tangent = (const float(*)[4])primitive->tangent,
+		.term = drawable->term,
+		.term_count = drawable_target_count(instance, drawable),
+		.position_scale = 1.0f,
+	};
+	const struct skin_output output = {
+		.position = drawable->position,
+		.normal = instance->hold_normals ? NULL : drawable->normal,
+		.tangent = instance->relief ? drawable->tangent : NULL,
+	};
+
+	set_weights(instance, drawable, 1.0f);
+	instance->kernel->skin_morphed(&drawable->stream, &input,
+		(const mat4 *)instance->palette[drawable->skin],
+		instance->max_influences, &output);
+}
+
+static void skin_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	const mat4 *palette = (const mat4 *)instance->palette[drawable->skin];
+
+	instance->kernel->skin(&drawable->stream, palette,
+		instance->max_influences, drawable->position,
+		instance->hold_normals ? NULL : drawable->normal);
+	if (drawable->tangent && instance->relief) {
+		instance->kernel->skin_tangents(&drawable->stream, palette,
+			instance->max_influences, drawable->tangent);
+	}
+}
+
+/* Vertices for a pose whose matrices are there. */
+static void pose_drawable(
+	const struct instance *instance, struct drawable *drawable)
+{
+	if (drawable->fixed) {
+		drawable_fixed_pose(instance, drawable);
+	} else if (drawable->skin >= 0 && drawable->morphed) {
+		skin_morphed_drawable(instance, drawable);
+	} else if (drawable->skin >= 0) {
+		skin_drawable(instance, drawable);
+	} else if (drawable->morphed && !drawable->shaped) {
+		morph_drawable(instance, drawable);
+	}
+	if (drawable->light && instance->relief) {
+		bump_update(instance, drawable);
+	}
+	if (drawable->morphed || drawable->skin >= 0) {
+		batch_gather(drawable);
+	}
+}
+
+void drawable_set_shape(
+	struct drawable *drawable, float (*position)[3], float (*normal)[3])
+{
+	drawable->shaped = true;
+	drawable->position = position;
+	drawable->normal = normal;
+	for (int i = 0; i < drawable->batch_count; i++) {
+		struct batch *batch = &drawable->batch[i];
+
+		if (!batch->source) {
+			batch->position = (const float(*)[3])position;
+			batch->normal = (const float(*)[3])normal;
+		}
+	}
+}
+
+void instance_update_nodes(struct instance *instance)
+{
+	pose_world(&instance->pose, instance->model, NULL, instance->world);
+}
+
+/* Palettes carry vertices straight into scene units. */
+static void update_palettes(struct instance *instance)
+{
+	const struct model *model = instance->model;
+	float unit = instance->unit_scale;
+
+	for (int i = 0; i < model->skin_count; i++) {
+		mat4 *palette = instance->palette[i];
+
+		pose_palette(&model->skin[i], (const mat4 *)instance->world,
+			palette);
+		if (unit == 1.0f) {
+			continue;
+		}
+		for (int j = 0; j < model->skin[i].joint_count; j++) {
+			for (int column = 0; column < 4; column++) {
+				glm_vec3_scale(palette[j][column], unit,
+					palette[j][column]);
+			}
+		}
+	}
+}
+
+void instance_update(struct instance *instance)
+{
+	instance_update_nodes(instance);
+	update_palettes(instance);
+	for (int i = 0; i < instance->drawable_count; i++) {
+		struct drawable *drawable = &instance->drawable[i];
+
+		if (!drawable->hidden) {
+			pose_drawable(instance, drawable);
+		}
+	}
+}
+
+bool instance_failed(const struct instance *instance)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable_fixed *fixed = instance->drawable[i].fixed;
+
+		if (fixed && fixed->failed) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void instance_node_position(
+	const struct instance *instance, int node, float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] =
+			instance->world[node][3][axis] * instance->unit_scale;
+	}
+}
+
+void instance_drawable_matrix(const struct instance *instance,
+	const struct drawable *drawable, mat4 out)
+{
+	float rotation = instance->unit_scale / drawable->vertex_scale;
+
+	memcpy(out, instance->world[drawable->node], sizeof(mat4));
+	for (int column = 0; column < 4; column++) {
+		float scale = column < 3 ? rotation : instance->unit_scale;
+
+		glm_vec3_scale(out[column], scale, out[column]);
+	}
+}
+
+void instance_world_vertex(const struct instance *instance,
+	const struct drawable *drawable, int vertex, float out[3])
+{
+	const vec4 *world = instance->world[drawable->node];
+	float from[3];
+
+	drawable_position(drawable, vertex, from);
+
+	for (int axis = 0; axis < 3; axis++) {
+		if (drawable->skin >= 0) {
+			out[axis] = from[axis] / instance->unit_scale;
+			continue;
+		}
+		out[axis] =
+			(world[0][axis] * from[0] + world[1][axis] * from[1] +
+				world[2][axis] * from[2]) /
+				drawable->vertex_scale +
+			world[3][axis];
+	}
+}

@@ -1,0 +1,323 @@
+#include "app/scene/instance/instance.h"
+
+#include "app/model/color.h"
+#include "app/scene/instance/batch.h"
+#include "app/scene/instance/bounds.h"
+#include "app/scene/draw/bump.h"
+#include "app/scene/instance/drawable_fixed.h"
+#include "app/scene/stage/light.h"
+
+#include <errno.h>
+
+/* The power of two that brings size into (0.5, 1], or 1 if it is near that. */
+static float near_one(float size, float small, float large)
+{
+	float scale = 1.0f;
+
+	if (!(size > 0.0f) || (size >= small && size <= large)) {
+		return 1.0f;
+	}
+	while (size * scale > 1.0f) {
+		scale *= 0.5f;
+	}
+	while (size * scale <= 0.5f) {
+		scale *= 2.0f;
+	}
+	return scale;
+}
+
+static float largest_coordinate(const struct model_primitive *primitive)
+{
+	float largest = 0.0f;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			float size = primitive->position[v][axis];
+
+			size = size < 0.0f ? -size : size;
+			largest = size > largest ? size : largest;
+		}
+	}
+	return largest;
+}
+
+static void *alloc_vectors(struct arena *arena, int count)
+{
+	return arena_alloc(arena, (size_t)count, sizeof(float[3]));
+}
+
+/* Base positions: the model's own array, or a scaled copy. */
+static int init_base(struct drawable *drawable, struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	float(*scaled)[3];
+
+	drawable->base_normal = (const float(*)[3])primitive->normal;
+	drawable->base_position = (const float(*)[3])primitive->position;
+	if (drawable->vertex_scale == 1.0f) {
+		return 0;
+	}
+	scaled = alloc_vectors(arena, primitive->vertex_count);
+	if (!scaled) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			scaled[v][axis] = primitive->position[v][axis] *
+				drawable->vertex_scale;
+		}
+	}
+	drawable->base_position = (const float(*)[3])scaled;
+	return 0;
+}
+
+static int init_morph(
+	struct drawable *drawable, int target_count, struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	drawable->term =
+		ARENA_ARRAY(arena, struct morph_term, (size_t)target_count);
+	if (!drawable->term) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < target_count; i++) {
+		drawable->term[i] = (struct morph_term){
+			.position =
+				(const float(*)[3])primitive->target[i].position,
+			.normal = (const float(*)[3])primitive->target[i].normal,
+			.tangent =
+				(const float(*)[3])primitive->target[i].tangent,
+		};
+	}
+	return 0;
+}
+
+/*
+ * Output arrays: a rigid drawable shows its base, a morphed or skinned one
+ * arrays of its own.
+ */
+static int init_output(struct drawable *drawable, struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	if (drawable->skin < 0 && !drawable->morphed) {
+		drawable->position = (float(*)[3])drawable->base_position;
+		drawable->normal = (float(*)[3])drawable->base_normal;
+		return 0;
+	}
+	drawable->position = alloc_vectors(arena, primitive->vertex_count);
+	if (!drawable->position) {
+		return -ENOMEM;
+	}
+	if (primitive->normal) {
+		drawable->normal = alloc_vectors(arena, primitive->vertex_count);
+		if (!drawable->normal) {
+			return -ENOMEM;
+		}
+	}
+	if (drawable->skin < 0) {
+		return 0;
+	}
+	return skin_stream_init(&drawable->stream, primitive, 1.0f, arena);
+}
+
+/* In fixed point, if the kernel has it and the numbers fit, else in float. */
+static int init_vertices(struct instance *instance, struct drawable *drawable)
+{
+	const struct model *model = instance->model;
+	const struct fixed_loops *loops = instance->kernel->fixed;
+	int mesh = model->node[drawable->node].mesh;
+	struct arena *arena = &instance->arena;
+	int error;
+
+	if (loops) {
+		error = drawable_fixed_init(drawable, model, loops, arena);
+		if (!error && drawable->skin >= 0) {
+			skin_stream_count(
+				&drawable->stream, drawable->primitive);
+		}
+		if (error != -ERANGE) {
+			return error;
+		}
+		instance->unfit_count++;
+	}
+	if (drawable->skin < 0) {
+		drawable->vertex_scale = near_one(
+			largest_coordinate(drawable->primitive), 0.25f, 16.0f);
+	}
+	error = init_base(drawable, arena);
+	if (!error && drawable->morphed) {
+		error = init_morph(
+			drawable, model->mesh[mesh].target_count, arena);
+	}
+	return error ? error : init_output(drawable, arena);
+}
+
+static void init_color(
+	struct drawable *drawable, const struct model_material *material)
+{
+	for (int i = 0; i < 3; i++) {
+		drawable->color[i] = fx16_from_float(
+			color_encode_srgb(material->base_color[i]));
+	}
+	drawable->color[3] = fx16_from_float(material->base_color[3]);
+}
+
+static int init_drawable(struct instance *instance, struct drawable *drawable,
+	int node, int primitive_index)
+{
+	const struct model *model = instance->model;
+	const struct model_node *n = &model->node[node];
+	const struct model_mesh *mesh = &model->mesh[n->mesh];
+	int error;
+
+	*drawable = (struct drawable){
+		.node = node,
+		.primitive_index = primitive_index,
+		.primitive = &mesh->primitive[primitive_index],
+		.skin = n->skin,
+		.morphed = mesh->target_count > 0,
+		.vertex_scale = 1.0f,
+	};
+	if (drawable->primitive->influences == 0) {
+		drawable->skin = -1;
+	}
+	init_color(drawable, &model->material[drawable->primitive->material]);
+	error = init_vertices(instance, drawable);
+	if (!error) {
+		error = batch_make(drawable,
+			model->material[drawable->primitive->material].base_color,
+			&instance->arena);
+	}
+	if (!error) {
+		batch_gather(drawable);
+		error = bump_init(drawable, model, &instance->arena);
+	}
+	return error;
+}
+
+static int count_drawables(const struct model *model)
+{
+	int count = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].in_scene && model->node[i].mesh >= 0) {
+			count +=
+				model->mesh[model->node[i].mesh].primitive_count;
+		}
+	}
+	return count;
+}
+
+static int init_drawables(struct instance *instance)
+{
+	const struct model *model = instance->model;
+	int next = 0;
+
+	instance->drawable_count = count_drawables(model);
+	instance->drawable = ARENA_ARRAY(&instance->arena, struct drawable,
+		(size_t)instance->drawable_count);
+	if (!instance->drawable) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		if (!node->in_scene || node->mesh < 0) {
+			continue;
+		}
+		for (int p = 0; p < model->mesh[node->mesh].primitive_count;
+			p++) {
+			int error = init_drawable(
+				instance, &instance->drawable[next++], i, p);
+
+			if (error) {
+				return error;
+			}
+		}
+	}
+	return 0;
+}
+
+static int init_skeleton(struct instance *instance)
+{
+	const struct model *model = instance->model;
+	struct arena *arena = &instance->arena;
+
+	instance->world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
+	instance->palette =
+		ARENA_ARRAY(arena, mat4 *, (size_t)model->skin_count);
+	if (!instance->world || !instance->palette) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < model->skin_count; i++) {
+		instance->palette[i] = ARENA_ARRAY(
+			arena, mat4, (size_t)model->skin[i].joint_count);
+		if (!instance->palette[i]) {
+			return -ENOMEM;
+		}
+	}
+	return pose_init(&instance->pose, model, arena);
+}
+
+/* Chosen from the posed vertices: a file's units may be anything. */
+static void choose_unit_scale(struct instance *instance)
+{
+	struct bounds bounds;
+
+	instance->unit_scale = 1.0f;
+	instance_update(instance);
+	bounds = bounds_of_instance(instance);
+	instance->unit_scale = near_one(bounds_extent(&bounds), 0.25f, 16.0f);
+	instance_update(instance);
+}
+
+int instance_create(const struct model *model, const struct kernel *kernel,
+	const struct log *log, struct instance **out)
+{
+	struct arena arena = arena_empty();
+	struct instance *instance = ARENA_NEW(&arena, struct instance);
+	int error = -ENOMEM;
+
+	if (!instance) {
+		goto fail;
+	}
+	instance->arena = arena;
+	instance->model = model;
+	instance->kernel = kernel;
+	instance->relief = true;
+	light_direction(instance->towards_light);
+	error = init_skeleton(instance);
+	if (!error) {
+		error = init_drawables(instance);
+	}
+	arena = instance->arena;
+	if (error) {
+		goto fail;
+	}
+	if (instance->unfit_count > 0) {
+		log_warning(log,
+			"%s: %d of its %d parts are posed in float: their "
+			"positions do not fit 16 bits",
+			model->path, instance->unfit_count,
+			instance->drawable_count);
+	}
+	choose_unit_scale(instance);
+	*out = instance;
+	return 0;
+
+fail:
+	log_error(log, "%s: not enough memory to show it", model->path);
+	arena_release(&arena);
+	return error;
+}
+
+void instance_destroy(struct instance *instance)
+{
+	if (instance) {
+		struct arena arena = instance->arena;
+
+		arena_release(&arena);
+	}
+}

@@ -1,0 +1,197 @@
+#include "app/scene/instance/lod.h"
+
+#include "platform/base/scalar.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	LEVEL_MAX = 99
+};
+
+/* How far what was chosen for may be off: 1.1 is a tenth to either side. */
+static const float hold = 1.1f;
+/* Of the extent: how far a surface goes beyond its joints. */
+static const float flesh = 0.06f;
+
+bool detail_parse(const char *text, struct detail *out)
+{
+	static const char level[] = "level:";
+	char *end;
+
+	if (strcmp(text, "auto") == 0) {
+		*out = (struct detail){.kind = DETAIL_AUTO};
+		return true;
+	}
+	if (strcmp(text, "off") == 0) {
+		*out = (struct detail){.kind = DETAIL_ALL};
+		return true;
+	}
+	if (strncmp(text, level, sizeof(level) - 1) == 0) {
+		long number = strtol(text + sizeof(level) - 1, &end, 10);
+
+		*out = (struct detail){
+			.kind = DETAIL_LEVEL, .level = (int)number};
+		return end > text + sizeof(level) - 1 && !*end && number >= 0 &&
+			number <= LEVEL_MAX;
+	}
+	*out = (struct detail){
+		.kind = DETAIL_ERROR, .error_px = strtof(text, &end)};
+	return end > text && !*end && out->error_px > 0.0f &&
+		out->error_px <= 100.0f;
+}
+
+static float error_px(const struct detail *detail)
+{
+	return detail->kind == DETAIL_AUTO ? DETAIL_ERROR_PX : detail->error_px;
+}
+
+struct detail detail_relax(const struct detail *detail, float least_px)
+{
+	bool relaxes = least_px > 0.0f &&
+		(detail->kind == DETAIL_AUTO || detail->kind == DETAIL_ERROR) &&
+		least_px > error_px(detail);
+
+	return relaxes
+		? (struct detail){.kind = DETAIL_ERROR, .error_px = least_px}
+		: *detail;
+}
+
+static float depth_of(
+	const float point[3], const float eye[3], const float forward[3])
+{
+	return (point[0] - eye[0]) * forward[0] +
+		(point[1] - eye[1]) * forward[1] +
+		(point[2] - eye[2]) * forward[2];
+}
+
+/* Of all joints; before the eye's own depth where there is none. */
+static float nearest_joint(const struct instance *instance, const float eye[3],
+	const float forward[3], float most)
+{
+	const struct model *model = instance->model;
+	float nearest = most;
+
+	for (int i = 0; i < model->skin_count; i++) {
+		const struct model_skin *skin = &model->skin[i];
+
+		for (int j = 0; j < skin->joint_count; j++) {
+			float at[3], depth;
+
+			instance_node_position(instance, skin->joint[j], at);
+			depth = depth_of(at, eye, forward);
+			nearest = depth < nearest ? depth : nearest;
+		}
+	}
+	return nearest;
+}
+
+float detail_px_per_unit(const struct instance *instance,
+	const struct camera *camera, float extent, int picture_height)
+{
+	float distance = camera->distance, nearest, eye[3], forward[3];
+	bool skinned = true;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		skinned = skinned && instance->drawable[i].skin >= 0;
+	}
+	camera_eye(camera, eye);
+	for (int axis = 0; axis < 3; axis++) {
+		forward[axis] = (camera->target[axis] - eye[axis]) / distance;
+	}
+	nearest = skinned ? nearest_joint(instance, eye, forward, distance) -
+			flesh * extent
+			  : distance - 0.5f * extent;
+	nearest = nearest > 0.05f * distance ? nearest : 0.05f * distance;
+	return 0.5f * (float)picture_height /
+		(camera_tan_half(camera->yfov_rad) * nearest);
+}
+
+/* The longest side of a unit cube, as the matrix has it. */
+static float scale_of(const vec4 *matrix)
+{
+	float most = 0.0f;
+
+	for (int column = 0; column < 3; column++) {
+		const float *c = matrix[column];
+		float square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+
+		most = square > most ? square : most;
+	}
+	return scalar_sqrt(most);
+}
+
+/* From the unit of the model's errors to scene units. */
+static float units_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	if (drawable->skin >= 0) {
+		return scale_of(
+			(const vec4 *)instance->palette[drawable->skin][0]);
+	}
+	return scale_of((const vec4 *)instance->world[drawable->node]) *
+		instance->unit_scale;
+}
+
+static int coarsest(const struct batch *batch, float error)
+{
+	int lod = 0;
+
+	while (lod < batch->lod_count && batch->lod[lod].error <= error) {
+		lod++;
+	}
+	return lod;
+}
+
+static int lod_of(const struct instance *instance,
+	const struct drawable *drawable, const struct detail *detail)
+{
+	const struct batch *batch = drawable->batch;
+	float units;
+
+	switch (detail->kind) {
+	case DETAIL_ALL:
+		return 0;
+	case DETAIL_LEVEL:
+		return detail->level < batch->lod_count ? detail->level
+							: batch->lod_count;
+	case DETAIL_AUTO:
+	case DETAIL_ERROR:
+		break;
+	}
+	units = units_of(instance, drawable) * instance->detail_px_per_unit;
+	return units > 0.0f ? coarsest(batch, error_px(detail) / units) : 0;
+}
+
+void detail_choose(struct instance *instance, const struct detail *detail,
+	float px_per_unit)
+{
+	float held = instance->detail_px_per_unit;
+
+	if (px_per_unit > held * hold || px_per_unit * hold < held) {
+		instance->detail_px_per_unit = px_per_unit;
+	}
+	for (int i = 0; i < instance->drawable_count; i++) {
+		struct drawable *drawable = &instance->drawable[i];
+
+		drawable->lod = drawable->batch_count > 0
+			? lod_of(instance, drawable, detail)
+			: 0;
+	}
+}
+
+long detail_triangles(const struct instance *instance)
+{
+	long corners = 0;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (!drawable->hidden) {
+			corners += drawable->lod > 0
+				? drawable->batch[0].lod[drawable->lod - 1].index_count
+				: drawable->primitive->index_count;
+		}
+	}
+	return corners / 3;
+}

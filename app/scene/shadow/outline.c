@@ -1,0 +1,196 @@
+#include "app/scene/shadow/outline.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	CELLS = 40, /* along the longest side */
+};
+
+struct member {
+	uint64_t key; /* cell, octant and joint */
+	uint32_t vertex;
+	float reach; /* how far out it lies, as the octant faces */
+};
+
+/* By key, the outermost first. */
+static int compare_members(const void *left, const void *right)
+{
+	const struct member *a = left, *b = right;
+
+	if (a->key != b->key) {
+		return a->key < b->key ? -1 : 1;
+	}
+	if (a->reach != b->reach) {
+		return a->reach > b->reach ? -1 : 1;
+	}
+	return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
+}
+
+static float find_box(const struct model_primitive *primitive, float low[3])
+{
+	float longest = 0.0f;
+
+	for (int axis = 0; axis < 3; axis++) {
+		float high = primitive->position[0][axis];
+
+		low[axis] = high;
+		for (int v = 1; v < primitive->vertex_count; v++) {
+			float at = primitive->position[v][axis];
+
+			low[axis] = at < low[axis] ? at : low[axis];
+			high = at > high ? at : high;
+		}
+		longest =
+			high - low[axis] > longest ? high - low[axis] : longest;
+	}
+	return longest;
+}
+
+static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
+{
+	int count = primitive->influences, best = vertex * count;
+
+	if (count == 0) {
+		return 0;
+	}
+	for (int i = best; i < (vertex + 1) * count; i++) {
+		best = primitive->weight[i] > primitive->weight[best] ? i : best;
+	}
+	return primitive->joint[best];
+}
+
+/* Files may hold anything. */
+static uint64_t cell_at(float at)
+{
+	return at > 0.0f ? at < (float)CELLS ? (uint64_t)at : CELLS : 0;
+}
+
+static void describe(const struct model_primitive *primitive, int vertex,
+	const float low[3], float scale, struct member *out)
+{
+	const float *position = primitive->position[vertex];
+	const float *normal = primitive->normal[vertex];
+
+	*out = (struct member){.key = main_joint(primitive, vertex),
+		.vertex = (uint32_t)vertex};
+	for (int axis = 0; axis < 3; axis++) {
+		float at = position[axis] - low[axis];
+		bool back = normal[axis] < 0.0f;
+
+		out->key = out->key << 8 | cell_at(at * scale);
+		out->key = out->key << 1 | back;
+		out->reach += back ? -at : at;
+	}
+}
+
+/* For each vertex the one that stands for it. */
+static void find_leaders(const struct model_primitive *primitive,
+	struct member *members, uint16_t *leader)
+{
+	float low[3], longest = find_box(primitive, low);
+	float scale = longest > 0.0f ? (float)CELLS / longest : 0.0f;
+	int count = primitive->vertex_count, first = 0;
+
+	for (int v = 0; v < count; v++) {
+		describe(primitive, v, low, scale, &members[v]);
+	}
+	qsort(members, (size_t)count, sizeof(*members), compare_members);
+	for (int i = 0; i < count; i++) {
+		first = members[i].key == members[first].key ? first : i;
+		leader[members[i].vertex] = (uint16_t)members[first].vertex;
+	}
+}
+
+static int list_triangles(const struct model_primitive *primitive,
+	const uint16_t *leader, uint16_t *out)
+{
+	int count = 0;
+
+	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
+		uint16_t a = leader[primitive->index[i]];
+		uint16_t b = leader[primitive->index[i + 1]];
+		uint16_t c = leader[primitive->index[i + 2]];
+
+		if (a != b && a != c && b != c) {
+			out[count++] = a;
+			out[count++] = b;
+			out[count++] = c;
+		}
+	}
+	return count;
+}
+
+static void move_to_places(
+	const uint32_t *place, uint16_t *index, int index_count)
+{
+	for (int i = 0; i < index_count && place; i++) {
+		index[i] = (uint16_t)place[index[i]];
+	}
+}
+
+static int cluster(const struct model_primitive *primitive,
+	const uint32_t *place, struct arena *arena, uint16_t **index,
+	int *index_count)
+{
+	size_t count = (size_t)primitive->vertex_count;
+	struct member *members = malloc((count + 1) * sizeof(*members));
+	uint16_t *leader = malloc((count + 1) * sizeof(*leader));
+	uint16_t *list =
+		malloc(((size_t)primitive->index_count + 1) * sizeof(*list));
+	int error = -ENOMEM;
+
+	*index = NULL;
+	*index_count = 0;
+	if (members && leader && list) {
+		find_leaders(primitive, members, leader);
+		*index_count = list_triangles(primitive, leader, list);
+		move_to_places(place, list, *index_count);
+		*index = ARENA_ARRAY(arena, uint16_t, (size_t)*index_count);
+		error = *index_count > 0 && !*index ? -ENOMEM : 0;
+	}
+	if (!error && *index_count > 0) {
+		memcpy(*index, list, (size_t)*index_count * sizeof(**index));
+	}
+	free(list);
+	free(leader);
+	free(members);
+	return error;
+}
+
+/* The model's own list, or NULL. */
+static const struct model_lod *find_shape(
+	const struct model_primitive *primitive)
+{
+	for (int i = 0; i < primitive->lod_count; i++) {
+		if (primitive->lod[i].shape) {
+			return &primitive->lod[i];
+		}
+	}
+	return NULL;
+}
+
+static int copy_shape(const struct model_lod *shape, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
+{
+	*index_count = shape->index_count;
+	*index = ARENA_ARRAY(arena, uint16_t, (size_t)shape->index_count);
+	if (!*index) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < shape->index_count; i++) {
+		(*index)[i] = (uint16_t)shape->index[i];
+	}
+	move_to_places(place, *index, *index_count);
+	return 0;
+}
+
+int outline_make(const struct model_primitive *primitive, const uint32_t *place,
+	struct arena *arena, uint16_t **index, int *index_count)
+{
+	const struct model_lod *shape = find_shape(primitive);
+
+	return shape ? copy_shape(shape, place, arena, index, index_count)
+		     : cluster(primitive, place, arena, index, index_count);
+}

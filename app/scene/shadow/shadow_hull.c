@@ -1,0 +1,232 @@
+#include "app/scene/shadow/shadow_hull.h"
+
+#include "app/scene/shadow/outline.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An edge of one triangle; low and high are welded vertices. */
+struct half_edge {
+	uint32_t low, high;
+	uint32_t a, b; /* as the triangle goes round */
+	int32_t triangle;
+};
+
+struct welded {
+	float position[3];
+	uint32_t vertex;
+};
+
+static int compare_welded(const void *left, const void *right)
+{
+	const struct welded *a = left, *b = right;
+
+	for (int axis = 0; axis < 3; axis++) {
+		if (a->position[axis] != b->position[axis]) {
+			return a->position[axis] < b->position[axis] ? -1 : 1;
+		}
+	}
+	return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
+}
+
+static int compare_edges(const void *left, const void *right)
+{
+	const struct half_edge *a = left, *b = right;
+
+	if (a->low != b->low) {
+		return a->low < b->low ? -1 : 1;
+	}
+	if (a->high != b->high) {
+		return a->high < b->high ? -1 : 1;
+	}
+	return a->triangle < b->triangle ? -1 : a->triangle > b->triangle;
+}
+
+/*
+ * For each vertex the first one at the same place: seams of texture or colour
+ * are no borders. The caller frees it; NULL when memory is short.
+ */
+static uint32_t *weld(const struct model_primitive *primitive)
+{
+	size_t count = (size_t)primitive->vertex_count;
+	struct welded *sorted = malloc(count * sizeof(*sorted));
+	uint32_t *first = malloc(count * sizeof(*first));
+
+	if (!sorted || !first) {
+		free(sorted);
+		free(first);
+		return NULL;
+	}
+	for (size_t i = 0; i < count; i++) {
+		memcpy(sorted[i].position, primitive->position[i],
+			sizeof(float[3]));
+		sorted[i].vertex = (uint32_t)i;
+	}
+	qsort(sorted, count, sizeof(*sorted), compare_welded);
+	for (size_t i = 0; i < count; i++) {
+		bool same = i > 0 &&
+			memcmp(sorted[i].position, sorted[i - 1].position,
+				sizeof(float[3])) == 0;
+
+		first[sorted[i].vertex] =
+			same ? first[sorted[i - 1].vertex] : sorted[i].vertex;
+	}
+	free(sorted);
+	return first;
+}
+
+static void list_half_edges(const struct shadow_hull *hull,
+	const uint32_t *first, struct half_edge *out)
+{
+	for (int i = 0; i < hull->corner_count; i++) {
+		int triangle = i / 3;
+		uint32_t a = first[hull->corner[i]];
+		uint32_t b = first[hull->corner[triangle * 3 + (i + 1) % 3]];
+
+		out[i] = (struct half_edge){
+			.low = a < b ? a : b,
+			.high = a < b ? b : a,
+			.a = a,
+			.b = b,
+			.triangle = triangle,
+		};
+	}
+}
+
+/*
+ * Joins half edges that meet in opposite directions; what is left over is a
+ * border. Where more than two triangles share an edge they are taken in pairs.
+ */
+static void join_half_edges(
+	struct half_edge *half, int count, struct shadow_hull *hull)
+{
+	int i = 0;
+
+	qsort(half, (size_t)count, sizeof(*half), compare_edges);
+	while (i < count) {
+		const struct half_edge *h = &half[i];
+		bool pair = i + 1 < count && h[1].low == h->low &&
+			h[1].high == h->high && h[1].a == h->b;
+
+		if (h->low != h->high) {
+			hull->edge[hull->edge_count++] = (struct shadow_edge){
+				.a = h->a,
+				.b = h->b,
+				.left = h->triangle,
+				.right = pair ? h[1].triangle : -1,
+			};
+		}
+		i += pair ? 2 : 1;
+	}
+}
+
+static int find_edges(struct shadow_hull *hull, struct arena *arena)
+{
+	const struct model_primitive *primitive = hull->drawable->primitive;
+	size_t count = (size_t)hull->corner_count;
+	struct half_edge *half = malloc((count + 1) * sizeof(*half));
+	uint32_t *first = weld(primitive);
+	int error = -ENOMEM;
+
+	hull->edge = ARENA_ARRAY(arena, struct shadow_edge, count);
+	if (half && first && hull->edge) {
+		list_half_edges(hull, first, half);
+		join_half_edges(half, (int)count, hull);
+		error = 0;
+	}
+	free(half);
+	free(first);
+	return error;
+}
+
+static int copy_corners(struct shadow_hull *hull, const uint32_t *index,
+	int count, struct arena *arena)
+{
+	hull->corner_count = count;
+	hull->corner = ARENA_ARRAY(arena, uint16_t, (size_t)count);
+	if (!hull->corner) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < count; i++) {
+		hull->corner[i] = (uint16_t)index[i];
+	}
+	return 0;
+}
+
+/* The model's own triangles for shapes, else made ones, else all. */
+static int choose_corners(struct shadow_hull *hull, struct arena *arena)
+{
+	const struct model_primitive *primitive = hull->drawable->primitive;
+
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+
+		if (lod->shape) {
+			return copy_corners(
+				hull, lod->index, lod->index_count, arena);
+		}
+	}
+	if (!primitive->normal) {
+		return copy_corners(
+			hull, primitive->index, primitive->index_count, arena);
+	}
+	return outline_make(
+		primitive, NULL, arena, &hull->corner, &hull->corner_count);
+}
+
+/* Edges are of welded vertices: the first of those at a place has to be there. */
+static int list_vertices(struct shadow_hull *hull, struct arena *arena)
+{
+	size_t count = (size_t)hull->drawable->primitive->vertex_count;
+	bool *used = calloc(count + 1, sizeof(*used));
+
+	hull->vertex = ARENA_ARRAY(arena, uint16_t, count);
+	if (!used || !hull->vertex) {
+		free(used);
+		return -ENOMEM;
+	}
+	for (int i = 0; i < hull->corner_count; i++) {
+		used[hull->corner[i]] = true;
+	}
+	for (int i = 0; i < hull->edge_count; i++) {
+		used[hull->edge[i].a] = true;
+		used[hull->edge[i].b] = true;
+	}
+	for (size_t v = 0; v < count; v++) {
+		if (used[v]) {
+			hull->vertex[hull->vertex_count++] = (uint16_t)v;
+		}
+	}
+	free(used);
+	return 0;
+}
+
+int shadow_hull_init(struct shadow_hull *hull, const struct drawable *drawable,
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	size_t triangles;
+	int error;
+
+	hull->drawable = drawable;
+	error = choose_corners(hull, arena);
+	if (error) {
+		return error;
+	}
+	triangles = (size_t)hull->corner_count / 3;
+	error = find_edges(hull, arena);
+	if (!error) {
+		error = list_vertices(hull, arena);
+	}
+	if (error) {
+		return error;
+	}
+	hull->lit = ARENA_ARRAY(arena, bool, triangles);
+	hull->position = arena_alloc(
+		arena, 2 * (size_t)primitive->vertex_count, sizeof(float[3]));
+	/* Two caps of every triangle, two triangles for every edge. */
+	hull->index = ARENA_ARRAY(
+		arena, uint16_t, 6 * (triangles + (size_t)hull->edge_count));
+	return hull->lit && hull->position && hull->index ? 0 : -ENOMEM;
+}

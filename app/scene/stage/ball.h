@@ -1,0 +1,27 @@
+/*
+ * A small lit ball: something to look at or to reach for.
+ */
+#ifndef APP_SCENE_STAGE_BALL_H
+#define APP_SCENE_STAGE_BALL_H
+
+#include "platform/gl/gl.h"
+
+enum {
+	BALL_RINGS = 9,
+	BALL_SPOKES = 14,
+	BALL_VERTICES = (BALL_RINGS + 1) * (BALL_SPOKES + 1),
+	BALL_INDICES = BALL_RINGS * BALL_SPOKES * 6,
+};
+
+struct ball {
+	float normal[BALL_VERTICES][3]; /* also the positions, radius 1 */
+	uint16_t index[BALL_INDICES];
+};
+
+void ball_init(struct ball *ball);
+
+/* With the camera's matrix and the lights loaded; scene units, sRGB colour. */
+void ball_draw(const struct ball *ball, const struct gl *gl,
+	const float center[3], float radius, const float color[3]);
+
+#endif

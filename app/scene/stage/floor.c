@@ -1,0 +1,343 @@
+#include "app/scene/stage/floor.h"
+
+#include "app/scene/draw/texture.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	TILE_TEXELS = 64,
+	WAVE_TILES = 8, /* after so many tiles the ground repeats */
+};
+
+static const float shade = 208.0f; /* of level ground, of 255 */
+
+/* A tile with soft joints and two shades, so that motion shows. */
+static int make_texture(
+	struct floor *floor, const struct gl *gl, enum pixel_format target)
+{
+	const struct model_texture sampling = {
+		.wrap_s = MODEL_REPEAT, .wrap_t = MODEL_REPEAT, .mipmap = true};
+	struct model_image image = {
+		.width = TILE_TEXELS, .height = TILE_TEXELS, .opaque = true};
+
+	image.rgba = malloc(TILE_TEXELS * TILE_TEXELS * 4);
+	if (!image.rgba) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < TILE_TEXELS * TILE_TEXELS; i++) {
+		int x = i % TILE_TEXELS, y = i / TILE_TEXELS;
+		int half = TILE_TEXELS / 2;
+		bool joint = x % half == 0 || y % half == 0;
+		bool dark = (x < half) != (y < half);
+
+		memset(image.rgba + i * 4, joint ? 192 : dark ? 233 : 252, 3);
+		image.rgba[i * 4 + 3] = 255;
+	}
+	floor->texture = texture_upload(gl, &image, &sampling, target);
+	free(image.rgba);
+	return floor->texture ? 0 : -ENOMEM;
+}
+
+/* Alpha: linear along the radius outside of what is solid. */
+static uint8_t fade_at(int ring)
+{
+	const int all = FLOOR_RINGS * FLOOR_RINGS;
+	const int solid = FLOOR_SOLID_RING * FLOOR_SOLID_RING;
+	int left = all - ring * ring;
+
+	return (uint8_t)(left >= all - solid ? 255 : 255 * left / (all - solid));
+}
+
+/* Rings get wider outwards, so that the middle has the detail. */
+static void place_vertices(struct floor *floor)
+{
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		int ring = i ? (i - 1) / FLOOR_SPOKES + 1 : 0;
+		float share = (float)ring / FLOOR_RINGS;
+		float angle = (float)((i + FLOOR_SPOKES - 1) % FLOOR_SPOKES) *
+			(2.0f * SCALAR_PI / FLOOR_SPOKES);
+		float out = floor->radius * share * share;
+		float *p = floor->position[i];
+
+		p[0] = floor->center[0] + out * scalar_cos(angle);
+		p[2] = floor->center[1] + out * scalar_sin(angle);
+		floor->texcoord[i][0] = p[0] / floor->tile;
+		floor->texcoord[i][1] = p[2] / floor->tile;
+		floor->color[i][3] = fade_at(ring);
+	}
+}
+
+/* So many that a ring's triangles are no flatter than they must be. */
+static int count_spokes(int ring)
+{
+	return ring <= FLOOR_QUARTER_RING ? FLOOR_SPOKES / 4
+		: ring <= FLOOR_HALF_RING ? FLOOR_SPOKES / 2
+					  : FLOOR_SPOKES;
+}
+
+/* The vertex of a ring at the n-th of its spokes; ring 0 is the middle. */
+static uint16_t vertex_at(int ring, int n)
+{
+	int count = count_spokes(ring);
+
+	return (uint16_t)(ring == 0 ? 0
+				    : 1 + (ring - 1) * FLOOR_SPOKES +
+				n % count * (FLOOR_SPOKES / count));
+}
+
+static uint16_t *add_triangle(uint16_t *next, int a, int b, int c)
+{
+	next[0] = (uint16_t)a;
+	next[1] = (uint16_t)b;
+	next[2] = (uint16_t)c;
+	return next + 3;
+}
+
+/* From a ring outwards: each outer edge with the inner vertex beside it. */
+static uint16_t *list_ring(uint16_t *next, int ring)
+{
+	int inner = ring == 0 ? 1 : count_spokes(ring);
+	int outer = count_spokes(ring + 1), each = outer / inner;
+
+	for (int i = 0; i < inner; i++) {
+		int first = i * each, middle = first + each / 2;
+		int a = vertex_at(ring, i), b = vertex_at(ring, i + 1);
+
+		if (ring > 0) {
+			next = add_triangle(
+				next, a, b, vertex_at(ring + 1, middle));
+		}
+		for (int n = first; n < first + each; n++) {
+			next = add_triangle(next, vertex_at(ring + 1, n),
+				n < middle ? a : b, vertex_at(ring + 1, n + 1));
+		}
+	}
+	return next;
+}
+
+static void list_triangles(struct floor *floor)
+{
+	uint16_t *next = floor->index;
+
+	for (int ring = 0; ring < FLOOR_RINGS; ring++) {
+		next = list_ring(next, ring);
+	}
+}
+
+float floor_height(const struct floor *floor, float x, float z)
+{
+	float turn = 2.0f * SCALAR_PI / (WAVE_TILES * floor->tile);
+	float u = (x + floor->offset[0]) * turn;
+	float v = (z + floor->offset[1]) * turn;
+
+	if (floor->relief == 0.0f) {
+		return floor->y;
+	}
+	return floor->y +
+		0.5f * floor->relief *
+		(scalar_sin(2.0f * v + scalar_sin(u)) + scalar_sin(u + 0.7f));
+}
+
+float floor_sag(const struct floor *floor)
+{
+	return 0.4f * floor->relief;
+}
+
+/* Heights, and a shade that tells slopes towards the light from others. */
+static void shape(struct floor *floor)
+{
+	float step = 0.02f * floor->tile;
+
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		float *p = floor->position[i];
+		float slope, value;
+
+		p[1] = floor_height(floor, p[0], p[2]);
+		slope = floor->relief == 0.0f
+			? 0.0f
+			: (floor_height(floor, p[0] + step, p[2] + step) - p[1]) /
+				step;
+		value = scalar_clamp(
+			shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
+		memset(floor->color[i], (uint8_t)value, 3);
+	}
+}
+
+/* 1, 2 or 5 times a power of ten, at most the size. */
+static float round_size(float size)
+{
+	float step = 1.0f;
+
+	while (step * 10.0f <= size) {
+		step *= 10.0f;
+	}
+	while (step > size) {
+		step *= 0.1f;
+	}
+	return size >= step * 5.0f    ? step * 5.0f
+		: size >= step * 2.0f ? step * 2.0f
+				      : step;
+}
+
+int floor_init(struct floor *floor, const struct gl *gl,
+	const struct bounds *bounds, float least_radius,
+	enum pixel_format target, const struct log *log)
+{
+	float middle[3], extent = bounds_extent(bounds);
+
+	extent = extent > 0.0f ? extent : 1.0f;
+	bounds_center(bounds, middle);
+	*floor = (struct floor){
+		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
+		.center = {middle[0], middle[2]},
+		.radius = 2.2f * extent > least_radius ? 2.2f * extent
+						       : least_radius,
+		.tile = round_size(0.5f * extent),
+	};
+	place_vertices(floor);
+	list_triangles(floor);
+	shape(floor);
+	if (make_texture(floor, gl, target) != 0) {
+		log_error(log, "floor: not enough memory for its texture");
+		return -ENOMEM;
+	}
+	return 0;
+}
+
+void floor_finish(struct floor *floor, const struct gl *gl)
+{
+	if (floor->texture) {
+		gl->DeleteTextures(1, &floor->texture);
+		floor->texture = 0;
+	}
+}
+
+/* Whole waves do not show, so the offset stays small. */
+static float wrap(float offset, float length)
+{
+	while (offset >= length) {
+		offset -= length;
+	}
+	while (offset < 0.0f) {
+		offset += length;
+	}
+	return offset;
+}
+
+void floor_run(struct floor *floor, float dx, float dz)
+{
+	float length = WAVE_TILES * floor->tile;
+
+	floor->offset[0] = wrap(floor->offset[0] + dx, length);
+	floor->offset[1] = wrap(floor->offset[1] + dz, length);
+	if (floor->relief != 0.0f && (dx != 0.0f || dz != 0.0f)) {
+		shape(floor);
+	}
+}
+
+void floor_set_relief(struct floor *floor, float relief)
+{
+	if (relief != floor->relief) {
+		floor->relief = relief;
+		shape(floor);
+	}
+}
+
+void floor_look(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_sight *out)
+{
+	const float solid_share = (float)(FLOOR_SOLID_RING * FLOOR_SOLID_RING) /
+		(FLOOR_RINGS * FLOOR_RINGS);
+	float sine = scalar_sin(camera->yaw_rad);
+	float cosine = scalar_cos(camera->yaw_rad);
+	/* From farther away it ends farther out, as softly. */
+	float least = 1.1f * camera->distance;
+	float radius = floor->radius > least ? floor->radius : least;
+	float eye[3], ahead;
+
+	if (floor->relief != 0.0f) {
+		*out = (struct floor_sight){.horizon_px = height};
+		return;
+	}
+	camera_eye(camera, eye);
+	ahead = (eye[0] - floor->center[0]) * sine +
+		(eye[2] - floor->center[1]) * cosine;
+	floor_sight_find(out, camera, width, height, floor->y,
+		ahead + solid_share * radius, ahead + radius);
+}
+
+/* The solid part, then the one that fades. */
+static void draw_disc(const struct floor *floor, const struct gl *gl)
+{
+	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_SOLID_INDICES, GL_UNSIGNED_SHORT,
+		floor->index);
+	gl->Enable(GL_BLEND);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_INDICES - FLOOR_SOLID_INDICES,
+		GL_UNSIGNED_SHORT, floor->index + FLOOR_SOLID_INDICES);
+}
+
+/* The same; level ground hides none of itself. */
+static void draw_strips(const struct floor *floor,
+	const struct floor_sight *sight, const struct gl *gl)
+{
+	float texcoord[6][2];
+	uint8_t color[6][4];
+
+	for (int i = 0; i < 6; i++) {
+		texcoord[i][0] = sight->position[i][0] / floor->tile;
+		texcoord[i][1] = sight->position[i][2] / floor->tile;
+		memset(color[i], (uint8_t)shade, 3);
+		color[i][3] = sight->alpha[i];
+	}
+	gl->VertexPointer(3, GL_FLOAT, 0, sight->position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	gl->DepthFunc(GL_ALWAYS);
+	if (sight->solid) {
+		gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	}
+	gl->Enable(GL_BLEND);
+	if (sight->fading) {
+		/* What sinks in where it fades is seen through it. */
+		gl->DepthMask(GL_FALSE);
+		gl->DrawArrays(GL_TRIANGLE_STRIP, 2, 4);
+		gl->DepthMask(GL_TRUE);
+	}
+	gl->DepthFunc(GL_LESS);
+}
+
+void floor_draw(const struct floor *floor, const struct floor_sight *sight,
+	const struct gl *gl)
+{
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_CULL_FACE);
+	gl->Enable(GL_TEXTURE_2D);
+	gl->BindTexture(GL_TEXTURE_2D, floor->texture);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->MatrixMode(GL_TEXTURE);
+	gl->LoadIdentity();
+	gl->Translatex(fx16_from_float(floor->offset[0] / floor->tile),
+		fx16_from_float(floor->offset[1] / floor->tile), 0);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	if (floor->relief != 0.0f) {
+		draw_disc(floor, gl);
+	} else {
+		draw_strips(floor, sight, gl);
+	}
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+}

@@ -1,0 +1,156 @@
+#include "app/scene/stage/floor_sight.h"
+
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+/* Rows of the picture are slopes: how far up they look, a unit ahead. */
+struct view {
+	mat4 world_to_eye;
+	float eye[3];
+	float left, right, bottom, top; /* a little inside of the picture */
+	float edge, row;    /* of the picture's lower edge; from row to row */
+	float sine, cosine; /* of how far the camera looks down */
+	float height;       /* of the eye above the ground */
+	float near, far;    /* what the camera sees between */
+};
+
+/*
+ * A quarter of a pixel inside of the picture no centre is left out, and nothing
+ * is clipped. Where 16.16 is too coarse for that, ground goes on beyond.
+ */
+static float choose_inset(const struct lens *lens)
+{
+	const fx16_t fine = 2048;
+
+	return lens->top - lens->bottom < fine || lens->right - lens->left < fine
+		? -8.0f
+		: 0.25f;
+}
+
+static void set_view(struct view *view, const struct camera *camera, int width,
+	int height, float ground)
+{
+	const struct lens lens = camera_lens(camera, width, height);
+	float unit = 1.0f / (float)(lens.near > 0 ? lens.near : 1),
+	      inset = choose_inset(&lens);
+	float column = (float)(lens.right - lens.left) * unit / (float)width;
+
+	view->row = (float)(lens.top - lens.bottom) * unit / (float)height;
+	view->edge = (float)lens.bottom * unit;
+	view->left = (float)lens.left * unit + inset * column;
+	view->right = (float)lens.right * unit - inset * column;
+	view->bottom = view->edge + inset * view->row;
+	view->top = (float)lens.top * unit - inset * view->row;
+	camera_view(camera, view->world_to_eye);
+	camera_eye(camera, view->eye);
+	view->sine = view->world_to_eye[1][2];
+	view->cosine = view->world_to_eye[1][1];
+	view->height = view->eye[1] - ground;
+	view->near = 1.01f * fx16_to_float(lens.near);
+	view->far = 0.99f * fx16_to_float(lens.far);
+}
+
+static float least(float a, float b)
+{
+	return a < b ? a : b;
+}
+
+/* How deep into the picture a row's ground is. */
+static float depth_at(const struct view *view, float slope)
+{
+	return view->height / (view->sine - view->cosine * slope);
+}
+
+static float slope_of_depth(const struct view *view, float depth)
+{
+	return (view->sine - view->height / depth) / view->cosine;
+}
+
+/* How far ahead of the eye a row's ground is, level. */
+static float ahead_at(const struct view *view, float slope)
+{
+	return depth_at(view, slope) * (slope * view->sine + view->cosine);
+}
+
+/* Behind the eye, which looks down steeply, is below every row. */
+static float slope_ahead(const struct view *view, float ahead)
+{
+	float forward = view->height * view->sine + ahead * view->cosine;
+
+	return forward > 0.0f
+		? (ahead * view->sine - view->height * view->cosine) / forward
+		: view->bottom;
+}
+
+static void place(
+	const struct view *view, float slope, float across, float out[3])
+{
+	float depth = depth_at(view, slope);
+
+	for (int i = 0; i < 3; i++) {
+		out[i] = view->eye[i] +
+			depth *
+				(view->world_to_eye[i][0] * across +
+					view->world_to_eye[i][1] * slope -
+					view->world_to_eye[i][2]);
+	}
+}
+
+static void place_row(struct floor_sight *sight, int row,
+	const struct view *view, float slope, float ground, float share)
+{
+	for (int side = 0; side < 2; side++) {
+		float *p = sight->position[2 * row + side];
+
+		place(view, slope, side ? view->right : view->left, p);
+		p[1] = ground;
+		sight->alpha[2 * row + side] =
+			(uint8_t)(scalar_clamp(share, 0.0f, 1.0f) * 255.0f +
+				0.5f);
+	}
+}
+
+/* Whole rows below a slope. */
+static int count_rows(const struct view *view, float slope, int height)
+{
+	float rows = (slope - view->edge) / view->row;
+
+	return (int)scalar_clamp(rows, 0.0f, (float)height);
+}
+
+void floor_sight_find(struct floor_sight *sight, const struct camera *camera,
+	int width, int height, float y, float solid_end, float end)
+{
+	struct view view;
+	float slope[3];
+	bool near;
+
+	*sight = (struct floor_sight){.horizon_px = height};
+	set_view(&view, camera, width, height, y);
+	if (view.height <= 0.0f) {
+		return;
+	}
+	slope[0] = slope_of_depth(&view, view.near);
+	near = slope[0] <= view.bottom;
+	slope[0] = near ? view.bottom : slope[0];
+	slope[2] = least(slope_ahead(&view, end),
+		least(slope_of_depth(&view, view.far), view.top));
+	slope[2] = scalar_clamp(slope[2], slope[0], view.top);
+	slope[1] =
+		scalar_clamp(slope_ahead(&view, solid_end), slope[0], slope[2]);
+	sight->solid = slope[1] > slope[0];
+	sight->fading = slope[2] > slope[1];
+	for (int i = 0; i < 3 && slope[2] > slope[0]; i++) {
+		place_row(sight, i, &view, slope[i], y,
+			(end - ahead_at(&view, slope[i])) / (end - solid_end));
+	}
+	/* The row that the edge crosses may be half of each. */
+	if (sight->solid && near) {
+		sight->covered_px = count_rows(&view, slope[1], height) - 1;
+		sight->covered_px =
+			sight->covered_px > 0 ? sight->covered_px : 0;
+	}
+	sight->horizon_px =
+		count_rows(&view, view.sine / view.cosine, height - 1) + 1;
+}

@@ -1,0 +1,105 @@
+#include "app/scene/stage/light.h"
+
+#include "platform/base/fixed.h"
+
+#include <string.h>
+
+struct lamp {
+	float towards[4]; /* w 0: directional */
+	float diffuse[4];
+	float specular[4];
+};
+
+/*
+ * Diffuse and ambient light together stay at 1 or below wherever a surface
+ * faces, so that drivers that clamp late agree with those that clamp early.
+ */
+static const struct lamp key_lamp = {
+	.towards = {0.389f, 0.778f, 0.494f, 0.0f},
+	.diffuse = {0.65f, 0.63f, 0.58f, 1.0f},
+	.specular = {1.0f, 0.97f, 0.9f, 1.0f},
+};
+
+static const struct lamp fill_lamp = {
+	.towards = {-0.728f, 0.243f, 0.641f, 0.0f},
+	.diffuse = {0.20f, 0.22f, 0.27f, 1.0f},
+	.specular = {0.0f, 0.0f, 0.0f, 1.0f},
+};
+
+static const float ambient[4] = {0.31f, 0.32f, 0.35f, 1.0f};
+static const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+
+static void set_vector(
+	const struct gl *gl, GLenum light, GLenum name, const float value[4])
+{
+	GLfixed fixed[4];
+
+	for (int i = 0; i < 4; i++) {
+		fixed[i] = fx16_from_float(value[i]);
+	}
+	gl->Lightxv(light, name, fixed);
+}
+
+static void set_ambient(const struct gl *gl, const float value[4])
+{
+	GLfixed fixed[4];
+
+	for (int i = 0; i < 4; i++) {
+		fixed[i] = fx16_from_float(value[i]);
+	}
+	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
+}
+
+static void set_lamp(const struct gl *gl, GLenum light, const struct lamp *lamp)
+{
+	gl->Enable(light);
+	set_vector(gl, light, GL_POSITION, lamp->towards);
+	set_vector(gl, light, GL_DIFFUSE, lamp->diffuse);
+	set_vector(gl, light, GL_SPECULAR, lamp->specular);
+	set_vector(gl, light, GL_AMBIENT, black);
+}
+
+void light_apply(const struct gl *gl)
+{
+	set_ambient(gl, ambient);
+	set_lamp(gl, GL_LIGHT0, &key_lamp);
+	set_lamp(gl, GL_LIGHT1, &fill_lamp);
+}
+
+void light_choose(const struct gl *gl, enum light_choice choice)
+{
+	if (choice == LIGHT_KEY_COLOR) {
+		gl->Disable(GL_LIGHT0);
+		gl->Disable(GL_LIGHT1);
+		set_ambient(gl, key_lamp.diffuse);
+		return;
+	}
+	gl->Enable(GL_LIGHT0);
+	gl->Enable(GL_LIGHT1);
+	set_ambient(gl, ambient);
+	set_vector(gl, GL_LIGHT0, GL_DIFFUSE,
+		choice == LIGHT_ALL ? key_lamp.diffuse : black);
+}
+
+void light_solid(const struct gl *gl, const float color[3], float specular,
+	int shininess)
+{
+	GLfixed shine = fx16_from_float(specular);
+	const GLfixed shines[4] = {shine, shine, shine, FX16_ONE};
+
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_COLOR_MATERIAL);
+	gl->Enable(GL_NORMALIZE);
+	gl->Enable(GL_CULL_FACE);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_BLEND);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, shines);
+	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, shininess * FX16_ONE);
+	gl->Color4x(fx16_from_float(color[0]), fx16_from_float(color[1]),
+		fx16_from_float(color[2]), FX16_ONE);
+}
+
+void light_direction(float out[3])
+{
+	memcpy(out, key_lamp.towards, sizeof(float[3]));
+}

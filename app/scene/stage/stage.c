@@ -1,0 +1,192 @@
+#include "app/scene/stage/stage.h"
+
+#include "app/scene/stage/light.h"
+#include "app/scene/draw/matrix_gl.h"
+#include "platform/base/fixed.h"
+
+#include <string.h>
+
+#include <cglm/cglm.h>
+
+/* Studio backdrop, sRGB. The floor fades into the lower part of it. */
+static const uint8_t sky_color[3] = {58, 68, 84};
+static const uint8_t middle_color[3] = {146, 158, 172};
+static const uint8_t ground_color[3] = {104, 114, 128};
+
+int stage_init(struct stage *stage, const struct gl *gl,
+	const struct bounds *bounds, const struct framing *framing,
+	enum pixel_format target, const struct log *log)
+{
+	GLint stencil_bits = 0;
+
+	*stage = (struct stage){.camera = camera_default()};
+	camera_frame(&stage->camera, bounds, framing);
+	gl->GetIntegerv(GL_STENCIL_BITS, &stencil_bits);
+	stage->has_stencil = stencil_bits > 0;
+	/* It goes on to below the camera. */
+	return floor_init(&stage->floor, gl, bounds,
+		1.1f * stage->camera.distance, target, log);
+}
+
+void stage_finish(struct stage *stage, const struct gl *gl)
+{
+	floor_finish(&stage->floor, gl);
+}
+
+static void use_plain_state(const struct gl *gl)
+{
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_ALPHA_TEST);
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_CULL_FACE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->ShadeModel(GL_SMOOTH);
+}
+
+/* A vertical gradient behind everything, horizon at a third. */
+static void draw_background(const struct gl *gl)
+{
+	static const int16_t position[8][2] = {{-1, 3}, {1, 3}, {-1, 0}, {1, 0},
+		{-1, -1}, {1, -1}, {-1, -3}, {1, -3}};
+	uint8_t color[8][4];
+
+	for (int i = 0; i < 8; i++) {
+		const uint8_t *from = i < 2 ? sky_color
+			: i < 4             ? middle_color
+					    : ground_color;
+
+		memcpy(color[i], from, 3);
+		color[i][3] = 255;
+	}
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Orthox(-FX16_ONE, FX16_ONE, -3 * FX16_ONE, 3 * FX16_ONE, -FX16_ONE,
+		FX16_ONE);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->LoadIdentity();
+	gl->Disable(GL_DEPTH_TEST);
+	gl->VertexPointer(2, GL_SHORT, 0, position);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 8);
+	gl->Enable(GL_DEPTH_TEST);
+}
+
+/* Nothing where opaque ground will set both colour and depth. */
+static void draw_behind(const struct stage *stage, const struct gl *gl,
+	int width, int height, int covered_px)
+{
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, covered_px, width, height - covered_px);
+	gl->Clear(GL_DEPTH_BUFFER_BIT);
+	if (stage->backdrop) {
+		backdrop_draw(stage->backdrop, gl);
+	} else {
+		draw_background(gl);
+	}
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
+/* Flat shadows end at the horizon. */
+static void clear_stencil(const struct gl *gl, int width, int rows)
+{
+	gl->ClearStencil(0);
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, 0, width, rows);
+	gl->Clear(GL_STENCIL_BUFFER_BIT);
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
+void stage_begin(
+	const struct stage *stage, const struct gl *gl, int width, int height)
+{
+	/* A figure stands in the picture; only hills have to be seen. */
+	bool ground = !stage->backdrop || stage->floor.relief != 0.0f;
+	struct floor_sight sight;
+
+	floor_look(&stage->floor, &stage->camera, width, height, &sight);
+	gl->Viewport(0, 0, width, height);
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	gl->DepthMask(GL_TRUE);
+	gl->ClearDepthx(FX16_ONE);
+	gl->DepthFunc(GL_LESS);
+	gl->CullFace(GL_BACK);
+	gl->FrontFace(GL_CCW);
+	use_plain_state(gl);
+	if (stage->has_stencil) {
+		clear_stencil(gl, width, sight.horizon_px);
+	}
+	draw_behind(stage, gl, width, height, ground ? sight.covered_px : 0);
+	camera_apply(&stage->camera, gl, width, height);
+	light_apply(gl);
+	if (ground) {
+		floor_draw(&stage->floor, &sight, gl);
+	}
+	if (stage->monitor && stage->floor.relief != 0.0f) {
+		monitor_draw(stage->monitor, stage->monitor_picture, gl);
+	}
+}
+
+/* Projects along the light onto the floor: p - light * (p.y - floor) / light.y */
+static void shadow_matrix(const struct stage *stage, mat4 out)
+{
+	float light[3], lift = stage->floor.y;
+
+	light_direction(light);
+	glm_mat4_identity(out);
+	out[1][0] = -light[0] / light[1];
+	out[1][1] = 0.0f;
+	out[1][2] = -light[2] / light[1];
+	out[3][0] = lift * light[0] / light[1];
+	out[3][1] = lift;
+	out[3][2] = lift * light[2] / light[1];
+}
+
+void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
+{
+	mat4 flatten;
+
+	use_plain_state(gl);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->Disable(GL_DEPTH_TEST); /* it lies in the floor itself */
+	gl->Color4x(
+		FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12, FX16_ONE * 3 / 8);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->DepthMask(GL_FALSE);
+	if (stage->has_stencil) {
+		/* Each pixel is darkened once, however often it is covered. */
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_EQUAL, 0, 255);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+	}
+	shadow_matrix(stage, flatten);
+	gl->PushMatrix();
+	matrix_gl_multiply(gl, (const vec4 *)flatten);
+	if (stage->monitor) {
+		monitor_draw_shape(stage->monitor, gl);
+	}
+}
+
+void stage_shadow_end(const struct stage *stage, const struct gl *gl)
+{
+	gl->PopMatrix();
+	if (stage->has_stencil) {
+		gl->Disable(GL_STENCIL_TEST);
+	}
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_BLEND);
+	stage_stand(stage, gl);
+}
+
+void stage_stand(const struct stage *stage, const struct gl *gl)
+{
+	if (stage->monitor && stage->floor.relief == 0.0f) {
+		monitor_draw(stage->monitor, stage->monitor_picture, gl);
+		use_plain_state(gl);
+	}
+}

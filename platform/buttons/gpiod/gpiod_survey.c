@@ -1,0 +1,90 @@
+#include "platform/buttons/gpiod/gpiod_survey.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "platform/buttons/gpiod/gpio.h"
+
+enum {
+	DEVICES_MAX = 128
+};
+
+static void say_line(const struct gpio_chip *chip, unsigned int offset,
+	const struct gpio_line_news *line, const struct survey *survey)
+{
+	char subject[96];
+	const char *name = line->name[0] ? line->name : "no name";
+
+	snprintf(subject, sizeof(subject), "%s/%u", gpio_chip_label(chip),
+		offset);
+	if (line->taken) {
+		survey_say(survey, SURVEY_TAKEN, subject, NULL, "%s: used by %s",
+			name, line->holder[0] ? line->holder : "a driver");
+	} else {
+		survey_say(
+			survey, SURVEY_WORKS, subject, NULL, "%s: free", name);
+	}
+}
+
+static void say_chip(struct gpio_chip *chip, const struct survey *survey)
+{
+	unsigned int count = gpio_chip_line_count(chip), taken = 0;
+	struct gpio_line_news line;
+	char path[64];
+
+	for (unsigned int i = 0; i < count; i++) {
+		taken += gpio_line_look(chip, i, &line) == 0 && line.taken;
+	}
+	snprintf(path, sizeof(path), "/dev/%s", gpio_chip_name(chip));
+	survey_say(survey, SURVEY_WORKS, path, NULL,
+		"label %s, %u line%s, %u of them used", gpio_chip_label(chip),
+		count, count == 1 ? "" : "s", taken);
+	for (unsigned int i = 0; i < count; i++) {
+		if (gpio_line_look(chip, i, &line) == 0 &&
+			(line.taken || line.name[0])) {
+			say_line(chip, i, &line, survey);
+		}
+	}
+}
+
+/* Whether there was something to say of that chip. */
+static bool look_at(int number, const struct survey *survey)
+{
+	struct gpio_chip *chip;
+	char path[32], entry[64];
+	int error;
+
+	snprintf(path, sizeof(path), "/dev/gpiochip%d", number);
+	error = gpio_chip_open(path, &chip);
+	if (!error) {
+		say_chip(chip, survey);
+		gpio_chip_close(chip);
+	} else if (error == -EACCES || error == -EPERM) {
+		survey_say_denied(survey, path);
+	} else if (error == -ENOENT) {
+		snprintf(entry, sizeof(entry), "bus/gpio/devices/gpiochip%d",
+			number);
+		return survey_say_no_node(survey, path, entry, error);
+	} else {
+		survey_say(survey, SURVEY_BROKEN, path,
+			"enable CONFIG_GPIO_CDEV in the kernel",
+			"does not answer as a GPIO chip: %s", strerror(-error));
+	}
+	return true;
+}
+
+void gpiod_survey(const struct survey *survey)
+{
+	bool any = false;
+
+	for (int i = 0; i < DEVICES_MAX; i++) {
+		any = look_at(i, survey) || any;
+	}
+	if (!any) {
+		survey_say(survey, SURVEY_MISSING, "/dev/gpiochip*",
+			"on a board, enable its GPIO driver and "
+			"CONFIG_GPIO_CDEV; elsewhere --buttons evdev does",
+			"no GPIO chip");
+	}
+}

@@ -1,0 +1,362 @@
+#include "platform/display/fbdev/fbdev_screen.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "platform/display/pixels.h"
+
+static int control(
+	const struct fb_screen *screen, unsigned long request, void *argument)
+{
+	return device_control(screen->calls, screen->fd, request, argument);
+}
+
+static int failed(const struct fb_screen *screen, const char *what)
+{
+	int error = errno ? errno : EIO;
+
+	log_error(&screen->log,
+		"--display fbdev: %s: %s: %s: name another with --display "
+		"fbdev:/dev/fbN, or choose another --display",
+		screen->path, what, strerror(error));
+	return -error;
+}
+
+static int refused(const struct fb_screen *screen, const char *why)
+{
+	log_error(&screen->log,
+		"--display fbdev: %s: %s: set another mode with fbset, or "
+		"choose another --display",
+		screen->path, why);
+	return -ENOTSUP;
+}
+
+static int open_device(struct fb_screen *screen)
+{
+	screen->fd = screen->calls->open(screen->path, O_RDWR | O_CLOEXEC);
+	if (screen->fd >= 0) {
+		return 0;
+	}
+	if (errno == EACCES || errno == EPERM) {
+		log_error(&screen->log,
+			"--display fbdev: %s: no permission: run as root, or "
+			"join the group that owns it (usually video)",
+			screen->path);
+		return -EACCES;
+	}
+	if (errno == ENOENT || errno == ENODEV || errno == ENXIO) {
+		log_error(&screen->log,
+			"--display fbdev: %s: this machine has no such "
+			"framebuffer: load its driver, name another with "
+			"--display fbdev:/dev/fbN, or choose another --display",
+			screen->path);
+		return -ENODEV;
+	}
+	return failed(screen, "cannot be opened");
+}
+
+static int read_info(struct fb_screen *screen)
+{
+	if (control(screen, FBIOGET_FSCREENINFO, &screen->fix) < 0 ||
+		control(screen, FBIOGET_VSCREENINFO, &screen->var) < 0) {
+		return failed(screen, "does not answer as a framebuffer");
+	}
+	return 0;
+}
+
+static struct pixel_field read_field(const struct fb_bitfield *field)
+{
+	/* Anything larger is unsound as it is. */
+	return (struct pixel_field){
+		.offset = field->offset > 64 ? 64 : (int)field->offset,
+		.length = field->length > 64 ? 64 : (int)field->length,
+	};
+}
+
+static int read_layout(struct fb_screen *screen)
+{
+	const struct fb_var_screeninfo *var = &screen->var;
+
+	if (screen->fix.type != FB_TYPE_PACKED_PIXELS || var->nonstd != 0 ||
+		var->red.msb_right || var->green.msb_right ||
+		var->blue.msb_right || var->grayscale > 1) {
+		return refused(screen, "its pixels are not packed as numbers");
+	}
+	if (screen->fix.visual == FB_VISUAL_PSEUDOCOLOR &&
+		var->bits_per_pixel == 8) {
+		screen->layout = colormap_palette_layout();
+		return 0;
+	}
+	if (screen->fix.visual != FB_VISUAL_TRUECOLOR &&
+		screen->fix.visual != FB_VISUAL_DIRECTCOLOR) {
+		return refused(screen, "it has no colours that can be mixed");
+	}
+	screen->layout = (struct pixel_layout){
+		.bits = var->bits_per_pixel > 32 ? 64 : (int)var->bits_per_pixel,
+		.red = read_field(&var->red),
+		.green = read_field(&var->green),
+		.blue = read_field(&var->blue),
+		.alpha = read_field(&var->transp),
+		.gray = var->grayscale == 1,
+	};
+	if (screen->layout.bits < 8 || !pixel_layout_is_sound(&screen->layout)) {
+		return refused(screen, "its pixels make no sense");
+	}
+	return 0;
+}
+
+static int read_size(struct fb_screen *screen)
+{
+	const struct fb_var_screeninfo *var = &screen->var;
+	uint64_t bytes = (uint64_t)pixel_layout_bytes(&screen->layout);
+	uint64_t stride, last;
+
+	if (var->xres < 1 || var->yres < 1 || var->xres > PIXELS_SIZE_MAX ||
+		var->yres > PIXELS_SIZE_MAX) {
+		return refused(screen, "its size makes no sense");
+	}
+	stride = screen->fix.line_length ? screen->fix.line_length
+					 : (uint64_t)var->xres_virtual * bytes;
+	last = (uint64_t)var->yoffset + var->yres;
+	if (stride > INT32_MAX / PIXELS_SIZE_MAX ||
+		stride < ((uint64_t)var->xoffset + var->xres) * bytes ||
+		screen->fix.smem_len < stride * last) {
+		return refused(screen, "it has less memory than its size needs");
+	}
+	screen->width = (int)var->xres;
+	screen->height = (int)var->yres;
+	screen->stride_bytes = (int)stride;
+	return 0;
+}
+
+static int read_all(struct fb_screen *screen)
+{
+	int error = read_info(screen);
+
+	error = error ? error : read_layout(screen);
+	return error ? error : read_size(screen);
+}
+
+static bool pan(struct fb_screen *screen, int page)
+{
+	struct fb_var_screeninfo var = screen->var;
+
+	var.xoffset = 0;
+	var.yoffset = (uint32_t)(page * screen->height);
+	return control(screen, FBIOPAN_DISPLAY, &var) == 0;
+}
+
+static bool has_two_pages(const struct fb_screen *screen)
+{
+	uint64_t both = 2 * (uint64_t)screen->height;
+
+	return screen->var.yres_virtual >= both &&
+		screen->fix.smem_len >= both * (uint64_t)screen->stride_bytes;
+}
+
+/* Drivers round what they are asked for: only the height may have grown. */
+static bool is_still_good(
+	const struct fb_screen *screen, const struct fb_screen *was)
+{
+	return screen->width == was->width && screen->height == was->height &&
+		memcmp(&screen->layout, &was->layout, sizeof(screen->layout)) ==
+		0;
+}
+
+static void ask_for_two_pages(struct fb_screen *screen)
+{
+	struct fb_screen was = *screen;
+	struct fb_var_screeninfo var = screen->var;
+
+	var.yres_virtual = 2 * var.yres;
+	var.activate = FB_ACTIVATE_NOW;
+	if (2 * (uint64_t)screen->height * (uint64_t)screen->stride_bytes >
+			screen->fix.smem_len ||
+		control(screen, FBIOPUT_VSCREENINFO, &var) < 0) {
+		return;
+	}
+	screen->changed = true;
+	if (read_info(screen) != 0 || read_layout(screen) != 0 ||
+		read_size(screen) != 0 || !is_still_good(screen, &was)) {
+		control(screen, FBIOPUT_VSCREENINFO, &was.before);
+		*screen = was;
+	}
+}
+
+/* One page does when there is no second, or no turning over. */
+static void find_pages(struct fb_screen *screen)
+{
+	uint32_t step = screen->fix.ypanstep;
+
+	screen->page_count = 1;
+	if (step == 0 || screen->var.yres % step != 0) {
+		return;
+	}
+	if (!has_two_pages(screen)) {
+		ask_for_two_pages(screen);
+	}
+	if (has_two_pages(screen) && pan(screen, 0)) {
+		screen->page_count = 2;
+		screen->changed = true;
+	}
+}
+
+/* A page of the processor's may begin before the device's memory. */
+static int map_memory(struct fb_screen *screen)
+{
+	size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
+	size_t before = screen->fix.smem_start & (page_bytes - 1);
+
+	screen->map_bytes = before + screen->fix.smem_len;
+	screen->map = screen->calls->map(screen->fd, screen->map_bytes, 0);
+	if (screen->map == MAP_FAILED) {
+		return failed(screen, "its memory cannot be mapped");
+	}
+	screen->memory = (uint8_t *)screen->map + before;
+	return 0;
+}
+
+/* What devices without a wait answer is of many kinds. */
+static bool can_wait(const struct fb_screen *screen)
+{
+	uint32_t crtc = 0;
+
+	return control(screen, FBIO_WAITFORVSYNC, &crtc) == 0;
+}
+
+static int set_colors(struct fb_screen *screen)
+{
+	return colormap_set(&screen->colors, screen->calls, screen->fd,
+		       screen->fix.visual, &screen->layout)
+		? 0
+		: refused(screen, "it does not take tables of colours");
+}
+
+static void put_back(struct fb_screen *screen)
+{
+	colormap_put_back(&screen->colors, screen->calls, screen->fd);
+	if (screen->changed) {
+		screen->before.activate = FB_ACTIVATE_NOW;
+		control(screen, FBIOPUT_VSCREENINFO, &screen->before);
+		control(screen, FBIOPAN_DISPLAY, &screen->before);
+	}
+}
+
+/* Open and known, or -errno with nothing left open. */
+static int open_and_read(struct fb_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log)
+{
+	int error;
+
+	*screen = (struct fb_screen){.calls = calls, .log = *log};
+	if (snprintf(screen->path, sizeof(screen->path), "%s", path) >=
+		(int)sizeof(screen->path)) {
+		log_error(
+			log, "--display fbdev: %s: the name is too long", path);
+		return -ENAMETOOLONG;
+	}
+	error = open_device(screen);
+	if (error) {
+		return error;
+	}
+	error = read_all(screen);
+	if (error) {
+		calls->close(screen->fd);
+	}
+	return error;
+}
+
+int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
+	const char *path, const struct log *log)
+{
+	int error = open_and_read(screen, calls, path, log);
+
+	if (!error) {
+		calls->close(screen->fd);
+	}
+	return error;
+}
+
+int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
+	const char *path, const struct log *log)
+{
+	int error = open_and_read(screen, calls, path, log);
+
+	if (error) {
+		return error;
+	}
+	screen->before = screen->var;
+	/* A screen that sleeps; many know no sleep. */
+	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
+	find_pages(screen);
+	screen->waits = can_wait(screen);
+	error = set_colors(screen);
+	error = error ? error : map_memory(screen);
+	if (!error) {
+		return 0;
+	}
+	put_back(screen);
+	calls->close(screen->fd);
+	return error;
+}
+
+uint8_t *fb_screen_back(const struct fb_screen *screen)
+{
+	size_t stride = (size_t)screen->stride_bytes;
+
+	if (screen->page_count == 2) {
+		size_t row = screen->page ? 0 : (size_t)screen->height;
+
+		return screen->memory + row * stride;
+	}
+	return screen->memory + screen->var.yoffset * stride +
+		screen->var.xoffset *
+		(size_t)pixel_layout_bytes(&screen->layout);
+}
+
+void fb_screen_wait(const struct fb_screen *screen)
+{
+	uint32_t crtc = 0;
+
+	if (screen->waits) {
+		/* A gap that is missed tears a picture, no more. */
+		(void)control(screen, FBIO_WAITFORVSYNC, &crtc);
+	}
+}
+
+int fb_screen_flip(struct fb_screen *screen)
+{
+	if (!pan(screen, !screen->page)) {
+		return failed(screen, "cannot turn to the next picture");
+	}
+	screen->page = !screen->page;
+	fb_screen_wait(screen);
+	return 0;
+}
+
+double fb_screen_rate_hz(const struct fb_screen *screen)
+{
+	const struct fb_var_screeninfo *var = &screen->var;
+	double columns = (double)var->left_margin + var->xres +
+		var->right_margin + var->hsync_len;
+	double rows = (double)var->upper_margin + var->yres +
+		var->lower_margin + var->vsync_len;
+	double rate_hz =
+		var->pixclock ? 1e12 / (var->pixclock * columns * rows) : 0.0;
+
+	/* Drivers of flat panels often leave nonsense here. */
+	return rate_hz >= 20.0 && rate_hz <= 250.0 ? rate_hz : 60.0;
+}
+
+void fb_screen_close(struct fb_screen *screen)
+{
+	screen->calls->unmap(screen->map, screen->map_bytes);
+	put_back(screen);
+	screen->calls->close(screen->fd);
+}

@@ -1,0 +1,141 @@
+/* What there is to be seen of graphics cards and their screens. */
+#include "platform/display/kms/kms_calls.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+
+#include "platform/display/console.h"
+#include "platform/display/kms/card_find.h"
+
+enum {
+	CARDS_MAX = 8
+};
+
+static const char elsewhere[] =
+	"choose another: --display kms:/dev/dri/cardN, fbdev or window";
+
+/* The mode that is taken unless a size was asked for. */
+static const drmModeModeInfo *own_mode(drmModeConnectorPtr connector)
+{
+	for (int i = 0; i < connector->count_modes; i++) {
+		if (connector->modes[i].type & DRM_MODE_TYPE_PREFERRED) {
+			return &connector->modes[i];
+		}
+	}
+	return &connector->modes[0];
+}
+
+static void say_screen(const struct card *card, drmModeResPtr resources,
+	drmModeConnectorPtr connector, const struct survey *survey)
+{
+	const char *kind =
+		drmModeGetConnectorTypeName(connector->connector_type);
+	const drmModeModeInfo *mode = own_mode(connector);
+	char text[128];
+
+	snprintf(text, sizeof(text), "%s-%u: %ux%u at %u Hz, %d mode%s",
+		kind ? kind : "screen", connector->connector_type_id,
+		(unsigned int)mode->hdisplay, (unsigned int)mode->vdisplay,
+		mode->vrefresh, connector->count_modes,
+		connector->count_modes == 1 ? "" : "s");
+	if (!card_find_crtc(card, resources, connector)) {
+		survey_say(survey, SURVEY_BROKEN, card->path, elsewhere,
+			"%s, and nothing drives it", text);
+	} else if (!card->calls->is_master(card->fd)) {
+		survey_say(survey, SURVEY_TAKEN, card->path,
+			console_in_use_remedy,
+			"%s, another program has it (X or Wayland)", text);
+	} else {
+		survey_say(survey, SURVEY_WORKS, card->path, NULL, "%s", text);
+	}
+}
+
+static void say_screens(const struct card *card, drmModeResPtr resources,
+	const struct survey *survey)
+{
+	int at = 0;
+	bool any = false;
+
+	for (;;) {
+		drmModeConnectorPtr connector =
+			card_next_screen(card, resources, &at);
+
+		if (!connector) {
+			break;
+		}
+		say_screen(card, resources, connector, survey);
+		card->calls->free_connector(connector);
+		any = true;
+	}
+	if (!any) {
+		survey_say(survey, SURVEY_MISSING, card->path,
+			"connect a screen: cat /sys/class/drm/*/status tells "
+			"what is seen",
+			"no screen on its %d connector%s",
+			resources->count_connectors,
+			resources->count_connectors == 1 ? "" : "s");
+	}
+}
+
+static void say_card(const struct card *card, const struct survey *survey)
+{
+	const struct kms_calls *calls = card->calls;
+	drmModeResPtr resources;
+	uint64_t has_dumb = 0;
+
+	resources = calls->get_resources(card->fd);
+	if (!resources) {
+		survey_say(survey, SURVEY_UNUSED, card->path, NULL,
+			"it drives no screens");
+		return;
+	}
+	if (calls->get_cap(card->fd, DRM_CAP_DUMB_BUFFER, &has_dumb) != 0 ||
+		!has_dumb) {
+		survey_say(survey, SURVEY_BROKEN, card->path, elsewhere,
+			"it has no buffers that the processor could draw into");
+	} else {
+		say_screens(card, resources, survey);
+	}
+	calls->free_resources(resources);
+}
+
+/* Whether there was something to say of that card. */
+static bool look_at(
+	const struct kms_calls *calls, int number, const struct survey *survey)
+{
+	struct card card = {.calls = calls};
+	char entry[64];
+	int error;
+
+	snprintf(card.path, sizeof(card.path), "/dev/dri/card%d", number);
+	card.fd = calls->device->open(card.path, O_RDWR | O_CLOEXEC);
+	if (card.fd >= 0) {
+		say_card(&card, survey);
+		calls->device->close(card.fd);
+		return true;
+	}
+	error = -errno;
+	if (error == -EACCES || error == -EPERM) {
+		survey_say_denied(survey, card.path);
+		return true;
+	}
+	snprintf(entry, sizeof(entry), "class/drm/card%d", number);
+	return survey_say_no_node(survey, card.path, entry, error);
+}
+
+void kms_survey_on(const struct kms_calls *calls, const struct survey *survey)
+{
+	bool any = false;
+
+	for (int i = 0; i < CARDS_MAX; i++) {
+		any = look_at(calls, i, survey) || any;
+	}
+	if (!any) {
+		survey_say(survey, SURVEY_MISSING, "/dev/dri/card*",
+			"load the screen's driver: sudo modprobe DRIVER (lspci "
+			"-k or the board's device tree names it), or use a "
+			"framebuffer",
+			"no graphics card that the kernel drives");
+	}
+}

@@ -1,0 +1,172 @@
+/*
+ * A knock at the desktop's door: whoever listens there is not spoken to, as
+ * one that hangs would never answer.
+ */
+#include "platform/display/window/window_survey.h"
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+enum {
+	X_PORT = 6000,
+	WAIT_MS = 200
+};
+
+/* 0 when somebody listens there, else -errno. */
+static int knock(const struct sockaddr *address, socklen_t size)
+{
+	int fd = socket(address->sa_family,
+		SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+	struct pollfd waited = {.fd = fd, .events = POLLOUT};
+	int error = 0;
+	socklen_t room = sizeof(error);
+
+	if (fd < 0) {
+		return -errno;
+	}
+	if (connect(fd, address, size) < 0) {
+		error = errno;
+	}
+	if (error == EINPROGRESS) {
+		error = poll(&waited, 1, WAIT_MS) == 1 ? 0 : ETIMEDOUT;
+		if (!error &&
+			getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &room) < 0) {
+			error = errno;
+		}
+	}
+	close(fd);
+	/* Too many at the door at once: there is one. */
+	return error == EAGAIN ? 0 : -error;
+}
+
+/* A socket with a name: in a file, or (abstract) without one. */
+static int knock_at_name(const char *name, bool abstract)
+{
+	struct sockaddr_un address = {.sun_family = AF_UNIX};
+	size_t length = strlen(name);
+
+	if (length + 1 >= sizeof(address.sun_path)) {
+		return -ENAMETOOLONG;
+	}
+	memcpy(address.sun_path + abstract, name, length);
+	return knock((const struct sockaddr *)&address,
+		(socklen_t)(offsetof(struct sockaddr_un, sun_path) + length + 1));
+}
+
+static int knock_at_port(int port)
+{
+	struct sockaddr_in address = {
+		.sin_family = AF_INET,
+		.sin_port = htons((uint16_t)port),
+		.sin_addr.s_addr = htonl(INADDR_LOOPBACK),
+	};
+
+	return knock((const struct sockaddr *)&address, sizeof(address));
+}
+
+static bool is_here(const char *host, size_t length)
+{
+	static const char *const names[] = {"localhost", "127.0.0.1", NULL};
+
+	for (int i = 0; names[i]; i++) {
+		if (strlen(names[i]) == length &&
+			strncmp(host, names[i], length) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* "HOST:NUMBER.SCREEN", HOST empty or unix for a socket with a name. */
+static void say_x(const char *display, const struct survey *survey)
+{
+	static const char remedy[] =
+		"set DISPLAY to that of a running desktop: export DISPLAY=:0";
+	const char *colon = strrchr(display, ':');
+	size_t length = colon ? (size_t)(colon - display) : 0;
+	char name[64];
+	long number = colon ? strtol(colon + 1, NULL, 10) : -1;
+	int error;
+
+	if (number < 0 || number > 59535) {
+		survey_say(survey, SURVEY_BROKEN, "window", remedy,
+			"DISPLAY=%s names no display", display);
+		return;
+	}
+	if (length == 0 || (length == 4 && strncmp(display, "unix", 4) == 0)) {
+		snprintf(name, sizeof(name), "/tmp/.X11-unix/X%ld", number);
+		error = knock_at_name(name, true);
+		error = error ? knock_at_name(name, false) : 0;
+	} else if (is_here(display, length)) {
+		error = knock_at_port(X_PORT + (int)number);
+	} else {
+		survey_say(survey, SURVEY_UNUSED, "window",
+			"try it: limber play --display window",
+			"DISPLAY=%s is another machine's, which was not asked",
+			display);
+		return;
+	}
+	if (error) {
+		survey_say(survey, SURVEY_BROKEN, "window", remedy,
+			"DISPLAY=%s does not answer: %s", display,
+			strerror(-error));
+	} else {
+		survey_say(survey, SURVEY_WORKS, "window", NULL,
+			"DISPLAY=%s answers", display);
+	}
+}
+
+/* Pictures are copied, which takes X11: a Wayland desktop's Xwayland. */
+static void say_wayland(const char *display, const struct survey *survey)
+{
+	const char *folder = getenv("XDG_RUNTIME_DIR");
+	char name[256];
+	int length = snprintf(name, sizeof(name), "%s%s%s",
+		display[0] == '/' ? "" : (folder ? folder : ""),
+		display[0] == '/' ? "" : "/", display);
+	int error = length < (int)sizeof(name) ? knock_at_name(name, false)
+					       : -ENAMETOOLONG;
+
+	if (error) {
+		survey_say(survey, SURVEY_BROKEN, "window",
+			"start limber in a terminal of the desktop",
+			"WAYLAND_DISPLAY=%s does not answer: %s", display,
+			strerror(-error));
+	} else {
+		survey_say(survey, SURVEY_BROKEN, "window",
+			"sudo apt install xwayland, then log in again",
+			"WAYLAND_DISPLAY=%s answers, but DISPLAY is not set",
+			display);
+	}
+}
+
+void window_survey(const struct survey *survey)
+{
+	const char *driver = getenv("SDL_VIDEODRIVER");
+	const char *x = getenv("DISPLAY");
+	const char *wayland = getenv("WAYLAND_DISPLAY");
+
+	if (driver && driver[0] && strcmp(driver, "x11") != 0 &&
+		strcmp(driver, "wayland") != 0) {
+		survey_say(survey, SURVEY_WORKS, "window", NULL,
+			"SDL_VIDEODRIVER=%s", driver);
+	} else if (x && x[0]) {
+		say_x(x, survey);
+	} else if (wayland && wayland[0]) {
+		say_wayland(wayland, survey);
+	} else {
+		survey_say(survey, SURVEY_MISSING, "window",
+			"start limber in a terminal of the desktop, or export "
+			"DISPLAY=:0",
+			"no desktop: DISPLAY and WAYLAND_DISPLAY are not set");
+	}
+}

@@ -1,0 +1,103 @@
+#include "platform/gl/gl_survey.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Where a library lacks there is something to install. */
+static void say_failed(const struct gl_driver *driver, int error,
+	const char *subject, const struct survey_sentence *sentence,
+	const struct survey *survey)
+{
+	char remedy[256];
+	bool install = error == -ENOENT && driver->packages &&
+		strstr(sentence->text, "install ");
+
+	if (install) {
+		snprintf(remedy, sizeof(remedy), "sudo apt install %s",
+			driver->packages);
+	}
+	survey_say_sentence(survey, install ? SURVEY_MISSING : SURVEY_BROKEN,
+		subject, sentence, install ? remedy : NULL);
+}
+
+static void say_driver(const struct gl_driver *driver,
+	const struct gl_request *request, const struct survey *survey)
+{
+	struct survey_sentence sentence;
+	struct log log = survey_log(&sentence);
+	struct gl_request own = *request;
+	struct gl_context *context;
+	int error;
+
+	own.log = &log;
+	error = driver->create(&own, &context);
+	if (error) {
+		say_failed(driver, error, driver->name, &sentence, survey);
+		return;
+	}
+	survey_say(survey, SURVEY_WORKS, driver->name, NULL, "%s; %s draws",
+		context->description,
+		context->accelerated ? "a graphics processor" : "the processor");
+	driver->destroy(context);
+}
+
+static void say_auto(
+	const struct gl_request *request, const struct survey *survey)
+{
+	struct survey_sentence sentence;
+	struct log log = survey_log(&sentence);
+	struct gl_request own = *request;
+	struct gl_context *context;
+
+	own.log = &log;
+	if (gl_open_for("auto", &own, &context) != 0) {
+		survey_say_sentence(
+			survey, SURVEY_BROKEN, "auto", &sentence, NULL);
+		return;
+	}
+	survey_say(survey, SURVEY_WORKS, "auto", NULL, "takes %s",
+		context->driver->name);
+	context->driver->destroy(context);
+}
+
+void gl_survey(const struct gl_request *request, const struct survey *survey)
+{
+	for (int i = 0; gl_registry[i]; i++) {
+		say_driver(gl_registry[i], request, survey);
+	}
+	say_auto(request, survey);
+}
+
+static void say_screen(const struct gl_driver *driver,
+	const struct gl_request *request, const char *subject,
+	const struct survey *survey)
+{
+	struct survey_sentence sentence;
+	struct log log = survey_log(&sentence);
+	struct gl_request own = *request;
+	int error;
+
+	own.log = &log;
+	error = driver->find_screen(&own);
+	if (!error) {
+		survey_say(survey, SURVEY_WORKS, subject, NULL,
+			"--gl %s has a screen or windows", driver->name);
+	} else if (error == -ENOENT) {
+		say_failed(driver, error, subject, &sentence, survey);
+	} else {
+		survey_say_sentence(survey, SURVEY_MISSING, subject, &sentence,
+			"use --display kms or fbdev, or name the vendor's "
+			"libraries: --egl-library FILE --gles-library FILE");
+	}
+}
+
+void gl_survey_screen(const struct gl_request *request, const char *subject,
+	const struct survey *survey)
+{
+	for (int i = 0; gl_registry[i]; i++) {
+		if (gl_registry[i]->surface) {
+			say_screen(gl_registry[i], request, subject, survey);
+		}
+	}
+}

@@ -1,0 +1,66 @@
+/*
+ * The core: issues one instruction after the other, in order, each as early as
+ * its operands and its unit allow, and keeps account of what it waited for.
+ */
+#ifndef TESTS_ARM1136_CORE_CORE_H
+#define TESTS_ARM1136_CORE_CORE_H
+
+#include "tests/arm1136/core/insn.h"
+#include "tests/arm1136/core/memory.h"
+#include "tests/arm1136/core/params.h"
+#include "tests/arm1136/core/predict.h"
+#include "tests/arm1136/core/values.h"
+
+/* Sums; cycles = executed - folded + all stalls. */
+struct core_totals {
+	uint64_t executed;
+	uint64_t folded;
+	uint64_t unknown; /* instructions that were not decoded */
+	uint64_t stall[CAUSE_COUNT];
+	uint64_t branches;
+	uint64_t mispredicted;
+	uint64_t foretold; /* addresses that values.c knew */
+	uint64_t mistaken; /* and those of them that were others */
+	struct memory_counts memory;
+};
+
+struct core {
+	const struct params *params;
+	struct memory memory;
+	struct predict predict;
+	struct values values;
+
+	int64_t now; /* the next instruction issues no earlier */
+	int64_t memory_free;
+	enum cause memory_cause; /* of waiting for it */
+	int64_t vfp_free;
+	int64_t divide_free;
+	int64_t flags_set;        /* cycle of the last instruction that did */
+	int64_t ready[REG_COUNT]; /* for a normal operand */
+	int64_t base_ready[16];   /* for an address */
+	int64_t unlocked[REG_COUNT]; /* may be written from then on */
+	uint8_t maker[REG_COUNT];    /* enum cause of a wait for it */
+	uint32_t fetched_line;
+
+	bool counts_insns; /* into insn->counts */
+	struct core_totals totals;
+};
+
+/* 0 or -ENOMEM. */
+int core_init(struct core *core, const struct params *params);
+void core_finish(struct core *core);
+
+/* Empties caches and queues, as a change of scene does. */
+void core_flush(struct core *core, enum memory_level level);
+
+/*
+ * Executes an instruction. access are its memory accesses, none when its
+ * condition failed; next is what was executed after it.
+ */
+void core_step(struct core *core, struct insn *insn,
+	const struct access *access, int access_count, const struct insn *next);
+
+/* The totals with the memory's counts in them. */
+struct core_totals core_totals(const struct core *core);
+
+#endif

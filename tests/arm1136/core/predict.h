@@ -1,0 +1,45 @@
+/*
+ * Branch prediction: a dynamic predictor of direct branches that were met
+ * before, a static one for the others (backward is taken), and a stack of
+ * three return addresses.
+ */
+#ifndef TESTS_ARM1136_CORE_PREDICT_H
+#define TESTS_ARM1136_CORE_PREDICT_H
+
+#include "tests/arm1136/core/insn.h"
+#include "tests/arm1136/core/params.h"
+
+#define PREDICT_MAX_ENTRIES 1024
+#define PREDICT_RETURNS     3
+
+struct predict_entry {
+	uint32_t pc;
+	bool valid;
+	uint8_t state; /* 0, 1 not taken; 2, 3 taken */
+};
+
+struct predict {
+	const struct params *params;
+	struct predict_entry entry[PREDICT_MAX_ENTRIES];
+	uint32_t returns[PREDICT_RETURNS];
+	uint32_t return_top;
+	uint32_t return_count;
+};
+
+enum prediction {
+	PREDICT_NOT_BY_IT, /* neither predictor speaks: computed branches */
+	PREDICT_DYNAMIC,   /* right */
+	PREDICT_STATIC,    /* right */
+	PREDICT_RETURN,    /* right */
+	PREDICT_NO_RETURN, /* the stack was empty */
+	PREDICT_WRONG,
+	PREDICT_WRONG_RETURN
+};
+
+void predict_init(struct predict *predict, const struct params *params);
+
+/* What was predicted of a branch that went on to next; learns from it. */
+enum prediction predict_branch(
+	struct predict *predict, const struct insn *insn, uint32_t next);
+
+#endif

@@ -1,0 +1,70 @@
+/*
+ * A graphics card with one screen that is not there, behind struct kms_calls.
+ * Its console is fake_fb's. One at a time.
+ */
+#ifndef TESTS_SUPPORT_FAKE_FAKE_CARD_H
+#define TESTS_SUPPORT_FAKE_FAKE_CARD_H
+
+#include "platform/display/kms/kms_calls.h"
+
+enum {
+	FAKE_CARD_MODES = 3,
+	FAKE_CARD_ROOM = 64 * 1024
+};
+
+/* The calls that can be made to fail, from their fail_from'th on. */
+enum fake_card_call {
+	CALL_NONE,
+	CALL_RESOURCES,
+	CALL_CONNECTOR,
+	CALL_ENCODER,
+	CALL_CREATE,
+	CALL_ADD,
+	CALL_MAP_DUMB,
+	CALL_MAP,
+	CALL_SET,
+	CALL_FLIP,
+	CALL_WAIT,
+	CALL_EVENT,
+	CALL_GET_CRTC
+};
+
+struct fake_card {
+	int number; /* of /dev/dri/cardN */
+	int open_error;
+	bool no_dumb, not_master, not_connected, prefers_shadow;
+	uint64_t preferred_depth;
+	uint32_t fourccs[3]; /* that it shows */
+	uint32_t current_crtc;
+	drmModeModeInfo modes[FAKE_CARD_MODES];
+
+	enum fake_card_call fail;
+	int fail_from, fail_error;
+	bool fail_once;
+	int calls; /* of the one that fails */
+
+	/* Two buffers; handle and fb are the index and 1. */
+	struct {
+		bool used, added;
+		uint32_t pitch, fourcc;
+		uint8_t memory[FAKE_CARD_ROOM];
+	} buffers[2];
+	int open_count, map_count, resource_count; /* now */
+	uint32_t shown_fb;
+	drmModeModeInfo shown_mode;
+	uint32_t shown_crtc;
+	void *flip_user; /* of a flip under way */
+	uint32_t flip_fb;
+	int flip_count, set_count, dirty_count, wait_count;
+};
+
+extern struct fake_card fake_card;
+extern const struct kms_calls fake_card_calls;
+
+/* A card whose screen has 20x12 (preferred), 24x14 and 10x8. */
+void fake_card_begin(void);
+
+/* The pixel that is seen there, as a number. */
+uint32_t fake_card_seen(int x, int y);
+
+#endif

@@ -1,0 +1,423 @@
+#include "tests/support/gl/gl_checks.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform/base/fixed.h"
+
+#define ONE FX16_ONE
+
+void gl_check_top_row_comes_first(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+
+	stage.gl->Color4x(ONE, 0, 0, ONE);
+	stage_draw_rectangle(stage.gl, -1, 0.5f, 0, 1, 0);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 0, 0, 255, 0, 0, 0);
+	stage_expect(&stage, STAGE_WIDTH / 2 - 1, 5, 255, 0, 0, 0);
+	stage_expect(&stage, STAGE_WIDTH / 2, 0, 0, 0, 0, 0);
+	stage_expect(&stage, 0, 6, 0, 0, 0, 0);
+	stage_expect(&stage, 0, STAGE_HEIGHT - 1, 0, 0, 0, 0);
+	stage_close(&stage);
+}
+
+void gl_check_a_triangle_covers_its_pixels(void **state)
+{
+	static const float vertices[] = {-1, -1, 1, -1, -1, 1};
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->Color4x(0, ONE / 2, ONE, ONE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(2, GL_FLOAT, 0, vertices);
+	gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	stage_end_frame(&stage);
+	/* The lower left half; the diagonal itself is nobody's to foretell. */
+	for (int y = 0; y < STAGE_HEIGHT; y++) {
+		for (int x = 0; x < STAGE_WIDTH; x++) {
+			float diagonal = (x + 0.5f) / STAGE_WIDTH -
+				(y + 0.5f) / STAGE_HEIGHT;
+
+			if (diagonal < -0.05f) {
+				stage_expect(&stage, x, y, 0, 128, 255, 1);
+			} else if (diagonal > 0.05f) {
+				stage_expect(&stage, x, y, 0, 0, 0, 0);
+			}
+		}
+	}
+	stage_close(&stage);
+}
+
+void gl_check_colours_run_between_vertices(void **state)
+{
+	static const GLubyte colors[] = {
+		255, 0, 0, 255, 0, 0, 255, 255, 255, 0, 0, 255, 0, 0, 255, 255};
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, colors);
+	stage_draw_all(gl);
+	stage_end_frame(&stage);
+	for (int x = 0; x < STAGE_WIDTH; x++) {
+		int blue = (int)(255 * (x + 0.5f) / STAGE_WIDTH);
+
+		stage_expect(&stage, x, 10, 255 - blue, 0, blue, 2);
+	}
+	stage_close(&stage);
+}
+
+void gl_check_the_nearer_hides_the_farther(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Color4x(ONE, 0, 0, ONE);
+	stage_draw_rectangle(gl, -1, -1, 0, 1, -0.5f);
+	gl->Color4x(0, ONE, 0, ONE);
+	stage_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
+	gl->Color4x(0, 0, ONE, ONE);
+	stage_draw_rectangle(gl, 0.5f, -1, 1, 1, 0);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 4, 12, 255, 0, 0, 0);
+	stage_expect(&stage, 20, 12, 0, 255, 0, 0);
+	stage_expect(&stage, 28, 12, 0, 0, 255, 0);
+	stage_close(&stage);
+}
+
+static const float unit_square[] = {0, 0, 1, 0, 0, 1, 1, 1};
+
+void gl_check_a_texture_lies_the_right_way_up(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+	GLuint texture = stage_make_texture(gl);
+
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->Color4x(ONE, ONE, ONE / 2, ONE);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, unit_square);
+	stage_draw_all(gl);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 7, 18, 255, 0, 0, 0);
+	stage_expect(&stage, 24, 18, 0, 255, 0, 0);
+	stage_expect(&stage, 7, 5, 0, 0, 128, 1);
+	stage_expect(&stage, 24, 5, 255, 255, 128, 1);
+	gl->DeleteTextures(1, &texture);
+	stage_close(&stage);
+}
+
+void gl_check_matrices_are_fixed_point(void **state)
+{
+	/* Half as wide and moved right by a half, column-major. */
+	static const GLfixed half[] = {ONE / 2, 0, 0, 0, 0, ONE, 0, 0, 0, 0,
+		ONE, 0, ONE / 2, 0, 0, ONE};
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->Color4x(ONE, ONE, ONE, ONE);
+	gl->LoadMatrixx(half);
+	gl->PushMatrix();
+	gl->Scalex(ONE, ONE / 2, ONE);
+	gl->Translatex(0, ONE, 0);
+	stage_draw_all(gl);
+	gl->PopMatrix();
+	gl->Color4x(ONE, 0, 0, ONE);
+	gl->LoadIdentity();
+	gl->Rotatex(180 * ONE, 0, 0, ONE);
+	gl->MultMatrixx(half);
+	gl->Scalex(ONE, ONE / 4, ONE);
+	stage_draw_all(gl);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 16, 0, 255, 255, 255, 0);
+	stage_expect(&stage, 31, 11, 255, 255, 255, 0);
+	stage_expect(&stage, 31, 12, 0, 0, 0, 0);
+	stage_expect(&stage, 0, 0, 0, 0, 0, 0);
+	stage_expect(&stage, 0, 12, 255, 0, 0, 0);
+	stage_expect(&stage, 15, 9, 255, 0, 0, 0);
+	stage_expect(&stage, 15, 15, 0, 0, 0, 0);
+	stage_close(&stage);
+}
+
+void gl_check_the_frustum_shrinks_the_far(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Frustumx(-ONE, ONE, -ONE, ONE, ONE, 10 * ONE);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->Color4x(0, ONE, 0, ONE);
+	stage_draw_rectangle(gl, -1, -1, 1, 1, -2);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 7, 12, 0, 0, 0, 0);
+	stage_expect(&stage, 8, 12, 0, 255, 0, 0);
+	stage_expect(&stage, 23, 12, 0, 255, 0, 0);
+	stage_expect(&stage, 24, 12, 0, 0, 0, 0);
+	stage_expect(&stage, 16, 5, 0, 0, 0, 0);
+	stage_expect(&stage, 16, 6, 0, 255, 0, 0);
+	stage_close(&stage);
+}
+
+/* One square in every type of array that ES 1.1 has. */
+struct typed_square {
+	GLbyte bytes[4][4]; /* padded to a stride of 4 */
+	GLshort shorts[4][2];
+	GLfixed fixed[4][2];
+	float floats[4][2];
+	GLfixed colors[4][4];
+};
+
+static void fill_square(struct typed_square *square)
+{
+	for (int i = 0; i < 4; i++) {
+		for (int j = 0; j < 2; j++) {
+			int value = j == 0 ? i % 2 : i / 2;
+
+			square->bytes[i][j] = (GLbyte)value;
+			square->shorts[i][j] = (GLshort)value;
+			square->fixed[i][j] = value * ONE;
+			square->floats[i][j] = (float)value;
+		}
+		for (int j = 0; j < 4; j++) {
+			square->colors[i][j] = j == 1 ? ONE / 2 : ONE;
+		}
+	}
+}
+
+/* The square into the quarter (column, row) of the picture, from below. */
+static void draw_typed(struct gl *gl, int column, int row, GLenum type,
+	GLsizei stride, const void *data)
+{
+	gl->LoadIdentity();
+	gl->Translatex((column - 1) * ONE, (row - 1) * ONE, 0);
+	gl->VertexPointer(2, type, stride, data);
+	gl->TexCoordPointer(2, type, stride, data);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void gl_check_arrays_of_every_type_draw_the_same(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+	struct typed_square square;
+	GLuint texture = stage_make_texture(gl);
+
+	fill_square(&square);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->ColorPointer(4, GL_FIXED, 0, square.colors);
+	draw_typed(gl, 0, 0, GL_BYTE, 4, square.bytes);
+	draw_typed(gl, 1, 0, GL_SHORT, 0, square.shorts);
+	draw_typed(gl, 0, 1, GL_FIXED, 0, square.fixed);
+	draw_typed(gl, 1, 1, GL_FLOAT, 0, square.floats);
+	stage_end_frame(&stage);
+	for (int y = 0; y < STAGE_HEIGHT; y += STAGE_HEIGHT / 2) {
+		for (int x = 0; x < STAGE_WIDTH; x += STAGE_WIDTH / 2) {
+			stage_expect(&stage, x + 3, y + 9, 255, 0, 0, 0);
+			stage_expect(&stage, x + 12, y + 9, 0, 128, 0, 1);
+			stage_expect(&stage, x + 3, y + 2, 0, 0, 255, 0);
+			stage_expect(&stage, x + 12, y + 2, 255, 128, 255, 1);
+		}
+	}
+	gl->DeleteTextures(1, &texture);
+	stage_close(&stage);
+}
+
+void gl_check_elements_of_both_index_types_draw(void **state)
+{
+	static const GLubyte bytes[] = {4, 5, 6};
+	static const GLushort shorts[] = {5, 7, 6};
+	static const GLfixed normals[8][3] = {
+		[4] = {0, 0, ONE}, {0, 0, ONE}, {0, 0, ONE}, {0, 0, ONE}};
+	static const GLfixed white[] = {ONE, ONE, ONE, ONE};
+	GLfixed vertices[8][2] = {{0}};
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	for (int i = 0; i < 4; i++) {
+		vertices[4 + i][0] = i % 2 ? ONE : -ONE;
+		vertices[4 + i][1] = i / 2 ? ONE : -ONE;
+	}
+	stage_set_up_light(gl);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, white);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_NORMAL_ARRAY);
+	gl->VertexPointer(2, GL_FIXED, 0, vertices);
+	gl->NormalPointer(GL_FIXED, 0, normals);
+	gl->DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, bytes);
+	gl->DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, shorts);
+	stage_end_frame(&stage);
+	for (int y = 0; y < STAGE_HEIGHT; y++) {
+		for (int x = 0; x < STAGE_WIDTH; x++) {
+			stage_expect(&stage, x, y, 255, 255, 255, 0);
+		}
+	}
+	stage_close(&stage);
+}
+
+void gl_check_alpha_blends_and_is_tested(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+
+	gl->ClearColorx(0, ONE, 0, ONE);
+	gl->Clear(GL_COLOR_BUFFER_BIT);
+	gl->Color4x(ONE, 0, 0, ONE / 4);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
+	gl->Disable(GL_BLEND);
+	gl->Enable(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_GREATER, ONE / 2);
+	stage_draw_rectangle(gl, 0, -1, 0.5f, 1, 0);
+	gl->AlphaFuncx(GL_GREATER, ONE / 8);
+	stage_draw_rectangle(gl, 0.5f, -1, 1, 1, 0);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 4, 12, 64, 191, 0, 1);
+	stage_expect(&stage, 20, 12, 0, 255, 0, 0);
+	stage_expect(&stage, 28, 12, 255, 0, 0, 0);
+	stage_close(&stage);
+}
+
+void gl_check_the_stencil_masks(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = stage.gl;
+	GLint bits = 0;
+
+	gl->GetIntegerv(GL_STENCIL_BITS, &bits);
+	assert_true(bits >= 8);
+	gl->GetIntegerv(GL_DEPTH_BITS, &bits);
+	assert_true(bits >= 16);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, 1, 0xFF);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	gl->StencilFunc(GL_EQUAL, 1, 0xFF);
+	gl->Color4x(0, 0, ONE, ONE);
+	stage_draw_all(gl);
+	stage_end_frame(&stage);
+	stage_expect(&stage, 4, 12, 0, 0, 255, 0);
+	stage_expect(&stage, 20, 12, 0, 0, 0, 0);
+	stage_close(&stage);
+}
+
+void gl_check_565_pictures_are_drawn(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGB565);
+	struct gl *gl = stage.gl;
+	uint16_t pixel;
+
+	gl->Disable(GL_DITHER);
+	gl->Color4x(ONE, 0, 0, ONE);
+	stage_draw_rectangle(gl, -1, 0, 1, 1, 0);
+	gl->Color4x(0, ONE / 2, ONE, ONE);
+	stage_draw_rectangle(gl, -1, -1, 0, 0, 0);
+	stage_end_frame(&stage);
+	memcpy(&pixel, stage.pixels.data, 2);
+	assert_int_equal(pixel, 0xF800);
+	stage_expect(&stage, 4, 20, 0, 128, 255, 4);
+	stage_expect(&stage, 28, 20, 0, 0, 0, 0);
+	stage_close(&stage);
+}
+
+void gl_check_only_the_pictures_pixels_are_written(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct pixels part = stage.pixels;
+	const struct gl_driver *driver = stage.context->driver;
+
+	stage_end_frame(&stage);
+	/* A window of 7 x 5 in the middle of the picture. */
+	part.data += 6 * part.stride_bytes + 10 * 4;
+	part.width = 7;
+	part.height = 5;
+	memset(stage.pixels.data, 77,
+		(size_t)(stage.pixels.stride_bytes * STAGE_HEIGHT));
+	assert_int_equal(driver->begin_frame(stage.context, &part), 0);
+	stage.gl->ClearColorx(ONE, 0, ONE, ONE);
+	stage.gl->Clear(GL_COLOR_BUFFER_BIT);
+	stage_end_frame(&stage);
+	for (int y = 0; y < STAGE_HEIGHT; y++) {
+		for (int x = 0; x < STAGE_WIDTH; x++) {
+			bool in = x >= 10 && x < 17 && y >= 6 && y < 11;
+
+			stage_expect(&stage, x, y, in ? 255 : 77, in ? 0 : 77,
+				in ? 255 : 77, 0);
+		}
+	}
+	stage_close(&stage);
+}
+
+void gl_check_the_size_may_change_between_frames(void **state)
+{
+	static const int sizes[][2] = {
+		{9, 31}, {64, 3}, {64, 3}, {1, 1}, {STAGE_WIDTH, STAGE_HEIGHT}};
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct gl *gl = stage.gl;
+	GLuint texture = stage_make_texture(gl);
+
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, unit_square);
+	stage_end_frame(&stage);
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		int width = sizes[i][0];
+		int height = sizes[i][1];
+
+		free(stage.pixels.data);
+		assert_int_equal(pixels_alloc(&stage.pixels, width, height,
+					 PIXELS_RGBA8888, &log),
+			0);
+		assert_int_equal(stage.context->driver->begin_frame(
+					 stage.context, &stage.pixels),
+			0);
+		gl->Clear(GL_COLOR_BUFFER_BIT);
+		stage_draw_all(gl);
+		stage_end_frame(&stage);
+		if (width > 1) {
+			stage_expect(&stage, 0, height - 1, 255, 0, 0, 0);
+			stage_expect(
+				&stage, width - 1, height - 1, 0, 255, 0, 0);
+			stage_expect(&stage, 0, 0, 0, 0, 255, 0);
+		}
+		stage_expect(&stage, width - 1, 0, 255, 255, 255, 0);
+	}
+	gl->DeleteTextures(1, &texture);
+	stage_close(&stage);
+}
+
+void gl_check_contexts_may_follow_each_other(void **state)
+{
+	for (int i = 0; i < 3; i++) {
+		struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+
+		assert_non_null(stage.context->description);
+		assert_string_equal(stage.context->driver->name, *state);
+		stage.gl->Color4x(0, ONE, ONE, ONE);
+		stage_draw_all(stage.gl);
+		stage_end_frame(&stage);
+		stage_expect(&stage, 3, 3, 0, 255, 255, 0);
+		stage_close(&stage);
+	}
+}
+
+void gl_check_another_format_is_refused(void **state)
+{
+	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
+
+	stage_end_frame(&stage);
+	stage.pixels.format = PIXELS_RGB565;
+	assert_int_equal(
+		stage.context->driver->begin_frame(stage.context, &stage.pixels),
+		-EINVAL);
+	stage_close(&stage);
+}

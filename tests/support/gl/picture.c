@@ -1,0 +1,162 @@
+#include "tests/support/gl/picture.h"
+
+#include <png.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	BLOCK = 16,
+	GAIN = 8
+};
+
+struct picture picture_new(int width, int height)
+{
+	return (struct picture){
+		.width = width,
+		.height = height,
+		.rgb = calloc((size_t)width * (size_t)height, 3),
+	};
+}
+
+void picture_release(struct picture *picture)
+{
+	free(picture->rgb);
+	*picture = (struct picture){0};
+}
+
+int picture_read(const char *path, struct picture *out)
+{
+	png_image image = {.version = PNG_IMAGE_VERSION};
+
+	*out = (struct picture){0};
+	if (!png_image_begin_read_from_file(&image, path)) {
+		return -1;
+	}
+	image.format = PNG_FORMAT_RGB;
+	*out = picture_new((int)image.width, (int)image.height);
+	if (!out->rgb ||
+		!png_image_finish_read(&image, NULL, out->rgb, 0, NULL)) {
+		png_image_free(&image);
+		picture_release(out);
+		return -1;
+	}
+	return 0;
+}
+
+int picture_write(const char *path, const struct picture *picture)
+{
+	png_image image = {
+		.version = PNG_IMAGE_VERSION,
+		.width = (png_uint_32)picture->width,
+		.height = (png_uint_32)picture->height,
+		.format = PNG_FORMAT_RGB,
+	};
+
+	return png_image_write_to_file(&image, path, 0, picture->rgb, 0, NULL)
+		? 0
+		: -1;
+}
+
+static const uint8_t *pixel(const struct picture *picture, int x, int y)
+{
+	return picture->rgb +
+		3 * ((size_t)y * (size_t)picture->width + (size_t)x);
+}
+
+/* Sum and maximum over one block, and how many pixels are far. */
+struct block_sum {
+	long sum;
+	int count, far, worst;
+};
+
+static struct block_sum sum_block(const struct picture *a,
+	const struct picture *b, int left, int top, int step)
+{
+	struct block_sum sum = {0};
+
+	for (int y = top; y < top + BLOCK && y < a->height; y++) {
+		for (int x = left; x < left + BLOCK && x < a->width; x++) {
+			int worst = 0;
+
+			for (int k = 0; k < 3; k++) {
+				int off = abs(
+					pixel(a, x, y)[k] - pixel(b, x, y)[k]);
+
+				sum.sum += off;
+				worst = off > worst ? off : worst;
+			}
+			sum.count++;
+			sum.far += worst > step;
+			sum.worst = worst > sum.worst ? worst : sum.worst;
+		}
+	}
+	return sum;
+}
+
+struct picture_difference picture_compare(
+	const struct picture *a, const struct picture *b, int step)
+{
+	struct picture_difference out = {0};
+	double pixels = (double)a->width * a->height;
+	double sum = 0;
+	double far = 0;
+
+	if (a->width != b->width || a->height != b->height) {
+		return out;
+	}
+	out.same_size = true;
+	for (int top = 0; top < a->height; top += BLOCK) {
+		for (int left = 0; left < a->width; left += BLOCK) {
+			struct block_sum block =
+				sum_block(a, b, left, top, step);
+			double mean = (double)block.sum / (3.0 * block.count);
+
+			sum += (double)block.sum;
+			far += block.far;
+			if (block.worst > out.worst) {
+				out.worst = block.worst;
+			}
+			if (mean > out.block_mean) {
+				out.block_mean = mean;
+				out.block_x = left;
+				out.block_y = top;
+			}
+		}
+	}
+	out.mean = sum / (3 * pixels);
+	out.far_percent = 100 * far / pixels;
+	return out;
+}
+
+bool picture_is_near(const struct picture_difference *difference,
+	const struct picture_tolerance *tolerance)
+{
+	return difference->same_size &&
+		difference->far_percent <= tolerance->far_percent &&
+		difference->mean <= tolerance->mean &&
+		difference->block_mean <= tolerance->block_mean;
+}
+
+struct picture picture_show_difference(
+	const struct picture *a, const struct picture *b)
+{
+	struct picture out = {0};
+	size_t row = 3 * (size_t)a->width;
+
+	if (a->width != b->width || a->height != b->height) {
+		return out;
+	}
+	out = picture_new(3 * a->width, a->height);
+	for (int y = 0; out.rgb && y < a->height; y++) {
+		uint8_t *to = out.rgb + 3 * row * (size_t)y;
+
+		memcpy(to, pixel(a, 0, y), row);
+		memcpy(to + row, pixel(b, 0, y), row);
+		for (size_t i = 0; i < row; i++) {
+			int off = GAIN * abs(to[i] - to[row + i]);
+
+			to[2 * row + i] = (uint8_t)(off > 255 ? 255 : off);
+		}
+	}
+	return out;
+}

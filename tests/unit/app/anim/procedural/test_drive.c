@@ -1,0 +1,185 @@
+#include "app/anim/procedural/drive.h"
+#include "app/anim/transform.h"
+#include "tests/support/bones.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	CHEST,
+	NECK,
+	UPPER,
+	FOREARM
+};
+
+static const float ROOT_HALF = 0.70710678f;
+
+static void set_up(struct bones *bones)
+{
+	bones_begin(bones);
+	bones_add(bones, -1, 0, 1, 0);
+	bones_add(bones, CHEST, 0, 0.4f, 0);
+	bones_add(bones, CHEST, 0.2f, 0.3f, 0);
+	bones_add(bones, UPPER, 0, 0.3f, 0);
+	/* The arm hangs to the side: a quarter about z. */
+	bones->node[UPPER].rest.rotation[2] = -ROOT_HALF;
+	bones->node[UPPER].rest.rotation[3] = ROOT_HALF;
+	bones->model.weight_count = 2;
+	bones_pose(bones);
+}
+
+static void test_a_breath_is_empty_at_its_ends_and_full_once(void **state)
+{
+	struct breath breath = breath_default(CHEST);
+
+	(void)state;
+	/* Four seconds each: 1.6 in, 2.4 out. */
+	assert_near(breath_at(&breath, 0), 0, 1e-6);
+	assert_near(breath_at(&breath, 0.8), 0.5, 1e-5);
+	assert_near(breath_at(&breath, 1.6), 1, 1e-5);
+	assert_near(breath_at(&breath, 2.8), 0.5, 1e-5);
+	assert_near(breath_at(&breath, 4), 0, 1e-5);
+	assert_near(breath_at(&breath, 0.4), 0.15625, 1e-5);
+	assert_near(breath_at(&breath, 4000.8), 0.5, 1e-5);
+	assert_near(breath_at(&breath, -3.2), 0.5, 1e-5);
+	assert_true(breath_at(&breath, (double)NAN) == 0);
+	assert_true(breath_at(&breath, 1e300) == 0);
+}
+
+static void test_a_full_breath_swells_the_chest_alone(void **state)
+{
+	struct bones bones;
+	struct breath breath = breath_default(CHEST);
+
+	(void)state;
+	set_up(&bones);
+	breath_apply(&breath, 1.6, &bones.pose);
+	bones_update(&bones);
+	assert_near(bones.pose.local[CHEST].scale[0], 1.02, 1e-6);
+	assert_near(bones.pose.local[CHEST].scale[1], 1.01, 1e-6);
+	assert_near(bones.pose.local[CHEST].scale[2], 1.05, 1e-6);
+	/* Children keep their size, also the one turned by a quarter. */
+	for (int c = NECK; c <= FOREARM; c++) {
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(vec_length(bones.world[c][axis]), 1, 1e-5);
+		}
+	}
+	/* But they are carried along. */
+	assert_near(bones.pose.local[CHEST].rotation[0], sin(-0.0175 / 2), 1e-6);
+	assert_near(bones.world[NECK][3][1], 1 + 0.4 * 1.01 * cos(0.0175), 1e-5);
+	bones_end(&bones);
+}
+
+static void test_weight_scales_a_breath(void **state)
+{
+	struct bones bones;
+	struct breath breath = breath_default(CHEST);
+
+	(void)state;
+	set_up(&bones);
+	breath.weight = 0;
+	breath_apply(&breath, 1.6, &bones.pose);
+	assert_all_near(
+		bones.pose.local, (const float *)&bones.node[0].rest, 10, 1e-6);
+	breath.weight = 2;
+	breath_apply(&breath, 1.6, &bones.pose);
+	assert_near(bones.pose.local[CHEST].scale[2], 1.1, 1e-6);
+	bones_end(&bones);
+}
+
+static struct muscle biceps(void)
+{
+	return (struct muscle){.joint = FOREARM,
+		.from_rad = 0.2f,
+		.to_rad = 2.2f,
+		.node = UPPER,
+		.swell = {0.3f, 0, 0.2f},
+		.weight = 1,
+		.amount = 0.8f};
+}
+
+static void bend(struct bones *bones, float angle_rad)
+{
+	float *q = bones->pose.local[FOREARM].rotation;
+	const float axis[3] = {1, 0, 0};
+
+	pose_rest(&bones->pose, &bones->model);
+	quat_from_axis_angle(axis, angle_rad, q);
+}
+
+static void test_a_muscle_is_drawn_by_the_joints_bend(void **state)
+{
+	struct bones bones;
+	struct muscle muscle = biceps();
+
+	(void)state;
+	set_up(&bones);
+	bend(&bones, 0);
+	assert_near(bend_rad(&bones.pose, FOREARM), 0, 1e-6);
+	assert_near(muscle_at(&muscle, &bones.pose), 0, 1e-6);
+	bend(&bones, 0.7f);
+	assert_near(bend_rad(&bones.pose, FOREARM), 0.7, 4e-6);
+	/* A quarter of the range, eased. */
+	assert_near(muscle_at(&muscle, &bones.pose), 0.15625, 1e-5);
+	bend(&bones, -1.2f);
+	assert_near(muscle_at(&muscle, &bones.pose), 0.5, 1e-5);
+	bend(&bones, 3);
+	assert_near(muscle_at(&muscle, &bones.pose), 1, 1e-6);
+	bones_end(&bones);
+}
+
+static void test_a_drawn_muscle_swells_and_morphs(void **state)
+{
+	struct bones bones;
+	struct muscle muscle = biceps();
+
+	(void)state;
+	set_up(&bones);
+	bones.rest_weights[1] = 0.1f;
+	bend(&bones, 1.2f);
+	muscle_apply(&muscle, &bones.pose);
+	bones_update(&bones);
+	assert_near(bones.pose.local[UPPER].scale[0], 1.15, 1e-5);
+	assert_near(bones.pose.local[UPPER].scale[1], 1, 1e-5);
+	assert_near(bones.pose.local[UPPER].scale[2], 1.1, 1e-5);
+	assert_near(bones.pose.weight[1], 0.1 + 0.4, 1e-5);
+	/* The forearm, bent within the swelling plane, keeps its lengths. */
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(vec_length(bones.world[FOREARM][axis]), 1, 1e-5);
+	}
+	muscle.node = -1;
+	muscle.weight = -1;
+	muscle_apply(&muscle, &bones.pose);
+	bones_end(&bones);
+}
+
+static void test_a_muscle_without_range_switches(void **state)
+{
+	struct bones bones;
+	struct muscle muscle = biceps();
+
+	(void)state;
+	set_up(&bones);
+	muscle.from_rad = muscle.to_rad = 1;
+	bend(&bones, 0.9f);
+	assert_true(muscle_at(&muscle, &bones.pose) == 0);
+	bend(&bones, 1.1f);
+	assert_true(muscle_at(&muscle, &bones.pose) == 1);
+	bones_end(&bones);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_breath_is_empty_at_its_ends_and_full_once),
+		cmocka_unit_test(test_a_full_breath_swells_the_chest_alone),
+		cmocka_unit_test(test_weight_scales_a_breath),
+		cmocka_unit_test(test_a_muscle_is_drawn_by_the_joints_bend),
+		cmocka_unit_test(test_a_drawn_muscle_swells_and_morphs),
+		cmocka_unit_test(test_a_muscle_without_range_switches),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,220 @@
+#include "app/anim/procedural/lookat.h"
+#include "app/anim/transform.h"
+#include "tests/support/bones.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	BODY,
+	HEAD
+};
+
+static const float DEGREE = 0.0174532925f;
+
+struct fixture {
+	struct bones bones;
+	struct lookat lookat;
+};
+
+static void set_up(struct fixture *f)
+{
+	bones_begin(&f->bones);
+	bones_add(&f->bones, -1, 5, 0, 0);
+	bones_add(&f->bones, BODY, 0, 1.5f, 0);
+	bones_pose(&f->bones);
+	f->lookat = lookat_default(HEAD);
+	f->lookat.rate = 0;
+}
+
+static void tear_down(struct fixture *f)
+{
+	bones_end(&f->bones);
+}
+
+/* One update from the rest pose, and where the head looks then. */
+static void look(
+	struct fixture *f, const float target[3], float step_s, float out[3])
+{
+	bones_update(&f->bones);
+	lookat_update(&f->lookat, target, step_s, (const mat4 *)f->bones.world,
+		&f->bones.pose);
+	bones_update(&f->bones);
+	matrix_turn(f->bones.world[HEAD], f->lookat.forward, out);
+}
+
+static double angle_to(
+	struct fixture *f, const float target[3], const float looks[3])
+{
+	float want[3];
+
+	vec_subtract(target, f->bones.world[HEAD][3], want);
+	vec_normalize(want);
+	return acos(fmin(1, (double)vec_dot(want, looks)));
+}
+
+static void test_it_looks_at_a_target_within_its_limits(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	/* A turned body does not matter. */
+	f.bones.pose.local[BODY].rotation[1] = sinf(0.4f);
+	f.bones.pose.local[BODY].rotation[3] = cosf(0.4f);
+	for (int i = 0; i < 100; i++) {
+		float target[3] = {5 + sinf(0.8f + (float)i * 0.01f) * 3,
+			1.5f + (float)(i % 7 - 3) * 0.5f,
+			cosf(0.8f + (float)i * 0.01f) * 3};
+		float looks[3];
+
+		f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+		look(&f, target, 0.1f, looks);
+		assert_near(angle_to(&f, target, looks), 0, 1e-3);
+	}
+	tear_down(&f);
+}
+
+static void test_positive_yaw_is_to_the_left_and_pitch_up(void **state)
+{
+	struct fixture f;
+	const float target[3] = {6, 1.5f, 1}; /* +X is left of +Z with +Y up */
+	const float above[3] = {5, 2.5f, 2};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	look(&f, target, 0.1f, looks);
+	assert_near(f.lookat.yaw_rad, 45 * DEGREE, 1e-5);
+	assert_near(f.lookat.pitch_rad, 0, 1e-5);
+	f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+	look(&f, above, 0.1f, looks);
+	assert_near(f.lookat.yaw_rad, 0, 1e-5);
+	assert_near(f.lookat.pitch_rad, atan2(1, 2), 1e-5);
+	assert_near(looks[1], 1 / sqrt(5), 1e-5);
+	tear_down(&f);
+}
+
+static void test_limits_hold(void **state)
+{
+	struct fixture f;
+	const float aside[3] = {
+		5 + 3 * sinf(100 * DEGREE), 1.5f, 3 * cosf(100 * DEGREE)};
+	const float below[3] = {5, -50, 1};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	look(&f, aside, 0.1f, looks);
+	assert_near(f.lookat.yaw_rad, 80 * DEGREE, 1e-3);
+	assert_near(atan2(looks[0], looks[2]), 80 * DEGREE, 1e-3);
+	f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+	look(&f, below, 0.1f, looks);
+	assert_near(f.lookat.pitch_rad, -50 * DEGREE, 1e-3);
+	assert_near(looks[1], -sin(50 * DEGREE), 1e-3);
+	tear_down(&f);
+}
+
+static void test_a_target_behind_is_given_up(void **state)
+{
+	struct fixture f;
+	const float behind[3] = {5.1f, 1.7f, -3};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	f.lookat.yaw_rad = 0.5f;
+	look(&f, behind, 0.1f, looks);
+	assert_near(looks[2], 1, 1e-5);
+	f.lookat.release_rad = 0;
+	f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+	look(&f, behind, 0.1f, looks);
+	assert_near(f.lookat.yaw_rad, 80 * DEGREE, 1e-3);
+	tear_down(&f);
+}
+
+static void test_it_follows_at_its_rate_whatever_the_frames(void **state)
+{
+	const float target[3] = {6, 1.5f, 1};
+	double want = 45 * DEGREE * (1 - exp(-8 * 0.25));
+
+	(void)state;
+	for (int frames = 1; frames <= 25; frames += 8) {
+		struct fixture f;
+		float looks[3];
+
+		set_up(&f);
+		f.lookat.rate = 8;
+		for (int i = 0; i < frames; i++) {
+			f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+			look(&f, target, 0.25f / (float)frames, looks);
+		}
+		assert_near(f.lookat.yaw_rad, want, 1e-4);
+		tear_down(&f);
+	}
+}
+
+static void test_weight_takes_a_share(void **state)
+{
+	struct fixture f;
+	const float target[3] = {6, 1.5f, 1};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	f.lookat.weight = 0.25f;
+	look(&f, target, 0.1f, looks);
+	assert_near(atan2(looks[0], looks[2]), 45 * DEGREE / 4, 1e-5);
+	f.lookat.weight = 0;
+	f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+	look(&f, target, 0.1f, looks);
+	assert_near(looks[2], 1, 1e-6);
+	tear_down(&f);
+}
+
+static void test_without_a_target_it_looks_ahead(void **state)
+{
+	struct fixture f;
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	f.lookat.yaw_rad = 1;
+	look(&f, NULL, 0.1f, looks);
+	assert_near(looks[2], 1, 1e-6);
+	tear_down(&f);
+}
+
+static void test_a_target_in_the_head_is_harmless(void **state)
+{
+	struct fixture f;
+	const float inside[3] = {5, 1.5f, 0};
+	const float above[3] = {5, 9, 0};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	look(&f, inside, 0.1f, looks);
+	bones_assert_finite(&f.bones);
+	assert_near(looks[2], 1, 1e-6);
+	look(&f, above, 0.1f, looks);
+	bones_assert_finite(&f.bones);
+	tear_down(&f);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_it_looks_at_a_target_within_its_limits),
+		cmocka_unit_test(test_positive_yaw_is_to_the_left_and_pitch_up),
+		cmocka_unit_test(test_limits_hold),
+		cmocka_unit_test(test_a_target_behind_is_given_up),
+		cmocka_unit_test(test_it_follows_at_its_rate_whatever_the_frames),
+		cmocka_unit_test(test_weight_takes_a_share),
+		cmocka_unit_test(test_without_a_target_it_looks_ahead),
+		cmocka_unit_test(test_a_target_in_the_head_is_harmless),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

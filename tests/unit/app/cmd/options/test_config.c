@@ -1,0 +1,279 @@
+#include "app/cmd/options/config.h"
+#include "tests/support/files.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct bench {
+	struct test_path folder, path;
+	struct config config;
+	struct options options;
+	struct log_capture said;
+	int error;
+};
+
+static int setup(void **state)
+{
+	struct bench *bench = calloc(1, sizeof(*bench));
+
+	assert_non_null(bench);
+	bench->folder = temp_dir_make();
+	bench->path = path_join(&bench->folder, "limber.conf");
+	bench->config.arena = arena_empty();
+	*state = bench;
+	return 0;
+}
+
+static int teardown(void **state)
+{
+	struct bench *bench = *state;
+
+	config_release(&bench->config);
+	temp_dir_remove(&bench->folder);
+	free(bench);
+	return 0;
+}
+
+static void load(struct bench *bench, enum command_bit command, const char *text)
+{
+	struct log log = log_capture_begin(&bench->said);
+
+	file_write(bench->path.text, text, strlen(text));
+	bench->options = options_default();
+	bench->error = config_load(&bench->config, bench->path.text, command,
+		&bench->options, &log);
+}
+
+/* Refused with one sentence that begins with the place. */
+static void expect_refusal(struct bench *bench, int line, const char *why)
+{
+	char place[600];
+
+	snprintf(place, sizeof(place), "%s:%d: ", bench->path.text, line);
+	assert_int_equal(bench->error, -EINVAL);
+	assert_int_equal(bench->said.count, 1);
+	assert_int_equal(
+		strncmp(bench->said.sentence[0], place, strlen(place)), 0);
+	assert_contains(bench->said.sentence[0], why);
+}
+
+static void test_keys_are_options_by_their_names(void **state)
+{
+	struct bench *bench = *state;
+
+	load(bench, FOR_PLAY,
+		"; a comment\n"
+		"# another\n"
+		"[start]\n"
+		"demo = face\n"
+		"time = 45f@30\n"
+		"  speed = 0.5   ; slowly\n"
+		"[display]\n"
+		"display = null\n"
+		"size = 320x240\r\n"
+		"gl = soft\n"
+		"labels = no\n"
+		"[math]\n"
+		"influences = 2\n"
+		"[watchdog]\n"
+		"watchdog = /dev/watchdog\n"
+		"[camera]\n"
+		"camera = pattern\n"
+		"[options]\n"
+		"frames = 7\n"
+		"verbose = yes\n");
+	assert_int_equal(bench->error, 0);
+	assert_string_equal(bench->options.demo, "face");
+	assert_near(bench->options.time_s, 1.5, 1e-9);
+	assert_near(bench->options.speed, 0.5, 0.0);
+	assert_string_equal(bench->options.display, "null");
+	assert_int_equal(bench->options.width, 320);
+	assert_int_equal(bench->options.height, 240);
+	assert_string_equal(bench->options.gl, "soft");
+	assert_true(bench->options.no_labels);
+	assert_string_equal(bench->options.watchdog, "/dev/watchdog");
+	assert_string_equal(bench->options.camera, "pattern");
+	assert_int_equal(bench->options.frames, 7);
+	assert_true(bench->options.verbose);
+	assert_null(bench->options.buttons);
+}
+
+static void test_buttons_become_sources(void **state)
+{
+	struct bench *bench = *state;
+
+	load(bench, FOR_PLAY,
+		"[buttons]\n"
+		"UP = gpio 53fd0000.gpio 18 active-low pull-up debounce=20\n"
+		"ENTER = gpio KEY_COL4 pull-down , key KEY_KPENTER\n"
+		"F9 = key KEY_W\n"
+		"keyboard = kpp\n"
+		"sources = script:a.txt\n");
+	assert_int_equal(bench->error, 0);
+	assert_string_equal(bench->options.buttons,
+		"gpiod:UP=53fd0000.gpio 18 active-low pull-up debounce=20,"
+		"ENTER=KEY_COL4 pull-down,evdev:kpp,ENTER=KEY_KPENTER,"
+		"F9=KEY_W,script:a.txt");
+	load(bench, FOR_PLAY, "[buttons]\nkeyboard = all\n");
+	assert_string_equal(bench->options.buttons, "evdev");
+	load(bench, FOR_PLAY, "[buttons]\nF9 = key KEY_W\n");
+	assert_string_equal(bench->options.buttons, "evdev:,F9=KEY_W");
+	load(bench, FOR_PLAY, "[buttons]\nkeyboard = none\n");
+	assert_null(bench->options.buttons);
+}
+
+static void test_actions_move_to_other_buttons(void **state)
+{
+	struct bench *bench = *state;
+
+	load(bench, FOR_PLAY, "[actions]\nF9 = UP\nF10 = none\n");
+	assert_int_equal(bench->error, 0);
+	assert_int_equal(bench->options.action[BUTTON_F9], BUTTON_UP);
+	assert_int_equal(bench->options.action[BUTTON_F10], BUTTON_COUNT);
+	assert_int_equal(bench->options.action[BUTTON_UP], BUTTON_UP);
+}
+
+static void test_what_a_command_has_not_is_left_out(void **state)
+{
+	struct bench *bench = *state;
+
+	load(bench, FOR_POSE,
+		"[display]\ndisplay = fbdev\nsize = 10x20\n"
+		"[buttons]\nkeyboard = all\n[start]\ntime = 2\n");
+	assert_int_equal(bench->error, 0);
+	assert_null(bench->options.display);
+	assert_int_equal(bench->options.width, 480);
+	assert_null(bench->options.buttons);
+	assert_near(bench->options.time_s, 2.0, 0.0);
+	load(bench, FOR_POSE, "[display]\nsize = big\n");
+	expect_refusal(bench, 2, "want width x height");
+}
+
+static void test_mistakes_are_named_with_their_line(void **state)
+{
+	static const struct {
+		int line;
+		const char *text, *why;
+	} cases[] = {
+		{2, "[start]\ndmeo = arm\n", "did you mean demo?"},
+		{3, "\n[dsiplay]\nsize = 1x1\n", "did you mean display?"},
+		{1, "demo = arm\n", "before any [section]"},
+		{2, "[display]\nsize = 480\n", "size = 480: want width"},
+		{2, "[display]\nlabels = maybe\n", "want yes or no"},
+		{2, "[start]\ndemo arm\n", "KEY = VALUE"},
+		{1, "[start\ndemo = arm\n", "[SECTION]"},
+		{2, "[buttons]\nUPP = key KEY_W\n", "did you mean UP?"},
+		{2, "[buttons]\nUP = gpio 53fd0000.gpio 18 pul-up\n",
+			"want CHIP/LINE"},
+		{2, "[buttons]\nUP = gpio\n", "the line is missing"},
+		{2, "[buttons]\nUP = gpio a 1,\n", "want gpio CHIP LINE"},
+		{2, "[buttons]\nUP = keys KEY_W\n", "want gpio CHIP LINE"},
+		{2, "[buttons]\nUP = key KEY_NONE\n", "no such key"},
+		{2, "[buttons]\nsources = piano\n", "no such source"},
+		{2, "[actions]\nF9 = dance\n", "want the button"},
+		{2, "[actions]\nF7 = UP\n", "did you mean F6?"},
+		{3, "[options]\n; x\nframs = 4\n", "did you mean frames?"},
+		{2, "[options]\nframes = none\n", "want a number"},
+		{2, "[options]\nconfig = x\n", "not in [options]"},
+	};
+	struct bench *bench = *state;
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		load(bench, FOR_PLAY, cases[i].text);
+		expect_refusal(bench, cases[i].line, cases[i].why);
+	}
+}
+
+static void test_a_line_that_is_too_long_is_refused(void **state)
+{
+	struct bench *bench = *state;
+	char text[3000];
+
+	memset(text, 'x', sizeof(text));
+	memcpy(text, "[start]\ndemo = ", 15);
+	text[sizeof(text) - 1] = '\0';
+	load(bench, FOR_PLAY, text);
+	expect_refusal(bench, 2, "a line of more than");
+}
+
+static void test_a_missing_file_is_named(void **state)
+{
+	struct bench *bench = *state;
+	struct log log = log_capture_begin(&bench->said);
+
+	assert_int_equal(config_load(&bench->config, "/nowhere/limber.conf",
+				 FOR_PLAY, &bench->options, &log),
+		-ENOENT);
+	assert_contains(bench->said.sentence[0], "/nowhere/limber.conf");
+	assert_int_equal(config_load(&bench->config, bench->folder.text,
+				 FOR_PLAY, &bench->options, &log),
+		-EIO);
+}
+
+static void test_files_are_found_in_their_order(void **state)
+{
+	struct bench *bench = *state;
+	struct test_path home = path_join(&bench->folder, "none-here");
+	char path[600];
+
+	assert_int_equal(setenv("XDG_CONFIG_HOME", home.text, 1), 0);
+	assert_int_equal(setenv("LIMBER_CONFIG", "env.conf", 1), 0);
+	assert_true(config_find("given.conf", true, path, sizeof(path)));
+	assert_string_equal(path, "given.conf");
+	assert_false(config_find("none", true, path, sizeof(path)));
+	assert_true(config_find(NULL, false, path, sizeof(path)));
+	assert_string_equal(path, "env.conf");
+	assert_int_equal(setenv("LIMBER_CONFIG", "none", 1), 0);
+	assert_false(config_find(NULL, true, path, sizeof(path)));
+	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
+	assert_false(config_find(NULL, false, path, sizeof(path)));
+}
+
+static void test_the_boards_file_is_good(void **state)
+{
+	struct bench *bench = *state;
+	struct log log = log_capture_begin(&bench->said);
+
+	bench->options = options_default();
+	assert_int_equal(
+		config_load(&bench->config, "board/imx31-pdk/limber.conf",
+			FOR_PLAY, &bench->options, &log),
+		0);
+	assert_int_equal(bench->said.count, 0);
+	assert_string_equal(bench->options.demo, "walker");
+	assert_string_equal(bench->options.display, "fbdev");
+	assert_string_equal(bench->options.gl, "soft");
+	assert_string_equal(bench->options.buttons,
+		"gpiod:UP=53fd0000.gpio 18 active-high,"
+		"DOWN=53fd0000.gpio 19 active-high,"
+		"LEFT=53fd0000.gpio 20 active-high,"
+		"RIGHT=53fd0000.gpio 21 active-high,"
+		"ENTER=53fd0000.gpio 22 active-high,"
+		"F6=53fd0000.gpio 23 active-high,"
+		"F8=53fd0000.gpio 24 active-high,"
+		"F9=53fd0000.gpio 25 active-high,evdev");
+	assert_int_equal(buttons_check(bench->options.buttons, &log), 0);
+}
+
+int main(void)
+{
+#define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+	const struct CMUnitTest tests[] = {
+		CASE(test_keys_are_options_by_their_names),
+		CASE(test_buttons_become_sources),
+		CASE(test_actions_move_to_other_buttons),
+		CASE(test_what_a_command_has_not_is_left_out),
+		CASE(test_mistakes_are_named_with_their_line),
+		CASE(test_a_line_that_is_too_long_is_refused),
+		CASE(test_a_missing_file_is_named),
+		CASE(test_files_are_found_in_their_order),
+		CASE(test_the_boards_file_is_good),
+	};
+#undef CASE
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,206 @@
+#include "app/cmd/options/options.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <string.h>
+
+struct parse {
+	struct options options;
+	struct log_capture said;
+	int error;
+};
+
+/* Parses words up to NULL. */
+static struct parse parse(enum command_bit command, const char *const *words)
+{
+	struct parse parse = {.options = options_default()};
+	struct log log = log_capture_begin(&parse.said);
+	int count = 0;
+
+	while (words[count]) {
+		count++;
+	}
+	parse.error = options_parse(
+		&parse.options, command, count, (char **)words, &log);
+	parse.said.count = parse.error ? parse.said.count : 0;
+	return parse;
+}
+
+#define PARSE(command, ...) \
+	parse((command), (const char *const[]){__VA_ARGS__, NULL})
+
+static void test_reads_values_after_a_space_or_an_equals_sign(void **state)
+{
+	struct parse p = PARSE(FOR_RENDER, "m.glb", "--size", "320x240",
+		"--time=1.5", "-o", "x.png", "--frames", "7");
+
+	(void)state;
+	assert_int_equal(p.error, 0);
+	assert_string_equal(p.options.model_path, "m.glb");
+	assert_string_equal(p.options.output, "x.png");
+	assert_int_equal(p.options.width, 320);
+	assert_int_equal(p.options.height, 240);
+	assert_int_equal(p.options.frames, 7);
+	assert_near(p.options.time_s, 1.5, 0.0);
+}
+
+static void test_starts_from_the_panels_size(void **state)
+{
+	struct options options = options_default();
+
+	(void)state;
+	assert_int_equal(options.width, 480);
+	assert_int_equal(options.height, 640);
+	assert_false(options.clock.fixed);
+}
+
+static void test_refuses_a_text_that_is_empty(void **state)
+{
+	struct parse demo = PARSE(FOR_RENDER, "--demo", "");
+	struct parse output = PARSE(FOR_POSE, "-o", "");
+
+	(void)state;
+	assert_int_equal(demo.error, -EINVAL);
+	assert_contains(demo.said.sentence[0], "want a demo's name");
+	assert_int_equal(output.error, -EINVAL);
+}
+
+static void test_suggests_the_option_that_was_meant(void **state)
+{
+	struct parse p = PARSE(FOR_RENDER, "--tmie", "1");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_int_equal(p.said.count, 1);
+	assert_contains(p.said.sentence[0], "did you mean --time?");
+}
+
+static void test_points_to_help_when_nothing_is_near(void **state)
+{
+	struct parse p = PARSE(FOR_RENDER, "--frobnicate");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.said.sentence[0], "--help lists them");
+}
+
+static void test_does_not_suggest_what_the_command_does_not_take(void **state)
+{
+	struct parse p = PARSE(FOR_INFO, "--tmie", "1");
+
+	(void)state;
+	assert_contains(p.said.sentence[0], "--help lists them");
+}
+
+static void test_refuses_an_option_of_another_command(void **state)
+{
+	struct parse p = PARSE(FOR_POSE, "--size", "1x1");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.said.sentence[0], "not an option of this command");
+}
+
+static void test_says_what_a_good_value_looks_like(void **state)
+{
+	static const char *const bad[][2] = {
+		{"--size", "480"},
+		{"--size", "480x"},
+		{"--size", "0x640"},
+		{"--size", "480x640x2"},
+		{"--size", "-1x5"},
+		{"--size", "9000x10"},
+		{"--time", "soon"},
+		{"--time", "-1"},
+		{"--time", "1.5s"},
+		{"--time", "nan"},
+		{"--frames", "0"},
+		{"--frames", "many"},
+		{"--frames", "99999999999999999999"},
+		{"--clock", "fixed"},
+		{"--clock", "fixed:0"},
+		{"--math", "double"},
+		{"--influences", "9"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(bad); i++) {
+		struct parse p = PARSE(FOR_RENDER, bad[i][0], bad[i][1]);
+
+		assert_int_equal(p.error, -EINVAL);
+		assert_int_equal(p.said.count, 1);
+		assert_contains(p.said.sentence[0], ": want ");
+		assert_contains(p.said.sentence[0], bad[i][1]);
+	}
+}
+
+static void test_says_when_a_value_is_missing(void **state)
+{
+	struct parse p = PARSE(FOR_RENDER, "-o");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.said.sentence[0], "its value is missing");
+}
+
+static void test_refuses_a_value_for_a_switch(void **state)
+{
+	struct parse p = PARSE(FOR_INFO, "--json=yes");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.said.sentence[0], "takes no value");
+}
+
+static void test_takes_one_model_only(void **state)
+{
+	struct parse p = PARSE(FOR_INFO, "a.glb", "b.glb");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.said.sentence[0], "b.glb: one model at a time");
+}
+
+static void test_takes_a_name_with_a_dash_after_two_dashes(void **state)
+{
+	struct parse p = PARSE(FOR_INFO, "--", "-strange.glb");
+
+	(void)state;
+	assert_int_equal(p.error, 0);
+	assert_string_equal(p.options.model_path, "-strange.glb");
+}
+
+static void test_closest_is_at_most_two_letters_off(void **state)
+{
+	static const char *const names[] = {"play", "render", "pose", NULL};
+
+	(void)state;
+	assert_string_equal(options_closest("rendre", names), "render");
+	assert_string_equal(options_closest("plya", names), "play");
+	assert_null(options_closest("compare", names));
+	assert_null(options_closest("", names));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_reads_values_after_a_space_or_an_equals_sign),
+		cmocka_unit_test(test_starts_from_the_panels_size),
+		cmocka_unit_test(test_refuses_a_text_that_is_empty),
+		cmocka_unit_test(test_suggests_the_option_that_was_meant),
+		cmocka_unit_test(test_points_to_help_when_nothing_is_near),
+		cmocka_unit_test(
+			test_does_not_suggest_what_the_command_does_not_take),
+		cmocka_unit_test(test_refuses_an_option_of_another_command),
+		cmocka_unit_test(test_says_what_a_good_value_looks_like),
+		cmocka_unit_test(test_says_when_a_value_is_missing),
+		cmocka_unit_test(test_refuses_a_value_for_a_switch),
+		cmocka_unit_test(test_takes_one_model_only),
+		cmocka_unit_test(test_takes_a_name_with_a_dash_after_two_dashes),
+		cmocka_unit_test(test_closest_is_at_most_two_letters_off),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

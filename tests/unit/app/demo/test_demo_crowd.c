@@ -1,0 +1,172 @@
+/* The crowd: where its walkers are, and how many. */
+#include "app/demo/crowd/crowd_places.h"
+#include "tests/support/demo_run.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+static float distance(int a, int b, double time_s)
+{
+	struct crowd_place from = crowd_place(a), to = crowd_place(b);
+	struct crowd_spot p = crowd_spot_at(&from, time_s);
+	struct crowd_spot q = crowd_spot_at(&to, time_s);
+
+	return hypotf(p.x - q.x, p.z - q.z);
+}
+
+static void test_no_two_walkers_meet(void **state)
+{
+	(void)state;
+	for (int a = 0; a < CROWD_MAX; a++) {
+		for (int b = 0; b < a; b++) {
+			for (double at_s = 0.0; at_s < 60.0; at_s += 0.37) {
+				assert_true(distance(a, b, at_s) > 0.7f);
+			}
+		}
+	}
+}
+
+static void test_the_circle_holds_them_all_and_grows(void **state)
+{
+	(void)state;
+	for (int i = 0; i < CROWD_MAX; i++) {
+		struct crowd_place place = crowd_place(i);
+
+		assert_true(place.radius_m < crowd_radius_m(i + 1));
+		assert_true(crowd_radius_m(i + 1) <= crowd_radius_m(i + 2));
+		assert_in_range((int)(place.phase * 1000.0f), 0, 999);
+	}
+}
+
+static void test_walkers_go_where_they_look_as_fast_as_their_feet(void **state)
+{
+	(void)state;
+	for (int i = 1; i < 30; i++) {
+		struct crowd_place place = crowd_place(i);
+		struct crowd_spot from = crowd_spot_at(&place, 5.0);
+		struct crowd_spot to = crowd_spot_at(&place, 5.01);
+		float x = to.x - from.x, z = to.z - from.z;
+		float speed = fabsf(place.speed_m_s);
+
+		assert_near(hypotf(x, z) / 0.01f, speed, 0.02f * speed);
+		assert_true(x * sinf(from.yaw_rad) + z * cosf(from.yaw_rad) >
+			0.99f * hypotf(x, z));
+	}
+}
+
+static const struct demo_press presses[] = {
+	{0.1, BUTTON_F8},    /* small ones keep all triangles */
+	{1.0, BUTTON_UP},    /* 13 */
+	{2.0, BUTTON_DOWN},  /* 12 */
+	{3.0, BUTTON_RIGHT}, /* 17 */
+	{4.0, BUTTON_LEFT},  /* 12, 7, 2, 1 */
+	{5.0, BUTTON_LEFT}, {6.0, BUTTON_LEFT}, {7.0, BUTTON_LEFT},
+	{8.0, BUTTON_DOWN}, {9.0, BUTTON_F6}, {11.0, BUTTON_RIGHT}, /* 6 */
+};
+
+static long triangles_at(double time_s)
+{
+	struct demo_run run;
+	long triangles;
+
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, time_s, 5, presses, (int)ARRAY_COUNT(presses));
+	triangles = demo_tell(run.driver, run.demo).triangles;
+	demo_run_end(&run);
+	return triangles;
+}
+
+static void test_buttons_add_and_remove_walkers(void **state)
+{
+	long one = triangles_at(8.5);
+
+	(void)state;
+	assert_true(one > 1000);
+	assert_int_equal(triangles_at(0.5), 12 * one);
+	assert_int_equal(triangles_at(1.5), 13 * one);
+	assert_int_equal(triangles_at(2.5), 12 * one);
+	assert_int_equal(triangles_at(3.5), 17 * one);
+	assert_int_equal(triangles_at(5.5), 7 * one);
+	assert_int_equal(triangles_at(12.0), 6 * one);
+}
+
+static void test_small_figures_have_fewer_triangles(void **state)
+{
+	static const struct demo_press many[] = {{0.1, BUTTON_RIGHT},
+		{0.3, BUTTON_RIGHT}, {0.5, BUTTON_RIGHT}, {0.7, BUTTON_RIGHT},
+		{0.9, BUTTON_RIGHT}, {1.1, BUTTON_RIGHT}, {1.3, BUTTON_RIGHT},
+		{1.5, BUTTON_RIGHT}, {6.0, BUTTON_F8}};
+	struct demo_run run;
+	long few, all;
+
+	(void)state;
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, 5.9, 10, many, (int)ARRAY_COUNT(many));
+	few = demo_tell(run.driver, run.demo).triangles;
+	demo_run_to(&run, 6.5, 10, many, (int)ARRAY_COUNT(many));
+	all = demo_tell(run.driver, run.demo).triangles;
+	assert_true(few > 50 * 300);
+	assert_true(few < all / 2);
+	demo_run_end(&run);
+}
+
+static void test_a_budget_holds_normals_and_caps_influences(void **state)
+{
+	const struct shed shed = {.max_influences = 1, .hold_normals = true};
+	struct demo_run run;
+	struct gl_recording all, less;
+
+	(void)state;
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, 1.0, 5, NULL, 0);
+	demo_run_draw(&run);
+	all = *gl_recorder_result();
+	demo_run_end(&run);
+	demo_run_begin(&run, "crowd");
+	demo_shed(run.demo, &shed);
+	demo_run_to(&run, 1.0, 5, NULL, 0);
+	demo_run_draw(&run);
+	less = *gl_recorder_result();
+	demo_run_end(&run);
+	assert_int_equal(all.vertex_count, less.vertex_count);
+	assert_true(fabs(all.sum[0] - less.sum[0]) > 1e-3);
+}
+
+static void test_a_budget_leaves_out_triangles_and_gives_them_back(void **state)
+{
+	const struct shed shed = {.error_px = 4.0f}, nothing = {0};
+	struct demo_run run;
+	long all, less;
+
+	(void)state;
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, 1.0, 5, NULL, 0);
+	all = demo_tell(run.driver, run.demo).triangles;
+	demo_shed(run.demo, &shed);
+	demo_run_to(&run, 1.5, 5, NULL, 0);
+	less = demo_tell(run.driver, run.demo).triangles;
+	assert_true(less < 2 * all / 3);
+	assert_true(less > all / 10);
+	demo_shed(run.demo, &nothing);
+	demo_run_to(&run, 2.0, 5, NULL, 0);
+	assert_int_equal(demo_tell(run.driver, run.demo).triangles, all);
+	demo_run_end(&run);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_no_two_walkers_meet),
+		cmocka_unit_test(test_the_circle_holds_them_all_and_grows),
+		cmocka_unit_test(
+			test_walkers_go_where_they_look_as_fast_as_their_feet),
+		cmocka_unit_test(test_buttons_add_and_remove_walkers),
+		cmocka_unit_test(test_small_figures_have_fewer_triangles),
+		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
+		cmocka_unit_test(
+			test_a_budget_leaves_out_triangles_and_gives_them_back),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,192 @@
+/* The duel's contenders against the comparison's own figures. */
+#include "app/demo/duel/contender.h"
+#include "tests/support/demo_run.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+struct bench {
+	struct log log;
+	struct model *model;
+	struct reference *reference;
+	struct screen screen;
+	struct demo_env env;
+	struct contender contender;
+};
+
+static const char path[] = "assets/walker.glb";
+
+static void begin(struct bench *bench, enum contender_kind kind)
+{
+	int clip;
+
+	memset(bench, 0, sizeof(*bench));
+	bench->log = log_to_stderr(LOG_WARNING);
+	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
+	clip = model_find_clip(bench->model, "walk");
+	assert_int_equal(reference_create(bench->model, clip, 20.0, &bench->log,
+				 &bench->reference),
+		0);
+	bench->screen = screen_frame(bench->reference, 480, 640);
+	bench->env = (struct demo_env){
+		.log = &bench->log, .kernel = &kernel_float, .model_path = path};
+	assert_int_equal(
+		contender_init(&bench->contender, kind, bench->reference,
+			&bench->screen, 0.5f, &bench->env),
+		0);
+}
+
+static void end(struct bench *bench)
+{
+	contender_finish(&bench->contender);
+	reference_destroy(bench->reference);
+	model_destroy(bench->model);
+}
+
+static float largest_error(struct bench *bench, float full_px)
+{
+	float peak_px = 0.0f;
+
+	for (int f = 0; f < bench->reference->frame_count; f++) {
+		contender_pose(&bench->contender, bench->reference->time_s[f]);
+		contender_judge(&bench->contender, &bench->screen, f, full_px);
+		if (bench->contender.peak_px > peak_px) {
+			peak_px = bench->contender.peak_px;
+		}
+	}
+	return peak_px;
+}
+
+static void agrees(enum contender_kind kind)
+{
+	struct bench bench;
+	float shown_px;
+
+	begin(&bench, kind);
+	shown_px = largest_error(&bench, 4.0f);
+	candidate_measure(
+		&bench.contender.candidate, bench.reference, &bench.screen);
+	assert_near(shown_px, bench.contender.candidate.error.peak_px, 2e-3);
+	assert_true(bench.contender.candidate.memory_bytes > 100000);
+	end(&bench);
+}
+
+static void test_the_skin_shown_is_as_far_off_as_measured(void **state)
+{
+	(void)state;
+	agrees(CONTENDER_SKIN);
+}
+
+static void test_the_morph_shown_is_as_far_off_as_measured(void **state)
+{
+	(void)state;
+	agrees(CONTENDER_MORPH);
+}
+
+static void test_the_rigid_parts_shown_are_as_far_off_as_measured(void **state)
+{
+	(void)state;
+	agrees(CONTENDER_RIGID);
+}
+
+static void test_rigid_parts_keep_every_triangle(void **state)
+{
+	struct bench bench;
+	int corners = 0, wanted = 0;
+
+	(void)state;
+	begin(&bench, CONTENDER_RIGID);
+	for (int i = 0; i < bench.contender.shown->drawable_count; i++) {
+		corners +=
+			bench.contender.shown->drawable[i].primitive->index_count;
+	}
+	for (int i = 0; i < bench.reference->instance->drawable_count; i++) {
+		wanted += bench.reference->instance->drawable[i]
+				  .primitive->index_count;
+	}
+	assert_int_equal(corners, wanted);
+	end(&bench);
+}
+
+static void test_heat_is_red_where_a_part_is_far_off(void **state)
+{
+	struct bench bench;
+	int red = 0, blue = 0;
+
+	(void)state;
+	begin(&bench, CONTENDER_RIGID);
+	largest_error(&bench, 1.0f);
+	tint_switch(&bench.contender.heat, true);
+	for (int i = 0; i < bench.contender.shown->drawable_count; i++) {
+		const struct drawable *d = &bench.contender.shown->drawable[i];
+
+		for (int v = 0; v < d->primitive->vertex_count; v++) {
+			const uint8_t *rgb = d->batch[0].color[v];
+
+			red += rgb[0] > 200 && rgb[1] < 100;
+			blue += rgb[0] < 80 && rgb[2] > 180;
+		}
+	}
+	assert_true(red > 20);
+	assert_true(blue > 1000);
+	assert_ptr_not_equal(
+		bench.contender.shown->model, bench.contender.heat.kept);
+	tint_switch(&bench.contender.heat, false);
+	assert_ptr_equal(
+		bench.contender.shown->model, bench.contender.heat.kept);
+	end(&bench);
+}
+
+static int64_t a_millisecond_later(void)
+{
+	static int64_t now_ns;
+
+	return now_ns += 1000000;
+}
+
+static void test_times_come_from_the_clock_it_is_given(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, CONTENDER_SKIN);
+	contender_pose(&bench.contender, 0.1f);
+	assert_true(bench.contender.ms < 0.0f);
+	bench.contender.now_ns = a_millisecond_later;
+	contender_pose(&bench.contender, 0.2f);
+	assert_near(bench.contender.ms, 1.0, 1e-6);
+	end(&bench);
+}
+
+static void test_buttons_run_through_the_duel(void **state)
+{
+	static const struct demo_press presses[] = {{0.1, BUTTON_F8},
+		{0.2, BUTTON_UP}, {0.3, BUTTON_F6}, {0.4, BUTTON_ENTER},
+		{0.5, BUTTON_LEFT}, {0.6, BUTTON_DOWN}, {0.7, BUTTON_F9}};
+	struct demo_run run;
+
+	(void)state;
+	demo_run_begin(&run, "duel");
+	demo_run_to(&run, 1.0, 10, presses, (int)ARRAY_COUNT(presses));
+	demo_run_draw(&run);
+	assert_true(gl_recorder_result()->vertex_count > 10000);
+	assert_true(demo_tell(run.driver, run.demo).triangles > 3 * 3000);
+	demo_run_end(&run);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_skin_shown_is_as_far_off_as_measured),
+		cmocka_unit_test(test_the_morph_shown_is_as_far_off_as_measured),
+		cmocka_unit_test(
+			test_the_rigid_parts_shown_are_as_far_off_as_measured),
+		cmocka_unit_test(test_rigid_parts_keep_every_triangle),
+		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
+		cmocka_unit_test(test_times_come_from_the_clock_it_is_given),
+		cmocka_unit_test(test_buttons_run_through_the_duel),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,200 @@
+/* Presets written back into their file, and the tuner that does so. */
+#include "app/demo/preset_file.h"
+#include "app/model/model_file.h"
+#include "tests/support/demo_run.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct bench {
+	struct log log;
+	char folder[64], path[96];
+};
+
+static void write_file(const struct bench *bench, const char *text)
+{
+	FILE *out = fopen(bench->path, "w");
+
+	assert_non_null(out);
+	assert_true(fputs(text, out) >= 0);
+	assert_int_equal(fclose(out), 0);
+}
+
+static void read_back(const struct bench *bench, char *text, size_t size)
+{
+	FILE *in = fopen(bench->path, "r");
+	size_t length;
+
+	assert_non_null(in);
+	length = fread(text, 1, size - 1, in);
+	text[length] = '\0';
+	fclose(in);
+}
+
+static int begin(void **state)
+{
+	struct bench *bench = calloc(1, sizeof(*bench));
+
+	assert_non_null(bench);
+	bench->log = log_to_stderr(LOG_WARNING);
+	snprintf(bench->folder, sizeof(bench->folder), "/tmp/presets-XXXXXX");
+	assert_non_null(mkdtemp(bench->folder));
+	snprintf(bench->path, sizeof(bench->path), "%s/presets.ini",
+		bench->folder);
+	*state = bench;
+	return 0;
+}
+
+static int end(void **state)
+{
+	struct bench *bench = *state;
+
+	unlink(bench->path);
+	rmdir(bench->folder);
+	unsetenv("LIMBER_ASSETS");
+	free(bench);
+	return 0;
+}
+
+static const char before[] = "; About it all.\n"
+			     "[one]\n"
+			     "speed = 10 ; slow\n"
+			     "translation = 0 1 0\n"
+			     "\n"
+			     "; About two.\n"
+			     "[two]\n"
+			     "  amplitude=0.5\n";
+
+static const char after[] = "; About it all.\n"
+			    "[one]\n"
+			    "speed = 12.5 ; slow\n"
+			    "translation = 0 1 -2\n"
+			    "attenuation = -0.25\n"
+			    "\n"
+			    "; About two.\n"
+			    "[two]\n"
+			    "  amplitude=0.5\n";
+
+static void test_a_section_changes_and_all_else_stays(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	char text[1024];
+
+	write_file(bench, before);
+	strcpy(preset.name, "one");
+	preset.speed = 12.5f;
+	preset.translation[2] = -2.0f;
+	preset.attenuation = -0.25f;
+	assert_int_equal(preset_file_save(bench->path, &preset, &bench->log), 0);
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(text, after);
+}
+
+static void test_what_is_saved_is_read_again(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	struct procedural_preset read[4];
+	char text[1024];
+
+	write_file(bench, before);
+	strcpy(preset.name, "three");
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		*preset_value(&preset, &preset_fields[i]) =
+			0.125f * (float)(i + 1);
+	}
+	assert_int_equal(preset_file_save(bench->path, &preset, &bench->log), 0);
+	read_back(bench, text, sizeof(text));
+	assert_int_equal(procedural_presets_parse(
+				 text, bench->path, &bench->log, read, 4),
+		3);
+	assert_string_equal(read[2].name, "three");
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		assert_near(*preset_value(&read[2], &preset_fields[i]),
+			0.125f * (float)(i + 1), 0.0);
+	}
+	assert_near(read[1].amplitude, 0.5, 0.0);
+}
+
+static void test_the_programs_own_file_stays_as_it_is(void **state)
+{
+	struct bench *bench = *state;
+	struct model_file own;
+	struct procedural_preset preset[PRESETS_MAX];
+	char text[4096];
+	int count;
+
+	assert_int_equal(
+		model_file_read("assets/presets.ini", &bench->log, &own), 0);
+	write_file(bench, (const char *)own.data);
+	count = procedural_presets_parse((const char *)own.data, "own",
+		&bench->log, preset, PRESETS_MAX);
+	assert_true(count >= 3);
+	for (int i = 0; i < count; i++) {
+		assert_int_equal(
+			preset_file_save(bench->path, &preset[i], &bench->log),
+			0);
+	}
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(text, (const char *)own.data);
+	model_file_release(&own);
+}
+
+static void test_a_file_that_is_not_there_is_told(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	struct log quiet = log_to_stderr(LOG_ERROR);
+
+	assert_true(preset_file_save(bench->path, &preset, &quiet) < 0);
+}
+
+static void test_the_tuner_changes_and_saves(void **state)
+{
+	static const struct demo_press presses[] = {
+		{0.2, BUTTON_RIGHT},                   /* attenuation, 0.3 */
+		{0.6, BUTTON_RIGHT}, {1.0, BUTTON_UP}, /* amplitude, 0.3 */
+		{1.4, BUTTON_LEFT}, {1.8, BUTTON_ENTER}};
+	struct bench *bench = *state;
+	struct procedural_preset read[4];
+	struct demo_run run;
+	char text[1024];
+
+	write_file(bench, "[mine]\nspeed = 7\n");
+	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder, 1), 0);
+	demo_run_begin(&run, "tuner");
+	demo_run_to(&run, 3.0, 20, presses, (int)ARRAY_COUNT(presses));
+	demo_run_draw(&run);
+	assert_true(gl_recorder_result()->vertex_count > 1000);
+	demo_run_end(&run);
+	read_back(bench, text, sizeof(text));
+	assert_int_equal(procedural_presets_parse(
+				 text, bench->path, &bench->log, read, 4),
+		1);
+	assert_near(read[0].attenuation, 0.4, 1e-6);
+	assert_near(read[0].amplitude, 0.28, 1e-6);
+	assert_near(read[0].speed, 7.0, 0.0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup_teardown(
+			test_a_section_changes_and_all_else_stays, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_what_is_saved_is_read_again, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_the_programs_own_file_stays_as_it_is, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_a_file_that_is_not_there_is_told, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_the_tuner_changes_and_saves, begin, end),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

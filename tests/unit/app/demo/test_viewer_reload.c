@@ -1,0 +1,184 @@
+/* The viewer follows its file. */
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+#include "app/model/model_file.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct bench {
+	struct log log;
+	struct gl gl;
+	char path[64];
+	struct demo *demo;
+	double now_s;
+};
+
+static void put(const struct bench *bench, const void *data, size_t size)
+{
+	FILE *out = fopen(bench->path, "w");
+
+	assert_non_null(out);
+	assert_int_equal(fwrite(data, 1, size, out), size);
+	assert_int_equal(fclose(out), 0);
+}
+
+static void put_model(const struct bench *bench, const char *asset)
+{
+	struct model_file file;
+
+	assert_int_equal(model_file_read(asset, &bench->log, &file), 0);
+	put(bench, file.data, file.size);
+	model_file_release(&file);
+}
+
+static void run_to(struct bench *bench, double time_s)
+{
+	while (bench->now_s < time_s) {
+		bench->now_s += 0.05;
+		demo_driver_viewer.update(bench->demo, bench->now_s);
+	}
+}
+
+static long triangles(const struct bench *bench)
+{
+	return demo_tell(&demo_driver_viewer, bench->demo).triangles;
+}
+
+static const struct model *model_of(const struct bench *bench)
+{
+	return ((const struct act *)bench->demo)->actor.model;
+}
+
+static struct bench *begin_bench(bool follow)
+{
+	struct bench *bench = calloc(1, sizeof(*bench));
+	struct demo_env env;
+	int file;
+
+	assert_non_null(bench);
+	bench->log = log_to_stderr(LOG_ERROR);
+	bench->gl = gl_recorder_begin();
+	snprintf(bench->path, sizeof(bench->path), "/tmp/followed-XXXXXX");
+	file = mkstemp(bench->path);
+	assert_true(file >= 0);
+	close(file);
+	put_model(bench, "assets/walker.glb");
+	env = (struct demo_env){
+		.log = &bench->log,
+		.gl = &bench->gl,
+		.target = PIXELS_RGBA8888,
+		.kernel = &kernel_float,
+		.width = 240,
+		.height = 320,
+		.model_path = bench->path,
+		.clip = "walk",
+		.repeat = CLIP_LOOP,
+		.speed = 1.0f,
+		.follow_file = follow,
+	};
+	assert_int_equal(
+		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
+	return bench;
+}
+
+static void end_bench(struct bench *bench)
+{
+	demo_destroy(&demo_driver_viewer, bench->demo);
+	unlink(bench->path);
+	free(bench);
+}
+
+static void test_a_new_file_is_shown_at_the_same_clip_and_time(void **state)
+{
+	struct bench *bench = begin_bench(true);
+	struct bench *other = begin_bench(true);
+	const struct act *act = (const struct act *)bench->demo;
+	const struct act *same = (const struct act *)other->demo;
+	const struct model *old;
+
+	(void)state;
+	old = model_of(bench);
+	run_to(bench, 1.5);
+	run_to(other, 1.5);
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 4.3);
+	run_to(other, 4.3);
+	assert_ptr_not_equal(model_of(bench), old);
+	for (int v = 0; v < 100; v++) {
+		float a[3], b[3];
+
+		instance_world_vertex(act->actor.instance,
+			&act->actor.instance->drawable[0], v, a);
+		instance_world_vertex(same->actor.instance,
+			&same->actor.instance->drawable[0], v, b);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(a[axis], b[axis], 1e-4);
+		}
+	}
+	end_bench(other);
+	end_bench(bench);
+}
+
+static void test_another_model_takes_its_place(void **state)
+{
+	struct bench *bench = begin_bench(true);
+	long before = triangles(bench);
+
+	(void)state;
+	run_to(bench, 1.5);
+	put_model(bench, "assets/arm.glb");
+	run_to(bench, 4.0);
+	assert_true(triangles(bench) != before);
+	demo_driver_viewer.draw(bench->demo, 240, 320);
+	end_bench(bench);
+}
+
+static void test_a_broken_file_leaves_the_old_one(void **state)
+{
+	struct bench *bench = begin_bench(true);
+	const struct model *old = model_of(bench);
+
+	(void)state;
+	run_to(bench, 1.5);
+	put(bench, "glTF, but not really", 20);
+	run_to(bench, 6.0);
+	assert_ptr_equal(model_of(bench), old);
+	unlink(bench->path);
+	run_to(bench, 9.0);
+	assert_ptr_equal(model_of(bench), old);
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 12.0);
+	assert_ptr_not_equal(model_of(bench), old);
+	end_bench(bench);
+}
+
+static void test_a_file_that_is_not_followed_is_left_alone(void **state)
+{
+	struct bench *bench = begin_bench(false);
+	const struct model *old = model_of(bench);
+
+	(void)state;
+	run_to(bench, 1.5);
+	put_model(bench, "assets/arm.glb");
+	run_to(bench, 5.0);
+	assert_ptr_equal(model_of(bench), old);
+	end_bench(bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_new_file_is_shown_at_the_same_clip_and_time),
+		cmocka_unit_test(test_another_model_takes_its_place),
+		cmocka_unit_test(test_a_broken_file_leaves_the_old_one),
+		cmocka_unit_test(test_a_file_that_is_not_followed_is_left_alone),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,127 @@
+/* base64.h and uri.h: what data URIs and file names are made of. */
+#include "app/model/gltf/base64.h"
+#include "app/model/gltf/uri.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <string.h>
+
+static void expect_bytes(const char *text, const char *bytes)
+{
+	uint8_t out[32];
+	size_t size = 99;
+
+	assert_true(base64_room(strlen(text)) <= sizeof(out));
+	assert_int_equal(base64_decode(text, strlen(text), out, &size), 0);
+	assert_int_equal(size, strlen(bytes));
+	assert_memory_equal(out, bytes, size);
+}
+
+/* The examples of RFC 4648, section 10. */
+static void test_decodes_the_rfc_examples(void **state)
+{
+	(void)state;
+	expect_bytes("", "");
+	expect_bytes("Zg==", "f");
+	expect_bytes("Zm8=", "fo");
+	expect_bytes("Zm9v", "foo");
+	expect_bytes("Zm9vYg==", "foob");
+	expect_bytes("Zm9vYmE=", "fooba");
+	expect_bytes("Zm9vYmFy", "foobar");
+	expect_bytes("+/+/", "\xfb\xff\xbf");
+}
+
+static void test_needs_no_padding(void **state)
+{
+	(void)state;
+	expect_bytes("Zg", "f");
+	expect_bytes("Zm9vYmE", "fooba");
+}
+
+static void test_refuses_what_is_not_base64(void **state)
+{
+	static const char *const texts[] = {
+		"Z",
+		"Zm9vY",
+		"Zm9 ",
+		"Zm9-",
+		"Zm9\n",
+		"Z===",
+		"=Zg=",
+		"Zg=",
+		"Zm=9",
+		"Zm\xc3\xa9",
+	};
+	uint8_t out[32];
+	size_t size, i;
+
+	(void)state;
+	for (i = 0; i < sizeof(texts) / sizeof(texts[0]); i++) {
+		assert_int_equal(
+			base64_decode(texts[i], strlen(texts[i]), out, &size),
+			-EINVAL);
+	}
+}
+
+static void test_knows_data_uris(void **state)
+{
+	(void)state;
+	assert_true(uri_is_data("data:;base64,AA=="));
+	assert_true(uri_is_data("DATA:x"));
+	assert_false(uri_is_data("data.bin"));
+	assert_string_equal(
+		uri_data_base64("data:image/png;base64,AA=="), "AA==");
+	assert_string_equal(uri_data_base64("data:;base64,"), "");
+	assert_null(uri_data_base64("data:text/plain,AA=="));
+	assert_null(uri_data_base64("data:;base64"));
+	assert_null(uri_data_base64(",AA=="));
+}
+
+static void test_knows_schemes(void **state)
+{
+	(void)state;
+	assert_true(uri_has_scheme("http://example.org/a.bin"));
+	assert_true(uri_has_scheme("file:a.bin"));
+	assert_true(uri_has_scheme("C:\\a.bin"));
+	assert_false(uri_has_scheme("a.bin"));
+	assert_false(uri_has_scheme("folder/a:b.bin"));
+	assert_false(uri_has_scheme("1:a"));
+	assert_false(uri_has_scheme(""));
+}
+
+static void test_decodes_percent_escapes(void **state)
+{
+	char out[32];
+
+	(void)state;
+	assert_int_equal(uri_unescape("a%20b%2fC%C3%A9+", out), 0);
+	assert_string_equal(out, "a b/C\xc3\xa9+");
+	assert_int_equal(uri_unescape("", out), 0);
+	assert_string_equal(out, "");
+}
+
+static void test_refuses_broken_escapes(void **state)
+{
+	char out[32];
+
+	(void)state;
+	assert_int_equal(uri_unescape("a%", out), -EINVAL);
+	assert_int_equal(uri_unescape("a%2", out), -EINVAL);
+	assert_int_equal(uri_unescape("a%zz", out), -EINVAL);
+	assert_int_equal(uri_unescape("a%00.png", out), -EINVAL);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_decodes_the_rfc_examples),
+		cmocka_unit_test(test_needs_no_padding),
+		cmocka_unit_test(test_refuses_what_is_not_base64),
+		cmocka_unit_test(test_knows_data_uris),
+		cmocka_unit_test(test_knows_schemes),
+		cmocka_unit_test(test_decodes_percent_escapes),
+		cmocka_unit_test(test_refuses_broken_escapes),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

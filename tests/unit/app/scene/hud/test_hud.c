@@ -1,0 +1,579 @@
+#include "app/scene/hud/hud.h"
+#include "platform/base/compiler.h"
+#include "platform/base/fixed.h"
+#include "tests/support/gl/gl_checks.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const struct hud_color orange = {255, 128, 0, 255};
+
+/* Without a GL: for what happens before hud_end(). */
+static struct hud *hud_of_size(int width, int height)
+{
+	static struct hud hud;
+
+	memset(&hud, 0, sizeof(hud));
+	hud.font = &font_default;
+	hud_begin(&hud, width, height);
+	return &hud;
+}
+
+static void test_widths_of_pieces_add_up(void **state)
+{
+	struct hud *hud = hud_of_size(480, 640);
+	int walk = hud_text_width(hud, "walk "),
+	    time = hud_text_width(hud, "1.07");
+
+	(void)state;
+	assert_int_equal(hud_text_width(hud, ""), 0);
+	assert_true(walk > 0 && time > 0);
+	assert_int_equal(hud_text_width(hud, "walk 1.07"), walk + time);
+	assert_int_equal(hud_text_width(hud, "1.07walk "), walk + time);
+	assert_int_equal(hud_text_width(hud, "3.48"), time);
+	assert_int_equal(
+		hud_text(hud, 40, 0, orange, "walk 1.07"), 40 + walk + time);
+}
+
+static void test_text_grows_with_the_picture(void **state)
+{
+	static const int sizes[][3] = {{240, 320, 12}, {480, 640, 16},
+		{1280, 720, 16}, {1920, 1080, 24}, {3840, 2160, 48}, {1, 1, 12}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		struct hud *hud = hud_of_size(sizes[i][0], sizes[i][1]);
+
+		assert_int_equal(hud_em(hud), sizes[i][2]);
+		assert_in_range(
+			hud_line_height(hud), hud_em(hud), hud_em(hud) * 3 / 2);
+	}
+}
+
+static void test_long_text_is_cut_with_an_ellipsis(void **state)
+{
+	struct hud *hud = hud_of_size(480, 640);
+	int whole = hud_text_width(hud, "walk backwards");
+	const struct font_glyph *ellipsis =
+		&hud->face->glyph[font_find_glyph(hud->font, 0x2026)];
+
+	(void)state;
+	assert_int_equal(
+		hud_text_cut(hud, 7, 0, whole, orange, "walk backwards"),
+		7 + whole);
+	assert_int_equal(hud->quad_count, 13);
+	for (int width = 0; width < whole; width++) {
+		int end;
+
+		hud_begin(hud, 480, 640);
+		end = hud_text_cut(hud, 7, 0, width, orange, "walk backwards");
+		assert_in_range(end, 7, 7 + width);
+		if (hud->quad_count > 0) {
+			const struct hud_vertex *last =
+				&hud->vertex[hud->quad_count * 4 - 4];
+
+			assert_int_equal(last->s, ellipsis->s);
+			assert_int_equal(last->t, ellipsis->t);
+		} else {
+			assert_true(width < ellipsis->advance);
+		}
+	}
+}
+
+static void test_no_ellipsis_follows_a_space(void **state)
+{
+	struct hud *hud = hud_of_size(480, 640);
+	int word = hud_text_width(hud, "walk");
+	int more = hud_text_width(hud, " \xE2\x80\xA6");
+
+	(void)state;
+	assert_int_equal(
+		hud_text_cut(hud, 0, 0, word + more, orange, "walk backwards"),
+		word + hud_text_width(hud, "\xE2\x80\xA6"));
+}
+
+/* Fills everything; the index table behind the vertices must stay as it is. */
+static void overfill(struct hud *hud)
+{
+	for (int i = 0; i < HUD_QUADS_MAX; i++) {
+		hud_text(hud, i, i, orange, "no longer fits");
+		hud_bar(hud, i, i, 100, 10, 0.5f, orange);
+	}
+}
+
+static void test_what_does_not_fit_is_left_out(void **state)
+{
+	struct hud *hud = hud_of_size(480, 640);
+
+	(void)state;
+	memset(hud->index, 0xA5, sizeof(hud->index));
+	overfill(hud);
+	assert_int_equal(hud->quad_count, HUD_QUADS_MAX);
+	for (int i = 0; i < HUD_QUADS_MAX * 6; i++) {
+		assert_int_equal(hud->index[i], 0xA5A5);
+	}
+	hud_begin(hud, 480, 640);
+	assert_int_equal(hud->quad_count, 0);
+}
+
+static void test_absurd_positions_and_sizes_are_harmless(void **state)
+{
+	struct hud *hud = hud_of_size(480, 640);
+
+	(void)state;
+	hud_panel(hud, 10, 10, 0, 20, 5, orange);
+	hud_panel(hud, 10, 10, -5, -5, 5, orange);
+	hud_bar(hud, 10, 10, 0, 4, 1.0f, orange);
+	hud_rectangle(hud, 0, 0, -1, 5, orange);
+	assert_int_equal(hud->quad_count, 0);
+	hud_text(hud, 1 << 24, -(1 << 24), orange, "far away");
+	hud_panel(hud, 0, 0, 50, 50, 1 << 20, orange);
+	hud_panel(hud, 0, 0, 50, 50, -1, orange);
+	hud_move(hud, 0, 30000, -30000);
+	hud_move(hud, 0, 30000, -30000);
+}
+
+/* What a bar of 100 pixels shows filled: the right edge of its last quad. */
+static int filled_width(float share)
+{
+	struct hud *hud = hud_of_size(480, 640);
+	int track, right = 0;
+
+	hud_panel(hud, 0, 0, 100, 4, 2, orange);
+	track = hud->quad_count;
+	hud_begin(hud, 480, 640);
+	hud_bar(hud, 0, 0, 100, 4, share, orange);
+	for (int i = track * 4; i < hud->quad_count * 4; i++) {
+		right = hud->vertex[i].x > right ? hud->vertex[i].x : right;
+	}
+	return right;
+}
+
+static void test_bars_fill_by_their_share(void **state)
+{
+	(void)state;
+	assert_int_equal(filled_width(0.5f), 50);
+	assert_int_equal(filled_width(0.254f), 25);
+	assert_int_equal(filled_width(1.0f), 100);
+	assert_int_equal(filled_width(7.0f), 100);
+	assert_int_equal(filled_width(0.0f), 0);
+	assert_int_equal(filled_width(-1.0f), 0);
+	assert_int_equal(filled_width(NAN), 0);
+	/* a trace shows as a dot */
+	assert_int_equal(filled_width(0.001f), 4);
+}
+
+/* A recorder that also knows textures and what is enabled. */
+enum {
+	CAPABILITY_ROOM = 64
+};
+
+static struct {
+	GLenum name[CAPABILITY_ROOM];
+	bool on[CAPABILITY_ROOM];
+	int count;
+} capabilities;
+
+static void set_capability(GLenum name, bool on)
+{
+	int i = 0;
+
+	while (i < capabilities.count && capabilities.name[i] != name) {
+		i++;
+	}
+	assert_true(i < CAPABILITY_ROOM);
+	capabilities.name[i] = name;
+	capabilities.on[i] = on;
+	capabilities.count += i == capabilities.count;
+}
+
+static bool is_on(GLenum name)
+{
+	for (int i = 0; i < capabilities.count; i++) {
+		if (capabilities.name[i] == name) {
+			return capabilities.on[i];
+		}
+	}
+	fail_msg("capability %#x was never set", name);
+	return false;
+}
+
+static void enable(GLenum name)
+{
+	set_capability(name, true);
+}
+
+static void disable(GLenum name)
+{
+	set_capability(name, false);
+}
+
+static void gen_textures(GLsizei count, GLuint *textures)
+{
+	for (int i = 0; i < count; i++) {
+		textures[i] = (GLuint)i + 1;
+	}
+}
+
+static void gen_no_textures(GLsizei count, GLuint *textures)
+{
+	memset(textures, 0, (size_t)count * sizeof(*textures));
+}
+
+static void ignore_bind(GLenum target, GLuint texture)
+{
+	(void)target;
+	(void)texture;
+}
+
+static void ignore_parameter(GLenum target, GLenum name, GLfixed value)
+{
+	(void)target;
+	(void)name;
+	(void)value;
+}
+
+static void ignore_store(GLenum name, GLint value)
+{
+	(void)name;
+	(void)value;
+}
+
+static void ignore_image(GLenum target, GLint level, GLint internal_format,
+	GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
+	const void *pixels)
+{
+	(void)target;
+	(void)level;
+	(void)border;
+	(void)type;
+	(void)pixels;
+	assert_int_equal(internal_format, format);
+	assert_in_range(width * height, 1, 64 * 1024);
+}
+
+static struct gl recorder(void)
+{
+	struct gl gl = gl_recorder_begin();
+
+	memset(&capabilities, 0, sizeof(capabilities));
+	gl.BindTexture = ignore_bind;
+	gl.Disable = gl.DisableClientState = disable;
+	gl.Enable = gl.EnableClientState = enable;
+	gl.GenTextures = gen_textures;
+	gl.PixelStorei = ignore_store;
+	gl.TexImage2D = ignore_image;
+	gl.TexParameterx = ignore_parameter;
+	return gl;
+}
+
+static struct hud *hud_with(const struct gl *gl)
+{
+	static struct hud hud;
+	struct log log = log_to_nowhere();
+
+	assert_int_equal(hud_init(&hud, gl, &log), 0);
+	return &hud;
+}
+
+static void test_a_frame_is_one_draw_call(void **state)
+{
+	struct gl gl = recorder();
+	struct hud *hud = hud_with(&gl);
+	const struct gl_recording *recording = gl_recorder_result();
+	int quads;
+
+	(void)state;
+	hud_begin(hud, 480, 640);
+	hud_end(hud, &gl);
+	assert_int_equal(recording->draw_count, 0);
+	hud_begin(hud, 480, 640);
+	hud_text(hud, 10, 10, orange, "walk");
+	hud_bar(hud, 10, 30, 100, 4, 0.5f, orange);
+	quads = hud->quad_count;
+	assert_true(quads > 8);
+	hud_end(hud, &gl);
+	assert_int_equal(recording->draw_count, 1);
+	assert_int_equal(recording->draw[0].count, quads * 6);
+	hud_end(hud, &gl);
+	assert_int_equal(recording->draw_count, 1);
+}
+
+static void test_drivers_of_fixed_point_get_exact_matrices(void **state)
+{
+	struct gl gl = recorder();
+	struct hud *hud = hud_with(&gl);
+	const double *matrix = gl_recorder_result()->draw[0].matrix;
+
+	(void)state;
+	hud_begin(hud, 1366, 767);
+	hud_rectangle(hud, 0, 0, 1366, 767, orange);
+	hud_rectangle(hud, 683, 0, 1, 767, orange);
+	hud_end(hud, &gl);
+	assert_true(matrix[0] == 1.0 / 16384 && matrix[5] == -1.0 / 16384);
+	/* within 1/16 of a pixel of where they should be */
+	assert_near(hud->vertex[0].x * matrix[0], -1.0, 0.125 / 1366);
+	assert_near(hud->vertex[0].y * matrix[5], 1.0, 0.125 / 767);
+	assert_near(hud->vertex[3].x * matrix[0], 1.0, 0.125 / 1366);
+	assert_near(hud->vertex[3].y * matrix[5], -1.0, 0.125 / 767);
+	assert_near(hud->vertex[4].x * matrix[0], 0.0, 0.125 / 1366);
+}
+
+static void test_leaves_the_state_it_promises(void **state)
+{
+	struct gl gl = recorder();
+	struct hud *hud = hud_with(&gl);
+
+	(void)state;
+	hud_begin(hud, 480, 640);
+	hud_text(hud, 10, 10, orange, "walk");
+	hud_end(hud, &gl);
+	assert_true(is_on(GL_DEPTH_TEST));
+	assert_false(is_on(GL_BLEND));
+	assert_false(is_on(GL_TEXTURE_2D));
+	assert_false(is_on(GL_LIGHTING));
+	assert_false(is_on(GL_CULL_FACE));
+	assert_false(is_on(GL_ALPHA_TEST));
+	assert_true(is_on(GL_VERTEX_ARRAY));
+	assert_true(is_on(GL_COLOR_ARRAY));
+	assert_false(is_on(GL_NORMAL_ARRAY));
+	assert_false(is_on(GL_TEXTURE_COORD_ARRAY));
+	/* matrix mode model-view, and identity there */
+	gl.DrawArrays(GL_TRIANGLES, 0, 3);
+	assert_near(gl_recorder_result()->draw[1].matrix[0], 1.0, 0);
+	gl.Scalex(2 * FX16_ONE, FX16_ONE, FX16_ONE);
+	gl.DrawArrays(GL_TRIANGLES, 0, 3);
+	assert_near(gl_recorder_result()->draw[2].matrix[0], 2.0, 0);
+}
+
+static void test_no_texture_is_an_error_with_a_sentence(void **state)
+{
+	struct gl gl = recorder();
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct hud *hud = hud_of_size(1, 1);
+
+	(void)state;
+	gl.GenTextures = gen_no_textures;
+	assert_int_equal(hud_init(hud, &gl, &log), -ENOMEM);
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0], "texture");
+	hud_finish(hud, &gl);
+}
+
+/* Pictures: these take a driver's name. */
+
+static void check_picture(
+	const char *driver, void (*check)(struct stage *, struct hud *))
+{
+	static struct hud hud;
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct stage stage = stage_open(driver, PIXELS_RGBA8888);
+
+	assert_int_equal(hud_init(&hud, stage.gl, &log), 0);
+	hud_begin(&hud, STAGE_WIDTH, STAGE_HEIGHT);
+	check(&stage, &hud);
+	hud_finish(&hud, stage.gl);
+	stage_close(&stage);
+}
+
+static int blend(int above, int below, int alpha)
+{
+	return (above * alpha + below * (255 - alpha) + 127) / 255;
+}
+
+/* The alpha of a picture of one glyph at a pen position; 0 outside it. */
+static int glyph_alpha(const struct hud *hud, uint32_t code, int pen, int y,
+	int at_x, int at_y)
+{
+	const struct font *font = hud->font;
+	const struct font_glyph *glyph =
+		&hud->face->glyph[font_find_glyph(font, code)];
+	int column = at_x - pen - glyph->left;
+	int row = at_y - (y + hud->face->ascent - glyph->top);
+
+	if (column < 0 || row < 0 || column >= glyph->width ||
+		row >= glyph->height) {
+		return 0;
+	}
+	return font->alpha[(glyph->t + row) * font->width + glyph->s + column];
+}
+
+/* The whole picture is these two letters in orange on black. */
+static void expect_letters(const struct stage *stage, const struct hud *hud,
+	const char *two, int x, int y)
+{
+	char first[2] = {two[0], 0};
+	int second = x + hud_text_width(hud, first);
+
+	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
+		int at_x = i % STAGE_WIDTH, at_y = i / STAGE_WIDTH;
+		int alpha = glyph_alpha(hud, (uint8_t)two[0], x, y, at_x, at_y) +
+			glyph_alpha(hud, (uint8_t)two[1], second, y, at_x, at_y);
+
+		stage_expect(
+			stage, at_x, at_y, alpha, blend(128, 0, alpha), 0, 2);
+	}
+}
+
+static void check_letters(struct stage *stage, struct hud *hud)
+{
+	hud_text(hud, 3, 5, orange, "1g");
+	hud_end(hud, stage->gl);
+	stage_end_frame(stage);
+	expect_letters(stage, hud, "1g", 3, 5);
+}
+
+static void test_text_lands_on_its_pixels_in_its_colour(void **state)
+{
+	check_picture(*state, check_letters);
+}
+
+static void check_letters_that_leave(struct stage *stage, struct hud *hud)
+{
+	hud_text(hud, -3, -6, orange, "1g");
+	hud_end(hud, stage->gl);
+	stage_end_frame(stage);
+	expect_letters(stage, hud, "1g", -3, -6);
+}
+
+static void test_text_over_the_edge_is_cut_off_there(void **state)
+{
+	check_picture(*state, check_letters_that_leave);
+}
+
+static void check_order(struct stage *stage, struct hud *hud)
+{
+	static const struct hud_color white = {255, 255, 255, 255};
+	static const struct hud_color half_blue = {0, 0, 255, 128};
+
+	hud_rectangle(hud, 4, 4, 10, 10, white);
+	hud_rectangle(hud, 8, 4, 10, 10, half_blue);
+	hud_rectangle(hud, 31, 23, 1, 1, orange);
+	hud_end(hud, stage->gl);
+	stage_end_frame(stage);
+	stage_expect(stage, 3, 4, 0, 0, 0, 0);
+	stage_expect(stage, 4, 4, 255, 255, 255, 0);
+	stage_expect(stage, 4, 14, 0, 0, 0, 0);
+	stage_expect(stage, 7, 13, 255, 255, 255, 0);
+	stage_expect(stage, 8, 13, 127, 127, 255, 2);
+	stage_expect(stage, 17, 13, 0, 0, 128, 2);
+	stage_expect(stage, 18, 13, 0, 0, 0, 0);
+	stage_expect(stage, 31, 23, 255, 128, 0, 2);
+	stage_expect(stage, 30, 23, 0, 0, 0, 0);
+	stage_expect(stage, 31, 22, 0, 0, 0, 0);
+}
+
+static void test_later_things_cover_earlier_ones(void **state)
+{
+	check_picture(*state, check_order);
+}
+
+/* Its corners are the disc's, all else is plain. */
+static void check_panel(struct stage *stage, struct hud *hud)
+{
+	const uint16_t *disc = hud->font->disc[4];
+
+	hud_panel(hud, 2, 3, 20, 15, 4, orange);
+	hud_end(hud, stage->gl);
+	stage_end_frame(stage);
+	for (int i = 0; i < 20 * 15; i++) {
+		int x = i % 20, y = i / 20;
+		int s = x < 4 ? x : x >= 16 ? x - 12 : -1;
+		int t = y < 4 ? y : y >= 11 ? y - 7 : -1;
+		int alpha = s < 0 || t < 0
+			? 255
+			: hud->font->alpha[(disc[1] + t) * hud->font->width +
+				  disc[0] + s];
+
+		stage_expect(
+			stage, 2 + x, 3 + y, alpha, blend(128, 0, alpha), 0, 2);
+	}
+	stage_expect(stage, 1, 10, 0, 0, 0, 0);
+	stage_expect(stage, 22, 10, 0, 0, 0, 0);
+	stage_expect(stage, 10, 2, 0, 0, 0, 0);
+	stage_expect(stage, 10, 18, 0, 0, 0, 0);
+}
+
+static void test_panels_are_whole_and_round(void **state)
+{
+	check_picture(*state, check_panel);
+}
+
+/* Whatever was drawn before leaves its marks; none may reach the text. */
+static void check_after_a_scene(struct stage *stage, struct hud *hud)
+{
+	struct gl *gl = stage->gl;
+
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_CULL_FACE);
+	gl->CullFace(GL_FRONT_AND_BACK);
+	gl->Enable(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_NEVER, 0);
+	gl->DepthFunc(GL_NEVER);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+	gl->MatrixMode(GL_TEXTURE);
+	gl->Scalex(0, 0, 0);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Scalex(0, 0, 0);
+	gl->BlendFunc(GL_ZERO, GL_ONE);
+	check_order(stage, hud);
+}
+
+static void test_state_of_the_scene_does_not_matter(void **state)
+{
+	check_picture(*state, check_after_a_scene);
+}
+
+static const struct CMUnitTest plain_tests[] = {
+	cmocka_unit_test(test_widths_of_pieces_add_up),
+	cmocka_unit_test(test_text_grows_with_the_picture),
+	cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
+	cmocka_unit_test(test_no_ellipsis_follows_a_space),
+	cmocka_unit_test(test_what_does_not_fit_is_left_out),
+	cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
+	cmocka_unit_test(test_bars_fill_by_their_share),
+	cmocka_unit_test(test_a_frame_is_one_draw_call),
+	cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
+	cmocka_unit_test(test_leaves_the_state_it_promises),
+	cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
+};
+
+static const struct CMUnitTest picture_tests[] = {
+	cmocka_unit_test(test_text_lands_on_its_pixels_in_its_colour),
+	cmocka_unit_test(test_text_over_the_edge_is_cut_off_there),
+	cmocka_unit_test(test_later_things_cover_earlier_ones),
+	cmocka_unit_test(test_panels_are_whole_and_round),
+	cmocka_unit_test(test_state_of_the_scene_does_not_matter),
+};
+
+enum {
+	PLAIN_COUNT = ARRAY_COUNT(plain_tests),
+	PICTURE_COUNT = ARRAY_COUNT(picture_tests),
+	DRIVERS_MAX = 8
+};
+
+int main(void)
+{
+	/* What is left empty is no test. */
+	static struct CMUnitTest tests[PLAIN_COUNT + PICTURE_COUNT * DRIVERS_MAX];
+	static char name[PICTURE_COUNT * DRIVERS_MAX][96];
+
+	memcpy(tests, plain_tests, sizeof(plain_tests));
+	for (int i = 0; gl_registry[i / PICTURE_COUNT]; i++) {
+		const char *driver = gl_registry[i / PICTURE_COUNT]->name;
+		struct CMUnitTest *test = &tests[PLAIN_COUNT + i];
+
+		*test = picture_tests[i % PICTURE_COUNT];
+		snprintf(name[i], sizeof(name[i]), "%s_%s", test->name, driver);
+		test->name = name[i];
+		test->initial_state = (void *)(uintptr_t)driver;
+	}
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,98 @@
+/* The graph of frame times: what it says and what it draws. */
+#include "app/scene/hud/hud_graph.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+
+static void add(struct hud_graph *graph, int frames, float ms, float apart_ms)
+{
+	const float stage_ms[HUD_STAGES] = {0.25f * ms, 0.5f * ms, 0.25f * ms};
+
+	for (int i = 0; i < frames; i++) {
+		hud_graph_add(graph, stage_ms, apart_ms);
+	}
+}
+
+static void test_texts_are_means_of_a_quarter_second(void **state)
+{
+	struct hud_graph graph = {.next = 0};
+
+	(void)state;
+	assert_near(hud_graph_rate(&graph), 0.0, 0.0);
+	add(&graph, 1, 8.0f, 20.0f);
+	assert_near(hud_graph_rate(&graph), 50.0, 1e-3);
+	add(&graph, 12, 4.0f, 20.0f);
+	assert_near(graph.shown.stage_ms[HUD_DRAW], 4.0, 1e-3);
+	add(&graph, 1, 4.0f, 10.0f);
+	assert_near(graph.shown.stage_ms[HUD_DRAW], 2.0, 1e-3);
+	assert_near(hud_graph_rate(&graph), 1000.0 / (250.0 / 13.0), 1e-2);
+}
+
+static void test_the_scale_holds_the_tallest_frame_it_still_has(void **state)
+{
+	struct hud_graph graph = {.next = 0};
+
+	(void)state;
+	add(&graph, 3, 4.9f, 20.0f);
+	assert_near(hud_graph_scale_ms(&graph), 5.0, 0.0);
+	add(&graph, 1, 39.0f, 20.0f);
+	assert_near(hud_graph_scale_ms(&graph), 40.0, 0.0);
+	add(&graph, 1, 5000.0f, 20.0f);
+	assert_near(hud_graph_scale_ms(&graph), 1000.0, 0.0);
+	add(&graph, HUD_GRAPH_FRAMES, 4.9f, 20.0f);
+	assert_near(hud_graph_scale_ms(&graph), 5.0, 0.0);
+}
+
+/* How many of the hud's pixels a colour's rectangles cover. */
+static int pixels_of(const struct hud *hud, struct hud_color color)
+{
+	int sum = 0;
+
+	for (int i = 0; i < hud->quad_count; i++) {
+		const struct hud_vertex *v = &hud->vertex[i * 4];
+
+		if (v->color.r == color.r && v->color.g == color.g &&
+			v->color.b == color.b) {
+			sum += (v[3].x - v[0].x) * (v[3].y - v[0].y);
+		}
+	}
+	return sum;
+}
+
+static void test_bars_are_as_high_as_the_stages_last(void **state)
+{
+	const struct hud_facts facts = {
+		.technique = "Skeletal", .driver = "soft", .triangles = 12};
+	struct hud *hud = calloc(1, sizeof(*hud));
+	struct hud_graph graph = {.next = 0};
+	int blue, green;
+
+	(void)state;
+	assert_non_null(hud);
+	hud->font = &font_default;
+	add(&graph, HUD_GRAPH_FRAMES, 20.0f, 20.0f);
+	hud_begin(hud, 480, 640);
+	hud_graph_show(&graph, &facts, hud);
+	blue = pixels_of(hud, hud_color_blue);
+	green = pixels_of(hud, hud_color_green);
+	assert_true(blue > 500);
+	assert_in_range(green, blue * 3 / 2, blue * 5 / 2);
+	assert_true(hud->quad_count < HUD_QUADS_MAX / 2);
+	for (int i = 0; i < hud->quad_count * 4; i++) {
+		assert_in_range(hud->vertex[i].x, 0, 480);
+		assert_in_range(hud->vertex[i].y, 320, 640);
+	}
+	free(hud);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_texts_are_means_of_a_quarter_second),
+		cmocka_unit_test(
+			test_the_scale_holds_the_tallest_frame_it_still_has),
+		cmocka_unit_test(test_bars_are_as_high_as_the_stages_last),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,345 @@
+#include "app/scene/instance/batch.h"
+#include "app/scene/instance/bounds.h"
+#include "app/scene/instance/instance.h"
+#include "tests/support/small_model.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+static void test_keeps_metres_for_a_model_of_human_size(void **state)
+{
+	struct model *model = small_model_grid(2, 2, 1.75f, true);
+	struct instance *instance = small_model_instance(model);
+	struct bounds bounds;
+
+	(void)state;
+	assert_near(instance->unit_scale, 1.0, 0.0);
+	bounds = bounds_of_instance(instance);
+	assert_near(bounds_extent(&bounds), 1.75, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_scales_a_huge_model_by_a_power_of_two(void **state)
+{
+	struct model *model = small_model_grid(2, 2, 5000.0f, true);
+	struct instance *instance = small_model_instance(model);
+	struct bounds bounds;
+	mat4 matrix;
+	float corner[3];
+
+	(void)state;
+	assert_near(instance->unit_scale, 1.0 / 8192.0, 0.0);
+	bounds = bounds_of_instance(instance);
+	assert_near(bounds_extent(&bounds), 5000.0 / 8192.0, 1e-6);
+	/* Vertices near 1, and a matrix near 1 that carries them. */
+	instance_drawable_matrix(instance, &instance->drawable[0], matrix);
+	assert_near(matrix[0][0] * instance->drawable[0].position[8][0],
+		5000.0 / 8192.0, 1e-6);
+	assert_true(matrix[0][0] >= 0.25f && matrix[0][0] <= 4.0f);
+	/* The world is as the file says. */
+	instance_world_vertex(instance, &instance->drawable[0], 8, corner);
+	assert_near(corner[0], 5000.0, 1e-3);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_scales_a_tiny_model_up(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 0.001f, true);
+	struct instance *instance = small_model_instance(model);
+	struct bounds bounds = bounds_of_instance(instance);
+
+	(void)state;
+	assert_true(bounds_extent(&bounds) > 0.5f);
+	assert_true(bounds_extent(&bounds) <= 1.0f);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_moves_a_rigid_mesh_with_its_node(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance = small_model_instance(model);
+	float corner[3];
+
+	(void)state;
+	instance->pose.local[0].translation[1] = 2.0f;
+	instance_update(instance);
+	instance_world_vertex(instance, &instance->drawable[0], 3, corner);
+	assert_all_near(corner, ((float[3]){1, 3, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_nodes_outside_the_scene_are_not_shown(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance;
+
+	(void)state;
+	model->node[0].in_scene = false;
+	instance = small_model_instance(model);
+	assert_int_equal(instance->drawable_count, 0);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_gives_flat_normals_where_the_file_has_none(void **state)
+{
+	struct model *model = small_model_grid(2, 1, 1.0f, false);
+	struct instance *instance = small_model_instance(model);
+	const struct batch *batch = &instance->drawable[0].batch[0];
+
+	(void)state;
+	assert_null(instance->drawable[0].normal);
+	assert_null(batch->index);
+	assert_int_equal(batch->vertex_count, 12);
+	for (int v = 0; v < batch->vertex_count; v++) {
+		assert_all_near(
+			batch->normal[v], ((float[3]){0, 0, 1}), 3, 1e-6);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
+{
+	/* 300 x 300 quads: 90,601 vertices, 540,000 indices. */
+	struct model *model = small_model_grid(300, 300, 1.0f, true);
+	struct instance *instance = small_model_instance(model);
+	const struct drawable *drawable = &instance->drawable[0];
+	const struct model_primitive *primitive = drawable->primitive;
+	int done = 0;
+
+	(void)state;
+	assert_true(drawable->batch_count > 1);
+	for (int b = 0; b < drawable->batch_count; b++) {
+		const struct batch *batch = &drawable->batch[b];
+
+		assert_true(batch->vertex_count <= 65536);
+		assert_int_equal(batch->vertex_count % 3, 0);
+		for (int v = 0; v < batch->vertex_count; v += 997) {
+			uint32_t from = primitive->index[done + v];
+
+			assert_memory_equal(batch->position[v],
+				primitive->position[from], sizeof(float[3]));
+		}
+		done += batch->vertex_count;
+	}
+	assert_int_equal(done, primitive->index_count);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_multiplies_vertex_colours_by_the_material(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	struct instance *instance;
+	const uint8_t *color;
+
+	(void)state;
+	primitive->color = arena_alloc(&model->arena, 4, 4);
+	memset(primitive->color, 200, 16);
+	model->material[0].base_color[0] = 0.0f;
+	instance = small_model_instance(model);
+	color = instance->drawable[0].batch[0].color[2];
+	assert_int_equal(color[0], 0);
+	assert_int_equal(color[1], 200);
+	assert_int_equal(color[3], 200);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* One joint, a node of its own that the grid hangs on. */
+static void add_skin(struct model *model)
+{
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	size_t count = (size_t)primitive->vertex_count;
+	struct arena *arena = &model->arena;
+	struct model_node *node = ARENA_ARRAY(arena, struct model_node, 2);
+
+	node[0] = node[1] = model->node[0];
+	node[0].mesh = -1;
+	node[1].skin = 0;
+	model->node = node;
+	model->node_count = 2;
+	model->skin = ARENA_NEW(arena, struct model_skin);
+	model->skin_count = 1;
+	model->skin->joint_count = 1;
+	model->skin->joint = ARENA_ARRAY(arena, int, 1);
+	model->skin->inverse_bind = ARENA_ARRAY(arena, mat4, 1);
+	for (int i = 0; i < 4; i++) {
+		model->skin->inverse_bind[0][i][i] = 1.0f;
+	}
+	primitive->influences = 4;
+	primitive->joint = ARENA_ARRAY(arena, uint16_t, count * 4);
+	primitive->weight = ARENA_ARRAY(arena, float, count * 4);
+	for (size_t v = 0; v < count; v++) {
+		primitive->weight[v * 4] = 1.0f;
+	}
+}
+
+/* One target: +0.5 Z, normals towards +X, tangents towards -Z. */
+static void add_target(struct model *model)
+{
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	size_t count = (size_t)primitive->vertex_count;
+	struct arena *arena = &model->arena;
+
+	primitive->target = ARENA_NEW(arena, struct model_target);
+	primitive->target->position = arena_alloc(arena, count, 12);
+	primitive->target->normal = arena_alloc(arena, count, 12);
+	primitive->target->tangent = arena_alloc(arena, count, 12);
+	for (size_t v = 0; v < count; v++) {
+		primitive->target->position[v][2] = 0.5f;
+		primitive->target->normal[v][0] = 1.0f;
+		primitive->target->tangent[v][2] = -1.0f;
+	}
+	model->mesh[0].target_count = 1;
+	model->weight_count = 1;
+	model->rest_weights = ARENA_ARRAY(arena, float, 1);
+}
+
+/* A quarter turn about +Y: +X to -Z, +Z to +X. */
+static const float quarter_turn[4] = {0, 0.70710678f, 0, 0.70710678f};
+
+/* A square with tangents and something that moves it. */
+struct relief {
+	struct model *model;
+	struct instance *instance;
+};
+
+static struct relief relief_begin(float size, void (*add)(struct model *model))
+{
+	struct relief relief = {small_model_grid(1, 1, size, true), NULL};
+
+	small_model_add_relief(relief.model, 1, small_model_flat_map);
+	add(relief.model);
+	relief.instance = small_model_instance(relief.model);
+	return relief;
+}
+
+static void relief_end(struct relief *relief)
+{
+	instance_destroy(relief->instance);
+	model_destroy(relief->model);
+}
+
+static void test_morphs_before_it_skins(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct instance *instance;
+	const struct drawable *drawable;
+	const float half = 0.70710678f;
+
+	(void)state;
+	small_model_add_relief(model, 1, small_model_flat_map);
+	add_skin(model);
+	add_target(model);
+	instance = small_model_instance(model);
+	drawable = &instance->drawable[0];
+	instance->pose.weight[0] = 1.0f;
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	/* (1, 1, 0) goes to (1, 1, 0.5), then to (0.5, 1, -1). */
+	assert_all_near(
+		drawable->position[3], ((float[3]){0.5f, 1, -1}), 3, 1e-6);
+	/* (1, 0, 1) unit turns to (1, 0, -1); (1, 0, -1) to (-1, 0, -1). */
+	assert_all_near(
+		drawable->normal[3], ((float[3]){half, 0, -half}), 3, 1e-6);
+	assert_all_near(
+		drawable->tangent[3], ((float[3]){-half, 0, -half}), 3, 1e-6);
+	assert_all_near(drawable->bitangent[3], ((float[3]){0, 1, 0}), 3, 1e-6);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_skins_tangents_with_the_joints(void **state)
+{
+	struct relief relief = relief_begin(1.0f, add_skin);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
+
+	(void)state;
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	assert_all_near(drawable->tangent[2], ((float[3]){0, 0, -1}), 3, 1e-6);
+	assert_all_near(drawable->bitangent[2], ((float[3]){0, 1, 0}), 3, 1e-6);
+	relief_end(&relief);
+}
+
+static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
+{
+	struct relief relief = relief_begin(100.0f, add_target);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
+
+	(void)state;
+	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
+	instance->pose.weight[0] = 0.75f;
+	instance_update(instance);
+	assert_all_near(
+		drawable->tangent[0], ((float[3]){0.8f, 0, -0.6f}), 3, 1e-6);
+	assert_all_near(
+		drawable->normal[0], ((float[3]){0.6f, 0, 0.8f}), 3, 1e-6);
+	assert_near(drawable->position[0][2],
+		0.375 * (double)drawable->vertex_scale, 1e-6);
+	/* Again from the base, not from what is there. */
+	instance->pose.weight[0] = 0.0f;
+	instance_update(instance);
+	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
+	relief_end(&relief);
+}
+
+static void test_leaves_tangents_alone_without_relief(void **state)
+{
+	struct relief relief = relief_begin(1.0f, add_skin);
+	struct instance *instance = relief.instance;
+	const struct drawable *drawable = &instance->drawable[0];
+
+	(void)state;
+	instance->relief = false;
+	memcpy(instance->pose.local[0].rotation, quarter_turn,
+		sizeof(quarter_turn));
+	instance_update(instance);
+	assert_all_near(drawable->tangent[2], ((float[3]){1, 0, 0}), 3, 1e-6);
+	assert_all_near(drawable->normal[2], ((float[3]){1, 0, 0}), 3, 1e-6);
+	relief_end(&relief);
+}
+
+static void test_bounds_of_nothing_are_empty(void **state)
+{
+	struct bounds bounds = bounds_empty();
+	float center[3];
+
+	(void)state;
+	assert_true(bounds_is_empty(&bounds));
+	assert_near(bounds_extent(&bounds), 0.0, 0.0);
+	bounds_center(&bounds, center);
+	assert_all_near(center, ((float[3]){0, 0, 0}), 3, 0.0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_keeps_metres_for_a_model_of_human_size),
+		cmocka_unit_test(test_scales_a_huge_model_by_a_power_of_two),
+		cmocka_unit_test(test_scales_a_tiny_model_up),
+		cmocka_unit_test(test_moves_a_rigid_mesh_with_its_node),
+		cmocka_unit_test(test_nodes_outside_the_scene_are_not_shown),
+		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
+		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
+		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
+		cmocka_unit_test(test_morphs_before_it_skins),
+		cmocka_unit_test(test_skins_tangents_with_the_joints),
+		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),
+		cmocka_unit_test(test_leaves_tangents_alone_without_relief),
+		cmocka_unit_test(test_bounds_of_nothing_are_empty),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,509 @@
+/*
+ * Instances in fixed point, held against the same ones in float: where
+ * vertices are, what is drawn, and what cannot be had in 16 bits.
+ */
+#include "app/anim/clip.h"
+#include "app/scene/instance/bounds.h"
+#include "app/scene/draw/draw.h"
+#include "app/scene/shadow/shadow_volume.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/small_model.h"
+#include "tests/support/test.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	TIMES = 5
+};
+
+static const double DEGREE = 0.017453292519943295;
+
+/* One model, both ways. */
+struct pair {
+	struct model *model;
+	struct instance *exact, *fixed;
+	struct clip_cursor cursor;
+};
+
+static struct instance *make_instance(
+	const struct model *model, const char *kernel)
+{
+	struct log nowhere = log_to_nowhere();
+	struct instance *instance = NULL;
+
+	assert_int_equal(
+		instance_create(model, kernel_find(kernel), &nowhere, &instance),
+		0);
+	return instance;
+}
+
+static void pair_begin(struct pair *pair, struct model *model)
+{
+	*pair = (struct pair){.model = model};
+	pair->exact = make_instance(model, "float");
+	pair->fixed = make_instance(model, "fixed");
+	assert_int_equal(
+		clip_cursor_init(&pair->cursor, model, &pair->exact->arena), 0);
+}
+
+static void pair_load(struct pair *pair, const char *path)
+{
+	struct log nowhere = log_to_nowhere();
+	struct model *model;
+
+	assert_int_equal(model_load(path, &nowhere, &model), 0);
+	pair_begin(pair, model);
+}
+
+static void pair_end(struct pair *pair)
+{
+	instance_destroy(pair->exact);
+	instance_destroy(pair->fixed);
+	model_destroy(pair->model);
+}
+
+static void pair_pose(struct pair *pair, int clip, float time_s)
+{
+	if (clip >= 0) {
+		clip_pose(&pair->model->clip[clip], time_s, CLIP_AUTO,
+			&pair->cursor, &pair->exact->pose);
+	}
+	pose_copy(&pair->fixed->pose, &pair->exact->pose);
+	instance_update(pair->exact);
+	instance_update(pair->fixed);
+	assert_false(instance_failed(pair->fixed));
+}
+
+static double distance(const float a[3], const float b[3])
+{
+	return hypot(hypot((double)a[0] - b[0], (double)a[1] - b[1]),
+		(double)a[2] - b[2]);
+}
+
+/* In scene units. */
+static void scaled_vertex(const struct instance *instance,
+	const struct drawable *drawable, int v, float out[3])
+{
+	instance_world_vertex(instance, drawable, v, out);
+	for (int i = 0; i < 3; i++) {
+		out[i] *= instance->unit_scale;
+	}
+}
+
+/* Of the sphere around the middle of the model's box. */
+static double radius_of(const struct instance *instance)
+{
+	struct bounds box = bounds_of_instance(instance);
+	float middle[3];
+	double most = 0;
+
+	bounds_center(&box, middle);
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float at[3];
+
+			scaled_vertex(instance, drawable, v, at);
+			most = fmax(most, distance(at, middle));
+		}
+	}
+	return most / (double)instance->unit_scale;
+}
+
+static struct bounds bounds_of_each_vertex(const struct instance *instance)
+{
+	struct bounds box = bounds_empty();
+
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float at[3];
+
+			scaled_vertex(instance, drawable, v, at);
+			bounds_add(&box, at);
+		}
+	}
+	return box;
+}
+
+static double worst_position(const struct pair *pair, int d)
+{
+	const struct drawable *drawable = &pair->exact->drawable[d];
+	double worst = 0;
+
+	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+		float want[3], got[3];
+
+		instance_world_vertex(pair->exact, drawable, v, want);
+		instance_world_vertex(
+			pair->fixed, &pair->fixed->drawable[d], v, got);
+		worst = fmax(worst, distance(want, got));
+	}
+	return worst;
+}
+
+static void unit_of(const struct fixed_vector *v, float out[3])
+{
+	double length = sqrt((double)v->x * v->x + (double)v->y * v->y +
+		(double)v->z * v->z);
+
+	out[0] = (float)(v->x / length);
+	out[1] = (float)(v->y / length);
+	out[2] = (float)(v->z / length);
+}
+
+static double worst_normal(const struct pair *pair, int d)
+{
+	const struct drawable *exact = &pair->exact->drawable[d];
+	const struct drawable_fixed *fixed = pair->fixed->drawable[d].fixed;
+	double worst = 0;
+
+	for (int v = 0;
+		exact->normal && fixed && v < exact->primitive->vertex_count;
+		v++) {
+		const float *want = exact->normal[v];
+		const float none[3] = {0, 0, 0};
+		float got[3];
+
+		if (distance(want, none) < 0.5) {
+			continue;
+		}
+		unit_of(&fixed->normal[fixed->place ? fixed->place[v]
+						    : (uint32_t)v],
+			got);
+		worst = fmax(worst, 2 * asin(0.5 * distance(want, got)));
+	}
+	return worst;
+}
+
+static void compare_posed(
+	struct pair *pair, double *position, double *normal_rad)
+{
+	double radius = radius_of(pair->exact);
+	struct bounds box = bounds_of_instance(pair->fixed);
+	struct bounds same = bounds_of_each_vertex(pair->fixed);
+
+	assert_memory_equal(&box, &same, sizeof(box));
+	for (int d = 0; d < pair->exact->drawable_count; d++) {
+		*position = fmax(*position,
+			worst_position(pair, d) / (radius > 0 ? radius : 1));
+		*normal_rad = fmax(*normal_rad, worst_normal(pair, d));
+	}
+}
+
+static int count_fixed(const struct instance *instance)
+{
+	int count = 0;
+
+	for (int d = 0; d < instance->drawable_count; d++) {
+		count += instance->drawable[d].fixed != NULL;
+	}
+	return count;
+}
+
+static void compare_model(const char *path)
+{
+	struct log nowhere = log_to_nowhere();
+	double position = 0, normal_rad = 0;
+	struct model *model;
+	struct pair pair;
+
+	if (model_load(path, &nowhere, &model) != 0) {
+		return;
+	}
+	pair_begin(&pair, model);
+	for (int i = 0; i < model->clip_count * TIMES; i++) {
+		float part = (float)(i % TIMES) / (TIMES - 1);
+
+		pair.exact->max_influences = i % 3 == 2 ? 2 : 0;
+		pair.fixed->max_influences = pair.exact->max_influences;
+		pair_pose(&pair, i / TIMES,
+			part * model->clip[i / TIMES].duration_s);
+		compare_posed(&pair, &position, &normal_rad);
+	}
+	pair_pose(&pair, -1, 0);
+	compare_posed(&pair, &position, &normal_rad);
+	print_message("# %s: %d of %d parts fixed, %.2g of the radius, %.2g "
+		      "degrees\n",
+		path, count_fixed(pair.fixed), pair.fixed->drawable_count,
+		position, normal_rad / DEGREE);
+	assert_int_equal(count_fixed(pair.fixed), pair.fixed->drawable_count);
+	assert_near(position, 0, 2e-4);
+	assert_near(normal_rad / DEGREE, 0, 1);
+	pair_end(&pair);
+}
+
+static int compare_folder(const char *folder)
+{
+	DIR *directory = opendir(folder);
+	struct dirent *entry;
+	int count = 0;
+
+	while (directory && (entry = readdir(directory))) {
+		const char *dot = strrchr(entry->d_name, '.');
+		char path[512];
+
+		if (dot &&
+			(!strcmp(dot, ".glb") || !strcmp(dot, ".gltf") ||
+				!strcmp(dot, ".x"))) {
+			snprintf(path, sizeof(path), "%s/%s", folder,
+				entry->d_name);
+			compare_model(path);
+			count++;
+		}
+	}
+	if (directory) {
+		closedir(directory);
+	}
+	return count;
+}
+
+static void test_every_model_is_where_it_is_in_float(void **state)
+{
+	(void)state;
+	assert_true(compare_folder("assets") >= 3);
+	compare_folder("../shared/models");
+	compare_folder("../shared/models/x");
+}
+
+/* All that is drawn, in eye space: the same triangles at the same places. */
+static void assert_drawn_alike(struct pair *pair)
+{
+	struct instance *both[2] = {pair->exact, pair->fixed};
+	struct gl_recording drawn[2];
+
+	for (int i = 0; i < 2; i++) {
+		struct gl gl = gl_recorder_begin();
+		const struct texture_set none = {0};
+
+		draw_instance(&gl, both[i], &none, DRAW_SHAPE);
+		drawn[i] = *gl_recorder_result();
+		assert_int_equal(drawn[i].depth, 0);
+	}
+	assert_int_equal(drawn[0].draw_count, drawn[1].draw_count);
+	assert_true(drawn[0].vertex_count > 0);
+	assert_true(drawn[0].vertex_count == drawn[1].vertex_count);
+	for (int axis = 0; axis < 3; axis++) {
+		double count = (double)drawn[0].vertex_count;
+
+		assert_near(drawn[1].sum[axis] / count,
+			drawn[0].sum[axis] / count, 1e-4);
+	}
+}
+
+static void test_the_same_triangles_are_drawn(void **state)
+{
+	static const char *const paths[] = {
+		"assets/walker.glb", "assets/arm.glb", "assets/face.glb"};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		struct pair pair;
+
+		pair_load(&pair, paths[i]);
+		pair_pose(&pair, pair.model->clip_count > 0 ? 0 : -1, 0.4f);
+		assert_drawn_alike(&pair);
+		pair_end(&pair);
+	}
+}
+
+/* Vertices are in another order, and all that belongs to them with them. */
+static void test_attributes_go_with_their_vertices(void **state)
+{
+	struct pair pair;
+	int moved = 0;
+
+	(void)state;
+	pair_load(&pair, "assets/walker.glb");
+	for (int d = 0; d < pair.fixed->drawable_count; d++) {
+		const struct drawable *drawable = &pair.fixed->drawable[d];
+		const struct model_primitive *primitive = drawable->primitive;
+		const struct batch *batch = drawable->batch;
+
+		for (int i = 0; batch->index && i < batch->index_count; i++) {
+			uint32_t from = primitive->index[i];
+			uint16_t at = batch->index[i];
+
+			moved += from != at;
+			if (batch->texcoord) {
+				assert_memory_equal(batch->texcoord[at],
+					primitive->texcoord[from],
+					sizeof(float[2]));
+			}
+		}
+	}
+	assert_true(moved > 1000);
+	pair_end(&pair);
+}
+
+static void test_huge_and_tiny_models_are_drawn_near_one(void **state)
+{
+	static const float sizes[] = {5000.0f, 1.0f, 0.001f};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		struct pair pair;
+		const struct fixed_vector *corner;
+		float at[3];
+
+		pair_begin(&pair, small_model_grid(2, 2, sizes[i], true));
+		assert_near(pair.fixed->unit_scale, pair.exact->unit_scale, 0);
+		assert_drawn_alike(&pair);
+		instance_world_vertex(
+			pair.fixed, &pair.fixed->drawable[0], 8, at);
+		assert_near(at[0], sizes[i], sizes[i] * 1e-4);
+		corner = &pair.fixed->drawable[0].batch[0].fixed_position[8];
+		assert_true(corner->x > 16000);
+		pair_end(&pair);
+	}
+}
+
+static void test_gives_flat_normals_where_the_file_has_none(void **state)
+{
+	struct pair pair;
+	const struct batch *batch;
+
+	(void)state;
+	pair_begin(&pair, small_model_grid(2, 1, 1.0f, false));
+	batch = &pair.fixed->drawable[0].batch[0];
+	assert_null(batch->index);
+	assert_int_equal(batch->vertex_count, 12);
+	for (int v = 0; v < batch->vertex_count; v++) {
+		assert_int_equal(batch->fixed_normal[v].x, 0);
+		assert_int_equal(batch->fixed_normal[v].y, 0);
+		assert_int_equal(batch->fixed_normal[v].z, 32767);
+	}
+	assert_drawn_alike(&pair);
+	pair_end(&pair);
+}
+
+static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
+{
+	struct pair pair;
+
+	(void)state;
+	pair_begin(&pair, small_model_grid(300, 300, 1.0f, true));
+	assert_true(pair.fixed->drawable[0].batch_count > 1);
+	assert_drawn_alike(&pair);
+	pair_end(&pair);
+}
+
+static void test_what_does_not_fit_stays_in_float_with_a_sentence(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1e20f, true);
+	struct log_capture heard;
+	struct log log = log_capture_begin(&heard);
+	struct instance *instance;
+
+	(void)state;
+	assert_int_equal(
+		instance_create(model, kernel_find("fixed"), &log, &instance),
+		0);
+	assert_null(instance->drawable[0].fixed);
+	assert_non_null(instance->drawable[0].position);
+	assert_int_equal(heard.count, 1);
+	assert_contains(heard.sentence[0], "float");
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_a_pose_that_does_not_fit_keeps_the_last_one(void **state)
+{
+	struct pair pair;
+	struct drawable *skinned;
+	float before[3], after[3];
+
+	(void)state;
+	pair_load(&pair, "assets/walker.glb");
+	skinned = pair.fixed->drawable;
+	while (skinned->skin < 0 || !skinned->fixed) {
+		skinned++;
+	}
+	drawable_position(skinned, 0, before);
+	for (int i = 0; i < pair.model->node_count; i++) {
+		pair.fixed->pose.local[i].translation[0] = INFINITY;
+	}
+	instance_update(pair.fixed);
+	assert_true(instance_failed(pair.fixed));
+	drawable_position(skinned, 0, after);
+	assert_memory_equal(before, after, sizeof(before));
+	pair_pose(&pair, 0, 0.1f);
+	pair_end(&pair);
+}
+
+static void test_relief_is_lit_alike(void **state)
+{
+	static const uint8_t map[1][4] = {{128, 128, 255, 255}};
+	struct model *model = small_model_grid(4, 4, 1.0f, true);
+	struct pair pair;
+
+	(void)state;
+	small_model_add_relief(model, 1, map);
+	for (int v = 0; v < 25; v++) {
+		float *normal = model->mesh[0].primitive[0].normal[v];
+
+		normal[0] = 0.6f * (float)(v % 3 - 1);
+		normal[2] = normal[0] == 0 ? 1 : 0.8f;
+	}
+	pair_begin(&pair, model);
+	pair_pose(&pair, -1, 0);
+	for (int v = 0; v < 25; v++) {
+		for (int i = 0; i < 4; i++) {
+			assert_near(pair.fixed->drawable[0].light[v][i],
+				pair.exact->drawable[0].light[v][i], 1);
+		}
+	}
+	pair_end(&pair);
+}
+
+static void test_shadows_fall_alike(void **state)
+{
+	static const struct shadow_light light = {
+		.towards = {0.3f, 0.9f, 0.3f}, .reach = 5.0f};
+	struct log nowhere = log_to_nowhere();
+	struct shadow_volume exact, fixed;
+	struct pair pair;
+
+	(void)state;
+	pair_load(&pair, "assets/walker.glb");
+	pair_pose(&pair, 0, 0.3f);
+	assert_int_equal(shadow_volume_init(&exact, pair.exact, &nowhere), 0);
+	assert_int_equal(shadow_volume_init(&fixed, pair.fixed, &nowhere), 0);
+	shadow_volume_update(&exact, pair.exact, &light);
+	shadow_volume_update(&fixed, pair.fixed, &light);
+	for (int h = 0; h < exact.hull_count; h++) {
+		int count = pair.exact->drawable[h].primitive->vertex_count;
+
+		for (int v = 0; v < 2 * count; v++) {
+			assert_true(distance(exact.hull[h].position[v],
+					    fixed.hull[h].position[v]) < 4e-4);
+		}
+	}
+	pair_end(&pair);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_every_model_is_where_it_is_in_float),
+		cmocka_unit_test(test_the_same_triangles_are_drawn),
+		cmocka_unit_test(test_attributes_go_with_their_vertices),
+		cmocka_unit_test(test_huge_and_tiny_models_are_drawn_near_one),
+		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
+		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
+		cmocka_unit_test(
+			test_what_does_not_fit_stays_in_float_with_a_sentence),
+		cmocka_unit_test(
+			test_a_pose_that_does_not_fit_keeps_the_last_one),
+		cmocka_unit_test(test_relief_is_lit_alike),
+		cmocka_unit_test(test_shadows_fall_alike),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

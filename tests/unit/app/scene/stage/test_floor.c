@@ -1,0 +1,72 @@
+#include "app/scene/stage/floor.h"
+#include "platform/gl/gl_context.h"
+#include "tests/support/test.h"
+
+/* A point inside of a triangle, by two shares. */
+static void mix(const struct floor *floor, const uint16_t *corner, float a,
+	float b, float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = a * floor->position[corner[0]][axis] +
+			b * floor->position[corner[1]][axis] +
+			(1.0f - a - b) * floor->position[corner[2]][axis];
+	}
+}
+
+/* How far what is drawn is off floor_height() anywhere in the solid part. */
+static float find_sag(const struct floor *floor)
+{
+	float most = 0.0f;
+
+	for (int i = 0; i < FLOOR_SOLID_INDICES; i += 3) {
+		for (int n = 0; n < 10; n++) {
+			float a = (float)(n % 4) / 3.0f,
+			      b = (float)(n / 4) / 3.0f;
+			float at[3], off;
+
+			mix(floor, floor->index + i, a, b * (1.0f - a), at);
+			off = at[1] - floor_height(floor, at[0], at[2]);
+			off = off < 0.0f ? -off : off;
+			most = off > most ? off : most;
+		}
+	}
+	return most;
+}
+
+/* As large as the walker's. */
+static void test_ground_is_drawn_where_it_is(void **state)
+{
+	const struct bounds bounds = {
+		.low = {-0.5f, 0.0f, -0.4f}, .high = {0.6f, 1.9f, 0.8f}};
+	struct log log = log_to_nowhere();
+	struct gl_context *context;
+	struct floor floor;
+	float most = 0.0f;
+
+	(void)state;
+	assert_int_equal(gl_open("soft", PIXELS_RGB565, &log, &context), 0);
+	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.8f,
+				 PIXELS_RGB565, &log),
+		0);
+	floor_set_relief(&floor, 0.2f);
+	for (int i = 0; i < 60; i++) {
+		float sag = find_sag(&floor);
+
+		most = sag > most ? sag : most;
+		assert_true(sag < floor_sag(&floor));
+		floor_run(&floor, 0.07f, 0.11f);
+	}
+	/* It is not said to be worse than it is. */
+	assert_true(2.0f * most > floor_sag(&floor));
+	floor_finish(&floor, &context->gl);
+	context->driver->destroy(context);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_ground_is_drawn_where_it_is),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,315 @@
+/* The V4L2 source with its thread, on the machine's clock. */
+#include "platform/camera/v4l2/v4l2.h"
+
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+#include "tests/support/fake/v4l2_fake.h"
+
+#include <errno.h>
+#include <string.h>
+#include <time.h>
+
+extern const struct camera_driver camera_driver_v4l2;
+
+/* A source over a fake device. */
+struct rig {
+	struct v4l2_fake *fake;
+	struct log_capture capture;
+	struct log log;
+	struct camera_source *source;
+	int last; /* number of the picture taken last */
+};
+
+static int64_t now_ms(void)
+{
+	struct timespec now;
+
+	clock_gettime(CLOCK_MONOTONIC, &now);
+	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+}
+
+static void sleep_ms(int ms)
+{
+	struct timespec time = {
+		.tv_sec = ms / 1000, .tv_nsec = (long)(ms % 1000) * 1000000};
+
+	nanosleep(&time, NULL);
+}
+
+static void rig_prepare(struct rig *rig)
+{
+	*rig = (struct rig){.fake = v4l2_fake_new(), .last = -1};
+	rig->log = log_capture_begin(&rig->capture);
+	rig->fake->real_time = true;
+	rig->fake->period_ms = 10;
+}
+
+static void rig_start(struct rig *rig)
+{
+	const struct camera_options options = {.argument = "/dev/video3",
+		.width = 32,
+		.height = 24,
+		.log = &rig->log};
+
+	assert_int_equal(
+		v4l2_source_create(&options, &rig->fake->calls, &rig->source),
+		0);
+}
+
+static void rig_finish(struct rig *rig)
+{
+	camera_driver_v4l2.destroy(rig->source);
+	assert_false(rig->fake->open);
+	assert_false(rig->fake->used_wrongly);
+	assert_int_equal(rig->fake->maps, rig->fake->unmaps);
+	v4l2_fake_free(rig->fake);
+}
+
+/* Takes; a picture is whole and newer than the last one. */
+static enum camera_news rig_take(struct rig *rig)
+{
+	struct camera_image image;
+	int64_t from_ms = now_ms();
+	enum camera_news news = camera_driver_v4l2.take(rig->source, 0, &image);
+
+	/* Other programs may run, but nobody waits for a picture. */
+	assert_true(now_ms() - from_ms < 200);
+	if (news == CAMERA_NEW) {
+		int number = image.plane[0][0];
+
+		for (int i = 0; i < image.stride_bytes[0] * image.height; i++) {
+			assert_int_equal(image.plane[0][i], number);
+		}
+		assert_true(rig->last < 0 || ((number - rig->last) & 255) < 128);
+		assert_int_not_equal(number, rig->last);
+		rig->last = number;
+		camera_driver_v4l2.give_back(rig->source);
+	}
+	return news;
+}
+
+/* Up to five seconds, as other programs may have the processor. */
+static void wait_for(struct rig *rig, enum camera_news wanted)
+{
+	int64_t until_ms = now_ms() + 5000;
+
+	while (rig_take(rig) != wanted) {
+		assert_true(now_ms() < until_ms);
+		sleep_ms(2);
+	}
+}
+
+static void test_hands_out_new_pictures(void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	for (int i = 0; i < 20; i++) {
+		wait_for(&rig, CAMERA_NEW);
+	}
+	assert_int_equal(rig.capture.count, 0);
+	rig_finish(&rig);
+}
+
+static void test_pictures_that_nobody_took_are_dropped(void **state)
+{
+	struct rig rig;
+	int before, made;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	wait_for(&rig, CAMERA_NEW);
+	before = rig.last;
+	sleep_ms(200);
+	made = v4l2_fake_get(rig.fake, &rig.fake->next);
+	wait_for(&rig, CAMERA_NEW);
+	/* Not the one after the last, but the newest or nearly so. */
+	assert_true(rig.last - before > 2);
+	assert_true(rig.last >= made - 2);
+	rig_finish(&rig);
+}
+
+static void test_a_picture_that_is_held_stays_as_it_is(void **state)
+{
+	struct camera_image image;
+	struct rig rig;
+	int number;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	camera_driver_v4l2.await(rig.source, 5000);
+	assert_int_equal(
+		camera_driver_v4l2.take(rig.source, 0, &image), CAMERA_NEW);
+	number = image.plane[0][0];
+	sleep_ms(200);
+	assert_int_equal(image.plane[0][0], number);
+	assert_int_equal(image.plane[0][100], number);
+	camera_driver_v4l2.give_back(rig.source);
+	assert_true(v4l2_fake_get(rig.fake, &rig.fake->next) > number + 3);
+	wait_for(&rig, CAMERA_NEW);
+	rig_finish(&rig);
+}
+
+static void test_two_buffers_do_not_stall(void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig.fake->buffers_most = 2;
+	rig_start(&rig);
+	for (int i = 0; i < 10; i++) {
+		wait_for(&rig, CAMERA_NEW);
+	}
+	rig_finish(&rig);
+}
+
+static void test_tells_once_that_it_was_unplugged_and_comes_back(void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	wait_for(&rig, CAMERA_NEW);
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
+	wait_for(&rig, CAMERA_NONE);
+	/* It tries again twice, in vain; a busy machine takes its time. */
+	for (int waited_ms = 0; waited_ms < 10000 &&
+		v4l2_fake_get(rig.fake, &rig.fake->opens) <= 2;
+		waited_ms += 50) {
+		sleep_ms(50);
+	}
+	assert_int_equal(rig_take(&rig), CAMERA_NONE);
+	assert_true(v4l2_fake_get(rig.fake, &rig.fake->opens) > 2);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 1);
+	assert_true(log_capture_has(&rig.capture, LOG_WARNING,
+		"camera /dev/video3: it was unplugged"));
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, false);
+	wait_for(&rig, CAMERA_NEW);
+	assert_true(log_capture_has(&rig.capture, LOG_NOTE, "it is back"));
+	/* And a second time is a second sentence. */
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
+	wait_for(&rig, CAMERA_NONE);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 2);
+	rig_finish(&rig);
+}
+
+static void test_a_device_that_is_busy_is_tried_again(void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig.fake->format_error = -EBUSY;
+	rig_start(&rig);
+	sleep_ms(600);
+	assert_int_equal(rig_take(&rig), CAMERA_NONE);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 1);
+	assert_true(log_capture_has(
+		&rig.capture, LOG_WARNING, "another program is using it"));
+	pthread_mutex_lock(&rig.fake->lock);
+	rig.fake->format_error = 0;
+	pthread_mutex_unlock(&rig.fake->lock);
+	wait_for(&rig, CAMERA_NEW);
+	rig_finish(&rig);
+}
+
+/* The thread is caught in DQBUF all the while; who takes tells it. */
+static void test_silence_is_told_though_the_driver_blocks(void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig.fake->vendor = true;
+	rig.fake->buffers_most = 3;
+	rig.fake->block_ms = 3500;
+	rig.fake->period_ms = 0;
+	rig.fake->ready = 1;
+	rig_start(&rig);
+	wait_for(&rig, CAMERA_NEW);
+	assert_int_equal(rig_take(&rig), CAMERA_SAME);
+	sleep_ms(2100);
+	rig_take(&rig);
+	assert_int_equal(rig_take(&rig), CAMERA_NONE);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 1);
+	assert_true(log_capture_has(
+		&rig.capture, LOG_WARNING, "no picture for 2 s"));
+	/* The driver wakes up. */
+	pthread_mutex_lock(&rig.fake->lock);
+	rig.fake->period_ms = 10;
+	rig.fake->next_due_ms = now_ms();
+	pthread_mutex_unlock(&rig.fake->lock);
+	wait_for(&rig, CAMERA_NEW);
+	rig_finish(&rig);
+}
+
+static void test_ends_soon_though_the_driver_blocks(void **state)
+{
+	struct rig rig;
+	int64_t from_ms;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig.fake->vendor = true;
+	rig.fake->buffers_most = 3;
+	rig.fake->block_ms = 1500;
+	rig.fake->period_ms = 0;
+	rig_start(&rig);
+	sleep_ms(100);
+	from_ms = now_ms();
+	camera_driver_v4l2.destroy(rig.source);
+	assert_true(now_ms() - from_ms < 1000);
+	/* The thread lets go of all by itself when the driver does. */
+	sleep_ms(2000);
+	assert_int_equal(v4l2_fake_get(rig.fake, &rig.fake->closes), 1);
+	assert_int_equal(rig.fake->maps, rig.fake->unmaps);
+	assert_false(rig.fake->used_wrongly);
+	v4l2_fake_free(rig.fake);
+}
+
+static void test_awaits_a_first_picture_but_no_device_that_is_missing(
+	void **state)
+{
+	struct rig rig;
+	int64_t from_ms;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	camera_driver_v4l2.await(rig.source, 5000);
+	assert_int_equal(rig_take(&rig), CAMERA_NEW);
+	rig_finish(&rig);
+	rig_prepare(&rig);
+	rig.fake->open_error = -ENOENT;
+	from_ms = now_ms();
+	rig_start(&rig);
+	camera_driver_v4l2.await(rig.source, 5000);
+	assert_true(now_ms() - from_ms < 2500);
+	assert_int_equal(rig_take(&rig), CAMERA_NONE);
+	rig_finish(&rig);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_hands_out_new_pictures),
+		cmocka_unit_test(test_pictures_that_nobody_took_are_dropped),
+		cmocka_unit_test(test_a_picture_that_is_held_stays_as_it_is),
+		cmocka_unit_test(test_two_buffers_do_not_stall),
+		cmocka_unit_test(
+			test_tells_once_that_it_was_unplugged_and_comes_back),
+		cmocka_unit_test(test_a_device_that_is_busy_is_tried_again),
+		cmocka_unit_test(test_silence_is_told_though_the_driver_blocks),
+		cmocka_unit_test(test_ends_soon_though_the_driver_blocks),
+		cmocka_unit_test(
+			test_awaits_a_first_picture_but_no_device_that_is_missing),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,245 @@
+#include "tests/support/files.h"
+#include "tests/support/gl/image_scene.h"
+#include "tests/support/test.h"
+
+#include <gif_lib.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One picture of a GIF as it is shown, and its delay. */
+struct shown {
+	uint8_t rgb[IMAGE_SCENE_HEIGHT][IMAGE_SCENE_WIDTH][3];
+	int delay_cs;
+};
+
+static void paste(const GifFileType *gif, int number, struct shown *shown)
+{
+	const SavedImage *image = &gif->SavedImages[number];
+	const GifImageDesc *place = &image->ImageDesc;
+	const ColorMapObject *map =
+		place->ColorMap ? place->ColorMap : gif->SColorMap;
+	GraphicsControlBlock control;
+
+	assert_int_equal(DGifSavedExtensionToGCB((GifFileType *)(uintptr_t)gif,
+				 number, &control),
+		GIF_OK);
+	assert_int_equal(control.DisposalMode, DISPOSE_DO_NOT);
+	shown->delay_cs = control.DelayTime;
+	for (int i = 0; i < place->Width * place->Height; i++) {
+		int index = image->RasterBits[i];
+		int x = place->Left + i % place->Width;
+		int y = place->Top + i / place->Width;
+
+		if (index != control.TransparentColor) {
+			assert_in_range(index, 0, map->ColorCount - 1);
+			shown->rgb[y][x][0] = map->Colors[index].Red;
+			shown->rgb[y][x][1] = map->Colors[index].Green;
+			shown->rgb[y][x][2] = map->Colors[index].Blue;
+		}
+	}
+}
+
+static GifFileType *read_gif(const struct image_scene *scene)
+{
+	int error;
+	GifFileType *gif = DGifOpenFileName(scene->path.text, &error);
+
+	assert_non_null(gif);
+	assert_int_equal(DGifSlurp(gif), GIF_OK);
+	assert_int_equal(gif->SWidth, IMAGE_SCENE_WIDTH);
+	assert_int_equal(gif->SHeight, IMAGE_SCENE_HEIGHT);
+	return gif;
+}
+
+static void test_a_gif_shows_every_frame(void **state)
+{
+	struct image_scene scene;
+	struct shown shown = {0};
+	GifFileType *gif;
+	int error;
+
+	(void)state;
+	image_scene_open(&scene, "walk.gif", 12, 25);
+	image_scene_draw_all(&scene, 12);
+	gif = read_gif(&scene);
+	assert_int_equal(gif->ImageCount, 12);
+	for (int frame = 0; frame < 12; frame++) {
+		long difference = 0;
+
+		paste(gif, frame, &shown);
+		for (int y = 0; y < IMAGE_SCENE_HEIGHT; y++) {
+			for (int x = 0; x < IMAGE_SCENE_WIDTH; x++) {
+				uint8_t expected[3];
+				bool square;
+
+				image_scene_color(frame, x, y, expected);
+				square = expected[0] == 250;
+				for (int i = 0; i < 3; i++) {
+					int away = abs(shown.rgb[y][x][i] -
+						expected[i]);
+
+					difference += away;
+					assert_in_range(
+						away, 0, square ? 24 : 60);
+				}
+			}
+		}
+		assert_true(difference <
+			5 * IMAGE_SCENE_WIDTH * IMAGE_SCENE_HEIGHT * 3);
+		assert_int_equal(shown.delay_cs, 4);
+	}
+	DGifCloseFile(gif, &error);
+	image_scene_close(&scene);
+}
+
+static void test_a_gif_stores_only_what_changes(void **state)
+{
+	struct image_scene scene;
+	GifFileType *gif;
+	int error;
+
+	(void)state;
+	image_scene_open(&scene, "walk.gif", 3, 25);
+	assert_int_equal(image_scene_draw(&scene, 0), 0);
+	assert_int_equal(image_scene_draw(&scene, 1), 0);
+	assert_int_equal(image_scene_draw(&scene, 1), 0);
+	assert_int_equal(scene.driver->finish(scene.display), 0);
+	gif = read_gif(&scene);
+	assert_int_equal(gif->SavedImages[0].ImageDesc.Width, IMAGE_SCENE_WIDTH);
+	assert_int_equal(gif->SavedImages[1].ImageDesc.Left, 0);
+	assert_int_equal(gif->SavedImages[1].ImageDesc.Width, 7);
+	assert_int_equal(gif->SavedImages[1].ImageDesc.Top, 5);
+	assert_int_equal(gif->SavedImages[1].ImageDesc.Height, 5);
+	assert_int_equal(gif->SavedImages[2].ImageDesc.Width, 1);
+	assert_int_equal(gif->SavedImages[2].ImageDesc.Height, 1);
+	DGifCloseFile(gif, &error);
+	image_scene_close(&scene);
+}
+
+static void test_a_gif_repeats_for_ever(void **state)
+{
+	static const char loop[] = "\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00";
+	struct image_scene scene;
+	size_t size;
+	char *bytes;
+	bool found = false;
+
+	(void)state;
+	image_scene_open(&scene, "x.gif", 2, 25);
+	image_scene_draw_all(&scene, 2);
+	bytes = file_read(scene.path.text, &size);
+	assert_memory_equal(bytes, "GIF89a", 6);
+	for (size_t i = 0; i + sizeof(loop) <= size; i++) {
+		found |= memcmp(bytes + i, loop, sizeof(loop)) == 0;
+	}
+	assert_true(found);
+	free(bytes);
+	image_scene_close(&scene);
+}
+
+/* The delays of count frames at a rate; returns how many frames there are. */
+static int read_delays(double rate_hz, int count, int *out)
+{
+	struct image_scene scene;
+	struct shown shown;
+	GifFileType *gif;
+	int kept, error;
+
+	image_scene_open(&scene, "x.gif", count, rate_hz);
+	image_scene_draw_all(&scene, count);
+	gif = read_gif(&scene);
+	kept = gif->ImageCount;
+	for (int i = 0; i < kept; i++) {
+		paste(gif, i, &shown);
+		out[i] = shown.delay_cs;
+	}
+	DGifCloseFile(gif, &error);
+	image_scene_close(&scene);
+	return kept;
+}
+
+static void test_gif_delays_do_not_drift(void **state)
+{
+	int delays[60];
+	int sum = 0;
+
+	(void)state;
+	assert_int_equal(read_delays(30, 60, delays), 60);
+	for (int i = 0; i < 60; i++) {
+		assert_in_range(delays[i], 3, 4);
+		sum += delays[i];
+		/* Within half a hundredth of the true time. */
+		assert_near(sum, (i + 1) * 100.0 / 30, 0.5 + 1e-9);
+	}
+	assert_int_equal(sum, 200);
+}
+
+static void test_a_gif_leaves_out_what_players_would_slow_down(void **state)
+{
+	int delays[60];
+	int sum = 0;
+	int count;
+
+	(void)state;
+	count = read_delays(60, 60, delays);
+	assert_in_range(count, 40, 50);
+	for (int i = 0; i < count; i++) {
+		assert_true(delays[i] >= 2);
+		sum += delays[i];
+	}
+	assert_near(sum, 100, 1);
+}
+
+static void test_a_gif_takes_new_colours_for_a_new_scene(void **state)
+{
+	struct image_scene scene;
+	struct shown shown = {0};
+	struct pixels pixels;
+	GifFileType *gif;
+	int error;
+
+	(void)state;
+	image_scene_open(&scene, "cut.gif", 3, 25);
+	for (int frame = 0; frame < 3; frame++) {
+		scene.driver->begin_frame(scene.display, &pixels);
+		for (int i = 0; i < IMAGE_SCENE_WIDTH * IMAGE_SCENE_HEIGHT; i++) {
+			uint8_t *pixel = pixels.data + 4 * i;
+
+			/* Shades of red, then of blue. */
+			memset(pixel, 0, 3);
+			pixel[frame ? 2 : 0] = (uint8_t)(i % 256);
+		}
+		assert_int_equal(scene.driver->end_frame(scene.display), 0);
+	}
+	assert_int_equal(scene.driver->finish(scene.display), 0);
+	gif = read_gif(&scene);
+	assert_null(gif->SavedImages[0].ImageDesc.ColorMap);
+	assert_non_null(gif->SavedImages[1].ImageDesc.ColorMap);
+	paste(gif, 0, &shown);
+	paste(gif, 1, &shown);
+	paste(gif, 2, &shown);
+	for (int i = 0; i < IMAGE_SCENE_WIDTH * IMAGE_SCENE_HEIGHT; i++) {
+		const uint8_t *rgb =
+			shown.rgb[i / IMAGE_SCENE_WIDTH][i % IMAGE_SCENE_WIDTH];
+
+		assert_in_range(rgb[0], 0, 2);
+		assert_in_range(abs(rgb[2] - i % 256), 0, 4);
+	}
+	DGifCloseFile(gif, &error);
+	image_scene_close(&scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_gif_shows_every_frame),
+		cmocka_unit_test(test_a_gif_stores_only_what_changes),
+		cmocka_unit_test(test_a_gif_repeats_for_ever),
+		cmocka_unit_test(test_gif_delays_do_not_drift),
+		cmocka_unit_test(
+			test_a_gif_leaves_out_what_players_would_slow_down),
+		cmocka_unit_test(test_a_gif_takes_new_colours_for_a_new_scene),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

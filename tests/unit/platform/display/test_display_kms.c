@@ -1,0 +1,411 @@
+#include "platform/display/kms/kms_calls.h"
+#include "tests/support/fake/fake_card.h"
+#include "tests/support/fake/fake_fb.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/gl/paint.h"
+#include "tests/support/test.h"
+
+#include <drm_fourcc.h>
+#include <errno.h>
+#include <linux/kd.h>
+#include <string.h>
+
+enum {
+	WIDTH = 20,
+	HEIGHT = 12
+};
+
+struct scene {
+	const struct display_driver *driver;
+	struct display *display;
+	struct display_options options;
+	struct log_capture capture;
+	struct log log;
+};
+
+static int forget(void **state)
+{
+	static const struct pixel_layout any = {
+		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
+
+	(void)state;
+	fake_card_begin();
+	/* For its console. */
+	fake_fb_begin(8, 8, 8, 8, 16, any);
+	fake_fb.has_console = true;
+	return 0;
+}
+
+static int scene_open(struct scene *scene)
+{
+	scene->driver = display_find("kms");
+	assert_non_null(scene->driver);
+	scene->log = log_capture_begin(&scene->capture);
+	scene->options.log = &scene->log;
+	return kms_create_on(&fake_card_calls, &scene->options, &scene->display);
+}
+
+static void expect_all_closed(void)
+{
+	assert_int_equal(fake_card.open_count, 0);
+	assert_int_equal(fake_card.map_count, 0);
+	assert_int_equal(fake_card.resource_count, 0);
+	assert_null(fake_card.flip_user);
+	for (int i = 0; i < 2; i++) {
+		assert_false(fake_card.buffers[i].used);
+		assert_false(fake_card.buffers[i].added);
+	}
+	assert_int_equal(fake_fb.open_count, 0);
+	assert_int_equal(fake_fb.console_mode, KD_TEXT);
+}
+
+static void scene_close(struct scene *scene)
+{
+	scene->driver->destroy(scene->display);
+	expect_all_closed();
+}
+
+/* A picture whose corner tells its number in red. */
+static struct pixels draw(struct scene *scene, int number)
+{
+	struct pixels pixels;
+
+	assert_int_equal(scene->driver->begin_frame(scene->display, &pixels), 0);
+	paint_all(&pixels, 0, 0, 255);
+	paint_pixel(&pixels, 0, 0, number << 3, 0, 0);
+	paint_pixel(&pixels, pixels.width - 1, pixels.height - 1, 0, 255, 0);
+	assert_int_equal(scene->driver->end_frame(scene->display), 0);
+	return pixels;
+}
+
+static void test_each_format_shows_its_colours(void **state)
+{
+	static const struct {
+		uint32_t fourcc;
+		enum pixel_format format;
+		uint32_t red, green, blue;
+	} cases[] = {
+		{DRM_FORMAT_RGB565, PIXELS_RGB565, 1 << 11, 0x07E0, 0x001F},
+		{DRM_FORMAT_XRGB8888, PIXELS_RGBA8888, 0x080000, 0x00FF00,
+			0x0000FF},
+		{DRM_FORMAT_XBGR8888, PIXELS_RGBA8888, 0x000008, 0x00FF00,
+			0xFF0000},
+	};
+	struct scene scene = {0};
+
+	for (int i = 0; i < 3; i++) {
+		forget(state);
+		memset(fake_card.fourccs, 0, sizeof(fake_card.fourccs));
+		fake_card.fourccs[0] = cases[i].fourcc;
+		assert_int_equal(scene_open(&scene), 0);
+		assert_int_equal(draw(&scene, 1).format, cases[i].format);
+		/* The next one waits until this is seen. */
+		draw(&scene, 1);
+		draw(&scene, 1);
+		assert_int_equal(fake_card_seen(0, 0), cases[i].red);
+		assert_int_equal(fake_card_seen(1, 0), cases[i].blue);
+		assert_int_equal(
+			fake_card_seen(WIDTH - 1, HEIGHT - 1), cases[i].green);
+		scene_close(&scene);
+	}
+}
+
+static void test_buffers_are_flipped_in_turn(void **state)
+{
+	struct scene scene = {0};
+	struct display_info info;
+	uint32_t last;
+
+	(void)state;
+	fake_card.preferred_depth = 16;
+	assert_int_equal(scene_open(&scene), 0);
+	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
+	scene.driver->get_info(scene.display, &info);
+	assert_int_equal(info.format, PIXELS_RGB565);
+	assert_int_equal(info.width, WIDTH);
+	assert_int_equal(info.height, HEIGHT);
+	assert_near(info.rate_hz, 50.0, 0.0);
+	assert_int_equal(fake_card_seen(0, 0), 0);
+	last = fake_card.shown_fb;
+	for (int i = 1; i < 7; i++) {
+		struct pixels pixels = draw(&scene, i);
+
+		/* Straight into the buffer that was not seen. */
+		assert_ptr_equal(pixels.data,
+			fake_card.buffers[fake_card.flip_fb - 1].memory);
+		if (i > 1) {
+			assert_int_equal(fake_card_seen(0, 0), (i - 1) << 11);
+			assert_int_not_equal(fake_card.shown_fb, last);
+			last = fake_card.shown_fb;
+		}
+	}
+	assert_int_equal(fake_card.set_count, 1);
+	scene_close(&scene);
+}
+
+static void test_the_screen_is_put_back(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene, 1);
+	assert_int_equal(fake_card.shown_mode.hdisplay, WIDTH);
+	scene_close(&scene);
+	assert_int_equal(fake_card.shown_fb, 77);
+	assert_int_equal(fake_card.shown_mode.hdisplay, 10);
+}
+
+static void test_a_slow_buffer_gets_copies(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	fake_card.prefers_shadow = true;
+	fake_card.preferred_depth = 16;
+	assert_int_equal(scene_open(&scene), 0);
+	for (int i = 1; i < 5; i++) {
+		struct pixels pixels = draw(&scene, i);
+
+		assert_int_equal(pixels.stride_bytes, WIDTH * 2);
+		if (i > 1) {
+			assert_int_equal(fake_card_seen(0, 0), (i - 1) << 11);
+		}
+	}
+	scene_close(&scene);
+}
+
+static void test_the_mode_nearest_to_the_size_is_set(void **state)
+{
+	static const struct {
+		int width, height, mode_width;
+		int left, top;
+	} cases[] = {
+		{24, 14, 24, 0, 0},
+		{22, 14, 24, 1, 0},
+		{10, 7, 10, 0, 0},
+		{21, 12, 20, 0, 0},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct scene scene = {.options = {.width = cases[i].width,
+					      .height = cases[i].height,
+					      .size_given = true,
+					      .format_given = true,
+					      .format = PIXELS_RGB565}};
+
+		forget(state);
+		assert_int_equal(scene_open(&scene), 0);
+		assert_int_equal(
+			fake_card.shown_mode.hdisplay, cases[i].mode_width);
+		draw(&scene, 1);
+		draw(&scene, 1);
+		assert_int_equal(
+			fake_card_seen(cases[i].left, cases[i].top), 1 << 11);
+		if (cases[i].left) {
+			assert_int_equal(fake_card_seen(0, 0), 0);
+		}
+		scene_close(&scene);
+	}
+}
+
+static void test_without_flips_the_mode_is_set_anew(void **state)
+{
+	struct scene scene = {
+		.options = {.format_given = true, .format = PIXELS_RGB565}};
+	struct display_info info;
+
+	(void)state;
+	fake_card.fail = CALL_FLIP;
+	assert_int_equal(scene_open(&scene), 0);
+	scene.driver->get_info(scene.display, &info);
+	assert_near(info.rate_hz, 0.0, 0.0);
+	for (int i = 1; i < 5; i++) {
+		draw(&scene, i);
+		assert_int_equal(fake_card_seen(0, 0), i << 11);
+	}
+	assert_int_equal(fake_card.flip_count, 0);
+	scene_close(&scene);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+}
+
+static void test_one_buffer_is_copied_into_and_told_of(void **state)
+{
+	struct scene scene = {
+		.options = {.format_given = true, .format = PIXELS_RGB565}};
+
+	(void)state;
+	fake_card.fail = CALL_CREATE;
+	fake_card.fail_from = 1;
+	assert_int_equal(scene_open(&scene), 0);
+	for (int i = 1; i < 5; i++) {
+		draw(&scene, i);
+		assert_int_equal(fake_card_seen(0, 0), i << 11);
+		assert_int_equal(fake_card.dirty_count, i);
+	}
+	scene_close(&scene);
+}
+
+static void test_what_the_screen_does_not_take_is_passed_over(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	/* XBGR8888 comes first, and is taken as a buffer alone. */
+	fake_card.fail = CALL_SET;
+	fake_card.fail_once = true;
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene, 1);
+	draw(&scene, 1);
+	assert_int_equal(fake_card.buffers[0].fourcc, DRM_FORMAT_XRGB8888);
+	assert_int_equal(fake_card_seen(0, 0), 0x080000);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+	scene_close(&scene);
+}
+
+static void test_what_drives_no_screen_yet_is_found(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	fake_card.current_crtc = 0;
+	assert_int_equal(scene_open(&scene), 0);
+	assert_int_equal(fake_card.shown_crtc, 51);
+	draw(&scene, 1);
+	scene_close(&scene);
+}
+
+static void test_any_card_with_a_screen_is_found(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	fake_card.number = 3;
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene, 1);
+	scene_close(&scene);
+	scene.options.device = "/dev/dri/card1";
+	assert_true(scene_open(&scene) < 0);
+	assert_contains(scene.capture.sentence[0], "/dev/dri/card1");
+	expect_all_closed();
+}
+
+static void test_what_is_missing_is_said(void **state)
+{
+	static const struct {
+		const char *words;
+		int open_error;
+		bool no_dumb, not_master, not_connected;
+		enum fake_card_call fail;
+	} cases[] = {
+		{.words = "group", .open_error = EACCES},
+		{.words = "No such file", .open_error = ENOENT},
+		{.words = "no buffers", .no_dumb = true},
+		{.words = "another program", .not_master = true},
+		{.words = "no screen is connected", .not_connected = true},
+		{.words = "drives no screens", .fail = CALL_RESOURCES},
+		{.words = "no screen", .fail = CALL_CONNECTOR},
+		{.words = "nothing drives", .fail = CALL_ENCODER},
+		{.words = "no buffer", .fail = CALL_CREATE},
+		{.words = "no buffer", .fail = CALL_ADD},
+		{.words = "no buffer", .fail = CALL_MAP_DUMB},
+		{.words = "no buffer", .fail = CALL_MAP},
+		{.words = "no buffer", .fail = CALL_SET},
+	};
+
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct scene scene = {0};
+
+		forget(state);
+		fake_card.open_error = cases[i].open_error;
+		fake_card.no_dumb = cases[i].no_dumb;
+		fake_card.not_master = cases[i].not_master;
+		fake_card.not_connected = cases[i].not_connected;
+		fake_card.fail = cases[i].fail;
+		assert_true(scene_open(&scene) < 0);
+		assert_int_equal(
+			log_capture_count(&scene.capture, LOG_ERROR), 1);
+		assert_contains(scene.capture.sentence[0], "/dev/dri/card0");
+		assert_contains(scene.capture.sentence[0], cases[i].words);
+		expect_all_closed();
+	}
+}
+
+static void test_what_fails_later_is_said_and_closed(void **state)
+{
+	static const enum fake_card_call calls[] = {
+		CALL_FLIP, CALL_WAIT, CALL_EVENT};
+
+	for (int i = 0; i < 3; i++) {
+		struct scene scene = {0};
+		struct pixels pixels;
+		int error = 0;
+
+		forget(state);
+		fake_card.fail = calls[i];
+		fake_card.fail_from = 3;
+		assert_int_equal(scene_open(&scene), 0);
+		for (int frame = 0; !error && frame < 9; frame++) {
+			error = scene.driver->begin_frame(
+				scene.display, &pixels);
+			error = error ? error
+				      : scene.driver->end_frame(scene.display);
+		}
+		assert_true(error < 0);
+		assert_int_equal(
+			log_capture_count(&scene.capture, LOG_ERROR), 1);
+		/* The card is none that ends what it began. */
+		fake_card.flip_user = NULL;
+		fake_card.flip_fb = 0;
+		fake_card.fail = CALL_NONE;
+		scene_close(&scene);
+	}
+}
+
+static void test_nothing_to_put_back_is_fine(void **state)
+{
+	struct scene scene = {0};
+
+	(void)state;
+	fake_card.fail = CALL_GET_CRTC;
+	assert_int_equal(scene_open(&scene), 0);
+	draw(&scene, 1);
+	scene_close(&scene);
+}
+
+static void test_the_real_library_is_asked_politely(void **state)
+{
+	struct scene scene = {.options = {.device = "/dev/null"}};
+
+	(void)state;
+	scene.driver = display_find("kms");
+	scene.log = log_capture_begin(&scene.capture);
+	scene.options.log = &scene.log;
+	assert_true(scene.driver->create(&scene.options, &scene.display) < 0);
+	assert_int_equal(scene.capture.count, 1);
+	assert_contains(scene.capture.sentence[0], "/dev/null");
+}
+
+#define KMS_TEST(name) cmocka_unit_test_setup(name, forget)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		KMS_TEST(test_each_format_shows_its_colours),
+		KMS_TEST(test_buffers_are_flipped_in_turn),
+		KMS_TEST(test_the_screen_is_put_back),
+		KMS_TEST(test_a_slow_buffer_gets_copies),
+		KMS_TEST(test_the_mode_nearest_to_the_size_is_set),
+		KMS_TEST(test_without_flips_the_mode_is_set_anew),
+		KMS_TEST(test_one_buffer_is_copied_into_and_told_of),
+		KMS_TEST(test_what_the_screen_does_not_take_is_passed_over),
+		KMS_TEST(test_what_drives_no_screen_yet_is_found),
+		KMS_TEST(test_any_card_with_a_screen_is_found),
+		KMS_TEST(test_what_is_missing_is_said),
+		KMS_TEST(test_what_fails_later_is_said_and_closed),
+		KMS_TEST(test_nothing_to_put_back_is_fine),
+		KMS_TEST(test_the_real_library_is_asked_politely),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

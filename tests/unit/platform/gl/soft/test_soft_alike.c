@@ -1,0 +1,151 @@
+/*
+ * The soft driver's lists without indices: vertices that lie close together
+ * draw what the same draw with room between them, which takes another way.
+ */
+#include "platform/base/fixed.h"
+#include "tests/support/gl/gl_checks.h"
+#include "tests/support/random.h"
+
+#include <string.h>
+
+enum {
+	POOL = 700, /* more than the vertex cache has slots */
+	TRIANGLES = 500,
+	CORNERS = 3 * TRIANGLES,
+	WORDS_MOST = 10,
+	PICTURE_BYTES = 2 * STAGE_WIDTH * STAGE_HEIGHT,
+};
+
+/* Words of 4 bytes a vertex, and of these in use. */
+struct layout {
+	int stride, used;
+};
+
+static float random_float(uint32_t *seed)
+{
+	return (float)next_random(seed) / (1 << 23) - 1.0f;
+}
+
+/* Position, a normal of unit length, texture coordinates. */
+static void make_pool(uint32_t *seed, float reach, float pool[POOL][8])
+{
+	static const float normals[3][3] = {
+		{0, 0, 1}, {0.6f, 0, 0.8f}, {0, -0.6f, 0.8f}};
+
+	for (int i = 0; i < POOL; i++) {
+		for (int j = 0; j < 3; j++) {
+			pool[i][j] = reach * random_float(seed);
+		}
+		memcpy(pool[i] + 3, normals[i % 3], sizeof(normals[0]));
+		pool[i][6] = random_float(seed);
+		pool[i][7] = random_float(seed);
+	}
+	memset(pool[0], 0, sizeof(pool[0]));
+	/* As pool[1] but for one word each. */
+	for (int i = 3; i < 8; i++) {
+		memcpy(pool[i], pool[1], sizeof(pool[1]));
+		pool[i][i] += 0.5f;
+	}
+}
+
+static void make_list(uint32_t *seed, uint16_t list[CORNERS])
+{
+	for (int i = 0; i < TRIANGLES; i++) {
+		uint32_t near = next_random(seed) % (POOL - 3);
+
+		for (uint32_t j = 0; j < 3; j++) {
+			uint32_t any = next_random(seed) % POOL;
+
+			list[3 * i + (int)j] =
+				(uint16_t)(i % 4 ? near + j : any);
+		}
+		if (i % 16 == 0) {
+			list[3 * i] = list[3 * i + 1];
+		}
+	}
+	for (int i = 0; i < TRIANGLES; i += 2) {
+		list[3 * i] = (uint16_t)(1 + i / 2 % 7);
+	}
+}
+
+static void draw_list(const float pool[POOL][8], const uint16_t list[CORNERS],
+	const struct layout *layout, uint8_t picture[PICTURE_BYTES])
+{
+	static float vertex[CORNERS * WORDS_MOST];
+	const GLsizei bytes = layout->stride * 4;
+	static const GLfixed aslant[4] = {FX16_ONE, FX16_ONE, FX16_ONE, 0};
+	struct stage stage = stage_open("soft", PIXELS_RGB565);
+	struct gl *gl = stage.gl;
+
+	for (int i = 0; i < CORNERS; i++) {
+		memcpy(vertex + i * layout->stride, pool[list[i]],
+			(size_t)layout->used * 4);
+	}
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_NORMAL_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, bytes, vertex);
+	gl->NormalPointer(GL_FLOAT, bytes, vertex + 3);
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_LIGHT0);
+	gl->Lightxv(GL_LIGHT0, GL_POSITION, aslant);
+	gl->Enable(GL_DEPTH_TEST);
+	if (layout->used == 8) {
+		stage_make_texture(gl);
+		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+		gl->TexCoordPointer(2, GL_FLOAT, bytes, vertex + 6);
+	}
+	/* All but the first triangle, and two corners that are of none. */
+	gl->DrawArrays(GL_TRIANGLES, 3, CORNERS - 4);
+	gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	assert_int_equal(stage.pixels.stride_bytes, 2 * STAGE_WIDTH);
+	memcpy(picture, stage.pixels.data, PICTURE_BYTES);
+	stage_end_and_close(&stage);
+}
+
+static void check_layout(
+	const struct layout *layout, const struct layout *spread)
+{
+	static float pool[POOL][8];
+	static uint16_t list[CORNERS];
+	uint32_t seed = 5;
+
+	for (int round = 0; round < 24; round++) {
+		uint8_t close[PICTURE_BYTES], apart[PICTURE_BYTES];
+
+		/* The last ones leave the picture. */
+		make_pool(&seed, round < 16 ? 0.99f : 1.5f, pool);
+		make_list(&seed, list);
+		draw_list(pool, list, layout, close);
+		draw_list(pool, list, spread, apart);
+		assert_memory_equal(close, apart, PICTURE_BYTES);
+	}
+}
+
+static void test_six_words_are_found_again(void **state)
+{
+	(void)state;
+	check_layout(&(struct layout){6, 6}, &(struct layout){10, 6});
+}
+
+static void test_six_words_of_eight_are_found_again(void **state)
+{
+	(void)state;
+	check_layout(&(struct layout){8, 6}, &(struct layout){10, 6});
+}
+
+static void test_eight_words_are_found_again(void **state)
+{
+	(void)state;
+	check_layout(&(struct layout){8, 8}, &(struct layout){10, 8});
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_six_words_are_found_again),
+		cmocka_unit_test(test_six_words_of_eight_are_found_again),
+		cmocka_unit_test(test_eight_words_are_found_again),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

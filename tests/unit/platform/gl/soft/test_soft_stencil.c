@@ -1,0 +1,253 @@
+/* Each stencil function and action, and fog, against the formulas. */
+#include "platform/base/fixed.h"
+#include "tests/support/gl/gl_expect.h"
+
+#include <math.h>
+
+#define ONE FX16_ONE
+
+static const double black[] = {0, 0, 0, 1};
+static const double red[] = {1, 0, 0, 1};
+static const double green[] = {0, 1, 0, 1};
+
+static struct stage open_cleared(int format, int stencil)
+{
+	struct stage stage = stage_open("soft", gl_expect_formats[format]);
+
+	stage.gl->Enable(GL_STENCIL_TEST);
+	stage.gl->ClearStencil(stencil);
+	stage.gl->Clear(GL_STENCIL_BUFFER_BIT);
+	gl_clear_to(stage.gl, red);
+	gl_set_color(stage.gl, green);
+	return stage;
+}
+
+static void test_each_stencil_function_compares(void **state)
+{
+	static const struct {
+		const char *name;
+		GLenum function;
+		int reference;
+		unsigned mask;
+		int stored;
+		bool passes;
+	} cases[] = {
+		{"never", GL_NEVER, 3, 255, 3, false},
+		{"less: 2 < 3", GL_LESS, 2, 255, 3, true},
+		{"less: 3 < 3", GL_LESS, 3, 255, 3, false},
+		{"less: 4 < 3", GL_LESS, 4, 255, 3, false},
+		{"less: 127 < 128", GL_LESS, 127, 255, 128, true},
+		{"equal: 3 = 3", GL_EQUAL, 3, 255, 3, true},
+		{"equal: 2 = 3", GL_EQUAL, 2, 255, 3, false},
+		{"equal: under a mask", GL_EQUAL, 0xF3, 0x0F, 0x53, true},
+		{"lequal: 3 <= 3", GL_LEQUAL, 3, 255, 3, true},
+		{"lequal: 4 <= 3", GL_LEQUAL, 4, 255, 3, false},
+		{"greater: 4 > 3", GL_GREATER, 4, 255, 3, true},
+		{"greater: 3 > 3", GL_GREATER, 3, 255, 3, false},
+		{"notequal: 4, 3", GL_NOTEQUAL, 4, 255, 3, true},
+		{"notequal: 3, 3", GL_NOTEQUAL, 3, 255, 3, false},
+		{"gequal: 3 >= 3", GL_GEQUAL, 3, 255, 3, true},
+		{"gequal: 2 >= 3", GL_GEQUAL, 2, 255, 3, false},
+		{"always", GL_ALWAYS, 0, 255, 3, true},
+		{"a mask of nothing", GL_NOTEQUAL, 9, 0, 3, false},
+		{"a large reference is 255", GL_EQUAL, 999, 255, 255, true},
+		{"a negative reference is 0", GL_EQUAL, -5, 255, 0, true},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < 4 * sizeof(cases) / sizeof(cases[0]); i++) {
+		size_t n = i / 4;
+		struct stage stage = open_cleared((int)i & 1, cases[n].stored);
+
+		(i & 2 ? stage.gl->Enable : stage.gl->Disable)(GL_DEPTH_TEST);
+		stage.gl->StencilFunc(
+			cases[n].function, cases[n].reference, cases[n].mask);
+		stage_draw_all(stage.gl);
+		gl_expect_color(&stage, cases[n].name, 9, 9,
+			cases[n].passes ? green : red);
+		stage_end_and_close(&stage);
+	}
+}
+
+/* Draws with the action in one of its three places; what is stored then. */
+static void test_each_stencil_action_acts(void **state)
+{
+	static const struct {
+		const char *name;
+		GLenum action;
+		int stored;
+		unsigned write_mask;
+		int after;
+	} cases[] = {
+		{"keep", GL_KEEP, 7, 255, 7},
+		{"zero", GL_ZERO, 7, 255, 0},
+		{"zero under a mask", GL_ZERO, 0xFF, 0x0F, 0xF0},
+		{"replace", GL_REPLACE, 7, 255, 0x5A},
+		{"replace under a mask", GL_REPLACE, 0x00, 0xF0, 0x50},
+		{"incr", GL_INCR, 7, 255, 8},
+		{"incr ends at 255", GL_INCR, 255, 255, 255},
+		{"incr under a mask", GL_INCR, 0x1F, 0xF0, 0x2F},
+		{"decr", GL_DECR, 7, 255, 6},
+		{"decr ends at 0", GL_DECR, 0, 255, 0},
+		{"invert", GL_INVERT, 0x35, 255, 0xCA},
+		{"invert under a mask", GL_INVERT, 0x35, 0x0F, 0x3A},
+		{"nothing may be written", GL_INCR, 7, 0, 7},
+	};
+	enum {
+		FAIL,
+		DEPTH_FAIL,
+		PASS,
+		PASS_UNTESTED,
+		WAYS
+	};
+
+	(void)state;
+	for (size_t i = 0; i < 2 * WAYS * sizeof(cases) / sizeof(cases[0]); i++) {
+		size_t n = i / (2 * WAYS);
+		int way = (int)i / 2 % WAYS;
+		GLenum op = cases[n].action, keep = GL_KEEP;
+		struct stage stage = open_cleared((int)i % 2, cases[n].stored);
+		struct gl *gl = stage.gl;
+
+		gl->StencilMask(cases[n].write_mask);
+		gl->StencilFunc(way == FAIL ? GL_NEVER : GL_ALWAYS, 0x5A, 0xFF);
+		gl->StencilOp(way == FAIL ? op : keep,
+			way == DEPTH_FAIL ? op : keep, way >= PASS ? op : keep);
+		gl->DepthFunc(way == DEPTH_FAIL ? GL_NEVER : GL_LESS);
+		(way == PASS_UNTESTED ? gl->Disable : gl->Enable)(GL_DEPTH_TEST);
+		stage_draw_all(gl);
+		gl->Disable(GL_DEPTH_TEST);
+		gl->StencilOp(keep, keep, keep);
+		gl_clear_to(gl, red);
+		gl->StencilFunc(GL_EQUAL, cases[n].after, 0xFF);
+		stage_draw_all(gl);
+		gl_expect_color(&stage, cases[n].name, 9, 9, green);
+		stage_end_and_close(&stage);
+	}
+}
+
+static void test_clearing_the_stencil_heeds_its_mask(void **state)
+{
+	struct stage stage = open_cleared(0, 0x35);
+
+	(void)state;
+	stage.gl->StencilMask(0x0F);
+	stage.gl->ClearStencil(0xCA);
+	stage.gl->Clear(GL_STENCIL_BUFFER_BIT);
+	stage.gl->StencilFunc(GL_EQUAL, 0x3A, 0xFF);
+	stage_draw_all(stage.gl);
+	gl_expect_color(&stage, "both halves", 9, 9, green);
+	stage_end_and_close(&stage);
+}
+
+/* A volume's two sides, as shadows are made: counted up, then down. */
+static void test_sides_of_a_volume_count_up_and_down(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct stage stage = open_cleared(i, 0);
+		struct gl *gl = stage.gl;
+
+		gl->Enable(GL_DEPTH_TEST);
+		stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
+		gl->DepthMask(GL_FALSE);
+		gl->ColorMask(0, 0, 0, 0);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+		stage_draw_rectangle(gl, -1, -1, 1, 1, -0.5f);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_DECR);
+		stage_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
+		gl->ColorMask(1, 1, 1, 1);
+		gl->Disable(GL_DEPTH_TEST);
+		gl->StencilFunc(GL_NOTEQUAL, 0, 0xFF);
+		gl_set_color(gl, black);
+		stage_draw_all(gl);
+		gl_expect_color(&stage, "in the volume", 4, 9, black);
+		gl_expect_color(&stage, "through it", 28, 9, red);
+		stage_end_and_close(&stage);
+	}
+}
+
+struct fog_case {
+	const char *name;
+	GLenum mode;
+	double density, start, end, distance;
+};
+
+static const struct fog_case fogs[] = {
+	{"linear before its start", GL_LINEAR, 0, 2, 6, 1},
+	{"linear, a quarter", GL_LINEAR, 0, 2, 6, 3},
+	{"linear, near its end", GL_LINEAR, 0, 2, 6, 5.5},
+	{"linear after its end", GL_LINEAR, 0, 2, 6, 8},
+	{"linear, far away", GL_LINEAR, 0, 10, 3000, 9},
+	{"linear, the other way", GL_LINEAR, 0, 6, 2, 3},
+	{"linear, a thin layer", GL_LINEAR, 0, 2, 2.0625, 2.046875},
+	{"linear, nothing between", GL_LINEAR, 0, 2, 2, 3},
+	{"exp at once", GL_EXP, 0.25, 0, 0, 0.01},
+	{"exp", GL_EXP, 0.25, 0, 0, 3},
+	{"exp, thin", GL_EXP, 0.01, 0, 0, 7},
+	{"exp, thick", GL_EXP, 3, 0, 0, 9},
+	{"exp of nothing", GL_EXP, 0, 0, 0, 9},
+	{"exp2 at once", GL_EXP2, 0.25, 0, 0, 0.01},
+	{"exp2", GL_EXP2, 0.25, 0, 0, 3},
+	{"exp2, thin", GL_EXP2, 0.05, 0, 0, 9},
+	{"exp2, thick", GL_EXP2, 3, 0, 0, 9},
+};
+
+/* How much of the fragment's own colour is left: section 3.8. */
+static double left_by(const struct fog_case *c)
+{
+	double thick = c->density * c->distance;
+	double range = c->end == c->start ? 1e-9 : c->end - c->start;
+	double left = c->mode == GL_LINEAR
+		? (c->end - c->distance) / range
+		: exp(c->mode == GL_EXP ? -thick : -thick * thick);
+
+	return left < 0 ? 0 : left > 1 ? 1 : left;
+}
+
+static void test_each_fog_is_the_formulas(void **state)
+{
+	static const double own[] = {1, 0.2, 0.6, 0.5};
+	static const double mist[] = {0.2, 0.8, 0.4, 1};
+	GLfixed color[4];
+
+	(void)state;
+	gl_fixed_all(mist, 4, color);
+	for (size_t i = 0; i < 2 * sizeof(fogs) / sizeof(fogs[0]); i++) {
+		const struct fog_case *c = &fogs[i / 2];
+		struct stage stage =
+			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = stage.gl;
+		double wanted[4] = {0, 0, 0, own[3]};
+
+		gl->MatrixMode(GL_PROJECTION);
+		gl->Orthox(-ONE, ONE, -ONE, ONE, 0, 10 * ONE);
+		gl->Fogx(GL_FOG_MODE, (GLfixed)c->mode);
+		gl->Fogx(GL_FOG_DENSITY, gl_fixed(c->density));
+		gl->Fogx(GL_FOG_START, gl_fixed(c->start));
+		gl->Fogx(GL_FOG_END, gl_fixed(c->end));
+		gl->Fogxv(GL_FOG_COLOR, color);
+		gl->Enable(GL_FOG);
+		gl_set_color(gl, own);
+		stage_draw_rectangle(gl, -1, -1, 1, 1, (float)-c->distance);
+		for (int j = 0; j < 3; j++) {
+			wanted[j] = left_by(c) * own[j] +
+				(1 - left_by(c)) * mist[j];
+		}
+		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
+		stage_end_and_close(&stage);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_each_stencil_function_compares),
+		cmocka_unit_test(test_each_stencil_action_acts),
+		cmocka_unit_test(test_clearing_the_stencil_heeds_its_mask),
+		cmocka_unit_test(test_sides_of_a_volume_count_up_and_down),
+		cmocka_unit_test(test_each_fog_is_the_formulas),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

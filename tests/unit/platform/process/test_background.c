@@ -1,0 +1,85 @@
+#include "platform/process/background.h"
+#include "tests/support/test.h"
+
+#include <stdatomic.h>
+#include <time.h>
+
+struct task {
+	atomic_bool may_end;
+	atomic_int done;
+	int value;
+};
+
+static void nap(void)
+{
+	const struct timespec while_ns = {.tv_nsec = 1000000};
+
+	(void)nanosleep(&while_ns, NULL);
+}
+
+static void count_once_allowed(void *context)
+{
+	struct task *task = context;
+
+	while (!atomic_load(&task->may_end)) {
+		nap();
+	}
+	task->value++;
+	atomic_fetch_add(&task->done, 1);
+}
+
+static void test_goes_on_beside_the_caller(void **state)
+{
+	struct background background = {0};
+	struct task task = {0};
+
+	(void)state;
+	background_begin(&background, count_once_allowed, &task);
+	for (int i = 0; i < 20; i++) {
+		nap();
+	}
+	assert_int_equal(atomic_load(&task.done), 0);
+	atomic_store(&task.may_end, true);
+	background_wait(&background);
+	assert_int_equal(task.value, 1);
+}
+
+static void test_waits_for_what_was_begun_before(void **state)
+{
+	struct background background = {0};
+	struct task first = {.may_end = true};
+	struct task second = {.may_end = true};
+
+	(void)state;
+	for (int i = 1; i <= 20; i++) {
+		background_begin(&background, count_once_allowed, &first);
+		background_begin(&background, count_once_allowed, &second);
+		assert_int_equal(first.value, i);
+		background_wait(&background);
+		assert_int_equal(second.value, i);
+	}
+}
+
+static void test_waits_for_nothing(void **state)
+{
+	struct background background = {0};
+	struct task task = {.may_end = true};
+
+	(void)state;
+	background_wait(&background);
+	background_begin(&background, count_once_allowed, &task);
+	background_wait(&background);
+	background_wait(&background);
+	assert_int_equal(task.value, 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_goes_on_beside_the_caller),
+		cmocka_unit_test(test_waits_for_what_was_begun_before),
+		cmocka_unit_test(test_waits_for_nothing),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,83 @@
+#include "platform/process/clock.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <time.h>
+
+static void test_fixed_clock_counts_frames(void **state)
+{
+	struct clock clock = clock_fixed(30, 2);
+
+	(void)state;
+	assert_true(clock_tick(&clock) == 2);
+	assert_true(clock_tick(&clock) == 2 + 1 / 30.0);
+	assert_true(clock_tick(&clock) == 2 + 2 / 30.0);
+	assert_int_equal(clock.frame, 3);
+}
+
+static void test_fixed_clock_does_not_drift(void **state)
+{
+	struct clock clock = clock_fixed(30, 0);
+	double time_s = 0;
+
+	(void)state;
+	for (int i = 0; i <= 30 * 3600; i++) {
+		time_s = clock_tick(&clock);
+	}
+	assert_true(time_s == 3600);
+}
+
+static void test_real_clock_follows_the_machine(void **state)
+{
+	const struct timespec pause = {.tv_nsec = 20000000};
+	struct clock clock = clock_real();
+	double before_s = clock_tick(&clock);
+	double after_s;
+
+	(void)state;
+	nanosleep(&pause, NULL);
+	after_s = clock_tick(&clock);
+	assert_true(before_s >= 0 && before_s < 5);
+	assert_true(after_s - before_s >= 0.02);
+	assert_true(after_s - before_s < 5);
+}
+
+static void test_parse_reads_both_kinds(void **state)
+{
+	struct clock clock;
+
+	(void)state;
+	assert_int_equal(clock_parse("real", &clock), 0);
+	assert_false(clock.fixed);
+	assert_int_equal(clock_parse("fixed:29.97", &clock), 0);
+	assert_true(clock.fixed);
+	assert_true(clock.rate_hz == 29.97);
+	assert_true(clock_tick(&clock) == 0);
+	assert_int_equal(clock_parse("fixed:1000", &clock), 0);
+}
+
+static void test_parse_refuses_anything_else(void **state)
+{
+	static const char *const cases[] = {"", "Real", "real ", "fixed",
+		"fixed:", "fixed:0", "fixed:-5", "fixed:1000.5", "fixed:30fps",
+		"fixed:nan", "30"};
+	struct clock clock;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		assert_int_equal(clock_parse(cases[i], &clock), -EINVAL);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_fixed_clock_counts_frames),
+		cmocka_unit_test(test_fixed_clock_does_not_drift),
+		cmocka_unit_test(test_real_clock_follows_the_machine),
+		cmocka_unit_test(test_parse_reads_both_kinds),
+		cmocka_unit_test(test_parse_refuses_anything_else),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

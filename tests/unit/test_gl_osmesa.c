@@ -1,8 +1,0 @@
-#include "tests/support/gl_checks.h"
-
-int main(void)
-{
-	const struct CMUnitTest tests[] = {GL_CHECKS("osmesa")};
-
-	return cmocka_run_group_tests(tests, NULL, NULL);
-}

@@ -125,8 +125,8 @@ static void interpolate(struct morph *morph, float omega)
 	}
 }
 
-void morph_hold(struct morph *morph, struct morph_key from,
-	struct morph_key to, float omega)
+void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
+	float omega)
 {
 	static const float none[3] = {0, 0, 0};
 	const struct kernel *kernel = morph->kernel;

@@ -89,8 +89,8 @@ bool morph_update(struct morph *morph, double now_ms);
  * Shows what lies omega, 0..1, of the way from one key frame to another, which
  * have normals if the rest key had, and comes to rest there.
  */
-void morph_hold(struct morph *morph, struct morph_key from,
-	struct morph_key to, float omega);
+void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
+	float omega);
 
 /* How far it is, 0..1; 1 at rest. */
 float morph_omega(const struct morph *morph, double now_ms);

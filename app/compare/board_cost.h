@@ -5,7 +5,8 @@
  * is the same on every machine.
  *
  * Left out is what hangs on neither: a few hundred cycles a frame. Meshes that
- * the model ran in whole are within 5% of this (tests/unit/app/compare/test_board_cost.c).
+ * the model ran in whole are within 5% of this
+ * (tests/unit/app/compare/test_board_cost.c).
  */
 #ifndef APP_COMPARE_BOARD_COST_H
 #define APP_COMPARE_BOARD_COST_H

@@ -9,9 +9,9 @@
 #include "app/anim/clip.h"
 #include "app/demo/demo.h"
 #include "app/demo/live.h"
+#include "app/scene/draw/texture.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/stage/stage.h"
-#include "app/scene/draw/texture.h"
 
 struct actor {
 	struct model *model;

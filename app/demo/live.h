@@ -8,8 +8,8 @@
 #ifndef APP_DEMO_LIVE_H
 #define APP_DEMO_LIVE_H
 
-#include "app/scene/hud/hud_group.h"
 #include "app/scene/draw/live_texture.h"
+#include "app/scene/hud/hud_group.h"
 #include "app/scene/stage/monitor.h"
 #include "app/scene/stage/stage.h"
 #include "platform/camera/camera.h"

@@ -39,9 +39,9 @@ struct model_target {
  * which the full one's are too small to see.
  */
 struct model_lod {
-	float error_m; /* how far its surface is from the full one's, in the
-			  unit of the positions */
-	bool shape;    /* for shadows: only where it is looks right */
+	float error_m;   /* how far its surface is from the full one's, in the
+			    unit of the positions */
+	bool shape;      /* for shadows: only where it is looks right */
 	int index_count; /* as the primitive's own */
 	uint32_t *index;
 };
@@ -104,8 +104,8 @@ struct model_node {
 struct model_skin {
 	const char *name;
 	int joint_count;
-	int *joint;            /* node indices */
-	mat4 *inverse_bind;    /* identity where the file gives none */
+	int *joint;         /* node indices */
+	mat4 *inverse_bind; /* identity where the file gives none */
 };
 
 enum model_path {
@@ -146,8 +146,8 @@ struct model_clip {
 struct model_image {
 	const char *name;
 	int width, height;
-	bool opaque;    /* every alpha is 255 */
-	uint8_t *rgba;  /* [height][width][4], top row first, sRGB */
+	bool opaque;   /* every alpha is 255 */
+	uint8_t *rgba; /* [height][width][4], top row first, sRGB */
 };
 
 enum model_wrap {
@@ -171,10 +171,10 @@ enum model_alpha {
 
 struct model_material {
 	const char *name;
-	float base_color[4];  /* linear RGB and alpha */
-	int texture;          /* base colour, or -1 */
-	int normal_texture;   /* tangent-space normal map, or -1 */
-	float roughness;      /* 0..1 */
+	float base_color[4]; /* linear RGB and alpha */
+	int texture;         /* base colour, or -1 */
+	int normal_texture;  /* tangent-space normal map, or -1 */
+	float roughness;     /* 0..1 */
 	enum model_alpha alpha;
 	float alpha_cutoff;
 	bool double_sided;
@@ -187,9 +187,9 @@ extern const struct model_material model_plain_material;
 struct model_camera {
 	const char *name;
 	bool perspective;
-	float yfov_rad, aspect;   /* perspective; aspect 0: the viewport's */
-	float xmag, ymag;         /* orthographic half-sizes */
-	float znear, zfar;        /* zfar 0: infinite */
+	float yfov_rad, aspect; /* perspective; aspect 0: the viewport's */
+	float xmag, ymag;       /* orthographic half-sizes */
+	float znear, zfar;      /* zfar 0: infinite */
 };
 
 struct model {

@@ -7,8 +7,7 @@
 /* Of the largest value on the same path: 17 bits below a float's 24. */
 static const float NOISE = 2e-6f;
 
-static float largest_value(
-	const struct model_clip *clip, enum model_path path)
+static float largest_value(const struct model_clip *clip, enum model_path path)
 {
 	float largest = 0;
 
@@ -74,8 +73,8 @@ static bool is_unit(const struct model_channel *channel)
 	}
 	for (int key = 0; key < channel->key_count; key++) {
 		const float *q = channel->value + (size_t)key * 4;
-		float length2 = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] +
-			q[3] * q[3];
+		float length2 =
+			q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
 
 		if (!(length2 > 1 - 2e-6f && length2 < 1 + 2e-6f)) {
 			return false;

@@ -43,7 +43,8 @@ int model_max_joint(const struct model_primitive *primitive);
 
 /*
  * For whole models, after any loader: sets model_channel.constant and unit
- * where they are so, and makes channels in a row that have equal times share one array.
+ * where they are so, and makes channels in a row that have equal times share
+ * one array.
  */
 void model_prepare_clips(struct model *model);
 

@@ -33,7 +33,7 @@ char *arena_strdup(struct arena *arena, const char *text);
 void arena_release(struct arena *arena);
 
 #define ARENA_NEW(arena, type) ((type *)arena_alloc((arena), 1, sizeof(type)))
-#define ARENA_ARRAY(arena, type, count)                                        \
+#define ARENA_ARRAY(arena, type, count) \
 	((type *)arena_alloc((arena), (count), sizeof(type)))
 
 #endif

@@ -78,10 +78,10 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
  * 0 and 2 of a word as halves. One instruction each where there is one.
  */
 #ifdef __ARM_FEATURE_DSP
-#define HALVES_BB(a, b, sum) __smlabb((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_BT(a, b, sum) __smlabt((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_TB(a, b, sum) __smlatb((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_TT(a, b, sum) __smlatt((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_BB(a, b, sum)  __smlabb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_BT(a, b, sum)  __smlabt((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TB(a, b, sum)  __smlatb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TT(a, b, sum)  __smlatt((int32_t)(a), (int32_t)(b), sum)
 #define BYTES_AS_HALVES(word) __uxtb16(word)
 #else
 #define HALVES_BB(a, b, sum) ((int16_t)(a) * (int16_t)(b) + (sum))

@@ -3,16 +3,14 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-static void write_stderr(
-	void *user, enum log_level level, const char *sentence)
+static void write_stderr(void *user, enum log_level level, const char *sentence)
 {
 	(void)user;
 	(void)level;
 	fprintf(stderr, "limber: %s\n", sentence);
 }
 
-static void write_nowhere(
-	void *user, enum log_level level, const char *sentence)
+static void write_nowhere(void *user, enum log_level level, const char *sentence)
 {
 	(void)user;
 	(void)level;

@@ -10,8 +10,8 @@
 
 #include <stdbool.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/base/log.h"
+#include "platform/process/device_calls.h"
 
 struct console {
 	const struct device_calls *calls;

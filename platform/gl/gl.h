@@ -198,15 +198,15 @@ typedef int32_t GLfixed;
 #define GL_INVERT 0x150A
 
 /* Queries */
-#define GL_VENDOR                     0x1F00
-#define GL_RENDERER                   0x1F01
-#define GL_VERSION                    0x1F02
-#define GL_EXTENSIONS                 0x1F03
-#define GL_MAX_TEXTURE_SIZE           0x0D33
-#define GL_MAX_TEXTURE_UNITS          0x84E2
-#define GL_MAX_MODELVIEW_STACK_DEPTH  0x0D36
-#define GL_STENCIL_BITS               0x0D57
-#define GL_DEPTH_BITS                 0x0D56
+#define GL_VENDOR                    0x1F00
+#define GL_RENDERER                  0x1F01
+#define GL_VERSION                   0x1F02
+#define GL_EXTENSIONS                0x1F03
+#define GL_MAX_TEXTURE_SIZE          0x0D33
+#define GL_MAX_TEXTURE_UNITS         0x84E2
+#define GL_MAX_MODELVIEW_STACK_DEPTH 0x0D36
+#define GL_STENCIL_BITS              0x0D57
+#define GL_DEPTH_BITS                0x0D56
 
 /* Errors */
 #define GL_NO_ERROR          0

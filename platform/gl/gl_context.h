@@ -36,7 +36,7 @@ struct gl_request {
 struct gl_driver {
 	const char *name;
 	const char *summary;
-	bool surface; /* can draw on a native surface as well */
+	bool surface;         /* can draw on a native surface as well */
 	const char *packages; /* Debian's, that bring it; NULL: none */
 
 	/*

@@ -72,8 +72,7 @@ GL_FUNCTION(void, Rotatex, (GLfixed degrees, GLfixed x, GLfixed y, GLfixed z))
 GL_FUNCTION(void, Scalex, (GLfixed x, GLfixed y, GLfixed z))
 GL_FUNCTION(void, Scissor, (GLint x, GLint y, GLsizei width, GLsizei height))
 GL_FUNCTION(void, ShadeModel, (GLenum mode))
-GL_FUNCTION(
-	void, StencilFunc, (GLenum function, GLint reference, GLuint mask))
+GL_FUNCTION(void, StencilFunc, (GLenum function, GLint reference, GLuint mask))
 GL_FUNCTION(void, StencilMask, (GLuint mask))
 GL_FUNCTION(void, StencilOp, (GLenum fail, GLenum depth_fail, GLenum pass))
 GL_FUNCTION(void, TexCoordPointer,

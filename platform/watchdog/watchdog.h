@@ -10,9 +10,9 @@
 
 #include <stdint.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/base/log.h"
 #include "platform/base/survey.h"
+#include "platform/process/device_calls.h"
 
 struct watchdog {
 	const struct device_calls *calls;

@@ -28,16 +28,15 @@ static void fill(int influences)
 		base[i][2] = 2;
 		base[i][3] = 0.5f;
 		weight[i].weight = 0.5f;
-		weight[i].joint_offset =
-			(i * 5 % JOINTS) * (int)sizeof(*joint);
+		weight[i].joint_offset = (i * 5 % JOINTS) * (int)sizeof(*joint);
 		weight[i].next_vertex_offset = left * (int)sizeof(*weight);
 	}
 }
 
 static void transform(void)
 {
-	an4044_transform(vertex, VERTICES, joint,
-		(const float(*)[4])base, weight);
+	an4044_transform(
+		vertex, VERTICES, joint, (const float(*)[4])base, weight);
 }
 
 /* A marker carries its number in its encoding. */

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #define JOIN2(a, b) a##b
-#define JOIN(a, b) JOIN2(a, b)
+#define JOIN(a, b)  JOIN2(a, b)
 
 static struct JOIN(P, _state) state;
 
@@ -23,8 +23,8 @@ int main(int argc, char **argv)
 	long corners = 0;
 
 	JOIN(P, _pose)(&state, argc > 1 ? (float)atof(argv[1]) : 0.0f);
-	for (size_t v = 0; v < sizeof(state.position) / sizeof(state.position[0]);
-		v++) {
+	for (size_t v = 0;
+		v < sizeof(state.position) / sizeof(state.position[0]); v++) {
 		const float *p = state.position[v];
 
 		printf("v %.6f %.6f %.6f\n", (double)p[0], (double)p[1],

@@ -81,20 +81,19 @@ const struct command command_doctor = {
 	.bit = FOR_DOCTOR,
 	.usage = "[MODEL] [--json]",
 	.summary = "tell what works here, or what is odd in a model",
-	.detail =
-		"Without a model: lists displays, GL drivers, vertex kernels, "
-		"GPIO lines, keyboards,\ncameras, watchdogs, limber.conf and "
-		"the demos' files. Each line says works, unused\n(nothing "
-		"limber could use), taken (by another program), missing or "
-		"broken, and\nbelow it the command that mends it. Nothing is "
-		"started or changed. Exit status 0\nwhen limber can play: "
-		"some display and some GL driver work.\n\n"
-		"With a model: lists each thing in the file that players are "
-		"known to get wrong,\nwith what limber does there.\n\n"
-		"  limber doctor\n"
-		"  limber doctor --json | jq '.findings[] | "
-		"select(.state != \"works\")'\n"
-		"  limber doctor robot.glb",
+	.detail = "Without a model: lists displays, GL drivers, vertex kernels, "
+		  "GPIO lines, keyboards,\ncameras, watchdogs, limber.conf and "
+		  "the demos' files. Each line says works, unused\n(nothing "
+		  "limber could use), taken (by another program), missing or "
+		  "broken, and\nbelow it the command that mends it. Nothing is "
+		  "started or changed. Exit status 0\nwhen limber can play: "
+		  "some display and some GL driver work.\n\n"
+		  "With a model: lists each thing in the file that players are "
+		  "known to get wrong,\nwith what limber does there.\n\n"
+		  "  limber doctor\n"
+		  "  limber doctor --json | jq '.findings[] | "
+		  "select(.state != \"works\")'\n"
+		  "  limber doctor robot.glb",
 	.reads_config = true,
 	.run = run,
 };

@@ -1,8 +1,8 @@
 #include "app/cmd/doctor/doctor_machine.h"
 
 #include "app/cmd/command.h"
-#include "app/cmd/options/config.h"
 #include "app/cmd/doctor/doctor_report.h"
+#include "app/cmd/options/config.h"
 #include "app/cmd/show/kernel_choice.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/demo.h"

@@ -9,12 +9,12 @@
 
 #include "app/anim/clip.h"
 #include "app/demo/live.h"
-#include "app/scene/instance/lod.h"
 #include "app/scene/instance/influence_cap.h"
-#include "platform/process/clock.h"
+#include "app/scene/instance/lod.h"
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
+#include "platform/process/clock.h"
 
 /* Which subcommands take an option. */
 enum command_bit {
@@ -71,13 +71,13 @@ struct options {
 	enum clip_repeat repeat;
 	struct lod lod;       /* influences */
 	struct detail detail; /* triangles */
-	float budget_ms;     /* of a frame; 0: none */
-	int walkers;         /* of a crowd; 0: not given */
-	int runs;            /* of each measurement */
-	double rate_hz;      /* frames a second that are compared */
-	float bound_px;      /* the error that may be */
-	size_t memory_bytes; /* that may be used; 0: any */
-	const char *report;  /* the kind, of a comparison */
+	float budget_ms;      /* of a frame; 0: none */
+	int walkers;          /* of a crowd; 0: not given */
+	int runs;             /* of each measurement */
+	double rate_hz;       /* frames a second that are compared */
+	float bound_px;       /* the error that may be */
+	size_t memory_bytes;  /* that may be used; 0: any */
+	const char *report;   /* the kind, of a comparison */
 	const char *plot;
 	const char *export_folder;
 	const char *c_file; /* to export to */

@@ -372,5 +372,4 @@ const struct option_entry option_entries[] = {
 };
 /* clang-format on */
 
-_Static_assert(
-	ARRAY_COUNT(option_entries) <= OPTIONS_MAX, "room for the names");
+_Static_assert(ARRAY_COUNT(option_entries) <= OPTIONS_MAX, "room for the names");

@@ -8,9 +8,9 @@
 #ifndef APP_CMD_SHOW_FILM_H
 #define APP_CMD_SHOW_FILM_H
 
-#include "platform/process/background.h"
 #include "platform/display/display.h"
 #include "platform/gl/gl.h"
+#include "platform/process/background.h"
 
 /* All zero: nothing is kept. */
 struct film {

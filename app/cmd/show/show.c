@@ -1,17 +1,17 @@
 #include "app/cmd/show/show.h"
 
+#include "app/cmd/progress.h"
 #include "app/cmd/show/film.h"
 #include "app/cmd/show/frame_stats.h"
 #include "app/cmd/show/frame_watch.h"
 #include "app/cmd/show/kernel_choice.h"
 #include "app/cmd/show/pace.h"
 #include "app/cmd/show/program_keys.h"
-#include "app/cmd/progress.h"
 #include "app/cmd/show/record.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/governor.h"
-#include "platform/process/stop.h"
 #include "platform/buttons/buttons.h"
+#include "platform/process/stop.h"
 #include "platform/watchdog/watchdog.h"
 
 #include <errno.h>

@@ -19,7 +19,7 @@ struct show_plan {
 	/* Called when everything is open; or NULL. */
 	void (*opened)(const struct demo_driver *demo, bool camera);
 	bool follow_file; /* a model that changes is shown anew */
-	bool progress; /* show a bar on a terminal */
+	bool progress;    /* show a bar on a terminal */
 };
 
 /*

@@ -1,7 +1,7 @@
 #include "app/demo/crowd/crowd_shadow.h"
 
-#include "app/scene/stage/light.h"
 #include "app/scene/draw/matrix_gl.h"
+#include "app/scene/stage/light.h"
 #include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"

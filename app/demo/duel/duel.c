@@ -7,8 +7,8 @@
  * compare` tells: pixels of the viewer's picture of this size.
  */
 #include "app/demo/actor.h"
-#include "app/demo/duel/contender.h"
 #include "app/demo/demo.h"
+#include "app/demo/duel/contender.h"
 #include "app/demo/duel/duel_board.h"
 #include "app/scene/draw/draw.h"
 #include "platform/base/fixed.h"
@@ -168,8 +168,8 @@ static void choose_detail(struct demo *demo, int height)
 	const struct actor *actor = &demo->act.actor;
 	struct detail detail =
 		detail_relax(&actor->detail, actor->least_error_px);
-	float px = detail_px_per_unit(actor->instance,
-		&demo->act.stage.camera, actor->extent, height);
+	float px = detail_px_per_unit(actor->instance, &demo->act.stage.camera,
+		actor->extent, height);
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		detail_choose(demo->contender[i].shown, &detail, px);

@@ -6,10 +6,10 @@
 #include "app/demo/demo.h"
 #include "app/demo/walker/walker_moves.h"
 #include "app/demo/walker/walker_rig.h"
-#include "app/scene/stage/ball.h"
 #include "app/scene/draw/draw.h"
-#include "app/scene/stage/light.h"
 #include "app/scene/shadow/shadow_volume.h"
+#include "app/scene/stage/ball.h"
+#include "app/scene/stage/light.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -15,8 +15,8 @@
 #include "app/anim/procedural/procedural.h"
 #include "app/demo/preset_file.h"
 #include "app/demo/walker/walker_trail.h"
-#include "app/scene/stage/floor.h"
 #include "app/scene/instance/instance.h"
+#include "app/scene/stage/floor.h"
 
 enum rig_feature {
 	RIG_LOOK,   /* neck and head follow the ball */

@@ -46,8 +46,8 @@ static void say_accessors(const struct examination *at)
 			empty, sparse > 0 ? ", but for the sparse ones" : "");
 	}
 	if (sparse > 0) {
-		examine_say(
-			at->examiner, "sparse accessors (%d): a few values replace those below",
+		examine_say(at->examiner,
+			"sparse accessors (%d): a few values replace those below",
 			sparse);
 	}
 	if (odd > 0) {

@@ -382,8 +382,8 @@ static int read_primitive(const struct gltf_at *at,
 		error = read_vertices(&attributes, out);
 	}
 	if (!error) {
-		error = gltf_read_triangles(at, out->vertex_count, &out->index,
-			&out->index_count);
+		error = gltf_read_triangles(
+			at, out->vertex_count, &out->index, &out->index_count);
 	}
 	return error ? error : gltf_read_targets(at, mesh, out);
 }

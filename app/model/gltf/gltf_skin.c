@@ -213,8 +213,8 @@ static int read_skin(const struct gltf_at *at, struct model_skin *out)
 		error = read_joints(at, out);
 	}
 	if (!error) {
-		error = gltf_maybe_index(at, "skeleton",
-			at->gltf->node_count, "node", &skeleton);
+		error = gltf_maybe_index(at, "skeleton", at->gltf->node_count,
+			"node", &skeleton);
 	}
 	return error ? error : read_inverse_binds(at, out);
 }

@@ -9,8 +9,8 @@
 #define APP_SCENE_DRAW_DRAW_H
 
 #include "app/anim/hierarchy.h"
-#include "app/scene/instance/instance.h"
 #include "app/scene/draw/texture.h"
+#include "app/scene/instance/instance.h"
 
 enum draw_pass {
 	DRAW_SHADED, /* materials, textures, light */

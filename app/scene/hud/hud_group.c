@@ -119,8 +119,7 @@ static void add_line_from(const struct hud_group *group, int x,
 	if (*value) {
 		right -= eighths(group->hud, COLUMN_GAP);
 	}
-	hud_text_cut(
-		group->hud, x, group->y, right - x, hud_color_dim, label);
+	hud_text_cut(group->hud, x, group->y, right - x, hud_color_dim, label);
 }
 
 static void add_line(

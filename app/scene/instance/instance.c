@@ -1,7 +1,7 @@
 #include "app/scene/instance/instance.h"
 
-#include "app/scene/instance/batch.h"
 #include "app/scene/draw/bump.h"
+#include "app/scene/instance/batch.h"
 #include "app/scene/instance/drawable_fixed.h"
 
 #include <cglm/cglm.h>

@@ -1,9 +1,9 @@
 #include "app/scene/instance/instance.h"
 
 #include "app/model/color.h"
+#include "app/scene/draw/bump.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
-#include "app/scene/draw/bump.h"
 #include "app/scene/instance/drawable_fixed.h"
 #include "app/scene/stage/light.h"
 

@@ -4,10 +4,10 @@
  * A model may have coarser lists of triangles (model_lod), each with how far
  * its surface is from the full one's. An instance is drawn by the coarsest ones
  * whose error is too small to see: at most so many pixels where the instance is
- * nearest. The models here state what 99 of 100 points of a surface keep within;
- * the mean is a quarter of that, so a pixel stands for much less than it sounds.
- * Shadows have a list of their own, see outline.h. How many influences a
- * vertex gets is another matter: lod.h.
+ * nearest. The models here state what 99 of 100 points of a surface keep
+ * within; the mean is a quarter of that, so a pixel stands for much less than
+ * it sounds. Shadows have a list of their own, see outline.h. How many
+ * influences a vertex gets is another matter: lod.h.
  */
 #ifndef APP_SCENE_INSTANCE_LOD_H
 #define APP_SCENE_INSTANCE_LOD_H

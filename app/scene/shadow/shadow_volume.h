@@ -9,9 +9,9 @@
 #ifndef APP_SCENE_SHADOW_SHADOW_VOLUME_H
 #define APP_SCENE_SHADOW_SHADOW_VOLUME_H
 
-#include "app/scene/stage/floor.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/shadow/shadow_hull.h"
+#include "app/scene/stage/floor.h"
 #include "platform/gl/gl.h"
 
 struct shadow_volume {

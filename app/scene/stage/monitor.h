@@ -4,8 +4,8 @@
 #ifndef APP_SCENE_STAGE_MONITOR_H
 #define APP_SCENE_STAGE_MONITOR_H
 
-#include "app/scene/stage/camera.h"
 #include "app/scene/draw/live_texture.h"
+#include "app/scene/stage/camera.h"
 
 enum {
 	MONITOR_BOXES = 4,

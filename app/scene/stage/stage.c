@@ -1,7 +1,7 @@
 #include "app/scene/stage/stage.h"
 
-#include "app/scene/stage/light.h"
 #include "app/scene/draw/matrix_gl.h"
+#include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
 
 #include <string.h>

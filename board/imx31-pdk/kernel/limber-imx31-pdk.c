@@ -21,10 +21,10 @@
 #include <linux/slab.h>
 
 #define IPU_INT_CTRL_1 0x28
-#define IOMUX_BASE 0x43fac000
-#define IOMUX_SIZE 0x1000
-#define IOMUX_MUX 0x00c
-#define IOMUX_PAD 0x154
+#define IOMUX_BASE     0x43fac000
+#define IOMUX_SIZE     0x1000
+#define IOMUX_MUX      0x00c
+#define IOMUX_PAD      0x154
 
 enum pin_mode {
 	PIN_GPIO = 0x01,
@@ -42,18 +42,18 @@ struct pin_range {
 };
 
 static const struct pin_range pins[] __initconst = {
-	{22, 23, PIN_FUNCTION},	    /* CONTRAST, VSYNC3 */
-	{27, 28, PIN_GPIO},	    /* SER_RS, LCS1: panel's enable, reset */
-	{34, 35, PIN_FUNCTION},	    /* FPSHIFT, HSYNC */
-	{37, 54, PIN_FUNCTION},	    /* LD17 to LD0 */
-	{84, 87, PIN_GPIO},	    /* KEY_COL7 to KEY_COL4: buttons */
-	{88, 91, PIN_FUNCTION},	    /* KEY_COL3 to KEY_COL0: keypad */
-	{92, 95, PIN_GPIO},	    /* KEY_ROW7 to KEY_ROW4: buttons */
-	{97, 99, PIN_FUNCTION},	    /* KEY_ROW2 to KEY_ROW0: keypad */
+	{22, 23, PIN_FUNCTION},      /* CONTRAST, VSYNC3 */
+	{27, 28, PIN_GPIO},          /* SER_RS, LCS1: panel's enable, reset */
+	{34, 35, PIN_FUNCTION},      /* FPSHIFT, HSYNC */
+	{37, 54, PIN_FUNCTION},      /* LD17 to LD0 */
+	{84, 87, PIN_GPIO},          /* KEY_COL7 to KEY_COL4: buttons */
+	{88, 91, PIN_FUNCTION},      /* KEY_COL3 to KEY_COL0: keypad */
+	{92, 95, PIN_GPIO},          /* KEY_ROW7 to KEY_ROW4: buttons */
+	{97, 99, PIN_FUNCTION},      /* KEY_ROW2 to KEY_ROW0: keypad */
 	{111, 112, PIN_ALTERNATE_1}, /* RI_DCE1, DSR_DCE1: CSPI1 */
-	{118, 120, PIN_FUNCTION},   /* CSPI2_SPI_RDY, SCLK, SS2 */
-	{122, 124, PIN_FUNCTION},   /* CSPI2_SS0, MISO, MOSI */
-	{320, 320, PIN_GPIO},	    /* GPIO1_3: the power chip's interrupt */
+	{118, 120, PIN_FUNCTION},    /* CSPI2_SPI_RDY, SCLK, SS2 */
+	{122, 124, PIN_FUNCTION},    /* CSPI2_SS0, MISO, MOSI */
+	{320, 320, PIN_GPIO},        /* GPIO1_3: the power chip's interrupt */
 };
 
 static const struct fb_videomode panel_mode = {
@@ -174,8 +174,8 @@ static int __init enable_board(void)
 
 	for (i = 0; i <= last; i++) {
 		if (!error)
-			error = set_status(nodes[i],
-					   i == last ? "disabled" : "okay");
+			error = set_status(
+				nodes[i], i == last ? "disabled" : "okay");
 		of_node_put(nodes[i]);
 	}
 	return error;

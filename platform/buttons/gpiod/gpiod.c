@@ -12,8 +12,8 @@
 #include "platform/buttons/buttons.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/event_time.h"
-#include "platform/buttons/gpiod/line_spec.h"
 #include "platform/buttons/gpiod/gpiod_survey.h"
+#include "platform/buttons/gpiod/line_spec.h"
 
 enum {
 	CHIPS_MAX = 32,
@@ -318,8 +318,8 @@ static void read_line(struct button_source *source, int index,
 		return;
 	}
 	for (int i = 0; i < count; i++) {
-		int64_t time_ms = event_time_ms(
-			clocks, edges[i].stamp_ns, source->polled_ms + 1, now_ms);
+		int64_t time_ms = event_time_ms(clocks, edges[i].stamp_ns,
+			source->polled_ms + 1, now_ms);
 
 		add_edge(source, index, time_ms, edges[i].active);
 	}

@@ -11,8 +11,8 @@
 #define PLATFORM_CAMERA_V4L2_DEVICE_H
 
 #include "platform/camera/camera.h"
-#include "platform/camera/v4l2/v4l2_calls.h"
 #include "platform/camera/v4l2/convert_library.h"
+#include "platform/camera/v4l2/v4l2_calls.h"
 
 #include <linux/videodev2.h>
 

@@ -17,9 +17,9 @@
  */
 #include "platform/camera/v4l2/v4l2.h"
 
-#include "platform/process/clock.h"
 #include "platform/camera/v4l2/format.h"
 #include "platform/camera/v4l2/session.h"
+#include "platform/process/clock.h"
 
 #include <errno.h>
 #include <pthread.h>

@@ -15,7 +15,6 @@ int v4l2_source_create(const struct camera_options *options,
  * camera_driver.survey(); calls must outlive the threads that are caught in a
  * driver.
  */
-void v4l2_survey_on(
-	const struct v4l2_calls *calls, const struct survey *survey);
+void v4l2_survey_on(const struct v4l2_calls *calls, const struct survey *survey);
 
 #endif

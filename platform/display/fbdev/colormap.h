@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/display/packing.h"
+#include "platform/process/device_calls.h"
 
 enum {
 	COLORMAP_ROOM = 256

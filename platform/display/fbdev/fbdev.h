@@ -4,8 +4,8 @@
 #ifndef PLATFORM_DISPLAY_FBDEV_FBDEV_H
 #define PLATFORM_DISPLAY_FBDEV_FBDEV_H
 
-#include "platform/process/device_calls.h"
 #include "platform/display/display.h"
+#include "platform/process/device_calls.h"
 
 /* The driver's create(), on a system of the caller's. */
 int fbdev_create_on(const struct device_calls *calls,

@@ -8,10 +8,10 @@
 #include <linux/fb.h>
 #include <stdbool.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/base/log.h"
 #include "platform/display/fbdev/colormap.h"
 #include "platform/display/packing.h"
+#include "platform/process/device_calls.h"
 
 enum {
 	FB_PATH_ROOM = 64

@@ -9,8 +9,8 @@
 #include <xf86drm.h>
 #include <xf86drmMode.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/display/display.h"
+#include "platform/process/device_calls.h"
 
 struct kms_calls {
 	const struct device_calls *device;

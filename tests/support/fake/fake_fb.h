@@ -11,8 +11,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "platform/process/device_calls.h"
 #include "platform/display/packing.h"
+#include "platform/process/device_calls.h"
 
 enum {
 	FAKE_FB_ROOM = 1 << 20,

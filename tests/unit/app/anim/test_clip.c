@@ -749,8 +749,7 @@ int main(void)
 		cmocka_unit_test(test_linear_rotations_turn_at_constant_speed),
 		cmocka_unit_test(
 			test_pitfall_5_rotation_keys_take_the_shorter_arc),
-		cmocka_unit_test(
-			test_rotation_keys_are_taken_as_they_are),
+		cmocka_unit_test(test_rotation_keys_are_taken_as_they_are),
 		cmocka_unit_test(
 			test_keys_are_found_playing_either_way_and_jumping),
 		cmocka_unit_test(test_any_content_of_the_cache_is_valid),

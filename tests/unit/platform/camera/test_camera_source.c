@@ -1,9 +1,9 @@
 /* The V4L2 source with its thread, on the machine's clock. */
 #include "platform/camera/v4l2/v4l2.h"
 
+#include "tests/support/fake/v4l2_fake.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
-#include "tests/support/fake/v4l2_fake.h"
 
 #include <errno.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 #include "platform/camera/v4l2/session.h"
 
 #include "platform/camera/v4l2/format.h"
-#include "tests/support/test.h"
 #include "tests/support/fake/v4l2_fake.h"
+#include "tests/support/test.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #include "platform/camera/v4l2/v4l2.h"
+#include "tests/support/fake/v4l2_fake.h"
 #include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
-#include "tests/support/fake/v4l2_fake.h"
 
 #include <errno.h>
 #include <linux/videodev2.h>

@@ -1,9 +1,9 @@
-#include "platform/process/stop.h"
 #include "platform/display/console.h"
 #include "platform/display/fbdev/fbdev.h"
+#include "platform/process/stop.h"
 #include "tests/support/fake/fake_fb.h"
-#include "tests/support/log_capture.h"
 #include "tests/support/gl/paint.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

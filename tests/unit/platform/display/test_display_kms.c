@@ -1,8 +1,8 @@
 #include "platform/display/kms/kms_calls.h"
 #include "tests/support/fake/fake_card.h"
 #include "tests/support/fake/fake_fb.h"
-#include "tests/support/log_capture.h"
 #include "tests/support/gl/paint.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <drm_fourcc.h>

@@ -171,8 +171,8 @@ static void test_the_drivers_agree(void **state)
 	int colors = 0;
 
 	(void)state;
-	draw_with(gl_registry[last_driver()]->name, PIXELS_RGBA8888, first,
-		SIZE);
+	draw_with(
+		gl_registry[last_driver()]->name, PIXELS_RGBA8888, first, SIZE);
 	for (int i = 4; i < SIZE; i += 4) {
 		colors += memcmp(first + i, first + i - 4, 4) != 0;
 	}

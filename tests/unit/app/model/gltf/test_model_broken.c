@@ -304,9 +304,9 @@ static void test_refuses_broken_primitives(void **state)
 			 "'attributes':{'POSITION':0},'indices':1"),
 			"/meshes/0/primitives/0/indices: accessor 1 is not of "
 			"plain unsigned integers"},
-		{NAN_VIEW "," ACCESSORS(
-			 VEC3 ",{'bufferView':0,'type':'SCALAR',"
-			      "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
+		{NAN_VIEW "," ACCESSORS(VEC3
+			 ",{'bufferView':0,'type':'SCALAR',"
+			 "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
 			"/meshes/0/primitives/0/indices: index 2 is vertex "
 			"192, there are 3"},
 		{NAN_VIEW "," ACCESSORS(
@@ -322,17 +322,15 @@ static void test_refuses_broken_primitives(void **state)
 
 static void test_refuses_numbers_that_are_not_finite(void **state)
 {
-	static const struct broken broken[] =
-		{
-			{NAN_VIEW
-				",'nodes':[{}]," ACCESSORS(
-					"{'bufferView':0,'type':'SCALAR',"
-					"'componentType':5126,'count':1}," VEC3) ",'animations':[{'samplers':[{'input':0,'output':1}],"
-										 "'channels':[{'sampler':0,'target':{'node':0,"
-										 "'path':'scale'}}]}]",
-				"/animations/0/samplers/0/input: element 0 of "
-				"accessor 0 is not finite"},
-		};
+	static const struct broken broken[] = {
+		{NAN_VIEW ",'nodes':[{}]," ACCESSORS(
+			 "{'bufferView':0,'type':'SCALAR',"
+			 "'componentType':5126,'count':1}," VEC3) ",'animations':[{'samplers':[{'input':0,'output':1}],"
+								  "'channels':[{'sampler':0,'target':{'node':0,"
+								  "'path':'scale'}}]}]",
+			"/animations/0/samplers/0/input: element 0 of "
+			"accessor 0 is not finite"},
+	};
 
 	(void)state;
 	EXPECT_ALL(broken);
@@ -406,15 +404,15 @@ static void test_refuses_broken_skins(void **state)
 		{JOINTS("VEC3", "5121") "," PRIMITIVE(SKINNED),
 			"/attributes/JOINTS_0: accessor 1 is VEC3 instead of "
 			"VEC4"},
-		{NAN_VIEW "," ACCESSORS(ZEROS(
-			 "VEC3", "5126", "1") ",{'bufferView':0,'type':'VEC4','"
-					      "componentType':5121,"
-					      "'normalized':false,'count':1}"
-					      ",{'bufferView':0,'type':'VEC4','"
-					      "componentType':5121,"
-					      "'normalized':true,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{'mesh':0,'skin':1}],"
-									      "'skins':[{'joints':[0,1]},{'joints':[1]}]," PRIMITIVE(
-										      SKINNED),
+		{NAN_VIEW "," ACCESSORS(ZEROS("VEC3", "5126",
+			 "1") ",{'bufferView':0,'type':'VEC4','"
+			      "componentType':5121,"
+			      "'normalized':false,'count':1}"
+			      ",{'bufferView':0,'type':'VEC4','"
+			      "componentType':5121,"
+			      "'normalized':true,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{'mesh':0,'skin':1}],"
+							      "'skins':[{'joints':[0,1]},{'joints':[1]}]," PRIMITIVE(
+								      SKINNED),
 			"/meshes/0/primitives/0: a vertex uses joint 192, "
 			"skin 1 has 1"},
 	};
@@ -657,23 +655,22 @@ static void test_limits_the_number_of_json_values(void **state)
 static void test_refuses_numbers_that_are_one_too_large(void **state)
 {
 	static const struct broken broken[] = {
-		{THREES "," ACCESSORS(
-			 VEC3 ",{'bufferView':0,'type':'SCALAR',"
-			      "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
+		{THREES "," ACCESSORS(VEC3
+			 ",{'bufferView':0,'type':'SCALAR',"
+			 "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
 			"/indices: index 0 is vertex 3, there are 3"},
 		{THREES "," ACCESSORS(
 			 "{'type':'SCALAR','componentType':5126,'count':3,"
 			 "'sparse':{'count':1,'indices':{'bufferView':0,"
 			 "'componentType':5121}}}"),
 			"/sparse/indices: index 3 is not below the count 3"},
-		{THREES
-			"," ACCESSORS(ZEROS("VEC3",
-				"5126", "1") ",{'bufferView':0,'type':'VEC4',"
-					     "'componentType':5121,'count':1}"
-					     ",{'bufferView':0,'type':'VEC4',"
-					     "'componentType':5121,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{},{}],"
-										"'skins':[{'joints':[0,1,2]}]," PRIMITIVE(
-											SKINNED),
+		{THREES "," ACCESSORS(ZEROS("VEC3", "5126",
+			 "1") ",{'bufferView':0,'type':'VEC4',"
+			      "'componentType':5121,'count':1}"
+			      ",{'bufferView':0,'type':'VEC4',"
+			      "'componentType':5121,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{},{}],"
+								 "'skins':[{'joints':[0,1,2]}]," PRIMITIVE(
+									 SKINNED),
 			"a vertex uses joint 3, skin 0 has 3"},
 	};
 

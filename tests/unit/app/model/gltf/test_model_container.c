@@ -143,10 +143,9 @@ static void test_gives_memory_no_files(void **state)
 	struct model *model;
 
 	(void)state;
-	assert_int_equal(
-		model_from_text("{'asset':{'version':'2.0'},'buffers':[{"
-				"'byteLength':1,'uri':'Makefile'}]}",
-			&heard, &model),
+	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},'buffers':[{"
+					 "'byteLength':1,'uri':'Makefile'}]}",
+				 &heard, &model),
 		-EACCES);
 	assert_contains(heard.sentence[0],
 		"t.gltf: /buffers/0/uri: names another file");
@@ -229,11 +228,10 @@ static void test_wants_all_the_bytes_that_a_buffer_states(void **state)
 
 	(void)state;
 	file_write(path_join(&folder, "x.bin").text, "xx", 2);
-	assert_int_equal(
-		load_text(&folder,
-			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{"
-			"\"byteLength\":3,\"uri\":\"x.bin\"}]}",
-			&heard),
+	assert_int_equal(load_text(&folder,
+				 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{"
+				 "\"byteLength\":3,\"uri\":\"x.bin\"}]}",
+				 &heard),
 		-EINVAL);
 	assert_contains(heard.sentence[0],
 		"/buffers/0: byteLength is 3, but there are only 2 bytes");

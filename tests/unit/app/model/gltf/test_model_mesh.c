@@ -234,11 +234,10 @@ static void test_says_eight_warnings_and_no_more(void **state)
 	struct model *model;
 
 	(void)state;
-	assert_int_equal(
-		model_from_text("{'asset':{'version':'2.0'},'meshes':[{"
-				"'primitives':[" FOUR_POINTS "," FOUR_POINTS
-				"," FOUR_POINTS "]}]}",
-			&heard, &model),
+	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},'meshes':[{"
+					 "'primitives':[" FOUR_POINTS
+					 "," FOUR_POINTS "," FOUR_POINTS "]}]}",
+				 &heard, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive_count, 0);
 	assert_int_equal(heard.count, 9);

@@ -275,16 +275,16 @@ static void test_takes_the_first_eight_influences(void **state)
 	(void)state;
 	assert_int_equal(
 		model_from_text(
-			"{'asset':{'version':'2.0'},'accessors':[" ZEROS("VEC3") "," BYTES("VEC4") "," ZEROS(
-				"VEC4") "],'nodes':[{'mesh':0,'skin':0}],"
-					"'skins':[{'joints':[0]}],'meshes':[{"
-					"'primitives':[{'attributes':{'"
-					"POSITION':0,"
-					"'JOINTS_0':1,'WEIGHTS_0':2,'JOINTS_1':"
-					"1,"
-					"'WEIGHTS_1':2,'JOINTS_2':1,'WEIGHTS_2'"
-					":2"
-					"}}]}]}",
+			"{'asset':{'version':'2.0'},'accessors':[" ZEROS("VEC3") "," BYTES(
+				"VEC4") "," ZEROS("VEC4") "],'nodes':[{'mesh':0,'skin':0}],"
+							  "'skins':[{'joints':[0]}],'meshes':[{"
+							  "'primitives':[{'attributes':{'"
+							  "POSITION':0,"
+							  "'JOINTS_0':1,'WEIGHTS_0':2,'JOINTS_1':"
+							  "1,"
+							  "'WEIGHTS_1':2,'JOINTS_2':1,'WEIGHTS_2'"
+							  ":2"
+							  "}}]}]}",
 			&heard, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive[0].influences, 8);

@@ -3,8 +3,8 @@
  * vertices are, what is drawn, and what cannot be had in 16 bits.
  */
 #include "app/anim/clip.h"
-#include "app/scene/instance/bounds.h"
 #include "app/scene/draw/draw.h"
+#include "app/scene/instance/bounds.h"
 #include "app/scene/shadow/shadow_volume.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"

@@ -83,9 +83,9 @@ static int pose_instance(struct instance *instance,
 			options->interpolation, &cursor, &instance->pose);
 	}
 	/* A pose has no distance: auto means all. */
-	if (options->lod.kind != LOD_DISTANCE) {
-		instance->max_influences =
-			lod_choose(&options->lod, instance, NULL, 0.0f, 0);
+	if (options->influences.kind != INFLUENCE_CAP_DISTANCE) {
+		instance->max_influences = influence_cap_choose(
+			&options->influences, instance, NULL, 0.0f, 0);
 	}
 	instance_update(instance);
 	if (instance_failed(instance)) {

@@ -20,8 +20,8 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	if (error) {
 		goto fail_model;
 	}
+	actor->influence_cap = env->influence_cap;
 	actor->lod = env->lod;
-	actor->detail = env->detail;
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent(&bounds);
 	actor->interpolation = env->interpolation;
@@ -78,28 +78,27 @@ void actor_draw(const struct actor *actor, const struct stage *stage,
 void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height)
 {
-	int cap = lod_choose(&actor->lod, actor->instance, camera,
-		actor->extent, picture_height);
+	int cap = influence_cap_choose(&actor->influence_cap, actor->instance,
+		camera, actor->extent, picture_height);
 	int most = actor->most_influences;
 
 	actor->instance->max_influences =
 		most > 0 && (cap == 0 || most < cap) ? most : cap;
 	instance_update(actor->instance);
-	actor_choose_detail(actor, camera, picture_height);
+	actor_choose_lod(actor, camera, picture_height);
 }
 
-void actor_choose_detail(
+void actor_choose_lod(
 	struct actor *actor, const struct camera *camera, int picture_height)
 {
-	struct detail detail =
-		detail_relax(&actor->detail, actor->least_error_px);
+	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
 
-	detail_choose(actor->instance, &detail,
-		detail_px_per_unit(actor->instance, camera, actor->extent,
+	lod_choose(actor->instance, &lod,
+		lod_px_per_unit(actor->instance, camera, actor->extent,
 			picture_height));
 }
 
-void actor_label_detail(const struct actor *actor, struct hud_group *group)
+void actor_label_lod(const struct actor *actor, struct hud_group *group)
 {
 	char value[32];
 

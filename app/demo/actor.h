@@ -20,10 +20,10 @@ struct actor {
 	struct clip_cursor cursor;
 	enum clip_interpolation interpolation;
 	struct fade fade; /* for whoever changes clips */
-	struct lod lod;
+	struct influence_cap influence_cap;
 	int most_influences; /* whatever lod says; 0: no limit */
-	struct detail detail;
-	float least_error_px; /* whatever detail says; 0: as it says */
+	struct lod lod;
+	float least_error_px; /* whatever lod says; 0: as it says */
 	float extent;         /* at rest, scene units */
 };
 
@@ -61,11 +61,11 @@ void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height);
 
 /* Triangles alone, for whoever does not update the instance. */
-void actor_choose_detail(
+void actor_choose_lod(
 	struct actor *actor, const struct camera *camera, int picture_height);
 
 /* Says how many influences are used where some are left out. */
-void actor_label_detail(const struct actor *actor, struct hud_group *group);
+void actor_label_lod(const struct actor *actor, struct hud_group *group);
 
 /* The technique that moves most of it: "Skeletal" and so on. */
 const char *technique_of(const struct instance *instance);

@@ -276,7 +276,7 @@ static void arm_draw(struct demo *demo, int width, int height)
 	const struct gl *gl = demo->act.gl;
 	struct actor *actor = &demo->act.actor;
 
-	actor_choose_detail(actor, &demo->act.stage.camera, height);
+	actor_choose_lod(actor, &demo->act.stage.camera, height);
 	stage_begin(&demo->act.stage, gl, width, height);
 	stage_shadow_begin(&demo->act.stage, gl);
 	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,

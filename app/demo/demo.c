@@ -119,7 +119,7 @@ struct demo_facts demo_tell(
 		((const struct act *)demo)->actor.instance;
 	struct demo_facts facts = {
 		.technique = technique_of(instance),
-		.triangles = detail_triangles(instance),
+		.triangles = lod_triangles(instance),
 	};
 
 	if (driver->tell) {

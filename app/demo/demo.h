@@ -31,11 +31,11 @@ struct demo_env {
 	const char *model_path; /* the file to show */
 	const char *clip;       /* name or number to begin with, or NULL */
 	enum clip_interpolation interpolation;
-	enum clip_repeat repeat; /* of the user's model's clips */
-	float speed;             /* likewise, negative: backwards */
-	struct lod lod;          /* influences a vertex */
-	struct detail detail;    /* triangles */
-	int walkers;             /* of a crowd; 0: as it likes */
+	enum clip_repeat repeat;            /* of the user's model's clips */
+	float speed;                        /* likewise, negative: backwards */
+	struct influence_cap influence_cap; /* influences a vertex */
+	struct lod lod;                     /* triangles */
+	int walkers;                        /* of a crowd; 0: as it likes */
 	bool follow_file;        /* show the model anew when it changes */
 	int64_t (*now_ns)(void); /* measures; NULL where times must repeat */
 	bool unattended;         /* nobody will press a button: show things */

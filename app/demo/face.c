@@ -146,7 +146,7 @@ static void face_update(struct demo *demo, double time_s)
 
 static void face_draw(struct demo *demo, int width, int height)
 {
-	actor_choose_detail(&demo->act.actor, &demo->act.stage.camera, height);
+	actor_choose_lod(&demo->act.actor, &demo->act.stage.camera, height);
 	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
 		height);
 }

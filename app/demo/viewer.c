@@ -277,7 +277,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 	if (demo->joining) {
 		hud_group_text(&group, "joined to", demo->join.to->name);
 	}
-	actor_label_detail(&demo->act.actor, &group);
+	actor_label_lod(&demo->act.actor, &group);
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
 	}

@@ -46,9 +46,9 @@ struct options {
 	const char *watchdog;
 	const char *buttons;
 	const char *script;
-	const char *record; /* a file for what is pressed, or NULL */
-	const char *film;   /* a file for what is shown, or NULL */
-	const char *config; /* as given, or NULL */
+	const char *record_buttons; /* a file for what is pressed, or NULL */
+	const char *record;         /* a file for what is shown, or NULL */
+	const char *config;         /* as given, or NULL */
 	enum button action[BUTTON_COUNT]; /* whose action each does */
 	const char *camera;
 	enum live_use camera_use;
@@ -69,15 +69,15 @@ struct options {
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip */
 	enum clip_repeat repeat;
-	struct lod lod;       /* influences */
-	struct detail detail; /* triangles */
-	float budget_ms;      /* of a frame; 0: none */
-	int walkers;          /* of a crowd; 0: not given */
-	int runs;             /* of each measurement */
-	double rate_hz;       /* frames a second that are compared */
-	float bound_px;       /* the error that may be */
-	size_t memory_bytes;  /* that may be used; 0: any */
-	const char *report;   /* the kind, of a comparison */
+	struct influence_cap influences; /* influences */
+	struct lod lod;                  /* triangles */
+	float budget_ms;                 /* of a frame; 0: none */
+	int walkers;                     /* of a crowd; 0: not given */
+	int runs;                        /* of each measurement */
+	double rate_hz;                  /* frames a second that are compared */
+	float bound_px;                  /* the error that may be */
+	size_t memory_bytes;             /* that may be used; 0: any */
+	const char *report;              /* the kind, of a comparison */
 	const char *plot;
 	const char *export_folder;
 	const char *c_file; /* to export to */

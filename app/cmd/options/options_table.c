@@ -138,12 +138,12 @@ static bool set_math(struct options *options, const char *value)
 
 static bool set_influences(struct options *options, const char *value)
 {
-	return lod_parse(value, &options->lod);
+	return influence_cap_parse(value, &options->influences);
 }
 
 static bool set_lod(struct options *options, const char *value)
 {
-	return detail_parse(value, &options->detail);
+	return lod_parse(value, &options->lod);
 }
 
 static bool set_runs(struct options *options, const char *value)
@@ -208,11 +208,11 @@ static bool set_budget(struct options *options, const char *value)
 	return good;
 }
 
-static bool set_film(struct options *options, const char *value)
+static bool set_record(struct options *options, const char *value)
 {
 	const char *dot = strrchr(value, '.');
 
-	options->film = value;
+	options->record = value;
 	return dot && (strcmp(dot, ".gif") == 0 || strcmp(dot, ".y4m") == 0);
 }
 
@@ -287,10 +287,10 @@ const struct option_entry option_entries[] = {
 		"a file name", AS_IS(script)},
 	{0, "record", "FILE", FOR_PLAY,
 		"keep what is shown as a film: .gif or .y4m",
-		"a file name that ends in .gif or .y4m", set_film, 0},
+		"a file name that ends in .gif or .y4m", set_record, 0},
 	{0, "record-buttons", "FILE", FOR_PLAY,
 		"write down what is pressed, for --script", "a file name",
-		AS_IS(record)},
+		AS_IS(record_buttons)},
 	{0, "config", "FILE", FOR_SHOW | FOR_POSE | FOR_DOCTOR,
 		"options from this file instead of limber.conf; none: from no "
 		"file", "a file name or none", AS_IS(config)},

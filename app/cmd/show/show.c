@@ -1,13 +1,13 @@
 #include "app/cmd/show/show.h"
 
 #include "app/cmd/progress.h"
+#include "app/cmd/show/button_record.h"
 #include "app/cmd/show/film.h"
 #include "app/cmd/show/frame_stats.h"
 #include "app/cmd/show/frame_watch.h"
 #include "app/cmd/show/kernel_choice.h"
 #include "app/cmd/show/pace.h"
 #include "app/cmd/show/program_keys.h"
-#include "app/cmd/show/record.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/governor.h"
 #include "platform/buttons/buttons.h"
@@ -27,7 +27,7 @@ struct show {
 	struct screen screen;
 	struct buttons buttons;
 	const enum button *action; /* whose action a button does */
-	struct record record;
+	struct button_record record;
 	struct watchdog watchdog;
 	struct camera_feed camera;
 	struct demo *demo;
@@ -57,8 +57,9 @@ static int open_buttons(struct show *show, const struct options *options)
 		error = buttons_add(
 			&show->buttons, "script", options->script, show->log);
 	}
-	if (!error && options->record) {
-		error = record_open(&show->record, options->record, show->log);
+	if (!error && options->record_buttons) {
+		error = button_record_open(
+			&show->record, options->record_buttons, show->log);
 	}
 	if (error) {
 		buttons_close(&show->buttons);
@@ -80,8 +81,8 @@ static int open_demo(struct show *show, const struct options *options)
 		.interpolation = options->interpolation,
 		.repeat = options->repeat,
 		.speed = options->speed,
+		.influence_cap = options->influences,
 		.lod = options->lod,
-		.detail = options->detail,
 		.walkers = options->walkers,
 		.follow_file = show->plan->follow_file,
 		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,
@@ -166,7 +167,7 @@ static void press_buttons(struct show *show, int64_t now_ms)
 
 	buttons_poll(&show->buttons, now_ms);
 	while (button_queue_pop(&show->buttons.queue, &event)) {
-		record_event(&show->record, &event);
+		button_record_event(&show->record, &event);
 		press(show, event);
 		if (!show->clock.fixed) {
 			frame_stats_press(&show->stats,
@@ -378,7 +379,7 @@ static int run(struct show *show, const struct options *options)
 	int error;
 	int filmed;
 
-	error = options->film ? open_film(show, options->film) : 0;
+	error = options->record ? open_film(show, options->record) : 0;
 	if (error) {
 		return error;
 	}
@@ -450,7 +451,7 @@ out_screen:
 	screen_close(&show->screen);
 out_buttons:
 	buttons_close(&show->buttons);
-	recorded = record_close(&show->record, show->log);
+	recorded = button_record_close(&show->record, show->log);
 	return error ? error : recorded;
 }
 

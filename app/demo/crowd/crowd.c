@@ -213,12 +213,12 @@ static float height_px(const struct demo *demo, const struct walker *walker)
 
 static int influences_of(const struct demo *demo, const struct walker *walker)
 {
-	const struct lod *lod = &demo->act.actor.lod;
-	int cap = demo->saving ? lod_for_height(walker->height_px) : 0;
+	const struct influence_cap *wanted = &demo->act.actor.influence_cap;
+	int cap = demo->saving ? influence_cap_for_height(walker->height_px) : 0;
 	int shed = demo->act.shed.max_influences;
 
-	if (lod->kind == LOD_FIXED && lod->value > 0) {
-		cap = lod->value;
+	if (wanted->kind == INFLUENCE_CAP_FIXED && wanted->value > 0) {
+		cap = wanted->value;
 	}
 	return shed > 0 && (cap == 0 || shed < cap) ? shed : cap;
 }
@@ -252,12 +252,11 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 
 static void choose_detail(struct demo *demo, struct walker *walker)
 {
-	static const struct detail all = {.kind = DETAIL_ALL};
+	static const struct lod all = {.kind = LOD_ALL};
 	const struct actor *actor = &demo->act.actor;
-	struct detail detail =
-		detail_relax(&actor->detail, actor->least_error_px);
+	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
 
-	detail_choose(walker->instance, demo->saving ? &detail : &all,
+	lod_choose(walker->instance, demo->saving ? &lod : &all,
 		walker->height_px / actor->extent);
 }
 
@@ -371,7 +370,7 @@ static void crowd_tell(const struct demo *demo, struct demo_facts *out)
 {
 	out->triangles = 0;
 	for (int i = 0; i < demo->count; i++) {
-		out->triangles += detail_triangles(demo->walker[i].instance);
+		out->triangles += lod_triangles(demo->walker[i].instance);
 	}
 }
 

@@ -166,13 +166,12 @@ static void draw_row(const struct demo *demo, enum draw_pass pass)
 static void choose_detail(struct demo *demo, int height)
 {
 	const struct actor *actor = &demo->act.actor;
-	struct detail detail =
-		detail_relax(&actor->detail, actor->least_error_px);
-	float px = detail_px_per_unit(actor->instance, &demo->act.stage.camera,
+	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
+	float px = lod_px_per_unit(actor->instance, &demo->act.stage.camera,
 		actor->extent, height);
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		detail_choose(demo->contender[i].shown, &detail, px);
+		lod_choose(demo->contender[i].shown, &lod, px);
 	}
 }
 
@@ -205,7 +204,7 @@ static void duel_tell(const struct demo *demo, struct demo_facts *out)
 	out->technique = "All three";
 	out->triangles = 0;
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		out->triangles += detail_triangles(demo->contender[i].shown);
+		out->triangles += lod_triangles(demo->contender[i].shown);
 	}
 }
 

@@ -255,7 +255,7 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 		hud_group_weight(
 			&group, "wave", moves->wave_weight, hud_color_blue);
 	}
-	actor_label_detail(&demo->act.actor, &group);
+	actor_label_lod(&demo->act.actor, &group);
 	label_features(demo, &group);
 	hud_group_end(&group);
 	if (!demo->touring) {

@@ -22,29 +22,29 @@ static bool read_number(const char *text, long high, int *out)
 	return true;
 }
 
-bool lod_parse(const char *text, struct lod *out)
+bool influence_cap_parse(const char *text, struct influence_cap *out)
 {
 	static const char budget[] = "budget:";
 
 	if (strcmp(text, "auto") == 0) {
-		*out = (struct lod){.kind = LOD_DISTANCE};
+		*out = (struct influence_cap){.kind = INFLUENCE_CAP_DISTANCE};
 		return true;
 	}
 	if (strncmp(text, budget, sizeof(budget) - 1) == 0) {
-		out->kind = LOD_BUDGET;
+		out->kind = INFLUENCE_CAP_BUDGET;
 		return read_number(
 			text + sizeof(budget) - 1, BUDGET_MAX, &out->value);
 	}
-	out->kind = LOD_FIXED;
+	out->kind = INFLUENCE_CAP_FIXED;
 	return read_number(text, SKIN_INFLUENCES_MAX, &out->value);
 }
 
-int lod_for_height(float height_px)
+int influence_cap_for_height(float height_px)
 {
 	return height_px < ONE_BELOW_PX ? 1 : height_px < TWO_BELOW_PX ? 2 : 0;
 }
 
-long lod_cost(const struct instance *instance, int max_influences)
+long influence_cap_cost(const struct instance *instance, int max_influences)
 {
 	long cost = 0;
 
@@ -64,25 +64,26 @@ static int for_budget(const struct instance *instance, long budget)
 {
 	int cap = SKIN_INFLUENCES_MAX;
 
-	while (cap > 1 && lod_cost(instance, cap) > budget) {
+	while (cap > 1 && influence_cap_cost(instance, cap) > budget) {
 		cap--;
 	}
 	return cap == SKIN_INFLUENCES_MAX ? 0 : cap;
 }
 
-int lod_choose(const struct lod *lod, const struct instance *instance,
-	const struct camera *camera, float extent, int picture_height)
+int influence_cap_choose(const struct influence_cap *cap,
+	const struct instance *instance, const struct camera *camera,
+	float extent, int picture_height)
 {
 	float seen;
 
-	switch (lod->kind) {
-	case LOD_FIXED:
-		return lod->value;
-	case LOD_BUDGET:
-		return for_budget(instance, lod->value);
-	case LOD_DISTANCE:
+	switch (cap->kind) {
+	case INFLUENCE_CAP_FIXED:
+		return cap->value;
+	case INFLUENCE_CAP_BUDGET:
+		return for_budget(instance, cap->value);
+	case INFLUENCE_CAP_DISTANCE:
 		break;
 	}
 	seen = 2.0f * camera->distance * camera_tan_half(camera->yfov_rad);
-	return lod_for_height(extent / seen * (float)picture_height);
+	return influence_cap_for_height(extent / seen * (float)picture_height);
 }

@@ -27,7 +27,7 @@
 
 #include <string.h>
 
-/* A coarser list of a batch's triangles, see detail.h. */
+/* A coarser list of a batch's triangles, see lod.h. */
 struct batch_lod {
 	float error; /* in the unit of the model's positions */
 	int index_count;
@@ -147,7 +147,7 @@ struct instance {
 	mat4 *world;    /* [node_count], in the model's own units */
 	mat4 **palette; /* [skin_count][joint_count], times unit_scale */
 	float unit_scale;
-	float detail_px_per_unit; /* what drawables' lods were chosen for; 0:
+	float lod_px_per_unit; /* what drawables' lods were chosen for; 0:
 				     nothing so far */
 
 	int drawable_count;

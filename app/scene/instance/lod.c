@@ -14,47 +14,44 @@ static const float hold = 1.1f;
 /* Of the extent: how far a surface goes beyond its joints. */
 static const float flesh = 0.06f;
 
-bool detail_parse(const char *text, struct detail *out)
+bool lod_parse(const char *text, struct lod *out)
 {
 	static const char level[] = "level:";
 	char *end;
 
 	if (strcmp(text, "auto") == 0) {
-		*out = (struct detail){.kind = DETAIL_AUTO};
+		*out = (struct lod){.kind = LOD_AUTO};
 		return true;
 	}
 	if (strcmp(text, "off") == 0) {
-		*out = (struct detail){.kind = DETAIL_ALL};
+		*out = (struct lod){.kind = LOD_ALL};
 		return true;
 	}
 	if (strncmp(text, level, sizeof(level) - 1) == 0) {
 		long number = strtol(text + sizeof(level) - 1, &end, 10);
 
-		*out = (struct detail){
-			.kind = DETAIL_LEVEL, .level = (int)number};
+		*out = (struct lod){.kind = LOD_LEVEL, .level = (int)number};
 		return end > text + sizeof(level) - 1 && !*end && number >= 0 &&
 			number <= LEVEL_MAX;
 	}
-	*out = (struct detail){
-		.kind = DETAIL_ERROR, .error_px = strtof(text, &end)};
+	*out = (struct lod){.kind = LOD_ERROR, .error_px = strtof(text, &end)};
 	return end > text && !*end && out->error_px > 0.0f &&
 		out->error_px <= 100.0f;
 }
 
-static float error_px(const struct detail *detail)
+static float error_px(const struct lod *lod)
 {
-	return detail->kind == DETAIL_AUTO ? DETAIL_ERROR_PX : detail->error_px;
+	return lod->kind == LOD_AUTO ? LOD_ERROR_PX : lod->error_px;
 }
 
-struct detail detail_relax(const struct detail *detail, float least_px)
+struct lod lod_relax(const struct lod *lod, float least_px)
 {
 	bool relaxes = least_px > 0.0f &&
-		(detail->kind == DETAIL_AUTO || detail->kind == DETAIL_ERROR) &&
-		least_px > error_px(detail);
+		(lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) &&
+		least_px > error_px(lod);
 
-	return relaxes
-		? (struct detail){.kind = DETAIL_ERROR, .error_px = least_px}
-		: *detail;
+	return relaxes ? (struct lod){.kind = LOD_ERROR, .error_px = least_px}
+		       : *lod;
 }
 
 static float depth_of(
@@ -86,7 +83,7 @@ static float nearest_joint(const struct instance *instance, const float eye[3],
 	return nearest;
 }
 
-float detail_px_per_unit(const struct instance *instance,
+float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height)
 {
 	float distance = camera->distance, nearest, eye[3], forward[3];
@@ -144,43 +141,43 @@ static int coarsest(const struct batch *batch, float error)
 }
 
 static int lod_of(const struct instance *instance,
-	const struct drawable *drawable, const struct detail *detail)
+	const struct drawable *drawable, const struct lod *lod)
 {
 	const struct batch *batch = drawable->batch;
 	float units;
 
-	switch (detail->kind) {
-	case DETAIL_ALL:
+	switch (lod->kind) {
+	case LOD_ALL:
 		return 0;
-	case DETAIL_LEVEL:
-		return detail->level < batch->lod_count ? detail->level
-							: batch->lod_count;
-	case DETAIL_AUTO:
-	case DETAIL_ERROR:
+	case LOD_LEVEL:
+		return lod->level < batch->lod_count ? lod->level
+						     : batch->lod_count;
+	case LOD_AUTO:
+	case LOD_ERROR:
 		break;
 	}
-	units = units_of(instance, drawable) * instance->detail_px_per_unit;
-	return units > 0.0f ? coarsest(batch, error_px(detail) / units) : 0;
+	units = units_of(instance, drawable) * instance->lod_px_per_unit;
+	return units > 0.0f ? coarsest(batch, error_px(lod) / units) : 0;
 }
 
-void detail_choose(struct instance *instance, const struct detail *detail,
-	float px_per_unit)
+void lod_choose(
+	struct instance *instance, const struct lod *lod, float px_per_unit)
 {
-	float held = instance->detail_px_per_unit;
+	float held = instance->lod_px_per_unit;
 
 	if (px_per_unit > held * hold || px_per_unit * hold < held) {
-		instance->detail_px_per_unit = px_per_unit;
+		instance->lod_px_per_unit = px_per_unit;
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
 
 		drawable->lod = drawable->batch_count > 0
-			? lod_of(instance, drawable, detail)
+			? lod_of(instance, drawable, lod)
 			: 0;
 	}
 }
 
-long detail_triangles(const struct instance *instance)
+long lod_triangles(const struct instance *instance)
 {
 	long corners = 0;
 

@@ -16,30 +16,30 @@
 
 static void test_reads_words_pixels_and_levels(void **state)
 {
-	struct detail detail;
+	struct lod lod;
 
 	(void)state;
-	assert_true(detail_parse("auto", &detail));
-	assert_int_equal(detail.kind, DETAIL_AUTO);
-	assert_true(detail_parse("off", &detail));
-	assert_int_equal(detail.kind, DETAIL_ALL);
-	assert_true(detail_parse("1.5", &detail));
-	assert_int_equal(detail.kind, DETAIL_ERROR);
-	assert_near(detail.error_px, 1.5, 0.0);
-	assert_true(detail_parse("level:2", &detail));
-	assert_int_equal(detail.kind, DETAIL_LEVEL);
-	assert_int_equal(detail.level, 2);
+	assert_true(lod_parse("auto", &lod));
+	assert_int_equal(lod.kind, LOD_AUTO);
+	assert_true(lod_parse("off", &lod));
+	assert_int_equal(lod.kind, LOD_ALL);
+	assert_true(lod_parse("1.5", &lod));
+	assert_int_equal(lod.kind, LOD_ERROR);
+	assert_near(lod.error_px, 1.5, 0.0);
+	assert_true(lod_parse("level:2", &lod));
+	assert_int_equal(lod.kind, LOD_LEVEL);
+	assert_int_equal(lod.level, 2);
 }
 
 static void test_refuses_other_words(void **state)
 {
 	static const char *const bad[] = {"", "0", "-1", "101", "1.5px", "nan",
 		"on", "level:", "level:-1", "level:x", "level:100"};
-	struct detail detail;
+	struct lod lod;
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(bad); i++) {
-		assert_false(detail_parse(bad[i], &detail));
+		assert_false(lod_parse(bad[i], &lod));
 	}
 }
 
@@ -74,39 +74,38 @@ static void end(struct scene *scene)
 	model_destroy(scene->model);
 }
 
-static const struct detail by_itself = {.kind = DETAIL_AUTO};
+static const struct lod by_itself = {.kind = LOD_AUTO};
 
 static void test_takes_the_coarsest_that_is_a_pixel_off(void **state)
 {
 	struct scene scene = begin();
 
 	(void)state;
-	detail_choose(scene.instance, &by_itself, 1000.0f);
+	lod_choose(scene.instance, &by_itself, 1000.0f);
 	assert_int_equal(scene.drawable->lod, 0);
-	assert_int_equal(detail_triangles(scene.instance), 8);
-	detail_choose(scene.instance, &by_itself, 99.0f * DETAIL_ERROR_PX);
+	assert_int_equal(lod_triangles(scene.instance), 8);
+	lod_choose(scene.instance, &by_itself, 99.0f * LOD_ERROR_PX);
 	assert_int_equal(scene.drawable->lod, 1);
-	assert_int_equal(detail_triangles(scene.instance), 2);
-	detail_choose(scene.instance, &by_itself, 24.0f * DETAIL_ERROR_PX);
+	assert_int_equal(lod_triangles(scene.instance), 2);
+	lod_choose(scene.instance, &by_itself, 24.0f * LOD_ERROR_PX);
 	assert_int_equal(scene.drawable->lod, 2);
-	assert_int_equal(detail_triangles(scene.instance), 1);
+	assert_int_equal(lod_triangles(scene.instance), 1);
 	end(&scene);
 }
 
 static void test_does_what_it_is_told(void **state)
 {
-	static const struct detail all = {.kind = DETAIL_ALL};
-	static const struct detail last = {.kind = DETAIL_LEVEL, .level = 9};
-	static const struct detail coarse = {
-		.kind = DETAIL_ERROR, .error_px = 5.0f};
+	static const struct lod all = {.kind = LOD_ALL};
+	static const struct lod last = {.kind = LOD_LEVEL, .level = 9};
+	static const struct lod coarse = {.kind = LOD_ERROR, .error_px = 5.0f};
 	struct scene scene = begin();
 
 	(void)state;
-	detail_choose(scene.instance, &coarse, 120.0f);
+	lod_choose(scene.instance, &coarse, 120.0f);
 	assert_int_equal(scene.drawable->lod, 2);
-	detail_choose(scene.instance, &all, 120.0f);
+	lod_choose(scene.instance, &all, 120.0f);
 	assert_int_equal(scene.drawable->lod, 0);
-	detail_choose(scene.instance, &last, 120.0f);
+	lod_choose(scene.instance, &last, 120.0f);
 	assert_int_equal(scene.drawable->lod, 2);
 	end(&scene);
 }
@@ -114,18 +113,18 @@ static void test_does_what_it_is_told(void **state)
 /* What sways around the border between two levels keeps one. */
 static void test_small_changes_change_nothing(void **state)
 {
-	float border = 100.0f * DETAIL_ERROR_PX;
+	float border = 100.0f * LOD_ERROR_PX;
 	struct scene scene = begin();
 
 	(void)state;
-	detail_choose(scene.instance, &by_itself, border * 0.98f);
+	lod_choose(scene.instance, &by_itself, border * 0.98f);
 	assert_int_equal(scene.drawable->lod, 1);
 	for (int i = 0; i < 100; i++) {
-		detail_choose(scene.instance, &by_itself,
+		lod_choose(scene.instance, &by_itself,
 			border * (i % 2 ? 0.96f : 1.05f));
 		assert_int_equal(scene.drawable->lod, 1);
 	}
-	detail_choose(scene.instance, &by_itself, border * 1.2f);
+	lod_choose(scene.instance, &by_itself, border * 1.2f);
 	assert_int_equal(scene.drawable->lod, 0);
 	end(&scene);
 }
@@ -137,24 +136,23 @@ static void test_what_is_large_needs_more(void **state)
 	(void)state;
 	scene.instance->pose.local[0].scale[0] = 3.0f;
 	instance_update(scene.instance);
-	detail_choose(scene.instance, &by_itself, 40.0f * DETAIL_ERROR_PX);
+	lod_choose(scene.instance, &by_itself, 40.0f * LOD_ERROR_PX);
 	assert_int_equal(scene.drawable->lod, 0);
-	detail_choose(scene.instance, &by_itself, 30.0f * DETAIL_ERROR_PX);
+	lod_choose(scene.instance, &by_itself, 30.0f * LOD_ERROR_PX);
 	assert_int_equal(scene.drawable->lod, 1);
 	end(&scene);
 }
 
 static void test_a_budget_asks_for_less_but_never_for_more(void **state)
 {
-	static const struct detail all = {.kind = DETAIL_ALL};
-	static const struct detail five = {
-		.kind = DETAIL_ERROR, .error_px = 5.0f};
+	static const struct lod all = {.kind = LOD_ALL};
+	static const struct lod five = {.kind = LOD_ERROR, .error_px = 5.0f};
 
 	(void)state;
-	assert_int_equal(detail_relax(&by_itself, 0.0f).kind, DETAIL_AUTO);
-	assert_near(detail_relax(&by_itself, 2.0f).error_px, 2.0, 0.0);
-	assert_near(detail_relax(&five, 2.0f).error_px, 5.0, 0.0);
-	assert_int_equal(detail_relax(&all, 2.0f).kind, DETAIL_ALL);
+	assert_int_equal(lod_relax(&by_itself, 0.0f).kind, LOD_AUTO);
+	assert_near(lod_relax(&by_itself, 2.0f).error_px, 2.0, 0.0);
+	assert_near(lod_relax(&five, 2.0f).error_px, 5.0, 0.0);
+	assert_int_equal(lod_relax(&all, 2.0f).kind, LOD_ALL);
 }
 
 static void test_half_as_far_has_twice_the_pixels(void **state)
@@ -165,11 +163,11 @@ static void test_half_as_far_has_twice_the_pixels(void **state)
 
 	(void)state;
 	camera.distance = 100.5f;
-	far = detail_px_per_unit(scene.instance, &camera, 1.0f, 640);
+	far = lod_px_per_unit(scene.instance, &camera, 1.0f, 640);
 	camera.distance = 50.5f;
-	assert_near(detail_px_per_unit(scene.instance, &camera, 1.0f, 640),
+	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 640),
 		2.0f * far, 1e-3f * far);
-	assert_near(detail_px_per_unit(scene.instance, &camera, 1.0f, 1280),
+	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 1280),
 		4.0f * far, 1e-3f * far);
 	/* 30 degrees high, at the near side of the box. */
 	assert_near(far, 320.0 / (100.0 * tan(acos(-1.0) / 12.0)), 1e-2 * far);

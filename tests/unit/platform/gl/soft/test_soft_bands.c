@@ -1,9 +1,9 @@
 /* The soft driver's rows in assembly against the same in C. */
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/pixel.h"
+#include "tests/support/gl/twins.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
-#include "tests/support/gl/twins.h"
 
 #include <string.h>
 

@@ -8,10 +8,10 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/ground.h"
 #include "platform/gl/soft/pixel.h"
-#include "tests/support/random.h"
 #include "tests/support/gl/soft_scene.h"
-#include "tests/support/test.h"
 #include "tests/support/gl/twins.h"
+#include "tests/support/random.h"
+#include "tests/support/test.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The soft driver's short cut for relief's three passes: against the long way. */
 #include "platform/base/fixed.h"
-#include "tests/support/random.h"
 #include "tests/support/gl/soft_scene.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>

@@ -5,8 +5,8 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
-#include "tests/support/random.h"
 #include "tests/support/gl/soft_scene.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <string.h>

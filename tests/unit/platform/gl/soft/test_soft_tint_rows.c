@@ -1,9 +1,9 @@
 /* Rows of coloured textures in assembly against the same in C. */
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/tint.h"
+#include "tests/support/gl/twins.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
-#include "tests/support/gl/twins.h"
 
 #include <stdlib.h>
 #include <string.h>

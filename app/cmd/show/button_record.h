@@ -1,8 +1,8 @@
 /*
  * Writing down what was pressed, as a script that --script plays again.
  */
-#ifndef APP_CMD_SHOW_RECORD_H
-#define APP_CMD_SHOW_RECORD_H
+#ifndef APP_CMD_SHOW_BUTTON_RECORD_H
+#define APP_CMD_SHOW_BUTTON_RECORD_H
 
 #include <stdio.h>
 
@@ -10,19 +10,21 @@
 #include "platform/buttons/buttons.h"
 
 /* Begins zeroed: records nothing. */
-struct record {
+struct button_record {
 	FILE *file;
 	const char *path;
 	int64_t last_ms;
 };
 
 /* Creates the file. 0, or -errno after a sentence. The path stays argv's. */
-int record_open(struct record *record, const char *path, const struct log *log);
+int button_record_open(
+	struct button_record *record, const char *path, const struct log *log);
 
 /* Adds an event; times never run backwards in the file. */
-void record_event(struct record *record, const struct button_event *event);
+void button_record_event(
+	struct button_record *record, const struct button_event *event);
 
 /* 0, or -errno after a sentence when not all could be written. */
-int record_close(struct record *record, const struct log *log);
+int button_record_close(struct button_record *record, const struct log *log);
 
 #endif

@@ -1,14 +1,15 @@
-#include "app/cmd/show/record.h"
+#include "app/cmd/show/button_record.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <string.h>
 
-int record_open(struct record *record, const char *path, const struct log *log)
+int button_record_open(
+	struct button_record *record, const char *path, const struct log *log)
 {
 	int error;
 
-	*record = (struct record){.path = path};
+	*record = (struct button_record){.path = path};
 	record->file = fopen(path, "w");
 	if (!record->file) {
 		error = -errno;
@@ -22,7 +23,8 @@ int record_open(struct record *record, const char *path, const struct log *log)
 	return 0;
 }
 
-void record_event(struct record *record, const struct button_event *event)
+void button_record_event(
+	struct button_record *record, const struct button_event *event)
 {
 	if (!record->file) {
 		return;
@@ -34,7 +36,7 @@ void record_event(struct record *record, const struct button_event *event)
 		button_name(event->button), event->down ? "down" : "up");
 }
 
-int record_close(struct record *record, const struct log *log)
+int button_record_close(struct button_record *record, const struct log *log)
 {
 	bool failed;
 

@@ -17,12 +17,12 @@ static struct joint_weight weight[VERTICES * MAX_INFLUENCES];
 
 static void fill(int influences)
 {
+	int left = influences;
+
 	for (int i = 0; i < JOINTS * 12; i++) {
 		joint[i / 12].mat[i % 12] = (float)(i % 7) * 0.125f;
 	}
-	for (int i = 0, left = influences;
-		i<VERTICES * influences; i++, left = left> 1 ? left - 1
-							     : influences) {
+	for (int i = 0; i < VERTICES * influences; i++) {
 		base[i][0] = (float)i;
 		base[i][1] = 1;
 		base[i][2] = 2;
@@ -30,6 +30,7 @@ static void fill(int influences)
 		weight[i].weight = 0.5f;
 		weight[i].joint_offset = (i * 5 % JOINTS) * (int)sizeof(*joint);
 		weight[i].next_vertex_offset = left * (int)sizeof(*weight);
+		left = left > 1 ? left - 1 : influences;
 	}
 }
 

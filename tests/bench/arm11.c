@@ -6,7 +6,7 @@
  *	arm11 update KERNEL MODEL
  *
  * ROW is one of app/cmd/bench/bench_rows.c; update is all that a posed model
- *needs before it is drawn, in the middle of its first clip.
+ * needs before it is drawn, in the middle of its first clip.
  *
  * Region 1 is a pass right after others, region 2 one with all data in memory.
  * Prints "count N", the vertices of a pass. Exit status 3: the kernel has no

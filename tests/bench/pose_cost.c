@@ -5,7 +5,7 @@
  *	pose_cost MODEL CLIP FRAMES
  *
  * Plays the clip from its start at 25 frames a second and prints "joints N" for
- *all skins together, or the nodes where there is no skin. pose.sh divides.
+ * all skins together, or the nodes where there is no skin. pose.sh divides.
  */
 #include <stdio.h>
 #include <stdlib.h>

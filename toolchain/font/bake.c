@@ -1,6 +1,6 @@
 /*
  * Bakes a font file into C for app/scene/hud/font.h: an atlas with the glyphs
- *in several sizes, a solid patch and discs, and the glyphs' metrics.
+ * in several sizes, a solid patch and discs, and the glyphs' metrics.
  *
  *	bake FONT SIZE... >font_data.c
  *

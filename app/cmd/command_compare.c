@@ -23,6 +23,9 @@ static int print(const struct comparison *comparison,
 {
 	int error = report_find(options->report)->print(comparison, stdout);
 
+	if (error) {
+		log_error(log, "compare: out of memory for the report");
+	}
 	if (!error && options->plot) {
 		error = report_plot(comparison, options->plot, log);
 	}

@@ -1,7 +1,7 @@
 #include "app/cmd/command.h"
 #include "app/embed/embed.h"
+#include "platform/base/output_file.h"
 
-#include <errno.h>
 #include <string.h>
 
 enum {
@@ -21,30 +21,20 @@ static int write_source(const struct model *model, int clip, const char *path,
 	const struct log *log, struct embed_size *size)
 {
 	char prefix[PREFIX_ROOM];
-	FILE *out = fopen(path, "w");
-	int error;
+	struct output_file *file;
+	int error = output_file_create_for("--c", path, log, &file);
 
-	if (!out) {
-		error = -errno;
-		log_error(log, "--c %s: cannot be written: %s", path,
-			strerror(-error));
+	if (error) {
 		return error;
 	}
 	take_prefix(path, prefix);
-	error = embed_print(model, clip, prefix, log, out, size);
-	if (!error && ferror(out)) {
-		error = -EIO;
-		log_error(log, "--c %s: cannot be written", path);
-	}
-	if (fclose(out) != 0 && !error) {
-		error = -errno;
-		log_error(log, "--c %s: cannot be written: %s", path,
-			strerror(-error));
-	}
+	error = embed_print(
+		model, clip, prefix, log, output_file_stream(file), size);
 	if (error) {
-		remove(path);
+		output_file_discard(file);
+		return error;
 	}
-	return error;
+	return output_file_commit(file);
 }
 
 static int run_with_model(const struct model *model,

@@ -3,10 +3,10 @@
 #include "app/anim/clip.h"
 #include "app/cmd/show/kernel_choice.h"
 #include "app/scene/instance/instance.h"
+#include "platform/base/output_file.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Numbers are printed with a point whatever the locale: none is ever set. */
 static void write_drawable(FILE *out, const struct instance *instance,
@@ -34,31 +34,19 @@ static void write_drawable(FILE *out, const struct instance *instance,
 static int write_obj(const struct instance *instance, const char *path,
 	const struct log *log)
 {
-	FILE *out = fopen(path, "w");
+	struct output_file *file;
 	int first_vertex = 1;
-	int error = 0;
+	int error = output_file_create(path, log, &file);
 
-	if (!out) {
-		error = -errno;
-		log_error(log, "%s: %s", path, strerror(-error));
+	if (error) {
 		return error;
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {
-		write_drawable(
-			out, instance, &instance->drawable[i], first_vertex);
+		write_drawable(output_file_stream(file), instance,
+			&instance->drawable[i], first_vertex);
 		first_vertex += instance->drawable[i].primitive->vertex_count;
 	}
-	if (ferror(out)) {
-		error = -EIO;
-	}
-	if (fclose(out) != 0) {
-		error = -errno;
-	}
-	if (error) {
-		log_error(log, "%s: writing fails: %s", path, strerror(-error));
-		remove(path);
-	}
-	return error;
+	return output_file_commit(file);
 }
 
 static int pose_instance(struct instance *instance,

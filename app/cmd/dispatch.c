@@ -3,6 +3,7 @@
 #include "app/cmd/options/config.h"
 #include "app/cmd/version.h"
 #include "platform/base/file.h"
+#include "platform/base/output_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -127,7 +128,8 @@ static int configure(const struct command *command, int argc, char **argv,
 	return error;
 }
 
-int dispatch(const struct command *const *commands, int argc, char **argv)
+static int run_command(
+	const struct command *const *commands, int argc, char **argv)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
 	struct options options = options_default();
@@ -172,5 +174,18 @@ int dispatch(const struct command *const *commands, int argc, char **argv)
 		status = command->run(&options, &log);
 	}
 	config_release(&config);
+	return status;
+}
+
+int dispatch(const struct command *const *commands, int argc, char **argv)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	int status;
+
+	output_file_survive_limits();
+	status = run_command(commands, argc, argv);
+	if (output_file_flush_stdout(&log) != 0 && status == EXIT_OK) {
+		status = EXIT_FAILED;
+	}
 	return status;
 }

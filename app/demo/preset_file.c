@@ -2,8 +2,8 @@
 
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
+#include "platform/base/output_file.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -203,40 +203,22 @@ static void rewrite(
 	}
 }
 
-static int say_failed(const char *path, const struct log *log)
-{
-	int error = errno ? -errno : -EIO;
-
-	log_error(log, "%s: cannot be written: %s", path, strerror(-error));
-	return error;
-}
-
 int preset_file_save(const char *path, const struct procedural_preset *preset,
 	const struct log *log)
 {
 	struct model_file text;
-	char part[PRESET_PATH_ROOM + 8];
-	FILE *out;
-	bool bad;
+	struct output_file *file;
 	int error = model_file_read(path, log, &text);
 
 	if (error) {
 		return error;
 	}
-	snprintf(part, sizeof(part), "%s.part", path);
-	out = fopen(part, "w");
-	if (!out) {
-		model_file_release(&text);
-		return say_failed(path, log);
+	error = output_file_create(path, log, &file);
+	if (!error) {
+		rewrite(output_file_stream(file), (const char *)text.data,
+			preset);
+		error = output_file_commit(file);
 	}
-	rewrite(out, (const char *)text.data, preset);
 	model_file_release(&text);
-	errno = 0;
-	bad = ferror(out) != 0;
-	bad = fclose(out) != 0 || bad;
-	if (bad || rename(part, path) != 0) {
-		error = say_failed(path, log);
-		remove(part);
-	}
 	return error;
 }

@@ -64,15 +64,83 @@ limber render "$slider" --frames 2 -o "$scratch/nowhere/out.gif"
 expect_refusal 1 'nowhere/out\.gif: '
 limber render "$slider" --frames 2 -o "$scratch/nowhere/out.y4m"
 expect_refusal 1 'nowhere/out\.y4m: .*[Nn]o such'
-if [ -c /dev/full ]; then
-    limber pose "$slider" -o /dev/full
-    expect_refusal 1 '/dev/full: .*[Nn]o space'
-    # shellcheck disable=SC2086 # a command and its arguments
-    run sh -c '"$@" >/dev/full' sh $limber info "$slider"
-    about 'limber info onto a full disk'
-    expect_status 1
-    expect_err '^limber: .*[Nn]o space'
+
+# A full disk: a device of that kind, in a folder of the test's own where root
+# can make one.
+full=$scratch/full
+if ! { mknod -m 666 "$full" c 1 7 && : >"$full"; } 2>/dev/null; then
+    rm -f "$full"
+    full=/dev/full
 fi
+if [ -c "$full" ] && [ -w "$full" ]; then
+    limber pose "$slider" -o "$full"
+    expect_refusal 1 'full: .*[Nn]o space'
+    check 'a device stays where it is' test -c "$full"
+    limber play "$slider" --display null --frames 2 --stats "$full"
+    expect_status 1
+    expect_err 'full: .*[Nn]o space'
+    check 'a device stays where it is after --stats' test -c "$full"
+    limber export "$slider" --clip slide --c "$full"
+    expect_status 1
+    check 'a device stays where it is after export' test -c "$full"
+    for words in info 'info --json' 'doctor --json' compare 'compare --format json'
+    do
+        # shellcheck disable=SC2086,SC2016 # a command and its arguments
+        run sh -c 'full=$1; shift; "$@" >"$full"' sh "$full" $limber $words \
+            "$slider"
+        about "limber $words onto a full disk"
+        expect_status 1
+        expect_err '^limber: .*[Nn]o space'
+    done
+else
+    skip 'a full disk' 'this machine has no /dev/full that may be written to'
+fi
+
+# A file that may not grow: what stood there before stays, and nothing is left.
+mkdir "$scratch/kept"
+for command in 'pose -o out.obj' 'render -o out.png' 'render --frames 3 -o out.gif' \
+    'render --frames 3 -o out.y4m' 'export --clip slide --c out.c' \
+    'play --display null --frames 2 --stats out.json' \
+    'play --display null --frames 2 --record out.gif' \
+    'compare --plot out.svg'; do
+    file=$scratch/kept/${command##* }
+    words=${command% *}
+    echo old >"$file"
+    # shellcheck disable=SC2086,SC2016 # a command and its arguments
+    run sh -c '(ulimit -f 0; exec "$@") 2>&1 | cat' sh $limber \
+        ${words%% *} "$slider" ${words#* } "$file"
+    about "limber $words on a disk that is full"
+    expect_out '^limber: .*out.*: .*too large'
+    check "${file##*/} is as it was" test "$(cat "$file")" = old
+    rm "$file"
+done
+check 'no temporary file is left' test -z "$(ls -A "$scratch/kept")"
+
+# A pipe, standard output and a link are written to as they are.
+# shellcheck disable=SC2086,SC2016 # a command and its arguments
+run sh -c 'mkfifo "$1"; cat "$1" & shift; "$@"; wait' sh "$scratch/pipe" $limber \
+    pose "$slider" -o "$scratch/pipe"
+about 'limber pose into a pipe'
+expect_status 0
+expect_out '^o node0_prim0$'
+check 'the pipe is still one' test -p "$scratch/pipe"
+limber pose "$slider" -o /dev/stdout
+expect_status 0
+expect_out '^o node0_prim0$'
+echo first >"$scratch/appended"
+# shellcheck disable=SC2086,SC2016 # a command and its arguments
+run sh -c 'file=$1; shift; "$@" >>"$file"' sh "$scratch/appended" $limber pose \
+    "$slider" -o /dev/stdout
+about 'limber pose, appending standard output'
+check 'what stood in the file before is kept' \
+    test "$(head -n 1 "$scratch/appended")" = first
+check 'the pose follows it' grep -q '^o node0_prim0$' "$scratch/appended"
+mkdir "$scratch/elsewhere"
+ln -s elsewhere/target.obj "$scratch/link.obj"
+limber pose "$slider" -o "$scratch/link.obj"
+expect_quiet
+check 'the link is still one' test -L "$scratch/link.obj"
+check 'what it leads to is written' test -s "$scratch/elsewhere/target.obj"
 limber render "$slider" -o "$out.bmp"
 expect_err '^limber: .*\.bmp: .*png.*gif.*y4m'
 expect_no_out

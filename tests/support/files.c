@@ -4,6 +4,7 @@
 
 #include "tests/support/test.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <ftw.h>
 #include <stdio.h>
@@ -43,6 +44,21 @@ struct test_path temp_dir_make(void)
 		fail_msg("%s: %s", path.text, strerror(errno));
 	}
 	return path;
+}
+
+int temp_dir_count(const struct test_path *directory)
+{
+	DIR *entries = opendir(directory->text);
+	int count = -2; /* "." and ".." */
+
+	if (!entries) {
+		fail_msg("%s: %s", directory->text, strerror(errno));
+	}
+	while (readdir(entries)) {
+		count++;
+	}
+	closedir(entries);
+	return count;
 }
 
 static int remove_entry(const char *path, const struct stat *status, int kind,

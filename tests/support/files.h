@@ -20,6 +20,9 @@ struct test_path fixture_path(const char *name);
 /* A fresh folder below $TMPDIR (/tmp), for temp_dir_remove() to take away. */
 struct test_path temp_dir_make(void);
 
+/* How many files and folders lie in it. */
+int temp_dir_count(const struct test_path *directory);
+
 /* Removes the folder and all in it. */
 void temp_dir_remove(const struct test_path *directory);
 

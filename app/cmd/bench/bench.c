@@ -128,10 +128,10 @@ static int bench_run(struct bench *bench)
 	} else {
 		error = measure_all(bench);
 	}
-	if (!error) {
-		error = bench->options->json
-			? bench_print_json(&bench->report, bench->log, stdout)
-			: bench_print_text(&bench->report, bench->log, stdout);
+	if (!error && bench->options->json) {
+		error = bench_print_json(&bench->report, bench->log, stdout);
+	} else if (!error) {
+		bench_print_text(&bench->report, stdout);
 	}
 	bench_evictor_release(&bench->evictor);
 	return error;

@@ -61,17 +61,7 @@ static void print_result(const struct bench_report *report,
 	fprintf(out, "\n");
 }
 
-static int finish(const struct log *log, FILE *out)
-{
-	if (fflush(out) != 0 || ferror(out)) {
-		log_error(log, "bench: the output cannot be written");
-		return -EIO;
-	}
-	return 0;
-}
-
-int bench_print_text(
-	const struct bench_report *report, const struct log *log, FILE *out)
+void bench_print_text(const struct bench_report *report, FILE *out)
 {
 	const struct bench_row *last = NULL;
 
@@ -84,7 +74,6 @@ int bench_print_text(
 			out);
 		last = result->row;
 	}
-	return finish(log, out);
 }
 
 /* json_array_append_new() and json_pack() take NULL for "memory is short". */
@@ -135,5 +124,5 @@ int bench_print_json(
 	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(5));
 	fputc('\n', out);
 	json_decref(root);
-	return finish(log, out);
+	return 0;
 }

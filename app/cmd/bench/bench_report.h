@@ -30,9 +30,9 @@ struct bench_report {
 	struct bench_result result[BENCH_RESULTS_MAX];
 };
 
-/* 0, or -EIO after a sentence. */
-int bench_print_text(
-	const struct bench_report *report, const struct log *log, FILE *out);
+void bench_print_text(const struct bench_report *report, FILE *out);
+
+/* 0, or -EINVAL after a sentence when it cannot be told in JSON. */
 int bench_print_json(
 	const struct bench_report *report, const struct log *log, FILE *out);
 

@@ -52,12 +52,15 @@ static int examine_in_json(const char *path, const struct log *log)
 		goto out;
 	}
 	error = model_examine(path, &examiner, log);
-	if (!error &&
-		(findings.failed ||
-			json_dumpf(root, stdout, JSON_INDENT(2)) != 0 ||
-			putchar('\n') == EOF || fflush(stdout) != 0)) {
-		log_error(log, "doctor: the output cannot be written");
-		error = -EIO;
+	if (!error) {
+		bool dumped = !findings.failed &&
+			json_dumpf(root, stdout, JSON_INDENT(2)) == 0;
+
+		if (!dumped && !ferror(stdout)) {
+			log_error(log, "%s: out of memory", path);
+			error = -ENOMEM;
+		}
+		putchar('\n');
 	}
 out:
 	json_decref(root);

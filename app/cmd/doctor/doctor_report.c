@@ -91,6 +91,7 @@ static void print_verdict(
 	}
 }
 
+/* False when memory is short. */
 static bool print_json(
 	struct doctor_report *report, bool plays, const char *display)
 {
@@ -98,9 +99,10 @@ static bool print_json(
 		version_text(), "plays", plays, "display", display, "findings",
 		report->findings);
 	bool fine = root && !report->failed &&
-		json_dumpf(root, report->out, JSON_INDENT(2)) == 0 &&
-		fputc('\n', report->out) != EOF;
+		(json_dumpf(root, report->out, JSON_INDENT(2)) == 0 ||
+			ferror(report->out));
 
+	fputc('\n', report->out);
 	json_decref(root);
 	return fine;
 }
@@ -116,9 +118,9 @@ int doctor_report_end(struct doctor_report *report, bool plays,
 	} else {
 		print_verdict(report->out, plays, display, unasked);
 	}
-	if (!fine || fflush(report->out) != 0 || ferror(report->out)) {
-		log_error(log, "doctor: the output cannot be written");
-		return -EIO;
+	if (!fine) {
+		log_error(log, "doctor: out of memory");
+		return -ENOMEM;
 	}
 	return 0;
 }

@@ -12,8 +12,11 @@ static int run_with_model(const struct model *model,
 	if (error) {
 		return error;
 	}
-	return options->json ? info_print_json(&report, log, stdout)
-			     : info_print_text(&report, log, stdout);
+	if (options->json) {
+		return info_print_json(&report, log, stdout);
+	}
+	info_print_text(&report, stdout);
+	return 0;
 }
 
 static int run(const struct options *options, const struct log *log)

@@ -135,11 +135,11 @@ int info_print_json(
 			model->path);
 		return -EINVAL;
 	}
-	if (json_dumpf(root, out, JSON_INDENT(2)) != 0 ||
-		fputc('\n', out) == EOF || fflush(out) != 0) {
-		log_error(log, "info: the output cannot be written");
-		error = -EIO;
+	if (json_dumpf(root, out, JSON_INDENT(2)) != 0 && !ferror(out)) {
+		log_error(log, "%s: out of memory", model->path);
+		error = -ENOMEM;
 	}
+	fputc('\n', out);
 	json_decref(root);
 	return error;
 }

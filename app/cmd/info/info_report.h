@@ -23,9 +23,9 @@ struct info_report {
 int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out);
 
-/* 0, or -EIO after a sentence when the output cannot be written. */
-int info_print_text(
-	const struct info_report *report, const struct log *log, FILE *out);
+void info_print_text(const struct info_report *report, FILE *out);
+
+/* 0, or -errno after a sentence when it cannot be told in JSON. */
 int info_print_json(
 	const struct info_report *report, const struct log *log, FILE *out);
 

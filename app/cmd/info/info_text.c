@@ -131,8 +131,7 @@ static void print_bytes(const struct info_report *report, FILE *out)
 	print_bytes_line(out, "images", stats->image_bytes, "decoded");
 }
 
-int info_print_text(
-	const struct info_report *report, const struct log *log, FILE *out)
+void info_print_text(const struct info_report *report, FILE *out)
 {
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
@@ -148,9 +147,4 @@ int info_print_text(
 	print_clips(model, out);
 	print_images(model, out);
 	print_bytes(report, out);
-	if (fflush(out) != 0 || ferror(out)) {
-		log_error(log, "info: the output cannot be written");
-		return -EIO;
-	}
-	return 0;
 }

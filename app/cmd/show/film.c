@@ -100,7 +100,9 @@ int film_close(struct film *film)
 	int error = 0;
 
 	if (film->display) {
-		error = film->driver->finish(film->display);
+		if (film->next_s >= 0.0) {
+			error = film->driver->finish(film->display);
+		}
 		film->driver->destroy(film->display);
 		film->display = NULL;
 	}

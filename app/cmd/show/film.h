@@ -33,7 +33,10 @@ int film_open(struct film *film, const char *path, const struct pixels *size,
 /* A picture that is on the screen at now_s. 0, or -errno after a sentence. */
 int film_add(struct film *film, const struct pixels *picture, double now_s);
 
-/* Completes the file. 0, or -errno after a sentence. Closed is fine. */
+/*
+ * Completes the file; without a picture there is none, and the one that stood
+ * there before stays. 0, or -errno after a sentence. Closed is fine.
+ */
 int film_close(struct film *film);
 
 /* A picture on its way into a file. All zero: none. */

@@ -1,10 +1,7 @@
 #include "app/cmd/show/frame_stats.h"
 
+#include "platform/base/output_file.h"
 #include "platform/process/clock.h"
-
-#include <errno.h>
-#include <stdio.h>
-#include <string.h>
 
 static int64_t larger(int64_t a, int64_t b)
 {
@@ -71,35 +68,24 @@ int frame_stats_write(const struct frame_stats *stats, const char *path,
 {
 	int64_t whole_ns = stats->ended_ns - stats->first_ns;
 	double frames = stats->frames > 0 ? stats->frames : 1;
-	FILE *file = fopen(path, "w");
-	int error = 0;
+	struct output_file *file;
+	int error = output_file_create_for("--stats", path, log, &file);
 
-	if (!file) {
-		error = errno;
-		log_error(log, "--stats %s: cannot be written: %s", path,
-			strerror(error));
-		return -error;
-	}
-	if (fprintf(file,
-		    "{\"frames\": %d, \"seconds\": %.6f, \"fps\": %.2f,\n"
-		    " \"work_ms\": {\"mean\": %.3f, \"p50\": %d, \"p95\": %d, "
-		    "\"max\": %.3f},\n"
-		    " \"apart_ms_max\": %.3f, \"presses\": %d, "
-		    "\"latency_ms_max\": %.3f}\n",
-		    stats->frames, (double)whole_ns / 1e9,
-		    whole_ns > 0 ? stats->frames * 1e9 / (double)whole_ns : 0.0,
-		    ms(stats->work_ns) / frames,
-		    frame_stats_percentile_ms(stats, 0.5),
-		    frame_stats_percentile_ms(stats, 0.95),
-		    ms(stats->work_max_ns), ms(stats->apart_max_ns),
-		    stats->presses, ms(stats->latency_max_ns)) < 0) {
-		error = EIO;
-	}
-	if (fclose(file) != 0) {
-		error = EIO;
-	}
 	if (error) {
-		log_error(log, "--stats %s: could not be written whole", path);
+		return error;
 	}
-	return -error;
+	fprintf(output_file_stream(file),
+		"{\"frames\": %d, \"seconds\": %.6f, \"fps\": %.2f,\n"
+		" \"work_ms\": {\"mean\": %.3f, \"p50\": %d, \"p95\": %d, "
+		"\"max\": %.3f},\n"
+		" \"apart_ms_max\": %.3f, \"presses\": %d, "
+		"\"latency_ms_max\": %.3f}\n",
+		stats->frames, (double)whole_ns / 1e9,
+		whole_ns > 0 ? stats->frames * 1e9 / (double)whole_ns : 0.0,
+		ms(stats->work_ns) / frames,
+		frame_stats_percentile_ms(stats, 0.5),
+		frame_stats_percentile_ms(stats, 0.95), ms(stats->work_max_ns),
+		ms(stats->apart_max_ns), stats->presses,
+		ms(stats->latency_max_ns));
+	return output_file_commit(file);
 }

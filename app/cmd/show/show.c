@@ -451,7 +451,7 @@ out_screen:
 	screen_close(&show->screen);
 out_buttons:
 	buttons_close(&show->buttons);
-	recorded = button_record_close(&show->record, show->log);
+	recorded = button_record_close(&show->record, error == 0);
 	return error ? error : recorded;
 }
 

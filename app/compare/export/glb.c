@@ -1,5 +1,7 @@
 #include "app/compare/export/glb.h"
 
+#include "platform/base/output_file.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -146,7 +148,7 @@ static void put_u32(uint8_t *out, size_t value)
 	}
 }
 
-static bool put_chunk(
+static void put_chunk(
 	FILE *file, uint32_t type, const void *data, size_t size, char pad)
 {
 	uint8_t header[CHUNK_HEADER_BYTES];
@@ -154,19 +156,14 @@ static bool put_chunk(
 
 	put_u32(header, size + padding);
 	put_u32(header + 4, type);
-	if (fwrite(header, sizeof(header), 1, file) != 1 ||
-		fwrite(data, 1, size, file) != size) {
-		return false;
-	}
+	fwrite(header, sizeof(header), 1, file);
+	fwrite(data, 1, size, file);
 	while (padding-- > 0) {
-		if (fputc(pad, file) == EOF) {
-			return false;
-		}
+		fputc(pad, file);
 	}
-	return true;
 }
 
-static bool put_file(const struct glb *glb, const char *text, FILE *file)
+static void put_file(const struct glb *glb, const char *text, FILE *file)
 {
 	uint8_t header[HEADER_BYTES];
 	size_t length = strlen(text);
@@ -176,29 +173,22 @@ static bool put_file(const struct glb *glb, const char *text, FILE *file)
 	put_u32(header + 8,
 		HEADER_BYTES + 2 * CHUNK_HEADER_BYTES + ((length + 3) & ~3UL) +
 			glb->size);
-	return fwrite(header, sizeof(header), 1, file) == 1 &&
-		put_chunk(file, CHUNK_JSON, text, length, ' ') &&
-		put_chunk(file, CHUNK_BINARY, glb->data, glb->size, '\0');
+	fwrite(header, sizeof(header), 1, file);
+	put_chunk(file, CHUNK_JSON, text, length, ' ');
+	put_chunk(file, CHUNK_BINARY, glb->data, glb->size, '\0');
 }
 
-static int write_file(const struct glb *glb, const char *text, const char *path)
+static int write_file(const struct glb *glb, const char *text, const char *path,
+	const struct log *log)
 {
-	FILE *file = fopen(path, "wb");
-	int error = 0;
+	struct output_file *file;
+	int error = output_file_create(path, log, &file);
 
-	if (!file) {
-		return -errno;
-	}
-	if (!put_file(glb, text, file)) {
-		error = -EIO;
-	}
-	if (fclose(file) != 0 && !error) {
-		error = -errno;
-	}
 	if (error) {
-		remove(path);
+		return error;
 	}
-	return error;
+	put_file(glb, text, output_file_stream(file));
+	return output_file_commit(file);
 }
 
 int glb_write(struct glb *glb, const char *path, const struct log *log)
@@ -214,10 +204,12 @@ int glb_write(struct glb *glb, const char *path, const struct log *log)
 		text = json_dumps(glb->root, JSON_COMPACT);
 		glb->error = text ? 0 : -ENOMEM;
 	}
-	error = glb->error ? glb->error : write_file(glb, text, path);
+	error = glb->error;
 	if (error) {
 		log_error(log, "%s: cannot be written: %s", path,
 			strerror(-error));
+	} else {
+		error = write_file(glb, text, path, log);
 	}
 	free(text);
 	free(glb->data);

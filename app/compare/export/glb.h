@@ -49,8 +49,8 @@ json_t *glb_floats(const float *value, int count);
 void glb_set(struct glb *glb, const char *name, json_t *value);
 
 /*
- * Writes the file and forgets everything. 0, or -errno after a sentence, and
- * no file then.
+ * Writes the file (platform/base/output_file.h) and releases everything. 0, or
+ * -errno after a sentence.
  */
 int glb_write(struct glb *glb, const char *path, const struct log *log);
 

@@ -110,5 +110,5 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 	failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	json_decref(root);
 	fprintf(out, "\n");
-	return failed ? -EIO : 0;
+	return failed && !ferror(out) ? -ENOMEM : 0;
 }

@@ -1,6 +1,7 @@
 #include "app/compare/report/report.h"
 
-#include <errno.h>
+#include "platform/base/output_file.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -246,22 +247,12 @@ static void draw(const struct comparison *comparison, FILE *out)
 int report_plot(const struct comparison *comparison, const char *path,
 	const struct log *log)
 {
-	FILE *out = fopen(path, "w");
-	int error = out ? 0 : -errno;
+	struct output_file *file;
+	int error = output_file_create_for("--plot", path, log, &file);
 
-	if (out) {
-		draw(comparison, out);
-		error = ferror(out) ? -EIO : 0;
-		if (fclose(out) != 0 && !error) {
-			error = -errno;
-		}
-		if (error) {
-			remove(path);
-		}
-	}
 	if (error) {
-		log_error(log, "--plot %s: cannot be written: %s", path,
-			strerror(-error));
+		return error;
 	}
-	return error;
+	draw(comparison, output_file_stream(file));
+	return output_file_commit(file);
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/display/image/output.h"
+#include "platform/base/output_file.h"
 #include "platform/display/image/palette.h"
 #include "platform/display/image/writer.h"
 
@@ -16,7 +16,7 @@ enum {
 };
 
 struct image_writer {
-	struct output output;
+	struct output_file *output;
 	GifFileType *gif;
 	ColorMapObject *map;
 	struct palette_maker *maker;
@@ -34,9 +34,9 @@ struct image_writer {
 
 static int write_bytes(GifFileType *gif, const GifByteType *bytes, int count)
 {
-	struct output *output = gif->UserData;
+	FILE *stream = output_file_stream(gif->UserData);
 
-	return (int)fwrite(bytes, 1, (size_t)count, output->file);
+	return (int)fwrite(bytes, 1, (size_t)count, stream);
 }
 
 static void gif_destroy(struct image_writer *gif)
@@ -49,7 +49,7 @@ static void gif_destroy(struct image_writer *gif)
 	if (gif->gif) {
 		EGifCloseFile(gif->gif, &error);
 	}
-	output_discard(&gif->output);
+	output_file_discard(gif->output);
 	GifFreeMapObject(gif->map);
 	palette_maker_destroy(gif->maker);
 	free(gif->carried[0]);
@@ -59,11 +59,11 @@ static void gif_destroy(struct image_writer *gif)
 	free(gif);
 }
 
-static int failed(const struct image_writer *gif, int errno_value)
+static int failed(const struct image_writer *gif, int cause)
 {
-	const char *reason = GifErrorString(gif->gif->Error);
+	const char *reason = GifErrorString(cause);
 
-	return output_failed(&gif->output, errno_value,
+	return output_file_failed(gif->output,
 		reason ? reason : "the GIF library gives no reason");
 }
 
@@ -100,11 +100,11 @@ static int gif_create(
 		log_error(options->log, "%s: out of memory", options->path);
 		goto fail;
 	}
-	error = output_open(&gif->output, options->path, options->log);
+	error = output_file_create(options->path, options->log, &gif->output);
 	if (error) {
 		goto fail;
 	}
-	gif->gif = EGifOpen(&gif->output, write_bytes, NULL);
+	gif->gif = EGifOpen(gif->output, write_bytes, NULL);
 	if (!gif->gif) {
 		error = -ENOMEM;
 		log_error(options->log, "%s: out of memory", options->path);
@@ -293,26 +293,27 @@ static int gif_add(struct image_writer *gif, const struct pixels *frame)
 	delay = delay_cs(gif, number);
 	update_palette(gif, frame);
 	make_indices(gif, frame, number == 0);
-	errno = 0;
 	written = (number > 0 || write_start(gif)) && write_picture(gif, delay);
-	return written ? 0 : failed(gif, errno);
+	return written ? 0 : failed(gif, gif->gif->Error);
 }
 
 static int gif_finish(struct image_writer *gif)
 {
+	struct output_file *output;
 	int cause = 0;
 	int closed;
 
 	if (gif->frame == 0) {
-		return output_failed(&gif->output, 0, "there is no frame");
+		return output_file_failed(gif->output, "there is no frame");
 	}
-	errno = 0;
 	closed = EGifCloseFile(gif->gif, &cause);
 	gif->gif = NULL;
 	if (!closed) {
-		return output_failed(&gif->output, errno, GifErrorString(cause));
+		return failed(gif, cause);
 	}
-	return output_commit(&gif->output);
+	output = gif->output;
+	gif->output = NULL;
+	return output_file_commit(output);
 }
 
 const struct image_writer_kind image_writer_gif = {

@@ -5,12 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/display/image/output.h"
+#include "platform/base/output_file.h"
 #include "platform/display/image/writer.h"
 
 struct image_writer {
 	struct log log;
-	struct output output;
 	char *path; /* of the current frame */
 	int stem;   /* bytes of path before "-0001.png" */
 	bool numbered;
@@ -26,7 +25,6 @@ enum {
 static void png_destroy(struct image_writer *png)
 {
 	if (png) {
-		output_discard(&png->output);
 		free(png->rgb);
 		free(png->path);
 		free(png);
@@ -74,7 +72,8 @@ static void drop_alpha(uint8_t *rgb, const struct pixels *frame)
 	}
 }
 
-static int write_frame(struct image_writer *png, const struct pixels *frame)
+static int write_frame(struct image_writer *png, const struct pixels *frame,
+	struct output_file *output)
 {
 	png_image header = {
 		.version = PNG_IMAGE_VERSION,
@@ -82,24 +81,21 @@ static int write_frame(struct image_writer *png, const struct pixels *frame)
 		.height = (png_uint_32)frame->height,
 		.format = PNG_FORMAT_RGB,
 	};
-	int written;
-	int cause;
+	int error;
 
 	drop_alpha(png->rgb, frame);
-	errno = 0;
-	written = png_image_write_to_stdio(
-		&header, png->output.file, 0, png->rgb, 0, NULL);
-	cause = errno;
-	if (!written) {
-		output_failed(&png->output, cause, header.message);
-		output_discard(&png->output);
-		return cause ? -cause : -EIO;
+	if (!png_image_write_to_stdio(&header, output_file_stream(output), 0,
+		    png->rgb, 0, NULL)) {
+		error = output_file_failed(output, header.message);
+		output_file_discard(output);
+		return error;
 	}
-	return output_commit(&png->output);
+	return output_file_commit(output);
 }
 
 static int png_add(struct image_writer *png, const struct pixels *frame)
 {
+	struct output_file *output;
 	int error;
 
 	png->frame++;
@@ -107,8 +103,8 @@ static int png_add(struct image_writer *png, const struct pixels *frame)
 		snprintf(png->path + png->stem, NUMBER_ROOM, "-%04d%s",
 			png->frame, image_writer_png.extension);
 	}
-	error = output_open(&png->output, png->path, &png->log);
-	return error ? error : write_frame(png, frame);
+	error = output_file_create(png->path, &png->log, &output);
+	return error ? error : write_frame(png, frame, output);
 }
 
 static int png_finish(struct image_writer *png)

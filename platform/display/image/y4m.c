@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/display/image/output.h"
+#include "platform/base/output_file.h"
 #include "platform/display/image/writer.h"
 
 struct image_writer {
-	struct output output;
+	struct output_file *output;
 	int width, height;
 	uint8_t *planes; /* Y, then Cb and Cr of half the size, rounded up */
 	size_t size;
@@ -16,7 +16,7 @@ struct image_writer {
 static void y4m_destroy(struct image_writer *y4m)
 {
 	if (y4m) {
-		output_discard(&y4m->output);
+		output_file_discard(y4m->output);
 		free(y4m->planes);
 		free(y4m);
 	}
@@ -37,7 +37,7 @@ static void write_header(const struct image_writer *y4m, double rate_hz)
 		above = whole * 1000;
 		below = 1001;
 	}
-	fprintf(y4m->output.file,
+	fprintf(output_file_stream(y4m->output),
 		"YUV4MPEG2 W%d H%d F%d:%d Ip A1:1 C420jpeg XYSCSS=420JPEG "
 		"XCOLORRANGE=LIMITED\n",
 		y4m->width, y4m->height, above, below);
@@ -62,7 +62,7 @@ static int y4m_create(
 		log_error(options->log, "%s: out of memory", options->path);
 		goto fail;
 	}
-	error = output_open(&y4m->output, options->path, options->log);
+	error = output_file_create(options->path, options->log, &y4m->output);
 	if (error) {
 		goto fail;
 	}
@@ -135,20 +135,23 @@ static int y4m_add(struct image_writer *y4m, const struct pixels *frame)
 {
 	size_t full = (size_t)y4m->width * (size_t)y4m->height;
 	size_t half = (y4m->size - full) / 2;
+	FILE *stream = output_file_stream(y4m->output);
 
 	write_luma(frame, y4m->planes);
 	write_chroma(frame, y4m->planes + full, y4m->planes + full + half);
-	errno = 0;
-	if (fputs("FRAME\n", y4m->output.file) < 0 ||
-		fwrite(y4m->planes, y4m->size, 1, y4m->output.file) != 1) {
-		return output_failed(&y4m->output, errno, "no reason given");
+	if (fputs("FRAME\n", stream) < 0 ||
+		fwrite(y4m->planes, y4m->size, 1, stream) != 1) {
+		return output_file_failed(y4m->output, strerror(EIO));
 	}
 	return 0;
 }
 
 static int y4m_finish(struct image_writer *y4m)
 {
-	return output_commit(&y4m->output);
+	struct output_file *output = y4m->output;
+
+	y4m->output = NULL;
+	return output_file_commit(output);
 }
 
 const struct image_writer_kind image_writer_y4m = {

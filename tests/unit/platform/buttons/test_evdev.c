@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 extern const struct button_driver button_driver_evdev;
@@ -481,6 +482,7 @@ static void test_a_survey_tells_whose_keys_are_buttons(void **state)
 	struct bench *bench = *state;
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
+	struct test_path locked;
 
 	evdev_survey_on(&bench->system, &survey);
 	assert_int_equal(capture.count, 1);
@@ -490,6 +492,8 @@ static void test_a_survey_tells_whose_keys_are_buttons(void **state)
 	set_bit(bench->plug[0].description.keys, KEY_KP8, true);
 	plug_in(bench, 1, "Mouse", BTN_LEFT);
 	plug_in(bench, 2, "Locked", KEY_UP);
+	locked = path_join(&bench->folder, "event2");
+	assert_int_equal(chmod(locked.text, 0600), 0);
 	bench->plug[2].error = EACCES;
 	evdev_survey_on(&bench->system, &survey);
 	assert_int_equal(capture.count, 4);

@@ -1,0 +1,334 @@
+#define _GNU_SOURCE /* fopencookie() */
+
+#include "platform/base/output_file.h"
+
+#include "platform/base/output_path.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct output_file {
+	struct log log;
+	char *path;         /* as the caller named it */
+	const char *option; /* that named it, or NULL */
+	char *target;       /* the file to replace, with links followed */
+	char *temporary;    /* NULL: what is written is in its place */
+	FILE *stream;
+	int fd;
+	int error;     /* errno of the first write that failed */
+	bool reported; /* the failure has been logged */
+};
+
+static const char *advice(int error)
+{
+	switch (error) {
+	case ENOSPC:
+	case EDQUOT:
+		return ": free some space, or write to another disk";
+	case EFBIG:
+		return ": it would be larger than ulimit -f or the disk allows";
+	case EACCES:
+	case EPERM:
+	case EROFS:
+		return ": choose a folder and a file that you may write to";
+	case ENOENT:
+	case ENOTDIR:
+		return ": create its folder first, or choose another one";
+	case EISDIR:
+		return ": name a file in it";
+	case EPIPE:
+		return ": the program that reads it has ended";
+	default:
+		return "";
+	}
+}
+
+static void log_failure(
+	const struct log *log, const char *option, const char *path, int error)
+{
+	log_error(log, "%s%s%s: cannot be written: %s%s", option ? option : "",
+		option ? " " : "", path, strerror(error), advice(error));
+}
+
+/*
+ * What the stream writes with: the C library alone would lose the cause of a
+ * failure. A signal that interrupts it (EINTR) is one that ends the program.
+ */
+static ssize_t write_bytes(void *cookie, const char *bytes, size_t size)
+{
+	struct output_file *file = cookie;
+	size_t written = 0;
+
+	while (written < size && !file->error) {
+		ssize_t count = write(file->fd, bytes + written, size - written);
+
+		if (count >= 0) {
+			written += (size_t)count;
+		} else {
+			file->error = errno;
+		}
+	}
+	return (ssize_t)written;
+}
+
+/*
+ * Whoever may read the old file may read the new one, and nobody else: where
+ * the group cannot be kept, the new one gets what everybody has.
+ */
+static void keep_permissions(int fd, const struct stat *old)
+{
+	mode_t mode = old->st_mode & 0777;
+
+	if (fchown(fd, old->st_uid, old->st_gid) != 0 &&
+		fchown(fd, (uid_t)-1, old->st_gid) != 0) {
+		mode = (mode & 0707) | (mode & 0007) << 3;
+	}
+	/* A file system without permissions has none to keep. */
+	(void)fchmod(fd, mode);
+}
+
+/* old is the file to replace, or NULL. */
+static int create_temporary(struct output_file *file, const struct stat *old)
+{
+	int error = 0;
+
+	if (old && access(file->target, W_OK) != 0) {
+		return -errno;
+	}
+	for (unsigned attempt = 0; attempt < 100; attempt++) {
+		file->temporary = output_path_temporary(file->target, attempt);
+		if (!file->temporary) {
+			return -ENOMEM;
+		}
+		file->fd = open(file->temporary,
+			O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+			old ? 0600 : 0666);
+		if (file->fd >= 0) {
+			if (old) {
+				keep_permissions(file->fd, old);
+			}
+			return 0;
+		}
+		error = -errno;
+		free(file->temporary);
+		file->temporary = NULL;
+		if (error != -EEXIST) {
+			break;
+		}
+	}
+	return error;
+}
+
+static int open_in_place(struct output_file *file, const char *path)
+{
+	file->fd = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+	return file->fd < 0 ? -errno : 0;
+}
+
+/* A descriptor is written on from where it stands, after what was printed. */
+static int open_descriptor(struct output_file *file, int descriptor)
+{
+	fflush(stdout);
+	file->fd = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+	return file->fd < 0 ? -errno : 0;
+}
+
+static int open_path(struct output_file *file)
+{
+	struct stat status;
+	int descriptor;
+	int error = output_path_follow(file->path, &file->target, &descriptor);
+
+	if (error) {
+		return error;
+	}
+	if (file->path[0] == '\0') {
+		return -ENOENT;
+	}
+	if (descriptor >= 0) {
+		return open_descriptor(file, descriptor);
+	}
+	if (stat(file->path, &status) != 0) {
+		return errno == ENOENT ? create_temporary(file, NULL) : -errno;
+	}
+	if (S_ISDIR(status.st_mode)) {
+		return -EISDIR;
+	}
+	return S_ISREG(status.st_mode) ? create_temporary(file, &status)
+				       : open_in_place(file, file->path);
+}
+
+static int open_stream(struct output_file *file)
+{
+	const cookie_io_functions_t functions = {.write = write_bytes};
+
+	file->stream = fopencookie(file, "w", functions);
+	return file->stream ? 0 : -ENOMEM;
+}
+
+int output_file_create(
+	const char *path, const struct log *log, struct output_file **out)
+{
+	return output_file_create_for(NULL, path, log, out);
+}
+
+int output_file_create_for(const char *option, const char *path,
+	const struct log *log, struct output_file **out)
+{
+	struct output_file *file = calloc(1, sizeof(*file));
+	int error = -ENOMEM;
+
+	*out = NULL;
+	if (file) {
+		file->log = *log;
+		file->option = option;
+		file->fd = -1;
+		file->path = strdup(path);
+		error = file->path ? open_path(file) : -ENOMEM;
+	}
+	if (!error) {
+		error = open_stream(file);
+	}
+	if (error) {
+		log_failure(log, option, path, -error);
+		output_file_discard(file);
+		return error;
+	}
+	*out = file;
+	return 0;
+}
+
+FILE *output_file_stream(const struct output_file *file)
+{
+	return file->stream;
+}
+
+int output_file_failed(struct output_file *file, const char *reason)
+{
+	file->reported = true;
+	if (file->error) {
+		log_failure(&file->log, file->option, file->path, file->error);
+		return -file->error;
+	}
+	log_error(&file->log, "%s: cannot be written: %s", file->path, reason);
+	file->error = EIO;
+	return -EIO;
+}
+
+static int move_into_place(struct output_file *file)
+{
+	if (!file->temporary) {
+		return 0;
+	}
+	if (rename(file->temporary, file->target) != 0) {
+		return -errno;
+	}
+	free(file->temporary);
+	file->temporary = NULL;
+	return 0;
+}
+
+int output_file_publish(struct output_file *file)
+{
+	if (fflush(file->stream) != 0) {
+		file->error = file->error ? file->error : EIO;
+	}
+	return file->error ? -file->error : move_into_place(file);
+}
+
+/* A pipe, a terminal and some file systems have no disk to wait for. */
+static int wait_for_disk(int fd)
+{
+	if (fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP ||
+		errno == ENOSYS) {
+		return 0;
+	}
+	return errno;
+}
+
+static void remove_temporary(struct output_file *file)
+{
+	if (file->temporary) {
+		unlink(file->temporary);
+		free(file->temporary);
+		file->temporary = NULL;
+	}
+}
+
+static void release(struct output_file *file)
+{
+	if (file->stream) {
+		/* What is still buffered is not written any more. */
+		file->error = ECANCELED;
+		fclose(file->stream);
+	}
+	if (file->fd >= 0) {
+		close(file->fd);
+	}
+	remove_temporary(file);
+	free(file->target);
+	free(file->path);
+	free(file);
+}
+
+/* 0 or errno. */
+static int complete(struct output_file *file)
+{
+	int fd = file->fd;
+	int error;
+
+	if (fclose(file->stream) != 0 && !file->error) {
+		file->error = EIO;
+	}
+	file->stream = NULL;
+	error = file->error ? file->error : wait_for_disk(fd);
+	file->fd = -1;
+	if (close(fd) != 0 && !error) {
+		error = errno;
+	}
+	return error ? error : -move_into_place(file);
+}
+
+int output_file_commit(struct output_file *file)
+{
+	int error = complete(file);
+
+	/* Before the sentence, which may end the program by SIGPIPE. */
+	remove_temporary(file);
+	if (error && !file->reported) {
+		log_failure(&file->log, file->option, file->path, error);
+	}
+	release(file);
+	return -error;
+}
+
+void output_file_discard(struct output_file *file)
+{
+	if (file) {
+		release(file);
+	}
+}
+
+void output_file_survive_limits(void)
+{
+	signal(SIGXFSZ, SIG_IGN);
+}
+
+int output_file_flush_stdout(const struct log *log)
+{
+	int error = ferror(stdout) ? EIO : 0;
+
+	if (fflush(stdout) != 0) {
+		error = errno;
+	}
+	if (error) {
+		log_failure(log, NULL, "standard output", error);
+	}
+	return -error;
+}

@@ -96,7 +96,7 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 	double time_s, int width, int height)
 {
 	struct camera_image image;
-	enum camera_news news;
+	enum camera_status news;
 
 	if (!live->feed) {
 		return;

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 enum {
-	PATH_ROOM = 1024
+	PATH_BYTES = 1024
 };
 
 bool file_exists(const char *path)
@@ -51,7 +51,7 @@ int file_find_asset(
 	const char *name, const struct log *log, char *path, size_t size)
 {
 	const char *folder = getenv("LIMBER_ASSETS");
-	char program[PATH_ROOM];
+	char program[PATH_BYTES];
 	ssize_t length =
 		readlink("/proc/self/exe", program, sizeof(program) - 1);
 

@@ -27,7 +27,7 @@ struct log log_to_nowhere(void)
 	return (struct log){.write = write_nowhere, .threshold = LOG_ERROR};
 }
 
-void log_say(
+void log_write(
 	const struct log *log, enum log_level level, const char *format, ...)
 {
 	char sentence[1024];

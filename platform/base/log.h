@@ -31,11 +31,11 @@ struct log log_to_stderr(enum log_level threshold);
 struct log log_to_nowhere(void);
 
 /* Formats one sentence (at most 1,023 bytes; the rest is cut). */
-void log_say(const struct log *log, enum log_level level, const char *format,
+void log_write(const struct log *log, enum log_level level, const char *format,
 	...) PRINTF_LIKE(3, 4);
 
-#define log_error(log, ...)   log_say((log), LOG_ERROR, __VA_ARGS__)
-#define log_warning(log, ...) log_say((log), LOG_WARNING, __VA_ARGS__)
-#define log_note(log, ...)    log_say((log), LOG_NOTE, __VA_ARGS__)
+#define log_error(log, ...)   log_write((log), LOG_ERROR, __VA_ARGS__)
+#define log_warning(log, ...) log_write((log), LOG_WARNING, __VA_ARGS__)
+#define log_note(log, ...)    log_write((log), LOG_NOTE, __VA_ARGS__)
 
 #endif

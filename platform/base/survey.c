@@ -8,9 +8,9 @@
 #include <sys/stat.h>
 
 enum {
-	TEXT_ROOM = 512,
-	SUBJECT_ROOM = 128,
-	PATH_ROOM = 256
+	TEXT_BYTES = 512,
+	SUBJECT_BYTES = 128,
+	PATH_BYTES = 256
 };
 
 const char *survey_state_name(enum survey_state state)
@@ -69,10 +69,10 @@ static void make_printable(char *text)
 	}
 }
 
-void survey_say(const struct survey *survey, enum survey_state state,
+void survey_report(const struct survey *survey, enum survey_state state,
 	const char *subject, const char *remedy, const char *format, ...)
 {
-	char name[SUBJECT_ROOM], text[TEXT_ROOM];
+	char name[SUBJECT_BYTES], text[TEXT_BYTES];
 	va_list arguments;
 
 	snprintf(name, sizeof(name), "%s", subject);
@@ -87,7 +87,7 @@ void survey_say(const struct survey *survey, enum survey_state state,
 
 static void keep(void *user, enum log_level level, const char *text)
 {
-	struct survey_sentence *sentence = user;
+	struct survey_message *sentence = user;
 
 	(void)level;
 	if (!sentence->text[0]) {
@@ -95,14 +95,14 @@ static void keep(void *user, enum log_level level, const char *text)
 	}
 }
 
-struct log survey_log(struct survey_sentence *sentence)
+struct log survey_log(struct survey_message *sentence)
 {
 	sentence->text[0] = '\0';
 	return (struct log){keep, sentence, LOG_WARNING};
 }
 
-void survey_say_sentence(const struct survey *survey, enum survey_state state,
-	const char *subject, const struct survey_sentence *sentence,
+void survey_report_message(const struct survey *survey, enum survey_state state,
+	const char *subject, const struct survey_message *sentence,
 	const char *remedy)
 {
 	const char *text = sentence->text, *last = NULL;
@@ -110,7 +110,7 @@ void survey_say_sentence(const struct survey *survey, enum survey_state state,
 	for (const char *at = strstr(text, ": "); at; at = strstr(at + 2, ": ")) {
 		last = at;
 	}
-	survey_say(survey, state, subject,
+	survey_report(survey, state, subject,
 		remedy         ? remedy
 			: last ? last + 2
 			       : NULL,
@@ -130,9 +130,9 @@ bool survey_group_of(const char *path, char *name, int size)
 		snprintf(name, (size_t)size, "%s", group->gr_name) < size;
 }
 
-void survey_say_denied(const struct survey *survey, const char *path)
+void survey_report_denied(const struct survey *survey, const char *path)
 {
-	char group[64], remedy[TEXT_ROOM];
+	char group[64], remedy[TEXT_BYTES];
 
 	if (survey_group_of(path, group, sizeof(group))) {
 		snprintf(remedy, sizeof(remedy),
@@ -143,14 +143,14 @@ void survey_say_denied(const struct survey *survey, const char *path)
 			"video %s && sudo chmod g+rw %s",
 			path, path);
 	}
-	survey_say(survey, SURVEY_BROKEN, path, remedy, "no permission");
+	survey_report(survey, SURVEY_BROKEN, path, remedy, "no permission");
 }
 
 /* The numbers that sysfs tells of a device. */
 static bool read_numbers(const struct survey *survey, const char *entry,
 	unsigned int *major, unsigned int *minor)
 {
-	char path[PATH_ROOM];
+	char path[PATH_BYTES];
 	FILE *file;
 	bool fine;
 
@@ -167,18 +167,18 @@ static bool read_numbers(const struct survey *survey, const char *entry,
 	return fine;
 }
 
-bool survey_say_no_node(const struct survey *survey, const char *path,
+bool survey_report_no_node(const struct survey *survey, const char *path,
 	const char *entry, int error)
 {
 	unsigned int major, minor;
-	char remedy[TEXT_ROOM];
+	char remedy[TEXT_BYTES];
 
 	if (error != -ENOENT || !read_numbers(survey, entry, &major, &minor)) {
 		return false;
 	}
 	snprintf(remedy, sizeof(remedy), "sudo mknod -m 660 %s c %u %u", path,
 		major, minor);
-	survey_say(survey, SURVEY_MISSING, path, remedy,
+	survey_report(survey, SURVEY_MISSING, path, remedy,
 		"the kernel has it, its device node is not there");
 	return true;
 }

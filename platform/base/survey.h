@@ -42,35 +42,35 @@ const char *survey_state_name(enum survey_state state);
  * Devices name themselves: what is no printable UTF-8 in subject or text
  * becomes '?'. remedy may be NULL.
  */
-void survey_say(const struct survey *survey, enum survey_state state,
+void survey_report(const struct survey *survey, enum survey_state state,
 	const char *subject, const char *remedy, const char *format, ...)
 	PRINTF_LIKE(5, 6);
 
 /* What a driver said, for a finding. */
-struct survey_sentence {
+struct survey_message {
 	char text[512]; /* "" when it said nothing */
 };
 
 /* A log that keeps the first sentence; notes are dropped. */
-struct log survey_log(struct survey_sentence *sentence);
+struct log survey_log(struct survey_message *sentence);
 
 /*
  * A finding from a sentence "WHAT: WHY: WHAT TO DO", whose last part is the
  * remedy unless there is another.
  */
-void survey_say_sentence(const struct survey *survey, enum survey_state state,
-	const char *subject, const struct survey_sentence *sentence,
+void survey_report_message(const struct survey *survey, enum survey_state state,
+	const char *subject, const struct survey_message *sentence,
 	const char *remedy);
 
 /* BROKEN: may not be opened; the remedy is the group that may, or root. */
-void survey_say_denied(const struct survey *survey, const char *path);
+void survey_report_denied(const struct survey *survey, const char *path);
 
 /*
  * Whether the kernel has a device whose node is not there, and if so says
  * MISSING, with the mknod that makes it. Unless the error is -ENOENT it looks
  * at nothing. entry: below sysfs, such as "class/graphics/fb0".
  */
-bool survey_say_no_node(const struct survey *survey, const char *path,
+bool survey_report_no_node(const struct survey *survey, const char *path,
 	const char *entry, int error);
 
 /*

@@ -2,7 +2,7 @@
 
 void button_batch_add(struct button_batch *batch, struct button_event event)
 {
-	if (batch->count == BUTTON_BATCH_ROOM) {
+	if (batch->count == BUTTON_BATCH_CAPACITY) {
 		batch->count--;
 	}
 	batch->event[batch->count++] = event;

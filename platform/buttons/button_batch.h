@@ -7,12 +7,12 @@
 #include "platform/buttons/buttons.h"
 
 enum {
-	BUTTON_BATCH_ROOM = 512
+	BUTTON_BATCH_CAPACITY = 512
 };
 
 /* Begins zeroed. */
 struct button_batch {
-	struct button_event event[BUTTON_BATCH_ROOM];
+	struct button_event event[BUTTON_BATCH_CAPACITY];
 	int count;
 };
 

@@ -6,7 +6,7 @@
 #include "platform/base/name_list.h"
 
 enum {
-	SPEC_ITEM_ROOM = 4096
+	SPEC_ITEM_BYTES = 4096
 };
 
 static const struct button_driver *find_driver(
@@ -51,7 +51,7 @@ int buttons_add(struct buttons *buttons, const char *driver,
 
 /* A source's "NAME" or "NAME:ARGUMENT", cut in two. */
 struct spec_item {
-	char text[SPEC_ITEM_ROOM];
+	char text[SPEC_ITEM_BYTES];
 	const char *argument; /* or NULL */
 };
 
@@ -73,7 +73,7 @@ static int next_item(
 	}
 	if (length >= sizeof(item->text)) {
 		log_error(log, "--buttons: a source of more than %d characters",
-			SPEC_ITEM_ROOM - 1);
+			SPEC_ITEM_BYTES - 1);
 		return -EINVAL;
 	}
 	memcpy(item->text, *spec, length);

@@ -33,7 +33,7 @@ struct button_event {
 };
 
 enum {
-	BUTTON_QUEUE_ROOM = 64
+	BUTTON_QUEUE_CAPACITY = 64
 };
 
 /* What buttons_open() sets: longer than a switch bounces, shorter than a press. */
@@ -43,7 +43,7 @@ enum {
 
 /* First in, first out; the oldest event is dropped when it overflows. */
 struct button_queue {
-	struct button_event event[BUTTON_QUEUE_ROOM];
+	struct button_event event[BUTTON_QUEUE_CAPACITY];
 	int first, count;
 	bool down[BUTTON_COUNT];          /* as last passed on */
 	bool held_back[BUTTON_COUNT];     /* it has changed again since */

@@ -2,7 +2,7 @@
 
 #include "platform/base/survey.h"
 
-void device_say_denied(const struct log *log, const char *path)
+void device_access_report_denied(const struct log *log, const char *path)
 {
 	char group[64];
 

@@ -7,6 +7,6 @@
 #include "platform/base/log.h"
 
 /* A warning that names the group whose members may open it. */
-void device_say_denied(const struct log *log, const char *path);
+void device_access_report_denied(const struct log *log, const char *path);
 
 #endif

@@ -49,11 +49,11 @@ static void pass_on(struct button_queue *queue, struct button_event event)
 	queue->down[event.button] = event.down;
 	queue->changed_ms[event.button] = event.time_ms;
 	queue->held_back[event.button] = false;
-	if (queue->count == BUTTON_QUEUE_ROOM) {
-		queue->first = (queue->first + 1) % BUTTON_QUEUE_ROOM;
+	if (queue->count == BUTTON_QUEUE_CAPACITY) {
+		queue->first = (queue->first + 1) % BUTTON_QUEUE_CAPACITY;
 		queue->count--;
 	}
-	last = (queue->first + queue->count) % BUTTON_QUEUE_ROOM;
+	last = (queue->first + queue->count) % BUTTON_QUEUE_CAPACITY;
 	queue->event[last] = event;
 	queue->count++;
 }
@@ -118,7 +118,7 @@ bool button_queue_pop(struct button_queue *queue, struct button_event *out)
 		return false;
 	}
 	*out = queue->event[queue->first];
-	queue->first = (queue->first + 1) % BUTTON_QUEUE_ROOM;
+	queue->first = (queue->first + 1) % BUTTON_QUEUE_CAPACITY;
 	queue->count--;
 	return true;
 }

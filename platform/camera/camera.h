@@ -72,7 +72,7 @@ struct camera_options {
 };
 
 /* What take() found. */
-enum camera_news {
+enum camera_status {
 	CAMERA_NONE, /* no picture, or none any more */
 	CAMERA_SAME, /* the one taken last is still the newest */
 	CAMERA_NEW,
@@ -98,7 +98,7 @@ struct camera_driver {
 	 * next take() or destroy() and better soon. Never blocks and never
 	 * allocates; says here what happened to the device. Mandatory.
 	 */
-	enum camera_news (*take)(struct camera_source *source, int64_t now_ms,
+	enum camera_status (*take)(struct camera_source *source, int64_t now_ms,
 		struct camera_image *out);
 
 	/* Mandatory. */

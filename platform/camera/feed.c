@@ -7,7 +7,7 @@
 #include "platform/base/name_list.h"
 
 enum {
-	SPEC_ROOM = 4096,
+	SPEC_BYTES = 4096,
 	USUAL_WIDTH = 320,
 	USUAL_HEIGHT = 240
 };
@@ -117,13 +117,13 @@ int camera_feed_open(
 {
 	struct camera_options options = {
 		.width = USUAL_WIDTH, .height = USUAL_HEIGHT, .log = log};
-	char name[SPEC_ROOM];
+	char name[SPEC_BYTES];
 	int error;
 
 	*out = (struct camera_feed){0};
 	if (strlen(spec) >= sizeof(name)) {
 		log_error(log, "--camera: more than %d characters",
-			SPEC_ROOM - 1);
+			SPEC_BYTES - 1);
 		return -EINVAL;
 	}
 	strcpy(name, spec);

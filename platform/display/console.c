@@ -143,7 +143,7 @@ bool console_is_in_use(const struct device_calls *calls)
 	return in_use;
 }
 
-void console_take(struct console *console, const struct device_calls *calls,
+void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log)
 {
 	bool in_use;
@@ -169,7 +169,7 @@ void console_take(struct console *console, const struct device_calls *calls,
 	console->fd = -1;
 }
 
-void console_give_back(struct console *console)
+void console_release(struct console *console)
 {
 	if (console->fd < 0) {
 		return;

@@ -33,10 +33,10 @@ extern const char console_in_use_remedy[];
  * another program has it. Only one at a time: signal handlers belong to the
  * process.
  */
-void console_take(struct console *console, const struct device_calls *calls,
+void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
 
 /* Text again. Fine when nothing was taken. */
-void console_give_back(struct console *console);
+void console_release(struct console *console);
 
 #endif

@@ -6,7 +6,7 @@
 
 /* Where a library lacks there is something to install. */
 static void say_failed(const struct gl_driver *driver, int error,
-	const char *subject, const struct survey_sentence *sentence,
+	const char *subject, const struct survey_message *sentence,
 	const struct survey *survey)
 {
 	char remedy[256];
@@ -17,14 +17,14 @@ static void say_failed(const struct gl_driver *driver, int error,
 		snprintf(remedy, sizeof(remedy), "sudo apt install %s",
 			driver->packages);
 	}
-	survey_say_sentence(survey, install ? SURVEY_MISSING : SURVEY_BROKEN,
+	survey_report_message(survey, install ? SURVEY_MISSING : SURVEY_BROKEN,
 		subject, sentence, install ? remedy : NULL);
 }
 
 static void say_driver(const struct gl_driver *driver,
 	const struct gl_request *request, const struct survey *survey)
 {
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	struct log log = survey_log(&sentence);
 	struct gl_request own = *request;
 	struct gl_context *context;
@@ -36,7 +36,7 @@ static void say_driver(const struct gl_driver *driver,
 		say_failed(driver, error, driver->name, &sentence, survey);
 		return;
 	}
-	survey_say(survey, SURVEY_WORKS, driver->name, NULL, "%s; %s draws",
+	survey_report(survey, SURVEY_WORKS, driver->name, NULL, "%s; %s draws",
 		context->description,
 		context->accelerated ? "a graphics processor" : "the processor");
 	driver->destroy(context);
@@ -45,18 +45,18 @@ static void say_driver(const struct gl_driver *driver,
 static void say_auto(
 	const struct gl_request *request, const struct survey *survey)
 {
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	struct log log = survey_log(&sentence);
 	struct gl_request own = *request;
 	struct gl_context *context;
 
 	own.log = &log;
 	if (gl_open_for("auto", &own, &context) != 0) {
-		survey_say_sentence(
+		survey_report_message(
 			survey, SURVEY_BROKEN, "auto", &sentence, NULL);
 		return;
 	}
-	survey_say(survey, SURVEY_WORKS, "auto", NULL, "takes %s",
+	survey_report(survey, SURVEY_WORKS, "auto", NULL, "takes %s",
 		context->driver->name);
 	context->driver->destroy(context);
 }
@@ -73,7 +73,7 @@ static void say_screen(const struct gl_driver *driver,
 	const struct gl_request *request, const char *subject,
 	const struct survey *survey)
 {
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	struct log log = survey_log(&sentence);
 	struct gl_request own = *request;
 	int error;
@@ -81,12 +81,12 @@ static void say_screen(const struct gl_driver *driver,
 	own.log = &log;
 	error = driver->find_screen(&own);
 	if (!error) {
-		survey_say(survey, SURVEY_WORKS, subject, NULL,
+		survey_report(survey, SURVEY_WORKS, subject, NULL,
 			"--gl %s has a screen or windows", driver->name);
 	} else if (error == -ENOENT) {
 		say_failed(driver, error, subject, &sentence, survey);
 	} else {
-		survey_say_sentence(survey, SURVEY_MISSING, subject, &sentence,
+		survey_report_message(survey, SURVEY_MISSING, subject, &sentence,
 			"use --display kms or fbdev, or name the vendor's "
 			"libraries: --egl-library FILE --gles-library FILE");
 	}

@@ -41,7 +41,7 @@ void stop_release(void)
 	}
 }
 
-bool stop_is_wanted(void)
+bool stop_requested(void)
 {
 	return wanted != 0;
 }

@@ -18,6 +18,6 @@ void stop_catch(void);
 void stop_release(void);
 
 /* Whether one came since stop_catch(). */
-bool stop_is_wanted(void);
+bool stop_requested(void);
 
 #endif

@@ -7,15 +7,15 @@
 
 enum {
 	WATCHDOGS_MAX = 8,
-	PATH_ROOM = 256,
-	VALUE_ROOM = 80
+	PATH_BYTES = 256,
+	VALUE_BYTES = 80
 };
 
 /* What sysfs tells of a watchdog, "" when nothing. */
 static void read_value(const struct survey *survey, int number,
-	const char *name, char value[VALUE_ROOM])
+	const char *name, char value[VALUE_BYTES])
 {
-	char path[PATH_ROOM];
+	char path[PATH_BYTES];
 	FILE *file;
 
 	value[0] = '\0';
@@ -27,7 +27,7 @@ static void read_value(const struct survey *survey, int number,
 	if (!file) {
 		return;
 	}
-	if (!fgets(value, VALUE_ROOM, file)) {
+	if (!fgets(value, VALUE_BYTES, file)) {
 		value[0] = '\0';
 	}
 	value[strcspn(value, "\n")] = '\0';
@@ -37,20 +37,20 @@ static void read_value(const struct survey *survey, int number,
 static void say_watchdog(
 	const char *path, int number, const struct survey *survey)
 {
-	char identity[VALUE_ROOM], timeout_s[VALUE_ROOM], state[VALUE_ROOM];
+	char identity[VALUE_BYTES], timeout_s[VALUE_BYTES], state[VALUE_BYTES];
 
 	read_value(survey, number, "identity", identity);
 	read_value(survey, number, "timeout", timeout_s);
 	read_value(survey, number, "state", state);
 	if (strcmp(state, "active") == 0) {
-		survey_say(survey, SURVEY_TAKEN, path,
+		survey_report(survey, SURVEY_TAKEN, path,
 			"stop who feeds it (systemd: RuntimeWatchdogSec=off), "
 			"or leave --watchdog out",
 			"%s, it counts already", identity);
 	} else if (access(path, W_OK) != 0) {
-		survey_say_denied(survey, path);
+		survey_report_denied(survey, path);
 	} else {
-		survey_say(survey, SURVEY_WORKS, path, NULL,
+		survey_report(survey, SURVEY_WORKS, path, NULL,
 			"%s%srestarts after %s s", identity,
 			identity[0] ? ", " : "",
 			timeout_s[0] ? timeout_s : "some");
@@ -60,7 +60,7 @@ static void say_watchdog(
 /* Whether there was something to say of that one. */
 static bool look_at(const char *devices, int number, const struct survey *survey)
 {
-	char path[PATH_ROOM], entry[64];
+	char path[PATH_BYTES], entry[64];
 
 	if (snprintf(path, sizeof(path), "%s/watchdog%d", devices, number) >=
 		(int)sizeof(path)) {
@@ -71,12 +71,12 @@ static bool look_at(const char *devices, int number, const struct survey *survey
 		return true;
 	}
 	snprintf(entry, sizeof(entry), "class/watchdog/watchdog%d", number);
-	return survey_say_no_node(survey, path, entry, -errno);
+	return survey_report_no_node(survey, path, entry, -errno);
 }
 
 void watchdog_survey(const char *devices, const struct survey *survey)
 {
-	char path[PATH_ROOM];
+	char path[PATH_BYTES];
 	bool any = false;
 
 	for (int i = 0; i < WATCHDOGS_MAX; i++) {
@@ -91,7 +91,7 @@ void watchdog_survey(const char *devices, const struct survey *survey)
 		any = true;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "watchdog",
+		survey_report(survey, SURVEY_MISSING, "watchdog",
 			"load its driver, or one in software: sudo modprobe "
 			"softdog",
 			"no watchdog in %s", devices);

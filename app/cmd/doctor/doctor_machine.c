@@ -92,7 +92,7 @@ static void survey_kernels(struct doctor_report *report, const struct log *log)
 	for (int i = 0; kernel_registry[i]; i++) {
 		const struct kernel *kernel = kernel_registry[i];
 
-		survey_say(&survey, SURVEY_WORKS, kernel->name, NULL, "%s%s",
+		survey_report(&survey, SURVEY_WORKS, kernel->name, NULL, "%s%s",
 			kernel->summary,
 			kernel == chosen ? "; taken by default" : "");
 	}
@@ -138,24 +138,24 @@ static void survey_config(
 	struct doctor_report *report, const struct options *options)
 {
 	const struct survey survey = doctor_report_survey(report);
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	struct log said = survey_log(&sentence);
 	char path[PATH_ROOM];
 
 	doctor_report_section(report, "Configuration", "configuration");
 	if (!config_find(options->config, true, path, sizeof(path))) {
-		survey_say(&survey, SURVEY_UNUSED, "limber.conf", NULL,
+		survey_report(&survey, SURVEY_UNUSED, "limber.conf", NULL,
 			"there is none: everything is as built in");
 	} else if (access(path, R_OK) != 0) {
-		survey_say(&survey, SURVEY_BROKEN, path,
+		survey_report(&survey, SURVEY_BROKEN, path,
 			"name another with --config FILE, or none with "
 			"--config none",
 			"cannot be read: %s", strerror(errno));
 	} else if (options_are_good(path, &said)) {
-		survey_say(&survey, SURVEY_WORKS, path, NULL,
+		survey_report(&survey, SURVEY_WORKS, path, NULL,
 			"read by limber play, without a mistake");
 	} else {
-		survey_say_sentence(
+		survey_report_message(
 			&survey, SURVEY_BROKEN, path, &sentence, NULL);
 	}
 }
@@ -166,16 +166,16 @@ static void survey_file(const struct survey *survey, const char *name)
 	char path[PATH_ROOM], remedy[PATH_ROOM + 32];
 
 	if (file_find_asset(name, &nowhere, path, sizeof(path)) != 0) {
-		survey_say(survey, SURVEY_MISSING, name,
+		survey_report(survey, SURVEY_MISSING, name,
 			"export LIMBER_ASSETS=FOLDER, the one that holds "
 			"limber's models",
 			"not found");
 	} else if (access(path, R_OK) != 0) {
 		snprintf(remedy, sizeof(remedy), "sudo chmod a+r %s", path);
-		survey_say(survey, SURVEY_BROKEN, name, remedy,
+		survey_report(survey, SURVEY_BROKEN, name, remedy,
 			"%s: no permission", path);
 	} else {
-		survey_say(survey, SURVEY_WORKS, name, NULL, "%s", path);
+		survey_report(survey, SURVEY_WORKS, name, NULL, "%s", path);
 	}
 }
 

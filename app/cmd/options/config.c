@@ -84,7 +84,7 @@ static void say_with_place(
 {
 	const struct reading *reading = user;
 
-	log_say(reading->outer, level, "%s:%d: %s", reading->path,
+	log_write(reading->outer, level, "%s:%d: %s", reading->path,
 		reading->line, sentence);
 }
 

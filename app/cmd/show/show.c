@@ -250,7 +250,7 @@ static void poll_display(struct show *show, int64_t now_ms)
 		screen->driver->poll(
 			screen->display, now_ms, &show->buttons.queue, &events);
 	}
-	show->closed = show->closed || events.close || stop_is_wanted();
+	show->closed = show->closed || events.close || stop_requested();
 	if (events.graph) {
 		fulfil(show, WISH_GRAPH);
 	}
@@ -338,7 +338,7 @@ static int finish(struct show *show)
 {
 	const struct screen *screen = &show->screen;
 
-	if (screen->driver->finish && stop_is_wanted()) {
+	if (screen->driver->finish && stop_requested()) {
 		log_error(show->log,
 			"render: stopped by a signal before the file was "
 			"complete: begin again");

@@ -63,7 +63,7 @@ static void say(const struct gltf_at *at, enum log_level level,
 			*c = '?';
 		}
 	}
-	log_say(at->gltf->log, level, "%s: %s", place, reason);
+	log_write(at->gltf->log, level, "%s: %s", place, reason);
 }
 
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)

@@ -24,7 +24,7 @@ static void write_warning(void *user, enum log_level level, const char *sentence
 {
 	const struct log *log = user;
 
-	log_say(log, level == LOG_ERROR ? LOG_WARNING : level, "%s", sentence);
+	log_write(log, level == LOG_ERROR ? LOG_WARNING : level, "%s", sentence);
 }
 
 /*

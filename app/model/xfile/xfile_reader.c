@@ -14,7 +14,7 @@ static void say_at(const struct xfile_source *source, size_t place,
 	char reason[512];
 
 	vsnprintf(reason, sizeof(reason), format, arguments);
-	log_say(source->log, level, "%s: %s %zu%s: %s", source->path,
+	log_write(source->log, level, "%s: %s %zu%s: %s", source->path,
 		source->binary ? "byte" : "line", place,
 		source->unpacked ? " of the unpacked data" : "", reason);
 }

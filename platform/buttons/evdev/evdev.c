@@ -20,13 +20,13 @@
 
 enum {
 	DEVICES_MAX = 16,
-	PATH_ROOM = 256,
+	PATH_BYTES = 256,
 	EVENTS_AT_ONCE = 24,
 	LOOK_AGAIN_MS = 1000
 };
 
 struct device {
-	char path[PATH_ROOM];
+	char path[PATH_BYTES];
 	char name[80];
 	bool held[BUTTON_COUNT];
 	bool dropped; /* events were lost: wait for the report's end */
@@ -36,7 +36,7 @@ struct button_source {
 	struct log log;
 	const struct evdev_system *system;
 	struct evdev_keys keys;
-	char wanted[PATH_ROOM]; /* a path, part of a name, or "": all */
+	char wanted[PATH_BYTES]; /* a path, part of a name, or "": all */
 	struct device device[DEVICES_MAX];
 	struct pollfd fd[DEVICES_MAX + 1]; /* [count] is inotify */
 	int count;
@@ -97,7 +97,7 @@ static void open_device(struct button_source *source, const char *path)
 	fd = source->system->open(path);
 	if ((fd == -EACCES || fd == -EPERM) && !source->denied_said) {
 		source->denied_said = true;
-		device_say_denied(&source->log, path);
+		device_access_report_denied(&source->log, path);
 	}
 	if (fd < 0) {
 		return;
@@ -129,7 +129,7 @@ static void look_around(struct button_source *source)
 	}
 	directory = opendir(source->system->directory);
 	while (directory && (entry = readdir(directory))) {
-		char path[PATH_ROOM];
+		char path[PATH_BYTES];
 		int length = snprintf(path, sizeof(path), "%s/%s",
 			source->system->directory, entry->d_name);
 
@@ -330,13 +330,13 @@ static void evdev_destroy(struct button_source *source)
 
 /* "DEVICE", "BUTTON=KEY" and more of the latter, parted by commas. */
 static int read_argument(const char *argument, struct evdev_keys *keys,
-	char wanted[PATH_ROOM], const struct log *log)
+	char wanted[PATH_BYTES], const struct log *log)
 {
 	*keys = evdev_keys_default();
 	wanted[0] = '\0';
 	while (argument && *argument) {
 		size_t length = strcspn(argument, ",");
-		char item[PATH_ROOM];
+		char item[PATH_BYTES];
 		int error = 0;
 
 		if (length >= sizeof(item)) {
@@ -362,7 +362,7 @@ static int read_argument(const char *argument, struct evdev_keys *keys,
 static int evdev_check(const char *argument, const struct log *log)
 {
 	struct evdev_keys keys;
-	char wanted[PATH_ROOM];
+	char wanted[PATH_BYTES];
 
 	return read_argument(argument, &keys, wanted, log);
 }

@@ -8,7 +8,7 @@
 #include "platform/buttons/evdev/system.h"
 
 enum {
-	PATH_ROOM = 256,
+	PATH_BYTES = 256,
 	NUMBERS_MAX = 256
 };
 
@@ -47,10 +47,10 @@ static void say_device(const char *path,
 	const struct evdev_description *description, const struct survey *survey)
 {
 	struct name_list buttons = mapped_buttons(description);
-	char remedy[PATH_ROOM + 80];
+	char remedy[PATH_BYTES + 80];
 
 	if (buttons.text[0]) {
-		survey_say(survey, SURVEY_WORKS, path, NULL, "%s: %s",
+		survey_report(survey, SURVEY_WORKS, path, NULL, "%s: %s",
 			description->name, buttons.text);
 		return;
 	}
@@ -58,7 +58,7 @@ static void say_device(const char *path,
 		"to use one: --buttons evdev:%s,UP=KEY, with a key that evtest "
 		"shows",
 		path);
-	survey_say(survey, SURVEY_UNUSED, path,
+	survey_report(survey, SURVEY_UNUSED, path,
 		has_keys(description) ? remedy : NULL,
 		"%s: no key that is a button", description->name);
 }
@@ -68,7 +68,7 @@ static bool look_at(const struct evdev_system *system, int number,
 	const struct survey *survey)
 {
 	struct evdev_description description;
-	char path[PATH_ROOM], entry[64];
+	char path[PATH_BYTES], entry[64];
 	int fd, error;
 
 	if (snprintf(path, sizeof(path), "%s/event%d", system->directory,
@@ -77,17 +77,17 @@ static bool look_at(const struct evdev_system *system, int number,
 	}
 	fd = system->open(path);
 	if (fd == -EACCES || fd == -EPERM) {
-		survey_say_denied(survey, path);
+		survey_report_denied(survey, path);
 		return true;
 	}
 	if (fd < 0) {
 		snprintf(entry, sizeof(entry), "class/input/event%d", number);
-		return survey_say_no_node(survey, path, entry, fd);
+		return survey_report_no_node(survey, path, entry, fd);
 	}
 	error = system->describe(fd, &description);
 	close(fd);
 	if (error) {
-		survey_say(survey, SURVEY_BROKEN, path,
+		survey_report(survey, SURVEY_BROKEN, path,
 			"unplug it and plug it in again",
 			"does not answer as a keyboard: %s", strerror(-error));
 	} else {
@@ -105,7 +105,7 @@ void evdev_survey_on(
 		any = look_at(system, i, survey) || any;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "evdev",
+		survey_report(survey, SURVEY_MISSING, "evdev",
 			"plug a keyboard in, or load the driver: sudo modprobe "
 			"evdev",
 			"no keyboard or keypad in %s", system->directory);

@@ -51,15 +51,15 @@ void gpio_line_holder(
 	struct gpio_chip *chip, unsigned int offset, char *text, size_t size);
 
 /* What anybody may know of a line. */
-struct gpio_line_news {
+struct gpio_line_info {
 	char name[64];   /* "" when it has none */
 	char holder[64]; /* "" when that cannot be told */
 	bool taken;
 };
 
 /* Looks at a line without taking it. 0 or -errno. */
-int gpio_line_look(struct gpio_chip *chip, unsigned int offset,
-	struct gpio_line_news *out);
+int gpio_line_get_info(struct gpio_chip *chip, unsigned int offset,
+	struct gpio_line_info *out);
 
 /*
  * Takes a line as an input that reports both edges. consumer is what other

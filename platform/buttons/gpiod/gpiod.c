@@ -12,8 +12,8 @@
 #include "platform/buttons/buttons.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/event_time.h"
+#include "platform/buttons/gpiod/gpio_line_spec.h"
 #include "platform/buttons/gpiod/gpiod_survey.h"
-#include "platform/buttons/gpiod/line_spec.h"
 
 enum {
 	CHIPS_MAX = 32,
@@ -56,7 +56,7 @@ static void open_chips(struct button_source *source)
 		}
 	}
 	if (denied[0]) {
-		device_say_denied(&source->log, denied);
+		device_access_report_denied(&source->log, denied);
 	} else if (source->chip_count == 0) {
 		log_warning(&source->log,
 			"/dev/gpiochip*: no GPIO chip on this machine: the "
@@ -142,7 +142,7 @@ static void say_refused(const struct button_source *source,
 	const struct gpio_line_spec *spec, struct gpio_chip *chip,
 	unsigned int offset, int error)
 {
-	char holder[GPIO_NAME_ROOM];
+	char holder[GPIO_NAME_BYTES];
 
 	if (error == -EBUSY) {
 		gpio_line_holder(chip, offset, holder, sizeof(holder));
@@ -268,7 +268,7 @@ static int gpiod_create(
 	return 0;
 }
 
-_Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 1) <= BUTTON_BATCH_ROOM,
+_Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 1) <= BUTTON_BATCH_CAPACITY,
 	"room for all that the kernel keeps");
 
 static void add_edge(

@@ -11,7 +11,7 @@ enum {
 };
 
 static void say_line(const struct gpio_chip *chip, unsigned int offset,
-	const struct gpio_line_news *line, const struct survey *survey)
+	const struct gpio_line_info *line, const struct survey *survey)
 {
 	char subject[96];
 	const char *name = line->name[0] ? line->name : "no name";
@@ -19,10 +19,11 @@ static void say_line(const struct gpio_chip *chip, unsigned int offset,
 	snprintf(subject, sizeof(subject), "%s/%u", gpio_chip_label(chip),
 		offset);
 	if (line->taken) {
-		survey_say(survey, SURVEY_TAKEN, subject, NULL, "%s: used by %s",
-			name, line->holder[0] ? line->holder : "a driver");
+		survey_report(survey, SURVEY_TAKEN, subject, NULL,
+			"%s: used by %s", name,
+			line->holder[0] ? line->holder : "a driver");
 	} else {
-		survey_say(
+		survey_report(
 			survey, SURVEY_WORKS, subject, NULL, "%s: free", name);
 	}
 }
@@ -30,18 +31,18 @@ static void say_line(const struct gpio_chip *chip, unsigned int offset,
 static void say_chip(struct gpio_chip *chip, const struct survey *survey)
 {
 	unsigned int count = gpio_chip_line_count(chip), taken = 0;
-	struct gpio_line_news line;
+	struct gpio_line_info line;
 	char path[64];
 
 	for (unsigned int i = 0; i < count; i++) {
-		taken += gpio_line_look(chip, i, &line) == 0 && line.taken;
+		taken += gpio_line_get_info(chip, i, &line) == 0 && line.taken;
 	}
 	snprintf(path, sizeof(path), "/dev/%s", gpio_chip_name(chip));
-	survey_say(survey, SURVEY_WORKS, path, NULL,
+	survey_report(survey, SURVEY_WORKS, path, NULL,
 		"label %s, %u line%s, %u of them used", gpio_chip_label(chip),
 		count, count == 1 ? "" : "s", taken);
 	for (unsigned int i = 0; i < count; i++) {
-		if (gpio_line_look(chip, i, &line) == 0 &&
+		if (gpio_line_get_info(chip, i, &line) == 0 &&
 			(line.taken || line.name[0])) {
 			say_line(chip, i, &line, survey);
 		}
@@ -61,13 +62,13 @@ static bool look_at(int number, const struct survey *survey)
 		say_chip(chip, survey);
 		gpio_chip_close(chip);
 	} else if (error == -EACCES || error == -EPERM) {
-		survey_say_denied(survey, path);
+		survey_report_denied(survey, path);
 	} else if (error == -ENOENT) {
 		snprintf(entry, sizeof(entry), "bus/gpio/devices/gpiochip%d",
 			number);
-		return survey_say_no_node(survey, path, entry, error);
+		return survey_report_no_node(survey, path, entry, error);
 	} else {
-		survey_say(survey, SURVEY_BROKEN, path,
+		survey_report(survey, SURVEY_BROKEN, path,
 			"enable CONFIG_GPIO_CDEV in the kernel",
 			"does not answer as a GPIO chip: %s", strerror(-error));
 	}
@@ -82,7 +83,7 @@ void gpiod_survey(const struct survey *survey)
 		any = look_at(i, survey) || any;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "/dev/gpiochip*",
+		survey_report(survey, SURVEY_MISSING, "/dev/gpiochip*",
 			"on a board, enable its GPIO driver and "
 			"CONFIG_GPIO_CDEV; elsewhere --buttons evdev does",
 			"no GPIO chip");

@@ -237,7 +237,7 @@ fail:
 	return -ENOMEM;
 }
 
-static enum camera_news pattern_take(
+static enum camera_status pattern_take(
 	struct camera_source *source, int64_t now_ms, struct camera_image *out)
 {
 	int64_t number = (now_ms < 0 ? 0 : now_ms) * RATE_HZ / 1000;

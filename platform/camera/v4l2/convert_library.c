@@ -49,7 +49,7 @@ static int load(struct convert_library *library)
 	return 0;
 }
 
-bool convert_library_is_there(void)
+bool convert_library_is_available(void)
 {
 	struct convert_library library;
 

@@ -16,7 +16,7 @@
 struct convert_library;
 
 /* Whether the library is there. */
-bool convert_library_is_there(void);
+bool convert_library_is_available(void);
 
 /*
  * A converter from what the open device delivers, format being its answer to

@@ -196,14 +196,14 @@ static int start(struct v4l2_device *device)
 }
 
 int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
-	const struct v4l2_wish *wish)
+	const struct v4l2_request *request)
 {
 	int error;
 
 	*device = (struct v4l2_device){.calls = calls};
-	error = open_path(device, wish->path);
+	error = open_path(device, request->path);
 	if (!error) {
-		error = v4l2_format_negotiate(device, wish);
+		error = v4l2_format_negotiate(device, request);
 	}
 	if (!error) {
 		error = lay_out(device);

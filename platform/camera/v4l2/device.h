@@ -18,13 +18,13 @@
 
 enum {
 	V4L2_BUFFERS = 3,
-	V4L2_PATH_ROOM = 128,
-	V4L2_REASON_ROOM = 256
+	V4L2_PATH_BYTES = 128,
+	V4L2_REASON_BYTES = 256
 };
 
 /* What a device is wanted for. */
-struct v4l2_wish {
-	char path[V4L2_PATH_ROOM];
+struct v4l2_request {
+	char path[V4L2_PATH_BYTES];
 	int width, height;
 	uint32_t fourcc; /* 0: choose */
 };
@@ -47,7 +47,7 @@ struct v4l2_device {
 	int buffer_count;
 	struct v4l2_buffer_map buffer[V4L2_BUFFERS];
 	bool streaming;
-	char reason[V4L2_REASON_ROOM]; /* why something failed, a sentence */
+	char reason[V4L2_REASON_BYTES]; /* why something failed, a sentence */
 };
 
 /*
@@ -55,7 +55,7 @@ struct v4l2_device {
  * nothing left open.
  */
 int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
-	const struct v4l2_wish *wish);
+	const struct v4l2_request *request);
 
 /*
  * Waits up to timeout_ms (a driver that ignores O_NONBLOCK longer) for the

@@ -85,15 +85,15 @@ static int list_offered(const struct v4l2_device *device, uint32_t *fourcc)
 }
 
 /* 0 when the device took just this format, -EINVAL when it chose another. */
-static int try_fourcc(struct v4l2_device *device, const struct v4l2_wish *wish,
-	uint32_t fourcc)
+static int try_fourcc(struct v4l2_device *device,
+	const struct v4l2_request *request, uint32_t fourcc)
 {
 	struct v4l2_format wanted = {.type = V4L2_BUF_TYPE_VIDEO_CAPTURE};
 	int error;
 
 	/* All else is zero, priv too: one driver takes it for a pointer. */
-	wanted.fmt.pix.width = (uint32_t)wish->width;
-	wanted.fmt.pix.height = (uint32_t)wish->height;
+	wanted.fmt.pix.width = (uint32_t)request->width;
+	wanted.fmt.pix.height = (uint32_t)request->height;
 	wanted.fmt.pix.pixelformat = fourcc;
 	wanted.fmt.pix.field = V4L2_FIELD_NONE;
 	error = device->calls->ioctl(
@@ -123,14 +123,14 @@ static int worse(int error, int other)
 	return error == 0 || error == -EINVAL ? other : error;
 }
 
-static int choose(struct v4l2_device *device, const struct v4l2_wish *wish)
+static int choose(struct v4l2_device *device, const struct v4l2_request *request)
 {
 	uint32_t offered[OFFERED_MAX];
 	int count = list_offered(device, offered);
 	int error = -EINVAL;
 
-	if (wish->fourcc) {
-		return try_fourcc(device, wish, wish->fourcc);
+	if (request->fourcc) {
+		return try_fourcc(device, request, request->fourcc);
 	}
 	for (size_t i = 0; i < ARRAY_COUNT(known); i++) {
 		int result;
@@ -138,14 +138,14 @@ static int choose(struct v4l2_device *device, const struct v4l2_wish *wish)
 		if (count && !is_in(known[i].fourcc, offered, count)) {
 			continue;
 		}
-		result = try_fourcc(device, wish, known[i].fourcc);
+		result = try_fourcc(device, request, known[i].fourcc);
 		if (!result) {
 			return 0;
 		}
 		error = worse(error, result);
 	}
 	for (int i = 0; i < count; i++) {
-		int result = try_fourcc(device, wish, offered[i]);
+		int result = try_fourcc(device, request, offered[i]);
 
 		if (!result) {
 			return 0;
@@ -155,8 +155,8 @@ static int choose(struct v4l2_device *device, const struct v4l2_wish *wish)
 	return error;
 }
 
-static int refuse(
-	struct v4l2_device *device, const struct v4l2_wish *wish, int error)
+static int refuse(struct v4l2_device *device,
+	const struct v4l2_request *request, int error)
 {
 	char text[5];
 
@@ -166,8 +166,8 @@ static int refuse(
 	} else if (error != -EINVAL) {
 		snprintf(device->reason, sizeof(device->reason),
 			"cannot set its format (%s)", strerror(-error));
-	} else if (wish->fourcc) {
-		v4l2_format_text(wish->fourcc, text);
+	} else if (request->fourcc) {
+		v4l2_format_text(request->fourcc, text);
 		snprintf(device->reason, sizeof(device->reason),
 			"it does not deliver %s: leave the format out", text);
 	} else {
@@ -179,13 +179,13 @@ static int refuse(
 }
 
 int v4l2_format_negotiate(
-	struct v4l2_device *device, const struct v4l2_wish *wish)
+	struct v4l2_device *device, const struct v4l2_request *request)
 {
 	const struct v4l2_pix_format *pix = &device->answer.fmt.pix;
-	int error = choose(device, wish);
+	int error = choose(device, request);
 
 	if (error) {
-		return refuse(device, wish, error);
+		return refuse(device, request, error);
 	}
 	if (pix->width < 1 || pix->width > CAMERA_SIDE_MAX || pix->height < 1 ||
 		pix->height > CAMERA_SIDE_MAX || pix->bytesperline > 65536) {

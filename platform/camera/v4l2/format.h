@@ -16,12 +16,12 @@ uint32_t v4l2_format_find(const char *name);
 void v4l2_format_text(uint32_t fourcc, char text[5]);
 
 /*
- * Sets the wished format or, without a wish, the cheapest that limber reads,
+ * Sets the wished format or, without a request, the cheapest that limber reads,
  * or else the first that the device has. Fills answer, format, width and
  * height; format is CAMERA_FORMATS for one that needs converting. 0, or
  * -errno with the reason.
  */
 int v4l2_format_negotiate(
-	struct v4l2_device *device, const struct v4l2_wish *wish);
+	struct v4l2_device *device, const struct v4l2_request *request);
 
 #endif

@@ -9,16 +9,16 @@ enum {
 };
 
 void v4l2_session_init(struct v4l2_session *session,
-	const struct v4l2_calls *calls, const struct v4l2_wish *wish)
+	const struct v4l2_calls *calls, const struct v4l2_request *request)
 {
 	*session = (struct v4l2_session){
 		.calls = calls,
-		.wish = *wish,
+		.request = *request,
 		.retry_ms = V4L2_RETRY_FIRST_MS,
 		.retry_at_ms = INT64_MIN,
 		.device = {.fd = -1},
 	};
-	snprintf(session->path, sizeof(session->path), "%s", wish->path);
+	snprintf(session->path, sizeof(session->path), "%s", request->path);
 }
 
 /* The first device that captures, into path. */
@@ -54,18 +54,18 @@ static void retry_later(struct v4l2_session *session)
 
 bool v4l2_session_open(struct v4l2_session *session)
 {
-	struct v4l2_wish wish = session->wish;
+	struct v4l2_request request = session->request;
 
 	if (session->state != V4L2_CLOSED ||
 		now_ms(session) < session->retry_at_ms) {
 		return true;
 	}
-	if (wish.path[0] == '\0' && !find_device(session)) {
+	if (request.path[0] == '\0' && !find_device(session)) {
 		retry_later(session);
 		return false;
 	}
-	memcpy(wish.path, session->path, sizeof(wish.path));
-	if (v4l2_device_open(&session->device, session->calls, &wish) != 0) {
+	memcpy(request.path, session->path, sizeof(request.path));
+	if (v4l2_device_open(&session->device, session->calls, &request) != 0) {
 		retry_later(session);
 		return false;
 	}

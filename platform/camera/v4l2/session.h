@@ -22,8 +22,8 @@ enum v4l2_state {
 
 struct v4l2_session {
 	const struct v4l2_calls *calls;
-	struct v4l2_wish wish;     /* an empty path: the first that captures */
-	char path[V4L2_PATH_ROOM]; /* of what was tried last */
+	struct v4l2_request request; /* an empty path: the first that captures */
+	char path[V4L2_PATH_BYTES];  /* of what was tried last */
 	struct v4l2_device device;
 	enum v4l2_state state;
 	int64_t retry_at_ms; /* while closed */
@@ -32,7 +32,7 @@ struct v4l2_session {
 };
 
 void v4l2_session_init(struct v4l2_session *session,
-	const struct v4l2_calls *calls, const struct v4l2_wish *wish);
+	const struct v4l2_calls *calls, const struct v4l2_request *request);
 
 /* Opens it if it is time. True unless it failed now, device.reason says why. */
 bool v4l2_session_open(struct v4l2_session *session);

@@ -49,11 +49,11 @@ struct camera_source {
 	int64_t heard_ms; /* the last picture, or the start */
 	bool any;         /* a picture came since the start */
 
-	char name[V4L2_PATH_ROOM]; /* of the device */
+	char name[V4L2_PATH_BYTES]; /* of the device */
 
 	/* An outage is told once. */
 	bool out; /* it is out now */
-	char reason[V4L2_REASON_ROOM];
+	char reason[V4L2_REASON_BYTES];
 	bool reason_new;
 	bool back_new;
 
@@ -281,9 +281,10 @@ static int init_lock(struct camera_source *source)
 	return -error;
 }
 
-static int read_wish(const struct camera_options *options, struct v4l2_wish *out)
+static int read_request(
+	const struct camera_options *options, struct v4l2_request *out)
 {
-	*out = (struct v4l2_wish){
+	*out = (struct v4l2_request){
 		.width = options->width, .height = options->height};
 	if (options->argument && strlen(options->argument) >= sizeof(out->path)) {
 		log_error(options->log,
@@ -312,8 +313,8 @@ int v4l2_source_create(const struct camera_options *options,
 	const struct v4l2_calls *calls, struct camera_source **out)
 {
 	struct camera_source *source;
-	struct v4l2_wish wish;
-	int error = read_wish(options, &wish);
+	struct v4l2_request request;
+	int error = read_request(options, &request);
 
 	if (error) {
 		return error;
@@ -325,7 +326,7 @@ int v4l2_source_create(const struct camera_options *options,
 	}
 	source->log = *options->log;
 	source->ready = source->held = -1;
-	v4l2_session_init(&source->session, calls, &wish);
+	v4l2_session_init(&source->session, calls, &request);
 	error = start_thread(source);
 	if (!error) {
 		*out = source;
@@ -348,8 +349,8 @@ static int create(
 
 /* What to tell, out of the lock's way. */
 struct news {
-	char name[V4L2_PATH_ROOM];
-	char reason[V4L2_REASON_ROOM];
+	char name[V4L2_PATH_BYTES];
+	char reason[V4L2_REASON_BYTES];
 	bool outage, back, silent;
 };
 
@@ -390,10 +391,10 @@ static void tell_news(struct camera_source *source, const struct news *news)
 	}
 }
 
-static enum camera_news take(struct camera_source *source, int64_t frame_ms,
+static enum camera_status take(struct camera_source *source, int64_t frame_ms,
 	struct camera_image *out)
 {
-	enum camera_news found = CAMERA_NONE;
+	enum camera_status found = CAMERA_NONE;
 	struct news news;
 
 	(void)frame_ms;

@@ -32,7 +32,7 @@ struct look {
 	pthread_cond_t changed;
 	bool begun, done, abandoned;
 	const struct v4l2_calls *calls;
-	char path[V4L2_PATH_ROOM];
+	char path[V4L2_PATH_BYTES];
 	struct view view;
 };
 
@@ -198,41 +198,41 @@ static void say_camera(
 	int driver_room = (int)sizeof(view->capability.driver);
 
 	if (!captures(view)) {
-		survey_say(survey, SURVEY_UNUSED, path, NULL,
+		survey_report(survey, SURVEY_UNUSED, path, NULL,
 			"%.*s, driver %.*s: captures no video into mapped "
 			"buffers",
 			card_room, card, driver_room, driver);
 		return;
 	}
-	if (!own && !convert_library_is_there()) {
-		survey_say(survey, SURVEY_BROKEN, path,
+	if (!own && !convert_library_is_available()) {
+		survey_report(survey, SURVEY_BROKEN, path,
 			"sudo apt install libv4lconvert0",
 			"%.*s, driver %.*s:%s, which need libv4lconvert",
 			card_room, card, driver_room, driver, formats);
 		return;
 	}
-	survey_say(survey, SURVEY_WORKS, path, NULL, "%.*s, driver %.*s:%s",
+	survey_report(survey, SURVEY_WORKS, path, NULL, "%.*s, driver %.*s:%s",
 		card_room, card, driver_room, driver,
 		view->format_count ? formats : " lists no formats");
 }
 
 static void say_error(const char *path, int error, const struct survey *survey)
 {
-	char remedy[V4L2_PATH_ROOM + 32];
+	char remedy[V4L2_PATH_BYTES + 32];
 
 	snprintf(remedy, sizeof(remedy), "sudo fuser -v %s names who", path);
 	if (error == -EACCES || error == -EPERM) {
-		survey_say_denied(survey, path);
+		survey_report_denied(survey, path);
 	} else if (error == -EBUSY) {
-		survey_say(survey, SURVEY_TAKEN, path, remedy,
+		survey_report(survey, SURVEY_TAKEN, path, remedy,
 			"another program is using it");
 	} else if (error == -ETIMEDOUT) {
-		survey_say(survey, SURVEY_BROKEN, path,
+		survey_report(survey, SURVEY_BROKEN, path,
 			"dmesg | tail tells what its driver waits for; limber "
 			"plays on while it does",
 			"its driver does not answer within %d ms", PATIENCE_MS);
 	} else {
-		survey_say(survey, SURVEY_BROKEN, path,
+		survey_report(survey, SURVEY_BROKEN, path,
 			"unplug it and plug it in again; dmesg | tail tells "
 			"more",
 			"%s", strerror(-error));
@@ -244,7 +244,7 @@ static bool look_at_number(
 	const struct v4l2_calls *calls, int number, const struct survey *survey)
 {
 	struct view view = {0};
-	char path[V4L2_PATH_ROOM], entry[64];
+	char path[V4L2_PATH_BYTES], entry[64];
 	int error;
 
 	snprintf(path, sizeof(path), "/dev/video%d", number);
@@ -253,7 +253,7 @@ static bool look_at_number(
 	if (error == -ENOENT || error == -ENXIO || error == -ENODEV) {
 		snprintf(entry, sizeof(entry), "class/video4linux/video%d",
 			number);
-		return survey_say_no_node(survey, path, entry, error);
+		return survey_report_no_node(survey, path, entry, error);
 	}
 	if (error) {
 		say_error(path, error, survey);
@@ -271,7 +271,7 @@ void v4l2_survey_on(const struct v4l2_calls *calls, const struct survey *survey)
 		any = look_at_number(calls, i, survey) || any;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "/dev/video*",
+		survey_report(survey, SURVEY_MISSING, "/dev/video*",
 			"plug one in (sudo modprobe uvcvideo), or use the "
 			"moving pattern: --camera pattern",
 			"no camera");

@@ -1,6 +1,7 @@
 #include "platform/display/fbdev/colormap.h"
 
-static struct fb_cmap describe(uint32_t count, uint16_t (*tables)[COLORMAP_ROOM])
+static struct fb_cmap describe(
+	uint32_t count, uint16_t (*tables)[COLORMAP_ENTRIES])
 {
 	return (struct fb_cmap){
 		.len = count,
@@ -35,9 +36,9 @@ static void fill_channel(
 	}
 }
 
-static void fill_palette(uint16_t (*tables)[COLORMAP_ROOM])
+static void fill_palette(uint16_t (*tables)[COLORMAP_ENTRIES])
 {
-	for (uint32_t i = 0; i < COLORMAP_ROOM; i++) {
+	for (uint32_t i = 0; i < COLORMAP_ENTRIES; i++) {
 		tables[0][i] = spread(i >> 5, 7);
 		tables[1][i] = spread(i >> 2 & 7, 7);
 		tables[2][i] = spread(i & 3, 3);
@@ -57,11 +58,11 @@ struct pixel_layout colormap_palette_layout(void)
 bool colormap_set(struct colormap *map, const struct device_calls *calls,
 	int fd, uint32_t visual, const struct pixel_layout *layout)
 {
-	uint16_t tables[3][COLORMAP_ROOM];
+	uint16_t tables[3][COLORMAP_ENTRIES];
 	struct fb_cmap before, now;
 
 	if (visual == FB_VISUAL_PSEUDOCOLOR) {
-		map->count = COLORMAP_ROOM;
+		map->count = COLORMAP_ENTRIES;
 		fill_palette(tables);
 	} else if (visual == FB_VISUAL_DIRECTCOLOR) {
 		map->count = longest(layout);
@@ -78,14 +79,14 @@ bool colormap_set(struct colormap *map, const struct device_calls *calls,
 	return device_control(calls, fd, FBIOPUTCMAP, &now) == 0;
 }
 
-void colormap_put_back(
+void colormap_restore(
 	const struct colormap *map, const struct device_calls *calls, int fd)
 {
-	uint16_t tables[3][COLORMAP_ROOM];
+	uint16_t tables[3][COLORMAP_ENTRIES];
 	struct fb_cmap before = describe(map->count, tables);
 
 	for (int channel = 0; channel < 3; channel++) {
-		for (int i = 0; i < COLORMAP_ROOM; i++) {
+		for (int i = 0; i < COLORMAP_ENTRIES; i++) {
 			tables[channel][i] = map->before[channel][i];
 		}
 	}

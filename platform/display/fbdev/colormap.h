@@ -12,13 +12,13 @@
 #include "platform/process/device_calls.h"
 
 enum {
-	COLORMAP_ROOM = 256
+	COLORMAP_ENTRIES = 256
 };
 
 struct colormap {
 	bool changed; /* there is one to put back */
 	uint32_t count;
-	uint16_t before[3][COLORMAP_ROOM]; /* red, green, blue */
+	uint16_t before[3][COLORMAP_ENTRIES]; /* red, green, blue */
 };
 
 /* What pixels of 8 bits mean with the palette of colormap_set(). */
@@ -34,7 +34,7 @@ bool colormap_set(struct colormap *map, const struct device_calls *calls,
 	int fd, uint32_t visual, const struct pixel_layout *layout);
 
 /* As they were. */
-void colormap_put_back(
+void colormap_restore(
 	const struct colormap *map, const struct device_calls *calls, int fd);
 
 #endif

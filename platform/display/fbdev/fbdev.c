@@ -21,7 +21,7 @@
 static const char usual_device[] = "/dev/fb0";
 
 struct display {
-	struct fb_screen screen;
+	struct fbdev_screen screen;
 	struct console console;
 	struct placement place; /* of the picture on the screen */
 	struct pixels picture;  /* data is NULL where pages are drawn into */
@@ -42,9 +42,9 @@ static enum pixel_format choose_format(
 /* Where the next picture begins on the screen. */
 static uint8_t *find_place(const struct display *display)
 {
-	const struct fb_screen *screen = &display->screen;
+	const struct fbdev_screen *screen = &display->screen;
 
-	return fb_screen_back(screen) +
+	return fbdev_screen_back_page(screen) +
 		(size_t)display->place.top * (size_t)screen->stride_bytes +
 		(size_t)display->place.left *
 		(size_t)pixel_layout_bytes(&screen->layout);
@@ -53,7 +53,7 @@ static uint8_t *find_place(const struct display *display)
 /* Rows begin where whole pixels do, as GL drivers want them. */
 static bool can_draw_straight(const struct display *display)
 {
-	const struct fb_screen *screen = &display->screen;
+	const struct fbdev_screen *screen = &display->screen;
 	uintptr_t pixel = (uintptr_t)display->packing.bytes;
 
 	return display->packing.same && screen->page_count == 2 &&
@@ -65,7 +65,7 @@ static int prepare_picture(
 	struct display *display, const struct display_options *options)
 {
 	enum pixel_format format = choose_format(display, options);
-	const struct fb_screen *screen = &display->screen;
+	const struct fbdev_screen *screen = &display->screen;
 
 	display->place =
 		placement_choose(options, screen->width, screen->height);
@@ -81,7 +81,7 @@ static int prepare_picture(
 		display->picture.height, format, options->log);
 }
 
-static void blacken(const struct fb_screen *screen)
+static void blacken(const struct fbdev_screen *screen)
 {
 	size_t page_bytes =
 		(size_t)screen->height * (size_t)screen->stride_bytes;
@@ -91,7 +91,7 @@ static void blacken(const struct fb_screen *screen)
 		return;
 	}
 	for (int y = 0; y < screen->height; y++) {
-		memset(fb_screen_back(screen) +
+		memset(fbdev_screen_back_page(screen) +
 				(size_t)y * (size_t)screen->stride_bytes,
 			0,
 			(size_t)screen->width *
@@ -109,7 +109,7 @@ int fbdev_create_on(const struct device_calls *calls,
 		log_error(options->log, "--display fbdev: out of memory");
 		return -ENOMEM;
 	}
-	error = fb_screen_open(&display->screen, calls,
+	error = fbdev_screen_open(&display->screen, calls,
 		options->device ? options->device : usual_device, options->log);
 	if (error) {
 		goto out_free;
@@ -118,7 +118,7 @@ int fbdev_create_on(const struct device_calls *calls,
 	if (error) {
 		goto out_screen;
 	}
-	console_take(&display->console, calls, options->log);
+	console_acquire(&display->console, calls, options->log);
 	blacken(&display->screen);
 	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %s",
 		display->screen.path, display->screen.width,
@@ -127,7 +127,7 @@ int fbdev_create_on(const struct device_calls *calls,
 	*out = display;
 	return 0;
 out_screen:
-	fb_screen_close(&display->screen);
+	fbdev_screen_close(&display->screen);
 out_free:
 	free(display);
 	return error;
@@ -153,7 +153,7 @@ static void fbdev_get_info(
 		.height = display->picture.height,
 		.format = display->picture.format,
 		.rate_hz = display->screen.waits
-			? fb_screen_rate_hz(&display->screen)
+			? fbdev_screen_rate_hz(&display->screen)
 			: 0.0,
 	};
 }
@@ -169,23 +169,23 @@ static int fbdev_begin_frame(struct display *display, struct pixels *out)
 
 static int fbdev_end_frame(struct display *display)
 {
-	struct fb_screen *screen = &display->screen;
+	struct fbdev_screen *screen = &display->screen;
 
 	if (display->picture.data) {
 		if (screen->page_count == 1) {
-			fb_screen_wait(screen);
+			fbdev_screen_wait(screen);
 		}
 		packing_copy(&display->packing, &display->picture,
 			find_place(display), screen->stride_bytes);
 	}
-	return screen->page_count == 2 ? fb_screen_flip(screen) : 0;
+	return screen->page_count == 2 ? fbdev_screen_flip(screen) : 0;
 }
 
 static void fbdev_destroy(struct display *display)
 {
 	if (display) {
-		fb_screen_close(&display->screen);
-		console_give_back(&display->console);
+		fbdev_screen_close(&display->screen);
+		console_release(&display->console);
 		free(display->picture.data);
 		free(display);
 	}

@@ -10,13 +10,13 @@
 
 #include "platform/display/pixels.h"
 
-static int control(
-	const struct fb_screen *screen, unsigned long request, void *argument)
+static int control(const struct fbdev_screen *screen, unsigned long request,
+	void *argument)
 {
 	return device_control(screen->calls, screen->fd, request, argument);
 }
 
-static int failed(const struct fb_screen *screen, const char *what)
+static int failed(const struct fbdev_screen *screen, const char *what)
 {
 	int error = errno ? errno : EIO;
 
@@ -27,7 +27,7 @@ static int failed(const struct fb_screen *screen, const char *what)
 	return -error;
 }
 
-static int refused(const struct fb_screen *screen, const char *why)
+static int refused(const struct fbdev_screen *screen, const char *why)
 {
 	log_error(&screen->log,
 		"--display fbdev: %s: %s: set another mode with fbset, or "
@@ -36,7 +36,7 @@ static int refused(const struct fb_screen *screen, const char *why)
 	return -ENOTSUP;
 }
 
-static int open_device(struct fb_screen *screen)
+static int open_device(struct fbdev_screen *screen)
 {
 	screen->fd = screen->calls->open(screen->path, O_RDWR | O_CLOEXEC);
 	if (screen->fd >= 0) {
@@ -60,7 +60,7 @@ static int open_device(struct fb_screen *screen)
 	return failed(screen, "cannot be opened");
 }
 
-static int read_info(struct fb_screen *screen)
+static int read_info(struct fbdev_screen *screen)
 {
 	if (control(screen, FBIOGET_FSCREENINFO, &screen->fix) < 0 ||
 		control(screen, FBIOGET_VSCREENINFO, &screen->var) < 0) {
@@ -78,7 +78,7 @@ static struct pixel_field read_field(const struct fb_bitfield *field)
 	};
 }
 
-static int read_layout(struct fb_screen *screen)
+static int read_layout(struct fbdev_screen *screen)
 {
 	const struct fb_var_screeninfo *var = &screen->var;
 
@@ -110,7 +110,7 @@ static int read_layout(struct fb_screen *screen)
 	return 0;
 }
 
-static int read_size(struct fb_screen *screen)
+static int read_size(struct fbdev_screen *screen)
 {
 	const struct fb_var_screeninfo *var = &screen->var;
 	uint64_t bytes = (uint64_t)pixel_layout_bytes(&screen->layout);
@@ -134,7 +134,7 @@ static int read_size(struct fb_screen *screen)
 	return 0;
 }
 
-static int read_all(struct fb_screen *screen)
+static int read_all(struct fbdev_screen *screen)
 {
 	int error = read_info(screen);
 
@@ -142,7 +142,7 @@ static int read_all(struct fb_screen *screen)
 	return error ? error : read_size(screen);
 }
 
-static bool pan(struct fb_screen *screen, int page)
+static bool pan(struct fbdev_screen *screen, int page)
 {
 	struct fb_var_screeninfo var = screen->var;
 
@@ -151,7 +151,7 @@ static bool pan(struct fb_screen *screen, int page)
 	return control(screen, FBIOPAN_DISPLAY, &var) == 0;
 }
 
-static bool has_two_pages(const struct fb_screen *screen)
+static bool has_two_pages(const struct fbdev_screen *screen)
 {
 	uint64_t both = 2 * (uint64_t)screen->height;
 
@@ -161,16 +161,16 @@ static bool has_two_pages(const struct fb_screen *screen)
 
 /* Drivers round what they are asked for: only the height may have grown. */
 static bool is_still_good(
-	const struct fb_screen *screen, const struct fb_screen *was)
+	const struct fbdev_screen *screen, const struct fbdev_screen *was)
 {
 	return screen->width == was->width && screen->height == was->height &&
 		memcmp(&screen->layout, &was->layout, sizeof(screen->layout)) ==
 		0;
 }
 
-static void ask_for_two_pages(struct fb_screen *screen)
+static void ask_for_two_pages(struct fbdev_screen *screen)
 {
-	struct fb_screen was = *screen;
+	struct fbdev_screen was = *screen;
 	struct fb_var_screeninfo var = screen->var;
 
 	var.yres_virtual = 2 * var.yres;
@@ -189,7 +189,7 @@ static void ask_for_two_pages(struct fb_screen *screen)
 }
 
 /* One page does when there is no second, or no turning over. */
-static void find_pages(struct fb_screen *screen)
+static void find_pages(struct fbdev_screen *screen)
 {
 	uint32_t step = screen->fix.ypanstep;
 
@@ -207,7 +207,7 @@ static void find_pages(struct fb_screen *screen)
 }
 
 /* A page of the processor's may begin before the device's memory. */
-static int map_memory(struct fb_screen *screen)
+static int map_memory(struct fbdev_screen *screen)
 {
 	size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
 	size_t before = screen->fix.smem_start & (page_bytes - 1);
@@ -222,14 +222,14 @@ static int map_memory(struct fb_screen *screen)
 }
 
 /* What devices without a wait answer is of many kinds. */
-static bool can_wait(const struct fb_screen *screen)
+static bool can_wait(const struct fbdev_screen *screen)
 {
 	uint32_t crtc = 0;
 
 	return control(screen, FBIO_WAITFORVSYNC, &crtc) == 0;
 }
 
-static int set_colors(struct fb_screen *screen)
+static int set_colors(struct fbdev_screen *screen)
 {
 	return colormap_set(&screen->colors, screen->calls, screen->fd,
 		       screen->fix.visual, &screen->layout)
@@ -237,9 +237,9 @@ static int set_colors(struct fb_screen *screen)
 		: refused(screen, "it does not take tables of colours");
 }
 
-static void put_back(struct fb_screen *screen)
+static void put_back(struct fbdev_screen *screen)
 {
-	colormap_put_back(&screen->colors, screen->calls, screen->fd);
+	colormap_restore(&screen->colors, screen->calls, screen->fd);
 	if (screen->changed) {
 		screen->before.activate = FB_ACTIVATE_NOW;
 		control(screen, FBIOPUT_VSCREENINFO, &screen->before);
@@ -248,13 +248,13 @@ static void put_back(struct fb_screen *screen)
 }
 
 /* Open and known, or -errno with nothing left open. */
-static int open_and_read(struct fb_screen *screen,
+static int open_and_read(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
 	const struct log *log)
 {
 	int error;
 
-	*screen = (struct fb_screen){.calls = calls, .log = *log};
+	*screen = (struct fbdev_screen){.calls = calls, .log = *log};
 	if (snprintf(screen->path, sizeof(screen->path), "%s", path) >=
 		(int)sizeof(screen->path)) {
 		log_error(
@@ -272,8 +272,9 @@ static int open_and_read(struct fb_screen *screen,
 	return error;
 }
 
-int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
-	const char *path, const struct log *log)
+int fbdev_screen_inspect(struct fbdev_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log)
 {
 	int error = open_and_read(screen, calls, path, log);
 
@@ -283,8 +284,9 @@ int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
 	return error;
 }
 
-int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
-	const char *path, const struct log *log)
+int fbdev_screen_open(struct fbdev_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log)
 {
 	int error = open_and_read(screen, calls, path, log);
 
@@ -306,7 +308,7 @@ int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
 	return error;
 }
 
-uint8_t *fb_screen_back(const struct fb_screen *screen)
+uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen)
 {
 	size_t stride = (size_t)screen->stride_bytes;
 
@@ -320,7 +322,7 @@ uint8_t *fb_screen_back(const struct fb_screen *screen)
 		(size_t)pixel_layout_bytes(&screen->layout);
 }
 
-void fb_screen_wait(const struct fb_screen *screen)
+void fbdev_screen_wait(const struct fbdev_screen *screen)
 {
 	uint32_t crtc = 0;
 
@@ -330,17 +332,17 @@ void fb_screen_wait(const struct fb_screen *screen)
 	}
 }
 
-int fb_screen_flip(struct fb_screen *screen)
+int fbdev_screen_flip(struct fbdev_screen *screen)
 {
 	if (!pan(screen, !screen->page)) {
 		return failed(screen, "cannot turn to the next picture");
 	}
 	screen->page = !screen->page;
-	fb_screen_wait(screen);
+	fbdev_screen_wait(screen);
 	return 0;
 }
 
-double fb_screen_rate_hz(const struct fb_screen *screen)
+double fbdev_screen_rate_hz(const struct fbdev_screen *screen)
 {
 	const struct fb_var_screeninfo *var = &screen->var;
 	double columns = (double)var->left_margin + var->xres +
@@ -354,7 +356,7 @@ double fb_screen_rate_hz(const struct fb_screen *screen)
 	return rate_hz >= 20.0 && rate_hz <= 250.0 ? rate_hz : 60.0;
 }
 
-void fb_screen_close(struct fb_screen *screen)
+void fbdev_screen_close(struct fbdev_screen *screen)
 {
 	screen->calls->unmap(screen->map, screen->map_bytes);
 	put_back(screen);

@@ -14,13 +14,13 @@
 #include "platform/process/device_calls.h"
 
 enum {
-	FB_PATH_ROOM = 64
+	FBDEV_PATH_BYTES = 64
 };
 
-struct fb_screen {
+struct fbdev_screen {
 	const struct device_calls *calls;
 	struct log log;
-	char path[FB_PATH_ROOM];
+	char path[FBDEV_PATH_BYTES];
 	int fd;
 	struct fb_fix_screeninfo fix;
 	struct fb_var_screeninfo var;
@@ -42,31 +42,33 @@ struct fb_screen {
  * Opens the device, asks for a second page, maps it. 0, or -errno after a
  * sentence, with everything put back and closed.
  */
-int fb_screen_open(struct fb_screen *screen, const struct device_calls *calls,
-	const char *path, const struct log *log);
+int fbdev_screen_open(struct fbdev_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log);
 
 /*
  * What the device is, without a change to it: fills fix, var, layout, size and
  * stride, and leaves nothing open. 0, or -errno after a sentence.
  */
-int fb_screen_look(struct fb_screen *screen, const struct device_calls *calls,
-	const char *path, const struct log *log);
+int fbdev_screen_inspect(struct fbdev_screen *screen,
+	const struct device_calls *calls, const char *path,
+	const struct log *log);
 
 /* The first pixel of the page to draw: not the one shown, if there are two. */
-uint8_t *fb_screen_back(const struct fb_screen *screen);
+uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen);
 
 /*
  * Shows the page that was drawn and waits until the other is not seen any
  * more. 0, or -errno after a sentence.
  */
-int fb_screen_flip(struct fb_screen *screen);
+int fbdev_screen_flip(struct fbdev_screen *screen);
 
 /* Waits for the gap between two pictures, where the device can. */
-void fb_screen_wait(const struct fb_screen *screen);
+void fbdev_screen_wait(const struct fbdev_screen *screen);
 
 /* Times a second that the screen is drawn, 60 where the device is silent. */
-double fb_screen_rate_hz(const struct fb_screen *screen);
+double fbdev_screen_rate_hz(const struct fbdev_screen *screen);
 
-void fb_screen_close(struct fb_screen *screen);
+void fbdev_screen_close(struct fbdev_screen *screen);
 
 #endif

@@ -12,7 +12,7 @@ enum {
 };
 
 static void describe_layout(
-	const struct fb_screen *screen, char *text, size_t size)
+	const struct fbdev_screen *screen, char *text, size_t size)
 {
 	const struct pixel_layout *layout = &screen->layout;
 
@@ -29,7 +29,7 @@ static void describe_layout(
 }
 
 static void say_screen(const struct device_calls *calls,
-	const struct fb_screen *screen, const struct survey *survey)
+	const struct fbdev_screen *screen, const struct survey *survey)
 {
 	uint64_t page =
 		(uint64_t)screen->stride_bytes * (uint64_t)screen->height;
@@ -42,11 +42,12 @@ static void say_screen(const struct device_calls *calls,
 		screen->height, screen->var.bits_per_pixel, layout, pages,
 		pages == 1 ? "" : "s");
 	if (console_is_in_use(calls)) {
-		survey_say(survey, SURVEY_TAKEN, screen->path,
+		survey_report(survey, SURVEY_TAKEN, screen->path,
 			console_in_use_remedy,
 			"%s, another program draws there (X or Wayland)", text);
 	} else {
-		survey_say(survey, SURVEY_WORKS, screen->path, NULL, "%s", text);
+		survey_report(
+			survey, SURVEY_WORKS, screen->path, NULL, "%s", text);
 	}
 }
 
@@ -54,23 +55,23 @@ static void say_screen(const struct device_calls *calls,
 static bool look_at(const struct device_calls *calls, int number,
 	const struct survey *survey)
 {
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	struct log log = survey_log(&sentence);
-	struct fb_screen screen;
-	char path[FB_PATH_ROOM], entry[64];
+	struct fbdev_screen screen;
+	char path[FBDEV_PATH_BYTES], entry[64];
 	int error;
 
 	snprintf(path, sizeof(path), "/dev/fb%d", number);
-	error = fb_screen_look(&screen, calls, path, &log);
+	error = fbdev_screen_inspect(&screen, calls, path, &log);
 	if (!error) {
 		say_screen(calls, &screen, survey);
 	} else if (error == -EACCES) {
-		survey_say_denied(survey, path);
+		survey_report_denied(survey, path);
 	} else if (error == -ENODEV) {
 		snprintf(entry, sizeof(entry), "class/graphics/fb%d", number);
-		return survey_say_no_node(survey, path, entry, -ENOENT);
+		return survey_report_no_node(survey, path, entry, -ENOENT);
 	} else {
-		survey_say_sentence(
+		survey_report_message(
 			survey, SURVEY_BROKEN, path, &sentence, NULL);
 	}
 	return true;
@@ -85,7 +86,7 @@ void fbdev_survey_on(
 		any = look_at(calls, i, survey) || any;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "/dev/fb*",
+		survey_report(survey, SURVEY_MISSING, "/dev/fb*",
 			"load the screen's driver: sudo modprobe DRIVER, or "
 			"use kms",
 			"no framebuffer");

@@ -141,7 +141,7 @@ static int delay_cs(struct image_writer *gif, int frame)
 /* Keeps a palette while it fits: what does not move then does not flicker. */
 static void update_palette(struct image_writer *gif, const struct pixels *frame)
 {
-	const struct palette *palette = palette_chosen(gif->maker);
+	const struct palette *palette = palette_current(gif->maker);
 	bool first = palette->count == 0;
 
 	if (!first &&
@@ -179,7 +179,7 @@ static int spread_pixel(struct image_writer *gif, const uint8_t *pixel,
 		wanted[i] = limit_byte(pixel[i] + (here[i] + 8) / 16);
 	}
 	index = palette_nearest(gif->maker, wanted[0], wanted[1], wanted[2]);
-	color = palette_chosen(gif->maker)->rgb[index];
+	color = palette_current(gif->maker)->rgb[index];
 	for (int i = 0; i < 3; i++) {
 		int error = wanted[i] - color[i];
 

@@ -40,7 +40,7 @@ struct palette_maker {
 	struct count count[CELLS];
 	struct cell cell[CELLS];
 	int cell_count;
-	struct box box[PALETTE_ROOM];
+	struct box box[PALETTE_COLORS_MAX];
 	uint16_t nearest[CELLS]; /* index of a colour, or UNKNOWN */
 };
 
@@ -205,7 +205,7 @@ void palette_choose(
 	memset(maker->nearest, 0xFF, sizeof(maker->nearest));
 }
 
-const struct palette *palette_chosen(const struct palette_maker *maker)
+const struct palette *palette_current(const struct palette_maker *maker)
 {
 	return &maker->palette;
 }

@@ -13,11 +13,11 @@
 #include "platform/display/pixels.h"
 
 enum {
-	PALETTE_ROOM = 256
+	PALETTE_COLORS_MAX = 256
 };
 
 struct palette {
-	uint8_t rgb[PALETTE_ROOM][3];
+	uint8_t rgb[PALETTE_COLORS_MAX][3];
 	int count;
 };
 
@@ -30,14 +30,14 @@ struct palette_maker *palette_maker_create(void);
 void palette_maker_destroy(struct palette_maker *maker);
 
 /*
- * Chooses at most limit (1..PALETTE_ROOM) colours for an RGBA8888 picture.
- * palette_nearest() searches among them from now on.
+ * Chooses at most limit (1..PALETTE_COLORS_MAX) colours for an RGBA8888
+ * picture. palette_nearest() searches among them from now on.
  */
 void palette_choose(
 	struct palette_maker *maker, const struct pixels *picture, int limit);
 
 /* What was chosen last. */
-const struct palette *palette_chosen(const struct palette_maker *maker);
+const struct palette *palette_current(const struct palette_maker *maker);
 
 /* The index of the colour nearest to this one, to a precision of 1/64. */
 int palette_nearest(struct palette_maker *maker, int red, int green, int blue);

@@ -19,7 +19,7 @@ struct image_writer {
 
 /* "-", the digits of an int, ".png" and the end */
 enum {
-	NUMBER_ROOM = 24
+	SUFFIX_BYTES = 24
 };
 
 static void png_destroy(struct image_writer *png)
@@ -41,7 +41,7 @@ static int png_create(
 		goto out_of_memory;
 	}
 	png->log = *options->log;
-	png->path = malloc(length + NUMBER_ROOM);
+	png->path = malloc(length + SUFFIX_BYTES);
 	png->rgb = malloc((size_t)options->width * (size_t)options->height * 3);
 	if (!png->path || !png->rgb) {
 		goto out_of_memory;
@@ -100,7 +100,7 @@ static int png_add(struct image_writer *png, const struct pixels *frame)
 
 	png->frame++;
 	if (png->numbered) {
-		snprintf(png->path + png->stem, NUMBER_ROOM, "-%04d%s",
+		snprintf(png->path + png->stem, SUFFIX_BYTES, "-%04d%s",
 			png->frame, image_writer_png.extension);
 	}
 	error = output_file_create(png->path, &png->log, &output);

@@ -169,7 +169,7 @@ static int make_buffers(struct card *card, const struct display_options *options
 		card->format = format->format;
 		/* One is enough where memory is short. */
 		if (!make_buffer(card, &card->buffers[1], format)) {
-			card->way = CARD_DIRTIES;
+			card->method = CARD_ONE_BUFFER;
 		}
 		return 0;
 	}
@@ -217,35 +217,35 @@ static bool flip(struct card *card)
 {
 	card->pending = true;
 	if (card->calls->page_flip(card->fd, card->crtc,
-		    card->buffers[!card->seen].fb, DRM_MODE_PAGE_FLIP_EVENT,
+		    card->buffers[!card->shown].fb, DRM_MODE_PAGE_FLIP_EVENT,
 		    &card->pending) != 0) {
 		card->pending = false;
 		return false;
 	}
-	card->seen = !card->seen;
+	card->shown = !card->shown;
 	return true;
 }
 
 static bool set_anew(struct card *card)
 {
-	if (set_mode(card, card->buffers[!card->seen].fb) != 0) {
+	if (set_mode(card, card->buffers[!card->shown].fb) != 0) {
 		return false;
 	}
-	card->seen = !card->seen;
+	card->shown = !card->shown;
 	return true;
 }
 
 /* Found out with black buffers, before the first picture. */
-static void choose_way(struct card *card)
+static void choose_method(struct card *card)
 {
-	if (card->way == CARD_DIRTIES) {
+	if (card->method == CARD_ONE_BUFFER) {
 		return;
 	}
-	card->way = CARD_FLIPS;
+	card->method = CARD_PAGE_FLIP;
 	if (flip(card) && card_wait(card) == 0) {
 		return;
 	}
-	card->way = set_anew(card) ? CARD_SETS : CARD_DIRTIES;
+	card->method = set_anew(card) ? CARD_MODE_SET : CARD_ONE_BUFFER;
 }
 
 int card_open(struct card *card, const struct kms_calls *calls,
@@ -267,7 +267,7 @@ int card_open(struct card *card, const struct kms_calls *calls,
 	card->reads_slowly = calls->get_cap(card->fd, DRM_CAP_DUMB_PREFER_SHADOW,
 				     &prefers_shadow) == 0 &&
 		prefers_shadow;
-	choose_way(card);
+	choose_method(card);
 	return 0;
 out_before:
 	if (card->before) {
@@ -279,21 +279,22 @@ out_before:
 
 const struct card_buffer *card_back(const struct card *card)
 {
-	return &card->buffers[card->way == CARD_DIRTIES ? card->seen : !card->seen];
+	return &card->buffers[card->method == CARD_ONE_BUFFER ? card->shown
+							      : !card->shown];
 }
 
 int card_show(struct card *card)
 {
-	switch (card->way) {
-	case CARD_FLIPS:
+	switch (card->method) {
+	case CARD_PAGE_FLIP:
 		return flip(card) ? 0 : failed(card, "cannot flip pictures");
-	case CARD_SETS:
+	case CARD_MODE_SET:
 		return set_anew(card) ? 0
 				      : failed(card, "cannot show a picture");
-	case CARD_DIRTIES:
+	case CARD_ONE_BUFFER:
 		/* Cards that look at the memory all the time know no dirt. */
 		(void)card->calls->dirty_fb(
-			card->fd, card->buffers[card->seen].fb, NULL, 0);
+			card->fd, card->buffers[card->shown].fb, NULL, 0);
 		return 0;
 	}
 	return -EINVAL;

@@ -11,7 +11,7 @@
 #include "platform/display/packing.h"
 
 enum {
-	CARD_PATH_ROOM = 64
+	CARD_PATH_BYTES = 64
 };
 
 struct card_buffer {
@@ -23,16 +23,16 @@ struct card_buffer {
 };
 
 /* How a drawn buffer comes to be seen. */
-enum card_way {
-	CARD_FLIPS,  /* at the screen's turn, which tells */
-	CARD_SETS,   /* by setting the mode anew */
-	CARD_DIRTIES /* there is one buffer, always seen */
+enum card_method {
+	CARD_PAGE_FLIP, /* at the screen's turn, which tells */
+	CARD_MODE_SET,  /* by setting the mode anew */
+	CARD_ONE_BUFFER /* there is one buffer, always seen */
 };
 
 struct card {
 	const struct kms_calls *calls;
 	struct log log;
-	char path[CARD_PATH_ROOM];
+	char path[CARD_PATH_BYTES];
 	int fd;
 	uint32_t connector, crtc;
 	drmModeModeInfo mode;
@@ -41,8 +41,8 @@ struct card {
 	enum pixel_format format; /* that layout is, or comes from */
 	bool reads_slowly;        /* the buffers are not for reading back */
 	struct card_buffer buffers[2];
-	int seen; /* the buffer that is */
-	enum card_way way;
+	int shown; /* the buffer that is */
+	enum card_method method;
 	bool pending; /* a flip that has not happened yet */
 };
 
@@ -55,7 +55,7 @@ int card_open(struct card *card, const struct kms_calls *calls,
 	const struct display_options *options);
 
 /* Whether any card has a screen for us; silent. */
-bool card_is_there(const struct kms_calls *calls);
+bool card_is_available(const struct kms_calls *calls);
 
 /* The buffer to draw: not the one seen, if there are two. */
 const struct card_buffer *card_back(const struct card *card);

@@ -183,7 +183,7 @@ static int try_card(struct card *card, const char *path,
 int card_find(struct card *card, const struct display_options *options)
 {
 	struct log nowhere = log_to_nowhere();
-	char path[CARD_PATH_ROOM];
+	char path[CARD_PATH_BYTES];
 
 	if (options->device) {
 		return try_card(card, options->device, options, options->log);
@@ -197,7 +197,7 @@ int card_find(struct card *card, const struct display_options *options)
 	return try_card(card, "/dev/dri/card0", options, options->log);
 }
 
-bool card_is_there(const struct kms_calls *calls)
+bool card_is_available(const struct kms_calls *calls)
 {
 	struct card card = {.calls = calls};
 	struct log nowhere = log_to_nowhere();

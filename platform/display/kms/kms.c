@@ -25,7 +25,7 @@ static bool can_draw_straight(const struct display *display)
 {
 	const struct card *card = &display->card;
 
-	return display->packing.same && card->way != CARD_DIRTIES &&
+	return display->packing.same && card->method != CARD_ONE_BUFFER &&
 		!card->reads_slowly &&
 		card->buffers[0].pitch_bytes == card->buffers[1].pitch_bytes &&
 		card->buffers[0].pitch_bytes % (uint32_t)display->packing.bytes ==
@@ -74,13 +74,13 @@ int kms_create_on(const struct kms_calls *calls,
 	if (error) {
 		goto out_card;
 	}
-	console_take(&display->console, calls->device, options->log);
+	console_acquire(&display->console, calls->device, options->log);
 	log_note(options->log, "--display kms: %s, %dx%d, %d bits, %s, %s",
 		display->card.path, display->card.mode.hdisplay,
 		display->card.mode.vdisplay, display->card.layout.bits,
-		display->card.way == CARD_FLIPS          ? "flipped"
-			: display->card.way == CARD_SETS ? "set"
-							 : "one buffer",
+		display->card.method == CARD_PAGE_FLIP          ? "flipped"
+			: display->card.method == CARD_MODE_SET ? "set"
+								: "one buffer",
 		display->picture.data ? "copied" : "drawn straight");
 	*out = display;
 	return 0;
@@ -99,7 +99,7 @@ static int kms_create(
 
 static bool kms_probe(void)
 {
-	return card_is_there(&kms_calls_system);
+	return card_is_available(&kms_calls_system);
 }
 
 static void kms_get_info(const struct display *display, struct display_info *out)
@@ -110,7 +110,8 @@ static void kms_get_info(const struct display *display, struct display_info *out
 		.width = display->picture.width,
 		.height = display->picture.height,
 		.format = display->picture.format,
-		.rate_hz = card->way == CARD_FLIPS ? card->mode.vrefresh : 0.0,
+		.rate_hz = card->method == CARD_PAGE_FLIP ? card->mode.vrefresh
+							  : 0.0,
 	};
 }
 
@@ -158,7 +159,7 @@ static void kms_destroy(struct display *display)
 {
 	if (display) {
 		card_close(&display->card);
-		console_give_back(&display->console);
+		console_release(&display->console);
 		free(display->picture.data);
 		free(display);
 	}

@@ -40,14 +40,15 @@ static void say_screen(const struct card *card, drmModeResPtr resources,
 		mode->vrefresh, connector->count_modes,
 		connector->count_modes == 1 ? "" : "s");
 	if (!card_find_crtc(card, resources, connector)) {
-		survey_say(survey, SURVEY_BROKEN, card->path, elsewhere,
+		survey_report(survey, SURVEY_BROKEN, card->path, elsewhere,
 			"%s, and nothing drives it", text);
 	} else if (!card->calls->is_master(card->fd)) {
-		survey_say(survey, SURVEY_TAKEN, card->path,
+		survey_report(survey, SURVEY_TAKEN, card->path,
 			console_in_use_remedy,
 			"%s, another program has it (X or Wayland)", text);
 	} else {
-		survey_say(survey, SURVEY_WORKS, card->path, NULL, "%s", text);
+		survey_report(
+			survey, SURVEY_WORKS, card->path, NULL, "%s", text);
 	}
 }
 
@@ -69,7 +70,7 @@ static void say_screens(const struct card *card, drmModeResPtr resources,
 		any = true;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, card->path,
+		survey_report(survey, SURVEY_MISSING, card->path,
 			"connect a screen: cat /sys/class/drm/*/status tells "
 			"what is seen",
 			"no screen on its %d connector%s",
@@ -86,13 +87,13 @@ static void say_card(const struct card *card, const struct survey *survey)
 
 	resources = calls->get_resources(card->fd);
 	if (!resources) {
-		survey_say(survey, SURVEY_UNUSED, card->path, NULL,
+		survey_report(survey, SURVEY_UNUSED, card->path, NULL,
 			"it drives no screens");
 		return;
 	}
 	if (calls->get_cap(card->fd, DRM_CAP_DUMB_BUFFER, &has_dumb) != 0 ||
 		!has_dumb) {
-		survey_say(survey, SURVEY_BROKEN, card->path, elsewhere,
+		survey_report(survey, SURVEY_BROKEN, card->path, elsewhere,
 			"it has no buffers that the processor could draw into");
 	} else {
 		say_screens(card, resources, survey);
@@ -117,11 +118,11 @@ static bool look_at(
 	}
 	error = -errno;
 	if (error == -EACCES || error == -EPERM) {
-		survey_say_denied(survey, card.path);
+		survey_report_denied(survey, card.path);
 		return true;
 	}
 	snprintf(entry, sizeof(entry), "class/drm/card%d", number);
-	return survey_say_no_node(survey, card.path, entry, error);
+	return survey_report_no_node(survey, card.path, entry, error);
 }
 
 void kms_survey_on(const struct kms_calls *calls, const struct survey *survey)
@@ -132,7 +133,7 @@ void kms_survey_on(const struct kms_calls *calls, const struct survey *survey)
 		any = look_at(calls, i, survey) || any;
 	}
 	if (!any) {
-		survey_say(survey, SURVEY_MISSING, "/dev/dri/card*",
+		survey_report(survey, SURVEY_MISSING, "/dev/dri/card*",
 			"load the screen's driver: sudo modprobe DRIVER (lspci "
 			"-k or the board's device tree names it), or use a "
 			"framebuffer",

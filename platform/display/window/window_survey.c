@@ -98,7 +98,7 @@ static void say_x(const char *display, const struct survey *survey)
 	int error;
 
 	if (number < 0 || number > 59535) {
-		survey_say(survey, SURVEY_BROKEN, "window", remedy,
+		survey_report(survey, SURVEY_BROKEN, "window", remedy,
 			"DISPLAY=%s names no display", display);
 		return;
 	}
@@ -109,18 +109,18 @@ static void say_x(const char *display, const struct survey *survey)
 	} else if (is_here(display, length)) {
 		error = knock_at_port(X_PORT + (int)number);
 	} else {
-		survey_say(survey, SURVEY_UNUSED, "window",
+		survey_report(survey, SURVEY_UNUSED, "window",
 			"try it: limber play --display window",
 			"DISPLAY=%s is another machine's, which was not asked",
 			display);
 		return;
 	}
 	if (error) {
-		survey_say(survey, SURVEY_BROKEN, "window", remedy,
+		survey_report(survey, SURVEY_BROKEN, "window", remedy,
 			"DISPLAY=%s does not answer: %s", display,
 			strerror(-error));
 	} else {
-		survey_say(survey, SURVEY_WORKS, "window", NULL,
+		survey_report(survey, SURVEY_WORKS, "window", NULL,
 			"DISPLAY=%s answers", display);
 	}
 }
@@ -137,12 +137,12 @@ static void say_wayland(const char *display, const struct survey *survey)
 					       : -ENAMETOOLONG;
 
 	if (error) {
-		survey_say(survey, SURVEY_BROKEN, "window",
+		survey_report(survey, SURVEY_BROKEN, "window",
 			"start limber in a terminal of the desktop",
 			"WAYLAND_DISPLAY=%s does not answer: %s", display,
 			strerror(-error));
 	} else {
-		survey_say(survey, SURVEY_BROKEN, "window",
+		survey_report(survey, SURVEY_BROKEN, "window",
 			"sudo apt install xwayland, then log in again",
 			"WAYLAND_DISPLAY=%s answers, but DISPLAY is not set",
 			display);
@@ -157,14 +157,14 @@ void window_survey(const struct survey *survey)
 
 	if (driver && driver[0] && strcmp(driver, "x11") != 0 &&
 		strcmp(driver, "wayland") != 0) {
-		survey_say(survey, SURVEY_WORKS, "window", NULL,
+		survey_report(survey, SURVEY_WORKS, "window", NULL,
 			"SDL_VIDEODRIVER=%s", driver);
 	} else if (x && x[0]) {
 		say_x(x, survey);
 	} else if (wayland && wayland[0]) {
 		say_wayland(wayland, survey);
 	} else {
-		survey_say(survey, SURVEY_MISSING, "window",
+		survey_report(survey, SURVEY_MISSING, "window",
 			"start limber in a terminal of the desktop, or export "
 			"DISPLAY=:0",
 			"no desktop: DISPLAY and WAYLAND_DISPLAY are not set");

@@ -84,7 +84,8 @@ static int open_context(
 	if (error) {
 		return error;
 	}
-	missing = gl_load(gl, gl_slots, gl_slot_count, egl_find, &gles1->egl);
+	missing = gl_load(
+		gl, gl_slots, gl_slot_count, egl_get_function, &gles1->egl);
 	if (missing) {
 		log_error(&gles1->log,
 			"--gl gles1: the machine's OpenGL ES has no %s: choose "
@@ -94,7 +95,7 @@ static int open_context(
 	}
 	describe(gles1);
 	if (request->surface) {
-		egl_set_turns(&gles1->egl);
+		egl_set_swap_interval(&gles1->egl);
 		egl_get_size(
 			&gles1->egl, &gles1->base.width, &gles1->base.height);
 	}

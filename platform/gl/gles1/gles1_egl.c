@@ -351,7 +351,7 @@ int egl_set_pbuffer(struct egl *egl, int width, int height)
 	return error;
 }
 
-void egl_set_turns(struct egl *egl)
+void egl_set_swap_interval(struct egl *egl)
 {
 	if (egl->api.SwapInterval) {
 		egl->api.SwapInterval(egl->display, 1);
@@ -380,7 +380,7 @@ int egl_swap(struct egl *egl)
 	return 0;
 }
 
-gl_function egl_find(void *user, const char *name)
+gl_function egl_get_function(void *user, const char *name)
 {
 	struct egl *egl = user;
 	gl_function function = gl_library_find(egl->gles, name);

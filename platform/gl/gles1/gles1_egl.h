@@ -57,7 +57,7 @@ int egl_find_screen(const struct gl_request *request);
 int egl_set_pbuffer(struct egl *egl, int width, int height);
 
 /* Shows at most one picture a turn of the screen, for what is current. */
-void egl_set_turns(struct egl *egl);
+void egl_set_swap_interval(struct egl *egl);
 
 /* The surface's size now; 0 where EGL does not tell. */
 void egl_get_size(const struct egl *egl, int *width, int *height);
@@ -69,7 +69,7 @@ int egl_swap(struct egl *egl);
 int egl_make_current(struct egl *egl);
 
 /* A GL call by name ("glClear"), or NULL; for gl_load(), with a struct egl. */
-gl_function egl_find(void *egl, const char *name);
+gl_function egl_get_function(void *egl, const char *name);
 
 /* Fine on what egl_open() left after a failure. */
 void egl_close(struct egl *egl);

@@ -242,7 +242,7 @@ static void translatex(GLfixed x, GLfixed y, GLfixed z)
 	current->gl.Translatef(to_float(x), to_float(y), to_float(z));
 }
 
-void desktop_set_shims(struct gl *gl)
+void desktop_set_fixed_shims(struct gl *gl)
 {
 	gl->AlphaFuncx = alpha_funcx;
 	gl->ClearColorx = clear_colorx;

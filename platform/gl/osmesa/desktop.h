@@ -58,9 +58,9 @@ extern const struct gl_slot desktop_slots[];
 extern const int desktop_slot_count;
 
 /* Sets those members of gl that need a shim; the others stay as they are. */
-void desktop_set_shims(struct gl *gl);
+void desktop_set_fixed_shims(struct gl *gl);
 
-/* The part of desktop_set_shims() that deals with vertex arrays. */
+/* The part of desktop_set_fixed_shims() that deals with vertex arrays. */
 void desktop_set_array_shims(struct gl *gl);
 
 /*

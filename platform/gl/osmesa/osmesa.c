@@ -92,7 +92,7 @@ static int load_functions(struct osmesa_context *osmesa)
 			desktop_slot_count, gl_library_find, library);
 	}
 	if (!missing) {
-		desktop_set_shims(&osmesa->base.gl);
+		desktop_set_fixed_shims(&osmesa->base.gl);
 		missing = gl_load(&osmesa->base.gl, gl_slots, gl_slot_count,
 			gl_library_find, library);
 	}

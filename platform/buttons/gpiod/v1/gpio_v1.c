@@ -78,8 +78,8 @@ void gpio_line_holder(
 	snprintf(text, size, "%s", holder ? holder : "");
 }
 
-int gpio_line_look(
-	struct gpio_chip *chip, unsigned int offset, struct gpio_line_news *out)
+int gpio_line_get_info(
+	struct gpio_chip *chip, unsigned int offset, struct gpio_line_info *out)
 {
 	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
 	const char *name, *holder;

@@ -94,8 +94,8 @@ void gpio_line_holder(
 	gpiod_line_info_free(info);
 }
 
-int gpio_line_look(
-	struct gpio_chip *chip, unsigned int offset, struct gpio_line_news *out)
+int gpio_line_get_info(
+	struct gpio_chip *chip, unsigned int offset, struct gpio_line_info *out)
 {
 	struct gpiod_line_info *info =
 		gpiod_chip_get_line_info(chip->chip, offset);

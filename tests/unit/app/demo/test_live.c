@@ -11,7 +11,7 @@
 #include <cglm/cglm.h>
 
 struct camera_source {
-	enum camera_news news;
+	enum camera_status news;
 	uint8_t luma;
 	uint8_t data[64 * 48 * 2];
 	int taken, given_back;
@@ -25,7 +25,7 @@ static int never_create(
 	return -1;
 }
 
-static enum camera_news take(
+static enum camera_status take(
 	struct camera_source *source, int64_t now_ms, struct camera_image *out)
 {
 	struct camera_layout layout = camera_layout_of(CAMERA_UYVY, 64, 48, 0);
@@ -81,7 +81,7 @@ static void rig_begin(struct rig *rig, enum live_use use)
 	live_set_stage(&rig->live, &rig->stage, 0.75f);
 }
 
-static void rig_frame(struct rig *rig, enum camera_news news, int luma)
+static void rig_frame(struct rig *rig, enum camera_status news, int luma)
 {
 	rig->source.news = news;
 	rig->source.luma = (uint8_t)luma;

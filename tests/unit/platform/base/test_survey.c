@@ -28,13 +28,13 @@ static void test_what_devices_say_cannot_hurt_a_terminal(void **state)
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
 	(void)state;
-	survey_say(&survey, SURVEY_WORKS, "a\033b", "do", "x\x7fy\n%s",
+	survey_report(&survey, SURVEY_WORKS, "a\033b", "do", "x\x7fy\n%s",
 		"\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
 	assert_string_equal(capture.finding[0].subject, "a?b");
 	assert_string_equal(capture.finding[0].text,
 		"x?y?\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
 	assert_string_equal(capture.finding[0].remedy, "do");
-	survey_say(&survey, SURVEY_WORKS, "", NULL, "%s",
+	survey_report(&survey, SURVEY_WORKS, "", NULL, "%s",
 		"\xC3|\x80|\xC2\x9B|\xC0\xAF|\xED\xA0\x80|\xF5|\xE2\x82");
 	assert_string_equal(capture.finding[1].text, "?|?|??|??|???|?|??");
 }
@@ -43,21 +43,21 @@ static void test_a_sentence_ends_with_its_remedy(void **state)
 {
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
-	struct survey_sentence sentence;
+	struct survey_message sentence;
 	const struct log log = survey_log(&sentence);
 
 	(void)state;
 	log_note(&log, "a note");
 	log_error(&log, "x.conf:2: dmeo: no such key: did you mean demo?");
 	log_error(&log, "a second one");
-	survey_say_sentence(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
+	survey_report_message(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "x",
 		"x.conf:2: dmeo: no such key", "did you mean demo?");
-	survey_say_sentence(&survey, SURVEY_MISSING, "x", &sentence, "else");
+	survey_report_message(&survey, SURVEY_MISSING, "x", &sentence, "else");
 	survey_capture_expect(&capture, 1, SURVEY_MISSING, "x",
 		"x.conf:2: dmeo: no such key", "else");
 	strcpy(sentence.text, "alone");
-	survey_say_sentence(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
+	survey_report_message(&survey, SURVEY_BROKEN, "x", &sentence, NULL);
 	survey_capture_expect(&capture, 2, SURVEY_BROKEN, "x", "alone", NULL);
 }
 
@@ -73,12 +73,12 @@ static void test_who_is_denied_learns_the_group(void **state)
 	(void)state;
 	file_write(path.text, "", 0);
 	assert_int_equal(chmod(path.text, 0600), 0);
-	survey_say_denied(&survey, path.text);
+	survey_report_denied(&survey, path.text);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, path.text,
 		"no permission", "run limber as root");
 	assert_int_equal(chmod(path.text, 0660), 0);
 	given = group && chown(path.text, (uid_t)-1, group->gr_gid) == 0;
-	survey_say_denied(&survey, path.text);
+	survey_report_denied(&survey, path.text);
 	temp_dir_remove(&folder);
 	if (!given) {
 		skip_because("only root gives files to the group video");
@@ -100,16 +100,16 @@ static void test_a_device_without_a_node_gets_its_mknod(void **state)
 	make_folder(&folder, "class/graphics/fb1");
 	write_text(&folder, "class/graphics/fb0/dev", "29:0\n");
 	write_text(&folder, "class/graphics/fb1/dev", "rubbish\n");
-	assert_true(survey_say_no_node(
+	assert_true(survey_report_no_node(
 		&survey, "/dev/fb0", "class/graphics/fb0", -ENOENT));
 	survey_capture_expect(&capture, 0, SURVEY_MISSING, "/dev/fb0",
 		"its device node is not there",
 		"sudo mknod -m 660 /dev/fb0 c 29 0");
-	assert_false(survey_say_no_node(
+	assert_false(survey_report_no_node(
 		&survey, "/dev/fb0", "class/graphics/fb0", -EIO));
-	assert_false(survey_say_no_node(
+	assert_false(survey_report_no_node(
 		&survey, "/dev/fb1", "class/graphics/fb1", -ENOENT));
-	assert_false(survey_say_no_node(
+	assert_false(survey_report_no_node(
 		&survey, "/dev/fb2", "class/graphics/fb2", -ENOENT));
 	assert_int_equal(capture.count, 1);
 	temp_dir_remove(&folder);

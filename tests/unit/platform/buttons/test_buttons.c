@@ -173,10 +173,10 @@ static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 0);
-	for (int i = 0; i < BUTTON_QUEUE_ROOM + 3; i++) {
+	for (int i = 0; i < BUTTON_QUEUE_CAPACITY + 3; i++) {
 		push(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
-	for (int i = 3; i < BUTTON_QUEUE_ROOM + 3; i++) {
+	for (int i = 3; i < BUTTON_QUEUE_CAPACITY + 3; i++) {
 		expect(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
 	expect_nothing(&queue);

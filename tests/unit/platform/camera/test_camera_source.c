@@ -66,11 +66,12 @@ static void rig_finish(struct rig *rig)
 }
 
 /* Takes; a picture is whole and newer than the last one. */
-static enum camera_news rig_take(struct rig *rig)
+static enum camera_status rig_take(struct rig *rig)
 {
 	struct camera_image image;
 	int64_t from_ms = now_ms();
-	enum camera_news news = camera_driver_v4l2.take(rig->source, 0, &image);
+	enum camera_status news =
+		camera_driver_v4l2.take(rig->source, 0, &image);
 
 	/* Other programs may run, but nobody waits for a picture. */
 	assert_true(now_ms() - from_ms < 200);
@@ -89,7 +90,7 @@ static enum camera_news rig_take(struct rig *rig)
 }
 
 /* Up to five seconds, as other programs may have the processor. */
-static void wait_for(struct rig *rig, enum camera_news wanted)
+static void wait_for(struct rig *rig, enum camera_status wanted)
 {
 	int64_t until_ms = now_ms() + 5000;
 

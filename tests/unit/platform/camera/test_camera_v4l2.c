@@ -8,14 +8,14 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct v4l2_wish wish = {
+static const struct v4l2_request request = {
 	.path = "/dev/video7", .width = 37, .height = 27};
 
 static struct v4l2_session begin(struct v4l2_fake *fake)
 {
 	struct v4l2_session session;
 
-	v4l2_session_init(&session, &fake->calls, &wish);
+	v4l2_session_init(&session, &fake->calls, &request);
 	return session;
 }
 
@@ -122,7 +122,7 @@ static void test_takes_the_cheapest_format(void **state)
 		memcpy(fake->offered, cases[i].offered,
 			sizeof(cases[i].offered));
 		if (cases[i].wanted) {
-			session.wish.fourcc = v4l2_format_find(cases[i].wanted);
+			session.request.fourcc = v4l2_format_find(cases[i].wanted);
 		}
 		assert_true(v4l2_session_open(&session));
 		assert_int_equal(session.device.format, cases[i].format);
@@ -308,7 +308,7 @@ static void test_auto_takes_the_first_that_captures(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session;
-	const struct v4l2_wish any = {.width = 32, .height = 24};
+	const struct v4l2_request any = {.width = 32, .height = 24};
 
 	(void)state;
 	v4l2_session_init(&session, &fake->calls, &any);

@@ -715,9 +715,9 @@ static void test_a_wish_to_stop_is_left_to_the_frame_loop(void **state)
 	fake_fb_begin(WIDTH, HEIGHT, HEIGHT, HEIGHT, WIDTH * 2, rgb565);
 	fake_fb.has_console = true;
 	assert_int_equal(scene_open(&scene), 0);
-	assert_false(stop_is_wanted());
+	assert_false(stop_requested());
 	raise(SIGTERM);
-	assert_true(stop_is_wanted());
+	assert_true(stop_requested());
 	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
 	scene_close(&scene);
 	stop_release();

@@ -36,7 +36,7 @@ static void test_a_picture_of_few_colours_keeps_them(void **state)
 	/* A lone pixel counts too. */
 	paint(0, 0, 1, 2, 255);
 	palette_choose(maker, &picture, 255);
-	assert_int_equal(palette_chosen(maker)->count, 9);
+	assert_int_equal(palette_current(maker)->count, 9);
 	for (int y = 0; y < HEIGHT; y++) {
 		for (int x = 0; x < WIDTH; x++) {
 			const uint8_t *pixel = data[y][x];
@@ -44,7 +44,7 @@ static void test_a_picture_of_few_colours_keeps_them(void **state)
 				maker, pixel[0], pixel[1], pixel[2]);
 
 			assert_memory_equal(
-				palette_chosen(maker)->rgb[index], pixel, 3);
+				palette_current(maker)->rgb[index], pixel, 3);
 		}
 	}
 	palette_maker_destroy(maker);
@@ -62,7 +62,7 @@ static void test_a_full_picture_is_near_its_palette(void **state)
 		}
 	}
 	palette_choose(maker, &picture, 255);
-	assert_int_equal(palette_chosen(maker)->count, 255);
+	assert_int_equal(palette_current(maker)->count, 255);
 	/* 255 colours over a plane of 256 x 256: steps of 16, 8 at most away,
 	 * a mean square of 16^2 / 12 in red (2), green (4), less in blue. */
 	assert_in_range((int)palette_error(maker, &picture), 1, 220);
@@ -75,9 +75,9 @@ static void test_the_limit_holds(void **state)
 
 	(void)state;
 	assert_non_null(maker);
-	for (int limit = 1; limit <= PALETTE_ROOM; limit += 51) {
+	for (int limit = 1; limit <= PALETTE_COLORS_MAX; limit += 51) {
 		palette_choose(maker, &picture, limit);
-		assert_in_range(palette_chosen(maker)->count, 1, limit);
+		assert_in_range(palette_current(maker)->count, 1, limit);
 		for (int i = 0; i < 256; i += 15) {
 			assert_in_range(palette_nearest(maker, i, 255 - i, i),
 				0, limit - 1);

@@ -74,9 +74,9 @@ static void test_each_signal_asks_to_stop(void **state)
 	(void)state;
 	for (int i = 0; i < 3; i++) {
 		stop_catch();
-		assert_false(stop_is_wanted());
+		assert_false(stop_requested());
 		raise(signals[i]);
-		assert_true(stop_is_wanted());
+		assert_true(stop_requested());
 		stop_release();
 	}
 }
@@ -89,7 +89,7 @@ static void test_what_was_ignored_stays_ignored(void **state)
 	signal(SIGHUP, SIG_IGN);
 	stop_catch();
 	raise(SIGHUP);
-	assert_false(stop_is_wanted());
+	assert_false(stop_requested());
 	stop_release();
 	assert_int_equal(sigaction(SIGHUP, NULL, &after), 0);
 	assert_true(after.sa_handler == SIG_IGN);

@@ -1,4 +1,4 @@
-#include "platform/buttons/gpiod/line_spec.h"
+#include "platform/buttons/gpiod/gpio_line_spec.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "platform/base/compiler.h"
 
 enum {
-	TEXT_ROOM = 256
+	TEXT_BYTES = 256
 };
 
 static bool read_number(const char *text, unsigned long most, unsigned int *out)
@@ -67,7 +67,7 @@ static bool copy_name(char *name, const char *word)
 {
 	size_t length = strlen(word);
 
-	if (length >= GPIO_NAME_ROOM) {
+	if (length >= GPIO_NAME_BYTES) {
 		return false;
 	}
 	memcpy(name, word, length + 1);
@@ -127,14 +127,14 @@ static const char *read_words(struct gpio_line_spec *spec, char *text)
 int gpio_line_spec_parse(
 	const char *text, struct gpio_line_spec *out, const struct log *log)
 {
-	char copy[TEXT_ROOM];
+	char copy[TEXT_BYTES];
 	const char *wrong = NULL;
 	char *equals;
 
 	*out = (struct gpio_line_spec){.button = BUTTON_COUNT};
 	if (strlen(text) >= sizeof(copy)) {
 		log_error(log, "gpiod:%.20s...: more than %d characters", text,
-			TEXT_ROOM - 1);
+			TEXT_BYTES - 1);
 		return -EINVAL;
 	}
 	memcpy(copy, text, strlen(text) + 1);

@@ -1,21 +1,21 @@
 /*
  * The words that say which GPIO line a button is.
  */
-#ifndef PLATFORM_BUTTONS_GPIOD_LINE_SPEC_H
-#define PLATFORM_BUTTONS_GPIOD_LINE_SPEC_H
+#ifndef PLATFORM_BUTTONS_GPIOD_GPIO_LINE_SPEC_H
+#define PLATFORM_BUTTONS_GPIOD_GPIO_LINE_SPEC_H
 
 #include "platform/buttons/buttons.h"
 #include "platform/buttons/gpiod/gpio.h"
 
 enum {
-	GPIO_NAME_ROOM = 64,
+	GPIO_NAME_BYTES = 64,
 	GPIO_DEBOUNCE_MAX_MS = 1000
 };
 
 struct gpio_line_spec {
 	enum button button;
-	char chip[GPIO_NAME_ROOM]; /* label or device name; "": any chip */
-	char name[GPIO_NAME_ROOM]; /* of the line; "": by offset */
+	char chip[GPIO_NAME_BYTES]; /* label or device name; "": any chip */
+	char name[GPIO_NAME_BYTES]; /* of the line; "": by offset */
 	unsigned int offset;
 	struct gpio_settings settings;
 	int debounce_ms; /* 0: the usual */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # limber bench: what it prints. How fast this machine is does not matter here.
 . "$(dirname "$0")/../support/cli.sh"
-skinned=tests/fixtures/skin_and_morph.gltf
+skinned=tests/fixtures/gltf/skin/and_morph.gltf
 
 limber bench "$skinned" --runs 2
 expect_status 0

@@ -21,7 +21,7 @@ check 'JSON with the clips' node -e '
     if (names.join() !== "slide,rise") { throw new Error(names.join()); }
 ' "$out_file"
 
-levels=tests/fixtures/mesh_levels.gltf
+levels=tests/fixtures/gltf/mesh/levels.gltf
 limber info "$levels"
 expect_status 0
 expect_no_err

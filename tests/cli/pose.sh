@@ -41,7 +41,7 @@ expect_quiet
 expect_file "$scratch/out.obj"
 
 # Its first part is points, which are not drawn.
-limber pose tests/fixtures/mesh_modes.gltf -o "$scratch/out.obj"
+limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0
 check 'parts keep the numbers of the file' \
     grep -qx 'o node0_prim1' "$scratch/out.obj"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The picture runner itself, with a stand-in for limber.
+# Tests golden.sh with a script in place of limber.
 . "$(dirname "$0")/../support/tap.sh"
 here=$(dirname "$0")
 fixtures=$here/checker
@@ -14,7 +14,7 @@ one   --demo one --time 1
 two   --demo two
 END
 
-# Stands in for limber: notes its arguments and draws given/DEMO.png.
+# Takes the place of limber: records its arguments and copies given/DEMO.png.
 cat >"$scratch/limber" <<'END'
 #!/bin/sh
 echo "$*" >>"$0.arguments"
@@ -35,13 +35,13 @@ checks
 about 'missing references'
 expect_status 1
 expect_out '^not ok 1 - one'
-expect_out 'no reference .*/golden/one.png'
+expect_out '/golden/osmesa/one.png does not exist'
 expect_out '^1..3$'
 
 run "$here/golden.sh" make "$scratch/limber"
 about 'making the references'
 expect_status 0
-check 'both are made' test -s "$GOLDEN/one.png" -a -s "$GOLDEN/two.png"
+check 'both are made' test -s "$GOLDEN/osmesa/one.png" -a -s "$GOLDEN/osmesa/two.png"
 
 : >"$scratch/limber.arguments"
 checks
@@ -55,20 +55,20 @@ check 'the arguments are passed on' grep -Eqx \
     "$scratch/limber.arguments"
 
 run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
-about 'pictures equal to soft own references'
+about 'pictures equal to the references of soft'
 expect_status 0
 expect_out '^ok 2 - two'
 cp "$fixtures/moved.png" "$GOLDEN/soft/one.png"
 run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
-about 'a reference of soft that differs'
+about 'a picture that differs from the reference of soft'
 expect_status 1
 expect_out '^not ok 1 - one'
 rm "$GOLDEN/soft/one.png"
 run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
-about 'a reference of soft that is missing'
+about 'a missing reference of soft'
 expect_status 1
-expect_out 'no reference .*/golden/soft/one.png'
-cp "$GOLDEN/one.png" "$GOLDEN/soft/one.png"
+expect_out '/golden/soft/one.png does not exist'
+cp "$GOLDEN/osmesa/one.png" "$GOLDEN/soft/one.png"
 
 cp "$fixtures/moved.png" "$scratch/given/one.png"
 checks
@@ -82,21 +82,21 @@ cp "$fixtures/square.png" "$scratch/given/one.png"
 checks
 about 'another size'
 expect_status 1
-expect_out '32x32, not 48x48'
+expect_out 'the picture is 32x32, its reference 48x48'
 
 echo no >"$scratch/given/one.png"
 checks
-about 'no picture at all'
+about 'a file that is not a PNG'
 expect_status 1
-expect_out 'missing or no PNG'
+expect_out 'cannot be read as a PNG'
 
 rm "$scratch/given/one.png"
 run "$here/golden.sh" make "$scratch/limber"
 about 'making references where limber fails'
 expect_status 1
-check 'the others are made' test ! -e "$GOLDEN/one.png" -a -s "$GOLDEN/two.png"
+check 'the others are made' test ! -e "$GOLDEN/osmesa/one.png" -a -s "$GOLDEN/osmesa/two.png"
 
-cp "$fixtures/circle.png" "$GOLDEN/one.png"
+cp "$fixtures/circle.png" "$GOLDEN/osmesa/one.png"
 checks
 about 'limber fails'
 expect_status 1
@@ -104,11 +104,11 @@ expect_out '^not ok 1 - one'
 expect_out '^ok 2 - two'
 
 cp "$fixtures/circle.png" "$scratch/given/one.png"
-cp "$fixtures/circle.png" "$GOLDEN/three.png"
+cp "$fixtures/circle.png" "$GOLDEN/osmesa/three.png"
 checks
-about 'a reference for nothing'
+about 'a reference that is not listed'
 expect_status 1
 expect_out '^not ok 3 '
-expect_out 'three.png is a reference for nothing'
+expect_out 'three.png: pictures.txt does not list this reference'
 
 tap_done

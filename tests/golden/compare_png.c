@@ -1,9 +1,10 @@
 /*
  * compare_png STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE PICTURE DIFFERENCE
  *
- * Prints how far PICTURE is from REFERENCE. Exit status 0 when it is within
- * the four tolerances (struct picture_tolerance), else 1 with both and their
- * difference in the PNG file DIFFERENCE; 2 for wrong usage.
+ * Prints how PICTURE differs from REFERENCE. The exit status is 0 within the
+ * four tolerances (struct picture_tolerance), 1 beyond them, 2 for wrong usage.
+ * Beyond them the program writes the PNG file DIFFERENCE, which shows both
+ * pictures and their difference.
  */
 #include "tests/support/gl/picture.h"
 
@@ -29,13 +30,13 @@ static int compare(const struct picture *reference,
 		picture_compare(reference, picture, limit->step);
 
 	if (!difference.same_size) {
-		printf("%dx%d, not %dx%d\n", picture->width, picture->height,
+		printf("the picture is %dx%d, its reference %dx%d\n", picture->width, picture->height,
 			reference->width, reference->height);
 		return 1;
 	}
-	printf("%.3f %% of the pixels off by more than %d (at most %g), mean "
-	       "%.3f (%g), worst block %.2f at %d,%d (%g), largest %d\n",
-		difference.far_percent, limit->step, limit->far_percent,
+	printf("%.3f %% of the pixels differ by more than %d (limit %g), ",
+		difference.far_percent, limit->step, limit->far_percent);
+	printf("mean %.3f (limit %g), worst block %.2f at %d,%d (limit %g), largest %d\n",
 		difference.mean, limit->mean, difference.block_mean,
 		difference.block_x, difference.block_y, limit->block_mean,
 		difference.worst);
@@ -67,9 +68,9 @@ int main(int argc, char **argv)
 		.block_mean = atof(argv[4]),
 	};
 	if (picture_read(argv[5], &reference)) {
-		printf("%s: missing or no PNG\n", argv[5]);
+		printf("%s: cannot be read as a PNG\n", argv[5]);
 	} else if (picture_read(argv[6], &picture)) {
-		printf("%s: missing or no PNG\n", argv[6]);
+		printf("%s: cannot be read as a PNG\n", argv[6]);
 	} else {
 		status = compare(&reference, &picture, &limit, argv[7]);
 	}

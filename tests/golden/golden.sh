@@ -1,34 +1,34 @@
 #!/bin/sh
-# golden.sh check GL FOLDER LIMBER...: draws each picture of pictures.txt with the
-# GL driver and holds it against its reference; the pictures, and differences
-# of those that are too far, go into FOLDER. Speaks TAP.
+# golden.sh check GL FOLDER LIMBER...: draws each picture of pictures.txt with
+# the driver GL and compares it with its reference in osmesa/. The pictures,
+# and the differences of those outside the tolerance, go into FOLDER.
 #
-# golden.sh exact FOLDER LIMBER...: draws them with the soft driver, whose
-# pictures are the same to the bit on every machine: its references are those
-# in soft/.
+# golden.sh exact FOLDER LIMBER...: the same with the soft driver and the
+# references in soft/, which must match bit for bit on every machine.
 #
-# golden.sh make LIMBER...: draws the references again, with the osmesa driver,
-# and soft's own. LIMBER may be several words.
+# golden.sh make LIMBER...: draws all references again, those in osmesa/ with
+# the osmesa driver, those in soft/ with the soft driver.
 #
-# GOLDEN is the folder of pictures.txt and the references, COMPARE the program
-# that compares.
+# LIMBER may be several words. check and exact print TAP. The environment may
+# set GOLDEN, the folder of pictures.txt and the references, and COMPARE, the
+# program that compares two pictures.
 set -eu
 here=$(dirname "$0")
 golden=${GOLDEN:-$here}
 compare=${COMPARE:-build/host/compare_png}
 
-# How far a driver's picture may be from the reference (compare_png.c): step,
-# percent of pixels further off, mean, mean of the worst 16 x 16 block. The
-# rasterisers differ a little between processors, of which ARM takes another
-# one of Mesa's, and more between drivers, along edges.
+# The tolerance of each driver, as compare_png.c takes it: a step in 8-bit
+# units, the percentage of pixels that may differ by more than the step, the
+# mean difference, the mean difference of the worst 16 x 16 block. Rasterisers
+# differ along edges: a little between processors, more between drivers.
 tolerance_of() {
     case $1 in
     osmesa) echo 8 1.0 0.5 12 ;;
-    # Mesa's rasteriser on ARM goes over from one level of detail to the next
-    # at other pixels of the floor: up to 1.3% of arm-1.
+    # On ARM, Mesa uses softpipe. It changes mipmap levels on the floor at
+    # other pixels: up to 1.3% of arm-1.
     softpipe) echo 8 1.5 0.5 12 ;;
     gles1) echo 8 1.5 0.5 20 ;;
-    # Two steps of RGB565, which it draws in.
+    # The driver draws in RGB565; 16 is two steps of 5 bits.
     soft) echo 16 0.5 2.0 20 ;;
     exact) echo 0 0 0 0 ;;
     esac
@@ -48,8 +48,8 @@ draw() (
     softpipe) set -- "$@" --gl osmesa ;;
     exact) set -- "$@" --gl soft --format rgb565 ;;
     soft)
-        # In RGB565 a camera's picture is not filtered, for speed; the
-        # reference's is.
+        # In RGB565 the soft driver does not filter the camera's picture, for
+        # speed. The reference is filtered, so compare in RGBA8888.
         case $* in
         *--camera*) set -- "$@" --gl soft --format rgba8888 ;;
         *) set -- "$@" --gl soft --format rgb565 ;;
@@ -62,13 +62,13 @@ draw() (
 )
 
 make_references() {
-    mkdir -p "$golden/soft"
+    mkdir -p "$golden/osmesa" "$golden/soft"
     pictures | {
         failed=0
         while read -r name arguments; do
-            echo "  PICTURE $golden/$name.png"
+            echo "  PICTURE $golden/osmesa/$name.png"
             # shellcheck disable=SC2086 # arguments are words
-            draw osmesa "$golden/$name.png" $arguments || failed=1
+            draw osmesa "$golden/osmesa/$name.png" $arguments || failed=1
             # shellcheck disable=SC2086 # arguments are words
             draw exact "$golden/soft/$name.png" $arguments || failed=1
         done
@@ -76,11 +76,11 @@ make_references() {
     }
 }
 
-# Prints what is wrong and fails, or prints the figures.
+# Prints the measured differences; fails when they exceed the tolerance.
 check_picture() {
     reference=$references/$name.png
     if [ ! -f "$reference" ]; then
-        echo "no reference $reference: look at $folder/$name.png, then make golden"
+        echo "$reference does not exist: check $folder/$name.png by eye, then run make golden"
         return 1
     fi
     # shellcheck disable=SC2046 # four words
@@ -88,12 +88,12 @@ check_picture() {
         "$folder/$name-difference.png"
 }
 
-# Every reference must be of a picture that is still drawn.
+# Fails when a reference has no line in pictures.txt any more.
 check_leftovers() {
     for file in "$references"/*.png; do
         name=$(basename "$file" .png)
         if [ -f "$file" ] && ! pictures | grep -q "^$name "; then
-            echo "$file is a reference for nothing in pictures.txt"
+            echo "$file: pictures.txt does not list this reference"
             return 1
         fi
     done
@@ -116,10 +116,10 @@ verdict() {
 check_references() {
     gl=$1
     folder=$2
-    references=$golden
+    references=$golden/osmesa
     [ "$gl" != exact ] || references=$golden/soft
     if [ -z "$(tolerance_of "$gl")" ]; then
-        echo "golden.sh: no tolerance for $gl" >&2
+        echo "golden.sh: there is no tolerance for the driver $gl" >&2
         exit 2
     fi
     mkdir -p "$folder"
@@ -135,7 +135,7 @@ $(pictures)
 END
     status=0
     text=$(check_leftovers) || status=$?
-    verdict "$status" 'no reference is left over' "$text"
+    verdict "$status" 'every reference is listed' "$text"
     echo "1..$count"
     exit "$failed"
 }

@@ -18,7 +18,7 @@ static void test_keeps_the_layout_of_cubic_weights(void **state)
 {
 	static const float expected[12] = {
 		1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
-	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/cubic.gltf", NULL);
 	const struct model_channel *channel = channel_of(model, 0, 0);
 
 	(void)state;
@@ -33,7 +33,7 @@ static void test_keeps_the_layout_of_cubic_weights(void **state)
 /* Scaling the values of a spline would bend it: its result is normalised. */
 static void test_leaves_cubic_rotations_as_they_are(void **state)
 {
-	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/cubic.gltf", NULL);
 	const struct model_channel *channel = channel_of(model, 0, 1);
 
 	(void)state;
@@ -49,7 +49,7 @@ static void test_scales_signed_rotations_and_clamps_them(void **state)
 {
 	static const float bytes[8] = {0, 0, 0, 1, 0, 0, -1, 0};
 	static const float shorts[8] = {0, 0, 0, 1, 0, -1, 0, 0};
-	struct model *model = model_fixture("clip_normalized.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/normalized.gltf", NULL);
 
 	(void)state;
 	assert_all_near(channel_of(model, 0, 0)->value, bytes, 8, 0);
@@ -60,7 +60,7 @@ static void test_scales_signed_rotations_and_clamps_them(void **state)
 static void test_scales_unsigned_weights(void **state)
 {
 	static const float expected[4] = {0, 1, 0.2f, 0.4f};
-	struct model *model = model_fixture("clip_normalized.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/normalized.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -128,7 +128,7 @@ static void test_makes_float_rotations_unit_that_are_far_from_it(void **state)
 
 static void test_reads_samplers_with_a_single_key(void **state)
 {
-	struct model *model = model_fixture("clip_single_key.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/single_key.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -145,8 +145,8 @@ static void test_reads_samplers_with_a_single_key(void **state)
 
 static void test_ends_a_clip_with_its_last_key(void **state)
 {
-	struct model *model = model_fixture("clip_single_key.gltf", NULL);
-	struct model *late = model_fixture("clip_late_start.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/single_key.gltf", NULL);
+	struct model *late = model_fixture("gltf/clip/late_start.gltf", NULL);
 
 	(void)state;
 	assert_near(model->clip[0].duration_s, 1.25, 0);
@@ -158,7 +158,7 @@ static void test_ends_a_clip_with_its_last_key(void **state)
 
 static void test_reads_the_interpolation_of_each_channel(void **state)
 {
-	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(channel_of(model, 0, 0)->interpolation, MODEL_STEP);
@@ -168,7 +168,7 @@ static void test_reads_the_interpolation_of_each_channel(void **state)
 
 static void test_passes_over_a_channel_without_a_node(void **state)
 {
-	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model->clip_count, 2);
@@ -178,7 +178,7 @@ static void test_passes_over_a_channel_without_a_node(void **state)
 
 static void test_keeps_shared_times_once(void **state)
 {
-	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
 	(void)state;
 	assert_ptr_equal(channel_of(model, 0, 0)->time_s,
@@ -188,7 +188,7 @@ static void test_keeps_shared_times_once(void **state)
 
 static void test_finds_clips_by_name_and_then_by_number(void **state)
 {
-	struct model *model = model_fixture("clip_late_start.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model_find_clip(model, "late"), 0);

@@ -5,7 +5,7 @@
 
 static void test_counts_vertices_triangles_and_bytes(void **state)
 {
-	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/indices.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -23,7 +23,7 @@ static void test_counts_vertices_triangles_and_bytes(void **state)
 
 static void test_counts_every_vertex_attribute(void **state)
 {
-	struct model *model = model_fixture("accessor_interleaved.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/interleaved.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -34,7 +34,7 @@ static void test_counts_every_vertex_attribute(void **state)
 
 static void test_counts_influences_that_weigh_something(void **state)
 {
-	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 	struct model_stats stats;
 	int k;
 
@@ -52,7 +52,7 @@ static void test_counts_influences_that_weigh_something(void **state)
 
 static void test_counts_five_of_eight_influences(void **state)
 {
-	struct model *model = model_fixture("skin_eight_influences.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/eight_influences.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -64,7 +64,7 @@ static void test_counts_five_of_eight_influences(void **state)
 
 static void test_counts_targets_and_keys(void **state)
 {
-	struct model *model = model_fixture("clip_cubic.gltf", NULL);
+	struct model *model = model_fixture("gltf/clip/cubic.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -81,7 +81,7 @@ static void test_counts_targets_and_keys(void **state)
 
 static void test_counts_pictures(void **state)
 {
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -92,7 +92,7 @@ static void test_counts_pictures(void **state)
 
 static void test_counts_mesh_by_mesh(void **state)
 {
-	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 	struct model_stats stats = {0};
 
 	(void)state;

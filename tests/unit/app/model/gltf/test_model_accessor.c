@@ -17,7 +17,7 @@ static void test_overlays_sparse_values(void **state)
 {
 	static const float expected[4][3] = {
 		{0, 0, 0}, {7, 8, 9}, {0, 1, 0}, {10, 11, 12}};
-	struct model *model = model_fixture("accessor_sparse.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/sparse.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -30,7 +30,7 @@ static void test_overlays_sparse_values(void **state)
 static void test_reads_sparse_indices_over_zeros(void **state)
 {
 	static const uint32_t expected[6] = {0, 1, 2, 0, 3, 2};
-	struct model *model = model_fixture("accessor_sparse.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/sparse.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -42,7 +42,7 @@ static void test_reads_sparse_indices_over_zeros(void **state)
 static void test_reads_an_accessor_without_a_view_as_zeros(void **state)
 {
 	static const float zeros[3][3];
-	struct model *model = model_fixture("accessor_zeros.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/zeros.gltf", NULL);
 
 	(void)state;
 	assert_all_near(model->mesh[1].primitive[0].position, zeros, 9, 0);
@@ -54,7 +54,7 @@ static void test_reads_an_accessor_without_a_view_as_zeros(void **state)
 static void test_reads_sparse_morph_targets_without_a_view(void **state)
 {
 	static const float expected[3][3] = {{0}, {0}, {0, 0, 5}};
-	struct model *model = model_fixture("accessor_zeros.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/zeros.gltf", NULL);
 
 	(void)state;
 	assert_all_near(
@@ -68,7 +68,7 @@ static void test_steps_through_interleaved_attributes(void **state)
 	static const float normal[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
 	static const uint8_t color[3][4] = {
 		{255, 0, 0, 255}, {0, 255, 0, 128}, {128, 188, 13, 0}};
-	struct model *model = model_fixture("accessor_interleaved.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/interleaved.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -84,7 +84,7 @@ static void test_reads_misaligned_floats_and_shorts(void **state)
 	static const float moves[2][3] = {{1, 2, 3}, {4, 5, 6}};
 	static const float times[2] = {0, 1};
 	static const uint32_t index[3] = {2, 1, 0};
-	struct model *model = model_fixture("accessor_misaligned.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/misaligned.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -100,7 +100,7 @@ static void test_scales_quantised_positions_and_targets(void **state)
 	static const float position[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}};
 	static const float target[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
 	static const float turned[3][3] = {{1, 0, -1}, {1, 0, -1}, {1, 0, -1}};
-	struct model *model = model_fixture("accessor_quantized.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -115,7 +115,7 @@ static void test_takes_whole_positions_and_coordinates_as_they_are(void **state)
 	static const float position[3][3] = {
 		{0, 0, 0}, {1000, 0, 0}, {0, 1000, 7}};
 	static const float texcoord[3][2] = {{0, 0}, {3, 0}, {0, 255}};
-	struct model *model = model_fixture("accessor_quantized.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
 
 	(void)state;
 	assert_all_near(model->mesh[1].primitive[0].position, position, 9, 0);
@@ -127,7 +127,7 @@ static void test_makes_quantised_directions_unit(void **state)
 {
 	static const float normal[3] = {0, 0, 1};
 	static const float tangent[4] = {1, 0, 0, -1};
-	struct model *model = model_fixture("accessor_quantized.gltf", NULL);
+	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;

@@ -23,22 +23,22 @@ static void expect_triangle(struct model *model)
 static void test_reads_a_glb_and_passes_over_other_chunks(void **state)
 {
 	(void)state;
-	expect_triangle(model_fixture("container_binary.glb", NULL));
+	expect_triangle(model_fixture("gltf/container/binary.glb", NULL));
 }
 
 static void test_reads_a_buffer_beside_the_file(void **state)
 {
 	(void)state;
-	expect_triangle(model_fixture("container_beside.gltf", NULL));
+	expect_triangle(model_fixture("gltf/container/beside.gltf", NULL));
 }
 
 static void test_names_the_model(void **state)
 {
-	struct model *model = model_fixture("container_binary.glb", NULL);
+	struct model *model = model_fixture("gltf/container/binary.glb", NULL);
 
 	(void)state;
 	assert_string_equal(
-		model->path, fixture_path("container_binary.glb").text);
+		model->path, fixture_path("gltf/container/binary.glb").text);
 	assert_string_equal(model->format, "glTF 2.0");
 	model_destroy(model);
 }
@@ -75,7 +75,7 @@ static void test_tells_a_missing_file(void **state)
 static void test_refuses_a_glb_cut_anywhere(void **state)
 {
 	size_t size, length;
-	struct test_path path = fixture_path("container_binary.glb");
+	struct test_path path = fixture_path("gltf/container/binary.glb");
 	char *whole = file_read(path.text, &size);
 
 	(void)state;
@@ -114,7 +114,7 @@ static void test_refuses_broken_glb_headers(void **state)
 		{16, 'X', -EINVAL, "the first chunk is not the JSON"},
 		{20, '[', -EINVAL, "line 1, column"},
 	};
-	struct test_path path = fixture_path("container_binary.glb");
+	struct test_path path = fixture_path("gltf/container/binary.glb");
 	size_t size, i;
 	char *whole = file_read(path.text, &size);
 

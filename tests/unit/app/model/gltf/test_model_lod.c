@@ -19,7 +19,7 @@ static const struct model_primitive *primitive_of(
 static void test_levels_are_lists_of_the_mesh_they_stand_for(void **state)
 {
 	static const uint32_t corners[6] = {0, 2, 8, 0, 8, 6};
-	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	const struct model_primitive *grid = primitive_of(model, "grid");
 
 	(void)state;
@@ -34,7 +34,7 @@ static void test_levels_are_lists_of_the_mesh_they_stand_for(void **state)
 /* The file has the one for shapes first, the finest last. */
 static void test_the_finest_comes_first_and_shapes_last(void **state)
 {
-	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	const struct model_lod *lod = primitive_of(model, "grid")->lod;
 
 	(void)state;
@@ -53,7 +53,7 @@ static void test_levels_are_no_nodes_and_no_meshes(void **state)
 {
 	static const char *const levels[] = {
 		"finest", "coarsest", "shape", "covered level"};
-	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model->node_count, 5);
@@ -66,7 +66,7 @@ static void test_levels_are_no_nodes_and_no_meshes(void **state)
 
 static void test_what_comes_behind_a_level_is_found_all_the_same(void **state)
 {
-	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	int own = model_find_node(model, "own");
 
 	(void)state;
@@ -80,7 +80,7 @@ static void test_what_comes_behind_a_level_is_found_all_the_same(void **state)
 static void test_a_level_with_vertices_of_its_own_is_none(void **state)
 {
 	struct log_capture heard;
-	struct model *model = model_fixture("mesh_levels.gltf", &heard);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", &heard);
 	int level = model_find_node(model, "own level");
 
 	(void)state;
@@ -94,7 +94,7 @@ static void test_a_level_with_vertices_of_its_own_is_none(void **state)
 /* A quarter of the screen is half of 640 pixels for the grid's one metre. */
 static void test_screen_coverage_says_how_coarse_a_level_is(void **state)
 {
-	struct model *model = model_fixture("mesh_levels.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	const struct model_primitive *covered = primitive_of(model, "covered");
 
 	(void)state;

@@ -6,7 +6,7 @@
 static void test_reads_factors_and_flags(void **state)
 {
 	static const float color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
-	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 	const struct model_material *glass = &model->material[0];
 
 	(void)state;
@@ -21,7 +21,7 @@ static void test_reads_factors_and_flags(void **state)
 
 static void test_reads_masks_and_unlit(void **state)
 {
-	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model->material[1].alpha, MODEL_MASK);
@@ -47,7 +47,7 @@ static void expect_plain(const struct model_material *material)
 
 static void test_fills_in_what_a_material_leaves_out(void **state)
 {
-	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 
 	(void)state;
 	expect_plain(&model->material[2]);
@@ -56,7 +56,7 @@ static void test_fills_in_what_a_material_leaves_out(void **state)
 
 static void test_adds_one_material_for_primitives_without(void **state)
 {
-	struct model *model = model_fixture("material_kinds.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 	const struct model_primitive *primitive = model->mesh[0].primitive;
 
 	(void)state;
@@ -96,7 +96,7 @@ static void test_reads_a_png_beside_the_file(void **state)
 {
 	static const uint8_t expected[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0,
 		0, 255, 255, 255, 255, 255, 128};
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	const struct model_image *image = image_of(model, 0);
 
 	(void)state;
@@ -111,7 +111,7 @@ static void test_reads_a_png_beside_the_file(void **state)
 static void test_reads_a_png_from_a_buffer_view(void **state)
 {
 	static const uint8_t expected[4] = {1, 2, 3, 255};
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	const struct model_image *image = image_of(model, 1);
 
 	(void)state;
@@ -124,7 +124,7 @@ static void test_reads_a_png_from_a_buffer_view(void **state)
 /* Left half red, right half blue, to within what JPEG rounds. */
 static void test_reads_a_jpeg_from_a_data_uri(void **state)
 {
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	const struct model_image *image = image_of(model, 2);
 	const uint8_t *left, *right;
 
@@ -141,7 +141,7 @@ static void test_reads_a_jpeg_from_a_data_uri(void **state)
 
 static void test_reads_only_pictures_that_materials_need(void **state)
 {
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -155,7 +155,7 @@ static void test_reads_only_pictures_that_materials_need(void **state)
 
 static void test_reads_wraps_and_filters(void **state)
 {
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	const struct model_texture *first =
 		&model->texture[model->material[0].texture];
 	const struct model_texture *second =
@@ -181,7 +181,7 @@ static void test_takes_the_coordinates_that_the_texture_names(void **state)
 	static const float first[3][2] = {{0, 0}, {1, 0}, {0, 1}};
 	static const float second[3][2] = {
 		{0.5f, 0.5f}, {0.25f, 0.5f}, {0.5f, 0.25f}};
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 
 	(void)state;
 	assert_all_near(model->mesh[0].primitive[0].texcoord, first, 6, 0);
@@ -197,7 +197,7 @@ static void test_applies_a_texture_transform(void **state)
 {
 	static const float expected[3][2] = {
 		{0.5f, 0.25f}, {0.5f, -1.75f}, {4.5f, 0.25f}};
-	struct model *model = model_fixture("material_textures.gltf", NULL);
+	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 
 	(void)state;
 	assert_all_near(model->mesh[2].primitive[0].texcoord, expected, 6, 1e-6);
@@ -207,7 +207,7 @@ static void test_applies_a_texture_transform(void **state)
 static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 {
 	struct log_capture heard;
-	struct model *model = model_fixture("material_textures.gltf", &heard);
+	struct model *model = model_fixture("gltf/material/textures.gltf", &heard);
 
 	(void)state;
 	assert_true(model->material[1].normal_texture >= 0);
@@ -220,7 +220,7 @@ static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 static void test_leaves_out_a_texture_in_a_foreign_format(void **state)
 {
 	struct log_capture heard;
-	struct model *model = model_fixture("material_textures.gltf", &heard);
+	struct model *model = model_fixture("gltf/material/textures.gltf", &heard);
 
 	(void)state;
 	assert_int_equal(model->material[3].texture, -1);

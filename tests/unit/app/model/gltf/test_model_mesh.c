@@ -14,7 +14,7 @@ static void expect_indices(const struct model_primitive *primitive,
 static void test_leaves_points_and_lines_out_with_a_warning(void **state)
 {
 	struct log_capture heard;
-	struct model *model = model_fixture("mesh_modes.gltf", &heard);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", &heard);
 	int mode;
 
 	(void)state;
@@ -22,7 +22,7 @@ static void test_leaves_points_and_lines_out_with_a_warning(void **state)
 		assert_int_equal(model->mesh[mode].primitive_count, 1);
 	}
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"mesh_modes.gltf: /meshes/0/primitives/0: points are not "
+		"modes.gltf: /meshes/0/primitives/0: points are not "
 		"drawn"));
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"/meshes/3/primitives/0: lines are not drawn"));
@@ -31,7 +31,7 @@ static void test_leaves_points_and_lines_out_with_a_warning(void **state)
 
 static void test_keeps_the_numbers_of_primitives_behind_them(void **state)
 {
-	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model->mesh[1].primitive[0].file_index, 1);
@@ -45,7 +45,7 @@ static void test_drops_corners_that_make_no_triangle(void **state)
 {
 	static const uint32_t expected[3] = {0, 1, 2};
 	struct log_capture heard;
-	struct model *model = model_fixture("mesh_modes.gltf", &heard);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", &heard);
 
 	(void)state;
 	expect_indices(&model->mesh[4].primitive[0], expected, 3);
@@ -58,7 +58,7 @@ static void test_drops_corners_that_make_no_triangle(void **state)
 static void test_turns_strips_into_triangles_that_face_one_way(void **state)
 {
 	static const uint32_t expected[9] = {0, 1, 2, 1, 3, 2, 2, 3, 4};
-	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 
 	(void)state;
 	expect_indices(&model->mesh[5].primitive[0], expected, 9);
@@ -68,7 +68,7 @@ static void test_turns_strips_into_triangles_that_face_one_way(void **state)
 static void test_leaves_the_joints_of_strips_out(void **state)
 {
 	static const uint32_t expected[6] = {0, 1, 2, 1, 3, 2};
-	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 
 	(void)state;
 	expect_indices(&model->mesh[7].primitive[0], expected, 6);
@@ -78,7 +78,7 @@ static void test_leaves_the_joints_of_strips_out(void **state)
 static void test_turns_fans_into_triangles(void **state)
 {
 	static const uint32_t expected[9] = {1, 2, 0, 2, 3, 0, 3, 4, 0};
-	struct model *model = model_fixture("mesh_modes.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 
 	(void)state;
 	expect_indices(&model->mesh[6].primitive[0], expected, 9);
@@ -88,7 +88,7 @@ static void test_turns_fans_into_triangles(void **state)
 static void test_reads_indices_of_every_size(void **state)
 {
 	static const uint32_t expected[6] = {0, 1, 2, 3, 2, 1};
-	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/indices.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -103,7 +103,7 @@ static void test_encodes_linear_colours_as_srgb(void **state)
 {
 	static const uint8_t expected[3][4] = {
 		{0, 188, 255, 255}, {137, 3, 255, 255}, {0, 225, 89, 255}};
-	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/colors.gltf", NULL);
 
 	(void)state;
 	assert_memory_equal(
@@ -113,7 +113,7 @@ static void test_encodes_linear_colours_as_srgb(void **state)
 
 static void test_keeps_alpha_linear(void **state)
 {
-	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/colors.gltf", NULL);
 	uint8_t(*color)[4] = model->mesh[1].primitive[0].color;
 
 	(void)state;
@@ -128,7 +128,7 @@ static void test_reads_colours_of_bytes_and_shorts(void **state)
 {
 	static const uint8_t expected[3][4] = {
 		{0, 188, 255, 128}, {137, 0, 255, 128}, {0, 224, 90, 128}};
-	struct model *model = model_fixture("mesh_colors.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/colors.gltf", NULL);
 
 	(void)state;
 	assert_memory_equal(
@@ -140,7 +140,7 @@ static void test_reads_colours_of_bytes_and_shorts(void **state)
 
 static void test_leaves_absent_attributes_null(void **state)
 {
-	struct model *model = model_fixture("mesh_indices.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/indices.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -158,7 +158,7 @@ static void test_leaves_absent_attributes_null(void **state)
 static void test_takes_node_weights_before_mesh_weights_before_0(void **state)
 {
 	static const float expected[3][2] = {{0.75f, 1}, {0.25f, 0.5f}, {0, 0}};
-	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/weights.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -173,7 +173,7 @@ static void test_takes_node_weights_before_mesh_weights_before_0(void **state)
 
 static void test_gives_every_node_weights_of_its_own(void **state)
 {
-	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/weights.gltf", NULL);
 	bool seen[6] = {false};
 	int i;
 
@@ -190,7 +190,7 @@ static void test_gives_every_node_weights_of_its_own(void **state)
 
 static void test_shares_targets_among_primitives(void **state)
 {
-	struct model *model = model_fixture("mesh_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/mesh/weights.gltf", NULL);
 	const struct model_mesh *mesh = &model->mesh[0];
 	int i;
 

@@ -101,7 +101,7 @@ static void test_gives_nodes_the_parts_of_their_matrix(void **state)
 		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
 	static const float mirror[4][4] = {
 		{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", NULL);
 
 	(void)state;
 	assert_null(fixture_node(model, 0)->matrix);
@@ -116,7 +116,7 @@ static void test_survives_flat_and_null_matrices(void **state)
 	static const float flat[4][4] = {
 		{2, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
 	static const float null[4][4] = {{0}, {0}, {0}, {1, 2, 3, 1}};
-	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", NULL);
 
 	(void)state;
 	expect_same(flat, &fixture_node(model, 2)->rest);
@@ -126,7 +126,7 @@ static void test_survives_flat_and_null_matrices(void **state)
 
 static void test_keeps_a_matrix_that_shears(void **state)
 {
-	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", NULL);
 	const struct model_node *node = fixture_node(model, 3);
 
 	(void)state;
@@ -141,7 +141,7 @@ static void test_drops_the_matrix_of_a_node_that_moves(void **state)
 	static const float matrix[4][4] = {
 		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
 	struct log_capture heard;
-	struct model *model = model_fixture("scene_matrices.gltf", &heard);
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", &heard);
 
 	(void)state;
 	assert_null(fixture_node(model, 5)->matrix);
@@ -161,7 +161,7 @@ static bool is_in_scene(const struct model *model, int file_index)
 
 static void test_shows_the_default_scene(void **state)
 {
-	struct model *model = model_fixture("scene_tree.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/tree.gltf", NULL);
 
 	(void)state;
 	assert_true(is_in_scene(model, 0));
@@ -190,7 +190,7 @@ static void test_shows_scene_0_where_no_default_is_named(void **state)
 
 static void test_shows_everything_without_scenes(void **state)
 {
-	struct model *model = model_fixture("scene_matrices.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -204,7 +204,7 @@ static void test_keeps_the_numbers_and_names_of_nodes(void **state)
 {
 	static const char *const names[] = {
 		"leaf", "other root", "branch", "root", "second leaf"};
-	struct model *model = model_fixture("scene_tree.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/tree.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -239,7 +239,7 @@ static void test_makes_rest_rotations_unit(void **state)
 
 static void test_reads_cameras(void **state)
 {
-	struct model *model = model_fixture("scene_cameras.gltf", NULL);
+	struct model *model = model_fixture("gltf/scene/cameras.gltf", NULL);
 	const struct model_camera *camera = model->camera;
 
 	(void)state;

@@ -25,7 +25,7 @@ static void expect_influences(const struct model_primitive *primitive,
 
 static void test_gives_identities_without_inverse_bind_matrices(void **state)
 {
-	struct model *model = model_fixture("skin_no_inverse_bind.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/no_inverse_bind.gltf", NULL);
 	const struct model_skin *skin = &model->skin[0];
 	int i, c, r;
 
@@ -44,7 +44,7 @@ static void test_gives_identities_without_inverse_bind_matrices(void **state)
 
 static void test_keeps_the_order_of_the_joint_list(void **state)
 {
-	struct model *model = model_fixture("skin_unsorted.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/unsorted.gltf", NULL);
 	const struct model_skin *skin = &model->skin[0];
 
 	(void)state;
@@ -59,7 +59,7 @@ static void test_keeps_the_order_of_the_joint_list(void **state)
 
 static void test_puts_parents_first_where_the_file_does_not(void **state)
 {
-	struct model *model = model_fixture("skin_unsorted.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/unsorted.gltf", NULL);
 	int i;
 
 	(void)state;
@@ -77,7 +77,7 @@ static void test_reads_eight_influences_of_bytes_and_shorts(void **state)
 {
 	static const uint16_t joint[8] = {0, 1, 2, 3, 4, 0, 0, 0};
 	static const float weight[8] = {0.2f, 0.2f, 0.2f, 0.2f, 0.2f};
-	struct model *model = model_fixture("skin_eight_influences.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/eight_influences.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 	int i;
 
@@ -93,7 +93,7 @@ static void test_gives_a_vertex_without_weight_to_its_first_joint(void **state)
 {
 	static const uint16_t joint[4] = {1, 0, 0, 0};
 	static const float weight[4] = {1, 0, 0, 0};
-	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 
 	(void)state;
 	expect_influences(&model->mesh[0].primitive[0], 0, joint, weight);
@@ -104,7 +104,7 @@ static void test_scales_weights_to_a_sum_of_1(void **state)
 {
 	static const uint16_t joint[4] = {0, 1, 0, 0};
 	static const float weight[4] = {0.75f, 0.25f, 0, 0};
-	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 
 	(void)state;
 	expect_influences(&model->mesh[0].primitive[0], 1, joint, weight);
@@ -115,7 +115,7 @@ static void test_takes_negative_weights_for_0(void **state)
 {
 	static const uint16_t joint[4] = {0, 1, 0, 0};
 	static const float weight[4] = {0, 1, 0, 0};
-	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 
 	(void)state;
 	expect_influences(&model->mesh[0].primitive[0], 2, joint, weight);
@@ -126,7 +126,7 @@ static void test_forgives_a_wild_joint_that_has_no_weight(void **state)
 {
 	static const uint16_t joint[4] = {1, 0, 0, 0};
 	static const float weight[4] = {1, 0, 0, 0};
-	struct model *model = model_fixture("skin_odd_weights.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 
 	(void)state;
 	expect_influences(&model->mesh[0].primitive[0], 3, joint, weight);
@@ -135,7 +135,7 @@ static void test_forgives_a_wild_joint_that_has_no_weight(void **state)
 
 static void test_draws_one_mesh_with_many_skins(void **state)
 {
-	struct model *model = model_fixture("skin_shared_mesh.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/shared_mesh.gltf", NULL);
 
 	(void)state;
 	assert_int_equal(model->mesh_count, 1);
@@ -153,7 +153,7 @@ static void test_draws_one_mesh_with_many_skins(void **state)
 static void test_reads_morph_and_skin_together(void **state)
 {
 	static const float z[3] = {0, 0, 1};
-	struct model *model = model_fixture("skin_and_morph.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/and_morph.gltf", NULL);
 	const struct model_mesh *mesh = &model->mesh[0];
 	const struct model_primitive *primitive = &mesh->primitive[0];
 
@@ -172,7 +172,7 @@ static void test_reads_morph_and_skin_together(void **state)
 
 static void test_keeps_a_rigid_mesh_below_a_scaled_bone(void **state)
 {
-	struct model *model = model_fixture("skin_rigid_on_bone.gltf", NULL);
+	struct model *model = model_fixture("gltf/skin/rigid_on_bone.gltf", NULL);
 	const struct model_node *hat = fixture_node(model, 2);
 
 	(void)state;

@@ -354,11 +354,11 @@ static void check_tower_materials(const struct model *model)
 static void test_every_encoding_gives_the_same_model(void **state)
 {
 	static const char *const name[] = {
-		"x/tower_text.x",
-		"x/tower_binary.x",
-		"x/tower_wide.x",
-		"x/tower_text_packed.x",
-		"x/tower_binary_packed.x",
+		"xfile/tower_text.x",
+		"xfile/tower_binary.x",
+		"xfile/tower_wide.x",
+		"xfile/tower_text_packed.x",
+		"xfile/tower_binary_packed.x",
 	};
 
 	(void)state;
@@ -378,9 +378,9 @@ static void test_every_encoding_gives_the_same_model(void **state)
 static void test_every_cut_of_every_encoding_is_survived(void **state)
 {
 	static const char *const name[] = {
-		"x/tower_text.x",
-		"x/tower_binary.x",
-		"x/tower_text_packed.x",
+		"xfile/tower_text.x",
+		"xfile/tower_binary.x",
+		"xfile/tower_text_packed.x",
 	};
 
 	(void)state;
@@ -509,7 +509,7 @@ static void test_textures_come_from_the_models_folder_only(void **state)
 	struct test_path folder = temp_dir_make();
 	struct test_path model_path = path_join(&folder, "sub-model.x");
 	struct test_path beside = path_join(&folder, "two by two.png");
-	struct test_path picture = fixture_path("parts/two by two.png");
+	struct test_path picture = fixture_path("gltf/material/parts/two by two.png");
 	struct log_capture said;
 	struct log log = log_capture_begin(&said);
 	struct model *model;

@@ -76,7 +76,7 @@ static int pose_instance(struct instance *instance,
 			&options->influences, instance, NULL, 0.0f, 0);
 	}
 	instance_update(instance);
-	if (instance_failed(instance)) {
+	if (instance_overflowed(instance)) {
 		log_error(log,
 			"%s: this pose does not fit 16 bits: use --math float",
 			instance->model->path);

@@ -232,7 +232,7 @@ static int prepare(struct as_is *state, const struct kernel *kernel,
 	}
 	error = instance_create(&state->model, kernel, log, &state->instance);
 	if (!error) {
-		state->instance->relief = false;
+		state->instance->normal_mapping = false;
 		state->instance->max_influences = max_influences;
 	}
 	return error;

@@ -134,7 +134,7 @@ static int prepare(struct reference *reference, const struct log *log)
 	if (error) {
 		return error;
 	}
-	reference->instance->relief = false;
+	reference->instance->normal_mapping = false;
 	error = init_parts(reference);
 	if (!error) {
 		error = init_times(reference);

@@ -6,7 +6,7 @@
 #include <cglm/cglm.h>
 
 /* As the viewer's. */
-static const struct framing framing = {
+static const struct camera_framing framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.turn_rad = SCALAR_PI,
@@ -18,7 +18,7 @@ struct screen screen_frame(
 {
 	struct screen screen = {.width = width, .height = height};
 	struct camera camera = camera_default();
-	struct framing wanted = framing;
+	struct camera_framing wanted = framing;
 	struct bounds bounds = bounds_empty();
 	float unit = reference->instance->unit_scale;
 	size_t count = (size_t)reference->frame_count *

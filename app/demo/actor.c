@@ -57,8 +57,8 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 	*actor = (struct actor){0};
 }
 
-int set_stage(const struct demo_env *env, const struct bounds *bounds,
-	struct framing framing, struct stage *stage)
+int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
+	struct camera_framing framing, struct stage *stage)
 {
 	framing.aspect = (float)env->width / (float)env->height;
 	return stage_init(
@@ -70,7 +70,7 @@ void actor_draw(const struct actor *actor, const struct stage *stage,
 {
 	stage_begin(stage, gl, width, height);
 	stage_shadow_begin(stage, gl);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADOW);
 	stage_shadow_end(stage, gl);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
 }
@@ -80,7 +80,7 @@ void actor_update(
 {
 	int cap = influence_cap_choose(&actor->influence_cap, actor->instance,
 		camera, actor->extent, picture_height);
-	int most = actor->most_influences;
+	int most = actor->influence_limit;
 
 	actor->instance->max_influences =
 		most > 0 && (cap == 0 || most < cap) ? most : cap;
@@ -91,7 +91,7 @@ void actor_update(
 void actor_choose_lod(
 	struct actor *actor, const struct camera *camera, int picture_height)
 {
-	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
+	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
 
 	lod_choose(actor->instance, &lod,
 		lod_px_per_unit(actor->instance, camera, actor->extent,
@@ -109,7 +109,7 @@ void actor_label_lod(const struct actor *actor, struct hud_group *group)
 	}
 }
 
-const char *technique_of(const struct instance *instance)
+const char *actor_technique(const struct instance *instance)
 {
 	bool skinned = false, morphed = false;
 
@@ -123,7 +123,7 @@ const char *technique_of(const struct instance *instance)
 				  : "Hierarchical";
 }
 
-int find_bone(const struct model *model, const char *name,
+int actor_find_bone(const struct model *model, const char *name,
 	const struct log *log, int *out)
 {
 	*out = model_find_node(model, name);

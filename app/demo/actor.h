@@ -21,19 +21,19 @@ struct actor {
 	enum clip_interpolation interpolation;
 	struct fade fade; /* for whoever changes clips */
 	struct influence_cap influence_cap;
-	int most_influences; /* whatever lod says; 0: no limit */
+	int influence_limit; /* whatever lod says; 0: no limit */
 	struct lod lod;
-	float least_error_px; /* whatever lod says; 0: as it says */
-	float extent;         /* at rest, scene units */
+	float min_error_px; /* whatever lod says; 0: as it says */
+	float extent;       /* at rest, scene units */
 };
 
 /* What every demo's struct begins with. */
-struct act {
+struct demo_base {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
 	struct live live;
-	struct shed shed;
+	struct demo_reduction reduction;
 	float frames_per_s; /* 0: not known */
 };
 
@@ -46,8 +46,8 @@ void actor_unload(struct actor *actor, const struct gl *gl);
  * A stage that frames the box, see bounds_of_clip(). The framing's aspect is
  * filled in from env. 0, or -errno after a sentence.
  */
-int set_stage(const struct demo_env *env, const struct bounds *bounds,
-	struct framing framing, struct stage *stage);
+int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
+	struct camera_framing framing, struct stage *stage);
 
 /* A whole frame with only this actor on the stage, shadow included. */
 void actor_draw(const struct actor *actor, const struct stage *stage,
@@ -68,10 +68,10 @@ void actor_choose_lod(
 void actor_label_lod(const struct actor *actor, struct hud_group *group);
 
 /* The technique that moves most of it: "Skeletal" and so on. */
-const char *technique_of(const struct instance *instance);
+const char *actor_technique(const struct instance *instance);
 
 /* The node of that name. 0, or -EINVAL after a sentence. */
-int find_bone(const struct model *model, const char *name,
+int actor_find_bone(const struct model *model, const char *name,
 	const struct log *log, int *out);
 
 /* Puts the pose at a clip's time, nodes without a channel at rest. */

@@ -68,11 +68,11 @@ static const struct {
 	[TRUCK_WAY] = {-0.4f, 0.8f},
 };
 
-static const struct framing framing = {
+static const struct camera_framing framing = {
 	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .turn_rad = 0.0f, .margin = 0.95f};
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	struct hierarchy hierarchy;
 	int pivot[PART_COUNT];
 	struct pivot crate_rest;
@@ -95,8 +95,8 @@ struct demo {
  */
 static int make_pivots(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->act.actor.model;
-	struct arena *arena = &demo->act.actor.instance->arena;
+	const struct model *model = demo->base.actor.model;
+	struct arena *arena = &demo->base.actor.instance->arena;
 	int crate = model_find_node(model, part_names[PART_CRATE]);
 	int *place = ARENA_ARRAY(arena, int, (size_t)model->node_count);
 	struct pivot *pivot =
@@ -168,8 +168,8 @@ static int arm_prepare(struct demo *demo, const struct demo_env *env)
 	memcpy(demo->joint, arm_home, sizeof(demo->joint));
 	demo->repeating = env->unattended;
 	begin_step(demo, demo->repeating ? 0 : -1);
-	bounds = bounds_of_clip(demo->act.actor.instance, -1);
-	return set_stage(env, &bounds, framing, &demo->act.stage);
+	bounds = bounds_of_clip(demo->base.actor.instance, -1);
+	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
 }
 
 static void run_program(struct demo *demo)
@@ -273,15 +273,15 @@ static void arm_update(struct demo *demo, double time_s)
 
 static void arm_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->act.gl;
-	struct actor *actor = &demo->act.actor;
+	const struct gl *gl = demo->base.gl;
+	struct actor *actor = &demo->base.actor;
 
-	actor_choose_lod(actor, &demo->act.stage.camera, height);
-	stage_begin(&demo->act.stage, gl, width, height);
-	stage_shadow_begin(&demo->act.stage, gl);
+	actor_choose_lod(actor, &demo->base.stage.camera, height);
+	stage_begin(&demo->base.stage, gl, width, height);
+	stage_shadow_begin(&demo->base.stage, gl);
 	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
-		DRAW_SHAPE);
-	stage_shadow_end(&demo->act.stage, gl);
+		DRAW_SHADOW);
+	stage_shadow_end(&demo->base.stage, gl);
 	draw_hierarchy(gl, &demo->hierarchy, actor->instance, &actor->textures,
 		DRAW_SHADED);
 }

@@ -33,10 +33,10 @@ const struct demo_driver *demo_find(const char *name)
 	return NULL;
 }
 
-/* Every demo's struct begins with an act. */
-static struct act *act_of(struct demo *demo)
+/* Every demo's struct begins with an base. */
+static struct demo_base *base_of(struct demo *demo)
 {
-	return (struct act *)demo;
+	return (struct demo_base *)demo;
 }
 
 int demo_create(const struct demo_driver *driver, const struct demo_env *env,
@@ -49,15 +49,15 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 		log_error(env->log, "%s: not enough memory", driver->name);
 		return error;
 	}
-	act_of(demo)->gl = env->gl;
-	error = actor_load(&act_of(demo)->actor, env);
+	base_of(demo)->gl = env->gl;
+	error = actor_load(&base_of(demo)->actor, env);
 	if (!error) {
 		error = driver->prepare(demo, env);
 	}
 	if (!error) {
-		error = live_init(&act_of(demo)->live, env->camera,
+		error = live_init(&base_of(demo)->live, env->camera,
 			env->camera_use, env->smooth, env->gl, env->log);
-		live_set_stage(&act_of(demo)->live, &act_of(demo)->stage,
+		live_set_stage(&base_of(demo)->live, &base_of(demo)->stage,
 			(float)env->width / (float)env->height);
 	}
 	if (error) {
@@ -71,59 +71,60 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 void demo_destroy(const struct demo_driver *driver, struct demo *demo)
 {
 	if (demo) {
-		struct act *act = act_of(demo);
+		struct demo_base *base = base_of(demo);
 
 		if (driver->finish) {
 			driver->finish(demo);
 		}
-		live_finish(&act->live, act->gl);
-		stage_finish(&act->stage, act->gl);
-		actor_unload(&act->actor, act->gl);
+		live_finish(&base->live, base->gl);
+		stage_finish(&base->stage, base->gl);
+		actor_unload(&base->actor, base->gl);
 		free(demo);
 	}
 }
 
-void demo_watch(struct demo *demo, double time_s, int width, int height)
+void demo_update_live(struct demo *demo, double time_s, int width, int height)
 {
-	struct act *act = act_of(demo);
+	struct demo_base *base = base_of(demo);
 
-	live_update(&act->live, act->gl, &act->stage, time_s, width, height);
+	live_update(&base->live, base->gl, &base->stage, time_s, width, height);
 }
 
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud)
 {
 	driver->label(demo, hud);
-	live_label(&((const struct act *)demo)->live, hud);
+	live_label(&((const struct demo_base *)demo)->live, hud);
 }
 
-void demo_shed(struct demo *demo, const struct shed *shed)
+void demo_set_reduction(
+	struct demo *demo, const struct demo_reduction *reduction)
 {
-	struct act *act = act_of(demo);
+	struct demo_base *base = base_of(demo);
 
-	act->shed = *shed;
-	act->actor.most_influences = shed->max_influences;
-	act->actor.least_error_px = shed->error_px;
-	act->actor.instance->hold_normals = shed->hold_normals;
+	base->reduction = *reduction;
+	base->actor.influence_limit = reduction->max_influences;
+	base->actor.min_error_px = reduction->error_px;
+	base->actor.instance->hold_normals = reduction->hold_normals;
 }
 
 void demo_set_rate(struct demo *demo, float frames_per_s)
 {
-	act_of(demo)->frames_per_s = frames_per_s;
+	base_of(demo)->frames_per_s = frames_per_s;
 }
 
-struct demo_facts demo_tell(
+struct demo_facts demo_get_facts(
 	const struct demo_driver *driver, const struct demo *demo)
 {
 	const struct instance *instance =
-		((const struct act *)demo)->actor.instance;
+		((const struct demo_base *)demo)->actor.instance;
 	struct demo_facts facts = {
-		.technique = technique_of(instance),
+		.technique = actor_technique(instance),
 		.triangles = lod_triangles(instance),
 	};
 
-	if (driver->tell) {
-		driver->tell(demo, &facts);
+	if (driver->get_facts) {
+		driver->get_facts(demo, &facts);
 	}
 	return facts;
 }
@@ -131,7 +132,7 @@ struct demo_facts demo_tell(
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
-	struct live *live = &act_of(demo)->live;
+	struct live *live = &base_of(demo)->live;
 
 	if (live->feed && event->button == BUTTON_F10) {
 		if (event->down) {

@@ -63,7 +63,7 @@ struct demo_driver {
 	const char *asset; /* a file of assets/, or NULL: the user's model */
 	const struct demo_action *action; /* a NULL run ends it */
 
-	/* Of the demo's own struct, which begins with a struct act. */
+	/* Of the demo's own struct, which begins with a struct demo_base. */
 	size_t size;
 
 	/*
@@ -88,7 +88,7 @@ struct demo_driver {
 	void (*label)(const struct demo *demo, struct hud *hud);
 
 	/* Optional: NULL where the actor is all there is. */
-	void (*tell)(const struct demo *demo, struct demo_facts *out);
+	void (*get_facts)(const struct demo *demo, struct demo_facts *out);
 };
 
 /* All demos, NULL at the end; the first is the default. */
@@ -111,14 +111,15 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 void demo_destroy(const struct demo_driver *driver, struct demo *demo);
 
 /* What to leave out to keep a budget; all zero: nothing. */
-struct shed {
+struct demo_reduction {
 	float error_px;     /* of coarser triangles, at least; 0: as it is */
 	int max_influences; /* of any vertex; 0: all */
 	bool hold_normals;  /* as they are */
 };
 
 /* From the next update on. */
-void demo_shed(struct demo *demo, const struct shed *shed);
+void demo_set_reduction(
+	struct demo *demo, const struct demo_reduction *reduction);
 
 /* How many frames a second there are; 0: not known. For labels. */
 void demo_set_rate(struct demo *demo, float frames_per_s);
@@ -127,14 +128,14 @@ void demo_set_rate(struct demo *demo, float frames_per_s);
  * Looks at the camera, for the frame of this time and size; before draw(). A
  * demo without a camera is fine.
  */
-void demo_watch(struct demo *demo, double time_s, int width, int height);
+void demo_update_live(struct demo *demo, double time_s, int width, int height);
 
 /* The demo's own labels, and what the camera is for. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud);
 
 /* What it shows now. */
-struct demo_facts demo_tell(
+struct demo_facts demo_get_facts(
 	const struct demo_driver *driver, const struct demo *demo);
 
 /*

@@ -16,32 +16,32 @@
 #include <string.h>
 
 static const char mesh_node[] = "Face";
-static const char startled_target[] = "surprise";
-static const float unhurried_ms = 600.0f;
+static const char motion_target[] = "surprise";
+static const float default_ms = 600.0f;
 static const float forward[3] = {0.0f, 0.0f, 1.0f};
 static const float bulge_m = 0.03f; /* of sinusoidal motion */
 static const double dwell_s = 1.5;  /* from one expression to the next */
 
-static const struct framing framing = {
+static const struct camera_framing framing = {
 	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 1.06f};
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	int head; /* node */
 	struct face_keys keys;
 	int current;  /* the key frame that Destiny is */
 	int previous; /* the one before it */
 	struct morph_motion motion;
 	double now_s;
-	bool touring;
+	bool autoplay;
 	double next_s;
-	int startled; /* the key frame that motion leads to */
-	bool stirred; /* motion holds the face now */
+	int motion_key;         /* the key frame that motion leads to */
+	bool motion_controlled; /* motion holds the face now */
 };
 
 static int init_keys(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	int error;
 
 	demo->head = model_find_node(model, mesh_node);
@@ -51,7 +51,7 @@ static int init_keys(struct demo *demo, const struct demo_env *env)
 		return -EINVAL;
 	}
 	error = face_keys_init(
-		&demo->keys, demo->act.actor.instance, demo->head);
+		&demo->keys, demo->base.actor.instance, demo->head);
 	if (error) {
 		log_error(env->log, "%s: not enough memory for its key frames",
 			env->model_path);
@@ -79,14 +79,14 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
-	demo->touring = env->unattended;
-	demo->startled = find_key(demo, startled_target);
+	demo->autoplay = env->unattended;
+	demo->motion_key = find_key(demo, motion_target);
 	demo->motion = morph_motion_default();
-	demo->motion.duration_ms = unhurried_ms;
+	demo->motion.duration_ms = default_ms;
 	memcpy(demo->motion.direction, forward, sizeof(forward));
 	demo->motion.amplitude = bulge_m;
-	bounds = bounds_of_clip(demo->act.actor.instance, -1);
-	return set_stage(env, &bounds, framing, &demo->act.stage);
+	bounds = bounds_of_clip(demo->base.actor.instance, -1);
+	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
 }
 
 static void go_to_key(struct demo *demo, int key)
@@ -102,10 +102,10 @@ static void sway(struct demo *demo)
 {
 	static const float up[3] = {0.0f, 1.0f, 0.0f};
 	struct transform *local =
-		&demo->act.actor.instance->pose.local[demo->head];
+		&demo->base.actor.instance->pose.local[demo->head];
 	float turn[4];
 
-	pose_rest(&demo->act.actor.instance->pose, demo->act.actor.model);
+	pose_rest(&demo->base.actor.instance->pose, demo->base.actor.model);
 	quat_from_axis_angle(
 		up, 0.10f * scalar_sin((float)demo->now_s * 0.8f), turn);
 	quat_multiply(turn, local->rotation, local->rotation);
@@ -114,40 +114,41 @@ static void sway(struct demo *demo)
 /* Once, when the camera lets go of the face: from where it is to its key. */
 static void let_go(struct demo *demo)
 {
-	bool stirred = live_moves(&demo->act.live);
+	bool motion_controlled = live_controls_motion(&demo->base.live);
 
-	if (demo->stirred && !stirred) {
+	if (demo->motion_controlled && !motion_controlled) {
 		go_to_key(demo, demo->current);
 		demo->next_s = demo->now_s + dwell_s;
 	}
-	demo->stirred = stirred;
+	demo->motion_controlled = motion_controlled;
 }
 
 static void face_update(struct demo *demo, double time_s)
 {
-	const struct live *live = &demo->act.live;
+	const struct live *live = &demo->base.live;
 
 	demo->now_s = time_s;
 	let_go(demo);
-	if (demo->touring && !demo->stirred && time_s >= demo->next_s) {
+	if (demo->autoplay && !demo->motion_controlled &&
+		time_s >= demo->next_s) {
 		go_to_key(demo, demo->current + 1);
 		demo->next_s += dwell_s;
 	}
-	if (live_moves(live)) {
-		face_keys_hold(&demo->keys, demo->current, demo->startled,
-			live->motion);
+	if (live_controls_motion(live)) {
+		face_keys_hold(&demo->keys, demo->current, demo->motion_key,
+			live->smooth_level);
 	} else {
 		face_keys_update(&demo->keys, time_s * 1000.0);
 	}
 	sway(demo);
 	face_keys_apply(&demo->keys);
-	instance_update(demo->act.actor.instance);
+	instance_update(demo->base.actor.instance);
 }
 
 static void face_draw(struct demo *demo, int width, int height)
 {
-	actor_choose_lod(&demo->act.actor, &demo->act.stage.camera, height);
-	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+	actor_choose_lod(&demo->base.actor, &demo->base.stage.camera, height);
+	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
 		height);
 }
 
@@ -185,7 +186,7 @@ static void face_label(const struct demo *demo, struct hud *hud)
 static void press_next(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		go_to_key(demo, demo->current + 1);
 	}
 }
@@ -193,7 +194,7 @@ static void press_next(struct demo *demo, bool down)
 static void press_previous(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		go_to_key(demo, demo->current - 1);
 	}
 }
@@ -201,7 +202,7 @@ static void press_previous(struct demo *demo, bool down)
 static void press_neutral(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		go_to_key(demo, 0);
 	}
 }
@@ -246,10 +247,10 @@ static void press_curve(struct demo *demo, bool down)
 	}
 }
 
-static void press_tour(struct demo *demo, bool down)
+static void press_autoplay(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = !demo->touring;
+		demo->autoplay = !demo->autoplay;
 		demo->next_s = demo->now_s;
 	}
 }
@@ -262,7 +263,7 @@ static const struct demo_action face_actions[] = {
 	{BUTTON_DOWN, "half as fast", press_slower},
 	{BUTTON_F6, "interpolate over time or by frames", press_timing},
 	{BUTTON_F8, "linear or sinusoidal", press_curve},
-	{BUTTON_F9, "run through all of them", press_tour},
+	{BUTTON_F9, "run through all of them", press_autoplay},
 	{0},
 };
 

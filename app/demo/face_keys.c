@@ -61,7 +61,7 @@ static int init_part(struct face_keys *keys, struct face_part *part,
 	error = morph_init(&part->morph, drawable->primitive->vertex_count,
 		part->key[0], arena);
 	if (!error) {
-		drawable_set_shape(drawable, part->morph.temporal,
+		instance_use_vertices(drawable, part->morph.temporal,
 			part->morph.temporal_normal);
 	}
 	return error;

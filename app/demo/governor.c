@@ -13,7 +13,7 @@ static const double wait_least_s = 1.0, wait_most_s = 30.0;
 static const double lasting_s = 5.0; /* a restored step that stays so long */
 
 static const struct {
-	struct shed shed;
+	struct demo_reduction reduction;
 	unsigned frames_a_pose;
 	const char *text;
 } levels[GOVERNOR_STEPS + 1] = {
@@ -68,7 +68,7 @@ static void weigh(struct governor *governor)
 	}
 }
 
-static void shed(struct governor *governor, double now_s)
+static void reduce(struct governor *governor, double now_s)
 {
 	bool lasted = now_s - governor->restored_s > lasting_s;
 	double longer_s = 2.0 * governor->wait_s;
@@ -116,7 +116,7 @@ bool governor_feed(struct governor *governor, double now_s, float work_ms)
 		since(level > 0 && restored_ms < room * governor->budget_ms,
 			governor->under_s, now_s);
 	if (governor->over_s >= 0.0 && now_s - governor->over_s >= over_limit_s) {
-		shed(governor, now_s);
+		reduce(governor, now_s);
 	} else if (governor->under_s >= 0.0 &&
 		now_s - governor->under_s >= governor->wait_s) {
 		restore(governor, now_s);
@@ -124,9 +124,9 @@ bool governor_feed(struct governor *governor, double now_s, float work_ms)
 	return governor->level != level;
 }
 
-struct shed governor_shed(const struct governor *governor)
+struct demo_reduction governor_reduction(const struct governor *governor)
 {
-	return levels[governor->level].shed;
+	return levels[governor->level].reduction;
 }
 
 bool governor_poses(struct governor *governor)

@@ -35,8 +35,8 @@ struct governor governor_begin(float budget_ms);
 /* A frame took this long, without waiting. True where the level changed. */
 bool governor_feed(struct governor *governor, double now_s, float work_ms);
 
-/* What demo_shed() is to be told. */
-struct shed governor_shed(const struct governor *governor);
+/* What demo_set_reduction() is to be told. */
+struct demo_reduction governor_reduction(const struct governor *governor);
 
 /* Once a frame: whether it gets a new pose. */
 bool governor_poses(struct governor *governor);

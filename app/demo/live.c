@@ -69,20 +69,20 @@ static void use_image(struct live *live, const struct gl *gl,
 		float change =
 			(float)camera_motion_feed(&live->seen, image) / 256.0f;
 
-		live->stir = scalar_clamp(
+		live->level = scalar_clamp(
 			scalar_sqrt(change / full_stir), 0.0f, 1.0f);
 	}
 }
 
 static void smooth_motion(struct live *live, float step_s)
 {
-	float way = live->stir - live->motion;
+	float way = live->level - live->smooth_level;
 	float time_s = way > 0.0f ? rise_s : fall_s;
 
-	live->motion += way * (1.0f - scalar_exp(-step_s / time_s));
+	live->smooth_level += way * (1.0f - scalar_exp(-step_s / time_s));
 }
 
-static void set_stage(const struct live *live, struct stage *stage)
+static void show_on_stage(const struct live *live, struct stage *stage)
 {
 	bool filled = live->showing && live->texture.width > 0;
 	const struct live_texture *picture = filled ? &live->texture : NULL;
@@ -109,12 +109,12 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 	}
 	live->showing = news != CAMERA_NONE;
 	if (!live->showing) {
-		live->stir = 0.0f;
+		live->level = 0.0f;
 		camera_motion_reset(&live->seen);
 	}
 	smooth_motion(live, (float)(time_s - live->now_s));
 	live->now_s = time_s;
-	set_stage(live, stage);
+	show_on_stage(live, stage);
 }
 
 void live_next_use(struct live *live)
@@ -122,11 +122,11 @@ void live_next_use(struct live *live)
 	live->use = (enum live_use)((live->use + 1) % LIVE_USES);
 	/* What the texture holds was cut for another use. */
 	live->texture.width = live->texture.height = 0;
-	live->stir = 0.0f;
+	live->level = 0.0f;
 	camera_motion_reset(&live->seen);
 }
 
-bool live_moves(const struct live *live)
+bool live_controls_motion(const struct live *live)
 {
 	return live->feed && live->use == LIVE_MOTION;
 }
@@ -139,9 +139,9 @@ void live_label(const struct live *live, struct hud *hud)
 		return;
 	}
 	group = hud_group_begin(hud, HUD_BOTTOM_RIGHT, NULL);
-	if (live_moves(live) && live->showing) {
+	if (live_controls_motion(live) && live->showing) {
 		hud_group_weight(
-			&group, "motion", live->motion, hud_color_amber);
+			&group, "motion", live->smooth_level, hud_color_amber);
 		hud_group_end(&group);
 		return;
 	}

@@ -30,8 +30,8 @@ struct live {
 	struct live_texture texture;
 	struct monitor monitor;
 	struct camera_motion seen;
-	float stir;   /* how much moves now, 0..1 */
-	float motion; /* the same, smoothed: quick to rise, slow to fall */
+	float level;        /* how much moves now, 0..1 */
+	float smooth_level; /* the same, smoothed: quick to rise, slow to fall */
 	double now_s;
 };
 
@@ -64,7 +64,7 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 void live_next_use(struct live *live);
 
 /* Whether what moves before the camera shall move the figure. */
-bool live_moves(const struct live *live);
+bool live_controls_motion(const struct live *live);
 
 /* Says on the picture what it is used for, if there is a camera. */
 void live_label(const struct live *live, struct hud *hud);

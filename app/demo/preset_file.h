@@ -9,14 +9,14 @@
 
 enum {
 	PRESETS_MAX = 16,
-	PRESET_PATH_ROOM = 1024
+	PRESET_PATH_SIZE = 1024
 };
 
 /* The asset that has them. */
 extern const char preset_file_asset[];
 
 struct preset_file {
-	char path[PRESET_PATH_ROOM]; /* "" where there is no file */
+	char path[PRESET_PATH_SIZE]; /* "" where there is no file */
 	struct procedural_preset preset[PRESETS_MAX];
 	int count; /* at least 1 */
 };

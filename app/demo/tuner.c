@@ -27,27 +27,27 @@ static const char *const bones[SIDES] = {"shoulder.L", "shoulder.R"};
 static const float fade_s = 0.3f;
 static const double repeat_after_s = 0.4, repeat_s = 0.06; /* while held */
 static const double news_s = 2.0;
-static const double tour_s = 6.0;
+static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* of preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
 
-static const struct framing framing = {.yaw_rad = 0.3f,
+static const struct camera_framing framing = {.yaw_rad = 0.3f,
 	.pitch_rad = 0.1f,
 	.turn_rad = 0.3f,
 	.margin = 1.04f,
-	.aside = 0.36f};
+	.shift_x = 0.36f};
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	const struct log *log;
 	int height; /* of the picture */
 	struct preset_file file;
 	int chosen; /* preset */
 	int field;
 	struct procedural swing[SIDES];
-	struct tint tint;
+	struct vertex_tint tint;
 	int8_t **level; /* [drawable_count][vertex_count]: below a bone */
-	bool painted, touring, shaking;
+	bool painted, autoplay, shaking;
 	int clip;
 	double now_s;
 	int turning; /* of a value, while held: -1, 0 or 1 */
@@ -64,7 +64,7 @@ static struct procedural_preset *preset_of(struct demo *demo)
 /* Levels below either bone, or OFF_CHAIN. */
 static int8_t level_of(const struct demo *demo, int node)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	int8_t level = 0;
 
 	while (node >= 0 && level < LEVELS_MAX) {
@@ -98,7 +98,7 @@ static int carrier(
 
 static int find_levels(struct demo *demo)
 {
-	struct instance *instance = demo->act.actor.instance;
+	struct instance *instance = demo->base.actor.instance;
 	struct arena *arena = &instance->arena;
 
 	demo->level = arena_alloc(
@@ -121,7 +121,7 @@ static int find_levels(struct demo *demo)
 
 static void paint(struct demo *demo)
 {
-	const struct instance *instance = demo->act.actor.instance;
+	const struct instance *instance = demo->base.actor.instance;
 	const struct procedural_preset *preset = preset_of(demo);
 	uint8_t rgb[LEVELS_MAX + 1][3];
 	float most = 0.001f;
@@ -133,7 +133,8 @@ static void paint(struct demo *demo)
 		most = level < 6 && modifier > most ? modifier : most;
 	}
 	for (int level = 0; level <= LEVELS_MAX; level++) {
-		tint_ramp(procedural_modifier(preset, level) / most, rgb[level]);
+		vertex_tint_ramp(
+			procedural_modifier(preset, level) / most, rgb[level]);
 	}
 	for (int d = 0; d < instance->drawable_count; d++) {
 		int count = instance->drawable[d].primitive->vertex_count;
@@ -141,7 +142,7 @@ static void paint(struct demo *demo)
 		for (int v = 0; v < count; v++) {
 			int level = demo->level[d][v];
 
-			tint_vertex(&demo->tint, d, v,
+			vertex_tint_set(&demo->tint, d, v,
 				level == OFF_CHAIN ? off_chain_rgb : rgb[level]);
 		}
 	}
@@ -164,11 +165,11 @@ static void tell(struct demo *demo, const char *news)
 
 static int begin_swings(struct demo *demo, const struct log *log)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 
 	for (int side = 0; side < SIDES; side++) {
 		int node;
-		int error = find_bone(model, bones[side], log, &node);
+		int error = actor_find_bone(model, bones[side], log, &node);
 
 		if (error) {
 			return error;
@@ -181,24 +182,24 @@ static int begin_swings(struct demo *demo, const struct log *log)
 
 static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct instance *instance = demo->act.actor.instance;
+	struct instance *instance = demo->base.actor.instance;
 	struct bounds bounds;
 	int error = preset_file_read(&demo->file, env->log);
 
 	demo->log = env->log;
 	demo->height = env->height;
-	demo->touring = env->unattended;
+	demo->autoplay = env->unattended;
 	demo->painted = demo->shaking = true;
 	demo->field = attenuation;
 	demo->clip = model_find_clip(instance->model, clip_name);
-	instance->relief = false;
+	instance->normal_mapping = false;
 	if (!error) {
 		error = begin_swings(demo, env->log);
 	}
 	if (error) {
 		return error;
 	}
-	error = tint_init(&demo->tint, instance);
+	error = vertex_tint_init(&demo->tint, instance);
 	if (!error) {
 		error = find_levels(demo);
 	}
@@ -209,8 +210,8 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
-	tint_switch(&demo->tint, demo->painted);
-	return set_stage(env, &bounds, framing, &demo->act.stage);
+	vertex_tint_switch(&demo->tint, demo->painted);
+	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
 }
 
 static void change(struct demo *demo, int steps)
@@ -233,10 +234,10 @@ static void repeat_change(struct demo *demo)
 	}
 }
 
-static void go_on_tour(struct demo *demo)
+static void run_autoplay(struct demo *demo)
 {
-	float angle = (float)(demo->now_s / tour_s -
-			      (double)(long)(demo->now_s / tour_s)) *
+	float angle = (float)(demo->now_s / autoplay_s -
+			      (double)(long)(demo->now_s / autoplay_s)) *
 		2.0f * SCALAR_PI;
 
 	*preset_value(preset_of(demo), &preset_fields[attenuation]) =
@@ -246,12 +247,12 @@ static void go_on_tour(struct demo *demo)
 
 static void tuner_update(struct demo *demo, double time_s)
 {
-	struct actor *actor = &demo->act.actor;
+	struct actor *actor = &demo->base.actor;
 	float step_s = (float)(time_s - demo->now_s);
 
 	demo->now_s = time_s;
-	if (demo->touring) {
-		go_on_tour(demo);
+	if (demo->autoplay) {
+		run_autoplay(demo);
 	}
 	repeat_change(demo);
 	actor_pose(actor, demo->clip,
@@ -265,20 +266,20 @@ static void tuner_update(struct demo *demo, double time_s)
 		procedural_apply(
 			&demo->swing[side], time_s, &actor->instance->pose);
 	}
-	actor_update(actor, &demo->act.stage.camera, demo->height);
+	actor_update(actor, &demo->base.stage.camera, demo->height);
 }
 
 static void tuner_draw(struct demo *demo, int width, int height)
 {
 	demo->height = height;
-	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
 		height);
 }
 
 static double tuner_period_s(const struct demo *demo)
 {
 	(void)demo;
-	return tour_s;
+	return autoplay_s;
 }
 
 static void tuner_label(const struct demo *demo, struct hud *hud)
@@ -326,7 +327,7 @@ static void turn_value(struct demo *demo, int way, bool down)
 {
 	demo->turning = down ? way : 0;
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		change(demo, way);
 		demo->next_turn_s = demo->now_s + repeat_after_s;
 	}
@@ -360,7 +361,7 @@ static void press_save(struct demo *demo, bool down)
 static void press_next(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		demo->chosen = (demo->chosen + 1) % demo->file.count;
 		use_preset(demo);
 	}
@@ -370,7 +371,7 @@ static void press_paint(struct demo *demo, bool down)
 {
 	if (down) {
 		demo->painted = !demo->painted;
-		tint_switch(&demo->tint, demo->painted);
+		vertex_tint_switch(&demo->tint, demo->painted);
 	}
 }
 
@@ -381,7 +382,7 @@ static void press_again(struct demo *demo, bool down)
 
 	if (down && preset_file_read(&file, demo->log) == 0 &&
 		demo->chosen < file.count) {
-		demo->touring = false;
+		demo->autoplay = false;
 		*preset_of(demo) = file.preset[demo->chosen];
 		use_preset(demo);
 		tell(demo, "as in the file");

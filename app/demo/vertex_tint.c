@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
-static int init_materials(struct tint *tint)
+static int init_materials(struct vertex_tint *tint)
 {
 	struct model *plain = &tint->plain;
 	size_t count = (size_t)tint->kept->material_count;
@@ -32,12 +32,13 @@ static bool can_paint(const struct drawable *drawable)
 	return drawable->batch_count == 1 && !drawable->batch[0].source;
 }
 
-int tint_init(struct tint *tint, struct instance *instance)
+int vertex_tint_init(struct vertex_tint *tint, struct instance *instance)
 {
 	struct arena *arena = &instance->arena;
 	size_t count = (size_t)instance->drawable_count;
 
-	*tint = (struct tint){.instance = instance, .kept = instance->model};
+	*tint = (struct vertex_tint){
+		.instance = instance, .kept = instance->model};
 	tint->kept_color = arena_alloc(arena, count, sizeof(*tint->kept_color));
 	tint->color = arena_alloc(arena, count, sizeof(*tint->color));
 	if (!tint->kept_color || !tint->color) {
@@ -60,7 +61,7 @@ int tint_init(struct tint *tint, struct instance *instance)
 	return init_materials(tint);
 }
 
-void tint_switch(struct tint *tint, bool on)
+void vertex_tint_switch(struct vertex_tint *tint, bool on)
 {
 	struct instance *instance = tint->instance;
 
@@ -74,21 +75,21 @@ void tint_switch(struct tint *tint, bool on)
 	}
 }
 
-void tint_vertex(
-	struct tint *tint, int drawable, int vertex, const uint8_t rgb[3])
+void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
+	const uint8_t rgb[3])
 {
 	const struct drawable_fixed *fixed =
 		tint->instance->drawable[drawable].fixed;
 
 	if (tint->color[drawable]) {
-		size_t at = fixed && fixed->place ? fixed->place[vertex]
-						  : (size_t)vertex;
+		size_t at = fixed && fixed->slot ? fixed->slot[vertex]
+						 : (size_t)vertex;
 
 		memcpy(tint->color[drawable][at], rgb, 3);
 	}
 }
 
-void tint_ramp(float share, uint8_t rgb[3])
+void vertex_tint_ramp(float share, uint8_t rgb[3])
 {
 	static const float stop[4][3] = {{70.0f, 110.0f, 190.0f},
 		{70.0f, 190.0f, 120.0f}, {246.0f, 204.0f, 72.0f},

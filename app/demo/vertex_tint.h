@@ -8,7 +8,7 @@
 
 #include "app/scene/instance/instance.h"
 
-struct tint {
+struct vertex_tint {
 	struct instance *instance;       /* not owned */
 	const struct model *kept;        /* the instance's own model */
 	struct model plain;              /* the same, with white materials */
@@ -17,15 +17,15 @@ struct tint {
 };
 
 /* Off. Memory is the instance's arena's. 0 or -ENOMEM. */
-int tint_init(struct tint *tint, struct instance *instance);
+int vertex_tint_init(struct vertex_tint *tint, struct instance *instance);
 
-void tint_switch(struct tint *tint, bool on);
+void vertex_tint_switch(struct vertex_tint *tint, bool on);
 
 /* The colour of a drawable's vertex, numbered as in its primitive. */
-void tint_vertex(
-	struct tint *tint, int drawable, int vertex, const uint8_t rgb[3]);
+void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
+	const uint8_t rgb[3]);
 
 /* From blue for 0 over green and yellow to red for 1; clamps. */
-void tint_ramp(float share, uint8_t rgb[3]);
+void vertex_tint_ramp(float share, uint8_t rgb[3]);
 
 #endif

@@ -16,11 +16,11 @@ static const float zoom_per_s = 1.2f;
 static const float fade_s = 0.25f;
 static const double look_s = 1.0; /* between looks at the file */
 
-static const struct framing framing = {.yaw_rad = 0.45f,
+static const struct camera_framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.turn_rad = SCALAR_PI,
 	.margin = 1.15f,
-	.aside = 0.15f};
+	.shift_x = 0.15f};
 
 /* Whether the file has changed: looked at once a second. */
 struct file_watch {
@@ -32,7 +32,7 @@ struct file_watch {
 };
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	int height; /* of the picture */
 	int clip;   /* or -1: at rest */
 	struct playback playback;
@@ -57,7 +57,7 @@ static float viewer_duration_s(const struct demo *demo)
 {
 	return demo->clip < 0
 		? 0.0f
-		: demo->act.actor.model->clip[demo->clip].duration_s;
+		: demo->base.actor.model->clip[demo->clip].duration_s;
 }
 
 static void begin_clip(struct demo *demo)
@@ -69,12 +69,12 @@ static void begin_clip(struct demo *demo)
 /* This clip and the next one, overlapping by the document's four frames. */
 static void begin_join(struct demo *demo, double join_s)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	int next = (demo->clip + 1) % model->clip_count;
 
 	demo->join = clip_join_frames(
 		&model->clip[demo->clip], &model->clip[next], JOIN_FRAMES);
-	demo->join.interpolation = demo->act.actor.interpolation;
+	demo->join.interpolation = demo->base.actor.interpolation;
 	demo->join_s = join_s;
 }
 
@@ -89,22 +89,22 @@ static void run_join(struct demo *demo, float step_s)
 			demo->join_s - first_s + (double)demo->join.overlap_s;
 
 		demo->clip =
-			(demo->clip + 1) % demo->act.actor.model->clip_count;
+			(demo->clip + 1) % demo->base.actor.model->clip_count;
 		begin_join(demo, into_s);
 	}
 	clip_join_sample(&demo->join, (float)demo->join_s,
-		&demo->act.actor.cursor, &demo->next_cursor, &demo->scratch,
-		&demo->act.actor.instance->pose);
+		&demo->base.actor.cursor, &demo->next_cursor, &demo->scratch,
+		&demo->base.actor.instance->pose);
 }
 
 static int init_join(struct demo *demo, const struct demo_env *env)
 {
-	struct arena *arena = &demo->act.actor.instance->arena;
-	int error = pose_init(&demo->scratch, demo->act.actor.model, arena);
+	struct arena *arena = &demo->base.actor.instance->arena;
+	int error = pose_init(&demo->scratch, demo->base.actor.model, arena);
 
 	if (!error) {
 		error = clip_cursor_init(
-			&demo->next_cursor, demo->act.actor.model, arena);
+			&demo->next_cursor, demo->base.actor.model, arena);
 	}
 	if (error) {
 		log_error(env->log, "%s: not enough memory to join its clips",
@@ -115,7 +115,7 @@ static int init_join(struct demo *demo, const struct demo_env *env)
 
 static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
-	const struct actor *actor = &demo->act.actor;
+	const struct actor *actor = &demo->base.actor;
 	struct bounds bounds;
 	int error = model_choose_clip(actor->model, env->clip,
 		actor->model->clip_count > 0 ? 0 : -1, env->log, &demo->clip);
@@ -132,10 +132,10 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 	demo->repeat = env->repeat;
 	demo->speed = env->speed;
 	demo->tilting = actor->model->clip_count < 2;
-	demo->title = technique_of(actor->instance);
+	demo->title = actor_technique(actor->instance);
 	begin_clip(demo);
 	bounds = bounds_of_clip(actor->instance, demo->clip);
-	return set_stage(env, &bounds, framing, &demo->act.stage);
+	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
 }
 
 /* The clip of that name, or else of that number, or the first. */
@@ -152,17 +152,17 @@ static int same_clip(const struct model *old, const struct model *new, int clip)
 /* The camera stays where it is, unless that would no longer show it. */
 static void reframe(struct demo *demo, float old_extent)
 {
-	struct stage *stage = &demo->act.stage;
-	float ratio = demo->act.actor.extent / old_extent;
+	struct stage *stage = &demo->base.stage;
+	float ratio = demo->base.actor.extent / old_extent;
 	struct bounds bounds;
 	struct stage fresh;
 
 	if (ratio > 0.8f && ratio < 1.25f) {
 		return;
 	}
-	bounds = bounds_of_clip(demo->act.actor.instance, demo->clip);
-	if (set_stage(&demo->watch.env, &bounds, framing, &fresh) == 0) {
-		stage_finish(stage, demo->act.gl);
+	bounds = bounds_of_clip(demo->base.actor.instance, demo->clip);
+	if (actor_init_stage(&demo->watch.env, &bounds, framing, &fresh) == 0) {
+		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
 }
@@ -171,14 +171,14 @@ static void reframe(struct demo *demo, float old_extent)
 static int load_again(struct demo *demo)
 {
 	const struct demo_env *env = &demo->watch.env;
-	struct actor old = demo->act.actor, fresh;
+	struct actor old = demo->base.actor, fresh;
 	const struct demo before = *demo;
 	int error = actor_load(&fresh, env);
 
 	if (error) {
 		return error;
 	}
-	demo->act.actor = fresh;
+	demo->base.actor = fresh;
 	error = init_join(demo, env);
 	if (error) {
 		actor_unload(&fresh, env->gl);
@@ -186,7 +186,7 @@ static int load_again(struct demo *demo)
 		return error;
 	}
 	demo->clip = same_clip(old.model, fresh.model, demo->clip);
-	demo->title = technique_of(fresh.instance);
+	demo->title = actor_technique(fresh.instance);
 	demo->tilting = demo->tilting || fresh.model->clip_count < 2;
 	demo->joining = false;
 	begin_clip(demo);
@@ -227,25 +227,25 @@ static void viewer_update(struct demo *demo, double time_s)
 	if (!demo->paused) {
 		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
-	camera_orbit(&demo->act.stage.camera,
+	camera_orbit(&demo->base.stage.camera,
 		demo->turn * orbit_rad_per_s * step_s,
 		demo->tilt * orbit_rad_per_s * step_s);
-	demo->act.stage.camera.distance *=
+	demo->base.stage.camera.distance *=
 		1.0f + demo->zoom * zoom_per_s * step_s;
 	if (demo->joining) {
 		run_join(demo, demo->paused ? 0.0f : step_s);
 	} else {
-		actor_pose(&demo->act.actor, demo->clip, demo->playback.time_s);
-		fade_update(&demo->act.actor.fade, step_s,
-			&demo->act.actor.instance->pose);
+		actor_pose(&demo->base.actor, demo->clip, demo->playback.time_s);
+		fade_update(&demo->base.actor.fade, step_s,
+			&demo->base.actor.instance->pose);
 	}
-	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
+	actor_update(&demo->base.actor, &demo->base.stage.camera, demo->height);
 }
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
 	demo->height = height;
-	actor_draw(&demo->act.actor, &demo->act.stage, demo->act.gl, width,
+	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
 		height);
 }
 
@@ -258,7 +258,7 @@ static double viewer_period_s(const struct demo *demo)
 
 static void viewer_label(const struct demo *demo, struct hud *hud)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	float duration_s = viewer_duration_s(demo);
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, demo->title);
 
@@ -277,7 +277,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 	if (demo->joining) {
 		hud_group_text(&group, "joined to", demo->join.to->name);
 	}
-	actor_label_lod(&demo->act.actor, &group);
+	actor_label_lod(&demo->base.actor, &group);
 	if (demo->paused) {
 		hud_group_text(&group, "paused", "");
 	}
@@ -289,11 +289,11 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 
 static void step_clip(struct demo *demo, int step)
 {
-	int count = demo->act.actor.model->clip_count;
+	int count = demo->base.actor.model->clip_count;
 
 	if (count > 0) {
-		fade_begin(&demo->act.actor.fade,
-			&demo->act.actor.instance->pose, fade_s, EASE_CUBIC);
+		fade_begin(&demo->base.actor.fade,
+			&demo->base.actor.instance->pose, fade_s, EASE_CUBIC);
 		demo->clip = (demo->clip + step + count) % count;
 		demo->joining = false;
 		begin_clip(demo);
@@ -355,7 +355,7 @@ static void press_tilting(struct demo *demo, bool down)
 
 static void press_join(struct demo *demo, bool down)
 {
-	if (down && demo->act.actor.model->clip_count > 1) {
+	if (down && demo->base.actor.model->clip_count > 1) {
 		demo->joining = !demo->joining;
 		begin_clip(demo);
 		begin_join(demo, 0.0);

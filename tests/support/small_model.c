@@ -116,7 +116,7 @@ static void add_frames(struct model *model)
 	}
 }
 
-void small_model_add_relief(
+void small_model_add_normal_map(
 	struct model *model, int width, const uint8_t (*rgba)[4])
 {
 	size_t bytes = (size_t)width * 4;

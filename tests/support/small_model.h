@@ -19,7 +19,7 @@ struct model *small_model_grid(
  * from 0 to 1 along +X and from 1 to 0 along +Y, tangents along +X. The texels
  * are copied.
  */
-void small_model_add_relief(
+void small_model_add_normal_map(
 	struct model *model, int width, const uint8_t (*rgba)[4]);
 
 /* A normal map of one texel that changes nothing. */

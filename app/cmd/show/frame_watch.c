@@ -38,7 +38,7 @@ void frame_watch_end(struct frame_watch *watch)
 }
 
 void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
-	const char *driver, const char *shed, struct hud *hud)
+	const char *driver, const char *reduction, struct hud *hud)
 {
 	if (!watch->shown) {
 		return;
@@ -53,7 +53,7 @@ void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
 			.driver = driver,
 			.triangles = facts->triangles,
 			.memory_bytes = watch->memory_bytes,
-			.shed = shed,
+			.reduction = reduction,
 		},
 		hud);
 }

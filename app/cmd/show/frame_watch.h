@@ -33,6 +33,6 @@ void frame_watch_end(struct frame_watch *watch);
 
 /* Puts the graph on the picture if it is to be seen. */
 void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
-	const char *driver, const char *shed, struct hud *hud);
+	const char *driver, const char *reduction, struct hud *hud);
 
 #endif

@@ -181,7 +181,7 @@ static void press_buttons(struct show *show, int64_t now_ms)
 static void draw_hud(struct show *show, int width, int height)
 {
 	const struct demo_driver *driver = show->plan->demo;
-	const struct demo_facts facts = demo_tell(driver, show->demo);
+	const struct demo_facts facts = demo_get_facts(driver, show->demo);
 
 	if (!show->labelled && !show->watch.shown) {
 		return;
@@ -228,7 +228,7 @@ static int draw_frame(struct show *show)
 	if (error) {
 		return error;
 	}
-	demo_watch(show->demo, show->now_s, width, height);
+	demo_update_live(show->demo, show->now_s, width, height);
 	show->plan->demo->draw(show->demo, width, height);
 	draw_hud(show, width, height);
 	error = screen_complete_frame(&show->screen);
@@ -273,7 +273,7 @@ static void run_up(struct show *show)
 		feed_watchdog(show);
 		press_buttons(show, (int64_t)(at * 1000.0));
 		show->plan->demo->update(show->demo, at);
-		demo_watch(show->demo, at, show->screen.info.width,
+		demo_update_live(show->demo, at, show->screen.info.width,
 			show->screen.info.height);
 	}
 }
@@ -287,9 +287,10 @@ static void keep_budget(struct show *show, double now_s)
 		(waits ? 0.0f : stage_ms[HUD_PRESENT]);
 
 	if (governor_feed(&show->governor, now_s, work_ms)) {
-		struct shed shed = governor_shed(&show->governor);
+		struct demo_reduction reduction =
+			governor_reduction(&show->governor);
 
-		demo_shed(show->demo, &shed);
+		demo_set_reduction(show->demo, &reduction);
 	}
 }
 

@@ -11,7 +11,7 @@
  * --clock fixed:25 --no-labels --frames FRAMES`. Drawing is most of it.
  */
 #include "app/demo/actor.h"
-#include "app/demo/crowd/crowd_places.h"
+#include "app/demo/crowd/crowd_route.h"
 #include "app/demo/crowd/crowd_shadow.h"
 #include "app/demo/demo.h"
 #include "app/scene/draw/draw.h"
@@ -38,21 +38,21 @@ static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its distance */
 static const double period_s = 8.0;
 
-static const struct framing framing = {
+static const struct camera_framing framing = {
 	.yaw_rad = 0.45f, .pitch_rad = 0.42f, .turn_rad = 0.0f, .margin = 1.0f};
 
 struct walker {
 	struct instance *instance;
 	struct clip_cursor cursor;
-	struct crowd_place place;
+	struct crowd_route route;
 	int clip;
-	struct crowd_spot spot;
+	struct crowd_position position;
 	float height_px; /* on the screen */
 	int every;       /* so many frames a pose */
 };
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	const struct log *log;
 	const struct kernel *kernel;
 	float aspect;
@@ -80,13 +80,13 @@ static int find_clip(const struct model *model, const char *name)
 /* The first one is the actor's own instance. */
 static int add_walker(struct demo *demo)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	struct walker *walker = &demo->walker[demo->count];
 	int error = 0;
 
-	*walker = (struct walker){.place = crowd_place(demo->count), .every = 1};
+	*walker = (struct walker){.route = crowd_route(demo->count), .every = 1};
 	if (demo->count == 0) {
-		walker->instance = demo->act.actor.instance;
+		walker->instance = demo->base.actor.instance;
 	} else {
 		error = instance_create(
 			model, demo->kernel, demo->log, &walker->instance);
@@ -102,8 +102,9 @@ static int add_walker(struct demo *demo)
 		instance_destroy(walker->instance);
 		return error;
 	}
-	walker->instance->relief = false; /* lit in world space; they turn */
-	walker->clip = find_clip(model, walker->place.clip);
+	walker->instance->normal_mapping =
+		false; /* lit in world space; they turn */
+	walker->clip = find_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;
 }
@@ -136,7 +137,7 @@ static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 
 	return (struct bounds){
 		.low = {-r, 0.0f, -r},
-		.high = {r, demo->act.actor.extent, r},
+		.high = {r, demo->base.actor.extent, r},
 	};
 }
 
@@ -145,7 +146,7 @@ static struct camera camera_for(const struct demo *demo, int count)
 {
 	struct bounds bounds = bounds_of_crowd(demo, count);
 	struct camera camera = camera_default();
-	struct framing wanted = framing;
+	struct camera_framing wanted = framing;
 
 	wanted.aspect = demo->aspect;
 	camera_frame(&camera, &bounds, &wanted);
@@ -172,8 +173,8 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	/* The floor is laid out for the largest crowd. */
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
-	error = set_stage(env, &bounds, framing, &demo->act.stage);
-	demo->act.stage.camera = camera_for(demo, demo->count);
+	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;
 }
 
@@ -186,13 +187,13 @@ static void crowd_finish(struct demo *demo)
 
 static void move_camera(struct demo *demo, float step_s)
 {
-	struct camera *camera = &demo->act.stage.camera;
+	struct camera *camera = &demo->base.stage.camera;
 	struct camera goal = camera_for(demo, demo->count);
 	float share = 1.0f - scalar_exp(-ease_per_s * step_s);
 	float drift = demo->drifting ? drift_rad_per_s : 0.0f;
 
 	camera->distance += (goal.distance - camera->distance) * share;
-	camera->reach += (goal.reach - camera->reach) * share;
+	camera->radius += (goal.radius - camera->radius) * share;
 	camera_orbit(
 		camera, (demo->turn * turn_rad_per_s + drift) * step_s, 0.0f);
 }
@@ -200,27 +201,27 @@ static void move_camera(struct demo *demo, float step_s)
 /* How high the figure is on the screen. */
 static float height_px(const struct demo *demo, const struct walker *walker)
 {
-	const struct camera *camera = &demo->act.stage.camera;
+	const struct camera *camera = &demo->base.stage.camera;
 	float eye[3], dx, dz, seen;
 
 	camera_eye(camera, eye);
-	dx = eye[0] - walker->spot.x;
-	dz = eye[2] - walker->spot.z;
+	dx = eye[0] - walker->position.x;
+	dz = eye[2] - walker->position.z;
 	seen = 2.0f * camera_tan_half(camera->yfov_rad) *
 		scalar_sqrt(dx * dx + dz * dz + eye[1] * eye[1]);
-	return demo->act.actor.extent / seen * (float)demo->height;
+	return demo->base.actor.extent / seen * (float)demo->height;
 }
 
 static int influences_of(const struct demo *demo, const struct walker *walker)
 {
-	const struct influence_cap *wanted = &demo->act.actor.influence_cap;
+	const struct influence_cap *wanted = &demo->base.actor.influence_cap;
 	int cap = demo->saving ? influence_cap_for_height(walker->height_px) : 0;
-	int shed = demo->act.shed.max_influences;
+	int reduction = demo->base.reduction.max_influences;
 
 	if (wanted->kind == INFLUENCE_CAP_FIXED && wanted->value > 0) {
 		cap = wanted->value;
 	}
-	return shed > 0 && (cap == 0 || shed < cap) ? shed : cap;
+	return reduction > 0 && (cap == 0 || reduction < cap) ? reduction : cap;
 }
 
 static int frames_a_pose(const struct demo *demo, float height)
@@ -234,17 +235,17 @@ static int frames_a_pose(const struct demo *demo, float height)
 static void pose_walker(struct demo *demo, struct walker *walker)
 {
 	struct instance *instance = walker->instance;
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 
 	instance->max_influences = influences_of(demo, walker);
-	instance->hold_normals = demo->act.shed.hold_normals;
+	instance->hold_normals = demo->base.reduction.hold_normals;
 	if (walker->clip >= 0) {
 		const struct model_clip *clip = &model->clip[walker->clip];
 		double at_s = demo->now_s +
-			(double)(walker->place.phase * clip->duration_s);
+			(double)(walker->route.phase * clip->duration_s);
 
 		clip_pose(clip, clip_time(at_s, clip->duration_s, CLIP_LOOP),
-			demo->act.actor.interpolation, &walker->cursor,
+			demo->base.actor.interpolation, &walker->cursor,
 			&instance->pose);
 	}
 	instance_update(instance);
@@ -253,8 +254,8 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 static void choose_detail(struct demo *demo, struct walker *walker)
 {
 	static const struct lod all = {.kind = LOD_ALL};
-	const struct actor *actor = &demo->act.actor;
-	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
+	const struct actor *actor = &demo->base.actor;
+	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
 
 	lod_choose(walker->instance, demo->saving ? &lod : &all,
 		walker->height_px / actor->extent);
@@ -273,7 +274,7 @@ static void crowd_update(struct demo *demo, double time_s)
 		struct walker *walker = &demo->walker[i];
 		bool first = walker->height_px == 0.0f;
 
-		walker->spot = crowd_spot_at(&walker->place, time_s);
+		walker->position = crowd_position_at(&walker->route, time_s);
 		walker->height_px = height_px(demo, walker);
 		walker->every = frames_a_pose(demo, walker->height_px);
 		demo->at_rate[walker->every - 1]++;
@@ -288,46 +289,48 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static void enter_spot(const struct crowd_spot *spot, const struct gl *gl)
+static void enter_spot(
+	const struct crowd_position *position, const struct gl *gl)
 {
 	gl->PushMatrix();
-	gl->Translatex(fx16_from_float(spot->x), 0, fx16_from_float(spot->z));
-	gl->Rotatex(fx16_from_float(spot->yaw_rad * (180.0f / SCALAR_PI)), 0,
-		FX16_ONE, 0);
+	gl->Translatex(
+		fx16_from_float(position->x), 0, fx16_from_float(position->z));
+	gl->Rotatex(fx16_from_float(position->yaw_rad * (180.0f / SCALAR_PI)),
+		0, FX16_ONE, 0);
 }
 
 static void draw_shadow(const struct demo *demo, const struct walker *walker)
 {
-	const struct gl *gl = demo->act.gl;
+	const struct gl *gl = demo->base.gl;
 	bool plain = demo->plain_shadows ||
 		(demo->saving && walker->height_px < PLAIN_BELOW_PX);
 
 	if (plain) {
-		crowd_shadow_draw(&walker->spot, gl);
+		crowd_shadow_draw(&walker->position, gl);
 	} else {
-		enter_spot(&walker->spot, gl);
-		draw_instance(gl, walker->instance, &demo->act.actor.textures,
-			DRAW_SHAPE);
+		enter_spot(&walker->position, gl);
+		draw_instance(gl, walker->instance, &demo->base.actor.textures,
+			DRAW_SHADOW);
 		gl->PopMatrix();
 	}
 }
 
 static void crowd_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->act.gl;
+	const struct gl *gl = demo->base.gl;
 
 	demo->height = height;
 	demo->aspect = (float)width / (float)height;
-	stage_begin(&demo->act.stage, gl, width, height);
-	stage_shadow_begin(&demo->act.stage, gl);
+	stage_begin(&demo->base.stage, gl, width, height);
+	stage_shadow_begin(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {
 		draw_shadow(demo, &demo->walker[i]);
 	}
-	stage_shadow_end(&demo->act.stage, gl);
+	stage_shadow_end(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {
-		enter_spot(&demo->walker[i].spot, gl);
+		enter_spot(&demo->walker[i].position, gl);
 		draw_instance(gl, demo->walker[i].instance,
-			&demo->act.actor.textures, DRAW_SHADED);
+			&demo->base.actor.textures, DRAW_SHADED);
 		gl->PopMatrix();
 	}
 }
@@ -347,9 +350,9 @@ static void crowd_label(const struct demo *demo, struct hud *hud)
 	int length = snprintf(text, sizeof(text), "%d walker%s", demo->count,
 		demo->count == 1 ? "" : "s");
 
-	if (demo->act.frames_per_s > 0.0f) {
+	if (demo->base.frames_per_s > 0.0f) {
 		snprintf(text + length, sizeof(text) - (size_t)length,
-			", %.0f fps", (double)demo->act.frames_per_s);
+			", %.0f fps", (double)demo->base.frames_per_s);
 	}
 	group = hud_group_begin(hud, HUD_TOP_LEFT, text);
 	for (int i = 0; i < RATES; i++) {
@@ -366,7 +369,7 @@ static void crowd_label(const struct demo *demo, struct hud *hud)
 	hud_group_end(&group);
 }
 
-static void crowd_tell(const struct demo *demo, struct demo_facts *out)
+static void crowd_get_facts(const struct demo *demo, struct demo_facts *out)
 {
 	out->triangles = 0;
 	for (int i = 0; i < demo->count; i++) {
@@ -444,5 +447,5 @@ const struct demo_driver demo_driver_crowd = {
 	.draw = crowd_draw,
 	.period_s = crowd_period_s,
 	.label = crowd_label,
-	.tell = crowd_tell,
+	.get_facts = crowd_get_facts,
 };

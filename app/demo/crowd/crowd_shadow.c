@@ -22,7 +22,8 @@ static void draw_outline(const struct gl *gl)
 }
 
 /* Upright at the spot, its flat side towards the light. */
-static void face_light(const struct crowd_spot *spot, const struct gl *gl)
+static void face_light(
+	const struct crowd_position *position, const struct gl *gl)
 {
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 	float light[3], length;
@@ -32,15 +33,16 @@ static void face_light(const struct crowd_spot *spot, const struct gl *gl)
 	matrix[0][0] = matrix[2][2] = light[2] / length;
 	matrix[2][0] = light[0] / length;
 	matrix[0][2] = -light[0] / length;
-	matrix[3][0] = spot->x;
-	matrix[3][2] = spot->z;
+	matrix[3][0] = position->x;
+	matrix[3][2] = position->z;
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)matrix);
 }
 
-void crowd_shadow_draw(const struct crowd_spot *spot, const struct gl *gl)
+void crowd_shadow_draw(
+	const struct crowd_position *position, const struct gl *gl)
 {
-	face_light(spot, gl);
+	face_light(position, gl);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);

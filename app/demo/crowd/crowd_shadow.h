@@ -4,7 +4,7 @@
 #ifndef APP_DEMO_CROWD_CROWD_SHADOW_H
 #define APP_DEMO_CROWD_CROWD_SHADOW_H
 
-#include "app/demo/crowd/crowd_places.h"
+#include "app/demo/crowd/crowd_route.h"
 #include "platform/gl/gl.h"
 
 /*
@@ -12,6 +12,7 @@
  * light, 1.72 m high. Between stage_shadow_begin() and stage_shadow_end();
  * leaves the matrix as it was.
  */
-void crowd_shadow_draw(const struct crowd_spot *spot, const struct gl *gl);
+void crowd_shadow_draw(
+	const struct crowd_position *position, const struct gl *gl);
 
 #endif

@@ -91,11 +91,11 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 		return error;
 	}
 	shown = contender->shown;
-	shown->relief = false;
+	shown->normal_mapping = false;
 	error = clip_cursor_init(
 		&contender->cursor, shown->model, &shown->arena);
 	if (!error) {
-		error = tint_init(&contender->heat, shown);
+		error = vertex_tint_init(&contender->heat, shown);
 	}
 	if (error) {
 		log_error(env->log, "%s: not enough memory to compare it",
@@ -218,8 +218,8 @@ void contender_judge(struct contender *contender, const struct screen *screen,
 				contender->peak_px = px;
 			}
 			sum_px += px;
-			tint_ramp(px / full_px, rgb);
-			tint_vertex(&contender->heat, d, v, rgb);
+			vertex_tint_ramp(px / full_px, rgb);
+			vertex_tint_set(&contender->heat, d, v, rgb);
 		}
 		count += drawable->primitive->vertex_count;
 	}

@@ -24,7 +24,7 @@ struct contender {
 	struct duel_rigid rigid;    /* of CONTENDER_RIGID */
 	struct instance *shown;
 	struct clip_cursor cursor;
-	struct tint heat;
+	struct vertex_tint heat;
 	int64_t (*now_ns)(void); /* or NULL */
 
 	float ms; /* a frame, mean of the last ones; below 0: not known */

@@ -26,18 +26,18 @@ static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* with and without, when nobody presses */
 
-static const struct framing framing = {
+static const struct camera_framing framing = {
 	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .turn_rad = 0.0f, .margin = 0.98f};
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	struct reference *reference;
 	struct screen screen;
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
 	unsigned frame;
 	int slowness; /* halvings of the speed */
-	bool heated, paused, touring;
+	bool heated, paused, autoplay;
 	int scale; /* of full_px */
 	float turn;
 };
@@ -58,7 +58,7 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 static struct bounds bounds_of_row(struct demo *demo)
 {
 	struct bounds bounds = bounds_of_clip(
-		demo->act.actor.instance, demo->reference->clip_index);
+		demo->base.actor.instance, demo->reference->clip_index);
 
 	bounds.low[0] -= apart_m;
 	bounds.high[0] += apart_m;
@@ -68,7 +68,7 @@ static struct bounds bounds_of_row(struct demo *demo)
 
 static int duel_prepare(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	int clip = model_find_clip(model, clip_name);
 	struct bounds bounds;
 	int error;
@@ -85,14 +85,14 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	demo->screen = screen_frame(demo->reference, env->width, env->height);
 	demo->scale = 2;
-	demo->touring = env->unattended;
+	demo->autoplay = env->unattended;
 	error = init_contenders(demo, env);
 	if (error) {
 		return error;
 	}
 	bounds = bounds_of_row(demo);
-	error = set_stage(env, &bounds, framing, &demo->act.stage);
-	demo->act.stage.camera.target[1] -= board_m;
+	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	demo->base.stage.camera.target[1] -= board_m;
 	return error;
 }
 
@@ -108,7 +108,7 @@ static void set_heat(struct demo *demo, bool on)
 {
 	demo->heated = on;
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		tint_switch(&demo->contender[i].heat, on);
+		vertex_tint_switch(&demo->contender[i].heat, on);
 	}
 }
 
@@ -133,12 +133,13 @@ static void duel_update(struct demo *demo, double time_s)
 
 	demo->now_s = time_s;
 	demo->clip_s += (double)clip_step_s;
-	if (demo->touring) {
+	if (demo->autoplay) {
 		set_heat(demo, (long)(time_s / heat_s) % 2 == 1);
 	}
-	camera_orbit(&demo->act.stage.camera,
+	camera_orbit(&demo->base.stage.camera,
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
-	floor_run(&demo->act.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
+	floor_scroll(
+		&demo->base.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
 	/* Moments that the reference has, so that errors are exact. */
 	frame = reference_frame_at(reference,
 		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP));
@@ -151,13 +152,13 @@ static void duel_update(struct demo *demo, double time_s)
 
 static void draw_row(const struct demo *demo, enum draw_pass pass)
 {
-	const struct gl *gl = demo->act.gl;
+	const struct gl *gl = demo->base.gl;
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		gl->PushMatrix();
 		gl->Translatex(fx16_from_float((float)(i - 1) * apart_m), 0, 0);
 		draw_instance(gl, demo->contender[i].shown,
-			&demo->act.actor.textures, pass);
+			&demo->base.actor.textures, pass);
 		gl->PopMatrix();
 	}
 }
@@ -165,9 +166,9 @@ static void draw_row(const struct demo *demo, enum draw_pass pass)
 /* All as one would be in the middle: they stand side by side. */
 static void choose_detail(struct demo *demo, int height)
 {
-	const struct actor *actor = &demo->act.actor;
-	struct lod lod = lod_relax(&actor->lod, actor->least_error_px);
-	float px = lod_px_per_unit(actor->instance, &demo->act.stage.camera,
+	const struct actor *actor = &demo->base.actor;
+	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
+	float px = lod_px_per_unit(actor->instance, &demo->base.stage.camera,
 		actor->extent, height);
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
@@ -177,13 +178,13 @@ static void choose_detail(struct demo *demo, int height)
 
 static void duel_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->act.gl;
+	const struct gl *gl = demo->base.gl;
 
 	choose_detail(demo, height);
-	stage_begin(&demo->act.stage, gl, width, height);
-	stage_shadow_begin(&demo->act.stage, gl);
-	draw_row(demo, DRAW_SHAPE);
-	stage_shadow_end(&demo->act.stage, gl);
+	stage_begin(&demo->base.stage, gl, width, height);
+	stage_shadow_begin(&demo->base.stage, gl);
+	draw_row(demo, DRAW_SHADOW);
+	stage_shadow_end(&demo->base.stage, gl);
 	draw_row(demo, DRAW_SHADED);
 }
 
@@ -199,7 +200,7 @@ static void duel_label(const struct demo *demo, struct hud *hud)
 		demo->heated ? full_px[demo->scale] : 0.0f, hud);
 }
 
-static void duel_tell(const struct demo *demo, struct demo_facts *out)
+static void duel_get_facts(const struct demo *demo, struct demo_facts *out)
 {
 	out->technique = "All three";
 	out->triangles = 0;
@@ -211,7 +212,7 @@ static void duel_tell(const struct demo *demo, struct demo_facts *out)
 static void press_heat(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		set_heat(demo, !demo->heated);
 	}
 }
@@ -259,10 +260,10 @@ static void press_slower(struct demo *demo, bool down)
 	}
 }
 
-static void press_tour(struct demo *demo, bool down)
+static void press_autoplay(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = !demo->touring;
+		demo->autoplay = !demo->autoplay;
 	}
 }
 
@@ -274,7 +275,7 @@ static const struct demo_action duel_actions[] = {
 	{BUTTON_ENTER, "pause and go on", press_pause},
 	{BUTTON_F6, "half the speed, down to an eighth", press_slower},
 	{BUTTON_F8, "show where they are off", press_heat},
-	{BUTTON_F9, "the same now and then", press_tour},
+	{BUTTON_F9, "the same now and then", press_autoplay},
 	{0},
 };
 
@@ -290,5 +291,5 @@ const struct demo_driver demo_driver_duel = {
 	.draw = duel_draw,
 	.period_s = duel_period_s,
 	.label = duel_label,
-	.tell = duel_tell,
+	.get_facts = duel_get_facts,
 };

@@ -93,7 +93,7 @@ static void show_ramp(float full_px, struct hud *hud)
 		int to = x + bar * (i + 1) / RAMP_STEPS;
 		uint8_t rgb[3];
 
-		tint_ramp((float)i / (RAMP_STEPS - 1), rgb);
+		vertex_tint_ramp((float)i / (RAMP_STEPS - 1), rgb);
 		hud_rectangle(hud, from, y + line / 4, to - from, line / 2,
 			(struct hud_color){rgb[0], rgb[1], rgb[2], 255});
 	}

@@ -20,16 +20,16 @@ static const float ball_radius_m = 0.05f;
 static const float ball_color[3] = {0.95f, 0.35f, 0.2f};
 
 /* What happens by itself when nobody presses buttons. */
-struct tour_stop {
+struct autoplay_step {
 	float time_s;
-	enum move move;
-	unsigned features; /* bits of enum rig_feature */
+	enum walker_move move;
+	unsigned features; /* bits of enum walker_rig_feature */
 };
 
 #define ALIVE \
 	(1 << RIG_HAIR | 1 << RIG_BREATH | 1 << RIG_SHADOW | 1 << RIG_BUMPS)
 
-static const struct tour_stop tour[] = {
+static const struct autoplay_step autoplay_steps[] = {
 	{0.0f, MOVE_WALK, ALIVE},
 	{2.2f, MOVE_WALK, ALIVE | 1 << RIG_LOOK},
 	{4.2f, MOVE_WAVE, ALIVE | 1 << RIG_FACE},
@@ -40,16 +40,16 @@ static const struct tour_stop tour[] = {
 	{15.5f, MOVE_IDLE, ALIVE | 1 << RIG_SHAKE},
 };
 
-static const float tour_s = 17.6f;
+static const float autoplay_s = 17.6f;
 
-static const struct framing framing = {.yaw_rad = 0.45f,
+static const struct camera_framing framing = {.yaw_rad = 0.45f,
 	.pitch_rad = 0.12f,
 	.turn_rad = 0.3f,
 	.margin = 1.02f,
-	.aside = 0.16f};
+	.shift_x = 0.16f};
 
 struct demo {
-	struct act act;
+	struct demo_base base;
 	int height; /* of the picture */
 	struct ball ball;
 	struct shadow_volume shadow;
@@ -58,9 +58,9 @@ struct demo {
 	double now_s;
 	float turn;
 	int chosen; /* the feature that F8 switches */
-	bool touring;
-	size_t stop;
-	double tour_start_s;
+	bool autoplay;
+	size_t next_step;
+	double autoplay_start_s;
 };
 
 /* Room for everything that it does. */
@@ -70,7 +70,7 @@ static struct bounds bounds_of_moves(struct demo *demo)
 
 	for (int i = 0; i < MOVE_COUNT; i++) {
 		struct bounds bounds = bounds_of_clip(
-			demo->act.actor.instance, demo->moves.clip[i]);
+			demo->base.actor.instance, demo->moves.clip[i]);
 
 		bounds_join(&all, &bounds);
 	}
@@ -81,11 +81,11 @@ static struct bounds bounds_of_moves(struct demo *demo)
 
 static int walker_prepare(struct demo *demo, const struct demo_env *env)
 {
-	struct instance *instance = demo->act.actor.instance;
-	enum move gait = env->unattended ? MOVE_WALK : MOVE_IDLE;
+	struct instance *instance = demo->base.actor.instance;
+	enum walker_move gait = env->unattended ? MOVE_WALK : MOVE_IDLE;
 	int error = walker_moves_init(&demo->moves, instance, gait, env->log);
 
-	demo->touring = env->unattended;
+	demo->autoplay = env->unattended;
 	demo->height = env->height;
 	ball_init(&demo->ball);
 	if (!error) {
@@ -97,98 +97,103 @@ static int walker_prepare(struct demo *demo, const struct demo_env *env)
 	if (!error) {
 		struct bounds bounds = bounds_of_moves(demo);
 
-		error = set_stage(env, &bounds, framing, &demo->act.stage);
+		error = actor_init_stage(
+			env, &bounds, framing, &demo->base.stage);
 	}
 	return error;
 }
 
-static void go_on_tour(struct demo *demo)
+static void run_autoplay(struct demo *demo)
 {
-	double tour_time_s = demo->now_s - demo->tour_start_s;
+	double elapsed_s = demo->now_s - demo->autoplay_start_s;
 
-	if (tour_time_s >= (double)tour_s) {
-		demo->tour_start_s += (double)tour_s;
-		demo->stop = 0;
-		tour_time_s -= (double)tour_s;
+	if (elapsed_s >= (double)autoplay_s) {
+		demo->autoplay_start_s += (double)autoplay_s;
+		demo->next_step = 0;
+		elapsed_s -= (double)autoplay_s;
 	}
-	while (demo->stop < ARRAY_COUNT(tour) &&
-		tour_time_s >= (double)tour[demo->stop].time_s) {
-		const struct tour_stop *stop = &tour[demo->stop++];
+	while (demo->next_step < ARRAY_COUNT(autoplay_steps) &&
+		elapsed_s >= (double)autoplay_steps[demo->next_step].time_s) {
+		const struct autoplay_step *step =
+			&autoplay_steps[demo->next_step++];
 
-		if (stop->move != demo->moves.move) {
-			walker_moves_begin(&demo->moves, stop->move);
+		if (step->move != demo->moves.move) {
+			walker_moves_begin(&demo->moves, step->move);
 		}
 		for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
-			demo->rig.on[i] = stop->features >> i & 1;
+			demo->rig.on[i] = step->features >> i & 1;
 		}
 	}
 }
 
 static void walker_update(struct demo *demo, double time_s)
 {
-	struct instance *instance = demo->act.actor.instance;
+	struct instance *instance = demo->base.actor.instance;
 	float step_s = (float)(time_s - demo->now_s);
-	const struct floor *floor = &demo->act.stage.floor;
+	const struct floor *floor = &demo->base.stage.floor;
 	struct shadow_light light;
 
 	demo->now_s = time_s;
-	if (demo->touring) {
-		go_on_tour(demo);
+	if (demo->autoplay) {
+		run_autoplay(demo);
 	}
-	camera_orbit(&demo->act.stage.camera,
+	camera_orbit(&demo->base.stage.camera,
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
 	walker_moves_update(&demo->moves, instance, step_s);
-	floor_run(&demo->act.stage.floor, 0.0f,
+	floor_scroll(&demo->base.stage.floor, 0.0f,
 		demo->moves.ground_m_per_s * step_s);
 	walker_rig_apply(&demo->rig, instance,
-		&(struct rig_frame){.time_s = time_s,
+		&(struct walker_rig_frame){.time_s = time_s,
 			.step_s = step_s,
 			.speed_m_per_s = demo->moves.ground_m_per_s,
-			.floor = &demo->act.stage.floor});
-	instance->relief = demo->rig.on[RIG_BUMPS];
-	actor_update(&demo->act.actor, &demo->act.stage.camera, demo->height);
-	if (floor->relief == 0.0f) {
+			.floor = &demo->base.stage.floor});
+	instance->normal_mapping = demo->rig.on[RIG_BUMPS];
+	actor_update(&demo->base.actor, &demo->base.stage.camera, demo->height);
+	if (floor->wave_height == 0.0f) {
 		return;
 	}
-	light.reach = 2.0f * demo->act.stage.camera.reach;
+	light.max_length = 2.0f * demo->base.stage.camera.radius;
 	light.ground = floor;
 	light_direction(light.towards);
-	camera_near_plane(&demo->act.stage.camera, light.near_plane);
+	camera_near_plane(&demo->base.stage.camera, light.near_plane);
 	shadow_volume_update(&demo->shadow, instance, &light);
 }
 
 static void draw_shadow(const struct demo *demo)
 {
-	const struct gl *gl = demo->act.gl;
-	const struct actor *actor = &demo->act.actor;
+	const struct gl *gl = demo->base.gl;
+	const struct actor *actor = &demo->base.actor;
 
 	if (!demo->rig.on[RIG_SHADOW]) {
-		stage_stand(&demo->act.stage, gl);
+		stage_draw_monitor(&demo->base.stage, gl);
 		return;
 	}
-	if (demo->act.stage.floor.relief != 0.0f && demo->act.stage.has_stencil) {
+	if (demo->base.stage.floor.wave_height != 0.0f &&
+		demo->base.stage.has_stencil) {
 		shadow_volume_draw(&demo->shadow, gl, shadow_strength);
 		return;
 	}
-	stage_shadow_begin(&demo->act.stage, gl);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHAPE);
+	stage_shadow_begin(&demo->base.stage, gl);
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADOW);
 	if (demo->rig.on[RIG_CAPE]) {
-		walker_trail_draw_cape(&demo->rig.trail, gl, DRAW_SHAPE);
+		walker_secondary_draw_cape(
+			&demo->rig.secondary, gl, DRAW_SHADOW);
 	}
-	stage_shadow_end(&demo->act.stage, gl);
+	stage_shadow_end(&demo->base.stage, gl);
 }
 
 static void walker_draw(struct demo *demo, int width, int height)
 {
-	const struct gl *gl = demo->act.gl;
-	const struct actor *actor = &demo->act.actor;
+	const struct gl *gl = demo->base.gl;
+	const struct actor *actor = &demo->base.actor;
 
 	demo->height = height;
-	stage_begin(&demo->act.stage, gl, width, height);
+	stage_begin(&demo->base.stage, gl, width, height);
 	draw_shadow(demo);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
 	if (demo->rig.on[RIG_CAPE]) {
-		walker_trail_draw_cape(&demo->rig.trail, gl, DRAW_SHADED);
+		walker_secondary_draw_cape(
+			&demo->rig.secondary, gl, DRAW_SHADED);
 	}
 	if (demo->rig.on[RIG_LOOK] || demo->rig.on[RIG_REACH]) {
 		ball_draw(&demo->ball, gl, demo->rig.ball, ball_radius_m,
@@ -199,12 +204,12 @@ static void walker_draw(struct demo *demo, int width, int height)
 static double walker_period_s(const struct demo *demo)
 {
 	(void)demo;
-	return tour_s;
+	return autoplay_s;
 }
 
 static const char *expression_name(const struct demo *demo)
 {
-	const struct model *model = demo->act.actor.model;
+	const struct model *model = demo->base.actor.model;
 	const struct model_node *head = &model->node[demo->rig.face];
 
 	return model->mesh[head->mesh].target_name[demo->rig.expression];
@@ -229,7 +234,8 @@ static void label_features(const struct demo *demo, struct hud_group *group)
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
 		if (demo->rig.weight[i] > 0.0f && i < RIG_SHADOW) {
 			hud_group_weight(group,
-				rig_feature_name((enum rig_feature)i),
+				walker_rig_feature_name(
+					(enum walker_rig_feature)i),
 				demo->rig.weight[i],
 				*colors[(size_t)i % ARRAY_COUNT(colors)]);
 		}
@@ -241,7 +247,7 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 	const struct walker_moves *moves = &demo->moves;
 	float time_s;
 	const struct model_clip *clip =
-		walker_moves_clip(moves, demo->act.actor.model, &time_s);
+		walker_moves_clip(moves, demo->base.actor.model, &time_s);
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "Skeletal");
 
 	hud_group_time(
@@ -255,13 +261,14 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 		hud_group_weight(
 			&group, "wave", moves->wave_weight, hud_color_blue);
 	}
-	actor_label_lod(&demo->act.actor, &group);
+	actor_label_lod(&demo->base.actor, &group);
 	label_features(demo, &group);
 	hud_group_end(&group);
-	if (!demo->touring) {
+	if (!demo->autoplay) {
 		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
 		hud_group_switch(&group, "F8",
-			rig_feature_name((enum rig_feature)demo->chosen),
+			walker_rig_feature_name(
+				(enum walker_rig_feature)demo->chosen),
 			demo->rig.on[demo->chosen], hud_color_green);
 		hud_group_end(&group);
 	}
@@ -270,7 +277,7 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 static void press_faster(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		walker_moves_change_gait(&demo->moves, 1);
 	}
 }
@@ -278,7 +285,7 @@ static void press_faster(struct demo *demo, bool down)
 static void press_slower(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		walker_moves_change_gait(&demo->moves, -1);
 	}
 }
@@ -286,7 +293,7 @@ static void press_slower(struct demo *demo, bool down)
 static void press_wave(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		walker_moves_begin(&demo->moves, MOVE_WAVE);
 	}
 }
@@ -294,7 +301,7 @@ static void press_wave(struct demo *demo, bool down)
 static void press_jump(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		walker_moves_begin(&demo->moves, MOVE_JUMP);
 	}
 }
@@ -314,7 +321,7 @@ static void press_choose(struct demo *demo, bool down)
 static void press_switch(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = false;
+		demo->autoplay = false;
 		demo->rig.on[demo->chosen] = !demo->rig.on[demo->chosen];
 	}
 }
@@ -326,12 +333,12 @@ static void press_preset(struct demo *demo, bool down)
 	}
 }
 
-static void press_tour(struct demo *demo, bool down)
+static void press_autoplay(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->touring = true;
-		demo->stop = 0;
-		demo->tour_start_s = demo->now_s;
+		demo->autoplay = true;
+		demo->next_step = 0;
+		demo->autoplay_start_s = demo->now_s;
 	}
 }
 
@@ -343,7 +350,7 @@ static const struct demo_action walker_actions[] = {
 	{BUTTON_ENTER, "go round (hold)", press_turn},
 	{BUTTON_F6, "choose the next feature of the list", press_choose},
 	{BUTTON_F8, "switch the chosen feature", press_switch},
-	{BUTTON_F9, "show all of it in turn", press_tour},
+	{BUTTON_F9, "show all of it in turn", press_autoplay},
 	{BUTTON_F10, "shake by the next preset", press_preset},
 	{0},
 };

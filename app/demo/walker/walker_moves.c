@@ -54,7 +54,7 @@ static int take_memory(struct walker_moves *moves, const struct model *model,
 }
 
 int walker_moves_init(struct walker_moves *moves, struct instance *instance,
-	enum move gait, const struct log *log)
+	enum walker_move gait, const struct log *log)
 {
 	const struct model *model = instance->model;
 	int arm = model_find_node(model, waving_arm);
@@ -84,7 +84,7 @@ int walker_moves_init(struct walker_moves *moves, struct instance *instance,
 	return 0;
 }
 
-static void change(struct walker_moves *moves, enum move move)
+static void change(struct walker_moves *moves, enum walker_move move)
 {
 	if (move != moves->move) {
 		fade_begin(&moves->fade, &moves->before, fade_s, EASE_CUBIC);
@@ -93,7 +93,7 @@ static void change(struct walker_moves *moves, enum move move)
 	moves->move_s = 0.0;
 }
 
-void walker_moves_begin(struct walker_moves *moves, enum move move)
+void walker_moves_begin(struct walker_moves *moves, enum walker_move move)
 {
 	if (move == MOVE_WAVE) {
 		moves->wave_s = 0.0;
@@ -110,7 +110,7 @@ void walker_moves_change_gait(struct walker_moves *moves, int step)
 	int gait = (int)moves->gait + step;
 
 	if (gait >= 0 && gait < GAIT_COUNT) {
-		walker_moves_begin(moves, (enum move)gait);
+		walker_moves_begin(moves, (enum walker_move)gait);
 	}
 }
 

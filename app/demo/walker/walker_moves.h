@@ -12,7 +12,7 @@
 #include "app/scene/instance/instance.h"
 
 /* Gaits first, from slow to fast. */
-enum move {
+enum walker_move {
 	MOVE_IDLE,
 	MOVE_WALK,
 	MOVE_RUN,
@@ -24,7 +24,7 @@ enum move {
 
 struct walker_moves {
 	int clip[MOVE_COUNT];
-	enum move gait, move;
+	enum walker_move gait, move;
 	double move_s; /* since the move began */
 	float ground_m_per_s;
 	struct fade fade;
@@ -42,10 +42,10 @@ struct walker_moves {
  * sentence that names a missing clip or bone.
  */
 int walker_moves_init(struct walker_moves *moves, struct instance *instance,
-	enum move gait, const struct log *log);
+	enum walker_move gait, const struct log *log);
 
 /* Changes the gait, jumps or waves. */
-void walker_moves_begin(struct walker_moves *moves, enum move move);
+void walker_moves_begin(struct walker_moves *moves, enum walker_move move);
 
 /* The gait that is so many steps faster, if there is one. */
 void walker_moves_change_gait(struct walker_moves *moves, int step);

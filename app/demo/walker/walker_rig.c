@@ -27,7 +27,7 @@ static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_BUMPS] = "bump map",
 };
 
-const char *rig_feature_name(enum rig_feature feature)
+const char *walker_rig_feature_name(enum walker_rig_feature feature)
 {
 	return feature_names[feature];
 }
@@ -62,7 +62,8 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 	};
 
 	for (size_t i = 0; i < ARRAY_COUNT(bones); i++) {
-		int error = find_bone(model, bones[i].name, log, bones[i].node);
+		int error = actor_find_bone(
+			model, bones[i].name, log, bones[i].node);
 
 		if (error) {
 			return error;
@@ -119,7 +120,8 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	rig->on[RIG_SHADOW] = rig->on[RIG_BUMPS] = true;
 	error = find_bones(rig, instance->model, log);
 	rig->face = find_face(instance->model);
-	return error ? error : walker_trail_init(&rig->trail, instance, log);
+	return error ? error
+		     : walker_secondary_init(&rig->secondary, instance, log);
 }
 
 /* A slow figure of eight in front of the chest. */
@@ -142,7 +144,7 @@ static void move_switches(struct walker_rig *rig, float step_s)
 	}
 }
 
-static float eased(const struct walker_rig *rig, enum rig_feature feature)
+static float eased(const struct walker_rig *rig, enum walker_rig_feature feature)
 {
 	return ease_at(EASE_CUBIC, rig->weight[feature]);
 }
@@ -264,8 +266,8 @@ static void stand(
 	mat4 *world = instance->world;
 	float target[2][3], slope[2][4], lift[2];
 
-	floor_set_relief(floor, relief_m * eased(rig, RIG_GROUND));
-	if (floor->relief == 0.0f) {
+	floor_set_wave_height(floor, relief_m * eased(rig, RIG_GROUND));
+	if (floor->wave_height == 0.0f) {
 		return;
 	}
 	for (int side = 0; side < 2; side++) {
@@ -297,7 +299,7 @@ static void stand(
 }
 
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
-	const struct rig_frame *frame)
+	const struct walker_rig_frame *frame)
 {
 	bool had_cape = rig->weight[RIG_CAPE] > 0.0f;
 
@@ -313,9 +315,9 @@ void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
 	look(rig, instance, frame->step_s);
 	reach(rig, instance);
 	if (!had_cape && rig->on[RIG_CAPE]) {
-		walker_trail_put_on(&rig->trail);
+		walker_secondary_reset_cape(&rig->secondary);
 	}
-	walker_trail_update(&rig->trail, instance, frame->speed_m_per_s,
+	walker_secondary_update(&rig->secondary, instance, frame->speed_m_per_s,
 		eased(rig, RIG_HAIR), rig->on[RIG_CAPE] || had_cape,
 		frame->step_s);
 }

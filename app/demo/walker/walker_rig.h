@@ -14,11 +14,11 @@
 #include "app/anim/procedural/lookat.h"
 #include "app/anim/procedural/procedural.h"
 #include "app/demo/preset_file.h"
-#include "app/demo/walker/walker_trail.h"
+#include "app/demo/walker/walker_secondary.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/stage/floor.h"
 
-enum rig_feature {
+enum walker_rig_feature {
 	RIG_LOOK,   /* neck and head follow the ball */
 	RIG_REACH,  /* the right hand goes to it */
 	RIG_GROUND, /* the ground is uneven, feet stay on it */
@@ -44,7 +44,7 @@ struct walker_rig {
 	int preset_chosen;
 	struct breath breath;
 	struct muscle biceps[2];
-	struct walker_trail trail;
+	struct walker_secondary secondary;
 	int hips;
 	int face;       /* the node whose targets are expressions, or -1 */
 	int expression; /* the one shown now */
@@ -61,10 +61,10 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 void walker_rig_next_preset(struct walker_rig *rig);
 
 /* "look at" and so on. */
-const char *rig_feature_name(enum rig_feature feature);
+const char *walker_rig_feature_name(enum walker_rig_feature feature);
 
 /* What a frame brings. */
-struct rig_frame {
+struct walker_rig_frame {
 	double time_s;
 	float step_s;
 	float speed_m_per_s; /* of the floor underneath */
@@ -76,6 +76,6 @@ struct rig_frame {
  * world matrices up to date.
  */
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
-	const struct rig_frame *frame);
+	const struct walker_rig_frame *frame);
 
 #endif

@@ -13,7 +13,7 @@ enum {
 	ERRORS_MAX = 16
 };
 
-bool bump_has_relief(
+bool bump_is_mapped(
 	const struct model *model, const struct model_primitive *primitive)
 {
 	const struct model_material *material =
@@ -30,7 +30,7 @@ static bool model_has_relief(const struct model *model)
 		const struct model_mesh *mesh = &model->mesh[m];
 
 		for (int p = 0; p < mesh->primitive_count; p++) {
-			if (bump_has_relief(model, &mesh->primitive[p])) {
+			if (bump_is_mapped(model, &mesh->primitive[p])) {
 				return true;
 			}
 		}
@@ -47,7 +47,7 @@ static void forget_errors(const struct gl *gl)
 	}
 }
 
-bool bump_is_possible(
+bool bump_is_supported(
 	const struct model *model, const struct gl *gl, const struct log *log)
 {
 	bool possible;
@@ -76,7 +76,7 @@ int bump_init(struct drawable *drawable, const struct model *model,
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t count = (size_t)primitive->vertex_count;
 
-	if (!bump_has_relief(model, primitive) || drawable->batch[0].source) {
+	if (!bump_is_mapped(model, primitive) || drawable->batch[0].source) {
 		return 0;
 	}
 	if (drawable->fixed) {
@@ -228,7 +228,7 @@ void bump_update(const struct instance *instance, struct drawable *drawable)
 	}
 }
 
-void bump_begin_light(const struct gl *gl)
+void bump_begin_dot3_pass(const struct gl *gl)
 {
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_BLEND);
@@ -242,25 +242,25 @@ void bump_begin_light(const struct gl *gl)
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_OPERAND1_RGB, GL_SRC_COLOR);
 }
 
-void bump_begin_tint(const struct gl *gl)
+void bump_begin_color_pass(const struct gl *gl)
 {
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 	gl->DepthFunc(GL_EQUAL);
 	gl->DepthMask(GL_FALSE);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_DST_COLOR, GL_ZERO);
-	light_choose(gl, LIGHT_KEY_COLOR);
+	light_select(gl, LIGHT_KEY_COLOR);
 }
 
-void bump_begin_rest(const struct gl *gl)
+void bump_begin_remaining_pass(const struct gl *gl)
 {
 	gl->BlendFunc(GL_ONE, GL_ONE);
-	light_choose(gl, LIGHT_BUT_KEY);
+	light_select(gl, LIGHT_REMAINDER);
 }
 
 void bump_end(const struct gl *gl)
 {
-	light_choose(gl, LIGHT_ALL);
+	light_select(gl, LIGHT_ALL);
 	gl->Disable(GL_BLEND);
 	gl->DepthMask(GL_TRUE);
 	gl->DepthFunc(GL_LESS);

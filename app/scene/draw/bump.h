@@ -24,11 +24,11 @@
  * Whether the model has relief and the driver can show it. One sentence where
  * only the driver cannot. Leaves no GL error behind.
  */
-bool bump_is_possible(
+bool bump_is_supported(
 	const struct model *model, const struct gl *gl, const struct log *log);
 
 /* Whether the primitive has relief at all. */
-bool bump_has_relief(
+bool bump_is_mapped(
 	const struct model *model, const struct model_primitive *primitive);
 
 /*
@@ -54,9 +54,9 @@ void bump_encode(const float light[3], const float tangent[3],
 	const float bitangent[3], const float normal[3], uint8_t out[4]);
 
 /* The state of each pass, in this order; textures and arrays are the caller's. */
-void bump_begin_light(const struct gl *gl);
-void bump_begin_tint(const struct gl *gl);
-void bump_begin_rest(const struct gl *gl);
+void bump_begin_dot3_pass(const struct gl *gl);
+void bump_begin_color_pass(const struct gl *gl);
+void bump_begin_remaining_pass(const struct gl *gl);
 void bump_end(const struct gl *gl);
 
 #endif

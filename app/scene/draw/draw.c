@@ -77,8 +77,8 @@ struct arrays {
 	bool lit; /* with the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
-	bool outline; /* what it looks like does not matter */
-	int lod;      /* of the drawable */
+	bool proxy; /* what it looks like does not matter */
+	int lod;    /* of the drawable */
 };
 
 /* Positions, and normals if wanted. */
@@ -123,8 +123,8 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
-	if (arrays->outline && batch->outline) {
-		draw_list(gl, batch->outline, batch->outline_count);
+	if (arrays->proxy && batch->proxy) {
+		draw_list(gl, batch->proxy, batch->proxy_count);
 	} else if (arrays->lod > 0) {
 		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
 
@@ -179,7 +179,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	const struct arrays none = {.outline = true, .lod = drawable->lod};
+	const struct arrays none = {.proxy = true, .lod = drawable->lod};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {
@@ -219,7 +219,7 @@ static void draw_relief(const struct gl *gl, const struct instance *instance,
 
 	gl->Enable(GL_CULL_FACE);
 	texture_bind(textures, gl, material->normal_texture);
-	bump_begin_light(gl);
+	bump_begin_dot3_pass(gl);
 	draw_batch(gl, batch,
 		&(struct arrays){
 			.texcoord = batch->texcoord,
@@ -227,9 +227,9 @@ static void draw_relief(const struct gl *gl, const struct instance *instance,
 			.lod = drawable->lod,
 		});
 	set_surface(gl, instance, drawable, textures);
-	bump_begin_tint(gl);
+	bump_begin_color_pass(gl);
 	draw_shaded(gl, instance, drawable, batch);
-	bump_begin_rest(gl);
+	bump_begin_remaining_pass(gl);
 	draw_shaded(gl, instance, drawable, batch);
 	bump_end(gl);
 	if (material->double_sided) {
@@ -242,8 +242,8 @@ static void draw_placed(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	if (pass == DRAW_SHADED && instance->relief && textures->relief &&
-		drawable->light) {
+	if (pass == DRAW_SHADED && instance->normal_mapping &&
+		textures->normal_mapping && drawable->light) {
 		draw_relief(gl, instance, drawable, textures);
 	} else {
 		draw_drawable(gl, instance, drawable, textures, pass);
@@ -290,7 +290,7 @@ static void place_and_draw(const struct gl *gl, const struct instance *instance,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	gl->PushMatrix();
-	gl->FrontFace(matrix_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
+	gl->FrontFace(matrix_gl_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
 	enter_units(drawable, matrix, gl);
 	draw_placed(gl, instance, drawable, textures, pass);
 	gl->FrontFace(GL_CCW);

@@ -14,14 +14,14 @@
 
 enum draw_pass {
 	DRAW_SHADED, /* materials, textures, light */
-	DRAW_SHAPE,  /* positions only, in the current colour */
+	DRAW_SHADOW, /* positions only, in the current colour */
 };
 
 /*
  * All drawables that are not hidden: opaque ones, then blended ones. Normal
- * maps show where instance.relief and texture_set.relief say so; they are lit
- * in world space, so the model-view matrix has to be the camera's for them.
- * Surfaces with relief leave the depth function at GL_LESS.
+ * maps show where instance.normal_mapping and texture_set.normal_mapping say
+ * so; they are lit in world space, so the model-view matrix has to be the
+ * camera's for them. Surfaces with relief leave the depth function at GL_LESS.
  */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);

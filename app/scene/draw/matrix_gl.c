@@ -27,7 +27,7 @@ void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix)
 	gl->MultMatrixx(fixed);
 }
 
-int matrix_mirrors(const vec4 *matrix)
+int matrix_gl_mirrors(const vec4 *matrix)
 {
 	vec3 cross;
 

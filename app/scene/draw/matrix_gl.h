@@ -13,6 +13,6 @@ void matrix_gl_load(const struct gl *gl, const vec4 *matrix);
 void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix);
 
 /* True when the matrix mirrors, so that triangles turn the other way. */
-int matrix_mirrors(const vec4 *matrix);
+int matrix_gl_mirrors(const vec4 *matrix);
 
 #endif

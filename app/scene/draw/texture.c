@@ -262,7 +262,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 			goto fail;
 		}
 	}
-	set->relief = bump_is_possible(model, gl, log);
+	set->normal_mapping = bump_is_supported(model, gl, log);
 	return 0;
 fail:
 	log_error(log, "%s: not enough memory for its textures", model->path);

@@ -15,8 +15,8 @@
 struct texture_set {
 	const struct model *model;
 	int count;
-	GLuint *name; /* [count], one for each of the model's textures */
-	bool relief;  /* normal maps can be shown, see bump.h */
+	GLuint *name;        /* [count], one for each of the model's textures */
+	bool normal_mapping; /* normal maps can be shown, see bump.h */
 };
 
 /*

@@ -28,7 +28,7 @@ static void renew(struct hud_graph *graph)
 	float share = 1.0f / (float)sum->frames;
 
 	graph->shown = *sum;
-	graph->shown.apart_ms *= share;
+	graph->shown.interval_ms *= share;
 	for (int stage = 0; stage < HUD_STAGES; stage++) {
 		graph->shown.stage_ms[stage] *= share;
 	}
@@ -36,7 +36,7 @@ static void renew(struct hud_graph *graph)
 }
 
 void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
-	float apart_ms)
+	float interval_ms)
 {
 	struct hud_graph_means *sum = &graph->gathering;
 
@@ -48,16 +48,16 @@ void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
 	}
 	graph->next = (graph->next + 1) % HUD_GRAPH_FRAMES;
 	graph->count += graph->count < HUD_GRAPH_FRAMES;
-	sum->apart_ms += apart_ms;
+	sum->interval_ms += interval_ms;
 	sum->frames++;
-	if (sum->apart_ms >= renew_ms || graph->shown.frames == 0) {
+	if (sum->interval_ms >= renew_ms || graph->shown.frames == 0) {
 		renew(graph);
 	}
 }
 
 float hud_graph_rate(const struct hud_graph *graph)
 {
-	float ms = graph->shown.apart_ms;
+	float ms = graph->shown.interval_ms;
 
 	return ms > 0.0f ? 1000.0f / ms : 0.0f;
 }
@@ -175,8 +175,9 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 		hud_group_text(group, "memory", value);
 	}
 	hud_group_text(group, facts->technique, "");
-	if (facts->shed) {
-		hud_group_mark(group, "left out", facts->shed, hud_color_rose);
+	if (facts->reduction) {
+		hud_group_mark(
+			group, "left out", facts->reduction, hud_color_rose);
 	}
 }
 

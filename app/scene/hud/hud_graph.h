@@ -32,7 +32,7 @@ enum {
 /* What the texts say: means since they were last renewed. */
 struct hud_graph_means {
 	float stage_ms[HUD_STAGES];
-	float apart_ms;
+	float interval_ms;
 	int frames;
 };
 
@@ -48,8 +48,8 @@ struct hud_facts {
 	const char *technique;
 	const char *driver; /* who draws */
 	long triangles;
-	size_t memory_bytes; /* of the process; 0: not known */
-	const char *shed;    /* what is left out to keep a budget, or NULL */
+	size_t memory_bytes;   /* of the process; 0: not known */
+	const char *reduction; /* what is left out to keep a budget, or NULL */
 };
 
 /*
@@ -57,7 +57,7 @@ struct hud_facts {
  * Texts are renewed four times a second.
  */
 void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
-	float apart_ms);
+	float interval_ms);
 
 /* Frames a second by the last second's quarter; 0 when not known yet. */
 float hud_graph_rate(const struct hud_graph *graph);

@@ -1,6 +1,6 @@
 #include "app/scene/instance/batch.h"
 
-#include "app/scene/shadow/outline.h"
+#include "app/scene/shadow/shadow_proxy.h"
 
 #include "app/model/color.h"
 #include "platform/base/scalar.h"
@@ -151,7 +151,7 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 static const uint16_t *place_list(const struct drawable *drawable,
 	const uint32_t *list, int count, struct arena *arena)
 {
-	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	const uint32_t *place = drawable->fixed ? drawable->fixed->slot : NULL;
 	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
 
 	for (int i = 0; index && i < count; i++) {
@@ -160,7 +160,7 @@ static const uint16_t *place_list(const struct drawable *drawable,
 	return index;
 }
 
-/* The model's own coarser lists, but for those for shapes (outline.h). */
+/* The model's own coarser lists, but for those for shapes (shadow_proxy.h). */
 static int place_lods(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
@@ -195,12 +195,12 @@ static int place_lods(struct batch *batch, const struct drawable *drawable,
 static int make_outline(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
-	const uint32_t *place = drawable->fixed ? drawable->fixed->place : NULL;
+	const uint32_t *place = drawable->fixed ? drawable->fixed->slot : NULL;
 	uint16_t *outline;
-	int error = outline_make(drawable->primitive, place, arena, &outline,
-		&batch->outline_count);
+	int error = shadow_proxy_make(drawable->primitive, place, arena,
+		&outline, &batch->proxy_count);
 
-	batch->outline = outline;
+	batch->proxy = outline;
 	return error;
 }
 
@@ -332,7 +332,7 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 	for (int v = 0; v < batch->vertex_count; v++) {
 		uint32_t from = batch->source[v];
 
-		from = fixed->place ? fixed->place[from] : from;
+		from = fixed->slot ? fixed->slot[from] : from;
 		position[v] = fixed->position[from];
 		if (fixed->normal) {
 			normal[v] = fixed->normal[from];

@@ -144,7 +144,8 @@ void bounds_join(struct bounds *bounds, const struct bounds *other)
 
 struct bounds bounds_of_clip(struct instance *instance, int clip)
 {
-	bool hold_normals = instance->hold_normals, relief = instance->relief;
+	bool hold_normals = instance->hold_normals,
+	     relief = instance->normal_mapping;
 	struct bounds all = bounds_empty();
 	struct clip_cursor none = {0};
 
@@ -161,7 +162,7 @@ struct bounds bounds_of_clip(struct instance *instance, int clip)
 			&instance->pose);
 		/* Where vertices look counts at the last one, which is left. */
 		instance->hold_normals = hold_normals || look > 0;
-		instance->relief = relief && look == 0;
+		instance->normal_mapping = relief && look == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
 		bounds_join(&all, &now);

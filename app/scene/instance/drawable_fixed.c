@@ -14,8 +14,7 @@ static unsigned wanted_streams(
 {
 	unsigned streams = primitive->normal ? FIXED_NORMALS : 0;
 
-	return streams |
-		(bump_has_relief(model, primitive) ? FIXED_TANGENTS : 0);
+	return streams | (bump_is_mapped(model, primitive) ? FIXED_TANGENTS : 0);
 }
 
 /* Arrays of its own for what is posed each frame. */
@@ -50,7 +49,7 @@ static int init_skin(struct drawable_fixed *fixed,
 		return error;
 	}
 	fixed->order = fixed->skin.order;
-	fixed->place = fixed->skin.place;
+	fixed->slot = fixed->skin.place;
 	fixed->matrix = ARENA_ARRAY(
 		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
 	return fixed->matrix
@@ -146,13 +145,13 @@ static void pose_skin(const struct instance *instance,
 
 	fixed_skin_set_cap(&fixed->skin, instance->max_influences);
 	if (drawable->morphed && !set_skin_weights(instance, drawable)) {
-		fixed->failed = true;
+		fixed->overflowed = true;
 		return;
 	}
-	fixed->failed = fixed_palette_make(&fixed->skin,
+	fixed->overflowed = fixed_palette_make(&fixed->skin,
 		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
 		&fixed->placement);
-	if (!fixed->failed) {
+	if (!fixed->overflowed) {
 		run_skin(fixed, !instance->hold_normals, with_tangents);
 	}
 }
@@ -163,9 +162,9 @@ static void pose_morph(const struct instance *instance,
 	struct drawable_fixed *fixed = drawable->fixed;
 	struct fixed_morph *morph = &fixed->morph;
 
-	fixed->failed =
+	fixed->overflowed =
 		fixed_morph_set_weights(morph, weights_of(instance, drawable));
-	if (fixed->failed) {
+	if (fixed->overflowed) {
 		return;
 	}
 	fixed->placement = morph->placement;
@@ -183,11 +182,11 @@ static void pose_morph(const struct instance *instance,
 void drawable_fixed_pose(
 	const struct instance *instance, struct drawable *drawable)
 {
-	bool with_tangents = drawable->light && instance->relief;
+	bool with_tangents = drawable->light && instance->normal_mapping;
 
 	if (drawable->skin >= 0) {
 		pose_skin(instance, drawable, with_tangents);
-	} else if (drawable->morphed && !drawable->shaped) {
+	} else if (drawable->morphed && !drawable->external) {
 		pose_morph(instance, drawable, with_tangents);
 	}
 }

@@ -56,7 +56,7 @@ static void morph_drawable(
 			drawable->term, terms, true, drawable->normal);
 		kernel->normalize(count, drawable->normal);
 	}
-	if (drawable->tangent && instance->relief) {
+	if (drawable->tangent && instance->normal_mapping) {
 		morph_tangents(instance, drawable);
 	}
 }
@@ -76,7 +76,7 @@ static void skin_morphed_drawable(
 	const struct skin_output output = {
 		.position = drawable->position,
 		.normal = instance->hold_normals ? NULL : drawable->normal,
-		.tangent = instance->relief ? drawable->tangent : NULL,
+		.tangent = instance->normal_mapping ? drawable->tangent : NULL,
 	};
 
 	set_weights(instance, drawable, 1.0f);
@@ -93,7 +93,7 @@ static void skin_drawable(
 	instance->kernel->skin(&drawable->stream, palette,
 		instance->max_influences, drawable->position,
 		instance->hold_normals ? NULL : drawable->normal);
-	if (drawable->tangent && instance->relief) {
+	if (drawable->tangent && instance->normal_mapping) {
 		instance->kernel->skin_tangents(&drawable->stream, palette,
 			instance->max_influences, drawable->tangent);
 	}
@@ -109,10 +109,10 @@ static void pose_drawable(
 		skin_morphed_drawable(instance, drawable);
 	} else if (drawable->skin >= 0) {
 		skin_drawable(instance, drawable);
-	} else if (drawable->morphed && !drawable->shaped) {
+	} else if (drawable->morphed && !drawable->external) {
 		morph_drawable(instance, drawable);
 	}
-	if (drawable->light && instance->relief) {
+	if (drawable->light && instance->normal_mapping) {
 		bump_update(instance, drawable);
 	}
 	if (drawable->morphed || drawable->skin >= 0) {
@@ -120,10 +120,10 @@ static void pose_drawable(
 	}
 }
 
-void drawable_set_shape(
+void instance_use_vertices(
 	struct drawable *drawable, float (*position)[3], float (*normal)[3])
 {
-	drawable->shaped = true;
+	drawable->external = true;
 	drawable->position = position;
 	drawable->normal = normal;
 	for (int i = 0; i < drawable->batch_count; i++) {
@@ -177,12 +177,12 @@ void instance_update(struct instance *instance)
 	}
 }
 
-bool instance_failed(const struct instance *instance)
+bool instance_overflowed(const struct instance *instance)
 {
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable_fixed *fixed = instance->drawable[i].fixed;
 
-		if (fixed && fixed->failed) {
+		if (fixed && fixed->overflowed) {
 			return true;
 		}
 	}

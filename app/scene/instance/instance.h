@@ -54,8 +54,8 @@ struct batch {
 	int lod_count;
 	struct batch_lod *lod; /* the finest first */
 	/* Fewer triangles with the same outline, or NULL */
-	const uint16_t *outline;
-	int outline_count;
+	const uint16_t *proxy;
+	int proxy_count;
 
 	float (*gathered_position)[3]; /* with source: written each update */
 	float (*gathered_normal)[3];
@@ -77,13 +77,13 @@ struct drawable_fixed {
 	 * Vertices are in an order of their own where these are not NULL:
 	 * place says where the primitive's vertex is, order which one is here.
 	 */
-	const uint32_t *place, *order;
+	const uint32_t *slot, *order;
 
 	struct fixed_skin skin;             /* of a skinned one */
 	struct fixed_matrix *matrix;        /* [skin.joint_count] */
 	struct fixed_skin_morph skin_morph; /* if it is morphed, too */
 	struct fixed_morph morph; /* of another; rigid: without targets */
-	bool failed; /* the last pose has no place in 16 bits; the output is
+	bool overflowed; /* the last pose has no place in 16 bits; the output is
 			an earlier one's */
 };
 
@@ -92,9 +92,9 @@ struct drawable {
 	int node;
 	int primitive_index;
 	const struct model_primitive *primitive;
-	int skin;     /* or -1: rigid, drawn by its node's matrix */
-	bool morphed; /* has targets */
-	bool shaped;  /* shows what drawable_set_shape() gave it */
+	int skin;      /* or -1: rigid, drawn by its node's matrix */
+	bool morphed;  /* has targets */
+	bool external; /* shows what instance_use_vertices() gave it */
 	bool hidden;
 	int lod; /* drawn by the batch's lod[lod - 1]; 0: by all triangles */
 	fx16_t color[4]; /* the material's, sRGB-encoded */
@@ -136,10 +136,10 @@ struct instance {
 
 	/*
 	 * Normal maps count: tangents are posed and lit at each update, and
-	 * drawn where texture_set.relief says the driver can. May be changed
-	 * before any update; true at first.
+	 * drawn where texture_set.normal_mapping says the driver can. May be
+	 * changed before any update; true at first.
 	 */
-	bool relief;
+	bool normal_mapping;
 	float towards_light[3]; /* unit vector, world space; light.h's at first:
 				   what relief is lit from */
 
@@ -152,7 +152,7 @@ struct instance {
 
 	int drawable_count;
 	struct drawable *drawable;
-	int unfit_count; /* drawables in float because 16 bits will not do */
+	int float_count; /* drawables in float because 16 bits will not do */
 };
 
 /*
@@ -166,7 +166,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 void instance_destroy(struct instance *instance);
 
 /* Whether an update left out what has no place in 16 bits. */
-bool instance_failed(const struct instance *instance);
+bool instance_overflowed(const struct instance *instance);
 
 /*
  * The frame's work: from the pose to world matrices, palettes and output
@@ -179,7 +179,7 @@ void instance_update(struct instance *instance);
  * positions in local units times vertex_scale, and normals where the primitive
  * has them. The arrays are read at each draw, not copied.
  */
-void drawable_set_shape(
+void instance_use_vertices(
 	struct drawable *drawable, float (*position)[3], float (*normal)[3]);
 
 /* World matrices alone, for whoever only needs to know where nodes are. */
@@ -221,8 +221,7 @@ static inline void drawable_position(
 		return;
 	}
 	placement = &fixed->placement;
-	v = &fixed->position[fixed->place ? fixed->place[vertex]
-					  : (uint32_t)vertex];
+	v = &fixed->position[fixed->slot ? fixed->slot[vertex] : (uint32_t)vertex];
 	out[0] = (float)v->x * placement->scale + placement->offset[0];
 	out[1] = (float)v->y * placement->scale + placement->offset[1];
 	out[2] = (float)v->z * placement->scale + placement->offset[2];

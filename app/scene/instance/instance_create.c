@@ -140,7 +140,7 @@ static int init_vertices(struct instance *instance, struct drawable *drawable)
 		if (error != -ERANGE) {
 			return error;
 		}
-		instance->unfit_count++;
+		instance->float_count++;
 	}
 	if (drawable->skin < 0) {
 		drawable->vertex_scale = near_one(
@@ -286,7 +286,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	instance->arena = arena;
 	instance->model = model;
 	instance->kernel = kernel;
-	instance->relief = true;
+	instance->normal_mapping = true;
 	light_direction(instance->towards_light);
 	error = init_skeleton(instance);
 	if (!error) {
@@ -296,11 +296,11 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	if (error) {
 		goto fail;
 	}
-	if (instance->unfit_count > 0) {
+	if (instance->float_count > 0) {
 		log_warning(log,
 			"%s: %d of its %d parts are posed in float: their "
 			"positions do not fit 16 bits",
-			model->path, instance->unfit_count,
+			model->path, instance->float_count,
 			instance->drawable_count);
 	}
 	choose_unit_scale(instance);

@@ -6,7 +6,7 @@
  * whose error is too small to see: at most so many pixels where the instance is
  * nearest. The models here state what 99 of 100 points of a surface keep
  * within; the mean is a quarter of that, so a pixel stands for much less than
- * it sounds. Shadows have a list of their own, see outline.h. The number
+ * it sounds. Shadows have a list of their own, see shadow_proxy.h. The number
  * of influences of a vertex is limited by influence_cap.h.
  */
 #ifndef APP_SCENE_INSTANCE_LOD_H

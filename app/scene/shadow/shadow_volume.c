@@ -13,16 +13,16 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 	struct arena *arena = &instance->arena;
 
 	*volume = (struct shadow_volume){0};
-	volume->hull = ARENA_ARRAY(
-		arena, struct shadow_hull, (size_t)instance->drawable_count);
-	if (!volume->hull) {
+	volume->caster = ARENA_ARRAY(
+		arena, struct shadow_caster, (size_t)instance->drawable_count);
+	if (!volume->caster) {
 		goto fail;
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
 		if (drawable->primitive->vertex_count >
-			SHADOW_HULL_VERTICES_MAX) {
+			SHADOW_CASTER_VERTICES_MAX) {
 			log_warning(log,
 				"%s: a part of %d vertices is too "
 				"large to cast a shadow volume",
@@ -30,7 +30,7 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 				drawable->primitive->vertex_count);
 			continue;
 		}
-		if (shadow_hull_init(&volume->hull[volume->hull_count++],
+		if (shadow_caster_init(&volume->caster[volume->caster_count++],
 			    drawable, arena) != 0) {
 			goto fail;
 		}
@@ -78,15 +78,15 @@ static bool find_ways(const struct shadow_light *light, const float posed[3],
 	float ground, slack;
 
 	*near = 0.0f;
-	*far = light->reach;
+	*far = light->max_length;
 	if (!light->ground || light->towards[1] <= 0.0f) {
 		return false;
 	}
 	ground = way_to_ground(light, posed);
-	slack = floor_sag(light->ground) / light->towards[1];
-	*far = scalar_clamp(ground + slack, 0.0f, light->reach);
+	slack = floor_mesh_error(light->ground) / light->towards[1];
+	*far = scalar_clamp(ground + slack, 0.0f, light->max_length);
 	*near = scalar_clamp(ground - slack, 0.0f, *far);
-	return *far < light->reach;
+	return *far < light->max_length;
 }
 
 static void move(const float from[3], const float towards_light[3], float way,
@@ -98,19 +98,19 @@ static void move(const float from[3], const float towards_light[3], float way,
 }
 
 /* Posed vertices in scene units, where the hull begins and where it ends. */
-static void place_vertices(struct shadow_hull *hull,
+static void place_vertices(struct shadow_caster *caster,
 	const struct instance *instance, const struct shadow_light *light)
 {
-	const struct drawable *drawable = hull->drawable;
+	const struct drawable *drawable = caster->drawable;
 	int count = drawable->primitive->vertex_count;
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
 	if (drawable->skin < 0) {
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
-	hull->too_short = false;
-	for (int i = 0; i < hull->vertex_count; i++) {
-		int v = hull->vertex[i];
+	caster->too_short = false;
+	for (int i = 0; i < caster->vertex_count; i++) {
+		int v = caster->vertex[i];
 		float p[3], posed[3], near_way, far_way;
 
 		drawable_position(drawable, v, p);
@@ -119,18 +119,20 @@ static void place_vertices(struct shadow_hull *hull,
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
 		}
-		hull->too_short |= !find_ways(light, posed, &near_way, &far_way);
-		move(posed, light->towards, near_way, hull->position[v]);
-		move(posed, light->towards, far_way, hull->position[v + count]);
+		caster->too_short |=
+			!find_ways(light, posed, &near_way, &far_way);
+		move(posed, light->towards, near_way, caster->position[v]);
+		move(posed, light->towards, far_way,
+			caster->position[v + count]);
 	}
 }
 
-static bool faces(const struct shadow_hull *hull, const uint16_t *corner,
+static bool faces(const struct shadow_caster *caster, const uint16_t *corner,
 	const float towards_light[3])
 {
-	const float *a = hull->position[corner[0]];
-	const float *b = hull->position[corner[1]];
-	const float *c = hull->position[corner[2]];
+	const float *a = caster->position[corner[0]];
+	const float *b = caster->position[corner[1]];
+	const float *c = caster->position[corner[2]];
 	vec3 u, v, normal;
 
 	glm_vec3_sub((float *)b, (float *)a, u);
@@ -148,12 +150,12 @@ static uint16_t *add_triangle(uint16_t *next, uint32_t a, uint32_t b, uint32_t c
 }
 
 /* The lit triangles close the hull near the light. */
-static uint16_t *add_near(const struct shadow_hull *hull, uint16_t *next)
+static uint16_t *add_near(const struct shadow_caster *caster, uint16_t *next)
 {
-	for (int t = 0; t < hull->corner_count / 3; t++) {
-		const uint16_t *corner = hull->corner + t * 3;
+	for (int t = 0; t < caster->corner_count / 3; t++) {
+		const uint16_t *corner = caster->corner + t * 3;
 
-		if (hull->lit[t]) {
+		if (caster->lit[t]) {
 			next = add_triangle(
 				next, corner[0], corner[1], corner[2]);
 		}
@@ -162,14 +164,14 @@ static uint16_t *add_near(const struct shadow_hull *hull, uint16_t *next)
 }
 
 /* Turned round, they close it far from the light. */
-static uint16_t *add_far(const struct shadow_hull *hull, uint16_t *next)
+static uint16_t *add_far(const struct shadow_caster *caster, uint16_t *next)
 {
-	uint32_t away = (uint32_t)hull->drawable->primitive->vertex_count;
+	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
 
-	for (int t = 0; t < hull->corner_count / 3; t++) {
-		const uint16_t *corner = hull->corner + t * 3;
+	for (int t = 0; t < caster->corner_count / 3; t++) {
+		const uint16_t *corner = caster->corner + t * 3;
 
-		if (hull->lit[t]) {
+		if (caster->lit[t]) {
 			next = add_triangle(next, corner[0] + away,
 				corner[2] + away, corner[1] + away);
 		}
@@ -178,14 +180,14 @@ static uint16_t *add_far(const struct shadow_hull *hull, uint16_t *next)
 }
 
 /* A quad along every edge between a lit triangle and one that is not. */
-static uint16_t *add_sides(const struct shadow_hull *hull, uint16_t *next)
+static uint16_t *add_sides(const struct shadow_caster *caster, uint16_t *next)
 {
-	uint32_t away = (uint32_t)hull->drawable->primitive->vertex_count;
+	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
 
-	for (int i = 0; i < hull->edge_count; i++) {
-		const struct shadow_edge *edge = &hull->edge[i];
-		bool left = hull->lit[edge->left];
-		bool right = edge->right >= 0 && hull->lit[edge->right];
+	for (int i = 0; i < caster->edge_count; i++) {
+		const struct shadow_edge *edge = &caster->edge[i];
+		bool left = caster->lit[edge->left];
+		bool right = edge->right >= 0 && caster->lit[edge->right];
 		uint32_t a = left ? edge->a : edge->b;
 		uint32_t b = left ? edge->b : edge->a;
 
@@ -204,60 +206,60 @@ static float distance(const float plane[4], const float from[3])
 
 /* Of the near plane, and not ended by the light's reach. */
 static bool is_beyond(
-	const struct shadow_hull *hull, const struct shadow_light *light)
+	const struct shadow_caster *caster, const struct shadow_light *light)
 {
 	const float *plane = light->near_plane;
-	int away = hull->drawable->primitive->vertex_count;
+	int away = caster->drawable->primitive->vertex_count;
 	float least = 1.0f;
 
-	for (int i = 0; i < hull->vertex_count; i++) {
-		int v = hull->vertex[i];
-		float near = distance(plane, hull->position[v]);
-		float far = distance(plane, hull->position[v + away]);
+	for (int i = 0; i < caster->vertex_count; i++) {
+		int v = caster->vertex[i];
+		float near = distance(plane, caster->position[v]);
+		float far = distance(plane, caster->position[v + away]);
 
 		least = near < least ? near : least;
 		least = far < least ? far : least;
 	}
-	return least > 0.0f && !hull->too_short;
+	return least > 0.0f && !caster->too_short;
 }
 
 void shadow_volume_update(struct shadow_volume *volume,
 	const struct instance *instance, const struct shadow_light *light)
 {
-	volume->beyond = light->ground && light->towards[1] > 0.0f;
-	for (int i = 0; i < volume->hull_count; i++) {
-		struct shadow_hull *hull = &volume->hull[i];
+	volume->depth_pass = light->ground && light->towards[1] > 0.0f;
+	for (int i = 0; i < volume->caster_count; i++) {
+		struct shadow_caster *caster = &volume->caster[i];
 		uint16_t *sides_end, *end;
 
-		hull->index_count = 0;
-		hull->far_count = 0;
-		if (hull->drawable->hidden) {
+		caster->index_count = 0;
+		caster->back_cap_count = 0;
+		if (caster->drawable->hidden) {
 			continue;
 		}
-		place_vertices(hull, instance, light);
-		for (int t = 0; t < hull->corner_count / 3; t++) {
-			hull->lit[t] = faces(
-				hull, hull->corner + t * 3, light->towards);
+		place_vertices(caster, instance, light);
+		for (int t = 0; t < caster->corner_count / 3; t++) {
+			caster->lit[t] = faces(
+				caster, caster->corner + t * 3, light->towards);
 		}
-		sides_end = add_sides(hull, add_near(hull, hull->index));
-		end = add_far(hull, sides_end);
-		hull->index_count = (int)(end - hull->index);
-		hull->far_count = (int)(end - sides_end);
-		volume->beyond &= is_beyond(hull, light);
+		sides_end = add_sides(caster, add_near(caster, caster->index));
+		end = add_far(caster, sides_end);
+		caster->index_count = (int)(end - caster->index);
+		caster->back_cap_count = (int)(end - sides_end);
+		volume->depth_pass &= is_beyond(caster, light);
 	}
 }
 
 /* Far ends lie behind the ground: nobody sees them who is outside. */
 static void draw_hulls(const struct shadow_volume *volume, const struct gl *gl)
 {
-	for (int i = 0; i < volume->hull_count; i++) {
-		const struct shadow_hull *hull = &volume->hull[i];
-		int count = hull->index_count -
-			(volume->beyond ? hull->far_count : 0);
+	for (int i = 0; i < volume->caster_count; i++) {
+		const struct shadow_caster *caster = &volume->caster[i];
+		int count = caster->index_count -
+			(volume->depth_pass ? caster->back_cap_count : 0);
 
-		gl->VertexPointer(3, GL_FLOAT, 0, hull->position);
+		gl->VertexPointer(3, GL_FLOAT, 0, caster->position);
 		gl->DrawElements(
-			GL_TRIANGLES, count, GL_UNSIGNED_SHORT, hull->index);
+			GL_TRIANGLES, count, GL_UNSIGNED_SHORT, caster->index);
 	}
 }
 
@@ -292,12 +294,12 @@ static void darken(const struct gl *gl, float strength)
 /*
  * How many hulls' surfaces lie between the eye and the ground: front faces up,
  * back faces down. An eye inside of one misses its front; then it is counted
- * where the ground hides the hull, back faces up and front faces down. What
+ * where the ground hides the caster, back faces up and front faces down. What
  * counts up goes first because GL ES 1.1's stencil does not wrap.
  */
 static void count_hulls(const struct shadow_volume *volume, const struct gl *gl)
 {
-	bool seen = volume->beyond;
+	bool seen = volume->depth_pass;
 
 	gl->CullFace(seen ? GL_BACK : GL_FRONT);
 	gl->StencilOp(

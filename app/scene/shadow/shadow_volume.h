@@ -10,14 +10,14 @@
 #define APP_SCENE_SHADOW_SHADOW_VOLUME_H
 
 #include "app/scene/instance/instance.h"
-#include "app/scene/shadow/shadow_hull.h"
+#include "app/scene/shadow/shadow_caster.h"
 #include "app/scene/stage/floor.h"
 #include "platform/gl/gl.h"
 
 struct shadow_volume {
-	bool beyond; /* all hulls, of the near plane; and they end in the ground */
-	int hull_count;
-	struct shadow_hull *hull;
+	bool depth_pass; /* all hulls, of the near plane; and they end in the ground */
+	int caster_count;
+	struct shadow_caster *caster;
 };
 
 /*
@@ -26,7 +26,7 @@ struct shadow_volume {
  */
 struct shadow_light {
 	float towards[3];           /* unit length */
-	float reach;                /* scene units: hulls are no longer */
+	float max_length;           /* scene units: hulls are no longer */
 	const struct floor *ground; /* NULL: hulls go all the way */
 	/*
 	 * The camera's (camera_near_plane()): where all hulls lie beyond, the

@@ -38,7 +38,7 @@ void ball_draw(const struct ball *ball, const struct gl *gl,
 {
 	GLfixed scale = fx16_from_float(radius);
 
-	light_solid(gl, color, 0.5f, 40);
+	light_set_material(gl, color, 0.5f, 40);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->DisableClientState(GL_COLOR_ARRAY);

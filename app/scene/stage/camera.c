@@ -17,7 +17,7 @@ struct camera camera_default(void)
 		.yaw_rad = 0.45f,
 		.pitch_rad = 0.16f,
 		.yfov_rad = 0.52f,
-		.reach = 2.0f,
+		.radius = 2.0f,
 	};
 }
 
@@ -52,14 +52,14 @@ float camera_tan_half(float angle_rad)
 }
 
 void camera_frame(struct camera *camera, const struct bounds *bounds,
-	const struct framing *framing)
+	const struct camera_framing *framing)
 {
 	float tan_y = camera_tan_half(camera->yfov_rad) / framing->margin;
 	float half[3], farthest = 0.0f;
 
 	camera->yaw_rad = framing->yaw_rad;
 	camera->pitch_rad = framing->pitch_rad;
-	camera->aside = framing->aside;
+	camera->shift_x = framing->shift_x;
 	bounds_center(bounds, camera->target);
 	for (int axis = 0; axis < 3; axis++) {
 		half[axis] = bounds_is_empty(bounds)
@@ -81,7 +81,7 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 		farthest = distance > farthest ? distance : farthest;
 	}
 	camera->distance = farthest > 0.0f ? farthest : 1.0f;
-	camera->reach = glm_vec3_norm(half) * 1.5f;
+	camera->radius = glm_vec3_norm(half) * 1.5f;
 }
 
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad)
@@ -124,27 +124,28 @@ void camera_view(const struct camera *camera, mat4 out)
 
 void camera_near_plane(const struct camera *camera, float out[4])
 {
-	const struct lens lens = camera_lens(camera, 1, 1);
+	const struct camera_frustum frustum = camera_frustum(camera, 1, 1);
 	mat4 view;
 
 	camera_view(camera, view);
 	for (int i = 0; i < 4; i++) {
 		out[i] = -view[i][2];
 	}
-	out[3] -= fx16_to_float(lens.near);
+	out[3] -= fx16_to_float(frustum.near);
 }
 
-struct lens camera_lens(const struct camera *camera, int width, int height)
+struct camera_frustum camera_frustum(
+	const struct camera *camera, int width, int height)
 {
 	/* The ground at the lower edge of the picture is nearer than a model. */
-	float near = scalar_clamp(camera->distance - camera->reach,
+	float near = scalar_clamp(camera->distance - camera->radius,
 		0.05f * camera->distance, 0.35f * camera->distance);
-	float far = 2.2f * camera->distance + 3.0f * camera->reach;
+	float far = 2.2f * camera->distance + 3.0f * camera->radius;
 	float top = near * camera_tan_half(camera->yfov_rad);
 	float half_width = top * (float)width / (float)height;
-	float shift = camera->aside * half_width;
+	float shift = camera->shift_x * half_width;
 
-	return (struct lens){
+	return (struct camera_frustum){
 		.left = fx16_from_float(-half_width - shift),
 		.right = fx16_from_float(half_width - shift),
 		.bottom = -fx16_from_float(top),
@@ -157,13 +158,14 @@ struct lens camera_lens(const struct camera *camera, int width, int height)
 void camera_apply(
 	const struct camera *camera, const struct gl *gl, int width, int height)
 {
-	const struct lens lens = camera_lens(camera, width, height);
+	const struct camera_frustum frustum =
+		camera_frustum(camera, width, height);
 	mat4 view;
 
 	gl->MatrixMode(GL_PROJECTION);
 	gl->LoadIdentity();
-	gl->Frustumx(lens.left, lens.right, lens.bottom, lens.top, lens.near,
-		lens.far);
+	gl->Frustumx(frustum.left, frustum.right, frustum.bottom, frustum.top,
+		frustum.near, frustum.far);
 	gl->MatrixMode(GL_MODELVIEW);
 	camera_view(camera, view);
 	matrix_gl_load(gl, (const vec4 *)view);

@@ -14,8 +14,8 @@ struct camera {
 	float yaw_rad;   /* 0 looks along -Z, at a model's front */
 	float pitch_rad; /* above the horizon */
 	float yfov_rad;
-	float reach; /* radius around target that must not be clipped */
-	float aside; /* how far right of the middle the target is shown, in
+	float radius;  /* radius around target that must not be clipped */
+	float shift_x; /* how far right of the middle the target is shown, in
 			half widths of the picture */
 };
 
@@ -23,19 +23,19 @@ struct camera {
 struct camera camera_default(void);
 
 /* How a camera is to look at a box. */
-struct framing {
+struct camera_framing {
 	float aspect; /* of the picture: width / height */
 	float yaw_rad, pitch_rad;
 	float turn_rad; /* the yaw may turn so far to either side */
 	float margin;   /* 1.1 leaves a tenth free around the box */
-	float aside;    /* as the camera's */
+	float shift_x;  /* as the camera's */
 };
 
 /*
  * Moves the camera so that the box fits, wherever the yaw is turned.
  */
 void camera_frame(struct camera *camera, const struct bounds *bounds,
-	const struct framing *framing);
+	const struct camera_framing *framing);
 
 /* Turns it; pitch stays between the floor and straight down. */
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);
@@ -53,11 +53,12 @@ void camera_near_plane(const struct camera *camera, float out[4]);
 void camera_view(const struct camera *camera, mat4 out);
 
 /* What Frustumx() gets, 16.16, for a picture of this size. */
-struct lens {
+struct camera_frustum {
 	fx16_t left, right, bottom, top; /* in the near plane */
 	fx16_t near, far;
 };
-struct lens camera_lens(const struct camera *camera, int width, int height);
+struct camera_frustum camera_frustum(
+	const struct camera *camera, int width, int height);
 
 /* Loads projection and model-view for a picture of this size. */
 void camera_apply(const struct camera *camera, const struct gl *gl, int width,

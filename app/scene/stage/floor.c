@@ -46,7 +46,7 @@ static int make_texture(
 static uint8_t fade_at(int ring)
 {
 	const int all = FLOOR_RINGS * FLOOR_RINGS;
-	const int solid = FLOOR_SOLID_RING * FLOOR_SOLID_RING;
+	const int solid = FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING;
 	int left = all - ring * ring;
 
 	return (uint8_t)(left >= all - solid ? 255 : 255 * left / (all - solid));
@@ -134,17 +134,17 @@ float floor_height(const struct floor *floor, float x, float z)
 	float u = (x + floor->offset[0]) * turn;
 	float v = (z + floor->offset[1]) * turn;
 
-	if (floor->relief == 0.0f) {
+	if (floor->wave_height == 0.0f) {
 		return floor->y;
 	}
 	return floor->y +
-		0.5f * floor->relief *
+		0.5f * floor->wave_height *
 		(scalar_sin(2.0f * v + scalar_sin(u)) + scalar_sin(u + 0.7f));
 }
 
-float floor_sag(const struct floor *floor)
+float floor_mesh_error(const struct floor *floor)
 {
-	return 0.4f * floor->relief;
+	return 0.4f * floor->wave_height;
 }
 
 /* Heights, and a shade that tells slopes towards the light from others. */
@@ -157,7 +157,7 @@ static void shape(struct floor *floor)
 		float slope, value;
 
 		p[1] = floor_height(floor, p[0], p[2]);
-		slope = floor->relief == 0.0f
+		slope = floor->wave_height == 0.0f
 			? 0.0f
 			: (floor_height(floor, p[0] + step, p[2] + step) - p[1]) /
 				step;
@@ -228,29 +228,30 @@ static float wrap(float offset, float length)
 	return offset;
 }
 
-void floor_run(struct floor *floor, float dx, float dz)
+void floor_scroll(struct floor *floor, float dx, float dz)
 {
 	float length = WAVE_TILES * floor->tile;
 
 	floor->offset[0] = wrap(floor->offset[0] + dx, length);
 	floor->offset[1] = wrap(floor->offset[1] + dz, length);
-	if (floor->relief != 0.0f && (dx != 0.0f || dz != 0.0f)) {
+	if (floor->wave_height != 0.0f && (dx != 0.0f || dz != 0.0f)) {
 		shape(floor);
 	}
 }
 
-void floor_set_relief(struct floor *floor, float relief)
+void floor_set_wave_height(struct floor *floor, float relief)
 {
-	if (relief != floor->relief) {
-		floor->relief = relief;
+	if (relief != floor->wave_height) {
+		floor->wave_height = relief;
 		shape(floor);
 	}
 }
 
-void floor_look(const struct floor *floor, const struct camera *camera,
-	int width, int height, struct floor_sight *out)
+void floor_visible_strips(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_strips *out)
 {
-	const float solid_share = (float)(FLOOR_SOLID_RING * FLOOR_SOLID_RING) /
+	const float solid_share =
+		(float)(FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING) /
 		(FLOOR_RINGS * FLOOR_RINGS);
 	float sine = scalar_sin(camera->yaw_rad);
 	float cosine = scalar_cos(camera->yaw_rad);
@@ -259,14 +260,14 @@ void floor_look(const struct floor *floor, const struct camera *camera,
 	float radius = floor->radius > least ? floor->radius : least;
 	float eye[3], ahead;
 
-	if (floor->relief != 0.0f) {
-		*out = (struct floor_sight){.horizon_px = height};
+	if (floor->wave_height != 0.0f) {
+		*out = (struct floor_strips){.horizon_px = height};
 		return;
 	}
 	camera_eye(camera, eye);
 	ahead = (eye[0] - floor->center[0]) * sine +
 		(eye[2] - floor->center[1]) * cosine;
-	floor_sight_find(out, camera, width, height, floor->y,
+	floor_strips_find(out, camera, width, height, floor->y,
 		ahead + solid_share * radius, ahead + radius);
 }
 
@@ -276,35 +277,35 @@ static void draw_disc(const struct floor *floor, const struct gl *gl)
 	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_SOLID_INDICES, GL_UNSIGNED_SHORT,
+	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
 		floor->index);
 	gl->Enable(GL_BLEND);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_INDICES - FLOOR_SOLID_INDICES,
-		GL_UNSIGNED_SHORT, floor->index + FLOOR_SOLID_INDICES);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_INDICES - FLOOR_OPAQUE_INDICES,
+		GL_UNSIGNED_SHORT, floor->index + FLOOR_OPAQUE_INDICES);
 }
 
 /* The same; level ground hides none of itself. */
 static void draw_strips(const struct floor *floor,
-	const struct floor_sight *sight, const struct gl *gl)
+	const struct floor_strips *strips, const struct gl *gl)
 {
 	float texcoord[6][2];
 	uint8_t color[6][4];
 
 	for (int i = 0; i < 6; i++) {
-		texcoord[i][0] = sight->position[i][0] / floor->tile;
-		texcoord[i][1] = sight->position[i][2] / floor->tile;
+		texcoord[i][0] = strips->position[i][0] / floor->tile;
+		texcoord[i][1] = strips->position[i][2] / floor->tile;
 		memset(color[i], (uint8_t)shade, 3);
-		color[i][3] = sight->alpha[i];
+		color[i][3] = strips->alpha[i];
 	}
-	gl->VertexPointer(3, GL_FLOAT, 0, sight->position);
+	gl->VertexPointer(3, GL_FLOAT, 0, strips->position);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->DepthFunc(GL_ALWAYS);
-	if (sight->solid) {
+	if (strips->opaque) {
 		gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 	}
 	gl->Enable(GL_BLEND);
-	if (sight->fading) {
+	if (strips->fading) {
 		/* What sinks in where it fades is seen through it. */
 		gl->DepthMask(GL_FALSE);
 		gl->DrawArrays(GL_TRIANGLE_STRIP, 2, 4);
@@ -313,7 +314,7 @@ static void draw_strips(const struct floor *floor,
 	gl->DepthFunc(GL_LESS);
 }
 
-void floor_draw(const struct floor *floor, const struct floor_sight *sight,
+void floor_draw(const struct floor *floor, const struct floor_strips *strips,
 	const struct gl *gl)
 {
 	gl->Disable(GL_BLEND);
@@ -332,10 +333,10 @@ void floor_draw(const struct floor *floor, const struct floor_sight *sight,
 	gl->EnableClientState(GL_COLOR_ARRAY);
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
-	if (floor->relief != 0.0f) {
+	if (floor->wave_height != 0.0f) {
 		draw_disc(floor, gl);
 	} else {
-		draw_strips(floor, sight, gl);
+		draw_strips(floor, strips, gl);
 	}
 	gl->Disable(GL_BLEND);
 	gl->Disable(GL_TEXTURE_2D);

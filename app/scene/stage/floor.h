@@ -1,6 +1,6 @@
 /*
  * The ground: tiles that fade into the background far out. Uneven ground is a
- * disc; level ground is what the camera sees of a plane (floor_sight.h).
+ * disc; level ground is what the camera sees of a plane (floor_strips.h).
  *
  * It can run under a figure that walks on the spot, and it can be uneven. The
  * figure stays, the offset grows; height and tiles move with it.
@@ -9,7 +9,7 @@
 #define APP_SCENE_STAGE_FLOOR_H
 
 #include "app/scene/instance/bounds.h"
-#include "app/scene/stage/floor_sight.h"
+#include "app/scene/stage/floor_strips.h"
 #include "platform/display/pixels.h"
 #include "platform/gl/gl.h"
 
@@ -27,18 +27,18 @@ enum {
 	FLOOR_INDICES = FLOOR_INNER_INDICES +
 		(FLOOR_RINGS - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
 	/* Up to this ring it is opaque, from there on it fades. */
-	FLOOR_SOLID_RING = 9,
-	FLOOR_SOLID_INDICES = FLOOR_INNER_INDICES +
-		(FLOOR_SOLID_RING - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
+	FLOOR_OPAQUE_RING = 9,
+	FLOOR_OPAQUE_INDICES = FLOOR_INNER_INDICES +
+		(FLOOR_OPAQUE_RING - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
 };
 
 struct floor {
 	float y;         /* scene units */
 	float center[2]; /* x, z */
 	float radius;
-	float tile;      /* side of a tile */
-	float offset[2]; /* how far it has run */
-	float relief;    /* height of its waves; 0: flat */
+	float tile;        /* side of a tile */
+	float offset[2];   /* how far it has run */
+	float wave_height; /* height of its waves; 0: flat */
 	GLuint texture;
 
 	float position[FLOOR_VERTICES][3];
@@ -58,10 +58,10 @@ int floor_init(struct floor *floor, const struct gl *gl,
 void floor_finish(struct floor *floor, const struct gl *gl);
 
 /* Runs on by a distance along x and z. */
-void floor_run(struct floor *floor, float dx, float dz);
+void floor_scroll(struct floor *floor, float dx, float dz);
 
 /* Makes it uneven, or flat again with 0. */
-void floor_set_relief(struct floor *floor, float relief);
+void floor_set_wave_height(struct floor *floor, float relief);
 
 /* Its height at a place, in scene units. */
 float floor_height(const struct floor *floor, float x, float z);
@@ -70,14 +70,14 @@ float floor_height(const struct floor *floor, float x, float z);
  * How far off that it may be drawn where it is solid: its triangles are level
  * between their corners.
  */
-float floor_sag(const struct floor *floor);
+float floor_mesh_error(const struct floor *floor);
 
 /* What a camera sees of it: of uneven ground that it may be anywhere. */
-void floor_look(const struct floor *floor, const struct camera *camera,
-	int width, int height, struct floor_sight *out);
+void floor_visible_strips(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_strips *out);
 
 /* With the camera's model-view matrix loaded; leaves lighting off. */
-void floor_draw(const struct floor *floor, const struct floor_sight *sight,
+void floor_draw(const struct floor *floor, const struct floor_strips *strips,
 	const struct gl *gl);
 
 #endif

@@ -66,7 +66,7 @@ void light_apply(const struct gl *gl)
 	set_lamp(gl, GL_LIGHT1, &fill_lamp);
 }
 
-void light_choose(const struct gl *gl, enum light_choice choice)
+void light_select(const struct gl *gl, enum light_selection choice)
 {
 	if (choice == LIGHT_KEY_COLOR) {
 		gl->Disable(GL_LIGHT0);
@@ -81,8 +81,8 @@ void light_choose(const struct gl *gl, enum light_choice choice)
 		choice == LIGHT_ALL ? key_lamp.diffuse : black);
 }
 
-void light_solid(const struct gl *gl, const float color[3], float specular,
-	int shininess)
+void light_set_material(const struct gl *gl, const float color[3],
+	float specular, int shininess)
 {
 	GLfixed shine = fx16_from_float(specular);
 	const GLfixed shines[4] = {shine, shine, shine, FX16_ONE};

@@ -74,22 +74,22 @@ void monitor_init(struct monitor *monitor, const struct camera *camera,
 	float yaw = camera->yaw_rad;
 	float right[2] = {scalar_cos(yaw), -scalar_sin(yaw)};
 	float back[2] = {scalar_sin(yaw), scalar_cos(yaw)};
-	float behind = behind_share * camera->reach;
+	float behind = behind_share * camera->radius;
 	float half = aspect * (camera->distance + behind) *
 		camera_tan_half(camera->yfov_rad);
 	float share = width_share * aspect < width_of_height
 		? width_share
 		: width_of_height / aspect;
 	float width = share * 2.0f * half;
-	float aside = (1.0f + camera->aside - 2.0f * margin_share) * half -
+	float aside = (1.0f + camera->shift_x - 2.0f * margin_share) * half -
 		0.5f * width;
 
 	shape(monitor);
 	monitor->scale = width / (2.0f * (half_width + bezel));
-	monitor->place[0] =
+	monitor->origin[0] =
 		camera->target[0] - aside * right[0] - behind * back[0];
-	monitor->place[1] = floor_y;
-	monitor->place[2] =
+	monitor->origin[1] = floor_y;
+	monitor->origin[2] =
 		camera->target[2] - aside * right[1] - behind * back[1];
 	monitor->yaw_rad = yaw + turn_rad;
 }
@@ -99,9 +99,9 @@ static void push_place(const struct monitor *monitor, const struct gl *gl)
 	GLfixed scale = fx16_from_float(monitor->scale);
 
 	gl->PushMatrix();
-	gl->Translatex(fx16_from_float(monitor->place[0]),
-		fx16_from_float(monitor->place[1]),
-		fx16_from_float(monitor->place[2]));
+	gl->Translatex(fx16_from_float(monitor->origin[0]),
+		fx16_from_float(monitor->origin[1]),
+		fx16_from_float(monitor->origin[2]));
 	gl->Rotatex(fx16_from_float(monitor->yaw_rad * (180.0f / SCALAR_PI)), 0,
 		FX16_ONE, 0);
 	gl->Scalex(scale, scale, scale);
@@ -109,10 +109,10 @@ static void push_place(const struct monitor *monitor, const struct gl *gl)
 
 static void draw_body(const struct monitor *monitor, const struct gl *gl)
 {
-	light_solid(gl, body_color, 0.25f, 20);
+	light_set_material(gl, body_color, 0.25f, 20);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->NormalPointer(GL_BYTE, sizeof(monitor->normal[0]), monitor->normal);
-	monitor_draw_shape(monitor, gl);
+	monitor_draw_geometry(monitor, gl);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
 	gl->Disable(GL_LIGHTING);
 }
@@ -159,7 +159,7 @@ void monitor_draw(const struct monitor *monitor,
 	gl->Disable(GL_CULL_FACE);
 }
 
-void monitor_draw_shape(const struct monitor *monitor, const struct gl *gl)
+void monitor_draw_geometry(const struct monitor *monitor, const struct gl *gl)
 {
 	push_place(monitor, gl);
 	gl->EnableClientState(GL_VERTEX_ARRAY);

@@ -14,9 +14,9 @@ enum {
 };
 
 struct monitor {
-	float place[3]; /* on the floor, scene units */
-	float yaw_rad;  /* where its face looks: 0 along +Z */
-	float scale;    /* scene units a unit of its own */
+	float origin[3]; /* on the floor, scene units */
+	float yaw_rad;   /* where its face looks: 0 along +Z */
+	float scale;     /* scene units a unit of its own */
 
 	/* Boxes, in units of which the face is one high. */
 	float position[MONITOR_VERTICES][3];
@@ -40,6 +40,6 @@ void monitor_draw(const struct monitor *monitor,
 	const struct live_texture *picture, const struct gl *gl);
 
 /* Its outline alone, in the current colour and state. */
-void monitor_draw_shape(const struct monitor *monitor, const struct gl *gl);
+void monitor_draw_geometry(const struct monitor *monitor, const struct gl *gl);
 
 #endif

@@ -14,7 +14,7 @@ static const uint8_t middle_color[3] = {146, 158, 172};
 static const uint8_t ground_color[3] = {104, 114, 128};
 
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, const struct framing *framing,
+	const struct bounds *bounds, const struct camera_framing *framing,
 	enum pixel_format target, const struct log *log)
 {
 	GLint stencil_bits = 0;
@@ -104,10 +104,11 @@ void stage_begin(
 	const struct stage *stage, const struct gl *gl, int width, int height)
 {
 	/* A figure stands in the picture; only hills have to be seen. */
-	bool ground = !stage->backdrop || stage->floor.relief != 0.0f;
-	struct floor_sight sight;
+	bool ground = !stage->backdrop || stage->floor.wave_height != 0.0f;
+	struct floor_strips strips;
 
-	floor_look(&stage->floor, &stage->camera, width, height, &sight);
+	floor_visible_strips(
+		&stage->floor, &stage->camera, width, height, &strips);
 	gl->Viewport(0, 0, width, height);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->DepthMask(GL_TRUE);
@@ -117,15 +118,15 @@ void stage_begin(
 	gl->FrontFace(GL_CCW);
 	use_plain_state(gl);
 	if (stage->has_stencil) {
-		clear_stencil(gl, width, sight.horizon_px);
+		clear_stencil(gl, width, strips.horizon_px);
 	}
-	draw_behind(stage, gl, width, height, ground ? sight.covered_px : 0);
+	draw_behind(stage, gl, width, height, ground ? strips.covered_px : 0);
 	camera_apply(&stage->camera, gl, width, height);
 	light_apply(gl);
 	if (ground) {
-		floor_draw(&stage->floor, &sight, gl);
+		floor_draw(&stage->floor, &strips, gl);
 	}
-	if (stage->monitor && stage->floor.relief != 0.0f) {
+	if (stage->monitor && stage->floor.wave_height != 0.0f) {
 		monitor_draw(stage->monitor, stage->monitor_picture, gl);
 	}
 }
@@ -167,7 +168,7 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)flatten);
 	if (stage->monitor) {
-		monitor_draw_shape(stage->monitor, gl);
+		monitor_draw_geometry(stage->monitor, gl);
 	}
 }
 
@@ -180,12 +181,12 @@ void stage_shadow_end(const struct stage *stage, const struct gl *gl)
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthMask(GL_TRUE);
 	gl->Disable(GL_BLEND);
-	stage_stand(stage, gl);
+	stage_draw_monitor(stage, gl);
 }
 
-void stage_stand(const struct stage *stage, const struct gl *gl)
+void stage_draw_monitor(const struct stage *stage, const struct gl *gl)
 {
-	if (stage->monitor && stage->floor.relief == 0.0f) {
+	if (stage->monitor && stage->floor.wave_height == 0.0f) {
 		monitor_draw(stage->monitor, stage->monitor_picture, gl);
 		use_plain_state(gl);
 	}

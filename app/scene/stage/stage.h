@@ -29,7 +29,7 @@ struct stage {
  * camera_frame(). 0, or -ENOMEM after a sentence. Release with stage_finish().
  */
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, const struct framing *framing,
+	const struct bounds *bounds, const struct camera_framing *framing,
 	enum pixel_format target, const struct log *log);
 
 void stage_finish(struct stage *stage, const struct gl *gl);
@@ -49,6 +49,6 @@ void stage_shadow_end(const struct stage *stage, const struct gl *gl);
  * What stands on level ground, over flat shadows: stage_shadow_end() draws it,
  * and this where there are none.
  */
-void stage_stand(const struct stage *stage, const struct gl *gl);
+void stage_draw_monitor(const struct stage *stage, const struct gl *gl);
 
 #endif

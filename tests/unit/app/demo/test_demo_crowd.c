@@ -1,5 +1,5 @@
 /* The crowd: where its walkers are, and how many. */
-#include "app/demo/crowd/crowd_places.h"
+#include "app/demo/crowd/crowd_route.h"
 #include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
@@ -8,9 +8,9 @@
 
 static float distance(int a, int b, double time_s)
 {
-	struct crowd_place from = crowd_place(a), to = crowd_place(b);
-	struct crowd_spot p = crowd_spot_at(&from, time_s);
-	struct crowd_spot q = crowd_spot_at(&to, time_s);
+	struct crowd_route from = crowd_route(a), to = crowd_route(b);
+	struct crowd_position p = crowd_position_at(&from, time_s);
+	struct crowd_position q = crowd_position_at(&to, time_s);
 
 	return hypotf(p.x - q.x, p.z - q.z);
 }
@@ -31,7 +31,7 @@ static void test_the_circle_holds_them_all_and_grows(void **state)
 {
 	(void)state;
 	for (int i = 0; i < CROWD_MAX; i++) {
-		struct crowd_place place = crowd_place(i);
+		struct crowd_route place = crowd_route(i);
 
 		assert_true(place.radius_m < crowd_radius_m(i + 1));
 		assert_true(crowd_radius_m(i + 1) <= crowd_radius_m(i + 2));
@@ -43,9 +43,9 @@ static void test_walkers_go_where_they_look_as_fast_as_their_feet(void **state)
 {
 	(void)state;
 	for (int i = 1; i < 30; i++) {
-		struct crowd_place place = crowd_place(i);
-		struct crowd_spot from = crowd_spot_at(&place, 5.0);
-		struct crowd_spot to = crowd_spot_at(&place, 5.01);
+		struct crowd_route place = crowd_route(i);
+		struct crowd_position from = crowd_position_at(&place, 5.0);
+		struct crowd_position to = crowd_position_at(&place, 5.01);
 		float x = to.x - from.x, z = to.z - from.z;
 		float speed = fabsf(place.speed_m_s);
 
@@ -72,7 +72,7 @@ static long triangles_at(double time_s)
 
 	demo_run_begin(&run, "crowd");
 	demo_run_to(&run, time_s, 5, presses, (int)ARRAY_COUNT(presses));
-	triangles = demo_tell(run.driver, run.demo).triangles;
+	triangles = demo_get_facts(run.driver, run.demo).triangles;
 	demo_run_end(&run);
 	return triangles;
 }
@@ -103,9 +103,9 @@ static void test_small_figures_have_fewer_triangles(void **state)
 	(void)state;
 	demo_run_begin(&run, "crowd");
 	demo_run_to(&run, 5.9, 10, many, (int)ARRAY_COUNT(many));
-	few = demo_tell(run.driver, run.demo).triangles;
+	few = demo_get_facts(run.driver, run.demo).triangles;
 	demo_run_to(&run, 6.5, 10, many, (int)ARRAY_COUNT(many));
-	all = demo_tell(run.driver, run.demo).triangles;
+	all = demo_get_facts(run.driver, run.demo).triangles;
 	assert_true(few > 50 * 300);
 	assert_true(few < all / 2);
 	demo_run_end(&run);
@@ -113,7 +113,8 @@ static void test_small_figures_have_fewer_triangles(void **state)
 
 static void test_a_budget_holds_normals_and_caps_influences(void **state)
 {
-	const struct shed shed = {.max_influences = 1, .hold_normals = true};
+	const struct demo_reduction reduction = {
+		.max_influences = 1, .hold_normals = true};
 	struct demo_run run;
 	struct gl_recording all, less;
 
@@ -124,7 +125,7 @@ static void test_a_budget_holds_normals_and_caps_influences(void **state)
 	all = *gl_recorder_result();
 	demo_run_end(&run);
 	demo_run_begin(&run, "crowd");
-	demo_shed(run.demo, &shed);
+	demo_set_reduction(run.demo, &reduction);
 	demo_run_to(&run, 1.0, 5, NULL, 0);
 	demo_run_draw(&run);
 	less = *gl_recorder_result();
@@ -135,22 +136,23 @@ static void test_a_budget_holds_normals_and_caps_influences(void **state)
 
 static void test_a_budget_leaves_out_triangles_and_gives_them_back(void **state)
 {
-	const struct shed shed = {.error_px = 4.0f}, nothing = {0};
+	const struct demo_reduction reduction = {.error_px = 4.0f},
+				    nothing = {0};
 	struct demo_run run;
 	long all, less;
 
 	(void)state;
 	demo_run_begin(&run, "crowd");
 	demo_run_to(&run, 1.0, 5, NULL, 0);
-	all = demo_tell(run.driver, run.demo).triangles;
-	demo_shed(run.demo, &shed);
+	all = demo_get_facts(run.driver, run.demo).triangles;
+	demo_set_reduction(run.demo, &reduction);
 	demo_run_to(&run, 1.5, 5, NULL, 0);
-	less = demo_tell(run.driver, run.demo).triangles;
+	less = demo_get_facts(run.driver, run.demo).triangles;
 	assert_true(less < 2 * all / 3);
 	assert_true(less > all / 10);
-	demo_shed(run.demo, &nothing);
+	demo_set_reduction(run.demo, &nothing);
 	demo_run_to(&run, 2.0, 5, NULL, 0);
-	assert_int_equal(demo_tell(run.driver, run.demo).triangles, all);
+	assert_int_equal(demo_get_facts(run.driver, run.demo).triangles, all);
 	demo_run_end(&run);
 }
 

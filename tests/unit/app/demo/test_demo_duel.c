@@ -117,7 +117,7 @@ static void test_heat_is_red_where_a_part_is_far_off(void **state)
 	(void)state;
 	begin(&bench, CONTENDER_RIGID);
 	largest_error(&bench, 1.0f);
-	tint_switch(&bench.contender.heat, true);
+	vertex_tint_switch(&bench.contender.heat, true);
 	for (int i = 0; i < bench.contender.shown->drawable_count; i++) {
 		const struct drawable *d = &bench.contender.shown->drawable[i];
 
@@ -132,7 +132,7 @@ static void test_heat_is_red_where_a_part_is_far_off(void **state)
 	assert_true(blue > 1000);
 	assert_ptr_not_equal(
 		bench.contender.shown->model, bench.contender.heat.kept);
-	tint_switch(&bench.contender.heat, false);
+	vertex_tint_switch(&bench.contender.heat, false);
 	assert_ptr_equal(
 		bench.contender.shown->model, bench.contender.heat.kept);
 	end(&bench);
@@ -171,7 +171,7 @@ static void test_buttons_run_through_the_duel(void **state)
 	demo_run_to(&run, 1.0, 10, presses, (int)ARRAY_COUNT(presses));
 	demo_run_draw(&run);
 	assert_true(gl_recorder_result()->vertex_count > 10000);
-	assert_true(demo_tell(run.driver, run.demo).triangles > 3 * 3000);
+	assert_true(demo_get_facts(run.driver, run.demo).triangles > 3 * 3000);
 	demo_run_end(&run);
 }
 

@@ -62,20 +62,20 @@ static void test_triangles_go_first_then_influences_normals_poses(void **state)
 
 	(void)state;
 	while (bench.now_s < 60.0 && level < GOVERNOR_STEPS) {
-		struct shed shed;
+		struct demo_reduction reduction;
 
 		run(&bench, 1.0 / 30.0, hopeless);
 		if (bench.governor.level == level) {
 			continue;
 		}
 		assert_int_equal(bench.governor.level, ++level);
-		shed = governor_shed(&bench.governor);
-		assert_near(shed.error_px, level == 1 ? 2.0f : 4.0f, 0.0);
-		assert_int_equal(shed.max_influences,
+		reduction = governor_reduction(&bench.governor);
+		assert_near(reduction.error_px, level == 1 ? 2.0f : 4.0f, 0.0);
+		assert_int_equal(reduction.max_influences,
 			level < 3            ? 0
 				: level == 3 ? 2
 					     : 1);
-		assert_int_equal(shed.hold_normals, level >= 5);
+		assert_int_equal(reduction.hold_normals, level >= 5);
 	}
 	assert_int_equal(level, GOVERNOR_STEPS);
 	assert_true(bench.now_s < 5.0);

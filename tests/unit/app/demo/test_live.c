@@ -139,21 +139,21 @@ static void test_motion_rises_quickly_and_falls_slowly(void **state)
 	for (int i = 0; i < 10; i++) {
 		rig_frame(&rig, CAMERA_NEW, 100);
 	}
-	assert_near(rig.live.motion, 0.0, 0.0);
+	assert_near(rig.live.smooth_level, 0.0, 0.0);
 	for (int i = 0; i < 10; i++) {
 		rig_frame(&rig, CAMERA_NEW, i % 2 ? 100 : 140);
 	}
-	high = rig.live.motion;
+	high = rig.live.smooth_level;
 	assert_true(high > 0.95f && high <= 1.0f);
 	for (int i = 0; i < 10; i++) {
 		rig_frame(&rig, CAMERA_NEW, 100);
 	}
-	assert_true(rig.live.motion > 0.3f * high);
-	assert_true(rig.live.motion < 0.6f * high);
+	assert_true(rig.live.smooth_level > 0.3f * high);
+	assert_true(rig.live.smooth_level < 0.6f * high);
 	for (int i = 0; i < 100; i++) {
 		rig_frame(&rig, CAMERA_NONE, 0);
 	}
-	assert_true(rig.live.motion < 0.01f);
+	assert_true(rig.live.smooth_level < 0.01f);
 	assert_null(rig.stage.backdrop);
 	assert_null(rig.stage.monitor);
 	live_finish(&rig.live, &rig.gl);
@@ -175,7 +175,7 @@ static void test_another_use_waits_for_its_own_picture(void **state)
 	rig_frame(&rig, CAMERA_NEW, 100);
 	assert_non_null(rig.stage.monitor_picture);
 	live_next_use(&rig.live);
-	assert_true(live_moves(&rig.live));
+	assert_true(live_controls_motion(&rig.live));
 	live_next_use(&rig.live);
 	rig_frame(&rig, CAMERA_NEW, 100);
 	assert_int_equal(rig.live.use, LIVE_OFF);
@@ -198,7 +198,7 @@ static void test_without_a_camera_nothing_changes(void **state)
 		live_init(&live, NULL, LIVE_SCREEN, true, &gl, &log), 0);
 	live_update(&live, &gl, &stage, 1.0, 480, 640);
 	assert_null(stage.monitor);
-	assert_false(live_moves(&live));
+	assert_false(live_controls_motion(&live));
 	live_finish(&live, &gl);
 }
 
@@ -236,10 +236,10 @@ static void test_the_screen_stands_where_it_is_seen(void **state)
 			const float *p = monitor.position[i];
 			float s = monitor.scale;
 			vec4 eye,
-				world = {monitor.place[0] +
+				world = {monitor.origin[0] +
 						s * (cosine * p[0] + sine * p[2]),
-					monitor.place[1] + s * p[1],
-					monitor.place[2] +
+					monitor.origin[1] + s * p[1],
+					monitor.origin[2] +
 						s * (cosine * p[2] - sine * p[0]),
 					1.0f};
 

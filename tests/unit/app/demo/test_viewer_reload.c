@@ -46,12 +46,12 @@ static void run_to(struct bench *bench, double time_s)
 
 static long triangles(const struct bench *bench)
 {
-	return demo_tell(&demo_driver_viewer, bench->demo).triangles;
+	return demo_get_facts(&demo_driver_viewer, bench->demo).triangles;
 }
 
 static const struct model *model_of(const struct bench *bench)
 {
-	return ((const struct act *)bench->demo)->actor.model;
+	return ((const struct demo_base *)bench->demo)->actor.model;
 }
 
 static struct bench *begin_bench(bool follow)
@@ -97,8 +97,8 @@ static void test_a_new_file_is_shown_at_the_same_clip_and_time(void **state)
 {
 	struct bench *bench = begin_bench(true);
 	struct bench *other = begin_bench(true);
-	const struct act *act = (const struct act *)bench->demo;
-	const struct act *same = (const struct act *)other->demo;
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	const struct demo_base *same = (const struct demo_base *)other->demo;
 	const struct model *old;
 
 	(void)state;
@@ -112,8 +112,8 @@ static void test_a_new_file_is_shown_at_the_same_clip_and_time(void **state)
 	for (int v = 0; v < 100; v++) {
 		float a[3], b[3];
 
-		instance_world_vertex(act->actor.instance,
-			&act->actor.instance->drawable[0], v, a);
+		instance_world_vertex(base->actor.instance,
+			&base->actor.instance->drawable[0], v, a);
 		instance_world_vertex(same->actor.instance,
 			&same->actor.instance->drawable[0], v, b);
 		for (int axis = 0; axis < 3; axis++) {

@@ -58,7 +58,7 @@ static void go_on(struct walk *walk, int frames)
 			&walk->cursor, &walk->instance->pose);
 		walk->floor.offset[1] += 1.03f * step_s;
 		walker_rig_apply(&walk->rig, walk->instance,
-			&(struct rig_frame){.time_s = (double)walk->time_s,
+			&(struct walker_rig_frame){.time_s = (double)walk->time_s,
 				.step_s = step_s,
 				.speed_m_per_s = 1.03f,
 				.floor = &walk->floor});
@@ -192,7 +192,7 @@ static void test_the_cape_stays_on_and_moves(void **state)
 		float z;
 
 		go_on(&walk, 1);
-		p = (const float(*)[3])walk.rig.trail.cape.position;
+		p = (const float(*)[3])walk.rig.secondary.cape.position;
 		z = p[CAPE_COLUMNS * CAPE_ROWS - 5][2];
 		lowest = z < lowest ? z : lowest;
 		highest = z > highest ? z : highest;

@@ -73,7 +73,7 @@ static void test_rigid_meshes_are_lit_as_their_node_stands(void **state)
 	const uint8_t(*light)[4];
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	instance = small_model_instance(model);
 	local = &instance->pose.local[0];
 	light = (const uint8_t(*)[4])instance->drawable[0].light;
@@ -105,7 +105,7 @@ static void test_the_attributes_sign_turns_the_bitangent(void **state)
 	const uint8_t(*light)[4];
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	model->mesh[0].primitive[0].tangent[1][3] = -1;
 	instance = small_model_instance(model);
 	light = (const uint8_t(*)[4])instance->drawable[0].light;
@@ -123,7 +123,7 @@ static bool has_relief(void (*change)(struct model *model))
 	struct instance *instance;
 	bool has;
 
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	change(model);
 	instance = small_model_instance(model);
 	has = instance->drawable[0].tangent;
@@ -186,7 +186,7 @@ static void test_gathered_batches_are_lit_plainly(void **state)
 	struct instance *instance;
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	instance = small_model_instance(model);
 	assert_null(instance->drawable[0].tangent);
 	instance_destroy(instance);
@@ -243,13 +243,13 @@ static void test_a_driver_without_combiner_gets_one_sentence(void **state)
 	(void)state;
 	gl.GetError = tell_error;
 	gl.TexEnvx = refuse_combiner;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	instance = small_model_instance(model);
 	pending_error = GL_NO_ERROR;
 	assert_int_equal(
 		texture_set_create(&textures, model, &gl, PIXELS_RGBA8888, &log),
 		0);
-	assert_false(textures.relief);
+	assert_false(textures.normal_mapping);
 	assert_int_equal(pending_error, GL_NO_ERROR);
 	assert_int_equal(environment_mode, GL_MODULATE);
 	for (int frame = 0; frame < 3; frame++) {
@@ -277,7 +277,7 @@ static bool is_possible(const struct model *model,
 	gl.GetError = tell_error;
 	gl.TexEnvx = combiner;
 	pending_error = older_error;
-	possible = bump_is_possible(model, &gl, &log);
+	possible = bump_is_supported(model, &gl, &log);
 	assert_int_equal(capture.count, 0);
 	return possible;
 }
@@ -287,7 +287,7 @@ static void test_an_older_error_does_not_hide_the_combiner(void **state)
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	assert_true(is_possible(model, accept_combiner, GL_INVALID_VALUE));
 	assert_int_equal(environment_mode, GL_MODULATE);
 	model_destroy(model);
@@ -311,15 +311,15 @@ static void test_relief_takes_three_passes_and_can_be_off(void **state)
 	struct instance *instance;
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	textures.name = &name;
-	textures.relief = true;
+	textures.normal_mapping = true;
 	instance = small_model_instance(model);
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 3);
-	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHAPE), 1);
-	instance->relief = false;
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADOW), 1);
+	instance->normal_mapping = false;
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 1);
-	instance->relief = true;
+	instance->normal_mapping = true;
 	/* The inner side is drawn on its own, lit plainly. */
 	model->material[0].double_sided = true;
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 4);
@@ -344,7 +344,7 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 
 	shown->stage = stage_open("osmesa", PIXELS_RGBA8888);
 	shown->model = small_model_grid(1, 1, 1.0f, true);
-	small_model_add_relief(shown->model, texels, map);
+	small_model_add_normal_map(shown->model, texels, map);
 	shown->model->mesh[0].primitive[0].color =
 		arena_alloc(&shown->model->arena, 4, 4);
 	assert_non_null(shown->model->mesh[0].primitive[0].color);
@@ -360,7 +360,7 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 	assert_int_equal(texture_set_create(&shown->textures, shown->model,
 				 shown->stage.gl, PIXELS_RGBA8888, &nowhere),
 		0);
-	assert_true(shown->textures.relief);
+	assert_true(shown->textures.normal_mapping);
 	shown->stage.gl->Enable(GL_DEPTH_TEST);
 	light_apply(shown->stage.gl);
 }
@@ -434,7 +434,7 @@ static void test_a_flat_map_looks_like_plain_light(void **state)
 	(void)state;
 	set_up(&shown, 1, small_model_flat_map);
 	show(&shown, relief);
-	shown.instance->relief = false;
+	shown.instance->normal_mapping = false;
 	show(&shown, plain);
 	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
 		for (int channel = 0; channel < 3; channel++) {
@@ -455,12 +455,12 @@ static void test_the_state_is_plain_again_afterwards(void **state)
 
 	(void)state;
 	set_up(&shown, 2, ridge_map);
-	shown.instance->relief = false;
+	shown.instance->normal_mapping = false;
 	show(&shown, before);
-	shown.instance->relief = true;
+	shown.instance->normal_mapping = true;
 	show(&shown, after);
 	assert_memory_not_equal(before, after, sizeof(after));
-	shown.instance->relief = false;
+	shown.instance->normal_mapping = false;
 	show(&shown, after);
 	assert_memory_equal(before, after, sizeof(after));
 	tear_down(&shown);

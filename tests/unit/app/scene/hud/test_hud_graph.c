@@ -4,12 +4,12 @@
 
 #include <stdlib.h>
 
-static void add(struct hud_graph *graph, int frames, float ms, float apart_ms)
+static void add(struct hud_graph *graph, int frames, float ms, float interval_ms)
 {
 	const float stage_ms[HUD_STAGES] = {0.25f * ms, 0.5f * ms, 0.25f * ms};
 
 	for (int i = 0; i < frames; i++) {
-		hud_graph_add(graph, stage_ms, apart_ms);
+		hud_graph_add(graph, stage_ms, interval_ms);
 	}
 }
 

@@ -215,7 +215,7 @@ static struct relief relief_begin(float size, void (*add)(struct model *model))
 {
 	struct relief relief = {small_model_grid(1, 1, size, true), NULL};
 
-	small_model_add_relief(relief.model, 1, small_model_flat_map);
+	small_model_add_normal_map(relief.model, 1, small_model_flat_map);
 	add(relief.model);
 	relief.instance = small_model_instance(relief.model);
 	return relief;
@@ -235,7 +235,7 @@ static void test_morphs_before_it_skins(void **state)
 	const float half = 0.70710678f;
 
 	(void)state;
-	small_model_add_relief(model, 1, small_model_flat_map);
+	small_model_add_normal_map(model, 1, small_model_flat_map);
 	add_skin(model);
 	add_target(model);
 	instance = small_model_instance(model);
@@ -302,7 +302,7 @@ static void test_leaves_tangents_alone_without_relief(void **state)
 	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
-	instance->relief = false;
+	instance->normal_mapping = false;
 	memcpy(instance->pose.local[0].rotation, quarter_turn,
 		sizeof(quarter_turn));
 	instance_update(instance);

@@ -75,7 +75,7 @@ static void pair_pose(struct pair *pair, int clip, float time_s)
 	pose_copy(&pair->fixed->pose, &pair->exact->pose);
 	instance_update(pair->exact);
 	instance_update(pair->fixed);
-	assert_false(instance_failed(pair->fixed));
+	assert_false(instance_overflowed(pair->fixed));
 }
 
 static double distance(const float a[3], const float b[3])
@@ -174,8 +174,7 @@ static double worst_normal(const struct pair *pair, int d)
 		if (distance(want, none) < 0.5) {
 			continue;
 		}
-		unit_of(&fixed->normal[fixed->place ? fixed->place[v]
-						    : (uint32_t)v],
+		unit_of(&fixed->normal[fixed->slot ? fixed->slot[v] : (uint32_t)v],
 			got);
 		worst = fmax(worst, 2 * asin(0.5 * distance(want, got)));
 	}
@@ -282,7 +281,7 @@ static void assert_drawn_alike(struct pair *pair)
 		struct gl gl = gl_recorder_begin();
 		const struct texture_set none = {0};
 
-		draw_instance(&gl, both[i], &none, DRAW_SHAPE);
+		draw_instance(&gl, both[i], &none, DRAW_SHADOW);
 		drawn[i] = *gl_recorder_result();
 		assert_int_equal(drawn[i].depth, 0);
 	}
@@ -430,7 +429,7 @@ static void test_a_pose_that_does_not_fit_keeps_the_last_one(void **state)
 		pair.fixed->pose.local[i].translation[0] = INFINITY;
 	}
 	instance_update(pair.fixed);
-	assert_true(instance_failed(pair.fixed));
+	assert_true(instance_overflowed(pair.fixed));
 	drawable_position(skinned, 0, after);
 	assert_memory_equal(before, after, sizeof(before));
 	pair_pose(&pair, 0, 0.1f);
@@ -444,7 +443,7 @@ static void test_relief_is_lit_alike(void **state)
 	struct pair pair;
 
 	(void)state;
-	small_model_add_relief(model, 1, map);
+	small_model_add_normal_map(model, 1, map);
 	for (int v = 0; v < 25; v++) {
 		float *normal = model->mesh[0].primitive[0].normal[v];
 
@@ -465,7 +464,7 @@ static void test_relief_is_lit_alike(void **state)
 static void test_shadows_fall_alike(void **state)
 {
 	static const struct shadow_light light = {
-		.towards = {0.3f, 0.9f, 0.3f}, .reach = 5.0f};
+		.towards = {0.3f, 0.9f, 0.3f}, .max_length = 5.0f};
 	struct log nowhere = log_to_nowhere();
 	struct shadow_volume exact, fixed;
 	struct pair pair;
@@ -477,12 +476,12 @@ static void test_shadows_fall_alike(void **state)
 	assert_int_equal(shadow_volume_init(&fixed, pair.fixed, &nowhere), 0);
 	shadow_volume_update(&exact, pair.exact, &light);
 	shadow_volume_update(&fixed, pair.fixed, &light);
-	for (int h = 0; h < exact.hull_count; h++) {
+	for (int h = 0; h < exact.caster_count; h++) {
 		int count = pair.exact->drawable[h].primitive->vertex_count;
 
 		for (int v = 0; v < 2 * count; v++) {
-			assert_true(distance(exact.hull[h].position[v],
-					    fixed.hull[h].position[v]) < 4e-4);
+			assert_true(distance(exact.caster[h].position[v],
+					    fixed.caster[h].position[v]) < 4e-4);
 		}
 	}
 	pair_end(&pair);

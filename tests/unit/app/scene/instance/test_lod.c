@@ -492,12 +492,12 @@ static void test_nothing_pops_while_she_moves(void **state)
 	demo_run_to(&run, 0.2, 25, press, 1);
 	demo_run_draw(&run);
 	demo_run_to(&run, 0.4, 25, press, 1);
-	first = demo_tell(run.driver, run.demo).triangles;
+	first = demo_get_facts(run.driver, run.demo).triangles;
 	assert_true(first < 5000);
 	for (double at_s = 0.5; at_s < 18.0; at_s += 0.1) {
 		demo_run_to(&run, at_s, 25, press, 1);
 		assert_int_equal(
-			demo_tell(run.driver, run.demo).triangles, first);
+			demo_get_facts(run.driver, run.demo).triangles, first);
 	}
 	demo_run_end(&run);
 }

@@ -38,7 +38,7 @@ static void update(struct cast *cast, const float towards[3], float reach)
 {
 	const struct shadow_light light = {
 		.towards = {towards[0], towards[1], towards[2]},
-		.reach = reach,
+		.max_length = reach,
 	};
 
 	shadow_volume_update(&cast->volume, cast->instance, &light);
@@ -71,19 +71,20 @@ static struct model *make_cube(void)
 }
 
 /* Each edge is passed as often in one direction as in the other. */
-static void assert_watertight(const struct shadow_hull *hull)
+static void assert_watertight(const struct shadow_caster *caster)
 {
-	for (int i = 0; i < hull->index_count; i++) {
+	for (int i = 0; i < caster->index_count; i++) {
 		int triangle = i / 3 * 3;
-		const float *a = hull->position[hull->index[i]];
+		const float *a = caster->position[caster->index[i]];
 		const float *b =
-			hull->position[hull->index[triangle + (i + 1) % 3]];
+			caster->position[caster->index[triangle + (i + 1) % 3]];
 		int balance = 0;
 
-		for (int j = 0; j < hull->index_count; j++) {
-			const float *c = hull->position[hull->index[j]];
+		for (int j = 0; j < caster->index_count; j++) {
+			const float *c = caster->position[caster->index[j]];
 			const float *d =
-				hull->position[hull->index[j / 3 * 3 + (j + 1) % 3]];
+				caster->position[caster->index[j / 3 * 3 +
+					(j + 1) % 3]];
 
 			balance +=
 				memcmp(a, c, 12) == 0 && memcmp(b, d, 12) == 0;
@@ -95,14 +96,14 @@ static void assert_watertight(const struct shadow_hull *hull)
 }
 
 /* Six times the volume; positive when triangles face outwards. */
-static float volume_of(const struct shadow_hull *hull)
+static float volume_of(const struct shadow_caster *caster)
 {
 	float sum = 0.0f;
 
-	for (int i = 0; i < hull->index_count; i += 3) {
-		const float *a = hull->position[hull->index[i]];
-		const float *b = hull->position[hull->index[i + 1]];
-		const float *c = hull->position[hull->index[i + 2]];
+	for (int i = 0; i < caster->index_count; i += 3) {
+		const float *a = caster->position[caster->index[i]];
+		const float *b = caster->position[caster->index[i + 1]];
+		const float *c = caster->position[caster->index[i + 2]];
 
 		sum += a[0] * (b[1] * c[2] - b[2] * c[1]) +
 			a[1] * (b[2] * c[0] - b[0] * c[2]) +
@@ -114,14 +115,14 @@ static float volume_of(const struct shadow_hull *hull)
 static void test_a_sheet_facing_the_light_casts_a_closed_box(void **state)
 {
 	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
-	const struct shadow_hull *hull = &cast.volume.hull[0];
+	const struct shadow_caster *caster = &cast.volume.caster[0];
 
 	(void)state;
 	update(&cast, from_front, 3.0f);
 	/* 8 triangles, front and back, and 8 border edges of two each. */
-	assert_int_equal(hull->index_count, 3 * (8 + 8 + 16));
-	assert_watertight(hull);
-	assert_near(volume_of(hull), 6.0 * 3.0, 1e-4);
+	assert_int_equal(caster->index_count, 3 * (8 + 8 + 16));
+	assert_watertight(caster);
+	assert_near(volume_of(caster), 6.0 * 3.0, 1e-4);
 	end(&cast);
 }
 
@@ -131,7 +132,7 @@ static void test_a_sheet_facing_away_casts_nothing_of_its_own(void **state)
 
 	(void)state;
 	update(&cast, from_back, 3.0f);
-	assert_int_equal(cast.volume.hull[0].index_count, 0);
+	assert_int_equal(cast.volume.caster[0].index_count, 0);
 	end(&cast);
 }
 
@@ -139,34 +140,36 @@ static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
 {
 	static const float slanted[3] = {0.36f, 0.48f, 0.8f};
 	struct cast cast = begin(make_cube());
-	const struct shadow_hull *hull = &cast.volume.hull[0];
+	const struct shadow_caster *caster = &cast.volume.caster[0];
 
 	(void)state;
-	assert_int_equal(hull->edge_count, 18);
+	assert_int_equal(caster->edge_count, 18);
 	update(&cast, slanted, 2.0f);
-	assert_true(hull->index_count > 0);
-	assert_watertight(hull);
+	assert_true(caster->index_count > 0);
+	assert_watertight(caster);
 	/* The three lit sides swept by 2: areas times cosines. */
-	assert_near(volume_of(hull), 6.0 * 2.0 * (0.36 + 0.48 + 0.8), 1e-4);
+	assert_near(volume_of(caster), 6.0 * 2.0 * (0.36 + 0.48 + 0.8), 1e-4);
 	end(&cast);
 }
 
 /* On level ground it is as thin as uneven ground would have it. */
 static void test_a_hull_lies_where_the_ground_can_be(void **state)
 {
-	static struct floor floor = {.y = -2.0f, .tile = 1.0f, .relief = 0.5f};
-	const struct shadow_light light = {
-		.towards = {0.6f, 0.8f, 0.0f}, .reach = 9.0f, .ground = &floor};
+	static struct floor floor = {
+		.y = -2.0f, .tile = 1.0f, .wave_height = 0.5f};
+	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.max_length = 9.0f,
+		.ground = &floor};
 	struct cast cast = begin(make_cube());
-	const struct shadow_hull *hull = &cast.volume.hull[0];
+	const struct shadow_caster *caster = &cast.volume.caster[0];
 
 	(void)state;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_true(hull->index_count > 0);
-	assert_watertight(hull);
+	assert_true(caster->index_count > 0);
+	assert_watertight(caster);
 	for (int v = 0; v < 8; v++) {
-		const float *near = hull->position[v];
-		const float *far = hull->position[v + 8];
+		const float *near = caster->position[v];
+		const float *far = caster->position[v + 8];
 		float x = 0.5f * (near[0] + far[0]);
 		float z = 0.5f * (near[2] + far[2]);
 		float y = 0.5f * (near[1] + far[1]);
@@ -175,7 +178,8 @@ static void test_a_hull_lies_where_the_ground_can_be(void **state)
 		assert_near(x, (v & 1) - 0.75 * ((v >> 1 & 1) - y), 1e-5);
 		assert_near(z, v >> 2 & 1, 1e-5);
 		assert_near(y, floor_height(&floor, x, z), 0.02);
-		assert_near(near[1] - far[1], 2.0f * floor_sag(&floor), 1e-5);
+		assert_near(near[1] - far[1], 2.0f * floor_mesh_error(&floor),
+			1e-5);
 	}
 	end(&cast);
 }
@@ -183,66 +187,70 @@ static void test_a_hull_lies_where_the_ground_can_be(void **state)
 static void test_a_hull_is_no_longer_than_its_reach(void **state)
 {
 	static struct floor floor = {.y = -9.0f, .tile = 1.0f};
-	const struct shadow_light light = {
-		.towards = {0.6f, 0.8f, 0.0f}, .reach = 2.0f, .ground = &floor};
+	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.max_length = 2.0f,
+		.ground = &floor};
 	struct cast cast = begin(make_cube());
 
 	(void)state;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_near(cast.volume.hull[0].position[8][1], -1.6, 1e-5);
-	assert_near(cast.volume.hull[0].position[0][1], -1.6, 1e-5);
+	assert_near(cast.volume.caster[0].position[8][1], -1.6, 1e-5);
+	assert_near(cast.volume.caster[0].position[0][1], -1.6, 1e-5);
 	end(&cast);
 }
 
 /* A corner below the ground stays where it is. */
 static void test_a_hull_does_not_rise_towards_the_light(void **state)
 {
-	static struct floor floor = {.y = 3.0f, .tile = 1.0f, .relief = 0.5f};
-	const struct shadow_light light = {
-		.towards = {0.6f, 0.8f, 0.0f}, .reach = 2.0f, .ground = &floor};
+	static struct floor floor = {
+		.y = 3.0f, .tile = 1.0f, .wave_height = 0.5f};
+	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.max_length = 2.0f,
+		.ground = &floor};
 	struct cast cast = begin(make_cube());
 
 	(void)state;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_near(cast.volume.hull[0].position[2][1], 1.0, 1e-5);
-	assert_near(cast.volume.hull[0].position[10][1], 1.0, 1e-5);
+	assert_near(cast.volume.caster[0].position[2][1], 1.0, 1e-5);
+	assert_near(cast.volume.caster[0].position[10][1], 1.0, 1e-5);
 	end(&cast);
 }
 
 /* Only then may it be drawn without its far end. */
 static void test_a_hull_in_the_ground_may_lie_beyond_the_near_plane(void **state)
 {
-	static struct floor floor = {.y = -1.0f, .tile = 1.0f, .relief = 0.1f};
+	static struct floor floor = {
+		.y = -1.0f, .tile = 1.0f, .wave_height = 0.1f};
 	struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
-		.reach = 5.0f,
+		.max_length = 5.0f,
 		.ground = &floor,
 		/* x from -1.6 on */
 		.near_plane = {1.0f, 0.0f, 0.0f, 1.6f}};
 	struct cast cast = begin(make_cube());
-	const struct shadow_hull *hull = &cast.volume.hull[0];
+	const struct shadow_caster *caster = &cast.volume.caster[0];
 	int lit = 0;
 
 	(void)state;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	for (int t = 0; t < hull->corner_count / 3; t++) {
-		lit += hull->lit[t];
+	for (int t = 0; t < caster->corner_count / 3; t++) {
+		lit += caster->lit[t];
 	}
 	assert_true(lit > 0);
-	assert_int_equal(hull->far_count, 3 * lit);
-	assert_true(cast.volume.beyond);
+	assert_int_equal(caster->back_cap_count, 3 * lit);
+	assert_true(cast.volume.depth_pass);
 	/* It cuts the far end of the shadow. */
 	light.near_plane[3] = 1.4f;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_false(cast.volume.beyond);
+	assert_false(cast.volume.depth_pass);
 	/* What ends above the ground has an end to be seen. */
 	light.near_plane[3] = 1.6f;
-	light.reach = 1.5f;
+	light.max_length = 1.5f;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_false(cast.volume.beyond);
+	assert_false(cast.volume.depth_pass);
 	light.ground = NULL;
-	light.reach = 1.0f;
+	light.max_length = 1.0f;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
-	assert_false(cast.volume.beyond);
+	assert_false(cast.volume.depth_pass);
 	end(&cast);
 }
 
@@ -274,7 +282,7 @@ static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_SOLID_INDICES, GL_UNSIGNED_SHORT,
+	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
 		floor->index);
 	shadow_volume_draw(volume, gl, 0.5f);
 	context->driver->end_frame(context);
@@ -296,7 +304,7 @@ static void test_shadows_are_the_same_with_and_without_far_ends(void **state)
 	struct gl_context *context;
 	struct floor floor;
 	struct shadow_light light = {.towards = {0.36f, 0.8f, 0.48f},
-		.reach = 5.0f,
+		.max_length = 5.0f,
 		.ground = &floor,
 		.near_plane = {0.0f, 0.0f, 0.0f, 1.0f}};
 
@@ -305,18 +313,18 @@ static void test_shadows_are_the_same_with_and_without_far_ends(void **state)
 	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.0f,
 				 PIXELS_RGBA8888, &log),
 		0);
-	floor_set_relief(&floor, 0.2f);
+	floor_set_wave_height(&floor, 0.2f);
 	shadow_volume_update(&cast.volume, cast.instance, &light);
 	for (int i = 0; i < 2; i++) {
 		assert_int_equal(pixels_alloc(&picture[i], PICTURE, PICTURE,
 					 PIXELS_RGBA8888, &log),
 			0);
-		assert_true(cast.volume.beyond == (i == 0));
+		assert_true(cast.volume.depth_pass == (i == 0));
 		/* 1 + 0.45 + 0.6 square units of 144 pixels. */
 		assert_in_range(
 			draw_shadow(context, &picture[i], &floor, &cast.volume),
 			270, 330);
-		cast.volume.beyond = false;
+		cast.volume.depth_pass = false;
 	}
 	assert_memory_equal(
 		picture[0].data, picture[1].data, PICTURE * PICTURE * 4);
@@ -349,7 +357,7 @@ static void test_seams_are_not_borders(void **state)
 	cast = begin(model);
 	update(&cast, from_front, 1.0f);
 	/* 4 triangles twice, 6 outer edges; the seam adds none. */
-	assert_int_equal(cast.volume.hull[0].index_count, 3 * (8 + 12));
+	assert_int_equal(cast.volume.caster[0].index_count, 3 * (8 + 12));
 	end(&cast);
 }
 
@@ -365,7 +373,7 @@ static void test_too_large_a_part_is_left_out_with_a_word(void **state)
 		instance_create(model, kernel_find(NULL), &nowhere, &instance),
 		0);
 	assert_int_equal(shadow_volume_init(&volume, instance, &nowhere), 0);
-	assert_int_equal(volume.hull_count, 0);
+	assert_int_equal(volume.caster_count, 0);
 	instance_destroy(instance);
 	model_destroy(model);
 }

@@ -28,7 +28,7 @@ static void project(const struct camera *camera, float aspect,
 static void check_framing(struct bounds bounds, float aspect)
 {
 	struct camera camera = camera_default();
-	const struct framing framing = {.aspect = aspect,
+	const struct camera_framing framing = {.aspect = aspect,
 		.yaw_rad = 0.3f,
 		.pitch_rad = 0.16f,
 		.turn_rad = 3.14159265f,
@@ -63,7 +63,7 @@ static void test_frames_any_box_from_all_sides(void **state)
 
 static void test_frames_nothing_without_dividing_by_zero(void **state)
 {
-	const struct framing framing = {.aspect = 0.75f, .margin = 1.1f};
+	const struct camera_framing framing = {.aspect = 0.75f, .margin = 1.1f};
 	struct camera camera = camera_default();
 	struct bounds nothing = bounds_empty();
 	struct bounds point = box(0.0f, 0.0f, 0.0f);

@@ -18,7 +18,7 @@ static float find_sag(const struct floor *floor)
 {
 	float most = 0.0f;
 
-	for (int i = 0; i < FLOOR_SOLID_INDICES; i += 3) {
+	for (int i = 0; i < FLOOR_OPAQUE_INDICES; i += 3) {
 		for (int n = 0; n < 10; n++) {
 			float a = (float)(n % 4) / 3.0f,
 			      b = (float)(n / 4) / 3.0f;
@@ -48,16 +48,16 @@ static void test_ground_is_drawn_where_it_is(void **state)
 	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.8f,
 				 PIXELS_RGB565, &log),
 		0);
-	floor_set_relief(&floor, 0.2f);
+	floor_set_wave_height(&floor, 0.2f);
 	for (int i = 0; i < 60; i++) {
 		float sag = find_sag(&floor);
 
 		most = sag > most ? sag : most;
-		assert_true(sag < floor_sag(&floor));
-		floor_run(&floor, 0.07f, 0.11f);
+		assert_true(sag < floor_mesh_error(&floor));
+		floor_scroll(&floor, 0.07f, 0.11f);
 	}
 	/* It is not said to be worse than it is. */
-	assert_true(2.0f * most > floor_sag(&floor));
+	assert_true(2.0f * most > floor_mesh_error(&floor));
 	floor_finish(&floor, &context->gl);
 	context->driver->destroy(context);
 }

@@ -1,4 +1,4 @@
-#include "app/demo/walker/walker_trail.h"
+#include "app/demo/walker/walker_secondary.h"
 
 #include "app/demo/actor.h"
 #include "platform/base/fixed.h"
@@ -26,16 +26,16 @@ static const struct {
 	{"forearm.R", "hand.R", 0.045f},
 };
 
-static int make_body(struct walker_trail *trail, const struct model *model,
-	const struct log *log)
+static int make_body(struct walker_secondary *secondary,
+	const struct model *model, const struct log *log)
 {
 	for (int i = 0; i < BODY_CAPSULES; i++) {
-		struct capsule *capsule = &trail->body[i];
-		int error = find_bone(
+		struct capsule *capsule = &secondary->body[i];
+		int error = actor_find_bone(
 			model, body_shape[i].a, log, &capsule->node_a);
 
 		if (!error) {
-			error = find_bone(
+			error = actor_find_bone(
 				model, body_shape[i].b, log, &capsule->node_b);
 		}
 		if (error) {
@@ -49,14 +49,14 @@ static int make_body(struct walker_trail *trail, const struct model *model,
 	return 0;
 }
 
-static int make_cape(struct walker_trail *trail, struct instance *instance,
-	const struct log *log)
+static int make_cape(struct walker_secondary *secondary,
+	struct instance *instance, const struct log *log)
 {
 	struct cloth_settings settings = cloth_settings_default();
 	float shape[CAPE_COLUMNS * CAPE_ROWS][3];
 	int pin[CAPE_COLUMNS];
 	int chest;
-	int error = find_bone(instance->model, "chest", log, &chest);
+	int error = actor_find_bone(instance->model, "chest", log, &chest);
 
 	if (error) {
 		return error;
@@ -79,51 +79,53 @@ static int make_cape(struct walker_trail *trail, struct instance *instance,
 	for (int i = 0; i < CAPE_COLUMNS; i++) {
 		pin[i] = chest;
 	}
-	error = cloth_init(&trail->cape, &settings, (const float(*)[3])shape,
+	error = cloth_init(&secondary->cape, &settings, (const float(*)[3])shape,
 		pin, (const mat4 *)instance->world, &instance->arena);
-	cloth_triangles(&settings, trail->cape_index);
+	cloth_triangles(&settings, secondary->cape_index);
 	if (error) {
 		log_error(log, "cape: not enough memory");
 	}
 	return error;
 }
 
-int walker_trail_init(struct walker_trail *trail, struct instance *instance,
-	const struct log *log)
+int walker_secondary_init(struct walker_secondary *secondary,
+	struct instance *instance, const struct log *log)
 {
 	int last;
-	int error = find_bone(instance->model, "ponytail.4", log, &last);
+	int error = actor_find_bone(instance->model, "ponytail.4", log, &last);
 
-	*trail = (struct walker_trail){0};
+	*secondary = (struct walker_secondary){0};
 	if (!error) {
-		error = make_body(trail, instance->model, log);
+		error = make_body(secondary, instance->model, log);
 	}
 	if (!error) {
-		error = spring_init(&trail->ponytail, instance->model, last, 4);
+		error = spring_init(
+			&secondary->ponytail, instance->model, last, 4);
 	}
 	if (!error) {
-		trail->ponytail.damping = 0.35f;
-		trail->ponytail.limit_rad = 1.1f;
-		trail->ponytail.radius = 0.03f;
-		error = make_cape(trail, instance, log);
+		secondary->ponytail.damping = 0.35f;
+		secondary->ponytail.limit_rad = 1.1f;
+		secondary->ponytail.radius = 0.03f;
+		error = make_cape(secondary, instance, log);
 	}
 	return error;
 }
 
-void walker_trail_update(struct walker_trail *trail, struct instance *instance,
-	float speed_m_per_s, float hair, bool caped, float step_s)
+void walker_secondary_update(struct walker_secondary *secondary,
+	struct instance *instance, float speed_m_per_s, float hair, bool caped,
+	float step_s)
 {
 	struct capsule_place body[BODY_CAPSULES];
-	struct spring *ponytail = &trail->ponytail;
+	struct spring *ponytail = &secondary->ponytail;
 
-	capsule_put(trail->body, BODY_CAPSULES, (const mat4 *)instance->world,
-		body);
+	capsule_put(secondary->body, BODY_CAPSULES,
+		(const mat4 *)instance->world, body);
 	/* On the spot the air moves instead of the figure. */
-	trail->cape.settings.wind[2] = -speed_m_per_s;
+	secondary->cape.settings.wind[2] = -speed_m_per_s;
 	ponytail->gravity[2] = -3.0f * speed_m_per_s;
 	ponytail->weight = hair;
 	if (caped) {
-		cloth_update(&trail->cape, step_s, body, BODY_CAPSULES,
+		cloth_update(&secondary->cape, step_s, body, BODY_CAPSULES,
 			(const mat4 *)instance->world);
 	}
 	spring_update(ponytail, step_s, body, BODY_CAPSULES,
@@ -132,9 +134,9 @@ void walker_trail_update(struct walker_trail *trail, struct instance *instance,
 		ponytail->node[0], instance->world);
 }
 
-void walker_trail_put_on(struct walker_trail *trail)
+void walker_secondary_reset_cape(struct walker_secondary *secondary)
 {
-	cloth_reset(&trail->cape);
+	cloth_reset(&secondary->cape);
 }
 
 static void set_cape_material(const struct gl *gl)
@@ -151,13 +153,13 @@ static void set_cape_material(const struct gl *gl)
 		FX16_ONE * 16 / 100, FX16_ONE);
 }
 
-void walker_trail_draw_cape(const struct walker_trail *trail,
+void walker_secondary_draw_cape(const struct walker_secondary *secondary,
 	const struct gl *gl, enum draw_pass pass)
 {
 	if (pass == DRAW_SHADED) {
 		set_cape_material(gl);
 		gl->EnableClientState(GL_NORMAL_ARRAY);
-		gl->NormalPointer(GL_FLOAT, 0, trail->cape.normal);
+		gl->NormalPointer(GL_FLOAT, 0, secondary->cape.normal);
 	} else {
 		gl->DisableClientState(GL_NORMAL_ARRAY);
 	}
@@ -165,7 +167,7 @@ void walker_trail_draw_cape(const struct walker_trail *trail,
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->DisableClientState(GL_COLOR_ARRAY);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
-	gl->VertexPointer(3, GL_FLOAT, 0, trail->cape.position);
+	gl->VertexPointer(3, GL_FLOAT, 0, secondary->cape.position);
 	gl->DrawElements(GL_TRIANGLES, CAPE_INDICES, GL_UNSIGNED_SHORT,
-		trail->cape_index);
+		secondary->cape_index);
 }

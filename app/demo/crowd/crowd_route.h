@@ -4,14 +4,14 @@
  * Places are filled from the middle outwards and, on a ring, far from each
  * other first, so that any number of walkers is spread well.
  */
-#ifndef APP_DEMO_CROWD_CROWD_PLACES_H
-#define APP_DEMO_CROWD_CROWD_PLACES_H
+#ifndef APP_DEMO_CROWD_CROWD_ROUTE_H
+#define APP_DEMO_CROWD_CROWD_ROUTE_H
 
 enum {
 	CROWD_MAX = 50
 };
 
-struct crowd_place {
+struct crowd_route {
 	const char *clip;
 	float phase;      /* of the clip, 0 to 1 */
 	float radius_m;   /* of the ring */
@@ -21,17 +21,18 @@ struct crowd_place {
 };
 
 /* The place of walker number 0 to CROWD_MAX - 1. */
-struct crowd_place crowd_place(int number);
+struct crowd_route crowd_route(int number);
 
 /* The radius of a circle around so many of them, metres. */
 float crowd_radius_m(int count);
 
 /* Where the walker is at a time, on the ground, and the yaw it looks along. */
-struct crowd_spot {
+struct crowd_position {
 	float x, z;
 	float yaw_rad; /* 0 looks along +Z */
 };
 
-struct crowd_spot crowd_spot_at(const struct crowd_place *place, double time_s);
+struct crowd_position crowd_position_at(
+	const struct crowd_route *route, double time_s);
 
 #endif

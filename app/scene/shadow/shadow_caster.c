@@ -1,6 +1,6 @@
-#include "app/scene/shadow/shadow_hull.h"
+#include "app/scene/shadow/shadow_caster.h"
 
-#include "app/scene/shadow/outline.h"
+#include "app/scene/shadow/shadow_proxy.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -76,13 +76,13 @@ static uint32_t *weld(const struct model_primitive *primitive)
 	return first;
 }
 
-static void list_half_edges(const struct shadow_hull *hull,
+static void list_half_edges(const struct shadow_caster *caster,
 	const uint32_t *first, struct half_edge *out)
 {
-	for (int i = 0; i < hull->corner_count; i++) {
+	for (int i = 0; i < caster->corner_count; i++) {
 		int triangle = i / 3;
-		uint32_t a = first[hull->corner[i]];
-		uint32_t b = first[hull->corner[triangle * 3 + (i + 1) % 3]];
+		uint32_t a = first[caster->corner[i]];
+		uint32_t b = first[caster->corner[triangle * 3 + (i + 1) % 3]];
 
 		out[i] = (struct half_edge){
 			.low = a < b ? a : b,
@@ -99,7 +99,7 @@ static void list_half_edges(const struct shadow_hull *hull,
  * border. Where more than two triangles share an edge they are taken in pairs.
  */
 static void join_half_edges(
-	struct half_edge *half, int count, struct shadow_hull *hull)
+	struct half_edge *half, int count, struct shadow_caster *caster)
 {
 	int i = 0;
 
@@ -110,29 +110,30 @@ static void join_half_edges(
 			h[1].high == h->high && h[1].a == h->b;
 
 		if (h->low != h->high) {
-			hull->edge[hull->edge_count++] = (struct shadow_edge){
-				.a = h->a,
-				.b = h->b,
-				.left = h->triangle,
-				.right = pair ? h[1].triangle : -1,
-			};
+			caster->edge[caster->edge_count++] =
+				(struct shadow_edge){
+					.a = h->a,
+					.b = h->b,
+					.left = h->triangle,
+					.right = pair ? h[1].triangle : -1,
+				};
 		}
 		i += pair ? 2 : 1;
 	}
 }
 
-static int find_edges(struct shadow_hull *hull, struct arena *arena)
+static int find_edges(struct shadow_caster *caster, struct arena *arena)
 {
-	const struct model_primitive *primitive = hull->drawable->primitive;
-	size_t count = (size_t)hull->corner_count;
+	const struct model_primitive *primitive = caster->drawable->primitive;
+	size_t count = (size_t)caster->corner_count;
 	struct half_edge *half = malloc((count + 1) * sizeof(*half));
 	uint32_t *first = weld(primitive);
 	int error = -ENOMEM;
 
-	hull->edge = ARENA_ARRAY(arena, struct shadow_edge, count);
-	if (half && first && hull->edge) {
-		list_half_edges(hull, first, half);
-		join_half_edges(half, (int)count, hull);
+	caster->edge = ARENA_ARRAY(arena, struct shadow_edge, count);
+	if (half && first && caster->edge) {
+		list_half_edges(caster, first, half);
+		join_half_edges(half, (int)count, caster);
 		error = 0;
 	}
 	free(half);
@@ -140,93 +141,93 @@ static int find_edges(struct shadow_hull *hull, struct arena *arena)
 	return error;
 }
 
-static int copy_corners(struct shadow_hull *hull, const uint32_t *index,
+static int copy_corners(struct shadow_caster *caster, const uint32_t *index,
 	int count, struct arena *arena)
 {
-	hull->corner_count = count;
-	hull->corner = ARENA_ARRAY(arena, uint16_t, (size_t)count);
-	if (!hull->corner) {
+	caster->corner_count = count;
+	caster->corner = ARENA_ARRAY(arena, uint16_t, (size_t)count);
+	if (!caster->corner) {
 		return -ENOMEM;
 	}
 	for (int i = 0; i < count; i++) {
-		hull->corner[i] = (uint16_t)index[i];
+		caster->corner[i] = (uint16_t)index[i];
 	}
 	return 0;
 }
 
 /* The model's own triangles for shapes, else made ones, else all. */
-static int choose_corners(struct shadow_hull *hull, struct arena *arena)
+static int choose_corners(struct shadow_caster *caster, struct arena *arena)
 {
-	const struct model_primitive *primitive = hull->drawable->primitive;
+	const struct model_primitive *primitive = caster->drawable->primitive;
 
 	for (int i = 0; i < primitive->lod_count; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
 
 		if (lod->shape) {
 			return copy_corners(
-				hull, lod->index, lod->index_count, arena);
+				caster, lod->index, lod->index_count, arena);
 		}
 	}
 	if (!primitive->normal) {
-		return copy_corners(
-			hull, primitive->index, primitive->index_count, arena);
+		return copy_corners(caster, primitive->index,
+			primitive->index_count, arena);
 	}
-	return outline_make(
-		primitive, NULL, arena, &hull->corner, &hull->corner_count);
+	return shadow_proxy_make(
+		primitive, NULL, arena, &caster->corner, &caster->corner_count);
 }
 
 /* Edges are of welded vertices: the first of those at a place has to be there. */
-static int list_vertices(struct shadow_hull *hull, struct arena *arena)
+static int list_vertices(struct shadow_caster *caster, struct arena *arena)
 {
-	size_t count = (size_t)hull->drawable->primitive->vertex_count;
+	size_t count = (size_t)caster->drawable->primitive->vertex_count;
 	bool *used = calloc(count + 1, sizeof(*used));
 
-	hull->vertex = ARENA_ARRAY(arena, uint16_t, count);
-	if (!used || !hull->vertex) {
+	caster->vertex = ARENA_ARRAY(arena, uint16_t, count);
+	if (!used || !caster->vertex) {
 		free(used);
 		return -ENOMEM;
 	}
-	for (int i = 0; i < hull->corner_count; i++) {
-		used[hull->corner[i]] = true;
+	for (int i = 0; i < caster->corner_count; i++) {
+		used[caster->corner[i]] = true;
 	}
-	for (int i = 0; i < hull->edge_count; i++) {
-		used[hull->edge[i].a] = true;
-		used[hull->edge[i].b] = true;
+	for (int i = 0; i < caster->edge_count; i++) {
+		used[caster->edge[i].a] = true;
+		used[caster->edge[i].b] = true;
 	}
 	for (size_t v = 0; v < count; v++) {
 		if (used[v]) {
-			hull->vertex[hull->vertex_count++] = (uint16_t)v;
+			caster->vertex[caster->vertex_count++] = (uint16_t)v;
 		}
 	}
 	free(used);
 	return 0;
 }
 
-int shadow_hull_init(struct shadow_hull *hull, const struct drawable *drawable,
-	struct arena *arena)
+int shadow_caster_init(struct shadow_caster *caster,
+	const struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t triangles;
 	int error;
 
-	hull->drawable = drawable;
-	error = choose_corners(hull, arena);
+	caster->drawable = drawable;
+	error = choose_corners(caster, arena);
 	if (error) {
 		return error;
 	}
-	triangles = (size_t)hull->corner_count / 3;
-	error = find_edges(hull, arena);
+	triangles = (size_t)caster->corner_count / 3;
+	error = find_edges(caster, arena);
 	if (!error) {
-		error = list_vertices(hull, arena);
+		error = list_vertices(caster, arena);
 	}
 	if (error) {
 		return error;
 	}
-	hull->lit = ARENA_ARRAY(arena, bool, triangles);
-	hull->position = arena_alloc(
+	caster->lit = ARENA_ARRAY(arena, bool, triangles);
+	caster->position = arena_alloc(
 		arena, 2 * (size_t)primitive->vertex_count, sizeof(float[3]));
 	/* Two caps of every triangle, two triangles for every edge. */
-	hull->index = ARENA_ARRAY(
-		arena, uint16_t, 6 * (triangles + (size_t)hull->edge_count));
-	return hull->lit && hull->position && hull->index ? 0 : -ENOMEM;
+	caster->index = ARENA_ARRAY(
+		arena, uint16_t, 6 * (triangles + (size_t)caster->edge_count));
+	return caster->lit && caster->position && caster->index ? 0 : -ENOMEM;
 }

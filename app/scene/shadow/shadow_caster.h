@@ -1,12 +1,12 @@
 /* What of a drawable casts its shadow volume: triangles and their edges. */
-#ifndef APP_SCENE_SHADOW_SHADOW_HULL_H
-#define APP_SCENE_SHADOW_SHADOW_HULL_H
+#ifndef APP_SCENE_SHADOW_SHADOW_CASTER_H
+#define APP_SCENE_SHADOW_SHADOW_CASTER_H
 
 #include "app/scene/instance/instance.h"
 
 /* Twice as many have indices of 16 bits. */
 enum {
-	SHADOW_HULL_VERTICES_MAX = 32768
+	SHADOW_CASTER_VERTICES_MAX = 32768
 };
 
 /* An edge and the triangles at it: one side goes a to b, the other b to a. */
@@ -16,7 +16,7 @@ struct shadow_edge {
 };
 
 /* One drawable's volume, sized for the worst case at creation. */
-struct shadow_hull {
+struct shadow_caster {
 	const struct drawable *drawable;
 	/* Fewer triangles than are drawn; their outline is what counts. */
 	uint16_t *corner;
@@ -29,17 +29,17 @@ struct shadow_hull {
 	float (*position)[3]; /* [2 * primitive's vertices]: as posed or moved down to
 				 the ground, then moved away from the light */
 	uint16_t *index; /* the far ends last */
-	int index_count, far_count;
+	int index_count, back_cap_count;
 	bool too_short; /* to reach the ground everywhere */
 };
 
 /*
  * Finds triangles and edges for a hull that is all 0, of a drawable of no more
- * than SHADOW_HULL_VERTICES_MAX vertices: the model's own triangles for shapes,
- * else such as outline.h makes, else all. Memory comes from the arena; 0 or
- * -ENOMEM.
+ * than SHADOW_CASTER_VERTICES_MAX vertices: the model's own triangles for
+ * shapes, else such as shadow_proxy.h makes, else all. Memory comes from the
+ * arena; 0 or -ENOMEM.
  */
-int shadow_hull_init(struct shadow_hull *hull, const struct drawable *drawable,
-	struct arena *arena);
+int shadow_caster_init(struct shadow_caster *caster,
+	const struct drawable *drawable, struct arena *arena);
 
 #endif

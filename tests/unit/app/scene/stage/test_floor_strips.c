@@ -1,4 +1,4 @@
-#include "app/scene/stage/floor_sight.h"
+#include "app/scene/stage/floor_strips.h"
 #include "platform/base/fixed.h"
 #include "tests/support/test.h"
 
@@ -15,7 +15,7 @@ static struct camera look(float pitch_rad, float distance)
 	camera.yaw_rad = 0.7f;
 	camera.pitch_rad = pitch_rad;
 	camera.distance = distance;
-	camera.reach = 0.4f * distance;
+	camera.radius = 0.4f * distance;
 	camera.target[0] = 0.2f;
 	camera.target[1] = 0.5f;
 	return camera;
@@ -25,17 +25,19 @@ static struct camera look(float pitch_rad, float distance)
 static void project(const struct camera *camera, int width, int height,
 	const float point[3], float out[2])
 {
-	const struct lens lens = camera_lens(camera, width, height);
+	const struct camera_frustum frustum =
+		camera_frustum(camera, width, height);
 	vec4 eye;
 	mat4 view;
 
 	camera_view(camera, view);
 	glm_mat4_mulv(view, (vec4){point[0], point[1], point[2], 1.0f}, eye);
 	assert_true(eye[2] < 0.0f);
-	out[0] = (eye[0] / -eye[2] * (float)lens.near - (float)lens.left) /
-		(float)(lens.right - lens.left) * (float)width;
-	out[1] = (eye[1] / -eye[2] * (float)lens.near - (float)lens.bottom) /
-		(float)(lens.top - lens.bottom) * (float)height;
+	out[0] = (eye[0] / -eye[2] * (float)frustum.near - (float)frustum.left) /
+		(float)(frustum.right - frustum.left) * (float)width;
+	out[1] = (eye[1] / -eye[2] * (float)frustum.near -
+			 (float)frustum.bottom) /
+		(float)(frustum.top - frustum.bottom) * (float)height;
 }
 
 /* How far ahead of the eye a point is, level. */
@@ -48,42 +50,42 @@ static float ahead_of(const struct camera *camera, const float point[3])
 		(eye[2] - point[2]) * cosf(camera->yaw_rad);
 }
 
-static void check_inside(const struct floor_sight *sight,
+static void check_inside(const struct floor_strips *strips,
 	const struct camera *camera, int width, int height)
 {
 	for (int i = 0; i < 6; i++) {
 		float at[2];
 
-		project(camera, width, height, sight->position[i], at);
+		project(camera, width, height, strips->position[i], at);
 		assert_true(
 			fabsf(at[0] - (i % 2 ? (float)width - 0.25f : 0.25f)) <
 			0.05f);
 		assert_true(at[1] > 0.2f && at[1] < (float)height - 0.2f);
-		assert_true(sight->position[i][1] == ground);
+		assert_true(strips->position[i][1] == ground);
 	}
 }
 
 static void test_strips_reach_from_side_to_side(void **state)
 {
 	const struct camera camera = look(0.16f, 4.0f);
-	struct floor_sight sight;
+	struct floor_strips strips;
 	float bottom[2], edge[2];
 
 	(void)state;
-	floor_sight_find(&sight, &camera, 480, 640, ground, 6.0f, 8.0f);
-	assert_true(sight.solid && sight.fading);
-	check_inside(&sight, &camera, 480, 640);
+	floor_strips_find(&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+	assert_true(strips.opaque && strips.fading);
+	check_inside(&strips, &camera, 480, 640);
 	for (int i = 0; i < 2; i++) {
-		project(&camera, 480, 640, sight.position[i], bottom);
+		project(&camera, 480, 640, strips.position[i], bottom);
 		assert_true(fabsf(bottom[1] - 0.25f) < 0.05f);
 	}
-	assert_true(fabsf(ahead_of(&camera, sight.position[2]) - 6.0f) < 1e-3f);
-	assert_true(fabsf(ahead_of(&camera, sight.position[3]) - 6.0f) < 1e-3f);
-	assert_true(fabsf(ahead_of(&camera, sight.position[4]) - 8.0f) < 1e-3f);
-	assert_int_equal(sight.alpha[2], 255);
-	assert_int_equal(sight.alpha[4], 0);
-	project(&camera, 480, 640, sight.position[2], edge);
-	assert_in_range((int)edge[1] - sight.covered_px, 0, 1);
+	assert_true(fabsf(ahead_of(&camera, strips.position[2]) - 6.0f) < 1e-3f);
+	assert_true(fabsf(ahead_of(&camera, strips.position[3]) - 6.0f) < 1e-3f);
+	assert_true(fabsf(ahead_of(&camera, strips.position[4]) - 8.0f) < 1e-3f);
+	assert_int_equal(strips.alpha[2], 255);
+	assert_int_equal(strips.alpha[4], 0);
+	project(&camera, 480, 640, strips.position[2], edge);
+	assert_in_range((int)edge[1] - strips.covered_px, 0, 1);
 }
 
 static void test_nothing_that_fades_counts_as_covered(void **state)
@@ -93,18 +95,18 @@ static void test_nothing_that_fades_counts_as_covered(void **state)
 		const struct camera camera =
 			look(0.02f + 0.024f * (float)i, 4.0f);
 		int width = i % 2 ? 320 : 480, height = i % 2 ? 120 : 640;
-		struct floor_sight sight;
+		struct floor_strips strips;
 		float edge[2];
 
-		floor_sight_find(
-			&sight, &camera, width, height, ground, 5.0f, 9.0f);
-		if (sight.covered_px == 0) {
+		floor_strips_find(
+			&strips, &camera, width, height, ground, 5.0f, 9.0f);
+		if (strips.covered_px == 0) {
 			continue;
 		}
-		assert_true(sight.solid);
-		project(&camera, width, height, sight.position[2], edge);
-		assert_true((float)sight.covered_px <= edge[1]);
-		project(&camera, width, height, sight.position[0], edge);
+		assert_true(strips.opaque);
+		project(&camera, width, height, strips.position[2], edge);
+		assert_true((float)strips.covered_px <= edge[1]);
+		project(&camera, width, height, strips.position[0], edge);
 		assert_true(edge[1] < 0.5f);
 	}
 }
@@ -112,40 +114,40 @@ static void test_nothing_that_fades_counts_as_covered(void **state)
 static void test_ground_seen_from_above_fills_the_picture(void **state)
 {
 	const struct camera camera = look(1.4f, 4.0f);
-	struct floor_sight sight;
+	struct floor_strips strips;
 
 	(void)state;
-	floor_sight_find(&sight, &camera, 480, 640, ground, 6.0f, 8.0f);
-	assert_true(sight.solid && !sight.fading);
-	check_inside(&sight, &camera, 480, 640);
-	assert_in_range(sight.covered_px, 637, 640);
-	assert_int_equal(sight.horizon_px, 640);
+	floor_strips_find(&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+	assert_true(strips.opaque && !strips.fading);
+	check_inside(&strips, &camera, 480, 640);
+	assert_in_range(strips.covered_px, 637, 640);
+	assert_int_equal(strips.horizon_px, 640);
 }
 
 static void test_near_ground_that_is_cut_off_covers_nothing(void **state)
 {
 	struct camera camera = look(0.02f, 4.0f);
-	struct floor_sight sight;
+	struct floor_strips strips;
 
 	(void)state;
-	camera.reach = 0.0f;
+	camera.radius = 0.0f;
 	camera.target[1] = -0.35f;
-	floor_sight_find(&sight, &camera, 480, 640, ground, 6.0f, 8.0f);
-	assert_true(sight.solid);
-	assert_int_equal(sight.covered_px, 0);
+	floor_strips_find(&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+	assert_true(strips.opaque);
+	assert_int_equal(strips.covered_px, 0);
 }
 
 static void test_from_below_there_is_no_ground(void **state)
 {
 	struct camera camera = look(0.02f, 4.0f);
-	struct floor_sight sight;
+	struct floor_strips strips;
 
 	(void)state;
 	camera.target[1] = -2.0f;
-	floor_sight_find(&sight, &camera, 480, 640, ground, 6.0f, 8.0f);
-	assert_false(sight.solid || sight.fading);
-	assert_int_equal(sight.covered_px, 0);
-	assert_int_equal(sight.horizon_px, 640);
+	floor_strips_find(&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+	assert_false(strips.opaque || strips.fading);
+	assert_int_equal(strips.covered_px, 0);
+	assert_int_equal(strips.horizon_px, 640);
 }
 
 static void test_shadows_far_out_are_below_the_horizon(void **state)
@@ -154,17 +156,19 @@ static void test_shadows_far_out_are_below_the_horizon(void **state)
 	for (int i = 0; i < 40; i++) {
 		const struct camera camera =
 			look(0.02f + 0.01f * (float)i, 4.0f);
-		struct floor_sight sight;
+		struct floor_strips strips;
 		float eye[3], far[3], at[2];
 
 		camera_eye(&camera, eye);
 		far[0] = eye[0] - 1e4f * sinf(camera.yaw_rad);
 		far[1] = ground;
 		far[2] = eye[2] - 1e4f * cosf(camera.yaw_rad);
-		floor_sight_find(&sight, &camera, 480, 640, ground, 6.0f, 8.0f);
+		floor_strips_find(
+			&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
 		project(&camera, 480, 640, far, at);
-		assert_true((float)sight.horizon_px >= fminf(at[1], 640.0f));
-		assert_true((float)sight.horizon_px < fmaxf(at[1], 0.0f) + 2.0f);
+		assert_true((float)strips.horizon_px >= fminf(at[1], 640.0f));
+		assert_true(
+			(float)strips.horizon_px < fmaxf(at[1], 0.0f) + 2.0f);
 	}
 }
 
@@ -172,17 +176,17 @@ static void test_shadows_far_out_are_below_the_horizon(void **state)
 static void test_coarse_numbers_leave_no_gap_at_the_sides(void **state)
 {
 	struct camera camera = look(0.16f, 0.01f);
-	struct floor_sight sight;
+	struct floor_strips strips;
 
 	(void)state;
 	camera.target[0] = 0.0f;
 	camera.target[1] = 0.001f;
-	floor_sight_find(&sight, &camera, 480, 640, -0.001f, 0.02f, 0.03f);
-	assert_true(sight.solid);
+	floor_strips_find(&strips, &camera, 480, 640, -0.001f, 0.02f, 0.03f);
+	assert_true(strips.opaque);
 	for (int i = 0; i < 6; i++) {
 		float at[2];
 
-		project(&camera, 480, 640, sight.position[i], at);
+		project(&camera, 480, 640, strips.position[i], at);
 		assert_true(i % 2 ? at[0] > 484.0f : at[0] < -4.0f);
 	}
 }

@@ -1,4 +1,4 @@
-#include "app/demo/crowd/crowd_places.h"
+#include "app/demo/crowd/crowd_route.h"
 
 #include "platform/base/compiler.h"
 #include "platform/base/scalar.h"
@@ -23,7 +23,7 @@ static const struct ring rings[] = {
 static const float golden = 0.618034f;
 static const float body_m = 0.4f; /* around a walker */
 
-struct crowd_place crowd_place(int number)
+struct crowd_route crowd_route(int number)
 {
 	const struct ring *ring = rings;
 	int slot = number;
@@ -35,7 +35,7 @@ struct crowd_place crowd_place(int number)
 		ring++;
 	}
 	clip = ring->clip[slot % (int)ARRAY_COUNT(ring->clip)];
-	return (struct crowd_place){
+	return (struct crowd_route){
 		.clip = clip ? clip : ring->clip[0],
 		.phase = share - (float)(int)share,
 		.radius_m = ring->radius_m,
@@ -48,26 +48,27 @@ struct crowd_place crowd_place(int number)
 
 float crowd_radius_m(int count)
 {
-	return crowd_place(count > 0 ? count - 1 : 0).radius_m + body_m;
+	return crowd_route(count > 0 ? count - 1 : 0).radius_m + body_m;
 }
 
-struct crowd_spot crowd_spot_at(const struct crowd_place *place, double time_s)
+struct crowd_position crowd_position_at(
+	const struct crowd_route *route, double time_s)
 {
-	float angle = place->angle_rad;
-	float facing = place->facing_rad;
+	float angle = route->angle_rad;
+	float facing = route->facing_rad;
 
-	if (place->speed_m_s != 0.0f) {
-		double turns = time_s * (double)place->speed_m_s /
-			(2.0 * (double)SCALAR_PI * (double)place->radius_m);
+	if (route->speed_m_s != 0.0f) {
+		double turns = time_s * (double)route->speed_m_s /
+			(2.0 * (double)SCALAR_PI * (double)route->radius_m);
 
 		turns -= (double)(long)turns;
 		angle += (float)turns * 2.0f * SCALAR_PI;
-		facing = place->speed_m_s > 0.0f ? 0.5f * SCALAR_PI
+		facing = route->speed_m_s > 0.0f ? 0.5f * SCALAR_PI
 						 : -0.5f * SCALAR_PI;
 	}
-	return (struct crowd_spot){
-		.x = place->radius_m * scalar_sin(angle),
-		.z = place->radius_m * scalar_cos(angle),
+	return (struct crowd_position){
+		.x = route->radius_m * scalar_sin(angle),
+		.z = route->radius_m * scalar_cos(angle),
 		.yaw_rad = angle + facing,
 	};
 }

@@ -1,5 +1,5 @@
 /* Meshes of fewer triangles for shadows. */
-#include "app/scene/shadow/outline.h"
+#include "app/scene/shadow/shadow_proxy.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -70,8 +70,8 @@ static void test_a_fine_net_loses_most_triangles_and_keeps_its_border(
 	int count;
 
 	(void)state;
-	assert_int_equal(
-		outline_make(&net->primitive, NULL, &net->arena, &index, &count),
+	assert_int_equal(shadow_proxy_make(&net->primitive, NULL, &net->arena,
+				 &index, &count),
 		0);
 	assert_true(count > 0 && count < INDICES / 2);
 	assert_int_equal(count % 3, 0);
@@ -99,8 +99,8 @@ static void test_joints_stay_apart(void **state)
 	for (int i = 0; i < COUNT; i++) {
 		net->joint[i] = (uint16_t)i;
 	}
-	assert_int_equal(
-		outline_make(&net->primitive, NULL, &net->arena, &index, &count),
+	assert_int_equal(shadow_proxy_make(&net->primitive, NULL, &net->arena,
+				 &index, &count),
 		0);
 	assert_int_equal(count, INDICES);
 	for (int i = 0; i < count; i++) {
@@ -120,10 +120,10 @@ static void test_vertices_are_named_where_they_are_drawn_from(void **state)
 	for (uint32_t i = 0; i < COUNT; i++) {
 		place[i] = COUNT - 1 - i;
 	}
-	assert_int_equal(
-		outline_make(&net->primitive, NULL, &net->arena, &here, &count),
+	assert_int_equal(shadow_proxy_make(&net->primitive, NULL, &net->arena,
+				 &here, &count),
 		0);
-	assert_int_equal(outline_make(&net->primitive, place, &net->arena,
+	assert_int_equal(shadow_proxy_make(&net->primitive, place, &net->arena,
 				 &there, &moved),
 		0);
 	assert_int_equal(count, moved);

@@ -1,4 +1,4 @@
-#include "app/scene/stage/floor_sight.h"
+#include "app/scene/stage/floor_strips.h"
 
 #include "platform/base/scalar.h"
 
@@ -19,11 +19,12 @@ struct view {
  * A quarter of a pixel inside of the picture no centre is left out, and nothing
  * is clipped. Where 16.16 is too coarse for that, ground goes on beyond.
  */
-static float choose_inset(const struct lens *lens)
+static float choose_inset(const struct camera_frustum *frustum)
 {
 	const fx16_t fine = 2048;
 
-	return lens->top - lens->bottom < fine || lens->right - lens->left < fine
+	return frustum->top - frustum->bottom < fine ||
+			frustum->right - frustum->left < fine
 		? -8.0f
 		: 0.25f;
 }
@@ -31,24 +32,26 @@ static float choose_inset(const struct lens *lens)
 static void set_view(struct view *view, const struct camera *camera, int width,
 	int height, float ground)
 {
-	const struct lens lens = camera_lens(camera, width, height);
-	float unit = 1.0f / (float)(lens.near > 0 ? lens.near : 1),
-	      inset = choose_inset(&lens);
-	float column = (float)(lens.right - lens.left) * unit / (float)width;
+	const struct camera_frustum frustum =
+		camera_frustum(camera, width, height);
+	float unit = 1.0f / (float)(frustum.near > 0 ? frustum.near : 1),
+	      inset = choose_inset(&frustum);
+	float column =
+		(float)(frustum.right - frustum.left) * unit / (float)width;
 
-	view->row = (float)(lens.top - lens.bottom) * unit / (float)height;
-	view->edge = (float)lens.bottom * unit;
-	view->left = (float)lens.left * unit + inset * column;
-	view->right = (float)lens.right * unit - inset * column;
+	view->row = (float)(frustum.top - frustum.bottom) * unit / (float)height;
+	view->edge = (float)frustum.bottom * unit;
+	view->left = (float)frustum.left * unit + inset * column;
+	view->right = (float)frustum.right * unit - inset * column;
 	view->bottom = view->edge + inset * view->row;
-	view->top = (float)lens.top * unit - inset * view->row;
+	view->top = (float)frustum.top * unit - inset * view->row;
 	camera_view(camera, view->world_to_eye);
 	camera_eye(camera, view->eye);
 	view->sine = view->world_to_eye[1][2];
 	view->cosine = view->world_to_eye[1][1];
 	view->height = view->eye[1] - ground;
-	view->near = 1.01f * fx16_to_float(lens.near);
-	view->far = 0.99f * fx16_to_float(lens.far);
+	view->near = 1.01f * fx16_to_float(frustum.near);
+	view->far = 0.99f * fx16_to_float(frustum.far);
 }
 
 static float least(float a, float b)
@@ -97,15 +100,15 @@ static void place(
 	}
 }
 
-static void place_row(struct floor_sight *sight, int row,
+static void place_row(struct floor_strips *strips, int row,
 	const struct view *view, float slope, float ground, float share)
 {
 	for (int side = 0; side < 2; side++) {
-		float *p = sight->position[2 * row + side];
+		float *p = strips->position[2 * row + side];
 
 		place(view, slope, side ? view->right : view->left, p);
 		p[1] = ground;
-		sight->alpha[2 * row + side] =
+		strips->alpha[2 * row + side] =
 			(uint8_t)(scalar_clamp(share, 0.0f, 1.0f) * 255.0f +
 				0.5f);
 	}
@@ -119,14 +122,14 @@ static int count_rows(const struct view *view, float slope, int height)
 	return (int)scalar_clamp(rows, 0.0f, (float)height);
 }
 
-void floor_sight_find(struct floor_sight *sight, const struct camera *camera,
+void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 	int width, int height, float y, float solid_end, float end)
 {
 	struct view view;
 	float slope[3];
 	bool near;
 
-	*sight = (struct floor_sight){.horizon_px = height};
+	*strips = (struct floor_strips){.horizon_px = height};
 	set_view(&view, camera, width, height, y);
 	if (view.height <= 0.0f) {
 		return;
@@ -139,18 +142,18 @@ void floor_sight_find(struct floor_sight *sight, const struct camera *camera,
 	slope[2] = scalar_clamp(slope[2], slope[0], view.top);
 	slope[1] =
 		scalar_clamp(slope_ahead(&view, solid_end), slope[0], slope[2]);
-	sight->solid = slope[1] > slope[0];
-	sight->fading = slope[2] > slope[1];
+	strips->opaque = slope[1] > slope[0];
+	strips->fading = slope[2] > slope[1];
 	for (int i = 0; i < 3 && slope[2] > slope[0]; i++) {
-		place_row(sight, i, &view, slope[i], y,
+		place_row(strips, i, &view, slope[i], y,
 			(end - ahead_at(&view, slope[i])) / (end - solid_end));
 	}
 	/* The row that the edge crosses may be half of each. */
-	if (sight->solid && near) {
-		sight->covered_px = count_rows(&view, slope[1], height) - 1;
-		sight->covered_px =
-			sight->covered_px > 0 ? sight->covered_px : 0;
+	if (strips->opaque && near) {
+		strips->covered_px = count_rows(&view, slope[1], height) - 1;
+		strips->covered_px =
+			strips->covered_px > 0 ? strips->covered_px : 0;
 	}
-	sight->horizon_px =
+	strips->horizon_px =
 		count_rows(&view, view.sine / view.cosine, height - 1) + 1;
 }

@@ -1,4 +1,4 @@
-#include "app/scene/shadow/outline.h"
+#include "app/scene/shadow/shadow_proxy.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -186,8 +186,9 @@ static int copy_shape(const struct model_lod *shape, const uint32_t *place,
 	return 0;
 }
 
-int outline_make(const struct model_primitive *primitive, const uint32_t *place,
-	struct arena *arena, uint16_t **index, int *index_count)
+int shadow_proxy_make(const struct model_primitive *primitive,
+	const uint32_t *place, struct arena *arena, uint16_t **index,
+	int *index_count)
 {
 	const struct model_lod *shape = find_shape(primitive);
 

@@ -6,8 +6,8 @@
  * follow the same joint become one of them; triangles that lose a corner go.
  * The vertices stay where they are, so posing them costs nothing more.
  */
-#ifndef APP_SCENE_SHADOW_OUTLINE_H
-#define APP_SCENE_SHADOW_OUTLINE_H
+#ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
+#define APP_SCENE_SHADOW_SHADOW_PROXY_H
 
 #include "app/model/model.h"
 #include "platform/base/arena.h"
@@ -19,7 +19,8 @@
  * in the arena. Place says where each vertex is drawn from, NULL: where the
  * primitive has it. 0 or -ENOMEM.
  */
-int outline_make(const struct model_primitive *primitive, const uint32_t *place,
-	struct arena *arena, uint16_t **index, int *index_count);
+int shadow_proxy_make(const struct model_primitive *primitive,
+	const uint32_t *place, struct arena *arena, uint16_t **index,
+	int *index_count);
 
 #endif

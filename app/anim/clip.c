@@ -119,7 +119,7 @@ static struct clip_moving describe_moving(
 	}
 	return (struct clip_moving){
 		.channel = channel,
-		.kind = channel_is_slerp(channel) ? CLIP_TURNS : CLIP_MOVES,
+		.kind = clip_channel_is_slerp(channel) ? CLIP_TURNS : CLIP_MOVES,
 		.offset = transform_offset(channel),
 	};
 }
@@ -177,7 +177,7 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	enum clip_interpolation interpolation, struct clip_cursor *cursor,
 	struct pose *pose)
 {
-	struct moment moment = {NULL, 0, 0, MOMENT_AT_KEY};
+	struct clip_moment moment = {NULL, 0, 0, CLIP_AT_KEY};
 	const struct clip_moving *end;
 
 	/* Cubic ways between equal keys may still be rounded otherwise. */
@@ -196,14 +196,14 @@ void clip_pose(const struct model_clip *clip, float time_s,
 		const struct model_channel *channel = moving->channel;
 		float *out = moving_target(moving, pose);
 
-		if (!moment_fits(&moment, channel)) {
-			moment = moment_find(channel, time_s, moving->key);
+		if (!clip_moment_fits(&moment, channel)) {
+			moment = clip_moment_find(channel, time_s, moving->key);
 			moving->key = moment.key;
 		}
 		if (moving->kind == CLIP_TURNS && interpolation == CLIP_AUTO) {
-			channel_slerp(channel, moment.key, moment.u, out);
+			clip_channel_slerp(channel, moment.key, moment.u, out);
 		} else {
-			channel_sample_any(channel, interpolation, moment.key,
+			clip_channel_sample(channel, interpolation, moment.key,
 				moment.u, out);
 		}
 	}

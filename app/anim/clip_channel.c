@@ -1,5 +1,8 @@
 #include "app/anim/clip_channel.h"
 
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
+
 #include <string.h>
 
 static bool holds(const struct model_channel *channel, int key, float time_s)
@@ -49,12 +52,13 @@ static int find_key(
 	return search_key(channel, time_s);
 }
 
-struct moment moment_search(
+struct clip_moment clip_moment_search(
 	const struct model_channel *channel, float time_s, int cached)
 {
 	const float *times = channel->time_s;
 	int last = channel->key_count - 1;
-	struct moment moment = {times, channel->key_count, last, MOMENT_AT_KEY};
+	struct clip_moment moment = {
+		times, channel->key_count, last, CLIP_AT_KEY};
 
 	/* Written so that a NaN takes the first key. */
 	if (!(time_s > times[0])) {
@@ -200,7 +204,7 @@ static void sample_cubic(
 	}
 }
 
-void channel_sample_any(const struct model_channel *channel,
+void clip_channel_sample(const struct model_channel *channel,
 	enum clip_interpolation interpolation, int key, float u, float *out)
 {
 	if (u < 0) {
@@ -230,8 +234,8 @@ void channel_sample_any(const struct model_channel *channel,
 void clip_sample_channel(const struct model_channel *channel, float time_s,
 	enum clip_interpolation interpolation, int *key, float *out)
 {
-	struct moment moment = moment_find(channel, time_s, *key);
+	struct clip_moment moment = clip_moment_find(channel, time_s, *key);
 
 	*key = moment.key;
-	channel_sample_any(channel, interpolation, moment.key, moment.u, out);
+	clip_channel_sample(channel, interpolation, moment.key, moment.u, out);
 }

@@ -9,79 +9,80 @@
 #define APP_ANIM_CLIP_CHANNEL_H
 
 #include "app/anim/clip.h"
-#include "app/anim/transform_inline.h"
+#include "app/anim/math/transform_inline.h"
 
 /* u of a moment that is exactly at its key. */
-#define MOMENT_AT_KEY (-1.0f)
+#define CLIP_AT_KEY (-1.0f)
 
 /* Where a time is among keys. */
-struct moment {
+struct clip_moment {
 	const float *time_s; /* whose; NULL: nobody's yet */
 	int key_count;
 	int key;
-	float u; /* 0..1 of the way to the next key, or MOMENT_AT_KEY */
+	float u; /* 0..1 of the way to the next key, or CLIP_AT_KEY */
 };
 
 /* From anywhere; NaN counts as before the first key. */
-struct moment moment_search(
+struct clip_moment clip_moment_search(
 	const struct model_channel *channel, float time_s, int cached);
 
 /*
  * Any interpolation. Cubic rotations come out unit length, others as unit as
  * the file's keys.
  */
-void channel_sample_any(const struct model_channel *channel,
+void clip_channel_sample(const struct model_channel *channel,
 	enum clip_interpolation interpolation, int key, float u, float *out);
 
-static ALWAYS_INLINE struct moment moment_between(
+static ALWAYS_INLINE struct clip_moment clip_moment_between(
 	const struct model_channel *channel, int key, float time_s)
 {
 	const float *at = channel->time_s + key;
 
-	return (struct moment){channel->time_s, channel->key_count, key,
+	return (struct clip_moment){channel->time_s, channel->key_count, key,
 		(time_s - at[0]) / (at[1] - at[0])};
 }
 
 /*
- * The same as moment_search(). cached may be anything; most often it is the key
- * that held a frame ago, and still holds or the next one does.
+ * The same as clip_moment_search(). cached may be anything; most often it is
+ * the key that held a frame ago, and still holds or the next one does.
  */
-static ALWAYS_INLINE struct moment moment_find(
+static ALWAYS_INLINE struct clip_moment clip_moment_find(
 	const struct model_channel *channel, float time_s, int cached)
 {
 	int last = channel->key_count - 1;
 	const float *at;
 
 	if ((unsigned)cached >= (unsigned)last) {
-		return moment_search(channel, time_s, cached);
+		return clip_moment_search(channel, time_s, cached);
 	}
 	at = channel->time_s + cached;
 	if (at[0] <= time_s) {
 		if (time_s < at[1]) {
-			return moment_between(channel, cached, time_s);
+			return clip_moment_between(channel, cached, time_s);
 		}
 		if (cached + 1 < last && time_s < at[2]) {
-			return moment_between(channel, cached + 1, time_s);
+			return clip_moment_between(channel, cached + 1, time_s);
 		}
 	}
-	return moment_search(channel, time_s, cached);
+	return clip_moment_search(channel, time_s, cached);
 }
 
-static ALWAYS_INLINE bool moment_fits(
-	const struct moment *moment, const struct model_channel *channel)
+static ALWAYS_INLINE bool clip_moment_fits(
+	const struct clip_moment *moment, const struct model_channel *channel)
 {
 	return channel->time_s == moment->time_s &&
 		channel->key_count == moment->key_count;
 }
 
 /* Along the arc between unit rotations. */
-static ALWAYS_INLINE bool channel_is_slerp(const struct model_channel *channel)
+static ALWAYS_INLINE bool clip_channel_is_slerp(
+	const struct model_channel *channel)
 {
 	return channel->unit && channel->interpolation == MODEL_LINEAR;
 }
 
 /* For such a channel, in its own interpolation. */
-static ALWAYS_INLINE void channel_slerp(
+static ALWAYS_INLINE void clip_channel_slerp(
 	const struct model_channel *channel, int key, float u, float *out)
 {
 	const float *from = channel->value + key * 4;

@@ -1,6 +1,8 @@
 #include "app/anim/hierarchy.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 
 #include <errno.h>
 #include <string.h>
@@ -14,9 +16,9 @@ struct turn {
 	const float *axis;
 };
 
-struct pivot pivot_default(void)
+struct hierarchy_pivot hierarchy_pivot_default(void)
 {
-	return (struct pivot){
+	return (struct hierarchy_pivot){
 		.parent = -1,
 		.part = -1,
 		.scale = {1, 1, 1},
@@ -24,24 +26,24 @@ struct pivot pivot_default(void)
 }
 
 /* The pivot's three rotations in its own order, the first one outermost. */
-static void order_turns(const struct pivot *pivot, struct turn turn[3])
+static void order_turns(const struct hierarchy_pivot *pivot, struct turn turn[3])
 {
 	struct turn heading = {pivot->heading_rad, AXIS_HEADING};
 	struct turn pitch = {pivot->pitch_rad, AXIS_PITCH};
 	struct turn bank = {pivot->bank_rad, AXIS_BANK};
 
 	switch (pivot->order) {
-	case PIVOT_HEADING_PITCH_BANK:
+	case HIERARCHY_HEADING_PITCH_BANK:
 		turn[0] = heading;
 		turn[1] = pitch;
 		turn[2] = bank;
 		break;
-	case PIVOT_PITCH_HEADING_BANK:
+	case HIERARCHY_PITCH_HEADING_BANK:
 		turn[0] = pitch;
 		turn[1] = heading;
 		turn[2] = bank;
 		break;
-	case PIVOT_PITCH_BANK_HEADING:
+	case HIERARCHY_PITCH_BANK_HEADING:
 		turn[0] = pitch;
 		turn[1] = bank;
 		turn[2] = heading;
@@ -49,13 +51,14 @@ static void order_turns(const struct pivot *pivot, struct turn turn[3])
 	}
 }
 
-static bool is_scaled(const struct pivot *pivot)
+static bool is_scaled(const struct hierarchy_pivot *pivot)
 {
 	return pivot->scale[0] != 1 || pivot->scale[1] != 1 ||
 		pivot->scale[2] != 1;
 }
 
-static void place(const struct pivot *pivot, const struct pivot_visitor *visitor)
+static void place(const struct hierarchy_pivot *pivot,
+	const struct hierarchy_visitor *visitor)
 {
 	struct turn turn[3] = {{0}};
 
@@ -74,13 +77,13 @@ static void place(const struct pivot *pivot, const struct pivot_visitor *visitor
 
 /* Trees are a few dozen pivots: looking through all for children is cheap. */
 static void walk_children(const struct hierarchy *hierarchy,
-	const struct pivot_visitor *visitor, int parent, int level)
+	const struct hierarchy_visitor *visitor, int parent, int level)
 {
 	if (level > HIERARCHY_DEPTH) {
 		return;
 	}
 	for (int i = parent + 1; i < hierarchy->pivot_count; i++) {
-		const struct pivot *pivot = &hierarchy->pivot[i];
+		const struct hierarchy_pivot *pivot = &hierarchy->pivot[i];
 
 		if (pivot->parent != parent) {
 			continue;
@@ -95,8 +98,8 @@ static void walk_children(const struct hierarchy *hierarchy,
 	}
 }
 
-void hierarchy_walk(
-	const struct hierarchy *hierarchy, const struct pivot_visitor *visitor)
+void hierarchy_walk(const struct hierarchy *hierarchy,
+	const struct hierarchy_visitor *visitor)
 {
 	walk_children(hierarchy, visitor, -1, 1);
 }
@@ -120,7 +123,7 @@ int hierarchy_check(const struct hierarchy *hierarchy)
 	return 0;
 }
 
-static void pivot_matrix(const struct pivot *pivot, mat4 out)
+static void pivot_matrix(const struct hierarchy_pivot *pivot, mat4 out)
 {
 	struct transform local = transform_identity();
 	struct turn turn[3] = {{0}};
@@ -140,7 +143,7 @@ static void pivot_matrix(const struct pivot *pivot, mat4 out)
 void hierarchy_world(const struct hierarchy *hierarchy, mat4 *world)
 {
 	for (int i = 0; i < hierarchy->pivot_count; i++) {
-		const struct pivot *pivot = &hierarchy->pivot[i];
+		const struct hierarchy_pivot *pivot = &hierarchy->pivot[i];
 
 		pivot_matrix(pivot, world[i]);
 		if (pivot->parent >= 0) {

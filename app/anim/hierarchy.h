@@ -15,16 +15,16 @@
 #include <cglm/types.h>
 
 /* The document turns its parts in different orders. First letter first. */
-enum pivot_order {
-	PIVOT_HEADING_PITCH_BANK, /* arm */
-	PIVOT_PITCH_HEADING_BANK, /* forearm */
-	PIVOT_PITCH_BANK_HEADING, /* hand */
+enum hierarchy_order {
+	HIERARCHY_HEADING_PITCH_BANK, /* arm */
+	HIERARCHY_PITCH_HEADING_BANK, /* forearm */
+	HIERARCHY_PITCH_BANK_HEADING, /* hand */
 };
 
-struct pivot {
+struct hierarchy_pivot {
 	int parent; /* below the pivot's own index, or -1 */
 	int part;   /* what the visitor draws here; -1: nothing */
-	enum pivot_order order;
+	enum hierarchy_order order;
 	float position[3];
 	float heading_rad; /* about +Y */
 	float pitch_rad;   /* about +X */
@@ -34,11 +34,11 @@ struct pivot {
 
 struct hierarchy {
 	int pivot_count;
-	struct pivot *pivot; /* parents before children */
+	struct hierarchy_pivot *pivot; /* parents before children */
 };
 
 /* What a walk does at each step; every member is mandatory. */
-struct pivot_visitor {
+struct hierarchy_visitor {
 	void *user;
 	void (*push)(void *user);
 	void (*translate)(void *user, const float offset[3]);
@@ -49,14 +49,14 @@ struct pivot_visitor {
 };
 
 /* A pivot at its parent's origin: no turn, scale 1, no part. */
-struct pivot pivot_default(void);
+struct hierarchy_pivot hierarchy_pivot_default(void);
 
 /*
  * Walks the tree depth first. Rotations by 0 and scales of 1 are left out.
  * At most HIERARCHY_DEPTH levels, the matrix stack that GL ES 1.1 grants.
  */
-void hierarchy_walk(
-	const struct hierarchy *hierarchy, const struct pivot_visitor *visitor);
+void hierarchy_walk(const struct hierarchy *hierarchy,
+	const struct hierarchy_visitor *visitor);
 
 enum {
 	HIERARCHY_DEPTH = 15

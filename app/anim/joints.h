@@ -11,7 +11,7 @@
 #include <stddef.h>
 
 /* out[j] = the matrix of local[j], as transform_to_matrix() makes it. */
-void joints_place(const struct transform *local, int count, mat4 *out);
+void joints_to_matrices(const struct transform *local, int count, mat4 *out);
 
 /*
  * out[j] = a[index of j] * b[j] for count matrices whose fourth row is 0 0 0 1;

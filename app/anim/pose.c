@@ -1,7 +1,8 @@
 #include "app/anim/pose.h"
 
 #include "app/anim/joints.h"
-#include "app/anim/transform_inline.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/transform_inline.h"
 
 #include <errno.h>
 #include <string.h>
@@ -64,7 +65,7 @@ void pose_world_from(const struct pose *pose, const struct model *model,
 	if (count <= 0) {
 		return;
 	}
-	joints_place(pose->local + first, count, world + first);
+	joints_to_matrices(pose->local + first, count, world + first);
 	for (int i = first; i < pose->node_count; i++) {
 		if (model->node[i].matrix && !pose->animated[i]) {
 			memcpy(world[i], model->node[i].matrix, sizeof(mat4));

@@ -6,7 +6,7 @@
  */
 #include "app/compare/candidate.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
 #include "app/model/model_stats.h"
 
 #include <cglm/cglm.h>
@@ -115,7 +115,8 @@ static void place_vertex(
 		vec4 *bind = cutting->skin->inverse_bind[joint];
 
 		matrix_apply(bind, position, position);
-		matrix_turn(bind, rigid->normal[to], rigid->normal[to]);
+		matrix_apply_direction(
+			bind, rigid->normal[to], rigid->normal[to]);
 		glm_vec3_normalize(rigid->normal[to]);
 	}
 }

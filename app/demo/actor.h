@@ -5,8 +5,8 @@
 #ifndef APP_DEMO_ACTOR_H
 #define APP_DEMO_ACTOR_H
 
-#include "app/anim/blend.h"
 #include "app/anim/clip.h"
+#include "app/anim/fade.h"
 #include "app/demo/demo.h"
 #include "app/demo/live.h"
 #include "app/scene/draw/texture.h"

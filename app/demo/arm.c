@@ -75,7 +75,7 @@ struct demo {
 	struct demo_base base;
 	struct hierarchy hierarchy;
 	int pivot[PART_COUNT];
-	struct pivot crate_rest;
+	struct hierarchy_pivot crate_rest;
 	float truck_rest[3];
 
 	float joint[ARM_JOINT_COUNT];
@@ -99,8 +99,8 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 	struct arena *arena = &demo->base.actor.instance->arena;
 	int crate = model_find_node(model, part_names[PART_CRATE]);
 	int *place = ARENA_ARRAY(arena, int, (size_t)model->node_count);
-	struct pivot *pivot =
-		ARENA_ARRAY(arena, struct pivot, (size_t)model->node_count);
+	struct hierarchy_pivot *pivot = ARENA_ARRAY(
+		arena, struct hierarchy_pivot, (size_t)model->node_count);
 	int next = 0;
 
 	if (!place || !pivot) {
@@ -112,7 +112,7 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 		const struct model_node *node = &model->node[i];
 
 		place[i] = i == crate ? model->node_count - 1 : next++;
-		pivot[place[i]] = pivot_default();
+		pivot[place[i]] = hierarchy_pivot_default();
 		pivot[place[i]].part = i;
 		pivot[place[i]].parent =
 			node->parent < 0 ? -1 : place[node->parent];
@@ -133,7 +133,7 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 	return hierarchy_check(&demo->hierarchy);
 }
 
-static struct pivot *pivot_of(struct demo *demo, enum part part)
+static struct hierarchy_pivot *pivot_of(struct demo *demo, enum part part)
 {
 	return &demo->hierarchy.pivot[demo->pivot[part]];
 }
@@ -141,9 +141,9 @@ static struct pivot *pivot_of(struct demo *demo, enum part part)
 /* The orders of the document's robot arm. */
 static void set_orders(struct demo *demo)
 {
-	pivot_of(demo, PART_ARM)->order = PIVOT_HEADING_PITCH_BANK;
-	pivot_of(demo, PART_FOREARM)->order = PIVOT_PITCH_HEADING_BANK;
-	pivot_of(demo, PART_HAND)->order = PIVOT_PITCH_BANK_HEADING;
+	pivot_of(demo, PART_ARM)->order = HIERARCHY_HEADING_PITCH_BANK;
+	pivot_of(demo, PART_FOREARM)->order = HIERARCHY_PITCH_HEADING_BANK;
+	pivot_of(demo, PART_HAND)->order = HIERARCHY_PITCH_BANK_HEADING;
 	demo->crate_rest = *pivot_of(demo, PART_CRATE);
 	memcpy(demo->truck_rest, pivot_of(demo, PART_TRUCK)->position,
 		sizeof(demo->truck_rest));
@@ -220,7 +220,7 @@ static void place_crate(struct demo *demo)
 {
 	static const float in_hand[3] = {0.0f, 0.0f, 0.275f};
 	static const float on_truck[3] = {0.0f, 0.194f, -0.118f};
-	struct pivot *crate = pivot_of(demo, PART_CRATE);
+	struct hierarchy_pivot *crate = pivot_of(demo, PART_CRATE);
 
 	*crate = demo->crate_rest;
 	if (demo->crate == CRATE_IN_HAND) {

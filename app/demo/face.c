@@ -4,7 +4,7 @@
  * Each shape key of the model is a key frame: the base plus that target at
  * weight 1. Buttons point Destiny at another one, also in mid-flight.
  */
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/face_keys.h"

@@ -1,7 +1,8 @@
 #include "app/demo/face_keys.h"
 
 #include "app/anim/kernel/kernel.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

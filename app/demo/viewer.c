@@ -1,7 +1,8 @@
 /*
  * The viewer: any model, its clips on UP and DOWN, the camera on the others.
  */
-#include "app/anim/timeline.h"
+#include "app/anim/clip_join.h"
+#include "app/anim/playback.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "platform/base/file.h"
@@ -73,7 +74,7 @@ static void begin_join(struct demo *demo, double join_s)
 	int next = (demo->clip + 1) % model->clip_count;
 
 	demo->join = clip_join_frames(
-		&model->clip[demo->clip], &model->clip[next], JOIN_FRAMES);
+		&model->clip[demo->clip], &model->clip[next], CLIP_JOIN_FRAMES);
 	demo->join.interpolation = demo->base.actor.interpolation;
 	demo->join_s = join_s;
 }

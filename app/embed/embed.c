@@ -7,7 +7,7 @@
 /* app/embed/player.inc, by the build. */
 extern const char embed_player_text[];
 
-static void count_part(struct embed *embed, const struct part *part)
+static void count_part(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 
@@ -42,9 +42,9 @@ static void count_all(struct embed *embed)
 	}
 }
 
-static void put_part(struct embed *embed, const struct part *part)
+static void put_part(struct embed *embed, const struct embed_part *part)
 {
-	struct embed_places *at = &embed->next;
+	struct embed_offsets *at = &embed->next;
 	const struct model_primitive *primitive = part->primitive;
 	const struct model_material *material =
 		&embed->model->material[primitive->material];
@@ -158,7 +158,7 @@ static int set_prefix(
 	struct embed *embed, const char *prefix, const struct log *log)
 {
 	size_t length = strlen(prefix);
-	bool good = length > 0 && length < EMBED_NAME_ROOM &&
+	bool good = length > 0 && length < EMBED_NAME_SIZE &&
 		!isdigit((unsigned char)prefix[0]);
 
 	for (size_t i = 0; good && i <= length; i++) {
@@ -172,7 +172,7 @@ static int set_prefix(
 		log_error(log,
 			"%s: its name does not make a C identifier of up to %d "
 			"letters: name the file otherwise",
-			prefix, EMBED_NAME_ROOM - 1);
+			prefix, EMBED_NAME_SIZE - 1);
 		return -EINVAL;
 	}
 	return 0;

@@ -13,11 +13,11 @@
 
 enum {
 	EMBED_ROW = 8, /* numbers in a line */
-	EMBED_NAME_ROOM = 64
+	EMBED_NAME_SIZE = 64
 };
 
 /* Where a part's data begin in the tables. */
-struct embed_places {
+struct embed_offsets {
 	int vertex, index, influence, target;
 };
 
@@ -25,8 +25,8 @@ struct embed {
 	const struct model *model;
 	const struct model_clip *clip; /* or NULL */
 	FILE *out;
-	char prefix[EMBED_NAME_ROOM]; /* "walker" */
-	char upper[EMBED_NAME_ROOM];  /* "WALKER" */
+	char prefix[EMBED_NAME_SIZE]; /* "walker" */
+	char upper[EMBED_NAME_SIZE];  /* "WALKER" */
 	size_t rom_bytes;
 
 	/* How much there is of each. */
@@ -34,23 +34,23 @@ struct embed {
 	int channels, times, values;
 	bool wide_index, wide_joint;
 
-	struct embed_places next; /* while parts are listed */
+	struct embed_offsets next; /* while parts are listed */
 };
 
 /* One primitive as one node shows it. */
-struct part {
+struct embed_part {
 	const struct model_node *node;
 	int node_index;
 	const struct model_mesh *mesh;
 	const struct model_primitive *primitive;
 };
 
-typedef void part_fn(struct embed *embed, const struct part *part);
+typedef void embed_part_fn(struct embed *embed, const struct embed_part *part);
 
-void embed_each_part(struct embed *embed, part_fn *function);
+void embed_each_part(struct embed *embed, embed_part_fn *function);
 
 /* Whether a skin moves the part. */
-bool embed_is_skinned(const struct part *part);
+bool embed_is_skinned(const struct embed_part *part);
 
 /* Floats of all keys of a channel. */
 int embed_channel_values(const struct model_channel *channel);

@@ -1,6 +1,6 @@
 #include "app/embed/embed_internal.h"
 
-void embed_each_part(struct embed *embed, part_fn *function)
+void embed_each_part(struct embed *embed, embed_part_fn *function)
 {
 	const struct model *model = embed->model;
 
@@ -13,7 +13,7 @@ void embed_each_part(struct embed *embed, part_fn *function)
 		}
 		mesh = &model->mesh[node->mesh];
 		for (int p = 0; p < mesh->primitive_count; p++) {
-			const struct part part = {
+			const struct embed_part part = {
 				node, i, mesh, &mesh->primitive[p]};
 
 			function(embed, &part);
@@ -21,7 +21,7 @@ void embed_each_part(struct embed *embed, part_fn *function)
 	}
 }
 
-bool embed_is_skinned(const struct part *part)
+bool embed_is_skinned(const struct embed_part *part)
 {
 	return part->node->skin >= 0 && part->primitive->influences > 0;
 }

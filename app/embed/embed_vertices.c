@@ -11,13 +11,13 @@ static void put_vectors(struct embed *embed, const float (*vector)[3], int count
 	}
 }
 
-static void put_positions(struct embed *embed, const struct part *part)
+static void put_positions(struct embed *embed, const struct embed_part *part)
 {
 	put_vectors(embed, (const float(*)[3])part->primitive->position,
 		part->primitive->vertex_count);
 }
 
-static void put_normals(struct embed *embed, const struct part *part)
+static void put_normals(struct embed *embed, const struct embed_part *part)
 {
 	static const float none[1][3];
 	const struct model_primitive *primitive = part->primitive;
@@ -31,7 +31,7 @@ static void put_normals(struct embed *embed, const struct part *part)
 	}
 }
 
-static void put_colors(struct embed *embed, const struct part *part)
+static void put_colors(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 
@@ -45,7 +45,7 @@ static void put_colors(struct embed *embed, const struct part *part)
 	}
 }
 
-static void put_joints(struct embed *embed, const struct part *part)
+static void put_joints(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 	int count = primitive->vertex_count * primitive->influences;
@@ -56,7 +56,7 @@ static void put_joints(struct embed *embed, const struct part *part)
 	}
 }
 
-static void put_weights(struct embed *embed, const struct part *part)
+static void put_weights(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 
@@ -66,7 +66,7 @@ static void put_weights(struct embed *embed, const struct part *part)
 	}
 }
 
-static void put_indices(struct embed *embed, const struct part *part)
+static void put_indices(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 
@@ -76,7 +76,7 @@ static void put_indices(struct embed *embed, const struct part *part)
 	}
 }
 
-static void put_targets(struct embed *embed, const struct part *part)
+static void put_targets(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
 	static const float none[3];

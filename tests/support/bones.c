@@ -1,6 +1,6 @@
 #include "tests/support/bones.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/transform.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 #include "tests/support/scattered.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/vec.h"
 
 #include <math.h>
 

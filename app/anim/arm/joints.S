@@ -1,7 +1,7 @@
 /*
  * app/anim/joints.h for VFP11.
  *
- * joints_place() keeps a transform and all that comes of it in registers, which
+ * joints_to_matrices() keeps a transform and all that comes of it in registers, which
  * leave in one store: 39 instructions, where the compiler makes 62.
  *
  * joints_multiply() takes three rows at a time as short vectors of three. Bank
@@ -23,10 +23,10 @@
 #define PLACED r2
 #define ONE_   r3
 
-	.global joints_place
-	.hidden joints_place
-	.type joints_place, %function
-joints_place:
+	.global joints_to_matrices
+	.hidden joints_to_matrices
+	.type joints_to_matrices, %function
+joints_to_matrices:
 	mov	ONE_, #0
 	vpush	{s16-s31}
 	vmov	s19, ONE_
@@ -77,7 +77,7 @@ joints_place:
 	bge	1b
 2:	vpop	{s16-s31}
 	bx	lr
-	.size joints_place, . - joints_place
+	.size joints_to_matrices, . - joints_to_matrices
 
 #define A      r0
 #define INDEX  r1

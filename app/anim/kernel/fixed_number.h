@@ -49,7 +49,7 @@ static inline int16_t fixed_round_fast(float value)
  * Whole numbers ordered as floats are, -0 below 0, NaNs beyond infinity; and
  * the float of such a number.
  */
-static inline int32_t fixed_key_of(float value)
+static inline int32_t fixed_order_of(float value)
 {
 	int32_t bits;
 
@@ -66,8 +66,8 @@ static inline float fixed_float_of(int32_t key)
 	return value;
 }
 
-/* fixed_key_of() of the absolute value. */
-static inline int32_t fixed_size_of(float value)
+/* fixed_order_of() of the absolute value. */
+static inline int32_t fixed_order_of_abs(float value)
 {
 	int32_t bits;
 

@@ -19,7 +19,7 @@
 
 /*
  * What a frame's vertices can reach, as whole numbers that are ordered as the
- * floats are (fixed_key_of()): the core waits long for what a comparison of
+ * floats are (fixed_order_of()): the core waits long for what a comparison of
  * floats says.
  */
 struct reach {
@@ -51,13 +51,13 @@ static inline void reach_row(struct reach *reach, const vec4 *m,
 	float x = m[0][row], y = m[1][row], z = m[2][row];
 	float at = x * c[0] + y * c[1] + z * c[2] + m[3][row];
 	float half = fabsf(x) * h[0] + fabsf(y) * h[1] + fabsf(z) * h[2];
-	int32_t key = fixed_key_of(at);
+	int32_t key = fixed_order_of(at);
 
-	extend_high(&reach->element, fixed_size_of(x));
-	extend_high(&reach->element, fixed_size_of(y));
-	extend_high(&reach->element, fixed_size_of(z));
-	extend_low(&reach->low[row], fixed_key_of(at - half));
-	extend_high(&reach->high[row], fixed_key_of(at + half));
+	extend_high(&reach->element, fixed_order_of_abs(x));
+	extend_high(&reach->element, fixed_order_of_abs(y));
+	extend_high(&reach->element, fixed_order_of_abs(z));
+	extend_low(&reach->low[row], fixed_order_of(at - half));
+	extend_high(&reach->high[row], fixed_order_of(at + half));
 	extend_low(&reach->from[row], key);
 	extend_high(&reach->to[row], key);
 }
@@ -86,7 +86,8 @@ static void measure(
 /* NaNs are beyond infinity, either way. */
 static bool is_usable(const struct reach *reach)
 {
-	const int32_t most = fixed_key_of(1e18f), least = fixed_key_of(-1e18f);
+	const int32_t most = fixed_order_of(1e18f),
+		      least = fixed_order_of(-1e18f);
 	bool usable = reach->element <= most;
 
 	for (int row = 0; row < 3; row++) {

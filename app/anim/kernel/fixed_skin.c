@@ -89,7 +89,7 @@ static int sort_vertices(struct fixed_skin *skin, struct arena *arena)
 	qsort(list, count, sizeof(*list), compare_sorted);
 	for (uint32_t i = 0; i < count; i++) {
 		skin->order[i] = list[i].vertex;
-		skin->place[list[i].vertex] = i;
+		skin->inverse_order[list[i].vertex] = i;
 	}
 	skin->run = ARENA_ARRAY(arena, int32_t, count_run_words(list, count));
 	free(list);
@@ -408,9 +408,9 @@ static int reserve(
 	size_t count = (size_t)count_influences(skin) + 1;
 
 	skin->order = ARENA_ARRAY(arena, uint32_t, vertices);
-	skin->place = ARENA_ARRAY(arena, uint32_t, vertices);
+	skin->inverse_order = ARENA_ARRAY(arena, uint32_t, vertices);
 	skin->position = ARENA_ARRAY(arena, struct fixed_base, count);
-	if (!skin->order || !skin->place || !skin->position) {
+	if (!skin->order || !skin->inverse_order || !skin->position) {
 		return -ENOMEM;
 	}
 	if (streams & FIXED_NORMALS) {

@@ -37,9 +37,9 @@ struct fixed_skin {
 	int max_influences;  /* the cap that it is laid out for; 0: none */
 	int vertex_count;    /* the primitive's */
 	int influence_count; /* at this cap */
-	uint32_t *order;     /* [vertex_count]: the primitive's vertex that
-				comes out here */
-	uint32_t *place;     /* [vertex_count]: where a vertex comes out */
+	/* [vertex_count]: the primitive's vertex that becomes output vertex i,
+	   and the output vertex that vertex i of the primitive becomes. */
+	uint32_t *order, *inverse_order;
 
 	int group_count;
 	struct fixed_group group[SKIN_INFLUENCES_MAX];

@@ -1,8 +1,8 @@
 #include "app/anim/joints.h"
 
-#include "app/anim/transform_inline.h"
+#include "app/anim/math/transform_inline.h"
 
-void joints_place(const struct transform *local, int count, mat4 *out)
+void joints_to_matrices(const struct transform *local, int count, mat4 *out)
 {
 	for (int j = 0; j < count; j++) {
 		inline_transform_to_matrix(&local[j], out[j]);

@@ -1,11 +1,10 @@
 #include "app/anim/procedural/bone.h"
 
-#include "app/anim/transform.h"
-#include "platform/base/scalar.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 
 #include <string.h>
-
-static const float IDENTITY[4] = {0, 0, 0, 1};
 
 void bone_parent_rotation(
 	const struct pose *pose, const mat4 *world, int node, float out[4])
@@ -13,7 +12,7 @@ void bone_parent_rotation(
 	int parent = pose->model->node[node].parent;
 
 	if (parent < 0) {
-		memcpy(out, IDENTITY, sizeof(IDENTITY));
+		quat_set_identity(out);
 		return;
 	}
 	matrix_rotation(((mat4 *)world)[parent], out);
@@ -56,24 +55,37 @@ void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	set_rotation(pose, node, parent, rotation, weight);
 }
 
-float matrix_scale(const mat4 *matrix)
+/* How long a child's axis has become by the scale of its parent. */
+static float stretched(
+	const struct transform *child, int axis, const float factor[3])
 {
-	return vec_length((*matrix)[0]);
+	float direction[3] = {0, 0, 0};
+
+	direction[axis] = 1;
+	quat_rotate(child->rotation, direction, direction);
+	for (int i = 0; i < 3; i++) {
+		direction[i] *= factor[i];
+	}
+	return vec_length(direction);
 }
 
-bool quat_limit(float q[4], const float base[4], float limit_rad)
+void bone_swell(struct pose *pose, int node, const float factor[3])
 {
-	float turn[4];
-	float angle;
-
-	quat_conjugate(base, turn);
-	quat_multiply(turn, q, turn);
-	angle = quat_angle(turn);
-	if (angle <= limit_rad) {
-		return false;
+	for (int i = 0; i < 3; i++) {
+		pose->local[node].scale[i] *= factor[i];
 	}
-	quat_slerp(IDENTITY, turn, limit_rad > 0 ? limit_rad / angle : 0, turn);
-	quat_multiply(base, turn, q);
-	quat_normalize(q);
-	return true;
+	pose->animated[node] = true;
+	for (int c = node + 1; c < pose->node_count; c++) {
+		struct transform *child = &pose->local[c];
+
+		if (pose->model->node[c].parent != node) {
+			continue;
+		}
+		for (int i = 0; i < 3; i++) {
+			float length = stretched(child, i, factor);
+
+			child->scale[i] /= length > 1e-6f ? length : 1;
+		}
+		pose->animated[c] = true;
+	}
 }

@@ -1,37 +1,39 @@
 /*
- * Turning bones in world terms: what the constraints share.
+ * Changes to single bones, shared by the procedural effects.
  *
- * World matrices go with a pose: they are what pose_world() last made of it.
- * Functions that change a bone leave the matrices of its descendants for the
- * caller's pose_world_from().
+ * The world matrices that a function takes are those that pose_world() last
+ * made of the pose. A function that changes a bone does not update them: the
+ * caller calls pose_world_from().
  */
 #ifndef APP_ANIM_PROCEDURAL_BONE_H
 #define APP_ANIM_PROCEDURAL_BONE_H
 
 #include "app/anim/pose.h"
 
-/* The rotation of the node's parent in the world; identity without one. */
+/* The world rotation of the node's parent; the identity if it has none. */
 void bone_parent_rotation(
 	const struct pose *pose, const mat4 *world, int node, float out[4]);
 
 /*
- * Turns a node's local rotation by a rotation given in world axes, slerped by
- * weight.
+ * Rotates a node by a rotation given in world axes, interpolated by weight,
+ * 0..1.
  */
 void bone_turn_world(struct pose *pose, const mat4 *world, int node,
 	const float turn[4], float weight);
 
-/* Turns a node so that its world rotation becomes that, slerped by weight. */
+/*
+ * Rotates a node so that its world rotation becomes the given one, interpolated
+ * by weight, 0..1.
+ */
 void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	const float rotation[4], float weight);
 
-/* How far a matrix scales, by its first column; for even scales. */
-float matrix_scale(const mat4 *matrix);
-
 /*
- * Limits the angle between a unit rotation and a base to limit_rad, keeping
- * the axis. True when it had to.
+ * Multiplies a node's scale by a factor for each axis and divides its
+ * children's scale by it, so that only the vertices of the node itself grow. A
+ * child that is rotated against the node gets the factor of its own axes back,
+ * which leaves a little shear.
  */
-bool quat_limit(float q[4], const float base[4], float limit_rad);
+void bone_swell(struct pose *pose, int node, const float factor[3]);
 
 #endif

@@ -1,12 +1,13 @@
 #include "app/anim/procedural/capsule.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
 
-void capsule_put(const struct capsule *capsule, int count, const mat4 *world,
-	struct capsule_place *place)
+void capsule_to_world(const struct capsule *capsule, int count,
+	const mat4 *world, struct capsule_world *place)
 {
 	mat4 *at = (mat4 *)world;
 
@@ -21,7 +22,7 @@ void capsule_put(const struct capsule *capsule, int count, const mat4 *world,
 
 /* The point of the line a-b that is nearest to a point. */
 static void nearest(
-	const struct capsule_place *place, const float point[3], float out[3])
+	const struct capsule_world *place, const float point[3], float out[3])
 {
 	float line[3], way[3];
 	float length2, along;
@@ -36,7 +37,7 @@ static void nearest(
 }
 
 /* Some unit direction at right angles to the capsule's line. */
-static void any_side(const struct capsule_place *place, float out[3])
+static void any_side(const struct capsule_world *place, float out[3])
 {
 	float line[3];
 	float least[3] = {0, 0, 0};
@@ -49,7 +50,7 @@ static void any_side(const struct capsule_place *place, float out[3])
 }
 
 bool capsule_push(
-	const struct capsule_place *place, float margin, float point[3])
+	const struct capsule_world *place, float margin, float point[3])
 {
 	float limit = place->radius + margin;
 	float axis[3], out[3];
@@ -68,7 +69,7 @@ bool capsule_push(
 	return true;
 }
 
-bool capsule_push_all(const struct capsule_place *place, int count,
+bool capsule_push_all(const struct capsule_world *place, int count,
 	float margin, float point[3])
 {
 	bool moved = false;

@@ -16,14 +16,14 @@ struct capsule {
 };
 
 /* Where it is in a frame. */
-struct capsule_place {
+struct capsule_world {
 	float a[3], b[3];
 	float radius;
 };
 
 /* Puts count capsules at the nodes' places. */
-void capsule_put(const struct capsule *capsule, int count, const mat4 *world,
-	struct capsule_place *place);
+void capsule_to_world(const struct capsule *capsule, int count,
+	const mat4 *world, struct capsule_world *place);
 
 /*
  * Pushes a point that is nearer than radius + margin straight out to that
@@ -31,10 +31,10 @@ void capsule_put(const struct capsule *capsule, int count, const mat4 *world,
  * it moved.
  */
 bool capsule_push(
-	const struct capsule_place *place, float margin, float point[3]);
+	const struct capsule_world *place, float margin, float point[3]);
 
 /* The same against count of them, one after the other. */
-bool capsule_push_all(const struct capsule_place *place, int count,
+bool capsule_push_all(const struct capsule_world *place, int count,
 	float margin, float point[3]);
 
 #endif

@@ -1,6 +1,7 @@
 #include "app/anim/procedural/cloth.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
@@ -127,7 +128,7 @@ static void hold_reach(struct cloth *cloth, int i, int column)
 }
 
 static void hold_together(struct cloth *cloth,
-	const struct capsule_place *capsule, int capsule_count)
+	const struct capsule_world *capsule, int capsule_count)
 {
 	for (int p = 0; p < cloth->settings.passes; p++) {
 		for (int l = 0; l < cloth->link_count; l++) {
@@ -202,7 +203,7 @@ static void find_normals(struct cloth *cloth)
 }
 
 void cloth_update(struct cloth *cloth, float step_s,
-	const struct capsule_place *capsule, int capsule_count,
+	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world)
 {
 	int parts;

@@ -79,7 +79,7 @@ void cloth_reset(struct cloth *cloth);
  * than four times the cloth's length begins anew.
  */
 void cloth_update(struct cloth *cloth, float step_s,
-	const struct capsule_place *capsule, int capsule_count,
+	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world);
 
 /* 6 * (columns - 1) * (rows - 1): indices of the cloth's triangles. */

@@ -1,5 +1,7 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/cloth.h"
-#include "app/anim/transform.h"
 
 #include <errno.h>
 #include <string.h>

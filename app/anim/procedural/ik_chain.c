@@ -1,6 +1,7 @@
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
 #include "app/anim/procedural/ik.h"
-#include "app/anim/transform.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

@@ -1,7 +1,8 @@
 #include "app/anim/procedural/lookat.h"
 
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
-#include "app/anim/transform.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>

@@ -1,6 +1,7 @@
 #include "app/anim/procedural/procedural.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>

@@ -1,7 +1,9 @@
 #include "app/anim/procedural/spring.h"
 
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
-#include "app/anim/transform.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -20,7 +22,7 @@ static const float FASTEST_TURN = 40; /* radians a second */
 struct swing {
 	struct spring *spring;
 	const struct pose *pose;
-	const struct capsule_place *capsule;
+	const struct capsule_world *capsule;
 	int capsule_count;
 	float bone[SPRING_MAX][3]; /* to the end, in own axes, world units */
 	float length[SPRING_MAX];
@@ -272,7 +274,7 @@ static void keep_base(
 }
 
 void spring_update(struct spring *spring, float step_s,
-	const struct capsule_place *capsule, int capsule_count,
+	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world, struct pose *pose)
 {
 	struct swing swing = {.spring = spring,

@@ -58,7 +58,7 @@ void spring_reset(struct spring *spring);
  * four times the chain's length begins anew.
  */
 void spring_update(struct spring *spring, float step_s,
-	const struct capsule_place *capsule, int capsule_count,
+	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world, struct pose *pose);
 
 #endif

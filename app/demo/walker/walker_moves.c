@@ -1,5 +1,6 @@
 #include "app/demo/walker/walker_moves.h"
 
+#include "app/anim/pose_blend.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -76,8 +77,8 @@ int walker_moves_init(struct walker_moves *moves, struct instance *instance,
 		log_error(log, "%s: not enough memory to play it", model->path);
 		return error;
 	}
-	mask_fill(moves->wave_mask, model->node_count, 0.0f);
-	mask_subtree(moves->wave_mask, model, arm, 1.0f);
+	pose_mask_fill(moves->wave_mask, model->node_count, 0.0f);
+	pose_mask_subtree(moves->wave_mask, model, arm, 1.0f);
 	if (head >= 0) {
 		moves->wave_mask[head] = 1.0f;
 	}

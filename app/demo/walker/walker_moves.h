@@ -8,7 +8,8 @@
 #ifndef APP_DEMO_WALKER_WALKER_MOVES_H
 #define APP_DEMO_WALKER_WALKER_MOVES_H
 
-#include "app/anim/blend.h"
+#include "app/anim/clip.h"
+#include "app/anim/fade.h"
 #include "app/scene/instance/instance.h"
 
 /* Gaits first, from slow to fast. */

@@ -1,8 +1,10 @@
 #include "app/demo/walker/walker_rig.h"
 
-#include "app/anim/blend.h"
+#include "app/anim/ease.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
-#include "app/anim/transform.h"
 #include "app/demo/actor.h"
 #include "platform/base/scalar.h"
 

@@ -9,9 +9,10 @@
 #ifndef APP_DEMO_WALKER_WALKER_RIG_H
 #define APP_DEMO_WALKER_WALKER_RIG_H
 
-#include "app/anim/procedural/drive.h"
+#include "app/anim/procedural/breath.h"
 #include "app/anim/procedural/ik.h"
 #include "app/anim/procedural/lookat.h"
+#include "app/anim/procedural/muscle.h"
 #include "app/anim/procedural/procedural.h"
 #include "app/demo/preset_file.h"
 #include "app/demo/walker/walker_secondary.h"

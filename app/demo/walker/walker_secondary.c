@@ -115,10 +115,10 @@ void walker_secondary_update(struct walker_secondary *secondary,
 	struct instance *instance, float speed_m_per_s, float hair, bool caped,
 	float step_s)
 {
-	struct capsule_place body[BODY_CAPSULES];
+	struct capsule_world body[BODY_CAPSULES];
 	struct spring *ponytail = &secondary->ponytail;
 
-	capsule_put(secondary->body, BODY_CAPSULES,
+	capsule_to_world(secondary->body, BODY_CAPSULES,
 		(const mat4 *)instance->world, body);
 	/* On the spot the air moves instead of the figure. */
 	secondary->cape.settings.wind[2] = -speed_m_per_s;

@@ -1,6 +1,6 @@
 #include "app/scene/draw/draw.h"
 
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "platform/base/fixed.h"
@@ -390,7 +390,7 @@ void draw_hierarchy(const struct gl *gl, const struct hierarchy *hierarchy,
 	enum draw_pass pass)
 {
 	struct walk walk = {gl, instance, textures, pass};
-	const struct pivot_visitor visitor = {
+	const struct hierarchy_visitor visitor = {
 		.user = &walk,
 		.push = walk_push,
 		.translate = walk_translate,

@@ -49,7 +49,7 @@ static int init_skin(struct drawable_fixed *fixed,
 		return error;
 	}
 	fixed->order = fixed->skin.order;
-	fixed->slot = fixed->skin.place;
+	fixed->slot = fixed->skin.inverse_order;
 	fixed->matrix = ARENA_ARRAY(
 		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
 	return fixed->matrix

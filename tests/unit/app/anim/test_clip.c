@@ -1,5 +1,5 @@
 #include "app/anim/clip.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/transform.h"
 #include "tests/support/test.h"
 
 #include <math.h>

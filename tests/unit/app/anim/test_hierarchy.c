@@ -1,5 +1,5 @@
 #include "app/anim/hierarchy.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -76,21 +76,21 @@ static void note_draw(void *user, int part)
 	note(user, line);
 }
 
-static struct pivot_visitor recorder(struct record *record)
+static struct hierarchy_visitor recorder(struct record *record)
 {
-	return (struct pivot_visitor){record, note_push, note_translate,
+	return (struct hierarchy_visitor){record, note_push, note_translate,
 		note_rotate, note_scale, note_draw, note_pop};
 }
 
 /* The document's robot arm, each part in the order it is turned there. */
-static void make_robot_arm(struct pivot pivot[4])
+static void make_robot_arm(struct hierarchy_pivot pivot[4])
 {
-	static const enum pivot_order order[4] = {PIVOT_HEADING_PITCH_BANK,
-		PIVOT_PITCH_HEADING_BANK, PIVOT_PITCH_BANK_HEADING,
-		PIVOT_HEADING_PITCH_BANK};
+	static const enum hierarchy_order order[4] = {
+		HIERARCHY_HEADING_PITCH_BANK, HIERARCHY_PITCH_HEADING_BANK,
+		HIERARCHY_PITCH_BANK_HEADING, HIERARCHY_HEADING_PITCH_BANK};
 
 	for (int i = 0; i < 4; i++) {
-		pivot[i] = pivot_default();
+		pivot[i] = hierarchy_pivot_default();
 		pivot[i].parent = i - 1;
 		pivot[i].part = i;
 		pivot[i].order = order[i];
@@ -131,10 +131,10 @@ static void test_the_robot_arm_makes_the_documents_calls(void **state)
 				   "pop\n"
 				   "pop\n"
 				   "pop\n";
-	struct pivot pivot[4];
+	struct hierarchy_pivot pivot[4];
 	struct hierarchy arm = {4, pivot};
 	struct record record = {.used = 0};
-	struct pivot_visitor visitor = recorder(&record);
+	struct hierarchy_visitor visitor = recorder(&record);
 
 	(void)state;
 	make_robot_arm(pivot);
@@ -160,11 +160,12 @@ static void test_siblings_are_popped_between(void **state)
 				   "translate 0 0 0\n"
 				   "draw 9\n"
 				   "pop\n";
-	struct pivot pivot[4] = {pivot_default(), pivot_default(),
-		pivot_default(), pivot_default()};
+	struct hierarchy_pivot pivot[4] = {hierarchy_pivot_default(),
+		hierarchy_pivot_default(), hierarchy_pivot_default(),
+		hierarchy_pivot_default()};
 	struct hierarchy car = {4, pivot};
 	struct record record = {.used = 0};
-	struct pivot_visitor visitor = recorder(&record);
+	struct hierarchy_visitor visitor = recorder(&record);
 
 	(void)state;
 	pivot[0].position[1] = 1;
@@ -272,7 +273,7 @@ static void stack_draw(void *user, int part)
 static void walk_on_a_stack(
 	const struct hierarchy *hierarchy, struct stack *stack)
 {
-	struct pivot_visitor visitor = {stack, stack_push, stack_translate,
+	struct hierarchy_visitor visitor = {stack, stack_push, stack_translate,
 		stack_rotate, stack_scale, stack_draw, stack_pop};
 
 	memset(stack, 0, sizeof(*stack));
@@ -294,7 +295,7 @@ static void assert_same_matrix(mat4 got, double want[4][4])
 
 static void test_world_matrices_equal_a_matrix_stacks(void **state)
 {
-	struct pivot pivot[4];
+	struct hierarchy_pivot pivot[4];
 	struct hierarchy arm = {4, pivot};
 	struct stack stack;
 	mat4 world[4];
@@ -324,19 +325,19 @@ static void test_each_order_turns_as_computed_by_hand(void **state)
 
 	(void)state;
 	for (int order = 0; order < 3; order++) {
-		struct pivot pivot = pivot_default();
+		struct hierarchy_pivot pivot = hierarchy_pivot_default();
 		struct hierarchy one = {1, &pivot};
 		struct stack stack;
 		mat4 world[1];
 		float out[3];
 
 		pivot.part = 0;
-		pivot.order = (enum pivot_order)order;
+		pivot.order = (enum hierarchy_order)order;
 		pivot.heading_rad = acosf(-1) / 2;
 		pivot.pitch_rad = acosf(-1) / 2;
 		pivot.bank_rad = acosf(-1) / 2;
 		hierarchy_world(&one, world);
-		matrix_turn(world[0], unit_x, out);
+		matrix_apply_direction(world[0], unit_x, out);
 		assert_all_near(out, by_hand[order], 3, 1e-5);
 		walk_on_a_stack(&one, &stack);
 		assert_same_matrix(world[0], stack.drawn[0]);
@@ -345,8 +346,8 @@ static void test_each_order_turns_as_computed_by_hand(void **state)
 
 static void test_check_wants_parents_first(void **state)
 {
-	struct pivot pivot[3] = {
-		pivot_default(), pivot_default(), pivot_default()};
+	struct hierarchy_pivot pivot[3] = {hierarchy_pivot_default(),
+		hierarchy_pivot_default(), hierarchy_pivot_default()};
 	struct hierarchy hierarchy = {3, pivot};
 
 	(void)state;
@@ -363,10 +364,10 @@ static void test_check_wants_parents_first(void **state)
 	assert_int_equal(hierarchy_check(&hierarchy), 0);
 }
 
-static void make_chain(struct pivot *pivot, int count)
+static void make_chain(struct hierarchy_pivot *pivot, int count)
 {
 	for (int i = 0; i < count; i++) {
-		pivot[i] = pivot_default();
+		pivot[i] = hierarchy_pivot_default();
 		pivot[i].parent = i - 1;
 		pivot[i].part = i;
 	}
@@ -374,7 +375,7 @@ static void make_chain(struct pivot *pivot, int count)
 
 static void test_the_deepest_tree_fits_gl_es_stacks(void **state)
 {
-	struct pivot pivot[HIERARCHY_DEPTH];
+	struct hierarchy_pivot pivot[HIERARCHY_DEPTH];
 	struct hierarchy chain = {HIERARCHY_DEPTH, pivot};
 	struct stack stack;
 
@@ -388,7 +389,7 @@ static void test_the_deepest_tree_fits_gl_es_stacks(void **state)
 
 static void test_deeper_trees_are_refused_and_cut(void **state)
 {
-	struct pivot pivot[HIERARCHY_DEPTH + 3];
+	struct hierarchy_pivot pivot[HIERARCHY_DEPTH + 3];
 	struct hierarchy chain = {HIERARCHY_DEPTH + 3, pivot};
 	struct stack stack;
 

@@ -3,7 +3,9 @@
  * host the portable ones, on ARM the assembly.
  */
 #include "app/anim/joints.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -50,7 +52,7 @@ static void test_places_as_the_single_function_does(void **state)
 	(void)state;
 	fill(local);
 	memset(out, 0x55, sizeof(out));
-	joints_place(local, JOINTS, out);
+	joints_to_matrices(local, JOINTS, out);
 	for (int j = 0; j < JOINTS; j++) {
 		transform_to_matrix(&local[j], want);
 		assert_memory_equal(out[j], want, sizeof(want));
@@ -58,7 +60,7 @@ static void test_places_as_the_single_function_does(void **state)
 	/* Nothing behind the last one, and nothing at all for none. */
 	memset(want, 0x55, sizeof(want));
 	assert_memory_equal(out[JOINTS], want, sizeof(want));
-	joints_place(local, 0, out + JOINTS);
+	joints_to_matrices(local, 0, out + JOINTS);
 	assert_memory_equal(out[JOINTS], want, sizeof(want));
 }
 
@@ -70,7 +72,7 @@ static void test_multiplies_as_the_single_function_does(void **state)
 
 	(void)state;
 	fill(local);
-	joints_place(local, JOINTS, a);
+	joints_to_matrices(local, JOINTS, a);
 	for (int j = 0; j < JOINTS; j++) {
 		index[j] = (j * 7 + 3) % JOINTS;
 		memcpy(b[j], a[(j * 11 + 5) % JOINTS], sizeof(b[j]));
@@ -99,7 +101,7 @@ static void test_walks_down_a_tree_in_place(void **state)
 
 	(void)state;
 	fill(local);
-	joints_place(local, JOINTS, world);
+	joints_to_matrices(local, JOINTS, world);
 	memcpy(want, world, sizeof(want));
 	for (int j = 0; j < JOINTS; j++) {
 		node[j].parent = j % 13 == 0 ? -1 : j - 1 - j % 3;
@@ -123,7 +125,7 @@ static void test_leaves_the_processors_mode_alone(void **state)
 	struct transform local = transform_identity();
 
 	(void)state;
-	joints_place(&local, 1, one);
+	joints_to_matrices(&local, 1, one);
 	joints_multiply((const mat4 *)one, index, sizeof(*index),
 		(const mat4 *)one, out, 1);
 	assert_true(a * b + a == 8);

@@ -1,5 +1,6 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/transform.h"
 #include "app/anim/pose.h"
-#include "app/anim/transform.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

@@ -26,22 +26,22 @@ static float radians(float degrees)
 
 static void grip_matrix(const float joint[ARM_JOINT_COUNT], mat4 out)
 {
-	struct pivot pivot[PIVOTS];
+	struct hierarchy_pivot pivot[PIVOTS];
 	struct hierarchy hierarchy = {PIVOTS, pivot};
 	mat4 world[PIVOTS];
 
 	for (int i = 0; i < PIVOTS; i++) {
-		pivot[i] = pivot_default();
+		pivot[i] = hierarchy_pivot_default();
 		pivot[i].parent = i - 1;
 	}
-	pivot[ARM].order = PIVOT_HEADING_PITCH_BANK;
+	pivot[ARM].order = HIERARCHY_HEADING_PITCH_BANK;
 	pivot[ARM].position[1] = 0.32f;
 	pivot[ARM].heading_rad = radians(joint[ARM_HEADING]);
 	pivot[ARM].pitch_rad = radians(joint[ARM_PITCH]);
-	pivot[FOREARM].order = PIVOT_PITCH_HEADING_BANK;
+	pivot[FOREARM].order = HIERARCHY_PITCH_HEADING_BANK;
 	pivot[FOREARM].position[1] = 0.56f;
 	pivot[FOREARM].pitch_rad = radians(joint[FOREARM_PITCH]);
-	pivot[HAND].order = PIVOT_PITCH_BANK_HEADING;
+	pivot[HAND].order = HIERARCHY_PITCH_BANK_HEADING;
 	pivot[HAND].position[2] = 0.46f;
 	pivot[HAND].pitch_rad = radians(joint[HAND_PITCH]);
 	pivot[HAND].bank_rad = radians(joint[HAND_BANK]);

@@ -1,5 +1,6 @@
 #include "app/anim/kernel/kernel.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 #include "tests/support/scattered.h"
 #include "tests/support/test.h"
 

@@ -3,7 +3,9 @@
  */
 #include "app/anim/kernel/fixed_skin.h"
 #include "app/anim/kernel/kernel.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
+#include "app/anim/math/vec.h"
 #include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
@@ -159,7 +161,7 @@ static void test_each_vertex_comes_out_once(void **state)
 		assert_true(v < VERTICES);
 		assert_false(seen[v]);
 		seen[v] = true;
-		assert_int_equal(f.skin.place[v], i);
+		assert_int_equal(f.skin.inverse_order[v], i);
 	}
 	tear_down(&f);
 }

@@ -1,10 +1,10 @@
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/capsule.h"
-#include "app/anim/transform.h"
 #include "tests/support/test.h"
 
 #include <math.h>
 
-static const struct capsule_place LYING = {{-1, 0, 0}, {1, 0, 0}, 0.5f};
+static const struct capsule_world LYING = {{-1, 0, 0}, {1, 0, 0}, 0.5f};
 
 static void test_points_inside_are_pushed_straight_out(void **state)
 {
@@ -34,7 +34,7 @@ static void test_points_outside_stay(void **state)
 
 static void test_points_on_the_line_go_somewhere_outside(void **state)
 {
-	static const struct capsule_place places[4] = {
+	static const struct capsule_world places[4] = {
 		{{-1, 0, 0}, {1, 0, 0}, 0.5f},
 		{{0, 0, -1}, {0, 0, 1}, 0.5f},
 		{{0, -2, 0}, {0, 3, 0}, 0.5f},
@@ -60,10 +60,10 @@ static void test_capsules_go_with_their_nodes(void **state)
 	const struct capsule capsule = {0, 1, {0, 1, 0}, {1, 0, 0}, 0.25f};
 	const float a[3] = {5, 1, 0};
 	const float b[3] = {5, 5, 0};
-	struct capsule_place place;
+	struct capsule_world place;
 
 	(void)state;
-	capsule_put(&capsule, 1, (const mat4 *)world, &place);
+	capsule_to_world(&capsule, 1, (const mat4 *)world, &place);
 	assert_all_near(place.a, a, 3, 1e-6);
 	assert_all_near(place.b, b, 3, 1e-6);
 	assert_near(place.radius, 0.25, 0);

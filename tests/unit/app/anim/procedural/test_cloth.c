@@ -1,5 +1,5 @@
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/cloth.h"
-#include "app/anim/transform.h"
 #include "platform/base/scalar.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
@@ -180,7 +180,7 @@ static void test_it_keeps_out_of_capsules(void **state)
 {
 	struct fixture f;
 	/* A body right under the pins. */
-	const struct capsule_place body = {
+	const struct capsule_world body = {
 		{0, 1.35f, -0.1f}, {0, 0.8f, -0.1f}, 0.12f};
 
 	(void)state;
@@ -286,7 +286,7 @@ static void test_a_jump_begins_anew(void **state)
 static void throw_about(int columns, int rows, int count, float step_s)
 {
 	struct fixture f;
-	const struct capsule_place body = {
+	const struct capsule_world body = {
 		{0, 1.4f, -0.1f}, {0, 1, -0.1f}, 0.1f};
 
 	set_up(&f, columns, rows);

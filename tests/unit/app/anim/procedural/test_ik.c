@@ -1,5 +1,6 @@
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/ik.h"
-#include "app/anim/transform.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
 

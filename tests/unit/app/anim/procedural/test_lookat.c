@@ -1,5 +1,6 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/lookat.h"
-#include "app/anim/transform.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
 
@@ -41,7 +42,7 @@ static void look(
 	lookat_update(&f->lookat, target, step_s, (const mat4 *)f->bones.world,
 		&f->bones.pose);
 	bones_update(&f->bones);
-	matrix_turn(f->bones.world[HEAD], f->lookat.forward, out);
+	matrix_apply_direction(f->bones.world[HEAD], f->lookat.forward, out);
 }
 
 static double angle_to(

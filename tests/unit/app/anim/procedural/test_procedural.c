@@ -1,5 +1,7 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 #include "app/anim/procedural/procedural.h"
-#include "app/anim/transform.h"
 #include "tests/support/bones.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"

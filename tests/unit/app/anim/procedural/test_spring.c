@@ -1,5 +1,7 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
 #include "app/anim/procedural/spring.h"
-#include "app/anim/transform.h"
 #include "platform/base/scalar.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
@@ -212,7 +214,7 @@ static void test_it_keeps_out_of_capsules(void **state)
 {
 	struct fixture f;
 	/* A back, just below and behind the head. */
-	const struct capsule_place back = {
+	const struct capsule_world back = {
 		{-0.5f, 1.45f, -0.2f}, {0.5f, 1.45f, -0.2f}, 0.1f};
 
 	(void)state;

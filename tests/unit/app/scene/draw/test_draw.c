@@ -12,14 +12,14 @@ static void assert_matrix_near(
 }
 
 /* The document's arm: each part turned in its own order. */
-static void make_arm(struct pivot pivot[4])
+static void make_arm(struct hierarchy_pivot pivot[4])
 {
-	static const enum pivot_order orders[4] = {PIVOT_HEADING_PITCH_BANK,
-		PIVOT_PITCH_HEADING_BANK, PIVOT_PITCH_BANK_HEADING,
-		PIVOT_HEADING_PITCH_BANK};
+	static const enum hierarchy_order orders[4] = {
+		HIERARCHY_HEADING_PITCH_BANK, HIERARCHY_PITCH_HEADING_BANK,
+		HIERARCHY_PITCH_BANK_HEADING, HIERARCHY_HEADING_PITCH_BANK};
 
 	for (int i = 0; i < 4; i++) {
-		pivot[i] = pivot_default();
+		pivot[i] = hierarchy_pivot_default();
 		pivot[i].parent = i - 1;
 		pivot[i].part = 0;
 		pivot[i].order = orders[i];
@@ -39,7 +39,7 @@ static void test_matrix_stack_agrees_with_the_pivots_world(void **state)
 	struct gl gl = gl_recorder_begin();
 	struct texture_set no_textures = {0};
 	const struct gl_recording *recording = gl_recorder_result();
-	struct pivot pivot[4];
+	struct hierarchy_pivot pivot[4];
 	struct hierarchy arm = {4, pivot};
 	mat4 world[4];
 

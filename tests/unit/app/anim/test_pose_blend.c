@@ -1,5 +1,7 @@
-#include "app/anim/blend.h"
-#include "app/anim/transform.h"
+#include "app/anim/clip_join.h"
+#include "app/anim/ease.h"
+#include "app/anim/fade.h"
+#include "app/anim/pose_blend.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
 
@@ -114,8 +116,8 @@ static void test_a_mask_covers_a_subtree_and_its_weights(void **state)
 
 	(void)state;
 	set_up(&f);
-	mask_fill(mask, 4, 0);
-	mask_subtree(mask, &f.bones.model, 1, 0.5f);
+	pose_mask_fill(mask, 4, 0);
+	pose_mask_subtree(mask, &f.bones.model, 1, 0.5f);
 	assert_true(mask[0] == 0 && mask[3] == 0);
 	assert_true(mask[1] == 0.5f && mask[2] == 0.5f);
 	f.b.local[3].translation[1] = 9;
@@ -123,7 +125,7 @@ static void test_a_mask_covers_a_subtree_and_its_weights(void **state)
 	assert_near(f.out.local[2].translation[1], 2, 1e-6);
 	assert_near(f.out.weight[1], 0.25, 1e-6);
 	assert_true(f.out.local[3].translation[1] == 1);
-	mask_subtree(mask, &f.bones.model, 0, 1);
+	pose_mask_subtree(mask, &f.bones.model, 0, 1);
 	assert_true(mask[0] == 1 && mask[1] == 1 && mask[2] == 1);
 	assert_true(mask[3] == 1);
 	tear_down(&f);
@@ -337,8 +339,8 @@ static void test_joined_clips_lose_the_overlap(void **state)
 	(void)state;
 	set_up(&f);
 	make_clips(channel, clip);
-	assert_near(clip_frame_s(&clip[0]), 0.1, 1e-6);
-	join = clip_join_frames(&clip[0], &clip[1], JOIN_FRAMES);
+	assert_near(clip_join_frame_s(&clip[0]), 0.1, 1e-6);
+	join = clip_join_frames(&clip[0], &clip[1], CLIP_JOIN_FRAMES);
 	assert_near(join.overlap_s, 0.4, 1e-6);
 	assert_near(clip_join_duration(&join), 2.6, 1e-6);
 	assert_near(joined(&f, &join, 0), 0, 1e-6);
@@ -361,7 +363,7 @@ static void test_joined_clips_mix_in_the_overlap(void **state)
 	(void)state;
 	set_up(&f);
 	make_clips(channel, clip);
-	join = clip_join_frames(&clip[0], &clip[1], JOIN_FRAMES);
+	join = clip_join_frames(&clip[0], &clip[1], CLIP_JOIN_FRAMES);
 	/* A quarter in: 0.7 and 5.1, eased 0.15625; linear 0.25. */
 	assert_near(joined(&f, &join, 0.7f), 0.7 + 4.4 * 0.15625, 1e-5);
 	join.ease = EASE_LINEAR;
@@ -387,7 +389,7 @@ static void test_an_overlap_is_no_longer_than_a_clip(void **state)
 	assert_near(joined(&f, &join, 1), 1, 1e-5);
 	assert_near(joined(&f, &join, 1.5f), 5.5, 1e-5);
 	channel[0].key_count = 1;
-	assert_near(clip_frame_s(&clip[0]), 1 / 30.0, 1e-6);
+	assert_near(clip_join_frame_s(&clip[0]), 1 / 30.0, 1e-6);
 	tear_down(&f);
 }
 

@@ -1,5 +1,7 @@
-#include "app/anim/procedural/drive.h"
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
+#include "app/anim/procedural/breath.h"
+#include "app/anim/procedural/muscle.h"
 #include "tests/support/bones.h"
 #include "tests/support/test.h"
 
@@ -116,10 +118,10 @@ static void test_a_muscle_is_drawn_by_the_joints_bend(void **state)
 	(void)state;
 	set_up(&bones);
 	bend(&bones, 0);
-	assert_near(bend_rad(&bones.pose, FOREARM), 0, 1e-6);
+	assert_near(muscle_bend_rad(&bones.pose, FOREARM), 0, 1e-6);
 	assert_near(muscle_at(&muscle, &bones.pose), 0, 1e-6);
 	bend(&bones, 0.7f);
-	assert_near(bend_rad(&bones.pose, FOREARM), 0.7, 4e-6);
+	assert_near(muscle_bend_rad(&bones.pose, FOREARM), 0.7, 4e-6);
 	/* A quarter of the range, eased. */
 	assert_near(muscle_at(&muscle, &bones.pose), 0.15625, 1e-5);
 	bend(&bones, -1.2f);

@@ -1,4 +1,7 @@
-#include "app/anim/transform.h"
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
+#include "app/anim/math/vec.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -274,7 +277,7 @@ static void test_matrix_scales_then_turns_then_moves(void **state)
 	transform_to_matrix(&t, m);
 	matrix_apply(m, point, out);
 	assert_all_near(out, want, 3, 1e-5);
-	matrix_turn(m, point, out);
+	matrix_apply_direction(m, point, out);
 	assert_all_near(out, turned, 3, 1e-5);
 	assert_true(m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0);
 	assert_true(m[3][3] == 1);

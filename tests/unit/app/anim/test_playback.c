@@ -1,4 +1,4 @@
-#include "app/anim/timeline.h"
+#include "app/anim/playback.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@ enum {
 };
 
 /* A two-second clip: marks at both ends and twice in between. */
-static const struct clip_event EVENTS[4] = {
+static const struct playback_event EVENTS[4] = {
 	{0, 'a'}, {0.5f, 'b'}, {1.25f, 'c'}, {2, 'd'}};
 
 /* Advances and returns the passed ids as a string. */

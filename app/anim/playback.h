@@ -11,7 +11,7 @@
 #include "app/anim/clip.h"
 
 /* A marked time of a clip. */
-struct clip_event {
+struct playback_event {
 	float time_s; /* 0..the clip's duration */
 	int id;       /* the caller's */
 };
@@ -47,6 +47,7 @@ void playback_seek(struct playback *playback, float time_s);
  * many loops reports the last few of them.
  */
 int playback_advance(struct playback *playback, double step_s,
-	const struct clip_event *event, int event_count, int *passed, int room);
+	const struct playback_event *event, int event_count, int *passed,
+	int room);
 
 #endif

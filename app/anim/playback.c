@@ -1,4 +1,4 @@
-#include "app/anim/timeline.h"
+#include "app/anim/playback.h"
 
 #include "platform/base/scalar.h"
 
@@ -25,7 +25,7 @@ void playback_seek(struct playback *playback, float time_s)
 
 /* The events of one step, and where their ids go. */
 struct crossing {
-	const struct clip_event *event;
+	const struct playback_event *event;
 	int event_count;
 	int *passed;
 	int room;
@@ -128,7 +128,8 @@ static void run(struct playback *playback, double way_s, bool backwards,
 }
 
 int playback_advance(struct playback *playback, double step_s,
-	const struct clip_event *event, int event_count, int *passed, int room)
+	const struct playback_event *event, int event_count, int *passed,
+	int room)
 {
 	struct crossing crossing = {event, event_count, passed, room, 0};
 	double way_s = step_s * (double)playback->speed;

@@ -1,16 +1,17 @@
 /*
- * What a pose is made of, once a joint and frame: the bodies of functions of
- * transform.h, for the loops of pose.c and clip.c.
+ * Functions of this folder as inline bodies, for the loops that run once a
+ * joint and frame: those of portable/joints.c and clip.c.
  *
- * Within a loop the compiler keeps in registers what goes from one to the
- * next. Sums are written side by side, since VFP11 takes 8 cycles until one
- * can be added to again, and every element is loaded once. What a joint costs
- * is told in README.md; tests/bench/pose.sh counts it.
+ * Inlined, they keep in registers what one loop pass hands to the next. Their
+ * sums are interleaved, since VFP11 needs 8 cycles before it can add to the
+ * same sum again, and every element is loaded once. figures.md says what a
+ * joint costs; tests/bench/pose.sh counts it.
  */
-#ifndef APP_ANIM_TRANSFORM_INLINE_H
-#define APP_ANIM_TRANSFORM_INLINE_H
+#ifndef APP_ANIM_MATH_TRANSFORM_INLINE_H
+#define APP_ANIM_MATH_TRANSFORM_INLINE_H
 
-#include "app/anim/transform.h"
+#include "app/anim/math/quat.h"
+#include "app/model/model.h"
 #include "platform/base/compiler.h"
 #include "platform/base/scalar.h"
 
@@ -43,7 +44,6 @@ static ALWAYS_INLINE void inline_transform_to_matrix(
 	set_column(out[3], t[0], t[1], t[2], 1);
 }
 
-/* out may be a or b. */
 static ALWAYS_INLINE void inline_matrix_multiply(mat4 a, mat4 b, mat4 out)
 {
 	float p = a[0][0], q = a[0][1], r = a[0][2];
@@ -70,21 +70,15 @@ static ALWAYS_INLINE void inline_matrix_multiply(mat4 a, mat4 b, mat4 out)
 }
 
 /*
- * sin((1 - t) angle) / sin(angle) and sin(t angle) / sin(angle), where the
- * angle's cosine is 1 + x.
- */
-void slerp_weights(float x, float t, float weight[2]);
-
-/*
- * The same by one term of a series in x (see transform.c), which is right to
- * 3e-7 for rotations up to 8 degrees apart: as neighbouring keys are.
+ * A weight of quat_slerp_weights() by one term of its series, which is right to
+ * 3e-7 for rotations up to 8 degrees apart, as neighbouring keys are.
  */
 static ALWAYS_INLINE float slerp_weight_near(float t, float x)
 {
 	return t + t * (t * t - 1) * (x * (1.0f / 3));
 }
 
-/* Of unit quaternions. */
+/* quat_slerp() of unit quaternions. */
 static ALWAYS_INLINE void inline_quat_slerp(
 	const float a[4], const float b[4], float t, float out[4])
 {
@@ -98,7 +92,7 @@ static ALWAYS_INLINE void inline_quat_slerp(
 		weight[0] = slerp_weight_near(1 - t, x);
 		weight[1] = slerp_weight_near(t, x);
 	} else {
-		slerp_weights(x, t, weight);
+		quat_slerp_weights(x, t, weight);
 	}
 	weight[1] = cosine < 0 ? -weight[1] : weight[1];
 	set_column(out, ax * weight[0] + bx * weight[1],

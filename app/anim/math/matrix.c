@@ -1,0 +1,92 @@
+#include "app/anim/math/matrix.h"
+
+#include "app/anim/math/quat.h"
+#include "app/anim/math/transform_inline.h"
+#include "app/anim/math/vec.h"
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+void matrix_multiply(mat4 a, mat4 b, mat4 out)
+{
+	inline_matrix_multiply(a, b, out);
+}
+
+void matrix_apply(mat4 matrix, const float point[3], float out[3])
+{
+	float moved[3];
+
+	matrix_apply_direction(matrix, point, moved);
+	vec_add_scaled(moved, matrix[3], 1, out);
+}
+
+void matrix_apply_direction(mat4 matrix, const float direction[3], float out[3])
+{
+	float x = direction[0], y = direction[1], z = direction[2];
+
+	for (int r = 0; r < 3; r++) {
+		out[r] = matrix[0][r] * x + matrix[1][r] * y + matrix[2][r] * z;
+	}
+}
+
+/*
+ * Of a proper rotation matrix. The root is taken of the largest of the four
+ * parts, so that nothing is divided by a small number.
+ */
+static void quat_from_columns(float m[3][3], float out[4])
+{
+	float trace = m[0][0] + m[1][1] + m[2][2];
+	int i = 0;
+	int j, k;
+	float root;
+
+	if (trace > 0) {
+		root = scalar_sqrt(trace + 1);
+		out[3] = 0.5f * root;
+		root = 0.5f / root;
+		out[0] = (m[1][2] - m[2][1]) * root;
+		out[1] = (m[2][0] - m[0][2]) * root;
+		out[2] = (m[0][1] - m[1][0]) * root;
+		return;
+	}
+	i = m[1][1] > m[0][0] ? 1 : 0;
+	i = m[2][2] > m[i][i] ? 2 : i;
+	j = (i + 1) % 3;
+	k = (i + 2) % 3;
+	root = scalar_sqrt(m[i][i] - m[j][j] - m[k][k] + 1);
+	out[i] = 0.5f * root;
+	root = root > 0 ? 0.5f / root : 0;
+	out[3] = (m[j][k] - m[k][j]) * root;
+	out[j] = (m[i][j] + m[j][i]) * root;
+	out[k] = (m[i][k] + m[k][i]) * root;
+}
+
+void matrix_rotation(mat4 matrix, float out[4])
+{
+	float columns[3][3];
+	float normal[3];
+	float shortest = 1;
+
+	for (int c = 0; c < 3; c++) {
+		memcpy(columns[c], matrix[c], sizeof(columns[c]));
+		shortest = vec_normalize(columns[c]) > 0 ? shortest : 0;
+	}
+	if (shortest == 0) {
+		quat_set_identity(out);
+		return;
+	}
+	/* A mirrored frame is no rotation: its third axis is reversed. */
+	vec_cross(columns[0], columns[1], normal);
+	if (vec_dot(normal, columns[2]) < 0) {
+		for (int i = 0; i < 3; i++) {
+			columns[2][i] = -columns[2][i];
+		}
+	}
+	quat_from_columns(columns, out);
+	quat_normalize(out);
+}
+
+float matrix_scale(const mat4 *matrix)
+{
+	return vec_length((*matrix)[0]);
+}

@@ -1,10 +1,11 @@
 /*
- * The table of subcommands, nothing else.
+ * The program's entry point, and its table of commands.
  */
 #include "app/cmd/command.h"
 #include "app/cmd/dispatch.h"
 
-const struct command *const command_registry[] = {
+/* The first one runs when the command line names none. */
+static const struct command *const commands[] = {
 	&command_play,
 	&command_render,
 	&command_pose,
@@ -18,5 +19,5 @@ const struct command *const command_registry[] = {
 
 int main(int argc, char **argv)
 {
-	return dispatch(command_registry, argc, argv);
+	return dispatch(commands, argc, argv);
 }

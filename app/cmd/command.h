@@ -1,5 +1,8 @@
 /*
- * The subcommands: one file each, all with the same shape.
+ * The interface of a command ("limber play", "limber info" and so on).
+ *
+ * Each command fills one struct command; main.c lists them and dispatch.c runs
+ * the one that the command line names.
  */
 #ifndef APP_CMD_COMMAND_H
 #define APP_CMD_COMMAND_H
@@ -9,18 +12,18 @@
 
 enum exit_code {
 	EXIT_OK = 0,
-	EXIT_FAILED = 1, /* a file, a device, memory */
-	EXIT_USAGE = 2,  /* the words of the command line */
+	EXIT_FAILED = 1, /* a file, a device or memory failed */
+	EXIT_USAGE = 2,  /* the command line is wrong */
 };
 
 struct command {
 	const char *name;
 	enum command_bit bit;
-	const char *usage;   /* "MODEL -o FILE" and the like */
+	const char *usage;   /* its arguments: "MODEL -o FILE" and the like */
 	const char *summary; /* one line */
-	const char *detail;  /* a paragraph for --help, and examples */
-	bool reads_config;   /* by itself: dispatch leaves limber.conf alone */
-	/* One of enum exit_code. */
+	const char *detail;  /* paragraphs and examples for --help */
+	bool reads_config;   /* run() reads limber.conf, not dispatch() */
+	/* Returns one of enum exit_code; every failure has logged an error. */
 	int (*run)(const struct options *options, const struct log *log);
 };
 
@@ -33,17 +36,20 @@ extern const struct command command_compare;
 extern const struct command command_doctor;
 extern const struct command command_export;
 
-/* All of them, NULL at the end. */
-extern const struct command *const command_registry[];
-
-/* EXIT_OK for 0, EXIT_USAGE for -EINVAL of an option, else EXIT_FAILED. */
+/*
+ * EXIT_OK for 0, EXIT_FAILED for any -errno. A command checks its options
+ * before it does anything else and returns EXIT_USAGE itself where they are
+ * wrong: an -EINVAL that comes later is about a file or a device.
+ */
 int command_exit_code(int error);
 
 /*
- * Loads the model that the options name, runs on it and releases it; the exit
- * code of run, which gives 0 or -errno after a sentence.
+ * Loads options->model_path, calls run() with it and releases it. run() returns
+ * 0, or -errno after logging an error. Returns an exit code; EXIT_USAGE, after
+ * an error that shows the command's usage, when no model was given.
  */
-int command_with_model(const struct options *options, const struct log *log,
+int command_run_with_model(const struct command *command,
+	const struct options *options, const struct log *log,
 	int (*run)(const struct model *model, const struct options *options,
 		const struct log *log));
 

@@ -1,5 +1,5 @@
 #include "app/cmd/command.h"
-#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/options/options_kernel.h"
 #include "app/compare/export/export.h"
 #include "app/compare/report/report.h"
 
@@ -21,17 +21,18 @@ static int choose_clip(const struct model *model, const char *name,
 static int print(const struct comparison *comparison,
 	const struct options *options, const struct log *log)
 {
-	int error = report_find(options->report)->print(comparison, stdout);
+	int error =
+		report_find(options->compare.format)->print(comparison, stdout);
 
 	if (error) {
 		log_error(log, "compare: out of memory for the report");
 	}
-	if (!error && options->plot) {
-		error = report_plot(comparison, options->plot, log);
+	if (!error && options->compare.plot) {
+		error = report_plot(comparison, options->compare.plot, log);
 	}
-	if (!error && options->export_folder) {
+	if (!error && options->compare.export) {
 		error = comparison_export(
-			comparison, options->export_folder, log);
+			comparison, options->compare.export, log);
 	}
 	return error;
 }
@@ -40,15 +41,15 @@ static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
 	struct comparison_request request = {
-		.rate_hz = options->rate_hz,
-		.bound_px = options->bound_px,
-		.memory_bytes = options->memory_bytes,
-		.width = options->width,
-		.height = options->height,
-		.kernel = kernel_choose(options, log),
+		.rate_hz = options->compare.fps,
+		.bound_px = options->compare.error_px,
+		.memory_bytes = options->compare.ram_bytes,
+		.width = options->screen.size.width,
+		.height = options->screen.size.height,
+		.kernel = options_kernel(&options->vertices, log),
 	};
 	struct comparison *comparison;
-	int error = choose_clip(model, options->clip, log, &request.clip);
+	int error = choose_clip(model, options->motion.clip, log, &request.clip);
 
 	if (!error) {
 		error = comparison_create(model, &request, log, &comparison);
@@ -63,14 +64,11 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	if (!options->model_path) {
-		log_error(log, "compare: no model: limber compare MODEL");
+	if (!options_kernel(&options->vertices, log)) {
 		return EXIT_USAGE;
 	}
-	if (!kernel_choose(options, log)) {
-		return EXIT_USAGE;
-	}
-	return command_with_model(options, log, run_with_model);
+	return command_run_with_model(
+		&command_compare, options, log, run_with_model);
 }
 
 const struct command command_compare = {

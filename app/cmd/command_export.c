@@ -43,31 +43,29 @@ static int run_with_model(const struct model *model,
 	int first = model->clip_count > 0 ? 0 : -1;
 	struct embed_size size;
 	int clip;
-	int error = model_choose_clip(model, options->clip, first, log, &clip);
+	int error = model_choose_clip(
+		model, options->motion.clip, first, log, &clip);
 
 	if (!error) {
-		error = write_source(model, clip, options->c_file, log, &size);
+		error = write_source(model, clip, options->export.c, log, &size);
 	}
 	if (!error) {
 		printf("%s: %zu bytes of tables (ROM), %zu bytes of state "
 		       "(RAM)\n",
-			options->c_file, size.rom_bytes, size.ram_bytes);
+			options->export.c, size.rom_bytes, size.ram_bytes);
 	}
 	return error;
 }
 
 static int run(const struct options *options, const struct log *log)
 {
-	if (!options->model_path) {
+	if (options->model_path && !options->export.c) {
 		log_error(log,
-			"export: no model: limber export MODEL --c FILE.c");
+			"export: there is no file to write: add --c FILE.c");
 		return EXIT_USAGE;
 	}
-	if (!options->c_file) {
-		log_error(log, "export: no file to write: add --c FILE.c");
-		return EXIT_USAGE;
-	}
-	return command_with_model(options, log, run_with_model);
+	return command_run_with_model(
+		&command_export, options, log, run_with_model);
 }
 
 const struct command command_export = {

@@ -33,10 +33,11 @@ static int run(const struct options *options, const struct log *log)
 {
 	char path[PATH_ROOM];
 	struct show_plan plan = {
-		.display = options->display,
-		.clock = options->clock,
-		.begin_s = options->time_given ? options->time_s : 0.0,
-		.frames = options->frames,
+		.display = options->screen.display,
+		.clock = options->show.clock,
+		.begin_s = options->motion.time_given ? options->motion.time_s
+						      : 0.0,
+		.frames = options->show.frames,
 		.opened = print_buttons,
 		.follow_file = true,
 	};

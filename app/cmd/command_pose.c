@@ -1,7 +1,7 @@
 #include "app/cmd/command.h"
 
 #include "app/anim/clip.h"
-#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/options/options_kernel.h"
 #include "app/scene/instance/instance.h"
 #include "platform/base/output_file.h"
 
@@ -55,7 +55,7 @@ static int pose_instance(struct instance *instance,
 	struct clip_cursor cursor;
 	int clip;
 	int error = model_choose_clip(
-		instance->model, options->clip, -1, log, &clip);
+		instance->model, options->motion.clip, -1, log, &clip);
 
 	if (error) {
 		return error;
@@ -67,13 +67,14 @@ static int pose_instance(struct instance *instance,
 		return error;
 	}
 	if (clip >= 0) {
-		clip_pose(&instance->model->clip[clip], (float)options->time_s,
-			options->interpolation, &cursor, &instance->pose);
+		clip_pose(&instance->model->clip[clip],
+			(float)options->motion.time_s,
+			options->motion.interpolation, &cursor, &instance->pose);
 	}
 	/* A pose has no distance: auto means all. */
-	if (options->influences.kind != INFLUENCE_CAP_DISTANCE) {
+	if (options->vertices.influences.kind != INFLUENCE_CAP_DISTANCE) {
 		instance->max_influences = influence_cap_choose(
-			&options->influences, instance, NULL, 0.0f, 0);
+			&options->vertices.influences, instance, NULL, 0.0f, 0);
 	}
 	instance_update(instance);
 	if (instance_overflowed(instance)) {
@@ -85,16 +86,16 @@ static int pose_instance(struct instance *instance,
 	return 0;
 }
 
-/* A pose is a reference for others: in float, unless told otherwise. */
+/* Poses serve as references for other programs, so float is the default. */
 static const struct kernel *choose_kernel(
 	const struct options *options, const struct log *log)
 {
-	struct options chosen = *options;
+	struct options_vertices vertices = options->vertices;
 
-	if (!options->kernel && options->math == MATH_ANY) {
-		chosen.math = MATH_FLOAT;
+	if (!vertices.kernel && vertices.math == MATH_ANY) {
+		vertices.math = MATH_FLOAT;
 	}
-	return kernel_choose(&chosen, log);
+	return options_kernel(&vertices, log);
 }
 
 static int run_with_model(const struct model *model,
@@ -109,7 +110,7 @@ static int run_with_model(const struct model *model,
 	}
 	error = pose_instance(instance, options, log);
 	if (!error) {
-		error = write_obj(instance, options->output, log);
+		error = write_obj(instance, options->screen.output, log);
 	}
 	instance_destroy(instance);
 	return error;
@@ -117,18 +118,16 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	if (!options->model_path) {
-		log_error(log, "pose: no model: limber pose MODEL -o FILE.obj");
-		return EXIT_USAGE;
-	}
-	if (!options->output) {
-		log_error(log, "pose: no file to write: add -o FILE.obj");
+	if (options->model_path && !options->screen.output) {
+		log_error(log,
+			"pose: there is no file to write: add -o FILE.obj");
 		return EXIT_USAGE;
 	}
 	if (!choose_kernel(options, log)) {
 		return EXIT_USAGE;
 	}
-	return command_with_model(options, log, run_with_model);
+	return command_run_with_model(
+		&command_pose, options, log, run_with_model);
 }
 
 const struct command command_pose = {

@@ -22,21 +22,21 @@ static int run(const struct options *options, const struct log *log)
 	char path[PATH_ROOM];
 	struct show_plan plan = {
 		.display = "image",
-		.clock = options->clock,
-		.begin_s = options->time_s,
-		.frames = options->frames,
-		.unattended = !options->script && !options->buttons,
+		.clock = options->show.clock,
+		.begin_s = options->motion.time_s,
+		.frames = options->show.frames,
+		.unattended = !options->input.script && !options->input.buttons,
 		.progress = true,
 	};
 	int error;
 
-	if (!options->output) {
+	if (!options->screen.output) {
 		log_error(log,
 			"render: no file to write: add -o FILE.png, "
 			".gif or .y4m");
 		return EXIT_USAGE;
 	}
-	if (!options->model_path && !options->demo) {
+	if (!options->model_path && !options->show.demo) {
 		log_error(log,
 			"render: nothing to show: name a model file or "
 			"--demo walker, arm, face, crowd, duel or tuner");
@@ -51,7 +51,7 @@ static int run(const struct options *options, const struct log *log)
 	}
 	plan.clock.start_s = plan.begin_s;
 	if (plan.frames == 0) {
-		plan.frames = is_still(options->output) ? 1 : -1;
+		plan.frames = is_still(options->screen.output) ? 1 : -1;
 	}
 	return command_exit_code(show_run(&plan, options, log));
 }

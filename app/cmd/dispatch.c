@@ -11,30 +11,8 @@
 
 enum {
 	COMMANDS_MAX = 16,
-	PATH_ROOM = 1024
+	PATH_BYTES = 1024
 };
-
-int command_exit_code(int error)
-{
-	if (error == 0) {
-		return EXIT_OK;
-	}
-	return EXIT_FAILED;
-}
-
-int command_with_model(const struct options *options, const struct log *log,
-	int (*run)(const struct model *model, const struct options *options,
-		const struct log *log))
-{
-	struct model *model;
-	int error = model_load(options->model_path, log, &model);
-
-	if (!error) {
-		error = run(model, options, log);
-		model_destroy(model);
-	}
-	return command_exit_code(error);
-}
 
 static const struct command *find(
 	const struct command *const *commands, const char *name)
@@ -49,13 +27,12 @@ static const struct command *find(
 
 static void print_overview(const struct command *const *commands)
 {
-	puts("limber plays 3D character animation: morphing, hierarchical and "
-	     "skeletal.\n");
+	puts("limber plays 3D character animation: morphing, hierarchical and skeletal.\n");
 	for (int i = 0; commands[i]; i++) {
 		printf("  limber %-7s %-26s %s\n", commands[i]->name,
 			commands[i]->usage, commands[i]->summary);
 	}
-	puts("\nlimber COMMAND --help tells more. Without a command it plays.");
+	puts("\nlimber COMMAND --help describes a command. Without a command, limber plays.");
 }
 
 static void print_help(const struct command *command)
@@ -65,9 +42,9 @@ static void print_help(const struct command *command)
 	options_list(stdout, command->bit);
 }
 
-/* A first word that is neither a command, an option nor a file. */
-static int say_unknown(const struct command *const *commands, const char *word,
-	const struct log *log)
+/* The first argument is neither a command, nor an option, nor a file. */
+static int refuse_unknown(const struct command *const *commands,
+	const char *word, const struct log *log)
 {
 	const char *names[COMMANDS_MAX];
 	const char *closest;
@@ -80,45 +57,48 @@ static int say_unknown(const struct command *const *commands, const char *word,
 	closest = options_closest(word, names);
 	if (closest) {
 		log_error(log,
-			"%s: no such command or file: did you mean "
-			"limber %s?",
+			"%s: no such command or file: did you mean limber %s?",
 			word, closest);
 	} else {
 		log_error(log,
-			"%s: no such command or file: limber --help "
-			"lists the commands",
+			"%s: no such command or file: limber --help lists the commands",
 			word);
 	}
 	return EXIT_USAGE;
 }
 
-/* A word that looks like a file's name is taken for one even if missing. */
+/* A missing model file shall be reported as a file, not as a command. */
 static bool looks_like_file(const char *word)
 {
 	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
 }
 
-/* Puts the file of options below what the command line says. */
+/*
+ * Reads limber.conf and then the command line once more, which overrides it. A
+ * model or a demo on the command line also discards the clip of the file.
+ */
 static int configure(const struct command *command, int argc, char **argv,
 	struct config *config, struct options *options, const struct log *log)
 {
 	struct options merged = options_default();
 	const char *model;
-	char path[PATH_ROOM];
+	char path[PATH_BYTES];
 	int error;
 
 	if (command->reads_config || !options_takes(command->bit, "config") ||
-		!config_find(options->config, command->bit == FOR_PLAY, path,
-			sizeof(path))) {
+		!config_find(options->common.config, command->bit == FOR_PLAY,
+			path, sizeof(path))) {
 		return 0;
 	}
-	log_note(log, "%s: options from this file", path);
+	log_note(log, "%s: limber reads options from this file", path);
 	error = config_load(config, path, command->bit, &merged, log);
 	if (error) {
 		return error;
 	}
-	if (options->model_path || options->demo) {
-		merged.model_path = merged.demo = merged.clip = NULL;
+	if (options->model_path || options->show.demo) {
+		merged.model_path = NULL;
+		merged.show.demo = NULL;
+		merged.motion.clip = NULL;
 	}
 	model = merged.model_path;
 	merged.model_path = NULL;
@@ -128,15 +108,29 @@ static int configure(const struct command *command, int argc, char **argv,
 	return error;
 }
 
+/* Runs a command with the arguments that follow its name. */
+static int run(const struct command *command, struct options *options, int argc,
+	char **argv)
+{
+	const struct log log =
+		log_to_stderr(options->common.verbose ? LOG_NOTE : LOG_WARNING);
+	struct config config = {arena_empty()};
+	int status = EXIT_FAILED;
+
+	if (configure(command, argc, argv, &config, options, &log) == 0) {
+		status = command->run(options, &log);
+	}
+	config_release(&config);
+	return status;
+}
+
 static int run_command(
 	const struct command *const *commands, int argc, char **argv)
 {
-	struct log log = log_to_stderr(LOG_WARNING);
+	const struct log log = log_to_stderr(LOG_WARNING);
 	struct options options = options_default();
-	struct config config = {arena_empty()};
 	const struct command *command = commands[0];
 	int first = 1;
-	int status;
 
 	if (argc > 1 && argv[1][0] != '-') {
 		const struct command *named = find(commands, argv[1]);
@@ -145,36 +139,27 @@ static int run_command(
 			command = named;
 			first = 2;
 		} else if (!looks_like_file(argv[1])) {
-			return say_unknown(commands, argv[1], &log);
+			return refuse_unknown(commands, argv[1], &log);
 		}
 	}
-	if (options_parse(&options, command->bit, argc - first, argv + first,
-		    &log) != 0) {
+	argc -= first;
+	argv += first;
+	if (options_parse(&options, command->bit, argc, argv, &log) != 0) {
 		return EXIT_USAGE;
 	}
-	if (options.help && first == 1) {
+	if (options.common.help && first == 1) {
 		print_overview(commands);
 		return EXIT_OK;
 	}
-	if (options.help) {
+	if (options.common.help) {
 		print_help(command);
 		return EXIT_OK;
 	}
-	if (options.version) {
+	if (options.common.version) {
 		version_print(stdout);
 		return EXIT_OK;
 	}
-	if (options.verbose) {
-		log = log_to_stderr(LOG_NOTE);
-	}
-	if (configure(command, argc - first, argv + first, &config, &options,
-		    &log) != 0) {
-		status = EXIT_FAILED;
-	} else {
-		status = command->run(&options, &log);
-	}
-	config_release(&config);
-	return status;
+	return run(command, &options, argc, argv);
 }
 
 int dispatch(const struct command *const *commands, int argc, char **argv)

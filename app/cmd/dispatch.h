@@ -1,5 +1,5 @@
 /*
- * From the command line to a subcommand.
+ * Runs the command that the command line names.
  */
 #ifndef APP_CMD_DISPATCH_H
 #define APP_CMD_DISPATCH_H
@@ -7,8 +7,9 @@
 #include "app/cmd/command.h"
 
 /*
- * Runs the subcommand that the first word names; without one, the first of the
- * table. Returns the exit code. commands ends with NULL.
+ * Runs the command that argv[1] names; when it names none, the first of
+ * commands. commands ends with NULL. Returns the program's exit code; what is
+ * wrong has been logged to standard error.
  */
 int dispatch(const struct command *const *commands, int argc, char **argv);
 

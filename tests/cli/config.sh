@@ -46,7 +46,7 @@ limber play --config "$conf"
 expect_refusal 1 'limber.conf:2: dmeo: .*did you mean demo\?$'
 given '[display]' 'gl = soft' 'size = 480'
 limber play --config "$conf"
-expect_refusal 1 'limber.conf:3: size = 480: want'
+expect_refusal 1 'limber.conf:3: size = 480: give'
 limber play --config "$scratch/missing.conf"
 expect_refusal 1 'missing.conf: cannot be read'
 

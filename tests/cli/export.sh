@@ -62,7 +62,7 @@ if [ -d "$samples" ]; then
 fi
 
 limber export
-expect_refusal 2 'no model: limber export MODEL --c FILE.c'
+expect_refusal 2 'no model is given: use limber export MODEL --c FILE.c'
 limber export "$slider"
 expect_refusal 2 'no file to write: add --c FILE.c'
 limber export "$slider" --c "$scratch/1st.c"

@@ -3,7 +3,7 @@
 #include "app/cmd/command.h"
 #include "app/cmd/doctor/doctor_report.h"
 #include "app/cmd/options/config.h"
-#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/demo.h"
 #include "app/demo/preset_file.h"
@@ -30,9 +30,9 @@ struct choice {
 static struct gl_request request_of(const struct options *options)
 {
 	return (struct gl_request){
-		.format = options->format,
-		.egl_library = options->egl_library,
-		.gles_library = options->gles_library,
+		.format = options->screen.format,
+		.egl_library = options->screen.egl_library,
+		.gles_library = options->screen.gles_library,
 	};
 }
 
@@ -86,7 +86,7 @@ static void survey_kernels(struct doctor_report *report, const struct log *log)
 {
 	const struct survey survey = doctor_report_survey(report);
 	const struct options usual = options_default();
-	const struct kernel *chosen = kernel_choose(&usual, log);
+	const struct kernel *chosen = options_kernel(&usual.vertices, log);
 
 	doctor_report_section(report, "Kernels", "kernels");
 	for (int i = 0; kernel_registry[i]; i++) {
@@ -127,8 +127,8 @@ static bool options_are_good(const char *path, const struct log *log)
 	struct options options = options_default();
 	bool fine = config_load(&config, path, FOR_PLAY, &options, log) == 0 &&
 		screen_check(&options, log) == 0 &&
-		kernel_choose(&options, log) &&
-		buttons_check(options.buttons, log) == 0;
+		options_kernel(&options.vertices, log) &&
+		buttons_check(options.input.buttons, log) == 0;
 
 	config_release(&config);
 	return fine;
@@ -143,7 +143,7 @@ static void survey_config(
 	char path[PATH_ROOM];
 
 	doctor_report_section(report, "Configuration", "configuration");
-	if (!config_find(options->config, true, path, sizeof(path))) {
+	if (!config_find(options->common.config, true, path, sizeof(path))) {
 		survey_report(&survey, SURVEY_UNUSED, "limber.conf", NULL,
 			"there is none: everything is as built in");
 	} else if (access(path, R_OK) != 0) {
@@ -212,7 +212,8 @@ int doctor_examine_machine(const struct options *options, const struct log *log)
 	struct choice display;
 	bool plays;
 
-	if (doctor_report_begin(&report, stdout, options->json, log) != 0) {
+	if (doctor_report_begin(&report, stdout, options->common.json, log) !=
+		0) {
 		return EXIT_FAILED;
 	}
 	display = survey_displays(&report, options);

@@ -3,6 +3,7 @@
 #include "app/cmd/options/config_buttons.h"
 #include "platform/base/compiler.h"
 #include "platform/base/file.h"
+#include "platform/base/name_list.h"
 
 #include <errno.h>
 #include <ini.h>
@@ -11,11 +12,11 @@
 #include <string.h>
 
 enum {
-	SPEC_ROOM = 2 * CONFIG_LIST_ROOM + 2048,
+	SPEC_BYTES = 2 * CONFIG_LIST_BYTES + 2048,
 	KEYS_MAX = 64
 };
 
-/* Which option a section's key is: the key is its name. */
+/* Each key is the option of that name, but for "model" and "labels". */
 static const struct {
 	const char *section;
 	const char *keys[12];
@@ -31,24 +32,24 @@ static const struct {
 	{"math", {"math", "kernel", "influences", "lod"}},
 };
 
-/* Options of play that make no sense in a file. */
-static const char *const not_in_files[] = {
+/* Options of play that [options] refuses: no use in a file, or a section's. */
+static const char *const not_in_options[] = {
 	"help", "version", "config", "output", "demo", "buttons"};
 
 static const char *const section_names[] = {"start", "display", "buttons",
 	"actions", "camera", "watchdog", "math", "options", NULL};
 
-struct reading {
+struct reader {
 	const char *path;
 	FILE *file;
-	int line;
+	int line; /* from 1 */
 	int error;
 	struct config *config;
 	struct options *options;
 	enum command_bit command;
 	struct config_buttons buttons;
 	const struct log *outer;
-	struct log log; /* puts FILE:LINE before what is said */
+	struct log log; /* puts FILE:LINE before each sentence */
 };
 
 bool config_find(const char *given, bool search, char *path, size_t size)
@@ -79,29 +80,31 @@ bool config_find(const char *given, bool search, char *path, size_t size)
 	return length >= 0 && (size_t)length < size && file_exists(path);
 }
 
-static void say_with_place(
-	void *user, enum log_level level, const char *sentence)
+static void log_with_line(void *user, enum log_level level, const char *sentence)
 {
-	const struct reading *reading = user;
+	const struct reader *reader = user;
 
-	log_write(reading->outer, level, "%s:%d: %s", reading->path,
-		reading->line, sentence);
+	log_write(reader->outer, level, "%s:%d: %s", reader->path, reader->line,
+		sentence);
 }
 
-/* Says that the word is none of the names. -EINVAL. */
-static int say_unknown(struct reading *reading, const char *what,
-	const char *word, const char *const *names)
+/* Logs that there is no what of that name, and which there are. -EINVAL. */
+static int refuse_unknown(struct reader *reader, const char *what,
+	const char *name, const char *const *names)
 {
-	const char *closest = options_closest(word, names);
+	const char *closest = options_closest(name, names);
+	struct name_list list = {""};
 
 	if (closest) {
-		log_error(&reading->log, "%s: no such %s: did you mean %s?",
-			word, what, closest);
-	} else {
-		log_error(&reading->log, "%s: no such %s: there are %s, %s%s",
-			word, what, names[0], names[1],
-			names[2] ? " and others" : "");
+		log_error(&reader->log, "%s: no such %s: did you mean %s?",
+			name, what, closest);
+		return -EINVAL;
 	}
+	while (*names) {
+		name_list_add(&list, *names++);
+	}
+	log_error(&reader->log, "%s: no such %s: use one such as %s", name,
+		what, list.text);
 	return -EINVAL;
 }
 
@@ -113,9 +116,8 @@ static bool is_one_of(const char *word, const char *const *names)
 	return *names;
 }
 
-/* "F9 = UP": F9 does what UP does in every demo. */
-static int set_action(
-	struct reading *reading, const char *key, const char *value)
+/* "F9 = UP": in every demo, F9 has the action of UP. */
+static int set_action(struct reader *reader, const char *key, const char *value)
 {
 	enum button button = button_from_name(key);
 	enum button action = button_from_name(value);
@@ -123,114 +125,116 @@ static int set_action(
 	if (button == BUTTON_COUNT) {
 		const char *const *names = config_buttons_keys;
 
-		return say_unknown(reading, "button", key, names);
+		return refuse_unknown(reader, "button", key, names);
 	}
 	if (action == BUTTON_COUNT && strcmp(value, "none") != 0) {
-		log_error(&reading->log,
-			"%s = %s: want the button whose action it is to do, "
-			"or none",
-			key, value);
+		log_error(&reader->log,
+			"%s = %s: give the button whose action %s shall have, or none",
+			key, value, key);
 		return -EINVAL;
 	}
-	reading->options->action[button] = action;
+	reader->options->input.action[button] = action;
 	return 0;
 }
 
-static int set_labels(struct reading *reading, const char *value)
+static int set_labels(struct reader *reader, const char *value)
 {
 	if (strcmp(value, "yes") != 0 && strcmp(value, "no") != 0) {
-		log_error(&reading->log, "labels = %s: want yes or no", value);
+		log_error(&reader->log, "labels = %s: give yes or no", value);
 		return -EINVAL;
 	}
-	reading->options->no_labels = value[0] == 'n';
+	reader->options->show.no_labels = value[0] == 'n';
 	return 0;
 }
 
-static int set_option(
-	struct reading *reading, const char *key, const char *value)
+static int set_option(struct reader *reader, const char *key, const char *value)
 {
-	char *kept = arena_strdup(&reading->config->arena, value);
+	char *kept = arena_strdup(&reader->config->arena, value);
 
 	if (!kept) {
-		log_error(&reading->log, "%s: out of memory", key);
+		log_error(&reader->log, "%s: out of memory", key);
 		return -ENOMEM;
 	}
 	if (strcmp(key, "model") == 0) {
-		reading->options->model_path = kept;
+		reader->options->model_path = kept;
 		return 0;
 	}
 	if (strcmp(key, "labels") == 0) {
-		return set_labels(reading, value);
+		return set_labels(reader, value);
 	}
 	return options_set(
-		reading->options, reading->command, key, kept, &reading->log);
+		reader->options, reader->command, key, kept, &reader->log);
 }
 
-/* [options] takes what has no section of its own. */
-static int set_other(struct reading *reading, const char *key, const char *value)
+/* [options] holds the options that have no section of their own. */
+static int set_other(struct reader *reader, const char *key, const char *value)
 {
 	const char *names[KEYS_MAX];
 	int count = options_names(FOR_PLAY, names, KEYS_MAX - 1);
 	bool refused = false;
 
 	names[count] = NULL;
-	for (size_t i = 0; i < ARRAY_COUNT(not_in_files); i++) {
-		refused = refused || strcmp(key, not_in_files[i]) == 0;
+	for (size_t i = 0; i < ARRAY_COUNT(not_in_options); i++) {
+		refused = refused || strcmp(key, not_in_options[i]) == 0;
 	}
 	if (refused) {
-		log_error(&reading->log,
-			"%s: not in [options] of a file: see the sections", key);
+		log_error(&reader->log,
+			"%s: this key does not belong in [options]: remove it or move it to its section",
+			key);
 		return -EINVAL;
 	}
 	if (!is_one_of(key, names)) {
-		return say_unknown(reading, "key", key, names);
+		return refuse_unknown(reader, "key", key, names);
 	}
-	return set_option(reading, key, value);
+	return set_option(reader, key, value);
 }
 
-static int set(struct reading *reading, const char *section, const char *key,
+static int set(struct reader *reader, const char *section, const char *key,
 	const char *value)
 {
 	if (strcmp(section, "buttons") == 0) {
 		return is_one_of(key, config_buttons_keys)
 			? config_buttons_set(
-				  &reading->buttons, key, value, &reading->log)
-			: say_unknown(reading, "key", key, config_buttons_keys);
+				  &reader->buttons, key, value, &reader->log)
+			: refuse_unknown(
+				  reader, "key", key, config_buttons_keys);
 	}
 	if (strcmp(section, "actions") == 0) {
-		return set_action(reading, key, value);
+		return set_action(reader, key, value);
 	}
 	if (strcmp(section, "options") == 0) {
-		return set_other(reading, key, value);
+		return set_other(reader, key, value);
 	}
 	for (size_t i = 0; i < ARRAY_COUNT(sections); i++) {
 		if (strcmp(section, sections[i].section) == 0) {
 			return is_one_of(key, sections[i].keys)
-				? set_option(reading, key, value)
-				: say_unknown(reading, "key", key,
-					  sections[i].keys);
+				? set_option(reader, key, value)
+				: refuse_unknown(
+					  reader, "key", key, sections[i].keys);
 		}
 	}
 	if (!*section) {
-		log_error(&reading->log, "%s: before any [section]", key);
+		log_error(&reader->log,
+			"%s: this key comes before any [section]: write its section above it",
+			key);
 		return -EINVAL;
 	}
-	return say_unknown(reading, "section", section, section_names);
+	return refuse_unknown(reader, "section", section, section_names);
 }
 
 static int take(
 	void *user, const char *section, const char *key, const char *value)
 {
-	struct reading *reading = user;
+	struct reader *reader = user;
 
-	if (!reading->error) {
-		reading->error = set(reading, section, key, value);
+	if (!reader->error) {
+		reader->error = set(reader, section, key, value);
 	}
-	return !reading->error;
+	return !reader->error;
 }
 
-/* The library goes on after a line it cannot read: the first is named here. */
-static bool is_sound(const char *line)
+/* The library skips lines that it cannot read; limber reports the first one. */
+static bool is_valid(const char *line)
 {
 	if (*line == '[') {
 		return strchr(line, ']');
@@ -238,68 +242,71 @@ static bool is_sound(const char *line)
 	return strchr(";#\r\n", *line) || strpbrk(line, "=:");
 }
 
-/* One line. What stands to the right of the edge is no continuation. */
-static char *next_line(char *text, int room, void *user)
+/*
+ * Reads one line without its indentation, which the library would take for a
+ * continuation of the line before.
+ */
+static char *next_line(char *text, int size, void *user)
 {
-	struct reading *reading = user;
+	struct reader *reader = user;
 	size_t length, blank;
 
-	if (reading->error || !fgets(text, room, reading->file)) {
+	if (reader->error || !fgets(text, size, reader->file)) {
 		return NULL;
 	}
-	reading->line++;
+	reader->line++;
 	length = strlen(text);
-	if (length > 0 && text[length - 1] != '\n' && !feof(reading->file)) {
-		log_error(&reading->log, "a line of more than %d characters",
-			room - 2);
-		reading->error = -EINVAL;
+	if (length > 0 && text[length - 1] != '\n' && !feof(reader->file)) {
+		log_error(&reader->log,
+			"a line of more than %d characters: make it shorter",
+			size - 2);
+		reader->error = -EINVAL;
 		return NULL;
 	}
 	blank = strspn(text, " \t");
 	memmove(text, text + blank, length + 1 - blank);
-	if (!is_sound(text)) {
-		log_error(&reading->log,
-			"want [SECTION], KEY = VALUE or "
-			"; a comment");
-		reading->error = -EINVAL;
+	if (!is_valid(text)) {
+		log_error(&reader->log,
+			"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
+		reader->error = -EINVAL;
 		return NULL;
 	}
 	return text;
 }
 
-static int read_lines(struct reading *reading)
+static int read_lines(struct reader *reader)
 {
-	int line = ini_parse_stream(next_line, reading, take, reading);
+	int line = ini_parse_stream(next_line, reader, take, reader);
 
-	if (reading->error) {
-		return reading->error;
+	if (reader->error) {
+		return reader->error;
 	}
-	if (ferror(reading->file)) {
-		log_error(reading->outer, "%s: cannot be read", reading->path);
+	if (ferror(reader->file)) {
+		log_error(reader->outer, "%s: cannot be read", reader->path);
 		return -EIO;
 	}
 	if (line) {
-		reading->line = line > 0 ? line : 0;
-		log_error(&reading->log,
-			"want [SECTION], KEY = VALUE or "
-			"; a comment");
+		reader->line = line > 0 ? line : 0;
+		log_error(&reader->log,
+			"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
 		return -EINVAL;
 	}
 	return 0;
 }
 
-static int take_buttons(struct reading *reading)
+static int take_buttons(struct reader *reader)
 {
-	char spec[SPEC_ROOM];
+	char spec[SPEC_BYTES];
 	int error = config_buttons_spec(
-		&reading->buttons, spec, sizeof(spec), &reading->log);
+		&reader->buttons, spec, sizeof(spec), &reader->log);
 
-	if (error || !spec[0] || !options_takes(reading->command, "buttons")) {
+	if (error || !spec[0] || !options_takes(reader->command, "buttons")) {
 		return error;
 	}
-	reading->options->buttons = arena_strdup(&reading->config->arena, spec);
-	if (!reading->options->buttons) {
-		log_error(reading->outer, "%s: out of memory", reading->path);
+	reader->options->input.buttons =
+		arena_strdup(&reader->config->arena, spec);
+	if (!reader->options->input.buttons) {
+		log_error(reader->outer, "%s: out of memory", reader->path);
 		return -ENOMEM;
 	}
 	return 0;
@@ -308,14 +315,14 @@ static int take_buttons(struct reading *reading)
 int config_read(struct config *config, FILE *file, const char *path,
 	enum command_bit command, struct options *options, const struct log *log)
 {
-	struct reading *reading = calloc(1, sizeof(*reading));
+	struct reader *reader = calloc(1, sizeof(*reader));
 	int error;
 
-	if (!reading) {
+	if (!reader) {
 		log_error(log, "%s: out of memory", path);
 		return -ENOMEM;
 	}
-	*reading = (struct reading){
+	*reader = (struct reader){
 		.path = path,
 		.file = file,
 		.config = config,
@@ -323,14 +330,14 @@ int config_read(struct config *config, FILE *file, const char *path,
 		.command = command,
 		.outer = log,
 	};
-	reading->log = (struct log){
-		.write = say_with_place,
-		.user = reading,
+	reader->log = (struct log){
+		.write = log_with_line,
+		.user = reader,
 		.threshold = log->threshold,
 	};
-	error = read_lines(reading);
-	error = error ? error : take_buttons(reading);
-	free(reading);
+	error = read_lines(reader);
+	error = error ? error : take_buttons(reader);
+	free(reader);
 	return error;
 }
 

@@ -11,63 +11,64 @@ const char *const config_buttons_keys[] = {"UP", "DOWN", "LEFT", "RIGHT",
 
 static const char space[] = " \t";
 
-static int append(char *list, size_t room, const char *button,
+static int append(char *list, size_t size, const char *button,
 	const char *words, size_t length, const struct log *log)
 {
 	size_t used = strlen(list);
-	int wanted = snprintf(list + used, room - used, ",%s=%.*s", button,
+	int added = snprintf(list + used, size - used, ",%s=%.*s", button,
 		(int)length, words);
 
-	if (wanted < 0 || (size_t)wanted >= room - used) {
+	if (added < 0 || (size_t)added >= size - used) {
 		list[used] = '\0';
-		log_error(log, "%s: too many buttons", button);
+		log_error(log, "%s: there are too many buttons: remove some",
+			button);
 		return -EINVAL;
 	}
 	return 0;
 }
 
-/* Holds one line or key against its driver's language. */
+/* Lets the driver check one line or key. */
 static int check(const char *driver, const char *item, const struct log *log)
 {
 	char spec[600];
 	int length = snprintf(spec, sizeof(spec), "%s:%s", driver, item);
 
 	if (length < 0 || (size_t)length >= sizeof(spec)) {
-		log_error(log, "%.20s...: too long", item);
+		log_error(log, "%.20s...: this is too long: make it shorter",
+			item);
 		return -EINVAL;
 	}
 	return buttons_check(spec, log);
 }
 
-/* "gpio WORDS" or "key NAME", length bytes. */
-static int add_way(struct config_buttons *buttons, const char *button,
-	const char *way, size_t length, const struct log *log)
+/* Adds "gpio CHIP LINE..." or "key NAME", which is length bytes long. */
+static int add_binding(struct config_buttons *buttons, const char *button,
+	const char *binding, size_t length, const struct log *log)
 {
-	bool gpio = strncmp(way, "gpio", 4) == 0;
-	bool key = strncmp(way, "key", 3) == 0;
-	size_t word = strcspn(way, " \t,");
+	bool gpio = strncmp(binding, "gpio", 4) == 0;
+	bool key = strncmp(binding, "key", 3) == 0;
+	size_t word = strcspn(binding, " \t,");
 	char *list = gpio ? buttons->lines : buttons->keys;
 	size_t before = strlen(list);
-	const char *rest = way + word + strspn(way + word, space);
+	const char *rest = binding + word + strspn(binding + word, space);
 	int error;
 
 	if ((!gpio || word != 4) && (!key || word != 3)) {
 		log_error(log,
-			"%s = %.*s: want gpio CHIP LINE or key NAME, several "
-			"parted by commas",
-			button, (int)length, way);
+			"%s = %.*s: give gpio CHIP LINE or key NAME, or several separated by commas",
+			button, (int)length, binding);
 		return -EINVAL;
 	}
-	length = rest < way + length ? length - (size_t)(rest - way) : 0;
+	length = rest < binding + length ? length - (size_t)(rest - binding) : 0;
 	while (length > 0 && strchr(space, rest[length - 1])) {
 		length--;
 	}
-	error = append(list, CONFIG_LIST_ROOM, button, rest, length, log);
+	error = append(list, CONFIG_LIST_BYTES, button, rest, length, log);
 	return error ? error
 		     : check(gpio ? "gpiod" : "evdev", list + before + 1, log);
 }
 
-static int add_ways(struct config_buttons *buttons, const char *button,
+static int add_bindings(struct config_buttons *buttons, const char *button,
 	const char *value, const struct log *log)
 {
 	int error;
@@ -77,17 +78,19 @@ static int add_ways(struct config_buttons *buttons, const char *button,
 
 		value += strspn(value, space);
 		length = strcspn(value, ",");
-		error = add_way(buttons, button, value, length, log);
+		error = add_binding(buttons, button, value, length, log);
 		value += length;
 	} while (!error && *value++ == ',');
 	return error;
 }
 
-static int copy(char *text, size_t room, const char *value, const char *key,
+static int copy(char *text, size_t size, const char *value, const char *key,
 	const struct log *log)
 {
-	if (strlen(value) >= room) {
-		log_error(log, "%s: more than %zu characters", key, room - 1);
+	if (strlen(value) >= size) {
+		log_error(log,
+			"%s: the value has more than %zu characters: make it shorter",
+			key, size - 1);
 		return -EINVAL;
 	}
 	strcpy(text, value);
@@ -111,7 +114,7 @@ int config_buttons_set(struct config_buttons *buttons, const char *key,
 		return copy(buttons->keyboard, sizeof(buttons->keyboard),
 			strcmp(value, "all") == 0 ? "" : value, key, log);
 	}
-	return add_ways(buttons, key, value, log);
+	return add_bindings(buttons, key, value, log);
 }
 
 int config_buttons_spec(const struct config_buttons *buttons, char *spec,
@@ -130,7 +133,8 @@ int config_buttons_spec(const struct config_buttons *buttons, char *spec,
 		buttons->sources);
 
 	if (length < 0 || (size_t)length >= size) {
-		log_error(log, "[buttons]: too many buttons");
+		log_error(log,
+			"[buttons]: there are too many buttons: remove some");
 		return -EINVAL;
 	}
 	return 0;

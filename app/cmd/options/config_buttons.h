@@ -1,5 +1,5 @@
 /*
- * The [buttons] section of limber.conf, which becomes a --buttons SPEC.
+ * The [buttons] section of limber.conf, which becomes the value of --buttons.
  *
  *	UP = gpio 53fd0000.gpio 18 active-low pull-up debounce=20
  *	ENTER = gpio KEY_COL4, key KEY_KPENTER
@@ -15,26 +15,29 @@
 #include "platform/base/log.h"
 
 enum {
-	CONFIG_LIST_ROOM = 4000
+	CONFIG_LIST_BYTES = 4000
 };
 
-/* Begins zeroed. */
+/* What the keys read so far have set. Begins zeroed. */
 struct config_buttons {
-	char lines[CONFIG_LIST_ROOM]; /* ",UP=chip 18,..." */
-	char keys[CONFIG_LIST_ROOM];  /* ",UP=KEY_W,..." */
-	char keyboard[256];           /* part of a name, a path, or "" */
+	char lines[CONFIG_LIST_BYTES]; /* ",UP=chip 18,..." */
+	char keys[CONFIG_LIST_BYTES];  /* ",UP=KEY_W,..." */
+	char keyboard[256]; /* part of a device's name, a path, or "": all */
 	bool keyboard_given, no_keyboard;
 	char sources[1024];
 };
 
-/* All keys of the section, NULL at the end. */
+/* The keys that the section may have, NULL at the end. */
 extern const char *const config_buttons_keys[];
 
-/* One key. 0, or -EINVAL after a sentence. */
+/* Reads one "key = value" line. 0, or -EINVAL after logging an error. */
 int config_buttons_set(struct config_buttons *buttons, const char *key,
 	const char *value, const struct log *log);
 
-/* The SPEC, "" for none; at most size bytes. -EINVAL after a sentence. */
+/*
+ * Writes the value of --buttons to spec, of size bytes; "" when no key was set.
+ * 0, or -EINVAL after logging an error when it is too long.
+ */
 int config_buttons_spec(const struct config_buttons *buttons, char *spec,
 	size_t size, const struct log *log);
 

@@ -8,24 +8,22 @@
 struct options options_default(void)
 {
 	struct options options = {
-		.width = 480,
-		.height = 640,
-		.clock = clock_real(),
-		.rate_hz = 60.0,
-		.bound_px = 0.5f,
-		.report = "text",
-		.speed = 1.0f,
-		.runs = 15,
-		.repeat = CLIP_LOOP,
-		.interpolation = CLIP_AUTO,
+		.motion.speed = 1.0f,
+		.motion.repeat = CLIP_LOOP,
+		.motion.interpolation = CLIP_AUTO,
+		.screen.size = {.width = 480, .height = 640},
+		.show.clock = clock_real(),
+		.compare = {.fps = 60.0, .error_px = 0.5f, .format = "text"},
+		.bench.runs = 15,
 	};
 
 	for (int i = 0; i < BUTTON_COUNT; i++) {
-		options.action[i] = (enum button)i;
+		options.input.action[i] = (enum button)i;
 	}
 	return options;
 }
 
+/* The Levenshtein distance; 99 for words of more than 31 characters. */
 static int distance(const char *a, const char *b)
 {
 	int row[32];
@@ -69,115 +67,157 @@ const char *options_closest(const char *word, const char *const *candidates)
 	return closest;
 }
 
-static bool is_named(
-	const struct option_entry *entry, const char *word, size_t length)
+/* Whether word is "-o", "--output" or, bare, "output". */
+static bool is_named(const struct option_entry *entry, const char *word,
+	size_t length, bool bare)
 {
-	if (length == 2 && word[0] == '-') {
+	if (!bare && length == 2 && word[0] == '-') {
 		return entry->letter && word[1] == entry->letter;
 	}
-	return length > 2 && strncmp(word, "--", 2) == 0 &&
-		strlen(entry->name) == length - 2 &&
-		strncmp(word + 2, entry->name, length - 2) == 0;
+	if (!bare) {
+		if (length < 3 || strncmp(word, "--", 2) != 0) {
+			return false;
+		}
+		word += 2;
+		length -= 2;
+	}
+	return strlen(entry->name) == length &&
+		strncmp(word, entry->name, length) == 0;
 }
 
-/* The command's own, else another command's of that name, or NULL. */
+/* The command's own option of that name, else another command's, or NULL. */
 static const struct option_entry *find_entry(
-	const char *word, size_t length, enum command_bit command)
+	const char *word, size_t length, bool bare, enum command_bit command)
 {
 	const struct option_entry *found = NULL;
 
 	for (size_t i = 0; option_entries[i].name; i++) {
 		const struct option_entry *entry = &option_entries[i];
 
-		if (!is_named(entry, word, length)) {
-			continue;
+		if (is_named(entry, word, length, bare) &&
+			(!found || (entry->commands & (int)command))) {
+			found = entry;
 		}
-		if (entry->commands & (int)command) {
-			return entry;
-		}
-		found = found ? found : entry;
 	}
 	return found;
 }
 
-static int say_unknown(const char *word, size_t length,
+static int refuse_unknown(const char *word, size_t length,
 	enum command_bit command, const struct log *log)
 {
 	const char *names[OPTIONS_MAX];
 	const char *closest;
 	char bare[32];
-	int count = 0;
+	int count = options_names(command, names, OPTIONS_MAX - 1);
 
-	for (size_t i = 0; option_entries[i].name; i++) {
-		if (option_entries[i].commands & (int)command) {
-			names[count++] = option_entries[i].name;
-		}
-	}
 	names[count] = NULL;
-	snprintf(bare, sizeof(bare), "%.*s", (int)(length > 31 ? 31 : length),
-		word);
+	snprintf(bare, sizeof(bare), "%.*s", (int)length, word);
 	closest = options_closest(bare + strspn(bare, "-"), names);
 	if (closest) {
 		log_error(log, "%.*s: no such option: did you mean --%s?",
 			(int)length, word, closest);
 	} else {
-		log_error(log, "%.*s: no such option: --help lists them",
+		log_error(log, "%.*s: no such option: --help lists the options",
 			(int)length, word);
 	}
 	return -EINVAL;
 }
 
-/* True when the value, NULL for a switch, is good. */
+static bool set_int(
+	const struct option_entry *entry, const char *value, int *out)
+{
+	char *end;
+	long number;
+
+	errno = 0;
+	number = strtol(value, &end, 10);
+	if (errno || end == value || *end || (double)number < entry->low ||
+		(double)number > entry->high) {
+		return false;
+	}
+	*out = (int)number;
+	return true;
+}
+
+static bool set_double(
+	const struct option_entry *entry, const char *value, double *out)
+{
+	char *end;
+
+	*out = strtod(value, &end);
+	return end != value && !*end && *out >= entry->low &&
+		*out <= entry->high;
+}
+
+static bool set_float(
+	const struct option_entry *entry, const char *value, float *out)
+{
+	double number;
+	bool valid = set_double(entry, value, &number);
+
+	*out = (float)number;
+	return valid;
+}
+
+/* Whether the value, which a switch ignores, is valid; stores it if so. */
 static bool set_entry(const struct option_entry *entry, struct options *options,
 	const char *value)
 {
-	char *member = (char *)options + entry->member;
+	void *member = (char *)options + entry->member;
 
-	if (entry->set) {
-		return entry->set(options, value);
-	}
-	if (!entry->value) {
+	switch (entry->kind) {
+	case OPTION_SWITCH:
 		*(bool *)member = true;
 		return true;
+	case OPTION_INT:
+		return set_int(entry, value, member);
+	case OPTION_FLOAT:
+		return set_float(entry, value, member);
+	case OPTION_DOUBLE:
+		return set_double(entry, value, member);
+	case OPTION_PARSED:
+		return entry->set(options, value);
+	default:
+		*(const char **)member = value;
+		return value[0] != '\0';
 	}
-	*(const char **)member = value;
-	return value[0] != '\0';
 }
 
-/* One option and its value; *at moves over a value that is its own word. */
+/* The option at argv[*at]; a value that is the next word moves *at there. */
 static int parse_option(struct options *options, enum command_bit command,
 	int argc, char **argv, int *at, const struct log *log)
 {
 	const char *word = argv[*at];
 	const char *equals = strchr(word, '=');
 	size_t length = equals ? (size_t)(equals - word) : strlen(word);
-	const struct option_entry *entry = find_entry(word, length, command);
+	const struct option_entry *entry =
+		find_entry(word, length, false, command);
 	const char *value = equals ? equals + 1 : NULL;
 
 	if (!entry) {
-		return say_unknown(word, length, command, log);
+		return refuse_unknown(word, length, command, log);
 	}
 	if (!(entry->commands & (int)command)) {
 		log_error(log,
-			"--%s: not an option of this command: --help "
-			"lists its own",
+			"--%s: this is not an option of this command: --help lists its options",
 			entry->name);
 		return -EINVAL;
 	}
-	if (entry->value && !value) {
-		if (*at + 1 >= argc) {
-			log_error(log, "--%s: its value is missing: want %s",
-				entry->name, entry->expected);
-			return -EINVAL;
-		}
+	if (entry->value && !value && *at + 1 < argc) {
 		value = argv[++*at];
 	}
+	if (entry->value && !value) {
+		log_error(log, "--%s: its value is missing: give %s",
+			entry->name, entry->expected);
+		return -EINVAL;
+	}
 	if (!entry->value && value) {
-		log_error(log, "--%s: takes no value", entry->name);
+		log_error(log, "--%s: this option takes no value: leave out %s",
+			entry->name, equals);
 		return -EINVAL;
 	}
 	if (!set_entry(entry, options, value)) {
-		log_error(log, "--%s %s: want %s", entry->name, value,
+		log_error(log, "--%s %s: give %s", entry->name, value,
 			entry->expected);
 		return -EINVAL;
 	}
@@ -201,8 +241,7 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 			}
 		} else if (options->model_path) {
 			log_error(log,
-				"%s: one model at a time, and %s came "
-				"first",
+				"%s: limber takes one model: leave out this one or %s",
 				argv[i], options->model_path);
 			return -EINVAL;
 		} else {
@@ -212,33 +251,19 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 	return 0;
 }
 
-/* The entry of that name, the command's own before another's, or NULL. */
-static const struct option_entry *find_named(
-	enum command_bit command, const char *name)
-{
-	const struct option_entry *found = NULL;
-
-	for (size_t i = 0; option_entries[i].name; i++) {
-		if (strcmp(option_entries[i].name, name) == 0 &&
-			(!found || (option_entries[i].commands & (int)command))) {
-			found = &option_entries[i];
-		}
-	}
-	return found;
-}
-
 bool options_takes(enum command_bit command, const char *name)
 {
-	const struct option_entry *entry = find_named(command, name);
+	const struct option_entry *entry =
+		find_entry(name, strlen(name), true, command);
 
 	return entry && (entry->commands & (int)command);
 }
 
-int options_names(enum command_bit command, const char **names, int room)
+int options_names(enum command_bit command, const char **names, int capacity)
 {
 	int count = 0;
 
-	for (size_t i = 0; option_entries[i].name && count < room; i++) {
+	for (size_t i = 0; option_entries[i].name && count < capacity; i++) {
 		if (option_entries[i].commands & (int)command) {
 			names[count++] = option_entries[i].name;
 		}
@@ -249,12 +274,15 @@ int options_names(enum command_bit command, const char **names, int room)
 int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log)
 {
-	const struct option_entry *entry = find_named(command, name);
+	const struct option_entry *entry =
+		find_entry(name, strlen(name), true, command);
 	struct options tried = *options;
 	bool good;
 
 	if (!entry) {
-		log_error(log, "%s: no such option", name);
+		log_error(log,
+			"%s: no such option: limber play --help lists the options",
+			name);
 		return -EINVAL;
 	}
 	if (entry->value) {
@@ -266,7 +294,7 @@ int options_set(struct options *options, enum command_bit command,
 		}
 	}
 	if (!good) {
-		log_error(log, "%s = %s: want %s", name, value,
+		log_error(log, "%s = %s: give %s", name, value,
 			entry->value ? entry->expected : "yes or no");
 		return -EINVAL;
 	}

@@ -1,5 +1,7 @@
 /*
- * The command line: one table of options for all subcommands.
+ * The command line's options, for all commands.
+ *
+ * options_table.c lists them; limber.conf (config.h) sets the same members.
  */
 #ifndef APP_CMD_OPTIONS_OPTIONS_H
 #define APP_CMD_OPTIONS_OPTIONS_H
@@ -16,7 +18,7 @@
 #include "platform/display/pixels.h"
 #include "platform/process/clock.h"
 
-/* Which subcommands take an option. */
+/* The commands, as bits: which of them an option belongs to. */
 enum command_bit {
 	FOR_PLAY = 1,
 	FOR_RENDER = 2,
@@ -29,80 +31,133 @@ enum command_bit {
 	FOR_ALL = 255,
 };
 
-/* How vertices are computed. */
-enum math {
-	MATH_ANY, /* as is best */
+/* --math: which arithmetic computes the vertices. */
+enum options_math {
+	MATH_ANY, /* the best kernel of this build decides */
 	MATH_FLOAT,
 	MATH_FIXED,
 };
 
-struct options {
-	const char *model_path; /* the word that is no option, or NULL */
-	const char *demo;
-	const char *output;
-	const char *gl;
-	const char *egl_library, *gles_library;
-	const char *display;
-	const char *watchdog;
-	const char *buttons;
-	const char *script;
-	const char *record_buttons; /* a file for what is pressed, or NULL */
-	const char *record;         /* a file for what is shown, or NULL */
-	const char *config;         /* as given, or NULL */
-	enum button action[BUTTON_COUNT]; /* whose action each does */
-	const char *camera;
-	enum live_use camera_use;
-	const char *stats; /* a file for them, or NULL */
-	const char *clip;
-	const char *kernel; /* or NULL */
-	enum math math;
-	int width, height;
-	bool size_given;
-	enum pixel_format format;
-	bool format_given;
-	double fps; /* 0: not given */
-	struct clock clock;
-	bool clock_given;
-	int frames; /* 0: not given */
-	double time_s;
-	bool time_given;
-	enum clip_interpolation interpolation;
-	float speed; /* of a model's clip */
-	enum clip_repeat repeat;
-	struct influence_cap influences; /* influences */
-	struct lod lod;                  /* triangles */
-	float budget_ms;                 /* of a frame; 0: none */
-	int walkers;                     /* of a crowd; 0: not given */
-	int runs;                        /* of each measurement */
-	double rate_hz;                  /* frames a second that are compared */
-	float bound_px;                  /* the error that may be */
-	size_t memory_bytes;             /* that may be used; 0: any */
-	const char *report;              /* the kind, of a comparison */
-	const char *plot;
-	const char *export_folder;
-	const char *c_file; /* to export to */
+/*
+ * Each member is named as its option. A string is NULL and a number is 0 when
+ * the option was not given, unless options_default() says otherwise.
+ */
+
+/* For all commands. */
+struct options_common {
+	const char *config; /* a path or "none" */
 	bool json;
-	bool no_labels;
-	bool hud; /* the graph of frame times */
 	bool verbose;
 	bool help;
 	bool version;
 };
 
+/* Which moment of which clip, and how the clip is read. */
+struct options_motion {
+	const char *clip; /* a name or a number */
+	double time_s;
+	bool time_given;
+	enum clip_interpolation interpolation;
+	float speed; /* of a model's clip; negative plays it backwards */
+	enum clip_repeat repeat;
+};
+
+/* How vertices are computed, and how many of them are drawn. */
+struct options_vertices {
+	enum options_math math;
+	const char *kernel;
+	struct influence_cap influences;
+	struct lod lod;
+};
+
+struct options_size {
+	int width, height; /* pixels */
+	bool given;
+};
+
+/* Where pictures go, and what draws them. */
+struct options_screen {
+	const char *output;
+	struct options_size size;
+	enum pixel_format format;
+	bool format_given;
+	const char *gl;
+	const char *egl_library, *gles_library;
+	const char *display;
+};
+
+/* What reaches a demo from outside. */
+struct options_input {
+	const char *buttons;
+	const char *script;
+	const char *record_buttons;
+	/* [actions]: the button whose action each does, BUTTON_COUNT: none. */
+	enum button action[BUTTON_COUNT];
+	const char *camera;
+	enum live_use camera_use;
+};
+
+/* What play and render show, and what they keep of it. */
+struct options_show {
+	const char *demo;
+	struct clock clock;
+	int frames;
+	double fps;
+	float budget_ms;
+	int walkers;
+	const char *record;
+	const char *stats;
+	const char *watchdog;
+	bool no_labels;
+	bool hud;
+};
+
+struct options_compare {
+	double fps;
+	float error_px;
+	size_t ram_bytes;
+	const char *format; /* of the report */
+	const char *plot;
+	const char *export;
+};
+
+struct options_bench {
+	int runs;
+};
+
+struct options_export {
+	const char *c;
+};
+
+/* Its strings belong to the caller. */
+struct options {
+	const char *model_path; /* the word that is not an option, or NULL */
+	struct options_common common;
+	struct options_motion motion;
+	struct options_vertices vertices;
+	struct options_screen screen;
+	struct options_input input;
+	struct options_show show;
+	struct options_compare compare;
+	struct options_bench bench;
+	struct options_export export;
+};
+
+/* The options of an empty command line. */
 struct options options_default(void);
 
 /*
- * Reads the words after the subcommand. 0, or -EINVAL after a sentence that
- * says what is wrong and, for a misspelt option, what it may have been. The
- * strings stay argv's.
+ * Reads the arguments that follow the command's name. 0, or -EINVAL after
+ * logging an error, which suggests an option where one was misspelt. The
+ * strings of *options point into argv.
  */
 int options_parse(struct options *options, enum command_bit command, int argc,
 	char **argv, const struct log *log);
 
 /*
- * Sets one option by its name as in "--name value"; a switch takes yes or no.
- * One that the command has not is checked and left alone. 0, or -EINVAL after
- * a sentence. The value stays the caller's.
+ * Sets one option by its name without dashes; a switch takes "yes" or "no". An
+ * option that the command does not have is checked, but not set. 0, or -EINVAL
+ * after logging an error. *options may point to value afterwards.
  */
 int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log);
@@ -110,15 +165,15 @@ int options_set(struct options *options, enum command_bit command,
 /* Whether the command has an option of that name. */
 bool options_takes(enum command_bit command, const char *name);
 
-/* The names of the command's options, at most room; their number. */
-int options_names(enum command_bit command, const char **names, int room);
+/* Writes the names of the command's options to names; returns their number. */
+int options_names(enum command_bit command, const char **names, int capacity);
 
-/* The options of a subcommand, a line each. */
+/* Prints the command's options for --help, one on each line. */
 void options_list(FILE *out, enum command_bit command);
 
 /*
- * The candidate that word was probably meant to be, or NULL: at most two
- * letters off. candidates ends with NULL.
+ * The candidate that differs from word by at most two letters (one, for words
+ * of up to three letters) and by the fewest, or NULL. candidates ends with NULL.
  */
 const char *options_closest(const char *word, const char *const *candidates);
 

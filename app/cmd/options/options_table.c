@@ -3,31 +3,13 @@
 #include "app/compare/report/report.h"
 #include "platform/base/time_text.h"
 
-#include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-	SIDE_MAX = 8192,
-	FRAMES_MAX = 1000000,
-	RUNS_MAX = 1001,
-	WALKERS_MAX = 50
+	SIDE_MAX = 8192 /* pixels */
 };
-
-static bool read_int(const char *text, int low, int high, int *out)
-{
-	char *end;
-	long value;
-
-	errno = 0;
-	value = strtol(text, &end, 10);
-	if (errno || end == text || *end || value < low || value > high) {
-		return false;
-	}
-	*out = (int)value;
-	return true;
-}
 
 static bool set_size(struct options *options, const char *value)
 {
@@ -43,71 +25,40 @@ static bool set_size(struct options *options, const char *value)
 		width > SIDE_MAX || height > SIDE_MAX) {
 		return false;
 	}
-	options->width = (int)width;
-	options->height = (int)height;
-	options->size_given = true;
+	options->screen.size =
+		(struct options_size){(int)width, (int)height, true};
 	return true;
 }
 
 static bool set_format(struct options *options, const char *value)
 {
-	options->format_given = true;
-	return pixel_format_parse(value, &options->format);
-}
-
-static bool set_fps(struct options *options, const char *value)
-{
-	char *end;
-
-	options->fps = strtod(value, &end);
-	return end != value && !*end && options->fps >= 1.0 &&
-		options->fps <= 1000.0;
-}
-
-static bool set_buttons(struct options *options, const char *value)
-{
-	options->buttons = value;
-	return true;
+	options->screen.format_given = true;
+	return pixel_format_parse(value, &options->screen.format);
 }
 
 static bool set_camera_use(struct options *options, const char *value)
 {
-	options->camera_use = live_use_find(value);
-	return options->camera_use != LIVE_USES;
+	options->input.camera_use = live_use_find(value);
+	return options->input.camera_use != LIVE_USES;
 }
 
 static bool set_clock(struct options *options, const char *value)
 {
-	options->clock_given = true;
-	return clock_parse(value, &options->clock) == 0;
-}
-
-static bool set_frames(struct options *options, const char *value)
-{
-	return read_int(value, 1, FRAMES_MAX, &options->frames);
+	return clock_parse(value, &options->show.clock) == 0;
 }
 
 static bool set_time(struct options *options, const char *value)
 {
-	options->time_given = true;
-	return time_parse(value, &options->time_s) == 0;
+	options->motion.time_given = true;
+	return time_parse(value, &options->motion.time_s) == 0;
 }
 
 static bool set_interpolation(struct options *options, const char *value)
 {
 	int found = clip_interpolation_find(value);
 
-	options->interpolation = (enum clip_interpolation)found;
+	options->motion.interpolation = (enum clip_interpolation)found;
 	return found >= 0;
-}
-
-static bool set_speed(struct options *options, const char *value)
-{
-	char *end;
-
-	options->speed = strtof(value, &end);
-	return end != value && !*end && options->speed >= -100.0f &&
-		options->speed <= 100.0f;
 }
 
 static bool set_repeat(struct options *options, const char *value)
@@ -123,7 +74,7 @@ static bool set_repeat(struct options *options, const char *value)
 
 	for (size_t i = 0; i < ARRAY_COUNT(kinds); i++) {
 		if (strcmp(value, kinds[i].name) == 0) {
-			options->repeat = kinds[i].repeat;
+			options->motion.repeat = kinds[i].repeat;
 			return true;
 		}
 	}
@@ -132,49 +83,24 @@ static bool set_repeat(struct options *options, const char *value)
 
 static bool set_math(struct options *options, const char *value)
 {
-	options->math = strcmp(value, "fixed") == 0 ? MATH_FIXED : MATH_FLOAT;
-	return options->math == MATH_FIXED || strcmp(value, "float") == 0;
+	bool fixed = strcmp(value, "fixed") == 0;
+
+	options->vertices.math = fixed ? MATH_FIXED : MATH_FLOAT;
+	return fixed || strcmp(value, "float") == 0;
 }
 
 static bool set_influences(struct options *options, const char *value)
 {
-	return influence_cap_parse(value, &options->influences);
+	return influence_cap_parse(value, &options->vertices.influences);
 }
 
 static bool set_lod(struct options *options, const char *value)
 {
-	return lod_parse(value, &options->lod);
+	return lod_parse(value, &options->vertices.lod);
 }
 
-static bool set_runs(struct options *options, const char *value)
-{
-	return read_int(value, 1, RUNS_MAX, &options->runs);
-}
-
-static bool read_number(const char *text, double low, double high, double *out)
-{
-	char *end;
-
-	*out = strtod(text, &end);
-	return end != text && !*end && *out >= low && *out <= high;
-}
-
-static bool set_rate(struct options *options, const char *value)
-{
-	return read_number(value, 1.0, 240.0, &options->rate_hz);
-}
-
-static bool set_error(struct options *options, const char *value)
-{
-	double px;
-	bool good = read_number(value, 0.001, 1000.0, &px);
-
-	options->bound_px = (float)px;
-	return good;
-}
-
-/* A number of bytes, or of KiB or MiB after k or m. */
-static bool set_memory(struct options *options, const char *value)
+/* A number of bytes; a "k" or "m" after it means KiB or MiB. */
+static bool set_ram(struct options *options, const char *value)
 {
 	char *end;
 	double bytes = strtod(value, &end);
@@ -189,187 +115,183 @@ static bool set_memory(struct options *options, const char *value)
 		bytes *= 1024.0 * 1024.0;
 		end++;
 	}
-	options->memory_bytes = (size_t)bytes;
+	options->compare.ram_bytes = (size_t)bytes;
 	return *end == '\0' && bytes <= 4e9;
 }
 
 static bool set_report(struct options *options, const char *value)
 {
-	options->report = value;
+	options->compare.format = value;
 	return report_find(value) != NULL;
-}
-
-static bool set_budget(struct options *options, const char *value)
-{
-	double ms;
-	bool good = read_number(value, 1.0, 1000.0, &ms);
-
-	options->budget_ms = (float)ms;
-	return good;
 }
 
 static bool set_record(struct options *options, const char *value)
 {
 	const char *dot = strrchr(value, '.');
 
-	options->record = value;
+	options->show.record = value;
 	return dot && (strcmp(dot, ".gif") == 0 || strcmp(dot, ".y4m") == 0);
 }
 
-static bool set_walkers(struct options *options, const char *value)
-{
-	return read_int(value, 1, WALKERS_MAX, &options->walkers);
-}
-
 enum {
-	FOR_SHOW = FOR_PLAY | FOR_RENDER
+	FOR_SHOW = FOR_PLAY | FOR_RENDER,
+	FOR_VERTICES = FOR_SHOW | FOR_POSE
 };
 
-#define AS_IS(member) NULL, offsetof(struct options, member)
+#define MEMBER(what, name) \
+	.kind = (what), .member = offsetof(struct options, name)
+#define TEXT(name)   MEMBER(OPTION_TEXT, name)
+#define SWITCH(name) MEMBER(OPTION_SWITCH, name)
+#define INT(name, from, to) \
+	MEMBER(OPTION_INT, name), .low = (from), .high = (to)
+#define FLOAT(name, from, to) \
+	MEMBER(OPTION_FLOAT, name), .low = (from), .high = (to)
+#define DOUBLE(name, from, to) \
+	MEMBER(OPTION_DOUBLE, name), .low = (from), .high = (to)
+#define PARSED(function) .kind = OPTION_PARSED, .set = (function)
 
 /* clang-format off */
 const struct option_entry option_entries[] = {
 	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
-		"the file to write", "a file name", AS_IS(output)},
+		"write to this file",
+		"the name of a file", TEXT(screen.output)},
 	{0, "demo", "NAME", FOR_SHOW,
-		"a built-in demo, no model: walker, arm, face, "
-		"crowd, duel or tuner",
-		"a demo's name", AS_IS(demo)},
-	{0, "clip", "NAME", FOR_SHOW | FOR_POSE | FOR_COMPARE | FOR_EXPORT,
-		"an animation of the model, by name or number (0 is the first)",
-		"a clip's name or number", AS_IS(clip)},
-	{0, "time", "T", FOR_SHOW | FOR_POSE,
-		"the moment to show or begin at: seconds, 45f@30 (frames) or "
-		"7200t (ticks)",
-		"seconds such as 1.5, frames such as 45f@30 or ticks such as "
-		"7200t, from 0 to 86400 s", set_time, 0},
-	{0, "interpolation", "MODE", FOR_SHOW | FOR_POSE,
-		"between keys: auto (as the file says), nearest, step, linear "
-		"or cubic", "auto, nearest, step, linear or cubic",
-		set_interpolation, 0},
+		"show a built-in demo: walker, arm, face, crowd, duel or tuner",
+		"the name of a demo", TEXT(show.demo)},
+	{0, "clip", "NAME", FOR_VERTICES | FOR_COMPARE | FOR_EXPORT,
+		"use this animation of the model, by its name or its number from 0",
+		"the name or the number of a clip", TEXT(motion.clip)},
+	{0, "time", "T", FOR_VERTICES,
+		"begin at this moment: 1.5 (seconds), 45f@30 (frames) or 7200t (ticks)",
+		"seconds such as 1.5, frames such as 45f@30 or ticks such as 7200t, from 0 to 86400 s",
+		PARSED(set_time)},
+	{0, "interpolation", "MODE", FOR_VERTICES,
+		"interpolate keys as: auto (the file says), nearest, step, linear or cubic",
+		"auto, nearest, step, linear or cubic", PARSED(set_interpolation)},
 	{0, "speed", "X", FOR_SHOW,
-		"play a model's clip X times as fast, backwards if negative",
-		"a number from -100 to 100", set_speed, 0},
+		"play a model's clip X times as fast, and backwards if X is negative",
+		"a number from -100 to 100", FLOAT(motion.speed, -100, 100)},
 	{0, "repeat", "KIND", FOR_SHOW,
-		"how a model's clip goes on: loop, ping-pong or once (loop)",
-		"loop, ping-pong or once", set_repeat, 0},
+		"play a model's clip as: loop, ping-pong or once; the default is loop",
+		"loop, ping-pong or once", PARSED(set_repeat)},
 	{0, "frames", "N", FOR_SHOW,
-		"stop after N frames", "a number from 1 to 1000000", set_frames, 0},
+		"stop after N frames",
+		"a number from 1 to 1000000", INT(show.frames, 1, 1000000)},
 	{0, "size", "WxH", FOR_SHOW | FOR_COMPARE,
-		"size of the picture in pixels (480x640, or the whole screen)",
-		"width x height such as 480x640, up to 8192x8192", set_size, 0},
+		"the picture's size in pixels; the default is 480x640 or the whole screen",
+		"a width and a height such as 480x640, up to 8192x8192",
+		PARSED(set_size)},
 	{0, "format", "NAME", FOR_SHOW,
-		"pixels drawn: rgb565 or rgba8888 (as suits the display)",
-		"rgb565 or rgba8888", set_format, 0},
+		"draw in this pixel format: rgb565 or rgba8888; the display has a default",
+		"rgb565 or rgba8888", PARSED(set_format)},
 	{0, "gl", "NAME", FOR_SHOW,
-		"the GL driver: auto, gles1, soft or osmesa",
-		"a driver's name", AS_IS(gl)},
+		"draw with this GL driver: auto, gles1, soft or osmesa",
+		"the name of a GL driver", TEXT(screen.gl)},
 	{0, "egl-library", "FILE", FOR_SHOW | FOR_DOCTOR,
-		"the vendor's EGL, for gles1", "a library's file name",
-		AS_IS(egl_library)},
+		"load EGL from this library of the GPU's vendor, for --gl gles1",
+		"the file name of a library", TEXT(screen.egl_library)},
 	{0, "gles-library", "FILE", FOR_SHOW | FOR_DOCTOR,
-		"the vendor's OpenGL ES 1.1, for gles1",
-		"a library's file name", AS_IS(gles_library)},
+		"load OpenGL ES 1.1 from this library of the GPU's vendor",
+		"the file name of a library", TEXT(screen.gles_library)},
 	{0, "display", "NAME", FOR_PLAY,
-		"where pictures go: auto, window, kms, fbdev, egl, image or null",
-		"a display's name", AS_IS(display)},
+		"show pictures on: auto, window, kms, fbdev, egl, image or null",
+		"the name of a display", TEXT(screen.display)},
 	{0, "fps", "N", FOR_PLAY,
-		"at most N frames a second (as the screen can, or 60)",
-		"a number from 1 to 1000", set_fps, 0},
+		"show at most N frames a second; the default is the screen's rate or 60",
+		"a number from 1 to 1000", DOUBLE(show.fps, 1, 1000)},
 	{0, "watchdog", "DEVICE", FOR_PLAY,
-		"restart the board when pictures stop, such as /dev/watchdog",
-		"a device such as /dev/watchdog", AS_IS(watchdog)},
+		"let this device, such as /dev/watchdog, reset the board when frames stop",
+		"a device such as /dev/watchdog", TEXT(show.watchdog)},
 	{0, "buttons", "SPEC", FOR_SHOW,
-		"where buttons come from besides the window, such as "
-		"script:FILE", "sources such as script:FILE", set_buttons, 0},
+		"read buttons from these sources too, such as evdev or script:FILE",
+		"sources such as evdev or script:FILE", TEXT(input.buttons)},
 	{0, "script", "FILE", FOR_SHOW,
-		"buttons from a file with lines TIME_MS BUTTON down|up",
-		"a file name", AS_IS(script)},
+		"press the buttons that this file lists in lines TIME_MS BUTTON down|up",
+		"the name of a file", TEXT(input.script)},
 	{0, "record", "FILE", FOR_PLAY,
-		"keep what is shown as a film: .gif or .y4m",
-		"a file name that ends in .gif or .y4m", set_record, 0},
+		"record what is shown as a film in this .gif or .y4m file",
+		"a file name that ends in .gif or .y4m", PARSED(set_record)},
 	{0, "record-buttons", "FILE", FOR_PLAY,
-		"write down what is pressed, for --script", "a file name",
-		AS_IS(record_buttons)},
-	{0, "config", "FILE", FOR_SHOW | FOR_POSE | FOR_DOCTOR,
-		"options from this file instead of limber.conf; none: from no "
-		"file", "a file name or none", AS_IS(config)},
+		"write down what you press, in the form that --script reads",
+		"the name of a file", TEXT(input.record_buttons)},
+	{0, "config", "FILE", FOR_VERTICES | FOR_DOCTOR,
+		"read options from this file instead of limber.conf; none reads no file",
+		"the name of a file, or none", TEXT(common.config)},
 	{0, "camera", "SPEC", FOR_SHOW,
-		"live pictures: /dev/video0, auto or pattern; with ,320x240 "
-		"for a size", "a camera such as auto or /dev/video0",
-		AS_IS(camera)},
+		"show live pictures of /dev/video0, auto or pattern; ,320x240 sets a size",
+		"a camera such as auto or /dev/video0", TEXT(input.camera)},
 	{0, "camera-use", "USE", FOR_SHOW,
-		"what they are for: background, screen, motion or off (F10 "
-		"changes it)",
-		"background, screen, motion or off", set_camera_use, 0},
+		"use live pictures as: background, screen, motion or off; F10 changes it",
+		"background, screen, motion or off", PARSED(set_camera_use)},
 	{0, "stats", "FILE", FOR_SHOW,
-		"write at the end how long frames took, as JSON",
-		"a file name", AS_IS(stats)},
+		"write the frame times to this file at the end, as JSON",
+		"the name of a file", TEXT(show.stats)},
 	{0, "clock", "KIND", FOR_SHOW,
-		"real, or fixed:FPS for the same times in every run",
-		"real or fixed:FPS, FPS up to 1000", set_clock, 0},
-	{0, "math", "KIND", FOR_SHOW | FOR_POSE,
-		"how vertices are computed: float or fixed", "float or fixed",
-		set_math, 0},
-	{0, "kernel", "NAME", FOR_SHOW | FOR_POSE | FOR_BENCH | FOR_COMPARE,
-		"which vertex loops: float, fixed, an4044 or armv6 (on ARM)",
-		"a kernel's name", AS_IS(kernel)},
-	{0, "influences", "N", FOR_SHOW | FOR_POSE,
-		"at most N joints a vertex; auto: fewer on small figures; "
-		"budget:N",
-		"a number from 1 to 8, auto or budget:N",
-		set_influences, 0},
+		"follow the clock real, or fixed:FPS for the same times in every run",
+		"real or fixed:FPS, with FPS up to 1000", PARSED(set_clock)},
+	{0, "math", "KIND", FOR_VERTICES,
+		"compute vertices in: float or fixed",
+		"float or fixed", PARSED(set_math)},
+	{0, "kernel", "NAME", FOR_VERTICES | FOR_BENCH | FOR_COMPARE,
+		"run these vertex loops: float, fixed, an4044 or armv6 (on ARM only)",
+		"the name of a kernel", TEXT(vertices.kernel)},
+	{0, "influences", "N", FOR_VERTICES,
+		"let at most N joints move a vertex; auto: by size on screen; or budget:N",
+		"a number from 1 to 8, auto or budget:N", PARSED(set_influences)},
 	{0, "lod", "PX", FOR_SHOW,
-		"coarser triangles, off by at most PX pixels (auto: 1); level:N "
-		"or off",
-		"auto, off, a number of pixels up to 100 or level:N", set_lod,
-		0},
+		"draw triangles coarser by up to PX pixels, or auto (1), level:N or off",
+		"auto, off, a number of pixels up to 100 or level:N", PARSED(set_lod)},
 	{0, "no-labels", NULL, FOR_SHOW,
-		"leave out the text on the picture", NULL, AS_IS(no_labels)},
+		"draw no text on the picture",
+		NULL, SWITCH(show.no_labels)},
 	{0, "budget-ms", "N", FOR_PLAY,
-		"keep frames within N ms: leave out triangles, influences, "
-		"normals, poses",
-		"a number from 1 to 1000", set_budget, 0},
+		"reduce detail as far as frames need it to take at most N ms",
+		"a number from 1 to 1000", FLOAT(show.budget_ms, 1, 1000)},
 	{0, "walkers", "N", FOR_SHOW,
-		"how many walkers the demo crowd begins with (12)",
-		"a number from 1 to 50", set_walkers, 0},
+		"begin the demo crowd with N walkers; the default is 12",
+		"a number from 1 to 50", INT(show.walkers, 1, 50)},
 	{0, "hud", NULL, FOR_SHOW,
-		"show how long frames take, as F9 held and H in a window do",
-		NULL, AS_IS(hud)},
+		"show the graph of frame times, as holding F9 does (H in a window)",
+		NULL, SWITCH(show.hud)},
 	{0, "runs", "N", FOR_BENCH,
-		"time everything N times and take the median (15)",
-		"a number from 1 to 1001", set_runs, 0},
+		"measure everything N times and print the median; the default is 15",
+		"a number from 1 to 1001", INT(bench.runs, 1, 1001)},
 	{0, "fps", "F", FOR_COMPARE,
-		"compare F frames a second of the clip (60)",
-		"a number from 1 to 240", set_rate, 0},
+		"compare F frames of each second of the clip; the default is 60",
+		"a number from 1 to 240", DOUBLE(compare.fps, 1, 240)},
 	{0, "error", "PX", FOR_COMPARE,
-		"the error that may be, in pixels (0.5)",
-		"a number from 0.001 to 1000", set_error, 0},
+		"accept an error of up to PX pixels; the default is 0.5",
+		"a number from 0.001 to 1000", FLOAT(compare.error_px, 0.001, 1000)},
 	{0, "ram", "BYTES", FOR_COMPARE,
-		"the memory that may be used, such as 200000, 512k or 2m",
-		"a number of bytes such as 200000, 512k or 2m", set_memory, 0},
+		"accept up to this much memory, such as 200000, 512k or 2m",
+		"a number of bytes such as 200000, 512k or 2m", PARSED(set_ram)},
 	{0, "format", "KIND", FOR_COMPARE,
-		"how to print: text, json, csv or md (text)", "text, json, csv or md",
-		set_report, 0},
+		"print the report as: text, json, csv or md; the default is text",
+		"text, json, csv or md", PARSED(set_report)},
 	{0, "plot", "FILE.svg", FOR_COMPARE,
-		"draw error against cost, a curve a technique", "a file name",
-		AS_IS(plot)},
+		"draw error against cost into this file, with a curve for each technique",
+		"the name of a file", TEXT(compare.plot)},
 	{0, "c", "FILE.c", FOR_EXPORT,
-		"the C source to write; its name becomes the functions' prefix",
-		"a file name", AS_IS(c_file)},
+		"write the C source to this file; its functions get the file's name",
+		"the name of a file", TEXT(export.c)},
 	{0, "export", "DIR", FOR_COMPARE,
-		"keep the baked models as glTF in this folder",
-		"a folder's name", AS_IS(export_folder)},
+		"write the baked models into this folder as glTF",
+		"the name of a folder", TEXT(compare.export)},
 	{0, "json", NULL, FOR_INFO | FOR_BENCH | FOR_DOCTOR,
-		"print JSON", NULL, AS_IS(json)},
+		"print JSON",
+		NULL, SWITCH(common.json)},
 	{'v', "verbose", NULL, FOR_ALL,
-		"say more on the way", NULL, AS_IS(verbose)},
+		"print notes about what limber does",
+		NULL, SWITCH(common.verbose)},
 	{'h', "help", NULL, FOR_ALL,
-		"print this help", NULL, AS_IS(help)},
+		"print this help",
+		NULL, SWITCH(common.help)},
 	{0, "version", NULL, FOR_ALL,
-		"print the version", NULL, AS_IS(version)},
-	{0, NULL, NULL, 0, NULL, NULL, NULL, 0},
+		"print the version",
+		NULL, SWITCH(common.version)},
+	{.name = NULL},
 };
 /* clang-format on */
 
-_Static_assert(ARRAY_COUNT(option_entries) <= OPTIONS_MAX, "room for the names");
+_Static_assert(ARRAY_COUNT(option_entries) <= OPTIONS_MAX,
+	"arrays of OPTIONS_MAX names hold every option");

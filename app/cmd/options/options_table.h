@@ -1,5 +1,8 @@
 /*
- * The rows of the command line: one an option, for all subcommands.
+ * The table of options: one row for each option of each command.
+ *
+ * Two commands may use the same name for different options; each then has a
+ * row of its own.
  */
 #ifndef APP_CMD_OPTIONS_OPTIONS_TABLE_H
 #define APP_CMD_OPTIONS_OPTIONS_TABLE_H
@@ -9,26 +12,36 @@
 #include <stddef.h>
 
 enum {
-	OPTIONS_MAX = 64 /* rows, for arrays of their names */
+	OPTIONS_MAX = 64 /* rows at most, for arrays of their names */
+};
+
+/* What an option's value becomes in struct options. */
+enum option_kind {
+	OPTION_TEXT,   /* const char *, as given; an empty text is refused */
+	OPTION_SWITCH, /* bool: true; such an option has no value */
+	OPTION_INT,    /* int from low to high */
+	OPTION_FLOAT,  /* float from low to high */
+	OPTION_DOUBLE, /* double from low to high */
+	OPTION_PARSED, /* whatever set() stores */
 };
 
 struct option_entry {
-	char letter;       /* or 0 */
-	const char *name;  /* without dashes */
-	const char *value; /* what follows it, or NULL */
-	int commands;
-	const char *summary;
-	const char *expected; /* what a good value looks like */
-	/*
-	 * True when the value is good. NULL: the member at that offset of
-	 * struct options keeps it as it is, a text that is not empty, or true
-	 * for a switch.
-	 */
+	char letter;         /* of the short form, or 0 */
+	const char *name;    /* without dashes */
+	const char *value;   /* its name in the help, or NULL for a switch */
+	int commands;        /* bits of enum command_bit */
+	const char *summary; /* one line of at most 73 characters */
+	/* Follows "give" in an error: what a valid value looks like. */
+	const char *expected;
+
+	enum option_kind kind;
+	size_t member; /* offset in struct options; unused by OPTION_PARSED */
+	double low, high;
+	/* OPTION_PARSED: stores the value and returns whether it is valid. */
 	bool (*set)(struct options *options, const char *value);
-	size_t member;
 };
 
-/* All of them; the last one has no name. */
+/* Ends with a row without a name. */
 extern const struct option_entry option_entries[];
 
 #endif

@@ -1,11 +1,11 @@
 #include "app/cmd/show/show.h"
 
+#include "app/cmd/options/options_kernel.h"
 #include "app/cmd/progress.h"
 #include "app/cmd/show/button_record.h"
 #include "app/cmd/show/film.h"
 #include "app/cmd/show/frame_stats.h"
 #include "app/cmd/show/frame_watch.h"
-#include "app/cmd/show/kernel_choice.h"
 #include "app/cmd/show/pace.h"
 #include "app/cmd/show/program_keys.h"
 #include "app/cmd/show/show_screen.h"
@@ -51,15 +51,16 @@ struct show {
 
 static int open_buttons(struct show *show, const struct options *options)
 {
-	int error = buttons_open(&show->buttons, options->buttons, show->log);
+	int error =
+		buttons_open(&show->buttons, options->input.buttons, show->log);
 
-	if (!error && options->script) {
-		error = buttons_add(
-			&show->buttons, "script", options->script, show->log);
+	if (!error && options->input.script) {
+		error = buttons_add(&show->buttons, "script",
+			options->input.script, show->log);
 	}
-	if (!error && options->record_buttons) {
-		error = button_record_open(
-			&show->record, options->record_buttons, show->log);
+	if (!error && options->input.record_buttons) {
+		error = button_record_open(&show->record,
+			options->input.record_buttons, show->log);
 	}
 	if (error) {
 		buttons_close(&show->buttons);
@@ -73,22 +74,22 @@ static int open_demo(struct show *show, const struct options *options)
 		.log = show->log,
 		.gl = &show->screen.gl->gl,
 		.target = show->screen.info.format,
-		.kernel = kernel_choose(options, show->log),
+		.kernel = options_kernel(&options->vertices, show->log),
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
 		.model_path = show->plan->model_path,
-		.clip = options->clip,
-		.interpolation = options->interpolation,
-		.repeat = options->repeat,
-		.speed = options->speed,
-		.influence_cap = options->influences,
-		.lod = options->lod,
-		.walkers = options->walkers,
+		.clip = options->motion.clip,
+		.interpolation = options->motion.interpolation,
+		.repeat = options->motion.repeat,
+		.speed = options->motion.speed,
+		.influence_cap = options->vertices.influences,
+		.lod = options->vertices.lod,
+		.walkers = options->show.walkers,
 		.follow_file = show->plan->follow_file,
 		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,
 		.unattended = show->plan->unattended,
 		.camera = &show->camera,
-		.camera_use = options->camera_use,
+		.camera_use = options->input.camera_use,
 		.smooth = show->screen.gl->accelerated ||
 			show->screen.info.format != PIXELS_RGB565,
 	};
@@ -102,10 +103,10 @@ static int open_camera(struct show *show, const struct options *options)
 	struct camera_feed *camera = &show->camera;
 	int error;
 
-	if (!options->camera) {
+	if (!options->input.camera) {
 		return 0;
 	}
-	error = camera_feed_open(options->camera, show->log, camera);
+	error = camera_feed_open(options->input.camera, show->log, camera);
 	/* A picture in a file cannot show what comes later. */
 	if (!error && show->clock.fixed && camera->driver->await) {
 		camera->driver->await(camera->source, first_picture_ms);
@@ -380,7 +381,7 @@ static int run(struct show *show, const struct options *options)
 	int error;
 	int filmed;
 
-	error = options->record ? open_film(show, options->record) : 0;
+	error = options->show.record ? open_film(show, options->show.record) : 0;
 	if (error) {
 		return error;
 	}
@@ -394,11 +395,11 @@ static int run(struct show *show, const struct options *options)
 	run_up(show);
 	show->pace = show->clock.fixed
 		? pace_none()
-		: pace_begin(options->fps, show->screen.info.rate_hz);
+		: pace_begin(options->show.fps, show->screen.info.rate_hz);
 	error = run_frames(show);
-	if (!error && options->stats) {
+	if (!error && options->show.stats) {
 		error = frame_stats_write(
-			&show->stats, options->stats, show->log);
+			&show->stats, options->show.stats, show->log);
 	}
 	snapshot_finish(&show->snapshot);
 	filmed = film_close(&show->film);
@@ -464,18 +465,18 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		.log = log,
 		.clock = plan->clock,
 		.frames = plan->frames,
-		.labelled = !options->no_labels,
-		.action = options->action,
-		.watch.shown = options->hud,
-		.governor = governor_begin(options->budget_ms),
+		.labelled = !options->show.no_labels,
+		.action = options->input.action,
+		.watch.shown = options->show.hud,
+		.governor = governor_begin(options->show.budget_ms),
 		.watchdog = watchdog_none(),
 	};
 	int error;
 
 	stop_catch();
-	if (options->watchdog) {
+	if (options->show.watchdog) {
 		/* Without one it goes on, and has said so. */
-		(void)watchdog_open(&show.watchdog, options->watchdog,
+		(void)watchdog_open(&show.watchdog, options->show.watchdog,
 			&device_calls_system, log);
 	}
 	error = open_and_run(&show, options);

@@ -1,6 +1,6 @@
 #include "app/cmd/show/show.h"
 
-#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
@@ -31,10 +31,10 @@ static int check_names(const struct options *options, const struct log *log)
 {
 	int error = screen_check(options, log);
 
-	if (!error && !kernel_choose(options, log)) {
+	if (!error && !options_kernel(&options->vertices, log)) {
 		error = -EINVAL;
 	}
-	return error ? error : buttons_check(options->buttons, log);
+	return error ? error : buttons_check(options->input.buttons, log);
 }
 
 int show_choose(const struct options *options, const struct log *log,
@@ -45,7 +45,7 @@ int show_choose(const struct options *options, const struct log *log,
 	if (error) {
 		return error;
 	}
-	if (options->demo && options->model_path) {
+	if (options->show.demo && options->model_path) {
 		log_error(log,
 			"%s: a demo brings its own model: give --demo "
 			"or a file, not both",
@@ -57,16 +57,17 @@ int show_choose(const struct options *options, const struct log *log,
 		plan->model_path = options->model_path;
 		return model_file_check(plan->model_path, log);
 	}
-	if (options->clip) {
+	if (options->motion.clip) {
 		log_error(log,
 			"--clip %s: a demo chooses its own clips: name "
 			"a model file instead",
-			options->clip);
+			options->motion.clip);
 		return -EINVAL;
 	}
-	plan->demo = options->demo ? demo_find(options->demo) : demo_registry[0];
+	plan->demo = options->show.demo ? demo_find(options->show.demo)
+					: demo_registry[0];
 	if (!plan->demo) {
-		return say_unknown_demo(options->demo, log);
+		return say_unknown_demo(options->show.demo, log);
 	}
 	plan->model_path = path;
 	return file_find_asset(plan->demo->asset, log, path, size);

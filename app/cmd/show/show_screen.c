@@ -17,22 +17,22 @@ int screen_check(const struct options *options, const struct log *log)
 {
 	const struct display_driver *driver;
 
-	if (options->gl && !gl_is_known(options->gl, log)) {
+	if (options->screen.gl && !gl_is_known(options->screen.gl, log)) {
 		return -EINVAL;
 	}
-	if (is_auto(options->display)) {
+	if (is_auto(options->screen.display)) {
 		return 0;
 	}
-	driver = display_choose(options->display, log);
+	driver = display_choose(options->screen.display, log);
 	if (!driver) {
 		return -EINVAL;
 	}
-	if (!gl_can_draw(options->gl, has_surface(driver))) {
+	if (!gl_can_draw(options->screen.gl, has_surface(driver))) {
 		log_error(log,
 			"--display %s with --gl %s: it draws into memory, and "
 			"%s has none to offer: choose --gl gles1, or --display "
 			"fbdev or kms",
-			driver->name, options->gl, driver->name);
+			driver->name, options->screen.gl, driver->name);
 		return -EINVAL;
 	}
 	return 0;
@@ -44,8 +44,8 @@ static int open_gl(struct screen *screen, const struct options *options,
 	struct native_surface surface;
 	struct gl_request request = {
 		.format = screen->info.format,
-		.egl_library = options->egl_library,
-		.gles_library = options->gles_library,
+		.egl_library = options->screen.egl_library,
+		.gles_library = options->screen.gles_library,
 		.log = log,
 	};
 
@@ -53,20 +53,20 @@ static int open_gl(struct screen *screen, const struct options *options,
 		screen->driver->get_surface(screen->display, &surface);
 		request.surface = &surface;
 	}
-	return gl_open_for(options->gl, &request, &screen->gl);
+	return gl_open_for(options->screen.gl, &request, &screen->gl);
 }
 
 int screen_open(struct screen *screen, const struct options *options,
 	const char *display, int frames, double rate_hz, const struct log *log)
 {
 	const struct display_options wanted = {
-		.width = options->width,
-		.height = options->height,
-		.size_given = options->size_given,
-		.format = options->format,
-		.format_given = options->format_given,
+		.width = options->screen.size.width,
+		.height = options->screen.size.height,
+		.size_given = options->screen.size.given,
+		.format = options->screen.format,
+		.format_given = options->screen.format_given,
 		.title = "limber",
-		.output = options->output,
+		.output = options->screen.output,
 		.frame_count = frames,
 		.rate_hz = rate_hz,
 		.log = log,

@@ -87,19 +87,19 @@ static void test_keys_are_options_by_their_names(void **state)
 		"frames = 7\n"
 		"verbose = yes\n");
 	assert_int_equal(bench->error, 0);
-	assert_string_equal(bench->options.demo, "face");
-	assert_near(bench->options.time_s, 1.5, 1e-9);
-	assert_near(bench->options.speed, 0.5, 0.0);
-	assert_string_equal(bench->options.display, "null");
-	assert_int_equal(bench->options.width, 320);
-	assert_int_equal(bench->options.height, 240);
-	assert_string_equal(bench->options.gl, "soft");
-	assert_true(bench->options.no_labels);
-	assert_string_equal(bench->options.watchdog, "/dev/watchdog");
-	assert_string_equal(bench->options.camera, "pattern");
-	assert_int_equal(bench->options.frames, 7);
-	assert_true(bench->options.verbose);
-	assert_null(bench->options.buttons);
+	assert_string_equal(bench->options.show.demo, "face");
+	assert_near(bench->options.motion.time_s, 1.5, 1e-9);
+	assert_near(bench->options.motion.speed, 0.5, 0.0);
+	assert_string_equal(bench->options.screen.display, "null");
+	assert_int_equal(bench->options.screen.size.width, 320);
+	assert_int_equal(bench->options.screen.size.height, 240);
+	assert_string_equal(bench->options.screen.gl, "soft");
+	assert_true(bench->options.show.no_labels);
+	assert_string_equal(bench->options.show.watchdog, "/dev/watchdog");
+	assert_string_equal(bench->options.input.camera, "pattern");
+	assert_int_equal(bench->options.show.frames, 7);
+	assert_true(bench->options.common.verbose);
+	assert_null(bench->options.input.buttons);
 }
 
 static void test_buttons_become_sources(void **state)
@@ -114,16 +114,16 @@ static void test_buttons_become_sources(void **state)
 		"keyboard = kpp\n"
 		"sources = script:a.txt\n");
 	assert_int_equal(bench->error, 0);
-	assert_string_equal(bench->options.buttons,
+	assert_string_equal(bench->options.input.buttons,
 		"gpiod:UP=53fd0000.gpio 18 active-low pull-up debounce=20,"
 		"ENTER=KEY_COL4 pull-down,evdev:kpp,ENTER=KEY_KPENTER,"
 		"F9=KEY_W,script:a.txt");
 	load(bench, FOR_PLAY, "[buttons]\nkeyboard = all\n");
-	assert_string_equal(bench->options.buttons, "evdev");
+	assert_string_equal(bench->options.input.buttons, "evdev");
 	load(bench, FOR_PLAY, "[buttons]\nF9 = key KEY_W\n");
-	assert_string_equal(bench->options.buttons, "evdev:,F9=KEY_W");
+	assert_string_equal(bench->options.input.buttons, "evdev:,F9=KEY_W");
 	load(bench, FOR_PLAY, "[buttons]\nkeyboard = none\n");
-	assert_null(bench->options.buttons);
+	assert_null(bench->options.input.buttons);
 }
 
 static void test_actions_move_to_other_buttons(void **state)
@@ -132,9 +132,9 @@ static void test_actions_move_to_other_buttons(void **state)
 
 	load(bench, FOR_PLAY, "[actions]\nF9 = UP\nF10 = none\n");
 	assert_int_equal(bench->error, 0);
-	assert_int_equal(bench->options.action[BUTTON_F9], BUTTON_UP);
-	assert_int_equal(bench->options.action[BUTTON_F10], BUTTON_COUNT);
-	assert_int_equal(bench->options.action[BUTTON_UP], BUTTON_UP);
+	assert_int_equal(bench->options.input.action[BUTTON_F9], BUTTON_UP);
+	assert_int_equal(bench->options.input.action[BUTTON_F10], BUTTON_COUNT);
+	assert_int_equal(bench->options.input.action[BUTTON_UP], BUTTON_UP);
 }
 
 static void test_what_a_command_has_not_is_left_out(void **state)
@@ -145,12 +145,12 @@ static void test_what_a_command_has_not_is_left_out(void **state)
 		"[display]\ndisplay = fbdev\nsize = 10x20\n"
 		"[buttons]\nkeyboard = all\n[start]\ntime = 2\n");
 	assert_int_equal(bench->error, 0);
-	assert_null(bench->options.display);
-	assert_int_equal(bench->options.width, 480);
-	assert_null(bench->options.buttons);
-	assert_near(bench->options.time_s, 2.0, 0.0);
+	assert_null(bench->options.screen.display);
+	assert_int_equal(bench->options.screen.size.width, 480);
+	assert_null(bench->options.input.buttons);
+	assert_near(bench->options.motion.time_s, 2.0, 0.0);
 	load(bench, FOR_POSE, "[display]\nsize = big\n");
-	expect_refusal(bench, 2, "want width x height");
+	expect_refusal(bench, 2, "give a width and a height");
 }
 
 static void test_mistakes_are_named_with_their_line(void **state)
@@ -162,23 +162,23 @@ static void test_mistakes_are_named_with_their_line(void **state)
 		{2, "[start]\ndmeo = arm\n", "did you mean demo?"},
 		{3, "\n[dsiplay]\nsize = 1x1\n", "did you mean display?"},
 		{1, "demo = arm\n", "before any [section]"},
-		{2, "[display]\nsize = 480\n", "size = 480: want width"},
-		{2, "[display]\nlabels = maybe\n", "want yes or no"},
+		{2, "[display]\nsize = 480\n", "size = 480: give a width"},
+		{2, "[display]\nlabels = maybe\n", "give yes or no"},
 		{2, "[start]\ndemo arm\n", "KEY = VALUE"},
 		{1, "[start\ndemo = arm\n", "[SECTION]"},
 		{2, "[buttons]\nUPP = key KEY_W\n", "did you mean UP?"},
 		{2, "[buttons]\nUP = gpio 53fd0000.gpio 18 pul-up\n",
 			"want CHIP/LINE"},
 		{2, "[buttons]\nUP = gpio\n", "the line is missing"},
-		{2, "[buttons]\nUP = gpio a 1,\n", "want gpio CHIP LINE"},
-		{2, "[buttons]\nUP = keys KEY_W\n", "want gpio CHIP LINE"},
+		{2, "[buttons]\nUP = gpio a 1,\n", "give gpio CHIP LINE"},
+		{2, "[buttons]\nUP = keys KEY_W\n", "give gpio CHIP LINE"},
 		{2, "[buttons]\nUP = key KEY_NONE\n", "no such key"},
 		{2, "[buttons]\nsources = piano\n", "no such source"},
-		{2, "[actions]\nF9 = dance\n", "want the button"},
+		{2, "[actions]\nF9 = dance\n", "give the button"},
 		{2, "[actions]\nF7 = UP\n", "did you mean F6?"},
 		{3, "[options]\n; x\nframs = 4\n", "did you mean frames?"},
-		{2, "[options]\nframes = none\n", "want a number"},
-		{2, "[options]\nconfig = x\n", "not in [options]"},
+		{2, "[options]\nframes = none\n", "give a number"},
+		{2, "[options]\nconfig = x\n", "does not belong in [options]"},
 	};
 	struct bench *bench = *state;
 
@@ -244,10 +244,10 @@ static void test_the_boards_file_is_good(void **state)
 			FOR_PLAY, &bench->options, &log),
 		0);
 	assert_int_equal(bench->said.count, 0);
-	assert_string_equal(bench->options.demo, "walker");
-	assert_string_equal(bench->options.display, "fbdev");
-	assert_string_equal(bench->options.gl, "soft");
-	assert_string_equal(bench->options.buttons,
+	assert_string_equal(bench->options.show.demo, "walker");
+	assert_string_equal(bench->options.screen.display, "fbdev");
+	assert_string_equal(bench->options.screen.gl, "soft");
+	assert_string_equal(bench->options.input.buttons,
 		"gpiod:UP=53fd0000.gpio 18 active-high,"
 		"DOWN=53fd0000.gpio 19 active-high,"
 		"LEFT=53fd0000.gpio 20 active-high,"
@@ -256,7 +256,7 @@ static void test_the_boards_file_is_good(void **state)
 		"F6=53fd0000.gpio 23 active-high,"
 		"F8=53fd0000.gpio 24 active-high,"
 		"F9=53fd0000.gpio 25 active-high,evdev");
-	assert_int_equal(buttons_check(bench->options.buttons, &log), 0);
+	assert_int_equal(buttons_check(bench->options.input.buttons, &log), 0);
 }
 
 int main(void)

@@ -38,11 +38,11 @@ static void test_reads_values_after_a_space_or_an_equals_sign(void **state)
 	(void)state;
 	assert_int_equal(p.error, 0);
 	assert_string_equal(p.options.model_path, "m.glb");
-	assert_string_equal(p.options.output, "x.png");
-	assert_int_equal(p.options.width, 320);
-	assert_int_equal(p.options.height, 240);
-	assert_int_equal(p.options.frames, 7);
-	assert_near(p.options.time_s, 1.5, 0.0);
+	assert_string_equal(p.options.screen.output, "x.png");
+	assert_int_equal(p.options.screen.size.width, 320);
+	assert_int_equal(p.options.screen.size.height, 240);
+	assert_int_equal(p.options.show.frames, 7);
+	assert_near(p.options.motion.time_s, 1.5, 0.0);
 }
 
 static void test_starts_from_the_panels_size(void **state)
@@ -50,9 +50,9 @@ static void test_starts_from_the_panels_size(void **state)
 	struct options options = options_default();
 
 	(void)state;
-	assert_int_equal(options.width, 480);
-	assert_int_equal(options.height, 640);
-	assert_false(options.clock.fixed);
+	assert_int_equal(options.screen.size.width, 480);
+	assert_int_equal(options.screen.size.height, 640);
+	assert_false(options.show.clock.fixed);
 }
 
 static void test_refuses_a_text_that_is_empty(void **state)
@@ -62,7 +62,7 @@ static void test_refuses_a_text_that_is_empty(void **state)
 
 	(void)state;
 	assert_int_equal(demo.error, -EINVAL);
-	assert_contains(demo.said.sentence[0], "want a demo's name");
+	assert_contains(demo.said.sentence[0], "give the name of a demo");
 	assert_int_equal(output.error, -EINVAL);
 }
 
@@ -82,7 +82,7 @@ static void test_points_to_help_when_nothing_is_near(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "--help lists them");
+	assert_contains(p.said.sentence[0], "--help lists the options");
 }
 
 static void test_does_not_suggest_what_the_command_does_not_take(void **state)
@@ -90,7 +90,7 @@ static void test_does_not_suggest_what_the_command_does_not_take(void **state)
 	struct parse p = PARSE(FOR_INFO, "--tmie", "1");
 
 	(void)state;
-	assert_contains(p.said.sentence[0], "--help lists them");
+	assert_contains(p.said.sentence[0], "--help lists the options");
 }
 
 static void test_refuses_an_option_of_another_command(void **state)
@@ -130,7 +130,7 @@ static void test_says_what_a_good_value_looks_like(void **state)
 
 		assert_int_equal(p.error, -EINVAL);
 		assert_int_equal(p.said.count, 1);
-		assert_contains(p.said.sentence[0], ": want ");
+		assert_contains(p.said.sentence[0], ": give ");
 		assert_contains(p.said.sentence[0], bad[i][1]);
 	}
 }
@@ -159,7 +159,7 @@ static void test_takes_one_model_only(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "b.glb: one model at a time");
+	assert_contains(p.said.sentence[0], "b.glb: limber takes one model");
 }
 
 static void test_takes_a_name_with_a_dash_after_two_dashes(void **state)

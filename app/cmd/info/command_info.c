@@ -12,7 +12,7 @@ static int run_with_model(const struct model *model,
 	if (error) {
 		return error;
 	}
-	if (options->json) {
+	if (options->common.json) {
 		return info_print_json(&report, log, stdout);
 	}
 	info_print_text(&report, stdout);
@@ -21,11 +21,8 @@ static int run_with_model(const struct model *model,
 
 static int run(const struct options *options, const struct log *log)
 {
-	if (!options->model_path) {
-		log_error(log, "info: no model: limber info MODEL");
-		return EXIT_USAGE;
-	}
-	return command_with_model(options, log, run_with_model);
+	return command_run_with_model(
+		&command_info, options, log, run_with_model);
 }
 
 const struct command command_info = {

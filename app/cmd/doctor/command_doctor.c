@@ -75,8 +75,9 @@ static int run(const struct options *options, const struct log *log)
 	if (!path) {
 		return doctor_examine_machine(options, log);
 	}
-	return command_exit_code(options->json ? examine_in_json(path, log)
-					       : examine_in_words(path, log));
+	return command_exit_code(options->common.json
+			? examine_in_json(path, log)
+			: examine_in_words(path, log));
 }
 
 const struct command command_doctor = {

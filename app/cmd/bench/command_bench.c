@@ -1,6 +1,6 @@
 #include "app/cmd/bench/bench_report.h"
 #include "app/cmd/command.h"
-#include "app/cmd/show/kernel_choice.h"
+#include "app/cmd/options/options_kernel.h"
 
 #include <errno.h>
 
@@ -35,7 +35,7 @@ static int measure(struct bench *bench, const struct bench_mesh *mesh,
 
 	if (!error) {
 		*out = bench_time_job(
-			&job, &bench->evictor, bench->options->runs);
+			&job, &bench->evictor, bench->options->bench.runs);
 	}
 	arena_release(&arena);
 	return error;
@@ -46,7 +46,7 @@ static int measure_kernels(struct bench *bench, const struct bench_row *row,
 	int size, const struct bench_mesh *mesh, int first)
 {
 	struct bench_report *report = &bench->report;
-	const char *only = bench->options->kernel;
+	const char *only = bench->options->vertices.kernel;
 
 	report->result_count = first;
 	for (int k = 0; kernel_registry[k]; k++) {
@@ -102,7 +102,7 @@ static int measure_all(struct bench *bench)
 		bench->model ? bench_model_rows : bench_rows;
 	int error = 0;
 
-	bench->report.runs = bench->options->runs;
+	bench->report.runs = bench->options->bench.runs;
 	bench->report.size_count =
 		bench->model ? 1 : (int)ARRAY_COUNT(made_sizes);
 	for (; row->name && !error; row++) {
@@ -128,7 +128,7 @@ static int bench_run(struct bench *bench)
 	} else {
 		error = measure_all(bench);
 	}
-	if (!error && bench->options->json) {
+	if (!error && bench->options->common.json) {
 		error = bench_print_json(&bench->report, bench->log, stdout);
 	} else if (!error) {
 		bench_print_text(&bench->report, stdout);
@@ -143,7 +143,8 @@ static int run(const struct options *options, const struct log *log)
 	struct model *model = NULL;
 	int error = 0;
 
-	if (options->kernel && !kernel_choose(options, log)) {
+	if (options->vertices.kernel &&
+		!options_kernel(&options->vertices, log)) {
 		return EXIT_USAGE;
 	}
 	if (options->model_path) {

@@ -23,6 +23,7 @@ include toolchain/arm1136.mk
 include toolchain/bench.mk
 include toolchain/board.mk
 include toolchain/check.mk
+include toolchain/test.mk
 include toolchain/gpiod.mk
 include toolchain/demo.mk
 include toolchain/package.mk

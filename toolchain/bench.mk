@@ -10,7 +10,7 @@ BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
 build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a \
-		| build/check-packages.stamp
+		| build/test-packages.stamp
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)

@@ -9,7 +9,7 @@ CHECK := build/check
 CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
-SETS_fuzz := host font check
+SETS_fuzz := host font fuzz
 PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod inih
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
@@ -20,11 +20,11 @@ build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 		@build/fuzz/libs $(LIBS_fuzz)
 
 # Tests want their packages, however they are asked for.
-build/check-packages.stamp: toolchain/packages/check.txt | build
-	$(Q)toolchain/install.sh check
+build/test-packages.stamp: toolchain/packages/test.txt | build
+	$(Q)toolchain/install.sh test
 	$(Q)touch $@
 $(foreach target,$(TARGETS),$(patsubst %.c,build/$(target)/obj/%.o,\
-	$(TEST_SOURCES) $(SUPPORT_SOURCES))): | build/check-packages.stamp
+	$(TEST_SOURCES) $(SUPPORT_SOURCES))): | build/test-packages.stamp
 
 # A vendor's GL that is not there, and one of EGL 1.0; they lie beside the test.
 FAKE_GLES := $(sort $(wildcard tests/fake_gles/*.c))
@@ -33,7 +33,7 @@ build/$(1)/unit/fake_gles.so: $$(FAKE_GLES)
 build/$(1)/unit/fake_gles_old.so: $$(FAKE_GLES)
 build/$(1)/unit/fake_gles_old.so: FAKE_GLES_DEFINES := -DFAKE_GLES_OLD
 build/$(1)/unit/fake_gles.so build/$(1)/unit/fake_gles_old.so: \
-		| build/$(1)/packages.stamp build/check-packages.stamp
+		| build/$(1)/packages.stamp build/test-packages.stamp
 	@mkdir -p $$(@D)
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. -fPIC -shared \
@@ -150,8 +150,8 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 
 check: | build
 	$(Q)date +%s >build/check-began
-	$(Q)toolchain/install.sh host font arm check board package \
-		virtual browser
+	$(Q)toolchain/install.sh host font arm test fuzz check board \
+		package virtual browser
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

@@ -18,7 +18,7 @@ GPIOD_OBJECTS_$(1)_$(2) := $(patsubst %.c,build/$(1)/obj/gpiod_v$(2)/%.o,\
 	$(addprefix tests/gpiod/,cases.c fake.c fake_v$(2).c))
 
 build/$(1)/obj/gpiod_v$(2)/%.o: %.c build/gen/gpiod_v$(2)/gpiod.h \
-		| build/$(1)/packages.stamp build/check-packages.stamp
+		| build/$(1)/packages.stamp build/test-packages.stamp
 	@mkdir -p $$(@D)
 	$$(call say,CC,$$@)
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. \

@@ -1,7 +1,11 @@
 #!/bin/sh
 # suite.sh LIST NUMBER FOLDER: runs the suite of line NUMBER of LIST, keeps its
-# output in FOLDER/NAME.log and its figures in FOLDER/NAME.count, and prints
-# one line about it. A line of LIST is a suite's name, then a shell command.
+# output in FOLDER/NAME.log and its counts in FOLDER/NAME.count, and prints one
+# line about it. A line of LIST is a suite's name, then a shell command.
+#
+# SUITE_SECONDS limits the time of a suite. When REMEMBER is set, a suite that
+# passed is not run again until REMEMBER, its command or a file that the command
+# names has changed; FOLDER/NAME.key records what they were.
 set -eu
 list=$1
 folder=$3
@@ -9,9 +13,39 @@ line=$(sed -n "$2p" "$list")
 suite=${line%% *}
 command=${line#* }
 
+# A digest of the command and of the files that it names.
+key_of() {
+    {
+        echo "$REMEMBER $1"
+        for word in $1; do
+            word=${word#*=}
+            [ ! -f "$word" ] || sha256sum "$word"
+        done
+    } | sha256sum
+}
+
+# say TIME: one line about the suite.
+say() {
+    read -r passed failed skipped <"$folder/$suite.count"
+    text="$passed passed"
+    [ "$failed" -eq 0 ] || text="$text, $failed FAILED"
+    [ "$skipped" -eq 0 ] || text="$text, $skipped skipped"
+    printf '  %-34s %-36s %8s\n' "$suite" "$text" "$1"
+}
+
 log=$folder/$suite.log
 mkdir -p "$(dirname "$log")"
-# No suite takes a tenth of this; one that hangs must not hang the rest.
+key=
+if [ -n "${REMEMBER-}" ]; then
+    key=$(key_of "$command")
+    if [ "$(cat "$folder/$suite.key" 2>/dev/null)" = "$key" ]; then
+        say before
+        exit
+    fi
+fi
+rm -f "$folder/$suite.key"
+
+# The slowest suite takes a tenth of this; one that hangs must not stop the rest.
 limit=${SUITE_SECONDS:-600}
 begin=$(date +%s%N)
 status=0
@@ -20,9 +54,7 @@ end=$(date +%s%N)
 
 awk -v suite="$suite" -v status="$status" -f "$(dirname "$0")/count_tap.awk" \
     "$log" >"$folder/$suite.count"
-read -r passed failed skipped <"$folder/$suite.count"
-text="$passed passed"
-[ "$failed" -eq 0 ] || text="$text, $failed FAILED"
-[ "$skipped" -eq 0 ] || text="$text, $skipped skipped"
-printf '  %-34s %-36s %6s s\n' "$suite" "$text" "$(awk -v ns=$((end - begin)) \
-    'BEGIN { printf "%.1f", ns / 1e9 }')"
+say "$(awk -v ns=$((end - begin)) 'BEGIN { printf "%.1f s", ns / 1e9 }')"
+if [ -n "$key" ] && [ "$failed" -eq 0 ]; then
+    echo "$key" >"$folder/$suite.key"
+fi

@@ -12,7 +12,7 @@ folder=$2
 jobs=${3:-1}
 : "${BEGAN:=$(date +%s)}"
 
-rm -rf "$folder"
+[ -n "${REMEMBER-}" ] || rm -rf "$folder"
 mkdir -p "$folder"
 count=$(grep -c . "$list" || true)
 seq 1 "$count" | xargs -P "$jobs" -I '{}' \

@@ -180,6 +180,53 @@ about 'an empty list'
 expect_status 1
 expect_total 0 0
 
+# What make test does: a suite that passed waits for a change.
+echo 'echo 1..1; echo "$1 1 - one"' >"$scratch/program"
+echo "kept sh $scratch/program ok" >"$scratch/list"
+export REMEMBER=one
+run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+about 'a suite that is run for the first time'
+expect_total 1 0
+expect_out '^  kept +1 passed +[0-9.]+ s$'
+run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+about 'a suite that passed before'
+expect_status 0
+expect_total 1 0
+expect_out '^  kept +1 passed +before$'
+REMEMBER=two run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+about 'a suite that passed before the shared files changed'
+expect_out '^  kept +1 passed +[0-9.]+ s$'
+echo 'echo 1..2; echo "$1 1 - one"; echo "ok 2 - two"' >"$scratch/program"
+run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+about 'a suite whose program has changed'
+expect_total 2 0
+echo "kept sh $scratch/program 'not ok'" >"$scratch/list"
+for turn in first second; do
+    run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+    about "a suite that fails, for the $turn time"
+    expect_status 1
+    expect_total 1 1
+    expect_out '^  kept +1 passed, 1 FAILED +[0-9.]+ s$'
+done
+unset REMEMBER
+
+# close NAME: what make test T=NAME says when no test has the name.
+close() {
+    run "$support/close_names.sh" "$1" test_clip test_clip_fit test_hud cli/pose
+    about "a test called $1"
+}
+close clap
+expect_status 2
+expect_no_out
+expect_err '^limber: no test is called "clap"; close to it: clip$'
+close test_clip_
+expect_err '"clip_"; close to it: clip_fit, clip$'
+close xyzzyxyzzy
+expect_err '"xyzzyxyzzy"; tests are tests/unit/'
+close 'pos hut'
+expect_err '"pos"; close to it: pose$'
+expect_err '"hut"; close to it: hud$'
+
 for n in 1 2 3 4 5 6 7 8; do suite "s$n" '1..1\nok 1 - one\n'; done \
     >"$scratch/list"
 run "$support/tally.sh" "$scratch/list" "$scratch/logs" 4

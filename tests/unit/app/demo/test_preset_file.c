@@ -2,37 +2,30 @@
 #include "app/demo/preset_file.h"
 #include "app/model/model_file.h"
 #include "tests/support/demo_run.h"
+#include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 struct bench {
 	struct log log;
-	char folder[64], path[96];
+	struct test_path folder, path;
 };
 
 static void write_file(const struct bench *bench, const char *text)
 {
-	FILE *out = fopen(bench->path, "w");
-
-	assert_non_null(out);
-	assert_true(fputs(text, out) >= 0);
-	assert_int_equal(fclose(out), 0);
+	file_write(bench->path.text, text, strlen(text));
 }
 
 static void read_back(const struct bench *bench, char *text, size_t size)
 {
-	FILE *in = fopen(bench->path, "r");
-	size_t length;
+	char *all = file_read(bench->path.text, NULL);
 
-	assert_non_null(in);
-	length = fread(text, 1, size - 1, in);
-	text[length] = '\0';
-	fclose(in);
+	assert_true(snprintf(text, size, "%s", all) < (int)size);
+	free(all);
 }
 
 static int begin(void **state)
@@ -41,10 +34,8 @@ static int begin(void **state)
 
 	assert_non_null(bench);
 	bench->log = log_to_stderr(LOG_WARNING);
-	snprintf(bench->folder, sizeof(bench->folder), "/tmp/presets-XXXXXX");
-	assert_non_null(mkdtemp(bench->folder));
-	snprintf(bench->path, sizeof(bench->path), "%s/presets.ini",
-		bench->folder);
+	bench->folder = temp_dir_make();
+	bench->path = path_join(&bench->folder, "presets.ini");
 	*state = bench;
 	return 0;
 }
@@ -53,8 +44,7 @@ static int end(void **state)
 {
 	struct bench *bench = *state;
 
-	unlink(bench->path);
-	rmdir(bench->folder);
+	temp_dir_remove(&bench->folder);
 	unsetenv("LIMBER_ASSETS");
 	free(bench);
 	return 0;
@@ -90,7 +80,8 @@ static void test_a_section_changes_and_all_else_stays(void **state)
 	preset.speed = 12.5f;
 	preset.translation[2] = -2.0f;
 	preset.attenuation = -0.25f;
-	assert_int_equal(preset_file_save(bench->path, &preset, &bench->log), 0);
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
 	read_back(bench, text, sizeof(text));
 	assert_string_equal(text, after);
 }
@@ -108,10 +99,11 @@ static void test_what_is_saved_is_read_again(void **state)
 		*preset_value(&preset, &preset_fields[i]) =
 			0.125f * (float)(i + 1);
 	}
-	assert_int_equal(preset_file_save(bench->path, &preset, &bench->log), 0);
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
 	read_back(bench, text, sizeof(text));
 	assert_int_equal(procedural_presets_parse(
-				 text, bench->path, &bench->log, read, 4),
+				 text, bench->path.text, &bench->log, read, 4),
 		3);
 	assert_string_equal(read[2].name, "three");
 	for (int i = 0; i < PRESET_FIELDS; i++) {
@@ -136,8 +128,8 @@ static void test_the_programs_own_file_stays_as_it_is(void **state)
 		&bench->log, preset, PRESETS_MAX);
 	assert_true(count >= 3);
 	for (int i = 0; i < count; i++) {
-		assert_int_equal(
-			preset_file_save(bench->path, &preset[i], &bench->log),
+		assert_int_equal(preset_file_save(bench->path.text, &preset[i],
+					 &bench->log),
 			0);
 	}
 	read_back(bench, text, sizeof(text));
@@ -151,7 +143,7 @@ static void test_a_file_that_is_not_there_is_told(void **state)
 	struct procedural_preset preset = procedural_preset_default();
 	struct log quiet = log_to_stderr(LOG_ERROR);
 
-	assert_true(preset_file_save(bench->path, &preset, &quiet) < 0);
+	assert_true(preset_file_save(bench->path.text, &preset, &quiet) < 0);
 }
 
 static void test_the_tuner_changes_and_saves(void **state)
@@ -166,7 +158,7 @@ static void test_the_tuner_changes_and_saves(void **state)
 	char text[1024];
 
 	write_file(bench, "[mine]\nspeed = 7\n");
-	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder, 1), 0);
+	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder.text, 1), 0);
 	demo_run_begin(&run, "tuner");
 	demo_run_to(&run, 3.0, 20, presses, (int)ARRAY_COUNT(presses));
 	demo_run_draw(&run);
@@ -174,7 +166,7 @@ static void test_the_tuner_changes_and_saves(void **state)
 	demo_run_end(&run);
 	read_back(bench, text, sizeof(text));
 	assert_int_equal(procedural_presets_parse(
-				 text, bench->path, &bench->log, read, 4),
+				 text, bench->path.text, &bench->log, read, 4),
 		1);
 	assert_near(read[0].attenuation, 0.4, 1e-6);
 	assert_near(read[0].amplitude, 0.28, 1e-6);

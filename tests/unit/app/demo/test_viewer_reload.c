@@ -2,10 +2,10 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/model/model_file.h"
+#include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -13,18 +13,14 @@
 struct bench {
 	struct log log;
 	struct gl gl;
-	char path[64];
+	struct test_path folder, path;
 	struct demo *demo;
 	double now_s;
 };
 
 static void put(const struct bench *bench, const void *data, size_t size)
 {
-	FILE *out = fopen(bench->path, "w");
-
-	assert_non_null(out);
-	assert_int_equal(fwrite(data, 1, size, out), size);
-	assert_int_equal(fclose(out), 0);
+	file_write(bench->path.text, data, size);
 }
 
 static void put_model(const struct bench *bench, const char *asset)
@@ -58,15 +54,12 @@ static struct bench *begin_bench(bool follow)
 {
 	struct bench *bench = calloc(1, sizeof(*bench));
 	struct demo_env env;
-	int file;
 
 	assert_non_null(bench);
 	bench->log = log_to_stderr(LOG_ERROR);
 	bench->gl = gl_recorder_begin();
-	snprintf(bench->path, sizeof(bench->path), "/tmp/followed-XXXXXX");
-	file = mkstemp(bench->path);
-	assert_true(file >= 0);
-	close(file);
+	bench->folder = temp_dir_make();
+	bench->path = path_join(&bench->folder, "followed.glb");
 	put_model(bench, "assets/walker.glb");
 	env = (struct demo_env){
 		.log = &bench->log,
@@ -75,7 +68,7 @@ static struct bench *begin_bench(bool follow)
 		.kernel = &kernel_float,
 		.width = 240,
 		.height = 320,
-		.model_path = bench->path,
+		.model_path = bench->path.text,
 		.clip = "walk",
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
@@ -89,7 +82,7 @@ static struct bench *begin_bench(bool follow)
 static void end_bench(struct bench *bench)
 {
 	demo_destroy(&demo_driver_viewer, bench->demo);
-	unlink(bench->path);
+	temp_dir_remove(&bench->folder);
 	free(bench);
 }
 
@@ -148,7 +141,7 @@ static void test_a_broken_file_leaves_the_old_one(void **state)
 	put(bench, "glTF, but not really", 20);
 	run_to(bench, 6.0);
 	assert_ptr_equal(model_of(bench), old);
-	unlink(bench->path);
+	unlink(bench->path.text);
 	run_to(bench, 9.0);
 	assert_ptr_equal(model_of(bench), old);
 	put_model(bench, "assets/walker.glb");

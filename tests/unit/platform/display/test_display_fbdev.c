@@ -711,6 +711,7 @@ static void test_a_wish_to_stop_is_left_to_the_frame_loop(void **state)
 	struct scene scene = {0};
 
 	(void)state;
+	signal(SIGTERM, SIG_DFL);
 	stop_catch();
 	fake_fb_begin(WIDTH, HEIGHT, HEIGHT, HEIGHT, WIDTH * 2, rgb565);
 	fake_fb.has_console = true;

@@ -243,11 +243,11 @@ static void test_a_full_disk_is_told_once_and_leaves_the_old_file(void **state)
 {
 	static const char *const names[] = {"x.png", "x.gif", "x.y4m"};
 	/* A file may grow to this size: as a full disk, but repeatable. */
-	const struct rlimit small = {60, RLIM_INFINITY};
-	struct rlimit usual;
+	struct rlimit small, usual;
 
 	(void)state;
 	assert_int_equal(getrlimit(RLIMIT_FSIZE, &usual), 0);
+	small = (struct rlimit){60, usual.rlim_max};
 	signal(SIGXFSZ, SIG_IGN);
 	for (int i = 0; i < 3; i++) {
 		struct image_scene scene;

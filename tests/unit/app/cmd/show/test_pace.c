@@ -73,6 +73,8 @@ static void test_each_signal_asks_to_stop(void **state)
 
 	(void)state;
 	for (int i = 0; i < 3; i++) {
+		/* nohup and a shell's "&" start programs that ignore some. */
+		signal(signals[i], SIG_DFL);
 		stop_catch();
 		assert_false(stop_requested());
 		raise(signals[i]);
@@ -84,16 +86,16 @@ static void test_each_signal_asks_to_stop(void **state)
 static void test_what_was_ignored_stays_ignored(void **state)
 {
 	struct sigaction after;
+	void (*usual)(int) = signal(SIGHUP, SIG_IGN);
 
 	(void)state;
-	signal(SIGHUP, SIG_IGN);
 	stop_catch();
 	raise(SIGHUP);
 	assert_false(stop_requested());
 	stop_release();
 	assert_int_equal(sigaction(SIGHUP, NULL, &after), 0);
 	assert_true(after.sa_handler == SIG_IGN);
-	signal(SIGHUP, SIG_DFL);
+	signal(SIGHUP, usual);
 }
 
 int main(void)

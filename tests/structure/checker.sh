@@ -1,5 +1,5 @@
 #!/bin/sh
-# The two checks of this folder, held against made-up trees.
+# The checks of this folder, held against trees and files that break the rules.
 . "$(dirname "$0")/../support/tap.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$scratch/tree
@@ -81,5 +81,27 @@ rm "$scratch"/objects/*
 OBJECTS=$scratch/objects run "$here/libm.sh"
 about 'no objects'
 expect_status 1
+
+# workflow FILE SCRIPT: the check of a workflow file that sed has changed.
+workflow() {
+    sed "$2" "$here/../../$1" >"$scratch/workflow"
+    FILES=$scratch/workflow run "$here/ci.sh"
+    about "$1 after $2"
+}
+for file in .github/workflows/check.yml .gitlab-ci.yml; do
+    workflow "$file" ''
+    expect_status 0
+    workflow "$file" 's/debian:12/debian:13/'
+    expect_out 'does not run in debian:12'
+    workflow "$file" 's/\.ci\/run/make/'
+    expect_out 'does not run .ci/run'
+    workflow "$file" 's/ git make/ git make gcc/'
+    expect_out 'does not install git, make and certificates alone'
+    workflow "$file" 's/180$/18/; s/3 hours/1 hour/'
+    expect_out 'does not allow three hours'
+    workflow "$file" '$a cache: here'
+    expect_out 'relies on a cache'
+    expect_status 1
+done
 
 tap_done

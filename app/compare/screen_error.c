@@ -9,7 +9,6 @@
 static const struct camera_framing framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
-	.turn_rad = SCALAR_PI,
 	.margin = 1.15f,
 };
 

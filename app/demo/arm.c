@@ -69,7 +69,7 @@ static const struct {
 };
 
 static const struct camera_framing framing = {
-	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .turn_rad = 0.0f, .margin = 0.95f};
+	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .margin = 0.95f};
 
 struct demo {
 	struct demo_base base;

@@ -23,7 +23,7 @@ static const float bulge_m = 0.03f; /* of sinusoidal motion */
 static const double dwell_s = 1.5;  /* from one expression to the next */
 
 static const struct camera_framing framing = {
-	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .turn_rad = 0.0f, .margin = 1.06f};
+	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .margin = 1.06f};
 
 struct demo {
 	struct demo_base base;

@@ -31,11 +31,8 @@ static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* of preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
 
-static const struct camera_framing framing = {.yaw_rad = 0.3f,
-	.pitch_rad = 0.1f,
-	.turn_rad = 0.3f,
-	.margin = 1.04f,
-	.shift_x = 0.36f};
+static const struct camera_framing framing = {
+	.yaw_rad = 0.3f, .pitch_rad = 0.1f, .margin = 1.04f, .shift_x = 0.36f};
 
 struct demo {
 	struct demo_base base;

@@ -17,11 +17,8 @@ static const float zoom_per_s = 1.2f;
 static const float fade_s = 0.25f;
 static const double look_s = 1.0; /* between looks at the file */
 
-static const struct camera_framing framing = {.yaw_rad = 0.45f,
-	.pitch_rad = 0.16f,
-	.turn_rad = SCALAR_PI,
-	.margin = 1.15f,
-	.shift_x = 0.15f};
+static const struct camera_framing framing = {
+	.yaw_rad = 0.45f, .pitch_rad = 0.16f, .margin = 1.15f, .shift_x = 0.15f};
 
 /* Whether the file has changed: looked at once a second. */
 struct file_watch {

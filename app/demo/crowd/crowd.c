@@ -39,7 +39,7 @@ static const float ease_per_s = 3.0f; /* of the camera to its distance */
 static const double period_s = 8.0;
 
 static const struct camera_framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.42f, .turn_rad = 0.0f, .margin = 1.0f};
+	.yaw_rad = 0.45f, .pitch_rad = 0.42f, .margin = 1.0f};
 
 struct walker {
 	struct instance *instance;

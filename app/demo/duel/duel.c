@@ -27,7 +27,7 @@ static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* with and without, when nobody presses */
 
 static const struct camera_framing framing = {
-	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .turn_rad = 0.0f, .margin = 0.98f};
+	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .margin = 0.98f};
 
 struct demo {
 	struct demo_base base;

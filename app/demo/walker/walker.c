@@ -42,11 +42,8 @@ static const struct autoplay_step autoplay_steps[] = {
 
 static const float autoplay_s = 17.6f;
 
-static const struct camera_framing framing = {.yaw_rad = 0.45f,
-	.pitch_rad = 0.12f,
-	.turn_rad = 0.3f,
-	.margin = 1.02f,
-	.shift_x = 0.16f};
+static const struct camera_framing framing = {
+	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .margin = 1.02f, .shift_x = 0.16f};
 
 struct demo {
 	struct demo_base base;

@@ -9,7 +9,7 @@
 #include <string.h>
 
 enum {
-	/* A context that is lost may report errors for ever. */
+	/* A lost context may report errors without end. */
 	ERRORS_MAX = 16
 };
 
@@ -24,7 +24,7 @@ bool bump_is_mapped(
 		primitive->normal && primitive->tangent && primitive->texcoord;
 }
 
-static bool model_has_relief(const struct model *model)
+static bool model_is_mapped(const struct model *model)
 {
 	for (int m = 0; m < model->mesh_count; m++) {
 		const struct model_mesh *mesh = &model->mesh[m];
@@ -38,7 +38,7 @@ static bool model_has_relief(const struct model *model)
 	return false;
 }
 
-static void forget_errors(const struct gl *gl)
+static void clear_errors(const struct gl *gl)
 {
 	for (int i = 0; i < ERRORS_MAX; i++) {
 		if (gl->GetError() == GL_NO_ERROR) {
@@ -50,24 +50,23 @@ static void forget_errors(const struct gl *gl)
 bool bump_is_supported(
 	const struct model *model, const struct gl *gl, const struct log *log)
 {
-	bool possible;
+	bool supported;
 
-	if (!model_has_relief(model)) {
+	if (!model_is_mapped(model)) {
 		return false;
 	}
-	forget_errors(gl);
+	clear_errors(gl);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_DOT3_RGB);
-	possible = gl->GetError() == GL_NO_ERROR;
+	supported = gl->GetError() == GL_NO_ERROR;
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-	forget_errors(gl);
-	if (!possible) {
+	clear_errors(gl);
+	if (!supported) {
 		log_warning(log,
-			"%s: its normal maps are left out: this GL driver has "
-			"no DOT3 texture combiner; another one may (--gl)",
+			"%s: this GL driver cannot draw the model's normal maps because it has no DOT3 texture combiner: choose another driver with --gl",
 			model->path);
 	}
-	return possible;
+	return supported;
 }
 
 int bump_init(struct drawable *drawable, const struct model *model,
@@ -108,16 +107,17 @@ int bump_init(struct drawable *drawable, const struct model *model,
 }
 
 /*
- * The inverse of the matrix times the direction, made unit length: rows of the
- * inverse are cross products of columns, over the determinant.
+ * Multiplies the direction by the inverse of the matrix, up to a positive
+ * scale. The rows of the inverse are cross products of the matrix's columns
+ * divided by the determinant.
  */
-static void into_local(const vec4 *matrix, const float world[3], float out[3])
+static void to_local(const vec4 *matrix, const float world[3], float out[3])
 {
 	vec3 column[3], row[3], light = {world[0], world[1], world[2]};
 	float determinant;
 
 	for (int i = 0; i < 3; i++) {
-		/* Unit columns: tiny scales would vanish in the products. */
+		/* Unit columns keep products of tiny scales from underflow. */
 		vec3 c = {matrix[i][0], matrix[i][1], matrix[i][2]};
 		float length2 = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
 		float length = scalar_sqrt(length2);
@@ -136,7 +136,7 @@ static void into_local(const vec4 *matrix, const float world[3], float out[3])
 	}
 }
 
-static void make_unit(float v[3])
+static void normalize(float v[3])
 {
 	float length = scalar_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 
@@ -153,29 +153,29 @@ static float dot(const float a[3], const float b[3])
 void bump_encode(const float light[3], const float tangent[3],
 	const float bitangent[3], const float normal[3], uint8_t out[4])
 {
-	const float part[3] = {
+	const float local[3] = {
 		dot(light, tangent), dot(light, bitangent), dot(light, normal)};
-	/* Gone where the surface is turned away by a seventh of a radian. */
-	float fade = scalar_clamp(1.0f + 7.0f * part[2], 0.0f, 1.0f);
+	/* 0 where the surface faces away by a seventh of a radian or more. */
+	float fade = scalar_clamp(1.0f + 7.0f * local[2], 0.0f, 1.0f);
 
 	for (int i = 0; i < 3; i++) {
 		out[i] = (uint8_t)scalar_clamp(
-			128.0f + 127.5f * fade * part[i], 0.0f, 255.0f);
+			128.0f + 127.5f * fade * local[i], 0.0f, 255.0f);
 	}
 	out[3] = 255;
 }
 
-/* The light's direction where the drawable's vertices are. */
+/* The direction to the light in the space of the drawable's vertices. */
 static void find_light(const struct instance *instance,
 	const struct drawable *drawable, float out[3])
 {
 	if (drawable->skin >= 0) {
 		memcpy(out, instance->towards_light, 3 * sizeof(*out));
 	} else {
-		into_local((const vec4 *)instance->world[drawable->node],
+		to_local((const vec4 *)instance->world[drawable->node],
 			instance->towards_light, out);
 	}
-	make_unit(out);
+	normalize(out);
 }
 
 static void unpack(const struct fixed_vector *v, float out[3])

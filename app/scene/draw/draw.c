@@ -8,7 +8,7 @@
 
 #include <cglm/cglm.h>
 
-/* A faint highlight that tightens as the surface gets smoother. */
+/* Smoother surfaces get a stronger and narrower highlight. */
 static void set_highlight(const struct gl *gl, float roughness)
 {
 	float gloss = 1.0f - scalar_clamp(roughness, 0.0f, 1.0f);
@@ -72,16 +72,15 @@ static void enable_array(const struct gl *gl, GLenum array, const void *data)
 	}
 }
 
-/* The arrays of one pass besides positions; any may be NULL. */
+/* What one pass draws besides positions; the pointers may be NULL. */
 struct arrays {
-	bool lit; /* with the batch's normals */
+	bool lit; /* pass the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
-	bool proxy; /* what it looks like does not matter */
-	int lod;    /* of the drawable */
+	bool proxy; /* draw the shadow proxy if the batch has one */
+	int lod;    /* as drawable.lod */
 };
 
-/* Positions, and normals if wanted. */
 static void set_vertices(
 	const struct gl *gl, const struct batch *batch, bool with_normals)
 {
@@ -160,7 +159,6 @@ static void set_surface(const struct gl *gl, const struct instance *instance,
 	}
 }
 
-/* A batch in the drawable's own colours and texture, as the light falls. */
 static void draw_shaded(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct batch *batch)
 {
@@ -185,7 +183,10 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	if (shaded) {
 		set_surface(gl, instance, drawable, textures);
 	}
-	/* Shapes too: what faces the light has the outline of all. */
+	/*
+	 * Shadows are culled too: the triangles that face the light cover the
+	 * whole silhouette.
+	 */
 	if (material_of(instance, drawable)->double_sided) {
 		gl->Disable(GL_CULL_FACE);
 	} else {
@@ -200,7 +201,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	}
 }
 
-/* The inner sides, whose normals point the other way: plainly. */
+/* Draws back faces without bumps: their normals point the other way. */
 static void draw_back(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures)
 {
@@ -210,9 +211,10 @@ static void draw_back(const struct gl *gl, const struct instance *instance,
 	gl->CullFace(GL_BACK);
 }
 
-/* In the three passes that bump.h tells of. */
-static void draw_relief(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, const struct texture_set *textures)
+/* Draws the three passes that bump.h describes. */
+static void draw_bump_mapped(const struct gl *gl,
+	const struct instance *instance, const struct drawable *drawable,
+	const struct texture_set *textures)
 {
 	const struct model_material *material = material_of(instance, drawable);
 	const struct batch *batch = drawable->batch;
@@ -237,25 +239,26 @@ static void draw_relief(const struct gl *gl, const struct instance *instance,
 	}
 }
 
-/* Drawn in scene units, with relief where it has one. */
-static void draw_placed(const struct gl *gl, const struct instance *instance,
+/* The model-view matrix takes the arrays to eye space. */
+static void draw_in_place(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
 	if (pass == DRAW_SHADED && instance->normal_mapping &&
 		textures->normal_mapping && drawable->light) {
-		draw_relief(gl, instance, drawable, textures);
+		draw_bump_mapped(gl, instance, drawable, textures);
 	} else {
 		draw_drawable(gl, instance, drawable, textures, pass);
 	}
 }
 
 /*
- * From the units of the arrays to those of drawable_position(). GL ES 1.1 keeps
- * 16 bits behind the point, so what is left of a fixed-point scale is brought
- * near 1 and goes with the rest of the matrix; a power of two follows.
+ * Multiplies the model-view matrix by the given one and by the arrays' scale
+ * and offset, so that it takes the arrays' units, not drawable_position()'s. GL
+ * ES 1.1 matrices have 16 fractional bits: the scale of fixed-point arrays is
+ * therefore split into a power of two and a factor near 1.
  */
-static void enter_units(
+static void multiply_matrix(
 	const struct drawable *drawable, mat4 matrix, const struct gl *gl)
 {
 	const struct fixed_placement *placement;
@@ -275,15 +278,15 @@ static void enter_units(
 	gl->Scalex(FX16_ONE / 32768, FX16_ONE / 32768, FX16_ONE / 32768);
 }
 
-/* By its node's matrix if rigid; skinned vertices are in place already. */
-static void place_and_draw(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, const struct texture_set *textures,
-	enum draw_pass pass)
+/* Skinned vertices are in scene units; others need their node's matrix. */
+static void draw_transformed(const struct gl *gl,
+	const struct instance *instance, const struct drawable *drawable,
+	const struct texture_set *textures, enum draw_pass pass)
 {
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
 	if (drawable->skin >= 0 && !drawable->fixed) {
-		draw_placed(gl, instance, drawable, textures, pass);
+		draw_in_place(gl, instance, drawable, textures, pass);
 		return;
 	}
 	if (drawable->skin < 0) {
@@ -291,8 +294,8 @@ static void place_and_draw(const struct gl *gl, const struct instance *instance,
 	}
 	gl->PushMatrix();
 	gl->FrontFace(matrix_gl_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
-	enter_units(drawable, matrix, gl);
-	draw_placed(gl, instance, drawable, textures, pass);
+	multiply_matrix(drawable, matrix, gl);
+	draw_in_place(gl, instance, drawable, textures, pass);
 	gl->FrontFace(GL_CCW);
 	gl->PopMatrix();
 }
@@ -312,7 +315,7 @@ void draw_instance(const struct gl *gl, const struct instance *instance,
 
 			if (!drawable->hidden &&
 				is_blended(instance, drawable) == blended) {
-				place_and_draw(
+				draw_transformed(
 					gl, instance, drawable, textures, pass);
 			}
 		}
@@ -331,14 +334,13 @@ void draw_node(const struct gl *gl, const struct instance *instance,
 
 			glm_scale_make(matrix, (vec3){scale, scale, scale});
 			gl->PushMatrix();
-			enter_units(drawable, matrix, gl);
+			multiply_matrix(drawable, matrix, gl);
 			draw_drawable(gl, instance, drawable, textures, pass);
 			gl->PopMatrix();
 		}
 	}
 }
 
-/* What the steps of a walk need. */
 struct walk {
 	const struct gl *gl;
 	const struct instance *instance;

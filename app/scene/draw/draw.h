@@ -1,9 +1,9 @@
 /*
- * Instances into GL calls.
+ * Draws instances through GL ES 1.1.
  *
- * The model-view matrix is the camera's (or a parent's) when these are called;
- * lights are set. Client arrays and material state are left as they come, so
- * each call sets all it needs.
+ * The caller has loaded the model-view matrix (the camera's, or a parent's) and
+ * the lights. Each call sets the client arrays and the material state that it
+ * needs and does not restore them.
  */
 #ifndef APP_SCENE_DRAW_DRAW_H
 #define APP_SCENE_DRAW_DRAW_H
@@ -13,29 +13,31 @@
 #include "app/scene/instance/instance.h"
 
 enum draw_pass {
-	DRAW_SHADED, /* materials, textures, light */
-	DRAW_SHADOW, /* positions only, in the current colour */
+	DRAW_SHADED, /* with materials, textures and light */
+	DRAW_SHADOW, /* the shadow proxy's positions in the current colour */
 };
 
 /*
- * All drawables that are not hidden: opaque ones, then blended ones. Normal
- * maps show where instance.normal_mapping and texture_set.normal_mapping say
- * so; they are lit in world space, so the model-view matrix has to be the
- * camera's for them. Surfaces with relief leave the depth function at GL_LESS.
+ * Draws every drawable that is not hidden, first the opaque ones, then the
+ * blended ones. Normal maps are drawn where both instance.normal_mapping and
+ * texture_set.normal_mapping are true. Their light is computed in world space,
+ * so they need the camera's own model-view matrix. Normal-mapped surfaces leave
+ * the depth function at GL_LESS.
  */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);
 
 /*
- * What one node shows, in the current model-view matrix as it is; without
- * relief, as is draw_hierarchy().
+ * Draws the drawables of one node. The current model-view matrix takes the
+ * place of the node's world matrix. Neither this function nor draw_hierarchy()
+ * draws normal maps.
  */
 void draw_node(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, int node, enum draw_pass pass);
 
 /*
- * Walks the pivots with matrix-stack calls, as AN4044 section 2 does. A
- * pivot's part is a node of the instance.
+ * Walks the pivots with matrix-stack calls as AN4044 section 2 does. Each
+ * pivot's part is the index of a node, which draw_node() draws.
  */
 void draw_hierarchy(const struct gl *gl, const struct hierarchy *hierarchy,
 	const struct instance *instance, const struct texture_set *textures,

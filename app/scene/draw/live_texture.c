@@ -22,7 +22,8 @@ int live_texture_init(struct live_texture *texture, const struct gl *gl,
 	texture->texels = calloc(LIVE_TEXTURE_SIDE * LIVE_TEXTURE_SIDE,
 		sizeof(*texture->texels));
 	if (!texture->texels) {
-		log_error(log, "--camera: not enough memory for its texture");
+		log_error(log,
+			"--camera: not enough memory for the camera's texture");
 		return -ENOMEM;
 	}
 	gl->GenTextures(1, &texture->name);
@@ -66,8 +67,8 @@ void live_texture_update(struct live_texture *texture, const struct gl *gl,
 		GL_UNSIGNED_SHORT_5_6_5, texture->texels);
 }
 
-/* From the middle of the first texel to that of the last. */
-static GLfixed reach_of(int texels)
+/* The distance from the first texel's centre to the last one's. */
+static GLfixed texture_extent(int texels)
 {
 	return (texels - 1) * (FX16_ONE / LIVE_TEXTURE_SIDE);
 }
@@ -81,8 +82,8 @@ void live_texture_bind(const struct live_texture *texture, const struct gl *gl)
 	gl->MatrixMode(GL_TEXTURE);
 	gl->LoadIdentity();
 	gl->Translatex(half, half, 0);
-	gl->Scalex(
-		reach_of(texture->width), reach_of(texture->height), FX16_ONE);
+	gl->Scalex(texture_extent(texture->width),
+		texture_extent(texture->height), FX16_ONE);
 	gl->MatrixMode(GL_MODELVIEW);
 }
 

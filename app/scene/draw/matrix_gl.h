@@ -1,5 +1,5 @@
 /*
- * Float matrices into GL's 16.16.
+ * Passes float matrices to GL ES 1.1 in 16.16 fixed point.
  */
 #ifndef APP_SCENE_DRAW_MATRIX_GL_H
 #define APP_SCENE_DRAW_MATRIX_GL_H
@@ -8,11 +8,14 @@
 
 #include <cglm/types.h>
 
-/* LoadMatrix and MultMatrix of four columns; elements within +-32768. */
+/*
+ * Call LoadMatrixx() and MultMatrixx() with four columns, whose elements have
+ * to be between -32768 and 32768.
+ */
 void matrix_gl_load(const struct gl *gl, const vec4 *matrix);
 void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix);
 
-/* True when the matrix mirrors, so that triangles turn the other way. */
+/* Returns 1 when the determinant is negative, which reverses the winding. */
 int matrix_gl_mirrors(const vec4 *matrix);
 
 #endif

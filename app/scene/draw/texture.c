@@ -11,7 +11,7 @@ enum {
 	SIDE_MAX = 1024
 };
 
-/* A picture whose sides are powers of two. */
+/* An image whose sides are powers of two. */
 struct texels {
 	int width, height;
 	uint8_t (*rgba)[4];
@@ -28,7 +28,7 @@ static int power_of_two_near(int side)
 	return power > 1 && power - side > side - power / 2 ? power / 2 : power;
 }
 
-/* The source column or row, in 1/256, that a texel's centre falls on. */
+/* The source column or row, in 1/256, at a texel's centre. */
 static int source_at(int texel, int side, int source_side, bool mirrored)
 {
 	int once = mirrored ? side / 2 : side;
@@ -76,7 +76,6 @@ static int resample(const struct model_image *image,
 	if (!out->rgba) {
 		return -ENOMEM;
 	}
-	/* Most are as GL wants them. */
 	if (out->width == image->width && out->height == image->height) {
 		memcpy(out->rgba, image->rgba,
 			(size_t)out->width * (size_t)out->height * 4);
@@ -94,7 +93,7 @@ static int resample(const struct model_image *image,
 	return 0;
 }
 
-/* The next mipmap, in place: each texel is the mean of two or four. */
+/* Makes the next mipmap level in place: each texel averages two or four. */
 static void halve(struct texels *texels)
 {
 	int step_x = texels->width > 1, step_y = texels->height > 1;
@@ -132,7 +131,7 @@ static bool is_gray(const struct texels *texels)
 	return true;
 }
 
-/* How texels go to GL. */
+/* The formats in which texels are passed to GL. */
 enum packing {
 	PACK_RGBA,
 	PACK_GRAY, /* opaque */
@@ -151,7 +150,6 @@ static enum packing choose_packing(
 				       : PACK_4444;
 }
 
-/* 16 bits each. */
 static void pack_short(
 	const struct texels *texels, enum packing packing, uint16_t *out)
 {
@@ -166,7 +164,7 @@ static void pack_short(
 	}
 }
 
-/* Packed has room for 16 bits a texel. */
+/* packed is a buffer of 16 bits a texel. */
 static void upload_level(const struct gl *gl, int level,
 	const struct texels *texels, enum packing packing, uint16_t *packed)
 {
@@ -265,7 +263,8 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 	set->normal_mapping = bump_is_supported(model, gl, log);
 	return 0;
 fail:
-	log_error(log, "%s: not enough memory for its textures", model->path);
+	log_error(log, "%s: not enough memory for the model's textures",
+		model->path);
 	texture_set_destroy(set, gl);
 	return -ENOMEM;
 }

@@ -1,9 +1,10 @@
 /*
- * A model's images as GL textures.
+ * Makes GL textures of a model's images.
  *
- * GL ES 1.1 wants sides that are powers of two and has no mirrored wrap, so
- * images are resampled and, for a mirrored side, stored twice, the second time
- * mirrored; texture_bind() then halves the coordinates.
+ * GL ES 1.1 requires sides that are powers of two and has no mirrored wrap
+ * mode. Images are therefore resampled, and an image that is mirrored along an
+ * axis is stored twice along it, the second time reversed; texture_bind() then
+ * halves the coordinates of that axis.
  */
 #ifndef APP_SCENE_DRAW_TEXTURE_H
 #define APP_SCENE_DRAW_TEXTURE_H
@@ -16,25 +17,29 @@ struct texture_set {
 	const struct model *model;
 	int count;
 	GLuint *name;        /* [count], one for each of the model's textures */
-	bool normal_mapping; /* normal maps can be shown, see bump.h */
+	bool normal_mapping; /* the driver can draw the model's normal maps */
 };
 
 /*
- * Uploads all textures of the model, in 16 bits a texel for RGB565 targets.
- * 0, or -ENOMEM after a sentence with nothing left behind.
+ * Uploads all textures of the model, with 16 bits a texel when the target is
+ * RGB565. Returns 0, or -ENOMEM after logging an error; then nothing is left to
+ * release. Release the set with texture_set_destroy().
  */
 int texture_set_create(struct texture_set *set, const struct model *model,
 	const struct gl *gl, enum pixel_format target, const struct log *log);
 
 void texture_set_destroy(struct texture_set *set, const struct gl *gl);
 
-/* Makes a texture current and enables it; sets the texture matrix. */
+/*
+ * Binds one of the model's textures, enables GL_TEXTURE_2D, sets the texture
+ * matrix and leaves the matrix mode at GL_MODELVIEW.
+ */
 void texture_bind(
 	const struct texture_set *set, const struct gl *gl, int texture);
 
 /*
- * One RGBA picture as a texture name, with the same rules; for pictures that
- * are not a model's. 0 when memory is short.
+ * Uploads one RGBA image, which need not be a model's, under the same rules.
+ * Returns the texture's name, or 0 when memory is short.
  */
 GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 	const struct model_texture *sampling, enum pixel_format target);

@@ -23,7 +23,7 @@ int font_find_glyph(const struct font *font, uint32_t code)
 	return FONT_UNKNOWN;
 }
 
-/* How many bytes follow a first byte; -1 for what can be none. */
+/* How many bytes follow a first byte; -1 if it cannot be a first byte. */
 static int continuation_count(uint8_t first)
 {
 	return first < 0x80                      ? 0
@@ -35,8 +35,8 @@ static int continuation_count(uint8_t first)
 
 uint32_t font_next_code(const char **text)
 {
-	/* Below these an encoding is longer than it need be. */
-	static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
+	/* Smaller codes would be overlong encodings. */
+	static const uint32_t min_code[] = {0, 0x80, 0x800, 0x10000};
 	const uint8_t *at = (const uint8_t *)*text;
 	int more = continuation_count(*at);
 	uint32_t code;
@@ -55,7 +55,7 @@ uint32_t font_next_code(const char **text)
 		}
 		code = code << 6 | (at[i] & 0x3F);
 	}
-	if (code < least[more] || code > 0x10FFFF ||
+	if (code < min_code[more] || code > 0x10FFFF ||
 		(code >= 0xD800 && code <= 0xDFFF)) {
 		return REPLACEMENT;
 	}

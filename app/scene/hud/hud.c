@@ -1,5 +1,6 @@
 #include "app/scene/hud/hud.h"
 
+#include "app/scene/draw/triangle_list.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -7,8 +8,8 @@
 #include <string.h>
 
 enum {
-	EMS_PER_HEIGHT = 40, /* lines of text in a picture, about */
-	CLIP = 16384, /* half of what a short holds, so that text leaves at edges */
+	EMS_PER_HEIGHT = 40, /* ems of text in the picture's height */
+	CLIP = 16384, /* half of a short's range: text may lie beyond the edge */
 	ELLIPSIS = 0x2026
 };
 
@@ -32,19 +33,20 @@ static void set_filter(const struct gl *gl, GLint filter)
 int hud_init(struct hud *hud, const struct gl *gl, const struct log *log)
 {
 	const struct font *font = &font_default;
+	uint16_t *next = hud->index;
 
 	*hud = (struct hud){.font = font};
-	for (int i = 0; i < HUD_QUADS_MAX; i++) {
-		static const uint8_t corner[6] = {0, 1, 2, 2, 1, 3};
+	for (uint32_t i = 0; i < HUD_QUADS_MAX; i++) {
+		uint32_t first = i * 4;
 
-		for (int k = 0; k < 6; k++) {
-			hud->index[i * 6 + k] = (uint16_t)(i * 4 + corner[k]);
-		}
+		next = triangle_list_add(next, first, first + 1, first + 2);
+		next = triangle_list_add(next, first + 2, first + 1, first + 3);
 	}
 	hud_begin(hud, 1, 1);
 	gl->GenTextures(1, &hud->texture);
 	if (!hud->texture) {
-		log_error(log, "labels: no room for the font's texture");
+		log_error(log,
+			"not enough memory for the texture of the labels' font");
 		return -ENOMEM;
 	}
 	gl->BindTexture(GL_TEXTURE_2D, hud->texture);
@@ -65,7 +67,7 @@ void hud_finish(struct hud *hud, const struct gl *gl)
 	}
 }
 
-/* The largest face that suits, enlarged only where all are too small. */
+/* Chooses the largest face that fits; scales it where all are too small. */
 static void choose_face(struct hud *hud)
 {
 	const struct font *font = hud->font;
@@ -101,7 +103,7 @@ int hud_line_height(const struct hud *hud)
 	return hud->face->line_height * hud->scale;
 }
 
-/* Pixels from the top left corner; what is far outside is drawn nowhere. */
+/* Clamps to what a vertex holds; such a vertex is outside the picture. */
 static int16_t to_short(int value)
 {
 	return (int16_t)(value < -INT16_MAX ? -INT16_MAX
@@ -120,7 +122,7 @@ static void add_vertex(struct hud *hud, int corner, int x, int y, int s, int t,
 			.color = color};
 }
 
-/* Texels s, t, wide and high by the next two, onto pixels. */
+/* Maps the texels from s, t on onto w x h pixels at x, y. */
 static void add_quad(struct hud *hud, int x, int y, int w, int h, int s, int t,
 	int texels_w, int texels_h, struct hud_color color)
 {
@@ -211,7 +213,7 @@ void hud_rectangle(
 		color);
 }
 
-/* One quarter of a disc, whose own corner is x, y. */
+/* Adds one quarter of a disc with its top left corner at x, y. */
 static void add_quarter(struct hud *hud, int x, int y, int radius, int right,
 	int bottom, struct hud_color color)
 {
@@ -222,7 +224,7 @@ static void add_quarter(struct hud *hud, int x, int y, int radius, int right,
 		disc[1] + bottom * texels, texels, texels, color);
 }
 
-static int least(int a, int b)
+static int min_int(int a, int b)
 {
 	return a < b ? a : b;
 }
@@ -230,8 +232,8 @@ static int least(int a, int b)
 void hud_panel(struct hud *hud, int x, int y, int w, int h, int radius,
 	struct hud_color color)
 {
-	/* Discs are whole texels, up to the largest there is. */
-	int texels = least(least(radius, least(w, h) / 2) / hud->scale,
+	/* The atlas has discs of whole texels up to the largest radius. */
+	int texels = min_int(min_int(radius, min_int(w, h) / 2) / hud->scale,
 		FONT_DISC_RADIUS_MAX);
 	int r = texels < 0 ? 0 : texels * hud->scale;
 
@@ -246,16 +248,16 @@ void hud_panel(struct hud *hud, int x, int y, int w, int h, int radius,
 	hud_rectangle(hud, x + r, y + h - r, w - 2 * r, r, color);
 }
 
-void hud_bar(struct hud *hud, int x, int y, int w, int h, float share,
+void hud_bar(struct hud *hud, int x, int y, int w, int h, float fraction,
 	struct hud_color color)
 {
-	float clamped = scalar_clamp(share, 0.0f, 1.0f);
+	float clamped = scalar_clamp(fraction, 0.0f, 1.0f);
 	int filled = (int)((float)w * clamped + 0.5f);
 
 	hud_panel(hud, x, y, w, h, h / 2, bar_track);
 	if (clamped > 0.0f) {
 		/* Never narrower than its two round ends. */
-		filled = filled < h ? least(h, w) : filled;
+		filled = filled < h ? min_int(h, w) : filled;
 		hud_panel(hud, x, y, filled, h, h / 2, color);
 	}
 }
@@ -271,9 +273,9 @@ void hud_move(struct hud *hud, int first_quad, int x, int y)
 }
 
 /*
- * Pixels of a side become -CLIP..CLIP. A matrix of pixels would hold 2 / size
- * in 16.16, which on a driver that keeps it so is off by half a pixel across a
- * large picture; 1 / CLIP is exact, and a step is at most a quarter pixel.
+ * Converts 0..size pixels to -CLIP..CLIP. A matrix for pixels would contain
+ * 2 / size, which in 16.16 is wrong by half a pixel across a large picture;
+ * 1 / CLIP is exact, and a step is at most a quarter of a pixel.
  */
 static int16_t to_clip(int pixel, int32_t scale_q16, int size)
 {
@@ -286,7 +288,7 @@ static void convert_vertices(struct hud *hud)
 {
 	int32_t x_q16 = (CLIP << 16) / hud->width;
 	int32_t y_q16 = (CLIP << 16) / hud->height;
-	/* Of powers of two. */
+	/* Exact, as the atlas' sides are powers of two. */
 	float width = 1.0f / (float)hud->font->width;
 	float height = 1.0f / (float)hud->font->height;
 
@@ -322,7 +324,7 @@ static void set_state(const struct gl *gl, const struct hud *hud)
 	gl->Enable(GL_TEXTURE_2D);
 	gl->BindTexture(GL_TEXTURE_2D, hud->texture);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-	/* Texels lie on pixels; enlarged, their steps are smoothed. */
+	/* At scale 1 each texel lies on one pixel. */
 	set_filter(gl, hud->scale > 1 ? GL_LINEAR : GL_NEAREST);
 }
 

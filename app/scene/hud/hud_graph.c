@@ -4,9 +4,9 @@
 
 #include <stdio.h>
 
-static const float renew_ms = 250.0f;
+static const float update_ms = 250.0f;
 
-/* Ends of the scale, and frame times that a line marks. */
+/* Steps of the scale, and the frame times at which lines are drawn. */
 static const float scales_ms[] = {5.0f, 20.0f, 40.0f, 100.0f, 250.0f, 1000.0f};
 static const float marks_ms[] = {1000.0f / 60.0f, 1000.0f / 30.0f};
 
@@ -22,23 +22,22 @@ static const struct {
 	[HUD_PRESENT] = {"present", &hud_color_amber},
 };
 
-static void renew(struct hud_graph *graph)
+static void update_texts(struct hud_graph *graph)
 {
-	const struct hud_graph_means *sum = &graph->gathering;
-	float share = 1.0f / (float)sum->frames;
+	float factor = 1.0f / (float)graph->sum.frames;
 
-	graph->shown = *sum;
-	graph->shown.interval_ms *= share;
+	graph->shown = graph->sum;
+	graph->shown.interval_ms *= factor;
 	for (int stage = 0; stage < HUD_STAGES; stage++) {
-		graph->shown.stage_ms[stage] *= share;
+		graph->shown.stage_ms[stage] *= factor;
 	}
-	graph->gathering = (struct hud_graph_means){.frames = 0};
+	graph->sum = (struct hud_graph_means){.frames = 0};
 }
 
 void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
 	float interval_ms)
 {
-	struct hud_graph_means *sum = &graph->gathering;
+	struct hud_graph_means *sum = &graph->sum;
 
 	for (int stage = 0; stage < HUD_STAGES; stage++) {
 		float ms = stage_ms[stage] > 0.0f ? stage_ms[stage] : 0.0f;
@@ -50,8 +49,8 @@ void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
 	graph->count += graph->count < HUD_GRAPH_FRAMES;
 	sum->interval_ms += interval_ms;
 	sum->frames++;
-	if (sum->interval_ms >= renew_ms || graph->shown.frames == 0) {
-		renew(graph);
+	if (sum->interval_ms >= update_ms || graph->shown.frames == 0) {
+		update_texts(graph);
 	}
 }
 
@@ -88,7 +87,7 @@ float hud_graph_scale_ms(const struct hud_graph *graph)
 	return scales_ms[scale];
 }
 
-/* The field that the bars stand in. */
+/* The area of the bars. */
 struct field {
 	int left, width, bottom, height;
 	float px_per_ms;

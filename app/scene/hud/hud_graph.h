@@ -1,15 +1,10 @@
 /*
- * How long frames take, as a graph over the picture.
+ * A graph of frame times on the head-up display.
  *
- * Each of the last frames is a bar whose colours are its stages; below it are
- * the stages' times and what the frame shows. Times come from the caller, so
- * a graph that is fed the same looks the same. It is drawn with the hud's one
- * call: about 260 rectangles of a pixel or three, and text.
- *
- * 1.7 million ARM instructions a frame with the soft driver at 480x640, beside
- * 16 of the walker's own: tests/bench/count.sh with `limber play --demo walker
- * --hud --gl soft --display null --format rgb565 --clock fixed:25 --no-labels
- * --frames FRAMES`.
+ * Each of the last frames is a bar, coloured by stage. Below the bars are the
+ * stages' mean times and facts about the frame. All times come from the caller,
+ * so equal times draw equal pictures. The graph adds about 260 rectangles to
+ * the hud's single draw call; README.md tells what that costs.
  */
 #ifndef APP_SCENE_HUD_HUD_GRAPH_H
 #define APP_SCENE_HUD_HUD_GRAPH_H
@@ -18,10 +13,11 @@
 
 #include <stddef.h>
 
+/* The stages of a frame. */
 enum hud_stage {
-	HUD_ANIMATE, /* poses and vertices */
+	HUD_ANIMATE, /* computing poses and vertices */
 	HUD_DRAW,    /* GL calls */
-	HUD_PRESENT, /* from the driver to the screen */
+	HUD_PRESENT, /* moving the picture from the driver to the screen */
 	HUD_STAGES
 };
 
@@ -29,46 +25,47 @@ enum {
 	HUD_GRAPH_FRAMES = 48
 };
 
-/* What the texts say: means since they were last renewed. */
+/* Sums or means over some frames. */
 struct hud_graph_means {
 	float stage_ms[HUD_STAGES];
 	float interval_ms;
 	int frames;
 };
 
-/* All zero: no frame yet. */
+/* All zero before the first frame. */
 struct hud_graph {
-	float ms[HUD_GRAPH_FRAMES][HUD_STAGES]; /* a ring */
+	float ms[HUD_GRAPH_FRAMES][HUD_STAGES]; /* ring buffer */
 	int next, count;
-	struct hud_graph_means gathering, shown;
+	struct hud_graph_means sum;   /* since the texts were updated */
+	struct hud_graph_means shown; /* the means that the texts show */
 };
 
-/* What is on the picture. */
+/* The facts below the times. */
 struct hud_facts {
 	const char *technique;
-	const char *driver; /* who draws */
+	const char *driver; /* the GL driver's name */
 	long triangles;
-	size_t memory_bytes;   /* of the process; 0: not known */
-	const char *reduction; /* what is left out to keep a budget, or NULL */
+	size_t memory_bytes;   /* of the process; 0 if unknown */
+	const char *reduction; /* what the governor leaves out, or NULL */
 };
 
 /*
- * A frame's stages, and the time from the end of the frame before to its own.
- * Texts are renewed four times a second.
+ * Adds a frame: the times of its stages, and the interval from the end of the
+ * previous frame to its own end. The texts are updated four times a second.
  */
 void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
 	float interval_ms);
 
-/* Frames a second by the last second's quarter; 0 when not known yet. */
+/* Returns the frames a second that the texts show; 0 if not known yet. */
 float hud_graph_rate(const struct hud_graph *graph);
 
 /*
- * The scale's upper end: milliseconds that the tallest of the last frames fits
- * under, one of a few steps.
+ * Returns the milliseconds at the graph's top: one of a few steps, such that
+ * the longest of the last frames fits if it takes at most a second.
  */
 float hud_graph_scale_ms(const struct hud_graph *graph);
 
-/* A group in the bottom left corner. */
+/* Adds the graph as a group in the bottom left corner. */
 void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud);
 

@@ -4,10 +4,10 @@
 
 #include <stdio.h>
 
-/* Lengths are in eighths of an em unless they say otherwise. */
+/* Lengths in eighths of an em; TEXT_SIZE counts bytes. */
 enum {
-	WIDTH_LEAST = 88,
-	WIDTH_MOST = 104,
+	WIDTH_MIN = 88,
+	WIDTH_MAX = 104,
 	MARGIN = 6, /* from the edge of the picture, and between groups */
 	PADDING_X = 5,
 	PADDING_Y = 4,
@@ -25,7 +25,7 @@ enum {
 	KNOB_INSET = 1,
 	MARK_SIDE = 4,
 	MARK_GAP = 3,
-	TEXT_ROOM = 32
+	TEXT_SIZE = 32
 };
 
 static const struct hud_color cap_color = {255, 255, 255, 40};
@@ -50,19 +50,19 @@ static bool is_bottom(enum hud_corner corner)
 	return corner == HUD_BOTTOM_LEFT || corner == HUD_BOTTOM_RIGHT;
 }
 
-/* Of the backdrop: three eighths of the picture where text allows that. */
+/* The panel's width: three eighths of the picture's, within text's limits. */
 static int group_width(const struct hud *hud)
 {
-	int least = eighths(hud, WIDTH_LEAST), most = eighths(hud, WIDTH_MOST);
-	int room = hud->width - 2 * eighths(hud, MARGIN);
+	int min = eighths(hud, WIDTH_MIN), max = eighths(hud, WIDTH_MAX);
+	int available = hud->width - 2 * eighths(hud, MARGIN);
 	int width = hud->width * 3 / 8;
 
-	width = width < least ? least : width > most ? most : width;
-	return width < room ? width : room;
+	width = width < min ? min : width > max ? max : width;
+	return width < available ? width : available;
 }
 
-/* All of it, with its rows' padding, from y on. */
-static void add_backdrop(const struct hud_group *group, int y, int height)
+/* Adds the panel behind the rows, wider than they are by the padding. */
+static void add_panel(const struct hud_group *group, int y, int height)
 {
 	const struct hud *hud = group->hud;
 	int padding = eighths(hud, PADDING_X);
@@ -85,8 +85,8 @@ struct hud_group hud_group_begin(
 	group.width = width - 2 * padding;
 	group.left = is_right(corner) ? hud->width - margin - width + padding
 				      : margin + padding;
-	/* Holds the place below the rows until the height is known. */
-	add_backdrop(&group, 0, hud->height);
+	/* Reserves the quads below the rows until the height is known. */
+	add_panel(&group, 0, hud->height);
 	if (title) {
 		hud_text_cut(hud, group.left, group.y, group.width,
 			hud_color_text, title);
@@ -98,7 +98,7 @@ struct hud_group hud_group_begin(
 	return group;
 }
 
-/* Right-aligned; returns its left edge. */
+/* Adds right-aligned text and returns its left edge. */
 static int add_value(const struct hud_group *group, const char *value)
 {
 	int width = hud_text_width(group->hud, value);
@@ -110,7 +110,6 @@ static int add_value(const struct hud_group *group, const char *value)
 	return x;
 }
 
-/* The label from x on. */
 static void add_line_from(const struct hud_group *group, int x,
 	const char *label, const char *value)
 {
@@ -141,7 +140,7 @@ void hud_group_text(
 }
 
 void hud_group_bar(struct hud_group *group, const char *label,
-	const char *value, float share, struct hud_color color)
+	const char *value, float fraction, struct hud_color color)
 {
 	const struct hud *hud = group->hud;
 	int below = hud_line_height(hud) + eighths(hud, BAR_GAP);
@@ -149,7 +148,7 @@ void hud_group_bar(struct hud_group *group, const char *label,
 
 	add_line(group, label, value);
 	hud_bar(group->hud, group->left, group->y + below, group->width, height,
-		share, color);
+		fraction, color);
 	next_row(group, below + height + eighths(hud, ROW_GAP));
 }
 
@@ -163,7 +162,7 @@ void hud_group_time(struct hud_group *group, const char *label, float time_s,
 {
 	int time = hundredths(time_s, 9999.0f);
 	int duration = hundredths(duration_s, 9999.0f);
-	char value[TEXT_ROOM];
+	char value[TEXT_SIZE];
 
 	snprintf(value, sizeof(value), "%d.%02d / %d.%02d s", time / 100,
 		time % 100, duration / 100, duration % 100);
@@ -174,21 +173,21 @@ void hud_group_time(struct hud_group *group, const char *label, float time_s,
 void hud_group_weight(struct hud_group *group, const char *label, float weight,
 	struct hud_color color)
 {
-	char value[TEXT_ROOM];
+	char value[TEXT_SIZE];
 
 	snprintf(value, sizeof(value), "%d%%", hundredths(weight, 1.0f));
 	hud_group_bar(group, label, value, weight, color);
 }
 
-/* Returns where the text behind the cap begins. */
+/* Draws a key's cap and returns the x where the text after it begins. */
 static int add_cap(const struct hud_group *group, const char *key)
 {
 	struct hud *hud = group->hud;
 	int text = hud_text_width(hud, key);
-	int least = eighths(hud, CAP_WIDTH_MIN);
+	int min = eighths(hud, CAP_WIDTH_MIN);
 	int width = text + 2 * eighths(hud, CAP_PADDING_X);
 
-	width = width < least ? least : width;
+	width = width < min ? min : width;
 	hud_panel(hud, group->left, group->y, width, hud_line_height(hud),
 		eighths(hud, CAP_RADIUS), cap_color);
 	hud_text(hud, group->left + (width - text) / 2, group->y,
@@ -259,7 +258,7 @@ void hud_group_end(struct hud_group *group)
 	int end = hud->quad_count;
 
 	hud->quad_count = group->first_quad;
-	add_backdrop(group, 0, height);
+	add_panel(group, 0, height);
 	hud->quad_count = end;
 	hud_move(hud, group->first_quad, 0, y);
 	*stacked += height + margin;

@@ -1,5 +1,5 @@
 /*
- * Rows of labels, values and bars in a corner of the picture.
+ * Groups of labels, values and bars in the corners of the picture.
  *
  *	hud_begin(&hud, width, height);
  *	group = hud_group_begin(&hud, HUD_TOP_LEFT, "Skeletal");
@@ -8,10 +8,10 @@
  *	hud_group_end(&group);
  *	hud_end(&hud, gl);
  *
- * A row has its label at the left, its value at the right and, if it has one,
- * its bar below. All rows are as wide as the group, whose width depends on the
- * picture alone, so that nothing moves while values change. Groups of the
- * same corner stack towards the middle of the picture.
+ * Each call adds one row: a label at the left, a value at the right and, for
+ * some, a bar below. All rows are as wide as the group, whose width depends
+ *only on the picture's, so that nothing moves while values change. Groups in
+ *the same corner stack towards the middle of the picture.
  */
 #ifndef APP_SCENE_HUD_HUD_GROUP_H
 #define APP_SCENE_HUD_HUD_GROUP_H
@@ -27,7 +27,7 @@ enum hud_corner {
 	HUD_BOTTOM_RIGHT
 };
 
-/* A group under way; use one at a time. */
+/* A group between its begin and end. Only one may be open at a time. */
 struct hud_group {
 	struct hud *hud;
 	enum hud_corner corner;
@@ -40,40 +40,41 @@ struct hud_group {
 struct hud_group hud_group_begin(
 	struct hud *hud, enum hud_corner corner, const char *title);
 
-/* A label and a value; either may be "". Long labels are cut. */
+/* Adds a label and a value; either may be "". A long label is cut. */
 void hud_group_text(
 	struct hud_group *group, const char *label, const char *value);
 
-/* The same over a bar filled by a share of 0..1. */
+/* Adds a label and a value above a bar; the fraction is clamped to 0..1. */
 void hud_group_bar(struct hud_group *group, const char *label,
-	const char *value, float share, struct hud_color color);
+	const char *value, float fraction, struct hud_color color);
 
-/* "label    0.42 / 1.07 s" over a bar; times up to 9999 s. */
+/* Adds "label    0.42 / 1.07 s" above a bar; times are clamped to 0..9999 s. */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color);
 
-/* "label    35%" over a bar; weight 0..1. */
+/* Adds "label    35%" above a bar; the weight is clamped to 0..1. */
 void hud_group_weight(struct hud_group *group, const char *label, float weight,
 	struct hud_color color);
 
-/* A label behind a spot of that colour, and a value. */
+/* Adds a coloured dot, a label and a value. */
 void hud_group_mark(struct hud_group *group, const char *label,
 	const char *value, struct hud_color color);
 
 /*
- * Room of that height for the caller to fill, as wide as the rows, from
- * group.left on; returns its top. It moves with the group until it ends.
+ * Reserves a row of this height for the caller to draw in, group->width wide
+ * from group->left, and returns its top. hud_group_end() moves what was drawn
+ * together with the group.
  */
 int hud_group_space(struct hud_group *group, int height);
 
-/* A key's cap and what it does. */
+/* Adds a picture of a key and what the key does. */
 void hud_group_key(struct hud_group *group, const char *key, const char *what);
 
-/* A key's cap, what it switches, and whether that is on. */
+/* Adds a picture of a key, what the key switches, and a switch on or off. */
 void hud_group_switch(struct hud_group *group, const char *key,
 	const char *what, bool on, struct hud_color color);
 
-/* Places the group and its backdrop. */
+/* Moves the group with its panel to its place in the corner. */
 void hud_group_end(struct hud_group *group);
 
 #endif

@@ -12,7 +12,7 @@ void backdrop_draw(const struct live_texture *texture, const struct gl *gl)
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->LoadIdentity();
 	live_texture_bind(texture, gl);
-	/* By white: some drivers are faster at that than at GL_REPLACE. */
+	/* Some drivers modulate by white faster than they replace. */
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
 	gl->Disable(GL_DEPTH_TEST);

@@ -1,5 +1,5 @@
 /*
- * A camera's picture behind everything, all over the frame.
+ * A video camera's image as the background of the whole frame.
  */
 #ifndef APP_SCENE_STAGE_BACKDROP_H
 #define APP_SCENE_STAGE_BACKDROP_H
@@ -7,8 +7,9 @@
 #include "app/scene/draw/live_texture.h"
 
 /*
- * Draws it, whatever the matrices were, which are changed; lighting, blending
- * and culling are off. Leaves the depth as it is and the depth test on.
+ * Draws the image over the whole viewport. Expects lighting, blending and
+ * culling to be off. Replaces the projection and model-view matrices, does not
+ * write depth, and leaves the depth test enabled.
  */
 void backdrop_draw(const struct live_texture *texture, const struct gl *gl);
 

@@ -1,5 +1,6 @@
 #include "app/scene/stage/ball.h"
 
+#include "app/scene/draw/triangle_list.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -18,17 +19,13 @@ void ball_init(struct ball *ball)
 		ball->normal[i][1] = scalar_cos(down);
 		ball->normal[i][2] = scalar_sin(down) * scalar_sin(round);
 	}
-	for (int ring = 0; ring < BALL_RINGS; ring++) {
-		for (int spoke = 0; spoke < BALL_SPOKES; spoke++) {
-			int at = ring * (BALL_SPOKES + 1) + spoke;
-			int below = at + BALL_SPOKES + 1;
+	for (uint32_t ring = 0; ring < BALL_RINGS; ring++) {
+		for (uint32_t spoke = 0; spoke < BALL_SPOKES; spoke++) {
+			uint32_t at = ring * (BALL_SPOKES + 1) + spoke;
+			uint32_t below = at + BALL_SPOKES + 1;
 
-			*next++ = (uint16_t)at;
-			*next++ = (uint16_t)(at + 1);
-			*next++ = (uint16_t)below;
-			*next++ = (uint16_t)below;
-			*next++ = (uint16_t)(at + 1);
-			*next++ = (uint16_t)(below + 1);
+			next = triangle_list_add(next, at, at + 1, below);
+			next = triangle_list_add(next, below, at + 1, below + 1);
 		}
 	}
 }

@@ -1,5 +1,5 @@
 /*
- * A small lit ball: something to look at or to reach for.
+ * A small lit ball, the target of the walker's look-at and reach.
  */
 #ifndef APP_SCENE_STAGE_BALL_H
 #define APP_SCENE_STAGE_BALL_H
@@ -14,13 +14,16 @@ enum {
 };
 
 struct ball {
-	float normal[BALL_VERTICES][3]; /* also the positions, radius 1 */
+	float normal[BALL_VERTICES][3]; /* also the positions: the radius is 1 */
 	uint16_t index[BALL_INDICES];
 };
 
 void ball_init(struct ball *ball);
 
-/* With the camera's matrix and the lights loaded; scene units, sRGB colour. */
+/*
+ * Draws the ball with the camera's matrix and the lights loaded. center and
+ * radius are in scene units, color is sRGB-encoded, 0 to 1.
+ */
 void ball_draw(const struct ball *ball, const struct gl *gl,
 	const float center[3], float radius, const float color[3]);
 

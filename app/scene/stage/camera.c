@@ -7,7 +7,7 @@
 #include <cglm/cglm.h>
 
 enum {
-	FRAMING_YAWS = 9
+	YAW_STEPS = 9
 };
 
 struct camera camera_default(void)
@@ -21,7 +21,7 @@ struct camera camera_default(void)
 	};
 }
 
-/* Towards the viewer, to the right and up, seen from this yaw and pitch. */
+/* The axes of eye space in world space; the camera looks along -back. */
 static void view_axes(float yaw_rad, float pitch_rad, float right[3],
 	float up[3], float back[3])
 {
@@ -33,17 +33,17 @@ static void view_axes(float yaw_rad, float pitch_rad, float right[3],
 	glm_vec3_copy((vec3){sy * cp, sp, cy * cp}, back);
 }
 
-/* How far the eye must be for one corner to be inside the picture. */
+/* The eye's least distance at which a corner of the box is in the picture. */
 static float distance_for(const float corner[3], float right[3], float up[3],
 	float back[3], float tan_x, float tan_y)
 {
 	float x = glm_vec3_dot((float *)corner, right);
 	float y = glm_vec3_dot((float *)corner, up);
 	float z = glm_vec3_dot((float *)corner, back);
-	float for_x = z + (x < 0.0f ? -x : x) / tan_x;
-	float for_y = z + (y < 0.0f ? -y : y) / tan_y;
+	float distance_x = z + (x < 0.0f ? -x : x) / tan_x;
+	float distance_y = z + (y < 0.0f ? -y : y) / tan_y;
 
-	return for_x > for_y ? for_x : for_y;
+	return distance_x > distance_y ? distance_x : distance_y;
 }
 
 float camera_tan_half(float angle_rad)
@@ -66,14 +66,12 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 			? 0.5f
 			: 0.5f * (bounds->high[axis] - bounds->low[axis]);
 	}
-	for (int look = 0; look < FRAMING_YAWS * 8; look++) {
+	for (int i = 0; i < YAW_STEPS * 8; i++) {
 		float corner[3], right[3], up[3], back[3], distance;
-		float yaw =
-			(float)(look / 8) * (2.0f * SCALAR_PI / FRAMING_YAWS);
+		float yaw = (float)(i / 8) * (2.0f * SCALAR_PI / YAW_STEPS);
 
 		for (int axis = 0; axis < 3; axis++) {
-			corner[axis] =
-				look >> axis & 1 ? half[axis] : -half[axis];
+			corner[axis] = i >> axis & 1 ? half[axis] : -half[axis];
 		}
 		view_axes(yaw, camera->pitch_rad, right, up, back);
 		distance = distance_for(corner, right, up, back,
@@ -137,7 +135,7 @@ void camera_near_plane(const struct camera *camera, float out[4])
 struct camera_frustum camera_frustum(
 	const struct camera *camera, int width, int height)
 {
-	/* The ground at the lower edge of the picture is nearer than a model. */
+	/* The ground at the picture's lower edge is nearer than the model. */
 	float near = scalar_clamp(camera->distance - camera->radius,
 		0.05f * camera->distance, 0.35f * camera->distance);
 	float far = 2.2f * camera->distance + 3.0f * camera->radius;

@@ -1,5 +1,5 @@
 /*
- * A camera that circles a point and frames what is there.
+ * A camera that orbits a target point and frames a box.
  */
 #ifndef APP_SCENE_STAGE_CAMERA_H
 #define APP_SCENE_STAGE_CAMERA_H
@@ -10,49 +10,52 @@
 
 struct camera {
 	float target[3]; /* scene units */
-	float distance;
+	float distance;  /* from the target to the eye */
 	float yaw_rad;   /* 0 looks along -Z, at a model's front */
 	float pitch_rad; /* above the horizon */
 	float yfov_rad;
-	float radius;  /* radius around target that must not be clipped */
-	float shift_x; /* how far right of the middle the target is shown, in
-			half widths of the picture */
+	float radius;  /* around the target; nothing in it may be clipped */
+	float shift_x; /* how far right of the picture's middle the target
+			  appears, in halves of the picture's width */
 };
 
-/* From the front, a little to the side and from above; 30 degrees high. */
+/* Looks from the front, a little from the side and from above; 30 degrees. */
 struct camera camera_default(void);
 
-/* How a camera is to look at a box. */
+/* How camera_frame() shows a box. */
 struct camera_framing {
 	float aspect; /* of the picture: width / height */
 	float yaw_rad, pitch_rad;
-	float turn_rad; /* the yaw may turn so far to either side */
-	float margin;   /* 1.1 leaves a tenth free around the box */
-	float shift_x;  /* as the camera's */
+	float margin;  /* 1.1 leaves a tenth free around the box */
+	float shift_x; /* as camera.shift_x */
 };
 
-/*
- * Moves the camera so that the box fits, wherever the yaw is turned.
- */
+/* Moves the camera so that the box fits the picture at every yaw. */
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct camera_framing *framing);
 
-/* Turns it; pitch stays between the floor and straight down. */
+/*
+ * Adds to yaw and pitch. The pitch is clamped between the horizon and straight
+ * down.
+ */
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);
 
-/* Of half an angle; for a field of view, how far it reaches a unit away. */
+/* tan(angle / 2): half the extent that a field of view has at distance 1. */
 float camera_tan_half(float angle_rad);
 
-/* Where the eye is, in scene units. */
+/* Returns the position of the eye in scene units. */
 void camera_eye(const struct camera *camera, float out[3]);
 
-/* Its x, y, z times a place's plus the last is positive beyond it. */
+/*
+ * Returns the near plane's equation (a, b, c, d): a x + b y + c z + d is the
+ * distance of (x, y, z) beyond the plane, negative in front of it.
+ */
 void camera_near_plane(const struct camera *camera, float out[4]);
 
-/* World to eye. */
+/* Returns the matrix from world space to eye space. */
 void camera_view(const struct camera *camera, mat4 out);
 
-/* What Frustumx() gets, 16.16, for a picture of this size. */
+/* The arguments of Frustumx() for a picture of this size, 16.16. */
 struct camera_frustum {
 	fx16_t left, right, bottom, top; /* in the near plane */
 	fx16_t near, far;
@@ -60,7 +63,10 @@ struct camera_frustum {
 struct camera_frustum camera_frustum(
 	const struct camera *camera, int width, int height);
 
-/* Loads projection and model-view for a picture of this size. */
+/*
+ * Loads the projection and model-view matrices for a picture of this size and
+ * leaves the matrix mode at GL_MODELVIEW.
+ */
 void camera_apply(const struct camera *camera, const struct gl *gl, int width,
 	int height);
 

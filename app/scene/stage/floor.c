@@ -1,6 +1,7 @@
 #include "app/scene/stage/floor.h"
 
 #include "app/scene/draw/texture.h"
+#include "app/scene/draw/triangle_list.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -10,12 +11,12 @@
 
 enum {
 	TILE_TEXELS = 64,
-	WAVE_TILES = 8, /* after so many tiles the ground repeats */
+	PERIOD_TILES = 8, /* the waves repeat after this many tiles */
 };
 
-static const float shade = 208.0f; /* of level ground, of 255 */
+static const float level_shade = 208.0f; /* of 255, on level ground */
 
-/* A tile with soft joints and two shades, so that motion shows. */
+/* A tile in two shades with joints, which make motion visible. */
 static int make_texture(
 	struct floor *floor, const struct gl *gl, enum pixel_format target)
 {
@@ -42,36 +43,36 @@ static int make_texture(
 	return floor->texture ? 0 : -ENOMEM;
 }
 
-/* Alpha: linear along the radius outside of what is solid. */
-static uint8_t fade_at(int ring)
+/* Alpha falls linearly with the radius, which is the ring's square. */
+static uint8_t alpha_at(int ring)
 {
-	const int all = FLOOR_RINGS * FLOOR_RINGS;
-	const int solid = FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING;
-	int left = all - ring * ring;
+	const int end = FLOOR_RINGS * FLOOR_RINGS;
+	const int fading = end - FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING;
+	int left = end - ring * ring;
 
-	return (uint8_t)(left >= all - solid ? 255 : 255 * left / (all - solid));
+	return (uint8_t)(left >= fading ? 255 : 255 * left / fading);
 }
 
-/* Rings get wider outwards, so that the middle has the detail. */
+/* Rings get wider outwards, so that the middle has more detail. */
 static void place_vertices(struct floor *floor)
 {
 	for (int i = 0; i < FLOOR_VERTICES; i++) {
 		int ring = i ? (i - 1) / FLOOR_SPOKES + 1 : 0;
-		float share = (float)ring / FLOOR_RINGS;
+		float fraction = (float)ring / FLOOR_RINGS;
 		float angle = (float)((i + FLOOR_SPOKES - 1) % FLOOR_SPOKES) *
 			(2.0f * SCALAR_PI / FLOOR_SPOKES);
-		float out = floor->radius * share * share;
+		float out = floor->radius * fraction * fraction;
 		float *p = floor->position[i];
 
 		p[0] = floor->center[0] + out * scalar_cos(angle);
 		p[2] = floor->center[1] + out * scalar_sin(angle);
 		floor->texcoord[i][0] = p[0] / floor->tile;
 		floor->texcoord[i][1] = p[2] / floor->tile;
-		floor->color[i][3] = fade_at(ring);
+		floor->color[i][3] = alpha_at(ring);
 	}
 }
 
-/* So many that a ring's triangles are no flatter than they must be. */
+/* Inner rings use fewer spokes, so that their triangles are not slivers. */
 static int count_spokes(int ring)
 {
 	return ring <= FLOOR_QUARTER_RING ? FLOOR_SPOKES / 4
@@ -89,15 +90,7 @@ static uint16_t vertex_at(int ring, int n)
 				n % count * (FLOOR_SPOKES / count));
 }
 
-static uint16_t *add_triangle(uint16_t *next, int a, int b, int c)
-{
-	next[0] = (uint16_t)a;
-	next[1] = (uint16_t)b;
-	next[2] = (uint16_t)c;
-	return next + 3;
-}
-
-/* From a ring outwards: each outer edge with the inner vertex beside it. */
+/* The triangles between a ring and the next one. */
 static uint16_t *list_ring(uint16_t *next, int ring)
 {
 	int inner = ring == 0 ? 1 : count_spokes(ring);
@@ -108,11 +101,11 @@ static uint16_t *list_ring(uint16_t *next, int ring)
 		int a = vertex_at(ring, i), b = vertex_at(ring, i + 1);
 
 		if (ring > 0) {
-			next = add_triangle(
+			next = triangle_list_add(
 				next, a, b, vertex_at(ring + 1, middle));
 		}
 		for (int n = first; n < first + each; n++) {
-			next = add_triangle(next, vertex_at(ring + 1, n),
+			next = triangle_list_add(next, vertex_at(ring + 1, n),
 				n < middle ? a : b, vertex_at(ring + 1, n + 1));
 		}
 	}
@@ -130,7 +123,7 @@ static void list_triangles(struct floor *floor)
 
 float floor_height(const struct floor *floor, float x, float z)
 {
-	float turn = 2.0f * SCALAR_PI / (WAVE_TILES * floor->tile);
+	float turn = 2.0f * SCALAR_PI / (PERIOD_TILES * floor->tile);
 	float u = (x + floor->offset[0]) * turn;
 	float v = (z + floor->offset[1]) * turn;
 
@@ -147,8 +140,8 @@ float floor_mesh_error(const struct floor *floor)
 	return 0.4f * floor->wave_height;
 }
 
-/* Heights, and a shade that tells slopes towards the light from others. */
-static void shape(struct floor *floor)
+/* Heights, and shades in which slopes that face the light are brighter. */
+static void update_surface(struct floor *floor)
 {
 	float step = 0.02f * floor->tile;
 
@@ -162,13 +155,13 @@ static void shape(struct floor *floor)
 			: (floor_height(floor, p[0] + step, p[2] + step) - p[1]) /
 				step;
 		value = scalar_clamp(
-			shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
+			level_shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
 		memset(floor->color[i], (uint8_t)value, 3);
 	}
 }
 
-/* 1, 2 or 5 times a power of ten, at most the size. */
-static float round_size(float size)
+/* The largest 1, 2 or 5 times a power of ten that is not above the size. */
+static float round_down(float size)
 {
 	float step = 1.0f;
 
@@ -184,8 +177,8 @@ static float round_size(float size)
 }
 
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, float least_radius,
-	enum pixel_format target, const struct log *log)
+	const struct bounds *bounds, float min_radius, enum pixel_format target,
+	const struct log *log)
 {
 	float middle[3], extent = bounds_extent(bounds);
 
@@ -194,15 +187,15 @@ int floor_init(struct floor *floor, const struct gl *gl,
 	*floor = (struct floor){
 		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
 		.center = {middle[0], middle[2]},
-		.radius = 2.2f * extent > least_radius ? 2.2f * extent
-						       : least_radius,
-		.tile = round_size(0.5f * extent),
+		.radius =
+			2.2f * extent > min_radius ? 2.2f * extent : min_radius,
+		.tile = round_down(0.5f * extent),
 	};
 	place_vertices(floor);
 	list_triangles(floor);
-	shape(floor);
+	update_surface(floor);
 	if (make_texture(floor, gl, target) != 0) {
-		log_error(log, "floor: not enough memory for its texture");
+		log_error(log, "not enough memory for the floor's texture");
 		return -ENOMEM;
 	}
 	return 0;
@@ -216,7 +209,7 @@ void floor_finish(struct floor *floor, const struct gl *gl)
 	}
 }
 
-/* Whole waves do not show, so the offset stays small. */
+/* The pattern repeats, so the offset can be kept small. */
 static float wrap(float offset, float length)
 {
 	while (offset >= length) {
@@ -230,12 +223,12 @@ static float wrap(float offset, float length)
 
 void floor_scroll(struct floor *floor, float dx, float dz)
 {
-	float length = WAVE_TILES * floor->tile;
+	float length = PERIOD_TILES * floor->tile;
 
 	floor->offset[0] = wrap(floor->offset[0] + dx, length);
 	floor->offset[1] = wrap(floor->offset[1] + dz, length);
 	if (floor->wave_height != 0.0f && (dx != 0.0f || dz != 0.0f)) {
-		shape(floor);
+		update_surface(floor);
 	}
 }
 
@@ -243,21 +236,21 @@ void floor_set_wave_height(struct floor *floor, float relief)
 {
 	if (relief != floor->wave_height) {
 		floor->wave_height = relief;
-		shape(floor);
+		update_surface(floor);
 	}
 }
 
 void floor_visible_strips(const struct floor *floor, const struct camera *camera,
 	int width, int height, struct floor_strips *out)
 {
-	const float solid_share =
+	const float opaque_fraction =
 		(float)(FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING) /
 		(FLOOR_RINGS * FLOOR_RINGS);
 	float sine = scalar_sin(camera->yaw_rad);
 	float cosine = scalar_cos(camera->yaw_rad);
-	/* From farther away it ends farther out, as softly. */
-	float least = 1.1f * camera->distance;
-	float radius = floor->radius > least ? floor->radius : least;
+	/* The floor extends at least to below a distant camera. */
+	float min_radius = 1.1f * camera->distance;
+	float radius = floor->radius > min_radius ? floor->radius : min_radius;
 	float eye[3], ahead;
 
 	if (floor->wave_height != 0.0f) {
@@ -268,10 +261,9 @@ void floor_visible_strips(const struct floor *floor, const struct camera *camera
 	ahead = (eye[0] - floor->center[0]) * sine +
 		(eye[2] - floor->center[1]) * cosine;
 	floor_strips_find(out, camera, width, height, floor->y,
-		ahead + solid_share * radius, ahead + radius);
+		ahead + opaque_fraction * radius, ahead + radius);
 }
 
-/* The solid part, then the one that fades. */
 static void draw_disc(const struct floor *floor, const struct gl *gl)
 {
 	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
@@ -284,7 +276,7 @@ static void draw_disc(const struct floor *floor, const struct gl *gl)
 		GL_UNSIGNED_SHORT, floor->index + FLOOR_OPAQUE_INDICES);
 }
 
-/* The same; level ground hides none of itself. */
+/* Level ground hides none of itself, so no depth test is needed. */
 static void draw_strips(const struct floor *floor,
 	const struct floor_strips *strips, const struct gl *gl)
 {
@@ -294,7 +286,7 @@ static void draw_strips(const struct floor *floor,
 	for (int i = 0; i < 6; i++) {
 		texcoord[i][0] = strips->position[i][0] / floor->tile;
 		texcoord[i][1] = strips->position[i][2] / floor->tile;
-		memset(color[i], (uint8_t)shade, 3);
+		memset(color[i], (uint8_t)level_shade, 3);
 		color[i][3] = strips->alpha[i];
 	}
 	gl->VertexPointer(3, GL_FLOAT, 0, strips->position);
@@ -306,7 +298,7 @@ static void draw_strips(const struct floor *floor,
 	}
 	gl->Enable(GL_BLEND);
 	if (strips->fading) {
-		/* What sinks in where it fades is seen through it. */
+		/* Fading ground does not hide what lies below it. */
 		gl->DepthMask(GL_FALSE);
 		gl->DrawArrays(GL_TRIANGLE_STRIP, 2, 4);
 		gl->DepthMask(GL_TRUE);

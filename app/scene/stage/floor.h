@@ -1,9 +1,10 @@
 /*
- * The ground: tiles that fade into the background far out. Uneven ground is a
- * disc; level ground is what the camera sees of a plane (floor_strips.h).
+ * The floor: tiled ground that fades into the background with distance.
  *
- * It can run under a figure that walks on the spot, and it can be uneven. The
- * figure stays, the offset grows; height and tiles move with it.
+ * Level ground is drawn as two strips that cover what the camera sees of the
+ * plane (floor_strips.h). Uneven ground is a disc of triangles. Under a figure
+ * that walks on the spot the floor scrolls: the mesh stays, and an offset moves
+ * its tiles and heights.
  */
 #ifndef APP_SCENE_STAGE_FLOOR_H
 #define APP_SCENE_STAGE_FLOOR_H
@@ -16,31 +17,36 @@
 enum {
 	FLOOR_RINGS = 12,
 	FLOOR_SPOKES = 40,
-	/* Up to these rings a quarter and a half of the spokes are enough. */
+	/* Up to these rings a quarter and a half of the spokes are used. */
 	FLOOR_QUARTER_RING = 3,
 	FLOOR_HALF_RING = 5,
 	FLOOR_VERTICES = FLOOR_RINGS * FLOOR_SPOKES + 1,
-	/* A ring's spokes and the next one's are the triangles between them. */
+	/*
+	 * Two rings have as many triangles between them as they have spokes
+	 * together; here counted in quarters of FLOOR_SPOKES.
+	 */
 	FLOOR_INNER_QUARTERS = (FLOOR_QUARTER_RING * 2 - 1) + 3 +
 		(FLOOR_HALF_RING - FLOOR_QUARTER_RING - 1) * 4 + 6,
 	FLOOR_INNER_INDICES = FLOOR_INNER_QUARTERS * (FLOOR_SPOKES / 4) * 3,
 	FLOOR_INDICES = FLOOR_INNER_INDICES +
 		(FLOOR_RINGS - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
-	/* Up to this ring it is opaque, from there on it fades. */
+	/* The disc is opaque up to this ring and fades beyond it. */
 	FLOOR_OPAQUE_RING = 9,
 	FLOOR_OPAQUE_INDICES = FLOOR_INNER_INDICES +
 		(FLOOR_OPAQUE_RING - FLOOR_HALF_RING - 1) * 2 * FLOOR_SPOKES * 3,
 };
 
+/* Lengths are in scene units. */
 struct floor {
-	float y;         /* scene units */
+	float y;         /* the height of level ground */
 	float center[2]; /* x, z */
 	float radius;
 	float tile;        /* side of a tile */
-	float offset[2];   /* how far it has run */
-	float wave_height; /* height of its waves; 0: flat */
+	float offset[2];   /* x, z; how far the floor has scrolled */
+	float wave_height; /* greatest distance from y; 0 means level ground */
 	GLuint texture;
 
+	/* The disc of uneven ground. */
 	float position[FLOOR_VERTICES][3];
 	float texcoord[FLOOR_VERTICES][2];
 	uint8_t color[FLOOR_VERTICES][4];
@@ -48,35 +54,38 @@ struct floor {
 };
 
 /*
- * A flat floor under the box, at least so large as least_radius. 0, or -ENOMEM
- * after a sentence; release with floor_finish().
+ * Makes level ground under the box with at least the given radius. Returns 0,
+ * or -ENOMEM after logging an error. Release it with floor_finish().
  */
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, float least_radius,
-	enum pixel_format target, const struct log *log);
+	const struct bounds *bounds, float min_radius, enum pixel_format target,
+	const struct log *log);
 
 void floor_finish(struct floor *floor, const struct gl *gl);
 
-/* Runs on by a distance along x and z. */
+/* Scrolls the floor by a distance along x and z. */
 void floor_scroll(struct floor *floor, float dx, float dz);
 
-/* Makes it uneven, or flat again with 0. */
-void floor_set_wave_height(struct floor *floor, float relief);
+/* Makes the ground uneven, or level with 0. */
+void floor_set_wave_height(struct floor *floor, float wave_height);
 
-/* Its height at a place, in scene units. */
+/* Returns the ground's height at a point, in scene units. */
 float floor_height(const struct floor *floor, float x, float z);
 
 /*
- * How far off that it may be drawn where it is solid: its triangles are level
- * between their corners.
+ * Returns how far the drawn surface may be from floor_height() where the disc
+ * is opaque: its triangles are flat, the ground between their corners is not.
  */
 float floor_mesh_error(const struct floor *floor);
 
-/* What a camera sees of it: of uneven ground that it may be anywhere. */
+/*
+ * Computes what a camera sees of level ground. Uneven ground may be anywhere in
+ * the picture: it gets no strips and a horizon at the picture's upper edge.
+ */
 void floor_visible_strips(const struct floor *floor, const struct camera *camera,
 	int width, int height, struct floor_strips *out);
 
-/* With the camera's model-view matrix loaded; leaves lighting off. */
+/* Draws with the camera's model-view matrix loaded; leaves lighting off. */
 void floor_draw(const struct floor *floor, const struct floor_strips *strips,
 	const struct gl *gl);
 

@@ -4,20 +4,24 @@
 
 #include <cglm/cglm.h>
 
-/* Rows of the picture are slopes: how far up they look, a unit ahead. */
+/*
+ * The camera's view of the plane. A row of pixels is given by its slope: the
+ * height of its ray at depth 1 in eye space.
+ */
 struct view {
 	mat4 world_to_eye;
 	float eye[3];
-	float left, right, bottom, top; /* a little inside of the picture */
-	float edge, row;    /* of the picture's lower edge; from row to row */
-	float sine, cosine; /* of how far the camera looks down */
+	float left, right, bottom, top; /* the picture at depth 1, inset */
+	float edge, row;    /* slope of the lower edge; step between rows */
+	float sine, cosine; /* of the camera's pitch below the horizon */
 	float height;       /* of the eye above the ground */
-	float near, far;    /* what the camera sees between */
+	float near, far;    /* depths of the clip planes, inset */
 };
 
 /*
- * A quarter of a pixel inside of the picture no centre is left out, and nothing
- * is clipped. Where 16.16 is too coarse for that, ground goes on beyond.
+ * Quads that end a quarter of a pixel inside the picture still cover every
+ * pixel's centre and are not clipped. Where 16.16 is too coarse for that, they
+ * extend eight pixels beyond the picture instead.
  */
 static float choose_inset(const struct camera_frustum *frustum)
 {
@@ -29,7 +33,7 @@ static float choose_inset(const struct camera_frustum *frustum)
 		: 0.25f;
 }
 
-static void set_view(struct view *view, const struct camera *camera, int width,
+static void init_view(struct view *view, const struct camera *camera, int width,
 	int height, float ground)
 {
 	const struct camera_frustum frustum =
@@ -54,12 +58,12 @@ static void set_view(struct view *view, const struct camera *camera, int width,
 	view->far = 0.99f * fx16_to_float(frustum.far);
 }
 
-static float least(float a, float b)
+static float min(float a, float b)
 {
 	return a < b ? a : b;
 }
 
-/* How deep into the picture a row's ground is. */
+/* The depth in eye space of the ground in a row. */
 static float depth_at(const struct view *view, float slope)
 {
 	return view->height / (view->sine - view->cosine * slope);
@@ -70,13 +74,13 @@ static float slope_of_depth(const struct view *view, float depth)
 	return (view->sine - view->height / depth) / view->cosine;
 }
 
-/* How far ahead of the eye a row's ground is, level. */
+/* The level distance ahead of the eye of the ground in a row. */
 static float ahead_at(const struct view *view, float slope)
 {
 	return depth_at(view, slope) * (slope * view->sine + view->cosine);
 }
 
-/* Behind the eye, which looks down steeply, is below every row. */
+/* The row that shows the ground at a level distance ahead of the eye. */
 static float slope_ahead(const struct view *view, float ahead)
 {
 	float forward = view->height * view->sine + ahead * view->cosine;
@@ -86,7 +90,7 @@ static float slope_ahead(const struct view *view, float ahead)
 		: view->bottom;
 }
 
-static void place(
+static void unproject(
 	const struct view *view, float slope, float across, float out[3])
 {
 	float depth = depth_at(view, slope);
@@ -100,21 +104,21 @@ static void place(
 	}
 }
 
-static void place_row(struct floor_strips *strips, int row,
-	const struct view *view, float slope, float ground, float share)
+static void set_row(struct floor_strips *strips, int row,
+	const struct view *view, float slope, float ground, float alpha)
 {
 	for (int side = 0; side < 2; side++) {
 		float *p = strips->position[2 * row + side];
 
-		place(view, slope, side ? view->right : view->left, p);
+		unproject(view, slope, side ? view->right : view->left, p);
 		p[1] = ground;
 		strips->alpha[2 * row + side] =
-			(uint8_t)(scalar_clamp(share, 0.0f, 1.0f) * 255.0f +
+			(uint8_t)(scalar_clamp(alpha, 0.0f, 1.0f) * 255.0f +
 				0.5f);
 	}
 }
 
-/* Whole rows below a slope. */
+/* The number of whole rows below a slope. */
 static int count_rows(const struct view *view, float slope, int height)
 {
 	float rows = (slope - view->edge) / view->row;
@@ -123,32 +127,32 @@ static int count_rows(const struct view *view, float slope, int height)
 }
 
 void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
-	int width, int height, float y, float solid_end, float end)
+	int width, int height, float y, float opaque_end, float end)
 {
 	struct view view;
 	float slope[3];
 	bool near;
 
 	*strips = (struct floor_strips){.horizon_px = height};
-	set_view(&view, camera, width, height, y);
+	init_view(&view, camera, width, height, y);
 	if (view.height <= 0.0f) {
 		return;
 	}
 	slope[0] = slope_of_depth(&view, view.near);
 	near = slope[0] <= view.bottom;
 	slope[0] = near ? view.bottom : slope[0];
-	slope[2] = least(slope_ahead(&view, end),
-		least(slope_of_depth(&view, view.far), view.top));
+	slope[2] = min(slope_ahead(&view, end),
+		min(slope_of_depth(&view, view.far), view.top));
 	slope[2] = scalar_clamp(slope[2], slope[0], view.top);
-	slope[1] =
-		scalar_clamp(slope_ahead(&view, solid_end), slope[0], slope[2]);
+	slope[1] = scalar_clamp(
+		slope_ahead(&view, opaque_end), slope[0], slope[2]);
 	strips->opaque = slope[1] > slope[0];
 	strips->fading = slope[2] > slope[1];
 	for (int i = 0; i < 3 && slope[2] > slope[0]; i++) {
-		place_row(strips, i, &view, slope[i], y,
-			(end - ahead_at(&view, slope[i])) / (end - solid_end));
+		set_row(strips, i, &view, slope[i], y,
+			(end - ahead_at(&view, slope[i])) / (end - opaque_end));
 	}
-	/* The row that the edge crosses may be half of each. */
+	/* The row that the edge crosses is covered only in part. */
 	if (strips->opaque && near) {
 		strips->covered_px = count_rows(&view, slope[1], height) - 1;
 		strips->covered_px =

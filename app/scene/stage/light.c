@@ -4,23 +4,23 @@
 
 #include <string.h>
 
-struct lamp {
-	float towards[4]; /* w 0: directional */
+struct directional_light {
+	float towards[4]; /* to the light; w is 0 */
 	float diffuse[4];
 	float specular[4];
 };
 
 /*
- * Diffuse and ambient light together stay at 1 or below wherever a surface
- * faces, so that drivers that clamp late agree with those that clamp early.
+ * Diffuse and ambient light add up to at most 1 for every normal, so that
+ * drivers which clamp at different stages agree.
  */
-static const struct lamp key_lamp = {
+static const struct directional_light key_light = {
 	.towards = {0.389f, 0.778f, 0.494f, 0.0f},
 	.diffuse = {0.65f, 0.63f, 0.58f, 1.0f},
 	.specular = {1.0f, 0.97f, 0.9f, 1.0f},
 };
 
-static const struct lamp fill_lamp = {
+static const struct directional_light fill_light = {
 	.towards = {-0.728f, 0.243f, 0.641f, 0.0f},
 	.diffuse = {0.20f, 0.22f, 0.27f, 1.0f},
 	.specular = {0.0f, 0.0f, 0.0f, 1.0f},
@@ -50,42 +50,44 @@ static void set_ambient(const struct gl *gl, const float value[4])
 	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
 }
 
-static void set_lamp(const struct gl *gl, GLenum light, const struct lamp *lamp)
+static void set_light(const struct gl *gl, GLenum light,
+	const struct directional_light *source)
 {
 	gl->Enable(light);
-	set_vector(gl, light, GL_POSITION, lamp->towards);
-	set_vector(gl, light, GL_DIFFUSE, lamp->diffuse);
-	set_vector(gl, light, GL_SPECULAR, lamp->specular);
+	set_vector(gl, light, GL_POSITION, source->towards);
+	set_vector(gl, light, GL_DIFFUSE, source->diffuse);
+	set_vector(gl, light, GL_SPECULAR, source->specular);
 	set_vector(gl, light, GL_AMBIENT, black);
 }
 
 void light_apply(const struct gl *gl)
 {
 	set_ambient(gl, ambient);
-	set_lamp(gl, GL_LIGHT0, &key_lamp);
-	set_lamp(gl, GL_LIGHT1, &fill_lamp);
+	set_light(gl, GL_LIGHT0, &key_light);
+	set_light(gl, GL_LIGHT1, &fill_light);
 }
 
-void light_select(const struct gl *gl, enum light_selection choice)
+void light_select(const struct gl *gl, enum light_selection selection)
 {
-	if (choice == LIGHT_KEY_COLOR) {
+	if (selection == LIGHT_KEY_COLOR) {
 		gl->Disable(GL_LIGHT0);
 		gl->Disable(GL_LIGHT1);
-		set_ambient(gl, key_lamp.diffuse);
+		set_ambient(gl, key_light.diffuse);
 		return;
 	}
 	gl->Enable(GL_LIGHT0);
 	gl->Enable(GL_LIGHT1);
 	set_ambient(gl, ambient);
 	set_vector(gl, GL_LIGHT0, GL_DIFFUSE,
-		choice == LIGHT_ALL ? key_lamp.diffuse : black);
+		selection == LIGHT_ALL ? key_light.diffuse : black);
 }
 
 void light_set_material(const struct gl *gl, const float color[3],
 	float specular, int shininess)
 {
-	GLfixed shine = fx16_from_float(specular);
-	const GLfixed shines[4] = {shine, shine, shine, FX16_ONE};
+	GLfixed strength = fx16_from_float(specular);
+	const GLfixed specular_rgba[4] = {
+		strength, strength, strength, FX16_ONE};
 
 	gl->Enable(GL_LIGHTING);
 	gl->Enable(GL_COLOR_MATERIAL);
@@ -93,7 +95,7 @@ void light_set_material(const struct gl *gl, const float color[3],
 	gl->Enable(GL_CULL_FACE);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->Disable(GL_BLEND);
-	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, shines);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, specular_rgba);
 	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, shininess * FX16_ONE);
 	gl->Color4x(fx16_from_float(color[0]), fx16_from_float(color[1]),
 		fx16_from_float(color[2]), FX16_ONE);
@@ -101,5 +103,5 @@ void light_set_material(const struct gl *gl, const float color[3],
 
 void light_direction(float out[3])
 {
-	memcpy(out, key_lamp.towards, sizeof(float[3]));
+	memcpy(out, key_light.towards, sizeof(float[3]));
 }

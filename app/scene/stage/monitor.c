@@ -1,5 +1,6 @@
 #include "app/scene/stage/monitor.h"
 
+#include "app/scene/draw/triangle_list.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
@@ -7,17 +8,17 @@
 
 #include <string.h>
 
-/* The picture is 4 : 3 and 1 high; the rest is given around it. */
+/* In local units: the screen is 4 : 3 and 1 high. */
 static const float half_width = 2.0f / 3.0f;
 static const float bezel = 0.055f;
-static const float foot_height = 0.55f; /* of the picture's lower edge */
+static const float foot_height = 0.55f; /* of the screen's lower edge */
 
-/* Of what the eye sees where it stands: its width, and what is left free. */
-static const float width_share = 0.46f;     /* of the width */
+/* The monitor's size and position, as fractions of the visible area there. */
+static const float width_fraction = 0.46f;  /* of the width */
 static const float width_of_height = 0.42f; /* at most, of the height */
-static const float margin_share = 0.03f;
-static const float behind_share = 0.55f; /* of the stage's reach */
-static const float turn_rad = 0.14f;     /* towards the middle */
+static const float margin_fraction = 0.03f;
+static const float behind_fraction = 0.55f; /* of the camera's radius */
+static const float turn_rad = 0.14f; /* towards the middle of the picture */
 
 static const float body_color[3] = {0.17f, 0.18f, 0.21f};
 
@@ -29,10 +30,10 @@ static void add_face(struct monitor *monitor, int face, const struct box *box)
 {
 	int axis = face % 6 / 2, side = face % 2 ? 1 : -1;
 	int across = (axis + 1) % 3, along = (axis + 2) % 3;
-	int first = face * 4;
+	uint32_t first = (uint32_t)face * 4;
 	uint16_t *index = monitor->index + face * 6;
 
-	for (int i = 0; i < 4; i++) {
+	for (uint32_t i = 0; i < 4; i++) {
 		float *p = monitor->position[first + i];
 		/* Counter-clockwise as seen from outside. */
 		bool far_across = (i == 1 || i == 2) == (side > 0);
@@ -43,14 +44,11 @@ static void add_face(struct monitor *monitor, int face, const struct box *box)
 		memset(monitor->normal[first + i], 0, 4);
 		monitor->normal[first + i][axis] = (int8_t)(side * 127);
 	}
-	for (int i = 0; i < 6; i++) {
-		static const uint8_t corner[6] = {0, 1, 2, 0, 2, 3};
-
-		index[i] = (uint16_t)(first + corner[i]);
-	}
+	index = triangle_list_add(index, first, first + 1, first + 2);
+	triangle_list_add(index, first, first + 2, first + 3);
 }
 
-static void shape(struct monitor *monitor)
+static void make_boxes(struct monitor *monitor)
 {
 	const float out = half_width + bezel;
 	const float low = foot_height - 1.6f * bezel;
@@ -74,27 +72,27 @@ void monitor_init(struct monitor *monitor, const struct camera *camera,
 	float yaw = camera->yaw_rad;
 	float right[2] = {scalar_cos(yaw), -scalar_sin(yaw)};
 	float back[2] = {scalar_sin(yaw), scalar_cos(yaw)};
-	float behind = behind_share * camera->radius;
+	float behind = behind_fraction * camera->radius;
 	float half = aspect * (camera->distance + behind) *
 		camera_tan_half(camera->yfov_rad);
-	float share = width_share * aspect < width_of_height
-		? width_share
+	float fraction = width_fraction * aspect < width_of_height
+		? width_fraction
 		: width_of_height / aspect;
-	float width = share * 2.0f * half;
-	float aside = (1.0f + camera->shift_x - 2.0f * margin_share) * half -
+	float width = fraction * 2.0f * half;
+	float offset = (1.0f + camera->shift_x - 2.0f * margin_fraction) * half -
 		0.5f * width;
 
-	shape(monitor);
+	make_boxes(monitor);
 	monitor->scale = width / (2.0f * (half_width + bezel));
 	monitor->origin[0] =
-		camera->target[0] - aside * right[0] - behind * back[0];
+		camera->target[0] - offset * right[0] - behind * back[0];
 	monitor->origin[1] = floor_y;
 	monitor->origin[2] =
-		camera->target[2] - aside * right[1] - behind * back[1];
+		camera->target[2] - offset * right[1] - behind * back[1];
 	monitor->yaw_rad = yaw + turn_rad;
 }
 
-static void push_place(const struct monitor *monitor, const struct gl *gl)
+static void push_matrix(const struct monitor *monitor, const struct gl *gl)
 {
 	GLfixed scale = fx16_from_float(monitor->scale);
 
@@ -117,7 +115,7 @@ static void draw_body(const struct monitor *monitor, const struct gl *gl)
 	gl->Disable(GL_LIGHTING);
 }
 
-/* Lit from within; a little darker to its lower edge, like glass in a room. */
+/* Unlit, and a little darker at the lower edge. */
 static void draw_picture(const struct live_texture *picture, const struct gl *gl)
 {
 	const float top = foot_height + 1.0f, front = 0.004f;
@@ -153,7 +151,7 @@ void monitor_draw(const struct monitor *monitor,
 	gl->DisableClientState(GL_COLOR_ARRAY);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
 	draw_body(monitor, gl);
-	push_place(monitor, gl);
+	push_matrix(monitor, gl);
 	draw_picture(picture, gl);
 	gl->PopMatrix();
 	gl->Disable(GL_CULL_FACE);
@@ -161,7 +159,7 @@ void monitor_draw(const struct monitor *monitor,
 
 void monitor_draw_geometry(const struct monitor *monitor, const struct gl *gl)
 {
-	push_place(monitor, gl);
+	push_matrix(monitor, gl);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, 0, monitor->position);
 	gl->DrawElements(GL_TRIANGLES, MONITOR_INDICES, GL_UNSIGNED_SHORT,

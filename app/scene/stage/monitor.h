@@ -1,5 +1,5 @@
 /*
- * A screen on a stand, beside what is on the stage, that shows a live picture.
+ * A monitor on a stand beside the figure, which shows a video camera's image.
  */
 #ifndef APP_SCENE_STAGE_MONITOR_H
 #define APP_SCENE_STAGE_MONITOR_H
@@ -14,32 +14,32 @@ enum {
 };
 
 struct monitor {
-	float origin[3]; /* on the floor, scene units */
-	float yaw_rad;   /* where its face looks: 0 along +Z */
-	float scale;     /* scene units a unit of its own */
+	float origin[3]; /* the foot's centre on the floor, scene units */
+	float yaw_rad;   /* 0 faces +Z */
+	float scale;     /* from local units to scene units */
 
-	/* Boxes, in units of which the face is one high. */
+	/* The boxes' faces in local units: the screen is 1 high. */
 	float position[MONITOR_VERTICES][3];
-	int8_t normal[MONITOR_VERTICES][4]; /* the last is padding */
+	int8_t normal[MONITOR_VERTICES][4]; /* the last byte is padding */
 	uint16_t index[MONITOR_INDICES];
 };
 
 /*
- * Its shape, and a place for it: behind what the camera looks at, on the
- * side that the framing leaves free, turned towards the eye. aspect: the
- * picture's, width / height; floor_y: the level that it stands on.
+ * Makes the mesh and places the monitor behind the camera's target, on the side
+ * that the framing leaves free, turned to the eye. aspect is the frame's width
+ * / height, floor_y the height that the monitor stands on.
  */
 void monitor_init(struct monitor *monitor, const struct camera *camera,
 	float aspect, float floor_y);
 
 /*
- * With the camera's matrix and the lights loaded; the picture glows by itself.
- * NULL for a dark screen.
+ * Draws the monitor with the camera's matrix and the lights loaded. The picture
+ * is unlit; NULL draws a dark screen.
  */
 void monitor_draw(const struct monitor *monitor,
 	const struct live_texture *picture, const struct gl *gl);
 
-/* Its outline alone, in the current colour and state. */
+/* Draws the boxes' positions in the current colour and state. */
 void monitor_draw_geometry(const struct monitor *monitor, const struct gl *gl);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <cglm/cglm.h>
 
-/* Studio backdrop, sRGB. The floor fades into the lower part of it. */
+/* The background's gradient, sRGB. The floor fades into its lower part. */
 static const uint8_t sky_color[3] = {58, 68, 84};
 static const uint8_t middle_color[3] = {146, 158, 172};
 static const uint8_t ground_color[3] = {104, 114, 128};
@@ -23,7 +23,7 @@ int stage_init(struct stage *stage, const struct gl *gl,
 	camera_frame(&stage->camera, bounds, framing);
 	gl->GetIntegerv(GL_STENCIL_BITS, &stencil_bits);
 	stage->has_stencil = stencil_bits > 0;
-	/* It goes on to below the camera. */
+	/* The floor extends to below the camera. */
 	return floor_init(&stage->floor, gl, bounds,
 		1.1f * stage->camera.distance, target, log);
 }
@@ -47,7 +47,7 @@ static void use_plain_state(const struct gl *gl)
 	gl->ShadeModel(GL_SMOOTH);
 }
 
-/* A vertical gradient behind everything, horizon at a third. */
+/* A vertical gradient with the horizon at a third of the height. */
 static void draw_background(const struct gl *gl)
 {
 	static const int16_t position[8][2] = {{-1, 3}, {1, 3}, {-1, 0}, {1, 0},
@@ -75,7 +75,10 @@ static void draw_background(const struct gl *gl)
 	gl->Enable(GL_DEPTH_TEST);
 }
 
-/* Nothing where opaque ground will set both colour and depth. */
+/*
+ * Clears depth and draws the background, except in the lowest covered_px rows,
+ * where opaque ground will set both colour and depth.
+ */
 static void draw_behind(const struct stage *stage, const struct gl *gl,
 	int width, int height, int covered_px)
 {
@@ -90,7 +93,7 @@ static void draw_behind(const struct stage *stage, const struct gl *gl,
 	gl->Disable(GL_SCISSOR_TEST);
 }
 
-/* Flat shadows end at the horizon. */
+/* Only rows below the horizon can hold flat shadows. */
 static void clear_stencil(const struct gl *gl, int width, int rows)
 {
 	gl->ClearStencil(0);
@@ -103,7 +106,7 @@ static void clear_stencil(const struct gl *gl, int width, int rows)
 void stage_begin(
 	const struct stage *stage, const struct gl *gl, int width, int height)
 {
-	/* A figure stands in the picture; only hills have to be seen. */
+	/* A camera's image takes the place of level ground, not of hills. */
 	bool ground = !stage->backdrop || stage->floor.wave_height != 0.0f;
 	struct floor_strips strips;
 
@@ -131,19 +134,19 @@ void stage_begin(
 	}
 }
 
-/* Projects along the light onto the floor: p - light * (p.y - floor) / light.y */
+/* Projects along the light: p - light * (p.y - floor.y) / light.y. */
 static void shadow_matrix(const struct stage *stage, mat4 out)
 {
-	float light[3], lift = stage->floor.y;
+	float light[3], y = stage->floor.y;
 
 	light_direction(light);
 	glm_mat4_identity(out);
 	out[1][0] = -light[0] / light[1];
 	out[1][1] = 0.0f;
 	out[1][2] = -light[2] / light[1];
-	out[3][0] = lift * light[0] / light[1];
-	out[3][1] = lift;
-	out[3][2] = lift * light[2] / light[1];
+	out[3][0] = y * light[0] / light[1];
+	out[3][1] = y;
+	out[3][2] = y * light[2] / light[1];
 }
 
 void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
@@ -152,14 +155,14 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 
 	use_plain_state(gl);
 	gl->DisableClientState(GL_COLOR_ARRAY);
-	gl->Disable(GL_DEPTH_TEST); /* it lies in the floor itself */
+	gl->Disable(GL_DEPTH_TEST); /* the shadow lies in the floor's plane */
 	gl->Color4x(
 		FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12, FX16_ONE * 3 / 8);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->DepthMask(GL_FALSE);
 	if (stage->has_stencil) {
-		/* Each pixel is darkened once, however often it is covered. */
+		/* Darkens each pixel once, even where triangles overlap. */
 		gl->Enable(GL_STENCIL_TEST);
 		gl->StencilFunc(GL_EQUAL, 0, 255);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);

@@ -1,9 +1,9 @@
 /*
- * What is around a model: background, floor, light, shadow.
+ * The surroundings of a model: camera, lights, floor and background.
  *
- * A frame is stage_begin(), the shadows, the models. Flat shadows go between
- * stage_shadow_begin() and stage_shadow_end() as shapes; shadow volumes are
- * drawn right after stage_begin().
+ * A frame calls stage_begin(), then draws the shadows, then the models. Flat
+ * shadows are drawn with DRAW_SHADOW between stage_shadow_begin() and
+ * stage_shadow_end(); shadow volumes are drawn right after stage_begin().
  */
 #ifndef APP_SCENE_STAGE_STAGE_H
 #define APP_SCENE_STAGE_STAGE_H
@@ -17,16 +17,17 @@ struct stage {
 	struct camera camera;
 	struct floor floor;
 	bool has_stencil;
-	/* In place of the background and the level floor; or NULL. */
+	/* Replaces the background and the level floor; may be NULL. */
 	const struct live_texture *backdrop;
-	/* Stands on the stage, dark without its picture; or NULL. */
+	/* Stands on the floor; dark without a picture; may be NULL. */
 	const struct monitor *monitor;
 	const struct live_texture *monitor_picture;
 };
 
 /*
- * A stage whose floor lies under the box and whose camera frames it, see
- * camera_frame(). 0, or -ENOMEM after a sentence. Release with stage_finish().
+ * Makes a stage whose floor lies under the box and whose camera frames the box,
+ * see camera_frame(). Returns 0, or -ENOMEM after logging an error. Release it
+ * with stage_finish().
  */
 int stage_init(struct stage *stage, const struct gl *gl,
 	const struct bounds *bounds, const struct camera_framing *framing,
@@ -34,20 +35,23 @@ int stage_init(struct stage *stage, const struct gl *gl,
 
 void stage_finish(struct stage *stage, const struct gl *gl);
 
-/* Clears, draws background and floor, loads camera and lights. */
+/*
+ * Sets the viewport, clears the buffers, draws background and floor, and loads
+ * the camera's matrices and the lights.
+ */
 void stage_begin(
 	const struct stage *stage, const struct gl *gl, int width, int height);
 
 /*
- * Until stage_shadow_end(), shapes are drawn flattened onto the level of the
- * floor along the main light, in a dark see-through colour.
+ * Until stage_shadow_end(), whatever is drawn is projected along the key light
+ * onto the floor's plane and blended in a dark colour.
  */
 void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);
 
 /*
- * What stands on level ground, over flat shadows: stage_shadow_end() draws it,
- * and this where there are none.
+ * Draws the monitor on level ground, where it has to follow the flat shadows.
+ * stage_shadow_end() calls this; a frame without flat shadows calls it itself.
  */
 void stage_draw_monitor(const struct stage *stage, const struct gl *gl);
 

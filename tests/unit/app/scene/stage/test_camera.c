@@ -31,7 +31,6 @@ static void check_framing(struct bounds bounds, float aspect)
 	const struct camera_framing framing = {.aspect = aspect,
 		.yaw_rad = 0.3f,
 		.pitch_rad = 0.16f,
-		.turn_rad = 3.14159265f,
 		.margin = 1.1f};
 	float largest = 0.0f;
 

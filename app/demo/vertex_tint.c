@@ -82,7 +82,7 @@ void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
 		tint->instance->drawable[drawable].fixed;
 
 	if (tint->color[drawable]) {
-		size_t at = fixed && fixed->slot ? fixed->slot[vertex]
+		size_t at = fixed && fixed->inverse_order ? fixed->inverse_order[vertex]
 						 : (size_t)vertex;
 
 		memcpy(tint->color[drawable][at], rgb, 3);

@@ -18,7 +18,7 @@ static bool is_white(const float base_color[4])
 		base_color[2] == 1.0f && base_color[3] == 1.0f;
 }
 
-/* Which of the primitive's vertices a batch's is. */
+/* The primitive's vertex that is vertex v of the batch. */
 static size_t vertex_of(
 	const struct drawable *drawable, const struct batch *batch, int v)
 {
@@ -30,13 +30,13 @@ static size_t vertex_of(
 		: (size_t)v;
 }
 
-static bool in_primitives_order(
+static bool in_primitive_order(
 	const struct drawable *drawable, const struct batch *batch)
 {
 	return !batch->source && !(drawable->fixed && drawable->fixed->order);
 }
 
-/* Vertex colours times the material's, or the model's own array. */
+/* Vertex colours times the material's; without a copy if that is white. */
 static int tint(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
@@ -47,7 +47,7 @@ static int tint(struct batch *batch, const struct drawable *drawable,
 	if (!primitive->color) {
 		return 0;
 	}
-	if (in_primitives_order(drawable, batch) && is_white(base_color)) {
+	if (in_primitive_order(drawable, batch) && is_white(base_color)) {
 		batch->color = (const uint8_t(*)[4])primitive->color;
 		return 0;
 	}
@@ -78,7 +78,7 @@ static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
 	const struct model_primitive *primitive = drawable->primitive;
 	float(*texcoord)[2];
 
-	if (!primitive->texcoord || in_primitives_order(drawable, batch)) {
+	if (!primitive->texcoord || in_primitive_order(drawable, batch)) {
 		batch->texcoord = (const float(*)[2])primitive->texcoord;
 		return 0;
 	}
@@ -115,7 +115,7 @@ static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
 								     : -ENOMEM;
 }
 
-/* Attributes that do not move, and room for those that do. */
+/* Sets the batch's arrays: copies attributes, allocates what updates write. */
 static int fill(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
@@ -147,21 +147,27 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
-/* A list of the primitive's vertices, each where it is drawn from. */
-static const uint16_t *place_list(const struct drawable *drawable,
+static const uint32_t *inverse_order_of(const struct drawable *drawable)
+{
+	return drawable->fixed ? drawable->fixed->inverse_order : NULL;
+}
+
+/* Converts a list of the primitive's vertices to the order of the arrays. */
+static const uint16_t *convert_list(const struct drawable *drawable,
 	const uint32_t *list, int count, struct arena *arena)
 {
-	const uint32_t *place = drawable->fixed ? drawable->fixed->slot : NULL;
+	const uint32_t *inverse_order = inverse_order_of(drawable);
 	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
 
 	for (int i = 0; index && i < count; i++) {
-		index[i] = (uint16_t)(place ? place[list[i]] : list[i]);
+		index[i] = (uint16_t)(inverse_order ? inverse_order[list[i]]
+						    : list[i]);
 	}
 	return index;
 }
 
-/* The model's own coarser lists, but for those for shapes (shadow_proxy.h). */
-static int place_lods(struct batch *batch, const struct drawable *drawable,
+/* The model's coarser lists, except those for shadows (shadow_proxy.h). */
+static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -181,7 +187,7 @@ static int place_lods(struct batch *batch, const struct drawable *drawable,
 		*to = (struct batch_lod){
 			.error = lod->error_m,
 			.index_count = lod->index_count,
-			.index = place_list(
+			.index = convert_list(
 				drawable, lod->index, lod->index_count, arena),
 		};
 		if (!to->index) {
@@ -192,15 +198,14 @@ static int place_lods(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
-static int make_outline(struct batch *batch, const struct drawable *drawable,
+static int make_proxy(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
-	const uint32_t *place = drawable->fixed ? drawable->fixed->slot : NULL;
-	uint16_t *outline;
-	int error = shadow_proxy_make(drawable->primitive, place, arena,
-		&outline, &batch->proxy_count);
+	uint16_t *proxy;
+	int error = shadow_proxy_make(drawable->primitive,
+		inverse_order_of(drawable), arena, &proxy, &batch->proxy_count);
 
-	batch->proxy = outline;
+	batch->proxy = proxy;
 	return error;
 }
 
@@ -209,7 +214,7 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	struct batch *batch = ARENA_NEW(arena, struct batch);
-	const uint16_t *index = place_list(
+	const uint16_t *index = convert_list(
 		drawable, primitive->index, primitive->index_count, arena);
 	int error;
 
@@ -223,23 +228,23 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 	};
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = place_lods(batch, drawable, arena);
+	error = convert_lods(batch, drawable, arena);
 	if (!error) {
-		error = make_outline(batch, drawable, arena);
+		error = make_proxy(batch, drawable, arena);
 	}
 	return error ? error : fill(batch, drawable, base_color, arena);
 }
 
 /*
- * Unshared triangles in runs of at most BATCH_VERTICES_MAX vertices: the index
- * list itself says where each vertex comes from.
+ * Batches of at most BATCH_VERTICES_MAX vertices without an index. The
+ * primitive's index is the list of their sources.
  */
-static int make_unshared(struct drawable *drawable, const float base_color[4],
+static int make_unindexed(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
-	int most = BATCH_VERTICES_MAX / 3 * 3;
-	int count = (primitive->index_count + most - 1) / most;
+	int max = BATCH_VERTICES_MAX / 3 * 3;
+	int count = (primitive->index_count + max - 1) / max;
 
 	drawable->batch = ARENA_ARRAY(arena, struct batch, (size_t)count);
 	if (!drawable->batch) {
@@ -247,12 +252,12 @@ static int make_unshared(struct drawable *drawable, const float base_color[4],
 	}
 	drawable->batch_count = count;
 	for (int i = 0; i < count; i++) {
-		int first = i * most;
+		int first = i * max;
 		int left = primitive->index_count - first;
 		int error;
 
 		drawable->batch[i] = (struct batch){
-			.vertex_count = left < most ? left : most,
+			.vertex_count = left < max ? left : max,
 			.source = primitive->index + first,
 		};
 		error = fill(&drawable->batch[i], drawable, base_color, arena);
@@ -270,7 +275,7 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 		drawable->primitive->vertex_count <= BATCH_VERTICES_MAX;
 
 	return whole ? make_whole(drawable, base_color, arena)
-		     : make_unshared(drawable, base_color, arena);
+		     : make_unindexed(drawable, base_color, arena);
 }
 
 static void face_normal(
@@ -306,7 +311,6 @@ static void gather_flat_normals(struct batch *batch)
 	}
 }
 
-/* Of three corners in 16 bits. */
 static struct fixed_vector fixed_face_normal(const struct fixed_vector *corner)
 {
 	float at[3][3], normal[3];
@@ -332,7 +336,7 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 	for (int v = 0; v < batch->vertex_count; v++) {
 		uint32_t from = batch->source[v];
 
-		from = fixed->slot ? fixed->slot[from] : from;
+		from = fixed->inverse_order ? fixed->inverse_order[from] : from;
 		position[v] = fixed->position[from];
 		if (fixed->normal) {
 			normal[v] = fixed->normal[from];

@@ -1,11 +1,12 @@
 /*
- * From a model's primitive to what GL ES 1.1 can draw.
+ * Batches: a primitive's vertices as GL ES 1.1 can draw them.
  *
- * GL ES 1.1 indexes with 16 bits and interpolates one normal a vertex. So a
- * primitive with more than 65,536 vertices is cut into batches that have few
- * enough, and one without normals is unshared, three vertices a triangle, to
- * be drawn with flat normals computed from the posed triangles (glTF 2.0,
- * 3.7.2.1). Either way the posed vertices are gathered once a frame.
+ * GL ES 1.1 indexes with 16 bits and interpolates one normal a vertex. A
+ * primitive of more than 65,536 vertices, or one without normals, is therefore
+ * drawn without an index: each triangle gets three vertices of its own, which
+ * are copied from the posed vertices once a frame ("gathered") and cut into
+ * batches that are small enough. Missing normals are computed from the posed
+ * triangles (flat shading, glTF 2.0 section 3.7.2.1).
  */
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H
@@ -13,13 +14,13 @@
 #include "app/scene/instance/instance.h"
 
 /*
- * Makes the batches of a drawable whose arrays are set. base_color tints the
- * vertex colours. 0 or -ENOMEM.
+ * Makes the batches of a drawable whose output arrays are set. Vertex colours
+ * are multiplied by base_color (linear RGBA). Returns 0 or -ENOMEM.
  */
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena);
 
-/* Fills the gathered arrays from the drawable's output; part of a frame. */
+/* Copies posed vertices into the gathered arrays; called once a frame. */
 void batch_gather(struct drawable *drawable);
 
 #endif

@@ -5,7 +5,7 @@
 #include <float.h>
 
 enum {
-	CLIP_LOOKS = 12
+	CLIP_STEPS = 12
 };
 
 struct bounds bounds_empty(void)
@@ -67,8 +67,8 @@ static int16_t greater(int16_t a, int16_t b)
 }
 
 /*
- * The same as from each vertex of a skinned drawable: what makes scene units of
- * 16 bits, rounding included, keeps their order.
+ * Finds the 16-bit bounds first and converts only these. The result equals that
+ * of converting each vertex, because the conversion is monotonic.
  */
 static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
 {
@@ -145,7 +145,7 @@ void bounds_join(struct bounds *bounds, const struct bounds *other)
 struct bounds bounds_of_clip(struct instance *instance, int clip)
 {
 	bool hold_normals = instance->hold_normals,
-	     relief = instance->normal_mapping;
+	     normal_mapping = instance->normal_mapping;
 	struct bounds all = bounds_empty();
 	struct clip_cursor none = {0};
 
@@ -154,15 +154,15 @@ struct bounds bounds_of_clip(struct instance *instance, int clip)
 		instance_update(instance);
 		return bounds_of_instance(instance);
 	}
-	for (int look = CLIP_LOOKS; look >= 0; look--) {
+	for (int step = CLIP_STEPS; step >= 0; step--) {
 		const struct model_clip *c = &instance->model->clip[clip];
 		struct bounds now;
 
-		clip_sample(c, c->duration_s * (float)look / CLIP_LOOKS, &none,
+		clip_sample(c, c->duration_s * (float)step / CLIP_STEPS, &none,
 			&instance->pose);
-		/* Where vertices look counts at the last one, which is left. */
-		instance->hold_normals = hold_normals || look > 0;
-		instance->normal_mapping = relief && look == 0;
+		/* Only the last sample's normals and tangents are kept. */
+		instance->hold_normals = hold_normals || step > 0;
+		instance->normal_mapping = normal_mapping && step == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
 		bounds_join(&all, &now);

@@ -1,8 +1,8 @@
 /*
- * Boxes around posed vertices.
+ * Axis-aligned boxes around posed vertices.
  *
- * A skinned model's bind pose says little about where it goes, so bounds are
- * always taken from vertices that have been posed.
+ * A skinned model's bind pose says little about where its vertices go, so
+ * bounds are always computed from posed vertices.
  */
 #ifndef APP_SCENE_INSTANCE_BOUNDS_H
 #define APP_SCENE_INSTANCE_BOUNDS_H
@@ -10,24 +10,29 @@
 #include "app/scene/instance/instance.h"
 
 struct bounds {
-	float low[3], high[3]; /* low above high: empty */
+	float low[3], high[3]; /* low is above high in an empty box */
 };
 
 struct bounds bounds_empty(void);
 bool bounds_is_empty(const struct bounds *bounds);
+
+/* Extend the box to contain a point or another box. */
 void bounds_add(struct bounds *bounds, const float point[3]);
 void bounds_join(struct bounds *bounds, const struct bounds *other);
 
-/* The longest side; 0 when empty. */
+/* Returns the length of the longest side, 0 for an empty box. */
 float bounds_extent(const struct bounds *bounds);
+
+/* Returns the box's centre, the origin for an empty box. */
 void bounds_center(const struct bounds *bounds, float out[3]);
 
-/* The instance as it was last updated, in scene units. */
+/* Returns the box of the last update's vertices, in scene units. */
 struct bounds bounds_of_instance(const struct instance *instance);
 
 /*
- * The instance over all of a clip (-1: at rest), at a few evenly spread times.
- * Leaves the instance at the clip's start. For load time, not for a frame.
+ * Returns the box of a clip, sampled at 13 evenly spaced times, in scene units;
+ * -1 means the rest pose. Leaves the instance posed at the clip's start. It
+ * poses the whole instance each time, so it is meant for load time.
  */
 struct bounds bounds_of_clip(struct instance *instance, int clip);
 

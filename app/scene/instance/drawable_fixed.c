@@ -17,7 +17,7 @@ static unsigned wanted_streams(
 	return streams | (bump_is_mapped(model, primitive) ? FIXED_TANGENTS : 0);
 }
 
-/* Arrays of its own for what is posed each frame. */
+/* Allocates the arrays that are written each frame. */
 static int init_output(struct drawable_fixed *fixed, int vertex_count,
 	unsigned streams, struct arena *arena)
 {
@@ -49,7 +49,7 @@ static int init_skin(struct drawable_fixed *fixed,
 		return error;
 	}
 	fixed->order = fixed->skin.order;
-	fixed->slot = fixed->skin.inverse_order;
+	fixed->inverse_order = fixed->skin.inverse_order;
 	fixed->matrix = ARENA_ARRAY(
 		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
 	return fixed->matrix
@@ -57,7 +57,7 @@ static int init_skin(struct drawable_fixed *fixed,
 		: -ENOMEM;
 }
 
-/* A rigid one shows its base. */
+/* A rigid drawable's output is the base itself, which never changes. */
 static int init_morph(struct drawable_fixed *fixed,
 	const struct model_primitive *primitive, int target_count,
 	unsigned streams, struct arena *arena)

@@ -1,5 +1,6 @@
 /*
- * A drawable's vertices in fixed point: between the instance and the kernels.
+ * Poses a drawable's vertices in fixed point: it prepares the input of the
+ * fixed-point kernels and runs them.
  */
 #ifndef APP_SCENE_INSTANCE_DRAWABLE_FIXED_H
 #define APP_SCENE_INSTANCE_DRAWABLE_FIXED_H
@@ -7,14 +8,18 @@
 #include "app/scene/instance/instance.h"
 
 /*
- * Makes a drawable that has its skin, morphed and primitive fixed, with
- * tangents where it has relief. 0; -ENOMEM; -ERANGE for what 16 bits cannot
- * hold: it wants float.
+ * Creates drawable->fixed. The drawable's node, skin, morphed and primitive are
+ * set. A bump-mapped primitive gets tangents. Returns 0, -ENOMEM, or -ERANGE
+ * when 16 bits cannot represent the positions; the drawable then needs float.
  */
 int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	const struct fixed_loops *loops, struct arena *arena);
 
-/* The output for the instance's pose, whose matrices are there. */
+/*
+ * Computes the drawable's output from the instance's pose, world matrices and
+ * palettes. Sets fixed->overflowed, and leaves the output as it was, when the
+ * pose does not fit 16 bits.
+ */
 void drawable_fixed_pose(
 	const struct instance *instance, struct drawable *drawable);
 

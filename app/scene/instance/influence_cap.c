@@ -5,7 +5,7 @@
 
 enum {
 	BUDGET_MAX = 100000000,
-	/* Below these heights a cap moves no vertex by a visible amount. */
+	/* Below these heights a cap of 2 or 1 moves no vertex visibly. */
 	TWO_BELOW_PX = 160,
 	ONE_BELOW_PX = 64,
 };

@@ -1,10 +1,10 @@
 /*
- * The influence cap: how many joints may move a vertex.
+ * The influence cap: the greatest number of joints that may move a vertex.
  *
- * AN4044 section 3.1 caps them through the next-vertex offset, and assumes a
- * weight of one for what is left; the kernels do that (max_influences). Here
- * is chosen how many, by how large the figure is on the screen or by what a
- * frame may cost.
+ * AN4044 section 3.1 caps influences through the next-vertex offset and takes
+ * the remaining weight as one; the kernels do the same with max_influences.
+ * This module chooses the cap by the figure's height on the screen or by a
+ * budget for the frame.
  */
 #ifndef APP_SCENE_INSTANCE_INFLUENCE_CAP_H
 #define APP_SCENE_INSTANCE_INFLUENCE_CAP_H
@@ -12,9 +12,9 @@
 #include "app/scene/stage/camera.h"
 
 enum influence_cap_kind {
-	INFLUENCE_CAP_FIXED,    /* value influences; 0: all */
-	INFLUENCE_CAP_DISTANCE, /* fewer where the figure is small */
-	INFLUENCE_CAP_BUDGET, /* at most value influences a frame, all vertices */
+	INFLUENCE_CAP_FIXED,    /* at most value a vertex; 0 means all */
+	INFLUENCE_CAP_DISTANCE, /* fewer for figures that appear small */
+	INFLUENCE_CAP_BUDGET,   /* at most value a frame, over all vertices */
 };
 
 struct influence_cap {
@@ -23,20 +23,24 @@ struct influence_cap {
 };
 
 /*
- * Reads "1".."8", "auto" (by distance) or "budget:N" (N from 1 to 100 million).
- * False for anything else.
+ * Parses "1".."8", "auto" (by distance) or "budget:N" (N from 1 to 100
+ * million). Returns false for anything else.
  */
 bool influence_cap_parse(const char *text, struct influence_cap *out);
 
-/* The cap for a figure that many pixels high; 0: all influences. */
+/* Returns the cap for a figure of this height in pixels; 0 means all. */
 int influence_cap_for_height(float height_px);
 
-/* Influences that a frame of this instance takes under a cap (0: none). */
+/*
+ * Returns the number of influences of all visible vertices under a cap; 0 means
+ * no cap.
+ */
 long influence_cap_cost(const struct instance *instance, int max_influences);
 
 /*
- * What instance.max_influences should be. extent is the figure's height, which
- * like camera and picture height only counts for INFLUENCE_CAP_DISTANCE.
+ * Returns the value for instance.max_influences. extent is the figure's height
+ * in scene units; it, the camera and the picture's height are used only for
+ * INFLUENCE_CAP_DISTANCE.
  */
 int influence_cap_choose(const struct influence_cap *cap,
 	const struct instance *instance, const struct camera *camera,

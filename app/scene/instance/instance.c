@@ -20,7 +20,7 @@ static void set_weights(
 	}
 }
 
-/* What the morph is for normals, with tangents in their place. */
+/* Morphs tangents as normals are morphed. */
 static void morph_tangents(
 	const struct instance *instance, struct drawable *drawable)
 {
@@ -99,7 +99,7 @@ static void skin_drawable(
 	}
 }
 
-/* Vertices for a pose whose matrices are there. */
+/* The world matrices and palettes are up to date. */
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {

@@ -1,20 +1,20 @@
 /*
- * One model on stage: its state and its output vertices.
+ * An instance of a model: its pose and its output vertices.
  *
  * A model may have many instances. Each owns a pose, the world matrices and
- * palettes computed from it, and what the vertex loops write. All memory is
- * taken in instance_create(); posing and drawing take none.
+ * palettes computed from the pose, and the arrays that the vertex kernels write.
+ * instance_create() allocates all memory; posing and drawing allocate none.
  *
- * Numbers: matrices go to GL in 16.16, so lengths have to stay near 1. Scene
- * units are metres where the model is between 25 cm and 16 m large, else a
- * power of two of them (unit_scale, exact in float). Likewise the positions of
- * a rigid or morphed primitive are multiplied by a power of two (vertex_scale)
- * when they are far from 1, and the matrix that draws them divides again.
+ * Units: matrices reach GL in 16.16 fixed point, so lengths have to stay near 1.
+ * A scene unit is a metre if the model is between 25 cm and 16 m large, else a
+ * power of two of metres (unit_scale; exact in float). In the same way a rigid
+ * or morphed primitive whose positions are far from 1 is scaled by a power of
+ * two (vertex_scale), and the matrix that draws it divides by that again.
  *
- * Where the kernel has fixed-point loops, vertices are 16-bit numbers, and the
- * matrix that draws them has their scale and offset. A primitive that cannot be
- * had so stays in float. Whoever wants to know where a vertex is asks
- * drawable_position() and need not care.
+ * With a kernel that has fixed-point loops, vertices are 16-bit numbers whose
+ * scale and offset are part of the matrix that draws them. A primitive that 16
+ * bits cannot represent stays in float. drawable_position() returns a vertex's
+ * position in either case.
  */
 #ifndef APP_SCENE_INSTANCE_INSTANCE_H
 #define APP_SCENE_INSTANCE_INSTANCE_H
@@ -35,56 +35,63 @@ struct batch_lod {
 };
 
 /*
- * A run of vertices that one GL call draws. Attributes are either the
- * drawable's own arrays or copies in another order, see batch.h.
+ * Vertices that one GL call draws. The arrays are the drawable's own or copies
+ * in another order, see batch.h.
  */
 struct batch {
 	int vertex_count;
-	const uint32_t *source;     /* the primitive's vertex for each of the
-				       batch's, or NULL: the drawable's order */
-	const float (*position)[3]; /* NULL: fixed_position, and so on */
-	const float (*normal)[3];
+	/*
+	 * The primitive's vertex for each of the batch's in a gathered batch;
+	 * NULL if the batch has the drawable's vertices in its order.
+	 */
+	const uint32_t *source;
+	const float (*position)[3]; /* NULL: fixed_position is used */
+	const float (*normal)[3];   /* NULL: fixed_normal is used */
 	const struct fixed_vector *fixed_position;
 	const struct fixed_vector *fixed_normal;
 	const float (*texcoord)[2]; /* or NULL */
 	const uint8_t (*color)[4];  /* or NULL */
 
 	int index_count;
-	const uint16_t *index; /* or NULL: every three vertices in turn */
+	const uint16_t *index; /* NULL: each three vertices are a triangle */
 	int lod_count;
-	struct batch_lod *lod; /* the finest first */
-	/* Fewer triangles with the same outline, or NULL */
+	struct batch_lod *lod; /* [lod_count], finest first */
+	/* Fewer triangles with nearly the same silhouette, or NULL. */
 	const uint16_t *proxy;
 	int proxy_count;
 
-	float (*gathered_position)[3]; /* with source: written each update */
+	/* The copies of a gathered batch, which each update writes. */
+	float (*gathered_position)[3];
 	float (*gathered_normal)[3];
-	struct fixed_vector *gathered_fixed; /* the same in fixed point */
+	struct fixed_vector *gathered_fixed;
 	struct fixed_vector *gathered_fixed_normal;
 };
 
 /* The vertices of a drawable in fixed point. */
 struct drawable_fixed {
 	const struct fixed_loops *loops;
-	struct fixed_placement placement; /* what positions mean, see fixed.h:
-					     in scene units if skinned, else
-					     local ones; by the last update */
-	struct fixed_vector *position;    /* output */
-	struct fixed_vector *normal;      /* output, or NULL: flat */
-	struct fixed_vector *tangent;     /* output, or NULL: no relief */
+	/*
+	 * Scale and offset of the last update's positions, see fixed.h: to
+	 * scene units if the drawable is skinned, else to local units.
+	 */
+	struct fixed_placement placement;
+	struct fixed_vector *position; /* output */
+	struct fixed_vector *normal;   /* output; NULL: flat shading */
+	struct fixed_vector *tangent;  /* output; NULL: not bump-mapped */
 
 	/*
-	 * Vertices are in an order of their own where these are not NULL:
-	 * place says where the primitive's vertex is, order which one is here.
+	 * NULL if the arrays have the primitive's order. Otherwise order[i] is
+	 * the primitive's vertex that is stored at i, and inverse_order[v] is
+	 * where the primitive's vertex v is stored.
 	 */
-	const uint32_t *slot, *order;
+	const uint32_t *order, *inverse_order;
 
-	struct fixed_skin skin;             /* of a skinned one */
+	struct fixed_skin skin;             /* if skinned */
 	struct fixed_matrix *matrix;        /* [skin.joint_count] */
-	struct fixed_skin_morph skin_morph; /* if it is morphed, too */
-	struct fixed_morph morph; /* of another; rigid: without targets */
-	bool overflowed; /* the last pose has no place in 16 bits; the output is
-			an earlier one's */
+	struct fixed_skin_morph skin_morph; /* if skinned and morphed */
+	struct fixed_morph morph; /* if not skinned; rigid: no targets */
+	/* The last pose did not fit 16 bits: the output is an earlier one's. */
+	bool overflowed;
 };
 
 /* One primitive as one node shows it. */
@@ -92,30 +99,33 @@ struct drawable {
 	int node;
 	int primitive_index;
 	const struct model_primitive *primitive;
-	int skin;      /* or -1: rigid, drawn by its node's matrix */
-	bool morphed;  /* has targets */
-	bool external; /* shows what instance_use_vertices() gave it */
+	int skin;      /* -1: rigid, drawn by its node's matrix */
+	bool morphed;  /* the mesh has targets */
+	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
-	int lod; /* drawn by the batch's lod[lod - 1]; 0: by all triangles */
-	fx16_t color[4]; /* the material's, sRGB-encoded */
+	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
+	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
 	float vertex_scale;
 
 	const float (*base_position)[3]; /* times vertex_scale */
-	const float (*base_normal)[3];   /* or NULL: flat */
-	float (*position)[3];            /* output, in scene units if skinned,
-					    else local times vertex_scale */
-	float (*normal)[3];              /* output, or NULL: flat */
+	const float (*base_normal)[3];   /* NULL: flat shading */
+	/*
+	 * Output: in scene units if skinned, else in local units times
+	 * vertex_scale.
+	 */
+	float (*position)[3];
+	float (*normal)[3]; /* output; NULL: flat shading */
 
-	/* Output in place of the two above; vertex_scale is 1. Or NULL. */
+	/* Replaces the two arrays above; vertex_scale is 1 then. Or NULL. */
 	struct drawable_fixed *fixed;
 
-	/* With relief (see bump.h), else NULL. Output like normal. */
-	uint8_t (*light)[4]; /* towards the light, for the combiner */
-	const float (*base_tangent)[3]; /* of a rigid one */
-	float (*tangent)[3];            /* these three: in float alone */
-	float (*bitangent)[3];
+	/* If bump-mapped (see bump.h), else NULL. */
+	uint8_t (*light)[4];            /* output: the light's directions */
+	const float (*base_tangent)[3]; /* if not skinned, in float only */
+	float (*tangent)[3];            /* output, in float only */
+	float (*bitangent)[3];          /* output, in float only */
 
-	struct skin_stream stream; /* in fixed point: its counts alone */
+	struct skin_stream stream; /* in fixed point only its counts */
 	struct morph_term *term;   /* [target_count] */
 
 	int batch_count;
@@ -126,79 +136,77 @@ struct instance {
 	const struct model *model;
 	struct arena arena;
 	const struct kernel *kernel;
-	int max_influences; /* 0: all */
+	int max_influences; /* of a vertex; 0: all */
 
 	/*
-	 * Updates move skinned vertices and leave their normals as they were,
-	 * which saves much where light need not follow closely.
+	 * If true, updates pose the positions of skinned vertices and keep their
+	 * normals, which saves time where lighting need not follow closely.
 	 */
 	bool hold_normals;
 
 	/*
-	 * Normal maps count: tangents are posed and lit at each update, and
-	 * drawn where texture_set.normal_mapping says the driver can. May be
-	 * changed before any update; true at first.
+	 * If true, updates pose and light the tangents of bump-mapped
+	 * drawables, which are then drawn with their normal maps if texture_set.normal_mapping
+	 * is true. May be changed before any update; true initially.
 	 */
 	bool normal_mapping;
-	float towards_light[3]; /* unit vector, world space; light.h's at first:
-				   what relief is lit from */
+	/* Unit vector to the light that bump mapping uses, in world space. */
+	float towards_light[3];
 
 	struct pose pose;
-	mat4 *world;    /* [node_count], in the model's own units */
-	mat4 **palette; /* [skin_count][joint_count], times unit_scale */
-	float unit_scale;
-	float lod_px_per_unit; /* what drawables' lods were chosen for; 0:
-				     nothing so far */
+	mat4 *world;      /* [node_count], in the model's units */
+	mat4 **palette;   /* [skin_count][joint_count], times unit_scale */
+	float unit_scale; /* scene units a metre */
+	/* What the drawables' lods were chosen for; 0 before the first choice. */
+	float lod_px_per_unit;
 
 	int drawable_count;
 	struct drawable *drawable;
-	int float_count; /* drawables in float because 16 bits will not do */
+	int float_count; /* drawables in float because 16 bits do not suffice */
 };
 
 /*
- * An instance at rest. The model must outlive it. 0, or -ENOMEM after a
- * sentence. The caller releases it with instance_destroy().
+ * Creates an instance in the rest pose. The model must outlive it. Returns 0,
+ * or -ENOMEM after logging an error. Release it with instance_destroy().
  */
 int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out);
 
-/* NULL is fine. */
+/* Frees the instance; NULL is allowed. */
 void instance_destroy(struct instance *instance);
 
-/* Whether an update left out what has no place in 16 bits. */
+/* Returns true if a drawable's last pose did not fit 16 bits. */
 bool instance_overflowed(const struct instance *instance);
 
 /*
- * The frame's work: from the pose to world matrices, palettes and output
- * vertices. Allocates nothing.
+ * Does a frame's work: computes world matrices, palettes and output vertices
+ * from the pose. Allocates nothing.
  */
 void instance_update(struct instance *instance);
 
 /*
- * Shows a rigid drawable in a shape that the caller keeps: vertex_count
- * positions in local units times vertex_scale, and normals where the primitive
- * has them. The arrays are read at each draw, not copied.
+ * Makes a float drawable that is not skinned show the caller's vertices:
+ * positions in local units times vertex_scale, and normals if the primitive has
+ * them, in the primitive's order. The arrays are not copied; they are read at
+ * each draw.
  */
 void instance_use_vertices(
 	struct drawable *drawable, float (*position)[3], float (*normal)[3]);
 
-/* World matrices alone, for whoever only needs to know where nodes are. */
+/* Computes only the world matrices from the pose. */
 void instance_update_nodes(struct instance *instance);
 
-/*
- * Where a node's origin is, in scene units, after the last update.
- */
+/* Returns the origin of a node after the last update, in scene units. */
 void instance_node_position(
 	const struct instance *instance, int node, float out[3]);
 
 /*
- * The matrix that carries a rigid drawable's positions, as drawable_position()
- * tells them, to scene units.
+ * Returns the matrix from a rigid drawable's drawable_position() to scene units.
  */
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
 
-/* Morph targets of the mesh that a drawable is of. */
+/* Returns the number of morph targets of the drawable's mesh. */
 static inline int drawable_target_count(
 	const struct instance *instance, const struct drawable *drawable)
 {
@@ -207,8 +215,10 @@ static inline int drawable_target_count(
 	return model->mesh[model->node[drawable->node].mesh].target_count;
 }
 
-/* Where the primitive's vertex is: in scene units if skinned, else local ones
-   times vertex_scale. */
+/*
+ * Returns the posed position of the primitive's vertex: in scene units if the
+ * drawable is skinned, else in local units times vertex_scale.
+ */
 static inline void drawable_position(
 	const struct drawable *drawable, int vertex, float out[3])
 {
@@ -221,13 +231,17 @@ static inline void drawable_position(
 		return;
 	}
 	placement = &fixed->placement;
-	v = &fixed->position[fixed->slot ? fixed->slot[vertex] : (uint32_t)vertex];
+	v = &fixed->position[fixed->inverse_order ? fixed->inverse_order[vertex]
+						  : (uint32_t)vertex];
 	out[0] = (float)v->x * placement->scale + placement->offset[0];
 	out[1] = (float)v->y * placement->scale + placement->offset[1];
 	out[2] = (float)v->z * placement->scale + placement->offset[2];
 }
 
-/* A vertex in world space and the model's own units, after the last update. */
+/*
+ * Returns the posed position of the primitive's vertex in world space, in the
+ * model's units.
+ */
 void instance_world_vertex(const struct instance *instance,
 	const struct drawable *drawable, int vertex, float out[3]);
 

@@ -9,7 +9,7 @@
 
 #include <errno.h>
 
-/* The power of two that brings size into (0.5, 1], or 1 if it is near that. */
+/* The power of two that scales size into (0.5, 1]; 1 for small to large. */
 static float near_one(float size, float small, float large)
 {
 	float scale = 1.0f;
@@ -46,7 +46,7 @@ static void *alloc_vectors(struct arena *arena, int count)
 	return arena_alloc(arena, (size_t)count, sizeof(float[3]));
 }
 
-/* Base positions: the model's own array, or a scaled copy. */
+/* Base positions are the model's own array or a scaled copy. */
 static int init_base(struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -93,10 +93,7 @@ static int init_morph(
 	return 0;
 }
 
-/*
- * Output arrays: a rigid drawable shows its base, a morphed or skinned one
- * arrays of its own.
- */
+/* A rigid drawable's output is its base; others get arrays of their own. */
 static int init_output(struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -122,7 +119,7 @@ static int init_output(struct drawable *drawable, struct arena *arena)
 	return skin_stream_init(&drawable->stream, primitive, 1.0f, arena);
 }
 
-/* In fixed point, if the kernel has it and the numbers fit, else in float. */
+/* Uses fixed point if the kernel has it and the positions fit, else float. */
 static int init_vertices(struct instance *instance, struct drawable *drawable)
 {
 	const struct model *model = instance->model;
@@ -261,7 +258,7 @@ static int init_skeleton(struct instance *instance)
 	return pose_init(&instance->pose, model, arena);
 }
 
-/* Chosen from the posed vertices: a file's units may be anything. */
+/* Measures the posed vertices: a file's units may be anything. */
 static void choose_unit_scale(struct instance *instance)
 {
 	struct bounds bounds;
@@ -298,8 +295,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	}
 	if (instance->float_count > 0) {
 		log_warning(log,
-			"%s: %d of its %d parts are posed in float: their "
-			"positions do not fit 16 bits",
+			"%s: %d of the model's %d parts are posed in float because their positions do not fit 16 bits",
 			model->path, instance->float_count,
 			instance->drawable_count);
 	}
@@ -308,7 +304,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	return 0;
 
 fail:
-	log_error(log, "%s: not enough memory to show it", model->path);
+	log_error(log, "%s: not enough memory to pose the model", model->path);
 	arena_release(&arena);
 	return error;
 }

@@ -9,10 +9,10 @@ enum {
 	LEVEL_MAX = 99
 };
 
-/* How far what was chosen for may be off: 1.1 is a tenth to either side. */
-static const float hold = 1.1f;
-/* Of the extent: how far a surface goes beyond its joints. */
-static const float flesh = 0.06f;
+/* The factor by which px_per_unit may change before a new choice is made. */
+static const float hysteresis = 1.1f;
+/* How far a surface extends beyond its joints, as a fraction of the extent. */
+static const float joint_margin = 0.06f;
 
 bool lod_parse(const char *text, struct lod *out)
 {
@@ -44,13 +44,12 @@ static float error_px(const struct lod *lod)
 	return lod->kind == LOD_AUTO ? LOD_ERROR_PX : lod->error_px;
 }
 
-struct lod lod_relax(const struct lod *lod, float least_px)
+struct lod lod_relax(const struct lod *lod, float min_px)
 {
-	bool relaxes = least_px > 0.0f &&
-		(lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) &&
-		least_px > error_px(lod);
+	bool relaxes = (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) &&
+		min_px > error_px(lod);
 
-	return relaxes ? (struct lod){.kind = LOD_ERROR, .error_px = least_px}
+	return relaxes ? (struct lod){.kind = LOD_ERROR, .error_px = min_px}
 		       : *lod;
 }
 
@@ -62,12 +61,12 @@ static float depth_of(
 		(point[2] - eye[2]) * forward[2];
 }
 
-/* Of all joints; before the eye's own depth where there is none. */
+/* The depth of the joint nearest to the eye, at most the given depth. */
 static float nearest_joint(const struct instance *instance, const float eye[3],
-	const float forward[3], float most)
+	const float forward[3], float max)
 {
 	const struct model *model = instance->model;
-	float nearest = most;
+	float nearest = max;
 
 	for (int i = 0; i < model->skin_count; i++) {
 		const struct model_skin *skin = &model->skin[i];
@@ -97,28 +96,28 @@ float lod_px_per_unit(const struct instance *instance,
 		forward[axis] = (camera->target[axis] - eye[axis]) / distance;
 	}
 	nearest = skinned ? nearest_joint(instance, eye, forward, distance) -
-			flesh * extent
+			joint_margin * extent
 			  : distance - 0.5f * extent;
 	nearest = nearest > 0.05f * distance ? nearest : 0.05f * distance;
 	return 0.5f * (float)picture_height /
 		(camera_tan_half(camera->yfov_rad) * nearest);
 }
 
-/* The longest side of a unit cube, as the matrix has it. */
+/* The matrix's greatest scale along an axis. */
 static float scale_of(const vec4 *matrix)
 {
-	float most = 0.0f;
+	float max = 0.0f;
 
 	for (int column = 0; column < 3; column++) {
 		const float *c = matrix[column];
 		float square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
 
-		most = square > most ? square : most;
+		max = square > max ? square : max;
 	}
-	return scalar_sqrt(most);
+	return scalar_sqrt(max);
 }
 
-/* From the unit of the model's errors to scene units. */
+/* The scene units of one unit of the model's errors. */
 static float units_of(
 	const struct instance *instance, const struct drawable *drawable)
 {
@@ -165,7 +164,7 @@ void lod_choose(
 {
 	float held = instance->lod_px_per_unit;
 
-	if (px_per_unit > held * hold || px_per_unit * hold < held) {
+	if (px_per_unit > held * hysteresis || px_per_unit * hysteresis < held) {
 		instance->lod_px_per_unit = px_per_unit;
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {

@@ -1,13 +1,12 @@
 /*
- * Level of detail: how many triangles.
+ * Level of detail: how many triangles of a model are drawn.
  *
- * A model may have coarser lists of triangles (model_lod), each with how far
- * its surface is from the full one's. An instance is drawn by the coarsest ones
- * whose error is too small to see: at most so many pixels where the instance is
- * nearest. The models here state what 99 of 100 points of a surface keep
- * within; the mean is a quarter of that, so a pixel stands for much less than
- * it sounds. Shadows have a list of their own, see shadow_proxy.h. The number
- * of influences of a vertex is limited by influence_cap.h.
+ * A model may have coarser triangle lists over the same vertices (model_lod),
+ * each with its geometric error. An instance is drawn with the coarsest lists
+ * whose error is at most a limit in pixels where the instance is nearest to the
+ * eye. limber's own models state the error that 99 of 100 surface points keep
+ * within; their mean error is a quarter of it. Shadows have a list of their own
+ * (shadow_proxy.h), and influence_cap.h limits the influences of a vertex.
  */
 #ifndef APP_SCENE_INSTANCE_LOD_H
 #define APP_SCENE_INSTANCE_LOD_H
@@ -16,9 +15,9 @@
 
 enum lod_kind {
 	LOD_AUTO,  /* errors of at most LOD_ERROR_PX */
-	LOD_ERROR, /* of at most error_px */
+	LOD_ERROR, /* errors of at most error_px */
 	LOD_ALL,   /* every triangle */
-	LOD_LEVEL, /* the level of that number, or the last one; 0: all */
+	LOD_LEVEL, /* the level of this number or the last one; 0 is the finest */
 };
 
 struct lod {
@@ -29,27 +28,33 @@ struct lod {
 
 #define LOD_ERROR_PX 1.0f
 
-/* Reads "auto", "off", "level:N" or a number of pixels up to 100. */
+/*
+ * Parses "auto", "off", "level:N" or a number of pixels up to 100. Returns
+ * false for anything else.
+ */
 bool lod_parse(const char *text, struct lod *out);
 
-/* The same with errors of so many pixels at least; 0: as it is. */
-struct lod lod_relax(const struct lod *lod, float least_px);
+/*
+ * Returns the same setting with an error limit of at least min_px; 0 changes
+ * nothing, nor do LOD_ALL and LOD_LEVEL change.
+ */
+struct lod lod_relax(const struct lod *lod, float min_px);
 
 /*
- * How many pixels a scene unit has where the instance is nearest to the eye,
- * after an update. extent is its largest side.
+ * Returns the pixels of one scene unit where the updated instance is nearest to
+ * the eye. extent is the length of its longest side in scene units.
  */
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height);
 
 /*
- * Chooses the lists that the instance is drawn by from now on. What has been
- * chosen stays as long as px_per_unit changes little.
+ * Chooses the triangle lists that draw the instance from now on. To avoid
+ * flicker, a choice is kept while px_per_unit changes by less than a tenth.
  */
 void lod_choose(
 	struct instance *instance, const struct lod *lod, float px_per_unit);
 
-/* Triangles of all that is not hidden, as it is drawn. */
+/* Returns the number of triangles that draw all visible drawables. */
 long lod_triangles(const struct instance *instance);
 
 #endif

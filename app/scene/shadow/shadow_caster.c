@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An edge of one triangle; low and high are welded vertices. */
+/* An edge of one triangle between welded vertices. */
 struct half_edge {
 	uint32_t low, high;
-	uint32_t a, b; /* as the triangle goes round */
+	uint32_t a, b; /* the same in the triangle's order */
 	int32_t triangle;
 };
 
@@ -44,8 +44,9 @@ static int compare_edges(const void *left, const void *right)
 }
 
 /*
- * For each vertex the first one at the same place: seams of texture or colour
- * are no borders. The caller frees it; NULL when memory is short.
+ * Returns for each vertex the first one at the same position, because seams of
+ * texture or colour are not borders. The caller frees it; NULL when memory is
+ * short.
  */
 static uint32_t *weld(const struct model_primitive *primitive)
 {
@@ -95,8 +96,8 @@ static void list_half_edges(const struct shadow_caster *caster,
 }
 
 /*
- * Joins half edges that meet in opposite directions; what is left over is a
- * border. Where more than two triangles share an edge they are taken in pairs.
+ * Pairs half edges of opposite directions; an unpaired one is a border. More
+ * than two triangles at one edge become several pairs.
  */
 static void join_half_edges(
 	struct half_edge *half, int count, struct shadow_caster *caster)
@@ -141,42 +142,7 @@ static int find_edges(struct shadow_caster *caster, struct arena *arena)
 	return error;
 }
 
-static int copy_corners(struct shadow_caster *caster, const uint32_t *index,
-	int count, struct arena *arena)
-{
-	caster->corner_count = count;
-	caster->corner = ARENA_ARRAY(arena, uint16_t, (size_t)count);
-	if (!caster->corner) {
-		return -ENOMEM;
-	}
-	for (int i = 0; i < count; i++) {
-		caster->corner[i] = (uint16_t)index[i];
-	}
-	return 0;
-}
-
-/* The model's own triangles for shapes, else made ones, else all. */
-static int choose_corners(struct shadow_caster *caster, struct arena *arena)
-{
-	const struct model_primitive *primitive = caster->drawable->primitive;
-
-	for (int i = 0; i < primitive->lod_count; i++) {
-		const struct model_lod *lod = &primitive->lod[i];
-
-		if (lod->shape) {
-			return copy_corners(
-				caster, lod->index, lod->index_count, arena);
-		}
-	}
-	if (!primitive->normal) {
-		return copy_corners(caster, primitive->index,
-			primitive->index_count, arena);
-	}
-	return shadow_proxy_make(
-		primitive, NULL, arena, &caster->corner, &caster->corner_count);
-}
-
-/* Edges are of welded vertices: the first of those at a place has to be there. */
+/* Edges use welded vertices, which no triangle need have as a corner. */
 static int list_vertices(struct shadow_caster *caster, struct arena *arena)
 {
 	size_t count = (size_t)caster->drawable->primitive->vertex_count;
@@ -211,7 +177,8 @@ int shadow_caster_init(struct shadow_caster *caster,
 	int error;
 
 	caster->drawable = drawable;
-	error = choose_corners(caster, arena);
+	error = shadow_proxy_make(
+		primitive, NULL, arena, &caster->corner, &caster->corner_count);
 	if (error) {
 		return error;
 	}
@@ -226,7 +193,7 @@ int shadow_caster_init(struct shadow_caster *caster,
 	caster->lit = ARENA_ARRAY(arena, bool, triangles);
 	caster->position = arena_alloc(
 		arena, 2 * (size_t)primitive->vertex_count, sizeof(float[3]));
-	/* Two caps of every triangle, two triangles for every edge. */
+	/* Every triangle may be in both caps; an edge may become two triangles. */
 	caster->index = ARENA_ARRAY(
 		arena, uint16_t, 6 * (triangles + (size_t)caster->edge_count));
 	return caster->lit && caster->position && caster->index ? 0 : -ENOMEM;

@@ -1,43 +1,49 @@
-/* What of a drawable casts its shadow volume: triangles and their edges. */
+/*
+ * A drawable as a shadow caster: its triangles, their edges, and the buffers of
+ * the shadow volume that shadow_volume.c extrudes from them.
+ */
 #ifndef APP_SCENE_SHADOW_SHADOW_CASTER_H
 #define APP_SCENE_SHADOW_SHADOW_CASTER_H
 
 #include "app/scene/instance/instance.h"
 
-/* Twice as many have indices of 16 bits. */
+/* A volume has twice as many vertices, and 16-bit indices. */
 enum {
 	SHADOW_CASTER_VERTICES_MAX = 32768
 };
 
-/* An edge and the triangles at it: one side goes a to b, the other b to a. */
+/* An edge goes from a to b in triangle left and from b to a in right. */
 struct shadow_edge {
 	uint32_t a, b;
-	int32_t left, right; /* right -1: an open border */
+	int32_t left, right; /* right is -1 at an open border */
 };
 
-/* One drawable's volume, sized for the worst case at creation. */
 struct shadow_caster {
 	const struct drawable *drawable;
-	/* Fewer triangles than are drawn; their outline is what counts. */
+	/* The shadow proxy's triangles as vertices of the primitive. */
 	uint16_t *corner;
 	int corner_count; /* three a triangle */
-	uint16_t *vertex; /* those that they need */
+	uint16_t *vertex; /* the vertices that triangles and edges use */
 	int vertex_count;
 	int edge_count;
 	struct shadow_edge *edge;
-	bool *lit;            /* [corner_count / 3], by the last update */
-	float (*position)[3]; /* [2 * primitive's vertices]: as posed or moved down to
-				 the ground, then moved away from the light */
-	uint16_t *index; /* the far ends last */
+
+	/* The volume of the last update, allocated for the largest one. */
+	bool *lit; /* [corner_count / 3]: the triangle faces the light */
+	/*
+	 * [2 * the primitive's vertices]: where the volume begins and, in the
+	 * second half, where it ends; scene units.
+	 */
+	float (*position)[3];
+	uint16_t *index; /* front cap, sides, back cap */
 	int index_count, back_cap_count;
-	bool too_short; /* to reach the ground everywhere */
+	bool too_short; /* does not reach the ground everywhere */
 };
 
 /*
- * Finds triangles and edges for a hull that is all 0, of a drawable of no more
- * than SHADOW_CASTER_VERTICES_MAX vertices: the model's own triangles for
- * shapes, else such as shadow_proxy.h makes, else all. Memory comes from the
- * arena; 0 or -ENOMEM.
+ * Finds triangles and edges for a zeroed caster. The drawable has at most
+ * SHADOW_CASTER_VERTICES_MAX vertices. Memory comes from the arena. Returns 0
+ * or -ENOMEM.
  */
 int shadow_caster_init(struct shadow_caster *caster,
 	const struct drawable *drawable, struct arena *arena);

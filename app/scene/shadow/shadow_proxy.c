@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
 	CELLS = 40, /* along the longest side */
@@ -11,10 +10,10 @@ enum {
 struct member {
 	uint64_t key; /* cell, octant and joint */
 	uint32_t vertex;
-	float reach; /* how far out it lies, as the octant faces */
+	float distance; /* along the octant's diagonal */
 };
 
-/* By key, the outermost first. */
+/* Sorts by key, the outermost first. */
 static int compare_members(const void *left, const void *right)
 {
 	const struct member *a = left, *b = right;
@@ -22,8 +21,8 @@ static int compare_members(const void *left, const void *right)
 	if (a->key != b->key) {
 		return a->key < b->key ? -1 : 1;
 	}
-	if (a->reach != b->reach) {
-		return a->reach > b->reach ? -1 : 1;
+	if (a->distance != b->distance) {
+		return a->distance > b->distance ? -1 : 1;
 	}
 	return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
 }
@@ -61,7 +60,7 @@ static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
 	return primitive->joint[best];
 }
 
-/* Files may hold anything. */
+/* A file may hold any number, NaN included. */
 static uint64_t cell_at(float at)
 {
 	return at > 0.0f ? at < (float)CELLS ? (uint64_t)at : CELLS : 0;
@@ -81,13 +80,13 @@ static void describe(const struct model_primitive *primitive, int vertex,
 
 		out->key = out->key << 8 | cell_at(at * scale);
 		out->key = out->key << 1 | back;
-		out->reach += back ? -at : at;
+		out->distance += back ? -at : at;
 	}
 }
 
-/* For each vertex the one that stands for it. */
+/* leader[v] becomes the vertex that vertex v is merged into. */
 static void find_leaders(const struct model_primitive *primitive,
-	struct member *members, uint16_t *leader)
+	struct member *members, uint32_t *leader)
 {
 	float low[3], longest = find_box(primitive, low);
 	float scale = longest > 0.0f ? (float)CELLS / longest : 0.0f;
@@ -99,19 +98,19 @@ static void find_leaders(const struct model_primitive *primitive,
 	qsort(members, (size_t)count, sizeof(*members), compare_members);
 	for (int i = 0; i < count; i++) {
 		first = members[i].key == members[first].key ? first : i;
-		leader[members[i].vertex] = (uint16_t)members[first].vertex;
+		leader[members[i].vertex] = members[first].vertex;
 	}
 }
 
 static int list_triangles(const struct model_primitive *primitive,
-	const uint16_t *leader, uint16_t *out)
+	const uint32_t *leader, uint32_t *out)
 {
 	int count = 0;
 
 	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
-		uint16_t a = leader[primitive->index[i]];
-		uint16_t b = leader[primitive->index[i + 1]];
-		uint16_t c = leader[primitive->index[i + 2]];
+		uint32_t a = leader[primitive->index[i]];
+		uint32_t b = leader[primitive->index[i + 1]];
+		uint32_t c = leader[primitive->index[i + 2]];
 
 		if (a != b && a != c && b != c) {
 			out[count++] = a;
@@ -122,22 +121,26 @@ static int list_triangles(const struct model_primitive *primitive,
 	return count;
 }
 
-static void move_to_places(
-	const uint32_t *place, uint16_t *index, int index_count)
+/* Copies a list of vertices to the arena, in the order of the arrays. */
+static int copy_list(int count, const uint32_t *list,
+	const uint32_t *inverse_order, struct arena *arena, uint16_t **out)
 {
-	for (int i = 0; i < index_count && place; i++) {
-		index[i] = (uint16_t)place[index[i]];
+	*out = ARENA_ARRAY(arena, uint16_t, (size_t)count);
+	for (int i = 0; *out && i < count; i++) {
+		(*out)[i] = (uint16_t)(inverse_order ? inverse_order[list[i]]
+						     : list[i]);
 	}
+	return count > 0 && !*out ? -ENOMEM : 0;
 }
 
-static int cluster(const struct model_primitive *primitive,
-	const uint32_t *place, struct arena *arena, uint16_t **index,
+static int make_clusters(const struct model_primitive *primitive,
+	const uint32_t *inverse_order, struct arena *arena, uint16_t **index,
 	int *index_count)
 {
 	size_t count = (size_t)primitive->vertex_count;
 	struct member *members = malloc((count + 1) * sizeof(*members));
-	uint16_t *leader = malloc((count + 1) * sizeof(*leader));
-	uint16_t *list =
+	uint32_t *leader = malloc((count + 1) * sizeof(*leader));
+	uint32_t *list =
 		malloc(((size_t)primitive->index_count + 1) * sizeof(*list));
 	int error = -ENOMEM;
 
@@ -146,12 +149,8 @@ static int cluster(const struct model_primitive *primitive,
 	if (members && leader && list) {
 		find_leaders(primitive, members, leader);
 		*index_count = list_triangles(primitive, leader, list);
-		move_to_places(place, list, *index_count);
-		*index = ARENA_ARRAY(arena, uint16_t, (size_t)*index_count);
-		error = *index_count > 0 && !*index ? -ENOMEM : 0;
-	}
-	if (!error && *index_count > 0) {
-		memcpy(*index, list, (size_t)*index_count * sizeof(**index));
+		error = copy_list(
+			*index_count, list, inverse_order, arena, index);
 	}
 	free(list);
 	free(leader);
@@ -159,8 +158,8 @@ static int cluster(const struct model_primitive *primitive,
 	return error;
 }
 
-/* The model's own list, or NULL. */
-static const struct model_lod *find_shape(
+/* The model's level for shadows, or NULL. */
+static const struct model_lod *find_shadow_level(
 	const struct model_primitive *primitive)
 {
 	for (int i = 0; i < primitive->lod_count; i++) {
@@ -171,27 +170,17 @@ static const struct model_lod *find_shape(
 	return NULL;
 }
 
-static int copy_shape(const struct model_lod *shape, const uint32_t *place,
-	struct arena *arena, uint16_t **index, int *index_count)
-{
-	*index_count = shape->index_count;
-	*index = ARENA_ARRAY(arena, uint16_t, (size_t)shape->index_count);
-	if (!*index) {
-		return -ENOMEM;
-	}
-	for (int i = 0; i < shape->index_count; i++) {
-		(*index)[i] = (uint16_t)shape->index[i];
-	}
-	move_to_places(place, *index, *index_count);
-	return 0;
-}
-
 int shadow_proxy_make(const struct model_primitive *primitive,
-	const uint32_t *place, struct arena *arena, uint16_t **index,
+	const uint32_t *inverse_order, struct arena *arena, uint16_t **index,
 	int *index_count)
 {
-	const struct model_lod *shape = find_shape(primitive);
+	const struct model_lod *level = find_shadow_level(primitive);
 
-	return shape ? copy_shape(shape, place, arena, index, index_count)
-		     : cluster(primitive, place, arena, index, index_count);
+	if (!level && primitive->normal) {
+		return make_clusters(
+			primitive, inverse_order, arena, index, index_count);
+	}
+	*index_count = level ? level->index_count : primitive->index_count;
+	return copy_list(*index_count, level ? level->index : primitive->index,
+		inverse_order, arena, index);
 }

@@ -1,10 +1,11 @@
 /*
- * A mesh of fewer triangles with nearly the same outline, for shadows: the
- * model's own level for shapes, or else one that is made here.
+ * Shadow proxies: fewer triangles with nearly the same silhouette.
  *
- * For that, vertices that lie in one cell of a grid, face the same octant and
- * follow the same joint become one of them; triangles that lose a corner go.
- * The vertices stay where they are, so posing them costs nothing more.
+ * The triangles are the model's own level for shadows if it has one. Otherwise
+ * they are made by vertex clustering: vertices in the same cell of a grid whose
+ * normals are in the same octant and that follow the same joint are merged, and
+ * triangles that degenerate are dropped. The remaining vertices keep their
+ * positions, so a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
 #define APP_SCENE_SHADOW_SHADOW_PROXY_H
@@ -15,12 +16,13 @@
 #include <stdint.h>
 
 /*
- * Lists the triangles of a primitive of at most 65,536 vertices with normals,
- * in the arena. Place says where each vertex is drawn from, NULL: where the
- * primitive has it. 0 or -ENOMEM.
+ * Makes the proxy of a primitive of at most 65,536 vertices and allocates its
+ * index in the arena. A primitive without normals keeps all its triangles.
+ * inverse_order gives the index at which each vertex is stored; NULL means the
+ * primitive's order. Returns 0 or -ENOMEM.
  */
 int shadow_proxy_make(const struct model_primitive *primitive,
-	const uint32_t *place, struct arena *arena, uint16_t **index,
+	const uint32_t *inverse_order, struct arena *arena, uint16_t **index,
 	int *index_count);
 
 #endif

@@ -1,5 +1,6 @@
 #include "app/scene/shadow/shadow_volume.h"
 
+#include "app/scene/draw/triangle_list.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -24,8 +25,7 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 		if (drawable->primitive->vertex_count >
 			SHADOW_CASTER_VERTICES_MAX) {
 			log_warning(log,
-				"%s: a part of %d vertices is too "
-				"large to cast a shadow volume",
+				"%s: a part of the model has %d vertices, too many to cast a shadow on uneven ground",
 				instance->model->path,
 				drawable->primitive->vertex_count);
 			continue;
@@ -37,42 +37,44 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 	}
 	return 0;
 fail:
-	log_error(log, "%s: not enough memory for its shadow",
+	log_error(log, "%s: not enough memory for the model's shadow",
 		instance->model->path);
 	return -ENOMEM;
 }
 
 /*
- * How far from a place the ground is, down the light. From level ground on by
- * the secant: waves are so low that one step leaves less than they sag.
+ * The distance from a point to the ground, down the light's direction. One step
+ * of the secant method from level ground leaves less than floor_mesh_error().
  */
-static float way_to_ground(const struct shadow_light *light, const float from[3])
+static float distance_to_ground(
+	const struct shadow_light *light, const float from[3])
 {
 	const struct floor *ground = light->ground;
 	const float *towards = light->towards;
 	float per_height = 1.0f / towards[1];
-	float way[2] = {(from[1] - ground->y) * per_height, 0.0f};
+	float guess[2] = {(from[1] - ground->y) * per_height, 0.0f};
 	float height[2], slope;
 
 	for (int i = 0; i < 2; i++) {
-		height[i] = floor_height(ground, from[0] - towards[0] * way[i],
-			from[2] - towards[2] * way[i]);
+		height[i] = floor_height(ground, from[0] - towards[0] * guess[i],
+			from[2] - towards[2] * guess[i]);
 		if (i == 0) {
-			way[1] = (from[1] - height[0]) * per_height;
+			guess[1] = (from[1] - height[0]) * per_height;
 		}
 	}
-	slope = way[1] == way[0] ? 0.0f
-				 : (height[1] - height[0]) / (way[1] - way[0]);
-	return way[1] -
+	slope = guess[1] == guess[0]
+		? 0.0f
+		: (height[1] - height[0]) / (guess[1] - guess[0]);
+	return guess[1] -
 		(height[1] - height[0]) /
 		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
 }
 
 /*
- * From where to where a vertex is carried: a little to both sides of it, if it
- * is within reach.
+ * Finds how far down the light a vertex's volume begins and ends: a little
+ * above and below the ground. Returns false if it ends before the ground.
  */
-static bool find_ways(const struct shadow_light *light, const float posed[3],
+static bool find_extent(const struct shadow_light *light, const float posed[3],
 	float *near, float *far)
 {
 	float ground, slack;
@@ -82,23 +84,23 @@ static bool find_ways(const struct shadow_light *light, const float posed[3],
 	if (!light->ground || light->towards[1] <= 0.0f) {
 		return false;
 	}
-	ground = way_to_ground(light, posed);
+	ground = distance_to_ground(light, posed);
 	slack = floor_mesh_error(light->ground) / light->towards[1];
 	*far = scalar_clamp(ground + slack, 0.0f, light->max_length);
 	*near = scalar_clamp(ground - slack, 0.0f, *far);
 	return *far < light->max_length;
 }
 
-static void move(const float from[3], const float towards_light[3], float way,
-	float out[3])
+static void move(const float from[3], const float towards_light[3],
+	float length, float out[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
-		out[axis] = from[axis] - towards_light[axis] * way;
+		out[axis] = from[axis] - towards_light[axis] * length;
 	}
 }
 
-/* Posed vertices in scene units, where the hull begins and where it ends. */
-static void place_vertices(struct shadow_caster *caster,
+/* Moves posed vertices to where the volume begins and to where it ends. */
+static void move_vertices(struct shadow_caster *caster,
 	const struct instance *instance, const struct shadow_light *light)
 {
 	const struct drawable *drawable = caster->drawable;
@@ -111,7 +113,7 @@ static void place_vertices(struct shadow_caster *caster,
 	caster->too_short = false;
 	for (int i = 0; i < caster->vertex_count; i++) {
 		int v = caster->vertex[i];
-		float p[3], posed[3], near_way, far_way;
+		float p[3], posed[3], near, far;
 
 		drawable_position(drawable, v, p);
 		for (int axis = 0; axis < 3; axis++) {
@@ -119,11 +121,9 @@ static void place_vertices(struct shadow_caster *caster,
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
 		}
-		caster->too_short |=
-			!find_ways(light, posed, &near_way, &far_way);
-		move(posed, light->towards, near_way, caster->position[v]);
-		move(posed, light->towards, far_way,
-			caster->position[v + count]);
+		caster->too_short |= !find_extent(light, posed, &near, &far);
+		move(posed, light->towards, near, caster->position[v]);
+		move(posed, light->towards, far, caster->position[v + count]);
 	}
 }
 
@@ -141,30 +141,23 @@ static bool faces(const struct shadow_caster *caster, const uint16_t *corner,
 	return glm_vec3_dot(normal, (float *)towards_light) > 0.0f;
 }
 
-static uint16_t *add_triangle(uint16_t *next, uint32_t a, uint32_t b, uint32_t c)
-{
-	next[0] = (uint16_t)a;
-	next[1] = (uint16_t)b;
-	next[2] = (uint16_t)c;
-	return next + 3;
-}
-
-/* The lit triangles close the hull near the light. */
-static uint16_t *add_near(const struct shadow_caster *caster, uint16_t *next)
+/* Lit triangles close the volume at its beginning. */
+static uint16_t *add_front_cap(
+	const struct shadow_caster *caster, uint16_t *next)
 {
 	for (int t = 0; t < caster->corner_count / 3; t++) {
 		const uint16_t *corner = caster->corner + t * 3;
 
 		if (caster->lit[t]) {
-			next = add_triangle(
+			next = triangle_list_add(
 				next, corner[0], corner[1], corner[2]);
 		}
 	}
 	return next;
 }
 
-/* Turned round, they close it far from the light. */
-static uint16_t *add_far(const struct shadow_caster *caster, uint16_t *next)
+/* The same triangles, reversed, close it at its end. */
+static uint16_t *add_back_cap(const struct shadow_caster *caster, uint16_t *next)
 {
 	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
 
@@ -172,14 +165,14 @@ static uint16_t *add_far(const struct shadow_caster *caster, uint16_t *next)
 		const uint16_t *corner = caster->corner + t * 3;
 
 		if (caster->lit[t]) {
-			next = add_triangle(next, corner[0] + away,
+			next = triangle_list_add(next, corner[0] + away,
 				corner[2] + away, corner[1] + away);
 		}
 	}
 	return next;
 }
 
-/* A quad along every edge between a lit triangle and one that is not. */
+/* A quad for every edge between a lit and an unlit triangle. */
 static uint16_t *add_sides(const struct shadow_caster *caster, uint16_t *next)
 {
 	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
@@ -192,35 +185,35 @@ static uint16_t *add_sides(const struct shadow_caster *caster, uint16_t *next)
 		uint32_t b = left ? edge->b : edge->a;
 
 		if (left != right) {
-			next = add_triangle(next, b, a, a + away);
-			next = add_triangle(next, b, a + away, b + away);
+			next = triangle_list_add(next, b, a, a + away);
+			next = triangle_list_add(next, b, a + away, b + away);
 		}
 	}
 	return next;
 }
 
-static float distance(const float plane[4], const float from[3])
+static float plane_distance(const float plane[4], const float from[3])
 {
 	return glm_vec3_dot((float *)plane, (float *)from) + plane[3];
 }
 
-/* Of the near plane, and not ended by the light's reach. */
-static bool is_beyond(
+/* The volume is beyond the near plane and ends below the ground. */
+static bool allows_depth_pass(
 	const struct shadow_caster *caster, const struct shadow_light *light)
 {
 	const float *plane = light->near_plane;
 	int away = caster->drawable->primitive->vertex_count;
-	float least = 1.0f;
+	float nearest = 1.0f;
 
 	for (int i = 0; i < caster->vertex_count; i++) {
 		int v = caster->vertex[i];
-		float near = distance(plane, caster->position[v]);
-		float far = distance(plane, caster->position[v + away]);
+		float near = plane_distance(plane, caster->position[v]);
+		float far = plane_distance(plane, caster->position[v + away]);
 
-		least = near < least ? near : least;
-		least = far < least ? far : least;
+		nearest = near < nearest ? near : nearest;
+		nearest = far < nearest ? far : nearest;
 	}
-	return least > 0.0f && !caster->too_short;
+	return nearest > 0.0f && !caster->too_short;
 }
 
 void shadow_volume_update(struct shadow_volume *volume,
@@ -236,21 +229,22 @@ void shadow_volume_update(struct shadow_volume *volume,
 		if (caster->drawable->hidden) {
 			continue;
 		}
-		place_vertices(caster, instance, light);
+		move_vertices(caster, instance, light);
 		for (int t = 0; t < caster->corner_count / 3; t++) {
 			caster->lit[t] = faces(
 				caster, caster->corner + t * 3, light->towards);
 		}
-		sides_end = add_sides(caster, add_near(caster, caster->index));
-		end = add_far(caster, sides_end);
+		sides_end =
+			add_sides(caster, add_front_cap(caster, caster->index));
+		end = add_back_cap(caster, sides_end);
 		caster->index_count = (int)(end - caster->index);
 		caster->back_cap_count = (int)(end - sides_end);
-		volume->depth_pass &= is_beyond(caster, light);
+		volume->depth_pass &= allows_depth_pass(caster, light);
 	}
 }
 
-/* Far ends lie behind the ground: nobody sees them who is outside. */
-static void draw_hulls(const struct shadow_volume *volume, const struct gl *gl)
+/* With depth-pass counting the ground hides all back caps. */
+static void draw_volumes(const struct shadow_volume *volume, const struct gl *gl)
 {
 	for (int i = 0; i < volume->caster_count; i++) {
 		const struct shadow_caster *caster = &volume->caster[i];
@@ -263,7 +257,7 @@ static void draw_hulls(const struct shadow_volume *volume, const struct gl *gl)
 	}
 }
 
-/* A see-through sheet over the picture wherever the stencil is not 0. */
+/* Blends a dark quad over all pixels whose stencil is not 0. */
 static void darken(const struct gl *gl, float strength)
 {
 	static const int16_t corner[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -292,23 +286,25 @@ static void darken(const struct gl *gl, float strength)
 }
 
 /*
- * How many hulls' surfaces lie between the eye and the ground: front faces up,
- * back faces down. An eye inside of one misses its front; then it is counted
- * where the ground hides the caster, back faces up and front faces down. What
- * counts up goes first because GL ES 1.1's stencil does not wrap.
+ * Counts the volumes that the ground's pixels are in. Depth-pass counts front
+ * faces before the ground up and back faces before it down. Depth-fail counts
+ * back faces behind the ground up and front faces behind it down; it is also
+ * right for an eye inside a volume, whose front it misses. Counting up comes
+ * first, because GL ES 1.1's stencil saturates at 0.
  */
-static void count_hulls(const struct shadow_volume *volume, const struct gl *gl)
+static void count_volumes(
+	const struct shadow_volume *volume, const struct gl *gl)
 {
-	bool seen = volume->depth_pass;
+	bool pass = volume->depth_pass;
 
-	gl->CullFace(seen ? GL_BACK : GL_FRONT);
+	gl->CullFace(pass ? GL_BACK : GL_FRONT);
 	gl->StencilOp(
-		GL_KEEP, seen ? GL_KEEP : GL_INCR, seen ? GL_INCR : GL_KEEP);
-	draw_hulls(volume, gl);
-	gl->CullFace(seen ? GL_FRONT : GL_BACK);
+		GL_KEEP, pass ? GL_KEEP : GL_INCR, pass ? GL_INCR : GL_KEEP);
+	draw_volumes(volume, gl);
+	gl->CullFace(pass ? GL_FRONT : GL_BACK);
 	gl->StencilOp(
-		GL_KEEP, seen ? GL_KEEP : GL_DECR, seen ? GL_DECR : GL_KEEP);
-	draw_hulls(volume, gl);
+		GL_KEEP, pass ? GL_KEEP : GL_DECR, pass ? GL_DECR : GL_KEEP);
+	draw_volumes(volume, gl);
 	gl->CullFace(GL_BACK);
 }
 
@@ -327,7 +323,7 @@ void shadow_volume_draw(
 	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
 	gl->DepthMask(GL_FALSE);
 	gl->Enable(GL_CULL_FACE);
-	count_hulls(volume, gl);
+	count_volumes(volume, gl);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->Disable(GL_CULL_FACE);
 	darken(gl, strength);

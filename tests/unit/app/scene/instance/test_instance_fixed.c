@@ -174,7 +174,7 @@ static double worst_normal(const struct pair *pair, int d)
 		if (distance(want, none) < 0.5) {
 			continue;
 		}
-		unit_of(&fixed->normal[fixed->slot ? fixed->slot[v] : (uint32_t)v],
+		unit_of(&fixed->normal[fixed->inverse_order ? fixed->inverse_order[v] : (uint32_t)v],
 			got);
 		worst = fmax(worst, 2 * asin(0.5 * distance(want, got)));
 	}

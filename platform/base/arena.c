@@ -43,7 +43,7 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 {
 	struct arena_block *block = arena->newest;
 	size_t bytes;
-	void *room;
+	void *memory;
 
 	if (size && count > (SIZE_MAX / 2) / size) {
 		return NULL;
@@ -55,10 +55,10 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 			return NULL;
 		}
 	}
-	room = block->data + block->used;
+	memory = block->data + block->used;
 	block->used += bytes;
 	arena->used_bytes += bytes;
-	return room;
+	return memory;
 }
 
 char *arena_strdup(struct arena *arena, const char *text)

@@ -1,8 +1,9 @@
 /*
- * Memory that is released all at once.
+ * An arena allocator: many allocations, all released at once.
  *
  * A model lives in one arena, an instance in another. Blocks never move, so
- * pointers stay valid until arena_release(). Nothing is freed singly.
+ * pointers stay valid until arena_release(). An allocation cannot be freed on
+ * its own.
  */
 #ifndef PLATFORM_BASE_ARENA_H
 #define PLATFORM_BASE_ARENA_H
@@ -16,17 +17,18 @@ struct arena {
 	size_t used_bytes; /* handed out, including alignment */
 };
 
-/* An empty arena; allocates nothing yet. */
+/* Returns an empty arena. Allocates nothing yet. */
 struct arena arena_empty(void);
 
 /*
- * Zeroed room for count elements of size bytes, aligned to 16 bytes, or NULL
- * when memory is short or count * size overflows. A count of 0 gives a valid
- * pointer to nothing. The arena owns it.
+ * Allocates zeroed memory for count elements of size bytes, aligned to 16
+ * bytes. Returns NULL when memory is short or count * size overflows. With a
+ * count of 0 the pointer is valid but must not be dereferenced. The arena owns
+ * the memory.
  */
 void *arena_alloc(struct arena *arena, size_t count, size_t size);
 
-/* A copy of a string, or NULL when memory is short. */
+/* Copies a string into the arena. Returns NULL when memory is short. */
 char *arena_strdup(struct arena *arena, const char *text);
 
 /* Releases all blocks and leaves the arena empty. */

@@ -1,27 +1,28 @@
 /*
- * The only header that names compiler extensions.
+ * Compiler extensions and instructions that C cannot express, behind portable
+ * names. No other header uses compiler extensions.
  */
 #ifndef PLATFORM_BASE_COMPILER_H
 #define PLATFORM_BASE_COMPILER_H
 
 #include <stdint.h>
 
-/* Checks a printf-like function's arguments against its format. */
+/* Lets the compiler check a function's arguments against its printf format. */
 #define PRINTF_LIKE(format_index, first_argument) \
 	__attribute__((format(printf, format_index, first_argument)))
 
 #define ARRAY_COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
-/* For small functions whose arguments must become constants of their caller. */
+/* For small functions whose constant arguments must be folded by inlining. */
 #define ALWAYS_INLINE inline __attribute__((always_inline))
 
-/* How many zero bits stand above the highest one; value is not 0. */
+/* The number of zero bits above the highest set bit; value must not be 0. */
 #define LEADING_ZEROS_32(value) __builtin_clz(value)
 #define LEADING_ZEROS_64(value) __builtin_clzll(value)
 
 /*
- * sum + (word half >> 16), of 48 bits; wraps. One instruction where there is
- * one.
+ * sum + (word * half >> 16), where half is an int16_t and the product has 48
+ * bits. The sum wraps. One instruction (smlawb) on cores that have it.
  */
 #ifdef __ARM_FEATURE_DSP
 #include <arm_acle.h>
@@ -32,7 +33,10 @@
 		(uint32_t)(int32_t)((int64_t)(word) * (int16_t)(half) >> 16)))
 #endif
 
-/* The upper half of the product of two int32_t; the same added to sum; wraps. */
+/*
+ * multiply_high() returns the upper 32 bits of a 64-bit product.
+ * multiply_add_high() adds them to sum; the sum wraps.
+ */
 #if defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6
 static inline int32_t multiply_high(int32_t a, int32_t b)
 {
@@ -63,19 +67,20 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 }
 #endif
 
-/* Asks for the cache line at an address, which need not be there. */
+/* Prefetches the cache line at an address, which need not be mapped. */
 #define PRELOAD(address) __builtin_prefetch(address)
 
-/* Apart from its caller, whose usual way shall not pay for it. */
+/* Keeps a rare case out of line, so that it does not slow down its caller. */
 #define NEVER_INLINE __attribute__((noinline))
 
-/* The same value, of which the compiler knows nothing any more. */
+/* Hides a value from the optimizer, which must then keep it in a register. */
 #define OPAQUE(value) __asm__("" : "+r"(value))
 
 /*
- * Two signed halves in a word, B the bottom and T the top one:
- * HALVES_BT(a, b, sum) is bottom of a * top of b + sum, of 32 bits. And bytes
- * 0 and 2 of a word as halves. One instruction each where there is one.
+ * Multiply-accumulate on the signed 16-bit halves of a word, B for the bottom
+ * half and T for the top one: HALVES_BT(a, b, sum) is (bottom of a) * (top of
+ * b) + sum in 32 bits. BYTES_AS_HALVES() spreads bytes 0 and 2 of a word to
+ * its two halves. Each is one instruction on cores that have it.
  */
 #ifdef __ARM_FEATURE_DSP
 #define HALVES_BB(a, b, sum)  __smlabb((int32_t)(a), (int32_t)(b), sum)
@@ -92,7 +97,7 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 #define BYTES_AS_HALVES(word) ((word)&0x00ff00ffu)
 #endif
 
-/* The smaller, the larger of the halves of two words, each by itself. */
+/* The minimum and the maximum of two words, for each unsigned half by itself. */
 #ifdef __ARM_FEATURE_SIMD32
 static inline uint32_t least_halves(uint32_t a, uint32_t b)
 {

@@ -18,7 +18,7 @@ bool file_exists(const char *path)
 	return stat(path, &status) == 0;
 }
 
-/* FNV-1a over what changes; never 0. */
+/* FNV-1a, with the lowest bit set so that it is never 0. */
 uint64_t file_stamp(const char *path)
 {
 	struct stat status;
@@ -37,7 +37,7 @@ uint64_t file_stamp(const char *path)
 	return stamp | 1u;
 }
 
-/* "FOLDER/NAME" if it is there; FOLDER is given with its length. */
+/* Writes "FOLDER BELOW/NAME" to path; true if that exists. */
 static bool try_path(const char *folder, int length, const char *below,
 	const char *name, char *path, size_t size)
 {
@@ -59,7 +59,7 @@ int file_find_asset(
 		try_path(folder, (int)strlen(folder), "", name, path, size)) {
 		return 0;
 	}
-	/* From build/host/limber up, whatever the depth. */
+	/* From the executable's folder up to the root. */
 	while (length > 0) {
 		while (length > 0 && program[length - 1] != '/') {
 			length--;
@@ -74,8 +74,7 @@ int file_find_asset(
 		}
 	}
 	log_error(log,
-		"%s: not found: set LIMBER_ASSETS to the folder that "
-		"holds limber's models",
+		"%s: not found: set LIMBER_ASSETS to the folder with limber's models",
 		name);
 	return -ENOENT;
 }

@@ -1,5 +1,5 @@
 /*
- * Finding the files that belong to the program.
+ * Looking for files, and finding those that come with the program.
  */
 #ifndef PLATFORM_BASE_FILE_H
 #define PLATFORM_BASE_FILE_H
@@ -10,19 +10,20 @@
 
 #include "platform/base/log.h"
 
-/* True for anything there is at that path. */
+/* Whether anything exists at that path: a file, a folder, a device. */
 bool file_exists(const char *path);
 
 /*
- * A number that is another one when the file has been written or replaced
- * since, by its time, size and place on the disk; 0 where there is none.
+ * A number that changes when the file is written or replaced: a hash of its
+ * modification time, size and inode. 0 when there is no file.
  */
 uint64_t file_stamp(const char *path);
 
 /*
- * The path of a file that comes with the program, such as "walker.glb":
- * looked for in $LIMBER_ASSETS, in assets/ above the program, and where it is
- * installed. 0, or -ENOENT after a sentence; at most size bytes.
+ * Finds a file that comes with the program, such as "walker.glb": in
+ * $LIMBER_ASSETS, then in assets/ and share/limber/ of every folder above the
+ * executable. Writes its path, at most size bytes. Returns 0, or -ENOENT after
+ * logging an error.
  */
 int file_find_asset(
 	const char *name, const struct log *log, char *path, size_t size);

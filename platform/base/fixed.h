@@ -11,8 +11,8 @@ typedef int32_t fx16_t; /* Q16.16: 65536 is 1.0 */
 #define FX16_ONE ((fx16_t)65536)
 
 /*
- * Nearest 16.16 value. Values beyond +-32768 saturate, NaN gives 0. The
- * resolution is 1.5e-5, so callers keep magnitudes near 1.
+ * Rounds to the nearest 16.16 value. Values beyond +-32768 saturate, NaN gives
+ * 0. The resolution is 1.5e-5.
  */
 static inline fx16_t fx16_from_float(float value)
 {

@@ -1,10 +1,11 @@
 /*
- * Sentences for the person at the terminal.
+ * Messages for the person at the terminal.
  *
- * A struct log is passed to whatever may have to say something; there is no
- * global one. A failure is logged once, where its cause is known, and names
- * the file, device or option and what to do; callers above only pass the
- * error code on. Shape of a sentence: "WHAT: WHY", without a final newline.
+ * There is no global log: a struct log is passed to every function that may
+ * have to report something. A failure is logged once, where its cause is
+ * known; callers only pass the error code on. A message has the form "WHAT:
+ * WHY" or "WHAT: WHY: WHAT TO DO", where WHAT is the file, device or option.
+ * It has no final newline.
  */
 #ifndef PLATFORM_BASE_LOG_H
 #define PLATFORM_BASE_LOG_H
@@ -13,24 +14,24 @@
 
 enum log_level {
 	LOG_ERROR,   /* the command fails */
-	LOG_WARNING, /* it goes on with less */
-	LOG_NOTE,    /* worth knowing; shown with --verbose */
+	LOG_WARNING, /* the command continues without something */
+	LOG_NOTE,    /* shown with --verbose only */
 };
 
 struct log {
-	/* Receives one formatted sentence; user is passed through. */
-	void (*write)(void *user, enum log_level level, const char *sentence);
-	void *user;
-	enum log_level threshold; /* levels above it are dropped */
+	/* Receives one formatted message, valid during the call. */
+	void (*write)(void *user, enum log_level level, const char *message);
+	void *user;               /* passed to write() */
+	enum log_level threshold; /* messages of higher levels are dropped */
 };
 
-/* A log that writes "limber: SENTENCE" lines to standard error. */
+/* Returns a log that writes lines "limber: MESSAGE" to standard error. */
 struct log log_to_stderr(enum log_level threshold);
 
-/* A log that drops everything, for tests and probes. */
+/* Returns a log that drops every message, for tests and probes. */
 struct log log_to_nowhere(void);
 
-/* Formats one sentence (at most 1,023 bytes; the rest is cut). */
+/* Formats and writes one message. It is cut after 1,023 bytes. */
 void log_write(const struct log *log, enum log_level level, const char *format,
 	...) PRINTF_LIKE(3, 4);
 

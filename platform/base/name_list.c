@@ -6,11 +6,11 @@
 void name_list_add(struct name_list *list, const char *name)
 {
 	size_t used = strlen(list->text);
-	size_t room = sizeof(list->text) - used;
+	size_t left = sizeof(list->text) - used;
 	int length = snprintf(
-		list->text + used, room, "%s%s", used ? ", " : "", name);
+		list->text + used, left, "%s%s", used ? ", " : "", name);
 
-	if (length < 0 || (size_t)length >= room) {
+	if (length < 0 || (size_t)length >= left) {
 		list->text[used] = '\0';
 	}
 }

@@ -1,15 +1,15 @@
 /*
- * "one, two, three": the names there are, for a sentence.
+ * A list of names for a message: "one, two, three".
  */
 #ifndef PLATFORM_BASE_NAME_LIST_H
 #define PLATFORM_BASE_NAME_LIST_H
 
-/* Begins as {""}. */
+/* Initialize it with {""}. */
 struct name_list {
 	char text[160];
 };
 
-/* Appends a name; one that has no room left is dropped. */
+/* Appends a name, or drops it when it does not fit any more. */
 void name_list_add(struct name_list *list, const char *name);
 
 #endif

@@ -18,7 +18,7 @@ struct output_file {
 	char *path;         /* as the caller named it */
 	const char *option; /* that named it, or NULL */
 	char *target;       /* the file to replace, with links followed */
-	char *temporary;    /* NULL: what is written is in its place */
+	char *temporary;    /* NULL: the file is written under its own name */
 	FILE *stream;
 	int fd;
 	int error;     /* errno of the first write that failed */
@@ -57,8 +57,9 @@ static void log_failure(
 }
 
 /*
- * What the stream writes with: the C library alone would lose the cause of a
- * failure. A signal that interrupts it (EINTR) is one that ends the program.
+ * The stream's write function, which keeps the cause of the first failure; a
+ * plain FILE would lose it. EINTR is a failure, too: the only signals that can
+ * interrupt it are those that end the program.
  */
 static ssize_t write_bytes(void *cookie, const char *bytes, size_t size)
 {
@@ -78,8 +79,8 @@ static ssize_t write_bytes(void *cookie, const char *bytes, size_t size)
 }
 
 /*
- * Whoever may read the old file may read the new one, and nobody else: where
- * the group cannot be kept, the new one gets what everybody has.
+ * The new file must not become readable for more users than the old one. Where
+ * the group cannot be kept, the group therefore gets the rights of others.
  */
 static void keep_permissions(int fd, const struct stat *old)
 {
@@ -89,7 +90,7 @@ static void keep_permissions(int fd, const struct stat *old)
 		fchown(fd, (uid_t)-1, old->st_gid) != 0) {
 		mode = (mode & 0707) | (mode & 0007) << 3;
 	}
-	/* A file system without permissions has none to keep. */
+	/* Fails only on file systems that have no permissions. */
 	(void)fchmod(fd, mode);
 }
 
@@ -131,7 +132,7 @@ static int open_in_place(struct output_file *file, const char *path)
 	return file->fd < 0 ? -errno : 0;
 }
 
-/* A descriptor is written on from where it stands, after what was printed. */
+/* The content continues behind what the program has printed so far. */
 static int open_descriptor(struct output_file *file, int descriptor)
 {
 	fflush(stdout);
@@ -242,7 +243,7 @@ int output_file_publish(struct output_file *file)
 	return file->error ? -file->error : move_into_place(file);
 }
 
-/* A pipe, a terminal and some file systems have no disk to wait for. */
+/* Pipes, terminals and some file systems do not support fsync(). */
 static int wait_for_disk(int fd)
 {
 	if (fsync(fd) == 0 || errno == EINVAL || errno == ENOTSUP ||
@@ -264,7 +265,7 @@ static void remove_temporary(struct output_file *file)
 static void release(struct output_file *file)
 {
 	if (file->stream) {
-		/* What is still buffered is not written any more. */
+		/* Keeps write_bytes() from writing what is still buffered. */
 		file->error = ECANCELED;
 		fclose(file->stream);
 	}
@@ -299,7 +300,7 @@ int output_file_commit(struct output_file *file)
 {
 	int error = complete(file);
 
-	/* Before the sentence, which may end the program by SIGPIPE. */
+	/* Comes first: logging may end the program by SIGPIPE. */
 	remove_temporary(file);
 	if (error && !file->reported) {
 		log_failure(&file->log, file->option, file->path, error);

@@ -1,18 +1,17 @@
 /*
- * Writing files so that a failure harms nothing. Every file that limber writes
- * is written through here.
+ * Writing a file completely or not at all. Every file that limber writes is
+ * written through here.
  *
- * A regular file is written under a temporary name in its own folder, as
- * "NAME.XXXXXXXX.part", and renamed to its own name when it is whole. Until
- * then, and after every failure, what stood at the path before stands there
- * still, and the temporary file is removed. A symbolic link is followed: the
- * file that it leads to is replaced, not the link. A new file has the
- * permissions that the umask leaves; a replaced one keeps its permissions, its
- * owner and its group as far as the user may set them.
+ * A regular file is written under a temporary name "NAME.XXXXXXXX.part" in its
+ * own folder, and renamed when it is complete. Until then, and after every
+ * failure, the old file stays in place; a failure also removes the temporary
+ * file. For a symbolic link, the file that it leads to is replaced, not the
+ * link. A new file has the permissions that the umask leaves. A replaced file
+ * keeps its permissions, owner and group as far as the user may set them.
  *
- * Everything else is opened as it is and written directly: a device, a named
- * pipe, or a descriptor that is open already (/dev/stdout, /dev/stderr,
- * /dev/fd/N). It is never removed, renamed or truncated.
+ * A device, a named pipe and an open descriptor (/dev/stdout, /dev/stderr,
+ * /dev/fd/N) are opened and written directly. They are never removed, renamed
+ * or truncated.
  */
 #ifndef PLATFORM_BASE_OUTPUT_FILE_H
 #define PLATFORM_BASE_OUTPUT_FILE_H
@@ -24,44 +23,44 @@
 struct output_file;
 
 /*
- * Begins to write the file at path, which is copied, as is *log. 0, or -errno
- * after a sentence: then *out is NULL and nothing has changed. Opening a named
- * pipe waits for its reader.
+ * Begins to write the file at path. Both path and *log are copied. Returns 0,
+ * or -errno after logging an error; *out is then NULL and nothing has changed.
+ * Opening a named pipe waits for its reader.
  */
 int output_file_create(
 	const char *path, const struct log *log, struct output_file **out);
 
-/* The same, and sentences name the option that asked for the file as well. */
+/* The same; messages also name the option that asked for the file. */
 int output_file_create_for(const char *option, const char *path,
 	const struct log *log, struct output_file **out);
 
 /*
- * Where the content goes. It belongs to the file. Its errors need not be looked
- * at: output_file_commit() reports the first of them. A writer that goes on for
- * long looks at ferror() to end early.
+ * The stream to write the content to. The file owns it. The caller need not
+ * check for errors of the stream, because output_file_commit() reports the
+ * first of them. A long write may check ferror() in order to end early.
  */
 FILE *output_file_stream(const struct output_file *file);
 
 /*
- * Says why the content cannot be completed: the first error of writing, or,
- * when there was none, the reason given. Returns -errno, or -EIO with the
- * reason. The file stays open, to be discarded; committing it fails without
- * another sentence.
+ * Logs why the content cannot be completed: the first write error or, if there
+ * was none, the given reason. Returns -errno of that error, or -EIO. The file
+ * stays open and must be discarded; committing it fails without logging again.
  */
 int output_file_failed(struct output_file *file, const char *reason);
 
 /*
- * Writes out what is buffered and puts the file in its place before it is
- * complete, so that what is written from now on is seen there at once. Does
- * nothing when that has happened before. 0, or -errno without a sentence: then
- * what stood at the path stands there still.
+ * Flushes the stream and renames the file to its own name before it is
+ * complete, so that a reader sees what is written from now on. Only the first
+ * call renames. Returns 0, or -errno without logging; the old file is then
+ * still in place.
  */
 int output_file_publish(struct output_file *file);
 
 /*
- * Completes the file: its content is on the disk, then it takes its place. 0,
- * or -errno after a sentence: then the content is discarded, unless it was
- * published. The file is closed and released in both cases.
+ * Completes the file: writes its content to the disk, then renames it to its
+ * own name. Returns 0, or -errno after logging an error; the content is then
+ * discarded, unless it was published. Closes and releases the file in both
+ * cases.
  */
 int output_file_commit(struct output_file *file);
 
@@ -72,13 +71,13 @@ int output_file_commit(struct output_file *file);
 void output_file_discard(struct output_file *file);
 
 /*
- * Makes a write beyond the size that `ulimit -f` allows fail as other writes
- * do, where it would end the process. Once, when the program begins.
+ * Makes a write beyond the limit of `ulimit -f` fail with EFBIG instead of
+ * ending the process by SIGXFSZ. Call it once, when the program starts.
  */
 void output_file_survive_limits(void);
 
 /*
- * Writes out what standard output buffers. 0, or -errno after a sentence when
+ * Flushes standard output. Returns 0, or -errno after logging an error when
  * anything that the program printed could not be written.
  */
 int output_file_flush_stdout(const struct log *log);

@@ -13,12 +13,12 @@
 #include <unistd.h>
 
 enum {
-	LINKS_MAX = 40,  /* as Linux follows */
-	NAME_KEPT = 200, /* bytes: with the rest below NAME_MAX */
+	LINKS_MAX = 40,  /* Linux follows as many */
+	NAME_KEPT = 200, /* bytes; with the suffix below NAME_MAX */
 	DESCRIPTOR_DIGITS = 7
 };
 
-/* The bytes of path up to its last slash and with it. */
+/* The number of bytes of path up to and including its last slash. */
 static size_t folder_length(const char *path)
 {
 	const char *slash = strrchr(path, '/');
@@ -53,7 +53,7 @@ static int descriptor_of(const char *path)
 	return -1;
 }
 
-/* Where the link at path leads; the caller frees it. 0 or -errno. */
+/* Reads the path that a link leads to; the caller frees it. 0 or -errno. */
 static int read_link(const char *path, char **out)
 {
 	char link[PATH_MAX];
@@ -100,7 +100,7 @@ int output_path_follow(const char *path, char **target, int *descriptor)
 	return error;
 }
 
-/* The finalizer of SplitMix64: every bit of the result hangs on all of x. */
+/* The finalizer of SplitMix64: every bit of x affects every bit of the result. */
 static uint64_t mix(uint64_t x)
 {
 	x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;

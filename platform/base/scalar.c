@@ -9,9 +9,9 @@ static const float HALF_PI = 1.57079632679f;
 static const float LARGEST_ANGLE = 1073741824.0f; /* 2^30 */
 
 /*
- * Writes angle_rad minus a multiple of pi/2, in -pi/4..pi/4, and returns that
- * multiple modulo 4. In double the reduction itself is exact to 1e-12 over
- * the promised range.
+ * Subtracts a multiple of pi/2, so that the remainder lies in -pi/4..pi/4, and
+ * returns that multiple modulo 4. In double the error of the reduction is below
+ * 1e-12 for angles up to 8192.
  */
 static unsigned reduce(float angle_rad, float *remainder)
 {
@@ -135,7 +135,7 @@ float scalar_floor(float value)
 {
 	float whole;
 
-	/* From 2^23 on floats have no fraction; NaN comes back as it is. */
+	/* From 2^23 on floats have no fraction. */
 	if (!(scalar_abs(value) < 8388608.0f)) {
 		return value;
 	}
@@ -145,7 +145,8 @@ float scalar_floor(float value)
 
 float scalar_exp(float value)
 {
-	const float ln2_high = 0.693359375f; /* 10 bits: n * it is exact */
+	const float ln2_high =
+		0.693359375f; /* 10 bits: n * ln2_high is exact */
 	const float ln2_low = -2.12194440e-4f;
 	float p = 1.0f / 720.0f;
 	float r;
@@ -167,7 +168,7 @@ float scalar_exp(float value)
 	p = p * r + 0.5f;
 	p = p * r + 1;
 	p = p * r + 1;
-	/* -126 <= n <= 127 after the limits above: a normal power of two. */
+	/* After the tests above -126 <= n <= 127, so 2^n is a normal float. */
 	bits = (uint32_t)(n + 127) << 23;
 	memcpy(&power, &bits, sizeof(power));
 	return p * power;

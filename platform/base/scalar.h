@@ -1,10 +1,10 @@
 /*
- * Elementary functions of floats without the C library's maths.
+ * Elementary functions of floats, used instead of the C library's.
  *
- * Debian's armel C library computes these in software floating point, at
- * hundreds of instructions a call. The polynomials here cost a few dozen,
- * give the same result on every machine, and state their error. None of them
- * gives a NaN for any argument.
+ * Debian's armel C library computes them in software floating point, with
+ * hundreds of instructions a call. The polynomials here take a few dozen
+ * instructions and give the same result on every machine. Except for
+ * scalar_floor() and scalar_abs(), none of them returns NaN.
  */
 #ifndef PLATFORM_BASE_SCALAR_H
 #define PLATFORM_BASE_SCALAR_H
@@ -14,30 +14,33 @@
 #define SCALAR_PI 3.14159265358979f
 
 /*
- * Within 2e-6 for |angle_rad| up to 8192, beyond it precision fades; from
- * 2^30 on, and for NaN, the angle counts as 0.
+ * The error is at most 2e-6 for |angle_rad| up to 8192 and grows beyond that.
+ * From 2^30 on, and for NaN, the angle is taken as 0.
  */
 float scalar_sin(float angle_rad);
 float scalar_cos(float angle_rad);
 
-/* Within 2e-6; the argument is clamped to -1..1. NaN counts as 1. */
+/* The error is at most 2e-6. The argument is clamped to -1..1; NaN gives 0. */
 float scalar_acos(float cosine);
 
-/* The angle of (x, y) in -pi..pi, within 2e-6; 0 for the origin. */
+/*
+ * The angle of (x, y) in -pi..pi; the error is at most 2e-6. 0 for the origin
+ * and for arguments that are not finite.
+ */
 float scalar_atan2(float y, float x);
 
-/* The largest whole number that is not above value. */
+/* The largest integer that is not above value; NaN gives NaN. */
 float scalar_floor(float value);
 
 /*
- * e to the power of value, within 1e-6 of the result; 0 up to -87 and for NaN,
- * the largest float above 88.
+ * e to the power of value, with a relative error of at most 1e-6. 0 for values
+ * up to -87 and for NaN, the largest float for values above 88.
  */
 float scalar_exp(float value);
 
 /*
- * The processor's own square root; negative arguments and NaN give 0. With
- * -fno-math-errno compilers turn sqrtf into one instruction.
+ * The square root; negative arguments and NaN give 0. With -fno-math-errno
+ * compilers turn sqrtf() into the processor's instruction.
  */
 static inline float scalar_sqrt(float value)
 {
@@ -49,7 +52,7 @@ static inline float scalar_abs(float value)
 	return value < 0 ? -value : value;
 }
 
-/* value limited to low..high; NaN gives low. */
+/* value clamped to low..high; NaN gives low. */
 static inline float scalar_clamp(float value, float low, float high)
 {
 	if (value > high) {

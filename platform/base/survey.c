@@ -26,8 +26,9 @@ const char *survey_state_name(enum survey_state state)
 	return names[state];
 }
 
-/* Bytes of the UTF-8 letter that text begins with, 0 for none. */
-static int letter_length(const char *text)
+/* The bytes of the UTF-8 character that text begins with; 0 if it is invalid
+ * or a control character. */
+static int character_length(const char *text)
 {
 	unsigned char first = (unsigned char)text[0];
 	int length = first < 0x80 ? 1
@@ -39,7 +40,7 @@ static int letter_length(const char *text)
 		first > 0xF4) {
 		return 0;
 	}
-	/* Controls of the second half, forms that are too long, surrogates. */
+	/* C1 controls, overlong encodings, surrogates, beyond U+10FFFF. */
 	if ((first == 0xC2 && (unsigned char)text[1] < 0xA0) ||
 		(first == 0xE0 && (unsigned char)text[1] < 0xA0) ||
 		(first == 0xED && (unsigned char)text[1] > 0x9F) ||
@@ -55,11 +56,11 @@ static int letter_length(const char *text)
 	return length;
 }
 
-/* A terminal obeys what it is told, and JSON is UTF-8. */
+/* Terminals execute control characters, and JSON must be valid UTF-8. */
 static void make_printable(char *text)
 {
 	while (*text) {
-		int length = letter_length(text);
+		int length = character_length(text);
 
 		if (length == 0) {
 			*text = '?';
@@ -87,25 +88,25 @@ void survey_report(const struct survey *survey, enum survey_state state,
 
 static void keep(void *user, enum log_level level, const char *text)
 {
-	struct survey_message *sentence = user;
+	struct survey_message *message = user;
 
 	(void)level;
-	if (!sentence->text[0]) {
-		snprintf(sentence->text, sizeof(sentence->text), "%s", text);
+	if (!message->text[0]) {
+		snprintf(message->text, sizeof(message->text), "%s", text);
 	}
 }
 
-struct log survey_log(struct survey_message *sentence)
+struct log survey_log(struct survey_message *message)
 {
-	sentence->text[0] = '\0';
-	return (struct log){keep, sentence, LOG_WARNING};
+	message->text[0] = '\0';
+	return (struct log){keep, message, LOG_WARNING};
 }
 
 void survey_report_message(const struct survey *survey, enum survey_state state,
-	const char *subject, const struct survey_message *sentence,
+	const char *subject, const struct survey_message *message,
 	const char *remedy)
 {
-	const char *text = sentence->text, *last = NULL;
+	const char *text = message->text, *last = NULL;
 
 	for (const char *at = strstr(text, ": "); at; at = strstr(at + 2, ": ")) {
 		last = at;
@@ -139,14 +140,14 @@ void survey_report_denied(const struct survey *survey, const char *path)
 			"sudo usermod -aG %s $USER, then log in again", group);
 	} else {
 		snprintf(remedy, sizeof(remedy),
-			"run limber as root, or give it a group: sudo chgrp "
-			"video %s && sudo chmod g+rw %s",
+			"run limber as root, or let a group open it: sudo chgrp video %s && sudo chmod g+rw %s",
 			path, path);
 	}
-	survey_report(survey, SURVEY_BROKEN, path, remedy, "no permission");
+	survey_report(survey, SURVEY_BROKEN, path, remedy,
+		"you have no permission to open it");
 }
 
-/* The numbers that sysfs tells of a device. */
+/* Reads a device's major and minor number from sysfs. */
 static bool read_numbers(const struct survey *survey, const char *entry,
 	unsigned int *major, unsigned int *minor)
 {
@@ -179,6 +180,6 @@ bool survey_report_no_node(const struct survey *survey, const char *path,
 	snprintf(remedy, sizeof(remedy), "sudo mknod -m 660 %s c %u %u", path,
 		major, minor);
 	survey_report(survey, SURVEY_MISSING, path, remedy,
-		"the kernel has it, its device node is not there");
+		"the kernel has this device, but its device node does not exist");
 	return true;
 }

@@ -1,14 +1,13 @@
 #include "platform/base/time_text.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const double DAY_S = 86400;
 static const double DEFAULT_RATE_HZ = 30;
 
-/* strtod() for plain numbers: no sign, no space, neither inf nor nan. */
+/* strtod() without signs, spaces, infinity and NaN. */
 static int parse_number(const char *text, const char **end, double *out)
 {
 	char *after;
@@ -21,7 +20,7 @@ static int parse_number(const char *text, const char **end, double *out)
 	return after == text ? -EINVAL : 0;
 }
 
-/* How many of the units a second has. */
+/* How many of the unit make one second. */
 static int parse_unit(const char *text, double *rate_hz)
 {
 	const char *end;
@@ -59,22 +58,4 @@ int time_parse(const char *text, double *out_s)
 	}
 	*out_s = value;
 	return 0;
-}
-
-void time_format(double time_s, enum time_unit unit, double rate_hz,
-	char text[TIME_TEXT_BYTES])
-{
-	switch (unit) {
-	case TIME_SECONDS:
-		snprintf(text, TIME_TEXT_BYTES, "%.3f", time_s);
-		break;
-	case TIME_FRAMES:
-		snprintf(text, TIME_TEXT_BYTES, "%.0ff@%.6g", time_s * rate_hz,
-			rate_hz);
-		break;
-	case TIME_TICKS:
-		snprintf(text, TIME_TEXT_BYTES, "%.0ft",
-			time_s * TICKS_PER_SECOND);
-		break;
-	}
 }

@@ -36,7 +36,7 @@ int buttons_add(struct buttons *buttons, const char *driver,
 		return -EINVAL;
 	}
 	if (next == BUTTON_SOURCES_MAX) {
-		log_error(log, "--buttons: no more than %d sources at once",
+		log_error(log, "--buttons: give at most %d sources",
 			BUTTON_SOURCES_MAX);
 		return -E2BIG;
 	}
@@ -49,30 +49,31 @@ int buttons_add(struct buttons *buttons, const char *driver,
 	return 0;
 }
 
-/* A source's "NAME" or "NAME:ARGUMENT", cut in two. */
+/* The two parts of a source's "NAME:ARGUMENT" or "NAME". */
 struct spec_item {
 	char text[SPEC_ITEM_BYTES];
-	const char *argument; /* or NULL */
+	const char *argument; /* NULL when there is none */
 };
 
-/* True for "WORD=...", which goes on with the source before it. */
-static bool goes_on(const char *item)
+/* True for "WORD=...", which belongs to the source before it. */
+static bool continues_source(const char *item)
 {
 	return item[strcspn(item, "=:,")] == '=';
 }
 
-/* Takes the first source off *spec. */
+/* Reads the first source of *spec and moves *spec behind it. */
 static int next_item(
 	const char **spec, struct spec_item *item, const struct log *log)
 {
 	size_t length = strcspn(*spec, ",");
 	char *colon;
 
-	while ((*spec)[length] && goes_on(*spec + length + 1)) {
+	while ((*spec)[length] && continues_source(*spec + length + 1)) {
 		length += 1 + strcspn(*spec + length + 1, ",");
 	}
 	if (length >= sizeof(item->text)) {
-		log_error(log, "--buttons: a source of more than %d characters",
+		log_error(log,
+			"--buttons: a source may have at most %d characters",
 			SPEC_ITEM_BYTES - 1);
 		return -EINVAL;
 	}

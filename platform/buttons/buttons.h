@@ -1,8 +1,8 @@
 /*
  * Buttons: every source feeds one queue of {time, button, down}.
  *
- * The names are the i.MX31 PDK keypad's. A source that repeats or bounces is
- * cleaned here: the queue only passes changes on.
+ * The buttons are named after the keypad of the i.MX31 PDK. The queue drops
+ * repeats and removes contact bounce, so it only passes on changes.
  */
 #ifndef PLATFORM_BUTTONS_BUTTONS_H
 #define PLATFORM_BUTTONS_BUTTONS_H
@@ -36,7 +36,8 @@ enum {
 	BUTTON_QUEUE_CAPACITY = 64
 };
 
-/* What buttons_open() sets: longer than a switch bounces, shorter than a press. */
+/* The default of buttons_open(): longer than contacts bounce, shorter than a
+ * person's press. */
 enum {
 	BUTTON_DEBOUNCE_MS = 8
 };
@@ -45,58 +46,62 @@ enum {
 struct button_queue {
 	struct button_event event[BUTTON_QUEUE_CAPACITY];
 	int first, count;
-	bool down[BUTTON_COUNT];          /* as last passed on */
-	bool held_back[BUTTON_COUNT];     /* it has changed again since */
-	int64_t changed_ms[BUTTON_COUNT]; /* when down changed last */
-	int debounce_ms[BUTTON_COUNT];    /* a change sooner than this after
-					     the last is held back as bounce */
+	bool down[BUTTON_COUNT];          /* as in the last event queued */
+	bool held_back[BUTTON_COUNT];     /* a later change is held back */
+	int64_t changed_ms[BUTTON_COUNT]; /* time of the last event queued */
+	int debounce_ms[BUTTON_COUNT];    /* a change within this time after
+					     changed_ms may be a bounce */
 };
 
-/* "UP" and so on; BUTTON_COUNT and NULL for what is none. */
+/* "UP" and so on; NULL for BUTTON_COUNT and other values. */
 const char *button_name(enum button button);
+
+/* The button of that name, or BUTTON_COUNT. */
 enum button button_from_name(const char *name);
 
-/* Empties the queue; all buttons are up, with the same debounce time. */
+/* Empties the queue. All buttons are up and have the same debounce time. */
 void button_queue_init(struct button_queue *queue, int debounce_ms);
 
 /*
- * Takes a raw report, in the order of time. Repeats are dropped. A change that
- * comes too soon is held back: one back again makes it a bounce and drops
- * both, otherwise it is passed on when debounce_ms have passed.
+ * Takes a raw event; events of a button must come in the order of time. An
+ * event that changes nothing is dropped. A change within the debounce time is
+ * held back: if the button changes back, both are dropped as a bounce,
+ * otherwise the change is queued at the end of the debounce time.
  */
 void button_queue_push(struct button_queue *queue, struct button_event event);
 
 /*
- * Passes on the changes held back whose time has come by now_ms, stamped with
- * that time. buttons_poll() does it after asking the sources.
+ * Queues the changes held back whose debounce time ends by now_ms, with the
+ * time of that end. buttons_poll() calls it after polling the sources.
  */
 void button_queue_settle(struct button_queue *queue, int64_t now_ms);
 
-/* The oldest event into *out, or false. */
+/* Takes the oldest event off the queue. Returns false when it is empty. */
 bool button_queue_pop(struct button_queue *queue, struct button_event *out);
 
-/* A place that buttons come from. */
+/* An open source of buttons; each driver defines its own. */
 struct button_source;
 
 struct button_driver {
 	const char *name;
-	const char *summary;
+	const char *summary; /* one line for the help text */
 	/*
-	 * Reads the argument's words and opens nothing. 0, or -EINVAL after a
-	 * sentence. Optional.
+	 * Checks the syntax of the argument and opens nothing. Returns 0, or
+	 * -EINVAL after logging an error. Optional.
 	 */
 	int (*check)(const char *argument, const struct log *log);
 	/*
-	 * argument is what follows "NAME:" in --buttons, or NULL. 0, or
-	 * -errno after a sentence: for wrong words and files. A device that is
-	 * missing gets a warning and a source that waits for it or gives
-	 * nothing. Mandatory.
+	 * Opens a source. argument is what follows "NAME:" in --buttons, or
+	 * NULL. Returns 0, or -errno after logging an error: the argument is
+	 * wrong, or its file cannot be read. A missing device is no failure:
+	 * the driver logs a warning, and the source waits for the device or
+	 * delivers nothing. Mandatory.
 	 */
 	int (*create)(const char *argument, const struct log *log,
 		struct button_source **out);
 	/*
-	 * Pushes all that happened up to now_ms, oldest first; never blocks.
-	 * May set the queue's debounce_ms of its buttons. Mandatory.
+	 * Pushes all events up to now_ms, the oldest first. Never blocks. May
+	 * set the queue's debounce_ms of its buttons. Mandatory.
 	 */
 	void (*poll)(struct button_source *source, int64_t now_ms,
 		struct button_queue *queue);
@@ -104,8 +109,8 @@ struct button_driver {
 	void (*destroy)(struct button_source *source);
 
 	/*
-	 * Says what there is to press, or that there is nothing; takes no
-	 * device. Optional.
+	 * Reports the devices that could serve as buttons, or that there are
+	 * none. Takes no device. Optional.
 	 */
 	void (*survey)(const struct survey *survey);
 };
@@ -113,11 +118,11 @@ struct button_driver {
 /* Built-in drivers, NULL at the end. */
 extern const struct button_driver *const button_registry[];
 
-/* A set of open sources that share one queue. */
 enum {
 	BUTTON_SOURCES_MAX = 8
 };
 
+/* A set of open sources that feed one queue. */
 struct buttons {
 	struct button_queue queue;
 	int source_count;
@@ -129,32 +134,31 @@ struct buttons {
 
 /*
  * Empties the queue and opens the sources of a comma-separated SPEC such as
- * "script:run.txt,evdev"; NULL or "" opens none. An item "BUTTON=..." goes on
- * with the source before it: "gpiod:UP=c/18,DOWN=c/19,evdev" is two sources.
- * 0, or -errno after a sentence with nothing left open. A window's keyboard
- * needs no source: the display pushes it. Set queue.debounce_ms afterwards for
- * other times than the usual.
+ * "script:run.txt,evdev"; NULL or "" opens none. An item "BUTTON=..." belongs
+ * to the source before it: "gpiod:UP=c/18,DOWN=c/19,evdev" is two sources.
+ * Returns 0, or -errno after logging an error, with nothing left open. The
+ * keyboard of a window needs no source: the display pushes its events.
  */
 int buttons_open(
 	struct buttons *buttons, const char *spec, const struct log *log);
 
 /*
- * Reads a SPEC as buttons_open() does and opens nothing. 0, or -EINVAL after
- * a sentence.
+ * Checks the syntax of a SPEC of buttons_open() and opens nothing. Returns 0,
+ * or -EINVAL after logging an error.
  */
 int buttons_check(const char *spec, const struct log *log);
 
 /*
- * Adds one more source by driver name. 0, or -errno after a sentence: the
- * driver's, or the names there are.
+ * Opens one more source by its driver's name. Returns 0, or -errno after
+ * logging an error.
  */
 int buttons_add(struct buttons *buttons, const char *driver,
 	const char *argument, const struct log *log);
 
-/* Asks all sources what happened up to now_ms and settles the queue. */
+/* Polls all sources for events up to now_ms and settles the queue. */
 void buttons_poll(struct buttons *buttons, int64_t now_ms);
 
-/* Closes all sources; what the queue holds can still be popped. */
+/* Closes all sources. Events in the queue can still be popped. */
 void buttons_close(struct buttons *buttons);
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * What to say when a device is there and may not be opened.
+ * Reporting a device that exists but that this user may not open.
  */
 #ifndef PLATFORM_BUTTONS_DEVICE_ACCESS_H
 #define PLATFORM_BUTTONS_DEVICE_ACCESS_H
 
 #include "platform/base/log.h"
 
-/* A warning that names the group whose members may open it. */
+/* Logs a warning that names the group whose members may open the device. */
 void device_access_report_denied(const struct log *log, const char *path);
 
 #endif

@@ -1,9 +1,10 @@
 /*
- * From the kernel's time stamps to the program's time.
+ * Converts the kernel's time stamps to the program's time.
  *
- * The kernel says when a contact moved, which is finer than when a frame came
- * to ask: debouncing goes by it. Which clock it stamps with depends on its age
- * (GPIO lines: real time before Linux 5.7), so both are tried.
+ * Debouncing needs the time at which a contact moved, and frames are too far
+ * apart for that, so it uses the kernel's time stamps. Old kernels stamp with
+ * the real-time clock, newer ones with the monotonic clock (GPIO lines since
+ * Linux 5.7), so both clocks are tried.
  */
 #ifndef PLATFORM_BUTTONS_EVENT_TIME_H
 #define PLATFORM_BUTTONS_EVENT_TIME_H
@@ -18,9 +19,10 @@ struct event_clocks {
 struct event_clocks event_clocks_now(void);
 
 /*
- * The program's time of what was stamped stamp_ns, in ms. The clocks were read
- * when it was now_ms. Never before earliest_ms nor after now_ms; a stamp that
- * fits neither clock (more than 10 s old, or to come) counts as now.
+ * Converts the time stamp stamp_ns to the program's time in ms. clocks were
+ * read at the program's time now_ms. The result is clamped to earliest_ms..
+ * now_ms. A stamp that fits neither clock, because it is more than 10 s old or
+ * in the future, gives now_ms.
  */
 int64_t event_time_ms(const struct event_clocks *clocks, int64_t stamp_ns,
 	int64_t earliest_ms, int64_t now_ms);

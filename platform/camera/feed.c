@@ -44,8 +44,7 @@ static int read_detail(
 			return 0;
 		}
 		log_error(options->log,
-			"--camera %s: %s is no size: want such as 320x240, "
-			"sides up to %d",
+			"--camera %s: %s is no size: want such as 320x240, sides up to %d",
 			spec, detail, CAMERA_SIDE_MAX);
 		return -EINVAL;
 	}
@@ -71,8 +70,7 @@ static const struct camera_driver *find_driver(
 		name_list_add(&names, camera_registry[i]->name);
 	}
 	log_error(log,
-		"--camera %s: no such camera: want a device such as "
-		"/dev/video0, auto, or one of %s",
+		"--camera %s: no such camera: want a device such as /dev/video0, auto, or one of %s",
 		spec, names.text);
 	return NULL;
 }

@@ -11,8 +11,7 @@
 #include "platform/base/compiler.h"
 
 const char console_in_use_remedy[] =
-	"use its desktop with --display window, or go to a text console with "
-	"sudo chvt 3";
+	"use its desktop with --display window, or go to a text console with sudo chvt 3";
 
 /*
  * What ends a process. Whoever handles the last ones, ends in order and gives
@@ -113,8 +112,7 @@ static int open_console(
 		if (fd < 0) {
 			if (errno == EACCES || errno == EPERM) {
 				log_note(log,
-					"%s: no permission: the console may "
-					"write over the picture",
+					"%s: no permission: the console may write over the picture",
 					paths[i]);
 			}
 			continue;
@@ -161,10 +159,8 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 		release_endings();
 	}
 	log_warning(log,
-		in_use ? "console: another program (X or Wayland) draws on "
-			 "this screen, too: leave it first"
-		       : "console: no graphics mode: it may write over the "
-			 "picture");
+		in_use ? "console: another program (X or Wayland) draws on this screen, too: leave it first"
+		       : "console: no graphics mode: it may write over the picture");
 	calls->close(console->fd);
 	console->fd = -1;
 }

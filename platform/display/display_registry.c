@@ -51,8 +51,7 @@ const struct display_driver *display_choose(
 		}
 		if (spec[length] && !driver->argument) {
 			log_error(log,
-				"--display %s: %s takes nothing behind a "
-				"colon: write --display %s",
+				"--display %s: %s takes nothing behind a colon: write --display %s",
 				spec, driver->name, driver->name);
 			return NULL;
 		}
@@ -92,9 +91,7 @@ static int open_any(const struct display_options *options,
 	}
 	if (error) {
 		log_error(options->log,
-			"--display: nothing to show pictures on was found: "
-			"limber doctor says why; choose one of %s, or write a "
-			"file with limber render",
+			"--display: nothing to show pictures on was found: limber doctor says why; choose one of %s, or write a file with limber render",
 			list_names().text);
 	}
 	return error;

@@ -56,8 +56,7 @@ static int open_any(const struct gl_request *request, struct gl_context **out)
 		if (!error && !request->surface && driver->accelerates &&
 			!(*out)->accelerated) {
 			log_note(request->log,
-				"--gl auto: not %s: no graphics processor "
-				"behind it (%s)",
+				"--gl auto: not %s: no graphics processor behind it (%s)",
 				driver->name, (*out)->description);
 			driver->destroy(*out);
 			error = -ENOENT;
@@ -65,8 +64,7 @@ static int open_any(const struct gl_request *request, struct gl_context **out)
 	}
 	if (error && !request->surface) {
 		log_error(request->log,
-			"--gl auto: no GL driver opens here: name one with "
-			"--gl");
+			"--gl auto: no GL driver opens here: name one with --gl");
 	}
 	if (error) {
 		return error;
@@ -104,9 +102,7 @@ int gl_open_for(const char *name, const struct gl_request *request,
 	}
 	if (!gl_can_draw(name, request->surface != NULL)) {
 		log_error(request->log,
-			"--gl %s: it draws into memory, and this display has "
-			"none to offer: choose --gl gles1, or another "
-			"--display",
+			"--gl %s: it draws into memory, and this display has none to offer: choose --gl gles1, or another --display",
 			name);
 		return -EINVAL;
 	}

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Where a library lacks there is something to install. */
-static void say_failed(const struct gl_driver *driver, int error,
+static void report_failed(const struct gl_driver *driver, int error,
 	const char *subject, const struct survey_message *sentence,
 	const struct survey *survey)
 {
@@ -21,7 +21,7 @@ static void say_failed(const struct gl_driver *driver, int error,
 		subject, sentence, install ? remedy : NULL);
 }
 
-static void say_driver(const struct gl_driver *driver,
+static void report_driver(const struct gl_driver *driver,
 	const struct gl_request *request, const struct survey *survey)
 {
 	struct survey_message sentence;
@@ -33,7 +33,7 @@ static void say_driver(const struct gl_driver *driver,
 	own.log = &log;
 	error = driver->create(&own, &context);
 	if (error) {
-		say_failed(driver, error, driver->name, &sentence, survey);
+		report_failed(driver, error, driver->name, &sentence, survey);
 		return;
 	}
 	survey_report(survey, SURVEY_WORKS, driver->name, NULL, "%s; %s draws",
@@ -42,7 +42,7 @@ static void say_driver(const struct gl_driver *driver,
 	driver->destroy(context);
 }
 
-static void say_auto(
+static void report_auto(
 	const struct gl_request *request, const struct survey *survey)
 {
 	struct survey_message sentence;
@@ -64,12 +64,12 @@ static void say_auto(
 void gl_survey(const struct gl_request *request, const struct survey *survey)
 {
 	for (int i = 0; gl_registry[i]; i++) {
-		say_driver(gl_registry[i], request, survey);
+		report_driver(gl_registry[i], request, survey);
 	}
-	say_auto(request, survey);
+	report_auto(request, survey);
 }
 
-static void say_screen(const struct gl_driver *driver,
+static void report_screen(const struct gl_driver *driver,
 	const struct gl_request *request, const char *subject,
 	const struct survey *survey)
 {
@@ -84,11 +84,10 @@ static void say_screen(const struct gl_driver *driver,
 		survey_report(survey, SURVEY_WORKS, subject, NULL,
 			"--gl %s has a screen or windows", driver->name);
 	} else if (error == -ENOENT) {
-		say_failed(driver, error, subject, &sentence, survey);
+		report_failed(driver, error, subject, &sentence, survey);
 	} else {
 		survey_report_message(survey, SURVEY_MISSING, subject, &sentence,
-			"use --display kms or fbdev, or name the vendor's "
-			"libraries: --egl-library FILE --gles-library FILE");
+			"use --display kms or fbdev, or name the vendor's libraries: --egl-library FILE --gles-library FILE");
 	}
 }
 
@@ -97,7 +96,7 @@ void gl_survey_screen(const struct gl_request *request, const char *subject,
 {
 	for (int i = 0; gl_registry[i]; i++) {
 		if (gl_registry[i]->surface) {
-			say_screen(gl_registry[i], request, subject, survey);
+			report_screen(gl_registry[i], request, subject, survey);
 		}
 	}
 }

@@ -3,15 +3,15 @@
 
 #include <unistd.h>
 
-/* About a quarter of the processor to the loop's three. */
-static const int less = 5;
+/* On one core the task gets about a quarter of the time, the loop the rest. */
+static const int niceness = 5;
 
 static void *run(void *context)
 {
 	struct background *background = context;
 
-	/* On Linux the thread's alone. */
-	(void)!nice(less);
+	/* On Linux this changes the priority of this thread only. */
+	(void)!nice(niceness);
 	background->work(background->context);
 	return NULL;
 }

@@ -1,9 +1,9 @@
 /*
- * A piece of work beside the frame loop, in a thread of its own that leaves the
- * loop the larger share of the processor.
+ * A task that runs in a thread of its own, with a lower priority than the frame
+ * loop.
  *
- * What the work touches is its own until background_wait() returns. All zero:
- * nothing to wait for. Belongs to one thread.
+ * The task owns the data that it uses until background_wait() returns. A
+ * struct of zeros has no task. Only one thread may use the struct.
  */
 #ifndef PLATFORM_PROCESS_BACKGROUND_H
 #define PLATFORM_PROCESS_BACKGROUND_H
@@ -19,13 +19,13 @@ struct background {
 };
 
 /*
- * Begins work(context), after waiting for what was begun before. Where there
- * can be no thread it is done when this returns.
+ * Waits for the task begun before, then begins work(context). If no thread can
+ * be created, the task runs before this function returns.
  */
 void background_begin(struct background *background,
 	void (*work)(void *context), void *context);
 
-/* Until the work is done. */
+/* Waits until the task is done. Does nothing when there is none. */
 void background_wait(struct background *background);
 
 #endif

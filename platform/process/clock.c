@@ -9,7 +9,7 @@ int64_t clock_monotonic_ns(void)
 {
 	struct timespec now = {0};
 
-	/* Fails only where the system lacks the clock: time stands still. */
+	/* If the system has no such clock, the result is 0 every time. */
 	(void)clock_gettime(CLOCK_MONOTONIC, &now);
 	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }

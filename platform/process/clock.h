@@ -1,8 +1,8 @@
 /*
- * Time as an input: from the machine, or counted in frames.
+ * The clock of the frame loop: real time, or time counted in frames.
  *
- * With a fixed clock every run sees the same times, whatever the machine
- * does; tests, pictures and replays stand on that.
+ * With a fixed clock every run gets the same times on every machine. Tests,
+ * rendered pictures and replays depend on that.
  */
 #ifndef PLATFORM_PROCESS_CLOCK_H
 #define PLATFORM_PROCESS_CLOCK_H
@@ -12,30 +12,33 @@
 
 struct clock {
 	bool fixed;
-	double rate_hz;    /* fixed: frames a second */
-	double start_s;    /* time of frame 0 */
+	double rate_hz;    /* fixed clock: frames a second */
+	double start_s;    /* fixed clock: time of frame 0 */
 	int64_t frame;     /* frames begun so far */
-	int64_t origin_ns; /* real: the monotonic clock at frame 0 */
+	int64_t origin_ns; /* real clock: the monotonic time of its start */
 };
 
-/* Nanoseconds of the clock that runs on whatever is set. */
+/* The monotonic clock in nanoseconds. Setting the time does not change it. */
 int64_t clock_monotonic_ns(void);
 
-/* Real time since now. */
+/* Returns a clock of real time that starts now. */
 struct clock clock_real(void);
 
-/* Frame n is at start_s + n / rate_hz; rate_hz above 0. */
+/*
+ * Returns a clock that counts frames: frame n is at start_s + n / rate_hz.
+ * rate_hz must be above 0.
+ */
 struct clock clock_fixed(double rate_hz, double start_s);
 
-/* Begins the next frame (the first one is frame 0); its time in seconds. */
+/* Begins the next frame, the first one being frame 0; its time in seconds. */
 double clock_tick(struct clock *clock);
 
-/* Processor time of this thread so far, in seconds: what work costs. */
+/* The processor time that this thread has used so far, in seconds. */
 double clock_thread_s(void);
 
 /*
- * Reads "real" or "fixed:FPS" (0 < FPS <= 1000). 0, or -EINVAL for anything
- * else; says nothing.
+ * Reads "real" or "fixed:FPS" (0 < FPS <= 1000). Returns 0, or -EINVAL for
+ * anything else without logging.
  */
 int clock_parse(const char *text, struct clock *out);
 

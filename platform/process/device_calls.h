@@ -1,6 +1,7 @@
 /*
- * What drivers of device files ask of the system, so that tests can stand in
- * for a device. All return what their namesakes return, with errno.
+ * The system calls that drivers use device files through, as a table, so that
+ * tests can replace a device. Each call returns what the system call of that
+ * name returns, and sets errno.
  */
 #ifndef PLATFORM_PROCESS_DEVICE_CALLS_H
 #define PLATFORM_PROCESS_DEVICE_CALLS_H
@@ -13,15 +14,15 @@ struct device_calls {
 	int (*close)(int fd);
 	ssize_t (*write)(int fd, const void *data, size_t size);
 	int (*ioctl)(int fd, unsigned long request, void *argument);
-	/* Shared, to be read and written; MAP_FAILED when it fails. */
+	/* mmap() with MAP_SHARED for reading and writing. */
 	void *(*map)(int fd, size_t size, off_t offset);
 	int (*unmap)(void *address, size_t size);
 };
 
-/* The system's own. */
+/* The calls of the operating system. */
 extern const struct device_calls device_calls_system;
 
-/* ioctl() again as long as a signal interrupts it. */
+/* Calls ioctl(), and repeats it while a signal interrupts it (EINTR). */
 int device_control(const struct device_calls *calls, int fd,
 	unsigned long request, void *argument);
 

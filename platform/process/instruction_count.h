@@ -1,5 +1,6 @@
 /*
- * How many instructions this thread executes, where the machine tells.
+ * Counts the instructions that this thread executes, where the machine has a
+ * hardware counter.
  */
 #ifndef PLATFORM_PROCESS_INSTRUCTION_COUNT_H
 #define PLATFORM_PROCESS_INSTRUCTION_COUNT_H
@@ -7,16 +8,16 @@
 #include <stdint.h>
 
 struct instruction_count {
-	int descriptor;
+	int descriptor; /* of the kernel's counter; -1 when not counting */
 };
 
 /*
- * Begins to count instructions in user space. 0, or -errno and nothing to
- * end: many virtual machines, containers and kernels have no such counter.
+ * Begins to count instructions in user space. Returns 0, or -errno: many
+ * virtual machines, containers and kernels offer no such counter.
  */
 int instruction_count_begin(struct instruction_count *count);
 
-/* Ends it: the instructions since, or -errno. */
+/* Ends counting. Returns the instructions since it began, or -errno. */
 int64_t instruction_count_end(struct instruction_count *count);
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* proc(5): "size resident shared ...", in pages. */
+/* See proc(5): statm is "size resident shared ...", in pages. */
 size_t process_memory_bytes(void)
 {
 	char text[128];

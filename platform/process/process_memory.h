@@ -1,5 +1,5 @@
 /*
- * How much memory the program has.
+ * How much memory the program uses.
  */
 #ifndef PLATFORM_PROCESS_PROCESS_MEMORY_H
 #define PLATFORM_PROCESS_PROCESS_MEMORY_H
@@ -7,8 +7,8 @@
 #include <stddef.h>
 
 /*
- * Bytes of memory that are this process's now, shared libraries included, as
- * Linux counts them; 0 where it cannot tell. Allocates nothing.
+ * The resident memory of this process in bytes, shared libraries included, as
+ * Linux counts it. 0 when it cannot be read. Allocates nothing.
  */
 size_t process_memory_bytes(void);
 

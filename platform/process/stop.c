@@ -9,7 +9,7 @@ enum {
 
 static const int signals[SIGNAL_COUNT] = {SIGINT, SIGTERM, SIGHUP};
 
-/* A handler has nothing but the process's own memory to write to. */
+/* A signal handler can reach static variables only. */
 static volatile sig_atomic_t wanted;
 static struct sigaction before[SIGNAL_COUNT];
 
@@ -26,7 +26,7 @@ void stop_catch(void)
 	wanted = 0;
 	sigemptyset(&action.sa_mask);
 	for (int i = 0; i < SIGNAL_COUNT; i++) {
-		/* Fails for no signal of the list. */
+		/* sigaction() cannot fail for these signals. */
 		(void)sigaction(signals[i], NULL, &before[i]);
 		if (before[i].sa_handler != SIG_IGN) {
 			(void)sigaction(signals[i], &action, NULL);

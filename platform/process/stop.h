@@ -1,7 +1,7 @@
 /*
- * The person's wish to stop, told by a signal: Ctrl-C, kill, a closed line.
+ * Ending the program in order after Ctrl-C, kill or a closed terminal.
  *
- * Signals belong to the process, so the flag behind this does too.
+ * Signal handlers belong to the process, so there is one flag for all of it.
  */
 #ifndef PLATFORM_PROCESS_STOP_H
 #define PLATFORM_PROCESS_STOP_H
@@ -9,15 +9,15 @@
 #include <stdbool.h>
 
 /*
- * From now on SIGINT, SIGTERM and SIGHUP only raise a flag, which is lowered
- * first. One that was ignored stays ignored, as nohup wants it.
+ * Clears the flag. From now on SIGINT, SIGTERM and SIGHUP only set it. A
+ * signal that the process ignores stays ignored, as nohup requires.
  */
 void stop_catch(void);
 
-/* What they did before stop_catch(). */
+/* Restores the handlers that were set before stop_catch(). */
 void stop_release(void);
 
-/* Whether one came since stop_catch(). */
+/* Whether one of the signals came since stop_catch(). */
 bool stop_requested(void);
 
 #endif

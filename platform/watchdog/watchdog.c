@@ -21,11 +21,11 @@ static void say_why(const char *path, int error, const struct log *log)
 	const char *advice = error == ENOENT || error == ENODEV
 		? "load its driver, or leave --watchdog out"
 		: error == EBUSY
-		? "another program feeds it: stop that, or leave --watchdog out"
+		? "another program uses it: stop that program, or leave --watchdog out"
 		: "run as root, or leave --watchdog out";
 
-	log_warning(log, "--watchdog %s: %s: it goes on without one: %s", path,
-		strerror(error), advice);
+	log_warning(log, "--watchdog %s: %s: limber continues without it: %s",
+		path, strerror(error), advice);
 }
 
 int watchdog_open(struct watchdog *out, const char *path,
@@ -50,8 +50,8 @@ int watchdog_open(struct watchdog *out, const char *path,
 		.fed_ms = INT64_MIN,
 	};
 	if (device_control(calls, fd, WDIOC_GETTIMEOUT, &timeout_s) == 0) {
-		log_note(log, "--watchdog %s: restarts after %d s", path,
-			timeout_s);
+		log_note(log, "--watchdog %s: it restarts the board after %d s",
+			path, timeout_s);
 		if (timeout_s == 1) {
 			out->period_ms = SHORT_PERIOD_MS;
 		}
@@ -67,11 +67,10 @@ void watchdog_feed(struct watchdog *watchdog, int64_t now_ms)
 		return;
 	}
 	watchdog->fed_ms = now_ms;
-	/* Any byte but V, which is the farewell. */
+	/* Any byte feeds it except 'V', which allows it to be stopped. */
 	if (watchdog->calls->write(watchdog->fd, "", 1) != 1 && errno != EINTR) {
 		log_warning(&watchdog->log,
-			"--watchdog %s: cannot be fed: %s: the board may "
-			"restart",
+			"--watchdog %s: cannot be fed: %s: the board may restart",
 			watchdog->path, strerror(errno));
 	}
 }
@@ -83,8 +82,7 @@ void watchdog_close(struct watchdog *watchdog)
 	}
 	if (watchdog->calls->write(watchdog->fd, "V", 1) != 1) {
 		log_warning(&watchdog->log,
-			"--watchdog %s: cannot be stopped: %s: the board may "
-			"restart",
+			"--watchdog %s: cannot be stopped: %s: the board may restart",
 			watchdog->path, strerror(errno));
 	}
 	watchdog->calls->close(watchdog->fd);

@@ -1,9 +1,10 @@
 /*
- * The machine's watchdog: what is not fed in time restarts the board.
+ * The machine's watchdog, which restarts the board unless it is fed in time.
  *
- * Feed it from the frame loop alone, so that it starves when pictures stop.
- * Its time is the kernel's matter (imx2_wdt.timeout=SECONDS on the command
- * line) and is never set here: setting it stops the i.MX31's in emulation.
+ * Feed it from the frame loop only, so that the board restarts when pictures
+ * stop. The kernel sets its timeout (imx2_wdt.timeout=SECONDS on the kernel's
+ * command line). limber does not set it, because in emulation that stops the
+ * i.MX31's watchdog.
  */
 #ifndef PLATFORM_WATCHDOG_WATCHDOG_H
 #define PLATFORM_WATCHDOG_WATCHDOG_H
@@ -18,34 +19,34 @@ struct watchdog {
 	const struct device_calls *calls;
 	struct log log;
 	const char *path;
-	int fd; /* -1: there is none */
-	int64_t period_ms;
-	int64_t fed_ms;
+	int fd;            /* -1: no watchdog */
+	int64_t period_ms; /* shortest time between two writes */
+	int64_t fed_ms;    /* time of the last write */
 };
 
-/* One that is not there; feeding and closing it does nothing. */
+/* Returns a watchdog without a device; feeding and closing it does nothing. */
 struct watchdog watchdog_none(void);
 
 /*
- * Starts the watchdog of that device; it counts from now on. path stays the
- * caller's and outlives it. 0, or -errno after a warning, and *out is none.
+ * Opens the watchdog device, which starts its timer. path must outlive *out.
+ * Returns 0, or -errno after logging a warning; *out is then watchdog_none().
  */
 int watchdog_open(struct watchdog *out, const char *path,
 	const struct device_calls *calls, const struct log *log);
 
 /*
- * Feeds it, once a second at most, or four times as often where its time is
- * a second. now_ms: of any clock that runs on.
+ * Feeds the watchdog at most once a second, or four times a second when its
+ * timeout is one second. now_ms is the time of any monotonic clock.
  */
 void watchdog_feed(struct watchdog *watchdog, int64_t now_ms);
 
+/* Stops the watchdog, where the kernel allows that, and closes it. */
+void watchdog_close(struct watchdog *watchdog);
+
 /*
- * Says which watchdogs there are below the folder of devices ("/dev"), by
- * sysfs alone: opening one would start it.
+ * Reports the watchdogs in the folder of devices ("/dev"). It reads sysfs only,
+ * because opening a watchdog starts it.
  */
 void watchdog_survey(const char *devices, const struct survey *survey);
-
-/* An orderly end: stops it where the kernel allows. */
-void watchdog_close(struct watchdog *watchdog);
 
 #endif

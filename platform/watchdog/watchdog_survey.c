@@ -11,7 +11,7 @@ enum {
 	VALUE_BYTES = 80
 };
 
-/* What sysfs tells of a watchdog, "" when nothing. */
+/* Reads an attribute from sysfs; "" if there is none. */
 static void read_value(const struct survey *survey, int number,
 	const char *name, char value[VALUE_BYTES])
 {
@@ -34,7 +34,7 @@ static void read_value(const struct survey *survey, int number,
 	fclose(file);
 }
 
-static void say_watchdog(
+static void report_watchdog(
 	const char *path, int number, const struct survey *survey)
 {
 	char identity[VALUE_BYTES], timeout_s[VALUE_BYTES], state[VALUE_BYTES];
@@ -44,21 +44,21 @@ static void say_watchdog(
 	read_value(survey, number, "state", state);
 	if (strcmp(state, "active") == 0) {
 		survey_report(survey, SURVEY_TAKEN, path,
-			"stop who feeds it (systemd: RuntimeWatchdogSec=off), "
-			"or leave --watchdog out",
-			"%s, it counts already", identity);
+			"stop the program that uses it (systemd: RuntimeWatchdogSec=off), or leave --watchdog out",
+			"%s, another program uses it", identity);
 	} else if (access(path, W_OK) != 0) {
 		survey_report_denied(survey, path);
 	} else {
 		survey_report(survey, SURVEY_WORKS, path, NULL,
-			"%s%srestarts after %s s", identity,
+			"%s%srestarts the board after %s seconds", identity,
 			identity[0] ? ", " : "",
 			timeout_s[0] ? timeout_s : "some");
 	}
 }
 
-/* Whether there was something to say of that one. */
-static bool look_at(const char *devices, int number, const struct survey *survey)
+/* Reports the watchdog of that number; false when there is none. */
+static bool report_number(
+	const char *devices, int number, const struct survey *survey)
 {
 	char path[PATH_BYTES], entry[64];
 
@@ -67,7 +67,7 @@ static bool look_at(const char *devices, int number, const struct survey *survey
 		return false;
 	}
 	if (access(path, F_OK) == 0) {
-		say_watchdog(path, number, survey);
+		report_watchdog(path, number, survey);
 		return true;
 	}
 	snprintf(entry, sizeof(entry), "class/watchdog/watchdog%d", number);
@@ -80,20 +80,19 @@ void watchdog_survey(const char *devices, const struct survey *survey)
 	bool any = false;
 
 	for (int i = 0; i < WATCHDOGS_MAX; i++) {
-		any = look_at(devices, i, survey) || any;
+		any = report_number(devices, i, survey) || any;
 	}
-	/* The first one's older name stands alone on old kernels. */
+	/* Old kernels have this name of the first watchdog only. */
 	if (!any &&
 		snprintf(path, sizeof(path), "%s/watchdog", devices) <
 			(int)sizeof(path) &&
 		access(path, F_OK) == 0) {
-		say_watchdog(path, 0, survey);
+		report_watchdog(path, 0, survey);
 		any = true;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "watchdog",
-			"load its driver, or one in software: sudo modprobe "
-			"softdog",
-			"no watchdog in %s", devices);
+			"load its driver, or the software watchdog: sudo modprobe softdog",
+			"there is no watchdog in %s", devices);
 	}
 }

@@ -11,10 +11,10 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/* A machine with its chips and a set of buttons on it. */
+/* The chips of a machine and the buttons on them. */
 struct bench {
 	struct fake_gpio gpio;
-	struct log_capture said;
+	struct log_capture logged;
 	struct log log;
 	struct buttons buttons;
 	int64_t now_ms;
@@ -26,7 +26,7 @@ static int setup(void **state)
 
 	assert_non_null(bench);
 	fake_gpio_begin(&bench->gpio);
-	bench->log = log_capture_begin(&bench->said);
+	bench->log = log_capture_begin(&bench->logged);
 	*state = bench;
 	return 0;
 }
@@ -69,15 +69,15 @@ static void expect_nothing(struct bench *bench)
 	assert_false(button_queue_pop(&bench->buttons.queue, &event));
 }
 
-/* One warning, and it has these parts. */
+/* Fails the test unless one warning with these parts was logged. */
 static void expect_warning(
 	struct bench *bench, const char *what, const char *why)
 {
-	assert_int_equal(bench->said.count, 1);
-	assert_int_equal(bench->said.level[0], LOG_WARNING);
-	assert_contains(bench->said.sentence[0], what);
-	assert_contains(bench->said.sentence[0], why);
-	bench->said.count = 0;
+	assert_int_equal(bench->logged.count, 1);
+	assert_int_equal(bench->logged.level[0], LOG_WARNING);
+	assert_contains(bench->logged.sentence[0], what);
+	assert_contains(bench->logged.sentence[0], why);
+	bench->logged.count = 0;
 }
 
 static void press_works(
@@ -94,12 +94,12 @@ static void press_works(
 	expect_nothing(bench);
 }
 
-static void test_a_line_by_label_and_offset_presses(void **state)
+static void test_a_line_is_found_by_label_and_offset(void **state)
 {
 	struct bench *bench = *state;
 
 	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,F9=53fd0000.gpio/25");
-	assert_int_equal(bench->said.count, 0);
+	assert_int_equal(bench->logged.count, 0);
 	assert_true(wire(bench, 18)->input);
 	assert_true(wire(bench, 18)->both_edges);
 	assert_false(wire(bench, 18)->active_low);
@@ -130,12 +130,12 @@ static void test_a_line_is_found_by_its_name(void **state)
 	wire(bench, 6)->name = "KEY_ROW4";
 	open_lines(bench,
 		"gpiod:LEFT=KEY_ROW4,RIGHT=gpiochip2/KEY_ROW4/active-high");
-	assert_int_equal(bench->said.count, 0);
+	assert_int_equal(bench->logged.count, 0);
 	press_works(bench, &bench->gpio.chip[1].line[3], BUTTON_LEFT);
 	press_works(bench, wire(bench, 6), BUTTON_RIGHT);
 }
 
-static void test_spaces_let_a_name_hold_slashes(void **state)
+static void test_with_spaces_a_name_may_contain_slashes(void **state)
 {
 	struct bench *bench = *state;
 
@@ -145,14 +145,13 @@ static void test_spaces_let_a_name_hold_slashes(void **state)
 	press_works(bench, wire(bench, 5), BUTTON_LEFT);
 }
 
-static void test_bias_and_sense_reach_the_kernel(void **state)
+static void test_bias_and_active_level_are_requested(void **state)
 {
 	struct bench *bench = *state;
 
 	wire(bench, 1)->high = true;
 	open_lines(bench,
-		"gpiod:UP=53fd0000.gpio/1/active-low/pull-up,"
-		"DOWN=53fd0000.gpio/2/pull-down,LEFT=53fd0000.gpio/3/no-pull");
+		"gpiod:UP=53fd0000.gpio/1/active-low/pull-up,DOWN=53fd0000.gpio/2/pull-down,LEFT=53fd0000.gpio/3/no-pull");
 	assert_true(wire(bench, 1)->active_low);
 	assert_int_equal(wire(bench, 1)->bias, FAKE_PULL_UP);
 	assert_false(wire(bench, 2)->active_low);
@@ -181,14 +180,13 @@ static void test_a_bouncing_contact_counts_once(void **state)
 	expect_nothing(bench);
 }
 
-static void test_edges_are_told_apart_by_the_kernels_time(void **state)
+/* Presses UP twice between two frames, 100 ms apart: both must count. */
+static void expect_two_presses(struct bench *bench,
+	void (*set)(struct fake_line *line, bool high, int age_us))
 {
-	struct bench *bench = *state;
-
-	/* Two presses between two frames, 100 ms apart: both count. */
 	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
 	for (int i = 0; i < 4; i++) {
-		fake_gpio_set(wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
+		set(wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
 	}
 	buttons_poll(&bench->buttons, 1000);
 	for (int i = 0; i < 4; i++) {
@@ -197,20 +195,14 @@ static void test_edges_are_told_apart_by_the_kernels_time(void **state)
 	expect_nothing(bench);
 }
 
-static void test_real_time_stamps_are_understood(void **state)
+static void test_two_presses_between_two_frames_count(void **state)
 {
-	struct bench *bench = *state;
+	expect_two_presses(*state, fake_gpio_set);
+}
 
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
-	for (int i = 0; i < 4; i++) {
-		fake_gpio_set_real_time(
-			wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
-	}
-	buttons_poll(&bench->buttons, 1000);
-	for (int i = 0; i < 4; i++) {
-		expect(bench, BUTTON_UP, i % 2 == 0);
-	}
-	expect_nothing(bench);
+static void test_real_time_stamps_are_accepted(void **state)
+{
+	expect_two_presses(*state, fake_gpio_set_real_time);
 }
 
 static void test_a_line_has_a_debounce_time_of_its_own(void **state)
@@ -218,8 +210,7 @@ static void test_a_line_has_a_debounce_time_of_its_own(void **state)
 	struct bench *bench = *state;
 
 	open_lines(bench,
-		"gpiod:UP=53fd0000.gpio/18/debounce=200,"
-		"DOWN=53fd0000.gpio/19");
+		"gpiod:UP=53fd0000.gpio/18/debounce=200,DOWN=53fd0000.gpio/19");
 	for (int i = 0; i < 3; i++) {
 		fake_gpio_set(wire(bench, 18), i % 2 == 0, 300000 - i * 50000);
 		fake_gpio_set(wire(bench, 19), i % 2 == 0, 290000 - i * 50000);
@@ -232,13 +223,12 @@ static void test_a_line_has_a_debounce_time_of_its_own(void **state)
 	expect_nothing(bench);
 }
 
-static void test_edges_of_several_lines_come_in_order(void **state)
+static void test_edges_of_several_lines_are_sorted_by_time(void **state)
 {
 	struct bench *bench = *state;
 
 	open_lines(bench,
-		"gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19,"
-		"LEFT=53fd0000.gpio/20");
+		"gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19,LEFT=53fd0000.gpio/20");
 	fake_gpio_set(wire(bench, 18), true, 100000);
 	fake_gpio_set(wire(bench, 18), false, 20000);
 	fake_gpio_set(wire(bench, 19), true, 200000);
@@ -250,11 +240,11 @@ static void test_edges_of_several_lines_come_in_order(void **state)
 	expect(bench, BUTTON_UP, false);
 }
 
-static void test_edges_the_kernel_had_no_room_for_show_in_the_level(void **state)
+static void test_after_lost_edges_the_level_counts(void **state)
 {
 	struct bench *bench = *state;
 
-	/* An odd number of edges more than it keeps: the last one is lost. */
+	/* One edge more than the kernel buffers: the last one is lost. */
 	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
 	for (int i = 0; i < FAKE_EDGES + 1; i++) {
 		fake_gpio_set(wire(bench, 18), i % 2 == 0, 900000 - i * 50000);
@@ -289,7 +279,7 @@ static void test_a_taken_line_is_named_with_its_holder(void **state)
 	press_works(bench, wire(bench, 19), BUTTON_DOWN);
 }
 
-static void test_a_missing_chip_lists_those_there_are(void **state)
+static void test_a_missing_chip_lists_the_others(void **state)
 {
 	struct bench *bench = *state;
 
@@ -313,7 +303,7 @@ static void test_a_missing_line_is_named(void **state)
 	expect_warning(bench, "this machine", "no line named BELL");
 }
 
-static void test_no_chips_at_all_is_one_sentence(void **state)
+static void test_no_chips_are_logged_once(void **state)
 {
 	struct bench *bench = *state;
 
@@ -337,7 +327,7 @@ static void test_no_permission_names_the_device(void **state)
 	expect_warning(bench, "/dev/gpiochip2", "no permission");
 }
 
-static void test_a_line_that_is_lost_lets_its_button_go(void **state)
+static void test_losing_a_line_releases_its_button(void **state)
 {
 	struct bench *bench = *state;
 
@@ -350,44 +340,44 @@ static void test_a_line_that_is_lost_lets_its_button_go(void **state)
 	expect(bench, BUTTON_UP, false);
 	expect_warning(bench, "gpiod:UP", "lost");
 	buttons_poll(&bench->buttons, 300);
-	assert_int_equal(bench->said.count, 0);
+	assert_int_equal(bench->logged.count, 0);
 	press_works(bench, wire(bench, 19), BUTTON_DOWN);
 }
 
-static void test_wrong_words_are_named(void **state)
+static void test_wrong_specs_are_refused(void **state)
 {
 	static const struct {
 		const char *spec, *reason;
 	} cases[] = {
-		{"gpiod", "no lines"},
-		{"gpiod:", "no lines"},
-		{"gpiod:53fd0000.gpio/18", "want BUTTON="},
+		{"gpiod", "the lines are missing"},
+		{"gpiod:", "the lines are missing"},
+		{"gpiod:53fd0000.gpio/18", "give BUTTON="},
 		{"gpiod:up=53fd0000.gpio/18", "no such button"},
 		{"gpiod:UP=", "the line is missing"},
 		{"gpiod:UP=18", "a number needs its chip"},
 		{"gpiod:UP=active-low", "the line is missing"},
-		{"gpiod:UP=53fd0000.gpio/18/pul-up", "want CHIP/LINE"},
+		{"gpiod:UP=53fd0000.gpio/18/pul-up", "give CHIP/LINE"},
 		{"gpiod:UP=53fd0000.gpio/18/debounce=0", "debounce=MS"},
 		{"gpiod:UP=53fd0000.gpio/18/debounce=9x", "debounce=MS"},
 		{"gpiod:UP=53fd0000.gpio/18/debounce=1001", "debounce=MS"},
-		{"gpiod:UP=53fd0000.gpio/18,DOWN=x/y/z/w", "want CHIP/LINE"},
+		{"gpiod:UP=53fd0000.gpio/18,DOWN=x/y/z/w", "give CHIP/LINE"},
 	};
 	struct bench *bench = *state;
 
 	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
-		bench->said.count = 0;
+		bench->logged.count = 0;
 		assert_int_equal(buttons_open(&bench->buttons, cases[i].spec,
 					 &bench->log),
 			-EINVAL);
-		assert_int_equal(bench->said.count, 1);
-		assert_contains(bench->said.sentence[0], cases[i].reason);
+		assert_int_equal(bench->logged.count, 1);
+		assert_contains(bench->logged.sentence[0], cases[i].reason);
 		assert_int_equal(
 			buttons_check(cases[i].spec, &bench->log), -EINVAL);
 	}
 	assert_int_equal(buttons_check("gpiod:UP=a/1,DOWN=b/2", &bench->log), 0);
 }
 
-static void test_a_survey_tells_chips_lines_and_who_has_them(void **state)
+static void test_a_survey_reports_chips_lines_and_their_users(void **state)
 {
 	struct bench *bench = *state;
 	struct survey_capture capture;
@@ -408,7 +398,7 @@ static void test_a_survey_tells_chips_lines_and_who_has_them(void **state)
 	survey_capture_expect(&capture, 2, SURVEY_WORKS, "53fd0000.gpio/3",
 		"KEY_ROW4: free", NULL);
 	survey_capture_expect(&capture, 3, SURVEY_TAKEN, "53fd0000.gpio/18",
-		"no name: used by phy-reset", NULL);
+		"line without a name: used by phy-reset", NULL);
 	survey_capture_expect(&capture, 4, SURVEY_TAKEN, "53fd0000.gpio/20",
 		"LED: used by leds", NULL);
 	assert_false(wire(bench, 3)->requested);
@@ -433,26 +423,26 @@ int gpiod_cases_run(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 	const struct CMUnitTest tests[] = {
-		CASE(test_a_line_by_label_and_offset_presses),
+		CASE(test_a_line_is_found_by_label_and_offset),
 		CASE(test_a_label_finds_its_chip_under_any_number),
 		CASE(test_a_line_is_found_by_its_name),
-		CASE(test_spaces_let_a_name_hold_slashes),
-		CASE(test_bias_and_sense_reach_the_kernel),
+		CASE(test_with_spaces_a_name_may_contain_slashes),
+		CASE(test_bias_and_active_level_are_requested),
 		CASE(test_a_bouncing_contact_counts_once),
-		CASE(test_edges_are_told_apart_by_the_kernels_time),
-		CASE(test_real_time_stamps_are_understood),
+		CASE(test_two_presses_between_two_frames_count),
+		CASE(test_real_time_stamps_are_accepted),
 		CASE(test_a_line_has_a_debounce_time_of_its_own),
-		CASE(test_edges_of_several_lines_come_in_order),
-		CASE(test_edges_the_kernel_had_no_room_for_show_in_the_level),
+		CASE(test_edges_of_several_lines_are_sorted_by_time),
+		CASE(test_after_lost_edges_the_level_counts),
 		CASE(test_a_button_held_at_the_start_is_no_press),
 		CASE(test_a_taken_line_is_named_with_its_holder),
-		CASE(test_a_missing_chip_lists_those_there_are),
+		CASE(test_a_missing_chip_lists_the_others),
 		CASE(test_a_missing_line_is_named),
-		CASE(test_no_chips_at_all_is_one_sentence),
+		CASE(test_no_chips_are_logged_once),
 		CASE(test_no_permission_names_the_device),
-		CASE(test_a_line_that_is_lost_lets_its_button_go),
-		CASE(test_wrong_words_are_named),
-		CASE(test_a_survey_tells_chips_lines_and_who_has_them),
+		CASE(test_losing_a_line_releases_its_button),
+		CASE(test_wrong_specs_are_refused),
+		CASE(test_a_survey_reports_chips_lines_and_their_users),
 		CASE(test_a_survey_without_chips_is_one_finding),
 	};
 #undef CASE

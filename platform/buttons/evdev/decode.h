@@ -1,9 +1,9 @@
 /*
- * The bytes of an input device.
+ * Decodes the events that an input device delivers.
  *
  * The kernel writes struct input_event with its own long: two longs of time,
- * then type, code and value, 24 bytes where a long has 64 bits, else 16,
- * whatever the C library's time_t is.
+ * then type, code and value. That makes 24 bytes where a long has 64 bits, else
+ * 16. A C library with a 64-bit time_t may declare the struct differently.
  */
 #ifndef PLATFORM_BUTTONS_EVDEV_DECODE_H
 #define PLATFORM_BUTTONS_EVDEV_DECODE_H
@@ -18,12 +18,12 @@ enum {
 };
 
 struct evdev_event {
-	int64_t stamp_ns;
+	int64_t stamp_ns; /* the kernel's time stamp, see event_time.h */
 	uint16_t type, code;
 	int32_t value;
 };
 
-/* Reads one event of EVDEV_SIZE_32 or EVDEV_SIZE_64 bytes. */
+/* Decodes one event of EVDEV_SIZE_32 or EVDEV_SIZE_64 bytes. */
 struct evdev_event evdev_decode(const unsigned char *bytes, size_t size);
 
 #endif

@@ -1,4 +1,4 @@
-/* What there is to be seen of keyboards and keypads. */
+/* The keyboards and keypads that limber doctor reports. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +12,7 @@ enum {
 	NUMBERS_MAX = 256
 };
 
-/* The buttons that the device's keys are, in words. */
+/* The names of the buttons that the device's keys are mapped to. */
 static struct name_list mapped_buttons(
 	const struct evdev_description *description)
 {
@@ -43,7 +43,7 @@ static bool has_keys(const struct evdev_description *description)
 	return false;
 }
 
-static void say_device(const char *path,
+static void report_device(const char *path,
 	const struct evdev_description *description, const struct survey *survey)
 {
 	struct name_list buttons = mapped_buttons(description);
@@ -55,16 +55,15 @@ static void say_device(const char *path,
 		return;
 	}
 	snprintf(remedy, sizeof(remedy),
-		"to use one: --buttons evdev:%s,UP=KEY, with a key that evtest "
-		"shows",
+		"to use a key of it: --buttons evdev:%s,UP=KEY, with a KEY that evtest shows",
 		path);
 	survey_report(survey, SURVEY_UNUSED, path,
 		has_keys(description) ? remedy : NULL,
 		"%s: no key that is a button", description->name);
 }
 
-/* Whether there was something to say of that device. */
-static bool look_at(const struct evdev_system *system, int number,
+/* Reports the device of that number; false when there is none. */
+static bool report_number(const struct evdev_system *system, int number,
 	const struct survey *survey)
 {
 	struct evdev_description description;
@@ -89,9 +88,10 @@ static bool look_at(const struct evdev_system *system, int number,
 	if (error) {
 		survey_report(survey, SURVEY_BROKEN, path,
 			"unplug it and plug it in again",
-			"does not answer as a keyboard: %s", strerror(-error));
+			"it does not answer as a keyboard: %s",
+			strerror(-error));
 	} else {
-		say_device(path, &description, survey);
+		report_device(path, &description, survey);
 	}
 	return true;
 }
@@ -102,12 +102,12 @@ void evdev_survey_on(
 	bool any = false;
 
 	for (int i = 0; i < NUMBERS_MAX; i++) {
-		any = look_at(system, i, survey) || any;
+		any = report_number(system, i, survey) || any;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "evdev",
-			"plug a keyboard in, or load the driver: sudo modprobe "
-			"evdev",
-			"no keyboard or keypad in %s", system->directory);
+			"plug a keyboard in, or load the driver: sudo modprobe evdev",
+			"there is no keyboard or keypad in %s",
+			system->directory);
 	}
 }

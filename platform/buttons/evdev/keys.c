@@ -89,7 +89,7 @@ struct evdev_keys evdev_keys_default(void)
 	return keys;
 }
 
-/* The code, or -1. */
+/* The code of a key's name or number, or -1. */
 static int find_code(const char *name)
 {
 	char *end;
@@ -124,16 +124,14 @@ int evdev_keys_read(
 	}
 	if (button == BUTTON_COUNT) {
 		log_error(log,
-			"evdev:%s: no such button: choose UP, DOWN, LEFT, "
-			"RIGHT, ENTER, F6, F8, F9 or F10",
+			"evdev:%s: no such button: choose UP, DOWN, LEFT, RIGHT, ENTER, F6, F8, F9 or F10",
 			text);
 		return -EINVAL;
 	}
 	code = find_code(text + length + (text[length] == '='));
 	if (code < 0) {
 		log_error(log,
-			"evdev:%s: no such key: want a name such as KEY_W, or "
-			"its number from 1 to 767 as evtest shows it",
+			"evdev:%s: no such key: give a name such as KEY_W, or a number from 1 to 767 that evtest shows",
 			text);
 		return -EINVAL;
 	}

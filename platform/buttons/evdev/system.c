@@ -26,7 +26,7 @@ static int describe(int fd, struct evdev_description *out)
 	if (ioctl(fd, EVIOCGNAME(sizeof(out->name) - 1), out->name) < 0) {
 		strcpy(out->name, "no name");
 	}
-	/* Without it the stamps are of the real-time clock, which will do. */
+	/* If it fails, the stamps are real time, which event_time.c handles. */
 	(void)ioctl(fd, EVIOCSCLOCKID, &clock);
 	return 0;
 }

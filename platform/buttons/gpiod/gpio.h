@@ -1,6 +1,6 @@
 /*
- * GPIO chips and lines, the same for every libgpiod: v1/ is built where the
- * library is 1.x, v2/ where it is 2.x (toolchain/sources.mk).
+ * GPIO chips and lines, with one interface for both versions of libgpiod:
+ * toolchain/sources.mk builds v1/ for libgpiod 1.x and v2/ for 2.x.
  *
  * Levels and edges are logical: an active-low line is active when it is low.
  */
@@ -27,17 +27,17 @@ struct gpio_settings {
 };
 
 struct gpio_edge {
-	int64_t stamp_ns; /* of the kernel, see event_time.h */
-	bool active;      /* what the line became */
+	int64_t stamp_ns; /* the kernel's time stamp, see event_time.h */
+	bool active;      /* the level after the edge */
 };
 
-/* Opens a device such as /dev/gpiochip0. 0 or -errno. */
+/* Opens a device such as /dev/gpiochip0. Returns 0 or -errno. */
 int gpio_chip_open(const char *path, struct gpio_chip **out);
 
-/* The lines of the chip must be released first. NULL is fine. */
+/* Closes a chip, whose lines must have been released. NULL is fine. */
 void gpio_chip_close(struct gpio_chip *chip);
 
-/* Both stay valid while the chip is open. */
+/* The strings stay valid while the chip is open. */
 const char *gpio_chip_label(const struct gpio_chip *chip);
 const char *gpio_chip_name(const struct gpio_chip *chip);
 
@@ -46,24 +46,21 @@ unsigned int gpio_chip_line_count(const struct gpio_chip *chip);
 /* The offset of the line of that name, or -1. */
 int gpio_chip_find(struct gpio_chip *chip, const char *name);
 
-/* Who has the line, "" when nobody or when it cannot be told. */
-void gpio_line_holder(
-	struct gpio_chip *chip, unsigned int offset, char *text, size_t size);
-
-/* What anybody may know of a line. */
+/* The state of a line, which can be read without requesting it. */
 struct gpio_line_info {
-	char name[64];   /* "" when it has none */
-	char holder[64]; /* "" when that cannot be told */
-	bool taken;
+	char name[64];     /* "" when it has none */
+	char consumer[64]; /* who uses it; "" when nobody does or it is unknown */
+	bool used;
 };
 
-/* Looks at a line without taking it. 0 or -errno. */
+/* Reads the state of a line. Returns 0 or -errno. */
 int gpio_line_get_info(struct gpio_chip *chip, unsigned int offset,
 	struct gpio_line_info *out);
 
 /*
- * Takes a line as an input that reports both edges. consumer is what other
- * programs see as its holder. 0 or -errno: -EBUSY when it is taken.
+ * Requests a line as an input that reports both edges. Other programs see
+ * consumer as the name of its user. Returns 0 or -errno; -EBUSY when the line
+ * is in use.
  */
 int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	const struct gpio_settings *settings, const char *consumer,
@@ -72,19 +69,19 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 /* NULL is fine. */
 void gpio_line_release(struct gpio_line *line);
 
-/* Readable when edges wait, for poll(). */
+/* A descriptor for poll(), readable when edges are waiting. */
 int gpio_line_fd(const struct gpio_line *line);
 
-/* 1 when active, 0 when not, or -errno. */
+/* Returns 1 when the line is active, 0 when it is not, or -errno. */
 int gpio_line_level(struct gpio_line *line);
 
 enum {
-	GPIO_EDGES_MAX = 16 /* as many as the kernel keeps of a line */
+	GPIO_EDGES_MAX = 16 /* the kernel buffers as many for a line */
 };
 
 /*
- * The edges that wait, oldest first; their number or -errno. Blocks when there
- * are none: poll first.
+ * Reads the waiting edges, the oldest first. Returns their number or -errno.
+ * Blocks when there are none, so poll gpio_line_fd() first.
  */
 int gpio_line_read(
 	struct gpio_line *line, struct gpio_edge edges[GPIO_EDGES_MAX]);

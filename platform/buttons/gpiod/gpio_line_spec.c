@@ -27,7 +27,7 @@ static bool read_number(const char *text, unsigned long most, unsigned int *out)
 	return true;
 }
 
-/* True when the word is one of the options, whatever its value. */
+/* True when the word is an option; *good is false when its value is wrong. */
 static bool read_option(
 	const char *word, struct gpio_line_spec *spec, bool *good)
 {
@@ -74,30 +74,28 @@ static bool copy_name(char *name, const char *word)
 	return true;
 }
 
-/* The words that are no options: CHIP OFFSET, CHIP NAME or NAME. NULL when
- * they are good, else what is wrong. */
-static const char *read_place(
+/* Reads the words before the options: CHIP OFFSET, CHIP NAME or NAME. Returns
+ * NULL, or what is wrong with them. */
+static const char *read_line_name(
 	struct gpio_line_spec *spec, const char *const *word, int count)
 {
-	static const char too_long[] = "a name of more than 63 characters";
+	static const char too_long[] = "a name may have at most 63 characters";
 	const char *line;
 
 	if (count == 0) {
 		return "the line is missing: give CHIP/LINE or a line's name";
 	}
 	if (count > 2) {
-		return "want CHIP/LINE or a line's name, then any of "
-		       "active-low, active-high, pull-up, pull-down, no-pull "
-		       "and debounce=MS";
+		return "give CHIP/LINE or a line's name, then any of active-low, active-high, pull-up, pull-down, no-pull and debounce=MS";
 	}
 	line = word[count - 1];
 	if (count == 2 && !copy_name(spec->chip, word[0])) {
 		return too_long;
 	}
 	if (read_number(line, 65535, &spec->offset)) {
-		return count == 2 ? NULL
-				  : "a number needs its chip: give CHIP/LINE "
-				    "with the chip's label";
+		return count == 2
+			? NULL
+			: "a number needs its chip: give CHIP/LINE with the chip's label";
 	}
 	return copy_name(spec->name, line) ? NULL : too_long;
 }
@@ -105,8 +103,8 @@ static const char *read_place(
 static const char *read_words(struct gpio_line_spec *spec, char *text)
 {
 	const char *space = strpbrk(text, " \t") ? " \t" : "/";
-	const char *place[3];
-	int places = 0;
+	const char *name[3];
+	int names = 0;
 	char *rest = text;
 
 	for (char *word = strtok_r(text, space, &rest); word;
@@ -115,13 +113,13 @@ static const char *read_words(struct gpio_line_spec *spec, char *text)
 
 		if (read_option(word, spec, &good)) {
 			if (!good) {
-				return "want debounce=MS, MS from 1 to 1000";
+				return "give debounce=MS with MS from 1 to 1000";
 			}
-		} else if (places < 3) {
-			place[places++] = word;
+		} else if (names < 3) {
+			name[names++] = word;
 		}
 	}
-	return read_place(spec, place, places);
+	return read_line_name(spec, name, names);
 }
 
 int gpio_line_spec_parse(
@@ -140,13 +138,12 @@ int gpio_line_spec_parse(
 	memcpy(copy, text, strlen(text) + 1);
 	equals = strchr(copy, '=');
 	if (!equals) {
-		wrong = "want BUTTON=CHIP/LINE";
+		wrong = "give BUTTON=CHIP/LINE";
 	} else {
 		*equals = '\0';
 		out->button = button_from_name(copy);
 		wrong = out->button == BUTTON_COUNT
-			? "no such button: choose UP, DOWN, LEFT, RIGHT, "
-			  "ENTER, F6, F8, F9 or F10"
+			? "no such button: choose UP, DOWN, LEFT, RIGHT, ENTER, F6, F8, F9 or F10"
 			: read_words(out, equals + 1);
 	}
 	if (wrong) {

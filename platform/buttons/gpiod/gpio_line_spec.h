@@ -1,5 +1,5 @@
 /*
- * The words that say which GPIO line a button is.
+ * The text that assigns a button to a GPIO line.
  */
 #ifndef PLATFORM_BUTTONS_GPIOD_GPIO_LINE_SPEC_H
 #define PLATFORM_BUTTONS_GPIOD_GPIO_LINE_SPEC_H
@@ -14,18 +14,19 @@ enum {
 
 struct gpio_line_spec {
 	enum button button;
-	char chip[GPIO_NAME_BYTES]; /* label or device name; "": any chip */
-	char name[GPIO_NAME_BYTES]; /* of the line; "": by offset */
+	char chip[GPIO_NAME_BYTES]; /* label or device name; "" for any chip */
+	char name[GPIO_NAME_BYTES]; /* the line's name; "" to use the offset */
 	unsigned int offset;
 	struct gpio_settings settings;
-	int debounce_ms; /* 0: the usual */
+	int debounce_ms; /* 0 for BUTTON_DEBOUNCE_MS */
 };
 
 /*
- * Reads "BUTTON=CHIP/OFFSET", "BUTTON=CHIP/NAME" or "BUTTON=NAME", any of
- * them followed by /active-low, /active-high, /pull-up, /pull-down, /no-pull
- * and /debounce=MS. Spaces part the words where there are any, so that names
- * may hold slashes. 0, or -EINVAL after a sentence.
+ * Reads "BUTTON=CHIP/OFFSET", "BUTTON=CHIP/NAME" or "BUTTON=NAME", each
+ * followed by any of /active-low, /active-high, /pull-up, /pull-down, /no-pull
+ * and /debounce=MS. A text with spaces is separated by them instead of slashes,
+ * so that names may contain slashes. Returns 0, or -EINVAL after logging an
+ * error.
  */
 int gpio_line_spec_parse(
 	const char *text, struct gpio_line_spec *out, const struct log *log);

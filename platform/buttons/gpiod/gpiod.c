@@ -24,7 +24,7 @@ enum {
 struct button_line {
 	struct gpio_line_spec spec;
 	struct gpio_line *line;
-	bool active; /* as last reported */
+	bool active; /* as in the last event */
 };
 
 struct button_source {
@@ -32,7 +32,7 @@ struct button_source {
 	struct gpio_chip *chip[CHIPS_MAX];
 	int chip_count;
 	struct button_line line[LINES_MAX];
-	struct pollfd fd[LINES_MAX]; /* fd -1: lost */
+	struct pollfd fd[LINES_MAX]; /* -1 for a line that was lost */
 	int line_count;
 	bool polled; /* polled_ms is set */
 	int64_t polled_ms;
@@ -59,8 +59,7 @@ static void open_chips(struct button_source *source)
 		device_access_report_denied(&source->log, denied);
 	} else if (source->chip_count == 0) {
 		log_warning(&source->log,
-			"/dev/gpiochip*: no GPIO chip on this machine: the "
-			"buttons of gpiod: do nothing");
+			"/dev/gpiochip*: no GPIO chip on this machine: its buttons do nothing");
 	}
 }
 
@@ -79,11 +78,11 @@ static void say_no_chip(
 		name_list_add(&labels, gpio_chip_label(source->chip[i]));
 	}
 	log_warning(&source->log,
-		"gpiod:%s: no chip is labelled %s: there are %s",
+		"gpiod:%s: no chip is labelled %s: choose one of %s",
 		button_name(spec->button), spec->chip, labels.text);
 }
 
-/* The offset on this chip, or -1. */
+/* The line's offset on this chip, or -1. */
 static int offset_on(struct gpio_chip *chip, const struct gpio_line_spec *spec)
 {
 	if (spec->name[0]) {
@@ -98,19 +97,18 @@ static void say_no_line(
 {
 	if (spec->name[0]) {
 		log_warning(&source->log,
-			"gpiod:%s: %s%s has no line named %s: gpioinfo lists "
-			"the names",
+			"gpiod:%s: %s%s has no line named %s: gpioinfo lists the names",
 			button_name(spec->button),
 			spec->chip[0] ? "chip " : "this machine", spec->chip,
 			spec->name);
 	} else {
 		log_warning(&source->log,
-			"gpiod:%s: chip %s has no line %u: it has fewer",
+			"gpiod:%s: chip %s has no line %u: choose a lower number",
 			button_name(spec->button), spec->chip, spec->offset);
 	}
 }
 
-/* The chip and offset of a line; NULL after a sentence. */
+/* Finds the chip and the offset of a line; NULL after logging a warning. */
 static struct gpio_chip *find_line(const struct button_source *source,
 	const struct gpio_line_spec *spec, unsigned int *offset)
 {
@@ -142,18 +140,17 @@ static void say_refused(const struct button_source *source,
 	const struct gpio_line_spec *spec, struct gpio_chip *chip,
 	unsigned int offset, int error)
 {
-	char holder[GPIO_NAME_BYTES];
-
 	if (error == -EBUSY) {
-		gpio_line_holder(chip, offset, holder, sizeof(holder));
+		struct gpio_line_info line = {.used = false};
+
+		(void)gpio_line_get_info(chip, offset, &line);
 		log_warning(&source->log,
-			"gpiod:%s: line %u of %s is taken by %s: free it or "
-			"choose another line",
-			button_name(spec->button), offset,
-			gpio_chip_label(chip), holder[0] ? holder : "a driver");
+			"gpiod:%s: line %u of %s is taken by %s: free it or choose another line",
+			button_name(spec->button), offset, gpio_chip_label(chip),
+			line.consumer[0] ? line.consumer : "a driver");
 	} else {
 		log_warning(&source->log,
-			"gpiod:%s: line %u of %s cannot be watched: %s",
+			"gpiod:%s: line %u of %s cannot be read: %s",
 			button_name(spec->button), offset,
 			gpio_chip_label(chip), strerror(-error));
 	}
@@ -187,7 +184,7 @@ static void open_line(
 	};
 }
 
-/* Reads all items into specs; their number or -EINVAL after a sentence. */
+/* Reads all items into specs. Their number, or -EINVAL after logging. */
 static int read_specs(const char *argument, struct gpio_line_spec *specs,
 	const struct log *log)
 {
@@ -200,8 +197,7 @@ static int read_specs(const char *argument, struct gpio_line_spec *specs,
 
 		if (count == LINES_MAX || length >= sizeof(item)) {
 			log_error(log,
-				"gpiod: more than %d lines, or one of more "
-				"than %zu characters",
+				"gpiod: give at most %d lines of at most %zu characters",
 				LINES_MAX, sizeof(item) - 1);
 			return -EINVAL;
 		}
@@ -216,7 +212,7 @@ static int read_specs(const char *argument, struct gpio_line_spec *specs,
 	}
 	if (count == 0) {
 		log_error(log,
-			"gpiod: no lines: give gpiod:BUTTON=CHIP/LINE,...");
+			"gpiod: the lines are missing: give gpiod:BUTTON=CHIP/LINE,...");
 		return -EINVAL;
 	}
 	return count;
@@ -269,7 +265,7 @@ static int gpiod_create(
 }
 
 _Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 1) <= BUTTON_BATCH_CAPACITY,
-	"room for all that the kernel keeps");
+	"a batch holds all edges that the kernel buffers");
 
 static void add_edge(
 	struct button_source *source, int line, int64_t time_ms, bool active)
@@ -288,7 +284,7 @@ static void lose_line(
 {
 	struct button_line *line = &source->line[index];
 
-	log_warning(&source->log, "gpiod:%s: its line is lost: %s",
+	log_warning(&source->log, "gpiod:%s: lost its GPIO line: %s",
 		button_name(line->spec.button), strerror(-error));
 	gpio_line_release(line->line);
 	line->line = NULL;
@@ -298,8 +294,10 @@ static void lose_line(
 	}
 }
 
-/* What waits of one line. Edges that the kernel had no room for, or that came
- * too fast for the controller, show in the level. */
+/*
+ * Reads the waiting edges of one line, then its level: the kernel's buffer may
+ * have overflowed, or the controller may have missed a short pulse.
+ */
 static void read_line(struct button_source *source, int index,
 	const struct event_clocks *clocks, int64_t now_ms)
 {
@@ -329,7 +327,7 @@ static void read_line(struct button_source *source, int index,
 	}
 }
 
-static void begin(struct button_source *source, int64_t now_ms,
+static void begin_polling(struct button_source *source, int64_t now_ms,
 	struct button_queue *queue)
 {
 	source->polled = true;
@@ -347,7 +345,7 @@ static void gpiod_poll(struct button_source *source, int64_t now_ms,
 	struct button_queue *queue)
 {
 	if (!source->polled) {
-		begin(source, now_ms, queue);
+		begin_polling(source, now_ms, queue);
 	}
 	if (source->line_count > 0 &&
 		poll(source->fd, (nfds_t)source->line_count, 0) > 0) {

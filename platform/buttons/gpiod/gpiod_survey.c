@@ -10,47 +10,47 @@ enum {
 	DEVICES_MAX = 128
 };
 
-static void say_line(const struct gpio_chip *chip, unsigned int offset,
+static void report_line(const struct gpio_chip *chip, unsigned int offset,
 	const struct gpio_line_info *line, const struct survey *survey)
 {
 	char subject[96];
-	const char *name = line->name[0] ? line->name : "no name";
+	const char *name = line->name[0] ? line->name : "line without a name";
 
 	snprintf(subject, sizeof(subject), "%s/%u", gpio_chip_label(chip),
 		offset);
-	if (line->taken) {
+	if (line->used) {
 		survey_report(survey, SURVEY_TAKEN, subject, NULL,
 			"%s: used by %s", name,
-			line->holder[0] ? line->holder : "a driver");
+			line->consumer[0] ? line->consumer : "a driver");
 	} else {
 		survey_report(
 			survey, SURVEY_WORKS, subject, NULL, "%s: free", name);
 	}
 }
 
-static void say_chip(struct gpio_chip *chip, const struct survey *survey)
+static void report_chip(struct gpio_chip *chip, const struct survey *survey)
 {
-	unsigned int count = gpio_chip_line_count(chip), taken = 0;
+	unsigned int count = gpio_chip_line_count(chip), used = 0;
 	struct gpio_line_info line;
 	char path[64];
 
 	for (unsigned int i = 0; i < count; i++) {
-		taken += gpio_line_get_info(chip, i, &line) == 0 && line.taken;
+		used += gpio_line_get_info(chip, i, &line) == 0 && line.used;
 	}
 	snprintf(path, sizeof(path), "/dev/%s", gpio_chip_name(chip));
 	survey_report(survey, SURVEY_WORKS, path, NULL,
 		"label %s, %u line%s, %u of them used", gpio_chip_label(chip),
-		count, count == 1 ? "" : "s", taken);
+		count, count == 1 ? "" : "s", used);
 	for (unsigned int i = 0; i < count; i++) {
 		if (gpio_line_get_info(chip, i, &line) == 0 &&
-			(line.taken || line.name[0])) {
-			say_line(chip, i, &line, survey);
+			(line.used || line.name[0])) {
+			report_line(chip, i, &line, survey);
 		}
 	}
 }
 
-/* Whether there was something to say of that chip. */
-static bool look_at(int number, const struct survey *survey)
+/* Reports the chip of that number; false when there is none. */
+static bool report_number(int number, const struct survey *survey)
 {
 	struct gpio_chip *chip;
 	char path[32], entry[64];
@@ -59,7 +59,7 @@ static bool look_at(int number, const struct survey *survey)
 	snprintf(path, sizeof(path), "/dev/gpiochip%d", number);
 	error = gpio_chip_open(path, &chip);
 	if (!error) {
-		say_chip(chip, survey);
+		report_chip(chip, survey);
 		gpio_chip_close(chip);
 	} else if (error == -EACCES || error == -EPERM) {
 		survey_report_denied(survey, path);
@@ -70,7 +70,8 @@ static bool look_at(int number, const struct survey *survey)
 	} else {
 		survey_report(survey, SURVEY_BROKEN, path,
 			"enable CONFIG_GPIO_CDEV in the kernel",
-			"does not answer as a GPIO chip: %s", strerror(-error));
+			"it does not answer as a GPIO chip: %s",
+			strerror(-error));
 	}
 	return true;
 }
@@ -80,12 +81,11 @@ void gpiod_survey(const struct survey *survey)
 	bool any = false;
 
 	for (int i = 0; i < DEVICES_MAX; i++) {
-		any = look_at(i, survey) || any;
+		any = report_number(i, survey) || any;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/gpiochip*",
-			"on a board, enable its GPIO driver and "
-			"CONFIG_GPIO_CDEV; elsewhere --buttons evdev does",
-			"no GPIO chip");
+			"on a board, enable its GPIO driver and CONFIG_GPIO_CDEV; elsewhere use --buttons evdev",
+			"there is no GPIO chip");
 	}
 }

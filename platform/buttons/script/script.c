@@ -1,5 +1,6 @@
 /*
- * Buttons from a file: a line is "TIME_MS BUTTON down|up", # begins a comment.
+ * Buttons from a file with lines "TIME_MS BUTTON down|up". A # begins a
+ * comment.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -8,17 +9,17 @@
 
 #include "platform/buttons/buttons.h"
 
-/* A hundred days; keeps sums of times far from overflow. */
+/* A hundred days, so that sums of times cannot overflow. */
 #define TIME_MAX_MS INT64_C(8640000000)
 
 struct button_source {
 	struct button_event *event;
-	int count, room;
-	int next; /* the first that was not pushed yet */
+	int count, capacity;
+	int next; /* the first event that has not been pushed */
 };
 
-/* Where in the file we are, for sentences. */
-struct place {
+/* The current line of the file, for messages. */
+struct position {
 	const char *path;
 	int line;
 	const struct log *log;
@@ -33,26 +34,26 @@ static void script_destroy(struct button_source *script)
 }
 
 static int append(struct button_source *script, struct button_event event,
-	const struct place *place)
+	const struct position *at)
 {
-	if (script->count == script->room) {
-		int room = script->room ? 2 * script->room : 64;
-		struct button_event *grown =
-			realloc(script->event, (size_t)room * sizeof(*grown));
+	if (script->count == script->capacity) {
+		int capacity = script->capacity ? 2 * script->capacity : 64;
+		struct button_event *grown = realloc(
+			script->event, (size_t)capacity * sizeof(*grown));
 
 		if (!grown) {
-			log_error(place->log, "%s: out of memory", place->path);
+			log_error(at->log, "%s: out of memory", at->path);
 			return -ENOMEM;
 		}
 		script->event = grown;
-		script->room = room;
+		script->capacity = capacity;
 	}
 	script->event[script->count++] = event;
 	return 0;
 }
 
 static int read_time(const char *word, int64_t earliest_ms, int64_t *out,
-	const struct place *at)
+	const struct position *at)
 {
 	char *end;
 	long long value;
@@ -61,15 +62,13 @@ static int read_time(const char *word, int64_t earliest_ms, int64_t *out,
 	value = strtoll(word, &end, 10);
 	if (*end || end == word || errno || value < 0 || value > TIME_MAX_MS) {
 		log_error(at->log,
-			"%s:%d: \"%s\" is no time in milliseconds (a whole "
-			"number from 0 on)",
+			"%s:%d: \"%s\" is no time: give milliseconds as a whole number from 0 on",
 			at->path, at->line, word);
 		return -EINVAL;
 	}
 	if (value < earliest_ms) {
 		log_error(at->log,
-			"%s:%d: time %lld is before the line above's %lld: put "
-			"the lines in order",
+			"%s:%d: time %lld is before %lld of an earlier line: put the lines in order of time",
 			at->path, at->line, value, (long long)earliest_ms);
 		return -EINVAL;
 	}
@@ -78,20 +77,19 @@ static int read_time(const char *word, int64_t earliest_ms, int64_t *out,
 }
 
 static int read_button(
-	const char *word, enum button *out, const struct place *at)
+	const char *word, enum button *out, const struct position *at)
 {
 	*out = button_from_name(word);
 	if (*out == BUTTON_COUNT) {
 		log_error(at->log,
-			"%s:%d: \"%s\" is no button: choose UP, DOWN, LEFT, "
-			"RIGHT, ENTER, F6, F8, F9 or F10",
+			"%s:%d: \"%s\" is no button: choose UP, DOWN, LEFT, RIGHT, ENTER, F6, F8, F9 or F10",
 			at->path, at->line, word);
 		return -EINVAL;
 	}
 	return 0;
 }
 
-static int read_state(const char *word, bool *out, const struct place *at)
+static int read_state(const char *word, bool *out, const struct position *at)
 {
 	*out = strcmp(word, "down") == 0;
 	if (!*out && strcmp(word, "up") != 0) {
@@ -103,7 +101,7 @@ static int read_state(const char *word, bool *out, const struct place *at)
 }
 
 static int read_line(
-	struct button_source *script, char *line, const struct place *at)
+	struct button_source *script, char *line, const struct position *at)
 {
 	static const char space[] = " \t\r\n";
 	int64_t earliest_ms =
@@ -121,7 +119,8 @@ static int read_line(
 		return 0;
 	}
 	if (!word[2] || word[3]) {
-		log_error(at->log, "%s:%d: a line is TIME_MS BUTTON down|up",
+		log_error(at->log,
+			"%s:%d: a line must have the form TIME_MS BUTTON down|up",
 			at->path, at->line);
 		return -EINVAL;
 	}
@@ -131,13 +130,14 @@ static int read_line(
 	return error ? error : append(script, event, at);
 }
 
-static int read_file(struct button_source *script, FILE *file, struct place *at)
+static int read_file(
+	struct button_source *script, FILE *file, struct position *at)
 {
 	char *line = NULL;
-	size_t room = 0;
+	size_t size = 0;
 	int error = 0;
 
-	while (!error && getline(&line, &room, file) >= 0) {
+	while (!error && getline(&line, &size, file) >= 0) {
 		at->line++;
 		error = read_line(script, line, at);
 	}
@@ -153,13 +153,14 @@ static int read_file(struct button_source *script, FILE *file, struct place *at)
 static int script_create(
 	const char *argument, const struct log *log, struct button_source **out)
 {
-	struct place at = {.path = argument, .log = log};
+	struct position at = {.path = argument, .log = log};
 	struct button_source *script = NULL;
 	FILE *file;
 	int error;
 
 	if (!argument || !argument[0]) {
-		log_error(log, "--buttons script: no file: give script:FILE");
+		log_error(log,
+			"--buttons script: the file is missing: give script:FILE");
 		return -EINVAL;
 	}
 	file = fopen(argument, "r");

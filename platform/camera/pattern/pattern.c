@@ -186,8 +186,7 @@ static int check(const struct camera_options *options)
 	if (options->format &&
 		camera_format_find(options->format) == CAMERA_FORMATS) {
 		log_error(log,
-			"--camera pattern: no format %s: want rgb565, uyvy, "
-			"yuyv, nv12, yuv420, rgb24 or bgr24",
+			"--camera pattern: no format %s: want rgb565, uyvy, yuyv, nv12, yuv420, rgb24 or bgr24",
 			options->format);
 		return -EINVAL;
 	}

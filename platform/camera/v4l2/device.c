@@ -70,8 +70,7 @@ static int open_path(struct v4l2_device *device, const char *path)
 		error = check_capabilities(device);
 		if (error == -ENOTTY || error == -EINVAL) {
 			snprintf(device->reason, sizeof(device->reason),
-				"it captures no video into mapped buffers: "
-				"choose another");
+				"it captures no video into mapped buffers: choose another");
 			return error;
 		}
 		return error ? fail(device, error, "cannot ask what it is") : 0;
@@ -106,8 +105,7 @@ static int lay_out(struct v4l2_device *device)
 	if (error) {
 		v4l2_format_text(device->answer.fmt.pix.pixelformat, text);
 		snprintf(device->reason, sizeof(device->reason),
-			"its format %s needs libv4lconvert (%s): install "
-			"libv4lconvert0",
+			"its format %s needs libv4lconvert (%s): install libv4lconvert0",
 			text, error == -ENOENT ? "not found" : strerror(-error));
 		return error;
 	}

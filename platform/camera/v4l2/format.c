@@ -172,8 +172,7 @@ static int refuse(struct v4l2_device *device,
 			"it does not deliver %s: leave the format out", text);
 	} else {
 		snprintf(device->reason, sizeof(device->reason),
-			"it has no format of single-planar video: choose "
-			"another camera");
+			"it has no format of single-planar video: choose another camera");
 	}
 	return error;
 }
@@ -190,8 +189,7 @@ int v4l2_format_negotiate(
 	if (pix->width < 1 || pix->width > CAMERA_SIDE_MAX || pix->height < 1 ||
 		pix->height > CAMERA_SIDE_MAX || pix->bytesperline > 65536) {
 		snprintf(device->reason, sizeof(device->reason),
-			"pictures of %u x %u in rows of %u bytes: want sides "
-			"up to %d",
+			"pictures of %u x %u in rows of %u bytes: want sides up to %d",
 			pix->width, pix->height, pix->bytesperline,
 			CAMERA_SIDE_MAX);
 		return -EINVAL;

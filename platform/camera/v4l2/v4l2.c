@@ -299,9 +299,7 @@ static int read_request(
 		out->fourcc = v4l2_format_find(options->format);
 		if (!out->fourcc) {
 			log_error(options->log,
-				"--camera: no format %s: want rgb565, uyvy, "
-				"yuyv, nv12, yuv420, rgb24, bgr24 or a code "
-				"of four letters such as mjpg",
+				"--camera: no format %s: want rgb565, uyvy, yuyv, nv12, yuv420, rgb24, bgr24 or a code of four letters such as mjpg",
 				options->format);
 			return -EINVAL;
 		}
@@ -382,8 +380,7 @@ static void tell_news(struct camera_source *source, const struct news *news)
 	}
 	if (news->silent) {
 		log_warning(&source->log,
-			"camera %s: no picture for %d s; it goes on without "
-			"and tries again",
+			"camera %s: no picture for %d s; it goes on without and tries again",
 			news->name, V4L2_SILENCE_MS / 1000);
 	}
 	if (news->back) {

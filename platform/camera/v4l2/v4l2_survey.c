@@ -187,7 +187,7 @@ static bool write_formats(const struct view *view, char *text, size_t size)
 	return any;
 }
 
-static void say_camera(
+static void report_camera(
 	const char *path, const struct view *view, const struct survey *survey)
 {
 	char formats[FORMATS_MAX * 8];
@@ -199,8 +199,7 @@ static void say_camera(
 
 	if (!captures(view)) {
 		survey_report(survey, SURVEY_UNUSED, path, NULL,
-			"%.*s, driver %.*s: captures no video into mapped "
-			"buffers",
+			"%.*s, driver %.*s: captures no video into mapped buffers",
 			card_room, card, driver_room, driver);
 		return;
 	}
@@ -216,7 +215,7 @@ static void say_camera(
 		view->format_count ? formats : " lists no formats");
 }
 
-static void say_error(const char *path, int error, const struct survey *survey)
+static void report_error(const char *path, int error, const struct survey *survey)
 {
 	char remedy[V4L2_PATH_BYTES + 32];
 
@@ -228,13 +227,11 @@ static void say_error(const char *path, int error, const struct survey *survey)
 			"another program is using it");
 	} else if (error == -ETIMEDOUT) {
 		survey_report(survey, SURVEY_BROKEN, path,
-			"dmesg | tail tells what its driver waits for; limber "
-			"plays on while it does",
+			"dmesg | tail tells what its driver waits for; limber plays on while it does",
 			"its driver does not answer within %d ms", PATIENCE_MS);
 	} else {
 		survey_report(survey, SURVEY_BROKEN, path,
-			"unplug it and plug it in again; dmesg | tail tells "
-			"more",
+			"unplug it and plug it in again; dmesg | tail tells more",
 			"%s", strerror(-error));
 	}
 }
@@ -256,9 +253,9 @@ static bool look_at_number(
 		return survey_report_no_node(survey, path, entry, error);
 	}
 	if (error) {
-		say_error(path, error, survey);
+		report_error(path, error, survey);
 	} else {
-		say_camera(path, &view, survey);
+		report_camera(path, &view, survey);
 	}
 	return true;
 }
@@ -272,8 +269,7 @@ void v4l2_survey_on(const struct v4l2_calls *calls, const struct survey *survey)
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/video*",
-			"plug one in (sudo modprobe uvcvideo), or use the "
-			"moving pattern: --camera pattern",
+			"plug one in (sudo modprobe uvcvideo), or use the moving pattern: --camera pattern",
 			"no camera");
 	}
 }

@@ -37,8 +37,7 @@ static int egl_create(
 
 	if (options->device && !read_window(options->device, &window)) {
 		log_error(options->log,
-			"--display egl:%s: want the native window's number, "
-			"such as 0x1e00003, or nothing for all of the screen",
+			"--display egl:%s: want the native window's number, such as 0x1e00003, or nothing for all of the screen",
 			options->device);
 		return -EINVAL;
 	}

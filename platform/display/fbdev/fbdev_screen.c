@@ -21,8 +21,7 @@ static int failed(const struct fbdev_screen *screen, const char *what)
 	int error = errno ? errno : EIO;
 
 	log_error(&screen->log,
-		"--display fbdev: %s: %s: %s: name another with --display "
-		"fbdev:/dev/fbN, or choose another --display",
+		"--display fbdev: %s: %s: %s: name another with --display fbdev:/dev/fbN, or choose another --display",
 		screen->path, what, strerror(error));
 	return -error;
 }
@@ -30,8 +29,7 @@ static int failed(const struct fbdev_screen *screen, const char *what)
 static int refused(const struct fbdev_screen *screen, const char *why)
 {
 	log_error(&screen->log,
-		"--display fbdev: %s: %s: set another mode with fbset, or "
-		"choose another --display",
+		"--display fbdev: %s: %s: set another mode with fbset, or choose another --display",
 		screen->path, why);
 	return -ENOTSUP;
 }
@@ -44,16 +42,13 @@ static int open_device(struct fbdev_screen *screen)
 	}
 	if (errno == EACCES || errno == EPERM) {
 		log_error(&screen->log,
-			"--display fbdev: %s: no permission: run as root, or "
-			"join the group that owns it (usually video)",
+			"--display fbdev: %s: no permission: run as root, or join the group that owns it (usually video)",
 			screen->path);
 		return -EACCES;
 	}
 	if (errno == ENOENT || errno == ENODEV || errno == ENXIO) {
 		log_error(&screen->log,
-			"--display fbdev: %s: this machine has no such "
-			"framebuffer: load its driver, name another with "
-			"--display fbdev:/dev/fbN, or choose another --display",
+			"--display fbdev: %s: this machine has no such framebuffer: load its driver, name another with --display fbdev:/dev/fbN, or choose another --display",
 			screen->path);
 		return -ENODEV;
 	}

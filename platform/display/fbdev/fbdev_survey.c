@@ -28,7 +28,7 @@ static void describe_layout(
 	}
 }
 
-static void say_screen(const struct device_calls *calls,
+static void report_screen(const struct device_calls *calls,
 	const struct fbdev_screen *screen, const struct survey *survey)
 {
 	uint64_t page =
@@ -64,7 +64,7 @@ static bool look_at(const struct device_calls *calls, int number,
 	snprintf(path, sizeof(path), "/dev/fb%d", number);
 	error = fbdev_screen_inspect(&screen, calls, path, &log);
 	if (!error) {
-		say_screen(calls, &screen, survey);
+		report_screen(calls, &screen, survey);
 	} else if (error == -EACCES) {
 		survey_report_denied(survey, path);
 	} else if (error == -ENODEV) {
@@ -87,8 +87,7 @@ void fbdev_survey_on(
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/fb*",
-			"load the screen's driver: sudo modprobe DRIVER, or "
-			"use kms",
+			"load the screen's driver: sudo modprobe DRIVER, or use kms",
 			"no framebuffer");
 	}
 }

@@ -38,8 +38,7 @@ static void write_header(const struct image_writer *y4m, double rate_hz)
 		below = 1001;
 	}
 	fprintf(output_file_stream(y4m->output),
-		"YUV4MPEG2 W%d H%d F%d:%d Ip A1:1 C420jpeg XYSCSS=420JPEG "
-		"XCOLORRANGE=LIMITED\n",
+		"YUV4MPEG2 W%d H%d F%d:%d Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n",
 		y4m->width, y4m->height, above, below);
 }
 

@@ -33,8 +33,7 @@ static int failed(const struct card *card, const char *what)
 	int error = errno ? errno : EIO;
 
 	log_error(&card->log,
-		"--display kms: %s: %s: %s: name another with --display "
-		"kms:/dev/dri/cardN, or choose another --display",
+		"--display kms: %s: %s: %s: name another with --display kms:/dev/dri/cardN, or choose another --display",
 		card->path, what, strerror(error));
 	return -error;
 }

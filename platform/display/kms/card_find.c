@@ -135,15 +135,12 @@ static int say_not_open(const char *path, int error, const struct log *log)
 {
 	if (error == EACCES || error == EPERM) {
 		log_error(log,
-			"--display kms: %s: no permission: run as root, or "
-			"join the group that owns it (usually video)",
+			"--display kms: %s: no permission: run as root, or join the group that owns it (usually video)",
 			path);
 		return -EACCES;
 	}
 	log_error(log,
-		"--display kms: %s: %s: load the screen's driver, name "
-		"another with --display kms:/dev/dri/cardN, or choose another "
-		"--display",
+		"--display kms: %s: %s: load the screen's driver, name another with --display kms:/dev/dri/cardN, or choose another --display",
 		path, strerror(error));
 	return -error;
 }
@@ -168,8 +165,7 @@ static int try_card(struct card *card, const char *path,
 	if (missing) {
 		device->close(card->fd);
 		log_error(log,
-			"--display kms: %s: %s: name another with --display "
-			"kms:/dev/dri/cardN, or choose another --display",
+			"--display kms: %s: %s: name another with --display kms:/dev/dri/cardN, or choose another --display",
 			path, missing);
 		return -ENODEV;
 	}

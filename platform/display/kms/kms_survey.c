@@ -26,7 +26,7 @@ static const drmModeModeInfo *own_mode(drmModeConnectorPtr connector)
 	return &connector->modes[0];
 }
 
-static void say_screen(const struct card *card, drmModeResPtr resources,
+static void report_screen(const struct card *card, drmModeResPtr resources,
 	drmModeConnectorPtr connector, const struct survey *survey)
 {
 	const char *kind =
@@ -52,7 +52,7 @@ static void say_screen(const struct card *card, drmModeResPtr resources,
 	}
 }
 
-static void say_screens(const struct card *card, drmModeResPtr resources,
+static void report_screens(const struct card *card, drmModeResPtr resources,
 	const struct survey *survey)
 {
 	int at = 0;
@@ -65,21 +65,20 @@ static void say_screens(const struct card *card, drmModeResPtr resources,
 		if (!connector) {
 			break;
 		}
-		say_screen(card, resources, connector, survey);
+		report_screen(card, resources, connector, survey);
 		card->calls->free_connector(connector);
 		any = true;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, card->path,
-			"connect a screen: cat /sys/class/drm/*/status tells "
-			"what is seen",
+			"connect a screen: cat /sys/class/drm/*/status tells what is seen",
 			"no screen on its %d connector%s",
 			resources->count_connectors,
 			resources->count_connectors == 1 ? "" : "s");
 	}
 }
 
-static void say_card(const struct card *card, const struct survey *survey)
+static void report_card(const struct card *card, const struct survey *survey)
 {
 	const struct kms_calls *calls = card->calls;
 	drmModeResPtr resources;
@@ -96,7 +95,7 @@ static void say_card(const struct card *card, const struct survey *survey)
 		survey_report(survey, SURVEY_BROKEN, card->path, elsewhere,
 			"it has no buffers that the processor could draw into");
 	} else {
-		say_screens(card, resources, survey);
+		report_screens(card, resources, survey);
 	}
 	calls->free_resources(resources);
 }
@@ -112,7 +111,7 @@ static bool look_at(
 	snprintf(card.path, sizeof(card.path), "/dev/dri/card%d", number);
 	card.fd = calls->device->open(card.path, O_RDWR | O_CLOEXEC);
 	if (card.fd >= 0) {
-		say_card(&card, survey);
+		report_card(&card, survey);
 		calls->device->close(card.fd);
 		return true;
 	}
@@ -134,9 +133,7 @@ void kms_survey_on(const struct kms_calls *calls, const struct survey *survey)
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/dri/card*",
-			"load the screen's driver: sudo modprobe DRIVER (lspci "
-			"-k or the board's device tree names it), or use a "
-			"framebuffer",
+			"load the screen's driver: sudo modprobe DRIVER (lspci -k or the board's device tree names it), or use a framebuffer",
 			"no graphics card that the kernel drives");
 	}
 }

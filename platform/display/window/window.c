@@ -66,8 +66,7 @@ static bool is_seen(void)
 static int failed(const struct display *display, const char *what)
 {
 	log_error(&display->log,
-		"--display window: %s: %s: choose another --display, or write "
-		"a file with limber render",
+		"--display window: %s: %s: choose another --display, or write a file with limber render",
 		what, SDL_GetError());
 	return -EIO;
 }
@@ -146,9 +145,7 @@ static int window_create(
 	if (!window_probe()) {
 		/* SDL would find a driver that nobody sees. */
 		log_error(&display->log,
-			"--display window: no desktop to open it on: DISPLAY "
-			"and WAYLAND_DISPLAY are not set: write a file with "
-			"limber render");
+			"--display window: no desktop to open it on: DISPLAY and WAYLAND_DISPLAY are not set: write a file with limber render");
 		free(display);
 		return -ENODEV;
 	}
@@ -163,9 +160,7 @@ static int window_create(
 	}
 	if (!is_seen()) {
 		log_error(&display->log,
-			"--display window: no desktop answers where DISPLAY "
-			"and WAYLAND_DISPLAY say: start limber in a terminal "
-			"of the desktop, or write a file with limber render");
+			"--display window: no desktop answers where DISPLAY and WAYLAND_DISPLAY say: start limber in a terminal of the desktop, or write a file with limber render");
 		window_destroy(display);
 		return -ENODEV;
 	}

@@ -87,7 +87,7 @@ static bool is_here(const char *host, size_t length)
 }
 
 /* "HOST:NUMBER.SCREEN", HOST empty or unix for a socket with a name. */
-static void say_x(const char *display, const struct survey *survey)
+static void report_x(const char *display, const struct survey *survey)
 {
 	static const char remedy[] =
 		"set DISPLAY to that of a running desktop: export DISPLAY=:0";
@@ -126,7 +126,7 @@ static void say_x(const char *display, const struct survey *survey)
 }
 
 /* Pictures are copied, which takes X11: a Wayland desktop's Xwayland. */
-static void say_wayland(const char *display, const struct survey *survey)
+static void report_wayland(const char *display, const struct survey *survey)
 {
 	const char *folder = getenv("XDG_RUNTIME_DIR");
 	char name[256];
@@ -160,13 +160,12 @@ void window_survey(const struct survey *survey)
 		survey_report(survey, SURVEY_WORKS, "window", NULL,
 			"SDL_VIDEODRIVER=%s", driver);
 	} else if (x && x[0]) {
-		say_x(x, survey);
+		report_x(x, survey);
 	} else if (wayland && wayland[0]) {
-		say_wayland(wayland, survey);
+		report_wayland(wayland, survey);
 	} else {
 		survey_report(survey, SURVEY_MISSING, "window",
-			"start limber in a terminal of the desktop, or export "
-			"DISPLAY=:0",
+			"start limber in a terminal of the desktop, or export DISPLAY=:0",
 			"no desktop: DISPLAY and WAYLAND_DISPLAY are not set");
 	}
 }

@@ -88,8 +88,7 @@ static int open_context(
 		gl, gl_slots, gl_slot_count, egl_get_function, &gles1->egl);
 	if (missing) {
 		log_error(&gles1->log,
-			"--gl gles1: the machine's OpenGL ES has no %s: choose "
-			"another --gl",
+			"--gl gles1: the machine's OpenGL ES has no %s: choose another --gl",
 			missing);
 		return -ENOSYS;
 	}
@@ -186,8 +185,7 @@ static int gles1_begin_frame(
 	}
 	if (target->format != gles1->format) {
 		log_error(&gles1->log,
-			"--gl gles1: cannot draw into a picture of another "
-			"format than the context's");
+			"--gl gles1: cannot draw into a picture of another format than the context's");
 		return -EINVAL;
 	}
 	gles1->target = *target;

@@ -47,8 +47,7 @@ static void *open_library(const char *asked, const char *variable,
 		library = gl_library_open(named, &why);
 		if (!library) {
 			log_error(log,
-				"--gl gles1: the library that %s names does "
-				"not open: %s",
+				"--gl gles1: the library that %s names does not open: %s",
 				asked ? "an option" : variable, why);
 		}
 		return library;
@@ -56,9 +55,7 @@ static void *open_library(const char *asked, const char *variable,
 	library = gl_library_open(usual, &why);
 	if (!library) {
 		log_error(log,
-			"--gl gles1: no %s on this machine (%s): install "
-			"Debian's %s, name the vendor's in %s, or choose "
-			"another --gl",
+			"--gl gles1: no %s on this machine (%s): install Debian's %s, name the vendor's in %s, or choose another --gl",
 			usual[0], why, package, variable);
 	}
 	return library;
@@ -86,8 +83,7 @@ static int open_libraries(struct egl *egl, const struct gl_request *request)
 		gl_library_find, library);
 	if (missing) {
 		log_error(&egl->log,
-			"--gl gles1: the machine's EGL has no %s: choose "
-			"another --gl",
+			"--gl gles1: the machine's EGL has no %s: choose another --gl",
 			missing);
 		return -ENOSYS;
 	}
@@ -144,16 +140,13 @@ static int open_display(struct egl *egl, const struct gl_request *request)
 	if ((request->surface || !initialize(egl, get_surfaceless_display(api))) &&
 		!initialize(egl, api->GetDisplay(EGL_DEFAULT_DISPLAY))) {
 		log_error(&egl->log,
-			"--gl gles1: EGL opens no display (error 0x%x): "
-			"install Debian's libegl-mesa0 and libgl1-mesa-dri, or "
-			"choose another --gl",
+			"--gl gles1: EGL opens no display (error 0x%x): install Debian's libegl-mesa0 and libgl1-mesa-dri, or choose another --gl",
 			(unsigned int)api->GetError());
 		return -ENODEV;
 	}
 	if (api->BindAPI && !api->BindAPI(EGL_OPENGL_ES_API)) {
 		log_error(&egl->log,
-			"--gl gles1: this EGL has no OpenGL ES: choose another "
-			"--gl");
+			"--gl gles1: this EGL has no OpenGL ES: choose another --gl");
 		return -ENODEV;
 	}
 	return 0;
@@ -237,8 +230,7 @@ static int choose_config(struct egl *egl, const struct gl_request *request)
 
 	if (count == 0) {
 		log_error(&egl->log,
-			"--gl gles1: this EGL has no configuration for OpenGL "
-			"ES 1.1 with 16 bits of depth: choose another --gl");
+			"--gl gles1: this EGL has no configuration for OpenGL ES 1.1 with 16 bits of depth: choose another --gl");
 		return -ENODEV;
 	}
 	for (int i = 0; i < count; i++) {
@@ -250,8 +242,7 @@ static int choose_config(struct egl *egl, const struct gl_request *request)
 		}
 	}
 	log_error(&egl->log,
-		"--display egl: EGL cannot draw on window %#lx (error 0x%x): "
-		"name another with --display egl:NUMBER",
+		"--display egl: EGL cannot draw on window %#lx (error 0x%x): name another with --display egl:NUMBER",
 		(unsigned long)request->surface->window,
 		(unsigned int)egl->api.GetError());
 	return -EIO;
@@ -266,9 +257,7 @@ static int open_context(struct egl *egl)
 		EGL_NO_CONTEXT, egl->api.BindAPI ? version_1 : NULL);
 	if (egl->context == EGL_NO_CONTEXT) {
 		log_error(&egl->log,
-			"--gl gles1: this EGL makes no OpenGL ES 1 context "
-			"(error 0x%x; Debian 13's Mesa is built without it): "
-			"choose another --gl",
+			"--gl gles1: this EGL makes no OpenGL ES 1 context (error 0x%x; Debian 13's Mesa is built without it): choose another --gl",
 			(unsigned int)egl->api.GetError());
 		return -ENODEV;
 	}
@@ -303,8 +292,7 @@ int egl_find_screen(const struct gl_request *request)
 	error = error ? error : open_display(&egl, &wanted);
 	if (!error && list_configs(&egl, &wanted, configs) == 0) {
 		log_error(&egl.log,
-			"--display egl: this EGL has no screen and no windows "
-			"for OpenGL ES 1.1: choose another --display");
+			"--display egl: this EGL has no screen and no windows for OpenGL ES 1.1: choose another --display");
 		error = -ENODEV;
 	}
 	egl_close(&egl);
@@ -316,8 +304,7 @@ int egl_make_current(struct egl *egl)
 	if (!egl->api.MakeCurrent(
 		    egl->display, egl->surface, egl->surface, egl->context)) {
 		log_error(&egl->log,
-			"--gl gles1: EGL cannot make the context current "
-			"(error 0x%x)",
+			"--gl gles1: EGL cannot make the context current (error 0x%x)",
 			(unsigned int)egl->api.GetError());
 		return -EIO;
 	}
@@ -334,8 +321,7 @@ int egl_set_pbuffer(struct egl *egl, int width, int height)
 
 	if (new == EGL_NO_SURFACE) {
 		log_error(&egl->log,
-			"--gl gles1: EGL makes no pbuffer of %dx%d (error "
-			"0x%x)",
+			"--gl gles1: EGL makes no pbuffer of %dx%d (error 0x%x)",
 			width, height, (unsigned int)egl->api.GetError());
 		return -EIO;
 	}

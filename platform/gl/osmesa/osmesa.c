@@ -80,8 +80,7 @@ static int load_functions(struct osmesa_context *osmesa)
 	library = gl_library_open(names, &why);
 	if (!library) {
 		log_error(&osmesa->log,
-			"--gl osmesa: no libOSMesa.so.8 on this machine (%s): "
-			"install Debian's libosmesa6, or choose another --gl",
+			"--gl osmesa: no libOSMesa.so.8 on this machine (%s): install Debian's libosmesa6, or choose another --gl",
 			why);
 		return -ENOENT;
 	}
@@ -98,8 +97,7 @@ static int load_functions(struct osmesa_context *osmesa)
 	}
 	if (missing) {
 		log_error(&osmesa->log,
-			"--gl osmesa: the machine's libOSMesa has no %s: "
-			"choose another --gl",
+			"--gl osmesa: the machine's libOSMesa has no %s: choose another --gl",
 			missing);
 		return -ENOSYS;
 	}
@@ -131,8 +129,7 @@ static int open_context(struct osmesa_context *osmesa)
 		!make_current(osmesa, osmesa->scratch, SCRATCH_SIZE,
 			SCRATCH_SIZE, SCRATCH_SIZE)) {
 		log_error(&osmesa->log,
-			"--gl osmesa: the library makes no context for %s "
-			"pictures: choose another --gl",
+			"--gl osmesa: the library makes no context for %s pictures: choose another --gl",
 			osmesa->format == PIXELS_RGB565 ? "RGB565" : "RGBA8888");
 		return -EIO;
 	}
@@ -198,8 +195,7 @@ static int osmesa_begin_frame(
 	if (target->format != osmesa->format ||
 		target->stride_bytes % pixel != 0) {
 		log_error(&osmesa->log,
-			"--gl osmesa: cannot draw into a picture of another "
-			"format than the context's");
+			"--gl osmesa: cannot draw into a picture of another format than the context's");
 		return -EINVAL;
 	}
 	if (!make_current(osmesa, target->data, target->width, target->height,

@@ -1,5 +1,5 @@
 /*
- * libgpiod 1.x. Its lines belong to their chip.
+ * gpio.h for libgpiod 1.x, where lines are owned by their chip.
  */
 #include "platform/buttons/gpiod/gpio.h"
 
@@ -10,13 +10,13 @@
 
 #include "platform/base/compiler.h"
 
-/* The library's own struct under the name of the seam. */
-static struct gpiod_chip *inside(const struct gpio_chip *chip)
+/* struct gpio_chip and gpio_line stand for the library's own structs. */
+static struct gpiod_chip *to_chip(const struct gpio_chip *chip)
 {
 	return (struct gpiod_chip *)chip;
 }
 
-static struct gpiod_line *inside_line(const struct gpio_line *line)
+static struct gpiod_line *to_line(const struct gpio_line *line)
 {
 	return (struct gpiod_line *)line;
 }
@@ -40,59 +40,47 @@ int gpio_chip_open(const char *path, struct gpio_chip **out)
 void gpio_chip_close(struct gpio_chip *chip)
 {
 	if (chip) {
-		gpiod_chip_close(inside(chip));
+		gpiod_chip_close(to_chip(chip));
 	}
 }
 
 const char *gpio_chip_label(const struct gpio_chip *chip)
 {
-	return gpiod_chip_label(inside(chip));
+	return gpiod_chip_label(to_chip(chip));
 }
 
 const char *gpio_chip_name(const struct gpio_chip *chip)
 {
-	return gpiod_chip_name(inside(chip));
+	return gpiod_chip_name(to_chip(chip));
 }
 
 unsigned int gpio_chip_line_count(const struct gpio_chip *chip)
 {
-	return gpiod_chip_num_lines(inside(chip));
+	return gpiod_chip_num_lines(to_chip(chip));
 }
 
 int gpio_chip_find(struct gpio_chip *chip, const char *name)
 {
-	struct gpiod_line *line = gpiod_chip_find_line(inside(chip), name);
+	struct gpiod_line *line = gpiod_chip_find_line(to_chip(chip), name);
 
 	return line ? (int)gpiod_line_offset(line) : -1;
-}
-
-void gpio_line_holder(
-	struct gpio_chip *chip, unsigned int offset, char *text, size_t size)
-{
-	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
-	const char *holder = NULL;
-
-	if (line && gpiod_line_update(line) == 0 && gpiod_line_is_used(line)) {
-		holder = gpiod_line_consumer(line);
-	}
-	snprintf(text, size, "%s", holder ? holder : "");
 }
 
 int gpio_line_get_info(
 	struct gpio_chip *chip, unsigned int offset, struct gpio_line_info *out)
 {
-	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
-	const char *name, *holder;
+	struct gpiod_line *line = gpiod_chip_get_line(to_chip(chip), offset);
+	const char *name, *consumer;
 
 	if (!line || gpiod_line_update(line) < 0) {
 		return last_error();
 	}
 	name = gpiod_line_name(line);
-	holder = gpiod_line_consumer(line);
-	out->taken = gpiod_line_is_used(line);
+	consumer = gpiod_line_consumer(line);
+	out->used = gpiod_line_is_used(line);
 	snprintf(out->name, sizeof(out->name), "%s", name ? name : "");
-	snprintf(out->holder, sizeof(out->holder), "%s",
-		out->taken && holder ? holder : "");
+	snprintf(out->consumer, sizeof(out->consumer), "%s",
+		out->used && consumer ? consumer : "");
 	return 0;
 }
 
@@ -118,7 +106,7 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 		.request_type = GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
 		.flags = request_flags(settings),
 	};
-	struct gpiod_line *line = gpiod_chip_get_line(inside(chip), offset);
+	struct gpiod_line *line = gpiod_chip_get_line(to_chip(chip), offset);
 
 	if (!line || gpiod_line_request(line, &config, 0) < 0) {
 		return last_error();
@@ -130,18 +118,18 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 void gpio_line_release(struct gpio_line *line)
 {
 	if (line) {
-		gpiod_line_release(inside_line(line));
+		gpiod_line_release(to_line(line));
 	}
 }
 
 int gpio_line_fd(const struct gpio_line *line)
 {
-	return gpiod_line_event_get_fd(inside_line(line));
+	return gpiod_line_event_get_fd(to_line(line));
 }
 
 int gpio_line_level(struct gpio_line *line)
 {
-	int value = gpiod_line_get_value(inside_line(line));
+	int value = gpiod_line_get_value(to_line(line));
 
 	return value < 0 ? last_error() : value;
 }
@@ -151,7 +139,7 @@ int gpio_line_read(
 {
 	struct gpiod_line_event events[GPIO_EDGES_MAX];
 	int count = gpiod_line_event_read_multiple(
-		inside_line(line), events, ARRAY_COUNT(events));
+		to_line(line), events, ARRAY_COUNT(events));
 
 	if (count < 0) {
 		return last_error();

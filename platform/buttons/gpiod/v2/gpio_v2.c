@@ -1,5 +1,5 @@
 /*
- * libgpiod 2.x. A request keeps a line after its chip is closed.
+ * gpio.h for libgpiod 2.x, where a line request outlives its chip.
  */
 #include "platform/buttons/gpiod/gpio.h"
 
@@ -80,41 +80,27 @@ int gpio_chip_find(struct gpio_chip *chip, const char *name)
 	return gpiod_chip_get_line_offset_from_name(chip->chip, name);
 }
 
-void gpio_line_holder(
-	struct gpio_chip *chip, unsigned int offset, char *text, size_t size)
-{
-	struct gpiod_line_info *info =
-		gpiod_chip_get_line_info(chip->chip, offset);
-	const char *holder = NULL;
-
-	if (info && gpiod_line_info_is_used(info)) {
-		holder = gpiod_line_info_get_consumer(info);
-	}
-	snprintf(text, size, "%s", holder ? holder : "");
-	gpiod_line_info_free(info);
-}
-
 int gpio_line_get_info(
 	struct gpio_chip *chip, unsigned int offset, struct gpio_line_info *out)
 {
 	struct gpiod_line_info *info =
 		gpiod_chip_get_line_info(chip->chip, offset);
-	const char *name, *holder;
+	const char *name, *consumer;
 
 	if (!info) {
 		return last_error();
 	}
 	name = gpiod_line_info_get_name(info);
-	holder = gpiod_line_info_get_consumer(info);
-	out->taken = gpiod_line_info_is_used(info);
+	consumer = gpiod_line_info_get_consumer(info);
+	out->used = gpiod_line_info_is_used(info);
 	snprintf(out->name, sizeof(out->name), "%s", name ? name : "");
-	snprintf(out->holder, sizeof(out->holder), "%s",
-		out->taken && holder ? holder : "");
+	snprintf(out->consumer, sizeof(out->consumer), "%s",
+		out->used && consumer ? consumer : "");
 	gpiod_line_info_free(info);
 	return 0;
 }
 
-/* NULL with errno set. */
+/* Returns NULL with errno set when it fails. */
 static struct gpiod_line_settings *make_settings(
 	const struct gpio_settings *settings)
 {

@@ -103,7 +103,7 @@ static void test_a_device_without_a_node_gets_its_mknod(void **state)
 	assert_true(survey_report_no_node(
 		&survey, "/dev/fb0", "class/graphics/fb0", -ENOENT));
 	survey_capture_expect(&capture, 0, SURVEY_MISSING, "/dev/fb0",
-		"its device node is not there",
+		"its device node does not exist",
 		"sudo mknod -m 660 /dev/fb0 c 29 0");
 	assert_false(survey_report_no_node(
 		&survey, "/dev/fb0", "class/graphics/fb0", -EIO));
@@ -143,9 +143,9 @@ static void test_watchdogs_are_told_without_starting_them(void **state)
 	watchdog_survey(devices.text, &survey);
 	assert_int_equal(capture.count, 2);
 	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/watchdog0",
-		"imx2+ wdt, restarts after 60 s", NULL);
+		"imx2+ wdt, restarts the board after 60 seconds", NULL);
 	survey_capture_expect(&capture, 1, SURVEY_MISSING, "/watchdog1",
-		"node is not there", "c 248 1");
+		"device node does not exist", "c 248 1");
 	content = file_read(path_join(&devices, "watchdog0").text, NULL);
 	assert_string_equal(content, "");
 	free(content);
@@ -163,7 +163,7 @@ static void test_a_watchdog_that_counts_is_taken(void **state)
 	make_watchdogs(&folder, "active\n");
 	watchdog_survey(devices.text, &survey);
 	survey_capture_expect(&capture, 0, SURVEY_TAKEN, "/watchdog0",
-		"it counts already", "RuntimeWatchdogSec");
+		"another program uses it", "RuntimeWatchdogSec");
 	temp_dir_remove(&folder);
 }
 
@@ -182,7 +182,7 @@ static void test_no_watchdog_is_one_finding(void **state)
 	watchdog_survey(folder.text, &survey);
 	assert_int_equal(capture.count, 2);
 	survey_capture_expect(&capture, 1, SURVEY_WORKS, "/watchdog",
-		"restarts after some s", NULL);
+		"restarts the board after some seconds", NULL);
 	temp_dir_remove(&folder);
 }
 

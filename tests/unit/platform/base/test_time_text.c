@@ -47,37 +47,11 @@ static void test_anything_else_is_refused(void **state)
 	}
 }
 
-static void test_written_times_are_read_back(void **state)
-{
-	static const struct {
-		enum time_unit unit;
-		double rate_hz;
-		const char *text;
-	} cases[] = {
-		{TIME_SECONDS, 0, "1.500"},
-		{TIME_FRAMES, 30, "45f@30"},
-		{TIME_FRAMES, 23.976, "36f@23.976"},
-		{TIME_TICKS, 0, "7200t"},
-	};
-
-	(void)state;
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		char text[TIME_TEXT_BYTES];
-		double time_s;
-
-		time_format(1.5, cases[i].unit, cases[i].rate_hz, text);
-		assert_string_equal(text, cases[i].text);
-		assert_int_equal(time_parse(text, &time_s), 0);
-		assert_near(time_s, 1.5, 0.02);
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_seconds_frames_and_ticks_are_read),
 		cmocka_unit_test(test_anything_else_is_refused),
-		cmocka_unit_test(test_written_times_are_read_back),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,7 +33,7 @@ static void expect_nothing(struct button_queue *queue)
 	assert_false(button_queue_pop(queue, &event));
 }
 
-static void test_names_go_both_ways(void **state)
+static void test_a_name_and_its_button_convert_both_ways(void **state)
 {
 	(void)state;
 	for (int i = 0; i < BUTTON_COUNT; i++) {
@@ -77,7 +77,7 @@ static void test_repeats_are_dropped(void **state)
 	expect_nothing(&queue);
 }
 
-static void test_a_press_at_time_zero_passes_at_once(void **state)
+static void test_a_press_at_time_zero_is_queued_at_once(void **state)
 {
 	struct button_queue queue;
 
@@ -122,7 +122,7 @@ static void test_the_last_state_of_a_bounce_is_not_lost(void **state)
 	expect_nothing(&queue);
 }
 
-static void test_a_later_report_settles_what_was_held_back(void **state)
+static void test_a_later_event_settles_a_held_back_change(void **state)
 {
 	struct button_queue queue;
 
@@ -155,7 +155,7 @@ static void test_settled_changes_come_in_the_order_of_their_times(void **state)
 	expect_nothing(&queue);
 }
 
-static void test_buttons_do_not_hold_each_other_back(void **state)
+static void test_buttons_are_debounced_separately(void **state)
 {
 	struct button_queue queue;
 
@@ -182,7 +182,7 @@ static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
 	expect_nothing(&queue);
 }
 
-static void test_what_is_no_button_is_ignored(void **state)
+static void test_unknown_buttons_are_ignored(void **state)
 {
 	struct button_queue queue;
 
@@ -210,7 +210,7 @@ static int open_script(
 	return error;
 }
 
-static void test_a_script_plays_what_is_due(void **state)
+static void test_a_script_pushes_the_events_that_are_due(void **state)
 {
 	struct buttons buttons;
 	struct log_capture capture;
@@ -255,7 +255,7 @@ static void test_polling_settles_the_queue(void **state)
 	buttons_close(&buttons);
 }
 
-static void test_a_bad_line_is_named(void **state)
+static void test_the_message_names_a_wrong_line(void **state)
 {
 	static const struct {
 		const char *text, *place, *reason;
@@ -285,7 +285,7 @@ static void test_a_bad_line_is_named(void **state)
 	}
 }
 
-static void test_a_missing_script_is_named(void **state)
+static void test_the_message_names_a_missing_script(void **state)
 {
 	struct buttons buttons;
 	struct log_capture capture;
@@ -301,7 +301,7 @@ static void test_a_missing_script_is_named(void **state)
 	assert_contains(capture.sentence[2], "directory");
 }
 
-static void test_an_unknown_source_lists_the_known(void **state)
+static void test_an_unknown_source_lists_the_known_ones(void **state)
 {
 	struct buttons buttons;
 	struct log_capture capture;
@@ -355,17 +355,17 @@ static void test_sources_share_one_queue(void **state)
 	temp_dir_remove(&directory);
 }
 
-static void test_an_item_with_an_equals_sign_goes_on(void **state)
+static void test_an_item_with_an_equals_sign_continues_its_source(void **state)
 {
 	struct buttons buttons;
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 
 	(void)state;
-	assert_int_equal(buttons_open(&buttons,
-				 "evdev:no such thing,UP=KEY_W,DOWN=KEY_S,"
-				 "evdev:nor such",
-				 &log),
+	assert_int_equal(
+		buttons_open(&buttons,
+			"evdev:no such thing,UP=KEY_W,DOWN=KEY_S,evdev:nor such",
+			&log),
 		0);
 	assert_int_equal(buttons.source_count, 2);
 	buttons_close(&buttons);
@@ -382,27 +382,28 @@ static void test_an_item_with_an_equals_sign_goes_on(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_names_go_both_ways),
+		cmocka_unit_test(test_a_name_and_its_button_convert_both_ways),
 		cmocka_unit_test(test_first_in_is_first_out),
 		cmocka_unit_test(test_repeats_are_dropped),
-		cmocka_unit_test(test_a_press_at_time_zero_passes_at_once),
+		cmocka_unit_test(test_a_press_at_time_zero_is_queued_at_once),
 		cmocka_unit_test(test_a_bouncing_press_is_one_press),
 		cmocka_unit_test(test_the_last_state_of_a_bounce_is_not_lost),
-		cmocka_unit_test(test_a_later_report_settles_what_was_held_back),
+		cmocka_unit_test(test_a_later_event_settles_a_held_back_change),
 		cmocka_unit_test(
 			test_settled_changes_come_in_the_order_of_their_times),
-		cmocka_unit_test(test_buttons_do_not_hold_each_other_back),
+		cmocka_unit_test(test_buttons_are_debounced_separately),
 		cmocka_unit_test(
 			test_the_oldest_is_dropped_when_the_queue_is_full),
-		cmocka_unit_test(test_what_is_no_button_is_ignored),
-		cmocka_unit_test(test_a_script_plays_what_is_due),
+		cmocka_unit_test(test_unknown_buttons_are_ignored),
+		cmocka_unit_test(test_a_script_pushes_the_events_that_are_due),
 		cmocka_unit_test(test_polling_settles_the_queue),
-		cmocka_unit_test(test_a_bad_line_is_named),
-		cmocka_unit_test(test_a_missing_script_is_named),
-		cmocka_unit_test(test_an_unknown_source_lists_the_known),
+		cmocka_unit_test(test_the_message_names_a_wrong_line),
+		cmocka_unit_test(test_the_message_names_a_missing_script),
+		cmocka_unit_test(test_an_unknown_source_lists_the_known_ones),
 		cmocka_unit_test(test_no_spec_opens_nothing),
 		cmocka_unit_test(test_sources_share_one_queue),
-		cmocka_unit_test(test_an_item_with_an_equals_sign_goes_on),
+		cmocka_unit_test(
+			test_an_item_with_an_equals_sign_continues_its_source),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

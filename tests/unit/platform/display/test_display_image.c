@@ -84,8 +84,7 @@ static void test_an_unknown_number_of_pngs_is_numbered(void **state)
 static void test_a_y4m_holds_header_and_planes(void **state)
 {
 	static const char header[] =
-		"YUV4MPEG2 W37 H21 F30:1 Ip A1:1 C420jpeg XYSCSS=420JPEG "
-		"XCOLORRANGE=LIMITED\n";
+		"YUV4MPEG2 W37 H21 F30:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n";
 	size_t frame_size = 6 + 37 * 21 + 2 * 19 * 11;
 	struct image_scene scene;
 	size_t size;

@@ -1,0 +1,261 @@
+#include "platform/buttons/evdev/evdev_devices.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <linux/input-event-codes.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include "platform/buttons/device_access.h"
+#include "platform/buttons/evdev/decode.h"
+#include "platform/buttons/event_time.h"
+
+enum {
+	EVENTS_AT_ONCE = 24
+};
+
+bool evdev_devices_are_one(const struct button_source *source)
+{
+	return source->wanted[0] == '/';
+}
+
+static bool has_button(
+	const struct button_source *source, const uint8_t bits[EVDEV_KEY_BYTES])
+{
+	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
+		if (evdev_key_bit(bits, code) &&
+			evdev_keys_find(&source->keys, code) != BUTTON_COUNT) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static bool is_open(const struct button_source *source, const char *path)
+{
+	for (int i = 0; i < source->count; i++) {
+		if (strcmp(source->device[i].path, path) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static bool is_wanted(const struct button_source *source,
+	const struct evdev_description *description)
+{
+	if (source->wanted[0] && !evdev_devices_are_one(source) &&
+		!strstr(description->name, source->wanted)) {
+		return false;
+	}
+	return evdev_devices_are_one(source) ||
+		has_button(source, description->keys);
+}
+
+static void open_device(struct button_source *source, const char *path)
+{
+	struct evdev_description description;
+	struct evdev_device *device = &source->device[source->count];
+	int fd;
+
+	if (source->count == EVDEV_DEVICES_MAX || is_open(source, path) ||
+		strlen(path) >= sizeof(device->path)) {
+		return;
+	}
+	fd = source->system->open(path);
+	if ((fd == -EACCES || fd == -EPERM) && !source->denied_logged) {
+		source->denied_logged = true;
+		device_access_report_denied(&source->log, path);
+	}
+	if (fd < 0) {
+		return;
+	}
+	if (source->system->describe(fd, &description) < 0 ||
+		!is_wanted(source, &description)) {
+		close(fd);
+		return;
+	}
+	*device = (struct evdev_device){.dropped = false};
+	strcpy(device->path, path);
+	memcpy(device->name, description.name, sizeof(device->name));
+	device->name[sizeof(device->name) - 1] = '\0';
+	source->fd[source->count++] = (struct pollfd){
+		.fd = fd,
+		.events = POLLIN,
+	};
+	log_note(&source->log, "%s: buttons of %s", path, device->name);
+}
+
+void evdev_devices_scan(struct button_source *source)
+{
+	DIR *directory;
+	const struct dirent *entry;
+
+	if (evdev_devices_are_one(source)) {
+		open_device(source, source->wanted);
+		return;
+	}
+	directory = opendir(source->system->directory);
+	while (directory && (entry = readdir(directory))) {
+		char path[EVDEV_PATH_BYTES];
+		int length = snprintf(path, sizeof(path), "%s/%s",
+			source->system->directory, entry->d_name);
+
+		if (strncmp(entry->d_name, "event", 5) == 0 && length > 0 &&
+			(size_t)length < sizeof(path)) {
+			open_device(source, path);
+		}
+	}
+	if (directory) {
+		closedir(directory);
+	}
+}
+
+/* IN_ATTRIB: udev sets the permissions after it creates a device. */
+void evdev_devices_watch(struct button_source *source)
+{
+	if (source->inotify >= 0 && source->watch < 0) {
+		source->watch = inotify_add_watch(source->inotify,
+			source->system->directory, IN_CREATE | IN_ATTRIB);
+	}
+}
+
+static void set_button(struct button_source *source, struct evdev_device *device,
+	int64_t time_ms, enum button button, bool down)
+{
+	if (device->down[button] == down) {
+		return;
+	}
+	device->down[button] = down;
+	button_batch_add(&source->batch,
+		(struct button_event){
+			.time_ms = time_ms, .button = button, .down = down});
+}
+
+void evdev_devices_close(struct button_source *source, int index)
+{
+	close(source->fd[index].fd);
+	source->count--;
+	source->device[index] = source->device[source->count];
+	source->fd[index] = source->fd[source->count];
+}
+
+static void lose_device(struct button_source *source, int index, int64_t now_ms)
+{
+	struct evdev_device *device = &source->device[index];
+
+	log_warning(&source->log,
+		"%s: %s was unplugged: its buttons work again when it is plugged in",
+		device->path, device->name);
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		set_button(source, device, now_ms, (enum button)i, false);
+	}
+	evdev_devices_close(source, index);
+	source->scan_ms = now_ms + EVDEV_SCAN_MS;
+}
+
+/* After lost events the device is asked which keys are down. */
+static void resynchronize(
+	struct button_source *source, int index, int64_t time_ms)
+{
+	struct evdev_device *device = &source->device[index];
+	bool down[BUTTON_COUNT] = {false};
+	uint8_t bits[EVDEV_KEY_BYTES];
+
+	device->dropped = false;
+	if (source->system->keys_down(source->fd[index].fd, bits) < 0) {
+		return;
+	}
+	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
+		enum button button = evdev_keys_find(&source->keys, code);
+
+		if (button != BUTTON_COUNT && evdev_key_bit(bits, code)) {
+			down[button] = true;
+		}
+	}
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		set_button(source, device, time_ms, (enum button)i, down[i]);
+	}
+}
+
+static void handle_event(struct button_source *source, int index,
+	const struct evdev_event *event, int64_t time_ms)
+{
+	struct evdev_device *device = &source->device[index];
+
+	if (event->type == EV_SYN && event->code == SYN_DROPPED) {
+		device->dropped = true;
+	} else if (device->dropped) {
+		if (event->type == EV_SYN && event->code == SYN_REPORT) {
+			resynchronize(source, index, time_ms);
+		}
+	} else if (event->type == EV_KEY &&
+		(event->value == 0 || event->value == 1)) {
+		enum button button = evdev_keys_find(&source->keys, event->code);
+
+		if (button != BUTTON_COUNT) {
+			set_button(
+				source, device, time_ms, button, event->value);
+		}
+	}
+}
+
+/* False when the device is gone. */
+static bool read_device(struct button_source *source, int index,
+	const struct event_clocks *clocks, int64_t now_ms)
+{
+	unsigned char bytes[EVENTS_AT_ONCE * EVDEV_SIZE];
+	ssize_t count = source->system->read(
+		source->fd[index].fd, bytes, sizeof(bytes));
+
+	if (count == -EAGAIN || count == -EINTR) {
+		return true;
+	}
+	for (ssize_t at = 0; at + EVDEV_SIZE <= count; at += EVDEV_SIZE) {
+		struct evdev_event event = evdev_decode(bytes + at, EVDEV_SIZE);
+
+		handle_event(source, index, &event,
+			event_time_ms(clocks, event.stamp_ns,
+				source->polled_ms + 1, now_ms));
+	}
+	return count > 0;
+}
+
+static void read_inotify(struct button_source *source)
+{
+	union {
+		struct inotify_event event;
+		char bytes[4096];
+	} buffer;
+	ssize_t count = read(source->inotify, &buffer, sizeof(buffer));
+	ssize_t at = 0;
+
+	while (at + (ssize_t)sizeof(buffer.event) <= count) {
+		struct inotify_event event;
+
+		memcpy(&event, buffer.bytes + at, sizeof(event));
+		if (event.mask & IN_IGNORED) {
+			source->watch = -1;
+		}
+		at += (ssize_t)sizeof(event) + (ssize_t)event.len;
+	}
+	evdev_devices_scan(source);
+}
+
+void evdev_devices_read(struct button_source *source, int64_t now_ms)
+{
+	struct event_clocks clocks = event_clocks_now();
+	bool changed = source->fd[source->count].revents;
+
+	for (int i = source->count - 1; i >= 0; i--) {
+		if (source->fd[i].revents &&
+			!read_device(source, i, &clocks, now_ms)) {
+			lose_device(source, i, now_ms);
+		}
+	}
+	if (changed) {
+		read_inotify(source);
+	}
+}

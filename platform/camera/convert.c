@@ -2,12 +2,12 @@
 
 #include <string.h>
 
-/* The mean of four colours, each channel rounded down after adding a half. */
+/* The mean of four colours, each channel rounded to nearest. */
 static uint16_t mean_of_4(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
 	const uint32_t green = 0x07e0, others = 0xf81f;
-	/* Red and blue are 11 bits apart and green 11 from the end: sums of
-	 * four need two bits more and do not meet. */
+	/* Sums of four need two bits more. Without green between them red and
+	 * blue have these bits free, and so has green without red above it. */
 	uint32_t sum_green = (a & green) + (b & green) + (c & green) +
 		(d & green) + (2u << 5);
 	uint32_t sum_others = (a & others) + (b & others) + (c & others) +

@@ -1,40 +1,40 @@
 /*
- * Camera pictures into RGB565, cut out and scaled.
+ * Converts camera pictures to RGB565, cropped and scaled.
  */
 #ifndef PLATFORM_CAMERA_CONVERT_H
 #define PLATFORM_CAMERA_CONVERT_H
 
 #include "platform/camera/camera.h"
 
-/* A part of a picture, within it; x and y even, width and height from 1. */
+/* A rectangle within a picture; x and y are even, width and height not 0. */
 struct camera_part {
 	int x, y, width, height;
 };
 
-/* Room for the rows that scaling needs. */
+/* The row buffers that scaling needs. */
 struct camera_scaler {
 	uint16_t row[2][CAMERA_SIDE_MAX];
 };
 
 /*
- * count pixels of row y, from column x (even) on, as RGB565: each channel is
- * the nearest that there is to BT.601's matrix (ITU-R BT.601-7, 2.5.1, limited
- * range), computed in integers. Chroma is that of the pair or the square.
+ * Converts count pixels of row y, from the even column x on, to RGB565. The
+ * formula is that of ITU-R BT.601-7, 2.5.1 (limited range) in integers; each
+ * channel is rounded to nearest. Chroma is not interpolated.
  */
 void camera_convert_row(const struct camera_image *image, int x, int y,
 	int count, uint16_t *out);
 
 /*
- * The part as width x height pixels of RGB565 with rows of stride_pixels. At
- * its own size nothing is scaled; where it is at least twice as large, both
- * ways, squares of 2 x 2 are averaged first; then the nearest are taken.
+ * Converts a part of a picture to width x height pixels of RGB565 in rows of
+ * stride_pixels. If the part is at least twice as large in both directions,
+ * 2 x 2 pixels are averaged first. Then the nearest pixels are taken.
  */
 void camera_convert(struct camera_scaler *scaler,
 	const struct camera_image *image, const struct camera_part *part,
 	int width, int height, uint16_t *out, int stride_pixels);
 
 /*
- * The largest middle part of a picture of this size that has the aspect
+ * The largest centred part of a picture of this size that has the aspect ratio
  * aspect_width : aspect_height, both above 0.
  */
 struct camera_part camera_part_cut(

@@ -1,9 +1,9 @@
 /*
- * One row of a picture into RGB565.
+ * Converts one row of a picture to RGB565.
  *
- * A channel is (luma * C + chroma + half) >> 16, clamped: with luma up to 255
- * and the constants below, sums stay within -2^22 and 2^23. The constants are
- * BT.601's, scaled to 31 or 63 for a full channel instead of 255, in Q16.
+ * A channel is (luma * C + chroma + half) >> 16, clamped. With luma up to 255
+ * and the constants below, sums stay within -2^22..2^23. The constants are
+ * those of BT.601 in Q16, scaled so that a full channel is 31 or 63.
  */
 #include "platform/camera/convert.h"
 
@@ -23,8 +23,9 @@
 #define GREEN_BIAS (HALF - 16 * LUMA_6 + 128 * (CR_GREEN + CB_GREEN))
 
 /*
- * The constants by twos, as ARMv6 multiplies 16 bits by 16. They are hidden
- * from the compiler, which else takes them apart into shifts and additions.
+ * The constants as pairs of halves, for ARMv6's 16-bit multiplications. They
+ * are hidden from the compiler, which would otherwise replace the products by
+ * shifts and additions.
  */
 struct matrix {
 	uint32_t luma; /* to 5 bits, to 6 bits */
@@ -58,7 +59,7 @@ static ALWAYS_INLINE struct matrix load_matrix(void)
 	return m;
 }
 
-/* What a pair's chroma adds to each channel. */
+/* What the chroma of two pixels adds to each channel. */
 struct tint {
 	int32_t red, green, blue;
 };
@@ -75,7 +76,7 @@ static ALWAYS_INLINE struct tint tint_of(const struct matrix *m, uint32_t chroma
 	};
 }
 
-/* ARMv6 has one instruction for the shift and both limits. */
+/* ARMv6 shifts and clamps in one instruction (usat). */
 static ALWAYS_INLINE uint32_t limit(int32_t sum, int most)
 {
 	int32_t value = sum >> 16;
@@ -89,7 +90,7 @@ static ALWAYS_INLINE uint32_t pack(int32_t red, int32_t green, int32_t blue)
 	return limit(blue, 31) | limit(red, 31) << 11 | limit(green, 63) << 5;
 }
 
-/* Two pixels; lumas has the first's at the bottom. */
+/* Writes two pixels; the first one's luma is in the bottom half of lumas. */
 static ALWAYS_INLINE void put_pair(
 	const struct matrix *m, uint32_t lumas, uint32_t chroma, uint16_t *out)
 {
@@ -113,14 +114,14 @@ static ALWAYS_INLINE void put_last(
 		HALVES_BB((uint32_t)luma, m->luma, tint.blue));
 }
 
-/* One load: buffers of drivers are often not cached. */
+/* Compilers make one load of it; drivers' buffers are often not cached. */
 static ALWAYS_INLINE uint32_t load_word(const uint8_t *in)
 {
 	return in[0] | (uint32_t)in[1] << 8 | (uint32_t)in[2] << 16 |
 		(uint32_t)in[3] << 24;
 }
 
-/* Bytes 0 and 1 as halves. */
+/* Spreads bytes 0 and 1 to the two halves. */
 static ALWAYS_INLINE uint32_t first_bytes(uint32_t word)
 {
 	return (word & 0xff) | (word & 0xff00) << 8;
@@ -152,7 +153,7 @@ static void convert_yuyv(const uint8_t *in, int count, uint16_t *out)
 	convert_packed(in, 0, count, out);
 }
 
-/* What is left of a row after fours. */
+/* Converts the last pixels of a row, fewer than four. */
 static void convert_end(const struct matrix *m, const uint8_t *luma,
 	const uint8_t *cb, const uint8_t *cr, int chroma_step, int count,
 	uint16_t *out)
@@ -213,7 +214,7 @@ static void convert_565(const uint8_t *in, int count, uint16_t *out)
 	}
 }
 
-/* value * most / 255, to the nearest. */
+/* value * most / 255, rounded to nearest. */
 static uint32_t scale_down(int value, int most)
 {
 	return (uint32_t)((value * most * 257 + 257 * 128) >> 16);

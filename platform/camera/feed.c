@@ -8,8 +8,8 @@
 
 enum {
 	SPEC_BYTES = 4096,
-	USUAL_WIDTH = 320,
-	USUAL_HEIGHT = 240
+	DEFAULT_WIDTH = 320,
+	DEFAULT_HEIGHT = 240
 };
 
 static bool read_side(const char *text, char end, char **after, int *out)
@@ -35,26 +35,26 @@ static bool read_size(const char *text, struct camera_options *options)
 		read_side(end + 1, '\0', &end, &options->height);
 }
 
-/* One ",WxH" or ",FORMAT", without the comma. */
-static int read_detail(
-	const char *spec, const char *detail, struct camera_options *options)
+/* Reads what follows a comma of spec: WxH or FORMAT. */
+static int read_modifier(
+	const char *spec, const char *text, struct camera_options *options)
 {
-	if (*detail >= '0' && *detail <= '9') {
-		if (read_size(detail, options)) {
+	if (*text >= '0' && *text <= '9') {
+		if (read_size(text, options)) {
 			return 0;
 		}
 		log_error(options->log,
-			"--camera %s: %s is no size: want such as 320x240, sides up to %d",
-			spec, detail, CAMERA_SIDE_MAX);
+			"--camera %s: %s is no size: give a size such as 320x240, up to %dx%d",
+			spec, text, CAMERA_SIDE_MAX, CAMERA_SIDE_MAX);
 		return -EINVAL;
 	}
-	if (*detail == '\0') {
+	if (*text == '\0') {
 		log_error(options->log,
-			"--camera %s: want a size or a format after the comma",
+			"--camera %s: give a size or a format after the comma",
 			spec);
 		return -EINVAL;
 	}
-	options->format = detail;
+	options->format = text;
 	return 0;
 }
 
@@ -70,12 +70,12 @@ static const struct camera_driver *find_driver(
 		name_list_add(&names, camera_registry[i]->name);
 	}
 	log_error(log,
-		"--camera %s: no such camera: want a device such as /dev/video0, auto, or one of %s",
+		"--camera %s: no such camera: give a device such as /dev/video0, auto, or one of %s",
 		spec, names.text);
 	return NULL;
 }
 
-/* Cuts name into its parts. */
+/* Splits name, a copy of spec, into driver, argument, size and format. */
 static int read_spec(const char *spec, char *name,
 	struct camera_options *options, const struct camera_driver **driver)
 {
@@ -83,15 +83,15 @@ static int read_spec(const char *spec, char *name,
 	char *colon;
 
 	while (comma) {
-		char *detail = comma + 1;
+		char *modifier = comma + 1;
 		int error;
 
 		*comma = '\0';
-		comma = strchr(detail, ',');
+		comma = strchr(modifier, ',');
 		if (comma) {
 			*comma = '\0';
 		}
-		error = read_detail(spec, detail, options);
+		error = read_modifier(spec, modifier, options);
 		if (error) {
 			return error;
 		}
@@ -114,13 +114,13 @@ int camera_feed_open(
 	const char *spec, const struct log *log, struct camera_feed *out)
 {
 	struct camera_options options = {
-		.width = USUAL_WIDTH, .height = USUAL_HEIGHT, .log = log};
+		.width = DEFAULT_WIDTH, .height = DEFAULT_HEIGHT, .log = log};
 	char name[SPEC_BYTES];
 	int error;
 
 	*out = (struct camera_feed){0};
 	if (strlen(spec) >= sizeof(name)) {
-		log_error(log, "--camera: more than %d characters",
+		log_error(log, "--camera: give at most %d characters",
 			SPEC_BYTES - 1);
 		return -EINVAL;
 	}

@@ -22,12 +22,7 @@ enum camera_format camera_format_find(const char *name)
 	return (enum camera_format)format;
 }
 
-const char *camera_format_name(enum camera_format format)
-{
-	return (unsigned int)format < CAMERA_FORMATS ? names[format] : NULL;
-}
-
-/* Of the first plane, without a gap. */
+/* The bytes of a row of the first plane, without padding. */
 static int row_bytes(enum camera_format format, int width)
 {
 	switch (format) {

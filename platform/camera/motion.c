@@ -1,10 +1,10 @@
 #include "platform/camera/motion.h"
 
 enum {
-	NOISE = 6 * 4, /* of the sum of a cell's points */
+	NOISE = 6 * 4, /* of the sum of a cell's four pixels */
 };
 
-/* Green stands for luma where there is none. */
+/* RGB formats have no luma, so green stands for it. */
 static int luma_at(const struct camera_image *image, int x, const uint8_t *row)
 {
 	switch (image->format) {
@@ -22,7 +22,7 @@ static int luma_at(const struct camera_image *image, int x, const uint8_t *row)
 	}
 }
 
-/* The sum of the points a quarter and three quarters across, both ways. */
+/* Sums four pixels, at 1/4 and 3/4 of the cell's width and height. */
 static int sum_cell(const struct camera_image *image, int column, int row)
 {
 	int sum = 0;

@@ -1,6 +1,6 @@
 /*
- * How much moves before a camera: the difference between one picture and the
- * next.
+ * Measures how much moves in front of a camera, from the difference between
+ * one picture and the next.
  */
 #ifndef PLATFORM_CAMERA_MOTION_H
 #define PLATFORM_CAMERA_MOTION_H
@@ -13,14 +13,15 @@ enum {
 };
 
 struct camera_motion {
-	bool seen; /* cell holds a picture */
+	bool seen; /* cell[] holds the last picture */
 	uint16_t cell[CAMERA_MOTION_ROWS][CAMERA_MOTION_COLUMNS];
 };
 
 /*
- * The mean over a grid of cells of how far each cell's luma is from the last
- * picture's, of 255, in Q8; a cell's noise, differences of up to 6, does not
- * count. 0 for the first picture. A cell's luma is the mean of four points.
+ * Compares a picture with the last one: the mean over all cells of |change of
+ * luma|, in 0..255 as Q8. The luma of a cell is the mean of four of its pixels.
+ * Changes of up to 6 count as noise and are ignored. Returns 0 for the first
+ * picture.
  */
 int camera_motion_feed(
 	struct camera_motion *motion, const struct camera_image *image);

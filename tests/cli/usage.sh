@@ -65,7 +65,7 @@ case $(cat "$out_file") in
 esac
 refused 'osmesa' render "$slider" --gl none -o "$out"
 refused 'no such source' play "$slider" --buttons piano
-refused 'want CHIP/LINE' play "$slider" --buttons gpiod:UP=a/1/pul-up
+refused 'give CHIP/LINE' play "$slider" --buttons gpiod:UP=a/1/pul-up
 refused 'no such key' play "$slider" --buttons evdev:UP=KEY_NO
 refused 'null' play "$slider" --display none
 refused 'from 1 to 50' play --demo crowd --walkers 0

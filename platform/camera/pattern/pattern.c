@@ -1,6 +1,6 @@
 /*
- * A made-up camera: colour bars, a grey ramp, a mark in the top left corner,
- * and a ball that bounces. What it shows depends on the time alone.
+ * A test picture instead of a camera: colour bars, a grey ramp, a mark in the
+ * top left corner and a bouncing ball. The picture depends on the time only.
  */
 #include "platform/camera/camera.h"
 
@@ -22,8 +22,8 @@ struct camera_source {
 	enum camera_format format;
 	int width, height;
 	struct camera_layout layout;
-	uint8_t *card;    /* what stands still */
-	uint8_t *picture; /* with the ball */
+	uint8_t *card;    /* the picture without the ball */
+	uint8_t *picture; /* the picture with the ball */
 	int64_t shown;    /* number of the picture, -1 before the first */
 };
 
@@ -134,16 +134,16 @@ static void draw_card(struct camera_source *source)
 	}
 }
 
-/* Back and forth between 0 and room. */
-static int bounce(int64_t way, int room)
+/* A position that moves back and forth between 0 and span. */
+static int bounce(int64_t distance, int span)
 {
 	int at;
 
-	if (room <= 0) {
+	if (span <= 0) {
 		return 0;
 	}
-	at = (int)(way % (2 * room));
-	return at < room ? at : 2 * room - at;
+	at = (int)(distance % (2 * span));
+	return at < span ? at : 2 * span - at;
 }
 
 static void draw_ball(struct camera_source *source, int64_t number)
@@ -158,12 +158,12 @@ static void draw_ball(struct camera_source *source, int64_t number)
 
 	for (int y = -radius; y <= radius; y++) {
 		for (int x = -radius; x <= radius; x++) {
-			int away = x * x + y * y;
+			int squared = x * x + y * y;
 
-			if (away <= outer) {
+			if (squared <= outer) {
 				put_rgb(source, source->picture,
 					left + radius + x, top + radius + y,
-					away <= inner ? middle : rim);
+					squared <= inner ? middle : rim);
 			}
 		}
 	}
@@ -179,14 +179,15 @@ static int check(const struct camera_options *options)
 		return -EINVAL;
 	}
 	if (options->width < LEAST_SIDE || options->height < LEAST_SIDE) {
-		log_error(log, "--camera pattern: want at least %dx%d pixels",
+		log_error(log,
+			"--camera pattern: give a size of at least %dx%d pixels",
 			LEAST_SIDE, LEAST_SIDE);
 		return -EINVAL;
 	}
 	if (options->format &&
 		camera_format_find(options->format) == CAMERA_FORMATS) {
 		log_error(log,
-			"--camera pattern: no format %s: want rgb565, uyvy, yuyv, nv12, yuv420, rgb24 or bgr24",
+			"--camera pattern: no such format: %s: choose rgb565, uyvy, yuyv, nv12, yuv420, rgb24 or bgr24",
 			options->format);
 		return -EINVAL;
 	}
@@ -231,7 +232,7 @@ static int pattern_create(
 	*out = source;
 	return 0;
 fail:
-	log_error(options->log, "--camera pattern: not enough memory");
+	log_error(options->log, "--camera pattern: out of memory");
 	pattern_destroy(source);
 	return -ENOMEM;
 }

@@ -23,7 +23,8 @@ struct convert_library {
 		int from_size, unsigned char *to, int to_size);
 };
 
-/* C has no conversion from a data pointer; POSIX promises the bits. */
+/* ISO C cannot convert a data pointer to a function pointer, but POSIX
+ * guarantees that both have the same representation. */
 static int find_function(void *handle, const char *name, void *out, size_t size)
 {
 	void *address = dlsym(handle, name);
@@ -56,8 +57,8 @@ bool convert_library_is_available(void)
 	return load(&library) == 0;
 }
 
-/* The library asks the device what it can do, through the same calls. */
-static int ask(void *user, int fd, unsigned long request, void *argument)
+/* The library queries the device through the driver's calls. */
+static int query(void *user, int fd, unsigned long request, void *argument)
 {
 	const struct v4l2_calls *calls = user;
 	int error = calls->ioctl(calls->user, fd, request, argument);
@@ -66,7 +67,7 @@ static int ask(void *user, int fd, unsigned long request, void *argument)
 	return error ? -1 : 0;
 }
 
-static const struct libv4l_dev_ops asking = {.ioctl = ask};
+static const struct libv4l_dev_ops operations = {.ioctl = query};
 
 int convert_library_open(const struct v4l2_calls *calls, int fd,
 	const struct v4l2_format *format, struct convert_library **out)
@@ -87,7 +88,7 @@ int convert_library_open(const struct v4l2_calls *calls, int fd,
 	rgb->pixelformat = V4L2_PIX_FMT_RGB24;
 	rgb->bytesperline = rgb->width * 3;
 	rgb->sizeimage = rgb->bytesperline * rgb->height;
-	library->data = library->create(fd, (void *)calls, &asking);
+	library->data = library->create(fd, (void *)calls, &operations);
 	if (!library->data) {
 		error = -EINVAL;
 		goto fail;

@@ -18,7 +18,7 @@ static int fail(struct v4l2_device *device, int error, const char *what)
 {
 	if (error == -EBUSY) {
 		snprintf(device->reason, sizeof(device->reason),
-			"another program is using it: close that");
+			"another program is using it: close that program");
 	} else if (error == -ENODEV || error == -ENXIO) {
 		snprintf(device->reason, sizeof(device->reason),
 			"it was unplugged");
@@ -29,7 +29,7 @@ static int fail(struct v4l2_device *device, int error, const char *what)
 	return error;
 }
 
-/* 0 when it captures single-planar video into mapped buffers. */
+/* Returns 0 if it captures single-planar video into mapped buffers. */
 static int check_capabilities(const struct v4l2_device *device)
 {
 	struct v4l2_capability capability = {0};
@@ -70,10 +70,12 @@ static int open_path(struct v4l2_device *device, const char *path)
 		error = check_capabilities(device);
 		if (error == -ENOTTY || error == -EINVAL) {
 			snprintf(device->reason, sizeof(device->reason),
-				"it captures no video into mapped buffers: choose another");
+				"it captures no video into mapped buffers: choose another device");
 			return error;
 		}
-		return error ? fail(device, error, "cannot ask what it is") : 0;
+		return error
+			? fail(device, error, "it does not tell what it can do")
+			: 0;
 	}
 	if (device->fd == -ENOENT) {
 		snprintf(device->reason, sizeof(device->reason),
@@ -82,14 +84,14 @@ static int open_path(struct v4l2_device *device, const char *path)
 	}
 	if (device->fd == -EACCES) {
 		snprintf(device->reason, sizeof(device->reason),
-			"not allowed: join the group video");
+			"no permission: join the group video");
 		return -EACCES;
 	}
-	return fail(device, device->fd, "cannot open it");
+	return fail(device, device->fd, "it cannot be opened");
 }
 
-/* Rows as the driver says, or as they must at least be. */
-static int lay_out(struct v4l2_device *device)
+/* Sets the layout: the driver's stride, or the smallest one possible. */
+static int set_layout(struct v4l2_device *device)
 {
 	int stride = (int)device->answer.fmt.pix.bytesperline;
 	char text[5];
@@ -126,11 +128,11 @@ static int map_buffer(struct v4l2_device *device, int index)
 	int error = call(device, VIDIOC_QUERYBUF, &info);
 
 	if (error) {
-		return fail(device, error, "cannot ask for its buffers");
+		return fail(device, error, "it does not describe its buffers");
 	}
 	if (!device->library && info.length < (uint32_t)device->layout.size) {
 		snprintf(device->reason, sizeof(device->reason),
-			"its buffers of %u bytes are too small for %d x %d",
+			"its buffers of %u bytes are too small for %dx%d pixels",
 			info.length, device->width, device->height);
 		return -EINVAL;
 	}
@@ -138,7 +140,7 @@ static int map_buffer(struct v4l2_device *device, int index)
 		device->calls->user, device->fd, info.length, info.m.offset);
 	if (!map->data) {
 		snprintf(device->reason, sizeof(device->reason),
-			"cannot map its buffers");
+			"its buffers cannot be mapped");
 		return -ENOMEM;
 	}
 	map->length = info.length;
@@ -146,7 +148,7 @@ static int map_buffer(struct v4l2_device *device, int index)
 		map->rgb = calloc(1, (size_t)device->layout.size);
 		if (!map->rgb) {
 			snprintf(device->reason, sizeof(device->reason),
-				"not enough memory for its pictures");
+				"there is not enough memory for its pictures");
 			return -ENOMEM;
 		}
 	}
@@ -163,11 +165,11 @@ static int make_buffers(struct v4l2_device *device)
 	int error = call(device, VIDIOC_REQBUFS, &request);
 
 	if (error) {
-		return fail(device, error, "no buffers");
+		return fail(device, error, "it provides no buffers");
 	}
 	if (request.count < 2) {
 		snprintf(device->reason, sizeof(device->reason),
-			"it has too little memory for two pictures");
+			"it has not enough memory for two pictures");
 		return -ENOMEM;
 	}
 	device->buffer_count = request.count < V4L2_BUFFERS ? (int)request.count
@@ -187,7 +189,7 @@ static int start(struct v4l2_device *device)
 	int error = call(device, VIDIOC_STREAMON, &type);
 
 	if (error) {
-		return fail(device, error, "it does not start");
+		return fail(device, error, "it does not start streaming");
 	}
 	device->streaming = true;
 	return 0;
@@ -204,7 +206,7 @@ int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
 		error = v4l2_format_negotiate(device, request);
 	}
 	if (!error) {
-		error = lay_out(device);
+		error = set_layout(device);
 	}
 	if (!error) {
 		error = make_buffers(device);
@@ -218,20 +220,20 @@ int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
 	return error;
 }
 
-/* A picture that is not all there is worth less than the one before. */
+/* Incomplete pictures are dropped; the last complete one stays. */
 static bool is_damaged(
 	const struct v4l2_device *device, const struct v4l2_buffer *buffer)
 {
 	if (buffer->flags & V4L2_BUF_FLAG_ERROR) {
 		return true;
 	}
-	/* 0 stands for a driver that does not say. */
+	/* Some drivers leave bytesused at 0. */
 	return !device->library && buffer->bytesused != 0 &&
 		buffer->bytesused < (uint32_t)device->layout.size;
 }
 
-/* Nothing to have now, as opposed to a device of no more use. */
-static bool is_passing(int error)
+/* Errors after which the device can still deliver pictures. */
+static bool is_temporary(int error)
 {
 	return error == -EAGAIN || error == -ETIME || error == -EIO ||
 		error == -ETIMEDOUT;
@@ -252,16 +254,17 @@ int v4l2_device_dequeue(struct v4l2_device *device, int timeout_ms)
 		return -EAGAIN;
 	}
 	if (result < 0) {
-		return fail(device, result, "cannot wait for a picture");
+		return fail(device, result, "limber cannot wait for a picture");
 	}
 	result = call(device, VIDIOC_DQBUF, &buffer);
 	if (result) {
-		return is_passing(result) ? -EAGAIN
-					  : fail(device, result, "no picture");
+		return is_temporary(result)
+			? -EAGAIN
+			: fail(device, result, "it delivers no picture");
 	}
 	index = (int)buffer.index;
 	if (index < 0 || index >= device->buffer_count) {
-		return fail(device, -EINVAL, "a buffer that it does not have");
+		return fail(device, -EINVAL, "it returned an unknown buffer");
 	}
 	map = &device->buffer[index];
 	map->queued = false;
@@ -286,7 +289,7 @@ int v4l2_device_queue(struct v4l2_device *device, int index)
 	int error = call(device, VIDIOC_QBUF, &buffer);
 
 	if (error) {
-		return fail(device, error, "it takes no buffer");
+		return fail(device, error, "it accepts no buffer");
 	}
 	device->buffer[index].queued = true;
 	return 0;

@@ -11,7 +11,7 @@ enum {
 	OFFERED_MAX = 64
 };
 
-/* Cheapest first. */
+/* The cheapest to convert comes first. */
 static const struct {
 	uint32_t fourcc;
 	enum camera_format format;
@@ -64,7 +64,7 @@ void v4l2_format_text(uint32_t fourcc, char text[5])
 	text[4] = '\0';
 }
 
-/* The codes that the device names; none from a driver that names nothing. */
+/* Lists the device's formats. Some drivers list none. */
 static int list_offered(const struct v4l2_device *device, uint32_t *fourcc)
 {
 	int count = 0;
@@ -84,14 +84,14 @@ static int list_offered(const struct v4l2_device *device, uint32_t *fourcc)
 	return count;
 }
 
-/* 0 when the device took just this format, -EINVAL when it chose another. */
+/* Sets a format. Returns -EINVAL when the device chose another one. */
 static int try_fourcc(struct v4l2_device *device,
 	const struct v4l2_request *request, uint32_t fourcc)
 {
 	struct v4l2_format wanted = {.type = V4L2_BUF_TYPE_VIDEO_CAPTURE};
 	int error;
 
-	/* All else is zero, priv too: one driver takes it for a pointer. */
+	/* priv must be zero: the i.MX31 vendor driver reads a pointer there. */
 	wanted.fmt.pix.width = (uint32_t)request->width;
 	wanted.fmt.pix.height = (uint32_t)request->height;
 	wanted.fmt.pix.pixelformat = fourcc;
@@ -117,7 +117,7 @@ static bool is_in(uint32_t fourcc, const uint32_t *list, int count)
 	return false;
 }
 
-/* What a device that is busy or gone says counts more than a refusal. */
+/* Keeps an error such as -EBUSY or -ENODEV rather than a refusal (-EINVAL). */
 static int worse(int error, int other)
 {
 	return error == 0 || error == -EINVAL ? other : error;
@@ -162,14 +162,14 @@ static int refuse(struct v4l2_device *device,
 
 	if (error == -EBUSY) {
 		snprintf(device->reason, sizeof(device->reason),
-			"another program is using it: close that");
+			"another program is using it: close that program");
 	} else if (error != -EINVAL) {
 		snprintf(device->reason, sizeof(device->reason),
 			"cannot set its format (%s)", strerror(-error));
 	} else if (request->fourcc) {
 		v4l2_format_text(request->fourcc, text);
 		snprintf(device->reason, sizeof(device->reason),
-			"it does not deliver %s: leave the format out", text);
+			"it does not deliver %s: give no format", text);
 	} else {
 		snprintf(device->reason, sizeof(device->reason),
 			"it has no format of single-planar video: choose another camera");
@@ -189,9 +189,9 @@ int v4l2_format_negotiate(
 	if (pix->width < 1 || pix->width > CAMERA_SIDE_MAX || pix->height < 1 ||
 		pix->height > CAMERA_SIDE_MAX || pix->bytesperline > 65536) {
 		snprintf(device->reason, sizeof(device->reason),
-			"pictures of %u x %u in rows of %u bytes: want sides up to %d",
+			"its pictures of %ux%u in rows of %u bytes are too large: give a size up to %dx%d",
 			pix->width, pix->height, pix->bytesperline,
-			CAMERA_SIDE_MAX);
+			CAMERA_SIDE_MAX, CAMERA_SIDE_MAX);
 		return -EINVAL;
 	}
 	device->width = (int)pix->width;

@@ -1,25 +1,26 @@
 /*
- * Which format a V4L2 device is to deliver.
+ * Choosing the format that a V4L2 device delivers.
  */
 #ifndef PLATFORM_CAMERA_V4L2_FORMAT_H
 #define PLATFORM_CAMERA_V4L2_FORMAT_H
 
 #include "platform/camera/v4l2/device.h"
 
-/* The format that limber reads itself, or CAMERA_FORMATS. */
+/* The camera format of a code, or CAMERA_FORMATS for one limber cannot read. */
 enum camera_format v4l2_format_of(uint32_t fourcc);
 
-/* A camera_format's name or a code of four letters; 0 for neither. */
+/* The code of a camera format's name or of four letters; 0 for other names. */
 uint32_t v4l2_format_find(const char *name);
 
-/* The code's letters. */
+/* Writes the four letters of a code. */
 void v4l2_format_text(uint32_t fourcc, char text[5]);
 
 /*
- * Sets the wished format or, without a request, the cheapest that limber reads,
- * or else the first that the device has. Fills answer, format, width and
- * height; format is CAMERA_FORMATS for one that needs converting. 0, or
- * -errno with the reason.
+ * Sets the requested format of an open device. When none is requested, it sets
+ * the cheapest format that limber can read or, if there is none, the first one
+ * of the device. Fills the device's answer, format, width and height; format is
+ * CAMERA_FORMATS when the library must convert it. Returns 0, or -errno with
+ * the device's reason set.
  */
 int v4l2_format_negotiate(
 	struct v4l2_device *device, const struct v4l2_request *request);

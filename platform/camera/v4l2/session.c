@@ -21,7 +21,7 @@ void v4l2_session_init(struct v4l2_session *session,
 	snprintf(session->path, sizeof(session->path), "%s", request->path);
 }
 
-/* The first device that captures, into path. */
+/* Writes the path of the first device that captures video. */
 static bool find_device(struct v4l2_session *session)
 {
 	for (int i = 0; i < DEVICES_MAX; i++) {
@@ -33,7 +33,7 @@ static bool find_device(struct v4l2_session *session)
 	}
 	snprintf(session->path, sizeof(session->path), "auto");
 	snprintf(session->device.reason, sizeof(session->device.reason),
-		"no /dev/video device captures: plug one in, or name it");
+		"no /dev/video device captures video: plug a camera in");
 	return false;
 }
 

@@ -1,6 +1,6 @@
 /*
- * A V4L2 device as it comes and goes: opened again after it was unplugged,
- * busy or silent, later each time up to a limit.
+ * A V4L2 device that may fail at any time: it is opened again after it was
+ * unplugged, busy or silent, each time after a longer wait up to a limit.
  */
 #ifndef PLATFORM_CAMERA_V4L2_SESSION_H
 #define PLATFORM_CAMERA_V4L2_SESSION_H
@@ -14,40 +14,47 @@ enum {
 };
 
 enum v4l2_state {
-	V4L2_CLOSED, /* to be opened when the time comes */
+	V4L2_CLOSED, /* v4l2_session_open() opens it at retry_at_ms */
 	V4L2_OPEN,   /* streaming, no picture yet */
-	V4L2_ALIVE,  /* pictures came */
-	V4L2_FAILED, /* to be closed, see v4l2_session_close() */
+	V4L2_ALIVE,  /* streaming, at least one picture was delivered */
+	V4L2_FAILED, /* call v4l2_session_close() */
 };
 
 struct v4l2_session {
 	const struct v4l2_calls *calls;
-	struct v4l2_request request; /* an empty path: the first that captures */
-	char path[V4L2_PATH_BYTES];  /* of what was tried last */
+	struct v4l2_request request; /* path "": the first that captures */
+	char path[V4L2_PATH_BYTES];  /* of the device opened last */
 	struct v4l2_device device;
 	enum v4l2_state state;
-	int64_t retry_at_ms; /* while closed */
-	int retry_ms;        /* the wait after the next failure */
-	int64_t heard_ms;    /* last picture, or start */
+	int64_t retry_at_ms; /* when to open it again */
+	int retry_ms;        /* how long to wait after the next failure */
+	int64_t heard_ms;    /* time of the last picture, or of the start */
 };
 
+/* Initializes a closed session that can be opened at once. */
 void v4l2_session_init(struct v4l2_session *session,
 	const struct v4l2_calls *calls, const struct v4l2_request *request);
 
-/* Opens it if it is time. True unless it failed now, device.reason says why. */
+/*
+ * Opens a closed session if it is time for that. Returns false when opening
+ * failed; device.reason then says why.
+ */
 bool v4l2_session_open(struct v4l2_session *session);
 
 /*
- * Waits up to timeout_ms for a picture of an open session: its buffer's index,
- * or -1 for none. When the device has failed or been silent for too long the
- * state is V4L2_FAILED and device.reason says why.
+ * Waits up to timeout_ms for a picture. Returns its buffer's index, or -1 when
+ * there is none. When the device has failed or was silent for too long, the
+ * state becomes V4L2_FAILED and device.reason says why.
  */
 int v4l2_session_dequeue(struct v4l2_session *session, int timeout_ms);
 
-/* Gives a buffer back; may fail the session likewise. */
+/* Gives a buffer to the driver. The state may become V4L2_FAILED. */
 void v4l2_session_queue(struct v4l2_session *session, int index);
 
-/* Closes it, to be opened again after a while. Nobody looks at its pictures. */
+/*
+ * Closes the device and sets the time to open it again. No picture may be in
+ * use.
+ */
 void v4l2_session_close(struct v4l2_session *session);
 
 #endif

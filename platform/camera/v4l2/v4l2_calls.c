@@ -5,8 +5,9 @@
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "platform/process/clock.h"
 
 static bool real_exists(void *user, const char *path)
 {
@@ -71,11 +72,8 @@ static int real_wait(void *user, int fd, int timeout_ms)
 
 static int64_t real_now_ms(void *user)
 {
-	struct timespec now;
-
 	(void)user;
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
+	return clock_monotonic_ns() / 1000000;
 }
 
 const struct v4l2_calls v4l2_calls_real = {

@@ -1,6 +1,5 @@
 /*
- * The system calls that a V4L2 device is used through, so that tests can play
- * a device.
+ * The system calls of the V4L2 driver, as a table that tests can replace.
  */
 #ifndef PLATFORM_CAMERA_V4L2_V4L2_CALLS_H
 #define PLATFORM_CAMERA_V4L2_V4L2_CALLS_H
@@ -9,25 +8,28 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Errors are -errno; what signals interrupt is begun again. */
+/*
+ * Functions that return int return -errno when they fail. Calls that a signal
+ * interrupts are repeated.
+ */
 struct v4l2_calls {
-	/* Whether there is such a device; asks no driver. */
+	/* Whether the device node exists. Does not call its driver. */
 	bool (*exists)(void *user, const char *path);
-	/* For reading and writing, without blocking: a descriptor. */
+	/* Opens it with O_RDWR | O_NONBLOCK and returns the descriptor. */
 	int (*open)(void *user, const char *path);
 	void (*close)(void *user, int fd);
 	int (*ioctl)(void *user, int fd, unsigned long request, void *argument);
-	/* Shared, for reading and writing; NULL when it fails. */
+	/* Maps a buffer, shared, for reading and writing; NULL on failure. */
 	void *(*map)(void *user, int fd, size_t length, uint32_t offset);
 	void (*unmap)(void *user, void *address, size_t length);
-	/* 1 when there may be a picture, 0 when the time is over. */
+	/* Returns 1 when there may be a picture, 0 after timeout_ms. */
 	int (*wait)(void *user, int fd, int timeout_ms);
-	/* A clock that only goes forward. */
+	/* The time of a monotonic clock. */
 	int64_t (*now_ms)(void *user);
-	void *user; /* passed through */
+	void *user; /* passed to every call */
 };
 
-/* The machine's. */
+/* The calls of the operating system. */
 extern const struct v4l2_calls v4l2_calls_real;
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * What there is to be seen of cameras. Drivers may block for seconds where
- * they should not, so each device is looked at by a thread; one that is caught
- * is left behind and owns what it works on.
+ * The cameras that limber doctor reports. A driver may block for seconds, so a
+ * thread inspects each device. A thread that is blocked is abandoned and then
+ * owns the inspection.
  */
 #include "platform/camera/v4l2/format.h"
 #include "platform/camera/v4l2/v4l2.h"
@@ -15,19 +15,19 @@
 
 enum {
 	DEVICES_MAX = 64,
-	PATIENCE_MS = 700,
+	TIMEOUT_MS = 700,
 	FORMATS_MAX = 16
 };
 
-/* What a look found. */
+/* The result of an inspection. */
 struct view {
-	int error; /* of opening it or asking what it is */
+	int error; /* of opening it or of VIDIOC_QUERYCAP */
 	struct v4l2_capability capability;
 	uint32_t fourcc[FORMATS_MAX];
 	int format_count;
 };
 
-struct look {
+struct inspection {
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
 	bool begun, done, abandoned;
@@ -36,11 +36,11 @@ struct look {
 	struct view view;
 };
 
-static void release(struct look *look)
+static void release(struct inspection *inspection)
 {
-	pthread_cond_destroy(&look->changed);
-	pthread_mutex_destroy(&look->lock);
-	free(look);
+	pthread_cond_destroy(&inspection->changed);
+	pthread_mutex_destroy(&inspection->lock);
+	free(inspection);
 }
 
 static void list_formats(
@@ -61,17 +61,17 @@ static void list_formats(
 
 static void *run(void *argument)
 {
-	struct look *look = argument;
-	const struct v4l2_calls *calls = look->calls;
+	struct inspection *inspection = argument;
+	const struct v4l2_calls *calls = inspection->calls;
 	struct view view = {0};
 	bool abandoned;
 	int fd;
 
-	pthread_mutex_lock(&look->lock);
-	look->begun = true;
-	pthread_cond_signal(&look->changed);
-	pthread_mutex_unlock(&look->lock);
-	view.error = fd = calls->open(calls->user, look->path);
+	pthread_mutex_lock(&inspection->lock);
+	inspection->begun = true;
+	pthread_cond_signal(&inspection->changed);
+	pthread_mutex_unlock(&inspection->lock);
+	view.error = fd = calls->open(calls->user, inspection->path);
 	if (fd >= 0) {
 		view.error = calls->ioctl(
 			calls->user, fd, VIDIOC_QUERYCAP, &view.capability);
@@ -80,81 +80,82 @@ static void *run(void *argument)
 		}
 		calls->close(calls->user, fd);
 	}
-	pthread_mutex_lock(&look->lock);
-	look->view = view;
-	look->done = true;
-	abandoned = look->abandoned;
-	pthread_cond_signal(&look->changed);
-	pthread_mutex_unlock(&look->lock);
+	pthread_mutex_lock(&inspection->lock);
+	inspection->view = view;
+	inspection->done = true;
+	abandoned = inspection->abandoned;
+	pthread_cond_signal(&inspection->changed);
+	pthread_mutex_unlock(&inspection->lock);
 	if (abandoned) {
-		release(look);
+		release(inspection);
 	}
 	return NULL;
 }
 
-static struct timespec soon(void)
+static struct timespec deadline(void)
 {
 	struct timespec until;
 
 	clock_gettime(CLOCK_REALTIME, &until);
-	until.tv_nsec += (long)PATIENCE_MS * 1000000;
+	until.tv_nsec += (long)TIMEOUT_MS * 1000000;
 	until.tv_sec += until.tv_nsec / 1000000000;
 	until.tv_nsec %= 1000000000;
 	return until;
 }
 
 /*
- * Takes what the thread found, or leaves it; the look is its then. The time
- * begins with the thread, which a busy machine may keep waiting.
+ * Waits for the thread's result, or abandons the inspection to the thread. The
+ * time starts when the thread runs, which may be late on a busy machine.
  */
-static int await(struct look *look, pthread_t thread, struct view *out)
+static int await(
+	struct inspection *inspection, pthread_t thread, struct view *out)
 {
 	struct timespec until;
 	int error = 0;
 
-	pthread_mutex_lock(&look->lock);
-	while (!look->begun) {
-		pthread_cond_wait(&look->changed, &look->lock);
+	pthread_mutex_lock(&inspection->lock);
+	while (!inspection->begun) {
+		pthread_cond_wait(&inspection->changed, &inspection->lock);
 	}
-	until = soon();
-	while (!look->done && !error) {
+	until = deadline();
+	while (!inspection->done && !error) {
 		error = pthread_cond_timedwait(
-			&look->changed, &look->lock, &until);
+			&inspection->changed, &inspection->lock, &until);
 	}
-	*out = look->view;
-	look->abandoned = !look->done;
-	error = look->done ? 0 : -ETIMEDOUT;
-	pthread_mutex_unlock(&look->lock);
+	*out = inspection->view;
+	inspection->abandoned = !inspection->done;
+	error = inspection->done ? 0 : -ETIMEDOUT;
+	pthread_mutex_unlock(&inspection->lock);
 	if (error) {
 		pthread_detach(thread);
 	} else {
 		pthread_join(thread, NULL);
-		release(look);
+		release(inspection);
 	}
 	return error;
 }
 
-/* 0, or -errno when it cannot be told what the device is. */
-static int look_at(
+/* Inspects a device. Returns 0 or -errno. */
+static int inspect(
 	const struct v4l2_calls *calls, const char *path, struct view *out)
 {
-	struct look *look = calloc(1, sizeof(*look));
+	struct inspection *inspection = calloc(1, sizeof(*inspection));
 	pthread_t thread;
 	int error;
 
-	if (!look) {
+	if (!inspection) {
 		return -ENOMEM;
 	}
-	look->calls = calls;
-	snprintf(look->path, sizeof(look->path), "%s", path);
-	pthread_mutex_init(&look->lock, NULL);
-	pthread_cond_init(&look->changed, NULL);
-	error = pthread_create(&thread, NULL, run, look);
+	inspection->calls = calls;
+	snprintf(inspection->path, sizeof(inspection->path), "%s", path);
+	pthread_mutex_init(&inspection->lock, NULL);
+	pthread_cond_init(&inspection->changed, NULL);
+	error = pthread_create(&thread, NULL, run, inspection);
 	if (error) {
-		release(look);
+		release(inspection);
 		return -error;
 	}
-	error = await(look, thread, out);
+	error = await(inspection, thread, out);
 	return error ? error : out->error;
 }
 
@@ -168,7 +169,8 @@ static bool captures(const struct view *view)
 	return bits & V4L2_CAP_VIDEO_CAPTURE && bits & V4L2_CAP_STREAMING;
 }
 
-/* ", RGBP UYVY (MJPG)": in brackets those that need the library. */
+/* Writes " RGBP UYVY (MJPG)", with formats that need the library in brackets.
+ * Returns whether limber can read one of them, or the device lists none. */
 static bool write_formats(const struct view *view, char *text, size_t size)
 {
 	bool any = view->format_count == 0;
@@ -194,32 +196,34 @@ static void report_camera(
 	bool own = write_formats(view, formats, sizeof(formats));
 	const char *card = (const char *)view->capability.card;
 	const char *driver = (const char *)view->capability.driver;
-	int card_room = (int)sizeof(view->capability.card);
-	int driver_room = (int)sizeof(view->capability.driver);
+	int card_bytes = (int)sizeof(view->capability.card);
+	int driver_bytes = (int)sizeof(view->capability.driver);
 
 	if (!captures(view)) {
 		survey_report(survey, SURVEY_UNUSED, path, NULL,
 			"%.*s, driver %.*s: captures no video into mapped buffers",
-			card_room, card, driver_room, driver);
+			card_bytes, card, driver_bytes, driver);
 		return;
 	}
 	if (!own && !convert_library_is_available()) {
 		survey_report(survey, SURVEY_BROKEN, path,
 			"sudo apt install libv4lconvert0",
-			"%.*s, driver %.*s:%s, which need libv4lconvert",
-			card_room, card, driver_room, driver, formats);
+			"%.*s, driver %.*s:%s: these formats need libv4lconvert",
+			card_bytes, card, driver_bytes, driver, formats);
 		return;
 	}
 	survey_report(survey, SURVEY_WORKS, path, NULL, "%.*s, driver %.*s:%s",
-		card_room, card, driver_room, driver,
+		card_bytes, card, driver_bytes, driver,
 		view->format_count ? formats : " lists no formats");
 }
 
-static void report_error(const char *path, int error, const struct survey *survey)
+static void report_error(
+	const char *path, int error, const struct survey *survey)
 {
-	char remedy[V4L2_PATH_BYTES + 32];
+	char remedy[V4L2_PATH_BYTES + 40];
 
-	snprintf(remedy, sizeof(remedy), "sudo fuser -v %s names who", path);
+	snprintf(remedy, sizeof(remedy), "find that program: sudo fuser -v %s",
+		path);
 	if (error == -EACCES || error == -EPERM) {
 		survey_report_denied(survey, path);
 	} else if (error == -EBUSY) {
@@ -227,17 +231,17 @@ static void report_error(const char *path, int error, const struct survey *surve
 			"another program is using it");
 	} else if (error == -ETIMEDOUT) {
 		survey_report(survey, SURVEY_BROKEN, path,
-			"dmesg | tail tells what its driver waits for; limber plays on while it does",
-			"its driver does not answer within %d ms", PATIENCE_MS);
+			"dmesg | tail may show what its driver waits for; limber plays without the camera until then",
+			"its driver does not answer within %d ms", TIMEOUT_MS);
 	} else {
 		survey_report(survey, SURVEY_BROKEN, path,
-			"unplug it and plug it in again; dmesg | tail tells more",
+			"unplug it and plug it in again; dmesg | tail may show the cause",
 			"%s", strerror(-error));
 	}
 }
 
-/* Whether there was something to say of that device. */
-static bool look_at_number(
+/* Reports the device of that number; false when there is none. */
+static bool report_number(
 	const struct v4l2_calls *calls, int number, const struct survey *survey)
 {
 	struct view view = {0};
@@ -245,7 +249,7 @@ static bool look_at_number(
 	int error;
 
 	snprintf(path, sizeof(path), "/dev/video%d", number);
-	error = calls->exists(calls->user, path) ? look_at(calls, path, &view)
+	error = calls->exists(calls->user, path) ? inspect(calls, path, &view)
 						 : -ENOENT;
 	if (error == -ENOENT || error == -ENXIO || error == -ENODEV) {
 		snprintf(entry, sizeof(entry), "class/video4linux/video%d",
@@ -265,11 +269,11 @@ void v4l2_survey_on(const struct v4l2_calls *calls, const struct survey *survey)
 	bool any = false;
 
 	for (int i = 0; i < DEVICES_MAX; i++) {
-		any = look_at_number(calls, i, survey) || any;
+		any = report_number(calls, i, survey) || any;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/video*",
-			"plug one in (sudo modprobe uvcvideo), or use the moving pattern: --camera pattern",
-			"no camera");
+			"plug one in (sudo modprobe uvcvideo), or use the test picture: --camera pattern",
+			"there is no camera");
 	}
 }

@@ -5,7 +5,7 @@
  *	struct v4l2_fake *fake = v4l2_fake_new();
  *
  *	fake->vendor = true;
- *	v4l2_session_init(&session, &fake->calls, &wish);
+ *	v4l2_session_init(&session, &fake->calls, &request);
  *
  * With a clock of its own, time passes where a call waits. On the machine's
  * clock it can be used from several threads, members through v4l2_fake_set().

@@ -156,7 +156,7 @@ static void check_rows(enum camera_format format, int width, int height,
 	free(noise.data);
 }
 
-static void test_rows_are_what_the_standard_says(void **state)
+static void test_rows_match_the_formula_of_the_standard(void **state)
 {
 	(void)state;
 	for (int format = 0; format < CAMERA_FORMATS; format++) {
@@ -168,7 +168,7 @@ static void test_rows_are_what_the_standard_says(void **state)
 }
 
 /* All of luma with the corners of chroma, where the clamps are. */
-static void test_every_luma_and_the_ends_of_chroma(void **state)
+static void test_every_luma_and_extreme_chroma_match_the_formula(void **state)
 {
 	static const uint8_t chroma[] = {
 		0, 16, 64, 127, 128, 129, 200, 240, 255};
@@ -195,7 +195,7 @@ static void test_every_luma_and_the_ends_of_chroma(void **state)
 	}
 }
 
-static void test_black_and_white_reach_the_ends(void **state)
+static void test_black_and_white_are_exact(void **state)
 {
 	static const uint8_t data[4] = {128, 16, 128, 235};
 	struct camera_layout layout = camera_layout_of(CAMERA_UYVY, 2, 1, 0);
@@ -309,7 +309,7 @@ static void test_half_the_size_is_the_mean_of_squares(void **state)
 	free(scaler);
 }
 
-static void test_cuts_the_middle_out(void **state)
+static void test_the_centre_is_cropped(void **state)
 {
 	struct camera_part part = camera_part_cut(320, 240, 480, 640);
 
@@ -333,14 +333,15 @@ static void test_cuts_the_middle_out(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rows_are_what_the_standard_says),
-		cmocka_unit_test(test_every_luma_and_the_ends_of_chroma),
-		cmocka_unit_test(test_black_and_white_reach_the_ends),
+		cmocka_unit_test(test_rows_match_the_formula_of_the_standard),
+		cmocka_unit_test(
+			test_every_luma_and_extreme_chroma_match_the_formula),
+		cmocka_unit_test(test_black_and_white_are_exact),
 		cmocka_unit_test(test_planes_follow_each_other),
 		cmocka_unit_test(test_a_part_of_its_own_size_is_copied),
 		cmocka_unit_test(test_a_larger_picture_takes_the_nearest),
 		cmocka_unit_test(test_half_the_size_is_the_mean_of_squares),
-		cmocka_unit_test(test_cuts_the_middle_out),
+		cmocka_unit_test(test_the_centre_is_cropped),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

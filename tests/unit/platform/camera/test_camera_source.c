@@ -133,7 +133,7 @@ static void test_pictures_that_nobody_took_are_dropped(void **state)
 	rig_finish(&rig);
 }
 
-static void test_a_picture_that_is_held_stays_as_it_is(void **state)
+static void test_a_picture_in_use_does_not_change(void **state)
 {
 	struct camera_image image;
 	struct rig rig;
@@ -169,7 +169,7 @@ static void test_two_buffers_do_not_stall(void **state)
 	rig_finish(&rig);
 }
 
-static void test_tells_once_that_it_was_unplugged_and_comes_back(void **state)
+static void test_an_unplugged_device_is_logged_once_and_comes_back(void **state)
 {
 	struct rig rig;
 
@@ -221,7 +221,7 @@ static void test_a_device_that_is_busy_is_tried_again(void **state)
 }
 
 /* The thread is caught in DQBUF all the while; who takes tells it. */
-static void test_silence_is_told_though_the_driver_blocks(void **state)
+static void test_silence_is_logged_although_the_driver_blocks(void **state)
 {
 	struct rig rig;
 
@@ -250,7 +250,7 @@ static void test_silence_is_told_though_the_driver_blocks(void **state)
 	rig_finish(&rig);
 }
 
-static void test_ends_soon_though_the_driver_blocks(void **state)
+static void test_destroy_returns_soon_although_the_driver_blocks(void **state)
 {
 	struct rig rig;
 	int64_t from_ms;
@@ -274,7 +274,7 @@ static void test_ends_soon_though_the_driver_blocks(void **state)
 	v4l2_fake_free(rig.fake);
 }
 
-static void test_awaits_a_first_picture_but_no_device_that_is_missing(
+static void test_await_waits_for_a_picture_but_not_for_a_missing_device(
 	void **state)
 {
 	struct rig rig;
@@ -301,15 +301,17 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_hands_out_new_pictures),
 		cmocka_unit_test(test_pictures_that_nobody_took_are_dropped),
-		cmocka_unit_test(test_a_picture_that_is_held_stays_as_it_is),
+		cmocka_unit_test(test_a_picture_in_use_does_not_change),
 		cmocka_unit_test(test_two_buffers_do_not_stall),
 		cmocka_unit_test(
-			test_tells_once_that_it_was_unplugged_and_comes_back),
+			test_an_unplugged_device_is_logged_once_and_comes_back),
 		cmocka_unit_test(test_a_device_that_is_busy_is_tried_again),
-		cmocka_unit_test(test_silence_is_told_though_the_driver_blocks),
-		cmocka_unit_test(test_ends_soon_though_the_driver_blocks),
 		cmocka_unit_test(
-			test_awaits_a_first_picture_but_no_device_that_is_missing),
+			test_silence_is_logged_although_the_driver_blocks),
+		cmocka_unit_test(
+			test_destroy_returns_soon_although_the_driver_blocks),
+		cmocka_unit_test(
+			test_await_waits_for_a_picture_but_not_for_a_missing_device),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -37,7 +37,7 @@ static int first_byte(const struct v4l2_session *session, int index)
 	return image.plane[0][0];
 }
 
-static void test_captures_from_a_usual_driver(void **state)
+static void test_captures_from_a_common_driver(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session = begin(fake);
@@ -122,7 +122,8 @@ static void test_takes_the_cheapest_format(void **state)
 		memcpy(fake->offered, cases[i].offered,
 			sizeof(cases[i].offered));
 		if (cases[i].wanted) {
-			session.request.fourcc = v4l2_format_find(cases[i].wanted);
+			session.request.fourcc =
+				v4l2_format_find(cases[i].wanted);
 		}
 		assert_true(v4l2_session_open(&session));
 		assert_int_equal(session.device.format, cases[i].format);
@@ -130,7 +131,7 @@ static void test_takes_the_cheapest_format(void **state)
 	}
 }
 
-static void test_names_of_formats(void **state)
+static void test_format_names_and_codes_are_found(void **state)
 {
 	char text[5];
 
@@ -156,7 +157,7 @@ static void assert_refused(struct v4l2_fake *fake, const char *reason)
 	end(fake, &session);
 }
 
-static void test_says_why_it_does_not_open(void **state)
+static void test_the_reason_names_why_a_device_does_not_open(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 
@@ -171,7 +172,7 @@ static void test_says_why_it_does_not_open(void **state)
 	assert_refused(fake, "another program");
 	fake = v4l2_fake_new();
 	fake->buffers_most = 1;
-	assert_refused(fake, "too little memory");
+	assert_refused(fake, "not enough memory");
 	fake = v4l2_fake_new();
 	fake->offered[0] = 0;
 	assert_refused(fake, "single-planar");
@@ -191,7 +192,7 @@ static void test_two_buffers_are_enough(void **state)
 	end(fake, &session);
 }
 
-static void test_damaged_and_short_pictures_go_back(void **state)
+static void test_damaged_and_short_pictures_are_queued_again(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session = begin(fake);
@@ -285,7 +286,7 @@ static void test_a_silent_device_fails_after_two_seconds(void **state)
 	end(fake, &session);
 }
 
-static void test_passing_errors_are_no_failure(void **state)
+static void test_temporary_errors_are_no_failure(void **state)
 {
 	static const int passing[] = {-EAGAIN, -EIO, -ETIME};
 	struct v4l2_fake *fake = v4l2_fake_new();
@@ -357,17 +358,19 @@ static void test_other_formats_go_through_the_library(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_captures_from_a_usual_driver),
+		cmocka_unit_test(test_captures_from_a_common_driver),
 		cmocka_unit_test(test_captures_from_the_vendor_driver),
 		cmocka_unit_test(test_takes_the_cheapest_format),
-		cmocka_unit_test(test_names_of_formats),
-		cmocka_unit_test(test_says_why_it_does_not_open),
+		cmocka_unit_test(test_format_names_and_codes_are_found),
+		cmocka_unit_test(
+			test_the_reason_names_why_a_device_does_not_open),
 		cmocka_unit_test(test_two_buffers_are_enough),
-		cmocka_unit_test(test_damaged_and_short_pictures_go_back),
+		cmocka_unit_test(
+			test_damaged_and_short_pictures_are_queued_again),
 		cmocka_unit_test(test_opens_again_after_it_was_unplugged),
 		cmocka_unit_test(test_waits_longer_from_failure_to_failure),
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
-		cmocka_unit_test(test_passing_errors_are_no_failure),
+		cmocka_unit_test(test_temporary_errors_are_no_failure),
 		cmocka_unit_test(test_auto_takes_the_first_that_captures),
 		cmocka_unit_test(test_other_formats_go_through_the_library),
 	};

@@ -108,7 +108,7 @@ static void look(struct machine *machine, struct survey_capture *capture)
 	assert_int_equal(capture->count, 1);
 }
 
-static void test_a_camera_is_told_with_its_formats(void **state)
+static void test_a_camera_is_reported_with_its_formats(void **state)
 {
 	struct machine *machine = *state;
 	struct survey_capture capture;
@@ -120,7 +120,7 @@ static void test_a_camera_is_told_with_its_formats(void **state)
 		"Fake camera, driver fake: (MJPG) UYVY", NULL);
 }
 
-static void test_a_vendors_driver_lists_nothing(void **state)
+static void test_a_driver_that_lists_no_formats_is_reported(void **state)
 {
 	struct machine *machine = *state;
 	struct survey_capture capture;
@@ -153,7 +153,7 @@ static void test_a_camera_in_use_is_taken(void **state)
 		"another program", "sudo fuser -v /dev/video2");
 }
 
-static void test_a_camera_that_is_closed_to_us_is_broken(void **state)
+static void test_a_camera_without_permission_is_broken(void **state)
 {
 	struct machine *machine = *state;
 	struct survey_capture capture;
@@ -179,7 +179,7 @@ static void test_no_camera_is_one_finding(void **state)
 		"no camera", "--camera pattern");
 }
 
-static void test_a_driver_that_blocks_is_left_behind(void **state)
+static void test_a_thread_blocked_in_a_driver_is_abandoned(void **state)
 {
 	struct machine *machine = *state;
 	struct survey_capture capture;
@@ -201,13 +201,13 @@ int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 	const struct CMUnitTest tests[] = {
-		CASE(test_a_camera_is_told_with_its_formats),
-		CASE(test_a_vendors_driver_lists_nothing),
+		CASE(test_a_camera_is_reported_with_its_formats),
+		CASE(test_a_driver_that_lists_no_formats_is_reported),
 		CASE(test_a_device_that_does_not_capture_is_unused),
 		CASE(test_a_camera_in_use_is_taken),
-		CASE(test_a_camera_that_is_closed_to_us_is_broken),
+		CASE(test_a_camera_without_permission_is_broken),
 		CASE(test_no_camera_is_one_finding),
-		CASE(test_a_driver_that_blocks_is_left_behind),
+		CASE(test_a_thread_blocked_in_a_driver_is_abandoned),
 	};
 #undef CASE
 

@@ -168,7 +168,7 @@ static void test_mistakes_are_named_with_their_line(void **state)
 		{1, "[start\ndemo = arm\n", "[SECTION]"},
 		{2, "[buttons]\nUPP = key KEY_W\n", "did you mean UP?"},
 		{2, "[buttons]\nUP = gpio 53fd0000.gpio 18 pul-up\n",
-			"want CHIP/LINE"},
+			"give CHIP/LINE"},
 		{2, "[buttons]\nUP = gpio\n", "the line is missing"},
 		{2, "[buttons]\nUP = gpio a 1,\n", "give gpio CHIP LINE"},
 		{2, "[buttons]\nUP = keys KEY_W\n", "give gpio CHIP LINE"},

@@ -1,0 +1,269 @@
+#include "platform/camera/v4l2/v4l2_thread.h"
+
+#include "platform/process/clock.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum {
+	WAIT_MS = 100, /* for one picture or change */
+	EMPTY_MS = 5,  /* pause when poll() was wrong and there is no picture */
+	LEAVE_MS = 300, /* for the thread to end */
+};
+
+int64_t v4l2_thread_now_ms(void)
+{
+	return clock_monotonic_ns() / 1000000;
+}
+
+bool v4l2_thread_wait(struct camera_source *source, int timeout_ms)
+{
+	struct timespec until;
+
+	clock_gettime(CLOCK_MONOTONIC, &until);
+	until.tv_sec += timeout_ms / 1000;
+	until.tv_nsec += (long)(timeout_ms % 1000) * 1000000;
+	if (until.tv_nsec >= 1000000000) {
+		until.tv_sec++;
+		until.tv_nsec -= 1000000000;
+	}
+	return pthread_cond_timedwait(
+		       &source->changed, &source->lock, &until) == 0;
+}
+
+static void record_outage(struct camera_source *source)
+{
+	const struct v4l2_session *session = &source->session;
+
+	source->streaming = false;
+	if (source->out) {
+		return;
+	}
+	source->out = true;
+	memcpy(source->reason, session->device.reason, sizeof(source->reason));
+	source->reason_new = true;
+	pthread_cond_broadcast(&source->changed);
+}
+
+/* Waits until the frame loop uses no picture, then closes the device. */
+static void close_session(struct camera_source *source)
+{
+	pthread_mutex_lock(&source->lock);
+	record_outage(source);
+	source->ready = -1;
+	while (source->held >= 0) {
+		v4l2_thread_wait(source, WAIT_MS);
+	}
+	memset(source->returned, 0, sizeof(source->returned));
+	pthread_mutex_unlock(&source->lock);
+	v4l2_session_close(&source->session);
+}
+
+static void open_session(struct camera_source *source)
+{
+	struct v4l2_session *session = &source->session;
+	bool fine = v4l2_session_open(session);
+
+	pthread_mutex_lock(&source->lock);
+	memcpy(source->name, session->path, sizeof(source->name));
+	if (!fine) {
+		record_outage(source);
+	} else if (session->state == V4L2_OPEN) {
+		for (int i = 0; i < session->device.buffer_count; i++) {
+			source->image[i] =
+				v4l2_device_image(&session->device, i);
+		}
+		source->streaming = true;
+		source->heard_ms = v4l2_thread_now_ms();
+	} else if (!source->quit) {
+		v4l2_thread_wait(source, WAIT_MS);
+	}
+	pthread_mutex_unlock(&source->lock);
+}
+
+static void publish(struct camera_source *source, int index)
+{
+	int dropped;
+
+	pthread_mutex_lock(&source->lock);
+	dropped = source->ready;
+	source->ready = index;
+	source->heard_ms = v4l2_thread_now_ms();
+	source->any = true;
+	if (source->out) {
+		source->out = false;
+		source->back_new = true;
+		source->reason_new = false;
+	}
+	pthread_cond_broadcast(&source->changed);
+	pthread_mutex_unlock(&source->lock);
+	if (dropped >= 0) {
+		v4l2_session_queue(&source->session, dropped);
+	}
+}
+
+static void queue_returned(struct camera_source *source)
+{
+	bool returned[V4L2_BUFFERS];
+
+	pthread_mutex_lock(&source->lock);
+	memcpy(returned, source->returned, sizeof(returned));
+	memset(source->returned, 0, sizeof(source->returned));
+	pthread_mutex_unlock(&source->lock);
+	for (int i = 0; i < V4L2_BUFFERS; i++) {
+		if (returned[i]) {
+			v4l2_session_queue(&source->session, i);
+		}
+	}
+}
+
+static void pause_thread(struct camera_source *source, int timeout_ms)
+{
+	pthread_mutex_lock(&source->lock);
+	if (!source->quit) {
+		v4l2_thread_wait(source, timeout_ms);
+	}
+	pthread_mutex_unlock(&source->lock);
+}
+
+static void stream(struct camera_source *source)
+{
+	struct v4l2_session *session = &source->session;
+	int index;
+
+	queue_returned(source);
+	if (session->state == V4L2_FAILED) {
+		return;
+	}
+	if (v4l2_device_queued(&session->device) == 0) {
+		pause_thread(source, EMPTY_MS);
+		return;
+	}
+	index = v4l2_session_dequeue(session, WAIT_MS);
+	if (index >= 0) {
+		publish(source, index);
+	} else if (session->state != V4L2_FAILED) {
+		pause_thread(source, EMPTY_MS);
+	}
+}
+
+static bool is_running(struct camera_source *source)
+{
+	bool quit;
+
+	pthread_mutex_lock(&source->lock);
+	quit = source->quit;
+	pthread_mutex_unlock(&source->lock);
+	return !quit;
+}
+
+static void release(struct camera_source *source)
+{
+	pthread_cond_destroy(&source->changed);
+	pthread_mutex_destroy(&source->lock);
+	free(source);
+}
+
+static void *run(void *argument)
+{
+	struct camera_source *source = argument;
+	bool abandoned;
+
+	while (is_running(source)) {
+		if (source->session.state == V4L2_CLOSED) {
+			open_session(source);
+		} else {
+			stream(source);
+		}
+		if (source->session.state == V4L2_FAILED) {
+			close_session(source);
+		}
+	}
+	v4l2_device_close(&source->session.device);
+	pthread_mutex_lock(&source->lock);
+	source->ended = true;
+	abandoned = source->abandoned;
+	pthread_cond_broadcast(&source->changed);
+	pthread_mutex_unlock(&source->lock);
+	if (abandoned) {
+		release(source);
+	}
+	return NULL;
+}
+
+/* Blocks all signals in the thread, so that the main thread gets them. */
+static int create_thread(struct camera_source *source)
+{
+	sigset_t all, before;
+	int error;
+
+	sigfillset(&all);
+	pthread_sigmask(SIG_SETMASK, &all, &before);
+	error = pthread_create(&source->thread, NULL, run, source);
+	pthread_sigmask(SIG_SETMASK, &before, NULL);
+	return -error;
+}
+
+static int init_lock(struct camera_source *source)
+{
+	pthread_condattr_t attributes;
+	int error = pthread_condattr_init(&attributes);
+
+	if (error) {
+		return -error;
+	}
+	error = pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+	if (!error) {
+		error = pthread_cond_init(&source->changed, &attributes);
+	}
+	pthread_condattr_destroy(&attributes);
+	if (error) {
+		return -error;
+	}
+	error = pthread_mutex_init(&source->lock, NULL);
+	if (error) {
+		pthread_cond_destroy(&source->changed);
+	}
+	return -error;
+}
+
+int v4l2_thread_start(struct camera_source *source)
+{
+	int error = init_lock(source);
+
+	if (error) {
+		return error;
+	}
+	error = create_thread(source);
+	if (error) {
+		pthread_cond_destroy(&source->changed);
+		pthread_mutex_destroy(&source->lock);
+	}
+	return error;
+}
+
+void v4l2_thread_stop(struct camera_source *source)
+{
+	int64_t until_ms = v4l2_thread_now_ms() + LEAVE_MS;
+	bool ended;
+
+	pthread_mutex_lock(&source->lock);
+	source->quit = true;
+	pthread_cond_broadcast(&source->changed);
+	while (!source->ended && v4l2_thread_now_ms() < until_ms) {
+		v4l2_thread_wait(source, LEAVE_MS);
+	}
+	ended = source->ended;
+	source->abandoned = !ended;
+	if (!ended) {
+		pthread_detach(source->thread);
+	}
+	pthread_mutex_unlock(&source->lock);
+	if (ended) {
+		pthread_join(source->thread, NULL);
+		release(source);
+	}
+}

@@ -70,7 +70,7 @@ endef
 TESTS := $(basename $(notdir $(TEST_SOURCES)))
 FUZZERS := $(patsubst tests/fuzz/%.c,%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
 
-# A suite is a line: its name, then its command (tests/support/tally.sh).
+# A suite is a line: its name, then its command (tests/support/tally/tally.sh).
 suite = $(1) $(2)$(newline)
 unit_suites = $(foreach test,$(TESTS),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
@@ -120,7 +120,7 @@ $(call suite,golden/checker,tests/golden/checker.sh)
 $(call suite,fuzz/checker,tests/fuzz/checker.sh)
 $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 	tests/validator/checker.sh)
-$(call suite,tally,tests/support/tally_test.sh)
+$(call suite,tally,tests/support/tally/tally_test.sh)
 $(model_suites)
 $(bench_suites)
 $(board_suites)
@@ -157,7 +157,7 @@ check: | build
 	$(file >build/check-suites,$(SUITES))
 	$(Q)sed -i 's/^ *//; /^$$/d' build/check-suites
 	$(Q)BEGAN=$$(cat build/check-began) $(CHECK_ENVIRONMENT) \
-		tests/support/tally.sh build/check-suites $(CHECK) $(processors)
+		tests/support/tally/tally.sh build/check-suites $(CHECK) $(processors)
 
 golden: golden-build
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber

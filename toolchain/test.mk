@@ -27,9 +27,9 @@ test-build: build/host/limber build/test-packages.stamp \
 		$(if $(filter cli/egl,$(test_picked)),build/host/unit/fake_gles.so)
 
 # Without T, a suite that passed is run again only after its program, the
-# script or one of the files that tests read has changed (support/suite.sh).
+# script or one of the files that tests read has changed (support/tally/suite.sh).
 test: | build
-	$(Q)$(if $(test_unknown),tests/support/close_names.sh \
+	$(Q)$(if $(test_unknown),tests/support/tally/close_names.sh \
 		"$(test_unknown)" $(test_names))
 	$(Q)date +%s >build/test-began
 	+$(Q)$(make_all) test-build || { echo; \
@@ -41,5 +41,5 @@ test: | build
 		REMEMBER=$(if $(T),,$$({ id -u; find tests assets $(SAMPLES) \
 		-name '*.pyc' -prune -o -path tests/unit -prune -o -type f \
 		-printf '%p %s %T@\n' 2>&1 | sort; } | sha256sum | cut -c 1-64)) \
-		$(CHECK_ENVIRONMENT) tests/support/tally.sh \
+		$(CHECK_ENVIRONMENT) tests/support/tally/tally.sh \
 		build/test-suites build/test$(if $(T),-one) $(processors)

@@ -1,5 +1,6 @@
 /*
- * Skeletons made in memory, posed and measured, for tests of what moves bones.
+ * Builds skeletons in memory, poses them and measures them, for tests of code
+ * that moves bones.
  */
 #ifndef TESTS_SUPPORT_BONES_H
 #define TESTS_SUPPORT_BONES_H
@@ -10,7 +11,7 @@ enum {
 	BONES_MAX = 20
 };
 
-/* A model of nothing but nodes, with a pose and its world matrices. */
+/* A model that consists of nodes alone, with a pose and its world matrices. */
 struct bones {
 	struct model model;
 	struct model_node node[BONES_MAX];
@@ -21,28 +22,31 @@ struct bones {
 };
 
 /*
- * Begins a skeleton without nodes. Everything lives in the model's arena,
- * which bones_end() releases.
+ * Begins a skeleton without nodes. bones_end() releases the model's arena, in
+ * which all of it is allocated.
  */
 void bones_begin(struct bones *bones);
 void bones_end(struct bones *bones);
 
-/* Adds a node at an offset from its parent (-1: none); returns its index. */
+/*
+ * Adds a node at an offset from its parent and returns its index; parent is -1
+ * for a root.
+ */
 int bones_add(struct bones *bones, int parent, float x, float y, float z);
 
-/* Makes the pose of the nodes that were added, and its world matrices. */
+/* Makes the rest pose of the nodes that were added, and its world matrices. */
 void bones_pose(struct bones *bones);
 
-/* World matrices of the pose as it is now. */
+/* Computes the world matrices of the current pose. */
 void bones_update(struct bones *bones);
 
-/* A node's place in the world, after the last update. */
+/* The position of a node in world space, as of the last update. */
 void bones_place(const struct bones *bones, int node, float out[3]);
 
-/* The distance between a node and a point. */
+/* The distance between a node and a point in world space. */
 double bones_distance(const struct bones *bones, int node, const float point[3]);
 
-/* Fails unless all of the pose and the world matrices is finite. */
+/* Fails the test unless the pose and the world matrices are finite. */
 void bones_assert_finite(const struct bones *bones);
 
 #endif

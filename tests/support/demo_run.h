@@ -1,5 +1,6 @@
 /*
- * A demo without a picture: a script of buttons in, recorded GL calls out.
+ * Runs a demo without drawing: a test presses buttons and reads the GL calls
+ * that the demo made.
  */
 #ifndef TESTS_SUPPORT_DEMO_RUN_H
 #define TESTS_SUPPORT_DEMO_RUN_H
@@ -7,7 +8,7 @@
 #include "app/demo/demo.h"
 
 struct demo_press {
-	double time_s; /* when it goes down; it comes up 0.1 s later */
+	double time_s; /* when the button goes down, for 0.1 s */
 	enum button button;
 };
 
@@ -20,20 +21,21 @@ struct demo_run {
 };
 
 /*
- * The demo of that name, or a model of assets/ in the viewer, attended: only
- * what is pressed happens. Fails the running test if it cannot begin.
+ * Begins the demo of that name or, where there is none, the viewer with the
+ * model assets/NAME. The demo takes somebody to be at the buttons, so that it
+ * does nothing by itself. Fails the test if the demo cannot begin.
  */
 void demo_run_begin(struct demo_run *run, const char *name);
 
-/* The same with another kernel than float. */
+/* The same with the vertex kernel of that name; demo_run_begin() has float. */
 void demo_run_begin_by(
 	struct demo_run *run, const char *name, const char *kernel);
 
-/* Updates up to time_s at rate_hz, with the presses that are due. */
+/* Updates the demo rate_hz times a second until time_s, pressing what is due. */
 void demo_run_to(struct demo_run *run, double time_s, double rate_hz,
 	const struct demo_press *press, int press_count);
 
-/* Draws one frame into the recorder, see gl_recorder_result(). */
+/* Draws one frame, which gl_recorder_result() then holds. */
 void demo_run_draw(struct demo_run *run);
 
 void demo_run_end(struct demo_run *run);

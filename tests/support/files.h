@@ -1,9 +1,9 @@
 /*
- * Files for tests: the fixtures that come with them, and a folder of their own
- * to write into.
+ * Files for tests: the fixtures, and a folder of its own that a test may write
+ * into.
  *
- * Tests run from the checkout's top folder. A helper that cannot do its work
- * fails the running test.
+ * Tests run from the top folder of the source tree. Each function fails the
+ * running test when it cannot do its work.
  */
 #ifndef TESTS_SUPPORT_FILES_H
 #define TESTS_SUPPORT_FILES_H
@@ -17,24 +17,27 @@ struct test_path {
 /* tests/fixtures/NAME. */
 struct test_path fixture_path(const char *name);
 
-/* A fresh folder below $TMPDIR (/tmp), for temp_dir_remove() to take away. */
+/*
+ * Makes a folder below $TMPDIR, or below /tmp where that is not set. The caller
+ * ends with temp_dir_remove().
+ */
 struct test_path temp_dir_make(void);
 
 /* How many files and folders lie in it. */
 int temp_dir_count(const struct test_path *directory);
 
-/* Removes the folder and all in it. */
+/* Removes the folder with its contents. */
 void temp_dir_remove(const struct test_path *directory);
 
 /* DIRECTORY/NAME. */
 struct test_path path_join(const struct test_path *directory, const char *name);
 
-/* Creates or replaces a file. */
+/* Creates a file, or replaces its contents. */
 void file_write(const char *path, const void *data, size_t size);
 
 /*
- * All of a file, with a zero byte behind it that does not count in *size (may
- * be NULL). The caller frees it.
+ * Returns the contents of a file, followed by a zero byte that *size does not
+ * count. size may be NULL. The caller frees the result.
  */
 char *file_read(const char *path, size_t *size);
 

@@ -8,7 +8,7 @@ static void keep_sentence(void *user, enum log_level level, const char *sentence
 	struct log_capture *capture = user;
 	int at = capture->count++;
 
-	if (at < LOG_CAPTURE_ROOM) {
+	if (at < LOG_CAPTURE_CAPACITY) {
 		capture->level[at] = level;
 		snprintf(capture->sentence[at], LOG_CAPTURE_LENGTH, "%s",
 			sentence);
@@ -17,8 +17,8 @@ static void keep_sentence(void *user, enum log_level level, const char *sentence
 
 static int kept(const struct log_capture *capture)
 {
-	return capture->count < LOG_CAPTURE_ROOM ? capture->count
-						 : LOG_CAPTURE_ROOM;
+	return capture->count < LOG_CAPTURE_CAPACITY ? capture->count
+						 : LOG_CAPTURE_CAPACITY;
 }
 
 struct log log_capture_begin(struct log_capture *capture)

@@ -1,5 +1,5 @@
 /*
- * A struct log that keeps its sentences, for tests that look at them.
+ * A struct log that keeps its sentences, so that a test can look at them.
  *
  *	struct log_capture capture;
  *	struct log log = log_capture_begin(&capture);
@@ -16,27 +16,27 @@
 #include <stdbool.h>
 
 enum {
-	LOG_CAPTURE_ROOM = 16,
+	LOG_CAPTURE_CAPACITY = 16,
 	LOG_CAPTURE_LENGTH = 1024
 };
 
 struct log_capture {
-	int count; /* sentences said; those beyond the room are not kept */
-	enum log_level level[LOG_CAPTURE_ROOM];
-	char sentence[LOG_CAPTURE_ROOM][LOG_CAPTURE_LENGTH];
+	int count; /* sentences logged; only the first CAPACITY are kept */
+	enum log_level level[LOG_CAPTURE_CAPACITY];
+	char sentence[LOG_CAPTURE_CAPACITY][LOG_CAPTURE_LENGTH];
 };
 
 /*
- * Empties the capture and returns a log into it, notes included. The capture
- * must outlive the log.
+ * Empties the capture and returns a log that writes into it, from notes to
+ * errors. The capture must outlive the log.
  */
 struct log log_capture_begin(struct log_capture *capture);
 
-/* Whether a sentence of that level holds the part. */
+/* Whether a kept sentence of that level contains the part. */
 bool log_capture_has(const struct log_capture *capture, enum log_level level,
 	const char *part);
 
-/* How many sentences of that level were kept. */
+/* The number of kept sentences of that level. */
 int log_capture_count(const struct log_capture *capture, enum log_level level);
 
 #endif

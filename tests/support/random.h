@@ -1,16 +1,17 @@
-/* Numbers by chance, the same in every run. */
+/* Pseudo-random integers, the same in every run that begins with a seed. */
 #ifndef TESTS_SUPPORT_RANDOM_H
 #define TESTS_SUPPORT_RANDOM_H
 
 #include <stdint.h>
 
-/* 24 bits. */
+/* The next number of 24 bits (a linear congruential generator). */
 static inline uint32_t next_random(uint32_t *seed)
 {
 	*seed = *seed * 1664525u + 1013904223u;
 	return *seed >> 8;
 }
 
+/* The next number of 32 bits. */
 static inline uint32_t any_word(uint32_t *seed)
 {
 	uint32_t upper = next_random(seed);
@@ -18,7 +19,7 @@ static inline uint32_t any_word(uint32_t *seed)
 	return upper << 16 ^ next_random(seed);
 }
 
-/* low to high, both of them included. */
+/* The next number of low..high, both included. */
 static inline int random_between(uint32_t *seed, int low, int high)
 {
 	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));

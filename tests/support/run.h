@@ -1,5 +1,5 @@
 /*
- * Running a command and looking at what it says.
+ * Runs a command and keeps its output.
  */
 #ifndef TESTS_SUPPORT_RUN_H
 #define TESTS_SUPPORT_RUN_H
@@ -11,9 +11,9 @@ struct run_result {
 };
 
 /*
- * Runs argv[0] (searched on PATH) with no standard input and waits for it;
- * SIGALRM ends it after timeout_s. Fails the running test when it cannot be
- * started at all. The caller ends with run_release().
+ * Runs argv[0], which is searched for on PATH, without standard input and waits
+ * until it ends. SIGALRM ends it after timeout_s. Fails the running test when
+ * the command cannot be started. The caller ends with run_release().
  */
 struct run_result run_command(const char *const argv[], unsigned timeout_s);
 

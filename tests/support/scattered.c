@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-/* Steps of the plastic number's inverse. */
 float scattered(int i)
 {
 	return (float)(fmod(i * 0.754877666 + 0.3, 1) * 2 - 1);

@@ -9,7 +9,7 @@ static void take(void *user, const struct survey_finding *finding)
 	struct survey_capture *capture = user;
 	struct survey_captured *kept;
 
-	assert_true(capture->count < SURVEY_CAPTURE_ROOM);
+	assert_true(capture->count < SURVEY_CAPTURE_CAPACITY);
 	kept = &capture->finding[capture->count++];
 	kept->state = finding->state;
 	snprintf(kept->subject, sizeof(kept->subject), "%s", finding->subject);

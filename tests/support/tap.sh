@@ -1,6 +1,7 @@
 # shellcheck shell=sh
-# Tests in shell that speak TAP. A script reads this file, makes checks, and
-# ends with tap_done, which prints the plan. A check never ends the script.
+# Helpers for tests in shell that print TAP. A script sources this file, makes
+# checks, and ends with tap_done, which prints the plan. A failed check does not
+# end the script.
 #
 #   . "$(dirname "$0")/../support/tap.sh"
 #   run build/host/limber --version
@@ -8,9 +9,9 @@
 #   expect_out '^limber '
 #   tap_done
 #
-# run keeps what the command said in $out_file and $err_file and how it ended
-# in $status; each expect_ is one test, named after the last run unless
-# "about NAME" came after it.
+# run keeps the command's output in $out_file and $err_file and its exit status
+# in $status. Each expect_ function is one test. Its name begins with the command
+# that was run last, or with NAME after "about NAME".
 
 tap_count=0
 tap_failed=0
@@ -22,12 +23,12 @@ err_file=$tap_folder/err
 status=0
 tap_about=
 
-# A folder for the script's own files, gone at its end.
+# A folder for the script's own files; it is removed when the script ends.
 # shellcheck disable=SC2034 # for the scripts
 scratch=$tap_folder/scratch
 mkdir "$scratch"
 
-# TAP would read a directive after a plain number sign.
+# A number sign is escaped, because TAP would read a directive after it.
 tap_line() {
     printf '%s %d - %s\n' "$1" "$tap_count" "$2" | sed 's/#/\\#/g'
 }
@@ -51,7 +52,7 @@ skip() {
     echo "ok $tap_count - $1 # SKIP $2"
 }
 
-# skip_all WHY: the whole script, before any check.
+# skip_all WHY: skips the whole script; to be called before any check.
 skip_all() {
     echo "1..0 # SKIP $1"
     exit 0
@@ -68,7 +69,7 @@ check() {
     fi
 }
 
-# run COMMAND...: with no input, for at most RUN_SECONDS (120).
+# run COMMAND...: runs it without input, for at most RUN_SECONDS (120).
 run() {
     tap_about=$*
     status=0
@@ -76,7 +77,7 @@ run() {
         2>"$err_file" || status=$?
 }
 
-# about NAME: what the checks that follow are called.
+# about NAME: begins the names of the checks that follow with NAME.
 about() {
     tap_about=$1
 }
@@ -139,7 +140,7 @@ expect_err_lines() {
     fi
 }
 
-# expect_file FILE: there and not empty.
+# expect_file FILE: the file exists and is not empty.
 expect_file() {
     if [ -s "$1" ]; then
         pass "$tap_about: writes ${1##*/}"

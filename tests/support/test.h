@@ -1,8 +1,8 @@
 /*
- * What every unit test includes: cmocka with the headers it wants before it,
- * and comparisons of numbers that cmocka lacks.
+ * Every unit test includes this: cmocka, the headers that cmocka needs, and
+ * comparisons that cmocka lacks.
  *
- * Not assert_float_equal(): it takes NaN for equal to anything.
+ * Do not use cmocka's assert_float_equal(): to it, NaN equals any number.
  */
 #ifndef TESTS_SUPPORT_TEST_H
 #define TESTS_SUPPORT_TEST_H
@@ -15,28 +15,28 @@
 
 #include <cmocka.h>
 
-/* Fails unless |actual - expected| <= tolerance; NaN is near nothing. */
+/* Fails unless |actual - expected| <= tolerance; a NaN always fails. */
 #define assert_near(actual, expected, tolerance)                               \
 	test_assert_near((actual), (expected), (tolerance), #actual, __FILE__, \
 		__LINE__)
 
 /*
- * The same for each of count floats: pointers to the first of each, of any
- * array type (float (*)[3] with 3 * rows as count and so on).
+ * The same for count floats. Pointers of any array type will do, such as
+ * float (*)[3] with a count of 3 * rows.
  */
 #define assert_all_near(actual, expected, count, tolerance)               \
 	test_assert_all_near((const float *)(actual),                     \
 		(const float *)(expected), (count), (tolerance), #actual, \
 		__FILE__, __LINE__)
 
-/* Fails unless the string holds the part. */
+/* Fails unless the string contains the part. */
 #define assert_contains(text, part) \
 	test_assert_contains((text), (part), __FILE__, __LINE__)
 
-/* Ends the test as skipped, with the reason in the report. */
+/* Ends the test as skipped and gives the reason to the tally. */
 #define skip_because(reason) test_skip_because((reason), __FILE__, __LINE__)
 
-/* What the comparisons go by. */
+/* What the macros above call. */
 bool test_is_near(double actual, double expected, double tolerance);
 
 void test_assert_near(double actual, double expected, double tolerance,

@@ -69,7 +69,7 @@ static void *card_map(int fd, size_t size, off_t offset)
 {
 	assert_int_equal(fd, CARD_FD);
 	assert_in_range(offset / 4096, 1, 2);
-	assert_true(size <= FAKE_CARD_ROOM);
+	assert_true(size <= FAKE_CARD_BUFFER_BYTES);
 	if (fails(CALL_MAP)) {
 		return MAP_FAILED;
 	}
@@ -340,7 +340,7 @@ static int wait_for_event(int fd, int timeout_ms)
 	(void)fd;
 	assert_true(timeout_ms > 0);
 	fake_card.wait_count++;
-	/* A signal comes in between, at first. */
+	/* The first wait is interrupted by a signal. */
 	if (fake_card.wait_count == 1) {
 		errno = EINTR;
 		return -1;
@@ -404,7 +404,7 @@ void fake_card_begin(void)
 		.hdisplay = 10, .vdisplay = 8, .vrefresh = 75};
 	fake_card.fail_error = EINVAL;
 	for (int i = 0; i < 2; i++) {
-		memset(fake_card.buffers[i].memory, 0xEE, FAKE_CARD_ROOM);
+		memset(fake_card.buffers[i].memory, 0xEE, FAKE_CARD_BUFFER_BYTES);
 	}
 }
 

@@ -1,6 +1,6 @@
 /*
- * A graphics card with one screen that is not there, behind struct kms_calls.
- * Its console is fake_fb's. One at a time.
+ * A made-up graphics card with one screen, behind struct kms_calls. Its console
+ * is that of fake_fb.h. There is one card at a time.
  */
 #ifndef TESTS_SUPPORT_FAKE_FAKE_CARD_H
 #define TESTS_SUPPORT_FAKE_FAKE_CARD_H
@@ -9,10 +9,10 @@
 
 enum {
 	FAKE_CARD_MODES = 3,
-	FAKE_CARD_ROOM = 64 * 1024
+	FAKE_CARD_BUFFER_BYTES = 64 * 1024
 };
 
-/* The calls that can be made to fail, from their fail_from'th on. */
+/* The calls that can be made to fail. */
 enum fake_card_call {
 	CALL_NONE,
 	CALL_RESOURCES,
@@ -34,26 +34,27 @@ struct fake_card {
 	int open_error;
 	bool no_dumb, not_master, not_connected, prefers_shadow;
 	uint64_t preferred_depth;
-	uint32_t fourccs[3]; /* that it shows */
+	uint32_t fourccs[3]; /* formats that it can show */
 	uint32_t current_crtc;
 	drmModeModeInfo modes[FAKE_CARD_MODES];
 
 	enum fake_card_call fail;
-	int fail_from, fail_error;
+	int fail_from; /* the first call that fails, counted from 0 */
+	int fail_error;
 	bool fail_once;
-	int calls; /* of the one that fails */
+	int calls; /* of the call that fails, so far */
 
-	/* Two buffers; handle and fb are the index and 1. */
+	/* Two buffers. The handle and the fb of buffer i are i + 1. */
 	struct {
 		bool used, added;
 		uint32_t pitch, fourcc;
-		uint8_t memory[FAKE_CARD_ROOM];
+		uint8_t memory[FAKE_CARD_BUFFER_BYTES];
 	} buffers[2];
-	int open_count, map_count, resource_count; /* now */
+	int open_count, map_count, resource_count; /* not released yet */
 	uint32_t shown_fb;
 	drmModeModeInfo shown_mode;
 	uint32_t shown_crtc;
-	void *flip_user; /* of a flip under way */
+	void *flip_user; /* of the pending page flip, or NULL */
 	uint32_t flip_fb;
 	int flip_count, set_count, dirty_count, wait_count;
 };
@@ -61,10 +62,10 @@ struct fake_card {
 extern struct fake_card fake_card;
 extern const struct kms_calls fake_card_calls;
 
-/* A card whose screen has 20x12 (preferred), 24x14 and 10x8. */
+/* Makes a card whose screen offers 20x12 (preferred), 24x14 and 10x8. */
 void fake_card_begin(void);
 
-/* The pixel that is seen there, as a number. */
+/* The value of the pixel that the screen shows at (x, y). */
 uint32_t fake_card_seen(int x, int y);
 
 #endif

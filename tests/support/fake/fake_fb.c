@@ -157,7 +157,7 @@ static void *fake_map(int fd, size_t size, off_t offset)
 {
 	(void)fd;
 	(void)offset;
-	if (fake_fb.fail_map || size > FAKE_FB_ROOM) {
+	if (fake_fb.fail_map || size > FAKE_FB_BYTES) {
 		errno = ENOMEM;
 		return MAP_FAILED;
 	}
@@ -231,7 +231,7 @@ uint32_t fake_fb_seen(int x, int y)
 		(size_t)(((int)fake_fb.var.xoffset + x) * bytes);
 	uint32_t pixel = 0;
 
-	/* Little-endian, as every machine is that the tests run on. */
+	/* All machines that the tests run on are little-endian. */
 	for (int i = 0; i < bytes; i++) {
 		pixel |= (uint32_t)at[i] << (8 * i);
 	}

@@ -25,7 +25,7 @@ static int64_t clock_ms(const struct v4l2_fake *fake)
 	return fake->real_time ? machine_ms() : fake->now_ms;
 }
 
-/* Without the lock. */
+/* The caller does not hold the lock. */
 static void pass_time(struct v4l2_fake *fake, int ms)
 {
 	struct timespec time = {
@@ -192,12 +192,12 @@ static int stream_on(struct v4l2_fake *fake)
 	return 0;
 }
 
-/* Pictures that came meanwhile, on the machine's clock. */
+/* Adds the pictures that are due by the machine's clock. */
 static void make_pictures(struct v4l2_fake *fake)
 {
 	while (fake->period_ms && clock_ms(fake) >= fake->next_due_ms) {
 		fake->next_due_ms += fake->period_ms;
-		/* Without a buffer to fill, it is lost. */
+		/* A picture without a free buffer is lost. */
 		if (fake->ready < fake->queued) {
 			fake->ready++;
 		} else {
@@ -223,7 +223,7 @@ static int take_picture(struct v4l2_fake *fake, struct v4l2_buffer *buffer)
 	return 0;
 }
 
-/* With the lock, which is given up while it waits. */
+/* The caller holds the lock, which is released while this waits. */
 static int dequeue_buffer(struct v4l2_fake *fake, struct v4l2_buffer *buffer)
 {
 	int64_t until_ms = clock_ms(fake) + fake->block_ms;
@@ -301,7 +301,7 @@ static void *fake_map(void *user, int fd, size_t length, uint32_t offset)
 	pthread_mutex_lock(&fake->lock);
 	if (fd == FAKE_FD && index < V4L2_FAKE_BUFFERS && length == fake->size) {
 		fake->maps++;
-		/* As long as the map, so that what reads on is seen. */
+		/* A block of its own, so that the sanitizers see its end. */
 		address = fake->memory[index] = calloc(1, length);
 	}
 	pthread_mutex_unlock(&fake->lock);

@@ -1,14 +1,15 @@
 /*
- * A V4L2 device that is played: what a driver answers, what it refuses, when
- * it has a picture. The byte of every picture is its number.
+ * A made-up V4L2 device: a test decides what its driver answers, what it refuses
+ * and when it has a picture. Every byte of a picture is the picture's number.
  *
  *	struct v4l2_fake *fake = v4l2_fake_new();
  *
  *	fake->vendor = true;
  *	v4l2_session_init(&session, &fake->calls, &request);
  *
- * With a clock of its own, time passes where a call waits. On the machine's
- * clock it can be used from several threads, members through v4l2_fake_set().
+ * With a clock of its own, time passes only where a call waits. With the
+ * machine's clock, several threads may use the device; they access its members
+ * through v4l2_fake_set() and v4l2_fake_get().
  */
 #ifndef TESTS_SUPPORT_FAKE_V4L2_FAKE_H
 #define TESTS_SUPPORT_FAKE_V4L2_FAKE_H
@@ -28,33 +29,33 @@ struct v4l2_fake {
 	struct v4l2_calls calls;
 	pthread_mutex_t lock;
 
-	/* What kind of driver it is. */
-	bool vendor;                         /* the i.MX31's: see device.h */
-	uint32_t offered[V4L2_FAKE_FORMATS]; /* 0 ends them */
+	/* The kind of driver. */
+	bool vendor;                         /* as the i.MX31's: see device.h */
+	uint32_t offered[V4L2_FAKE_FORMATS]; /* a 0 ends the list */
 	int buffers_most;
-	int stride_extra; /* bytes after each row */
-	bool real_time;   /* the machine's clock */
-	int block_ms;     /* DQBUF waits so long for a picture, then ETIME */
+	int stride_extra; /* unused bytes after each row */
+	bool real_time;   /* it has the machine's clock */
+	int block_ms;     /* DQBUF fails with ETIME after waiting so long */
 
-	/* What goes wrong now. */
+	/* What goes wrong from now on. */
 	int open_error; /* -errno */
 	int format_error;
 	int dequeue_error;
 	bool unplugged;
-	bool damaged;  /* pictures come with an error */
-	bool short_of; /* pictures lack their end */
+	bool damaged;  /* pictures carry an error flag */
+	bool short_of; /* pictures lack their last byte */
 
-	/* Pictures: number of the next, how many may be taken. */
-	int next, ready;
-	int period_ms; /* on the machine's clock: one so often; 0: none */
+	int next;      /* number of the next picture */
+	int ready;     /* pictures that DQBUF can take */
+	int period_ms; /* with the machine's clock: between pictures; 0: none */
 
-	/* What was done to it. */
+	/* Calls that the driver got. */
 	int opens, closes, starts, stops, maps, unmaps, queues;
-	bool dirty_priv; /* S_FMT came with something in priv */
-	bool used_wrongly;
-	char path[128]; /* last opened */
+	bool dirty_priv;   /* S_FMT had a priv other than 0 */
+	bool used_wrongly; /* a call broke the rules of V4L2 */
+	char path[128];    /* that was opened last */
 
-	/* The driver's own. */
+	/* State of the driver, not for tests. */
 	int64_t now_ms, next_due_ms;
 	bool open, streaming;
 	uint32_t fourcc, width, height, stride, size;
@@ -63,12 +64,15 @@ struct v4l2_fake {
 	int queue[V4L2_FAKE_BUFFERS], queued;
 };
 
-/* A usual driver on a clock of its own: YUYV, four buffers, no picture. */
+/*
+ * Makes a usual driver with a clock of its own: YUYV, four buffers, no picture
+ * yet. The caller ends with v4l2_fake_free().
+ */
 struct v4l2_fake *v4l2_fake_new(void);
 
 void v4l2_fake_free(struct v4l2_fake *fake);
 
-/* Another thread may be in a call: takes the lock. */
+/* These take the lock, since another thread may be in a call. */
 void v4l2_fake_set(struct v4l2_fake *fake, bool *member, bool value);
 int v4l2_fake_get(struct v4l2_fake *fake, const int *member);
 

@@ -34,7 +34,7 @@ void gl_check_a_triangle_covers_its_pixels(void **state)
 	gl->VertexPointer(2, GL_FLOAT, 0, vertices);
 	gl->DrawArrays(GL_TRIANGLES, 0, 3);
 	stage_end_frame(&stage);
-	/* The lower left half; the diagonal itself is nobody's to foretell. */
+	/* It covers the lower left half; pixels on the diagonal may be either. */
 	for (int y = 0; y < STAGE_HEIGHT; y++) {
 		for (int x = 0; x < STAGE_WIDTH; x++) {
 			float diagonal = (x + 0.5f) / STAGE_WIDTH -
@@ -112,7 +112,7 @@ void gl_check_a_texture_lies_the_right_way_up(void **state)
 
 void gl_check_matrices_are_fixed_point(void **state)
 {
-	/* Half as wide and moved right by a half, column-major. */
+	/* Scales x by a half and moves right by a half; columns. */
 	static const GLfixed half[] = {ONE / 2, 0, 0, 0, 0, ONE, 0, 0, 0, 0,
 		ONE, 0, ONE / 2, 0, 0, ONE};
 	struct stage stage = stage_open(*state, PIXELS_RGBA8888);
@@ -163,9 +163,9 @@ void gl_check_the_frustum_shrinks_the_far(void **state)
 	stage_close(&stage);
 }
 
-/* One square in every type of array that ES 1.1 has. */
+/* The same square in every array type of ES 1.1. */
 struct typed_square {
-	GLbyte bytes[4][4]; /* padded to a stride of 4 */
+	GLbyte bytes[4][4]; /* padded to a stride of 4 bytes */
 	GLshort shorts[4][2];
 	GLfixed fixed[4][2];
 	float floats[4][2];
@@ -189,7 +189,7 @@ static void fill_square(struct typed_square *square)
 	}
 }
 
-/* The square into the quarter (column, row) of the picture, from below. */
+/* Draws the square into a quarter of the picture; row 0 is the lower one. */
 static void draw_typed(struct gl *gl, int column, int row, GLenum type,
 	GLsizei stride, const void *data)
 {

@@ -1,6 +1,6 @@
 /*
- * What every GL driver must do, as tests that take a driver's name as their
- * prestate. All draw small pictures of known content.
+ * Tests that every GL driver must pass. They take the driver's name as their
+ * prestate and draw small pictures whose pixels are known.
  *
  *	const struct CMUnitTest tests[] = {GL_CHECKS("osmesa")};
  */
@@ -15,7 +15,7 @@ enum {
 	STAGE_HEIGHT = 24
 };
 
-/* A context and a picture to draw into. */
+/* A context of GL and the picture that it draws into. */
 struct stage {
 	struct gl_context *context;
 	struct gl *gl;
@@ -23,43 +23,42 @@ struct stage {
 };
 
 /*
- * Opens the named driver and begins a frame of STAGE_WIDTH x STAGE_HEIGHT,
- * cleared to black. Ends the running test: as skipped on an ARM machine that
- * has no such library, otherwise as failed.
+ * Opens the driver of that name and begins a frame of STAGE_WIDTH x STAGE_HEIGHT,
+ * cleared to black. If the driver cannot be opened, the running test ends: as
+ * skipped on an ARM machine without the driver's library, otherwise as failed.
  */
 struct stage stage_open(const char *driver, enum pixel_format format);
 
-/* Ends the frame; fails the test when GL has an error to tell. */
+/* Ends the frame; fails the test when GetError() reports an error. */
 void stage_end_frame(struct stage *stage);
 
 void stage_close(struct stage *stage);
 
-/* Both. */
 void stage_end_and_close(struct stage *stage);
 
-/* Fails unless the pixel is this colour, each channel within tolerance. */
+/* Fails unless each channel (0..255) of the pixel is within tolerance of this. */
 void stage_expect(const struct stage *stage, int x, int y, int red, int green,
 	int blue, int tolerance);
 
-/* A rectangle at depth z (in -1..1, clip space), as two triangles. */
+/* Draws a rectangle as two triangles, in clip space (-1..1) at depth z. */
 void stage_draw_rectangle(struct gl *gl, float left, float bottom, float right,
 	float top, float z);
 
-/* A rectangle over all of the picture at depth 0. */
+/* Draws a rectangle that covers the picture, at depth 0. */
 void stage_draw_all(struct gl *gl);
 
-/* Binds and enables 2x2 texels: red green / blue white, lower row first. */
+/* Binds and enables a texture of 2x2: red green, above it blue white. */
 GLuint stage_make_texture(struct gl *gl);
 
 /*
- * Lighting that is black but for light 0, which is white, has diffuse light
- * alone and shines from (0, 0, 1) in eye space.
+ * Enables lighting with one light, number 0: directional, from (0, 0, 1) in eye
+ * space, white and diffuse alone. Every other colour of light is black.
  */
 void stage_set_up_light(struct gl *gl);
 
 /*
- * A lit, textured, fogged and blended scene that uses most of the calls, for
- * comparing drivers; the frame is ended.
+ * Draws a scene with light, a texture, fog and blending, which uses most calls
+ * of GL, and ends the frame. It serves to compare drivers.
  */
 void stage_draw_scene(struct stage *stage);
 

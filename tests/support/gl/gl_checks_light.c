@@ -12,10 +12,10 @@ void gl_check_light_falls_off_with_the_angle(void **state)
 
 	stage_set_up_light(gl);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, diffuse);
-	/* 60 degrees off: half the light. */
+	/* The light is 60 degrees off the normal: half of it. */
 	gl->Normal3x(56756, 0, ONE / 2);
 	stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
-	/* Too long by 2; normalised. */
+	/* GL makes the normal of length 2 unit length. */
 	gl->Enable(GL_NORMALIZE);
 	gl->Normal3x(0, 0, 2 * ONE);
 	stage_draw_rectangle(gl, 0, -1, 1, 1, 0);
@@ -38,7 +38,7 @@ void gl_check_shininess_and_position_light_count(void **state)
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, black);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, white);
 	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, 4 * ONE);
-	/* Halfway is (0, 0, 1): 0.8^4 = 0.4096. */
+	/* The half vector is (0, 0, 1): 0.8^4 = 0.4096. */
 	gl->Normal3x(39322, 0, 52429);
 	stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
 	/* d = sqrt 17 from the ends: 4/d / (1 + d/4) = 0.478. */

@@ -88,7 +88,7 @@ void gl_clear_to(struct gl *gl, const double rgba[4])
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/* One context at a time: the picture is kept, the stage is closed. */
+/* OSMesa allows one context at a time: keeps the picture, closes the context. */
 static uint8_t *draw_with(const char *driver,
 	void (*draw)(struct gl *gl, const void *context), const void *context)
 {
@@ -105,7 +105,7 @@ static uint8_t *draw_with(const char *driver,
 	return picture;
 }
 
-/* Whether the colour of pixel at is found in the other picture within reach. */
+/* Whether the other picture has the colour of this pixel within reach of it. */
 static bool is_found(const uint8_t *own, const uint8_t *other, int at,
 	int reach, int tolerance)
 {

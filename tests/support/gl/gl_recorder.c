@@ -9,7 +9,7 @@ enum {
 	STACK_ROOM = 32
 };
 
-/* GL's calls carry no context, so a recorder has one of its own. */
+/* GL's calls carry no context argument, so the recorder is a static one. */
 static struct {
 	struct gl_recording recording;
 	double stack[STACK_ROOM][16];
@@ -128,7 +128,7 @@ static void record_Scalex(GLfixed x, GLfixed y, GLfixed z)
 	multiply(by);
 }
 
-/* OpenGL ES 1.1, 2.10.2, for the three axes. */
+/* The rotation matrix of OpenGL ES 1.1, section 2.10.2. */
 static void record_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 {
 	double angle = number(degrees) * 3.14159265358979 / 180.0;
@@ -246,7 +246,7 @@ static void record_GetIntegerv(GLenum name, GLint *values)
 	*values = name == GL_STENCIL_BITS ? 8 : 2048;
 }
 
-/* Whatever else is called does nothing. */
+/* All other calls do nothing. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define GL_FUNCTION(result, name, parameters)  \

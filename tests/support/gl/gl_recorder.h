@@ -1,7 +1,7 @@
 /*
- * A struct gl that draws nothing and keeps count: of the model-view stack in
- * double precision, of each draw call with the matrix it was made under, and
- * of where vertices go, of floats or of 16 bits.
+ * A struct gl that draws nothing. It records each draw call together with the
+ * current model-view matrix, in double precision, and sums up the vertices,
+ * whether they are floats or 16-bit integers.
  */
 #ifndef TESTS_SUPPORT_GL_GL_RECORDER_H
 #define TESTS_SUPPORT_GL_GL_RECORDER_H
@@ -24,16 +24,16 @@ struct gl_recording {
 	struct gl_recorded_draw draw[GL_RECORDER_DRAWS];
 	int depth; /* of the model-view stack, 0 at the bottom */
 
-	/* Of all vertices of three parts that were drawn, as often as drawn. */
+	/* Over the vertices with x, y and z, each as often as it was drawn. */
 	long vertex_count;
 	double sum[3];        /* in eye space */
 	uint64_t vertex_hash; /* FNV-1a of their bytes and of the matrices */
 };
 
-/* A table whose calls are recorded; one at a time, emptied by this. */
+/* Empties the recording and returns a table that records; one at a time. */
 struct gl gl_recorder_begin(void);
 
-/* Forgets the draw calls so far, for the next frame. */
+/* Empties the recording for the next frame; the matrix stack stays. */
 void gl_recorder_clear(void);
 
 const struct gl_recording *gl_recorder_result(void);

@@ -156,7 +156,7 @@ void stage_set_up_light(struct gl *gl)
 	gl->Enable(GL_LIGHT0);
 }
 
-/* Around a cylinder, lit and textured, before a blended pane and in fog. */
+/* Draws the side of a cylinder with normals and texture coordinates. */
 static void draw_cylinder(struct gl *gl)
 {
 	enum {

@@ -60,7 +60,7 @@ int image_scene_draw(struct image_scene *scene, int frame)
 				pixels.data + y * pixels.stride_bytes + 4 * x;
 
 			image_scene_color(frame, x, y, pixel);
-			/* What is in alpha does not matter. */
+			/* The display ignores alpha. */
 			pixel[3] = (uint8_t)(x + frame);
 		}
 	}

@@ -1,8 +1,8 @@
 /*
- * The image display, fed with small pictures of known content: a gradient, and
- * a red square that walks over it.
+ * The image display, with small pictures of known content to write: a gradient,
+ * and a red square that moves over it.
  *
- * What cannot go wrong fails the running test when it does.
+ * A step that must not fail fails the running test when it does.
  */
 #ifndef TESTS_SUPPORT_GL_IMAGE_SCENE_H
 #define TESTS_SUPPORT_GL_IMAGE_SCENE_H
@@ -16,7 +16,7 @@ enum {
 	IMAGE_SCENE_HEIGHT = 21
 };
 
-/* A display that writes to a file, path, in a folder of its own. */
+/* A display that writes the file path, in a folder of its own. */
 struct image_scene {
 	const struct display_driver *driver;
 	struct display *display;
@@ -32,17 +32,20 @@ void image_scene_open(struct image_scene *scene, const char *name,
 /* Destroys the display and removes the folder. */
 void image_scene_close(struct image_scene *scene);
 
-/* Opens the display on any file with the log set before; what it returns. */
+/*
+ * Opens the display on a file of the caller's, with scene->log, which the caller
+ * has set. Returns what the driver's create() returns.
+ */
 int image_scene_open_at(struct image_scene *scene, const char *path,
 	int frame_count, double rate_hz);
 
-/* What the frame shows at (x, y). */
+/* The colour of the frame's pixel (x, y). */
 void image_scene_color(int frame, int x, int y, uint8_t rgb[3]);
 
-/* Draws and ends one frame; what end_frame() returns. */
+/* Draws and ends one frame; returns what end_frame() returns. */
 int image_scene_draw(struct image_scene *scene, int frame);
 
-/* Draws the frames 0 up to count and finishes, without a complaint. */
+/* Draws the frames 0..count-1 and finishes; fails the test on an error. */
 void image_scene_draw_all(struct image_scene *scene, int count);
 
 #endif

@@ -63,7 +63,7 @@ static const uint8_t *pixel(const struct picture *picture, int x, int y)
 		3 * ((size_t)y * (size_t)picture->width + (size_t)x);
 }
 
-/* Sum and maximum over one block, and how many pixels are far. */
+/* The differences of one block: sum, maximum, number of far pixels. */
 struct block_sum {
 	long sum;
 	int count, far, worst;

@@ -23,18 +23,18 @@ static void test_log_capture_keeps_level_and_sentence(void **state)
 	assert_int_equal(log_capture_count(&capture, LOG_ERROR), 1);
 }
 
-static void test_log_capture_counts_beyond_its_room(void **state)
+static void test_log_capture_counts_beyond_its_capacity(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 
 	(void)state;
-	for (int i = 0; i < LOG_CAPTURE_ROOM + 3; i++) {
+	for (int i = 0; i < LOG_CAPTURE_CAPACITY + 3; i++) {
 		log_error(&log, "%d", i);
 	}
-	assert_int_equal(capture.count, LOG_CAPTURE_ROOM + 3);
+	assert_int_equal(capture.count, LOG_CAPTURE_CAPACITY + 3);
 	assert_int_equal(
-		log_capture_count(&capture, LOG_ERROR), LOG_CAPTURE_ROOM);
+		log_capture_count(&capture, LOG_ERROR), LOG_CAPTURE_CAPACITY);
 }
 
 static void test_temp_dir_holds_files_and_goes_away(void **state)
@@ -99,7 +99,7 @@ int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_log_capture_keeps_level_and_sentence),
-		cmocka_unit_test(test_log_capture_counts_beyond_its_room),
+		cmocka_unit_test(test_log_capture_counts_beyond_its_capacity),
 		cmocka_unit_test(test_temp_dir_holds_files_and_goes_away),
 		cmocka_unit_test(test_run_takes_exit_code_and_both_outputs),
 		cmocka_unit_test(test_run_reports_a_signal),

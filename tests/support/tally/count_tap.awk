@@ -1,10 +1,11 @@
-# Counts a suite's TAP. Variables: suite, status (the command's exit status).
+# Counts the tests in a suite's TAP. Variables: suite is the suite's name, status
+# the exit status of its command.
 #
 # Prints one line "passed failed skipped", then a line "skip WHERE: WHY" for
 # each reason to skip, a line "todo WHERE: WHAT" for each aim that is not reached
-# yet ("not ok N - WHAT # TODO WHY"), and a line "fail WHY" for what is wrong with the suite as
-# a whole: no plan, an empty plan, tests missing, a failing exit status that no
-# test explains.
+# yet ("not ok N - WHAT # TODO WHY"), and a line "fail WHY" for each fault of the
+# suite as a whole: no plan, an empty plan, tests missing, a failing exit status
+# that no test explains.
 #
 # cmocka 1.1.5 calls a skipped test "not ok N # SKIP NAME", and a failing group
 # fixture "not ok 0"; a line "# skipped: WHY" before a skip is its reason.
@@ -47,7 +48,7 @@ function add_skip(name, why) {
     next
 }
 
-# Something aimed at that is not there yet: known, told, no failure.
+# An aim that is not reached yet is reported and does not count as a failure.
 /^not ok .*[^\\]# *TODO( |$)/ {
     name = $0
     sub(/^not ok *[0-9]* *-? */, "", name)
@@ -64,13 +65,13 @@ function add_skip(name, why) {
     counted = rest !~ /^0( |$)/
     sub(/^[0-9]+ */, "", rest)
     seen += counted
-    # A failing test only counts as skipped in cmocka's form, without a name.
+    # "not ok" counts as skipped only in cmocka's form, which has no name.
     at = match(toupper(rest), /(^|[^\\])# *SKIP(PED)?( |$)/)
     if (at && (good || at == 1)) {
         name = substr(rest, 1, at - 1 + (at > 1))
         why = substr(rest, at + RLENGTH)
         if (name == "") {
-            # cmocka: what follows is the test's name.
+            # In cmocka's form, the test's name follows.
             name = why
             why = pending
         }

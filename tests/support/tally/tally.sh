@@ -1,10 +1,10 @@
 #!/bin/sh
-# tally.sh LIST FOLDER [JOBS]: runs every suite of LIST, JOBS at a time, with
-# their logs and figures in FOLDER (see suite.sh). Then shows all output of
-# those that failed, names what was skipped, and ends with the line
-# "N passed, N failed". What is aimed at and not reached is named, too. Fails
-# when anything failed or nothing ran. BEGAN is when all of it began, in seconds
-# since the epoch; the time since then is printed.
+# tally.sh LIST FOLDER [JOBS]: runs every suite of LIST, JOBS at a time, and
+# keeps their logs and counts in FOLDER (see suite.sh). Then it prints the output
+# of the suites that failed, what was skipped and why, the aims that are not
+# reached, and the line "N passed, N failed". It fails when a test failed or no
+# test ran. BEGAN is the time in seconds since the epoch from which the printed
+# duration counts.
 set -eu
 here=$(dirname "$0")
 list=$1

@@ -1,7 +1,7 @@
 #!/bin/sh
 # suite.sh LIST NUMBER FOLDER: runs the suite of line NUMBER of LIST, keeps its
 # output in FOLDER/NAME.log and its counts in FOLDER/NAME.count, and prints one
-# line about it. A line of LIST is a suite's name, then a shell command.
+# line about it. A line of LIST is the name of a suite and a shell command.
 #
 # SUITE_SECONDS limits the time of a suite. When REMEMBER is set, a suite that
 # passed is not run again until REMEMBER, its command or a file that the command

@@ -1,12 +1,13 @@
 #!/bin/sh
-# The tally itself: suites that pass, fail, skip, crash, hang, say nothing.
-. "$(dirname "$0")/tap.sh"
-support=$(dirname "$0")
+# Tests the tally with suites that pass, fail, skip, crash, hang or print
+# nothing.
+. "$(dirname "$0")/../tap.sh"
+folder=$(dirname "$0")
 
-# tally LINE...: runs a list of these suites.
+# tally LINE...: runs a list of suites.
 tally() {
     printf '%s\n' "$@" >"$scratch/list"
-    run "$support/tally.sh" "$scratch/list" "$scratch/logs"
+    run "$folder/tally.sh" "$scratch/list" "$scratch/logs"
 }
 
 # suite NAME TEXT [STATUS]: a line of a list; the suite prints TEXT.
@@ -175,7 +176,7 @@ expect_status 0
 expect_total 1 0
 
 : >"$scratch/list"
-run "$support/tally.sh" "$scratch/list" "$scratch/logs"
+run "$folder/tally.sh" "$scratch/list" "$scratch/logs"
 about 'an empty list'
 expect_status 1
 expect_total 0 0
@@ -184,25 +185,25 @@ expect_total 0 0
 echo 'echo 1..1; echo "$1 1 - one"' >"$scratch/program"
 echo "kept sh $scratch/program ok" >"$scratch/list"
 export REMEMBER=one
-run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+run "$folder/tally.sh" "$scratch/list" "$scratch/kept"
 about 'a suite that is run for the first time'
 expect_total 1 0
 expect_out '^  kept +1 passed +[0-9.]+ s$'
-run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+run "$folder/tally.sh" "$scratch/list" "$scratch/kept"
 about 'a suite that passed before'
 expect_status 0
 expect_total 1 0
 expect_out '^  kept +1 passed +before$'
-REMEMBER=two run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+REMEMBER=two run "$folder/tally.sh" "$scratch/list" "$scratch/kept"
 about 'a suite that passed before the shared files changed'
 expect_out '^  kept +1 passed +[0-9.]+ s$'
 echo 'echo 1..2; echo "$1 1 - one"; echo "ok 2 - two"' >"$scratch/program"
-run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+run "$folder/tally.sh" "$scratch/list" "$scratch/kept"
 about 'a suite whose program has changed'
 expect_total 2 0
 echo "kept sh $scratch/program 'not ok'" >"$scratch/list"
 for turn in first second; do
-    run "$support/tally.sh" "$scratch/list" "$scratch/kept"
+    run "$folder/tally.sh" "$scratch/list" "$scratch/kept"
     about "a suite that fails, for the $turn time"
     expect_status 1
     expect_total 1 1
@@ -212,7 +213,7 @@ unset REMEMBER
 
 # close NAME: what make test T=NAME says when no test has the name.
 close() {
-    run "$support/close_names.sh" "$1" test_clip test_clip_fit test_hud cli/pose
+    run "$folder/close_names.sh" "$1" test_clip test_clip_fit test_hud cli/pose
     about "a test called $1"
 }
 close clap
@@ -229,7 +230,7 @@ expect_err '"hut"; close to it: hud$'
 
 for n in 1 2 3 4 5 6 7 8; do suite "s$n" '1..1\nok 1 - one\n'; done \
     >"$scratch/list"
-run "$support/tally.sh" "$scratch/list" "$scratch/logs" 4
+run "$folder/tally.sh" "$scratch/list" "$scratch/logs" 4
 about 'eight suites, four at a time'
 expect_status 0
 expect_total 8 0

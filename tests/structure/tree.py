@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""Holds the tree to the sizes, the one-way calls, the names and the prose that
+CONTRIBUTING.md asks for, and speaks TAP: a test for each rule, with the places
+that break it.
+
+TREE is the folder of app/ and platform/ (this one). OBJECTS lists the folders
+with the objects of app/ and platform/ (host and ARM); NM_ARM names the nm for
+those of a folder called arm.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+FOLDER_FILES = 25
+FILE_LINES = 500
+BULLET_CHARACTERS = 240
+SOURCES = {".c", ".h", ".S", ".inc", ".py", ".sh", ".js", ".mjs", ".mk", ".awk"}
+CODE = {".c", ".h", ".S", ".inc"}
+
+# External names that do not begin with a word of their path, each with its
+# reason.
+NAMES_ALLOWED = {
+    "main": "C asks for it",
+}
+
+# Folders that are still to be split, each with its reason.
+FOLDERS_ALLOWED = {
+    "platform/gl/soft": "its redesign has not landed yet",
+}
+
+
+def files_below(tree, suffixes):
+    """Paths below the tree, as text, without build/ and hidden folders."""
+    found = []
+    for folder, folders, names in os.walk(tree):
+        folders[:] = sorted(
+            f
+            for f in folders
+            if f not in ("node_modules", "__pycache__")
+            and not f.startswith(".")
+            and not (folder == str(tree) and f == "build")
+        )
+        for name in sorted(names):
+            path = pathlib.Path(folder, name)
+            if path.suffix in suffixes:
+                found.append(path.relative_to(tree).as_posix())
+    return found
+
+
+def read(tree, path):
+    return pathlib.Path(tree, path).read_text(encoding="utf-8", errors="replace")
+
+
+def is_program(path):
+    return path.startswith(("app/", "platform/"))
+
+
+def stem(path):
+    """x.c and x.h are one file here."""
+    return path.rsplit(".", 1)[0]
+
+
+def large_folders(tree):
+    counts = {}
+    for path in files_below(tree, SOURCES):
+        folder = os.path.dirname(path)
+        counts[folder] = counts.get(folder, 0) + 1
+    return [
+        f"{folder} has {count} source files"
+        for folder, count in sorted(counts.items())
+        if count > FOLDER_FILES and folder not in FOLDERS_ALLOWED
+    ]
+
+
+def long_files(tree):
+    lines = ((p, read(tree, p).count("\n")) for p in files_below(tree, CODE))
+    return [f"{p} has {n} lines" for p, n in lines if is_program(p) and n > FILE_LINES]
+
+
+def rings(uses):
+    """The groups of names in which each uses each, in the end (Tarjan)."""
+    order, low, stack, found = {}, {}, [], []
+
+    def visit(name):
+        order[name] = low[name] = len(order)
+        stack.append(name)
+        for other in sorted(uses.get(name, ())):
+            if other not in order:
+                visit(other)
+                low[name] = min(low[name], low[other])
+            elif other in stack:
+                low[name] = min(low[name], order[other])
+        if low[name] == order[name]:
+            ring = [stack.pop()]
+            while ring[-1] != name:
+                ring.append(stack.pop())
+            if len(ring) > 1:
+                found.append(sorted(ring))
+
+    for name in sorted(uses):
+        if name not in order:
+            visit(name)
+    return [" and ".join(ring) for ring in sorted(found)]
+
+
+def rings_of_includes(tree):
+    """A header without a .c file has no code that could call back: it counts
+    only where headers alone make the ring."""
+    paths = [p for p in files_below(tree, CODE) if is_program(p)]
+    units = {stem(p) for p in paths if not p.endswith(".h")}
+    uses, headers = {}, {}
+    for path in paths:
+        for header in re.findall(
+            r'^\s*#\s*include\s*"([^"]*)"', read(tree, path), re.M
+        ):
+            if stem(header) != stem(path) and stem(path) in units:
+                uses.setdefault(stem(path), set()).add(stem(header))
+            if path.endswith(".h"):
+                headers.setdefault(path, set()).add(header)
+    return rings(uses) + rings(headers)
+
+
+def symbols_of(tree, folder):
+    """(path, defined names, wanted names) of the objects whose source exists."""
+    nm = "nm"
+    if "arm" in pathlib.Path(folder).parts:
+        nm = os.environ.get("NM_ARM", "arm-linux-gnueabi-nm")
+    for path in files_below(folder, {".o"}):
+        sources = [stem(path) + suffix for suffix in (".c", ".S")]
+        source = next((s for s in sources if pathlib.Path(tree, s).exists()), None)
+        if not source or not is_program(source):
+            continue
+        listing = subprocess.run(
+            [nm, pathlib.Path(folder, path)], capture_output=True, text=True, check=True
+        ).stdout
+        rows = [line.split() for line in listing.splitlines()]
+        defined = {r[2] for r in rows if len(r) == 3 and r[1] in "TDBRGC"}
+        wanted = {r[1] for r in rows if len(r) == 2 and r[0] == "U"}
+        yield source, defined, wanted
+
+
+def rings_of_calls(symbols):
+    where = {name: source for source, defined, _ in symbols for name in defined}
+    uses = {}
+    for source, _, wanted in symbols:
+        used = {where[name] for name in wanted if name in where}
+        uses.setdefault(source, set()).update(used - {source})
+    return rings(uses)
+
+
+def words_of(path):
+    """What an external name of that file may begin with."""
+    words = set(stem(path).split("/"))
+    words |= set(os.path.basename(stem(path)).split("_"))
+    return words | {word.rstrip("s") for word in words}
+
+
+def unprefixed(symbols):
+    return sorted(
+        {
+            f"{source} exports {name}"
+            for source, defined, _ in symbols
+            for name in defined
+            if name.split("_")[0] not in words_of(source)
+            and name not in NAMES_ALLOWED
+        }
+    )
+
+
+def long_bullets(tree):
+    found = []
+    for path in files_below(tree, {".md"}):
+        start, text = 0, ""
+        for number, line in enumerate([*read(tree, path).split("\n"), ""], 1):
+            if text and re.match(r"\s+[^\s\-*]", line):
+                text += " " + line.strip()
+                continue
+            if len(text) > BULLET_CHARACTERS:
+                found.append(f"{path}:{start} has a bullet of {len(text)} characters")
+            start, text = number, ""
+            if re.match(r"\s*[-*] ", line):
+                text = line.strip()
+    return found
+
+
+def broken_literals(tree):
+    """A literal that ends in mid-line, with another below it."""
+    found = []
+    for path in files_below(tree, {".c", ".h"}):
+        if not is_program(path):
+            continue
+        lines = read(tree, path).split("\n")
+        for number, (line, below) in enumerate(zip(lines, lines[1:]), 1):
+            end = re.search(r'"((?:[^"\\]|\\.)*)"\s*\\?$', line)
+            if not end or not re.match(r'\s*"', below):
+                continue
+            if not end[1].endswith("\\n") and re.search(r"[a-zA-Z,] ?$", end[1]):
+                found.append(f"{path}:{number} breaks a sentence")
+    return found
+
+
+def main():
+    tree = pathlib.Path(os.environ.get("TREE", "."))
+    folders = os.environ.get("OBJECTS", "build/host/obj build/arm/obj").split()
+    symbols = [list(symbols_of(tree, folder)) for folder in folders]
+    every_symbol = [row for rows in symbols for row in rows]
+    rules = [
+        (f"a folder has at most {FOLDER_FILES} source files", large_folders(tree)),
+        (f"a file of the program has at most {FILE_LINES} lines", long_files(tree)),
+        ("files do not include each other in rings", rings_of_includes(tree)),
+        (
+            "files do not call each other in rings",
+            sorted({ring for rows in symbols for ring in rings_of_calls(rows)}),
+        ),
+        ("an external name begins with a word of its path", unprefixed(every_symbol)),
+        (
+            f"a bullet of a page has at most {BULLET_CHARACTERS} characters",
+            long_bullets(tree),
+        ),
+        ("a string literal holds whole lines", broken_literals(tree)),
+    ]
+    if not files_below(tree, CODE) or not all(symbols):
+        rules.append(("there are files and objects to look at", ["nothing"]))
+    failed = 0
+    for number, (name, offences) in enumerate(rules, 1):
+        failed += bool(offences)
+        print(f"{'not ok' if offences else 'ok'} {number} - {name}")
+        for offence in offences:
+            print(f"# {offence}")
+    print(f"1..{len(rules)}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

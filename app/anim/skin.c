@@ -2,40 +2,30 @@
 
 #include <errno.h>
 
-struct influence {
-	float weight;
-	int joint;
-};
-
-/*
- * A vertex's influences by decreasing weight, ties in the file's order; at
- * least one. Weights that are not above 0 are left out; where none is, the
- * first joint holds the vertex.
- */
-static int gather(const struct model_primitive *primitive, int vertex,
-	struct influence *out)
+int skin_gather_influences(const struct model_primitive *primitive,
+	uint32_t vertex, struct skin_influence *out)
 {
 	int width = primitive->influences;
-	size_t first = (size_t)vertex * (size_t)width;
+	size_t first = vertex * (size_t)width;
 	const float *weight = primitive->weight + first;
 	const uint16_t *joint = primitive->joint + first;
 	int count = 0;
 
 	for (int i = 0; i < width && i < SKIN_INFLUENCES_MAX; i++) {
-		int place = count;
+		int to = count;
 
 		if (!(weight[i] > 0)) {
 			continue;
 		}
-		while (place > 0 && out[place - 1].weight < weight[i]) {
-			out[place] = out[place - 1];
-			place--;
+		while (to > 0 && out[to - 1].weight < weight[i]) {
+			out[to] = out[to - 1];
+			to--;
 		}
-		out[place] = (struct influence){weight[i], joint[i]};
+		out[to] = (struct skin_influence){weight[i], joint[i]};
 		count++;
 	}
 	if (count == 0) {
-		out[0] = (struct influence){1, joint[0]};
+		out[0] = (struct skin_influence){1, joint[0]};
 		count = 1;
 	}
 	return count;
@@ -44,13 +34,14 @@ static int gather(const struct model_primitive *primitive, int vertex,
 void skin_stream_count(
 	struct skin_stream *stream, const struct model_primitive *primitive)
 {
-	struct influence scratch[SKIN_INFLUENCES_MAX];
+	struct skin_influence scratch[SKIN_INFLUENCES_MAX];
 
 	*stream = (struct skin_stream){
 		.vertex_count = primitive->vertex_count,
 	};
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		int count = gather(primitive, v, scratch);
+		int count =
+			skin_gather_influences(primitive, (uint32_t)v, scratch);
 
 		stream->influence_count += count;
 		for (int k = 1; k <= SKIN_INFLUENCES_MAX; k++) {
@@ -65,11 +56,12 @@ void skin_stream_count(
 static void write_influences(
 	const struct model_primitive *primitive, struct skin_stream *stream)
 {
-	struct influence sorted[SKIN_INFLUENCES_MAX];
+	struct skin_influence sorted[SKIN_INFLUENCES_MAX];
 	struct joint_weight *out = stream->influence;
 
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		int count = gather(primitive, v, sorted);
+		int count =
+			skin_gather_influences(primitive, (uint32_t)v, sorted);
 
 		for (int i = 0; i < count; i++) {
 			size_t joint = (size_t)sorted[i].joint;

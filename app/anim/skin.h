@@ -37,6 +37,19 @@ struct skin_stream {
 	float (*tangent)[4]; /* the same, or NULL until asked for */
 };
 
+struct skin_influence {
+	float weight;
+	uint16_t joint;
+};
+
+/*
+ * A vertex's influences by descending weight, equal ones in the file's order.
+ * Weights that are not above 0 are left out; if none is left, the vertex's first
+ * joint gets all the weight. Returns their number, 1..SKIN_INFLUENCES_MAX.
+ */
+int skin_gather_influences(const struct model_primitive *primitive,
+	uint32_t vertex, struct skin_influence *out);
+
 /* The counts that a primitive's stream has, and no arrays. */
 void skin_stream_count(
 	struct skin_stream *stream, const struct model_primitive *primitive);

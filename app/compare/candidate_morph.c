@@ -6,7 +6,8 @@
  */
 #include "app/compare/candidate.h"
 
-#include "app/anim/kernel/fixed_key.h"
+#include "app/anim/kernel/layout/fixed_key.h"
+#include "app/anim/kernel/run/fixed_lerp.h"
 #include "app/compare/fit.h"
 
 #include <cglm/cglm.h>

@@ -1,20 +1,15 @@
 /*
- * The fixed-point vertex loops.
+ * The fixed-point vertex loops and the formats of what they read and write.
  *
- * A core without much of a floating-point unit has a multiplier that takes two
- * 16-bit products at a time (SMLAD; pmaddwd on a PC). Everything here is laid
- * out for it. README.md tells why each number is what it is.
+ * The ARM1136 has no fast floating-point unit but a multiplier that takes two
+ * products of 16 bits at a time (SMLAD; pmaddwd on a PC). All formats are made
+ * for it; README.md and numbers.md say why each of them is as it is.
  *
- * A posed vector is a struct fixed_vector of 16-bit numbers; a placement says
- * what they mean:  vector * scale + offset  (a position in the unit of the
- * palette, or of the key frames). Directions have no placement: they come out
- * at no particular length, and want normalising by whoever lights them.
- *
- * There are three steps. Preparing (fixed_skin.h, fixed_morph.h) happens at
- * load and reserves memory in an arena. Once a frame, matrices or weights are
- * brought into 16 bits, with a check of ranges: what does not fit makes the
- * numbers coarser and never wraps. Then the loops of struct fixed_loops run.
- * The loops of all kernels give the same bits.
+ * Work is done in three steps. layout/ prepares a primitive at load, and again
+ * when the cap on influences changes. run/ converts matrices and weights into
+ * 16 bits once a frame and checks ranges: numbers that do not fit are made
+ * coarser and never wrap. Then the loops of struct fixed_loops run. All
+ * kernels' loops give the same bits.
  */
 #ifndef APP_ANIM_KERNEL_FIXED_H
 #define APP_ANIM_KERNEL_FIXED_H
@@ -22,7 +17,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What a vertex has; and what is wanted besides positions. */
+/* The attributes of a vertex. Normals and tangents are directions. */
 enum fixed_attribute {
 	FIXED_POSITION,
 	FIXED_NORMAL,
@@ -30,26 +25,35 @@ enum fixed_attribute {
 	FIXED_ATTRIBUTES
 };
 
+/* Flags for the directions that are wanted besides positions. */
 enum fixed_streams {
 	FIXED_NORMALS = 1 << FIXED_NORMAL,
 	FIXED_TANGENTS = 1 << FIXED_TANGENT
 };
 
 /*
- * What a loop writes. As a GL array: 3 GL_SHORT from &vector->x at a stride of
- * sizeof(struct fixed_vector). Aligned to 8 bytes.
+ * The output of the loops. As a GL array it is 3 GL_SHORT from &vector->x at a
+ * stride of sizeof(struct fixed_vector). Aligned to 8 bytes. Directions have no
+ * particular length: whoever lights them normalises them.
  */
 struct fixed_vector {
-	int16_t fraction; /* of x, below its last bit: not for use */
+	int16_t fraction; /* the bits below x, for the loops alone */
 	int16_t x, y, z;
 };
 
+/*
+ * What positions mean: vector * scale + offset, in the unit of the palette or
+ * of the key frames.
+ */
 struct fixed_placement {
 	float scale; /* above 0 */
 	float offset[3];
 };
 
-/* v * w and w of an influence, see fixed_skin.h. Aligned to 8 bytes. */
+/*
+ * An influence: a vector times its weight, and the weight, see
+ * layout/fixed_skin.h. Aligned to 8 bytes.
+ */
 struct fixed_base {
 	int16_t x, y, z, w;
 };
@@ -61,9 +65,9 @@ struct fixed_matrix {
 };
 
 /*
- * Vertices that have the same number of influences, in runs that have the
- * same joints: each run is 1 + influences words, the number of its vertices
- * (at least 1) and the bytes from the palette's beginning to each joint.
+ * Vertices with the same number of influences, in runs with the same joints.
+ * A run is 1 + influences words: the number of its vertices, at least 1, and
+ * the offset in bytes of each joint's matrix in the palette.
  */
 struct fixed_group {
 	int influences; /* 1..8 */
@@ -72,7 +76,7 @@ struct fixed_group {
 };
 
 /*
- * A component of two key frames or of two targets, which one multiplication
+ * One coordinate of two key frames or of two targets, which one multiplication
  * weighs. A vertex is three of them.
  */
 struct fixed_pair {
@@ -83,32 +87,32 @@ struct fixed_weights {
 	int16_t a, b;
 };
 
-/* A vertex while targets are added, in 2^16 of a fixed_vector's unit. */
+/* A sum of targets, in 2^-16 of a fixed_vector's unit. */
 struct fixed_sum {
 	int32_t x, y, z;
 };
 
-/* An influence of a vertex that targets move, see fixed_skin_morph.h. */
+/* An influence of a vertex that targets move. */
 struct fixed_rebase {
-	struct fixed_base rest; /* without any target */
-	uint32_t at;            /* which base vector it is */
-	uint16_t moved;         /* which of the moved vertices */
-	int16_t weight_q16;     /* of what that moved, in the base's unit */
+	struct fixed_base rest; /* the base vector without any target */
+	uint32_t base_index;    /* of the base vector in its stream */
+	uint16_t delta_index;   /* of the vertex's delta */
+	int16_t weight_q16;     /* of the delta, in the base vector's unit */
 };
 
 enum {
-	/* In the fraction of vectors that morph_pair() and morph_begin() start
-	   from: a half, for rounding. */
+	/* A half, as the fraction of the vectors that morph_pair() and
+	   morph_begin() start from, for rounding. */
 	FIXED_HALF = -32768
 };
 
 struct fixed_loops {
 	/*
-	 * Skins one stream of base vectors (positions, normals or tangents):
-	 * out = the sum over its influences of matrix * base, >> 16. base has
-	 * the influences of all groups one after the other, and one more of
-	 * any content, which may be loaded; out a vector a vertex. Nothing
-	 * wraps that fixed_palette_make() let through.
+	 * Skins one stream (positions, normals or tangents): out = the sum of
+	 * matrix * base over a vertex's influences, >> 16. base has the
+	 * influences of all groups in order and one more of any content, which
+	 * may be loaded. out has a vector a vertex. Nothing wraps with matrices
+	 * of fixed_palette_make().
 	 */
 	void (*skin)(const struct fixed_group *group, int group_count,
 		const struct fixed_base *base,
@@ -118,7 +122,10 @@ struct fixed_loops {
 	void (*lerp)(int count, const struct fixed_pair (*pair)[3],
 		struct fixed_weights weights, struct fixed_vector *out);
 
-	/* vector += step, each number for itself, stopping at the ends. */
+	/*
+	 * vector += step, each number clamped to 16 bits: AN4044's morphing by
+	 * frames (1.2.2), which `limber bench` compares.
+	 */
 	void (*increment)(int count, const struct fixed_vector *step,
 		struct fixed_vector *vector);
 
@@ -130,7 +137,7 @@ struct fixed_loops {
 		const struct fixed_pair (*pair)[3],
 		struct fixed_weights weights, struct fixed_vector *out);
 
-	/* The same for many pairs: begin, add each, end. */
+	/* The same for many pairs: begin, add each pair, end. */
 	void (*morph_begin)(int count, const struct fixed_vector *base,
 		struct fixed_sum *sum);
 	void (*morph_add)(int count, const struct fixed_pair (*pair)[3],
@@ -139,14 +146,14 @@ struct fixed_loops {
 		struct fixed_vector *out);
 
 	/*
-	 * base[at] = rest + (delta[moved] * weight_q16 + 2^15) >> 16; w stays
-	 * rest's.
+	 * base[base_index] = rest + (delta[delta_index] * weight_q16 + 2^15)
+	 * >> 16 in x, y and z; w stays rest's.
 	 */
 	void (*rebase)(int count, const struct fixed_rebase *rebase,
 		const struct fixed_vector *delta, struct fixed_base *base);
 };
 
-/* Plain C; the assembly must give the same. */
+/* Plain C. The assembly gives the same bits. */
 extern const struct fixed_loops fixed_loops_c;
 
 #endif

@@ -248,9 +248,9 @@ static void rebase(int count, const struct fixed_rebase *rebase,
 {
 	for (int i = 0; i < count; i++) {
 		const struct fixed_rebase *r = &rebase[i];
-		const struct fixed_vector *by = &delta[r->moved];
+		const struct fixed_vector *by = &delta[r->delta_index];
 
-		base[r->at] = (struct fixed_base){
+		base[r->base_index] = (struct fixed_base){
 			move(r->rest.x, by->x, r->weight_q16),
 			move(r->rest.y, by->y, r->weight_q16),
 			move(r->rest.z, by->z, r->weight_q16), r->rest.w};

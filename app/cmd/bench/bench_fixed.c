@@ -1,6 +1,9 @@
-#include "app/anim/kernel/fixed_key.h"
-#include "app/anim/kernel/fixed_morph.h"
-#include "app/anim/kernel/fixed_skin.h"
+#include "app/anim/kernel/layout/fixed_key.h"
+#include "app/anim/kernel/layout/fixed_morph.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
+#include "app/anim/kernel/run/fixed_lerp.h"
+#include "app/anim/kernel/run/fixed_morph_run.h"
+#include "app/anim/kernel/run/fixed_palette.h"
 #include "app/cmd/bench/bench_job.h"
 
 #include <errno.h>
@@ -34,7 +37,7 @@ static void skin(void *user)
 		fixed_palette_make(&s->skin, (const mat4 *)s->mesh->palette,
 			s->matrix, &s->placement);
 	}
-	skin_stream(s, s->skin.position, s->posed[0]);
+	skin_stream(s, s->skin.base[FIXED_POSITION], s->posed[0]);
 }
 
 static void skin_normals(void *user)
@@ -42,7 +45,7 @@ static void skin_normals(void *user)
 	struct fixed_state *s = user;
 
 	skin(user);
-	skin_stream(s, s->skin.normal, s->posed[1]);
+	skin_stream(s, s->skin.base[FIXED_NORMAL], s->posed[1]);
 }
 
 static void skin_tangents(void *user)
@@ -50,7 +53,7 @@ static void skin_tangents(void *user)
 	struct fixed_state *s = user;
 
 	skin_normals(user);
-	skin_stream(s, s->skin.tangent, s->posed[2]);
+	skin_stream(s, s->skin.base[FIXED_TANGENT], s->posed[2]);
 }
 
 static void lerp(void *user)

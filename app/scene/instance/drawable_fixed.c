@@ -1,5 +1,8 @@
 #include "app/scene/instance/drawable_fixed.h"
 
+#include "app/anim/kernel/run/fixed_morph_run.h"
+#include "app/anim/kernel/run/fixed_palette.h"
+#include "app/anim/kernel/run/fixed_skin_run.h"
 #include "app/scene/draw/bump.h"
 
 #include <errno.h>
@@ -42,8 +45,8 @@ static int init_skin(struct drawable_fixed *fixed,
 	int error = fixed_skin_init(&fixed->skin, primitive, streams, arena);
 
 	if (!error && target_count > 0) {
-		error = fixed_skin_morph_init(
-			&fixed->skin_morph, &fixed->skin, target_count, arena);
+		error = fixed_skin_add_targets(
+			&fixed->skin, target_count, arena);
 	}
 	if (error) {
 		return error;
@@ -110,15 +113,16 @@ static void run_skin(const struct drawable_fixed *fixed, bool with_normals,
 	const struct fixed_skin *skin = &fixed->skin;
 	const struct fixed_loops *loops = fixed->loops;
 
-	loops->skin(skin->group, skin->group_count, skin->position,
+	loops->skin(skin->group, skin->group_count, skin->base[FIXED_POSITION],
 		fixed->matrix, fixed->position);
 	if (fixed->normal && with_normals) {
-		loops->skin(skin->group, skin->group_count, skin->normal,
-			fixed->matrix, fixed->normal);
+		loops->skin(skin->group, skin->group_count,
+			skin->base[FIXED_NORMAL], fixed->matrix, fixed->normal);
 	}
 	if (with_tangents) {
-		loops->skin(skin->group, skin->group_count, skin->tangent,
-			fixed->matrix, fixed->tangent);
+		loops->skin(skin->group, skin->group_count,
+			skin->base[FIXED_TANGENT], fixed->matrix,
+			fixed->tangent);
 	}
 }
 
@@ -134,7 +138,7 @@ static bool set_skin_weights(
 {
 	struct drawable_fixed *fixed = drawable->fixed;
 
-	return fixed_skin_morph_update(&fixed->skin_morph, fixed->loops,
+	return fixed_skin_set_weights(&fixed->skin, fixed->loops,
 		       weights_of(instance, drawable)) == 0;
 }
 

@@ -19,8 +19,9 @@
 #ifndef APP_SCENE_INSTANCE_INSTANCE_H
 #define APP_SCENE_INSTANCE_INSTANCE_H
 
-#include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/layout/fixed_morph.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
 #include "app/anim/pose.h"
 #include "app/anim/skin.h"
 #include "platform/base/fixed.h"
@@ -86,10 +87,9 @@ struct drawable_fixed {
 	 */
 	const uint32_t *order, *inverse_order;
 
-	struct fixed_skin skin;             /* if skinned */
-	struct fixed_matrix *matrix;        /* [skin.joint_count] */
-	struct fixed_skin_morph skin_morph; /* if skinned and morphed */
-	struct fixed_morph morph; /* if not skinned; rigid: no targets */
+	struct fixed_skin skin;      /* if skinned */
+	struct fixed_matrix *matrix; /* [skin.joint_count] */
+	struct fixed_morph morph;    /* if not skinned; rigid: no targets */
 	/* The last pose did not fit 16 bits: the output is an earlier one's. */
 	bool overflowed;
 };
@@ -146,8 +146,9 @@ struct instance {
 
 	/*
 	 * If true, updates pose and light the tangents of bump-mapped
-	 * drawables, which are then drawn with their normal maps if texture_set.normal_mapping
-	 * is true. May be changed before any update; true initially.
+	 * drawables, which are then drawn with their normal maps if
+	 * texture_set.normal_mapping is true. May be changed before any update;
+	 * true initially.
 	 */
 	bool normal_mapping;
 	/* Unit vector to the light that bump mapping uses, in world space. */

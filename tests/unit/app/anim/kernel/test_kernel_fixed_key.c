@@ -1,9 +1,14 @@
 /*
  * Key frames, the ways between them, and weighted targets, in fixed point.
  */
-#include "app/anim/kernel/fixed_key.h"
-#include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/layout/fixed_key.h"
+#include "app/anim/kernel/layout/fixed_morph.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
+#include "app/anim/kernel/run/fixed_lerp.h"
+#include "app/anim/kernel/run/fixed_morph_run.h"
+#include "app/anim/kernel/run/fixed_palette.h"
+#include "app/anim/kernel/run/fixed_skin_run.h"
 #include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
@@ -21,7 +26,7 @@ struct keys {
 	struct fixed_placement placement;
 	struct fixed_vector key[2][VERTICES];
 	struct fixed_pair pair[VERTICES][3];
-	struct fixed_vector temporal[VERTICES], step[VERTICES];
+	struct fixed_vector temporal[VERTICES];
 };
 
 static void set_up(struct keys *k)
@@ -122,49 +127,6 @@ static void test_a_lerp_is_straight_on_the_way(void **state)
 			assert_near(k.temporal[v].y, want, 1.01);
 		}
 	}
-}
-
-static void test_steps_by_frames_arrive_exactly(void **state)
-{
-	static const int frames[] = {1, 2, 7, 30};
-	static struct keys k;
-
-	(void)state;
-	set_up(&k);
-	for (size_t n = 0; n < sizeof(frames) / sizeof(frames[0]); n++) {
-		struct fixed_walk walk = {
-			.vertex_count = VERTICES, .step = k.step};
-
-		memcpy(k.temporal, k.key[0], sizeof(k.temporal));
-		fixed_walk_begin(&walk, k.temporal, k.key[1], frames[n]);
-		for (int i = 1; i <= frames[n]; i++) {
-			double omega = (double)i / frames[n];
-
-			assert_true(fixed_walk_update(
-				&walk, &fixed_loops_c, k.temporal));
-			for (int v = 0; v < VERTICES; v++) {
-				assert_near(k.temporal[v].x,
-					(1 - omega) * k.key[0][v].x +
-						omega * k.key[1][v].x,
-					0.5 * i + 0.01);
-			}
-		}
-		assert_same(k.temporal, k.key[1]);
-		assert_false(
-			fixed_walk_update(&walk, &fixed_loops_c, k.temporal));
-	}
-}
-
-static void test_a_walk_of_no_frames_arrives_at_once(void **state)
-{
-	static struct keys k;
-	struct fixed_walk walk = {.vertex_count = VERTICES, .step = k.step};
-
-	(void)state;
-	set_up(&k);
-	fixed_walk_begin(&walk, k.key[0], k.key[1], -3);
-	assert_true(fixed_walk_update(&walk, &fixed_loops_c, k.temporal));
-	assert_same(k.temporal, k.key[1]);
 }
 
 static void test_ranges_without_numbers_are_refused(void **state)
@@ -274,7 +236,7 @@ static void test_targets_add_up_at_all_weights(void **state)
 		assert_morphed(&m, weights[i], out, &morph.placement,
 			1.6 * morph.placement.scale);
 	}
-	assert_near(morph.reach, 32, 0);
+	assert_near(morph.weight_limit, 32, 0);
 	arena_release(&m.arena);
 }
 
@@ -328,7 +290,6 @@ static void test_a_morphed_primitive_is_skinned(void **state)
 	static struct morphed m;
 	struct fixed_vector out[VERTICES];
 	struct fixed_skin skin;
-	struct fixed_skin_morph morph;
 	struct fixed_matrix matrix;
 	struct fixed_placement placement;
 	mat4 identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -338,19 +299,18 @@ static void test_a_morphed_primitive_is_skinned(void **state)
 	assert_int_equal(
 		fixed_skin_init(&skin, &m.primitive, FIXED_NORMALS, &m.arena),
 		0);
-	assert_int_equal(
-		fixed_skin_morph_init(&morph, &skin, TARGETS, &m.arena), 0);
-	assert_int_equal(morph.moved_count, 9 + 12);
+	assert_int_equal(fixed_skin_add_targets(&skin, TARGETS, &m.arena), 0);
+	assert_int_equal(skin.targets.moved_count, 9 + 12);
 	for (size_t i = 0; i < sizeof(weights) / sizeof(weights[0]); i++) {
-		assert_int_equal(fixed_skin_morph_update(
-					 &morph, &fixed_loops_c, weights[i]),
+		assert_int_equal(fixed_skin_set_weights(
+					 &skin, &fixed_loops_c, weights[i]),
 			0);
 		assert_int_equal(
 			fixed_palette_make(&skin, (const mat4 *)&identity,
 				&matrix, &placement),
 			0);
-		fixed_loops_c.skin(skin.group, skin.group_count, skin.position,
-			&matrix, out);
+		fixed_loops_c.skin(skin.group, skin.group_count,
+			skin.base[FIXED_POSITION], &matrix, out);
 		/* One joint and one influence: the order is the primitive's. */
 		assert_morphed(
 			&m, weights[i], out, &placement, 3 * placement.scale);
@@ -364,8 +324,6 @@ int main(void)
 		cmocka_unit_test(test_a_key_frame_fills_15_bits),
 		cmocka_unit_test(test_a_lerp_ends_at_its_key_frames),
 		cmocka_unit_test(test_a_lerp_is_straight_on_the_way),
-		cmocka_unit_test(test_steps_by_frames_arrive_exactly),
-		cmocka_unit_test(test_a_walk_of_no_frames_arrives_at_once),
 		cmocka_unit_test(test_ranges_without_numbers_are_refused),
 		cmocka_unit_test(test_a_point_alone_has_a_placement),
 		cmocka_unit_test(test_targets_add_up_at_all_weights),

@@ -105,8 +105,8 @@ static void set_up(struct fixture *f, enum filling filling, uint32_t seed)
 	make_groups(f, &seed);
 	fill(f->rebase, sizeof(f->rebase), filling, &seed);
 	for (int i = 0; i < VERTICES; i++) {
-		f->rebase[i].at = (uint32_t)(i * 5 % VERTICES);
-		f->rebase[i].moved = (uint16_t)(i * 7 % VERTICES);
+		f->rebase[i].base_index = (uint32_t)(i * 5 % VERTICES);
+		f->rebase[i].delta_index = (uint16_t)(i * 7 % VERTICES);
 	}
 }
 

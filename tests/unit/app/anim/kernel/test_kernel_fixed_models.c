@@ -3,9 +3,12 @@
  * Khronos' where their folder is there.
  */
 #include "app/anim/clip.h"
-#include "app/anim/kernel/fixed_morph.h"
-#include "app/anim/kernel/fixed_skin_morph.h"
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/layout/fixed_morph.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
+#include "app/anim/kernel/run/fixed_morph_run.h"
+#include "app/anim/kernel/run/fixed_palette.h"
+#include "app/anim/kernel/run/fixed_skin_run.h"
 #include "app/anim/pose.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
@@ -112,7 +115,6 @@ static void set_terms(const struct model_primitive *primitive,
 /* A skinned primitive, with targets where it has some. */
 struct skinned {
 	struct fixed_skin skin;
-	struct fixed_skin_morph morph;
 	struct skin_stream stream;
 	int target_count;
 	float *weight;
@@ -158,21 +160,22 @@ static void compare_at(const struct scene *scene, struct skinned *it, int cap,
 	struct fixed_placement placement;
 	double size;
 
-	skin_float(scene, it, cap, position, skin->normal ? normal : NULL);
+	skin_float(scene, it, cap, position,
+		skin->base[FIXED_NORMAL] ? normal : NULL);
 	fixed_skin_set_cap(skin, cap);
 	if (it->target_count > 0) {
-		assert_int_equal(fixed_skin_morph_update(&it->morph,
-					 &fixed_loops_c, it->weight),
+		assert_int_equal(fixed_skin_set_weights(
+					 &it->skin, &fixed_loops_c, it->weight),
 			0);
 	}
 	assert_int_equal(fixed_palette_make(skin, (const mat4 *)scene->palette,
 				 matrix, &placement),
 		0);
-	fixed_loops_c.skin(
-		skin->group, skin->group_count, skin->position, matrix, out);
-	if (skin->normal) {
-		fixed_loops_c.skin(skin->group, skin->group_count, skin->normal,
-			matrix, out_normal);
+	fixed_loops_c.skin(skin->group, skin->group_count,
+		skin->base[FIXED_POSITION], matrix, out);
+	if (skin->base[FIXED_NORMAL]) {
+		fixed_loops_c.skin(skin->group, skin->group_count,
+			skin->base[FIXED_NORMAL], matrix, out_normal);
 	}
 	size = radius((const float(*)[3])position, count);
 	for (int i = 0; i < count; i++) {
@@ -181,7 +184,7 @@ static void compare_at(const struct scene *scene, struct skinned *it, int cap,
 		place(&out[i], &placement, got);
 		worst->position = fmax(worst->position,
 			distance(got, position[skin->order[i]]) / size);
-		if (skin->normal) {
+		if (skin->base[FIXED_NORMAL]) {
 			worst->normal_rad = fmax(worst->normal_rad,
 				angle_rad(normal[skin->order[i]],
 					&out_normal[i]));
@@ -201,8 +204,8 @@ static void set_up_skinned(struct skinned *it, const struct scene *scene,
 				 primitive->normal ? FIXED_NORMALS : 0, arena),
 		0);
 	if (it->target_count > 0) {
-		assert_int_equal(fixed_skin_morph_init(&it->morph, &it->skin,
-					 it->target_count, arena),
+		assert_int_equal(fixed_skin_add_targets(
+					 &it->skin, it->target_count, arena),
 			0);
 	}
 }

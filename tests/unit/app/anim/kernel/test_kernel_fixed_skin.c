@@ -1,8 +1,9 @@
 /*
  * Preparing skinned primitives for fixed point, and their palettes.
  */
-#include "app/anim/kernel/fixed_skin.h"
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
+#include "app/anim/kernel/run/fixed_palette.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"
@@ -120,7 +121,7 @@ static void compare_positions(struct fixture *f, int cap, double tolerance)
 		}
 		clear_overflow();
 		loops->skin(f->skin.group, f->skin.group_count,
-			f->skin.position, f->matrix, f->out);
+			f->skin.base[FIXED_POSITION], f->matrix, f->out);
 		assert_false(has_overflowed());
 		for (int i = 0; i < VERTICES; i++) {
 			const int16_t *got = &f->out[i].x;
@@ -208,7 +209,7 @@ static void test_weights_sum_to_one_exactly(void **state)
 	(void)state;
 	set_up(&f);
 	for (int cap = 0; cap < WIDTH; cap++) {
-		const struct fixed_base *base = f.skin.position;
+		const struct fixed_base *base = f.skin.base[FIXED_POSITION];
 
 		fixed_skin_set_cap(&f.skin, cap);
 		for (int g = 0; g < f.skin.group_count; g++) {
@@ -239,8 +240,8 @@ static void test_directions_are_floats(void **state)
 	(void)state;
 	set_up(&f);
 	compare_positions(&f, 0, 4e-4);
-	fixed_loops_c.skin(f.skin.group, f.skin.group_count, f.skin.normal,
-		f.matrix, f.out);
+	fixed_loops_c.skin(f.skin.group, f.skin.group_count,
+		f.skin.base[FIXED_NORMAL], f.matrix, f.out);
 	for (int i = 0; i < VERTICES; i++) {
 		float v[3] = {f.out[i].x, f.out[i].y, f.out[i].z};
 		double length = vec_length(v);
@@ -253,8 +254,10 @@ static void test_directions_are_floats(void **state)
 		}
 	}
 	/* The fixture's tangents are its normals. */
-	assert_memory_equal(f.skin.normal, f.skin.tangent,
-		(size_t)f.skin.influence_count * sizeof(*f.skin.normal));
+	assert_memory_equal(f.skin.base[FIXED_NORMAL],
+		f.skin.base[FIXED_TANGENT],
+		(size_t)f.skin.influence_count *
+			sizeof(*f.skin.base[FIXED_NORMAL]));
 	tear_down(&f);
 }
 

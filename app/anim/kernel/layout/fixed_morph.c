@@ -1,26 +1,21 @@
-#include "app/anim/kernel/fixed_morph.h"
+#include "app/anim/kernel/layout/fixed_morph.h"
 
 #include "app/anim/kernel/fixed_number.h"
+#include "app/anim/kernel/layout/fixed_attribute.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
-#include <string.h>
 
 enum {
-	GAP_MAX = 3, /* unmoved vertices that do not end a span */
-	CHUNK = 256, /* vertices whose sums stay in L1 */
-	REACH_MAX = 1024
+	GAP_MAX = 3 /* unmoved vertices that do not end a span */
 };
 
-/* An attribute's vertex, less what the middle of all is. */
+/* A vertex's attribute; positions are relative to the middle of all. */
 static void base_of(const struct fixed_morph *morph,
 	enum fixed_attribute attribute, int vertex, float out[3])
 {
-	const struct model_primitive *primitive = morph->primitive;
-	const float *from = attribute == FIXED_POSITION
-		? primitive->position[vertex]
-		: attribute == FIXED_NORMAL ? primitive->normal[vertex]
-					    : primitive->tangent[vertex];
+	const float *from = fixed_attribute_of(
+		morph->primitive, attribute, (uint32_t)vertex);
 
 	for (int k = 0; k < 3; k++) {
 		out[k] = attribute == FIXED_POSITION
@@ -29,19 +24,14 @@ static void base_of(const struct fixed_morph *morph,
 	}
 }
 
-/* A target's deltas, or NULL, which a pair's missing half has too. */
+/* A target's deltas, or NULL, also for the missing half of the last pair. */
 static const float (*deltas_of(const struct fixed_morph *morph,
 	enum fixed_attribute attribute, int target))[3]
 {
-	const struct model_target *from;
-
-	if (target >= morph->target_count) {
-		return NULL;
-	}
-	from = &morph->primitive->target[target];
-	return (const float(*)[3])(attribute == FIXED_POSITION ? from->position
-			: attribute == FIXED_NORMAL            ? from->normal
-							       : from->tangent);
+	return target < morph->target_count
+		? fixed_attribute_deltas(
+			  &morph->primitive->target[target], attribute)
+		: NULL;
 }
 
 static float largest_delta(const float (*delta)[3], int count)
@@ -78,8 +68,9 @@ static int find_middle(struct fixed_morph *morph)
 }
 
 /*
- * So that a vertex with all targets at weight 1 fits, and one target's weight
- * of 1 as well (see set_scales()).
+ * Chooses the unit so that a vertex fits with all targets at weight 1, and so
+ * does the weight of a single target (see weight_number() in
+ * fixed_morph_run.c).
  */
 static int choose_unit(struct fixed_morph *morph, enum fixed_attribute attribute)
 {
@@ -111,21 +102,21 @@ static int choose_unit(struct fixed_morph *morph, enum fixed_attribute attribute
 
 		single = size > single ? size : single;
 	}
-	stream->fits = 32600.0f / total;
-	if (stream->fits > 16383.0f / single) {
-		stream->fits = 16383.0f / single;
+	stream->unit_at_1 = 32600.0f / total;
+	if (stream->unit_at_1 > 16383.0f / single) {
+		stream->unit_at_1 = 16383.0f / single;
 	}
 	return 0;
 }
 
-/* One half of a pair, at 32767 for the largest. */
+/* One half of a pair; the largest delta becomes 32767. */
 static int16_t delta_number(
 	const float (*delta)[3], int vertex, int axis, float scale)
 {
 	return delta ? fixed_round(delta[vertex][axis] * scale) : 0;
 }
 
-/* Two targets while they are laid out. */
+/* The two targets of a pair. */
 struct source {
 	const float (*delta[2])[3];
 	float scale[2];
@@ -146,7 +137,7 @@ static bool write_pair(
 	return moves;
 }
 
-/* The next span at or after a vertex; one of no length at the end. */
+/* The next span at or after a vertex; its count is 0 at the end. */
 static struct fixed_span next_span(
 	const struct source *source, int from, int vertex_count)
 {
@@ -226,12 +217,12 @@ static int lay_out_pairs(struct fixed_morph *morph,
 	return 0;
 }
 
-/* Base vectors in the unit that the reach leaves. */
+/* Base vectors in the unit that the weight limit allows. */
 static void write_base(struct fixed_morph *morph, enum fixed_attribute attribute)
 {
 	struct fixed_morph_stream *stream = &morph->stream[attribute];
 
-	stream->unit = stream->fits / morph->reach;
+	stream->unit = stream->unit_at_1 / morph->weight_limit;
 	for (int v = 0; v < morph->vertex_count; v++) {
 		float base[3];
 
@@ -277,7 +268,7 @@ int fixed_morph_init(struct fixed_morph *morph,
 		.vertex_count = primitive->vertex_count,
 		.target_count = target_count,
 		.pair_count = (target_count + 1) / 2,
-		.reach = 1.0f,
+		.weight_limit = 1.0f,
 	};
 	error = find_middle(morph);
 	if (!error) {
@@ -292,155 +283,13 @@ int fixed_morph_init(struct fixed_morph *morph,
 	return error;
 }
 
-/*
- * With |weight| <= reach, a number is at most 2 * 16383: delta * unit is at
- * most 16383 at reach 1.
- */
-static int16_t weight_number(const struct fixed_morph *morph,
-	const struct fixed_deltas *deltas, const float *weight, int target,
-	float unit)
+void fixed_morph_set_limit(struct fixed_morph *morph, float weight_limit)
 {
-	return target < morph->target_count
-		? fixed_round(weight[target] * deltas->scale[target & 1] * unit)
-		: 0;
-}
-
-static void set_reach(struct fixed_morph *morph, float reach)
-{
-	morph->reach = reach;
+	morph->weight_limit = weight_limit;
 	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
 		if (morph->stream[a].base) {
 			write_base(morph, (enum fixed_attribute)a);
 		}
-	}
-}
-
-int fixed_morph_set_weights(struct fixed_morph *morph, const float *weight)
-{
-	float reach = morph->reach;
-
-	for (int t = 0; t < morph->target_count; t++) {
-		if (!(scalar_abs(weight[t]) <= REACH_MAX)) {
-			return -ERANGE;
-		}
-		while (scalar_abs(weight[t]) > reach) {
-			reach *= 2.0f;
-		}
-	}
-	if (reach > morph->reach) {
-		set_reach(morph, reach);
-	}
-	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
-		struct fixed_morph_stream *stream = &morph->stream[a];
-
-		for (int p = 0; stream->base && p < morph->pair_count; p++) {
-			struct fixed_deltas *deltas = &stream->deltas[p];
-
-			deltas->weights.a = weight_number(
-				morph, deltas, weight, 2 * p, stream->unit);
-			deltas->weights.b = weight_number(
-				morph, deltas, weight, 2 * p + 1, stream->unit);
-		}
-	}
-	return 0;
-}
-
-static bool is_active(const struct fixed_deltas *deltas)
-{
-	return deltas->span_count > 0 &&
-		(deltas->weights.a != 0 || deltas->weights.b != 0);
-}
-
-static void copy(const struct fixed_vector *from, int first, int end,
-	struct fixed_vector *to)
-{
-	if (end > first) {
-		memcpy(to + first, from + first,
-			(size_t)(end - first) * sizeof(*to));
-	}
-}
-
-/* Added in one go, and the vertices between its spans copied. */
-static void run_one(const struct fixed_morph *morph,
-	const struct fixed_loops *loops, const struct fixed_vector *base,
-	const struct fixed_deltas *deltas, struct fixed_vector *out)
-{
-	int done = 0;
-
-	for (int i = 0; i < deltas->span_count; i++) {
-		const struct fixed_span *span = &deltas->span[i];
-
-		copy(base, done, span->first, out);
-		loops->morph_pair(span->count, base + span->first,
-			(const struct fixed_pair(*)[3])deltas->pair +
-				span->first_pair,
-			deltas->weights, out + span->first);
-		done = span->first + span->count;
-	}
-	copy(base, done, morph->vertex_count, out);
-}
-
-/* What of a pair's spans lies within first .. first + count. */
-static void add_within(const struct fixed_loops *loops,
-	const struct fixed_deltas *deltas, int first, int count,
-	struct fixed_sum *sum)
-{
-	for (int i = 0; i < deltas->span_count; i++) {
-		const struct fixed_span *span = &deltas->span[i];
-		int from = span->first > first ? span->first : first;
-		int to = span->first + span->count;
-
-		to = to < first + count ? to : first + count;
-		if (from < to) {
-			loops->morph_add(to - from,
-				(const struct fixed_pair(*)[3])deltas->pair +
-					span->first_pair + from - span->first,
-				deltas->weights, sum + from - first);
-		}
-	}
-}
-
-static void run_many(const struct fixed_morph *morph,
-	const struct fixed_loops *loops,
-	const struct fixed_morph_stream *stream, struct fixed_vector *out)
-{
-	struct fixed_sum sum[CHUNK];
-
-	for (int first = 0; first < morph->vertex_count; first += CHUNK) {
-		int left = morph->vertex_count - first;
-		int count = left < CHUNK ? left : CHUNK;
-
-		loops->morph_begin(count, stream->base + first, sum);
-		for (int p = 0; p < morph->pair_count; p++) {
-			if (is_active(&stream->deltas[p])) {
-				add_within(loops, &stream->deltas[p], first,
-					count, sum);
-			}
-		}
-		loops->morph_end(count, sum, out + first);
-	}
-}
-
-void fixed_morph_run(const struct fixed_morph *morph,
-	const struct fixed_loops *loops, enum fixed_attribute attribute,
-	struct fixed_vector *out)
-{
-	const struct fixed_morph_stream *stream = &morph->stream[attribute];
-	const struct fixed_deltas *only = NULL;
-	int active = 0;
-
-	for (int p = 0; p < morph->pair_count; p++) {
-		if (is_active(&stream->deltas[p])) {
-			only = &stream->deltas[p];
-			active++;
-		}
-	}
-	if (active == 0) {
-		copy(stream->base, 0, morph->vertex_count, out);
-	} else if (active == 1) {
-		run_one(morph, loops, stream->base, only, out);
-	} else {
-		run_many(morph, loops, stream, out);
 	}
 }
 

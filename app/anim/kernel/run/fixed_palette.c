@@ -1,32 +1,29 @@
 /*
- * A frame's matrices in 16 bits.
- *
- * With vectors v scaled by s (the skin's position_scale), matrices m scaled by
- * e (element below) and weights w in Q15, a loop sums m * v + t * w and keeps
- * the upper 16 of 32 bits. So positions come out scaled by s * e / 2^16, and
- * translations t are twice as fine as those.
+ * With vectors v scaled by s (scale[FIXED_POSITION] of the skin), matrices m
+ * scaled by e (element below) and weights w in Q15, a loop sums m * v + t * w
+ * and keeps the upper 16 of 32 bits. So positions come out scaled by
+ * s * e / 2^16, and translations t are scaled by twice that.
  */
-#include "app/anim/kernel/fixed_skin.h"
+#include "app/anim/kernel/run/fixed_palette.h"
 
 #include "app/anim/kernel/fixed_number.h"
 
 #include <errno.h>
 #include <math.h>
 
-/* Keeps scales within what float has room for. */
+/* Keeps scales within the range of float. */
 #define ELEMENT_MIN 1e-12f
 #define ELEMENT_MAX 1e12f
 
 /*
- * What a frame's vertices can reach, as whole numbers that are ordered as the
- * floats are (fixed_order_of()): the core waits long for what a comparison of
- * floats says.
+ * What a frame's vertices can reach, as integers that are ordered as the floats
+ * are (fixed_order_of()), since VFP11 takes long to compare floats.
  */
 struct reach {
-	int32_t low[3], high[3]; /* the box around what the matrices make of
-				    the joints' boxes */
-	int32_t from[3], to[3];  /* and of their middles */
-	int32_t element;         /* the size of the largest of any matrix */
+	int32_t low[3], high[3]; /* the box around the joints' boxes, each
+				    transformed by its matrix */
+	int32_t from[3], to[3];  /* the box around their middles */
+	int32_t element;         /* the largest |element| of any matrix */
 };
 
 static float larger(float a, float b)
@@ -83,7 +80,7 @@ static void measure(
 	*out = reach;
 }
 
-/* NaNs are beyond infinity, either way. */
+/* A NaN is ordered beyond infinity, so it fails too. */
 static bool is_usable(const struct reach *reach)
 {
 	const int32_t most = fixed_order_of(1e18f),
@@ -99,9 +96,9 @@ static bool is_usable(const struct reach *reach)
 }
 
 /*
- * What 1 is in the matrices: as fine as the largest element, the box and the
- * translations allow, in steps, lest all numbers change their rounding in each
- * frame. The margins are for rounding.
+ * The number that 1 becomes in the matrices: as large as the largest element,
+ * the box and the translations allow. It changes in steps, so that not every
+ * frame rounds differently. The limits leave a margin for rounding.
  */
 static float choose_element(
 	const struct reach *reach, const float middle[3], float position_scale)
@@ -125,7 +122,7 @@ static float choose_element(
 	return fixed_step(limit > ELEMENT_MAX ? ELEMENT_MAX : limit);
 }
 
-/* per_unit: what a translation of 1 is. */
+/* per_unit is the number that a translation of 1 becomes. */
 static inline void write_row(const vec4 *m, const struct fixed_joint *joint,
 	int row, float middle, float element, float per_unit, int16_t out[4])
 {
@@ -136,8 +133,8 @@ static inline void write_row(const vec4 *m, const struct fixed_joint *joint,
 	out[0] = fixed_round_fast(x * element);
 	out[1] = fixed_round_fast(y * element);
 	out[2] = fixed_round_fast(z * element);
-	/* Weights are negative. The 1 is half of the output's last bit, which
-	   rounds. */
+	/* Weights are negative. The 1 is half of the output's last bit, for
+	   rounding. */
 	out[3] = (int16_t)(-fixed_round_fast(at * per_unit) - 1);
 }
 
@@ -157,11 +154,11 @@ int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 			(fixed_float_of(reach.low[row]) +
 				fixed_float_of(reach.high[row]));
 	}
-	element = choose_element(&reach, middle, skin->position_scale);
+	element = choose_element(&reach, middle, skin->scale[FIXED_POSITION]);
 	if (element < ELEMENT_MIN) {
 		return -ERANGE;
 	}
-	output = skin->position_scale * element / 65536.0f;
+	output = skin->scale[FIXED_POSITION] * element / 65536.0f;
 	placement->scale = 1.0f / output;
 	for (int j = 0; j < skin->joint_count; j++) {
 		const struct fixed_joint *joint = &skin->joint[j];

@@ -1,14 +1,12 @@
-#include "app/anim/kernel/fixed_key.h"
+#include "app/anim/kernel/layout/fixed_key.h"
 
 #include "app/anim/kernel/fixed_number.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
-#include <string.h>
 
 enum {
-	KEY_MAX = 16383, /* twice that, negated, fits a pair */
-	WEIGHT_ONE_Q15 = 32768
+	KEY_MAX = 16383 /* twice that, negated, fits a pair */
 };
 
 struct fixed_range fixed_range_empty(void)
@@ -24,7 +22,7 @@ void fixed_range_add(
 		for (int k = 0; k < 3; k++) {
 			float at = position[i][k];
 
-			/* What is no number leaves the range no range. */
+			/* Makes fixed_range_placement() fail. */
 			at = fixed_can_use(at) ? at : -1e30f;
 			range->low[k] = at < range->low[k] ? at : range->low[k];
 			range->high[k] =
@@ -97,56 +95,4 @@ void fixed_lerp_prepare(int count, const struct fixed_vector *source,
 		pair[i][1] = lerp_pair(source[i].y, destiny[i].y);
 		pair[i][2] = lerp_pair(source[i].z, destiny[i].z);
 	}
-}
-
-struct fixed_weights fixed_lerp_weights(float omega)
-{
-	int b = (int)(scalar_clamp(omega, 0, 1) * WEIGHT_ONE_Q15 + 0.5f);
-
-	/* Negative, for -1 fits where 1 would not. */
-	return (struct fixed_weights){
-		(int16_t)(b - WEIGHT_ONE_Q15), (int16_t)-b};
-}
-
-/* Of a whole number by another, to the nearest. */
-static int16_t divide(int number, int by)
-{
-	int half = by / 2;
-
-	return (int16_t)((number < 0 ? number - half : number + half) / by);
-}
-
-void fixed_walk_begin(struct fixed_walk *walk,
-	const struct fixed_vector *temporal, const struct fixed_vector *destiny,
-	int frame_count)
-{
-	int frames = frame_count > 1 ? frame_count : 1;
-
-	walk->frames_left = frames;
-	walk->destiny = destiny;
-	for (int i = 0; i < walk->vertex_count; i++) {
-		const struct fixed_vector *from = &temporal[i];
-		const struct fixed_vector *to = &destiny[i];
-
-		walk->step[i] = (struct fixed_vector){0,
-			divide(to->x - from->x, frames),
-			divide(to->y - from->y, frames),
-			divide(to->z - from->z, frames)};
-	}
-}
-
-bool fixed_walk_update(struct fixed_walk *walk, const struct fixed_loops *loops,
-	struct fixed_vector *temporal)
-{
-	if (walk->frames_left == 0) {
-		return false;
-	}
-	walk->frames_left--;
-	if (walk->frames_left == 0) {
-		memcpy(temporal, walk->destiny,
-			(size_t)walk->vertex_count * sizeof(*temporal));
-	} else {
-		loops->increment(walk->vertex_count, walk->step, temporal);
-	}
-	return true;
 }

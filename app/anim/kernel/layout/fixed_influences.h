@@ -1,8 +1,8 @@
 /*
  * A vertex's influences with weights in 16 bits.
  */
-#ifndef APP_ANIM_KERNEL_FIXED_INFLUENCES_H
-#define APP_ANIM_KERNEL_FIXED_INFLUENCES_H
+#ifndef APP_ANIM_KERNEL_LAYOUT_FIXED_INFLUENCES_H
+#define APP_ANIM_KERNEL_LAYOUT_FIXED_INFLUENCES_H
 
 #include "app/anim/skin.h"
 
@@ -13,17 +13,17 @@ enum {
 struct fixed_influences {
 	int count; /* at least 1 */
 	uint16_t joint[SKIN_INFLUENCES_MAX];
-	int16_t weight_q14[SKIN_INFLUENCES_MAX]; /* they sum to one exactly */
+	int16_t weight_q14[SKIN_INFLUENCES_MAX]; /* their sum is exactly 1 */
 };
 
 /*
- * By descending weight, without those that are naught in Q14; at most cap of
- * them (0: all), the weights of which are scaled to sum to one.
+ * The influences by descending weight, without those that are 0 in Q14; at most
+ * cap of them (0: all), whose weights are scaled to sum to 1.
  */
 void fixed_influences_gather(const struct model_primitive *primitive,
 	uint32_t vertex, int cap, struct fixed_influences *out);
 
-/* Into the order in which a run has them: by joint. */
+/* Sorts them by joint, the order in which a run has them. */
 void fixed_influences_by_joint(struct fixed_influences *influences);
 
 #endif

@@ -1,0 +1,62 @@
+/*
+ * The steps that make up the layout of a skinned primitive, for fixed_skin.c
+ * alone. None of them calls fixed_skin.c.
+ *
+ *   fixed_skin_joints.c    which joints move vertices, their boxes, the scale
+ *   fixed_skin_streams.c   the order of vertices, the runs, the base vectors
+ *   fixed_skin_targets.c   the vertices that targets move, and their deltas
+ */
+#ifndef APP_ANIM_KERNEL_LAYOUT_FIXED_SKIN_PARTS_H
+#define APP_ANIM_KERNEL_LAYOUT_FIXED_SKIN_PARTS_H
+
+#include "app/anim/kernel/layout/fixed_influences.h"
+#include "app/anim/kernel/layout/fixed_skin.h"
+
+/*
+ * Allocates joint[] and joint_slot[] and fills in which joints there are. 0,
+ * -ENOMEM or -ERANGE as for fixed_skin_init().
+ */
+int fixed_skin_list_joints(struct fixed_skin *skin, struct arena *arena);
+
+/* Fills in the joints' boxes and scale[FIXED_POSITION], at the present cap. */
+void fixed_skin_measure_joints(struct fixed_skin *skin);
+
+/*
+ * Allocates the streams, sorts the vertices into order[] and inverse_order[]
+ * and allocates the runs for any cap. 0 or -ENOMEM.
+ */
+int fixed_skin_init_streams(
+	struct fixed_skin *skin, unsigned streams, struct arena *arena);
+
+/* Writes runs and base vectors, at the present cap and scales. */
+void fixed_skin_write_streams(struct fixed_skin *skin);
+
+/* Fills in skin->targets but for the rebase records. */
+int fixed_skin_init_targets(
+	struct fixed_skin *skin, int target_count, struct arena *arena);
+
+/* Writes the rebase records of the present streams; all weights become 0. */
+void fixed_skin_write_rebase(struct fixed_skin *skin);
+
+/*
+ * The largest scale that an attribute's base vectors may have: directions with
+ * all their deltas must fit 16 bits, and the vectors that targets move are at
+ * most half as fine as the deltas, since a rebase record holds a weight of at
+ * most a half.
+ */
+float fixed_skin_scale_limit(
+	const struct fixed_skin *skin, enum fixed_attribute attribute);
+
+/* How far targets may move a vertex along each axis. */
+static inline const float *fixed_skin_extent(
+	const struct fixed_skin *skin, uint32_t vertex)
+{
+	static const float zero[3] = {0, 0, 0};
+	const struct fixed_skin_targets *targets = &skin->targets;
+
+	return targets->moved_count > 0 && targets->moved[vertex]
+		? targets->extent[targets->moved[vertex] - 1]
+		: zero;
+}
+
+#endif

@@ -1,0 +1,292 @@
+#include "app/anim/kernel/fixed_number.h"
+#include "app/anim/kernel/layout/fixed_attribute.h"
+#include "app/anim/kernel/layout/fixed_skin_parts.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	MOVED_MAX = 65535
+};
+
+float fixed_skin_scale_limit(
+	const struct fixed_skin *skin, enum fixed_attribute attribute)
+{
+	const struct fixed_skin_targets *targets = &skin->targets;
+	float limit = attribute == FIXED_POSITION ? 1e18f : 32767.0f;
+	float unit;
+
+	if (!targets->rebase[attribute]) {
+		return limit;
+	}
+	unit = targets->deltas.stream[attribute].unit;
+	limit = 0.5f * unit < limit ? 0.5f * unit : limit;
+	if (attribute != FIXED_POSITION) {
+		float fits = 32766.0f /
+			(1.0f +
+				targets->deltas.weight_limit *
+					targets->largest[attribute]);
+
+		limit = fits < limit ? fits : limit;
+	}
+	return limit;
+}
+
+static bool is_moved(
+	const struct model_primitive *primitive, int target_count, int vertex)
+{
+	for (int i = 0; i < target_count * FIXED_ATTRIBUTES; i++) {
+		const float(*delta)[3] = fixed_attribute_deltas(
+			&primitive->target[i / FIXED_ATTRIBUTES],
+			(enum fixed_attribute)(i % FIXED_ATTRIBUTES));
+
+		if (delta &&
+			(delta[vertex][0] != 0.0f || delta[vertex][1] != 0.0f ||
+				delta[vertex][2] != 0.0f)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static int list_moved(
+	struct fixed_skin *skin, int target_count, struct arena *arena)
+{
+	struct fixed_skin_targets *targets = &skin->targets;
+
+	targets->moved =
+		ARENA_ARRAY(arena, uint16_t, (size_t)skin->vertex_count);
+	if (!targets->moved) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < skin->vertex_count; v++) {
+		if (!is_moved(skin->primitive, target_count, v)) {
+			continue;
+		}
+		if (targets->moved_count == MOVED_MAX) {
+			return -ERANGE;
+		}
+		targets->moved[v] = (uint16_t)++targets->moved_count;
+	}
+	return 0;
+}
+
+/* The moved vertices' deltas one after the other; NULL stays NULL. */
+static int gather_deltas(const struct fixed_skin *skin, const float (*from)[3],
+	float (**out)[3], struct arena *arena)
+{
+	const struct fixed_skin_targets *targets = &skin->targets;
+
+	*out = NULL;
+	if (!from) {
+		return 0;
+	}
+	*out = arena_alloc(arena, (size_t)targets->moved_count, sizeof(**out));
+	if (!*out) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < skin->vertex_count; v++) {
+		if (targets->moved[v]) {
+			memcpy((*out)[targets->moved[v] - 1], from[v],
+				sizeof(**out));
+		}
+	}
+	return 0;
+}
+
+/* The largest sums of all targets' deltas, of each vertex and of any. */
+static void measure_deltas(struct fixed_skin_targets *targets, int target_count)
+{
+	for (int i = 0; i < FIXED_ATTRIBUTES * targets->moved_count * 3; i++) {
+		int a = i / (targets->moved_count * 3);
+		int m = i / 3 % targets->moved_count;
+		float sum = 0.0f;
+
+		for (int t = 0; t < target_count; t++) {
+			const float(*delta)[3] =
+				fixed_attribute_deltas(&targets->zero.target[t],
+					(enum fixed_attribute)a);
+
+			sum += delta ? scalar_abs(delta[m][i % 3]) : 0.0f;
+		}
+		if (a == FIXED_POSITION) {
+			targets->extent[m][i % 3] = sum;
+		}
+		if (sum > targets->largest[a]) {
+			targets->largest[a] = sum;
+		}
+	}
+}
+
+/* Copies of all targets with the moved vertices alone. */
+static int gather_targets(const struct fixed_skin *skin, int target_count,
+	struct model_target *out, struct arena *arena)
+{
+	int error = 0;
+
+	for (int t = 0; t < target_count && !error; t++) {
+		const struct model_target *from = &skin->primitive->target[t];
+
+		error = gather_deltas(skin, (const float(*)[3])from->position,
+			&out[t].position, arena);
+		if (!error) {
+			error = gather_deltas(skin,
+				(const float(*)[3])from->normal, &out[t].normal,
+				arena);
+		}
+		if (!error) {
+			error = gather_deltas(skin,
+				(const float(*)[3])from->tangent,
+				&out[t].tangent, arena);
+		}
+	}
+	return error;
+}
+
+static int make_deltas(struct fixed_skin *skin, int target_count,
+	struct arena *scratch, struct arena *arena)
+{
+	struct fixed_skin_targets *targets = &skin->targets;
+	struct model_target *target =
+		ARENA_ARRAY(scratch, struct model_target, (size_t)target_count);
+	void *zero = arena_alloc(
+		arena, (size_t)targets->moved_count, sizeof(float[4]));
+	int error = target && zero ? 0 : -ENOMEM;
+
+	if (!error) {
+		error = gather_targets(skin, target_count, target, scratch);
+	}
+	if (error) {
+		return error;
+	}
+	targets->zero = (struct model_primitive){
+		.vertex_count = targets->moved_count,
+		.position = zero,
+		.normal = zero,
+		.tangent = zero,
+		.target = target,
+	};
+	measure_deltas(targets, target_count);
+	error = fixed_morph_init(&targets->deltas, &targets->zero, target_count,
+		(skin->base[FIXED_NORMAL] ? FIXED_NORMALS : 0u) |
+			(skin->base[FIXED_TANGENT] ? FIXED_TANGENTS : 0u),
+		arena);
+	targets->zero.target = NULL;
+	return error;
+}
+
+static int reserve(struct fixed_skin_targets *targets, int target_count,
+	struct arena *arena)
+{
+	size_t moved = (size_t)targets->moved_count;
+
+	targets->extent = arena_alloc(arena, moved, sizeof(*targets->extent));
+	targets->delta = ARENA_ARRAY(arena, struct fixed_vector, moved);
+	targets->weight = ARENA_ARRAY(arena, float, (size_t)target_count);
+	return targets->extent && targets->delta && targets->weight ? 0
+								    : -ENOMEM;
+}
+
+/* Enough for any cap: without one, a vertex has the most influences. */
+static int reserve_rebase(struct fixed_skin *skin, struct arena *arena)
+{
+	struct fixed_skin_targets *targets = &skin->targets;
+	size_t count = 0;
+
+	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
+		struct fixed_influences in;
+
+		if (targets->moved[v]) {
+			fixed_influences_gather(skin->primitive, v, 0, &in);
+			count += (size_t)in.count;
+		}
+	}
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		if (!targets->deltas.stream[a].base) {
+			continue;
+		}
+		targets->rebase[a] =
+			ARENA_ARRAY(arena, struct fixed_rebase, count);
+		if (!targets->rebase[a]) {
+			return -ENOMEM;
+		}
+	}
+	return 0;
+}
+
+int fixed_skin_init_targets(
+	struct fixed_skin *skin, int target_count, struct arena *arena)
+{
+	struct arena scratch = arena_empty();
+	int error = list_moved(skin, target_count, arena);
+
+	if (!error) {
+		error = reserve(&skin->targets, target_count, arena);
+	}
+	if (!error) {
+		error = make_deltas(skin, target_count, &scratch, arena);
+	}
+	if (!error) {
+		error = reserve_rebase(skin, arena);
+	}
+	arena_release(&scratch);
+	return error;
+}
+
+/* The present base vector is the one without any target. */
+static struct fixed_rebase make_rebase(const struct fixed_skin *skin,
+	enum fixed_attribute attribute, int base_index, int delta_index,
+	int weight_q14)
+{
+	float ratio = skin->scale[attribute] /
+		skin->targets.deltas.stream[attribute].unit;
+
+	return (struct fixed_rebase){
+		.rest = skin->base[attribute][base_index],
+		.base_index = (uint32_t)base_index,
+		.delta_index = (uint16_t)delta_index,
+		/* At a ratio of a half and all the weight: 32767. */
+		.weight_q16 = fixed_round(65536.0f * ratio * (float)weight_q14 /
+			FIXED_WEIGHT_ONE_Q14),
+	};
+}
+
+static void write_rebase(struct fixed_skin *skin, int base_index,
+	int delta_index, int weight_q14)
+{
+	struct fixed_skin_targets *targets = &skin->targets;
+
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		if (targets->rebase[a]) {
+			targets->rebase[a][targets->rebase_count] =
+				make_rebase(skin, (enum fixed_attribute)a,
+					base_index, delta_index, weight_q14);
+		}
+	}
+	targets->rebase_count++;
+}
+
+void fixed_skin_write_rebase(struct fixed_skin *skin)
+{
+	struct fixed_skin_targets *targets = &skin->targets;
+
+	targets->rebase_count = 0;
+	for (int i = 0, first = 0; targets->moved && i < skin->vertex_count;
+		i++) {
+		uint32_t v = skin->order[i];
+		struct fixed_influences in;
+
+		fixed_influences_gather(
+			skin->primitive, v, skin->max_influences, &in);
+		fixed_influences_by_joint(&in);
+		for (int k = 0; k < in.count && targets->moved[v]; k++) {
+			write_rebase(skin, first + k, targets->moved[v] - 1,
+				in.weight_q14[k]);
+		}
+		first += in.count;
+	}
+	for (int t = 0; t < targets->deltas.target_count; t++) {
+		targets->weight[t] = 0;
+	}
+}

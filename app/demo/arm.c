@@ -98,12 +98,12 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 	const struct model *model = demo->base.actor.model;
 	struct arena *arena = &demo->base.actor.instance->arena;
 	int crate = model_find_node(model, part_names[PART_CRATE]);
-	int *place = ARENA_ARRAY(arena, int, (size_t)model->node_count);
+	int *index = ARENA_ARRAY(arena, int, (size_t)model->node_count);
 	struct hierarchy_pivot *pivot = ARENA_ARRAY(
 		arena, struct hierarchy_pivot, (size_t)model->node_count);
 	int next = 0;
 
-	if (!place || !pivot) {
+	if (!index || !pivot) {
 		log_error(env->log, "%s: not enough memory for its pivots",
 			env->model_path);
 		return -ENOMEM;
@@ -111,12 +111,12 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 
-		place[i] = i == crate ? model->node_count - 1 : next++;
-		pivot[place[i]] = hierarchy_pivot_default();
-		pivot[place[i]].part = i;
-		pivot[place[i]].parent =
-			node->parent < 0 ? -1 : place[node->parent];
-		memcpy(pivot[place[i]].position, node->rest.translation,
+		index[i] = i == crate ? model->node_count - 1 : next++;
+		pivot[index[i]] = hierarchy_pivot_default();
+		pivot[index[i]].part = i;
+		pivot[index[i]].parent =
+			node->parent < 0 ? -1 : index[node->parent];
+		memcpy(pivot[index[i]].position, node->rest.translation,
 			sizeof(float[3]));
 	}
 	demo->hierarchy = (struct hierarchy){model->node_count, pivot};
@@ -128,7 +128,7 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 				env->model_path, part_names[part]);
 			return -EINVAL;
 		}
-		demo->pivot[part] = place[node];
+		demo->pivot[part] = index[node];
 	}
 	return hierarchy_check(&demo->hierarchy);
 }
@@ -175,14 +175,14 @@ static int arm_prepare(struct demo *demo, const struct demo_env *env)
 static void run_program(struct demo *demo)
 {
 	const struct arm_step *step = &arm_program[demo->step];
-	float share =
+	float fraction =
 		(float)(demo->now_s - demo->step_start_s) / step->duration_s;
 
-	if (share < 0.0f) {
+	if (fraction < 0.0f) {
 		return; /* a breath before the first step */
 	}
-	if (share < 1.0f) {
-		arm_step_blend(demo->from, step, share, demo->joint);
+	if (fraction < 1.0f) {
+		arm_step_blend(demo->from, step, fraction, demo->joint);
 		return;
 	}
 	memcpy(demo->joint, step->joint, sizeof(demo->joint));

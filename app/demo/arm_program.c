@@ -55,9 +55,9 @@ float arm_program_duration_s(void)
 }
 
 void arm_step_blend(const float from[ARM_JOINT_COUNT],
-	const struct arm_step *step, float share, float out[ARM_JOINT_COUNT])
+	const struct arm_step *step, float fraction, float out[ARM_JOINT_COUNT])
 {
-	float eased = share * share * (3.0f - 2.0f * share);
+	float eased = fraction * fraction * (3.0f - 2.0f * fraction);
 
 	for (int i = 0; i < ARM_JOINT_COUNT; i++) {
 		out[i] = from[i] + (step->joint[i] - from[i]) * eased;

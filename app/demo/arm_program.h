@@ -43,10 +43,10 @@ float arm_program_duration_s(void);
 extern const float arm_home[ARM_JOINT_COUNT];
 
 /*
- * Joint values on the way from one set to a step's, share in 0..1, starting
+ * Joint values on the way from one set to a step's, fraction in 0..1, starting
  * and ending softly.
  */
 void arm_step_blend(const float from[ARM_JOINT_COUNT],
-	const struct arm_step *step, float share, float out[ARM_JOINT_COUNT]);
+	const struct arm_step *step, float fraction, float out[ARM_JOINT_COUNT]);
 
 #endif

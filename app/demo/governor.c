@@ -48,12 +48,12 @@ struct governor governor_begin(float budget_ms)
 static void average(struct governor *governor, float work_ms)
 {
 	/* A plain mean at first, so that one frame does not count for many. */
-	float share = 1.0f / (float)(governor->frames + 1);
+	float fraction = 1.0f / (float)(governor->frames + 1);
 
-	share = share > newest_share ? share : newest_share;
+	fraction = fraction > newest_share ? fraction : newest_share;
 	governor->mean_ms =
-		(governor->frames ? governor->mean_ms : 0.0f) * (1.0f - share) +
-		work_ms * share;
+		(governor->frames ? governor->mean_ms : 0.0f) * (1.0f - fraction) +
+		work_ms * fraction;
 	governor->frames++;
 }
 

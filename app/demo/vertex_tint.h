@@ -26,6 +26,6 @@ void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
 	const uint8_t rgb[3]);
 
 /* From blue for 0 over green and yellow to red for 1; clamps. */
-void vertex_tint_ramp(float share, uint8_t rgb[3]);
+void vertex_tint_ramp(float fraction, uint8_t rgb[3]);
 
 #endif

@@ -1,14 +1,9 @@
 /*
  * The crowd: walkers that share one model, each with its own clip and phase.
  *
- * A walker is an instance, so it costs what a figure costs. Those that are
- * small on the screen cost less: fewer triangles and influences, poses at half
- * or a third of the rate, a plain shadow.
- *
- * With the soft driver at 480x640 a frame takes 5.1, 13.0, 23.1 and 33.1 million
- * ARM instructions with 1, 4, 12 and 50 walkers: tests/bench/count.sh with `limber
- * play --demo crowd --walkers N --gl soft --display null --format rgb565
- * --clock fixed:25 --no-labels --frames FRAMES`. Drawing is most of it.
+ * Each walker is an instance. Walkers that appear small cost less: they have
+ * fewer triangles and influences, poses at half or a third of the frame rate,
+ * and a plain shadow. figures.md lists what a frame costs.
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_route.h"
@@ -24,18 +19,18 @@
 #include <stdio.h>
 
 enum {
-	COUNT_AT_FIRST = 12,
-	STRIDE = 5, /* of LEFT and RIGHT */
-	/* Below these heights: poses at half and a third, a plain shadow. */
-	HALF_BELOW_PX = 110,
-	THIRD_BELOW_PX = 64,
-	PLAIN_BELOW_PX = 110,
+	DEFAULT_COUNT = 12,
+	STRIDE = 5, /* walkers added or removed by RIGHT and LEFT */
+	/* The heights on the screen below which a walker costs less. */
+	HALF_RATE_BELOW_PX = 110,
+	THIRD_RATE_BELOW_PX = 64,
+	PLAIN_SHADOW_BELOW_PX = 110,
 	RATES = 3
 };
 
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
-static const float ease_per_s = 3.0f; /* of the camera to its distance */
+static const float ease_per_s = 3.0f; /* at which the camera moves */
 static const double period_s = 8.0;
 
 static const struct camera_framing framing = {
@@ -48,7 +43,7 @@ struct walker {
 	int clip;
 	struct crowd_position position;
 	float height_px; /* on the screen */
-	int every;       /* so many frames a pose */
+	int frames_a_pose;
 };
 
 struct demo {
@@ -58,33 +53,34 @@ struct demo {
 	float aspect;
 	int height; /* of the picture */
 	int count;
-	bool full; /* no memory for more */
+	bool out_of_memory; /* for another walker */
 	struct walker walker[CROWD_MAX];
 	unsigned frame;
 	double now_s;
 	float turn;
 	bool drifting;
 	bool plain_shadows;
-	bool saving;        /* level of detail */
-	int at_rate[RATES]; /* walkers posed at full, half, third rate */
+	bool reducing;            /* small walkers cost less */
+	int count_at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
 
-/* The clip is one that the model has, whatever it is called. */
-static int find_clip(const struct model *model, const char *name)
+/* The named clip, else the first one, else -1. */
+static int choose_clip(const struct model *model, const char *name)
 {
 	int clip = model_find_clip(model, name);
 
 	return clip >= 0 ? clip : model->clip_count > 0 ? 0 : -1;
 }
 
-/* The first one is the actor's own instance. */
+/* The first walker shows the actor's instance, others create their own. */
 static int add_walker(struct demo *demo)
 {
 	const struct model *model = demo->base.actor.model;
 	struct walker *walker = &demo->walker[demo->count];
 	int error = 0;
 
-	*walker = (struct walker){.route = crowd_route(demo->count), .every = 1};
+	*walker = (struct walker){
+		.route = crowd_route(demo->count), .frames_a_pose = 1};
 	if (demo->count == 0) {
 		walker->instance = demo->base.actor.instance;
 	} else {
@@ -102,9 +98,9 @@ static int add_walker(struct demo *demo)
 		instance_destroy(walker->instance);
 		return error;
 	}
-	walker->instance->normal_mapping =
-		false; /* lit in world space; they turn */
-	walker->clip = find_clip(model, walker->route.clip);
+	/* Normal maps are lit in world space, but GL turns the walkers. */
+	walker->instance->normal_mapping = false;
+	walker->clip = choose_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;
 }
@@ -115,14 +111,14 @@ static void remove_walker(struct demo *demo)
 		demo->count--;
 		instance_destroy(demo->walker[demo->count].instance);
 		demo->walker[demo->count] = (struct walker){0};
-		demo->full = false;
+		demo->out_of_memory = false;
 	}
 }
 
 static void change_count(struct demo *demo, int by)
 {
-	for (; by > 0 && demo->count < CROWD_MAX && !demo->full; by--) {
-		demo->full = add_walker(demo) != 0;
+	for (; by > 0 && demo->count < CROWD_MAX && !demo->out_of_memory; by--) {
+		demo->out_of_memory = add_walker(demo) != 0;
 	}
 	for (; by < 0; by++) {
 		remove_walker(demo);
@@ -131,8 +127,7 @@ static void change_count(struct demo *demo, int by)
 
 static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 {
-	/* The camera frames the box however it is turned; this one lies in
-	   the circle. */
+	/* camera_frame() turns the box: inscribed in the circle it fits. */
 	float r = 0.7f * crowd_radius_m(count > 1 ? count : 2);
 
 	return (struct bounds){
@@ -141,7 +136,7 @@ static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 	};
 }
 
-/* Where the camera belongs for so many walkers. */
+/* The camera's final position for this number of walkers. */
 static struct camera camera_for(const struct demo *demo, int count)
 {
 	struct bounds bounds = bounds_of_crowd(demo, count);
@@ -155,7 +150,7 @@ static struct camera camera_for(const struct demo *demo, int count)
 
 static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 {
-	int wanted = env->walkers > 0 ? env->walkers : COUNT_AT_FIRST;
+	int wanted = env->walkers > 0 ? env->walkers : DEFAULT_COUNT;
 	struct bounds bounds;
 	int error = 0;
 
@@ -164,14 +159,14 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	demo->aspect = (float)env->width / (float)env->height;
 	demo->height = env->height;
 	demo->drifting = env->unattended;
-	demo->saving = true;
+	demo->reducing = true;
 	while (!error && demo->count < wanted && demo->count < CROWD_MAX) {
 		error = add_walker(demo);
 	}
 	if (error) {
 		return error;
 	}
-	/* The floor is laid out for the largest crowd. */
+	/* The floor is made for the largest crowd. */
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
 	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
 	demo->base.stage.camera = camera_for(demo, demo->count);
@@ -189,16 +184,16 @@ static void move_camera(struct demo *demo, float step_s)
 {
 	struct camera *camera = &demo->base.stage.camera;
 	struct camera goal = camera_for(demo, demo->count);
-	float share = 1.0f - scalar_exp(-ease_per_s * step_s);
+	float fraction = 1.0f - scalar_exp(-ease_per_s * step_s);
 	float drift = demo->drifting ? drift_rad_per_s : 0.0f;
 
-	camera->distance += (goal.distance - camera->distance) * share;
-	camera->radius += (goal.radius - camera->radius) * share;
+	camera->distance += (goal.distance - camera->distance) * fraction;
+	camera->radius += (goal.radius - camera->radius) * fraction;
 	camera_orbit(
 		camera, (demo->turn * turn_rad_per_s + drift) * step_s, 0.0f);
 }
 
-/* How high the figure is on the screen. */
+/* The figure's height on the screen. */
 static float height_px(const struct demo *demo, const struct walker *walker)
 {
 	const struct camera *camera = &demo->base.stage.camera;
@@ -215,21 +210,22 @@ static float height_px(const struct demo *demo, const struct walker *walker)
 static int influences_of(const struct demo *demo, const struct walker *walker)
 {
 	const struct influence_cap *wanted = &demo->base.actor.influence_cap;
-	int cap = demo->saving ? influence_cap_for_height(walker->height_px) : 0;
-	int reduction = demo->base.reduction.max_influences;
+	int cap = demo->reducing ? influence_cap_for_height(walker->height_px)
+				 : 0;
+	int limit = demo->base.reduction.max_influences;
 
 	if (wanted->kind == INFLUENCE_CAP_FIXED && wanted->value > 0) {
 		cap = wanted->value;
 	}
-	return reduction > 0 && (cap == 0 || reduction < cap) ? reduction : cap;
+	return limit > 0 && (cap == 0 || limit < cap) ? limit : cap;
 }
 
-static int frames_a_pose(const struct demo *demo, float height)
+static int choose_rate(const struct demo *demo, float height)
 {
-	if (!demo->saving || height >= HALF_BELOW_PX) {
+	if (!demo->reducing || height >= HALF_RATE_BELOW_PX) {
 		return 1;
 	}
-	return height >= THIRD_BELOW_PX ? 2 : 3;
+	return height >= THIRD_RATE_BELOW_PX ? 2 : 3;
 }
 
 static void pose_walker(struct demo *demo, struct walker *walker)
@@ -251,13 +247,13 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 	instance_update(instance);
 }
 
-static void choose_detail(struct demo *demo, struct walker *walker)
+static void choose_lod(struct demo *demo, struct walker *walker)
 {
 	static const struct lod all = {.kind = LOD_ALL};
 	const struct actor *actor = &demo->base.actor;
 	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
 
-	lod_choose(walker->instance, demo->saving ? &lod : &all,
+	lod_choose(walker->instance, demo->reducing ? &lod : &all,
 		walker->height_px / actor->extent);
 }
 
@@ -268,7 +264,7 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->now_s = time_s;
 	move_camera(demo, step_s);
 	for (int rate = 0; rate < RATES; rate++) {
-		demo->at_rate[rate] = 0;
+		demo->count_at_rate[rate] = 0;
 	}
 	for (int i = 0; i < demo->count; i++) {
 		struct walker *walker = &demo->walker[i];
@@ -276,12 +272,13 @@ static void crowd_update(struct demo *demo, double time_s)
 
 		walker->position = crowd_position_at(&walker->route, time_s);
 		walker->height_px = height_px(demo, walker);
-		walker->every = frames_a_pose(demo, walker->height_px);
-		demo->at_rate[walker->every - 1]++;
-		choose_detail(demo, walker);
-		/* Turn by turn, so that each frame has as much to do. */
+		walker->frames_a_pose = choose_rate(demo, walker->height_px);
+		demo->count_at_rate[walker->frames_a_pose - 1]++;
+		choose_lod(demo, walker);
+		/* Poses are staggered, so that frames take equally long. */
 		if (first ||
-			(demo->frame + (unsigned)i) % (unsigned)walker->every ==
+			(demo->frame + (unsigned)i) %
+					(unsigned)walker->frames_a_pose ==
 				0) {
 			pose_walker(demo, walker);
 		}
@@ -289,7 +286,7 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static void enter_spot(
+static void push_position(
 	const struct crowd_position *position, const struct gl *gl)
 {
 	gl->PushMatrix();
@@ -303,12 +300,12 @@ static void draw_shadow(const struct demo *demo, const struct walker *walker)
 {
 	const struct gl *gl = demo->base.gl;
 	bool plain = demo->plain_shadows ||
-		(demo->saving && walker->height_px < PLAIN_BELOW_PX);
+		(demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX);
 
 	if (plain) {
 		crowd_shadow_draw(&walker->position, gl);
 	} else {
-		enter_spot(&walker->position, gl);
+		push_position(&walker->position, gl);
 		draw_instance(gl, walker->instance, &demo->base.actor.textures,
 			DRAW_SHADOW);
 		gl->PopMatrix();
@@ -328,7 +325,7 @@ static void crowd_draw(struct demo *demo, int width, int height)
 	}
 	stage_shadow_end(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {
-		enter_spot(&demo->walker[i].position, gl);
+		push_position(&demo->walker[i].position, gl);
 		draw_instance(gl, demo->walker[i].instance,
 			&demo->base.actor.textures, DRAW_SHADED);
 		gl->PopMatrix();
@@ -356,14 +353,15 @@ static void crowd_label(const struct demo *demo, struct hud *hud)
 	}
 	group = hud_group_begin(hud, HUD_TOP_LEFT, text);
 	for (int i = 0; i < RATES; i++) {
-		snprintf(text, sizeof(text), "%d", demo->at_rate[i]);
-		if (demo->at_rate[i] > 0) {
+		snprintf(text, sizeof(text), "%d", demo->count_at_rate[i]);
+		if (demo->count_at_rate[i] > 0) {
 			hud_group_bar(&group, rate[i], text,
-				(float)demo->at_rate[i] / (float)demo->count,
+				(float)demo->count_at_rate[i] /
+					(float)demo->count,
 				hud_color_blue);
 		}
 	}
-	if (demo->full) {
+	if (demo->out_of_memory) {
 		hud_group_text(&group, "no memory for more", "");
 	}
 	hud_group_end(&group);
@@ -409,10 +407,10 @@ static void press_shadows(struct demo *demo, bool down)
 	}
 }
 
-static void press_saving(struct demo *demo, bool down)
+static void press_reducing(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->saving = !demo->saving;
+		demo->reducing = !demo->reducing;
 	}
 }
 
@@ -424,14 +422,14 @@ static void press_drift(struct demo *demo, bool down)
 }
 
 static const struct demo_action crowd_actions[] = {
-	{BUTTON_UP, "one walker more", press_more},
-	{BUTTON_DOWN, "one fewer", press_fewer},
-	{BUTTON_RIGHT, "five more", press_many_more},
-	{BUTTON_LEFT, "five fewer", press_many_fewer},
-	{BUTTON_ENTER, "go round (hold)", press_turn},
-	{BUTTON_F6, "plain shadows for all", press_shadows},
-	{BUTTON_F8, "save on small figures, or not", press_saving},
-	{BUTTON_F9, "go round slowly", press_drift},
+	{BUTTON_UP, "add a walker", press_more},
+	{BUTTON_DOWN, "remove a walker", press_fewer},
+	{BUTTON_RIGHT, "add five walkers", press_many_more},
+	{BUTTON_LEFT, "remove five walkers", press_many_fewer},
+	{BUTTON_ENTER, "turn the camera (hold)", press_turn},
+	{BUTTON_F6, "draw plain shadows for all, or not", press_shadows},
+	{BUTTON_F8, "draw small figures in less detail, or not", press_reducing},
+	{BUTTON_F9, "turn the camera slowly, or not", press_drift},
 	{0},
 };
 

@@ -4,14 +4,15 @@
 #include "platform/base/scalar.h"
 
 struct ring {
-	int count, step; /* step from a place to the one filled next */
+	int count; /* of places for walkers */
+	int step;  /* from one place to the next one that is filled */
 	float radius_m;
-	float speed_m_s;     /* as fast as the clip's feet go */
-	const char *clip[4]; /* in turn; NULL: the first again */
+	float speed_m_s;     /* matches the clip's feet */
+	const char *clip[4]; /* of every fourth place; NULL: clip[0] */
 	float facing_rad;
 };
 
-/* Steps share no factor with their ring's count. */
+/* Steps are coprime to their ring's count. */
 static const struct ring rings[] = {
 	{1, 1, 0.0f, 0.0f, {"wave"}, 0.45f},
 	{5, 2, 1.15f, 1.03f, {"walk"}, 0.0f},
@@ -21,14 +22,14 @@ static const struct ring rings[] = {
 };
 
 static const float golden = 0.618034f;
-static const float body_m = 0.4f; /* around a walker */
+static const float body_m = 0.4f; /* a walker's own radius */
 
 struct crowd_route crowd_route(int number)
 {
 	const struct ring *ring = rings;
 	int slot = number;
 	const char *clip;
-	float share = (float)number * golden;
+	float fraction = (float)number * golden;
 
 	while (slot >= ring->count && ring < rings + ARRAY_COUNT(rings) - 1) {
 		slot -= ring->count;
@@ -37,7 +38,7 @@ struct crowd_route crowd_route(int number)
 	clip = ring->clip[slot % (int)ARRAY_COUNT(ring->clip)];
 	return (struct crowd_route){
 		.clip = clip ? clip : ring->clip[0],
-		.phase = share - (float)(int)share,
+		.phase = fraction - (float)(int)fraction,
 		.radius_m = ring->radius_m,
 		.angle_rad = (float)(slot * ring->step % ring->count) *
 			(2.0f * SCALAR_PI / (float)ring->count),

@@ -1,8 +1,8 @@
 /*
- * Where the walkers of a crowd are: on rings, each ring with something to do.
+ * The walkers' routes: concentric rings, each with a clip and a speed.
  *
- * Places are filled from the middle outwards and, on a ring, far from each
- * other first, so that any number of walkers is spread well.
+ * Rings are filled from the middle outwards. The first walkers of a ring are
+ * far from each other, so that any number of walkers is spread evenly.
  */
 #ifndef APP_DEMO_CROWD_CROWD_ROUTE_H
 #define APP_DEMO_CROWD_CROWD_ROUTE_H
@@ -15,21 +15,21 @@ struct crowd_route {
 	const char *clip;
 	float phase;      /* of the clip, 0 to 1 */
 	float radius_m;   /* of the ring */
-	float angle_rad;  /* on it, at time 0 */
-	float speed_m_s;  /* along it, backwards if negative */
-	float facing_rad; /* of who stands: added to the angle */
+	float angle_rad;  /* on the ring at time 0 */
+	float speed_m_s;  /* along the ring; negative: the other way round */
+	float facing_rad; /* added to the angle where the speed is 0 */
 };
 
-/* The place of walker number 0 to CROWD_MAX - 1. */
+/* Returns the route of walker number 0 to CROWD_MAX - 1. */
 struct crowd_route crowd_route(int number);
 
-/* The radius of a circle around so many of them, metres. */
+/* Returns the radius of a circle that contains the first count walkers. */
 float crowd_radius_m(int count);
 
-/* Where the walker is at a time, on the ground, and the yaw it looks along. */
+/* A walker's position on the ground in metres and its heading. */
 struct crowd_position {
 	float x, z;
-	float yaw_rad; /* 0 looks along +Z */
+	float yaw_rad; /* 0 faces +Z */
 };
 
 struct crowd_position crowd_position_at(

@@ -8,7 +8,7 @@
 
 #include <cglm/cglm.h>
 
-/* In 1/256 m. */
+/* The outline's vertices are in units of 1/256 m. */
 static void draw_outline(const struct gl *gl)
 {
 	static const int16_t outline[][3] = {{0, 250, 0}, {-28, 440, 0},
@@ -21,7 +21,7 @@ static void draw_outline(const struct gl *gl)
 	gl->DrawArrays(GL_TRIANGLE_FAN, 0, (int)ARRAY_COUNT(outline));
 }
 
-/* Upright at the spot, its flat side towards the light. */
+/* Multiplies by the matrix that turns the outline's flat side to the light. */
 static void face_light(
 	const struct crowd_position *position, const struct gl *gl)
 {

@@ -1,5 +1,5 @@
 /*
- * The shadow of somebody far off: a flat outline in place of a figure.
+ * The shadow of a distant walker: a flat outline in place of the figure.
  */
 #ifndef APP_DEMO_CROWD_CROWD_SHADOW_H
 #define APP_DEMO_CROWD_CROWD_SHADOW_H
@@ -8,9 +8,9 @@
 #include "platform/gl/gl.h"
 
 /*
- * Draws the outline of somebody who stands upright at the spot and faces the
- * light, 1.72 m high. Between stage_shadow_begin() and stage_shadow_end();
- * leaves the matrix as it was.
+ * Draws the outline of a figure 1.72 m high that stands at the position and
+ * faces the light. Call it between stage_shadow_begin() and stage_shadow_end().
+ * Restores the matrix.
  */
 void crowd_shadow_draw(
 	const struct crowd_position *position, const struct gl *gl);

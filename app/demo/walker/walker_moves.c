@@ -146,7 +146,7 @@ void walker_moves_update(
 {
 	const struct model_clip *clip =
 		&instance->model->clip[moves->clip[moves->move]];
-	float share = scalar_clamp(2.0f * step_s / fade_s, 0.0f, 1.0f);
+	float fraction = scalar_clamp(2.0f * step_s / fade_s, 0.0f, 1.0f);
 
 	moves->move_s += (double)step_s;
 	if (moves->move == MOVE_JUMP &&
@@ -156,7 +156,7 @@ void walker_moves_update(
 	}
 	moves->ground_m_per_s +=
 		(kinds[moves->move].ground_m_per_s - moves->ground_m_per_s) *
-		share;
+		fraction;
 	clip_pose(clip, clip_time(moves->move_s, clip->duration_s, CLIP_LOOP),
 		CLIP_AUTO, &moves->cursor[0], &instance->pose);
 	fade_update(&moves->fade, step_s, &instance->pose);

@@ -13,7 +13,7 @@
 
 static const float switch_s = 0.4f; /* to come or go */
 static const float expression_s = 1.3f;
-static const float relief_m = 0.2f;
+static const float wave_height_m = 0.2f;
 static const float hand_m = 0.1f; /* wrist to grip */
 
 static const char *const feature_names[RIG_FEATURE_COUNT] = {
@@ -189,7 +189,7 @@ static void make_face(
 	const struct model_node *node = &instance->model->node[rig->face];
 	const struct model_mesh *mesh = &instance->model->mesh[node->mesh];
 	float *weight = instance->pose.weight + node->weight_offset;
-	float share = eased(rig, RIG_FACE);
+	float fraction = eased(rig, RIG_FACE);
 	int turn = (int)(time_s / (double)expression_s);
 	float way = (float)(time_s - (double)turn * (double)expression_s) /
 		expression_s;
@@ -201,7 +201,7 @@ static void make_face(
 				  4.0f * (way < 0.5f ? way : 1.0f - way))
 			: 0.0f;
 
-		weight[i] += (wanted - weight[i]) * share;
+		weight[i] += (wanted - weight[i]) * fraction;
 	}
 }
 
@@ -226,15 +226,15 @@ static void reach(struct walker_rig *rig, struct instance *instance)
 	const float *ball = rig->ball;
 	/* The elbow hangs down and a little outwards. */
 	const float pole[3] = {ball[0] - 0.5f, ball[1] - 1.0f, ball[2] - 0.6f};
-	float wrist[3], way[3], share;
+	float wrist[3], way[3], fraction;
 
 	rig->arm.weight = eased(rig, RIG_REACH);
 	if (rig->arm.weight == 0.0f) {
 		return;
 	}
 	vec_subtract(shoulder, ball, way);
-	share = hand_m / (scalar_sqrt(vec_dot(way, way)) + hand_m);
-	vec_add_scaled(ball, way, share, wrist);
+	fraction = hand_m / (scalar_sqrt(vec_dot(way, way)) + hand_m);
+	vec_add_scaled(ball, way, fraction, wrist);
 	ik_limb_solve(&rig->arm, wrist, pole, (const mat4 *)instance->world,
 		&instance->pose);
 	settle(instance, rig->arm.upper);
@@ -268,7 +268,7 @@ static void stand(
 	mat4 *world = instance->world;
 	float target[2][3], slope[2][4], lift[2];
 
-	floor_set_wave_height(floor, relief_m * eased(rig, RIG_GROUND));
+	floor_set_wave_height(floor, wave_height_m * eased(rig, RIG_GROUND));
 	if (floor->wave_height == 0.0f) {
 		return;
 	}

@@ -4,7 +4,7 @@
  * Each of the last frames is a bar, coloured by stage. Below the bars are the
  * stages' mean times and facts about the frame. All times come from the caller,
  * so equal times draw equal pictures. The graph adds about 260 rectangles to
- * the hud's single draw call; README.md tells what that costs.
+ * the hud's single draw call; app/scene/figures.md lists what that costs.
  */
 #ifndef APP_SCENE_HUD_HUD_GRAPH_H
 #define APP_SCENE_HUD_HUD_GRAPH_H

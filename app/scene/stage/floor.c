@@ -232,10 +232,10 @@ void floor_scroll(struct floor *floor, float dx, float dz)
 	}
 }
 
-void floor_set_wave_height(struct floor *floor, float relief)
+void floor_set_wave_height(struct floor *floor, float wave_height)
 {
-	if (relief != floor->wave_height) {
-		floor->wave_height = relief;
+	if (wave_height != floor->wave_height) {
+		floor->wave_height = wave_height;
 		update_surface(floor);
 	}
 }

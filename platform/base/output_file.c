@@ -69,10 +69,10 @@ static ssize_t write_bytes(void *cookie, const char *bytes, size_t size)
 	while (written < size && !file->error) {
 		ssize_t count = write(file->fd, bytes + written, size - written);
 
-		if (count >= 0) {
+		if (count > 0) {
 			written += (size_t)count;
 		} else {
-			file->error = errno;
+			file->error = count < 0 ? errno : EIO;
 		}
 	}
 	return (ssize_t)written;

@@ -9,6 +9,9 @@
  * link. A new file has the permissions that the umask leaves. A replaced file
  * keeps its permissions, owner and group as far as the user may set them.
  *
+ * A process that is killed before it can clean up (by SIGKILL or a power cut)
+ * leaves its temporary file behind; it is safe to delete.
+ *
  * A device, a named pipe and an open descriptor (/dev/stdout, /dev/stderr,
  * /dev/fd/N) are opened and written directly. They are never removed, renamed
  * or truncated.

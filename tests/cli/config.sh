@@ -86,4 +86,22 @@ limber play --demo arm --display null --frames 1 \
 expect_status 1
 expect_err 'x.txt: cannot be written'
 
+# A run that fails leaves the record and the film of another day alone.
+echo old >"$scratch/kept.txt"
+echo old >"$scratch/kept.gif"
+limber play --demo arm --display kms:/dev/none --frames 1 \
+    --record-buttons "$scratch/kept.txt" --record "$scratch/kept.gif"
+expect_status 1
+check 'the old record is kept' test "$(cat "$scratch/kept.txt")" = old
+check 'the old film is kept' test "$(cat "$scratch/kept.gif")" = old
+# shellcheck disable=SC2086,SC2016 # a command and its arguments
+run sh -c '(ulimit -f 0; exec "$@") 2>&1 >/dev/null | cat' sh $limber play \
+    --demo arm --display null --clock fixed:30 --frames 30 \
+    --script "$scratch/run.txt" --record-buttons "$scratch/kept.txt"
+about 'a record on a disk that is full'
+expect_out '^limber: .*kept.txt: cannot be written: .*too large'
+check 'the record before is kept' test "$(cat "$scratch/kept.txt")" = old
+check 'no temporary file is left' \
+    test -z "$(find "$scratch" -name '*.part')"
+
 tap_done

@@ -1,12 +1,7 @@
 #include "app/cmd/command.h"
 #include "app/cmd/show/show.h"
 
-#include <errno.h>
 #include <string.h>
-
-enum {
-	PATH_ROOM = 1024
-};
 
 static const double default_rate_hz = 25.0;
 
@@ -19,7 +14,7 @@ static bool is_still(const char *file)
 
 static int run(const struct options *options, const struct log *log)
 {
-	char path[PATH_ROOM];
+	const char *output = options->screen.output;
 	struct show_plan plan = {
 		.display = "image",
 		.clock = options->show.clock,
@@ -28,48 +23,47 @@ static int run(const struct options *options, const struct log *log)
 		.unattended = !options->input.script && !options->input.buttons,
 		.progress = true,
 	};
-	int error;
+	int status;
 
-	if (!options->screen.output) {
+	if (!output) {
 		log_error(log,
-			"render: no file to write: add -o FILE.png, "
-			".gif or .y4m");
+			"render: there is no file to write: add -o FILE.png, FILE.gif or FILE.y4m");
 		return EXIT_USAGE;
 	}
 	if (!options->model_path && !options->show.demo) {
 		log_error(log,
-			"render: nothing to show: name a model file or "
-			"--demo walker, arm, face, crowd, duel or tuner");
+			"render: there is nothing to show: give a model file or --demo walker, arm, face, crowd, duel or tuner");
 		return EXIT_USAGE;
 	}
-	error = show_choose(options, log, &plan, path, sizeof(path));
-	if (error) {
-		return error == -EINVAL ? EXIT_USAGE : EXIT_FAILED;
+	status = show_choose(options, log, &plan);
+	if (status != EXIT_OK) {
+		return status;
 	}
 	if (!plan.clock.fixed) {
 		plan.clock = clock_fixed(default_rate_hz, 0.0);
 	}
 	plan.clock.start_s = plan.begin_s;
 	if (plan.frames == 0) {
-		plan.frames = is_still(options->screen.output) ? 1 : -1;
+		plan.frames = is_still(output) ? 1 : -1;
 	}
-	return command_exit_code(show_run(&plan, options, log));
+	return show_run(&plan, options, log);
 }
 
+/* clang-format off */
 const struct command command_render = {
 	.name = "render",
 	.bit = FOR_RENDER,
 	.usage = "MODEL|--demo NAME -o FILE",
 	.summary = "write pictures: PNG, GIF or Y4M",
 	.detail =
-		"Draws a model or a demo into a file, by its ending: .png (one "
-		"picture, or FILE-0001.png\nand so on with --frames), .gif or "
-		".y4m (one period, or --frames). Time is fixed, 25 frames\na "
-		"second unless --clock fixed:FPS says otherwise, so the same "
-		"command always gives the\nsame pictures.\n\n"
+		"limber draws a model or a demo into a file. The end of the file's name chooses its kind:\n"
+		".png is one picture, or FILE-0001.png and so on with --frames; .gif and .y4m are one period\n"
+		"of the animation, or --frames. The clock is fixed at 25 frames a second, unless --clock\n"
+		"fixed:FPS is given, so the same command always writes the same pictures.\n"
+		"\n"
 		"  limber render robot.glb --time 1.5 -o robot.png\n"
 		"  limber render --demo walker -o walker.gif --size 240x320\n"
-		"  limber render --demo arm --script run.txt --frames 250 -o "
-		"arm.y4m",
+		"  limber render --demo arm --script run.txt --frames 250 -o arm.y4m",
 	.run = run,
 };
+/* clang-format on */

@@ -132,18 +132,19 @@ struct demo_facts demo_get_facts(
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
-	struct live *live = &base_of(demo)->live;
-
-	if (live->feed && event->button == BUTTON_F10) {
-		if (event->down) {
-			live_next_use(live);
-		}
-		return;
-	}
 	for (const struct demo_action *action = driver->action; action->run;
 		action++) {
 		if (action->button == event->button) {
 			action->run(demo, event->down);
 		}
+	}
+}
+
+void demo_next_camera_use(struct demo *demo)
+{
+	struct live *live = &base_of(demo)->live;
+
+	if (live->feed) {
+		live_next_use(live);
 	}
 }

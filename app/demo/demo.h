@@ -138,11 +138,11 @@ void demo_label(const struct demo_driver *driver, const struct demo *demo,
 struct demo_facts demo_get_facts(
 	const struct demo_driver *driver, const struct demo *demo);
 
-/*
- * Runs the action on this button, if there is one. With a camera, F10 changes
- * what its picture is for instead.
- */
+/* Runs the demo's action for this button, if it has one. */
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event);
+
+/* The next of enum live_use; without a camera it does nothing. */
+void demo_next_camera_use(struct demo *demo);
 
 #endif

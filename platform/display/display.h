@@ -66,7 +66,17 @@ struct display_driver {
 	 */
 	bool (*probe)(void);
 
-	/* 0, or -errno after a sentence with nothing left open. Mandatory. */
+	/*
+	 * Checks the device and the output as words of the command line, and
+	 * opens nothing. 0, or -EINVAL after logging an error. Optional: NULL
+	 * where every device is possible.
+	 */
+	int (*check)(const struct display_options *options);
+
+	/*
+	 * Checks the options as check() does. 0, or -errno after a sentence
+	 * with nothing left open. Mandatory.
+	 */
 	int (*create)(
 		const struct display_options *options, struct display **out);
 
@@ -135,6 +145,15 @@ const struct display_driver *display_find(const char *name);
  */
 const struct display_driver *display_choose(
 	const char *spec, const struct log *log);
+
+/*
+ * Checks what display_open() would open, as far as words tell. options->device
+ * is ignored. 0, with the driver in *driver, or -EINVAL after logging an error:
+ * spec names no driver (it lists those there are), or its driver does not
+ * accept the device or the output.
+ */
+int display_check(const char *spec, const struct display_options *options,
+	const struct display_driver **driver);
 
 /*
  * Opens the display that spec means, with the device it names; for NULL or

@@ -62,18 +62,36 @@ const struct display_driver *display_choose(
 	return NULL;
 }
 
-static int open_named(const char *spec, const struct display_options *options,
-	const struct display_driver **driver, struct display **out)
+/* Fills *own with the options and the device that spec names. */
+static int check_named(const char *spec, const struct display_options *options,
+	struct display_options *own, const struct display_driver **driver)
 {
-	struct display_options own = *options;
 	const char *colon = strchr(spec, ':');
 
 	*driver = display_choose(spec, options->log);
 	if (!*driver) {
 		return -EINVAL;
 	}
-	own.device = colon && colon[1] ? colon + 1 : NULL;
-	return (*driver)->create(&own, out);
+	*own = *options;
+	own->device = colon && colon[1] ? colon + 1 : NULL;
+	return (*driver)->check ? (*driver)->check(own) : 0;
+}
+
+int display_check(const char *spec, const struct display_options *options,
+	const struct display_driver **driver)
+{
+	struct display_options own;
+
+	return check_named(spec, options, &own, driver);
+}
+
+static int open_named(const char *spec, const struct display_options *options,
+	const struct display_driver **driver, struct display **out)
+{
+	struct display_options own;
+	int error = check_named(spec, options, &own, driver);
+
+	return error ? error : (*driver)->create(&own, out);
 }
 
 static int open_any(const struct display_options *options,

@@ -33,6 +33,17 @@ int pixels_alloc(struct pixels *out, int width, int height,
 	return 0;
 }
 
+void pixels_copy(const struct pixels *to, const struct pixels *from)
+{
+	size_t row = (size_t)from->width * (size_t)pixel_bytes(from->format);
+
+	for (int y = 0; y < from->height; y++) {
+		memcpy(to->data + (size_t)y * (size_t)to->stride_bytes,
+			from->data + (size_t)y * (size_t)from->stride_bytes,
+			row);
+	}
+}
+
 bool pixel_format_parse(const char *text, enum pixel_format *out)
 {
 	static const char *const names[] = {

@@ -25,6 +25,9 @@ enum {
 	PIXELS_SIZE_MAX = 8192
 };
 
+/* Copies the rows of a picture of the same size and format. */
+void pixels_copy(const struct pixels *to, const struct pixels *from);
+
 /* Reads "rgb565" or "rgba8888". False for anything else; says nothing. */
 bool pixel_format_parse(const char *text, enum pixel_format *out);
 

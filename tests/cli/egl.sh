@@ -34,7 +34,7 @@ expect_no_err
 check 'on the window that is named' grep -q \
     '^CreateWindowSurface config 1 window 0x42$' "$FAKE_GLES_LOG"
 limber play "$slider" --display egl:front --frames 1
-expect_refusal 1 'egl:front: want'
+expect_refusal 2 'egl:front: give'
 limber play "$slider" --display egl --frames 1 --egl-library "$scratch/none.so"
 expect_refusal 1 'none\.so'
 tap_done

@@ -74,6 +74,11 @@ refused 'from 1 to 1000' play --budget-ms nothing
 refused 'walker' render --demo wlaker -o "$out"
 refused 'walker' render --demo zzzzzz -o "$out"
 
+refused 'no such camera' play "$slider" --camera piano
+refused 'no format' play "$slider" --camera pattern,rgb
+refused '.png, .gif, .y4m' render "$slider" -o "$scratch/out.bmp"
+refused '.png, .gif, .y4m' play "$slider" --display image -o "$scratch/out.bmp"
+refused 'add -o' play "$slider" --display image
 refused '-o' render "$slider"
 refused '-o' pose "$slider"
 refused '[Mm]odel|nothing to show' render -o "$out"

@@ -126,7 +126,7 @@ static bool options_are_good(const char *path, const struct log *log)
 	struct config config = {arena_empty()};
 	struct options options = options_default();
 	bool fine = config_load(&config, path, FOR_PLAY, &options, log) == 0 &&
-		screen_check(&options, log) == 0 &&
+		show_screen_check(&options.screen, options.screen.display, log) &&
 		options_kernel(&options.vertices, log) &&
 		buttons_check(options.input.buttons, log) == 0;
 

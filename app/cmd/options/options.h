@@ -56,7 +56,6 @@ struct options_common {
 struct options_motion {
 	const char *clip; /* a name or a number */
 	double time_s;
-	bool time_given;
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip; negative plays it backwards */
 	enum clip_repeat repeat;

@@ -49,7 +49,6 @@ static bool set_clock(struct options *options, const char *value)
 
 static bool set_time(struct options *options, const char *value)
 {
-	options->motion.time_given = true;
 	return time_parse(value, &options->motion.time_s) == 0;
 }
 

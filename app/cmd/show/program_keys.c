@@ -1,20 +1,21 @@
 #include "app/cmd/show/program_keys.h"
 
-static void hold(struct program_keys *keys, const struct button_event *event)
+static void press_f9(struct program_keys *keys, const struct button_event *event)
 {
-	keys->held = true;
-	keys->used = false;
-	keys->held_since_ms = event->time_ms;
+	keys->f9_held = true;
+	keys->f9_used = false;
+	keys->f9_since_ms = event->time_ms;
 }
 
-/* A whole press for the demo, unless it meant something else. */
-static int let_go(struct program_keys *keys, const struct button_event *event,
-	struct button_event passed[PROGRAM_KEYS_PASSED])
+/* Passes a press and a release to the demo unless the program used F9. */
+static int release_f9(struct program_keys *keys,
+	const struct button_event *event,
+	struct button_event passed[PROGRAM_KEYS_PASSED_MAX])
 {
-	bool whole = keys->held && !keys->used;
+	bool is_demos = keys->f9_held && !keys->f9_used;
 
-	keys->held = false;
-	if (!whole) {
+	keys->f9_held = false;
+	if (!is_demos) {
 		return 0;
 	}
 	passed[0] = passed[1] = *event;
@@ -22,38 +23,64 @@ static int let_go(struct program_keys *keys, const struct button_event *event,
 	return 2;
 }
 
-enum program_wish program_keys_take(struct program_keys *keys,
+enum program_action program_keys_press(struct program_keys *keys,
 	const struct button_event *event,
-	struct button_event passed[PROGRAM_KEYS_PASSED], int *count)
+	struct button_event passed[PROGRAM_KEYS_PASSED_MAX], int *count)
 {
 	*count = 0;
+	if (event->button == BUTTON_F10 && keys->has_camera) {
+		return event->down ? PROGRAM_NEXT_CAMERA_USE : PROGRAM_NOTHING;
+	}
 	if (event->button == BUTTON_F9) {
 		if (event->down) {
-			hold(keys, event);
+			press_f9(keys, event);
 		} else {
-			*count = let_go(keys, event, passed);
+			*count = release_f9(keys, event, passed);
 		}
-		return WISH_NOTHING;
+		return PROGRAM_NOTHING;
 	}
-	if (event->button == BUTTON_F8 && event->down && keys->held) {
-		keys->used = keys->swallows = true;
-		return WISH_PICTURE;
+	if (event->button == BUTTON_F8 && event->down && keys->f9_held) {
+		keys->f9_used = keys->f8_used = true;
+		return PROGRAM_KEEP_PICTURE;
 	}
-	if (event->button == BUTTON_F8 && !event->down && keys->swallows) {
-		keys->swallows = false;
-		return WISH_NOTHING;
+	if (event->button == BUTTON_F8 && !event->down && keys->f8_used) {
+		keys->f8_used = false;
+		return PROGRAM_NOTHING;
 	}
 	passed[0] = *event;
 	*count = 1;
-	return WISH_NOTHING;
+	return PROGRAM_NOTHING;
 }
 
-enum program_wish program_keys_wait(struct program_keys *keys, int64_t now_ms)
+enum program_action program_keys_update(
+	struct program_keys *keys, int64_t now_ms)
 {
-	if (!keys->held || keys->used ||
-		now_ms - keys->held_since_ms < PROGRAM_KEYS_HOLD_MS) {
-		return WISH_NOTHING;
+	if (!keys->f9_held || keys->f9_used ||
+		now_ms - keys->f9_since_ms < PROGRAM_KEYS_HOLD_MS) {
+		return PROGRAM_NOTHING;
 	}
-	keys->used = true;
-	return WISH_GRAPH;
+	keys->f9_used = true;
+	return PROGRAM_TOGGLE_GRAPH;
+}
+
+void program_keys_print(
+	FILE *out, const struct demo_driver *demo, bool has_camera)
+{
+	fprintf(out, "%s: %s\n", demo->name, demo->summary);
+	for (const struct demo_action *action = demo->action; action->run;
+		action++) {
+		if (!has_camera || action->button != BUTTON_F10) {
+			fprintf(out, "  %-6s %s\n", button_name(action->button),
+				action->summary);
+		}
+	}
+	if (has_camera) {
+		fputs("  F10    change what the camera's pictures are for\n",
+			out);
+	}
+	fputs("  F9     held: show or hide the frame times (H in a window)\n"
+	      "  F9+F8  keep the picture in a file (P in a window)\n"
+	      "  Esc    quit\n",
+		out);
+	fflush(out);
 }

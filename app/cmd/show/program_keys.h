@@ -1,44 +1,57 @@
 /*
- * What buttons ask of the program rather than of a demo.
+ * What F8, F9 and F10 do in every demo, beside the demo's own actions.
  *
- * All buttons are the demo's, so F9 has two lives. Let go soon, it is the
- * demo's F9, pressed and let go at that moment. Held for HOLD_MS it asks for
- * the graph of frame times, and with F8 meanwhile for a picture; the demo then
- * hears of neither.
+ *	F9, held for PROGRAM_KEYS_HOLD_MS   shows or hides the frame times
+ *	F8, pressed while F9 is held        keeps the picture in a file
+ *	F10, where a camera is open         changes what its pictures are for
+ *
+ * The demo gets every other press. Since F9 may be held for the program, the
+ * demo gets its press and release together when F9 is released in time. A
+ *window has keys of its own for the first two (struct display_events).
  */
 #ifndef APP_CMD_SHOW_PROGRAM_KEYS_H
 #define APP_CMD_SHOW_PROGRAM_KEYS_H
 
-#include "platform/buttons/buttons.h"
+#include "app/demo/demo.h"
+
+#include <stdio.h>
 
 enum {
 	PROGRAM_KEYS_HOLD_MS = 700,
-	PROGRAM_KEYS_PASSED = 2
+	PROGRAM_KEYS_PASSED_MAX = 2
 };
 
-enum program_wish {
-	WISH_NOTHING,
-	WISH_GRAPH,
-	WISH_PICTURE
+/* What the program shall do. */
+enum program_action {
+	PROGRAM_NOTHING,
+	PROGRAM_TOGGLE_GRAPH,
+	PROGRAM_KEEP_PICTURE,
+	PROGRAM_NEXT_CAMERA_USE,
 };
 
-/* All zero: nothing is held. */
+/* All zero: no key is down, there is no camera. */
 struct program_keys {
-	bool held;     /* F9 */
-	bool used;     /* it has been more than the demo's F9 */
-	bool swallows; /* F8 is down and not the demo's */
-	int64_t held_since_ms;
+	bool has_camera; /* F10 is the program's */
+	bool f9_held;
+	bool f9_used;        /* since it was pressed: it is not the demo's */
+	bool f8_used;        /* its release is not the demo's either */
+	int64_t f9_since_ms; /* when F9 was pressed */
 };
 
 /*
- * Takes an event; what the demo is to hear goes into passed, its number into
- * *count.
+ * Takes one event. The events that the demo gets are written to passed, their
+ * number to *count.
  */
-enum program_wish program_keys_take(struct program_keys *keys,
+enum program_action program_keys_press(struct program_keys *keys,
 	const struct button_event *event,
-	struct button_event passed[PROGRAM_KEYS_PASSED], int *count);
+	struct button_event passed[PROGRAM_KEYS_PASSED_MAX], int *count);
 
-/* Once a frame: whether F9 has been held for long enough by now. */
-enum program_wish program_keys_wait(struct program_keys *keys, int64_t now_ms);
+/* Call it once a frame: notices when F9 has been held for long enough. */
+enum program_action program_keys_update(
+	struct program_keys *keys, int64_t now_ms);
+
+/* Prints what each button does in this demo. */
+void program_keys_print(
+	FILE *out, const struct demo_driver *demo, bool has_camera);
 
 #endif

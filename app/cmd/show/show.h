@@ -1,5 +1,5 @@
 /*
- * Showing a demo or a model: what play and render have in common.
+ * Shows a demo or a model: what play and render have in common.
  */
 #ifndef APP_CMD_SHOW_SHOW_H
 #define APP_CMD_SHOW_SHOW_H
@@ -7,30 +7,38 @@
 #include "app/cmd/options/options.h"
 #include "app/demo/demo.h"
 
-/* What differs between the commands that show. */
+enum {
+	SHOW_PATH_BYTES = 1024
+};
+
+/* What differs between the commands. */
 struct show_plan {
 	const struct demo_driver *demo;
 	const char *model_path;
-	const char *display; /* a driver's name, or NULL to choose one */
+	char asset_path[SHOW_PATH_BYTES]; /* model_path of a demo */
+	const char *display;              /* its name, or NULL for auto */
 	struct clock clock;
-	double begin_s; /* frames before this are not drawn */
-	int frames;     /* 0: until closed; -1: one period of the demo */
-	bool unattended;
-	/* Called when everything is open; or NULL. */
-	void (*opened)(const struct demo_driver *demo, bool camera);
-	bool follow_file; /* a model that changes is shown anew */
-	bool progress;    /* show a bar on a terminal */
+	double begin_s;   /* earlier frames are not drawn */
+	int frames;       /* 0: until closed; -1: one period of the demo */
+	bool unattended;  /* no user will press a button */
+	bool print_keys;  /* print what the buttons do */
+	bool follow_file; /* show the model anew when its file changes */
+	bool progress;    /* show a progress bar on a terminal */
 };
 
 /*
- * The demo and the model file that the options ask for; the default demo when
- * they ask for none. path receives an asset's path. 0, -EINVAL after a
- * sentence for wrong usage, or -ENOENT.
+ * Checks the options, and sets the plan's demo and model, which has to exist;
+ * plan->display is set already. Without a demo and a model in the options it
+ * chooses the default demo. The plan must not be copied afterwards. Returns an
+ * exit code; every failure has logged an error.
  */
 int show_choose(const struct options *options, const struct log *log,
-	struct show_plan *plan, char *path, size_t size);
+	struct show_plan *plan);
 
-/* Opens all it needs, runs, closes. 0, or -errno after a sentence. */
+/*
+ * Opens everything, runs the plan and closes everything. Returns an exit code;
+ * every failure has logged an error.
+ */
 int show_run(const struct show_plan *plan, const struct options *options,
 	const struct log *log);
 

@@ -1,14 +1,11 @@
-#include "app/cmd/show/show.h"
-
+#include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
+#include "app/cmd/show/show.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
-#include "platform/buttons/buttons.h"
 
-#include <errno.h>
-
-static int say_unknown_demo(const char *name, const struct log *log)
+static void log_unknown_demo(const char *name, const struct log *log)
 {
 	const char *names[16];
 	const char *closest;
@@ -23,52 +20,52 @@ static int say_unknown_demo(const char *name, const struct log *log)
 		closest ? "did you mean "
 			: "choose walker, arm, face, crowd, duel or tuner",
 		closest ? closest : "", closest ? "?" : "");
-	return -EINVAL;
 }
 
-/* Names of drivers are wrong usage, whatever the machine has. */
-static int check_names(const struct options *options, const struct log *log)
+/* Checks what is wrong on any machine. */
+static bool are_valid(const struct options *options,
+	const struct show_plan *plan, const struct log *log)
 {
-	int error = screen_check(options, log);
-
-	if (!error && !options_kernel(&options->vertices, log)) {
-		error = -EINVAL;
-	}
-	return error ? error : buttons_check(options->input.buttons, log);
-}
-
-int show_choose(const struct options *options, const struct log *log,
-	struct show_plan *plan, char *path, size_t size)
-{
-	int error = check_names(options, log);
-
-	if (error) {
-		return error;
+	if (!show_screen_check(&options->screen, plan->display, log) ||
+		!options_kernel(&options->vertices, log) ||
+		buttons_check(options->input.buttons, log) != 0) {
+		return false;
 	}
 	if (options->show.demo && options->model_path) {
 		log_error(log,
-			"%s: a demo brings its own model: give --demo "
-			"or a file, not both",
+			"%s: a demo has a model of its own: give --demo or a file, not both",
 			options->model_path);
-		return -EINVAL;
+		return false;
+	}
+	if (!options->model_path && options->motion.clip) {
+		log_error(log,
+			"--clip %s: a demo chooses its own clips: give a model file instead of a demo",
+			options->motion.clip);
+		return false;
+	}
+	return true;
+}
+
+int show_choose(const struct options *options, const struct log *log,
+	struct show_plan *plan)
+{
+	const char *demo = options->show.demo;
+
+	if (!are_valid(options, plan, log)) {
+		return EXIT_USAGE;
 	}
 	if (options->model_path) {
 		plan->demo = &demo_driver_viewer;
 		plan->model_path = options->model_path;
-		return model_file_check(plan->model_path, log);
+		return command_exit_code(
+			model_file_check(plan->model_path, log));
 	}
-	if (options->motion.clip) {
-		log_error(log,
-			"--clip %s: a demo chooses its own clips: name "
-			"a model file instead",
-			options->motion.clip);
-		return -EINVAL;
-	}
-	plan->demo = options->show.demo ? demo_find(options->show.demo)
-					: demo_registry[0];
+	plan->demo = demo ? demo_find(demo) : demo_registry[0];
 	if (!plan->demo) {
-		return say_unknown_demo(options->show.demo, log);
+		log_unknown_demo(demo, log);
+		return EXIT_USAGE;
 	}
-	plan->model_path = path;
-	return file_find_asset(plan->demo->asset, log, path, size);
+	plan->model_path = plan->asset_path;
+	return command_exit_code(file_find_asset(plan->demo->asset, log,
+		plan->asset_path, sizeof(plan->asset_path)));
 }

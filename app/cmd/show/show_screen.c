@@ -1,6 +1,6 @@
 #include "app/cmd/show/show_screen.h"
 
-#include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 static bool has_surface(const struct display_driver *driver)
@@ -13,39 +13,53 @@ static bool is_auto(const char *name)
 	return !name || strcmp(name, "auto") == 0;
 }
 
-int screen_check(const struct options *options, const struct log *log)
+static struct display_options display_options_of(
+	const struct options_screen *options, const struct log *log)
 {
-	const struct display_driver *driver;
-
-	if (options->screen.gl && !gl_is_known(options->screen.gl, log)) {
-		return -EINVAL;
-	}
-	if (is_auto(options->screen.display)) {
-		return 0;
-	}
-	driver = display_choose(options->screen.display, log);
-	if (!driver) {
-		return -EINVAL;
-	}
-	if (!gl_can_draw(options->screen.gl, has_surface(driver))) {
-		log_error(log,
-			"--display %s with --gl %s: it draws into memory, and "
-			"%s has none to offer: choose --gl gles1, or --display "
-			"fbdev or kms",
-			driver->name, options->screen.gl, driver->name);
-		return -EINVAL;
-	}
-	return 0;
+	return (struct display_options){
+		.width = options->size.width,
+		.height = options->size.height,
+		.size_given = options->size.given,
+		.format = options->format,
+		.format_given = options->format_given,
+		.title = "limber",
+		.output = options->output,
+		.log = log,
+	};
 }
 
-static int open_gl(struct screen *screen, const struct options *options,
-	const struct log *log)
+bool show_screen_check(const struct options_screen *options,
+	const char *display, const struct log *log)
+{
+	const struct display_options wanted = display_options_of(options, log);
+	const struct display_driver *driver;
+
+	if (options->gl && !gl_is_known(options->gl, log)) {
+		return false;
+	}
+	if (is_auto(display)) {
+		return true;
+	}
+	if (display_check(display, &wanted, &driver) != 0) {
+		return false;
+	}
+	if (!gl_can_draw(options->gl, has_surface(driver))) {
+		log_error(log,
+			"--display %s with --gl %s: this GL driver draws into memory, which %s does not offer: choose --gl gles1, or --display fbdev or kms",
+			driver->name, options->gl, driver->name);
+		return false;
+	}
+	return true;
+}
+
+static int open_gl(struct show_screen *screen,
+	const struct options_screen *options, const struct log *log)
 {
 	struct native_surface surface;
 	struct gl_request request = {
 		.format = screen->info.format,
-		.egl_library = options->screen.egl_library,
-		.gles_library = options->screen.gles_library,
+		.egl_library = options->egl_library,
+		.gles_library = options->gles_library,
 		.log = log,
 	};
 
@@ -53,27 +67,20 @@ static int open_gl(struct screen *screen, const struct options *options,
 		screen->driver->get_surface(screen->display, &surface);
 		request.surface = &surface;
 	}
-	return gl_open_for(options->screen.gl, &request, &screen->gl);
+	return gl_open_for(options->gl, &request, &screen->gl);
 }
 
-int screen_open(struct screen *screen, const struct options *options,
-	const char *display, int frames, double rate_hz, const struct log *log)
+int show_screen_open(struct show_screen *screen,
+	const struct options_screen *options, const char *display, int frames,
+	double rate_hz, const struct log *log)
 {
-	const struct display_options wanted = {
-		.width = options->screen.size.width,
-		.height = options->screen.size.height,
-		.size_given = options->screen.size.given,
-		.format = options->screen.format,
-		.format_given = options->screen.format_given,
-		.title = "limber",
-		.output = options->screen.output,
-		.frame_count = frames,
-		.rate_hz = rate_hz,
-		.log = log,
-	};
-	int error = display_open(
-		display, &wanted, &screen->driver, &screen->display);
+	struct display_options wanted = display_options_of(options, log);
+	int error;
 
+	wanted.frame_count = frames;
+	wanted.rate_hz = rate_hz;
+	error = display_open(
+		display, &wanted, &screen->driver, &screen->display);
 	if (error) {
 		return error;
 	}
@@ -90,7 +97,7 @@ int screen_open(struct screen *screen, const struct options *options,
 	return 0;
 }
 
-int screen_begin_frame(struct screen *screen, int *width, int *height)
+int show_screen_begin_frame(struct show_screen *screen, int *width, int *height)
 {
 	struct gl_context *gl = screen->gl;
 	struct pixels pixels;
@@ -113,14 +120,67 @@ int screen_begin_frame(struct screen *screen, int *width, int *height)
 	return error;
 }
 
-int screen_complete_frame(struct screen *screen)
+int show_screen_complete_frame(struct show_screen *screen)
 {
 	return has_surface(screen->driver)
 		? 0
 		: screen->gl->driver->end_frame(screen->gl);
 }
 
-int screen_end_frame(struct screen *screen)
+/* The first row of OpenGL's pictures is the lowest one. */
+static void flip_rows(struct pixels *picture, uint8_t *row)
+{
+	size_t bytes = (size_t)picture->stride_bytes;
+
+	for (int y = 0; y < picture->height / 2; y++) {
+		uint8_t *upper = picture->data + (size_t)y * bytes;
+		uint8_t *lower = picture->data +
+			(size_t)(picture->height - 1 - y) * bytes;
+
+		memcpy(row, upper, bytes);
+		memcpy(upper, lower, bytes);
+		memcpy(lower, row, bytes);
+	}
+}
+
+/* Reads the surface into read_back, which grows with it. */
+static int read_surface(struct show_screen *screen, const struct log *log)
+{
+	struct pixels *picture = &screen->read_back;
+	int width = screen->gl->width, height = screen->gl->height;
+	int error;
+
+	if (picture->width != width || picture->height != height) {
+		free(picture->data);
+		*picture = (struct pixels){0};
+		/* One more row, for exchanging the others. */
+		error = pixels_alloc(
+			picture, width, height + 1, PIXELS_RGBA8888, log);
+		if (error) {
+			return error;
+		}
+		picture->height = height;
+	}
+	screen->gl->gl.ReadPixels(
+		0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture->data);
+	flip_rows(picture,
+		picture->data + (size_t)height * (size_t)picture->stride_bytes);
+	return 0;
+}
+
+int show_screen_picture(
+	struct show_screen *screen, struct pixels *out, const struct log *log)
+{
+	int error = 0;
+
+	if (!screen->pixels.data) {
+		error = read_surface(screen, log);
+	}
+	*out = screen->pixels.data ? screen->pixels : screen->read_back;
+	return error;
+}
+
+int show_screen_end_frame(struct show_screen *screen)
 {
 	int error = has_surface(screen->driver)
 		? screen->gl->driver->end_frame(screen->gl)
@@ -129,8 +189,9 @@ int screen_end_frame(struct screen *screen)
 	return error ? error : screen->driver->end_frame(screen->display);
 }
 
-void screen_close(struct screen *screen)
+void show_screen_close(struct show_screen *screen)
 {
+	free(screen->read_back.data);
 	screen->gl->driver->destroy(screen->gl);
 	screen->driver->destroy(screen->display);
 }

@@ -1,5 +1,5 @@
 /*
- * A display and the GL driver that draws for it.
+ * A display together with the GL driver that draws for it.
  */
 #ifndef APP_CMD_SHOW_SHOW_SCREEN_H
 #define APP_CMD_SHOW_SHOW_SCREEN_H
@@ -8,40 +8,55 @@
 #include "platform/display/display.h"
 #include "platform/gl/gl_context.h"
 
-struct screen {
+struct show_screen {
 	const struct display_driver *driver;
 	struct display *display;
 	struct display_info info;
 	struct gl_context *gl;
-	struct pixels pixels; /* of the frame under way; no data: a surface */
+	struct pixels pixels;    /* of the frame under way; none on a surface */
+	struct pixels read_back; /* a copy of a surface's picture, owned */
 };
 
 /*
- * Whether the names of --display and --gl mean something, and go together: 0,
- * or -EINVAL after a sentence, whatever the machine has.
+ * Checks --display, --gl and --output without opening anything. display is the
+ * display's name, or NULL for auto. Returns false after logging an error when
+ * the command line is wrong: a name is unknown, the two drivers do not fit
+ * together, or the display cannot write such a file.
  */
-int screen_check(const struct options *options, const struct log *log);
+bool show_screen_check(const struct options_screen *options,
+	const char *display, const struct log *log);
 
 /*
- * Opens the display, NULL for one to be found, and the driver. frames: how
- * many there will be, 0 if not known, at rate_hz of the animation's time. 0,
- * or -errno after a sentence with nothing left open.
+ * Opens the display and the GL driver. frames is how many there will be, 0 if
+ * unknown; rate_hz is the rate of a file's animation. 0, or -errno after
+ * logging an error with nothing left open.
  */
-int screen_open(struct screen *screen, const struct options *options,
-	const char *display, int frames, double rate_hz, const struct log *log);
-
-/* Begins a frame and tells its size. 0, or -errno after a sentence. */
-int screen_begin_frame(struct screen *screen, int *width, int *height);
+int show_screen_open(struct show_screen *screen,
+	const struct options_screen *options, const char *display, int frames,
+	double rate_hz, const struct log *log);
 
 /*
- * Completes the picture: it is in pixels, or can be read back from the
- * surface. 0, or -errno after a sentence.
+ * Begins a frame and writes its size in pixels to *width and *height. 0, or
+ * -errno after logging an error.
  */
-int screen_complete_frame(struct screen *screen);
+int show_screen_begin_frame(struct show_screen *screen, int *width, int *height);
 
-/* Then shows or stores it. 0, or -errno after a sentence. */
-int screen_end_frame(struct screen *screen);
+/*
+ * Completes the drawing, so that the picture can be read. 0, or -errno after
+ * logging an error.
+ */
+int show_screen_complete_frame(struct show_screen *screen);
 
-void screen_close(struct screen *screen);
+/*
+ * The picture of a frame between its completion and its end. *out is valid
+ * until the frame ends. 0, or -errno after logging an error.
+ */
+int show_screen_picture(
+	struct show_screen *screen, struct pixels *out, const struct log *log);
+
+/* Shows or stores the frame. 0, or -errno after logging an error. */
+int show_screen_end_frame(struct show_screen *screen);
+
+void show_screen_close(struct show_screen *screen);
 
 #endif

@@ -29,17 +29,31 @@ static bool read_window(const char *text, uintptr_t *out)
 	return !errno && end != text && !*end && text[0] != '-' && *out == value;
 }
 
-static int egl_create(
-	const struct display_options *options, struct display **out)
+static int egl_check(const struct display_options *options)
 {
-	struct display *display;
-	uintptr_t window = 0;
+	uintptr_t window;
 
 	if (options->device && !read_window(options->device, &window)) {
 		log_error(options->log,
-			"--display egl:%s: want the native window's number, such as 0x1e00003, or nothing for all of the screen",
+			"--display egl:%s: give the number of a native window such as 0x1e00003, or none for the whole screen",
 			options->device);
 		return -EINVAL;
+	}
+	return 0;
+}
+
+static int egl_create(
+	const struct display_options *options, struct display **out)
+{
+	int error = egl_check(options);
+	struct display *display;
+	uintptr_t window = 0;
+
+	if (error) {
+		return error;
+	}
+	if (options->device) {
+		read_window(options->device, &window);
 	}
 	display = calloc(1, sizeof(*display));
 	if (!display) {
@@ -82,6 +96,7 @@ const struct display_driver display_driver_egl = {
 	.summary = "the screen of a vendor's EGL, for --gl gles1",
 	.argument = "WINDOW",
 	.probe = egl_probe,
+	.check = egl_check,
 	.create = egl_create,
 	.get_info = egl_get_info,
 	.get_surface = egl_get_surface,

@@ -64,6 +64,16 @@ static void image_destroy(struct display *display)
 	}
 }
 
+static int image_check(const struct display_options *options)
+{
+	if (!options->output || !options->output[0]) {
+		log_error(options->log,
+			"--display image: there is no file to write: add -o FILE");
+		return -EINVAL;
+	}
+	return find_kind(options->output, options->log) ? 0 : -EINVAL;
+}
+
 static int open_writer(
 	struct display *display, const struct display_options *options)
 {
@@ -76,14 +86,8 @@ static int open_writer(
 		.log = options->log,
 	};
 
-	if (!options->output || !options->output[0]) {
-		log_error(options->log,
-			"--display image: no file to write: give -o FILE");
-		return -EINVAL;
-	}
 	display->kind = find_kind(options->output, options->log);
-	return display->kind ? display->kind->create(&image, &display->writer)
-			     : -EINVAL;
+	return display->kind->create(&image, &display->writer);
 }
 
 static int alloc_pictures(
@@ -106,9 +110,13 @@ static int alloc_pictures(
 static int image_create(
 	const struct display_options *options, struct display **out)
 {
-	struct display *display = calloc(1, sizeof(*display));
-	int error;
+	int error = image_check(options);
+	struct display *display;
 
+	if (error) {
+		return error;
+	}
+	display = calloc(1, sizeof(*display));
 	if (!display) {
 		log_error(options->log, "--display image: out of memory");
 		return -ENOMEM;
@@ -160,6 +168,7 @@ const struct display_driver display_driver_image = {
 	.name = "image",
 	.summary = "writes a .png, .gif or .y4m file",
 	.probe = image_probe,
+	.check = image_check,
 	.create = image_create,
 	.get_info = image_get_info,
 	.begin_frame = image_begin_frame,

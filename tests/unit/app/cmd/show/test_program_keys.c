@@ -1,98 +1,118 @@
-/* What F9 is to the demo, and what to the program. */
+/* Which presses of F8, F9 and F10 the demo gets, and what the program does. */
 #include "app/cmd/show/program_keys.h"
 #include "tests/support/test.h"
 
-struct bench {
+struct scene {
 	struct program_keys keys;
-	struct button_event passed[PROGRAM_KEYS_PASSED];
+	struct button_event passed[PROGRAM_KEYS_PASSED_MAX];
 	int count;
 };
 
-static enum program_wish take(
-	struct bench *bench, int64_t at_ms, enum button button, bool down)
+static enum program_action take(
+	struct scene *scene, int64_t at_ms, enum button button, bool down)
 {
 	const struct button_event event = {at_ms, button, down};
 
-	return program_keys_take(
-		&bench->keys, &event, bench->passed, &bench->count);
+	return program_keys_press(
+		&scene->keys, &event, scene->passed, &scene->count);
 }
 
 static void test_other_buttons_pass_as_they_come(void **state)
 {
-	struct bench bench = {.count = 0};
+	struct scene scene = {.count = 0};
 
 	(void)state;
-	assert_int_equal(take(&bench, 5, BUTTON_F8, true), WISH_NOTHING);
-	assert_int_equal(bench.count, 1);
-	assert_int_equal(bench.passed[0].button, BUTTON_F8);
-	assert_true(bench.passed[0].down);
-	take(&bench, 9, BUTTON_F8, false);
-	assert_int_equal(bench.count, 1);
-	assert_false(bench.passed[0].down);
+	assert_int_equal(take(&scene, 5, BUTTON_F8, true), PROGRAM_NOTHING);
+	assert_int_equal(scene.count, 1);
+	assert_int_equal(scene.passed[0].button, BUTTON_F8);
+	assert_true(scene.passed[0].down);
+	take(&scene, 9, BUTTON_F8, false);
+	assert_int_equal(scene.count, 1);
+	assert_false(scene.passed[0].down);
 }
 
-static void test_a_short_f9_is_the_demos_when_it_is_let_go(void **state)
+static void test_a_short_f9_is_the_demos_when_it_is_released(void **state)
 {
-	struct bench bench = {.count = 0};
+	struct scene scene = {.count = 0};
 
 	(void)state;
-	take(&bench, 100, BUTTON_F9, true);
-	assert_int_equal(bench.count, 0);
-	assert_int_equal(program_keys_wait(&bench.keys, 799), WISH_NOTHING);
-	take(&bench, 799, BUTTON_F9, false);
-	assert_int_equal(bench.count, 2);
-	assert_true(bench.passed[0].down);
-	assert_false(bench.passed[1].down);
-	assert_int_equal(bench.passed[0].time_ms, 799);
+	take(&scene, 100, BUTTON_F9, true);
+	assert_int_equal(scene.count, 0);
+	assert_int_equal(program_keys_update(&scene.keys, 799), PROGRAM_NOTHING);
+	take(&scene, 799, BUTTON_F9, false);
+	assert_int_equal(scene.count, 2);
+	assert_true(scene.passed[0].down);
+	assert_false(scene.passed[1].down);
+	assert_int_equal(scene.passed[0].time_ms, 799);
 }
 
 static void test_a_held_f9_asks_for_the_graph_once(void **state)
 {
-	struct bench bench = {.count = 0};
+	struct scene scene = {.count = 0};
 
 	(void)state;
-	take(&bench, 100, BUTTON_F9, true);
-	assert_int_equal(program_keys_wait(&bench.keys, 800), WISH_GRAPH);
-	assert_int_equal(program_keys_wait(&bench.keys, 900), WISH_NOTHING);
-	take(&bench, 2000, BUTTON_F9, false);
-	assert_int_equal(bench.count, 0);
-	assert_int_equal(program_keys_wait(&bench.keys, 9000), WISH_NOTHING);
+	take(&scene, 100, BUTTON_F9, true);
+	assert_int_equal(
+		program_keys_update(&scene.keys, 800), PROGRAM_TOGGLE_GRAPH);
+	assert_int_equal(program_keys_update(&scene.keys, 900), PROGRAM_NOTHING);
+	take(&scene, 2000, BUTTON_F9, false);
+	assert_int_equal(scene.count, 0);
+	assert_int_equal(
+		program_keys_update(&scene.keys, 9000), PROGRAM_NOTHING);
 }
 
 static void test_f8_under_f9_keeps_the_picture_and_is_not_passed(void **state)
 {
-	struct bench bench = {.count = 0};
+	struct scene scene = {.count = 0};
 
 	(void)state;
-	take(&bench, 0, BUTTON_F9, true);
-	assert_int_equal(take(&bench, 100, BUTTON_F8, true), WISH_PICTURE);
-	assert_int_equal(bench.count, 0);
-	take(&bench, 200, BUTTON_F9, false);
-	assert_int_equal(bench.count, 0);
-	take(&bench, 300, BUTTON_F8, false);
-	assert_int_equal(bench.count, 0);
-	take(&bench, 400, BUTTON_F8, true);
-	assert_int_equal(bench.count, 1);
+	take(&scene, 0, BUTTON_F9, true);
+	assert_int_equal(
+		take(&scene, 100, BUTTON_F8, true), PROGRAM_KEEP_PICTURE);
+	assert_int_equal(scene.count, 0);
+	take(&scene, 200, BUTTON_F9, false);
+	assert_int_equal(scene.count, 0);
+	take(&scene, 300, BUTTON_F8, false);
+	assert_int_equal(scene.count, 0);
+	take(&scene, 400, BUTTON_F8, true);
+	assert_int_equal(scene.count, 1);
 }
 
-static void test_a_press_let_go_twice_is_heard_once(void **state)
+static void test_a_release_without_a_press_is_ignored(void **state)
 {
-	struct bench bench = {.count = 0};
+	struct scene scene = {.count = 0};
 
 	(void)state;
-	take(&bench, 0, BUTTON_F9, false);
-	assert_int_equal(bench.count, 0);
+	take(&scene, 0, BUTTON_F9, false);
+	assert_int_equal(scene.count, 0);
+}
+
+static void test_f10_is_the_cameras_where_there_is_one(void **state)
+{
+	struct scene scene = {.keys.has_camera = true};
+
+	(void)state;
+	assert_int_equal(
+		take(&scene, 0, BUTTON_F10, true), PROGRAM_NEXT_CAMERA_USE);
+	assert_int_equal(scene.count, 0);
+	assert_int_equal(take(&scene, 9, BUTTON_F10, false), PROGRAM_NOTHING);
+	assert_int_equal(scene.count, 0);
+	scene.keys.has_camera = false;
+	assert_int_equal(take(&scene, 20, BUTTON_F10, true), PROGRAM_NOTHING);
+	assert_int_equal(scene.count, 1);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_other_buttons_pass_as_they_come),
-		cmocka_unit_test(test_a_short_f9_is_the_demos_when_it_is_let_go),
+		cmocka_unit_test(
+			test_a_short_f9_is_the_demos_when_it_is_released),
 		cmocka_unit_test(test_a_held_f9_asks_for_the_graph_once),
 		cmocka_unit_test(
 			test_f8_under_f9_keeps_the_picture_and_is_not_passed),
-		cmocka_unit_test(test_a_press_let_go_twice_is_heard_once),
+		cmocka_unit_test(test_f10_is_the_cameras_where_there_is_one),
+		cmocka_unit_test(test_a_release_without_a_press_is_ignored),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,63 @@
+#include "app/cmd/show/show_state.h"
+
+/* Draws the labels and the graph of frame times, unless both are hidden. */
+static void draw_hud(struct show *show, int width, int height)
+{
+	const struct demo_driver *driver = show->plan->demo;
+	const struct demo_facts facts = demo_get_facts(driver, show->demo);
+	bool labelled = !show->options->show.no_labels;
+
+	if (!labelled && !show->watch.shown) {
+		return;
+	}
+	hud_begin(show->hud, width, height);
+	if (labelled) {
+		demo_label(driver, show->demo, show->hud);
+		governor_label(&show->governor, show->hud);
+	}
+	frame_watch_show(&show->watch, &facts, show->screen.gl->driver->name,
+		labelled ? NULL : governor_text(&show->governor), show->hud);
+	hud_end(show->hud, &show->screen.gl->gl);
+}
+
+/* A file that cannot be written does not end the run. */
+static void keep_frame(struct show *show)
+{
+	struct pixels picture;
+
+	if (!show->film.display && !show->keeps_picture) {
+		return;
+	}
+	if (show_screen_picture(&show->screen, &picture, show->log) != 0) {
+		show->keeps_picture = false;
+		return;
+	}
+	if (show->keeps_picture) {
+		snapshot_take(&show->snapshot, &picture, show->log);
+		show->keeps_picture = false;
+	}
+	if (!show->film_error) {
+		show->film_error = film_add(&show->film, &picture, show->now_s);
+	}
+}
+
+int show_frame_draw(struct show *show)
+{
+	int width, height;
+	int error = show_screen_begin_frame(&show->screen, &width, &height);
+
+	if (error) {
+		return error;
+	}
+	demo_update_live(show->demo, show->now_s, width, height);
+	show->plan->demo->draw(show->demo, width, height);
+	draw_hud(show, width, height);
+	error = show_screen_complete_frame(&show->screen);
+	frame_watch_stage(&show->watch, HUD_DRAW);
+	if (!error) {
+		keep_frame(show);
+		error = show_screen_end_frame(&show->screen);
+	}
+	frame_watch_stage(&show->watch, HUD_PRESENT);
+	return error;
+}

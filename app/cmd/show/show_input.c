@@ -1,0 +1,95 @@
+#include "app/cmd/show/show_state.h"
+
+#include "platform/process/stop.h"
+
+int show_input_open(struct show *show)
+{
+	const struct options_input *input = &show->options->input;
+	int error = buttons_open(&show->buttons, input->buttons, show->log);
+
+	if (!error && input->script) {
+		error = buttons_add(
+			&show->buttons, "script", input->script, show->log);
+	}
+	if (!error && input->record_buttons) {
+		error = button_record_open(
+			&show->record, input->record_buttons, show->log);
+	}
+	if (error) {
+		buttons_close(&show->buttons);
+	}
+	return error;
+}
+
+int show_input_close(struct show *show, int run_error)
+{
+	buttons_close(&show->buttons);
+	return button_record_close(&show->record, run_error == 0);
+}
+
+static void act(struct show *show, enum program_action action)
+{
+	switch (action) {
+	case PROGRAM_TOGGLE_GRAPH:
+		show->watch.shown = !show->watch.shown;
+		break;
+	case PROGRAM_KEEP_PICTURE:
+		show->keeps_picture = true;
+		break;
+	case PROGRAM_NEXT_CAMERA_USE:
+		demo_next_camera_use(show->demo);
+		break;
+	default:
+		break;
+	}
+}
+
+/* The event of the button whose action this one has goes on its way. */
+static void press(struct show *show, struct button_event event)
+{
+	struct button_event passed[PROGRAM_KEYS_PASSED_MAX];
+	int count;
+
+	event.button = show->options->input.action[event.button];
+	if (event.button == BUTTON_COUNT) {
+		return;
+	}
+	act(show, program_keys_press(&show->keys, &event, passed, &count));
+	for (int i = 0; i < count; i++) {
+		demo_press(show->plan->demo, show->demo, &passed[i]);
+	}
+}
+
+void show_input_poll_buttons(struct show *show, int64_t now_ms)
+{
+	struct button_event event;
+
+	buttons_poll(&show->buttons, now_ms);
+	while (button_queue_pop(&show->buttons.queue, &event)) {
+		button_record_event(&show->record, &event);
+		press(show, event);
+		if (!show->clock.fixed) {
+			frame_stats_press(&show->stats,
+				show->clock.origin_ns + event.time_ms * 1000000);
+		}
+	}
+	act(show, program_keys_update(&show->keys, now_ms));
+}
+
+void show_input_poll_display(struct show *show, int64_t now_ms)
+{
+	const struct show_screen *screen = &show->screen;
+	struct display_events events = {0};
+
+	if (screen->driver->poll) {
+		screen->driver->poll(
+			screen->display, now_ms, &show->buttons.queue, &events);
+	}
+	show->closed = show->closed || events.close || stop_requested();
+	if (events.graph) {
+		act(show, PROGRAM_TOGGLE_GRAPH);
+	}
+	if (events.picture) {
+		act(show, PROGRAM_KEEP_PICTURE);
+	}
+}

@@ -1,0 +1,105 @@
+#include "app/cmd/show/show_state.h"
+
+#include "app/cmd/progress.h"
+
+/* Feeding only here lets the watchdog act when frames stop. */
+static void feed_watchdog(struct show *show)
+{
+	watchdog_feed(&show->watchdog, clock_monotonic_ns() / 1000000);
+}
+
+/* Updates the demo up to the first frame that is shown, without drawing. */
+static void skip_to_begin(struct show *show)
+{
+	double step_s = 1.0 / (show->clock.fixed ? show->clock.rate_hz : 60.0);
+
+	for (double at = 0.0; at < show->plan->begin_s; at += step_s) {
+		feed_watchdog(show);
+		show_input_poll_buttons(show, (int64_t)(at * 1000.0));
+		show->plan->demo->update(show->demo, at);
+		demo_update_live(show->demo, at, show->screen.info.width,
+			show->screen.info.height);
+	}
+}
+
+/* Presenting counts as work unless it waits for the screen's next refresh. */
+static void keep_budget(struct show *show)
+{
+	const float *stage_ms = show->watch.stage_ms;
+	bool waits = show->screen.info.rate_hz > 0.0;
+	float work_ms = stage_ms[HUD_ANIMATE] + stage_ms[HUD_DRAW] +
+		(waits ? 0.0f : stage_ms[HUD_PRESENT]);
+
+	if (governor_feed(&show->governor, show->now_s, work_ms)) {
+		struct demo_reduction reduction =
+			governor_reduction(&show->governor);
+
+		demo_set_reduction(show->demo, &reduction);
+	}
+}
+
+static int run_frame(struct show *show)
+{
+	int64_t now_ms;
+	int error;
+
+	show->now_s = clock_tick(&show->clock);
+	now_ms = (int64_t)(show->now_s * 1000.0);
+	frame_stats_begin(&show->stats);
+	frame_watch_begin(&show->watch);
+	show_input_poll_display(show, now_ms);
+	show_input_poll_buttons(show, now_ms);
+	if (governor_poses(&show->governor)) {
+		show->plan->demo->update(show->demo, show->now_s);
+	}
+	frame_watch_stage(&show->watch, HUD_ANIMATE);
+	error = show_frame_draw(show);
+	if (error) {
+		return error;
+	}
+	frame_stats_end(&show->stats);
+	frame_watch_end(&show->watch);
+	if (!show->clock.fixed) {
+		keep_budget(show);
+		demo_set_rate(show->demo, hud_graph_rate(&show->watch.graph));
+	}
+	feed_watchdog(show);
+	return 0;
+}
+
+static int period_frames(const struct show *show)
+{
+	double period_s = show->plan->demo->period_s(show->demo);
+	double rate_hz = show->clock.fixed ? show->clock.rate_hz : 30.0;
+	int frames = (int)(period_s * rate_hz + 0.5);
+
+	return frames < 1 ? 1 : frames;
+}
+
+int show_loop_run(struct show *show)
+{
+	struct progress progress;
+	int error = 0;
+
+	if (show->frames < 0) {
+		show->frames = period_frames(show);
+	}
+	skip_to_begin(show);
+	show->pace = show->clock.fixed
+		? pace_none()
+		: pace_begin(show->options->show.fps, show->screen.info.rate_hz);
+	progress =
+		progress_begin(show->plan->progress ? show->frames : 0, stderr);
+	for (int done = 0; !error && !show->closed; done++) {
+		if (show->frames && done >= show->frames) {
+			break;
+		}
+		error = run_frame(show);
+		if (!error) {
+			progress_step(&progress, done + 1);
+			pace_wait(&show->pace);
+		}
+	}
+	progress_end(&progress);
+	return error;
+}

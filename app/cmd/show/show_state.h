@@ -1,0 +1,72 @@
+/*
+ * What one run of play or render has open; shared by the parts of show.c.
+ *
+ *	show.c        opens and closes everything
+ *	show_loop.c   runs the frames: clock, pace, budget, watchdog
+ *	show_input.c  buttons and what they do
+ *	show_frame.c  draws a frame and keeps it in files
+ */
+#ifndef APP_CMD_SHOW_SHOW_STATE_H
+#define APP_CMD_SHOW_SHOW_STATE_H
+
+#include "app/cmd/show/button_record.h"
+#include "app/cmd/show/film.h"
+#include "app/cmd/show/frame_stats.h"
+#include "app/cmd/show/frame_watch.h"
+#include "app/cmd/show/pace.h"
+#include "app/cmd/show/program_keys.h"
+#include "app/cmd/show/show.h"
+#include "app/cmd/show/show_screen.h"
+#include "app/cmd/show/snapshot.h"
+#include "app/demo/governor.h"
+#include "platform/watchdog/watchdog.h"
+
+struct show {
+	const struct show_plan *plan;
+	const struct options *options;
+	const struct log *log;
+	struct show_screen screen;
+	struct camera_feed camera;
+	struct demo *demo;
+	struct hud *hud;
+	struct watchdog watchdog;
+
+	/* Time. */
+	struct clock clock;
+	struct pace pace;
+	double now_s; /* of the frame under way */
+	int frames;   /* to show; 0: until closed, -1: one period of the demo */
+	bool closed;  /* the user wants to end the run */
+	struct frame_stats stats;
+	struct frame_watch watch;
+	struct governor governor;
+
+	/* Input. */
+	struct buttons buttons;
+	struct button_record record;
+	struct program_keys keys;
+
+	/* Files. */
+	struct film film;
+	int film_error;     /* 0 or the -errno that ended the film */
+	bool keeps_picture; /* the frame under way goes into a file */
+	struct snapshot snapshot;
+};
+
+/* Opens the sources of buttons. 0, or -errno after logging an error. */
+int show_input_open(struct show *show);
+
+/* Closes them and completes --record-buttons, which run_error may discard. */
+int show_input_close(struct show *show, int run_error);
+
+/* Reads the display's events and the buttons up to now_ms, and acts on them. */
+void show_input_poll_display(struct show *show, int64_t now_ms);
+void show_input_poll_buttons(struct show *show, int64_t now_ms);
+
+/* Draws, shows and keeps one frame. 0, or -errno after logging an error. */
+int show_frame_draw(struct show *show);
+
+/* Runs all frames. 0, or -errno after logging an error. */
+int show_loop_run(struct show *show);
+
+#endif

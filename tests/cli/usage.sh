@@ -75,7 +75,7 @@ refused 'walker' render --demo wlaker -o "$out"
 refused 'walker' render --demo zzzzzz -o "$out"
 
 refused 'no such camera' play "$slider" --camera piano
-refused 'no format' play "$slider" --camera pattern,rgb
+refused 'no such format' play "$slider" --camera pattern,rgb
 refused '.png, .gif, .y4m' render "$slider" -o "$scratch/out.bmp"
 refused '.png, .gif, .y4m' play "$slider" --display image -o "$scratch/out.bmp"
 refused 'add -o' play "$slider" --display image

@@ -1,7 +1,7 @@
 /*
- * Runs AN4044's skinning loop between markers: with 1, 2, 3 and 4 influences
- * a vertex, everything in L1 (regions 1-4), then with data from memory
- * (regions 5-8). Needs no C library.
+ * Runs AN4044's skinning loop between markers, with 1, 2, 3 and 4 influences a
+ * vertex: with all data in L1 (regions 1-4) and with data from memory (regions
+ * 5-8). The program uses no C library.
  */
 #include "app/anim/kernel/an4044.h"
 #include "tests/arm1136/marker.h"
@@ -40,7 +40,7 @@ static void transform(void)
 		vertex, VERTICES, joint, (const float(*)[4])base, weight);
 }
 
-/* A marker carries its number in its encoding. */
+/* A macro, because a marker's number is part of its instruction. */
 #define RUN(influences, warm, cold)        \
 	do {                               \
 		fill(influences);          \
@@ -64,7 +64,7 @@ static _Noreturn void leave(void)
 _Noreturn void _start(void);
 _Noreturn void _start(void)
 {
-	/* The model wakes up at the first marker. */
+	/* The model starts at the first marker, with empty caches. */
 	MARKER_BEGIN(0);
 	MARKER_END(0);
 	RUN(1, 1, 5);

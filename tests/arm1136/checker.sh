@@ -1,7 +1,7 @@
 #!/bin/sh
-# Whether micro.sh notices a model, or a case, that is wrong.
+# Shows that micro.sh fails for a wrong model and for a wrong case.
 #
-#   checker.sh MODEL FOLDER: of the programs of cases
+#   checker.sh MODEL FOLDER    FOLDER holds the programs of cases
 set -u
 folder=$(dirname "$0")
 . "$folder/../support/tap.sh"
@@ -9,12 +9,12 @@ folder=$(dirname "$0")
 model=$1
 programs=$2
 
-# failures: the tests that failed in the last run.
+# failures: prints the names of the tests that failed in the last run.
 failures() {
     sed -n 's/^not ok [0-9]* - \([a-z0-9_]*\).*/\1/p' "$out_file" | tr '\n' ' '
 }
 
-# expect_failures NAME LIST
+# expect_failures NAME LIST: the last run failed in just these tests.
 expect_failures() {
     if [ "$status" -ne 0 ] && [ "$(failures)" = "$2 " ]; then
         pass "$1"

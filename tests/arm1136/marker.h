@@ -1,16 +1,17 @@
 /*
- * Marks for the timing model (README.md): no-ops that no compiler makes, so a
- * marked program runs as it did. For C and for assembly on ARM.
+ * Marks regions for the timing model (README.md), in C and in assembly for ARM.
+ * A mark is a no-op that no compiler generates, so a marked program behaves as
+ * it did before. On other machines marks are nothing.
  *
  *   MARKER_BEGIN(3);
  *   kernel(...);
  *   MARKER_END(3);
  *
- * A region is known by the function its beginning is in and by its number,
- * 0-12. It may be entered often; regions do not nest. Between regions,
- * MARKER_FLUSH(MARKER_ALL) empties all caches, MARKER_DATA those of data, so
- * that it comes from memory, MARKER_L1_DATA only the first, so that it comes
- * from L2. MARKER_PAGES forgets where the pages of data lie.
+ * A region is named by the function that contains its MARKER_BEGIN and by its
+ * number, 0-12. It may be entered often; regions do not nest. Between regions,
+ * MARKER_FLUSH(MARKER_ALL) empties all caches and TLBs. MARKER_DATA empties the
+ * data caches, so that data comes from memory; MARKER_L1_DATA empties L1, so
+ * that data comes from L2. MARKER_PAGES empties the data TLBs.
  */
 #ifndef TESTS_ARM1136_MARKER_H
 #define TESTS_ARM1136_MARKER_H

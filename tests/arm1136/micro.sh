@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs a program of cases under the timing model and holds each against the
-# cycles its CASE line states.
+# Runs a program of cases under the timing model and compares the cycles of each
+# case with those that its CASE line states.
 #
 #   micro.sh MODEL PROGRAM SOURCE
 set -u
@@ -14,7 +14,7 @@ run qemu-arm -cpu arm1136 -plugin "$model" "$program"
 expect_status 0
 cp "$err_file" "$scratch/report"
 
-# Cycles that the model found for a case, in its last run.
+# found NAME: prints the cycles that the model counted in a case's last run.
 found() {
     awk -v name="$1" '$1 == "region" && $2 == name {
         for (i = 3; i < NF; i += 2)
@@ -40,7 +40,7 @@ else
     pass "every instruction is decoded"
 fi
 
-# Register values that the model worked out gave the addresses that were used.
+# The addresses that the model computed were those that the program used.
 if awk '$2 == "foretold" && $5 { exit 1 }' "$scratch/report"; then
     pass "no address is mistaken"
 else

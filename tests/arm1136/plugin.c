@@ -1,10 +1,10 @@
 /*
- * The model as a plugin of QEMU's user mode emulator.
+ * Connects the model to QEMU's user mode emulator as a plugin.
  *
- * A block of instructions is announced when it begins, its memory accesses as
- * they happen. It is put through the model when the next block begins: only
- * then is it known where its branch went and which conditional accesses were
- * made. One processor is followed, the first that enters a region.
+ * QEMU announces a block of instructions when the block begins, and each memory
+ * access when it happens. The model runs a block when the next one begins: only
+ * then is it known where the branch went and which conditional accesses were
+ * made. The model follows one processor, the first that enters a region.
  */
 #include "tests/arm1136/program.h"
 #include "tests/arm1136/qemu_plugin.h"
@@ -23,7 +23,7 @@ QEMU_PLUGIN_EXPORT int qemu_plugin_install(qemu_plugin_id_t id,
 
 struct block {
 	size_t count;
-	bool is_watched; /* a region can begin in it */
+	bool is_watched; /* a region can begin in this block */
 	struct insn *insn[];
 };
 
@@ -36,22 +36,22 @@ struct plugin {
 
 	bool has_processor;
 	unsigned int processor;
-	bool runs;              /* the model does, from the first region on */
-	struct block *block;    /* the one under way */
+	bool runs;              /* the model has started: at the first region */
+	struct block *block;    /* the one that is executing */
 	struct block *latest;   /* the same, watched or not */
-	struct block *previous; /* the one before that */
+	struct block *previous; /* the one before latest */
 	struct access access[MAX_ACCESSES];
 	size_t access_count;
-	uintptr_t guest_base; /* where the program's memory lies in this one's */
+	uintptr_t guest_base; /* host address of the program's address 0 */
 	bool has_guest_base;
 
-	struct region *region; /* the one that is counted, or NULL */
+	struct region *region; /* the one that counts now, or NULL */
 	int64_t region_began;
 	struct core_totals region_before;
-	uint32_t region_return; /* where a function that is a region ends */
+	uint32_t region_return; /* address at which a region of begin= ends */
 };
 
-/* The callback for new blocks takes no pointer, so there must be one. */
+/* Static, because QEMU's callback for new blocks takes no pointer. */
 static struct plugin *the_plugin;
 
 static void region_begin(struct plugin *plugin, uint32_t pc, uint8_t id)
@@ -84,7 +84,7 @@ static void region_end(struct plugin *plugin)
 	plugin->core.counts_insns = false;
 }
 
-/* True for an instruction that is a marker, and costs nothing. */
+/* Returns whether the instruction is a marker; markers cost no cycle. */
 static bool obey_marker(struct plugin *plugin, const struct insn *insn)
 {
 	if (insn->marker == MARKER_FLUSH) {
@@ -97,7 +97,7 @@ static bool obey_marker(struct plugin *plugin, const struct insn *insn)
 	return insn->marker != MARKER_NONE;
 }
 
-/* Where the function that the block under way begins will return to. */
+/* The return address of the function that begins with the current block. */
 static uint32_t return_address(const struct plugin *plugin)
 {
 	const struct block *caller = plugin->previous;
@@ -114,7 +114,7 @@ static uint32_t return_address(const struct plugin *plugin)
 	return plugin->core.values.value[REG_LR];
 }
 
-/* Regions that a symbol begins, and that its return or a symbol ends. */
+/* Regions of begin=: they end when the function returns, or at end=. */
 static void obey_symbols(struct plugin *plugin, const struct insn *insn)
 {
 	if (plugin->region) {
@@ -209,7 +209,7 @@ static void on_access(unsigned int processor, qemu_plugin_meminfo_t info,
 	}
 }
 
-/* Symbols are known once the program is loaded. */
+/* Called when the first block begins: only then is the program loaded. */
 static void find_symbols(struct plugin *plugin)
 {
 	const struct params *params = &plugin->params;
@@ -253,7 +253,7 @@ static struct insn *translate(
 	bool is_new;
 	struct insn *insn;
 
-	/* A Thumb instruction of two bytes is one nobody knows. */
+	/* A Thumb instruction has two bytes; the model does not decode it. */
 	if (qemu_plugin_insn_size(from) == 4) {
 		memcpy(&word, qemu_plugin_insn_data(from), 4);
 	} else {
@@ -285,7 +285,7 @@ static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
 	if (!plugin->has_symbols) {
 		find_symbols(plugin);
 	}
-	/* QEMU keeps a pointer to it as long as it keeps the translation. */
+	/* QEMU keeps a pointer to the block as long as it keeps the translation. */
 	block = calloc(1, sizeof(*block) + count * sizeof(*block->insn));
 	if (!block) {
 		return;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The model's command line, its regions and its reports; and AN4044's loop,
-# whose cycles were worked out apart from it.
+# Tests the model's options, regions and reports, and compares AN4044's loop with
+# the cycles of a separate scoreboard (figures.md).
 #
 #   plugin.sh MODEL AN4044 UNKNOWN
 set -u
@@ -24,7 +24,7 @@ value() {
     }' "$err_file"
 }
 
-# near NAME GOT LOW HIGH
+# near NAME GOT LOW HIGH: the value is within LOW to HIGH.
 near() {
     if [ -n "$2" ] && [ "$2" -ge "$3" ] && [ "$2" -le "$4" ]; then
         pass "$1"
@@ -33,7 +33,7 @@ near() {
     fi
 }
 
-# 64 vertices; 8 + 46 k cycles each by a scoreboard of its own, to 15%.
+# 64 vertices of 8 + 46 k cycles each, within 15%.
 model_run ''
 expect_status 0
 for k in 1 2 3 4; do
@@ -51,7 +51,7 @@ expect_no_out
 model_run ,ddr=110,l2=16
 near "slower memory costs more" "$(value _start#8 cycles)" \
     $((${cold:-0} * 11 / 10)) $((${cold:-0} * 2))
-near "and nothing to who has all in L1" "$(value _start#4 cycles)" \
+near "slower memory costs nothing when all is in L1" "$(value _start#4 cycles)" \
     $((${warm:-0} - 100)) $((${warm:-0} + 100))
 
 model_run ,ideal=on
@@ -91,7 +91,8 @@ check "JSON has regions, symbols and parameters" node -e '
     if (regions.length !== 9 || report.parameters.ddr !== 80)
         throw Error("not what was asked for");' "$scratch/report.json"
 
-# A cycle each, and a line of code from memory with both words of its page.
+# A cycle for each instruction, and a line of code from memory with both words of
+# its page table.
 run qemu-arm -cpu arm1136 -plugin "$model" "$unknown"
 about "an instruction that is not decoded"
 expect_status 0

@@ -10,14 +10,14 @@ int program_init(struct program *program, const struct params *params)
 {
 	memset(program, 0, sizeof(*program));
 	program->params = params;
-	program->insn_room = FIRST_ROOM;
+	program->insn_capacity = FIRST_ROOM;
 	program->insn = calloc(FIRST_ROOM, sizeof(struct insn *));
 	return program->insn ? 0 : -ENOMEM;
 }
 
 void program_finish(struct program *program)
 {
-	for (size_t i = 0; i < program->insn_room; i++) {
+	for (size_t i = 0; i < program->insn_capacity; i++) {
 		if (program->insn[i]) {
 			free(program->insn[i]->text);
 			free(program->insn[i]);
@@ -25,37 +25,37 @@ void program_finish(struct program *program)
 	}
 	free(program->insn);
 	program->insn = NULL;
-	program->insn_room = 0;
+	program->insn_capacity = 0;
 	symbols_finish(&program->symbols);
 }
 
-static struct insn **place_of(struct insn **table, size_t room, uint32_t pc)
+static struct insn **slot_of(struct insn **table, size_t capacity, uint32_t pc)
 {
-	size_t i = (pc >> 2) * 2654435761u & (room - 1);
+	size_t i = (pc >> 2) * 2654435761u & (capacity - 1);
 
 	while (table[i] && table[i]->pc != pc) {
-		i = (i + 1) & (room - 1);
+		i = (i + 1) & (capacity - 1);
 	}
 	return &table[i];
 }
 
 static bool grow(struct program *program)
 {
-	size_t room = program->insn_room * 2;
-	struct insn **table = calloc(room, sizeof(struct insn *));
+	size_t capacity = program->insn_capacity * 2;
+	struct insn **table = calloc(capacity, sizeof(struct insn *));
 
 	if (!table) {
 		return false;
 	}
-	for (size_t i = 0; i < program->insn_room; i++) {
+	for (size_t i = 0; i < program->insn_capacity; i++) {
 		if (program->insn[i]) {
-			*place_of(table, room, program->insn[i]->pc) =
+			*slot_of(table, capacity, program->insn[i]->pc) =
 				program->insn[i];
 		}
 	}
 	free(program->insn);
 	program->insn = table;
-	program->insn_room = room;
+	program->insn_capacity = capacity;
 	return true;
 }
 
@@ -65,10 +65,10 @@ struct insn *program_insn(
 	struct insn **place;
 
 	*is_new = false;
-	if (program->insn_count * 2 > program->insn_room && !grow(program)) {
+	if (program->insn_count * 2 > program->insn_capacity && !grow(program)) {
 		return NULL;
 	}
-	place = place_of(program->insn, program->insn_room, pc);
+	place = slot_of(program->insn, program->insn_capacity, pc);
 	if (*place && (*place)->word == word) {
 		return *place;
 	}
@@ -105,7 +105,7 @@ struct region *program_region(struct program *program, uint32_t pc, uint8_t id)
 	return region;
 }
 
-/* Totals are counters of 64 bits and nothing else. */
+/* struct core_totals consists of 64-bit counters alone. */
 static void add_difference(void *sum, const void *before, const void *after)
 {
 	for (size_t i = 0; i < sizeof(struct core_totals) / sizeof(uint64_t);

@@ -1,6 +1,6 @@
 /*
- * The program that runs in the model: its instructions, decoded once each and
- * kept by address, its functions, and the regions that are counted.
+ * The program that the model runs: its instructions by address, each decoded
+ * once, its functions, and the regions that are counted.
  */
 #ifndef TESTS_ARM1136_PROGRAM_H
 #define TESTS_ARM1136_PROGRAM_H
@@ -24,7 +24,7 @@ struct program {
 	struct symbols symbols;
 
 	struct insn **insn; /* open addressing by pc */
-	size_t insn_room;
+	size_t insn_capacity;
 	size_t insn_count;
 
 	struct region region[PROGRAM_MAX_REGIONS];
@@ -35,16 +35,16 @@ int program_init(struct program *program, const struct params *params);
 void program_finish(struct program *program);
 
 /*
- * The instruction at pc. Another word there than before is another program's
- * code, and is decoded anew. NULL when out of memory.
+ * The instruction at pc, decoded when word differs from what was there before.
+ * *is_new says whether that happened. NULL when memory is short.
  */
 struct insn *program_insn(
 	struct program *program, uint32_t pc, uint32_t word, bool *is_new);
 
-/* The region that begins at pc; NULL when there are too many. */
+/* The region that begins at pc, made if needed; NULL when there are too many. */
 struct region *program_region(struct program *program, uint32_t pc, uint8_t id);
 
-/* Adds what happened between two moments to a region. */
+/* Adds a pass to a region: its cycles, and the totals before and after it. */
 void region_add(struct region *region, uint64_t cycles,
 	const struct core_totals *before, const struct core_totals *after);
 

@@ -29,7 +29,7 @@ struct named_count {
 	uint64_t value;
 };
 
-/* A function's share. */
+/* What a function cost. */
 struct share {
 	const struct symbol *symbol; /* NULL: outside the program */
 	struct insn_counts counts;
@@ -125,7 +125,7 @@ static int compare_shares(const void *a, const void *b)
 	return left->symbol < right->symbol ? -1 : 1;
 }
 
-/* A share for each symbol and one for the rest, largest first. */
+/* The cost of each symbol, and of code outside all symbols; largest first. */
 static struct share *shares_of(const struct program *program, size_t *count)
 {
 	const struct symbols *symbols = &program->symbols;
@@ -135,7 +135,7 @@ static struct share *shares_of(const struct program *program, size_t *count)
 	if (!share) {
 		return NULL;
 	}
-	for (size_t i = 0; i < program->insn_room; i++) {
+	for (size_t i = 0; i < program->insn_capacity; i++) {
 		const struct insn *insn = program->insn[i];
 		const struct symbol *symbol;
 		size_t index = symbols->count;
@@ -184,7 +184,7 @@ static int compare_insns(const void *a, const void *b)
 	return left->pc < right->pc ? -1 : left->pc > right->pc;
 }
 
-/* Executed instructions that pass, in order of address; NULL at the end. */
+/* The executed instructions that pass() accepts, by address, then NULL. */
 static const struct insn **sorted_insns(const struct program *program,
 	bool (*pass)(const struct program *, const struct insn *))
 {
@@ -192,7 +192,7 @@ static const struct insn **sorted_insns(const struct program *program,
 		calloc(program->insn_count + 1, sizeof(struct insn *));
 	size_t count = 0;
 
-	for (size_t i = 0; list && i < program->insn_room; i++) {
+	for (size_t i = 0; list && i < program->insn_capacity; i++) {
 		const struct insn *insn = program->insn[i];
 
 		if (insn && insn->counts.executed && pass(program, insn)) {
@@ -216,7 +216,7 @@ static bool is_unknown(const struct program *program, const struct insn *insn)
 	return insn->unit == UNIT_UNKNOWN;
 }
 
-/* Address, times, cycles a time, the instruction, what it waited for. */
+/* A line: address, executions, mean cycles, instruction, stalls. */
 static void text_profile(FILE *out, const struct program *program)
 {
 	const struct insn **list = sorted_insns(program, in_profile);

@@ -1,4 +1,4 @@
-/* What was counted, as text and as JSON. */
+/* Prints what the model counted, as text and as JSON. */
 #ifndef TESTS_ARM1136_REPORT_H
 #define TESTS_ARM1136_REPORT_H
 

@@ -11,11 +11,11 @@ static int add(struct symbols *symbols, uint32_t address, const char *name)
 {
 	struct symbol *more = symbols->symbol;
 
-	/* Room for 2^n symbols is made when there are 2^(n-1). */
+	/* The capacity is a power of two: it doubles when it is reached. */
 	if ((symbols->count & (symbols->count - 1)) == 0) {
-		size_t room = symbols->count ? symbols->count * 2 : 1;
+		size_t capacity = symbols->count ? symbols->count * 2 : 1;
 
-		more = realloc(more, room * sizeof(*more));
+		more = realloc(more, capacity * sizeof(*more));
 		if (!more) {
 			return -ENOMEM;
 		}
@@ -78,7 +78,7 @@ close:
 	return result;
 }
 
-/* A file in memory; every offset in it is checked against its size. */
+/* A file in memory. Every offset into it is checked against its size. */
 struct image {
 	const char *data;
 	size_t size;
@@ -89,8 +89,11 @@ static bool inside(const struct image *image, size_t offset, size_t bytes)
 	return offset <= image->size && bytes <= image->size - offset;
 }
 
-/* Where its code lies, and how far that is from where it was linked for. */
-static uint32_t place(struct symbols *symbols, const struct image *image,
+/*
+ * Sets the end of the code and returns how far it was loaded from where it was
+ * linked for.
+ */
+static uint32_t locate_code(struct symbols *symbols, const struct image *image,
 	const Elf32_Ehdr *header, uint32_t start_code)
 {
 	for (size_t i = 0; i < header->e_phnum; i++) {

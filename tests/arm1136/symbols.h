@@ -1,4 +1,4 @@
-/* The functions of the program, by address. */
+/* The functions of the program that runs, by address. */
 #ifndef TESTS_ARM1136_SYMBOLS_H
 #define TESTS_ARM1136_SYMBOLS_H
 
@@ -13,22 +13,23 @@ struct symbol {
 struct symbols {
 	struct symbol *symbol; /* sorted by address */
 	size_t count;
-	uint32_t code_end; /* nothing from there on; 0 if not known */
+	uint32_t code_end; /* where the code ends; 0: not known */
 };
 
 /*
- * Adds what the symbol table of a 32-bit ELF file has; code begins at
- * start_code there, or 0. 0, or -errno with nothing added.
+ * Adds the functions of a 32-bit ELF file. start_code is the address at which
+ * its code was loaded, or 0 for the address it was linked for. Returns 0, or
+ * -errno and adds nothing.
  */
 int symbols_read_elf(
 	struct symbols *symbols, const char *path, uint32_t start_code);
 
-/* Adds lines as nm prints them: address, type, name. 0 or -errno. */
+/* Adds functions from lines of nm: address, type, name. Returns 0 or -errno. */
 int symbols_read_map(struct symbols *symbols, const char *path);
 
 void symbols_finish(struct symbols *symbols);
 
-/* The function that an address is in, or NULL. */
+/* The function that contains the address, or NULL. */
 const struct symbol *symbols_find(
 	const struct symbols *symbols, uint32_t address);
 

@@ -1,4 +1,4 @@
-/* A program with an instruction that the model does not know: SETEND LE. */
+/* A program with an instruction that the model cannot decode: SETEND LE. */
 #include "tests/arm1136/marker.h"
 
 	.arm

@@ -18,7 +18,7 @@ static void keep_sentence(void *user, enum log_level level, const char *sentence
 static int kept(const struct log_capture *capture)
 {
 	return capture->count < LOG_CAPTURE_CAPACITY ? capture->count
-						 : LOG_CAPTURE_CAPACITY;
+						     : LOG_CAPTURE_CAPACITY;
 }
 
 struct log log_capture_begin(struct log_capture *capture)

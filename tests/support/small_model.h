@@ -7,17 +7,17 @@
 #include "app/scene/instance/instance.h"
 
 /*
- * A model of one node with one mesh: a grid of columns x rows quads in the plane
- * z = 0, from (0, 0) to (size, size), that faces +Z. The caller ends with
+ * A model of one node with one mesh: a grid of columns x rows quads in the
+ * plane z = 0, from (0, 0) to (size, size), that faces +Z. The caller ends with
  * model_destroy().
  */
 struct model *small_model_grid(
 	int columns, int rows, float size, bool with_normals);
 
 /*
- * Gives a grid with normals a normal map of one row of texels, which are copied.
- * Texture coordinates run from 0 to 1 along +X and from 1 to 0 along +Y; the
- * tangents point along +X.
+ * Gives a grid with normals a normal map of one row of texels, which are
+ * copied. Texture coordinates run from 0 to 1 along +X and from 1 to 0 along
+ * +Y; the tangents point along +X.
  */
 void small_model_add_normal_map(
 	struct model *model, int width, const uint8_t (*rgba)[4]);

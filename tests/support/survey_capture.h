@@ -22,9 +22,9 @@ struct survey_capture {
 };
 
 /*
- * Empties the capture and returns a survey that writes into it. The capture must
- * outlive the survey. system is the folder that stands for /sys; NULL stands
- * for an empty one.
+ * Empties the capture and returns a survey that writes into it. The capture
+ * must outlive the survey. system is the folder that stands for /sys; NULL
+ * stands for an empty one.
  */
 struct survey survey_capture_begin(
 	struct survey_capture *capture, const char *system);

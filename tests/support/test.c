@@ -25,7 +25,8 @@ void test_assert_all_near(const float *actual, const float *expected,
 {
 	for (size_t i = 0; i < count; i++) {
 		if (!test_is_near(actual[i], expected[i], tolerance)) {
-			print_error("%s: float %zu of %zu is %.9g, not %.9g within %g\n",
+			print_error(
+				"%s: float %zu of %zu is %.9g, not %.9g within %g\n",
 				what, i, count, actual[i], expected[i],
 				tolerance);
 			_fail(file, line);

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Before the first cycle. */
+/* A cycle before all others. */
 #define NEVER (-1000)
 
 int core_init(struct core *core, const struct params *params)
@@ -77,14 +77,14 @@ static void wait_for_inputs(
 				core, reg, (enum need)insn->input[i].need),
 			(enum cause)core->maker[reg]);
 	}
-	/* A predicted branch does not wait for its condition. */
+	/* A predicted branch does not wait for the flags. */
 	if (insn->conditional && !insn_is_branch(insn)) {
 		issue_wait(issue, core->ready[REG_FLAGS],
 			(enum cause)core->maker[REG_FLAGS]);
 	}
 }
 
-/* A register that is still to be written or stored may not be overtaken. */
+/* Waits for earlier instructions that still write or store its results. */
 void core_wait_to_write(const struct core *core, struct issue *issue,
 	unsigned int reg, int64_t latency)
 {
@@ -129,7 +129,7 @@ static void write_outputs(struct core *core, const struct insn *insn, int64_t at
 
 		core_write_register(core, reg, at + insn->output[i].latency,
 			maker_of(insn));
-		/* The next load or store has a written-back base at once. */
+		/* A load or store can use a written-back base at once. */
 		if (insn_is_memory(insn) && reg == insn->base) {
 			core->base_ready[reg] = at + insn->output[i].latency;
 			core->maker[reg] = CAUSE_ALU;
@@ -212,7 +212,7 @@ static bool condition_failed(const struct insn *insn, int access_count)
 		access_count == 0;
 }
 
-/* The cycles of an instruction from its issue on, and why more than one. */
+/* The cycles of an instruction from its issue; *cause of those beyond one. */
 static void advance(struct core *core, struct insn *insn,
 	const struct insn *next, bool failed)
 {

@@ -1,6 +1,6 @@
 /*
- * The core: issues one instruction after the other, in order, each as early as
- * its operands and its unit allow, and keeps account of what it waited for.
+ * The core: issues instructions in order, each as early as its operands and its
+ * unit allow, and counts the cycles that it waited by their cause.
  */
 #ifndef TESTS_ARM1136_CORE_CORE_H
 #define TESTS_ARM1136_CORE_CORE_H
@@ -19,8 +19,8 @@ struct core_totals {
 	uint64_t stall[CAUSE_COUNT];
 	uint64_t branches;
 	uint64_t mispredicted;
-	uint64_t foretold; /* addresses that values.c knew */
-	uint64_t mistaken; /* and those of them that were others */
+	uint64_t foretold; /* addresses that values.c computed beforehand */
+	uint64_t mistaken; /* those of them that were wrong */
 	struct memory_counts memory;
 };
 
@@ -32,14 +32,14 @@ struct core {
 
 	int64_t now; /* the next instruction issues no earlier */
 	int64_t memory_free;
-	enum cause memory_cause; /* of waiting for it */
+	enum cause memory_cause; /* of a wait for memory_free */
 	int64_t vfp_free;
 	int64_t divide_free;
-	int64_t flags_set;        /* cycle of the last instruction that did */
+	int64_t flags_set;        /* issue of the last one that set the flags */
 	int64_t ready[REG_COUNT]; /* for a normal operand */
 	int64_t base_ready[16];   /* for an address */
-	int64_t unlocked[REG_COUNT]; /* may be written from then on */
-	uint8_t maker[REG_COUNT];    /* enum cause of a wait for it */
+	int64_t unlocked[REG_COUNT]; /* from this cycle on, it may be written */
+	uint8_t maker[REG_COUNT];    /* enum cause of a wait for the register */
 	uint32_t fetched_line;
 
 	bool counts_insns; /* into insn->counts */
@@ -50,17 +50,17 @@ struct core {
 int core_init(struct core *core, const struct params *params);
 void core_finish(struct core *core);
 
-/* Empties caches and queues, as a change of scene does. */
+/* Empties the caches and queues down to a level; see memory_flush(). */
 void core_flush(struct core *core, enum memory_level level);
 
 /*
- * Executes an instruction. access are its memory accesses, none when its
- * condition failed; next is what was executed after it.
+ * Executes an instruction. access holds its access_count memory accesses, which
+ * is 0 when its condition failed; next is the instruction executed after it.
  */
 void core_step(struct core *core, struct insn *insn,
 	const struct access *access, int access_count, const struct insn *next);
 
-/* The totals with the memory's counts in them. */
+/* The totals, including the counts of the memory. */
 struct core_totals core_totals(const struct core *core);
 
 #endif

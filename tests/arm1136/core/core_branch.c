@@ -1,6 +1,6 @@
 #include "tests/arm1136/core/core_parts.h"
 
-/* Cycles of the branch table; README.md tells where they are from. */
+/* Cycles of branches; figures.md names the sources. */
 enum {
 	TAKEN_CYCLES = 4,
 	RETURN_CYCLES = 4,
@@ -21,7 +21,7 @@ static int64_t mispredicted_cycles(const struct core *core, int64_t at)
 	return cycles > WRONG_MIN_CYCLES ? cycles : WRONG_MIN_CYCLES;
 }
 
-/* Total cycles of a return whose address came from the stack or not. */
+/* All cycles of a return; its address was loaded from the stack or not. */
 static int64_t return_cycles(
 	const struct core *core, const struct insn *insn, enum prediction how)
 {

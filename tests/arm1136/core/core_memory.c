@@ -1,6 +1,6 @@
 #include "tests/arm1136/core/core_parts.h"
 
-/* Word w of a transfer is moved in this of its memory cycles. */
+/* The memory cycle of a transfer in which its word w is moved. */
 static int64_t memory_cycle(int word, uint32_t first_address)
 {
 	return (word + (first_address >> 2 & 1)) / 2;
@@ -18,7 +18,7 @@ static uint32_t lowest_address(const struct access *access, int count)
 	return lowest;
 }
 
-/* Cycles the load/store pipeline is busy with the transfer. */
+/* Cycles that the transfer occupies the load/store pipeline. */
 static int64_t transfer_cycles(
 	const struct insn *insn, uint32_t address, int words)
 {
@@ -41,7 +41,7 @@ static int words_of(const struct insn *insn)
 	return words ? words : 1;
 }
 
-/* What each line of a transfer answers; asked once a line. */
+/* The answers for the lines of a transfer; memory is asked once for each. */
 struct transfer {
 	struct core *core;
 	uint32_t address;
@@ -56,7 +56,7 @@ static void occupy(struct core *core, int64_t until, enum cause cause)
 	core->memory_cause = cause;
 }
 
-/* Nothing follows until a miss or the write buffer has room, or a page is known. */
+/* Occupies the pipeline while misses, writes or the page must be waited for. */
 static void stop(struct core *core, const struct memory_answer *answer)
 {
 	if (answer->pipe_until > core->memory_free) {
@@ -111,7 +111,7 @@ static void load_word(struct core *core, const struct insn *insn,
 	core_write_register(core, reg, ready, maker);
 }
 
-/* Moves the registers of an instruction; at is when it issued. */
+/* Transfers the registers of an instruction that issued at that cycle. */
 static void move_registers(struct core *core, const struct insn *insn,
 	struct transfer *transfer, int64_t at)
 {
@@ -181,7 +181,7 @@ void core_execute_memory(struct core *core, struct insn *insn,
 	occupy(core, at + transfer_cycles(insn, transfer.address, words),
 		CAUSE_MEMORY_PIPE);
 	move_registers(core, insn, &transfer, at);
-	/* An unaligned word or halfword can lie in two lines. */
+	/* An unaligned word or halfword can cross a line. */
 	if (words == 1) {
 		uint32_t last = transfer.address + insn->access_bytes - 1;
 

@@ -1,17 +1,17 @@
 /*
- * What the parts of the core share: core.c issues and keeps account,
- * core_memory.c moves registers to and from memory, core_vfp.c runs the VFP,
- * core_branch.c says what branches cost.
+ * Internals of the core: core.c issues instructions and counts, core_memory.c
+ * executes loads and stores, core_vfp.c the VFP, and core_branch.c knows what
+ * branches cost.
  */
 #ifndef TESTS_ARM1136_CORE_CORE_PARTS_H
 #define TESTS_ARM1136_CORE_CORE_PARTS_H
 
 #include "tests/arm1136/core/core.h"
 
-/* Where an instruction stands on its way to issue. */
+/* The earliest cycle at which an instruction can issue, as far as is known. */
 struct issue {
 	int64_t at;
-	enum cause cause; /* of waiting until then */
+	enum cause cause; /* of the wait until then */
 };
 
 static inline void issue_wait(
@@ -23,33 +23,36 @@ static inline void issue_wait(
 	}
 }
 
-/* From when on a register can be read as need says. */
+/* The cycle from which an operand with that need can be read. */
 int64_t core_operand_ready(
 	const struct core *core, unsigned int reg, enum need need);
 
-/* Waits until a result with that latency may be written. */
+/* Delays the issue until a result of that latency may be written. */
 void core_wait_to_write(const struct core *core, struct issue *issue,
 	unsigned int reg, int64_t latency);
 
 void core_write_register(
 	struct core *core, unsigned int reg, int64_t ready, enum cause maker);
 
-/* For the registers that an instruction loads or stores. */
+/* Delays the issue for the registers that the instruction loads or stores. */
 void core_wait_for_registers(
 	const struct core *core, const struct insn *insn, struct issue *issue);
 
-/* A load or store, or a preload, that issues at that cycle. */
+/* Execute a load or store, or a preload, that issues at that cycle. */
 void core_execute_memory(struct core *core, struct insn *insn,
 	const struct access *access, int access_count, int64_t at);
 void core_execute_preload(
 	struct core *core, const struct insn *insn, int64_t at);
 
-/* VFP arithmetic: all registers of all iterations, then the operation. */
+/* VFP arithmetic: delay for the registers of all iterations, then execute. */
 void core_wait_for_vfp(
 	struct core *core, const struct insn *insn, struct issue *issue);
 void core_execute_vfp(struct core *core, const struct insn *insn, int64_t at);
 
-/* Cycles of a branch in all, 0 when it was folded; sets the cause of more. */
+/*
+ * All cycles of a branch, 0 for one that was folded. *cause is set to the cause
+ * of those beyond the first.
+ */
 int64_t core_branch_cycles(struct core *core, const struct insn *insn,
 	const struct insn *next, int64_t at, enum cause *cause);
 

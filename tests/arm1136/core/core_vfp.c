@@ -1,6 +1,6 @@
 #include "tests/arm1136/core/core_parts.h"
 
-/* The registers of one iteration of a short vector. */
+/* The register of an iteration of a short vector; it wraps in its bank of 8. */
 static unsigned int iterate(const struct insn *insn, unsigned int reg,
 	unsigned int iteration, unsigned int stride)
 {
@@ -14,7 +14,7 @@ static unsigned int iterate(const struct insn *insn, unsigned int reg,
 struct vector {
 	unsigned int length;
 	unsigned int stride;
-	unsigned int m_length; /* 1 where the second operand is a scalar */
+	unsigned int m_length; /* 1 when the second operand is a scalar */
 };
 
 static struct vector vector_of(const struct core *core, const struct insn *insn)
@@ -81,7 +81,7 @@ static void visit_sources(struct core *core, const struct insn *insn,
 	}
 }
 
-/* All registers of all iterations must be free before the first begins. */
+/* The first iteration waits for the registers of all iterations. */
 void core_wait_for_vfp(
 	struct core *core, const struct insn *insn, struct issue *issue)
 {

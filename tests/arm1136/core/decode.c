@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Helpers of the kernel that the emulator runs whole; a few cycles each. */
+/* The kernel's user helpers: the emulator runs each as a whole. */
 #define KERNEL_PAGE 0xffff0000u
 
 void insn_reads(struct insn *insn, unsigned int reg, enum need need)
@@ -38,7 +38,7 @@ static void mark(struct insn *insn)
 	insn->marker_id = (uint8_t)d;
 }
 
-/* Cycles of a computed branch by the ALU beyond a plain one: for the shift. */
+/* Extra cycles of a branch that the ALU computes: for its shift. */
 static void data_processing_to_pc(struct insn *insn)
 {
 	bool is_move = insn_field(insn, 21, 4) == 13;
@@ -75,7 +75,7 @@ static void data_processing(struct insn *insn)
 		insn_reads(insn, m,
 			insn_field(insn, 4, 8) ? NEED_EARLY : NEED_NORMAL);
 	}
-	/* ADC, SBC, RSC and RRX take the carry. */
+	/* ADC, SBC, RSC and RRX read the carry. */
 	if ((opcode >= 5 && opcode <= 7) ||
 		(!insn_bit(insn, 25) && insn_field(insn, 4, 8) == 6)) {
 		insn_reads(insn, REG_FLAGS, NEED_NORMAL);
@@ -90,7 +90,7 @@ static void data_processing(struct insn *insn)
 	mark(insn);
 }
 
-/* Products. d, then the accumulator n, s, m from bit 16 down. */
+/* Products: d is in bits 19-16, n in 15-12, s in 11-8, m in 3-0. */
 static void product(struct insn *insn, unsigned int issue, unsigned int latency,
 	bool accumulates, enum need need)
 {
@@ -104,7 +104,7 @@ static void product(struct insn *insn, unsigned int issue, unsigned int latency,
 	insn_writes(insn, insn_field(insn, 16, 4), latency);
 }
 
-/* Products of 64 bits; late is the half whose accumulator comes late. */
+/* Products of 64 bits; late is the half whose accumulator is read late. */
 static void long_product(struct insn *insn, unsigned int issue,
 	unsigned int latency, bool accumulates, bool late_is_high)
 {
@@ -356,7 +356,7 @@ static void branch(struct insn *insn, bool call)
 	}
 }
 
-/* Registers of other coprocessors: CP15 has the thread's pointer. */
+/* Other coprocessors: CP15 holds the thread pointer. */
 static void coprocessor(struct insn *insn)
 {
 	if (insn_field(insn, 24, 4) == 15) { /* SVC */

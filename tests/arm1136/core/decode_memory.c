@@ -1,9 +1,9 @@
 #include "tests/arm1136/core/decode_parts.h"
 
-/* The one shift of an offset that costs nothing: amount, then kind. */
+/* LSL #2, the only shift of an offset without extra cycles. */
 #define LSL_2 (2u << 2)
 
-/* Base, offset and write-back of a single load or store. */
+/* Reads the base, offset and write-back of a single load or store. */
 static void address(struct insn *insn, bool by_register, bool odd_shift)
 {
 	uint32_t n = insn_field(insn, 16, 4);

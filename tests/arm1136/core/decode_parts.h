@@ -1,6 +1,6 @@
 /*
- * What decode.c leaves to others: coprocessors 10 and 11 to decode_vfp.c,
- * loads and stores of the core to decode_memory.c.
+ * Internals of the decoder: decode.c hands coprocessors 10 and 11 to
+ * decode_vfp.c, and the core's loads and stores to decode_memory.c.
  */
 #ifndef TESTS_ARM1136_CORE_DECODE_PARTS_H
 #define TESTS_ARM1136_CORE_DECODE_PARTS_H
@@ -10,7 +10,7 @@
 void insn_reads(struct insn *insn, unsigned int reg, enum need need);
 void insn_writes(struct insn *insn, unsigned int reg, unsigned int latency);
 
-/* False when it is no instruction of the VFP's. */
+/* Returns whether the instruction is one of the VFP's. */
 bool insn_decode_vfp(struct insn *insn);
 
 void insn_decode_single(struct insn *insn);    /* LDR, LDRB, STR, STRB */

@@ -1,12 +1,12 @@
 #include "tests/arm1136/core/decode_parts.h"
 
-/* A register from its four-bit field and its extra bit. */
+/* The register that a four-bit field and an extra bit name. */
 static uint8_t vfp_register(
 	const struct insn *insn, unsigned int low, unsigned int extra, bool dbl)
 {
 	uint32_t field = insn_field(insn, low, 4);
 
-	/* VFPv2 has sixteen doubles; the extra bit must be zero there. */
+	/* VFPv2 has sixteen doubles, so the extra bit must be zero. */
 	return (uint8_t)(REG_S0 + field * 2 + (dbl ? 0 : insn_bit(insn, extra)));
 }
 
@@ -26,7 +26,7 @@ static void writes(struct insn *insn, uint8_t reg, bool dbl, unsigned int after)
 	}
 }
 
-/* Latency by table 4.17 of the VFP11 manual. */
+/* The latency, from table 4.17 of the VFP11 manual. */
 static void arithmetic(struct insn *insn, enum vfp_form form, unsigned int busy,
 	unsigned int latency)
 {
@@ -35,7 +35,7 @@ static void arithmetic(struct insn *insn, enum vfp_form form, unsigned int busy,
 	insn->vfp_latency = (uint8_t)latency;
 }
 
-/* FSITO, FTOSI: the integer is a single, whatever the other is. */
+/* FSITO, FTOSI: the integer is always in a single register. */
 static void convert_integer(struct insn *insn, bool to_integer)
 {
 	bool dbl = insn->is_double;
@@ -74,7 +74,7 @@ static void divide(struct insn *insn, enum vfp_form form)
 		insn->is_double ? 33 : 19);
 }
 
-/* One operand; which operation is in the field of the second. */
+/* Operations of one operand; the field of the second selects which. */
 static void extension(struct insn *insn)
 {
 	bool n = insn_bit(insn, 7);
@@ -135,7 +135,7 @@ static void data_operation(struct insn *insn)
 	}
 }
 
-/* FMSR, FMRS, FMDLR and so on: one core register. */
+/* FMSR, FMRS, FMDLR and the like move one core register. */
 static void move_one(struct insn *insn)
 {
 	bool to_core = insn_bit(insn, 20);
@@ -203,7 +203,7 @@ static void load_store(struct insn *insn)
 	insn->writeback = !single && insn_bit(insn, 21);
 	insn->access_bytes = 4;
 	insn->range_first = vfp_register(insn, 12, 22, insn->is_double);
-	/* FLDMX has a word more than its registers. */
+	/* FLDMX transfers a word more than its registers. */
 	insn->range_count = (uint8_t)(insn->is_double ? words & ~1u : words);
 	if (insn->range_count + insn->range_first > REG_COUNT) {
 		insn->range_count = (uint8_t)(REG_COUNT - insn->range_first);

@@ -1,7 +1,7 @@
 /*
- * What the model knows of one instruction, decoded once from its encoding:
- * what it reads and when, what it writes and after how long, which unit it
- * keeps busy. Sources of the numbers: README.md.
+ * An instruction as the model knows it, decoded once from its encoding: what it
+ * reads and when, what it writes and how long that takes, and which unit it
+ * occupies. figures.md names the sources of the numbers.
  *
  * ARM state of ARMv6 with VFPv2 only; anything else is UNIT_UNKNOWN.
  */
@@ -36,20 +36,20 @@ enum unit {
 	UNIT_UNKNOWN
 };
 
-/* Why cycles were lost; the first few also say who made a result. */
+/* Causes of stalls. ALU to VFP also say which unit made a result. */
 enum cause {
 	CAUSE_ALU,          /* waits for an ALU result */
 	CAUSE_MULTIPLY,     /* waits for a product */
 	CAUSE_LOAD,         /* waits for a load that hit */
 	CAUSE_L2,           /* waits for a line from L2 */
 	CAUSE_DDR,          /* waits for a line from memory */
-	CAUSE_PAGE,         /* waits for an address to be translated */
+	CAUSE_PAGE,         /* waits for the translation of an address */
 	CAUSE_VFP,          /* waits for a VFP result */
 	CAUSE_ISSUE,        /* takes more than one issue cycle */
 	CAUSE_MEMORY_PIPE,  /* the load/store pipeline is busy */
 	CAUSE_VFP_PIPE,     /* the VFP pipeline is busy */
 	CAUSE_LOCK,         /* may not write a register yet */
-	CAUSE_MISSES,       /* too many misses under way */
+	CAUSE_MISSES,       /* too many lines are being loaded */
 	CAUSE_WRITE_BUFFER, /* the write buffer is full */
 	CAUSE_FETCH,        /* the instruction is not in L1 */
 	CAUSE_TAKEN,        /* taken branch, statically predicted */
@@ -58,14 +58,14 @@ enum cause {
 	CAUSE_COUNT
 };
 
-/* When, beside the usual stage, an operand must be there. */
+/* When an operand must be ready, relative to the usual stage. */
 enum need {
 	NEED_NORMAL,
 	NEED_EARLY,       /* a cycle earlier */
-	NEED_ADDRESS,     /* early, but a written-back base comes in time */
+	NEED_ADDRESS,     /* early, but a written-back base is in time */
 	NEED_LATE,        /* a cycle later */
 	NEED_ACCUMULATOR, /* a cycle later if a multiplication made it */
-	NEED_STORED,      /* late in the core, not forwarded from the VFP */
+	NEED_STORED,      /* late; VFP results are not forwarded to it */
 };
 
 struct operand {
@@ -104,7 +104,7 @@ enum vfp_form {
 	VFP_THREE   /* d = d op n op m */
 };
 
-/* How values.c can follow it. */
+/* How values.c computes the results. */
 enum value_rule {
 	VALUE_LOST,     /* results are unknown */
 	VALUE_ALU,      /* a data-processing instruction, shift by a constant */
@@ -131,21 +131,21 @@ struct insn {
 	uint8_t marker_id;
 	uint8_t value_rule;
 	uint8_t issue;    /* cycles */
-	uint8_t busy;     /* of the VFP's pipeline, one iteration, cycles */
-	bool conditional; /* and then reads REG_FLAGS */
+	uint8_t busy;     /* cycles of an iteration in the VFP's pipeline */
+	bool conditional; /* its inputs include REG_FLAGS */
 	bool sets_flags;
 	bool serializes_vfp;
 	uint8_t input_count;
-	uint8_t output_count; /* not those in list or range */
+	uint8_t output_count; /* without the registers in list and range */
 	struct operand input[6];
 	struct result output[3];
 
-	/* Loads and stores. Lists are in order of addresses. */
+	/* Loads and stores. list and range are in the order of addresses. */
 	bool slow_address; /* negative register offset, odd shift */
 	bool writeback;
 	bool extends; /* byte or halfword load */
 	uint8_t base;
-	uint8_t access_bytes; /* of one register; what alignment is about */
+	uint8_t access_bytes; /* of one register; decides its alignment */
 	uint16_t list;        /* core registers */
 	uint8_t range_first;  /* VFP registers, as singles */
 	uint8_t range_count;

@@ -42,7 +42,7 @@ static struct memory_line *cache_find(
 	return NULL;
 }
 
-/* A shift register, as the caches' own. */
+/* A linear feedback shift register, as the caches have. */
 static uint32_t draw(struct memory *memory)
 {
 	uint32_t bit = memory->random & 1;
@@ -51,7 +51,7 @@ static uint32_t draw(struct memory *memory)
 	return memory->random;
 }
 
-/* An empty place, or one at random. */
+/* An invalid entry of the set, or a random one. */
 static struct memory_line *cache_victim(
 	struct memory *memory, const struct memory_cache *cache, uint32_t line)
 {
@@ -130,7 +130,7 @@ static int64_t write_to_ddr(struct memory *memory, int64_t now)
 	return memory->ddr_free;
 }
 
-/* L2 takes a line that it has; what it has not goes on to memory. */
+/* L2 keeps a written line that it holds; other lines go on to memory. */
 static int64_t write_line(struct memory *memory, uint32_t line, int64_t now)
 {
 	struct memory_line *place = cache_find(&memory->l2, line);
@@ -143,7 +143,7 @@ static int64_t write_line(struct memory *memory, uint32_t line, int64_t now)
 	return memory->l2_free;
 }
 
-/* Hands a line to the write buffer; when there was room for it. */
+/* Gives a line to the write buffer; returns when it accepted the line. */
 static int64_t buffer_line(struct memory *memory, uint32_t line, int64_t now)
 {
 	int64_t *slot = &memory->write_ends[memory->next_write];
@@ -155,7 +155,7 @@ static int64_t buffer_line(struct memory *memory, uint32_t line, int64_t now)
 	return start;
 }
 
-/* When the line arrives in L1; sets from. L2 keeps a copy. */
+/* Returns when the line arrives in L1, and sets *from. L2 keeps a copy. */
 static int64_t fill(
 	struct memory *memory, uint32_t line, int64_t now, uint8_t *from)
 {
@@ -180,7 +180,7 @@ static int64_t fill(
 	return start + params->ddr;
 }
 
-/* Page tables lie where no program can, and are cached in L2. */
+/* Page tables are outside the program's addresses, and are cached in L2. */
 static int64_t read_table(struct memory *memory, uint32_t line, int64_t now)
 {
 	uint8_t from;
@@ -188,7 +188,7 @@ static int64_t read_table(struct memory *memory, uint32_t line, int64_t now)
 	return fill(memory, line, now, &from);
 }
 
-/* Cycles until the address is translated. */
+/* The cycles that the translation of the address takes. */
 static int64_t translate(struct memory *memory, enum pages_side side,
 	uint32_t address, int64_t now)
 {
@@ -206,7 +206,7 @@ static int64_t translate(struct memory *memory, enum pages_side side,
 	}
 	memory->counts.pages_missed++;
 	if (found == PAGES_NOWHERE) {
-		/* A word for each megabyte, then one for each page of it. */
+		/* The first-level entry of the megabyte, then the page's. */
 		done = read_table(memory, first_level | page >> 11, done);
 		done = read_table(memory, second_level | page >> 3, done);
 		memory->counts.pages_walked++;
@@ -214,7 +214,7 @@ static int64_t translate(struct memory *memory, enum pages_side side,
 	return done - now;
 }
 
-/* Loads and stores go in order: none passes one that is not translated. */
+/* Loads and stores are in order: none passes one that awaits its page. */
 static int64_t translate_data(struct memory *memory, uint32_t address,
 	int64_t now, struct memory_answer *answer)
 {
@@ -231,7 +231,7 @@ static int64_t translate_data(struct memory *memory, uint32_t address,
 	return now + delay;
 }
 
-/* Makes room in L1 and starts the fill. */
+/* Evicts a line from L1 and starts the fill. */
 static struct memory_line *allocate(struct memory *memory,
 	struct memory_cache *cache, uint32_t line, int64_t now)
 {
@@ -246,7 +246,7 @@ static struct memory_line *allocate(struct memory *memory,
 	return place;
 }
 
-/* The cycle from which one more miss can be under way. */
+/* The cycle from which one more line can be requested. */
 static int64_t *free_miss(struct memory *memory)
 {
 	int64_t *first = &memory->miss_ends[0];
@@ -290,7 +290,7 @@ struct memory_answer memory_load(
 	place = cache_find(&memory->l1d, line);
 	if (!place) {
 		memory->counts.loads_missed++;
-		/* What was just written there goes first. */
+		/* Data just written to that line is sent first. */
 		if (memory->is_open && memory->open_line == line) {
 			buffer_line(memory, line, now);
 			memory->is_open = false;

@@ -1,7 +1,6 @@
 /*
- * Caches, address translation, write buffer, L2 and memory: when data that is
- * asked for at some cycle arrives. Lines are 32 bytes; addresses are the
- * program's.
+ * Caches, address translation, write buffer, L2 and memory: computes the cycle at
+ * which requested data arrives. A line has 32 bytes; addresses are the program's.
  */
 #ifndef TESTS_ARM1136_CORE_MEMORY_H
 #define TESTS_ARM1136_CORE_MEMORY_H
@@ -19,7 +18,7 @@ struct memory_line {
 	bool valid;
 	bool dirty;
 	int64_t arrives; /* cycle */
-	uint8_t from;    /* enum cause: which level it comes from */
+	uint8_t from;    /* enum cause: the level that it comes from */
 };
 
 struct memory_cache {
@@ -28,21 +27,21 @@ struct memory_cache {
 	struct memory_line *line; /* [sets * ways] */
 };
 
-/* Lines by what happened to them. */
+/* Numbers of lines. */
 struct memory_counts {
 	uint64_t fetches_missed; /* instruction lines not in L1 */
-	uint64_t loads;          /* lines asked for by loads */
+	uint64_t loads;          /* lines that loads request */
 	uint64_t loads_missed;
-	uint64_t loads_awaited; /* on their way, by a preload for instance */
+	uint64_t loads_awaited; /* requested before, by a preload for instance */
 	uint64_t stores;
 	uint64_t stores_missed;
 	uint64_t preloads;
-	uint64_t preloads_dropped; /* the line was there */
+	uint64_t preloads_dropped; /* the line was in L1 */
 	uint64_t preloads_unknown; /* the model does not know the address */
 	uint64_t l2_missed;
 	uint64_t lines_written; /* to memory */
 	uint64_t pages_missed;  /* not in a MicroTLB */
-	uint64_t pages_walked;  /* nor in the main TLB */
+	uint64_t pages_walked;  /* not in the main TLB either */
 };
 
 struct memory {
@@ -53,7 +52,7 @@ struct memory {
 	int64_t miss_ends[MEMORY_MAX_MISSES];
 	int64_t write_ends[MEMORY_MAX_WRITES];
 	uint32_t next_write;
-	uint32_t open_line; /* what the write buffer still gathers */
+	uint32_t open_line; /* the line that the write buffer still gathers */
 	bool is_open;
 	int64_t l2_free, ddr_free;
 	struct memory_counts counts;
@@ -64,8 +63,9 @@ int memory_init(struct memory *memory, const struct params *params);
 void memory_finish(struct memory *memory);
 
 /*
- * Empties caches, down to and with some level, and all queues. MEMORY_ALL
- * forgets all translations, MEMORY_PAGES those of data and nothing else.
+ * Empties the queues, and the caches that the level names: MEMORY_ALL all of
+ * them and the TLBs, MEMORY_DATA those of data, MEMORY_L1_DATA the first of
+ * those. MEMORY_PAGES empties the data TLBs and nothing else.
  */
 enum memory_level {
 	MEMORY_ALL,
@@ -75,11 +75,11 @@ enum memory_level {
 };
 void memory_flush(struct memory *memory, enum memory_level level);
 
-/* When the line of a load that starts at cycle now arrives, beside a hit. */
+/* How a load or store that starts at cycle now differs from a hit in L1. */
 struct memory_answer {
-	int64_t delay;      /* cycles after those of a hit */
+	int64_t delay;      /* extra cycles until the line arrives */
 	enum cause cause;   /* of the delay */
-	int64_t pipe_until; /* the load/store pipeline is stopped until then */
+	int64_t pipe_until; /* the load/store pipeline stops until then */
 	enum cause pipe_cause;
 };
 
@@ -90,7 +90,7 @@ struct memory_answer memory_preload(
 struct memory_answer memory_store(
 	struct memory *memory, uint32_t address, int64_t now);
 
-/* Cycles until the instructions of that line can issue. */
+/* Extra cycles until the instructions of that line can issue. */
 int64_t memory_fetch(struct memory *memory, uint32_t address, int64_t now);
 
 #endif

@@ -12,7 +12,7 @@ static bool holds(const uint32_t *entry, uint32_t count, uint32_t tag)
 	return false;
 }
 
-/* In turn: the core's MicroTLBs can do so, the main TLB is taken to. */
+/* Replaces entries in turn: a mode of the MicroTLBs, assumed of the main one. */
 static void replace(
 	uint32_t *entry, uint32_t count, uint32_t *next, uint32_t tag)
 {

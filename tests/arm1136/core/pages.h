@@ -1,6 +1,6 @@
 /*
- * Address translation: which pages the MicroTLBs and the main TLB know. Pages
- * are 4 KiB, as Linux gives them to programs.
+ * Address translation: the pages that the MicroTLBs and the main TLB hold.
+ * Pages have 4 KiB, as Linux maps programs.
  */
 #ifndef TESTS_ARM1136_CORE_PAGES_H
 #define TESTS_ARM1136_CORE_PAGES_H
@@ -25,7 +25,7 @@ enum pages_found {
 	PAGES_NOWHERE,
 };
 
-/* Each entry is a page's number and 1, or 0. */
+/* An entry is the number of a page plus 1, or 0 when it is empty. */
 struct pages {
 	uint32_t micro[PAGES_SIDES][PAGES_MICRO];
 	uint32_t micro_next[PAGES_SIDES];
@@ -33,11 +33,11 @@ struct pages {
 	uint32_t main_next[PAGES_SETS];
 };
 
-/* Where the page was found; it is in both from then on. */
+/* Returns where the page was; from then on both TLBs hold it. */
 enum pages_found pages_look_up(
 	struct pages *pages, enum pages_side side, uint32_t page);
 
-/* Forgets all but the code's MicroTLB. */
+/* Empties all TLBs but the MicroTLB of code. */
 void pages_forget_data(struct pages *pages);
 void pages_forget(struct pages *pages);
 

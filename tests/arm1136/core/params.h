@@ -9,14 +9,14 @@
 
 struct params {
 	int l1i_kib, l1d_kib, l2_kib;
-	int l2;         /* a load that hits L2 waits so much longer */
-	int l2_busy;    /* L2 is busy with a line */
-	int ddr;        /* a load that hits nothing waits so much longer */
-	int ddr_busy;   /* memory is busy with a line that is read */
-	int ddr_write;  /* and with one that is written */
-	int misses;     /* loads of lines under way at once */
+	int l2;         /* extra cycles of a load that hits L2 */
+	int l2_busy;    /* cycles that a line occupies L2 */
+	int ddr;        /* extra cycles of a load from memory */
+	int ddr_busy;   /* cycles that a line read occupies memory */
+	int ddr_write;  /* cycles that a line written occupies memory */
+	int misses;     /* lines that can be requested at once */
 	int writes;     /* entries of the write buffer */
-	int byte_extra; /* a byte or halfword comes so much later than a word */
+	int byte_extra; /* extra cycles of a byte or halfword over a word */
 	int predictor;  /* entries of the dynamic predictor */
 	int tlb;        /* cycles for a page that is in no MicroTLB */
 	bool pages;     /* addresses are translated */
@@ -31,10 +31,13 @@ struct params {
 
 void params_default(struct params *params);
 
-/* One KEY=VALUE; false when it is none. The strings must stay. */
+/*
+ * Sets one parameter from KEY=VALUE, which must outlive params. Returns false
+ * when key or value is wrong.
+ */
 bool params_set(struct params *params, char *argument);
 
-/* Works out what was left open, once all are set. */
+/* Computes the parameters that depend on others, once all are set. */
 void params_complete(struct params *params);
 
 #endif

@@ -30,7 +30,7 @@ static enum prediction predict_return(struct predict *predict, uint32_t next)
 	return address == next ? PREDICT_RETURN : PREDICT_WRONG_RETURN;
 }
 
-/* Two instructions of a doubleword share an entry. */
+/* The two instructions of an aligned doubleword share an entry. */
 static struct predict_entry *entry_of(struct predict *predict, uint32_t pc)
 {
 	uint32_t mask = (uint32_t)predict->params->predictor - 1;
@@ -38,7 +38,7 @@ static struct predict_entry *entry_of(struct predict *predict, uint32_t pc)
 	return &predict->entry[pc >> 3 & mask];
 }
 
-/* Branches come in when resolved, taken or not; weakly, for want of a word. */
+/* A new branch enters as weakly predicted; the manual does not say how. */
 static void learn(struct predict_entry *entry, uint32_t pc, bool taken)
 {
 	if (!entry->valid || entry->pc != pc) {

@@ -1,7 +1,7 @@
 /*
- * Branch prediction: a dynamic predictor of direct branches that were met
- * before, a static one for the others (backward is taken), and a stack of
- * three return addresses.
+ * Branch prediction: a dynamic predictor for direct branches that were executed
+ * before, a static one for the others (backward branches are taken), and a
+ * stack of three return addresses.
  */
 #ifndef TESTS_ARM1136_CORE_PREDICT_H
 #define TESTS_ARM1136_CORE_PREDICT_H
@@ -27,7 +27,7 @@ struct predict {
 };
 
 enum prediction {
-	PREDICT_NOT_BY_IT, /* neither predictor speaks: computed branches */
+	PREDICT_NOT_BY_IT, /* a computed branch, which no predictor predicts */
 	PREDICT_DYNAMIC,   /* right */
 	PREDICT_STATIC,    /* right */
 	PREDICT_RETURN,    /* right */
@@ -38,7 +38,10 @@ enum prediction {
 
 void predict_init(struct predict *predict, const struct params *params);
 
-/* What was predicted of a branch that went on to next; learns from it. */
+/*
+ * Compares the prediction with where the branch went, which is next, and
+ * updates the predictors.
+ */
 enum prediction predict_branch(
 	struct predict *predict, const struct insn *insn, uint32_t next);
 

@@ -32,7 +32,7 @@ static bool get(const struct values *values, const struct insn *insn,
 	return values->known >> reg & 1;
 }
 
-/* Shifts by 32 of LSR and ASR are written as 0; ROR 0 is RRX. */
+/* LSR #0 and ASR #0 encode shifts by 32; ROR #0 encodes RRX. */
 static bool shift(uint32_t *value, unsigned int kind, unsigned int amount)
 {
 	switch (kind) {
@@ -135,7 +135,7 @@ static void step_multiply(struct values *values, const struct insn *insn)
 	}
 }
 
-/* The constant or register that a single load or store adds to its base. */
+/* The offset that a single load or store adds to its base. */
 static bool offset_of(
 	const struct values *values, const struct insn *insn, uint32_t *out)
 {
@@ -160,7 +160,7 @@ static bool offset_of(
 	return known;
 }
 
-/* LDM and STM, and those of the VFP: the lowest address gives the base. */
+/* LDM, STM, FLDM and FSTM: the base follows from the lowest address. */
 static void step_base_multiple(struct values *values, const struct insn *insn,
 	const struct access *access, uint32_t words)
 {
@@ -199,7 +199,7 @@ static void step_base(struct values *values, const struct insn *insn,
 	uint32_t group = insn_field(insn, 25, 3);
 	bool pre = insn_field(insn, 24, 1);
 
-	/* LDREX, STREX and SWP have an offset field of another meaning. */
+	/* LDREX, STREX and SWP have no offset in that field. */
 	if (insn->base == REG_PC || (group == 0 && insn_field(insn, 4, 4) == 9)) {
 		return;
 	}
@@ -227,7 +227,7 @@ static void step_base(struct values *values, const struct insn *insn,
 	}
 }
 
-/* Holds what is known of a base against where the access really goes. */
+/* Compares the known value of a base with the address of the access. */
 static void check(struct values *values, const struct insn *insn,
 	const struct access *access)
 {

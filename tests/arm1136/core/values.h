@@ -1,10 +1,10 @@
 /*
- * What the model knows of the contents of the core's registers.
+ * The values of the core's registers, as far as the model knows them.
  *
- * The plugin interface shows no registers, and a preload makes no memory
- * access, so its address has to be worked out: from constants, plain
- * arithmetic, what loads read, and the bases of accesses that are seen. What
- * it cannot follow is unknown until the register is used as a base.
+ * QEMU 7.2 does not show registers to a plugin, and a preload makes no memory
+ * access. So the address of a preload is computed from constants, arithmetic,
+ * loaded values and the bases of accesses. A register that cannot be followed
+ * is unknown until an access uses it as its base.
  */
 #ifndef TESTS_ARM1136_CORE_VALUES_H
 #define TESTS_ARM1136_CORE_VALUES_H
@@ -13,36 +13,35 @@
 
 struct values {
 	uint32_t value[16];
-	uint32_t known; /* a bit a register */
-	uint32_t fpscr; /* without its flags; 0 when nobody set it */
+	uint32_t known; /* one bit for each register */
+	uint32_t fpscr; /* without its flags; 0 until it is set */
 
-	/* Addresses of loads and stores that were known before they were seen. */
-	uint64_t foretold;
-	uint64_t mistaken;
+	uint64_t foretold; /* addresses computed before the access was seen */
+	uint64_t mistaken; /* those of them that were wrong */
 };
 
-/* One access as QEMU reports it; the value of a word that was read. */
+/* One access as QEMU reports it. */
 struct access {
 	const struct insn *insn;
 	uint32_t address;
-	uint32_t value;
+	uint32_t value; /* that a word load read, if has_value */
 	uint8_t bytes;
 	bool is_store;
 	bool has_value;
 };
 
-/* Nothing is known any more; the counts stay. */
+/* Makes all registers unknown; the counts stay. */
 void values_forget(struct values *values);
 
-/* Follows an instruction whose condition passed, as far as is known. */
+/* Computes the results of an instruction whose condition passed. */
 void values_step(struct values *values, const struct insn *insn,
 	const struct access *access, int access_count);
 
-/* The address of a preload; false when it is unknown. */
+/* Computes the address of a preload; returns false when it is unknown. */
 bool values_address(
 	const struct values *values, const struct insn *insn, uint32_t *out);
 
-/* LEN and STRIDE of FPSCR: iterations of a short vector, and their step. */
+/* LEN and STRIDE of FPSCR: the iterations of a short vector, and the step. */
 static inline unsigned int values_vector_length(const struct values *values)
 {
 	return (values->fpscr >> 16 & 7) + 1;

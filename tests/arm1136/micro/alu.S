@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* Manual, 16.3: an ALU result is there for the next instruction. */
+	/* Manual, 16.3: the next instruction can use an ALU result. */
 	CASE alu_independent, 16
 	BEGIN
 	.rept 8
@@ -16,7 +16,7 @@
 	.endr
 	END
 
-	/* A register that is shifted is needed a cycle early. */
+	/* A register that is shifted is read a cycle early. */
 	CASE alu_shifted_early, 24
 	BEGIN
 	.rept 8
@@ -33,7 +33,7 @@
 	.endr
 	END
 
-	/* Shifts by register: two issue cycles, result after two. */
+	/* A shift by register takes two issue cycles; its result comes after 2. */
 	CASE alu_shift_by_register, 16
 	BEGIN
 	.rept 4
@@ -57,7 +57,7 @@
 	.endr
 	END
 
-	/* Rn of a shift by register is late: LDR 3 - 1, then 2 issue cycles. */
+	/* A shift by register reads Rn late: LDR 3 - 1, then 2 issue cycles. */
 	CASE alu_shift_by_register_late_operand, 16
 	BEGIN
 	.rept 4
@@ -76,7 +76,7 @@
 	.endr
 	END
 
-	/* Saturation takes a stage more. */
+	/* Saturation takes one more stage. */
 	CASE alu_saturating_dependent, 12
 	BEGIN
 	.rept 4

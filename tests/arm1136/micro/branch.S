@@ -1,8 +1,8 @@
 #include "tests/arm1136/micro/cases.h"
 
 	/*
-	 * Manual, table 16-11. A loop the predictor knows: its branch is
-	 * folded nine times, and wrong once: 7 right after the flags.
+	 * Manual, table 16-11. The predictor knows the loop: its branch is
+	 * folded nine times and mispredicted once: 7, right after the flags.
 	 */
 	CASE loop_folded, 18
 	BEGIN
@@ -11,7 +11,7 @@
 	bne 1b
 	END
 
-	/* The flags are older: 6, and 5. */
+	/* The flags were set earlier: 6 cycles, then 5. */
 	CASE loop_one_between, 27
 	BEGIN
 	mov r2, #10
@@ -30,8 +30,9 @@
 	END
 
 	/*
-	 * Forward, never taken: right, statically, for the two of a doubleword
-	 * share an entry of the predictor and throw each other out.
+	 * Two branches of a doubleword share an entry of the predictor and
+	 * evict each other. The static predictor is right about these, which
+	 * lead forward and are never taken.
 	 */
 	CASE static_not_taken, 9
 	cmp r0, r0
@@ -43,7 +44,7 @@
 1:	mov r2, #1
 	END
 
-	/* With an entry each they are folded. */
+	/* Branches with an entry each are folded. */
 	CASE dynamic_not_taken, 8
 	cmp r0, r0
 	BEGIN
@@ -54,8 +55,8 @@
 1:	END
 
 	/*
-	 * Two branches that share an entry of the predictor throw each other
-	 * out, so that it knows neither: statically predicted, 4 each.
+	 * Two branches that share an entry of the predictor evict each other,
+	 * so that both are predicted statically: 4 each.
 	 */
 	CASE static_taken, 10
 	b 1f
@@ -70,7 +71,7 @@
 3:	mov r2, #1
 	END
 
-	/* Forward, so predicted not taken: 7 after the flags, then 5. */
+	/* Forward branches are predicted not taken: 7 after the flags, then 5. */
 	CASE static_mispredicted, 14
 	b 1f
 	.balign 1024
@@ -96,7 +97,7 @@
 	.endr
 	END
 
-	/* A predicted branch that leads to a branch is not folded. */
+	/* A predicted branch that leads to another branch is not folded. */
 	CASE branch_to_branch, 1
 	BEGIN
 	b 1f
@@ -106,7 +107,7 @@
 2:	END
 
 	/*
-	 * A call is not folded; its return is predicted: 1 + 1 + 4. Two
+	 * A call is not folded, and its return is predicted: 1 + 1 + 4. Two
 	 * branches of an aligned doubleword would share an entry.
 	 */
 	CASE call_and_return, 28
@@ -166,7 +167,7 @@ deep3:	mov r4, lr
 	bx lr
 deep4:	bx lr
 
-	/* Not predicted: 5. */
+	/* A computed branch is not predicted: 5. */
 	CASE branch_to_register, 6
 	adr r3, 1f
 	BEGIN

@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* Everything in L1. */
+	/* All data is in L1. */
 	CASE resident_lines, 8
 	ldr r3, [r0, #96]
 	BEGIN
@@ -12,7 +12,7 @@
 	.endr
 	END
 
-	/* From L2: 10 more than 3, then the addition. */
+	/* Data is in L2: 10 more than 3, then the addition. */
 	CASE l2_use, 14
 	MARKER_FLUSH(MARKER_L1_DATA)
 	BEGIN
@@ -20,7 +20,7 @@
 	add r3, r4, r2
 	END
 
-	/* From memory: 80 more. */
+	/* Data is in memory: 80 more. */
 	CASE ddr_use, 84
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -28,7 +28,7 @@
 	add r3, r4, r2
 	END
 
-	/* Nothing waits for a miss but what needs it. */
+	/* Only instructions that need the result wait for a miss. */
 	CASE miss_beside_work, 51
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -48,7 +48,7 @@
 	add r4, r3, #1
 	END
 
-	/* The second line waits for the bus: 40, then 80. */
+	/* The second line waits until memory is free: 40, then 80. */
 	CASE two_misses, 124
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -57,7 +57,7 @@
 	add r4, r3, r2
 	END
 
-	/* Four lines, each used before the next is asked for. */
+	/* Four lines, each used before the next is requested. */
 	CASE ddr_streaming, 336
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -78,8 +78,8 @@
 	END
 
 	/*
-	 * A store that misses does not bring the line: the load misses too,
-	 * after what was written has left: 1 + 16 + 84.
+	 * A store that misses does not load the line. So the load misses as
+	 * well, after the store has left the write buffer: 1 + 16 + 84.
 	 */
 	CASE store_miss_does_not_allocate, 101
 	MARKER_FLUSH(MARKER_DATA)
@@ -89,7 +89,7 @@
 	add r4, r3, #1
 	END
 
-	/* A store that hits stays in L1, and the line with it. */
+	/* A store that hits leaves its line in L1. */
 	CASE store_hit, 5
 	MARKER_FLUSH(MARKER_DATA)
 	ldr r2, [r0]
@@ -100,7 +100,7 @@
 	add r4, r3, #1
 	END
 
-	/* A preload far enough ahead hides the miss, a late one a part. */
+	/* An early preload hides the whole miss, a late one hides a part. */
 	CASE pld_hides, 105
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -134,7 +134,7 @@
 	ldr r2, [r0]
 	END
 
-	/* Its address from a register that was moved, added and loaded. */
+	/* The model computes the address from moves, additions and loads. */
 	CASE pld_address_followed, 109
 	str r0, [r0]
 	MARKER_FLUSH(MARKER_DATA)
@@ -154,9 +154,9 @@
 	END
 
 	/*
-	 * Whole lines written past the caches: each keeps memory busy for 16
-	 * cycles. The first leaves at 4; the last store seen to wait does so
-	 * for the tenth: 4 + 10 x 16 + 1.
+	 * Whole lines are written past the caches; each occupies memory for 16
+	 * cycles. The first leaves at 4; the last store that waits waits for
+	 * the tenth: 4 + 10 x 16 + 1.
 	 */
 	CASE store_streaming, 165
 	MARKER_FLUSH(MARKER_DATA)

@@ -1,14 +1,14 @@
 /*
- * A test program of the timing model: cases, each a sequence whose cycles are
- * known from the published tables. Every case is run three times in a row, and
- * what the last run took is compared: code, data and predictor are warm then,
- * unless the case empties the caches.
+ * Macros for a test program of the timing model. A case is a sequence whose
+ * cycles follow from the published tables. Each case runs three times; micro.sh
+ * compares the cycles of the last run, in which code, data and predictor are
+ * warm unless the case empties the caches.
  *
  *   CASE name, cycles
- *   ... what is not counted: r0-r9, r12 and the VFP are free; r0 points to
- *       data, r1 to data 64 bytes on
+ *   ... set-up, which does not count: r0-r9, r12 and the VFP are free; r0 points
+ *       to data, r1 to data + 64
  *   BEGIN
- *   ... what is
+ *   ... the sequence that counts
  *   END
  */
 /* clang-format off: this is assembly. */
@@ -27,7 +27,7 @@
 \name :
 	.endm
 
-	/* What the set-up computed is there, for any use. */
+	/* Three cycles, after which all results of the set-up are ready. */
 	.macro BEGIN
 	.rept 3
 	mov r12, r12
@@ -54,7 +54,7 @@
 data:
 	.space 512 * 1024
 
-	/* So that cases can keep clear of its branch's predictor entry. */
+	/* Aligned, so that cases can avoid its branch's predictor entry. */
 	.text
 	.balign 1024
 	.globl _start

@@ -1,8 +1,8 @@
 #include "tests/arm1136/micro/cases.h"
 
 	/*
-	 * One of every form that the compiler makes for this core, for the
-	 * check that all of them are decoded; their cycles are not compared.
+	 * One of every instruction form that the compiler makes for this core, to
+	 * check that all of them are decoded. Their cycles are not compared.
 	 */
 	.macro FORMS name
 	.section cases, "a"

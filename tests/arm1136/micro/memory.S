@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* Manual, 16.2 and 16.10: everything here hits L1. */
+	/* Manual, 16.2 and 16.10; every access hits L1. */
 	CASE ldr_independent, 8
 	BEGIN
 	.rept 4
@@ -17,7 +17,7 @@
 	.endr
 	END
 
-	/* Two loads in a chain: five cycles. data points to itself. */
+	/* Two loads in a chain take five cycles. data holds its own address. */
 	CASE ldr_to_address, 20
 	BEGIN
 	.rept 4
@@ -50,7 +50,7 @@
 	.endr
 	END
 
-	/* What is stored is late. */
+	/* A stored register is read late. */
 	CASE ldr_to_str, 12
 	BEGIN
 	.rept 4
@@ -67,7 +67,7 @@
 	.endr
 	END
 
-	/* Bytes and halfwords take a cycle more (GCC's description). */
+	/* Bytes and halfwords take one more cycle (GCC's description). */
 	CASE ldrb_use, 20
 	BEGIN
 	.rept 4
@@ -84,7 +84,7 @@
 	.endr
 	END
 
-	/* A written-back base is there for the next load, and for the ALU. */
+	/* The next load, and the ALU, can use a written-back base at once. */
 	CASE ldr_post_indexed, 8
 	BEGIN
 	.rept 8
@@ -109,7 +109,7 @@
 	.endr
 	END
 
-	/* Other shifts and negative registers: two cycles, one more to wait. */
+	/* Other shifts and negative registers: two issue cycles, result + 1. */
 	CASE ldr_odd_shift, 8
 	mov r3, #8
 	BEGIN
@@ -127,7 +127,7 @@
 	.endr
 	END
 
-	/* Two memory cycles each, the last one's second not seen. */
+	/* Two memory cycles each; the second of the last one does not count. */
 	CASE ldr_unaligned, 7
 	BEGIN
 	.rept 4
@@ -173,7 +173,7 @@
 	.endr
 	END
 
-	/* A condition that fails: one cycle, nothing to wait for. */
+	/* A failed condition costs one cycle, and nothing waits for a result. */
 	CASE ldr_condition_fails, 12
 	cmp r0, r0
 	BEGIN
@@ -183,7 +183,7 @@
 	.endr
 	END
 
-	/* Literals are data. */
+	/* Literals are loaded as data. */
 	CASE ldr_literal_use, 8
 	BEGIN
 	.rept 2

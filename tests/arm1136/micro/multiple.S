@@ -2,7 +2,7 @@
 
 	/*
 	 * Manual, 16.12: one issue cycle, then half as many memory cycles as
-	 * registers. The load after it shows when the pipeline is free.
+	 * registers. The load behind it shows when the pipeline is free.
 	 */
 	.macro MULTIPLE op, offset, registers:vararg
 	add r0, r0, #\offset
@@ -49,7 +49,7 @@
 	CASE stm8_unaligned, 6
 	MULTIPLE stmia, 4, r2-r9
 
-	/* The manual's own examples. */
+	/* Examples of the manual. */
 	CASE ldm7_use_third, 5
 	BEGIN
 	ldmia r0, {r2-r8}
@@ -62,7 +62,7 @@
 	add r7, r12, r12
 	END
 
-	/* Results after 3, 3, 4, 4, 5, 5; needed early by a product. */
+	/* Results come after 3, 3, 4, 4, 5, 5; a product reads them early. */
 	CASE ldm6_use_last, 6
 	BEGIN
 	ldmia r0, {r2-r7}
@@ -85,7 +85,7 @@
 	smuad r9, r5, r5
 	END
 
-	/* Work that needs neither memory nor the results goes on beside it. */
+	/* Instructions that need neither memory nor the results go on. */
 	CASE ldm8_beside_alu, 5
 	mov r12, #0
 	BEGIN
@@ -104,7 +104,7 @@
 	ldr r12, [r1]
 	END
 
-	/* All registers must be there before a store of many begins. */
+	/* STM begins when all of its registers are ready. */
 	CASE ldr_to_stm, 4
 	BEGIN
 	ldr r3, [r1]

@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* Manual, table 16-10. The last of a row counts its issue only. */
+	/* Manual, table 16-10. The last of a chain counts its issue only. */
 	CASE mul_independent, 16
 	BEGIN
 	.rept 2
@@ -11,7 +11,7 @@
 	.endr
 	END
 
-	/* Result after 4, needed a cycle early: 7 x 5 + 2. */
+	/* The result comes after 4 and is read a cycle early: 7 x 5 + 2. */
 	CASE mul_dependent, 37
 	BEGIN
 	.rept 8
@@ -19,7 +19,7 @@
 	.endr
 	END
 
-	/* The accumulator is late: 7 x 3 + 2. */
+	/* The accumulator is read late: 7 x 3 + 2. */
 	CASE mla_chain, 23
 	BEGIN
 	.rept 8
@@ -52,7 +52,7 @@
 	.endr
 	END
 
-	/* Into the accumulator after 2: 15 x 2 + 1. */
+	/* The next accumulator can use the result after 2: 15 x 2 + 1. */
 	CASE smlad_chain, 31
 	BEGIN
 	.rept 16
@@ -68,7 +68,7 @@
 	.endr
 	END
 
-	/* Result after 3, needed early: 3 x 4 + 1. */
+	/* The result comes after 3 and is read early: 3 x 4 + 1. */
 	CASE smuad_to_smuad, 13
 	BEGIN
 	.rept 4
@@ -84,7 +84,7 @@
 	.endr
 	END
 
-	/* The accumulator of SMLAD is a normal operand of a load. */
+	/* SMLAD reads a loaded accumulator at the normal stage. */
 	CASE load_to_smlad_accumulator, 16
 	BEGIN
 	.rept 4
@@ -148,7 +148,7 @@
 	.endr
 	END
 
-	/* The high half after 4, and late as an accumulator: 3 x 3 + 2. */
+	/* The high half comes after 4 and is accumulated late: 3 x 3 + 2. */
 	CASE smlald_chain, 11
 	BEGIN
 	.rept 4

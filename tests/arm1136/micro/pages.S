@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* Ten pages are known beside each other. */
+	/* The MicroTLB holds ten pages at once. */
 	CASE ten_pages, 4
 	.irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9
 	add r5, r0, #\n * 4096
@@ -12,7 +12,7 @@
 	add r3, r4, r2
 	END
 
-	/* The eleventh drives the first out: 8 more. */
+	/* An eleventh page evicts the first: 8 more. */
 	CASE eleven_pages, 12
 	.irp n, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10
 	add r5, r0, #\n * 4096
@@ -24,7 +24,7 @@
 	add r3, r4, r2
 	END
 
-	/* Two words of the tables, each from L2: 8 + 10 + 10 more. */
+	/* Two words of the page tables come from L2: 8 + 10 + 10 more. */
 	CASE page_walk_in_l2, 32
 	ldr r2, [r0]
 	MARKER_FLUSH(MARKER_PAGES)
@@ -33,7 +33,7 @@
 	add r3, r4, r2
 	END
 
-	/* From memory, and then the line: 8 + 80 + 80 + 80 more. */
+	/* They come from memory, then the line: 8 + 80 + 80 + 80 more. */
 	CASE page_walk_in_memory, 252
 	MARKER_FLUSH(MARKER_DATA)
 	MARKER_FLUSH(MARKER_PAGES)
@@ -42,7 +42,7 @@
 	add r3, r4, r2
 	END
 
-	/* Nothing that needs no memory waits. */
+	/* Instructions that access no memory do not wait. */
 	CASE page_walk_beside_work, 51
 	ldr r2, [r0]
 	MARKER_FLUSH(MARKER_PAGES)
@@ -53,7 +53,7 @@
 	.endr
 	END
 
-	/* A hit does not pass an address that is not known: 1 + 27, then 4. */
+	/* A hit does not pass a load that awaits its page: 1 + 27, then 4. */
 	CASE no_hit_under_page_walk, 32
 	ldr r2, [r0]
 	add r5, r0, #4096
@@ -67,7 +67,7 @@
 	add r3, r4, r6
 	END
 
-	/* A store's address too: 28, then the load. */
+	/* A store waits for its page, too: 28, then the load. */
 	CASE store_waits_for_page, 32
 	ldr r2, [r0]
 	add r5, r0, #4096
@@ -81,7 +81,7 @@
 	add r3, r4, r6
 	END
 
-	/* 32 pages on is the same set of the main TLB; a third drives one out. */
+	/* Pages 32 apart share a set of the main TLB; a third one evicts one. */
 	CASE main_tlb_has_two_ways, 32
 	add r5, r0, #32 * 4096
 	ldr r2, [r5, #1024]

@@ -1,6 +1,6 @@
 #include "tests/arm1136/micro/cases.h"
 
-	/* VFP11 manual, tables 4.17 and sections 4.4 to 4.10. */
+	/* VFP11 manual, table 4.17 and sections 4.4 to 4.10. */
 	.macro CLEAR
 	mov r12, #0
 	.irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
@@ -40,7 +40,7 @@
 	fadds s1, s0, s18
 	END
 
-	/* Nothing is forwarded to a store. */
+	/* VFP results are not forwarded to a store. */
 	CASE fadds_to_fsts, 10
 	CLEAR
 	BEGIN
@@ -55,7 +55,7 @@
 	fadds s1, s0, s16
 	END
 
-	/* Loads go beside arithmetic. */
+	/* Loads run beside arithmetic. */
 	CASE flds_beside_fmacs, 8
 	CLEAR
 	BEGIN
@@ -152,7 +152,7 @@
 	fadds s1, s0, s17
 	END
 
-	/* FCMPS 4, not forwarded, then FMSTAT 2. */
+	/* FCMPS takes 4 and is not forwarded; then FMSTAT takes 2. */
 	CASE fcmps_to_condition, 8
 	CLEAR
 	BEGIN
@@ -161,7 +161,7 @@
 	movmi r2, #1
 	END
 
-	/* A short vector issues once and keeps the pipeline for its length. */
+	/* A short vector issues once and occupies the pipeline for its length. */
 	CASE vector4_pipe, 9
 	CLEAR
 	VECTOR 4
@@ -190,7 +190,7 @@
 	fmacs s12, s16, s24
 	END
 
-	/* All iterations must be free: the last result, 3 + 8. */
+	/* A vector waits for the registers of all iterations: 3 + 8. */
 	CASE vector4_chain, 12
 	CLEAR
 	VECTOR 4
@@ -199,7 +199,7 @@
 	fmacs s8, s16, s24
 	END
 
-	/* A scalar operand for all, from the first bank. */
+	/* An operand in the first bank is a scalar for all iterations. */
 	CASE vector4_times_scalar, 5
 	CLEAR
 	VECTOR 4
@@ -208,7 +208,7 @@
 	fmuls s12, s20, s1
 	END
 
-	/* A load may not overwrite an operand that is still to be read. */
+	/* A load waits for an operation that still reads its register. */
 	CASE vector8_operand_lock, 9
 	CLEAR
 	VECTOR 8
@@ -217,7 +217,7 @@
 	flds s31, [r0]
 	END
 
-	/* Destinations in the first bank are scalars whatever LEN is. */
+	/* With a destination in the first bank, LEN does not matter. */
 	CASE vector4_scalar_bank, 4
 	CLEAR
 	VECTOR 4

@@ -404,7 +404,8 @@ void fake_card_begin(void)
 		.hdisplay = 10, .vdisplay = 8, .vrefresh = 75};
 	fake_card.fail_error = EINVAL;
 	for (int i = 0; i < 2; i++) {
-		memset(fake_card.buffers[i].memory, 0xEE, FAKE_CARD_BUFFER_BYTES);
+		memset(fake_card.buffers[i].memory, 0xEE,
+			FAKE_CARD_BUFFER_BYTES);
 	}
 }
 

@@ -16,7 +16,7 @@
 
 enum {
 	FAKE_FB_BYTES = 1 << 20,
-	FAKE_FB_LEAD = 64 /* offset of the memory within its first page, bytes */
+	FAKE_FB_LEAD = 64 /* bytes of the first page before the memory */
 };
 
 struct fake_fb {

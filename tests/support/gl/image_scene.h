@@ -33,8 +33,8 @@ void image_scene_open(struct image_scene *scene, const char *name,
 void image_scene_close(struct image_scene *scene);
 
 /*
- * Opens the display on a file of the caller's, with scene->log, which the caller
- * has set. Returns what the driver's create() returns.
+ * Opens the display on a file of the caller's, with scene->log, which the
+ * caller has set. Returns what the driver's create() returns.
  */
 int image_scene_open_at(struct image_scene *scene, const char *path,
 	int frame_count, double rate_hz);

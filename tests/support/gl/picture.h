@@ -47,8 +47,8 @@ bool picture_is_near(const struct picture_difference *difference,
 	const struct picture_tolerance *tolerance);
 
 /*
- * Makes a picture of both and of eight times their difference, side by side. Its
- * rgb is NULL when the sizes differ or memory is short.
+ * Makes a picture of both and of eight times their difference, side by side.
+ * Its rgb is NULL when the sizes differ or memory is short.
  */
 struct picture picture_show_difference(
 	const struct picture *a, const struct picture *b);

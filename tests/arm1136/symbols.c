@@ -186,7 +186,7 @@ static int read_image(
 		if (table.sh_type == SHT_SYMTAB &&
 			section(image, &header, table.sh_link, &strings)) {
 			return read_table(symbols, image, &table, &strings,
-				place(symbols, image, &header, start_code));
+				locate_code(symbols, image, &header, start_code));
 		}
 	}
 	return -ENOENT;

@@ -18,3 +18,8 @@ float color_decode_srgb(float encoded)
 	return encoded <= 0.04045f ? encoded / 12.92f
 				   : powf((encoded + 0.055f) / 1.055f, 2.4f);
 }
+
+uint8_t color_to_byte(float value)
+{
+	return (uint8_t)(scalar_clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}

@@ -1,18 +1,20 @@
 /*
- * Colours as a screen shows them.
+ * Conversion between linear colours and sRGB, for load time.
  *
- * Fixed-function GL multiplies and adds colours as it gets them. Encoding each
- * factor before is exact for products but for the linear toe of the curve, as
- * (ab)^(1/g) = a^(1/g) b^(1/g), and leaves textures as they are.
+ * Fixed-function GL multiplies colours without decoding them, so limber passes
+ * sRGB-encoded factors. Outside the linear segment of the curve the product is
+ * exact, because (ab)^(1/g) = a^(1/g) b^(1/g), and textures stay unchanged.
  */
 #ifndef APP_MODEL_COLOR_H
 #define APP_MODEL_COLOR_H
 
-/*
- * Linear 0..1 to sRGB 0..1 and back (IEC 61966-2-1); for load time. Values
- * beyond are clamped, NaN gives 0.
- */
+#include <stdint.h>
+
+/* Both map 0..1 to 0..1 (IEC 61966-2-1). They clamp; NaN becomes 0. */
 float color_encode_srgb(float linear);
 float color_decode_srgb(float encoded);
+
+/* 0..1 to 0..255, rounded. It clamps; NaN becomes 0. */
+uint8_t color_to_byte(float value);
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * What a model file holds, as plain data.
+ * The contents of a model file as plain data, and the functions that load one.
  *
- * Every loader fills the same struct model; nothing here knows a file format,
- * an animation or a picture on a screen. A model is immutable once loaded and
- * all of it, strings included, lives in its own arena.
+ * Loaders of all file formats fill the same struct model. It does not depend on
+ * the format, and contains no state of an animation. A loaded model does not
+ * change; its arena owns all of it, including strings.
  *
- * Conventions are glTF 2.0's: right-handed, +Y up, metres, radians, seconds,
- * quaternions as x y z w, matrices as four columns. Loaders convert.
+ * The conventions are those of glTF 2.0: right-handed, +Y up, metres, radians,
+ * seconds, quaternions as x y z w, matrices as four columns. Loaders convert.
  */
 #ifndef APP_MODEL_MODEL_H
 #define APP_MODEL_MODEL_H
@@ -20,48 +20,45 @@
 
 #include <cglm/types.h>
 
-/* Translation, rotation, scale: applied to a point in the order S, R, T. */
+/* T * R * S: a point is scaled, then rotated, then translated. */
 struct transform {
 	float translation[3];
 	float rotation[4]; /* unit quaternion x y z w */
 	float scale[3];
 };
 
-/* Additions to a primitive's base arrays at weight 1; NULL where unchanged. */
+/* Displacements of a primitive's vertices at weight 1; NULL means none. */
 struct model_target {
 	float (*position)[3];
 	float (*normal)[3];
 	float (*tangent)[3];
 };
 
-/*
- * A coarser list of triangles over the vertices of a primitive, for pictures in
- * which the full one's are too small to see.
- */
+/* A level of detail: a coarser triangle list over a primitive's vertices. */
 struct model_lod {
-	float error_m;   /* how far its surface is from the full one's, in the
-			    unit of the positions */
-	bool shape;      /* for shadows: only where it is looks right */
-	int index_count; /* as the primitive's own */
-	uint32_t *index;
+	float error_m;    /* distance of its surface from the full one, in the
+			     unit of the positions */
+	bool shadow_only; /* only its silhouette is right, not its shading */
+	int index_count;  /* a multiple of 3 */
+	uint32_t *index;  /* each below the primitive's vertex_count */
 };
 
-/* A triangle list and its vertices. */
+/* Vertices and a list of triangles. */
 struct model_primitive {
-	int file_index; /* the file's own number for it in its mesh */
-	int material;   /* index, never -1: loaders add a default material */
+	int file_index; /* its number in the file's mesh */
+	int material;   /* index; loaders add a default material */
 
 	int vertex_count;
 	float (*position)[3];
-	float (*normal)[3];   /* NULL: flat normals of the posed triangles */
+	float (*normal)[3];   /* NULL: normals of the posed triangles, flat */
 	float (*tangent)[4];  /* or NULL; w is the sign of the bitangent */
 	float (*texcoord)[2]; /* or NULL; v runs down, as in glTF */
-	uint8_t (*color)[4];  /* or NULL; sRGB-encoded, as a screen shows it */
+	uint8_t (*color)[4]; /* or NULL; sRGB-encoded red, green, blue; alpha */
 
 	/*
-	 * influences per vertex: 0 without a skin, else 4 or 8. Joint numbers
-	 * count in the skin's joint list and are checked against every skin
-	 * that draws this mesh. Weights are not negative and sum to 1.
+	 * Influences per vertex: 0 without a skin, else 4 or 8. A joint number
+	 * is an index into model_skin.joint, in range for every skin that draws
+	 * this mesh. Weights are at least 0 and sum to 1.
 	 */
 	int influences;
 	uint16_t *joint; /* [vertex_count][influences] */
@@ -72,32 +69,32 @@ struct model_primitive {
 	int index_count; /* a multiple of 3 */
 	uint32_t *index; /* each below vertex_count */
 
-	/* The finest first, those for shapes last; mostly there are none. */
+	/* The finest level comes first; shadow_only levels come last. */
 	int lod_count;
 	struct model_lod *lod;
 };
 
 struct model_mesh {
-	const char *name; /* never NULL; "" where the file gives none */
+	const char *name; /* "" where the file gives none, as all names */
 	int primitive_count;
 	struct model_primitive *primitive;
-	int target_count;         /* shared by all primitives */
-	const char **target_name; /* [target_count], never NULL strings */
+	int target_count; /* morph targets, the same for all primitives */
+	const char **target_name; /* [target_count]; "" where there is none */
 };
 
 struct model_node {
 	const char *name;
-	int file_index; /* the file's own number for it */
-	int parent;     /* below this node's own index, or -1 */
-	bool in_scene;  /* drawn only when true */
+	int file_index; /* its number in the file */
+	int parent;     /* less than the node's own index, or -1 */
+	bool in_scene;  /* only nodes of the scene are drawn */
 
 	struct transform rest;
-	const float (*matrix)[4]; /* replaces rest where no T R S can say it
-				     (shear) and no clip moves the node */
+	const float (*matrix)[4]; /* NULL, or replaces rest: a matrix with shear
+				     on a node that no clip moves */
 
 	int mesh, skin, camera; /* or -1 */
 
-	/* This node's morph weights in a pose: mesh.target_count floats. */
+	/* Where a pose has this node's mesh.target_count morph weights. */
 	int weight_offset;
 };
 
@@ -119,18 +116,18 @@ enum model_interpolation {
 	MODEL_STEP,
 	MODEL_LINEAR,
 	MODEL_CUBICSPLINE, /* a key is width in-tangents, width values, width
-			      out-tangents; tangents are per second */
+			      out-tangents; tangents are per second
+			      (glTF 2.0, appendix C) */
 };
 
 struct model_channel {
 	int node;
 	enum model_path path;
 	enum model_interpolation interpolation;
-	bool constant;       /* the first key's value will do at any time: no
-				other differs by more than 2e-6 of the largest
-				one that the clip has on this path */
-	bool unit;           /* a rotation whose keys are unit length to 1e-6 */
-	int width;           /* floats of one value */
+	bool constant;       /* no value differs from the first one by more than
+				2e-6 of the clip's largest on this path */
+	bool unit;           /* rotation keys are of unit length to 1e-6 */
+	int width;           /* floats of a value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */
 	const float *value;  /* [key_count * width], times 3 if cubic */
@@ -138,7 +135,7 @@ struct model_channel {
 
 struct model_clip {
 	const char *name;
-	float duration_s; /* the last key's time; a clip starts at 0 */
+	float duration_s; /* the time of the last key; a clip starts at 0 */
 	int channel_count;
 	struct model_channel *channel;
 };
@@ -147,7 +144,7 @@ struct model_image {
 	const char *name;
 	int width, height;
 	bool opaque;   /* every alpha is 255 */
-	uint8_t *rgba; /* [height][width][4], top row first, sRGB */
+	uint8_t *rgba; /* [height][width][4], top row first, sRGB, alpha */
 };
 
 enum model_wrap {
@@ -159,8 +156,8 @@ enum model_wrap {
 struct model_texture {
 	int image;
 	enum model_wrap wrap_s, wrap_t;
-	bool nearest; /* magnify without smoothing */
-	bool mipmap;
+	bool nearest; /* magnification filter GL_NEAREST, else GL_LINEAR */
+	bool mipmap;  /* minification uses mipmaps */
 };
 
 enum model_alpha {
@@ -181,21 +178,21 @@ struct model_material {
 	bool unlit;
 };
 
-/* Of what has none: white, rough, opaque. */
+/* The default material: white, rough, opaque. */
 extern const struct model_material model_plain_material;
 
 struct model_camera {
 	const char *name;
 	bool perspective;
-	float yfov_rad, aspect; /* perspective; aspect 0: the viewport's */
-	float xmag, ymag;       /* orthographic half-sizes */
-	float znear, zfar;      /* zfar 0: infinite */
+	float yfov_rad, aspect; /* perspective; aspect 0 means the viewport's */
+	float xmag, ymag;       /* orthographic: half the width and height */
+	float znear, zfar;      /* zfar 0 means infinite */
 };
 
 struct model {
 	struct arena arena;
 	const char *path;
-	const char *format; /* "glTF 2.0" and the like, for people */
+	const char *format; /* for display: "glTF 2.0" */
 
 	int node_count;
 	struct model_node *node; /* parents before children */
@@ -214,44 +211,44 @@ struct model {
 	int camera_count;
 	struct model_camera *camera;
 
-	int weight_count;    /* morph weights of all nodes together */
-	float *rest_weights; /* [weight_count]: node's, else mesh's, else 0 */
+	int weight_count;    /* morph weights of all nodes in total */
+	float *rest_weights; /* [weight_count]: the node's, the mesh's, or 0 */
 };
 
 /*
- * Loads a file by its content (glTF's magic or JSON), not by its name.
- * 0, or -errno after one sentence that names the file, the place in it and
- * the reason; -ENOENT for a missing file, -EINVAL for a malformed one,
- * -ENOTSUP for what limber cannot play, -ENOMEM. The caller releases *out
- * with model_destroy().
+ * Loads a file, whose content decides its format. 0, or -errno after one error
+ * that names the file, the location in it and the reason: -ENOENT for a missing
+ * file, -EINVAL for a malformed one, -ENOTSUP for what limber cannot play,
+ * -EFBIG beyond a limit, -EACCES for a reference outside the file's folder,
+ * -ENOMEM. *out is NULL then. The caller releases *out with model_destroy().
  */
 int model_load(const char *path, const struct log *log, struct model **out);
 
 /*
- * The same from memory, of which nothing is kept. name stands for the file in
- * sentences and in model.path; a model that names other files is refused.
+ * The same from memory, to which the model keeps no pointer. name serves as the
+ * path in messages and in model.path. A model that refers to other files is
+ * -EACCES.
  */
 int model_load_memory(const void *data, size_t size, const char *name,
 	const struct log *log, struct model **out);
 
-/* Releases a model; NULL is fine. */
+/* Releases a model; NULL is allowed. */
 void model_destroy(struct model *model);
 
-/* Index of the node, clip or mesh of that name, or -1. */
+/* The index of the first node of that name, or -1. */
 int model_find_node(const struct model *model, const char *name);
-int model_find_mesh(const struct model *model, const char *name);
 
 /*
- * Index of a clip given by name or, where no clip has that name, by number.
- * -1 when there is none.
+ * The index of a clip given by its name or, when no clip has that name, by its
+ * number. -1 when there is none.
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
 
 /*
- * The clip that --clip names into *out, or unasked where wanted is NULL. 0, or
- * -ENOENT after a sentence.
+ * Sets *out to the clip that the option --clip names, or to fallback when
+ * wanted is NULL. 0, or -ENOENT after an error when there is no such clip.
  */
 int model_choose_clip(const struct model *model, const char *wanted,
-	int unasked, const struct log *log, int *out);
+	int fallback, const struct log *log, int *out);
 
 #endif

@@ -4,7 +4,10 @@
 
 #include <string.h>
 
-/* Of the largest value on the same path: 17 bits below a float's 24. */
+/*
+ * The tolerance of a constant channel, relative to the largest value on the
+ * same path. It is larger than the rounding errors of exporters.
+ */
 static const float NOISE = 2e-6f;
 
 static float largest_value(const struct model_clip *clip, enum model_path path)
@@ -34,7 +37,7 @@ static bool holds_still(const struct model_channel *channel, float tolerance)
 			channel->value + (size_t)key * (size_t)width;
 
 		for (int i = 0; i < width; i++) {
-			/* So written that a NaN does not pass. */
+			/* NaN fails this comparison. */
 			if (!(scalar_abs(value[i] - channel->value[i]) <=
 				    tolerance)) {
 				return false;
@@ -44,10 +47,7 @@ static bool holds_still(const struct model_channel *channel, float tolerance)
 	return true;
 }
 
-/*
- * Exporters write keys for every part of every bone, most of which never move
- * but for the last bits of a float.
- */
+/* Exporters write keys for all bones, though most of them do not move. */
 static void find_constant(struct model_clip *clip)
 {
 	float tolerance[MODEL_WEIGHTS + 1];
@@ -90,7 +90,7 @@ static void find_unit(struct model_clip *clip)
 	}
 }
 
-/* They also write the same times for each bone again. */
+/* Exporters also repeat the same key times for each bone. */
 static void share_times(struct model_clip *clip)
 {
 	for (int c = 1; c < clip->channel_count; c++) {

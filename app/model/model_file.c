@@ -39,7 +39,6 @@ static int read_all(int fd, size_t size, struct model_file *out)
 	return 0;
 }
 
-/* Whether it is of a kind and size that is read. */
 static int check_open(
 	int fd, const char *where, const struct log *log, size_t *size)
 {
@@ -52,11 +51,12 @@ static int check_open(
 		return error;
 	}
 	if (!S_ISREG(status.st_mode)) {
-		log_error(log, "%s: is not a regular file", where);
+		log_error(log, "%s: not a regular file", where);
 		return S_ISDIR(status.st_mode) ? -EISDIR : -EINVAL;
 	}
 	if (status.st_size > MODEL_FILE_BYTES_MAX) {
-		log_error(log, "%s: has %lld bytes; limber reads up to %d",
+		log_error(log,
+			"%s: the file has %lld bytes; limber reads up to %d",
 			where, (long long)status.st_size, MODEL_FILE_BYTES_MAX);
 		return -EFBIG;
 	}
@@ -65,8 +65,8 @@ static int check_open(
 }
 
 /*
- * Not blocking, so that a named pipe is refused instead of waited for. An open
- * file and its size, or -errno after a sentence.
+ * Returns a file descriptor, or -errno after an error. O_NONBLOCK keeps open()
+ * from waiting at a named pipe, which check_open() refuses.
  */
 static int open_path(const char *path, const char *where, const struct log *log,
 	size_t *size)
@@ -124,7 +124,7 @@ int model_file_read(
 	return read_path(path, path, log, out);
 }
 
-static bool has_parent_step(const char *relative)
+static bool has_parent_folder(const char *relative)
 {
 	const char *step = relative;
 
@@ -139,29 +139,29 @@ static bool has_parent_step(const char *relative)
 	return false;
 }
 
-/* Why a name may not be followed, or NULL. */
-static const char *objection(const char *relative)
+/* What is wrong with a path, or NULL. */
+static const char *find_problem(const char *relative)
 {
 	const char *at;
 
 	if (relative[0] == '\0') {
-		return "an empty file name";
+		return "the path is empty";
 	}
 	if (relative[0] == '/') {
-		return "an absolute path";
+		return "the path is absolute";
 	}
 	for (at = relative; *at; at++) {
 		if (*at == '\\') {
-			return "a backslash";
+			return "the path contains a backslash";
 		}
 		if ((unsigned char)*at < 0x20 || *at == 0x7f) {
-			return "a control character";
+			return "the path contains a control character";
 		}
 	}
-	return has_parent_step(relative) ? "a \"..\" step" : NULL;
+	return has_parent_folder(relative) ? "the path contains \"..\"" : NULL;
 }
 
-/* The model's folder and the file, both resolved; the caller frees them. */
+/* The real paths of the model's folder and of the file; the caller frees them. */
 static int resolve(const struct model_source *source, const char *relative,
 	char **folder, char **file)
 {
@@ -201,36 +201,36 @@ int model_file_read_beside(const struct model_source *source,
 	const char *relative, const char *where, const struct log *log,
 	struct model_file *out)
 {
-	const char *problem = objection(relative);
+	const char *problem = find_problem(relative);
 	char *folder = NULL;
 	char *file = NULL;
-	char place[512];
+	char message_start[512];
 	int error;
 
 	*out = (struct model_file){0};
 	if (!source->has_folder) {
 		log_error(log,
-			"%s: names another file, which only a model "
-			"with a folder of its own can",
+			"%s: the model was not loaded from a folder, so it cannot refer to other files",
 			where);
 		return -EACCES;
 	}
 	if (problem) {
 		log_error(log,
-			"%s: %s is not allowed; files must lie in the "
-			"model's folder",
+			"%s: %s; it must lead to a file in the model's folder",
 			where, problem);
 		return -EACCES;
 	}
-	snprintf(place, sizeof(place), "%s: %.200s", where, relative);
+	snprintf(message_start, sizeof(message_start), "%s: %.200s", where,
+		relative);
 	error = resolve(source, relative, &folder, &file);
 	if (error) {
-		log_error(log, "%s: %s", place, strerror(-error));
+		log_error(log, "%s: %s", message_start, strerror(-error));
 	} else if (!is_inside(folder, file)) {
 		error = -EACCES;
-		log_error(log, "%s: leads out of the model's folder", place);
+		log_error(log, "%s: the path leads outside the model's folder",
+			message_start);
 	} else {
-		error = read_path(file, place, log, out);
+		error = read_path(file, message_start, log, out);
 	}
 	free(folder);
 	free(file);

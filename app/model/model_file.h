@@ -1,9 +1,9 @@
 /*
- * Getting at a model's bytes and at the files beside it.
+ * Reading a model file and the files that it refers to (buffers, images).
  *
- * A model names other files (buffers, images) and must not reach anything
- * outside its own folder with them, neither by an absolute path or "..", nor
- * through a symbolic link. Everything that loaders read goes through here.
+ * A reference must not lead outside the model's folder, be it by an absolute
+ * path, by "..", or through a symbolic link. Loaders read all files through
+ * these functions.
  */
 #ifndef APP_MODEL_MODEL_FILE_H
 #define APP_MODEL_MODEL_FILE_H
@@ -18,45 +18,43 @@ enum {
 	MODEL_FILE_BYTES_MAX = 256 * 1024 * 1024
 };
 
-/* The bytes a loader works on; they outlive the call of the loader. */
+/* The input of a loader, valid during the call of the loader. */
 struct model_source {
-	const char *name; /* what sentences call it: the path as given */
-	bool has_folder;  /* name is a path, and files beside it may be read;
-			     false for bytes from memory */
+	const char *name; /* for messages: the path as the user gave it */
+	bool has_folder;  /* name is a path, so that files beside it can be
+			     read; false for bytes from memory */
 	const uint8_t *data;
 	size_t size;
 };
 
 /* A whole file in memory. */
 struct model_file {
-	uint8_t *data; /* never NULL after success; one zero byte follows */
+	uint8_t *data; /* never NULL after success; a zero byte follows */
 	size_t size;
 };
 
 /*
  * Reads a regular file of at most MODEL_FILE_BYTES_MAX. 0, or -errno after one
- * sentence "PATH: WHY". The caller ends with model_file_release().
+ * error "PATH: REASON". The caller calls model_file_release().
  */
 int model_file_read(
 	const char *path, const struct log *log, struct model_file *out);
 
-/*
- * Whether model_file_read() would find such a file, with the same sentences.
- */
+/* Like model_file_read(), but only opens the file and checks its size. */
 int model_file_check(const char *path, const struct log *log);
 
 /*
- * Reads a file named by the model: relative, folders divided by '/', already
- * decoded from whatever the format wraps it in. It is refused with -EACCES
- * when it is empty, absolute, holds a backslash, a control character or a ".."
- * step, leads out of the model's folder through a link, or when the model has
- * no folder. where begins the sentence ("fox.gltf: /buffers/0/uri").
+ * Reads a file that the model refers to by a relative path with '/' between
+ * folders; URI escapes are already decoded. A path is -EACCES when it is empty
+ * or absolute, contains a backslash, a control character or "..", leads outside
+ * the model's folder through a link, or when the model has no folder. where is
+ * the start of the message ("fox.gltf: /buffers/0/uri").
  */
 int model_file_read_beside(const struct model_source *source,
 	const char *relative, const char *where, const struct log *log,
 	struct model_file *out);
 
-/* Frees the bytes; an empty struct is fine. */
+/* Frees the bytes; a zeroed struct is allowed. */
 void model_file_release(struct model_file *file);
 
 #endif

@@ -1,7 +1,6 @@
 /*
- * What a loader of a file format is, and what all of them share.
- *
- * A new format is one row of the table in model.c.
+ * The interface of a loader, and functions that all loaders use. The table of
+ * loaders is in model_load.c.
  */
 #ifndef APP_MODEL_MODEL_LOADER_H
 #define APP_MODEL_MODEL_LOADER_H
@@ -11,40 +10,39 @@
 #include "app/model/model_file.h"
 
 struct model_format {
-	const char *name; /* for people: "glTF" */
+	const char *name; /* for display: "glTF" */
 
-	/* Whether the bytes look like this format; must not trust them. */
+	/* Whether the bytes begin like this format. They may be anything. */
 	bool (*recognise)(const uint8_t *data, size_t size);
 
-	/* As model_load() promises, from bytes that were recognised. */
+	/* See model_load(); recognise() has returned true for the bytes. */
 	int (*load)(const struct model_source *source, const struct log *log,
 		struct model **out);
 
-	/* As model_examine() promises. */
+	/* See model_examine(). */
 	int (*examine)(const struct model_source *source,
 		const struct examiner *examiner, const struct log *log);
 };
 
 /*
- * An empty model in an arena of its own, which also holds the struct itself;
- * path and format are copied. NULL when memory is short.
+ * An empty model in its own arena, which also holds the struct. It copies path
+ * and format. NULL when there is not enough memory.
  */
 struct model *model_create(const char *path, const char *format);
 
 /*
- * Makes the influences of a primitive what model.h promises: negative weights
- * become 0, those that are 0 point to joint 0, the rest sum to 1. A vertex
- * whose weights are all 0 goes to its first joint. Weights must be finite.
+ * Makes the influences of a primitive satisfy model.h: negative weights become
+ * 0, a weight of 0 gets joint 0, weights sum to 1. A vertex whose weights are
+ * all 0 follows its first joint. Weights must be finite.
  */
 void model_normalize_influences(struct model_primitive *primitive);
 
-/* The largest joint number that counts in the primitive; -1 without any. */
+/* The largest joint number of the primitive, or -1 without influences. */
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
- * For whole models, after any loader: sets model_channel.constant and unit
- * where they are so, and makes channels in a row that have equal times share
- * one array.
+ * Called once for each loaded model: sets constant and unit of all channels,
+ * and makes successive channels with equal key times share one array.
  */
 void model_prepare_clips(struct model *model);
 

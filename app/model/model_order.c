@@ -24,8 +24,9 @@ static void link_children(const int *parent, int count, struct links *links)
 	}
 }
 
-/* The node after this one, depth first, or -1 after the root's subtree. */
-static int step(const int *parent, const struct links *links, int node)
+/* The next node of the same root's tree, or -1. */
+static int next_depth_first(
+	const int *parent, const struct links *links, int node)
 {
 	if (links[node].first_child >= 0) {
 		return links[node].first_child;
@@ -36,13 +37,15 @@ static int step(const int *parent, const struct links *links, int node)
 	return node < 0 ? -1 : links[node].next_sibling;
 }
 
-/* Every ancestor walk from a node that no root reaches ends on a cycle. */
-static int find_cycle(const int *parent, int count, const int *place)
+/*
+ * From a node that no root reaches, count steps to the parent end on a cycle.
+ */
+static int find_cycle(const int *parent, int count, const int *new_index)
 {
 	int node = 0;
 	int i;
 
-	while (place[node] >= 0) {
+	while (new_index[node] >= 0) {
 		node++;
 	}
 	for (i = 0; i < count; i++) {
@@ -51,34 +54,35 @@ static int find_cycle(const int *parent, int count, const int *place)
 	return node;
 }
 
-int model_order_nodes(
-	const int *parent, int count, int *order, int *place, int *culprit)
+int model_order_nodes(const int *parent, int count, int *order, int *new_index,
+	int *node_on_cycle)
 {
 	struct links *links;
 	int done = 0;
 	int root, node;
 
-	*culprit = -1;
+	*node_on_cycle = -1;
 	links = malloc((size_t)count * sizeof(*links) + 1);
 	if (!links) {
 		return -ENOMEM;
 	}
 	link_children(parent, count, links);
 	for (node = 0; node < count; node++) {
-		place[node] = -1;
+		new_index[node] = -1;
 	}
 	for (root = 0; root < count; root++) {
 		if (parent[root] >= 0) {
 			continue;
 		}
-		for (node = root; node >= 0; node = step(parent, links, node)) {
-			place[node] = done;
+		for (node = root; node >= 0;
+			node = next_depth_first(parent, links, node)) {
+			new_index[node] = done;
 			order[done++] = node;
 		}
 	}
 	free(links);
 	if (done < count) {
-		*culprit = find_cycle(parent, count, place);
+		*node_on_cycle = find_cycle(parent, count, new_index);
 		return -ELOOP;
 	}
 	return 0;

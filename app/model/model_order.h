@@ -1,19 +1,18 @@
 /*
- * Putting nodes into an order in which parents come before their children.
+ * Sorts nodes so that parents come before their children.
  */
 #ifndef APP_MODEL_MODEL_ORDER_H
 #define APP_MODEL_MODEL_ORDER_H
 
 /*
- * parent[i] is the parent of node i, below count, or -1. Fills order[] with
- * the nodes' numbers, every parent before its children and each subtree in
- * one piece, otherwise as they come, and place[] with the inverse:
- * place[order[i]] == i. Both have room for count entries.
+ * parent[i] is the parent of node i, less than count, or -1. Fills order[count]
+ * with the nodes in depth-first order; siblings keep their order. Fills
+ * new_index[count] with the inverse: new_index[order[i]] == i.
  *
- * 0, -ENOMEM, or -ELOOP where nodes are their own ancestors; *culprit is then
- * one of those. Says nothing.
+ * 0, -ENOMEM, or -ELOOP when the parents form a cycle; *node_on_cycle is then a
+ * node of it. Logs nothing.
  */
-int model_order_nodes(
-	const int *parent, int count, int *order, int *place, int *culprit);
+int model_order_nodes(const int *parent, int count, int *order, int *new_index,
+	int *node_on_cycle);
 
 #endif

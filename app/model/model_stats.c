@@ -86,7 +86,7 @@ struct model_level model_level(const struct model_mesh *mesh, int level)
 		}
 		lod = &primitive->lod[level];
 		out.triangle_count += lod->index_count / 3;
-		out.shape = lod->shape;
+		out.shadow_only = lod->shadow_only;
 		if (lod->error_m > out.error_m) {
 			out.error_m = lod->error_m;
 		}

@@ -14,7 +14,7 @@ static void cross(const double a[3], const double b[3], double out[3])
 	out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Any unit vector at a right angle to a unit vector. */
+/* A unit vector perpendicular to a unit vector. */
 static void any_normal(const double unit[3], double out[3])
 {
 	double axis[3] = {0, 0, 0};
@@ -33,8 +33,8 @@ static void any_normal(const double unit[3], double out[3])
 	}
 }
 
-/* Takes the part along unit out of v and makes the rest unit; or fails. */
-static bool straighten(double v[3], const double unit[3])
+/* Makes v perpendicular to unit and of unit length; false if v is parallel. */
+static bool make_perpendicular(double v[3], const double unit[3])
 {
 	double along = dot(v, unit);
 	double length;
@@ -51,8 +51,8 @@ static bool straighten(double v[3], const double unit[3])
 }
 
 /*
- * Unit columns of a right-handed rotation from those of the matrix, of which
- * some may be zero; begins with the longest.
+ * Turns the normalised columns of the matrix, some of which may be zero, into a
+ * right-handed rotation; begins with the longest.
  */
 static void orthonormalize(double column[3][3], const double length[3])
 {
@@ -62,9 +62,9 @@ static void orthonormalize(double column[3][3], const double length[3])
 	a = length[2] > length[a] ? 2 : a;
 	b = (a + 1) % 3;
 	c = (a + 2) % 3;
-	if (length[b] > 0 && straighten(column[b], column[a])) {
+	if (length[b] > 0 && make_perpendicular(column[b], column[a])) {
 		cross(column[a], column[b], column[c]);
-	} else if (length[c] > 0 && straighten(column[c], column[a])) {
+	} else if (length[c] > 0 && make_perpendicular(column[c], column[a])) {
 		cross(column[c], column[a], column[b]);
 	} else {
 		any_normal(column[a], column[b]);
@@ -72,7 +72,7 @@ static void orthonormalize(double column[3][3], const double length[3])
 	}
 }
 
-/* m[column][row], a rotation; the largest of the four is found first. */
+/* m[column][row] is a rotation. Avoids dividing by a small component. */
 static void to_quaternion(double m[3][3], float out[4])
 {
 	double trace = m[0][0] + m[1][1] + m[2][2];

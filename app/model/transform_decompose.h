@@ -1,5 +1,5 @@
 /*
- * A matrix as translation, rotation and scale.
+ * Decomposition of a matrix into translation, rotation and scale.
  */
 #ifndef APP_MODEL_TRANSFORM_DECOMPOSE_H
 #define APP_MODEL_TRANSFORM_DECOMPOSE_H
@@ -7,10 +7,10 @@
 #include "app/model/model.h"
 
 /*
- * The T R S whose product comes nearest to an affine matrix of four columns;
- * a mirrored one gets a negative x scale, the rotation always has unit length.
- * Returns whether the product is the matrix, to 1e-5 of its largest factor;
- * false means that the matrix shears.
+ * Finds T R S for an affine matrix of four columns, by Gram-Schmidt from its
+ * longest column. A mirroring matrix gets a negative x scale; the rotation has
+ * unit length. Returns whether T R S equals the matrix to 1e-5 of its largest
+ * element; false means that the matrix shears.
  */
 bool transform_decompose(const float matrix[4][4], struct transform *out);
 

@@ -205,9 +205,7 @@ int main(int argc, char **argv)
 	snprintf(folder, sizeof(folder), "%s/oracle", options.samples);
 	count = scandir(folder, &entries, is_reference, alphasort);
 	if (count < 0) {
-		printf("1..0 # SKIP the sample models and their reference "
-		       "poses are not in %s (make SAMPLES=DIR names another "
-		       "folder)\n",
+		printf("1..0 # SKIP the sample models and their reference poses are not in %s (make SAMPLES=DIR names another folder)\n",
 			options.samples);
 		return 0;
 	}

@@ -61,8 +61,7 @@ static int read_reference_mesh(
 	if (!json_is_integer(node) || !json_is_integer(primitive) ||
 		!json_is_array(positions)) {
 		return complain(error,
-			"a mesh without node, primitive or "
-			"positions");
+			"a mesh without node, primitive or positions");
 	}
 	snprintf(part->name, sizeof(part->name), "node%d_prim%d",
 		(int)json_integer_value(node),
@@ -309,8 +308,7 @@ static int compare_part(const struct posed_part *actual,
 		const double *r = reference->position[first];
 
 		return complain(error,
-			"%s: %zu of %zu vertices beyond %.3g; the first is "
-			"%zu: (%g %g %g), not (%g %g %g)",
+			"%s: %zu of %zu vertices beyond %.3g; the first is %zu: (%g %g %g), not (%g %g %g)",
 			reference->name, wrong, reference->count, distance,
 			first, a[0], a[1], a[2], r[0], r[1], r[2]);
 	}
@@ -336,8 +334,7 @@ int posed_compare(const struct posed *actual, const struct posed *reference,
 	for (size_t i = 0; i < actual->count; i++) {
 		if (!find_part(reference, actual->part[i].name)) {
 			return complain(error,
-				"object %s is not in the "
-				"reference",
+				"object %s is not in the reference",
 				actual->part[i].name);
 		}
 	}

@@ -56,8 +56,7 @@ int main(int argc, char **argv)
 
 	if (argc != 8) {
 		fprintf(stderr,
-			"usage: %s STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE "
-			"PICTURE DIFFERENCE\n",
+			"usage: %s STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE PICTURE DIFFERENCE\n",
 			argv[0]);
 		return 2;
 	}

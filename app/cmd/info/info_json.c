@@ -17,7 +17,7 @@ static json_t *levels(const struct model_mesh *mesh)
 			json_pack("{s:i, s:f, s:b}", "triangles",
 				level.triangle_count, "error_m",
 				(double)level.error_m, "shape",
-				level.shape ? 1 : 0));
+				level.shadow_only ? 1 : 0));
 	}
 	return array;
 }

@@ -20,7 +20,7 @@ static void print_levels(const struct model_mesh *mesh, FILE *out)
 		fprintf(out, "%s%d at %.3g mm%s",
 			i ? ", " : "           levels: ", level.triangle_count,
 			(double)level.error_m * 1000.0,
-			level.shape ? " for shadows" : "");
+			level.shadow_only ? " for shadows" : "");
 	}
 	if (count) {
 		fprintf(out, "\n");

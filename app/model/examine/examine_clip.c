@@ -9,8 +9,7 @@ static const char *clip_name(const struct model_clip *clip)
 	return clip->name[0] ? clip->name : "(unnamed)";
 }
 
-/* Cubic rotations and weights: glTF pitfalls of their own. */
-static void say_cubic(
+static void report_cubic(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
 	int cubic = 0, weights = 0;
@@ -24,23 +23,18 @@ static void say_cubic(
 		}
 	}
 	if (cubic > 0) {
-		examine_say(examiner,
-			"clip %s: CUBICSPLINE channels (%d): their tangents "
-			"count "
-			"per second, so limber scales them by each key's "
-			"interval and makes rotations unit length afterwards",
+		examine_report(examiner,
+			"clip %s: CUBICSPLINE channels (%d): limber multiplies their tangents by the interval between keys, and normalises rotations afterwards",
 			clip_name(clip), cubic);
 	}
 	if (weights > 0) {
-		examine_say(examiner,
-			"clip %s: cubic morph weights (%d channels): a key "
-			"packs "
-			"all in-tangents, all values, all out-tangents",
+		examine_report(examiner,
+			"clip %s: cubic morph weights (%d channels): each key holds all in-tangents, then all values, then all out-tangents",
 			clip_name(clip), weights);
 	}
 }
 
-static void say_beginning(
+static void report_first_and_last_keys(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
 	float latest_s = 0.0f, soonest_end_s = clip->duration_s;
@@ -56,22 +50,19 @@ static void say_beginning(
 		}
 	}
 	if (latest_s > 0.0f) {
-		examine_say(examiner,
-			"clip %s: first keys lie up to %.4f s after its start: "
-			"until then limber holds them, it does not extend the "
-			"curve",
+		examine_report(examiner,
+			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
 			clip_name(clip), (double)latest_s);
 	}
 	if (soonest_end_s < clip->duration_s) {
-		examine_say(examiner,
-			"clip %s: some channels end at %.4f s of %.4f s: their "
-			"last key is held",
+		examine_report(examiner,
+			"clip %s: some channels end at %.4f s of %.4f s; limber holds the value of their last key",
 			clip_name(clip), (double)soonest_end_s,
 			(double)clip->duration_s);
 	}
 }
 
-static void say_kinds(
+static void report_key_kinds(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
 	int step = 0, single = 0, linear = 0;
@@ -86,18 +77,15 @@ static void say_kinds(
 			channel->interpolation == MODEL_LINEAR;
 	}
 	if (single > 0) {
-		examine_say(examiner,
-			"clip %s: channels with a single key (%d): it counts "
-			"at "
-			"every time",
+		examine_report(examiner,
+			"clip %s: channels with a single key (%d): limber uses its value at every time",
 			clip_name(clip), single);
 	}
 	if (step > 0) {
-		examine_say(examiner,
-			"clip %s: STEP channels (%d)%s: they jump, and "
-			"interpolation is a matter of the channel",
+		examine_report(examiner,
+			"clip %s: STEP channels (%d)%s: limber interpolates each channel in its own mode",
 			clip_name(clip), step,
-			linear > 0 ? " beside linear ones" : "");
+			linear > 0 ? " beside LINEAR ones" : "");
 	}
 }
 
@@ -111,7 +99,7 @@ static float key_dot(const struct model_channel *channel, int key)
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-static void say_long_ways(
+static void report_long_arcs(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
 	int keys = 0;
@@ -126,10 +114,8 @@ static void say_long_ways(
 		}
 	}
 	if (keys > 0) {
-		examine_say(examiner,
-			"clip %s: rotation keys on the far side of the one "
-			"before (%d, by a negative dot product): limber turns "
-			"the short way",
+		examine_report(examiner,
+			"clip %s: rotation keys with a negative dot product to the key before (%d): limber negates them, so that the rotation takes the shorter arc",
 			clip_name(clip), keys);
 	}
 }
@@ -146,8 +132,7 @@ static bool clip_moves(
 	return false;
 }
 
-/* Channels of one clip that another clip leaves alone. */
-static void say_left_alone(
+static void report_unshared_channels(
 	const struct model *model, const struct examiner *examiner)
 {
 	int left = 0;
@@ -167,15 +152,13 @@ static void say_left_alone(
 		}
 	}
 	if (left > 0) {
-		examine_say(examiner,
-			"channels that move what another clip leaves alone "
-			"(%d, "
-			"in %d clips): changing clips puts that back to rest",
+		examine_report(examiner,
+			"channels of a node that another clip does not move (%d, in %d clips): when limber changes to that clip, the node returns to its rest pose",
 			left, model->clip_count);
 	}
 }
 
-static void say_matrices(
+static void report_matrices(
 	const struct model *model, const struct examiner *examiner)
 {
 	int nodes = 0;
@@ -184,10 +167,8 @@ static void say_matrices(
 		nodes += model->node[i].matrix != NULL;
 	}
 	if (nodes > 0) {
-		examine_say(examiner,
-			"nodes with a sheared matrix (%d), which no "
-			"translation, "
-			"rotation and scale can say: limber keeps it as it is",
+		examine_report(examiner,
+			"nodes with a sheared matrix (%d): translation, rotation and scale cannot express shear, so limber keeps the matrix",
 			nodes);
 	}
 }
@@ -197,11 +178,11 @@ void examine_clips(const struct model *model, const struct examiner *examiner)
 	for (int i = 0; i < model->clip_count; i++) {
 		const struct model_clip *clip = &model->clip[i];
 
-		say_cubic(clip, examiner);
-		say_beginning(clip, examiner);
-		say_kinds(clip, examiner);
-		say_long_ways(clip, examiner);
+		report_cubic(clip, examiner);
+		report_first_and_last_keys(clip, examiner);
+		report_key_kinds(clip, examiner);
+		report_long_arcs(clip, examiner);
 	}
-	say_left_alone(model, examiner);
-	say_matrices(model, examiner);
+	report_unshared_channels(model, examiner);
+	report_matrices(model, examiner);
 }

@@ -6,18 +6,18 @@
 #include <stdio.h>
 
 enum {
-	SENTENCE_ROOM = 400
+	FINDING_BYTES = 400
 };
 
-void examine_say(const struct examiner *examiner, const char *format, ...)
+void examine_report(const struct examiner *examiner, const char *format, ...)
 {
-	char sentence[SENTENCE_ROOM];
+	char finding[FINDING_BYTES];
 	va_list values;
 
 	va_start(values, format);
-	vsnprintf(sentence, sizeof(sentence), format, values);
+	vsnprintf(finding, sizeof(finding), format, values);
 	va_end(values);
-	examiner->say(examiner->context, sentence);
+	examiner->report(examiner->context, finding);
 }
 
 static bool near(float a, float b)
@@ -54,47 +54,41 @@ static bool is_joint(const struct model *model, int node)
 	return false;
 }
 
-/* The skinned nodes, and what is above them. */
-static void say_nodes(const struct model *model, const struct examiner *examiner)
+static void report_nodes(
+	const struct model *model, const struct examiner *examiner)
 {
-	int placed = 0, ancestors = 0, carried = 0, scaled = 0;
+	int transformed = 0, ancestors = 0, rigid = 0, scaled = 0;
 
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 		bool joint = is_joint(model, i);
 		bool below = node->parent >= 0 && is_joint(model, node->parent);
 
-		placed += node->skin >= 0 && !is_identity(node);
-		carried += node->mesh >= 0 && node->skin < 0 && (below || joint);
+		transformed += node->skin >= 0 && !is_identity(node);
+		rigid += node->mesh >= 0 && node->skin < 0 && (below || joint);
 		scaled += joint && is_scaled(&node->rest);
 		ancestors += joint && node->parent >= 0 &&
 			!is_joint(model, node->parent) &&
 			!is_identity(&model->node[node->parent]);
 	}
-	if (placed > 0) {
-		examine_say(examiner,
-			"skinned nodes with a transform of their own (%d): it "
-			"counts for nothing, joints alone place a skin",
-			placed);
+	if (transformed > 0) {
+		examine_report(examiner,
+			"skinned nodes with a transform of their own (%d): limber ignores it, because only the joints move a skin",
+			transformed);
 	}
 	if (ancestors > 0) {
-		examine_say(examiner,
-			"joints below nodes that are none and have a transform "
-			"(%d): it counts all the same",
+		examine_report(examiner,
+			"joints whose parent is not a joint but has a transform (%d): limber applies that transform",
 			ancestors);
 	}
-	if (carried > 0) {
-		examine_say(examiner,
-			"rigid meshes carried by joints (%d): they move with "
-			"the "
-			"bone, without weights",
-			carried);
+	if (rigid > 0) {
+		examine_report(examiner,
+			"meshes without a skin that are attached to joints (%d): limber moves each rigidly with its joint",
+			rigid);
 	}
 	if (scaled > 0) {
-		examine_say(examiner,
-			"scaled joints (%d): normals need more than the "
-			"joint's "
-			"rotation",
+		examine_report(examiner,
+			"joints with a scale (%d): limber transforms normals by the joint matrix, scale included, and normalises them",
 			scaled);
 	}
 }
@@ -109,7 +103,8 @@ static bool is_ordered(const struct model_skin *skin)
 	return true;
 }
 
-static void say_skins(const struct model *model, const struct examiner *examiner)
+static void report_skins(
+	const struct model *model, const struct examiner *examiner)
 {
 	int unordered = 0;
 
@@ -117,9 +112,8 @@ static void say_skins(const struct model *model, const struct examiner *examiner
 		unordered += !is_ordered(&model->skin[i]);
 	}
 	if (unordered > 0) {
-		examine_say(examiner,
-			"skins that list joints in another order than the tree "
-			"(%d): the vertices' numbers count in the skin's list",
+		examine_report(examiner,
+			"skins that list their joints in another order than the nodes (%d): limber takes the joint numbers of vertices as indices into the skin's list",
 			unordered);
 	}
 	for (int m = 0; m < model->mesh_count; m++) {
@@ -135,15 +129,14 @@ static void say_skins(const struct model *model, const struct examiner *examiner
 			}
 		}
 		if (users > 1) {
-			examine_say(examiner,
-				"mesh %d is drawn with %d skins: it is posed "
-				"once for each",
+			examine_report(examiner,
+				"mesh %d is drawn with %d skins; limber poses it once for each skin",
 				m, users);
 		}
 	}
 }
 
-static void say_meshes(
+static void report_meshes(
 	const struct model *model, const struct examiner *examiner)
 {
 	int flat = 0, many = 0;
@@ -158,15 +151,13 @@ static void say_meshes(
 		}
 	}
 	if (flat > 0) {
-		examine_say(examiner,
-			"parts without normals (%d): limber lights the posed "
-			"triangles flat, as glTF asks",
+		examine_report(examiner,
+			"primitives without normals (%d): limber lights the posed triangles with flat normals, as glTF requires",
 			flat);
 	}
 	if (many > 0) {
-		examine_say(examiner,
-			"parts with a second set of joints and weights (%d): "
-			"whoever reads the first four only tears them",
+		examine_report(examiner,
+			"primitives with a second set of joints and weights (%d): limber uses all eight influences of a vertex",
 			many);
 	}
 	for (int i = 0; i < model->node_count; i++) {
@@ -174,10 +165,8 @@ static void say_meshes(
 
 		if (node->skin >= 0 && node->mesh >= 0 &&
 			model->mesh[node->mesh].target_count > 0) {
-			examine_say(examiner,
-				"node %d is morphed and skinned: the morph "
-				"comes first, and normals are made unit length "
-				"again",
+			examine_report(examiner,
+				"node %d is morphed and skinned; limber morphs first, then skins, then normalises the normals",
 				node->file_index);
 		}
 	}
@@ -185,7 +174,7 @@ static void say_meshes(
 
 void examine_skins(const struct model *model, const struct examiner *examiner)
 {
-	say_nodes(model, examiner);
-	say_skins(model, examiner);
-	say_meshes(model, examiner);
+	report_nodes(model, examiner);
+	report_skins(model, examiner);
+	report_meshes(model, examiner);
 }

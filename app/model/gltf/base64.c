@@ -2,7 +2,7 @@
 
 #include <errno.h>
 
-size_t base64_room(size_t length)
+size_t base64_decoded_max(size_t length)
 {
 	return length / 4 * 3 + 3;
 }
@@ -26,11 +26,11 @@ static int digit(char c)
 
 static size_t without_padding(const char *text, size_t length)
 {
-	int most = length % 4 == 0 ? 2 : 0;
+	int padding_max = length % 4 == 0 ? 2 : 0;
 
-	while (most > 0 && length > 0 && text[length - 1] == '=') {
+	while (padding_max > 0 && length > 0 && text[length - 1] == '=') {
 		length--;
-		most--;
+		padding_max--;
 	}
 	return length;
 }

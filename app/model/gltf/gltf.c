@@ -20,7 +20,7 @@ bool gltf_recognise(const uint8_t *data, size_t size)
 	return i < size && data[i] == '{';
 }
 
-/* "2" and "2.x", whatever follows the point. */
+/* "2" or "2.x" */
 static bool is_version_2(const char *version)
 {
 	return version[0] == '2' && (version[1] == '.' || version[1] == '\0');
@@ -43,7 +43,7 @@ static int check_version(struct gltf *gltf)
 		return error;
 	}
 	if (!version) {
-		return gltf_fail(&asset, -EINVAL, "has no version");
+		return gltf_fail(&asset, -EINVAL, "has no \"version\"");
 	}
 	if (!is_version_2(version) || strcmp(minimum, "2.0") != 0) {
 		return gltf_fail(&asset, -ENOTSUP,
@@ -72,7 +72,7 @@ static int check_extension(const struct gltf_at *at)
 		}
 	}
 	return gltf_fail(at, -ENOTSUP,
-		"the model requires %.80s, which limber does not know", name);
+		"the model requires %.80s, which limber does not support", name);
 }
 
 static int check_extensions(struct gltf *gltf)
@@ -118,7 +118,7 @@ static int read_all(struct gltf *gltf)
 	return 0;
 }
 
-void gltf_end(struct gltf *gltf)
+void gltf_release(struct gltf *gltf)
 {
 	int i;
 
@@ -129,7 +129,7 @@ void gltf_end(struct gltf *gltf)
 	arena_release(&gltf->scratch);
 }
 
-int gltf_begin(struct gltf *gltf, const struct model_source *source,
+int gltf_read(struct gltf *gltf, const struct model_source *source,
 	const struct log *log)
 {
 	int error;
@@ -158,9 +158,9 @@ int gltf_load(const struct model_source *source, const struct log *log,
 	struct model **out)
 {
 	struct gltf gltf;
-	int error = gltf_begin(&gltf, source, log);
+	int error = gltf_read(&gltf, source, log);
 
 	*out = gltf.model;
-	gltf_end(&gltf);
+	gltf_release(&gltf);
 	return error;
 }

@@ -1,7 +1,6 @@
 #include "app/model/gltf/gltf_internal.h"
 
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 
 struct type {
@@ -19,27 +18,11 @@ static const struct type types[] = {
 	{"MAT4", 4, 4},
 };
 
-static size_t component_bytes(enum gltf_component component)
-{
-	switch (component) {
-	case GLTF_I8:
-	case GLTF_U8:
-		return 1;
-	case GLTF_I16:
-	case GLTF_U16:
-		return 2;
-	case GLTF_U32:
-	case GLTF_F32:
-		return 4;
-	}
-	return 0;
-}
-
-/* Columns of a matrix begin on 4-byte boundaries (glTF 2.0, 3.6.2.4). */
+/* Columns of a matrix are aligned to 4 bytes (glTF 2.0, 3.6.2.4). */
 static size_t element_bytes(
 	const struct type *type, enum gltf_component component)
 {
-	size_t column = (size_t)type->rows * component_bytes(component);
+	size_t column = (size_t)type->rows * gltf_component_bytes(component);
 
 	if (type->columns > 1) {
 		column = (column + 3) & ~(size_t)3;
@@ -51,7 +34,7 @@ static int read_component(
 	const struct gltf_at *at, enum gltf_component *component)
 {
 	int64_t value = 0;
-	int error = gltf_need(at, "componentType");
+	int error = gltf_require(at, "componentType");
 
 	if (!error) {
 		error = gltf_maybe_integer(
@@ -61,8 +44,9 @@ static int read_component(
 		return error;
 	}
 	*component = (enum gltf_component)value;
-	if (!component_bytes(*component)) {
-		return gltf_fail(at, -EINVAL, "componentType %lld is unknown",
+	if (!gltf_component_bytes(*component)) {
+		return gltf_fail(at, -EINVAL,
+			"componentType %lld is not defined by glTF 2.0",
 			(long long)value);
 	}
 	return 0;
@@ -72,7 +56,7 @@ static int read_type(const struct gltf_at *at, const struct type **type)
 {
 	const char *name = NULL;
 	size_t i;
-	int error = gltf_need(at, "type");
+	int error = gltf_require(at, "type");
 
 	if (!error) {
 		error = gltf_maybe_string(at, "type", &name);
@@ -86,10 +70,11 @@ static int read_type(const struct gltf_at *at, const struct type **type)
 			return 0;
 		}
 	}
-	return gltf_fail(at, -EINVAL, "type \"%.40s\" is unknown", name);
+	return gltf_fail(
+		at, -EINVAL, "type \"%.40s\" is not defined by glTF 2.0", name);
 }
 
-/* Whether count elements of size bytes lie in the view, from offset on. */
+/* Fails unless count elements of size bytes, from offset, lie in the view. */
 static int check_bounds(const struct gltf_at *at, const struct gltf_view *view,
 	uint64_t offset, uint64_t stride, int count, uint64_t size)
 {
@@ -103,7 +88,10 @@ static int check_bounds(const struct gltf_at *at, const struct gltf_view *view,
 	return 0;
 }
 
-/* A bufferView and byteOffset; a stride counts only where it is allowed. */
+/*
+ * Reads bufferView and byteOffset. The view's byteStride counts when strided is
+ * true; sparse accessors are packed.
+ */
 static int read_elements(const struct gltf_at *at, int count, size_t size,
 	bool strided, struct gltf_elements *out)
 {
@@ -125,7 +113,7 @@ static int read_elements(const struct gltf_at *at, int count, size_t size,
 	out->stride = strided && view->stride ? view->stride : size;
 	if (out->stride < size) {
 		return gltf_fail(at, -EINVAL,
-			"elements of %zu bytes do not fit the byteStride %zu",
+			"elements of %zu bytes are larger than the byteStride of %zu",
 			size, out->stride);
 	}
 	error = check_bounds(
@@ -134,23 +122,6 @@ static int read_elements(const struct gltf_at *at, int count, size_t size,
 		out->data = view->data + offset;
 	}
 	return error;
-}
-
-static uint32_t get_u16(const uint8_t *bytes)
-{
-	return bytes[0] | (uint32_t)bytes[1] << 8;
-}
-
-static uint32_t get_uint(const uint8_t *bytes, enum gltf_component component)
-{
-	switch (component) {
-	case GLTF_U8:
-		return bytes[0];
-	case GLTF_U16:
-		return get_u16(bytes);
-	default:
-		return get_u16(bytes) | get_u16(bytes + 2) << 16;
-	}
 }
 
 static bool is_unsigned(enum gltf_component component)
@@ -167,23 +138,21 @@ bool gltf_is_unsigned(const struct gltf_accessor *accessor)
 static int check_sparse_indices(
 	const struct gltf_at *at, const struct gltf_accessor *accessor)
 {
-	const struct gltf_elements *index = &accessor->sparse_index;
 	int64_t previous = -1;
 	int i;
 
 	for (i = 0; i < accessor->sparse_count; i++) {
-		uint32_t value = get_uint(
-			index->data + i * index->stride, index->component);
+		uint32_t value = gltf_get_uint(&accessor->sparse_index, i);
 
 		if (value >= (uint32_t)accessor->count) {
 			return gltf_fail(at, -EINVAL,
-				"index %u is not below the count %d", value,
-				accessor->count);
+				"index %u is out of range (the accessor has %d elements)",
+				value, accessor->count);
 		}
 		if (value <= previous) {
 			return gltf_fail(at, -EINVAL,
-				"index %u does not rise from %lld", value,
-				(long long)previous);
+				"index %u does not come after index %lld",
+				value, (long long)previous);
 		}
 		previous = value;
 	}
@@ -194,18 +163,19 @@ static int read_sparse_indices(
 	const struct gltf_at *at, struct gltf_accessor *out)
 {
 	struct gltf_elements *index = &out->sparse_index;
-	int error = gltf_need(at, "bufferView");
+	int error = gltf_require(at, "bufferView");
 
 	if (!error) {
 		error = read_component(at, &index->component);
 	}
 	if (!error && !is_unsigned(index->component)) {
 		error = gltf_fail(at, -EINVAL,
-			"componentType %d is not unsigned", index->component);
+			"componentType %d is not an unsigned integer",
+			index->component);
 	}
 	if (!error) {
 		error = read_elements(at, out->sparse_count,
-			component_bytes(index->component), false, index);
+			gltf_component_bytes(index->component), false, index);
 	}
 	return error ? error : check_sparse_indices(at, out);
 }
@@ -220,7 +190,7 @@ static int read_sparse(
 	if (error || !at.json) {
 		return error;
 	}
-	error = gltf_need(&at, "count");
+	error = gltf_require(&at, "count");
 	if (!error) {
 		error = gltf_maybe_integer(&at, "count", 1, out->count, &count);
 	}
@@ -236,7 +206,7 @@ static int read_sparse(
 	out->sparse_count = (int)count;
 	error = read_sparse_indices(&indices, out);
 	if (!error) {
-		error = gltf_need(&values, "bufferView");
+		error = gltf_require(&values, "bufferView");
 	}
 	out->sparse_value.component = out->base.component;
 	return error ? error
@@ -245,8 +215,8 @@ static int read_sparse(
 }
 
 /*
- * Unpacked to floats, an accessor alone must fit the budget; so products of
- * count and width stay below 2^26, which 32-bit sizes hold in bytes, too.
+ * An accessor that is unpacked to floats must fit the budget. Hence count *
+ * width <= 2^26, and its size in bytes fits 32 bits.
  */
 static int check_size(const struct gltf_at *at, int64_t count, int width)
 {
@@ -260,12 +230,13 @@ static int check_size(const struct gltf_at *at, int64_t count, int width)
 	return 0;
 }
 
-static int read_accessor(const struct gltf_at *at, struct gltf_accessor *out)
+static int read_accessor(const struct gltf_at *at)
 {
+	struct gltf_accessor *out = &at->gltf->accessor[at->index];
 	const struct type *type = NULL;
 	int64_t count = 0;
 	size_t size;
-	int error = gltf_need(at, "count");
+	int error = gltf_require(at, "count");
 
 	if (!error) {
 		error = gltf_maybe_integer(at, "count", 1, INT32_MAX, &count);
@@ -296,8 +267,8 @@ static int read_accessor(const struct gltf_at *at, struct gltf_accessor *out)
 
 int gltf_read_accessors(struct gltf *gltf)
 {
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "accessors", &array, &count);
 
 	if (error) {
@@ -309,148 +280,10 @@ int gltf_read_accessors(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	gltf->accessor_count = count;
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_accessor(&item, &gltf->accessor[i]);
-		}
-	}
-	return error;
+	return gltf_for_each(&array, count, read_accessor);
 }
 
-/* glTF 2.0, 3.6.2.2 for the normalised ones: -128 and -127 are both -1. */
-static float get_float(
-	const uint8_t *bytes, enum gltf_component component, bool normalized)
-{
-	uint32_t bits;
-	float value = 0;
-	float unit = 1;
-
-	switch (component) {
-	case GLTF_I8:
-		value = (float)(int8_t)bytes[0];
-		unit = 127.0f;
-		break;
-	case GLTF_U8:
-		value = (float)bytes[0];
-		unit = 255.0f;
-		break;
-	case GLTF_I16:
-		value = (float)(int16_t)get_u16(bytes);
-		unit = 32767.0f;
-		break;
-	case GLTF_U16:
-		value = (float)get_u16(bytes);
-		unit = 65535.0f;
-		break;
-	case GLTF_U32:
-		return (float)get_uint(bytes, component);
-	case GLTF_F32:
-		bits = get_uint(bytes, component);
-		memcpy(&value, &bits, sizeof(value));
-		return value;
-	}
-	if (!normalized) {
-		return value;
-	}
-	value /= unit;
-	return value < -1 ? -1 : value;
-}
-
-/* Matrices of small components have gaps; limber reads MAT4 of floats only. */
-static void unpack_element(const struct gltf_elements *elements, int index,
-	int width, bool normalized, float *out)
-{
-	const uint8_t *bytes = elements->data + index * elements->stride;
-	size_t size = component_bytes(elements->component);
-	int i;
-
-	for (i = 0; i < width; i++) {
-		out[i] = get_float(
-			bytes + i * size, elements->component, normalized);
-	}
-}
-
-static int check_finite(const struct gltf_at *at,
-	const struct gltf_accessor *accessor, const float *values)
-{
-	size_t total = (size_t)accessor->count * (size_t)accessor->width;
-	size_t i;
-
-	for (i = 0; i < total; i++) {
-		if (!isfinite(values[i])) {
-			return gltf_fail(at, -EINVAL,
-				"element %zu of accessor %d is not finite",
-				i / (size_t)accessor->width,
-				(int)(accessor - at->gltf->accessor));
-		}
-	}
-	return 0;
-}
-
-int gltf_unpack_floats(const struct gltf_at *at,
-	const struct gltf_accessor *accessor, float *out)
-{
-	const struct gltf_elements *index = &accessor->sparse_index;
-	size_t width = (size_t)accessor->width;
-	int i;
-
-	if (accessor->base.data) {
-		for (i = 0; i < accessor->count; i++) {
-			unpack_element(&accessor->base, i, accessor->width,
-				accessor->normalized, out + i * width);
-		}
-	} else {
-		memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
-	}
-	for (i = 0; i < accessor->sparse_count; i++) {
-		uint32_t element = get_uint(
-			index->data + i * index->stride, index->component);
-
-		unpack_element(&accessor->sparse_value, i, accessor->width,
-			accessor->normalized, out + element * width);
-	}
-	return accessor->base.component == GLTF_F32
-		? check_finite(at, accessor, out)
-		: 0;
-}
-
-static void unpack_uints(const struct gltf_elements *elements, int index,
-	int width, uint32_t *out)
-{
-	const uint8_t *bytes = elements->data + index * elements->stride;
-	size_t size = component_bytes(elements->component);
-	int i;
-
-	for (i = 0; i < width; i++) {
-		out[i] = get_uint(bytes + i * size, elements->component);
-	}
-}
-
-void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out)
-{
-	const struct gltf_elements *index = &accessor->sparse_index;
-	size_t width = (size_t)accessor->width;
-	int i;
-
-	if (accessor->base.data) {
-		for (i = 0; i < accessor->count; i++) {
-			unpack_uints(&accessor->base, i, accessor->width,
-				out + i * width);
-		}
-	} else {
-		memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
-	}
-	for (i = 0; i < accessor->sparse_count; i++) {
-		uint32_t element = get_uint(
-			index->data + i * index->stride, index->component);
-
-		unpack_uints(&accessor->sparse_value, i, accessor->width,
-			out + element * width);
-	}
-}
-
-/* Whether name is one of the words in list. */
+/* Whether the space-separated list contains name. */
 static bool is_listed(const char *list, const char *name)
 {
 	size_t length = strlen(name);

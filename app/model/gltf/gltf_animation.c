@@ -8,12 +8,13 @@ struct sampler {
 	enum model_interpolation interpolation;
 };
 
-/* What the channels of one animation share while they are read. */
-struct reading {
+/* The state of reading one animation. */
+struct animation_reader {
 	struct gltf_at samplers;
 	int sampler_count;
-	int stamp;      /* of this animation */
-	int (*seen)[4]; /* [node_count][path]: the last one's stamp */
+	int number;     /* of this animation, from 1 */
+	int (*seen)[4]; /* [node_count][path]: the number of the last
+			   animation that has a channel for it */
 };
 
 static int read_path(const struct gltf_at *target, enum model_path *out)
@@ -25,7 +26,7 @@ static int read_path(const struct gltf_at *target, enum model_path *out)
 		[MODEL_WEIGHTS] = "weights",
 	};
 	int choice = 0;
-	int error = gltf_need(target, "path");
+	int error = gltf_require(target, "path");
 
 	if (!error) {
 		error = gltf_maybe_choice(
@@ -58,8 +59,7 @@ static int check_times(const struct gltf_at *at, const float *time_s, int count)
 	for (i = 1; i < count; i++) {
 		if (!(time_s[i] > time_s[i - 1])) {
 			return gltf_fail(at, -EINVAL,
-				"key %d at %g s does not come after key %d "
-				"at %g s",
+				"key %d at %g s does not come after key %d at %g s",
 				i, (double)time_s[i], i - 1,
 				(double)time_s[i - 1]);
 		}
@@ -67,7 +67,7 @@ static int check_times(const struct gltf_at *at, const float *time_s, int count)
 	return 0;
 }
 
-/* Most channels share their times; each accessor is unpacked once. */
+/* Many channels share an accessor of times, which is unpacked once. */
 static int read_times(const struct gltf_at *sampler,
 	const struct gltf_accessor *input, const float **out)
 {
@@ -96,13 +96,10 @@ static int read_times(const struct gltf_at *sampler,
 }
 
 /*
- * Integer keys are off unit length by their rounding and are made unit. Float
- * keys stay as the file has them, but none may be of length 0.
- */
-/*
- * Splines are normalised after they are evaluated. Floats a little off unit
- * stay as they are, since players interpolate them so; what is far off, and
- * whole numbers, would distort the node.
+ * Makes rotation keys unit length: all integer keys, which are rounded, and
+ * float keys whose squared length is outside 0.98..1.02. Other float keys stay
+ * as they are, because the reference players interpolate them so. Splines are
+ * normalised after they are evaluated.
  */
 static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	float *value, const struct model_channel *out)
@@ -142,7 +139,7 @@ static int read_values(const struct gltf_at *sampler,
 	}
 	if (floats != expected) {
 		return gltf_fail(&at, -EINVAL,
-			"has %lld numbers, %d keys need %lld",
+			"has %lld numbers, but %d keys need %lld",
 			(long long)floats, out->key_count, (long long)expected);
 	}
 	value = GLTF_KEEP(&at, float, floats);
@@ -158,10 +155,10 @@ static int read_values(const struct gltf_at *sampler,
 	return error;
 }
 
-static int need_accessor(const struct gltf_at *at, const char *key,
+static int require_accessor(const struct gltf_at *at, const char *key,
 	const char *type, const struct gltf_accessor **out)
 {
-	int error = gltf_need(at, key);
+	int error = gltf_require(at, key);
 
 	return error ? error : gltf_maybe_accessor(at, key, type, out);
 }
@@ -176,13 +173,14 @@ static int read_sampler(const struct gltf_at *at, struct model_channel *out)
 	};
 	struct gltf_at input_at = gltf_member(at, "input");
 	const struct gltf_accessor *input, *output;
-	int error = need_accessor(at, "input", "SCALAR", &input);
+	int error = require_accessor(at, "input", "SCALAR", &input);
 
 	if (!error && input->base.component != GLTF_F32) {
-		error = gltf_fail(&input_at, -EINVAL, "is not of floats");
+		error = gltf_fail(&input_at, -EINVAL, "does not hold floats");
 	}
 	if (!error) {
-		error = need_accessor(at, "output", types[out->path], &output);
+		error = require_accessor(
+			at, "output", types[out->path], &output);
 	}
 	if (!error) {
 		error = read_interpolation(at, &out->interpolation);
@@ -206,42 +204,40 @@ static int read_width(const struct gltf_at *target, const struct model *model,
 	out->width = node->mesh < 0 ? 0 : model->mesh[node->mesh].target_count;
 	if (out->width == 0) {
 		return gltf_fail(target, -EINVAL,
-			"node %d has no morph targets to weigh",
-			node->file_index);
+			"node %d has no morph targets", node->file_index);
 	}
 	return 0;
 }
 
-/* Moving a node asks for its parts; a matrix that has none gives way. */
-static void release_matrix(
+/* A moving node needs T R S, which cannot express the shear of a matrix. */
+static void drop_matrix(
 	const struct gltf_at *target, const struct model_channel *channel)
 {
 	struct model_node *node = &target->gltf->model->node[channel->node];
 
 	if (node->matrix && channel->path != MODEL_WEIGHTS) {
 		gltf_warn(target,
-			"node %d has a matrix that shears; "
-			"moving it loses the shear",
+			"limber drops the shear of node %d, because this channel moves the node",
 			node->file_index);
 		node->matrix = NULL;
 	}
 }
 
-static int claim(const struct gltf_at *target, struct reading *reading,
-	const struct model_channel *channel)
+static int check_unique(const struct gltf_at *target,
+	struct animation_reader *reader, const struct model_channel *channel)
 {
-	int *seen = &reading->seen[channel->node][channel->path];
+	int *seen = &reader->seen[channel->node][channel->path];
 
-	if (*seen == reading->stamp) {
+	if (*seen == reader->number) {
 		return gltf_fail(target, -EINVAL,
-			"another channel sets the same of this node");
+			"another channel of this animation has the same node and path");
 	}
-	*seen = reading->stamp;
+	*seen = reader->number;
 	return 0;
 }
 
-static int read_target(const struct gltf_at *target, struct reading *reading,
-	struct model_channel *out)
+static int read_target(const struct gltf_at *target,
+	struct animation_reader *reader, struct model_channel *out)
 {
 	struct gltf *gltf = target->gltf;
 	struct gltf_at node = gltf_member(target, "node");
@@ -255,53 +251,54 @@ static int read_target(const struct gltf_at *target, struct reading *reading,
 	}
 	error = read_width(target, gltf->model, out);
 	if (!error) {
-		error = claim(target, reading, out);
+		error = check_unique(target, reader, out);
 	}
 	if (!error) {
-		release_matrix(target, out);
+		drop_matrix(target, out);
 	}
 	return error;
 }
 
-/* A channel without a node belongs to some extension. */
-static int read_channel(const struct gltf_at *at, struct reading *reading,
-	struct model_channel *out, bool *is_ours)
+/* A channel without a node belongs to an extension; it is skipped. */
+static int read_channel(const struct gltf_at *at,
+	struct animation_reader *reader, struct model_channel *out,
+	bool *has_node)
 {
 	struct gltf_at target, sampler;
 	int index = 0;
-	int error = gltf_need(at, "target");
+	int error = gltf_require(at, "target");
 
 	if (!error) {
 		error = gltf_object(at, "target", &target);
 	}
 	if (!error) {
-		error = gltf_need(at, "sampler");
+		error = gltf_require(at, "sampler");
 	}
 	if (!error) {
-		error = gltf_maybe_index(at, "sampler", reading->sampler_count,
+		error = gltf_maybe_index(at, "sampler", reader->sampler_count,
 			"sampler", &index);
 	}
-	*is_ours = !error && json_object_get(target.json, "node");
-	if (!*is_ours) {
+	*has_node = !error && json_object_get(target.json, "node");
+	if (!*has_node) {
 		return error;
 	}
-	error = read_target(&target, reading, out);
+	error = read_target(&target, reader, out);
 	if (!error) {
-		error = gltf_item(&reading->samplers, index, &sampler);
+		error = gltf_item(&reader->samplers, index, &sampler);
 	}
 	return error ? error : read_sampler(&sampler, out);
 }
 
-static int read_animation(const struct gltf_at *at, struct reading *reading,
-	struct model_clip *out)
+static int read_animation(const struct gltf_at *at,
+	struct animation_reader *reader, struct model_clip *out)
 {
 	struct gltf_at array, item;
 	int count, i;
 	int error = gltf_name(at, &out->name);
 
 	if (!error) {
-		error = gltf_array(at, "samplers", &reading->samplers,
-			&reading->sampler_count);
+		error = gltf_array(at, "samplers", &reader->samplers,
+			&reader->sampler_count);
 	}
 	if (!error) {
 		error = gltf_array(at, "channels", &array, &count);
@@ -316,13 +313,13 @@ static int read_animation(const struct gltf_at *at, struct reading *reading,
 	for (i = 0; i < count && !error; i++) {
 		struct model_channel *channel =
 			&out->channel[out->channel_count];
-		bool is_ours = false;
+		bool has_node = false;
 
 		error = gltf_item(&array, i, &item);
 		if (!error) {
-			error = read_channel(&item, reading, channel, &is_ours);
+			error = read_channel(&item, reader, channel, &has_node);
 		}
-		if (!error && is_ours) {
+		if (!error && has_node) {
 			float end_s = channel->time_s[channel->key_count - 1];
 
 			out->duration_s = end_s > out->duration_s
@@ -337,7 +334,7 @@ static int read_animation(const struct gltf_at *at, struct reading *reading,
 int gltf_read_animations(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
-	struct reading reading = {0};
+	struct animation_reader reader = {0};
 	struct gltf_at array, item;
 	int count, i;
 	int error = gltf_array(&gltf->root, "animations", &array, &count);
@@ -346,17 +343,17 @@ int gltf_read_animations(struct gltf *gltf)
 		return error;
 	}
 	model->clip = GLTF_KEEP(&array, struct model_clip, count);
-	reading.seen = gltf_room(&array, &gltf->scratch,
-		(size_t)model->node_count, sizeof(*reading.seen));
-	if (!model->clip || !reading.seen) {
+	reader.seen = gltf_alloc(&array, &gltf->scratch,
+		(size_t)model->node_count, sizeof(*reader.seen));
+	if (!model->clip || !reader.seen) {
 		return -ENOMEM;
 	}
 	model->clip_count = count;
 	for (i = 0; i < count && !error; i++) {
-		reading.stamp = i + 1;
+		reader.number = i + 1;
 		error = gltf_item(&array, i, &item);
 		if (!error) {
-			error = read_animation(&item, &reading, &model->clip[i]);
+			error = read_animation(&item, &reader, &model->clip[i]);
 		}
 	}
 	return error;

@@ -3,16 +3,16 @@
 #include <errno.h>
 #include <string.h>
 
-static int need_above_zero(const struct gltf_at *at, const char *key, float *out)
+static int read_positive(const struct gltf_at *at, const char *key, float *out)
 {
 	struct gltf_at member = gltf_member(at, key);
-	int error = gltf_need(at, key);
+	int error = gltf_require(at, key);
 
 	if (!error) {
 		error = gltf_maybe_number(at, key, out);
 	}
 	if (!error && !(*out > 0)) {
-		error = gltf_fail(&member, -EINVAL, "is not above 0");
+		error = gltf_fail(&member, -EINVAL, "is not greater than 0");
 	}
 	return error;
 }
@@ -23,7 +23,7 @@ static int read_far(const struct gltf_at *at, struct model_camera *out)
 	int error = gltf_maybe_number(at, "zfar", &out->zfar);
 
 	if (!error && member.json && !(out->zfar > out->znear)) {
-		error = gltf_fail(&member, -EINVAL, "is not beyond znear");
+		error = gltf_fail(&member, -EINVAL, "is not greater than znear");
 	}
 	return error;
 }
@@ -31,17 +31,17 @@ static int read_far(const struct gltf_at *at, struct model_camera *out)
 static int read_perspective(const struct gltf_at *at, struct model_camera *out)
 {
 	struct gltf_at member = gltf_member(at, "aspectRatio");
-	int error = need_above_zero(at, "yfov", &out->yfov_rad);
+	int error = read_positive(at, "yfov", &out->yfov_rad);
 
 	out->perspective = true;
 	if (!error) {
-		error = need_above_zero(at, "znear", &out->znear);
+		error = read_positive(at, "znear", &out->znear);
 	}
 	if (!error) {
 		error = gltf_maybe_number(at, "aspectRatio", &out->aspect);
 	}
 	if (!error && member.json && !(out->aspect > 0)) {
-		error = gltf_fail(&member, -EINVAL, "is not above 0");
+		error = gltf_fail(&member, -EINVAL, "is not greater than 0");
 	}
 	return error ? error : read_far(at, out);
 }
@@ -49,35 +49,36 @@ static int read_perspective(const struct gltf_at *at, struct model_camera *out)
 static int read_orthographic(const struct gltf_at *at, struct model_camera *out)
 {
 	struct gltf_at member = gltf_member(at, "znear");
-	int error = need_above_zero(at, "xmag", &out->xmag);
+	int error = read_positive(at, "xmag", &out->xmag);
 
 	if (!error) {
-		error = need_above_zero(at, "ymag", &out->ymag);
+		error = read_positive(at, "ymag", &out->ymag);
 	}
 	if (!error) {
-		error = gltf_need(at, "znear");
+		error = gltf_require(at, "znear");
 	}
 	if (!error) {
 		error = gltf_maybe_number(at, "znear", &out->znear);
 	}
 	if (!error && out->znear < 0) {
-		error = gltf_fail(&member, -EINVAL, "is below 0");
+		error = gltf_fail(&member, -EINVAL, "is negative");
 	}
 	if (!error) {
-		error = gltf_need(at, "zfar");
+		error = gltf_require(at, "zfar");
 	}
 	return error ? error : read_far(at, out);
 }
 
-static int read_camera(const struct gltf_at *at, struct model_camera *out)
+static int read_camera(const struct gltf_at *at)
 {
+	struct model_camera *out = &at->gltf->model->camera[at->index];
 	struct gltf_at member = gltf_member(at, "type");
 	struct gltf_at details;
 	const char *type = "";
 	int error = gltf_name(at, &out->name);
 
 	if (!error) {
-		error = gltf_need(at, "type");
+		error = gltf_require(at, "type");
 	}
 	if (!error) {
 		error = gltf_maybe_string(at, "type", &type);
@@ -93,14 +94,15 @@ static int read_camera(const struct gltf_at *at, struct model_camera *out)
 		error = gltf_object(at, "orthographic", &details);
 		return error ? error : read_orthographic(&details, out);
 	}
-	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", type);
+	return gltf_fail(
+		&member, -EINVAL, "\"%.40s\" is not defined by glTF 2.0", type);
 }
 
 int gltf_read_cameras(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "cameras", &array, &count);
 
 	if (error) {
@@ -111,11 +113,5 @@ int gltf_read_cameras(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	model->camera_count = count;
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_camera(&item, &model->camera[i]);
-		}
-	}
-	return error;
+	return gltf_for_each(&array, count, read_camera);
 }

@@ -1,6 +1,7 @@
 #include "app/model/gltf/base64.h"
 #include "app/model/gltf/gltf_internal.h"
 #include "app/model/gltf/uri.h"
+#include "app/model/little_endian.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -19,13 +20,7 @@ struct chunk {
 	uint32_t type;
 };
 
-static uint32_t get_u32(const uint8_t *bytes)
-{
-	return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
-		(uint32_t)bytes[3] << 24;
-}
-
-/* The chunk at *offset, which moves on; offset is at most length. */
+/* Reads the chunk at *offset <= length and advances *offset beyond it. */
 static int next_chunk(
 	struct gltf *gltf, size_t length, size_t *offset, struct chunk *out)
 {
@@ -35,24 +30,25 @@ static int next_chunk(
 
 	if (left < GLB_CHUNK_HEADER_BYTES) {
 		return gltf_fail(&gltf->root, -EINVAL,
-			"a chunk at byte %zu is cut short", *offset);
+			"the header of the chunk at byte %zu is truncated",
+			*offset);
 	}
-	size = get_u32(at);
+	size = little_endian_u32(at);
 	if (size > left - GLB_CHUNK_HEADER_BYTES) {
 		return gltf_fail(&gltf->root, -EINVAL,
-			"the chunk at byte %zu claims %zu bytes, %zu are left",
+			"the chunk at byte %zu claims %zu bytes, but %zu remain",
 			*offset, size, left - GLB_CHUNK_HEADER_BYTES);
 	}
 	*out = (struct chunk){
 		.data = at + GLB_CHUNK_HEADER_BYTES,
 		.size = size,
-		.type = get_u32(at + 4),
+		.type = little_endian_u32(at + 4),
 	};
 	*offset += GLB_CHUNK_HEADER_BYTES + size;
 	return 0;
 }
 
-/* glTF 2.0, chapter 4: a JSON chunk, perhaps a BIN chunk, perhaps others. */
+/* glTF 2.0, chapter 4: a JSON chunk, then optional chunks, BIN first. */
 static int open_glb(struct gltf *gltf, struct chunk *json)
 {
 	const struct model_source *source = gltf->source;
@@ -62,18 +58,17 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	int error;
 
 	if (source->size < GLB_HEADER_BYTES) {
-		return gltf_fail(&gltf->root, -EINVAL, "is cut short");
+		return gltf_fail(&gltf->root, -EINVAL, "the file is truncated");
 	}
-	if (get_u32(source->data + 4) != 2) {
+	if (little_endian_u32(source->data + 4) != 2) {
 		return gltf_fail(&gltf->root, -ENOTSUP,
 			"is a .glb of version %u; limber reads version 2",
-			get_u32(source->data + 4));
+			little_endian_u32(source->data + 4));
 	}
-	length = get_u32(source->data + 8);
+	length = little_endian_u32(source->data + 8);
 	if (length < GLB_HEADER_BYTES || length > source->size) {
 		return gltf_fail(&gltf->root, -EINVAL,
-			"is cut short: its header claims %zu bytes, "
-			"the file has %zu",
+			"the file is truncated: its header claims %zu bytes, but it has %zu",
 			length, source->size);
 	}
 	error = next_chunk(gltf, length, &offset, json);
@@ -92,7 +87,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	return error;
 }
 
-/* At least as many as the text has values; each costs some 100 bytes. */
+/* An upper bound of the values in the text; each takes about 100 bytes. */
 static size_t count_values(const struct chunk *text)
 {
 	size_t count = 1;
@@ -158,10 +153,10 @@ static int read_data_uri(const struct gltf_at *at, const char *uri,
 
 	if (!text) {
 		return gltf_fail(
-			at, -EINVAL, "is a data URI without \";base64,\"");
+			at, -EINVAL, "is a data URI that is not in base64");
 	}
 	length = strlen(text);
-	bytes = GLTF_SCRATCH(at, uint8_t, base64_room(length));
+	bytes = GLTF_SCRATCH(at, uint8_t, base64_decoded_max(length));
 	if (!bytes) {
 		return -ENOMEM;
 	}
@@ -182,17 +177,18 @@ static int read_file_uri(
 
 	if (uri_has_scheme(uri)) {
 		return gltf_fail(at, -EACCES,
-			"\"%.80s\" is not a file in the model's folder", uri);
+			"\"%.80s\" does not name a file in the model's folder",
+			uri);
 	}
 	name = GLTF_SCRATCH(at, char, strlen(uri) + 1);
 	if (!name) {
 		return -ENOMEM;
 	}
 	if (uri_unescape(uri, name) < 0) {
-		return gltf_fail(
-			at, -EINVAL, "\"%.80s\" has a bad %% escape", uri);
+		return gltf_fail(at, -EINVAL,
+			"\"%.80s\" has a malformed %% escape", uri);
 	}
-	gltf_where(at, where, sizeof(where));
+	gltf_path(at, where, sizeof(where));
 	error = model_file_read_beside(
 		gltf->source, name, where, gltf->log, file);
 	if (error) {
@@ -202,7 +198,7 @@ static int read_file_uri(
 	if (gltf->file_bytes > GLTF_BUDGET_BYTES) {
 		model_file_release(file);
 		return gltf_fail(at, -EFBIG,
-			"the files beside the model have more than %d MiB",
+			"the files beside the model exceed %d MiB in total",
 			GLTF_BUDGET_BYTES >> 20);
 	}
 	return 0;
@@ -224,7 +220,7 @@ int gltf_read_uri(const struct gltf_at *at, const char *uri,
 	return error;
 }
 
-/* Without a URI it is the .glb's own, which only buffer 0 can be. */
+/* Buffer 0 of a .glb may have no URI; it is then the BIN chunk. */
 static int find_buffer(const struct gltf_at *at, struct gltf_buffer *out)
 {
 	struct gltf_at uri_at = gltf_member(at, "uri");
@@ -240,17 +236,18 @@ static int find_buffer(const struct gltf_at *at, struct gltf_buffer *out)
 	}
 	if (at->index != 0 || !at->gltf->binary) {
 		return gltf_fail(at, -EINVAL,
-			"has no uri, and the file no binary chunk for it");
+			"has no uri, and the file has no binary chunk for it");
 	}
 	out->data = at->gltf->binary;
 	out->size = at->gltf->binary_size;
 	return 0;
 }
 
-static int read_buffer(const struct gltf_at *at, struct gltf_buffer *out)
+static int read_buffer(const struct gltf_at *at)
 {
+	struct gltf_buffer *out = &at->gltf->buffer[at->index];
 	int64_t length = 0;
-	int error = gltf_need(at, "byteLength");
+	int error = gltf_require(at, "byteLength");
 
 	if (!error) {
 		error = gltf_maybe_integer(
@@ -261,22 +258,23 @@ static int read_buffer(const struct gltf_at *at, struct gltf_buffer *out)
 	}
 	if (!error && out->size < (size_t)length) {
 		error = gltf_fail(at, -EINVAL,
-			"byteLength is %lld, but there are only %zu bytes",
+			"byteLength is %lld, but the data has only %zu bytes",
 			(long long)length, out->size);
 	}
 	out->size = (size_t)length;
 	return error;
 }
 
-static int read_view(const struct gltf_at *at, struct gltf_view *out)
+static int read_view(const struct gltf_at *at)
 {
 	struct gltf *gltf = at->gltf;
+	struct gltf_view *out = &gltf->view[at->index];
 	int64_t offset = 0, length = 0, stride = 0;
 	int buffer = -1;
-	int error = gltf_need(at, "buffer");
+	int error = gltf_require(at, "buffer");
 
 	if (!error) {
-		error = gltf_need(at, "byteLength");
+		error = gltf_require(at, "byteLength");
 	}
 	if (!error) {
 		error = gltf_maybe_index(
@@ -298,7 +296,7 @@ static int read_view(const struct gltf_at *at, struct gltf_view *out)
 	}
 	if ((uint64_t)(offset + length) > gltf->buffer[buffer].size) {
 		return gltf_fail(at, -EINVAL,
-			"ends at byte %lld, buffer %d has %zu",
+			"ends at byte %lld, but buffer %d has %zu bytes",
 			(long long)(offset + length), buffer,
 			gltf->buffer[buffer].size);
 	}
@@ -310,8 +308,8 @@ static int read_view(const struct gltf_at *at, struct gltf_view *out)
 
 static int read_views(struct gltf *gltf)
 {
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "bufferViews", &array, &count);
 
 	if (error) {
@@ -322,19 +320,13 @@ static int read_views(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	gltf->view_count = count;
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_view(&item, &gltf->view[i]);
-		}
-	}
-	return error;
+	return gltf_for_each(&array, count, read_view);
 }
 
 int gltf_read_buffers(struct gltf *gltf)
 {
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "buffers", &array, &count);
 
 	if (error) {
@@ -345,11 +337,6 @@ int gltf_read_buffers(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	gltf->buffer_count = count;
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_buffer(&item, &gltf->buffer[i]);
-		}
-	}
+	error = gltf_for_each(&array, count, read_buffer);
 	return error ? error : read_views(gltf);
 }

@@ -1,21 +1,26 @@
 /*
- * The inside of the glTF loader, for gltf*.c alone.
+ * Declarations shared by the files of the glTF loader; nothing else includes
+ * this header.
  *
- *	gltf.c            the steps, in order
- *	gltf_container.c  bytes -> JSON, buffers and buffer views
- *	gltf_json.c       a place in the JSON, its values, sentences about it
- *	gltf_accessor.c   accessors: checked once, then read
- *	gltf_material.c   materials, textures, images
- *	gltf_mesh.c       meshes and primitives; gltf_target.c morph targets
- *	gltf_lod.c        coarser levels of meshes (MSFT_lod)
+ *	gltf.c            runs the steps of a load in order
+ *	gltf_container.c  JSON and binary chunk, buffers, buffer views
+ *	gltf_json.c       values of the JSON, messages, memory
+ *	gltf_accessor.c   checks accessors; gltf_unpack.c reads their values
+ *	gltf_material.c   materials; gltf_texture.c their textures and images
+ *	gltf_mesh.c       meshes and primitives, which consist of
+ *	                  gltf_attribute.c, gltf_triangles.c, gltf_target.c
+ *	gltf_lod.c        finds levels of detail (MSFT_lod); gltf_lod_read.c
+ *	                  reads them
  *	gltf_node.c       nodes and scenes; gltf_camera.c cameras
- *	gltf_skin.c       skins, and influences of vertices
+ *	gltf_skin.c       skins and the influences of vertices
  *	gltf_animation.c  clips
+ *	gltf_examine.c    findings for limber doctor
  *
- * Functions that return int give 0 or -errno after one sentence. Everything
- * that a file states is checked before memory is taken for it, and all memory
- * comes from two arenas: the model's, and a scratch arena that ends with the
- * load. GLTF_BUDGET_BYTES limits both together.
+ * A function that returns int returns 0, or -errno after it has logged one
+ * error. The loader checks every number of the file before it allocates memory
+ * by it. All memory comes from two arenas: the model's arena, and a scratch
+ * arena that is released at the end of the load. Together they stay within
+ * GLTF_BUDGET_BYTES.
  */
 #ifndef APP_MODEL_GLTF_GLTF_INTERNAL_H
 #define APP_MODEL_GLTF_GLTF_INTERNAL_H
@@ -31,7 +36,7 @@ enum {
 	GLTF_JSON_VALUES_MAX = 1024 * 1024,
 };
 
-/* Component types by their numbers in the file. */
+/* The values of "componentType" in the file. */
 enum gltf_component {
 	GLTF_I8 = 5120,
 	GLTF_U8 = 5121,
@@ -43,20 +48,20 @@ enum gltf_component {
 
 struct gltf_buffer {
 	const uint8_t *data;
-	size_t size; /* the file's byteLength, all of it there */
+	size_t size; /* the file's byteLength; data has at least as many */
 	struct model_file file;
 };
 
 struct gltf_view {
 	const uint8_t *data;
 	size_t size;
-	size_t stride; /* 0 where the file gives none: packed */
+	size_t stride; /* bytes; 0 means that elements are packed */
 };
 
-/* Elements in memory; every one of count lies within its buffer view. */
+/* Elements in memory. Each of the count elements lies in its buffer view. */
 struct gltf_elements {
-	const uint8_t *data; /* NULL: zeros */
-	size_t stride;
+	const uint8_t *data; /* NULL means that all values are 0 */
+	size_t stride;       /* bytes */
 	enum gltf_component component;
 };
 
@@ -68,38 +73,41 @@ struct gltf_accessor {
 	bool normalized;
 
 	int sparse_count;
-	struct gltf_elements sparse_index; /* each below count */
+	struct gltf_elements sparse_index; /* each index is below count */
 	struct gltf_elements sparse_value;
 };
 
 /*
- * A place in the JSON. Places are made on the stack, each pointing up to the
- * one it was made from, so that a sentence can name the whole path.
+ * A value of the JSON and its location. Each points to the value that contains
+ * it, so that a message can print the whole path. They live on the stack.
  */
 struct gltf_at {
 	struct gltf *gltf;
 	const struct gltf_at *up;
-	const char *key; /* NULL: element index of an array */
-	int index;
-	const json_t *json; /* NULL: the file has nothing here */
+	const char *key;    /* NULL for an element of an array */
+	int index;          /* of that element */
+	const json_t *json; /* NULL when the file does not have the value */
 };
 
-/* What a KHR_texture_transform does to coordinates, two rows of a matrix. */
+/* KHR_texture_transform as the two rows of an affine matrix. */
 struct gltf_uv {
-	int set; /* TEXCOORD_set */
+	int set; /* the number in TEXCOORD_set */
 	bool transformed;
 	float row[2][3];
 };
 
-/* A mesh of the file that is a coarser level of another, or has levels. */
+/*
+ * What MSFT_lod makes of a mesh of the file. Levels of a mesh form a list.
+ */
 struct gltf_level {
-	int of;          /* the other's number in the file, or -1: it is none */
-	int first, next; /* its own levels: the first, that one's next; or -1 */
-	int count;
-	float error_m;  /* as the file states it, or 0 */
-	float coverage; /* without it: the share of the screen below which this
-			   level will do */
-	bool shape;
+	int of;        /* the file's number of the full mesh; -1: not a level */
+	int first;     /* the first level of this mesh, or -1 */
+	int next;      /* the next level of the same mesh, or -1 */
+	int count;     /* levels of this mesh */
+	float error_m; /* metres; 0 when the file does not state it */
+	float coverage;   /* when error_m is 0: this level suffices when the
+			     mesh covers less than this fraction of the screen */
+	bool shadow_only; /* see struct model_lod */
 };
 
 struct gltf {
@@ -112,9 +120,9 @@ struct gltf {
 
 	const uint8_t *binary; /* the BIN chunk of a .glb, or NULL */
 	size_t binary_size;
-	size_t file_bytes; /* of the files beside it */
+	size_t file_bytes; /* size of all files read beside the model */
 
-	int warnings; /* said so far */
+	int warnings; /* logged so far */
 
 	int buffer_count;
 	struct gltf_buffer *buffer;
@@ -122,67 +130,72 @@ struct gltf {
 	struct gltf_view *view;
 	int accessor_count;
 	struct gltf_accessor *accessor;
-	const float **times; /* [accessor_count]: already read as key times */
+	const float **times; /* [accessor_count]: unpacked key times, or NULL */
 
 	struct gltf_uv *uv;   /* [material_count] */
-	int *texture_place;   /* file's number -> model's, -1: not needed */
-	int *image_place;     /* likewise */
-	int default_material; /* -1: not needed so far */
-	float **mesh_weights; /* of the model's meshes, NULL without */
+	int *texture_index;   /* file's number -> model's; gltf_texture.c */
+	int *image_index;     /* file's number -> model's; gltf_texture.c */
+	int default_material; /* index, or -1 until a primitive needs it */
+	float **mesh_weights; /* [model->mesh_count]; NULL where not given */
 
-	/* Numbers of the file; levels are no nodes and meshes of the model. */
-	int mesh_count;
+	/* A level of detail becomes no mesh and no node of the model. */
+	int mesh_count;           /* of the file */
 	struct gltf_level *level; /* [mesh_count] */
-	int *mesh_place;          /* file's number -> model's, -1: a level */
-	int *mesh_number;         /* model's -> file's */
-	int node_count;
-	bool *node_is_level; /* [node_count] */
-	int *node_place;     /* file's number -> model's, -1: a level */
+	int *mesh_index;          /* file's number -> model's; -1: a level */
+	int *mesh_file_index;     /* model's number -> file's */
+	int node_count;           /* of the file */
+	bool *node_is_level;      /* [node_count] */
+	int *node_index;          /* file's number -> model's; -1: a level */
 };
 
 /* gltf.c */
 
 /*
- * Reads all of the source into gltf->model, which is NULL after an error. In
- * any case gltf_end() has to follow; the model is the caller's to keep or to
- * destroy.
+ * Reads the source into gltf->model, which is NULL after an error. The caller
+ * calls gltf_release() in either case, and owns the model.
  */
-int gltf_begin(struct gltf *gltf, const struct model_source *source,
+int gltf_read(struct gltf *gltf, const struct model_source *source,
 	const struct log *log);
-void gltf_end(struct gltf *gltf);
+void gltf_release(struct gltf *gltf);
 
 /* gltf_json.c */
 
-/* Says "FILE: PATH: SENTENCE" and returns code. */
+/* Logs "FILE: PATH: MESSAGE" as an error and returns code. */
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	PRINTF_LIKE(3, 4);
 
-/* The same as a warning, of which a file gets only so many. */
+/* Logs the same as a warning. Beyond eight warnings a file gets no more. */
 void gltf_warn(const struct gltf_at *at, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 
-/* "FILE: PATH" into text, cut to fit. */
-void gltf_where(const struct gltf_at *at, char *text, size_t size);
+/* Writes "FILE: PATH" into text, truncated to size bytes. */
+void gltf_path(const struct gltf_at *at, char *text, size_t size);
 
-/* The member of an object; json is NULL where there is none. */
+/* The member of an object; its json is NULL when the object lacks it. */
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key);
 
-/* The element of an array, below its length. */
+/* The element of an array; index is below the array's length. */
 struct gltf_at gltf_element(const struct gltf_at *array, int index);
 
-/* The element, which must be an object. */
+/* The same for an array of objects; another type is -EINVAL. */
 int gltf_item(const struct gltf_at *array, int index, struct gltf_at *out);
 
+/* Calls read for the count objects of an array until one call fails. */
+int gltf_for_each(const struct gltf_at *array, int count,
+	int (*read)(const struct gltf_at *item));
+
 /*
- * The functions below read a member of an object. Where it is absent they give
- * an empty value, or leave *out alone when its name says "maybe".
+ * The functions below read a member of an object. When the object lacks the
+ * member, gltf_object() and gltf_array() give an empty value, and the functions
+ * named "maybe" leave *out as it is. A member of the wrong type is -EINVAL.
  */
 int gltf_object(const struct gltf_at *at, const char *key, struct gltf_at *out);
 int gltf_array(const struct gltf_at *at, const char *key, struct gltf_at *out,
 	int *count);
 int gltf_maybe_string(
 	const struct gltf_at *at, const char *key, const char **out);
-/* The place among count names of the one it is; another is -EINVAL. */
+
+/* The index of a string in names[count]; any other string is -EINVAL. */
 int gltf_maybe_choice(const struct gltf_at *at, const char *key,
 	const char *const *names, int count, int *out);
 int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out);
@@ -192,157 +205,192 @@ int gltf_maybe_floats(
 int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
 	int64_t max, int64_t *out);
 
-/* A number of one of count things, called what; absent: *out stays. */
+/*
+ * An index below count. what names the indexed things in messages: "mesh 3 does
+ * not exist".
+ */
 int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	const char *what, int *out);
 
-/* The same for a place that is itself the number. */
+/* The same for a value that is itself the index. */
 int gltf_index(const struct gltf_at *at, int count, const char *what, int *out);
 
-/* Fails unless the object has this member. */
-int gltf_need(const struct gltf_at *at, const char *key);
+/* Fails when the object lacks this member. */
+int gltf_require(const struct gltf_at *at, const char *key);
 
-/* A copy of the string in the model. */
-int gltf_keep_string(
+/* Copies a string into the model's arena. */
+int gltf_copy_string(
 	const struct gltf_at *at, const char *text, const char **out);
 
-/* The name of an object, "" without one, copied into the model. */
+/* The "name" of an object, "" without one, copied into the model's arena. */
 int gltf_name(const struct gltf_at *at, const char **out);
 
 /*
- * Zeroed room in one of the arenas within the budget, or NULL after a sentence
- * about the place that asked for it; callers return -ENOMEM.
+ * count * size zeroed bytes from one of the arenas. NULL, after a message about
+ * the value that needs them, when the budget or the memory is exhausted; the
+ * caller then returns -ENOMEM.
  */
-void *gltf_room(const struct gltf_at *at, struct arena *arena, size_t count,
+void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size);
 
-/* Whether the budget has it; otherwise a sentence about the place. */
-bool gltf_has_room(const struct gltf_at *at, size_t count, size_t size);
+/* Whether the budget allows count * size more bytes; logs an error if not. */
+bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size);
 
-#define GLTF_KEEP(at, type, count)                                           \
-	((type *)gltf_room((at), &(at)->gltf->model->arena, (size_t)(count), \
+/* Arrays in the model's arena and in the scratch arena; see gltf_alloc(). */
+#define GLTF_KEEP(at, type, count)                                            \
+	((type *)gltf_alloc((at), &(at)->gltf->model->arena, (size_t)(count), \
 		sizeof(type)))
 #define GLTF_SCRATCH(at, type, count) \
-	((type *)gltf_room(           \
+	((type *)gltf_alloc(          \
 		(at), &(at)->gltf->scratch, (size_t)(count), sizeof(type)))
 
 /* gltf_container.c */
 
-/* Finds JSON and binary data in the source and parses the JSON. */
+/* Finds the JSON and the BIN chunk in the source, and parses the JSON. */
 int gltf_open(struct gltf *gltf);
 
 /* Fills gltf->buffer and gltf->view. */
 int gltf_read_buffers(struct gltf *gltf);
 
 /*
- * The bytes that a "uri" names: decoded from a data URI into the scratch
- * arena, or read from a file, which the caller releases.
+ * The bytes that a "uri" names. They are decoded from a data URI into the
+ * scratch arena, or read from a file, which the caller releases.
  */
 int gltf_read_uri(const struct gltf_at *at, const char *uri,
 	struct model_file *file, const uint8_t **data, size_t *size);
 
 /* gltf_accessor.c */
 
-/* Fills gltf->accessor; afterwards reading cannot go out of bounds. */
+/* Fills gltf->accessor. Unpacking a checked accessor stays in its buffer. */
 int gltf_read_accessors(struct gltf *gltf);
 
+/* Whether the components are unsigned integers that are not normalised. */
+bool gltf_is_unsigned(const struct gltf_accessor *accessor);
+
 /*
- * The accessor's values as floats, scaled where it is normalised, in row of
- * accessor->width. out has room for count * width floats; all are finite.
+ * The accessor that a member of an object names; NULL without the member. type
+ * lists the allowed types: "VEC3", or "VEC3 VEC4".
+ */
+int gltf_maybe_accessor(const struct gltf_at *at, const char *key,
+	const char *type, const struct gltf_accessor **out);
+
+/* gltf_unpack.c */
+
+/* The size of a component in bytes; 0 for an unknown componentType. */
+size_t gltf_component_bytes(enum gltf_component component);
+
+/* Component number index of an array of unsigned integers. */
+uint32_t gltf_get_uint(const struct gltf_elements *elements, int index);
+
+/*
+ * Unpacks count * width floats; normalised integers become -1..1 or 0..1. Fails
+ * when a float is not finite.
  */
 int gltf_unpack_floats(const struct gltf_at *at,
 	const struct gltf_accessor *accessor, float *out);
 
-/* Whether the components are plain unsigned integers. */
-bool gltf_is_unsigned(const struct gltf_accessor *accessor);
-
-/* The same as integers, for those. */
+/* The same as integers, for an accessor of unsigned components. */
 void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out);
-
-/*
- * The accessor that the member of an object names, NULL where it names none.
- * type is what it must be: "VEC3", or "VEC3 VEC4" for either.
- */
-int gltf_maybe_accessor(const struct gltf_at *at, const char *key,
-	const char *type, const struct gltf_accessor **out);
 
 /* gltf_material.c */
 
 /* Fills material, texture, image and gltf->uv. */
 int gltf_read_materials(struct gltf *gltf);
 
-/* The material of primitives that name none. */
+/* The index of the material for primitives that name none. */
 int gltf_default_material(struct gltf *gltf);
 
-/* gltf_mesh.c */
-int gltf_read_meshes(struct gltf *gltf);
+/* gltf_texture.c */
 
-/* Unpacked values of an attribute; value is NULL where the file has none. */
+/* Allocates the textures and images of the model; reads none of them. */
+int gltf_prepare_textures(struct gltf *gltf);
+
+/*
+ * The model's index of a texture, which is read when a material first uses it;
+ * -1, after a warning, when limber cannot read its image format.
+ */
+int gltf_use_texture(struct gltf *gltf, int file_index, int *out);
+
+/* gltf_attribute.c */
+
+/* Unpacked values of an attribute; value is NULL when the file has none. */
 struct gltf_values {
-	int width;
+	int width; /* floats of a vertex */
 	float *value;
 };
 
-/* An attribute of a primitive or target, one element a vertex. */
+/* Fails unless the accessor has vertex_count elements that are no uints. */
+int gltf_check_attribute(const struct gltf_at *at,
+	const struct gltf_accessor *accessor, int vertex_count);
+
+/* An attribute of a primitive or of a morph target, one element a vertex. */
 int gltf_read_attribute(const struct gltf_at *at, const char *key,
 	const char *type, int vertex_count, struct arena *arena,
 	struct gltf_values *out);
 
-/* gltf_target.c */
+/* gltf_triangles.c */
 
-/* Fills target_count, from the first primitive, and target_name. */
-int gltf_read_target_names(const struct gltf_at *mesh,
-	const struct gltf_at *primitives, struct model_mesh *out);
-
-/* Fills target of a primitive, [mesh->target_count]. */
-int gltf_read_targets(const struct gltf_at *primitive,
-	const struct model_mesh *mesh, struct model_primitive *out);
-
-/* The "weights" of a mesh or node, in scratch; NULL where it has none. */
-int gltf_read_weights(const struct gltf_at *at, int target_count, float **out);
+/* Whether a primitive consists of triangles; warns about lines and points. */
+int gltf_has_triangles(const struct gltf_at *primitive, bool *out);
 
 /*
- * The triangle list of a primitive with so many vertices, whatever its mode;
- * "indices" may be missing.
+ * The triangle list of a primitive with vertex_count vertices: triangles,
+ * strips or fans, with or without "indices".
  */
 int gltf_read_triangles(const struct gltf_at *primitive, int vertex_count,
 	uint32_t **index, int *index_count);
 
+/* gltf_target.c */
+
+/* Fills target_count from the first primitive, and target_name. */
+int gltf_read_target_names(const struct gltf_at *mesh,
+	const struct gltf_at *primitives, struct model_mesh *out);
+
+/* Fills the morph targets of a primitive, [mesh->target_count]. */
+int gltf_read_targets(const struct gltf_at *primitive,
+	const struct model_mesh *mesh, struct model_primitive *out);
+
+/* The "weights" of a mesh or node, in scratch memory; NULL without them. */
+int gltf_read_weights(const struct gltf_at *at, int target_count, float **out);
+
 /* gltf_lod.c */
 
 /*
- * Finds the nodes and meshes that are but levels of others by MSFT_lod: they
- * have the attributes of the mesh they stand for, the same transform, say how
- * coarse they are, and nothing else names them. Other levels stay what they
- * are without the extension, which is no mistake of the file.
+ * Finds the nodes and meshes that are only levels of detail (MSFT_lod) of
+ * others. Such a level has the attributes of the full mesh and the transform of
+ * its node, it states how coarse it is, and nothing else refers to it. Other
+ * nodes and meshes stay as they are, as in a loader without the extension.
  */
 int gltf_find_levels(struct gltf *gltf);
 
-/* The lists of a mesh's levels, into its primitives. */
+/* gltf_lod_read.c */
+
+/* Reads the levels of a mesh, given by the file's number, into the model. */
 int gltf_read_levels(struct gltf *gltf, int mesh);
 
-/* gltf_camera.c */
+/* gltf_mesh.c, gltf_camera.c, gltf_animation.c */
+int gltf_read_meshes(struct gltf *gltf);
 int gltf_read_cameras(struct gltf *gltf);
+int gltf_read_animations(struct gltf *gltf);
 
-/* gltf_node.c: nodes, their order, scene and weights. */
+/* gltf_node.c */
+
+/* Reads the nodes, their order, the scene and the morph weights. */
 int gltf_read_nodes(struct gltf *gltf);
 
-/* The model's number for the node whose number stands at this place. */
+/* The model's index of the node whose number this value is. */
 int gltf_node(const struct gltf_at *at, int *out);
 
-/* Makes a quaternion unit; fails on zero. */
+/* Makes a quaternion unit length; fails when its length is 0. */
 int gltf_normalize_rotation(const struct gltf_at *at, float rotation[4]);
 
 /* gltf_skin.c */
 
-/* Fills joint and weight of a primitive that has them. */
+/* Fills joint and weight of a primitive whose attributes have them. */
 int gltf_read_influences(
 	const struct gltf_at *attributes, struct model_primitive *out);
 
-/* Skins; then no joint of a mesh is beyond a skin that draws it. */
+/* Reads the skins, and checks the joints of each mesh against its skins. */
 int gltf_read_skins(struct gltf *gltf);
-
-/* gltf_animation.c */
-int gltf_read_animations(struct gltf *gltf);
 
 #endif

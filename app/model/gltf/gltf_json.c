@@ -8,8 +8,8 @@
 #include <string.h>
 
 enum {
-	PLACE_LENGTH = 512,
-	WARNINGS_MAX = 8, /* a file may have thousands of lines to leave out */
+	TEXT_BYTES = 512,
+	WARNINGS_MAX = 8,
 };
 
 static size_t print_path(const struct gltf_at *at, char *text, size_t size)
@@ -33,7 +33,7 @@ static size_t print_path(const struct gltf_at *at, char *text, size_t size)
 	return used < size ? used : size - 1;
 }
 
-void gltf_where(const struct gltf_at *at, char *text, size_t size)
+void gltf_path(const struct gltf_at *at, char *text, size_t size)
 {
 	const char *name = at->gltf->source->name;
 	int printed;
@@ -48,15 +48,15 @@ void gltf_where(const struct gltf_at *at, char *text, size_t size)
 	}
 }
 
-/* Strings of the file may hold anything; a terminal shall not obey them. */
-static void say(const struct gltf_at *at, enum log_level level,
+/* Replaces control characters, which a terminal would obey. */
+static void log_at(const struct gltf_at *at, enum log_level level,
 	const char *format, va_list arguments)
 {
-	char place[PLACE_LENGTH];
-	char reason[PLACE_LENGTH];
+	char place[TEXT_BYTES];
+	char reason[TEXT_BYTES];
 	char *c;
 
-	gltf_where(at, place, sizeof(place));
+	gltf_path(at, place, sizeof(place));
 	vsnprintf(reason, sizeof(reason), format, arguments);
 	for (c = reason; *c; c++) {
 		if ((unsigned char)*c < 0x20 || *c == 0x7f) {
@@ -71,7 +71,7 @@ int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	va_list arguments;
 
 	va_start(arguments, format);
-	say(at, LOG_ERROR, format, arguments);
+	log_at(at, LOG_ERROR, format, arguments);
 	va_end(arguments);
 	return code;
 }
@@ -84,10 +84,11 @@ void gltf_warn(const struct gltf_at *at, const char *format, ...)
 		return;
 	}
 	va_start(arguments, format);
-	say(at, LOG_WARNING, format, arguments);
+	log_at(at, LOG_WARNING, format, arguments);
 	va_end(arguments);
 	if (at->gltf->warnings == WARNINGS_MAX) {
-		log_warning(at->gltf->log, "%s: further warnings are left out",
+		log_warning(at->gltf->log,
+			"%s: limber prints no further warnings about this file",
 			at->gltf->source->name);
 	}
 }
@@ -121,6 +122,22 @@ int gltf_item(const struct gltf_at *array, int index, struct gltf_at *out)
 	return 0;
 }
 
+int gltf_for_each(const struct gltf_at *array, int count,
+	int (*read)(const struct gltf_at *item))
+{
+	struct gltf_at item;
+	int error = 0;
+	int i;
+
+	for (i = 0; i < count && !error; i++) {
+		error = gltf_item(array, i, &item);
+		if (!error) {
+			error = read(&item);
+		}
+	}
+	return error;
+}
+
 int gltf_object(const struct gltf_at *at, const char *key, struct gltf_at *out)
 {
 	*out = gltf_member(at, key);
@@ -137,7 +154,7 @@ int gltf_array(const struct gltf_at *at, const char *key, struct gltf_at *out,
 	if (out->json && !json_is_array(out->json)) {
 		return gltf_fail(out, -EINVAL, "is not an array");
 	}
-	/* Below 2^31, since the JSON text is. */
+	/* The JSON text has less than 2^31 bytes, so the length fits. */
 	*count = (int)json_array_size(out->json);
 	return 0;
 }
@@ -173,7 +190,8 @@ int gltf_maybe_choice(const struct gltf_at *at, const char *key,
 			return 0;
 		}
 	}
-	return gltf_fail(&member, -EINVAL, "\"%.40s\" is unknown", name);
+	return gltf_fail(
+		&member, -EINVAL, "\"%.40s\" is not defined by glTF 2.0", name);
 }
 
 int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out)
@@ -190,7 +208,7 @@ int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out)
 	return 0;
 }
 
-static int number(const struct gltf_at *at, float *out)
+static int read_number(const struct gltf_at *at, float *out)
 {
 	double value;
 
@@ -199,7 +217,8 @@ static int number(const struct gltf_at *at, float *out)
 	}
 	value = json_number_value(at->json);
 	if (!(fabs(value) <= (double)FLT_MAX)) {
-		return gltf_fail(at, -EINVAL, "%g is too large", value);
+		return gltf_fail(
+			at, -EINVAL, "%g exceeds the range of a float", value);
 	}
 	*out = (float)value;
 	return 0;
@@ -209,7 +228,7 @@ int gltf_maybe_number(const struct gltf_at *at, const char *key, float *out)
 {
 	struct gltf_at member = gltf_member(at, key);
 
-	return member.json ? number(&member, out) : 0;
+	return member.json ? read_number(&member, out) : 0;
 }
 
 int gltf_maybe_floats(
@@ -229,13 +248,13 @@ int gltf_maybe_floats(
 	for (i = 0; i < count && !error; i++) {
 		struct gltf_at element = gltf_element(&array, i);
 
-		error = number(&element, &out[i]);
+		error = read_number(&element, &out[i]);
 	}
 	return error;
 }
 
-/* Some writers give whole numbers a ".0". */
-static int integer(const struct gltf_at *at, int64_t *out)
+/* Some exporters write integers with ".0". */
+static int read_integer(const struct gltf_at *at, int64_t *out)
 {
 	double value;
 
@@ -245,7 +264,7 @@ static int integer(const struct gltf_at *at, int64_t *out)
 	}
 	value = json_is_real(at->json) ? json_real_value(at->json) : 0.5;
 	if (!(fabs(value) < 9e15) || floor(value) != value) {
-		return gltf_fail(at, -EINVAL, "is not a whole number");
+		return gltf_fail(at, -EINVAL, "is not an integer");
 	}
 	*out = (int64_t)value;
 	return 0;
@@ -261,13 +280,13 @@ int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
 	if (!member.json) {
 		return 0;
 	}
-	error = integer(&member, &value);
+	error = read_integer(&member, &value);
 	if (error) {
 		return error;
 	}
 	if (value < min || value > max) {
 		return gltf_fail(&member, -EINVAL,
-			"%lld is not within %lld to %lld", (long long)value,
+			"%lld is out of range (%lld to %lld)", (long long)value,
 			(long long)min, (long long)max);
 	}
 	*out = value;
@@ -277,7 +296,7 @@ int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
 int gltf_index(const struct gltf_at *at, int count, const char *what, int *out)
 {
 	int64_t value;
-	int error = integer(at, &value);
+	int error = read_integer(at, &value);
 
 	if (error) {
 		return error;
@@ -299,7 +318,7 @@ int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	return member.json ? gltf_index(&member, count, what, out) : 0;
 }
 
-int gltf_need(const struct gltf_at *at, const char *key)
+int gltf_require(const struct gltf_at *at, const char *key)
 {
 	if (!json_object_get(at->json, key)) {
 		return gltf_fail(at, -EINVAL, "has no \"%s\"", key);
@@ -307,7 +326,7 @@ int gltf_need(const struct gltf_at *at, const char *key)
 	return 0;
 }
 
-int gltf_keep_string(
+int gltf_copy_string(
 	const struct gltf_at *at, const char *text, const char **out)
 {
 	size_t bytes = strlen(text) + 1;
@@ -326,10 +345,10 @@ int gltf_name(const struct gltf_at *at, const char **out)
 	const char *name = "";
 	int error = gltf_maybe_string(at, "name", &name);
 
-	return error ? error : gltf_keep_string(at, name, out);
+	return error ? error : gltf_copy_string(at, name, out);
 }
 
-bool gltf_has_room(const struct gltf_at *at, size_t count, size_t size)
+bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size)
 {
 	const struct gltf *gltf = at->gltf;
 	size_t used = gltf->model->arena.used_bytes + gltf->scratch.used_bytes +
@@ -338,24 +357,24 @@ bool gltf_has_room(const struct gltf_at *at, size_t count, size_t size)
 	if (used > GLTF_BUDGET_BYTES ||
 		count > (GLTF_BUDGET_BYTES - used) / size) {
 		gltf_fail(at, -ENOMEM,
-			"with this the model needs more than %d MiB",
+			"the model needs more than %d MiB of memory",
 			GLTF_BUDGET_BYTES >> 20);
 		return false;
 	}
 	return true;
 }
 
-void *gltf_room(const struct gltf_at *at, struct arena *arena, size_t count,
+void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size)
 {
-	void *room;
+	void *memory;
 
-	if (!gltf_has_room(at, count, size)) {
+	if (!gltf_fits_budget(at, count, size)) {
 		return NULL;
 	}
-	room = arena_alloc(arena, count, size);
-	if (!room) {
+	memory = arena_alloc(arena, count, size);
+	if (!memory) {
 		gltf_fail(at, -ENOMEM, "not enough memory");
 	}
-	return room;
+	return memory;
 }

@@ -18,10 +18,10 @@ static int read_matrix(const struct gltf_at *at, struct model_node *out)
 		json_object_get(at->json, "rotation") ||
 		json_object_get(at->json, "scale")) {
 		return gltf_fail(at, -EINVAL,
-			"has a matrix as well as translation, rotation or "
-			"scale");
+			"has a matrix and also a translation, rotation or scale");
 	}
-	matrix = gltf_room(&member, &at->gltf->model->arena, 4, sizeof(*matrix));
+	matrix = gltf_alloc(
+		&member, &at->gltf->model->arena, 4, sizeof(*matrix));
 	if (!matrix) {
 		return -ENOMEM;
 	}
@@ -29,7 +29,7 @@ static int read_matrix(const struct gltf_at *at, struct model_node *out)
 	for (i = 0; i < 4 && !error; i++) {
 		if (matrix[i][3] != last_row[i]) {
 			error = gltf_fail(&member, -EINVAL,
-				"its last row is not 0 0 0 1");
+				"the last row is not 0 0 0 1");
 		}
 	}
 	if (!error && !transform_decompose(matrix, &out->rest)) {
@@ -47,7 +47,7 @@ int gltf_normalize_rotation(const struct gltf_at *at, float rotation[4])
 		sum += (double)rotation[i] * rotation[i];
 	}
 	if (!(sum > 0)) {
-		return gltf_fail(at, -EINVAL, "is a rotation of length 0");
+		return gltf_fail(at, -EINVAL, "is a quaternion of length 0");
 	}
 	for (i = 0; i < 4; i++) {
 		rotation[i] = (float)(rotation[i] / sqrt(sum));
@@ -101,7 +101,7 @@ static int read_node(const struct gltf_at *at, struct model_node *out)
 			at, "mesh", gltf->mesh_count, "mesh", &out->mesh);
 	}
 	if (!error && out->mesh >= 0) {
-		out->mesh = gltf->mesh_place[out->mesh];
+		out->mesh = gltf->mesh_index[out->mesh];
 	}
 	if (!error) {
 		error = count_of(gltf, "skins", &skin_count);
@@ -115,13 +115,13 @@ static int read_node(const struct gltf_at *at, struct model_node *out)
 			gltf->model->camera_count, "camera", &out->camera);
 	}
 	if (!error && out->skin >= 0 && out->mesh < 0) {
-		gltf_warn(at, "has a skin but no mesh");
+		gltf_warn(at, "has a skin but no mesh; limber ignores the skin");
 		out->skin = -1;
 	}
 	return error;
 }
 
-/* Child lists become parent numbers; a second parent is an error. */
+/* Sets the parent of each child; a second parent is an error. */
 static int read_children(const struct gltf_at *at, int count, int *parent)
 {
 	struct gltf_at array;
@@ -138,7 +138,7 @@ static int read_children(const struct gltf_at *at, int count, int *parent)
 		}
 		if (parent[child] >= 0) {
 			return gltf_fail(&element, -EINVAL,
-				"node %d is a child of node %d already", child,
+				"node %d is already a child of node %d", child,
 				parent[child]);
 		}
 		parent[child] = at->index;
@@ -154,10 +154,10 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 	struct gltf_at item;
 	int error = 0;
 	int next = 0;
-	int culprit, i;
+	int node_on_cycle, i;
 
-	gltf->node_place = GLTF_SCRATCH(array, int, count);
-	if (!order || !gltf->node_place) {
+	gltf->node_index = GLTF_SCRATCH(array, int, count);
+	if (!order || !gltf->node_index) {
 		return -ENOMEM;
 	}
 	for (i = 0; i < count; i++) {
@@ -173,24 +173,24 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 		return error;
 	}
 	error = model_order_nodes(
-		parent, count, order, gltf->node_place, &culprit);
+		parent, count, order, gltf->node_index, &node_on_cycle);
 	if (error == -ELOOP) {
-		item = gltf_element(array, culprit);
-		return gltf_fail(&item, -EINVAL, "is its own ancestor");
+		item = gltf_element(array, node_on_cycle);
+		return gltf_fail(&item, -EINVAL, "is an ancestor of itself");
 	}
 	if (error) {
 		return gltf_fail(array, error, "not enough memory");
 	}
 	for (i = 0; i < count; i++) {
 		int number = order[i];
-		int *place = &gltf->node_place[number];
+		int *index = &gltf->node_index[number];
 
-		*place = gltf->node_is_level[number] ? -1 : next++;
-		if (*place >= 0) {
-			node[*place].file_index = number;
-			node[*place].parent = parent[number] < 0
+		*index = gltf->node_is_level[number] ? -1 : next++;
+		if (*index >= 0) {
+			node[*index].file_index = number;
+			node[*index].parent = parent[number] < 0
 				? -1
-				: gltf->node_place[parent[number]];
+				: gltf->node_index[parent[number]];
 		}
 	}
 	gltf->model->node_count = next;
@@ -203,11 +203,11 @@ int gltf_node(const struct gltf_at *at, int *out)
 	int error = gltf_index(at, at->gltf->node_count, "node", &number);
 
 	if (!error) {
-		*out = at->gltf->node_place[number];
+		*out = at->gltf->node_index[number];
 	}
 	if (!error && *out < 0) {
 		error = gltf_fail(at, -EINVAL,
-			"node %d is a level of detail of another", number);
+			"node %d is a level of detail of another node", number);
 	}
 	return error;
 }
@@ -230,7 +230,10 @@ static int mark_roots(struct gltf *gltf, const struct gltf_at *scene)
 	return error;
 }
 
-/* The default scene, else the first; without any scene everything counts. */
+/*
+ * Marks the nodes of the default scene, else of the first scene; without any
+ * scene, all nodes.
+ */
 static int mark_scene(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
@@ -294,7 +297,7 @@ static int read_rest_weights(const struct gltf_at *array)
 		}
 		if (total > GLTF_BUDGET_BYTES) {
 			return gltf_fail(array, -EFBIG,
-				"there are too many morph weights");
+				"the nodes have too many morph weights");
 		}
 	}
 	model->rest_weights = GLTF_KEEP(array, float, total);
@@ -333,9 +336,9 @@ int gltf_read_nodes(struct gltf *gltf)
 	error = order_nodes(&array, count, parent);
 	for (i = 0; i < count && !error; i++) {
 		item = gltf_element(&array, i);
-		if (gltf->node_place[i] >= 0) {
+		if (gltf->node_index[i] >= 0) {
 			error = read_node(
-				&item, &model->node[gltf->node_place[i]]);
+				&item, &model->node[gltf->node_index[i]]);
 		}
 	}
 	if (!error) {

@@ -17,14 +17,15 @@ static int read_joint_numbers(const struct gltf_at *at,
 	int v, k;
 
 	if (accessor->count != out->vertex_count) {
-		return gltf_fail(at, -EINVAL, "has %d elements, POSITION has %d",
-			accessor->count, out->vertex_count);
+		return gltf_fail(at, -EINVAL,
+			"has %d elements, but POSITION has %d", accessor->count,
+			out->vertex_count);
 	}
 	if ((accessor->base.component != GLTF_U8 &&
 		    accessor->base.component != GLTF_U16) ||
 		accessor->normalized) {
-		return gltf_fail(at, -EINVAL,
-			"is not of plain unsigned bytes or shorts");
+		return gltf_fail(
+			at, -EINVAL, "does not hold unsigned bytes or shorts");
 	}
 	joint = GLTF_SCRATCH(at, uint32_t, (size_t)accessor->count * SET_WIDTH);
 	if (!joint) {
@@ -42,7 +43,7 @@ static int read_joint_numbers(const struct gltf_at *at,
 	return 0;
 }
 
-/* JOINTS_set and WEIGHTS_set; *is_there tells whether the file has them. */
+/* Reads JOINTS_set and WEIGHTS_set, which the file has. */
 static int read_set(
 	const struct gltf_at *attributes, int set, struct model_primitive *out)
 {
@@ -74,7 +75,7 @@ static int read_set(
 	return error;
 }
 
-/* How many sets there are; joints without weights mean nothing. */
+/* The number of sets; JOINTS_n and WEIGHTS_n must come in pairs. */
 static int count_sets(const struct gltf_at *attributes, int *out)
 {
 	char joints[32], weights[32];
@@ -99,8 +100,7 @@ static int count_sets(const struct gltf_at *attributes, int *out)
 	}
 	if (set > SETS_MAX) {
 		gltf_warn(attributes,
-			"only the first %d influences of a "
-			"vertex count",
+			"limber uses only the first %d influences of each vertex",
 			SETS_MAX * SET_WIDTH);
 		set = SETS_MAX;
 	}
@@ -169,7 +169,7 @@ static void set_identity(mat4 matrix)
 	}
 }
 
-/* glTF 2.0, 3.7.3.3: without the accessor they are identities. */
+/* glTF 2.0, 3.7.3.3: without the accessor the matrices are identities. */
 static int read_inverse_binds(const struct gltf_at *at, struct model_skin *out)
 {
 	struct gltf_at member = gltf_member(at, "inverseBindMatrices");
@@ -187,7 +187,7 @@ static int read_inverse_binds(const struct gltf_at *at, struct model_skin *out)
 			"has %d matrices for %d joints", accessor->count, count);
 	}
 	if (accessor && accessor->base.component != GLTF_F32) {
-		return gltf_fail(&member, -EINVAL, "is not of floats");
+		return gltf_fail(&member, -EINVAL, "does not hold floats");
 	}
 	count = accessor ? accessor->count : count;
 	out->inverse_bind = GLTF_KEEP(&member, mat4, count);
@@ -204,8 +204,9 @@ static int read_inverse_binds(const struct gltf_at *at, struct model_skin *out)
 	return 0;
 }
 
-static int read_skin(const struct gltf_at *at, struct model_skin *out)
+static int read_skin(const struct gltf_at *at)
 {
+	struct model_skin *out = &at->gltf->model->skin[at->index];
 	int skeleton = -1;
 	int error = gltf_name(at, &out->name);
 
@@ -219,7 +220,7 @@ static int read_skin(const struct gltf_at *at, struct model_skin *out)
 	return error ? error : read_inverse_binds(at, out);
 }
 
-/* The skin with the fewest joints of those that draw each mesh, or -1. */
+/* For each mesh: the skin with the fewest joints that draws it, or -1. */
 static void find_smallest_skins(const struct model *model, int *smallest)
 {
 	int i;
@@ -251,19 +252,21 @@ static int check_primitive(const struct gltf_at *mesh,
 	int joint = model_max_joint(primitive);
 
 	if (skin < 0) {
-		/* Nothing bounds its joints, and nothing asks for them. */
+		/* Without a skin the joint numbers mean nothing. */
 		primitive->influences = 0;
 		primitive->joint = NULL;
 		primitive->weight = NULL;
 		return 0;
 	}
 	if (joint < 0) {
-		gltf_warn(&at, "has no JOINTS_0; skin %d cannot move it", skin);
+		gltf_warn(&at,
+			"has no JOINTS_0, so skin %d does not move this primitive",
+			skin);
 	}
 	if (joint >= model->skin[skin].joint_count) {
 		return gltf_fail(&at, -EINVAL,
-			"a vertex uses joint %d, skin %d has %d", joint, skin,
-			model->skin[skin].joint_count);
+			"a vertex uses joint %d, but skin %d has %d joints",
+			joint, skin, model->skin[skin].joint_count);
 	}
 	return 0;
 }
@@ -282,7 +285,8 @@ static int check_joints(struct gltf *gltf)
 	find_smallest_skins(model, smallest);
 	for (i = 0; i < model->mesh_count; i++) {
 		struct model_mesh *mesh = &model->mesh[i];
-		struct gltf_at at = gltf_element(&meshes, gltf->mesh_number[i]);
+		struct gltf_at at =
+			gltf_element(&meshes, gltf->mesh_file_index[i]);
 
 		for (k = 0; k < mesh->primitive_count && !error; k++) {
 			error = check_primitive(
@@ -295,8 +299,8 @@ static int check_joints(struct gltf *gltf)
 int gltf_read_skins(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "skins", &array, &count);
 
 	if (error) {
@@ -307,11 +311,6 @@ int gltf_read_skins(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	model->skin_count = count;
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_skin(&item, &model->skin[i]);
-		}
-	}
+	error = gltf_for_each(&array, count, read_skin);
 	return error ? error : check_joints(gltf);
 }

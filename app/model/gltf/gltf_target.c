@@ -13,7 +13,7 @@ static int read_delta(const struct gltf_at *at, const char *key,
 	return error;
 }
 
-/* Differences to an attribute that the primitive lacks mean nothing. */
+/* Ignores displacements of an attribute that the primitive lacks. */
 static int read_target(const struct gltf_at *at,
 	const struct model_primitive *primitive, struct model_target *out)
 {
@@ -41,7 +41,7 @@ int gltf_read_targets(const struct gltf_at *primitive,
 	}
 	if (count != mesh->target_count) {
 		return gltf_fail(primitive, -EINVAL,
-			"has %d targets, the mesh's first primitive has %d",
+			"has %d targets, but the mesh's first primitive has %d",
 			count, mesh->target_count);
 	}
 	out->target = GLTF_KEEP(&array, struct model_target, count);
@@ -57,7 +57,7 @@ int gltf_read_targets(const struct gltf_at *primitive,
 	return error;
 }
 
-/* A custom of exporters, so what is odd about it is passed over. */
+/* extras.targetNames is a convention, so a malformed one is no error. */
 static int read_names(const struct gltf_at *mesh, struct model_mesh *out)
 {
 	struct gltf_at extras = gltf_member(mesh, "extras");
@@ -67,7 +67,7 @@ static int read_names(const struct gltf_at *mesh, struct model_mesh *out)
 	for (i = 0; i < out->target_count; i++) {
 		const char *name = json_string_value(
 			json_array_get(names.json, (size_t)i));
-		int error = gltf_keep_string(
+		int error = gltf_copy_string(
 			&names, name ? name : "", &out->target_name[i]);
 
 		if (error) {

@@ -28,12 +28,12 @@ bool uri_is_data(const char *uri)
 
 const char *uri_data_base64(const char *uri)
 {
-	static const char mark[] = ";base64";
+	static const char marker[] = ";base64";
 	const char *comma = strchr(uri, ',');
-	size_t length = sizeof(mark) - 1;
+	size_t length = sizeof(marker) - 1;
 
 	if (!comma || comma - uri < (ptrdiff_t)length ||
-		strncasecmp(comma - length, mark, length) != 0) {
+		strncasecmp(comma - length, marker, length) != 0) {
 		return NULL;
 	}
 	return comma + 1;

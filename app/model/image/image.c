@@ -26,12 +26,13 @@ static const struct image_codec *find_codec(const uint8_t *data, size_t size)
 static int check_size(const struct image_input *input, int width, int height)
 {
 	if (width < 1 || height < 1) {
-		log_error(input->log, "%s: has no pixels", input->where);
+		log_error(input->log, "%s: the image has no pixels",
+			input->where);
 		return -EINVAL;
 	}
 	if (width > IMAGE_SIDE_MAX || height > IMAGE_SIDE_MAX) {
 		log_error(input->log,
-			"%s: is %dx%d pixels; limber reads up to %d a side",
+			"%s: the image has %dx%d pixels; limber reads up to %d in width and height",
 			input->where, width, height, IMAGE_SIDE_MAX);
 		return -EFBIG;
 	}
@@ -44,7 +45,7 @@ static int measure(const struct image_codec *codec,
 	int error;
 
 	if (!codec) {
-		log_error(input->log, "%s: is neither PNG nor JPEG",
+		log_error(input->log, "%s: the image is neither PNG nor JPEG",
 			input->where);
 		return -ENOTSUP;
 	}

@@ -1,8 +1,8 @@
 /*
- * A picture format, for image.c alone.
+ * The interface of an image decoder. Only image.c uses it.
  *
- * The libraries leave by longjmp() on errors. Whatever has to survive that
- * lives in a struct of the caller, never in a local of the function that
+ * libpng and libjpeg report errors by longjmp(). Variables that must keep their
+ * values are in a struct of the caller, not in locals of the function that
  * calls setjmp().
  */
 #ifndef APP_MODEL_IMAGE_IMAGE_CODEC_H
@@ -16,7 +16,7 @@
 struct image_input {
 	const uint8_t *data;
 	size_t size;
-	const char *where; /* begins sentences */
+	const char *where; /* the start of messages */
 	const struct log *log;
 };
 
@@ -24,10 +24,10 @@ struct image_codec {
 	const char *magic; /* the first bytes of a file */
 	size_t magic_bytes;
 
-	/* What the header says, unchecked. 0, or -errno after a sentence. */
+	/* Reads the size in the header, unchecked. 0, or -errno after an error. */
 	int (*measure)(const struct image_input *input, int *width, int *height);
 
-	/* Fills [height][width][4], of the size that measure() gave. */
+	/* Fills rgba[height][width][4]; the size is the one from measure(). */
 	int (*decode)(const struct image_input *input, int width, int height,
 		uint8_t *rgba);
 };

@@ -8,11 +8,11 @@
 #include <jpeglib.h>
 
 enum {
-	/* An encoder needs about ten; hostile files have thousands. */
+	/* Encoders write about ten. A hostile file has thousands. */
 	SCANS_MAX = 100,
 };
 
-struct reading {
+struct decoder {
 	struct jpeg_decompress_struct jpeg;
 	struct jpeg_error_mgr errors;
 	struct jpeg_progress_mgr progress;
@@ -23,19 +23,19 @@ struct reading {
 
 static void keep_error(j_common_ptr jpeg)
 {
-	struct reading *reading = jpeg->client_data;
+	struct decoder *decoder = jpeg->client_data;
 
-	jpeg->err->format_message(jpeg, reading->problem);
-	longjmp(reading->leave, 1);
+	jpeg->err->format_message(jpeg, decoder->problem);
+	longjmp(decoder->leave, 1);
 }
 
-/* Negative levels are warnings: the data is damaged from there on. */
+/* libjpeg gives warnings a negative level. Keeps the first one. */
 static void keep_warning(j_common_ptr jpeg, int level)
 {
-	struct reading *reading = jpeg->client_data;
+	struct decoder *decoder = jpeg->client_data;
 
 	if (level < 0 && jpeg->err->num_warnings++ == 0) {
-		jpeg->err->format_message(jpeg, reading->problem);
+		jpeg->err->format_message(jpeg, decoder->problem);
 	}
 }
 
@@ -46,62 +46,62 @@ static void drop_message(j_common_ptr jpeg)
 
 static void limit_scans(j_common_ptr jpeg)
 {
-	struct reading *reading = jpeg->client_data;
+	struct decoder *decoder = jpeg->client_data;
 
-	if (reading->jpeg.input_scan_number > SCANS_MAX) {
-		snprintf(reading->problem, sizeof(reading->problem),
-			"more than %d scans", SCANS_MAX);
-		longjmp(reading->leave, 1);
+	if (decoder->jpeg.input_scan_number > SCANS_MAX) {
+		snprintf(decoder->problem, sizeof(decoder->problem),
+			"it has more than %d scans", SCANS_MAX);
+		longjmp(decoder->leave, 1);
 	}
 }
 
-static void begin(struct reading *reading, const struct image_input *input)
+static void begin(struct decoder *decoder, const struct image_input *input)
 {
-	*reading = (struct reading){.input = input};
-	reading->jpeg.err = jpeg_std_error(&reading->errors);
-	reading->jpeg.client_data = reading;
-	reading->errors.error_exit = keep_error;
-	reading->errors.emit_message = keep_warning;
-	reading->errors.output_message = drop_message;
-	reading->progress.progress_monitor = limit_scans;
+	*decoder = (struct decoder){.input = input};
+	decoder->jpeg.err = jpeg_std_error(&decoder->errors);
+	decoder->jpeg.client_data = decoder;
+	decoder->errors.error_exit = keep_error;
+	decoder->errors.emit_message = keep_warning;
+	decoder->errors.output_message = drop_message;
+	decoder->progress.progress_monitor = limit_scans;
 }
 
-static int end(struct reading *reading, bool fine)
+static int end(struct decoder *decoder, bool fine)
 {
-	const struct image_input *input = reading->input;
+	const struct image_input *input = decoder->input;
 
-	jpeg_destroy_decompress(&reading->jpeg);
+	jpeg_destroy_decompress(&decoder->jpeg);
 	if (!fine) {
-		log_error(input->log, "%s: is a broken JPEG: %s", input->where,
-			reading->problem);
+		log_error(input->log, "%s: the JPEG image is broken: %s",
+			input->where, decoder->problem);
 		return -EINVAL;
 	}
-	if (reading->errors.num_warnings > 0) {
-		log_warning(input->log, "%s: is a damaged JPEG: %s",
-			input->where, reading->problem);
+	if (decoder->errors.num_warnings > 0) {
+		log_warning(input->log, "%s: the JPEG image is damaged: %s",
+			input->where, decoder->problem);
 	}
 	return 0;
 }
 
-static bool read_header(struct reading *reading)
+static bool read_header(struct decoder *decoder)
 {
-	const struct image_input *input = reading->input;
+	const struct image_input *input = decoder->input;
 
-	if (setjmp(reading->leave)) {
+	if (setjmp(decoder->leave)) {
 		return false;
 	}
-	jpeg_create_decompress(&reading->jpeg);
-	reading->jpeg.progress = &reading->progress;
-	jpeg_mem_src(&reading->jpeg, input->data, (unsigned long)input->size);
-	jpeg_read_header(&reading->jpeg, TRUE);
+	jpeg_create_decompress(&decoder->jpeg);
+	decoder->jpeg.progress = &decoder->progress;
+	jpeg_mem_src(&decoder->jpeg, input->data, (unsigned long)input->size);
+	jpeg_read_header(&decoder->jpeg, TRUE);
 	return true;
 }
 
-static bool read_pixels(struct reading *reading, uint8_t *rgba)
+static bool read_pixels(struct decoder *decoder, uint8_t *rgba)
 {
-	struct jpeg_decompress_struct *jpeg = &reading->jpeg;
+	struct jpeg_decompress_struct *jpeg = &decoder->jpeg;
 
-	if (setjmp(reading->leave)) {
+	if (setjmp(decoder->leave)) {
 		return false;
 	}
 	jpeg->out_color_space = JCS_EXT_RGBA;
@@ -118,31 +118,31 @@ static bool read_pixels(struct reading *reading, uint8_t *rgba)
 
 static int measure(const struct image_input *input, int *width, int *height)
 {
-	struct reading reading;
+	struct decoder decoder;
 	bool fine;
 
-	begin(&reading, input);
-	fine = read_header(&reading);
+	begin(&decoder, input);
+	fine = read_header(&decoder);
 	if (fine) {
-		*width = (int)reading.jpeg.image_width;
-		*height = (int)reading.jpeg.image_height;
+		*width = (int)decoder.jpeg.image_width;
+		*height = (int)decoder.jpeg.image_height;
 	}
-	reading.errors.num_warnings = 0;
-	return end(&reading, fine);
+	decoder.errors.num_warnings = 0;
+	return end(&decoder, fine);
 }
 
 static int decode(
 	const struct image_input *input, int width, int height, uint8_t *rgba)
 {
-	struct reading reading;
+	struct decoder decoder;
 	bool fine;
 
 	(void)width;
 	(void)height;
-	begin(&reading, input);
-	fine = read_header(&reading);
-	fine = fine && read_pixels(&reading, rgba);
-	return end(&reading, fine);
+	begin(&decoder, input);
+	fine = read_header(&decoder);
+	fine = fine && read_pixels(&decoder, rgba);
+	return end(&decoder, fine);
 }
 
 const struct image_codec image_codec_jpeg = {

@@ -10,10 +10,11 @@
 
 enum {
 	CHUNKS_MAX = 256,
-	CHUNK_BYTES_MAX = 4 * 1024 * 1024, /* of ancillary chunks, unpacked */
+	CHUNK_BYTES_MAX =
+		4 * 1024 * 1024, /* of a decompressed ancillary chunk */
 };
 
-struct reading {
+struct decoder {
 	const struct image_input *input;
 	size_t at;
 	png_structp png;
@@ -24,9 +25,9 @@ struct reading {
 
 static void keep_error(png_structp png, png_const_charp message)
 {
-	struct reading *reading = png_get_error_ptr(png);
+	struct decoder *decoder = png_get_error_ptr(png);
 
-	snprintf(reading->problem, sizeof(reading->problem), "%s", message);
+	snprintf(decoder->problem, sizeof(decoder->problem), "%s", message);
 	png_longjmp(png, 1);
 }
 
@@ -38,119 +39,116 @@ static void drop_warning(png_structp png, png_const_charp message)
 
 static void read_bytes(png_structp png, png_bytep out, size_t count)
 {
-	struct reading *reading = png_get_io_ptr(png);
+	struct decoder *decoder = png_get_io_ptr(png);
 
-	if (count > reading->input->size - reading->at) {
-		png_error(png, "the file is cut short");
+	if (count > decoder->input->size - decoder->at) {
+		png_error(png, "the file is truncated");
 	}
-	memcpy(out, reading->input->data + reading->at, count);
-	reading->at += count;
+	memcpy(out, decoder->input->data + decoder->at, count);
+	decoder->at += count;
 }
 
-static int begin(struct reading *reading, const struct image_input *input)
+static int begin(struct decoder *decoder, const struct image_input *input)
 {
-	*reading = (struct reading){.input = input};
-	reading->png = png_create_read_struct(
-		PNG_LIBPNG_VER_STRING, reading, keep_error, drop_warning);
-	if (reading->png) {
-		reading->info = png_create_info_struct(reading->png);
+	*decoder = (struct decoder){.input = input};
+	decoder->png = png_create_read_struct(
+		PNG_LIBPNG_VER_STRING, decoder, keep_error, drop_warning);
+	if (decoder->png) {
+		decoder->info = png_create_info_struct(decoder->png);
 	}
-	if (!reading->info) {
-		png_destroy_read_struct(&reading->png, &reading->info, NULL);
+	if (!decoder->info) {
+		png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
 		log_error(input->log, "%s: not enough memory", input->where);
 		return -ENOMEM;
 	}
 	return 0;
 }
 
-static int end(struct reading *reading, bool fine)
+static int end(struct decoder *decoder, bool fine)
 {
-	const struct image_input *input = reading->input;
+	const struct image_input *input = decoder->input;
 
-	png_destroy_read_struct(&reading->png, &reading->info, NULL);
-	free(reading->rows);
+	png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
+	free(decoder->rows);
 	if (!fine) {
-		log_error(input->log, "%s: is a broken PNG: %s", input->where,
-			reading->problem);
+		log_error(input->log, "%s: the PNG image is broken: %s",
+			input->where, decoder->problem);
 		return -EINVAL;
 	}
 	return 0;
 }
 
-/*
- * The limits of size are image.c's; libpng's own, which is lower, would only
- * give a worse sentence.
- */
-static bool read_header(struct reading *reading)
+/* Lifts libpng's limit of the size, because image.c has a limit of its own. */
+static bool read_header(struct decoder *decoder)
 {
-	if (setjmp(png_jmpbuf(reading->png))) {
+	if (setjmp(png_jmpbuf(decoder->png))) {
 		return false;
 	}
-	png_set_user_limits(reading->png, 0x7fffffff, 0x7fffffff);
-	png_set_chunk_cache_max(reading->png, CHUNKS_MAX);
-	png_set_chunk_malloc_max(reading->png, CHUNK_BYTES_MAX);
-	png_set_read_fn(reading->png, reading, read_bytes);
-	png_read_info(reading->png, reading->info);
+	png_set_user_limits(decoder->png, 0x7fffffff, 0x7fffffff);
+	png_set_chunk_cache_max(decoder->png, CHUNKS_MAX);
+	png_set_chunk_malloc_max(decoder->png, CHUNK_BYTES_MAX);
+	png_set_read_fn(decoder->png, decoder, read_bytes);
+	png_read_info(decoder->png, decoder->info);
 	return true;
 }
 
-/* All kinds become 8-bit RGBA; gamma and profiles do not count. */
-static bool read_pixels(struct reading *reading)
+/* Converts every kind to 8-bit RGBA; ignores gamma and colour profiles. */
+static bool read_pixels(struct decoder *decoder)
 {
-	if (setjmp(png_jmpbuf(reading->png))) {
+	if (setjmp(png_jmpbuf(decoder->png))) {
 		return false;
 	}
-	png_set_expand(reading->png);
-	png_set_scale_16(reading->png);
-	png_set_gray_to_rgb(reading->png);
-	png_set_add_alpha(reading->png, 255, PNG_FILLER_AFTER);
-	png_set_interlace_handling(reading->png);
-	png_read_update_info(reading->png, reading->info);
-	png_read_image(reading->png, reading->rows);
-	png_read_end(reading->png, NULL);
+	png_set_expand(decoder->png);
+	png_set_scale_16(decoder->png);
+	png_set_gray_to_rgb(decoder->png);
+	png_set_add_alpha(decoder->png, 255, PNG_FILLER_AFTER);
+	png_set_interlace_handling(decoder->png);
+	png_read_update_info(decoder->png, decoder->info);
+	png_read_image(decoder->png, decoder->rows);
+	png_read_end(decoder->png, NULL);
 	return true;
 }
 
 static int measure(const struct image_input *input, int *width, int *height)
 {
-	struct reading reading;
+	struct decoder decoder;
 	bool fine;
-	int error = begin(&reading, input);
+	int error = begin(&decoder, input);
 
 	if (error) {
 		return error;
 	}
-	fine = read_header(&reading);
+	fine = read_header(&decoder);
 	if (fine) {
-		*width = (int)png_get_image_width(reading.png, reading.info);
-		*height = (int)png_get_image_height(reading.png, reading.info);
+		*width = (int)png_get_image_width(decoder.png, decoder.info);
+		*height = (int)png_get_image_height(decoder.png, decoder.info);
 	}
-	return end(&reading, fine);
+	return end(&decoder, fine);
 }
 
 static int decode(
 	const struct image_input *input, int width, int height, uint8_t *rgba)
 {
-	struct reading reading;
+	struct decoder decoder;
 	bool fine;
-	int error = begin(&reading, input);
+	int error = begin(&decoder, input);
 	int y;
 
 	if (error) {
 		return error;
 	}
-	fine = read_header(&reading);
-	reading.rows = malloc((size_t)height * sizeof(*reading.rows));
-	if (!reading.rows) {
-		snprintf(reading.problem, sizeof(reading.problem),
+	fine = read_header(&decoder);
+	decoder.rows = malloc((size_t)height * sizeof(*decoder.rows));
+	if (!decoder.rows) {
+		snprintf(decoder.problem, sizeof(decoder.problem),
 			"not enough memory");
-		return end(&reading, false);
+		return end(&decoder, false);
 	}
 	for (y = 0; y < height; y++) {
-		reading.rows[y] = rgba + (size_t)y * (size_t)width * 4;
+		decoder.rows[y] = rgba + (size_t)y * (size_t)width * 4;
 	}
-	fine = fine && read_pixels(&reading);
-	return end(&reading, fine);
+	fine = fine && read_pixels(&decoder);
+	return end(&decoder, fine);
 }
 
 const struct image_codec image_codec_png = {

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "xof " VERSION FORMAT FLOAT-SIZE, four characters each. */
+/* The header: "xof ", version, format, size of a float; four bytes each. */
 static const char magic[] = "xof ";
 
 struct header {
@@ -46,23 +46,25 @@ static bool read_format(const uint8_t *format, struct header *out)
 	return false;
 }
 
-/* Four characters from a file as something to print. */
-static const char *printable(const uint8_t *text, char room[5])
+/* Copies four bytes; those that cannot be printed become "?". */
+static const char *printable(const uint8_t *text, char buffer[5])
 {
 	for (int i = 0; i < 4; i++) {
-		room[i] = text[i] >= ' ' && text[i] <= '~' ? (char)text[i] : '?';
+		buffer[i] =
+			text[i] >= ' ' && text[i] <= '~' ? (char)text[i] : '?';
 	}
-	room[4] = '\0';
-	return room;
+	buffer[4] = '\0';
+	return buffer;
 }
 
 static int fail_header(const struct model_source *source, const struct log *log,
 	int error, const char *what, const uint8_t *found)
 {
-	char room[5];
+	char buffer[5];
 
-	log_error(log, "%s: byte %d: the header's %s is \"%s\"", source->name,
-		(int)(found - source->data), what, printable(found, room));
+	log_error(log, "%s: byte %d: the %s in the header is \"%s\"",
+		source->name, (int)(found - source->data), what,
+		printable(found, buffer));
 	return error;
 }
 
@@ -79,16 +81,16 @@ static int read_header(const struct model_source *source, const struct log *log,
 	printable(data + 4, out->version);
 	if (memcmp(data + 4, "0303", 4) && memcmp(data + 4, "0302", 4)) {
 		return fail_header(source, log, -ENOTSUP,
-			"version, which limber knows as 0302 and 0303,",
-			data + 4);
+			"version, which must be 0302 or 0303,", data + 4);
 	}
 	if (!read_format(data + 8, out)) {
 		return fail_header(source, log, -EINVAL,
-			"format, one of txt, bin, tzip and bzip,", data + 8);
+			"format, which must be txt, bin, tzip or bzip,",
+			data + 8);
 	}
 	if (memcmp(data + 12, "0032", 4) && memcmp(data + 12, "0064", 4)) {
 		return fail_header(source, log, -EINVAL,
-			"float size, 0032 or 0064,", data + 12);
+			"float size, which must be 0032 or 0064,", data + 12);
 	}
 	out->float_bytes = data[14] == '3' ? 4 : 8;
 	return 0;
@@ -107,14 +109,14 @@ static struct model *make_model(
 }
 
 static int build_model(const struct model_source *source,
-	const struct header *header, const struct xfile_source *where,
+	const struct header *header, const struct xfile_context *context,
 	const struct xfile_scene *scene, struct arena *scratch,
 	struct model **out)
 {
 	struct xfile_build build = {
 		.source = source,
-		.where = where,
-		.log = where->log,
+		.context = context,
+		.log = context->log,
 		.scratch = scratch,
 		.scene = scene,
 		.model = make_model(source, header),
@@ -122,7 +124,7 @@ static int build_model(const struct model_source *source,
 	int error;
 
 	if (!build.model) {
-		return xfile_no_memory(where);
+		return xfile_no_memory(context);
 	}
 	error = xfile_build(&build);
 	if (error) {
@@ -134,13 +136,13 @@ static int build_model(const struct model_source *source,
 }
 
 static int load_body(const struct model_source *source,
-	const struct header *header, const struct xfile_source *where,
+	const struct header *header, const struct xfile_context *context,
 	const uint8_t *body, size_t size, struct model **out)
 {
 	struct arena scratch = arena_empty();
 	struct xfile_scene scene = {0};
 	struct xfile_reader reader = {
-		.source = *where,
+		.context = *context,
 		.scratch = &scratch,
 		.scan = header->binary ? xfile_scan_binary : xfile_scan_text,
 		.float_bytes = header->float_bytes,
@@ -152,7 +154,7 @@ static int load_body(const struct model_source *source,
 	}
 	if (!error) {
 		error = build_model(
-			source, header, where, &scene, &scratch, out);
+			source, header, context, &scene, &scratch, out);
 	}
 	arena_release(&scratch);
 	return error;
@@ -162,7 +164,7 @@ int xfile_load(const struct model_source *source, const struct log *log,
 	struct model **out)
 {
 	struct header header;
-	struct xfile_source where = {.path = source->name, .log = log};
+	struct xfile_context context = {.path = source->name, .log = log};
 	const uint8_t *body;
 	uint8_t *unpacked = NULL;
 	size_t size;
@@ -174,14 +176,14 @@ int xfile_load(const struct model_source *source, const struct log *log,
 	}
 	body = source->data + XFILE_HEADER_BYTES;
 	size = source->size - XFILE_HEADER_BYTES;
-	where.binary = header.binary;
-	where.unpacked = header.packed;
+	context.binary = header.binary;
+	context.unpacked = header.packed;
 	if (header.packed) {
-		error = xfile_inflate(&where, body, size, &unpacked, &size);
+		error = xfile_inflate(&context, body, size, &unpacked, &size);
 		body = unpacked;
 	}
 	if (!error) {
-		error = load_body(source, &header, &where, body, size, out);
+		error = load_body(source, &header, &context, body, size, out);
 	}
 	free(unpacked);
 	return error;
@@ -196,9 +198,8 @@ int xfile_examine(const struct model_source *source,
 	if (error) {
 		return error;
 	}
-	examine_say(examiner,
-		"the format is left-handed, with vectors in rows: limber "
-		"mirrors it along z and turns its triangles round");
+	examine_report(examiner,
+		"DirectX .x is left-handed with row vectors; limber negates z, transposes matrices and reverses the triangles");
 	examine_clips(model, examiner);
 	examine_skins(model, examiner);
 	model_destroy(model);

@@ -4,23 +4,23 @@ static int read_key(
 	struct xfile_reader *reader, struct xfile_keys *keys, uint32_t index)
 {
 	size_t width = (size_t)keys->width;
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	uint32_t count;
 	int error =
 		xfile_read_double(reader, "a key's time", &keys->tick[index]);
 
 	if (!error && keys->tick[index] < 0) {
 		return xfile_fail_at(
-			&reader->source, place, "a key's time is negative");
+			&reader->context, location, "a key's time is negative");
 	}
-	place = reader->token.place;
+	location = reader->token.location;
 	if (!error) {
 		error = xfile_read_integer(
 			reader, "a key's number of values", &count);
 	}
 	if (!error && count != width) {
-		return xfile_fail_at(&reader->source, place,
-			"a key has %u values where its type has %d",
+		return xfile_fail_at(&reader->context, location,
+			"a key has %u values, but its type has %d",
 			(unsigned)count, keys->width);
 	}
 	return error ? error
@@ -31,7 +31,7 @@ static int read_key(
 static int read_type(struct xfile_reader *reader, struct xfile_keys *keys)
 {
 	static const int width[] = {4, 3, 3, 16, 16};
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	uint32_t type;
 	int error = xfile_read_integer(reader, "an animation key's type", &type);
 
@@ -39,8 +39,9 @@ static int read_type(struct xfile_reader *reader, struct xfile_keys *keys)
 		return error;
 	}
 	if (type > 4) {
-		return xfile_fail_at(&reader->source, place,
-			"%u is no type of animation key", (unsigned)type);
+		return xfile_fail_at(&reader->context, location,
+			"the type of an animation key is %u, but must be 0 to 4",
+			(unsigned)type);
 	}
 	keys->width = width[type];
 	keys->type = type > XFILE_KEY_MATRIX ? XFILE_KEY_MATRIX
@@ -48,7 +49,6 @@ static int read_type(struct xfile_reader *reader, struct xfile_keys *keys)
 	return 0;
 }
 
-/* A key is at least its time and its number of values. */
 static int parse_keys(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
@@ -58,7 +58,7 @@ static int parse_keys(struct xfile_reader *reader,
 
 	(void)name;
 	if (!keys) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	error = read_type(reader, keys);
 	if (!error) {
@@ -72,7 +72,7 @@ static int parse_keys(struct xfile_reader *reader,
 	keys->value = ARENA_ARRAY(reader->scratch, float,
 		(size_t)keys->count *(size_t)keys->width);
 	if (!keys->tick || !keys->value) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; !error && i < keys->count; i++) {
 		error = read_key(reader, keys, i);
@@ -80,15 +80,15 @@ static int parse_keys(struct xfile_reader *reader,
 	if (keys->count) {
 		XFILE_APPEND(animation->keys, animation->last_keys, keys);
 	}
-	return error ? error : xfile_read_rest(reader);
+	return error ? error : xfile_skip_rest(reader);
 }
 
 static int refer_to_frame(struct xfile_reader *reader,
-	const struct xfile_scope *scope, const char *name, size_t place)
+	const struct xfile_scope *scope, const char *name, size_t location)
 {
 	(void)reader;
 	scope->animation->frame = name;
-	scope->animation->place = place;
+	scope->animation->location = location;
 	return 0;
 }
 
@@ -111,10 +111,10 @@ static int parse_animation(struct xfile_reader *reader,
 
 	(void)name;
 	if (!animation) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	inner.animation = animation;
-	animation->place = reader->token.place;
+	animation->location = reader->token.location;
 	XFILE_APPEND(set->animations, set->last_animation, animation);
 	return xfile_read_children(reader, &animation_grammar, &inner);
 }
@@ -135,11 +135,11 @@ int xfile_parse_animation_set(struct xfile_reader *reader,
 	struct xfile_set *set = ARENA_NEW(reader->scratch, struct xfile_set);
 
 	if (!set) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	inner.set = set;
 	set->name = name;
-	set->place = reader->token.place;
+	set->location = reader->token.location;
 	scene->set_count++;
 	XFILE_APPEND(scene->sets, scene->last_set, set);
 	return xfile_read_children(reader, &set_grammar, &inner);

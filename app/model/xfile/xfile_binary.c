@@ -1,8 +1,9 @@
+#include "app/model/little_endian.h"
 #include "app/model/xfile/xfile_reader.h"
 
 #include <string.h>
 
-/* The binary encoding's tokens: two bytes each, little-endian. */
+/* Tokens of the binary encoding: two bytes, little-endian. */
 enum {
 	TOKEN_NAME = 1,
 	TOKEN_STRING = 2,
@@ -21,24 +22,14 @@ enum {
 	TOKEN_ARRAY = 52,
 };
 
-static uint32_t get_u16(const uint8_t *at)
-{
-	return (uint32_t)at[0] | (uint32_t)at[1] << 8;
-}
-
-static uint32_t get_u32(const uint8_t *at)
-{
-	return get_u16(at) | get_u16(at + 2) << 16;
-}
-
 static uint64_t get_u64(const uint8_t *at)
 {
-	return get_u32(at) | (uint64_t)get_u32(at + 4) << 32;
+	return little_endian_u32(at) | (uint64_t)little_endian_u32(at + 4) << 32;
 }
 
 static double get_float(const uint8_t *at, int bytes)
 {
-	uint32_t bits_32 = get_u32(at);
+	uint32_t bits_32 = little_endian_u32(at);
 	uint64_t bits_64;
 	double value_64;
 	float value_32;
@@ -55,18 +46,18 @@ static double get_float(const uint8_t *at, int bytes)
 static int fail_short(
 	struct xfile_reader *reader, const struct xfile_token *token)
 {
-	return xfile_fail_at(&reader->source, token->place,
-		"the file ends within what begins here");
+	return xfile_fail_at(&reader->context, token->location,
+		"the file ends within this token");
 }
 
-/* Takes a length and checks that length * bytes are left behind it. */
+/* Reads a length and checks that length * bytes bytes follow it. */
 static int take_length(struct xfile_reader *reader,
 	const struct xfile_token *token, size_t bytes, uint32_t *length)
 {
 	if (reader->end - reader->at < 4) {
 		return fail_short(reader, token);
 	}
-	*length = get_u32(reader->at);
+	*length = little_endian_u32(reader->at);
 	reader->at += 4;
 	if (*length > (size_t)(reader->end - reader->at) / bytes) {
 		return fail_short(reader, token);
@@ -89,13 +80,13 @@ static int scan_text(struct xfile_reader *reader, struct xfile_token *token)
 }
 
 /*
- * A string's terminator is a separator token of two bytes in most files, of
- * four in some; two bytes of zero are no token, so that they tell.
+ * A string ends with a separator token of two bytes, or of four in some files.
+ * Two zero bytes are no token, so they identify the longer form.
  */
 static void skip_terminator(struct xfile_reader *reader)
 {
 	if (reader->end - reader->at >= 4) {
-		uint32_t word = get_u32(reader->at);
+		uint32_t word = little_endian_u32(reader->at);
 
 		if (word == TOKEN_COMMA || word == TOKEN_SEMICOLON) {
 			reader->at += 4;
@@ -108,8 +99,9 @@ static void scan_element(struct xfile_reader *reader, struct xfile_token *token)
 	int bytes = reader->list_float ? reader->float_bytes : 4;
 
 	token->kind = XFILE_NUMBER;
-	token->number = reader->list_float ? get_float(reader->at, bytes)
-					   : (double)get_u32(reader->at);
+	token->number = reader->list_float
+		? get_float(reader->at, bytes)
+		: (double)little_endian_u32(reader->at);
 	reader->at += bytes;
 	reader->list_left--;
 }
@@ -129,7 +121,7 @@ static int scan_integer(struct xfile_reader *reader, struct xfile_token *token)
 		return fail_short(reader, token);
 	}
 	token->kind = XFILE_NUMBER;
-	token->number = get_u32(reader->at);
+	token->number = little_endian_u32(reader->at);
 	reader->at += 4;
 	return 0;
 }
@@ -161,13 +153,14 @@ static int scan_standalone(
 		(code >= TOKEN_WORD && code <= TOKEN_ARRAY)) {
 		token->kind = XFILE_OTHER;
 	} else {
-		return xfile_fail_at(&reader->source, token->place,
-			"%u is no token of the binary format", (unsigned)code);
+		return xfile_fail_at(&reader->context, token->location,
+			"%u is not a token of the binary format",
+			(unsigned)code);
 	}
 	return 0;
 }
 
-/* *again: the code was one that scanning drops. */
+/* Sets *again when the code does not make a token of its own. */
 static int scan_coded(struct xfile_reader *reader, struct xfile_token *token,
 	uint32_t code, bool *again)
 {
@@ -208,7 +201,7 @@ int xfile_scan_binary(struct xfile_reader *reader, struct xfile_token *token)
 
 	while (again && !error) {
 		again = false;
-		*token = (struct xfile_token){.place = XFILE_HEADER_BYTES +
+		*token = (struct xfile_token){.location = XFILE_HEADER_BYTES +
 				(size_t)(reader->at - reader->body)};
 		if (reader->list_left) {
 			scan_element(reader, token);
@@ -217,7 +210,7 @@ int xfile_scan_binary(struct xfile_reader *reader, struct xfile_token *token)
 		} else if (reader->end - reader->at < 2) {
 			error = fail_short(reader, token);
 		} else {
-			uint32_t code = get_u16(reader->at);
+			uint32_t code = little_endian_u16(reader->at);
 
 			reader->at += 2;
 			error = scan_coded(reader, token, code, &again);

@@ -23,7 +23,7 @@ static int index_names(struct xfile_build *build)
 		xfile_names_init(&build->mesh_names, scratch, scene->mesh_count) ||
 		xfile_names_init(&build->material_names, scratch,
 			scene->material_count)) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; frame; frame = frame->next, i++) {
 		xfile_names_add(&build->frame_names, frame->name, i);
@@ -47,7 +47,7 @@ static void add_instance(struct xfile_build *build, int mesh, int frame)
 	}
 }
 
-/* Marks the meshes that are drawn by reference. */
+/* Adds the instances that refer to a mesh by name. */
 static void list_references(struct xfile_build *build, bool *referenced)
 {
 	const struct xfile_frame *frame = build->scene->frames;
@@ -60,9 +60,8 @@ static void list_references(struct xfile_build *build, bool *referenced)
 				xfile_names_find(&build->mesh_names, at->name);
 
 			if (mesh < 0) {
-				xfile_warn_at(build->where, at->place,
-					"there is no mesh \"%.200s\" to draw "
-					"here",
+				xfile_warn_at(build->context, at->location,
+					"this frame refers to the mesh \"%.200s\", which does not exist",
 					at->name);
 				continue;
 			}
@@ -76,20 +75,20 @@ static int list_instances(struct xfile_build *build)
 {
 	const struct xfile_scene *scene = build->scene;
 	const struct xfile_frame *frame = scene->frames;
-	size_t room = (size_t)scene->mesh_count;
-	bool *referenced = ARENA_ARRAY(build->scratch, bool, room);
+	size_t count = (size_t)scene->mesh_count;
+	bool *referenced = ARENA_ARRAY(build->scratch, bool, count);
 
 	for (; frame; frame = frame->next) {
 		const struct xfile_reference *at = frame->references;
 
 		for (; at; at = at->next) {
-			room++;
+			count++;
 		}
 	}
 	build->instance =
-		ARENA_ARRAY(build->scratch, struct xfile_instance, room);
+		ARENA_ARRAY(build->scratch, struct xfile_instance, count);
 	if (!build->instance || !referenced) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	list_references(build, referenced);
 	for (int i = 0; i < scene->mesh_count; i++) {
@@ -100,7 +99,7 @@ static int list_instances(struct xfile_build *build)
 	return 0;
 }
 
-/* The first mesh of a frame is drawn by the frame's own node. */
+/* The first mesh of a frame belongs to the frame's own node. */
 static int number_nodes(struct xfile_build *build, int *parent)
 {
 	const struct xfile_frame *frame = build->scene->frames;
@@ -109,7 +108,7 @@ static int number_nodes(struct xfile_build *build, int *parent)
 	int count = 0;
 
 	if (!drawn) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (; frame; frame = frame->next) {
 		parent[count++] = frame->parent;
@@ -136,12 +135,13 @@ static int order_nodes(struct xfile_build *build, int *parent)
 	int *order = ARENA_ARRAY(build->scratch, int, count);
 	int culprit;
 
-	build->place = ARENA_ARRAY(build->scratch, int, count);
+	build->node_index = ARENA_ARRAY(build->scratch, int, count);
 	build->moved = ARENA_ARRAY(build->scratch, bool, count);
 	model->node = ARENA_ARRAY(&model->arena, struct model_node, count);
-	if (!order || !build->place || !build->moved || !model->node ||
-		model_order_nodes(parent, count, order, build->place, &culprit)) {
-		return xfile_no_memory(build->where);
+	if (!order || !build->node_index || !build->moved || !model->node ||
+		model_order_nodes(
+			parent, count, order, build->node_index, &culprit)) {
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; i < count; i++) {
 		int from = parent[order[i]];
@@ -149,7 +149,7 @@ static int order_nodes(struct xfile_build *build, int *parent)
 		model->node[i] = (struct model_node){
 			.name = "",
 			.file_index = order[i],
-			.parent = from < 0 ? -1 : build->place[from],
+			.parent = from < 0 ? -1 : build->node_index[from],
 			.in_scene = true,
 			.rest = {.rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}},
 			.mesh = -1,
@@ -160,47 +160,46 @@ static int order_nodes(struct xfile_build *build, int *parent)
 	return 0;
 }
 
-static int place_nodes(struct xfile_build *build)
+static int make_nodes(struct xfile_build *build)
 {
-	size_t room = (size_t)build->scene->frame_count +
+	size_t count = (size_t)build->scene->frame_count +
 		(size_t)build->instance_count;
-	int *parent = ARENA_ARRAY(build->scratch, int, room);
+	int *parent = ARENA_ARRAY(build->scratch, int, count);
 	int error;
 
-	if (!parent || room > INT_MAX) {
-		return xfile_no_memory(build->where);
+	if (!parent || count > INT_MAX) {
+		return xfile_no_memory(build->context);
 	}
 	error = number_nodes(build, parent);
 	return error ? error : order_nodes(build, parent);
 }
 
-/* After the clips, since a node that moves has no use for its matrix. */
-static int fill_frame(
-	struct xfile_build *build, const struct xfile_frame *frame, int place)
+/* Runs after the clips, because a node that a clip moves keeps no matrix. */
+static int fill_frame(struct xfile_build *build,
+	const struct xfile_frame *frame, int node_index)
 {
 	struct arena *arena = &build->model->arena;
-	struct model_node *node = &build->model->node[place];
+	struct model_node *node = &build->model->node[node_index];
 	mat4 matrix;
 	mat4 *kept;
 
 	node->name = arena_strdup(arena, frame->name);
 	if (!node->name) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	xfile_convert_matrix(frame->matrix, matrix);
 	if (xfile_decompose(matrix, &node->rest)) {
 		return 0;
 	}
-	if (build->moved[place]) {
+	if (build->moved[node_index]) {
 		log_warning(build->log,
-			"%s: frame \"%.200s\" is sheared, which its animation "
-			"cannot keep",
-			build->where->path, frame->name);
+			"%s: limber drops the shear of frame \"%.200s\", because a clip moves the frame",
+			build->context->path, frame->name);
 		return 0;
 	}
 	kept = ARENA_NEW(arena, mat4);
 	if (!kept) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	memcpy(kept, matrix, sizeof(matrix));
 	node->matrix = (const float(*)[4]) * kept;
@@ -213,7 +212,7 @@ static int fill_nodes(struct xfile_build *build)
 	struct model *model = build->model;
 
 	for (int i = 0; frame; frame = frame->next, i++) {
-		int error = fill_frame(build, frame, build->place[i]);
+		int error = fill_frame(build, frame, build->node_index[i]);
 
 		if (error) {
 			return error;
@@ -222,9 +221,9 @@ static int fill_nodes(struct xfile_build *build)
 	for (int i = 0; i < build->instance_count; i++) {
 		const struct xfile_instance *instance = &build->instance[i];
 		struct model_node *node =
-			&model->node[build->place[instance->node]];
+			&model->node[build->node_index[instance->node]];
 
-		node->mesh = build->mesh_place[instance->mesh];
+		node->mesh = build->mesh_index[instance->mesh];
 		node->skin = build->mesh_skin[instance->mesh];
 		if (instance->node >= build->scene->frame_count) {
 			node->name = model->mesh[node->mesh].name;
@@ -238,7 +237,7 @@ int xfile_build(struct xfile_build *build)
 	static int (*const step[])(struct xfile_build *) = {
 		index_names,
 		list_instances,
-		place_nodes,
+		make_nodes,
 		xfile_build_materials,
 		xfile_build_meshes,
 		xfile_build_clips,

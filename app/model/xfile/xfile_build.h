@@ -1,5 +1,6 @@
 /*
- * From what a .x file says to a struct model: the parts share this.
+ * Conversion of struct xfile_scene into struct model. Only xfile_build*.c and
+ * xfile.c include this header.
  */
 #ifndef APP_MODEL_XFILE_XFILE_BUILD_H
 #define APP_MODEL_XFILE_XFILE_BUILD_H
@@ -8,21 +9,21 @@
 #include "app/model/xfile/xfile_names.h"
 #include "app/model/xfile/xfile_scene.h"
 
-/* A mesh at its place: every node that draws is one of these. */
+/* A node that draws a mesh. */
 struct xfile_instance {
-	int mesh;  /* in the file's order */
+	int mesh;  /* its number in the file */
 	int frame; /* or -1 */
-	int node;  /* in the order below */
+	int node;  /* its number in the numbering below */
 };
 
 /*
- * Nodes are counted in the order frames, then instances that share a frame
- * with another or have none; place[] leads from there to the model's order,
- * which has each subtree in one piece.
+ * Nodes are numbered in this order: all frames, then the instances that are not
+ * the first in their frame or have no frame. node_index[] maps these numbers to
+ * the model's node indices.
  */
 struct xfile_build {
-	const struct model_source *source; /* for files beside it */
-	const struct xfile_source *where;  /* for sentences */
+	const struct model_source *source;   /* for files beside the model */
+	const struct xfile_context *context; /* for messages */
 	const struct log *log;
 	struct arena *scratch;
 	const struct xfile_scene *scene;
@@ -35,16 +36,16 @@ struct xfile_build {
 
 	int instance_count;
 	struct xfile_instance *instance;
-	int *place;
-	int *mesh_place; /* [scene->mesh_count]: in the model, or -1 */
+	int *node_index;
+	int *mesh_index; /* [scene->mesh_count]: in the model, or -1 */
 	int *mesh_skin;  /* [scene->mesh_count], or -1 */
-	int *mesh_node;  /* [scene->mesh_count]: its first instance's place */
-	bool *moved;     /* by a clip, in the model's order */
+	int *mesh_node;  /* [scene->mesh_count]: node of the first instance */
+	bool *moved;     /* [model->node_count]: a clip moves the node */
 };
 
 /*
- * The joints and weights of a mesh's vertices, width each, strongest first;
- * width 0 without a skin.
+ * Joints and weights of a mesh's vertices, the largest weights first. width is
+ * the number of influences, 0 without a skin.
  */
 struct xfile_influences {
 	int width; /* 0, 4 or 8 */
@@ -52,17 +53,17 @@ struct xfile_influences {
 	float (*weight)[8];
 };
 
-/* Fills an empty model. 0 or -errno after a sentence. */
+/* Fills an empty model. 0, or -errno after an error. */
 int xfile_build(struct xfile_build *build);
 
-/* Its steps; each may use what the ones before it have made. */
+/* The steps of xfile_build(), in the order in which they run. */
 int xfile_build_materials(struct xfile_build *build);
 int xfile_build_meshes(struct xfile_build *build);
 int xfile_build_clips(struct xfile_build *build);
 
 /*
- * The skin of one mesh and what its primitives need of it. Bones that name no
- * frame, and vertices without a bone, stay with the mesh's own node.
+ * Adds the skin of a mesh to the model and fills *out. A bone without a frame,
+ * and vertices without a bone, follow the mesh's own node.
  */
 int xfile_build_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 	int mesh_index, struct xfile_influences *out);

@@ -4,16 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A key by its time, which may be out of order in the file. */
-struct moment {
+/* The time of a key; keys may be out of order in the file. */
+struct key_time {
 	float time_s;
 	uint32_t index;
 };
 
-static int compare_moments(const void *a, const void *b)
+static int compare_key_times(const void *a, const void *b)
 {
-	const struct moment *left = a;
-	const struct moment *right = b;
+	const struct key_time *left = a;
+	const struct key_time *right = b;
 
 	if (left->time_s != right->time_s) {
 		return left->time_s < right->time_s ? -1 : 1;
@@ -21,35 +21,35 @@ static int compare_moments(const void *a, const void *b)
 	return (left->index > right->index) - (left->index < right->index);
 }
 
-/* Of keys at the same time the last one stays. */
+/* Sorts the keys by time. Of several keys at one time, the last one counts. */
 static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
-	struct moment **out, int *count)
+	struct key_time **out, int *count)
 {
-	struct moment *moment =
-		ARENA_ARRAY(build->scratch, struct moment, keys->count);
+	struct key_time *key_time =
+		ARENA_ARRAY(build->scratch, struct key_time, keys->count);
 
-	if (!moment) {
-		return xfile_no_memory(build->where);
+	if (!key_time) {
+		return xfile_no_memory(build->context);
 	}
 	for (uint32_t i = 0; i < keys->count; i++) {
-		moment[i].time_s =
+		key_time[i].time_s =
 			(float)(keys->tick[i] / build->scene->ticks_per_second);
-		moment[i].index = i;
+		key_time[i].index = i;
 	}
-	qsort(moment, keys->count, sizeof(*moment), compare_moments);
-	*out = moment;
+	qsort(key_time, keys->count, sizeof(*key_time), compare_key_times);
+	*out = key_time;
 	*count = 0;
 	for (uint32_t i = 0; i < keys->count; i++) {
-		if (*count && moment[*count - 1].time_s == moment[i].time_s) {
-			moment[*count - 1] = moment[i];
+		if (*count && key_time[*count - 1].time_s == key_time[i].time_s) {
+			key_time[*count - 1] = key_time[i];
 		} else {
-			moment[(*count)++] = moment[i];
+			key_time[(*count)++] = key_time[i];
 		}
 	}
 	return 0;
 }
 
-/* Room for a channel; its times are the same for all of a key's paths. */
+/* Adds a channel and returns its values, or NULL when there is no memory. */
 static float *add_channel(struct xfile_build *build, struct model_clip *clip,
 	int node, enum model_path path, const float *time_s, int count)
 {
@@ -72,8 +72,8 @@ static float *add_channel(struct xfile_build *build, struct model_clip *clip,
 }
 
 static int add_matrices(struct xfile_build *build, struct model_clip *clip,
-	int node, const struct xfile_keys *keys, const struct moment *moment,
-	const float *time_s, int count)
+	int node, const struct xfile_keys *keys,
+	const struct key_time *key_time, const float *time_s, int count)
 {
 	float *translation = add_channel(
 		build, clip, node, MODEL_TRANSLATION, time_s, count);
@@ -83,14 +83,14 @@ static int add_matrices(struct xfile_build *build, struct model_clip *clip,
 		add_channel(build, clip, node, MODEL_SCALE, time_s, count);
 
 	if (!translation || !rotation || !scale) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; i < count; i++) {
 		struct transform transform;
 		mat4 matrix;
 
 		xfile_convert_matrix(
-			keys->value + (size_t)moment[i].index * 16, matrix);
+			keys->value + (size_t)key_time[i].index * 16, matrix);
 		xfile_decompose(matrix, &transform);
 		memcpy(translation + 3 * i, transform.translation,
 			sizeof(transform.translation));
@@ -102,8 +102,8 @@ static int add_matrices(struct xfile_build *build, struct model_clip *clip,
 }
 
 static int add_values(struct xfile_build *build, struct model_clip *clip,
-	int node, const struct xfile_keys *keys, const struct moment *moment,
-	const float *time_s, int count)
+	int node, const struct xfile_keys *keys,
+	const struct key_time *key_time, const float *time_s, int count)
 {
 	static const enum model_path paths[] = {
 		[XFILE_KEY_ROTATION] = MODEL_ROTATION,
@@ -114,11 +114,11 @@ static int add_values(struct xfile_build *build, struct model_clip *clip,
 		build, clip, node, paths[keys->type], time_s, count);
 
 	if (!value) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; i < count; i++) {
 		const float *from = keys->value +
-			(size_t)moment[i].index * (size_t)keys->width;
+			(size_t)key_time[i].index * (size_t)keys->width;
 
 		if (keys->type == XFILE_KEY_ROTATION) {
 			xfile_convert_rotation(from, value + 4 * i);
@@ -134,49 +134,49 @@ static int add_values(struct xfile_build *build, struct model_clip *clip,
 static int add_keys(struct xfile_build *build, struct model_clip *clip,
 	int node, const struct xfile_keys *keys)
 {
-	struct moment *moment = NULL;
+	struct key_time *key_time = NULL;
 	float *time_s;
 	int count = 0;
-	int error = sort_keys(build, keys, &moment, &count);
+	int error = sort_keys(build, keys, &key_time, &count);
 
 	if (error) {
 		return error;
 	}
 	time_s = ARENA_ARRAY(&build->model->arena, float, (size_t)count);
 	if (!time_s) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; i < count; i++) {
-		time_s[i] = moment[i].time_s;
+		time_s[i] = key_time[i].time_s;
 	}
 	if (time_s[count - 1] > clip->duration_s) {
 		clip->duration_s = time_s[count - 1];
 	}
 	build->moved[node] = true;
 	return keys->type == XFILE_KEY_MATRIX
-		? add_matrices(build, clip, node, keys, moment, time_s, count)
-		: add_values(build, clip, node, keys, moment, time_s, count);
+		? add_matrices(build, clip, node, keys, key_time, time_s, count)
+		: add_values(build, clip, node, keys, key_time, time_s, count);
 }
 
-/* The frame that an animation moves as a node, or -1 after a warning. */
+/* The node that an animation moves, or -1 after a warning. */
 static int find_node(
 	struct xfile_build *build, const struct xfile_animation *animation)
 {
 	int frame;
 
 	if (!animation->frame) {
-		xfile_warn_at(build->where, animation->place,
-			"this animation does not say what it moves");
+		xfile_warn_at(build->context, animation->location,
+			"this animation does not name a frame; limber ignores it");
 		return -1;
 	}
 	frame = xfile_names_find(&build->frame_names, animation->frame);
 	if (frame < 0) {
-		xfile_warn_at(build->where, animation->place,
-			"there is no frame \"%.200s\" to move",
+		xfile_warn_at(build->context, animation->location,
+			"this animation moves the frame \"%.200s\", which does not exist",
 			animation->frame);
 		return -1;
 	}
-	return build->place[frame];
+	return build->node_index[frame];
 }
 
 /* A matrix becomes three channels. */
@@ -195,7 +195,6 @@ static size_t count_channels(const struct xfile_set *set)
 	return count;
 }
 
-/* A set that moves nothing makes no clip. */
 static int add_clip(struct xfile_build *build, const struct xfile_set *set)
 {
 	struct model *model = build->model;
@@ -206,7 +205,7 @@ static int add_clip(struct xfile_build *build, const struct xfile_set *set)
 	clip->channel = ARENA_ARRAY(
 		&model->arena, struct model_channel, count_channels(set));
 	if (!clip->name || !clip->channel) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (; animation; animation = animation->next) {
 		const struct xfile_keys *keys = animation->keys;
@@ -223,8 +222,9 @@ static int add_clip(struct xfile_build *build, const struct xfile_set *set)
 	if (clip->channel_count) {
 		model->clip_count++;
 	} else {
-		xfile_warn_at(build->where, set->place,
-			"the animation set \"%.200s\" moves nothing", set->name);
+		xfile_warn_at(build->context, set->location,
+			"the animation set \"%.200s\" moves no frame; limber ignores it",
+			set->name);
 	}
 	return 0;
 }
@@ -238,7 +238,7 @@ int xfile_build_clips(struct xfile_build *build)
 	model->clip = ARENA_ARRAY(
 		&model->arena, struct model_clip, build->scene->set_count);
 	if (!model->clip) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (; !error && set; set = set->next) {
 		error = add_clip(build, set);

@@ -7,10 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A file's texture, looked at once however many materials have it. */
+/* A texture file; each is read once, even when several materials use it. */
 struct texture {
-	const char *file; /* as written */
-	int texture;      /* in the model, or -1 where it cannot be had */
+	const char *file; /* as the model file spells it */
+	int texture;      /* index in the model; -1: limber cannot read it */
 };
 
 struct textures {
@@ -19,7 +19,7 @@ struct textures {
 	int count;
 };
 
-/* What cannot be read costs a warning only. */
+/* Logs errors as warnings, because a model loads without its textures. */
 static void write_warning(void *user, enum log_level level, const char *sentence)
 {
 	const struct log *log = user;
@@ -28,9 +28,9 @@ static void write_warning(void *user, enum log_level level, const char *sentence
 }
 
 /*
- * The name of a file beside the model. Exporters write backslashes, doubled
- * or not, and the paths of the machine that they ran on; of a path that leads
- * elsewhere only the last part is taken.
+ * Turns the path of a texture into one below the model's folder. Exporters
+ * write single or doubled backslashes and absolute paths of their own machine;
+ * of a path that leads outside the folder, the file name remains.
  */
 static char *clean_file_name(struct arena *arena, const char *written)
 {
@@ -56,10 +56,10 @@ static char *clean_file_name(struct arena *arena, const char *written)
 	return name;
 }
 
-static int read_image(struct xfile_build *build, size_t place, const char *file,
-	struct model_image *out)
+static int read_image(struct xfile_build *build, size_t location,
+	const char *file, struct model_image *out)
 {
-	const struct log quiet = {
+	const struct log warnings_only = {
 		.write = write_warning,
 		.user = (void *)(uintptr_t)build->log,
 		.threshold = LOG_NOTE,
@@ -69,22 +69,23 @@ static int read_image(struct xfile_build *build, size_t place, const char *file,
 	int error;
 
 	snprintf(where, sizeof(where), "%.255s: %s %zu%s: texture",
-		build->where->path, build->where->binary ? "byte" : "line",
-		place, build->where->unpacked ? " of the unpacked data" : "");
+		build->context->path, build->context->binary ? "byte" : "line",
+		location,
+		build->context->unpacked ? " of the decompressed data" : "");
 	error = model_file_read_beside(
-		build->source, file, where, &quiet, &bytes);
+		build->source, file, where, &warnings_only, &bytes);
 	if (error) {
 		return error;
 	}
 	snprintf(where + strlen(where), sizeof(where) - strlen(where),
 		" %.120s", file);
-	error = image_decode(bytes.data, bytes.size, where, &quiet,
+	error = image_decode(bytes.data, bytes.size, where, &warnings_only,
 		&build->model->arena, out);
 	model_file_release(&bytes);
 	return error;
 }
 
-/* An error here is short memory; anything else leaves -1. */
+/* Fails only without memory. *out is -1 when the texture cannot be read. */
 static int add_texture(struct xfile_build *build,
 	const struct xfile_material *material, int *out)
 {
@@ -95,15 +96,15 @@ static int add_texture(struct xfile_build *build,
 
 	*out = -1;
 	if (!file) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
-	error = read_image(build, material->texture_place, file, image);
+	error = read_image(build, material->texture_location, file, image);
 	if (error) {
 		return error == -ENOMEM ? error : 0;
 	}
 	image->name = xfile_clean_name(&model->arena, file);
 	if (!image->name) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	model->texture[model->texture_count] = (struct model_texture){
 		.image = model->image_count++,
@@ -141,8 +142,8 @@ static int find_texture(struct xfile_build *build, struct textures *textures,
 }
 
 /*
- * The power p of a highlight says as much as a roughness of (2 / (p + 2)) to
- * the quarter: both give its half-width. Without a highlight all is rough.
+ * A Blinn-Phong exponent p corresponds to the GGX alpha sqrt(2 / (p + 2)),
+ * which is the square of the roughness. Without a highlight the roughness is 1.
  */
 static float to_roughness(const struct xfile_material *material)
 {
@@ -168,7 +169,7 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 	}
 	to->name = arena_strdup(&model->arena, from->name);
 	if (!to->name) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; i < 3; i++) {
 		to->base_color[i] = color_decode_srgb(from->color[i]);
@@ -200,13 +201,13 @@ int xfile_build_materials(struct xfile_build *build)
 	if (!model->material || !model->image || !model->texture ||
 		!textures.list ||
 		xfile_names_init(&textures.names, build->scratch, count)) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (; !error && from; from = from->next) {
 		error = fill_material(
 			build, &textures, from, &model->material[from->index]);
 	}
-	/* It counts once a face without a material needs it. */
+	/* The default material, counted when a face needs it. */
 	model->material[count] = model_plain_material;
 	model->material_count = (int)count;
 	return error;

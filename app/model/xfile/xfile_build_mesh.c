@@ -1,3 +1,4 @@
+#include "app/model/color.h"
 #include "app/model/xfile/xfile_build.h"
 #include "app/model/xfile/xfile_convert.h"
 
@@ -6,22 +7,21 @@
 #include <string.h>
 
 /*
- * One corner of a face. Equal material, position and normal make one vertex;
- * equal materials one primitive.
+ * A corner of a face. Corners with the same material, position and normal
+ * become one vertex; corners with the same material are in one primitive.
  */
 struct corner {
 	uint32_t material;
 	uint32_t position;
 	uint32_t normal;
-	uint32_t order; /* among all corners of the mesh */
+	uint32_t order; /* its number in the mesh */
 };
 
-/* A mesh on its way. */
-struct shaping {
+struct mesh_builder {
 	struct xfile_build *build;
 	const struct xfile_mesh *from;
 	struct xfile_influences influences;
-	uint32_t *slot_material; /* of each of the mesh's slots */
+	uint32_t *slot_material; /* [slot_count]: the model's index */
 	uint32_t slot_count;
 	struct corner *corner; /* sorted */
 	size_t corner_count;
@@ -50,37 +50,38 @@ static uint32_t resolve_slot(
 	if (index >= 0) {
 		return (uint32_t)index;
 	}
-	xfile_warn_at(build->where, slot->place,
-		"there is no material \"%.200s\"", slot->name);
+	xfile_warn_at(build->context, slot->location,
+		"this mesh refers to the material \"%.200s\", which does not exist",
+		slot->name);
 	return default_material(build);
 }
 
-static int resolve_slots(struct shaping *shaping)
+static int resolve_slots(struct mesh_builder *builder)
 {
-	const struct xfile_slot *slot = shaping->from->slots;
+	const struct xfile_slot *slot = builder->from->slots;
 
 	for (; slot; slot = slot->next) {
-		shaping->slot_count++;
+		builder->slot_count++;
 	}
-	shaping->slot_material = ARENA_ARRAY(
-		shaping->build->scratch, uint32_t, shaping->slot_count);
-	if (!shaping->slot_material) {
-		return xfile_no_memory(shaping->build->where);
+	builder->slot_material = ARENA_ARRAY(
+		builder->build->scratch, uint32_t, builder->slot_count);
+	if (!builder->slot_material) {
+		return xfile_no_memory(builder->build->context);
 	}
-	slot = shaping->from->slots;
+	slot = builder->from->slots;
 	for (uint32_t i = 0; slot; slot = slot->next, i++) {
-		shaping->slot_material[i] = resolve_slot(shaping->build, slot);
+		builder->slot_material[i] = resolve_slot(builder->build, slot);
 	}
 	return 0;
 }
 
-static uint32_t face_material(const struct shaping *shaping, uint32_t face)
+static uint32_t face_material(const struct mesh_builder *builder, uint32_t face)
 {
-	const struct xfile_mesh *from = shaping->from;
+	const struct xfile_mesh *from = builder->from;
 	uint32_t slot = from->face_slot ? from->face_slot[face] : 0;
 
-	return slot < shaping->slot_count ? shaping->slot_material[slot]
-					  : default_material(shaping->build);
+	return slot < builder->slot_count ? builder->slot_material[slot]
+					  : default_material(builder->build);
 }
 
 static uint32_t face_corners(const struct xfile_faces *faces, uint32_t face)
@@ -108,20 +109,20 @@ static int compare_corners(const void *a, const void *b)
 	return order ? order : compare_numbers(left->order, right->order);
 }
 
-/* Lines and points, faces of fewer than three corners, are left out. */
-static int sort_corners(struct shaping *shaping)
+/* Ignores faces with fewer than three corners. */
+static int sort_corners(struct mesh_builder *builder)
 {
-	const struct xfile_mesh *from = shaping->from;
+	const struct xfile_mesh *from = builder->from;
 	const struct xfile_faces *faces = &from->faces;
 	size_t total = faces->first[faces->count];
 
-	shaping->corner =
-		ARENA_ARRAY(shaping->build->scratch, struct corner, total);
-	shaping->vertex_of =
-		ARENA_ARRAY(shaping->build->scratch, uint32_t, total);
-	shaping->primitive_of = ARENA_ARRAY(shaping->build->scratch, int, total);
-	if (!shaping->corner || !shaping->vertex_of || !shaping->primitive_of) {
-		return xfile_no_memory(shaping->build->where);
+	builder->corner =
+		ARENA_ARRAY(builder->build->scratch, struct corner, total);
+	builder->vertex_of =
+		ARENA_ARRAY(builder->build->scratch, uint32_t, total);
+	builder->primitive_of = ARENA_ARRAY(builder->build->scratch, int, total);
+	if (!builder->corner || !builder->vertex_of || !builder->primitive_of) {
+		return xfile_no_memory(builder->build->context);
 	}
 	for (uint32_t face = 0; face < faces->count; face++) {
 		uint32_t material;
@@ -129,10 +130,10 @@ static int sort_corners(struct shaping *shaping)
 		if (face_corners(faces, face) < 3) {
 			continue;
 		}
-		material = face_material(shaping, face);
+		material = face_material(builder, face);
 		for (uint32_t i = faces->first[face];
 			i < faces->first[face + 1]; i++) {
-			shaping->corner[shaping->corner_count++] =
+			builder->corner[builder->corner_count++] =
 				(struct corner){
 					.material = material,
 					.position = faces->corner[i],
@@ -143,7 +144,7 @@ static int sort_corners(struct shaping *shaping)
 				};
 		}
 	}
-	qsort(shaping->corner, shaping->corner_count, sizeof(*shaping->corner),
+	qsort(builder->corner, builder->corner_count, sizeof(*builder->corner),
 		compare_corners);
 	return 0;
 }
@@ -154,55 +155,57 @@ static bool is_same_vertex(const struct corner *a, const struct corner *b)
 		a->normal == b->normal;
 }
 
-static int count_primitives(struct shaping *shaping)
+static int count_primitives(struct mesh_builder *builder)
 {
-	struct arena *arena = &shaping->build->model->arena;
-	const struct corner *corner = shaping->corner;
+	struct arena *arena = &builder->build->model->arena;
+	const struct corner *corner = builder->corner;
 	int count = 0;
 
-	for (size_t i = 0; i < shaping->corner_count; i++) {
+	for (size_t i = 0; i < builder->corner_count; i++) {
 		count += i == 0 || corner[i].material != corner[i - 1].material;
 	}
-	shaping->mesh->primitive =
+	builder->mesh->primitive =
 		ARENA_ARRAY(arena, struct model_primitive, count);
-	shaping->mesh->primitive_count = count;
-	return shaping->mesh->primitive ? 0
-					: xfile_no_memory(shaping->build->where);
+	builder->mesh->primitive_count = count;
+	return builder->mesh->primitive
+		? 0
+		: xfile_no_memory(builder->build->context);
 }
 
-/* Gives every corner its primitive and its vertex there. */
-static void number_vertices(struct shaping *shaping)
+/* Assigns a primitive and a vertex to each corner. */
+static void number_vertices(struct mesh_builder *builder)
 {
-	const struct corner *corner = shaping->corner;
+	const struct corner *corner = builder->corner;
 	struct model_primitive *primitive = NULL;
 
-	for (size_t i = 0; i < shaping->corner_count; i++) {
+	for (size_t i = 0; i < builder->corner_count; i++) {
 		const struct corner *at = &corner[i];
 
 		if (i == 0 || at->material != at[-1].material) {
 			primitive = primitive ? primitive + 1
-					      : shaping->mesh->primitive;
+					      : builder->mesh->primitive;
 			primitive->file_index =
-				(int)(primitive - shaping->mesh->primitive);
+				(int)(primitive - builder->mesh->primitive);
 			primitive->material = (int)at->material;
 		}
 		if (i == 0 || !is_same_vertex(at, at - 1)) {
 			primitive->vertex_count++;
 		}
-		shaping->vertex_of[at->order] =
+		builder->vertex_of[at->order] =
 			(uint32_t)primitive->vertex_count - 1;
-		shaping->primitive_of[at->order] = primitive->file_index;
+		builder->primitive_of[at->order] = primitive->file_index;
 	}
 }
 
-static int make_room(struct shaping *shaping, struct model_primitive *primitive)
+static int allocate(
+	struct mesh_builder *builder, struct model_primitive *primitive)
 {
-	const struct xfile_mesh *from = shaping->from;
-	struct arena *arena = &shaping->build->model->arena;
+	const struct xfile_mesh *from = builder->from;
+	struct arena *arena = &builder->build->model->arena;
 	size_t count = (size_t)primitive->vertex_count;
-	size_t influences = count * (size_t)shaping->influences.width;
+	size_t influences = count * (size_t)builder->influences.width;
 
-	primitive->influences = shaping->influences.width;
+	primitive->influences = builder->influences.width;
 	primitive->position = arena_alloc(arena, count, 3 * sizeof(float));
 	primitive->normal = from->normal || from->declared_normal
 		? arena_alloc(arena, count, 3 * sizeof(float))
@@ -222,7 +225,7 @@ static int make_room(struct shaping *shaping, struct model_primitive *primitive)
 		(!primitive->texcoord && from->texcoord) ||
 		(!primitive->color && from->color) ||
 		(influences && (!primitive->joint || !primitive->weight))) {
-		return xfile_no_memory(shaping->build->where);
+		return xfile_no_memory(builder->build->context);
 	}
 	primitive->index_count = 0;
 	return 0;
@@ -242,15 +245,10 @@ static void convert_normal(const float in[3], float out[3])
 	out[2] = (float)(-in[2] / length);
 }
 
-static uint8_t to_byte(float value)
-{
-	return (uint8_t)(fminf(fmaxf(value, 0), 1) * 255 + 0.5f);
-}
-
-static void fill_vertex(const struct shaping *shaping,
+static void fill_vertex(const struct mesh_builder *builder,
 	const struct corner *corner, struct model_primitive *to, size_t vertex)
 {
-	const struct xfile_mesh *from = shaping->from;
+	const struct xfile_mesh *from = builder->from;
 	size_t position = corner->position;
 	size_t width = (size_t)to->influences;
 
@@ -266,37 +264,38 @@ static void fill_vertex(const struct shaping *shaping,
 	}
 	if (to->color) {
 		for (int i = 0; i < 4; i++) {
-			to->color[vertex][i] = to_byte(from->color[position][i]);
+			to->color[vertex][i] =
+				color_to_byte(from->color[position][i]);
 		}
 	}
 	if (width) {
 		memcpy(to->joint + vertex * width,
-			shaping->influences.joint[position],
+			builder->influences.joint[position],
 			width * sizeof(*to->joint));
 		memcpy(to->weight + vertex * width,
-			shaping->influences.weight[position],
+			builder->influences.weight[position],
 			width * sizeof(*to->weight));
 	}
 }
 
-static void fill_vertices(struct shaping *shaping)
+static void fill_vertices(struct mesh_builder *builder)
 {
-	struct model_primitive *primitive = shaping->mesh->primitive;
+	struct model_primitive *primitive = builder->mesh->primitive;
 
-	for (size_t i = 0; i < shaping->corner_count; i++) {
-		const struct corner *corner = &shaping->corner[i];
+	for (size_t i = 0; i < builder->corner_count; i++) {
+		const struct corner *corner = &builder->corner[i];
 		uint32_t order = corner->order;
 
-		fill_vertex(shaping, corner,
-			&primitive[shaping->primitive_of[order]],
-			shaping->vertex_of[order]);
+		fill_vertex(builder, corner,
+			&primitive[builder->primitive_of[order]],
+			builder->vertex_of[order]);
 	}
 }
 
-/* Corners go backwards, since the mirroring turned the faces over. */
-static void fill_triangles(struct shaping *shaping)
+/* Reverses the corners, because negating z reverses the winding. */
+static void fill_triangles(struct mesh_builder *builder)
 {
-	const struct xfile_faces *faces = &shaping->from->faces;
+	const struct xfile_faces *faces = &builder->from->faces;
 
 	for (uint32_t face = 0; face < faces->count; face++) {
 		uint32_t corners = face_corners(faces, face);
@@ -307,84 +306,84 @@ static void fill_triangles(struct shaping *shaping)
 			continue;
 		}
 		primitive =
-			&shaping->mesh->primitive[shaping->primitive_of[first]];
+			&builder->mesh->primitive[builder->primitive_of[first]];
 		for (uint32_t i = 1; i + 1 < corners; i++) {
 			uint32_t *index =
 				primitive->index + primitive->index_count;
 
-			index[0] = shaping->vertex_of[first];
-			index[1] = shaping->vertex_of[first + i + 1];
-			index[2] = shaping->vertex_of[first + i];
+			index[0] = builder->vertex_of[first];
+			index[1] = builder->vertex_of[first + i + 1];
+			index[2] = builder->vertex_of[first + i];
 			primitive->index_count += 3;
 		}
 	}
 }
 
-/* read_faces() keeps 3 * corners within an int. */
-static void count_triangles(struct shaping *shaping)
+/* No overflow: read_faces() limits the corners to INT_MAX / 3. */
+static void count_triangles(struct mesh_builder *builder)
 {
-	const struct xfile_faces *faces = &shaping->from->faces;
+	const struct xfile_faces *faces = &builder->from->faces;
 
 	for (uint32_t face = 0; face < faces->count; face++) {
 		uint32_t corners = face_corners(faces, face);
 
 		if (corners >= 3) {
 			int primitive =
-				shaping->primitive_of[faces->first[face]];
+				builder->primitive_of[faces->first[face]];
 
-			shaping->mesh->primitive[primitive].index_count +=
+			builder->mesh->primitive[primitive].index_count +=
 				3 * (int)(corners - 2);
 		}
 	}
 }
 
-static int fill_mesh(struct shaping *shaping)
+static int fill_mesh(struct mesh_builder *builder)
 {
-	struct model_mesh *mesh = shaping->mesh;
-	int error = count_primitives(shaping);
+	struct model_mesh *mesh = builder->mesh;
+	int error = count_primitives(builder);
 
 	if (error) {
 		return error;
 	}
-	number_vertices(shaping);
-	count_triangles(shaping);
+	number_vertices(builder);
+	count_triangles(builder);
 	for (int i = 0; i < mesh->primitive_count; i++) {
-		error = make_room(shaping, &mesh->primitive[i]);
+		error = allocate(builder, &mesh->primitive[i]);
 		if (error) {
 			return error;
 		}
 	}
-	fill_vertices(shaping);
-	fill_triangles(shaping);
+	fill_vertices(builder);
+	fill_triangles(builder);
 	for (int i = 0; i < mesh->primitive_count; i++) {
 		model_normalize_influences(&mesh->primitive[i]);
 	}
 	return 0;
 }
 
-static int shape_mesh(struct xfile_build *build, int index)
+static int build_mesh(struct xfile_build *build, int index)
 {
 	struct model *model = build->model;
-	struct shaping shaping = {
+	struct mesh_builder builder = {
 		.build = build,
 		.from = build->mesh[index],
 		.mesh = &model->mesh[model->mesh_count],
 	};
-	int error = resolve_slots(&shaping);
+	int error = resolve_slots(&builder);
 
-	build->mesh_place[index] = model->mesh_count++;
-	shaping.mesh->name = arena_strdup(&model->arena, shaping.from->name);
-	if (!shaping.mesh->name) {
-		return xfile_no_memory(build->where);
+	build->mesh_index[index] = model->mesh_count++;
+	builder.mesh->name = arena_strdup(&model->arena, builder.from->name);
+	if (!builder.mesh->name) {
+		return xfile_no_memory(build->context);
 	}
 	if (!error) {
 		error = xfile_build_skin(
-			build, shaping.from, index, &shaping.influences);
+			build, builder.from, index, &builder.influences);
 	}
 	if (!error) {
-		error = sort_corners(&shaping);
+		error = sort_corners(&builder);
 	}
-	return error ? error : fill_mesh(&shaping);
+	return error ? error : fill_mesh(&builder);
 }
 
 static int make_tables(struct xfile_build *build)
@@ -392,17 +391,17 @@ static int make_tables(struct xfile_build *build)
 	struct model *model = build->model;
 	size_t count = (size_t)build->scene->mesh_count;
 
-	build->mesh_place = ARENA_ARRAY(build->scratch, int, count);
+	build->mesh_index = ARENA_ARRAY(build->scratch, int, count);
 	build->mesh_skin = ARENA_ARRAY(build->scratch, int, count);
 	build->mesh_node = ARENA_ARRAY(build->scratch, int, count);
 	model->mesh = ARENA_ARRAY(&model->arena, struct model_mesh, count);
 	model->skin = ARENA_ARRAY(&model->arena, struct model_skin, count);
-	if (!build->mesh_place || !build->mesh_skin || !build->mesh_node ||
+	if (!build->mesh_index || !build->mesh_skin || !build->mesh_node ||
 		!model->mesh || !model->skin) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (size_t i = 0; i < count; i++) {
-		build->mesh_place[i] = -1;
+		build->mesh_index[i] = -1;
 		build->mesh_skin[i] = -1;
 		build->mesh_node[i] = -1;
 	}
@@ -418,8 +417,8 @@ int xfile_build_meshes(struct xfile_build *build)
 
 		if (build->mesh_node[instance->mesh] < 0) {
 			build->mesh_node[instance->mesh] =
-				build->place[instance->node];
-			error = shape_mesh(build, instance->mesh);
+				build->node_index[instance->node];
+			error = build_mesh(build, instance->mesh);
 		}
 	}
 	return error;

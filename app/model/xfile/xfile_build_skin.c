@@ -9,15 +9,15 @@ enum {
 	JOINTS_MAX = 65535,
 };
 
-/* Enters a joint at its place by weight; the weakest of nine falls out. */
+/* Inserts an influence by weight; returns whether it drops the smallest. */
 static bool insert(
 	uint16_t *joint, float *weight, uint16_t new_joint, float new_weight)
 {
-	bool fell_out = weight[WIDTH_MAX - 1] > 0;
+	bool drops_one = weight[WIDTH_MAX - 1] > 0;
 	int at = WIDTH_MAX - 1;
 
 	if (!(new_weight > weight[at])) {
-		return fell_out;
+		return drops_one;
 	}
 	for (; at > 0 && new_weight > weight[at - 1]; at--) {
 		weight[at] = weight[at - 1];
@@ -25,12 +25,11 @@ static bool insert(
 	}
 	weight[at] = new_weight;
 	joint[at] = new_joint;
-	return fell_out;
+	return drops_one;
 }
 
-/* The number of vertices with more than eight bones is only for a note. */
-static void gather(struct xfile_build *build, const struct xfile_mesh *mesh,
-	struct xfile_influences *out)
+static void gather_influences(struct xfile_build *build,
+	const struct xfile_mesh *mesh, struct xfile_influences *out)
 {
 	const struct xfile_bone *bone = mesh->bones;
 	size_t dropped = 0;
@@ -48,14 +47,13 @@ static void gather(struct xfile_build *build, const struct xfile_mesh *mesh,
 	}
 	if (dropped) {
 		log_note(build->log,
-			"%s: mesh \"%.200s\" has vertices with more than %d "
-			"bones; %zu weak weights are dropped",
-			build->where->path, mesh->name, WIDTH_MAX, dropped);
+			"%s: mesh \"%.200s\" has vertices with more than %d bones; limber drops the %zu smallest weights",
+			build->context->path, mesh->name, WIDTH_MAX, dropped);
 	}
 }
 
-/* Vertices without a bone go to joint; whether there are any. */
-static bool bind_loose(const struct xfile_mesh *mesh, uint16_t joint,
+/* Attaches vertices without a bone to joint; returns whether there are any. */
+static bool bind_unweighted(const struct xfile_mesh *mesh, uint16_t joint,
 	struct xfile_influences *out)
 {
 	bool any = false;
@@ -80,13 +78,12 @@ static void fill_joint(struct xfile_build *build, const struct xfile_mesh *mesh,
 	int frame = xfile_names_find(&build->frame_names, bone->name);
 
 	if (frame >= 0) {
-		*joint = build->place[frame];
+		*joint = build->node_index[frame];
 		xfile_convert_matrix(bone->offset, bind);
 		return;
 	}
-	xfile_warn_at(build->where, bone->place,
-		"there is no frame for the bone \"%.200s\" of mesh \"%.200s\"; "
-		"it stays at rest",
+	xfile_warn_at(build->context, bone->location,
+		"the bone \"%.200s\" of mesh \"%.200s\" has no frame; it stays at rest",
 		bone->name, mesh->name);
 	*joint = mesh_node;
 	glm_mat4_identity(bind);
@@ -106,7 +103,7 @@ static int make_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 	skin->joint = ARENA_ARRAY(&model->arena, int, joint_count);
 	skin->inverse_bind = ARENA_ARRAY(&model->arena, mat4, joint_count);
 	if (!skin->name || !skin->joint || !skin->inverse_bind) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; bone; bone = bone->next, i++) {
 		fill_joint(build, mesh, bone, mesh_node, &skin->joint[i],
@@ -122,14 +119,14 @@ static int make_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 int xfile_build_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 	int mesh_index, struct xfile_influences *out)
 {
-	bool loose;
+	bool unweighted;
 
 	if (!mesh->bone_count) {
 		return 0;
 	}
 	if (mesh->bone_count >= JOINTS_MAX) {
-		return xfile_fail_at(build->where, mesh->place,
-			"mesh \"%.200s\" has %u bones; limber takes up to %d",
+		return xfile_fail_at(build->context, mesh->location,
+			"mesh \"%.200s\" has %u bones; limber supports up to %d",
 			mesh->name, (unsigned)mesh->bone_count, JOINTS_MAX - 1);
 	}
 	out->joint = arena_alloc(
@@ -137,9 +134,10 @@ int xfile_build_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 	out->weight = arena_alloc(
 		build->scratch, mesh->vertex_count, sizeof(*out->weight));
 	if (!out->joint || !out->weight) {
-		return xfile_no_memory(build->where);
+		return xfile_no_memory(build->context);
 	}
-	gather(build, mesh, out);
-	loose = bind_loose(mesh, (uint16_t)mesh->bone_count, out);
-	return make_skin(build, mesh, mesh_index, (int)mesh->bone_count + loose);
+	gather_influences(build, mesh, out);
+	unweighted = bind_unweighted(mesh, (uint16_t)mesh->bone_count, out);
+	return make_skin(
+		build, mesh, mesh_index, (int)mesh->bone_count + unweighted);
 }

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Taken from 0, so that 0 stays 0 and does not become -0. */
+/* 0 - x instead of -x keeps 0 from becoming -0. */
 void xfile_convert_vector(const float in[3], float out[3])
 {
 	out[0] = in[0];
@@ -15,7 +15,7 @@ void xfile_convert_vector(const float in[3], float out[3])
 	out[2] = 0.0f - in[2];
 }
 
-/* A row of the file is a column of the model: both lie in the same order. */
+/* The transpose of a row-major matrix is column-major in the same order. */
 void xfile_convert_matrix(const float in[16], mat4 out)
 {
 	for (int column = 0; column < 4; column++) {
@@ -43,8 +43,8 @@ void xfile_convert_rotation(const float wxyz[4], float out[4])
 }
 
 /*
- * Exporters write six decimals, which is little for small scales: what they
- * round is not to be taken for shear.
+ * Exporters write six decimals. With a small scale, their rounding errors must
+ * not count as shear.
  */
 static bool is_near(const mat4 matrix, const struct transform *transform)
 {

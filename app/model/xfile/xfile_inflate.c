@@ -8,178 +8,180 @@
 #include <zlib.h>
 
 enum {
-	BLOCK_BYTES = 32 * 1024, /* unpacked, at most */
+	BLOCK_BYTES = 32 * 1024, /* decompressed, at most */
 	HISTORY_BYTES = 32 * 1024,
 	BLOCK_HEADER_BYTES = 6,
 };
 
-struct unpacking {
-	const struct xfile_source *source;
-	const uint8_t *begin; /* of the packed data, behind the header */
+struct inflater {
+	const struct xfile_context *context;
+	const uint8_t *begin; /* of the compressed data, behind the header */
 	const uint8_t *at;
 	const uint8_t *end;
 	z_stream stream;
 	uint8_t *out;
 	size_t used;
-	size_t room;
-	size_t promised; /* bytes of the unpacked body */
+	size_t capacity;
+	size_t expected; /* bytes of the decompressed body */
 };
 
-/* Places count in the packed file here, whatever it holds. */
-static int fail_packed(const struct unpacking *unpacking, const char *reason)
+/* Logs the offset in the compressed file. */
+static int fail_packed(const struct inflater *inflater, const char *reason)
 {
-	log_error(unpacking->source->log, "%s: byte %zu: %s",
-		unpacking->source->path,
-		XFILE_HEADER_BYTES + (size_t)(unpacking->at - unpacking->begin),
+	log_error(inflater->context->log, "%s: byte %zu: %s",
+		inflater->context->path,
+		XFILE_HEADER_BYTES + (size_t)(inflater->at - inflater->begin),
 		reason);
 	return -EINVAL;
 }
 
-static int make_room(struct unpacking *unpacking, size_t more)
+static int reserve(struct inflater *inflater, size_t more)
 {
-	size_t room = unpacking->room ? unpacking->room : BLOCK_BYTES;
+	size_t capacity = inflater->capacity ? inflater->capacity : BLOCK_BYTES;
 	uint8_t *out;
 
-	while (room - unpacking->used < more) {
-		room *= 2;
+	while (capacity - inflater->used < more) {
+		capacity *= 2;
 	}
-	if (room == unpacking->room) {
+	if (capacity == inflater->capacity) {
 		return 0;
 	}
-	out = realloc(unpacking->out, room);
+	out = realloc(inflater->out, capacity);
 	if (!out) {
-		return xfile_no_memory(unpacking->source);
+		return xfile_no_memory(inflater->context);
 	}
-	unpacking->out = out;
-	unpacking->room = room;
+	inflater->out = out;
+	inflater->capacity = capacity;
 	return 0;
 }
 
 static bool inflate_block(
-	struct unpacking *unpacking, size_t packed_bytes, size_t bytes)
+	struct inflater *inflater, size_t packed_bytes, size_t bytes)
 {
-	z_stream *stream = &unpacking->stream;
-	size_t history = unpacking->used < HISTORY_BYTES ? unpacking->used
-							 : HISTORY_BYTES;
+	z_stream *stream = &inflater->stream;
+	size_t history =
+		inflater->used < HISTORY_BYTES ? inflater->used : HISTORY_BYTES;
 
 	if (inflateReset(stream) != Z_OK) {
 		return false;
 	}
 	if (history &&
 		inflateSetDictionary(stream,
-			unpacking->out + unpacking->used - history,
+			inflater->out + inflater->used - history,
 			(uInt)history) != Z_OK) {
 		return false;
 	}
-	stream->next_in = unpacking->at;
+	stream->next_in = inflater->at;
 	stream->avail_in = (uInt)packed_bytes;
-	stream->next_out = unpacking->out + unpacking->used;
+	stream->next_out = inflater->out + inflater->used;
 	stream->avail_out = (uInt)bytes;
 	return inflate(stream, Z_FINISH) == Z_STREAM_END && !stream->avail_out;
 }
 
-/* Takes one block, behind its header. */
+/* Decompresses one block; at is behind its header. */
 static int unpack_block(
-	struct unpacking *unpacking, size_t packed_bytes, size_t bytes)
+	struct inflater *inflater, size_t packed_bytes, size_t bytes)
 {
 	int error;
 
 	if (bytes > BLOCK_BYTES) {
-		return fail_packed(unpacking,
-			"a compressed block holds more than 32,768 bytes");
+		return fail_packed(inflater,
+			"a compressed block has more than 32768 bytes");
 	}
-	if (bytes > unpacking->promised - unpacking->used) {
-		return fail_packed(unpacking,
-			"the compressed data is longer than it promises");
+	if (bytes > inflater->expected - inflater->used) {
+		return fail_packed(inflater,
+			"the compressed data is longer than the header claims");
 	}
-	error = make_room(unpacking, bytes);
+	error = reserve(inflater, bytes);
 	if (error) {
 		return error;
 	}
-	if (!inflate_block(unpacking, packed_bytes, bytes)) {
-		return fail_packed(unpacking, "the compressed block is damaged");
+	if (!inflate_block(inflater, packed_bytes, bytes)) {
+		return fail_packed(inflater, "the compressed block is damaged");
 	}
-	unpacking->used += bytes;
-	unpacking->at += packed_bytes;
+	inflater->used += bytes;
+	inflater->at += packed_bytes;
 	return 0;
 }
 
-static int unpack_next(struct unpacking *unpacking)
+static int unpack_next(struct inflater *inflater)
 {
-	const uint8_t *at = unpacking->at;
+	const uint8_t *at = inflater->at;
 	size_t bytes, packed_bytes;
 
-	if (unpacking->end - at < BLOCK_HEADER_BYTES) {
-		return fail_packed(unpacking, "the compressed data ends early");
+	if (inflater->end - at < BLOCK_HEADER_BYTES) {
+		return fail_packed(inflater, "the compressed data is truncated");
 	}
 	bytes = (size_t)at[0] | (size_t)at[1] << 8;
 	packed_bytes = (size_t)at[2] | (size_t)at[3] << 8;
 	if (at[4] != 'C' || at[5] != 'K') {
-		return fail_packed(unpacking, "a compressed block is missing");
+		return fail_packed(
+			inflater, "a compressed block does not begin with CK");
 	}
-	/* The packed size counts the letters. */
+	/* The compressed size includes the letters CK. */
 	if (packed_bytes < 2 ||
 		packed_bytes - 2 >
-			(size_t)(unpacking->end - at - BLOCK_HEADER_BYTES)) {
-		return fail_packed(unpacking, "the compressed data ends early");
+			(size_t)(inflater->end - at - BLOCK_HEADER_BYTES)) {
+		return fail_packed(inflater, "the compressed data is truncated");
 	}
-	unpacking->at += BLOCK_HEADER_BYTES;
-	return unpack_block(unpacking, packed_bytes - 2, bytes);
+	inflater->at += BLOCK_HEADER_BYTES;
+	return unpack_block(inflater, packed_bytes - 2, bytes);
 }
 
-static int unpack_all(struct unpacking *unpacking)
+static int unpack_all(struct inflater *inflater)
 {
-	const uint8_t *at = unpacking->at;
+	const uint8_t *at = inflater->at;
 	size_t total;
 	int error = 0;
 
-	if (unpacking->end - at < 4) {
-		return fail_packed(unpacking, "the compressed data ends early");
+	if (inflater->end - at < 4) {
+		return fail_packed(inflater, "the compressed data is truncated");
 	}
 	total = (size_t)at[0] | (size_t)at[1] << 8 | (size_t)at[2] << 16 |
 		(size_t)at[3] << 24;
 	if (total < XFILE_HEADER_BYTES) {
-		return fail_packed(unpacking, "the unpacked size is too small");
+		return fail_packed(inflater,
+			"the decompressed size is smaller than a header");
 	}
 	if (total > XFILE_UNPACKED_MAX) {
-		log_error(unpacking->source->log,
-			"%s: is %zu bytes unpacked; limber reads up to %d",
-			unpacking->source->path, total, XFILE_UNPACKED_MAX);
+		log_error(inflater->context->log,
+			"%s: the decompressed file has %zu bytes; limber reads up to %d",
+			inflater->context->path, total, XFILE_UNPACKED_MAX);
 		return -EFBIG;
 	}
-	unpacking->promised = total - XFILE_HEADER_BYTES;
-	unpacking->at += 4;
-	while (!error && unpacking->used < unpacking->promised) {
-		error = unpack_next(unpacking);
+	inflater->expected = total - XFILE_HEADER_BYTES;
+	inflater->at += 4;
+	while (!error && inflater->used < inflater->expected) {
+		error = unpack_next(inflater);
 	}
 	return error;
 }
 
-int xfile_inflate(const struct xfile_source *source, const uint8_t *packed,
+int xfile_inflate(const struct xfile_context *context, const uint8_t *packed,
 	size_t packed_size, uint8_t **out, size_t *out_size)
 {
-	struct unpacking unpacking = {
-		.source = source,
+	struct inflater inflater = {
+		.context = context,
 		.begin = packed,
 		.at = packed,
 		.end = packed + packed_size,
 	};
 	int error;
 
-	/* Negative window bits: deflate without zlib's own header. */
-	if (inflateInit2(&unpacking.stream, -MAX_WBITS) != Z_OK) {
-		return xfile_no_memory(source);
+	/* Negative window bits mean a deflate stream without a zlib header. */
+	if (inflateInit2(&inflater.stream, -MAX_WBITS) != Z_OK) {
+		return xfile_no_memory(context);
 	}
-	error = unpack_all(&unpacking);
+	error = unpack_all(&inflater);
 	if (!error) {
-		error = make_room(&unpacking, 1);
+		error = reserve(&inflater, 1);
 	}
-	inflateEnd(&unpacking.stream);
+	inflateEnd(&inflater.stream);
 	if (error) {
-		free(unpacking.out);
+		free(inflater.out);
 		return error;
 	}
-	*out = unpacking.out;
-	*out_size = unpacking.used;
+	*out = inflater.out;
+	*out_size = inflater.used;
 	return 0;
 }

@@ -1,7 +1,8 @@
 /*
- * The body of a compressed .x file: a 4-byte size of the whole file unpacked,
- * then MSZIP blocks. A block is its unpacked and packed sizes, 2 bytes each,
- * the letters CK and a deflate stream that may refer to 32 KiB before it.
+ * Decompression of .x files. The body of a compressed file is the size of the
+ * decompressed file in 4 bytes, then MSZIP blocks. A block is its decompressed
+ * size and its compressed size, 2 bytes each, the letters CK and a deflate
+ * stream that may refer to the 32 KiB before it.
  */
 #ifndef APP_MODEL_XFILE_XFILE_INFLATE_H
 #define APP_MODEL_XFILE_XFILE_INFLATE_H
@@ -13,12 +14,12 @@ enum {
 };
 
 /*
- * Unpacks what follows the 16-byte header into memory that the caller frees.
- * 0, or -EINVAL for damaged data, -EFBIG beyond XFILE_UNPACKED_MAX or -ENOMEM
- * after a sentence. Memory grows with what is really there, not with what the
- * file promises.
+ * Decompresses what follows the 16-byte header into memory that the caller
+ * frees. 0, or after an error -EINVAL for damaged data, -EFBIG beyond
+ * XFILE_UNPACKED_MAX, -ENOMEM. The buffer grows with the decompressed data, not
+ * to the size that the file claims.
  */
-int xfile_inflate(const struct xfile_source *source, const uint8_t *packed,
+int xfile_inflate(const struct xfile_context *context, const uint8_t *packed,
 	size_t packed_size, uint8_t **out, size_t *out_size);
 
 #endif

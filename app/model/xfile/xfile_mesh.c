@@ -3,55 +3,56 @@
 #include <limits.h>
 #include <string.h>
 
-struct growing {
+struct index_list {
 	uint32_t *item;
 	size_t count;
-	size_t room;
+	size_t capacity;
 };
 
 /*
- * Makes room for more items. Old room stays behind in the arena, in all no
- * more than what is used.
+ * Reserves memory for more items. Arrays that are replaced stay in the arena;
+ * in total they are no larger than the final one.
  */
-static int grow(struct growing *list, struct xfile_reader *reader, size_t more)
+static int grow(
+	struct index_list *list, struct xfile_reader *reader, size_t more)
 {
-	size_t room = list->room ? list->room : 64;
+	size_t capacity = list->capacity ? list->capacity : 64;
 	uint32_t *item;
 
-	if (list->room - list->count >= more) {
+	if (list->capacity - list->count >= more) {
 		return 0;
 	}
-	while (room - list->count < more) {
-		room *= 2;
+	while (capacity - list->count < more) {
+		capacity *= 2;
 	}
-	item = ARENA_ARRAY(reader->scratch, uint32_t, room);
+	item = ARENA_ARRAY(reader->scratch, uint32_t, capacity);
 	if (!item) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	if (list->count) {
 		memcpy(item, list->item, list->count * sizeof(*item));
 	}
 	list->item = item;
-	list->room = room;
+	list->capacity = capacity;
 	return 0;
 }
 
-static int read_corner(struct xfile_reader *reader, const char *points_at,
+static int read_corner(struct xfile_reader *reader, const char *kind,
 	uint32_t limit, uint32_t *out)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	int error = xfile_read_integer(reader, "a face's index", out);
 
 	if (!error && *out >= limit) {
-		return xfile_fail_at(&reader->source, place,
-			"a face points at %s %u, but there are %u", points_at,
+		return xfile_fail_at(&reader->context, location,
+			"a face refers to %s %u, but there are only %u", kind,
 			(unsigned)*out, (unsigned)limit);
 	}
 	return error;
 }
 
-static int read_face(struct xfile_reader *reader, const char *points_at,
-	uint32_t limit, struct growing *corners)
+static int read_face(struct xfile_reader *reader, const char *kind,
+	uint32_t limit, struct index_list *corners)
 {
 	uint32_t count;
 	int error = xfile_read_count(
@@ -61,19 +62,19 @@ static int read_face(struct xfile_reader *reader, const char *points_at,
 		error = grow(corners, reader, count);
 	}
 	for (uint32_t i = 0; !error && i < count; i++) {
-		error = read_corner(reader, points_at, limit,
-			&corners->item[corners->count]);
+		error = read_corner(
+			reader, kind, limit, &corners->item[corners->count]);
 		corners->count++;
 	}
 	return error;
 }
 
-/* Faces whose corners are below limit. */
-static int read_faces(struct xfile_reader *reader, const char *points_at,
+/* Reads faces whose indices are below limit. */
+static int read_faces(struct xfile_reader *reader, const char *kind,
 	uint32_t limit, struct xfile_faces *out)
 {
-	struct growing corners = {0};
-	size_t place = reader->token.place;
+	struct index_list corners = {0};
+	size_t location = reader->token.location;
 	int error = xfile_read_count(reader, "the face count", 1, &out->count);
 
 	if (error) {
@@ -82,13 +83,13 @@ static int read_faces(struct xfile_reader *reader, const char *points_at,
 	out->first =
 		ARENA_ARRAY(reader->scratch, uint32_t, (size_t)out->count + 1);
 	if (!out->first) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; !error && i < out->count; i++) {
-		error = read_face(reader, points_at, limit, &corners);
+		error = read_face(reader, kind, limit, &corners);
 		if (!error && corners.count > INT_MAX / 3) {
-			error = xfile_fail_at(&reader->source, place,
-				"the faces have too many corners");
+			error = xfile_fail_at(&reader->context, location,
+				"the faces have more corners than limber supports");
 		}
 		out->first[i + 1] = (uint32_t)corners.count;
 	}
@@ -96,22 +97,21 @@ static int read_faces(struct xfile_reader *reader, const char *points_at,
 	return error;
 }
 
-static int check_normal_faces(struct xfile_reader *reader, size_t place,
+static int check_normal_faces(struct xfile_reader *reader, size_t location,
 	const struct xfile_mesh *mesh)
 {
 	const struct xfile_faces *faces = &mesh->faces;
 	const struct xfile_faces *normals = &mesh->normal_faces;
 
 	if (normals->count != faces->count) {
-		return xfile_fail_at(&reader->source, place,
-			"MeshNormals has %u faces, but the mesh %u",
+		return xfile_fail_at(&reader->context, location,
+			"MeshNormals has %u faces, but the mesh has %u",
 			(unsigned)normals->count, (unsigned)faces->count);
 	}
 	for (uint32_t i = 0; i < faces->count; i++) {
 		if (normals->first[i + 1] != faces->first[i + 1]) {
-			return xfile_fail_at(&reader->source, place,
-				"face %u has %u corners in MeshNormals, but "
-				"%u in the mesh",
+			return xfile_fail_at(&reader->context, location,
+				"face %u has %u corners in MeshNormals, but %u in the mesh",
 				(unsigned)i,
 				(unsigned)(normals->first[i + 1] -
 					normals->first[i]),
@@ -126,7 +126,7 @@ static int parse_normals(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
 	struct xfile_mesh *mesh = scope->mesh;
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	float *normal;
 	int error = xfile_read_vectors(reader, "the normals' count or element",
 		3, &mesh->normal_count, &normal);
@@ -137,20 +137,20 @@ static int parse_normals(struct xfile_reader *reader,
 			&mesh->normal_faces);
 	}
 	if (!error) {
-		error = check_normal_faces(reader, place, mesh);
+		error = check_normal_faces(reader, location, mesh);
 	}
 	if (error) {
 		return error;
 	}
 	mesh->normal = (float(*)[3])normal;
-	return xfile_read_rest(reader);
+	return xfile_skip_rest(reader);
 }
 
 static int parse_texcoords(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
 	struct xfile_mesh *mesh = scope->mesh;
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	uint32_t count;
 	float *texcoord;
 	int error = xfile_read_vectors(reader,
@@ -162,14 +162,14 @@ static int parse_texcoords(struct xfile_reader *reader,
 		return error;
 	}
 	if (count != mesh->vertex_count) {
-		return xfile_fail_at(&reader->source, place,
-			"MeshTextureCoords has %u, but the mesh %u vertices",
+		return xfile_fail_at(&reader->context, location,
+			"MeshTextureCoords has %u entries, but the mesh has %u vertices",
 			(unsigned)count, (unsigned)mesh->vertex_count);
 	}
 	if (!mesh->texcoord) {
 		mesh->texcoord = (float(*)[2])texcoord;
 	}
-	return xfile_read_rest(reader);
+	return xfile_skip_rest(reader);
 }
 
 static int make_white(struct xfile_reader *reader, struct xfile_mesh *mesh)
@@ -182,7 +182,7 @@ static int make_white(struct xfile_reader *reader, struct xfile_mesh *mesh)
 	color = ARENA_ARRAY(
 		reader->scratch, float, 4 * (size_t)mesh->vertex_count);
 	if (!color) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (size_t i = 0; i < 4 * (size_t)mesh->vertex_count; i++) {
 		color[i] = 1;
@@ -204,14 +204,14 @@ static int parse_colors(struct xfile_reader *reader,
 		error = make_white(reader, mesh);
 	}
 	for (uint32_t i = 0; !error && i < count; i++) {
-		size_t place = reader->token.place;
+		size_t location = reader->token.location;
 		uint32_t vertex;
 
-		error = xfile_read_integer(reader, "a coloured vertex", &vertex);
+		error = xfile_read_integer(
+			reader, "the index of a coloured vertex", &vertex);
 		if (!error && vertex >= mesh->vertex_count) {
-			error = xfile_fail_at(&reader->source, place,
-				"MeshVertexColors points at vertex %u, but "
-				"the mesh has %u",
+			error = xfile_fail_at(&reader->context, location,
+				"MeshVertexColors refers to vertex %u, but the mesh has %u vertices",
 				(unsigned)vertex, (unsigned)mesh->vertex_count);
 		}
 		if (!error) {
@@ -219,7 +219,7 @@ static int parse_colors(struct xfile_reader *reader,
 				mesh->color[vertex]);
 		}
 	}
-	return error ? error : xfile_read_rest(reader);
+	return error ? error : xfile_skip_rest(reader);
 }
 
 static int add_slot(struct xfile_reader *reader, struct xfile_mesh *mesh,
@@ -228,7 +228,7 @@ static int add_slot(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	struct xfile_slot *slot = ARENA_NEW(reader->scratch, struct xfile_slot);
 
 	if (!slot) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	*slot = *from;
 	XFILE_APPEND(mesh->slots, mesh->last_slot, slot);
@@ -238,7 +238,7 @@ static int add_slot(struct xfile_reader *reader, struct xfile_mesh *mesh,
 static int parse_slot(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	int error = xfile_parse_material(reader, scope, name);
 
 	return error ? error
@@ -246,14 +246,14 @@ static int parse_slot(struct xfile_reader *reader,
 			       &(struct xfile_slot){
 				       .material = scope->scene->last_material,
 				       .name = name,
-				       .place = place});
+				       .location = location});
 }
 
 static int refer_to_material(struct xfile_reader *reader,
-	const struct xfile_scope *scope, const char *name, size_t place)
+	const struct xfile_scope *scope, const char *name, size_t location)
 {
 	return add_slot(reader, scope->mesh,
-		&(struct xfile_slot){.name = name, .place = place});
+		&(struct xfile_slot){.name = name, .location = location});
 }
 
 static const struct xfile_grammar slot_grammar = {
@@ -265,7 +265,7 @@ static const struct xfile_grammar slot_grammar = {
 	.reference = refer_to_material,
 };
 
-/* Faces that are not listed take the last one's material. */
+/* Faces beyond the list get the material of the last listed face. */
 static int read_face_slots(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	uint32_t slots, uint32_t listed)
 {
@@ -277,19 +277,18 @@ static int read_face_slots(struct xfile_reader *reader, struct xfile_mesh *mesh,
 			reader->scratch, uint32_t, mesh->faces.count);
 	}
 	if (!mesh->face_slot) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; !error && i < mesh->faces.count; i++) {
-		size_t place = reader->token.place;
+		size_t location = reader->token.location;
 
 		if (i < listed) {
 			error = xfile_read_integer(
 				reader, "a face's material", &slot);
 		}
 		if (!error && i < listed && slot >= slots) {
-			error = xfile_fail_at(&reader->source, place,
-				"face %u takes material %u, but the mesh has "
-				"%u",
+			error = xfile_fail_at(&reader->context, location,
+				"face %u has material %u, but the mesh has %u materials",
 				(unsigned)i, (unsigned)slot, (unsigned)slots);
 		}
 		mesh->face_slot[i] = slot;
@@ -301,20 +300,20 @@ static int parse_material_list(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
 	struct xfile_mesh *mesh = scope->mesh;
-	size_t place;
+	size_t location;
 	uint32_t slots;
 	uint32_t listed;
 	int error = xfile_read_integer(reader, "the count of materials", &slots);
 
 	(void)name;
-	place = reader->token.place;
+	location = reader->token.location;
 	if (!error) {
 		error = xfile_read_count(
 			reader, "the count of face materials", 1, &listed);
 	}
 	if (!error && listed > mesh->faces.count) {
-		error = xfile_fail_at(&reader->source, place,
-			"MeshMaterialList has %u faces, but the mesh %u",
+		error = xfile_fail_at(&reader->context, location,
+			"MeshMaterialList has %u faces, but the mesh has %u",
 			(unsigned)listed, (unsigned)mesh->faces.count);
 	}
 	if (!error) {
@@ -328,7 +327,7 @@ static int parse_material_list(struct xfile_reader *reader,
 static const struct xfile_grammar mesh_grammar = {
 	.kinds =
 		(const struct xfile_kind[]){
-			{"DeclData", xfile_parse_declared},
+			{"DeclData", xfile_parse_decl_data},
 			{"MeshMaterialList", parse_material_list},
 			{"MeshNormals", parse_normals},
 			{"MeshTextureCoords", parse_texcoords},
@@ -348,11 +347,11 @@ int xfile_parse_mesh(struct xfile_reader *reader,
 	int error;
 
 	if (!mesh) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	inner.mesh = mesh;
 	mesh->name = name;
-	mesh->place = reader->token.place;
+	mesh->location = reader->token.location;
 	mesh->frame = scope->frame_index;
 	scene->mesh_count++;
 	XFILE_APPEND(scene->meshes, scene->last_mesh, mesh);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 struct xfile_named {
-	const char *name; /* NULL: free */
+	const char *name; /* NULL means that the slot is free */
 	int number;
 };
 
@@ -14,7 +14,7 @@ int xfile_names_init(
 {
 	size_t size = 4;
 
-	/* At least half of the table stays free, so that searches end soon. */
+	/* At least half of the slots stay free, which keeps probes short. */
 	while (size / 2 < count) {
 		size *= 2;
 	}
@@ -34,17 +34,17 @@ static size_t hash(const char *name)
 	return hash;
 }
 
-/* Where the name is, or where it would be. */
+/* The slot of the name, or the free slot for it. */
 static struct xfile_named *look_up(
 	const struct xfile_names *names, const char *name)
 {
-	size_t place = hash(name) & names->mask;
+	size_t slot = hash(name) & names->mask;
 
-	while (names->table[place].name &&
-		strcmp(names->table[place].name, name) != 0) {
-		place = (place + 1) & names->mask;
+	while (names->table[slot].name &&
+		strcmp(names->table[slot].name, name) != 0) {
+		slot = (slot + 1) & names->mask;
 	}
-	return &names->table[place];
+	return &names->table[slot];
 }
 
 void xfile_names_add(struct xfile_names *names, const char *name, int number)

@@ -1,5 +1,5 @@
 /*
- * Numbers found by name: what a .x file's references are resolved with.
+ * A hash table from names to numbers, which resolves references in .x files.
  */
 #ifndef APP_MODEL_XFILE_XFILE_NAMES_H
 #define APP_MODEL_XFILE_XFILE_NAMES_H
@@ -11,17 +11,17 @@ struct xfile_names {
 	struct xfile_named *table;
 };
 
-/* An empty table for at most count names. 0 or -ENOMEM; says nothing. */
+/* An empty table for at most count names. 0, or -ENOMEM without an error. */
 int xfile_names_init(
 	struct xfile_names *names, struct arena *arena, size_t count);
 
 /*
- * Enters a name, which must stay where it is, with a number from 0. The first
- * of equal names keeps its number; an empty name is not entered.
+ * Adds a name with a number >= 0. The table keeps the pointer. Of equal names
+ * the first one counts; an empty name is ignored.
  */
 void xfile_names_add(struct xfile_names *names, const char *name, int number);
 
-/* The name's number, or -1. */
+/* The number of a name, or -1. */
 int xfile_names_find(const struct xfile_names *names, const char *name);
 
 #endif

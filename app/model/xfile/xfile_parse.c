@@ -12,21 +12,21 @@ static int parse_frame_matrix(struct xfile_reader *reader,
 		reader, "a frame's matrix element", 16, scope->frame->matrix);
 
 	(void)name;
-	return error ? error : xfile_read_rest(reader);
+	return error ? error : xfile_skip_rest(reader);
 }
 
 static int refer_in_frame(struct xfile_reader *reader,
-	const struct xfile_scope *scope, const char *name, size_t place)
+	const struct xfile_scope *scope, const char *name, size_t location)
 {
 	struct xfile_frame *frame = scope->frame;
 	struct xfile_reference *reference =
 		ARENA_NEW(reader->scratch, struct xfile_reference);
 
 	if (!reference) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	reference->name = name;
-	reference->place = place;
+	reference->location = location;
 	XFILE_APPEND(frame->references, frame->last_reference, reference);
 	return 0;
 }
@@ -51,7 +51,7 @@ static int parse_frame(struct xfile_reader *reader,
 		ARENA_NEW(reader->scratch, struct xfile_frame);
 
 	if (!frame) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	frame->name = name;
 	frame->parent = scope->frame_index;
@@ -67,7 +67,7 @@ static int parse_frame(struct xfile_reader *reader,
 static int parse_ticks(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	double ticks;
 	int error = xfile_read_double(reader, "AnimTicksPerSecond", &ticks);
 
@@ -76,64 +76,12 @@ static int parse_ticks(struct xfile_reader *reader,
 		return error;
 	}
 	if (!(ticks > 0)) {
-		return xfile_fail_at(&reader->source, place,
-			"AnimTicksPerSecond is %g, but must be above 0", ticks);
+		return xfile_fail_at(&reader->context, location,
+			"AnimTicksPerSecond is %g, but must be greater than 0",
+			ticks);
 	}
 	scope->scene->ticks_per_second = ticks;
-	return xfile_read_rest(reader);
-}
-
-static int parse_texture(struct xfile_reader *reader,
-	const struct xfile_scope *scope, const char *name)
-{
-	struct xfile_material *material = scope->material;
-	int error;
-
-	(void)name;
-	material->texture_place = reader->token.place;
-	error = xfile_read_string(
-		reader, "a texture's file name", &material->texture);
-	return error ? error : xfile_read_rest(reader);
-}
-
-static const struct xfile_grammar material_grammar = {
-	.kinds =
-		(const struct xfile_kind[]){
-			{"TextureFilename", parse_texture},
-			{0},
-		},
-};
-
-int xfile_parse_material(struct xfile_reader *reader,
-	const struct xfile_scope *scope, const char *name)
-{
-	static const char what[] = "a material's colour or power";
-	struct xfile_scope inner = *scope;
-	struct xfile_scene *scene = scope->scene;
-	struct xfile_material *material =
-		ARENA_NEW(reader->scratch, struct xfile_material);
-	float emissive[3];
-	int error;
-
-	if (!material) {
-		return xfile_no_memory(&reader->source);
-	}
-	inner.material = material;
-	material->name = name;
-	material->index = scene->material_count++;
-	XFILE_APPEND(scene->materials, scene->last_material, material);
-	error = xfile_read_floats(reader, what, 4, material->color);
-	if (!error) {
-		error = xfile_read_floats(reader, what, 1, &material->power);
-	}
-	if (!error) {
-		error = xfile_read_floats(reader, what, 3, material->specular);
-	}
-	if (!error) {
-		error = xfile_read_floats(reader, what, 3, emissive);
-	}
-	return error ? error
-		     : xfile_read_children(reader, &material_grammar, &inner);
+	return xfile_skip_rest(reader);
 }
 
 static const struct xfile_grammar top_grammar = {

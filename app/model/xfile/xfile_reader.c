@@ -8,42 +8,41 @@
 #include <string.h>
 #include <strings.h>
 
-static void say_at(const struct xfile_source *source, size_t place,
+static void log_at(const struct xfile_context *context, size_t location,
 	enum log_level level, const char *format, va_list arguments)
 {
 	char reason[512];
 
 	vsnprintf(reason, sizeof(reason), format, arguments);
-	log_write(source->log, level, "%s: %s %zu%s: %s", source->path,
-		source->binary ? "byte" : "line", place,
-		source->unpacked ? " of the unpacked data" : "", reason);
+	log_write(context->log, level, "%s: %s %zu%s: %s", context->path,
+		context->binary ? "byte" : "line", location,
+		context->unpacked ? " of the decompressed data" : "", reason);
 }
 
-int xfile_fail_at(const struct xfile_source *source, size_t place,
+int xfile_fail_at(const struct xfile_context *context, size_t location,
 	const char *format, ...)
 {
 	va_list arguments;
 
 	va_start(arguments, format);
-	say_at(source, place, LOG_ERROR, format, arguments);
+	log_at(context, location, LOG_ERROR, format, arguments);
 	va_end(arguments);
 	return -EINVAL;
 }
 
-void xfile_warn_at(const struct xfile_source *source, size_t place,
+void xfile_warn_at(const struct xfile_context *context, size_t location,
 	const char *format, ...)
 {
 	va_list arguments;
 
 	va_start(arguments, format);
-	say_at(source, place, LOG_WARNING, format, arguments);
+	log_at(context, location, LOG_WARNING, format, arguments);
 	va_end(arguments);
 }
 
-int xfile_no_memory(const struct xfile_source *source)
+int xfile_no_memory(const struct xfile_context *context)
 {
-	log_error(source->log, "%s: memory is too short for this model",
-		source->path);
+	log_error(context->log, "%s: not enough memory", context->path);
 	return -ENOMEM;
 }
 
@@ -75,8 +74,8 @@ static char *copy_text(struct xfile_reader *reader)
 	return text;
 }
 
-/* What the next token is, for sentences; room for a few characters of it. */
-static const char *describe(const struct xfile_token *token, char room[48])
+/* Describes a token for messages. */
+static const char *describe(const struct xfile_token *token, char buffer[48])
 {
 	static const char *const other[] = {
 		[XFILE_END] = "the file ends",
@@ -90,31 +89,32 @@ static const char *describe(const struct xfile_token *token, char room[48])
 	switch (token->kind) {
 	case XFILE_WORD:
 	case XFILE_STRING:
-		length = snprintf(room, 48, "there is \"%.*s\"",
+		length = snprintf(buffer, 48, "there is \"%.*s\"",
 			(int)(token->length < 32 ? token->length : 32),
 			token->text);
 		break;
 	case XFILE_NUMBER:
-		length = snprintf(room, 48, "there is %.9g", token->number);
+		length = snprintf(buffer, 48, "there is %.9g", token->number);
 		break;
 	default:
 		return other[token->kind];
 	}
 	for (int i = 0; i < length && i < 47; i++) {
-		if ((unsigned char)room[i] < ' ' ||
-			(unsigned char)room[i] > '~') {
-			room[i] = '?';
+		if ((unsigned char)buffer[i] < ' ' ||
+			(unsigned char)buffer[i] > '~') {
+			buffer[i] = '?';
 		}
 	}
-	return room;
+	return buffer;
 }
 
 static int fail_expected(struct xfile_reader *reader, const char *what)
 {
-	char room[48];
+	char buffer[48];
 
-	return xfile_fail_at(&reader->source, reader->token.place,
-		"%s is expected, but %s", what, describe(&reader->token, room));
+	return xfile_fail_at(&reader->context, reader->token.location,
+		"%s is expected here, but %s", what,
+		describe(&reader->token, buffer));
 }
 
 int xfile_read_double(struct xfile_reader *reader, const char *what, double *out)
@@ -124,7 +124,7 @@ int xfile_read_double(struct xfile_reader *reader, const char *what, double *out
 	}
 	*out = reader->token.number;
 	if (!(fabs(*out) <= (double)FLT_MAX)) {
-		return xfile_fail_at(&reader->source, reader->token.place,
+		return xfile_fail_at(&reader->context, reader->token.location,
 			"%s is not a finite number", what);
 	}
 	return xfile_advance(reader);
@@ -133,7 +133,7 @@ int xfile_read_double(struct xfile_reader *reader, const char *what, double *out
 int xfile_read_integer(
 	struct xfile_reader *reader, const char *what, uint32_t *out)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	double value = 0;
 	int error = xfile_read_double(reader, what, &value);
 
@@ -142,8 +142,8 @@ int xfile_read_integer(
 	}
 	if (!(value >= 0 && value <= (double)UINT32_MAX) ||
 		value != floor(value)) {
-		return xfile_fail_at(&reader->source, place,
-			"%s is %.9g, not a whole number from 0 to 4294967295",
+		return xfile_fail_at(&reader->context, location,
+			"%s is %.9g, but must be an integer from 0 to 4294967295",
 			what, value);
 	}
 	*out = (uint32_t)value;
@@ -174,7 +174,7 @@ int xfile_read_string(
 	}
 	*out = copy_text(reader);
 	if (!*out) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	return xfile_advance(reader);
 }
@@ -192,7 +192,7 @@ static size_t utf8_length(const unsigned char *text)
 			return 0;
 		}
 	}
-	/* Over-long forms, surrogates and what lies beyond U+10FFFF. */
+	/* Overlong forms, surrogates, and code points beyond U+10FFFF. */
 	if ((text[0] == 0xe0 && text[1] < 0xa0) ||
 		(text[0] == 0xed && text[1] > 0x9f) ||
 		(text[0] == 0xf0 && text[1] < 0x90) ||
@@ -202,7 +202,7 @@ static size_t utf8_length(const unsigned char *text)
 	return length;
 }
 
-/* At most twice as long as the text. */
+/* A Latin-1 character takes two bytes, so the result at most doubles. */
 char *xfile_clean_name(struct arena *arena, const char *text)
 {
 	const unsigned char *from = (const unsigned char *)text;
@@ -234,7 +234,7 @@ int xfile_read_name(
 	const char *text;
 	int error;
 
-	/* A text file's name may look like a number. */
+	/* In a text file, a name may look like a number. */
 	if (reader->token.kind == XFILE_NUMBER && reader->token.text) {
 		reader->token.kind = XFILE_WORD;
 	}
@@ -243,29 +243,29 @@ int xfile_read_name(
 		return error;
 	}
 	*out = xfile_clean_name(reader->scratch, text);
-	return *out ? 0 : xfile_no_memory(&reader->source);
+	return *out ? 0 : xfile_no_memory(&reader->context);
 }
 
-/* A number takes at least a digit and a separator in text. */
+/* An upper bound: in text, a number takes a digit and a separator. */
 static size_t numbers_left(const struct xfile_reader *reader)
 {
 	size_t bytes = (size_t)(reader->end - reader->at);
 
-	return 1 + (reader->source.binary ? bytes / 4 : bytes / 2 + 1);
+	return 1 + (reader->context.binary ? bytes / 4 : bytes / 2 + 1);
 }
 
 int xfile_read_count(struct xfile_reader *reader, const char *what,
 	size_t numbers, uint32_t *out)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	int error = xfile_read_integer(reader, what, out);
 
 	if (error) {
 		return error;
 	}
 	if (*out > numbers_left(reader) / numbers) {
-		return xfile_fail_at(&reader->source, place,
-			"%s is %u, more than the rest of the file can hold",
+		return xfile_fail_at(&reader->context, location,
+			"%s is %u, which is more than the rest of the file can hold",
 			what, (unsigned)*out);
 	}
 	return 0;
@@ -283,21 +283,20 @@ int xfile_read_vectors(struct xfile_reader *reader, const char *what, int width,
 	floats = (size_t)*count * (size_t)width;
 	*out = ARENA_ARRAY(reader->scratch, float, floats);
 	if (!*out) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	return xfile_read_floats(reader, what, floats, *out);
 }
 
-/* Behind an opening brace: skips to behind the one that closes it. */
-int xfile_read_rest(struct xfile_reader *reader)
+int xfile_skip_rest(struct xfile_reader *reader)
 {
 	size_t open = 1;
 	int error;
 
 	while (open) {
 		if (reader->token.kind == XFILE_END) {
-			return xfile_fail_at(&reader->source,
-				reader->token.place,
+			return xfile_fail_at(&reader->context,
+				reader->token.location,
 				"the file ends before a closing brace");
 		}
 		open += reader->token.kind == XFILE_OPEN;
@@ -327,7 +326,7 @@ static const struct xfile_kind *find_kind(
 	return NULL;
 }
 
-/* TYPE [NAME] { [<GUID>], up to the first member. */
+/* Reads TYPE [NAME] { [<GUID>] up to the first member. */
 static int read_head(struct xfile_reader *reader, const char **name)
 {
 	int error = xfile_advance(reader);
@@ -355,7 +354,7 @@ static int read_object(struct xfile_reader *reader,
 {
 	const struct xfile_kind *kind =
 		find_kind(&reader->token, grammar->kinds);
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	const char *name;
 	int error = read_head(reader, &name);
 
@@ -363,22 +362,22 @@ static int read_object(struct xfile_reader *reader,
 		return error;
 	}
 	if (reader->depth == XFILE_MAX_DEPTH) {
-		return xfile_fail_at(&reader->source, place,
-			"data objects are nested more than %d deep",
+		return xfile_fail_at(&reader->context, location,
+			"data objects are nested more than %d levels deep",
 			XFILE_MAX_DEPTH);
 	}
 	reader->depth++;
 	error = kind ? kind->parse(reader, scope, name)
-		     : xfile_read_rest(reader);
+		     : xfile_skip_rest(reader);
 	reader->depth--;
 	return error;
 }
 
-/* { NAME }, { <GUID> } or { NAME <GUID> }. */
+/* Reads { NAME }, { <GUID> } or { NAME <GUID> }. */
 static int read_reference(struct xfile_reader *reader,
 	const struct xfile_grammar *grammar, const struct xfile_scope *scope)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	const char *name = NULL;
 	int error = xfile_advance(reader);
 
@@ -388,10 +387,10 @@ static int read_reference(struct xfile_reader *reader,
 			reader, "the name of a data object", &name);
 	}
 	if (!error) {
-		error = xfile_read_rest(reader);
+		error = xfile_skip_rest(reader);
 	}
 	if (!error && name && grammar->reference) {
-		error = grammar->reference(reader, scope, name, place);
+		error = grammar->reference(reader, scope, name, location);
 	}
 	return error;
 }
@@ -406,8 +405,8 @@ int xfile_read_children(struct xfile_reader *reader,
 		case XFILE_CLOSE:
 			return xfile_advance(reader);
 		case XFILE_END:
-			return xfile_fail_at(&reader->source,
-				reader->token.place,
+			return xfile_fail_at(&reader->context,
+				reader->token.location,
 				"the file ends before a closing brace");
 		case XFILE_WORD:
 			error = read_object(reader, grammar, scope);

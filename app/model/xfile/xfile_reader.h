@@ -1,10 +1,10 @@
 /*
- * The bytes of a .x file as tokens, numbers, strings and data objects.
+ * Reads the bytes of a .x file as tokens, numbers, strings and data objects.
  *
- * A reader always holds the next token, not yet taken. Text and binary files
- * differ only in the scan function that finds it. Separators carry no meaning
- * that the templates do not already give, so scanning drops them. Everything
- * that a reader hands out lives in its scratch arena.
+ * A reader always holds the next token. Text and binary files have a scan
+ * function each, and share the rest. Scanning drops separators, because the
+ * types of the data objects already imply them. The reader's scratch arena owns
+ * all results.
  */
 #ifndef APP_MODEL_XFILE_XFILE_READER_H
 #define APP_MODEL_XFILE_XFILE_READER_H
@@ -18,15 +18,15 @@
 
 enum {
 	XFILE_HEADER_BYTES = 16,
-	XFILE_MAX_DEPTH = 512, /* data objects within data objects */
+	XFILE_MAX_DEPTH = 512, /* nesting of data objects */
 };
 
-/* Who is read, for sentences. A place is a line or a byte offset. */
-struct xfile_source {
+/* The file, for messages. A location is a line or a byte offset. */
+struct xfile_context {
 	const char *path;
 	const struct log *log;
 	bool binary;
-	bool unpacked; /* places count in the unpacked data */
+	bool unpacked; /* locations count in the decompressed data */
 };
 
 enum xfile_token_kind {
@@ -37,67 +37,67 @@ enum xfile_token_kind {
 	XFILE_GUID,
 	XFILE_OPEN,  /* { */
 	XFILE_CLOSE, /* } */
-	XFILE_OTHER, /* what only templates hold */
+	XFILE_OTHER, /* a token that occurs only in templates */
 };
 
 struct xfile_token {
 	enum xfile_token_kind kind;
-	size_t place;
-	const char *text; /* into the data, not zero-terminated */
+	size_t location;
+	const char *text; /* points into the file; not zero-terminated */
 	size_t length;
 	double number;
 };
 
 struct xfile_reader {
-	struct xfile_source source;
+	struct xfile_context context;
 	struct arena *scratch;
 	int (*scan)(struct xfile_reader *reader, struct xfile_token *token);
 	const uint8_t *body; /* what follows the header */
 	const uint8_t *at;
 	const uint8_t *end;
-	size_t line;        /* text: the line of at, from 1 */
+	size_t line;        /* text: the line of at, counted from 1 */
 	int float_bytes;    /* binary: 4 or 8 */
-	uint32_t list_left; /* binary: elements of a list not yet scanned */
+	uint32_t list_left; /* binary: elements of a list still to scan */
 	bool list_float;
 	int depth;
 	struct xfile_token token; /* the next */
 };
 
-/* Starts on the body of a file; the first token is scanned. 0 or -errno. */
+/* Begins with the body of a file and scans its first token. 0 or -errno. */
 int xfile_reader_begin(
 	struct xfile_reader *reader, const uint8_t *body, size_t size);
 
 /*
- * Scanners: the token at reader->at, or -EINVAL after a sentence. Scanning at
- * the end of the data gives XFILE_END.
+ * Scan the token at reader->at. 0, or -EINVAL after an error. At the end of the
+ * data the token is XFILE_END.
  */
 int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token);
 int xfile_scan_binary(struct xfile_reader *reader, struct xfile_token *token);
 
 /*
- * Reads a number spelled in text, all of it: digits with an optional sign,
- * fraction and exponent, whatever the locale. What Microsoft's C library
- * prints for NaN and infinity (1.#IND and the like) is 0.
+ * Parses a decimal number with an optional sign, fraction and exponent, in any
+ * locale; false unless it fills the text. NaN and infinity as Microsoft's C
+ * library prints them (1.#IND, 1.#INF) become 0.
  */
 bool xfile_parse_number(const char *text, size_t length, double *out);
 
-/* Says "PATH: line N: ..." or "PATH: byte N: ..." and returns -EINVAL. */
-int xfile_fail_at(const struct xfile_source *source, size_t place,
+/* Logs an error "PATH: line N: ..." or "PATH: byte N: ..."; returns -EINVAL. */
+int xfile_fail_at(const struct xfile_context *context, size_t location,
 	const char *format, ...) PRINTF_LIKE(3, 4);
 
-/* The same as a warning. */
-void xfile_warn_at(const struct xfile_source *source, size_t place,
+/* Logs the same as a warning. */
+void xfile_warn_at(const struct xfile_context *context, size_t location,
 	const char *format, ...) PRINTF_LIKE(3, 4);
 
-/* Says that memory is short and returns -ENOMEM. */
-int xfile_no_memory(const struct xfile_source *source);
+/* Logs that there is not enough memory; returns -ENOMEM. */
+int xfile_no_memory(const struct xfile_context *context);
 
 /* Drops the next token and scans the one after it. */
 int xfile_advance(struct xfile_reader *reader);
 
 /*
- * Members of a data object. what names the member in sentences ("the vertex
- * count"). A float is finite.
+ * Read members of a data object. what names the member in messages ("the vertex
+ * count"). Floats are finite.
  */
 int xfile_read_integer(
 	struct xfile_reader *reader, const char *what, uint32_t *out);
@@ -106,36 +106,36 @@ int xfile_read_floats(struct xfile_reader *reader, const char *what,
 int xfile_read_double(
 	struct xfile_reader *reader, const char *what, double *out);
 
-/* A string or word, byte for byte. */
+/* Reads a string or word; the bytes stay as they are. */
 int xfile_read_string(
 	struct xfile_reader *reader, const char *what, const char **out);
 
-/* The same as a name, in the form below. */
+/* Reads a string or word and cleans it by xfile_clean_name(). */
 int xfile_read_name(
 	struct xfile_reader *reader, const char *what, const char **out);
 
 /*
- * A copy in valid UTF-8: other bytes are read as Latin-1, control characters
- * become spaces. NULL when memory is short.
+ * A copy in valid UTF-8: bytes that are not UTF-8 are taken as Latin-1, control
+ * characters become spaces. NULL when there is not enough memory.
  */
 char *xfile_clean_name(struct arena *arena, const char *text);
 
 /*
- * A count of elements that follow, each of at least numbers numbers; fails
- * where the rest of the file cannot hold them, so that it bounds memory.
+ * Reads a count of elements of at least numbers numbers each. Fails when the
+ * rest of the file is too short for them, which bounds the memory they take.
  */
 int xfile_read_count(struct xfile_reader *reader, const char *what,
 	size_t numbers, uint32_t *out);
 
-/* Floats and counts with room in the scratch arena. */
+/* Reads a count and that many vectors of width floats. */
 int xfile_read_vectors(struct xfile_reader *reader, const char *what, int width,
 	uint32_t *count, float **out);
 
 struct xfile_scope;
 
 /*
- * What to do with a data object of a type: parse() is called behind the brace
- * that opens it and returns behind the brace that closes it.
+ * A type of data object and its parser. parse() begins behind the opening brace
+ * and ends behind the closing brace.
  */
 struct xfile_kind {
 	const char *type;
@@ -143,24 +143,25 @@ struct xfile_kind {
 		const struct xfile_scope *scope, const char *name);
 };
 
-/* What a list of data objects may hold. */
+/* What a data object may contain. */
 struct xfile_grammar {
 	const struct xfile_kind *kinds; /* ends with a NULL type */
 
-	/* { NAME }; may be NULL: such references are ignored. */
+	/* Handles a reference { NAME }; NULL ignores references. */
 	int (*reference)(struct xfile_reader *reader,
-		const struct xfile_scope *scope, const char *name, size_t place);
+		const struct xfile_scope *scope, const char *name,
+		size_t location);
 };
 
-/* Takes data objects and references up to the brace that closes the parent. */
+/* Reads data objects and references up to the parent's closing brace. */
 int xfile_read_children(struct xfile_reader *reader,
 	const struct xfile_grammar *grammar, const struct xfile_scope *scope);
 
-/* The same without a parent, up to the end of the file. */
+/* Reads data objects and references up to the end of the file. */
 int xfile_read_top(struct xfile_reader *reader,
 	const struct xfile_grammar *grammar, const struct xfile_scope *scope);
 
-/* Skips what is left of a data object, and the brace that closes it. */
-int xfile_read_rest(struct xfile_reader *reader);
+/* Skips the rest of a data object and its closing brace. */
+int xfile_skip_rest(struct xfile_reader *reader);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * What a .x file says, checked but still in its own conventions: left-handed,
- * matrices in rows for row vectors, times in ticks, objects named rather than
- * numbered. All of it lives in the reader's scratch arena.
+ * The contents of a .x file, checked but in the file's conventions:
+ * left-handed, row-major matrices for row vectors, times in ticks, references
+ * by name. The reader's scratch arena owns all of it.
  */
 #ifndef APP_MODEL_XFILE_XFILE_SCENE_H
 #define APP_MODEL_XFILE_XFILE_SCENE_H
@@ -11,16 +11,16 @@
 struct xfile_frame {
 	struct xfile_frame *next; /* in the file's order: parents first */
 	const char *name;
-	int parent; /* counted in that order, or -1 */
+	int parent; /* index in that order, or -1 */
 	float matrix[16];
 	struct xfile_reference *references, *last_reference;
 };
 
-/* An object drawn in a frame under the name it has elsewhere. */
+/* A frame's reference, by name, to a mesh that it draws. */
 struct xfile_reference {
 	struct xfile_reference *next;
 	const char *name;
-	size_t place;
+	size_t location;
 };
 
 struct xfile_material {
@@ -30,29 +30,29 @@ struct xfile_material {
 	float color[4];
 	float power;
 	float specular[3];
-	const char *texture; /* file name as written, or NULL */
-	size_t texture_place;
+	const char *texture; /* path as the file spells it, or NULL */
+	size_t texture_location;
 };
 
-/* One of a mesh's materials: here, or elsewhere under a name. */
+/* One of a mesh's materials: defined in the mesh, or referred to by name. */
 struct xfile_slot {
 	struct xfile_slot *next;
 	const struct xfile_material *material; /* or NULL */
 	const char *name;
-	size_t place;
+	size_t location;
 };
 
-/* Corners of all faces, one after the other. */
+/* The corners of all faces in one array. */
 struct xfile_faces {
 	uint32_t count;
-	uint32_t *first;  /* [count + 1]: where a face's corners begin */
+	uint32_t *first;  /* [count + 1]: the first corner of each face */
 	uint32_t *corner; /* [first[count]] */
 };
 
 struct xfile_bone {
 	struct xfile_bone *next;
 	const char *name;
-	size_t place;
+	size_t location;
 	uint32_t count;
 	uint32_t *vertex; /* each below the mesh's vertex_count */
 	float *weight;    /* not negative */
@@ -62,14 +62,14 @@ struct xfile_bone {
 struct xfile_mesh {
 	struct xfile_mesh *next;
 	const char *name;
-	size_t place;
+	size_t location;
 	int frame; /* or -1 */
 	uint32_t vertex_count;
 	float (*position)[3];
 	struct xfile_faces faces;
 	uint32_t normal_count;
 	float (*normal)[3];              /* or NULL */
-	struct xfile_faces normal_faces; /* if normal; corners as in faces */
+	struct xfile_faces normal_faces; /* if normal; same shape as faces */
 	float (*declared_normal)[3];     /* [vertex_count] or NULL */
 	float (*texcoord)[2];            /* [vertex_count] or NULL */
 	float (*color)[4];               /* [vertex_count] or NULL */
@@ -97,15 +97,15 @@ struct xfile_keys {
 
 struct xfile_animation {
 	struct xfile_animation *next;
-	const char *frame; /* the name of what moves, or NULL */
-	size_t place;
+	const char *frame; /* the name of the frame that moves, or NULL */
+	size_t location;
 	struct xfile_keys *keys, *last_keys;
 };
 
 struct xfile_set {
 	struct xfile_set *next;
 	const char *name;
-	size_t place;
+	size_t location;
 	struct xfile_animation *animations, *last_animation;
 };
 
@@ -118,7 +118,7 @@ struct xfile_scene {
 	struct xfile_set *sets, *last_set;
 };
 
-/* What the data object being read is part of; NULL where nothing. */
+/* The objects that contain the data object being read; NULL if none. */
 struct xfile_scope {
 	struct xfile_scene *scene;
 	struct xfile_frame *frame;
@@ -129,25 +129,25 @@ struct xfile_scope {
 	struct xfile_animation *animation;
 };
 
-/* Ticks in a second where the file does not say. */
+/* Ticks per second when the file does not state them. */
 #define XFILE_TICKS_PER_SECOND 4800.0
 
-/* Reads the whole body into a zeroed scene. 0 or -errno after a sentence. */
+/* Reads the whole body into a zeroed scene. 0, or -errno after an error. */
 int xfile_parse(struct xfile_reader *reader, struct xfile_scene *scene);
 
-/* Data objects of these types, as struct xfile_kind wants them. */
+/* Parsers of data objects, for struct xfile_kind. */
 int xfile_parse_mesh(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
 int xfile_parse_material(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
-int xfile_parse_declared(struct xfile_reader *reader,
+int xfile_parse_decl_data(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
 int xfile_parse_skin_weights(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
 int xfile_parse_animation_set(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
 
-/* Puts an element at the end of a list kept by its first and last. */
+/* Appends an element to a linked list. */
 #define XFILE_APPEND(first, last, element)        \
 	do {                                      \
 		if (last) {                       \

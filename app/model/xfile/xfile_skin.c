@@ -5,10 +5,10 @@ static int read_vertices(struct xfile_reader *reader,
 {
 	bone->vertex = ARENA_ARRAY(reader->scratch, uint32_t, bone->count);
 	if (!bone->vertex) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; i < bone->count; i++) {
-		size_t place = reader->token.place;
+		size_t location = reader->token.location;
 		uint32_t vertex;
 		int error = xfile_read_integer(
 			reader, "a vertex of SkinWeights", &vertex);
@@ -17,9 +17,8 @@ static int read_vertices(struct xfile_reader *reader,
 			return error;
 		}
 		if (vertex >= mesh->vertex_count) {
-			return xfile_fail_at(&reader->source, place,
-				"SkinWeights of bone \"%.200s\" points at "
-				"vertex %u, but the mesh has %u",
+			return xfile_fail_at(&reader->context, location,
+				"SkinWeights of bone \"%.200s\" refers to vertex %u, but the mesh has %u vertices",
 				bone->name, (unsigned)vertex,
 				(unsigned)mesh->vertex_count);
 		}
@@ -28,17 +27,17 @@ static int read_vertices(struct xfile_reader *reader,
 	return 0;
 }
 
-/* Exporters' rounding makes weights like -0.000001; they count as 0. */
+/* Rounding in exporters yields weights like -0.000001, which count as 0. */
 static int read_weights(struct xfile_reader *reader, struct xfile_bone *bone)
 {
 	int error;
 
 	bone->weight = ARENA_ARRAY(reader->scratch, float, bone->count);
 	if (!bone->weight) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; i < bone->count; i++) {
-		size_t place = reader->token.place;
+		size_t location = reader->token.location;
 
 		error = xfile_read_floats(
 			reader, "a skin weight", 1, &bone->weight[i]);
@@ -46,7 +45,7 @@ static int read_weights(struct xfile_reader *reader, struct xfile_bone *bone)
 			return error;
 		}
 		if (bone->weight[i] < -1e-3f) {
-			return xfile_fail_at(&reader->source, place,
+			return xfile_fail_at(&reader->context, location,
 				"vertex %u has a negative skin weight",
 				(unsigned)bone->vertex[i]);
 		}
@@ -66,9 +65,9 @@ int xfile_parse_skin_weights(struct xfile_reader *reader,
 
 	(void)name;
 	if (!bone) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
-	bone->place = reader->token.place;
+	bone->location = reader->token.location;
 	mesh->bone_count++;
 	XFILE_APPEND(mesh->bones, mesh->last_bone, bone);
 	error = xfile_read_name(reader, "the name of a bone", &bone->name);
@@ -87,5 +86,5 @@ int xfile_parse_skin_weights(struct xfile_reader *reader,
 			"an element of a bone's offset matrix", 16,
 			bone->offset);
 	}
-	return error ? error : xfile_read_rest(reader);
+	return error ? error : xfile_skip_rest(reader);
 }

@@ -37,7 +37,7 @@ static void skip_space(struct xfile_reader *reader)
 	}
 }
 
-/* From the byte behind the opening mark to the closing one. */
+/* Reads up to the closing character; at is behind the opening one. */
 static int scan_enclosed(
 	struct xfile_reader *reader, struct xfile_token *token, uint8_t close)
 {
@@ -48,8 +48,8 @@ static int scan_enclosed(
 		at++;
 	}
 	if (at == reader->end) {
-		return xfile_fail_at(&reader->source, token->place,
-			"the file ends before the %c that closes this", close);
+		return xfile_fail_at(&reader->context, token->location,
+			"the file ends before the closing %c", close);
 	}
 	token->text = (const char *)reader->at;
 	token->length = (size_t)(at - reader->at);
@@ -76,7 +76,7 @@ static void scan_word(struct xfile_reader *reader, struct xfile_token *token)
 int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token)
 {
 	skip_space(reader);
-	*token = (struct xfile_token){.place = reader->line};
+	*token = (struct xfile_token){.location = reader->line};
 	if (reader->at == reader->end) {
 		return 0;
 	}
@@ -125,8 +125,8 @@ static double power_of_ten(int exponent)
 }
 
 /*
- * Up to 18 digits count, so that the mantissa is exact; further ones only
- * shift. The result is within a few units in a double's last place.
+ * Only the first 18 digits count, so the mantissa is exact; further digits only
+ * change the exponent. The result is within a few ulp.
  */
 static double scale_by_ten(uint64_t mantissa, int exponent)
 {

@@ -181,7 +181,7 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 		const struct model_lod *lod = &primitive->lod[i];
 		struct batch_lod *to = &batch->lod[batch->lod_count];
 
-		if (lod->shape) {
+		if (lod->shadow_only) {
 			continue;
 		}
 		*to = (struct batch_lod){

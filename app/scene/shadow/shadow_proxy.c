@@ -163,7 +163,7 @@ static const struct model_lod *find_shadow_level(
 	const struct model_primitive *primitive)
 {
 	for (int i = 0; i < primitive->lod_count; i++) {
-		if (primitive->lod[i].shape) {
+		if (primitive->lod[i].shadow_only) {
 			return &primitive->lod[i];
 		}
 	}

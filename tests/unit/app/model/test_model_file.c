@@ -107,13 +107,13 @@ static void test_refuses_paths_out_of_the_folder(void **state)
 	struct tree *tree = *state;
 	struct test_path outside = path_join(&tree->top, "outside.bin");
 
-	expect_refusal(tree, "../outside.bin", -EACCES, "\"..\" step");
-	expect_refusal(tree, "sub/../../outside.bin", -EACCES, "\"..\" step");
-	expect_refusal(tree, "sub/..", -EACCES, "\"..\" step");
-	expect_refusal(tree, outside.text, -EACCES, "absolute path");
+	expect_refusal(tree, "../outside.bin", -EACCES, "the path contains \"..\"");
+	expect_refusal(tree, "sub/../../outside.bin", -EACCES, "the path contains \"..\"");
+	expect_refusal(tree, "sub/..", -EACCES, "the path contains \"..\"");
+	expect_refusal(tree, outside.text, -EACCES, "the path is absolute");
 	expect_refusal(tree, "..\\outside.bin", -EACCES, "backslash");
 	expect_refusal(tree, "a\nb", -EACCES, "control character");
-	expect_refusal(tree, "", -EACCES, "empty file name");
+	expect_refusal(tree, "", -EACCES, "the path is empty");
 }
 
 static void test_reads_names_that_only_look_like_parent_steps(void **state)
@@ -134,8 +134,8 @@ static void test_refuses_links_out_of_the_folder(void **state)
 
 	assert_int_equal(symlink("../outside.bin", link.text), 0);
 	assert_int_equal(symlink("..", folder.text), 0);
-	expect_refusal(tree, "link.bin", -EACCES, "leads out of");
-	expect_refusal(tree, "folder/outside.bin", -EACCES, "leads out of");
+	expect_refusal(tree, "link.bin", -EACCES, "leads outside the model's folder");
+	expect_refusal(tree, "folder/outside.bin", -EACCES, "leads outside the model's folder");
 }
 
 static void test_follows_links_within_the_folder(void **state)
@@ -157,7 +157,7 @@ static void test_refuses_a_folder_with_a_longer_name(void **state)
 	make_folder(other.text);
 	file_write(path_join(&other, "x.bin").text, "x", 1);
 	assert_int_equal(symlink("../models-old", link.text), 0);
-	expect_refusal(tree, "old/x.bin", -EACCES, "leads out of");
+	expect_refusal(tree, "old/x.bin", -EACCES, "leads outside the model's folder");
 }
 
 static void test_reads_beside_a_model_named_without_a_folder(void **state)
@@ -181,7 +181,7 @@ static void test_gives_models_from_memory_no_folder(void **state)
 	assert_int_equal(model_file_read_beside(&source, "inside.bin", "HERE",
 				 &tree->log, &file),
 		-EACCES);
-	assert_contains(tree->heard.sentence[0], "HERE: names another file");
+	assert_contains(tree->heard.sentence[0], "HERE: the model was not loaded from a folder");
 }
 
 static void test_refuses_what_is_not_a_regular_file(void **state)

@@ -11,7 +11,7 @@ static void expect_bytes(const char *text, const char *bytes)
 	uint8_t out[32];
 	size_t size = 99;
 
-	assert_true(base64_room(strlen(text)) <= sizeof(out));
+	assert_true(base64_decoded_max(strlen(text)) <= sizeof(out));
 	assert_int_equal(base64_decode(text, strlen(text), out, &size), 0);
 	assert_int_equal(size, strlen(bytes));
 	assert_memory_equal(out, bytes, size);

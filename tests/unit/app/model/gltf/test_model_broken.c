@@ -86,10 +86,10 @@ static void test_refuses_what_is_no_model(void **state)
 
 	(void)state;
 	assert_int_equal(model_load_memory("", 0, "e", &log, &model), -EINVAL);
-	assert_string_equal(heard.sentence[0], "e: is empty");
-	expect_code("solid cube", -ENOTSUP, "t.gltf: is no model that limber");
-	expect_code("[]", -ENOTSUP, "t.gltf: is no model that limber knows");
-	expect_code(" ", -ENOTSUP, "t.gltf: is no model that limber knows");
+	assert_string_equal(heard.sentence[0], "e: the file is empty");
+	expect_code("solid cube", -ENOTSUP, "t.gltf: the format is unknown");
+	expect_code("[]", -ENOTSUP, "t.gltf: the format is unknown");
+	expect_code(" ", -ENOTSUP, "t.gltf: the format is unknown");
 }
 
 static void test_refuses_other_versions(void **state)
@@ -100,8 +100,8 @@ static void test_refuses_other_versions(void **state)
 	expect_code("{'asset':{'version':'20'}}", -ENOTSUP, "is glTF 20;");
 	expect_code("{'asset':{'version':'2.1','minVersion':'2.1'}}", -ENOTSUP,
 		"/asset: is glTF 2.1;");
-	expect_code("{'asset':{}}", -EINVAL, "t.gltf: /asset: has no version");
-	expect_code("{}", -EINVAL, "t.gltf: /asset: has no version");
+	expect_code("{'asset':{}}", -EINVAL, "t.gltf: /asset: has no \"version\"");
+	expect_code("{}", -EINVAL, "t.gltf: /asset: has no \"version\"");
 	expect_code("{'asset':[]}", -EINVAL, "/asset: is not an object");
 	expect_code("{'asset':{'version':2}}", -EINVAL,
 		"/asset/version: is not a string");
@@ -113,8 +113,7 @@ static void test_refuses_unknown_required_extensions(void **state)
 	expect_code("{'asset':{'version':'2.0'},'extensionsRequired':["
 		    "'KHR_materials_unlit','KHR_draco_mesh_compression']}",
 		-ENOTSUP,
-		"t.gltf: /extensionsRequired/1: the model requires "
-		"KHR_draco_mesh_compression, which limber does not know");
+		"t.gltf: /extensionsRequired/1: the model requires KHR_draco_mesh_compression, which limber does not support");
 	expect_code("{'asset':{'version':'2.0'},'extensionsRequired':[1]}",
 		-EINVAL, "/extensionsRequired/0: is not a string");
 }
@@ -133,14 +132,13 @@ static void test_refuses_values_of_wrong_kinds(void **state)
 		{"'nodes':[1]", "/nodes/0: is not an object"},
 		{"'nodes':[{'name':1}]", "/nodes/0/name: is not a string"},
 		{"'nodes':[{'mesh':'0'}]",
-			"/nodes/0/mesh: is not a whole number"},
+			"/nodes/0/mesh: is not an integer"},
 		{"'nodes':[{'mesh':0.5}]",
-			"/nodes/0/mesh: is not a whole number"},
+			"/nodes/0/mesh: is not an integer"},
 		{"'nodes':[{'mesh':1e300}]",
-			"/nodes/0/mesh: is not a whole number"},
+			"/nodes/0/mesh: is not an integer"},
 		{"'nodes':[{'mesh':0}]",
-			"/nodes/0/mesh: mesh 0 does not exist (the file has "
-			"0)"},
+			"/nodes/0/mesh: mesh 0 does not exist (the file has 0)"},
 		{"'nodes':[{'mesh':-1}]",
 			"/nodes/0/mesh: mesh -1 does not exist"},
 		{"'nodes':[{'translation':[1,2]}]",
@@ -148,7 +146,7 @@ static void test_refuses_values_of_wrong_kinds(void **state)
 		{"'nodes':[{'translation':[1,2,null]}]",
 			"/nodes/0/translation/2: is not a number"},
 		{"'nodes':[{'translation':[1,2,1e39]}]",
-			"/nodes/0/translation/2: 1e+39 is too large"},
+			"/nodes/0/translation/2: 1e+39 exceeds the range of a float"},
 		{"'materials':[{'doubleSided':1}]",
 			"/materials/0/doubleSided: is neither true nor false"},
 		{"'materials':[{'pbrMetallicRoughness':[]}]",
@@ -164,9 +162,9 @@ static void test_refuses_broken_buffers_and_views(void **state)
 	static const struct broken broken[] = {
 		{"'buffers':[{}]", "/buffers/0: has no \"byteLength\""},
 		{"'buffers':[{'byteLength':0}]",
-			"/buffers/0/byteLength: 0 is not within 1 to"},
+			"/buffers/0/byteLength: 0 is out of range (1 to"},
 		{"'buffers':[{'byteLength':4}]",
-			"/buffers/0: has no uri, and the file no binary"},
+			"/buffers/0: has no uri, and the file has no binary"},
 		{VIEW16 ",'nodes':3", "/nodes: is not an array"},
 		{"'bufferViews':[{'byteLength':1}]",
 			"/bufferViews/0: has no \"buffer\""},
@@ -174,14 +172,14 @@ static void test_refuses_broken_buffers_and_views(void **state)
 			"/bufferViews/0/buffer: buffer 0 does not exist"},
 		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
 		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteOffset':1}]",
-			"/bufferViews/0: ends at byte 4, buffer 0 has 3"},
+			"/bufferViews/0: ends at byte 4, but buffer 0 has 3 bytes"},
 		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
 		 "'bufferViews':[{'buffer':0,'byteLength':2147483647,"
 		 "'byteOffset':2147483647}]",
 			"/bufferViews/0: ends at byte 4294967294"},
 		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
 		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteStride':2}]",
-			"/bufferViews/0/byteStride: 2 is not within 4 to 252"},
+			"/bufferViews/0/byteStride: 2 is out of range (4 to 252)"},
 	};
 
 	(void)state;
@@ -193,23 +191,21 @@ static void test_refuses_broken_accessors(void **state)
 	static const struct broken broken[] = {
 		{ACCESSORS("{}"), "/accessors/0: has no \"count\""},
 		{ACCESSORS(ZEROS("VEC3", "5126", "0")),
-			"/accessors/0/count: 0 is not within 1 to"},
+			"/accessors/0/count: 0 is out of range (1 to"},
 		{ACCESSORS(ZEROS("VEC3", "5126", "-1")),
-			"/accessors/0/count: -1 is not within 1 to"},
+			"/accessors/0/count: -1 is out of range (1 to"},
 		{ACCESSORS(ZEROS("VEC5", "5126", "1")),
-			"/accessors/0: type \"VEC5\" is unknown"},
+			"/accessors/0: type \"VEC5\" is not defined by glTF 2.0"},
 		{ACCESSORS(ZEROS("VEC3", "5124", "1")),
-			"/accessors/0: componentType 5124 is unknown"},
+			"/accessors/0: componentType 5124 is not defined by glTF 2.0"},
 		{ACCESSORS("{'type':'VEC3','count':1}"),
 			"/accessors/0: has no \"componentType\""},
 		{VIEW16 "," ACCESSORS("{'bufferView':1,'type':'VEC3',"
 				      "'componentType':5126,'count':1}"),
-			"/accessors/0/bufferView: bufferView 1 does not "
-			"exist"},
+			"/accessors/0/bufferView: bufferView 1 does not exist"},
 		{VIEW16 "," ACCESSORS("{'bufferView':0,'type':'VEC3',"
 				      "'componentType':5126,'count':2}"),
-			"/accessors/0: needs 24 bytes of its bufferView, "
-			"which has 16"},
+			"/accessors/0: needs 24 bytes of its bufferView, which has 16"},
 		{VIEW16 "," ACCESSORS("{'bufferView':0,'type':'VEC3',"
 				      "'byteOffset':5,"
 				      "'componentType':5126,'count':1}"),
@@ -221,8 +217,7 @@ static void test_refuses_broken_accessors(void **state)
 		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteStride':4}]"
 		 "," ACCESSORS("{'bufferView':0,'type':'VEC3',"
 			       "'componentType':5126,'count':1}"),
-			"/accessors/0: elements of 12 bytes do not fit the "
-			"byteStride 4"},
+			"/accessors/0: elements of 12 bytes are larger than the byteStride of 4"},
 	};
 
 	(void)state;
@@ -238,20 +233,17 @@ static void test_refuses_broken_sparse_accessors(void **state)
 	static const struct broken broken[] = {
 		{SPARSE(""), "/accessors/0/sparse: has no \"count\""},
 		{SPARSE("'count':4"),
-			"/accessors/0/sparse/count: 4 is not within 1 to 3"},
+			"/accessors/0/sparse/count: 4 is out of range (1 to 3)"},
 		{SPARSE("'count':1"),
 			"/accessors/0/sparse/indices: has no \"bufferView\""},
 		{SPARSE("'count':1,'indices':{'bufferView':0}"),
-			"/accessors/0/sparse/indices: has no "
-			"\"componentType\""},
+			"/accessors/0/sparse/indices: has no \"componentType\""},
 		{SPARSE("'count':1,'indices':{'bufferView':0,"
 			"'componentType':5126}"),
-			"/accessors/0/sparse/indices: componentType 5126 is "
-			"not unsigned"},
+			"/accessors/0/sparse/indices: componentType 5126 is not an unsigned integer"},
 		{SPARSE("'count':2,'indices':{'bufferView':0,"
 			"'componentType':5121}"),
-			"/accessors/0/sparse/indices: index 0 does not rise "
-			"from 0"},
+			"/accessors/0/sparse/indices: index 0 does not come after index 0"},
 		{SPARSE("'count':1,'indices':{'bufferView':0,"
 			"'byteOffset':16,'componentType':5121}"),
 			"/accessors/0/sparse/indices: needs 17 bytes"},
@@ -266,8 +258,7 @@ static void test_refuses_broken_sparse_accessors(void **state)
 			 "{'type':'SCALAR','componentType':5126,'count':3,"
 			 "'sparse':{'count':1,'indices':{'bufferView':0,"
 			 "'componentType':5121,'byteOffset':2}}}"),
-			"/accessors/0/sparse/indices: index 192 is not below "
-			"the count 3"},
+			"/accessors/0/sparse/indices: index 192 is out of range (the accessor has 3 elements)"},
 	};
 
 	(void)state;
@@ -278,37 +269,30 @@ static void test_refuses_broken_primitives(void **state)
 {
 	static const struct broken broken[] = {
 		{PRIMITIVE("'mode':7"),
-			"/meshes/0/primitives/0/mode: 7 is not within 0 to 6"},
+			"/meshes/0/primitives/0/mode: 7 is out of range (0 to 6)"},
 		{PRIMITIVE("'attributes':[]"),
 			"/meshes/0/primitives/0/attributes: is not an object"},
 		{ACCESSORS(VEC3 "," VEC3 "," VEC3 "," VEC3
 				"," VEC3) "," ATTRIBUTES("'POSITION':7"),
-			"/meshes/0/primitives/0/attributes/POSITION: accessor "
-			"7 does not exist (the file has 5)"},
+			"/meshes/0/primitives/0/attributes/POSITION: accessor 7 does not exist (the file has 5)"},
 		{ACCESSORS(VEC4) "," ATTRIBUTES("'POSITION':0"),
-			"/meshes/0/primitives/0/attributes/POSITION: accessor "
-			"0 is VEC4 instead of VEC3"},
+			"/meshes/0/primitives/0/attributes/POSITION: accessor 0 is VEC4 instead of VEC3"},
 		{ACCESSORS(VEC3 "," ZEROS("VEC3", "5126", "4")) "," ATTRIBUTES(
 			 "'POSITION':0,'NORMAL':1"),
-			"/meshes/0/primitives/0/attributes/NORMAL: has 4 "
-			"elements, POSITION has 3"},
+			"/meshes/0/primitives/0/attributes/NORMAL: has 4 elements, but POSITION has 3"},
 		{ACCESSORS(ZEROS("VEC3", "5125", "3")) "," ATTRIBUTES(
 			 "'POSITION':0"),
-			"/attributes/POSITION: componentType 5125 is for "
-			"indices only"},
+			"/attributes/POSITION: componentType 5125 is allowed for indices only"},
 		{ACCESSORS(VEC3) "," PRIMITIVE("'attributes':{'POSITION':0},"
 					       "'material':0"),
-			"/meshes/0/primitives/0/material: material 0 does not "
-			"exist"},
+			"/meshes/0/primitives/0/material: material 0 does not exist"},
 		{ACCESSORS(VEC3 "," ZEROS("SCALAR", "5126", "3")) "," PRIMITIVE(
 			 "'attributes':{'POSITION':0},'indices':1"),
-			"/meshes/0/primitives/0/indices: accessor 1 is not of "
-			"plain unsigned integers"},
+			"/meshes/0/primitives/0/indices: accessor 1 does not hold unsigned integers"},
 		{NAN_VIEW "," ACCESSORS(VEC3
 			 ",{'bufferView':0,'type':'SCALAR',"
 			 "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
-			"/meshes/0/primitives/0/indices: index 2 is vertex "
-			"192, there are 3"},
+			"/meshes/0/primitives/0/indices: index 2 refers to vertex 192, but there are only 3"},
 		{NAN_VIEW "," ACCESSORS(
 			 "{'type':'VEC3','componentType':5126,'count':3,"
 			 "'sparse':{'count':1,'indices':{'bufferView':0,"
@@ -328,8 +312,7 @@ static void test_refuses_numbers_that_are_not_finite(void **state)
 			 "'componentType':5126,'count':1}," VEC3) ",'animations':[{'samplers':[{'input':0,'output':1}],"
 								  "'channels':[{'sampler':0,'target':{'node':0,"
 								  "'path':'scale'}}]}]",
-			"/animations/0/samplers/0/input: element 0 of "
-			"accessor 0 is not finite"},
+			"/animations/0/samplers/0/input: element 0 of accessor 0 is not finite"},
 	};
 
 	(void)state;
@@ -342,13 +325,11 @@ static void test_refuses_broken_targets_and_weights(void **state)
 		{ACCESSORS(VEC3 "," ZEROS("VEC3", "5126", "2")) "," PRIMITIVE(
 			 "'attributes':{'POSITION':0},"
 			 "'targets':[{},{'POSITION':1}]"),
-			"/meshes/0/primitives/0/targets/1/POSITION: has 2 "
-			"elements, POSITION has 3"},
+			"/meshes/0/primitives/0/targets/1/POSITION: has 2 elements, but POSITION has 3"},
 		{ACCESSORS(VEC3) ",'meshes':[{'primitives':["
 				 "{'attributes':{'POSITION':0},'targets':[{}]},"
 				 "{'attributes':{'POSITION':0}}]}]",
-			"/meshes/0/primitives/1: has 0 targets, the mesh's "
-			"first primitive has 1"},
+			"/meshes/0/primitives/1: has 0 targets, but the mesh's first primitive has 1"},
 		{ACCESSORS(VEC3) ",'meshes':[{'weights':[1,2],'primitives':["
 				 "{'attributes':{'POSITION':0},'targets':[{}]}]"
 				 "}]",
@@ -378,12 +359,11 @@ static void test_refuses_broken_skins(void **state)
 		{"'nodes':[{},{}]," ACCESSORS(ZEROS(
 			 "MAT4", "5126", "1")) ",'skins':[{'joints':[0,1],'"
 					       "inverseBindMatrices':0}]",
-			"/skins/0/inverseBindMatrices: has 1 matrices for 2 "
-			"joints"},
+			"/skins/0/inverseBindMatrices: has 1 matrices for 2 joints"},
 		{"'nodes':[{}]," ACCESSORS(
 			 ZEROS("MAT4", "5121", "1")) ",'skins':[{'joints':[0],'"
 						     "inverseBindMatrices':0}]",
-			"/skins/0/inverseBindMatrices: is not of floats"},
+			"/skins/0/inverseBindMatrices: does not hold floats"},
 		{"'nodes':[{'skin':0}]", "/nodes/0/skin: skin 0 does not"},
 		{JOINTS("VEC4", "5121") "," ATTRIBUTES(
 			 "'POSITION':0,'JOINTS_0':1"),
@@ -396,14 +376,12 @@ static void test_refuses_broken_skins(void **state)
 			 "'JOINTS_1':1"),
 			"/attributes: has JOINTS_1 without WEIGHTS_1"},
 		{JOINTS("VEC4", "5126") "," PRIMITIVE(SKINNED),
-			"/attributes/JOINTS_0: is not of plain unsigned bytes "
-			"or shorts"},
+			"/attributes/JOINTS_0: does not hold unsigned bytes or shorts"},
 		{ACCESSORS(VEC3 "," ZEROS(
 			 "VEC4", "5121", "2") "," VEC4) "," PRIMITIVE(SKINNED),
-			"/attributes/JOINTS_0: has 2 elements, POSITION has 3"},
+			"/attributes/JOINTS_0: has 2 elements, but POSITION has 3"},
 		{JOINTS("VEC3", "5121") "," PRIMITIVE(SKINNED),
-			"/attributes/JOINTS_0: accessor 1 is VEC3 instead of "
-			"VEC4"},
+			"/attributes/JOINTS_0: accessor 1 is VEC3 instead of VEC4"},
 		{NAN_VIEW "," ACCESSORS(ZEROS("VEC3", "5126",
 			 "1") ",{'bufferView':0,'type':'VEC4','"
 			      "componentType':5121,"
@@ -413,8 +391,7 @@ static void test_refuses_broken_skins(void **state)
 			      "'normalized':true,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{'mesh':0,'skin':1}],"
 							      "'skins':[{'joints':[0,1]},{'joints':[1]}]," PRIMITIVE(
 								      SKINNED),
-			"/meshes/0/primitives/0: a vertex uses joint 192, "
-			"skin 1 has 1"},
+			"/meshes/0/primitives/0: a vertex uses joint 192, but skin 1 has 1"},
 	};
 
 	(void)state;
@@ -426,23 +403,21 @@ static void test_refuses_broken_node_trees(void **state)
 	static const struct broken broken[] = {
 		{"'nodes':[{'children':[1]}]",
 			"/nodes/0/children/0: node 1 does not exist"},
-		{"'nodes':[{'children':[0]}]", "/nodes/0: is its own ancestor"},
+		{"'nodes':[{'children':[0]}]", "/nodes/0: is an ancestor of itself"},
 		{"'nodes':[{},{'children':[2]},{'children':[3,0]},"
 		 "{'children':[1]}]",
-			": is its own ancestor"},
+			": is an ancestor of itself"},
 		{"'nodes':[{'children':[2]},{'children':[2]},{}]",
-			"/nodes/1/children/0: node 2 is a child of node 0 "
-			"already"},
+			"/nodes/1/children/0: node 2 is already a child of node 0"},
 		{"'nodes':[{'children':[1,1]},{}]",
-			"/nodes/0/children/1: node 1 is a child of node 0 "
-			"already"},
+			"/nodes/0/children/1: node 1 is already a child of node 0"},
 		{"'nodes':[{'rotation':[0,0,0,0]}]",
-			"/nodes/0/rotation: is a rotation of length 0"},
+			"/nodes/0/rotation: is a quaternion of length 0"},
 		{"'nodes':[{'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"
 		 "'scale':[1,1,1]}]",
-			"/nodes/0: has a matrix as well as"},
+			"/nodes/0: has a matrix and also a"},
 		{"'nodes':[{'matrix':[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2]}]",
-			"/nodes/0/matrix: its last row is not 0 0 0 1"},
+			"/nodes/0/matrix: the last row is not 0 0 0 1"},
 		{"'nodes':[{'matrix':[1]}]",
 			"/nodes/0/matrix: has 1 numbers instead of 16"},
 		{"'scene':1,'scenes':[{}]",
@@ -460,20 +435,20 @@ static void test_refuses_broken_cameras(void **state)
 	static const struct broken broken[] = {
 		{"'cameras':[{}]", "/cameras/0: has no \"type\""},
 		{"'cameras':[{'type':'fish'}]",
-			"/cameras/0/type: \"fish\" is unknown"},
+			"/cameras/0/type: \"fish\" is not defined by glTF 2.0"},
 		{"'cameras':[{'type':'perspective'}]",
 			"/cameras/0/perspective: has no \"yfov\""},
 		{"'cameras':[{'type':'perspective','perspective':{'yfov':0}}]",
-			"/cameras/0/perspective/yfov: is not above 0"},
+			"/cameras/0/perspective/yfov: is not greater than 0"},
 		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
 		 "'znear':1,'zfar':1}}]",
-			"/cameras/0/perspective/zfar: is not beyond znear"},
+			"/cameras/0/perspective/zfar: is not greater than znear"},
 		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
 		 "'znear':1,'aspectRatio':-1}}]",
-			"/cameras/0/perspective/aspectRatio: is not above 0"},
+			"/cameras/0/perspective/aspectRatio: is not greater than 0"},
 		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
 		 "'ymag':1,'znear':-1,'zfar':1}}]",
-			"/cameras/0/orthographic/znear: is below 0"},
+			"/cameras/0/orthographic/znear: is negative"},
 	};
 
 	(void)state;
@@ -488,25 +463,24 @@ static void test_refuses_broken_materials(void **state)
 {
 	static const struct broken broken[] = {
 		{"'materials':[{'alphaMode':'GLOW'}]",
-			"/materials/0/alphaMode: \"GLOW\" is unknown"},
+			"/materials/0/alphaMode: \"GLOW\" is not defined by glTF 2.0"},
 		{TEXTURED,
-			"/materials/0/pbrMetallicRoughness/"
-			"baseColorTexture/index: texture 0 does not exist"},
+			"/materials/0/pbrMetallicRoughness/baseColorTexture/index: texture 0 does not exist"},
 		{TEXTURED ",'textures':[{'source':0}]",
 			"/textures/0/source: image 0 does not exist"},
 		{TEXTURED ",'textures':[{'sampler':0}]",
 			"/textures/0/sampler: sampler 0 does not exist"},
 		{TEXTURED ",'textures':[{'sampler':0}],'samplers':[{'wrapS':"
 			  "1}]",
-			"/samplers/0/wrapS: wrap mode 1 is unknown"},
+			"/samplers/0/wrapS: wrap mode 1 is not defined by glTF 2.0"},
 		{TEXTURED ",'textures':[{'sampler':0}],'samplers':[{"
 			  "'magFilter':1}]",
-			"/samplers/0/magFilter: 1 is not within 9728 to 9729"},
+			"/samplers/0/magFilter: 1 is out of range (9728 to 9729)"},
 		{TEXTURED ",'textures':[{'source':0}],'images':[{}]",
-			"/images/0: has neither uri nor bufferView"},
+			"/images/0: has neither a uri nor a bufferView"},
 		{TEXTURED ",'textures':[{'source':0}],'images':[{'uri':"
 			  "'data:;base64,iVBORw0KGgoAAAA='}]",
-			"/images/0: is a broken PNG: the file is cut short"},
+			"/images/0: the PNG image is broken: the file is truncated"},
 		{TEXTURED ",'textures':[{'source':0}],'images':[{"
 			  "'bufferView':0}]",
 			"/images/0/bufferView: bufferView 0 does not exist"},
@@ -518,7 +492,7 @@ static void test_refuses_broken_materials(void **state)
 		"{'asset':{'version':'2.0'}," TEXTURED
 		",'textures':[{'source':0}],'images':[{'bufferView':0}]," VIEW16
 		"}",
-		-ENOTSUP, "/images/0: is neither PNG nor JPEG");
+		-ENOTSUP, "/images/0: the image is neither PNG nor JPEG");
 }
 
 #define CLIP(samplers, channels)                                              \
@@ -534,61 +508,47 @@ static void test_refuses_broken_animations(void **state)
 {
 	static const struct broken broken[] = {
 		{CLIP("", "{}"),
-			"/animations/0/channels/0: has no "
-			"\"target\""},
+			"/animations/0/channels/0: has no \"target\""},
 		{CLIP("", "{'target':{'node':0}}"),
 			"/animations/0/channels/0: has no \"sampler\""},
 		{CLIP("", CHANNEL("scale")),
-			"/animations/0/channels/0/sampler: sampler 0 does not "
-			"exist"},
+			"/animations/0/channels/0/sampler: sampler 0 does not exist"},
 		{CLIP("{}",
 			 "{'sampler':0,'target':{'node':2,'path':"
 			 "'scale'}}"),
-			"/animations/0/channels/0/target/node: node 2 does "
-			"not exist (the file has 2)"},
+			"/animations/0/channels/0/target/node: node 2 does not exist (the file has 2)"},
 		{CLIP("{}", "{'sampler':0,'target':{'node':0}}"),
 			"/animations/0/channels/0/target: has no \"path\""},
 		{CLIP("{}", CHANNEL("colour")),
-			"/animations/0/channels/0/target/path: \"colour\" is "
-			"unknown"},
+			"/animations/0/channels/0/target/path: \"colour\" is not defined by glTF 2.0"},
 		{CLIP("{}", CHANNEL("weights")),
-			"/animations/0/channels/0/target: node 0 has no morph "
-			"targets to weigh"},
+			"/animations/0/channels/0/target: node 0 has no morph targets"},
 		{CLIP("{}", CHANNEL("scale")),
 			"/animations/0/samplers/0: has no \"input\""},
 		{CLIP(SAMPLER("0", "9"), CHANNEL("scale")),
-			"/animations/0/samplers/0/output: accessor 9 does not "
-			"exist"},
+			"/animations/0/samplers/0/output: accessor 9 does not exist"},
 		{CLIP(SAMPLER("1", "1"), CHANNEL("scale")),
-			"/animations/0/samplers/0/input: accessor 1 is VEC3 "
-			"instead of SCALAR"},
+			"/animations/0/samplers/0/input: accessor 1 is VEC3 instead of SCALAR"},
 		{"'nodes':[{}]," ACCESSORS(ZEROS("SCALAR", "5121",
 			 "1") "," VEC3) ",'animations':[{'samplers':[" SAMPLER("0",
 			 "1") "],'channels':[" CHANNEL("scale") "]}]",
-			"/animations/0/samplers/0/input: is not of floats"},
+			"/animations/0/samplers/0/input: does not hold floats"},
 		{CLIP(SAMPLER("0", "3"), CHANNEL("scale")),
-			"/animations/0/samplers/0/output: accessor 3 is VEC4 "
-			"instead of VEC3"},
+			"/animations/0/samplers/0/output: accessor 3 is VEC4 instead of VEC3"},
 		{CLIP(SAMPLER("0", "1"), CHANNEL("scale")),
-			"/animations/0/samplers/0/output: has 9 numbers, 1 "
-			"keys need 3"},
+			"/animations/0/samplers/0/output: has 9 numbers, but 1 keys need 3"},
 		{CLIP("{'input':0,'output':4,'interpolation':'CUBICSPLINE'}",
 			 CHANNEL("scale")),
-			"/animations/0/samplers/0/output: has 3 numbers, 1 "
-			"keys need 9"},
+			"/animations/0/samplers/0/output: has 3 numbers, but 1 keys need 9"},
 		{CLIP("{'input':0,'output':4,'interpolation':'SLOW'}",
 			 CHANNEL("scale")),
-			"/animations/0/samplers/0/interpolation: \"SLOW\" is "
-			"unknown"},
+			"/animations/0/samplers/0/interpolation: \"SLOW\" is not defined by glTF 2.0"},
 		{CLIP(SAMPLER("2", "4"), CHANNEL("scale")),
-			"/animations/0/samplers/0/input: key 1 at 0 s does "
-			"not come after key 0 at 0 s"},
+			"/animations/0/samplers/0/input: key 1 at 0 s does not come after key 0 at 0 s"},
 		{CLIP(SAMPLER("0", "3"), CHANNEL("rotation")),
-			"/animations/0/samplers/0/output: is a rotation of "
-			"length 0"},
+			"/animations/0/samplers/0/output: is a quaternion of length 0"},
 		{CLIP(SAMPLER("0", "4"), CHANNEL("scale") "," CHANNEL("scale")),
-			"/animations/0/channels/1/target: another channel "
-			"sets the same of this node"},
+			"/animations/0/channels/1/target: another channel of this animation has the same node and path"},
 	};
 
 	(void)state;
@@ -602,8 +562,7 @@ static void test_limits_the_size_of_an_accessor(void **state)
 	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
 			    ZEROS("MAT4", "5126", "67108864")) "}",
 		-EFBIG,
-		"/accessors/0: has 67108864 elements; limber reads up to "
-		"4194304");
+		"/accessors/0: has 67108864 elements; limber reads up to 4194304");
 	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
 			    ZEROS("VEC4", "5126", "268435456")) "}",
 		-EFBIG, "/accessors/0: has 268435456 elements");
@@ -612,7 +571,7 @@ static void test_limits_the_size_of_an_accessor(void **state)
 		-EFBIG, "/accessors/0: has 357913942 elements");
 	expect_code("{'asset':{'version':'2.0'}," ACCESSORS(
 			    ZEROS("SCALAR", "5126", "4294967297")) "}",
-		-EINVAL, "/accessors/0/count: 4294967297 is not within");
+		-EINVAL, "/accessors/0/count: 4294967297 is out of range");
 }
 
 /* A few bytes of JSON must not claim the machine's memory. */
@@ -627,8 +586,7 @@ static void test_limits_the_memory_of_a_model(void **state)
 						"{'attributes':{"
 						"'POSITION':0}}]}]}",
 		-ENOMEM,
-		"/meshes/0/primitives/1: with this the model needs more than "
-		"256 MiB");
+		"/meshes/0/primitives/1: the model needs more than 256 MiB of memory");
 }
 
 static void test_limits_the_number_of_json_values(void **state)
@@ -658,12 +616,12 @@ static void test_refuses_numbers_that_are_one_too_large(void **state)
 		{THREES "," ACCESSORS(VEC3
 			 ",{'bufferView':0,'type':'SCALAR',"
 			 "'componentType':5121,'count':3}") "," PRIMITIVE("'attributes':{'POSITION':0},'indices':1"),
-			"/indices: index 0 is vertex 3, there are 3"},
+			"/indices: index 0 refers to vertex 3, but there are only 3"},
 		{THREES "," ACCESSORS(
 			 "{'type':'SCALAR','componentType':5126,'count':3,"
 			 "'sparse':{'count':1,'indices':{'bufferView':0,"
 			 "'componentType':5121}}}"),
-			"/sparse/indices: index 3 is not below the count 3"},
+			"/sparse/indices: index 3 is out of range (the accessor has 3 elements)"},
 		{THREES "," ACCESSORS(ZEROS("VEC3", "5126",
 			 "1") ",{'bufferView':0,'type':'VEC4',"
 			      "'componentType':5121,'count':1}"
@@ -671,7 +629,7 @@ static void test_refuses_numbers_that_are_one_too_large(void **state)
 			      "'componentType':5121,'count':1}") ",'nodes':[{'mesh':0,'skin':0},{},{}],"
 								 "'skins':[{'joints':[0,1,2]}]," PRIMITIVE(
 									 SKINNED),
-			"a vertex uses joint 3, skin 0 has 3"},
+			"a vertex uses joint 3, but skin 0 has 3"},
 	};
 
 	(void)state;

@@ -109,7 +109,7 @@ static void test_refuses_broken_glb_headers(void **state)
 	static const struct damage damages[] = {
 		{4, 1, -ENOTSUP, "version 1; limber reads version 2"},
 		{9, 0, -EINVAL, "the chunk at byte 12 claims"},
-		{11, 1, -EINVAL, "cut short: its header claims"},
+		{11, 1, -EINVAL, "truncated: its header claims"},
 		{15, 1, -EINVAL, "the chunk at byte 12 claims"},
 		{16, 'X', -EINVAL, "the first chunk is not the JSON"},
 		{20, '[', -EINVAL, "line 1, column"},
@@ -148,7 +148,7 @@ static void test_gives_memory_no_files(void **state)
 				 &heard, &model),
 		-EACCES);
 	assert_contains(heard.sentence[0],
-		"t.gltf: /buffers/0/uri: names another file");
+		"t.gltf: /buffers/0/uri: the model was not loaded from a folder");
 }
 
 static int load_text(const struct test_path *folder, const char *text,
@@ -178,19 +178,19 @@ static void test_reads_no_file_outside_the_folder(void **state)
 		{"x.bin", 0, ""},
 		{"./x.bin", 0, ""},
 		{"%78.bin", 0, ""},
-		{"../x.bin", -EACCES, "\"..\" step"},
-		{"%2e%2e/x.bin", -EACCES, "\"..\" step"},
-		{"..%2Fx.bin", -EACCES, "\"..\" step"},
+		{"../x.bin", -EACCES, "the path contains \"..\""},
+		{"%2e%2e/x.bin", -EACCES, "the path contains \"..\""},
+		{"..%2Fx.bin", -EACCES, "the path contains \"..\""},
 		{"..%5cx.bin", -EACCES, "backslash"},
-		{"/etc/hostname", -EACCES, "absolute path"},
-		{"%2Fetc/hostname", -EACCES, "absolute path"},
-		{"file:x.bin", -EACCES, "is not a file in the model's folder"},
-		{"http://a/x.bin", -EACCES, "is not a file in the model's"},
-		{"x%00.bin", -EINVAL, "bad % escape"},
-		{"x.bi%6", -EINVAL, "bad % escape"},
-		{"", -EACCES, "empty file name"},
+		{"/etc/hostname", -EACCES, "the path is absolute"},
+		{"%2Fetc/hostname", -EACCES, "the path is absolute"},
+		{"file:x.bin", -EACCES, "does not name a file in the model's folder"},
+		{"http://a/x.bin", -EACCES, "does not name a file in the model's"},
+		{"x%00.bin", -EINVAL, "malformed % escape"},
+		{"x.bi%6", -EINVAL, "malformed % escape"},
+		{"", -EACCES, "the path is empty"},
 		{"y.bin", -ENOENT, "/buffers/0/uri: y.bin: No such file"},
-		{"data:,xx", -EINVAL, "without \";base64,\""},
+		{"data:,xx", -EINVAL, "data URI that is not in base64"},
 		{"data:;base64,A", -EINVAL, "not valid base64"},
 		{"data:;base64,AAAA", 0, ""},
 	};
@@ -234,7 +234,7 @@ static void test_wants_all_the_bytes_that_a_buffer_states(void **state)
 				 &heard),
 		-EINVAL);
 	assert_contains(heard.sentence[0],
-		"/buffers/0: byteLength is 3, but there are only 2 bytes");
+		"/buffers/0: byteLength is 3, but the data has only 2 bytes");
 	temp_dir_remove(&folder);
 }
 
@@ -269,7 +269,7 @@ static void test_limits_the_files_beside_a_model(void **state)
 			&heard),
 		-EFBIG);
 	assert_contains(heard.sentence[0],
-		"/buffers/1/uri: the files beside the model have more than");
+		"/buffers/1/uri: the files beside the model exceed");
 	temp_dir_remove(&folder);
 }
 
@@ -295,7 +295,7 @@ static void test_limits_pictures_before_they_are_decoded(void **state)
 			&heard),
 		-ENOMEM);
 	assert_contains(heard.sentence[0],
-		"/images/0: with this the model needs more than 256 MiB");
+		"/images/0: the model needs more than 256 MiB of memory");
 	temp_dir_remove(&folder);
 }
 

@@ -40,12 +40,12 @@ static void test_the_finest_comes_first_and_shapes_last(void **state)
 	(void)state;
 	assert_near(lod[0].error_m, 0.01, 1e-7);
 	assert_int_equal(lod[0].index_count, 18);
-	assert_false(lod[0].shape);
+	assert_false(lod[0].shadow_only);
 	assert_near(lod[1].error_m, 0.1, 1e-7);
-	assert_false(lod[1].shape);
+	assert_false(lod[1].shadow_only);
 	assert_near(lod[2].error_m, 0.05, 1e-7);
 	assert_int_equal(lod[2].index_count, 3);
-	assert_true(lod[2].shape);
+	assert_true(lod[2].shadow_only);
 	model_destroy(model);
 }
 
@@ -199,8 +199,7 @@ static void test_a_level_beyond_the_vertices_is_refused(void **state)
 		"{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],"
 		"'nodes':[{'mesh':0,'extensions':{'MSFT_lod':{'ids':[1]}}},"
 		"{'mesh':1," ERROR "}]}",
-		"t.gltf: /meshes/1/primitives/0/indices: index 2 is vertex 2, "
-		"there are 2");
+		"t.gltf: /meshes/1/primitives/0/indices: index 2 refers to vertex 2, but there are only 2");
 }
 
 static void test_strange_ids_are_passed_over(void **state)

@@ -213,7 +213,7 @@ static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 	assert_true(model->material[1].normal_texture >= 0);
 	assert_int_equal(model->material[2].normal_texture, -1);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"/materials/2: normalTexture has other coordinates"));
+		"/materials/2: limber ignores normalTexture"));
 	model_destroy(model);
 }
 

@@ -22,10 +22,9 @@ static void test_leaves_points_and_lines_out_with_a_warning(void **state)
 		assert_int_equal(model->mesh[mode].primitive_count, 1);
 	}
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"modes.gltf: /meshes/0/primitives/0: points are not "
-		"drawn"));
+		"modes.gltf: /meshes/0/primitives/0: limber does not draw points"));
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"/meshes/3/primitives/0: lines are not drawn"));
+		"/meshes/3/primitives/0: limber does not draw lines"));
 	model_destroy(model);
 }
 
@@ -50,7 +49,7 @@ static void test_drops_corners_that_make_no_triangle(void **state)
 	(void)state;
 	expect_indices(&model->mesh[4].primitive[0], expected, 3);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"/meshes/4/primitives/0: 5 corners are no whole number"));
+		"/meshes/4/primitives/0: has 5 indices, not a multiple of 3"));
 	model_destroy(model);
 }
 
@@ -241,9 +240,9 @@ static void test_says_eight_warnings_and_no_more(void **state)
 		0);
 	assert_int_equal(model->mesh[0].primitive_count, 0);
 	assert_int_equal(heard.count, 9);
-	assert_contains(heard.sentence[7], "/meshes/0/primitives/7: points");
+	assert_contains(heard.sentence[7], "/meshes/0/primitives/7: limber does not draw points");
 	assert_string_equal(
-		heard.sentence[8], "t.gltf: further warnings are left out");
+		heard.sentence[8], "t.gltf: limber prints no further warnings about this file");
 	model_destroy(model);
 }
 

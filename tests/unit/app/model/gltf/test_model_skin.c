@@ -290,7 +290,7 @@ static void test_takes_the_first_eight_influences(void **state)
 	assert_int_equal(model->mesh[0].primitive[0].influences, 8);
 	assert_near(model->mesh[0].primitive[0].weight[0], 1, 0);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
-		"/attributes: only the first 8 influences"));
+		"/attributes: limber uses only the first 8 influences"));
 	model_destroy(model);
 }
 

@@ -315,7 +315,7 @@ static void test_refuses_a_png_cut_anywhere(void **state)
 		struct bytes cut = whole;
 
 		cut.size = size;
-		expect_refusal(&cut, -EINVAL, "broken PNG: the file is cut");
+		expect_refusal(&cut, -EINVAL, "PNG image is broken: the file is truncated");
 	}
 }
 
@@ -327,7 +327,7 @@ static void test_refuses_a_png_with_a_wrong_checksum(void **state)
 
 	(void)state;
 	bytes.data[8 + 8 + 13]++;
-	expect_refusal(&bytes, -EINVAL, "broken PNG: IHDR: CRC error");
+	expect_refusal(&bytes, -EINVAL, "PNG image is broken: IHDR: CRC error");
 }
 
 static void test_refuses_a_broken_jpeg_header(void **state)
@@ -336,7 +336,7 @@ static void test_refuses_a_broken_jpeg_header(void **state)
 
 	(void)state;
 	bytes.size = 20;
-	expect_refusal(&bytes, -EINVAL, "broken JPEG");
+	expect_refusal(&bytes, -EINVAL, "the JPEG image is broken");
 }
 
 static void test_warns_of_a_damaged_jpeg_and_shows_the_rest(void **state)
@@ -351,7 +351,7 @@ static void test_warns_of_a_damaged_jpeg_and_shows_the_rest(void **state)
 	assert_int_equal(decode(&bytes, &heard, &arena, &image), 0);
 	assert_int_equal(log_capture_count(&heard, LOG_ERROR), 0);
 	assert_true(
-		log_capture_has(&heard, LOG_WARNING, "HERE: is a damaged JPEG"));
+		log_capture_has(&heard, LOG_WARNING, "HERE: the JPEG image is damaged"));
 	assert_int_equal(image.rgba[0], 200);
 	arena_release(&arena);
 }
@@ -379,9 +379,9 @@ static void test_refuses_sizes_beyond_the_limit(void **state)
 	struct bytes jpeg = make_jpeg(8, 8, false, 10);
 
 	(void)state;
-	expect_refusal(&png, -EFBIG, "is 4097x1 pixels");
+	expect_refusal(&png, -EFBIG, "has 4097x1 pixels");
 	set_jpeg_size(&jpeg, 8, 65500);
-	expect_refusal(&jpeg, -EFBIG, "is 8x65500 pixels");
+	expect_refusal(&jpeg, -EFBIG, "has 8x65500 pixels");
 }
 
 static void test_measures_without_decoding(void **state)
@@ -444,7 +444,7 @@ static void test_refuses_a_jpeg_of_endless_scans(void **state)
 	assert_int_equal(image.rgba[0], 128);
 	arena_release(&arena);
 	repeat_scan(&many, 150);
-	expect_refusal(&many, -EINVAL, "broken JPEG: more than 100 scans");
+	expect_refusal(&many, -EINVAL, "JPEG image is broken: it has more than 100 scans");
 }
 
 static void test_refuses_a_png_without_pixels(void **state)
@@ -456,7 +456,7 @@ static void test_refuses_a_png_without_pixels(void **state)
 	(void)state;
 	bytes = make_png(1, 1, &kind, rows, 3);
 	bytes.data[8 + 8 + 3] = 0;
-	expect_refusal(&bytes, -EINVAL, "broken PNG");
+	expect_refusal(&bytes, -EINVAL, "the PNG image is broken");
 }
 
 int main(void)

@@ -56,7 +56,7 @@ static struct scene begin(void)
 	static struct model_lod lod[3] = {
 		{.error_m = 0.01f, .index_count = 6, .index = two},
 		{.error_m = 0.04f, .index_count = 3, .index = one},
-		{.error_m = 0.02f, .shape = true, .index_count = 3, .index = one},
+		{.error_m = 0.02f, .shadow_only = true, .index_count = 3, .index = one},
 	};
 	struct scene scene = {.model = small_model_grid(2, 2, 1.0f, true)};
 	struct model_primitive *primitive = &scene.model->mesh[0].primitive[0];
@@ -346,13 +346,13 @@ static void test_coarser_levels_have_fewer_triangles(void **state)
 			for (int k = 0; k < model_level_count(mesh); k++) {
 				struct model_level level = model_level(mesh, k);
 
-				assert_true(level.shape ||
+				assert_true(level.shadow_only ||
 					(level.error_m > finer.error_m &&
 						level.triangle_count <
 							finer.triangle_count));
 				finer = level;
 			}
-			assert_true(finer.shape);
+			assert_true(finer.shadow_only);
 		}
 		model_destroy(model);
 	}

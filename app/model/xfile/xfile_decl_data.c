@@ -3,8 +3,9 @@
 #include <string.h>
 
 /*
- * DeclData: vertex data laid out by a Direct3D vertex declaration. Newer
- * exporters write normals, texture coordinates and colours there.
+ * DeclData holds vertex data with the layout of a Direct3D vertex declaration
+ * (D3DVERTEXELEMENT9). Newer exporters write normals, texture coordinates and
+ * colours there.
  */
 enum {
 	TYPE_FLOAT2 = 1,
@@ -16,11 +17,11 @@ enum {
 	ABSENT = -1,
 };
 
-/* 32-bit words of an element of each type. */
+/* The size of each D3DDECLTYPE in 32-bit words. */
 static const uint8_t type_words[] = {
 	1, 2, 3, 4, 1, 1, 1, 2, 1, 1, 2, 1, 2, 1, 1, 1, 2};
 
-/* In words from the start of a vertex, or ABSENT. */
+/* Offsets in words from the start of a vertex, or ABSENT. */
 struct layout {
 	uint64_t stride;
 	int64_t normal;
@@ -30,7 +31,7 @@ struct layout {
 
 static int read_element(struct xfile_reader *reader, struct layout *layout)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	uint32_t field[4]; /* type, method, usage, usage index */
 	int error = 0;
 
@@ -42,8 +43,8 @@ static int read_element(struct xfile_reader *reader, struct layout *layout)
 		return error;
 	}
 	if (field[0] >= sizeof(type_words)) {
-		return xfile_fail_at(&reader->source, place,
-			"DeclData has an element of the unknown type %u",
+		return xfile_fail_at(&reader->context, location,
+			"DeclData has an element of the undefined type %u",
 			(unsigned)field[0]);
 	}
 	if (field[3] == 0) {
@@ -73,7 +74,7 @@ static int read_words(
 	}
 	*out = ARENA_ARRAY(reader->scratch, uint32_t, *count);
 	if (!*out) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (uint32_t i = 0; !error && i < *count; i++) {
 		error = xfile_read_integer(
@@ -82,17 +83,17 @@ static int read_words(
 	return error;
 }
 
-/* width floats of each vertex, offset words into it. */
+/* Copies width floats of each vertex; words points to those of the first. */
 static int take_floats(struct xfile_reader *reader,
 	const struct xfile_mesh *mesh, const uint32_t *words, uint64_t stride,
 	int width, float **out)
 {
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 
 	*out = ARENA_ARRAY(reader->scratch, float,
 		(size_t)mesh->vertex_count *(size_t)width);
 	if (!*out) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	for (size_t v = 0; v < mesh->vertex_count; v++) {
 		float *to = *out + v * (size_t)width;
@@ -100,9 +101,8 @@ static int take_floats(struct xfile_reader *reader,
 		memcpy(to, words + v * stride, (size_t)width * sizeof(*to));
 		for (int i = 0; i < width; i++) {
 			if (!(to[i] - to[i] == 0)) {
-				return xfile_fail_at(&reader->source, place,
-					"DeclData gives vertex %zu a number "
-					"that is not finite",
+				return xfile_fail_at(&reader->context, location,
+					"DeclData has a number for vertex %zu that is not finite",
 					v);
 			}
 		}
@@ -117,7 +117,7 @@ static int take_colors(struct xfile_reader *reader, struct xfile_mesh *mesh,
 		reader->scratch, float, 4 * (size_t)mesh->vertex_count);
 
 	if (!color) {
-		return xfile_no_memory(&reader->source);
+		return xfile_no_memory(&reader->context);
 	}
 	mesh->color = (float(*)[4])color;
 	for (size_t v = 0; v < mesh->vertex_count; v++) {
@@ -133,7 +133,7 @@ static int take_colors(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	return 0;
 }
 
-/* MeshNormals and its like, where a mesh has both, take precedence. */
+/* MeshNormals, MeshTextureCoords and MeshVertexColors take precedence. */
 static int take_layout(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	const struct layout *layout, const uint32_t *words)
 {
@@ -157,12 +157,12 @@ static int take_layout(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	return error;
 }
 
-int xfile_parse_declared(struct xfile_reader *reader,
+int xfile_parse_decl_data(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name)
 {
 	struct layout layout = {0, ABSENT, ABSENT, ABSENT};
 	struct xfile_mesh *mesh = scope->mesh;
-	size_t place = reader->token.place;
+	size_t location = reader->token.location;
 	uint32_t elements;
 	uint32_t words;
 	uint32_t *word;
@@ -177,7 +177,7 @@ int xfile_parse_declared(struct xfile_reader *reader,
 		error = read_words(reader, &words, &word);
 	}
 	if (!error && words != layout.stride * mesh->vertex_count) {
-		error = xfile_fail_at(&reader->source, place,
+		error = xfile_fail_at(&reader->context, location,
 			"DeclData has %u words, but %u vertices need %llu",
 			(unsigned)words, (unsigned)mesh->vertex_count,
 			(unsigned long long)layout.stride * mesh->vertex_count);
@@ -185,5 +185,5 @@ int xfile_parse_declared(struct xfile_reader *reader,
 	if (!error) {
 		error = take_layout(reader, mesh, &layout, word);
 	}
-	return error ? error : xfile_read_rest(reader);
+	return error ? error : xfile_skip_rest(reader);
 }

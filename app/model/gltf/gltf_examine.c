@@ -1,6 +1,4 @@
-/*
- * What only the file shows: the loader has already put it right.
- */
+/* Findings that only the file shows, because the loader normalises them. */
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
 
@@ -16,7 +14,7 @@ static json_t *member(const struct examination *at, const char *key)
 	return json_object_get(at->gltf->json, key);
 }
 
-/* An element's accessor number, or -1. */
+/* The accessor number in a member of an object, or -1. */
 static int accessor_of(const json_t *object, const char *key)
 {
 	const json_t *number = json_object_get(object, key);
@@ -24,7 +22,7 @@ static int accessor_of(const json_t *object, const char *key)
 	return json_is_integer(number) ? (int)json_integer_value(number) : -1;
 }
 
-static void say_accessors(const struct examination *at)
+static void report_accessors(const struct examination *at)
 {
 	int empty = 0, sparse = 0, odd = 0;
 
@@ -39,26 +37,24 @@ static void say_accessors(const struct examination *at)
 				base->stride % 4 != 0);
 	}
 	if (empty > 0) {
-		examine_say(at->examiner,
-			"accessors without a buffer view (%d): their values "
-			"are "
-			"zeros%s",
-			empty, sparse > 0 ? ", but for the sparse ones" : "");
+		examine_report(at->examiner,
+			"accessors without a buffer view (%d): their values are 0%s",
+			empty,
+			sparse > 0 ? ", except for sparse ones" : "");
 	}
 	if (sparse > 0) {
-		examine_say(at->examiner,
-			"sparse accessors (%d): a few values replace those below",
+		examine_report(at->examiner,
+			"sparse accessors (%d): limber replaces the listed values of the base",
 			sparse);
 	}
 	if (odd > 0) {
-		examine_say(at->examiner,
-			"accessors of floats not aligned to four bytes (%d): a "
-			"cast faults on ARM, limber copies",
+		examine_report(at->examiner,
+			"accessors of floats that are not aligned to 4 bytes (%d): some ARM processors fault on such floats, so limber copies them bytewise",
 			odd);
 	}
 }
 
-static void say_samplers(const struct examination *at)
+static void report_samplers(const struct examination *at)
 {
 	size_t i, k;
 	json_t *clip, *sampler;
@@ -77,15 +73,13 @@ static void say_samplers(const struct examination *at)
 		}
 	}
 	if (scaled > 0) {
-		examine_say(at->examiner,
-			"samplers that give integers (%d): they stand for "
-			"-1..1 "
-			"or 0..1",
+		examine_report(at->examiner,
+			"samplers with integer outputs (%d): limber converts them to -1..1 or 0..1",
 			scaled);
 	}
 }
 
-static void say_skins(const struct examination *at)
+static void report_skins(const struct examination *at)
 {
 	size_t i;
 	json_t *skin;
@@ -96,14 +90,13 @@ static void say_skins(const struct examination *at)
 		missing += !json_object_get(skin, "inverseBindMatrices");
 	}
 	if (missing > 0) {
-		examine_say(at->examiner,
-			"skins without inverse bind matrices (%d): they are "
-			"identities then",
+		examine_report(at->examiner,
+			"skins without inverse bind matrices (%d): limber uses identity matrices",
 			missing);
 	}
 }
 
-static void say_nodes(const struct examination *at)
+static void report_nodes(const struct examination *at)
 {
 	size_t i, k;
 	json_t *node, *child;
@@ -118,23 +111,18 @@ static void say_nodes(const struct examination *at)
 		own_weights += json_object_get(node, "weights") != NULL;
 	}
 	if (before > 0) {
-		examine_say(at->examiner,
-			"nodes that come before their parents in the file "
-			"(%d): "
-			"one pass in the file's order would use last frame's "
-			"matrices",
+		examine_report(at->examiner,
+			"nodes that come before their parents in the file (%d): limber sorts the nodes, so that a parent's matrix is always computed first",
 			before);
 	}
 	if (own_weights > 0) {
-		examine_say(at->examiner,
-			"nodes with morph weights of their own (%d): they "
-			"replace "
-			"the mesh's",
+		examine_report(at->examiner,
+			"nodes with morph weights of their own (%d): limber uses them instead of those of the mesh",
 			own_weights);
 	}
 }
 
-/* Vertices of a primitive whose weights are all zero, or do not sum to 1. */
+/* Counts vertices whose weights are all 0, and those with another sum than 1. */
 static void count_weights(const struct examination *at,
 	const json_t *attributes, int *none, int *unequal)
 {
@@ -161,7 +149,7 @@ static void count_weights(const struct examination *at,
 	}
 }
 
-static void say_weights(const struct examination *at)
+static void report_weights(const struct examination *at)
 {
 	size_t m, p;
 	json_t *mesh, *primitive;
@@ -169,8 +157,8 @@ static void say_weights(const struct examination *at)
 
 	json_array_foreach(member(at, "meshes"), m, mesh)
 	{
-		if (at->gltf->mesh_place[m] < 0) {
-			continue; /* a level's vertices are another's */
+		if (at->gltf->mesh_index[m] < 0) {
+			continue; /* a level shares its vertices */
 		}
 		json_array_foreach(
 			json_object_get(mesh, "primitives"), p, primitive)
@@ -181,16 +169,13 @@ static void say_weights(const struct examination *at)
 		}
 	}
 	if (none > 0) {
-		examine_say(at->examiner,
-			"vertices without any weight (%d): they would collapse "
-			"into the origin, so limber gives them to their first "
-			"joint",
+		examine_report(at->examiner,
+			"vertices without a weight above 0 (%d): limber attaches them to their first joint, because they would collapse into the origin",
 			none);
 	}
 	if (unequal > 0) {
-		examine_say(at->examiner,
-			"vertices whose weights do not sum to 1 (%d): limber "
-			"divides by the sum",
+		examine_report(at->examiner,
+			"vertices whose weights do not sum to 1 (%d): limber divides them by their sum",
 			unequal);
 	}
 }
@@ -199,20 +184,20 @@ int gltf_examine(const struct model_source *source,
 	const struct examiner *examiner, const struct log *log)
 {
 	struct gltf gltf;
-	int error = gltf_begin(&gltf, source, log);
+	int error = gltf_read(&gltf, source, log);
 
 	if (!error) {
 		const struct examination at = {&gltf, examiner};
 
 		examine_clips(gltf.model, examiner);
 		examine_skins(gltf.model, examiner);
-		say_skins(&at);
-		say_nodes(&at);
-		say_weights(&at);
-		say_accessors(&at);
-		say_samplers(&at);
+		report_skins(&at);
+		report_nodes(&at);
+		report_weights(&at);
+		report_accessors(&at);
+		report_samplers(&at);
 		model_destroy(gltf.model);
 	}
-	gltf_end(&gltf);
+	gltf_release(&gltf);
 	return error;
 }

@@ -1,0 +1,168 @@
+#include "app/model/gltf/gltf_internal.h"
+#include "app/model/little_endian.h"
+
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+size_t gltf_component_bytes(enum gltf_component component)
+{
+	switch (component) {
+	case GLTF_I8:
+	case GLTF_U8:
+		return 1;
+	case GLTF_I16:
+	case GLTF_U16:
+		return 2;
+	case GLTF_U32:
+	case GLTF_F32:
+		return 4;
+	}
+	return 0;
+}
+
+static const uint8_t *element_at(const struct gltf_elements *elements, int index)
+{
+	return elements->data + index * elements->stride;
+}
+
+static uint32_t get_uint(const uint8_t *bytes, enum gltf_component component)
+{
+	switch (component) {
+	case GLTF_U8:
+		return bytes[0];
+	case GLTF_U16:
+		return little_endian_u16(bytes);
+	default:
+		return little_endian_u32(bytes);
+	}
+}
+
+uint32_t gltf_get_uint(const struct gltf_elements *elements, int index)
+{
+	return get_uint(element_at(elements, index), elements->component);
+}
+
+/* glTF 2.0, 3.6.2.2: normalised, both -128 and -127 are -1. */
+static float get_float(
+	const uint8_t *bytes, enum gltf_component component, bool normalized)
+{
+	uint32_t bits;
+	float value = 0;
+	float unit = 1;
+
+	switch (component) {
+	case GLTF_I8:
+		value = (float)(int8_t)bytes[0];
+		unit = 127.0f;
+		break;
+	case GLTF_U8:
+		value = (float)bytes[0];
+		unit = 255.0f;
+		break;
+	case GLTF_I16:
+		value = (float)(int16_t)little_endian_u16(bytes);
+		unit = 32767.0f;
+		break;
+	case GLTF_U16:
+		value = (float)little_endian_u16(bytes);
+		unit = 65535.0f;
+		break;
+	case GLTF_U32:
+		return (float)little_endian_u32(bytes);
+	case GLTF_F32:
+		bits = little_endian_u32(bytes);
+		memcpy(&value, &bits, sizeof(value));
+		return value;
+	}
+	if (!normalized) {
+		return value;
+	}
+	value /= unit;
+	return value < -1 ? -1 : value;
+}
+
+/*
+ * Treats the columns of a matrix as adjacent. With small components they are
+ * padded, but the loader reads no matrices other than MAT4 of floats.
+ */
+static void unpack_floats(const struct gltf_elements *elements, int index,
+	const struct gltf_accessor *accessor, float *out)
+{
+	const uint8_t *bytes = element_at(elements, index);
+	size_t size = gltf_component_bytes(elements->component);
+	int i;
+
+	for (i = 0; i < accessor->width; i++) {
+		out[i] = get_float(bytes + i * size, elements->component,
+			accessor->normalized);
+	}
+}
+
+static int check_finite(const struct gltf_at *at,
+	const struct gltf_accessor *accessor, const float *values)
+{
+	size_t total = (size_t)accessor->count * (size_t)accessor->width;
+	size_t i;
+
+	for (i = 0; i < total; i++) {
+		if (!isfinite(values[i])) {
+			return gltf_fail(at, -EINVAL,
+				"element %zu of accessor %d is not finite",
+				i / (size_t)accessor->width,
+				(int)(accessor - at->gltf->accessor));
+		}
+	}
+	return 0;
+}
+
+int gltf_unpack_floats(const struct gltf_at *at,
+	const struct gltf_accessor *accessor, float *out)
+{
+	size_t width = (size_t)accessor->width;
+	int i;
+
+	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
+	for (i = 0; accessor->base.data && i < accessor->count; i++) {
+		unpack_floats(&accessor->base, i, accessor, out + i * width);
+	}
+	for (i = 0; i < accessor->sparse_count; i++) {
+		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
+
+		unpack_floats(&accessor->sparse_value, i, accessor,
+			out + element * width);
+	}
+	return accessor->base.component == GLTF_F32
+		? check_finite(at, accessor, out)
+		: 0;
+}
+
+static void unpack_uints(const struct gltf_elements *elements, int index,
+	int width, uint32_t *out)
+{
+	const uint8_t *bytes = element_at(elements, index);
+	size_t size = gltf_component_bytes(elements->component);
+	int i;
+
+	for (i = 0; i < width; i++) {
+		out[i] = get_uint(bytes + i * size, elements->component);
+	}
+}
+
+void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out)
+{
+	size_t width = (size_t)accessor->width;
+	int i;
+
+	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
+	for (i = 0; accessor->base.data && i < accessor->count; i++) {
+		unpack_uints(
+			&accessor->base, i, accessor->width, out + i * width);
+	}
+	for (i = 0; i < accessor->sparse_count; i++) {
+		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
+
+		unpack_uints(&accessor->sparse_value, i, accessor->width,
+			out + element * width);
+	}
+}

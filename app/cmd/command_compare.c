@@ -10,8 +10,7 @@ static int choose_clip(const struct model *model, const char *name,
 {
 	if (model->clip_count == 0) {
 		log_error(log,
-			"%s: it has no clip, and techniques are compared by "
-			"how a clip looks: give a model with an animation",
+			"%s: it has no clip to compare techniques with: give a model with an animation",
 			model->path);
 		return -ENOENT;
 	}
@@ -31,7 +30,7 @@ static int print(const struct comparison *comparison,
 		error = report_plot(comparison, options->compare.plot, log);
 	}
 	if (!error && options->compare.export) {
-		error = comparison_export(
+		error = export_comparison(
 			comparison, options->compare.export, log);
 	}
 	return error;
@@ -71,20 +70,20 @@ static int run(const struct options *options, const struct log *log)
 		&command_compare, options, log, run_with_model);
 }
 
+/* clang-format off */
 const struct command command_compare = {
 	.name = "compare",
 	.bit = FOR_COMPARE,
 	.usage = "MODEL",
-	.summary = "say what each animation technique costs for a model",
+	.summary = "compare the animation techniques on a model",
 	.detail =
-		"Turns a clip into morph key frames, rigid parts on pivots and "
-		"skins of fewer influences,\nmeasures what each costs a frame, "
-		"in memory and in the file, and how many pixels it is\noff, "
-		"and names the one to take. Elsewhere than on the board that "
-		"is the cheapest one on an\nARM1136, predicted by the timing "
-		"model of its core.\n\n"
+		"limber bakes a clip as morph key frames, as rigid parts on pivots and as skins with fewer\n"
+		"influences. It measures what each costs: the time of a frame, memory, the size of the file,\n"
+		"and the error on the screen in pixels. Then it recommends one: the one that costs least on an\n"
+		"ARM1136, predicted by a timing model of that core, or measured where limber runs on the board.\n"
+		"\n"
 		"  limber compare robot.glb --clip walk --error 1 --ram 512k\n"
-		"  limber compare robot.glb --plot techniques.svg --export "
-		"baked",
+		"  limber compare robot.glb --plot techniques.svg --export baked",
 	.run = run,
 };
+/* clang-format on */

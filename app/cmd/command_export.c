@@ -5,29 +5,29 @@
 #include <string.h>
 
 enum {
-	PREFIX_ROOM = 256
+	PREFIX_BYTES = 256
 };
 
-/* "walker" of "out/walker.c". */
-static void take_prefix(const char *path, char prefix[PREFIX_ROOM])
+/* "walker" for "out/walker.c". */
+static void make_prefix(const char *path, char prefix[PREFIX_BYTES])
 {
 	const char *slash = strrchr(path, '/');
 
-	snprintf(prefix, PREFIX_ROOM, "%s", slash ? slash + 1 : path);
+	snprintf(prefix, PREFIX_BYTES, "%s", slash ? slash + 1 : path);
 	prefix[strcspn(prefix, ".")] = '\0';
 }
 
 static int write_source(const struct model *model, int clip, const char *path,
 	const struct log *log, struct embed_size *size)
 {
-	char prefix[PREFIX_ROOM];
+	char prefix[PREFIX_BYTES];
 	struct output_file *file;
 	int error = output_file_create_for("--c", path, log, &file);
 
 	if (error) {
 		return error;
 	}
-	take_prefix(path, prefix);
+	make_prefix(path, prefix);
 	error = embed_print(
 		model, clip, prefix, log, output_file_stream(file), size);
 	if (error) {
@@ -68,15 +68,18 @@ static int run(const struct options *options, const struct log *log)
 		&command_export, options, log, run_with_model);
 }
 
+/* clang-format off */
 const struct command command_export = {
 	.name = "export",
 	.bit = FOR_EXPORT,
 	.usage = "MODEL --c FILE.c",
 	.summary = "write a model and a clip as C source",
-	.detail = "Writes const tables and a small player, for boards without "
-		  "a file system: the file needs\nnothing of limber, only "
-		  "<math.h> and <string.h>. Says what it takes in ROM and "
-		  "RAM.\n\n"
-		  "  limber export robot.glb --clip walk --c robot.c",
+	.detail =
+		"limber writes const tables and a small player, for boards without a file system. The file\n"
+		"needs nothing of limber, only <math.h> and <string.h>. limber prints how much ROM and RAM it\n"
+		"takes.\n"
+		"\n"
+		"  limber export robot.glb --clip walk --c robot.c",
 	.run = run,
 };
+/* clang-format on */

@@ -8,7 +8,7 @@
 #include <errno.h>
 #include <stdio.h>
 
-/* Numbers are printed with a point whatever the locale: none is ever set. */
+/* The decimal sign is a point: limber never sets a locale. */
 static void write_drawable(FILE *out, const struct instance *instance,
 	const struct drawable *drawable, int first_vertex)
 {
@@ -62,7 +62,7 @@ static int pose_instance(struct instance *instance,
 	}
 	error = clip_cursor_init(&cursor, instance->model, &instance->arena);
 	if (error) {
-		log_error(log, "%s: not enough memory to pose it",
+		log_error(log, "%s: out of memory to pose it",
 			instance->model->path);
 		return error;
 	}
@@ -71,7 +71,7 @@ static int pose_instance(struct instance *instance,
 			(float)options->motion.time_s,
 			options->motion.interpolation, &cursor, &instance->pose);
 	}
-	/* A pose has no distance: auto means all. */
+	/* Without a camera, auto means all influences. */
 	if (options->vertices.influences.kind != INFLUENCE_CAP_DISTANCE) {
 		instance->max_influences = influence_cap_choose(
 			&options->vertices.influences, instance, NULL, 0.0f, 0);
@@ -79,7 +79,7 @@ static int pose_instance(struct instance *instance,
 	instance_update(instance);
 	if (instance_overflowed(instance)) {
 		log_error(log,
-			"%s: this pose does not fit 16 bits: use --math float",
+			"%s: the pose exceeds the range of 16 bits: use --math float",
 			instance->model->path);
 		return -ERANGE;
 	}
@@ -130,16 +130,19 @@ static int run(const struct options *options, const struct log *log)
 		&command_pose, options, log, run_with_model);
 }
 
+/* clang-format off */
 const struct command command_pose = {
 	.name = "pose",
 	.bit = FOR_POSE,
 	.usage = "MODEL -o FILE.obj",
 	.summary = "write posed vertices as Wavefront OBJ",
-	.detail = "Writes where each vertex is at a moment of a clip, in world "
-		  "space: one OBJ object a node\nand primitive, named "
-		  "node<N>_prim<P> after the file's numbers, vertices in the "
-		  "file's order.\nTimes outside the clip are clamped. Without "
-		  "--clip it is the rest pose.\n\n"
-		  "  limber pose robot.glb --clip walk --time 0.4 -o walk.obj",
+	.detail =
+		"limber writes the vertices at one moment of a clip, in world space. Each primitive of each\n"
+		"node becomes an object named node<N>_prim<P>, where N and P are its numbers in the model\n"
+		"file; vertices keep their order. Times outside the clip are clamped. Without --clip limber\n"
+		"writes the rest pose.\n"
+		"\n"
+		"  limber pose robot.glb --clip walk --time 0.4 -o walk.obj",
 	.run = run,
 };
+/* clang-format on */

@@ -6,8 +6,8 @@
 #include <stdint.h>
 
 /*
- * A joint's matrix in fixed point. No row of its own: it is what the rows
- * cesium-normals and walker-normals have above their loops.
+ * Converting a joint's matrix to fixed point. The timing model has no row for
+ * it: this is what cesium-normals and walker-normals cost beyond their loops.
  */
 static const struct board_cost palette_joint = {270.0, 250.0};
 
@@ -19,12 +19,12 @@ static struct board_cost cost_of(enum arm11_work work, double count)
 	};
 }
 
-/* share of the way from a to b, beyond b where it is above 1. */
-static struct board_cost between(
-	enum arm11_work a, enum arm11_work b, double share)
+/* Linear interpolation: a at t = 0, b at 1; above 1 it extrapolates. */
+static struct board_cost lerp_cost(
+	enum arm11_work a, enum arm11_work b, double t)
 {
-	struct board_cost low = cost_of(a, 1.0 - share);
-	struct board_cost high = cost_of(b, share);
+	struct board_cost low = cost_of(a, 1.0 - t);
+	struct board_cost high = cost_of(b, t);
 
 	board_cost_add(&low, &high);
 	return low;
@@ -57,7 +57,7 @@ struct board_cost board_cost_pose(const struct model *model)
 	return cost;
 }
 
-/* A vertex; each influence beyond four costs what the fourth does. */
+/* One vertex. Each influence beyond four costs as much as the fourth. */
 static struct board_cost vertex_cost(int influences, bool normals)
 {
 	static const enum arm11_work plain[] = {
@@ -65,20 +65,20 @@ static struct board_cost vertex_cost(int influences, bool normals)
 
 	if (influences > 4) {
 		return normals
-			? between(ARM11_SKIN_NORMALS_2, ARM11_SKIN_NORMALS_4,
+			? lerp_cost(ARM11_SKIN_NORMALS_2, ARM11_SKIN_NORMALS_4,
 				  0.5 * (influences - 2))
-			: between(ARM11_SKIN_3, ARM11_SKIN_4, influences - 3);
+			: lerp_cost(ARM11_SKIN_3, ARM11_SKIN_4, influences - 3);
 	}
 	if (!normals) {
 		return cost_of(plain[influences - 1], 1.0);
 	}
 	return influences < 2
 		? cost_of(ARM11_SKIN_NORMALS_1, 1.0)
-		: between(ARM11_SKIN_NORMALS_2, ARM11_SKIN_NORMALS_4,
+		: lerp_cost(ARM11_SKIN_NORMALS_2, ARM11_SKIN_NORMALS_4,
 			  0.5 * (influences - 2));
 }
 
-/* A vertex that nothing holds is computed like one with an influence. */
+/* The loops treat a vertex without weights as one with one influence. */
 static int influences_of(
 	const struct model_primitive *primitive, int vertex, int max_influences)
 {

@@ -1,11 +1,12 @@
 /*
- * What a technique would take on the board, predicted: vertices and joints
- * times the cycles that the timing model of the board's core counted for its
- * loops (app/anim/kernel/arm11_cost.h). Nothing here ran on hardware, and it
- * is the same on every machine.
+ * Predicts what a technique costs on the board.
  *
- * Left out is what hangs on neither: a few hundred cycles a frame. Meshes that
- * the model ran in whole are within 5% of this
+ * The cost is the number of vertices and joints times the cycles that the
+ * timing model of the board's core counted for each loop (app/anim/kernel/arm11_cost.h).
+ * Nothing was measured on hardware. The result is the same on every machine.
+ *
+ * It leaves out a few hundred cycles a frame that depend on neither. It is
+ * within 5% of the meshes that the timing model ran as a whole
  * (tests/unit/app/compare/test_board_cost.c).
  */
 #ifndef APP_COMPARE_BOARD_COST_H
@@ -17,38 +18,38 @@ struct board_cost {
 	double cycles, instructions; /* a frame */
 };
 
-/* Microseconds on the board. */
+/* Microseconds at the board's clock rate. */
 double board_cost_us(const struct board_cost *cost);
 
+/* Adds more to *cost. */
 void board_cost_add(struct board_cost *cost, const struct board_cost *more);
 
 /*
- * Sampling a clip, world matrices and palettes of a model's joints, or of its
- * nodes where it has no skin.
+ * Sampling a clip and computing world matrices and palettes, for the joints of
+ * a model, or for its nodes when it has no skin.
  */
 struct board_cost board_cost_pose(const struct model *model);
 
 /*
- * Skinning a primitive that has influences, at most max_influences a vertex
- * (0: all), with normals where it has them; the matrices of its joints in
- * fixed point included.
+ * Skinning a primitive that has influences, at most max_influences a vertex (0:
+ * all), and its normals if it has any. This includes converting the matrices of
+ * its joints to fixed point.
  */
 struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences);
 
-/* Vertices on their way between two key frames. */
+/* Interpolating vertices between two key frames. */
 struct board_cost board_cost_lerp(int vertex_count, bool normals);
 
 /*
- * Weighted targets, two by two: moves is how many vertices all pairs together
- * move.
+ * Adding weighted targets, which the loops take in pairs. moves is the number
+ * of vertices that each pair moves, summed over all pairs.
  */
 struct board_cost board_cost_targets(double moves, bool normals);
 
 /*
- * All of an instance that plays the reference's clip, at most max_influences a
- * vertex (0: all): poses, targets as their weights change, skins. Leaves the
- * instance in some pose.
+ * Everything an instance does in an average frame of the reference's clip, with
+ * at most max_influences a vertex (0: all). It changes the instance's pose.
  */
 struct board_cost board_cost_clip(const struct reference *reference,
 	struct instance *instance, struct clip_cursor *cursor,

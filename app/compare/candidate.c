@@ -11,21 +11,10 @@ enum {
 	PASSES_MAX = 101
 };
 
-static const double timed_s = 0.06;
-
-const struct technique_rating technique_rating[TECHNIQUE_COUNT] = {
-	[TECHNIQUE_MORPHING] = {"morphing", "every vertex", "good, soft things",
-		"fairly easy"},
-	[TECHNIQUE_HIERARCHICAL] = {"hierarchical", "pivots",
-		"solid parts only", "easiest"},
-	[TECHNIQUE_SKELETAL] = {"skeletal", "bones", "good, characters",
-		"most difficult"},
-	[TECHNIQUE_COMBINED] = {"skeletal + morphing", "bones and vertices",
-		"best", "most difficult"},
-};
+static const double timed_s = 0.06; /* at least, over all passes */
 
 static struct candidate_error measure_error(struct candidate *candidate,
-	const struct reference *reference, const struct screen *screen)
+	const struct reference *reference, const struct screen_view *screen)
 {
 	struct candidate_error error = {0};
 	double sum = 0.0;
@@ -40,7 +29,8 @@ static struct candidate_error measure_error(struct candidate *candidate,
 			float shown[3], px;
 
 			candidate->vertex(candidate, v, shown);
-			px = screen_distance_px(screen, shown, wanted[source]);
+			px = screen_view_distance_px(
+				screen, shown, wanted[source]);
 			sum += (double)px;
 			if (px > error.peak_px) {
 				error.peak_px = px;
@@ -53,7 +43,7 @@ static struct candidate_error measure_error(struct candidate *candidate,
 	return error;
 }
 
-/* Frames evenly spread over the clip and off the keys. */
+/* Frames at even distances, which do not coincide with keys. */
 static void run_pass(struct candidate *candidate, float duration_s)
 {
 	for (int i = 0; i < TIMED_FRAMES; i++) {
@@ -103,7 +93,7 @@ static double count_instructions(struct candidate *candidate, float duration_s)
 }
 
 void candidate_measure(struct candidate *candidate,
-	const struct reference *reference, const struct screen *screen)
+	const struct reference *reference, const struct screen_view *screen)
 {
 	float duration_s = reference->clip->duration_s;
 

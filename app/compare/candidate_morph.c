@@ -1,10 +1,4 @@
-/*
- * Morph key frames baked from the clip: AN4044, section 1.
- *
- * Where the kernel has fixed-point loops, they do a frame's work. The error is
- * that of the key frames in float all the same, as they are exported.
- */
-#include "app/compare/candidate.h"
+#include "app/compare/candidate_morph.h"
 
 #include "app/anim/kernel/layout/fixed_key.h"
 #include "app/anim/kernel/run/fixed_lerp.h"
@@ -22,13 +16,13 @@ struct morph_bake {
 	const struct kernel *kernel;
 	struct arena arena;
 	int key_count;
-	int *key;    /* frames of the reference, which holds their vertices */
-	int at;      /* the key before the last time */
-	float omega; /* how far from there to the next */
+	int *key;    /* [key_count], frames of the reference */
+	int at;      /* the key at or before the last pose's time */
+	float omega; /* that time between this key (0) and the next (1) */
 	float (*position)[3];
 	float (*normal)[3];
 
-	/* Instead of these two; positions and normals. */
+	/* In fixed point instead of these two: [0] positions, [1] normals. */
 	const struct fixed_loops *loops;
 	struct fixed_pair (*pair[2])[3]; /* [key_count - 1][vertex_count] */
 	struct fixed_vector *posed[2];
@@ -128,8 +122,8 @@ static void destroy_morph(struct candidate *candidate)
 }
 
 /*
- * Key frames as base and targets, and one weight a target and key. On the
- * board vertices go from key to key in fixed point.
+ * The file holds the first key as base, the others as targets, and a weight for
+ * each target and key. The board interpolates between keys in fixed point.
  */
 static void count_costs(
 	struct candidate *candidate, const struct morph_bake *bake)
@@ -157,7 +151,7 @@ static void count_costs(
 		keys * sizeof(float) + keys * (keys - 1) * sizeof(float);
 }
 
-/* Positions (0) or normals (1) of a key in fixed point. */
+/* Converts the positions (stream 0) or normals (1) of a key. */
 static void write_key(const struct morph_bake *bake, int stream, int key,
 	const struct fixed_placement *placement, struct fixed_vector *out)
 {
@@ -173,7 +167,7 @@ static void write_key(const struct morph_bake *bake, int stream, int key,
 	}
 }
 
-/* Every key with the next; scratch has room for two. */
+/* Prepares each key with the next; scratch holds two keys. */
 static void pair_keys(struct morph_bake *bake,
 	const struct fixed_placement *placement, struct fixed_vector *scratch)
 {
@@ -267,7 +261,7 @@ int candidate_morph(struct candidate *candidate,
 		bake->arena = arena_empty();
 	}
 	if (!bake || prepare(bake, key) != 0) {
-		log_error(log, "%s: not enough memory for %d key frames",
+		log_error(log, "%s: out of memory for %d key frames",
 			reference->model->path, key_count);
 		candidate_destroy(candidate);
 		return -ENOMEM;

@@ -1,10 +1,4 @@
-/*
- * Rigid parts on pivots: AN4044, section 2.
- *
- * A triangle goes to the joint with the largest sum of its corners' weights;
- * a vertex that triangles of several joints share is stored once for each.
- */
-#include "app/compare/candidate.h"
+#include "app/compare/candidate_rigid.h"
 
 #include "app/anim/math/matrix.h"
 #include "app/model/model_stats.h"
@@ -20,20 +14,20 @@ enum {
 	CHOICES_MAX = CORNERS * MODEL_INFLUENCES_MAX
 };
 
-/* A drawable while it is cut. */
-struct cutting {
-	struct rigid *rigid;
+/* A drawable while its triangles are divided among the joints. */
+struct splitter {
+	struct rigid_bake *rigid;
 	const struct reference_part *part;
 	const struct drawable *drawable;
 	const struct model_skin *skin; /* or NULL */
 	int triangle_count;
 	int *joint;  /* [triangle_count]: in the skin, or 0 */
-	int *copied; /* [vertex_count]: its place in the part, or -1 */
+	int *copied; /* [vertex_count]: the vertex made from it last, or -1 */
 };
 
 static void pose_rigid(struct candidate *candidate, float time_s)
 {
-	struct rigid *rigid = candidate->state;
+	struct rigid_bake *rigid = candidate->state;
 
 	clip_sample(
 		rigid->reference->clip, time_s, &rigid->cursor, &rigid->pose);
@@ -43,7 +37,7 @@ static void pose_rigid(struct candidate *candidate, float time_s)
 static void vertex_rigid(
 	const struct candidate *candidate, int vertex, float out[3])
 {
-	const struct rigid *rigid = candidate->state;
+	const struct rigid_bake *rigid = candidate->state;
 
 	matrix_apply(rigid->world[rigid->node[vertex]], rigid->position[vertex],
 		out);
@@ -51,7 +45,7 @@ static void vertex_rigid(
 
 static void destroy_rigid(struct candidate *candidate)
 {
-	struct rigid *rigid = candidate->state;
+	struct rigid_bake *rigid = candidate->state;
 
 	if (rigid) {
 		arena_release(&rigid->arena);
@@ -59,7 +53,7 @@ static void destroy_rigid(struct candidate *candidate)
 	}
 }
 
-/* The joint that moves most of a triangle. */
+/* The joint with the largest sum of weights at the corners. */
 static int choose_joint(
 	const struct model_primitive *primitive, const uint32_t corner[CORNERS])
 {
@@ -88,31 +82,31 @@ static int choose_joint(
 	return joint[best];
 }
 
-static void choose_joints(struct cutting *cutting)
+static void choose_joints(struct splitter *splitter)
 {
-	const struct model_primitive *primitive = cutting->drawable->primitive;
+	const struct model_primitive *primitive = splitter->drawable->primitive;
 
-	for (int t = 0; t < cutting->triangle_count; t++) {
-		cutting->joint[t] = cutting->skin
+	for (int t = 0; t < splitter->triangle_count; t++) {
+		splitter->joint[t] = splitter->skin
 			? choose_joint(primitive, primitive->index + t * CORNERS)
 			: 0;
 	}
 }
 
-/* A vertex into the space of the node that is to carry it. */
-static void place_vertex(
-	const struct cutting *cutting, int joint, int vertex, int to)
+/* Stores a vertex in the space of the node that moves it. */
+static void transform_vertex(
+	const struct splitter *splitter, int joint, int vertex, int to)
 {
-	const struct model_primitive *primitive = cutting->drawable->primitive;
-	struct rigid *rigid = cutting->rigid;
+	const struct model_primitive *primitive = splitter->drawable->primitive;
+	struct rigid_bake *rigid = splitter->rigid;
 	float *position = rigid->position[to];
 
 	glm_vec3_copy(primitive->position[vertex], position);
 	if (primitive->normal) {
 		glm_vec3_copy(primitive->normal[vertex], rigid->normal[to]);
 	}
-	if (cutting->skin) {
-		vec4 *bind = cutting->skin->inverse_bind[joint];
+	if (splitter->skin) {
+		vec4 *bind = splitter->skin->inverse_bind[joint];
 
 		matrix_apply(bind, position, position);
 		matrix_apply_direction(
@@ -121,38 +115,38 @@ static void place_vertex(
 	}
 }
 
-static int add_vertex(struct cutting *cutting, const struct rigid_part *part,
+static int add_vertex(struct splitter *splitter, const struct rigid_part *part,
 	int joint, int vertex)
 {
-	struct rigid *rigid = cutting->rigid;
+	struct rigid_bake *rigid = splitter->rigid;
 	int to = rigid->vertex_count;
 
-	if (cutting->copied[vertex] < part->first_vertex) {
-		cutting->copied[vertex] = to;
-		rigid->source[to] = cutting->part->first_vertex + vertex;
+	if (splitter->copied[vertex] < part->first_vertex) {
+		splitter->copied[vertex] = to;
+		rigid->source[to] = splitter->part->first_vertex + vertex;
 		rigid->node[to] = part->node;
-		place_vertex(cutting, joint, vertex, to);
+		transform_vertex(splitter, joint, vertex, to);
 		rigid->vertex_count++;
 	}
-	return cutting->copied[vertex] - part->first_vertex;
+	return splitter->copied[vertex] - part->first_vertex;
 }
 
-/* All triangles of one joint; none make no part. */
-static void cut_part(struct cutting *cutting, int joint)
+/* Makes a part of all triangles of a joint, if there are any. */
+static void add_part(struct splitter *splitter, int joint)
 {
-	const struct model_primitive *primitive = cutting->drawable->primitive;
-	struct rigid *rigid = cutting->rigid;
+	const struct model_primitive *primitive = splitter->drawable->primitive;
+	struct rigid_bake *rigid = splitter->rigid;
 	struct rigid_part *part = &rigid->part[rigid->part_count];
 
 	*part = (struct rigid_part){
-		.node = cutting->skin ? cutting->skin->joint[joint]
-				      : cutting->drawable->node,
+		.node = splitter->skin ? splitter->skin->joint[joint]
+				       : splitter->drawable->node,
 		.first_vertex = rigid->vertex_count,
 		.first_index = rigid->index_count,
-		.part = (int)(cutting->part - rigid->reference->part),
+		.part = (int)(splitter->part - rigid->reference->part),
 	};
-	for (int t = 0; t < cutting->triangle_count; t++) {
-		if (cutting->joint[t] != joint) {
+	for (int t = 0; t < splitter->triangle_count; t++) {
+		if (splitter->joint[t] != joint) {
 			continue;
 		}
 		for (int corner = 0; corner < CORNERS; corner++) {
@@ -160,7 +154,7 @@ static void cut_part(struct cutting *cutting, int joint)
 
 			rigid->index[rigid->index_count++] =
 				(uint32_t)add_vertex(
-					cutting, part, joint, vertex);
+					splitter, part, joint, vertex);
 		}
 	}
 	part->vertex_count = rigid->vertex_count - part->first_vertex;
@@ -168,11 +162,12 @@ static void cut_part(struct cutting *cutting, int joint)
 	rigid->part_count += part->index_count > 0;
 }
 
-static int cut_drawable(struct rigid *rigid, const struct reference_part *part)
+static int split_drawable(
+	struct rigid_bake *rigid, const struct reference_part *part)
 {
 	const struct instance *instance = rigid->reference->instance;
 	const struct drawable *drawable = &instance->drawable[part->drawable];
-	struct cutting cutting = {
+	struct splitter splitter = {
 		.rigid = rigid,
 		.part = part,
 		.drawable = drawable,
@@ -181,27 +176,27 @@ static int cut_drawable(struct rigid *rigid, const struct reference_part *part)
 			: NULL,
 		.triangle_count = drawable->primitive->index_count / CORNERS,
 	};
-	int joints = cutting.skin ? cutting.skin->joint_count : 1;
+	int joints = splitter.skin ? splitter.skin->joint_count : 1;
 
-	cutting.joint =
-		ARENA_ARRAY(&rigid->arena, int, (size_t)cutting.triangle_count);
-	cutting.copied =
+	splitter.joint = ARENA_ARRAY(
+		&rigid->arena, int, (size_t)splitter.triangle_count);
+	splitter.copied =
 		ARENA_ARRAY(&rigid->arena, int, (size_t)part->vertex_count);
-	if (!cutting.joint || !cutting.copied) {
+	if (!splitter.joint || !splitter.copied) {
 		return -ENOMEM;
 	}
 	for (int v = 0; v < part->vertex_count; v++) {
-		cutting.copied[v] = -1;
+		splitter.copied[v] = -1;
 	}
-	choose_joints(&cutting);
+	choose_joints(&splitter);
 	for (int joint = 0; joint < joints; joint++) {
-		cut_part(&cutting, joint);
+		add_part(&splitter, joint);
 	}
 	return 0;
 }
 
-/* At most every corner is a vertex, and every joint a part. */
-static int init_arrays(struct rigid *rigid)
+/* At most, every corner becomes a vertex and every joint a part. */
+static int init_arrays(struct rigid_bake *rigid)
 {
 	const struct reference *reference = rigid->reference;
 	const struct instance *instance = reference->instance;
@@ -230,7 +225,7 @@ static int init_arrays(struct rigid *rigid)
 		: -ENOMEM;
 }
 
-static int prepare(struct rigid *rigid)
+static int prepare(struct rigid_bake *rigid)
 {
 	const struct reference *reference = rigid->reference;
 	int error = init_arrays(rigid);
@@ -243,12 +238,13 @@ static int prepare(struct rigid *rigid)
 			&rigid->cursor, reference->model, &rigid->arena);
 	}
 	for (int i = 0; !error && i < reference->part_count; i++) {
-		error = cut_drawable(rigid, &reference->part[i]);
+		error = split_drawable(rigid, &reference->part[i]);
 	}
 	return error;
 }
 
-static void count_bytes(struct candidate *candidate, const struct rigid *rigid)
+static void count_bytes(
+	struct candidate *candidate, const struct rigid_bake *rigid)
 {
 	const struct reference *reference = rigid->reference;
 	struct model_stats stats = {0};
@@ -270,7 +266,7 @@ static void count_bytes(struct candidate *candidate, const struct rigid *rigid)
 int candidate_rigid(struct candidate *candidate,
 	const struct reference *reference, const struct log *log)
 {
-	struct rigid *rigid = calloc(1, sizeof(*rigid));
+	struct rigid_bake *rigid = calloc(1, sizeof(*rigid));
 
 	*candidate = (struct candidate){
 		.name = "rigid parts",
@@ -285,7 +281,7 @@ int candidate_rigid(struct candidate *candidate,
 		rigid->arena = arena_empty();
 	}
 	if (!rigid || prepare(rigid) != 0) {
-		log_error(log, "%s: not enough memory to cut it into parts",
+		log_error(log, "%s: out of memory to split it into rigid parts",
 			reference->model->path);
 		candidate_destroy(candidate);
 		return -ENOMEM;
@@ -297,7 +293,7 @@ int candidate_rigid(struct candidate *candidate,
 	return 0;
 }
 
-const struct rigid *candidate_rigid_parts(const struct candidate *candidate)
+const struct rigid_bake *candidate_rigid_bake(const struct candidate *candidate)
 {
 	return candidate->state;
 }

@@ -1,5 +1,7 @@
 #include "app/compare/comparison.h"
 
+#include "app/compare/candidate_morph.h"
+#include "app/compare/candidate_rigid.h"
 #include "app/compare/fit.h"
 #include "app/model/model_stats.h"
 
@@ -9,26 +11,26 @@
 
 /* AN4044, section 4: "20 key frames are required". */
 enum {
-	DOCUMENT_KEYS = 20
+	AN4044_KEYS = 20
 };
 
-/* The core's own loops, which no other machine's program has. */
+/* Only the program for the board has this kernel. */
 static const char board_kernel[] = "armv6";
 
-/* Points of the plot beside the wanted bound. */
+/* The other points of the plot, as multiples of the bound. */
 static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
 static const int caps[] = {4, 2, 1};
 
-static struct candidate *next(struct comparison *comparison)
+static struct candidate *next_candidate(struct comparison *comparison)
 {
 	return &comparison->candidate[comparison->candidate_count];
 }
 
-/* Counts the candidate that was just made, unless making it failed. */
-static int added(struct comparison *comparison, int error, bool listed)
+/* Counts the candidate that next_candidate() gave, unless it has failed. */
+static int count_candidate(struct comparison *comparison, int error, bool listed)
 {
 	if (!error) {
-		next(comparison)->listed = listed;
+		next_candidate(comparison)->listed = listed;
 		comparison->candidate_count++;
 	}
 	return error;
@@ -52,35 +54,35 @@ static bool has_targets(const struct model *model)
 	return false;
 }
 
-static int add_as_is(struct comparison *comparison, const struct log *log)
+static int add_originals(struct comparison *comparison, const struct log *log)
 {
 	const struct reference *reference = comparison->reference;
 	const struct kernel *kernel = comparison->request.kernel;
 	const struct model *model = reference->model;
 	int most = most_influences(model);
-	int error = added(comparison,
-		candidate_as_is(
-			next(comparison), reference, kernel, 0, true, log),
+	int error = count_candidate(comparison,
+		candidate_original(next_candidate(comparison), reference,
+			kernel, 0, true, log),
 		true);
 
 	if (!error && has_targets(model) && model->skin_count > 0) {
-		error = added(comparison,
-			candidate_as_is(next(comparison), reference, kernel, 0,
-				false, log),
+		error = count_candidate(comparison,
+			candidate_original(next_candidate(comparison),
+				reference, kernel, 0, false, log),
 			true);
 	}
 	for (size_t i = 0; !error && i < ARRAY_COUNT(caps); i++) {
 		if (caps[i] < most) {
-			error = added(comparison,
-				candidate_as_is(next(comparison), reference,
-					kernel, caps[i], true, log),
+			error = count_candidate(comparison,
+				candidate_original(next_candidate(comparison),
+					reference, kernel, caps[i], true, log),
 				true);
 		}
 	}
 	return error;
 }
 
-/* Fitted to a bound, or the document's number where bound_px is 0. */
+/* Keys fitted to a bound; where it is 0, evenly spaced as in AN4044. */
 static int add_morph(struct comparison *comparison, float bound_px, bool listed,
 	const struct log *log)
 {
@@ -92,16 +94,16 @@ static int add_morph(struct comparison *comparison, float bound_px, bool listed,
 	if (key && bound_px > 0.0f) {
 		count = fit_keys(reference, &comparison->screen, bound_px, key);
 	} else if (key) {
-		count = spread_keys(reference, DOCUMENT_KEYS, key);
+		count = fit_even_keys(reference, AN4044_KEYS, key);
 	}
 	if (count < 0) {
-		log_error(log, "%s: not enough memory to fit key frames",
+		log_error(log, "%s: out of memory to fit key frames",
 			reference->model->path);
 		free(key);
 		return count;
 	}
-	error = added(comparison,
-		candidate_morph(next(comparison), reference,
+	error = count_candidate(comparison,
+		candidate_morph(next_candidate(comparison), reference,
 			comparison->request.kernel, key, count, log),
 		listed);
 	if (!error) {
@@ -115,7 +117,7 @@ static int add_morph(struct comparison *comparison, float bound_px, bool listed,
 static int add_all(struct comparison *comparison, const struct log *log)
 {
 	float bound_px = comparison->request.bound_px;
-	int error = add_as_is(comparison, log);
+	int error = add_originals(comparison, log);
 
 	if (!error) {
 		error = add_morph(comparison, bound_px, true, log);
@@ -129,9 +131,9 @@ static int add_all(struct comparison *comparison, const struct log *log)
 		error = add_morph(comparison, 0.0f, true, log);
 	}
 	if (!error) {
-		error = added(comparison,
-			candidate_rigid(
-				next(comparison), comparison->reference, log),
+		error = count_candidate(comparison,
+			candidate_rigid(next_candidate(comparison),
+				comparison->reference, log),
 			true);
 	}
 	for (size_t i = 0; !error && i < ARRAY_COUNT(other_bounds); i++) {
@@ -141,31 +143,30 @@ static int add_all(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
-double comparison_cost(
+double comparison_cost_of(
 	const struct comparison *comparison, const struct candidate *candidate)
 {
 	switch (comparison->cost) {
-	case COST_INSTRUCTIONS:
+	case COMPARISON_COST_INSTRUCTIONS:
 		return candidate->instructions;
-	case COST_TIME:
+	case COMPARISON_COST_TIME:
 		return candidate->frame_us;
 	default:
 		return board_cost_us(&candidate->board);
 	}
 }
 
-/* Of the measured candidates. */
-static enum cost_kind choose_cost(const struct comparison *comparison)
+static enum comparison_cost choose_cost(const struct comparison *comparison)
 {
 	if (!kernel_find(board_kernel)) {
-		return COST_PREDICTED;
+		return COMPARISON_COST_PREDICTED;
 	}
 	for (int i = 0; i < comparison->candidate_count; i++) {
 		if (comparison->candidate[i].instructions < 0.0) {
-			return COST_TIME;
+			return COMPARISON_COST_TIME;
 		}
 	}
-	return COST_INSTRUCTIONS;
+	return COMPARISON_COST_INSTRUCTIONS;
 }
 
 static bool fits(
@@ -176,15 +177,15 @@ static bool fits(
 	return limit == 0 || candidate->memory_bytes <= limit;
 }
 
-/* True where a is to be taken rather than b. */
-static bool better(const struct comparison *comparison,
+/* Whether a is the better choice. */
+static bool is_better(const struct comparison *comparison,
 	const struct candidate *a, const struct candidate *b)
 {
 	float bound_px = comparison->request.bound_px;
-	double a_cost = comparison_cost(comparison, a);
-	double b_cost = comparison_cost(comparison, b);
-	bool a_keeps = a->error.peak_px <= bound_px;
-	bool b_keeps = b->error.peak_px <= bound_px;
+	double a_cost = comparison_cost_of(comparison, a);
+	double b_cost = comparison_cost_of(comparison, b);
+	bool a_fits = a->error.peak_px <= bound_px;
+	bool b_fits = b->error.peak_px <= bound_px;
 
 	if (fits(comparison, a) != fits(comparison, b)) {
 		return fits(comparison, a);
@@ -192,10 +193,10 @@ static bool better(const struct comparison *comparison,
 	if (!fits(comparison, a)) {
 		return a->memory_bytes < b->memory_bytes;
 	}
-	if (a_keeps != b_keeps) {
-		return a_keeps;
+	if (a_fits != b_fits) {
+		return a_fits;
 	}
-	if (!a_keeps) {
+	if (!a_fits) {
 		return a->error.peak_px < b->error.peak_px;
 	}
 	return a_cost < b_cost ||
@@ -210,21 +211,19 @@ static void advise(struct comparison *comparison)
 	for (int i = 1; i < comparison->candidate_count; i++) {
 		const struct candidate *other = &comparison->candidate[i];
 
-		if (other->listed && better(comparison, other, best)) {
+		if (other->listed && is_better(comparison, other, best)) {
 			best = other;
 		}
 	}
 	comparison->advised = (int)(best - comparison->candidate);
 	if (!fits(comparison, best)) {
-		why = "nothing fits the memory, and this needs the least";
+		why = "nothing fits the memory, and it needs the least";
 	} else if (best->error.peak_px > comparison->request.bound_px) {
-		why = "nothing that fits keeps the error, and this comes "
-		      "nearest";
-	} else if (comparison->cost != COST_PREDICTED) {
-		why = "the cheapest frame of all that keep the error and fit";
+		why = "nothing that fits the memory keeps within the error, and it comes closest";
+	} else if (comparison->cost != COMPARISON_COST_PREDICTED) {
+		why = "it costs least of all that keep within the error and the memory";
 	} else {
-		why = "on an ARM1136 the cheapest frame, by the timing model, "
-		      "of all that keep the error and fit";
+		why = "the timing model predicts that it takes the least time on an ARM1136 of all that keep within the error and the memory";
 	}
 	snprintf(comparison->reason, sizeof(comparison->reason), "%s", why);
 }
@@ -239,7 +238,7 @@ static int prepare(struct comparison *comparison, const struct model *model,
 	if (error) {
 		return error;
 	}
-	comparison->screen = screen_frame(
+	comparison->screen = screen_view_create(
 		comparison->reference, request->width, request->height);
 	error = add_all(comparison, log);
 	for (int i = 0; !error && i < comparison->candidate_count; i++) {
@@ -257,8 +256,7 @@ int comparison_create(const struct model *model,
 	int error;
 
 	if (!comparison) {
-		log_error(log, "%s: not enough memory to compare it",
-			model->path);
+		log_error(log, "%s: out of memory to compare it", model->path);
 		return -ENOMEM;
 	}
 	comparison->request = *request;

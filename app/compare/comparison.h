@@ -1,5 +1,5 @@
 /*
- * All candidates of one clip, measured, and which of them to take.
+ * Bakes and measures all candidates for a clip, and recommends one.
  */
 #ifndef APP_COMPARE_COMPARISON_H
 #define APP_COMPARE_COMPARISON_H
@@ -7,49 +7,48 @@
 #include "app/compare/candidate.h"
 
 enum {
-	CANDIDATES_MAX = 20
+	COMPARISON_CANDIDATES_MAX = 20
 };
 
-/* What a frame costs. */
-enum cost_kind {
-	COST_PREDICTED,    /* the board's time, on any other machine */
-	COST_INSTRUCTIONS, /* counted here, on the board: they repeat */
-	COST_TIME,         /* measured there, where it cannot count */
-	COST_KINDS
+/* Which figure is the cost of a frame. */
+enum comparison_cost {
+	COMPARISON_COST_PREDICTED,    /* the board's time, on other machines */
+	COMPARISON_COST_INSTRUCTIONS, /* counted, on the board */
+	COMPARISON_COST_TIME, /* measured, on a board that cannot count */
+	COMPARISON_COSTS
 };
 
-/* What is asked. */
 struct comparison_request {
 	int clip;
 	double rate_hz;      /* of the reference's frames */
-	float bound_px;      /* the error that may be */
-	size_t memory_bytes; /* that may be used; 0: any */
-	int width, height;   /* of the screen */
+	float bound_px;      /* the largest error to accept */
+	size_t memory_bytes; /* the most memory to accept; 0: any */
+	int width, height;   /* of the screen, in pixels */
 	const struct kernel *kernel;
 };
 
 struct comparison {
 	struct comparison_request request;
 	struct reference *reference;
-	struct screen screen;
+	struct screen_view screen;
 	int candidate_count;
-	struct candidate candidate[CANDIDATES_MAX];
+	struct candidate candidate[COMPARISON_CANDIDATES_MAX];
 
-	enum cost_kind cost; /* what advice and plots go by */
-	int advised;         /* the candidate to take */
-	char reason[200];    /* why, in a sentence */
+	enum comparison_cost cost; /* used by the advice and the plot */
+	int advised;               /* index of the recommended candidate */
+	char reason[200];          /* why it is recommended */
 };
 
 /*
- * Bakes and measures. 0, or -errno after a sentence. The model must outlive
- * it; release it with comparison_destroy().
+ * Bakes and measures. The model must outlive the comparison, which
+ * comparison_destroy() releases. 0, or -errno after logging an error.
  */
 int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,
 	struct comparison **out);
 
-/* By that kind; only to be compared. */
-double comparison_cost(
+/* The figure that comparison->cost selects; its unit depends on that. */
+double comparison_cost_of(
 	const struct comparison *comparison, const struct candidate *candidate);
 
 /* NULL is fine. */

@@ -7,51 +7,53 @@ enum {
 	MISSES_MAX = 8
 };
 
-/* A span that is tried, and where the last one failed. */
+/* A span between two keys that is checked. */
 struct span {
 	const struct reference *reference;
-	const struct screen *screen;
+	const struct screen_view *screen;
 	float bound_px;
 	int from, to;
-	int culprit; /* a vertex: likely to fail again */
+	int suspect; /* the vertex that exceeded the bound last */
 };
 
-float fit_omega(const struct reference *reference, int from, int to, int frame)
+/* Where a frame is between two others: 0 at from, 1 at to. */
+static float omega_of(
+	const struct reference *reference, int from, int to, int frame)
 {
 	const float *time_s = reference->time_s;
 
 	return (time_s[frame] - time_s[from]) / (time_s[to] - time_s[from]);
 }
 
-static bool vertex_keeps(const struct span *span, int frame, int vertex)
+static bool vertex_fits(const struct span *span, int frame, int vertex)
 {
 	const float *from =
 		reference_position(span->reference, span->from)[vertex];
 	const float *to = reference_position(span->reference, span->to)[vertex];
-	float omega = fit_omega(span->reference, span->from, span->to, frame);
+	float omega = omega_of(span->reference, span->from, span->to, frame);
 	float straight[3];
 
 	for (int axis = 0; axis < 3; axis++) {
 		straight[axis] = from[axis] + (to[axis] - from[axis]) * omega;
 	}
-	return screen_distance_px(span->screen, straight,
+	return screen_view_distance_px(span->screen, straight,
 		       reference_position(span->reference, frame)[vertex]) <=
 		span->bound_px;
 }
 
-static bool frame_keeps(struct span *span, int frame)
+static bool frame_fits(struct span *span, int frame)
 {
 	for (int v = 0; v < span->reference->vertex_count; v++) {
-		if (!vertex_keeps(span, frame, v)) {
-			span->culprit = v;
+		if (!vertex_fits(span, frame, v)) {
+			span->suspect = v;
 			return false;
 		}
 	}
 	return true;
 }
 
-/* The middle, where a straight line is furthest off, comes first. */
-static bool span_keeps(struct span *span)
+/* The suspect and the middle frame come first: they fail most often. */
+static bool span_fits(struct span *span)
 {
 	int middle = (span->from + span->to) / 2;
 
@@ -59,23 +61,23 @@ static bool span_keeps(struct span *span)
 		return true;
 	}
 	for (int frame = span->from + 1; frame < span->to; frame++) {
-		if (!vertex_keeps(span, frame, span->culprit)) {
+		if (!vertex_fits(span, frame, span->suspect)) {
 			return false;
 		}
 	}
-	if (!frame_keeps(span, middle)) {
+	if (!frame_fits(span, middle)) {
 		return false;
 	}
 	for (int frame = span->from + 1; frame < span->to; frame++) {
-		if (frame != middle && !frame_keeps(span, frame)) {
+		if (frame != middle && !frame_fits(span, frame)) {
 			return false;
 		}
 	}
 	return true;
 }
 
-/* Offers frame to as reached from frame from. */
-static void offer(int *steps, int *before, int from, int to)
+/* Updates the shortest path to frame to with the one through frame from. */
+static void relax(int *steps, int *before, int from, int to)
 {
 	if (steps[to] == 0 || steps[from] + 1 < steps[to]) {
 		steps[to] = steps[from] + 1;
@@ -97,8 +99,8 @@ static int collect(const int *before, int last, int *key)
 	return count;
 }
 
-int fit_keys(const struct reference *reference, const struct screen *screen,
-	float bound_px, int *key)
+int fit_keys(const struct reference *reference,
+	const struct screen_view *screen, float bound_px, int *key)
 {
 	struct span span = {reference, screen, bound_px, 0, 0, 0};
 	int frames = reference->frame_count;
@@ -113,8 +115,8 @@ int fit_keys(const struct reference *reference, const struct screen *screen,
 			for (span.to = span.from + 1;
 				span.to < frames && misses < MISSES_MAX;
 				span.to++) {
-				if (span_keeps(&span)) {
-					offer(steps, before, span.from, span.to);
+				if (span_fits(&span)) {
+					relax(steps, before, span.from, span.to);
 					misses = 0;
 				} else {
 					misses++;
@@ -128,7 +130,7 @@ int fit_keys(const struct reference *reference, const struct screen *screen,
 	return count;
 }
 
-int spread_keys(const struct reference *reference, int count, int *key)
+int fit_even_keys(const struct reference *reference, int count, int *key)
 {
 	int last = reference->frame_count - 1;
 

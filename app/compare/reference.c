@@ -11,8 +11,9 @@ enum {
 	BYTES_MAX = 1 << 30
 };
 
-/* Normals of a node go by the cofactors of its matrix. */
-static void turn_normal(const vec4 *world, const float normal[3], float out[3])
+/* Normals are transformed by the cofactors of the node's matrix. */
+static void transform_normal(
+	const vec4 *world, const float normal[3], float out[3])
 {
 	vec3 a, b, c;
 
@@ -42,7 +43,7 @@ static void take_part(const struct reference *reference,
 		if (drawable->skin >= 0) {
 			glm_vec3_copy(drawable->normal[v], normal[v]);
 		} else {
-			turn_normal(world, drawable->normal[v], normal[v]);
+			transform_normal(world, drawable->normal[v], normal[v]);
 		}
 	}
 }
@@ -113,8 +114,7 @@ static int init_frames(struct reference *reference, const struct log *log)
 
 	if (count > BYTES_MAX / (2 * sizeof(float[3]))) {
 		log_error(log,
-			"%s: clip %d has %d frames of %d vertices, which is "
-			"too much to keep: give a lower --fps",
+			"%s: clip %d has %d frames of %d vertices, which are too many to keep: give a lower --fps",
 			reference->model->path, reference->clip_index,
 			reference->frame_count, reference->vertex_count);
 		return -E2BIG;
@@ -147,7 +147,7 @@ static int prepare(struct reference *reference, const struct log *log)
 		error = init_frames(reference, log);
 	}
 	if (error == -ENOMEM) {
-		log_error(log, "%s: not enough memory for its frames",
+		log_error(log, "%s: out of memory for its frames",
 			reference->model->path);
 	}
 	return error;
@@ -161,15 +161,13 @@ int reference_create(const struct model *model, int clip, double rate_hz,
 
 	if (!(model->clip[clip].duration_s > 0.0f)) {
 		log_error(log,
-			"%s: clip %d has one moment only: nothing moves that "
-			"techniques could differ in",
+			"%s: clip %d has no duration: choose a clip that moves",
 			model->path, clip);
 		return -EINVAL;
 	}
 	reference = calloc(1, sizeof(*reference));
 	if (!reference) {
-		log_error(log, "%s: not enough memory for its frames",
-			model->path);
+		log_error(log, "%s: out of memory for its frames", model->path);
 		return -ENOMEM;
 	}
 	reference->model = model;

@@ -1,9 +1,8 @@
 /*
- * One clip of one model as it is meant to look: every vertex at every frame.
+ * The reference: every vertex of a clip at every frame.
  *
- * All techniques are held against this. Positions are in world space and the
- * model's own units, computed by the float kernel with all influences and
- * targets.
+ * All techniques are compared with it. The float kernel computes it with all
+ * influences and targets. Positions are in world space, in the model's units.
  */
 #ifndef APP_COMPARE_REFERENCE_H
 #define APP_COMPARE_REFERENCE_H
@@ -25,7 +24,7 @@ struct reference {
 	double rate_hz;
 	struct arena arena;
 
-	struct instance *instance; /* posed anew for each frame */
+	struct instance *instance; /* what the frames are computed with */
 	struct clip_cursor cursor;
 
 	int part_count;
@@ -35,14 +34,14 @@ struct reference {
 	int frame_count;      /* at least 2 */
 	float *time_s;        /* [frame_count], from 0 to the clip's end */
 	float (*position)[3]; /* [frame_count][vertex_count] */
-	float (*normal)[3];   /* likewise; zeros where a part has none */
+	float (*normal)[3];   /* likewise; zeros in parts without normals */
 };
 
 /*
- * Samples the clip rate_hz times a second, its end included. 0, or -errno
- * after a sentence: -EINVAL where the clip does not move in time, -E2BIG when
- * it is too long for that rate, -ENOMEM. The model must outlive it; release
- * it with reference_destroy().
+ * Samples the clip rate_hz times a second and at its end. The model must
+ * outlive the reference, which reference_destroy() releases. 0, or -errno after
+ * logging an error: -EINVAL when the clip has no duration, -E2BIG when it has
+ * too many frames to keep, -ENOMEM.
  */
 int reference_create(const struct model *model, int clip, double rate_hz,
 	const struct log *log, struct reference **out);
@@ -50,12 +49,14 @@ int reference_create(const struct model *model, int clip, double rate_hz,
 /* NULL is fine. */
 void reference_destroy(struct reference *reference);
 
-/* The vertices of a frame; normals likewise. */
+/* The positions of a frame: [vertex_count]. */
 const float (
 	*reference_position(const struct reference *reference, int frame))[3];
+
+/* The normals of a frame: [vertex_count]. */
 const float (*reference_normal(const struct reference *reference, int frame))[3];
 
-/* The last frame whose time is not after time_s. */
+/* The last frame at or before time_s. */
 int reference_frame_at(const struct reference *reference, float time_s);
 
 #endif

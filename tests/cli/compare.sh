@@ -87,7 +87,7 @@ expect_status 1
 expect_err 'plot.svg: cannot be written'
 limber compare "$slider" --fps 10 --export "$scratch/none/baked"
 expect_status 1
-expect_err 'baked: cannot be made'
+expect_err 'baked: the folder cannot be made'
 limber compare "$(dirname "$0")/../../assets/arm.glb"
 expect_refusal 1 'it has no clip'
 tap_done

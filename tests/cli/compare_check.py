@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """compare_check.py REPORT.json MODEL BAKED COMMAND...: recomputes the figures.
 
-Poses the model and what was baked from it with `COMMAND pose` and projects
-both by the report's view, so errors come from written files and not from the
-program's own arrays; takes bytes from the files' accessors. Prints TAP.
+It poses the model and the baked models with `COMMAND pose` and projects both
+with the report's view, so the errors come from files and not from the program's
+own arrays. Bytes come from the files' accessors. It prints TAP.
 """
 import json
 import math
@@ -43,7 +43,7 @@ class Glb:
                 for i in range(accessor["count"])]
 
     def moving_bytes(self):
-        """Vertices, targets and clips: what file_bytes is of a bake."""
+        """The bytes of vertices, targets and clips: file_bytes of a baked model."""
         total = 0
         for mesh in self.json["meshes"]:
             for primitive in mesh["primitives"]:
@@ -72,7 +72,7 @@ class Check:
 
 
 def posed(command, model, clip, time_s, folder):
-    """World-space vertices, and faces by the file's node numbers."""
+    """The vertices in world space, and the faces in the order of the nodes."""
     path = os.path.join(folder, "posed.obj")
     subprocess.run(command + ["pose", model, "--clip", str(clip), "--time",
                               f"{time_s:.9f}", "--math", "float", "-o", path],
@@ -116,7 +116,7 @@ def joint_of_triangle(joints, weights, corners):
 
 
 def rigid_corners(original):
-    """The model's corners in the order in which rigid parts have them."""
+    """The model's corners in the order of the rigid parts."""
     primitive = original.json["meshes"][0]["primitives"][0]
     joints = original.read(primitive["attributes"]["JOINTS_0"])
     weights = original.read(primitive["attributes"]["WEIGHTS_0"])
@@ -136,7 +136,7 @@ PALETTE_CYCLES = 270  # a joint, app/compare/board_cost.c
 
 
 def read_figures():
-    """row -> cycles of the board's loop, data in memory"""
+    """Cycles a vertex or joint of each row, with the data in memory."""
     figures = {}
     with open(FIGURES, encoding="ascii") as file:
         for line in file:
@@ -147,7 +147,7 @@ def read_figures():
 
 
 def predicted_us(original, candidate):
-    """Of a model of one skinned primitive with normals, or None."""
+    """Microseconds for a model of one skinned primitive with normals, or None."""
     figures = read_figures()
     primitive = original.json["meshes"][0]["primitives"][0]
     weights = original.read(primitive["attributes"]["WEIGHTS_0"])
@@ -164,9 +164,9 @@ def predicted_us(original, candidate):
         one, two, four = (figures[f"skin-normals-{i}"] for i in (1, 2, 4))
         by_count = {1: one, 2: two, 3: (two + four) / 2, 4: four}
         used = {joint for row, weight in zip(joints, weights)
-                for joint, share in zip(row, weight) if share > 0}
+                for joint, fraction in zip(row, weight) if fraction > 0}
         cycles = posing + PALETTE_CYCLES * len(used) + sum(
-            by_count[min(cap, sum(share > 0 for share in weight))]
+            by_count[min(cap, sum(fraction > 0 for fraction in weight))]
             for weight in weights)
     else:
         return None
@@ -184,7 +184,7 @@ def check_predictions(check, original, candidates):
 
 
 def check_advice(check, report):
-    """The cheapest of those that keep the error, by the figure it names."""
+    """It must be the cheapest that keeps within the error, by the named cost."""
     def cost(candidate):
         if report["advised_by"] == "arm11_predicted":
             return candidate["arm11_predicted"]["us_per_frame"]
@@ -217,7 +217,7 @@ def main():
             if "key_times_s" in candidate:
                 name = f"morph-{len(candidate['key_times_s'])}.glb"
             elif candidate["name"] == "rigid parts" and simple:
-                # Of one part alone the order of triangles is known.
+                # The order of triangles is known only for a single part.
                 name = "rigid.glb"
             else:
                 continue
@@ -249,7 +249,7 @@ def main():
                   f"{name}: nowhere further off", f"{worst}")
             if candidate["name"].endswith("fitted"):
                 check(peak <= report["bound_px"] * 1.0001,
-                      f"{name}: keeps the error that may be",
+                      f"{name}: keeps within the accepted error",
                       f"{peak} px")
     if simple and "JOINTS_0" in \
             original.json["meshes"][0]["primitives"][0]["attributes"]:

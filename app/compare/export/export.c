@@ -1,5 +1,6 @@
 #include "app/compare/export/export.h"
 
+#include "app/compare/candidate_morph.h"
 #include "app/compare/export/export_bake.h"
 
 #include <errno.h>
@@ -22,7 +23,9 @@ static int export_candidate(const struct comparison *comparison,
 		length = snprintf(path, sizeof(path), "%s/rigid.glb", folder);
 	}
 	if (length < 0 || (size_t)length >= sizeof(path)) {
-		log_error(log, "--export %s: the name is too long", folder);
+		log_error(log,
+			"--export %s: the name is too long: choose a shorter one",
+			folder);
 		return -ENAMETOOLONG;
 	}
 	glb_begin(&glb);
@@ -30,20 +33,20 @@ static int export_candidate(const struct comparison *comparison,
 		export_morph(&glb, comparison->reference,
 			candidate_morph_keys(candidate), candidate->key_count);
 	} else {
-		export_rigid(&glb, candidate_rigid_parts(candidate));
+		export_rigid(&glb, candidate_rigid_bake(candidate));
 	}
 	return glb_write(&glb, path, log);
 }
 
-int comparison_export(const struct comparison *comparison, const char *folder,
+int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log)
 {
 	int error = 0;
 
 	if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
 		error = -errno;
-		log_error(log, "--export %s: cannot be made: %s", folder,
-			strerror(-error));
+		log_error(log, "--export %s: the folder cannot be made: %s",
+			folder, strerror(-error));
 		return error;
 	}
 	for (int i = 0; !error && i < comparison->candidate_count; i++) {

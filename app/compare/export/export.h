@@ -1,5 +1,5 @@
 /*
- * Baked candidates as models that any glTF program plays.
+ * Writes the baked candidates as glTF files, which other programs can play.
  */
 #ifndef APP_COMPARE_EXPORT_EXPORT_H
 #define APP_COMPARE_EXPORT_EXPORT_H
@@ -7,11 +7,11 @@
 #include "app/compare/comparison.h"
 
 /*
- * Writes FOLDER/morph-N.glb for each listed morph, N being its key frames,
- * and FOLDER/rigid.glb; makes the folder where it is missing. 0, or -errno
- * after a sentence.
+ * Writes FOLDER/morph-N.glb for each listed morph of N key frames, and
+ * FOLDER/rigid.glb. Creates the folder if it does not exist. 0, or -errno after
+ * logging an error.
  */
-int comparison_export(const struct comparison *comparison, const char *folder,
+int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log);
 
 #endif

@@ -11,9 +11,8 @@ void export_attribute(json_t *attributes, const char *name, int accessor)
 	json_object_set_new(attributes, name, json_integer(accessor));
 }
 
-/* Elements in another order; the caller frees them. NULL: memory is short. */
-static void *gathered(
-	const void *from, size_t size, int count, const int *source)
+/* Copies elements in the order of source. The caller frees them; NULL: ENOMEM. */
+static void *gather(const void *from, size_t size, int count, const int *source)
 {
 	uint8_t *to = malloc((size_t)count * size);
 
@@ -26,7 +25,7 @@ static void *gathered(
 	return to;
 }
 
-/* Vertex colours are sRGB here and linear in the file. */
+/* limber keeps vertex colours as sRGB, glTF keeps them linear. */
 static void add_colors(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int vertex_count,
 	const int *source)
@@ -56,7 +55,7 @@ void export_attributes(struct glb *glb, json_t *attributes,
 	const int *source)
 {
 	if (primitive->texcoord) {
-		void *texcoord = gathered(primitive->texcoord,
+		void *texcoord = gather(primitive->texcoord,
 			sizeof(*primitive->texcoord), vertex_count, source);
 
 		glb->error = texcoord ? glb->error : -ENOMEM;

@@ -5,6 +5,16 @@
 
 #include <png.h>
 
+/* The values of glTF's samplers: OpenGL's numbers. */
+enum {
+	FILTER_NEAREST = 9728,
+	FILTER_LINEAR = 9729,
+	FILTER_LINEAR_MIPMAP_LINEAR = 9987,
+	WRAP_REPEAT = 10497,
+	WRAP_CLAMP_TO_EDGE = 33071,
+	WRAP_MIRRORED_REPEAT = 33648
+};
+
 static json_t *material_json(const struct model_material *material)
 {
 	static const char *const alpha[] = {
@@ -37,18 +47,20 @@ static json_t *material_json(const struct model_material *material)
 static json_t *sampler_json(const struct model_texture *texture)
 {
 	static const int wrap[] = {
-		[MODEL_REPEAT] = 10497,
-		[MODEL_CLAMP] = 33071,
-		[MODEL_MIRROR] = 33648,
+		[MODEL_REPEAT] = WRAP_REPEAT,
+		[MODEL_CLAMP] = WRAP_CLAMP_TO_EDGE,
+		[MODEL_MIRROR] = WRAP_MIRRORED_REPEAT,
 	};
-	int smaller = texture->mipmap ? 9987 : 9729;
+	int min_filter =
+		texture->mipmap ? FILTER_LINEAR_MIPMAP_LINEAR : FILTER_LINEAR;
 
 	return json_pack("{s:i, s:i, s:i, s:i}", "magFilter",
-		texture->nearest ? 9728 : 9729, "minFilter", smaller, "wrapS",
-		wrap[texture->wrap_s], "wrapT", wrap[texture->wrap_t]);
+		texture->nearest ? FILTER_NEAREST : FILTER_LINEAR, "minFilter",
+		min_filter, "wrapS", wrap[texture->wrap_s], "wrapT",
+		wrap[texture->wrap_t]);
 }
 
-/* The number of its view, or -1. */
+/* Returns the number of the buffer view, or -1. */
 static int add_png(struct glb *glb, const struct model_image *image)
 {
 	png_image png = {

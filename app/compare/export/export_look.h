@@ -1,5 +1,5 @@
 /*
- * What a model looks like at rest, into a glTF file: shared by all bakes.
+ * Writes a model's materials into a glTF file.
  */
 #ifndef APP_COMPARE_EXPORT_EXPORT_LOOK_H
 #define APP_COMPARE_EXPORT_EXPORT_LOOK_H
@@ -7,7 +7,7 @@
 #include "app/compare/export/glb.h"
 #include "app/model/model.h"
 
-/* Materials, textures and pictures, numbered as in the model. */
+/* Adds materials, textures and images, with the numbers that the model uses. */
 void export_materials(struct glb *glb, const struct model *model);
 
 #endif

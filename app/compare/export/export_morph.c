@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/* A part's vectors at one key frame, less those of the first. */
+/* A part's vectors at one key frame minus those at the first. */
 static int add_delta(struct glb *glb, const float (*from)[3],
 	const float (*base)[3], int count)
 {
@@ -75,12 +75,12 @@ static json_t *primitive_json(struct glb *glb, const struct reference *reference
 	return json_pack("{s:o, s:i, s:i, s:o}", "attributes", attributes,
 		"indices",
 		glb_add_array(glb, primitive->index, primitive->index_count, 1,
-			GLB_INT),
+			GLB_UINT),
 		"material", primitive->material, "targets",
 		targets_json(glb, reference, part, key, key_count));
 }
 
-/* One weight is 1 at each key after the first; all are 0 there. */
+/* At each key after the first, its own weight is 1 and all others are 0. */
 static int add_weights(struct glb *glb, int key_count)
 {
 	size_t width = (size_t)key_count - 1;

@@ -35,8 +35,8 @@ static void add_child(json_t *nodes, int parent, int child)
 	json_array_append_new(children, json_integer(child));
 }
 
-/* The model's nodes, then one for each part below the node that carries it. */
-static void add_nodes(struct glb *glb, const struct rigid *rigid)
+/* The model's nodes, then a child node for each part. */
+static void add_nodes(struct glb *glb, const struct rigid_bake *rigid)
 {
 	const struct model *model = rigid->reference->model;
 	json_t *nodes = json_array(), *roots = json_array();
@@ -60,7 +60,7 @@ static void add_nodes(struct glb *glb, const struct rigid *rigid)
 	glb_set(glb, "scene", json_integer(0));
 }
 
-static json_t *primitive_json(struct glb *glb, const struct rigid *rigid,
+static json_t *primitive_json(struct glb *glb, const struct rigid_bake *rigid,
 	const struct rigid_part *part, const struct model_primitive *primitive,
 	const int *source)
 {
@@ -79,11 +79,11 @@ static json_t *primitive_json(struct glb *glb, const struct rigid *rigid,
 		glb, attributes, primitive, part->vertex_count, source);
 	return json_pack("{s:o, s:i, s:i}", "attributes", attributes, "indices",
 		glb_add_array(glb, rigid->index + part->first_index,
-			part->index_count, 1, GLB_INT),
+			part->index_count, 1, GLB_UINT),
 		"material", primitive->material);
 }
 
-static json_t *mesh_json(struct glb *glb, const struct rigid *rigid,
+static json_t *mesh_json(struct glb *glb, const struct rigid_bake *rigid,
 	const struct rigid_part *part)
 {
 	const struct reference *reference = rigid->reference;
@@ -158,7 +158,7 @@ static void add_clip(struct glb *glb, const struct model_clip *clip)
 			samplers, "channels", channels));
 }
 
-void export_rigid(struct glb *glb, const struct rigid *rigid)
+void export_rigid(struct glb *glb, const struct rigid_bake *rigid)
 {
 	json_t *meshes = json_array();
 

@@ -43,24 +43,24 @@ void glb_set(struct glb *glb, const char *name, json_t *value)
 	}
 }
 
-static bool make_room(struct glb *glb, size_t size)
+static bool reserve(struct glb *glb, size_t size)
 {
-	size_t room = glb->room ? glb->room : 65536;
+	size_t capacity = glb->capacity ? glb->capacity : 65536;
 	uint8_t *data;
 
-	while (room - glb->size < size) {
-		room *= 2;
+	while (capacity - glb->size < size) {
+		capacity *= 2;
 	}
-	if (room == glb->room) {
+	if (capacity == glb->capacity) {
 		return true;
 	}
-	data = realloc(glb->data, room);
+	data = realloc(glb->data, capacity);
 	if (!data) {
 		glb->error = -ENOMEM;
 		return false;
 	}
 	glb->data = data;
-	glb->room = room;
+	glb->capacity = capacity;
 	return true;
 }
 
@@ -69,7 +69,7 @@ int glb_add_view(struct glb *glb, const void *data, size_t size)
 	size_t padded = (size + 3) & ~(size_t)3;
 	json_t *view;
 
-	if (glb->error || !make_room(glb, padded)) {
+	if (glb->error || !reserve(glb, padded)) {
 		return -1;
 	}
 	view = json_pack("{s:i, s:I, s:I}", "buffer", 0, "byteOffset",
@@ -206,8 +206,7 @@ int glb_write(struct glb *glb, const char *path, const struct log *log)
 	}
 	error = glb->error;
 	if (error) {
-		log_error(log, "%s: cannot be written: %s", path,
-			strerror(-error));
+		log_error(log, "%s: out of memory to write this file", path);
 	} else {
 		error = write_file(glb, text, path, log);
 	}

@@ -1,8 +1,8 @@
 /*
- * Writing a binary glTF 2.0 file, piece by piece.
+ * Builds a binary glTF 2.0 file.
  *
- * The first failure is kept and everything after it does nothing, so only
- * glb_write() needs to be asked how it went.
+ * The first failure is kept in error and makes every later call do nothing, so
+ * callers only check the result of glb_write().
  */
 #ifndef APP_COMPARE_EXPORT_GLB_H
 #define APP_COMPARE_EXPORT_GLB_H
@@ -20,37 +20,37 @@ struct glb {
 	json_t *root;
 	json_t *accessors, *views;
 	uint8_t *data; /* the binary chunk */
-	size_t size, room;
+	size_t size, capacity;
 };
 
-/* GL's numbers, as the format uses them. */
+/* The component types of glTF: OpenGL's numbers. */
 enum glb_component {
-	GLB_INT = 5125,
+	GLB_UINT = 5125,
 	GLB_FLOAT = 5126,
 };
 
 void glb_begin(struct glb *glb);
 
-/* Bytes of their own; the number of the view, or -1. */
+/* Appends bytes to the binary chunk. Returns the buffer view's number or -1. */
 int glb_add_view(struct glb *glb, const void *data, size_t size);
 
 /*
- * An array of count elements of width unsigned numbers or floats; the number
- * of the accessor. Floats of width 1 and 3 get the bounds that positions and
- * times must have.
+ * Appends count elements of width components each (1 to 4). Returns the
+ * accessor's number or -1. Floats of width 1 and 3 get the bounds that glTF
+ * demands of times and positions.
  */
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);
 
-/* The numbers as a JSON array. */
+/* Floats as a JSON array, which the caller owns. */
 json_t *glb_floats(const float *value, int count);
 
-/* Sets a member of the root; takes value. */
+/* Sets a member of the root object and takes ownership of value. */
 void glb_set(struct glb *glb, const char *name, json_t *value);
 
 /*
  * Writes the file (platform/base/output_file.h) and releases everything. 0, or
- * -errno after a sentence.
+ * -errno after logging an error.
  */
 int glb_write(struct glb *glb, const char *path, const struct log *log);
 

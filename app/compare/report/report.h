@@ -1,5 +1,5 @@
 /*
- * A comparison as people and programs read it.
+ * Prints and plots a comparison.
  */
 #ifndef APP_COMPARE_REPORT_REPORT_H
 #define APP_COMPARE_REPORT_REPORT_H
@@ -10,11 +10,11 @@
 
 struct report_format {
 	const char *name;
-	/* 0, or -ENOMEM; what cannot be written shows in ferror(). */
+	/* 0 or -ENOMEM; errors of writing are in ferror(out). */
 	int (*print)(const struct comparison *comparison, FILE *out);
 };
 
-/* text, json, csv and md, NULL at the end. */
+/* text, json, csv and md; ends with a format without a name. */
 extern const struct report_format report_formats[];
 
 /* The format of that name, or NULL. */
@@ -26,8 +26,9 @@ int report_print_csv(const struct comparison *comparison, FILE *out);
 int report_print_markdown(const struct comparison *comparison, FILE *out);
 
 /*
- * Error against memory and against the cost of a frame, as an SVG picture
- * with a curve a technique. 0, or -errno after a sentence.
+ * Writes an SVG picture of two charts: error against memory, and error against
+ * the cost of a frame, with a curve for each technique. 0, or -errno after
+ * logging an error.
  */
 int report_plot(const struct comparison *comparison, const char *path,
 	const struct log *log);

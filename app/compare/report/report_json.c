@@ -1,14 +1,16 @@
 #include "app/compare/report/report.h"
 
+#include "app/compare/candidate_morph.h"
+
 #include <errno.h>
 
 #include <jansson.h>
 
-/* As the candidates have them. */
-static const char *const cost_names[COST_KINDS] = {
-	[COST_PREDICTED] = "arm11_predicted",
-	[COST_INSTRUCTIONS] = "instructions_per_frame",
-	[COST_TIME] = "us_per_frame",
+/* The member of a candidate that holds the cost. */
+static const char *const cost_names[COMPARISON_COSTS] = {
+	[COMPARISON_COST_PREDICTED] = "arm11_predicted",
+	[COMPARISON_COST_INSTRUCTIONS] = "instructions_per_frame",
+	[COMPARISON_COST_TIME] = "us_per_frame",
 };
 
 static json_t *matrix_json(const vec4 *matrix)
@@ -40,7 +42,7 @@ static json_t *candidate_json(const struct comparison *comparison, int index)
 {
 	const struct candidate *candidate = &comparison->candidate[index];
 	const struct technique_rating *rating =
-		&technique_rating[candidate->technique];
+		&technique_ratings[candidate->technique];
 	json_t *json = json_pack(
 		"{s:s, s:s, s:b, s:b, s:f, s:I, s:I, s:i, s:f, s:f, s:f, s:s, "
 		"s:s, s:s}",
@@ -77,7 +79,7 @@ static json_t *candidate_json(const struct comparison *comparison, int index)
 int report_print_json(const struct comparison *comparison, FILE *out)
 {
 	const struct reference *reference = comparison->reference;
-	const struct screen *screen = &comparison->screen;
+	const struct screen_view *screen = &comparison->screen;
 	json_t *candidates = json_array(), *times = json_array();
 	json_t *root;
 	int failed;

@@ -2,10 +2,10 @@
 
 #include "app/anim/kernel/arm11_cost.h"
 
-/* AN4044, section 4. */
+/* The example in AN4044, section 4. */
 enum {
-	DOCUMENT_KEYS = 20,
-	DOCUMENT_VERTICES = 4000
+	AN4044_KEYS = 20,
+	AN4044_VERTICES = 4000
 };
 
 static double kilobytes(size_t bytes)
@@ -26,11 +26,8 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		reference->frame_count, reference->rate_hz,
 		reference->vertex_count, reference->model->node_count);
 	fprintf(out,
-		"Errors in pixels of a %dx%d screen. \"here\": measured on "
-		"this "
-		"machine, kernel %s.\n\"ARM11\": predicted for an ARM1136 at "
-		"%d "
-		"MHz by the timing model, not measured.\n\n",
+		"Errors are in pixels of a %dx%d screen. \"here\": measured on this machine, kernel %s.\n"
+		"\"ARM11\": predicted for an ARM1136 at %d MHz by the timing model, not measured.\n\n",
 		comparison->screen.width, comparison->screen.height,
 		comparison->request.kernel->name, ARM11_MHZ);
 }
@@ -74,10 +71,10 @@ static bool has_technique(
 
 static void print_ratings(const struct comparison *comparison, FILE *out)
 {
-	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 says of them",
+	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 rates them",
 		"control over", "looks", "to program");
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
-		const struct technique_rating *rating = &technique_rating[t];
+		const struct technique_rating *rating = &technique_ratings[t];
 
 		if (has_technique(comparison, (enum technique)t)) {
 			fprintf(out, "  %-26s %-20s %-20s %s\n", rating->name,
@@ -98,12 +95,10 @@ static void print_advice(const struct comparison *comparison, FILE *out)
 		comparison->candidate[comparison->advised].name,
 		comparison->reason);
 	fprintf(out,
-		"AN4044's example, %d key frames of %d vertices, is %d "
-		"vertices; here %d of %d are %d.\n",
-		DOCUMENT_KEYS, DOCUMENT_VERTICES,
-		DOCUMENT_KEYS * DOCUMENT_VERTICES, DOCUMENT_KEYS,
-		comparison->reference->vertex_count,
-		DOCUMENT_KEYS * comparison->reference->vertex_count);
+		"AN4044's example, %d key frames of %d vertices, is %d vertices; here %d key frames of %d are %d.\n",
+		AN4044_KEYS, AN4044_VERTICES, AN4044_KEYS * AN4044_VERTICES,
+		AN4044_KEYS, comparison->reference->vertex_count,
+		AN4044_KEYS * comparison->reference->vertex_count);
 }
 
 int report_print_text(const struct comparison *comparison, FILE *out)
@@ -136,31 +131,31 @@ static const char *const columns[] = {
 	"advised",
 };
 
-/* A line of cells, with between between them. */
+/* Prints a row of cells, each after the first preceded by separator. */
 static void print_cells(const struct comparison *comparison, int index,
-	const char *between, const char *quote, FILE *out)
+	const char *separator, const char *quote, FILE *out)
 {
 	const struct candidate *candidate = &comparison->candidate[index];
 
 	fprintf(out, "%s%s%s%s%s%s%.2f%s", quote, candidate->name, quote,
-		between, technique_rating[candidate->technique].name, between,
-		candidate->frame_us, between);
+		separator, technique_ratings[candidate->technique].name,
+		separator, candidate->frame_us, separator);
 	if (candidate->instructions >= 0.0) {
 		fprintf(out, "%.0f", candidate->instructions);
 	}
-	fprintf(out, "%s%.2f%s%.0f%s%zu%s%zu%s%.4f%s%.4f%s%s", between,
-		board_cost_us(&candidate->board), between,
-		candidate->board.instructions, between, candidate->memory_bytes,
-		between, candidate->file_bytes, between,
-		(double)candidate->error.peak_px, between,
-		(double)candidate->error.mean_px, between,
+	fprintf(out, "%s%.2f%s%.0f%s%zu%s%zu%s%.4f%s%.4f%s%s", separator,
+		board_cost_us(&candidate->board), separator,
+		candidate->board.instructions, separator,
+		candidate->memory_bytes, separator, candidate->file_bytes,
+		separator, (double)candidate->error.peak_px, separator,
+		(double)candidate->error.mean_px, separator,
 		index == comparison->advised ? "yes" : "no");
 }
 
-static void print_columns(const char *between, FILE *out)
+static void print_columns(const char *separator, FILE *out)
 {
 	for (size_t i = 0; i < ARRAY_COUNT(columns); i++) {
-		fprintf(out, "%s%s", i ? between : "", columns[i]);
+		fprintf(out, "%s%s", i ? separator : "", columns[i]);
 	}
 }
 

@@ -1,5 +1,6 @@
 #include "app/demo/duel/contender.h"
 
+#include "app/compare/candidate_morph.h"
 #include "app/compare/fit.h"
 #include "app/scene/instance/batch.h"
 
@@ -11,8 +12,9 @@ enum {
 	FRAMES_A_MEAN = 16
 };
 
-static int init_morph(struct contender *contender, const struct screen *screen,
-	float bound_px, const struct demo_env *env)
+static int init_morph(struct contender *contender,
+	const struct screen_view *screen, float bound_px,
+	const struct demo_env *env)
 {
 	const struct reference *reference = contender->reference;
 	int *key = malloc((size_t)reference->frame_count * sizeof(*key));
@@ -43,7 +45,7 @@ static int init_rigid(struct contender *contender, const struct demo_env *env)
 		return error;
 	}
 	error = duel_rigid_init(&contender->rigid,
-		candidate_rigid_parts(&contender->candidate), &arena);
+		candidate_rigid_bake(&contender->candidate), &arena);
 	contender->rigid.model.arena = arena;
 	if (error) {
 		log_error(env->log, "%s: not enough memory for its rigid parts",
@@ -55,7 +57,8 @@ static int init_rigid(struct contender *contender, const struct demo_env *env)
 }
 
 static int init_technique(struct contender *contender,
-	const struct screen *screen, float bound_px, const struct demo_env *env)
+	const struct screen_view *screen, float bound_px,
+	const struct demo_env *env)
 {
 	const struct reference *reference = contender->reference;
 	int error;
@@ -67,7 +70,7 @@ static int init_technique(struct contender *contender,
 		return init_rigid(contender, env);
 	default:
 		/* For its bytes, counted as `limber compare` does. */
-		error = candidate_as_is(&contender->candidate, reference,
+		error = candidate_original(&contender->candidate, reference,
 			env->kernel, 0, true, env->log);
 		return error ? error
 			     : instance_create(reference->model, env->kernel,
@@ -76,7 +79,7 @@ static int init_technique(struct contender *contender,
 }
 
 int contender_init(struct contender *contender, enum contender_kind kind,
-	const struct reference *reference, const struct screen *screen,
+	const struct reference *reference, const struct screen_view *screen,
 	float bound_px, const struct demo_env *env)
 {
 	struct instance *shown;
@@ -194,8 +197,8 @@ static int source_of(const struct contender *contender, int drawable, int vertex
 	return vertex;
 }
 
-void contender_judge(struct contender *contender, const struct screen *screen,
-	int frame, float full_px)
+void contender_judge(struct contender *contender,
+	const struct screen_view *screen, int frame, float full_px)
 {
 	const float(*wanted)[3] =
 		reference_position(contender->reference, frame);
@@ -212,7 +215,7 @@ void contender_judge(struct contender *contender, const struct screen *screen,
 			float at[3], px;
 
 			instance_world_vertex(shown, drawable, v, at);
-			px = screen_distance_px(
+			px = screen_view_distance_px(
 				screen, at, wanted[source_of(contender, d, v)]);
 			if (px > contender->peak_px) {
 				contender->peak_px = px;

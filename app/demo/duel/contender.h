@@ -38,7 +38,7 @@ struct contender {
  * a sentence. Release with contender_finish() in any case.
  */
 int contender_init(struct contender *contender, enum contender_kind kind,
-	const struct reference *reference, const struct screen *screen,
+	const struct reference *reference, const struct screen_view *screen,
 	float bound_px, const struct demo_env *env);
 
 void contender_finish(struct contender *contender);
@@ -50,7 +50,7 @@ void contender_pose(struct contender *contender, float time_s);
  * Holds what it shows against a frame of the reference, and paints each vertex
  * by its distance, full_px being red.
  */
-void contender_judge(struct contender *contender, const struct screen *screen,
-	int frame, float full_px);
+void contender_judge(struct contender *contender,
+	const struct screen_view *screen, int frame, float full_px);
 
 #endif

@@ -32,7 +32,7 @@ static const struct camera_framing framing = {
 struct demo {
 	struct demo_base base;
 	struct reference *reference;
-	struct screen screen;
+	struct screen_view screen;
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
 	unsigned frame;
@@ -83,7 +83,8 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
-	demo->screen = screen_frame(demo->reference, env->width, env->height);
+	demo->screen =
+		screen_view_create(demo->reference, env->width, env->height);
 	demo->scale = 2;
 	demo->autoplay = env->unattended;
 	error = init_contenders(demo, env);

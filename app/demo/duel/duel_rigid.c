@@ -4,7 +4,7 @@
 #include <string.h>
 
 static const struct model_primitive *primitive_of(
-	const struct rigid *rigid, const struct rigid_part *part)
+	const struct rigid_bake *rigid, const struct rigid_part *part)
 {
 	const struct reference *reference = rigid->reference;
 	int drawable = reference->part[part->part].drawable;
@@ -14,14 +14,14 @@ static const struct model_primitive *primitive_of(
 
 /* The number of the vertex in its primitive. */
 static int vertex_of(
-	const struct rigid *rigid, const struct rigid_part *part, int v)
+	const struct rigid_bake *rigid, const struct rigid_part *part, int v)
 {
 	return rigid->source[part->first_vertex + v] -
 		rigid->reference->part[part->part].first_vertex;
 }
 
 /* Attributes that the vertices keep wherever they are. */
-static int copy_looks(struct model_primitive *to, const struct rigid *rigid,
+static int copy_looks(struct model_primitive *to, const struct rigid_bake *rigid,
 	const struct rigid_part *part, struct arena *arena)
 {
 	const struct model_primitive *from = primitive_of(rigid, part);
@@ -51,7 +51,7 @@ static int copy_looks(struct model_primitive *to, const struct rigid *rigid,
 }
 
 static int fill_primitive(struct model_primitive *primitive,
-	const struct rigid *rigid, int part_index, struct arena *arena)
+	const struct rigid_bake *rigid, int part_index, struct arena *arena)
 {
 	const struct rigid_part *part = &rigid->part[part_index];
 	bool normals = rigid->reference->part[part->part].normals;
@@ -72,7 +72,7 @@ static int fill_primitive(struct model_primitive *primitive,
 static int fill_node(struct duel_rigid *shown, int node, int *next,
 	struct model_primitive *primitive, struct arena *arena)
 {
-	const struct rigid *rigid = shown->rigid;
+	const struct rigid_bake *rigid = shown->rigid;
 	struct model *model = &shown->model;
 	struct model_mesh *mesh = &model->mesh[model->mesh_count];
 	int first = *next;
@@ -103,7 +103,7 @@ static int fill_node(struct duel_rigid *shown, int node, int *next,
 	return 0;
 }
 
-int duel_rigid_init(struct duel_rigid *shown, const struct rigid *rigid,
+int duel_rigid_init(struct duel_rigid *shown, const struct rigid_bake *rigid,
 	struct arena *arena)
 {
 	const struct model *from = rigid->reference->model;

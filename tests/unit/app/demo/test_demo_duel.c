@@ -10,7 +10,7 @@ struct bench {
 	struct log log;
 	struct model *model;
 	struct reference *reference;
-	struct screen screen;
+	struct screen_view screen;
 	struct demo_env env;
 	struct contender contender;
 };
@@ -28,7 +28,7 @@ static void begin(struct bench *bench, enum contender_kind kind)
 	assert_int_equal(reference_create(bench->model, clip, 20.0, &bench->log,
 				 &bench->reference),
 		0);
-	bench->screen = screen_frame(bench->reference, 480, 640);
+	bench->screen = screen_view_create(bench->reference, 480, 640);
 	bench->env = (struct demo_env){
 		.log = &bench->log, .kernel = &kernel_float, .model_path = path};
 	assert_int_equal(

@@ -1,13 +1,11 @@
 /*
- * A whole clip as limber plays it: which loops run each frame, and how long
- * they would be at it on the board.
+ * The predicted cost of a whole clip: which loops run in each frame.
  */
 #include "app/compare/board_cost.h"
 
 #include <string.h>
 
-/* Who plays what. */
-struct played {
+struct playback {
 	const struct reference *reference;
 	struct instance *instance;
 	struct clip_cursor *cursor;
@@ -24,7 +22,7 @@ static bool moves(const struct model_target *target, int vertex)
 		(target->normal && !is_zero(target->normal[vertex]));
 }
 
-/* Vertices that targets t and, if there is one, t + 1 move. */
+/* The vertices that target t or t + 1, if it exists, moves. */
 static int count_moved(const struct model_primitive *primitive, int t, int count)
 {
 	int moved = 0;
@@ -36,12 +34,12 @@ static int count_moved(const struct model_primitive *primitive, int t, int count
 	return moved;
 }
 
-/* Frames of the clip in which targets t and t + 1 have work to do. */
+/* The frames of the clip in which the loop for targets t and t + 1 runs. */
 static int count_frames(
-	const struct played *played, const struct drawable *drawable, int t)
+	const struct playback *playback, const struct drawable *drawable, int t)
 {
-	const struct reference *reference = played->reference;
-	struct instance *instance = played->instance;
+	const struct reference *reference = playback->reference;
+	struct instance *instance = playback->instance;
 	const struct model_node *node = &instance->model->node[drawable->node];
 	const float *weight = instance->pose.weight + node->weight_offset + t;
 	size_t size = t + 1 < drawable_target_count(instance, drawable)
@@ -53,8 +51,8 @@ static int count_frames(
 
 	for (int i = 0; i < reference->frame_count; i++) {
 		clip_sample(reference->clip, reference->time_s[i],
-			played->cursor, &instance->pose);
-		/* A skin's base vectors stay while weights do. */
+			playback->cursor, &instance->pose);
+		/* A skin's base vectors change only when weights do. */
 		frames += drawable->skin >= 0 ? memcmp(weight, before, size) != 0
 					      : memcmp(weight, none, size) != 0;
 		memcpy(before, weight, size);
@@ -62,21 +60,21 @@ static int count_frames(
 	return frames;
 }
 
-/* Vertices that targets move, of an average frame. */
+/* How many vertices the targets move in an average frame. */
 static double average_moves(
-	const struct played *played, const struct drawable *drawable)
+	const struct playback *playback, const struct drawable *drawable)
 {
-	int count = drawable_target_count(played->instance, drawable);
+	int count = drawable_target_count(playback->instance, drawable);
 	double sum = 0.0;
 
 	for (int t = 0; t < count; t += 2) {
 		sum += (double)count_moved(drawable->primitive, t, count) *
-			count_frames(played, drawable, t);
+			count_frames(playback, drawable, t);
 	}
-	return sum / played->reference->frame_count;
+	return sum / playback->reference->frame_count;
 }
 
-static void add_drawable(struct board_cost *sum, const struct played *played,
+static void add_drawable(struct board_cost *sum, const struct playback *playback,
 	const struct drawable *drawable, int max_influences)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -85,16 +83,16 @@ static void add_drawable(struct board_cost *sum, const struct played *played,
 	struct board_cost cost;
 
 	if (drawable->morphed) {
-		moved = average_moves(played, drawable);
+		moved = average_moves(playback, drawable);
 	}
 	if (drawable->skin >= 0) {
 		cost = board_cost_skin(primitive, max_influences);
 		board_cost_add(sum, &cost);
-		/* Then they go into the base vectors. */
+		/* The skin's base vectors are updated from them. */
 		cost = board_cost_lerp((int)moved, normals);
 		board_cost_add(sum, &cost);
 	} else if (drawable->morphed && moved < primitive->vertex_count) {
-		/* The others are carried over. */
+		/* The loop copies the vertices that do not move. */
 		moved = primitive->vertex_count;
 	}
 	cost = board_cost_targets(moved, normals);
@@ -105,12 +103,12 @@ struct board_cost board_cost_clip(const struct reference *reference,
 	struct instance *instance, struct clip_cursor *cursor,
 	int max_influences)
 {
-	const struct played played = {reference, instance, cursor};
+	const struct playback playback = {reference, instance, cursor};
 	struct board_cost sum = board_cost_pose(instance->model);
 
 	for (int i = 0; i < instance->drawable_count; i++) {
-		add_drawable(
-			&sum, &played, &instance->drawable[i], max_influences);
+		add_drawable(&sum, &playback, &instance->drawable[i],
+			max_influences);
 	}
 	return sum;
 }

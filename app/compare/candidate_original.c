@@ -1,6 +1,3 @@
-/*
- * The model as its file has it, fewer influences or no targets aside.
- */
 #include "app/compare/candidate.h"
 
 #include "app/model/model_stats.h"
@@ -12,27 +9,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct as_is {
+struct original {
 	const struct reference *reference;
-	struct model model; /* a shallow copy: may have lost its targets */
+	struct model model; /* a shallow copy, maybe without targets */
 	struct arena arena;
 	struct instance *instance;
 	struct clip_cursor cursor;
 };
 
-static void pose_as_is(struct candidate *candidate, float time_s)
+static void pose_original(struct candidate *candidate, float time_s)
 {
-	struct as_is *state = candidate->state;
+	struct original *state = candidate->state;
 
 	clip_sample(state->reference->clip, time_s, &state->cursor,
 		&state->instance->pose);
 	instance_update(state->instance);
 }
 
-static void vertex_as_is(
+static void vertex_original(
 	const struct candidate *candidate, int vertex, float out[3])
 {
-	const struct as_is *state = candidate->state;
+	const struct original *state = candidate->state;
 	const struct reference *reference = state->reference;
 	int part = 0;
 
@@ -45,9 +42,9 @@ static void vertex_as_is(
 		vertex - reference->part[part].first_vertex, out);
 }
 
-static void destroy_as_is(struct candidate *candidate)
+static void destroy_original(struct candidate *candidate)
 {
-	struct as_is *state = candidate->state;
+	struct original *state = candidate->state;
 
 	if (state) {
 		instance_destroy(state->instance);
@@ -78,7 +75,7 @@ static size_t target_bytes(const struct model *model, const struct drawable *d)
 	return bytes;
 }
 
-/* Influences of a stream with a cap, each a weight record and its bases. */
+/* Each influence is a weight record with its base vectors. */
 static size_t stream_bytes(const struct skin_stream *stream, int cap)
 {
 	int count = cap > 0 && cap < stream->max_influences
@@ -90,7 +87,6 @@ static size_t stream_bytes(const struct skin_stream *stream, int cap)
 	return (size_t)count * each;
 }
 
-/* What is posed. */
 static size_t output_bytes(const struct drawable *drawable)
 {
 	return drawable->fixed ? vector_bytes(drawable) / sizeof(float[3]) *
@@ -98,7 +94,7 @@ static size_t output_bytes(const struct drawable *drawable)
 			       : vector_bytes(drawable);
 }
 
-/* In fixed point a morph has its base, and its targets two by two. */
+/* In fixed point a morph keeps its base, and its targets in pairs. */
 static size_t morph_bytes(
 	const struct model *model, const struct drawable *drawable)
 {
@@ -139,7 +135,7 @@ static void count_drawable(struct candidate *candidate,
 }
 
 static void count_bytes(
-	struct candidate *candidate, const struct as_is *state, int cap)
+	struct candidate *candidate, const struct original *state, int cap)
 {
 	const struct model *model = &state->model;
 	struct model_stats stats = {0};
@@ -153,7 +149,8 @@ static void count_bytes(
 		size_t matrices =
 			(size_t)model->skin[i].joint_count * sizeof(mat4);
 
-		candidate->memory_bytes += 2 * matrices; /* bind, palette */
+		candidate->memory_bytes +=
+			2 * matrices; /* inverse bind matrices and palette */
 		candidate->file_bytes += matrices;
 	}
 	for (int i = 0; i < state->instance->drawable_count; i++) {
@@ -162,8 +159,8 @@ static void count_bytes(
 	}
 }
 
-/* The same model whose meshes have no targets. */
-static int drop_targets(struct as_is *state)
+/* Gives the copy of the model meshes without targets. */
+static int drop_targets(struct original *state)
 {
 	const struct model *model = state->reference->model;
 	struct model_mesh *mesh = ARENA_ARRAY(
@@ -193,7 +190,7 @@ static enum technique technique_of(const struct model *model, bool targets)
 	return morphs ? TECHNIQUE_MORPHING : TECHNIQUE_HIERARCHICAL;
 }
 
-static void name_as_is(struct candidate *candidate, int max_influences)
+static void name_original(struct candidate *candidate, int max_influences)
 {
 	static const char *const name[TECHNIQUE_COUNT] = {
 		[TECHNIQUE_MORPHING] = "morph targets",
@@ -212,7 +209,7 @@ static void name_as_is(struct candidate *candidate, int max_influences)
 	}
 }
 
-static int prepare(struct as_is *state, const struct kernel *kernel,
+static int prepare(struct original *state, const struct kernel *kernel,
 	int max_influences, bool targets, const struct log *log)
 {
 	int error = 0;
@@ -226,7 +223,7 @@ static int prepare(struct as_is *state, const struct kernel *kernel,
 			&state->cursor, &state->model, &state->arena);
 	}
 	if (error) {
-		log_error(log, "%s: not enough memory to compare it",
+		log_error(log, "%s: out of memory to compare it",
 			state->model.path);
 		return error;
 	}
@@ -238,23 +235,23 @@ static int prepare(struct as_is *state, const struct kernel *kernel,
 	return error;
 }
 
-int candidate_as_is(struct candidate *candidate,
+int candidate_original(struct candidate *candidate,
 	const struct reference *reference, const struct kernel *kernel,
 	int max_influences, bool targets, const struct log *log)
 {
-	struct as_is *state = calloc(1, sizeof(*state));
+	struct original *state = calloc(1, sizeof(*state));
 	int error;
 
 	*candidate = (struct candidate){
 		.technique = technique_of(reference->model, targets),
 		.vertex_count = reference->vertex_count,
-		.pose = pose_as_is,
-		.vertex = vertex_as_is,
-		.destroy = destroy_as_is,
+		.pose = pose_original,
+		.vertex = vertex_original,
+		.destroy = destroy_original,
 		.state = state,
 	};
 	if (!state) {
-		log_error(log, "%s: not enough memory to compare it",
+		log_error(log, "%s: out of memory to compare it",
 			reference->model->path);
 		return -ENOMEM;
 	}
@@ -265,7 +262,7 @@ int candidate_as_is(struct candidate *candidate,
 		candidate_destroy(candidate);
 		return error;
 	}
-	name_as_is(candidate, max_influences);
+	name_original(candidate, max_influences);
 	count_bytes(candidate, state, max_influences);
 	candidate->board = board_cost_clip(
 		reference, state->instance, &state->cursor, max_influences);

@@ -1,21 +1,21 @@
-#include "app/compare/screen_error.h"
+#include "app/compare/screen_view.h"
 
 #include "app/scene/stage/camera.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
 
-/* As the viewer's. */
+/* The same as in app/demo/viewer.c. */
 static const struct camera_framing framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.margin = 1.15f,
 };
 
-struct screen screen_frame(
+struct screen_view screen_view_create(
 	const struct reference *reference, int width, int height)
 {
-	struct screen screen = {.width = width, .height = height};
+	struct screen_view screen = {.width = width, .height = height};
 	struct camera camera = camera_default();
 	struct camera_framing wanted = framing;
 	struct bounds bounds = bounds_empty();
@@ -42,7 +42,7 @@ struct screen screen_frame(
 }
 
 static void project(
-	const struct screen *screen, const float point[3], float out[2])
+	const struct screen_view *screen, const float point[3], float out[2])
 {
 	const vec4 *view = screen->view;
 	float eye[3];
@@ -51,14 +51,14 @@ static void project(
 		eye[row] = view[0][row] * point[0] + view[1][row] * point[1] +
 			view[2][row] * point[2] + view[3][row];
 	}
-	/* All of the clip is in front of the eye; a bad bake may not be. */
+	/* The clip is in front of the eye, but a bad bake may leave it. */
 	eye[2] = eye[2] < -1e-3f ? eye[2] : -1e-3f;
 	out[0] = eye[0] * screen->focal_px / -eye[2];
 	out[1] = eye[1] * screen->focal_px / -eye[2];
 }
 
-float screen_distance_px(
-	const struct screen *screen, const float a[3], const float b[3])
+float screen_view_distance_px(
+	const struct screen_view *screen, const float a[3], const float b[3])
 {
 	float p[2], q[2];
 

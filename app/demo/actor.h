@@ -1,6 +1,6 @@
 /*
- * A model on stage: file, instance and textures together, and what every demo
- * has beside it.
+ * An actor is a loaded model with its instance and textures. struct demo_base
+ * is what every demo consists of besides its own state.
  */
 #ifndef APP_DEMO_ACTOR_H
 #define APP_DEMO_ACTOR_H
@@ -19,62 +19,68 @@ struct actor {
 	struct texture_set textures;
 	struct clip_cursor cursor;
 	enum clip_interpolation interpolation;
-	struct fade fade; /* for whoever changes clips */
+	struct fade fade; /* for demos that change clips */
 	struct influence_cap influence_cap;
-	int influence_limit; /* whatever lod says; 0: no limit */
+	int influence_limit; /* overrides a higher cap; 0: no limit */
 	struct lod lod;
-	float min_error_px; /* whatever lod says; 0: as it says */
-	float extent;       /* at rest, scene units */
+	float min_error_px; /* overrides a smaller error of lod; 0: none */
+	float extent;       /* in the rest pose, scene units */
 };
 
-/* What every demo's struct begins with. */
+/* Every demo's struct begins with this one. */
 struct demo_base {
 	const struct gl *gl;
 	struct actor actor;
 	struct stage stage;
 	struct live live;
 	struct demo_reduction reduction;
-	float frames_per_s; /* 0: not known */
+	float frames_per_s; /* 0 if unknown */
 };
 
-/* Loads env's model. 0, or -errno after a sentence with nothing left behind. */
+/*
+ * Loads the model that env names. Returns 0, or -errno after logging an error;
+ * then nothing is left to release. Release it with actor_unload().
+ */
 int actor_load(struct actor *actor, const struct demo_env *env);
 
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * A stage that frames the box, see bounds_of_clip(). The framing's aspect is
- * filled in from env. 0, or -errno after a sentence.
+ * Makes a stage that frames the box. The framing's aspect is taken from env.
+ * Returns 0, or -errno after logging an error.
  */
 int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
 	struct camera_framing framing, struct stage *stage);
 
-/* A whole frame with only this actor on the stage, shadow included. */
+/* Draws a whole frame: the stage, the actor's flat shadow and the actor. */
 void actor_draw(const struct actor *actor, const struct stage *stage,
 	const struct gl *gl, int width, int height);
 
 /*
- * The frame's work for a picture of this height: influences and triangles as
- * many as the levels of detail say, and instance_update().
+ * Updates the instance for a picture of this height, with the influences and
+ * triangles that influence_cap and lod allow.
  */
 void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height);
 
-/* Triangles alone, for whoever does not update the instance. */
+/* Chooses only the triangles, for demos that do not call actor_update(). */
 void actor_choose_lod(
 	struct actor *actor, const struct camera *camera, int picture_height);
 
-/* Says how many influences are used where some are left out. */
+/* Adds a row with the influence cap to the group if there is a cap. */
 void actor_label_lod(const struct actor *actor, struct hud_group *group);
 
-/* The technique that moves most of it: "Skeletal" and so on. */
+/* Returns the name of the instance's technique, such as "Skeletal". */
 const char *actor_technique(const struct instance *instance);
 
-/* The node of that name. 0, or -EINVAL after a sentence. */
+/* Finds a node by name. Returns 0, or -EINVAL after logging an error. */
 int actor_find_bone(const struct model *model, const char *name,
 	const struct log *log, int *out);
 
-/* Puts the pose at a clip's time, nodes without a channel at rest. */
+/*
+ * Sets the pose to a clip's at time_s, with nodes without a channel at rest;
+ * clip -1 means the rest pose.
+ */
 void actor_pose(struct actor *actor, int clip, float time_s);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * The arm: hierarchical animation, AN4044 section 2.
  *
- * Every node of the model is a pivot. To move a part is to change one of its
- * pivot's variables; the walk over the pivots does the rest.
+ * Every node of the model is a pivot. A part moves when one of its pivot's
+ * variables changes; draw_hierarchy() does the rest.
  */
 #include "app/anim/hierarchy.h"
 #include "app/demo/actor.h"
@@ -19,9 +19,9 @@
 static const float wheel_radius_m = 0.056f;
 static const float joint_deg_per_s = 45.0f;
 static const float truck_m_per_s = 0.35f;
-static const double breath_s = 1.0; /* between two runs of the program */
+static const double pause_s = 1.0; /* between two runs of the sequence */
 
-/* The pivots that the demo moves, by their nodes' names. */
+/* The pivots that the demo moves; part_names are their nodes' names. */
 enum part {
 	PART_ARM,
 	PART_FOREARM,
@@ -41,11 +41,11 @@ static const char *const part_names[PART_COUNT] = {"Arm", "Forearm", "Hand",
 	"IndexFinger", "Thumb", "Car", "WheelFL", "WheelFR", "WheelRL",
 	"WheelRR", "Crate"};
 
-/* What a person can select, and the joints that the arrows move. */
+/* The parts that ENTER selects, and the joints that the arrows move. */
 struct handle {
 	const char *name;
 	enum arm_joint up_down, left_right;
-	float up, right; /* the direction of a press */
+	float up, right; /* the joints' direction for UP and RIGHT */
 };
 
 static const struct handle handles[] = {
@@ -53,7 +53,7 @@ static const struct handle handles[] = {
 	{"forearm", FOREARM_PITCH, ARM_HEADING, -1.0f, 1.0f},
 	{"hand", HAND_PITCH, HAND_BANK, -1.0f, 1.0f},
 	{"finger", FINGER_HEADING, FINGER_HEADING, 1.0f, 1.0f},
-	{"truck", TRUCK_WAY, TRUCK_WAY, 1.0f, 1.0f},
+	{"truck", TRUCK_POSITION, TRUCK_POSITION, 1.0f, 1.0f},
 };
 
 static const struct {
@@ -65,7 +65,7 @@ static const struct {
 	[HAND_PITCH] = {-80.0f, 100.0f},
 	[HAND_BANK] = {-180.0f, 180.0f},
 	[FINGER_HEADING] = {-6.0f, 25.0f},
-	[TRUCK_WAY] = {-0.4f, 0.8f},
+	[TRUCK_POSITION] = {-0.4f, 0.8f},
 };
 
 static const struct camera_framing framing = {
@@ -84,14 +84,14 @@ struct demo {
 	float up, right; /* while held: -1, 0 or 1 */
 
 	bool repeating;
-	int step; /* of the program, or -1 */
+	int step; /* of the sequence, or -1 */
 	float from[ARM_JOINT_COUNT];
 	double step_start_s, now_s;
 };
 
 /*
- * A pivot for each node, in the model's order but the crate last, so that any
- * other part can become its parent.
+ * Makes a pivot for each node in the model's order, except that the crate is
+ * last: parents precede their children, and any part may become its parent.
  */
 static int make_pivots(struct demo *demo, const struct demo_env *env)
 {
@@ -138,7 +138,7 @@ static struct hierarchy_pivot *pivot_of(struct demo *demo, enum part part)
 	return &demo->hierarchy.pivot[demo->pivot[part]];
 }
 
-/* The orders of the document's robot arm. */
+/* The rotation orders of AN4044's robot arm. */
 static void set_orders(struct demo *demo)
 {
 	pivot_of(demo, PART_ARM)->order = HIERARCHY_HEADING_PITCH_BANK;
@@ -179,7 +179,7 @@ static void run_program(struct demo *demo)
 		(float)(demo->now_s - demo->step_start_s) / step->duration_s;
 
 	if (fraction < 0.0f) {
-		return; /* a breath before the first step */
+		return; /* the pause before the first step */
 	}
 	if (fraction < 1.0f) {
 		arm_step_blend(demo->from, step, fraction, demo->joint);
@@ -195,7 +195,7 @@ static void run_program(struct demo *demo)
 		run_program(demo);
 	} else if (demo->repeating) {
 		begin_step(demo, 0);
-		demo->step_start_s += breath_s;
+		demo->step_start_s += pause_s;
 	} else {
 		demo->step = -1;
 	}
@@ -204,7 +204,7 @@ static void run_program(struct demo *demo)
 static void move_joint(
 	struct demo *demo, enum arm_joint joint, float direction, float step_s)
 {
-	float speed = joint == TRUCK_WAY ? truck_m_per_s : joint_deg_per_s;
+	float speed = joint == TRUCK_POSITION ? truck_m_per_s : joint_deg_per_s;
 
 	demo->joint[joint] =
 		scalar_clamp(demo->joint[joint] + direction * speed * step_s,
@@ -233,7 +233,7 @@ static void place_crate(struct demo *demo)
 	}
 }
 
-/* From joint values to the pivots' variables. */
+/* Sets the pivots' variables from the joint values. */
 static void set_pivots(struct demo *demo)
 {
 	const float *joint = demo->joint;
@@ -247,10 +247,10 @@ static void set_pivots(struct demo *demo)
 	pivot_of(demo, PART_THUMB)->heading_rad =
 		-radians(joint[FINGER_HEADING]);
 	pivot_of(demo, PART_TRUCK)->position[2] =
-		demo->truck_rest[2] + joint[TRUCK_WAY];
+		demo->truck_rest[2] + joint[TRUCK_POSITION];
 	for (int wheel = PART_WHEEL_FL; wheel <= PART_WHEEL_RR; wheel++) {
 		pivot_of(demo, (enum part)wheel)->pitch_rad =
-			joint[TRUCK_WAY] / wheel_radius_m;
+			joint[TRUCK_POSITION] / wheel_radius_m;
 	}
 	place_crate(demo);
 }
@@ -289,7 +289,7 @@ static void arm_draw(struct demo *demo, int width, int height)
 static double arm_period_s(const struct demo *demo)
 {
 	(void)demo;
-	return (double)arm_program_duration_s() + breath_s;
+	return (double)arm_program_duration_s() + pause_s;
 }
 
 static void label_joint(struct hud_group *group, const char *name, float degrees)
@@ -323,7 +323,7 @@ static void arm_label(const struct demo *demo, struct hud *hud)
 	hud_group_end(&group);
 }
 
-/* A hand on the arrows ends the program where it is. */
+/* The arrows end the sequence where it is. */
 static void take_over(struct demo *demo)
 {
 	demo->step = -1;
@@ -379,14 +379,14 @@ static void press_repeat(struct demo *demo, bool down)
 }
 
 static const struct demo_action arm_actions[] = {
-	{BUTTON_UP, "raise the part (truck: forward)", press_up},
-	{BUTTON_DOWN, "lower the part (truck: back)", press_down},
-	{BUTTON_LEFT, "turn it left", press_left},
-	{BUTTON_RIGHT, "turn it right", press_right},
-	{BUTTON_ENTER, "next part: arm, forearm, hand, finger, truck",
+	{BUTTON_UP, "raise the part (truck: drive forward)", press_up},
+	{BUTTON_DOWN, "lower the part (truck: drive back)", press_down},
+	{BUTTON_LEFT, "turn the part left", press_left},
+	{BUTTON_RIGHT, "turn the part right", press_right},
+	{BUTTON_ENTER, "select arm, forearm, hand, finger or truck",
 		press_next_part},
 	{BUTTON_F8, "pick the crate up and load the truck", press_program},
-	{BUTTON_F9, "the same, again and again", press_repeat},
+	{BUTTON_F9, "do that again and again", press_repeat},
 	{0},
 };
 

@@ -1,6 +1,6 @@
 #include "app/demo/arm_program.h"
 
-/* Each place as arm heading and pitch, forearm pitch, hand pitch and bank. */
+/* Poses: arm heading and pitch, forearm pitch, hand pitch and bank. */
 #define HOME       0.0f, -28.0f, 38.0f, 50.0f, 0.0f
 #define OVER_FLOOR 40.36f, 16.71f, 20.99f, 52.29f, 40.36f
 #define AT_FLOOR   40.36f, 38.33f, 28.95f, 22.72f, 40.36f

@@ -1,13 +1,13 @@
 /*
- * The robot arm's pick-up sequence: joint values step by step.
+ * The robot arm's pick-up sequence: joint values for each step.
  *
- * Pure data and its interpolation; the demo applies the values to pivots. The
- * angles come from the arm's geometry, see assets/README.md.
+ * This is data and its interpolation; arm.c applies the values to pivots. The
+ * angles follow from the arm's geometry, see assets/README.md.
  */
 #ifndef APP_DEMO_ARM_PROGRAM_H
 #define APP_DEMO_ARM_PROGRAM_H
 
-/* What moves. Angles in degrees, the truck's way in metres. */
+/* The joints. Values are in degrees, the truck's position in metres. */
 enum arm_joint {
 	ARM_HEADING,
 	ARM_PITCH,
@@ -15,7 +15,7 @@ enum arm_joint {
 	HAND_PITCH,
 	HAND_BANK,
 	FINGER_HEADING,
-	TRUCK_WAY,
+	TRUCK_POSITION,
 	ARM_JOINT_COUNT,
 };
 
@@ -36,15 +36,15 @@ struct arm_step {
 extern const struct arm_step arm_program[];
 extern const int arm_program_length;
 
-/* The whole sequence's length. */
+/* Returns the duration of the whole sequence. */
 float arm_program_duration_s(void);
 
-/* Joint values at rest. */
+/* The joint values at rest. */
 extern const float arm_home[ARM_JOINT_COUNT];
 
 /*
- * Joint values on the way from one set to a step's, fraction in 0..1, starting
- * and ending softly.
+ * Blends from joint values to those at the end of a step, easing in and out.
+ * The fraction is in 0..1.
  */
 void arm_step_blend(const float from[ARM_JOINT_COUNT],
 	const struct arm_step *step, float fraction, float out[ARM_JOINT_COUNT]);

@@ -1,9 +1,10 @@
 /*
- * Demos: programs of motion that buttons steer.
+ * Demos: interactive programs of motion.
  *
- * A demo owns what it shows and draws it on a stage. It sees time and buttons
- * as inputs and nothing of the display, so the same run gives the same frames
- * anywhere. One file a demo; demo.c holds the list.
+ * A demo owns the model it shows and draws it on a stage. Its only inputs are
+ * the time and button events; it knows nothing of the display. A run with equal
+ * inputs therefore gives equal frames on every machine. Each demo has a file of
+ * its own, and demo.c lists them.
  */
 #ifndef APP_DEMO_DEMO_H
 #define APP_DEMO_DEMO_H
@@ -21,124 +22,126 @@
 
 struct demo;
 
-/* What a demo is given; all of it outlives the demo. */
+/* What a demo is created with. Everything it points to outlives the demo. */
 struct demo_env {
 	const struct log *log;
 	const struct gl *gl;
 	enum pixel_format target;
 	const struct kernel *kernel;
-	int width, height;      /* of the picture, at the start */
-	const char *model_path; /* the file to show */
-	const char *clip;       /* name or number to begin with, or NULL */
+	int width, height;      /* of the picture, initially */
+	const char *model_path; /* the model file to show */
+	const char *clip;       /* name or index of the first clip, or NULL */
 	enum clip_interpolation interpolation;
-	enum clip_repeat repeat;            /* of the user's model's clips */
-	float speed;                        /* likewise, negative: backwards */
-	struct influence_cap influence_cap; /* influences a vertex */
+	enum clip_repeat repeat; /* viewer only */
+	float speed;             /* viewer only; below 0: backwards */
+	struct influence_cap influence_cap; /* influences of a vertex */
 	struct lod lod;                     /* triangles */
-	int walkers;                        /* of a crowd; 0: as it likes */
-	bool follow_file;        /* show the model anew when it changes */
-	int64_t (*now_ns)(void); /* measures; NULL where times must repeat */
-	bool unattended;         /* nobody will press a button: show things */
-	const struct camera_feed *camera; /* live pictures, or NULL */
-	enum live_use camera_use;         /* at the start */
-	bool smooth;                      /* blend enlarged live pictures */
+	int walkers;      /* of the crowd; 0: the demo's own number */
+	bool follow_file; /* reload the model when its file changes */
+	int64_t (*now_ns)(
+		void);   /* clock to measure with; NULL: do not measure */
+	bool unattended; /* nobody presses buttons: show everything */
+	const struct camera_feed *camera; /* video camera, or NULL */
+	enum live_use camera_use;         /* initially */
+	bool smooth;                      /* filter camera images linearly */
 };
 
-/* What a demo shows, for whoever measures. */
+/* What a demo shows, for the display of frame times. */
 struct demo_facts {
-	const char *technique; /* "Skeletal" */
-	long triangles;        /* of models, each once, as they are drawn */
+	const char *technique; /* such as "Skeletal" */
+	long triangles;        /* of the models as drawn, without shadows */
 };
 
-/* Something a button does. */
+/* What a button does. */
 struct demo_action {
 	enum button button;
 	const char *summary;
 	void (*run)(struct demo *demo, bool down);
 };
 
+/* The interface of one demo. */
 struct demo_driver {
 	const char *name;
 	const char *summary;
-	const char *asset; /* a file of assets/, or NULL: the user's model */
-	const struct demo_action *action; /* a NULL run ends it */
+	const char *asset; /* a file in assets/; NULL: the user's model */
+	const struct demo_action *action; /* ends with a NULL run */
 
-	/* Of the demo's own struct, which begins with a struct demo_base. */
+	/* Size of the demo's struct, which begins with a struct demo_base. */
 	size_t size;
 
 	/*
-	 * The act's actor is loaded, all else is zero: prepares the rest and,
-	 * last, sets the stage. 0, or -errno after a sentence.
+	 * Called with a loaded actor and all else zero. Prepares the demo and,
+	 * last, makes the stage. Returns 0, or -errno after logging an error.
 	 */
 	int (*prepare)(struct demo *demo, const struct demo_env *env);
 
-	/* Releases what prepare() and presses took. Optional. */
+	/* Releases what prepare() and actions allocated. Optional. */
 	void (*finish)(struct demo *demo);
 
-	/* Moves on to time_s, which never runs backwards. No allocation. */
+	/* Moves on to time_s, which never decreases. Allocates nothing. */
 	void (*update)(struct demo *demo, double time_s);
 
-	/* Draws a frame of this size. No allocation. */
+	/* Draws a frame of this size. Allocates nothing. */
 	void (*draw)(struct demo *demo, int width, int height);
 
-	/* Seconds after which it repeats: how long an animation file runs. */
+	/* Returns the seconds after which an unattended run repeats. */
 	double (*period_s)(const struct demo *demo);
 
-	/* Says on the picture what runs: technique, clip, time, weight. */
+	/* Adds labels for the technique, clip, time, weight and so on. */
 	void (*label)(const struct demo *demo, struct hud *hud);
 
-	/* Optional: NULL where the actor is all there is. */
+	/* Corrects the actor's facts. Optional. */
 	void (*get_facts)(const struct demo *demo, struct demo_facts *out);
 };
 
-/* All demos, NULL at the end; the first is the default. */
+/* All demos, ended by NULL; the first one is the default. */
 extern const struct demo_driver *const demo_registry[];
 
-/* Shows any model; not in the registry because it needs a file's name. */
+/* Shows any model. It is not in the registry because it needs a file name. */
 extern const struct demo_driver demo_driver_viewer;
 
-/* The demo of that name, or NULL. */
+/* Returns the demo of that name, or NULL. */
 const struct demo_driver *demo_find(const char *name);
 
 /*
- * Loads the model, then prepares the demo. 0, or -errno after a sentence with
- * nothing left behind. Release with demo_destroy().
+ * Loads the model and prepares the demo. Returns 0, or -errno after logging an
+ * error; then nothing is left to release. Release it with demo_destroy().
  */
 int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	struct demo **out);
 
-/* NULL is fine. */
+/* Frees the demo; NULL is allowed. */
 void demo_destroy(const struct demo_driver *driver, struct demo *demo);
 
-/* What to leave out to keep a budget; all zero: nothing. */
+/* What a demo leaves out to keep a frame budget; all zero: nothing. */
 struct demo_reduction {
-	float error_px;     /* of coarser triangles, at least; 0: as it is */
-	int max_influences; /* of any vertex; 0: all */
-	bool hold_normals;  /* as they are */
+	float error_px;     /* least error of the triangles; 0: unchanged */
+	int max_influences; /* of a vertex; 0: all */
+	bool hold_normals;  /* see instance.hold_normals */
 };
 
-/* From the next update on. */
+/* Sets what the demo leaves out from its next update on. */
 void demo_set_reduction(
 	struct demo *demo, const struct demo_reduction *reduction);
 
-/* How many frames a second there are; 0: not known. For labels. */
+/* Sets the frame rate that labels show; 0 if unknown. */
 void demo_set_rate(struct demo *demo, float frames_per_s);
 
 /*
- * Looks at the camera, for the frame of this time and size; before draw(). A
- * demo without a camera is fine.
+ * Takes the video camera's image for the frame at time_s with this size. Call
+ * it before draw(). Does nothing without a camera.
  */
 void demo_update_live(struct demo *demo, double time_s, int width, int height);
 
-/* The demo's own labels, and what the camera is for. */
+/* Adds the demo's labels and what the camera's image is used for. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud);
 
-/* What it shows now. */
+/* Returns what the demo shows now. */
 struct demo_facts demo_get_facts(
 	const struct demo_driver *driver, const struct demo *demo);
 
-/* Runs the demo's action for this button, if it has one. */
+/* Runs the demo's action for the event's button, if it has one. */
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event);
 

@@ -1,8 +1,8 @@
 /*
  * The face: morphing between key frames, AN4044 section 1.
  *
- * Each shape key of the model is a key frame: the base plus that target at
- * weight 1. Buttons point Destiny at another one, also in mid-flight.
+ * Each morph target of the model is a key frame: the base plus that target at
+ * weight 1. Buttons change Destiny to another key frame, also during a morph.
  */
 #include "app/anim/math/quat.h"
 #include "app/demo/actor.h"
@@ -20,7 +20,7 @@ static const char motion_target[] = "surprise";
 static const float default_ms = 600.0f;
 static const float forward[3] = {0.0f, 0.0f, 1.0f};
 static const float bulge_m = 0.03f; /* of sinusoidal motion */
-static const double dwell_s = 1.5;  /* from one expression to the next */
+static const double dwell_s = 1.5;  /* autoplay: time for an expression */
 
 static const struct camera_framing framing = {
 	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .margin = 1.06f};
@@ -30,13 +30,13 @@ struct demo {
 	int head; /* node */
 	struct face_keys keys;
 	int current;  /* the key frame that Destiny is */
-	int previous; /* the one before it */
+	int previous; /* the key frame before it */
 	struct morph_motion motion;
 	double now_s;
 	bool autoplay;
 	double next_s;
-	int motion_key;         /* the key frame that motion leads to */
-	bool motion_controlled; /* motion holds the face now */
+	int motion_key;         /* the key frame that camera motion blends to */
+	bool motion_controlled; /* camera motion controls the face now */
 };
 
 static int init_keys(struct demo *demo, const struct demo_env *env)
@@ -59,7 +59,7 @@ static int init_keys(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/* The key frame of that target, or the last one there is. */
+/* The key frame of that target, else the last key frame. */
 static int find_key(const struct demo *demo, const char *target)
 {
 	int key = 1;
@@ -97,8 +97,7 @@ static void go_to_key(struct demo *demo, int key)
 		demo->now_s * 1000.0);
 }
 
-/* The head is never quite still. */
-static void sway(struct demo *demo)
+static void turn_head(struct demo *demo)
 {
 	static const float up[3] = {0.0f, 1.0f, 0.0f};
 	struct transform *local =
@@ -111,8 +110,8 @@ static void sway(struct demo *demo)
 	quat_multiply(turn, local->rotation, local->rotation);
 }
 
-/* Once, when the camera lets go of the face: from where it is to its key. */
-static void let_go(struct demo *demo)
+/* When camera motion ceases to control the face, it morphs to its key. */
+static void release_face(struct demo *demo)
 {
 	bool motion_controlled = live_controls_motion(&demo->base.live);
 
@@ -128,7 +127,7 @@ static void face_update(struct demo *demo, double time_s)
 	const struct live *live = &demo->base.live;
 
 	demo->now_s = time_s;
-	let_go(demo);
+	release_face(demo);
 	if (demo->autoplay && !demo->motion_controlled &&
 		time_s >= demo->next_s) {
 		go_to_key(demo, demo->current + 1);
@@ -140,7 +139,7 @@ static void face_update(struct demo *demo, double time_s)
 	} else {
 		face_keys_update(&demo->keys, time_s * 1000.0);
 	}
-	sway(demo);
+	turn_head(demo);
 	face_keys_apply(&demo->keys);
 	instance_update(demo->base.actor.instance);
 }
@@ -207,7 +206,7 @@ static void press_neutral(struct demo *demo, bool down)
 	}
 }
 
-static void set_pace(struct demo *demo, float factor)
+static void scale_duration(struct demo *demo, float factor)
 {
 	demo->motion.duration_ms = scalar_clamp(
 		demo->motion.duration_ms * factor, 100.0f, 4800.0f);
@@ -218,14 +217,14 @@ static void set_pace(struct demo *demo, float factor)
 static void press_faster(struct demo *demo, bool down)
 {
 	if (down) {
-		set_pace(demo, 0.5f);
+		scale_duration(demo, 0.5f);
 	}
 }
 
 static void press_slower(struct demo *demo, bool down)
 {
 	if (down) {
-		set_pace(demo, 2.0f);
+		scale_duration(demo, 2.0f);
 	}
 }
 
@@ -256,20 +255,20 @@ static void press_autoplay(struct demo *demo, bool down)
 }
 
 static const struct demo_action face_actions[] = {
-	{BUTTON_RIGHT, "the next expression", press_next},
-	{BUTTON_LEFT, "the one before", press_previous},
-	{BUTTON_ENTER, "back to neutral", press_neutral},
-	{BUTTON_UP, "twice as fast", press_faster},
-	{BUTTON_DOWN, "half as fast", press_slower},
+	{BUTTON_RIGHT, "show the next expression", press_next},
+	{BUTTON_LEFT, "show the previous expression", press_previous},
+	{BUTTON_ENTER, "show the neutral face", press_neutral},
+	{BUTTON_UP, "morph twice as fast", press_faster},
+	{BUTTON_DOWN, "morph half as fast", press_slower},
 	{BUTTON_F6, "interpolate over time or by frames", press_timing},
-	{BUTTON_F8, "linear or sinusoidal", press_curve},
-	{BUTTON_F9, "run through all of them", press_autoplay},
+	{BUTTON_F8, "interpolate linearly or sinusoidally", press_curve},
+	{BUTTON_F9, "show all expressions in turn, or stop", press_autoplay},
 	{0},
 };
 
 const struct demo_driver demo_driver_face = {
 	.name = "face",
-	.summary = "morphing: a head that goes from expression to expression",
+	.summary = "morphing: a head that changes its expression",
 	.asset = "face.glb",
 	.action = face_actions,
 	.size = sizeof(struct demo),

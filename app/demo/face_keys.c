@@ -7,7 +7,7 @@
 
 #include <errno.h>
 
-/* The base with one target at weight 1. */
+/* Computes the base plus one target at weight 1. */
 static int bake_key(const struct face_keys *keys,
 	const struct drawable *drawable, int target, struct morph_key *out)
 {
@@ -42,7 +42,6 @@ static int bake_key(const struct face_keys *keys,
 	return 0;
 }
 
-/* A primitive's vertices. */
 static int init_part(struct face_keys *keys, struct face_part *part,
 	struct drawable *drawable)
 {
@@ -73,7 +72,7 @@ static int triples(const struct face_keys *keys)
 	return (keys->key_count - 1 + 2) / 3;
 }
 
-/* All weights: key k has a 1 for target k - 1. */
+/* Key k has the weight 1 for target k - 1 and 0 for all others. */
 static int init_weights(struct face_keys *keys, struct face_part *part)
 {
 	struct arena *arena = &keys->instance->arena;
@@ -209,7 +208,7 @@ void face_keys_apply(const struct face_keys *keys)
 	for (int t = 0; t < keys->key_count - 1; t++) {
 		weight[t] = keys->part[0].morph.temporal[t / 3][t % 3];
 	}
-	/* The wave moves all vertices alike, and so the node. */
+	/* The wave moves all vertices equally, so the node is moved. */
 	for (int i = 0; i < 3; i++) {
 		moved[i] = keys->motion.direction[i] * keys->wave *
 			local->scale[i];

@@ -3,14 +3,14 @@
 #include <stdio.h>
 
 enum {
-	SETTLING_FRAMES = 8 /* before the mean says something */
+	SETTLING_FRAMES = 8 /* before the mean is meaningful */
 };
 
-static const float newest_share = 0.15f; /* of the mean */
-static const float room = 0.9f;          /* of the budget, to restore */
+static const float newest_weight = 0.15f;   /* of the mean */
+static const float restore_fraction = 0.9f; /* of the budget, to restore */
 static const double over_limit_s = 0.2;
-static const double wait_least_s = 1.0, wait_most_s = 30.0;
-static const double lasting_s = 5.0; /* a restored step that stays so long */
+static const double wait_min_s = 1.0, wait_max_s = 30.0;
+static const double lasting_s = 5.0; /* a restoration that lasts this long */
 
 static const struct {
 	struct demo_reduction reduction;
@@ -27,7 +27,7 @@ static const struct {
 	{{4.0f, 1, true}, 4, "a quarter of poses"},
 };
 
-static void rest(struct governor *governor)
+static void reset_mean(struct governor *governor)
 {
 	governor->frames = 0;
 	governor->over_s = governor->under_s = -1.0;
@@ -37,34 +37,34 @@ struct governor governor_begin(float budget_ms)
 {
 	struct governor governor = {
 		.budget_ms = budget_ms,
-		.wait_s = wait_least_s,
+		.wait_s = wait_min_s,
 		.restored_s = -lasting_s,
 	};
 
-	rest(&governor);
+	reset_mean(&governor);
 	return governor;
 }
 
 static void average(struct governor *governor, float work_ms)
 {
-	/* A plain mean at first, so that one frame does not count for many. */
+	/* At first all frames have equal weight. */
 	float fraction = 1.0f / (float)(governor->frames + 1);
 
-	fraction = fraction > newest_share ? fraction : newest_share;
-	governor->mean_ms =
-		(governor->frames ? governor->mean_ms : 0.0f) * (1.0f - fraction) +
+	fraction = fraction > newest_weight ? fraction : newest_weight;
+	governor->mean_ms = (governor->frames ? governor->mean_ms : 0.0f) *
+			(1.0f - fraction) +
 		work_ms * fraction;
 	governor->frames++;
 }
 
-static void weigh(struct governor *governor)
+static void measure_saving(struct governor *governor)
 {
 	float saved_ms = governor->before_ms - governor->mean_ms;
 
-	if (governor->weighing) {
+	if (governor->measuring) {
 		governor->saved_ms[governor->level] =
 			saved_ms > 0.0f ? saved_ms : 0.0f;
-		governor->weighing = false;
+		governor->measuring = false;
 	}
 }
 
@@ -73,23 +73,23 @@ static void reduce(struct governor *governor, double now_s)
 	bool lasted = now_s - governor->restored_s > lasting_s;
 	double longer_s = 2.0 * governor->wait_s;
 
-	governor->wait_s = lasted        ? wait_least_s
-		: longer_s < wait_most_s ? longer_s
-					 : wait_most_s;
+	governor->wait_s = lasted       ? wait_min_s
+		: longer_s < wait_max_s ? longer_s
+					: wait_max_s;
 	governor->before_ms = governor->mean_ms;
-	governor->weighing = true;
+	governor->measuring = true;
 	governor->level++;
-	rest(governor);
+	reset_mean(governor);
 }
 
 static void restore(struct governor *governor, double now_s)
 {
 	governor->restored_s = now_s;
 	governor->level--;
-	rest(governor);
+	reset_mean(governor);
 }
 
-/* Since when it is so; -1 where it is not. */
+/* The time since when the condition holds; -1 if it does not. */
 static double since(bool is, double begun_s, double now_s)
 {
 	return !is ? -1.0 : begun_s < 0.0 ? now_s : begun_s;
@@ -107,14 +107,14 @@ bool governor_feed(struct governor *governor, double now_s, float work_ms)
 	if (governor->frames < SETTLING_FRAMES) {
 		return false;
 	}
-	weigh(governor);
+	measure_saving(governor);
 	restored_ms = governor->mean_ms + governor->saved_ms[level];
 	governor->over_s = since(level < GOVERNOR_STEPS &&
 			governor->mean_ms > governor->budget_ms,
 		governor->over_s, now_s);
-	governor->under_s =
-		since(level > 0 && restored_ms < room * governor->budget_ms,
-			governor->under_s, now_s);
+	governor->under_s = since(level > 0 &&
+			restored_ms < restore_fraction * governor->budget_ms,
+		governor->under_s, now_s);
 	if (governor->over_s >= 0.0 && now_s - governor->over_s >= over_limit_s) {
 		reduce(governor, now_s);
 	} else if (governor->under_s >= 0.0 &&

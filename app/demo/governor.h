@@ -1,11 +1,12 @@
 /*
- * A budget for the frame: what to leave out so that frames take no longer.
+ * The governor keeps frames within a time budget by reducing quality.
  *
- * Steps go from what is hardly seen to what is: triangles, then influences,
- * then normals, then how often there is a pose. A step is taken when the mean
- * has been over the budget for a moment, and taken back when what it saved, as
- * measured then, would fit again for a while; a step that did not last makes
- * that while longer. Time comes from the caller.
+ * Its steps go from the least visible reduction to the most visible one:
+ * triangles, influences, normals, the rate of poses. A step is taken when the
+ * mean frame time has been above the budget for a moment. It is taken back when
+ * the mean plus what the step saved has been below the budget for a while; the
+ * while gets longer when a step had to be taken again soon. The caller provides
+ * the time.
  */
 #ifndef APP_DEMO_GOVERNOR_H
 #define APP_DEMO_GOVERNOR_H
@@ -17,34 +18,38 @@ enum {
 };
 
 struct governor {
-	float budget_ms; /* 0: there is none, and nothing is ever left out */
-	int level;       /* steps taken, 0 to GOVERNOR_STEPS */
-	float mean_ms;   /* of the last frames since the step */
-	int frames;      /* since then */
-	float before_ms; /* the mean when the step was taken */
-	bool weighing;   /* what the step saves is not known yet */
+	float budget_ms; /* 0: no budget, so quality is never reduced */
+	int level;       /* number of steps taken, 0 to GOVERNOR_STEPS */
+	float mean_ms;   /* of the frames since the last step */
+	int frames;      /* since the last step */
+	float before_ms; /* the mean before the last step */
+	bool measuring;  /* the last step's saving is not yet known */
 	float saved_ms[GOVERNOR_STEPS + 1]; /* by the step to this level */
-	double over_s, under_s;             /* since when; below 0: it is not */
+	/* Since when frames are above or below the budget; negative: not. */
+	double over_s, under_s;
 	double restored_s; /* when a step was last taken back */
-	double wait_s;     /* with room, before one is taken back */
-	unsigned turn;     /* of the poses */
+	double wait_s;     /* below budget, before a step is taken back */
+	unsigned turn;     /* counts frames, for the rate of poses */
 };
 
 struct governor governor_begin(float budget_ms);
 
-/* A frame took this long, without waiting. True where the level changed. */
+/*
+ * Adds a frame's time without waiting for the display. Returns true if the
+ * level changed.
+ */
 bool governor_feed(struct governor *governor, double now_s, float work_ms);
 
-/* What demo_set_reduction() is to be told. */
+/* Returns the level's reduction, for demo_set_reduction(). */
 struct demo_reduction governor_reduction(const struct governor *governor);
 
-/* Once a frame: whether it gets a new pose. */
+/* Call once a frame: returns true if the frame gets a new pose. */
 bool governor_poses(struct governor *governor);
 
-/* "2 influences", or NULL where nothing is left out. */
+/* Returns the level's name, such as "2 influences"; NULL at level 0. */
 const char *governor_text(const struct governor *governor);
 
-/* Says on the picture what is left out; nothing without a budget. */
+/* Adds a label with budget, frame time and level, if there is a budget. */
 void governor_label(const struct governor *governor, struct hud *hud);
 
 #endif

@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-/* Mean difference of luma, of 255, that counts as moving all over. */
-static const float full_stir = 6.0f;
+/* Mean difference of luma, of 255, at which the motion level is 1. */
+static const float full_motion = 6.0f;
 static const float rise_s = 0.08f, fall_s = 0.45f;
 
 static const char *const names[LIVE_USES] = {
@@ -23,11 +23,6 @@ enum live_use live_use_find(const char *name)
 		use++;
 	}
 	return (enum live_use)use;
-}
-
-const char *live_use_name(enum live_use use)
-{
-	return (unsigned int)use < LIVE_USES ? names[use] : NULL;
 }
 
 int live_init(struct live *live, const struct camera_feed *feed,
@@ -70,16 +65,16 @@ static void use_image(struct live *live, const struct gl *gl,
 			(float)camera_motion_feed(&live->seen, image) / 256.0f;
 
 		live->level = scalar_clamp(
-			scalar_sqrt(change / full_stir), 0.0f, 1.0f);
+			scalar_sqrt(change / full_motion), 0.0f, 1.0f);
 	}
 }
 
 static void smooth_motion(struct live *live, float step_s)
 {
-	float way = live->level - live->smooth_level;
-	float time_s = way > 0.0f ? rise_s : fall_s;
+	float change = live->level - live->smooth_level;
+	float time_s = change > 0.0f ? rise_s : fall_s;
 
-	live->smooth_level += way * (1.0f - scalar_exp(-step_s / time_s));
+	live->smooth_level += change * (1.0f - scalar_exp(-step_s / time_s));
 }
 
 static void show_on_stage(const struct live *live, struct stage *stage)
@@ -120,7 +115,7 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 void live_next_use(struct live *live)
 {
 	live->use = (enum live_use)((live->use + 1) % LIVE_USES);
-	/* What the texture holds was cut for another use. */
+	/* The image in the texture has another use's aspect. */
 	live->texture.width = live->texture.height = 0;
 	live->level = 0.0f;
 	camera_motion_reset(&live->seen);

@@ -1,9 +1,9 @@
 /*
- * What a demo does with a camera's picture: background, a screen on the stage,
- * or a motion that somebody makes before the camera.
+ * A demo's use of a video camera: its image is the background or is shown on a
+ * monitor on the stage, or its motion moves the figure.
  *
- * Without a camera, and while it has no picture, everything is as if there
- * were none, but for the screen, which is dark.
+ * Without a camera, or while it has no image, everything is as usual, except
+ * that the monitor is dark.
  */
 #ifndef APP_DEMO_LIVE_H
 #define APP_DEMO_LIVE_H
@@ -24,49 +24,48 @@ enum live_use {
 };
 
 struct live {
-	const struct camera_feed *feed; /* not owned; NULL: no camera */
+	const struct camera_feed *feed; /* not owned; NULL without a camera */
 	enum live_use use;
-	bool showing; /* there is a picture */
+	bool showing; /* the camera has an image */
 	struct live_texture texture;
 	struct monitor monitor;
 	struct camera_motion seen;
-	float level;        /* how much moves now, 0..1 */
-	float smooth_level; /* the same, smoothed: quick to rise, slow to fall */
+	float level;        /* of motion in the last image, 0..1 */
+	float smooth_level; /* rises quickly and falls slowly */
 	double now_s;
 };
 
-/* "background" and so on; LIVE_USES and NULL for what is none. */
+/* Returns the use of that name, such as "background", or LIVE_USES. */
 enum live_use live_use_find(const char *name);
-const char *live_use_name(enum live_use use);
 
 /*
- * feed may be NULL. 0, or -ENOMEM after
- * a sentence with nothing left.
+ * Prepares the use of a camera; feed may be NULL. Returns 0, or -ENOMEM after
+ * logging an error; then nothing is left to release.
  */
 int live_init(struct live *live, const struct camera_feed *feed,
 	enum live_use use, bool smooth, const struct gl *gl,
 	const struct log *log);
 
-/* Finds room for a screen on the stage, seen in pictures of this aspect. */
+/* Places the monitor on the stage for pictures of this aspect. */
 void live_set_stage(struct live *live, const struct stage *stage, float aspect);
 
-/* Once without an effect. */
+/* Releases the texture; may be called again. */
 void live_finish(struct live *live, const struct gl *gl);
 
 /*
- * Takes the newest picture for the frame of this time and this size, and tells
- * the stage what to show of it. No allocation, no waiting.
+ * Takes the camera's newest image for the frame at time_s with this size, and
+ * sets the stage's backdrop and monitor. Neither allocates nor waits.
  */
 void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 	double time_s, int width, int height);
 
-/* The next use of the picture, and after the last one none. */
+/* Selects the next use; "off" is one of them. */
 void live_next_use(struct live *live);
 
-/* Whether what moves before the camera shall move the figure. */
+/* Returns true if motion before the camera moves the figure. */
 bool live_controls_motion(const struct live *live);
 
-/* Says on the picture what it is used for, if there is a camera. */
+/* Adds a label that names the use, if there is a camera. */
 void live_label(const struct live *live, struct hud *hud);
 
 #endif

@@ -60,12 +60,11 @@ int preset_file_read(struct preset_file *file, const struct log *log)
 	return count < 0 ? count : 0;
 }
 
-/* What a line is to the section being written. */
 struct line {
 	const char *at;
-	size_t length; /* without its end */
-	const char *comment;
-	bool section;
+	size_t length;       /* without the newline */
+	const char *comment; /* or the line's end */
+	bool section;        /* begins a section */
 };
 
 static struct line read_line(const char *text)
@@ -104,7 +103,7 @@ static void write_values(
 	}
 }
 
-/* What the section does not say yet and a preset does not begin with. */
+/* Writes the values that the section lacks and that are not the default. */
 static void write_rest(FILE *out, const struct procedural_preset *preset,
 	const bool written[PROCEDURAL_FIELDS])
 {
@@ -123,7 +122,7 @@ static void write_rest(FILE *out, const struct procedural_preset *preset,
 	}
 }
 
-/* The key that a line of the section sets, or how many keys there are. */
+/* The index of the key that the line sets, else PROCEDURAL_FIELDS. */
 static int find_key(const struct line *line)
 {
 	int key = 0;
@@ -154,7 +153,7 @@ static void write_line(FILE *out, const struct line *line,
 	fputc('\n', out);
 }
 
-/* Blank lines and comments at a section's end are the next one's. */
+/* Blank lines and comments before a section belong to that section. */
 static bool ends_section(const char *text)
 {
 	while (*text) {

@@ -1,5 +1,5 @@
 /*
- * The presets of shaken bones as a file that programs and people write.
+ * The file of presets for shaken bones, which people and limber edit.
  */
 #ifndef APP_DEMO_PRESET_FILE_H
 #define APP_DEMO_PRESET_FILE_H
@@ -12,27 +12,27 @@ enum {
 	PRESET_PATH_SIZE = 1024
 };
 
-/* The asset that has them. */
+/* The name of the preset file in assets/. */
 extern const char preset_file_asset[];
 
 struct preset_file {
-	char path[PRESET_PATH_SIZE]; /* "" where there is no file */
+	char path[PRESET_PATH_SIZE]; /* "" if there is no file */
 	struct procedural_preset preset[PRESETS_MAX];
 	int count; /* at least 1 */
 };
 
 /*
- * Reads the presets that come with the program; without the file the
- * document's own is left. 0, or -errno after a sentence for a file that is
- * wrong.
+ * Reads the presets in assets/. Without the file there is one preset, the
+ * document's. Returns 0, or -errno after logging an error if the file is
+ * malformed.
  */
 int preset_file_read(struct preset_file *file, const struct log *log);
 
-/* A number of a preset that can be changed. */
+/* A number of a preset that the tuner can change. */
 struct preset_field {
-	const char *name; /* for people */
+	const char *name; /* on the display */
 	const char *key;  /* in the file */
-	int element;      /* of a key with three */
+	int element;      /* of a key with three numbers */
 	float step, low, high;
 };
 
@@ -42,14 +42,14 @@ enum {
 
 extern const struct preset_field preset_fields[PRESET_FIELDS];
 
-/* Where the preset has it. */
+/* Returns the address of the field in the preset. */
 float *preset_value(
 	struct procedural_preset *preset, const struct preset_field *field);
 
 /*
- * Writes a preset into its section of the file, all else in it as it was,
- * comments too; a section that is missing is added. 0, or -errno after a
- * sentence and the file as before.
+ * Writes a preset to its section of the file, or to a new section, and keeps
+ * everything else, comments included. Returns 0, or -errno after logging an
+ * error; then the file is unchanged.
  */
 int preset_file_save(const char *path, const struct procedural_preset *preset,
 	const struct log *log);

@@ -1,10 +1,10 @@
 /*
- * The tuner: the shaken bones' parameters, changed while they shake.
+ * The tuner changes the parameters of shaken bones while they shake.
  *
- * "Physic-based Implementation" of the document on offline and physics-based
- * animation. The chain below each shoulder is painted by how strongly it
- * swings: red at its strongest bone, blue where the attenuation has left
- * nothing.
+ * It implements "Physic-based Implementation" of the document on offline and
+ * physics-based animation. The bones below each shoulder are painted by the
+ * strength of their swing: red for the strongest one, blue where the
+ * attenuation leaves none.
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -26,7 +26,7 @@ static const char clip_name[] = "idle";
 static const char *const bones[SIDES] = {"shoulder.L", "shoulder.R"};
 static const float fade_s = 0.3f;
 static const double repeat_after_s = 0.4, repeat_s = 0.06; /* while held */
-static const double news_s = 2.0;
+static const double message_s = 2.0;
 static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* of preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
@@ -39,18 +39,18 @@ struct demo {
 	const struct log *log;
 	int height; /* of the picture */
 	struct preset_file file;
-	int chosen; /* preset */
+	int chosen; /* the preset's index */
 	int field;
 	struct procedural swing[SIDES];
 	struct vertex_tint tint;
-	int8_t **level; /* [drawable_count][vertex_count]: below a bone */
+	int8_t **level; /* [drawable_count][vertex_count], see level_of() */
 	bool painted, autoplay, shaking;
 	int clip;
 	double now_s;
-	int turning; /* of a value, while held: -1, 0 or 1 */
-	double next_turn_s;
-	const char *news;
-	double news_until_s;
+	int changing; /* while LEFT or RIGHT is held: -1 or 1, else 0 */
+	double next_change_s;
+	const char *message;
+	double message_end_s;
 };
 
 static struct procedural_preset *preset_of(struct demo *demo)
@@ -58,7 +58,7 @@ static struct procedural_preset *preset_of(struct demo *demo)
 	return &demo->file.preset[demo->chosen];
 }
 
-/* Levels below either bone, or OFF_CHAIN. */
+/* The node's depth below either shaken bone, or OFF_CHAIN. */
 static int8_t level_of(const struct demo *demo, int node)
 {
 	const struct model *model = demo->base.actor.model;
@@ -74,23 +74,23 @@ static int8_t level_of(const struct demo *demo, int node)
 	return OFF_CHAIN;
 }
 
-/* The node that carries most of the vertex. */
-static int carrier(
+/* The joint with the greatest weight, or a rigid drawable's node. */
+static int main_joint(
 	const struct model *model, const struct drawable *drawable, int vertex)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	const float *weight;
-	int most = 0;
+	int max = 0;
 
 	if (drawable->skin < 0) {
 		return drawable->node;
 	}
 	weight = primitive->weight + vertex * primitive->influences;
 	for (int i = 1; i < primitive->influences; i++) {
-		most = weight[i] > weight[most] ? i : most;
+		max = weight[i] > weight[max] ? i : max;
 	}
 	return model->skin[drawable->skin]
-		.joint[primitive->joint[vertex * primitive->influences + most]];
+		.joint[primitive->joint[vertex * primitive->influences + max]];
 }
 
 static int find_levels(struct demo *demo)
@@ -110,7 +110,7 @@ static int find_levels(struct demo *demo)
 		}
 		for (int v = 0; v < count; v++) {
 			demo->level[d][v] = level_of(
-				demo, carrier(instance->model, drawable, v));
+				demo, main_joint(instance->model, drawable, v));
 		}
 	}
 	return demo->level ? 0 : -ENOMEM;
@@ -121,17 +121,17 @@ static void paint(struct demo *demo)
 	const struct instance *instance = demo->base.actor.instance;
 	const struct procedural_preset *preset = preset_of(demo);
 	uint8_t rgb[LEVELS_MAX + 1][3];
-	float most = 0.001f;
+	float max = 0.001f;
 
 	for (int level = 0; level <= LEVELS_MAX; level++) {
 		float modifier = procedural_modifier(preset, level);
 
 		/* The chain is no longer than six bones. */
-		most = level < 6 && modifier > most ? modifier : most;
+		max = level < 6 && modifier > max ? modifier : max;
 	}
 	for (int level = 0; level <= LEVELS_MAX; level++) {
 		vertex_tint_ramp(
-			procedural_modifier(preset, level) / most, rgb[level]);
+			procedural_modifier(preset, level) / max, rgb[level]);
 	}
 	for (int d = 0; d < instance->drawable_count; d++) {
 		int count = instance->drawable[d].primitive->vertex_count;
@@ -145,7 +145,7 @@ static void paint(struct demo *demo)
 	}
 }
 
-/* After any change of the preset. */
+/* Call this after any change of the preset. */
 static void use_preset(struct demo *demo)
 {
 	for (int side = 0; side < SIDES; side++) {
@@ -154,10 +154,10 @@ static void use_preset(struct demo *demo)
 	paint(demo);
 }
 
-static void tell(struct demo *demo, const char *news)
+static void show_message(struct demo *demo, const char *message)
 {
-	demo->news = news;
-	demo->news_until_s = demo->now_s + news_s;
+	demo->message = message;
+	demo->message_end_s = demo->now_s + message_s;
 }
 
 static int begin_swings(struct demo *demo, const struct log *log)
@@ -216,7 +216,7 @@ static void change(struct demo *demo, int steps)
 	const struct preset_field *field = &preset_fields[demo->field];
 	float *value = preset_value(preset_of(demo), field);
 	float count = *value / field->step + (float)steps;
-	/* On the grid of steps, so that they can be taken back. */
+	/* Values are multiples of the step, so that a change can be undone. */
 	float whole = (float)(int)(count + (count < 0.0f ? -0.5f : 0.5f));
 
 	*value = scalar_clamp(whole * field->step, field->low, field->high);
@@ -225,9 +225,9 @@ static void change(struct demo *demo, int steps)
 
 static void repeat_change(struct demo *demo)
 {
-	while (demo->turning && demo->now_s >= demo->next_turn_s) {
-		change(demo, demo->turning);
-		demo->next_turn_s += repeat_s;
+	while (demo->changing && demo->now_s >= demo->next_change_s) {
+		change(demo, demo->changing);
+		demo->next_change_s += repeat_s;
 	}
 }
 
@@ -298,9 +298,9 @@ static void tuner_label(const struct demo *demo, struct hud *hud)
 		}
 	}
 	hud_group_end(&group);
-	if (demo->news && demo->now_s < demo->news_until_s) {
+	if (demo->message && demo->now_s < demo->message_end_s) {
 		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
-		hud_group_text(&group, demo->news, "");
+		hud_group_text(&group, demo->message, "");
 		hud_group_end(&group);
 	}
 }
@@ -320,24 +320,24 @@ static void press_down(struct demo *demo, bool down)
 	step_field(demo, down ? 1 : 0);
 }
 
-static void turn_value(struct demo *demo, int way, bool down)
+static void change_value(struct demo *demo, int direction, bool down)
 {
-	demo->turning = down ? way : 0;
+	demo->changing = down ? direction : 0;
 	if (down) {
 		demo->autoplay = false;
-		change(demo, way);
-		demo->next_turn_s = demo->now_s + repeat_after_s;
+		change(demo, direction);
+		demo->next_change_s = demo->now_s + repeat_after_s;
 	}
 }
 
 static void press_left(struct demo *demo, bool down)
 {
-	turn_value(demo, -1, down);
+	change_value(demo, -1, down);
 }
 
 static void press_right(struct demo *demo, bool down)
 {
-	turn_value(demo, 1, down);
+	change_value(demo, 1, down);
 }
 
 static void press_save(struct demo *demo, bool down)
@@ -346,10 +346,10 @@ static void press_save(struct demo *demo, bool down)
 		return;
 	}
 	if (!demo->file.path[0]) {
-		tell(demo, "no file to save to");
+		show_message(demo, "no file to save to");
 		return;
 	}
-	tell(demo,
+	show_message(demo,
 		preset_file_save(demo->file.path, preset_of(demo), demo->log)
 			? "could not be saved"
 			: "saved");
@@ -372,8 +372,7 @@ static void press_paint(struct demo *demo, bool down)
 	}
 }
 
-/* What the file says again. */
-static void press_again(struct demo *demo, bool down)
+static void press_reload(struct demo *demo, bool down)
 {
 	struct preset_file file;
 
@@ -382,7 +381,7 @@ static void press_again(struct demo *demo, bool down)
 		demo->autoplay = false;
 		*preset_of(demo) = file.preset[demo->chosen];
 		use_preset(demo);
-		tell(demo, "as in the file");
+		show_message(demo, "as in the file");
 	}
 }
 
@@ -398,21 +397,21 @@ static void press_shake(struct demo *demo, bool down)
 }
 
 static const struct demo_action tuner_actions[] = {
-	{BUTTON_UP, "the parameter before", press_up},
-	{BUTTON_DOWN, "the next parameter", press_down},
-	{BUTTON_LEFT, "less of it (hold for more steps)", press_left},
-	{BUTTON_RIGHT, "more of it", press_right},
-	{BUTTON_ENTER, "save to the preset file", press_save},
-	{BUTTON_F6, "the next preset", press_next},
-	{BUTTON_F8, "paint the chain, or not", press_paint},
-	{BUTTON_F9, "back to what the file says", press_again},
-	{BUTTON_F10, "shake, or hold still", press_shake},
+	{BUTTON_UP, "choose the previous parameter", press_up},
+	{BUTTON_DOWN, "choose the next parameter", press_down},
+	{BUTTON_LEFT, "decrease the parameter (hold to repeat)", press_left},
+	{BUTTON_RIGHT, "increase the parameter (hold to repeat)", press_right},
+	{BUTTON_ENTER, "save the preset to its file", press_save},
+	{BUTTON_F6, "choose the next preset", press_next},
+	{BUTTON_F8, "paint the shaken bones, or not", press_paint},
+	{BUTTON_F9, "reload the preset from its file", press_reload},
+	{BUTTON_F10, "shake the arms, or hold them still", press_shake},
 	{0},
 };
 
 const struct demo_driver demo_driver_tuner = {
 	.name = "tuner",
-	.summary = "procedural: a shake's parameters, changed while it shakes",
+	.summary = "procedural: shaking arms whose parameters you change",
 	.asset = "walker.glb",
 	.action = tuner_actions,
 	.size = sizeof(struct demo),

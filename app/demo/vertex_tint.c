@@ -26,7 +26,7 @@ static int init_materials(struct vertex_tint *tint)
 	return 0;
 }
 
-/* One batch in the primitive's order, or the arrays' own, see instance.h. */
+/* A gathered batch would need a copy of the colours. */
 static bool can_paint(const struct drawable *drawable)
 {
 	return drawable->batch_count == 1 && !drawable->batch[0].source;
@@ -82,8 +82,9 @@ void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
 		tint->instance->drawable[drawable].fixed;
 
 	if (tint->color[drawable]) {
-		size_t at = fixed && fixed->inverse_order ? fixed->inverse_order[vertex]
-						 : (size_t)vertex;
+		size_t at = fixed && fixed->inverse_order
+			? fixed->inverse_order[vertex]
+			: (size_t)vertex;
 
 		memcpy(tint->color[drawable][at], rgb, 3);
 	}

@@ -1,5 +1,6 @@
 /*
- * The viewer: any model, its clips on UP and DOWN, the camera on the others.
+ * The viewer shows any model: UP and DOWN choose a clip, other buttons move the
+ * camera.
  */
 #include "app/anim/clip_join.h"
 #include "app/anim/playback.h"
@@ -15,18 +16,18 @@
 static const float orbit_rad_per_s = 1.4f;
 static const float zoom_per_s = 1.2f;
 static const float fade_s = 0.25f;
-static const double look_s = 1.0; /* between looks at the file */
+static const double check_s = 1.0; /* between checks of the file */
 
 static const struct camera_framing framing = {
 	.yaw_rad = 0.45f, .pitch_rad = 0.16f, .margin = 1.15f, .shift_x = 0.15f};
 
-/* Whether the file has changed: looked at once a second. */
+/* Watches the model's file for changes, once a second. */
 struct file_watch {
 	struct demo_env env; /* to load it again */
-	uint64_t shown;      /* the stamp of what is shown, or was tried */
-	uint64_t seen;       /* of the last look */
+	uint64_t shown;      /* the stamp of the file last loaded or tried */
+	uint64_t last;       /* the stamp at the last check */
 	double next_s;
-	bool broken; /* what is there now cannot be shown */
+	bool broken; /* the file as it is now cannot be loaded */
 };
 
 struct demo {
@@ -37,7 +38,7 @@ struct demo {
 	enum clip_repeat repeat;
 	float speed;
 
-	/* All clips in a row, each end blended into the next start. */
+	/* Plays all clips in a row, each blended into the next one. */
 	bool joining;
 	struct clip_join join;
 	double join_s;
@@ -46,7 +47,7 @@ struct demo {
 	double now_s;
 	bool paused;
 	struct file_watch watch;
-	const char *title;      /* the technique that moves most of it */
+	const char *title;      /* the model's technique */
 	bool tilting;           /* UP and DOWN move the camera */
 	float turn, tilt, zoom; /* while a button is held: -1, 0 or 1 */
 };
@@ -64,7 +65,7 @@ static void begin_clip(struct demo *demo)
 		viewer_duration_s(demo), demo->repeat, demo->speed);
 }
 
-/* This clip and the next one, overlapping by the document's four frames. */
+/* The clip and the next one overlap by the document's four frames. */
 static void begin_join(struct demo *demo, double join_s)
 {
 	const struct model *model = demo->base.actor.model;
@@ -76,7 +77,7 @@ static void begin_join(struct demo *demo, double join_s)
 	demo->join_s = join_s;
 }
 
-/* The second clip becomes the first as soon as the overlap is over. */
+/* After the overlap the second clip becomes the first of a new pair. */
 static void run_join(struct demo *demo, float step_s)
 {
 	double first_s = (double)demo->join.from->duration_s;
@@ -126,7 +127,7 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	demo->height = env->height;
 	demo->watch.env = *env;
-	demo->watch.shown = demo->watch.seen = file_stamp(env->model_path);
+	demo->watch.shown = demo->watch.last = file_stamp(env->model_path);
 	demo->repeat = env->repeat;
 	demo->speed = env->speed;
 	demo->tilting = actor->model->clip_count < 2;
@@ -136,7 +137,7 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
 }
 
-/* The clip of that name, or else of that number, or the first. */
+/* The clip with the old clip's name, else with its index, else the first. */
 static int same_clip(const struct model *old, const struct model *new, int clip)
 {
 	int found = clip < 0 ? -1 : model_find_clip(new, old->clip[clip].name);
@@ -147,7 +148,7 @@ static int same_clip(const struct model *old, const struct model *new, int clip)
 	return clip >= 0 && clip < new->clip_count ? clip : 0;
 }
 
-/* The camera stays where it is, unless that would no longer show it. */
+/* The camera stays unless the model's size has changed by a quarter. */
 static void reframe(struct demo *demo, float old_extent)
 {
 	struct stage *stage = &demo->base.stage;
@@ -165,8 +166,8 @@ static void reframe(struct demo *demo, float old_extent)
 	}
 }
 
-/* In place of the old one, which stays where the new one cannot be had. */
-static int load_again(struct demo *demo)
+/* Replaces the model; if the new one cannot be loaded, the old one stays. */
+static int reload(struct demo *demo)
 {
 	const struct demo_env *env = &demo->watch.env;
 	struct actor old = demo->base.actor, fresh;
@@ -196,23 +197,23 @@ static int load_again(struct demo *demo)
 	return 0;
 }
 
-/* A file that is still being written has another stamp at the next look. */
-static void look_at_file(struct demo *demo)
+/* The stamp of a file that is still being written changes until the next check. */
+static void check_file(struct demo *demo)
 {
 	struct file_watch *watch = &demo->watch;
-	uint64_t seen;
+	uint64_t stamp;
 	bool settled;
 
 	if (!watch->env.follow_file || demo->now_s < watch->next_s) {
 		return;
 	}
-	watch->next_s = demo->now_s + look_s;
-	seen = file_stamp(watch->env.model_path);
-	settled = seen == watch->seen;
-	watch->seen = seen;
-	if (seen != 0 && settled && seen != watch->shown) {
-		watch->shown = seen;
-		watch->broken = load_again(demo) != 0;
+	watch->next_s = demo->now_s + check_s;
+	stamp = file_stamp(watch->env.model_path);
+	settled = stamp == watch->last;
+	watch->last = stamp;
+	if (stamp != 0 && settled && stamp != watch->shown) {
+		watch->shown = stamp;
+		watch->broken = reload(demo) != 0;
 	}
 }
 
@@ -221,7 +222,7 @@ static void viewer_update(struct demo *demo, double time_s)
 	float step_s = (float)(time_s - demo->now_s);
 
 	demo->now_s = time_s;
-	look_at_file(demo);
+	check_file(demo);
 	if (!demo->paused) {
 		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
@@ -361,15 +362,15 @@ static void press_join(struct demo *demo, bool down)
 }
 
 static const struct demo_action viewer_actions[] = {
-	{BUTTON_UP, "the clip before (or tilt up)", press_up},
-	{BUTTON_DOWN, "the next clip (or tilt down)", press_down},
-	{BUTTON_LEFT, "turn left", press_left},
-	{BUTTON_RIGHT, "turn right", press_right},
-	{BUTTON_ENTER, "pause and go on", press_pause},
-	{BUTTON_F6, "closer", press_closer},
-	{BUTTON_F8, "farther", press_farther},
-	{BUTTON_F9, "UP and DOWN: clips or tilt", press_tilting},
-	{BUTTON_F10, "all clips in a row, each joined to the next", press_join},
+	{BUTTON_UP, "play the previous clip (or tilt up)", press_up},
+	{BUTTON_DOWN, "play the next clip (or tilt down)", press_down},
+	{BUTTON_LEFT, "turn the camera left", press_left},
+	{BUTTON_RIGHT, "turn the camera right", press_right},
+	{BUTTON_ENTER, "pause or continue", press_pause},
+	{BUTTON_F6, "move the camera closer", press_closer},
+	{BUTTON_F8, "move the camera away", press_farther},
+	{BUTTON_F9, "let UP and DOWN choose clips or tilt", press_tilting},
+	{BUTTON_F10, "play all clips in a row, or stop", press_join},
 	{0},
 };
 

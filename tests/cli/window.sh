@@ -37,7 +37,7 @@ export DISPLAY
 limber play "$slider" --frames 3
 expect_status 0
 expect_no_err
-expect_out 'UP +the clip before'
+expect_out 'UP +play the previous clip'
 expect_out 'Esc +quit'
 limber "$slider" --frames 3 --size 320x240 --clip rise
 expect_status 0

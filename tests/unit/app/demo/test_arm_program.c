@@ -103,9 +103,10 @@ static void test_the_truck_stands_still_while_it_is_loaded(void **state)
 	(void)state;
 	for (int i = 1; i < arm_program_length; i++) {
 		if (arm_program[i].crate != arm_program[i - 1].crate) {
-			assert_near(arm_program[i].joint[TRUCK_WAY], 0.0, 0.0);
 			assert_near(
-				arm_program[i - 1].joint[TRUCK_WAY], 0.0, 0.0);
+				arm_program[i].joint[TRUCK_POSITION], 0.0, 0.0);
+			assert_near(arm_program[i - 1].joint[TRUCK_POSITION],
+				0.0, 0.0);
 		}
 	}
 }

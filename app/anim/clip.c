@@ -7,16 +7,17 @@
 #include <string.h>
 
 enum clip_moving_kind {
-	CLIP_MOVES,         /* part of a transform */
-	CLIP_TURNS,         /* a rotation, straight from key to key */
+	CLIP_MOVES,         /* translation, scale or rotation */
+	CLIP_TURNS,         /* rotation between unit keys by slerp */
 	CLIP_MOVES_WEIGHTS, /* morph weights */
 };
 
 struct clip_moving {
 	const struct model_channel *channel;
 	enum clip_moving_kind kind;
-	int key;       /* where the last sample was found */
-	size_t offset; /* bytes from the pose's first transform or weight */
+	int key;       /* of the last sample */
+	size_t offset; /* of the value, in bytes, in the pose's transforms or
+			  weights */
 };
 
 static const char *const INTERPOLATION_NAME[] = {
@@ -26,11 +27,6 @@ static const char *const INTERPOLATION_NAME[] = {
 	[CLIP_LINEAR] = "linear",
 	[CLIP_CUBIC] = "cubic",
 };
-
-const char *clip_interpolation_name(enum clip_interpolation interpolation)
-{
-	return INTERPOLATION_NAME[interpolation];
-}
 
 int clip_interpolation_find(const char *name)
 {
@@ -60,7 +56,7 @@ int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 		: -ENOMEM;
 }
 
-/* A node's channel writes there, counted in bytes from the first transform. */
+/* Of a node's channel: its value's offset in the pose's transforms. */
 static ALWAYS_INLINE size_t transform_offset(const struct model_channel *channel)
 {
 	static const uint8_t part[] = {
@@ -73,7 +69,7 @@ static ALWAYS_INLINE size_t transform_offset(const struct model_channel *channel
 		part[channel->path];
 }
 
-/* Where the channel's value belongs; the model's loader checked the bounds. */
+/* Where the channel's value is written; the loader has checked the bounds. */
 static float *channel_target(
 	const struct model_channel *channel, struct pose *pose)
 {
@@ -124,7 +120,7 @@ static struct clip_moving describe_moving(
 	};
 }
 
-/* The rest pose with all that holds still, and a list of what does not. */
+/* Separates the clip's constant channels from those that change. */
 static void begin_clip(struct clip_cursor *cursor,
 	const struct model_clip *clip, const struct model *model)
 {
@@ -180,7 +176,7 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	struct clip_moment moment = {NULL, 0, 0, CLIP_AT_KEY};
 	const struct clip_moving *end;
 
-	/* Cubic ways between equal keys may still be rounded otherwise. */
+	/* A cubic between equal keys may still differ from them by rounding. */
 	if (interpolation == CLIP_CUBIC || !is_prepared(cursor, clip)) {
 		pose_rest(pose, pose->model);
 		clip_sample_as(clip, time_s, interpolation, cursor, pose);
@@ -209,13 +205,13 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	}
 }
 
-/* time_s modulo period_s, in 0..period_s without its end. */
+/* time_s modulo period_s: at least 0 and below period_s. */
 static double wrap(double time_s, double period_s)
 {
 	double turns = time_s / period_s;
 	double rest_s;
 
-	/* Past 2^31 turns the phase is noise anyway. */
+	/* Beyond 2^31 periods the phase is noise. */
 	if (!(turns > -2147483647.0 && turns < 2147483647.0)) {
 		return 0;
 	}

@@ -31,8 +31,8 @@ static int search_key(const struct model_channel *channel, float time_s)
 }
 
 /*
- * The key at or before time_s, which is inside the channel's range. Playing
- * on, either way, finds it among the cached key and its neighbours.
+ * The key at or before time_s, which is inside the channel's range. In a
+ * playback of either direction it is the cached key or one of its neighbours.
  */
 static int find_key(
 	const struct model_channel *channel, float time_s, int cached)
@@ -40,7 +40,7 @@ static int find_key(
 	if (holds(channel, cached, time_s)) {
 		return cached;
 	}
-	/* Compared first, as any content of the cache is valid. */
+	/* Checked first, since cached may have any value. */
 	if (cached >= 0 && cached < channel->key_count) {
 		if (holds(channel, cached + 1, time_s)) {
 			return cached + 1;
@@ -60,7 +60,7 @@ struct clip_moment clip_moment_search(
 	struct clip_moment moment = {
 		times, channel->key_count, last, CLIP_AT_KEY};
 
-	/* Written so that a NaN takes the first key. */
+	/* Negated, so that a NaN takes the first key. */
 	if (!(time_s > times[0])) {
 		moment.key = 0;
 	} else if (time_s < times[last]) {
@@ -87,7 +87,7 @@ struct hermite {
 	float from, out_tangent, to, in_tangent;
 };
 
-/* Tangents are per second, hence the interval. */
+/* Tangents are per second, so they are multiplied by the interval. */
 static struct hermite hermite_at(float u, float interval_s)
 {
 	float u2 = u * u;
@@ -119,7 +119,10 @@ static void sample_tangents(
 	}
 }
 
-/* -1 where a rotation key has to change sign to be on the other's side. */
+/*
+ * The sign, 1 or -1, that brings a rotation key into the other's half of the
+ * sphere.
+ */
 static float side_of(
 	const struct model_channel *channel, const float *key, const float *of)
 {
@@ -129,7 +132,7 @@ static float side_of(
 	return vec_dot(key, of) + key[3] * of[3] < 0 ? -1 : 1;
 }
 
-/* At the ends, where a neighbour is missing, the key takes its place. */
+/* At the first and last key, the key stands for its missing neighbour. */
 static void sample_catmull_rom(
 	const struct model_channel *channel, int key, float u, float *out)
 {

@@ -1,9 +1,9 @@
 /*
- * One channel of a clip at a time: what clip.c does for all of them.
+ * Sampling one channel, for clip.c.
  *
- * Finding the time among the keys and going from key to key are apart, because
- * channels in a row often share their times. The commonest case of both is here
- * to be part of the loop.
+ * Finding the keys around a time and interpolating between them are separate
+ * steps, because consecutive channels often have the same key times. The most
+ * frequent case of both is inline.
  */
 #ifndef APP_ANIM_CLIP_CHANNEL_H
 #define APP_ANIM_CLIP_CHANNEL_H
@@ -11,24 +11,24 @@
 #include "app/anim/clip.h"
 #include "app/anim/math/transform_inline.h"
 
-/* u of a moment that is exactly at its key. */
+/* u of a time that takes the value of its key as it is. */
 #define CLIP_AT_KEY (-1.0f)
 
-/* Where a time is among keys. */
+/* The position of a time among a channel's keys. */
 struct clip_moment {
-	const float *time_s; /* whose; NULL: nobody's yet */
+	const float *time_s; /* the key times, or NULL for none yet */
 	int key_count;
 	int key;
-	float u; /* 0..1 of the way to the next key, or CLIP_AT_KEY */
+	float u; /* 0..1 from this key to the next one, or CLIP_AT_KEY */
 };
 
-/* From anywhere; NaN counts as before the first key. */
+/* For any value of cached. A NaN gives the first key. */
 struct clip_moment clip_moment_search(
 	const struct model_channel *channel, float time_s, int cached);
 
 /*
- * Any interpolation. Cubic rotations come out unit length, others as unit as
- * the file's keys.
+ * Writes the value, by any interpolation. Cubic rotations are normalised;
+ * others are as long as the file's keys.
  */
 void clip_channel_sample(const struct model_channel *channel,
 	enum clip_interpolation interpolation, int key, float u, float *out);
@@ -43,8 +43,8 @@ static ALWAYS_INLINE struct clip_moment clip_moment_between(
 }
 
 /*
- * The same as clip_moment_search(). cached may be anything; most often it is
- * the key that held a frame ago, and still holds or the next one does.
+ * The same as clip_moment_search(). cached may have any value, but is usually
+ * the key of the last frame: that of this frame or the one before it.
  */
 static ALWAYS_INLINE struct clip_moment clip_moment_find(
 	const struct model_channel *channel, float time_s, int cached)
@@ -74,14 +74,14 @@ static ALWAYS_INLINE bool clip_moment_fits(
 		channel->key_count == moment->key_count;
 }
 
-/* Along the arc between unit rotations. */
+/* Whether the channel is interpolated by slerp between unit rotations. */
 static ALWAYS_INLINE bool clip_channel_is_slerp(
 	const struct model_channel *channel)
 {
 	return channel->unit && channel->interpolation == MODEL_LINEAR;
 }
 
-/* For such a channel, in its own interpolation. */
+/* The value of such a channel. */
 static ALWAYS_INLINE void clip_channel_slerp(
 	const struct model_channel *channel, int key, float u, float *out)
 {

@@ -57,7 +57,7 @@ static bool is_scaled(const struct hierarchy_pivot *pivot)
 		pivot->scale[2] != 1;
 }
 
-static void place(const struct hierarchy_pivot *pivot,
+static void transform(const struct hierarchy_pivot *pivot,
 	const struct hierarchy_visitor *visitor)
 {
 	struct turn turn[3] = {{0}};
@@ -75,7 +75,7 @@ static void place(const struct hierarchy_pivot *pivot,
 	}
 }
 
-/* Trees are a few dozen pivots: looking through all for children is cheap. */
+/* With a few dozen pivots, looking through all for children is cheap. */
 static void walk_children(const struct hierarchy *hierarchy,
 	const struct hierarchy_visitor *visitor, int parent, int level)
 {
@@ -89,7 +89,7 @@ static void walk_children(const struct hierarchy *hierarchy,
 			continue;
 		}
 		visitor->push(visitor->user);
-		place(pivot, visitor);
+		transform(pivot, visitor);
 		if (pivot->part >= 0) {
 			visitor->draw(visitor->user, pivot->part);
 		}

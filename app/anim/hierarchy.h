@@ -1,11 +1,10 @@
 /*
  * Hierarchical animation: rigid parts on pivots (AN4044, section 2).
  *
- * A pivot is a few variables: a position in its parent's frame, heading,
- * pitch and bank, a scale. The walk visits the tree as the document's robot
- * arm does (push, translate, rotate in the part's own order, draw, children,
- * pop), so that a renderer needs only matrix-stack calls and the technique
- * costs no vertex work at all.
+ * A pivot has a position in its parent's frame, three angles (heading, pitch
+ * and bank) and a scale. The walk visits the tree as the document's robot arm
+ * does: push, translate, rotate in the pivot's order, draw, children, pop. So a
+ * renderer needs only matrix-stack calls, and no vertex is transformed.
  */
 #ifndef APP_ANIM_HIERARCHY_H
 #define APP_ANIM_HIERARCHY_H
@@ -14,7 +13,8 @@
 
 #include <cglm/types.h>
 
-/* The document turns its parts in different orders. First letter first. */
+/* The document rotates its parts in different orders, the first one named
+   outermost. */
 enum hierarchy_order {
 	HIERARCHY_HEADING_PITCH_BANK, /* arm */
 	HIERARCHY_PITCH_HEADING_BANK, /* forearm */
@@ -22,8 +22,8 @@ enum hierarchy_order {
 };
 
 struct hierarchy_pivot {
-	int parent; /* below the pivot's own index, or -1 */
-	int part;   /* what the visitor draws here; -1: nothing */
+	int parent; /* less than the pivot's own index, or -1 */
+	int part;   /* for the visitor's draw(); -1: nothing to draw */
 	enum hierarchy_order order;
 	float position[3];
 	float heading_rad; /* about +Y */
@@ -37,7 +37,7 @@ struct hierarchy {
 	struct hierarchy_pivot *pivot; /* parents before children */
 };
 
-/* What a walk does at each step; every member is mandatory. */
+/* What a walk calls at each step; every function is mandatory. */
 struct hierarchy_visitor {
 	void *user;
 	void (*push)(void *user);
@@ -48,12 +48,12 @@ struct hierarchy_visitor {
 	void (*pop)(void *user);
 };
 
-/* A pivot at its parent's origin: no turn, scale 1, no part. */
+/* A pivot at its parent's origin: no rotation, scale 1, no part. */
 struct hierarchy_pivot hierarchy_pivot_default(void);
 
 /*
- * Walks the tree depth first. Rotations by 0 and scales of 1 are left out.
- * At most HIERARCHY_DEPTH levels, the matrix stack that GL ES 1.1 grants.
+ * Walks the tree depth first, to HIERARCHY_DEPTH levels at most, the size of GL
+ * ES 1.1's matrix stack less one. Rotations by 0 and scales of 1 are left out.
  */
 void hierarchy_walk(const struct hierarchy *hierarchy,
 	const struct hierarchy_visitor *visitor);
@@ -62,10 +62,10 @@ enum {
 	HIERARCHY_DEPTH = 15
 };
 
-/* 0, or -EINVAL when a parent does not come first or the tree is too deep. */
+/* 0, or -EINVAL if a parent follows its child or the tree is too deep. */
 int hierarchy_check(const struct hierarchy *hierarchy);
 
-/* The matrices that the walk amounts to, for collision, tests and export. */
+/* The matrices that the walk makes, for collision, tests and export. */
 void hierarchy_world(const struct hierarchy *hierarchy, mat4 *world);
 
 #endif

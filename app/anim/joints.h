@@ -1,7 +1,6 @@
 /*
- * The loops over joints that a core may have in its own way: arm/joints.S,
- * else portable/joints.c (toolchain/sources.mk says which). Both compute the
- * same floats.
+ * The loops over joints. toolchain/sources.mk chooses arm/joints.S for the
+ * board and portable/joints.c for other targets; both compute the same floats.
  */
 #ifndef APP_ANIM_JOINTS_H
 #define APP_ANIM_JOINTS_H
@@ -10,14 +9,15 @@
 
 #include <stddef.h>
 
-/* out[j] = the matrix of local[j], as transform_to_matrix() makes it. */
+/* out[j] = local[j] as a matrix, as transform_to_matrix() makes it. */
 void joints_to_matrices(const struct transform *local, int count, mat4 *out);
 
 /*
- * out[j] = a[index of j] * b[j] for count matrices whose fourth row is 0 0 0 1;
- * that row is written, and of b not read. An index below 0 leaves out[j] alone.
- * Indices are ints, stride_bytes apart. In order: a may be out, where later
- * ones want what became of earlier ones; b may be out.
+ * out[j] = a[i] * b[j] for j from 0 to count - 1, where i is the int that lies
+ * j * stride_bytes behind index. If i is below 0, out[j] is left alone. The
+ * fourth row of all matrices is 0 0 0 1: it is written, and that of b is not
+ * read. b may be out. a may overlap out, if each a[i] lies before its out[j]:
+ * then later products use the results of earlier ones.
  */
 void joints_multiply(const mat4 *a, const int *index, size_t stride_bytes,
 	const mat4 *b, mat4 *out, int count);

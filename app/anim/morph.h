@@ -1,13 +1,13 @@
 /*
  * Morphing between key frames (AN4044, section 1).
  *
- * Source and Destiny are key frames; Temporal is what is drawn. A trigger
- * points Destiny at another key frame and may come at any moment: mid-flight,
- * the current shape becomes the source. In every mode Temporal starts equal to
- * the source and ends exactly equal to Destiny.
+ * Source and Destiny are key frames; Temporal is the shape to draw. A trigger
+ * makes another key frame the Destiny and copies Temporal to Source, so it may
+ * come at any moment, also during a morph. In every mode Temporal begins equal
+ * to Source and ends exactly equal to Destiny.
  *
- * The document prints Omega = currentTime / (currentTime + endTime), which
- * does not reach 1. Its text rules here:
+ * The document prints Omega = currentTime / (currentTime + endTime), which does
+ * not reach 1. This module follows the document's text instead:
  * Omega = 1 - (endTime - currentTime) / animationTime.
  */
 #ifndef APP_ANIM_MORPH_H
@@ -26,15 +26,15 @@ struct morph_key {
 };
 
 enum morph_timing {
-	MORPH_OVER_TIME, /* 1.2.1: done after duration_ms */
-	MORPH_BY_FRAMES, /* 1.2.2: done after frame_count updates, each of
-			    which goes on by (Destiny - Source) / frame_count */
+	MORPH_OVER_TIME, /* 1.2.1: ends after duration_ms */
+	MORPH_BY_FRAMES, /* 1.2.2: ends after frame_count updates, each of which
+			    adds (Destiny - Source) / frame_count */
 };
 
 enum morph_curve {
 	MORPH_LINEAR,     /* 1.2.3 */
-	MORPH_SINUSOIDAL, /* 1.2.5: plus direction * amplitude * sin(pi Omega),
-			     zero at both ends with either timing */
+	MORPH_SINUSOIDAL, /* 1.2.5: linear plus direction * amplitude *
+			     sin(pi Omega), which is 0 at both ends */
 };
 
 struct morph_motion {
@@ -47,12 +47,12 @@ struct morph_motion {
 };
 
 struct morph {
-	const struct kernel *kernel; /* the float one; may be replaced */
+	const struct kernel *kernel; /* its float loops; may be replaced */
 	int vertex_count;
 	float (*temporal)[3];        /* the shape to draw */
 	float (*temporal_normal)[3]; /* unit length, or NULL */
 
-	/* Below: for the functions of this header. */
+	/* Private. */
 	float (*source)[3];
 	float (*source_normal)[3];
 	struct morph_key destiny;
@@ -62,37 +62,39 @@ struct morph {
 	bool running;
 };
 
-/* Half a second over time, linear; sinusoidal would bulge along +Y. */
+/* Linear over half a second. A sinusoidal curve would go 0.1 along +Y. */
 struct morph_motion morph_motion_default(void);
 
 /*
- * Room in the arena for a morph that rests on the key frame. Normals are kept
- * when it has them. 0 or -ENOMEM.
+ * Makes a morph that shows the key frame rest and does not move. It has normals
+ * if rest has. 0 or -ENOMEM.
  */
 int morph_init(struct morph *morph, int vertex_count, struct morph_key rest,
 	struct arena *arena);
 
 /*
- * Starts towards destiny, which must have normals if the rest key had. A
- * duration or frame count of zero or less arrives at the next update.
+ * Starts a morph from the present shape to destiny, which must have normals if
+ * the rest key had. With a duration or frame count of 0 or less the next update
+ * ends it.
  */
 void morph_trigger(struct morph *morph, struct morph_key destiny,
 	const struct morph_motion *motion, double now_ms);
 
 /*
- * One frame. Returns true when temporal changed, the arrival at Destiny
- * included; at rest it costs nothing. now_ms may not run backwards.
+ * Computes temporal for a frame. Returns true if it changed, which includes the
+ * last step to Destiny; once that is reached the call costs nothing. now_ms may
+ * not decrease.
  */
 bool morph_update(struct morph *morph, double now_ms);
 
 /*
- * Shows what lies omega, 0..1, of the way from one key frame to another, which
- * have normals if the rest key had, and comes to rest there.
+ * Shows the shape between two key frames at omega, 0..1, and stops there. Both
+ * must have normals if the rest key had.
  */
 void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
 	float omega);
 
-/* How far it is, 0..1; 1 at rest. */
+/* Omega, 0..1; 1 once Destiny is reached. */
 float morph_omega(const struct morph *morph, double now_ms);
 
 #endif

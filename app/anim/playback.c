@@ -23,24 +23,24 @@ void playback_seek(struct playback *playback, float time_s)
 	playback->begun = false;
 }
 
-/* The events of one step, and where their ids go. */
+/* The events of one step, and the output of their ids. */
 struct crossing {
 	const struct playback_event *event;
 	int event_count;
 	int *passed;
-	int room;
+	int capacity;
 	int count;
 };
 
 static void pass(struct crossing *crossing, int index)
 {
-	if (crossing->count < crossing->room) {
+	if (crossing->count < crossing->capacity) {
 		crossing->passed[crossing->count] = crossing->event[index].id;
 	}
 	crossing->count++;
 }
 
-/* Those exactly where a pass through the clip begins. */
+/* The events exactly at a time, where a pass through the clip begins. */
 static void pass_at(struct crossing *crossing, float time_s)
 {
 	for (int i = 0; i < crossing->event_count; i++) {
@@ -50,7 +50,7 @@ static void pass_at(struct crossing *crossing, float time_s)
 	}
 }
 
-/* Those on the way from one time to another, the latter included. */
+/* The events between two times, including those at the second one. */
 static void pass_between(struct crossing *crossing, float from_s, float to_s)
 {
 	int last = crossing->event_count - 1;
@@ -67,7 +67,7 @@ static void pass_between(struct crossing *crossing, float from_s, float to_s)
 	}
 }
 
-/* What happens at the end that the playback ran into. */
+/* Continues at an end of the clip. */
 static void turn_round(
 	struct playback *playback, bool forward, struct crossing *crossing)
 {
@@ -85,35 +85,35 @@ static void turn_round(
 	}
 }
 
-/* Leaves whole rounds out that nobody could tell apart. */
-static double drop_rounds(const struct playback *playback, double way_s)
+/* Leaves out whole rounds, which end where they begin, but a few. */
+static double drop_rounds(const struct playback *playback, double left_s)
 {
 	const double kept = 4;
 	double round_s = 2.0 * playback->duration_s;
-	double rounds = way_s / round_s;
+	double rounds = left_s / round_s;
 
 	if (playback->repeat == CLIP_ONCE || rounds < kept) {
-		return way_s;
+		return left_s;
 	}
 	if (!(rounds < 2147483647.0)) {
 		return 0;
 	}
-	return way_s - ((double)(int32_t)rounds - kept + 1) * round_s;
+	return left_s - ((double)(int32_t)rounds - kept + 1) * round_s;
 }
 
-/* Runs way_s of clip time in one direction, end after end. */
-static void run(struct playback *playback, double way_s, bool backwards,
+/* Runs through left_s of clip time in one direction. */
+static void run(struct playback *playback, double left_s, bool backwards,
 	struct crossing *crossing)
 {
-	way_s = drop_rounds(playback, way_s);
-	while (way_s > 0 && !playback->finished) {
+	left_s = drop_rounds(playback, left_s);
+	while (left_s > 0 && !playback->finished) {
 		bool forward = playback->returning == backwards;
 		float from_s = playback->time_s;
-		double room_s = forward ? playback->duration_s - (double)from_s
-					: from_s;
+		double end_s = forward ? playback->duration_s - (double)from_s
+				       : from_s;
 
-		if (way_s < room_s) {
-			double to_s = from_s + (forward ? way_s : -way_s);
+		if (left_s < end_s) {
+			double to_s = from_s + (forward ? left_s : -left_s);
 
 			playback->time_s = scalar_clamp(
 				(float)to_s, 0, playback->duration_s);
@@ -122,17 +122,17 @@ static void run(struct playback *playback, double way_s, bool backwards,
 		}
 		playback->time_s = forward ? playback->duration_s : 0;
 		pass_between(crossing, from_s, playback->time_s);
-		way_s -= room_s;
+		left_s -= end_s;
 		turn_round(playback, forward, crossing);
 	}
 }
 
 int playback_advance(struct playback *playback, double step_s,
 	const struct playback_event *event, int event_count, int *passed,
-	int room)
+	int capacity)
 {
-	struct crossing crossing = {event, event_count, passed, room, 0};
-	double way_s = step_s * (double)playback->speed;
+	struct crossing crossing = {event, event_count, passed, capacity, 0};
+	double advance_s = step_s * (double)playback->speed;
 
 	if (!playback->begun) {
 		playback->begun = true;
@@ -142,10 +142,11 @@ int playback_advance(struct playback *playback, double step_s,
 		playback->finished = playback->repeat == CLIP_ONCE;
 		return crossing.count;
 	}
-	if (way_s < 0 || way_s > 0) {
-		/* One that stands at an end may still leave it backwards. */
+	if (advance_s < 0 || advance_s > 0) {
+		/* A finished playback may still run back from its end. */
 		playback->finished = false;
-		run(playback, way_s < 0 ? -way_s : way_s, way_s < 0, &crossing);
+		run(playback, advance_s < 0 ? -advance_s : advance_s,
+			advance_s < 0, &crossing);
 	}
 	return crossing.count;
 }

@@ -1,9 +1,8 @@
 /*
- * Where a playback is in its clip, and what it passed.
+ * The position of a playback in its clip, and the events that it passes.
  *
- * A playback is the moving position in one clip: speed of either sign, once,
- * loop or to and fro, and the marked times that it crossed in a step. It
- * samples nothing; clip_sample() takes its time_s.
+ * A playback has a speed of either sign and plays its clip once, in a loop or
+ * forward and backward. It samples nothing: clip_sample() takes its time_s.
  */
 #ifndef APP_ANIM_TIMELINE_H
 #define APP_ANIM_TIMELINE_H
@@ -13,7 +12,7 @@
 /* A marked time of a clip. */
 struct playback_event {
 	float time_s; /* 0..the clip's duration */
-	int id;       /* the caller's */
+	int id;       /* chosen by the caller */
 };
 
 struct playback {
@@ -22,32 +21,33 @@ struct playback {
 	enum clip_repeat repeat;
 
 	float time_s;   /* position in the clip, 0..duration_s */
-	bool returning; /* on the way back of a to-and-fro */
-	bool finished;  /* once, and at the end it was heading for */
+	bool returning; /* CLIP_PING_PONG: in the second half */
+	bool finished;  /* CLIP_ONCE: at the end */
 
-	bool begun; /* an advance has taken place */
+	bool begun; /* it has advanced since its start or seek */
 };
 
 /*
- * At the start, or at the end when speed is negative and it plays once. Speed
- * and repeat may be changed between steps.
+ * A playback at the clip's start; or at its end if it plays once and backwards.
+ * Speed and repeat may be changed between steps.
  */
 struct playback playback_begin(
 	float duration_s, enum clip_repeat repeat, float speed);
 
-/* Puts the playback at a time of the clip, as if it began there. */
+/* Moves the playback to a time of the clip, as if it began there. */
 void playback_seek(struct playback *playback, float time_s);
 
 /*
- * Goes on by step_s of real time and notes the events it passed, in the order
- * of passing: the first room of their ids in passed (room 0: passed may be
- * NULL). Returns how many there were. event is sorted by time. Half-open: an
- * event exactly where a step ends counts in that step and not again in the
- * next; one where the playback begins counts in the first step. A step over
- * many loops reports the last few of them.
+ * Advances by step_s of real time and returns the number of events passed. The
+ * ids of the first capacity of them go into passed, in the order of passing;
+ * passed may be NULL if capacity is 0. event is sorted by time.
+ *
+ * An event exactly at the end of a step counts in that step and not in the
+ * next. One at the position where the playback begins counts in the first step.
+ * A step over many loops passes the events of the last few loops only.
  */
 int playback_advance(struct playback *playback, double step_s,
 	const struct playback_event *event, int event_count, int *passed,
-	int room);
+	int capacity);
 
 #endif

@@ -13,7 +13,7 @@ void pose_mask_fill(float *mask, int node_count, float weight)
 void pose_mask_subtree(
 	float *mask, const struct model *model, int node, float weight)
 {
-	/* Parents come first, so descendants lie behind the node. */
+	/* Parents come first, so the descendants follow the node. */
 	for (int i = node; i < model->node_count; i++) {
 		int ancestor = i;
 
@@ -26,7 +26,7 @@ void pose_mask_subtree(
 	}
 }
 
-/* A node's morph weights in a pose: where they begin and how many. */
+/* The index of a node's first morph weight in a pose, and their number. */
 static int weight_range(const struct pose *pose, int node, int *first)
 {
 	const struct model *model = pose->model;
@@ -78,7 +78,7 @@ static void add_transform(struct transform *pose, const struct transform *layer,
 
 		pose->translation[i] += weight *
 			(layer->translation[i] - reference->translation[i]);
-		/* Where there is nothing to compare with, nothing is added. */
+		/* A ratio to a scale of 0 does not exist. */
 		if (scale != 0) {
 			pose->scale[i] *=
 				1 + weight * (layer->scale[i] / scale - 1);

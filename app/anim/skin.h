@@ -1,23 +1,22 @@
 /*
  * Matrix palette skinning, laid out as AN4044 section 3.1 describes it.
  *
- * For each influence of each vertex there is a JointWeight and a base vector
- * that is already multiplied by the weight, so that a vertex is the plain sum
+ * Each influence of each vertex has a JointWeight and a base vector, which is
+ * multiplied by the weight in advance. So a posed vertex is the sum
  * matrix0 * base0 + matrix1 * base1 + ... (its Example 5). Influences are
- * sorted by decreasing weight; next_vertex_offset leads from any of them to
- * the first of the next vertex, which makes capping their number free.
+ * sorted by descending weight, and next_vertex_offset leads from any of them to
+ * the first one of the next vertex, so that a cap on influences costs nothing.
  */
 #ifndef APP_ANIM_SKIN_H
 #define APP_ANIM_SKIN_H
 
 #include "app/model/model.h"
 
-/* Example 3 of the document; offsets in bytes. */
+/* Example 3 of the document, its JointWeight. Offsets are in bytes. */
 struct joint_weight {
 	float weight;
-	int32_t joint_offset;       /* from the palette's first matrix */
-	int32_t next_vertex_offset; /* from this one to the next vertex's first;
-				       sizeof(struct joint_weight) at the last
+	int32_t joint_offset;       /* of the joint's matrix in the palette */
+	int32_t next_vertex_offset; /* from here to the next vertex's first
 				       influence */
 };
 
@@ -25,16 +24,16 @@ enum {
 	SKIN_INFLUENCES_MAX = 8
 };
 
-/* A skinned primitive made ready for the vertex loops. */
+/* A skinned primitive laid out for the float loops. */
 struct skin_stream {
 	int vertex_count;
 	int influence_count;                 /* of all vertices together */
-	int max_influences;                  /* of any one vertex */
-	int capped[SKIN_INFLUENCES_MAX + 1]; /* influences left at each cap */
+	int max_influences;                  /* the most that one vertex has */
+	int capped[SKIN_INFLUENCES_MAX + 1]; /* influence_count at each cap */
 	struct joint_weight *influence;      /* [influence_count] */
 	float (*position)[4];                /* weight * (x, y, z, 1) */
 	float (*normal)[4];  /* weight * (x, y, z, 0), or NULL */
-	float (*tangent)[4]; /* the same, or NULL until asked for */
+	float (*tangent)[4]; /* the same, or NULL */
 };
 
 struct skin_influence {
@@ -50,33 +49,35 @@ struct skin_influence {
 int skin_gather_influences(const struct model_primitive *primitive,
 	uint32_t vertex, struct skin_influence *out);
 
-/* The counts that a primitive's stream has, and no arrays. */
+/* Fills in the counts of a primitive's stream, without arrays. */
 void skin_stream_count(
 	struct skin_stream *stream, const struct model_primitive *primitive);
 
 /*
- * Builds the stream of a primitive that has influences. Zero weights are left
- * out. Positions are multiplied by position_scale. 0 or -ENOMEM.
+ * Makes the stream of a primitive that has influences, with the influences of
+ * skin_gather_influences(). Positions are multiplied by position_scale. 0 or
+ * -ENOMEM.
  */
 int skin_stream_init(struct skin_stream *stream,
 	const struct model_primitive *primitive, float position_scale,
 	struct arena *arena);
 
 /*
- * Adds the primitive's tangents, for bump mapping. 0, -EINVAL when it has
- * none, or -ENOMEM.
+ * Adds the primitive's tangents, for bump mapping. 0, -EINVAL if the primitive
+ * has none, or -ENOMEM.
  */
 int skin_stream_add_tangents(struct skin_stream *stream,
 	const struct model_primitive *primitive, struct arena *arena);
 
 /*
- * Rewrites the base vectors from other positions and normals, as morphing
- * before skinning needs; shapes as in the primitive, normal may be NULL.
+ * Rewrites the base vectors from other positions and normals, for morphing
+ * before skinning. Both have the primitive's vertex_count vectors; normal may
+ * be NULL.
  */
 void skin_stream_rebase(struct skin_stream *stream, const float (*position)[3],
 	const float (*normal)[3], float position_scale);
 
-/* Bytes of the stream, for `limber info`. */
+/* Bytes of the stream, for reports. */
 size_t skin_stream_bytes(const struct skin_stream *stream);
 
 #endif

@@ -1,17 +1,18 @@
 /*
  * app/anim/joints.h for VFP11.
  *
- * joints_to_matrices() keeps a transform and all that comes of it in registers, which
- * leave in one store: 39 instructions, where the compiler makes 62.
+ * joints_to_matrices() keeps a transform and its whole matrix in registers and
+ * stores the matrix at once: 39 instructions, where the compiler makes 62.
  *
- * joints_multiply() takes three rows at a time as short vectors of three. Bank
- * 0 (s0-s7) holds elements of b, which so count as scalars. The four columns of
- * the result are summed side by side, because VFP11 wants 8 to 10 cycles before
- * it adds to a sum again: three in s20-s31, whose every fourth register stays 0
- * and goes out with them, the fourth in place of a's first column, which it is
- * the last to use. a's fourth column comes late, into the second's place. Each
- * element is ((a0 * b0 + a1 * b1) + a2 * b2) + a3, rounded each time, as in
- * transform_inline.h. 38 instructions, where the compiler makes 86.
+ * joints_multiply() computes three rows at a time as VFP short vectors of three.
+ * Bank 0 (s0-s7) holds elements of b, which the hardware treats as scalars. The
+ * four columns of the result are summed in turn, because VFP11 needs 8 to 10
+ * cycles before it can add to the same sum again. Three columns are in s20-s31,
+ * of which every fourth register stays 0 and is stored with them as the fourth
+ * row. The fourth column overwrites a's first one, which it reads last, and a's
+ * fourth column is loaded late into the registers of the second. Each element
+ * is ((a0 * b0 + a1 * b1) + a2 * b2) + a3, rounded after each operation, as in
+ * transform_inline.h. That takes 38 instructions, where the compiler makes 86.
  */
 	.syntax unified
 	.arch armv6
@@ -104,7 +105,7 @@ joints_multiply:
 	vmov	s31, ONE
 	mov	ONE, #0x3f800000	/* 1.0f */
 	bic	I, STATUS, #0x370000
-	orr	I, I, #0x020000		/* vectors of three, one after another */
+	orr	I, I, #0x020000		/* vector length 3, stride 1 */
 	vmsr	fpscr, I
 	subs	COUNT, COUNT, #1
 	blt	3f

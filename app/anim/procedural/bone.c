@@ -18,7 +18,7 @@ void bone_parent_rotation(
 	matrix_rotation(((mat4 *)world)[parent], out);
 }
 
-/* local becomes parent^-1 * rotation, slerped from what it is. */
+/* Interpolates local to parent^-1 * rotation. */
 static void set_rotation(struct pose *pose, int node, const float parent[4],
 	const float rotation[4], float weight)
 {
@@ -55,7 +55,7 @@ void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	set_rotation(pose, node, parent, rotation, weight);
 }
 
-/* How long a child's axis has become by the scale of its parent. */
+/* The length that factor gives to an axis of a child. */
 static float stretched(
 	const struct transform *child, int axis, const float factor[3])
 {

@@ -1,8 +1,8 @@
 /*
- * Capsules on a skeleton: what hair and cloth may not enter.
+ * Capsules on a skeleton, which hair and cloth collide with.
  *
- * A capsule is all within radius of the line from one point to another, each
- * fixed to a node. With both points the same it is a sphere.
+ * A capsule is the set of points within radius of a line segment. Each end of
+ * the segment is fixed to a node. With equal ends it is a sphere.
  */
 #ifndef APP_ANIM_PROCEDURAL_CAPSULE_H
 #define APP_ANIM_PROCEDURAL_CAPSULE_H
@@ -11,30 +11,30 @@
 
 struct capsule {
 	int node_a, node_b;
-	float offset_a[3], offset_b[3]; /* in the nodes' own frames */
+	float offset_a[3], offset_b[3]; /* the ends, in the nodes' frames */
 	float radius;                   /* in the world's unit */
 };
 
-/* Where it is in a frame. */
+/* A capsule of one frame, in the world. */
 struct capsule_world {
 	float a[3], b[3];
 	float radius;
 };
 
-/* Puts count capsules at the nodes' places. */
+/* Transforms count capsules by the nodes' world matrices. */
 void capsule_to_world(const struct capsule *capsule, int count,
-	const mat4 *world, struct capsule_world *place);
+	const mat4 *world, struct capsule_world *out);
 
 /*
- * Pushes a point that is nearer than radius + margin straight out to that
- * distance. One on the line itself goes out in a fixed direction. True when
- * it moved.
+ * Pushes a point that is nearer to the segment than radius + margin straight
+ * out to that distance. A point on the segment itself goes out in a fixed
+ * direction. Returns true if the point moved.
  */
 bool capsule_push(
-	const struct capsule_world *place, float margin, float point[3]);
+	const struct capsule_world *capsule, float margin, float point[3]);
 
-/* The same against count of them, one after the other. */
-bool capsule_push_all(const struct capsule_world *place, int count,
+/* The same for count capsules, one after the other. */
+bool capsule_push_all(const struct capsule_world *capsule, int count,
 	float margin, float point[3]);
 
 #endif

@@ -8,19 +8,19 @@
 
 enum {
 	MOST_PARTS = 12
-}; /* a slow frame must not make itself slower */
+}; /* or a slow frame would make the next one slower */
 
 static const float PART_S = 1.0f / 120;
 static const float LONGEST_STEP_S = 0.2f;
 static const float FASTEST = 30; /* the world's units a second */
-static const float GIVE = 1.02f; /* how much longer a column may get */
+static const float GIVE = 1.02f; /* the most a column may stretch */
 
 void cloth_reset(struct cloth *cloth)
 {
 	cloth->begun = false;
 }
 
-/* Everything in the rest shape, as the nodes stand now. */
+/* Puts all particles into the rest shape, at the nodes. */
 static void begin_at_rest(struct cloth *cloth, const mat4 *world)
 {
 	int columns = cloth->settings.columns;
@@ -46,21 +46,21 @@ static void find_pins(struct cloth *cloth, const mat4 *world)
 static bool jumped(const struct cloth *cloth)
 {
 	float limit = 4 * cloth->hang[cloth->count - 1];
-	float way[3];
+	float offset[3];
 
-	vec_subtract(cloth->pin_to[0], cloth->pin_from[0], way);
-	return !(vec_length(way) <= limit);
+	vec_subtract(cloth->pin_to[0], cloth->pin_from[0], offset);
+	return !(vec_length(offset) <= limit);
 }
 
-/* Air takes a particle along its normal, by how fast it blows past. */
-static void blow(struct cloth *cloth, int i, float share)
+/* Accelerates a particle along its normal by the relative wind. */
+static void blow(struct cloth *cloth, int i, float fraction)
 {
 	const float *normal = cloth->normal[i];
 	float past[3];
 
 	vec_subtract(cloth->settings.wind, cloth->velocity[i], past);
 	vec_add_scaled(cloth->velocity[i], normal,
-		share * vec_dot(past, normal), cloth->velocity[i]);
+		fraction * vec_dot(past, normal), cloth->velocity[i]);
 }
 
 static void fall(struct cloth *cloth, float part_s)
@@ -84,46 +84,46 @@ static void fall(struct cloth *cloth, float part_s)
 	}
 }
 
-/* Brings the ends of a link to its length; pins do not give way. */
+/* Moves the ends of a link to its length; pins do not move. */
 static void hold_link(struct cloth *cloth, const struct cloth_link *link)
 {
 	float *a = cloth->position[link->a];
 	float *b = cloth->position[link->b];
 	bool pinned_a = link->a < cloth->settings.columns;
 	bool pinned_b = link->b < cloth->settings.columns;
-	float way[3];
+	float offset[3];
 	float length, excess;
 
 	if (pinned_a && pinned_b) {
 		return;
 	}
-	vec_subtract(b, a, way);
-	length = vec_length(way);
+	vec_subtract(b, a, offset);
+	length = vec_length(offset);
 	if (!(length > 1e-9f)) {
 		return;
 	}
 	excess = link->stiffness * (length - link->length) / length;
 	if (pinned_a || pinned_b) {
-		vec_add_scaled(pinned_a ? b : a, way,
+		vec_add_scaled(pinned_a ? b : a, offset,
 			pinned_a ? -excess : excess, pinned_a ? b : a);
 		return;
 	}
-	vec_add_scaled(a, way, 0.5f * excess, a);
-	vec_add_scaled(b, way, -0.5f * excess, b);
+	vec_add_scaled(a, offset, 0.5f * excess, a);
+	vec_add_scaled(b, offset, -0.5f * excess, b);
 }
 
-/* No farther from its pin than the column is long. */
+/* Keeps a particle within the length of its column from the pin. */
 static void hold_reach(struct cloth *cloth, int i, int column)
 {
 	const float *pin = cloth->position[column];
 	float limit = cloth->hang[i] * GIVE;
-	float way[3];
+	float offset[3];
 	float length;
 
-	vec_subtract(cloth->position[i], pin, way);
-	length = vec_length(way);
+	vec_subtract(cloth->position[i], pin, offset);
+	length = vec_length(offset);
 	if (length > limit) {
-		vec_add_scaled(pin, way, limit / length, cloth->position[i]);
+		vec_add_scaled(pin, offset, limit / length, cloth->position[i]);
 	}
 }
 
@@ -145,7 +145,7 @@ static void hold_together(struct cloth *cloth,
 	}
 }
 
-/* The speed is the way that was left; what rubs at a body is not told. */
+/* The velocity is the distance covered in the part of a step. */
 static void find_speed(struct cloth *cloth, float part_s)
 {
 	for (int i = cloth->settings.columns; i < cloth->count; i++) {
@@ -167,15 +167,15 @@ static void find_speed(struct cloth *cloth, float part_s)
 	}
 }
 
-static void move_pins(struct cloth *cloth, float share)
+static void move_pins(struct cloth *cloth, float fraction)
 {
 	for (int c = 0; c < cloth->settings.columns; c++) {
-		vec_mix(cloth->pin_from[c], cloth->pin_to[c], share,
+		vec_mix(cloth->pin_from[c], cloth->pin_to[c], fraction,
 			cloth->position[c]);
 	}
 }
 
-/* From the neighbours; at the edges the particle stands in for them. */
+/* From the neighbours; at an edge the particle replaces the missing one. */
 static void find_normals(struct cloth *cloth)
 {
 	int columns = cloth->settings.columns;

@@ -1,14 +1,14 @@
 /*
  * A cape: a grid of particles that hangs from bones.
  *
- * The first row is pinned to nodes; the rest falls, is blown about and keeps
- * out of capsules. Links hold neighbours, diagonals and every second particle
- * at their distance (position-based Verlet integration), and nothing gets
- * farther from its column's pin than the column is long, so that the cloth can
- * neither stretch much nor burst, whatever the frame time.
+ * The first row is pinned to nodes. Gravity, wind and capsules move the other
+ * rows. Links keep the distance of neighbours, of diagonals and of every second
+ * particle (position-based dynamics), and no particle gets farther from its
+ * column's pin than the column is long. So the cloth can neither stretch much
+ * nor become unstable, whatever the frame time.
  *
- * Particles are in the world, row after row: particle (row, column) is number
- * row * columns + column. The caller draws position and normal with the
+ * Particles are in the world, row after row: particle (row, column) has the
+ * index row * columns + column. The caller draws position and normal with the
  * triangles of cloth_triangles().
  */
 #ifndef APP_ANIM_PROCEDURAL_CLOTH_H
@@ -25,14 +25,14 @@ struct cloth_settings {
 	int columns, rows; /* particles; CLOTH_SIDE_MIN..CLOTH_SIDE_MAX */
 	float gravity[3];  /* the world's units a second squared */
 	float wind[3];     /* the world's units a second */
-	float air;         /* how strongly air takes broadsides along, 1/s */
-	float damping;     /* how fast any motion dies away, 1/s */
-	float bend;        /* 0 folds freely, 1 hardly */
-	float radius;      /* kept from capsules */
+	float air;         /* air resistance along the normal, 1/s */
+	float damping;     /* of any motion, 1/s */
+	float bend;        /* stiffness against folding, 0..1 */
+	float radius;      /* distance kept from capsules */
 	int passes;        /* over all links in each part of a step */
 };
 
-/* A distance that is kept. */
+/* Two particles whose distance is kept. */
 struct cloth_link {
 	uint16_t a, b;
 	float length;
@@ -43,10 +43,10 @@ struct cloth {
 	struct cloth_settings settings;
 	int count; /* of particles */
 	float (*position)[3];
-	float (*normal)[3]; /* unit, to the side from which columns run right
-			       and rows run down */
+	float (*normal)[3]; /* unit, towards a viewer who sees columns run to
+			       the right and rows downwards */
 
-	/* Below: for the functions of this header. */
+	/* Private. */
 	float (*velocity)[3];
 	float (*before)[3];
 	float (*offset)[3]; /* at rest, in the frame of the column's node */
@@ -63,26 +63,29 @@ struct cloth {
 struct cloth_settings cloth_settings_default(void);
 
 /*
- * A cloth at rest in the given shape (particles in the world, in order) while
- * the nodes stand as in world; pin gives each column's node. Memory is the
- * arena's. 0, -EINVAL for sides out of range, -ENOMEM.
+ * Makes a cloth that is at rest in the given shape, the particles' positions in
+ * the world, when the nodes have the matrices of world. pin has the node of
+ * each column. 0, -EINVAL for columns or rows out of range, or -ENOMEM.
  */
 int cloth_init(struct cloth *cloth, const struct cloth_settings *settings,
 	const float (*shape)[3], const int *pin, const mat4 *world,
 	struct arena *arena);
 
-/* Forgets the motion; the next update begins in the rest shape. */
+/* Stops the motion; the next update begins in the rest shape. */
 void cloth_reset(struct cloth *cloth);
 
 /*
- * Goes on by step_s; at most 0.2 s of it count. A jump of the pins by more
- * than four times the cloth's length begins anew.
+ * Advances by step_s, at most 0.2 s. If the pins have moved by more than four
+ * times the cloth's length, the motion begins anew.
  */
 void cloth_update(struct cloth *cloth, float step_s,
 	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world);
 
-/* 6 * (columns - 1) * (rows - 1): indices of the cloth's triangles. */
+/*
+ * Writes the indices of the cloth's triangles and returns their number,
+ * 6 * (columns - 1) * (rows - 1).
+ */
 int cloth_triangles(const struct cloth_settings *settings, uint16_t *index);
 
 #endif

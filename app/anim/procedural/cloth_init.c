@@ -20,18 +20,18 @@ struct cloth_settings cloth_settings_default(void)
 	};
 }
 
-static bool side_is_fine(int side)
+static bool side_is_in_range(int side)
 {
 	return side >= CLOTH_SIDE_MIN && side <= CLOTH_SIDE_MAX;
 }
 
-/* At most: to the right, down, two diagonals, two over the next one. */
+/* At most: right, down, two diagonals and two to every second particle. */
 static size_t most_links(int count)
 {
 	return 6 * (size_t)count;
 }
 
-static bool take_room(struct cloth *cloth, struct arena *arena)
+static bool allocate(struct cloth *cloth, struct arena *arena)
 {
 	size_t count = (size_t)cloth->count;
 	size_t columns = (size_t)cloth->settings.columns;
@@ -54,13 +54,13 @@ static bool take_room(struct cloth *cloth, struct arena *arena)
 
 static float distance(const float a[3], const float b[3])
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(b, a, way);
-	return vec_length(way);
+	vec_subtract(b, a, offset);
+	return vec_length(offset);
 }
 
-/* Links a particle with the one so many columns and rows on, if it exists. */
+/* Links a particle with the one at an offset in the grid, if it exists. */
 static void link_to(struct cloth *cloth, const float (*shape)[3], int i,
 	int right, int down, float stiffness)
 {
@@ -105,7 +105,7 @@ static void measure_columns(struct cloth *cloth, const float (*shape)[3])
 	}
 }
 
-/* Where the shape is in the frames of the nodes that hold it. */
+/* The shape in the frames of the nodes that hold it. */
 static void fix_to_nodes(
 	struct cloth *cloth, const float (*shape)[3], const mat4 *world)
 {
@@ -128,14 +128,15 @@ int cloth_init(struct cloth *cloth, const struct cloth_settings *settings,
 	const float (*shape)[3], const int *pin, const mat4 *world,
 	struct arena *arena)
 {
-	if (!side_is_fine(settings->columns) || !side_is_fine(settings->rows)) {
+	if (!side_is_in_range(settings->columns) ||
+		!side_is_in_range(settings->rows)) {
 		return -EINVAL;
 	}
 	*cloth = (struct cloth){
 		.settings = *settings,
 		.count = settings->columns * settings->rows,
 	};
-	if (!take_room(cloth, arena)) {
+	if (!allocate(cloth, arena)) {
 		return -ENOMEM;
 	}
 	memcpy(cloth->pin, pin, (size_t)settings->columns * sizeof(*cloth->pin));
@@ -155,7 +156,7 @@ int cloth_triangles(const struct cloth_settings *settings, uint16_t *index)
 	for (int r = 0; r + 1 < settings->rows; r++) {
 		for (int c = 0; c + 1 < columns; c++) {
 			int i = r * columns + c;
-			/* Counter-clockwise, seen from where normals point. */
+			/* Counter-clockwise seen from the normals' side. */
 			const int corner[6] = {i, i + columns, i + 1, i + 1,
 				i + columns, i + columns + 1};
 

@@ -1,27 +1,27 @@
 /*
- * Inverse kinematics: bones that put their end on a point in the world.
+ * Inverse kinematics: bones whose end is moved to a point in the world.
  *
- * Both solvers change local rotations of a pose, starting from what is there,
- * so that they follow the animation where it already does well. world are the
- * pose's matrices before the change; those of the first bone and everything
- * behind it are out of date afterwards: pose_world_from(). Unreachable and
- * degenerate targets give the nearest pose and never a NaN.
+ * Both solvers change local rotations of a pose and start from the present
+ * ones, so that the result stays close to the animation. world has the pose's
+ * matrices from before the call; those of the first bone and its descendants
+ * are out of date after it, and the caller calls pose_world_from(). Unreachable
+ * and degenerate targets give the nearest pose and never a NaN.
  */
 #ifndef APP_ANIM_PROCEDURAL_IK_H
 #define APP_ANIM_PROCEDURAL_IK_H
 
 #include "app/anim/pose.h"
 
-/* An arm or a leg: shoulder, elbow and hand, each below the one before. */
+/* An arm or a leg. Each node is a descendant of the one before. */
 struct ik_limb {
-	int upper, lower, tip;
-	float weight; /* 0: as animated, 1: on the target */
+	int upper, lower, tip; /* shoulder, elbow and hand */
+	float weight;          /* 0: as animated, 1: on the target */
 };
 
 /*
- * Solves exactly. The joint in the middle bends towards the pole, a point in
- * the world; NULL: the way it is bent now. Returns how far the tip stays from
- * the target at weight 1.
+ * Solves exactly. The middle joint bends towards pole, a point in the world, or
+ * for NULL in its present direction. Returns the distance that is left between
+ * tip and target at weight 1, in the world's unit.
  */
 float ik_limb_solve(const struct ik_limb *limb, const float target[3],
 	const float pole[3], const mat4 *world, struct pose *pose);
@@ -32,27 +32,27 @@ enum {
 
 /* A tail, a spine, an arm with its collar bone. */
 struct ik_chain {
-	int count;              /* nodes, the tip included; 2..IK_CHAIN_MAX */
+	int count;              /* of nodes with the tip; 2..IK_CHAIN_MAX */
 	int node[IK_CHAIN_MAX]; /* each the parent of the next */
-	float limit_rad[IK_CHAIN_MAX]; /* how far each may turn from its rest
-					  rotation; 0 or less: freely */
+	float limit_rad[IK_CHAIN_MAX]; /* the largest angle from the rest
+					  rotation; 0 or less: no limit */
 	int iterations;                /* at most */
-	float tolerance;               /* good enough, in the world's unit */
-	float weight;
+	float tolerance; /* the distance at which it stops, in the world's unit */
+	float weight;    /* 0: as animated, 1: on the target */
 };
 
 /*
- * The chain of count nodes that ends at tip, without limits, at most 32
- * iterations, tolerance 0.0005, weight 1. 0, or -EINVAL when tip has too few
- * ancestors or count is out of range.
+ * Makes the chain of count nodes that ends at tip: no limits, 32 iterations,
+ * tolerance 0.0005, weight 1. 0, or -EINVAL if tip has too few ancestors or
+ * count is out of range.
  */
 int ik_chain_init(
 	struct ik_chain *chain, const struct model *model, int tip, int count);
 
 /*
- * Solves by FABRIK (forward and backward reaching), which bends all joints a
- * little, with the limits applied on the way. Returns how far the tip stays
- * from the target at weight 1.
+ * Solves by FABRIK (Aristidou and Lasenby, 2011), which spreads the bend over
+ * all joints, and applies the limits in each iteration. Returns the distance
+ * that is left between tip and target at weight 1, in the world's unit.
  */
 float ik_chain_solve(const struct ik_chain *chain, const float target[3],
 	const mat4 *world, struct pose *pose);

@@ -12,13 +12,13 @@ struct solver {
 	int bones;
 	const struct ik_chain *chain;
 	const struct pose *pose;
-	float root[4];                /* world rotation above the chain */
+	float root[4];                /* world rotation of the first parent */
 	float local[IK_CHAIN_MAX][4]; /* rotations */
 	float bone[IK_CHAIN_MAX][3];  /* to the next joint, in own axes */
 	float length[IK_CHAIN_MAX];
 	float total;
-	float joint[IK_CHAIN_MAX][3];   /* world places */
-	float reached[IK_CHAIN_MAX][3]; /* places seen from the target */
+	float joint[IK_CHAIN_MAX][3];   /* in the world */
+	float reached[IK_CHAIN_MAX][3]; /* moved to the target */
 };
 
 int ik_chain_init(
@@ -70,29 +70,29 @@ static void begin(struct solver *solver, const struct ik_chain *chain,
 	}
 }
 
-static float missing(const struct solver *solver, const float target[3])
+static float distance_left(const struct solver *solver, const float target[3])
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(target, solver->joint[solver->bones], way);
-	return vec_length(way);
+	vec_subtract(target, solver->joint[solver->bones], offset);
+	return vec_length(offset);
 }
 
-/* From the target back to the root, each bone drawn along. */
-static void reach_back(struct solver *solver, const float target[3])
+/* FABRIK's backward pass: from the target to the root. */
+static void reach_backward(struct solver *solver, const float target[3])
 {
 	memcpy(solver->reached[solver->bones], target, sizeof(float[3]));
 	for (int i = solver->bones - 1; i >= 0; i--) {
-		float way[3];
+		float offset[3];
 
-		vec_subtract(solver->joint[i], solver->reached[i + 1], way);
-		vec_normalize(way);
-		vec_add_scaled(solver->reached[i + 1], way, solver->length[i],
-			solver->reached[i]);
+		vec_subtract(solver->joint[i], solver->reached[i + 1], offset);
+		vec_normalize(offset);
+		vec_add_scaled(solver->reached[i + 1], offset,
+			solver->length[i], solver->reached[i]);
 	}
 }
 
-/* Gives a joint a world rotation, as far as its limit lets it. */
+/* Sets a joint's world rotation, within its limit. */
 static void set_joint(struct solver *solver, int i, const float parent[4],
 	const float world[4])
 {
@@ -110,8 +110,8 @@ static void set_joint(struct solver *solver, int i, const float parent[4],
 	}
 }
 
-/* Where the next joint is, given a joint's rotation above it. */
-static void step_forth(
+/* The next joint's position, given the rotation of this joint's parent. */
+static void place_next(
 	struct solver *solver, int i, const float parent[4], float world[4])
 {
 	float bone[3];
@@ -122,8 +122,8 @@ static void step_forth(
 	vec_add_scaled(solver->joint[i], bone, 1, solver->joint[i + 1]);
 }
 
-/* From the root forth: what the joints can make of the places reached. */
-static void reach_forth(struct solver *solver)
+/* FABRIK's forward pass: rotates the joints towards reached[]. */
+static void reach_forward(struct solver *solver)
 {
 	float above[4];
 
@@ -137,12 +137,12 @@ static void reach_forth(struct solver *solver)
 		quat_between(now, wanted, turn);
 		quat_multiply(turn, world, world);
 		set_joint(solver, i, above, world);
-		step_forth(solver, i, above, world);
+		place_next(solver, i, above, world);
 		memcpy(above, world, sizeof(above));
 	}
 }
 
-/* Turns one joint in the world; what is behind it goes along. */
+/* Rotates one joint in the world, and with it the rest of the chain. */
 static void turn_joint(struct solver *solver, int turned, const float turn[4])
 {
 	float above[4];
@@ -156,27 +156,27 @@ static void turn_joint(struct solver *solver, int turned, const float turn[4])
 			quat_multiply(turn, world, world);
 			set_joint(solver, i, above, world);
 		}
-		step_forth(solver, i, above, world);
+		place_next(solver, i, above, world);
 		memcpy(above, world, sizeof(above));
 	}
 }
 
 /*
- * Takes what is before a joint and what is behind it as two stiff bones and
- * bends them to the target's distance, then turns the whole onto the target.
+ * Takes the parts of the chain before and after a joint as two rigid bones,
+ * bends them to the target's distance and rotates the chain onto the target.
  */
 static void close_triangle(struct solver *solver, int bent, const float goal[3])
 {
-	float before[3], behind[3], way[3], axis[3], turn[4];
+	float before[3], behind[3], offset[3], axis[3], turn[4];
 	float a, b, distance, now, wanted;
 
 	vec_subtract(solver->joint[0], solver->joint[bent], before);
 	vec_subtract(solver->joint[solver->bones], solver->joint[bent], behind);
-	vec_subtract(goal, solver->joint[0], way);
+	vec_subtract(goal, solver->joint[0], offset);
 	vec_cross(before, behind, axis);
 	a = vec_length(before);
 	b = vec_length(behind);
-	distance = vec_length(way);
+	distance = vec_length(offset);
 	if (vec_normalize(axis) == 0 || !(a * b > 0)) {
 		return;
 	}
@@ -186,11 +186,11 @@ static void close_triangle(struct solver *solver, int bent, const float goal[3])
 	quat_from_axis_angle(axis, wanted - now, turn);
 	turn_joint(solver, bent, turn);
 	vec_subtract(solver->joint[solver->bones], solver->joint[0], behind);
-	quat_between(behind, way, turn);
+	quat_between(behind, offset, turn);
 	turn_joint(solver, 0, turn);
 }
 
-/* Pulls the joints of a stretched-out chain aside: on a line none can bend. */
+/* Moves the joints of a straight chain aside, as on a line none can bend. */
 static void buckle(struct solver *solver, const float target[3])
 {
 	float line[3], side[3], offset[3];
@@ -220,35 +220,35 @@ static void buckle(struct solver *solver, const float target[3])
 }
 
 /*
- * Moves a target that is out of reach to where the chain ends. True when only
- * the stretched-out chain gets there.
+ * Moves a target that is out of reach to the length of the chain. Returns true
+ * if only the straight chain reaches the target.
  */
 static bool bring_near(
 	const struct solver *solver, const float target[3], float out[3])
 {
-	float way[3];
+	float offset[3];
 	float distance;
 
-	vec_subtract(target, solver->joint[0], way);
-	distance = vec_normalize(way);
-	memcpy(out, target, sizeof(way));
+	vec_subtract(target, solver->joint[0], offset);
+	distance = vec_normalize(offset);
+	memcpy(out, target, sizeof(offset));
 	if (distance < 0.99999f * solver->total) {
 		return false;
 	}
-	vec_add_scaled(solver->joint[0], way, solver->total, out);
+	vec_add_scaled(solver->joint[0], offset, solver->total, out);
 	return true;
 }
 
-/* All bones in line: the places for reaching far. */
+/* Puts reached[] on the line to the target. */
 static void stretch(struct solver *solver, const float target[3])
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(target, solver->joint[0], way);
-	vec_normalize(way);
-	memcpy(solver->reached[0], solver->joint[0], sizeof(way));
+	vec_subtract(target, solver->joint[0], offset);
+	vec_normalize(offset);
+	memcpy(solver->reached[0], solver->joint[0], sizeof(offset));
 	for (int i = 0; i < solver->bones; i++) {
-		vec_add_scaled(solver->reached[i], way, solver->length[i],
+		vec_add_scaled(solver->reached[i], offset, solver->length[i],
 			solver->reached[i + 1]);
 	}
 }
@@ -270,7 +270,7 @@ static void store(const struct solver *solver, struct pose *pose)
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {
-	float now = missing(candidate, target);
+	float now = distance_left(candidate, target);
 
 	if (now < *least) {
 		*least = now;
@@ -279,8 +279,8 @@ static void keep_best(const struct solver *candidate, const float target[3],
 }
 
 /*
- * FABRIK slows down when the chain is nearly straight or folded, or stands at
- * a limit; the best of the triangles makes up for what is left.
+ * FABRIK converges slowly if the chain is nearly straight or folded, or at a
+ * limit. The best of close_triangle() over all joints helps then.
  */
 static void close_gap(const float goal[3], const float target[3],
 	struct solver *best, float *least)
@@ -306,7 +306,7 @@ float ik_chain_solve(const struct ik_chain *chain, const float target[3],
 
 	begin(&solver, chain, world, pose);
 	best = solver;
-	least = missing(&solver, target);
+	least = distance_left(&solver, target);
 	if (!(solver.total > 1e-9f)) {
 		return least;
 	}
@@ -315,15 +315,15 @@ float ik_chain_solve(const struct ik_chain *chain, const float target[3],
 		buckle(&solver, goal);
 	}
 	for (int n = 0; n < chain->iterations; n++) {
-		if (missing(&best, goal) <= chain->tolerance) {
+		if (distance_left(&best, goal) <= chain->tolerance) {
 			break;
 		}
 		if (far && n == 0) {
 			stretch(&solver, goal);
 		} else {
-			reach_back(&solver, goal);
+			reach_backward(&solver, goal);
 		}
-		reach_forth(&solver);
+		reach_forward(&solver);
 		keep_best(&solver, target, &best, &least);
 		if (n % 8 == 7) {
 			close_gap(goal, target, &best, &least);

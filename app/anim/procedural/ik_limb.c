@@ -7,11 +7,11 @@
 
 #include <string.h>
 
-/* Where the three joints are and where the middle and last should be. */
+/* The positions of the three joints, and the new ones of the last two. */
 struct limb_shape {
 	float upper[3], lower[3], tip[3];
 	float new_lower[3], new_tip[3];
-	float bend[3]; /* unit, from the line upper-tip towards the middle */
+	float bend[3]; /* unit, from the line upper-tip towards lower */
 };
 
 /* The part of v at right angles to a unit direction, made unit length. */
@@ -20,7 +20,7 @@ static bool make_side(const float v[3], const float direction[3], float out[3])
 	float length = vec_length(v);
 
 	vec_add_scaled(v, direction, -vec_dot(v, direction), out);
-	/* Nearly along the direction there is no side to speak of. */
+	/* If v is nearly parallel to the direction, the rest is rounding. */
 	if (!(vec_length(out) > 1e-4f * length)) {
 		return false;
 	}
@@ -49,33 +49,36 @@ static void find_bend(
 	}
 }
 
-/* The triangle over the lengths of both bones; returns what is missing. */
+/*
+ * Places the joints by the law of cosines. Returns the distance between the
+ * target and what the limb can reach.
+ */
 static float place_joints(
 	struct limb_shape *shape, const float target[3], const float pole[3])
 {
-	float to_lower[3], to_tip[3], way[3];
+	float to_lower[3], to_tip[3], direction[3];
 	float a, b, distance, reach, cosine;
 
 	vec_subtract(shape->lower, shape->upper, to_lower);
 	vec_subtract(shape->tip, shape->lower, to_tip);
-	vec_subtract(target, shape->upper, way);
+	vec_subtract(target, shape->upper, direction);
 	a = vec_length(to_lower);
 	b = vec_length(to_tip);
-	distance = vec_normalize(way);
+	distance = vec_normalize(direction);
 	if (distance == 0) {
-		/* On the shoulder itself: any way will do. */
-		memcpy(way, to_lower, sizeof(way));
-		vec_normalize(way);
+		/* The target is the shoulder: any direction will do. */
+		memcpy(direction, to_lower, sizeof(direction));
+		vec_normalize(direction);
 	}
 	reach = scalar_clamp(distance, scalar_abs(a - b), a + b);
 	reach = reach > 1e-6f * (a + b) ? reach : 1e-6f * (a + b);
 	cosine = scalar_clamp(
 		(a * a + reach * reach - b * b) / (2 * a * reach), -1, 1);
-	find_bend(shape, way, pole);
-	vec_add_scaled(shape->upper, way, a * cosine, shape->new_lower);
+	find_bend(shape, direction, pole);
+	vec_add_scaled(shape->upper, direction, a * cosine, shape->new_lower);
 	vec_add_scaled(shape->new_lower, shape->bend,
 		a * scalar_sqrt(1 - cosine * cosine), shape->new_lower);
-	vec_add_scaled(shape->upper, way, reach, shape->new_tip);
+	vec_add_scaled(shape->upper, direction, reach, shape->new_tip);
 	return scalar_abs(distance - reach);
 }
 
@@ -94,8 +97,8 @@ static bool frame(const float direction[3], const float normal[3], float out[4])
 }
 
 /*
- * The turn of the upper bone: with the plane in which the limb bends, so that
- * an elbow stays a hinge; a straight limb has no plane and turns directly.
+ * The rotation of the upper bone, which takes the plane of the bend along, so
+ * that the elbow stays a hinge. A straight limb has no such plane.
  */
 static void upper_turn(const struct limb_shape *shape, float out[4])
 {
@@ -108,7 +111,7 @@ static void upper_turn(const struct limb_shape *shape, float out[4])
 	vec_subtract(shape->new_lower, shape->upper, new_bone);
 	vec_subtract(shape->new_tip, shape->upper, new_tip);
 	vec_cross(old_bone, old_tip, old_normal);
-	/* The way to the tip and the side of the bend span the new plane. */
+	/* The bend and the direction to the tip span the new plane. */
 	vec_cross(shape->bend, new_tip, new_normal);
 	if (vec_length(old_normal) >
 			1e-3f * vec_length(old_bone) * vec_length(old_tip) &&
@@ -121,7 +124,7 @@ static void upper_turn(const struct limb_shape *shape, float out[4])
 	quat_between(old_bone, new_bone, out);
 }
 
-/* Everything below the upper bone turns with it, the lower's parent too. */
+/* The parent of the lower bone turns with the upper bone. */
 static void set_lower(const struct ik_limb *limb, const float upper[4],
 	const float lower[4], const mat4 *world, struct pose *pose)
 {
@@ -145,7 +148,7 @@ float ik_limb_solve(const struct ik_limb *limb, const float target[3],
 	struct limb_shape shape;
 	float upper[4], lower[4];
 	float now[3], wanted[3];
-	float missing;
+	float left;
 
 	memcpy(shape.upper, world[limb->upper][3], sizeof(shape.upper));
 	memcpy(shape.lower, world[limb->lower][3], sizeof(shape.lower));
@@ -156,7 +159,7 @@ float ik_limb_solve(const struct ik_limb *limb, const float target[3],
 		vec_subtract(target, shape.tip, now);
 		return vec_length(now);
 	}
-	missing = place_joints(&shape, target, pole);
+	left = place_joints(&shape, target, pole);
 	upper_turn(&shape, upper);
 	vec_subtract(shape.tip, shape.lower, now);
 	quat_rotate(upper, now, now);
@@ -164,5 +167,5 @@ float ik_limb_solve(const struct ik_limb *limb, const float target[3],
 	quat_between(now, wanted, lower);
 	set_lower(limb, upper, lower, world, pose);
 	bone_turn_world(pose, world, limb->upper, upper, limb->weight);
-	return missing;
+	return left;
 }

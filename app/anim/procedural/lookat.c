@@ -21,7 +21,7 @@ struct lookat lookat_default(int node)
 	};
 }
 
-/* The target's direction in the bone's own axes; false when it is there. */
+/* The target's direction in the bone's axes; false at distance 0. */
 static bool own_direction(const struct lookat *lookat, const float target[3],
 	const mat4 *world, const struct pose *pose, float out[3])
 {
@@ -65,19 +65,19 @@ void lookat_update(struct lookat *lookat, const float target[3], float step_s,
 	const mat4 *world, struct pose *pose)
 {
 	float *rotation = pose->local[lookat->node].rotation;
-	float yaw, pitch, share;
+	float yaw, pitch, fraction;
 	float right[3], turn[4];
 
 	find_angles(lookat, target, world, pose, &yaw, &pitch);
-	/* What is left of the way falls off by e, whatever the frame rate. */
-	share = lookat->rate > 0 ? 1 - scalar_exp(-lookat->rate * step_s) : 1;
-	lookat->yaw_rad += (yaw - lookat->yaw_rad) * share;
-	lookat->pitch_rad += (pitch - lookat->pitch_rad) * share;
+	/* Exponential decay does not depend on the frame rate. */
+	fraction = lookat->rate > 0 ? 1 - scalar_exp(-lookat->rate * step_s) : 1;
+	lookat->yaw_rad += (yaw - lookat->yaw_rad) * fraction;
+	lookat->pitch_rad += (pitch - lookat->pitch_rad) * fraction;
 
 	vec_cross(lookat->up, lookat->forward, right);
 	quat_from_axis_angle(lookat->up, lookat->yaw_rad * lookat->weight, turn);
 	quat_multiply(rotation, turn, rotation);
-	/* About right, a positive angle would look down. */
+	/* A positive angle about the right axis looks down. */
 	quat_from_axis_angle(right, -lookat->pitch_rad * lookat->weight, turn);
 	quat_multiply(rotation, turn, rotation);
 	quat_normalize(rotation);

@@ -69,29 +69,21 @@ float procedural_modifier(const struct procedural_preset *preset, int level)
 	return modifier < 0 ? 0 : modifier;
 }
 
-/* The swing of the frame, before a bone's own share. */
+/* The factor at modifier 1 and fade 0, common to all bones. */
 static float swing(const struct procedural *procedural, double time_s)
 {
 	const double turn = 6.283185307179586;
 	double angle = time_s * (double)procedural->preset.speed;
 	double turns = angle / turn;
 
-	/* In double, so that it swings evenly after hours. */
+	/* In double, so that the angle is still exact after hours. */
 	if (turns > -2147483647.0 && turns < 2147483647.0) {
 		angle -= (double)(int32_t)turns * turn;
 	}
 	return scalar_cos((float)angle) * procedural->preset.amplitude;
 }
 
-float procedural_factor(
-	const struct procedural *procedural, double time_s, int level)
-{
-	return swing(procedural, time_s) *
-		procedural_modifier(&procedural->preset, level) *
-		(1 - procedural->fade);
-}
-
-/* How far a node is below another; -1 when it is not. */
+/* How many levels a node is below another one; -1 if it is not below it. */
 static int levels_below(const struct model *model, int node, int ancestor)
 {
 	int level = 0;

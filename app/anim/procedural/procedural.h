@@ -2,9 +2,9 @@
  * Shaken bones: "Physic-based Implementation" (3.2 and 3.3) of the document on
  * offline and physics-based animation.
  *
- * A cosine swings a bone and, more or less strongly with each level below it,
- * its descendants, on top of whatever a clip made of them. The swing is a
- * preset's; when and how far it is faded in is the state's.
+ * A cosine swings a bone and its descendants, on top of the pose that a clip
+ * gives them. The strength changes with each level below the bone. A preset
+ * holds the parameters; struct procedural holds a running swing and its fade.
  */
 #ifndef APP_ANIM_PROCEDURAL_PROCEDURAL_H
 #define APP_ANIM_PROCEDURAL_PROCEDURAL_H
@@ -16,43 +16,44 @@
 /* The document's initial parameters, m_fAnimProcedural... */
 struct procedural_preset {
 	char name[32];
-	float speed; /* radians a second */
+	float speed; /* of the cosine's angle, radians a second */
 	float amplitude;
-	float attenuation;    /* added to the modifier with each level */
+	float attenuation;    /* added to the modifier at each level */
 	float translation[3]; /* at factor 1, in the document's units */
-	float rotation[3];    /* at factor 1, radians about x, then y, z */
+	float rotation[3];    /* at factor 1, radians about x, then y, then z */
 	float modifier;       /* of the bone where the swing begins */
-	float unit; /* one of the document's units in the bone's own */
+	float unit;           /* the document's unit in the model's */
 };
 
-/* A member of a preset that is numbers; its key in a text is its name. */
+/* A numeric member of a preset; its key in a text is the member's name. */
 struct procedural_field {
 	const char *key;
 	size_t offset;
-	int count; /* of floats */
+	int count; /* number of floats */
 };
 
 enum {
 	PROCEDURAL_FIELDS = 7
 };
 
-/* In the order in which they are written. */
+/* In the order in which a preset is written. */
 extern const struct procedural_field procedural_fields[PROCEDURAL_FIELDS];
 
-/* The document's values under the name "snowboard"; modifier and unit 1. */
+/* The document's values, named "snowboard", with modifier and unit 1. */
 struct procedural_preset procedural_preset_default(void);
 
 /*
- * Reads presets out of a text:
- *	[snowboard]           ; a preset begins, with the default's values
+ * Reads presets from a text:
+ *	[snowboard]           ; begins a preset with the default's values
  *	speed = 40
  *	translation = 0 1 0
- * Keys are the members' names; ; and # begin comments. path is for sentences.
- * Returns how many were read into preset, or -EINVAL after one sentence that
- * names the line, or -ENOSPC after one when room is too small.
+ * Keys are the members' names; ; and # begin comments. path stands in messages.
+ * Returns the number of presets read. After an error it logs one message with
+ * the line's number and returns -EINVAL, or -ENOSPC for more than capacity
+ * presets.
  */
 int procedural_presets_parse(const char *text, const char *path,
-	const struct log *log, struct procedural_preset *preset, int room);
+	const struct log *log, struct procedural_preset *preset, int capacity);
 
 /* Index of the preset of that name, or -1. */
 int procedural_preset_find(
@@ -61,38 +62,37 @@ int procedural_preset_find(
 /* One swing: the document's runtime parameters. */
 struct procedural {
 	struct procedural_preset preset; /* ...TYPE */
-	int node;                        /* where it begins */
-	float fade;                      /* ...FADE: 1 is off, 0 is full */
+	int node;   /* the bone where it begins; -1: none */
+	float fade; /* ...FADE: 1 is off, 0 is full */
 	float fade_goal;
 	float fade_rate; /* a second */
 };
 
-/* Off, until procedural_fade() lets it in. */
+/* A swing that is off until procedural_fade() fades it in. */
 struct procedural procedural_begin(
 	const struct procedural_preset *preset, int node);
 
-/* Sends the fade to 0 (full) or 1 (off) within duration_s from full range. */
+/*
+ * Starts moving the fade to goal, 0 (full) to 1 (off), at the rate that covers
+ * the whole range in duration_s. With 0 or less it is there at once.
+ */
 void procedural_fade(
 	struct procedural *procedural, float goal, float duration_s);
 
-/* Moves the fade. */
+/* Advances the fade by step_s. */
 void procedural_update(struct procedural *procedural, float step_s);
 
 /*
- * m_fBoneModifier at a number of levels below the bone: with each level, if
- * it is above 0.1, the attenuation is added; it is never below 0.
+ * m_fBoneModifier, a number of levels below the bone: each level adds the
+ * attenuation if the modifier is above 0.1. The result is at least 0.
  */
 float procedural_modifier(const struct procedural_preset *preset, int level);
 
 /*
- * m_fFactor of a bone: cos(time * speed) * amplitude * modifier * (1 - fade).
- */
-float procedural_factor(
-	const struct procedural *procedural, double time_s, int level);
-
-/*
- * Multiplies translation and rotation, times the factor, onto the bone and
- * its descendants: local = local * T * R. At fade 1 the pose is left alone.
+ * Applies translation and rotation, times the factor, to the bone and its
+ * descendants: local = local * T * R. The factor, m_fFactor, is
+ * cos(time * speed) * amplitude * modifier * (1 - fade). At fade 1 the pose does
+ * not change.
  */
 void procedural_apply(
 	const struct procedural *procedural, double time_s, struct pose *pose);

@@ -14,7 +14,7 @@ const struct procedural_field procedural_fields[PROCEDURAL_FIELDS] = {
 	{"unit", offsetof(struct procedural_preset, unit), 1},
 };
 
-/* A stretch of the text, without blanks around it. */
+/* A part of the text, without blanks around it. */
 struct piece {
 	const char *at;
 	size_t length;
@@ -62,7 +62,7 @@ static bool read_numbers(struct piece piece, float *out, int count)
 	return at == end;
 }
 
-/* NULL, or what is wrong. */
+/* NULL, or the text of an error. */
 static const char *set_field(
 	struct procedural_preset *preset, struct piece key, struct piece value)
 {
@@ -76,11 +76,10 @@ static const char *set_field(
 			    field->count)) {
 			return NULL;
 		}
-		return field->count == 1 ? "one number is wanted"
-					 : "three numbers are wanted";
+		return field->count == 1 ? "this key takes one number"
+					 : "this key takes three numbers";
 	}
-	return "no such key; there are speed, amplitude, attenuation, "
-	       "translation, rotation, modifier and unit";
+	return "unknown key; the keys are speed, amplitude, attenuation, translation, rotation, modifier and unit";
 }
 
 static const char *begin_preset(
@@ -89,11 +88,11 @@ static const char *begin_preset(
 	struct piece name = {line.at, 0};
 
 	if (line.length < 2 || line.at[line.length - 1] != ']') {
-		return "a section is written [name]";
+		return "a section must look like [name]";
 	}
 	name = trim(line.at + 1, line.at + line.length - 1);
 	if (name.length == 0 || name.length >= sizeof(preset->name)) {
-		return "a name has 1 to 31 letters";
+		return "a name must have 1 to 31 characters";
 	}
 	*preset = procedural_preset_default();
 	memset(preset->name, 0, sizeof(preset->name));
@@ -105,9 +104,9 @@ static const char *begin_preset(
 static struct piece cut_line(const char *text)
 {
 	size_t length = strcspn(text, "\n");
-	size_t said = strcspn(text, ";#\n");
+	size_t setting = strcspn(text, ";#\n");
 
-	return trim(text, text + (said < length ? said : length));
+	return trim(text, text + (setting < length ? setting : length));
 }
 
 static const char *read_setting(
@@ -117,16 +116,16 @@ static const char *read_setting(
 	const char *end = line.at + line.length;
 
 	if (!preset) {
-		return "a [name] has to come first";
+		return "a setting must follow a [name]";
 	}
 	if (!equal) {
-		return "a setting is written key = value";
+		return "a setting must look like key = value";
 	}
 	return set_field(preset, trim(line.at, equal), trim(equal + 1, end));
 }
 
 int procedural_presets_parse(const char *text, const char *path,
-	const struct log *log, struct procedural_preset *preset, int room)
+	const struct log *log, struct procedural_preset *preset, int capacity)
 {
 	int count = 0;
 
@@ -135,10 +134,10 @@ int procedural_presets_parse(const char *text, const char *path,
 		const char *wrong = NULL;
 
 		if (line.length && *line.at == '[') {
-			if (count == room) {
+			if (count == capacity) {
 				log_error(log,
-					"%s:%d: there is room for %d presets",
-					path, number, room);
+					"%s:%d: a file can have at most %d presets",
+					path, number, capacity);
 				return -ENOSPC;
 			}
 			wrong = begin_preset(&preset[count++], line);

@@ -13,7 +13,7 @@ static const float LONGEST_STEP_S = 0.2f;
 static const float PART_S = 1.0f / 120;
 enum {
 	MOST_PARTS = 12
-}; /* a slow frame must not make itself slower */
+}; /* or a slow frame would make the next one slower */
 
 static const float HIGHEST_HZ = 15;
 static const float FASTEST_TURN = 40; /* radians a second */
@@ -26,7 +26,7 @@ struct swing {
 	int capsule_count;
 	float bone[SPRING_MAX][3]; /* to the end, in own axes, world units */
 	float length[SPRING_MAX];
-	float turned[SPRING_MAX][4]; /* world rotations */
+	float turned[SPRING_MAX][4]; /* new world rotations */
 	float total;
 };
 
@@ -61,7 +61,7 @@ void spring_reset(struct spring *spring)
 	spring->begun = false;
 }
 
-/* The bones as vectors, from the next node's place or the last one's end. */
+/* The bones as vectors to the next node, or of the last one to its end. */
 static void measure(
 	struct swing *swing, const mat4 *world, const struct pose *pose)
 {
@@ -91,16 +91,16 @@ static void begin_at_rest(
 
 		matrix_rotation(((mat4 *)world)[spring->node[i]], rotation);
 		quat_rotate(rotation, swing->bone[i], bone);
-		vec_add_scaled(
-			world[spring->node[i]][3], bone, 1, spring->place[i]);
+		vec_add_scaled(world[spring->node[i]][3], bone, 1,
+			spring->position[i]);
 	}
 	memset(spring->velocity, 0, sizeof(spring->velocity));
 	spring->begun = true;
 }
 
 /*
- * One part of a step of a damped spring, by the trapezoidal rule: stable for
- * any stiffness, and it neither adds nor takes energy.
+ * Integrates one part of a step by the trapezoidal rule, which is stable for
+ * any stiffness and neither adds nor removes energy.
  */
 static void pull(struct spring *spring, int i, const float goal[3], float part_s)
 {
@@ -109,48 +109,48 @@ static void pull(struct spring *spring, int i, const float goal[3], float part_s
 	float stiffness = omega * omega;
 	float half = part_s * spring->damping * omega +
 		0.25f * part_s * part_s * stiffness;
-	float *place = spring->place[i];
+	float *end = spring->position[i];
 	float *velocity = spring->velocity[i];
 
 	for (int k = 0; k < 3; k++) {
 		float before = velocity[k];
 		float force =
-			stiffness * (goal[k] - place[k]) + spring->gravity[k];
+			stiffness * (goal[k] - end[k]) + spring->gravity[k];
 
 		velocity[k] =
 			((1 - half) * before + part_s * force) / (1 + half);
-		place[k] += 0.5f * part_s * (before + velocity[k]);
+		end[k] += 0.5f * part_s * (before + velocity[k]);
 	}
 }
 
-/* Puts a place at the bone's length from its origin. */
+/* Moves an end to the bone's length from its origin. */
 static void hold_length(const float origin[3], const float fallback[3],
-	float length, float place[3])
+	float length, float end[3])
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(place, origin, way);
-	if (vec_normalize(way) == 0) {
-		memcpy(way, fallback, sizeof(way));
-		vec_normalize(way);
+	vec_subtract(end, origin, offset);
+	if (vec_normalize(offset) == 0) {
+		memcpy(offset, fallback, sizeof(offset));
+		vec_normalize(offset);
 	}
-	vec_add_scaled(origin, way, length, place);
+	vec_add_scaled(origin, offset, length, end);
 }
 
 /*
- * What a bone of fixed length leaves of a speed: nothing along the bone, as
- * seen from its origin, and no more than some turns a second.
+ * Removes from the velocity of an end, relative to the bone's origin, the part
+ * along the bone, and limits the rest to FASTEST_TURN.
  */
 static void hold_speed(const float origin[3], const float origin_velocity[3],
-	float length, const float place[3], float velocity[3])
+	float length, const float end[3], float velocity[3])
 {
-	float way[3], relative[3];
+	float offset[3], relative[3];
 	float speed;
 
-	vec_subtract(place, origin, way);
-	vec_normalize(way);
+	vec_subtract(end, origin, offset);
+	vec_normalize(offset);
 	vec_subtract(velocity, origin_velocity, relative);
-	vec_add_scaled(relative, way, -vec_dot(relative, way), relative);
+	vec_add_scaled(relative, offset, -vec_dot(relative, offset), relative);
 	speed = vec_length(relative);
 	if (!(speed <= FASTEST_TURN * length)) {
 		speed = vec_normalize(relative) > 0 ? FASTEST_TURN * length : 0;
@@ -160,64 +160,64 @@ static void hold_speed(const float origin[3], const float origin_velocity[3],
 	vec_add_scaled(origin_velocity, relative, 1, velocity);
 }
 
-/* Out of the capsules, and no longer towards them. */
+/* Moves an end out of the capsules and stops its motion into them. */
 static void keep_out(
 	struct swing *swing, int i, const float origin[3], const float ahead[3])
 {
 	struct spring *spring = swing->spring;
-	float *place = spring->place[i];
+	float *end = spring->position[i];
 	float *velocity = spring->velocity[i];
-	float out[3] = {place[0], place[1], place[2]};
+	float out[3] = {end[0], end[1], end[2]};
 	float inward;
 
 	if (!capsule_push_all(swing->capsule, swing->capsule_count,
-		    spring->radius, place)) {
+		    spring->radius, end)) {
 		return;
 	}
-	vec_subtract(place, out, out);
+	vec_subtract(end, out, out);
 	if (vec_normalize(out) > 0) {
 		inward = vec_dot(velocity, out);
 		vec_add_scaled(
 			velocity, out, inward < 0 ? -inward : 0, velocity);
 	}
-	hold_length(origin, ahead, swing->length[i], place);
+	hold_length(origin, ahead, swing->length[i], end);
 }
 
-/* A bone's origin and how it moves. */
+/* The origin of a bone. */
 struct base {
-	float place[3], velocity[3];
+	float position[3], velocity[3];
 };
 
-/* Moves one bone's end; turns its animated rotation into what it becomes. */
+/* Moves one bone's end and changes its animated rotation accordingly. */
 static void swing_bone(struct swing *swing, int i, const struct base *base,
 	float part_s, float rotation[4])
 {
 	struct spring *spring = swing->spring;
-	const float *origin = base->place;
-	float *place = spring->place[i];
+	const float *origin = base->position;
+	float *end = spring->position[i];
 	float animated[4] = {rotation[0], rotation[1], rotation[2], rotation[3]};
-	float ahead[3], goal[3], way[3], turn[4];
+	float ahead[3], goal[3], offset[3], turn[4];
 
 	quat_rotate(rotation, swing->bone[i], ahead);
 	vec_add_scaled(origin, ahead, 1, goal);
 	pull(spring, i, goal, part_s);
-	hold_length(origin, ahead, swing->length[i], place);
+	hold_length(origin, ahead, swing->length[i], end);
 	keep_out(swing, i, origin, ahead);
-	hold_speed(origin, base->velocity, swing->length[i], place,
+	hold_speed(origin, base->velocity, swing->length[i], end,
 		spring->velocity[i]);
-	vec_subtract(place, origin, way);
-	quat_between(ahead, way, turn);
+	vec_subtract(end, origin, offset);
+	quat_between(ahead, offset, turn);
 	quat_multiply(turn, rotation, rotation);
 	quat_normalize(rotation);
 	if (spring->limit_rad > 0 &&
 		quat_limit(rotation, animated, spring->limit_rad)) {
-		quat_rotate(rotation, swing->bone[i], way);
-		vec_add_scaled(origin, way, 1, place);
-		memcpy(spring->velocity[i], base->velocity, sizeof(way));
+		quat_rotate(rotation, swing->bone[i], offset);
+		vec_add_scaled(origin, offset, 1, end);
+		memcpy(spring->velocity[i], base->velocity, sizeof(offset));
 	}
 }
 
-/* One part of a step, with the first bone's base at a share of its way. */
+/* One part of a step, with the first bone's base of that moment. */
 static void swing_chain(struct swing *swing, struct base base,
 	const float above[4], float part_s)
 {
@@ -231,7 +231,8 @@ static void swing_chain(struct swing *swing, struct base base,
 		quat_multiply(parent, local, swing->turned[i]);
 		quat_normalize(swing->turned[i]);
 		swing_bone(swing, i, &base, part_s, swing->turned[i]);
-		memcpy(base.place, spring->place[i], sizeof(base.place));
+		memcpy(base.position, spring->position[i],
+			sizeof(base.position));
 		memcpy(base.velocity, spring->velocity[i],
 			sizeof(base.velocity));
 		parent = swing->turned[i];
@@ -260,10 +261,10 @@ static void store(
 static bool jumped(
 	const struct spring *spring, const float origin[3], float total)
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(origin, spring->origin, way);
-	return !(vec_length(way) <= 4 * total);
+	vec_subtract(origin, spring->origin, offset);
+	return !(vec_length(offset) <= 4 * total);
 }
 
 static void keep_base(
@@ -300,11 +301,11 @@ void spring_update(struct spring *spring, float step_s,
 		base.velocity[k] /= step_s;
 	}
 	for (int p = 1; p <= parts; p++) {
-		float share = (float)p / (float)parts;
+		float fraction = (float)p / (float)parts;
 		float rotation[4];
 
-		vec_mix(spring->origin, origin, share, base.place);
-		quat_slerp(spring->rotation, above, share, rotation);
+		vec_mix(spring->origin, origin, fraction, base.position);
+		quat_slerp(spring->rotation, above, fraction, rotation);
 		swing_chain(&swing, base, rotation, step_s / (float)parts);
 	}
 	store(&swing, above, pose);

@@ -1,12 +1,11 @@
 /*
  * Springy bones: ponytails, tails, antennas.
  *
- * The end of each bone is pulled to where the animation puts it, as far as
- * the bones above let it, and lags, swings and hangs on the way. Ends stay at
- * their bone's length, so that nothing stretches and nothing can fly away,
- * whatever the frame time: a step
- * is cut into up to 12 parts of 1/120 s or more, and the spring is solved by a
- * rule that is stable for any of them.
+ * A damped spring pulls the end of each bone to its animated position, relative
+ * to the bone above, so that it lags, swings and hangs. The distance of the
+ * ends is kept, so nothing stretches. A step is divided into at most 12 parts
+ * of at least 1/120 s, and the spring is integrated by a rule that is stable
+ * for any of them: nothing flies away, whatever the frame time.
  */
 #ifndef APP_ANIM_PROCEDURAL_SPRING_H
 #define APP_ANIM_PROCEDURAL_SPRING_H
@@ -18,44 +17,43 @@ enum {
 };
 
 struct spring {
-	int count;            /* bones */
+	int count;            /* of bones */
 	int node[SPRING_MAX]; /* each the parent of the next */
 	float end[3];         /* the last bone's end, in its own frame */
 
-	float frequency_hz; /* swings a second if nothing damped it, at most 15;
-			       0: limp */
-	float damping;      /* 1: comes to rest without swinging over */
+	float frequency_hz; /* of the undamped spring, at most 15; 0: limp */
+	float damping;      /* ratio; 1 is critical damping */
 	float gravity[3];   /* the world's units a second squared */
-	float limit_rad;    /* how far a bone leaves its animated direction;
-			       0 or less: freely */
-	float radius;       /* kept from capsules */
+	float limit_rad;    /* the largest angle from the animated direction;
+			       0 or less: no limit */
+	float radius;       /* distance kept from capsules */
 	float weight;       /* 0: as animated */
 
-	/* Below: for spring_update(). */
+	/* Private. */
 	bool begun;
-	float place[SPRING_MAX][3]; /* of the ends, in the world */
+	float position[SPRING_MAX][3]; /* of the ends, in the world */
 	float velocity[SPRING_MAX][3];
 	float origin[3];   /* of the first bone, in the last frame */
-	float rotation[4]; /* above it */
+	float rotation[4]; /* of its parent */
 };
 
 /*
- * The count bones that end with the node last, at 2 swings a second, damping
- * 0.3, gravity 9.81 downwards, weight 1. The last bone is taken to be as long
- * as it is away from its parent. 0, or -EINVAL when there are too few
+ * Makes a spring of the count bones that end with the node last: 2 Hz, damping
+ * 0.3, gravity 9.81 downwards, weight 1. The last bone gets the length and
+ * direction of its offset from its parent. 0, or -EINVAL if last has too few
  * ancestors or count is out of range.
  */
 int spring_init(
 	struct spring *spring, const struct model *model, int last, int count);
 
-/* Forgets the motion; the next update begins at the animated pose. */
+/* Stops the motion; the next update begins at the animated pose. */
 void spring_reset(struct spring *spring);
 
 /*
- * Goes on by step_s (at most 0.2 s of it count) and turns the bones. world
- * are the pose's matrices before the change; those of the first bone and all
- * behind it are out of date afterwards. A jump of the first bone by more than
- * four times the chain's length begins anew.
+ * Advances by step_s, at most 0.2 s, and rotates the bones. world has the
+ * pose's matrices from before the call; those of the first bone and its
+ * descendants are out of date after it. If the first bone has moved by more
+ * than four times the chain's length, the motion begins anew.
  */
 void spring_update(struct spring *spring, float step_s,
 	const struct capsule_world *capsule, int capsule_count,

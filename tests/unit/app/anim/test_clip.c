@@ -464,16 +464,15 @@ static void test_cubic_rotations_ignore_the_keys_signs(void **state)
 	}
 }
 
-static void test_interpolations_have_names(void **state)
+static void test_interpolations_are_found_by_name(void **state)
 {
+	static const char *const name[] = {
+		"auto", "nearest", "step", "linear", "cubic"};
+
 	(void)state;
 	for (int i = CLIP_AUTO; i <= CLIP_CUBIC; i++) {
-		const char *name =
-			clip_interpolation_name((enum clip_interpolation)i);
-
-		assert_int_equal(clip_interpolation_find(name), i);
+		assert_int_equal(clip_interpolation_find(name[i]), i);
 	}
-	assert_int_equal(clip_interpolation_find("cubic"), CLIP_CUBIC);
 	assert_int_equal(clip_interpolation_find("bezier"), -1);
 	assert_int_equal(clip_interpolation_find(""), -1);
 }
@@ -770,7 +769,7 @@ int main(void)
 		cmocka_unit_test(test_cubic_follows_a_line_exactly),
 		cmocka_unit_test(test_cubic_has_no_corners),
 		cmocka_unit_test(test_cubic_rotations_ignore_the_keys_signs),
-		cmocka_unit_test(test_interpolations_have_names),
+		cmocka_unit_test(test_interpolations_are_found_by_name),
 		cmocka_unit_test(test_a_clip_without_length_stays_at_zero),
 	};
 

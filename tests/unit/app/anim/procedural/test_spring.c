@@ -101,7 +101,7 @@ static void test_bones_follow_their_ends(void **state)
 
 		matrix_apply(
 			((mat4 *)f.bones.world)[FIRST + i], f.spring.end, at);
-		assert_all_near(at, f.spring.place[i], 3, 1e-4);
+		assert_all_near(at, f.spring.position[i], 3, 1e-4);
 	}
 	tear_down(&f);
 }
@@ -157,12 +157,12 @@ static void test_it_swings_at_its_frequency(void **state)
 	no_gravity(&f);
 	f.spring.damping = 0;
 	frame(&f, 0.002f);
-	f.spring.place[0][0] += 0.01f;
+	f.spring.position[0][0] += 0.01f;
 	for (int i = 0; i < 1000; i++) {
 		float now;
 
 		frame(&f, 0.002f);
-		now = f.spring.place[0][0];
+		now = f.spring.position[0][0];
 		crossings += now * before < 0;
 		before = now;
 	}
@@ -231,8 +231,8 @@ static void test_it_keeps_out_of_capsules(void **state)
 		bones_update(&f.bones);
 	}
 	for (int i = 0; i < BONES; i++) {
-		double y = (double)f.spring.place[i][1] - 1.45;
-		double z = (double)f.spring.place[i][2] + 0.2;
+		double y = (double)f.spring.position[i][1] - 1.45;
+		double z = (double)f.spring.position[i][2] + 0.2;
 
 		/* Its length comes first; the rest is kept free. */
 		assert_true(sqrt(y * y + z * z) > 0.105);
@@ -311,7 +311,7 @@ static void throw_about(int bones, int count, float step_s)
 		spring_update(&f.spring, step_s, NULL, 0,
 			(const mat4 *)f.bones.world, &f.bones.pose);
 		for (int b = 0; b < bones; b++) {
-			assert_true(vec_length(f.spring.place[b]) < 3);
+			assert_true(vec_length(f.spring.position[b]) < 3);
 			assert_true(vec_length(f.spring.velocity[b]) < 300);
 		}
 	}

@@ -11,11 +11,11 @@
 #include "platform/base/compiler.h"
 
 const char console_in_use_remedy[] =
-	"use its desktop with --display window, or go to a text console with sudo chvt 3";
+	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
 /*
- * What ends a process. Whoever handles the last ones, ends in order and gives
- * the console back itself.
+ * The signals that end a process. A program that handles the last five is
+ * expected to end in order, and then calls console_release() itself.
  */
 static const struct {
 	int number;
@@ -38,7 +38,7 @@ enum {
 	ENDING_COUNT = ARRAY_COUNT(endings)
 };
 
-/* A handler has nothing but the process's own memory to look at. */
+/* A signal handler can reach static variables only. */
 static struct {
 	const struct device_calls *calls;
 	volatile sig_atomic_t fd;
@@ -51,8 +51,8 @@ static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 	return device_control(calls, fd, KDSETMODE, (void *)mode);
 }
 
-/* The signal comes again, blocked until the handler is left. */
-static void end_in_text(int number)
+/* Raises the signal again, which stays blocked until the handler returns. */
+static void restore_text_mode(int number)
 {
 	set_mode(taken.calls, taken.fd, KD_TEXT);
 	for (int i = 0; i < ENDING_COUNT; i++) {
@@ -65,7 +65,7 @@ static void end_in_text(int number)
 
 static void catch_endings(const struct console *console)
 {
-	struct sigaction action = {.sa_handler = end_in_text};
+	struct sigaction action = {.sa_handler = restore_text_mode};
 
 	taken.calls = console->calls;
 	taken.fd = console->fd;
@@ -73,7 +73,7 @@ static void catch_endings(const struct console *console)
 	for (int i = 0; i < ENDING_COUNT; i++) {
 		struct sigaction *before = &taken.before[i];
 
-		/* Fails for no signal of the list. */
+		/* sigaction() cannot fail for these signals. */
 		(void)sigaction(endings[i].number, NULL, before);
 		taken.caught[i] = before->sa_handler == SIG_DFL ||
 			(!endings[i].only_default &&
@@ -95,8 +95,9 @@ static void release_endings(void)
 }
 
 /*
- * Opens the console that is seen, by its other name where there are no
- * numbers; *in_use as console_is_in_use() has it. -1: there is none.
+ * Opens the current console, which kernels without virtual terminals call
+ * /dev/tty. *in_use is the result of console_is_in_use(). Returns -1 when there
+ * is no console.
  */
 static int open_console(
 	const struct device_calls *calls, const struct log *log, bool *in_use)
@@ -112,7 +113,7 @@ static int open_console(
 		if (fd < 0) {
 			if (errno == EACCES || errno == EPERM) {
 				log_note(log,
-					"%s: no permission: the console may write over the picture",
+					"%s: no permission: the console may draw over the picture",
 					paths[i]);
 			}
 			continue;
@@ -159,8 +160,8 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 		release_endings();
 	}
 	log_warning(log,
-		in_use ? "console: another program (X or Wayland) draws on this screen, too: leave it first"
-		       : "console: no graphics mode: it may write over the picture");
+		in_use ? "console: another program (X or Wayland) draws on this screen, too: switch to a text console first"
+		       : "console: it has no graphics mode: it may draw over the picture");
 	calls->close(console->fd);
 	console->fd = -1;
 }

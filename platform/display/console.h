@@ -1,9 +1,9 @@
 /*
- * The text console under a picture: kept from drawing, and brought back.
+ * The text console, which must not draw over the pictures on a screen.
  *
- * A console in graphics mode stays dark after its program, so every way out
- * must bring it back: the caller's own, and signals that end the process. The
- * kernel does it for nobody, so after SIGKILL the next run has to.
+ * A console in graphics mode stays dark until a program sets text mode again.
+ * console_release() does that, and so does a handler for the signals that end
+ * the process. Only SIGKILL leaves the console dark until the next run.
  */
 #ifndef PLATFORM_DISPLAY_CONSOLE_H
 #define PLATFORM_DISPLAY_CONSOLE_H
@@ -15,28 +15,28 @@
 
 struct console {
 	const struct device_calls *calls;
-	int fd; /* -1: there is no console, or it is another program's */
+	int fd; /* -1: there is no console, or another program uses it */
 };
 
 /*
- * Whether another program shows its pictures on the console: one that is in
- * graphics mode and watched over. A console that a killed program left in
- * graphics mode is nobody's.
+ * Whether another program draws on the console: the console is in graphics
+ * mode, and a program handles its switching. A console that a killed program
+ * left in graphics mode is not in use.
  */
 bool console_is_in_use(const struct device_calls *calls);
 
-/* What to do about it, for people. */
+/* The remedy for a console in use, for limber doctor. */
 extern const char console_in_use_remedy[];
 
 /*
- * Puts the machine's console in graphics mode, where it has one; a warning when
- * another program has it. Only one at a time: signal handlers belong to the
- * process.
+ * Switches the console to graphics mode, if the machine has one. Logs a warning
+ * when another program uses it. Acquire only one at a time, because signal
+ * handlers belong to the process.
  */
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
 
-/* Text again. Fine when nothing was taken. */
+/* Switches back to text mode. Does nothing when no console was acquired. */
 void console_release(struct console *console);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * Displays: where finished pictures go.
  *
- * A display either hands out a buffer of pixels for each frame, or a native
- * surface that only a GL driver of the same kind can draw on.
+ * A display either hands out a buffer of pixels for each frame, or it has a
+ * native surface that only GL drivers with .surface can draw on.
  */
 #ifndef PLATFORM_DISPLAY_DISPLAY_H
 #define PLATFORM_DISPLAY_DISPLAY_H
@@ -17,118 +17,114 @@
 
 struct display;
 
-/*
- * What a display is asked for; strings are borrowed for the call only, the log
- * is copied.
- */
+/* What to open. Strings must be valid during the call only; *log is copied. */
 struct display_options {
 	int width, height;        /* wanted size in pixels */
-	bool size_given;          /* by somebody, not by default */
+	bool size_given;          /* the user gave the size */
 	enum pixel_format format; /* of pictures */
-	bool format_given;        /* else what suits the display */
-	const char *device;       /* what stood behind the name, or NULL */
-	const char *title;        /* window */
+	bool format_given;        /* if not, the display chooses the format */
+	const char *device;       /* what follows "NAME:", or NULL */
+	const char *title;        /* window: its title, or NULL */
 	const char *output;       /* image: the file to write */
-	int frame_count;          /* image: frames to expect, 0: not known */
+	int frame_count;          /* image: expected frames, 0 if not known */
 	double rate_hz;           /* image: frames a second of an animation */
 	const struct log *log;
 };
 
-/* What a display came to be. */
+/* The properties of an open display. */
 struct display_info {
-	int width, height;        /* of the first frame */
+	int width, height;        /* of the first frame, in pixels */
 	enum pixel_format format; /* of every frame */
 	/*
-	 * How often the screen shows a picture, for which end_frame() waits.
-	 * 0: it does not wait, or nobody knows.
+	 * The refresh rate of the screen when end_frame() waits for it. 0 when
+	 * it does not wait, or the rate is not known.
 	 */
 	double rate_hz;
 };
 
-/* What happened outside since the last poll. */
+/* What the user did since the last poll. */
 struct display_events {
-	bool close;   /* the person closed the window */
-	bool resized; /* begin_frame() hands out another size from now on */
-	bool graph;   /* to show how long frames take, or no longer */
-	bool picture; /* to keep the picture in a file */
+	bool close;   /* closed the window */
+	bool resized; /* resized it: the next frame has another size */
+	bool graph;   /* asked to show or hide the frame times */
+	bool picture; /* asked to save the picture in a file */
 };
 
 struct display_driver {
 	const char *name;
-	const char *summary;
-	const char *argument; /* what "NAME:..." takes, or NULL: nothing */
+	const char *summary;  /* one line for the help text */
+	const char *argument; /* what follows "NAME:", or NULL for nothing */
 
 	/*
-	 * True when this display may be chosen unasked, because create() has a
-	 * chance on this machine: a cheap look at the environment, silent.
-	 * Optional: NULL means always. Those that show nobody anything (image,
-	 * null) say no.
+	 * Whether --display auto may try this driver: a quick check of the
+	 * machine without logging. The displays that show nothing (image, null)
+	 * return false. Optional: NULL means true.
 	 */
 	bool (*probe)(void);
 
 	/*
-	 * Checks the device and the output as words of the command line, and
-	 * opens nothing. 0, or -EINVAL after logging an error. Optional: NULL
-	 * where every device is possible.
+	 * Checks the device and the output as far as that is possible without
+	 * opening anything. Returns 0, or -EINVAL after logging an error.
+	 * Optional: NULL when every device is allowed.
 	 */
 	int (*check)(const struct display_options *options);
 
 	/*
-	 * Checks the options as check() does. 0, or -errno after a sentence
-	 * with nothing left open. Mandatory.
+	 * Checks the options as check() does and opens a display. Returns 0, or
+	 * -errno after logging an error, with nothing left open. Mandatory.
 	 */
 	int (*create)(
 		const struct display_options *options, struct display **out);
 
 	/*
-	 * Size, format and pace. The size of a surface is zero, as only the GL
-	 * driver learns it, and its format a wish. Mandatory.
+	 * Gets size, format and rate. For a native surface the size is 0,
+	 * because only the GL driver knows it, and the format is a preference.
+	 * Mandatory.
 	 */
 	void (*get_info)(
 		const struct display *display, struct display_info *out);
 
 	/*
-	 * The surface that a GL driver draws on instead of into pixels; it
-	 * stays the display's. Mandatory for displays without begin_frame(),
-	 * NULL in others.
+	 * Gets the native surface, which the display owns. Mandatory for
+	 * displays without begin_frame(), NULL for others.
 	 */
 	void (*get_surface)(
 		const struct display *display, struct native_surface *out);
 
 	/*
-	 * The buffer to draw the next frame into, valid until end_frame().
-	 * 0, or -errno after a sentence. Mandatory for displays of pixels.
+	 * Gets the buffer to draw the next frame into, valid until end_frame().
+	 * Returns 0, or -errno after logging an error. Mandatory for displays
+	 * of pixels.
 	 */
 	int (*begin_frame)(struct display *display, struct pixels *out);
 
 	/*
-	 * Shows or stores the frame; may wait for the screen's turn. 0, or
-	 * -errno after a sentence. Mandatory.
+	 * Shows or stores the frame, and may wait for the screen's vertical
+	 * blanking. Returns 0, or -errno after logging an error. Mandatory.
 	 */
 	int (*end_frame)(struct display *display);
 
 	/*
-	 * Collects what happened; keys go into the queue stamped now_ms.
-	 * Optional.
+	 * Collects the user's actions. Keys are pushed into the queue with the
+	 * time now_ms. Optional.
 	 */
 	void (*poll)(struct display *display, int64_t now_ms,
 		struct button_queue *queue, struct display_events *events);
 
 	/*
-	 * Completes what is stored (an animation's file), which destroy()
-	 * without it throws away. 0, or -errno after a sentence. Optional;
-	 * called once, before destroy().
+	 * Completes the file of an animation; without this call, destroy()
+	 * discards it. Call it once, before destroy(). Returns 0, or -errno
+	 * after logging an error. Optional.
 	 */
 	int (*finish)(struct display *display);
 
-	/* NULL is fine. Mandatory. */
+	/* Closes the display. NULL is fine. Mandatory. */
 	void (*destroy)(struct display *display);
 
 	/*
-	 * Says which of the machine's screens it could show pictures on, at
-	 * least one finding: SURVEY_WORKS means that create() would do. Opens
-	 * nothing for longer than a look. Optional: NULL where the machine
-	 * does not matter.
+	 * Reports the screens of the machine that this driver can use, at least
+	 * one finding. SURVEY_WORKS means that create() should succeed. Keeps
+	 * no device open. Optional: NULL for drivers that need no device.
 	 */
 	void (*survey)(const struct survey *survey);
 };
@@ -136,29 +132,26 @@ struct display_driver {
 /* Built-in drivers in order of preference, NULL at the end. */
 extern const struct display_driver *const display_registry[];
 
-/* The driver of that name, or NULL. */
-const struct display_driver *display_find(const char *name);
-
 /*
- * The driver that "NAME" or "NAME:DEVICE" means. NULL after a sentence: there
- * is no such driver (it lists those there are), or it takes no device.
+ * The driver of "NAME" or "NAME:DEVICE". Returns NULL after logging an error:
+ * there is no such driver, or it takes no device.
  */
 const struct display_driver *display_choose(
 	const char *spec, const struct log *log);
 
 /*
- * Checks what display_open() would open, as far as words tell. options->device
- * is ignored. 0, with the driver in *driver, or -EINVAL after logging an error:
- * spec names no driver (it lists those there are), or its driver does not
+ * Checks spec and options as far as that is possible without opening
+ * anything. options->device is ignored. Returns 0 with the driver in *driver,
+ * or -EINVAL after logging an error: there is no such driver, or it does not
  * accept the device or the output.
  */
 int display_check(const char *spec, const struct display_options *options,
 	const struct display_driver **driver);
 
 /*
- * Opens the display that spec means, with the device it names; for NULL or
- * "auto" the first whose probe says yes and that opens. 0, or -errno after a
- * sentence about each that was tried and, for auto, which there are.
+ * Opens the display of spec, "NAME" or "NAME:DEVICE". For NULL or "auto" it
+ * opens the first one whose probe() returns true and whose create() succeeds.
+ * Returns 0, or -errno after logging an error for each display it tried.
  * options->device is ignored.
  */
 int display_open(const char *spec, const struct display_options *options,

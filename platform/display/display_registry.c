@@ -17,16 +17,6 @@ const struct display_driver *const display_registry[] = {
 	NULL,
 };
 
-const struct display_driver *display_find(const char *name)
-{
-	for (int i = 0; display_registry[i]; i++) {
-		if (strcmp(name, display_registry[i]->name) == 0) {
-			return display_registry[i];
-		}
-	}
-	return NULL;
-}
-
 static struct name_list list_names(void)
 {
 	struct name_list names = {""};
@@ -51,7 +41,7 @@ const struct display_driver *display_choose(
 		}
 		if (spec[length] && !driver->argument) {
 			log_error(log,
-				"--display %s: %s takes nothing behind a colon: write --display %s",
+				"--display %s: %s takes no argument: write --display %s",
 				spec, driver->name, driver->name);
 			return NULL;
 		}
@@ -109,7 +99,7 @@ static int open_any(const struct display_options *options,
 	}
 	if (error) {
 		log_error(options->log,
-			"--display: nothing to show pictures on was found: limber doctor says why; choose one of %s, or write a file with limber render",
+			"--display: found no screen to show pictures on: run limber doctor to see why, choose one of %s, or write a file with limber render",
 			list_names().text);
 	}
 	return error;

@@ -2,72 +2,7 @@
 
 #include <string.h>
 
-struct pixel_layout pixel_layout_of(enum pixel_format format)
-{
-	static const uint16_t probe = 1;
-	bool little = *(const uint8_t *)&probe == 1;
-
-	if (format == PIXELS_RGB565) {
-		return (struct pixel_layout){
-			.bits = 16,
-			.red = {11, 5},
-			.green = {5, 6},
-			.blue = {0, 5},
-		};
-	}
-	return (struct pixel_layout){
-		.bits = 32,
-		.red = {little ? 0 : 24, 8},
-		.green = {little ? 8 : 16, 8},
-		.blue = {little ? 16 : 8, 8},
-		.alpha = {little ? 24 : 0, 8},
-	};
-}
-
-/* The bits of a field of a sound layout. */
-static uint32_t field_mask(struct pixel_field field)
-{
-	return field.length ? (UINT32_MAX >> (32 - field.length)) << field.offset
-			    : 0;
-}
-
-static bool is_within(struct pixel_field field, int bits)
-{
-	return field.length >= 0 && field.offset >= 0 && field.length <= bits &&
-		field.offset <= bits - field.length;
-}
-
-bool pixel_layout_is_sound(const struct pixel_layout *layout)
-{
-	const struct pixel_field fields[] = {
-		layout->red, layout->green, layout->blue, layout->alpha};
-	uint32_t taken = 0;
-
-	if (layout->bits < 1 || layout->bits > 32) {
-		return false;
-	}
-	for (int i = 0; i < 4; i++) {
-		/* Of the three equal fields of gray, one counts. */
-		bool counts = !layout->gray || i == 0 || i == 3;
-
-		if (!is_within(fields[i], layout->bits) ||
-			(i < 3 && fields[i].length == 0)) {
-			return false;
-		}
-		if (counts && (taken & field_mask(fields[i]))) {
-			return false;
-		}
-		taken |= counts ? field_mask(fields[i]) : 0;
-	}
-	return true;
-}
-
-int pixel_layout_bytes(const struct pixel_layout *layout)
-{
-	return (layout->bits + 7) / 8;
-}
-
-/* value of max, as so much of the field's full value. */
+/* Scales a value of 0..max to the field, rounded to nearest. */
 static uint32_t scale(uint32_t value, uint32_t max, struct pixel_field field)
 {
 	uint64_t full = UINT32_MAX >> (32 - field.length);
@@ -75,22 +10,22 @@ static uint32_t scale(uint32_t value, uint32_t max, struct pixel_field field)
 	return (uint32_t)((full * value + max / 2) / max) << field.offset;
 }
 
-/* BT.601's shares in 256ths; the roundings of white add up to white. */
+/* The same times the channel's weight in luma (BT.601), in 256ths. */
 static uint32_t scale_gray(
-	uint32_t value, uint32_t max, uint32_t share, struct pixel_field field)
+	uint32_t value, uint32_t max, uint32_t weight, struct pixel_field field)
 {
 	uint64_t full = UINT32_MAX >> (32 - field.length);
-	uint64_t part = full * value * share / max;
+	uint64_t part = full * value * weight / max;
 
 	return (uint32_t)(part / 256) << field.offset;
 }
 
 static void fill(uint32_t *table, uint32_t max, struct pixel_field field,
-	uint32_t gray_share)
+	uint32_t gray_weight)
 {
 	for (uint32_t i = 0; i <= max; i++) {
-		table[i] = gray_share ? scale_gray(i, max, gray_share, field)
-				      : scale(i, max, field);
+		table[i] = gray_weight ? scale_gray(i, max, gray_weight, field)
+				       : scale(i, max, field);
 	}
 }
 
@@ -98,9 +33,10 @@ static bool is_same(
 	const struct pixel_layout *layout, const struct pixel_layout *own)
 {
 	return layout->bits == own->bits && !layout->gray &&
-		field_mask(layout->red) == field_mask(own->red) &&
-		field_mask(layout->green) == field_mask(own->green) &&
-		field_mask(layout->blue) == field_mask(own->blue);
+		pixel_layout_mask(layout->red) == pixel_layout_mask(own->red) &&
+		pixel_layout_mask(layout->green) ==
+		pixel_layout_mask(own->green) &&
+		pixel_layout_mask(layout->blue) == pixel_layout_mask(own->blue);
 }
 
 void packing_init(struct packing *packing, enum pixel_format from,
@@ -109,7 +45,7 @@ void packing_init(struct packing *packing, enum pixel_format from,
 	bool narrow = from == PIXELS_RGB565;
 	bool gray = layout->gray;
 	struct pixel_layout own = pixel_layout_of(from);
-	uint32_t opaque = field_mask(layout->alpha);
+	uint32_t opaque = pixel_layout_mask(layout->alpha);
 
 	*packing = (struct packing){
 		.from = from,
@@ -123,8 +59,8 @@ void packing_init(struct packing *packing, enum pixel_format from,
 		packing->red[i] += opaque;
 	}
 	if (gray) {
-		/* Green's share is the largest: it takes what is missing. */
-		uint32_t white = field_mask(layout->red) + opaque;
+		/* White must be full: green, the largest, gets the rest. */
+		uint32_t white = pixel_layout_mask(layout->red) + opaque;
 		int max = narrow ? 31 : 255;
 		int green_max = narrow ? 63 : 255;
 
@@ -152,7 +88,7 @@ static void store_24(uint8_t *out, uint32_t pixel)
 	uint8_t bytes[4];
 
 	memcpy(bytes, &pixel, 4);
-	/* The number's low end comes first or last, as the machine has it. */
+	/* Skip the unused high byte, which is first on big-endian machines. */
 	memcpy(out,
 		pixel_layout_of(PIXELS_RGBA8888).red.offset ? bytes + 1 : bytes,
 		3);

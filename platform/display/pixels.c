@@ -13,11 +13,11 @@ int pixels_alloc(struct pixels *out, int width, int height,
 
 	if (width < 1 || width > PIXELS_SIZE_MAX || height < 1 ||
 		height > PIXELS_SIZE_MAX) {
-		log_error(log, "--size %dx%d: choose from 1x1 to %dx%d", width,
-			height, PIXELS_SIZE_MAX, PIXELS_SIZE_MAX);
+		log_error(log, "--size %dx%d: choose a size from 1x1 to %dx%d",
+			width, height, PIXELS_SIZE_MAX, PIXELS_SIZE_MAX);
 		return -EINVAL;
 	}
-	/* 4 * 8192 * 8192 = 2^28 */
+	/* At most 4 * 8192 * 8192 = 2^28 bytes. */
 	data = calloc((size_t)height, (size_t)(width * pixel_bytes(format)));
 	if (!data) {
 		log_error(log, "--size %dx%d: out of memory", width, height);

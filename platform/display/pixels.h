@@ -1,5 +1,5 @@
 /*
- * A picture in memory: what displays hand out and GL drivers draw into.
+ * A picture in memory, which displays hand out and GL drivers draw into.
  */
 #ifndef PLATFORM_DISPLAY_PIXELS_H
 #define PLATFORM_DISPLAY_PIXELS_H
@@ -28,17 +28,19 @@ enum {
 /* Copies the rows of a picture of the same size and format. */
 void pixels_copy(const struct pixels *to, const struct pixels *from);
 
-/* Reads "rgb565" or "rgba8888". False for anything else; says nothing. */
+/* Reads "rgb565" or "rgba8888". Returns false for anything else. */
 bool pixel_format_parse(const char *text, enum pixel_format *out);
 
+/* The size of a pixel in bytes. */
 static inline int pixel_bytes(enum pixel_format format)
 {
 	return format == PIXELS_RGB565 ? 2 : 4;
 }
 
 /*
- * A zeroed picture with no room between its rows; free() its data. 0, -EINVAL
- * for a size outside 1..PIXELS_SIZE_MAX or -ENOMEM, both after a sentence.
+ * Allocates a zeroed picture without padding between its rows. The caller
+ * frees out->data. Returns 0, or after logging an error -EINVAL for a size
+ * outside 1..PIXELS_SIZE_MAX, or -ENOMEM.
  */
 int pixels_alloc(struct pixels *out, int width, int height,
 	enum pixel_format format, const struct log *log);

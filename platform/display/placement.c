@@ -13,7 +13,7 @@ struct placement placement_choose(
 	if (options->size_given) {
 		if (options->width > width || options->height > height) {
 			log_warning(options->log,
-				"--size %dx%d: the screen is %dx%d: cut to that",
+				"--size %dx%d: the screen has only %dx%d pixels, which limber uses instead",
 				options->width, options->height, width, height);
 		}
 		place.width = smaller(options->width, width);

@@ -1,5 +1,5 @@
 /*
- * Where a picture lies on a screen that has a size of its own.
+ * The rectangle that pictures fill on a screen of fixed size.
  */
 #ifndef PLATFORM_DISPLAY_PLACEMENT_H
 #define PLATFORM_DISPLAY_PLACEMENT_H
@@ -11,8 +11,8 @@ struct placement {
 };
 
 /*
- * All of the screen, or the size somebody asked for in its middle; what does
- * not fit is cut after a warning.
+ * Returns all of the screen or, if the user gave a size, a centred rectangle of
+ * that size. A size larger than the screen is reduced after logging a warning.
  */
 struct placement placement_choose(
 	const struct display_options *options, int width, int height);

@@ -1,5 +1,5 @@
 /*
- * What an EGL draws on without pixels of ours: a window or a whole screen.
+ * A window or a whole screen that EGL draws on directly.
  */
 #ifndef PLATFORM_DISPLAY_SURFACE_H
 #define PLATFORM_DISPLAY_SURFACE_H
@@ -7,9 +7,9 @@
 #include <stdint.h>
 
 /*
- * On bare framebuffers a window of 0 usually means all of the screen. What a
- * number means is between the person and the EGL: an X11 window's id, a
- * pointer.
+ * window is EGL's EGLNativeWindowType. Its meaning depends on the EGL: the id
+ * of an X11 window, or a pointer. On framebuffers without a window system, 0
+ * usually means the whole screen.
  */
 struct native_surface {
 	uintptr_t window;

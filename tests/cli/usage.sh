@@ -52,7 +52,7 @@ done
 for gl in soft osmesa; do
     refused "egl with --gl $gl" play "$slider" --display egl --gl "$gl"
 done
-refused 'takes nothing' play "$slider" --display null:/dev/fb0
+refused 'takes no argument' play "$slider" --display null:/dev/fb0
 refused '--math' pose "$slider" --math double -o "$out"
 refused 'float' pose "$slider" --kernel none -o "$out"
 refused 'fixed point' pose "$slider" --math float --kernel fixed -o "$out"

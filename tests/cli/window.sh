@@ -23,7 +23,7 @@ limber "$slider" --display fbdev:/dev/null --frames 1
 expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 
 DISPLAY=:59000 limber "$slider" --display window --frames 1
-expect_refusal 1 '(no desktop answers|no desktop to open it on)'
+expect_refusal 1 'there is no desktop|the desktop that .* names does not answer'
 
 mkfifo "$scratch/number"
 Xvfb -displayfd 3 -screen 0 800x600x24 -noreset -nolisten tcp \

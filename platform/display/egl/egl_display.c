@@ -1,6 +1,6 @@
 /*
- * What an EGL shows by itself, without a desktop: all of the screen, or a
- * window whose number somebody knows. The GL driver opens EGL and draws.
+ * A native surface of EGL: the whole screen without a desktop, or a window
+ * whose number the user gives. The GL driver opens EGL and draws on it.
  */
 #include <errno.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ struct display {
 	enum pixel_format format;
 };
 
-/* Never chosen unasked: what a window's number means is the vendor's. */
+/* Never chosen by auto: what window 0 means depends on the vendor's EGL. */
 static bool egl_probe(void)
 {
 	return false;
@@ -35,7 +35,7 @@ static int egl_check(const struct display_options *options)
 
 	if (options->device && !read_window(options->device, &window)) {
 		log_error(options->log,
-			"--display egl:%s: give the number of a native window such as 0x1e00003, or none for the whole screen",
+			"--display egl:%s: give the number of a native window, such as 0x1e00003, or --display egl for the whole screen",
 			options->device);
 		return -EINVAL;
 	}
@@ -61,7 +61,7 @@ static int egl_create(
 		return -ENOMEM;
 	}
 	display->surface.window = window;
-	/* As boards' panels have it. */
+	/* Most panels of boards have 16 bits. */
 	display->format =
 		options->format_given ? options->format : PIXELS_RGB565;
 	*out = display;
@@ -79,7 +79,7 @@ static void egl_get_surface(
 	*out = display->surface;
 }
 
-/* The GL driver has shown it. */
+/* The GL driver's end_frame() shows the picture. */
 static int egl_end_frame(struct display *display)
 {
 	(void)display;

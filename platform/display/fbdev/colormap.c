@@ -11,7 +11,7 @@ static struct fb_cmap describe(
 	};
 }
 
-/* value of 0..max as 0..65535. */
+/* Scales a value of 0..max to 0..65535. */
 static uint16_t spread(uint32_t value, uint32_t max)
 {
 	return (uint16_t)(value * 65535 / max);

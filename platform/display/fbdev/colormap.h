@@ -1,5 +1,5 @@
 /*
- * Framebuffers whose pixels are looked up in tables of colours.
+ * The colour map of framebuffers whose pixels are indices into tables.
  */
 #ifndef PLATFORM_DISPLAY_FBDEV_COLORMAP_H
 #define PLATFORM_DISPLAY_FBDEV_COLORMAP_H
@@ -16,24 +16,24 @@ enum {
 };
 
 struct colormap {
-	bool changed; /* there is one to put back */
+	bool changed; /* before[] must be restored */
 	uint32_t count;
 	uint16_t before[3][COLORMAP_ENTRIES]; /* red, green, blue */
 };
 
-/* What pixels of 8 bits mean with the palette of colormap_set(). */
+/* The layout of 8-bit pixels with the palette that colormap_set() sets. */
 struct pixel_layout colormap_palette_layout(void);
 
 /*
- * Fills the device's tables so that pixels mean what layout says: a palette of
- * 256 (FB_VISUAL_PSEUDOCOLOR), or a straight table for each channel
- * (FB_VISUAL_DIRECTCOLOR). Where there are none (FB_VISUAL_TRUECOLOR) nothing
- * is done. False when the device does not take them.
+ * Sets the device's colour map so that its pixels have the layout: a palette of
+ * 256 colours (FB_VISUAL_PSEUDOCOLOR), or a linear table for each channel
+ * (FB_VISUAL_DIRECTCOLOR). Does nothing for FB_VISUAL_TRUECOLOR, which has no
+ * colour map. Returns false when the device refuses it.
  */
 bool colormap_set(struct colormap *map, const struct device_calls *calls,
 	int fd, uint32_t visual, const struct pixel_layout *layout);
 
-/* As they were. */
+/* Restores the colour map that the device had before colormap_set(). */
 void colormap_restore(
 	const struct colormap *map, const struct device_calls *calls, int fd);
 

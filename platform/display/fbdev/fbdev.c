@@ -1,10 +1,10 @@
 /*
- * Linux framebuffers: all of the screen, or a picture in its middle.
+ * Linux framebuffers.
  *
- * With two pages, pictures of the screen's own layout are drawn straight into
- * the page that is not seen. With one page, or another layout, they are drawn
- * in ordinary memory and copied: nobody shall see a half-drawn picture, and
- * reading a framebuffer back, as blending does, is slow.
+ * With two pages and pictures of the screen's own layout, pictures are drawn
+ * directly into the page that is not shown. Otherwise they are drawn in memory
+ * and copied, because a half-drawn picture must not be visible, and because
+ * reading a framebuffer, which blending does, is slow.
  */
 #include "platform/display/fbdev/fbdev.h"
 
@@ -18,17 +18,17 @@
 #include "platform/display/packing.h"
 #include "platform/display/placement.h"
 
-static const char usual_device[] = "/dev/fb0";
+static const char default_device[] = "/dev/fb0";
 
 struct display {
 	struct fbdev_screen screen;
 	struct console console;
 	struct placement place; /* of the picture on the screen */
-	struct pixels picture;  /* data is NULL where pages are drawn into */
+	struct pixels picture; /* data is NULL when drawn into pages directly */
 	struct packing packing; /* of the copy */
 };
 
-/* Sixteen bits gain nothing from wider pictures. */
+/* Wider pictures would look no better on a screen of 16 bits. */
 static enum pixel_format choose_format(
 	const struct display *display, const struct display_options *options)
 {
@@ -39,8 +39,8 @@ static enum pixel_format choose_format(
 						 : PIXELS_RGBA8888;
 }
 
-/* Where the next picture begins on the screen. */
-static uint8_t *find_place(const struct display *display)
+/* The first pixel of the next picture in the framebuffer. */
+static uint8_t *picture_start(const struct display *display)
 {
 	const struct fbdev_screen *screen = &display->screen;
 
@@ -50,8 +50,8 @@ static uint8_t *find_place(const struct display *display)
 		(size_t)pixel_layout_bytes(&screen->layout);
 }
 
-/* Rows begin where whole pixels do, as GL drivers want them. */
-static bool can_draw_straight(const struct display *display)
+/* GL drivers need rows that are aligned to whole pixels. */
+static bool can_draw_directly(const struct display *display)
 {
 	const struct fbdev_screen *screen = &display->screen;
 	uintptr_t pixel = (uintptr_t)display->packing.bytes;
@@ -73,7 +73,7 @@ static int prepare_picture(
 	display->picture.height = display->place.height;
 	packing_init(&display->packing, format, &screen->layout);
 	display->picture.format = format;
-	if (can_draw_straight(display)) {
+	if (can_draw_directly(display)) {
 		display->picture.stride_bytes = screen->stride_bytes;
 		return 0;
 	}
@@ -81,7 +81,7 @@ static int prepare_picture(
 		display->picture.height, format, options->log);
 }
 
-static void blacken(const struct fbdev_screen *screen)
+static void clear_screen(const struct fbdev_screen *screen)
 {
 	size_t page_bytes =
 		(size_t)screen->height * (size_t)screen->stride_bytes;
@@ -110,7 +110,8 @@ int fbdev_create_on(const struct device_calls *calls,
 		return -ENOMEM;
 	}
 	error = fbdev_screen_open(&display->screen, calls,
-		options->device ? options->device : usual_device, options->log);
+		options->device ? options->device : default_device,
+		options->log);
 	if (error) {
 		goto out_free;
 	}
@@ -119,11 +120,11 @@ int fbdev_create_on(const struct device_calls *calls,
 		goto out_screen;
 	}
 	console_acquire(&display->console, calls, options->log);
-	blacken(&display->screen);
+	clear_screen(&display->screen);
 	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %s",
 		display->screen.path, display->screen.width,
 		display->screen.height, display->screen.layout.bits,
-		display->picture.data ? "copied" : "drawn straight");
+		display->picture.data ? "copied" : "drawn directly");
 	*out = display;
 	return 0;
 out_screen:
@@ -141,7 +142,7 @@ static int fbdev_create(
 
 static bool fbdev_probe(void)
 {
-	return access(usual_device, R_OK | W_OK) == 0 &&
+	return access(default_device, R_OK | W_OK) == 0 &&
 		!console_is_in_use(&device_calls_system);
 }
 
@@ -162,7 +163,7 @@ static int fbdev_begin_frame(struct display *display, struct pixels *out)
 {
 	*out = display->picture;
 	if (!out->data) {
-		out->data = find_place(display);
+		out->data = picture_start(display);
 	}
 	return 0;
 }
@@ -176,7 +177,7 @@ static int fbdev_end_frame(struct display *display)
 			fbdev_screen_wait(screen);
 		}
 		packing_copy(&display->packing, &display->picture,
-			find_place(display), screen->stride_bytes);
+			picture_start(display), screen->stride_bytes);
 	}
 	return screen->page_count == 2 ? fbdev_screen_flip(screen) : 0;
 }
@@ -198,7 +199,7 @@ static void fbdev_survey(const struct survey *survey)
 
 const struct display_driver display_driver_fbdev = {
 	.name = "fbdev",
-	.summary = "a Linux framebuffer, /dev/fb0 unless named",
+	.summary = "a Linux framebuffer, by default /dev/fb0",
 	.argument = "DEVICE",
 	.probe = fbdev_probe,
 	.create = fbdev_create,

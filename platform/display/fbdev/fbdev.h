@@ -1,5 +1,5 @@
 /*
- * Linux framebuffers, for tests that stand in for one.
+ * The fbdev driver with system calls that tests can replace.
  */
 #ifndef PLATFORM_DISPLAY_FBDEV_FBDEV_H
 #define PLATFORM_DISPLAY_FBDEV_FBDEV_H
@@ -7,11 +7,11 @@
 #include "platform/display/display.h"
 #include "platform/process/device_calls.h"
 
-/* The driver's create(), on a system of the caller's. */
+/* The driver's create() with other system calls, which must outlive it. */
 int fbdev_create_on(const struct device_calls *calls,
 	const struct display_options *options, struct display **out);
 
-/* The driver's survey(), likewise. */
+/* The driver's survey() with other system calls. */
 void fbdev_survey_on(
 	const struct device_calls *calls, const struct survey *survey);
 

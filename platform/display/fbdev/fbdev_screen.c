@@ -66,7 +66,7 @@ static int read_info(struct fbdev_screen *screen)
 
 static struct pixel_field read_field(const struct fb_bitfield *field)
 {
-	/* Anything larger is unsound as it is. */
+	/* Larger values are invalid in any case. */
 	return (struct pixel_field){
 		.offset = field->offset > 64 ? 64 : (int)field->offset,
 		.length = field->length > 64 ? 64 : (int)field->length,
@@ -89,7 +89,8 @@ static int read_layout(struct fbdev_screen *screen)
 	}
 	if (screen->fix.visual != FB_VISUAL_TRUECOLOR &&
 		screen->fix.visual != FB_VISUAL_DIRECTCOLOR) {
-		return refused(screen, "it has no colours that can be mixed");
+		return refused(
+			screen, "its kind of colour map is not supported");
 	}
 	screen->layout = (struct pixel_layout){
 		.bits = var->bits_per_pixel > 32 ? 64 : (int)var->bits_per_pixel,
@@ -99,8 +100,8 @@ static int read_layout(struct fbdev_screen *screen)
 		.alpha = read_field(&var->transp),
 		.gray = var->grayscale == 1,
 	};
-	if (screen->layout.bits < 8 || !pixel_layout_is_sound(&screen->layout)) {
-		return refused(screen, "its pixels make no sense");
+	if (screen->layout.bits < 8 || !pixel_layout_is_valid(&screen->layout)) {
+		return refused(screen, "its pixel layout is not valid");
 	}
 	return 0;
 }
@@ -113,7 +114,7 @@ static int read_size(struct fbdev_screen *screen)
 
 	if (var->xres < 1 || var->yres < 1 || var->xres > PIXELS_SIZE_MAX ||
 		var->yres > PIXELS_SIZE_MAX) {
-		return refused(screen, "its size makes no sense");
+		return refused(screen, "its size is not valid");
 	}
 	stride = screen->fix.line_length ? screen->fix.line_length
 					 : (uint64_t)var->xres_virtual * bytes;
@@ -154,7 +155,7 @@ static bool has_two_pages(const struct fbdev_screen *screen)
 		screen->fix.smem_len >= both * (uint64_t)screen->stride_bytes;
 }
 
-/* Drivers round what they are asked for: only the height may have grown. */
+/* Drivers may change what was requested; all but the virtual height counts. */
 static bool is_still_good(
 	const struct fbdev_screen *screen, const struct fbdev_screen *was)
 {
@@ -163,7 +164,7 @@ static bool is_still_good(
 		0;
 }
 
-static void ask_for_two_pages(struct fbdev_screen *screen)
+static void request_two_pages(struct fbdev_screen *screen)
 {
 	struct fbdev_screen was = *screen;
 	struct fb_var_screeninfo var = screen->var;
@@ -183,7 +184,7 @@ static void ask_for_two_pages(struct fbdev_screen *screen)
 	}
 }
 
-/* One page does when there is no second, or no turning over. */
+/* Uses one page when there is no memory for two, or panning fails. */
 static void find_pages(struct fbdev_screen *screen)
 {
 	uint32_t step = screen->fix.ypanstep;
@@ -193,7 +194,7 @@ static void find_pages(struct fbdev_screen *screen)
 		return;
 	}
 	if (!has_two_pages(screen)) {
-		ask_for_two_pages(screen);
+		request_two_pages(screen);
 	}
 	if (has_two_pages(screen) && pan(screen, 0)) {
 		screen->page_count = 2;
@@ -201,7 +202,7 @@ static void find_pages(struct fbdev_screen *screen)
 	}
 }
 
-/* A page of the processor's may begin before the device's memory. */
+/* The framebuffer need not start at a page of the processor; the map does. */
 static int map_memory(struct fbdev_screen *screen)
 {
 	size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
@@ -216,7 +217,7 @@ static int map_memory(struct fbdev_screen *screen)
 	return 0;
 }
 
-/* What devices without a wait answer is of many kinds. */
+/* Devices that cannot wait fail with various errors. */
 static bool can_wait(const struct fbdev_screen *screen)
 {
 	uint32_t crtc = 0;
@@ -229,10 +230,10 @@ static int set_colors(struct fbdev_screen *screen)
 	return colormap_set(&screen->colors, screen->calls, screen->fd,
 		       screen->fix.visual, &screen->layout)
 		? 0
-		: refused(screen, "it does not take tables of colours");
+		: refused(screen, "its colour map cannot be set");
 }
 
-static void put_back(struct fbdev_screen *screen)
+static void restore(struct fbdev_screen *screen)
 {
 	colormap_restore(&screen->colors, screen->calls, screen->fd);
 	if (screen->changed) {
@@ -242,7 +243,7 @@ static void put_back(struct fbdev_screen *screen)
 	}
 }
 
-/* Open and known, or -errno with nothing left open. */
+/* Returns 0, or -errno with nothing left open. */
 static int open_and_read(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
 	const struct log *log)
@@ -289,7 +290,7 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 		return error;
 	}
 	screen->before = screen->var;
-	/* A screen that sleeps; many know no sleep. */
+	/* Wakes the screen up; many devices do not support that. */
 	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
 	find_pages(screen);
 	screen->waits = can_wait(screen);
@@ -298,7 +299,7 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 	if (!error) {
 		return 0;
 	}
-	put_back(screen);
+	restore(screen);
 	calls->close(screen->fd);
 	return error;
 }
@@ -322,7 +323,7 @@ void fbdev_screen_wait(const struct fbdev_screen *screen)
 	uint32_t crtc = 0;
 
 	if (screen->waits) {
-		/* A gap that is missed tears a picture, no more. */
+		/* If it fails, this picture may tear. */
 		(void)control(screen, FBIO_WAITFORVSYNC, &crtc);
 	}
 }
@@ -330,7 +331,7 @@ void fbdev_screen_wait(const struct fbdev_screen *screen)
 int fbdev_screen_flip(struct fbdev_screen *screen)
 {
 	if (!pan(screen, !screen->page)) {
-		return failed(screen, "cannot turn to the next picture");
+		return failed(screen, "it cannot show the next picture");
 	}
 	screen->page = !screen->page;
 	fbdev_screen_wait(screen);
@@ -347,13 +348,13 @@ double fbdev_screen_rate_hz(const struct fbdev_screen *screen)
 	double rate_hz =
 		var->pixclock ? 1e12 / (var->pixclock * columns * rows) : 0.0;
 
-	/* Drivers of flat panels often leave nonsense here. */
+	/* Drivers of flat panels often report meaningless timings. */
 	return rate_hz >= 20.0 && rate_hz <= 250.0 ? rate_hz : 60.0;
 }
 
 void fbdev_screen_close(struct fbdev_screen *screen)
 {
 	screen->calls->unmap(screen->map, screen->map_bytes);
-	put_back(screen);
+	restore(screen);
 	screen->calls->close(screen->fd);
 }

@@ -1,6 +1,5 @@
 /*
- * A framebuffer device: its layout, its memory and its pages. Nothing here
- * knows of pictures.
+ * A framebuffer device: its layout, its memory and its pages.
  */
 #ifndef PLATFORM_DISPLAY_FBDEV_FBDEV_SCREEN_H
 #define PLATFORM_DISPLAY_FBDEV_FBDEV_SCREEN_H
@@ -24,51 +23,52 @@ struct fbdev_screen {
 	int fd;
 	struct fb_fix_screeninfo fix;
 	struct fb_var_screeninfo var;
-	struct fb_var_screeninfo before; /* to be put back */
-	bool changed;                    /* there is something to put back */
+	struct fb_var_screeninfo before; /* restored by fbdev_screen_close() */
+	bool changed;                    /* before must be restored */
 	struct pixel_layout layout;
 	struct colormap colors;
 	int width, height;
 	int stride_bytes;
-	int page_count; /* 2: flips by panning */
-	int page;       /* the one that is shown */
-	bool waits;     /* tells when the picture may be changed */
+	int page_count; /* 1, or 2 to flip pages by panning */
+	int page;       /* the page that is shown */
+	bool waits;     /* the device can wait for vertical blanking */
 	void *map;
 	size_t map_bytes;
-	uint8_t *memory; /* of the device, within the map */
+	uint8_t *memory; /* the framebuffer, within map */
 };
 
 /*
- * Opens the device, asks for a second page, maps it. 0, or -errno after a
- * sentence, with everything put back and closed.
+ * Opens and maps the device, with two pages if possible. Returns 0, or -errno
+ * after logging an error, with everything restored and closed.
  */
 int fbdev_screen_open(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
 	const struct log *log);
 
 /*
- * What the device is, without a change to it: fills fix, var, layout, size and
- * stride, and leaves nothing open. 0, or -errno after a sentence.
+ * Fills fix, var, layout, size and stride without changing the device, and
+ * leaves nothing open. Returns 0, or -errno after logging an error.
  */
 int fbdev_screen_inspect(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
 	const struct log *log);
 
-/* The first pixel of the page to draw: not the one shown, if there are two. */
+/* The first pixel of the page that is not shown, or of the only page. */
 uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen);
 
 /*
- * Shows the page that was drawn and waits until the other is not seen any
- * more. 0, or -errno after a sentence.
+ * Shows the back page, and waits until the other one is not shown any more.
+ * Returns 0, or -errno after logging an error.
  */
 int fbdev_screen_flip(struct fbdev_screen *screen);
 
-/* Waits for the gap between two pictures, where the device can. */
+/* Waits for vertical blanking, if the device supports that. */
 void fbdev_screen_wait(const struct fbdev_screen *screen);
 
-/* Times a second that the screen is drawn, 60 where the device is silent. */
+/* The refresh rate, or 60 when the device does not report a plausible one. */
 double fbdev_screen_rate_hz(const struct fbdev_screen *screen);
 
+/* Restores the device's settings and closes it. */
 void fbdev_screen_close(struct fbdev_screen *screen);
 
 #endif

@@ -1,4 +1,4 @@
-/* What there is to be seen of framebuffers. */
+/* The framebuffers that limber doctor reports. */
 #include "platform/display/fbdev/fbdev.h"
 
 #include <errno.h>
@@ -17,7 +17,7 @@ static void describe_layout(
 	const struct pixel_layout *layout = &screen->layout;
 
 	if (screen->fix.visual == FB_VISUAL_PSEUDOCOLOR) {
-		snprintf(text, size, "a table of colours");
+		snprintf(text, size, "a palette");
 	} else if (layout->gray) {
 		snprintf(text, size, "gray");
 	} else {
@@ -44,19 +44,19 @@ static void report_screen(const struct device_calls *calls,
 	if (console_is_in_use(calls)) {
 		survey_report(survey, SURVEY_TAKEN, screen->path,
 			console_in_use_remedy,
-			"%s, another program draws there (X or Wayland)", text);
+			"%s, another program uses it (X or Wayland)", text);
 	} else {
 		survey_report(
 			survey, SURVEY_WORKS, screen->path, NULL, "%s", text);
 	}
 }
 
-/* Whether there was something to say of that device. */
-static bool look_at(const struct device_calls *calls, int number,
+/* Reports the device of that number; false when there is none. */
+static bool report_number(const struct device_calls *calls, int number,
 	const struct survey *survey)
 {
-	struct survey_message sentence;
-	struct log log = survey_log(&sentence);
+	struct survey_message message;
+	struct log log = survey_log(&message);
 	struct fbdev_screen screen;
 	char path[FBDEV_PATH_BYTES], entry[64];
 	int error;
@@ -72,7 +72,7 @@ static bool look_at(const struct device_calls *calls, int number,
 		return survey_report_no_node(survey, path, entry, -ENOENT);
 	} else {
 		survey_report_message(
-			survey, SURVEY_BROKEN, path, &sentence, NULL);
+			survey, SURVEY_BROKEN, path, &message, NULL);
 	}
 	return true;
 }
@@ -83,11 +83,11 @@ void fbdev_survey_on(
 	bool any = false;
 
 	for (int i = 0; i < SCREENS_MAX; i++) {
-		any = look_at(calls, i, survey) || any;
+		any = report_number(calls, i, survey) || any;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/fb*",
-			"load the screen's driver: sudo modprobe DRIVER, or use kms",
-			"no framebuffer");
+			"load the screen's driver: sudo modprobe DRIVER, or use --display kms",
+			"there is no framebuffer");
 	}
 }

@@ -9,9 +9,9 @@
 #include "platform/display/image/writer.h"
 
 enum {
-	CLEAR = 255, /* the index that lets the frame before show through */
+	TRANSPARENT = 255, /* the index that keeps the last frame's pixel */
 	COLORS = 256,
-	DELAY_MIN_CS = 2, /* players take less for "as slow as you like" */
+	DELAY_MIN_CS = 2, /* players replace shorter delays by 10 */
 	DELAY_MAX_CS = 65535,
 };
 
@@ -22,14 +22,14 @@ struct image_writer {
 	struct palette_maker *maker;
 	int width, height;
 	double rate_hz;
-	int frame;           /* frames begun */
-	int next;            /* the first frame after the one written last */
-	bool local;          /* the palette is no longer the first one */
-	float palette_error; /* when the palette was chosen */
-	uint8_t *source;     /* RGB that each pixel shown was made from */
-	uint8_t *index;      /* of the current frame */
-	int16_t *carried[2]; /* errors in 1/16, of this row and the next */
-	int left, top, right, bottom; /* what changed; right < left: nothing */
+	int frame;            /* frames begun */
+	int next;             /* the next frame to write */
+	bool local;           /* the palette is not that of the first frame */
+	float palette_error;  /* of the frame that the palette was chosen for */
+	uint8_t *source;      /* the RGB source of each pixel shown */
+	uint8_t *index;       /* of the current frame */
+	int16_t *diffused[2]; /* error in 1/16, of this row and the next */
+	int left, top, right, bottom; /* what changed; empty if right < left */
 };
 
 static int write_bytes(GifFileType *gif, const GifByteType *bytes, int count)
@@ -52,8 +52,8 @@ static void gif_destroy(struct image_writer *gif)
 	output_file_discard(gif->output);
 	GifFreeMapObject(gif->map);
 	palette_maker_destroy(gif->maker);
-	free(gif->carried[0]);
-	free(gif->carried[1]);
+	free(gif->diffused[0]);
+	free(gif->diffused[1]);
 	free(gif->source);
 	free(gif->index);
 	free(gif);
@@ -70,17 +70,17 @@ static int failed(const struct image_writer *gif, int cause)
 static bool allocate(struct image_writer *gif)
 {
 	size_t pixels = (size_t)gif->width * (size_t)gif->height;
-	/* A pixel more at both ends, so that errors need no bounds check. */
+	/* One more pixel at both ends saves a bounds check. */
 	size_t row = ((size_t)gif->width + 2) * 3;
 
 	gif->maker = palette_maker_create();
 	gif->map = GifMakeMapObject(COLORS, NULL);
 	gif->source = malloc(3 * pixels);
 	gif->index = malloc(pixels);
-	gif->carried[0] = calloc(row, sizeof(int16_t));
-	gif->carried[1] = calloc(row, sizeof(int16_t));
+	gif->diffused[0] = calloc(row, sizeof(int16_t));
+	gif->diffused[1] = calloc(row, sizeof(int16_t));
 	return gif->maker && gif->map && gif->source && gif->index &&
-		gif->carried[0] && gif->carried[1];
+		gif->diffused[0] && gif->diffused[1];
 }
 
 static int gif_create(
@@ -119,26 +119,26 @@ fail:
 	return error;
 }
 
-/* When a frame is due, in hundredths of a second; does not drift. */
-static int64_t due_cs(const struct image_writer *gif, int frame)
+/* The start of a frame in hundredths of a second. */
+static int64_t start_cs(const struct image_writer *gif, int frame)
 {
 	return (int64_t)(frame * 100.0 / gif->rate_hz + 0.5);
 }
 
-/* How long the frame stays, which decides the next one worth writing. */
+/* The duration of a frame; also sets the next frame to write. */
 static int delay_cs(struct image_writer *gif, int frame)
 {
 	int64_t delay;
 
 	gif->next = frame + 1;
-	while (due_cs(gif, gif->next) - due_cs(gif, frame) < DELAY_MIN_CS) {
+	while (start_cs(gif, gif->next) - start_cs(gif, frame) < DELAY_MIN_CS) {
 		gif->next++;
 	}
-	delay = due_cs(gif, gif->next) - due_cs(gif, frame);
+	delay = start_cs(gif, gif->next) - start_cs(gif, frame);
 	return delay < DELAY_MAX_CS ? (int)delay : DELAY_MAX_CS;
 }
 
-/* Keeps a palette while it fits: what does not move then does not flicker. */
+/* Keeps the palette while it fits, so that still pixels do not flicker. */
 static void update_palette(struct image_writer *gif, const struct pixels *frame)
 {
 	const struct palette *palette = palette_current(gif->maker);
@@ -149,7 +149,7 @@ static void update_palette(struct image_writer *gif, const struct pixels *frame)
 			1.5f * gif->palette_error + 4) {
 		return;
 	}
-	palette_choose(gif->maker, frame, CLEAR);
+	palette_choose(gif->maker, frame, TRANSPARENT);
 	gif->palette_error = palette_error(gif->maker, frame);
 	gif->local = !first;
 	for (int i = 0; i < palette->count; i++) {
@@ -164,11 +164,11 @@ static int limit_byte(int value)
 }
 
 /*
- * The index for a pixel, and its error handed to its neighbours as Floyd and
- * Steinberg do: 7/16 ahead, 3/16, 5/16 and 1/16 below. |error| is at most 255
- * in each of four shares, so a sum stays below 2^12.
+ * Chooses the index of a pixel and diffuses its error after Floyd and
+ * Steinberg: 7/16 ahead, 3/16, 5/16 and 1/16 below. Each |error| is at most
+ * 255 and the weights that a pixel receives add up to 16, so |sum| < 2^12.
  */
-static int spread_pixel(struct image_writer *gif, const uint8_t *pixel,
+static int dither_pixel(struct image_writer *gif, const uint8_t *pixel,
 	int16_t *here, int16_t *below, int ahead)
 {
 	const uint8_t *color;
@@ -199,13 +199,13 @@ static void note_change(struct image_writer *gif, int x, int y)
 	gif->bottom = y;
 }
 
-/* Only pixels whose source changed are made anew; the others stay shown. */
-static void spread_row(
+/* Only pixels whose source changed get an index; the others are transparent. */
+static void dither_row(
 	struct image_writer *gif, const struct pixels *frame, int y, bool all)
 {
 	const uint8_t *row = frame->data + y * frame->stride_bytes;
-	int16_t *here = gif->carried[y % 2] + 3;
-	int16_t *below = gif->carried[1 - y % 2] + 3;
+	int16_t *here = gif->diffused[y % 2] + 3;
+	int16_t *below = gif->diffused[1 - y % 2] + 3;
 	int step = y % 2 ? -1 : 1;
 	int x = y % 2 ? gif->width - 1 : 0;
 
@@ -214,28 +214,28 @@ static void spread_row(
 		size_t at = (size_t)y * (size_t)gif->width + (size_t)x;
 
 		if (!all && memcmp(gif->source + 3 * at, row + 4 * x, 3) == 0) {
-			gif->index[at] = CLEAR;
+			gif->index[at] = TRANSPARENT;
 			continue;
 		}
 		memcpy(gif->source + 3 * at, row + 4 * x, 3);
-		gif->index[at] = (uint8_t)spread_pixel(gif, row + 4 * x,
+		gif->index[at] = (uint8_t)dither_pixel(gif, row + 4 * x,
 			here + 3 * x, below + 3 * x, 3 * step);
 		note_change(gif, x, y);
 	}
 }
 
-static void make_indices(
+static void dither_frame(
 	struct image_writer *gif, const struct pixels *frame, bool all)
 {
 	gif->left = gif->width;
 	gif->top = gif->height;
 	gif->right = gif->bottom = -1;
-	memset(gif->carried[0], 0,
+	memset(gif->diffused[0], 0,
 		((size_t)gif->width + 2) * 3 * sizeof(int16_t));
 	for (int y = 0; y < gif->height; y++) {
-		spread_row(gif, frame, y, all);
+		dither_row(gif, frame, y, all);
 	}
-	/* A frame must show something: a pixel of nothing. */
+	/* A frame must not be empty: it gets one transparent pixel. */
 	if (gif->right < 0) {
 		gif->left = gif->top = gif->right = gif->bottom = 0;
 	}
@@ -258,7 +258,7 @@ static bool write_picture(struct image_writer *gif, int delay)
 	const GraphicsControlBlock control = {
 		.DisposalMode = DISPOSE_DO_NOT,
 		.DelayTime = delay,
-		.TransparentColor = CLEAR,
+		.TransparentColor = TRANSPARENT,
 	};
 	int width = gif->right - gif->left + 1;
 	GifByteType bytes[4];
@@ -292,7 +292,7 @@ static int gif_add(struct image_writer *gif, const struct pixels *frame)
 	}
 	delay = delay_cs(gif, number);
 	update_palette(gif, frame);
-	make_indices(gif, frame, number == 0);
+	dither_frame(gif, frame, number == 0);
 	written = (number > 0 || write_start(gif)) && write_picture(gif, delay);
 	return written ? 0 : failed(gif, gif->gif->Error);
 }

@@ -1,5 +1,5 @@
 /*
- * Pictures into files; the file's extension says which kind.
+ * Writes pictures to a file, whose extension chooses the format.
  */
 #include <errno.h>
 #include <stdlib.h>
@@ -12,9 +12,9 @@
 #include "platform/display/packing.h"
 
 struct display {
-	struct pixels pixels;   /* drawn into */
-	struct pixels rgba;     /* what writers take, unless pixels is that */
-	struct packing packing; /* from the one to the other */
+	struct pixels pixels;   /* the GL driver draws into it */
+	struct pixels rgba;     /* the converted picture, if pixels is RGB565 */
+	struct packing packing; /* from pixels to rgba */
 	const struct image_writer_kind *kind;
 	struct image_writer *writer;
 };
@@ -26,7 +26,7 @@ static const struct image_writer_kind *const kinds[] = {
 	NULL,
 };
 
-/* Never chosen unasked: it needs a file. */
+/* Never chosen by auto, because it needs a file name. */
 static bool image_probe(void)
 {
 	return false;

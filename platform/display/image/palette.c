@@ -10,13 +10,13 @@ enum {
 	LEVELS = 64,
 	CELLS = LEVELS * LEVELS * LEVELS,
 	UNKNOWN = 0xFFFF,
-	ERROR_STEP = 7, /* pixels; no divisor of usual widths */
+	ERROR_STEP = 7, /* pixels; does not divide common widths */
 };
 
-/* What a difference of red, green and blue counts to the eye. */
+/* The visual weight of a difference in red, green and blue. */
 static const int eye[3] = {2, 4, 3};
 
-/* The pixels of one cell; low holds the sums of their channels modulo 4. */
+/* The pixels of a cell; low[] are the sums of their channels modulo 4. */
 struct count {
 	uint32_t pixels;
 	uint32_t low[3]; /* at most 3 * 2^26 */
@@ -27,12 +27,12 @@ struct cell {
 	float weight;
 };
 
-/* A range of cells, and how they spread about their mean. */
+/* A range of cells and their distribution. */
 struct box {
 	int first, count;
 	float mean[3];
 	float error; /* sum over weight * distance^2 */
-	int axis;    /* of most spread */
+	int axis;    /* the channel with the largest variance */
 };
 
 struct palette_maker {
@@ -79,8 +79,8 @@ static void count_pixels(
 }
 
 /*
- * A cell weighs the root of its pixels, so that a small thing keeps its
- * colours before a large background.
+ * A cell's weight is the square root of its number of pixels, so that small
+ * objects in front of a large background keep their colours.
  */
 static void list_cells(struct palette_maker *maker)
 {
@@ -105,7 +105,7 @@ static void list_cells(struct palette_maker *maker)
 
 static void measure(const struct palette_maker *maker, struct box *box)
 {
-	float weight = 0, sum[3] = {0}, spread[3] = {0};
+	float weight = 0, sum[3] = {0}, variance[3] = {0};
 
 	for (int i = box->first; i < box->first + box->count; i++) {
 		const struct cell *cell = &maker->cell[i];
@@ -122,17 +122,18 @@ static void measure(const struct palette_maker *maker, struct box *box)
 		const struct cell *cell = &maker->cell[i];
 
 		for (int j = 0; j < 3; j++) {
-			float away = cell->rgb[j] - box->mean[j];
+			float difference = cell->rgb[j] - box->mean[j];
 
-			spread[j] += cell->weight * away * away * (float)eye[j];
+			variance[j] += cell->weight * difference * difference *
+				(float)eye[j];
 		}
 	}
-	box->error = spread[0] + spread[1] + spread[2];
-	box->axis = spread[1] >= spread[0] ? 1 : 0;
-	box->axis = spread[2] > spread[box->axis] ? 2 : box->axis;
+	box->error = variance[0] + variance[1] + variance[2];
+	box->axis = variance[1] >= variance[0] ? 1 : 0;
+	box->axis = variance[2] > variance[box->axis] ? 2 : box->axis;
 }
 
-/* Moves the cells up to the mean to the front; how many these are. */
+/* Moves the cells up to the mean to the front and returns their number. */
 static int partition(struct palette_maker *maker, const struct box *box)
 {
 	float middle = box->mean[box->axis];
@@ -149,7 +150,7 @@ static int partition(struct palette_maker *maker, const struct box *box)
 	return low - box->first;
 }
 
-/* False when rounding left all cells on one side of their mean. */
+/* Returns false when rounding left all cells on one side of their mean. */
 static bool split(struct palette_maker *maker, struct box *box, struct box *out)
 {
 	int low = partition(maker, box);
@@ -179,7 +180,7 @@ static int make_boxes(struct palette_maker *maker, int limit)
 		for (int i = 1; i < count; i++) {
 			worst = box[i].error > worst->error ? &box[i] : worst;
 		}
-		/* Below that, cells differ by rounding alone. */
+		/* Smaller errors come from rounding only. */
 		if (worst->error < 1e-3f) {
 			break;
 		}

@@ -1,9 +1,9 @@
 /*
- * Few colours for a picture of many.
+ * Reduces the colours of a picture to a palette (colour quantization).
  *
- * Colours are counted in 64 x 64 x 64 cells; boxes of cells are split where
- * they vary most until there are as many as colours asked for. Nothing is
- * allocated but by palette_maker_create().
+ * The pixels are counted in 64 x 64 x 64 cells of the colour cube. The box of
+ * cells with the largest error is split until there are enough boxes. Only
+ * palette_maker_create() allocates memory.
  */
 #ifndef PLATFORM_DISPLAY_IMAGE_PALETTE_H
 #define PLATFORM_DISPLAY_IMAGE_PALETTE_H
@@ -23,28 +23,28 @@ struct palette {
 
 struct palette_maker;
 
-/* NULL when memory is short. */
+/* Returns NULL when memory is short. */
 struct palette_maker *palette_maker_create(void);
 
-/* NULL is fine. */
+/* Destroys it. NULL is fine. */
 void palette_maker_destroy(struct palette_maker *maker);
 
 /*
  * Chooses at most limit (1..PALETTE_COLORS_MAX) colours for an RGBA8888
- * picture. palette_nearest() searches among them from now on.
+ * picture. They become the current palette.
  */
 void palette_choose(
 	struct palette_maker *maker, const struct pixels *picture, int limit);
 
-/* What was chosen last. */
+/* The palette that was chosen last. */
 const struct palette *palette_current(const struct palette_maker *maker);
 
-/* The index of the colour nearest to this one, to a precision of 1/64. */
+/* The index of the palette colour nearest to the centre of the colour's cell. */
 int palette_nearest(struct palette_maker *maker, int red, int green, int blue);
 
 /*
- * The mean squared distance of the picture's colours (one in so many pixels)
- * from those chosen.
+ * The mean squared distance between the picture's colours and the palette,
+ * weighted by channel, over one in seven pixels.
  */
 float palette_error(struct palette_maker *maker, const struct pixels *picture);
 

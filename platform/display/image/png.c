@@ -11,7 +11,7 @@
 struct image_writer {
 	struct log log;
 	char *path; /* of the current frame */
-	int stem;   /* bytes of path before "-0001.png" */
+	int stem;   /* length of path before "-0001.png" */
 	bool numbered;
 	int frame;    /* frames begun */
 	uint8_t *rgb; /* one frame */

@@ -1,5 +1,5 @@
 /*
- * The kinds of file that the image display writes.
+ * The file formats that the image display writes.
  */
 #ifndef PLATFORM_DISPLAY_IMAGE_WRITER_H
 #define PLATFORM_DISPLAY_IMAGE_WRITER_H
@@ -10,9 +10,9 @@
 struct image_writer;
 
 struct image_options {
-	const char *path; /* borrowed for the call */
+	const char *path; /* must be valid during the call only */
 	int width, height;
-	int frame_count; /* 0: not known */
+	int frame_count; /* 0 if not known */
 	double rate_hz;  /* above 0 */
 	const struct log *log;
 };
@@ -20,30 +20,34 @@ struct image_options {
 struct image_writer_kind {
 	const char *extension; /* with its dot, lower case */
 
-	/* 0, or -errno after a sentence with nothing left behind. */
+	/* Returns 0, or -errno after logging an error, leaving no file. */
 	int (*create)(
 		const struct image_options *options, struct image_writer **out);
 
-	/* Takes one more frame; alpha is ignored. 0, or -errno, told. */
+	/*
+	 * Adds an RGBA8888 frame; alpha is ignored. Returns 0, or -errno after
+	 * logging an error.
+	 */
 	int (*add)(struct image_writer *writer, const struct pixels *frame);
 
-	/* Completes the file. 0, or -errno after a sentence. */
+	/* Completes the file. Returns 0, or -errno after logging an error. */
 	int (*finish)(struct image_writer *writer);
 
-	/* Removes what is not complete. NULL is fine. */
+	/* Releases the writer and removes an incomplete file. NULL is fine. */
 	void (*destroy)(struct image_writer *writer);
 };
 
-/* One PNG a frame: PATH itself, or numbered when there may be several. */
+/* One PNG for each frame: PATH itself for one frame, else numbered files. */
 extern const struct image_writer_kind image_writer_png;
 
 /*
- * An animation without end. Its clock counts hundredths of a second; frames
- * are laid on it without drift, and those beyond 50 a second left out.
+ * An animation that repeats for ever. GIF counts time in hundredths of a
+ * second; frames are rounded to it without drift, and frames above 50 a second
+ * are left out.
  */
 extern const struct image_writer_kind image_writer_gif;
 
-/* Raw video for ffmpeg and players: 4:2:0, BT.601, limited range. */
+/* Uncompressed video: 4:2:0, BT.601, limited range. */
 extern const struct image_writer_kind image_writer_y4m;
 
 #endif

@@ -22,24 +22,24 @@ static void y4m_destroy(struct image_writer *y4m)
 	}
 }
 
-/* A rate as a fraction: whole, or of the NTSC kind, or in thousandths. */
+/* Writes the rate as a fraction: N/1, N*1000/1001 (NTSC) or N/1000. */
 static void write_header(const struct image_writer *y4m, double rate_hz)
 {
 	int whole = (int)(rate_hz + 0.5);
 	double ntsc = whole * 1000.0 / 1001.0;
-	int above = (int)(rate_hz * 1000.0 + 0.5);
-	int below = 1000;
+	int numerator = (int)(rate_hz * 1000.0 + 0.5);
+	int denominator = 1000;
 
 	if (rate_hz - whole < 1e-6 && whole - rate_hz < 1e-6) {
-		above = whole;
-		below = 1;
+		numerator = whole;
+		denominator = 1;
 	} else if (rate_hz - ntsc < 1e-2 && ntsc - rate_hz < 1e-2) {
-		above = whole * 1000;
-		below = 1001;
+		numerator = whole * 1000;
+		denominator = 1001;
 	}
 	fprintf(output_file_stream(y4m->output),
 		"YUV4MPEG2 W%d H%d F%d:%d Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n",
-		y4m->width, y4m->height, above, below);
+		y4m->width, y4m->height, numerator, denominator);
 }
 
 static int y4m_create(
@@ -74,7 +74,7 @@ fail:
 	return error;
 }
 
-/* ITU-R BT.601, 16..235, in 1/65536. */
+/* ITU-R BT.601 in limited range, 16..235, with coefficients in Q16. */
 static uint8_t luma(int red, int green, int blue)
 {
 	return (uint8_t)((16829 * red + 33039 * green + 6416 * blue +
@@ -93,7 +93,7 @@ static void write_luma(const struct pixels *frame, uint8_t *out)
 	}
 }
 
-/* 16..240 about 128, of four times the colour: sum is that of four pixels. */
+/* BT.601 chroma, 16..240 around 128, of the sum of four pixels. */
 static void write_chroma_pair(const int sum[3], uint8_t *cb, uint8_t *cr)
 {
 	int middle = (128 << 18) + (1 << 17);
@@ -106,7 +106,7 @@ static void write_chroma_pair(const int sum[3], uint8_t *cb, uint8_t *cr)
 		18);
 }
 
-/* The mean of each two by two; at an odd edge the last pixel counts twice. */
+/* Averages 2 x 2 pixels. At an odd edge the last pixel counts twice. */
 static void write_chroma(const struct pixels *frame, uint8_t *cb, uint8_t *cr)
 {
 	for (int y = 0; y < frame->height; y += 2) {

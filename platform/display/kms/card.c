@@ -10,11 +10,11 @@
 #include "platform/display/pixels.h"
 
 enum {
-	/* No screen is slower; one that does not answer hangs nobody. */
-	TURN_MAX_MS = 1000
+	/* Longer than a refresh of any screen. */
+	FLIP_TIMEOUT_MS = 1000
 };
 
-/* In the order of what GL drivers draw most easily. */
+/* In the order of preference. */
 static const struct card_format {
 	enum pixel_format format;
 	uint32_t fourcc;
@@ -131,8 +131,8 @@ static int set_mode(struct card *card, uint32_t fb)
 }
 
 /*
- * Only setting the mode tells whether the screen takes a format: there are
- * cards whose cursor takes more than their screens.
+ * Only setting the mode tells whether the screen supports a format: adding a
+ * framebuffer succeeds on some cards because their cursor supports it.
  */
 static bool show_black(struct card *card, const struct card_format *format)
 {
@@ -151,7 +151,7 @@ static bool show_black(struct card *card, const struct card_format *format)
 	return false;
 }
 
-/* The first format that the screen takes; those wanted come first. */
+/* Chooses the first format that the screen supports, wanted ones first. */
 static int make_buffers(struct card *card, const struct display_options *options)
 {
 	bool narrow = wants_narrow(card, options);
@@ -166,16 +166,16 @@ static int make_buffers(struct card *card, const struct display_options *options
 		}
 		card->layout = format->layout;
 		card->format = format->format;
-		/* One is enough where memory is short. */
+		/* Without memory for a second buffer, one is used. */
 		if (!make_buffer(card, &card->buffers[1], format)) {
 			card->method = CARD_ONE_BUFFER;
 		}
 		return 0;
 	}
-	return failed(card, "it takes no buffer to draw into");
+	return failed(card, "it provides no buffer that limber can draw into");
 }
 
-static void take_flip(int fd, unsigned int sequence, unsigned int seconds,
+static void finish_flip(int fd, unsigned int sequence, unsigned int seconds,
 	unsigned int microseconds, void *user)
 {
 	bool *pending = user;
@@ -191,11 +191,11 @@ int card_wait(struct card *card)
 {
 	drmEventContext context = {
 		.version = 2,
-		.page_flip_handler = take_flip,
+		.page_flip_handler = finish_flip,
 	};
 
 	while (card->pending) {
-		int ready = card->calls->wait(card->fd, TURN_MAX_MS);
+		int ready = card->calls->wait(card->fd, FLIP_TIMEOUT_MS);
 
 		if (ready < 0 && errno == EINTR) {
 			continue;
@@ -206,7 +206,7 @@ int card_wait(struct card *card)
 		if (ready <= 0 ||
 			card->calls->handle_event(card->fd, &context) != 0) {
 			card->pending = false;
-			return failed(card, "the screen does not answer");
+			return failed(card, "the page flip does not complete");
 		}
 	}
 	return 0;
@@ -225,7 +225,7 @@ static bool flip(struct card *card)
 	return true;
 }
 
-static bool set_anew(struct card *card)
+static bool set_mode_again(struct card *card)
 {
 	if (set_mode(card, card->buffers[!card->shown].fb) != 0) {
 		return false;
@@ -234,7 +234,7 @@ static bool set_anew(struct card *card)
 	return true;
 }
 
-/* Found out with black buffers, before the first picture. */
+/* Tries the methods with black buffers, before the first picture. */
 static void choose_method(struct card *card)
 {
 	if (card->method == CARD_ONE_BUFFER) {
@@ -244,7 +244,7 @@ static void choose_method(struct card *card)
 	if (flip(card) && card_wait(card) == 0) {
 		return;
 	}
-	card->method = set_anew(card) ? CARD_MODE_SET : CARD_ONE_BUFFER;
+	card->method = set_mode_again(card) ? CARD_MODE_SET : CARD_ONE_BUFFER;
 }
 
 int card_open(struct card *card, const struct kms_calls *calls,
@@ -286,12 +286,14 @@ int card_show(struct card *card)
 {
 	switch (card->method) {
 	case CARD_PAGE_FLIP:
-		return flip(card) ? 0 : failed(card, "cannot flip pictures");
+		return flip(card) ? 0
+				  : failed(card, "it cannot flip to a picture");
 	case CARD_MODE_SET:
-		return set_anew(card) ? 0
-				      : failed(card, "cannot show a picture");
+		return set_mode_again(card)
+			? 0
+			: failed(card, "it cannot show a picture");
 	case CARD_ONE_BUFFER:
-		/* Cards that look at the memory all the time know no dirt. */
+		/* Fails on cards that scan out the memory, which is fine. */
 		(void)card->calls->dirty_fb(
 			card->fd, card->buffers[card->shown].fb, NULL, 0);
 		return 0;
@@ -299,7 +301,7 @@ int card_show(struct card *card)
 	return -EINVAL;
 }
 
-static void put_back(struct card *card)
+static void restore(struct card *card)
 {
 	drmModeCrtcPtr before = card->before;
 
@@ -320,7 +322,7 @@ void card_close(struct card *card)
 
 	card->log = nowhere;
 	card_wait(card);
-	put_back(card);
+	restore(card);
 	release_buffer(card, &card->buffers[1]);
 	release_buffer(card, &card->buffers[0]);
 	card->calls->device->close(card->fd);

@@ -1,6 +1,6 @@
 /*
- * A graphics card by kernel mode setting: one screen of it, and two buffers
- * that the processor draws into. Nothing here knows of pictures.
+ * One screen of a graphics card, driven through kernel mode setting, and two
+ * buffers that the processor draws into.
  */
 #ifndef PLATFORM_DISPLAY_KMS_CARD_H
 #define PLATFORM_DISPLAY_KMS_CARD_H
@@ -15,18 +15,18 @@ enum {
 };
 
 struct card_buffer {
-	uint32_t handle; /* 0: there is none */
-	uint32_t fb;     /* 0: not known to the screen */
+	uint32_t handle; /* of the dumb buffer; 0 for none */
+	uint32_t fb;     /* its framebuffer object; 0 for none */
 	uint32_t pitch_bytes;
 	uint64_t size_bytes;
-	void *map; /* NULL: not mapped */
+	void *map; /* NULL when it is not mapped */
 };
 
-/* How a drawn buffer comes to be seen. */
+/* How card_show() shows a buffer. */
 enum card_method {
-	CARD_PAGE_FLIP, /* at the screen's turn, which tells */
-	CARD_MODE_SET,  /* by setting the mode anew */
-	CARD_ONE_BUFFER /* there is one buffer, always seen */
+	CARD_PAGE_FLIP, /* by a page flip, which reports its completion */
+	CARD_MODE_SET,  /* by setting the mode again */
+	CARD_ONE_BUFFER /* the only buffer is always shown */
 };
 
 struct card {
@@ -36,37 +36,41 @@ struct card {
 	int fd;
 	uint32_t connector, crtc;
 	drmModeModeInfo mode;
-	drmModeCrtcPtr before; /* to be put back, or NULL */
+	drmModeCrtcPtr before; /* restored by card_close(), or NULL */
 	struct pixel_layout layout;
-	enum pixel_format format; /* that layout is, or comes from */
-	bool reads_slowly;        /* the buffers are not for reading back */
+	enum pixel_format format; /* the picture format closest to layout */
+	bool reads_slowly;        /* the driver prefers a shadow buffer */
 	struct card_buffer buffers[2];
-	int shown; /* the buffer that is */
+	int shown; /* the index of the buffer on the screen */
 	enum card_method method;
-	bool pending; /* a flip that has not happened yet */
+	bool pending; /* a page flip is not complete yet */
 };
 
 /*
- * Opens the device that options name, or the first with a connected screen,
- * sets the screen's own mode, or the one nearest to a size that was given, and
- * shows black. 0, or -errno after a sentence with nothing left open.
+ * Opens the card that options name, or the first one with a connected screen.
+ * Sets the screen's preferred mode, or the one nearest to the size given, and
+ * shows black. Returns 0, or -errno after logging an error, with nothing left
+ * open.
  */
 int card_open(struct card *card, const struct kms_calls *calls,
 	const struct display_options *options);
 
-/* Whether any card has a screen for us; silent. */
+/* Whether card_open() could find a screen. Logs nothing. */
 bool card_is_available(const struct kms_calls *calls);
 
-/* The buffer to draw: not the one seen, if there are two. */
+/* The buffer that is not shown, or the only one. */
 const struct card_buffer *card_back(const struct card *card);
 
-/* Waits until the back buffer is not seen any more. 0, or -errno, told. */
+/*
+ * Waits until the back buffer is not on the screen any more. Returns 0, or
+ * -errno after logging an error.
+ */
 int card_wait(struct card *card);
 
-/* Shows the back buffer. 0, or -errno after a sentence. */
+/* Shows the back buffer. Returns 0, or -errno after logging an error. */
 int card_show(struct card *card);
 
-/* Puts the screen back as it was. */
+/* Restores the screen's former picture and mode, and closes the card. */
 void card_close(struct card *card);
 
 #endif

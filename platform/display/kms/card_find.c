@@ -1,4 +1,4 @@
-/* The way to a screen: card, connector, mode, and what drives it. */
+
 #include "platform/display/kms/card_find.h"
 
 #include <errno.h>
@@ -70,7 +70,7 @@ static bool is_preferred(const drmModeModeInfo *mode)
 	return mode->type & DRM_MODE_TYPE_PREFERRED;
 }
 
-/* Whether a is the better one; of equals the first stays. */
+/* Whether a is better than b. */
 static bool is_better(const drmModeModeInfo *a, const drmModeModeInfo *b,
 	const struct display_options *options)
 {
@@ -94,7 +94,7 @@ static void choose_mode(struct card *card, drmModeConnectorPtr connector,
 	}
 }
 
-/* NULL when all is found, else what is missing. */
+/* Returns NULL, or why the card cannot be used. */
 static const char *find_screen(
 	struct card *card, const struct display_options *options)
 {
@@ -106,7 +106,7 @@ static const char *find_screen(
 
 	if (calls->get_cap(card->fd, DRM_CAP_DUMB_BUFFER, &has_dumb) != 0 ||
 		!has_dumb) {
-		return "it has no buffers that the processor could draw into";
+		return "it has no buffers that the processor can draw into";
 	}
 	resources = calls->get_resources(card->fd);
 	if (!resources) {
@@ -123,15 +123,15 @@ static const char *find_screen(
 	calls->free_connector(connector);
 	calls->free_resources(resources);
 	if (!card->crtc) {
-		return "nothing drives the screen that is connected to it";
+		return "it has no CRTC for its screen";
 	}
 	if (!calls->is_master(card->fd)) {
-		return "another program has its screen (X or Wayland)";
+		return "another program uses its screen (X or Wayland)";
 	}
 	return NULL;
 }
 
-static int say_not_open(const char *path, int error, const struct log *log)
+static int log_not_open(const char *path, int error, const struct log *log)
 {
 	if (error == EACCES || error == EPERM) {
 		log_error(log,
@@ -159,7 +159,7 @@ static int try_card(struct card *card, const char *path,
 	}
 	card->fd = device->open(path, O_RDWR | O_CLOEXEC);
 	if (card->fd < 0) {
-		return say_not_open(path, errno, log);
+		return log_not_open(path, errno, log);
 	}
 	missing = find_screen(card, options);
 	if (missing) {
@@ -173,8 +173,8 @@ static int try_card(struct card *card, const char *path,
 }
 
 /*
- * Many cards have no screen, which is worth a word only when none has: of the
- * first then, which is asked once more.
+ * A card without a screen is common and not worth a message. Only when no card
+ * has one, the first card is tried again with logging.
  */
 int card_find(struct card *card, const struct display_options *options)
 {

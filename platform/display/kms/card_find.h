@@ -1,5 +1,5 @@
 /*
- * Part of card.h: which card, screen and mode.
+ * Choosing the card, its screen and the mode.
  */
 #ifndef PLATFORM_DISPLAY_KMS_CARD_FIND_H
 #define PLATFORM_DISPLAY_KMS_CARD_FIND_H
@@ -7,21 +7,21 @@
 #include "platform/display/kms/card.h"
 
 /*
- * Opens a card and fills in path, fd, connector, crtc and mode. 0, or -errno
- * after a sentence with nothing left open.
+ * Opens a card and fills in path, fd, connector, crtc and mode. Returns 0, or
+ * -errno after logging an error, with nothing left open.
  */
 int card_find(struct card *card, const struct display_options *options);
 
 /*
- * The next connector with a screen and modes, looked for from number *at on,
- * which moves behind it; NULL when there is no more. The caller frees it.
+ * The next connector with a screen and modes, from index *at on; *at becomes
+ * the index behind it. NULL when there is no more. The caller frees it.
  */
 drmModeConnectorPtr card_next_screen(
 	const struct card *card, drmModeResPtr resources, int *at);
 
 /*
- * What drives that connector of an open card: what does now, else the first
- * that can; 0 when nothing can.
+ * The CRTC for a connector: the one that drives it now, else the first one that
+ * can, or 0.
  */
 uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,
 	drmModeConnectorPtr connector);

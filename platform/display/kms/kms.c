@@ -1,9 +1,11 @@
 /*
- * Screens through kernel mode setting, drawn by the processor.
+ * Screens driven through kernel mode setting, with buffers that the processor
+ * draws into.
  *
- * Pictures of the buffers' own layout are drawn straight into the buffer that
- * is not seen, unless the card says that reading it back is slow, as blending
- * does; else they are drawn in memory and copied.
+ * Pictures of the buffers' own layout are drawn directly into the buffer that
+ * is not shown. If the layout differs, or if the driver reports that reading
+ * the buffers is slow, which blending does, pictures are drawn in memory and
+ * copied.
  */
 #include <errno.h>
 #include <stdlib.h>
@@ -17,11 +19,11 @@ struct display {
 	struct card card;
 	struct console console;
 	struct placement place; /* of the picture on the screen */
-	struct pixels picture;  /* data is NULL where buffers are drawn into */
+	struct pixels picture;  /* data is NULL when drawn into buffers */
 	struct packing packing; /* of the copy */
 };
 
-static bool can_draw_straight(const struct display *display)
+static bool can_draw_directly(const struct display *display)
 {
 	const struct card *card = &display->card;
 
@@ -47,7 +49,7 @@ static int prepare_picture(
 		.height = display->place.height,
 		.format = format,
 	};
-	if (can_draw_straight(display)) {
+	if (can_draw_directly(display)) {
 		display->picture.stride_bytes =
 			(int)card->buffers[0].pitch_bytes;
 		return 0;
@@ -81,7 +83,7 @@ int kms_create_on(const struct kms_calls *calls,
 		display->card.method == CARD_PAGE_FLIP          ? "flipped"
 			: display->card.method == CARD_MODE_SET ? "set"
 								: "one buffer",
-		display->picture.data ? "copied" : "drawn straight");
+		display->picture.data ? "copied" : "drawn directly");
 	*out = display;
 	return 0;
 out_card:
@@ -115,8 +117,8 @@ static void kms_get_info(const struct display *display, struct display_info *out
 	};
 }
 
-/* Where the next picture begins in the buffer. */
-static uint8_t *find_place(const struct display *display)
+/* The first pixel of the next picture in the buffer. */
+static uint8_t *picture_start(const struct display *display)
 {
 	const struct card_buffer *buffer = card_back(&display->card);
 
@@ -134,11 +136,11 @@ static int kms_begin_frame(struct display *display, struct pixels *out)
 		return 0;
 	}
 	error = card_wait(&display->card);
-	out->data = find_place(display);
+	out->data = picture_start(display);
 	return error;
 }
 
-/* A copy waits for its buffer as late as it can. */
+/* Copying waits for the buffer only after the picture has been drawn. */
 static int kms_end_frame(struct display *display)
 {
 	struct card *card = &display->card;
@@ -150,7 +152,8 @@ static int kms_end_frame(struct display *display)
 			return error;
 		}
 		packing_copy(&display->packing, &display->picture,
-			find_place(display), (int)card_back(card)->pitch_bytes);
+			picture_start(display),
+			(int)card_back(card)->pitch_bytes);
 	}
 	return card_show(card);
 }
@@ -172,7 +175,7 @@ static void kms_survey(const struct survey *survey)
 
 const struct display_driver display_driver_kms = {
 	.name = "kms",
-	.summary = "a screen by kernel mode setting, /dev/dri/card*",
+	.summary = "a screen through kernel mode setting, /dev/dri/card*",
 	.argument = "DEVICE",
 	.probe = kms_probe,
 	.create = kms_create,

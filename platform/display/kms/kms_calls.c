@@ -15,7 +15,7 @@ const struct kms_calls kms_calls_system = {
 	.is_master = drmIsMaster,
 	.get_resources = drmModeGetResources,
 	.free_resources = drmModeFreeResources,
-	/* Asks no monitor for its modes again, which takes its time. */
+	/* Does not probe the monitor again, which is slow. */
 	.get_connector = drmModeGetConnectorCurrent,
 	.free_connector = drmModeFreeConnector,
 	.get_encoder = drmModeGetEncoder,

@@ -1,6 +1,6 @@
 /*
- * What the kms display asks of libdrm, so that tests can stand in for a card.
- * Each is the function of libdrm of that meaning, with its results.
+ * The functions of libdrm that the kms driver uses, as a table, so that tests
+ * can replace a card. Each returns what libdrm's function returns.
  */
 #ifndef PLATFORM_DISPLAY_KMS_KMS_CALLS_H
 #define PLATFORM_DISPLAY_KMS_KMS_CALLS_H
@@ -45,13 +45,14 @@ struct kms_calls {
 	int (*handle_event)(int fd, drmEventContextPtr context);
 };
 
+/* The functions of libdrm. */
 extern const struct kms_calls kms_calls_system;
 
-/* The driver's create(), on a system of the caller's. */
+/* The driver's create() with other functions, which must outlive it. */
 int kms_create_on(const struct kms_calls *calls,
 	const struct display_options *options, struct display **out);
 
-/* The driver's survey(), likewise. */
+/* The driver's survey() with other functions. */
 void kms_survey_on(const struct kms_calls *calls, const struct survey *survey);
 
 #endif

@@ -1,4 +1,4 @@
-/* What there is to be seen of graphics cards and their screens. */
+/* The graphics cards and screens that limber doctor reports. */
 #include "platform/display/kms/kms_calls.h"
 
 #include <errno.h>
@@ -12,11 +12,11 @@ enum {
 	CARDS_MAX = 8
 };
 
-static const char elsewhere[] =
-	"choose another: --display kms:/dev/dri/cardN, fbdev or window";
+static const char other_display[] =
+	"choose another display: --display kms:/dev/dri/cardN, fbdev or window";
 
-/* The mode that is taken unless a size was asked for. */
-static const drmModeModeInfo *own_mode(drmModeConnectorPtr connector)
+/* The mode that limber sets unless the user gives a size. */
+static const drmModeModeInfo *preferred_mode(drmModeConnectorPtr connector)
 {
 	for (int i = 0; i < connector->count_modes; i++) {
 		if (connector->modes[i].type & DRM_MODE_TYPE_PREFERRED) {
@@ -31,7 +31,7 @@ static void report_screen(const struct card *card, drmModeResPtr resources,
 {
 	const char *kind =
 		drmModeGetConnectorTypeName(connector->connector_type);
-	const drmModeModeInfo *mode = own_mode(connector);
+	const drmModeModeInfo *mode = preferred_mode(connector);
 	char text[128];
 
 	snprintf(text, sizeof(text), "%s-%u: %ux%u at %u Hz, %d mode%s",
@@ -40,12 +40,12 @@ static void report_screen(const struct card *card, drmModeResPtr resources,
 		mode->vrefresh, connector->count_modes,
 		connector->count_modes == 1 ? "" : "s");
 	if (!card_find_crtc(card, resources, connector)) {
-		survey_report(survey, SURVEY_BROKEN, card->path, elsewhere,
-			"%s, and nothing drives it", text);
+		survey_report(survey, SURVEY_BROKEN, card->path, other_display,
+			"%s, but the card has no CRTC for it", text);
 	} else if (!card->calls->is_master(card->fd)) {
 		survey_report(survey, SURVEY_TAKEN, card->path,
 			console_in_use_remedy,
-			"%s, another program has it (X or Wayland)", text);
+			"%s, another program uses it (X or Wayland)", text);
 	} else {
 		survey_report(
 			survey, SURVEY_WORKS, card->path, NULL, "%s", text);
@@ -71,8 +71,8 @@ static void report_screens(const struct card *card, drmModeResPtr resources,
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, card->path,
-			"connect a screen: cat /sys/class/drm/*/status tells what is seen",
-			"no screen on its %d connector%s",
+			"connect a screen; cat /sys/class/drm/*/status shows which are connected",
+			"no screen is connected to its %d connector%s",
 			resources->count_connectors,
 			resources->count_connectors == 1 ? "" : "s");
 	}
@@ -92,16 +92,16 @@ static void report_card(const struct card *card, const struct survey *survey)
 	}
 	if (calls->get_cap(card->fd, DRM_CAP_DUMB_BUFFER, &has_dumb) != 0 ||
 		!has_dumb) {
-		survey_report(survey, SURVEY_BROKEN, card->path, elsewhere,
-			"it has no buffers that the processor could draw into");
+		survey_report(survey, SURVEY_BROKEN, card->path, other_display,
+			"it has no buffers that the processor can draw into");
 	} else {
 		report_screens(card, resources, survey);
 	}
 	calls->free_resources(resources);
 }
 
-/* Whether there was something to say of that card. */
-static bool look_at(
+/* Reports the card of that number; false when there is none. */
+static bool report_number(
 	const struct kms_calls *calls, int number, const struct survey *survey)
 {
 	struct card card = {.calls = calls};
@@ -129,11 +129,11 @@ void kms_survey_on(const struct kms_calls *calls, const struct survey *survey)
 	bool any = false;
 
 	for (int i = 0; i < CARDS_MAX; i++) {
-		any = look_at(calls, i, survey) || any;
+		any = report_number(calls, i, survey) || any;
 	}
 	if (!any) {
 		survey_report(survey, SURVEY_MISSING, "/dev/dri/card*",
-			"load the screen's driver: sudo modprobe DRIVER (lspci -k or the board's device tree names it), or use a framebuffer",
-			"no graphics card that the kernel drives");
+			"load the screen's driver: sudo modprobe DRIVER (see lspci -k or the board's device tree), or use --display fbdev",
+			"there is no graphics card with a kernel driver");
 	}
 }

@@ -1,5 +1,5 @@
 /*
- * Pictures that nobody looks at: for benchmarks and tests.
+ * A display that shows nothing, for benchmarks and tests.
  */
 #include <errno.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@ struct display {
 	struct pixels pixels;
 };
 
-/* Never chosen unasked. */
+/* Never chosen by auto. */
 static bool null_probe(void)
 {
 	return false;
@@ -69,7 +69,7 @@ static void null_destroy(struct display *display)
 
 const struct display_driver display_driver_null = {
 	.name = "null",
-	.summary = "draws into memory and forgets it",
+	.summary = "draws into memory and shows nothing",
 	.probe = null_probe,
 	.create = null_create,
 	.get_info = null_get_info,

@@ -1,9 +1,9 @@
 /*
  * A window on the desktop, through SDL.
  *
- * Pictures are copied by the processor. SDL could draw them with OpenGL, but
- * two copies of Mesa in one thread, SDL's and --gl osmesa's, take each other's
- * context for their own.
+ * The processor copies the pictures. SDL could draw them with OpenGL, but then
+ * --gl osmesa would bring a second copy of Mesa into the same thread, and each
+ * copy would use the other's context.
  */
 #include <SDL.h>
 #include <errno.h>
@@ -19,8 +19,8 @@ struct display {
 	SDL_Window *window;
 	enum pixel_format format;
 	struct pixels pixels;
-	SDL_Surface *picture;    /* the same pixels, as SDL sees them */
-	bool held[BUTTON_COUNT]; /* pressed here and not yet let go */
+	SDL_Surface *picture;       /* SDL's view of the same pixels */
+	bool pressed[BUTTON_COUNT]; /* pressed here and not released yet */
 };
 
 static const struct {
@@ -52,8 +52,8 @@ static bool window_probe(void)
 		is_set("SDL_VIDEODRIVER");
 }
 
-/* Where no desktop answers, SDL goes on to drivers that nobody sees. */
-static bool is_seen(void)
+/* Without a desktop SDL chooses a driver that shows nothing. */
+static bool is_visible(void)
 {
 	const char *driver = SDL_GetCurrentVideoDriver();
 
@@ -101,7 +101,7 @@ static int resize(struct display *display, int width, int height)
 					       : SDL_PIXELFORMAT_RGBA32);
 	if (!picture) {
 		free(pixels.data);
-		return failed(display, "cannot make a picture for the screen");
+		return failed(display, "SDL cannot create a picture");
 	}
 	SDL_SetSurfaceBlendMode(picture, SDL_BLENDMODE_NONE);
 	SDL_FreeSurface(display->picture);
@@ -120,11 +120,11 @@ static int open_window(
 			SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
 			options->width, options->height, SDL_WINDOW_RESIZABLE);
 	if (!display->window) {
-		return failed(display, "cannot open a window");
+		return failed(display, "SDL cannot open a window");
 	}
-	/* Wayland alone has nothing to copy to; X11 on top of it has. */
+	/* Fails on Wayland without Xwayland, which has no such surface. */
 	if (!SDL_GetWindowSurface(display->window)) {
-		return failed(display, "cannot draw in a window");
+		return failed(display, "SDL cannot draw in its window");
 	}
 	return 0;
 }
@@ -143,24 +143,23 @@ static int window_create(
 	display->format =
 		options->format_given ? options->format : PIXELS_RGBA8888;
 	if (!window_probe()) {
-		/* SDL would find a driver that nobody sees. */
 		log_error(&display->log,
-			"--display window: no desktop to open it on: DISPLAY and WAYLAND_DISPLAY are not set: write a file with limber render");
+			"--display window: there is no desktop (DISPLAY and WAYLAND_DISPLAY are not set): write a file with limber render");
 		free(display);
 		return -ENODEV;
 	}
 	if (!is_set("SDL_VIDEODRIVER") && !is_set("WAYLAND_DISPLAY")) {
-		/* Else Wayland's library complains on its own. */
+		/* Otherwise Wayland's library prints an error of its own. */
 		SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
 	}
 	if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-		failed(display, "no desktop to open it on");
+		failed(display, "there is no desktop");
 		free(display);
 		return -ENODEV;
 	}
-	if (!is_seen()) {
+	if (!is_visible()) {
 		log_error(&display->log,
-			"--display window: no desktop answers where DISPLAY and WAYLAND_DISPLAY say: start limber in a terminal of the desktop, or write a file with limber render");
+			"--display window: the desktop that DISPLAY or WAYLAND_DISPLAY names does not answer: start limber in a terminal of the desktop, or write a file with limber render");
 		window_destroy(display);
 		return -ENODEV;
 	}
@@ -206,23 +205,23 @@ static int window_begin_frame(struct display *display, struct pixels *out)
 
 static int window_end_frame(struct display *display)
 {
-	/* Another one after a change of size; SDL owns it. */
+	/* SDL owns the surface and replaces it when the size changes. */
 	SDL_Surface *screen = SDL_GetWindowSurface(display->window);
 
 	if (!screen ||
 		SDL_BlitSurface(display->picture, NULL, screen, NULL) != 0 ||
 		SDL_UpdateWindowSurface(display->window) != 0) {
-		return failed(display, "cannot show a picture");
+		return failed(display, "SDL cannot show a picture");
 	}
 	return 0;
 }
 
-static void press(struct display *display, SDL_Keycode key, bool down,
+static void push_key(struct display *display, SDL_Keycode key, bool down,
 	int64_t now_ms, struct button_queue *queue)
 {
 	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
 		if (keys[i].key == key) {
-			display->held[keys[i].button] = down;
+			display->pressed[keys[i].button] = down;
 			button_queue_push(queue,
 				(struct button_event){
 					now_ms, keys[i].button, down});
@@ -230,13 +229,13 @@ static void press(struct display *display, SDL_Keycode key, bool down,
 	}
 }
 
-/* Whoever holds a key while going elsewhere lets it go there, unheard. */
-static void let_go(
+/* A key released while another window has the focus sends no event here. */
+static void release_all(
 	struct display *display, int64_t now_ms, struct button_queue *queue)
 {
 	for (int i = 0; i < BUTTON_COUNT; i++) {
-		if (display->held[i]) {
-			display->held[i] = false;
+		if (display->pressed[i]) {
+			display->pressed[i] = false;
 			button_queue_push(queue,
 				(struct button_event){
 					now_ms, (enum button)i, false});
@@ -244,7 +243,7 @@ static void let_go(
 	}
 }
 
-static void take_key(struct display *display, const SDL_KeyboardEvent *key,
+static void handle_key(struct display *display, const SDL_KeyboardEvent *key,
 	int64_t now_ms, struct button_queue *queue,
 	struct display_events *events)
 {
@@ -261,10 +260,10 @@ static void take_key(struct display *display, const SDL_KeyboardEvent *key,
 		events->graph = events->graph || code == SDLK_h;
 		events->picture = events->picture || code == SDLK_p;
 	}
-	press(display, code, key->state == SDL_PRESSED, now_ms, queue);
+	push_key(display, code, key->state == SDL_PRESSED, now_ms, queue);
 }
 
-static void take_window_event(struct display *display,
+static void handle_window_event(struct display *display,
 	const SDL_WindowEvent *event, int64_t now_ms,
 	struct button_queue *queue, struct display_events *events)
 {
@@ -276,7 +275,7 @@ static void take_window_event(struct display *display,
 		events->resized = true;
 		break;
 	case SDL_WINDOWEVENT_FOCUS_LOST:
-		let_go(display, now_ms, queue);
+		release_all(display, now_ms, queue);
 		break;
 	default:
 		break;
@@ -296,10 +295,10 @@ static void window_poll(struct display *display, int64_t now_ms,
 			break;
 		case SDL_KEYDOWN:
 		case SDL_KEYUP:
-			take_key(display, &event.key, now_ms, queue, events);
+			handle_key(display, &event.key, now_ms, queue, events);
 			break;
 		case SDL_WINDOWEVENT:
-			take_window_event(
+			handle_window_event(
 				display, &event.window, now_ms, queue, events);
 			break;
 		default:

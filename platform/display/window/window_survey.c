@@ -1,6 +1,6 @@
 /*
- * A knock at the desktop's door: whoever listens there is not spoken to, as
- * one that hangs would never answer.
+ * Connects to the socket of the desktop's server, but exchanges no messages,
+ * because a server that hangs would never answer.
  */
 #include "platform/display/window/window_survey.h"
 
@@ -21,14 +21,14 @@ enum {
 	WAIT_MS = 200
 };
 
-/* 0 when somebody listens there, else -errno. */
-static int knock(const struct sockaddr *address, socklen_t size)
+/* Returns 0 when a server accepts the connection, else -errno. */
+static int try_connect(const struct sockaddr *address, socklen_t size)
 {
 	int fd = socket(address->sa_family,
 		SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
 	struct pollfd waited = {.fd = fd, .events = POLLOUT};
 	int error = 0;
-	socklen_t room = sizeof(error);
+	socklen_t error_size = sizeof(error);
 
 	if (fd < 0) {
 		return -errno;
@@ -39,17 +39,18 @@ static int knock(const struct sockaddr *address, socklen_t size)
 	if (error == EINPROGRESS) {
 		error = poll(&waited, 1, WAIT_MS) == 1 ? 0 : ETIMEDOUT;
 		if (!error &&
-			getsockopt(fd, SOL_SOCKET, SO_ERROR, &error, &room) < 0) {
+			getsockopt(fd, SOL_SOCKET, SO_ERROR, &error,
+				&error_size) < 0) {
 			error = errno;
 		}
 	}
 	close(fd);
-	/* Too many at the door at once: there is one. */
+	/* EAGAIN: the server exists, but its queue of connections is full. */
 	return error == EAGAIN ? 0 : -error;
 }
 
-/* A socket with a name: in a file, or (abstract) without one. */
-static int knock_at_name(const char *name, bool abstract)
+/* A Unix socket, in the file system or abstract. */
+static int try_unix_socket(const char *name, bool abstract)
 {
 	struct sockaddr_un address = {.sun_family = AF_UNIX};
 	size_t length = strlen(name);
@@ -58,11 +59,11 @@ static int knock_at_name(const char *name, bool abstract)
 		return -ENAMETOOLONG;
 	}
 	memcpy(address.sun_path + abstract, name, length);
-	return knock((const struct sockaddr *)&address,
+	return try_connect((const struct sockaddr *)&address,
 		(socklen_t)(offsetof(struct sockaddr_un, sun_path) + length + 1));
 }
 
-static int knock_at_port(int port)
+static int try_port(int port)
 {
 	struct sockaddr_in address = {
 		.sin_family = AF_INET,
@@ -70,10 +71,10 @@ static int knock_at_port(int port)
 		.sin_addr.s_addr = htonl(INADDR_LOOPBACK),
 	};
 
-	return knock((const struct sockaddr *)&address, sizeof(address));
+	return try_connect((const struct sockaddr *)&address, sizeof(address));
 }
 
-static bool is_here(const char *host, size_t length)
+static bool is_this_machine(const char *host, size_t length)
 {
 	static const char *const names[] = {"localhost", "127.0.0.1", NULL};
 
@@ -86,7 +87,7 @@ static bool is_here(const char *host, size_t length)
 	return false;
 }
 
-/* "HOST:NUMBER.SCREEN", HOST empty or unix for a socket with a name. */
+/* display is HOST:NUMBER.SCREEN; HOST is empty or "unix" for a Unix socket. */
 static void report_x(const char *display, const struct survey *survey)
 {
 	static const char remedy[] =
@@ -104,14 +105,14 @@ static void report_x(const char *display, const struct survey *survey)
 	}
 	if (length == 0 || (length == 4 && strncmp(display, "unix", 4) == 0)) {
 		snprintf(name, sizeof(name), "/tmp/.X11-unix/X%ld", number);
-		error = knock_at_name(name, true);
-		error = error ? knock_at_name(name, false) : 0;
-	} else if (is_here(display, length)) {
-		error = knock_at_port(X_PORT + (int)number);
+		error = try_unix_socket(name, true);
+		error = error ? try_unix_socket(name, false) : 0;
+	} else if (is_this_machine(display, length)) {
+		error = try_port(X_PORT + (int)number);
 	} else {
 		survey_report(survey, SURVEY_UNUSED, "window",
 			"try it: limber play --display window",
-			"DISPLAY=%s is another machine's, which was not asked",
+			"DISPLAY=%s is on another machine, which was not tried",
 			display);
 		return;
 	}
@@ -125,7 +126,7 @@ static void report_x(const char *display, const struct survey *survey)
 	}
 }
 
-/* Pictures are copied, which takes X11: a Wayland desktop's Xwayland. */
+/* On Wayland alone SDL cannot copy pictures; limber needs Xwayland. */
 static void report_wayland(const char *display, const struct survey *survey)
 {
 	const char *folder = getenv("XDG_RUNTIME_DIR");
@@ -133,7 +134,7 @@ static void report_wayland(const char *display, const struct survey *survey)
 	int length = snprintf(name, sizeof(name), "%s%s%s",
 		display[0] == '/' ? "" : (folder ? folder : ""),
 		display[0] == '/' ? "" : "/", display);
-	int error = length < (int)sizeof(name) ? knock_at_name(name, false)
+	int error = length < (int)sizeof(name) ? try_unix_socket(name, false)
 					       : -ENAMETOOLONG;
 
 	if (error) {
@@ -166,6 +167,6 @@ void window_survey(const struct survey *survey)
 	} else {
 		survey_report(survey, SURVEY_MISSING, "window",
 			"start limber in a terminal of the desktop, or export DISPLAY=:0",
-			"no desktop: DISPLAY and WAYLAND_DISPLAY are not set");
+			"there is no desktop: DISPLAY and WAYLAND_DISPLAY are not set");
 	}
 }

@@ -2,6 +2,8 @@
 
 #include "tests/support/test.h"
 
+extern const struct display_driver display_driver_image;
+
 int image_scene_open_at(struct image_scene *scene, const char *path,
 	int frame_count, double rate_hz)
 {
@@ -14,8 +16,7 @@ int image_scene_open_at(struct image_scene *scene, const char *path,
 		.log = &scene->log,
 	};
 
-	scene->driver = display_find("image");
-	assert_non_null(scene->driver);
+	scene->driver = &display_driver_image;
 	scene->display = NULL;
 	return scene->driver->create(&options, &scene->display);
 }

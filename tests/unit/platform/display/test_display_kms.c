@@ -10,6 +10,8 @@
 #include <linux/kd.h>
 #include <string.h>
 
+extern const struct display_driver display_driver_kms;
+
 enum {
 	WIDTH = 20,
 	HEIGHT = 12
@@ -23,7 +25,7 @@ struct scene {
 	struct log log;
 };
 
-static int forget(void **state)
+static int reset(void **state)
 {
 	static const struct pixel_layout any = {
 		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
@@ -38,8 +40,7 @@ static int forget(void **state)
 
 static int scene_open(struct scene *scene)
 {
-	scene->driver = display_find("kms");
-	assert_non_null(scene->driver);
+	scene->driver = &display_driver_kms;
 	scene->log = log_capture_begin(&scene->capture);
 	scene->options.log = &scene->log;
 	return kms_create_on(&fake_card_calls, &scene->options, &scene->display);
@@ -94,7 +95,7 @@ static void test_each_format_shows_its_colours(void **state)
 	struct scene scene = {0};
 
 	for (int i = 0; i < 3; i++) {
-		forget(state);
+		reset(state);
 		memset(fake_card.fourccs, 0, sizeof(fake_card.fourccs));
 		fake_card.fourccs[0] = cases[i].fourcc;
 		assert_int_equal(scene_open(&scene), 0);
@@ -143,7 +144,7 @@ static void test_buffers_are_flipped_in_turn(void **state)
 	scene_close(&scene);
 }
 
-static void test_the_screen_is_put_back(void **state)
+static void test_the_screen_is_restored(void **state)
 {
 	struct scene scene = {0};
 
@@ -194,7 +195,7 @@ static void test_the_mode_nearest_to_the_size_is_set(void **state)
 					      .format_given = true,
 					      .format = PIXELS_RGB565}};
 
-		forget(state);
+		reset(state);
 		assert_int_equal(scene_open(&scene), 0);
 		assert_int_equal(
 			fake_card.shown_mode.hdisplay, cases[i].mode_width);
@@ -209,7 +210,7 @@ static void test_the_mode_nearest_to_the_size_is_set(void **state)
 	}
 }
 
-static void test_without_flips_the_mode_is_set_anew(void **state)
+static void test_without_page_flips_the_mode_is_set_again(void **state)
 {
 	struct scene scene = {
 		.options = {.format_given = true, .format = PIXELS_RGB565}};
@@ -229,7 +230,7 @@ static void test_without_flips_the_mode_is_set_anew(void **state)
 	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
 }
 
-static void test_one_buffer_is_copied_into_and_told_of(void **state)
+static void test_a_single_buffer_is_copied_into_and_marked_dirty(void **state)
 {
 	struct scene scene = {
 		.options = {.format_given = true, .format = PIXELS_RGB565}};
@@ -246,7 +247,7 @@ static void test_one_buffer_is_copied_into_and_told_of(void **state)
 	scene_close(&scene);
 }
 
-static void test_what_the_screen_does_not_take_is_passed_over(void **state)
+static void test_formats_that_the_screen_refuses_are_skipped(void **state)
 {
 	struct scene scene = {0};
 
@@ -263,7 +264,7 @@ static void test_what_the_screen_does_not_take_is_passed_over(void **state)
 	scene_close(&scene);
 }
 
-static void test_what_drives_no_screen_yet_is_found(void **state)
+static void test_an_idle_crtc_is_found(void **state)
 {
 	struct scene scene = {0};
 
@@ -290,7 +291,7 @@ static void test_any_card_with_a_screen_is_found(void **state)
 	expect_all_closed();
 }
 
-static void test_what_is_missing_is_said(void **state)
+static void test_the_message_names_what_is_missing(void **state)
 {
 	static const struct {
 		const char *words;
@@ -305,7 +306,7 @@ static void test_what_is_missing_is_said(void **state)
 		{.words = "no screen is connected", .not_connected = true},
 		{.words = "drives no screens", .fail = CALL_RESOURCES},
 		{.words = "no screen", .fail = CALL_CONNECTOR},
-		{.words = "nothing drives", .fail = CALL_ENCODER},
+		{.words = "no CRTC", .fail = CALL_ENCODER},
 		{.words = "no buffer", .fail = CALL_CREATE},
 		{.words = "no buffer", .fail = CALL_ADD},
 		{.words = "no buffer", .fail = CALL_MAP_DUMB},
@@ -316,7 +317,7 @@ static void test_what_is_missing_is_said(void **state)
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		struct scene scene = {0};
 
-		forget(state);
+		reset(state);
 		fake_card.open_error = cases[i].open_error;
 		fake_card.no_dumb = cases[i].no_dumb;
 		fake_card.not_master = cases[i].not_master;
@@ -331,7 +332,7 @@ static void test_what_is_missing_is_said(void **state)
 	}
 }
 
-static void test_what_fails_later_is_said_and_closed(void **state)
+static void test_a_later_failure_is_logged_and_everything_closed(void **state)
 {
 	static const enum fake_card_call calls[] = {
 		CALL_FLIP, CALL_WAIT, CALL_EVENT};
@@ -341,7 +342,7 @@ static void test_what_fails_later_is_said_and_closed(void **state)
 		struct pixels pixels;
 		int error = 0;
 
-		forget(state);
+		reset(state);
 		fake_card.fail = calls[i];
 		fake_card.fail_from = 3;
 		assert_int_equal(scene_open(&scene), 0);
@@ -362,7 +363,7 @@ static void test_what_fails_later_is_said_and_closed(void **state)
 	}
 }
 
-static void test_nothing_to_put_back_is_fine(void **state)
+static void test_a_screen_without_a_former_mode_is_fine(void **state)
 {
 	struct scene scene = {0};
 
@@ -373,12 +374,12 @@ static void test_nothing_to_put_back_is_fine(void **state)
 	scene_close(&scene);
 }
 
-static void test_the_real_library_is_asked_politely(void **state)
+static void test_the_real_library_refuses_another_device(void **state)
 {
 	struct scene scene = {.options = {.device = "/dev/null"}};
 
 	(void)state;
-	scene.driver = display_find("kms");
+	scene.driver = &display_driver_kms;
 	scene.log = log_capture_begin(&scene.capture);
 	scene.options.log = &scene.log;
 	assert_true(scene.driver->create(&scene.options, &scene.display) < 0);
@@ -386,25 +387,25 @@ static void test_the_real_library_is_asked_politely(void **state)
 	assert_contains(scene.capture.sentence[0], "/dev/null");
 }
 
-#define KMS_TEST(name) cmocka_unit_test_setup(name, forget)
+#define KMS_TEST(name) cmocka_unit_test_setup(name, reset)
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		KMS_TEST(test_each_format_shows_its_colours),
 		KMS_TEST(test_buffers_are_flipped_in_turn),
-		KMS_TEST(test_the_screen_is_put_back),
+		KMS_TEST(test_the_screen_is_restored),
 		KMS_TEST(test_a_slow_buffer_gets_copies),
 		KMS_TEST(test_the_mode_nearest_to_the_size_is_set),
-		KMS_TEST(test_without_flips_the_mode_is_set_anew),
-		KMS_TEST(test_one_buffer_is_copied_into_and_told_of),
-		KMS_TEST(test_what_the_screen_does_not_take_is_passed_over),
-		KMS_TEST(test_what_drives_no_screen_yet_is_found),
+		KMS_TEST(test_without_page_flips_the_mode_is_set_again),
+		KMS_TEST(test_a_single_buffer_is_copied_into_and_marked_dirty),
+		KMS_TEST(test_formats_that_the_screen_refuses_are_skipped),
+		KMS_TEST(test_an_idle_crtc_is_found),
 		KMS_TEST(test_any_card_with_a_screen_is_found),
-		KMS_TEST(test_what_is_missing_is_said),
-		KMS_TEST(test_what_fails_later_is_said_and_closed),
-		KMS_TEST(test_nothing_to_put_back_is_fine),
-		KMS_TEST(test_the_real_library_is_asked_politely),
+		KMS_TEST(test_the_message_names_what_is_missing),
+		KMS_TEST(test_a_later_failure_is_logged_and_everything_closed),
+		KMS_TEST(test_a_screen_without_a_former_mode_is_fine),
+		KMS_TEST(test_the_real_library_refuses_another_device),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,22 +1,18 @@
 #include "platform/display/display.h"
-#include "tests/support/files.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
 #include <signal.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
 
 #if __has_include(<SDL.h>)
 #include <SDL.h>
 
-/* A window on SDL's driver without a screen. */
+extern const struct display_driver display_driver_window;
+
+/* A window of SDL's dummy driver, which needs no screen. */
 struct scene {
 	const struct display_driver *driver;
 	struct display *display;
@@ -36,8 +32,7 @@ static void scene_open(struct scene *scene)
 	};
 
 	setenv("SDL_VIDEODRIVER", "dummy", 1);
-	scene->driver = display_find("window");
-	assert_non_null(scene->driver);
+	scene->driver = &display_driver_window;
 	scene->log = log_capture_begin(&scene->capture);
 	button_queue_init(&scene->queue, 0);
 	assert_int_equal(scene->driver->create(&options, &scene->display), 0);
@@ -292,9 +287,9 @@ static void test_windows_may_follow_each_other(void **state)
 	}
 }
 
-static void test_a_missing_desktop_is_told(void **state)
+static void test_a_missing_desktop_is_logged(void **state)
 {
-	const struct display_driver *driver = display_find("window");
+	const struct display_driver *driver = &display_driver_window;
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 	const struct display_options options = {
@@ -317,98 +312,6 @@ static void test_a_missing_desktop_is_told(void **state)
 	unsetenv("WAYLAND_DISPLAY");
 }
 
-/* A desktop that listens and never answers; closed by the caller. */
-static int listen_at(const char *name, bool abstract)
-{
-	struct sockaddr_un address = {.sun_family = AF_UNIX};
-	int fd = socket(AF_UNIX, SOCK_STREAM, 0);
-	size_t length = strlen(name);
-
-	assert_true(fd >= 0 && length + 1 < sizeof(address.sun_path));
-	memcpy(address.sun_path + abstract, name, length);
-	if (bind(fd, (const struct sockaddr *)&address,
-		    (socklen_t)(offsetof(struct sockaddr_un, sun_path) +
-			    length + 1)) < 0) {
-		close(fd);
-		return -1;
-	}
-	assert_int_equal(listen(fd, 1), 0);
-	return fd;
-}
-
-static void survey_window(struct survey_capture *capture)
-{
-	const struct survey survey = survey_capture_begin(capture, NULL);
-
-	display_find("window")->survey(&survey);
-	assert_int_equal(capture->count, 1);
-}
-
-static void test_a_survey_knocks_at_an_x_server(void **state)
-{
-	struct survey_capture capture;
-	char name[64], display[16];
-	int fd = -1, number = 60;
-
-	(void)state;
-	unsetenv("SDL_VIDEODRIVER");
-	while (fd < 0 && number < 99) {
-		snprintf(name, sizeof(name), "/tmp/.X11-unix/X%d", ++number);
-		fd = listen_at(name, true);
-	}
-	assert_true(fd >= 0);
-	snprintf(display, sizeof(display), ":%d.0", number);
-	setenv("DISPLAY", display, 1);
-	survey_window(&capture);
-	survey_capture_expect(
-		&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
-	close(fd);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"does not answer", "export DISPLAY=");
-	setenv("DISPLAY", "rubbish", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"names no display", "export DISPLAY=");
-	setenv("DISPLAY", "elsewhere.example:0", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_UNUSED, "window",
-		"another machine", "--display window");
-	setenv("DISPLAY", "localhost:59000", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"does not answer", "export DISPLAY=");
-	unsetenv("DISPLAY");
-}
-
-static void test_a_survey_knocks_at_wayland(void **state)
-{
-	struct test_path folder = temp_dir_make();
-	struct survey_capture capture;
-	int fd;
-
-	(void)state;
-	unsetenv("SDL_VIDEODRIVER");
-	unsetenv("DISPLAY");
-	setenv("XDG_RUNTIME_DIR", folder.text, 1);
-	setenv("WAYLAND_DISPLAY", "wayland-7", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"does not answer", "terminal of the desktop");
-	fd = listen_at(path_join(&folder, "wayland-7").text, false);
-	assert_true(fd >= 0);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"DISPLAY is not set", "apt install xwayland");
-	close(fd);
-	unsetenv("WAYLAND_DISPLAY");
-	unsetenv("XDG_RUNTIME_DIR");
-	temp_dir_remove(&folder);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_MISSING, "window",
-		"no desktop", "export DISPLAY=:0");
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -421,9 +324,7 @@ int main(void)
 		cmocka_unit_test(test_escape_q_and_the_cross_close),
 		cmocka_unit_test(test_an_interrupt_closes),
 		cmocka_unit_test(test_windows_may_follow_each_other),
-		cmocka_unit_test(test_a_missing_desktop_is_told),
-		cmocka_unit_test(test_a_survey_knocks_at_an_x_server),
-		cmocka_unit_test(test_a_survey_knocks_at_wayland),
+		cmocka_unit_test(test_a_missing_desktop_is_logged),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
@@ -431,17 +332,19 @@ int main(void)
 
 #else
 
-static void test_there_is_no_window_here(void **state)
+static void test_this_target_has_no_window(void **state)
 {
+	struct log log = log_to_nowhere();
+
 	(void)state;
-	assert_null(display_find("window"));
+	assert_null(display_choose("window", &log));
 	skip_because("built without SDL: this target has no window");
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_there_is_no_window_here),
+		cmocka_unit_test(test_this_target_has_no_window),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,7 +52,7 @@ static void test_every_value_of_a_channel_is_rounded_to_nearest(void **state)
 		uint32_t opaque =
 			layout->alpha.length ? expected(1, 1, layout->alpha) : 0;
 
-		assert_true(pixel_layout_is_sound(layout));
+		assert_true(pixel_layout_is_valid(layout));
 		packing_init(&packing, PIXELS_RGBA8888, layout);
 		for (int value = 0; value < 256; value++) {
 			uint8_t pixel[4] = {(uint8_t)value,
@@ -153,7 +153,7 @@ static void test_unsound_layouts_are_seen(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(unsound) / sizeof(unsound[0]); i++) {
-		if (pixel_layout_is_sound(&unsound[i])) {
+		if (pixel_layout_is_valid(&unsound[i])) {
 			fail_msg("layout %d is taken for sound", (int)i);
 		}
 	}

@@ -83,10 +83,10 @@ static void test_a_framebuffer_under_a_desktop_is_taken(void **state)
 	fake_fb.console_watched = true;
 	survey_fbdev(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_TAKEN, "/dev/fb1",
-		"another program draws there", "chvt");
+		"another program uses it", "chvt");
 }
 
-static void test_a_framebuffer_that_is_closed_to_us_is_broken(void **state)
+static void test_a_framebuffer_without_permission_is_broken(void **state)
 {
 	struct survey_capture capture;
 
@@ -141,7 +141,7 @@ static void test_a_cards_screen_is_described(void **state)
 	assert_contains(capture.finding[0].text, "3 modes");
 }
 
-static void test_a_card_says_what_it_lacks(void **state)
+static void test_a_finding_names_what_a_card_lacks(void **state)
 {
 	struct survey_capture capture;
 
@@ -149,12 +149,12 @@ static void test_a_card_says_what_it_lacks(void **state)
 	fake_card.not_connected = true;
 	survey_kms(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_MISSING, "/dev/dri/card2",
-		"no screen on its 1 connector", "connect a screen");
+		"no screen is connected to its 1 connector", "connect a screen");
 	fake_card.not_connected = false;
 	fake_card.not_master = true;
 	survey_kms(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_TAKEN, "/dev/dri/card2",
-		"another program has it", "chvt");
+		"another program uses it", "chvt");
 	fake_card.no_dumb = true;
 	survey_kms(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/dri/card2",
@@ -165,7 +165,7 @@ static void test_a_card_says_what_it_lacks(void **state)
 		"drives no screens", NULL);
 }
 
-static void test_a_screen_that_nothing_drives_is_broken(void **state)
+static void test_a_screen_without_a_crtc_is_broken(void **state)
 {
 	struct survey_capture capture;
 
@@ -173,10 +173,10 @@ static void test_a_screen_that_nothing_drives_is_broken(void **state)
 	fake_card.fail = CALL_ENCODER;
 	survey_kms(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/dri/card2",
-		"nothing drives it", "choose another");
+		"the card has no CRTC for it", "choose another");
 }
 
-static void test_a_card_that_is_closed_or_absent_is_told(void **state)
+static void test_a_missing_card_is_one_finding(void **state)
 {
 	struct survey_capture capture;
 
@@ -187,7 +187,7 @@ static void test_a_card_that_is_closed_or_absent_is_told(void **state)
 		"no graphics card", "modprobe");
 }
 
-static void test_cards_that_are_closed_to_us_are_broken(void **state)
+static void test_cards_without_permission_are_broken(void **state)
 {
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
@@ -271,18 +271,18 @@ int main(void)
 		cmocka_unit_test_setup(
 			test_a_framebuffer_under_a_desktop_is_taken, setup),
 		cmocka_unit_test_setup(
-			test_a_framebuffer_that_is_closed_to_us_is_broken, setup),
+			test_a_framebuffer_without_permission_is_broken, setup),
 		cmocka_unit_test_setup(
 			test_a_framebuffer_of_planes_is_broken, setup),
 		cmocka_unit_test_setup(test_no_framebuffer_is_one_finding, setup),
 		cmocka_unit_test_setup(test_a_cards_screen_is_described, setup),
-		cmocka_unit_test_setup(test_a_card_says_what_it_lacks, setup),
+		cmocka_unit_test_setup(test_a_finding_names_what_a_card_lacks, setup),
 		cmocka_unit_test_setup(
-			test_a_screen_that_nothing_drives_is_broken, setup),
+			test_a_screen_without_a_crtc_is_broken, setup),
 		cmocka_unit_test_setup(
-			test_a_card_that_is_closed_or_absent_is_told, setup),
+			test_a_missing_card_is_one_finding, setup),
 		cmocka_unit_test_setup(
-			test_cards_that_are_closed_to_us_are_broken, setup),
+			test_cards_without_permission_are_broken, setup),
 		cmocka_unit_test(test_each_gl_driver_is_opened),
 		cmocka_unit_test(test_a_vendors_gl_has_a_processor_and_a_screen),
 	};

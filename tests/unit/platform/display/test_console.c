@@ -1,0 +1,127 @@
+#include "platform/base/compiler.h"
+#include "platform/display/console.h"
+#include "platform/process/stop.h"
+#include "tests/support/fake/fbdev_scene.h"
+#include "tests/support/test.h"
+
+#include <linux/kd.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static void test_the_console_is_in_graphics_mode_meanwhile(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fbdev_scene_begin_565(1);
+	fake_fb.has_console = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
+	fbdev_scene_draw(&scene);
+	fbdev_scene_close(&scene);
+
+	/* As a killed program leaves it. */
+	fake_fb.console_mode = KD_GRAPHICS;
+	assert_false(console_is_in_use(&fake_fb_calls));
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	fbdev_scene_close(&scene);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_WARNING), 0);
+}
+
+static void test_another_programs_console_is_not_changed(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fbdev_scene_begin_565(1);
+	assert_false(console_is_in_use(&fake_fb_calls));
+	fake_fb.has_console = true;
+	fake_fb.console_watched = true;
+	assert_false(console_is_in_use(&fake_fb_calls));
+	fake_fb.console_mode = KD_GRAPHICS;
+	assert_true(console_is_in_use(&fake_fb_calls));
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_true(log_capture_has(&scene.capture, LOG_WARNING, "another"));
+	fbdev_scene_draw(&scene);
+	scene.driver->destroy(scene.display);
+	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
+	assert_int_equal(fake_fb.open_count, 0);
+}
+
+/* Ends this process by a signal while the console is acquired. */
+static void end_by(int number, int report_fd)
+{
+	const struct rlimit none = {0, 0};
+	struct fbdev_scene scene = {0};
+
+	setrlimit(RLIMIT_CORE, &none);
+	signal(number, SIG_DFL);
+	fbdev_scene_begin_565(1);
+	fake_fb.has_console = true;
+	fake_fb.report_fd = report_fd;
+	if (fbdev_scene_open(&scene) == 0) {
+		raise(number);
+	}
+	_exit(99);
+}
+
+static void test_a_fatal_signal_restores_text_mode(void **state)
+{
+	static const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT,
+		SIGQUIT, SIGTERM, SIGINT, SIGHUP, SIGPIPE};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+		char modes[4] = {0};
+		int ends[2];
+		int status;
+		pid_t child;
+
+		assert_int_equal(pipe(ends), 0);
+		child = fork();
+		assert_true(child >= 0);
+		if (child == 0) {
+			end_by(signals[i], ends[1]);
+		}
+		close(ends[1]);
+		assert_int_equal(waitpid(child, &status, 0), child);
+		assert_true(WIFSIGNALED(status));
+		assert_int_equal(WTERMSIG(status), signals[i]);
+		assert_int_equal(read(ends[0], modes, sizeof(modes)), 2);
+		assert_int_equal(modes[0], KD_GRAPHICS);
+		assert_int_equal(modes[1], KD_TEXT);
+		close(ends[0]);
+	}
+}
+
+static void test_a_stop_signal_is_left_to_the_frame_loop(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	signal(SIGTERM, SIG_DFL);
+	stop_catch();
+	fbdev_scene_begin_565(1);
+	fake_fb.has_console = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_false(stop_requested());
+	raise(SIGTERM);
+	assert_true(stop_requested());
+	assert_int_equal(fake_fb.console_mode, KD_GRAPHICS);
+	fbdev_scene_close(&scene);
+	stop_release();
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_console_is_in_graphics_mode_meanwhile),
+		cmocka_unit_test(test_another_programs_console_is_not_changed),
+		cmocka_unit_test(test_a_fatal_signal_restores_text_mode),
+		cmocka_unit_test(test_a_stop_signal_is_left_to_the_frame_loop),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

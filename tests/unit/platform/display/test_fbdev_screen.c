@@ -1,0 +1,246 @@
+#include "platform/base/compiler.h"
+#include "tests/support/fake/fbdev_scene.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <linux/kd.h>
+#include <sys/ioctl.h>
+
+enum {
+	WIDTH = FBDEV_SCENE_WIDTH,
+	HEIGHT = FBDEV_SCENE_HEIGHT
+};
+
+static void test_two_pages_are_drawn_into_in_turn(void **state)
+{
+	enum {
+		STRIDE = WIDTH * 2 + 4
+	};
+	struct fbdev_scene scene = {0};
+	uint8_t *pages[2];
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT * 2, STRIDE,
+		fbdev_scene_layout_565);
+	fake_fb.has_wait = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	pages[0] = fake_fb.memory;
+	pages[1] = fake_fb.memory + HEIGHT * STRIDE;
+	for (int i = 0; i < 5; i++) {
+		int back = !(i & 1);
+		int waits = fake_fb.wait_count;
+		struct pixels pixels;
+
+		assert_int_equal(
+			scene.driver->begin_frame(scene.display, &pixels), 0);
+		/* Straight into the page that is not seen. */
+		assert_ptr_equal(pixels.data, pages[back]);
+		assert_int_equal(pixels.stride_bytes, STRIDE);
+		assert_int_not_equal(fake_fb.var.yoffset, back * HEIGHT);
+		pixels = fbdev_scene_draw(&scene);
+		assert_int_equal(fake_fb.var.yoffset, back * HEIGHT);
+		assert_int_equal(fake_fb.wait_count, waits + 1);
+		fbdev_scene_expect_corners(0xF800, 0x07E0, 0x001F, 0xFFFF);
+	}
+	fbdev_scene_close(&scene);
+	assert_int_equal(fake_fb.var.yoffset, 0);
+}
+
+static void test_a_second_page_is_requested_and_given_back(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT, WIDTH * 4,
+		fbdev_scene_layout_8888);
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(fake_fb.var.yres_virtual, HEIGHT * 2);
+	for (int i = 0; i < 3; i++) {
+		fbdev_scene_draw(&scene);
+		fbdev_scene_expect_corners(
+			0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF);
+	}
+	assert_true(fake_fb.pan_count >= 3);
+	fbdev_scene_close(&scene);
+	assert_int_equal(fake_fb.var.yres_virtual, HEIGHT);
+	assert_int_equal(fake_fb.var.yoffset, 0);
+}
+
+static void test_a_mode_that_the_driver_changed_is_restored(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT, WIDTH * 4,
+		fbdev_scene_layout_8888);
+	fake_fb.rounds_width = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(fake_fb.var.xres, WIDTH);
+	fbdev_scene_draw(&scene);
+	fbdev_scene_expect_corners(0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF);
+	assert_int_equal(fake_fb.var.yoffset, 0);
+	fbdev_scene_close(&scene);
+}
+
+static void test_a_single_page_is_drawn_where_the_screen_shows_it(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT + 4, HEIGHT + 4, WIDTH * 2 + 8,
+		fbdev_scene_layout_565);
+	fake_fb.var.xres_virtual = WIDTH + 4;
+	fake_fb.var.xoffset = 2;
+	fake_fb.var.yoffset = 3;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	fbdev_scene_draw(&scene);
+	fbdev_scene_expect_corners(0xF800, 0x07E0, 0x001F, 0xFFFF);
+	assert_int_equal(fake_fb.memory[0], 0xEE);
+	fbdev_scene_close(&scene);
+}
+
+static void test_a_failure_is_logged_and_everything_closed(void **state)
+{
+	static const unsigned long requests[] = {
+		FBIOGET_FSCREENINFO, FBIOGET_VSCREENINFO};
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		fbdev_scene_begin_565(2);
+		fake_fb.has_console = true;
+		fake_fb.fail_request = i < 2 ? requests[i] : 0;
+		fake_fb.fail_map = i == 2;
+		assert_true(fbdev_scene_open(&scene) < 0);
+		assert_int_equal(
+			log_capture_count(&scene.capture, LOG_ERROR), 1);
+		assert_contains(scene.capture.sentence[0], "/dev/fb0");
+		fbdev_scene_expect_closed();
+		assert_int_equal(fake_fb.var.yres_virtual, HEIGHT);
+	}
+}
+
+static void test_optional_calls_may_fail(void **state)
+{
+	static const unsigned long requests[] = {FBIOPUT_VSCREENINFO,
+		FBIOPAN_DISPLAY, FBIO_WAITFORVSYNC, FBIOBLANK, KDGETMODE,
+		KDSETMODE};
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(requests); i++) {
+		fbdev_scene_begin_565(2);
+		fake_fb.has_console = true;
+		fake_fb.has_wait = true;
+		fake_fb.fail_request = requests[i];
+		assert_int_equal(fbdev_scene_open(&scene), 0);
+		fbdev_scene_draw(&scene);
+		fbdev_scene_expect_corners(0xF800, 0x07E0, 0x001F, 0xFFFF);
+		fbdev_scene_close(&scene);
+		assert_int_equal(
+			log_capture_count(&scene.capture, LOG_ERROR), 0);
+	}
+}
+
+static void test_a_failing_flip_is_logged(void **state)
+{
+	struct fbdev_scene scene = {0};
+	struct pixels pixels;
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT * 2, WIDTH * 2,
+		fbdev_scene_layout_565);
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	fake_fb.fail_request = FBIOPAN_DISPLAY;
+	assert_int_equal(scene.driver->begin_frame(scene.display, &pixels), 0);
+	assert_int_equal(scene.driver->end_frame(scene.display), -EIO);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 1);
+	fbdev_scene_close(&scene);
+}
+
+static void test_the_message_for_a_missing_device_gives_advice(void **state)
+{
+	static const struct {
+		int error;
+		const char *advice;
+	} cases[] = {
+		{ENOENT, "no such framebuffer"},
+		{ENODEV, "no such framebuffer"},
+		{EACCES, "group"},
+		{EBUSY, "/dev/fbN"},
+	};
+	struct fbdev_scene scene = {.options = {.device = "/dev/fb7"}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		fbdev_scene_begin_565(1);
+		fake_fb.open_error = cases[i].error;
+		assert_true(fbdev_scene_open(&scene) < 0);
+		assert_int_equal(scene.capture.count, 1);
+		assert_contains(scene.capture.sentence[0], "/dev/fb7");
+		assert_contains(scene.capture.sentence[0], cases[i].advice);
+		fbdev_scene_expect_closed();
+	}
+}
+
+static void test_invalid_modes_are_refused(void **state)
+{
+	static const struct {
+		uint32_t *member;
+		uint32_t value;
+	} cases[] = {
+		{&fake_fb.var.bits_per_pixel, 0},
+		{&fake_fb.var.bits_per_pixel, 64},
+		{&fake_fb.var.bits_per_pixel, 4},
+		{&fake_fb.var.red.offset, 12},
+		{&fake_fb.var.red.offset, 4000000000u},
+		{&fake_fb.var.green.length, 0},
+		{&fake_fb.var.green.length, 4000000000u},
+		{&fake_fb.var.blue.offset, 5}, /* over green */
+		{&fake_fb.var.red.msb_right, 1},
+		{&fake_fb.var.nonstd, 1},
+		{&fake_fb.var.grayscale, 0x56595559},
+		{&fake_fb.var.xres, 0},
+		{&fake_fb.var.yres, 4000000000u},
+		{&fake_fb.var.xres, 100000},
+		{&fake_fb.var.xoffset, 4000000000u},
+		{&fake_fb.var.yoffset, 4000000000u},
+		{&fake_fb.fix.line_length, WIDTH},
+		{&fake_fb.fix.line_length, 4000000000u},
+		{&fake_fb.fix.smem_len, WIDTH * 2 * HEIGHT - 1},
+		{&fake_fb.fix.type, FB_TYPE_PLANES},
+		{&fake_fb.fix.visual, FB_VISUAL_MONO01},
+	};
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		fbdev_scene_begin_565(1);
+		*cases[i].member = cases[i].value;
+		if (fbdev_scene_open(&scene) != -ENOTSUP) {
+			fail_msg("case %zu is accepted", i);
+		}
+		assert_int_equal(scene.capture.count, 1);
+		assert_contains(scene.capture.sentence[0], "/dev/fb0");
+		fbdev_scene_expect_closed();
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_two_pages_are_drawn_into_in_turn),
+		cmocka_unit_test(test_a_second_page_is_requested_and_given_back),
+		cmocka_unit_test(test_a_mode_that_the_driver_changed_is_restored),
+		cmocka_unit_test(
+			test_a_single_page_is_drawn_where_the_screen_shows_it),
+		cmocka_unit_test(test_a_failure_is_logged_and_everything_closed),
+		cmocka_unit_test(test_optional_calls_may_fail),
+		cmocka_unit_test(test_a_failing_flip_is_logged),
+		cmocka_unit_test(
+			test_the_message_for_a_missing_device_gives_advice),
+		cmocka_unit_test(test_invalid_modes_are_refused),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

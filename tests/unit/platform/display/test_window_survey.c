@@ -1,0 +1,134 @@
+#include "tests/support/files.h"
+#include "tests/support/survey_capture.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#if __has_include(<SDL.h>)
+#include "platform/display/window/window_survey.h"
+
+/* A server that accepts connections but never answers. The caller closes it. */
+static int listen_at(const char *name, bool abstract)
+{
+	struct sockaddr_un address = {.sun_family = AF_UNIX};
+	int fd = socket(AF_UNIX, SOCK_STREAM, 0);
+	size_t length = strlen(name);
+
+	assert_true(fd >= 0 && length + 1 < sizeof(address.sun_path));
+	memcpy(address.sun_path + abstract, name, length);
+	if (bind(fd, (const struct sockaddr *)&address,
+		    (socklen_t)(offsetof(struct sockaddr_un, sun_path) +
+			    length + 1)) < 0) {
+		close(fd);
+		return -1;
+	}
+	assert_int_equal(listen(fd, 1), 0);
+	return fd;
+}
+
+static void survey_window(struct survey_capture *capture)
+{
+	const struct survey survey = survey_capture_begin(capture, NULL);
+
+	window_survey(&survey);
+	assert_int_equal(capture->count, 1);
+}
+
+static void test_a_survey_connects_to_an_x_server(void **state)
+{
+	struct survey_capture capture;
+	char name[64], display[16];
+	int fd = -1, number = 60;
+
+	(void)state;
+	unsetenv("SDL_VIDEODRIVER");
+	while (fd < 0 && number < 99) {
+		snprintf(name, sizeof(name), "/tmp/.X11-unix/X%d", ++number);
+		fd = listen_at(name, true);
+	}
+	assert_true(fd >= 0);
+	snprintf(display, sizeof(display), ":%d.0", number);
+	setenv("DISPLAY", display, 1);
+	survey_window(&capture);
+	survey_capture_expect(
+		&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
+	close(fd);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"does not answer", "export DISPLAY=");
+	setenv("DISPLAY", "rubbish", 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"names no display", "export DISPLAY=");
+	setenv("DISPLAY", "elsewhere.example:0", 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_UNUSED, "window",
+		"another machine", "--display window");
+	setenv("DISPLAY", "localhost:59000", 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"does not answer", "export DISPLAY=");
+	unsetenv("DISPLAY");
+}
+
+static void test_a_survey_connects_to_wayland(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct survey_capture capture;
+	int fd;
+
+	(void)state;
+	unsetenv("SDL_VIDEODRIVER");
+	unsetenv("DISPLAY");
+	setenv("XDG_RUNTIME_DIR", folder.text, 1);
+	setenv("WAYLAND_DISPLAY", "wayland-7", 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"does not answer", "terminal of the desktop");
+	fd = listen_at(path_join(&folder, "wayland-7").text, false);
+	assert_true(fd >= 0);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"DISPLAY is not set", "apt install xwayland");
+	close(fd);
+	unsetenv("WAYLAND_DISPLAY");
+	unsetenv("XDG_RUNTIME_DIR");
+	temp_dir_remove(&folder);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_MISSING, "window",
+		"no desktop", "export DISPLAY=:0");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_survey_connects_to_an_x_server),
+		cmocka_unit_test(test_a_survey_connects_to_wayland),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
+
+#else
+
+static void test_this_target_has_no_window(void **state)
+{
+	(void)state;
+	skip_because("built without SDL: this target has no window");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_this_target_has_no_window),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
+
+#endif

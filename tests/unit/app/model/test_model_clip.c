@@ -13,7 +13,7 @@ static const struct model_channel *channel_of(
 	return &model->clip[clip].channel[channel];
 }
 
-/* A key: both in-tangents, both values, both out-tangents. */
+/* A key holds both in-tangents, both values, both out-tangents. */
 static void test_keeps_the_layout_of_cubic_weights(void **state)
 {
 	static const float expected[12] = {
@@ -30,7 +30,7 @@ static void test_keeps_the_layout_of_cubic_weights(void **state)
 	model_destroy(model);
 }
 
-/* Scaling the values of a spline would bend it: its result is normalised. */
+/* Normalising the keys would change a spline; its result is normalised. */
 static void test_leaves_cubic_rotations_as_they_are(void **state)
 {
 	struct model *model = model_fixture("gltf/clip/cubic.gltf", NULL);
@@ -45,7 +45,7 @@ static void test_leaves_cubic_rotations_as_they_are(void **state)
 	model_destroy(model);
 }
 
-static void test_scales_signed_rotations_and_clamps_them(void **state)
+static void test_converts_signed_integer_rotations(void **state)
 {
 	static const float bytes[8] = {0, 0, 0, 1, 0, 0, -1, 0};
 	static const float shorts[8] = {0, 0, 0, 1, 0, -1, 0, 0};
@@ -57,7 +57,7 @@ static void test_scales_signed_rotations_and_clamps_them(void **state)
 	model_destroy(model);
 }
 
-static void test_scales_unsigned_weights(void **state)
+static void test_converts_unsigned_integer_weights(void **state)
 {
 	static const float expected[4] = {0, 1, 0.2f, 0.4f};
 	struct model *model = model_fixture("gltf/clip/normalized.gltf", NULL);
@@ -72,14 +72,14 @@ static void test_scales_unsigned_weights(void **state)
 	model_destroy(model);
 }
 
-static void test_makes_rotations_of_whole_numbers_unit(void **state)
+static void test_normalises_integer_rotations(void **state)
 {
 	static const float expected[4] = {0, 0.6f, 0, 0.8f};
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
-	/* One key at 0; (0, 3, 0, 4) as bytes that nobody normalised. */
+	/* One key at 0: (0, 3, 0, 4) as bytes that are not normalised. */
 	assert_int_equal(
 		model_from_text(
 			"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{"
@@ -90,7 +90,7 @@ static void test_makes_rotations_of_whole_numbers_unit(void **state)
 			"'count':1,'type':'VEC4'}],'animations':[{'samplers':"
 			"[{'input':0,'output':1}],'channels':[{'sampler':0,"
 			"'target':{'node':0,'path':'rotation'}}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_all_near(channel_of(model, 0, 0)->value, expected, 4, 1e-7);
 	model_destroy(model);
@@ -106,21 +106,21 @@ static void test_makes_rotations_of_whole_numbers_unit(void **state)
 	"'rotation'}}]}]}"
 
 /* (0, 3, 0, 4), then (0, 0, 0, 1.001), as floats. */
-static void test_makes_float_rotations_unit_that_are_far_from_it(void **state)
+static void test_normalises_float_rotations_far_from_unit_length(void **state)
 {
 	static const float far[4] = {0, 0.6f, 0, 0.8f};
 	static const float near[4] = {0, 0, 0, 1.001f};
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text(ROTATING("AAAAAAAAQEAAAAAAAACAQA=="),
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_all_near(channel_of(model, 0, 0)->value, far, 4, 1e-7);
 	model_destroy(model);
 	assert_int_equal(model_from_text(ROTATING("AAAAAAAAAAAAAAAAxSCAPw=="),
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_all_near(channel_of(model, 0, 0)->value, near, 4, 0);
 	model_destroy(model);
@@ -143,7 +143,7 @@ static void test_reads_samplers_with_a_single_key(void **state)
 	model_destroy(model);
 }
 
-static void test_ends_a_clip_with_its_last_key(void **state)
+static void test_takes_the_last_key_as_the_duration(void **state)
 {
 	struct model *model = model_fixture("gltf/clip/single_key.gltf", NULL);
 	struct model *late = model_fixture("gltf/clip/late_start.gltf", NULL);
@@ -166,7 +166,7 @@ static void test_reads_the_interpolation_of_each_channel(void **state)
 	model_destroy(model);
 }
 
-static void test_passes_over_a_channel_without_a_node(void **state)
+static void test_skips_a_channel_without_a_node(void **state)
 {
 	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
@@ -176,7 +176,7 @@ static void test_passes_over_a_channel_without_a_node(void **state)
 	model_destroy(model);
 }
 
-static void test_keeps_shared_times_once(void **state)
+static void test_shares_the_key_times_of_an_accessor(void **state)
 {
 	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
@@ -186,7 +186,7 @@ static void test_keeps_shared_times_once(void **state)
 	model_destroy(model);
 }
 
-static void test_finds_clips_by_name_and_then_by_number(void **state)
+static void test_finds_clips_by_name_or_number(void **state)
 {
 	struct model *model = model_fixture("gltf/clip/late_start.gltf", NULL);
 
@@ -206,14 +206,14 @@ static void test_finds_clips_by_name_and_then_by_number(void **state)
 
 static void test_prefers_a_clip_named_like_a_number(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(
 		model_from_text("{'asset':{'version':'2.0'},'animations':[{},"
 				"{'name':'0'}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_int_equal(model_find_clip(model, "0"), 1);
 	assert_int_equal(model_find_clip(model, "1"), 1);
@@ -223,8 +223,7 @@ static void test_prefers_a_clip_named_like_a_number(void **state)
 	model_destroy(model);
 }
 
-/* Channels as a loader leaves them. */
-static void test_finds_what_holds_still(void **state)
+static void test_marks_constant_channels(void **state)
 {
 	static const float time_s[2] = {0, 1}, again_s[2] = {0, 1};
 	static const float moving[6] = {0, 0, 0, 2, 0, 0};
@@ -252,7 +251,7 @@ static void test_finds_what_holds_still(void **state)
 	}
 	model_prepare_clips(&model);
 	assert_false(channel[0].constant);
-	assert_true(channel[1].constant); /* against the 2 of channel 0 */
+	assert_true(channel[1].constant); /* small against the 2 of channel 0 */
 	assert_false(channel[2].constant);
 	assert_false(channel[3].constant);
 	assert_false(channel[4].constant);
@@ -261,7 +260,7 @@ static void test_finds_what_holds_still(void **state)
 	}
 }
 
-static void test_finds_rotations_of_unit_length(void **state)
+static void test_marks_rotations_of_unit_length(void **state)
 {
 	static const float time_s[2] = {0, 1};
 	static const float unit[8] = {0, 0.6f, 0, 0.8f, 0, 0, -1, 0};
@@ -292,20 +291,20 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_keeps_the_layout_of_cubic_weights),
 		cmocka_unit_test(test_leaves_cubic_rotations_as_they_are),
-		cmocka_unit_test(test_scales_signed_rotations_and_clamps_them),
-		cmocka_unit_test(test_scales_unsigned_weights),
-		cmocka_unit_test(test_makes_rotations_of_whole_numbers_unit),
+		cmocka_unit_test(test_converts_signed_integer_rotations),
+		cmocka_unit_test(test_converts_unsigned_integer_weights),
+		cmocka_unit_test(test_normalises_integer_rotations),
 		cmocka_unit_test(
-			test_makes_float_rotations_unit_that_are_far_from_it),
+			test_normalises_float_rotations_far_from_unit_length),
 		cmocka_unit_test(test_reads_samplers_with_a_single_key),
-		cmocka_unit_test(test_ends_a_clip_with_its_last_key),
+		cmocka_unit_test(test_takes_the_last_key_as_the_duration),
 		cmocka_unit_test(test_reads_the_interpolation_of_each_channel),
-		cmocka_unit_test(test_passes_over_a_channel_without_a_node),
-		cmocka_unit_test(test_keeps_shared_times_once),
-		cmocka_unit_test(test_finds_clips_by_name_and_then_by_number),
+		cmocka_unit_test(test_skips_a_channel_without_a_node),
+		cmocka_unit_test(test_shares_the_key_times_of_an_accessor),
+		cmocka_unit_test(test_finds_clips_by_name_or_number),
 		cmocka_unit_test(test_prefers_a_clip_named_like_a_number),
-		cmocka_unit_test(test_finds_what_holds_still),
-		cmocka_unit_test(test_finds_rotations_of_unit_length),
+		cmocka_unit_test(test_marks_constant_channels),
+		cmocka_unit_test(test_marks_rotations_of_unit_length),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

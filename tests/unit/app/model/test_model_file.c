@@ -1,4 +1,4 @@
-/* model_file.h: a model reads its own folder and nothing else. */
+/* model_file.h: a model reads only files in its own folder. */
 #include "app/model/model_file.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
@@ -13,7 +13,7 @@
 /* TOP/outside.bin, TOP/models/inside.bin, TOP/models/sub/deep.bin. */
 struct tree {
 	struct test_path top, models, model;
-	struct log_capture heard;
+	struct log_capture logged;
 	struct log log;
 };
 
@@ -36,7 +36,7 @@ static int setup(void **state)
 	file_write(path_join(&tree.top, "outside.bin").text, "secret", 6);
 	file_write(path_join(&tree.models, "inside.bin").text, "inside", 6);
 	file_write(path_join(&sub, "deep.bin").text, "deep", 4);
-	tree.log = log_capture_begin(&tree.heard);
+	tree.log = log_capture_begin(&tree.logged);
 	*state = &tree;
 	return 0;
 }
@@ -56,7 +56,7 @@ static int read_beside(struct tree *tree, const char *name, char out[16])
 	struct model_file file;
 	int error;
 
-	tree->log = log_capture_begin(&tree->heard);
+	tree->log = log_capture_begin(&tree->logged);
 	error = model_file_read_beside(&source, name, "HERE", &tree->log, &file);
 	if (!error) {
 		assert_true(file.size < 16);
@@ -65,8 +65,8 @@ static int read_beside(struct tree *tree, const char *name, char out[16])
 		assert_null(file.data);
 	} else {
 		assert_null(file.data);
-		assert_int_equal(log_capture_count(&tree->heard, LOG_ERROR), 1);
-		assert_contains(tree->heard.sentence[0], "HERE: ");
+		assert_int_equal(log_capture_count(&tree->logged, LOG_ERROR), 1);
+		assert_contains(tree->logged.sentence[0], "HERE: ");
 	}
 	return error;
 }
@@ -86,7 +86,7 @@ static void expect_refusal(
 	char text[16];
 
 	assert_int_equal(read_beside(tree, name, text), code);
-	assert_contains(tree->heard.sentence[0], part);
+	assert_contains(tree->logged.sentence[0], part);
 }
 
 static void test_reads_files_of_the_folder(void **state)
@@ -102,13 +102,15 @@ static void test_names_a_missing_file(void **state)
 	expect_refusal(*state, "gone.bin", -ENOENT, "gone.bin: No such file");
 }
 
-static void test_refuses_paths_out_of_the_folder(void **state)
+static void test_refuses_paths_outside_the_folder(void **state)
 {
 	struct tree *tree = *state;
 	struct test_path outside = path_join(&tree->top, "outside.bin");
 
-	expect_refusal(tree, "../outside.bin", -EACCES, "the path contains \"..\"");
-	expect_refusal(tree, "sub/../../outside.bin", -EACCES, "the path contains \"..\"");
+	expect_refusal(
+		tree, "../outside.bin", -EACCES, "the path contains \"..\"");
+	expect_refusal(tree, "sub/../../outside.bin", -EACCES,
+		"the path contains \"..\"");
 	expect_refusal(tree, "sub/..", -EACCES, "the path contains \"..\"");
 	expect_refusal(tree, outside.text, -EACCES, "the path is absolute");
 	expect_refusal(tree, "..\\outside.bin", -EACCES, "backslash");
@@ -116,7 +118,7 @@ static void test_refuses_paths_out_of_the_folder(void **state)
 	expect_refusal(tree, "", -EACCES, "the path is empty");
 }
 
-static void test_reads_names_that_only_look_like_parent_steps(void **state)
+static void test_reads_names_that_begin_or_end_with_dots(void **state)
 {
 	struct tree *tree = *state;
 
@@ -126,7 +128,7 @@ static void test_reads_names_that_only_look_like_parent_steps(void **state)
 	expect_content(tree, "x..", "y");
 }
 
-static void test_refuses_links_out_of_the_folder(void **state)
+static void test_refuses_links_outside_the_folder(void **state)
 {
 	struct tree *tree = *state;
 	struct test_path link = path_join(&tree->models, "link.bin");
@@ -134,8 +136,10 @@ static void test_refuses_links_out_of_the_folder(void **state)
 
 	assert_int_equal(symlink("../outside.bin", link.text), 0);
 	assert_int_equal(symlink("..", folder.text), 0);
-	expect_refusal(tree, "link.bin", -EACCES, "leads outside the model's folder");
-	expect_refusal(tree, "folder/outside.bin", -EACCES, "leads outside the model's folder");
+	expect_refusal(
+		tree, "link.bin", -EACCES, "leads outside the model's folder");
+	expect_refusal(tree, "folder/outside.bin", -EACCES,
+		"leads outside the model's folder");
 }
 
 static void test_follows_links_within_the_folder(void **state)
@@ -147,8 +151,8 @@ static void test_follows_links_within_the_folder(void **state)
 	expect_content(tree, "link.bin", "deep");
 }
 
-/* models-old begins like models without being in it. */
-static void test_refuses_a_folder_with_a_longer_name(void **state)
+/* models-old begins like models, but is another folder. */
+static void test_refuses_a_folder_whose_name_begins_alike(void **state)
 {
 	struct tree *tree = *state;
 	struct test_path other = path_join(&tree->top, "models-old");
@@ -157,7 +161,8 @@ static void test_refuses_a_folder_with_a_longer_name(void **state)
 	make_folder(other.text);
 	file_write(path_join(&other, "x.bin").text, "x", 1);
 	assert_int_equal(symlink("../models-old", link.text), 0);
-	expect_refusal(tree, "old/x.bin", -EACCES, "leads outside the model's folder");
+	expect_refusal(
+		tree, "old/x.bin", -EACCES, "leads outside the model's folder");
 }
 
 static void test_reads_beside_a_model_named_without_a_folder(void **state)
@@ -172,7 +177,7 @@ static void test_reads_beside_a_model_named_without_a_folder(void **state)
 	model_file_release(&file);
 }
 
-static void test_gives_models_from_memory_no_folder(void **state)
+static void test_refuses_references_of_a_model_in_memory(void **state)
 {
 	struct tree *tree = *state;
 	struct model_source source = {.name = tree->model.text};
@@ -181,7 +186,8 @@ static void test_gives_models_from_memory_no_folder(void **state)
 	assert_int_equal(model_file_read_beside(&source, "inside.bin", "HERE",
 				 &tree->log, &file),
 		-EACCES);
-	assert_contains(tree->heard.sentence[0], "HERE: the model was not loaded from a folder");
+	assert_contains(tree->logged.sentence[0],
+		"HERE: the model was not loaded from a folder");
 }
 
 static void test_refuses_what_is_not_a_regular_file(void **state)
@@ -194,7 +200,7 @@ static void test_refuses_what_is_not_a_regular_file(void **state)
 	expect_refusal(tree, "sub", -EISDIR, "not a regular file");
 }
 
-static void test_refuses_a_file_beyond_the_limit(void **state)
+static void test_refuses_a_file_above_the_size_limit(void **state)
 {
 	struct tree *tree = *state;
 	struct test_path huge = path_join(&tree->models, "huge");
@@ -220,16 +226,16 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		WITH_TREE(test_reads_files_of_the_folder),
 		WITH_TREE(test_names_a_missing_file),
-		WITH_TREE(test_refuses_paths_out_of_the_folder),
-		WITH_TREE(test_reads_names_that_only_look_like_parent_steps),
-		WITH_TREE(test_refuses_links_out_of_the_folder),
+		WITH_TREE(test_refuses_paths_outside_the_folder),
+		WITH_TREE(test_reads_names_that_begin_or_end_with_dots),
+		WITH_TREE(test_refuses_links_outside_the_folder),
 		WITH_TREE(test_follows_links_within_the_folder),
-		WITH_TREE(test_refuses_a_folder_with_a_longer_name),
+		WITH_TREE(test_refuses_a_folder_whose_name_begins_alike),
 		cmocka_unit_test(
 			test_reads_beside_a_model_named_without_a_folder),
-		WITH_TREE(test_gives_models_from_memory_no_folder),
+		WITH_TREE(test_refuses_references_of_a_model_in_memory),
 		WITH_TREE(test_refuses_what_is_not_a_regular_file),
-		WITH_TREE(test_refuses_a_file_beyond_the_limit),
+		WITH_TREE(test_refuses_a_file_above_the_size_limit),
 		WITH_TREE(test_reads_an_empty_file),
 	};
 

@@ -1,6 +1,6 @@
 /*
- * Khronos' sample models, which are not part of the project: what they hold,
- * where their folder is there.
+ * The contents of Khronos' sample models, which are not part of the project;
+ * the test is skipped without their folder.
  */
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
@@ -36,16 +36,16 @@ static const struct sample samples[] = {
 
 static struct model *load(const struct sample *sample)
 {
-	struct log_capture heard;
-	struct log log = log_capture_begin(&heard);
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
 	struct model *model;
 	char path[256];
 
 	snprintf(path, sizeof(path), "%s/%s", folder, sample->name);
 	if (model_load(path, &log, &model) != 0) {
-		fail_msg("%s", heard.sentence[0]);
+		fail_msg("%s", logged.sentence[0]);
 	}
-	assert_int_equal(heard.count, 0);
+	assert_int_equal(logged.count, 0);
 	return model;
 }
 
@@ -101,7 +101,7 @@ static void expect_sound_primitive(
 	}
 }
 
-/* What model.h promises of every model. */
+/* The guarantees of model.h. */
 static void expect_sound(const struct model *model)
 {
 	int i, k;

@@ -1,4 +1,4 @@
-/* model_stats.h: the figures of a model. */
+/* model_stats.h: sizes of a model. */
 #include "app/model/model_stats.h"
 #include "tests/support/model_fixture.h"
 #include "tests/support/test.h"
@@ -23,7 +23,8 @@ static void test_counts_vertices_triangles_and_bytes(void **state)
 
 static void test_counts_every_vertex_attribute(void **state)
 {
-	struct model *model = model_fixture("gltf/accessor/interleaved.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/interleaved.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -32,7 +33,7 @@ static void test_counts_every_vertex_attribute(void **state)
 	model_destroy(model);
 }
 
-static void test_counts_influences_that_weigh_something(void **state)
+static void test_counts_only_influences_with_a_weight(void **state)
 {
 	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
 	struct model_stats stats;
@@ -52,7 +53,8 @@ static void test_counts_influences_that_weigh_something(void **state)
 
 static void test_counts_five_of_eight_influences(void **state)
 {
-	struct model *model = model_fixture("gltf/skin/eight_influences.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/skin/eight_influences.gltf", NULL);
 	struct model_stats stats;
 
 	(void)state;
@@ -79,7 +81,7 @@ static void test_counts_targets_and_keys(void **state)
 	model_destroy(model);
 }
 
-static void test_counts_pictures(void **state)
+static void test_counts_images(void **state)
 {
 	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	struct model_stats stats;
@@ -109,10 +111,10 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_counts_vertices_triangles_and_bytes),
 		cmocka_unit_test(test_counts_every_vertex_attribute),
-		cmocka_unit_test(test_counts_influences_that_weigh_something),
+		cmocka_unit_test(test_counts_only_influences_with_a_weight),
 		cmocka_unit_test(test_counts_five_of_eight_influences),
 		cmocka_unit_test(test_counts_targets_and_keys),
-		cmocka_unit_test(test_counts_pictures),
+		cmocka_unit_test(test_counts_images),
 		cmocka_unit_test(test_counts_mesh_by_mesh),
 	};
 

@@ -13,7 +13,7 @@
 
 static const float triangle[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
-static void test_overlays_sparse_values(void **state)
+static void test_replaces_sparse_values(void **state)
 {
 	static const float expected[4][3] = {
 		{0, 0, 0}, {7, 8, 9}, {0, 1, 0}, {10, 11, 12}};
@@ -26,7 +26,7 @@ static void test_overlays_sparse_values(void **state)
 	model_destroy(model);
 }
 
-/* Indices that are sparse without a bufferView: 0 1 2 and 0 3 2. */
+/* The sparse indices without a bufferView are 0 1 2 and 0 3 2. */
 static void test_reads_sparse_indices_over_zeros(void **state)
 {
 	static const uint32_t expected[6] = {0, 1, 2, 0, 3, 2};
@@ -62,13 +62,14 @@ static void test_reads_sparse_morph_targets_without_a_view(void **state)
 	model_destroy(model);
 }
 
-static void test_steps_through_interleaved_attributes(void **state)
+static void test_reads_interleaved_attributes(void **state)
 {
 	static const float texcoord[3][2] = {{0, 0}, {1, 0}, {0, 0.2f}};
 	static const float normal[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
 	static const uint8_t color[3][4] = {
 		{255, 0, 0, 255}, {0, 255, 0, 128}, {128, 188, 13, 0}};
-	struct model *model = model_fixture("gltf/accessor/interleaved.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/interleaved.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -84,7 +85,8 @@ static void test_reads_misaligned_floats_and_shorts(void **state)
 	static const float moves[2][3] = {{1, 2, 3}, {4, 5, 6}};
 	static const float times[2] = {0, 1};
 	static const uint32_t index[3] = {2, 1, 0};
-	struct model *model = model_fixture("gltf/accessor/misaligned.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/misaligned.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -95,12 +97,13 @@ static void test_reads_misaligned_floats_and_shorts(void **state)
 	model_destroy(model);
 }
 
-static void test_scales_quantised_positions_and_targets(void **state)
+static void test_converts_quantised_positions_and_targets(void **state)
 {
 	static const float position[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, -1, 0}};
 	static const float target[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
 	static const float turned[3][3] = {{1, 0, -1}, {1, 0, -1}, {1, 0, -1}};
-	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/quantized.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -110,12 +113,13 @@ static void test_scales_quantised_positions_and_targets(void **state)
 	model_destroy(model);
 }
 
-static void test_takes_whole_positions_and_coordinates_as_they_are(void **state)
+static void test_keeps_integer_positions_that_are_not_normalised(void **state)
 {
 	static const float position[3][3] = {
 		{0, 0, 0}, {1000, 0, 0}, {0, 1000, 7}};
 	static const float texcoord[3][2] = {{0, 0}, {3, 0}, {0, 255}};
-	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/quantized.gltf", NULL);
 
 	(void)state;
 	assert_all_near(model->mesh[1].primitive[0].position, position, 9, 0);
@@ -123,11 +127,12 @@ static void test_takes_whole_positions_and_coordinates_as_they_are(void **state)
 	model_destroy(model);
 }
 
-static void test_makes_quantised_directions_unit(void **state)
+static void test_normalises_quantised_normals_and_tangents(void **state)
 {
 	static const float normal[3] = {0, 0, 1};
 	static const float tangent[4] = {1, 0, 0, -1};
-	struct model *model = model_fixture("gltf/accessor/quantized.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/accessor/quantized.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 
 	(void)state;
@@ -136,7 +141,7 @@ static void test_makes_quantised_directions_unit(void **state)
 	model_destroy(model);
 }
 
-/* Makes a German locale in the folder and switches to it. */
+/* Compiles a German locale into the folder and switches to it. */
 static bool use_decimal_comma(const struct test_path *folder)
 {
 	struct test_path locale = path_join(folder, "de_DE.UTF-8");
@@ -159,7 +164,7 @@ static void test_reads_numbers_in_any_locale(void **state)
 	static const float expected[3] = {0.5f, -1.25f, 1e-3f};
 	struct test_path folder = temp_dir_make();
 	bool has_comma = use_decimal_comma(&folder);
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 	int error;
 
@@ -171,7 +176,7 @@ static void test_reads_numbers_in_any_locale(void **state)
 	}
 	error = model_from_text("{'asset':{'version':'2.0'},'nodes':[{"
 				"'translation':[0.5,-1.25,1e-3]}]}",
-		&heard, &model);
+		&logged, &model);
 	setlocale(LC_ALL, "C");
 	assert_int_equal(error, 0);
 	assert_all_near(model->node[0].rest.translation, expected, 3, 0);
@@ -181,16 +186,16 @@ static void test_reads_numbers_in_any_locale(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_overlays_sparse_values),
+		cmocka_unit_test(test_replaces_sparse_values),
 		cmocka_unit_test(test_reads_sparse_indices_over_zeros),
 		cmocka_unit_test(test_reads_an_accessor_without_a_view_as_zeros),
 		cmocka_unit_test(test_reads_sparse_morph_targets_without_a_view),
-		cmocka_unit_test(test_steps_through_interleaved_attributes),
+		cmocka_unit_test(test_reads_interleaved_attributes),
 		cmocka_unit_test(test_reads_misaligned_floats_and_shorts),
-		cmocka_unit_test(test_scales_quantised_positions_and_targets),
+		cmocka_unit_test(test_converts_quantised_positions_and_targets),
 		cmocka_unit_test(
-			test_takes_whole_positions_and_coordinates_as_they_are),
-		cmocka_unit_test(test_makes_quantised_directions_unit),
+			test_keeps_integer_positions_that_are_not_normalised),
+		cmocka_unit_test(test_normalises_quantised_normals_and_tangents),
 		cmocka_unit_test(test_reads_numbers_in_any_locale),
 	};
 

@@ -1,4 +1,4 @@
-/* base64.h and uri.h: what data URIs and file names are made of. */
+/* base64.h and uri.h: data URIs and escaped file names. */
 #include "app/model/gltf/base64.h"
 #include "app/model/gltf/uri.h"
 #include "tests/support/test.h"
@@ -31,7 +31,7 @@ static void test_decodes_the_rfc_examples(void **state)
 	expect_bytes("+/+/", "\xfb\xff\xbf");
 }
 
-static void test_needs_no_padding(void **state)
+static void test_accepts_base64_without_padding(void **state)
 {
 	(void)state;
 	expect_bytes("Zg", "f");
@@ -63,7 +63,7 @@ static void test_refuses_what_is_not_base64(void **state)
 	}
 }
 
-static void test_knows_data_uris(void **state)
+static void test_recognises_data_uris(void **state)
 {
 	(void)state;
 	assert_true(uri_is_data("data:;base64,AA=="));
@@ -77,7 +77,7 @@ static void test_knows_data_uris(void **state)
 	assert_null(uri_data_base64(",AA=="));
 }
 
-static void test_knows_schemes(void **state)
+static void test_recognises_schemes(void **state)
 {
 	(void)state;
 	assert_true(uri_has_scheme("http://example.org/a.bin"));
@@ -115,10 +115,10 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_decodes_the_rfc_examples),
-		cmocka_unit_test(test_needs_no_padding),
+		cmocka_unit_test(test_accepts_base64_without_padding),
 		cmocka_unit_test(test_refuses_what_is_not_base64),
-		cmocka_unit_test(test_knows_data_uris),
-		cmocka_unit_test(test_knows_schemes),
+		cmocka_unit_test(test_recognises_data_uris),
+		cmocka_unit_test(test_recognises_schemes),
 		cmocka_unit_test(test_decodes_percent_escapes),
 		cmocka_unit_test(test_refuses_broken_escapes),
 	};

@@ -1,4 +1,4 @@
-/* Where glTF's bytes come from: .glb, data URIs, files, memory. */
+/* Sources of glTF data: .glb, data URIs, files, memory. */
 #include "app/model/model.h"
 #include "tests/support/files.h"
 #include "tests/support/model_fixture.h"
@@ -20,7 +20,7 @@ static void expect_triangle(struct model *model)
 	model_destroy(model);
 }
 
-static void test_reads_a_glb_and_passes_over_other_chunks(void **state)
+static void test_reads_a_glb_and_skips_other_chunks(void **state)
 {
 	(void)state;
 	expect_triangle(model_fixture("gltf/container/binary.glb", NULL));
@@ -32,7 +32,7 @@ static void test_reads_a_buffer_beside_the_file(void **state)
 	expect_triangle(model_fixture("gltf/container/beside.gltf", NULL));
 }
 
-static void test_names_the_model(void **state)
+static void test_keeps_the_path_and_the_format(void **state)
 {
 	struct model *model = model_fixture("gltf/container/binary.glb", NULL);
 
@@ -43,36 +43,36 @@ static void test_names_the_model(void **state)
 	model_destroy(model);
 }
 
-static void test_accepts_a_byte_order_mark_and_blanks(void **state)
+static void test_accepts_a_byte_order_mark_and_spaces(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("\xef\xbb\xbf \t\r\n"
 					 "{'asset':{'version':'2.1'}}",
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_int_equal(model->node_count, 0);
 	model_destroy(model);
 }
 
-static void test_tells_a_missing_file(void **state)
+static void test_reports_a_missing_file(void **state)
 {
-	struct log_capture heard;
-	struct log log = log_capture_begin(&heard);
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_load("no/such.glb", &log, &model), -ENOENT);
 	assert_null(model);
-	assert_int_equal(heard.count, 1);
+	assert_int_equal(logged.count, 1);
 	assert_string_equal(
-		heard.sentence[0], "no/such.glb: No such file or directory");
+		logged.sentence[0], "no/such.glb: No such file or directory");
 }
 
-/* A copy of the fixture at every length, in a block of just that length. */
-static void test_refuses_a_glb_cut_anywhere(void **state)
+/* Each copy has its exact size, so that the sanitizers see its end. */
+static void test_refuses_a_glb_truncated_at_any_length(void **state)
 {
 	size_t size, length;
 	struct test_path path = fixture_path("gltf/container/binary.glb");
@@ -80,8 +80,8 @@ static void test_refuses_a_glb_cut_anywhere(void **state)
 
 	(void)state;
 	for (length = 0; length < size; length++) {
-		struct log_capture heard;
-		struct log log = log_capture_begin(&heard);
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
 		char *cut = malloc(length + 1);
 		struct model *model;
 		int error;
@@ -91,7 +91,7 @@ static void test_refuses_a_glb_cut_anywhere(void **state)
 		error = model_load_memory(cut, length, "cut", &log, &model);
 		assert_true(error == -EINVAL || error == -ENOTSUP);
 		assert_null(model);
-		assert_int_equal(heard.count, 1);
+		assert_int_equal(logged.count, 1);
 		free(cut);
 	}
 	free(whole);
@@ -121,8 +121,8 @@ static void test_refuses_broken_glb_headers(void **state)
 	(void)state;
 	for (i = 0; i < sizeof(damages) / sizeof(damages[0]); i++) {
 		const struct damage *damage = &damages[i];
-		struct log_capture heard;
-		struct log log = log_capture_begin(&heard);
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
 		char kept = whole[damage->at];
 		struct model *model;
 
@@ -130,32 +130,32 @@ static void test_refuses_broken_glb_headers(void **state)
 		assert_int_equal(
 			model_load_memory(whole, size, "broken", &log, &model),
 			damage->code);
-		assert_contains(heard.sentence[0], "broken: ");
-		assert_contains(heard.sentence[0], damage->part);
+		assert_contains(logged.sentence[0], "broken: ");
+		assert_contains(logged.sentence[0], damage->part);
 		whole[damage->at] = kept;
 	}
 	free(whole);
 }
 
-static void test_gives_memory_no_files(void **state)
+static void test_refuses_files_beside_a_model_in_memory(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},'buffers':[{"
 					 "'byteLength':1,'uri':'Makefile'}]}",
-				 &heard, &model),
+				 &logged, &model),
 		-EACCES);
-	assert_contains(heard.sentence[0],
+	assert_contains(logged.sentence[0],
 		"t.gltf: /buffers/0/uri: the model was not loaded from a folder");
 }
 
 static int load_text(const struct test_path *folder, const char *text,
-	struct log_capture *heard)
+	struct log_capture *logged)
 {
 	struct test_path path = path_join(folder, "m.gltf");
-	struct log log = log_capture_begin(heard);
+	struct log log = log_capture_begin(logged);
 	struct model *model;
 	int error;
 
@@ -171,7 +171,7 @@ struct reference {
 	const char *part;
 };
 
-/* Beside the model lies x.bin, and above its folder too. */
+/* There is a file x.bin beside the model and one in the parent folder. */
 static void test_reads_no_file_outside_the_folder(void **state)
 {
 	static const struct reference references[] = {
@@ -184,8 +184,10 @@ static void test_reads_no_file_outside_the_folder(void **state)
 		{"..%5cx.bin", -EACCES, "backslash"},
 		{"/etc/hostname", -EACCES, "the path is absolute"},
 		{"%2Fetc/hostname", -EACCES, "the path is absolute"},
-		{"file:x.bin", -EACCES, "does not name a file in the model's folder"},
-		{"http://a/x.bin", -EACCES, "does not name a file in the model's"},
+		{"file:x.bin", -EACCES,
+			"does not name a file in the model's folder"},
+		{"http://a/x.bin", -EACCES,
+			"does not name a file in the model's"},
 		{"x%00.bin", -EINVAL, "malformed % escape"},
 		{"x.bi%6", -EINVAL, "malformed % escape"},
 		{"", -EACCES, "the path is empty"},
@@ -203,7 +205,7 @@ static void test_reads_no_file_outside_the_folder(void **state)
 	file_write(path_join(&top, "x.bin").text, "xx", 2);
 	file_write(path_join(&folder, "x.bin").text, "xx", 2);
 	for (i = 0; i < sizeof(references) / sizeof(references[0]); i++) {
-		struct log_capture heard;
+		struct log_capture logged;
 		char text[256];
 
 		snprintf(text, sizeof(text),
@@ -211,40 +213,40 @@ static void test_reads_no_file_outside_the_folder(void **state)
 			"\"byteLength\":2,\"uri\":\"%s\"}]}",
 			references[i].uri);
 		assert_int_equal(
-			load_text(&folder, text, &heard), references[i].code);
-		assert_int_equal(heard.count, references[i].code != 0);
+			load_text(&folder, text, &logged), references[i].code);
+		assert_int_equal(logged.count, references[i].code != 0);
 		if (references[i].code) {
-			assert_contains(heard.sentence[0], "/buffers/0/uri: ");
-			assert_contains(heard.sentence[0], references[i].part);
+			assert_contains(logged.sentence[0], "/buffers/0/uri: ");
+			assert_contains(logged.sentence[0], references[i].part);
 		}
 	}
 	temp_dir_remove(&top);
 }
 
-static void test_wants_all_the_bytes_that_a_buffer_states(void **state)
+static void test_refuses_a_buffer_shorter_than_its_byte_length(void **state)
 {
 	struct test_path folder = temp_dir_make();
-	struct log_capture heard;
+	struct log_capture logged;
 
 	(void)state;
 	file_write(path_join(&folder, "x.bin").text, "xx", 2);
 	assert_int_equal(load_text(&folder,
 				 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{"
 				 "\"byteLength\":3,\"uri\":\"x.bin\"}]}",
-				 &heard),
+				 &logged),
 		-EINVAL);
-	assert_contains(heard.sentence[0],
+	assert_contains(logged.sentence[0],
 		"/buffers/0: byteLength is 3, but the data has only 2 bytes");
 	temp_dir_remove(&folder);
 }
 
-static void test_accepts_destroying_nothing(void **state)
+static void test_accepts_null_in_model_destroy(void **state)
 {
 	(void)state;
 	model_destroy(NULL);
 }
 
-/* Holes, which take no room on the disk. */
+/* A sparse file, which takes no space on the disk. */
 static void make_large_file(const struct test_path *folder, off_t mebibytes)
 {
 	struct test_path path = path_join(folder, "large.bin");
@@ -258,7 +260,7 @@ static void make_large_file(const struct test_path *folder, off_t mebibytes)
 static void test_limits_the_files_beside_a_model(void **state)
 {
 	struct test_path folder = temp_dir_make();
-	struct log_capture heard;
+	struct log_capture logged;
 
 	(void)state;
 	make_large_file(&folder, 129);
@@ -266,23 +268,23 @@ static void test_limits_the_files_beside_a_model(void **state)
 		load_text(&folder,
 			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[" LARGE
 			"," LARGE "]}",
-			&heard),
+			&logged),
 		-EFBIG);
-	assert_contains(heard.sentence[0],
+	assert_contains(logged.sentence[0],
 		"/buffers/1/uri: the files beside the model exceed");
 	temp_dir_remove(&folder);
 }
 
-/* The header of 4096 x 4096 pixels, 64 MiB, and nothing behind it. */
+/* A header that claims 4096 x 4096 pixels, 64 MiB, without their data. */
 #define HUGE_PNG                                   \
 	"data:;base64,"                            \
 	"iVBORw0KGgoAAAANSUhEUgAAEAAAABAACAIAAAB9" \
 	"wbNAAAAAAUlEQVQ="
 
-static void test_limits_pictures_before_they_are_decoded(void **state)
+static void test_checks_the_budget_before_decoding_an_image(void **state)
 {
 	struct test_path folder = temp_dir_make();
-	struct log_capture heard;
+	struct log_capture logged;
 
 	(void)state;
 	make_large_file(&folder, 200);
@@ -292,9 +294,9 @@ static void test_limits_pictures_before_they_are_decoded(void **state)
 			"],\"images\":[{\"uri\":\"" HUGE_PNG "\"}],"
 			"\"textures\":[{\"source\":0}],\"materials\":[{"
 			"\"normalTexture\":{\"index\":0}}]}",
-			&heard),
+			&logged),
 		-ENOMEM);
-	assert_contains(heard.sentence[0],
+	assert_contains(logged.sentence[0],
 		"/images/0: the model needs more than 256 MiB of memory");
 	temp_dir_remove(&folder);
 }
@@ -302,19 +304,20 @@ static void test_limits_pictures_before_they_are_decoded(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_reads_a_glb_and_passes_over_other_chunks),
+		cmocka_unit_test(test_reads_a_glb_and_skips_other_chunks),
 		cmocka_unit_test(test_reads_a_buffer_beside_the_file),
-		cmocka_unit_test(test_names_the_model),
-		cmocka_unit_test(test_accepts_a_byte_order_mark_and_blanks),
-		cmocka_unit_test(test_tells_a_missing_file),
-		cmocka_unit_test(test_refuses_a_glb_cut_anywhere),
+		cmocka_unit_test(test_keeps_the_path_and_the_format),
+		cmocka_unit_test(test_accepts_a_byte_order_mark_and_spaces),
+		cmocka_unit_test(test_reports_a_missing_file),
+		cmocka_unit_test(test_refuses_a_glb_truncated_at_any_length),
 		cmocka_unit_test(test_refuses_broken_glb_headers),
-		cmocka_unit_test(test_gives_memory_no_files),
+		cmocka_unit_test(test_refuses_files_beside_a_model_in_memory),
 		cmocka_unit_test(test_reads_no_file_outside_the_folder),
-		cmocka_unit_test(test_wants_all_the_bytes_that_a_buffer_states),
-		cmocka_unit_test(test_accepts_destroying_nothing),
+		cmocka_unit_test(
+			test_refuses_a_buffer_shorter_than_its_byte_length),
+		cmocka_unit_test(test_accepts_null_in_model_destroy),
 		cmocka_unit_test(test_limits_the_files_beside_a_model),
-		cmocka_unit_test(test_limits_pictures_before_they_are_decoded),
+		cmocka_unit_test(test_checks_the_budget_before_decoding_an_image),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* Coarser levels of glTF meshes (MSFT_lod). */
+/* Levels of detail of glTF meshes (MSFT_lod). */
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
 #include "tests/support/model_fixture.h"
@@ -16,7 +16,7 @@ static const struct model_primitive *primitive_of(
 	return &model->mesh[model->node[index].mesh].primitive[0];
 }
 
-static void test_levels_are_lists_of_the_mesh_they_stand_for(void **state)
+static void test_levels_become_index_lists_of_the_full_mesh(void **state)
 {
 	static const uint32_t corners[6] = {0, 2, 8, 0, 8, 6};
 	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
@@ -31,8 +31,8 @@ static void test_levels_are_lists_of_the_mesh_they_stand_for(void **state)
 	model_destroy(model);
 }
 
-/* The file has the one for shapes first, the finest last. */
-static void test_the_finest_comes_first_and_shapes_last(void **state)
+/* In the file, the shadow level comes first and the finest level last. */
+static void test_levels_are_sorted_with_shadow_levels_last(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	const struct model_lod *lod = primitive_of(model, "grid")->lod;
@@ -49,7 +49,7 @@ static void test_the_finest_comes_first_and_shapes_last(void **state)
 	model_destroy(model);
 }
 
-static void test_levels_are_no_nodes_and_no_meshes(void **state)
+static void test_levels_become_no_nodes_and_no_meshes(void **state)
 {
 	static const char *const levels[] = {
 		"finest", "coarsest", "shape", "covered level"};
@@ -64,7 +64,7 @@ static void test_levels_are_no_nodes_and_no_meshes(void **state)
 	model_destroy(model);
 }
 
-static void test_what_comes_behind_a_level_is_found_all_the_same(void **state)
+static void test_indices_behind_a_level_are_remapped(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	int own = model_find_node(model, "own");
@@ -77,22 +77,22 @@ static void test_what_comes_behind_a_level_is_found_all_the_same(void **state)
 	model_destroy(model);
 }
 
-static void test_a_level_with_vertices_of_its_own_is_none(void **state)
+static void test_other_vertices_disqualify_a_level(void **state)
 {
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/mesh/levels.gltf", &heard);
+	struct log_capture logged;
+	struct model *model = model_fixture("gltf/mesh/levels.gltf", &logged);
 	int level = model_find_node(model, "own level");
 
 	(void)state;
 	assert_int_equal(primitive_of(model, "own")->lod_count, 0);
 	assert_true(level >= 0);
 	assert_false(model->node[level].in_scene);
-	assert_int_equal(heard.count, 0);
+	assert_int_equal(logged.count, 0);
 	model_destroy(model);
 }
 
-/* A quarter of the screen is half of 640 pixels for the grid's one metre. */
-static void test_screen_coverage_says_how_coarse_a_level_is(void **state)
+/* At a coverage of 1/4, one metre of the grid covers 320 pixels. */
+static void test_screen_coverage_gives_the_error_of_a_level(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/levels.gltf", NULL);
 	const struct model_primitive *covered = primitive_of(model, "covered");
@@ -105,7 +105,7 @@ static void test_screen_coverage_says_how_coarse_a_level_is(void **state)
 
 PRINTF_LIKE(1, 2) static struct model *load_text(const char *format, ...)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model = NULL;
 	char text[2048];
 	va_list values;
@@ -114,11 +114,11 @@ PRINTF_LIKE(1, 2) static struct model *load_text(const char *format, ...)
 	assert_in_range(vsnprintf(text, sizeof(text), format, values), 0,
 		sizeof(text) - 1);
 	va_end(values);
-	assert_int_equal(model_from_text(text, &heard, &model), 0);
+	assert_int_equal(model_from_text(text, &logged, &model), 0);
 	return model;
 }
 
-/* Node 0 has a level 1; more is put in between. */
+/* Node 1 is a level of node 0; a test inserts more members. */
 static struct model *load(const char *level, const char *more)
 {
 	return load_text(
@@ -145,7 +145,7 @@ static void expect_levels(const char *level, const char *more, int count)
 
 #define ERROR "'extras':{'error_m':1}"
 
-static void test_a_level_that_something_else_names_is_none(void **state)
+static void test_another_reference_disqualifies_a_level(void **state)
 {
 	(void)state;
 	expect_levels(ERROR, "]", 1);
@@ -159,14 +159,14 @@ static void test_a_level_that_something_else_names_is_none(void **state)
 		0);
 }
 
-static void test_a_level_that_is_elsewhere_is_none(void **state)
+static void test_another_transform_disqualifies_a_level(void **state)
 {
 	(void)state;
 	expect_levels(ERROR ",'translation':[0,0,1]", "]", 0);
 	expect_levels(ERROR ",'children':[]", "]", 0);
 }
 
-static void test_a_level_that_does_not_say_how_coarse_is_none(void **state)
+static void test_an_unknown_error_disqualifies_a_level(void **state)
 {
 	(void)state;
 	expect_levels("'extras':{'error_m':0}", "]", 0);
@@ -176,15 +176,15 @@ static void test_a_level_that_does_not_say_how_coarse_is_none(void **state)
 
 static void expect_failure(const char *text, const char *sentence)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model = NULL;
 
-	assert_int_equal(model_from_text(text, &heard, &model), -EINVAL);
-	assert_true(log_capture_has(&heard, LOG_ERROR, sentence));
+	assert_int_equal(model_from_text(text, &logged, &model), -EINVAL);
+	assert_true(log_capture_has(&logged, LOG_ERROR, sentence));
 }
 
-/* The level's one triangle is of vertices 0, 1 and 2. */
-static void test_a_level_beyond_the_vertices_is_refused(void **state)
+/* The level's triangle has the vertices 0, 1 and 2. */
+static void test_a_level_with_an_index_out_of_range_is_refused(void **state)
 {
 	(void)state;
 	expect_failure(
@@ -202,7 +202,7 @@ static void test_a_level_beyond_the_vertices_is_refused(void **state)
 		"t.gltf: /meshes/1/primitives/0/indices: index 2 refers to vertex 2, but there are only 2");
 }
 
-static void test_strange_ids_are_passed_over(void **state)
+static void test_invalid_ids_are_ignored(void **state)
 {
 	static const char *const ids[] = {
 		"7", "{}", "[7,-1,'x',1.5,0]", "[[1]]", "null"};
@@ -225,20 +225,18 @@ static void test_strange_ids_are_passed_over(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_levels_become_index_lists_of_the_full_mesh),
+		cmocka_unit_test(test_levels_are_sorted_with_shadow_levels_last),
+		cmocka_unit_test(test_levels_become_no_nodes_and_no_meshes),
+		cmocka_unit_test(test_indices_behind_a_level_are_remapped),
+		cmocka_unit_test(test_other_vertices_disqualify_a_level),
+		cmocka_unit_test(test_screen_coverage_gives_the_error_of_a_level),
+		cmocka_unit_test(test_another_reference_disqualifies_a_level),
+		cmocka_unit_test(test_another_transform_disqualifies_a_level),
+		cmocka_unit_test(test_an_unknown_error_disqualifies_a_level),
 		cmocka_unit_test(
-			test_levels_are_lists_of_the_mesh_they_stand_for),
-		cmocka_unit_test(test_the_finest_comes_first_and_shapes_last),
-		cmocka_unit_test(test_levels_are_no_nodes_and_no_meshes),
-		cmocka_unit_test(
-			test_what_comes_behind_a_level_is_found_all_the_same),
-		cmocka_unit_test(test_a_level_with_vertices_of_its_own_is_none),
-		cmocka_unit_test(test_screen_coverage_says_how_coarse_a_level_is),
-		cmocka_unit_test(test_a_level_that_something_else_names_is_none),
-		cmocka_unit_test(test_a_level_that_is_elsewhere_is_none),
-		cmocka_unit_test(
-			test_a_level_that_does_not_say_how_coarse_is_none),
-		cmocka_unit_test(test_a_level_beyond_the_vertices_is_refused),
-		cmocka_unit_test(test_strange_ids_are_passed_over),
+			test_a_level_with_an_index_out_of_range_is_refused),
+		cmocka_unit_test(test_invalid_ids_are_ignored),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

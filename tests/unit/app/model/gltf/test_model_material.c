@@ -1,4 +1,4 @@
-/* glTF materials: colours, textures, pictures from three places. */
+/* glTF materials: colours, textures, images from three sources. */
 #include "app/model/model.h"
 #include "tests/support/model_fixture.h"
 #include "tests/support/test.h"
@@ -19,7 +19,7 @@ static void test_reads_factors_and_flags(void **state)
 	model_destroy(model);
 }
 
-static void test_reads_masks_and_unlit(void **state)
+static void test_reads_alpha_masks_and_unlit(void **state)
 {
 	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 
@@ -45,7 +45,7 @@ static void expect_plain(const struct model_material *material)
 	assert_false(material->unlit);
 }
 
-static void test_fills_in_what_a_material_leaves_out(void **state)
+static void test_uses_the_defaults_of_a_material(void **state)
 {
 	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 
@@ -54,7 +54,7 @@ static void test_fills_in_what_a_material_leaves_out(void **state)
 	model_destroy(model);
 }
 
-static void test_adds_one_material_for_primitives_without(void **state)
+static void test_adds_one_default_material(void **state)
 {
 	struct model *model = model_fixture("gltf/material/kinds.gltf", NULL);
 	const struct model_primitive *primitive = model->mesh[0].primitive;
@@ -69,15 +69,15 @@ static void test_adds_one_material_for_primitives_without(void **state)
 	model_destroy(model);
 }
 
-static void test_adds_no_material_that_nothing_needs(void **state)
+static void test_adds_no_default_material_without_need(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
 					 "'materials':[{}]}",
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_int_equal(model->material_count, 1);
 	model_destroy(model);
@@ -121,7 +121,7 @@ static void test_reads_a_png_from_a_buffer_view(void **state)
 	model_destroy(model);
 }
 
-/* Left half red, right half blue, to within what JPEG rounds. */
+/* The left half is red, the right half blue, up to rounding in JPEG. */
 static void test_reads_a_jpeg_from_a_data_uri(void **state)
 {
 	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
@@ -139,7 +139,7 @@ static void test_reads_a_jpeg_from_a_data_uri(void **state)
 	model_destroy(model);
 }
 
-static void test_reads_only_pictures_that_materials_need(void **state)
+static void test_reads_only_images_that_materials_use(void **state)
 {
 	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	int i;
@@ -153,7 +153,7 @@ static void test_reads_only_pictures_that_materials_need(void **state)
 	model_destroy(model);
 }
 
-static void test_reads_wraps_and_filters(void **state)
+static void test_reads_wrap_modes_and_filters(void **state)
 {
 	struct model *model = model_fixture("gltf/material/textures.gltf", NULL);
 	const struct model_texture *first =
@@ -176,7 +176,7 @@ static void test_reads_wraps_and_filters(void **state)
 	model_destroy(model);
 }
 
-static void test_takes_the_coordinates_that_the_texture_names(void **state)
+static void test_reads_the_texture_coordinates_of_the_texture(void **state)
 {
 	static const float first[3][2] = {{0, 0}, {1, 0}, {0, 1}};
 	static const float second[3][2] = {
@@ -190,8 +190,8 @@ static void test_takes_the_coordinates_that_the_texture_names(void **state)
 }
 
 /*
- * Scale (2, 4), a quarter turn counter-clockwise as the picture is seen, that
- * is (u, v) -> (v, -u), then (0.5, 0.25).
+ * Scale (2, 4), then a quarter turn counter-clockwise in the image, which is
+ * (u, v) -> (v, -u), then offset (0.5, 0.25).
  */
 static void test_applies_a_texture_transform(void **state)
 {
@@ -206,33 +206,35 @@ static void test_applies_a_texture_transform(void **state)
 
 static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 {
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/material/textures.gltf", &heard);
+	struct log_capture logged;
+	struct model *model =
+		model_fixture("gltf/material/textures.gltf", &logged);
 
 	(void)state;
 	assert_true(model->material[1].normal_texture >= 0);
 	assert_int_equal(model->material[2].normal_texture, -1);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/materials/2: limber ignores normalTexture"));
 	model_destroy(model);
 }
 
-static void test_leaves_out_a_texture_in_a_foreign_format(void **state)
+static void test_ignores_a_texture_of_an_extension(void **state)
 {
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/material/textures.gltf", &heard);
+	struct log_capture logged;
+	struct model *model =
+		model_fixture("gltf/material/textures.gltf", &logged);
 
 	(void)state;
 	assert_int_equal(model->material[3].texture, -1);
 	assert_true(log_capture_has(
-		&heard, LOG_WARNING, "/textures/4: has no source"));
+		&logged, LOG_WARNING, "/textures/4: has no source"));
 	model_destroy(model);
 }
 
-/* A 1x1 picture, by two textures, one of them a normal map only. */
-static void test_reads_a_shared_picture_once(void **state)
+/* Two textures use one 1x1 image; one of them is only a normal map. */
+static void test_decodes_a_shared_image_once(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -247,7 +249,7 @@ static void test_reads_a_shared_picture_once(void **state)
 			"'normalTexture':{'index':1,'texCoord':3}},{"
 			"'pbrMetallicRoughness':{'baseColorTexture':{'index':"
 			"0}}}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_int_equal(model->image_count, 1);
 	assert_int_equal(model->texture_count, 2);
@@ -263,22 +265,22 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_factors_and_flags),
-		cmocka_unit_test(test_reads_masks_and_unlit),
-		cmocka_unit_test(test_fills_in_what_a_material_leaves_out),
-		cmocka_unit_test(test_adds_one_material_for_primitives_without),
-		cmocka_unit_test(test_adds_no_material_that_nothing_needs),
+		cmocka_unit_test(test_reads_alpha_masks_and_unlit),
+		cmocka_unit_test(test_uses_the_defaults_of_a_material),
+		cmocka_unit_test(test_adds_one_default_material),
+		cmocka_unit_test(test_adds_no_default_material_without_need),
 		cmocka_unit_test(test_reads_a_png_beside_the_file),
 		cmocka_unit_test(test_reads_a_png_from_a_buffer_view),
 		cmocka_unit_test(test_reads_a_jpeg_from_a_data_uri),
-		cmocka_unit_test(test_reads_only_pictures_that_materials_need),
-		cmocka_unit_test(test_reads_wraps_and_filters),
+		cmocka_unit_test(test_reads_only_images_that_materials_use),
+		cmocka_unit_test(test_reads_wrap_modes_and_filters),
 		cmocka_unit_test(
-			test_takes_the_coordinates_that_the_texture_names),
+			test_reads_the_texture_coordinates_of_the_texture),
 		cmocka_unit_test(test_applies_a_texture_transform),
 		cmocka_unit_test(
 			test_keeps_a_normal_map_with_the_same_coordinates),
-		cmocka_unit_test(test_leaves_out_a_texture_in_a_foreign_format),
-		cmocka_unit_test(test_reads_a_shared_picture_once),
+		cmocka_unit_test(test_ignores_a_texture_of_an_extension),
+		cmocka_unit_test(test_decodes_a_shared_image_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -11,24 +11,24 @@ static void expect_indices(const struct model_primitive *primitive,
 		primitive->index, expected, (size_t)count * sizeof(*expected));
 }
 
-static void test_leaves_points_and_lines_out_with_a_warning(void **state)
+static void test_ignores_points_and_lines_with_a_warning(void **state)
 {
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/mesh/modes.gltf", &heard);
+	struct log_capture logged;
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", &logged);
 	int mode;
 
 	(void)state;
 	for (mode = 0; mode < 4; mode++) {
 		assert_int_equal(model->mesh[mode].primitive_count, 1);
 	}
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"modes.gltf: /meshes/0/primitives/0: limber does not draw points"));
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/meshes/3/primitives/0: limber does not draw lines"));
 	model_destroy(model);
 }
 
-static void test_keeps_the_numbers_of_primitives_behind_them(void **state)
+static void test_keeps_the_file_numbers_of_later_primitives(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
 
@@ -40,21 +40,21 @@ static void test_keeps_the_numbers_of_primitives_behind_them(void **state)
 	model_destroy(model);
 }
 
-static void test_drops_corners_that_make_no_triangle(void **state)
+static void test_ignores_indices_beyond_whole_triangles(void **state)
 {
 	static const uint32_t expected[3] = {0, 1, 2};
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/mesh/modes.gltf", &heard);
+	struct log_capture logged;
+	struct model *model = model_fixture("gltf/mesh/modes.gltf", &logged);
 
 	(void)state;
 	expect_indices(&model->mesh[4].primitive[0], expected, 3);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/meshes/4/primitives/0: has 5 indices, not a multiple of 3"));
 	model_destroy(model);
 }
 
-/* glTF 2.0, 3.7.2.1: every second triangle of a strip is turned round. */
-static void test_turns_strips_into_triangles_that_face_one_way(void **state)
+/* glTF 2.0, 3.7.2.1: every second triangle of a strip is reversed. */
+static void test_turns_strips_into_triangles_of_one_winding(void **state)
 {
 	static const uint32_t expected[9] = {0, 1, 2, 1, 3, 2, 2, 3, 4};
 	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
@@ -64,7 +64,7 @@ static void test_turns_strips_into_triangles_that_face_one_way(void **state)
 	model_destroy(model);
 }
 
-static void test_leaves_the_joints_of_strips_out(void **state)
+static void test_drops_degenerate_triangles_of_strips(void **state)
 {
 	static const uint32_t expected[6] = {0, 1, 2, 1, 3, 2};
 	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
@@ -154,7 +154,7 @@ static void test_leaves_absent_attributes_null(void **state)
 	model_destroy(model);
 }
 
-static void test_takes_node_weights_before_mesh_weights_before_0(void **state)
+static void test_prefers_node_weights_to_mesh_weights(void **state)
 {
 	static const float expected[3][2] = {{0.75f, 1}, {0.25f, 0.5f}, {0, 0}};
 	struct model *model = model_fixture("gltf/mesh/weights.gltf", NULL);
@@ -170,7 +170,7 @@ static void test_takes_node_weights_before_mesh_weights_before_0(void **state)
 	model_destroy(model);
 }
 
-static void test_gives_every_node_weights_of_its_own(void **state)
+static void test_gives_each_node_its_own_weights(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/weights.gltf", NULL);
 	bool seen[6] = {false};
@@ -205,7 +205,7 @@ static void test_shares_targets_among_primitives(void **state)
 
 static void test_drops_target_normals_where_the_base_has_none(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -216,7 +216,7 @@ static void test_drops_target_normals_where_the_base_has_none(void **state)
 			"VEC3'}],"
 			"'meshes':[{'primitives':[{'attributes':{'POSITION':0},"
 			"'targets':[{'NORMAL':0,'TANGENT':0}]}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_null(model->mesh[0].primitive[0].target[0].position);
 	assert_null(model->mesh[0].primitive[0].target[0].normal);
@@ -227,30 +227,31 @@ static void test_drops_target_normals_where_the_base_has_none(void **state)
 #define POINTS      "{'mode':0}"
 #define FOUR_POINTS POINTS "," POINTS "," POINTS "," POINTS
 
-static void test_says_eight_warnings_and_no_more(void **state)
+static void test_prints_at_most_eight_warnings(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},'meshes':[{"
 					 "'primitives':[" FOUR_POINTS
 					 "," FOUR_POINTS "," FOUR_POINTS "]}]}",
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive_count, 0);
-	assert_int_equal(heard.count, 9);
-	assert_contains(heard.sentence[7], "/meshes/0/primitives/7: limber does not draw points");
-	assert_string_equal(
-		heard.sentence[8], "t.gltf: limber prints no further warnings about this file");
+	assert_int_equal(logged.count, 9);
+	assert_contains(logged.sentence[7],
+		"/meshes/0/primitives/7: limber does not draw points");
+	assert_string_equal(logged.sentence[8],
+		"t.gltf: limber prints no further warnings about this file");
 	model_destroy(model);
 }
 
 #define VEC3_OF_ZEROS "{'componentType':5126,'count':3,'type':'VEC3'}"
 
-static void test_leaves_primitives_without_positions_out(void **state)
+static void test_ignores_primitives_without_positions(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -260,12 +261,12 @@ static void test_leaves_primitives_without_positions_out(void **state)
 			"],'meshes':[{'primitives':[{"
 			"'attributes':{'NORMAL':0}},{'attributes':{"
 			"'POSITION':0}}]},{'primitives':[]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive_count, 1);
 	assert_int_equal(model->mesh[0].primitive[0].file_index, 1);
 	assert_int_equal(model->mesh[1].primitive_count, 0);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/meshes/0/primitives/0: has no POSITION"));
 	model_destroy(model);
 }
@@ -273,7 +274,7 @@ static void test_leaves_primitives_without_positions_out(void **state)
 static void test_keeps_a_zero_normal_zero(void **state)
 {
 	static const float zeros[9];
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -282,18 +283,18 @@ static void test_keeps_a_zero_normal_zero(void **state)
 			"{'asset':{'version':'2.0'},'accessors':[" VEC3_OF_ZEROS
 			"],'meshes':[{'primitives':[{"
 			"'attributes':{'POSITION':0.0,'NORMAL':0}}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_all_near(model->mesh[0].primitive[0].normal, zeros, 9, 0);
 	model_destroy(model);
 }
 
-/* Bytes 0 128 255 64, 55 1 255 0 and 255 0 0 255, not marked. */
-static void test_takes_whole_colours_for_fractions(void **state)
+/* Bytes 0 128 255 64, 55 1 255 0 and 255 0 0 255, not marked as normalised. */
+static void test_treats_integer_colours_as_normalised(void **state)
 {
 	static const uint8_t expected[3][4] = {
 		{0, 188, 255, 64}, {128, 13, 255, 0}, {255, 0, 0, 255}};
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -306,7 +307,7 @@ static void test_takes_whole_colours_for_fractions(void **state)
 			"'componentType':5121,'count':3,'type':'VEC4'}],"
 			"'meshes':[{'primitives':[{'attributes':{"
 			"'POSITION':0,'COLOR_0':1}}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_memory_equal(
 		model->mesh[0].primitive[0].color, expected, sizeof(expected));
@@ -316,29 +317,26 @@ static void test_takes_whole_colours_for_fractions(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_leaves_points_and_lines_out_with_a_warning),
-		cmocka_unit_test(
-			test_keeps_the_numbers_of_primitives_behind_them),
-		cmocka_unit_test(test_drops_corners_that_make_no_triangle),
-		cmocka_unit_test(
-			test_turns_strips_into_triangles_that_face_one_way),
-		cmocka_unit_test(test_leaves_the_joints_of_strips_out),
+		cmocka_unit_test(test_ignores_points_and_lines_with_a_warning),
+		cmocka_unit_test(test_keeps_the_file_numbers_of_later_primitives),
+		cmocka_unit_test(test_ignores_indices_beyond_whole_triangles),
+		cmocka_unit_test(test_turns_strips_into_triangles_of_one_winding),
+		cmocka_unit_test(test_drops_degenerate_triangles_of_strips),
 		cmocka_unit_test(test_turns_fans_into_triangles),
 		cmocka_unit_test(test_reads_indices_of_every_size),
 		cmocka_unit_test(test_encodes_linear_colours_as_srgb),
 		cmocka_unit_test(test_keeps_alpha_linear),
 		cmocka_unit_test(test_reads_colours_of_bytes_and_shorts),
 		cmocka_unit_test(test_leaves_absent_attributes_null),
-		cmocka_unit_test(
-			test_takes_node_weights_before_mesh_weights_before_0),
-		cmocka_unit_test(test_gives_every_node_weights_of_its_own),
+		cmocka_unit_test(test_prefers_node_weights_to_mesh_weights),
+		cmocka_unit_test(test_gives_each_node_its_own_weights),
 		cmocka_unit_test(test_shares_targets_among_primitives),
 		cmocka_unit_test(
 			test_drops_target_normals_where_the_base_has_none),
-		cmocka_unit_test(test_says_eight_warnings_and_no_more),
-		cmocka_unit_test(test_leaves_primitives_without_positions_out),
+		cmocka_unit_test(test_prints_at_most_eight_warnings),
+		cmocka_unit_test(test_ignores_primitives_without_positions),
 		cmocka_unit_test(test_keeps_a_zero_normal_zero),
-		cmocka_unit_test(test_takes_whole_colours_for_fractions),
+		cmocka_unit_test(test_treats_integer_colours_as_normalised),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

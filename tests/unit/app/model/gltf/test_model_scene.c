@@ -1,4 +1,4 @@
-/* glTF nodes: scenes, matrices taken apart, cameras. */
+/* glTF nodes: scenes, decomposed matrices, cameras. */
 #include "app/model/model.h"
 #include "app/model/transform_decompose.h"
 #include "tests/support/model_fixture.h"
@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* T * R * S of a transform, in double, as four columns. */
+/* T * R * S of a transform in double precision, as four columns. */
 static void compose(const struct transform *t, double out[4][4])
 {
 	double x = t->rotation[0], y = t->rotation[1];
@@ -50,7 +50,7 @@ static void expect_same(
 		1, 1e-6);
 }
 
-static void test_takes_matrices_apart(void **state)
+static void test_decomposes_matrices(void **state)
 {
 	static const struct transform transforms[] = {
 		{{1, 2, 3}, {0, 0, 0, 1}, {1, 1, 1}},
@@ -84,7 +84,7 @@ static void test_takes_matrices_apart(void **state)
 	}
 }
 
-static void test_tells_shear_from_scale(void **state)
+static void test_distinguishes_shear_from_scale(void **state)
 {
 	static const float shear[4][4] = {
 		{1, 0, 0, 0}, {0.01f, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -95,7 +95,7 @@ static void test_tells_shear_from_scale(void **state)
 	assert_near(out.scale[0], 1, 1e-3);
 }
 
-static void test_gives_nodes_the_parts_of_their_matrix(void **state)
+static void test_decomposes_the_matrices_of_nodes(void **state)
 {
 	static const float matrix[4][4] = {
 		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
@@ -111,7 +111,7 @@ static void test_gives_nodes_the_parts_of_their_matrix(void **state)
 	model_destroy(model);
 }
 
-static void test_survives_flat_and_null_matrices(void **state)
+static void test_accepts_singular_matrices(void **state)
 {
 	static const float flat[4][4] = {
 		{2, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -124,7 +124,7 @@ static void test_survives_flat_and_null_matrices(void **state)
 	model_destroy(model);
 }
 
-static void test_keeps_a_matrix_that_shears(void **state)
+static void test_keeps_a_matrix_with_shear(void **state)
 {
 	struct model *model = model_fixture("gltf/scene/matrices.gltf", NULL);
 	const struct model_node *node = fixture_node(model, 3);
@@ -136,19 +136,19 @@ static void test_keeps_a_matrix_that_shears(void **state)
 	model_destroy(model);
 }
 
-static void test_drops_the_matrix_of_a_node_that_moves(void **state)
+static void test_drops_the_matrix_of_an_animated_node(void **state)
 {
 	static const float matrix[4][4] = {
 		{0, 2, 0, 0}, {-3, 0, 0, 0}, {0, 0, 4, 0}, {5, 6, 7, 1}};
-	struct log_capture heard;
-	struct model *model = model_fixture("gltf/scene/matrices.gltf", &heard);
+	struct log_capture logged;
+	struct model *model = model_fixture("gltf/scene/matrices.gltf", &logged);
 
 	(void)state;
 	assert_null(fixture_node(model, 5)->matrix);
 	expect_same(matrix, &fixture_node(model, 5)->rest);
 	assert_null(fixture_node(model, 6)->matrix);
 	assert_near(fixture_node(model, 6)->rest.translation[1], 2, 0);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/animations/0/channels/1/target: limber drops the shear of node 6"));
 	model_destroy(model);
 }
@@ -171,16 +171,16 @@ static void test_shows_the_default_scene(void **state)
 	model_destroy(model);
 }
 
-static void test_shows_scene_0_where_no_default_is_named(void **state)
+static void test_shows_scene_0_without_a_default(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(
 		model_from_text("{'asset':{'version':'2.0'},'nodes':[{},{}],"
 				"'scenes':[{'nodes':[1]},{'nodes':[0]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_false(is_in_scene(model, 0));
 	assert_true(is_in_scene(model, 1));
@@ -219,16 +219,16 @@ static void test_keeps_the_numbers_and_names_of_nodes(void **state)
 	model_destroy(model);
 }
 
-static void test_makes_rest_rotations_unit(void **state)
+static void test_normalises_rest_rotations(void **state)
 {
 	static const float expected[4] = {0, 0.6f, 0, 0.8f};
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
 					 "'nodes':[{'rotation':[0,3.0,0,4]}]}",
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_all_near(model->node[0].rest.rotation, expected, 4, 1e-7);
 	assert_near(model->node[0].rest.scale[2], 1, 0);
@@ -262,17 +262,17 @@ static void test_reads_cameras(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_takes_matrices_apart),
-		cmocka_unit_test(test_tells_shear_from_scale),
-		cmocka_unit_test(test_gives_nodes_the_parts_of_their_matrix),
-		cmocka_unit_test(test_survives_flat_and_null_matrices),
-		cmocka_unit_test(test_keeps_a_matrix_that_shears),
-		cmocka_unit_test(test_drops_the_matrix_of_a_node_that_moves),
+		cmocka_unit_test(test_decomposes_matrices),
+		cmocka_unit_test(test_distinguishes_shear_from_scale),
+		cmocka_unit_test(test_decomposes_the_matrices_of_nodes),
+		cmocka_unit_test(test_accepts_singular_matrices),
+		cmocka_unit_test(test_keeps_a_matrix_with_shear),
+		cmocka_unit_test(test_drops_the_matrix_of_an_animated_node),
 		cmocka_unit_test(test_shows_the_default_scene),
-		cmocka_unit_test(test_shows_scene_0_where_no_default_is_named),
+		cmocka_unit_test(test_shows_scene_0_without_a_default),
 		cmocka_unit_test(test_shows_everything_without_scenes),
 		cmocka_unit_test(test_keeps_the_numbers_and_names_of_nodes),
-		cmocka_unit_test(test_makes_rest_rotations_unit),
+		cmocka_unit_test(test_normalises_rest_rotations),
 		cmocka_unit_test(test_reads_cameras),
 	};
 

@@ -1,4 +1,4 @@
-/* glTF skins: joints in any order, weights of any kind. */
+/* glTF skins: joints in any order, weights in any format. */
 #include "app/model/model.h"
 #include "app/model/model_loader.h"
 #include "tests/support/model_fixture.h"
@@ -23,9 +23,10 @@ static void expect_influences(const struct model_primitive *primitive,
 		(size_t)primitive->influences, 1e-7);
 }
 
-static void test_gives_identities_without_inverse_bind_matrices(void **state)
+static void test_uses_identities_without_inverse_bind_matrices(void **state)
 {
-	struct model *model = model_fixture("gltf/skin/no_inverse_bind.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/skin/no_inverse_bind.gltf", NULL);
 	const struct model_skin *skin = &model->skin[0];
 	int i, c, r;
 
@@ -57,7 +58,7 @@ static void test_keeps_the_order_of_the_joint_list(void **state)
 	model_destroy(model);
 }
 
-static void test_puts_parents_first_where_the_file_does_not(void **state)
+static void test_sorts_parents_before_their_children(void **state)
 {
 	struct model *model = model_fixture("gltf/skin/unsorted.gltf", NULL);
 	int i;
@@ -77,7 +78,8 @@ static void test_reads_eight_influences_of_bytes_and_shorts(void **state)
 {
 	static const uint16_t joint[8] = {0, 1, 2, 3, 4, 0, 0, 0};
 	static const float weight[8] = {0.2f, 0.2f, 0.2f, 0.2f, 0.2f};
-	struct model *model = model_fixture("gltf/skin/eight_influences.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/skin/eight_influences.gltf", NULL);
 	const struct model_primitive *primitive = &model->mesh[0].primitive[0];
 	int i;
 
@@ -89,7 +91,8 @@ static void test_reads_eight_influences_of_bytes_and_shorts(void **state)
 	model_destroy(model);
 }
 
-static void test_gives_a_vertex_without_weight_to_its_first_joint(void **state)
+static void test_attaches_a_vertex_without_weight_to_its_first_joint(
+	void **state)
 {
 	static const uint16_t joint[4] = {1, 0, 0, 0};
 	static const float weight[4] = {1, 0, 0, 0};
@@ -111,7 +114,7 @@ static void test_scales_weights_to_a_sum_of_1(void **state)
 	model_destroy(model);
 }
 
-static void test_takes_negative_weights_for_0(void **state)
+static void test_treats_negative_weights_as_0(void **state)
 {
 	static const uint16_t joint[4] = {0, 1, 0, 0};
 	static const float weight[4] = {0, 1, 0, 0};
@@ -122,7 +125,7 @@ static void test_takes_negative_weights_for_0(void **state)
 	model_destroy(model);
 }
 
-static void test_forgives_a_wild_joint_that_has_no_weight(void **state)
+static void test_accepts_a_joint_out_of_range_without_weight(void **state)
 {
 	static const uint16_t joint[4] = {1, 0, 0, 0};
 	static const float weight[4] = {1, 0, 0, 0};
@@ -133,7 +136,7 @@ static void test_forgives_a_wild_joint_that_has_no_weight(void **state)
 	model_destroy(model);
 }
 
-static void test_draws_one_mesh_with_many_skins(void **state)
+static void test_draws_one_mesh_with_several_skins(void **state)
 {
 	struct model *model = model_fixture("gltf/skin/shared_mesh.gltf", NULL);
 
@@ -172,7 +175,8 @@ static void test_reads_morph_and_skin_together(void **state)
 
 static void test_keeps_a_rigid_mesh_below_a_scaled_bone(void **state)
 {
-	struct model *model = model_fixture("gltf/skin/rigid_on_bone.gltf", NULL);
+	struct model *model =
+		model_fixture("gltf/skin/rigid_on_bone.gltf", NULL);
 	const struct model_node *hat = fixture_node(model, 2);
 
 	(void)state;
@@ -187,10 +191,10 @@ static void test_keeps_a_rigid_mesh_below_a_scaled_bone(void **state)
 #define BYTES(type) "{'componentType':5121,'count':3,'type':'" type "'}"
 #define SKINNED     "{'attributes':{'POSITION':0,'JOINTS_0':1,'WEIGHTS_0':2}}"
 
-/* Its joints are bounded by nothing, so they must not reach anyone. */
+/* Without a skin, no joint count limits the joint numbers. */
 static void test_drops_influences_that_no_skin_uses(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -200,7 +204,7 @@ static void test_drops_influences_that_no_skin_uses(void **state)
 					"VEC4") "],'nodes':[{'mesh':0}],"
 						"'meshes':[{'primitives':"
 						"[" SKINNED "]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive[0].influences, 0);
 	assert_null(model->mesh[0].primitive[0].joint);
@@ -210,7 +214,7 @@ static void test_drops_influences_that_no_skin_uses(void **state)
 
 static void test_warns_of_a_skinned_primitive_without_joints(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -223,14 +227,14 @@ static void test_warns_of_a_skinned_primitive_without_joints(void **state)
 					"{'primitives':[{'attributes':{'"
 					"POSITION':0}"
 					"}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/meshes/0/primitives/0: has no JOINTS_0"));
 	model_destroy(model);
 }
 
-static void test_normalizes_weights_of_any_size(void **state)
+static void test_normalises_large_and_small_weights(void **state)
 {
 	uint16_t joint[8] = {3, 2, 1, 0, 3, 2, 1, 0};
 	float weight[8] = {3e38f, 3e38f, 0, 0, 1e-45f, 0, 0, 1e-45f};
@@ -252,24 +256,24 @@ static void test_normalizes_weights_of_any_size(void **state)
 
 static void test_warns_of_a_skin_without_a_mesh(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
 	assert_int_equal(model_from_text("{'asset':{'version':'2.0'},"
 					 "'nodes':[{'skin':0}],"
 					 "'skins':[{'joints':[0]}]}",
-				 &heard, &model),
+				 &logged, &model),
 		0);
 	assert_int_equal(model->node[0].skin, -1);
 	assert_true(log_capture_has(
-		&heard, LOG_WARNING, "/nodes/0: has a skin but no mesh"));
+		&logged, LOG_WARNING, "/nodes/0: has a skin but no mesh"));
 	model_destroy(model);
 }
 
 static void test_takes_the_first_eight_influences(void **state)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model *model;
 
 	(void)state;
@@ -285,11 +289,11 @@ static void test_takes_the_first_eight_influences(void **state)
 							  "'WEIGHTS_1':2,'JOINTS_2':1,'WEIGHTS_2'"
 							  ":2"
 							  "}}]}]}",
-			&heard, &model),
+			&logged, &model),
 		0);
 	assert_int_equal(model->mesh[0].primitive[0].influences, 8);
 	assert_near(model->mesh[0].primitive[0].weight[0], 1, 0);
-	assert_true(log_capture_has(&heard, LOG_WARNING,
+	assert_true(log_capture_has(&logged, LOG_WARNING,
 		"/attributes: limber uses only the first 8 influences"));
 	model_destroy(model);
 }
@@ -298,22 +302,23 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
-			test_gives_identities_without_inverse_bind_matrices),
+			test_uses_identities_without_inverse_bind_matrices),
 		cmocka_unit_test(test_keeps_the_order_of_the_joint_list),
-		cmocka_unit_test(test_puts_parents_first_where_the_file_does_not),
+		cmocka_unit_test(test_sorts_parents_before_their_children),
 		cmocka_unit_test(test_reads_eight_influences_of_bytes_and_shorts),
 		cmocka_unit_test(
-			test_gives_a_vertex_without_weight_to_its_first_joint),
+			test_attaches_a_vertex_without_weight_to_its_first_joint),
 		cmocka_unit_test(test_scales_weights_to_a_sum_of_1),
-		cmocka_unit_test(test_takes_negative_weights_for_0),
-		cmocka_unit_test(test_forgives_a_wild_joint_that_has_no_weight),
-		cmocka_unit_test(test_draws_one_mesh_with_many_skins),
+		cmocka_unit_test(test_treats_negative_weights_as_0),
+		cmocka_unit_test(
+			test_accepts_a_joint_out_of_range_without_weight),
+		cmocka_unit_test(test_draws_one_mesh_with_several_skins),
 		cmocka_unit_test(test_reads_morph_and_skin_together),
 		cmocka_unit_test(test_keeps_a_rigid_mesh_below_a_scaled_bone),
 		cmocka_unit_test(test_drops_influences_that_no_skin_uses),
 		cmocka_unit_test(
 			test_warns_of_a_skinned_primitive_without_joints),
-		cmocka_unit_test(test_normalizes_weights_of_any_size),
+		cmocka_unit_test(test_normalises_large_and_small_weights),
 		cmocka_unit_test(test_warns_of_a_skin_without_a_mesh),
 		cmocka_unit_test(test_takes_the_first_eight_influences),
 	};

@@ -1,4 +1,4 @@
-/* image.h: pictures of every kind become RGBA bytes, broken ones a sentence. */
+/* image.h: images of every kind become RGBA; broken ones are an error. */
 #include "app/model/image/image.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
@@ -19,8 +19,8 @@ struct bytes {
 struct kind {
 	int type, depth;
 	bool interlaced;
-	double gamma; /* 0: no gAMA chunk */
-	bool keyed;   /* a tRNS chunk */
+	double gamma; /* 0 means no gAMA chunk */
+	bool keyed;   /* whether there is a tRNS chunk */
 };
 
 static void append(png_structp png, png_bytep data, size_t count)
@@ -60,7 +60,7 @@ static void write_header(png_structp png, png_infop info, int width, int height,
 	png_write_info(png, info);
 }
 
-/* rows: the packed bytes of one row after the other. */
+/* rows holds the packed bytes of all rows. */
 static struct bytes make_png(int width, int height, const struct kind *kind,
 	const uint8_t *rows, size_t row_bytes)
 {
@@ -125,10 +125,10 @@ static struct bytes make_jpeg(int width, int height, bool gray, int level)
 	return write_jpeg(width, height, gray, level, false);
 }
 
-static int decode(const struct bytes *bytes, struct log_capture *heard,
+static int decode(const struct bytes *bytes, struct log_capture *logged,
 	struct arena *arena, struct model_image *out)
 {
-	struct log log = log_capture_begin(heard);
+	struct log log = log_capture_begin(logged);
 
 	*arena = arena_empty();
 	*out = (struct model_image){.name = "kept"};
@@ -138,12 +138,12 @@ static int decode(const struct bytes *bytes, struct log_capture *heard,
 static void expect_pixels(const struct bytes *bytes, int width, int height,
 	const uint8_t *rgba, bool opaque)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model_image image;
 	struct arena arena;
 
-	assert_int_equal(decode(bytes, &heard, &arena, &image), 0);
-	assert_int_equal(heard.count, 0);
+	assert_int_equal(decode(bytes, &logged, &arena, &image), 0);
+	assert_int_equal(logged.count, 0);
 	assert_int_equal(image.width, width);
 	assert_int_equal(image.height, height);
 	assert_memory_equal(
@@ -155,14 +155,14 @@ static void expect_pixels(const struct bytes *bytes, int width, int height,
 
 static void expect_refusal(const struct bytes *bytes, int code, const char *part)
 {
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model_image image;
 	struct arena arena;
 
-	assert_int_equal(decode(bytes, &heard, &arena, &image), code);
-	assert_int_equal(log_capture_count(&heard, LOG_ERROR), 1);
-	assert_contains(heard.sentence[0], "HERE: ");
-	assert_contains(heard.sentence[0], part);
+	assert_int_equal(decode(bytes, &logged, &arena, &image), code);
+	assert_int_equal(log_capture_count(&logged, LOG_ERROR), 1);
+	assert_contains(logged.sentence[0], "HERE: ");
+	assert_contains(logged.sentence[0], part);
 	arena_release(&arena);
 }
 
@@ -176,7 +176,7 @@ static void test_reads_rgba(void **state)
 	expect_pixels(&bytes, 1, 2, rows, false);
 }
 
-static void test_gives_rgb_full_alpha(void **state)
+static void test_gives_rgb_an_alpha_of_255(void **state)
 {
 	static const uint8_t rows[6] = {1, 2, 3, 4, 5, 6};
 	static const uint8_t rgba[8] = {1, 2, 3, 255, 4, 5, 6, 255};
@@ -187,7 +187,7 @@ static void test_gives_rgb_full_alpha(void **state)
 	expect_pixels(&bytes, 2, 1, rgba, true);
 }
 
-static void test_expands_gray_of_few_bits(void **state)
+static void test_expands_gray_of_1_to_4_bits(void **state)
 {
 	static const uint8_t rows[1] = {0x80};
 	static const uint8_t rgba[8] = {255, 255, 255, 255, 0, 0, 0, 255};
@@ -221,7 +221,7 @@ static void test_expands_a_palette_with_transparency(void **state)
 	expect_pixels(&bytes, 2, 1, rgba, false);
 }
 
-static void test_turns_a_key_colour_transparent(void **state)
+static void test_makes_a_key_colour_transparent(void **state)
 {
 	static const uint8_t rows[6] = {10, 20, 30, 10, 20, 31};
 	static const uint8_t rgba[8] = {10, 20, 30, 0, 10, 20, 31, 255};
@@ -244,7 +244,7 @@ static void test_rounds_16_bits_to_8(void **state)
 	expect_pixels(&bytes, 1, 1, rgba, true);
 }
 
-/* glTF 2.0, 3.9.2: colour space information of pictures does not count. */
+/* glTF 2.0, 3.9.2: colour space information in images is ignored. */
 static void test_ignores_a_gamma_chunk(void **state)
 {
 	static const uint8_t rows[3] = {50, 100, 150};
@@ -303,7 +303,7 @@ static void test_refuses_other_formats(void **state)
 	expect_refusal(&nothing, -ENOTSUP, "neither PNG nor JPEG");
 }
 
-static void test_refuses_a_png_cut_anywhere(void **state)
+static void test_refuses_a_png_truncated_at_any_length(void **state)
 {
 	static const uint8_t rows[4] = {1, 2, 3, 4};
 	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB_ALPHA, .depth = 8};
@@ -315,7 +315,8 @@ static void test_refuses_a_png_cut_anywhere(void **state)
 		struct bytes cut = whole;
 
 		cut.size = size;
-		expect_refusal(&cut, -EINVAL, "PNG image is broken: the file is truncated");
+		expect_refusal(&cut, -EINVAL,
+			"PNG image is broken: the file is truncated");
 	}
 }
 
@@ -339,24 +340,24 @@ static void test_refuses_a_broken_jpeg_header(void **state)
 	expect_refusal(&bytes, -EINVAL, "the JPEG image is broken");
 }
 
-static void test_warns_of_a_damaged_jpeg_and_shows_the_rest(void **state)
+static void test_decodes_a_damaged_jpeg_with_a_warning(void **state)
 {
 	struct bytes bytes = make_jpeg(64, 64, false, 200);
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model_image image;
 	struct arena arena;
 
 	(void)state;
 	bytes.size -= 30;
-	assert_int_equal(decode(&bytes, &heard, &arena, &image), 0);
-	assert_int_equal(log_capture_count(&heard, LOG_ERROR), 0);
-	assert_true(
-		log_capture_has(&heard, LOG_WARNING, "HERE: the JPEG image is damaged"));
+	assert_int_equal(decode(&bytes, &logged, &arena, &image), 0);
+	assert_int_equal(log_capture_count(&logged, LOG_ERROR), 0);
+	assert_true(log_capture_has(
+		&logged, LOG_WARNING, "HERE: the JPEG image is damaged"));
 	assert_int_equal(image.rgba[0], 200);
 	arena_release(&arena);
 }
 
-/* In the frame header, which is somewhere behind the tables. */
+/* Sets the size in the frame header, which follows the tables. */
 static void set_jpeg_size(struct bytes *bytes, int width, int height)
 {
 	size_t i = 2;
@@ -371,7 +372,7 @@ static void set_jpeg_size(struct bytes *bytes, int width, int height)
 	bytes->data[i + 8] = (uint8_t)width;
 }
 
-static void test_refuses_sizes_beyond_the_limit(void **state)
+static void test_refuses_sizes_above_the_limit(void **state)
 {
 	static const uint8_t rows[4097 * 3];
 	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 8};
@@ -390,8 +391,8 @@ static void test_measures_without_decoding(void **state)
 	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 8};
 	struct bytes png = make_png(2, 1, &kind, rows, 6);
 	struct bytes jpeg = make_jpeg(24, 5, false, 10);
-	struct log_capture heard;
-	struct log log = log_capture_begin(&heard);
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
 	int width, height;
 
 	(void)state;
@@ -405,10 +406,10 @@ static void test_measures_without_decoding(void **state)
 		0);
 	assert_int_equal(width, 24);
 	assert_int_equal(height, 5);
-	assert_int_equal(heard.count, 0);
+	assert_int_equal(logged.count, 0);
 }
 
-/* Repeats the last scan of a picture, from its marker to the file's end. */
+/* Repeats the last scan of an image, from its marker to the end. */
 static void repeat_scan(struct bytes *bytes, int times)
 {
 	size_t end = bytes->size - 2;
@@ -430,21 +431,22 @@ static void repeat_scan(struct bytes *bytes, int times)
 	bytes->size = end + 2;
 }
 
-/* A few kilobytes could keep a decoder busy for minutes. */
-static void test_refuses_a_jpeg_of_endless_scans(void **state)
+/* A few kilobytes of scans could keep a decoder busy for minutes. */
+static void test_refuses_a_jpeg_with_too_many_scans(void **state)
 {
 	struct bytes few = write_jpeg(8, 8, true, 128, true);
 	struct bytes many = few;
-	struct log_capture heard;
+	struct log_capture logged;
 	struct model_image image;
 	struct arena arena;
 
 	(void)state;
-	assert_int_equal(decode(&few, &heard, &arena, &image), 0);
+	assert_int_equal(decode(&few, &logged, &arena, &image), 0);
 	assert_int_equal(image.rgba[0], 128);
 	arena_release(&arena);
 	repeat_scan(&many, 150);
-	expect_refusal(&many, -EINVAL, "JPEG image is broken: it has more than 100 scans");
+	expect_refusal(&many, -EINVAL,
+		"JPEG image is broken: it has more than 100 scans");
 }
 
 static void test_refuses_a_png_without_pixels(void **state)
@@ -463,23 +465,23 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_rgba),
-		cmocka_unit_test(test_gives_rgb_full_alpha),
-		cmocka_unit_test(test_expands_gray_of_few_bits),
+		cmocka_unit_test(test_gives_rgb_an_alpha_of_255),
+		cmocka_unit_test(test_expands_gray_of_1_to_4_bits),
 		cmocka_unit_test(test_expands_gray_with_alpha),
 		cmocka_unit_test(test_expands_a_palette_with_transparency),
-		cmocka_unit_test(test_turns_a_key_colour_transparent),
+		cmocka_unit_test(test_makes_a_key_colour_transparent),
 		cmocka_unit_test(test_rounds_16_bits_to_8),
 		cmocka_unit_test(test_ignores_a_gamma_chunk),
 		cmocka_unit_test(test_reads_interlaced_pictures),
 		cmocka_unit_test(test_reads_jpeg_in_colour_and_gray),
 		cmocka_unit_test(test_refuses_other_formats),
-		cmocka_unit_test(test_refuses_a_png_cut_anywhere),
+		cmocka_unit_test(test_refuses_a_png_truncated_at_any_length),
 		cmocka_unit_test(test_refuses_a_png_with_a_wrong_checksum),
 		cmocka_unit_test(test_refuses_a_broken_jpeg_header),
-		cmocka_unit_test(test_warns_of_a_damaged_jpeg_and_shows_the_rest),
-		cmocka_unit_test(test_refuses_sizes_beyond_the_limit),
+		cmocka_unit_test(test_decodes_a_damaged_jpeg_with_a_warning),
+		cmocka_unit_test(test_refuses_sizes_above_the_limit),
 		cmocka_unit_test(test_measures_without_decoding),
-		cmocka_unit_test(test_refuses_a_jpeg_of_endless_scans),
+		cmocka_unit_test(test_refuses_a_jpeg_with_too_many_scans),
 		cmocka_unit_test(test_refuses_a_png_without_pixels),
 	};
 

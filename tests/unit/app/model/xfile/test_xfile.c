@@ -13,16 +13,16 @@
 
 #define HEADER "xof 0303txt 0032\n"
 
-/* A frame turned by +30 degrees about Y as Direct3D does it: rows, left. */
+/* A frame rotated by +30 degrees about Y: left-handed, row vectors. */
 #define TURNED                                                                 \
 	"FrameTransformMatrix { 0.866025,0,-0.5,0, 0,1,0,0, 0.5,0,0.866025,0," \
 	" 1,2,3,1;; }\n"
 
 #define QUAD "Mesh Quad { 4; 0;0;0;, 1;0;0;, 1;1;0;, 0;1;0;; 1; 4;0,3,2,1;;\n"
 
-static struct model *load(const char *text, struct log_capture *said)
+static struct model *load(const char *text, struct log_capture *logged)
 {
-	struct log log = log_capture_begin(said);
+	struct log log = log_capture_begin(logged);
 	struct model *model = NULL;
 
 	assert_int_equal(
@@ -36,12 +36,12 @@ static const float *vertex(const struct model *model, int index)
 	return model->mesh[0].primitive[0].position[index];
 }
 
-static void test_vertices_go_from_left_to_right_handed(void **state)
+static void test_vertices_become_right_handed(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER "Mesh T { 3; 1;2;3;, 4;5;6;, "
 					  "7;8;10;; 1; 3;0,1,2;; }",
-		&said);
+		&logged);
 	const struct model_primitive *primitive = model->mesh[0].primitive;
 	const float expected[3] = {1, 2, -3};
 	int first = -1;
@@ -55,23 +55,23 @@ static void test_vertices_go_from_left_to_right_handed(void **state)
 	}
 	assert_all_near(
 		primitive->position[primitive->index[first]], expected, 3, 0);
-	/* Mirroring turns the winding, so the order is turned back. */
+	/* Negating z reverses the winding, so the loader reverses the order. */
 	assert_near(primitive->position[primitive->index[(first + 1) % 3]][0],
 		7, 0);
 	model_destroy(model);
 }
 
-static void test_a_frame_turns_as_it_did_in_direct3d(void **state)
+static void test_a_frame_rotates_as_in_direct3d(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model =
-		load(HEADER "Frame Root {\n" TURNED QUAD "} }", &said);
+		load(HEADER "Frame Root {\n" TURNED QUAD "} }", &logged);
 	int node = model_find_node(model, "Root");
 	const struct transform *rest = &model->node[node].rest;
 	const float moved[3] = {1, 2, -3};
 
 	(void)state;
-	/* Left-handed +30 about Y is right-handed -30: q = (0 -s 0 c). */
+	/* +30 degrees about Y become -30: q = (0, -sin 15, 0, cos 15). */
 	assert_all_near(rest->translation, moved, 3, 1e-6);
 	assert_near(rest->rotation[1] / rest->rotation[3], -0.267949, 1e-5);
 	assert_near(rest->rotation[0], 0, 1e-6);
@@ -79,10 +79,10 @@ static void test_a_frame_turns_as_it_did_in_direct3d(void **state)
 	model_destroy(model);
 }
 
-static void test_polygons_become_fans(void **state)
+static void test_polygons_become_triangles(void **state)
 {
-	struct log_capture said;
-	struct model *model = load(HEADER QUAD "}", &said);
+	struct log_capture logged;
+	struct model *model = load(HEADER QUAD "}", &logged);
 
 	(void)state;
 	assert_int_equal(model->mesh[0].primitive[0].index_count, 6);
@@ -99,21 +99,21 @@ static void test_polygons_become_fans(void **state)
 
 static void test_pitfall_19_the_tick_rate_is_4800_unless_given(void **state)
 {
-	struct log_capture said;
-	struct model *model = load(HEADER KEYS, &said);
+	struct log_capture logged;
+	struct model *model = load(HEADER KEYS, &logged);
 
 	(void)state;
 	assert_near(model->clip[0].duration_s, 0.01, 1e-7);
 	model_destroy(model);
-	model = load(HEADER "AnimTicksPerSecond { 24; }\n" KEYS, &said);
+	model = load(HEADER "AnimTicksPerSecond { 24; }\n" KEYS, &logged);
 	assert_near(model->clip[0].duration_s, 2.0, 1e-6);
 	model_destroy(model);
 }
 
 static void test_position_keys_are_converted(void **state)
 {
-	struct log_capture said;
-	struct model *model = load(HEADER KEYS, &said);
+	struct log_capture logged;
+	struct model *model = load(HEADER KEYS, &logged);
 	const struct model_channel *channel = &model->clip[0].channel[0];
 	const float last[3] = {1, 2, -3};
 
@@ -137,38 +137,38 @@ static const struct model_channel *find_channel(
 	return NULL;
 }
 
-static void test_matrix_keys_are_taken_apart(void **state)
+static void test_matrix_keys_are_decomposed(void **state)
 {
-	struct log_capture said;
-	/* Twice as large and moved. */
+	struct log_capture logged;
+	/* A scale of 2 and a translation. */
 	struct model *model = load(HEADER
 		"Frame Bone { FrameTransformMatrix { 1,0,0,0,0,1,0,0,"
 		"0,0,1,0,0,0,0,1;; } }\nAnimationSet Move { Animation { "
 		"{ Bone } AnimationKey { 4; 1; 0;16;2,0,0,0,0,2,0,0,"
 		"0,0,2,0,1,2,3,1;;; } } }",
-		&said);
+		&logged);
 	const struct model_channel *moved =
 		find_channel(model, MODEL_TRANSLATION);
 	const struct model_channel *scaled = find_channel(model, MODEL_SCALE);
-	const float place[3] = {1, 2, -3}, size[3] = {2, 2, 2};
+	const float offset[3] = {1, 2, -3}, size[3] = {2, 2, 2};
 
 	(void)state;
 	assert_non_null(moved);
 	assert_non_null(scaled);
-	assert_all_near(moved->value, place, 3, 1e-6);
+	assert_all_near(moved->value, offset, 3, 1e-6);
 	assert_all_near(scaled->value, size, 3, 1e-6);
 	model_destroy(model);
 }
 
 static void test_influences_come_from_skin_weights(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Frame Bone { FrameTransformMatrix { 1,0,0,0,0,1,0,0,0,0,1,0,"
 		"0,0,0,1;; }\n" QUAD "XSkinMeshHeader { 1; 1; 1; } "
 		"SkinWeights { \"Bone\"; 2; 0,1; 0.5,1.0; "
 		"1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1;; } } }",
-		&said);
+		&logged);
 	const struct model_skin *skin = &model->skin[0];
 	const float offset[3] = {1, 2, -3};
 
@@ -177,29 +177,29 @@ static void test_influences_come_from_skin_weights(void **state)
 	assert_string_equal(model->node[skin->joint[0]].name, "Bone");
 	assert_all_near(skin->inverse_bind[0][3], offset, 3, 1e-6);
 	assert_int_equal(model->mesh[0].primitive[0].influences, 4);
-	/* A lone influence counts fully, whatever its weight. */
+	/* A single influence becomes 1, whatever its weight. */
 	assert_near(model->mesh[0].primitive[0].weight[0], 1, 1e-6);
 	model_destroy(model);
 }
 
-static void test_a_missing_texture_costs_a_warning_only(void **state)
+static void test_a_missing_texture_only_causes_a_warning(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER QUAD
 		"MeshMaterialList { 1; 1; 0; Material { 1;0;0;1;; 1; 0;0;0;; "
 		"0;0;0;; TextureFilename { \"nowhere.bmp\"; } } } }",
-		&said);
+		&logged);
 
 	(void)state;
-	assert_int_equal(log_capture_count(&said, LOG_WARNING), 1);
-	assert_true(log_capture_has(&said, LOG_WARNING, "texture"));
+	assert_int_equal(log_capture_count(&logged, LOG_WARNING), 1);
+	assert_true(log_capture_has(&logged, LOG_WARNING, "texture"));
 	assert_near(model->material[model->mesh[0].primitive[0].material]
 			    .base_color[1],
 		0, 0);
 	model_destroy(model);
 }
 
-static void test_malformed_files_get_one_sentence_with_the_line(void **state)
+static void test_malformed_files_cause_one_error(void **state)
 {
 	static const char *const broken[] = {
 		HEADER "Mesh T {",
@@ -220,14 +220,14 @@ static void test_malformed_files_get_one_sentence_with_the_line(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(broken); i++) {
-		struct log_capture said;
-		struct log log = log_capture_begin(&said);
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
 		struct model *model = NULL;
 
 		assert_true(model_load_memory(broken[i], strlen(broken[i]),
 				    "test.x", &log, &model) < 0);
-		assert_int_equal(log_capture_count(&said, LOG_ERROR), 1);
-		assert_true(log_capture_has(&said, LOG_ERROR, "test.x: "));
+		assert_int_equal(log_capture_count(&logged, LOG_ERROR), 1);
+		assert_true(log_capture_has(&logged, LOG_ERROR, "test.x: "));
 	}
 }
 
@@ -235,13 +235,13 @@ static void test_malformed_files_get_one_sentence_with_the_line(void **state)
 #define FACE "3; 0;0;0;, 1;0;0;, 0;1;0;; 1; 3;0,1,2;; "
 
 /* D3DXMatrixRotationY(+30 degrees) takes (1 0 0) to (cos 30, 0, -sin 30). */
-static void test_a_rotation_key_turns_as_it_did_in_direct3d(void **state)
+static void test_a_rotation_key_rotates_as_in_direct3d(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Frame Bone { }\nAnimationSet Turn { Animation { { Bone } "
 		"AnimationKey { 0; 1; 0;4;0.9659258,0,-0.2588190,0;;; } } }",
-		&said);
+		&logged);
 	const float expected[3] = {0.8660254f, 0, 0.5f};
 	vec3 point = {1, 0, 0};
 	versor turn;
@@ -253,165 +253,14 @@ static void test_a_rotation_key_turns_as_it_did_in_direct3d(void **state)
 	model_destroy(model);
 }
 
-static void check_tower_mesh(const struct model *model)
+static void test_vertices_are_split_where_normals_differ(void **state)
 {
-	const struct model_mesh *mesh = &model->mesh[0];
-	const struct model_primitive *front = &mesh->primitive[0];
-	const struct model_primitive *top = &mesh->primitive[1];
-	static const float corner[3] = {1, 0, -0.5f};
-	static const float ahead[3] = {0, 0, 1};
-	static const float up[3] = {0, 1, 0};
-	static const uint8_t red[4] = {255, 0, 0, 255};
-	static const uint32_t fan[] = {0, 4, 3, 0, 2, 4, 0, 1, 2};
-
-	assert_int_equal(mesh->primitive_count, 2);
-	assert_int_equal(front->vertex_count, 6);
-	assert_int_equal(top->vertex_count, 3);
-	assert_all_near(front->position[1], corner, 3, 0);
-	assert_all_near(front->normal[0], ahead, 3, 0);
-	assert_all_near(front->normal[5], up, 3, 0);
-	assert_memory_equal(front->color[1], red, 4);
-	assert_near(front->texcoord[2][1], 0.5, 0);
-	assert_int_equal(front->index_count, 12);
-	assert_memory_equal(front->index, fan, sizeof(fan));
-}
-
-static void check_tower_skin(const struct model *model)
-{
-	const struct model_primitive *front = &model->mesh[0].primitive[0];
-	const struct model_primitive *top = &model->mesh[0].primitive[1];
-	const struct model_skin *skin = &model->skin[0];
-
-	assert_int_equal(front->influences, 4);
-	/* Weights of 0.25 and 0.25, of 2, and none at all. */
-	assert_near(front->weight[2 * 4 + 0], 0.5, 1e-6);
-	assert_near(front->weight[2 * 4 + 1], 0.5, 1e-6);
-	assert_near(front->weight[4 * 4 + 0], 1, 1e-6);
-	assert_int_equal(skin->joint_count, 3);
-	assert_int_equal(top->joint[2 * 4], 2);
-	assert_near(top->weight[2 * 4], 1, 0);
-	assert_string_equal(model->node[skin->joint[1]].name, "Upper");
-	assert_string_equal(model->node[skin->joint[2]].name, "Root");
-	assert_near(skin->inverse_bind[1][3][1], -1, 0);
-}
-
-static const struct model_channel *channel_of(
-	const struct model *model, const char *node, enum model_path path)
-{
-	const struct model_clip *clip = &model->clip[0];
-
-	for (int i = 0; i < clip->channel_count; i++) {
-		const struct model_channel *channel = &clip->channel[i];
-
-		if (channel->path == path &&
-			!strcmp(model->node[channel->node].name, node)) {
-			return channel;
-		}
-	}
-	fail_msg("%s has no such channel", node);
-	return NULL;
-}
-
-static void check_tower_clip(const struct model *model)
-{
-	static const float second[3] = {4, 5, -6};
-	static const float turned[4] = {0, -0.7071068f, 0, 0.7071068f};
-	static const float doubled[3] = {2, 2, 2};
-	static const float moved[3] = {1, 2, -3};
-	const struct model_channel *channel =
-		channel_of(model, "Upper", MODEL_TRANSLATION);
-
-	assert_near(model->clip[0].duration_s, 2, 1e-6);
-	/* The file has the keys at 2, 0 and 1 s. */
-	assert_near(channel->time_s[1], 1, 1e-6);
-	assert_all_near(channel->value + 3, second, 3, 0);
-	channel = channel_of(model, "Lower", MODEL_ROTATION);
-	assert_near(channel->time_s[1], 0.5, 1e-6);
-	assert_all_near(channel->value + 4, turned, 4, 1e-6);
-	channel = channel_of(model, "Lower", MODEL_SCALE);
-	assert_all_near(channel->value + 3, doubled, 3, 1e-6);
-	channel = channel_of(model, "Lower", MODEL_TRANSLATION);
-	assert_all_near(channel->value + 3, moved, 3, 1e-6);
-}
-
-static void check_tower_materials(const struct model *model)
-{
-	const struct model_primitive *primitive = model->mesh[0].primitive;
-	const struct model_material *brick =
-		&model->material[primitive[0].material];
-	const struct model_material *glass =
-		&model->material[primitive[1].material];
-
-	assert_int_equal(model->material_count, 2);
-	assert_string_equal(brick->name, "Brick");
-	/* sRGB 0.5 in linear light. */
-	assert_near(brick->base_color[0], 0.2140411, 1e-5);
-	assert_int_equal(brick->alpha, MODEL_OPAQUE);
-	assert_int_equal(glass->alpha, MODEL_BLEND);
-	assert_near(glass->base_color[3], 0.5, 0);
-}
-
-static void test_every_encoding_gives_the_same_model(void **state)
-{
-	static const char *const name[] = {
-		"xfile/tower_text.x",
-		"xfile/tower_binary.x",
-		"xfile/tower_wide.x",
-		"xfile/tower_text_packed.x",
-		"xfile/tower_binary_packed.x",
-	};
-
-	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(name); i++) {
-		struct log_capture heard;
-		struct model *model = model_fixture(name[i], &heard);
-
-		assert_int_equal(heard.count, 0);
-		check_tower_mesh(model);
-		check_tower_skin(model);
-		check_tower_clip(model);
-		check_tower_materials(model);
-		model_destroy(model);
-	}
-}
-
-static void test_every_cut_of_every_encoding_is_survived(void **state)
-{
-	static const char *const name[] = {
-		"xfile/tower_text.x",
-		"xfile/tower_binary.x",
-		"xfile/tower_text_packed.x",
-	};
-
-	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(name); i++) {
-		struct test_path path = fixture_path(name[i]);
-		size_t size;
-		char *data = file_read(path.text, &size);
-
-		for (size_t cut = 4; cut < size; cut += 3) {
-			struct log_capture heard;
-			struct log log = log_capture_begin(&heard);
-			struct model *model = NULL;
-
-			if (model_load_memory(data, cut, "cut.x", &log, &model)) {
-				assert_int_equal(
-					log_capture_count(&heard, LOG_ERROR), 1);
-			}
-			model_destroy(model);
-		}
-		free(data);
-	}
-}
-
-static void test_vertices_split_where_normals_differ(void **state)
-{
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Mesh T { 4; 0;0;0;, 1;0;0;, 1;1;0;, 0;1;0;; "
 		"2; 3;0,1,2;, 3;0,2,3;; "
 		"MeshNormals { 2; 0;0;-1;, 0;1;0;; 2; 3;0,0,0;, 3;1,0,0;; } }",
-		&said);
+		&logged);
 	const struct model_primitive *primitive = model->mesh[0].primitive;
 
 	(void)state;
@@ -421,10 +270,10 @@ static void test_vertices_split_where_normals_differ(void **state)
 	model_destroy(model);
 }
 
-static void test_the_eight_strongest_of_ten_bones_stay(void **state)
+static void test_the_eight_largest_of_ten_weights_are_kept(void **state)
 {
 	char text[4096] = HEADER "Frame B { } Mesh T { " FACE;
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model;
 	const struct model_primitive *primitive;
 
@@ -436,7 +285,7 @@ static void test_the_eight_strongest_of_ten_bones_stay(void **state)
 			"SkinWeights { \"B\"; 1; 0; %d; " UNIT "}\n", i);
 	}
 	strcat(text, "}");
-	model = load(text, &said);
+	model = load(text, &logged);
 	primitive = model->mesh[0].primitive;
 	assert_int_equal(primitive->influences, 8);
 	assert_int_equal(primitive->joint[0], 9);
@@ -446,27 +295,27 @@ static void test_the_eight_strongest_of_ten_bones_stay(void **state)
 	model_destroy(model);
 }
 
-static void test_a_bone_without_a_frame_costs_a_warning_only(void **state)
+static void test_a_bone_without_a_frame_only_causes_a_warning(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Frame F { Mesh T { " FACE
 		"SkinWeights { \"Gone\"; 3; 0,1,2; 1,1,1; " UNIT "} } }",
-		&said);
+		&logged);
 
 	(void)state;
-	assert_true(log_capture_has(&said, LOG_WARNING, "\"Gone\""));
+	assert_true(log_capture_has(&logged, LOG_WARNING, "\"Gone\""));
 	assert_int_equal(model->skin[0].joint[0], model_find_node(model, "F"));
 	model_destroy(model);
 }
 
-static void test_meshes_share_a_frame_or_have_none(void **state)
+static void test_meshes_may_share_a_frame_or_have_none(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Frame F { Mesh A { " FACE "} Mesh B { " FACE
 		"} { C } { Nobody } }\nMesh C { " FACE "}\nMesh D { " FACE "}",
-		&said);
+		&logged);
 	int drawn = 0;
 
 	(void)state;
@@ -478,17 +327,17 @@ static void test_meshes_share_a_frame_or_have_none(void **state)
 	assert_int_equal(model->node_count, 4);
 	assert_int_equal(model->node[model_find_node(model, "C")].parent, 0);
 	assert_int_equal(model->node[model_find_node(model, "D")].parent, -1);
-	assert_true(log_capture_has(&said, LOG_WARNING, "\"Nobody\""));
+	assert_true(log_capture_has(&logged, LOG_WARNING, "\"Nobody\""));
 	model_destroy(model);
 }
 
 static void test_a_sheared_frame_keeps_its_matrix(void **state)
 {
-	struct log_capture said;
+	struct log_capture logged;
 	struct model *model = load(HEADER
 		"Frame F { FrameTransformMatrix { 1,0,0,0, 1,1,0,0, 0,0,1,0, "
 		"0,0,0,1;; } }",
-		&said);
+		&logged);
 
 	(void)state;
 	assert_non_null(model->node[0].matrix);
@@ -501,7 +350,7 @@ static void test_a_sheared_frame_keeps_its_matrix(void **state)
 	       "1;1;1;1;; 0; 0;0;0;; 0;0;0;; TextureFilename { \"" name  \
 	       "\"; } } } }"
 
-/* Of a path that leads elsewhere only the last part is looked for. */
+/* Of a path that leads outside the folder, only the file name counts. */
 static void test_textures_come_from_the_models_folder_only(void **state)
 {
 	static const char inside[] = TEXTURED("C:\\\\old\\\\two by two.png");
@@ -509,9 +358,10 @@ static void test_textures_come_from_the_models_folder_only(void **state)
 	struct test_path folder = temp_dir_make();
 	struct test_path model_path = path_join(&folder, "sub-model.x");
 	struct test_path beside = path_join(&folder, "two by two.png");
-	struct test_path picture = fixture_path("gltf/material/parts/two by two.png");
-	struct log_capture said;
-	struct log log = log_capture_begin(&said);
+	struct test_path picture =
+		fixture_path("gltf/material/parts/two by two.png");
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
 	struct model *model;
 	size_t size;
 	char *data = file_read(picture.text, &size);
@@ -527,19 +377,19 @@ static void test_textures_come_from_the_models_folder_only(void **state)
 	file_write(model_path.text, outside, sizeof(outside) - 1);
 	assert_int_equal(model_load(model_path.text, &log, &model), 0);
 	assert_int_equal(model->texture_count, 0);
-	assert_int_equal(log_capture_count(&said, LOG_WARNING), 1);
+	assert_int_equal(log_capture_count(&logged, LOG_WARNING), 1);
 	model_destroy(model);
 	temp_dir_remove(&folder);
 }
 
-static void test_frames_too_deep_get_a_sentence(void **state)
+static void test_frames_nested_too_deep_are_an_error(void **state)
 {
 	enum {
 		DEEP = 5000
 	};
 	static char text[20 + 6 * DEEP] = HEADER;
-	struct log_capture said;
-	struct log log = log_capture_begin(&said);
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
 	struct model *model;
 	size_t used = strlen(text);
 
@@ -550,34 +400,31 @@ static void test_frames_too_deep_get_a_sentence(void **state)
 	}
 	assert_int_equal(
 		model_load_memory(text, used, "deep.x", &log, &model), -EINVAL);
-	assert_true(log_capture_has(&said, LOG_ERROR, "deep.x: line 2"));
+	assert_true(log_capture_has(&logged, LOG_ERROR, "deep.x: line 2"));
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_vertices_go_from_left_to_right_handed),
-		cmocka_unit_test(test_a_frame_turns_as_it_did_in_direct3d),
-		cmocka_unit_test(test_polygons_become_fans),
+		cmocka_unit_test(test_vertices_become_right_handed),
+		cmocka_unit_test(test_a_frame_rotates_as_in_direct3d),
+		cmocka_unit_test(test_polygons_become_triangles),
 		cmocka_unit_test(
 			test_pitfall_19_the_tick_rate_is_4800_unless_given),
 		cmocka_unit_test(test_position_keys_are_converted),
-		cmocka_unit_test(test_matrix_keys_are_taken_apart),
+		cmocka_unit_test(test_matrix_keys_are_decomposed),
 		cmocka_unit_test(test_influences_come_from_skin_weights),
-		cmocka_unit_test(test_a_missing_texture_costs_a_warning_only),
+		cmocka_unit_test(test_a_missing_texture_only_causes_a_warning),
+		cmocka_unit_test(test_malformed_files_cause_one_error),
+		cmocka_unit_test(test_a_rotation_key_rotates_as_in_direct3d),
+		cmocka_unit_test(test_vertices_are_split_where_normals_differ),
+		cmocka_unit_test(test_the_eight_largest_of_ten_weights_are_kept),
 		cmocka_unit_test(
-			test_malformed_files_get_one_sentence_with_the_line),
-		cmocka_unit_test(test_a_rotation_key_turns_as_it_did_in_direct3d),
-		cmocka_unit_test(test_every_encoding_gives_the_same_model),
-		cmocka_unit_test(test_every_cut_of_every_encoding_is_survived),
-		cmocka_unit_test(test_vertices_split_where_normals_differ),
-		cmocka_unit_test(test_the_eight_strongest_of_ten_bones_stay),
-		cmocka_unit_test(
-			test_a_bone_without_a_frame_costs_a_warning_only),
-		cmocka_unit_test(test_meshes_share_a_frame_or_have_none),
+			test_a_bone_without_a_frame_only_causes_a_warning),
+		cmocka_unit_test(test_meshes_may_share_a_frame_or_have_none),
 		cmocka_unit_test(test_a_sheared_frame_keeps_its_matrix),
 		cmocka_unit_test(test_textures_come_from_the_models_folder_only),
-		cmocka_unit_test(test_frames_too_deep_get_a_sentence),
+		cmocka_unit_test(test_frames_nested_too_deep_are_an_error),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The conformance checker itself, held against made-up references and OBJ
-# files. CONFORMANCE is the program.
+# Tests the program conformance with made-up references and OBJ files. The
+# environment may set CONFORMANCE, the program.
 . "$(dirname "$0")/../support/tap.sh"
 checker=${CONFORMANCE:-build/host/conformance}
 
@@ -14,7 +14,7 @@ cat >"$reference" <<'END'
   {"node": 3, "primitive": 1, "positions": [[0,0,1],[1,0,1],[0,1,1]]}]}
 END
 
-# What `limber pose` should write.
+# The output that the reference requires.
 cat >"$scratch/good.obj" <<'END'
 # two parts
 o node0_prim0
@@ -29,7 +29,7 @@ v 0.000000 1.000000 1.000000
 f 4 5 6
 END
 
-# Stands in for limber: notes its arguments and writes given.obj.
+# Takes the place of limber: records its arguments and copies given.obj.
 cat >"$scratch/limber" <<'END'
 #!/bin/sh
 echo "$*" >"$0.arguments"
@@ -38,7 +38,7 @@ cp "${0%/*}/given.obj" "$2"
 END
 chmod +x "$scratch/limber"
 
-# given [SED]: holds good.obj, so edited, against the reference.
+# given [SED]: compares good.obj, edited by sed, with the reference.
 given() {
     sed "${1-}" "$scratch/good.obj" >"$scratch/given.obj"
     run "$checker" "$samples" "$scratch/out" "$scratch/limber"
@@ -68,19 +68,19 @@ check 'the clip and the time are passed on' grep -Eqx \
 refuses 'a wrong vertex' 's/^v 1.000000 0.000000 1/v 1.000300 0.000000 1/' \
     'node3_prim1: 1 of 3 vertices'
 refuses 'a missing vertex' '/^v 0.000000 1.000000 -/d; s/^f 1 2 3/f 1 2 1/; s/^f 4.*/f 3 4 5/' \
-    'node0_prim0: 2 vertices, not 3'
-refuses 'a missing object' '/^o node3/,$d' 'no object node3_prim1'
+    'node0_prim0 has 2 vertices instead of 3'
+refuses 'a missing object' '/^o node3/,$d' 'the object node3_prim1 is missing'
 refuses 'an object too many' '$a o node4_prim0\nv 0 0 0\nf 7 7 7' \
-    'node4_prim0 is not in the'
-refuses 'an object twice' 's/node3_prim1/node0_prim0/' 'node0_prim0 is there twice'
-refuses 'NaN' 's/^v 2.000000/v nan/' 'no vertex of finite numbers'
-refuses 'infinity' 's/^v 2.000000/v inf/' 'no vertex of finite numbers'
+    'the reference has no object node4_prim0'
+refuses 'an object twice' 's/node3_prim1/node0_prim0/' 'the file has the object node0_prim0 twice'
+refuses 'NaN' 's/^v 2.000000/v nan/' 'does not have three finite numbers'
+refuses 'infinity' 's/^v 2.000000/v inf/' 'does not have three finite numbers'
 refuses 'vertices in another order' '3{h;d};4G' 'node0_prim0: 2 of 3 vertices'
-refuses 'two numbers a vertex' 's/^v 2.000000 /v /' 'no vertex of finite'
-refuses 'a face beyond the vertices' 's/^f 4 5 6/f 4 5 7/' 'no triangle'
-refuses "a face of another object's vertices" 's/^f 4 5 6/f 3 5 6/' 'no triangle'
+refuses 'two numbers a vertex' 's/^v 2.000000 /v /' 'does not have three finite numbers'
+refuses 'a face with a vertex that does not exist' 's/^f 4 5 6/f 4 5 7/' 'is not a triangle'
+refuses "a face of another object's vertices" 's/^f 4 5 6/f 3 5 6/' 'is not a triangle'
 refuses 'no faces' '/^f 4/d' 'node3_prim1 has no faces'
-refuses 'a stray line' '1a stray' 'before the first object'
+refuses 'an unexpected line' '1a stray' 'comes before the first object'
 
 run "$checker" "$samples" "$scratch/out" false
 about 'a command that fails'
@@ -103,11 +103,11 @@ mv "$samples/models/Two.glb" "$samples/models/Other.glb"
 given
 about 'a missing model'
 expect_status 1
-expect_err 'no Two.glb or .gltf'
+expect_err 'Two.glb and .gltf are missing'
 
 mv "$samples/oracle/Two@-@0.json" "$samples/oracle/Two.json"
 given
-about 'a reference with a strange name'
+about 'a reference with a malformed name'
 expect_status 1
 
 rm "$samples/oracle/Two.json"
@@ -121,8 +121,8 @@ about 'no folder of references'
 expect_status 0
 expect_out '^1..0 # SKIP .*SAMPLES='
 
-# fixed.sh, with stand-ins for both programs: the board's may have a vertex of
-# its own for one kernel.
+# Tests fixed.sh with a script in place of both programs. With the kernel $WRONG
+# it writes another vertex.
 cat >"$scratch/stand-in" <<'END'
 #!/bin/sh
 [ "$1" != info ] || { echo '{"clips": []}'; exit; }

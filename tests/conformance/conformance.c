@@ -1,11 +1,11 @@
 /*
- * conformance SAMPLES FOLDER COMMAND...: holds `COMMAND pose` against the
- * reference poses.
+ * conformance SAMPLES FOLDER COMMAND...: compares the poses that `COMMAND pose`
+ * writes with reference poses.
  *
- * Each file SAMPLES/oracle/NAME@CLIP@TIME.json is one test: the vertices that
- * COMMAND writes to FOLDER for SAMPLES/models/NAME.glb or .gltf must be within
- * 1e-4 of the model's extent. CLIP is - for the rest pose. Speaks TAP; skips
- * where there is no such folder.
+ * Each file SAMPLES/oracle/NAME@CLIP@TIME.json is one test. The vertices that
+ * COMMAND writes into FOLDER for SAMPLES/models/NAME.glb or .gltf must be
+ * within 1e-4 of the model's extent. CLIP is - for the rest pose. Prints TAP.
+ * The tests are skipped when SAMPLES/oracle does not exist.
  */
 #include "tests/conformance/posed.h"
 #include "tests/support/run.h"
@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 enum {
-	PATH_ROOM = 1024,
+	PATH_BYTES = 1024,
 	ARGUMENTS_MAX = 64,
 	TIMEOUT_S = 120
 };
@@ -30,7 +30,7 @@ struct options {
 	char **command;
 };
 
-/* One reference file; name, clip and time are cut out of its name. */
+/* A reference file; name, clip and time are parts of its name. */
 struct reference {
 	const struct options *options;
 	char file[256];
@@ -56,18 +56,18 @@ static bool split_name(struct reference *reference)
 	return true;
 }
 
-static void find_model(const struct reference *reference, char path[PATH_ROOM])
+static void find_model(const struct reference *reference, char path[PATH_BYTES])
 {
 	static const char *const kinds[] = {"glb", "gltf"};
 
 	for (size_t i = 0; i < 2; i++) {
-		snprintf(path, PATH_ROOM, "%s/models/%s.%s",
+		snprintf(path, PATH_BYTES, "%s/models/%s.%s",
 			reference->options->samples, reference->name, kinds[i]);
 		if (access(path, R_OK) == 0) {
 			return;
 		}
 	}
-	fail_msg("no %s.glb or .gltf in %s/models", reference->name,
+	fail_msg("%s.glb and .gltf are missing in %s/models", reference->name,
 		reference->options->samples);
 }
 
@@ -98,7 +98,7 @@ static void run_pose(
 	run_release(&result);
 }
 
-/* 0, or -1 with *error filled; *worst is a part of the extent. */
+/* 0, or -1 with *error filled. *worst becomes a fraction of the extent. */
 static int compare_files(const char *obj, const char *json, double *worst,
 	struct posed_error *error)
 {
@@ -128,7 +128,7 @@ release_expected:
 static void check_reference(void **state)
 {
 	const struct reference *reference = *state;
-	char model[PATH_ROOM], json[PATH_ROOM], obj[PATH_ROOM];
+	char model[PATH_BYTES], json[PATH_BYTES], obj[PATH_BYTES];
 	struct posed_error error;
 	double worst;
 
@@ -152,7 +152,7 @@ static int is_reference(const struct dirent *entry)
 	return length > 5 && !strcmp(entry->d_name + length - 5, ".json");
 }
 
-/* As many tests as references; their state is the reference. */
+/* Runs one test for each reference. */
 static int run_references(
 	const struct options *options, struct dirent **entries, int count)
 {
@@ -171,7 +171,8 @@ static int run_references(
 		snprintf(reference->file, sizeof(reference->file), "%s",
 			entries[i]->d_name);
 		if (!split_name(reference)) {
-			fprintf(stderr, "%s: not NAME@CLIP@TIME.json\n",
+			fprintf(stderr,
+				"%s: the name is not NAME@CLIP@TIME.json\n",
 				reference->file);
 			goto release;
 		}
@@ -193,7 +194,7 @@ int main(int argc, char **argv)
 {
 	struct options options;
 	struct dirent **entries;
-	char folder[PATH_ROOM];
+	char folder[PATH_BYTES];
 	int count, failures;
 
 	if (argc < 4) {
@@ -205,7 +206,7 @@ int main(int argc, char **argv)
 	snprintf(folder, sizeof(folder), "%s/oracle", options.samples);
 	count = scandir(folder, &entries, is_reference, alphasort);
 	if (count < 0) {
-		printf("1..0 # SKIP the sample models and their reference poses are not in %s (make SAMPLES=DIR names another folder)\n",
+		printf("1..0 # SKIP %s has no sample models; make SAMPLES=DIR sets their folder\n",
 			options.samples);
 		return 0;
 	}

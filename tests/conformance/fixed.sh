@@ -1,9 +1,9 @@
 #!/bin/sh
-# fixed.sh SAMPLES HOST BOARD...: `limber pose --math fixed` gives the same bytes
-# wherever it runs. HOST is the program for this machine, BOARD the command that
-# runs the one for ARM; every model of SAMPLES/models and assets is posed at
-# several times of its clips, with each fixed-point kernel and, since what comes
-# before the vertex loops is float everywhere, in float too.
+# fixed.sh SAMPLES HOST BOARD...: checks that `limber pose` writes the same bytes
+# on this machine and on ARM. HOST is the program for this machine, BOARD the
+# command that runs the program for ARM. The script poses every model of
+# SAMPLES/models and assets at several times of its clips, with each fixed-point
+# kernel and in float. Floats agree too, because both use one order of operations.
 . "$(dirname "$0")/../support/tap.sh"
 samples=$1
 host=$2
@@ -11,16 +11,16 @@ shift 2
 times='0 0.21 0.5 1.3'
 influences='--influences 2'
 
-# pose_with NAME WORDS...: a pose by WORDS into the file NAME.
+# pose_with NAME COMMAND...: writes the pose to $scratch/NAME.obj.
 pose_with() {
     file=$scratch/$1.obj
     shift
     rm -f "$file"
-    "$@" -o "$file" 2>"$scratch/said" && [ -s "$file" ]
+    "$@" -o "$file" 2>"$scratch/messages" && [ -s "$file" ]
 }
 
-# same_as_host MODEL WORDS...: the host's bytes by kernel fixed, and the board's
-# by each of its kernels.
+# same_as_host MODEL OPTION...: compares the host's kernel fixed with each kernel
+# of the board, then float with float.
 same_as_host() {
     words="pose $*"
     # shellcheck disable=SC2086 # words
@@ -36,7 +36,7 @@ same_as_host() {
         cmp "$scratch/host.obj" "$scratch/board.obj"
 }
 
-# clips MODEL: their numbers, as options.
+# clips MODEL: prints the numbers of the clips.
 clips() {
     "$host" info "$1" --json 2>/dev/null | python3 -c '
 import json, sys
@@ -62,5 +62,5 @@ for model in assets/*.glb "$samples"/models/*.gl* "$samples"/models/x/*.x; do
     done
     checked=$((checked + 1))
 done
-check 'the models of the project are among them' test "$checked" -ge 3
+check 'the models of assets were checked' test "$checked" -ge 3
 tap_done

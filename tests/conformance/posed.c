@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define complain(error, ...) \
+#define fail_with(error, ...) \
 	(snprintf((error)->text, sizeof((error)->text), __VA_ARGS__), -1)
 
 void posed_release(struct posed *posed)
@@ -34,11 +34,11 @@ static struct posed_part *add_part(struct posed *posed)
 
 static void add_position(struct posed_part *part, const double position[3])
 {
-	/* Doubling at every power of two. */
+	/* The capacity doubles when the count is a power of two. */
 	if ((part->count & (part->count - 1)) == 0) {
-		size_t room = part->count ? 2 * part->count : 1;
+		size_t capacity = part->count ? 2 * part->count : 1;
 		double(*grown)[3] =
-			realloc(part->position, room * sizeof(*grown));
+			realloc(part->position, capacity * sizeof(*grown));
 
 		if (!grown) {
 			abort();
@@ -60,8 +60,8 @@ static int read_reference_mesh(
 
 	if (!json_is_integer(node) || !json_is_integer(primitive) ||
 		!json_is_array(positions)) {
-		return complain(error,
-			"a mesh without node, primitive or positions");
+		return fail_with(
+			error, "a mesh lacks node, primitive or positions");
 	}
 	snprintf(part->name, sizeof(part->name), "node%d_prim%d",
 		(int)json_integer_value(node),
@@ -74,8 +74,8 @@ static int read_reference_mesh(
 			const json_t *number = json_array_get(row, k);
 
 			if (!json_is_number(number)) {
-				return complain(error,
-					"%s: position %zu is no three numbers",
+				return fail_with(error,
+					"%s: position %zu does not have three numbers",
 					part->name, i);
 			}
 			position[k] = json_number_value(number);
@@ -96,7 +96,7 @@ int posed_read_reference(
 
 	*out = (struct posed){0};
 	if (!root) {
-		return complain(error, "%s: %s", path, cause.text);
+		return fail_with(error, "%s: %s", path, cause.text);
 	}
 	json_array_foreach(json_object_get(root, "meshes"), i, mesh)
 	{
@@ -106,7 +106,7 @@ int posed_read_reference(
 	}
 	json_decref(root);
 	if (!failed && !out->count) {
-		failed = complain(error, "%s: no meshes", path);
+		failed = fail_with(error, "%s: the file has no meshes", path);
 	}
 	if (failed) {
 		posed_release(out);
@@ -114,7 +114,7 @@ int posed_read_reference(
 	return failed;
 }
 
-/* Three numbers and nothing else. */
+/* Reads three numbers; anything else is an error. */
 static int read_vertex(const char *text, double position[3])
 {
 	char *end;
@@ -129,7 +129,7 @@ static int read_vertex(const char *text, double position[3])
 	return text[strspn(text, " \r\n")] ? -1 : 0;
 }
 
-/* Three vertices of those numbered first to last, counted from 1. */
+/* Reads three vertex numbers, each from first to last. */
 static int read_face(const char *text, size_t first, size_t last)
 {
 	for (int k = 0; k < 3; k++) {
@@ -139,7 +139,7 @@ static int read_face(const char *text, size_t first, size_t last)
 		if (end == text || index < (long)first || index > (long)last) {
 			return -1;
 		}
-		text = end + strcspn(end, " \r\n"); /* past /texture/normal */
+		text = end + strcspn(end, " \r\n"); /* skips /texture/normal */
 	}
 	return text[strspn(text, " \r\n")] ? -1 : 0;
 }
@@ -165,7 +165,7 @@ struct obj_reader {
 static int end_object(struct obj_reader *reader, struct posed_error *error)
 {
 	if (reader->part && !reader->faces) {
-		return complain(error, "%s has no faces", reader->part->name);
+		return fail_with(error, "%s has no faces", reader->part->name);
 	}
 	return 0;
 }
@@ -180,11 +180,12 @@ static int begin_object(
 		return -1;
 	}
 	if (length >= sizeof(text)) {
-		return complain(error, "an object with a long name");
+		return fail_with(error, "the name of the object is too long");
 	}
 	memcpy(text, name, length);
 	if (find_part(reader->out, text)) {
-		return complain(error, "object %s is there twice", text);
+		return fail_with(
+			error, "the file has the object %s twice", text);
 	}
 	if (reader->part) {
 		reader->vertices += reader->part->count;
@@ -207,11 +208,13 @@ static int read_obj_line(
 		return begin_object(reader, line + 2, error);
 	}
 	if (!reader->part) {
-		return complain(error, "a line before the first object");
+		return fail_with(
+			error, "the line comes before the first object");
 	}
 	if (!strncmp(line, "v ", 2)) {
 		if (read_vertex(line + 2, position)) {
-			return complain(error, "no vertex of finite numbers");
+			return fail_with(error,
+				"the vertex does not have three finite numbers");
 		}
 		add_position(reader->part, position);
 		return 0;
@@ -219,13 +222,14 @@ static int read_obj_line(
 	if (!strncmp(line, "f ", 2)) {
 		if (read_face(line + 2, reader->vertices + 1,
 			    reader->vertices + reader->part->count)) {
-			return complain(error, "no triangle of vertices of %s",
+			return fail_with(error,
+				"the face is not a triangle of vertices of %s",
 				reader->part->name);
 		}
 		reader->faces++;
 		return 0;
 	}
-	return complain(error, "neither o, v nor f");
+	return fail_with(error, "the line begins with neither o, v nor f");
 }
 
 int posed_read_obj(
@@ -239,14 +243,14 @@ int posed_read_obj(
 
 	*out = (struct posed){0};
 	if (!file) {
-		return complain(error, "%s: %s", path, strerror(errno));
+		return fail_with(error, "%s: %s", path, strerror(errno));
 	}
 	while (!failed && fgets(line, sizeof(line), file)) {
 		struct posed_error cause = {""};
 
 		number++;
 		if (read_obj_line(&reader, line, &cause)) {
-			failed = complain(error, "%s, line %d: %.180s", path,
+			failed = fail_with(error, "%s, line %d: %.180s", path,
 				number, cause.text);
 		}
 	}
@@ -287,19 +291,19 @@ static int compare_part(const struct posed_part *actual,
 	size_t first = 0;
 
 	if (actual->count != reference->count) {
-		return complain(error, "%s: %zu vertices, not %zu",
+		return fail_with(error, "%s has %zu vertices instead of %zu",
 			reference->name, actual->count, reference->count);
 	}
 	for (size_t i = 0; i < reference->count; i++) {
-		double far = 0;
+		double difference = 0;
 
 		for (int k = 0; k < 3; k++) {
-			far = fmax(far,
+			difference = fmax(difference,
 				fabs(actual->position[i][k] -
 					reference->position[i][k]));
 		}
-		*worst = fmax(*worst, far);
-		if (!(far <= distance)) {
+		*worst = fmax(*worst, difference);
+		if (!(difference <= distance)) {
 			first = wrong++ ? first : i;
 		}
 	}
@@ -307,8 +311,8 @@ static int compare_part(const struct posed_part *actual,
 		const double *a = actual->position[first];
 		const double *r = reference->position[first];
 
-		return complain(error,
-			"%s: %zu of %zu vertices beyond %.3g; the first is %zu: (%g %g %g), not (%g %g %g)",
+		return fail_with(error,
+			"%s: %zu of %zu vertices differ by more than %.3g; the first is %zu: (%g %g %g) instead of (%g %g %g)",
 			reference->name, wrong, reference->count, distance,
 			first, a[0], a[1], a[2], r[0], r[1], r[2]);
 	}
@@ -325,7 +329,8 @@ int posed_compare(const struct posed *actual, const struct posed *reference,
 			find_part(actual, expected->name);
 
 		if (!part) {
-			return complain(error, "no object %s", expected->name);
+			return fail_with(error, "the object %s is missing",
+				expected->name);
 		}
 		if (compare_part(part, expected, distance, worst, error)) {
 			return -1;
@@ -333,8 +338,7 @@ int posed_compare(const struct posed *actual, const struct posed *reference,
 	}
 	for (size_t i = 0; i < actual->count; i++) {
 		if (!find_part(reference, actual->part[i].name)) {
-			return complain(error,
-				"object %s is not in the reference",
+			return fail_with(error, "the reference has no object %s",
 				actual->part[i].name);
 		}
 	}

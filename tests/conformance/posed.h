@@ -1,6 +1,6 @@
 /*
- * Posed vertices, read from a reference file (JSON) or from what `limber pose`
- * writes (OBJ), and their comparison.
+ * Reads posed vertices from a reference (JSON) or from the output of
+ * `limber pose` (OBJ), and compares them.
  */
 #ifndef TESTS_CONFORMANCE_POSED_H
 #define TESTS_CONFORMANCE_POSED_H
@@ -19,15 +19,15 @@ struct posed {
 	struct posed_part *part;
 };
 
-/* Why something is wrong, in words. */
+/* A message that says what is wrong. */
 struct posed_error {
 	char text[256];
 };
 
 /*
- * 0, or -1 with *error filled and *out empty. The caller ends with
- * posed_release(). An OBJ file must hold nothing but o, v and f lines that
- * make sense: finite numbers, triangles of the same object's vertices.
+ * 0, or -1 with *error filled and *out empty. The caller calls posed_release().
+ * An OBJ file may only have comments and o, v and f lines; coordinates must be
+ * finite, and faces must be triangles of their own object's vertices.
  */
 int posed_read_reference(
 	const char *path, struct posed *out, struct posed_error *error);
@@ -36,7 +36,7 @@ int posed_read_obj(
 
 void posed_release(struct posed *posed);
 
-/* The largest side of the box around all vertices. */
+/* The largest side of the bounding box of all vertices. */
 double posed_extent(const struct posed *posed);
 
 /*

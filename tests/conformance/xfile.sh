@@ -1,6 +1,6 @@
 #!/bin/sh
-# xfile.sh SAMPLES COMMAND...: what `limber pose` makes of DirectX .x files,
-# against assimp's reading of the same files. SAMPLES/models/x has the files;
+# xfile.sh SAMPLES COMMAND...: compares the poses that `limber pose` writes for
+# DirectX .x files with those of assimp. SAMPLES/models/x holds the files;
 # COMMAND runs limber.
 . "$(dirname "$0")/../support/tap.sh"
 samples=$1/models/x
@@ -39,8 +39,7 @@ for kind in text binary compressed; do
     agrees "test_cube_$kind" '' 0.5 "$@"
 done
 run "$@" info "$samples/malformed_skinweights_oob.x"
-about 'a weight past the vertices'
+about 'a skin weight of a vertex that does not exist'
 expect_status 1
-about 'a weight past the vertices'
-expect_err 'malformed_skinweights_oob\.x: line [0-9]+: SkinWeights of bone "Cube" points at vertex 1000000'
+expect_err 'malformed_skinweights_oob\.x: line [0-9]+: SkinWeights of bone "Cube" refers to vertex 1000000'
 tap_done

@@ -1,9 +1,10 @@
 #!/bin/sh
-# The fuzz runner itself, with a stand-in for a libFuzzer program.
+# Tests run.sh with a script in place of a libFuzzer program.
 . "$(dirname "$0")/../support/tap.sh"
 runner=$(dirname "$0")/run.sh
 
-# given STATUS: a fuzzer that notes its arguments and seeds and ends so.
+# given STATUS: writes a fuzzer that records its arguments and seeds and exits
+# with STATUS.
 given() {
     cat >"$scratch/fuzz_toy" <<END
 #!/bin/sh
@@ -28,9 +29,9 @@ run "$runner" "$scratch/fuzz_toy" "$scratch/first" "$scratch/second"
 about 'a run that finds nothing'
 expect_status 0
 expect_out '^1..1$'
-expect_out '^ok 1 - fuzz_toy survives'
+expect_out '^ok 1 - fuzz_toy finds no error'
 expect_out '^# stat::number_of_executed_units: 12'
-check 'runs and seed are fixed, time is bounded' grep -Eq -e \
+check 'the number of runs and the seed are fixed, the time is limited' grep -Eq -e \
     '-runs=[0-9]+ -seed=1 -max_total_time=[0-9]+ ' "$scratch/arguments"
 check 'small files of all folders are seeds' test "$(wc -l <"$scratch/seeds")" -eq 2
 
@@ -38,11 +39,11 @@ given 77
 run "$runner" "$scratch/fuzz_toy" "$scratch/first"
 about 'a run that finds something'
 expect_status 1
-expect_out '^not ok 1 - fuzz_toy survives'
+expect_out '^not ok 1 - fuzz_toy finds no error'
 expect_out '^# SUMMARY: what went wrong'
 
 run "$runner" "$scratch/none" "$scratch/first"
-about 'a program that is not there'
+about 'a program that does not exist'
 expect_status 1
 expect_out '^not ok 1'
 tap_done

@@ -1,5 +1,5 @@
 /*
- * limber.conf, with its GPIO lines and keys, from any text.
+ * Parses any text as limber.conf, including its GPIO lines and keys.
  */
 #include "app/cmd/options/config.h"
 

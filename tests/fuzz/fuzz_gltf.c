@@ -1,25 +1,21 @@
 /*
- * Any bytes as a glTF file in memory: a model that keeps model.h's promises,
- * or one sentence and nothing left behind.
+ * Loads any bytes as a glTF file in memory. Expects a model that satisfies
+ * model.h, or exactly one error and no leak.
  */
 #include "app/model/gltf/gltf.h"
-#include "app/model/model.h"
+#include "app/model/model_loader.h"
 #include "app/model/model_stats.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-struct heard {
-	int errors;
-};
-
 static void count_errors(void *user, enum log_level level, const char *sentence)
 {
-	struct heard *heard = user;
+	int *errors = user;
 
 	(void)sentence;
-	heard->errors += level == LOG_ERROR;
+	*errors += level == LOG_ERROR;
 }
 
 static void expect(bool holds)
@@ -51,19 +47,6 @@ static void check_primitive(const struct model *model,
 	}
 	expect(mesh->target_count == 0 || primitive->target);
 	expect(isfinite(primitive->position[0][0]));
-}
-
-static int max_joint(const struct model_primitive *primitive)
-{
-	size_t total =
-		(size_t)primitive->vertex_count * (size_t)primitive->influences;
-	int max = -1;
-	size_t i;
-
-	for (i = 0; i < total; i++) {
-		max = primitive->joint[i] > max ? primitive->joint[i] : max;
-	}
-	return max;
 }
 
 static void check_nodes(const struct model *model, const int *joint_of_mesh)
@@ -122,7 +105,7 @@ static void check(const struct model *model)
 
 		joint_of_mesh[i] = -1;
 		for (k = 0; k < mesh->primitive_count; k++) {
-			int joint = max_joint(&mesh->primitive[k]);
+			int joint = model_max_joint(&mesh->primitive[k]);
 
 			check_primitive(model, mesh, &mesh->primitive[k]);
 			joint_of_mesh[i] = joint > joint_of_mesh[i]
@@ -136,15 +119,14 @@ static void check(const struct model *model)
 	free(joint_of_mesh);
 }
 
-/* Not static: libFuzzer calls it. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	struct heard heard = {0};
+	int errors = 0;
 	struct log log = {
 		.write = count_errors,
-		.user = &heard,
+		.user = &errors,
 		.threshold = LOG_NOTE,
 	};
 	struct model *model;
@@ -153,10 +135,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	}
 	if (model_load_memory(data, size, "fuzz", &log, &model) == 0) {
-		expect(heard.errors == 0);
+		expect(errors == 0);
 		check(model);
 	} else {
-		expect(heard.errors == 1 && model == NULL);
+		expect(errors == 1 && model == NULL);
 	}
 	model_destroy(model);
 	return 0;

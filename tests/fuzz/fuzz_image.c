@@ -1,11 +1,11 @@
-/* Any bytes as a picture: pixels, or one sentence and nothing left behind. */
+/* Decodes any bytes as an image. Expects pixels, or one error and no leak. */
 #include "app/model/image/image.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 
 enum {
-	PIXELS_MAX = 512 * 512, /* beyond, a run would only be slow */
+	PIXELS_MAX = 512 * 512, /* larger images would slow the run down */
 };
 
 static void count_errors(void *user, enum log_level level, const char *sentence)
@@ -23,7 +23,7 @@ static void expect(bool holds)
 	}
 }
 
-/* Reads every pixel, so that the sanitizers see where they lie. */
+/* Reads every pixel, so that the sanitizers check its address. */
 static void check(const struct model_image *image)
 {
 	size_t total = (size_t)image->width * (size_t)image->height;
@@ -36,7 +36,6 @@ static void check(const struct model_image *image)
 	expect(opaque == image->opaque);
 }
 
-/* Not static: libFuzzer calls it. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

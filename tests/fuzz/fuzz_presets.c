@@ -1,5 +1,5 @@
 /*
- * Presets of shaken bones, from any text.
+ * Parses any text as a presets file (assets/presets.ini).
  */
 #include "app/anim/procedural/procedural.h"
 

@@ -1,5 +1,5 @@
 /*
- * Button scripts of any content, opened and played to the end.
+ * Opens a file of any bytes as a button script and plays it to its end.
  */
 #include "platform/buttons/buttons.h"
 

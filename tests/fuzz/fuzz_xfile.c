@@ -1,6 +1,6 @@
 /*
- * Any bytes as a DirectX .x file in memory: a model, or one sentence and
- * nothing left behind.
+ * Loads any bytes as a DirectX .x file in memory. Expects a model, or exactly
+ * one error and no leak.
  */
 #include "app/model/model.h"
 #include "app/model/model_stats.h"

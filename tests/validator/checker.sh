@@ -1,5 +1,5 @@
 #!/bin/sh
-# The validator's script, held against a broken file.
+# Tests validate.js with valid, invalid and missing files.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/validate.js
 

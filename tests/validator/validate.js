@@ -1,5 +1,5 @@
-// node validate.js FILE...: one TAP test a glTF file, which passes when the
-// Khronos validator finds no error in it. Its warnings are shown.
+// node validate.js FILE...: prints one TAP test for each glTF file. The test
+// passes when the Khronos validator finds no error; warnings are printed.
 'use strict';
 const fs = require('fs');
 const path = require('path');

@@ -25,7 +25,7 @@ static int init_morph(struct contender *contender,
 		log_error(env->log, "%s: not enough memory to fit key frames",
 			env->model_path);
 	} else {
-		/* Its vertices are shown as it leaves them, in float. */
+		/* show_morph() needs the morph's vertices in float. */
 		error = candidate_morph(&contender->candidate, reference,
 			&kernel_float, key, count, env->log);
 	}
@@ -69,7 +69,7 @@ static int init_technique(struct contender *contender,
 	case CONTENDER_RIGID:
 		return init_rigid(contender, env);
 	default:
-		/* For its bytes, counted as `limber compare` does. */
+		/* The candidate counts bytes as `limber compare` does. */
 		error = candidate_original(&contender->candidate, reference,
 			env->kernel, 0, true, env->log);
 		return error ? error
@@ -127,7 +127,7 @@ static void run(struct contender *contender, float time_s)
 	instance_update(shown);
 }
 
-/* The morph's vertices to where they are drawn from. */
+/* Copies the morph's vertices to the drawables that show them. */
 static void show_morph(struct contender *contender)
 {
 	const struct reference *reference = contender->reference;
@@ -158,13 +158,12 @@ static void show_morph(struct contender *contender)
 
 static void count_time(struct contender *contender, int64_t ns)
 {
-	contender->gathered_ms += (float)ns * 1e-6f;
-	contender->gathered++;
-	if (contender->gathered == FRAMES_A_MEAN || contender->ms < 0.0f) {
-		contender->ms =
-			contender->gathered_ms / (float)contender->gathered;
-		contender->gathered_ms = 0.0f;
-		contender->gathered = 0;
+	contender->sum_ms += (float)ns * 1e-6f;
+	contender->sum_frames++;
+	if (contender->sum_frames == FRAMES_A_MEAN || contender->ms < 0.0f) {
+		contender->ms = contender->sum_ms / (float)contender->sum_frames;
+		contender->sum_ms = 0.0f;
+		contender->sum_frames = 0;
 	}
 }
 
@@ -197,7 +196,7 @@ static int source_of(const struct contender *contender, int drawable, int vertex
 	return vertex;
 }
 
-void contender_judge(struct contender *contender,
+void contender_measure_error(struct contender *contender,
 	const struct screen_view *screen, int frame, float full_px)
 {
 	const float(*wanted)[3] =

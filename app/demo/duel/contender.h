@@ -1,6 +1,6 @@
 /*
- * One technique of the duel: it shows the clip in its own way, is timed, and
- * is held against the reference.
+ * One technique of the duel. It plays the clip, is timed, and is compared with
+ * the reference.
  */
 #ifndef APP_DEMO_DUEL_CONTENDER_H
 #define APP_DEMO_DUEL_CONTENDER_H
@@ -20,22 +20,23 @@ enum contender_kind {
 struct contender {
 	enum contender_kind kind;
 	const struct reference *reference;
-	struct candidate candidate; /* its bytes; a morph's work */
-	struct duel_rigid rigid;    /* of CONTENDER_RIGID */
+	struct candidate candidate; /* counts bytes; also poses the morph */
+	struct duel_rigid rigid;    /* CONTENDER_RIGID only */
 	struct instance *shown;
 	struct clip_cursor cursor;
 	struct vertex_tint heat;
-	int64_t (*now_ns)(void); /* or NULL */
+	int64_t (*now_ns)(void); /* NULL: not timed */
 
-	float ms; /* a frame, mean of the last ones; below 0: not known */
-	float gathered_ms;
-	int gathered;
-	float peak_px, mean_px; /* now */
+	float ms; /* mean time of a frame; negative if unknown */
+	float sum_ms;
+	int sum_frames;
+	float peak_px, mean_px; /* errors of the current pose */
 };
 
 /*
- * Bakes the reference's clip; morphs keep within bound_px. 0, or -errno after
- * a sentence. Release with contender_finish() in any case.
+ * Bakes the reference's clip for the technique; a morph's error is at most
+ * bound_px. Returns 0, or -errno after logging an error. Call
+ * contender_finish() in either case.
  */
 int contender_init(struct contender *contender, enum contender_kind kind,
 	const struct reference *reference, const struct screen_view *screen,
@@ -43,14 +44,14 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 
 void contender_finish(struct contender *contender);
 
-/* The technique's work of a frame, timed. */
+/* Poses the technique at time_s and measures how long that takes. */
 void contender_pose(struct contender *contender, float time_s);
 
 /*
- * Holds what it shows against a frame of the reference, and paints each vertex
- * by its distance, full_px being red.
+ * Compares the pose with a frame of the reference and paints each vertex by its
+ * distance; full_px is painted red.
  */
-void contender_judge(struct contender *contender,
+void contender_measure_error(struct contender *contender,
 	const struct screen_view *screen, int frame, float full_px);
 
 #endif

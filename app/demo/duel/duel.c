@@ -1,10 +1,10 @@
 /*
- * The duel: AN4044's three techniques side by side, the same clip in each.
+ * The duel plays the same clip with AN4044's three techniques side by side.
  *
- * The model's skin, morph key frames baked from it, and rigid parts cut from
- * it are posed and drawn at once; below each stands what its frame takes, what
- * it keeps in memory and how far it is off. Errors are those that `limber
- * compare` tells: pixels of the viewer's picture of this size.
+ * The techniques are the model's skin, morph key frames baked from it, and
+ * rigid parts cut from it. Below each figure are its time a frame, its memory
+ * and its error. The error is that of `limber compare`: the distance in pixels
+ * of a picture of this size.
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -18,13 +18,14 @@
 
 static const char clip_name[] = "walk";
 static const double rate_hz = 60.0; /* of the reference */
-static const float bound_px = 0.5f; /* of the morph */
+static const float bound_px = 0.5f; /* the morph's greatest error */
 static const float ground_m_per_s = 1.03f;
-static const float apart_m = 0.92f;
-static const float board_m = 0.2f; /* the figures stand above the board */
+static const float spacing_m = 0.92f;
+static const float board_height_m =
+	0.2f; /* the figures stand above the board */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
-static const double heat_s = 3.3; /* with and without, when nobody presses */
+static const double heat_s = 3.3; /* autoplay: time with and without errors */
 
 static const struct camera_framing framing = {
 	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .margin = 0.98f};
@@ -36,8 +37,8 @@ struct demo {
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
 	unsigned frame;
-	int slowness; /* halvings of the speed */
-	bool heated, paused, autoplay;
+	int speed_halvings; /* halvings of the speed */
+	bool heat_shown, paused, autoplay;
 	int scale; /* of full_px */
 	float turn;
 };
@@ -54,14 +55,14 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/* Three figures in a row. */
+/* The box of three figures in a row. */
 static struct bounds bounds_of_row(struct demo *demo)
 {
 	struct bounds bounds = bounds_of_clip(
 		demo->base.actor.instance, demo->reference->clip_index);
 
-	bounds.low[0] -= apart_m;
-	bounds.high[0] += apart_m;
+	bounds.low[0] -= spacing_m;
+	bounds.high[0] += spacing_m;
 	bounds.low[1] = 0.0f;
 	return bounds;
 }
@@ -93,7 +94,7 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	bounds = bounds_of_row(demo);
 	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
-	demo->base.stage.camera.target[1] -= board_m;
+	demo->base.stage.camera.target[1] -= board_height_m;
 	return error;
 }
 
@@ -105,21 +106,21 @@ static void duel_finish(struct demo *demo)
 	reference_destroy(demo->reference);
 }
 
-static void set_heat(struct demo *demo, bool on)
+static void show_heat(struct demo *demo, bool on)
 {
-	demo->heated = on;
+	demo->heat_shown = on;
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		vertex_tint_switch(&demo->contender[i].heat, on);
 	}
 }
 
-/* One of them a frame, to be cheap; all of them at first. */
-static void judge(struct demo *demo, int frame)
+/* Measures one contender a frame to save time, and all in the first frame. */
+static void measure_errors(struct demo *demo, int frame)
 {
 	for (unsigned i = 0; i < CONTENDER_KINDS; i++) {
 		if (demo->frame == 0 || demo->frame % CONTENDER_KINDS == i) {
-			contender_judge(&demo->contender[i], &demo->screen,
-				frame, full_px[demo->scale]);
+			contender_measure_error(&demo->contender[i],
+				&demo->screen, frame, full_px[demo->scale]);
 		}
 	}
 }
@@ -127,27 +128,28 @@ static void judge(struct demo *demo, int frame)
 static void duel_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
-	float clip_step_s =
-		demo->paused ? 0.0f : step_s / (float)(1 << demo->slowness);
+	float clip_step_s = demo->paused
+		? 0.0f
+		: step_s / (float)(1 << demo->speed_halvings);
 	const struct reference *reference = demo->reference;
 	int frame;
 
 	demo->now_s = time_s;
 	demo->clip_s += (double)clip_step_s;
 	if (demo->autoplay) {
-		set_heat(demo, (long)(time_s / heat_s) % 2 == 1);
+		show_heat(demo, (long)(time_s / heat_s) % 2 == 1);
 	}
 	camera_orbit(&demo->base.stage.camera,
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
 	floor_scroll(
 		&demo->base.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
-	/* Moments that the reference has, so that errors are exact. */
+	/* The reference's own frames make the errors exact. */
 	frame = reference_frame_at(reference,
 		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP));
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		contender_pose(&demo->contender[i], reference->time_s[frame]);
 	}
-	judge(demo, frame);
+	measure_errors(demo, frame);
 	demo->frame++;
 }
 
@@ -157,15 +159,16 @@ static void draw_row(const struct demo *demo, enum draw_pass pass)
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		gl->PushMatrix();
-		gl->Translatex(fx16_from_float((float)(i - 1) * apart_m), 0, 0);
+		gl->Translatex(
+			fx16_from_float((float)(i - 1) * spacing_m), 0, 0);
 		draw_instance(gl, demo->contender[i].shown,
 			&demo->base.actor.textures, pass);
 		gl->PopMatrix();
 	}
 }
 
-/* All as one would be in the middle: they stand side by side. */
-static void choose_detail(struct demo *demo, int height)
+/* All contenders get the lists of one that stands in the middle. */
+static void choose_lod(struct demo *demo, int height)
 {
 	const struct actor *actor = &demo->base.actor;
 	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
@@ -181,7 +184,7 @@ static void duel_draw(struct demo *demo, int width, int height)
 {
 	const struct gl *gl = demo->base.gl;
 
-	choose_detail(demo, height);
+	choose_lod(demo, height);
 	stage_begin(&demo->base.stage, gl, width, height);
 	stage_shadow_begin(&demo->base.stage, gl);
 	draw_row(demo, DRAW_SHADOW);
@@ -198,7 +201,7 @@ static double duel_period_s(const struct demo *demo)
 static void duel_label(const struct demo *demo, struct hud *hud)
 {
 	duel_board_show(demo->contender,
-		demo->heated ? full_px[demo->scale] : 0.0f, hud);
+		demo->heat_shown ? full_px[demo->scale] : 0.0f, hud);
 }
 
 static void duel_get_facts(const struct demo *demo, struct demo_facts *out)
@@ -214,7 +217,7 @@ static void press_heat(struct demo *demo, bool down)
 {
 	if (down) {
 		demo->autoplay = false;
-		set_heat(demo, !demo->heated);
+		show_heat(demo, !demo->heat_shown);
 	}
 }
 
@@ -257,7 +260,7 @@ static void press_pause(struct demo *demo, bool down)
 static void press_slower(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->slowness = (demo->slowness + 1) % 4;
+		demo->speed_halvings = (demo->speed_halvings + 1) % 4;
 	}
 }
 
@@ -269,14 +272,14 @@ static void press_autoplay(struct demo *demo, bool down)
 }
 
 static const struct demo_action duel_actions[] = {
-	{BUTTON_UP, "errors: red for more pixels", press_coarser},
-	{BUTTON_DOWN, "errors: red for fewer", press_finer},
-	{BUTTON_LEFT, "turn left", press_left},
-	{BUTTON_RIGHT, "turn right", press_right},
-	{BUTTON_ENTER, "pause and go on", press_pause},
-	{BUTTON_F6, "half the speed, down to an eighth", press_slower},
-	{BUTTON_F8, "show where they are off", press_heat},
-	{BUTTON_F9, "the same now and then", press_autoplay},
+	{BUTTON_UP, "paint errors red from more pixels on", press_coarser},
+	{BUTTON_DOWN, "paint errors red from fewer pixels on", press_finer},
+	{BUTTON_LEFT, "turn the camera left", press_left},
+	{BUTTON_RIGHT, "turn the camera right", press_right},
+	{BUTTON_ENTER, "pause or continue", press_pause},
+	{BUTTON_F6, "play at half the speed, down to an eighth", press_slower},
+	{BUTTON_F8, "paint the errors, or not", press_heat},
+	{BUTTON_F9, "paint the errors from time to time, or not", press_autoplay},
 	{0},
 };
 

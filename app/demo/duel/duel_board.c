@@ -13,7 +13,7 @@ static const char *const titles[CONTENDER_KINDS] = {
 	[CONTENDER_RIGID] = "Hierarchical",
 };
 
-/* Less is better; below 0: not known. */
+/* Lower is better; negative if unknown. */
 static float figure(const struct contender *contender, int row)
 {
 	return row == 0    ? contender->ms
@@ -29,7 +29,7 @@ static void write_figure(float value, int row, char *text, size_t size)
 	snprintf(text, size, format[row], (double)value);
 }
 
-static bool is_least(const struct contender *contender, int kind, int row)
+static bool is_best(const struct contender *contender, int kind, int row)
 {
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		if (figure(&contender[i], row) < figure(&contender[kind], row)) {
@@ -42,9 +42,10 @@ static bool is_least(const struct contender *contender, int kind, int row)
 static void write_centered(struct hud *hud, int left, int width, int y,
 	struct hud_color color, const char *text)
 {
-	int wide = hud_text_width(hud, text);
+	int text_width = hud_text_width(hud, text);
 
-	hud_text_cut(hud, wide < width ? left + (width - wide) / 2 : left, y,
+	hud_text_cut(hud,
+		text_width < width ? left + (width - text_width) / 2 : left, y,
 		width, color, text);
 }
 
@@ -69,14 +70,14 @@ static void show_column(const struct contender *contender, int kind, int left,
 		if (value >= 0.0f) {
 			write_figure(value, row, text, sizeof(text));
 			write_centered(hud, left, width, y += line,
-				is_least(contender, kind, row) ? hud_color_green
-							       : hud_color_text,
+				is_best(contender, kind, row) ? hud_color_green
+							      : hud_color_text,
 				text);
 		}
 	}
 }
 
-/* What the colours mean. */
+/* Shows the colour scale of the errors. */
 static void show_ramp(float full_px, struct hud *hud)
 {
 	int em = hud_em(hud), line = hud_line_height(hud);

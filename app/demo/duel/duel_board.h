@@ -1,5 +1,5 @@
 /*
- * The duel's figures, a column below each contender.
+ * The duel's scoreboard: a column of figures below each contender.
  */
 #ifndef APP_DEMO_DUEL_DUEL_BOARD_H
 #define APP_DEMO_DUEL_DUEL_BOARD_H
@@ -7,8 +7,8 @@
 #include "app/demo/duel/contender.h"
 
 /*
- * Time, memory and error of each, the least of a row in green. full_px: the
- * error that is painted red, or 0 where nothing is painted.
+ * Adds the time, memory and error of each contender; the best of a row is green.
+ * full_px is the error that is painted red; with 0 no colour scale is shown.
  */
 void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 	float full_px, struct hud *hud);

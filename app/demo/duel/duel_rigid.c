@@ -12,7 +12,7 @@ static const struct model_primitive *primitive_of(
 	return reference->instance->drawable[drawable].primitive;
 }
 
-/* The number of the vertex in its primitive. */
+/* The index that vertex v of the part has in the reference's primitive. */
 static int vertex_of(
 	const struct rigid_bake *rigid, const struct rigid_part *part, int v)
 {
@@ -20,9 +20,10 @@ static int vertex_of(
 		rigid->reference->part[part->part].first_vertex;
 }
 
-/* Attributes that the vertices keep wherever they are. */
-static int copy_looks(struct model_primitive *to, const struct rigid_bake *rigid,
-	const struct rigid_part *part, struct arena *arena)
+/* Copies texture coordinates and colours. */
+static int copy_attributes(struct model_primitive *to,
+	const struct rigid_bake *rigid, const struct rigid_part *part,
+	struct arena *arena)
 {
 	const struct model_primitive *from = primitive_of(rigid, part);
 	size_t count = (size_t)part->vertex_count;
@@ -65,10 +66,10 @@ static int fill_primitive(struct model_primitive *primitive,
 		.index_count = part->index_count,
 		.index = rigid->index + part->first_index,
 	};
-	return copy_looks(primitive, rigid, part, arena);
+	return copy_attributes(primitive, rigid, part, arena);
 }
 
-/* The node's parts into a mesh; *next is the first free place of part. */
+/* Makes a mesh of the node's parts; *next is the end of shown->part. */
 static int fill_node(struct duel_rigid *shown, int node, int *next,
 	struct model_primitive *primitive, struct arena *arena)
 {
@@ -134,8 +135,8 @@ int duel_rigid_init(struct duel_rigid *shown, const struct rigid_bake *rigid,
 int duel_rigid_source(const struct duel_rigid *shown,
 	const struct drawable *drawable, int vertex)
 {
-	int place = shown->first[drawable->node] + drawable->primitive_index;
-	const struct rigid_part *part = &shown->rigid->part[shown->part[place]];
+	int index = shown->first[drawable->node] + drawable->primitive_index;
+	const struct rigid_part *part = &shown->rigid->part[shown->part[index]];
 
 	return shown->rigid->source[part->first_vertex + vertex];
 }

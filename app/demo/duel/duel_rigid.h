@@ -1,5 +1,5 @@
 /*
- * A rigid candidate as a model that scenes show: a mesh below each joint.
+ * Makes a model of a rigid candidate, in which each joint's node has a mesh.
  */
 #ifndef APP_DEMO_DUEL_DUEL_RIGID_H
 #define APP_DEMO_DUEL_DUEL_RIGID_H
@@ -7,19 +7,20 @@
 #include "app/compare/candidate_rigid.h"
 
 struct duel_rigid {
-	struct model model; /* shares much of the reference's, owns nothing */
+	struct model model; /* shares arrays with the reference's model */
 	const struct rigid_bake *rigid;
-	int *part;  /* [rigid.part_count], by node, then by place in its mesh */
-	int *first; /* [node_count]: into part */
+	int *part;  /* [rigid.part_count], sorted by node and primitive */
+	int *first; /* [node_count]: index of the node's first part in part */
 };
 
 /*
- * rigid's candidate must outlive it. Memory is the arena's. 0 or -ENOMEM.
+ * Makes the model. Memory comes from the arena; rigid's candidate must outlive
+ * the model. Returns 0 or -ENOMEM.
  */
 int duel_rigid_init(struct duel_rigid *shown, const struct rigid_bake *rigid,
 	struct arena *arena);
 
-/* The reference's vertex that a vertex of a drawable shows. */
+/* Returns the reference's vertex that a drawable's vertex is a copy of. */
 int duel_rigid_source(const struct duel_rigid *shown,
 	const struct drawable *drawable, int vertex);
 

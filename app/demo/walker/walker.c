@@ -1,6 +1,6 @@
 /*
- * The walker: skeletal animation, AN4044 section 3. Buttons switch clips, each
- * fading into the next, and what is put on top of them.
+ * The walker: skeletal animation, AN4044 section 3. Buttons change clips, which
+ * fade into each other, and switch the procedural layers above them.
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -19,7 +19,7 @@ static const float shadow_strength = 0.375f;
 static const float ball_radius_m = 0.05f;
 static const float ball_color[3] = {0.95f, 0.35f, 0.2f};
 
-/* What happens by itself when nobody presses buttons. */
+/* What the walker does while nobody presses buttons. */
 struct autoplay_step {
 	float time_s;
 	enum walker_move move;
@@ -60,7 +60,7 @@ struct demo {
 	double autoplay_start_s;
 };
 
-/* Room for everything that it does. */
+/* The box of all clips. */
 static struct bounds bounds_of_moves(struct demo *demo)
 {
 	struct bounds all = bounds_empty();
@@ -71,7 +71,7 @@ static struct bounds bounds_of_moves(struct demo *demo)
 
 		bounds_join(&all, &bounds);
 	}
-	/* A jump goes below the floor's level for a few millimetres. */
+	/* A jump goes a few millimetres below the floor. */
 	all.low[1] = 0.0f;
 	return all;
 }
@@ -340,15 +340,15 @@ static void press_autoplay(struct demo *demo, bool down)
 }
 
 static const struct demo_action walker_actions[] = {
-	{BUTTON_UP, "faster: idle, walk, run", press_faster},
-	{BUTTON_DOWN, "slower", press_slower},
+	{BUTTON_UP, "go faster: idle, walk, run", press_faster},
+	{BUTTON_DOWN, "go slower", press_slower},
 	{BUTTON_LEFT, "wave", press_wave},
 	{BUTTON_RIGHT, "jump", press_jump},
-	{BUTTON_ENTER, "go round (hold)", press_turn},
+	{BUTTON_ENTER, "turn the camera (hold)", press_turn},
 	{BUTTON_F6, "choose the next feature of the list", press_choose},
-	{BUTTON_F8, "switch the chosen feature", press_switch},
-	{BUTTON_F9, "show all of it in turn", press_autoplay},
-	{BUTTON_F10, "shake by the next preset", press_preset},
+	{BUTTON_F8, "switch the chosen feature on or off", press_switch},
+	{BUTTON_F9, "show all features in turn", press_autoplay},
+	{BUTTON_F10, "choose the next shake preset", press_preset},
 	{0},
 };
 

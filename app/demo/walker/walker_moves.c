@@ -7,7 +7,7 @@
 
 struct move_kind {
 	const char *clip;
-	float ground_m_per_s; /* how fast the floor runs underneath */
+	float ground_m_per_s; /* at which the floor scrolls */
 };
 
 static const struct move_kind kinds[MOVE_COUNT] = {
@@ -19,7 +19,7 @@ static const struct move_kind kinds[MOVE_COUNT] = {
 };
 
 static const char waving_arm[] = "shoulder.R";
-static const char smiling_head[] = "walker_head"; /* for its morph weights */
+static const char smiling_head[] = "walker_head"; /* its morph weights */
 static const float fade_s = 0.3f;
 
 static int find_clips(struct walker_moves *moves, const struct model *model,
@@ -115,7 +115,7 @@ void walker_moves_change_gait(struct walker_moves *moves, int step)
 	}
 }
 
-/* Comes and goes within the wave's own time. */
+/* The wave fades in and out within its clip's duration. */
 static void wave(
 	struct walker_moves *moves, struct instance *instance, float step_s)
 {

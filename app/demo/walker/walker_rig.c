@@ -11,10 +11,10 @@
 #include <errno.h>
 #include <string.h>
 
-static const float switch_s = 0.4f; /* to come or go */
+static const float switch_s = 0.4f; /* the duration of a fade */
 static const float expression_s = 1.3f;
 static const float wave_height_m = 0.2f;
-static const float hand_m = 0.1f; /* wrist to grip */
+static const float hand_m = 0.1f; /* from the wrist to the grip */
 
 static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_LOOK] = "look at",
@@ -34,7 +34,6 @@ const char *walker_rig_feature_name(enum walker_rig_feature feature)
 	return feature_names[feature];
 }
 
-/* All bones that the rig turns. */
 static int find_bones(struct walker_rig *rig, const struct model *model,
 	const struct log *log)
 {
@@ -74,7 +73,7 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 	return 0;
 }
 
-/* A head with expressions, or -1: the walker does without. */
+/* The head's node if it has morph targets, else -1. */
 static int find_face(const struct model *model)
 {
 	int node = model_find_node(model, "walker_head");
@@ -126,7 +125,7 @@ int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 		     : walker_secondary_init(&rig->secondary, instance, log);
 }
 
-/* A slow figure of eight in front of the chest. */
+/* Moves the ball in a figure of eight in front of the chest. */
 static void move_ball(struct walker_rig *rig, double time_s)
 {
 	float turn = 0.9f * (float)time_s;
@@ -136,13 +135,13 @@ static void move_ball(struct walker_rig *rig, double time_s)
 	rig->ball[2] = 0.46f + 0.08f * scalar_cos(turn);
 }
 
-static void move_switches(struct walker_rig *rig, float step_s)
+static void update_weights(struct walker_rig *rig, float step_s)
 {
 	for (int i = 0; i < RIG_FEATURE_COUNT; i++) {
-		float way = rig->on[i] ? step_s : -step_s;
+		float change = rig->on[i] ? step_s : -step_s;
 
 		rig->weight[i] = scalar_clamp(
-			rig->weight[i] + way / switch_s, 0.0f, 1.0f);
+			rig->weight[i] + change / switch_s, 0.0f, 1.0f);
 	}
 }
 
@@ -151,14 +150,14 @@ static float eased(const struct walker_rig *rig, enum walker_rig_feature feature
 	return ease_at(EASE_CUBIC, rig->weight[feature]);
 }
 
-/* World matrices again from a changed node on. */
-static void settle(struct instance *instance, int node)
+/* Updates the world matrices of a changed node and its descendants. */
+static void update_world_from(struct instance *instance, int node)
 {
 	pose_world_from(
 		&instance->pose, instance->model, NULL, node, instance->world);
 }
 
-/* The document's own modifier on both arms, against each other. */
+/* Shakes both arms, slightly out of phase. */
 static void shake(struct walker_rig *rig, struct pose *pose, double time_s)
 {
 	for (int side = 0; side < 2; side++) {
@@ -167,8 +166,9 @@ static void shake(struct walker_rig *rig, struct pose *pose, double time_s)
 	}
 }
 
-/* Flesh: the chest heaves, and bent arms bulge. */
-static void swell(struct walker_rig *rig, struct pose *pose, double time_s)
+/* The chest breathes and bent arms bulge. */
+static void flex_muscles(
+	struct walker_rig *rig, struct pose *pose, double time_s)
 {
 	float weight = eased(rig, RIG_BREATH);
 
@@ -182,30 +182,30 @@ static void swell(struct walker_rig *rig, struct pose *pose, double time_s)
 	}
 }
 
-/* One expression after the other, each coming and going softly. */
-static void make_face(
+/* Shows one expression after another, each faded in and out. */
+static void set_expression(
 	struct walker_rig *rig, struct instance *instance, double time_s)
 {
 	const struct model_node *node = &instance->model->node[rig->face];
 	const struct model_mesh *mesh = &instance->model->mesh[node->mesh];
 	float *weight = instance->pose.weight + node->weight_offset;
 	float fraction = eased(rig, RIG_FACE);
-	int turn = (int)(time_s / (double)expression_s);
-	float way = (float)(time_s - (double)turn * (double)expression_s) /
+	int cycle = (int)(time_s / (double)expression_s);
+	float phase = (float)(time_s - (double)cycle * (double)expression_s) /
 		expression_s;
 
-	rig->expression = turn % mesh->target_count;
+	rig->expression = cycle % mesh->target_count;
 	for (int i = 0; i < mesh->target_count; i++) {
 		float wanted = i == rig->expression
 			? ease_at(EASE_CUBIC,
-				  4.0f * (way < 0.5f ? way : 1.0f - way))
+				  4.0f * (phase < 0.5f ? phase : 1.0f - phase))
 			: 0.0f;
 
 		weight[i] += (wanted - weight[i]) * fraction;
 	}
 }
 
-/* Neck first, then the head for what is left. */
+/* The neck turns first, the head turns by what remains. */
 static void look(struct walker_rig *rig, struct instance *instance, float step_s)
 {
 	const float *target = rig->on[RIG_LOOK] ? rig->ball : NULL;
@@ -215,32 +215,33 @@ static void look(struct walker_rig *rig, struct instance *instance, float step_s
 		lookat[i]->weight = (i ? 1.0f : 0.4f) * eased(rig, RIG_LOOK);
 		lookat_update(lookat[i], target, step_s,
 			(const mat4 *)instance->world, &instance->pose);
-		settle(instance, lookat[i]->node);
+		update_world_from(instance, lookat[i]->node);
 	}
 }
 
-/* The wrist stays a hand's length short of the ball. */
+/* The wrist's goal is a hand's length before the ball. */
 static void reach(struct walker_rig *rig, struct instance *instance)
 {
 	const float *shoulder = instance->world[rig->arm.upper][3];
 	const float *ball = rig->ball;
-	/* The elbow hangs down and a little outwards. */
+	/* The elbow points down and a little outwards. */
 	const float pole[3] = {ball[0] - 0.5f, ball[1] - 1.0f, ball[2] - 0.6f};
-	float wrist[3], way[3], fraction;
+	float wrist[3], to_shoulder[3], fraction;
 
 	rig->arm.weight = eased(rig, RIG_REACH);
 	if (rig->arm.weight == 0.0f) {
 		return;
 	}
-	vec_subtract(shoulder, ball, way);
-	fraction = hand_m / (scalar_sqrt(vec_dot(way, way)) + hand_m);
-	vec_add_scaled(ball, way, fraction, wrist);
+	vec_subtract(shoulder, ball, to_shoulder);
+	fraction = hand_m /
+		(scalar_sqrt(vec_dot(to_shoulder, to_shoulder)) + hand_m);
+	vec_add_scaled(ball, to_shoulder, fraction, wrist);
 	ik_limb_solve(&rig->arm, wrist, pole, (const mat4 *)instance->world,
 		&instance->pose);
-	settle(instance, rig->arm.upper);
+	update_world_from(instance, rig->arm.upper);
 }
 
-/* The rotation that lays a level foot on the ground's slope. */
+/* The rotation from a level foot to the ground's slope. */
 static void slope_rotation(
 	const struct floor *floor, const float at[3], float out[4])
 {
@@ -249,7 +250,7 @@ static void slope_rotation(
 	float dx = (floor_height(floor, at[0] + step, at[2]) - here) / step;
 	float dz = (floor_height(floor, at[0], at[2] + step) - here) / step;
 
-	/* From up (0 1 0) to the normal (-dx 1 -dz), half way is enough. */
+	/* The quaternion from up (0 1 0) to the normal (-dx 1 -dz). */
 	out[0] = -0.5f * dz;
 	out[1] = 0.0f;
 	out[2] = 0.5f * dx;
@@ -258,10 +259,10 @@ static void slope_rotation(
 }
 
 /*
- * Each foot is lifted by the height of the ground under it. The hips go down
- * with the lower foot, so that both legs can reach.
+ * Lifts each foot by the height of the ground under it. The hips move with the
+ * lower foot, so that both legs reach the ground.
  */
-static void stand(
+static void place_feet(
 	struct walker_rig *rig, struct instance *instance, struct floor *floor)
 {
 	struct pose *pose = &instance->pose;
@@ -287,17 +288,17 @@ static void stand(
 		struct ik_limb *leg = &rig->leg[side];
 		float turned[4];
 
-		settle(instance, rig->hips);
+		update_world_from(instance, rig->hips);
 		matrix_rotation(world[leg->tip], turned);
 		quat_multiply(slope[side], turned, turned);
 		leg->weight = 1.0f;
 		ik_limb_solve(
 			leg, target[side], NULL, (const mat4 *)world, pose);
-		settle(instance, leg->upper);
+		update_world_from(instance, leg->upper);
 		bone_set_world_rotation(
 			pose, (const mat4 *)world, leg->tip, turned, 1.0f);
 	}
-	settle(instance, rig->hips);
+	update_world_from(instance, rig->hips);
 }
 
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
@@ -306,14 +307,14 @@ void walker_rig_apply(struct walker_rig *rig, struct instance *instance,
 	bool had_cape = rig->weight[RIG_CAPE] > 0.0f;
 
 	move_ball(rig, frame->time_s);
-	move_switches(rig, frame->step_s);
+	update_weights(rig, frame->step_s);
 	shake(rig, &instance->pose, frame->time_s);
-	swell(rig, &instance->pose, frame->time_s);
+	flex_muscles(rig, &instance->pose, frame->time_s);
 	if (rig->face >= 0) {
-		make_face(rig, instance, frame->time_s);
+		set_expression(rig, instance, frame->time_s);
 	}
 	instance_update_nodes(instance);
-	stand(rig, instance, frame->floor);
+	place_feet(rig, instance, frame->floor);
 	look(rig, instance, frame->step_s);
 	reach(rig, instance);
 	if (!had_cape && rig->on[RIG_CAPE]) {

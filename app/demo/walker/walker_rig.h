@@ -1,10 +1,9 @@
 /*
- * What is put on top of the walker's clips, frame by frame.
+ * The procedural layers on top of the walker's clips.
  *
- * Each feature is a layer that can be switched; a switched layer comes and
- * goes smoothly. The order is that of dependence: shaken and breathing bones
- * first, then the feet, then what looks and reaches, last what only trails
- * behind.
+ * Each feature is a layer that can be switched on and off and then fades in or
+ * out. A layer is applied after those it depends on: first shake and breath,
+ * then the feet, then look-at and reach, last ponytail and cape.
  */
 #ifndef APP_DEMO_WALKER_WALKER_RIG_H
 #define APP_DEMO_WALKER_WALKER_RIG_H
@@ -20,22 +19,22 @@
 #include "app/scene/stage/floor.h"
 
 enum walker_rig_feature {
-	RIG_LOOK,   /* neck and head follow the ball */
-	RIG_REACH,  /* the right hand goes to it */
-	RIG_GROUND, /* the ground is uneven, feet stay on it */
-	RIG_SHAKE,  /* the arms shake as on harsh snow */
-	RIG_BREATH, /* the chest heaves, bent arms bulge */
+	RIG_LOOK,   /* neck and head turn to the ball */
+	RIG_REACH,  /* the right hand reaches for the ball */
+	RIG_GROUND, /* the ground is uneven and the feet stay on it */
+	RIG_SHAKE,  /* the arms shake */
+	RIG_BREATH, /* the chest breathes and bent arms bulge */
 	RIG_HAIR,   /* the ponytail swings */
 	RIG_CAPE,   /* a cape hangs from the shoulders */
 	RIG_FACE,   /* expressions follow each other: morph and skin */
-	RIG_SHADOW, /* drawn by the demo, as is the next */
-	RIG_BUMPS,  /* the belt's normal map */
+	RIG_SHADOW, /* a shadow, which the demo draws */
+	RIG_BUMPS,  /* the belt's normal map, which the demo draws */
 	RIG_FEATURE_COUNT,
 };
 
 struct walker_rig {
 	bool on[RIG_FEATURE_COUNT];
-	float weight[RIG_FEATURE_COUNT]; /* on its way to 0 or 1 */
+	float weight[RIG_FEATURE_COUNT]; /* fades to 0 or 1 */
 	float ball[3];                   /* scene units */
 
 	struct lookat neck, head;
@@ -52,28 +51,29 @@ struct walker_rig {
 };
 
 /*
- * Finds the bones; the instance stands at rest, and its arena gives memory. 0,
- * or -errno after a sentence, which names a missing bone.
+ * Finds the bones of an instance in its rest pose. Memory comes from the
+ * instance's arena. Returns 0, or -errno after logging an error, which names a
+ * missing bone.
  */
 int walker_rig_init(struct walker_rig *rig, struct instance *instance,
 	const struct log *log);
 
-/* Shakes by the next of the presets in assets/presets.ini. */
+/* Selects the next shake preset of assets/presets.ini. */
 void walker_rig_next_preset(struct walker_rig *rig);
 
-/* "look at" and so on. */
+/* Returns the feature's name on the display, such as "look at". */
 const char *walker_rig_feature_name(enum walker_rig_feature feature);
 
-/* What a frame brings. */
+/* The input of a frame. */
 struct walker_rig_frame {
 	double time_s;
 	float step_s;
-	float speed_m_per_s; /* of the floor underneath */
-	struct floor *floor; /* its relief follows RIG_GROUND */
+	float speed_m_per_s; /* at which the floor scrolls */
+	struct floor *floor; /* its waves follow RIG_GROUND */
 };
 
 /*
- * Changes the instance's pose, which a clip has been sampled into; leaves its
+ * Applies the layers to the instance's pose, which holds the clip's. Leaves the
  * world matrices up to date.
  */
 void walker_rig_apply(struct walker_rig *rig, struct instance *instance,

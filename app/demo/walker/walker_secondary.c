@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-/* The cape's shape at rest, metres: two upper corners, and how it falls. */
+/* The cape's shape at rest. */
 static const float cape_half_width_m = 0.17f;
-static const float cape_flare = 1.5f; /* hem to top */
+static const float cape_flare = 1.5f; /* width of the hem / width at the top */
 static const float cape_top_m = 1.435f;
 static const float cape_length_m = 0.78f;
 static const float cape_back_m = 0.115f;
@@ -15,7 +15,7 @@ static const float cape_back_m = 0.115f;
 static const struct {
 	const char *a, *b;
 	float radius;
-} body_shape[BODY_CAPSULES] = {
+} body_bones[BODY_CAPSULES] = {
 	{"hips", "chest", 0.135f},
 	{"chest", "neck", 0.115f},
 	{"head", "head", 0.135f},
@@ -26,22 +26,22 @@ static const struct {
 	{"forearm.R", "hand.R", 0.045f},
 };
 
-static int make_body(struct walker_secondary *secondary,
+static int init_body(struct walker_secondary *secondary,
 	const struct model *model, const struct log *log)
 {
 	for (int i = 0; i < BODY_CAPSULES; i++) {
 		struct capsule *capsule = &secondary->body[i];
 		int error = actor_find_bone(
-			model, body_shape[i].a, log, &capsule->node_a);
+			model, body_bones[i].a, log, &capsule->node_a);
 
 		if (!error) {
 			error = actor_find_bone(
-				model, body_shape[i].b, log, &capsule->node_b);
+				model, body_bones[i].b, log, &capsule->node_b);
 		}
 		if (error) {
 			return error;
 		}
-		capsule->radius = body_shape[i].radius;
+		capsule->radius = body_bones[i].radius;
 		if (capsule->node_a == capsule->node_b) {
 			capsule->offset_a[1] = capsule->offset_b[1] = 0.11f;
 		}
@@ -49,7 +49,7 @@ static int make_body(struct walker_secondary *secondary,
 	return 0;
 }
 
-static int make_cape(struct walker_secondary *secondary,
+static int init_cape(struct walker_secondary *secondary,
 	struct instance *instance, const struct log *log)
 {
 	struct cloth_settings settings = cloth_settings_default();
@@ -65,7 +65,7 @@ static int make_cape(struct walker_secondary *secondary,
 	settings.rows = CAPE_ROWS;
 	settings.radius = 0.02f;
 	for (int i = 0; i < CAPE_COLUMNS * CAPE_ROWS; i++) {
-		/* From the wearer's left to the right, so that it faces back. */
+		/* Columns run from the wearer's left to right: it faces back. */
 		float across = 1.0f -
 			2.0f * (float)(i % CAPE_COLUMNS) / (CAPE_COLUMNS - 1);
 		float down = (float)(i / CAPE_COLUMNS) / (CAPE_ROWS - 1);
@@ -96,7 +96,7 @@ int walker_secondary_init(struct walker_secondary *secondary,
 
 	*secondary = (struct walker_secondary){0};
 	if (!error) {
-		error = make_body(secondary, instance->model, log);
+		error = init_body(secondary, instance->model, log);
 	}
 	if (!error) {
 		error = spring_init(
@@ -106,25 +106,25 @@ int walker_secondary_init(struct walker_secondary *secondary,
 		secondary->ponytail.damping = 0.35f;
 		secondary->ponytail.limit_rad = 1.1f;
 		secondary->ponytail.radius = 0.03f;
-		error = make_cape(secondary, instance, log);
+		error = init_cape(secondary, instance, log);
 	}
 	return error;
 }
 
 void walker_secondary_update(struct walker_secondary *secondary,
-	struct instance *instance, float speed_m_per_s, float hair, bool caped,
-	float step_s)
+	struct instance *instance, float speed_m_per_s, float ponytail_weight,
+	bool with_cape, float step_s)
 {
 	struct capsule_world body[BODY_CAPSULES];
 	struct spring *ponytail = &secondary->ponytail;
 
 	capsule_to_world(secondary->body, BODY_CAPSULES,
 		(const mat4 *)instance->world, body);
-	/* On the spot the air moves instead of the figure. */
+	/* The figure walks on the spot, so the air moves instead. */
 	secondary->cape.settings.wind[2] = -speed_m_per_s;
 	ponytail->gravity[2] = -3.0f * speed_m_per_s;
-	ponytail->weight = hair;
-	if (caped) {
+	ponytail->weight = ponytail_weight;
+	if (with_cape) {
 		cloth_update(&secondary->cape, step_s, body, BODY_CAPSULES,
 			(const mat4 *)instance->world);
 	}

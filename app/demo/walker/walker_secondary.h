@@ -1,5 +1,6 @@
 /*
- * What trails behind the walker: the ponytail and a cape.
+ * The walker's secondary motion: the ponytail, a chain of springs, and the
+ * cape, a cloth.
  */
 #ifndef APP_DEMO_WALKER_WALKER_SECONDARY_H
 #define APP_DEMO_WALKER_WALKER_SECONDARY_H
@@ -24,25 +25,26 @@ struct walker_secondary {
 };
 
 /*
- * The instance stands at rest; memory for the cape is its arena's. 0, or
- * -errno after a sentence that names a missing bone.
+ * Finds the bones of an instance in its rest pose. Memory comes from the
+ * instance's arena. Returns 0, or -errno after logging an error, which names a
+ * missing bone.
  */
 int walker_secondary_init(struct walker_secondary *secondary,
 	struct instance *instance, const struct log *log);
 
 /*
- * Goes on by step_s in the wind of a forward speed. The ponytail's bones are
- * turned by as much as hair says, 0..1; the cape costs nothing while it is
- * not worn. World matrices stay up to date.
+ * Moves on by step_s in the head wind of a forward speed. ponytail_weight,
+ * 0..1, blends the ponytail's bones from the pose to their swing. The cape is
+ * only simulated if with_cape is true. Leaves the world matrices up to date.
  */
 void walker_secondary_update(struct walker_secondary *secondary,
-	struct instance *instance, float speed_m_per_s, float hair, bool caped,
-	float step_s);
+	struct instance *instance, float speed_m_per_s, float ponytail_weight,
+	bool with_cape, float step_s);
 
-/* The cape starts anew at rest, as when it is put on. */
+/* Resets the cape to its shape at rest, as when it is put on. */
 void walker_secondary_reset_cape(struct walker_secondary *secondary);
 
-/* The cape, lit from both sides, or as a shape in the current colour. */
+/* Draws the cape, for DRAW_SHADED with two-sided lighting. */
 void walker_secondary_draw_cape(const struct walker_secondary *secondary,
 	const struct gl *gl, enum draw_pass pass);
 

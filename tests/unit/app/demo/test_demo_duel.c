@@ -50,7 +50,7 @@ static float largest_error(struct bench *bench, float full_px)
 
 	for (int f = 0; f < bench->reference->frame_count; f++) {
 		contender_pose(&bench->contender, bench->reference->time_s[f]);
-		contender_judge(&bench->contender, &bench->screen, f, full_px);
+		contender_measure_error(&bench->contender, &bench->screen, f, full_px);
 		if (bench->contender.peak_px > peak_px) {
 			peak_px = bench->contender.peak_px;
 		}

@@ -1,5 +1,5 @@
-# The board: ARM1136JF-S, against a Debian 13 armel sysroot. The 64-bit time
-# defines match that release's ABI.
+# The target arm: the board's ARM1136JF-S, against a Debian 13 armel sysroot. The
+# defines for 64-bit time match that release's ABI.
 
 SYSROOT := build/sysroot
 ARM_PREFIX := arm-linux-gnueabi-
@@ -10,10 +10,10 @@ CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
 	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64 \
 	-I$(SYSROOT)/usr/include/libdrm
 SETS_arm := arm font
-# Small libraries go in; libc stays out, and GL is opened at run time. They
-# want the sysroot's C library, which is newer than the cross compiler's own.
-# libjpeg stays out too: it carries NEON code, which it uses where it finds
-# NEON, but which would hide from the check below what limber itself needs.
+# Small libraries are linked in. libc is not: they need the sysroot's, which is
+# newer than the cross compiler's own. GL is opened at run time. libjpeg is not
+# linked in either: it contains NEON code, used only where NEON is found, which
+# would make the check below fail.
 PACKAGES_arm :=
 LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libgif.a \
@@ -29,5 +29,5 @@ build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 
 build/arm/packages.stamp: build/sysroot.stamp
 
-# The board's core has neither ARMv7 nor NEON: refuse a binary that wants them.
+# The board's core has neither ARMv7 nor NEON; a binary that needs them fails.
 build/arm/limber: CHECK_BINARY = toolchain/check-arm.sh $(ARM_PREFIX)readelf $@

@@ -18,7 +18,7 @@ $(MODEL): $(MODEL_OBJECTS)
 
 -include $(MODEL_OBJECTS:.o=.d)
 
-# Test programs need no C library: the cross compiler alone makes them.
+# The test programs use no C library, so they need no sysroot.
 MICRO_CFLAGS := -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm
 MICRO := $(patsubst tests/arm1136/micro/%.S,build/arm1136/micro/%,\
 	$(sort $(wildcard tests/arm1136/micro/*.S)))
@@ -35,7 +35,7 @@ build/arm1136/unknown: tests/arm1136/unknown.S tests/arm1136/marker.h \
 	$(call say,AS,$@)
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
 
-# AN4044's skinning loop, as its compiler would have made it today.
+# AN4044's skinning loop, optimized as the board's loops are.
 build/arm1136/an4044: tests/arm1136/an4044_run.c app/anim/kernel/an4044.c \
 		app/anim/kernel/an4044.h tests/arm1136/marker.h \
 		| build/arm/packages.stamp

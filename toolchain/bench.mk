@@ -1,7 +1,7 @@
-# make bench, make bench-arm11: what the vertex loops cost, here and on the
-# timing model of the board's core (tests/bench/README.md).
+# make bench and make bench-arm11 measure the vertex loops on this machine, and
+# loops, poses and frames on the timing model (tests/bench/README.md).
 
-# The loops over vertices are worth the compiler's best.
+# Loops over vertices get the compiler's highest optimization.
 build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
 build/host/obj/app/anim/kernel/%.o: CFLAGS_host += -O3
 
@@ -15,7 +15,7 @@ build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a \
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
 
-# Counts instructions and nothing else, several times as fast as the model.
+# This plugin counts instructions alone, several times as fast as the model.
 build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
@@ -24,16 +24,16 @@ build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stam
 .PHONY: bench bench-arm11 bench-arm11-record bench-arm11-table
 bench: build/host/limber
 	$(Q)$< bench
-# OSMESA=0 leaves out Debian's GL driver.
+# OSMESA=0 leaves out Debian's OSMesa, which takes longest.
 OSMESA ?= 1
 bench-arm11: $(BENCH_ARM) build/arm1136/model.so build/arm1136/insn_count.so
 	$(Q)$(BENCH) --json build/bench-arm11.json $(if $(filter 1,$(OSMESA)),--osmesa)
 	@echo "The same for programs: build/bench-arm11.json"
-# After a loop got better, or for a good reason worse.
+# To be run after a loop got better, or worse for a good reason.
 bench-arm11-record: $(BENCH_ARM) build/arm1136/model.so
 	$(Q)$(BENCH) --short --record $(BENCH_FIGURES)
 	$(Q)$(MAKE) --no-print-directory bench-arm11-table
-# What of it the program itself knows.
+# Copies figures into the table that limber compare predicts with.
 bench-arm11-table:
 	$(Q)python3 -B tests/bench/arm11_table.py $(BENCH_FIGURES) \
 		app/anim/kernel/arm11_cost.c

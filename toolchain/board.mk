@@ -1,4 +1,4 @@
-# The i.MX31 PDK's image, its emulation and their tests.
+# The i.MX31 PDK's image, its emulation, and the tests of both.
 
 BOARD := board/imx31-pdk
 IMAGE := build/$(BOARD)
@@ -9,7 +9,7 @@ build/board/packages.stamp: toolchain/packages/board.txt
 	$(Q)toolchain/install.sh board
 	$(Q)touch $@
 
-# Made again only when what it is made of has changed; see the scripts.
+# Phony, because the scripts themselves find out what has changed.
 .PHONY: kernel image emulate bench-board soak
 kernel: build/board/packages.stamp build/arm/packages.stamp
 	$(call say,KERNEL,build/linux/zImage)
@@ -27,12 +27,12 @@ build/virtual-pdk/packages.stamp: toolchain/packages/virtual.txt
 	$(Q)toolchain/install.sh virtual
 	$(Q)touch $@
 
-# PORT=NUMBER for another than 8031.
+# PORT=NUMBER serves the page on another port than 8031.
 .PHONY: virtual-pdk screenshots screenshots-virtual-pdk
 virtual-pdk: image build/virtual-pdk/packages.stamp
 	$(Q)exec $(BOARD)/virtual/serve $(if $(PORT),--port $(PORT))
 
-# What its test drives a browser with, by the lock file, beside the tree.
+# The library with which the page's test drives a browser, outside the sources.
 build/virtual-pdk-test/stamp: $(addprefix tests/virtual-pdk/,package.json \
 		package-lock.json .npmrc) toolchain/packages/browser.txt
 	@mkdir -p $(@D)
@@ -47,7 +47,7 @@ virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
 	tests/virtual-pdk/test.js) \
 	$(call suite,virtual-pdk-board,python3 -B tests/virtual-pdk/test_board.py)
 
-# See demo.mk for the other pictures.
+# demo.mk draws the other pictures of make screenshots.
 screenshots: screenshots-virtual-pdk
 screenshots-virtual-pdk: image build/virtual-pdk-test/stamp
 	$(call say,PICTURE,$(BOARD)/virtual/page.png)
@@ -58,14 +58,15 @@ bench-board: image build/arm/bench/demo_frames build/arm1136/insn_count.so
 	$(Q)PATIENCE_S=3000 python3 -B tests/board/bench.py build/bench-board.json
 	@echo "The same for programs: build/bench-board.json"
 
-# What the tests run on the board beside limber.
+# The program that the tests run on the board, beside limber.
 build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
 	$(Q)$(CC_arm) $(WARNINGS) -std=c11 -D_DEFAULT_SOURCE -O2 \
 		$(filter-out -g -O2,$(CFLAGS_arm)) -o $@ $<
 
-# SOAK_S=SECONDS of the board's time, SOAK_SEED=N for other buttons.
+# SOAK_S is the length in seconds of the board's time; SOAK_SEED=N gives other
+# buttons.
 soak: image build/board/guest
 	$(Q)SOAK_S=$(or $(SOAK_S),1800) PATIENCE_S=1000000 \
 		python3 -B tests/board/test_soak.py

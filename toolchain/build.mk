@@ -1,11 +1,11 @@
-# How a target is built: once for each of host, asan and arm.
+# The rules of a target, instantiated for host, asan, arm and fuzz (check.mk).
 
 TARGETS := host asan arm
 
 build:
 	$(Q)mkdir -p $@
 
-# A registry's list of drivers, rewritten only when it changes.
+# Writes a registry's list of drivers, unless the file has that content already.
 define driver_list
 	$(Q)for name in $(2); do echo "$(1)_DRIVER($$name)"; done >$@.new
 	$(Q)cmp -s $@.new $@ && rm $@.new || mv $@.new $@
@@ -35,7 +35,7 @@ build/$(1)/gen/kernel_drivers.h: toolchain/sources.mk | build/$(1)/packages.stam
 	@mkdir -p $$(@D)
 	$$(call driver_list,KERNEL,$$(KERNELS_$(1)))
 
-# Installs what the target needs, then asks the libraries for their flags.
+# Installs the target's packages, then asks pkg-config for the libraries' flags.
 build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \
 		toolchain/$(if $(filter arm,$(1)),arm,host).mk
 	$$(Q)mkdir -p $$(@D)
@@ -68,7 +68,7 @@ build/$(1)/limber: build/$(1)/obj/app/main.o build/$(1)/liblimber.a
 
 $$(foreach test,$$(TEST_SOURCES),$$(eval build/$(1)/unit/$$(basename \
 	$$(notdir $$(test))): build/$(1)/obj/$$(test:.c=.o)))
-# Objects first: a test may bring its own in place of the program's.
+# Objects precede the library, so that a test can replace one of its objects.
 build/$(1)/unit/test_%: \
 		$$(patsubst %.c,build/$(1)/obj/%.o,$$(SUPPORT_SOURCES)) \
 		build/$(1)/liblimber.a
@@ -80,7 +80,7 @@ build/$(1)/unit/test_%: \
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef
 
-# The font of the labels, baked on this machine once for all targets.
+# The font of the labels is baked once, on this machine, for all targets.
 FONT ?= /usr/share/fonts/opentype/inter/Inter-Medium.otf
 FONT_SIZES := 12 16 24
 
@@ -96,7 +96,7 @@ $(FONT_SOURCE): build/gen/bake_font toolchain/build.mk
 	$(call say,BAKE,$@)
 	$(Q)$< $(FONT) $(FONT_SIZES) >$@
 
-# The player that limber export writes out, as a string.
+# The player that limber export writes, as a string.
 $(PLAYER_SOURCE): app/embed/player.inc toolchain/build.mk
 	@mkdir -p $(@D)
 	$(call say,TEXT,$@)
@@ -104,6 +104,6 @@ $(PLAYER_SOURCE): app/embed/player.inc toolchain/build.mk
 		echo 'const char embed_player_text[] ='; \
 		sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $<; echo ';'; } >$@
 
-# Keep every object, those of tests too, and make those that are missing.
+# Make deletes none of the objects, although they are intermediate files.
 .PRECIOUS: $(foreach target,$(TARGETS),build/$(target)/obj/%.o)
 $(foreach target,$(TARGETS),$(eval $(call target_rules,$(target))))

@@ -1,11 +1,11 @@
-# make check: builds everything, runs every suite and tallies them. What the
-# suites are is told in tests/README.md.
+# make check builds everything, runs every suite and counts the tests.
+# tests/README.md says what the suites are.
 
 # Sample models and reference poses that are not part of the project.
 SAMPLES ?= ../shared
 CHECK := build/check
 
-# The fuzz targets' own build: clang has libFuzzer.
+# The fuzz targets are built by clang, which has libFuzzer.
 CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
@@ -19,14 +19,14 @@ build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ $^ \
 		@build/fuzz/libs $(LIBS_fuzz)
 
-# Tests want their packages, however they are asked for.
+# Building a test installs the packages that tests need.
 build/test-packages.stamp: toolchain/packages/test.txt | build
 	$(Q)toolchain/install.sh test
 	$(Q)touch $@
 $(foreach target,$(TARGETS),$(patsubst %.c,build/$(target)/obj/%.o,\
 	$(TEST_SOURCES) $(SUPPORT_SOURCES))): | build/test-packages.stamp
 
-# A vendor's GL that is not there, and one of EGL 1.0; they lie beside the test.
+# Stand-ins for a vendor's GL, one of them with EGL 1.0, beside the tests.
 FAKE_GLES := $(sort $(wildcard tests/fake_gles/*.c))
 define fake_gles_rules
 build/$(1)/unit/fake_gles.so: $$(FAKE_GLES)
@@ -44,7 +44,7 @@ build/$(1)/unit/test_display_egl build/$(1)/unit/test_survey_displays: \
 endef
 $(foreach target,$(TARGETS),$(eval $(call fake_gles_rules,$(target))))
 
-# Programs that hold limber against references, from outside.
+# Programs that run limber and compare its output with references.
 objects = $(patsubst %.c,build/host/obj/%.o,$(1))
 build/host/conformance: $(call objects,$(wildcard tests/conformance/*.c))
 build/host/compare_png: $(call objects,tests/golden/compare_png.c)
@@ -54,7 +54,7 @@ build/host/conformance build/host/compare_png: \
 	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host) \
 		-lcmocka
 
-# The Khronos validator, by the lock file, beside the tree.
+# The Khronos glTF validator, outside the sources.
 build/validator/stamp: $(addprefix tests/validator/,package.json \
 		package-lock.json .npmrc)
 	@mkdir -p $(@D)
@@ -70,7 +70,7 @@ endef
 TESTS := $(basename $(notdir $(TEST_SOURCES)))
 FUZZERS := $(patsubst tests/fuzz/%.c,%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
 
-# A suite is a line: its name, then its command (tests/support/tally/tally.sh).
+# A suite is a line with a name and a command (tests/support/tally/tally.sh).
 suite = $(1) $(2)$(newline)
 unit_suites = $(foreach test,$(TESTS),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
@@ -127,7 +127,8 @@ $(board_suites)
 $(virtual_pdk_suite)
 endef
 
-# The same everywhere: no desktop, and what the loaded drivers lose is theirs.
+# Tests run without a desktop and without this machine's options, in one locale;
+# leaks of GL and desktop libraries do not count.
 CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
 	LIMBER_CONFIG=none \
 	CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 \
@@ -144,7 +145,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs
 
-# As many jobs as processors, unless make was told.
+# There are as many jobs as processors, unless make got -j.
 processors := $(shell nproc)
 make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(processors))
 

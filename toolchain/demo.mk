@@ -1,21 +1,21 @@
-# Not build/assets: the program looks for assets/ in the folders above itself.
-# make demo: the demos in a window, or as pictures. make assets: the models
-# again from their scripts, with coarser levels (assets/lod). make screenshots:
-# the pictures of README pages.
+# make demo shows the demos in a window or draws them as pictures; make assets
+# makes the models again from their scripts, with levels of detail (assets/lod);
+# make screenshots draws the pictures of README pages. Models are made in
+# build/blender, because limber would find and load a folder build/assets.
 
 demo: build/host/limber
 	$(Q)toolchain/demo.sh build/host/limber build/demo
 
-# Most of the pictures are references of the tests, which make golden draws; the
-# virtual PDK's page is board.mk's.
+# Most of the pictures are references of the tests, which make golden draws;
+# board.mk draws the virtual PDK's page.
 .PHONY: screenshots-program
 screenshots: golden screenshots-program
 screenshots-program: build/host/limber
 	$(call say,PICTURE,assets/pictures)
 	$(Q)$(CHECK_ENVIRONMENT) toolchain/screenshots.sh $< assets/pictures \
-		README.md
+		app/compare/example.md
 
-# Every model here has a script of the same name.
+# Each model in assets/ has a script of the same name.
 MODELS := $(patsubst assets/%.glb,%,$(sort $(wildcard assets/*.glb)))
 
 .PHONY: $(MODELS:%=assets-%)
@@ -30,12 +30,12 @@ $(MODELS:%=assets-%): assets-%: build/blender/packages.stamp build/lod/stamp
 	$(Q)node build/lod/lod.mjs build/blender/$*.glb >build/blender/$*.lod
 	$(Q)cp build/blender/$*.glb assets/$*.glb
 
-# The models as they are with levels made again, without Blender.
+# Makes the levels of detail again, without Blender.
 .PHONY: assets-lod
 assets-lod: build/lod/stamp
 	$(Q)node build/lod/lod.mjs $(MODELS:%=assets/%.glb)
 
-# The scripts lie beside the package, where node looks for it.
+# The scripts are copied beside the package, where node searches for it.
 build/lod/stamp: $(wildcard assets/lod/*.mjs) $(addprefix assets/lod/, \
 		package.json package-lock.json .npmrc) build/blender/packages.stamp
 	@mkdir -p $(@D)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# demo.sh LIMBER FOLDER: shows the demos one after another in a window where
-# there is a desktop; otherwise writes an animation and a picture of each into
-# FOLDER and names them.
+# demo.sh LIMBER FOLDER: shows the demos one after another in a window. Without a
+# desktop, it writes an animation and a picture of each into FOLDER instead and
+# lists them.
 set -eu
 limber=$1
 folder=$2
@@ -11,8 +11,8 @@ show_windows() {
     number=0
     for demo in $demos; do
         number=$((number + 1))
-        printf '\nDemo %d of 6. Esc, or closing the window, goes on; Ctrl-C here ends.\n' \
-            "$number"
+        printf '\nDemo %d of 6: %s. Press Esc or close the window for the next one; press Ctrl-C here to stop.\n' \
+            "$number" "$demo"
         "$limber" play --demo "$demo" || return 1
     done
 }
@@ -24,17 +24,17 @@ write_pictures() {
         "$limber" render --demo "$demo" --time 1 -o "$folder/$demo.png"
         "$limber" render --demo "$demo" --size 360x480 -o "$folder/$demo.gif"
     done
-    printf '\nThe demos, as pictures and animations:\n'
+    printf '\nThese are pictures and animations of the demos:\n'
     for demo in $demos; do
         printf '  %s\n  %s\n' "$folder/$demo.png" "$folder/$demo.gif"
     done
 }
 
-# Ctrl-C ends the demos, not only the one that runs.
+# Ctrl-C ends all demos, not only the current one.
 trap 'exit 130' INT
 
 if [ -n "${WAYLAND_DISPLAY-}${DISPLAY-}" ]; then
     show_windows && exit 0
-    echo "No window to be had here: writing pictures instead."
+    echo "limber could not open a window; it draws pictures instead."
 fi
 write_pictures

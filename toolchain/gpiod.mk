@@ -1,6 +1,6 @@
-# The gpiod driver's tests: both generations of libgpiod, on every target,
-# each against its own header and with a library that is not there
-# (tests/gpiod). The 1.x header is this machine's, the 2.x the sysroot's.
+# The gpiod driver is tested with both generations of libgpiod, on every target,
+# each with its own header and a made-up library (tests/gpiod). The header of 1.x
+# is this machine's, that of 2.x the sysroot's.
 
 GPIOD_HEADER_1 = $(shell pkg-config --variable=includedir libgpiod)/gpiod.h
 GPIOD_HEADER_2 := $(SYSROOT)/usr/include/gpiod.h

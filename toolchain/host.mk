@@ -1,4 +1,4 @@
-# This machine, and this machine under the sanitizers.
+# The targets host and asan: this machine, without and with the sanitizers.
 
 WARNINGS := -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
 	-Wpointer-arith -Wvla -Wwrite-strings -Werror
@@ -12,7 +12,7 @@ PACKAGES_host := jansson libpng libjpeg sdl2 zlib libgpiod libdrm inih
 LIBS_host := -lgif -lm -ldl
 RUN_host :=
 
-# Everything again with every access and every shift checked.
+# The sanitizers check memory accesses, leaks and undefined behaviour.
 CC_asan := gcc
 CFLAGS_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
 	-fno-sanitize-recover=all

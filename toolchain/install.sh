@@ -1,10 +1,10 @@
 #!/bin/sh
 # install.sh SET...: installs the Debian packages of toolchain/packages/SET.txt.
 #
-# Does nothing when all are there. Runs apt-get as root or through sudo, and
-# otherwise prints the line to run. A list's line is "PACKAGE" or
-# "PACKAGE ?THING"; the second is needed only where THING, a command or the
-# absolute path of a file, is missing.
+# It does nothing when all of them are installed. It runs apt-get as root or
+# through sudo, and otherwise prints the command to run. A line of a list is
+# "PACKAGE" or "PACKAGE ?THING"; the second package is needed only when THING, a
+# command or the absolute path of a file, is missing.
 set -eu
 
 lists=$(dirname "$0")/packages
@@ -21,7 +21,7 @@ has() {
     esac
 }
 
-# The packages of the sets that are missing, each once and after a space.
+# Prints the missing packages of the sets, each once and after a space.
 missing_of() {
     for set in "$@"; do
         while read -r package rest; do
@@ -49,7 +49,7 @@ missing=$(missing_of "$@")
 [ -n "$missing" ] || exit 0
 
 if ! command -v apt-get >/dev/null; then
-    echo "limber: no apt-get on this machine; what Debian calls$missing must be there" >&2
+    echo "limber: this machine has no apt-get; install what Debian calls$missing" >&2
     exit 0
 fi
 
@@ -64,8 +64,8 @@ else
     exit 1
 fi
 
-# Two parts of a parallel build may come here at once; the second finds that
-# the first has done its work, or does the rest.
+# Two parts of a parallel build may run this at once: the second waits for the
+# first and installs what is still missing.
 exec 9<"$lists"
 flock 9
 missing=$(missing_of "$@")

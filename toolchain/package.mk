@@ -1,4 +1,4 @@
-# make install: limber on this machine. make deb: the same as a package.
+# make install installs limber on this machine; make deb makes a package of it.
 
 prefix ?= /usr/local
 DESTDIR ?=

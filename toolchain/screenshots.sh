@@ -1,18 +1,18 @@
 #!/bin/sh
-# screenshots.sh LIMBER FOLDER README: the pictures of README pages that are no
-# references of the tests, into FOLDER: the graph of frame times and a
-# comparison; and the comparison's table into the page README. Times are this
-# machine's and differ from run to run; all else comes out the same.
+# screenshots.sh LIMBER FOLDER PAGE: draws the pictures of README pages that are
+# not references of the tests, into FOLDER: the graph of frame times and a
+# comparison; and writes the comparison's table into PAGE. The times are this
+# machine's and differ from run to run; all else is the same in every run.
 set -eu
 limber=$(realpath "$1")
 assets=$(realpath "$(dirname "$0")/../assets")
 mkdir -p "$2"
 folder=$(realpath "$2")
-readme=$(realpath "$3")
+page_file=$(realpath "$3")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# F8 while F9 is held keeps a picture, as limber-0001.png where limber stands.
+# F8 while F9 is held saves a picture as limber-0001.png in the current folder.
 cd "$scratch"
 cat >buttons <<END
 0 UP down
@@ -31,9 +31,9 @@ mv limber-0001.png "$folder/frame-times.png"
 "$limber" compare "$assets/walker.glb" --clip walk --error 1 --ram 2m \
     --plot "$folder/compare.svg" >table
 
-# The rows from "a frame takes" on, in the place of those on the page.
+# Replace the rows of the page, from "a frame takes" on.
 sed -n '/^  a frame takes/,/^$/p' table | sed '/^$/d; s/^/    /' >rows
-grep -q '^      a frame takes' "$readme" || {
+grep -q '^      a frame takes' "$page_file" || {
     echo "limber: $3 has no table of limber compare" >&2
     exit 1
 }
@@ -45,5 +45,5 @@ awk -v rows=rows '
         old = 1
     }
     /^      \.\.\.$/ { old = 0 }
-    !old { print }' "$readme" >page
-cat page >"$readme"
+    !old { print }' "$page_file" >new
+cat new >"$page_file"

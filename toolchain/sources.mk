@@ -1,14 +1,14 @@
-# What limber is made of. Which drivers a target has is a list here, not an
-# #ifdef in their code; the registries are generated from these lists.
+# The sources of limber, and the drivers of each target. The registries are
+# generated from these lists, so the code of drivers needs no #ifdef.
 
-# A folder's C files, those of its folders too.
+# The C files of folders and of the folders in them.
 c_files = $(sort $(shell find $(1) -name '*.c'))
 
-# What lies in a folder named after an architecture is chosen below.
+# Folders named after an architecture are chosen below, for each target.
 APP_SOURCES := $(filter-out app/main.c app/anim/portable/% \
 	app/anim/kernel/arm/%,$(call c_files,app))
 BASE_SOURCES := $(call c_files,platform/base platform/process)
-# What the drivers of a seam share lies beside its registry.
+# Files beside a registry are shared by its drivers.
 SEAM_SOURCES := $(sort $(wildcard platform/gl/*.c platform/display/*.c \
 	platform/buttons/*.c platform/camera/*.c platform/watchdog/*.c))
 FONT_SOURCE := build/gen/font_data.c
@@ -16,7 +16,7 @@ PLAYER_SOURCE := build/gen/player_text.c
 SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE) \
 	$(PLAYER_SOURCE)
 
-# The loops over joints, which a core may have in its own way.
+# The loops over joints: C, or assembly for the board's core.
 JOINT_SOURCES_host := app/anim/portable/joints.c
 JOINT_SOURCES_asan := $(JOINT_SOURCES_host)
 JOINT_SOURCES_fuzz := $(JOINT_SOURCES_host)
@@ -34,20 +34,20 @@ DISPLAY_DRIVERS_arm := kms fbdev egl image null
 BUTTON_DRIVERS_arm := script gpiod evdev
 CAMERA_DRIVERS_arm := v4l2 pattern
 
-# Vertex loops, best first: kernel_NAME. Assembly is the board's alone. On a PC
-# fixed point takes a frame of CesiumMan 1.3 times, of the walker 1.35 times and
-# of the face 1.4 times as fast as float (instance_update(), the median of 301).
+# Vertex kernels, best first; NAME exports kernel_NAME. Assembly is for the board
+# alone. On a PC, fixed point updates CesiumMan 1.3 times, the walker 1.35 times
+# and the face 1.4 times as fast as float (median of 301 frames).
 KERNELS_host := fixed float an4044
 KERNELS_asan := $(KERNELS_host)
 KERNELS_arm := armv6 fixed float an4044
 KERNELS_fuzz := $(KERNELS_host)
 KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 
-# The fuzz targets need no more than what they feed.
+# The fuzz targets need only the drivers whose parsers they test.
 BUTTON_DRIVERS_fuzz := script gpiod evdev
 
-# The gpiod driver has a part of its own for each generation of libgpiod: this
-# machine's by what it has (Debian 12: 1.6), the sysroot's is known.
+# The gpiod driver has a part for each generation of libgpiod. This machine's
+# generation is looked up (Debian 12 has 1.6); the sysroot has 2.x.
 GPIOD_API_host := $(or $(firstword $(subst ., ,$(shell \
 	pkg-config --modversion libgpiod 2>/dev/null))),1)
 GPIOD_API_asan := $(GPIOD_API_host)

@@ -1,18 +1,20 @@
 #!/bin/sh
-# sysroot.sh DIR: makes the armel sysroot, Debian 13 with the packages of
-# packages/sysroot.txt, unpacked and not configured. Takes about 20 seconds.
+# sysroot.sh DIR: makes the armel sysroot: unpacks the packages of
+# packages/sysroot.txt from Debian 13 into DIR, without configuring them. It
+# takes about 20 seconds.
 #
 # Debian 13 is the last release with an armel port. It cannot be added to the
-# build machine as a foreign architecture, because the versions of the shared
-# packages differ; a tree of its own has no such trouble. The mirror is the one
-# this machine already uses, or MIRROR where that is set.
+# build machine as a foreign architecture, because shared packages would need the
+# same version. The mirror is MIRROR or, where that is not set, the one that this
+# machine's apt uses.
 set -eu
 
 directory=${1:?usage: sysroot.sh DIR}
 here=$(dirname "$0")
 keyring=${KEYRING:-/usr/share/keyrings/debian-archive-trixie-stable.gpg}
 
-# Where apt gets Debian from; the second form answers before an apt-get update.
+# Prints the mirrors that apt uses; the second form works before an apt-get
+# update.
 sources() {
     apt-get indextargets --format '$(SITE)' 'Created-By: Packages' \
         'Origin: Debian' 'Component: main'
@@ -31,7 +33,7 @@ if [ ! -f "$keyring" ]; then
     exit 1
 fi
 
-# Unpacking needs no root, and no user namespaces either.
+# Unpacking needs neither root nor user namespaces.
 mode=chrootless
 [ "$(id -u)" -ne 0 ] || mode=root
 
@@ -47,7 +49,7 @@ if ! mmdebstrap --quiet --mode="$mode" --architectures=armel --variant=extract \
     echo "limber: mmdebstrap could not make $directory from $mirror (MIRROR=URL names another mirror)" >&2
     exit 1
 fi
-# No package makes this link; the dynamic loader's path goes through it.
+# No package makes this link, and the path of the dynamic loader needs it.
 [ -e "$scratch/lib" ] || ln -s usr/lib "$scratch/lib"
 rm -rf "$scratch/dev"
 mv "$scratch" "$directory"

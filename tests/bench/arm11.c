@@ -1,6 +1,6 @@
 /*
- * Runs one kernel at one piece of work between the markers of the timing model
- * (tests/arm1136); arm11.py reads what the model says and makes a table of it.
+ * Runs one vertex loop of one kernel between markers of the timing model
+ * (tests/arm1136). arm11.py runs it and reads the model's report.
  *
  *	arm11 ROW KERNEL VERTICES|MODEL
  *	arm11 update KERNEL MODEL
@@ -8,9 +8,9 @@
  * ROW is one of app/cmd/bench/bench_rows.c; update is all that a posed model
  * needs before it is drawn, in the middle of its first clip.
  *
- * Region 1 is a pass right after others, region 2 one with all data in memory.
- * Prints "count N", the vertices of a pass. Exit status 3: the kernel has no
- * such loop.
+ * Region 1 is a pass with warm caches, region 2 one with all data in memory. It
+ * prints "count N", the vertices of a pass, and ends with status 3 when the
+ * kernel has no such loop.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -36,7 +36,7 @@ static const struct bench_row *find_row(const char *name)
 
 static void measure(const struct bench_job *job)
 {
-	/* The model wakes up with empty caches at the first marker. */
+	/* The model starts with empty caches at the first marker. */
 	MARKER_BEGIN(0);
 	MARKER_END(0);
 	job->run(job->state);
@@ -152,7 +152,7 @@ int main(int argc, char **argv)
 {
 	const struct bench_row *row = argc == 4 ? find_row(argv[1]) : NULL;
 
-	/* Else memory is handed out in another order each time. */
+	/* With a random seed, addresses would differ from run to run. */
 	json_object_seed(1);
 	if (!row && (argc != 4 || strcmp(argv[1], "update") != 0)) {
 		fprintf(stderr,

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""make bench-arm11: what the loops cost on the timing model of the board's core.
+"""make bench-arm11: measures loops, poses and frames on the timing model.
 
     arm11.py [OPTIONS]                 the table
     arm11.py --check FILE [OPTIONS]    TAP: nothing worse than FILE records
     arm11.py --record FILE [OPTIONS]   writes FILE
 
-What is measured is a line in ROWS. Every figure comes from tests/arm1136: it
-is a model, no hardware was measured.
+ROWS lists what is measured. Every figure comes from the model in tests/arm1136:
+no hardware was measured.
 """
 
 import argparse
@@ -23,9 +23,8 @@ from dataclasses import dataclass, field
 from arm11_frame import places, print_split, split_as_json
 from arm11_rows import ROWS, Row
 
-# What the model is told, by the name of the column. In "warm" every access is
-# an L1 hit; the others have caches, and the pass that counts begins with all
-# data in memory.
+# The model's options for each column. In "warm" every access hits L1; in the
+# others the pass that counts begins with all data in memory.
 MEMORIES = {
     "warm": "ideal=on",
     "cold": "",
@@ -41,7 +40,7 @@ MODEL_NOTE = (
 
 @dataclass
 class Figures:
-    """What one kernel needs for one row, for each vertex, joint or frame."""
+    """What one kernel takes for one row, for each vertex, joint or frame."""
 
     row: Row
     kernel: str
@@ -74,8 +73,8 @@ class Bench:
         ]  # fmt: skip
 
     def run(self, row, kernel, memory):
-        """The program's denominator and the model's report, or None where the
-        kernel has no such loop."""
+        """The program's count and the model's report, or None when the kernel
+        has no such loop."""
         name = f"{row.name}-{kernel}-{memory}.json".replace(" ", "-")
         report = pathlib.Path(self.scratch.name, name)
         result = subprocess.run(
@@ -106,7 +105,7 @@ class Bench:
         return figures
 
     def osmesa(self, row):
-        """Instructions of a frame by the other driver, by counting alone."""
+        """Counts the instructions of a frame that the osmesa driver draws."""
         command = row.command(self.options, "osmesa")
         counts = []
         for frames in ("1", "3"):
@@ -167,7 +166,7 @@ def shares(figures):
 
 
 def ratios(all_figures):
-    """(row, kernel, column) -> how many times faster than an4044."""
+    """(row, kernel, column) -> how many times as fast as an4044."""
     base = {f.row.name: f for f in all_figures if f.kernel == "an4044"}
     return {
         (f.row.name, f.kernel, column): base[f.row.name].cycles[column] / cycles
@@ -183,7 +182,7 @@ def number(value, width, digits=1):
 
 
 def aims(figures, ratio):
-    """What the row is to reach, and whether it does, as text."""
+    """The limits of the row, and whether they are met, as text."""
     row, kernel = figures.row, figures.kernel
     if not row.is_best(kernel):
         return ""
@@ -235,21 +234,22 @@ def print_table(all_figures, out):
 
 NOTES = """
 warm   every access hits L1.
-cold   data in memory, code in L1; L2 10 and DDR 80 cycles more than L1. The
-       sweep is L2 8, DDR 50 to L2 16, DDR 110. Poses and frames find the
-       caches as those before left them.
-x      times an4044's float in the same run. an4044 is the document's own loop
-       and layout; its normals do not come out unit length, float's do.
-bound  MAC and load limits of the core (a scoreboard search), for the best loop.
-aim    cycles (loops, warm) or instructions (poses, frames) at most; times an4044.
-Loops over made meshes are the loops alone: 1024 vertices, 24 joints, 24 sets of
-them where not said otherwise (CesiumMan has 54 sets, the walker 63). A model's
-mesh includes what comes once a frame; "all that moves" is everything from pose
+cold   data is in memory and code in L1; L2 takes 10, DDR 80 cycles more than L1.
+       The sweep goes from L2 8, DDR 50 to L2 16, DDR 110. Poses and frames find
+       the caches as the previous ones left them.
+x      how many times as fast as an4044 in the same run. an4044 is AN4044's own
+       float loop and layout; its normals are not unit length, float's are.
+bound  the core's limits on MACs and loads, for the best loop (a search).
+aim    at most so many cycles (loops, warm) or instructions (poses, frames), or
+       at least so many times as fast as an4044.
+Loops over made meshes are the loops alone, with 1024 vertices, 24 joints and 24
+sets of joints unless stated (CesiumMan has 54 sets, the walker 63). A model's
+mesh includes the work of once a frame; "all that moves" is everything from pose
 to drawing. A pose is sampling, world matrices and palette. Frames are 480x640,
-RGB565; below them the files of platform/gl/soft that take most cycles (the rest
-is libc's memset and the program around it). Nothing is presented in a demo's:
-the picture is the framebuffer. osmesa is Debian's armel build: instructions
-alone, its floating point in software."""
+RGB565; the files of platform/gl/soft with most cycles are listed below them (the
+rest is libc's memset and the program). A demo's frame is drawn into the
+framebuffer and not copied. osmesa is Debian's armel build: its instructions are
+counted, and it computes floats in software."""
 
 
 def as_json(all_figures):
@@ -325,7 +325,7 @@ class Tap:
 
 
 def check_limits(tap, all_figures, recorded):
-    """What the loops once reached they must go on reaching."""
+    """A limit that was reached once must stay reached."""
     ratio = ratios(all_figures)
     was = {}
     for (row, kernel, figure), value in recorded.items():
@@ -368,7 +368,7 @@ def check_figures(all_figures, path, options):
             seen.add(key)
             label = " ".join(key)
             if before is None:
-                tap.check(False, f"{label}: {value:.2f}, and nothing is recorded")
+                tap.check(False, f"{label}: {value:.2f}, but no figure is recorded")
             else:
                 tap.check(
                     value <= before * WORSE + 0.01,
@@ -380,7 +380,7 @@ def check_figures(all_figures, path, options):
             continue
         for key in sorted(k for k in recorded.keys() - seen if k[0] == row.name):
             if key[1] in wanted_kernels(row, options):
-                tap.check(False, f"{' '.join(key)} is recorded, and not measured")
+                tap.check(False, f"{' '.join(key)} is recorded, but was not measured")
     check_limits(tap, all_figures, recorded)
     return tap.done()
 

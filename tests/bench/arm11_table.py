@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""arm11_table.py FIGURES TABLE.c: copies figures of the board's loops into the
-program's own table (app/anim/kernel/arm11_cost.h)."""
+"""arm11_table.py FIGURES TABLE.c: copies recorded figures of the board's loops
+into the table that limber compare predicts with (app/anim/kernel/arm11_cost.h)."""
 
 import pathlib
 import re

@@ -1,13 +1,13 @@
 /*
- * What a pixel of a camera's picture costs to become RGB565: each format's
- * rows of 320 pixels, 240 times, a region of the timing model each.
+ * Converts a camera picture of 320 x 240 pixels to RGB565, once from each
+ *format, for the timing model.
  *
  *	make build/arm/bench/camera_rows build/arm1136/model.so
  *	qemu-arm -cpu arm1136 -L build/sysroot \
  *		-plugin build/arm1136/model.so build/arm/bench/camera_rows
  *
- * Divide by 76800 for a pixel. Regions have the formats' numbers; those from
- * 10 on halve 640 x 480.
+ * Divide by 76800 for the cost of a pixel. A region has the number of its
+ * format; region 10 scales 640 x 480 down by a half.
  */
 #include "platform/camera/convert.h"
 #include "tests/arm1136/marker.h"

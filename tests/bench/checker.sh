@@ -1,5 +1,5 @@
 #!/bin/sh
-# Whether the check of recorded figures (arm11.py --check) can fail.
+# Shows that the check of recorded figures (arm11.py --check) can fail.
 #
 #   checker.sh FIGURES
 set -u
@@ -7,7 +7,7 @@ folder=$(dirname "$0")
 . "$folder/../support/tap.sh"
 figures=$1
 
-# check_against FILE OPTIONS...
+# check_against FILE OPTIONS...: compares with the figures of that file.
 check_against() {
     file=$1
     shift
@@ -15,13 +15,13 @@ check_against() {
     about "${file##*/} $*"
 }
 
-# failures: the figures of which the last run complained.
+# failures: prints the figures that failed in the last run.
 failures() {
     sed -n 's/^not ok [0-9]* - \([^:]*\):.*/\1/p; s/^not ok [0-9]* - \(.* is recorded\),.*/\1/p' \
         "$out_file" | tr '\n' ',' | sed 's/,$//'
 }
 
-# expect_failures NAME LIST
+# expect_failures NAME LIST: the last run failed in just these figures.
 expect_failures() {
     if [ "$status" -ne 0 ] && [ "$(failures)" = "$2" ]; then
         pass "$1"
@@ -58,7 +58,7 @@ check_against "$scratch/more" --rows lerp
 expect_failures 'a figure that is measured no more is noticed' \
     'lerp float hot is recorded'
 
-# What once was within its limit may not leave it, not even by less than 5%.
+# A figure that once was within its limit must stay there, whatever the 5%.
 awk '$1 == "pose-walker-walk" && $3 == "instructions" { $4 = 249 } { print }' \
     "$figures" >"$scratch/reached"
 cp "$folder"/arm11*.py "$scratch"

@@ -1,12 +1,13 @@
 #!/bin/sh
-# count.sh PLUGIN PROGRAM ARGUMENTS...: millions of ARM instructions a frame,
-# where FRAMES among the arguments stands for the number of frames: what nine
-# frames need more than one, by eight. SYSROOT is where its libraries are.
+# count.sh PLUGIN PROGRAM ARGUMENTS...: prints the millions of ARM instructions
+# that a frame takes. The word FRAMES among the arguments stands for the number
+# of frames; the result is (instructions of 9 frames - of 1 frame) / 8. SYSROOT
+# is the folder of the program's libraries.
 set -eu
 plugin=$1
 shift
 
-# run FRAMES PROGRAM ARGUMENTS...: how many instructions that takes.
+# run FRAMES PROGRAM ARGUMENTS...: prints the instructions of a run.
 run() {
     frames=$1
     shift

@@ -1,10 +1,10 @@
 /*
- * Frames of a demo into an RGB565 picture of 480x640, for counting what they
+ * Draws frames of a demo into an RGB565 picture of 480x640, to count what they
  * cost.
  *
  *	demo_frames DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm]]
  *
- * Time begins at a second, or where it is told, and moves on by a 25th of one a
+ * The demo's time begins at SECONDS, or at one second, and advances by 40 ms a
  * frame. For the timing model (tests/arm1136) the last frame is region 1.
  */
 #include <stdio.h>
@@ -23,7 +23,7 @@ enum {
 	HEIGHT = 640,
 };
 
-/* Cuts @SECONDS off a demo's name; when the run begins, or -1. */
+/* Cuts @SECONDS off a demo's name and returns them; -1 when they are wrong. */
 static double find_start(char *name)
 {
 	char *at = strchr(name, '@'), *end;
@@ -105,13 +105,12 @@ int main(int argc, char **argv)
 		.unattended = true,
 	};
 
-	/* Else memory is handed out in another order each time. */
+	/* With a random seed, addresses would differ from run to run. */
 	json_object_seed(1);
 	if (!driver || from_s < 0.0 || atoi(argv[2]) < 1 ||
 		file_find_asset(driver->asset, &log, path, sizeof(path)) != 0) {
 		fprintf(stderr,
-			"usage: %s DEMO[@SECONDS] FRAMES "
-			"[DRIVER [PICTURE.ppm]]\n",
+			"usage: %s DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm]]\n",
 			argv[0]);
 		return 2;
 	}

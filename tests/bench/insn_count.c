@@ -3,9 +3,9 @@
  *
  *	qemu-arm -cpu arm1136 -plugin insn_count.so -d plugin PROGRAM
  *
- * prints "instructions: N" on the standard error stream when the guest ends.
- * Debian packages no header for plugins, so the few calls are declared here.
- * One guest thread; what a failed condition skips counts as executed.
+ * prints "instructions: N" on standard error when the guest ends. Instructions
+ * whose condition fails count as executed. The guest must have one thread.
+ * Debian has no package with the plugin header, so the calls are declared here.
  */
 #include <inttypes.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 #include <stdio.h>
 
 struct qemu_plugin_tb;
-struct qemu_info; /* not looked into */
+struct qemu_info;
 
 typedef uint64_t qemu_plugin_id_t;
 typedef void (*translate_callback)(
@@ -39,7 +39,7 @@ int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info,
 extern int qemu_plugin_version;
 int qemu_plugin_version = PLUGIN_API;
 
-/* QEMU adds to it from translated code. */
+/* Translated code adds to this counter. */
 static uint64_t executed;
 
 static void on_translate(qemu_plugin_id_t id, struct qemu_plugin_tb *block)

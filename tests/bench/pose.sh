@@ -1,8 +1,8 @@
 #!/bin/sh
-# pose.sh MODEL.so POSE_COST FILE CLIP...: a line for each model and clip with
-# what its pose takes a joint and frame on the timing model, in ARM
-# instructions and cycles: sampling the clip, world matrices, palettes, all.
-# SYSROOT is where its libraries are.
+# pose.sh MODEL.so POSE_COST FILE CLIP...: prints a line for each file and clip:
+# the ARM instructions of a pose for each joint and frame, on the timing model,
+# for sampling the clip, world matrices and palettes, their sum, and the cycles.
+# SYSROOT is the folder of the program's libraries.
 set -eu
 model=$1
 program=$2

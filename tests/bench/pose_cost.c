@@ -1,6 +1,6 @@
 /*
- * The pose of a frame, for the timing model (tests/arm1136): regions 1, 2 and
- * 3 are sampling the clip, world matrices and palettes.
+ * Poses a model for each frame of a clip, for the timing model (tests/arm1136):
+ * regions 1, 2 and 3 are sampling the clip, world matrices and palettes.
  *
  *	pose_cost MODEL CLIP FRAMES
  *
@@ -78,7 +78,7 @@ int main(int argc, char **argv)
 	struct model *model;
 	int clip;
 
-	/* Else memory is handed out in another order each time. */
+	/* With a random seed, addresses would differ from run to run. */
 	json_object_seed(1);
 	if (argc != 4 || model_load(argv[1], &log, &model) != 0) {
 		fprintf(stderr, "usage: pose_cost MODEL CLIP FRAMES\n");

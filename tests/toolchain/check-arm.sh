@@ -19,10 +19,10 @@ compiled -mcpu=arm926ej-s -mfloat-abi=soft -marm
 expect_status 0
 compiled -mcpu=cortex-a8 -mfpu=vfpv3 -mfloat-abi=softfp -marm
 expect_status 1
-expect_err 'needs ARM v7, the board has v6$'
+expect_err 'needs ARM v7, but the board has v6$'
 compiled -march=armv6 -mfpu=vfpv3 -mfloat-abi=softfp -marm
 expect_status 1
-expect_err 'needs VFPv3, the board has VFPv2$'
+expect_err 'needs VFPv3, but the board has VFPv2$'
 compiled -mcpu=cortex-a8 -mfpu=neon -mfloat-abi=softfp -marm
 expect_status 1
 compiled -mcpu=arm1136jf-s -mfpu=neon -mfloat-abi=softfp -marm

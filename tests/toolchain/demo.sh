@@ -52,7 +52,7 @@ given 1
 demo :0 ''
 about 'a desktop that does not open'
 expect_status 0
-expect_out '^No window'
+expect_out '^limber could not open a window'
 pictures_are_there
 
 printf '#!/bin/sh\nexit 1\n' >"$scratch/limber"

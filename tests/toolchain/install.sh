@@ -100,7 +100,7 @@ rm "$scratch/bin/apt-get" "$scratch/bin/dpkg-query"
 install two
 about 'a machine without apt-get'
 expect_status 0
-expect_err '^limber: no apt-get on this machine; .* alpha beta must be there$'
+expect_err '^limber: this machine has no apt-get; install .* alpha beta$'
 
 given 0
 stub apt-get 'echo "E: no network"; exit 100'

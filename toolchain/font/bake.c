@@ -1,10 +1,10 @@
 /*
- * Bakes a font file into C for app/scene/hud/font.h: an atlas with the glyphs
- * in several sizes, a solid patch and discs, and the glyphs' metrics.
+ * Bakes a font file into C source for app/scene/hud/font.h: a texture atlas with
+ * the glyphs in several sizes, a solid patch and discs, and the glyphs' metrics.
  *
  *	bake FONT SIZE... >font_data.c
  *
- * Runs on the build machine; the result is the same for every target.
+ * It runs on the build machine; the result is the same for every target.
  */
 #include "app/scene/hud/font.h"
 
@@ -21,12 +21,12 @@ enum {
 	SIZE_MAX_PX = 64,
 	ATLAS_WIDTH = 256,
 	ATLAS_HEIGHT_MAX = 512,
-	GAP = 1, /* so that a filtered edge takes nothing of its neighbour */
+	GAP = 1, /* keeps a neighbour out of a filtered edge */
 	SOLID_SIDE = 4,
 	GRID = 16, /* samples along a texel's side, for discs */
 };
 
-/* Beside ASCII's printable characters, ascending. */
+/* Characters beyond printable ASCII, ascending. */
 static const uint16_t signs[] = {
 	0x00B0, /* degree */
 	0x00B1, /* plus-minus */
@@ -58,7 +58,7 @@ enum {
 	PIECES_MAX = FACES_MAX * GLYPH_COUNT + FONT_DISC_RADIUS_MAX + 1,
 };
 
-/* A picture on its way into the atlas. */
+/* A picture to be placed in the atlas, at (s, t). */
 struct piece {
 	int width, height;
 	uint8_t *alpha;
@@ -121,11 +121,12 @@ static void load_glyph(struct bake *bake, int code, struct baked_glyph *out)
 
 	snprintf(name, sizeof(name), "U+%04X", (unsigned)code);
 	if (index == 0) {
-		fail(name, "the font lacks it: take it off the list of signs");
+		fail(name,
+			"the font lacks this character; remove it from the list of signs");
 	}
 	if (FT_Load_Glyph(bake->font, index,
 		    FT_LOAD_TARGET_LIGHT | FT_LOAD_RENDER) != 0) {
-		fail(name, "cannot be drawn");
+		fail(name, "FreeType cannot draw this character");
 	}
 	out->piece.width = (int)slot->bitmap.width;
 	out->piece.height = (int)slot->bitmap.rows;
@@ -140,7 +141,7 @@ static void load_glyph(struct bake *bake, int code, struct baked_glyph *out)
 	out->advance = pixels_from_26_6(slot->advance.x);
 }
 
-/* What stands for a missing glyph: the outline of a capital's size. */
+/* The glyph of an unknown character: a rectangle as large as a capital. */
 static void make_box(const struct baked_face *face, struct baked_glyph *out)
 {
 	int width = face->cap_height * 3 / 4, height = face->cap_height;
@@ -166,7 +167,7 @@ static struct baked_glyph *glyph_of(struct baked_face *face, int code)
 	return &face->glyph[1 + code - ASCII_FIRST];
 }
 
-/* All digits as wide as the widest, so that running numbers stand still. */
+/* Makes all digits as wide as the widest, so that changing numbers do not move. */
 static void align_digits(struct baked_face *face)
 {
 	int widest = 0;
@@ -190,7 +191,7 @@ static void load_face(struct bake *bake, int size)
 	const FT_Size_Metrics *metrics;
 
 	if (FT_Set_Pixel_Sizes(bake->font, 0, (FT_UInt)size) != 0) {
-		fail("size", "the font has no such size");
+		fail("size", "FreeType cannot scale the font to this size");
 	}
 	metrics = &bake->font->size->metrics;
 	face->size = size;
@@ -204,13 +205,13 @@ static void load_face(struct bake *bake, int size)
 	align_digits(face);
 }
 
-/* The share of a texel's samples that lie within the circle. */
+/* The fraction of a texel's samples within the circle, 0..255. */
 static int disc_coverage(int x, int y, int radius)
 {
 	int inside = 0;
 
 	for (int i = 0; i < GRID * GRID; i++) {
-		/* In half samples from the centre, so that all is whole. */
+		/* In half samples from the centre, which are integers. */
 		int dx = 2 * GRID * (x - radius) + 2 * (i % GRID) + 1;
 		int dy = 2 * GRID * (y - radius) + 2 * (i / GRID) + 1;
 
@@ -238,7 +239,7 @@ static void make_solid(struct piece *solid)
 	memset(solid->alpha, 255, SOLID_SIDE * SOLID_SIDE);
 }
 
-/* Tall ones first, then wide ones: little is left over on a shelf. */
+/* Orders pieces by height, then by width, so that shelves waste little. */
 static int compare_pieces(const void *a, const void *b)
 {
 	const struct piece *one = *(struct piece *const *)a;
@@ -258,7 +259,7 @@ static void copy_into_atlas(struct bake *bake, const struct piece *piece)
 	}
 }
 
-/* On shelves, each as high as its first piece. */
+/* Places the pieces on shelves, each as high as its first piece. */
 static void pack(struct bake *bake, struct piece **piece, int count)
 {
 	int s = GAP, t = GAP, shelf_height = 0;
@@ -272,7 +273,7 @@ static void pack(struct bake *bake, struct piece **piece, int count)
 		}
 		shelf_height = shelf_height ? shelf_height : piece[i]->height;
 		if (t + piece[i]->height + GAP > ATLAS_HEIGHT_MAX) {
-			fail("atlas", "the sizes do not fit");
+			fail("atlas", "the glyphs of these sizes do not fit");
 		}
 		piece[i]->s = s;
 		piece[i]->t = t;
@@ -383,7 +384,7 @@ static void write_c(const struct bake *bake)
 	write_faces(bake);
 	write_font(bake);
 	if (fflush(stdout) != 0 || ferror(stdout)) {
-		fail("standard output", "cannot be written");
+		fail("standard output", "the font cannot be written to it");
 	}
 }
 
@@ -399,14 +400,15 @@ int main(int argc, char **argv)
 	}
 	if (FT_Init_FreeType(&library) != 0 ||
 		FT_New_Face(library, argv[1], 0, &bake.font) != 0) {
-		fail(argv[1], "is no font that can be read");
+		fail(argv[1], "FreeType cannot read this file as a font");
 	}
 	for (int i = 2; i < argc; i++) {
 		int size = atoi(argv[i]);
 
 		if (size < 6 || size > SIZE_MAX_PX ||
 			(i > 2 && size <= bake.face[i - 3].size)) {
-			fail(argv[i], "sizes are 6 to 64 pixels, ascending");
+			fail(argv[i],
+				"a size must be 6 to 64 pixels and larger than the one before");
 		}
 		load_face(&bake, size);
 	}

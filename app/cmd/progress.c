@@ -7,7 +7,7 @@
 
 enum {
 	BAR_WIDTH = 40,
-	PATIENCE_MS = 1000,
+	DELAY_MS = 1000,
 	REDRAW_MS = 100
 };
 
@@ -36,7 +36,7 @@ void progress_step(struct progress *progress, int done)
 		return;
 	}
 	now = now_ms();
-	if (now - progress->start_ms < PATIENCE_MS ||
+	if (now - progress->start_ms < DELAY_MS ||
 		now - progress->shown_ms < REDRAW_MS) {
 		return;
 	}

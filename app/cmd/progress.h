@@ -1,5 +1,5 @@
 /*
- * A bar on a terminal, for work that takes longer than a second.
+ * A progress bar on a terminal, for work that takes longer than a second.
  */
 #ifndef APP_CMD_PROGRESS_H
 #define APP_CMD_PROGRESS_H
@@ -9,19 +9,19 @@
 #include <stdio.h>
 
 struct progress {
-	FILE *out; /* NULL: nothing is shown */
+	FILE *out; /* NULL: no bar */
 	int total;
 	int64_t start_ms, shown_ms;
 	bool visible;
 };
 
-/* total 0, or an out that is no terminal: shows nothing. */
+/* There is no bar when total is below 2 or out is not a terminal. */
 struct progress progress_begin(int total, FILE *out);
 
-/* Shows the bar a second after the beginning, then ten times a second. */
+/* Shows the bar, one second after the beginning and ten times a second then. */
 void progress_step(struct progress *progress, int done);
 
-/* Wipes the bar. */
+/* Erases the bar. */
 void progress_end(struct progress *progress);
 
 #endif

@@ -19,7 +19,7 @@ const char *version_text(void)
 	return "limber 0.1.0 (" PROCESSOR ")";
 }
 
-/* One line of names from a registry of pointers to things with a name. */
+/* Prints the names in a registry on one line. */
 #define PRINT_NAMES(out, title, registry)                           \
 	do {                                                        \
 		fprintf((out), "%-9s", (title));                    \

@@ -1,5 +1,5 @@
 /*
- * What this program calls itself.
+ * The program's name and version.
  */
 #ifndef APP_CMD_VERSION_H
 #define APP_CMD_VERSION_H
@@ -9,7 +9,7 @@
 /* "limber X.Y.Z (processor)". */
 const char *version_text(void);
 
-/* That line, then what it was built with and which drivers it has. */
+/* Prints that line, the compiler and the built-in kernels and drivers. */
 void version_print(FILE *out);
 
 #endif

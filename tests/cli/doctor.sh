@@ -7,7 +7,7 @@ python3 "$(dirname "$0")/doctor_models.py" "$scratch" >"$scratch/pitfalls"
 limber doctor "$scratch/sound.gltf"
 expect_status 0
 expect_no_err
-expect_out 'nothing in it that players get wrong'
+expect_out 'it contains nothing that players are known to get wrong'
 cp "$out_file" "$scratch/sound.out"
 
 while read -r name pattern; do
@@ -37,7 +37,7 @@ done
 expect_out '^  works    soft: .*; the processor draws$'
 expect_out '^  works    auto: takes '
 expect_out '^  works    float: '
-expect_out '^  works    .*; taken by default$'
+expect_out '^  works    .*; this is the default$'
 expect_out '^  works    walker\.glb: /.*/walker\.glb$'
 expect_out '^  works    presets\.ini: /'
 check 'what is missing or broken has its remedy' awk '
@@ -88,7 +88,7 @@ limber doctor
 expect_out '^  unused   limber\.conf: there is none'
 printf '%s\n' '[start]' 'demo = face' >"$scratch/limber.conf"
 limber doctor --config "$scratch/limber.conf"
-expect_out '^  works    .*/limber\.conf: read by limber play'
+expect_out '^  works    .*/limber\.conf: limber play reads it'
 printf '%s\n' '[start]' 'dmeo = face' >"$scratch/limber.conf"
 LIMBER_CONFIG=$scratch/limber.conf limber doctor
 expect_no_err
@@ -99,7 +99,7 @@ limber doctor --config "$scratch/limber.conf"
 expect_out '^  broken   .*--gl mesa: no such driver$'
 limber doctor --config "$scratch/none.conf"
 expect_out '^  broken   .*none\.conf: cannot be read: '
-expect_out '^           -> name another with --config FILE'
+expect_out '^           -> name another file with --config FILE'
 
 limber doctor --egl-library "$scratch/no.so"
 expect_out '^  broken   gles1: .*does not open'

@@ -18,7 +18,7 @@ struct fixed_state {
 
 	struct fixed_pair (*pair[2])[3]; /* positions, normals */
 	struct fixed_vector *step;
-	struct model_primitive morphed; /* the mesh's with its targets */
+	struct model_primitive morphed; /* the primitive with its targets */
 	struct fixed_morph morph;
 };
 
@@ -33,7 +33,7 @@ static void skin(void *user)
 {
 	struct fixed_state *s = user;
 
-	if (s->mesh->is_whole) {
+	if (s->mesh->is_model) {
 		fixed_palette_make(&s->skin, (const mat4 *)s->mesh->palette,
 			s->matrix, &s->placement);
 	}

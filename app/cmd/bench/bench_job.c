@@ -101,7 +101,7 @@ static int prepare(void *user, const struct kernel *kernel,
 	return error;
 }
 
-/* Of kernels in float, by their table. */
+/* The loops of kernels in float. */
 static const struct bench_loops float_loops = {
 	sizeof(struct kernel_state),
 	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets, NULL},

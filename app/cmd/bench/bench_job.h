@@ -1,6 +1,7 @@
 /*
- * One kernel at one piece of work, ready to be run over and over: what
- * `limber bench` times here, and what the timing model counts for the board.
+ * A job: one loop of one kernel on one mesh, ready to run any number of times.
+ * `limber bench` times jobs, and the timing model of the board's core counts
+ * their cycles.
  */
 #ifndef APP_CMD_BENCH_BENCH_JOB_H
 #define APP_CMD_BENCH_BENCH_JOB_H
@@ -12,10 +13,10 @@ enum bench_work {
 	BENCH_SKIN,          /* positions */
 	BENCH_SKIN_NORMALS,  /* and normals */
 	BENCH_SKIN_TANGENTS, /* and tangents */
-	BENCH_LERP,          /* two key frames, positions */
+	BENCH_LERP,          /* between two key frames, positions */
 	BENCH_LERP_NORMALS,  /* and normals */
 	BENCH_TARGETS,       /* two weighted targets, positions */
-	BENCH_BY_FRAMES,     /* the increment by frames, positions */
+	BENCH_BY_FRAMES,     /* AN4044's increment by frames, positions */
 	BENCH_WORKS
 };
 
@@ -26,28 +27,28 @@ struct bench_job {
 };
 
 /*
- * Lays the mesh out as the kernel of that name wants it; all memory is the
- * arena's, and the mesh must outlive it. 0, -EINVAL when there is no such
+ * Lays out the mesh for the kernel of that name. The arena owns the job's
+ * memory; the mesh must outlive the job. 0, -EINVAL when there is no such
  * kernel, -ENOTSUP when it has no such loop, or -ENOMEM.
  */
 int bench_job_prepare(const char *kernel, const struct bench_mesh *mesh,
 	enum bench_work work, struct arena *arena, struct bench_job *out);
 
-/* One kind of loops, for bench_job.c. */
+/* The loops of one kind of kernel; for bench_job.c. */
 struct bench_loops {
 	size_t state_size;
-	/* In the order of enum bench_work; NULL: there is no such loop. */
+	/* Indexed by enum bench_work; NULL: there is no such loop. */
 	void (*run[BENCH_WORKS])(void *state);
-	/* Fills a state of zeros; errors as bench_job_prepare(). */
+	/* Fills a zeroed state; returns what bench_job_prepare() returns. */
 	int (*prepare)(void *state, const struct kernel *kernel,
 		const struct bench_mesh *mesh, enum bench_work work,
 		struct arena *arena);
 };
 
-/* "an4044": the document's loops alone, nothing of limber around them. */
+/* The loops as AN4044 prints them, without anything of limber. */
 extern const struct bench_loops bench_an4044_loops;
 
-/* Of kernels in fixed point. */
+/* The loops of kernels in fixed point. */
 extern const struct bench_loops bench_fixed_loops;
 
 #endif

@@ -12,7 +12,7 @@ enum {
 	INFLUENCES = 4,
 };
 
-/* Numbers that look random: a step of a linear congruence. */
+/* One step of a linear congruential generator. */
 static uint32_t draw(uint32_t *state)
 {
 	*state = *state * 1664525u + 1013904223u;
@@ -51,7 +51,7 @@ static void draw_vectors(uint32_t *state, int count, float size, float (*out)[3]
 	}
 }
 
-/* Which joints move a vertex: those of a set, or any, all different. */
+/* Draws different joints: of a random set, or any. */
 static void draw_joints(
 	uint32_t *state, int influences, int joint_sets, uint16_t *joint)
 {
@@ -127,7 +127,7 @@ static int allocate(struct bench_mesh *mesh, int count)
 		: -ENOMEM;
 }
 
-/* The key frames that morphs go to. */
+/* Draws the second key frame and the targets. */
 static int add_keys(struct bench_mesh *mesh, uint32_t *state)
 {
 	int count = mesh->primitive.vertex_count;
@@ -185,7 +185,7 @@ fail:
 	return error;
 }
 
-/* The skinned primitive with most vertices, and the node that shows it. */
+/* The skinned primitive with the most vertices, and its skin. */
 static const struct model_primitive *largest_skinned(
 	const struct model *model, int *skin)
 {
@@ -245,7 +245,7 @@ int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model)
 	int skin = -1;
 	int error;
 
-	*mesh = (struct bench_mesh){.arena = arena_empty(), .is_whole = true};
+	*mesh = (struct bench_mesh){.arena = arena_empty(), .is_model = true};
 	primitive = largest_skinned(model, &skin);
 	if (!primitive) {
 		return -ENOENT;

@@ -5,7 +5,7 @@
 
 #include <jansson.h>
 
-/* The same work by the float kernel, or NULL where it was not measured. */
+/* The float kernel's result for this row, or NULL. */
 static const struct bench_result *float_result(
 	const struct bench_report *report, const struct bench_row *row)
 {
@@ -27,8 +27,7 @@ static void print_head(const struct bench_report *report, FILE *out)
 	}
 	fprintf(out,
 		"nanoseconds a vertex on this machine, the median of %d runs\n"
-		"warm: run after run. cold: after 32 MiB of other data. x: "
-		"times float's speed, warm\n\n",
+		"warm: run after run; cold: after reading 32 MiB of other data; x: speed relative to float, warm\n\n",
 		report->runs);
 	fprintf(out, "%-37s%-8s", "", "");
 	for (int s = 0; s < report->size_count; s++) {
@@ -76,7 +75,7 @@ void bench_print_text(const struct bench_report *report, FILE *out)
 	}
 }
 
-/* json_array_append_new() and json_pack() take NULL for "memory is short". */
+/* json_array_append_new() and json_pack() accept NULL and then fail. */
 static json_t *times(
 	const struct bench_report *report, const struct bench_result *result)
 {
@@ -117,8 +116,7 @@ int bench_print_json(
 
 	if (!root) {
 		log_error(log,
-			"bench: not enough memory, or a file's name "
-			"is no UTF-8, which JSON needs");
+			"bench: the model's file name is not UTF-8, or limber is out of memory: rename the file");
 		return -EINVAL;
 	}
 	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(5));

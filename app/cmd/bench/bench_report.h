@@ -1,5 +1,5 @@
 /*
- * What `limber bench` found out, and how it is told.
+ * The results of `limber bench`, printed as text or JSON.
  */
 #ifndef APP_CMD_BENCH_BENCH_REPORT_H
 #define APP_CMD_BENCH_BENCH_REPORT_H
@@ -14,7 +14,7 @@ enum {
 	BENCH_RESULTS_MAX = 256
 };
 
-/* A kernel at a piece of work, in all sizes. */
+/* One kernel at one row, in all sizes. */
 struct bench_result {
 	const struct bench_row *row;
 	const struct kernel *kernel;
@@ -22,7 +22,7 @@ struct bench_result {
 };
 
 struct bench_report {
-	const char *mesh; /* a model's path, or NULL for made ones */
+	const char *mesh; /* the model's path, or NULL for generated meshes */
 	int runs;
 	int size_count;
 	int vertex_count[BENCH_SIZES_MAX];
@@ -32,7 +32,7 @@ struct bench_report {
 
 void bench_print_text(const struct bench_report *report, FILE *out);
 
-/* 0, or -EINVAL after a sentence when it cannot be told in JSON. */
+/* 0, or -EINVAL after logging an error: the path is not UTF-8, or no memory. */
 int bench_print_json(
 	const struct bench_report *report, const struct log *log, FILE *out);
 

@@ -1,5 +1,5 @@
 /*
- * What is measured: a line a row, for the host and for the timing model.
+ * The rows that are measured, by `limber bench` and by the timing model.
  */
 #ifndef APP_CMD_BENCH_BENCH_ROWS_H
 #define APP_CMD_BENCH_BENCH_ROWS_H
@@ -7,17 +7,18 @@
 #include "app/cmd/bench/bench_job.h"
 
 struct bench_row {
-	const char *name;  /* for files and the command line */
-	const char *title; /* for people */
+	const char *name;  /* in files and on the command line */
+	const char *title; /* in tables */
 	enum bench_work work;
-	int influences; /* a vertex, of a made mesh, */
-	int joint_sets; /* and how many sets of joints it has; 0: any */
+	/* Of a generated mesh, see bench_mesh_make(). */
+	int influences;
+	int joint_sets;
 };
 
-/* All of them; the last has no name. */
+/* The rows for generated meshes; the last one has no name. */
 extern const struct bench_row bench_rows[];
 
-/* The same for a model's mesh. */
+/* The rows for a model's mesh; the last one has no name. */
 extern const struct bench_row bench_model_rows[];
 
 #endif

@@ -6,13 +6,12 @@
 #include <stdlib.h>
 
 enum {
-	/* More than the caches of the cores that limber is for hold, and most
-	   of what others hold. */
+	/* More than the caches of ARM11 boards and of most PCs hold. */
 	EVICT_BYTES = 32 * 1024 * 1024,
 	LINE_WORDS = 8
 };
 
-/* A clock's step and the call of it must not count. */
+/* Long enough for the clock's resolution and overhead not to matter. */
 static const double shortest_s = 20e-6;
 
 int bench_evictor_init(struct bench_evictor *evictor)
@@ -30,7 +29,7 @@ void bench_evictor_release(struct bench_evictor *evictor)
 	arena_release(&evictor->arena);
 }
 
-/* Written, so that every line is this buffer's and none is shared. */
+/* Writing makes every cache line belong to this buffer. */
 static void evict(struct bench_evictor *evictor)
 {
 	for (size_t i = 0; i < evictor->count; i += LINE_WORDS) {
@@ -63,7 +62,7 @@ static double median(double *value, int count)
 			 : (value[count / 2 - 1] + value[count / 2]) / 2;
 }
 
-/* How often a job must run to be timed; it is warm after. */
+/* How often a job must run to take shortest_s; the caches are warm then. */
 static int repeats(const struct bench_job *job)
 {
 	int times = 1;

@@ -1,22 +1,22 @@
 /*
- * How long a job takes on the machine that limber runs on.
+ * Times a job on the machine that limber runs on.
  */
 #ifndef APP_CMD_BENCH_BENCH_TIME_H
 #define APP_CMD_BENCH_BENCH_TIME_H
 
 #include "app/cmd/bench/bench_job.h"
 
-/* Nanoseconds a vertex: the medians of all runs. */
+/* Nanoseconds a vertex, the median of all runs. */
 struct bench_time {
 	double warm_ns; /* run after run */
-	double cold_ns; /* after other data went through the caches */
+	double cold_ns; /* after the caches were filled with other data */
 };
 
-/* What drives a job's data out of the caches. */
+/* A buffer that replaces a job's data in the caches. */
 struct bench_evictor {
 	struct arena arena;
 	size_t count;
-	uint64_t *data;
+	uint64_t *data; /* [count] */
 };
 
 /* 0 or -ENOMEM. */

@@ -4,7 +4,7 @@
 
 #include <errno.h>
 
-/* Data of a first-level cache, of a second, and of more. */
+/* Vertices whose data fits a first-level cache, a second-level one, none. */
 static const int made_sizes[] = {256, 4096, 65536};
 
 struct bench {
@@ -23,7 +23,7 @@ static int make_mesh(const struct bench *bench, const struct bench_row *row,
 				      row->influences, row->joint_sets);
 }
 
-/* 0; -ENOTSUP when the kernel does no such work. */
+/* 0, or -ENOTSUP when the kernel has no such loop. */
 static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	const struct bench_row *row, const struct kernel *kernel,
 	struct bench_time *out)
@@ -41,7 +41,7 @@ static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	return error;
 }
 
-/* All kernels at one row and size: a column of results, from first on. */
+/* Measures all kernels at one row and size; results begin at first. */
 static int measure_kernels(struct bench *bench, const struct bench_row *row,
 	int size, const struct bench_mesh *mesh, int first)
 {
@@ -110,11 +110,10 @@ static int measure_all(struct bench *bench)
 	}
 	if (error == -ENOENT) {
 		log_error(bench->log,
-			"%s: nothing in it is skinned: bench wants a mesh "
-			"that joints move",
+			"%s: nothing in it is skinned: give a model with a skinned mesh",
 			bench->model->path);
 	} else if (error) {
-		log_error(bench->log, "bench: not enough memory");
+		log_error(bench->log, "bench: out of memory");
 	}
 	return error;
 }
@@ -124,7 +123,7 @@ static int bench_run(struct bench *bench)
 	int error = bench_evictor_init(&bench->evictor);
 
 	if (error) {
-		log_error(bench->log, "bench: not enough memory");
+		log_error(bench->log, "bench: out of memory");
 	} else {
 		error = measure_all(bench);
 	}
@@ -159,16 +158,19 @@ static int run(const struct options *options, const struct log *log)
 	return command_exit_code(error);
 }
 
+/* clang-format off */
 const struct command command_bench = {
 	.name = "bench",
 	.bit = FOR_BENCH,
 	.usage = "[MODEL] [--json]",
 	.summary = "time the vertex loops on this machine",
-	.detail = "Times every kernel at skinning and morphing: made meshes of "
-		  "three sizes, or the largest skinned\nmesh of a model. Needs "
-		  "no display.\n\n"
-		  "  limber bench\n"
-		  "  limber bench robot.glb --kernel float\n"
-		  "  limber bench --json | jq .results",
+	.detail =
+		"limber times the skinning and morphing loops of every kernel, on generated meshes of three\n"
+		"sizes or on the largest skinned mesh of a model. It needs no display.\n"
+		"\n"
+		"  limber bench\n"
+		"  limber bench robot.glb --kernel float\n"
+		"  limber bench --json | jq .results",
 	.run = run,
 };
+/* clang-format on */

@@ -6,11 +6,11 @@
 #include <jansson.h>
 #include <stdio.h>
 
-/* Counts what is said on its way to the user. */
+/* Prints findings as lines, or collects them for JSON. */
 struct findings {
 	int count;
-	json_t *list; /* instead of lines, or NULL */
-	bool failed;
+	json_t *list; /* or NULL for lines */
+	bool failed;  /* out of memory */
 };
 
 static void take_finding(void *context, const char *sentence)
@@ -33,7 +33,8 @@ static int examine_in_words(const char *path, const struct log *log)
 	int error = model_examine(path, &examiner, log);
 
 	if (!error && findings.count == 0) {
-		printf("%s: nothing in it that players get wrong\n", path);
+		printf("%s: it contains nothing that players are known to get wrong\n",
+			path);
 	}
 	return error;
 }
@@ -47,7 +48,8 @@ static int examine_in_json(const char *path, const struct log *log)
 	int error = -ENOMEM;
 
 	if (!root) {
-		log_error(log, "%s: its name is no UTF-8, which JSON needs",
+		log_error(log,
+			"%s: this name is not UTF-8, which JSON requires: rename the file",
 			path);
 		goto out;
 	}
@@ -80,24 +82,26 @@ static int run(const struct options *options, const struct log *log)
 			: examine_in_words(path, log));
 }
 
+/* clang-format off */
 const struct command command_doctor = {
 	.name = "doctor",
 	.bit = FOR_DOCTOR,
 	.usage = "[MODEL] [--json]",
-	.summary = "tell what works here, or what is odd in a model",
-	.detail = "Without a model: lists displays, GL drivers, vertex kernels, "
-		  "GPIO lines, keyboards,\ncameras, watchdogs, limber.conf and "
-		  "the demos' files. Each line says works, unused\n(nothing "
-		  "limber could use), taken (by another program), missing or "
-		  "broken, and\nbelow it the command that mends it. Nothing is "
-		  "started or changed. Exit status 0\nwhen limber can play: "
-		  "some display and some GL driver work.\n\n"
-		  "With a model: lists each thing in the file that players are "
-		  "known to get wrong,\nwith what limber does there.\n\n"
-		  "  limber doctor\n"
-		  "  limber doctor --json | jq '.findings[] | "
-		  "select(.state != \"works\")'\n"
-		  "  limber doctor robot.glb",
+	.summary = "check this machine, or a model, for problems",
+	.detail =
+		"Without a model, limber lists displays, GL drivers, kernels, GPIO lines, keyboards, cameras,\n"
+		"watchdogs, limber.conf and the demos' files. Each of them works, is unused (limber has no use\n"
+		"for it), is taken (by another program), is missing or is broken; for what is missing or\n"
+		"broken, limber prints the command that repairs it. It starts and changes nothing. The exit\n"
+		"status is 0 when limber can play: a display and a GL driver work.\n"
+		"\n"
+		"With a model, limber lists everything in the file that players are known to get wrong, and\n"
+		"says what limber does there.\n"
+		"\n"
+		"  limber doctor\n"
+		"  limber doctor --json | jq '.findings[] | select(.state != \"works\")'\n"
+		"  limber doctor robot.glb",
 	.reads_config = true,
 	.run = run,
 };
+/* clang-format on */

@@ -18,13 +18,13 @@
 #include <unistd.h>
 
 enum {
-	PATH_ROOM = 1024
+	PATH_BYTES = 1024
 };
 
-/* The display that play would take, or could be told to. */
+/* A display that works. */
 struct choice {
 	const char *name; /* or NULL */
-	bool unasked;
+	bool automatic;   /* limber play chooses it without --display */
 };
 
 static struct gl_request request_of(const struct options *options)
@@ -60,11 +60,11 @@ static struct choice survey_displays(
 	doctor_report_section(report, "Displays", "displays");
 	for (int i = 0; display_registry[i]; i++) {
 		const struct display_driver *driver = display_registry[i];
-		bool unasked = !driver->probe || driver->probe();
+		bool automatic = !driver->probe || driver->probe();
 
 		if (survey_display(report, driver, options) &&
-			(!choice.name || (unasked && !choice.unasked))) {
-			choice = (struct choice){driver->name, unasked};
+			(!choice.name || (automatic && !choice.automatic))) {
+			choice = (struct choice){driver->name, automatic};
 		}
 	}
 	return choice;
@@ -94,7 +94,7 @@ static void survey_kernels(struct doctor_report *report, const struct log *log)
 
 		survey_report(&survey, SURVEY_WORKS, kernel->name, NULL, "%s%s",
 			kernel->summary,
-			kernel == chosen ? "; taken by default" : "");
+			kernel == chosen ? "; this is the default" : "");
 	}
 }
 
@@ -120,8 +120,8 @@ static void survey_devices(struct doctor_report *report)
 	watchdog_survey("/dev", &survey);
 }
 
-/* Whether play could begin with these options; the log has why not. */
-static bool options_are_good(const char *path, const struct log *log)
+/* Whether limber play accepts the file; otherwise the log says why not. */
+static bool is_valid_config(const char *path, const struct log *log)
 {
 	struct config config = {arena_empty()};
 	struct options options = options_default();
@@ -139,21 +139,20 @@ static void survey_config(
 {
 	const struct survey survey = doctor_report_survey(report);
 	struct survey_message sentence;
-	struct log said = survey_log(&sentence);
-	char path[PATH_ROOM];
+	struct log config_log = survey_log(&sentence);
+	char path[PATH_BYTES];
 
 	doctor_report_section(report, "Configuration", "configuration");
 	if (!config_find(options->common.config, true, path, sizeof(path))) {
 		survey_report(&survey, SURVEY_UNUSED, "limber.conf", NULL,
-			"there is none: everything is as built in");
+			"there is none: limber uses its default options");
 	} else if (access(path, R_OK) != 0) {
 		survey_report(&survey, SURVEY_BROKEN, path,
-			"name another with --config FILE, or none with "
-			"--config none",
+			"name another file with --config FILE, or read none with --config none",
 			"cannot be read: %s", strerror(errno));
-	} else if (options_are_good(path, &said)) {
+	} else if (is_valid_config(path, &config_log)) {
 		survey_report(&survey, SURVEY_WORKS, path, NULL,
-			"read by limber play, without a mistake");
+			"limber play reads it without errors");
 	} else {
 		survey_report_message(
 			&survey, SURVEY_BROKEN, path, &sentence, NULL);
@@ -163,23 +162,22 @@ static void survey_config(
 static void survey_file(const struct survey *survey, const char *name)
 {
 	const struct log nowhere = log_to_nowhere();
-	char path[PATH_ROOM], remedy[PATH_ROOM + 32];
+	char path[PATH_BYTES], remedy[PATH_BYTES + 32];
 
 	if (file_find_asset(name, &nowhere, path, sizeof(path)) != 0) {
 		survey_report(survey, SURVEY_MISSING, name,
-			"export LIMBER_ASSETS=FOLDER, the one that holds "
-			"limber's models",
-			"not found");
+			"export LIMBER_ASSETS=FOLDER with the folder of limber's models",
+			"this file was not found");
 	} else if (access(path, R_OK) != 0) {
 		snprintf(remedy, sizeof(remedy), "sudo chmod a+r %s", path);
 		survey_report(survey, SURVEY_BROKEN, name, remedy,
-			"%s: no permission", path);
+			"%s: you may not read this file", path);
 	} else {
 		survey_report(survey, SURVEY_WORKS, name, NULL, "%s", path);
 	}
 }
 
-/* Whether a demo before that one has the same file. */
+/* Whether an earlier demo uses the same file. */
 static bool is_known_asset(int demo)
 {
 	const char *asset = demo_registry[demo]->asset;
@@ -222,8 +220,8 @@ int doctor_examine_machine(const struct options *options, const struct log *log)
 	survey_devices(&report);
 	survey_config(&report, options);
 	survey_files(&report);
-	if (doctor_report_end(
-		    &report, plays, display.name, display.unasked, log) != 0) {
+	if (doctor_report_end(&report, plays, display.name, display.automatic,
+		    log) != 0) {
 		return EXIT_FAILED;
 	}
 	return plays ? EXIT_OK : EXIT_FAILED;

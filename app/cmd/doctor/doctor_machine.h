@@ -1,5 +1,5 @@
 /*
- * limber doctor without a model: what of this machine works for limber.
+ * `limber doctor` without a model: checks what limber needs of the machine.
  */
 #ifndef APP_CMD_DOCTOR_DOCTOR_MACHINE_H
 #define APP_CMD_DOCTOR_DOCTOR_MACHINE_H
@@ -7,8 +7,8 @@
 #include "app/cmd/options/options.h"
 
 /*
- * Prints what every driver finds, and the rest that play needs. One of enum
- * exit_code: EXIT_OK when some display and some GL driver work.
+ * Prints what every driver finds, then whether limber can play. Returns one of
+ * enum exit_code: EXIT_OK when a display and a GL driver work.
  */
 int doctor_examine_machine(const struct options *options, const struct log *log);
 

@@ -76,22 +76,21 @@ struct survey doctor_report_survey(struct doctor_report *report)
 }
 
 static void print_verdict(
-	FILE *out, bool plays, const char *display, bool unasked)
+	FILE *out, bool plays, const char *display, bool automatic)
 {
 	if (!display) {
-		fputs("\nlimber cannot play here: no display works: limber "
-		      "render writes pictures to files\n",
+		fputs("\nlimber cannot play here: no display works: limber render can write pictures to files\n",
 			out);
 	} else if (!plays) {
 		fputs("\nlimber cannot play here: no GL driver works\n", out);
-	} else if (unasked) {
+	} else if (automatic) {
 		fprintf(out, "\nlimber plays here, on %s\n", display);
 	} else {
 		fprintf(out, "\nlimber plays here with --display %s\n", display);
 	}
 }
 
-/* False when memory is short. */
+/* Returns false without memory. */
 static bool print_json(
 	struct doctor_report *report, bool plays, const char *display)
 {
@@ -108,7 +107,7 @@ static bool print_json(
 }
 
 int doctor_report_end(struct doctor_report *report, bool plays,
-	const char *display, bool unasked, const struct log *log)
+	const char *display, bool automatic, const struct log *log)
 {
 	bool fine = true;
 
@@ -116,7 +115,7 @@ int doctor_report_end(struct doctor_report *report, bool plays,
 		fine = print_json(report, plays, display);
 		json_decref(report->findings);
 	} else {
-		print_verdict(report->out, plays, display, unasked);
+		print_verdict(report->out, plays, display, automatic);
 	}
 	if (!fine) {
 		log_error(log, "doctor: out of memory");

@@ -1,5 +1,5 @@
 /*
- * What the doctor found, for people or as JSON.
+ * Prints what `limber doctor` finds on the machine, as text or JSON.
  */
 #ifndef APP_CMD_DOCTOR_DOCTOR_REPORT_H
 #define APP_CMD_DOCTOR_DOCTOR_REPORT_H
@@ -14,29 +14,30 @@
 struct doctor_report {
 	FILE *out;
 	bool json;
-	json_t *findings;    /* of all sections; NULL unless json */
-	bool failed;         /* no memory for a finding */
-	const char *section; /* the key in JSON */
-	const char *driver;  /* whose findings come, or NULL */
-	int works; /* findings of that state, set to 0 by whom counts */
+	json_t *findings;    /* of all sections; NULL for text */
+	bool failed;         /* out of memory for a finding */
+	const char *section; /* the section's key in JSON */
+	const char *driver;  /* which reports the next findings, or NULL */
+	int works; /* number of findings in that state; callers reset it */
 };
 
-/* 0, or -ENOMEM after a sentence. */
+/* 0, or -ENOMEM after logging an error. */
 int doctor_report_begin(struct doctor_report *report, FILE *out, bool json,
 	const struct log *log);
 
-/* A heading, and the key it has in JSON. */
+/* Begins a section: its heading in text, its key in JSON. */
 void doctor_report_section(
 	struct doctor_report *report, const char *title, const char *key);
 
-/* Where drivers put their findings; of the machine's own sysfs. */
+/* The survey through which drivers report their findings. */
 struct survey doctor_report_survey(struct doctor_report *report);
 
 /*
- * The verdict; display is the one that is taken unasked, the one to name, or
- * NULL when there is none. 0, or -errno after a sentence. Releases all.
+ * Prints the verdict and releases the report. display is the display that
+ * works, or NULL; automatic says that limber play chooses it without --display.
+ * 0, or -ENOMEM after logging an error.
  */
 int doctor_report_end(struct doctor_report *report, bool plays,
-	const char *display, bool unasked, const struct log *log);
+	const char *display, bool automatic, const struct log *log);
 
 #endif

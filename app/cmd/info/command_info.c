@@ -25,15 +25,18 @@ static int run(const struct options *options, const struct log *log)
 		&command_info, options, log, run_with_model);
 }
 
+/* clang-format off */
 const struct command command_info = {
 	.name = "info",
 	.bit = FOR_INFO,
 	.usage = "MODEL [--json]",
-	.summary = "tell what a model holds",
-	.detail = "Lists a model's meshes and their levels of detail, joints, "
-		  "influences, morph targets and\nclips, and the bytes that each technique needs to "
-		  "animate it.\n\n"
-		  "  limber info robot.glb\n"
-		  "  limber info robot.glb --json | jq .clips",
+	.summary = "print what a model contains",
+	.detail =
+		"limber lists a model's meshes and their levels of detail, joints, influences, morph targets\n"
+		"and clips, and the bytes that each technique needs to animate it.\n"
+		"\n"
+		"  limber info robot.glb\n"
+		"  limber info robot.glb --json | jq .clips",
 	.run = run,
 };
+/* clang-format on */

@@ -4,7 +4,7 @@
 
 #include <jansson.h>
 
-/* json_array_append_new() and json_pack() take NULL for "memory is short". */
+/* json_array_append_new() and json_pack() accept NULL and then fail. */
 
 static json_t *levels(const struct model_mesh *mesh)
 {
@@ -89,7 +89,7 @@ static json_t *images(const struct model *model)
 	return array;
 }
 
-/* influences[k]: how many vertices k joints move. */
+/* influences[k] is the number of vertices that k joints move. */
 static json_t *influences(const struct model_stats *stats)
 {
 	json_t *array = json_array();
@@ -120,8 +120,7 @@ int info_print_json(
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
 	json_t *root = json_pack(
-		"{s:s, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o, "
-		"s:o}",
+		"{s:s, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o}",
 		"file", model->path, "format", model->format, "nodes",
 		model->node_count, "vertices", stats->vertex_count, "triangles",
 		stats->triangle_count, "materials", model->material_count,
@@ -131,7 +130,8 @@ int info_print_json(
 	int error = 0;
 
 	if (!root) {
-		log_error(log, "%s: a name in it is no UTF-8, which JSON needs",
+		log_error(log,
+			"%s: a name in it is not UTF-8, which JSON requires: use limber info without --json",
 			model->path);
 		return -EINVAL;
 	}

@@ -1,5 +1,5 @@
 /*
- * What `limber info` tells, measured once and printed in two ways.
+ * What `limber info` prints about a model, as text or JSON.
  */
 #ifndef APP_CMD_INFO_INFO_REPORT_H
 #define APP_CMD_INFO_INFO_REPORT_H
@@ -9,23 +9,23 @@
 #include <stdio.h>
 
 struct info_report {
-	const struct model *model;
+	const struct model *model; /* not owned */
 	struct model_stats stats;
 	int joint_count; /* of all skins */
 
-	/* Memory that the techniques take beside the geometry itself. */
-	size_t hierarchical_bytes; /* a transform and a matrix a node */
-	size_t morphing_bytes;     /* targets, and the shape they give */
-	size_t skeletal_bytes;     /* influences, palettes, the skinned shape */
+	/* Memory that each technique needs in addition to the geometry. */
+	size_t hierarchical_bytes; /* a transform and a matrix for each node */
+	size_t morphing_bytes;     /* targets and morphed vertices */
+	size_t skeletal_bytes;     /* influences, palettes, skinned vertices */
 };
 
-/* 0, or -ENOMEM after a sentence. */
+/* 0, or -errno after logging an error. */
 int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out);
 
 void info_print_text(const struct info_report *report, FILE *out);
 
-/* 0, or -errno after a sentence when it cannot be told in JSON. */
+/* 0, or -errno after logging an error: a name in the model is not UTF-8. */
 int info_print_json(
 	const struct info_report *report, const struct log *log, FILE *out);
 

@@ -3,13 +3,12 @@
 
 #include <errno.h>
 
-/* Names may be missing. */
 static const char *or_unnamed(const char *name)
 {
 	return name[0] ? name : "(unnamed)";
 }
 
-/* As a mesh's own triangles: each with how far it is off. */
+/* Each level with its triangles and its largest error. */
 static void print_levels(const struct model_mesh *mesh, FILE *out)
 {
 	int count = model_level_count(mesh);
@@ -120,13 +119,13 @@ static void print_bytes(const struct info_report *report, FILE *out)
 
 	fprintf(out, "\nbytes in memory\n");
 	print_bytes_line(out, "geometry", stats->geometry_bytes,
-		"vertices and indices, whatever the technique");
+		"vertices and indices, the same for every technique");
 	print_bytes_line(out, "hierarchical", report->hierarchical_bytes,
-		"a transform and a matrix a node");
+		"a transform and a matrix for each node");
 	print_bytes_line(out, "morphing", report->morphing_bytes,
-		"targets, and the shape they give");
+		"targets and morphed vertices");
 	print_bytes_line(out, "skeletal", report->skeletal_bytes,
-		"influences, palette, the skinned shape");
+		"influences, palette and skinned vertices");
 	print_bytes_line(out, "clips", stats->clip_bytes, "keys and times");
 	print_bytes_line(out, "images", stats->image_bytes, "decoded");
 }
@@ -137,8 +136,7 @@ void info_print_text(const struct info_report *report, FILE *out)
 	const struct model_stats *stats = &report->stats;
 
 	fprintf(out,
-		"%s: %s, %d nodes, %d vertices, %d triangles, "
-		"%d materials\n",
+		"%s: %s, %d nodes, %d vertices, %d triangles, %d materials\n",
 		model->path, model->format, model->node_count,
 		stats->vertex_count, stats->triangle_count,
 		model->material_count);

@@ -1,5 +1,5 @@
 /*
- * Writing down what was pressed, as a script that --script plays again.
+ * Records button events as a script, which --script plays back.
  */
 #ifndef APP_CMD_SHOW_BUTTON_RECORD_H
 #define APP_CMD_SHOW_BUTTON_RECORD_H
@@ -9,28 +9,28 @@
 #include "platform/base/output_file.h"
 #include "platform/buttons/buttons.h"
 
-/* Begins zeroed: records nothing. */
+/* All zero: nothing is recorded. */
 struct button_record {
 	struct output_file *file;
 	int64_t last_ms;
 };
 
-/* Begins to write the file. 0, or -errno after a sentence. */
+/* Begins to write the file. 0, or -errno after logging an error. */
 int button_record_open(
 	struct button_record *record, const char *path, const struct log *log);
 
 /*
- * Adds an event; times never run backwards in the file. The line is in the file
- * when this returns, as the board may be switched off at any time: the first
- * event replaces the file that stood there before.
+ * Adds an event; times never decrease in the file. The line is in the file when
+ * this returns, since a board may be switched off at any time. The first event
+ * replaces the file that stood there before.
  */
 void button_record_event(
 	struct button_record *record, const struct button_event *event);
 
 /*
- * Completes the file. After a run that failed (complete is false) before any
- * event, the file that stood there before stays. 0, or -errno after a sentence
- * when not all could be written.
+ * Completes the file. If complete is false and there was no event, the file that
+ * stood there before stays. 0, or -errno after logging an error when the file
+ * could not be written.
  */
 int button_record_close(struct button_record *record, bool complete);
 

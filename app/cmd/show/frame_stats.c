@@ -52,9 +52,9 @@ void frame_stats_end(struct frame_stats *stats)
 	stats->frames++;
 }
 
-int frame_stats_percentile_ms(const struct frame_stats *stats, double share)
+int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction)
 {
-	int left = (int)(share * stats->frames);
+	int left = (int)(fraction * stats->frames);
 	int at = 0;
 
 	while (at < FRAME_STATS_BUCKETS - 1 && left >= stats->bucket[at]) {

@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-	MEMORY_FRAMES = 32 /* asked for so often */
+	MEMORY_FRAMES = 32 /* between two readings */
 };
 
 static const float ms_per_ns = 1e-6f;
@@ -43,9 +43,9 @@ void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
 	if (!watch->shown) {
 		return;
 	}
-	if (watch->memory_age-- == 0) {
+	if (watch->memory_wait-- == 0) {
 		watch->memory_bytes = process_memory_bytes();
-		watch->memory_age = MEMORY_FRAMES;
+		watch->memory_wait = MEMORY_FRAMES;
 	}
 	hud_graph_show(&watch->graph,
 		&(struct hud_facts){

@@ -1,7 +1,7 @@
 /*
- * A stopwatch over the stages of a frame, and the graph that shows them.
+ * Measures the stages of each frame, and draws the graph that shows them.
  *
- * Times are of the monotonic clock, whatever clock the animation follows.
+ * Times are of the monotonic clock, whichever clock the animation follows.
  */
 #ifndef APP_CMD_SHOW_FRAME_WATCH_H
 #define APP_CMD_SHOW_FRAME_WATCH_H
@@ -11,27 +11,27 @@
 
 #include <stdint.h>
 
-/* All zero: nothing watched yet, the graph not shown. */
+/* All zero: there were no frames, the graph is hidden. */
 struct frame_watch {
-	bool shown;
+	bool shown; /* the graph */
 	struct hud_graph graph;
-	float stage_ms[HUD_STAGES]; /* of the frame under way or the last */
-	int64_t mark_ns;            /* when the stage began */
-	int64_t ended_ns;           /* when the frame before did; or 0 */
+	float stage_ms[HUD_STAGES]; /* of the current frame or the last one */
+	int64_t mark_ns;            /* when the current stage began */
+	int64_t ended_ns;           /* when the last frame ended; or 0 */
 	size_t memory_bytes;
-	int memory_age; /* frames since it was asked for */
+	int memory_wait; /* frames until it is read again */
 };
 
 /* A frame begins. */
 void frame_watch_begin(struct frame_watch *watch);
 
-/* What was done since the last call was of this stage. */
+/* The time since the last call belongs to this stage. */
 void frame_watch_stage(struct frame_watch *watch, enum hud_stage stage);
 
 /* The frame is over. */
 void frame_watch_end(struct frame_watch *watch);
 
-/* Puts the graph on the picture if it is to be seen. */
+/* Draws the graph unless it is hidden. reduction: see governor_text(). */
 void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
 	const char *driver, const char *reduction, struct hud *hud);
 

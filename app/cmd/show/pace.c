@@ -4,11 +4,11 @@
 
 #include <time.h>
 
-static const double usual_hz = 60.0;
+static const double default_hz = 60.0;
 
 /*
- * Where the screen sets the pace the loop must not be the slower one; but
- * screens exist that promise to wait and do not, so it is only a little faster.
+ * The loop must not be slower than a screen that waits for its refresh. It is
+ * only a little faster, as some screens claim to wait and do not.
  */
 static const double headroom = 1.05;
 
@@ -16,7 +16,7 @@ struct pace pace_begin(double fps, double screen_hz)
 {
 	double rate_hz = fps > 0.0 ? fps
 		: screen_hz > 0.0  ? screen_hz * headroom
-				   : usual_hz;
+				   : default_hz;
 	int64_t period_ns = (int64_t)(1e9 / rate_hz);
 
 	return (struct pace){

@@ -1,8 +1,8 @@
 /*
- * How often the frame loop goes round on a real clock.
+ * The pace of the frame loop on the real clock.
  *
- * The loop sleeps until moments a fixed time apart, so that the pictures keep
- * an even pace and the processor rests; a late frame moves the moments on.
+ * The loop sleeps until moments at a fixed distance, which keeps frames evenly
+ * spaced and lets the processor rest. A late frame delays the moments after it.
  */
 #ifndef APP_CMD_SHOW_PACE_H
 #define APP_CMD_SHOW_PACE_H
@@ -15,18 +15,17 @@ struct pace {
 };
 
 /*
- * At most fps frames a second; 0 leaves it to the screen, whose rate is
- * screen_hz and which makes the loop wait itself, or, where that is 0, means
- * 60.
+ * At most fps frames a second. With fps 0 the screen's rate screen_hz decides,
+ * since showing a frame waits for the screen; 60 where that is 0 too.
  */
 struct pace pace_begin(double fps, double screen_hz);
 
-/* No waiting at all. */
+/* A pace that never waits. */
 struct pace pace_none(void);
 
 /*
- * Sleeps until the next moment, or not at all when it is over. A signal ends
- * the sleep early.
+ * Sleeps until the next moment, unless it has passed. A signal ends the sleep
+ * early.
  */
 void pace_wait(struct pace *pace);
 

@@ -78,19 +78,13 @@ static int8_t level_of(const struct demo *demo, int node)
 static int main_joint(
 	const struct model *model, const struct drawable *drawable, int vertex)
 {
-	const struct model_primitive *primitive = drawable->primitive;
-	const float *weight;
-	int max = 0;
+	struct skin_influence influence[SKIN_INFLUENCES_MAX];
 
 	if (drawable->skin < 0) {
 		return drawable->node;
 	}
-	weight = primitive->weight + vertex * primitive->influences;
-	for (int i = 1; i < primitive->influences; i++) {
-		max = weight[i] > weight[max] ? i : max;
-	}
-	return model->skin[drawable->skin]
-		.joint[primitive->joint[vertex * primitive->influences + max]];
+	skin_gather_influences(drawable->primitive, (uint32_t)vertex, influence);
+	return model->skin[drawable->skin].joint[influence[0].joint];
 }
 
 static int find_levels(struct demo *demo)

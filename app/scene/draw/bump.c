@@ -1,7 +1,7 @@
 #include "app/scene/draw/bump.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/stage/light.h"
-#include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
 
@@ -119,8 +119,7 @@ static void to_local(const vec4 *matrix, const float world[3], float out[3])
 	for (int i = 0; i < 3; i++) {
 		/* Unit columns keep products of tiny scales from underflow. */
 		vec3 c = {matrix[i][0], matrix[i][1], matrix[i][2]};
-		float length2 = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
-		float length = scalar_sqrt(length2);
+		float length = vec_length(c);
 
 		glm_vec3_scale(
 			c, length > 0.0f ? 1.0f / length : 0.0f, column[i]);
@@ -138,23 +137,18 @@ static void to_local(const vec4 *matrix, const float world[3], float out[3])
 
 static void normalize(float v[3])
 {
-	float length = scalar_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	float length = vec_length(v);
 
 	for (int i = 0; i < 3; i++) {
 		v[i] = length > 0.0f ? v[i] / length : 0.0f;
 	}
 }
 
-static float dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void bump_encode(const float light[3], const float tangent[3],
 	const float bitangent[3], const float normal[3], uint8_t out[4])
 {
-	const float local[3] = {
-		dot(light, tangent), dot(light, bitangent), dot(light, normal)};
+	const float local[3] = {vec_dot(light, tangent),
+		vec_dot(light, bitangent), vec_dot(light, normal)};
 	/* 0 where the surface faces away by a seventh of a radian or more. */
 	float fade = scalar_clamp(1.0f + 7.0f * local[2], 0.0f, 1.0f);
 

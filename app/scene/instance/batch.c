@@ -1,8 +1,8 @@
 #include "app/scene/instance/batch.h"
 
-#include "app/scene/shadow/shadow_proxy.h"
-
+#include "app/anim/math/vec.h"
 #include "app/model/color.h"
+#include "app/scene/shadow/shadow_proxy.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -283,15 +283,10 @@ static void face_normal(
 {
 	float u[3], v[3], length;
 
-	for (int i = 0; i < 3; i++) {
-		u[i] = b[i] - a[i];
-		v[i] = c[i] - a[i];
-	}
-	out[0] = u[1] * v[2] - u[2] * v[1];
-	out[1] = u[2] * v[0] - u[0] * v[2];
-	out[2] = u[0] * v[1] - u[1] * v[0];
-	length = scalar_sqrt(
-		out[0] * out[0] + out[1] * out[1] + out[2] * out[2]);
+	vec_subtract(b, a, u);
+	vec_subtract(c, a, v);
+	vec_cross(u, v, out);
+	length = vec_length(out);
 	for (int i = 0; i < 3; i++) {
 		out[i] = length > 0.0f ? out[i] / length : 0.0f;
 	}

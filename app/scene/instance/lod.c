@@ -1,6 +1,6 @@
 #include "app/scene/instance/lod.h"
 
-#include "platform/base/scalar.h"
+#include "app/anim/math/vec.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -56,9 +56,10 @@ struct lod lod_relax(const struct lod *lod, float min_px)
 static float depth_of(
 	const float point[3], const float eye[3], const float forward[3])
 {
-	return (point[0] - eye[0]) * forward[0] +
-		(point[1] - eye[1]) * forward[1] +
-		(point[2] - eye[2]) * forward[2];
+	float offset[3];
+
+	vec_subtract(point, eye, offset);
+	return vec_dot(offset, forward);
 }
 
 /* The depth of the joint nearest to the eye, at most the given depth. */
@@ -109,8 +110,7 @@ static float scale_of(const vec4 *matrix)
 	float max = 0.0f;
 
 	for (int column = 0; column < 3; column++) {
-		const float *c = matrix[column];
-		float square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+		float square = vec_dot(matrix[column], matrix[column]);
 
 		max = square > max ? square : max;
 	}

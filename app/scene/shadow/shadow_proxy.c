@@ -1,5 +1,7 @@
 #include "app/scene/shadow/shadow_proxy.h"
 
+#include "app/anim/skin.h"
+
 #include <errno.h>
 #include <stdlib.h>
 
@@ -49,15 +51,13 @@ static float find_box(const struct model_primitive *primitive, float low[3])
 
 static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
 {
-	int count = primitive->influences, best = vertex * count;
+	struct skin_influence influence[SKIN_INFLUENCES_MAX];
 
-	if (count == 0) {
+	if (primitive->influences == 0) {
 		return 0;
 	}
-	for (int i = best; i < (vertex + 1) * count; i++) {
-		best = primitive->weight[i] > primitive->weight[best] ? i : best;
-	}
-	return primitive->joint[best];
+	skin_gather_influences(primitive, (uint32_t)vertex, influence);
+	return influence[0].joint;
 }
 
 /* A file may hold any number, NaN included. */

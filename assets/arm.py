@@ -1,9 +1,9 @@
-"""A robot arm, a toy truck and a crate: rigid parts on pivots.
+"""A robot arm, a toy truck and a crate, made of rigid parts.
 
-Every part is an object of its own whose origin is its pivot, without rotation
-or scale at rest, so that a program can set heading (about +Y), pitch (+X) and
-bank (+Z) itself. Lengths are metres in glTF's axes throughout this file: Y up,
-the arm reaches out along +Z, the truck drives along +Z.
+Each part is an object whose origin is its pivot, without rotation or scale at
+rest. A program can therefore set heading (about +Y), pitch (about +X) and bank
+(about +Z). All lengths are metres in glTF's axes: Y up; the arm points along
++Z, and the truck drives along +Z.
 """
 
 import math
@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import common
 
-# Pivots in their parents' frames. README.md repeats them for the demo.
+# Pivots in the parents' frames. arm.md lists them, too.
 SHOULDER = (0, 0.32, 0)
 ELBOW = (0, 0.56, 0)
 WRIST = (0, 0, 0.46)
@@ -73,13 +73,13 @@ def place(shape, rotation=None, offset=(0, 0, 0)):
 
 
 def mirror(shape):
-    """A copy of a shape on the other side of x = 0."""
+    """A copy of a shape, mirrored at x = 0."""
     points, faces = shape
     return points * (-1, 1, 1), faces
 
 
 def lathe(profile, sides, axis="y"):
-    """Turns a profile of (radius, height) about an axis; both ends close."""
+    """Revolves a profile of (radius, height) about an axis; closes both ends."""
     points, faces, rings = [], [], []
     for radius, height in profile:
         if radius < 1e-6:
@@ -140,7 +140,7 @@ def ball(radius, sides=20, rings=10, axis="x"):
 
 
 def inset(outline, distance):
-    """An outline (counter-clockwise) moved inwards by a distance."""
+    """A counter-clockwise outline, moved inwards by a distance."""
     p = np.asarray(outline, dtype=float)
     before = p - np.roll(p, 1, axis=0)
     after = np.roll(p, -1, axis=0) - p
@@ -154,10 +154,10 @@ def inset(outline, distance):
 
 
 def plate(outline, low, high, bevel, axis="x"):
-    """An outline given thickness along an axis, with bevelled edges.
+    """Extrudes an outline along an axis, with bevelled edges.
 
     The outline's coordinates are (y, z) for axis x, (z, x) for axis y and
-    (x, y) for axis z; either direction will do.
+    (x, y) for axis z. It may run in either direction.
     """
     n = len(outline)
     u, v = np.array(outline, dtype=float).T
@@ -245,7 +245,7 @@ def arc(centre, radius, start, end, steps):
 
 
 def link_outline(length, r0, r1, steps=9):
-    """Two circles, at 0 and at length along the first axis, joined."""
+    """Joins two circles, at 0 and at length along the first axis."""
     lean = math.degrees(math.asin((r0 - r1) / length))
     side = 90 - lean
     return (arc((0, 0), r0, side, 360 - side, steps)
@@ -253,7 +253,7 @@ def link_outline(length, r0, r1, steps=9):
 
 
 def inside(tree, point):
-    """Whether a point lies in the closed shape that a BVH tree holds."""
+    """Whether a point is inside the closed shape of a BVH tree."""
     ray, start, hits = Vector((0.2357, 0.9312, 0.2781)), Vector(point), 0
     while True:
         hit = tree.ray_cast(start, ray)[0]
@@ -264,7 +264,7 @@ def inside(tree, point):
 
 
 def without_buried(shapes):
-    """The shapes less the faces that lie within one of the others."""
+    """The shapes without the faces that are inside another shape."""
     trees = [BVHTree.FromPolygons(p.tolist(), f) for p, f in shapes]
     out = []
     for i, (points, faces) in enumerate(shapes):
@@ -329,7 +329,7 @@ class Part:
 
 
 def finish(obj):
-    """Flat-looking faces with rounded edges, and triangles."""
+    """Triangulates; flat faces with rounded edges."""
     common.select_only(obj)
     obj.data.use_auto_smooth = True
     obj.data.auto_smooth_angle = math.pi
@@ -458,8 +458,8 @@ def build_hand(forearm):
 def finger_shapes():
     """The index finger about its knuckle: (color, shape) pairs.
 
-    Modelled as it stands when it holds the crate, then opened so that the
-    gripping angle is FINGER_GRIP_DEG.
+    Modelled in its position at the crate, then opened, so that its gripping
+    angle is FINGER_GRIP_DEG.
     """
     pad = CRATE / 2 - KNUCKLE[0]  # x of the pad's face
     claw = [(-0.018, -0.008), (-0.008, -0.02), (0.008, -0.02),
@@ -559,7 +559,7 @@ def windshield():
 
 
 def build_wheel(name, car, side, front):
-    """side 1 is left (+X); the hub looks outwards."""
+    """side 1 is left (+X); the hub faces outwards."""
     part = Part(name, (HUB[0] * side, HUB[1], HUB[2] if front else -HUB[2]),
                 car)
     r, w = HUB[1], 0.022
@@ -587,7 +587,7 @@ def build_crate():
     for a in range(3):
         for su, sv in np.ndindex(2, 2):
             low, high = np.zeros(3), np.zeros(3)
-            # The beams of one axis run through, the others end at them.
+            # The bars along one axis are continuous; the others end at them.
             for axis, s in (((a + 1) % 3, su), ((a + 2) % 3, sv)):
                 low[axis], high[axis] = (h - w, h) if s else (-h, -h + w)
             end = h if a == 1 else h - w
@@ -611,7 +611,7 @@ def build_crate():
 
 
 def add_floor():
-    """Only to darken what stands on it; removed before the export."""
+    """A floor that occludes the parts; removed before the export."""
     mesh = bpy.data.meshes.new("Floor")
     s = 2
     mesh.from_pydata([(-s, -s, 0), (s, -s, 0), (s, s, 0), (-s, s, 0)], [],
@@ -620,7 +620,7 @@ def add_floor():
 
 
 def bake(objects, among, **settings):
-    """Bakes objects while only those in `among` are there."""
+    """Bakes objects while the scene holds only those in `among`."""
     for obj in bpy.context.scene.objects:
         obj.hide_render = obj not in among
     common.bake_ao(objects, rounds=0, **settings)

@@ -1,12 +1,11 @@
-"""What every asset script needs.
+"""Functions that all asset scripts share.
 
 An asset script runs inside Blender 3.4 without a window:
 
     blender -b --factory-startup -P assets/NAME.py -- OUT.glb
 
-Blender's axes are used throughout (Z up, a figure faces -Y); the export turns
-them into glTF's (Y up, facing +Z). Colours are written as sRGB, the way a
-colour picker shows them.
+Scripts use Blender's axes (Z up, a figure faces -Y); the export converts them
+to glTF's (Y up, facing +Z). Colours are sRGB, as a colour picker shows them.
 """
 
 import json
@@ -91,7 +90,7 @@ def to_srgb(color):
 def image(name, pixels, data=False):
     """A packed PNG from an array [height][width][3], sRGB, top row first.
 
-    data: the values are no colours (a normal map) and mean themselves.
+    data: the values are not colours (a normal map), so they are not converted.
     """
     height, width = pixels.shape[:2]
     img = bpy.data.images.new(name, width, height, alpha=False)
@@ -108,7 +107,7 @@ def image(name, pixels, data=False):
 def normal_map(height, depth):
     """Tangent-space normals [height][width][3] of a height map that tiles.
 
-    height is 0..1, top row first; depth is what 1 means, in texels.
+    height is 0..1, top row first; depth is the height of 1, in texels.
     """
     right = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * depth / 2
     up = (np.roll(height, 1, 0) - np.roll(height, -1, 0)) * depth / 2
@@ -182,7 +181,7 @@ def fill_color(mesh, color="#ffffff"):
 
 
 def smooth_over_edges(mesh, value, rounds):
-    """Averages a value a vertex with its neighbours, some rounds."""
+    """Averages each vertex's value with its neighbours', rounds times."""
     edges = np.empty(len(mesh.edges) * 2, dtype=np.int32)
     mesh.edges.foreach_get("vertices", edges)
     a, b = edges[0::2], edges[1::2]
@@ -197,11 +196,11 @@ def smooth_over_edges(mesh, value, rounds):
 def bake_ao(objects, distance=0.5, samples=256, strength=1.0, rounds=1):
     """Multiplies baked ambient occlusion into the colours of the objects.
 
-    All renderable objects occlude each other, as they stand. distance is in
-    metres; strength 0 changes nothing, 1 takes all of it; rounds of smoothing
-    along the edges remove what noise is left. Each mesh needs a colour
-    attribute and a material. The result is one value a vertex, so that
-    borders between colours stay clean.
+    All renderable objects occlude each other in their current positions.
+    distance is in metres; strength is 0 (no occlusion) to 1 (all of it).
+    Rounds of smoothing along the edges remove noise. Each mesh needs a colour
+    attribute and a material. The result is one value for each vertex, so
+    that borders between colours stay sharp.
     """
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
@@ -214,7 +213,7 @@ def bake_ao(objects, distance=0.5, samples=256, strength=1.0, rounds=1):
     for obj in objects:
         attrs = obj.data.color_attributes
         attrs.active_color = attrs.new("AO", "FLOAT_COLOR", "CORNER")
-        # the bake goes to the one that would be rendered
+        # Blender bakes into the attribute that it would render
         attrs.render_color_index = attrs.active_color_index
     select_only(*objects)
     bpy.ops.object.bake(type="AO")
@@ -223,7 +222,7 @@ def bake_ao(objects, distance=0.5, samples=256, strength=1.0, rounds=1):
 
 
 def apply_ao(mesh, strength, rounds):
-    """Averages the baked corners a vertex and multiplies them in."""
+    """Averages the baked corners of each vertex and multiplies them in."""
     rgba = np.empty(len(mesh.loops) * 4, dtype=np.float32)
     mesh.color_attributes["AO"].data.foreach_get("color", rgba)
     corner = corner_vertices(mesh)
@@ -234,7 +233,7 @@ def apply_ao(mesh, strength, rounds):
     ao = 1 - strength * (1 - np.clip(ao, 0, 1))
     mesh.color_attributes.remove(mesh.color_attributes["AO"])
     linear = to_linear(get_colors(mesh))
-    # light that bounces off bright surfaces fills their own shade
+    # light that bounces between bright surfaces brightens occluded parts
     linear = linear * ao[corner][:, None] ** (1 - 0.55 * linear)
     set_colors(mesh, to_srgb(linear))
 
@@ -245,10 +244,10 @@ def apply_ao(mesh, strength, rounds):
 def export_glb(path, tangents_for=(), tolerance=0.0005):
     """Writes the scene as one .glb, then tidies it (see Tidy).
 
-    Actions become clips of their own names: give each object its actions as
-    NLA strips, one track a clip, tracks named after the clip. tangents_for
-    names the materials whose primitives keep tangents. tolerance is the
-    largest error, in the channel's own unit, that dropping keys may make.
+    NLA tracks become clips of the same name; each holds the action of an
+    object as a strip. tangents_for names the materials whose primitives keep
+    tangents. tolerance is the largest error that removing keys may cause, in
+    the unit of the channel.
     """
     repair_exporter()
     bpy.ops.export_scene.gltf(
@@ -279,9 +278,9 @@ def export_glb(path, tangents_for=(), tolerance=0.0005):
 
 
 def repair_exporter():
-    """Makes Blender 3.4's exporter read colours by corner.
+    """Makes Blender 3.4's exporter read colours by face corner.
 
-    It looks a corner's colour up by the number of the corner's vertex.
+    Otherwise it reads a corner's colour at the index of the corner's vertex.
     """
     if bpy.app.version >= (3, 5, 0):
         return
@@ -310,7 +309,7 @@ WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9,
 
 
 def needed_keys(time, value, path, tolerance):
-    """Which keys of a linear channel to keep (Ramer, Douglas, Peucker)."""
+    """Which keys of a linear channel to keep (Ramer-Douglas-Peucker)."""
     keep = np.zeros(len(time), dtype=bool)
     keep[0] = keep[-1] = True
     todo = [(0, len(time) - 1)]
@@ -331,13 +330,13 @@ def needed_keys(time, value, path, tolerance):
 
 
 class Tidy:
-    """Makes an exported .glb smaller without changing what it shows.
+    """Makes an exported .glb smaller without changing its picture.
 
-    Drops channels that never leave the node's rest, keys that the straight
-    line between others gives, texture coordinates and tangents that no
-    texture needs, and accessors that were written twice. Rounds normals and
-    tangents to 1/4096, since Blender's differ in the last bit from run to
-    run. Moves skinned meshes to the root, where glTF wants them.
+    Removes channels that stay at the node's rest, keys on the line between
+    their neighbours, texture coordinates and tangents that no texture needs,
+    and duplicate accessors. Rounds normals and tangents to 1/4096, because
+    Blender's differ in the last bit from run to run. Moves skinned meshes to
+    the root, as glTF recommends.
     """
 
     def __init__(self, path):
@@ -363,7 +362,7 @@ class Tidy:
         return flat.reshape(acc["count"], width)
 
     def add_view(self, data, target=None):
-        """Appends bytes as a bufferView, four-byte aligned."""
+        """Appends bytes as a bufferView, aligned to four bytes."""
         view = {"buffer": 0, "byteOffset": self.size, "byteLength": len(data)}
         if target:
             view["target"] = target
@@ -374,7 +373,7 @@ class Tidy:
         return len(self.views) - 1
 
     def keep(self, index, array=None, target=None):
-        """Copies an accessor, with other contents if an array is given."""
+        """Copies an accessor; an array replaces its values."""
         acc = dict(self.json["accessors"][index])
         if "bufferView" not in acc:
             return self.remember(acc, b"")
@@ -424,7 +423,7 @@ class Tidy:
                 target[name] = self.keep(target[name])
 
     def is_rest(self, node, path, value):
-        """Whether a channel only repeats what the node says anyway."""
+        """Whether a channel only repeats the node's rest value."""
         rest = {"translation": [0, 0, 0], "rotation": [0, 0, 0, 1],
                 "scale": [1, 1, 1]}
         if path not in rest:
@@ -456,7 +455,7 @@ class Tidy:
         clip["samplers"] = samplers
 
     def raise_skinned_nodes(self):
-        """A skinned mesh ignores its parents: none are left to mislead."""
+        """Removes the parents of skinned meshes, which glTF ignores."""
         nodes = self.json["nodes"]
         skinned = {i for i, n in enumerate(nodes) if "skin" in n}
         for node in nodes:

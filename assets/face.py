@@ -2,8 +2,8 @@
 
     blender -b --factory-startup -P assets/face.py -- assets/face.glb
 
-bust/ makes the mesh and its key frames with numpy; here they become a Blender
-object with shape keys, baked ambient occlusion and two clips.
+bust/ computes the mesh and its key frames with numpy. This script makes a
+Blender object of them, with shape keys, baked ambient occlusion and two clips.
 """
 
 import os
@@ -19,8 +19,8 @@ import common
 from bust import expression
 from bust.model import Bust
 
-SCALE = 0.12  # metres a unit of the bust
-FOOT = -2.05  # where the bust stands, in its own unit
+SCALE = 0.12  # metres for one unit of the bust
+FOOT = -2.05  # the height of the bust's base, in its own unit
 
 # The pose for the bake: an open mouth lets light onto teeth and tongue.
 BAKE = expression.both(mouth=expression.Mouth(
@@ -28,7 +28,7 @@ BAKE = expression.both(mouth=expression.Mouth(
 
 EASE_S, HOLD_S = 0.45, 0.65
 
-# Seconds, then the weights that are not 0.
+# Seconds, and the weights that are not 0.
 TALK = (
     (0.0, {}), (0.25, {"laugh": 0.35}), (0.4, {"kiss": 0.35}),
     (0.55, {"surprise": 0.35}), (0.7, {"smile": 0.3}),
@@ -45,7 +45,7 @@ TALK = (
 
 
 def to_blender(points):
-    """The bust's axes and unit to Blender's."""
+    """Converts the bust's axes and unit to Blender's."""
     p = (points - np.array([0, FOOT, 0])) * SCALE
     return np.stack([p[:, 0], -p[:, 2], p[:, 1]], axis=1)
 
@@ -72,7 +72,7 @@ def add_shape_keys(obj, bust):
 
 
 def cycle():
-    """Every key frame in turn, from rest to rest, as rows like TALK."""
+    """All key frames one after another, from rest to rest, as rows like TALK."""
     rows, time = [(0.0, {})], 0.2
     rows.append((time, {}))
     for name in expression.KEY_FRAMES:
@@ -85,7 +85,7 @@ def cycle():
 
 
 def add_clip(obj, name, rows):
-    """An action of weights on a track of its own."""
+    """Adds an action of weights on its own NLA track."""
     keys = obj.data.shape_keys
     anim = keys.animation_data or keys.animation_data_create()
     action = bpy.data.actions.new(name)

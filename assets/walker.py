@@ -28,12 +28,12 @@ COLORS = {
     "lace": "#fffaf0", "brass": "#d9a441",
 }
 PLAIN, SHIRT, LEATHER = "plain", "shirt", "leather"
-BAKED = "surprise"  # lets light onto teeth and eyes
+BAKED = "surprise"  # the pose of the bake, which lets light onto teeth and eyes
 TEXTURED = {"shirt": SHIRT, "belt": LEATHER}
 
 
 def shirt_texture():
-    """256 x 256 texels of striped knitwear."""
+    """Striped knitwear, 256 x 256 texels."""
     size = 256
     y, x = np.mgrid[0:size, 0:size]
     base = np.array(common.srgb("#1d8a8a"))
@@ -48,7 +48,7 @@ def shirt_texture():
 
 
 def leather_textures():
-    """128 x 64 texels of a stitched strap: colours and normals."""
+    """Colours and normals of a stitched strap, 128 x 64 texels."""
     h, w = 64, 128
     y, x = np.mgrid[0:h, 0:w]
     grain = np.random.RandomState(1).rand(h, w)
@@ -74,7 +74,7 @@ def both(piece):
 
 
 def build_body():
-    """Every piece but the head's, with the function that weighs it."""
+    """All pieces but the head's, with the functions of their weights."""
     shirt, trousers = body.make_shirt(), body.make_trousers()
     belt = body.make_belt(shirt, trousers)
     pieces = [(shirt, rig.shirt_weights), (trousers, rig.leg_weights),
@@ -89,7 +89,7 @@ def build_body():
 
 
 def build_head():
-    """The hair, which stays with the body, and the head, likewise."""
+    """The pieces of the hair, which belongs to the body, and of the head."""
     skin = head.Surface(head.make_skull())
     cap = head.make_cap(skin)
     hair = [(cap, rig.head_weights)]
@@ -101,14 +101,14 @@ def build_head():
     face = [(piece, rig.head_weights) for piece in face]
     for piece, _ in hair + face:
         piece.move(rig.place_head)
-    # what stays with the head and hides some of it; the ponytail swings
+    # pieces that move with the head and hide parts of it; the ponytail swings
     solid = [p for p, weigh in hair + face if weigh == rig.head_weights]
     hidden = hidden_behind(solid + [head.make_neck()])
     return trimmed(hair, hidden), trimmed(face, hidden)
 
 
 def trimmed(pieces, hidden):
-    """Pieces without the faces that never move nor come to light."""
+    """Removes the faces that never move and are never visible."""
     out = []
     for piece, weigh in pieces:
         moves = {tuple(co) for s in piece.shapes.values()
@@ -122,13 +122,13 @@ def trimmed(pieces, hidden):
 
 
 def vertex_tint(co, region, light, dark):
-    """Brightness and blush on top of a region's colour, linear factors."""
+    """Linear factors for a region's colour: brightness and blush."""
     if dark:  # the line where the lips meet
         return np.ones(3) * 0.45
     if region == "hair":
         k = 0.72 + 0.62 * light
         return np.array([k, k, k])
-    if region == "trousers":  # worn pale in front, on thighs and knees
+    if region == "trousers":  # faded in front, on thighs and knees
         front = smoothstep(0.02, -0.05, co[1]) * gauss(abs(co[0]), 0.10, 0.05)
         k = front * (0.75 * gauss(co[2], 0.70, 0.13)
                      + 0.45 * gauss(co[2], 0.50, 0.06))
@@ -167,7 +167,7 @@ def weigh_vertices(obj, pieces):
 
 
 def make_object(name, pieces, materials):
-    """One mesh out of pieces, coloured; materials by region's texture."""
+    """Makes one coloured mesh of pieces; the texture gives the material."""
     whole = Piece()
     colors = []
     for piece, _ in pieces:
@@ -213,7 +213,7 @@ def make_materials():
 
 
 def smooth_normals(co, corners, place):
-    """Normals where corners of equal place share theirs, by angle."""
+    """Normals that corners at one position share, weighted by angle."""
     total = np.zeros((place.max() + 1, 3))
     edge = np.roll(co[corners], -1, axis=1) - co[corners]
     edge /= np.maximum(np.linalg.norm(edge, axis=2), 1e-12)[..., None]
@@ -228,11 +228,11 @@ def smooth_normals(co, corners, place):
 
 
 class Morphs(common.Tidy):
-    """Works out the normals of morph targets anew.
+    """Recomputes the normals of morph targets.
 
-    Blender's differ in the last bit from run to run. Here they are the same,
-    and zero wherever nothing moves. Other normals only lose the sign of zero,
-    which differs likewise.
+    Blender's differ in the last bit from run to run. These are reproducible,
+    and 0 where no vertex moves. Other normals only lose the sign of zero,
+    which also differs from run to run.
     """
 
     def __init__(self, path):

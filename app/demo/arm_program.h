@@ -2,7 +2,7 @@
  * The robot arm's pick-up sequence: joint values for each step.
  *
  * This is data and its interpolation; arm.c applies the values to pivots. The
- * angles follow from the arm's geometry, see assets/README.md.
+ * angles follow from the arm's geometry, see assets/arm.md.
  */
 #ifndef APP_DEMO_ARM_PROGRAM_H
 #define APP_DEMO_ARM_PROGRAM_H

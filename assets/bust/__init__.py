@@ -1,1 +1,1 @@
-"""The parts of face.py's head; numpy only, Blender is not needed."""
+"""The parts of face.py's head. They need numpy, but not Blender."""

@@ -1,7 +1,7 @@
-"""What a face can do, and the key frames made of it.
+"""The parameters of an expression, and the key frames.
 
-Distances are in the head's unit, angles in degrees; all zero is the face at
-rest unless a default says otherwise.
+Distances are in the head's unit, angles in degrees. The defaults are the face
+at rest.
 """
 
 from dataclasses import dataclass, replace
@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 @dataclass(frozen=True)
 class Eye:
-    upper: float = 1.0  # 0 closed, 1 at rest, more: wide open
+    upper: float = 1.0  # 0 closed, 1 at rest, above 1 wide open
     lower: float = 0.0  # lower lid up
     tilt: float = 0.0   # upper lid's outer side up, inner side down
     outer: float = 0.0  # outer corner up
@@ -23,7 +23,7 @@ class Brow:
     inner: float = 0.0  # up
     middle: float = 0.0
     outer: float = 0.0
-    together: float = 0.0  # inner ends towards each other
+    together: float = 0.0  # inner ends move towards each other
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,8 @@ class Mouth:
     corner_y: float = 0.034
     corner_z: float = 0.0
     upper: float = 0.0   # the middle of the upper lip's edge, up
-    lower: float = 0.0   # the lower lip's, before the jaw turns
-    upper_power: float = 2.2  # how far the middle's height spreads
+    lower: float = 0.0   # the lower lip's edge, before the jaw turns
+    upper_power: float = 2.2  # how far the height of the middle extends sideways
     lower_power: float = 2.2
     thick: float = 0.9
     forward: float = 0.0

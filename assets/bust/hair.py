@@ -1,4 +1,4 @@
-"""The hair: a cap with a thick edge, and locks that lie on it."""
+"""The hair: a cap with a thick edge, and locks on the cap."""
 
 import numpy as np
 
@@ -86,7 +86,7 @@ def lock(keys, width, thickness=0.5, tip=0.05, steps=9, sides=7, shade=0.0):
 
 # (heading, elevation, lift) keys, width
 FRINGE = (
-    # swept from a parting on the right to the left
+    # combed from a parting on the right to the left
     (((-30, 66, 0.10), (-8, 56, 0.17), (14, 42, 0.13), (30, 32, 0.07)), 0.17),
     (((-32, 62, 0.09), (-18, 50, 0.16), (-2, 40, 0.12), (10, 32, 0.07)), 0.15),
     (((-22, 70, 0.10), (14, 62, 0.17), (36, 46, 0.13), (48, 29, 0.07)), 0.17),

@@ -6,7 +6,7 @@ from . import expression, hair, motion, parts, skin
 
 
 class Bust:
-    """face [..] vertices, outward; color [vertex][3], sRGB."""
+    """face: lists of vertices, facing outwards; color [vertex][3], sRGB."""
 
     def __init__(self):
         body = skin.Skin(expression.REST)
@@ -25,5 +25,5 @@ class Bust:
         self.color = np.concatenate([p.color for p in self.parts])
 
     def points(self, what):
-        """The vertices under an expression, [vertex][3]."""
+        """The vertices in an expression, [vertex][3]."""
         return np.concatenate([p.points(what) for p in self.parts])

@@ -1,8 +1,8 @@
-"""From an expression to the skin's vertices.
+"""The skin's vertices in an expression.
 
-Lids and lips go where the expression says. The rest of the skin follows: its
-displacement is the smoothest one (least squares of the graph's Laplacian)
-that meets those of the lips, brows, cheeks, chin and of what stays.
+The expression gives the positions of lids and lips. The rest of the skin gets
+the smoothest displacement (least squares of the graph Laplacian) that agrees
+with lips, brows, cheeks and chin, and with the vertices that do not move.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ CHIN = np.array([0, -0.86])
 
 
 def brow_curve(t):
-    """Where the left brow lies, as x and y; t runs from 0, inner, to 1."""
+    """The left brow as x and y; t runs from 0 (inner end) to 1."""
     x = 0.135 + 0.45 * t
     y = 0.235 + 0.115 * np.sin(np.pi * (0.16 + 0.74 * t)) - 0.03 * t
     return np.stack([x, y], axis=-1)
@@ -45,7 +45,7 @@ class Motion:
         return skin.lid_rings(what, side, border)
 
     def find_handles(self):
-        """How firmly each vertex is held, and who says where it goes."""
+        """The weight of each vertex's constraint, and the handle that sets it."""
         p = self.body.point
         x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
         weight = np.zeros(len(p))
@@ -80,7 +80,7 @@ class Motion:
         return np.linalg.inv(laplace.T @ laplace + np.diag(self.weight**2))
 
     def wishes(self, what):
-        """The displacements that the handles ask for."""
+        """The displacements that the handles prescribe."""
         p = self.body.point
         d = np.zeros_like(p)
         side = np.sign(p[:, 0])
@@ -105,7 +105,7 @@ class Motion:
         return d
 
     def points(self, what):
-        """The skin's vertices under an expression."""
+        """The skin's vertices in an expression."""
         d = self.inverse @ (self.wishes(what) * (self.weight**2)[:, None])
         out = self.body.point + d
         for side, rings in self.body.eye_rings.items():

@@ -1,7 +1,7 @@
-"""What sits on the skin: eyes, brows, ears, teeth, tongue, hair, shirt.
+"""All parts but the skin: eyes, brows, ears, teeth, tongue, hair, shirt.
 
-A part is a list of faces, a colour a vertex (sRGB) and a function from an
-expression to its vertices.
+A part is a list of faces, an sRGB colour for each vertex, and a function from
+an expression to its vertices.
 """
 
 import numpy as np
@@ -101,9 +101,9 @@ GAZE = np.array([0.345, -0.055])
 
 
 def eye_rings():
-    """(radius, colour) from the pupil outwards; equal radii make an edge.
+    """(radius, colour) from the pupil outwards; equal radii make a sharp edge.
 
-    The last three are shares of WHITE.
+    The last three are fractions of WHITE.
     """
     return [(0, "pupil"), (PUPIL, "pupil"), (PUPIL, "limbus"),
             (PUPIL + 0.012, "iris"), (IRIS - 0.025, "iris"),
@@ -117,7 +117,7 @@ def eyeball(side, sides=24):
     for _, name in rings[1:]:
         color += [COLORS[name]] * sides
     color = np.array(color)
-    # Light falls through the lens: the iris is brighter below.
+    # The lens lets light onto the lower half of the iris, which is brighter.
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
     for k, (radius, name) in enumerate(rings):
         if name == "iris":
@@ -155,7 +155,7 @@ def eyeball(side, sides=24):
 
 
 def glint(side, sides=10):
-    """The window's reflection, on the same side of both eyes."""
+    """The highlight in an eye, on the same side in both eyes."""
     spots = ((0.042, 0.048, 0.030), (-0.045, -0.045, 0.013))
     face, color = [], []
     for k in range(len(spots)):
@@ -199,7 +199,7 @@ def brow(side, steps=11, sides=6):
         path = motion.brow_curve(t) + motion.brow_shift(what.brow(side), t)
         rest = surface.from_front(motion.brow_curve(t))
         ground = surface.from_front(path)
-        # The brow's skin bulges with it instead of sinking in.
+        # The skin under the brow bulges with it.
         z = np.maximum(ground[:, 2], 0.5 * (ground[:, 2] + rest[:, 2]))
         z = z + 0.012
         along = np.gradient(path, axis=0)
@@ -279,7 +279,7 @@ def ear(side, count=18):
         color += [COLORS["skin"] + (COLORS[name] - COLORS["skin"]) * mix
                   * 0.75] * count
     flat = np.concatenate(flat)
-    # Ear space (back, up, out) to the head's, leaning out and back.
+    # Converts ear space (back, up, out) to the head's; the ear tilts out and back.
     lean, open_ = np.radians(-12), np.radians(38)
     b = flat[:, 0] * np.cos(lean) - flat[:, 1] * np.sin(lean)
     up = flat[:, 0] * np.sin(lean) + flat[:, 1] * np.cos(lean)

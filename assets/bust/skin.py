@@ -1,8 +1,8 @@
 """The skin: a grid around the head with rings for eyes and mouth.
 
-The grid runs in columns (heading) and rows (elevation). Blocks of it are cut
-out and filled with rings of as many vertices as the block has around it, so
-that lids and lips are loops which an expression can move.
+The grid has columns (heading) and rows (elevation). Blocks of it are replaced
+by rings with as many vertices as the border of the block. Lids and lips are
+thus loops that an expression can move.
 """
 
 import numpy as np
@@ -31,10 +31,10 @@ EYE_SIDES = (1, -1)
 
 
 def block_loop(rows, columns, mirrored=False):
-    """The grid places around a block.
+    """The grid points around a block.
 
-    Starts in the middle of the side that is outwards (+X, or -X when
-    mirrored) and goes up first.
+    Starts in the middle of the outer side (+X, or -X when mirrored) and goes
+    up first.
     """
     (top, bottom), (near, far) = rows, columns
     middle = (top + bottom) // 2
@@ -47,10 +47,10 @@ def block_loop(rows, columns, mirrored=False):
 
 
 class Skin:
-    """The resting skin, and where its loops are.
+    """The skin at rest and its loops.
 
     point     [vertex][3]
-    face      lists of vertices, outward
+    face      lists of vertices, facing outwards
     eye_rings {side: [ring][32]}, from the rim on the eyeball outwards; the
               last ring lies on the grid; each starts at the outer corner
     lip_rings [ring][40], from the back of the mouth outwards, likewise from
@@ -150,7 +150,7 @@ class Skin:
         self.lip_rings, self.lip_count, self.back = rings, len(lips), back
 
     def drop_hidden(self, margin_deg=14):
-        """Leaves out the scalp well under the hair."""
+        """Removes the scalp that is well under the hair."""
         d = self.point - surface.ORIGIN
         heading = np.arctan2(d[:, 0], d[:, 2])
         elevation = np.arctan2(d[:, 1], np.hypot(d[:, 0], d[:, 2]))
@@ -176,7 +176,7 @@ class Skin:
         return np.array(sorted(pairs))
 
     def relax(self, rounds=8):
-        """Evens out the front's mesh, except lids and lips."""
+        """Smooths the mesh of the front, except lids and lips."""
         p = self.point
         free = (p[:, 2] > 0.3) & (np.abs(p[:, 0]) < 0.7) & (p[:, 1] < 0.5)
         free &= p[:, 1] > -0.85
@@ -223,8 +223,8 @@ def lid_edge(eye, side, count=32):
 def lid_rings(expression, side, border):
     """The rings of one eye but the last, which is the border.
 
-    The lids slide over the dome that surface.head() has over the eyeball, so
-    they may close to any degree without touching it.
+    The lids slide over the dome that surface.head() puts over the eyeball, so
+    they never touch the eyeball.
     """
     eye = expression.eye(side)
     n = len(border)
@@ -250,7 +250,7 @@ def lid_rings(expression, side, border):
 # --- mouth ------------------------------------------------------------------
 
 MOUTH_Y = -0.575
-JAW = np.array([0, -0.30, -0.05])  # where it hinges
+JAW = np.array([0, -0.30, -0.05])  # the hinge of the jaw
 LIPS = ("back", "deep", "inside", "wet", "part", "crest", "border", "outside")
 
 
@@ -268,7 +268,7 @@ def lip_loops(expression, count=40):
     m = expression.mouth
     angle = 2 * np.pi * np.arange(count) / count
     t = np.sin(angle)
-    # Between even steps along the lip and even angles.
+    # A compromise of equal steps along the lip and equal angles.
     even = 1 - 2 * np.arccos(np.cos(angle)) / np.pi
     s = 0.5 * (np.cos(angle) + even)
     upper = t > -1e-9
@@ -300,7 +300,7 @@ def lip_loops(expression, count=40):
         xy += {"crest": 0.5, "border": 1.0, "outside": 1.0}.get(name, 0) * out
         if name == "outside":
             xy += far
-        # Slide on the muzzle of the resting face.
+        # The vertices slide on the surface of the face at rest.
         ground = surface.from_front(
             np.stack([xy[:, 0], np.clip(xy[:, 1], -0.72, -0.46)], axis=1))
         loop = np.concatenate([xy, ground[:, 2:]], axis=1)

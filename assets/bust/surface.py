@@ -1,13 +1,13 @@
-"""The head's shape as a signed distance, and where rays meet it.
+"""The head as a signed distance function, and its intersection with rays.
 
 Axes are glTF's (Y up, the face looks along +Z, its left is +X). The unit is
-about half a head's height; face.py scales to metres. Everything is the same
-on both sides of x = 0.
+half the height of a head; face.py scales it to metres. The shape is symmetric
+about x = 0.
 """
 
 import numpy as np
 
-ORIGIN = np.array([0, -0.15, -0.05])  # where the skin's rays start
+ORIGIN = np.array([0, -0.15, -0.05])  # the origin of the rays that find the skin
 EYE = np.array([0.28, -0.06, 0.315])  # the middle of the left eye's sphere
 EYE_RADIUS = 0.47
 LID_RADIUS = 0.505
@@ -25,7 +25,7 @@ def ball(p, centre, radius):
 
 
 def capsule(p, a, b, ra, rb):
-    """A round cone, near enough."""
+    """An approximate distance to a round cone."""
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     d = b - a
     t = np.clip(((p - a) @ d) / (d @ d), 0, 1)
@@ -39,7 +39,7 @@ def join(a, b, k):
 
 
 def carve(a, b, k):
-    """What of a lies outside b, with a fillet of about k."""
+    """a without b, with a fillet of about k."""
     return -join(-a, b, k)
 
 
@@ -62,7 +62,7 @@ def lid(q):
 
 
 def head(p):
-    """The whole skin, eyes closed as far as shape goes."""
+    """The whole skin, with domes over the eyes."""
     q = np.concatenate([np.abs(p[..., :1]), p[..., 1:]], axis=-1)
     d = skull(p)
     d = carve(d, ellipsoid(q, (0.37, -0.04, 1.00), (0.32, 0.29, 0.20)), 0.14)
@@ -74,9 +74,9 @@ def head(p):
 
 
 def march(shape, start, step, far=3.0):
-    """Where rays from outside meet a shape: start + t * step, t in 0..far.
+    """The points start + t * step, t in 0..far, where rays meet a shape.
 
-    Rays that miss stay at far.
+    A ray that misses gives its point at far.
     """
     t = np.zeros(len(start))
     step = np.broadcast_to(step, start.shape)
@@ -98,19 +98,19 @@ def from_front(xy, shape=head):
 
 
 def from_around(direction, shape=skull, origin=ORIGIN):
-    """The points in these directions from within."""
+    """The points in these directions, seen from the origin."""
     direction = direction / np.linalg.norm(direction, axis=1)[:, None]
     return march(shape, origin + 3.0 * direction, -direction)
 
 
 def direction(heading, elevation):
-    """Unit vectors; heading 0 looks along +Z, growing towards +X."""
+    """Unit vectors; heading 0 is +Z, positive headings turn towards +X."""
     c = np.cos(elevation)
     return np.stack([np.sin(heading) * c, np.sin(elevation),
                      np.cos(heading) * c], axis=-1)
 
 
-# Where the hair ends: heading and elevation in degrees from surface.ORIGIN.
+# The edge of the hair: heading and elevation in degrees from surface.ORIGIN.
 HAIRLINE = ((0, 41), (25, 40), (45, 36), (56, 30), (64, 20), (72, 7),
             (78, 1), (84, 5), (92, 12), (100, 13), (107, 6), (114, -8),
             (124, -24), (138, -34), (160, -38), (180, -39))

@@ -23,10 +23,10 @@ TORSO = [  # z, half width, depth in front, depth behind, y of the centre
     (1.386, 0.142, 0.088, 0.098, 0.020),
 ]
 HOLE = 5  # first of those rings
-# how far these rings rise, from the shoulder (0) to the middle (3)
+# the rise of these rings, from the shoulder (0) to the middle (3)
 HOLE_RISE = [(-0.022, -0.006, 0, 0), (0, 0, 0, 0),
              (0.016, 0.006, -0.004, -0.006)]
-COLLAR = [  # as above, then how much higher behind than in front
+COLLAR = [  # as above, then the extra height behind
     (1.420, 0.104, 0.070, 0.074, 0.022, 0.10),
     (1.436, 0.076, 0.064, 0.062, 0.020, 0.25),
     (1.450, 0.064, 0.057, 0.053, 0.019, 0.34),
@@ -40,7 +40,7 @@ SLEEVE = [  # along the arm, half depth, half height
     (0.160, 0.051, 0.050),
 ]
 TILE = 0.22  # metres of shirt that the texture covers
-TRIM = (0.836, 0.836)  # where the texture is plain, for collar and hems
+TRIM = (0.836, 0.836)  # the plain part of the texture, for collar and hems
 
 
 def torso_ring(z, w, front, back, y, n=12, power=2.25):
@@ -65,7 +65,7 @@ def shirt_rings():
 
 
 def add_sleeve(piece, hole, side):
-    """From the arm hole's eight vertices outwards, with a folded hem."""
+    """The sleeve from the arm hole's eight vertices, with a folded hem."""
     f = rounding(8)
     before, v = hole, 0.0
     for i, (s, depth, height) in enumerate(SLEEVE):
@@ -99,7 +99,7 @@ def make_shirt():
 
 
 def mark_shoulders(piece, rings):
-    """How much the cloth around the arm holes follows the arms."""
+    """Marks how much the cloth around the arm holes follows the arms."""
     a, b, c = rings[HOLE : HOLE + 3]
     for k, ring, value in ((1, a, 0.26), (0, a, 0.30), (1, b, 0.34),
                            (1, c, 0.40), (0, c, 0.46), (2, a, 0.04),
@@ -165,7 +165,7 @@ def make_trousers():
 
 
 def make_sock():
-    """The left one; a plain tube between cuff and shoe."""
+    """The left sock, a plain tube between cuff and shoe."""
     piece = Piece()
     before = None
     for z, r in ((0.162, 0.039), (0.074, 0.031)):
@@ -183,7 +183,7 @@ BELT_Z = 1.004
 
 
 def outline(pieces, z, angle):
-    """How far the outermost of the pieces lies from the axis."""
+    """The distance of the outermost piece from the axis."""
     ray = np.array([np.cos(angle), np.sin(angle), 0.0])
     far = Vector(ray * 0.5 + Z * z)
     best = 0.0
@@ -208,7 +208,7 @@ def make_belt(shirt, trousers, columns=24):
     for dz, out, _ in rows:
         ring = []
         for k in range(columns):
-            # half a step on: the middle of a face is in front
+            # half a step further, so that the middle of a face is in front
             a = 2 * np.pi * (k + 0.5) / columns + np.pi / 2
             r = outline(trees, BELT_Z + dz * 0.95, a) + out
             ring.append((r * np.cos(a), r * np.sin(a), BELT_Z + dz))
@@ -255,7 +255,7 @@ PALM = [  # along the hand, half width, half thickness
     (0.054, 0.0385, 0.0165),
     (0.088, 0.0400, 0.0135),
 ]
-FINGER = [  # length, knuckle forward, spread in degrees; from the little one
+FINGER = [  # length, knuckle forward, spread in degrees; the little finger first
     (0.055, -0.007, 6.0),
     (0.068, 0.000, 2.0),
     (0.074, 0.003, -2.0),
@@ -371,7 +371,7 @@ COLUMNS = 16
 
 
 def sole_point(k, inset):
-    """A point of the sole's outline (x, y) and its place heel 0 .. tip 1."""
+    """A point of the sole's outline (x, y) and its position, heel 0 .. tip 1."""
     a = 2 * np.pi * (k + 0.5) / COLUMNS
     c, s = np.cos(a), np.sin(a)
     along = np.sign(c) * abs(c) ** 0.86
@@ -386,7 +386,7 @@ def sole_point(k, inset):
 
 
 def shoe_ring(f, inset):
-    """From the sole's edge (f = 0) up to the opening (f = 1)."""
+    """A ring of the shoe; f is 0 at the sole, 1 at the opening."""
     out = []
     for k in range(COLUMNS):
         low, t = sole_point(k, inset)

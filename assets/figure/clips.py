@@ -1,4 +1,4 @@
-"""The walker's five clips: functions from a time to a pose, and faces."""
+"""The walker's five clips: poses and face weights as functions of time."""
 
 import bpy
 import numpy as np
@@ -16,7 +16,7 @@ def wave_at(phase, shift=0.0):
 
 
 def loop(keys, phase):
-    """Smooth closed curve through (phase, value) keys, period 1."""
+    """A smooth periodic curve through (phase, value) keys, period 1."""
     keys = sorted((k % 1.0, v) for k, v in keys)
     at = np.array([k for k, _ in keys])
     value = np.array([v for _, v in keys], dtype=float)
@@ -37,12 +37,12 @@ def loop(keys, phase):
 
 
 def keyed(keys, t):
-    """Smooth curve through (time, value) keys, flat outside."""
+    """A smooth curve through (time, value) keys, constant outside them."""
     return float(curve(keys, t)[0])
 
 
 def tail(pose, back=0.0, aside=0.0, curl=0.0):
-    """Ponytail: back swings it away from the neck, aside to the left."""
+    """The ponytail: back swings it away from the neck, aside to the left."""
     for i, share in enumerate((0.35, 0.75, 1.0, 1.1)):
         pose.bend(f"ponytail.{i + 1}", x=(back + curl * i) * share,
                   y=-aside * share)
@@ -54,7 +54,7 @@ IDLE = 3.2
 
 
 def stand(weight, breath):
-    """The stance that idle, wave and jump share.
+    """The stance of idle, wave and jump.
 
     weight shifts the hips to the left, breath is -1..1.
     """
@@ -92,7 +92,7 @@ def idle(t):
 # --- walk -------------------------------------------------------------------
 
 WALK = 1.1
-STANCE, FRONT, BACK = 0.62, -0.330, 0.375  # share of the cycle, metres
+STANCE, FRONT, BACK = 0.62, -0.330, 0.375  # fraction of the cycle, metres
 WALK_PITCH = [(0.0, 21), (0.045, 12), (0.10, 0), (0.20, 0), (0.34, 0),
               (0.42, -6), (0.50, -17), (0.56, -33), (0.62, -52), (0.69, -59),
               (0.80, -24),
@@ -219,7 +219,7 @@ def wave(t):
     high = dict(hang=-32.0, swing=-10.0, twist=66.0, elbow=84.0 + 21 * shake,
                 curl=-6.0, lift=17.0)
     mix = {k: low[k] * (1 - up) + high[k] * up for k in low}
-    # on its way the hand passes in front, not through, of the hip
+    # the hand passes in front of the hip, not through it
     mix["elbow"] += 42 * np.sin(np.pi * up)
     pose.arm(".R", **mix)
     pose.wrist(".R", up=-4 + 8 * up, aside=-12 * shake, twist=0)
@@ -244,7 +244,7 @@ def jump(t):
     crouch = keyed([(0, 0), (0.06, 0.02), (0.30, 1.0), (0.36, 1.0),
                     (LEAVE, 0), (0.56, -0.5), (0.90, -0.5), (LAND, 0),
                     (1.07, 0.80), (1.12, 0.82), (1.38, 0.05), (JUMP, 0)], t)
-    crouch = max(0.0, crouch)  # below 0 only to be fast at either end
+    crouch = max(0.0, crouch)  # below 0, so that the motion is fast at both ends
     lean = keyed([(0, 0), (0.30, 1.0), (0.36, 1.0), (0.52, -0.22), (0.73, 0.0),
                   (0.92, 0.12), (1.08, 0.72), (1.38, 0.05), (JUMP, 0)], t)
     raised = keyed([(0, 0), (0.10, -0.1), (0.32, -1.0), (0.37, -1.0),
@@ -298,13 +298,13 @@ CLIPS = [("idle", idle, IDLE), ("walk", walk, WALK), ("run", run, RUN),
 
 
 def blinks(*times):
-    """Eyes closed for a moment at each time."""
+    """Keys of a blink at each time."""
     return [(t + dt / FPS, w) for t in times
             for dt, w in ((0, 0), (2, 1), (3, 1), (7, 0))]
 
 
-# Weights of the morph targets, as (seconds, weight) with straight lines
-# between. All end as they begin, at rest; walk and run leave the face alone.
+# Weights of the morph targets as (seconds, weight), interpolated linearly. All
+# begin and end at rest. walk and run do not move the face.
 FACES = {
     "idle": {"smile": [(0, 0), (0.9, 0.05), (1.5, 0.4), (2.2, 0.4), (3, 0)],
              "blink": blinks(0.7, 2.4)},
@@ -324,7 +324,7 @@ FACES = {
 
 
 def sample(armature, function, length):
-    """Quaternions a bone and hip offsets, one a frame, the last = first."""
+    """Quaternions of the bones and hip offsets for each frame; last = first."""
     frames = int(round(length * FPS))
     bones = armature.data.bones
     rest = {b.name: np.array(b.matrix_local.to_3x3()) for b in bones}
@@ -354,7 +354,7 @@ def add_curves(action, path, values):
 
 
 def add_clips(armature):
-    """One action and one track a clip."""
+    """Adds one action and one NLA track for each clip."""
     armature.animation_data_create()
     for bone in armature.pose.bones:
         bone.rotation_mode = "QUATERNION"

@@ -1,8 +1,8 @@
 """The face's morph targets.
 
-Lids, lips and brows go where an expression says. The rest of the skin
-follows: its displacement is the smoothest one (least squares of the graph's
-Laplacian) that meets theirs and leaves ears, neck and hairline alone.
+An expression gives the positions of lids, lips and brows. The rest of the skin
+gets the smoothest displacement (least squares of the graph Laplacian) that
+agrees with them and does not move ears, neck and hairline.
 """
 
 from dataclasses import dataclass
@@ -54,12 +54,12 @@ TARGETS = {
                     jaw=8.5)),
 }
 
-BACK = {"blink": 0.0040}  # how far the eyeball gives way to the lids
+BACK = {"blink": 0.0040}  # how far the eyeball retreats behind the lids
 CHEEK = np.array([0.041, 1.541])
 
 
 class Follow:
-    """Where the skin goes."""
+    """The displacements of the skin's vertices."""
 
     def __init__(self, skin):
         self.skin = skin
@@ -77,7 +77,7 @@ class Follow:
         self.inverse = np.linalg.inv(square)
 
     def find_handles(self):
-        """How firmly each vertex is held; those that stay never move."""
+        """The weight of each vertex's constraint; fixed vertices never move."""
         skin, p = self.skin, self.rest
         x, y, z = np.abs(p[:, 0]), p[:, 1], p[:, 2]
         azimuth = np.degrees(np.arctan2(x, -y))

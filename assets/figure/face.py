@@ -1,8 +1,8 @@
-"""The face: skin with loops for lids and lips, and what lies on or in it.
+"""The face: skin with loops for lids and lips, eyes, brows and teeth.
 
-The skin is the skull's grid, with a window in front that is filled anew:
-rings around the eye and the mouth, then triangles between them and the grid.
-One half is made and mirrored; vertex i's twin is twin[i].
+The skin is the skull's grid with an opening in front, which is filled with
+rings around the eye and the mouth, and with triangles between these and the
+grid. One half is built and mirrored; twin[i] mirrors vertex i.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ WINDOW_ROWS, WINDOW_COLUMNS = (2, 13), 6
 NOSE = ((0.0, 1.5360), (0.0065, 1.5400), (0.0, 1.5440), (0.0070, 1.5465),
         (0.0130, 1.5440), (0.0165, 1.5500), (0.0, 1.5520), (0.0060, 1.5560),
         (0.0115, 1.5590))
-CLEAR = 0.0052  # grid points keep this far from rings and nose
+CLEAR = 0.0052  # the smallest distance of grid points from rings and nose
 
 
 def within(polygon, point):
@@ -32,7 +32,7 @@ def within(polygon, point):
 
 
 class Skin:
-    """The resting skin as a Piece, and where its loops are.
+    """The skin at rest as a Piece, and its loops.
 
     lids  {name: vertices} of the left eye, lips likewise of the left half
     base  the left half of the lowest ring, inside the neck
@@ -106,7 +106,7 @@ class Skin:
                 self.half.face(face, "skin")
 
     def ring(self, inner, outer, region, columns, closed):
-        """Quads between rings, of the given columns."""
+        """Quads between rings, in the given columns."""
         n = len(inner)
         for k in columns:
             m = (k + 1) % n if closed else k + 1
@@ -156,7 +156,7 @@ class Skin:
         self.half = self.half.compact()
 
     def mirror(self):
-        """The whole skin out of its left half."""
+        """The whole skin, mirrored from its left half."""
         n = len(self.half.co)
         center = {i for i, co in enumerate(self.half.co) if co[0] == 0}
         self.piece = Piece().add(self.half)
@@ -178,11 +178,11 @@ class Skin:
         return np.array(sorted(pairs))
 
 
-# --- what lies on the skin or behind it --------------------------------------
+# --- parts on the skin or behind it -------------------------------------------
 
 
 def make_eye():
-    """The left eye: white, iris and pupil on the ball."""
+    """The left eye: white, iris and pupil on the eyeball."""
     piece = Piece()
     u, _, sign = features.lid_columns()
     x, z = features.lid_edge()
@@ -206,7 +206,7 @@ def make_eye():
 
 
 def make_glint(side):
-    """The light in an eye; on the same side in both."""
+    """The highlight in an eye, on the same side in both eyes."""
     piece = Piece()
     points = ring_points((side * EYE[0] + 0.0046, 0, EYE[2] + 0.0052), X, Z,
                          (0.0030, 0.0034, 0.0034), 6)

@@ -1,4 +1,4 @@
-"""Where eyelids, lips and brows are, for any expression.
+"""The positions of eyelids, lips and brows in an expression.
 
 Metres in the head's own space (see rig.place_head), the figure's left side.
 Rings of points run from the outer corner upwards (eye) and from the middle of
@@ -18,16 +18,16 @@ UPPER = range(1, LID_COLUMNS // 2)  # columns of the upper lid
 LASH = (0.0, 0.6, 1.1, 1.25, 1.2, 1.05, 0.75, 0.0)  # thickness, inner last
 MOUTH_Z = 1.5090
 LIP_COLUMNS = (0.0, 0.30, 0.58, 0.82, 1.0)
-JAW = np.array([0, 0.006, 1.545])  # where it hinges
+JAW = np.array([0, 0.006, 1.545])  # the hinge of the jaw
 FRONT = Surface(make_skull(4))
 
 
 @dataclass(frozen=True)
 class Eye:
-    upper: float = 1.0  # upper lid: 0 closed, 1 at rest, more: wide open
-    lower: float = 0.0  # metres that the lower lid is up in its middle
-    shut: float = 0.0   # how much of its way to the closed line it goes
-    tilt: float = 0.0   # metres that the inner side of the upper lid is down
+    upper: float = 1.0  # upper lid: 0 closed, 1 at rest, above 1 wide open
+    lower: float = 0.0  # how far the middle of the lower lid is raised, in metres
+    shut: float = 0.0   # fraction of its way to the closed line
+    tilt: float = 0.0   # how far the inner side of the upper lid is lowered, in metres
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Brow:
     inner: float = 0.0  # metres up
     middle: float = 0.0
     outer: float = 0.0
-    together: float = 0.0  # inner ends towards each other
+    together: float = 0.0  # inner ends move towards each other
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Mouth:
 
 
 def front(x, z):
-    """The y of the resting skin, without holes for eyes and mouth."""
+    """The y of the skin at rest, without openings for eyes and mouth."""
     return np.array([FRONT.front(float(a), float(b)) for a, b in zip(x, z)])
 
 
@@ -63,14 +63,14 @@ BALL = BALL_FRONT - BALL_AXIS * BALL_RADIUS
 
 
 def dome(x, z, lift):
-    """The y of the eyeball, lift metres before it."""
+    """The y of a point lift metres in front of the eyeball."""
     r = BALL_RADIUS + lift
     flat = (np.asarray(x) - BALL[0]) ** 2 + (np.asarray(z) - BALL[2]) ** 2
     return BALL[1] - np.sqrt(r * r - flat)
 
 
 def lid_columns():
-    """Outer 1 .. inner -1, the share of the height, and the sign of it."""
+    """Outer 1 .. inner -1, the fraction of the height, and its sign."""
     a = 2 * np.pi * np.arange(LID_COLUMNS) / LID_COLUMNS
     return np.cos(a), np.abs(np.sin(a)), np.sign(np.round(np.sin(a), 9))
 
@@ -92,8 +92,8 @@ def lid_rings(eye=Eye()):
 
     edge lies on the eyeball; ridge carries the lashes (upper lid); rim is
     where lashes or lid end; fold (upper lid) unfolds when the eye closes;
-    crease lies on the skin and hardly moves. The lids slide before the ball
-    far enough that straight lines between any two expressions stay outside.
+    crease lies on the skin and hardly moves. The lids slide in front of the
+    eyeball, so that linear blends of two expressions stay outside it.
     """
     u, bow, sign = lid_columns()
     x, z = lid_edge(eye)
@@ -112,7 +112,7 @@ def lid_rings(eye=Eye()):
     crease[1] += np.where(up, 0.0028 * (eye.upper - 1) * bow,
                           bow * (0.6 * eye.lower + 0.0020 * eye.shut))
     rim = np.stack([x, z]) + ahead * np.where(up, 0.0012 + lash, 0.0016)
-    rim[:, 0] += (0.0044, 0.0016)  # the lashes' tip
+    rim[:, 0] += (0.0044, 0.0016)  # the tip of the lashes
     rim[:, len(LASH) - 1] -= 0.0006 * out[:, len(LASH) - 1]
     fold = rim + (crease - rim) * 0.45
     ridge = np.stack([x, z]) + ahead * 0.0010
@@ -125,7 +125,7 @@ def lid_rings(eye=Eye()):
 
 
 def on_eye(xz, lift):
-    """Lays x and z on the skin, or before the eyeball where that is out."""
+    """Puts x and z on the skin, or on the eyeball where that protrudes."""
     y = front(*xz)
     if lift is not None:
         y = np.minimum(y - 0.0004, dome(*xz, lift))
@@ -136,7 +136,7 @@ def on_eye(xz, lift):
 
 
 def open_jaw(points, degrees, share=1.0):
-    """Turns points down about the jaw's hinge."""
+    """Rotates points down about the jaw's hinge."""
     a = np.radians(degrees) * np.asarray(share, dtype=float)
     q = np.asarray(points) - JAW
     y = q[:, 1] * np.cos(a) - q[:, 2] * np.sin(a)
@@ -145,7 +145,7 @@ def open_jaw(points, degrees, share=1.0):
 
 
 def lip_columns():
-    """Along the lip 0 .. 1 (corner), and 1 above, 0 at the corner, -1."""
+    """The position along the lip, 0 .. 1 (corner); 1 above, 0 at it, -1 below."""
     s = np.array(LIP_COLUMNS)
     sign = np.ones(len(s))
     sign[-1] = 0
@@ -171,7 +171,7 @@ def lip_rings(mouth=Mouth()):
     height = np.where(above, 0.0050 * full - bow, 0.0066 * full) * mouth.thick
     height = sign * (height + 0.0006)
     wide = 0.0016 * s ** 3
-    # place across, place up, depth behind the skin, how much that is full
+    # position across and up, depth behind the skin, fraction of that depth
     rows = {
         "outside": (2.6 * wide + 0.0006 * s, sign * (0.0052 - 0.0022 * s) + height,
                     0.0, 0.0),
@@ -199,7 +199,7 @@ def lip_rings(mouth=Mouth()):
 
 
 def brow_line(t):
-    """The left brow as x and z; t runs from 0, inner, to 1."""
+    """The left brow as x and z; t runs from 0 (inner end) to 1."""
     x = 0.0125 + 0.0390 * t
     z = 1.6135 + 0.0085 * np.sin(np.pi * (0.12 + 0.68 * t)) - 0.002 * t
     return x, z

@@ -58,12 +58,12 @@ def shape_face(p):
 
 
 def skull_row(row):
-    """A row of SKULL, also between two."""
+    """A row of SKULL; fractions interpolate."""
     return curve([(i, *r) for i, r in enumerate(SKULL)], row)
 
 
 def skull_point(row, column):
-    """The skin at a row of SKULL and a column, 0 in front, running left."""
+    """The skin at a row of SKULL and a column; 0 is in front, then left."""
     zf, zb, w, front, back, power = skull_row(row)
     a = 2 * np.pi * column / COLUMNS
     a = a - 0.48 * np.sin(a)  # more columns in front
@@ -75,7 +75,7 @@ def skull_point(row, column):
 
 
 def make_skull(finer=1):
-    """The closed head, also where hair will cover it."""
+    """The closed head, including the part under the hair."""
     piece = Piece()
     rows = np.arange(finer * (len(SKULL) - 1) + 1) / finer
     columns = np.arange(finer * COLUMNS) / finer
@@ -89,7 +89,7 @@ def make_skull(finer=1):
 
 
 class Surface:
-    """Looks points up on the skull."""
+    """Finds points on the skull."""
 
     def __init__(self, piece):
         self.tree = BVHTree.FromPolygons([tuple(c) for c in piece.co],
@@ -107,7 +107,7 @@ class Surface:
         return (hit - Vector(MIDDLE)).length
 
     def at(self, azimuth, z):
-        """Unit direction to the surface, 0 degrees in front, at height z."""
+        """The unit direction to the surface at height z; 0 degrees is in front."""
         a = np.radians(azimuth)
         level = np.array([np.sin(a), -np.cos(a), 0])
         far = Vector(level * 0.5 + MIDDLE * (0, 1, 0) + Z * z)
@@ -168,14 +168,14 @@ TIE = rig.TAIL[0]
 
 
 def turn_towards(a, b, t):
-    """Along the great circle between two unit vectors."""
+    """Interpolates two unit vectors along their great circle."""
     angle = np.arccos(np.clip(a @ b, -1, 1))
     return (np.sin((1 - t) * angle) * a + np.sin(t * angle) * b) / np.sin(
         angle)
 
 
 def make_cap(skin):
-    """Hair combed back from the hairline to the tie, in ridges."""
+    """Hair, combed back in ridges from the hairline to the tie."""
     piece = Piece()
     columns = 32
     tie = unit(TIE - MIDDLE)
@@ -216,7 +216,7 @@ LOCKS = [  # width, thickness, then (degrees, height) along the forehead
 
 
 def make_lock(skin, width, thick, way):
-    """A flat strand that lies on the forehead and ends in a point."""
+    """A flat strand on the forehead that ends in a point."""
     piece = Piece()
     path = []
     for t in np.linspace(0, 1, 7):
@@ -257,7 +257,7 @@ def make_tail():
         ahead = unit(curve(key, min(1, t + 0.03))
                      - curve(key, max(0, t - 0.03)))
         size = float(curve(TAIL_SIZE, t)[0])
-        # across x side = ahead, so that rings run the right way round
+        # across x side = ahead, so that rings run counter-clockwise
         side = unit(np.cross(ahead, X))
         points = ring_points(p, X, side, (size, size * 0.9, size * 0.9), n)
         for k in range(0, n, 2):

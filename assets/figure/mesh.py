@@ -1,9 +1,9 @@
-"""Mesh pieces as plain arrays, before Blender sees them.
+"""Mesh pieces as plain arrays, which become Blender meshes at the end.
 
 A Piece collects vertices and faces, ring by ring. Each face has a region (a
 colour name), each face corner a texture coordinate, each vertex any number of
-named marks (0..1) that later decide bone weights. Shapes by name say where
-all its vertices go in morph targets.
+named marks (0..1) from which rig.py computes bone weights. Named shapes hold the
+positions of all vertices in morph targets.
 """
 
 import bpy
@@ -13,7 +13,7 @@ from mathutils.bvhtree import BVHTree
 
 
 def smoothstep(low, high, x):
-    """0 at low, 1 at high (either order), smooth between."""
+    """A smooth step from 0 at low to 1 at high; low may exceed high."""
     t = np.clip((np.asarray(x, dtype=float) - low) / (high - low), 0, 1)
     return t * t * (3 - 2 * t)
 
@@ -28,7 +28,7 @@ def unit(v):
 
 
 def curve(keys, x):
-    """Smooth curve through (x, value...) rows: monotone cubic Hermite."""
+    """A monotone cubic Hermite curve through (x, value...) rows."""
     keys = np.asarray(keys, dtype=float)
     at, values = keys[:, 0], keys[:, 1:]
     step = np.diff(at)[:, None]
@@ -81,7 +81,7 @@ class Piece:
         """Quads between two rings of equal length, b above a.
 
         Seen from outside, rings run counter-clockwise from above. u spans
-        the ring, v goes from a to b. skip holds segments to leave open.
+        the ring, v runs from a to b. skip holds segments to leave open.
         """
         n = len(a)
         last = n if closed else n - 1
@@ -115,7 +115,7 @@ class Piece:
         return self
 
     def mirrored(self):
-        """The other side: x negated, faces turned, u kept."""
+        """Mirrors: negates x, reverses faces, keeps u."""
         out = Piece()
         out.co = [co * (-1, 1, 1) for co in self.co]
         out.faces = [tuple(reversed(f)) for f in self.faces]
@@ -127,7 +127,7 @@ class Piece:
         return out
 
     def add(self, other):
-        """Takes in another piece; nothing is welded."""
+        """Adds another piece without welding vertices."""
         base = len(self.co)
         for name in {**self.shapes, **other.shapes}:
             mine = self.shapes.setdefault(name, list(self.co))
@@ -163,12 +163,12 @@ class Piece:
         return self.without_faces(lambda points: False)
 
     def drop_uv(self, unneeded):
-        """Zero texture coordinates, where unneeded(region): fewer seams."""
+        """Sets texture coordinates to 0 where unneeded(region): fewer seams."""
         self.uv = [[(0.0, 0.0)] * len(uv) if unneeded(region) else uv
                    for uv, region in zip(self.uv, self.region)]
 
     def triangulated(self):
-        """A copy in triangles; quads are cut along the shorter diagonal."""
+        """A copy in triangles; quads are split along the shorter diagonal."""
         out = Piece()
         out.co, out.marks, out.shapes = self.co, self.marks, self.shapes
         for face, region, uv in zip(self.faces, self.region, self.uv):
@@ -184,7 +184,7 @@ class Piece:
         return out
 
     def to_mesh(self, name):
-        """A Blender mesh; material slots stand for the regions."""
+        """A Blender mesh with one material slot for each region."""
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata([tuple(c) for c in self.co], [], self.faces)
         layer = mesh.uv_layers.new(name="UVMap")
@@ -196,7 +196,7 @@ class Piece:
         return mesh, names
 
     def subdivided(self):
-        """One step of Catmull and Clark; regions, uv and marks follow."""
+        """One step of Catmull-Clark subdivision; keeps regions, uv and marks."""
         mesh, names = self.to_mesh("cage")
         obj = bpy.data.objects.new("cage", mesh)
         bpy.context.scene.collection.objects.link(obj)
@@ -220,7 +220,7 @@ class Piece:
 
 
 def from_mesh(mesh, regions, marks):
-    """The Piece that a Blender mesh with region slots and groups holds."""
+    """Converts a Blender mesh with region slots and groups to a Piece."""
     out = Piece()
     out.co = [np.array(v.co, dtype=float) for v in mesh.vertices]
     uv = mesh.uv_layers[0].data
@@ -236,7 +236,7 @@ def from_mesh(mesh, regions, marks):
 
 
 def directions(n):
-    """n unit vectors, evenly all around."""
+    """n unit vectors, evenly distributed on the sphere."""
     z = 1 - 2 * (np.arange(n) + 0.5) / n
     a = np.pi * (1 + 5**0.5) * np.arange(n)
     r = np.sqrt(1 - z * z)
@@ -244,7 +244,7 @@ def directions(n):
 
 
 def hidden_behind(pieces, rays=200):
-    """Whether a face's points can be seen from nowhere, as a function."""
+    """A function: whether the points of a face are hidden from all sides."""
     whole = Piece()
     for piece in pieces:
         whole.add(piece.triangulated())
@@ -266,7 +266,7 @@ def hidden_behind(pieces, rays=200):
 
 
 def rounding(n):
-    """How much a ring of n shrinks when subdivided once."""
+    """The factor by which one subdivision shrinks a ring of n."""
     return 1 / np.cos(np.pi / n)
 
 

@@ -1,8 +1,8 @@
-"""Poses as rotations about the figure's own axes, and legs that reach.
+"""Poses as rotations about the figure's axes, and the solver of the legs.
 
 A pose gives each bone a rotation in armature axes (X to the figure's left, Y
-backwards, Z up), on top of what its parent does. Angles are in degrees.
-Positive turns: x leans forward, y tilts towards the left, z turns the figure
+backwards, Z up), in addition to its parent's. Angles are in degrees.
+Positive angles: x leans forward, y tilts towards the left, z turns the figure
 to its left.
 """
 
@@ -15,7 +15,7 @@ AXES = dict(zip("xyz", np.eye(3)))
 
 
 def turn(axis, degrees):
-    """Rotation matrix about a unit axis, or 'x', 'y', 'z'."""
+    """A rotation matrix about a unit axis or about 'x', 'y' or 'z'."""
     x, y, z = AXES[axis] if isinstance(axis, str) else unit(axis)
     a = np.radians(degrees)
     c, s = np.cos(a), np.sin(a)
@@ -24,12 +24,12 @@ def turn(axis, degrees):
 
 
 def towards(a, b, degrees):
-    """Rotation that moves direction a towards direction b."""
+    """The rotation that turns direction a into direction b."""
     return turn(np.cross(a, b), degrees)
 
 
 def frame(along, hinge):
-    """Orthonormal axes from a bone's direction and its hinge axis."""
+    """Orthonormal axes of a bone's direction and its hinge axis."""
     z = unit(along)
     y = unit(np.cross(z, hinge))
     return np.array([np.cross(y, z), y, z]).T
@@ -39,7 +39,7 @@ FORWARD = np.array([0, -1.0, 0])
 REST = {n: (h, t) for n, _, h, t in rig.bone_table()}
 HIPS = REST["hips"][0]
 
-# what touches the floor: in the foot's part of the sole, in the toes'
+# points of the sole that touch the floor: of the foot, of the toes
 SOLE_FOOT = np.array([(0.103, 0.080, 0.001), (0.103, 0.050, 0.0),
                       (0.103, -0.100, 0.0), (0.103, -0.120, 0.0008)])
 SOLE_TOE = np.array([(0.103, -0.140, 0.002), (0.103, -0.165, 0.006),
@@ -47,14 +47,14 @@ SOLE_TOE = np.array([(0.103, -0.140, 0.002), (0.103, -0.165, 0.006),
 
 
 class Pose:
-    """Rotations by bone, and how far the hips have moved."""
+    """Rotations by bone, and the displacement of the hips."""
 
     def __init__(self):
         self.rotation = {}
         self.offset = np.zeros(3)
 
     def rotate(self, bone, *turns):
-        """Adds turns; the first is the outermost."""
+        """Adds rotations; the first is the outermost."""
         matrix = self.rotation.get(bone, np.eye(3))
         for m in reversed(turns):
             matrix = m @ matrix
@@ -73,9 +73,9 @@ class Pose:
         """Upper arm and elbow.
 
         hang lowers the arm from its rest, swing moves it backwards, twist
-        turns it about itself (positive: a bent forearm moves out, or up when
-        the arm is raised), lift raises the collar bone, out is added after
-        the swing.
+        turns it about its own axis (positive: a bent forearm moves out, or up
+        when the arm is raised), lift raises the collar bone, out is added
+        after the swing.
         """
         s = 1 if side == ".L" else -1
         m = np.diag([s, 1, 1])
@@ -95,7 +95,7 @@ class Pose:
         self.fingers(side, curl)
 
     def forget_arm(self, side):
-        """Puts an arm back to rest."""
+        """Resets an arm to rest."""
         for bone in ("shoulder", "upper_arm", "forearm", "hand", "fingers",
                      "thumb"):
             self.rotation.pop(bone + side, None)
@@ -121,9 +121,9 @@ class Pose:
 
     def leg(self, side, foot, pitch=0.0, toe=0.0, clear=0.0, yaw=0.0,
             spread=0.0, knee_out=0.0, at_least=0.0):
-        """Puts a foot somewhere and bends thigh and shin to suit.
+        """Places a foot, and bends thigh and shin accordingly.
 
-        foot is (x, y): how far it stands from its place at rest. pitch
+        foot is (x, y), its displacement from rest. pitch
         raises the toes (positive) or the heel; the foot rolls over its heel
         or ball. toe bends the toes up. The lowest point of the sole is clear
         metres above the floor, the ankle not below at_least. yaw turns the
@@ -148,7 +148,7 @@ class Pose:
                    yaw * 0.6 + knee_out, m @ toes @ m)
 
     def reach(self, side, ankle, foot, knee_out, toes):
-        """Thigh and shin so that the ankle is there, the foot as given."""
+        """Rotates thigh and shin to put the ankle there; keeps the foot's angle."""
         s = 1 if side == ".L" else -1
         m = np.diag([s, 1, 1])
         hip, knee, rest = m @ rig.HIP, m @ rig.KNEE, m @ rig.ANKLE

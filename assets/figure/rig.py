@@ -1,7 +1,7 @@
-"""The walker's bones, and how strongly each moves a vertex.
+"""The walker's bones and the skin weights.
 
-Weights are functions of the rest position and of the marks a piece carries,
-so that shirt, belt and trousers move together where they touch.
+Weights are functions of the rest position and of the marks of a piece. Shirt,
+belt and trousers therefore move together where they touch.
 """
 
 import bpy
@@ -10,8 +10,8 @@ from mathutils import Vector
 
 from .mesh import smoothstep, unit
 
-ARM_DROP = np.radians(42)  # rest pose: arms this far below the horizontal
-ARM_BEND = np.radians(9)   # and the forearm this far forward
+ARM_DROP = np.radians(42)  # rest pose: angle of the arms below the horizontal
+ARM_BEND = np.radians(9)   # and of the forearm to the front
 
 SHOULDER = np.array([0.150, 0.018, 1.372])
 UPPER_ARM, FOREARM, PALM, FINGERS = 0.262, 0.232, 0.088, 0.080
@@ -31,13 +31,13 @@ ANKLE = np.array([0.098, 0.014, 0.088])
 BALL = np.array([0.106, -0.118, 0.030])
 TOE = np.array([0.110, -0.195, 0.022])
 
-# the head is modelled at life size, then made larger and set lower
+# the head is modelled at life size, then enlarged and lowered
 HEAD_SCALE, HEAD_DROP = 1.10, 0.020
 HEAD_PIVOT = np.array([0, 0.012, 1.475])
 
 
 def place_head(p):
-    """From the head's own modelling space into the figure."""
+    """Converts from the head's modelling space to the figure's."""
     p = np.asarray(p, dtype=float)
     return HEAD_PIVOT + (p - HEAD_PIVOT) * HEAD_SCALE - (0, 0, HEAD_DROP)
 
@@ -50,7 +50,7 @@ TAIL = [np.array(p) for p in ([0, 0.106, 1.655], [0, 0.168, 1.640],
                               [0, 0.208, 1.565], [0, 0.216, 1.480],
                               [0, 0.200, 1.390])]
 
-# name, parent, head, tail; limbs are given for the left and mirrored
+# name, parent, head, tail; the left limbs are mirrored
 CENTRE = [
     ("hips", None, (0, 0.004, 0.950), (0, 0.004, 1.040)),
     ("spine", "hips", (0, 0.004, 1.040), (0, 0.012, 1.170)),
@@ -111,7 +111,7 @@ def make_armature():
 
 
 def blend(a, b, t):
-    """Two weight dictionaries mixed, t of b."""
+    """Blends two weight dictionaries; t is the weight of b."""
     out = {}
     for part, share in ((a, 1 - t), (b, t)):
         for name, w in part.items():
@@ -131,7 +131,7 @@ def side_of(co):
 
 
 def shirt_weights(co, marks):
-    """Torso and sleeves: spine, collar bone, upper arm."""
+    """Weights of torso and sleeves: spine, collar bone, upper arm."""
     side = side_of(co)
     p = np.array([abs(co[0]), co[1], co[2]])
     out = spine_weights(co)
@@ -154,11 +154,11 @@ def arm_weights(co, marks):
 
 
 def leg_weights(co, marks):
-    """Trousers: the hips, then down either leg."""
+    """Weights of the trousers: the hips, then each leg."""
     side = side_of(co)
     p = np.array([abs(co[0]), co[1], co[2]])
     out = spine_weights(co)
-    # behind, the seat follows the thigh later than the front does
+    # the back of the seat follows the thigh less than the front does
     line = p[2] + 0.25 * p[1]
     thigh = smoothstep(0.985, 0.815, line)
     other = 0.5 * smoothstep(0.030, 0.0, p[0])
@@ -172,7 +172,7 @@ def leg_weights(co, marks):
 
 
 def ankle_weights(co, marks):
-    """Sock: from the shin into the shoe."""
+    """Weights of a sock, from the shin into the shoe."""
     side = side_of(co)
     t = smoothstep(ANKLE[2] + 0.050, ANKLE[2] - 0.005, co[2])
     return blend({"shin" + side: 1}, {"foot" + side: 1}, t)
@@ -194,7 +194,7 @@ def head_weights(co, marks):
 
 
 def tail_weights(co, marks):
-    """Ponytail: by the place along the chain, 0 at its root, 4 at its end."""
+    """Weights of the ponytail by the position along its chain, 0 .. 4."""
     s = marks.get("along", 0) * 4
     out = {"head": 1}
     for i in range(4):
@@ -205,7 +205,7 @@ def tail_weights(co, marks):
 
 
 def limited(weights, most=4, least=0.02):
-    """At most four bones, none negligible, the sum exactly one."""
+    """At most four bones with weights that are not negligible and sum to 1."""
     top = sorted(weights.items(), key=lambda item: (-item[1], item[0]))[:most]
     top = [(n, w) for n, w in top if w >= least * top[0][1]]
     total = sum(w for _, w in top)

@@ -1,10 +1,11 @@
-// How far the surface of some triangles is from that of others.
+// Measures the distance between two triangle surfaces.
 
 const sub = (p, q) => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
 const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 const mix = (p, u, s, v, t) => p.map((x, i) => x + s * u[i] + t * v[i]);
 
-// The square of the distance, after Ericson, Real-Time Collision Detection 5.1.5.
+// The squared distance of a point from a triangle, after Ericson, Real-Time
+// Collision Detection, 5.1.5.
 function toTriangle(p, [a, b, c]) {
     const to = (q) => dot(sub(p, q), sub(p, q));
     const ab = sub(b, a), ac = sub(c, a);
@@ -32,10 +33,10 @@ function cornersOf(position, list) {
     return out;
 }
 
-// Cells of a grid have a number; those farther than 500 from 0 may share one.
+// The number of a grid cell; cells beyond 500 from the origin may share one.
 const keyOf = (x, y, z) => ((x + 500) * 1000 + y + 500) * 1000 + z + 500;
 
-// Triangles by the cells that their boxes touch.
+// Sorts triangles into the cells that their bounding boxes touch.
 function gridOf(triangles, cell) {
     const grid = new Map();
     for (const t of triangles) {
@@ -56,7 +57,7 @@ function gridOf(triangles, cell) {
     return grid;
 }
 
-// In cells ever farther out, until none can hold anything nearer.
+// Searches rings of cells outwards until no cell can hold a nearer triangle.
 function nearest(p, grid, cell, rings) {
     const at = p.map((x) => Math.floor(x / cell));
     let best = Infinity;
@@ -79,9 +80,9 @@ function nearest(p, grid, cell, rings) {
     return Math.sqrt(best);
 }
 
-// Of the vertices and triangles' middles of one list, the distance to the
-// surface of the other that 99 of 100 keep within. A part that is missing
-// altogether counts as rings * cell.
+// The 99th percentile of the distances from the vertices and triangle centres of
+// one list to the surface of the other. A part without a counterpart counts as
+// rings * cell.
 export function surfaceDistance(position, all, few, cell = 0.01, rings = 6) {
     const grid = gridOf(cornersOf(position, few), cell);
     const middles = cornersOf(position, all).map(([a, b, c]) =>

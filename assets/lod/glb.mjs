@@ -1,4 +1,4 @@
-// A .glb as its JSON and its binary chunk: reading values, appending lists.
+// Reads and writes .glb files: JSON, binary chunk, accessors.
 import fs from 'node:fs';
 
 const MAGIC = 0x46546c67, JSON_CHUNK = 0x4e4f534a, BIN_CHUNK = 0x004e4942;
@@ -57,7 +57,8 @@ function unpack({ json, bin }, where, type, count, width, out, place) {
     }
 }
 
-// { count, width, value }: fractions where the accessor is normalised.
+// Unpacks an accessor to { count, width, value }; normalised integers become
+// fractions.
 export function valuesOf(glb, index) {
     const { count, type, componentType, normalized, sparse, bufferView,
         byteOffset } = glb.json.accessors[index];
@@ -80,7 +81,7 @@ export function valuesOf(glb, index) {
     return { count, width, value };
 }
 
-// Appends a list of vertices; the number of its accessor.
+// Appends an index list; returns the number of its accessor.
 export function addIndices(glb, list, vertexCount) {
     const small = vertexCount <= 65535;
     const data = Buffer.from((small ? Uint16Array : Uint32Array).from(list)

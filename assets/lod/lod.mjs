@@ -1,22 +1,22 @@
-// node lod.mjs FILE.glb...: gives a model coarser levels, in place.
+// node lod.mjs FILE.glb...: adds levels of detail to models, in place.
 //
-// A level is an index list over the vertices that are there. In the file it is
-// a node of MSFT_lod whose mesh has the attributes of the node it stands for
-// and indices of its own; extras.error_m says how far its surface is from the
-// full one, extras.shape that it is for shadows. Levels that a file has are
-// made again, so that a second run changes nothing.
+// A level is an index list over the existing vertices. In the file it is a node
+// of MSFT_lod whose mesh has the attributes of the full node and its own indices.
+// extras.error_m is the distance of its surface from the full one; extras.shape
+// marks a level for shadows. Existing levels are replaced, so a second run
+// changes nothing.
 import { addIndices, readGlb, valuesOf, writeGlb } from './glb.mjs';
 import { makeLevels } from './simplify.mjs';
 
 const ERRORS_M = [0.0004, 0.0008, 0.0016, 0.0035, 0.007, 0.014];
-// Of the largest mesh's extent: a pixel and a half where that is as high as two
-// thirds of a screen of 640.
+// The first error as a fraction of the largest mesh's extent: 1.5 pixels when the
+// mesh covers two thirds of a screen with 640 rows.
 const SHAPE_ERROR = 0.0035;
-const WORTH = 0.2; // a level has to save so much of the one before
+const WORTH = 0.2; // the fraction of the triangles that a level must save
 const LOD = 'MSFT_lod';
 
-// For players that go by the share of the screen that the node covers: an error
-// of one pixel on 640.
+// The screen coverage at which the error is one pixel of 640, for players that
+// choose levels by coverage.
 const SCREEN_PX = 640;
 
 const levelsOf = (node) => node.extensions?.[LOD]?.ids ?? [];
@@ -27,7 +27,7 @@ function removeUse(json) {
     else delete json.extensionsUsed;
 }
 
-// Levels made here are the last of everything.
+// This script appends levels, so existing ones are the last nodes and meshes.
 function removeLevels(glb) {
     const { json } = glb;
     const ids = json.nodes.flatMap(levelsOf);
@@ -54,7 +54,7 @@ function removeLevels(glb) {
     removeUse(json);
 }
 
-// The other meshes that one of the same skins moves.
+// The other meshes that are moved by a skin of this mesh.
 function neighboursOf({ nodes }, mesh) {
     const skins = new Set(nodes.filter((n) => n.mesh === mesh &&
         n.skin !== undefined).map((n) => n.skin));
@@ -75,7 +75,7 @@ function addLevelMesh(glb, mesh, lists) {
     }) - 1;
 }
 
-// [mesh]: { error_m, shape, mesh } for each of its levels.
+// For each mesh, its levels as { error_m, shape, mesh }.
 function addMeshes(glb) {
     const levels = new Map();
     const primitives = (mesh) => glb.json.meshes[mesh].primitives;

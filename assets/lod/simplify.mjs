@@ -1,29 +1,29 @@
-// Fewer triangles over the same vertices, for the primitives of a mesh.
+// Simplifies the primitives of a mesh: fewer triangles over the same vertices.
 //
-// All of them are simplified at once, so that a border between two materials
-// loses the same corners on both sides and stays closed. Where the mesh meets
-// another, as the head meets the body, it keeps its vertices. What a vertex is
-// besides its place counts in metres, by the factors below: an attribute that is
-// off by so much looks as wrong as a place that is off by that many metres.
+// All primitives are simplified at once, so that borders between materials lose
+// the same vertices on both sides and stay closed. Where the mesh touches another
+// one, as the head touches the body, it keeps its vertices. The factors below
+// convert errors of attributes to metres: an error of one unit of the attribute
+// looks as bad as a displacement by that many metres.
 import { MeshoptSimplifier } from 'meshoptimizer';
 import { valuesOf } from './glb.mjs';
 import { surfaceDistance } from './distance.mjs';
 
 await MeshoptSimplifier.ready;
 
-const NORMAL_M = 0.02; // a unit of the normal
-const COLOR_M = 0.04; // from black to white
-const TEXTURE = 8; // what the texture slips by, in metres of the surface
-const WEIGHT_M = 0.5; // all of an influence: so much a limb's bend moves it
+const NORMAL_M = 0.02; // for a unit of the normal
+const COLOR_M = 0.04; // for a change from black to white
+const TEXTURE = 8; // for a metre by which the texture is displaced
+const WEIGHT_M = 0.5; // for a weight of 1: how far bending a limb moves the vertex
 const WEIGHT_SLOTS = 8;
-const FACE = 2; // errors count so much where there are morph targets
-const SMALL_PARTS_FROM_M = 0.008; // above it whole small parts may go
+const FACE = 2; // the factor of errors in meshes with morph targets
+const SMALL_PARTS_FROM_M = 0.008; // from this error on, small parts may vanish
 
 const encode = (x) =>
     (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 
-// A direction for each joint in a space of few dimensions: weights of up to 30
-// joints make as many numbers as that, and different weights different ones.
+// Maps each joint to a direction in a space of few dimensions. Weights of up to
+// 30 joints become that many numbers, and different weights different numbers.
 function jointDirections(count) {
     let state = 12345;
     const random = () => {
@@ -36,7 +36,7 @@ function jointDirections(count) {
     });
 }
 
-// How many metres of surface a unit of the texture coordinates covers.
+// The metres of surface that a unit of the texture coordinates covers.
 function textureScale(position, texcoord, index) {
     let metres = 0, units = 0;
     for (let i = 0; i + 1 < index.length; i += 3) {
@@ -66,8 +66,8 @@ function readPrimitive(glb, primitive) {
     };
 }
 
-// Rows of attributes in metres: normal, colour, texture, then what makes it
-// move: targets, or influences.
+// The attributes of each vertex in metres: normal, colour, texture coordinates,
+// then morph targets or influences.
 function attributesOf(part, slots, directions) {
     const { normal, color, texcoord, joint, weight, target } = part;
     const width = 8 + slots;
@@ -100,7 +100,7 @@ function attributesOf(part, slots, directions) {
 const placesOf = (part) => Array.from({ length: part.position.count }, (_, v) =>
     part.position.value.subarray(v * 3, v * 3 + 3).join());
 
-// Vertices of all parts in a row, with their attributes.
+// The vertices of all primitives in one array, with their attributes.
 function join(glb, primitives, others) {
     const parts = primitives.map((p) => readPrimitive(glb, p));
     const taken = new Set(others.flatMap((p) =>
@@ -129,7 +129,8 @@ function join(glb, primitives, others) {
             part.index.map((v) => v + first[i]))) };
 }
 
-// For shapes: within a part, vertices in one place that move alike are one.
+// For shadow levels: welds vertices of a primitive that have the same position,
+// targets and influences.
 function weld({ parts, first, count, position, attribute, width }) {
     const same = new Map();
     const weldTo = Uint32Array.from({ length: count }, (_, i) => i);
@@ -155,7 +156,7 @@ function simplify(group, index, error, used) {
         attribute, width, factor, lock, 0, error, flags)[0];
 }
 
-// The distance at rest and in every morph target's shape.
+// The largest distance at rest and in the shape of each morph target.
 function measure(group, list) {
     const { position, parts, first, index } = group;
     const targets = Math.max(...parts.map((p) => p.target.length));
@@ -170,7 +171,7 @@ function measure(group, list) {
     return worst;
 }
 
-// A list a primitive again.
+// Splits the result into one index list for each primitive.
 function split({ parts, first }, list) {
     return parts.map((part, p) => {
         const out = [];
@@ -183,10 +184,11 @@ function split({ parts, first }, list) {
     });
 }
 
-// For each error in metres { error_m, index: a list a primitive }: error_m is
-// what was measured, as it counts. shape: for shadows, where only places and what moves them
-// count and seams are none. A level has to save a share of the one before.
-// others: primitives of the meshes that this one meets.
+// Makes a level { error_m, index } for each allowed error in metres. error_m is
+// the measured distance, index holds a list for each primitive. With shape, only
+// positions, targets and influences count, and seams are welded. A level must
+// save a fraction (worth) of the triangles of the one before. others are the
+// primitives of the meshes that this mesh touches.
 export function makeLevels(glb, primitives, others, errors, shapeError, share) {
     const group = join(glb, primitives, others);
     const counts = group.parts[0].target.length > 0 ? FACE : 1;
@@ -196,7 +198,7 @@ export function makeLevels(glb, primitives, others, errors, shapeError, share) {
         const list = simplify(group, group.index, error / counts, () => true);
         if (list.length > 0 && list.length <= last * (1 - share)) {
             const error_m = measure(group, list) * counts;
-            // By luck a coarser one may be nearer: it does for both.
+            // A coarser level may be nearer by chance; it then replaces this one.
             while (levels.at(-1)?.error_m >= error_m) levels.pop();
             levels.push({ error_m, index: split(group, list) });
             last = list.length;

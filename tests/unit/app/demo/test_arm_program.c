@@ -1,5 +1,5 @@
 /*
- * The pick-up sequence against the arm's geometry (assets/README.md): where
+ * The pick-up sequence against the arm's geometry (assets/arm.md): where
  * the pivots say the grip is, the crate must be.
  */
 #include "app/anim/hierarchy.h"

@@ -2,15 +2,14 @@
  * struct gl: OpenGL ES 1.1 as a table of functions.
  *
  * The calls are spelled as in GL without the prefix: gl->PushMatrix(). Numbers
- * are 16.16 fixed point, the Common-Lite profile, because that is what a core
- * without floating point can feed a driver; vertex arrays may also be
- * GL_FLOAT. Enumerants that stand in a fixed-point parameter (TexEnvx,
- * TexParameterx) are passed as they are, not scaled, as the specification
- * says.
+ * are 16.16 fixed point, as in the Common-Lite profile, which suits cores
+ * without floating point; vertex arrays may also be GL_FLOAT. An enumerant in a
+ * fixed-point parameter (TexEnvx, TexParameterx) is not scaled, as the
+ * specification says.
  *
- * The values of the enumerants are OpenGL ES 1.1's; a test holds them against
- * the Khronos header. This header replaces <GLES/gl.h> for the program, so
- * that it builds without any GL installed.
+ * The values of the enumerants are those of OpenGL ES 1.1; a test compares them
+ * with the Khronos header. The program includes this header instead of
+ * <GLES/gl.h>, so it builds without an installed GL.
  */
 #ifndef PLATFORM_GL_GL_H
 #define PLATFORM_GL_GL_H

@@ -1,9 +1,9 @@
 /*
- * The OpenGL ES 1.1 Common-Lite calls that limber uses: the one list.
+ * The list of OpenGL ES 1.1 Common-Lite calls that limber uses.
  *
- * Include it with GL_FUNCTION(result, name, parameters) defined. struct gl,
- * the loaders and the drivers are generated from it, so a call that is added
- * here is everywhere. No include guard: it is meant to be read many times.
+ * Include it with GL_FUNCTION(result, name, parameters) defined. struct gl, the
+ * loader and the drivers are generated from it, so a call need only be added
+ * here. It has no include guard because it is included several times.
  */
 GL_FUNCTION(void, ActiveTexture, (GLenum unit))
 GL_FUNCTION(void, AlphaFuncx, (GLenum function, GLfixed reference))

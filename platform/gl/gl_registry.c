@@ -31,7 +31,7 @@ static const struct gl_driver *find(const char *name)
 	return NULL;
 }
 
-/* A surface has no other way than a driver for surfaces, whoever draws. */
+/* For a surface any driver with .surface will do, accelerated or not. */
 static bool suits_auto(
 	const struct gl_driver *driver, const struct gl_request *request)
 {
@@ -56,7 +56,7 @@ static int open_any(const struct gl_request *request, struct gl_context **out)
 		if (!error && !request->surface && driver->accelerates &&
 			!(*out)->accelerated) {
 			log_note(request->log,
-				"--gl auto: not %s: no graphics processor behind it (%s)",
+				"--gl auto: skipped %s, which uses no graphics processor (%s)",
 				driver->name, (*out)->description);
 			driver->destroy(*out);
 			error = -ENOENT;
@@ -64,7 +64,7 @@ static int open_any(const struct gl_request *request, struct gl_context **out)
 	}
 	if (error && !request->surface) {
 		log_error(request->log,
-			"--gl auto: no GL driver opens here: name one with --gl");
+			"--gl auto: no GL driver could be opened: choose one with --gl");
 	}
 	if (error) {
 		return error;
@@ -102,7 +102,7 @@ int gl_open_for(const char *name, const struct gl_request *request,
 	}
 	if (!gl_can_draw(name, request->surface != NULL)) {
 		log_error(request->log,
-			"--gl %s: it draws into memory, and this display has none to offer: choose --gl gles1, or another --display",
+			"--gl %s: it can only draw into memory, but this display provides none: choose --gl gles1, or another --display",
 			name);
 		return -EINVAL;
 	}

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Where a library lacks there is something to install. */
+/* The remedy for a missing library is to install the driver's packages. */
 static void report_failed(const struct gl_driver *driver, int error,
 	const char *subject, const struct survey_message *sentence,
 	const struct survey *survey)

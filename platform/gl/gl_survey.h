@@ -1,5 +1,5 @@
 /*
- * What the GL drivers make of this machine.
+ * The GL drivers that limber doctor reports.
  */
 #ifndef PLATFORM_GL_GL_SURVEY_H
 #define PLATFORM_GL_GL_SURVEY_H
@@ -8,12 +8,16 @@
 #include "platform/gl/gl_context.h"
 
 /*
- * Opens every driver for pixels, one after the other, and says who draws; then
- * which one "auto" takes. request->log is not used.
+ * Opens every driver for pixels, one after the other, and reports whether a
+ * graphics processor draws; then reports which driver "auto" takes.
+ * request->log is not used.
  */
 void gl_survey(const struct gl_request *request, const struct survey *survey);
 
-/* Whether a driver has a screen for displays of surfaces; subject: theirs. */
+/*
+ * Reports, for the display that subject names, whether drivers with .surface
+ * find a screen.
+ */
 void gl_survey_screen(const struct gl_request *request, const char *subject,
 	const struct survey *survey);
 

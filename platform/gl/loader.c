@@ -24,8 +24,8 @@ static const bool mesa_compiler_fails = false;
 #endif
 
 /*
- * For 32-bit ARM with software floating point, the machine code that Mesa's
- * llvmpipe makes crashes or draws rubbish; its interpreter is right.
+ * On 32-bit ARM the machine code that Mesa's llvmpipe generates crashes or
+ * draws wrong pictures (seen in Debian 13's Mesa 25). softpipe generates none.
  */
 static void choose_mesa_renderer(void)
 {
@@ -56,7 +56,8 @@ gl_function gl_library_find(void *library, const char *name)
 	void *address = dlsym(library, name);
 	gl_function function;
 
-	/* C has no conversion from a data pointer; POSIX promises the bits. */
+	/* ISO C cannot convert a data pointer to a function pointer, but POSIX
+	 * guarantees that both have the same representation. */
 	memcpy(&function, &address, sizeof(function));
 	return function;
 }

@@ -1,9 +1,9 @@
 /*
- * Tables of functions from libraries that are opened at run time.
+ * Loads tables of functions from libraries that are opened at run time.
  *
- * One program serves machines with and without a GL library, so nothing of GL
- * is linked. A library stays in memory once it is open: GL libraries keep
- * threads and thread-local data that do not survive being unloaded.
+ * limber does not link GL, so that it runs on machines without it. A library is
+ * never closed, because GL libraries have threads and thread-local data that do
+ * not survive unloading.
  */
 #ifndef PLATFORM_GL_LOADER_H
 #define PLATFORM_GL_LOADER_H
@@ -12,20 +12,21 @@
 
 typedef void (*gl_function)(void);
 
-/* One member of a struct that holds nothing but pointers to functions. */
+/* A member of a struct of function pointers. */
 struct gl_slot {
-	const char *name; /* as the library spells it */
+	const char *name; /* of the library's function */
 	size_t offset;
 };
 
-/* The slots of struct gl. */
+/* The members of struct gl. */
 extern const struct gl_slot gl_slots[];
 extern const int gl_slot_count;
 
 /*
- * The first of these libraries that opens, NULL at the end of the list; or
- * NULL, and *why (unless NULL) is the dynamic loader's reason for the last.
- * On 32-bit ARM it sets GALLIUM_DRIVER unless it is set: see there.
+ * Opens the first library of the list that can be opened; the list ends with
+ * NULL. Returns NULL if there is none, with the reason for the last one in *why
+ * unless why is NULL. On 32-bit ARM it also sets GALLIUM_DRIVER to softpipe
+ * unless it is set.
  */
 void *gl_library_open(const char *const *names, const char **why);
 
@@ -33,8 +34,8 @@ void *gl_library_open(const char *const *names, const char **why);
 gl_function gl_library_find(void *library, const char *name);
 
 /*
- * Fills those members of table that are still NULL with what find(user, name)
- * answers. NULL, or the name of the first that is missing.
+ * Sets the members of table that are NULL to the result of find(user, name).
+ * Returns NULL, or the name of the first function that is missing.
  */
 const char *gl_load(void *table, const struct gl_slot *slots, int slot_count,
 	gl_function (*find)(void *user, const char *name), void *user);

@@ -102,7 +102,7 @@ expect_out '^  broken   .*none\.conf: cannot be read: '
 expect_out '^           -> name another file with --config FILE'
 
 limber doctor --egl-library "$scratch/no.so"
-expect_out '^  broken   gles1: .*does not open'
+expect_out '^  broken   gles1: .*cannot be opened'
 
 limber doctor --jsno
 expect_refusal 2 'did you mean --json'

@@ -1,11 +1,11 @@
 /*
- * The EGL calls in use: one list, read many times, like gl_functions.h.
- * EGL_OPTIONAL: not in EGL 1.0, and left NULL where it is missing.
+ * The EGL calls that limber uses. Like gl_functions.h, this list is included
+ * several times. EGL_OPTIONAL calls are not in EGL 1.0; a missing one is NULL.
  */
 EGL_OPTIONAL(EGLBoolean, BindAPI, (EGLenum api))
 EGL_FUNCTION(EGLBoolean, ChooseConfig,
 	(EGLDisplay display, const EGLint *attributes, EGLConfig *configs,
-		EGLint room, EGLint *count))
+		EGLint capacity, EGLint *count))
 EGL_FUNCTION(EGLContext, CreateContext,
 	(EGLDisplay display, EGLConfig config, EGLContext share,
 		const EGLint *attributes))

@@ -1,6 +1,6 @@
 /*
- * OpenGL ES 1.1 of any EGL: on a native surface, or drawn into a pbuffer and
- * read back.
+ * OpenGL ES 1.1 through EGL, on a native surface or into a pbuffer whose pixels
+ * are read back.
  */
 #include <errno.h>
 #include <glob.h>
@@ -12,7 +12,7 @@
 #include "platform/gl/gles1/gles1_egl.h"
 #include "platform/gl/loader.h"
 
-/* The context needs a surface before the first frame; nothing is drawn there. */
+/* The context needs a surface before the first frame; nothing uses it. */
 enum {
 	FIRST_SIZE = 16
 };
@@ -26,8 +26,8 @@ struct gles1_context {
 	enum pixel_format format;
 	bool on_surface;
 	struct pixels target;
-	int width, height; /* that the viewport was last set to */
-	uint8_t *rgba;     /* what was read back, bottom row first */
+	int width, height; /* of the viewport */
+	uint8_t *rgba;     /* the pixels read back, bottom row first */
 	char description[128];
 };
 
@@ -42,7 +42,7 @@ static void gles1_destroy(struct gl_context *context)
 	}
 }
 
-/* By the renderers' names: no GL tells who draws. */
+/* GL cannot tell whether it is accelerated, so the renderer's name decides. */
 static bool is_software(const char *renderer)
 {
 	static const char *const names[] = {
@@ -166,7 +166,7 @@ static int begin_on_surface(struct gles1_context *gles1)
 	egl_get_size(&gles1->egl, &base->width, &base->height);
 	if (base->width < 1 || base->height < 1) {
 		log_error(&gles1->log,
-			"--display egl: EGL tells no size of its surface");
+			"--display egl: EGL does not tell the size of its surface: choose another --display");
 		return -EIO;
 	}
 	if (base->width != gles1->width || base->height != gles1->height) {
@@ -195,7 +195,7 @@ static int gles1_begin_frame(
 	return egl_make_current(&gles1->egl);
 }
 
-/* Rounded to nearest, which gives a 565 surface's own values back. */
+/* Rounding to nearest restores the exact values of a 565 surface. */
 static void copy_565(uint8_t *out, const uint8_t *rgba, int width)
 {
 	for (int x = 0; x < width; x++, rgba += 4, out += 2) {
@@ -245,8 +245,8 @@ static int gles1_end_frame(struct gl_context *context)
 }
 
 /*
- * Opening EGL only to learn that the processor draws costs start-up time, so
- * "auto" wants to see a graphics processor's device, or a library by name.
+ * Opening EGL takes time, so "auto" only does it if there is the device file of
+ * a graphics processor, or the user names a library.
  */
 static bool gles1_probe(void)
 {

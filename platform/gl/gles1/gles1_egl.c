@@ -35,11 +35,12 @@ static const struct gl_slot optional_slots[] = {
 #undef EGL_OPTIONAL
 };
 
-/* asked: a file's name or NULL; variable: where else one may be. */
-static void *open_library(const char *asked, const char *variable,
-	const char *const *usual, const char *package, const struct log *log)
+/* Opens the library that option names, or the environment's variable, or the
+ * first of defaults. */
+static void *open_library(const char *option, const char *variable,
+	const char *const *defaults, const char *package, const struct log *log)
 {
-	const char *named[2] = {asked ? asked : getenv(variable), NULL};
+	const char *named[2] = {option ? option : getenv(variable), NULL};
 	const char *why = "";
 	void *library;
 
@@ -47,16 +48,16 @@ static void *open_library(const char *asked, const char *variable,
 		library = gl_library_open(named, &why);
 		if (!library) {
 			log_error(log,
-				"--gl gles1: the library that %s names does not open: %s",
-				asked ? "an option" : variable, why);
+				"--gl gles1: the library that %s names cannot be opened: %s",
+				option ? "an option" : variable, why);
 		}
 		return library;
 	}
-	library = gl_library_open(usual, &why);
+	library = gl_library_open(defaults, &why);
 	if (!library) {
 		log_error(log,
-			"--gl gles1: no %s on this machine (%s): install Debian's %s, name the vendor's in %s, or choose another --gl",
-			usual[0], why, package, variable);
+			"--gl gles1: there is no %s on this machine (%s): install Debian's %s, name the vendor's library in %s, or choose another --gl",
+			defaults[0], why, package, variable);
 	}
 	return library;
 }
@@ -140,7 +141,7 @@ static int open_display(struct egl *egl, const struct gl_request *request)
 	if ((request->surface || !initialize(egl, get_surfaceless_display(api))) &&
 		!initialize(egl, api->GetDisplay(EGL_DEFAULT_DISPLAY))) {
 		log_error(&egl->log,
-			"--gl gles1: EGL opens no display (error 0x%x): install Debian's libegl-mesa0 and libgl1-mesa-dri, or choose another --gl",
+			"--gl gles1: EGL cannot open a display (error 0x%x): install Debian's libegl-mesa0 and libgl1-mesa-dri, or choose another --gl",
 			(unsigned int)api->GetError());
 		return -ENODEV;
 	}
@@ -160,7 +161,7 @@ static int attribute(const struct egl *egl, EGLConfig config, EGLint name)
 	return value;
 }
 
-/* The colour sizes asked for count most, then a stencil, then speed. */
+/* The colour sizes count most, then a stencil buffer, then speed. */
 static int rate_config(
 	const struct egl *egl, EGLConfig config, enum pixel_format format)
 {
@@ -176,7 +177,7 @@ static int rate_config(
 	return score;
 }
 
-/* What is younger than EGL_OPTIONAL's calls comes last, to be cut off. */
+/* EGL_RENDERABLE_TYPE came with eglBindAPI; without it the list ends there. */
 static int list_configs(
 	struct egl *egl, const struct gl_request *request, EGLConfig *configs)
 {
@@ -195,7 +196,7 @@ static int list_configs(
 	return count;
 }
 
-/* The best of what is left moves to the front. */
+/* Swaps the best of the configurations to the front. */
 static void bring_best(const struct egl *egl, enum pixel_format format,
 	EGLConfig *configs, int count)
 {
@@ -216,13 +217,12 @@ static void bring_best(const struct egl *egl, enum pixel_format format,
 
 static bool open_window(struct egl *egl, uintptr_t window)
 {
-	egl->surface = egl->api.CreateWindowSurface(egl->display, egl->config,
-		(EGLNativeWindowType)window, /* NULL on bare screens */
-		NULL);
+	egl->surface = egl->api.CreateWindowSurface(
+		egl->display, egl->config, (EGLNativeWindowType)window, NULL);
 	return egl->surface != EGL_NO_SURFACE;
 }
 
-/* Not every configuration fits a window: the best that does is taken. */
+/* Not every configuration fits a window, so they are tried, the best first. */
 static int choose_config(struct egl *egl, const struct gl_request *request)
 {
 	EGLConfig configs[CONFIGS_MAX];
@@ -257,7 +257,7 @@ static int open_context(struct egl *egl)
 		EGL_NO_CONTEXT, egl->api.BindAPI ? version_1 : NULL);
 	if (egl->context == EGL_NO_CONTEXT) {
 		log_error(&egl->log,
-			"--gl gles1: this EGL makes no OpenGL ES 1 context (error 0x%x; Debian 13's Mesa is built without it): choose another --gl",
+			"--gl gles1: this EGL cannot create an OpenGL ES 1 context (error 0x%x; Debian 13's Mesa is built without it): choose another --gl",
 			(unsigned int)egl->api.GetError());
 		return -ENODEV;
 	}
@@ -321,7 +321,7 @@ int egl_set_pbuffer(struct egl *egl, int width, int height)
 
 	if (new == EGL_NO_SURFACE) {
 		log_error(&egl->log,
-			"--gl gles1: EGL makes no pbuffer of %dx%d (error 0x%x)",
+			"--gl gles1: EGL cannot create a pbuffer of %dx%d (error 0x%x)",
 			width, height, (unsigned int)egl->api.GetError());
 		return -EIO;
 	}
@@ -390,8 +390,8 @@ void egl_close(struct egl *egl)
 		api->DestroyContext(egl->display, egl->context);
 	}
 	/*
-	 * The display is the process's and stays initialised: terminating it
-	 * unloads the driver, with threads and memory of its own still there.
+	 * The display stays initialized: terminating it would unload the
+	 * driver, whose threads may still run.
 	 */
 	egl->display = EGL_NO_DISPLAY;
 }

@@ -1,12 +1,10 @@
 /*
- * EGL with an OpenGL ES 1.1 context on it, opened at run time.
+ * EGL, opened at run time, and an OpenGL ES 1.1 context.
  *
- * The context draws on a pbuffer, which any EGL has, or on a native window.
- * Nothing here knows of struct gl.
+ * The context draws into a pbuffer, which every EGL has, or on a native window.
  *
- * Vendors name the libraries in their own ways: what the request names, else
- * LIMBER_EGL and LIMBER_GLES in the environment, file names as for dlopen(),
- * stand in for the usual names.
+ * Vendors give the libraries different names. The request may name them, or
+ * LIMBER_EGL and LIMBER_GLES in the environment, as file names for dlopen().
  */
 #ifndef PLATFORM_GL_GLES1_GLES1_EGL_H
 #define PLATFORM_GL_GLES1_GLES1_EGL_H
@@ -34,16 +32,16 @@ struct egl {
 	EGLDisplay display;
 	EGLConfig config;
 	EGLContext context;
-	EGLSurface surface; /* current with the context, or EGL_NO_SURFACE */
-	struct log log;     /* what a sentence begins with is "--gl gles1" */
+	EGLSurface surface; /* or EGL_NO_SURFACE */
+	struct log log;
 };
 
 /*
- * Opens the libraries, a display, a configuration for pictures of the
- * request's format and a context; nothing is current yet. For pixels, Mesa's
- * display without a screen is tried first, then the default one; for a native
- * surface the default one alone, and the surface is made. 0, or -errno after a
- * sentence with nothing left open.
+ * Opens the libraries and a display, and creates a context for pictures of the
+ * request's format, which is not current yet. For pixels it tries Mesa's
+ * surfaceless display before the default one. For a native surface it uses the
+ * default display and creates the surface. Returns 0, or -errno after logging
+ * an error, with nothing left open.
  */
 int egl_open(struct egl *egl, const struct gl_request *request);
 
@@ -51,27 +49,30 @@ int egl_open(struct egl *egl, const struct gl_request *request);
 int egl_find_screen(const struct gl_request *request);
 
 /*
- * Replaces the surface by a pbuffer of this size and makes it current. 0, or
- * -errno after a sentence.
+ * Replaces the surface by a pbuffer of this size and makes it current. Returns
+ * 0, or -errno after logging an error.
  */
 int egl_set_pbuffer(struct egl *egl, int width, int height);
 
-/* Shows at most one picture a turn of the screen, for what is current. */
+/* Limits the current surface to one picture for each refresh of the screen. */
 void egl_set_swap_interval(struct egl *egl);
 
-/* The surface's size now; 0 where EGL does not tell. */
+/* The surface's current size; 0 if EGL does not tell it. */
 void egl_get_size(const struct egl *egl, int *width, int *height);
 
-/* Shows what was drawn on a window. 0, or -errno after a sentence. */
+/* Shows the picture of a window. Returns 0, or -errno after logging an error. */
 int egl_swap(struct egl *egl);
 
-/* Makes context and surface current. 0, or -errno after a sentence. */
+/*
+ * Makes context and surface current. Returns 0, or -errno after logging an
+ * error.
+ */
 int egl_make_current(struct egl *egl);
 
-/* A GL call by name ("glClear"), or NULL; for gl_load(), with a struct egl. */
+/* gl_load()'s find(): the GL call of that name ("glClear"), or NULL. */
 gl_function egl_get_function(void *egl, const char *name);
 
-/* Fine on what egl_open() left after a failure. */
+/* Closes everything. Fine after egl_open() has failed. */
 void egl_close(struct egl *egl);
 
 #endif

@@ -1,13 +1,12 @@
 /*
- * OpenGL ES 1.1 Common-Lite on a desktop OpenGL.
+ * OpenGL ES 1.1 Common-Lite on desktop OpenGL.
  *
- * The two differ in numbers only: desktop GL has no fixed-point calls and
- * takes neither GL_FIXED nor, for positions and texture coordinates, GL_BYTE
- * arrays. Small functions of the same name convert, the shims.
+ * The two differ in their types only: desktop GL has no fixed-point calls, no
+ * GL_FIXED arrays and, for positions and texture coordinates, no GL_BYTE
+ * arrays. A shim is a function that converts these and calls desktop GL.
  *
- * Calls of GL carry no context; what they mean depends on what is current on
- * the calling thread. The shims need the same of their own, and it is the one
- * thing here that is not passed.
+ * GL calls have no parameter for the context; they use the one that is current
+ * on the calling thread. Likewise, the shims use desktop_current().
  */
 #ifndef PLATFORM_GL_OSMESA_DESKTOP_H
 #define PLATFORM_GL_OSMESA_DESKTOP_H
@@ -30,20 +29,20 @@ enum {
 /* A vertex array as the program described it. */
 struct desktop_array {
 	bool enabled;
-	bool converted; /* desktop GL does not take its type */
+	bool converted; /* desktop GL does not support its type */
 	int size;
 	GLenum type;
 	int stride_bytes;
 	const uint8_t *pointer;
-	float *floats; /* owned; room for so many floats */
-	size_t room;
+	float *floats;   /* the converted array, owned */
+	size_t capacity; /* of floats */
 };
 
 enum desktop_array_name {
 	DESKTOP_VERTEX,
 	DESKTOP_NORMAL,
 	DESKTOP_COLOR,
-	DESKTOP_TEXTURE_COORD, /* and one for each further unit */
+	DESKTOP_TEXTURE_COORD, /* one for each texture unit */
 	DESKTOP_ARRAY_COUNT = DESKTOP_TEXTURE_COORD + DESKTOP_TEXTURE_UNITS,
 };
 
@@ -57,22 +56,22 @@ struct desktop {
 extern const struct gl_slot desktop_slots[];
 extern const int desktop_slot_count;
 
-/* Sets those members of gl that need a shim; the others stay as they are. */
+/* Sets the members of gl that have fixed-point parameters to shims. */
 void desktop_set_fixed_shims(struct gl *gl);
 
-/* The part of desktop_set_fixed_shims() that deals with vertex arrays. */
+/* Sets the members of gl that deal with vertex arrays to shims. */
 void desktop_set_array_shims(struct gl *gl);
 
 /*
- * Has this thread's shims work on desktop from now on; NULL when no context is
- * current any more.
+ * Makes desktop the current one of this thread; NULL when no context is current
+ * any more.
  */
 void desktop_make_current(struct desktop *desktop);
 
-/* What this thread's shims work on. */
+/* The current desktop of this thread. */
 struct desktop *desktop_current(void);
 
-/* Frees what the arrays needed. */
+/* Frees the converted arrays. */
 void desktop_release(struct desktop *desktop);
 
 #endif

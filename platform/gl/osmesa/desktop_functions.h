@@ -1,6 +1,6 @@
 /*
- * The desktop OpenGL calls that stand behind those of ES that it lacks: one
- * list, read many times, like gl_functions.h.
+ * The desktop OpenGL calls that the shims use. Like gl_functions.h, this list
+ * is included several times.
  */
 DESKTOP_FUNCTION(void, AlphaFunc, (GLenum function, float reference))
 DESKTOP_FUNCTION(

@@ -1,5 +1,5 @@
 /*
- * Mesa's off-screen library: desktop OpenGL drawn by the processor straight
+ * Mesa's off-screen library: desktop OpenGL that the processor draws directly
  * into the target's memory.
  */
 #include <errno.h>
@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/utsname.h>
 
 #include "platform/base/compiler.h"
 #include "platform/gl/gl_context.h"
@@ -20,7 +19,7 @@
 #define OSMESA_ROW_LENGTH 0x0010
 #define OSMESA_Y_UP       0x0011
 
-/* The context needs a picture before the first frame; nothing is drawn there. */
+/* The context needs a picture before the first frame; nothing uses it. */
 enum {
 	SCRATCH_SIZE = 16
 };
@@ -55,19 +54,6 @@ struct osmesa_context {
 	uint32_t scratch[SCRATCH_SIZE * SCRATCH_SIZE];
 };
 
-/*
- * On 32-bit ARM what Mesa's llvmpipe compiles jumps to address 0 (Debian 13's
- * Mesa 25); softpipe compiles nothing. A choice of the user's is left alone.
- */
-static void avoid_llvmpipe_on_arm(void)
-{
-	struct utsname machine;
-
-	if (uname(&machine) == 0 && strncmp(machine.machine, "armv", 4) == 0) {
-		setenv("GALLIUM_DRIVER", "softpipe", 0);
-	}
-}
-
 static int load_functions(struct osmesa_context *osmesa)
 {
 	static const char *const names[] = {
@@ -76,11 +62,10 @@ static int load_functions(struct osmesa_context *osmesa)
 	const char *why = "";
 	void *library;
 
-	avoid_llvmpipe_on_arm();
 	library = gl_library_open(names, &why);
 	if (!library) {
 		log_error(&osmesa->log,
-			"--gl osmesa: no libOSMesa.so.8 on this machine (%s): install Debian's libosmesa6, or choose another --gl",
+			"--gl osmesa: there is no libOSMesa.so.8 on this machine (%s): install Debian's libosmesa6, or choose another --gl",
 			why);
 		return -ENOENT;
 	}
@@ -92,6 +77,7 @@ static int load_functions(struct osmesa_context *osmesa)
 	}
 	if (!missing) {
 		desktop_set_fixed_shims(&osmesa->base.gl);
+		desktop_set_array_shims(&osmesa->base.gl);
 		missing = gl_load(&osmesa->base.gl, gl_slots, gl_slot_count,
 			gl_library_find, library);
 	}
@@ -129,7 +115,7 @@ static int open_context(struct osmesa_context *osmesa)
 		!make_current(osmesa, osmesa->scratch, SCRATCH_SIZE,
 			SCRATCH_SIZE, SCRATCH_SIZE)) {
 		log_error(&osmesa->log,
-			"--gl osmesa: the library makes no context for %s pictures: choose another --gl",
+			"--gl osmesa: the library cannot create a context for %s pictures: choose another --gl",
 			osmesa->format == PIXELS_RGB565 ? "RGB565" : "RGBA8888");
 		return -EIO;
 	}
@@ -144,7 +130,7 @@ static void osmesa_destroy(struct gl_context *context)
 		return;
 	}
 	if (osmesa->handle) {
-		/* The last target may be gone; a last flush must not reach it. */
+		/* The last target may be freed, and destroying may flush to it. */
 		make_current(osmesa, osmesa->scratch, SCRATCH_SIZE,
 			SCRATCH_SIZE, SCRATCH_SIZE);
 		desktop_make_current(NULL);
@@ -220,7 +206,7 @@ static int osmesa_end_frame(struct gl_context *context)
 	return 0;
 }
 
-/* The reference to hold others against; too slow to be chosen unasked. */
+/* Never chosen by auto: it is the reference, and too slow. */
 static bool osmesa_probe(void)
 {
 	return false;

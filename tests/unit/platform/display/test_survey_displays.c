@@ -227,7 +227,7 @@ static void test_each_gl_driver_is_opened(void **state)
 	assert_contains(capture.finding[find(&capture, "soft")].text,
 		"; the processor draws");
 	survey_capture_expect(&capture, find(&capture, "gles1"), SURVEY_BROKEN,
-		"gles1", "an option names does not open", "");
+		"gles1", "an option names cannot be opened", "");
 	survey_capture_expect(&capture, find(&capture, "auto"), SURVEY_WORKS,
 		"auto", "takes soft", NULL);
 }

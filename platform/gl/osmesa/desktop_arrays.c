@@ -19,13 +19,13 @@ static int type_bytes(GLenum type)
 }
 
 /*
- * Remembers an array; whether desktop GL takes it as it is. Impossible sizes
- * are left to the library to refuse.
+ * Records an array. Returns whether desktop GL can read it directly. The
+ * library itself reports invalid sizes.
  */
-static bool describe(struct desktop_array *array, GLint size, GLenum type,
-	GLsizei stride, const void *pointer, bool takes_bytes)
+static bool record(struct desktop_array *array, GLint size, GLenum type,
+	GLsizei stride, const void *pointer, bool reads_bytes)
 {
-	array->converted = type == GL_FIXED || (type == GL_BYTE && !takes_bytes);
+	array->converted = type == GL_FIXED || (type == GL_BYTE && !reads_bytes);
 	array->size = size;
 	array->type = type;
 	array->stride_bytes = stride ? stride : size * type_bytes(type);
@@ -38,8 +38,8 @@ static void vertex_pointer(
 {
 	struct desktop *desktop = desktop_current();
 
-	if (describe(&desktop->array[DESKTOP_VERTEX], size, type, stride,
-		    pointer, false)) {
+	if (record(&desktop->array[DESKTOP_VERTEX], size, type, stride, pointer,
+		    false)) {
 		desktop->gl.VertexPointer(size, type, stride, pointer);
 	}
 }
@@ -48,7 +48,7 @@ static void normal_pointer(GLenum type, GLsizei stride, const void *pointer)
 {
 	struct desktop *desktop = desktop_current();
 
-	if (describe(&desktop->array[DESKTOP_NORMAL], 3, type, stride, pointer,
+	if (record(&desktop->array[DESKTOP_NORMAL], 3, type, stride, pointer,
 		    true)) {
 		desktop->gl.NormalPointer(type, stride, pointer);
 	}
@@ -59,8 +59,8 @@ static void color_pointer(
 {
 	struct desktop *desktop = desktop_current();
 
-	if (describe(&desktop->array[DESKTOP_COLOR], size, type, stride,
-		    pointer, true)) {
+	if (record(&desktop->array[DESKTOP_COLOR], size, type, stride, pointer,
+		    true)) {
 		desktop->gl.ColorPointer(size, type, stride, pointer);
 	}
 }
@@ -71,12 +71,12 @@ static void tex_coord_pointer(
 	struct desktop *desktop = desktop_current();
 	int name = DESKTOP_TEXTURE_COORD + desktop->client_unit;
 
-	if (describe(&desktop->array[name], size, type, stride, pointer, false)) {
+	if (record(&desktop->array[name], size, type, stride, pointer, false)) {
 		desktop->gl.TexCoordPointer(size, type, stride, pointer);
 	}
 }
 
-/* A unit beyond those followed is left to the library alone. */
+/* The library alone handles units beyond DESKTOP_TEXTURE_UNITS. */
 static void client_active_texture(GLenum unit)
 {
 	struct desktop *desktop = desktop_current();
@@ -126,11 +126,11 @@ static void disable_client_state(GLenum array)
 	desktop->gl.DisableClientState(array);
 }
 
-static bool make_room(struct desktop_array *array, size_t floats)
+static bool reserve(struct desktop_array *array, size_t floats)
 {
 	float *grown;
 
-	if (floats <= array->room) {
+	if (floats <= array->capacity) {
 		return true;
 	}
 	grown = realloc(array->floats, floats * sizeof(*grown));
@@ -138,16 +138,16 @@ static bool make_room(struct desktop_array *array, size_t floats)
 		return false;
 	}
 	array->floats = grown;
-	array->room = floats;
+	array->capacity = floats;
 	return true;
 }
 
-/* Converts the elements 0 up to count. */
+/* Converts the first count elements. */
 static bool convert(struct desktop_array *array, int count)
 {
 	float *out;
 
-	if (!make_room(array, (size_t)count * (size_t)array->size)) {
+	if (!reserve(array, (size_t)count * (size_t)array->size)) {
 		return false;
 	}
 	out = array->floats;
@@ -204,7 +204,7 @@ static bool needs_conversion(const struct desktop *desktop)
 	return false;
 }
 
-/* Converts what needs it of count elements; false when memory is short. */
+/* Converts count elements where needed; false when memory is short. */
 static bool convert_arrays(struct desktop *desktop, int count)
 {
 	for (int i = 0; i < DESKTOP_ARRAY_COUNT; i++) {
@@ -232,7 +232,7 @@ static void draw_arrays(GLenum mode, GLint first, GLsizei count)
 	desktop->gl.DrawArrays(mode, first, count);
 }
 
-/* 1 + the highest index; 0 for a type that ES does not have. */
+/* 1 + the highest index; 0 for an index type that ES does not have. */
 static int element_count(GLsizei count, GLenum type, const void *indices)
 {
 	const uint8_t *bytes = indices;
@@ -275,11 +275,4 @@ void desktop_set_array_shims(struct gl *gl)
 	gl->DisableClientState = disable_client_state;
 	gl->DrawArrays = draw_arrays;
 	gl->DrawElements = draw_elements;
-}
-
-void desktop_release(struct desktop *desktop)
-{
-	for (int i = 0; i < DESKTOP_ARRAY_COUNT; i++) {
-		free(desktop->array[i].floats);
-	}
 }

@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* app/embed/player.inc, by the build. */
+/* The text of app/embed/player.inc, which the build makes. */
 extern const char embed_player_text[];
 
 static void count_part(struct embed *embed, const struct embed_part *part)
@@ -74,7 +74,7 @@ static void put_part(struct embed *embed, const struct embed_part *part)
 static void print_parts(struct embed *embed)
 {
 	fprintf(embed->out,
-		"\n/* Offsets into the tables above, and how many. */\n"
+		"\n/* Offsets and counts of elements in the tables above. */\n"
 		"static const struct %s_part {\n\tfloat color[4];\n"
 		"\tint32_t vertex, vertices, index, indices;\n"
 		"\tint32_t influence, influences, skin, node;\n"
@@ -106,7 +106,7 @@ static void print_state(struct embed *embed)
 		u, embed->model->node_count, u, embed->joints, u, embed->parts,
 		u, embed->channels, u, embed->vertices);
 	fprintf(embed->out,
-		"\n/* What changes: %zu bytes. */\nstruct %s_state {\n"
+		"\n/* The state: %zu bytes. */\nstruct %s_state {\n"
 		"\tfloat local[%d][10], world[%d][12];\n\tfloat weight[%d];\n"
 		"\tfloat palette[%d][12];\n"
 		"\tfloat position[%d][3], normal[%d][3];\n};\n",
@@ -116,7 +116,7 @@ static void print_state(struct embed *embed)
 		embed->vertices);
 }
 
-/* The player with its names turned into this model's. */
+/* Writes the player with "embedded" replaced by the prefix. */
 static void print_player(const struct embed *embed)
 {
 	static const char lower[] = "embedded", upper[] = "EMBEDDED";
@@ -138,13 +138,17 @@ static void print_player(const struct embed *embed)
 static void print_head(const struct embed *embed)
 {
 	fprintf(embed->out,
-		"/*\n * %s%s%s as C: %d vertices in %d parts, %d nodes, %d "
-		"joints, %d channels.\n * Made by limber export. Use it so:\n"
-		" *\n *\tstatic struct %s_state state;\n"
+		"/*\n"
+		" * %s%s%s as C: %d vertices in %d parts, %d nodes, %d joints, %d channels.\n"
+		" * limber export has written this file. To use it:\n"
+		" *\n"
+		" *\tstatic struct %s_state state;\n"
 		" *\t%s_pose(&state, time_s);          0 to %.4f seconds\n"
-		" *\t%s_draw(&state, draw, NULL);       a function of yours\n"
-		" *\n * -ffast-math or a processor without floating point "
-		"make it slower or less\n * exact, nothing more.\n */\n"
+		" *\t%s_draw(&state, draw, NULL);       draw is your function\n"
+		" *\n"
+		" * With -ffast-math the results are less exact; without a floating-point\n"
+		" * unit they are the same but take longer.\n"
+		" */\n"
 		"#include <math.h>\n#include <stdint.h>\n#include <string.h>\n",
 		embed->model->path, embed->clip ? ", clip " : "",
 		embed->clip ? embed->clip->name : "", embed->vertices,
@@ -170,8 +174,7 @@ static int set_prefix(
 	}
 	if (!good) {
 		log_error(log,
-			"%s: its name does not make a C identifier of up to %d "
-			"letters: name the file otherwise",
+			"%s: this name is not a C identifier of at most %d characters: give the file another name",
 			prefix, EMBED_NAME_SIZE - 1);
 		return -EINVAL;
 	}
@@ -183,8 +186,7 @@ static int check_nodes(const struct model *model, const struct log *log)
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].matrix) {
 			log_error(log,
-				"%s: node %d is sheared by its matrix, which "
-				"the player in C cannot do",
+				"%s: node %d has a matrix, which the C player does not support",
 				model->path, model->node[i].file_index);
 			return -EINVAL;
 		}
@@ -210,7 +212,7 @@ int embed_print(const struct model *model, int clip, const char *prefix,
 	}
 	count_all(&embed);
 	if (embed.parts == 0) {
-		log_error(log, "%s: it has nothing to draw", model->path);
+		log_error(log, "%s: the model has nothing to draw", model->path);
 		return -EINVAL;
 	}
 	print_head(&embed);
@@ -221,7 +223,7 @@ int embed_print(const struct model *model, int clip, const char *prefix,
 	print_parts(&embed);
 	print_state(&embed);
 	print_player(&embed);
-	/* The player's own table, an identity. */
+	/* The player's own table, an identity matrix. */
 	embed.rom_bytes += 48;
 	*size = (struct embed_size){embed.rom_bytes, ram_bytes(&embed)};
 	return 0;

@@ -1,5 +1,5 @@
 /*
- * A model and one clip as C source, for boards without a file system.
+ * Export of a model and one clip as C source, for boards without a file system.
  */
 #ifndef APP_EMBED_EMBED_H
 #define APP_EMBED_EMBED_H
@@ -8,20 +8,20 @@
 
 #include <stdio.h>
 
-/* What the source takes on the board, exactly. */
+/* What the source takes on the board. */
 struct embed_size {
-	size_t rom_bytes; /* of all tables, without the player's code */
-	size_t ram_bytes; /* of the state */
+	size_t rom_bytes; /* all tables, without the player's code */
+	size_t ram_bytes; /* the state */
 };
 
 /*
- * Writes const tables and a player of one file: it includes nothing but the C
- * library and calls nothing of limber. All its names begin with prefix, a C
- * identifier. Colours are the materials'; textures are left out. clip is an
- * index, or -1 for the rest pose.
+ * Writes one file of const tables and a player, which uses only the C library.
+ * All its names begin with prefix. It has the materials' colours but no
+ * textures. clip is an index, or -1 for the rest pose.
  *
- * 0, -EINVAL where the model has a node with a matrix (shear), or -ENOMEM,
- * after a sentence; what cannot be written shows in ferror().
+ * Returns 0. After an error it logs one message and returns -EINVAL: prefix is
+ * no C identifier of at most 63 characters, the model has nothing to draw or it
+ * has a node with a matrix (shear). The caller checks ferror(out).
  */
 int embed_print(const struct model *model, int clip, const char *prefix,
 	const struct log *log, FILE *out, struct embed_size *size);

@@ -1,10 +1,10 @@
 /*
- * The inside of the writer, for embed*.c alone.
+ * What the files of the export share.
  *
- *	embed.c           counts, parts, state, the player
- *	embed_table.c     tables, and walking over parts
- *	embed_vertices.c  what vertices have
- *	embed_motion.c    nodes, skins, the clip
+ *	embed.c           counts, parts, state, player
+ *	embed_table.c     writing tables, iterating over parts
+ *	embed_vertices.c  tables of vertices and indices
+ *	embed_motion.c    tables of nodes, skins and the clip
  */
 #ifndef APP_EMBED_EMBED_INTERNAL_H
 #define APP_EMBED_EMBED_INTERNAL_H
@@ -12,11 +12,11 @@
 #include "app/embed/embed.h"
 
 enum {
-	EMBED_ROW = 8, /* numbers in a line */
+	EMBED_ROW = 8, /* numbers on a line */
 	EMBED_NAME_SIZE = 64
 };
 
-/* Where a part's data begin in the tables. */
+/* The offsets of a part's data in the tables. */
 struct embed_offsets {
 	int vertex, index, influence, target;
 };
@@ -29,15 +29,15 @@ struct embed {
 	char upper[EMBED_NAME_SIZE];  /* "WALKER" */
 	size_t rom_bytes;
 
-	/* How much there is of each. */
+	/* Counts of elements. */
 	int parts, vertices, indices, influences, targets, joints, weights;
 	int channels, times, values;
 	bool wide_index, wide_joint;
 
-	struct embed_offsets next; /* while parts are listed */
+	struct embed_offsets next; /* of the part to list next */
 };
 
-/* One primitive as one node shows it. */
+/* One primitive of one node. */
 struct embed_part {
 	const struct model_node *node;
 	int node_index;
@@ -49,21 +49,22 @@ typedef void embed_part_fn(struct embed *embed, const struct embed_part *part);
 
 void embed_each_part(struct embed *embed, embed_part_fn *function);
 
-/* Whether a skin moves the part. */
+/* Whether the part is skinned. */
 bool embed_is_skinned(const struct embed_part *part);
 
-/* Floats of all keys of a channel. */
+/* The number of floats of all keys of a channel. */
 int embed_channel_values(const struct model_channel *channel);
 
 /*
- * Begins "static const TYPE PREFIX_NAME[count]WIDE = {" of elements of size
- * bytes; C has no empty tables, so one of nothing gets a zero at its end.
+ * embed_begin_table() writes "static const TYPE PREFIX_NAME[count]WIDE = {" and
+ * counts count * size bytes of ROM. C has no empty arrays, so a table with
+ * count 0 gets one element, which embed_end_table() writes.
  */
 void embed_begin_table(struct embed *embed, const char *type, const char *name,
 	const char *wide, int count, size_t size);
 void embed_end_table(struct embed *embed, int count);
 
-/* Numbers that read back as the same floats. */
+/* Writes numbers that are read back as the same floats. */
 void embed_put_floats(struct embed *embed, const float *value, int count);
 
 void embed_print_vertices(struct embed *embed);

@@ -11,8 +11,8 @@ void embed_print_nodes(struct embed *embed)
 	}
 	embed_end_table(embed, 1);
 	fprintf(embed->out,
-		"\n/* Translation, rotation, scale. */\nstatic const float "
-		"%s_rest[%d][10] = {",
+		"\n/* Translation, rotation, scale. */\n"
+		"static const float %s_rest[%d][10] = {",
 		embed->prefix, model->node_count);
 	embed->rom_bytes += (size_t)model->node_count * 40;
 	for (int i = 0; i < model->node_count; i++) {
@@ -69,8 +69,8 @@ static void print_channels(struct embed *embed)
 	int time = 0, value = 0;
 
 	fprintf(embed->out,
-		"\n/* path: translation, rotation, scale, weights; kind: step, "
-		"linear, cubic. */\nstatic const struct %s_channel {\n"
+		"\n/* path: 0 translation, 1 rotation, 2 scale, 3 weights; kind: 0 step, 1 linear, 2 cubic. */\n"
+		"static const struct %s_channel {\n"
 		"\tint32_t time, value;\n\tint16_t node, keys, width;\n"
 		"\tuint8_t path, kind;\n} %s_clip[%d] = {",
 		embed->prefix, embed->prefix,

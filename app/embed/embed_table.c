@@ -32,7 +32,6 @@ int embed_channel_values(const struct model_channel *channel)
 		(channel->interpolation == MODEL_CUBICSPLINE ? 3 : 1);
 }
 
-/* Begins a table of count elements of size bytes; C has no empty ones. */
 void embed_begin_table(struct embed *embed, const char *type, const char *name,
 	const char *wide, int count, size_t size)
 {
@@ -50,7 +49,7 @@ void embed_end_table(struct embed *embed, int count)
 void embed_put_floats(struct embed *embed, const float *value, int count)
 {
 	for (int i = 0; i < count; i++) {
-		/* Nine digits bring the same float back. */
+		/* Nine digits identify a float. */
 		fprintf(embed->out, "%s%.9g,", i % EMBED_ROW ? " " : "\n\t",
 			(double)value[i]);
 	}

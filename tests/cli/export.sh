@@ -41,7 +41,7 @@ plays() {
         grep -qx "state $ram" "$scratch/played"
     gcc -std=c99 -O0 -c -o "$scratch/one.o" "$scratch/one.c"
     tables=$(nm -S "$scratch/one.o" | awk '
-        $3 == "r" && $4 !~ /^place/ {
+        $3 == "r" && $4 !~ /^offset/ {
             n = 0
             for (i = 1; i <= length($2); i++)
                 n = n * 16 + index("0123456789abcdef", substr($2, i, 1)) - 1
@@ -66,7 +66,7 @@ expect_refusal 2 'no model is given: use limber export MODEL --c FILE.c'
 limber export "$slider"
 expect_refusal 2 'no file to write: add --c FILE.c'
 limber export "$slider" --c "$scratch/1st.c"
-expect_refusal 1 'does not make a C identifier'
+expect_refusal 1 'is not a C identifier'
 check 'nothing is left of it' test ! -e "$scratch/1st.c"
 limber export "$slider" --c "$scratch/none/one.c"
 expect_refusal 1 'one.c: cannot be written: No such file'

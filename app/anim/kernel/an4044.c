@@ -36,7 +36,7 @@ static inline void store(vector *to, const vector *from)
 	to->z = from->z;
 }
 
-/* The compiler makes one loop of this for each number of attributes. */
+/* Inlined into a loop for each number of attributes. */
 static inline void transform(struct an4044_vertex *vertex, int vertex_count,
 	const struct an4044_joint_mat *joint, const float (*const base[3])[4],
 	const struct joint_weight *weight, int attributes)

@@ -1,8 +1,8 @@
 /*
- * The vertex loops as AN4044 has them, data layout and all: the yardstick for
- * the other kernels. Freescale, "3D Animation Techniques on the i.MX31 PDK".
+ * The vertex loops and the data layout of AN4044 (Freescale, "3D Animation
+ * Techniques on the i.MX31 PDK"), which the other kernels are compared with.
  *
- * Needs no C library. an4044_kernel.c puts them behind the table of kernels.
+ * They need no C library. an4044_kernel.c makes a kernel of them.
  */
 #ifndef APP_ANIM_KERNEL_AN4044_H
 #define APP_ANIM_KERNEL_AN4044_H
@@ -20,13 +20,13 @@ struct an4044_vertex {
 	struct an4044_vec4 tangent;
 };
 
-/* Three rows of four. The offsets of weights say how far they are apart. */
+/* Three rows of four. struct joint_weight has the offsets of matrices. */
 struct an4044_joint_mat {
 	float mat[12];
 };
 
 /*
- * Example 6: the streams of skin.h. The last weight of a vertex has
+ * Example 6, on the streams of skin.h. The last influence of a vertex has
  * next_vertex_offset == sizeof(struct joint_weight).
  */
 void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
@@ -34,8 +34,8 @@ void an4044_transform(struct an4044_vertex *vertex, int vertex_count,
 	const struct joint_weight *weight);
 
 /*
- * The same loop with normals, and with normals and tangents, whose base
- * vectors have w = 0. They do not come out unit length.
+ * The same with normals, and with normals and tangents, whose base vectors have
+ * w = 0. They are not normalised.
  */
 void an4044_transform_normals(struct an4044_vertex *vertex, int vertex_count,
 	const struct an4044_joint_mat *joint, const float (*base)[4],
@@ -52,15 +52,15 @@ typedef float an4044_vec3[3];
 void an4044_over_time(int count, const an4044_vec3 *source,
 	const an4044_vec3 *destiny, float omega, an4044_vec3 *temporal);
 
-/* 1.2.5: temporal += height, the sinusoid's. */
+/* 1.2.5: temporal += height, the offset of the sinusoid. */
 void an4044_add(int count, const float height[3], an4044_vec3 *temporal);
 
-/* 1.2.2: temporal += (destiny - source) / frames, divided each time. */
+/* 1.2.2: temporal += (destiny - source) / frames, with the division. */
 void an4044_by_frames(int count, const an4044_vec3 *source,
 	const an4044_vec3 *destiny, int frames, an4044_vec3 *temporal);
 
 /*
- * Two objects mixed in at once, which the document leaves to the reader:
+ * Two weighted targets, which the document does not show:
  * temporal = base + delta0 * weight0 + delta1 * weight1.
  */
 void an4044_two_targets(int count, const an4044_vec3 *base,

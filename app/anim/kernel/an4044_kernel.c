@@ -1,6 +1,6 @@
 /*
- * The document's loops as one of limber's kernels, to be seen and compared:
- * vertices pass through its struct Vertex, some at a time.
+ * The document's loops as a kernel. Vertices pass through its struct Vertex in
+ * blocks.
  */
 #include "app/anim/kernel/an4044.h"
 #include "app/anim/kernel/float.h"
@@ -8,11 +8,11 @@
 #include <string.h>
 
 enum {
-	VERTICES = 64, /* at a time */
+	VERTICES = 64, /* in a block */
 	JOINTS_MAX = 256
 };
 
-/* As far apart as limber's matrices, so that the streams' offsets hold. */
+/* Padded to the size of mat4, so that the streams' offsets are right. */
 struct padded_joint {
 	struct an4044_joint_mat joint;
 	float unused[4];
@@ -20,7 +20,7 @@ struct padded_joint {
 
 _Static_assert(sizeof(struct padded_joint) == sizeof(mat4), "joint_offset");
 
-/* Copies the matrices that are used; false when there are too many. */
+/* Copies the matrices that are used; false if there are too many. */
 static bool set_joints(const struct skin_stream *stream, const mat4 *palette,
 	struct padded_joint joint[JOINTS_MAX])
 {
@@ -44,7 +44,7 @@ static bool set_joints(const struct skin_stream *stream, const mat4 *palette,
 	return true;
 }
 
-/* How many influences that many vertices have. */
+/* The number of influences of the next vertex_count vertices. */
 static int count_influences(const struct joint_weight *weight, int vertex_count)
 {
 	const struct joint_weight *end = weight;
@@ -101,7 +101,7 @@ static void skin(const struct skin_stream *stream, const mat4 *palette,
 {
 	struct padded_joint joint[JOINTS_MAX];
 
-	/* The document caps by the first influence alone; limber does not. */
+	/* The document's loops have no cap that keeps the sum of weights. */
 	if (max_influences > 0 || !set_joints(stream, palette, joint)) {
 		float_skin(stream, palette, max_influences, position, normal);
 		return;
@@ -156,7 +156,7 @@ static void morph_targets(int count, const float (*base)[3],
 
 const struct kernel kernel_an4044 = {
 	.name = "an4044",
-	.summary = "the loops of AN4044 as it has them, for comparison",
+	.summary = "the loops of AN4044 in float, for comparison",
 	.skin = skin,
 	.morph_lerp = morph_lerp,
 	.morph_targets = morph_targets,

@@ -1,6 +1,6 @@
 #include "app/anim/kernel/arm11_cost.h"
 
-/* make bench-arm11-table writes the numbers. */
+/* `make bench-arm11-table` writes the numbers. */
 const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_SKIN_1] = {"skin-1", 18.07f, 11.54f},
 	[ARM11_SKIN_2] = {"skin-2", 30.08f, 21.80f},

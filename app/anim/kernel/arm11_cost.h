@@ -1,10 +1,10 @@
 /*
- * What the board's loops take, for predictions on other machines.
+ * The cost of the board's loops, from which `limber compare` predicts.
  *
- * An ARM1136JF-S at 532 MHz by the timing model of tests/arm1136, with the
- * data in memory and the code in L1: no hardware was measured. The numbers are
- * those of tests/bench/arm11.figures, armv6 and cold, which the model's runs
- * write down; `make bench-arm11-table` copies them into arm11_cost.c.
+ * The numbers are for an ARM1136JF-S at 532 MHz with the data in memory and the
+ * code in L1. The timing model of tests/arm1136 counted them: no hardware was
+ * measured. `make bench-arm11-table` copies them from the armv6 cold rows of
+ * tests/bench/arm11.figures into arm11_cost.c.
  */
 #ifndef APP_ANIM_KERNEL_ARM11_COST_H
 #define APP_ANIM_KERNEL_ARM11_COST_H
@@ -14,7 +14,7 @@ enum {
 };
 
 enum arm11_work {
-	ARM11_SKIN_1, /* a vertex's position, so many influences */
+	ARM11_SKIN_1, /* a vertex's position by 1 influence, and so on */
 	ARM11_SKIN_2,
 	ARM11_SKIN_3,
 	ARM11_SKIN_4,
@@ -25,7 +25,7 @@ enum arm11_work {
 	ARM11_LERP_NORMALS, /* and its normal */
 	ARM11_TARGETS_2,    /* a vertex's position by two weighted targets */
 	ARM11_POSE_CESIUM,  /* a joint: sampling, world matrix, palette */
-	ARM11_POSE_WALKER,  /* the same of another figure */
+	ARM11_POSE_WALKER,  /* the same for another model */
 	ARM11_WORKS
 };
 

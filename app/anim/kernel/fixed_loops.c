@@ -11,9 +11,9 @@ enum {
 };
 
 /*
- * As SMLAD has it: should a sum not fit, it wraps and is nothing worse. For a
- * length known to the compiler, a multiple of 8, this is a run of pmaddwd,
- * provided that GCC does not unroll all of it before it looks for vectors.
+ * Like SMLAD, this wraps if a sum does not fit. If the compiler knows the
+ * length, a multiple of 8, it makes pmaddwd of this loop, unless GCC unrolls
+ * all of it before it vectorises.
  */
 static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 {
@@ -26,7 +26,7 @@ static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 	return sum;
 }
 
-/* In words, for that is how all of it is moved. */
+/* In words, as vectors are always loaded and stored in words. */
 static inline void narrow(
 	uint32_t x, uint32_t y, uint32_t z, struct fixed_vector *out)
 {
@@ -37,9 +37,9 @@ static inline void narrow(
 }
 
 /*
- * The matrices of a run: all their x rows in turn, all y rows, all z rows. An
- * odd number of them is made even by zeros, so that the base vector behind is
- * multiplied by nothing.
+ * The matrices of a run: first all x rows, then all y rows and all z rows. An
+ * odd number of rows is made even by zeros, so that the next base vector, which
+ * is loaded too, is multiplied by 0.
  */
 struct rows {
 	int16_t row[3][4 * INFLUENCES_MAX];
@@ -55,7 +55,7 @@ static inline void skin_run(int length, int count, int stride,
 	}
 }
 
-/* Inlined for each length. */
+/* A loop for each length, which the compiler knows. */
 static void skin_run_of(int influences, int count, const struct fixed_base *from,
 	const struct rows *rows, struct fixed_vector *out)
 {
@@ -121,7 +121,7 @@ static inline uint32_t weigh(
 	return (uint32_t)(pair->a * weights.a) + (uint32_t)(pair->b * weights.b);
 }
 
-/* Pairs by themselves: compilers can do many at a time. */
+/* A loop of its own, which compilers can vectorise. */
 static void weigh_pairs(int count, const struct fixed_pair *pair,
 	struct fixed_weights weights, uint32_t start, uint32_t *sum)
 {
@@ -173,7 +173,7 @@ static inline uint32_t widen(int16_t number, int16_t fraction)
 	return (uint32_t)(uint16_t)number << 16 | (uint16_t)fraction;
 }
 
-/* The opposite of narrow(): all three get x's fraction. */
+/* The inverse of narrow(), with x's fraction for all three. */
 static inline void widen_all(const struct fixed_vector *vector, uint32_t out[3])
 {
 	uint32_t words[2];

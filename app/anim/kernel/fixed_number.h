@@ -1,5 +1,5 @@
 /*
- * From float to 16 bits, without the C library's maths.
+ * Conversion from float to 16 bits, without the C library's maths.
  */
 #ifndef APP_ANIM_KERNEL_FIXED_NUMBER_H
 #define APP_ANIM_KERNEL_FIXED_NUMBER_H
@@ -8,7 +8,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* The largest of 1, 1.25, 1.5, 1.75 times a power of two that is <= value. */
+/*
+ * The largest number <= value, above 0, that is 1, 1.25, 1.5 or 1.75 times a
+ * power of two.
+ */
 static inline float fixed_step(float value)
 {
 	uint32_t bits;
@@ -19,7 +22,7 @@ static inline float fixed_step(float value)
 	return value;
 }
 
-/* To the nearest; what is outside -32767..32767 is clamped. NaN gives -32767. */
+/* Rounds to the nearest and clamps to -32767..32767. A NaN gives -32767. */
 static inline int16_t fixed_round(float value)
 {
 	if (value >= 32767.0f) {
@@ -32,12 +35,12 @@ static inline int16_t fixed_round(float value)
 }
 
 /*
- * The same for what is known to be within -32767..32767, faster: ties go to
+ * A faster way for values that are known to be within -32767..32767. Ties go to
  * the even number.
  */
 static inline int16_t fixed_round_fast(float value)
 {
-	const float magic = 12582912.0f; /* 1.5 * 2^23: no bits below 1 */
+	const float magic = 12582912.0f; /* 1.5 * 2^23 leaves no bits below 1 */
 	float sum = value + magic;
 	uint32_t bits;
 
@@ -46,8 +49,8 @@ static inline int16_t fixed_round_fast(float value)
 }
 
 /*
- * Whole numbers ordered as floats are, -0 below 0, NaNs beyond infinity; and
- * the float of such a number.
+ * An integer with the order of floats: -0 is below 0, and NaNs are beyond
+ * infinity. fixed_float_of() is its inverse.
  */
 static inline int32_t fixed_order_of(float value)
 {
@@ -75,7 +78,7 @@ static inline int32_t fixed_order_of_abs(float value)
 	return bits & INT32_MAX;
 }
 
-/* Neither infinite nor NaN, and far enough from the end of float's range. */
+/* Whether a value is no NaN and well within float's range. */
 static inline bool fixed_can_use(float value)
 {
 	return value > -1e18f && value < 1e18f;

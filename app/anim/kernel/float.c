@@ -1,5 +1,5 @@
 /*
- * The reference: plain C in float. Every other kernel is measured against it.
+ * The reference in plain C and float. Tests compare every other kernel with it.
  */
 #include "app/anim/kernel/float.h"
 
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The offsets of struct joint_weight count in bytes (AN4044, Example 3). */
+/* The offsets of struct joint_weight are in bytes (AN4044, Example 3). */
 static const mat4 *joint_matrix(const mat4 *palette, int32_t offset)
 {
 	return (const mat4 *)((const char *)palette + offset);
@@ -21,8 +21,8 @@ static const struct joint_weight *next_vertex(
 }
 
 /*
- * sum += matrix * base, base.w being the weight: MadMatVec of Example 6. In
- * this order each line is a run of multiply-accumulates.
+ * sum += matrix * base, where base.w is the weight: MadMatVec of Example 6. In
+ * this order each line is a sequence of multiply-accumulates.
  */
 static inline void add_point(
 	float sum[3], const mat4 *matrix, const float base[4])
@@ -64,21 +64,20 @@ static inline void make_unit(float v[3])
 {
 	float length2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
-	/* Too short to have a direction: left alone, and zero stays zero. */
+	/* A vector that is too short to have a direction stays as it is. */
 	if (length2 > 1e-36f) {
 		scale_vector(v, 1 / scalar_sqrt(length2));
 	}
 }
 
-/* The end of a vertex's influences after at most max of them (0: all). */
+/* The end of the first max of a vertex's influences (0: all). */
 static const struct joint_weight *cap(const struct joint_weight *first,
 	const struct joint_weight *next, int max)
 {
-	/* A cap below the count is the rare case, and so is dividing. */
 	return max > 0 && next - first > max ? first + max : next;
 }
 
-/* What makes the weights that are left count as if they summed to one. */
+/* The factor that makes the weights from first to end sum to 1. */
 static float rest_scale(
 	const struct joint_weight *first, const struct joint_weight *end)
 {
@@ -117,7 +116,7 @@ static void skin_positions(const struct skin_stream *stream,
 	}
 }
 
-/* Both in one go, so that each matrix is loaded once. */
+/* Both in one pass, so that each matrix is loaded once. */
 static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3])
 {
@@ -152,7 +151,7 @@ static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 	}
 }
 
-/* The length is lost in any case, so the weights' sum does not matter. */
+/* The sum of the weights does not matter, since the result is normalised. */
 static void skin_directions(const struct skin_stream *stream,
 	const float (*base)[4], const mat4 *palette, int max_influences,
 	float (*direction)[3])
@@ -244,7 +243,7 @@ void float_normalize(int count, float (*vector)[3])
 
 /* One vertex while it is morphed and skinned. */
 struct vertex {
-	float position[4]; /* w is 1 for a place and 0 for directions */
+	float position[4]; /* w is 1; in normal and tangent it is 0 */
 	float normal[4];
 	float tangent[4];
 };

@@ -1,6 +1,6 @@
 /*
- * The float loops, for the tables of all kernels: what a primitive cannot have
- * in fixed point is done by them. Contracts are struct kernel's.
+ * The float loops, which every kernel's table has, for primitives that do not
+ * fit fixed point. struct kernel states their contracts.
  */
 #ifndef APP_ANIM_KERNEL_FLOAT_H
 #define APP_ANIM_KERNEL_FLOAT_H

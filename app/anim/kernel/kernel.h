@@ -1,9 +1,9 @@
 /*
- * The vertex loops, behind one table.
+ * The vertex loops, behind one table of functions.
  *
- * Everything that runs once a vertex and frame is here and nowhere else; one
- * table picks an implementation at start. Callers own all arrays; a kernel
- * allocates nothing, keeps nothing and calls no C library maths.
+ * All work that is done for each vertex in each frame is in a kernel. The
+ * program chooses one at start. Callers own all arrays; a kernel allocates
+ * nothing, keeps no state and calls no C library maths.
  */
 #ifndef APP_ANIM_KERNEL_KERNEL_H
 #define APP_ANIM_KERNEL_KERNEL_H
@@ -18,17 +18,17 @@ struct morph_term {
 	const float (*tangent)[3];
 };
 
-/* What is morphed before it is skinned: a primitive's own arrays and terms. */
+/* The input of skin_morphed(): a primitive's arrays and its weighted targets. */
 struct morph_input {
 	const float (*position)[3];
 	const float (*normal)[3];  /* or NULL */
 	const float (*tangent)[4]; /* or NULL */
 	const struct morph_term *term;
 	int term_count;
-	float position_scale; /* of positions, deltas included */
+	float position_scale; /* of positions and their deltas */
 };
 
-/* What is wanted of a vertex; position always, the others or NULL. */
+/* The output of skin_morphed(). normal and tangent may be NULL. */
 struct skin_output {
 	float (*position)[3];
 	float (*normal)[3];
@@ -42,52 +42,53 @@ struct kernel {
 	const char *summary;
 
 	/*
-	 * The loops in fixed point (fixed.h), or NULL where the kernel is for
-	 * float. Those below are there in any case, and in float.
+	 * The fixed-point loops (fixed.h), or NULL for a float kernel. All
+	 * kernels have the float loops below.
 	 */
 	const struct fixed_loops *fixed;
 
 	/*
-	 * Skins stream.vertex_count vertices. At most max_influences of each
-	 * are used (0: all); the weights of those that are left count as if
-	 * they summed to one. normal may be NULL, and must be where the stream
-	 * has none; normals come out unit length.
+	 * Skins stream.vertex_count vertices by the max_influences heaviest
+	 * influences of each (0: all), whose weights are scaled to sum to 1.
+	 * normal may be NULL, and must be if the stream has none. Normals are
+	 * normalised.
 	 */
 	void (*skin)(const struct skin_stream *stream, const mat4 *palette,
 		int max_influences, float (*position)[3], float (*normal)[3]);
 
 	/*
-	 * out = destiny * omega + source * (1 - omega) + offset, a
-	 * three-component array at a time. out may be source.
+	 * out = destiny * omega + source * (1 - omega) + offset, count vectors.
+	 * out may be source.
 	 */
 	void (*morph_lerp)(int count, const float (*source)[3],
 		const float (*destiny)[3], float omega, const float offset[3],
 		float (*out)[3]);
 
 	/*
-	 * out = base + the sum of weight * delta. Terms of weight 0 are
-	 * skipped. which selects the terms' positions or normals.
+	 * out = base + the sum of weight * delta, with the terms' normals if
+	 * use_normals is set, else their positions. Terms of weight 0 are
+	 * skipped. out may be base.
 	 */
 	void (*morph_targets)(int count, const float (*base)[3],
 		const struct morph_term *term, int term_count, bool use_normals,
 		float (*out)[3]);
 
-	/* Makes each vector unit length; a zero vector stays zero. */
+	/* Normalises each vector; a zero vector stays zero. */
 	void (*normalize)(int count, float (*vector)[3]);
 
 	/*
-	 * Skins the stream's tangents, which must be there; they come out
-	 * unit length. max_influences as for skin().
+	 * Skins the stream's tangents, which it must have, and normalises them.
+	 * max_influences as for skin().
 	 */
 	void (*skin_tangents)(const struct skin_stream *stream,
 		const mat4 *palette, int max_influences, float (*tangent)[3]);
 
 	/*
-	 * Morphs and skins in one pass, as AN4044's conclusion recommends for
-	 * the best looks: each vertex is morphed, then carried by the stream's
-	 * influences, whose base vectors are not used. The same as
-	 * morph_targets(), skin_stream_rebase() and skin() one after the
-	 * other, within rounding. Only what input has may be wanted.
+	 * Morphs and skins in one pass, which AN4044's conclusion recommends
+	 * for the best quality. It uses the stream's influences but not its
+	 * base vectors. The result is that of morph_targets(),
+	 * skin_stream_rebase() and skin() in sequence, but for rounding.
+	 * Directions in output must be in input too.
 	 */
 	void (*skin_morphed)(const struct skin_stream *stream,
 		const struct morph_input *input, const mat4 *palette,
@@ -95,20 +96,20 @@ struct kernel {
 
 	/*
 	 * bitangent = attribute.w * (normal x tangent): AN4044, Example 2.
-	 * normal and tangent are posed ones, attribute the primitive's.
+	 * normal and tangent are posed; attribute is the primitive's tangent.
 	 */
 	void (*bitangents)(int count, const float (*normal)[3],
 		const float (*tangent)[3], const float (*attribute)[4],
 		float (*bitangent)[3]);
 };
 
-/* The reference, plain C in float; always built in. */
+/* The reference, plain C in float, which every target has. */
 extern const struct kernel kernel_float;
 
-/* All kernels built in, best first, NULL at the end: toolchain/sources.mk. */
+/* All kernels of the target, best first, and NULL; see toolchain/sources.mk. */
 extern const struct kernel *const kernel_registry[];
 
-/* The kernel of that name, or the first one for NULL; NULL when unknown. */
+/* The kernel of that name, or NULL; for the name NULL the first kernel. */
 const struct kernel *kernel_find(const char *name);
 
 #endif

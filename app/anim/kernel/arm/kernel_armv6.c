@@ -1,5 +1,5 @@
 /*
- * The table of the ARMv6 assembly beside this file.
+ * The kernel whose fixed-point loops are in ARMv6 assembly.
  */
 #include "app/anim/kernel/arm/armv6.h"
 #include "app/anim/kernel/float.h"

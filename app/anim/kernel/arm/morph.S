@@ -1,6 +1,6 @@
 /*
- * Morphing for ARMv6: what the functions of the same names in fixed_loops.c
- * do, bit for bit. Vectors and sums are taken and given in words:
+ * Morphing for ARMv6, bit for bit as the functions of the same names in
+ * fixed_loops.c. Vectors and sums are loaded and stored in words:
  *
  *   vector  { x, fraction }  { z, y }      upper half first
  *   sum     x  y  z
@@ -23,8 +23,8 @@
  *
  *   r0 vertices left   r1 pairs   r2 weights   r3 out   r12 a half
  *
- * Three vertices at a time, each loaded while the one before is weighed and
- * the one before that is stored.
+ * Three vertices at a time: each is loaded while the one before it is weighed
+ * and the one before that is stored.
  */
 	.macro	weigh x, y, z
 	smlad	\y, \y, r2, r12
@@ -57,7 +57,7 @@ kernel_armv6_lerp:
 	pack	r11, lr
 	stmia	r3!, {r10, lr}
 	bge	1b
-/* One is loaded, and r0 + 3 more are to come. */
+/* One vertex is loaded, and r0 + 3 more follow. */
 lerp_rest:
 	add	r0, r0, #3
 2:	weigh	r4, r5, r6
@@ -115,8 +115,8 @@ kernel_armv6_increment:
  *   r7 r11 lr  a vertex's pairs
  *   r4 r5 r6, r8 r9 r10  sums x z y of two vertices in turn, from base
  *
- * A step loads a vertex's pairs, stores the vertex before, adds, and loads
- * the base of the vertex after.
+ * A step loads a vertex's pairs, stores the previous vertex, adds, and loads
+ * the base of the next vertex.
  */
 	.macro	expand x, z, y
 	pkhbt	\y, \x, \z, lsl #16
@@ -159,7 +159,7 @@ kernel_armv6_morph_pair:
 	subs	r0, r0, #10
 	pld	[r2, #64]
 	blt	morph_rest
-/* The first vertex has none before it to store. */
+/* Before the first vertex there is none to store. */
 	ldrd	r4, r5, [r1], #8
 	ldmia	r2!, {r7, r11, lr}
 	expand	r4, r5, r6
@@ -180,7 +180,7 @@ kernel_armv6_morph_pair:
 	subs	r0, r0, #8
 	pld	[r1, #AHEAD]
 	bge	1b
-/* r4 r5 r6 wait to be stored; one base is loaded too early. */
+/* r4 r5 r6 are not stored yet, and one base is loaded too many. */
 	pack	r6, r5
 	stmia	r12!, {r4, r5}
 	sub	r1, r1, #8

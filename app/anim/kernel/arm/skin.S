@@ -1,13 +1,13 @@
 /*
- * Skinning for ARMv6: what skin() of fixed_loops.c does, bit for bit.
- * README.md tells how the schedule was found.
+ * Skinning for ARMv6, bit for bit as skin() of fixed_loops.c. figures.md says
+ * how the schedule was found.
  *
  * void kernel_armv6_skin(const struct fixed_group *group, int group_count,
  *	const struct fixed_base *base, const struct fixed_matrix *palette,
  *	struct fixed_vector *out);
  *
- * A run's matrices are copied to the stack, so that no register points to
- * them. In the loops:
+ * A run's matrices are copied to the stack, so that no register has to point to
+ * them. Registers in the loops:
  *
  *   r0  base vectors     r4 r5  row x: m0 m1, m2 t     r3   sum x
  *   r1  out              r6 r7  row y                  r12  sum y
@@ -31,9 +31,9 @@
 #define AHEAD      128
 
 /*
- * One influence: row and vector by row and vector, while the next influence's
- * come in. matrix is the offset of the next matrix on the stack, or -1 for the
- * same again; vector that of the next base vector from r0.
+ * One influence: multiplies its matrix by its vector while it loads the next
+ * influence's. matrix is the offset of the next matrix on the stack, or -1 if it
+ * is the same one; vector is the offset of the next base vector from r0.
  */
 	.macro	influence first, matrix, vector
 	.if	\first
@@ -59,15 +59,15 @@
 	.endif
 	.endm
 
-/* y and z share a word; x has one, with what is below its last bit. */
+/* x and its fraction are one word, y and z the other one. */
 	.macro	store
 	pkhtb	lr, lr, r12, asr #16
 	stmia	r1!, {r3, lr}
 	.endm
 
 /*
- * Two vertices at a time, the second one's influences from the last to the
- * first, so that a matrix serves twice in a row.
+ * Two vertices at a time. The second one's influences go from the last to the
+ * first, so that two consecutive products use the same matrix.
  */
 	.macro	run count
 	.set	last, \count - 1
@@ -164,7 +164,7 @@ copy_matrix:
 	str	r12, [sp, #RUN]
 	add	pc, pc, r3, lsl #2
 	nop
-	nop				/* no influences: never */
+	nop				/* 0 influences do not occur */
 	b	run1
 	b	run2
 	b	run3

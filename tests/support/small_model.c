@@ -150,3 +150,11 @@ struct instance *small_model_instance(const struct model *model)
 		instance_create(model, &kernel_float, &nowhere, &instance), 0);
 	return instance;
 }
+
+void small_model_light_from(struct instance *instance, float x, float y, float z)
+{
+	instance->towards_light[0] = x;
+	instance->towards_light[1] = y;
+	instance->towards_light[2] = z;
+	instance_update(instance);
+}

@@ -28,4 +28,8 @@ extern const uint8_t small_model_flat_map[1][4];
 /* Creates an instance of the model that the float kernel updates. */
 struct instance *small_model_instance(const struct model *model);
 
+/* Sets the direction to the light of bump mapping and updates the instance. */
+void small_model_light_from(
+	struct instance *instance, float x, float y, float z);
+
 #endif

@@ -1,14 +1,11 @@
 #include "app/scene/hud/hud.h"
-#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
-#include "tests/support/gl/gl_checks.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 static const struct hud_color orange = {255, 128, 0, 255};
@@ -366,214 +363,21 @@ static void test_no_texture_is_an_error_with_a_sentence(void **state)
 	hud_finish(hud, &gl);
 }
 
-/* Pictures: these take a driver's name. */
-
-static void check_picture(
-	const char *driver, void (*check)(struct stage *, struct hud *))
-{
-	static struct hud hud;
-	struct log log = log_to_stderr(LOG_WARNING);
-	struct stage stage = stage_open(driver, PIXELS_RGBA8888);
-
-	assert_int_equal(hud_init(&hud, stage.gl, &log), 0);
-	hud_begin(&hud, STAGE_WIDTH, STAGE_HEIGHT);
-	check(&stage, &hud);
-	hud_finish(&hud, stage.gl);
-	stage_close(&stage);
-}
-
-static int blend(int above, int below, int alpha)
-{
-	return (above * alpha + below * (255 - alpha) + 127) / 255;
-}
-
-/* The alpha of a picture of one glyph at a pen position; 0 outside it. */
-static int glyph_alpha(const struct hud *hud, uint32_t code, int pen, int y,
-	int at_x, int at_y)
-{
-	const struct font *font = hud->font;
-	const struct font_glyph *glyph =
-		&hud->face->glyph[font_find_glyph(font, code)];
-	int column = at_x - pen - glyph->left;
-	int row = at_y - (y + hud->face->ascent - glyph->top);
-
-	if (column < 0 || row < 0 || column >= glyph->width ||
-		row >= glyph->height) {
-		return 0;
-	}
-	return font->alpha[(glyph->t + row) * font->width + glyph->s + column];
-}
-
-/* The whole picture is these two letters in orange on black. */
-static void expect_letters(const struct stage *stage, const struct hud *hud,
-	const char *two, int x, int y)
-{
-	char first[2] = {two[0], 0};
-	int second = x + hud_text_width(hud, first);
-
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-		int at_x = i % STAGE_WIDTH, at_y = i / STAGE_WIDTH;
-		int alpha = glyph_alpha(hud, (uint8_t)two[0], x, y, at_x, at_y) +
-			glyph_alpha(hud, (uint8_t)two[1], second, y, at_x, at_y);
-
-		stage_expect(
-			stage, at_x, at_y, alpha, blend(128, 0, alpha), 0, 2);
-	}
-}
-
-static void check_letters(struct stage *stage, struct hud *hud)
-{
-	hud_text(hud, 3, 5, orange, "1g");
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	expect_letters(stage, hud, "1g", 3, 5);
-}
-
-static void test_text_lands_on_its_pixels_in_its_colour(void **state)
-{
-	check_picture(*state, check_letters);
-}
-
-static void check_letters_that_leave(struct stage *stage, struct hud *hud)
-{
-	hud_text(hud, -3, -6, orange, "1g");
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	expect_letters(stage, hud, "1g", -3, -6);
-}
-
-static void test_text_over_the_edge_is_cut_off_there(void **state)
-{
-	check_picture(*state, check_letters_that_leave);
-}
-
-static void check_order(struct stage *stage, struct hud *hud)
-{
-	static const struct hud_color white = {255, 255, 255, 255};
-	static const struct hud_color half_blue = {0, 0, 255, 128};
-
-	hud_rectangle(hud, 4, 4, 10, 10, white);
-	hud_rectangle(hud, 8, 4, 10, 10, half_blue);
-	hud_rectangle(hud, 31, 23, 1, 1, orange);
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	stage_expect(stage, 3, 4, 0, 0, 0, 0);
-	stage_expect(stage, 4, 4, 255, 255, 255, 0);
-	stage_expect(stage, 4, 14, 0, 0, 0, 0);
-	stage_expect(stage, 7, 13, 255, 255, 255, 0);
-	stage_expect(stage, 8, 13, 127, 127, 255, 2);
-	stage_expect(stage, 17, 13, 0, 0, 128, 2);
-	stage_expect(stage, 18, 13, 0, 0, 0, 0);
-	stage_expect(stage, 31, 23, 255, 128, 0, 2);
-	stage_expect(stage, 30, 23, 0, 0, 0, 0);
-	stage_expect(stage, 31, 22, 0, 0, 0, 0);
-}
-
-static void test_later_things_cover_earlier_ones(void **state)
-{
-	check_picture(*state, check_order);
-}
-
-/* Its corners are the disc's, all else is plain. */
-static void check_panel(struct stage *stage, struct hud *hud)
-{
-	const uint16_t *disc = hud->font->disc[4];
-
-	hud_panel(hud, 2, 3, 20, 15, 4, orange);
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	for (int i = 0; i < 20 * 15; i++) {
-		int x = i % 20, y = i / 20;
-		int s = x < 4 ? x : x >= 16 ? x - 12 : -1;
-		int t = y < 4 ? y : y >= 11 ? y - 7 : -1;
-		int alpha = s < 0 || t < 0
-			? 255
-			: hud->font->alpha[(disc[1] + t) * hud->font->width +
-				  disc[0] + s];
-
-		stage_expect(
-			stage, 2 + x, 3 + y, alpha, blend(128, 0, alpha), 0, 2);
-	}
-	stage_expect(stage, 1, 10, 0, 0, 0, 0);
-	stage_expect(stage, 22, 10, 0, 0, 0, 0);
-	stage_expect(stage, 10, 2, 0, 0, 0, 0);
-	stage_expect(stage, 10, 18, 0, 0, 0, 0);
-}
-
-static void test_panels_are_whole_and_round(void **state)
-{
-	check_picture(*state, check_panel);
-}
-
-/* Whatever was drawn before leaves its marks; none may reach the text. */
-static void check_after_a_scene(struct stage *stage, struct hud *hud)
-{
-	struct gl *gl = stage->gl;
-
-	gl->Enable(GL_DEPTH_TEST);
-	gl->Enable(GL_LIGHTING);
-	gl->Enable(GL_CULL_FACE);
-	gl->CullFace(GL_FRONT_AND_BACK);
-	gl->Enable(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_NEVER, 0);
-	gl->DepthFunc(GL_NEVER);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-	gl->MatrixMode(GL_TEXTURE);
-	gl->Scalex(0, 0, 0);
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Scalex(0, 0, 0);
-	gl->BlendFunc(GL_ZERO, GL_ONE);
-	check_order(stage, hud);
-}
-
-static void test_state_of_the_scene_does_not_matter(void **state)
-{
-	check_picture(*state, check_after_a_scene);
-}
-
-static const struct CMUnitTest plain_tests[] = {
-	cmocka_unit_test(test_widths_of_pieces_add_up),
-	cmocka_unit_test(test_text_grows_with_the_picture),
-	cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
-	cmocka_unit_test(test_no_ellipsis_follows_a_space),
-	cmocka_unit_test(test_what_does_not_fit_is_left_out),
-	cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
-	cmocka_unit_test(test_bars_fill_by_their_share),
-	cmocka_unit_test(test_a_frame_is_one_draw_call),
-	cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
-	cmocka_unit_test(test_leaves_the_state_it_promises),
-	cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
-};
-
-static const struct CMUnitTest picture_tests[] = {
-	cmocka_unit_test(test_text_lands_on_its_pixels_in_its_colour),
-	cmocka_unit_test(test_text_over_the_edge_is_cut_off_there),
-	cmocka_unit_test(test_later_things_cover_earlier_ones),
-	cmocka_unit_test(test_panels_are_whole_and_round),
-	cmocka_unit_test(test_state_of_the_scene_does_not_matter),
-};
-
-enum {
-	PLAIN_COUNT = ARRAY_COUNT(plain_tests),
-	PICTURE_COUNT = ARRAY_COUNT(picture_tests),
-	DRIVERS_MAX = 8
-};
-
 int main(void)
 {
-	/* What is left empty is no test. */
-	static struct CMUnitTest tests[PLAIN_COUNT + PICTURE_COUNT * DRIVERS_MAX];
-	static char name[PICTURE_COUNT * DRIVERS_MAX][96];
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_widths_of_pieces_add_up),
+		cmocka_unit_test(test_text_grows_with_the_picture),
+		cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
+		cmocka_unit_test(test_no_ellipsis_follows_a_space),
+		cmocka_unit_test(test_what_does_not_fit_is_left_out),
+		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
+		cmocka_unit_test(test_bars_fill_by_their_share),
+		cmocka_unit_test(test_a_frame_is_one_draw_call),
+		cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
+		cmocka_unit_test(test_leaves_the_state_it_promises),
+		cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
+	};
 
-	memcpy(tests, plain_tests, sizeof(plain_tests));
-	for (int i = 0; gl_registry[i / PICTURE_COUNT]; i++) {
-		const char *driver = gl_registry[i / PICTURE_COUNT]->name;
-		struct CMUnitTest *test = &tests[PLAIN_COUNT + i];
-
-		*test = picture_tests[i % PICTURE_COUNT];
-		snprintf(name[i], sizeof(name[i]), "%s_%s", test->name, driver);
-		test->name = name[i];
-		test->initial_state = (void *)(uintptr_t)driver;
-	}
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

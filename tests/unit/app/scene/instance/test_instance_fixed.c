@@ -1,12 +1,10 @@
 /*
- * Instances in fixed point, held against the same ones in float: where
- * vertices are, what is drawn, and what cannot be had in 16 bits.
+ * Vertices of instances in fixed point, compared with the same in float, and
+ * what does not fit 16 bits.
  */
-#include "app/anim/clip.h"
-#include "app/scene/draw/draw.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/shadow/shadow_volume.h"
-#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/instance_pair.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
@@ -21,62 +19,6 @@ enum {
 };
 
 static const double DEGREE = 0.017453292519943295;
-
-/* One model, both ways. */
-struct pair {
-	struct model *model;
-	struct instance *exact, *fixed;
-	struct clip_cursor cursor;
-};
-
-static struct instance *make_instance(
-	const struct model *model, const char *kernel)
-{
-	struct log nowhere = log_to_nowhere();
-	struct instance *instance = NULL;
-
-	assert_int_equal(
-		instance_create(model, kernel_find(kernel), &nowhere, &instance),
-		0);
-	return instance;
-}
-
-static void pair_begin(struct pair *pair, struct model *model)
-{
-	*pair = (struct pair){.model = model};
-	pair->exact = make_instance(model, "float");
-	pair->fixed = make_instance(model, "fixed");
-	assert_int_equal(
-		clip_cursor_init(&pair->cursor, model, &pair->exact->arena), 0);
-}
-
-static void pair_load(struct pair *pair, const char *path)
-{
-	struct log nowhere = log_to_nowhere();
-	struct model *model;
-
-	assert_int_equal(model_load(path, &nowhere, &model), 0);
-	pair_begin(pair, model);
-}
-
-static void pair_end(struct pair *pair)
-{
-	instance_destroy(pair->exact);
-	instance_destroy(pair->fixed);
-	model_destroy(pair->model);
-}
-
-static void pair_pose(struct pair *pair, int clip, float time_s)
-{
-	if (clip >= 0) {
-		clip_pose(&pair->model->clip[clip], time_s, CLIP_AUTO,
-			&pair->cursor, &pair->exact->pose);
-	}
-	pose_copy(&pair->fixed->pose, &pair->exact->pose);
-	instance_update(pair->exact);
-	instance_update(pair->fixed);
-	assert_false(instance_overflowed(pair->fixed));
-}
 
 static double distance(const float a[3], const float b[3])
 {
@@ -132,7 +74,7 @@ static struct bounds bounds_of_each_vertex(const struct instance *instance)
 	return box;
 }
 
-static double worst_position(const struct pair *pair, int d)
+static double worst_position(const struct instance_pair *pair, int d)
 {
 	const struct drawable *drawable = &pair->exact->drawable[d];
 	double worst = 0;
@@ -158,7 +100,7 @@ static void unit_of(const struct fixed_vector *v, float out[3])
 	out[2] = (float)(v->z / length);
 }
 
-static double worst_normal(const struct pair *pair, int d)
+static double worst_normal(const struct instance_pair *pair, int d)
 {
 	const struct drawable *exact = &pair->exact->drawable[d];
 	const struct drawable_fixed *fixed = pair->fixed->drawable[d].fixed;
@@ -174,7 +116,9 @@ static double worst_normal(const struct pair *pair, int d)
 		if (distance(want, none) < 0.5) {
 			continue;
 		}
-		unit_of(&fixed->normal[fixed->inverse_order ? fixed->inverse_order[v] : (uint32_t)v],
+		unit_of(&fixed->normal[fixed->inverse_order
+					? fixed->inverse_order[v]
+					: (uint32_t)v],
 			got);
 		worst = fmax(worst, 2 * asin(0.5 * distance(want, got)));
 	}
@@ -182,7 +126,7 @@ static double worst_normal(const struct pair *pair, int d)
 }
 
 static void compare_posed(
-	struct pair *pair, double *position, double *normal_rad)
+	struct instance_pair *pair, double *position, double *normal_rad)
 {
 	double radius = radius_of(pair->exact);
 	struct bounds box = bounds_of_instance(pair->fixed);
@@ -211,22 +155,22 @@ static void compare_model(const char *path)
 	struct log nowhere = log_to_nowhere();
 	double position = 0, normal_rad = 0;
 	struct model *model;
-	struct pair pair;
+	struct instance_pair pair;
 
 	if (model_load(path, &nowhere, &model) != 0) {
 		return;
 	}
-	pair_begin(&pair, model);
+	instance_pair_begin(&pair, model);
 	for (int i = 0; i < model->clip_count * TIMES; i++) {
 		float part = (float)(i % TIMES) / (TIMES - 1);
 
 		pair.exact->max_influences = i % 3 == 2 ? 2 : 0;
 		pair.fixed->max_influences = pair.exact->max_influences;
-		pair_pose(&pair, i / TIMES,
+		instance_pair_pose(&pair, i / TIMES,
 			part * model->clip[i / TIMES].duration_s);
 		compare_posed(&pair, &position, &normal_rad);
 	}
-	pair_pose(&pair, -1, 0);
+	instance_pair_pose(&pair, -1, 0);
 	compare_posed(&pair, &position, &normal_rad);
 	print_message("# %s: %d of %d parts fixed, %.2g of the radius, %.2g "
 		      "degrees\n",
@@ -235,7 +179,7 @@ static void compare_model(const char *path)
 	assert_int_equal(count_fixed(pair.fixed), pair.fixed->drawable_count);
 	assert_near(position, 0, 2e-4);
 	assert_near(normal_rad / DEGREE, 0, 1);
-	pair_end(&pair);
+	instance_pair_end(&pair);
 }
 
 static int compare_folder(const char *folder)
@@ -271,128 +215,6 @@ static void test_every_model_is_where_it_is_in_float(void **state)
 	compare_folder("../shared/models/x");
 }
 
-/* All that is drawn, in eye space: the same triangles at the same places. */
-static void assert_drawn_alike(struct pair *pair)
-{
-	struct instance *both[2] = {pair->exact, pair->fixed};
-	struct gl_recording drawn[2];
-
-	for (int i = 0; i < 2; i++) {
-		struct gl gl = gl_recorder_begin();
-		const struct texture_set none = {0};
-
-		draw_instance(&gl, both[i], &none, DRAW_SHADOW);
-		drawn[i] = *gl_recorder_result();
-		assert_int_equal(drawn[i].depth, 0);
-	}
-	assert_int_equal(drawn[0].draw_count, drawn[1].draw_count);
-	assert_true(drawn[0].vertex_count > 0);
-	assert_true(drawn[0].vertex_count == drawn[1].vertex_count);
-	for (int axis = 0; axis < 3; axis++) {
-		double count = (double)drawn[0].vertex_count;
-
-		assert_near(drawn[1].sum[axis] / count,
-			drawn[0].sum[axis] / count, 1e-4);
-	}
-}
-
-static void test_the_same_triangles_are_drawn(void **state)
-{
-	static const char *const paths[] = {
-		"assets/walker.glb", "assets/arm.glb", "assets/face.glb"};
-
-	(void)state;
-	for (int i = 0; i < 3; i++) {
-		struct pair pair;
-
-		pair_load(&pair, paths[i]);
-		pair_pose(&pair, pair.model->clip_count > 0 ? 0 : -1, 0.4f);
-		assert_drawn_alike(&pair);
-		pair_end(&pair);
-	}
-}
-
-/* Vertices are in another order, and all that belongs to them with them. */
-static void test_attributes_go_with_their_vertices(void **state)
-{
-	struct pair pair;
-	int moved = 0;
-
-	(void)state;
-	pair_load(&pair, "assets/walker.glb");
-	for (int d = 0; d < pair.fixed->drawable_count; d++) {
-		const struct drawable *drawable = &pair.fixed->drawable[d];
-		const struct model_primitive *primitive = drawable->primitive;
-		const struct batch *batch = drawable->batch;
-
-		for (int i = 0; batch->index && i < batch->index_count; i++) {
-			uint32_t from = primitive->index[i];
-			uint16_t at = batch->index[i];
-
-			moved += from != at;
-			if (batch->texcoord) {
-				assert_memory_equal(batch->texcoord[at],
-					primitive->texcoord[from],
-					sizeof(float[2]));
-			}
-		}
-	}
-	assert_true(moved > 1000);
-	pair_end(&pair);
-}
-
-static void test_huge_and_tiny_models_are_drawn_near_one(void **state)
-{
-	static const float sizes[] = {5000.0f, 1.0f, 0.001f};
-
-	(void)state;
-	for (int i = 0; i < 3; i++) {
-		struct pair pair;
-		const struct fixed_vector *corner;
-		float at[3];
-
-		pair_begin(&pair, small_model_grid(2, 2, sizes[i], true));
-		assert_near(pair.fixed->unit_scale, pair.exact->unit_scale, 0);
-		assert_drawn_alike(&pair);
-		instance_world_vertex(
-			pair.fixed, &pair.fixed->drawable[0], 8, at);
-		assert_near(at[0], sizes[i], sizes[i] * 1e-4);
-		corner = &pair.fixed->drawable[0].batch[0].fixed_position[8];
-		assert_true(corner->x > 16000);
-		pair_end(&pair);
-	}
-}
-
-static void test_gives_flat_normals_where_the_file_has_none(void **state)
-{
-	struct pair pair;
-	const struct batch *batch;
-
-	(void)state;
-	pair_begin(&pair, small_model_grid(2, 1, 1.0f, false));
-	batch = &pair.fixed->drawable[0].batch[0];
-	assert_null(batch->index);
-	assert_int_equal(batch->vertex_count, 12);
-	for (int v = 0; v < batch->vertex_count; v++) {
-		assert_int_equal(batch->fixed_normal[v].x, 0);
-		assert_int_equal(batch->fixed_normal[v].y, 0);
-		assert_int_equal(batch->fixed_normal[v].z, 32767);
-	}
-	assert_drawn_alike(&pair);
-	pair_end(&pair);
-}
-
-static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
-{
-	struct pair pair;
-
-	(void)state;
-	pair_begin(&pair, small_model_grid(300, 300, 1.0f, true));
-	assert_true(pair.fixed->drawable[0].batch_count > 1);
-	assert_drawn_alike(&pair);
-	pair_end(&pair);
-}
-
 static void test_what_does_not_fit_stays_in_float_with_a_sentence(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1e20f, true);
@@ -414,12 +236,12 @@ static void test_what_does_not_fit_stays_in_float_with_a_sentence(void **state)
 
 static void test_a_pose_that_does_not_fit_keeps_the_last_one(void **state)
 {
-	struct pair pair;
+	struct instance_pair pair;
 	struct drawable *skinned;
 	float before[3], after[3];
 
 	(void)state;
-	pair_load(&pair, "assets/walker.glb");
+	instance_pair_load(&pair, "assets/walker.glb");
 	skinned = pair.fixed->drawable;
 	while (skinned->skin < 0 || !skinned->fixed) {
 		skinned++;
@@ -432,15 +254,15 @@ static void test_a_pose_that_does_not_fit_keeps_the_last_one(void **state)
 	assert_true(instance_overflowed(pair.fixed));
 	drawable_position(skinned, 0, after);
 	assert_memory_equal(before, after, sizeof(before));
-	pair_pose(&pair, 0, 0.1f);
-	pair_end(&pair);
+	instance_pair_pose(&pair, 0, 0.1f);
+	instance_pair_end(&pair);
 }
 
 static void test_relief_is_lit_alike(void **state)
 {
 	static const uint8_t map[1][4] = {{128, 128, 255, 255}};
 	struct model *model = small_model_grid(4, 4, 1.0f, true);
-	struct pair pair;
+	struct instance_pair pair;
 
 	(void)state;
 	small_model_add_normal_map(model, 1, map);
@@ -450,15 +272,15 @@ static void test_relief_is_lit_alike(void **state)
 		normal[0] = 0.6f * (float)(v % 3 - 1);
 		normal[2] = normal[0] == 0 ? 1 : 0.8f;
 	}
-	pair_begin(&pair, model);
-	pair_pose(&pair, -1, 0);
+	instance_pair_begin(&pair, model);
+	instance_pair_pose(&pair, -1, 0);
 	for (int v = 0; v < 25; v++) {
 		for (int i = 0; i < 4; i++) {
 			assert_near(pair.fixed->drawable[0].light[v][i],
 				pair.exact->drawable[0].light[v][i], 1);
 		}
 	}
-	pair_end(&pair);
+	instance_pair_end(&pair);
 }
 
 static void test_shadows_fall_alike(void **state)
@@ -467,11 +289,11 @@ static void test_shadows_fall_alike(void **state)
 		.towards = {0.3f, 0.9f, 0.3f}, .max_length = 5.0f};
 	struct log nowhere = log_to_nowhere();
 	struct shadow_volume exact, fixed;
-	struct pair pair;
+	struct instance_pair pair;
 
 	(void)state;
-	pair_load(&pair, "assets/walker.glb");
-	pair_pose(&pair, 0, 0.3f);
+	instance_pair_load(&pair, "assets/walker.glb");
+	instance_pair_pose(&pair, 0, 0.3f);
 	assert_int_equal(shadow_volume_init(&exact, pair.exact, &nowhere), 0);
 	assert_int_equal(shadow_volume_init(&fixed, pair.fixed, &nowhere), 0);
 	shadow_volume_update(&exact, pair.exact, &light);
@@ -484,18 +306,13 @@ static void test_shadows_fall_alike(void **state)
 					    fixed.caster[h].position[v]) < 4e-4);
 		}
 	}
-	pair_end(&pair);
+	instance_pair_end(&pair);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_every_model_is_where_it_is_in_float),
-		cmocka_unit_test(test_the_same_triangles_are_drawn),
-		cmocka_unit_test(test_attributes_go_with_their_vertices),
-		cmocka_unit_test(test_huge_and_tiny_models_are_drawn_near_one),
-		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
-		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(
 			test_what_does_not_fit_stays_in_float_with_a_sentence),
 		cmocka_unit_test(

@@ -1,0 +1,354 @@
+/* The levels of detail of the models in assets/. */
+#include "app/anim/clip.h"
+#include "app/model/model_stats.h"
+#include "app/scene/instance/lod.h"
+#include "platform/base/compiler.h"
+#include "tests/support/demo_run.h"
+#include "tests/support/small_model.h"
+#include "tests/support/test.h"
+
+#include <cglm/cglm.h>
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const assets[] = {
+	"assets/walker.glb", "assets/face.glb", "assets/arm.glb"};
+
+static struct model *load(const char *path)
+{
+	struct log nowhere = log_to_nowhere();
+	struct model *model;
+
+	assert_int_equal(model_load(path, &nowhere, &model), 0);
+	return model;
+}
+
+static void test_fixed_point_draws_the_same_vertices(void **state)
+{
+	struct log nowhere = log_to_nowhere();
+	struct model *model = load(assets[0]);
+	struct instance *instance;
+	int lists = 0;
+
+	(void)state;
+	assert_int_equal(instance_create(model, kernel_find("fixed"), &nowhere,
+				 &instance),
+		0);
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		const struct batch *batch = drawable->batch;
+
+		for (int k = 0; k < batch->lod_count; k++, lists++) {
+			const uint32_t *order = drawable->fixed->order;
+			const struct batch_lod *lod = &batch->lod[k];
+
+			for (int v = 0; v < lod->index_count; v++) {
+				uint32_t at = lod->index[v];
+
+				assert_int_equal(order ? order[at] : at,
+					drawable->primitive->lod[k].index[v]);
+			}
+		}
+	}
+	assert_true(lists >= 12);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+struct edge {
+	float end[2][3]; /* the lesser first */
+	int turns;       /* 1 as a triangle goes round, -1 the other way */
+};
+
+static int compare_points(const float *a, const float *b)
+{
+	for (int axis = 0; axis < 3; axis++) {
+		if (a[axis] != b[axis]) {
+			return a[axis] < b[axis] ? -1 : 1;
+		}
+	}
+	return 0;
+}
+
+static int compare_ends(const void *left, const void *right)
+{
+	return compare_points(left, right);
+}
+
+static int compare_edges(const void *left, const void *right)
+{
+	const struct edge *a = left, *b = right;
+	int first = compare_points(a->end[0], b->end[0]);
+
+	return first ? first : compare_points(a->end[1], b->end[1]);
+}
+
+static void add_triangles(const struct model_primitive *primitive,
+	const uint32_t *index, int count, struct edge *edge, int *edges)
+{
+	for (int i = 0; i < count; i++) {
+		const float *a = primitive->position[index[i]];
+		const float *b =
+			primitive->position[index[i % 3 < 2 ? i + 1 : i - 2]];
+		bool turned = compare_points(a, b) > 0;
+
+		memcpy(edge[*edges].end[turned], a, sizeof(float[3]));
+		memcpy(edge[*edges].end[!turned], b, sizeof(float[3]));
+		edge[(*edges)++].turns = turned ? -1 : 1;
+	}
+}
+
+/* The ends of all edges that a mesh (level -1: all of it) has open, sorted. */
+static int open_ends(const struct model_mesh *mesh, int level, float (**out)[3])
+{
+	struct edge *edge = calloc(100000, sizeof(*edge));
+	int edges = 0, ends = 0;
+
+	*out = calloc(200000, sizeof(**out));
+	assert_non_null(edge);
+	assert_non_null(*out);
+	for (int p = 0; p < mesh->primitive_count; p++) {
+		const struct model_primitive *primitive = &mesh->primitive[p];
+		const struct model_lod *lod = &primitive->lod[level];
+
+		if (level < 0) {
+			add_triangles(primitive, primitive->index,
+				primitive->index_count, edge, &edges);
+		} else {
+			add_triangles(primitive, lod->index, lod->index_count,
+				edge, &edges);
+		}
+	}
+	qsort(edge, (size_t)edges, sizeof(*edge), compare_edges);
+	for (int i = 0, next; i < edges; i = next) {
+		int turns = 0;
+
+		for (next = i; next < edges &&
+			compare_edges(&edge[i], &edge[next]) == 0;
+			next++) {
+			turns += edge[next].turns;
+		}
+		if (turns != 0 &&
+			compare_points(edge[i].end[0], edge[i].end[1]) != 0) {
+			memcpy((*out)[ends], edge[i].end, sizeof(edge[i].end));
+			ends += 2;
+		}
+	}
+	qsort(*out, (size_t)ends, sizeof(**out), compare_ends);
+	free(edge);
+	return ends;
+}
+
+/* Where a level is open the full mesh is, too: at seams nothing gapes. */
+static void test_levels_have_no_cracks(void **state)
+{
+	(void)state;
+	for (size_t a = 0; a < ARRAY_COUNT(assets); a++) {
+		struct model *model = load(assets[a]);
+
+		for (int m = 0; m < model->mesh_count; m++) {
+			const struct model_mesh *mesh = &model->mesh[m];
+			float(*full)[3], (*few)[3];
+			int full_count = open_ends(mesh, -1, &full);
+
+			assert_true(mesh->primitive[0].lod_count > 0);
+			for (int k = 0; k < mesh->primitive[0].lod_count; k++) {
+				int count = open_ends(mesh, k, &few);
+
+				for (int i = 0; i < count; i++) {
+					assert_non_null(bsearch(few[i], full,
+						(size_t)full_count,
+						sizeof(*full), compare_ends));
+				}
+				free(few);
+			}
+			free(full);
+		}
+		model_destroy(model);
+	}
+}
+
+static void test_coarser_levels_have_fewer_triangles(void **state)
+{
+	(void)state;
+	for (size_t a = 0; a < ARRAY_COUNT(assets); a++) {
+		struct model *model = load(assets[a]);
+
+		for (int m = 0; m < model->mesh_count; m++) {
+			const struct model_mesh *mesh = &model->mesh[m];
+			struct model_level finer = {.triangle_count = INT_MAX};
+
+			for (int k = 0; k < model_level_count(mesh); k++) {
+				struct model_level level = model_level(mesh, k);
+
+				assert_true(level.shadow_only ||
+					(level.error_m > finer.error_m &&
+						level.triangle_count <
+							finer.triangle_count));
+				finer = level;
+			}
+			assert_true(finer.shadow_only);
+		}
+		model_destroy(model);
+	}
+}
+
+static float squared_distance(const float p[3], const float q[3])
+{
+	float x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
+
+	return x * x + y * y + z * z;
+}
+
+/* By projections onto the plane and, outside of it, onto the sides. */
+static float to_triangle(const float p[3], const float corner[3][3])
+{
+	vec3 u, v, normal, w;
+	float best = INFINITY, area, share[3];
+
+	glm_vec3_sub((float *)corner[1], (float *)corner[0], u);
+	glm_vec3_sub((float *)corner[2], (float *)corner[0], v);
+	glm_vec3_sub((float *)p, (float *)corner[0], w);
+	glm_vec3_cross(u, v, normal);
+	area = glm_vec3_dot(normal, normal);
+	if (area > 0.0f) {
+		vec3 cross;
+
+		glm_vec3_cross(w, v, cross);
+		share[1] = glm_vec3_dot(cross, normal) / area;
+		glm_vec3_cross(u, w, cross);
+		share[2] = glm_vec3_dot(cross, normal) / area;
+		if (share[1] >= 0.0f && share[2] >= 0.0f &&
+			share[1] + share[2] <= 1.0f) {
+			float height = glm_vec3_dot(w, normal);
+
+			return height * height / area;
+		}
+	}
+	for (int i = 0; i < 3; i++) {
+		const float *a = corner[i], *b = corner[(i + 1) % 3];
+		float along, near[3], length = squared_distance(a, b);
+
+		glm_vec3_sub((float *)b, (float *)a, u);
+		glm_vec3_sub((float *)p, (float *)a, w);
+		along = length > 0.0f ? glm_vec3_dot(u, w) / length : 0.0f;
+		along = along < 0.0f ? 0.0f : along > 1.0f ? 1.0f : along;
+		glm_vec3_scale(u, along, near);
+		glm_vec3_add(near, (float *)a, near);
+		best = fminf(best, squared_distance(p, near));
+	}
+	return best;
+}
+
+/* Of a vertex of the node's mesh to the mesh as the level has it, in metres. */
+static float to_level(
+	const struct instance *instance, int node, int level, const float at[3])
+{
+	float best = INFINITY;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		const struct model_lod *lod = &drawable->primitive->lod[level];
+
+		for (int t = 0; drawable->node == node && t < lod->index_count;
+			t += 3) {
+			float corner[3][3];
+
+			for (int k = 0; k < 3; k++) {
+				drawable_position(drawable,
+					(int)lod->index[t + k], corner[k]);
+			}
+			best = fminf(best, to_triangle(at, corner));
+		}
+	}
+	return sqrtf(best);
+}
+
+/* How many of some vertices are off by more than twice the stated error. */
+static float share_off(const struct instance *instance, int node, int level)
+{
+	int off = 0, all = 0;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		const struct model_primitive *primitive = drawable->primitive;
+
+		for (int v = 0;
+			drawable->node == node && v < primitive->vertex_count;
+			v += 37, all++) {
+			float at[3];
+
+			drawable_position(drawable, v, at);
+			off += to_level(instance, node, level, at) >
+				2.0f * primitive->lod[level].error_m;
+		}
+	}
+	return (float)off / (float)all;
+}
+
+/* Errors are measured at rest; limbs bend, and faces move. */
+static void test_levels_keep_near_in_motion(void **state)
+{
+	static const char *const clips[] = {"run", "wave", "jump"};
+	struct model *model = load(assets[0]);
+	struct instance *instance = small_model_instance(model);
+	struct clip_cursor none = {0};
+
+	(void)state;
+	for (size_t c = 0; c < ARRAY_COUNT(clips); c++) {
+		const struct model_clip *clip =
+			&model->clip[model_find_clip(model, clips[c])];
+
+		clip_sample(
+			clip, 0.4f * clip->duration_s, &none, &instance->pose);
+		instance_update(instance);
+		for (int level = 0; level < 3; level++) {
+			float body = share_off(instance,
+				model_find_node(model, "walker_body"), level);
+			float head = share_off(instance,
+				model_find_node(model, "walker_head"), level);
+			assert_true(body <= 0.05f);
+			assert_true(head <= 0.05f);
+		}
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* All that she does by herself, the camera going round her. */
+static void test_nothing_pops_while_she_moves(void **state)
+{
+	static const struct demo_press press[] = {{0.05, BUTTON_F9}};
+	struct demo_run run;
+	long first;
+
+	(void)state;
+	demo_run_begin(&run, "walker");
+	demo_run_to(&run, 0.2, 25, press, 1);
+	demo_run_draw(&run);
+	demo_run_to(&run, 0.4, 25, press, 1);
+	first = demo_get_facts(run.driver, run.demo).triangles;
+	assert_true(first < 5000);
+	for (double at_s = 0.5; at_s < 18.0; at_s += 0.1) {
+		demo_run_to(&run, at_s, 25, press, 1);
+		assert_int_equal(
+			demo_get_facts(run.driver, run.demo).triangles, first);
+	}
+	demo_run_end(&run);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_fixed_point_draws_the_same_vertices),
+		cmocka_unit_test(test_coarser_levels_have_fewer_triangles),
+		cmocka_unit_test(test_levels_have_no_cracks),
+		cmocka_unit_test(test_levels_keep_near_in_motion),
+		cmocka_unit_test(test_nothing_pops_while_she_moves),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -4,7 +4,7 @@
 here=$(cd "$(dirname "$0")" && pwd)
 tree=$scratch/tree
 
-# given FILE LINE: a clean tree with one more line in one file.
+# given [FILE LINE]: makes a clean tree, with one more line in that file.
 given() {
     rm -rf "$tree"
     for folder in app/model app/anim/kernel app/scene app/demo app/cmd \
@@ -24,7 +24,7 @@ given() {
     TREE=$tree run "$here/includes.sh"
 }
 
-# refuses FILE LINE
+# refuses FILE LINE: that line breaks a rule, and the test says so.
 refuses() {
     given "$1" "$2"
     about "$1 with $2"

@@ -1,5 +1,5 @@
-# Reads lines "FILE HEADER", system headers in <>, and speaks TAP: one test a
-# rule about what may include what.
+# Reads lines "FILE HEADER", with system headers in <>, and prints TAP: a test for
+# each rule about what may include what.
 
 BEGIN {
     # Each layer may include itself and those before it.
@@ -18,7 +18,7 @@ BEGIN {
     listed("<jansson.h> <ini.h>", library_cmd)
 
     rule("named", "headers are named from the top folder")
-    rule("placed", "every folder of app has its place")
+    rule("placed", "every folder of app is a layer")
     rule("upward", "includes run from cmd down to model")
     rule("app", "platform includes nothing of app")
     rule("private", "app sees only platform's public headers")
@@ -44,7 +44,7 @@ function broken(key) {
     found[key] = found[key] "# " file " includes " header "\n"
 }
 
-# 0 outside app, -1 in a folder that app has not.
+# The layer of a path: 0 outside app, -1 in a folder of app that is no layer.
 function rank(path,    part) {
     split(path, part, "/")
     if (part[1] != "app") {
@@ -105,7 +105,7 @@ END {
         print (bad ? "not ok " : "ok ") i " - " name_of[i]
         printf "%s", found[key_of[i]]
     }
-    # Where there is nothing to read, nothing was checked.
+    # Without any input, nothing was checked.
     print "1.." (count ? rules : 0)
     exit (failed > 0)
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Which way the includes run: cmd -> demo -> compare -> scene -> anim -> model, any of
-# them -> platform's public headers, platform -> nothing of app. TREE is the
-# folder of app/ and platform/. Speaks TAP.
+# Includes run cmd -> demo -> compare -> scene -> anim -> model, from any of them
+# to platform's public headers, and from platform to nothing of app. TREE is the
+# folder of app/ and platform/.
 rules=$(cd "$(dirname "$0")" && pwd)/includes.awk
 cd "${TREE:-.}" || exit 1
 

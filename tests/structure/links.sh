@@ -1,15 +1,15 @@
 #!/bin/sh
-# What README pages point to is there: pictures, pages, folders.
+# The links of README pages lead to files and folders that exist.
 . "$(dirname "$0")/../support/tap.sh"
 
-# links FILE: what it links to in this tree, a line each.
+# links FILE: prints its links into this tree, a line each.
 links() {
     grep -oE '\]\([^)]+\)|src="[^"]+"' "$1" |
         sed 's/^](//; s/)$//; s/^src="//; s/"$//; s/#.*//' |
         grep -vE '^$|^[a-z]+:' || true
 }
 
-# broken FILE: those of its links that lead nowhere.
+# broken FILE: prints those of its links that lead nowhere.
 broken() {
     links "$1" | while read -r link; do
         [ -e "$(dirname "$1")/$link" ] || echo "$link"

@@ -24,7 +24,8 @@ static int print(const struct comparison *comparison,
 		report_find(options->compare.format)->print(comparison, stdout);
 
 	if (error) {
-		log_error(log, "compare: out of memory for the report");
+		log_error(log,
+			"compare: there is not enough memory for the report");
 	}
 	if (!error && options->compare.plot) {
 		error = report_plot(comparison, options->compare.plot, log);

@@ -50,8 +50,7 @@ static int run_with_model(const struct model *model,
 		error = write_source(model, clip, options->export.c, log, &size);
 	}
 	if (!error) {
-		printf("%s: %zu bytes of tables (ROM), %zu bytes of state "
-		       "(RAM)\n",
+		printf("%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
 			options->export.c, size.rom_bytes, size.ram_bytes);
 	}
 	return error;

@@ -62,7 +62,7 @@ static int pose_instance(struct instance *instance,
 	}
 	error = clip_cursor_init(&cursor, instance->model, &instance->arena);
 	if (error) {
-		log_error(log, "%s: out of memory to pose it",
+		log_error(log, "%s: there is not enough memory to pose it",
 			instance->model->path);
 		return error;
 	}

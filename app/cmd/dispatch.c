@@ -57,11 +57,11 @@ static int refuse_unknown(const struct command *const *commands,
 	closest = options_closest(word, names);
 	if (closest) {
 		log_error(log,
-			"%s: no such command or file: did you mean limber %s?",
+			"%s: there is no such command or file: did you mean limber %s?",
 			word, closest);
 	} else {
 		log_error(log,
-			"%s: no such command or file: limber --help lists the commands",
+			"%s: there is no such command or file: limber --help lists the commands",
 			word);
 	}
 	return EXIT_USAGE;

@@ -261,7 +261,8 @@ int candidate_morph(struct candidate *candidate,
 		bake->arena = arena_empty();
 	}
 	if (!bake || prepare(bake, key) != 0) {
-		log_error(log, "%s: out of memory for %d key frames",
+		log_error(log,
+			"%s: there is not enough memory for %d key frames",
 			reference->model->path, key_count);
 		candidate_destroy(candidate);
 		return -ENOMEM;

@@ -223,7 +223,7 @@ static int prepare(struct original *state, const struct kernel *kernel,
 			&state->cursor, &state->model, &state->arena);
 	}
 	if (error) {
-		log_error(log, "%s: out of memory to compare it",
+		log_error(log, "%s: there is not enough memory to compare it",
 			state->model.path);
 		return error;
 	}
@@ -251,7 +251,7 @@ int candidate_original(struct candidate *candidate,
 		.state = state,
 	};
 	if (!state) {
-		log_error(log, "%s: out of memory to compare it",
+		log_error(log, "%s: there is not enough memory to compare it",
 			reference->model->path);
 		return -ENOMEM;
 	}

@@ -281,7 +281,8 @@ int candidate_rigid(struct candidate *candidate,
 		rigid->arena = arena_empty();
 	}
 	if (!rigid || prepare(rigid) != 0) {
-		log_error(log, "%s: out of memory to split it into rigid parts",
+		log_error(log,
+			"%s: there is not enough memory to split it into rigid parts",
 			reference->model->path);
 		candidate_destroy(candidate);
 		return -ENOMEM;

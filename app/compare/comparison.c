@@ -97,7 +97,8 @@ static int add_morph(struct comparison *comparison, float bound_px, bool listed,
 		count = fit_even_keys(reference, AN4044_KEYS, key);
 	}
 	if (count < 0) {
-		log_error(log, "%s: out of memory to fit key frames",
+		log_error(log,
+			"%s: there is not enough memory to fit key frames",
 			reference->model->path);
 		free(key);
 		return count;
@@ -256,7 +257,8 @@ int comparison_create(const struct model *model,
 	int error;
 
 	if (!comparison) {
-		log_error(log, "%s: out of memory to compare it", model->path);
+		log_error(log, "%s: there is not enough memory to compare it",
+			model->path);
 		return -ENOMEM;
 	}
 	comparison->request = *request;

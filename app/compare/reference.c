@@ -147,7 +147,7 @@ static int prepare(struct reference *reference, const struct log *log)
 		error = init_frames(reference, log);
 	}
 	if (error == -ENOMEM) {
-		log_error(log, "%s: out of memory for its frames",
+		log_error(log, "%s: there is not enough memory for its frames",
 			reference->model->path);
 	}
 	return error;
@@ -167,7 +167,8 @@ int reference_create(const struct model *model, int clip, double rate_hz,
 	}
 	reference = calloc(1, sizeof(*reference));
 	if (!reference) {
-		log_error(log, "%s: out of memory for its frames", model->path);
+		log_error(log, "%s: there is not enough memory for its frames",
+			model->path);
 		return -ENOMEM;
 	}
 	reference->model = model;

@@ -92,7 +92,7 @@ expect_out '^  works    .*/limber\.conf: limber play reads it'
 printf '%s\n' '[start]' 'dmeo = face' >"$scratch/limber.conf"
 LIMBER_CONFIG=$scratch/limber.conf limber doctor
 expect_no_err
-expect_out '^  broken   .*limber\.conf: .*limber\.conf:2: dmeo: no such key$'
+expect_out '^  broken   .*limber\.conf: .*limber\.conf:2: dmeo: there is no such key$'
 expect_out '^           -> did you mean demo\?$'
 printf '%s\n' '[display]' 'gl = mesa' >"$scratch/limber.conf"
 limber doctor --config "$scratch/limber.conf"

@@ -116,7 +116,7 @@ int bench_print_json(
 
 	if (!root) {
 		log_error(log,
-			"bench: the model's file name is not UTF-8, or limber is out of memory: rename the file");
+			"bench: the model's file name is not UTF-8, or there is not enough memory: rename the file");
 		return -EINVAL;
 	}
 	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(5));

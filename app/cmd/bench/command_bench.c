@@ -113,7 +113,7 @@ static int measure_all(struct bench *bench)
 			"%s: nothing in it is skinned: give a model with a skinned mesh",
 			bench->model->path);
 	} else if (error) {
-		log_error(bench->log, "bench: out of memory");
+		log_error(bench->log, "bench: there is not enough memory");
 	}
 	return error;
 }
@@ -123,7 +123,7 @@ static int bench_run(struct bench *bench)
 	int error = bench_evictor_init(&bench->evictor);
 
 	if (error) {
-		log_error(bench->log, "bench: out of memory");
+		log_error(bench->log, "bench: there is not enough memory");
 	} else {
 		error = measure_all(bench);
 	}

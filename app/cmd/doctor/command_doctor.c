@@ -59,7 +59,7 @@ static int examine_in_json(const char *path, const struct log *log)
 			json_dumpf(root, stdout, JSON_INDENT(2)) == 0;
 
 		if (!dumped && !ferror(stdout)) {
-			log_error(log, "%s: out of memory", path);
+			log_error(log, "%s: there is not enough memory", path);
 			error = -ENOMEM;
 		}
 		putchar('\n');

@@ -15,7 +15,7 @@ int doctor_report_begin(struct doctor_report *report, FILE *out, bool json,
 		fprintf(out, "%s\n", version_text());
 	}
 	if (json && !report->findings) {
-		log_error(log, "doctor: out of memory");
+		log_error(log, "doctor: there is not enough memory");
 		return -ENOMEM;
 	}
 	return 0;
@@ -118,7 +118,7 @@ int doctor_report_end(struct doctor_report *report, bool plays,
 		print_verdict(report->out, plays, display, automatic);
 	}
 	if (!fine) {
-		log_error(log, "doctor: out of memory");
+		log_error(log, "doctor: there is not enough memory");
 		return -ENOMEM;
 	}
 	return 0;

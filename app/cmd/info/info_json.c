@@ -136,7 +136,7 @@ int info_print_json(
 		return -EINVAL;
 	}
 	if (json_dumpf(root, out, JSON_INDENT(2)) != 0 && !ferror(out)) {
-		log_error(log, "%s: out of memory", model->path);
+		log_error(log, "%s: there is not enough memory", model->path);
 		error = -ENOMEM;
 	}
 	fputc('\n', out);

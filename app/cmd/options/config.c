@@ -96,15 +96,16 @@ static int refuse_unknown(struct reader *reader, const char *what,
 	struct name_list list = {""};
 
 	if (closest) {
-		log_error(&reader->log, "%s: no such %s: did you mean %s?",
-			name, what, closest);
+		log_error(&reader->log,
+			"%s: there is no such %s: did you mean %s?", name, what,
+			closest);
 		return -EINVAL;
 	}
 	while (*names) {
 		name_list_add(&list, *names++);
 	}
-	log_error(&reader->log, "%s: no such %s: use one such as %s", name,
-		what, list.text);
+	log_error(&reader->log, "%s: there is no such %s: use one such as %s",
+		name, what, list.text);
 	return -EINVAL;
 }
 
@@ -152,7 +153,7 @@ static int set_option(struct reader *reader, const char *key, const char *value)
 	char *kept = arena_strdup(&reader->config->arena, value);
 
 	if (!kept) {
-		log_error(&reader->log, "%s: out of memory", key);
+		log_error(&reader->log, "%s: there is not enough memory", key);
 		return -ENOMEM;
 	}
 	if (strcmp(key, "model") == 0) {
@@ -258,7 +259,7 @@ static char *next_line(char *text, int size, void *user)
 	length = strlen(text);
 	if (length > 0 && text[length - 1] != '\n' && !feof(reader->file)) {
 		log_error(&reader->log,
-			"a line of more than %d characters: make it shorter",
+			"this line has more than %d characters: make it shorter",
 			size - 2);
 		reader->error = -EINVAL;
 		return NULL;
@@ -306,7 +307,8 @@ static int take_buttons(struct reader *reader)
 	reader->options->input.buttons =
 		arena_strdup(&reader->config->arena, spec);
 	if (!reader->options->input.buttons) {
-		log_error(reader->outer, "%s: out of memory", reader->path);
+		log_error(reader->outer, "%s: there is not enough memory",
+			reader->path);
 		return -ENOMEM;
 	}
 	return 0;
@@ -319,7 +321,7 @@ int config_read(struct config *config, FILE *file, const char *path,
 	int error;
 
 	if (!reader) {
-		log_error(log, "%s: out of memory", path);
+		log_error(log, "%s: there is not enough memory", path);
 		return -ENOMEM;
 	}
 	*reader = (struct reader){

@@ -114,10 +114,12 @@ static int refuse_unknown(const char *word, size_t length,
 	snprintf(bare, sizeof(bare), "%.*s", (int)length, word);
 	closest = options_closest(bare + strspn(bare, "-"), names);
 	if (closest) {
-		log_error(log, "%.*s: no such option: did you mean --%s?",
+		log_error(log,
+			"%.*s: there is no such option: did you mean --%s?",
 			(int)length, word, closest);
 	} else {
-		log_error(log, "%.*s: no such option: --help lists the options",
+		log_error(log,
+			"%.*s: there is no such option: --help lists the options",
 			(int)length, word);
 	}
 	return -EINVAL;
@@ -281,7 +283,7 @@ int options_set(struct options *options, enum command_bit command,
 
 	if (!entry) {
 		log_error(log,
-			"%s: no such option: limber play --help lists the options",
+			"%s: there is no such option: limber play --help lists the options",
 			name);
 		return -EINVAL;
 	}

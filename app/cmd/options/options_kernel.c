@@ -15,7 +15,7 @@ static const struct {
 static void log_unknown(const char *name, const struct log *log)
 {
 	struct name_list names = {""};
-	const char *problem = "no such kernel";
+	const char *problem = "there is no such kernel";
 
 	for (int i = 0; kernel_registry[i]; i++) {
 		name_list_add(&names, kernel_registry[i]->name);
@@ -65,7 +65,7 @@ const struct kernel *options_kernel(
 		}
 	}
 	log_error(log,
-		"--math %s: this build has no such kernel: leave out --math",
+		"--math %s: no kernel of this build computes so: leave out --math",
 		options->math == MATH_FLOAT ? "float" : "fixed");
 	return NULL;
 }

@@ -40,7 +40,7 @@ static int open_hud(struct show *show)
 
 	show->hud = calloc(1, sizeof(*show->hud));
 	if (!show->hud) {
-		log_error(show->log, "labels: out of memory");
+		log_error(show->log, "labels: there is not enough memory");
 		return -ENOMEM;
 	}
 	error = hud_init(show->hud, &show->screen.gl->gl, show->log);

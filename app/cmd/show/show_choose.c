@@ -16,7 +16,7 @@ static void log_unknown_demo(const char *name, const struct log *log)
 	}
 	names[count] = NULL;
 	closest = options_closest(name, names);
-	log_error(log, "--demo %s: no such demo: %s%s%s", name,
+	log_error(log, "--demo %s: there is no such demo: %s%s%s", name,
 		closest ? "did you mean "
 			: "choose walker, arm, face, crowd, duel or tuner",
 		closest ? closest : "", closest ? "?" : "");

@@ -206,7 +206,9 @@ int glb_write(struct glb *glb, const char *path, const struct log *log)
 	}
 	error = glb->error;
 	if (error) {
-		log_error(log, "%s: out of memory to write this file", path);
+		log_error(log,
+			"%s: there is not enough memory to write this file",
+			path);
 	} else {
 		error = write_file(glb, text, path, log);
 	}

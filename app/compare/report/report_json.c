@@ -44,8 +44,7 @@ static json_t *candidate_json(const struct comparison *comparison, int index)
 	const struct technique_rating *rating =
 		&technique_ratings[candidate->technique];
 	json_t *json = json_pack(
-		"{s:s, s:s, s:b, s:b, s:f, s:I, s:I, s:i, s:f, s:f, s:f, s:s, "
-		"s:s, s:s}",
+		"{s:s, s:s, s:b, s:b, s:f, s:I, s:I, s:i, s:f, s:f, s:f, s:s, s:s, s:s}",
 		"name", candidate->name, "technique", rating->name, "listed",
 		candidate->listed, "advised", index == comparison->advised,
 		"us_per_frame", candidate->frame_us, "ram_bytes",
@@ -92,8 +91,7 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 			times, json_real((double)reference->time_s[i]));
 	}
 	root = json_pack(
-		"{s:s, s:i, s:s, s:i, s:f, s:I, s:s, s:{s:i, s:i, s:f, s:o}, "
-		"s:o, s:s, s:s, s:s, s:o}",
+		"{s:s, s:i, s:s, s:i, s:f, s:I, s:s, s:{s:i, s:i, s:f, s:o}, s:o, s:s, s:s, s:s, s:o}",
 		"model", reference->model->path, "clip", reference->clip_index,
 		"clip_name", reference->clip->name, "vertices",
 		reference->vertex_count, "bound_px",

@@ -19,8 +19,7 @@ static void print_head(const struct comparison *comparison, FILE *out)
 	const char *name = reference->clip->name;
 
 	fprintf(out,
-		"%s, clip %d%s%s: %.2f s, %d frames at %g Hz; %d vertices, "
-		"%d nodes\n",
+		"%s, clip %d%s%s: %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
 		reference->model->path, reference->clip_index,
 		name[0] ? " " : "", name, (double)reference->clip->duration_s,
 		reference->frame_count, reference->rate_hz,

@@ -197,7 +197,7 @@ static void test_a_line_that_is_too_long_is_refused(void **state)
 	memcpy(text, "[start]\ndemo = ", 15);
 	text[sizeof(text) - 1] = '\0';
 	load(bench, FOR_PLAY, text);
-	expect_refusal(bench, 2, "a line of more than");
+	expect_refusal(bench, 2, "this line has more than");
 }
 
 static void test_a_missing_file_is_named(void **state)

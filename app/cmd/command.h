@@ -45,8 +45,9 @@ int command_exit_code(int error);
 
 /*
  * Loads options->model_path, calls run() with it and releases it. run() returns
- * 0, or -errno after logging an error. Returns an exit code; EXIT_USAGE, after
- * an error that shows the command's usage, when no model was given.
+ * 0, or -errno after logging an error. This function returns an exit code: it
+ * is EXIT_USAGE, after an error that shows the command's usage, when no model
+ * was given.
  */
 int command_run_with_model(const struct command *command,
 	const struct options *options, const struct log *log,

@@ -19,7 +19,7 @@ static struct board_cost cost_of(enum arm11_work work, double count)
 	};
 }
 
-/* Linear interpolation: a at t = 0, b at 1; above 1 it extrapolates. */
+/* Interpolates linearly: a at t = 0, b at 1; it extrapolates above 1. */
 static struct board_cost lerp_cost(
 	enum arm11_work a, enum arm11_work b, double t)
 {
@@ -57,7 +57,7 @@ struct board_cost board_cost_pose(const struct model *model)
 	return cost;
 }
 
-/* One vertex. Each influence beyond four costs as much as the fourth. */
+/* Of one vertex; each influence beyond four costs as much as the fourth. */
 static struct board_cost vertex_cost(int influences, bool normals)
 {
 	static const enum arm11_work plain[] = {

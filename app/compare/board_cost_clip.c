@@ -1,5 +1,5 @@
 /*
- * The predicted cost of a whole clip: which loops run in each frame.
+ * Predicts the cost of a whole clip from the loops that run in each frame.
  */
 #include "app/compare/board_cost.h"
 
@@ -22,7 +22,7 @@ static bool moves(const struct model_target *target, int vertex)
 		(target->normal && !is_zero(target->normal[vertex]));
 }
 
-/* The vertices that target t or t + 1, if it exists, moves. */
+/* Counts the vertices that target t, or t + 1 if it exists, moves. */
 static int count_moved(const struct model_primitive *primitive, int t, int count)
 {
 	int moved = 0;
@@ -34,7 +34,7 @@ static int count_moved(const struct model_primitive *primitive, int t, int count
 	return moved;
 }
 
-/* The frames of the clip in which the loop for targets t and t + 1 runs. */
+/* Counts the frames in which the loop for targets t and t + 1 runs. */
 static int count_frames(
 	const struct playback *playback, const struct drawable *drawable, int t)
 {
@@ -60,7 +60,7 @@ static int count_frames(
 	return frames;
 }
 
-/* How many vertices the targets move in an average frame. */
+/* Returns how many vertices the targets move in an average frame. */
 static double average_moves(
 	const struct playback *playback, const struct drawable *drawable)
 {

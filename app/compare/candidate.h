@@ -40,7 +40,7 @@ struct candidate {
 	double frame_us;     /* on this machine, the median */
 	double instructions; /* a frame; negative: there is no counter */
 
-	/* Predicted for the board, the same on every machine. */
+	/* Predicted for the board; the same on every machine. */
 	struct board_cost board;
 
 	/* Poses all vertices at time_s, in seconds of the clip. */
@@ -54,7 +54,8 @@ struct candidate {
 
 /*
  * The model itself, skinned with at most max_influences (0: all) a vertex, and
- * with or without its morph targets. 0, or -errno after logging an error.
+ * with or without its morph targets. Returns 0, or -errno after logging an
+ * error.
  */
 int candidate_original(struct candidate *candidate,
 	const struct reference *reference, const struct kernel *kernel,

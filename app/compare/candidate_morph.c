@@ -183,7 +183,7 @@ static void pair_keys(struct morph_bake *bake,
 	}
 }
 
-/* 0, -ENOMEM, or -ERANGE where 16 bits cannot hold the keys. */
+/* Returns 0, -ENOMEM, or -ERANGE where 16 bits cannot hold the keys. */
 static int prepare_fixed(struct morph_bake *bake)
 {
 	const struct reference *reference = bake->reference;

@@ -8,11 +8,11 @@
 #include "app/compare/candidate.h"
 
 /*
- * key: [key_count], frames of the reference, ascending, the first and the last
- * frame among them; copied. The reference must outlive the candidate. A kernel
- * in fixed point does a frame's work where 16 bits can hold the keys; the error
- * is that of the float keys in both cases, as these are what is exported. 0, or
- * -ENOMEM after logging an error.
+ * key is copied. It holds key_count frames of the reference in ascending order,
+ * with the first and the last frame among them. The reference must outlive the
+ * candidate. A kernel in fixed point does a frame's work where 16 bits can hold
+ * the keys; the error is that of the float keys in both cases, as these are
+ * what is exported. 0, or -ENOMEM after logging an error.
  */
 int candidate_morph(struct candidate *candidate,
 	const struct reference *reference, const struct kernel *kernel,

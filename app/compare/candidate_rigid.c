@@ -53,7 +53,7 @@ static void destroy_rigid(struct candidate *candidate)
 	}
 }
 
-/* The joint with the largest sum of weights at the corners. */
+/* Chooses the joint with the largest sum of weights at the corners. */
 static int choose_joint(
 	const struct model_primitive *primitive, const uint32_t corner[CORNERS])
 {

@@ -82,7 +82,7 @@ static int add_originals(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
-/* Keys fitted to a bound; where it is 0, evenly spaced as in AN4044. */
+/* Adds a morph fitted to the bound; if that is 0, with AN4044's even keys. */
 static int add_morph(struct comparison *comparison, float bound_px, bool listed,
 	const struct log *log)
 {

@@ -10,7 +10,7 @@ enum {
 	COMPARISON_CANDIDATES_MAX = 20
 };
 
-/* Which figure is the cost of a frame. */
+/* Which figure counts as the cost of a frame. */
 enum comparison_cost {
 	COMPARISON_COST_PREDICTED,    /* the board's time, on other machines */
 	COMPARISON_COST_INSTRUCTIONS, /* counted, on the board */
@@ -41,7 +41,7 @@ struct comparison {
 
 /*
  * Bakes and measures. The model must outlive the comparison, which
- * comparison_destroy() releases. 0, or -errno after logging an error.
+ * comparison_destroy() releases. Returns 0, or -errno after logging an error.
  */
 int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,

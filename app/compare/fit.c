@@ -16,7 +16,7 @@ struct span {
 	int suspect; /* the vertex that exceeded the bound last */
 };
 
-/* Where a frame is between two others: 0 at from, 1 at to. */
+/* Returns where a frame is between two others: 0 at from, 1 at to. */
 static float omega_of(
 	const struct reference *reference, int from, int to, int frame)
 {

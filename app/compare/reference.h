@@ -39,9 +39,9 @@ struct reference {
 
 /*
  * Samples the clip rate_hz times a second and at its end. The model must
- * outlive the reference, which reference_destroy() releases. 0, or -errno after
- * logging an error: -EINVAL when the clip has no duration, -E2BIG when it has
- * too many frames to keep, -ENOMEM.
+ * outlive the reference, which reference_destroy() releases. Returns 0, or
+ * -errno after logging an error: -EINVAL when the clip has no duration, -E2BIG
+ * when it has too many frames to keep, -ENOMEM.
  */
 int reference_create(const struct model *model, int clip, double rate_hz,
 	const struct log *log, struct reference **out);

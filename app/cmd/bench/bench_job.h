@@ -28,8 +28,8 @@ struct bench_job {
 
 /*
  * Lays out the mesh for the kernel of that name. The arena owns the job's
- * memory; the mesh must outlive the job. 0, -EINVAL when there is no such
- * kernel, -ENOTSUP when it has no such loop, or -ENOMEM.
+ * memory; the mesh must outlive the job. Returns 0, -EINVAL when there is no
+ * such kernel, -ENOTSUP when it has no such loop, or -ENOMEM.
  */
 int bench_job_prepare(const char *kernel, const struct bench_mesh *mesh,
 	enum bench_work work, struct arena *arena, struct bench_job *out);

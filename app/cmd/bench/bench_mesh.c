@@ -185,7 +185,7 @@ fail:
 	return error;
 }
 
-/* The skinned primitive with the most vertices, and its skin. */
+/* Finds the skinned primitive with the most vertices, and its skin. */
 static const struct model_primitive *largest_skinned(
 	const struct model *model, int *skin)
 {

@@ -26,15 +26,15 @@ struct bench_mesh {
  * Generates a mesh with normals and tangents within a sphere of radius 1. Each
  * vertex has that many influences (1 to 4) of 24 joints. joint_sets is how many
  * different sets of joints the vertices have, in random order; 0: each vertex
- * has random joints. 0 or -ENOMEM.
+ * has random joints. Returns 0 or -ENOMEM.
  */
 int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
 	int joint_sets);
 
 /*
  * Takes the largest skinned primitive of a model, posed in the middle of its
- * first clip. The model must outlive the mesh. 0, -ENOENT when nothing of the
- * model is skinned, or -ENOMEM.
+ * first clip. The model must outlive the mesh. Returns 0, -ENOENT when nothing
+ * of the model is skinned, or -ENOMEM.
  */
 int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model);
 

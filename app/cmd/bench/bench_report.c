@@ -5,7 +5,7 @@
 
 #include <jansson.h>
 
-/* The float kernel's result for this row, or NULL. */
+/* Returns the float kernel's result for this row, or NULL. */
 static const struct bench_result *float_result(
 	const struct bench_report *report, const struct bench_row *row)
 {

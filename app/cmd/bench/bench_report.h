@@ -32,7 +32,10 @@ struct bench_report {
 
 void bench_print_text(const struct bench_report *report, FILE *out);
 
-/* 0, or -EINVAL after logging an error: the path is not UTF-8, or no memory. */
+/*
+ * Returns 0, or -EINVAL after logging an error: the path is not UTF-8, or no
+ * memory.
+ */
 int bench_print_json(
 	const struct bench_report *report, const struct log *log, FILE *out);
 

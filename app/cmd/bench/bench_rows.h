@@ -1,5 +1,5 @@
 /*
- * The rows that are measured, by `limber bench` and by the timing model.
+ * The table of what `limber bench` and the timing model measure.
  */
 #ifndef APP_CMD_BENCH_BENCH_ROWS_H
 #define APP_CMD_BENCH_BENCH_ROWS_H

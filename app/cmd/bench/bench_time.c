@@ -62,7 +62,7 @@ static double median(double *value, int count)
 			 : (value[count / 2 - 1] + value[count / 2]) / 2;
 }
 
-/* How often a job must run to take shortest_s; the caches are warm then. */
+/* Finds how often a job must run to take shortest_s, and warms the caches. */
 static int repeats(const struct bench_job *job)
 {
 	int times = 1;

@@ -19,7 +19,7 @@ struct bench_evictor {
 	uint64_t *data; /* [count] */
 };
 
-/* 0 or -ENOMEM. */
+/* Returns 0 or -ENOMEM. */
 int bench_evictor_init(struct bench_evictor *evictor);
 void bench_evictor_release(struct bench_evictor *evictor);
 

@@ -4,7 +4,7 @@
 
 #include <errno.h>
 
-/* Vertices whose data fits a first-level cache, a second-level one, none. */
+/* Their data fits a first-level cache, a second-level cache, or neither. */
 static const int made_sizes[] = {256, 4096, 65536};
 
 struct bench {
@@ -23,7 +23,7 @@ static int make_mesh(const struct bench *bench, const struct bench_row *row,
 				      row->influences, row->joint_sets);
 }
 
-/* 0, or -ENOTSUP when the kernel has no such loop. */
+/* Returns 0, or -ENOTSUP when the kernel has no such loop. */
 static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	const struct bench_row *row, const struct kernel *kernel,
 	struct bench_time *out)

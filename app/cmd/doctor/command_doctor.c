@@ -9,8 +9,8 @@
 /* Prints findings as lines, or collects them for JSON. */
 struct findings {
 	int count;
-	json_t *list; /* or NULL for lines */
-	bool failed;  /* out of memory */
+	json_t *list; /* NULL: print lines */
+	bool failed;  /* there was no memory for a finding */
 };
 
 static void take_finding(void *context, const char *sentence)

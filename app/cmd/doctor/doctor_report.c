@@ -90,7 +90,7 @@ static void print_verdict(
 	}
 }
 
-/* Returns false without memory. */
+/* Returns false when there is not enough memory. */
 static bool print_json(
 	struct doctor_report *report, bool plays, const char *display)
 {

@@ -15,13 +15,13 @@ struct doctor_report {
 	FILE *out;
 	bool json;
 	json_t *findings;    /* of all sections; NULL for text */
-	bool failed;         /* out of memory for a finding */
+	bool failed;         /* there was no memory for a finding */
 	const char *section; /* the section's key in JSON */
 	const char *driver;  /* which reports the next findings, or NULL */
 	int works; /* number of findings in that state; callers reset it */
 };
 
-/* 0, or -ENOMEM after logging an error. */
+/* Returns 0, or -ENOMEM after logging an error. */
 int doctor_report_begin(struct doctor_report *report, FILE *out, bool json,
 	const struct log *log);
 
@@ -35,7 +35,7 @@ struct survey doctor_report_survey(struct doctor_report *report);
 /*
  * Prints the verdict and releases the report. display is the display that
  * works, or NULL; automatic says that limber play chooses it without --display.
- * 0, or -ENOMEM after logging an error.
+ * Returns 0, or -ENOMEM after logging an error.
  */
 int doctor_report_end(struct doctor_report *report, bool plays,
 	const char *display, bool automatic, const struct log *log);

@@ -4,7 +4,7 @@
 
 #include <errno.h>
 
-/* The size of a drawable's posed positions and normals. */
+/* Returns the size of a drawable's posed positions and normals. */
 static size_t posed_bytes(const struct drawable *drawable)
 {
 	size_t vectors = drawable->normal ? 2 : 1;

@@ -19,13 +19,16 @@ struct info_report {
 	size_t skeletal_bytes;     /* influences, palettes, skinned vertices */
 };
 
-/* 0, or -errno after logging an error. */
+/* Returns 0, or -errno after logging an error. */
 int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out);
 
 void info_print_text(const struct info_report *report, FILE *out);
 
-/* 0, or -errno after logging an error: a name in the model is not UTF-8. */
+/*
+ * Returns 0, or -errno after logging an error: a name in the model is not
+ * UTF-8.
+ */
 int info_print_json(
 	const struct info_report *report, const struct log *log, FILE *out);
 

@@ -8,7 +8,7 @@ static const char *or_unnamed(const char *name)
 	return name[0] ? name : "(unnamed)";
 }
 
-/* Each level with its triangles and its largest error. */
+/* Prints each level's triangles and error. */
 static void print_levels(const struct model_mesh *mesh, FILE *out)
 {
 	int count = model_level_count(mesh);

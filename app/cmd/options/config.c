@@ -16,7 +16,7 @@ enum {
 	KEYS_MAX = 64
 };
 
-/* Each key is the option of that name, but for "model" and "labels". */
+/* Each key but "model" and "labels" sets the option of the same name. */
 static const struct {
 	const char *section;
 	const char *keys[12];
@@ -32,7 +32,7 @@ static const struct {
 	{"math", {"math", "kernel", "influences", "lod"}},
 };
 
-/* Options of play that [options] refuses: no use in a file, or a section's. */
+/* [options] refuses these: they make no sense in a file or have a section. */
 static const char *const not_in_options[] = {
 	"help", "version", "config", "output", "demo", "buttons"};
 
@@ -88,7 +88,7 @@ static void log_with_line(void *user, enum log_level level, const char *sentence
 		sentence);
 }
 
-/* Logs that there is no what of that name, and which there are. -EINVAL. */
+/* Logs that there is no such section, key or button. Returns -EINVAL. */
 static int refuse_unknown(struct reader *reader, const char *what,
 	const char *name, const char *const *names)
 {
@@ -117,7 +117,7 @@ static bool is_one_of(const char *word, const char *const *names)
 	return *names;
 }
 
-/* "F9 = UP": in every demo, F9 has the action of UP. */
+/* "F9 = UP" gives F9 the action that UP has in every demo. */
 static int set_action(struct reader *reader, const char *key, const char *value)
 {
 	enum button button = button_from_name(key);

@@ -11,7 +11,7 @@
 #include "app/cmd/options/options.h"
 #include "platform/base/arena.h"
 
-/* Owns the strings of the options that were read. Begins zeroed. */
+/* Owns the strings of the options that were read. It begins zeroed. */
 struct config {
 	struct arena arena;
 };
@@ -26,8 +26,8 @@ bool config_find(const char *given, bool search, char *path, size_t size);
 
 /*
  * Reads the file into *options, which points into *config afterwards. Options
- * that the command does not have are checked and skipped. 0, or -errno after
- * logging an error that begins "FILE:LINE: ".
+ * that the command does not have are checked and skipped. Returns 0, or -errno
+ * after logging an error that begins "FILE:LINE: ".
  */
 int config_load(struct config *config, const char *path,
 	enum command_bit command, struct options *options,

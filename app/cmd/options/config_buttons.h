@@ -18,7 +18,7 @@ enum {
 	CONFIG_LIST_BYTES = 4000
 };
 
-/* What the keys read so far have set. Begins zeroed. */
+/* The values of the keys that were read. It begins zeroed. */
 struct config_buttons {
 	char lines[CONFIG_LIST_BYTES]; /* ",UP=chip 18,..." */
 	char keys[CONFIG_LIST_BYTES];  /* ",UP=KEY_W,..." */
@@ -27,16 +27,18 @@ struct config_buttons {
 	char sources[1024];
 };
 
-/* The keys that the section may have, NULL at the end. */
+/* The keys that the section may have; ends with NULL. */
 extern const char *const config_buttons_keys[];
 
-/* Reads one "key = value" line. 0, or -EINVAL after logging an error. */
+/*
+ * Reads one "key = value" line. Returns 0, or -EINVAL after logging an error.
+ */
 int config_buttons_set(struct config_buttons *buttons, const char *key,
 	const char *value, const struct log *log);
 
 /*
  * Writes the value of --buttons to spec, of size bytes; "" when no key was set.
- * 0, or -EINVAL after logging an error when it is too long.
+ * Returns 0, or -EINVAL after logging an error when it is too long.
  */
 int config_buttons_spec(const struct config_buttons *buttons, char *spec,
 	size_t size, const struct log *log);

@@ -67,7 +67,7 @@ const char *options_closest(const char *word, const char *const *candidates)
 	return closest;
 }
 
-/* Whether word is "-o", "--output" or, bare, "output". */
+/* Whether word is "-o", "--output" or, if bare, "output". */
 static bool is_named(const struct option_entry *entry, const char *word,
 	size_t length, bool bare)
 {
@@ -85,7 +85,10 @@ static bool is_named(const struct option_entry *entry, const char *word,
 		strncmp(word, entry->name, length) == 0;
 }
 
-/* The command's own option of that name, else another command's, or NULL. */
+/*
+ * Returns the command's own option of that name, else another command's, or
+ * NULL.
+ */
 static const struct option_entry *find_entry(
 	const char *word, size_t length, bool bare, enum command_bit command)
 {
@@ -161,7 +164,7 @@ static bool set_float(
 	return valid;
 }
 
-/* Whether the value, which a switch ignores, is valid; stores it if so. */
+/* Stores the value, which a switch ignores. Returns whether it is valid. */
 static bool set_entry(const struct option_entry *entry, struct options *options,
 	const char *value)
 {
@@ -185,7 +188,7 @@ static bool set_entry(const struct option_entry *entry, struct options *options,
 	}
 }
 
-/* The option at argv[*at]; a value that is the next word moves *at there. */
+/* Reads the option at argv[*at], and moves *at to its value if that follows. */
 static int parse_option(struct options *options, enum command_bit command,
 	int argc, char **argv, int *at, const struct log *log)
 {

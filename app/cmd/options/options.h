@@ -18,7 +18,7 @@
 #include "platform/display/pixels.h"
 #include "platform/process/clock.h"
 
-/* The commands, as bits: which of them an option belongs to. */
+/* One bit for each command; an option belongs to a set of them. */
 enum command_bit {
 	FOR_PLAY = 1,
 	FOR_RENDER = 2,
@@ -31,7 +31,7 @@ enum command_bit {
 	FOR_ALL = 255,
 };
 
-/* --math: which arithmetic computes the vertices. */
+/* The value of --math: which arithmetic computes the vertices. */
 enum options_math {
 	MATH_ANY, /* the best kernel of this build decides */
 	MATH_FLOAT,
@@ -43,7 +43,7 @@ enum options_math {
  * the option was not given, unless options_default() says otherwise.
  */
 
-/* For all commands. */
+/* Options of all commands, or of most. */
 struct options_common {
 	const char *config; /* a path or "none" */
 	bool json;
@@ -52,7 +52,7 @@ struct options_common {
 	bool version;
 };
 
-/* Which moment of which clip, and how the clip is read. */
+/* Which moment of which clip to pose, and how to read the clip. */
 struct options_motion {
 	const char *clip; /* a name or a number */
 	double time_s;
@@ -61,7 +61,7 @@ struct options_motion {
 	enum clip_repeat repeat;
 };
 
-/* How vertices are computed, and how many of them are drawn. */
+/* How to compute vertices, and at which level of detail. */
 struct options_vertices {
 	enum options_math math;
 	const char *kernel;
@@ -74,7 +74,7 @@ struct options_size {
 	bool given;
 };
 
-/* Where pictures go, and what draws them. */
+/* Where to show or write pictures, and what draws them. */
 struct options_screen {
 	const char *output;
 	struct options_size size;
@@ -85,18 +85,18 @@ struct options_screen {
 	const char *display;
 };
 
-/* What reaches a demo from outside. */
+/* Buttons and cameras. */
 struct options_input {
 	const char *buttons;
 	const char *script;
 	const char *record_buttons;
-	/* [actions]: the button whose action each does, BUTTON_COUNT: none. */
+	/* The button whose action each has ([actions]); BUTTON_COUNT: none. */
 	enum button action[BUTTON_COUNT];
 	const char *camera;
 	enum live_use camera_use;
 };
 
-/* What play and render show, and what they keep of it. */
+/* What play and render show, for how long, and which files they write. */
 struct options_show {
 	const char *demo;
 	struct clock clock;
@@ -128,7 +128,7 @@ struct options_export {
 	const char *c;
 };
 
-/* Its strings belong to the caller. */
+/* The strings belong to the caller. */
 struct options {
 	const char *model_path; /* the word that is not an option, or NULL */
 	struct options_common common;
@@ -146,8 +146,8 @@ struct options {
 struct options options_default(void);
 
 /*
- * Reads the arguments that follow the command's name. 0, or -EINVAL after
- * logging an error, which suggests an option where one was misspelt. The
+ * Reads the arguments that follow the command's name. Returns 0, or -EINVAL
+ * after logging an error, which suggests an option where one was misspelt. The
  * strings of *options point into argv.
  */
 int options_parse(struct options *options, enum command_bit command, int argc,
@@ -155,8 +155,8 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 
 /*
  * Sets one option by its name without dashes; a switch takes "yes" or "no". An
- * option that the command does not have is checked, but not set. 0, or -EINVAL
- * after logging an error. *options may point to value afterwards.
+ * option that the command does not have is checked, but not set. Returns 0, or
+ * -EINVAL after logging an error. *options may point to value afterwards.
  */
 int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log);
@@ -172,7 +172,8 @@ void options_list(FILE *out, enum command_bit command);
 
 /*
  * The candidate that differs from word by at most two letters (one, for words
- * of up to three letters) and by the fewest, or NULL. candidates ends with NULL.
+ * of up to three letters) and by the fewest, or NULL. candidates ends with
+ * NULL.
  */
 const char *options_closest(const char *word, const char *const *candidates);
 

@@ -98,7 +98,7 @@ static bool set_lod(struct options *options, const char *value)
 	return lod_parse(value, &options->vertices.lod);
 }
 
-/* A number of bytes; a "k" or "m" after it means KiB or MiB. */
+/* Reads a number of bytes; a "k" or "m" after it means KiB or MiB. */
 static bool set_ram(struct options *options, const char *value)
 {
 	char *end;

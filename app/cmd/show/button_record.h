@@ -15,7 +15,7 @@ struct button_record {
 	int64_t last_ms;
 };
 
-/* Begins to write the file. 0, or -errno after logging an error. */
+/* Begins to write the file. Returns 0, or -errno after logging an error. */
 int button_record_open(
 	struct button_record *record, const char *path, const struct log *log);
 
@@ -28,9 +28,9 @@ void button_record_event(
 	struct button_record *record, const struct button_event *event);
 
 /*
- * Completes the file. If complete is false and there was no event, the file that
- * stood there before stays. 0, or -errno after logging an error when the file
- * could not be written.
+ * Completes the file. If complete is false and there was no event, the file
+ * that stood there before stays. Returns 0, or -errno after logging an error
+ * when the file could not be written.
  */
 int button_record_close(struct button_record *record, bool complete);
 

@@ -22,23 +22,23 @@ struct film {
 
 /*
  * Begins a .gif, .y4m or .png file of pictures with size's width, height and
- * format, rate_hz a second; frames is how many there will be, 0 if unknown. 0,
- * or -errno after logging an error.
+ * format, rate_hz a second; frames is how many there will be, 0 if unknown.
+ * Returns 0, or -errno after logging an error.
  */
 int film_open(struct film *film, const char *path, const struct pixels *size,
 	double rate_hz, int frames, const struct log *log);
 
 /*
  * Adds the picture that is on the screen from now_s (seconds, which never
- * decreases). Without a film it does nothing. 0, or -errno after logging an
- * error.
+ * decreases). Without a film it does nothing. Returns 0, or -errno after
+ * logging an error.
  */
 int film_add(struct film *film, const struct pixels *picture, double now_s);
 
 /*
  * Completes and closes the file. A film without pictures leaves what stood at
- * its path before. Without a film it does nothing. 0, or -errno after logging
- * an error.
+ * its path before. Without a film it does nothing. Returns 0, or -errno after
+ * logging an error.
  */
 int film_close(struct film *film);
 

@@ -39,12 +39,15 @@ void frame_stats_press(struct frame_stats *stats, int64_t pressed_ns);
 /* The frame is complete. */
 void frame_stats_end(struct frame_stats *stats);
 
-/* The work in milliseconds that this fraction (0 to 1) of frames stays within. */
+/*
+ * The work in milliseconds that this fraction (0 to 1) of frames stays within.
+ */
 int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction);
 
 /*
  * Writes a JSON file: frames, seconds, fps, work_ms {mean, p50, p95, max},
- * apart_ms_max, presses, latency_ms_max. 0, or -errno after logging an error.
+ * apart_ms_max, presses, latency_ms_max. Returns 0, or -errno after logging an
+ * error.
  */
 int frame_stats_write(const struct frame_stats *stats, const char *path,
 	const struct log *log);

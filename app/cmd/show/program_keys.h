@@ -7,7 +7,7 @@
  *
  * The demo gets every other press. Since F9 may be held for the program, the
  * demo gets its press and release together when F9 is released in time. A
- *window has keys of its own for the first two (struct display_events).
+ * window has keys of its own for the first two (struct display_events).
  */
 #ifndef APP_CMD_SHOW_PROGRAM_KEYS_H
 #define APP_CMD_SHOW_PROGRAM_KEYS_H
@@ -21,7 +21,7 @@ enum {
 	PROGRAM_KEYS_PASSED_MAX = 2
 };
 
-/* What the program shall do. */
+/* What a key asks the program to do. */
 enum program_action {
 	PROGRAM_NOTHING,
 	PROGRAM_TOGGLE_GRAPH,
@@ -31,10 +31,10 @@ enum program_action {
 
 /* All zero: no key is down, there is no camera. */
 struct program_keys {
-	bool has_camera; /* F10 is the program's */
+	bool has_camera; /* F10 belongs to the program */
 	bool f9_held;
-	bool f9_used;        /* since it was pressed: it is not the demo's */
-	bool f8_used;        /* its release is not the demo's either */
+	bool f9_used; /* the program acted on it: the demo does not get it */
+	bool f8_used; /* likewise, until it is released */
 	int64_t f9_since_ms; /* when F9 was pressed */
 };
 
@@ -46,7 +46,7 @@ enum program_action program_keys_press(struct program_keys *keys,
 	const struct button_event *event,
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX], int *count);
 
-/* Call it once a frame: notices when F9 has been held for long enough. */
+/* Notices when F9 has been held for long enough. Call it once a frame. */
 enum program_action program_keys_update(
 	struct program_keys *keys, int64_t now_ms);
 

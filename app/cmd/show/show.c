@@ -9,14 +9,18 @@
 static const int first_picture_ms = 3000;
 static const double film_rate_hz = 25.0; /* of --record on the real clock */
 
-/* A camera that fails does not end the run; -EINVAL where SPEC is wrong. */
+/*
+ * Returns -EINVAL if SPEC is wrong. A camera that fails does not end the run.
+ */
 static int open_camera(struct show *show)
 {
 	struct camera_feed *camera = &show->camera;
 	const char *spec = show->options->input.camera;
 	int error = spec ? camera_feed_open(spec, show->log, camera) : 0;
 
-	/* A file with a fixed clock would not show pictures that come late. */
+	/*
+	 * A fixed clock does not wait, so the first frames would lack pictures.
+	 */
 	if (!error && camera->driver && show->clock.fixed &&
 		camera->driver->await) {
 		camera->driver->await(camera->source, first_picture_ms);
@@ -121,7 +125,7 @@ static int complete_output(struct show *show)
 	return screen->driver->finish(screen->display);
 }
 
-/* Everything is open. */
+/* Runs the show once everything is open. */
 static int run(struct show *show)
 {
 	const char *stats = show->options->show.stats;
@@ -197,7 +201,10 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	stop_catch();
 	if (open_camera(&show) == 0) {
 		if (watchdog) {
-			/* It has logged a warning where there is none. */
+			/*
+			 * Without a watchdog it logs a warning and limber goes
+			 * on.
+			 */
 			(void)watchdog_open(&show.watchdog, watchdog,
 				&device_calls_system, log);
 		}

@@ -22,7 +22,7 @@ static void log_unknown_demo(const char *name, const struct log *log)
 		closest ? closest : "", closest ? "?" : "");
 }
 
-/* Checks what is wrong on any machine. */
+/* Checks everything that does not depend on the machine. */
 static bool are_valid(const struct options *options,
 	const struct show_plan *plan, const struct log *log)
 {

@@ -44,7 +44,7 @@ static void act(struct show *show, enum program_action action)
 	}
 }
 
-/* The event of the button whose action this one has goes on its way. */
+/* Runs the action that [actions] gives to the button. */
 static void press(struct show *show, struct button_event event)
 {
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX];

@@ -28,33 +28,33 @@ bool show_screen_check(const struct options_screen *options,
 
 /*
  * Opens the display and the GL driver. frames is how many there will be, 0 if
- * unknown; rate_hz is the rate of a file's animation. 0, or -errno after
- * logging an error with nothing left open.
+ * unknown; rate_hz is the rate of a file's animation. Returns 0, or -errno
+ * after logging an error with nothing left open.
  */
 int show_screen_open(struct show_screen *screen,
 	const struct options_screen *options, const char *display, int frames,
 	double rate_hz, const struct log *log);
 
 /*
- * Begins a frame and writes its size in pixels to *width and *height. 0, or
- * -errno after logging an error.
+ * Begins a frame and writes its size in pixels to *width and *height. Returns
+ * 0, or -errno after logging an error.
  */
 int show_screen_begin_frame(struct show_screen *screen, int *width, int *height);
 
 /*
- * Completes the drawing, so that the picture can be read. 0, or -errno after
- * logging an error.
+ * Completes the drawing, so that the picture can be read. Returns 0, or -errno
+ * after logging an error.
  */
 int show_screen_complete_frame(struct show_screen *screen);
 
 /*
  * The picture of a frame between its completion and its end. *out is valid
- * until the frame ends. 0, or -errno after logging an error.
+ * until the frame ends. Returns 0, or -errno after logging an error.
  */
 int show_screen_picture(
 	struct show_screen *screen, struct pixels *out, const struct log *log);
 
-/* Shows or stores the frame. 0, or -errno after logging an error. */
+/* Shows or stores the frame. Returns 0, or -errno after logging an error. */
 int show_screen_end_frame(struct show_screen *screen);
 
 void show_screen_close(struct show_screen *screen);

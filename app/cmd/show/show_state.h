@@ -1,5 +1,5 @@
 /*
- * What one run of play or render has open; shared by the parts of show.c.
+ * The state of one run of play or render, which these files share.
  *
  *	show.c        opens and closes everything
  *	show_loop.c   runs the frames: clock, pace, budget, watchdog
@@ -53,20 +53,23 @@ struct show {
 	struct snapshot snapshot;
 };
 
-/* Opens the sources of buttons. 0, or -errno after logging an error. */
+/* Opens the sources of buttons. Returns 0, or -errno after logging an error. */
 int show_input_open(struct show *show);
 
-/* Closes them and completes --record-buttons, which run_error may discard. */
+/* Closes them and the file of --record-buttons; see button_record_close(). */
 int show_input_close(struct show *show, int run_error);
 
 /* Reads the display's events and the buttons up to now_ms, and acts on them. */
 void show_input_poll_display(struct show *show, int64_t now_ms);
 void show_input_poll_buttons(struct show *show, int64_t now_ms);
 
-/* Draws, shows and keeps one frame. 0, or -errno after logging an error. */
+/*
+ * Draws, shows and keeps one frame. Returns 0, or -errno after logging an
+ * error.
+ */
 int show_frame_draw(struct show *show);
 
-/* Runs all frames. 0, or -errno after logging an error. */
+/* Runs all frames. Returns 0, or -errno after logging an error. */
 int show_loop_run(struct show *show);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * Keeps single pictures in files while the run goes on.
+ * Writes single pictures to files while the run goes on.
  */
 #ifndef APP_CMD_SHOW_SNAPSHOT_H
 #define APP_CMD_SHOW_SNAPSHOT_H
@@ -7,7 +7,7 @@
 #include "platform/display/pixels.h"
 #include "platform/process/background.h"
 
-/* The picture that is being written. All zero: none. */
+/* The picture that is being written. All zero: there is none. */
 struct snapshot {
 	struct background background;
 	struct pixels picture; /* a copy, owned */

@@ -8,8 +8,8 @@
 
 /*
  * Writes FOLDER/morph-N.glb for each listed morph of N key frames, and
- * FOLDER/rigid.glb. Creates the folder if it does not exist. 0, or -errno after
- * logging an error.
+ * FOLDER/rigid.glb. Creates the folder if it does not exist. Returns 0, or
+ * -errno after logging an error.
  */
 int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log);

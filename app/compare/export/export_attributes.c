@@ -11,7 +11,9 @@ void export_attribute(json_t *attributes, const char *name, int accessor)
 	json_object_set_new(attributes, name, json_integer(accessor));
 }
 
-/* Copies elements in the order of source. The caller frees them; NULL: ENOMEM. */
+/*
+ * Copies elements in the order of source; the caller frees them. May be NULL.
+ */
 static void *gather(const void *from, size_t size, int count, const int *source)
 {
 	uint8_t *to = malloc((size_t)count * size);

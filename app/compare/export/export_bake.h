@@ -1,5 +1,6 @@
 /*
- * Converts the two kinds of baked candidates to glTF. export.c writes the files.
+ * Converts the two kinds of baked candidates to glTF. export.c writes the
+ * files.
  */
 #ifndef APP_COMPARE_EXPORT_EXPORT_BAKE_H
 #define APP_COMPARE_EXPORT_EXPORT_BAKE_H
@@ -8,13 +9,15 @@
 #include "app/compare/export/glb.h"
 
 /*
- * One node, whose mesh has the first key frame as base and the others as
+ * Adds one node, whose mesh has the first key frame as base and the others as
  * targets, and a clip that blends from each key to the next.
  */
 void export_morph(struct glb *glb, const struct reference *reference,
 	const int *key, int key_count);
 
-/* The model's nodes and clip; each part is a child of the node that moves it. */
+/*
+ * Adds the nodes and the clip; each part is a child of the node that moves it.
+ */
 void export_rigid(struct glb *glb, const struct rigid_bake *rigid);
 
 /*

@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/* A part's vectors at one key frame minus those at the first. */
+/* Adds a part's vectors at one key frame minus those at the first. */
 static int add_delta(struct glb *glb, const float (*from)[3],
 	const float (*base)[3], int count)
 {

@@ -35,7 +35,7 @@ static void add_child(json_t *nodes, int parent, int child)
 	json_array_append_new(children, json_integer(child));
 }
 
-/* The model's nodes, then a child node for each part. */
+/* Adds the model's nodes, then a child node for each part. */
 static void add_nodes(struct glb *glb, const struct rigid_bake *rigid)
 {
 	const struct model *model = rigid->reference->model;

@@ -91,7 +91,7 @@ static const char *type_name(int width)
 	return names[width - 1];
 }
 
-/* The smallest and largest of each component. */
+/* Sets the smallest and the largest value of each component. */
 static void set_bounds(
 	json_t *accessor, const float *value, int count, int width)
 {

@@ -42,15 +42,15 @@ int glb_add_view(struct glb *glb, const void *data, size_t size);
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);
 
-/* Floats as a JSON array, which the caller owns. */
+/* Makes a JSON array, which the caller owns. */
 json_t *glb_floats(const float *value, int count);
 
 /* Sets a member of the root object and takes ownership of value. */
 void glb_set(struct glb *glb, const char *name, json_t *value);
 
 /*
- * Writes the file (platform/base/output_file.h) and releases everything. 0, or
- * -errno after logging an error.
+ * Writes the file (platform/base/output_file.h) and releases everything.
+ * Returns 0, or -errno after logging an error.
  */
 int glb_write(struct glb *glb, const char *path, const struct log *log);
 

@@ -10,7 +10,7 @@
 
 struct report_format {
 	const char *name;
-	/* 0 or -ENOMEM; errors of writing are in ferror(out). */
+	/* Returns 0 or -ENOMEM; errors of writing are in ferror(out). */
 	int (*print)(const struct comparison *comparison, FILE *out);
 };
 
@@ -27,8 +27,8 @@ int report_print_markdown(const struct comparison *comparison, FILE *out);
 
 /*
  * Writes an SVG picture of two charts: error against memory, and error against
- * the cost of a frame, with a curve for each technique. 0, or -errno after
- * logging an error.
+ * the cost of a frame, with a curve for each technique. Returns 0, or -errno
+ * after logging an error.
  */
 int report_plot(const struct comparison *comparison, const char *path,
 	const struct log *log);

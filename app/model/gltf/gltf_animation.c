@@ -98,7 +98,7 @@ static int read_times(const struct gltf_at *sampler,
 /*
  * Makes rotation keys unit length: all integer keys, which are rounded, and
  * float keys whose squared length is outside 0.98..1.02. Other float keys stay
- * as they are, because the reference players interpolate them so. Splines are
+ * as they are, as in other players. Splines are
  * normalised after they are evaluated.
  */
 static int normalize_keys(const struct gltf_at *at, bool are_floats,

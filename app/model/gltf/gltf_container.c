@@ -62,7 +62,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	}
 	if (little_endian_u32(source->data + 4) != 2) {
 		return gltf_fail(&gltf->root, -ENOTSUP,
-			"is a .glb of version %u; limber reads version 2",
+			"the .glb has version %u; limber reads version 2",
 			little_endian_u32(source->data + 4));
 	}
 	length = little_endian_u32(source->data + 8);
@@ -107,12 +107,13 @@ static int parse(struct gltf *gltf, const struct chunk *text)
 
 	if (text->size > GLTF_JSON_BYTES_MAX) {
 		return gltf_fail(&gltf->root, -EFBIG,
-			"has %zu bytes of JSON; limber reads up to %d",
+			"the JSON has %zu bytes; limber reads up to %d",
 			text->size, GLTF_JSON_BYTES_MAX);
 	}
 	if (count_values(text) > GLTF_JSON_VALUES_MAX) {
 		return gltf_fail(&gltf->root, -EFBIG,
-			"has more than %d JSON values", GLTF_JSON_VALUES_MAX);
+			"the JSON has more than %d values",
+			GLTF_JSON_VALUES_MAX);
 	}
 	gltf->json = json_loadb((const char *)text->data, text->size,
 		JSON_REJECT_DUPLICATES, &error);
@@ -122,7 +123,8 @@ static int parse(struct gltf *gltf, const struct chunk *text)
 	}
 	gltf->root.json = gltf->json;
 	if (!json_is_object(gltf->json)) {
-		return gltf_fail(&gltf->root, -EINVAL, "is not an object");
+		return gltf_fail(
+			&gltf->root, -EINVAL, "the JSON is not an object");
 	}
 	return 0;
 }

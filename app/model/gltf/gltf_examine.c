@@ -39,8 +39,7 @@ static void report_accessors(const struct examination *at)
 	if (empty > 0) {
 		examine_report(at->examiner,
 			"accessors without a buffer view (%d): their values are 0%s",
-			empty,
-			sparse > 0 ? ", except for sparse ones" : "");
+			empty, sparse > 0 ? ", except for sparse ones" : "");
 	}
 	if (sparse > 0) {
 		examine_report(at->examiner,

@@ -146,20 +146,12 @@ static int read_children(const struct gltf_at *at, int count, int *parent)
 	return error;
 }
 
-static int order_nodes(const struct gltf_at *array, int count, int *parent)
+static int read_parents(const struct gltf_at *array, int count, int *parent)
 {
-	struct gltf *gltf = array->gltf;
-	struct model_node *node = gltf->model->node;
-	int *order = GLTF_SCRATCH(array, int, count);
 	struct gltf_at item;
 	int error = 0;
-	int next = 0;
-	int node_on_cycle, i;
+	int i;
 
-	gltf->node_index = GLTF_SCRATCH(array, int, count);
-	if (!order || !gltf->node_index) {
-		return -ENOMEM;
-	}
 	for (i = 0; i < count; i++) {
 		parent[i] = -1;
 	}
@@ -169,18 +161,17 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 			error = read_children(&item, count, parent);
 		}
 	}
-	if (error) {
-		return error;
-	}
-	error = model_order_nodes(
-		parent, count, order, gltf->node_index, &node_on_cycle);
-	if (error == -ELOOP) {
-		item = gltf_element(array, node_on_cycle);
-		return gltf_fail(&item, -EINVAL, "is an ancestor of itself");
-	}
-	if (error) {
-		return gltf_fail(array, error, "not enough memory");
-	}
+	return error;
+}
+
+/* Assigns indices to the nodes, without those that are levels of detail. */
+static void number_nodes(
+	struct gltf *gltf, int count, const int *order, const int *parent)
+{
+	struct model_node *node = gltf->model->node;
+	int next = 0;
+	int i;
+
 	for (i = 0; i < count; i++) {
 		int number = order[i];
 		int *index = &gltf->node_index[number];
@@ -194,6 +185,35 @@ static int order_nodes(const struct gltf_at *array, int count, int *parent)
 		}
 	}
 	gltf->model->node_count = next;
+}
+
+static int order_nodes(const struct gltf_at *array, int count)
+{
+	struct gltf *gltf = array->gltf;
+	int *parent = GLTF_SCRATCH(array, int, count);
+	int *order = GLTF_SCRATCH(array, int, count);
+	struct gltf_at item;
+	int node_on_cycle;
+	int error;
+
+	gltf->node_index = GLTF_SCRATCH(array, int, count);
+	if (!parent || !order || !gltf->node_index) {
+		return -ENOMEM;
+	}
+	error = read_parents(array, count, parent);
+	if (error) {
+		return error;
+	}
+	error = model_order_nodes(
+		parent, count, order, gltf->node_index, &node_on_cycle);
+	if (error == -ELOOP) {
+		item = gltf_element(array, node_on_cycle);
+		return gltf_fail(&item, -EINVAL, "is an ancestor of itself");
+	}
+	if (error) {
+		return gltf_fail(array, error, "not enough memory");
+	}
+	number_nodes(gltf, count, order, parent);
 	return 0;
 }
 
@@ -321,7 +341,6 @@ int gltf_read_nodes(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
 	struct gltf_at array, item;
-	int *parent;
 	int count, i;
 	int error = gltf_array(&gltf->root, "nodes", &array, &count);
 
@@ -329,11 +348,10 @@ int gltf_read_nodes(struct gltf *gltf)
 		return error;
 	}
 	model->node = GLTF_KEEP(&array, struct model_node, count);
-	parent = GLTF_SCRATCH(&array, int, count);
-	if (!model->node || !parent) {
+	if (!model->node) {
 		return -ENOMEM;
 	}
-	error = order_nodes(&array, count, parent);
+	error = order_nodes(&array, count);
 	for (i = 0; i < count && !error; i++) {
 		item = gltf_element(&array, i);
 		if (gltf->node_index[i] >= 0) {

@@ -1,6 +1,7 @@
 #include "tests/support/bones.h"
 
 #include "app/anim/math/transform.h"
+#include "app/anim/math/vec.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -75,6 +76,21 @@ static void assert_finite(const float *value, size_t count)
 			fail_msg("number %zu is %f", i, (double)value[i]);
 		}
 	}
+}
+
+double bones_length(const struct bones *bones, int a, int b)
+{
+	float at[3];
+
+	bones_place(bones, b, at);
+	return bones_distance(bones, a, at);
+}
+
+void bones_point(const struct bones *bones, int node, const float direction[3],
+	float distance, float out[3])
+{
+	bones_place(bones, node, out);
+	vec_add_scaled(out, direction, distance, out);
 }
 
 void bones_assert_finite(const struct bones *bones)

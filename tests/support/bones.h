@@ -46,6 +46,13 @@ void bones_place(const struct bones *bones, int node, float out[3]);
 /* The distance between a node and a point in world space. */
 double bones_distance(const struct bones *bones, int node, const float point[3]);
 
+/* The distance between two nodes in world space. */
+double bones_length(const struct bones *bones, int a, int b);
+
+/* The point at a distance from a node in a direction of world space. */
+void bones_point(const struct bones *bones, int node, const float direction[3],
+	float distance, float out[3]);
+
 /* Fails the test unless the pose and the world matrices are finite. */
 void bones_assert_finite(const struct bones *bones);
 

@@ -18,6 +18,16 @@ void scattered_point(int v, float position[3], float normal[3])
 	vec_normalize(normal);
 }
 
+void scattered_direction(int i, float out[3])
+{
+	const double golden_angle_rad = 2.399963;
+	double z = (double)scattered(i);
+
+	out[0] = (float)(sqrt(1 - z * z) * cos(golden_angle_rad * i));
+	out[1] = (float)(sqrt(1 - z * z) * sin(golden_angle_rad * i));
+	out[2] = (float)z;
+}
+
 void scattered_influences(
 	int v, int count, int joints, uint16_t *joint, float *weight)
 {

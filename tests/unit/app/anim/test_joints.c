@@ -6,6 +6,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
+#include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -15,12 +16,6 @@ enum {
 	JOINTS = 40
 };
 
-/* The i-th of a scattered series in -1..1. */
-static float scatter(int i)
-{
-	return (float)(fmod(i * 0.754877666 + 0.5, 1) * 2 - 1);
-}
-
 static void fill(struct transform local[JOINTS])
 {
 	for (int j = 0; j < JOINTS; j++) {
@@ -28,11 +23,11 @@ static void fill(struct transform local[JOINTS])
 
 		*t = transform_identity();
 		for (int k = 0; k < 3; k++) {
-			t->translation[k] = scatter(10 * j + k) * 3;
-			t->scale[k] = 1 + 0.2f * scatter(10 * j + 3 + k);
+			t->translation[k] = scattered(10 * j + k) * 3;
+			t->scale[k] = 1 + 0.2f * scattered(10 * j + 3 + k);
 		}
 		for (int k = 0; k < 4; k++) {
-			t->rotation[k] = scatter(10 * j + 6 + k);
+			t->rotation[k] = scattered(10 * j + 6 + k);
 		}
 		quat_normalize(t->rotation);
 	}

@@ -2,6 +2,7 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"
+#include "tests/support/scattered.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -20,16 +21,10 @@ static void unit_quat(double x, double y, double z, double w, float out[4])
 	out[3] = (float)(w / length);
 }
 
-/* The i-th of a scattered series in -1..1. */
-static double scatter(int i)
-{
-	return fmod(i * 0.754877666 + 0.5, 1) * 2 - 1;
-}
-
 static void scattered_quat(int i, float out[4])
 {
-	unit_quat(scatter(4 * i) + 1e-3, scatter(4 * i + 1), scatter(4 * i + 2),
-		scatter(4 * i + 3), out);
+	unit_quat(scattered(4 * i) + 1e-3, scattered(4 * i + 1),
+		scattered(4 * i + 2), scattered(4 * i + 3), out);
 }
 
 static void slerp_reference(
@@ -215,10 +210,10 @@ static void test_between_turns_one_direction_into_the_other(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 500; i++) {
-		float from[3] = {(float)scatter(i), (float)scatter(i + 900),
-			(float)scatter(i + 33)};
-		float to[3] = {2 * (float)scatter(i + 5),
-			2 * (float)scatter(i + 71), 0.3f};
+		float from[3] = {
+			scattered(i), scattered(i + 900), scattered(i + 33)};
+		float to[3] = {
+			2 * scattered(i + 5), 2 * scattered(i + 71), 0.3f};
 		float q[4];
 
 		quat_between(from, to, q);
@@ -288,7 +283,7 @@ static struct transform scattered_transform(int i, float scale)
 	struct transform t = transform_identity();
 
 	for (int k = 0; k < 3; k++) {
-		t.translation[k] = (float)scatter(i * 3 + k);
+		t.translation[k] = scattered(i * 3 + k);
 		t.scale[k] = scale;
 	}
 	scattered_quat(i, t.rotation);

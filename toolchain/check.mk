@@ -130,7 +130,7 @@ endef
 # Tests run without a desktop and without this machine's options, in one locale;
 # leaks of GL and desktop libraries do not count.
 CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
-	LIMBER_CONFIG=none \
+	LIMBER_CONFIG=none SAMPLES=$(SAMPLES) \
 	CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 \
 	LSAN_OPTIONS=print_suppressions=0:suppressions=tests/support/lsan.supp
 

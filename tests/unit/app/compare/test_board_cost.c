@@ -2,12 +2,12 @@
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/board_cost.h"
 #include "app/model/model.h"
+#include "tests/support/samples.h"
 #include "tests/support/test.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char figures_path[] = "tests/bench/arm11.figures";
 
@@ -95,9 +95,6 @@ static void expect_row(const char *path, const char *row)
 	struct board_cost cost;
 	struct model *model;
 
-	if (access(path, R_OK) != 0) {
-		skip();
-	}
 	assert_int_equal(model_load(path, &log, &model), 0);
 	body = body_of(model);
 	cost = board_cost_skin(body, 0);
@@ -117,7 +114,8 @@ static void test_the_walkers_body_costs_what_the_model_counted(void **state)
 static void test_cesium_man_costs_what_the_model_counted(void **state)
 {
 	(void)state;
-	expect_row("../shared/models/CesiumMan.glb", "cesium-normals");
+	samples_require("CesiumMan.glb");
+	expect_row(samples_path("CesiumMan.glb").text, "cesium-normals");
 }
 
 /* One vertex held by count joints in equal parts. */

@@ -1,17 +1,14 @@
 /*
  * The contents of Khronos' sample models, which are not part of the project;
- * the test is skipped without their folder.
+ * the test is skipped without them (tests/support/samples.h).
  */
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/samples.h"
 #include "tests/support/test.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <unistd.h>
-
-static const char folder[] = "../shared/models";
 
 struct sample {
 	const char *name;
@@ -39,10 +36,8 @@ static struct model *load(const struct sample *sample)
 	struct log_capture logged;
 	struct log log = log_capture_begin(&logged);
 	struct model *model;
-	char path[256];
 
-	snprintf(path, sizeof(path), "%s/%s", folder, sample->name);
-	if (model_load(path, &log, &model) != 0) {
+	if (model_load(samples_path(sample->name).text, &log, &model) != 0) {
 		fail_msg("%s", logged.sentence[0]);
 	}
 	assert_int_equal(logged.count, 0);
@@ -133,9 +128,7 @@ static void test_loads_the_samples(void **state)
 	size_t i;
 
 	(void)state;
-	if (access(folder, R_OK) != 0) {
-		skip_because("../shared/models is not there");
-	}
+	samples_require("");
 	for (i = 0; i < sizeof(samples) / sizeof(samples[0]); i++) {
 		struct model *model = load(&samples[i]);
 

@@ -11,9 +11,9 @@
 #include "app/anim/kernel/run/fixed_skin_run.h"
 #include "app/anim/pose.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/samples.h"
 #include "tests/support/test.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -379,45 +379,18 @@ static void compare_model(const char *path)
 	model_destroy(model);
 }
 
-static int compare_folder(const char *folder)
-{
-	DIR *directory = opendir(folder);
-	struct dirent *entry;
-	int count = 0;
-
-	if (!directory) {
-		return 0;
-	}
-	while ((entry = readdir(directory))) {
-		const char *dot = strrchr(entry->d_name, '.');
-		char path[512];
-
-		if (dot &&
-			(!strcmp(dot, ".glb") || !strcmp(dot, ".gltf") ||
-				!strcmp(dot, ".x"))) {
-			snprintf(path, sizeof(path), "%s/%s", folder,
-				entry->d_name);
-			compare_model(path);
-			count++;
-		}
-	}
-	closedir(directory);
-	return count;
-}
-
 static void test_the_projects_models_are_as_in_float(void **state)
 {
 	(void)state;
-	assert_true(compare_folder("assets") > 0);
+	assert_true(samples_each_model("assets", compare_model) > 0);
 }
 
 static void test_sample_models_are_as_in_float(void **state)
 {
 	(void)state;
-	if (compare_folder("../shared/models") == 0) {
-		skip_because("the sample models are not here");
-	}
-	compare_folder("../shared/models/x");
+	samples_require("");
+	assert_true(samples_each_model(samples_path("").text, compare_model) > 0);
+	samples_each_model(samples_path("x").text, compare_model);
 }
 
 int main(void)

@@ -7,9 +7,9 @@
 #include "tests/support/instance_pair.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/small_model.h"
+#include "tests/support/samples.h"
 #include "tests/support/test.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -182,37 +182,12 @@ static void compare_model(const char *path)
 	instance_pair_end(&pair);
 }
 
-static int compare_folder(const char *folder)
-{
-	DIR *directory = opendir(folder);
-	struct dirent *entry;
-	int count = 0;
-
-	while (directory && (entry = readdir(directory))) {
-		const char *dot = strrchr(entry->d_name, '.');
-		char path[512];
-
-		if (dot &&
-			(!strcmp(dot, ".glb") || !strcmp(dot, ".gltf") ||
-				!strcmp(dot, ".x"))) {
-			snprintf(path, sizeof(path), "%s/%s", folder,
-				entry->d_name);
-			compare_model(path);
-			count++;
-		}
-	}
-	if (directory) {
-		closedir(directory);
-	}
-	return count;
-}
-
 static void test_every_model_is_where_it_is_in_float(void **state)
 {
 	(void)state;
-	assert_true(compare_folder("assets") >= 3);
-	compare_folder("../shared/models");
-	compare_folder("../shared/models/x");
+	assert_true(samples_each_model("assets", compare_model) >= 3);
+	samples_each_model(samples_path("").text, compare_model);
+	samples_each_model(samples_path("x").text, compare_model);
 }
 
 static void test_what_does_not_fit_stays_in_float_with_a_sentence(void **state)

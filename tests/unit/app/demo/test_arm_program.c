@@ -1,6 +1,6 @@
 /*
- * The pick-up sequence against the arm's geometry (assets/arm.md): where
- * the pivots say the grip is, the crate must be.
+ * The pick-up sequence and the arm's geometry (assets/arm.md): the crate
+ * must be where the pivots put the grip.
  */
 #include "app/anim/hierarchy.h"
 #include "app/demo/arm_program.h"

@@ -1,4 +1,4 @@
-/* The crowd: where its walkers are, and how many. */
+/* The crowd: its walkers' positions and number. */
 #include "app/demo/crowd/crowd_route.h"
 #include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
@@ -134,7 +134,7 @@ static void test_a_budget_holds_normals_and_caps_influences(void **state)
 	assert_true(fabs(all.sum[0] - less.sum[0]) > 1e-3);
 }
 
-static void test_a_budget_leaves_out_triangles_and_gives_them_back(void **state)
+static void test_a_budget_removes_triangles_and_restores_them(void **state)
 {
 	const struct demo_reduction reduction = {.error_px = 4.0f},
 				    nothing = {0};
@@ -167,7 +167,7 @@ int main(void)
 		cmocka_unit_test(test_small_figures_have_fewer_triangles),
 		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
 		cmocka_unit_test(
-			test_a_budget_leaves_out_triangles_and_gives_them_back),
+			test_a_budget_removes_triangles_and_restores_them),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* The duel's contenders against the comparison's own figures. */
+/* The duel's contenders compared with the figures of `limber compare`. */
 #include "app/demo/duel/contender.h"
 #include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
@@ -50,7 +50,8 @@ static float largest_error(struct bench *bench, float full_px)
 
 	for (int f = 0; f < bench->reference->frame_count; f++) {
 		contender_pose(&bench->contender, bench->reference->time_s[f]);
-		contender_measure_error(&bench->contender, &bench->screen, f, full_px);
+		contender_measure_error(
+			&bench->contender, &bench->screen, f, full_px);
 		if (bench->contender.peak_px > peak_px) {
 			peak_px = bench->contender.peak_px;
 		}

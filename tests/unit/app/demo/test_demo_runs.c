@@ -1,5 +1,5 @@
 /*
- * Whole runs of the demos: a scripted minute leaves the same state each time
+ * Runs every demo for a scripted minute. The final state is the same each time
  * and, within a tolerance, on each machine; no frame allocates.
  */
 #include "tests/support/demo_run.h"
@@ -14,7 +14,7 @@
 #define COUNTS_ALLOCATIONS 0
 #else
 #define COUNTS_ALLOCATIONS 1
-/* glibc's own allocator, behind the counting one below. */
+/* glibc's allocator, which the counting one below calls. */
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *old, size_t size);
@@ -45,7 +45,7 @@ enum {
 	MINUTE_S = 60
 };
 
-/* Every button of every demo is pressed, some in mid-flight of others. */
+/* Presses every button of every demo, some while others still act. */
 static const struct demo_press presses[] = {
 	{1.0, BUTTON_UP},
 	{3.0, BUTTON_UP},
@@ -85,9 +85,9 @@ static struct gl_recording minute(const char *name, const char *kernel)
 }
 
 /*
- * The mean of all drawn vertices in eye space is held against a reference that
- * the x86-64 build wrote; other machines may round differently on the way.
- * `make golden` writes it anew, by GOLDEN_WRITE in the environment.
+ * Compares the mean of all drawn vertices in eye space with a reference from an
+ * x86-64 build; other machines may round differently. `make golden` writes the
+ * reference, with GOLDEN_WRITE in the environment.
  */
 static const char reference[] = "tests/golden/demo-runs.txt";
 
@@ -136,8 +136,8 @@ static void test_a_minute_ends_in_the_same_place_on_each_machine(void **state)
 }
 
 /*
- * In fixed point whatever rounds differently would show: the bytes are the
- * same wherever it runs, and by each fixed-point kernel.
+ * In fixed point the bytes are the same on every machine and by each
+ * fixed-point kernel.
  */
 static const char fixed_reference[] = "tests/golden/demo-runs-fixed.txt";
 

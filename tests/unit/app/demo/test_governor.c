@@ -1,4 +1,4 @@
-/* The budget's governor, by a clock that the tests turn. */
+/* The governor, with times that the tests provide. */
 #include "app/demo/governor.h"
 #include "tests/support/test.h"
 
@@ -8,7 +8,7 @@ struct bench {
 	int changes;
 };
 
-/* Frames of 30 Hz for so long, each as costly as its level. */
+/* Feeds frames at 30 Hz for some seconds; their cost depends on the level. */
 static void run(struct bench *bench, double seconds,
 	const float cost_ms[GOVERNOR_STEPS + 1])
 {
@@ -27,7 +27,7 @@ static const float dear[] = {
 	45.0f, 42.0f, 38.0f, 31.0f, 29.0f, 27.0f, 22.0f, 18.0f};
 static const float hopeless[] = {
 	90.0f, 89.0f, 88.0f, 87.0f, 85.0f, 80.0f, 60.0f, 50.0f};
-/* One step fits, without it there is a little too much. */
+/* Frames fit after one step and slightly exceed the budget without it. */
 static const float edge[] = {
 	34.0f, 29.0f, 28.0f, 27.0f, 26.0f, 25.0f, 24.0f, 23.0f};
 
@@ -36,7 +36,7 @@ static struct bench begin(float budget_ms)
 	return (struct bench){.governor = governor_begin(budget_ms)};
 }
 
-static void test_without_a_budget_nothing_is_left_out(void **state)
+static void test_without_a_budget_quality_stays(void **state)
 {
 	struct bench bench = begin(0.0f);
 
@@ -46,7 +46,7 @@ static void test_without_a_budget_nothing_is_left_out(void **state)
 	assert_null(governor_text(&bench.governor));
 }
 
-static void test_within_the_budget_nothing_is_left_out(void **state)
+static void test_within_the_budget_quality_stays(void **state)
 {
 	struct bench bench = begin(33.0f);
 
@@ -93,7 +93,7 @@ static void test_it_stops_at_the_first_level_that_fits(void **state)
 	assert_int_equal(bench.changes, 3);
 }
 
-static void test_what_was_left_out_comes_back_when_there_is_room(void **state)
+static void test_quality_is_restored_when_frames_get_cheaper(void **state)
 {
 	struct bench bench = begin(33.0f);
 
@@ -129,7 +129,7 @@ static void test_it_does_not_flutter_at_the_edge(void **state)
 	assert_int_equal(bench.changes, 1);
 }
 
-/* What a step saved is no longer what it costs: the wait grows. */
+/* A step costs more than it was measured to save: the wait grows. */
 static void test_steps_that_do_not_last_come_ever_less_often(void **state)
 {
 	static const float cold[] = {
@@ -173,13 +173,13 @@ static void test_poses_come_as_often_as_the_level_says(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_without_a_budget_nothing_is_left_out),
-		cmocka_unit_test(test_within_the_budget_nothing_is_left_out),
+		cmocka_unit_test(test_without_a_budget_quality_stays),
+		cmocka_unit_test(test_within_the_budget_quality_stays),
 		cmocka_unit_test(
 			test_triangles_go_first_then_influences_normals_poses),
 		cmocka_unit_test(test_it_stops_at_the_first_level_that_fits),
 		cmocka_unit_test(
-			test_what_was_left_out_comes_back_when_there_is_room),
+			test_quality_is_restored_when_frames_get_cheaper),
 		cmocka_unit_test(test_a_single_slow_frame_changes_nothing),
 		cmocka_unit_test(test_it_does_not_flutter_at_the_edge),
 		cmocka_unit_test(

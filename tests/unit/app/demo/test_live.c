@@ -1,4 +1,4 @@
-/* What a demo does with a camera, over a camera that the test plays. */
+/* A demo's use of a camera, with a camera that the test simulates. */
 #include "app/demo/live.h"
 
 #include "platform/base/compiler.h"
@@ -101,7 +101,7 @@ static void test_the_background_comes_and_goes_with_the_picture(void **state)
 	rig_frame(&rig, CAMERA_NEW, 100);
 	assert_ptr_equal(rig.stage.backdrop, &rig.live.texture);
 	assert_null(rig.stage.monitor);
-	/* The picture's middle as high as it is, 3 : 4. */
+	/* The middle of the image at its full height, 3 : 4. */
 	assert_int_equal(rig.live.texture.width, 36);
 	assert_int_equal(rig.live.texture.height, 48);
 	rig_frame(&rig, CAMERA_SAME, 0);
@@ -159,7 +159,7 @@ static void test_motion_rises_quickly_and_falls_slowly(void **state)
 	live_finish(&rig.live, &rig.gl);
 }
 
-/* What the texture holds for one use is not shown for the next. */
+/* An image that was cut for one use is not shown for the next one. */
 static void test_another_use_waits_for_its_own_picture(void **state)
 {
 	static struct rig rig;
@@ -212,8 +212,7 @@ static void test_the_names_of_uses(void **state)
 	assert_int_equal(live_use_find("nothing"), LIVE_USES);
 }
 
-/* The whole screen is in the picture, left of the figure, in front of all
- * that is far. */
+/* The whole monitor is visible, left of the figure, before the far plane. */
 static void test_the_screen_stands_where_it_is_seen(void **state)
 {
 	static const float aspects[] = {0.75f, 1.333f, 2.6f};

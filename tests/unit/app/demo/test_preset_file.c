@@ -1,4 +1,4 @@
-/* Presets written back into their file, and the tuner that does so. */
+/* Saving presets in their file, directly and by the tuner. */
 #include "app/demo/preset_file.h"
 #include "app/model/model_file.h"
 #include "tests/support/demo_run.h"
@@ -69,7 +69,7 @@ static const char after[] = "; About it all.\n"
 			    "[two]\n"
 			    "  amplitude=0.5\n";
 
-static void test_a_section_changes_and_all_else_stays(void **state)
+static void test_saving_changes_only_the_section(void **state)
 {
 	struct bench *bench = *state;
 	struct procedural_preset preset = procedural_preset_default();
@@ -86,7 +86,7 @@ static void test_a_section_changes_and_all_else_stays(void **state)
 	assert_string_equal(text, after);
 }
 
-static void test_what_is_saved_is_read_again(void **state)
+static void test_a_saved_preset_is_read_back(void **state)
 {
 	struct bench *bench = *state;
 	struct procedural_preset preset = procedural_preset_default();
@@ -137,7 +137,7 @@ static void test_the_programs_own_file_stays_as_it_is(void **state)
 	model_file_release(&own);
 }
 
-static void test_a_file_that_is_not_there_is_told(void **state)
+static void test_a_missing_file_is_reported(void **state)
 {
 	struct bench *bench = *state;
 	struct procedural_preset preset = procedural_preset_default();
@@ -177,13 +177,13 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
-			test_a_section_changes_and_all_else_stays, begin, end),
+			test_saving_changes_only_the_section, begin, end),
 		cmocka_unit_test_setup_teardown(
-			test_what_is_saved_is_read_again, begin, end),
+			test_a_saved_preset_is_read_back, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_the_programs_own_file_stays_as_it_is, begin, end),
 		cmocka_unit_test_setup_teardown(
-			test_a_file_that_is_not_there_is_told, begin, end),
+			test_a_missing_file_is_reported, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_the_tuner_changes_and_saves, begin, end),
 	};

@@ -1,4 +1,4 @@
-/* The viewer follows its file. */
+/* The viewer reloads a changed file. */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/model/model_file.h"

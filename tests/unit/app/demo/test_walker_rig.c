@@ -1,5 +1,5 @@
 /*
- * The walker's layers on the walker itself.
+ * The walker's procedural layers.
  */
 #include "app/anim/clip.h"
 #include "app/demo/walker/walker_rig.h"
@@ -173,7 +173,7 @@ static void test_the_head_turns_towards_the_ball(void **state)
 		cosine = (head[2][0] * to[0] + head[2][1] * to[1] +
 				 head[2][2] * to[2]) /
 			length;
-		/* It follows with a lag; a quarter of a right angle at most. */
+		/* The head lags by at most a quarter of a right angle. */
 		assert_true(cosine > 0.92f);
 	}
 	end(&walk);

@@ -66,11 +66,11 @@ static void test_rigid_meshes_are_lit_as_their_node_stands(void **state)
 	assert_texel(light[0], 204, 128, 230);
 	small_model_light_from(instance, -0.6f, 0, 0.8f);
 	assert_texel(light[0], 51, 128, 230);
-	/* Turned to face +X: what shines along +X now shines on it. */
+	/* The mesh faces +X, so light from +X is perpendicular to it. */
 	local->rotation[1] = local->rotation[3] = 0.70710678f;
 	small_model_light_from(instance, 1, 0, 0);
 	assert_texel(light[3], 128, 128, 255);
-	/* Mirrored, its tangent runs along -X. */
+	/* Mirrored, the tangent points along -X. */
 	local->rotation[1] = 0;
 	local->rotation[3] = 1;
 	local->scale[0] = -1;
@@ -83,7 +83,7 @@ static void test_rigid_meshes_are_lit_as_their_node_stands(void **state)
 	model_destroy(model);
 }
 
-static void test_the_attributes_sign_turns_the_bitangent(void **state)
+static void test_the_tangents_w_flips_the_bitangent(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
 	struct instance *instance;
@@ -101,7 +101,7 @@ static void test_the_attributes_sign_turns_the_bitangent(void **state)
 	model_destroy(model);
 }
 
-/* What a bump-mapped primitive must not have or lack. */
+/* Changes after which a primitive is not bump-mapped. */
 enum change {
 	CHANGE_NOTHING,
 	DROP_MAP,
@@ -172,7 +172,7 @@ static void test_gathered_batches_are_lit_plainly(void **state)
 	model_destroy(model);
 }
 
-/* GL without combiner; GL's calls carry no context. */
+/* The state of a GL without combiner; GL's functions have no context. */
 static GLenum pending_error;
 static GLint environment_mode;
 
@@ -210,7 +210,7 @@ static int draws_of(const struct gl *gl, const struct instance *instance,
 	return gl_recorder_result()->draw_count;
 }
 
-static void test_a_driver_without_combiner_gets_one_sentence(void **state)
+static void test_a_driver_without_combiner_gets_one_warning(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
 	struct gl gl = gl_recorder_begin();
@@ -272,7 +272,7 @@ static void test_an_older_error_does_not_hide_the_combiner(void **state)
 	model_destroy(model);
 }
 
-static void test_models_without_relief_need_no_combiner(void **state)
+static void test_models_without_normal_maps_need_no_combiner(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
 
@@ -281,7 +281,7 @@ static void test_models_without_relief_need_no_combiner(void **state)
 	model_destroy(model);
 }
 
-static void test_relief_takes_three_passes_and_can_be_off(void **state)
+static void test_bump_mapping_takes_three_passes_and_can_be_off(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
 	struct gl gl = gl_recorder_begin();
@@ -299,7 +299,7 @@ static void test_relief_takes_three_passes_and_can_be_off(void **state)
 	instance->normal_mapping = false;
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 1);
 	instance->normal_mapping = true;
-	/* The inner side is drawn on its own, lit plainly. */
+	/* Back faces are drawn in a pass of their own without bumps. */
 	model->material[0].double_sided = true;
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 4);
 	instance_destroy(instance);
@@ -312,14 +312,15 @@ int main(void)
 		cmocka_unit_test(test_encodes_the_light_in_the_vertexs_frame),
 		cmocka_unit_test(test_fades_the_light_on_the_side_away_from_it),
 		cmocka_unit_test(test_rigid_meshes_are_lit_as_their_node_stands),
-		cmocka_unit_test(test_the_attributes_sign_turns_the_bitangent),
+		cmocka_unit_test(test_the_tangents_w_flips_the_bitangent),
 		cmocka_unit_test(test_only_suitable_primitives_are_bump_mapped),
 		cmocka_unit_test(test_gathered_batches_are_lit_plainly),
-		cmocka_unit_test(
-			test_a_driver_without_combiner_gets_one_sentence),
+		cmocka_unit_test(test_a_driver_without_combiner_gets_one_warning),
 		cmocka_unit_test(test_an_older_error_does_not_hide_the_combiner),
-		cmocka_unit_test(test_models_without_relief_need_no_combiner),
-		cmocka_unit_test(test_relief_takes_three_passes_and_can_be_off),
+		cmocka_unit_test(
+			test_models_without_normal_maps_need_no_combiner),
+		cmocka_unit_test(
+			test_bump_mapping_takes_three_passes_and_can_be_off),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

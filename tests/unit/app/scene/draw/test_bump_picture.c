@@ -7,11 +7,11 @@
 
 #include <string.h>
 
-/* Left half tilted towards -X, right half towards +X, by 45 degrees. */
+/* The left texel is tilted to -X, the right one to +X, by 45 degrees. */
 static const uint8_t ridge_map[2][4] = {
 	{37, 128, 218, 255}, {218, 128, 218, 255}};
 
-/* A grid over all of the picture, as it comes out of OSMesa. */
+/* A grid that OSMesa draws over the whole picture. */
 struct shown {
 	struct stage stage;
 	struct model *model;
@@ -57,7 +57,7 @@ static void tear_down(struct shown *shown)
 	stage_close(&shown->stage);
 }
 
-/* RGBA of the picture, top row first. */
+/* Draws and returns the picture as RGBA, top row first. */
 static void show(struct shown *shown, uint8_t (*out)[4])
 {
 	struct stage *stage = &shown->stage;
@@ -75,7 +75,7 @@ static void show(struct shown *shown, uint8_t (*out)[4])
 		0);
 }
 
-/* Red, green and blue of a half of the picture together. */
+/* The sum of red, green and blue over a half of the picture. */
 static long brightness(const uint8_t (*picture)[4], bool right)
 {
 	long sum = 0;
@@ -103,7 +103,7 @@ static void test_a_ridge_is_bright_on_the_side_of_the_light(void **state)
 	show(&shown, left);
 	small_model_light_from(shown.instance, 0.6f, 0, 0.8f);
 	show(&shown, right);
-	/* Key light on the slopes: 0.99 against 0.14 (0.2 more without). */
+	/* The key light on the slopes is 0.99 and 0.14. */
 	assert_true(brightness(left, false) * 2 > brightness(right, false) * 3);
 	assert_true(brightness(right, true) * 2 > brightness(left, true) * 3);
 	tear_down(&shown);
@@ -112,12 +112,12 @@ static void test_a_ridge_is_bright_on_the_side_of_the_light(void **state)
 static void test_a_flat_map_looks_like_plain_light(void **state)
 {
 	static uint8_t plain[STAGE_WIDTH * STAGE_HEIGHT][4];
-	static uint8_t relief[STAGE_WIDTH * STAGE_HEIGHT][4];
+	static uint8_t mapped[STAGE_WIDTH * STAGE_HEIGHT][4];
 	struct shown shown;
 
 	(void)state;
 	set_up(&shown, 1, small_model_flat_map);
-	show(&shown, relief);
+	show(&shown, mapped);
 	shown.instance->normal_mapping = false;
 	show(&shown, plain);
 	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
@@ -125,7 +125,7 @@ static void test_a_flat_map_looks_like_plain_light(void **state)
 			/* The picture is not empty, and three passes round
 			   three times. */
 			assert_true(plain[i][channel] > 10);
-			assert_near(relief[i][channel], plain[i][channel], 3.0);
+			assert_near(mapped[i][channel], plain[i][channel], 3.0);
 		}
 	}
 	tear_down(&shown);

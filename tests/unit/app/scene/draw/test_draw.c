@@ -11,7 +11,7 @@ static void assert_matrix_near(
 	}
 }
 
-/* The document's arm: each part turned in its own order. */
+/* AN4044's arm: each part has its own order of rotations. */
 static void make_arm(struct hierarchy_pivot pivot[4])
 {
 	static const enum hierarchy_order orders[4] = {

@@ -53,7 +53,7 @@ static void test_signs_of_units_and_keys_are_there(void **state)
 	}
 }
 
-static void test_what_is_missing_is_the_box(void **state)
+static void test_missing_characters_are_the_box(void **state)
 {
 	(void)state;
 	assert_int_equal(font_find_glyph(font, 0), FONT_UNKNOWN);
@@ -126,7 +126,7 @@ static void claim(uint8_t *taken, int s, int t, int width, int height)
 {
 	assert_true(s >= 1 && t >= 1);
 	assert_true(s + width < font->width && t + height < font->height);
-	/* With a texel around, which may be shared. */
+	/* With a border of one texel, which neighbours may share. */
 	for (int i = 0; i < (width + 1) * (height + 1); i++) {
 		int at = (t + i / (width + 1)) * font->width + s +
 			i % (width + 1);
@@ -223,15 +223,15 @@ static void test_each_bad_byte_is_replaced(void **state)
 	const uint32_t bad = 0xFFFD;
 
 	(void)state;
-	/* cut off by the end, and by a letter */
+	/* Truncated by the end of the text, and by a letter. */
 	expect_codes("\xE2\x80", (uint32_t[]){bad, bad}, 2);
 	expect_codes("\xC3z", (uint32_t[]){bad, 'z'}, 2);
-	/* nothing before it */
+	/* A continuation byte without a first byte. */
 	expect_codes("\x80x", (uint32_t[]){bad, 'x'}, 2);
-	/* longer than need be */
+	/* Overlong encodings. */
 	expect_codes("\xC0\xAF", (uint32_t[]){bad, bad}, 2);
 	expect_codes("\xE0\x80\xAF", (uint32_t[]){bad, bad, bad}, 3);
-	/* a surrogate, and beyond Unicode */
+	/* A surrogate, and a code beyond Unicode. */
 	expect_codes("\xED\xA0\x80", (uint32_t[]){bad, bad, bad}, 3);
 	expect_codes("\xF4\x90\x80\x80", (uint32_t[]){bad, bad, bad, bad}, 4);
 	expect_codes("\xFF", (uint32_t[]){bad}, 1);
@@ -243,7 +243,7 @@ int main(void)
 		cmocka_unit_test(
 			test_every_printable_ascii_character_has_a_picture),
 		cmocka_unit_test(test_signs_of_units_and_keys_are_there),
-		cmocka_unit_test(test_what_is_missing_is_the_box),
+		cmocka_unit_test(test_missing_characters_are_the_box),
 		cmocka_unit_test(test_every_code_finds_its_own_glyph),
 		cmocka_unit_test(test_sizes_ascend_and_metrics_suit_them),
 		cmocka_unit_test(

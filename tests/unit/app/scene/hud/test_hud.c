@@ -10,7 +10,7 @@
 
 static const struct hud_color orange = {255, 128, 0, 255};
 
-/* Without a GL: for what happens before hud_end(). */
+/* A hud without GL, for what happens before hud_end(). */
 static struct hud *hud_of_size(int width, int height)
 {
 	static struct hud hud;
@@ -94,7 +94,7 @@ static void test_no_ellipsis_follows_a_space(void **state)
 		word + hud_text_width(hud, "\xE2\x80\xA6"));
 }
 
-/* Fills everything; the index table behind the vertices must stay as it is. */
+/* Adds more than fits. */
 static void overfill(struct hud *hud)
 {
 	for (int i = 0; i < HUD_QUADS_MAX; i++) {
@@ -103,7 +103,7 @@ static void overfill(struct hud *hud)
 	}
 }
 
-static void test_what_does_not_fit_is_left_out(void **state)
+static void test_elements_beyond_the_capacity_are_dropped(void **state)
 {
 	struct hud *hud = hud_of_size(480, 640);
 
@@ -135,8 +135,8 @@ static void test_absurd_positions_and_sizes_are_harmless(void **state)
 	hud_move(hud, 0, 30000, -30000);
 }
 
-/* What a bar of 100 pixels shows filled: the right edge of its last quad. */
-static int filled_width(float share)
+/* The filled width of a bar of 100 pixels: the right edge of its last quad. */
+static int filled_width(float fraction)
 {
 	struct hud *hud = hud_of_size(480, 640);
 	int track, right = 0;
@@ -144,14 +144,14 @@ static int filled_width(float share)
 	hud_panel(hud, 0, 0, 100, 4, 2, orange);
 	track = hud->quad_count;
 	hud_begin(hud, 480, 640);
-	hud_bar(hud, 0, 0, 100, 4, share, orange);
+	hud_bar(hud, 0, 0, 100, 4, fraction, orange);
 	for (int i = track * 4; i < hud->quad_count * 4; i++) {
 		right = hud->vertex[i].x > right ? hud->vertex[i].x : right;
 	}
 	return right;
 }
 
-static void test_bars_fill_by_their_share(void **state)
+static void test_bars_fill_by_their_fraction(void **state)
 {
 	(void)state;
 	assert_int_equal(filled_width(0.5f), 50);
@@ -161,18 +161,18 @@ static void test_bars_fill_by_their_share(void **state)
 	assert_int_equal(filled_width(0.0f), 0);
 	assert_int_equal(filled_width(-1.0f), 0);
 	assert_int_equal(filled_width(NAN), 0);
-	/* a trace shows as a dot */
+	/* The smallest fraction is visible as a dot. */
 	assert_int_equal(filled_width(0.001f), 4);
 }
 
-/* A recorder that also knows textures and what is enabled. */
+/* A recorder that also accepts textures and records what is enabled. */
 enum {
-	CAPABILITY_ROOM = 64
+	CAPABILITIES_MAX = 64
 };
 
 static struct {
-	GLenum name[CAPABILITY_ROOM];
-	bool on[CAPABILITY_ROOM];
+	GLenum name[CAPABILITIES_MAX];
+	bool on[CAPABILITIES_MAX];
 	int count;
 } capabilities;
 
@@ -183,7 +183,7 @@ static void set_capability(GLenum name, bool on)
 	while (i < capabilities.count && capabilities.name[i] != name) {
 		i++;
 	}
-	assert_true(i < CAPABILITY_ROOM);
+	assert_true(i < CAPABILITIES_MAX);
 	capabilities.name[i] = name;
 	capabilities.on[i] = on;
 	capabilities.count += i == capabilities.count;
@@ -313,7 +313,7 @@ static void test_drivers_of_fixed_point_get_exact_matrices(void **state)
 	hud_rectangle(hud, 683, 0, 1, 767, orange);
 	hud_end(hud, &gl);
 	assert_true(matrix[0] == 1.0 / 16384 && matrix[5] == -1.0 / 16384);
-	/* within 1/16 of a pixel of where they should be */
+	/* Within 1/16 of a pixel of the exact positions. */
 	assert_near(hud->vertex[0].x * matrix[0], -1.0, 0.125 / 1366);
 	assert_near(hud->vertex[0].y * matrix[5], 1.0, 0.125 / 767);
 	assert_near(hud->vertex[3].x * matrix[0], 1.0, 0.125 / 1366);
@@ -340,7 +340,7 @@ static void test_leaves_the_state_it_promises(void **state)
 	assert_true(is_on(GL_COLOR_ARRAY));
 	assert_false(is_on(GL_NORMAL_ARRAY));
 	assert_false(is_on(GL_TEXTURE_COORD_ARRAY));
-	/* matrix mode model-view, and identity there */
+	/* The matrix mode is model-view, and that matrix is the identity. */
 	gl.DrawArrays(GL_TRIANGLES, 0, 3);
 	assert_near(gl_recorder_result()->draw[1].matrix[0], 1.0, 0);
 	gl.Scalex(2 * FX16_ONE, FX16_ONE, FX16_ONE);
@@ -348,7 +348,7 @@ static void test_leaves_the_state_it_promises(void **state)
 	assert_near(gl_recorder_result()->draw[2].matrix[0], 2.0, 0);
 }
 
-static void test_no_texture_is_an_error_with_a_sentence(void **state)
+static void test_a_missing_texture_is_reported(void **state)
 {
 	struct gl gl = recorder();
 	struct log_capture capture;
@@ -370,13 +370,13 @@ int main(void)
 		cmocka_unit_test(test_text_grows_with_the_picture),
 		cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
 		cmocka_unit_test(test_no_ellipsis_follows_a_space),
-		cmocka_unit_test(test_what_does_not_fit_is_left_out),
+		cmocka_unit_test(test_elements_beyond_the_capacity_are_dropped),
 		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
-		cmocka_unit_test(test_bars_fill_by_their_share),
+		cmocka_unit_test(test_bars_fill_by_their_fraction),
 		cmocka_unit_test(test_a_frame_is_one_draw_call),
 		cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
 		cmocka_unit_test(test_leaves_the_state_it_promises),
-		cmocka_unit_test(test_no_texture_is_an_error_with_a_sentence),
+		cmocka_unit_test(test_a_missing_texture_is_reported),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* The graph of frame times: what it says and what it draws. */
+/* The graph of frame times: its texts and its bars. */
 #include "app/scene/hud/hud_graph.h"
 #include "tests/support/test.h"
 
@@ -43,7 +43,7 @@ static void test_the_scale_holds_the_tallest_frame_it_still_has(void **state)
 	assert_near(hud_graph_scale_ms(&graph), 5.0, 0.0);
 }
 
-/* How many of the hud's pixels a colour's rectangles cover. */
+/* The number of pixels that the rectangles of a colour cover. */
 static int pixels_of(const struct hud *hud, struct hud_color color)
 {
 	int sum = 0;

@@ -9,7 +9,7 @@
 static const bool counts_allocations = false;
 static int allocation_count;
 #else
-/* The C library's allocator with a count, for this program alone. */
+/* Replaces the C library's allocator by one that counts. */
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *block, size_t size);
@@ -65,7 +65,7 @@ static struct box box_of(const struct hud *hud, int first, int end)
 	return box;
 }
 
-/* The letters among the quads from first on; '?' for signs beyond ASCII. */
+/* The text of the quads from first on; '?' for characters beyond ASCII. */
 static const char *text_of(const struct hud *hud, int first)
 {
 	static char text[HUD_QUADS_MAX + 1];
@@ -128,7 +128,7 @@ static void test_groups_keep_an_equal_margin_in_every_corner(void **state)
 	}
 }
 
-static void test_everything_lies_on_the_backdrop(void **state)
+static void test_everything_lies_on_the_panel(void **state)
 {
 	struct hud *hud = hud_of_size(480, 640);
 	struct box backdrop, rows;
@@ -143,7 +143,7 @@ static void test_everything_lies_on_the_backdrop(void **state)
 	rows = box_of(hud, quads, hud->quad_count);
 	assert_true(rows.left > backdrop.left && rows.right < backdrop.right);
 	assert_true(rows.top > backdrop.top && rows.bottom < backdrop.bottom);
-	/* the same room on both sides */
+	/* The margins on both sides are equal. */
 	assert_int_equal(rows.left - backdrop.left, backdrop.right - rows.right);
 }
 
@@ -169,7 +169,7 @@ static void test_groups_of_a_corner_stack_towards_the_middle(void **state)
 	}
 }
 
-static void test_nothing_moves_while_values_change(void **state)
+static void test_labels_stay_in_place_while_values_change(void **state)
 {
 	struct hud *hud = hud_of_size(480, 640);
 	struct box first = {0};
@@ -261,7 +261,7 @@ static void test_switches_show_on_and_off(void **state)
 		knob[on] = hud->vertex[hud->quad_count * 4 - 4].x;
 	}
 	assert_int_equal(quads[0], quads[1]);
-	/* the knob goes right, and the colour shows */
+	/* The knob moves right, and the switch is coloured. */
 	assert_true(knob[1] > knob[0] + 4);
 	hud_group_end(&group);
 }
@@ -288,7 +288,7 @@ static void test_drawing_takes_nothing_from_the_heap(void **state)
 	if (!counts_allocations) {
 		skip_because("the sanitizer keeps the heap to itself");
 	}
-	/* the test's own machinery has used it */
+	/* cmocka itself has allocated, so counting works. */
 	assert_true(allocation_count > 0);
 	before = allocation_count;
 	for (int i = 0; i < 10; i++) {
@@ -305,10 +305,10 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_groups_keep_an_equal_margin_in_every_corner),
-		cmocka_unit_test(test_everything_lies_on_the_backdrop),
+		cmocka_unit_test(test_everything_lies_on_the_panel),
 		cmocka_unit_test(
 			test_groups_of_a_corner_stack_towards_the_middle),
-		cmocka_unit_test(test_nothing_moves_while_values_change),
+		cmocka_unit_test(test_labels_stay_in_place_while_values_change),
 		cmocka_unit_test(test_times_show_hundredths),
 		cmocka_unit_test(test_weights_show_percent),
 		cmocka_unit_test(test_a_long_label_gives_way_to_its_value),

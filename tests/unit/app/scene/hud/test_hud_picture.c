@@ -27,7 +27,7 @@ static int blend(int above, int below, int alpha)
 	return (above * alpha + below * (255 - alpha) + 127) / 255;
 }
 
-/* The alpha of a picture of one glyph at a pen position; 0 outside it. */
+/* The alpha of a glyph at a pen position; 0 outside the glyph. */
 static int glyph_alpha(const struct hud *hud, uint32_t code, int pen, int y,
 	int at_x, int at_y)
 {
@@ -44,7 +44,7 @@ static int glyph_alpha(const struct hud *hud, uint32_t code, int pen, int y,
 	return font->alpha[(glyph->t + row) * font->width + glyph->s + column];
 }
 
-/* The whole picture is these two letters in orange on black. */
+/* Expects a picture with nothing but two orange letters on black. */
 static void expect_letters(const struct stage *stage, const struct hud *hud,
 	const char *two, int x, int y)
 {
@@ -114,7 +114,7 @@ static void test_later_things_cover_earlier_ones(void **state)
 	check_picture(*state, check_order);
 }
 
-/* Its corners are the disc's, all else is plain. */
+/* Expects the disc's quarters in the corners and solid colour elsewhere. */
 static void check_panel(struct stage *stage, struct hud *hud)
 {
 	const uint16_t *disc = hud->font->disc[4];
@@ -145,7 +145,7 @@ static void test_panels_are_whole_and_round(void **state)
 	check_picture(*state, check_panel);
 }
 
-/* Whatever was drawn before leaves its marks; none may reach the text. */
+/* State that a scene may have left must not affect the hud. */
 static void check_after_a_scene(struct stage *stage, struct hud *hud)
 {
 	struct gl *gl = stage->gl;
@@ -186,7 +186,7 @@ enum {
 
 int main(void)
 {
-	/* What is left empty is no test. */
+	/* cmocka skips entries that are all zero. */
 	static struct CMUnitTest tests[PICTURE_COUNT * DRIVERS_MAX];
 	static char name[PICTURE_COUNT * DRIVERS_MAX][96];
 

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Vertices of 3, 1 and 2 influences. */
+/* A stream of three vertices with 3, 1 and 2 influences. */
 static struct drawable drawable = {
 	.stream = {.vertex_count = 3,
 		.influence_count = 6,
@@ -77,7 +77,7 @@ static void test_a_budget_takes_the_largest_cap_that_fits(void **state)
 	cap.value = 3;
 	assert_int_equal(
 		influence_cap_choose(&cap, &instance, &camera, 1.0f, 640), 1);
-	/* One influence a vertex is the least there is. */
+	/* A vertex has at least one influence. */
 	cap.value = 1;
 	assert_int_equal(
 		influence_cap_choose(&cap, &instance, &camera, 1.0f, 640), 1);

@@ -32,12 +32,12 @@ static void test_scales_a_huge_model_by_a_power_of_two(void **state)
 	assert_near(instance->unit_scale, 1.0 / 8192.0, 0.0);
 	bounds = bounds_of_instance(instance);
 	assert_near(bounds_extent(&bounds), 5000.0 / 8192.0, 1e-6);
-	/* Vertices near 1, and a matrix near 1 that carries them. */
+	/* Vertices and their matrix are near 1. */
 	instance_drawable_matrix(instance, &instance->drawable[0], matrix);
 	assert_near(matrix[0][0] * instance->drawable[0].position[8][0],
 		5000.0 / 8192.0, 1e-6);
 	assert_true(matrix[0][0] >= 0.25f && matrix[0][0] <= 4.0f);
-	/* The world is as the file says. */
+	/* World positions are the file's. */
 	instance_world_vertex(instance, &instance->drawable[0], 8, corner);
 	assert_near(corner[0], 5000.0, 1e-3);
 	instance_destroy(instance);
@@ -152,7 +152,7 @@ static void test_multiplies_vertex_colours_by_the_material(void **state)
 	model_destroy(model);
 }
 
-/* One joint, a node of its own that the grid hangs on. */
+/* Skins the grid to one joint, which is a node of its own. */
 static void add_skin(struct model *model)
 {
 	struct model_primitive *primitive = &model->mesh[0].primitive[0];
@@ -206,25 +206,25 @@ static void add_target(struct model *model)
 static const float quarter_turn[4] = {0, 0.70710678f, 0, 0.70710678f};
 
 /* A square with tangents and something that moves it. */
-struct relief {
+struct mapped {
 	struct model *model;
 	struct instance *instance;
 };
 
-static struct relief relief_begin(float size, void (*add)(struct model *model))
+static struct mapped mapped_begin(float size, void (*add)(struct model *model))
 {
-	struct relief relief = {small_model_grid(1, 1, size, true), NULL};
+	struct mapped mapped = {small_model_grid(1, 1, size, true), NULL};
 
-	small_model_add_normal_map(relief.model, 1, small_model_flat_map);
-	add(relief.model);
-	relief.instance = small_model_instance(relief.model);
-	return relief;
+	small_model_add_normal_map(mapped.model, 1, small_model_flat_map);
+	add(mapped.model);
+	mapped.instance = small_model_instance(mapped.model);
+	return mapped;
 }
 
-static void relief_end(struct relief *relief)
+static void mapped_end(struct mapped *mapped)
 {
-	instance_destroy(relief->instance);
-	model_destroy(relief->model);
+	instance_destroy(mapped->instance);
+	model_destroy(mapped->model);
 }
 
 static void test_morphs_before_it_skins(void **state)
@@ -259,8 +259,8 @@ static void test_morphs_before_it_skins(void **state)
 
 static void test_skins_tangents_with_the_joints(void **state)
 {
-	struct relief relief = relief_begin(1.0f, add_skin);
-	struct instance *instance = relief.instance;
+	struct mapped mapped = mapped_begin(1.0f, add_skin);
+	struct instance *instance = mapped.instance;
 	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
@@ -269,13 +269,13 @@ static void test_skins_tangents_with_the_joints(void **state)
 	instance_update(instance);
 	assert_all_near(drawable->tangent[2], ((float[3]){0, 0, -1}), 3, 1e-6);
 	assert_all_near(drawable->bitangent[2], ((float[3]){0, 1, 0}), 3, 1e-6);
-	relief_end(&relief);
+	mapped_end(&mapped);
 }
 
 static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
 {
-	struct relief relief = relief_begin(100.0f, add_target);
-	struct instance *instance = relief.instance;
+	struct mapped mapped = mapped_begin(100.0f, add_target);
+	struct instance *instance = mapped.instance;
 	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
@@ -288,17 +288,17 @@ static void test_morphs_the_tangents_of_a_rigid_mesh(void **state)
 		drawable->normal[0], ((float[3]){0.6f, 0, 0.8f}), 3, 1e-6);
 	assert_near(drawable->position[0][2],
 		0.375 * (double)drawable->vertex_scale, 1e-6);
-	/* Again from the base, not from what is there. */
+	/* The next update starts from the base again. */
 	instance->pose.weight[0] = 0.0f;
 	instance_update(instance);
 	assert_all_near(drawable->tangent[0], ((float[3]){1, 0, 0}), 3, 1e-6);
-	relief_end(&relief);
+	mapped_end(&mapped);
 }
 
-static void test_leaves_tangents_alone_without_relief(void **state)
+static void test_leaves_tangents_alone_without_normal_maps(void **state)
 {
-	struct relief relief = relief_begin(1.0f, add_skin);
-	struct instance *instance = relief.instance;
+	struct mapped mapped = mapped_begin(1.0f, add_skin);
+	struct instance *instance = mapped.instance;
 	const struct drawable *drawable = &instance->drawable[0];
 
 	(void)state;
@@ -308,7 +308,7 @@ static void test_leaves_tangents_alone_without_relief(void **state)
 	instance_update(instance);
 	assert_all_near(drawable->tangent[2], ((float[3]){1, 0, 0}), 3, 1e-6);
 	assert_all_near(drawable->normal[2], ((float[3]){1, 0, 0}), 3, 1e-6);
-	relief_end(&relief);
+	mapped_end(&mapped);
 }
 
 static void test_bounds_of_nothing_are_empty(void **state)
@@ -337,7 +337,7 @@ int main(void)
 		cmocka_unit_test(test_morphs_before_it_skins),
 		cmocka_unit_test(test_skins_tangents_with_the_joints),
 		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),
-		cmocka_unit_test(test_leaves_tangents_alone_without_relief),
+		cmocka_unit_test(test_leaves_tangents_alone_without_normal_maps),
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
 	};
 

@@ -26,7 +26,7 @@ static double distance(const float a[3], const float b[3])
 		(double)a[2] - b[2]);
 }
 
-/* In scene units. */
+/* Returns the vertex in scene units. */
 static void scaled_vertex(const struct instance *instance,
 	const struct drawable *drawable, int v, float out[3])
 {
@@ -36,7 +36,7 @@ static void scaled_vertex(const struct instance *instance,
 	}
 }
 
-/* Of the sphere around the middle of the model's box. */
+/* The radius of the sphere around the middle of the model's box. */
 static double radius_of(const struct instance *instance)
 {
 	struct bounds box = bounds_of_instance(instance);
@@ -190,7 +190,8 @@ static void test_every_model_is_where_it_is_in_float(void **state)
 	samples_each_model(samples_path("x").text, compare_model);
 }
 
-static void test_what_does_not_fit_stays_in_float_with_a_sentence(void **state)
+static void test_positions_beyond_16_bits_stay_in_float_with_a_warning(
+	void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1e20f, true);
 	struct log_capture heard;
@@ -233,7 +234,7 @@ static void test_a_pose_that_does_not_fit_keeps_the_last_one(void **state)
 	instance_pair_end(&pair);
 }
 
-static void test_relief_is_lit_alike(void **state)
+static void test_normal_maps_are_lit_as_in_float(void **state)
 {
 	static const uint8_t map[1][4] = {{128, 128, 255, 255}};
 	struct model *model = small_model_grid(4, 4, 1.0f, true);
@@ -258,7 +259,7 @@ static void test_relief_is_lit_alike(void **state)
 	instance_pair_end(&pair);
 }
 
-static void test_shadows_fall_alike(void **state)
+static void test_shadows_fall_as_in_float(void **state)
 {
 	static const struct shadow_light light = {
 		.towards = {0.3f, 0.9f, 0.3f}, .max_length = 5.0f};
@@ -289,11 +290,11 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_every_model_is_where_it_is_in_float),
 		cmocka_unit_test(
-			test_what_does_not_fit_stays_in_float_with_a_sentence),
+			test_positions_beyond_16_bits_stay_in_float_with_a_warning),
 		cmocka_unit_test(
 			test_a_pose_that_does_not_fit_keeps_the_last_one),
-		cmocka_unit_test(test_relief_is_lit_alike),
-		cmocka_unit_test(test_shadows_fall_alike),
+		cmocka_unit_test(test_normal_maps_are_lit_as_in_float),
+		cmocka_unit_test(test_shadows_fall_as_in_float),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,8 +5,8 @@
 #include "tests/support/small_model.h"
 #include "tests/support/test.h"
 
-/* All that is drawn, in eye space: the same triangles at the same places. */
-static void assert_drawn_alike(struct instance_pair *pair)
+/* Both draw the same number of vertices with the same mean in eye space. */
+static void assert_drawn_equally(struct instance_pair *pair)
 {
 	struct instance *both[2] = {pair->exact, pair->fixed};
 	struct gl_recording drawn[2];
@@ -42,12 +42,12 @@ static void test_the_same_triangles_are_drawn(void **state)
 		instance_pair_load(&pair, paths[i]);
 		instance_pair_pose(
 			&pair, pair.model->clip_count > 0 ? 0 : -1, 0.4f);
-		assert_drawn_alike(&pair);
+		assert_drawn_equally(&pair);
 		instance_pair_end(&pair);
 	}
 }
 
-/* Vertices are in another order, and all that belongs to them with them. */
+/* Vertices have another order, and so must their attributes. */
 static void test_attributes_go_with_their_vertices(void **state)
 {
 	struct instance_pair pair;
@@ -89,7 +89,7 @@ static void test_huge_and_tiny_models_are_drawn_near_one(void **state)
 		instance_pair_begin(
 			&pair, small_model_grid(2, 2, sizes[i], true));
 		assert_near(pair.fixed->unit_scale, pair.exact->unit_scale, 0);
-		assert_drawn_alike(&pair);
+		assert_drawn_equally(&pair);
 		instance_world_vertex(
 			pair.fixed, &pair.fixed->drawable[0], 8, at);
 		assert_near(at[0], sizes[i], sizes[i] * 1e-4);
@@ -114,7 +114,7 @@ static void test_gives_flat_normals_where_the_file_has_none(void **state)
 		assert_int_equal(batch->fixed_normal[v].y, 0);
 		assert_int_equal(batch->fixed_normal[v].z, 32767);
 	}
-	assert_drawn_alike(&pair);
+	assert_drawn_equally(&pair);
 	instance_pair_end(&pair);
 }
 
@@ -125,7 +125,7 @@ static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
 	(void)state;
 	instance_pair_begin(&pair, small_model_grid(300, 300, 1.0f, true));
 	assert_true(pair.fixed->drawable[0].batch_count > 1);
-	assert_drawn_alike(&pair);
+	assert_drawn_equally(&pair);
 	instance_pair_end(&pair);
 }
 

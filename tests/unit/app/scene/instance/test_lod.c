@@ -71,7 +71,7 @@ static void end(struct scene *scene)
 
 static const struct lod by_itself = {.kind = LOD_AUTO};
 
-static void test_takes_the_coarsest_that_is_a_pixel_off(void **state)
+static void test_takes_the_coarsest_level_within_a_pixel(void **state)
 {
 	struct scene scene = begin();
 
@@ -88,7 +88,7 @@ static void test_takes_the_coarsest_that_is_a_pixel_off(void **state)
 	end(&scene);
 }
 
-static void test_does_what_it_is_told(void **state)
+static void test_obeys_a_chosen_error_or_level(void **state)
 {
 	static const struct lod all = {.kind = LOD_ALL};
 	static const struct lod last = {.kind = LOD_LEVEL, .level = 9};
@@ -105,7 +105,7 @@ static void test_does_what_it_is_told(void **state)
 	end(&scene);
 }
 
-/* What sways around the border between two levels keeps one. */
+/* An instance at the border between two levels keeps its level. */
 static void test_small_changes_change_nothing(void **state)
 {
 	float border = 100.0f * LOD_ERROR_PX;
@@ -124,7 +124,7 @@ static void test_small_changes_change_nothing(void **state)
 	end(&scene);
 }
 
-static void test_what_is_large_needs_more(void **state)
+static void test_a_larger_instance_needs_finer_levels(void **state)
 {
 	struct scene scene = begin();
 
@@ -164,7 +164,7 @@ static void test_half_as_far_has_twice_the_pixels(void **state)
 		2.0f * far, 1e-3f * far);
 	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 1280),
 		4.0f * far, 1e-3f * far);
-	/* 30 degrees high, at the near side of the box. */
+	/* The view is 30 degrees high; the box's near side is 100 away. */
 	assert_near(far, 320.0 / (100.0 * tan(acos(-1.0) / 12.0)), 1e-2 * far);
 	end(&scene);
 }
@@ -174,10 +174,10 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_words_pixels_and_levels),
 		cmocka_unit_test(test_refuses_other_words),
-		cmocka_unit_test(test_takes_the_coarsest_that_is_a_pixel_off),
-		cmocka_unit_test(test_does_what_it_is_told),
+		cmocka_unit_test(test_takes_the_coarsest_level_within_a_pixel),
+		cmocka_unit_test(test_obeys_a_chosen_error_or_level),
 		cmocka_unit_test(test_small_changes_change_nothing),
-		cmocka_unit_test(test_what_is_large_needs_more),
+		cmocka_unit_test(test_a_larger_instance_needs_finer_levels),
 		cmocka_unit_test(test_a_budget_asks_for_less_but_never_for_more),
 		cmocka_unit_test(test_half_as_far_has_twice_the_pixels),
 	};

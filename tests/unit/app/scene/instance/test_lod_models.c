@@ -59,8 +59,8 @@ static void test_fixed_point_draws_the_same_vertices(void **state)
 }
 
 struct edge {
-	float end[2][3]; /* the lesser first */
-	int turns;       /* 1 as a triangle goes round, -1 the other way */
+	float end[2][3]; /* in ascending order */
+	int turns;       /* 1 if the triangle has that order, else -1 */
 };
 
 static int compare_points(const float *a, const float *b)
@@ -101,7 +101,7 @@ static void add_triangles(const struct model_primitive *primitive,
 	}
 }
 
-/* The ends of all edges that a mesh (level -1: all of it) has open, sorted. */
+/* The sorted ends of a level's border edges; level -1 is the full mesh. */
 static int open_ends(const struct model_mesh *mesh, int level, float (**out)[3])
 {
 	struct edge *edge = calloc(100000, sizeof(*edge));
@@ -142,7 +142,7 @@ static int open_ends(const struct model_mesh *mesh, int level, float (**out)[3])
 	return ends;
 }
 
-/* Where a level is open the full mesh is, too: at seams nothing gapes. */
+/* A level's border edges end at border vertices of the full mesh. */
 static void test_levels_have_no_cracks(void **state)
 {
 	(void)state;
@@ -203,11 +203,11 @@ static float squared_distance(const float p[3], const float q[3])
 	return x * x + y * y + z * z;
 }
 
-/* By projections onto the plane and, outside of it, onto the sides. */
+/* The squared distance of a point to a triangle: to its plane or its edges. */
 static float to_triangle(const float p[3], const float corner[3][3])
 {
 	vec3 u, v, normal, w;
-	float best = INFINITY, area, share[3];
+	float best = INFINITY, area, fraction[3];
 
 	glm_vec3_sub((float *)corner[1], (float *)corner[0], u);
 	glm_vec3_sub((float *)corner[2], (float *)corner[0], v);
@@ -218,11 +218,11 @@ static float to_triangle(const float p[3], const float corner[3][3])
 		vec3 cross;
 
 		glm_vec3_cross(w, v, cross);
-		share[1] = glm_vec3_dot(cross, normal) / area;
+		fraction[1] = glm_vec3_dot(cross, normal) / area;
 		glm_vec3_cross(u, w, cross);
-		share[2] = glm_vec3_dot(cross, normal) / area;
-		if (share[1] >= 0.0f && share[2] >= 0.0f &&
-			share[1] + share[2] <= 1.0f) {
+		fraction[2] = glm_vec3_dot(cross, normal) / area;
+		if (fraction[1] >= 0.0f && fraction[2] >= 0.0f &&
+			fraction[1] + fraction[2] <= 1.0f) {
 			float height = glm_vec3_dot(w, normal);
 
 			return height * height / area;
@@ -243,7 +243,7 @@ static float to_triangle(const float p[3], const float corner[3][3])
 	return best;
 }
 
-/* Of a vertex of the node's mesh to the mesh as the level has it, in metres. */
+/* The distance of a point to the level of the node's mesh, in metres. */
 static float to_level(
 	const struct instance *instance, int node, int level, const float at[3])
 {
@@ -267,8 +267,8 @@ static float to_level(
 	return sqrtf(best);
 }
 
-/* How many of some vertices are off by more than twice the stated error. */
-static float share_off(const struct instance *instance, int node, int level)
+/* The fraction of sampled vertices that exceed twice the stated error. */
+static float fraction_off(const struct instance *instance, int node, int level)
 {
 	int off = 0, all = 0;
 
@@ -289,8 +289,8 @@ static float share_off(const struct instance *instance, int node, int level)
 	return (float)off / (float)all;
 }
 
-/* Errors are measured at rest; limbs bend, and faces move. */
-static void test_levels_keep_near_in_motion(void **state)
+/* The stated errors are measured at rest; here limbs and faces move. */
+static void test_levels_keep_their_error_in_motion(void **state)
 {
 	static const char *const clips[] = {"run", "wave", "jump"};
 	struct model *model = load(assets[0]);
@@ -306,9 +306,9 @@ static void test_levels_keep_near_in_motion(void **state)
 			clip, 0.4f * clip->duration_s, &none, &instance->pose);
 		instance_update(instance);
 		for (int level = 0; level < 3; level++) {
-			float body = share_off(instance,
+			float body = fraction_off(instance,
 				model_find_node(model, "walker_body"), level);
-			float head = share_off(instance,
+			float head = fraction_off(instance,
 				model_find_node(model, "walker_head"), level);
 			assert_true(body <= 0.05f);
 			assert_true(head <= 0.05f);
@@ -318,8 +318,8 @@ static void test_levels_keep_near_in_motion(void **state)
 	model_destroy(model);
 }
 
-/* All that she does by herself, the camera going round her. */
-static void test_nothing_pops_while_she_moves(void **state)
+/* Plays the walker's whole autoplay. */
+static void test_no_level_changes_while_the_walker_moves(void **state)
 {
 	static const struct demo_press press[] = {{0.05, BUTTON_F9}};
 	struct demo_run run;
@@ -346,8 +346,8 @@ int main(void)
 		cmocka_unit_test(test_fixed_point_draws_the_same_vertices),
 		cmocka_unit_test(test_coarser_levels_have_fewer_triangles),
 		cmocka_unit_test(test_levels_have_no_cracks),
-		cmocka_unit_test(test_levels_keep_near_in_motion),
-		cmocka_unit_test(test_nothing_pops_while_she_moves),
+		cmocka_unit_test(test_levels_keep_their_error_in_motion),
+		cmocka_unit_test(test_no_level_changes_while_the_walker_moves),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/* Meshes of fewer triangles for shadows. */
+/* Shadow proxies. */
 #include "app/scene/shadow/shadow_proxy.h"
 #include "tests/support/test.h"
 
@@ -88,7 +88,7 @@ static void test_a_fine_net_loses_most_triangles_and_keeps_its_border(
 	free_net(net);
 }
 
-/* Every vertex has a joint of its own, so that none stands for another. */
+/* Vertices with different joints are not merged. */
 static void test_joints_stay_apart(void **state)
 {
 	struct net *net = make_net();

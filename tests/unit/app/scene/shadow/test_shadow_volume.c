@@ -33,7 +33,7 @@ static struct cast begin(struct model *model)
 	return cast;
 }
 
-/* Over no ground that is known. */
+/* A light without ground. */
 static void update(struct cast *cast, const float towards[3], float reach)
 {
 	const struct shadow_light light = {
@@ -50,7 +50,7 @@ static void end(struct cast *cast)
 	model_destroy(cast->model);
 }
 
-/* A unit cube with its eight corners shared. */
+/* A unit cube with eight vertices. */
 static struct model *make_cube(void)
 {
 	static const uint32_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
@@ -70,7 +70,7 @@ static struct model *make_cube(void)
 	return model;
 }
 
-/* Each edge is passed as often in one direction as in the other. */
+/* A closed surface has each edge equally often in both directions. */
 static void assert_watertight(const struct shadow_caster *caster)
 {
 	for (int i = 0; i < caster->index_count; i++) {
@@ -112,21 +112,21 @@ static float volume_of(const struct shadow_caster *caster)
 	return sum;
 }
 
-static void test_a_sheet_facing_the_light_casts_a_closed_box(void **state)
+static void test_a_plane_facing_the_light_casts_a_closed_box(void **state)
 {
 	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
 	const struct shadow_caster *caster = &cast.volume.caster[0];
 
 	(void)state;
 	update(&cast, from_front, 3.0f);
-	/* 8 triangles, front and back, and 8 border edges of two each. */
+	/* 8 triangles in both caps, and two for each of 8 border edges. */
 	assert_int_equal(caster->index_count, 3 * (8 + 8 + 16));
 	assert_watertight(caster);
 	assert_near(volume_of(caster), 6.0 * 3.0, 1e-4);
 	end(&cast);
 }
 
-static void test_a_sheet_facing_away_casts_nothing_of_its_own(void **state)
+static void test_a_plane_facing_away_casts_nothing_of_its_own(void **state)
 {
 	struct cast cast = begin(small_model_grid(2, 2, 1.0f, true));
 
@@ -136,7 +136,7 @@ static void test_a_sheet_facing_away_casts_nothing_of_its_own(void **state)
 	end(&cast);
 }
 
-static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
+static void test_a_cube_casts_a_closed_volume_along_a_slanted_light(void **state)
 {
 	static const float slanted[3] = {0.36f, 0.48f, 0.8f};
 	struct cast cast = begin(make_cube());
@@ -147,13 +147,13 @@ static void test_a_cube_casts_a_closed_hull_along_a_slanted_light(void **state)
 	update(&cast, slanted, 2.0f);
 	assert_true(caster->index_count > 0);
 	assert_watertight(caster);
-	/* The three lit sides swept by 2: areas times cosines. */
+	/* Three lit sides, each with its area times cosine times length 2. */
 	assert_near(volume_of(caster), 6.0 * 2.0 * (0.36 + 0.48 + 0.8), 1e-4);
 	end(&cast);
 }
 
-/* On level ground it is as thin as uneven ground would have it. */
-static void test_a_hull_lies_where_the_ground_can_be(void **state)
+/* The volume is as thin as the ground's waves allow. */
+static void test_a_volume_extends_over_the_possible_ground(void **state)
 {
 	static struct floor floor = {
 		.y = -2.0f, .tile = 1.0f, .wave_height = 0.5f};
@@ -174,7 +174,7 @@ static void test_a_hull_lies_where_the_ground_can_be(void **state)
 		float z = 0.5f * (near[2] + far[2]);
 		float y = 0.5f * (near[1] + far[1]);
 
-		/* Down the light from the corner onto the ground itself. */
+		/* The corner's shadow on the ground. */
 		assert_near(x, (v & 1) - 0.75 * ((v >> 1 & 1) - y), 1e-5);
 		assert_near(z, v >> 2 & 1, 1e-5);
 		assert_near(y, floor_height(&floor, x, z), 0.02);
@@ -184,7 +184,7 @@ static void test_a_hull_lies_where_the_ground_can_be(void **state)
 	end(&cast);
 }
 
-static void test_a_hull_is_no_longer_than_its_reach(void **state)
+static void test_a_volume_is_no_longer_than_its_maximum(void **state)
 {
 	static struct floor floor = {.y = -9.0f, .tile = 1.0f};
 	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
@@ -200,7 +200,7 @@ static void test_a_hull_is_no_longer_than_its_reach(void **state)
 }
 
 /* A corner below the ground stays where it is. */
-static void test_a_hull_does_not_rise_towards_the_light(void **state)
+static void test_a_volume_does_not_rise_towards_the_light(void **state)
 {
 	static struct floor floor = {
 		.y = 3.0f, .tile = 1.0f, .wave_height = 0.5f};
@@ -216,15 +216,15 @@ static void test_a_hull_does_not_rise_towards_the_light(void **state)
 	end(&cast);
 }
 
-/* Only then may it be drawn without its far end. */
-static void test_a_hull_in_the_ground_may_lie_beyond_the_near_plane(void **state)
+/* Only then may the back cap be omitted. */
+static void test_depth_pass_needs_volumes_beyond_the_near_plane(void **state)
 {
 	static struct floor floor = {
 		.y = -1.0f, .tile = 1.0f, .wave_height = 0.1f};
 	struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
 		.max_length = 5.0f,
 		.ground = &floor,
-		/* x from -1.6 on */
+		/* The volume begins at x = -1.6. */
 		.near_plane = {1.0f, 0.0f, 0.0f, 1.6f}};
 	struct cast cast = begin(make_cube());
 	const struct shadow_caster *caster = &cast.volume.caster[0];
@@ -238,11 +238,11 @@ static void test_a_hull_in_the_ground_may_lie_beyond_the_near_plane(void **state
 	assert_true(lit > 0);
 	assert_int_equal(caster->back_cap_count, 3 * lit);
 	assert_true(cast.volume.depth_pass);
-	/* It cuts the far end of the shadow. */
+	/* The near plane cuts the volume's end. */
 	light.near_plane[3] = 1.4f;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
 	assert_false(cast.volume.depth_pass);
-	/* What ends above the ground has an end to be seen. */
+	/* The back cap of a volume that ends above the ground is visible. */
 	light.near_plane[3] = 1.6f;
 	light.max_length = 1.5f;
 	shadow_volume_update(&cast.volume, cast.instance, &light);
@@ -254,7 +254,7 @@ static void test_a_hull_in_the_ground_may_lie_beyond_the_near_plane(void **state
 	end(&cast);
 }
 
-/* From above, 8 units a side. */
+/* Draws from above; the picture is 8 units a side. */
 static void look_down(const struct gl *gl)
 {
 	static const GLfixed down[16] = {FX16_ONE / 4, 0, 0, 0, 0, 0,
@@ -268,7 +268,7 @@ static void look_down(const struct gl *gl)
 	gl->MultMatrixx(down);
 }
 
-/* How many pixels of white ground are dark. */
+/* The number of dark pixels on white ground. */
 static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	const struct floor *floor, const struct shadow_volume *volume)
 {
@@ -294,7 +294,7 @@ static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	return dark;
 }
 
-static void test_shadows_are_the_same_with_and_without_far_ends(void **state)
+static void test_depth_pass_and_depth_fail_draw_the_same_shadow(void **state)
 {
 	const struct bounds bounds = {
 		.low = {0.0f, -1.0f, 0.0f}, .high = {1.0f, 1.0f, 1.0f}};
@@ -342,7 +342,7 @@ static void test_seams_are_not_borders(void **state)
 	struct cast cast;
 
 	(void)state;
-	/* The right quad gets corners of its own at the same places. */
+	/* The right quad gets vertices of its own at the seam. */
 	primitive = &model->mesh[0].primitive[0];
 	primitive->position = arena_alloc(&model->arena, 8, sizeof(float[3]));
 	primitive->normal = arena_alloc(&model->arena, 8, sizeof(float[3]));
@@ -361,7 +361,7 @@ static void test_seams_are_not_borders(void **state)
 	end(&cast);
 }
 
-static void test_too_large_a_part_is_left_out_with_a_word(void **state)
+static void test_too_large_a_part_is_left_out_with_a_warning(void **state)
 {
 	struct model *model = small_model_grid(200, 200, 1.0f, true);
 	struct log nowhere = log_to_nowhere();
@@ -382,20 +382,21 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
-			test_a_sheet_facing_the_light_casts_a_closed_box),
+			test_a_plane_facing_the_light_casts_a_closed_box),
 		cmocka_unit_test(
-			test_a_sheet_facing_away_casts_nothing_of_its_own),
+			test_a_plane_facing_away_casts_nothing_of_its_own),
 		cmocka_unit_test(
-			test_a_cube_casts_a_closed_hull_along_a_slanted_light),
-		cmocka_unit_test(test_a_hull_lies_where_the_ground_can_be),
-		cmocka_unit_test(test_a_hull_is_no_longer_than_its_reach),
-		cmocka_unit_test(test_a_hull_does_not_rise_towards_the_light),
+			test_a_cube_casts_a_closed_volume_along_a_slanted_light),
+		cmocka_unit_test(test_a_volume_extends_over_the_possible_ground),
+		cmocka_unit_test(test_a_volume_is_no_longer_than_its_maximum),
+		cmocka_unit_test(test_a_volume_does_not_rise_towards_the_light),
 		cmocka_unit_test(
-			test_a_hull_in_the_ground_may_lie_beyond_the_near_plane),
+			test_depth_pass_needs_volumes_beyond_the_near_plane),
 		cmocka_unit_test(
-			test_shadows_are_the_same_with_and_without_far_ends),
+			test_depth_pass_and_depth_fail_draw_the_same_shadow),
 		cmocka_unit_test(test_seams_are_not_borders),
-		cmocka_unit_test(test_too_large_a_part_is_left_out_with_a_word),
+		cmocka_unit_test(
+			test_too_large_a_part_is_left_out_with_a_warning),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

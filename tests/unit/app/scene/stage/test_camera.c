@@ -10,7 +10,7 @@ static struct bounds box(float x, float y, float z)
 	return (struct bounds){.low = {-x, 0.0f, -z}, .high = {x, y, z}};
 }
 
-/* Where a point lands, -1..1 in both directions if it is in the picture. */
+/* A point's normalized device coordinates. */
 static void project(const struct camera *camera, float aspect,
 	const float point[3], float out[2])
 {
@@ -47,7 +47,7 @@ static void check_framing(struct bounds bounds, float aspect)
 		assert_true(fabsf(at[0]) <= 0.93f && fabsf(at[1]) <= 0.93f);
 		largest = fmaxf(largest, fmaxf(fabsf(at[0]), fabsf(at[1])));
 	}
-	/* The picture is used: something comes near the margin. */
+	/* The box is not needlessly small: a corner is near the margin. */
 	assert_true(largest > 0.8f);
 }
 

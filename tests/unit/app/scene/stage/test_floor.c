@@ -2,7 +2,7 @@
 #include "platform/gl/gl_context.h"
 #include "tests/support/test.h"
 
-/* A point inside of a triangle, by two shares. */
+/* A point in a triangle, by two barycentric coordinates. */
 static void mix(const struct floor *floor, const uint16_t *corner, float a,
 	float b, float out[3])
 {
@@ -13,7 +13,7 @@ static void mix(const struct floor *floor, const uint16_t *corner, float a,
 	}
 }
 
-/* How far what is drawn is off floor_height() anywhere in the solid part. */
+/* The greatest distance of the opaque mesh from floor_height(). */
 static float find_sag(const struct floor *floor)
 {
 	float most = 0.0f;
@@ -33,7 +33,7 @@ static float find_sag(const struct floor *floor)
 	return most;
 }
 
-/* As large as the walker's. */
+/* A floor as large as the walker's. */
 static void test_ground_is_drawn_where_it_is(void **state)
 {
 	const struct bounds bounds = {
@@ -56,7 +56,7 @@ static void test_ground_is_drawn_where_it_is(void **state)
 		assert_true(sag < floor_mesh_error(&floor));
 		floor_scroll(&floor, 0.07f, 0.11f);
 	}
-	/* It is not said to be worse than it is. */
+	/* The stated error is not much larger than the measured one. */
 	assert_true(2.0f * most > floor_mesh_error(&floor));
 	floor_finish(&floor, &context->gl);
 	context->driver->destroy(context);

@@ -21,7 +21,7 @@ static struct camera look(float pitch_rad, float distance)
 	return camera;
 }
 
-/* Where a point lands in a picture, from its lower left corner. */
+/* The pixel of a point, from the picture's lower left corner. */
 static void project(const struct camera *camera, int width, int height,
 	const float point[3], float out[2])
 {
@@ -40,7 +40,7 @@ static void project(const struct camera *camera, int width, int height,
 		(float)(frustum.top - frustum.bottom) * (float)height;
 }
 
-/* How far ahead of the eye a point is, level. */
+/* The level distance of a point ahead of the eye. */
 static float ahead_of(const struct camera *camera, const float point[3])
 {
 	float eye[3];
@@ -65,7 +65,7 @@ static void check_inside(const struct floor_strips *strips,
 	}
 }
 
-static void test_strips_reach_from_side_to_side(void **state)
+static void test_strips_extend_from_side_to_side(void **state)
 {
 	const struct camera camera = look(0.16f, 4.0f);
 	struct floor_strips strips;
@@ -172,7 +172,7 @@ static void test_shadows_far_out_are_below_the_horizon(void **state)
 	}
 }
 
-/* Units so large that 16.16 cannot tell quarters of pixels apart. */
+/* Units are so large that 16.16 cannot represent quarters of pixels. */
 static void test_coarse_numbers_leave_no_gap_at_the_sides(void **state)
 {
 	struct camera camera = look(0.16f, 0.01f);
@@ -194,7 +194,7 @@ static void test_coarse_numbers_leave_no_gap_at_the_sides(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_strips_reach_from_side_to_side),
+		cmocka_unit_test(test_strips_extend_from_side_to_side),
 		cmocka_unit_test(test_nothing_that_fades_counts_as_covered),
 		cmocka_unit_test(test_ground_seen_from_above_fills_the_picture),
 		cmocka_unit_test(test_near_ground_that_is_cut_off_covers_nothing),

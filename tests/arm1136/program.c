@@ -62,28 +62,28 @@ static bool grow(struct program *program)
 struct insn *program_insn(
 	struct program *program, uint32_t pc, uint32_t word, bool *is_new)
 {
-	struct insn **place;
+	struct insn **slot;
 
 	*is_new = false;
 	if (program->insn_count * 2 > program->insn_capacity && !grow(program)) {
 		return NULL;
 	}
-	place = slot_of(program->insn, program->insn_capacity, pc);
-	if (*place && (*place)->word == word) {
-		return *place;
+	slot = slot_of(program->insn, program->insn_capacity, pc);
+	if (*slot && (*slot)->word == word) {
+		return *slot;
 	}
 	*is_new = true;
-	if (!*place) {
-		*place = malloc(sizeof(**place));
-		if (!*place) {
+	if (!*slot) {
+		*slot = malloc(sizeof(**slot));
+		if (!*slot) {
 			return NULL;
 		}
 		program->insn_count++;
 	} else {
-		free((*place)->text);
+		free((*slot)->text);
 	}
-	insn_decode(*place, pc, word);
-	return *place;
+	insn_decode(*slot, pc, word);
+	return *slot;
 }
 
 struct region *program_region(struct program *program, uint32_t pc, uint8_t id)

@@ -30,7 +30,7 @@ struct named_count {
 };
 
 /* What a function cost. */
-struct share {
+struct symbol_cost {
 	const struct symbol *symbol; /* NULL: outside the program */
 	struct insn_counts counts;
 };
@@ -114,10 +114,10 @@ static void add_counts(struct insn_counts *sum, const struct insn_counts *more)
 	}
 }
 
-static int compare_shares(const void *a, const void *b)
+static int compare_costs(const void *a, const void *b)
 {
-	const struct share *left = a;
-	const struct share *right = b;
+	const struct symbol_cost *left = a;
+	const struct symbol_cost *right = b;
 
 	if (left->counts.cycles != right->counts.cycles) {
 		return left->counts.cycles > right->counts.cycles ? -1 : 1;
@@ -126,13 +126,14 @@ static int compare_shares(const void *a, const void *b)
 }
 
 /* The cost of each symbol, and of code outside all symbols; largest first. */
-static struct share *shares_of(const struct program *program, size_t *count)
+static struct symbol_cost *symbol_costs(
+	const struct program *program, size_t *count)
 {
 	const struct symbols *symbols = &program->symbols;
-	struct share *share = calloc(symbols->count + 1, sizeof(*share));
+	struct symbol_cost *cost = calloc(symbols->count + 1, sizeof(*cost));
 
 	*count = 0;
-	if (!share) {
+	if (!cost) {
 		return NULL;
 	}
 	for (size_t i = 0; i < program->insn_capacity; i++) {
@@ -147,33 +148,33 @@ static struct share *shares_of(const struct program *program, size_t *count)
 		if (symbol) {
 			index = (size_t)(symbol - symbols->symbol);
 		}
-		share[index].symbol = symbol;
-		add_counts(&share[index].counts, &insn->counts);
+		cost[index].symbol = symbol;
+		add_counts(&cost[index].counts, &insn->counts);
 	}
-	qsort(share, symbols->count + 1, sizeof(*share), compare_shares);
-	while (*count <= symbols->count && share[*count].counts.executed) {
+	qsort(cost, symbols->count + 1, sizeof(*cost), compare_costs);
+	while (*count <= symbols->count && cost[*count].counts.executed) {
 		(*count)++;
 	}
-	return share;
+	return cost;
 }
 
 static void text_shares(FILE *out, const struct program *program)
 {
 	size_t count;
-	struct share *share = shares_of(program, &count);
+	struct symbol_cost *cost = symbol_costs(program, &count);
 
-	for (size_t i = 0; share && i < count && i < program->params->top; i++) {
-		const struct insn_counts *counts = &share[i].counts;
+	for (size_t i = 0; cost && i < count && i < program->params->top; i++) {
+		const struct insn_counts *counts = &cost[i].counts;
 
 		fprintf(out,
 			"symbol %s cycles %" PRIu64 " instructions %" PRIu64
 			" data-misses %" PRIu64 " stalls",
-			share[i].symbol ? share[i].symbol->name : "?",
+			cost[i].symbol ? cost[i].symbol->name : "?",
 			counts->cycles, counts->executed, counts->data_misses);
 		text_stalls(out, counts->stall);
 		fprintf(out, "\n");
 	}
-	free(share);
+	free(cost);
 }
 
 static int compare_insns(const void *a, const void *b)
@@ -339,22 +340,22 @@ static void json_region(
 static void json_shares(FILE *out, const struct program *program)
 {
 	size_t count;
-	struct share *share = shares_of(program, &count);
+	struct symbol_cost *cost = symbol_costs(program, &count);
 
-	for (size_t i = 0; share && i < count; i++) {
-		const struct insn_counts *counts = &share[i].counts;
+	for (size_t i = 0; cost && i < count; i++) {
+		const struct insn_counts *counts = &cost[i].counts;
 
 		fprintf(out,
 			"%s\n\t\t{\"name\": \"%s\", \"cycles\": %" PRIu64
 			", \"instructions\": %" PRIu64
 			", \"data_misses\": %" PRIu64 ", ",
 			i ? "," : "",
-			share[i].symbol ? share[i].symbol->name : "?",
+			cost[i].symbol ? cost[i].symbol->name : "?",
 			counts->cycles, counts->executed, counts->data_misses);
 		json_stalls(out, counts->stall);
 		fprintf(out, "}");
 	}
-	free(share);
+	free(cost);
 }
 
 static void json_params(FILE *out, const struct params *params)

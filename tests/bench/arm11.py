@@ -153,7 +153,7 @@ def counts_of(report, number):
     return next(r["counts"] for r in report["regions"] if r["name"].endswith(suffix))
 
 
-def shares(figures):
+def cycles_by_file(figures):
     """The region's cycles by chapter, largest first, as text."""
     where = places(figures.row.chapters)
     sums = {}
@@ -226,7 +226,7 @@ def print_table(all_figures, out):
             file=out,
         )
         if f.row.chapters and f.report:
-            print(f"    {', '.join(shares(f))}", file=out)
+            print(f"    {', '.join(cycles_by_file(f))}", file=out)
         if f.row.stages and f.report:
             print_split(f.report, out)
     print(NOTES, file=out)
@@ -273,7 +273,7 @@ def as_json(all_figures):
                 },
                 "bound": f.row.bound,
                 "aim": aims(f, ratio),
-                "shares": shares(f) if f.row.chapters and f.report else [],
+                "shares": cycles_by_file(f) if f.row.chapters and f.report else [],
                 "stages": split_as_json(f.report) if f.row.stages and f.report else {},
             }
             for f in all_figures

@@ -62,11 +62,11 @@ int temp_dir_count(const struct test_path *directory)
 }
 
 static int remove_entry(const char *path, const struct stat *status, int kind,
-	struct FTW *place)
+	struct FTW *position)
 {
 	(void)status;
 	(void)kind;
-	(void)place;
+	(void)position;
 	return remove(path);
 }
 

@@ -8,10 +8,10 @@ const uint8_t small_model_flat_map[1][4] = {{128, 128, 255, 255}};
 
 static void *take(struct model *model, size_t count, size_t size)
 {
-	void *room = arena_alloc(&model->arena, count, size);
+	void *memory = arena_alloc(&model->arena, count, size);
 
-	assert_non_null(room);
-	return room;
+	assert_non_null(memory);
+	return memory;
 }
 
 static void fill_vertices(

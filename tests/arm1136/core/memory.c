@@ -133,12 +133,12 @@ static int64_t write_to_ddr(struct memory *memory, int64_t now)
 /* L2 keeps a written line that it holds; other lines go on to memory. */
 static int64_t write_line(struct memory *memory, uint32_t line, int64_t now)
 {
-	struct memory_line *place = cache_find(&memory->l2, line);
+	struct memory_line *entry = cache_find(&memory->l2, line);
 
-	if (!place) {
+	if (!entry) {
 		return write_to_ddr(memory, now);
 	}
-	place->dirty = true;
+	entry->dirty = true;
 	memory->l2_free = later(now, memory->l2_free) + memory->params->l2_busy;
 	return memory->l2_free;
 }
@@ -161,22 +161,22 @@ static int64_t fill(
 {
 	const struct params *params = memory->params;
 	int64_t start = later(now, memory->l2_free);
-	struct memory_line *place = cache_find(&memory->l2, line);
+	struct memory_line *entry = cache_find(&memory->l2, line);
 
 	memory->l2_free = start + params->l2_busy;
-	if (place) {
+	if (entry) {
 		*from = CAUSE_L2;
 		return start + params->l2;
 	}
 	memory->counts.l2_missed++;
 	*from = CAUSE_DDR;
-	place = cache_victim(memory, &memory->l2, line);
+	entry = cache_victim(memory, &memory->l2, line);
 	start = later(start, memory->ddr_free);
 	memory->ddr_free = start + params->ddr_busy;
-	if (place->valid && place->dirty) {
+	if (entry->valid && entry->dirty) {
 		write_to_ddr(memory, start);
 	}
-	*place = (struct memory_line){.line = line, .valid = true};
+	*entry = (struct memory_line){.line = line, .valid = true};
 	return start + params->ddr;
 }
 
@@ -235,18 +235,18 @@ static int64_t translate_data(struct memory *memory, uint32_t address,
 static struct memory_line *allocate(struct memory *memory,
 	struct memory_cache *cache, uint32_t line, int64_t now)
 {
-	struct memory_line *place = cache_victim(memory, cache, line);
-	struct memory_line old = *place;
+	struct memory_line *entry = cache_victim(memory, cache, line);
+	struct memory_line old = *entry;
 
-	*place = (struct memory_line){.line = line, .valid = true};
-	place->arrives = fill(memory, line, now, &place->from);
+	*entry = (struct memory_line){.line = line, .valid = true};
+	entry->arrives = fill(memory, line, now, &entry->from);
 	if (old.valid && old.dirty) {
 		buffer_line(memory, old.line, now);
 	}
-	return place;
+	return entry;
 }
 
-/* The cycle from which one more line can be requested. */
+/* The entry of the miss that ends first, which holds the cycle of its end. */
 static int64_t *free_miss(struct memory *memory)
 {
 	int64_t *first = &memory->miss_ends[0];
@@ -264,14 +264,14 @@ static struct memory_line *start_miss(struct memory *memory, uint32_t line,
 {
 	int64_t *slot = free_miss(memory);
 	int64_t start = later(now, *slot);
-	struct memory_line *place = allocate(memory, &memory->l1d, line, start);
+	struct memory_line *entry = allocate(memory, &memory->l1d, line, start);
 
 	if (start > now) {
 		answer->pipe_until = start;
 		answer->pipe_cause = CAUSE_MISSES;
 	}
-	*slot = place->arrives;
-	return place;
+	*slot = entry->arrives;
+	return entry;
 }
 
 struct memory_answer memory_load(
@@ -279,7 +279,7 @@ struct memory_answer memory_load(
 {
 	struct memory_answer answer = {.cause = CAUSE_LOAD};
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
-	struct memory_line *place;
+	struct memory_line *entry;
 	int64_t now;
 
 	memory->counts.loads++;
@@ -287,21 +287,21 @@ struct memory_answer memory_load(
 		return answer;
 	}
 	now = translate_data(memory, address, began, &answer);
-	place = cache_find(&memory->l1d, line);
-	if (!place) {
+	entry = cache_find(&memory->l1d, line);
+	if (!entry) {
 		memory->counts.loads_missed++;
 		/* Data just written to that line is sent first. */
 		if (memory->is_open && memory->open_line == line) {
 			buffer_line(memory, line, now);
 			memory->is_open = false;
 		}
-		place = start_miss(memory, line, now, &answer);
-	} else if (place->arrives > now) {
+		entry = start_miss(memory, line, now, &answer);
+	} else if (entry->arrives > now) {
 		memory->counts.loads_awaited++;
 	}
-	if (place->arrives > now) {
-		answer.delay = place->arrives - began;
-		answer.cause = (enum cause)place->from;
+	if (entry->arrives > now) {
+		answer.delay = entry->arrives - began;
+		answer.cause = (enum cause)entry->from;
 	}
 	return answer;
 }
@@ -329,16 +329,16 @@ struct memory_answer memory_store(
 {
 	struct memory_answer answer = {.cause = CAUSE_WRITE_BUFFER};
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
-	struct memory_line *place;
+	struct memory_line *entry;
 
 	memory->counts.stores++;
 	if (memory->params->ideal) {
 		return answer;
 	}
 	now = translate_data(memory, address, now, &answer);
-	place = cache_find(&memory->l1d, line);
-	if (place) {
-		place->dirty = true;
+	entry = cache_find(&memory->l1d, line);
+	if (entry) {
+		entry->dirty = true;
 		return answer;
 	}
 	memory->counts.stores_missed++;
@@ -361,7 +361,7 @@ struct memory_answer memory_store(
 int64_t memory_fetch(struct memory *memory, uint32_t address, int64_t now)
 {
 	uint32_t line = address >> MEMORY_LINE_SHIFT;
-	struct memory_line *place;
+	struct memory_line *entry;
 	int64_t delay;
 
 	if (memory->params->ideal) {
@@ -372,6 +372,6 @@ int64_t memory_fetch(struct memory *memory, uint32_t address, int64_t now)
 		return delay;
 	}
 	memory->counts.fetches_missed++;
-	place = allocate(memory, &memory->l1i, line, now + delay);
-	return place->arrives - now;
+	entry = allocate(memory, &memory->l1i, line, now + delay);
+	return entry->arrives - now;
 }

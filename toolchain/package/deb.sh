@@ -1,13 +1,13 @@
 #!/bin/sh
-# deb.sh STAGE OUT: the installed tree STAGE as a Debian package for this
-# machine in the folder OUT.
+# deb.sh STAGE OUT: packs the installed tree STAGE as a Debian package for this
+# machine, in the folder OUT.
 set -eu
 stage=$1
 out=$2
 version=$("$stage/usr/bin/limber" --version | sed -n '1s/^limber \([^ ]*\).*/\1/p')
 architecture=$(dpkg --print-architecture)
 
-# dpkg-shlibdeps wants to stand in a source package.
+# dpkg-shlibdeps has to run in the tree of a source package.
 work=$stage.control
 rm -rf "$work"
 mkdir -p "$work/debian"
@@ -18,7 +18,7 @@ program=$(cd "$stage" && pwd)/usr/bin/limber
 depends=$(cd "$work" && dpkg-shlibdeps -O "$program" 2>/dev/null |
     sed -n 's/^shlibs:Depends=//p')
 [ -n "$depends" ] || {
-    echo "limber: dpkg-shlibdeps does not know the libraries of $program" >&2
+    echo "limber: dpkg-shlibdeps finds no libraries of $program: reinstall dpkg-dev" >&2
     exit 1
 }
 

@@ -1,4 +1,5 @@
-# Completion of limber in bash. It asks the program, so it never lags behind.
+# Completes limber's command line in bash. It reads the program's --help, so the
+# two always agree.
 # shellcheck shell=bash
 
 _limber_commands() {
@@ -10,16 +11,17 @@ _limber_options() {
     "$1" "$2" --help 2>/dev/null | sed -n 's/^  [- ][a-zA-Z ][, ] *\(--[a-z-]*\).*/\1/p'
 }
 
-# What the help of an option says follows it: "FILE", "N", or nothing.
+# Prints the name of an option's value in the help: "FILE", "N", or nothing.
 _limber_operand() {
     "$1" "$2" --help 2>/dev/null |
         sed -n "s/^  [- ][a-zA-Z ][, ].*$3 \([A-Z][^ ]*\) .*/\1/p; s/^  $3, --[a-z]* \([A-Z][^ ]*\) .*/\1/p"
 }
 
-# What the help of an option lists after a colon: "auto, gles1, soft or osmesa".
+# Prints the values that the help of an option lists between a colon and a
+# semicolon: "auto, gles1, soft or osmesa".
 _limber_values() {
     "$1" "$2" --help 2>/dev/null | sed -n "s/^ .*$3 [A-Z]* .*: //p" |
-        sed 's/ or /, /; s/,/ /g; s/([^)]*)//g'
+        sed 's/;.*//; s/ or /, /; s/,/ /g; s/([^)]*)//g'
 }
 
 _limber() {

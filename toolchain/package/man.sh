@@ -1,12 +1,12 @@
 #!/bin/sh
-# man.sh LIMBER: the manual page, made of what the program says of itself, so
-# that the two never differ.
+# man.sh LIMBER: prints the manual page. It takes commands and options from the
+# program's --help, so the two always agree.
 set -eu
 limber=$1
 version=$("$limber" --version | sed -n '1s/^limber \([^ ]*\).*/\1/p')
 commands=$("$limber" --help | sed -n 's/^  limber \([a-z]*\) .*/\1/p')
 
-# What troff would take for its own.
+# Characters that troff would interpret.
 quote='s/\\/\\e/g; s/-/\\-/g; s/^\./\\\&./; s/^'\''/\\\&'\''/'
 
 cat <<END
@@ -21,13 +21,14 @@ END
 cat <<'END'
 .fi
 .SH DESCRIPTION
-Plays glTF and DirectX .x models with morphing, hierarchical and skeletal
-animation, and demos that are steered by buttons: a desktop's keys, a board's
-GPIO lines or its keypad. Without a command it plays.
+limber plays glTF and DirectX .x models with morphing, hierarchical and skeletal
+animation. It also plays built-in demos, which you control with buttons: the keys
+of a desktop, or the GPIO lines or the keypad of a board. Without a command,
+limber plays.
 END
 
-# The first line of a command's help is its usage, then come paragraphs with
-# indented examples, then "Options:".
+# The help of a command begins with a line of usage. Paragraphs and indented
+# examples follow, then "Options:".
 for command in $commands; do
     "$limber" "$command" --help | sed "$quote" | awk '
         function literal(on) {
@@ -55,20 +56,20 @@ done
 
 cat <<'END'
 .SH "EXIT STATUS"
-0 when all went well, 1 when a file, a device or memory failed, 2 when the
-command line is wrong. Messages go to standard error, a sentence each.
-When something does not play,
-.B limber doctor
-says why and which command mends it.
+The exit status is 0 for success, 1 when a file, a device or memory failed, and 2
+when the command line is wrong. limber writes each error to standard error, as
+one sentence that says what is wrong and what to do.
+When something does not play, run
+.BR "limber doctor" :
+it says why, and which command repairs it.
 .SH FILES
 .TP
 .I ~/.config/limber/limber.conf
 .TQ
 .I /etc/limber.conf
-Options of
+limber reads the first of these files that exists. It contains options of
 .BR "limber play" ,
-by their names without dashes; the first of these files that is there. The
-command line wins over them.
+by their names without dashes. Options on the command line override it.
 .PP
 .nf
   [start]
@@ -85,14 +86,15 @@ command line wins over them.
 .SH ENVIRONMENT
 .TP
 .B LIMBER_ASSETS
-The folder of the demos' models, before the one that was installed.
+The folder in which limber looks for the demos' models first.
 .TP
 .B LIMBER_CONFIG
-A file in place of limber.conf, or none.
+The file that limber reads instead of limber.conf; "none" reads no file.
 .TP
 .BR LIMBER_EGL ", " LIMBER_GLES
-The vendor's libraries, as --egl-library and --gles-library.
+The libraries of the GPU's vendor, like --egl-library and --gles-library.
 .TP
 .BR DISPLAY ", " WAYLAND_DISPLAY
-Where the desktop is. Without one pictures go to the screen itself.
+The desktop on which limber opens its window. Without a desktop, limber shows
+pictures on the whole screen.
 END

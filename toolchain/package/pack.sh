@@ -1,7 +1,7 @@
 #!/bin/sh
-# pack.sh STAGE OUT VERSION ARCHITECTURE DEPENDS: the tree STAGE as limber's
-# Debian package in the folder OUT. The same tree gives the same bytes. Prints
-# the package's name.
+# pack.sh STAGE OUT VERSION ARCHITECTURE DEPENDS: packs the tree STAGE as
+# limber's Debian package in the folder OUT and prints the package's name. The
+# same tree always gives the same bytes.
 set -eu
 stage=$1
 package=$2/limber_$3_$4.deb
@@ -17,7 +17,7 @@ Suggests: libosmesa6, libegl1, libgles1
 Section: graphics
 Priority: optional
 Description: 3D character animation for ARM11 boards and desktops
- Plays glTF and DirectX .x models with skeletal, hierarchical and morph
+ limber plays glTF and DirectX .x models with skeletal, hierarchical and morph
  animation, on boards without a GPU driver and on desktops.
 END
 find "$stage" -exec touch -h -d @0 {} +

@@ -1,5 +1,5 @@
 #!/bin/sh
-# limber bench: what it prints. How fast this machine is does not matter here.
+# Tests what limber bench prints. The speed of this machine does not matter.
 . "$(dirname "$0")/../support/cli.sh"
 skinned=tests/fixtures/gltf/skin/and_morph.gltf
 
@@ -10,18 +10,18 @@ expect_out 'nanoseconds a vertex on this machine, the median of 2 runs'
 for kernel in float fixed an4044; do
     expect_out "^(skin positions)? +$kernel +[0-9.]+ +[0-9.]+ "
 done
-check 'limber bench: no kernel is infinitely fast' \
+check 'limber bench: every time is a positive number' \
     sh -c '! grep -Eqw "inf|nan|0\.00" "$1"' sh "$out_file"
 
 limber bench "$skinned" --runs 1 --kernel float
 expect_status 0
-check 'limber bench --kernel float: no other' \
+check 'limber bench --kernel float: measures no other kernel' \
     sh -c '! grep -Eq "fixed|an4044" "$1"' sh "$out_file"
 
 limber bench --runs 1 --kernel float --json
 expect_status 0
 expect_no_err
-check 'limber bench --json: three sizes of every row' node -e '
+check 'limber bench --json: every row has three sizes' node -e '
     const bench = JSON.parse(require("fs").readFileSync(process.argv[1]));
     if (bench.model !== null || bench.runs !== 1) throw Error("head");
     if (bench.results.length < 10) throw Error("rows");

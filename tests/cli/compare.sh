@@ -1,12 +1,12 @@
 #!/bin/sh
-# limber compare: its figures recomputed from the files it writes, its formats,
-# and what it refuses.
+# Tests limber compare: recomputes its figures from the files that it writes, and
+# tests its formats and what it refuses.
 . "$(dirname "$0")/../support/cli.sh"
 
 samples=${SAMPLES:-../shared}/models
 here=$(cd "$(dirname "$0")" && pwd)
 
-# recomputed MODEL FPS COUNT: so many figures, computed anew from its bakes.
+# recomputed MODEL FPS COUNT: recomputes COUNT figures from the baked models.
 recomputed() {
     name=$(basename "$1")
     if [ ! -f "$1" ]; then
@@ -42,7 +42,7 @@ expect_out '  a frame takes  *ARM11 us  us here '
 expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
 check 'the plot has a point for each technique' \
     test "$(grep -c '<circle' "$scratch/plot.svg")" -ge 4
-check 'the plot says what its second axis is' grep -qE \
+check 'the plot names its second axis' grep -qE \
     'against (us a frame on an ARM1136 \(predicted\)|instructions a frame|us a frame)<' \
     "$scratch/plot.svg"
 check 'the plot is well formed' python3 -c \

@@ -1,15 +1,15 @@
 #!/bin/sh
-# limber.conf: which file, who wins, what is said of a mistake; and what
-# --record-buttons writes down plays the same again.
+# Tests limber.conf: which file limber reads, what overrides it and how errors
+# are reported. Tests that --script plays back what --record-buttons wrote.
 . "$(dirname "$0")/../support/cli.sh"
 conf=$scratch/limber.conf
 
-# given LINE...: a limber.conf of these lines.
+# given LINE...: writes a limber.conf of these lines.
 given() {
     printf '%s\n' "$@" >"$conf"
 }
 
-# The demo that play says it shows.
+# expect_demo NAME: play prints that it shows this demo.
 expect_demo() {
     expect_status 0
     expect_out "^$1: "
@@ -50,7 +50,7 @@ expect_refusal 1 'limber.conf:3: size = 480: give'
 limber play --config "$scratch/missing.conf"
 expect_refusal 1 'missing.conf: cannot be read'
 
-# The same run twice: from a script, then from what was written down of it.
+# Runs twice: with a script, then with the record of the first run.
 printf '%s\n' '40 RIGHT down' '130 RIGHT up' '200 ENTER down' '210 ENTER up' \
     '300 UP down' '303 UP up' '304 UP down' '700 UP up' >"$scratch/run.txt"
 play() {
@@ -65,14 +65,14 @@ play --script "$scratch/said.txt" --record-buttons "$scratch/again.txt" \
 play -o "$scratch/idle.y4m"
 about 'a recorded run'
 expect_file "$scratch/said.txt"
-check 'the bounce is written as one press' test \
+check 'a bouncing button is recorded as one press' test \
     "$(grep -c UP "$scratch/said.txt")" -eq 2
-check 'the same is pressed again' cmp "$scratch/said.txt" "$scratch/again.txt"
-check 'the same is seen again' cmp "$scratch/first.y4m" "$scratch/second.y4m"
+check 'the second record equals the first' cmp "$scratch/said.txt" "$scratch/again.txt"
+check 'the second film equals the first' cmp "$scratch/first.y4m" "$scratch/second.y4m"
 if cmp -s "$scratch/first.y4m" "$scratch/idle.y4m"; then
-    fail 'the buttons do something'
+    fail 'the buttons change the film'
 else
-    pass 'the buttons do something'
+    pass 'the buttons change the film'
 fi
 
 given '[actions]' 'F6 = RIGHT' 'RIGHT = none'
@@ -86,21 +86,21 @@ limber play --demo arm --display null --frames 1 \
 expect_status 1
 expect_err 'x.txt: cannot be written'
 
-# A run that fails leaves the record and the film of another day alone.
+# A run that fails keeps an older record and an older film.
 echo old >"$scratch/kept.txt"
 echo old >"$scratch/kept.gif"
 limber play --demo arm --display kms:/dev/none --frames 1 \
     --record-buttons "$scratch/kept.txt" --record "$scratch/kept.gif"
 expect_status 1
-check 'the old record is kept' test "$(cat "$scratch/kept.txt")" = old
-check 'the old film is kept' test "$(cat "$scratch/kept.gif")" = old
+check 'the older record is kept' test "$(cat "$scratch/kept.txt")" = old
+check 'the older film is kept' test "$(cat "$scratch/kept.gif")" = old
 # shellcheck disable=SC2086,SC2016 # a command and its arguments
 run sh -c '(ulimit -f 0; exec "$@") 2>&1 >/dev/null | cat' sh $limber play \
     --demo arm --display null --clock fixed:30 --frames 30 \
     --script "$scratch/run.txt" --record-buttons "$scratch/kept.txt"
-about 'a record on a disk that is full'
+about 'a record on a full disk'
 expect_out '^limber: .*kept.txt: cannot be written: .*too large'
-check 'the record before is kept' test "$(cat "$scratch/kept.txt")" = old
+check 'the older record is kept' test "$(cat "$scratch/kept.txt")" = old
 check 'no temporary file is left' \
     test -z "$(find "$scratch" -name '*.part')"
 

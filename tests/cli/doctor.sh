@@ -1,6 +1,6 @@
 #!/bin/sh
-# limber doctor: a sound model has nothing, and each pitfall its sentence;
-# without a model, what the machine has, what it lacks and what to do.
+# Tests limber doctor. With a model: a sound one has no findings, and each pitfall
+# has its own. Without a model: it lists what the machine has and lacks.
 . "$(dirname "$0")/../support/cli.sh"
 
 python3 "$(dirname "$0")/doctor_models.py" "$scratch" >"$scratch/pitfalls"
@@ -13,9 +13,9 @@ cp "$out_file" "$scratch/sound.out"
 while read -r name pattern; do
     limber doctor "$scratch/$name.gltf"
     expect_out "^- .*$pattern"
-    check "$name: only where it is" sh -c "! grep -q '$pattern' '$scratch/sound.out'"
+    check "$name: the sound model has no such finding" sh -c "! grep -q '$pattern' '$scratch/sound.out'"
 done <"$scratch/pitfalls"
-check 'every pitfall had its model' test "$(wc -l <"$scratch/pitfalls")" -ge 24
+check 'every pitfall has a model' test "$(wc -l <"$scratch/pitfalls")" -ge 24
 
 limber doctor "$scratch/none.glb"
 expect_refusal 1 'none.glb: '
@@ -25,7 +25,7 @@ check 'a sound model in JSON' python3 -c '
 import json, sys
 assert json.load(open(sys.argv[1]))["findings"] == []' "$out_file"
 
-# Without a desktop, and with a window that nobody sees.
+# Without a desktop, and with a window that SDL only simulates.
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
 limber doctor
 cp "$out_file" "$scratch/machine"
@@ -40,7 +40,7 @@ expect_out '^  works    float: '
 expect_out '^  works    .*; this is the default$'
 expect_out '^  works    walker\.glb: /.*/walker\.glb$'
 expect_out '^  works    presets\.ini: /'
-check 'what is missing or broken has its remedy' awk '
+check 'everything that is missing or broken has a remedy' awk '
     wants && !/^           -> ./ { print last; bad = 1 }
     { wants = /^  (missing|broken) /; last = $0 }
     END { exit bad }' "$out_file"
@@ -66,7 +66,7 @@ if [ $has_window = yes ]; then
 fi
 
 SDL_VIDEODRIVER=dummy limber doctor --json
-check 'the machine in JSON: well formed, and true to the exit status' \
+check 'the JSON is well formed and agrees with the exit status' \
     python3 -c '
 import json, sys
 report = json.load(open(sys.argv[1]))
@@ -83,7 +83,7 @@ for finding in report["findings"]:
 assert sections == {"displays", "gl", "kernels", "buttons", "cameras",
     "watchdogs", "configuration", "files"}, sections' "$out_file" "$status"
 
-# The file of options: which one, and its first mistake.
+# limber.conf: which file, and its first error.
 limber doctor
 expect_out '^  unused   limber\.conf: there is none'
 printf '%s\n' '[start]' 'demo = face' >"$scratch/limber.conf"

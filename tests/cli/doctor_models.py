@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""doctor_models.py DIR: a sound model, and one more for each pitfall in it.
+"""doctor_models.py DIR: writes a sound model, and one more for each pitfall.
 
-Writes DIR/NAME.gltf and prints "NAME PATTERN" lines: what limber doctor has to
-say of NAME and of no other file that lacks the pitfall.
+It writes DIR/NAME.gltf and prints lines "NAME PATTERN": limber doctor reports the
+pattern for NAME, and not for the sound model.
 """
 import base64
 import copy
@@ -51,7 +51,7 @@ IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
 def sound():
-    """A skinned triangle on two joints, each turned by a clip."""
+    """A skinned triangle on two joints, which a clip rotates."""
     m = Model()
     position = m.array([0, 0, 0, 1, 0, 0, 0, 1, 0])
     normal = m.array([0, 0, 1] * 3)

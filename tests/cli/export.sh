@@ -1,11 +1,11 @@
 #!/bin/sh
-# limber export: the C source compiles without a warning, plays what limber
-# poses, and takes what it says.
+# Tests limber export: the C source compiles without warnings, plays the same
+# poses as limber, and needs as many bytes as limber prints.
 . "$(dirname "$0")/../support/cli.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 samples=${SAMPLES:-../shared}/models
 
-# farthest A B: how far vertices are apart, over the largest coordinate.
+# farthest A B: the largest distance of two vertices, over the largest coordinate.
 farthest() {
     paste -d' ' "$1" "$2" | awk '
         { for (i = 2; i <= 4; i++) {
@@ -14,7 +14,7 @@ farthest() {
         END { printf "%.7f\n", NR && large ? far / large : 1 }'
 }
 
-# plays MODEL CLIP TIME...
+# plays MODEL CLIP TIME...: compares the exported poses with limber's.
 plays() {
     model=$1
     clip=$2
@@ -67,7 +67,7 @@ limber export "$slider"
 expect_refusal 2 'no file to write: add --c FILE.c'
 limber export "$slider" --c "$scratch/1st.c"
 expect_refusal 1 'is not a C identifier'
-check 'nothing is left of it' test ! -e "$scratch/1st.c"
+check 'no file is left' test ! -e "$scratch/1st.c"
 limber export "$slider" --c "$scratch/none/one.c"
 expect_refusal 1 'one.c: cannot be written: No such file'
 tap_done

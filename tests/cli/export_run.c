@@ -1,7 +1,7 @@
 /*
- * What `limber export` wrote, played: prints the vertices at the times given,
- * as limber pose does, and the size of its state. EXPORTED names the file,
- * P its prefix.
+ * Plays what `limber export` wrote: prints the vertices at a time, as limber
+ * pose does, and the size of its state. EXPORTED is the name of the file, P the
+ * prefix of its functions.
  */
 #include EXPORTED
 

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Files that are missing, unreadable, no model, or cannot be written: exit
-# status 1, one sentence with the file's name and the reason.
+# Tests files that are missing, cannot be read, contain no model or cannot be
+# written: limber exits with 1, after one sentence with the name and the reason.
 . "$(dirname "$0")/../support/cli.sh"
 
 out=$scratch/out
 
-# refused PATTERN FILE: by every command that reads a model.
+# refused PATTERN FILE: every command that reads a model refuses it.
 refused() {
     limber info "$2"
     expect_refusal 1 "$1"
@@ -22,7 +22,7 @@ refused 'none\.glb: .*[Nn]o such file' "$scratch/none.glb"
 limber "$scratch/none.glb" --display null
 expect_status 1
 expect_err 'none\.glb: '
-# Before a display is looked for, of which there may be none.
+# limber reports a missing model before it looks for a display.
 limber play "$scratch/none.glb" --display kms:/dev/none
 expect_status 1
 expect_err '^limber: .*none\.glb: No such file'
@@ -55,7 +55,7 @@ expect_refusal 1 'dance'
 limber render "$slider" --clip 7 -o "$out.png"
 expect_refusal 1 '7'
 
-# Places that cannot be written.
+# Folders that do not exist.
 limber pose "$slider" -o "$scratch/nowhere/out.obj"
 expect_refusal 1 'nowhere/out\.obj: .*[Nn]o such'
 limber render "$slider" -o "$scratch/nowhere/out.png"
@@ -65,8 +65,8 @@ expect_refusal 1 'nowhere/out\.gif: '
 limber render "$slider" --frames 2 -o "$scratch/nowhere/out.y4m"
 expect_refusal 1 'nowhere/out\.y4m: .*[Nn]o such'
 
-# A full disk: a device of that kind, in a folder of the test's own where root
-# can make one.
+# A full disk: a device like /dev/full, which root can make in a folder of the
+# test's own.
 full=$scratch/full
 if ! { mknod -m 666 "$full" c 1 7 && : >"$full"; } 2>/dev/null; then
     rm -f "$full"
@@ -96,7 +96,7 @@ else
     skip 'a full disk' 'this machine has no /dev/full that may be written to'
 fi
 
-# A file that may not grow: what stood there before stays, and nothing is left.
+# A file that may not grow: the older file is kept, and no other file is left.
 mkdir "$scratch/kept"
 for command in 'pose -o out.obj' 'render -o out.png' 'render --frames 3 -o out.gif' \
     'render --frames 3 -o out.y4m' 'export --clip slide --c out.c' \
@@ -116,14 +116,14 @@ for command in 'pose -o out.obj' 'render -o out.png' 'render --frames 3 -o out.g
 done
 check 'no temporary file is left' test -z "$(ls -A "$scratch/kept")"
 
-# A pipe, standard output and a link are written to as they are.
+# limber writes to pipes, to standard output and through links.
 # shellcheck disable=SC2086,SC2016 # a command and its arguments
 run sh -c 'mkfifo "$1"; cat "$1" & shift; "$@"; wait' sh "$scratch/pipe" $limber \
     pose "$slider" -o "$scratch/pipe"
 about 'limber pose into a pipe'
 expect_status 0
 expect_out '^o node0_prim0$'
-check 'the pipe is still one' test -p "$scratch/pipe"
+check 'the pipe is still a pipe' test -p "$scratch/pipe"
 limber pose "$slider" -o /dev/stdout
 expect_status 0
 expect_out '^o node0_prim0$'
@@ -139,18 +139,19 @@ mkdir "$scratch/elsewhere"
 ln -s elsewhere/target.obj "$scratch/link.obj"
 limber pose "$slider" -o "$scratch/link.obj"
 expect_quiet
-check 'the link is still one' test -L "$scratch/link.obj"
-check 'what it leads to is written' test -s "$scratch/elsewhere/target.obj"
+check 'the link is still a link' test -L "$scratch/link.obj"
+check 'the target of the link is written' test -s "$scratch/elsewhere/target.obj"
 limber render "$slider" -o "$out.bmp"
 expect_err '^limber: .*\.bmp: .*png.*gif.*y4m'
 expect_no_out
 
-# A watchdog: fed by frames, and dismissed; without one it goes on.
+# Frames feed a watchdog, and limber disables it at the end. Without a watchdog
+# limber plays as well.
 : >"$scratch/watchdog"
 limber play "$slider" --display null --frames 2 --watchdog "$scratch/watchdog"
 expect_status 0
 expect_no_err
-check 'a watchdog is fed and dismissed' \
+check 'a watchdog is fed and disabled' \
     test "$(bytes "$scratch/watchdog" 0 9)" = 0056
 limber play "$slider" --display null --frames 2 --watchdog "$scratch/none"
 expect_status 0

@@ -1,5 +1,5 @@
 #!/bin/sh
-# limber play --record, a picture on a button, and the graph of frame times.
+# Tests limber play --record, pictures kept with F8, and the frame times.
 . "$(dirname "$0")/../support/cli.sh"
 
 case $limber in
@@ -8,7 +8,7 @@ case $limber in
 esac
 slider=$(cd "$(dirname "$slider")" && pwd)/${slider##*/}
 
-# play WORDS...: quietly, into nothing, at fixed times, ten pictures.
+# play OPTION...: plays ten frames at fixed times without showing them.
 play() {
     limber play "$slider" --display null --format rgba8888 --size 40x30 \
         --clock fixed:10 --frames 10 --gl soft "$@"
@@ -28,7 +28,7 @@ for kind in y4m gif; do
     check "a film is what render writes: .$kind" \
         cmp "$scratch/film.$kind" "$scratch/rendered.$kind"
 done
-check 'no part is left behind' test ! -e "$scratch/film.gif.part"
+check 'no temporary file is left' test ! -e "$scratch/film.gif.part"
 
 limber play "$slider" --record film.mp4 --frames 1 --display null
 expect_refusal 2 'gif or .y4m'
@@ -37,7 +37,7 @@ limber play "$slider" --record "$scratch/none/film.gif" --frames 1 \
 expect_status 1
 expect_err 'none/film.gif'
 
-# Where pictures go is where the program was begun.
+# Pictures are written to the current folder.
 if [ "${limber#/}" != "$limber" ]; then
     (
         cd "$scratch" || exit 1
@@ -52,13 +52,13 @@ if [ "${limber#/}" != "$limber" ]; then
             --size 40x30 --gl soft --script /dev/null --clock fixed:10 \
             -o rendered.png
     )
-    about 'F8 under F9'
+    about 'F8 while F9 is held'
     check 'keeps the picture of that moment' \
         cmp "$scratch/limber-0001.png" "$scratch/rendered.png"
-    check 'takes the next free name' test -e "$scratch/limber-0002.png"
+    check 'uses the next free name' test -e "$scratch/limber-0002.png"
 fi
 
-# F9 held: the graph covers the corner, and goes again.
+# Holding F9 shows the graph; holding it again hides the graph.
 printf '0 F9 down\n800 F9 up\n' >"$scratch/hold"
 printf '0 F9 down\n800 F9 up\n1000 F9 down\n1800 F9 up\n' >"$scratch/twice"
 printf '0 F9 down\n300 F9 up\n' >"$scratch/tap"
@@ -67,7 +67,7 @@ for script in hold twice tap; do
         --script "$scratch/$script" -o "$scratch/$script.png"
     expect_status 0
 done
-check 'F9 held shows the graph' \
+check 'holding F9 shows the graph' \
     sh -c '! cmp -s "$1" "$2"' sh "$scratch/hold.png" "$scratch/tap.png"
-check 'F9 held again hides it' cmp "$scratch/twice.png" "$scratch/tap.png"
+check 'holding F9 again hides it' cmp "$scratch/twice.png" "$scratch/tap.png"
 tap_done

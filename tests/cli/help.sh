@@ -1,8 +1,8 @@
 #!/bin/sh
-# What limber says about itself.
+# Tests --help and --version.
 . "$(dirname "$0")/../support/cli.sh"
 
-# helped COMMAND OPTION...: its help is there and tells each option.
+# helped COMMAND OPTION...: its help describes each of the options.
 helped() {
     command=$1
     shift
@@ -13,7 +13,7 @@ helped() {
     for option; do
         expect_out "^ +(-., )?$option( |$)"
     done
-    # An example to begin with, and no line that a terminal would wrap.
+    # It has an example, and its lines fit a terminal of 100 columns.
     expect_out "^  limber .*"
     check "limber $command --help: at most 100 columns" awk \
         'length > 100 { print; bad = 1 } END { exit bad }' "$out_file"
@@ -53,7 +53,7 @@ cp "$out_file" "$scratch/version"
 limber pose --version
 check 'limber pose --version: the same' cmp "$scratch/version" "$out_file"
 
-# Help comes first, whatever else stands there.
+# --help takes precedence over all other options.
 limber render --size 10x10 --help
 expect_status 0
 expect_out '^limber render '

@@ -1,5 +1,5 @@
 #!/bin/sh
-# limber info: what it tells, for people and for programs.
+# Tests what limber info prints, as text and as JSON.
 . "$(dirname "$0")/../support/cli.sh"
 
 limber info "$slider"
@@ -15,7 +15,7 @@ limber info "$slider" --json
 expect_status 0
 expect_no_err
 # shellcheck disable=SC2016 # JavaScript
-check 'JSON with the clips' node -e '
+check 'the JSON has the clips' node -e '
     const info = JSON.parse(require("fs").readFileSync(process.argv[1]));
     const names = info.clips.map((clip) => clip.name);
     if (names.join() !== "slide,rise") { throw new Error(names.join()); }
@@ -29,7 +29,7 @@ expect_out 'levels: 6 at 10 mm, 2 at 100 mm, 1 at 50 mm for shadows'
 
 limber info "$levels" --json
 # shellcheck disable=SC2016 # JavaScript
-check 'JSON with the levels' node -e '
+check 'the JSON has the levels of detail' node -e '
     const info = JSON.parse(require("fs").readFileSync(process.argv[1]));
     const told = info.meshes[0].levels.map((level) =>
         `${level.triangles} ${level.error_m.toFixed(3)} ${level.shape}`);

@@ -1,8 +1,8 @@
 #!/bin/sh
-# limber pose: what it writes, and when.
+# Tests the vertices that limber pose writes at different times.
 . "$(dirname "$0")/../support/cli.sh"
 
-# posed X Y: the triangle of the slider, moved there.
+# posed X Y: prints the triangle of the slider, moved to X and Y.
 posed() {
     awk -v x="$1" -v y="$2" 'BEGIN {
         print "o node0_prim0"
@@ -13,7 +13,7 @@ posed() {
     }'
 }
 
-# expect_pose X Y ARGUMENTS...
+# expect_pose X Y ARGUMENT...: limber pose writes that triangle.
 expect_pose() {
     posed "$1" "$2" >"$scratch/expected"
     shift 2
@@ -40,9 +40,9 @@ limber pose --clip slide --time 1 -o "$scratch/out.obj" -- "$scratch/-strange na
 expect_quiet
 expect_file "$scratch/out.obj"
 
-# Its first part is points, which are not drawn.
+# The first primitive of this model is points, which limber does not draw.
 limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0
-check 'parts keep the numbers of the file' \
+check 'primitives keep the numbers of the file' \
     grep -qx 'o node0_prim1' "$scratch/out.obj"
 tap_done

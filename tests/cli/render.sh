@@ -1,6 +1,6 @@
 #!/bin/sh
-# limber render: each kind of file, without a desktop. GL_DRIVERS are those that
-# this target has.
+# Tests limber render with each kind of file, without a desktop. GL_DRIVERS lists
+# the GL drivers of this target.
 . "$(dirname "$0")/../support/cli.sh"
 
 out=$scratch/out
@@ -42,7 +42,7 @@ for gl in ${GL_DRIVERS:-osmesa gles1} soft auto; do
     expect_png "$out-$gl.png" 33 17
 done
 
-# A picture in the panel's pixels, and one that differs from it by rounding.
+# The two pixel formats give pictures that differ by rounding.
 limber render "$slider" --size 33x17 --gl soft --format rgb565 -o "$out-565.png"
 expect_quiet
 expect_png "$out-565.png" 33 17
@@ -68,7 +68,7 @@ limber play "$slider" --display null --frames 3 --clock fixed:30
 expect_status 0
 expect_no_err
 
-# Stopped halfway: no file, and it says so.
+# A signal stops it: it reports that and leaves no file.
 half=$scratch/half.gif
 # shellcheck disable=SC2086,SC2016 # a command and its arguments
 run sh -c 'file=$1; shift; "$@" & while ! ls "$file".*.part; do sleep 0.1
@@ -77,5 +77,5 @@ run sh -c 'file=$1; shift; "$@" & while ! ls "$file".*.part; do sleep 0.1
 about 'limber render until a signal'
 expect_status 1
 expect_err '^limber: .*stopped'
-check 'no half a file' test -z "$(find "$scratch" -name 'half*')"
+check 'no incomplete file is left' test -z "$(find "$scratch" -name 'half*')"
 tap_done

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Wrong words on the command line: exit status 2, one sentence that says what
-# is wrong and what would be right, nothing written.
+# Tests wrong command lines: limber exits with 2, after one sentence that says what
+# is wrong and what would be right, and writes no file.
 . "$(dirname "$0")/../support/cli.sh"
 
 refused() {

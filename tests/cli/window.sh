@@ -1,5 +1,5 @@
 #!/bin/sh
-# limber play in a window, on a desktop that nobody sees, and without any.
+# Tests limber play in a window, on a virtual desktop and without a desktop.
 . "$(dirname "$0")/../support/cli.sh"
 
 limber play "$slider" --display window --frames 1
@@ -9,7 +9,7 @@ fi
 expect_status 1
 expect_err '^limber: --display window: .*(DISPLAY|desktop)'
 if [ -e /dev/fb0 ] || [ -e /dev/dri/card0 ]; then
-    skip 'no screen at all' 'this machine has one'
+    skip 'limber without a screen' 'this machine has a screen'
 else
     limber "$slider" --frames 1 --size 33x17
     expect_status 1
@@ -46,7 +46,7 @@ limber play "$slider" --display window --frames 2 --gl osmesa
 expect_status 0
 expect_no_err
 
-# EGL's own screen: here the root window, which any X server has.
+# --display egl: the window is the root window of the X server.
 root=$(xwininfo -root | sed -n 's/.*Window id: \(0x[0-9a-f]*\).*/\1/p')
 limber play "$slider" --display "egl:$root" --frames 3
 expect_status 0
@@ -59,7 +59,7 @@ limber play "$slider" --display egl --frames 3
 expect_status 1
 expect_err '^limber: --display egl: .*window 0 .*egl:NUMBER'
 
-# The person ends it from the terminal.
+# Ctrl-C ends it.
 # shellcheck disable=SC2086 # a command and its arguments
 run timeout -s INT 1 $limber play "$slider"
 about 'limber play until Ctrl-C'

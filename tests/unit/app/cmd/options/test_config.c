@@ -8,64 +8,64 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct bench {
+struct scene {
 	struct test_path folder, path;
 	struct config config;
 	struct options options;
-	struct log_capture said;
+	struct log_capture logged;
 	int error;
 };
 
 static int setup(void **state)
 {
-	struct bench *bench = calloc(1, sizeof(*bench));
+	struct scene *scene = calloc(1, sizeof(*scene));
 
-	assert_non_null(bench);
-	bench->folder = temp_dir_make();
-	bench->path = path_join(&bench->folder, "limber.conf");
-	bench->config.arena = arena_empty();
-	*state = bench;
+	assert_non_null(scene);
+	scene->folder = temp_dir_make();
+	scene->path = path_join(&scene->folder, "limber.conf");
+	scene->config.arena = arena_empty();
+	*state = scene;
 	return 0;
 }
 
 static int teardown(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
-	config_release(&bench->config);
-	temp_dir_remove(&bench->folder);
-	free(bench);
+	config_release(&scene->config);
+	temp_dir_remove(&scene->folder);
+	free(scene);
 	return 0;
 }
 
-static void load(struct bench *bench, enum command_bit command, const char *text)
+static void load(struct scene *scene, enum command_bit command, const char *text)
 {
-	struct log log = log_capture_begin(&bench->said);
+	struct log log = log_capture_begin(&scene->logged);
 
-	file_write(bench->path.text, text, strlen(text));
-	bench->options = options_default();
-	bench->error = config_load(&bench->config, bench->path.text, command,
-		&bench->options, &log);
+	file_write(scene->path.text, text, strlen(text));
+	scene->options = options_default();
+	scene->error = config_load(&scene->config, scene->path.text, command,
+		&scene->options, &log);
 }
 
 /* Refused with one sentence that begins with the place. */
-static void expect_refusal(struct bench *bench, int line, const char *why)
+static void expect_refusal(struct scene *scene, int line, const char *why)
 {
 	char place[600];
 
-	snprintf(place, sizeof(place), "%s:%d: ", bench->path.text, line);
-	assert_int_equal(bench->error, -EINVAL);
-	assert_int_equal(bench->said.count, 1);
+	snprintf(place, sizeof(place), "%s:%d: ", scene->path.text, line);
+	assert_int_equal(scene->error, -EINVAL);
+	assert_int_equal(scene->logged.count, 1);
 	assert_int_equal(
-		strncmp(bench->said.sentence[0], place, strlen(place)), 0);
-	assert_contains(bench->said.sentence[0], why);
+		strncmp(scene->logged.sentence[0], place, strlen(place)), 0);
+	assert_contains(scene->logged.sentence[0], why);
 }
 
 static void test_keys_are_options_by_their_names(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
-	load(bench, FOR_PLAY,
+	load(scene, FOR_PLAY,
 		"; a comment\n"
 		"# another\n"
 		"[start]\n"
@@ -86,71 +86,71 @@ static void test_keys_are_options_by_their_names(void **state)
 		"[options]\n"
 		"frames = 7\n"
 		"verbose = yes\n");
-	assert_int_equal(bench->error, 0);
-	assert_string_equal(bench->options.show.demo, "face");
-	assert_near(bench->options.motion.time_s, 1.5, 1e-9);
-	assert_near(bench->options.motion.speed, 0.5, 0.0);
-	assert_string_equal(bench->options.screen.display, "null");
-	assert_int_equal(bench->options.screen.size.width, 320);
-	assert_int_equal(bench->options.screen.size.height, 240);
-	assert_string_equal(bench->options.screen.gl, "soft");
-	assert_true(bench->options.show.no_labels);
-	assert_string_equal(bench->options.show.watchdog, "/dev/watchdog");
-	assert_string_equal(bench->options.input.camera, "pattern");
-	assert_int_equal(bench->options.show.frames, 7);
-	assert_true(bench->options.common.verbose);
-	assert_null(bench->options.input.buttons);
+	assert_int_equal(scene->error, 0);
+	assert_string_equal(scene->options.show.demo, "face");
+	assert_near(scene->options.motion.time_s, 1.5, 1e-9);
+	assert_near(scene->options.motion.speed, 0.5, 0.0);
+	assert_string_equal(scene->options.screen.display, "null");
+	assert_int_equal(scene->options.screen.size.width, 320);
+	assert_int_equal(scene->options.screen.size.height, 240);
+	assert_string_equal(scene->options.screen.gl, "soft");
+	assert_true(scene->options.show.no_labels);
+	assert_string_equal(scene->options.show.watchdog, "/dev/watchdog");
+	assert_string_equal(scene->options.input.camera, "pattern");
+	assert_int_equal(scene->options.show.frames, 7);
+	assert_true(scene->options.common.verbose);
+	assert_null(scene->options.input.buttons);
 }
 
 static void test_buttons_become_sources(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
-	load(bench, FOR_PLAY,
+	load(scene, FOR_PLAY,
 		"[buttons]\n"
 		"UP = gpio 53fd0000.gpio 18 active-low pull-up debounce=20\n"
 		"ENTER = gpio KEY_COL4 pull-down , key KEY_KPENTER\n"
 		"F9 = key KEY_W\n"
 		"keyboard = kpp\n"
 		"sources = script:a.txt\n");
-	assert_int_equal(bench->error, 0);
-	assert_string_equal(bench->options.input.buttons,
+	assert_int_equal(scene->error, 0);
+	assert_string_equal(scene->options.input.buttons,
 		"gpiod:UP=53fd0000.gpio 18 active-low pull-up debounce=20,"
 		"ENTER=KEY_COL4 pull-down,evdev:kpp,ENTER=KEY_KPENTER,"
 		"F9=KEY_W,script:a.txt");
-	load(bench, FOR_PLAY, "[buttons]\nkeyboard = all\n");
-	assert_string_equal(bench->options.input.buttons, "evdev");
-	load(bench, FOR_PLAY, "[buttons]\nF9 = key KEY_W\n");
-	assert_string_equal(bench->options.input.buttons, "evdev:,F9=KEY_W");
-	load(bench, FOR_PLAY, "[buttons]\nkeyboard = none\n");
-	assert_null(bench->options.input.buttons);
+	load(scene, FOR_PLAY, "[buttons]\nkeyboard = all\n");
+	assert_string_equal(scene->options.input.buttons, "evdev");
+	load(scene, FOR_PLAY, "[buttons]\nF9 = key KEY_W\n");
+	assert_string_equal(scene->options.input.buttons, "evdev:,F9=KEY_W");
+	load(scene, FOR_PLAY, "[buttons]\nkeyboard = none\n");
+	assert_null(scene->options.input.buttons);
 }
 
 static void test_actions_move_to_other_buttons(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
-	load(bench, FOR_PLAY, "[actions]\nF9 = UP\nF10 = none\n");
-	assert_int_equal(bench->error, 0);
-	assert_int_equal(bench->options.input.action[BUTTON_F9], BUTTON_UP);
-	assert_int_equal(bench->options.input.action[BUTTON_F10], BUTTON_COUNT);
-	assert_int_equal(bench->options.input.action[BUTTON_UP], BUTTON_UP);
+	load(scene, FOR_PLAY, "[actions]\nF9 = UP\nF10 = none\n");
+	assert_int_equal(scene->error, 0);
+	assert_int_equal(scene->options.input.action[BUTTON_F9], BUTTON_UP);
+	assert_int_equal(scene->options.input.action[BUTTON_F10], BUTTON_COUNT);
+	assert_int_equal(scene->options.input.action[BUTTON_UP], BUTTON_UP);
 }
 
 static void test_what_a_command_has_not_is_left_out(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
-	load(bench, FOR_POSE,
+	load(scene, FOR_POSE,
 		"[display]\ndisplay = fbdev\nsize = 10x20\n"
 		"[buttons]\nkeyboard = all\n[start]\ntime = 2\n");
-	assert_int_equal(bench->error, 0);
-	assert_null(bench->options.screen.display);
-	assert_int_equal(bench->options.screen.size.width, 480);
-	assert_null(bench->options.input.buttons);
-	assert_near(bench->options.motion.time_s, 2.0, 0.0);
-	load(bench, FOR_POSE, "[display]\nsize = big\n");
-	expect_refusal(bench, 2, "give a width and a height");
+	assert_int_equal(scene->error, 0);
+	assert_null(scene->options.screen.display);
+	assert_int_equal(scene->options.screen.size.width, 480);
+	assert_null(scene->options.input.buttons);
+	assert_near(scene->options.motion.time_s, 2.0, 0.0);
+	load(scene, FOR_POSE, "[display]\nsize = big\n");
+	expect_refusal(scene, 2, "give a width and a height");
 }
 
 static void test_mistakes_are_named_with_their_line(void **state)
@@ -180,44 +180,44 @@ static void test_mistakes_are_named_with_their_line(void **state)
 		{2, "[options]\nframes = none\n", "give a number"},
 		{2, "[options]\nconfig = x\n", "does not belong in [options]"},
 	};
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		load(bench, FOR_PLAY, cases[i].text);
-		expect_refusal(bench, cases[i].line, cases[i].why);
+		load(scene, FOR_PLAY, cases[i].text);
+		expect_refusal(scene, cases[i].line, cases[i].why);
 	}
 }
 
 static void test_a_line_that_is_too_long_is_refused(void **state)
 {
-	struct bench *bench = *state;
+	struct scene *scene = *state;
 	char text[3000];
 
 	memset(text, 'x', sizeof(text));
 	memcpy(text, "[start]\ndemo = ", 15);
 	text[sizeof(text) - 1] = '\0';
-	load(bench, FOR_PLAY, text);
-	expect_refusal(bench, 2, "this line has more than");
+	load(scene, FOR_PLAY, text);
+	expect_refusal(scene, 2, "this line has more than");
 }
 
 static void test_a_missing_file_is_named(void **state)
 {
-	struct bench *bench = *state;
-	struct log log = log_capture_begin(&bench->said);
+	struct scene *scene = *state;
+	struct log log = log_capture_begin(&scene->logged);
 
-	assert_int_equal(config_load(&bench->config, "/nowhere/limber.conf",
-				 FOR_PLAY, &bench->options, &log),
+	assert_int_equal(config_load(&scene->config, "/nowhere/limber.conf",
+				 FOR_PLAY, &scene->options, &log),
 		-ENOENT);
-	assert_contains(bench->said.sentence[0], "/nowhere/limber.conf");
-	assert_int_equal(config_load(&bench->config, bench->folder.text,
-				 FOR_PLAY, &bench->options, &log),
+	assert_contains(scene->logged.sentence[0], "/nowhere/limber.conf");
+	assert_int_equal(config_load(&scene->config, scene->folder.text,
+				 FOR_PLAY, &scene->options, &log),
 		-EIO);
 }
 
 static void test_files_are_found_in_their_order(void **state)
 {
-	struct bench *bench = *state;
-	struct test_path home = path_join(&bench->folder, "none-here");
+	struct scene *scene = *state;
+	struct test_path home = path_join(&scene->folder, "none-here");
 	char path[600];
 
 	assert_int_equal(setenv("XDG_CONFIG_HOME", home.text, 1), 0);
@@ -235,19 +235,19 @@ static void test_files_are_found_in_their_order(void **state)
 
 static void test_the_boards_file_is_good(void **state)
 {
-	struct bench *bench = *state;
-	struct log log = log_capture_begin(&bench->said);
+	struct scene *scene = *state;
+	struct log log = log_capture_begin(&scene->logged);
 
-	bench->options = options_default();
+	scene->options = options_default();
 	assert_int_equal(
-		config_load(&bench->config, "board/imx31-pdk/limber.conf",
-			FOR_PLAY, &bench->options, &log),
+		config_load(&scene->config, "board/imx31-pdk/limber.conf",
+			FOR_PLAY, &scene->options, &log),
 		0);
-	assert_int_equal(bench->said.count, 0);
-	assert_string_equal(bench->options.show.demo, "walker");
-	assert_string_equal(bench->options.screen.display, "fbdev");
-	assert_string_equal(bench->options.screen.gl, "soft");
-	assert_string_equal(bench->options.input.buttons,
+	assert_int_equal(scene->logged.count, 0);
+	assert_string_equal(scene->options.show.demo, "walker");
+	assert_string_equal(scene->options.screen.display, "fbdev");
+	assert_string_equal(scene->options.screen.gl, "soft");
+	assert_string_equal(scene->options.input.buttons,
 		"gpiod:UP=53fd0000.gpio 18 active-high,"
 		"DOWN=53fd0000.gpio 19 active-high,"
 		"LEFT=53fd0000.gpio 20 active-high,"
@@ -256,7 +256,7 @@ static void test_the_boards_file_is_good(void **state)
 		"F6=53fd0000.gpio 23 active-high,"
 		"F8=53fd0000.gpio 24 active-high,"
 		"F9=53fd0000.gpio 25 active-high,evdev");
-	assert_int_equal(buttons_check(bench->options.input.buttons, &log), 0);
+	assert_int_equal(buttons_check(scene->options.input.buttons, &log), 0);
 }
 
 int main(void)

@@ -7,7 +7,7 @@
 
 struct parse {
 	struct options options;
-	struct log_capture said;
+	struct log_capture logged;
 	int error;
 };
 
@@ -15,7 +15,7 @@ struct parse {
 static struct parse parse(enum command_bit command, const char *const *words)
 {
 	struct parse parse = {.options = options_default()};
-	struct log log = log_capture_begin(&parse.said);
+	struct log log = log_capture_begin(&parse.logged);
 	int count = 0;
 
 	while (words[count]) {
@@ -23,7 +23,7 @@ static struct parse parse(enum command_bit command, const char *const *words)
 	}
 	parse.error = options_parse(
 		&parse.options, command, count, (char **)words, &log);
-	parse.said.count = parse.error ? parse.said.count : 0;
+	parse.logged.count = parse.error ? parse.logged.count : 0;
 	return parse;
 }
 
@@ -62,7 +62,7 @@ static void test_refuses_a_text_that_is_empty(void **state)
 
 	(void)state;
 	assert_int_equal(demo.error, -EINVAL);
-	assert_contains(demo.said.sentence[0], "give the name of a demo");
+	assert_contains(demo.logged.sentence[0], "give the name of a demo");
 	assert_int_equal(output.error, -EINVAL);
 }
 
@@ -72,8 +72,8 @@ static void test_suggests_the_option_that_was_meant(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_int_equal(p.said.count, 1);
-	assert_contains(p.said.sentence[0], "did you mean --time?");
+	assert_int_equal(p.logged.count, 1);
+	assert_contains(p.logged.sentence[0], "did you mean --time?");
 }
 
 static void test_points_to_help_when_nothing_is_near(void **state)
@@ -82,7 +82,7 @@ static void test_points_to_help_when_nothing_is_near(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "--help lists the options");
+	assert_contains(p.logged.sentence[0], "--help lists the options");
 }
 
 static void test_does_not_suggest_what_the_command_does_not_take(void **state)
@@ -90,7 +90,7 @@ static void test_does_not_suggest_what_the_command_does_not_take(void **state)
 	struct parse p = PARSE(FOR_INFO, "--tmie", "1");
 
 	(void)state;
-	assert_contains(p.said.sentence[0], "--help lists the options");
+	assert_contains(p.logged.sentence[0], "--help lists the options");
 }
 
 static void test_refuses_an_option_of_another_command(void **state)
@@ -99,7 +99,7 @@ static void test_refuses_an_option_of_another_command(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "not an option of this command");
+	assert_contains(p.logged.sentence[0], "not an option of this command");
 }
 
 static void test_says_what_a_good_value_looks_like(void **state)
@@ -129,9 +129,9 @@ static void test_says_what_a_good_value_looks_like(void **state)
 		struct parse p = PARSE(FOR_RENDER, bad[i][0], bad[i][1]);
 
 		assert_int_equal(p.error, -EINVAL);
-		assert_int_equal(p.said.count, 1);
-		assert_contains(p.said.sentence[0], ": give ");
-		assert_contains(p.said.sentence[0], bad[i][1]);
+		assert_int_equal(p.logged.count, 1);
+		assert_contains(p.logged.sentence[0], ": give ");
+		assert_contains(p.logged.sentence[0], bad[i][1]);
 	}
 }
 
@@ -141,7 +141,7 @@ static void test_says_when_a_value_is_missing(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "its value is missing");
+	assert_contains(p.logged.sentence[0], "its value is missing");
 }
 
 static void test_refuses_a_value_for_a_switch(void **state)
@@ -150,7 +150,7 @@ static void test_refuses_a_value_for_a_switch(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "takes no value");
+	assert_contains(p.logged.sentence[0], "takes no value");
 }
 
 static void test_takes_one_model_only(void **state)
@@ -159,7 +159,7 @@ static void test_takes_one_model_only(void **state)
 
 	(void)state;
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.said.sentence[0], "b.glb: limber takes one model");
+	assert_contains(p.logged.sentence[0], "b.glb: limber takes one model");
 }
 
 static void test_takes_a_name_with_a_dash_after_two_dashes(void **state)

@@ -22,7 +22,7 @@ void matrix_apply_direction(mat4 matrix, const float direction[3], float out[3])
  */
 void matrix_rotation(mat4 matrix, float out[4]);
 
-/* The scale of a matrix that scales all axes alike: its first column's length. */
+/* The scale of a matrix that has the same scale on all axes: its first column's length. */
 float matrix_scale(const mat4 *matrix);
 
 #endif

@@ -15,8 +15,9 @@ struct transform transform_identity(void);
 void transform_to_matrix(const struct transform *transform, mat4 out);
 
 /*
- * out = parent * child. The result is exact if the parent scales all axes alike
- * or the child has no rotation; otherwise the shear of the product is dropped.
+ * out = parent * child. The result is exact if the parent has the same scale on
+ * all axes or the child has no rotation; otherwise the shear of the product is
+ * dropped.
  */
 void transform_compose(const struct transform *parent,
 	const struct transform *child, struct transform *out);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Two nodes, the second with two morph weights behind one of the first. */
+/* Two nodes; the second has two morph weights after one of the first. */
 struct fixture {
 	struct model_node node[2];
 	float weights[3];
@@ -133,7 +133,7 @@ static void assert_same_pose(const struct pose *a, const struct pose *b)
 		(size_t)a->weight_count * sizeof(*a->weight));
 }
 
-/* With a channel that holds still, known as such, and one that turns. */
+/* With a channel that is marked as constant and a linear rotation. */
 static void set_up_whole(struct fixture *f)
 {
 	static const float still[6] = {1, 2, 3, 1, 2, 3};
@@ -148,7 +148,7 @@ static void set_up_whole(struct fixture *f)
 
 static void test_a_whole_pose_is_the_rest_and_the_samples(void **state)
 {
-	/* Eighths, for which equal keys mix without rounding. */
+	/* At eighths, mixing equal keys does not round. */
 	static const float times[] = {0, 0.5f, 0.25f, 0.875f, -1, 7, 1, 0.125f};
 	struct fixture f;
 	struct pose want;

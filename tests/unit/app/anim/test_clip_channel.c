@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A channel of width floats a key. */
+/* A channel with width floats a key. */
 static struct model_channel make_channel(enum model_path path,
 	enum model_interpolation interpolation, int width, int key_count,
 	const float *time_s, const float *value)
@@ -69,7 +69,7 @@ static void test_linear_goes_straight_between_keys(void **state)
 	assert_near(sample_one(&LINEAR_POINTS, 2.5f, 2), 28, 1e-6);
 }
 
-/* Any time between the keys has its own value; nothing snaps to a rate. */
+/* Each time between the keys has its own value: there is no sampling rate. */
 static void test_pitfall_7_times_between_frames_are_not_rounded(void **state)
 {
 	(void)state;
@@ -112,7 +112,7 @@ static void test_pitfall_4_step_steps(void **state)
 	assert_true(sample_one(&channel, 3, 1) == 22);
 }
 
-/* Two keys half a second apart: in, value, out each. */
+/* Two keys at an interval of 0.5 s, each with tangent, value and tangent. */
 static const float CUBIC_TIMES[2] = {1, 1.5f};
 static const float CUBIC_POINTS[18] = {
 	77, 77, 77, 1, 2, 3, 4, 0, -2,  /* tangents out of key 0 */
@@ -134,7 +134,7 @@ static void test_pitfall_1_cubic_tangents_scale_with_the_interval(void **state)
 	assert_near(sample_one(&channel, 1.25f, 2), 1 - 0.125, 1e-6);
 	assert_true(sample_one(&channel, 1, 0) == 1);
 	assert_true(sample_one(&channel, 1.5f, 0) == 5);
-	/* Its slope at the first key is the tangent itself. */
+	/* The slope at the first key is the tangent. */
 	assert_near((sample_one(&channel, 1.001f, 0) - 1) / 0.001, 4, 0.05);
 }
 
@@ -200,7 +200,7 @@ static void test_pitfall_5_rotation_keys_take_the_shorter_arc(void **state)
 {
 	const double pi = acos(-1);
 	static const float time_s[2] = {0, 1};
-	/* 40 degrees about x, as its negative. */
+	/* The negative of 40 degrees about x, which is the same rotation. */
 	const float value[8] = {
 		0, 0, 0, 1, -(float)sin(pi / 9), 0, 0, -(float)cos(pi / 9)};
 	struct model_channel channel =
@@ -211,7 +211,7 @@ static void test_pitfall_5_rotation_keys_take_the_shorter_arc(void **state)
 	assert_near(sample_one(&channel, 0.5f, 3), cos(pi / 18), 3e-6);
 }
 
-/* The loader makes integer keys unit; float keys are the file's business. */
+/* The loader normalises integer keys, and float keys are the file's. */
 static void test_rotation_keys_are_taken_as_they_are(void **state)
 {
 	static const float time_s[2] = {0, 1};
@@ -323,15 +323,15 @@ static void test_an_override_counts_for_any_channel(void **state)
 }
 
 /*
- * Keys at 0.5, 1 and 3 s. Between the first two, x: 1 to 11; tangents are
- * (11 - 1) / 0.5 = 20 at the end and (11 - 1) / 2.5 = 4 in the middle; halfway
- * it is (1 + 11) / 2 + 0.5 * (20 - 4) / 8 = 7.
+ * The keys are at 0.5, 1 and 3 s. Between the first two, x goes from 1 to 11.
+ * The tangents are (11 - 1) / 0.5 = 20 at the first key and (11 - 1) / 2.5 = 4
+ * at the second, so halfway x is (1 + 11) / 2 + 0.5 * (20 - 4) / 8 = 7.
  */
 static void test_cubic_makes_catmull_rom_tangents(void **state)
 {
 	(void)state;
 	assert_near(sample_as(&LINEAR_POINTS, 0.75f, CLIP_CUBIC, 0), 7, 1e-5);
-	/* x: 11 to 11, tangents 4 and 0: 11 + 2 * (4 - 0) / 8. */
+	/* x goes from 11 to 11, tangents 4 and 0: 11 + 2 * (4 - 0) / 8. */
 	assert_near(sample_as(&LINEAR_POINTS, 2, CLIP_CUBIC, 0), 12, 1e-5);
 	assert_true(sample_as(&LINEAR_POINTS, 1, CLIP_CUBIC, 0) == 11);
 	assert_true(sample_as(&LINEAR_POINTS, 3, CLIP_CUBIC, 1) == 22);
@@ -358,7 +358,7 @@ static void test_cubic_has_no_corners(void **state)
 	float after = sample_as(&LINEAR_POINTS, 1 + step_s, CLIP_CUBIC, 1);
 
 	(void)state;
-	/* The tangent in the middle: (22 - 2) / 2.5 a second. */
+	/* The tangent of the middle key is (22 - 2) / 2.5 a second. */
 	assert_near((at - before) / step_s, 8, 0.1);
 	assert_near((after - at) / step_s, 8, 0.1);
 }

@@ -14,7 +14,7 @@ enum {
 	FINGER
 };
 
-/* A visitor that writes down each call. */
+/* A visitor that records each call. */
 struct record {
 	char text[2000];
 	size_t used;
@@ -22,11 +22,11 @@ struct record {
 
 static void note(struct record *record, const char *line)
 {
-	int room = (int)(sizeof(record->text) - record->used);
+	int left = (int)(sizeof(record->text) - record->used);
 	int wrote = snprintf(
-		record->text + record->used, (size_t)room, "%s\n", line);
+		record->text + record->used, (size_t)left, "%s\n", line);
 
-	assert_true(wrote > 0 && wrote < room);
+	assert_true(wrote > 0 && wrote < left);
 	record->used += (size_t)wrote;
 }
 
@@ -82,7 +82,7 @@ static struct hierarchy_visitor recorder(struct record *record)
 		note_rotate, note_scale, note_draw, note_pop};
 }
 
-/* The document's robot arm, each part in the order it is turned there. */
+/* The document's robot arm, each part with its order of rotations. */
 static void make_robot_arm(struct hierarchy_pivot pivot[4])
 {
 	static const enum hierarchy_order order[4] = {
@@ -181,7 +181,7 @@ static void test_siblings_are_popped_between(void **state)
 	assert_string_equal(record.text, want);
 }
 
-/* A visitor that keeps a matrix stack in double, as OpenGL defines it. */
+/* A visitor with a matrix stack in double, as OpenGL defines it. */
 struct stack {
 	double matrix[HIERARCHY_DEPTH + 1][4][4]; /* [column][row] */
 	int top;
@@ -233,7 +233,7 @@ static void stack_translate(void *user, const float o[3])
 	multiply_top(user, m);
 }
 
-/* glRotate as the OpenGL ES 1.1 specification prints it, section 2.10.2. */
+/* glRotate: the formula of the OpenGL ES 1.1 specification, section 2.10.2. */
 static void stack_rotate(void *user, float angle_rad, const float u[3])
 {
 	double s = sin(angle_rad);
@@ -383,7 +383,7 @@ static void test_the_deepest_tree_fits_gl_es_stacks(void **state)
 	make_chain(pivot, HIERARCHY_DEPTH);
 	assert_int_equal(hierarchy_check(&chain), 0);
 	walk_on_a_stack(&chain, &stack);
-	/* 15 pushes above the current matrix: 16 in all. */
+	/* The current matrix and 15 pushes make the 16 levels of GL ES 1.1. */
 	assert_int_equal(stack.highest, 15);
 }
 

@@ -1,6 +1,6 @@
 /*
- * The loops over joints against functions of one joint: bit for bit, on the
- * host the portable ones, on ARM the assembly.
+ * Compares the loops over joints with the functions for one joint, bit for bit:
+ * on the host the portable loops, on ARM the assembly.
  */
 #include "app/anim/joints.h"
 #include "app/anim/math/matrix.h"
@@ -31,7 +31,7 @@ static void fill(struct transform local[JOINTS])
 		}
 		quat_normalize(t->rotation);
 	}
-	/* Signs of zero, and what is no rotation at all. */
+	/* Zeros of both signs, and a quaternion that is no rotation. */
 	local[1].rotation[0] = -0.0f;
 	local[1].scale[1] = -1;
 	memset(&local[2], 0, sizeof(local[2]));
@@ -52,7 +52,7 @@ static void test_places_as_the_single_function_does(void **state)
 		transform_to_matrix(&local[j], want);
 		assert_memory_equal(out[j], want, sizeof(want));
 	}
-	/* Nothing behind the last one, and nothing at all for none. */
+	/* It writes nothing behind the last one, and nothing for count 0. */
 	memset(want, 0x55, sizeof(want));
 	assert_memory_equal(out[JOINTS], want, sizeof(want));
 	joints_to_matrices(local, 0, out + JOINTS);
@@ -83,7 +83,7 @@ static void test_multiplies_as_the_single_function_does(void **state)
 	assert_memory_equal(out[JOINTS], want, sizeof(want));
 }
 
-/* As pose_world() uses it: indices inside structs, -1 for roots, in place. */
+/* As in pose_world(): indices in structs, -1 for roots, a is out. */
 static void test_walks_down_a_tree_in_place(void **state)
 {
 	struct node {
@@ -111,7 +111,7 @@ static void test_walks_down_a_tree_in_place(void **state)
 	assert_memory_equal(world, want, sizeof(want));
 }
 
-/* The compiler's code around it expects single numbers, not short vectors. */
+/* The compiler's code needs vector length 1 in FPSCR. */
 static void test_leaves_the_processors_mode_alone(void **state)
 {
 	static const int index[1] = {0};

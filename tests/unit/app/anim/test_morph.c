@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Awkward numbers, so that a last step that is only nearly right shows. */
+/* Numbers that show a last step which is only nearly right. */
 static const float A[2][3] = {{0.1f, 0.7f, -1.3f}, {1e6f, 3, 0.3333333f}};
 static const float B[2][3] = {{5.9f, -0.2f, 2.7f}, {-17.77f, 1e-7f, 9}};
 static const float C[2][3] = {{1, 1, 1}, {2, 2, 2}};

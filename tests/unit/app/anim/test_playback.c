@@ -4,21 +4,22 @@
 #include <math.h>
 
 enum {
-	ROOM = 16
+	CAPACITY = 16
 };
 
-/* A two-second clip: marks at both ends and twice in between. */
+/* Events of a two-second clip: at both ends and twice in between. */
 static const struct playback_event EVENTS[4] = {
 	{0, 'a'}, {0.5f, 'b'}, {1.25f, 'c'}, {2, 'd'}};
 
 /* Advances and returns the passed ids as a string. */
 static const char *go(struct playback *playback, double step_s)
 {
-	static char text[ROOM + 1];
-	int passed[ROOM];
-	int count = playback_advance(playback, step_s, EVENTS, 4, passed, ROOM);
+	static char text[CAPACITY + 1];
+	int passed[CAPACITY];
+	int count =
+		playback_advance(playback, step_s, EVENTS, 4, passed, CAPACITY);
 
-	assert_true(count <= ROOM);
+	assert_true(count <= CAPACITY);
 	for (int i = 0; i < count; i++) {
 		text[i] = (char)passed[i];
 	}
@@ -144,7 +145,7 @@ static void test_to_and_fro_turns_with_the_speed(void **state)
 	assert_near(playback.time_s, 1.5, 1e-6);
 }
 
-/* Small steps and large ones tell the same story. */
+/* Small steps and large ones pass the same events. */
 static void test_steps_of_any_size_pass_the_same_marks(void **state)
 {
 	static const enum clip_repeat repeats[] = {CLIP_LOOP, CLIP_PING_PONG};

@@ -10,9 +10,9 @@
 static const float ROOT_HALF = 0.70710678f;
 
 /*
- * Four nodes: a root moved by (1, 0, 0) and turned a quarter about z; below it
- * a plain node at (0, 2, 0) that is no joint; below that a joint at (3, 0, 0)
- * with scale 2; and a skinned node off to the side.
+ * Four nodes: a root at (1, 0, 0), rotated by 90 degrees about z; its child at
+ * (0, 2, 0), which is no joint; below that a joint at (3, 0, 0) with scale 2;
+ * and a skinned node that is not among their parents.
  */
 struct fixture {
 	struct model model;
@@ -120,9 +120,9 @@ static void test_children_move_with_their_parents(void **state)
 	struct fixture f;
 	const float origin[3] = {0, 0, 0};
 	const float unit_x[3] = {1, 0, 0};
-	/* root: (1,0,0); child: + turned (0,2,0) = (-2,0,0); + (0,3,0) */
+	/* root (1,0,0) + rotated (0,2,0) = (-2,0,0) + rotated (3,0,0) */
 	const float want[3][3] = {{1, 0, 0}, {-1, 0, 0}, {-1, 3, 0}};
-	/* x turned is y, twice as long */
+	/* x is rotated to y and scaled by 2 */
 	const float tip[3] = {-1, 5, 0};
 	float out[3];
 
@@ -218,7 +218,7 @@ static void test_pitfall_9_plain_ancestors_count_in_a_palette(void **state)
 	}
 	pose_world(&f.pose, &f.model, NULL, f.world);
 	pose_palette(&skin, (const mat4 *)f.world, palette);
-	/* Node 1 is no joint; moving it by 1 along its x is 1 along y. */
+	/* Node 1 is no joint; its x axis is the world's y axis. */
 	f.pose.local[1].translation[0] += 1;
 	pose_world(&f.pose, &f.model, NULL, f.world);
 	pose_palette(&skin, (const mat4 *)f.world, moved);
@@ -257,7 +257,7 @@ static void test_the_bind_pose_leaves_vertices_in_place(void **state)
 {
 	struct fixture f;
 	int joint[2] = {2, 0}; /* in no order of the tree */
-	/* By hand: undo (-1,3,0), a quarter turn and the scale of 2. */
+	/* By hand: the inverse of (-1,3,0), 90 degrees and scale 2. */
 	mat4 inverse_bind[2] = {
 		{{0, -0.5f, 0, 0}, {0.5f, 0, 0, 0}, {0, 0, 0.5f, 0},
 			{-1.5f, -0.5f, 0, 1}},

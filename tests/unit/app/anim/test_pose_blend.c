@@ -11,8 +11,8 @@
 static const float ROOT_HALF = 0.70710678f;
 
 /*
- * Four nodes: 0, 1 below it, 2 below 1, 3 below 0; node 2 carries a mesh with
- * two morph targets.
+ * Four nodes: 1 and 3 are children of 0, 2 is a child of 1. Node 2 has a mesh
+ * with two morph targets.
  */
 struct fixture {
 	struct bones bones;
@@ -138,7 +138,7 @@ static void test_a_layer_adds_its_difference(void **state)
 
 	(void)state;
 	set_up(&f);
-	/* The pose: a quarter about y, scale 2, somewhere. */
+	/* The pose: 90 degrees about y, scale 2, any translation. */
 	bone = &f.out.local[2];
 	bone->translation[1] = 10;
 	bone->scale[0] = 2;
@@ -150,7 +150,7 @@ static void test_a_layer_adds_its_difference(void **state)
 	assert_near(bone->translation[1], 14, 1e-6);
 	assert_near(bone->scale[0], 6, 1e-6);
 	assert_near(f.out.weight[1], 0.75, 1e-6);
-	/* A quarter about y, then within it one about z: all halves. */
+	/* 90 degrees about y times 90 about z: all elements are halves. */
 	assert_near(bone->rotation[0], 0.5, 1e-6);
 	assert_near(bone->rotation[1], 0.5, 1e-6);
 	assert_near(bone->rotation[2], 0.5, 1e-6);
@@ -239,7 +239,7 @@ static void test_a_fade_may_begin_during_another(void **state)
 	fade_begin(&fade, &f.a, 1, EASE_LINEAR);
 	pose_copy(&shown, &f.b);
 	fade_update(&fade, 0.5f, &shown);
-	/* Back to a, from halfway. */
+	/* A second fade, from halfway back to a. */
 	fade_begin(&fade, &shown, 1, EASE_LINEAR);
 	pose_copy(&f.out, &f.a);
 	fade_update(&fade, 0, &f.out);
@@ -250,7 +250,7 @@ static void test_a_fade_may_begin_during_another(void **state)
 	tear_down(&f);
 }
 
-/* The clip goes on under the fade; nothing divides by it or freezes. */
+/* The clip plays on during the fade onto itself. */
 static void test_pitfall_8_a_clip_may_fade_onto_itself(void **state)
 {
 	struct fixture f;
@@ -284,7 +284,7 @@ static void test_a_fade_without_duration_is_over_at_once(void **state)
 	tear_down(&f);
 }
 
-/* Two clips of one channel each: x from 0 to 1 in 1 s, from 5 to 7 in 2 s. */
+/* Two clips with one channel each: x from 0 to 1 in 1 s, from 5 to 7 in 2 s. */
 static const float FRAMES[11] = {
 	0, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
 static const float TWO_SECONDS[2] = {0, 2};
@@ -345,7 +345,7 @@ static void test_joined_clips_lose_the_overlap(void **state)
 	assert_near(clip_join_duration(&join), 2.6, 1e-6);
 	assert_near(joined(&f, &join, 0), 0, 1e-6);
 	assert_near(joined(&f, &join, 0.5f), 0.5, 1e-6);
-	/* Both ends of the overlap belong to one clip alone. */
+	/* At both ends of the overlap only one clip counts. */
 	assert_near(joined(&f, &join, 0.6f), 0.6, 1e-5);
 	assert_near(joined(&f, &join, 1), 5.4, 1e-5);
 	assert_near(joined(&f, &join, 2.6f), 7, 1e-5);
@@ -364,7 +364,7 @@ static void test_joined_clips_mix_in_the_overlap(void **state)
 	set_up(&f);
 	make_clips(channel, clip);
 	join = clip_join_frames(&clip[0], &clip[1], CLIP_JOIN_FRAMES);
-	/* A quarter in: 0.7 and 5.1, eased 0.15625; linear 0.25. */
+	/* At a quarter: 0.7 and 5.1, weight 0.15625 eased, 0.25 linear. */
 	assert_near(joined(&f, &join, 0.7f), 0.7 + 4.4 * 0.15625, 1e-5);
 	join.ease = EASE_LINEAR;
 	assert_near(joined(&f, &join, 0.7f), 0.7 + 4.4 * 0.25, 1e-5);

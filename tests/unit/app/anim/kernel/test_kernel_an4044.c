@@ -1,5 +1,5 @@
 /*
- * AN4044's own loops give what limber's float kernel gives, within rounding.
+ * Compares AN4044's own loops with the float kernel, but for rounding.
  */
 #include "app/anim/kernel/kernel.h"
 #include "app/cmd/bench/bench_mesh.h"

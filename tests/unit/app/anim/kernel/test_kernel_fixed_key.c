@@ -1,5 +1,5 @@
 /*
- * Key frames, the ways between them, and weighted targets, in fixed point.
+ * Key frames, their interpolation and weighted targets in fixed point.
  */
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/kernel/layout/fixed_key.h"
@@ -161,7 +161,7 @@ static void test_a_point_alone_has_a_placement(void **state)
 	assert_near(placement.offset[1], 6, 0);
 }
 
-/* A line of vertices; targets move some of them, one moves none. */
+/* A line of vertices. Targets move some of them; one target moves none. */
 struct morphed {
 	float position[VERTICES][3], normal[VERTICES][3];
 	float delta[TARGETS][VERTICES][3];

@@ -1,6 +1,6 @@
 /*
- * The fixed-point loops: the C against sums in 64 bits, and every other
- * kernel's against the C's, bit for bit.
+ * Compares the fixed-point loops in C with sums in 64 bits, and those of all
+ * other kernels with the C, bit for bit.
  */
 #include "app/anim/kernel/fixed.h"
 #include "app/anim/kernel/kernel.h"
@@ -19,7 +19,7 @@ enum {
 };
 
 struct fixture {
-	/* Aligned as an arena's arrays are. */
+	/* With the alignment of an arena's arrays. */
 	_Alignas(16) struct fixed_base base[VERTICES * INFLUENCES_MAX + 1];
 	_Alignas(16) struct fixed_vector from[VERTICES];
 	_Alignas(16) struct fixed_vector step[VERTICES];
@@ -32,14 +32,14 @@ struct fixture {
 	struct fixed_rebase rebase[VERTICES];
 };
 
-/* What a loop writes, with room behind that it must leave alone. */
+/* The output of a loop, and memory behind it that must not change. */
 struct output {
 	_Alignas(16) struct fixed_vector vector[VERTICES + GUARD];
 	_Alignas(16) struct fixed_sum sum[VERTICES + GUARD];
 	_Alignas(16) struct fixed_base base[VERTICES + GUARD];
 };
 
-/* Anything, the ends of the range, or what no sum overflows with. */
+/* Any numbers, the ends of the range, or numbers whose sums do not overflow. */
 enum filling {
 	FILL_ANY,
 	FILL_ENDS,
@@ -64,7 +64,7 @@ static void fill(void *to, size_t size, enum filling filling, uint32_t *seed)
 	}
 }
 
-/* Groups of 1, 2, ... influences, of runs as long as chance has them. */
+/* Groups of 1, 2, ... influences with runs of random lengths. */
 static void make_groups(struct fixture *f, uint32_t *seed)
 {
 	int32_t *end = f->run;
@@ -243,7 +243,7 @@ static void test_moved_influences_are_rewritten(void **state)
 	struct fixed_base out[2];
 
 	(void)state;
-	/* 4 / 4, 41 / 4 = 10.25; -1 / 2 and -3 / 2 round up. */
+	/* 4 / 4 = 1, 41 / 4 = 10.25; -1 / 2 and -3 / 2 are rounded up. */
 	fixed_loops_c.rebase(2, rebase, delta, out);
 	assert_memory_equal(out, want, sizeof(want));
 }
@@ -263,7 +263,7 @@ static void test_increments_stop_at_the_ends(void **state)
 	assert_memory_equal(v, want, sizeof(want));
 }
 
-/* All loops, count vertices of each; count 0 is allowed. */
+/* Runs all loops with count vertices, which may be 0. */
 static void run_all(const struct fixed_loops *loops, const struct fixture *f,
 	int count, struct output out[5])
 {

@@ -1,6 +1,6 @@
 /*
- * Fixed point against float, on all models that there are: the project's, and
- * Khronos' where their folder is there.
+ * Compares fixed point with float for all models of the project, and for
+ * Khronos' sample models if their folder exists.
  */
 #include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
@@ -23,9 +23,9 @@ enum {
 	TIMES = 7
 };
 
-/* Worst of a primitive. */
+/* The largest errors of a primitive. */
 struct worst {
-	double position; /* of the posed vertices' radius */
+	double position; /* relative to the posed vertices' radius */
 	double normal_rad;
 };
 
@@ -37,7 +37,7 @@ struct scene {
 	mat4 *palette;
 };
 
-static void *room(struct arena *arena, int count, size_t size)
+static void *allocate(struct arena *arena, int count, size_t size)
 {
 	void *block = arena_alloc(arena, (size_t)count, size);
 
@@ -55,7 +55,7 @@ static double distance(const float a[3], const float b[3])
 	return sqrt(sum);
 }
 
-/* Of the sphere around the middle of the box: no more than 1.5 the smallest. */
+/* The radius of a sphere around all vertices, with the centre of their box. */
 static double radius(const float (*v)[3], int count)
 {
 	float low[3] = {1e30f, 1e30f, 1e30f};
@@ -78,7 +78,7 @@ static double radius(const float (*v)[3], int count)
 	return most;
 }
 
-static void place(const struct fixed_vector *v,
+static void to_float(const struct fixed_vector *v,
 	const struct fixed_placement *placement, float out[3])
 {
 	out[0] = (float)v->x * placement->scale + placement->offset[0];
@@ -101,7 +101,7 @@ static double angle_rad(const float unit[3], const struct fixed_vector *v)
 	return 2 * asin(fmin(1, chord / 2));
 }
 
-/* Float terms with the weights of the pose, or one target by itself. */
+/* The float kernel's terms for the given weights. */
 static void set_terms(const struct model_primitive *primitive,
 	const float *weight, int count, struct morph_term *term)
 {
@@ -112,7 +112,7 @@ static void set_terms(const struct model_primitive *primitive,
 	}
 }
 
-/* A skinned primitive, with targets where it has some. */
+/* A skinned primitive, with its targets if it has any. */
 struct skinned {
 	struct fixed_skin skin;
 	struct skin_stream stream;
@@ -151,12 +151,12 @@ static void compare_at(const struct scene *scene, struct skinned *it, int cap,
 	struct fixed_skin *skin = &it->skin;
 	struct arena arena = arena_empty();
 	int count = skin->vertex_count;
-	float(*position)[3] = room(&arena, count, sizeof(*position));
-	float(*normal)[3] = room(&arena, count, sizeof(*normal));
-	struct fixed_vector *out = room(&arena, count, sizeof(*out));
-	struct fixed_vector *out_normal = room(&arena, count, sizeof(*out));
+	float(*position)[3] = allocate(&arena, count, sizeof(*position));
+	float(*normal)[3] = allocate(&arena, count, sizeof(*normal));
+	struct fixed_vector *out = allocate(&arena, count, sizeof(*out));
+	struct fixed_vector *out_normal = allocate(&arena, count, sizeof(*out));
 	struct fixed_matrix *matrix =
-		room(&arena, skin->joint_count, sizeof(*matrix));
+		allocate(&arena, skin->joint_count, sizeof(*matrix));
 	struct fixed_placement placement;
 	double size;
 
@@ -181,7 +181,7 @@ static void compare_at(const struct scene *scene, struct skinned *it, int cap,
 	for (int i = 0; i < count; i++) {
 		float got[3];
 
-		place(&out[i], &placement, got);
+		to_float(&out[i], &placement, got);
 		worst->position = fmax(worst->position,
 			distance(got, position[skin->order[i]]) / size);
 		if (skin->base[FIXED_NORMAL]) {
@@ -198,7 +198,7 @@ static void set_up_skinned(struct skinned *it, const struct scene *scene,
 	struct arena *arena)
 {
 	it->target_count = scene->model->mesh[node->mesh].target_count;
-	it->weight = room(arena, it->target_count, sizeof(*it->weight));
+	it->weight = allocate(arena, it->target_count, sizeof(*it->weight));
 	assert_int_equal(skin_stream_init(&it->stream, primitive, 1, arena), 0);
 	assert_int_equal(fixed_skin_init(&it->skin, primitive,
 				 primitive->normal ? FIXED_NORMALS : 0, arena),
@@ -254,10 +254,10 @@ static void compare_morphed_at(const struct model_primitive *primitive,
 {
 	struct arena arena = arena_empty();
 	int count = primitive->vertex_count;
-	float(*position)[3] = room(&arena, count, sizeof(*position));
-	float(*normal)[3] = room(&arena, count, sizeof(*normal));
-	struct fixed_vector *out = room(&arena, count, sizeof(*out));
-	struct morph_term *term = room(&arena, target_count, sizeof(*term));
+	float(*position)[3] = allocate(&arena, count, sizeof(*position));
+	float(*normal)[3] = allocate(&arena, count, sizeof(*normal));
+	struct fixed_vector *out = allocate(&arena, count, sizeof(*out));
+	struct morph_term *term = allocate(&arena, target_count, sizeof(*term));
 	double size;
 
 	set_terms(primitive, weight, target_count, term);
@@ -269,7 +269,7 @@ static void compare_morphed_at(const struct model_primitive *primitive,
 	for (int i = 0; i < count; i++) {
 		float got[3];
 
-		place(&out[i], &morph->placement, got);
+		to_float(&out[i], &morph->placement, got);
 		worst->position = fmax(
 			worst->position, distance(got, position[i]) / size);
 	}
@@ -287,14 +287,14 @@ static void compare_morphed_at(const struct model_primitive *primitive,
 	arena_release(&arena);
 }
 
-/* At times of all clips, and with each target as far as it goes. */
+/* At times of all clips, and with each target at weight 1. */
 static void compare_morphed(struct scene *scene, const struct model_node *node,
 	const struct model_primitive *primitive, struct worst *worst)
 {
 	const struct model *model = scene->model;
 	int targets = model->mesh[node->mesh].target_count;
 	struct arena arena = arena_empty();
-	float *weight = room(&arena, targets, sizeof(*weight));
+	float *weight = allocate(&arena, targets, sizeof(*weight));
 	struct clip_cursor cursor;
 	struct fixed_morph morph;
 
@@ -335,8 +335,8 @@ static void expect_close(const char *path, const char *name, int primitive,
 
 static void compare_model(const char *path)
 {
-	struct log_capture heard;
-	struct log log = log_capture_begin(&heard);
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
 	struct scene scene = {.arena = arena_empty()};
 	struct model *model;
 	int joints = 1;
@@ -351,8 +351,8 @@ static void compare_model(const char *path)
 			: joints;
 	}
 	assert_int_equal(pose_init(&scene.pose, model, &scene.arena), 0);
-	scene.world = room(&scene.arena, model->node_count, sizeof(mat4));
-	scene.palette = room(&scene.arena, joints, sizeof(mat4));
+	scene.world = allocate(&scene.arena, model->node_count, sizeof(mat4));
+	scene.palette = allocate(&scene.arena, joints, sizeof(mat4));
 	for (int n = 0; n < model->node_count; n++) {
 		const struct model_node *node = &model->node[n];
 

@@ -1,5 +1,5 @@
 /*
- * Preparing skinned primitives for fixed point, and their palettes.
+ * The fixed-point layout of skinned primitives, and their palettes.
  */
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/kernel/layout/fixed_skin.h"
@@ -87,7 +87,7 @@ static void tear_down(struct fixture *f)
 	arena_release(&f->arena);
 }
 
-/* Q of the status register: some product or sum did not fit. */
+/* The Q flag of the status register: a product or sum overflowed. */
 static void clear_overflow(void)
 {
 #ifdef __arm__
@@ -105,7 +105,7 @@ static bool has_overflowed(void)
 	return status >> 27 & 1;
 }
 
-/* Positions by every kernel, within tolerance of float's. */
+/* Compares every kernel's positions with those in float. */
 static void compare_positions(struct fixture *f, int cap, double tolerance)
 {
 	assert_int_equal(fixed_palette_make(&f->skin, (const mat4 *)f->palette,
@@ -247,13 +247,13 @@ static void test_directions_are_floats(void **state)
 		double length = vec_length(v);
 
 		for (int axis = 0; axis < 3; axis++) {
-			/* Short sums lose digits when they are stretched. */
+			/* Normalising a short sum magnifies its error. */
 			assert_near(v[axis] / length,
 				f.want_normal[f.skin.order[i]][axis],
 				1e-3 + 5 / length);
 		}
 	}
-	/* The fixture's tangents are its normals. */
+	/* The fixture has the same tangents as normals. */
 	assert_memory_equal(f.skin.base[FIXED_NORMAL],
 		f.skin.base[FIXED_TANGENT],
 		(size_t)f.skin.influence_count *
@@ -280,7 +280,7 @@ static void test_no_scale_or_distance_wraps(void **state)
 	tear_down(&f);
 }
 
-/* All coordinates and matrices at the ends of what they may be. */
+/* All coordinates and matrices at the limits of their ranges. */
 static void test_the_corners_of_a_box_do_not_overflow(void **state)
 {
 	static struct fixture f;

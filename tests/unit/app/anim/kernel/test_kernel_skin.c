@@ -14,7 +14,7 @@ enum {
 	JOINTS = 7
 };
 
-/* A scattered mesh whose vertices have one to eight influences. */
+/* A mesh of scattered vertices with one to eight influences. */
 struct fixture {
 	float position[VERTICES][3];
 	float normal[VERTICES][3];
@@ -93,8 +93,8 @@ static int next_heaviest(const float weight[WIDTH], bool used[WIDTH])
 }
 
 /*
- * Example 4 of AN4044, in double and straight from the vertex attributes:
- * w is 1 for positions and 0 for normals.
+ * Example 4 of AN4044 in double, from the vertex attributes. w is 1 for
+ * positions and 0 for normals.
  */
 static void skin_reference(const struct fixture *f, int v, int cap,
 	const float base[3], double w, double out[3])
@@ -136,7 +136,7 @@ static void assert_skinned(const struct fixture *f, int cap)
 		length = sqrt(want[0] * want[0] + want[1] * want[1] +
 			want[2] * want[2]);
 		for (int r = 0; r < 3; r++) {
-			/* Short sums lose digits when they are stretched. */
+			/* Normalising a short sum magnifies its error. */
 			assert_near(f->out_normal[v][r], want[r] / length,
 				1e-6 + 1e-6 / length);
 		}
@@ -229,7 +229,7 @@ static void test_pitfall_16_a_morphed_shape_is_skinned(void **state)
 	tear_down(&f);
 }
 
-/* Tangents as the normals of the fixture, three steps on, and deltas. */
+/* The tangent of a vertex is the normal of the third one after it. */
 static void add_tangents(struct fixture *f, struct morph_term term[3])
 {
 	struct model_primitive primitive = {.tangent = f->tangent};

@@ -10,7 +10,7 @@
 
 static const float ROOT_HALF = 0.70710678f;
 
-/* A quaternion from any four numbers, in double. */
+/* Normalises a quaternion in double. */
 static void unit_quat(double x, double y, double z, double w, float out[4])
 {
 	double length = sqrt(x * x + y * y + z * z + w * w);
@@ -72,7 +72,7 @@ static void test_slerp_matches_the_formula_in_double(void **state)
 static void test_slerp_of_close_quaternions_is_smooth(void **state)
 {
 	(void)state;
-	/* Angles around the switch to the straight line, and far below it. */
+	/* Angles around the limits of the series, and far below them. */
 	for (double angle = 1e-6; angle < 0.2; angle *= 1.05) {
 		float a[4] = {0, 0, 0, 1};
 		float b[4] = {(float)sin(angle), 0, 0, (float)cos(angle)};
@@ -87,7 +87,7 @@ static void test_slerp_of_close_quaternions_is_smooth(void **state)
 static void test_pitfall_5_slerp_takes_the_shorter_arc(void **state)
 {
 	float a[4] = {0, 0, 0, 1};
-	/* 80 degrees about z, with all signs turned round: the same rotation */
+	/* The negative of 80 degrees about z, which is the same rotation. */
 	float b[4] = {0, 0, -(float)sin(40 * acos(-1) / 180),
 		-(float)cos(40 * acos(-1) / 180)};
 	float out[4];
@@ -162,7 +162,7 @@ static void test_normalize_repairs_what_it_can(void **state)
 
 static void test_multiply_applies_the_right_one_first(void **state)
 {
-	/* A quarter about x, then a quarter about y: +y goes to +z to +x. */
+	/* 90 degrees about x, then 90 about y: +y goes to +z and on to +x. */
 	float about_x[4] = {ROOT_HALF, 0, 0, ROOT_HALF};
 	float about_y[4] = {0, ROOT_HALF, 0, ROOT_HALF};
 	const float up[3] = {0, 1, 0};
@@ -258,11 +258,11 @@ static void test_between_without_a_direction_is_the_identity(void **state)
 
 static void test_matrix_scales_then_turns_then_moves(void **state)
 {
-	/* A quarter about z. */
+	/* 90 degrees about z. */
 	struct transform t = {
 		{10, 20, 30}, {0, 0, ROOT_HALF, ROOT_HALF}, {2, 3, 4}};
 	const float point[3] = {1, 1, 1};
-	/* (2, 3, 4) turned is (-3, 2, 4). */
+	/* (2, 3, 4) is rotated to (-3, 2, 4). */
 	const float want[3] = {7, 22, 34};
 	const float turned[3] = {-3, 2, 4};
 	float out[3];

@@ -24,7 +24,7 @@ static void set_up(struct bones *bones)
 	bones_add(bones, CHEST, 0, 0.4f, 0);
 	bones_add(bones, CHEST, 0.2f, 0.3f, 0);
 	bones_add(bones, UPPER, 0, 0.3f, 0);
-	/* The arm hangs to the side: a quarter about z. */
+	/* The arm is rotated by 90 degrees about z. */
 	bones->node[UPPER].rest.rotation[2] = -ROOT_HALF;
 	bones->node[UPPER].rest.rotation[3] = ROOT_HALF;
 	bones->model.weight_count = 2;
@@ -36,7 +36,7 @@ static void test_a_breath_is_empty_at_its_ends_and_full_once(void **state)
 	struct breath breath = breath_default(CHEST);
 
 	(void)state;
-	/* Four seconds each: 1.6 in, 2.4 out. */
+	/* A breath takes 4 s: 1.6 s in and 2.4 s out. */
 	assert_near(breath_at(&breath, 0), 0, 1e-6);
 	assert_near(breath_at(&breath, 0.8), 0.5, 1e-5);
 	assert_near(breath_at(&breath, 1.6), 1, 1e-5);
@@ -61,13 +61,13 @@ static void test_a_full_breath_swells_the_chest_alone(void **state)
 	assert_near(bones.pose.local[CHEST].scale[0], 1.02, 1e-6);
 	assert_near(bones.pose.local[CHEST].scale[1], 1.01, 1e-6);
 	assert_near(bones.pose.local[CHEST].scale[2], 1.05, 1e-6);
-	/* Children keep their size, also the one turned by a quarter. */
+	/* Children keep their size, also the one that is rotated. */
 	for (int c = NECK; c <= FOREARM; c++) {
 		for (int axis = 0; axis < 3; axis++) {
 			assert_near(vec_length(bones.world[c][axis]), 1, 1e-5);
 		}
 	}
-	/* But they are carried along. */
+	/* But their positions move with the chest. */
 	assert_near(bones.pose.local[CHEST].rotation[0], sin(-0.0175 / 2), 1e-6);
 	assert_near(bones.world[NECK][3][1], 1 + 0.4 * 1.01 * cos(0.0175), 1e-5);
 	bones_end(&bones);
@@ -122,7 +122,7 @@ static void test_a_muscle_is_drawn_by_the_joints_bend(void **state)
 	assert_near(muscle_at(&muscle, &bones.pose), 0, 1e-6);
 	bend(&bones, 0.7f);
 	assert_near(muscle_bend_rad(&bones.pose, FOREARM), 0.7, 4e-6);
-	/* A quarter of the range, eased. */
+	/* A quarter of the range, with easing. */
 	assert_near(muscle_at(&muscle, &bones.pose), 0.15625, 1e-5);
 	bend(&bones, -1.2f);
 	assert_near(muscle_at(&muscle, &bones.pose), 0.5, 1e-5);
@@ -146,7 +146,7 @@ static void test_a_drawn_muscle_swells_and_morphs(void **state)
 	assert_near(bones.pose.local[UPPER].scale[1], 1, 1e-5);
 	assert_near(bones.pose.local[UPPER].scale[2], 1.1, 1e-5);
 	assert_near(bones.pose.weight[1], 0.1 + 0.4, 1e-5);
-	/* The forearm, bent within the swelling plane, keeps its lengths. */
+	/* The forearm keeps its size. */
 	for (int axis = 0; axis < 3; axis++) {
 		assert_near(vec_length(bones.world[FOREARM][axis]), 1, 1e-5);
 	}

@@ -15,7 +15,7 @@ static void test_points_inside_are_pushed_straight_out(void **state)
 	(void)state;
 	assert_true(capsule_push(&LYING, 0.1f, beside));
 	assert_all_near(beside, want, 3, 1e-6);
-	/* Round the end it is a sphere; this one is at 0.5 already. */
+	/* Beyond its ends a capsule is a sphere; this point is at 0.5. */
 	assert_true(capsule_push(&LYING, 0.25f, beyond));
 	assert_near(beyond[0], 1 + 0.75 * 0.6, 1e-6);
 	assert_near(beyond[2], 0.75 * 0.8, 1e-6);
@@ -60,13 +60,13 @@ static void test_capsules_go_with_their_nodes(void **state)
 	const struct capsule capsule = {0, 1, {0, 1, 0}, {1, 0, 0}, 0.25f};
 	const float a[3] = {5, 1, 0};
 	const float b[3] = {5, 5, 0};
-	struct capsule_world place;
+	struct capsule_world posed;
 
 	(void)state;
-	capsule_to_world(&capsule, 1, (const mat4 *)world, &place);
-	assert_all_near(place.a, a, 3, 1e-6);
-	assert_all_near(place.b, b, 3, 1e-6);
-	assert_near(place.radius, 0.25, 0);
+	capsule_to_world(&capsule, 1, (const mat4 *)world, &posed);
+	assert_all_near(posed.a, a, 3, 1e-6);
+	assert_all_near(posed.b, b, 3, 1e-6);
+	assert_near(posed.radius, 0.25, 0);
 }
 
 int main(void)

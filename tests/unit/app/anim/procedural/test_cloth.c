@@ -65,10 +65,10 @@ static void frame(struct fixture *f, float step_s)
 
 static double apart(const struct cloth *cloth, int a, int b)
 {
-	float way[3];
+	float offset[3];
 
-	vec_subtract(cloth->position[b], cloth->position[a], way);
-	return (double)vec_length(way);
+	vec_subtract(cloth->position[b], cloth->position[a], offset);
+	return (double)vec_length(offset);
 }
 
 static void test_links_are_what_the_grid_has(void **state)
@@ -77,7 +77,7 @@ static void test_links_are_what_the_grid_has(void **state)
 
 	(void)state;
 	set_up(&f, 3, 4);
-	/* Across 2*4, down 3*3, diagonals 2*2*3, over next 1*4 + 3*2. */
+	/* Across 2*4, down 3*3, diagonals 2*2*3, to the second 1*4 + 3*2. */
 	assert_int_equal(f.cloth.link_count, 8 + 9 + 12 + 10);
 	for (int l = 0; l < f.cloth.link_count; l++) {
 		const struct cloth_link *link = &f.cloth.link[l];
@@ -113,7 +113,7 @@ static void test_hanging_it_stays_in_its_shape(void **state)
 	for (int i = 0; i < 300; i++) {
 		frame(&f, 0.016f);
 	}
-	/* Gravity stretches it by what the give allows, no more. */
+	/* Gravity stretches it, but no more than 2%. */
 	assert_all_near(f.cloth.position, f.shape, 60, 0.012);
 	for (int i = 0; i < 20; i++) {
 		assert_near(f.cloth.velocity[i][1], 0, 0.02);
@@ -137,7 +137,7 @@ static void test_pins_follow_their_nodes(void **state)
 				-0.05 - 0.01 * (i + 1), 1e-4);
 		}
 	}
-	/* What hangs lags behind, then comes after. */
+	/* The lower end lags behind the pins, then follows. */
 	assert_true(f.cloth.position[17][2] > -0.5f);
 	for (int i = 0; i < 600; i++) {
 		frame(&f, 0.016f);
@@ -152,7 +152,7 @@ static void test_turned_nodes_turn_the_pins(void **state)
 
 	(void)state;
 	set_up(&f, 4, 5);
-	/* Half a turn about y swaps sides and puts the cape in front. */
+	/* 180 degrees about y swap the sides and put the cape in front. */
 	f.bones.pose.local[LEFT].rotation[1] = 1;
 	f.bones.pose.local[LEFT].rotation[3] = 0;
 	frame(&f, 0.016f);
@@ -179,7 +179,7 @@ static void test_wind_blows_it_out(void **state)
 static void test_it_keeps_out_of_capsules(void **state)
 {
 	struct fixture f;
-	/* A body right under the pins. */
+	/* A capsule right under the pins. */
 	const struct capsule_world body = {
 		{0, 1.35f, -0.1f}, {0, 0.8f, -0.1f}, 0.12f};
 
@@ -194,7 +194,7 @@ static void test_it_keeps_out_of_capsules(void **state)
 		float point[3];
 
 		memcpy(point, f.cloth.position[i], sizeof(point));
-		/* Its length comes first; a millimetre may be missing. */
+		/* The length takes precedence: a millimetre of overlap is left. */
 		assert_false(
 			capsule_push(&body, f.settings.radius - 1e-3f, point));
 	}
@@ -231,7 +231,7 @@ static void test_normals_are_unit_and_face_back(void **state)
 	set_up(&f, 4, 5);
 	frame(&f, 0.016f);
 	for (int i = 0; i < 20; i++) {
-		/* Columns run to +X and rows down: that side is +Z. */
+		/* Columns run to +X and rows down, so normals point to +Z. */
 		assert_near(f.cloth.normal[i][2], 1, 1e-3);
 	}
 	f.cloth.settings.wind[2] = -9;
@@ -282,7 +282,7 @@ static void test_a_jump_begins_anew(void **state)
 	tear_down(&f);
 }
 
-/* Shoulders thrown about, with a body in the way. */
+/* Shoulders that move wildly, and a capsule in the cloth. */
 static void throw_about(int columns, int rows, int count, float step_s)
 {
 	struct fixture f;
@@ -340,7 +340,7 @@ static void test_odd_steps_and_shapes_stay_finite(void **state)
 	for (int i = 0; i < 9; i++) {
 		assert_true(isfinite(vec_length(f.cloth.position[i])));
 	}
-	/* All particles in one place. */
+	/* All particles have the same position. */
 	memset(f.shape, 0, sizeof(f.shape));
 	assert_int_equal(
 		cloth_init(&f.cloth, &f.settings, (const float(*)[3])f.shape,

@@ -34,7 +34,7 @@ static void tear_down(struct fixture *f)
 	bones_end(&f->bones);
 }
 
-/* One update from the rest pose, and where the head looks then. */
+/* Updates once from the rest pose; out is the direction of the head. */
 static void look(
 	struct fixture *f, const float target[3], float step_s, float out[3])
 {
@@ -61,7 +61,7 @@ static void test_it_looks_at_a_target_within_its_limits(void **state)
 
 	(void)state;
 	set_up(&f);
-	/* A turned body does not matter. */
+	/* The rotation of the body does not matter. */
 	f.bones.pose.local[BODY].rotation[1] = sinf(0.4f);
 	f.bones.pose.local[BODY].rotation[3] = cosf(0.4f);
 	for (int i = 0; i < 100; i++) {

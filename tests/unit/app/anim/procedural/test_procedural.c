@@ -14,7 +14,7 @@
 
 static const double FACTOR = 0.3; /* cos(0) * amplitude */
 
-/* An arm of three bones below a shoulder, and a head beside it. */
+/* A shoulder, elbow and hand, and a head that is not below them. */
 enum {
 	ROOT,
 	SHOULDER,
@@ -190,7 +190,7 @@ static void test_the_swing_is_multiplied_onto_the_animated_bone(void **state)
 	transform_to_matrix(elbow, animated);
 	procedural_apply(&f.shake, 0, &f.bones.pose);
 	transform_to_matrix(elbow, got);
-	/* The point turned about y and moved along y, then animated. */
+	/* The point is rotated about y and moved along y, then animated. */
 	moved[0] = (float)(cos(angle) * point[0] + sin(angle) * point[2]);
 	moved[1] = point[1] + (float)(FACTOR * 1.3);
 	moved[2] = (float)(cos(angle) * point[2] - sin(angle) * point[0]);
@@ -204,7 +204,7 @@ static void test_rotations_turn_about_x_then_y_then_z(void **state)
 {
 	struct fixture f;
 	const float up[3] = {0, 1, 0};
-	/* Quarters carry +y: about x to +z, about y to +x, about z to +y. */
+	/* Rotations by 90 degrees about x, y and z take +y to +z, +x, +y. */
 	float out[3];
 
 	(void)state;

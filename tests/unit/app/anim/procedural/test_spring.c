@@ -17,7 +17,7 @@ enum {
 	BONES = 4
 };
 
-/* A ponytail of four bones of 0.1, pointing back from a head. */
+/* A ponytail of four bones, 0.1 long each, which points back from a head. */
 struct fixture {
 	struct bones bones;
 	struct spring spring;
@@ -47,7 +47,7 @@ static void no_gravity(struct fixture *f)
 	memset(f->spring.gravity, 0, sizeof(f->spring.gravity));
 }
 
-/* One frame from the animated pose, which is the rest pose. */
+/* Advances one frame. The animated pose is the rest pose. */
 static void frame(struct fixture *f, float step_s)
 {
 	for (int i = FIRST; i <= LAST; i++) {
@@ -68,7 +68,7 @@ static void run(struct fixture *f, float duration_s, float step_s)
 	}
 }
 
-/* Where the end of the ponytail is. */
+/* The position of the ponytail's end. */
 static void tip(const struct fixture *f, float out[3])
 {
 	matrix_apply(((mat4 *)f->bones.world)[LAST], f->spring.end, out);
@@ -107,8 +107,8 @@ static void test_bones_follow_their_ends(void **state)
 }
 
 /*
- * A single bone: at rest, the spring's pull towards the animated place and
- * gravity along the arc balance: omega^2 L sin(a) = g cos(a).
+ * A single bone at rest: the spring's force towards the animated position and
+ * gravity balance along the arc, so omega^2 L sin(a) = g cos(a).
  */
 static void test_a_bone_hangs_where_forces_balance(void **state)
 {
@@ -143,7 +143,7 @@ static void test_a_limp_chain_hangs_straight_down(void **state)
 	tear_down(&f);
 }
 
-/* Undamped and small, it swings at its frequency. */
+/* A small undamped swing has the spring's frequency. */
 static void test_it_swings_at_its_frequency(void **state)
 {
 	struct fixture f;
@@ -166,7 +166,7 @@ static void test_it_swings_at_its_frequency(void **state)
 		crossings += now * before < 0;
 		before = now;
 	}
-	/* Two swings a second, two crossings a swing, two seconds. */
+	/* 2 Hz, two crossings a period, two seconds. */
 	assert_in_range(crossings, 7, 8);
 	tear_down(&f);
 }
@@ -213,7 +213,7 @@ static void test_moving_the_head_makes_it_lag(void **state)
 static void test_it_keeps_out_of_capsules(void **state)
 {
 	struct fixture f;
-	/* A back, just below and behind the head. */
+	/* The capsule of a back, just below and behind the head. */
 	const struct capsule_world back = {
 		{-0.5f, 1.45f, -0.2f}, {0.5f, 1.45f, -0.2f}, 0.1f};
 
@@ -234,7 +234,7 @@ static void test_it_keeps_out_of_capsules(void **state)
 		double y = (double)f.spring.position[i][1] - 1.45;
 		double z = (double)f.spring.position[i][2] + 0.2;
 
-		/* Its length comes first; the rest is kept free. */
+		/* The length takes precedence: a little overlap is left. */
 		assert_true(sqrt(y * y + z * z) > 0.105);
 	}
 	tear_down(&f);
@@ -290,7 +290,7 @@ static void test_a_jump_begins_anew(void **state)
 	tear_down(&f);
 }
 
-/* A head thrown about, with a stiff and hardly damped spring. */
+/* A head that moves wildly, with a stiff and hardly damped spring. */
 static void throw_about(int bones, int count, float step_s)
 {
 	struct fixture f;

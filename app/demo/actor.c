@@ -32,7 +32,8 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 			&actor->fade, actor->model, &actor->instance->arena);
 	}
 	if (error) {
-		log_error(env->log, "%s: not enough memory to play it",
+		log_error(env->log,
+			"%s: there is not enough memory to play the model",
 			env->model_path);
 		goto fail_instance;
 	}
@@ -128,7 +129,8 @@ int actor_find_bone(const struct model *model, const char *name,
 {
 	*out = model_find_node(model, name);
 	if (*out < 0) {
-		log_error(log, "%s: has no bone %s", model->path, name);
+		log_error(log, "%s: the model has no bone named %s",
+			model->path, name);
 		return -EINVAL;
 	}
 	return 0;

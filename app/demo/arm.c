@@ -104,7 +104,8 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 	int next = 0;
 
 	if (!index || !pivot) {
-		log_error(env->log, "%s: not enough memory for its pivots",
+		log_error(env->log,
+			"%s: there is not enough memory for the pivots",
 			env->model_path);
 		return -ENOMEM;
 	}
@@ -124,7 +125,7 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 		int node = model_find_node(model, part_names[part]);
 
 		if (node < 0) {
-			log_error(env->log, "%s: has no node %s",
+			log_error(env->log, "%s: the model has no node named %s",
 				env->model_path, part_names[part]);
 			return -EINVAL;
 		}

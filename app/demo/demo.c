@@ -33,7 +33,7 @@ const struct demo_driver *demo_find(const char *name)
 	return NULL;
 }
 
-/* Every demo's struct begins with an base. */
+/* Every demo's struct begins with a struct demo_base. */
 static struct demo_base *base_of(struct demo *demo)
 {
 	return (struct demo_base *)demo;
@@ -46,7 +46,9 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	int error = -ENOMEM;
 
 	if (!demo) {
-		log_error(env->log, "%s: not enough memory", driver->name);
+		log_error(env->log,
+			"%s: there is not enough memory for the demo",
+			driver->name);
 		return error;
 	}
 	base_of(demo)->gl = env->gl;

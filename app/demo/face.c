@@ -19,7 +19,7 @@ static const char mesh_node[] = "Face";
 static const char motion_target[] = "surprise";
 static const float default_ms = 600.0f;
 static const float forward[3] = {0.0f, 0.0f, 1.0f};
-static const float bulge_m = 0.03f; /* of sinusoidal motion */
+static const float bulge_m = 0.03f; /* amplitude of sinusoidal motion */
 static const double dwell_s = 1.5;  /* autoplay: time for an expression */
 
 static const struct camera_framing framing = {
@@ -27,7 +27,7 @@ static const struct camera_framing framing = {
 
 struct demo {
 	struct demo_base base;
-	int head; /* node */
+	int head; /* the head's node */
 	struct face_keys keys;
 	int current;  /* the key frame that Destiny is */
 	int previous; /* the key frame before it */
@@ -46,14 +46,16 @@ static int init_keys(struct demo *demo, const struct demo_env *env)
 
 	demo->head = model_find_node(model, mesh_node);
 	if (demo->head < 0 || model->node[demo->head].mesh < 0) {
-		log_error(env->log, "%s: has no mesh node %s", env->model_path,
-			mesh_node);
+		log_error(env->log,
+			"%s: the model has no node named %s with a mesh",
+			env->model_path, mesh_node);
 		return -EINVAL;
 	}
 	error = face_keys_init(
 		&demo->keys, demo->base.actor.instance, demo->head);
 	if (error) {
-		log_error(env->log, "%s: not enough memory for its key frames",
+		log_error(env->log,
+			"%s: there is not enough memory for the key frames",
 			env->model_path);
 	}
 	return error;

@@ -6,11 +6,13 @@ enum {
 	SETTLING_FRAMES = 8 /* before the mean is meaningful */
 };
 
-static const float newest_weight = 0.15f;   /* of the mean */
-static const float restore_fraction = 0.9f; /* of the budget, to restore */
+static const float newest_weight = 0.15f; /* of the newest frame in the mean */
+/* A step is taken back if frames would then take this part of the budget. */
+static const float restore_fraction = 0.9f;
 static const double over_limit_s = 0.2;
 static const double wait_min_s = 1.0, wait_max_s = 30.0;
-static const double lasting_s = 5.0; /* a restoration that lasts this long */
+/* A step that stays taken back for this long resets wait_s. */
+static const double lasting_s = 5.0;
 
 static const struct {
 	struct demo_reduction reduction;

@@ -195,7 +195,8 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 		error = find_levels(demo);
 	}
 	if (error) {
-		log_error(env->log, "%s: not enough memory to tune it",
+		log_error(env->log,
+			"%s: there is not enough memory to tune the model",
 			env->model_path);
 		return error;
 	}

@@ -23,7 +23,7 @@ static const struct camera_framing framing = {
 
 /* Watches the model's file for changes, once a second. */
 struct file_watch {
-	struct demo_env env; /* to load it again */
+	struct demo_env env; /* to reload the model with */
 	uint64_t shown;      /* the stamp of the file last loaded or tried */
 	uint64_t last;       /* the stamp at the last check */
 	double next_s;
@@ -106,7 +106,8 @@ static int init_join(struct demo *demo, const struct demo_env *env)
 			&demo->next_cursor, demo->base.actor.model, arena);
 	}
 	if (error) {
-		log_error(env->log, "%s: not enough memory to join its clips",
+		log_error(env->log,
+			"%s: there is not enough memory to join the clips",
 			env->model_path);
 	}
 	return error;

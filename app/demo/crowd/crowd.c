@@ -30,7 +30,7 @@ enum {
 
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
-static const float ease_per_s = 3.0f; /* at which the camera moves */
+static const float ease_per_s = 3.0f; /* of the camera to its goal */
 static const double period_s = 8.0;
 
 static const struct camera_framing framing = {
@@ -93,7 +93,8 @@ static int add_walker(struct demo *demo)
 	error = clip_cursor_init(
 		&walker->cursor, model, &walker->instance->arena);
 	if (error) {
-		log_error(demo->log, "crowd: not enough memory for %d walkers",
+		log_error(demo->log,
+			"crowd: there is not enough memory for %d walkers",
 			demo->count + 1);
 		instance_destroy(walker->instance);
 		return error;

@@ -4,7 +4,7 @@
 #include "platform/base/scalar.h"
 
 struct ring {
-	int count; /* of places for walkers */
+	int count; /* of the ring's places */
 	int step;  /* from one place to the next one that is filled */
 	float radius_m;
 	float speed_m_s;     /* matches the clip's feet */

@@ -22,7 +22,8 @@ static int init_morph(struct contender *contender,
 	int error = count < 0 ? count : 0;
 
 	if (error) {
-		log_error(env->log, "%s: not enough memory to fit key frames",
+		log_error(env->log,
+			"%s: there is not enough memory to fit key frames",
 			env->model_path);
 	} else {
 		/* show_morph() needs the morph's vertices in float. */
@@ -48,7 +49,8 @@ static int init_rigid(struct contender *contender, const struct demo_env *env)
 		candidate_rigid_bake(&contender->candidate), &arena);
 	contender->rigid.model.arena = arena;
 	if (error) {
-		log_error(env->log, "%s: not enough memory for its rigid parts",
+		log_error(env->log,
+			"%s: there is not enough memory for the rigid parts",
 			env->model_path);
 		return error;
 	}
@@ -101,7 +103,8 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 		error = vertex_tint_init(&contender->heat, shown);
 	}
 	if (error) {
-		log_error(env->log, "%s: not enough memory to compare it",
+		log_error(env->log,
+			"%s: there is not enough memory to compare the techniques",
 			env->model_path);
 	}
 	return error;

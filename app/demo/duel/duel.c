@@ -21,8 +21,7 @@ static const double rate_hz = 60.0; /* of the reference */
 static const float bound_px = 0.5f; /* the morph's greatest error */
 static const float ground_m_per_s = 1.03f;
 static const float spacing_m = 0.92f;
-static const float board_height_m =
-	0.2f; /* the figures stand above the board */
+static const float board_height_m = 0.2f; /* below the figures */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time with and without errors */
@@ -37,7 +36,7 @@ struct demo {
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
 	unsigned frame;
-	int speed_halvings; /* halvings of the speed */
+	int speed_halvings; /* times that the speed is halved */
 	bool heat_shown, paused, autoplay;
 	int scale; /* of full_px */
 	float turn;
@@ -75,8 +74,8 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	int error;
 
 	if (clip < 0) {
-		log_error(
-			env->log, "%s: has no clip %s", model->path, clip_name);
+		log_error(env->log, "%s: the model has no clip named %s",
+			model->path, clip_name);
 		return -EINVAL;
 	}
 	error = reference_create(

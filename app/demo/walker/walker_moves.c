@@ -1,6 +1,7 @@
 #include "app/demo/walker/walker_moves.h"
 
 #include "app/anim/pose_blend.h"
+#include "app/demo/actor.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -28,8 +29,8 @@ static int find_clips(struct walker_moves *moves, const struct model *model,
 	for (int i = 0; i < MOVE_COUNT; i++) {
 		moves->clip[i] = model_find_clip(model, kinds[i].clip);
 		if (moves->clip[i] < 0) {
-			log_error(log, "%s: has no clip %s", model->path,
-				kinds[i].clip);
+			log_error(log, "%s: the model has no clip named %s",
+				model->path, kinds[i].clip);
 			return -EINVAL;
 		}
 	}
@@ -58,23 +59,23 @@ int walker_moves_init(struct walker_moves *moves, struct instance *instance,
 	enum walker_move gait, const struct log *log)
 {
 	const struct model *model = instance->model;
-	int arm = model_find_node(model, waving_arm);
 	int head = model_find_node(model, smiling_head);
-	int error;
+	int arm, error;
 
 	*moves = (struct walker_moves){
 		.gait = gait, .move = gait, .wave_s = -1.0};
 	error = find_clips(moves, model, log);
-	if (!error && arm < 0) {
-		log_error(log, "%s: has no bone %s", model->path, waving_arm);
-		error = -EINVAL;
+	if (!error) {
+		error = actor_find_bone(model, waving_arm, log, &arm);
 	}
 	if (error) {
 		return error;
 	}
 	error = take_memory(moves, model, &instance->arena);
 	if (error) {
-		log_error(log, "%s: not enough memory to play it", model->path);
+		log_error(log,
+			"%s: there is not enough memory to play the model",
+			model->path);
 		return error;
 	}
 	pose_mask_fill(moves->wave_mask, model->node_count, 0.0f);

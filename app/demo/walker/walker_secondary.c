@@ -83,7 +83,8 @@ static int init_cape(struct walker_secondary *secondary,
 		pin, (const mat4 *)instance->world, &instance->arena);
 	cloth_triangles(&settings, secondary->cape_index);
 	if (error) {
-		log_error(log, "cape: not enough memory");
+		log_error(log, "%s: there is not enough memory for the cape",
+			instance->model->path);
 	}
 	return error;
 }

@@ -23,7 +23,7 @@ int live_texture_init(struct live_texture *texture, const struct gl *gl,
 		sizeof(*texture->texels));
 	if (!texture->texels) {
 		log_error(log,
-			"--camera: not enough memory for the camera's texture");
+			"--camera: there is not enough memory for the camera's texture");
 		return -ENOMEM;
 	}
 	gl->GenTextures(1, &texture->name);

@@ -24,7 +24,7 @@ static int power_of_two_near(int side)
 	while (power < side && power < SIDE_MAX) {
 		power *= 2;
 	}
-	/* 300 becomes 256, 400 becomes 512. */
+	/* The nearer one: 300 becomes 256, 400 becomes 512. */
 	return power > 1 && power - side > side - power / 2 ? power / 2 : power;
 }
 
@@ -263,7 +263,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 	set->normal_mapping = bump_is_supported(model, gl, log);
 	return 0;
 fail:
-	log_error(log, "%s: not enough memory for the model's textures",
+	log_error(log, "%s: there is not enough memory for the model's textures",
 		model->path);
 	texture_set_destroy(set, gl);
 	return -ENOMEM;

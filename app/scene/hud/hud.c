@@ -46,7 +46,7 @@ int hud_init(struct hud *hud, const struct gl *gl, const struct log *log)
 	gl->GenTextures(1, &hud->texture);
 	if (!hud->texture) {
 		log_error(log,
-			"not enough memory for the texture of the labels' font");
+			"there is not enough memory for the texture of the labels' font");
 		return -ENOMEM;
 	}
 	gl->BindTexture(GL_TEXTURE_2D, hud->texture);
@@ -256,7 +256,7 @@ void hud_bar(struct hud *hud, int x, int y, int w, int h, float fraction,
 
 	hud_panel(hud, x, y, w, h, h / 2, bar_track);
 	if (clamped > 0.0f) {
-		/* Never narrower than its two round ends. */
+		/* The filled part holds at least two round ends. */
 		filled = filled < h ? min_int(h, w) : filled;
 		hud_panel(hud, x, y, filled, h, h / 2, color);
 	}

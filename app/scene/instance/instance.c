@@ -141,7 +141,7 @@ void instance_update_nodes(struct instance *instance)
 	pose_world(&instance->pose, instance->model, NULL, instance->world);
 }
 
-/* Palettes carry vertices straight into scene units. */
+/* Palettes transform vertices to scene units. */
 static void update_palettes(struct instance *instance)
 {
 	const struct model *model = instance->model;

@@ -304,7 +304,8 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	return 0;
 
 fail:
-	log_error(log, "%s: not enough memory to pose the model", model->path);
+	log_error(log, "%s: there is not enough memory to pose the model",
+		model->path);
 	arena_release(&arena);
 	return error;
 }

@@ -37,7 +37,7 @@ int shadow_volume_init(struct shadow_volume *volume, struct instance *instance,
 	}
 	return 0;
 fail:
-	log_error(log, "%s: not enough memory for the model's shadow",
+	log_error(log, "%s: there is not enough memory for the model's shadow",
 		instance->model->path);
 	return -ENOMEM;
 }

@@ -195,7 +195,8 @@ int floor_init(struct floor *floor, const struct gl *gl,
 	list_triangles(floor);
 	update_surface(floor);
 	if (make_texture(floor, gl, target) != 0) {
-		log_error(log, "not enough memory for the floor's texture");
+		log_error(log,
+			"there is not enough memory for the floor's texture");
 		return -ENOMEM;
 	}
 	return 0;

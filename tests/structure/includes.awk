@@ -17,14 +17,14 @@ BEGIN {
     listed("<jansson.h> <png.h>", library_compare)
     listed("<jansson.h> <ini.h>", library_cmd)
 
-    rule("named", "headers are named from the top folder")
+    rule("named", "include paths begin at the top folder")
     rule("placed", "every folder of app is a layer")
     rule("upward", "includes run from cmd down to model")
     rule("app", "platform includes nothing of app")
-    rule("private", "app sees only platform's public headers")
-    rule("seam", "model and anim see no seam of the machine")
+    rule("private", "app includes only public headers of platform")
+    rule("seam", "of platform, model and anim include base alone")
     rule("outside", "anim does no input and no output")
-    rule("foreign", "app needs C, POSIX, cglm and the file libraries")
+    rule("foreign", "app includes only C, POSIX, cglm and file libraries")
 }
 
 function listed(text, set,    word, n, i) {

@@ -6,7 +6,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
-#include "tests/support/scattered.h"
+#include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "app/anim/ease.h"
 #include "app/anim/fade.h"
 #include "app/anim/pose_blend.h"
-#include "tests/support/bones.h"
+#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
 #include <math.h>

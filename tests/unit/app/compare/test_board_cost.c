@@ -2,7 +2,7 @@
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/board_cost.h"
 #include "app/model/model.h"
-#include "tests/support/samples.h"
+#include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
 #include <math.h>

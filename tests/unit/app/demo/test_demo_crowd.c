@@ -1,7 +1,7 @@
 /* The crowd: its walkers' positions and number. */
 #include "app/demo/crowd/crowd_route.h"
-#include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* The duel's contenders compared with the figures of `limber compare`. */
 #include "app/demo/duel/contender.h"
-#include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <string.h>

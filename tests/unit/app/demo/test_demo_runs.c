@@ -2,8 +2,8 @@
  * Runs every demo for a scripted minute. The final state is the same each time
  * and, within a tolerance, on each machine; no frame allocates.
  */
-#include "tests/support/demo_run.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <inttypes.h>

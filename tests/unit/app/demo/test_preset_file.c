@@ -1,9 +1,9 @@
 /* Saving presets in their file, directly and by the tuner. */
 #include "app/demo/preset_file.h"
 #include "app/model/model_file.h"
-#include "tests/support/demo_run.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* glTF animations: interpolations, number formats, durations. */
 #include "app/model/model_loader.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -1,11 +1,11 @@
 /*
  * The contents of Khronos' sample models, which are not part of the project;
- * the test is skipped without them (tests/support/samples.h).
+ * the test is skipped without them (tests/support/model/samples.h).
  */
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/samples.h"
+#include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* model_stats.h: sizes of a model. */
 #include "app/model/model_stats.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 static void test_counts_vertices_triangles_and_bytes(void **state)

@@ -9,7 +9,7 @@
 #include "app/anim/kernel/run/fixed_morph_run.h"
 #include "app/anim/kernel/run/fixed_palette.h"
 #include "app/anim/kernel/run/fixed_skin_run.h"
-#include "tests/support/scattered.h"
+#include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

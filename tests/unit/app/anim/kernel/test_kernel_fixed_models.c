@@ -11,7 +11,7 @@
 #include "app/anim/kernel/run/fixed_skin_run.h"
 #include "app/anim/pose.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/samples.h"
+#include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -389,7 +389,8 @@ static void test_sample_models_are_as_in_float(void **state)
 {
 	(void)state;
 	samples_require("");
-	assert_true(samples_each_model(samples_path("").text, compare_model) > 0);
+	assert_true(
+		samples_each_model(samples_path("").text, compare_model) > 0);
 	samples_each_model(samples_path("x").text, compare_model);
 }
 

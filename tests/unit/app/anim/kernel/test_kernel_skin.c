@@ -1,7 +1,7 @@
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
-#include "tests/support/scattered.h"
+#include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

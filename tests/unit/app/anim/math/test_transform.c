@@ -2,7 +2,7 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"
-#include "tests/support/scattered.h"
+#include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
 #include <math.h>

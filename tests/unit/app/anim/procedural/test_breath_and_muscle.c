@@ -2,7 +2,7 @@
 #include "app/anim/math/vec.h"
 #include "app/anim/procedural/breath.h"
 #include "app/anim/procedural/muscle.h"
-#include "tests/support/bones.h"
+#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 #include "app/anim/math/vec.h"
 #include "app/anim/procedural/ik.h"
-#include "tests/support/bones.h"
-#include "tests/support/scattered.h"
+#include "tests/support/model/bones.h"
+#include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
 #include <math.h>

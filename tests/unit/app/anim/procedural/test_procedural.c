@@ -2,9 +2,9 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 #include "app/anim/procedural/procedural.h"
-#include "tests/support/bones.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

@@ -3,7 +3,7 @@
 #include "app/anim/math/vec.h"
 #include "app/anim/procedural/spring.h"
 #include "platform/base/scalar.h"
-#include "tests/support/bones.h"
+#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

@@ -6,7 +6,7 @@
 #define TESTS_UNIT_APP_MODEL_GLTF_BROKEN_H
 
 #include "app/model/model.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* glTF accessors: sparse, absent, interleaved, misaligned, quantised. */
 #include "app/model/model.h"
 #include "tests/support/files.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/run.h"
 #include "tests/support/test.h"
 

@@ -1,7 +1,7 @@
 /* Sources of glTF data: .glb, data URIs, files, memory. */
 #include "app/model/model.h"
 #include "tests/support/files.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

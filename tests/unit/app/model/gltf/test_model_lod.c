@@ -1,7 +1,7 @@
 /* Levels of detail of glTF meshes (MSFT_lod). */
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>

@@ -1,6 +1,6 @@
 /* glTF materials: colours, textures, images from three sources. */
 #include "app/model/model.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 static void test_reads_factors_and_flags(void **state)

@@ -1,6 +1,6 @@
 /* glTF meshes: triangle modes, indices, colours, morph weights. */
 #include "app/model/model.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 static void expect_indices(const struct model_primitive *primitive,

@@ -1,7 +1,7 @@
 /* glTF nodes: scenes, decomposed matrices, cameras. */
 #include "app/model/model.h"
 #include "app/model/transform_decompose.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <math.h>

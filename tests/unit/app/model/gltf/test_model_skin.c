@@ -1,7 +1,7 @@
 /* glTF skins: joints in any order, weights in any format. */
 #include "app/model/model.h"
 #include "app/model/model_loader.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <string.h>

@@ -2,7 +2,7 @@
 #include "platform/base/compiler.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <cglm/quat.h>

@@ -2,7 +2,7 @@
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
 #include "tests/support/files.h"
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>

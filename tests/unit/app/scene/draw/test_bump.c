@@ -2,7 +2,7 @@
 #include "app/scene/draw/draw.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 static void assert_texel(const uint8_t actual[4], int r, int g, int b)

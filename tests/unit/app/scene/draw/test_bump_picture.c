@@ -2,7 +2,7 @@
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/light.h"
 #include "tests/support/gl/gl_checks.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "app/scene/draw/draw.h"
 #include "tests/support/gl/gl_recorder.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 static void assert_matrix_near(

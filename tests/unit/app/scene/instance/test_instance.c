@@ -1,7 +1,7 @@
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <string.h>

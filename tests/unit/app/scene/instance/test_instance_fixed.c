@@ -4,10 +4,10 @@
  */
 #include "app/scene/instance/bounds.h"
 #include "app/scene/shadow/shadow_volume.h"
-#include "tests/support/instance_pair.h"
 #include "tests/support/log_capture.h"
-#include "tests/support/small_model.h"
-#include "tests/support/samples.h"
+#include "tests/support/model/instance_pair.h"
+#include "tests/support/model/samples.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <math.h>

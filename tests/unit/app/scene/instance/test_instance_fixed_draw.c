@@ -1,8 +1,8 @@
 /* What instances in fixed point draw, compared with the same in float. */
 #include "app/scene/draw/draw.h"
 #include "tests/support/gl/gl_recorder.h"
-#include "tests/support/instance_pair.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/instance_pair.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 /* Both draw the same number of vertices with the same mean in eye space. */

@@ -1,7 +1,7 @@
 /* Which level of detail is chosen. */
 #include "app/scene/instance/lod.h"
 #include "platform/base/compiler.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -3,8 +3,8 @@
 #include "app/model/model_stats.h"
 #include "app/scene/instance/lod.h"
 #include "platform/base/compiler.h"
-#include "tests/support/demo_run.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/demo_run.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <cglm/cglm.h>

@@ -1,7 +1,7 @@
 #include "app/scene/shadow/shadow_volume.h"
 #include "platform/base/fixed.h"
 #include "platform/gl/gl_context.h"
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>

@@ -1,8 +1,8 @@
 /*
  * Builds models in memory, for tests of what happens after loading.
  */
-#ifndef TESTS_SUPPORT_SMALL_MODEL_H
-#define TESTS_SUPPORT_SMALL_MODEL_H
+#ifndef TESTS_SUPPORT_MODEL_SMALL_MODEL_H
+#define TESTS_SUPPORT_MODEL_SMALL_MODEL_H
 
 #include "app/scene/instance/instance.h"
 

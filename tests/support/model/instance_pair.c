@@ -1,4 +1,4 @@
-#include "tests/support/instance_pair.h"
+#include "tests/support/model/instance_pair.h"
 
 #include "tests/support/test.h"
 

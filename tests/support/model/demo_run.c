@@ -1,4 +1,4 @@
-#include "tests/support/demo_run.h"
+#include "tests/support/model/demo_run.h"
 
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"

@@ -1,4 +1,4 @@
-#include "tests/support/model_fixture.h"
+#include "tests/support/model/model_fixture.h"
 
 #include "tests/support/files.h"
 #include "tests/support/test.h"

@@ -2,8 +2,8 @@
  * Runs a demo without drawing: a test presses buttons and reads the GL calls
  * that the demo made.
  */
-#ifndef TESTS_SUPPORT_DEMO_RUN_H
-#define TESTS_SUPPORT_DEMO_RUN_H
+#ifndef TESTS_SUPPORT_MODEL_DEMO_RUN_H
+#define TESTS_SUPPORT_MODEL_DEMO_RUN_H
 
 #include "app/demo/demo.h"
 

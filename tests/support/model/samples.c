@@ -1,4 +1,4 @@
-#include "tests/support/samples.h"
+#include "tests/support/model/samples.h"
 
 #include "tests/support/test.h"
 

@@ -2,8 +2,8 @@
  * Builds skeletons in memory, poses them and measures them, for tests of code
  * that moves bones.
  */
-#ifndef TESTS_SUPPORT_BONES_H
-#define TESTS_SUPPORT_BONES_H
+#ifndef TESTS_SUPPORT_MODEL_BONES_H
+#define TESTS_SUPPORT_MODEL_BONES_H
 
 #include "app/anim/pose.h"
 

@@ -2,8 +2,8 @@
  * Pseudo-random numbers that are the same in every run, and vertices made of
  * them.
  */
-#ifndef TESTS_SUPPORT_SCATTERED_H
-#define TESTS_SUPPORT_SCATTERED_H
+#ifndef TESTS_SUPPORT_MODEL_SCATTERED_H
+#define TESTS_SUPPORT_MODEL_SCATTERED_H
 
 #include <stdint.h>
 

@@ -1,8 +1,8 @@
 /*
  * Loads models from tests/fixtures and from text within a test.
  */
-#ifndef TESTS_SUPPORT_MODEL_FIXTURE_H
-#define TESTS_SUPPORT_MODEL_FIXTURE_H
+#ifndef TESTS_SUPPORT_MODEL_MODEL_FIXTURE_H
+#define TESTS_SUPPORT_MODEL_MODEL_FIXTURE_H
 
 #include "app/model/model.h"
 #include "tests/support/log_capture.h"

@@ -3,8 +3,8 @@
  * not part of it. The environment variable SAMPLES names the samples' folder;
  * without it, they are expected in ../shared.
  */
-#ifndef TESTS_SUPPORT_SAMPLES_H
-#define TESTS_SUPPORT_SAMPLES_H
+#ifndef TESTS_SUPPORT_MODEL_SAMPLES_H
+#define TESTS_SUPPORT_MODEL_SAMPLES_H
 
 #include "tests/support/files.h"
 

@@ -1,8 +1,8 @@
 /*
  * Two instances of one model in the same pose: one in float, one in fixed point.
  */
-#ifndef TESTS_SUPPORT_INSTANCE_PAIR_H
-#define TESTS_SUPPORT_INSTANCE_PAIR_H
+#ifndef TESTS_SUPPORT_MODEL_INSTANCE_PAIR_H
+#define TESTS_SUPPORT_MODEL_INSTANCE_PAIR_H
 
 #include "app/anim/clip.h"
 #include "app/scene/instance/instance.h"

@@ -1,4 +1,4 @@
-#include "tests/support/small_model.h"
+#include "tests/support/model/small_model.h"
 
 #include "tests/support/test.h"
 

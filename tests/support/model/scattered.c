@@ -1,4 +1,4 @@
-#include "tests/support/scattered.h"
+#include "tests/support/model/scattered.h"
 
 #include "app/anim/math/vec.h"
 

@@ -1,4 +1,4 @@
-#include "tests/support/bones.h"
+#include "tests/support/model/bones.h"
 
 #include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"

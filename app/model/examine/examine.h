@@ -32,4 +32,8 @@ void examine_skins(const struct model *model, const struct examiner *examiner);
 void examine_report(const struct examiner *examiner, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 
+/* Reports "FEATURE (COUNT): TREATMENT", but nothing when count is 0. */
+void examine_count(const struct examiner *examiner, int count,
+	const char *feature, const char *treatment);
+
 #endif

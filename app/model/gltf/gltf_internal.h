@@ -146,6 +146,7 @@ struct gltf {
 	int node_count;           /* of the file */
 	bool *node_is_level;      /* [node_count] */
 	int *node_index;          /* file's number -> model's; -1: a level */
+	int *node_parent;         /* [node_count]: file's numbers, or -1 */
 };
 
 /* gltf.c */
@@ -211,6 +212,10 @@ int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
  */
 int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	const char *what, int *out);
+
+/* The same for an index into the array of this name in the root object. */
+int gltf_maybe_root_index(const struct gltf_at *at, const char *key,
+	const char *array, const char *what, int *out);
 
 /* The same for a value that is itself the index. */
 int gltf_index(const struct gltf_at *at, int count, const char *what, int *out);

@@ -318,6 +318,16 @@ int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	return member.json ? gltf_index(&member, count, what, out) : 0;
 }
 
+int gltf_maybe_root_index(const struct gltf_at *at, const char *key,
+	const char *array, const char *what, int *out)
+{
+	struct gltf_at elements;
+	int count;
+	int error = gltf_array(&at->gltf->root, array, &elements, &count);
+
+	return error ? error : gltf_maybe_index(at, key, count, what, out);
+}
+
 int gltf_require(const struct gltf_at *at, const char *key)
 {
 	if (!json_object_get(at->json, key)) {

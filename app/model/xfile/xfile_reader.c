@@ -46,6 +46,12 @@ int xfile_no_memory(const struct xfile_context *context)
 	return -ENOMEM;
 }
 
+/* Drops the next token and scans the one after it. */
+static int advance(struct xfile_reader *reader)
+{
+	return reader->scan(reader, &reader->token);
+}
+
 int xfile_reader_begin(
 	struct xfile_reader *reader, const uint8_t *body, size_t size)
 {
@@ -55,12 +61,7 @@ int xfile_reader_begin(
 	reader->line = 1;
 	reader->list_left = 0;
 	reader->depth = 0;
-	return xfile_advance(reader);
-}
-
-int xfile_advance(struct xfile_reader *reader)
-{
-	return reader->scan(reader, &reader->token);
+	return advance(reader);
 }
 
 static char *copy_text(struct xfile_reader *reader)
@@ -127,7 +128,7 @@ int xfile_read_double(struct xfile_reader *reader, const char *what, double *out
 		return xfile_fail_at(&reader->context, reader->token.location,
 			"%s is not a finite number", what);
 	}
-	return xfile_advance(reader);
+	return advance(reader);
 }
 
 int xfile_read_integer(
@@ -176,7 +177,7 @@ int xfile_read_string(
 	if (!*out) {
 		return xfile_no_memory(&reader->context);
 	}
-	return xfile_advance(reader);
+	return advance(reader);
 }
 
 static size_t utf8_length(const unsigned char *text)
@@ -301,7 +302,7 @@ int xfile_skip_rest(struct xfile_reader *reader)
 		}
 		open += reader->token.kind == XFILE_OPEN;
 		open -= reader->token.kind == XFILE_CLOSE;
-		error = xfile_advance(reader);
+		error = advance(reader);
 		if (error) {
 			return error;
 		}
@@ -329,7 +330,7 @@ static const struct xfile_kind *find_kind(
 /* Reads TYPE [NAME] { [<GUID>] up to the first member. */
 static int read_head(struct xfile_reader *reader, const char **name)
 {
-	int error = xfile_advance(reader);
+	int error = advance(reader);
 
 	*name = "";
 	if (!error && reader->token.kind != XFILE_OPEN) {
@@ -341,10 +342,10 @@ static int read_head(struct xfile_reader *reader, const char **name)
 			reader, "the opening brace of a data object");
 	}
 	if (!error) {
-		error = xfile_advance(reader);
+		error = advance(reader);
 	}
 	if (!error && reader->token.kind == XFILE_GUID) {
-		error = xfile_advance(reader);
+		error = advance(reader);
 	}
 	return error;
 }
@@ -379,7 +380,7 @@ static int read_reference(struct xfile_reader *reader,
 {
 	size_t location = reader->token.location;
 	const char *name = NULL;
-	int error = xfile_advance(reader);
+	int error = advance(reader);
 
 	if (!error && reader->token.kind != XFILE_GUID &&
 		reader->token.kind != XFILE_CLOSE) {
@@ -403,7 +404,7 @@ int xfile_read_children(struct xfile_reader *reader,
 	while (!error) {
 		switch (reader->token.kind) {
 		case XFILE_CLOSE:
-			return xfile_advance(reader);
+			return advance(reader);
 		case XFILE_END:
 			return xfile_fail_at(&reader->context,
 				reader->token.location,
@@ -415,7 +416,7 @@ int xfile_read_children(struct xfile_reader *reader,
 			error = read_reference(reader, grammar, scope);
 			break;
 		default:
-			error = xfile_advance(reader);
+			error = advance(reader);
 			break;
 		}
 	}

@@ -1,4 +1,4 @@
-"""From power-on to the first picture, and what keeps limber on the screen."""
+"""The boot up to the first picture, and restarting limber when it ends."""
 from harness import (PROMPT, booted, check, done, is_drawn, limber_pid, note,
                      save, wait_until)
 

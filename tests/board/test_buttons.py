@@ -1,9 +1,9 @@
 """Buttons pressed at the emulated GPIO controller's pins.
 
-Each press should change the picture within 100 ms of the board's time, by
-limber's own count from the kernel's time stamp of the edge, and to
-what the same button shows on this machine: of the pictures of the buttons the
-right one must be the nearest. What limber writes down must name the button.
+Each press must change the picture within 100 ms of the board's time, which
+limber measures from the kernel's time stamp of the edge. The new picture must
+be nearer to the host's picture for this button than to that of any other, and
+limber's record of the buttons must name it.
 """
 import re
 
@@ -36,8 +36,8 @@ def expected(demo, button):
 
 
 def press_and_look(machine, demo, button, area):
-    """Whether the picture changed, how long that took, and the picture after
-    HOLD_S. Buttons are wired as the image's limber.conf says."""
+    """Returns whether the picture changed, how long that took, and the picture
+    after HOLD_S. The buttons are wired as in the image's limber.conf."""
     start_limber(machine, f"--demo {demo} --stats /run/stats "
                  "--record-buttons /run/record")
     pause(machine, 0.5)
@@ -61,8 +61,8 @@ def press_and_look(machine, demo, button, area):
 
 
 def bounce(machine, button, times):
-    """Closes a contact that opens again and again, for some milliseconds: how
-    long it took on the board."""
+    """Closes a contact that bounces for some milliseconds; returns how long it
+    took on the board."""
     begun_s = now_s = machine.time_s()
     for high in [True, False] * times + [True]:
         machine.wires.level(button, high)
@@ -73,7 +73,7 @@ def bounce(machine, button, times):
 
 
 def edges(machine):
-    """How many edges of ENTER's line the kernel has seen."""
+    """The number of edges of ENTER's line that the kernel has counted."""
     said = machine.shell("cat /proc/interrupts")[1]
     return sum(int(count) for count in re.findall(
         r"^ *\d+: +(\d+) +\S+ +22 .*limber", said, re.M))

@@ -1,5 +1,5 @@
-"""A real V4L2 device, the kernel's vivid: its colour bars are in the picture as
-a background and as a texture, and limber goes on without it."""
+"""A real V4L2 device, the kernel's vivid: its colour bars appear as background
+and as texture, and limber continues when the device disappears."""
 import array
 import colorsys
 
@@ -14,7 +14,7 @@ HUES = ("red", "yellow", "green", "cyan", "blue", "magenta")
 
 
 def bars(frame, least=0.002):
-    """The strong colours that fill at least that share of the picture."""
+    """The saturated colours that fill at least that fraction of the picture."""
     pixels = array.array("H", frame)
     seen = dict.fromkeys(HUES, 0)
     colours = {}

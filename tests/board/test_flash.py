@@ -1,5 +1,5 @@
-"""The UBI image, on a NAND of the board's kind (the kernel's nandsim): UBI and
-UBIFS of this kernel mount it, and it holds the root file system."""
+"""The UBI image on a simulated NAND of the board's kind (the kernel's nandsim):
+the kernel mounts it, and it contains the root file system."""
 import re
 
 from harness import BY_HAND, IMAGE, booted, check, done, guest_tool

@@ -1,4 +1,4 @@
-"""The same pictures where the kernel has no framebuffer device: KMS."""
+"""KMS shows the same pictures when the kernel has no framebuffer device."""
 from harness import (BY_HAND, booted, check, difference, done, host_picture,
                      pause, save, start_limber, stop_limber)
 

@@ -1,5 +1,4 @@
-"""The package for armel: dpkg puts it where it belongs, and limber runs from
-there."""
+"""The Debian package for armel: dpkg installs it, and limber runs from there."""
 import pathlib
 import shutil
 import subprocess

@@ -1,5 +1,5 @@
-"""SOAK_S seconds of the board's time with buttons pressed at random: memory
-stays flat, no frame should take longer than 100 ms, nothing is said or lost."""
+"""Presses buttons at random for SOAK_S seconds of the board's time: memory must
+not grow, no frame should take longer than 100 ms, and nothing may be logged."""
 import os
 import random
 import re

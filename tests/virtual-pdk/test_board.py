@@ -1,5 +1,5 @@
-"""The server's part that talks to QEMU, with one that dies or hangs at chosen
-moments: the page is always told, and nothing is left behind. TAP."""
+"""The server's connection to QEMU, with a replacement that ends or hangs at
+chosen moments: the page always learns of it, and no process is left. TAP."""
 import asyncio
 import os
 import pathlib
@@ -35,7 +35,7 @@ def check(name, good, why=""):
 
 
 class Listener:
-    """Somebody who looks, and remembers the phases."""
+    """A page that watches the board and records its phases."""
 
     def __init__(self):
         self.board = None
@@ -96,8 +96,8 @@ def kill(virtual, number=signal.SIGKILL):
 
 
 async def check_told(name, virtual, why):
-    """That the end is told of with that word, no process is left, and the
-    board starts again."""
+    """Checks that the end is reported with that word, that no process is left,
+    and that the board starts again."""
     process = virtual.machine.process
     told = await until(lambda: virtual.phase == "ended")
     check(f"{name}: it is told", told and why in virtual.why,
@@ -159,7 +159,7 @@ async def test_hanging(virtual):
 
 
 async def test_switching_off(virtual):
-    """A press wakes the task that looks just as it is cancelled."""
+    """A press wakes the watching task at the moment it is cancelled."""
     left = []
     for ticks in range(6):
         await is_running(virtual)

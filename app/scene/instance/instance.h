@@ -104,6 +104,8 @@ struct drawable {
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
 	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
+	int shadow_lod;  /* the same for the shadow, if that list is shorter
+			    than the proxy */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
 	float vertex_scale;
 

@@ -278,6 +278,43 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 		     : make_unindexed(drawable, base_color, arena);
 }
 
+static int tint_copy(
+	struct batch *batch, const float factor[3], struct arena *arena)
+{
+	uint8_t(*color)[4] =
+		arena_alloc(arena, (size_t)batch->vertex_count, sizeof(*color));
+
+	if (!color) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < batch->vertex_count; v++) {
+		for (int i = 0; i < 3; i++) {
+			color[v][i] =
+				(uint8_t)(batch->color[v][i] * factor[i] + 0.5f);
+		}
+		color[v][3] = batch->color[v][3];
+	}
+	batch->color = (const uint8_t(*)[4])color;
+	return 0;
+}
+
+int batch_tint(
+	struct drawable *drawable, const float factor[3], struct arena *arena)
+{
+	int error = 0;
+
+	for (int i = 0; i < 3; i++) {
+		drawable->color[i] =
+			(fx16_t)((float)drawable->color[i] * factor[i]);
+	}
+	for (int i = 0; !error && i < drawable->batch_count; i++) {
+		if (drawable->batch[i].color) {
+			error = tint_copy(&drawable->batch[i], factor, arena);
+		}
+	}
+	return error;
+}
+
 static void face_normal(
 	const float a[3], const float b[3], const float c[3], float out[3])
 {

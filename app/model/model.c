@@ -52,6 +52,19 @@ int model_find_node(const struct model *model, const char *name)
 	return -1;
 }
 
+int model_lod_of_size(const struct model_primitive *primitive, int index_count)
+{
+	int level = 0;
+
+	for (int i = 0; i < primitive->lod_count; i++) {
+		if (!primitive->lod[i].shape &&
+			primitive->lod[i].index_count >= index_count) {
+			level = i + 1;
+		}
+	}
+	return level;
+}
+
 int model_find_clip(const struct model *model, const char *name_or_index)
 {
 	char *end;

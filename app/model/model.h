@@ -239,6 +239,13 @@ void model_destroy(struct model *model);
 int model_find_node(const struct model *model, const char *name);
 
 /*
+ * The coarsest level of detail, counted from 1, whose list has at least
+ * index_count indices; 0, the full list, if there is none. Lists for shadows
+ * are no levels.
+ */
+int model_lod_of_size(const struct model_primitive *primitive, int index_count);
+
+/*
  * The index of a clip given by its name or, when no clip has that name, by its
  * number. -1 when there is none.
  */

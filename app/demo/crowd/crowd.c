@@ -132,6 +132,7 @@ static int add_walker(struct demo *demo)
 	}
 	/* Normal maps are lit in world space, but GL turns the walkers. */
 	walker->instance->normal_mapping = false;
+	walker->instance->drawn_vertices_only = true;
 	walker->clip = choose_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;
@@ -311,7 +312,7 @@ static void crowd_update(struct demo *demo, double time_s)
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
 		choose_lod(demo, walker);
 		/* Poses are staggered, so that frames take equally long. */
-		if (first ||
+		if (first || instance_is_stale(walker->instance) ||
 			(demo->frame + (unsigned)i) %
 					(unsigned)walker->frames_a_pose ==
 				0) {

@@ -106,13 +106,6 @@ static void draw_list(const struct gl *gl, const uint16_t *index, int count)
 	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
 }
 
-static bool proxy_is_shorter(const struct batch *batch, int lod)
-{
-	return batch->proxy &&
-		(lod == 0 ||
-			batch->proxy_count <= batch->lod[lod - 1].index_count);
-}
-
 static void draw_batch(const struct gl *gl, const struct batch *batch,
 	const struct arrays *arrays)
 {
@@ -129,7 +122,7 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
-	if (arrays->shadow && proxy_is_shorter(batch, arrays->lod)) {
+	if (arrays->shadow && batch_has_shorter_proxy(batch, arrays->lod)) {
 		draw_list(gl, batch->proxy, batch->proxy_count);
 	} else if (arrays->lod > 0) {
 		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];

@@ -198,6 +198,13 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
+static bool has_shape(const struct model_primitive *primitive)
+{
+	int count = primitive->lod_count;
+
+	return count > 0 && primitive->lod[count - 1].shape;
+}
+
 static int make_proxy(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
@@ -206,6 +213,9 @@ static int make_proxy(struct batch *batch, const struct drawable *drawable,
 		inverse_order_of(drawable), arena, &proxy, &batch->proxy_count);
 
 	batch->proxy = proxy;
+	batch->proxy_lod = has_shape(drawable->primitive)
+		? model_lod_of_size(drawable->primitive, batch->proxy_count)
+		: 0;
 	return error;
 }
 

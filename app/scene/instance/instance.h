@@ -60,6 +60,7 @@ struct batch {
 	/* Fewer triangles with nearly the same silhouette, or NULL. */
 	const uint16_t *proxy;
 	int proxy_count;
+	int proxy_lod; /* posing the vertices of this level poses the proxy's */
 
 	/* The copies of a gathered batch, which each update writes. */
 	float (*gathered_position)[3];
@@ -67,6 +68,14 @@ struct batch {
 	struct fixed_vector *gathered_fixed;
 	struct fixed_vector *gathered_fixed_normal;
 };
+
+/* Whether the proxy has fewer triangles than the list of a level. */
+static inline bool batch_has_shorter_proxy(const struct batch *batch, int lod)
+{
+	return batch->proxy &&
+		(lod == 0 ||
+			batch->proxy_count <= batch->lod[lod - 1].index_count);
+}
 
 /* The vertices of a drawable in fixed point. */
 struct drawable_fixed {
@@ -106,6 +115,8 @@ struct drawable {
 	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
 	int shadow_lod;  /* the same for the shadow, if that list is shorter
 			    than the proxy */
+	int posed_lod;   /* the last update posed the vertices that this level
+			    and coarser ones use; 0: all */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
 	float vertex_scale;
 
@@ -147,6 +158,14 @@ struct instance {
 	bool hold_normals;
 
 	/*
+	 * If true, updates leave out skinned vertices that the drawables' lods
+	 * do not draw. Only for instances of which nothing but the chosen lists
+	 * is read: no shadow volumes, no bounds, no single vertices. After
+	 * lod_choose() see instance_is_stale().
+	 */
+	bool drawn_vertices_only;
+
+	/*
 	 * If true, updates pose and light the tangents of bump-mapped
 	 * drawables, which are then drawn with their normal maps if
 	 * texture_set.normal_mapping is true. May be changed before any update;
@@ -186,6 +205,12 @@ bool instance_overflowed(const struct instance *instance);
  * from the pose. Allocates nothing.
  */
 void instance_update(struct instance *instance);
+
+/*
+ * Whether the last update left out vertices that are drawn by now, because
+ * drawn_vertices_only is true and a finer level was chosen since.
+ */
+bool instance_is_stale(const struct instance *instance);
 
 /*
  * Makes a float drawable that is not skinned show the caller's vertices:

@@ -57,7 +57,7 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 	int level = 0;
 
 	for (int i = 0; i < primitive->lod_count; i++) {
-		if (!primitive->lod[i].shape &&
+		if (!primitive->lod[i].shadow_only &&
 			primitive->lod[i].index_count >= index_count) {
 			level = i + 1;
 		}

@@ -198,11 +198,11 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
-static bool has_shape(const struct model_primitive *primitive)
+static bool has_shadow_list(const struct model_primitive *primitive)
 {
 	int count = primitive->lod_count;
 
-	return count > 0 && primitive->lod[count - 1].shape;
+	return count > 0 && primitive->lod[count - 1].shadow_only;
 }
 
 static int make_proxy(struct batch *batch, const struct drawable *drawable,
@@ -213,7 +213,7 @@ static int make_proxy(struct batch *batch, const struct drawable *drawable,
 		inverse_order_of(drawable), arena, &proxy, &batch->proxy_count);
 
 	batch->proxy = proxy;
-	batch->proxy_lod = has_shape(drawable->primitive)
+	batch->proxy_lod = has_shadow_list(drawable->primitive)
 		? model_lod_of_size(drawable->primitive, batch->proxy_count)
 		: 0;
 	return error;

@@ -109,7 +109,7 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 	}
 	for (int i = 0; i < primitive->lod_count; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
-		int level = lod->shape
+		int level = lod->shadow_only
 			? model_lod_of_size(primitive, lod->index_count)
 			: i + 1;
 

@@ -95,9 +95,8 @@ static void release_endings(void)
 }
 
 /*
- * Opens the current console, which kernels without virtual terminals call
- * /dev/tty. *in_use is the result of console_is_in_use(). Returns -1 when there
- * is no console.
+ * Opens the current console: /dev/tty0, or /dev/tty if that is none. *in_use is
+ * the result of console_is_in_use(). Returns -1 when there is no console.
  */
 static int open_console(
 	const struct device_calls *calls, const struct log *log, bool *in_use)

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static void test_room_is_zeroed_and_aligned(void **state)
+static void test_memory_is_zeroed_and_aligned(void **state)
 {
 	struct arena arena = arena_empty();
 
@@ -21,7 +21,7 @@ static void test_room_is_zeroed_and_aligned(void **state)
 	arena_release(&arena);
 }
 
-static void test_rooms_do_not_overlap(void **state)
+static void test_allocations_do_not_overlap(void **state)
 {
 	enum {
 		COUNT = 500
@@ -44,7 +44,7 @@ static void test_rooms_do_not_overlap(void **state)
 	arena_release(&arena);
 }
 
-static void test_rooms_larger_than_a_block_work(void **state)
+static void test_allocations_larger_than_a_block_work(void **state)
 {
 	enum {
 		BYTES = 1000000
@@ -115,9 +115,9 @@ static void test_release_leaves_an_empty_arena(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room_is_zeroed_and_aligned),
-		cmocka_unit_test(test_rooms_do_not_overlap),
-		cmocka_unit_test(test_rooms_larger_than_a_block_work),
+		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
+		cmocka_unit_test(test_allocations_do_not_overlap),
+		cmocka_unit_test(test_allocations_larger_than_a_block_work),
 		cmocka_unit_test(test_overflowing_sizes_give_null),
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),

@@ -72,7 +72,7 @@ static void test_every_layout_shows_its_colours(void **state)
 
 		fake_fb_begin(WIDTH, HEIGHT, HEIGHT, HEIGHT,
 			cases[i].stride_bytes, cases[i].layout);
-		/* Each by the format that is the finer one. */
+		/* From the wider of the two picture formats. */
 		scene.options.format_given = cases[i].layout.bits == 8;
 		scene.options.format = PIXELS_RGBA8888;
 		assert_int_equal(fbdev_scene_open(&scene), 0);
@@ -85,7 +85,7 @@ static void test_every_layout_shows_its_colours(void **state)
 		assert_int_equal(pixels.height, HEIGHT);
 		pixel = fake_fb_seen(WIDTH / 2, HEIGHT / 2);
 		if (cases[i].layout.gray) {
-			/* Green takes what rounding took from white. */
+			/* Green gets the rounding error of white. */
 			assert_in_range(fake_fb_seen(WIDTH - 1, 0),
 				cases[i].green - 1, cases[i].green + 1);
 			assert_int_equal(fake_fb_seen(0, 0), cases[i].red);
@@ -101,7 +101,7 @@ static void test_every_layout_shows_its_colours(void **state)
 	}
 }
 
-/* What a screen with tables shows, 0 to 255 a channel. */
+/* Checks the colour that a screen with a colour map shows. */
 static void expect_color(
 	const int index[3], int red, int green, int blue, int tolerance)
 {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void test_an_unknown_driver_lists_the_known(void **state)
+static void test_an_unknown_driver_lists_the_known_ones(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -38,7 +38,8 @@ static void test_every_driver_is_complete(void **state)
 	}
 }
 
-static void test_a_missing_library_is_named_with_its_package(void **state)
+static void test_the_message_names_a_missing_library_and_its_package(
+	void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -72,7 +73,7 @@ static void test_a_library_without_a_function_is_refused(void **state)
 	assert_contains(capture.sentence[0], "has no egl");
 }
 
-static void test_auto_opens_the_first_that_can(void **state)
+static void test_auto_opens_the_first_driver_that_works(void **state)
 {
 	struct stage stage = stage_open("auto", PIXELS_RGBA8888);
 
@@ -82,7 +83,7 @@ static void test_auto_opens_the_first_that_can(void **state)
 	stage_close(&stage);
 }
 
-static void test_auto_takes_no_reference_and_no_software_gl(void **state)
+static void test_auto_takes_neither_reference_nor_software_gl(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -96,7 +97,7 @@ static void test_auto_takes_no_reference_and_no_software_gl(void **state)
 	assert_int_equal(log_capture_count(&capture, LOG_ERROR), 0);
 }
 
-static void test_auto_passes_over_a_gl_without_a_processor(void **state)
+static void test_auto_skips_a_gl_without_a_graphics_processor(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -106,7 +107,7 @@ static void test_auto_passes_over_a_gl_without_a_processor(void **state)
 	struct gl_context *context = NULL;
 
 	(void)state;
-	/* Asked about by name, Mesa's EGL is looked at, and draws by itself. */
+	/* Opened by name, Mesa's EGL draws on the processor. */
 	setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
 	assert_int_equal(gl_open_for("auto", &request, &context), 0);
 	unsetenv("LIBGL_ALWAYS_SOFTWARE");
@@ -140,7 +141,7 @@ static void draw_with(
 	stage_close(&stage);
 }
 
-/* Backwards: the reference is last, and what a machine may lack first. */
+/* In reverse order: the reference is last. */
 static int last_driver(void)
 {
 	int last = 0;
@@ -151,7 +152,7 @@ static int last_driver(void)
 	return last;
 }
 
-/* How many bytes of two RGBA pictures differ by more than 2. */
+/* Counts the bytes of two RGBA pictures that differ by more than 2. */
 static int count_differences(const uint8_t *a, const uint8_t *b, size_t size)
 {
 	int count = 0;
@@ -176,11 +177,11 @@ static void test_the_drivers_agree(void **state)
 	for (int i = 4; i < SIZE; i += 4) {
 		colors += memcmp(first + i, first + i - 4, 4) != 0;
 	}
-	/* The scene is worth comparing. */
+	/* The picture must not be empty. */
 	assert_true(colors > 100);
 	for (int i = last_driver() - 1; i >= 0; i--) {
 		draw_with(gl_registry[i]->name, PIXELS_RGBA8888, next, SIZE);
-		/* Edges may fall to one side or the other. */
+		/* Pixels on edges may differ. */
 		assert_in_range(
 			count_differences(first, next, SIZE), 0, SIZE / 100);
 	}
@@ -215,14 +216,16 @@ static void test_the_drivers_agree_in_565(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_an_unknown_driver_lists_the_known),
+		cmocka_unit_test(test_an_unknown_driver_lists_the_known_ones),
 		cmocka_unit_test(test_every_driver_is_complete),
 		cmocka_unit_test(
-			test_a_missing_library_is_named_with_its_package),
+			test_the_message_names_a_missing_library_and_its_package),
 		cmocka_unit_test(test_a_library_without_a_function_is_refused),
-		cmocka_unit_test(test_auto_opens_the_first_that_can),
-		cmocka_unit_test(test_auto_takes_no_reference_and_no_software_gl),
-		cmocka_unit_test(test_auto_passes_over_a_gl_without_a_processor),
+		cmocka_unit_test(test_auto_opens_the_first_driver_that_works),
+		cmocka_unit_test(
+			test_auto_takes_neither_reference_nor_software_gl),
+		cmocka_unit_test(
+			test_auto_skips_a_gl_without_a_graphics_processor),
 		cmocka_unit_test(test_only_surface_drivers_draw_on_surfaces),
 		cmocka_unit_test(test_the_drivers_agree),
 		cmocka_unit_test(test_the_drivers_agree_in_565),

@@ -30,17 +30,10 @@ int ik_chain_init(
 		.tolerance = 0.0005f,
 		.weight = 1,
 	};
-	if (count < 2 || count > IK_CHAIN_MAX) {
-		return -EINVAL;
-	}
-	for (int i = count - 1; i >= 0; i--) {
-		if (tip < 0 || tip >= model->node_count) {
-			return -EINVAL;
-		}
-		chain->node[i] = tip;
-		tip = model->node[tip].parent;
-	}
-	return 0;
+	return count >= 2 && count <= IK_CHAIN_MAX &&
+			bone_chain(model, tip, count, chain->node)
+		? 0
+		: -EINVAL;
 }
 
 static void begin(struct solver *solver, const struct ik_chain *chain,

@@ -94,7 +94,7 @@ struct fixed_skin {
  * streams (enum fixed_streams) says which directions to skin besides
  * positions; the primitive must have them. 0; -ENOMEM; -ERANGE if positions
  * are not finite or more than 2,048 joints move vertices: such a primitive
- * stays in float.
+ * is posed in float.
  */
 int fixed_skin_init(struct fixed_skin *skin,
 	const struct model_primitive *primitive, unsigned streams,
@@ -104,7 +104,8 @@ int fixed_skin_init(struct fixed_skin *skin,
  * Adds the primitive's targets, for the skin's directions, and lays the streams
  * out again. The skin refers to itself from then on and may not be moved. 0;
  * -ENOMEM; -ERANGE if deltas are not finite numbers of sensible size or move
- * more than 65,535 vertices: such a primitive stays in float.
+ * more than 65,535 vertices: such a primitive is posed in float. After an error
+ * the skin may not be used.
  */
 int fixed_skin_add_targets(
 	struct fixed_skin *skin, int target_count, struct arena *arena);

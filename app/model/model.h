@@ -125,8 +125,10 @@ struct model_channel {
 	enum model_path path;
 	enum model_interpolation interpolation;
 	bool constant;       /* no value differs from the first one by more than
-				2e-6 of the clip's largest on this path */
-	bool unit;           /* rotation keys are of unit length to 1e-6 */
+				2e-6 of the clip's largest on this path; never
+				true for MODEL_CUBICSPLINE */
+	bool unit;           /* rotation keys are of unit length to 1e-6; never
+				true for MODEL_CUBICSPLINE */
 	int width;           /* floats of a value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */

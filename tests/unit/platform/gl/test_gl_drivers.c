@@ -75,12 +75,12 @@ static void test_a_library_without_a_function_is_refused(void **state)
 
 static void test_auto_opens_the_first_driver_that_works(void **state)
 {
-	struct stage stage = stage_open("auto", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("auto", PIXELS_RGBA8888);
 
 	(void)state;
-	stage_end_frame(&stage);
-	stage_expect(&stage, 0, 0, 0, 0, 0, 0);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_expect(&canvas, 0, 0, 0, 0, 0, 0);
+	gl_canvas_close(&canvas);
 }
 
 static void test_auto_takes_neither_reference_nor_software_gl(void **state)
@@ -132,13 +132,14 @@ static void test_only_surface_drivers_draw_on_surfaces(void **state)
 static void draw_with(
 	const char *driver, enum pixel_format format, uint8_t *out, size_t size)
 {
-	struct stage stage = stage_open(driver, format);
+	struct gl_canvas canvas = gl_canvas_open(driver, format);
 
-	stage.gl->Disable(GL_DITHER);
-	stage_draw_scene(&stage);
-	assert_int_equal(stage.pixels.stride_bytes * stage.pixels.height, size);
-	memcpy(out, stage.pixels.data, size);
-	stage_close(&stage);
+	canvas.gl->Disable(GL_DITHER);
+	gl_canvas_draw_scene(&canvas);
+	assert_int_equal(
+		canvas.pixels.stride_bytes * canvas.pixels.height, size);
+	memcpy(out, canvas.pixels.data, size);
+	gl_canvas_close(&canvas);
 }
 
 /* In reverse order: the reference is last. */
@@ -166,7 +167,7 @@ static int count_differences(const uint8_t *a, const uint8_t *b, size_t size)
 static void test_the_drivers_agree(void **state)
 {
 	enum {
-		SIZE = STAGE_WIDTH * STAGE_HEIGHT * 4
+		SIZE = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT * 4
 	};
 	uint8_t first[SIZE], next[SIZE];
 	int colors = 0;
@@ -190,7 +191,7 @@ static void test_the_drivers_agree(void **state)
 static void test_the_drivers_agree_in_565(void **state)
 {
 	enum {
-		COUNT = STAGE_WIDTH * STAGE_HEIGHT
+		COUNT = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT
 	};
 	uint16_t first[COUNT], next[COUNT];
 	int differences = 0;

@@ -18,7 +18,8 @@ int command_run_with_model(const struct command *command,
 			command->name, command->name, command->usage);
 		return EXIT_USAGE;
 	}
-	error = model_load(options->model_path, log, &model);
+	error = model_load_within(
+		options->model_path, options->common.memory_bytes, log, &model);
 	if (!error) {
 		error = run(model, options, log);
 		model_destroy(model);

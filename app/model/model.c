@@ -14,21 +14,35 @@ const struct model_material model_plain_material = {
 	.alpha_cutoff = 0.5f,
 };
 
-struct model *model_create(const char *path, const char *format)
+/* Whether the arena, which holds the budget, and the source fit the budget. */
+static bool fits(struct arena *arena, struct memory_budget *budget, size_t bytes)
+{
+	return arena_set_budget(arena, budget) &&
+		memory_budget_take(budget, bytes);
+}
+
+struct model *model_create(const struct model_source *source,
+	const char *format, const struct log *log)
 {
 	struct arena arena = arena_empty();
 	struct model *model = ARENA_NEW(&arena, struct model);
+	struct memory_budget *budget = ARENA_NEW(&arena, struct memory_budget);
 
-	if (model) {
-		model->path = arena_strdup(&arena, path);
+	if (budget) {
+		budget->limit_bytes = source->memory_bytes;
+	}
+	if (model && budget && fits(&arena, budget, source->size)) {
+		model->path = arena_strdup(&arena, source->name);
 		model->format = arena_strdup(&arena, format);
+		model->budget = budget;
 		model->arena = arena;
-		if (!model->path || !model->format) {
-			model_destroy(model);
-			model = NULL;
+		if (model->path && model->format) {
+			return model;
 		}
 	}
-	return model;
+	(void)memory_budget_fail(budget, source->name, log);
+	arena_release(&arena);
+	return NULL;
 }
 
 void model_destroy(struct model *model)

@@ -17,6 +17,7 @@
 
 #include "platform/base/arena.h"
 #include "platform/base/log.h"
+#include "platform/base/memory_budget.h"
 
 #include <cglm/types.h>
 
@@ -193,6 +194,11 @@ struct model_camera {
 
 struct model {
 	struct arena arena;
+	/*
+	 * What the model and all its instances take memory from; it lies in the
+	 * arena. NULL, without a limit, in a model that no loader made.
+	 */
+	struct memory_budget *budget;
 	const char *path;
 	const char *format; /* for display: "glTF 2.0" */
 
@@ -217,6 +223,10 @@ struct model {
 	float *rest_weights; /* [weight_count]: the node's, the mesh's, or 0 */
 };
 
+enum {
+	MODEL_MEMORY_BYTES = 256 * 1024 * 1024
+};
+
 /*
  * Loads a file, whose content decides its format. 0, or -errno after one error
  * that names the file, the location in it and the reason: -ENOENT for a missing
@@ -227,8 +237,15 @@ struct model {
 int model_load(const char *path, const struct log *log, struct model **out);
 
 /*
- * The same from memory, to which the model keeps no pointer. name serves as the
- * path in messages and in model.path. A model that refers to other files is
+ * The same with another limit than MODEL_MEMORY_BYTES on the memory of the
+ * model, of what the load needs, and of the model's instances.
+ */
+int model_load_within(const char *path, size_t memory_bytes,
+	const struct log *log, struct model **out);
+
+/*
+ * model_load() from memory, to which the model keeps no pointer. name serves as
+ * the path in messages and in model.path. A model that refers to other files is
  * -EACCES.
  */
 int model_load_memory(const void *data, size_t size, const char *name,

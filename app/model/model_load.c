@@ -42,18 +42,23 @@ static int load_source(const struct model_source *source, const struct log *log,
 		error = format->load(source, log, out);
 	}
 	if (!error) {
+		memory_budget_give_back((*out)->budget, source->size);
 		model_prepare_clips(*out);
 	}
 	return error;
 }
 
-int model_examine(const char *path, const struct examiner *examiner,
-	const struct log *log)
+int model_examine(const char *path, size_t memory_bytes,
+	const struct examiner *examiner, const struct log *log)
 {
-	struct model_source source = {.name = path, .has_folder = true};
+	struct model_source source = {
+		.name = path,
+		.has_folder = true,
+		.memory_bytes = memory_bytes,
+	};
 	const struct model_format *format;
 	struct model_file file;
-	int error = model_file_read(path, log, &file);
+	int error = model_file_read(path, NULL, log, &file);
 
 	if (error) {
 		return error;
@@ -70,12 +75,23 @@ int model_examine(const char *path, const struct examiner *examiner,
 
 int model_load(const char *path, const struct log *log, struct model **out)
 {
-	struct model_source source = {.name = path, .has_folder = true};
+	return model_load_within(path, MODEL_MEMORY_BYTES, log, out);
+}
+
+int model_load_within(const char *path, size_t memory_bytes,
+	const struct log *log, struct model **out)
+{
+	struct model_source source = {
+		.name = path,
+		.has_folder = true,
+		.memory_bytes = memory_bytes,
+	};
+	struct memory_budget budget = {.limit_bytes = memory_bytes};
 	struct model_file file;
 	int error;
 
 	*out = NULL;
-	error = model_file_read(path, log, &file);
+	error = model_file_read(path, &budget, log, &file);
 	if (error) {
 		return error;
 	}
@@ -89,7 +105,12 @@ int model_load(const char *path, const struct log *log, struct model **out)
 int model_load_memory(const void *data, size_t size, const char *name,
 	const struct log *log, struct model **out)
 {
-	struct model_source source = {.name = name, .data = data, .size = size};
+	struct model_source source = {
+		.name = name,
+		.data = data,
+		.size = size,
+		.memory_bytes = MODEL_MEMORY_BYTES,
+	};
 
 	return load_source(&source, log, out);
 }

@@ -147,7 +147,8 @@ static int run(const struct options *options, const struct log *log)
 		return EXIT_USAGE;
 	}
 	if (options->model_path) {
-		error = model_load(options->model_path, log, &model);
+		error = model_load_within(options->model_path,
+			options->common.memory_bytes, log, &model);
 	}
 	if (!error) {
 		bench.model = model;

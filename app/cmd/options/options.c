@@ -8,6 +8,7 @@
 struct options options_default(void)
 {
 	struct options options = {
+		.common.memory_bytes = MODEL_MEMORY_BYTES,
 		.motion.speed = 1.0f,
 		.motion.repeat = CLIP_LOOP,
 		.motion.interpolation = CLIP_AUTO,

@@ -11,6 +11,7 @@
 
 #include "app/anim/clip.h"
 #include "app/demo/live.h"
+#include "app/model/model.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
 #include "platform/base/log.h"
@@ -45,7 +46,8 @@ enum options_math {
 
 /* Options of all commands, or of most. */
 struct options_common {
-	const char *config; /* a path or "none" */
+	const char *config;  /* a path or "none" */
+	size_t memory_bytes; /* the limit of model_load_within() */
 	bool json;
 	bool verbose;
 	bool help;

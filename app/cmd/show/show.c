@@ -71,6 +71,7 @@ static int open_demo(struct show *show)
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
 		.model_path = show->plan->model_path,
+		.memory_bytes = options->common.memory_bytes,
 		.clip = options->motion.clip,
 		.interpolation = options->motion.interpolation,
 		.repeat = options->motion.repeat,

@@ -19,10 +19,11 @@ struct examiner {
 
 /*
  * Loads the file and reports its findings, of which there may be none. 0, or
- * -errno after one error, as model_load().
+ * -errno after one error, as
+ * model_load_within().
  */
-int model_examine(const char *path, const struct examiner *examiner,
-	const struct log *log);
+int model_examine(const char *path, size_t memory_bytes,
+	const struct examiner *examiner, const struct log *log);
 
 /* Report what a loaded model of any format shows. Loaders call them. */
 void examine_clips(const struct model *model, const struct examiner *examiner);

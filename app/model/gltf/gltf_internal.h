@@ -19,19 +19,20 @@
  * A function that returns int returns 0, or -errno after it has logged one
  * error. The loader checks every number of the file before it allocates memory
  * by it. All memory comes from two arenas: the model's arena, and a scratch
- * arena that is released at the end of the load. Together they stay within
- * GLTF_BUDGET_BYTES.
+ * arena that is released at the end of the load. Both take
+ * it from the model's budget.
  */
 #ifndef APP_MODEL_GLTF_GLTF_INTERNAL_H
 #define APP_MODEL_GLTF_GLTF_INTERNAL_H
 
 #include "app/model/model_file.h"
 #include "app/model/model_loader.h"
+#include "platform/base/count.h"
 
 #include <jansson.h>
 
 enum {
-	GLTF_BUDGET_BYTES = 256 * 1024 * 1024,
+	GLTF_ACCESSOR_BYTES_MAX = 256 * 1024 * 1024, /* unpacked to floats */
 	GLTF_JSON_BYTES_MAX = 64 * 1024 * 1024,
 	GLTF_JSON_VALUES_MAX = 1024 * 1024,
 };
@@ -120,7 +121,8 @@ struct gltf {
 
 	const uint8_t *binary; /* the BIN chunk of a .glb, or NULL */
 	size_t binary_size;
-	size_t file_bytes; /* size of all files read beside the model */
+	/* What JSON and decoders took from the budget, see gltf_take(). */
+	size_t taken_bytes;
 
 	int warnings; /* logged so far */
 
@@ -238,8 +240,17 @@ int gltf_name(const struct gltf_at *at, const char **out);
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size);
 
-/* Whether the budget allows count * size more bytes; logs an error if not. */
-bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size);
+/*
+ * Takes count * size bytes from the model's budget until gltf_release(). 0, or
+ * -ENOMEM after an error.
+ */
+int gltf_take(const struct gltf_at *at, size_t count, size_t size);
+
+/* Gives back some of them earlier. */
+void gltf_give_back(struct gltf *gltf, size_t bytes);
+
+/* Logs that the value needs more memory than there is; returns -ENOMEM. */
+int gltf_no_memory(const struct gltf_at *at);
 
 /* Arrays in the model's arena and in the scratch arena; see gltf_alloc(). */
 #define GLTF_KEEP(at, type, count)                                            \

@@ -358,33 +358,39 @@ int gltf_name(const struct gltf_at *at, const char **out)
 	return error ? error : gltf_copy_string(at, name, out);
 }
 
-bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size)
+int gltf_no_memory(const struct gltf_at *at)
 {
-	const struct gltf *gltf = at->gltf;
-	size_t used = gltf->model->arena.used_bytes + gltf->scratch.used_bytes +
-		gltf->file_bytes;
+	char where[256];
 
-	if (used > GLTF_BUDGET_BYTES ||
-		count > (GLTF_BUDGET_BYTES - used) / size) {
-		gltf_fail(at, -ENOMEM,
-			"the model needs more than %d MiB of memory",
-			GLTF_BUDGET_BYTES >> 20);
-		return false;
+	gltf_path(at, where, sizeof(where));
+	return memory_budget_fail(at->gltf->model->budget, where, at->gltf->log);
+}
+
+int gltf_take(const struct gltf_at *at, size_t count, size_t size)
+{
+	size_t bytes = SIZE_MAX;
+
+	(void)size_multiply(count, size, &bytes);
+	if (!memory_budget_take(at->gltf->model->budget, bytes)) {
+		return gltf_no_memory(at);
 	}
-	return true;
+	at->gltf->taken_bytes += bytes;
+	return 0;
+}
+
+void gltf_give_back(struct gltf *gltf, size_t bytes)
+{
+	memory_budget_give_back(gltf->model->budget, bytes);
+	gltf->taken_bytes -= bytes;
 }
 
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size)
 {
-	void *memory;
+	void *memory = arena_alloc(arena, count, size);
 
-	if (!gltf_fits_budget(at, count, size)) {
-		return NULL;
-	}
-	memory = arena_alloc(arena, count, size);
 	if (!memory) {
-		gltf_fail(at, -ENOMEM, "not enough memory");
+		(void)gltf_no_memory(at);
 	}
 	return memory;
 }

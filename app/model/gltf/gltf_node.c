@@ -195,7 +195,7 @@ static int order_nodes(const struct gltf_at *array, int count)
 		return gltf_fail(&item, -EINVAL, "is an ancestor of itself");
 	}
 	if (error) {
-		return gltf_fail(array, error, "not enough memory");
+		return gltf_no_memory(array);
 	}
 	number_nodes(gltf, order);
 	return 0;
@@ -288,18 +288,17 @@ static int read_rest_weights(const struct gltf_at *array)
 {
 	struct gltf *gltf = array->gltf;
 	struct model *model = gltf->model;
-	int64_t total = 0;
+	int total = 0;
 	int error = 0;
 	int i;
 
 	for (i = 0; i < model->node_count; i++) {
 		struct model_node *node = &model->node[i];
 
-		node->weight_offset = (int)total;
-		if (node->mesh >= 0) {
-			total += model->mesh[node->mesh].target_count;
-		}
-		if (total > GLTF_BUDGET_BYTES) {
+		node->weight_offset = total;
+		if (node->mesh >= 0 &&
+			!count_add(total, model->mesh[node->mesh].target_count,
+				&total)) {
 			return gltf_fail(array, -EFBIG,
 				"the nodes have too many morph weights");
 		}
@@ -308,7 +307,7 @@ static int read_rest_weights(const struct gltf_at *array)
 	if (!model->rest_weights) {
 		return -ENOMEM;
 	}
-	model->weight_count = (int)total;
+	model->weight_count = total;
 	for (i = 0; i < model->node_count && !error; i++) {
 		const struct model_node *node = &model->node[i];
 		struct gltf_at item = gltf_element(array, node->file_index);

@@ -88,17 +88,8 @@ static int decode(const struct gltf_at *at, const uint8_t *data, size_t size,
 {
 	struct gltf *gltf = at->gltf;
 	char where[256];
-	int width, height;
-	int error;
 
 	gltf_path(at, where, sizeof(where));
-	error = image_measure(data, size, where, gltf->log, &width, &height);
-	if (error) {
-		return error;
-	}
-	if (!gltf_fits_budget(at, (size_t)width * (size_t)height, 4)) {
-		return -ENOMEM;
-	}
 	return image_decode(
 		data, size, where, gltf->log, &gltf->model->arena, out);
 }
@@ -136,7 +127,6 @@ static int read_image(const struct gltf_at *at, struct model_image *out)
 	if (!error) {
 		error = decode(at, data, size, out);
 	}
-	gltf->file_bytes -= file.size;
 	model_file_release(&file);
 	return error;
 }

@@ -42,8 +42,7 @@ void xfile_warn_at(const struct xfile_context *context, size_t location,
 
 int xfile_no_memory(const struct xfile_context *context)
 {
-	log_error(context->log, "%s: not enough memory", context->path);
-	return -ENOMEM;
+	return memory_budget_fail(context->budget, context->path, context->log);
 }
 
 /* Drops the next token and scans the one after it. */

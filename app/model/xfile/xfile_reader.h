@@ -10,6 +10,7 @@
 #define APP_MODEL_XFILE_XFILE_READER_H
 
 #include "platform/base/arena.h"
+#include "platform/base/memory_budget.h"
 #include "platform/base/log.h"
 
 #include <stdbool.h>
@@ -25,6 +26,7 @@ enum {
 struct xfile_context {
 	const char *path;
 	const struct log *log;
+	struct memory_budget *budget; /* the model's */
 	bool binary;
 	bool unpacked; /* locations count in the decompressed data */
 };

@@ -206,7 +206,9 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	if (pixels_alloc(&pixels, WIDTH, HEIGHT, PIXELS_RGB565, &log) != 0 ||
-		gl_open(argc > 3 ? argv[3] : "soft", PIXELS_RGB565, &log,
+		gl_open(argc > 3 ? argv[3] : "soft",
+			&(struct gl_request){
+				.format = PIXELS_RGB565, .log = &log},
 			&context) != 0) {
 		return EXIT_FAILURE;
 	}

@@ -34,7 +34,9 @@ struct gl_canvas gl_canvas_open(const char *driver, enum pixel_format format)
 	struct gl_canvas canvas;
 	int error;
 
-	error = gl_open(driver, format, &log, &canvas.context);
+	error = gl_open(driver,
+		&(struct gl_request){.format = format, .log = &log},
+		&canvas.context);
 	if (error) {
 		fail_or_skip(driver, error);
 	}

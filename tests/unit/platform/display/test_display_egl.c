@@ -74,7 +74,7 @@ static int scene_open(struct scene *scene, const char *spec,
 		return error;
 	}
 	scene->driver->get_surface(scene->display, &surface);
-	error = gl_open_for(gl_name, &request, &scene->gl);
+	error = gl_open(gl_name, &request, &scene->gl);
 	if (error) {
 		scene->driver->destroy(scene->display);
 	}
@@ -301,7 +301,7 @@ static void test_auto_takes_a_graphics_processor(void **state)
 	request.egl_library = scene.library.text;
 	request.gles_library = scene.library.text;
 	request.log = &scene.log;
-	assert_int_equal(gl_open_for("auto", &request, &scene.gl), 0);
+	assert_int_equal(gl_open("auto", &request, &scene.gl), 0);
 	assert_string_equal(scene.gl->driver->name, "gles1");
 	assert_int_equal(scene.gl->driver->begin_frame(scene.gl, &pixels), 0);
 	assert_int_equal(scene.gl->driver->end_frame(scene.gl), 0);
@@ -309,7 +309,7 @@ static void test_auto_takes_a_graphics_processor(void **state)
 	scene.gl->driver->destroy(scene.gl);
 
 	setenv("FAKE_GLES_RENDERER", "llvmpipe (LLVM 15.0.6, 256 bits)", 1);
-	assert_int_equal(gl_open_for("auto", &request, &scene.gl), 0);
+	assert_int_equal(gl_open("auto", &request, &scene.gl), 0);
 	assert_string_equal(scene.gl->driver->name, "soft");
 	scene.gl->driver->destroy(scene.gl);
 	assert_true(log_capture_has(&scene.capture, LOG_NOTE, "llvmpipe"));

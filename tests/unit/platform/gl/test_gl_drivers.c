@@ -14,8 +14,11 @@ static void test_an_unknown_driver_lists_the_known_ones(void **state)
 	struct gl_context *context = NULL;
 
 	(void)state;
-	assert_int_equal(
-		gl_open("voodoo", PIXELS_RGBA8888, &log, &context), -EINVAL);
+	assert_int_equal(gl_open("voodoo",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-EINVAL);
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "--gl voodoo");
 	for (int i = 0; gl_registry[i]; i++) {
@@ -47,8 +50,11 @@ static void test_the_message_names_a_missing_library_and_its_package(
 
 	(void)state;
 	setenv("LIMBER_EGL", "libnowhere.so.7", 1);
-	assert_int_equal(
-		gl_open("gles1", PIXELS_RGBA8888, &log, &context), -ENOENT);
+	assert_int_equal(gl_open("gles1",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-ENOENT);
 	unsetenv("LIMBER_EGL");
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "LIMBER_EGL");
@@ -65,8 +71,11 @@ static void test_a_library_without_a_function_is_refused(void **state)
 	(void)state;
 	setenv("LIMBER_EGL", "libm.so.6", 1);
 	setenv("LIMBER_GLES", "libm.so.6", 1);
-	assert_int_equal(
-		gl_open("gles1", PIXELS_RGBA8888, &log, &context), -ENOSYS);
+	assert_int_equal(gl_open("gles1",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-ENOSYS);
 	unsetenv("LIMBER_EGL");
 	unsetenv("LIMBER_GLES");
 	assert_int_equal(capture.count, 1);
@@ -90,7 +99,11 @@ static void test_auto_takes_neither_reference_nor_software_gl(void **state)
 	struct gl_context *context = NULL;
 
 	(void)state;
-	assert_int_equal(gl_open("auto", PIXELS_RGB565, &log, &context), 0);
+	assert_int_equal(gl_open("auto",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &context),
+		0);
 	assert_true(context->accelerated ||
 		strcmp(context->driver->name, "soft") == 0);
 	context->driver->destroy(context);
@@ -109,7 +122,7 @@ static void test_auto_skips_a_gl_without_a_graphics_processor(void **state)
 	(void)state;
 	/* Opened by name, Mesa's EGL draws on the processor. */
 	setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-	assert_int_equal(gl_open_for("auto", &request, &context), 0);
+	assert_int_equal(gl_open("auto", &request, &context), 0);
 	unsetenv("LIBGL_ALWAYS_SOFTWARE");
 	assert_string_equal(context->driver->name, "soft");
 	context->driver->destroy(context);

@@ -93,7 +93,11 @@ static struct framed open_framed(enum pixel_format format)
 	struct log log = log_to_stderr(LOG_WARNING);
 	struct framed framed;
 
-	assert_int_equal(gl_open("soft", format, &log, &framed.context), 0);
+	assert_int_equal(
+		gl_open("soft",
+			&(struct gl_request){.format = format, .log = &log},
+			&framed.context),
+		0);
 	assert_int_equal(pixels_alloc(&framed.all, 64 + 2 * BORDER,
 				 48 + 2 * BORDER, format, &log),
 		0);

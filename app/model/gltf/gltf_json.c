@@ -52,18 +52,18 @@ void gltf_path(const struct gltf_at *at, char *text, size_t size)
 static void log_at(const struct gltf_at *at, enum log_level level,
 	const char *format, va_list arguments)
 {
-	char place[TEXT_BYTES];
+	char path[TEXT_BYTES];
 	char reason[TEXT_BYTES];
 	char *c;
 
-	gltf_path(at, place, sizeof(place));
+	gltf_path(at, path, sizeof(path));
 	vsnprintf(reason, sizeof(reason), format, arguments);
 	for (c = reason; *c; c++) {
 		if ((unsigned char)*c < 0x20 || *c == 0x7f) {
 			*c = '?';
 		}
 	}
-	log_write(at->gltf->log, level, "%s: %s", place, reason);
+	log_write(at->gltf->log, level, "%s: %s", path, reason);
 }
 
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)

@@ -11,7 +11,7 @@
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H
 
-#include "app/scene/instance/instance.h"
+#include "app/scene/instance/instance_data.h"
 
 /*
  * Makes the batches of a drawable whose output arrays are set. Vertex colours

@@ -47,23 +47,16 @@ static int refuse_unknown(const struct command *const *commands,
 	const char *word, const struct log *log)
 {
 	const char *names[COMMANDS_MAX];
-	const char *closest;
 	int count = 0;
 
 	for (; commands[count] && count < COMMANDS_MAX - 1; count++) {
 		names[count] = commands[count]->name;
 	}
 	names[count] = NULL;
-	closest = options_closest(word, names);
-	if (closest) {
-		log_error(log,
-			"%s: there is no such command or file: did you mean limber %s?",
-			word, closest);
-	} else {
-		log_error(log,
-			"%s: there is no such command or file: limber --help lists the commands",
-			word);
-	}
+	options_log_unknown(log,
+		&(struct options_unknown){"", word, "command or file",
+			"limber ", "limber --help lists the commands"},
+		names);
 	return EXIT_USAGE;
 }
 

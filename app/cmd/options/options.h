@@ -179,4 +179,20 @@ void options_list(FILE *out, enum command_bit command);
  */
 const char *options_closest(const char *word, const char *const *candidates);
 
+/* A word that is not one of the names it should be one of. */
+struct options_unknown {
+	const char *option; /* printed before the word: "--demo ", or "" */
+	const char *word;
+	const char *what;   /* "demo" */
+	const char *prefix; /* printed before a suggested name: "--", or "" */
+	const char *hint;   /* what to do when no name is similar */
+};
+
+/*
+ * Logs an error about the word, with the name that it was probably meant to be.
+ * names ends with NULL.
+ */
+void options_log_unknown(const struct log *log,
+	const struct options_unknown *unknown, const char *const *names);
+
 #endif

@@ -55,19 +55,6 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 		(double)candidate->error.mean_px);
 }
 
-static bool has_technique(
-	const struct comparison *comparison, enum technique technique)
-{
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		const struct candidate *candidate = &comparison->candidate[i];
-
-		if (candidate->listed && candidate->technique == technique) {
-			return true;
-		}
-	}
-	return false;
-}
-
 static void print_ratings(const struct comparison *comparison, FILE *out)
 {
 	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 rates them",
@@ -75,7 +62,7 @@ static void print_ratings(const struct comparison *comparison, FILE *out)
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
 		const struct technique_rating *rating = &technique_ratings[t];
 
-		if (has_technique(comparison, (enum technique)t)) {
+		if (comparison_has(comparison, (enum technique)t)) {
 			fprintf(out, "  %-26s %-20s %-20s %s\n", rating->name,
 				rating->control, rating->looks, rating->coding);
 		}

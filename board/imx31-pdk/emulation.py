@@ -34,7 +34,7 @@ BUTTONS = {"UP": 18, "DOWN": 19, "LEFT": 20, "RIGHT": 21, "ENTER": 22,
 GPIO2 = "/machine/soc/gpio[1]"
 
 # A timer that the kernel does not use counts down at 32768 Hz from the first
-# instruction on. It measures the guest's time, including that of the boot loader.
+# instruction on. It measures the time of the guest and of its boot loader.
 TIMER_CONTROL, TIMER_COUNT = 0x53F94000, 0x53F94010
 TIMER_RUN = 3 << 24 | 1 << 1 | 1 << 0
 TIMER_HZ = 32768.0

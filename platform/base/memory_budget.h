@@ -1,10 +1,10 @@
 /*
- * A limit on the memory that belongs together, such as that of a model and all
+ * A limit on the memory of things that belong together, such as a model and all
  * its instances.
  *
- * Whoever allocates takes bytes from the budget first and gives them back after
- * freeing them. An arena with a budget (arena.h) does so by itself. A budget is
- * not for use by several threads at once.
+ * A function that allocates first takes the bytes from the budget, and gives
+ * them back after freeing. An arena with a budget (arena.h) does so by itself.
+ * Only one thread may use a budget at a time.
  */
 #ifndef PLATFORM_BASE_MEMORY_BUDGET_H
 #define PLATFORM_BASE_MEMORY_BUDGET_H
@@ -21,8 +21,8 @@ struct memory_budget {
 };
 
 /*
- * Takes bytes; false, and exceeded is set, when fewer than that are left. A
- * budget of NULL has no limit.
+ * Takes bytes from the budget. When fewer are left it sets exceeded and returns
+ * false. A budget of NULL has no limit.
  */
 bool memory_budget_take(struct memory_budget *budget, size_t bytes);
 
@@ -30,9 +30,8 @@ bool memory_budget_take(struct memory_budget *budget, size_t bytes);
 void memory_budget_give_back(struct memory_budget *budget, size_t bytes);
 
 /*
- * Logs that what (a file, or a place in it) needs more memory than the budget
- * allows, or that the machine has no more, whichever is the case. Returns
- * -ENOMEM.
+ * Logs an error about what, a file or a part of it: it needs more memory than
+ * the budget allows, or the machine has no memory left. Returns -ENOMEM.
  */
 int memory_budget_fail(const struct memory_budget *budget, const char *what,
 	const struct log *log);

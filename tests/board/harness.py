@@ -277,9 +277,8 @@ def limber_pid(machine):
     return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None
 
 
-# What is done beside a running limber takes time from its frames. So the shell
-# does it by itself: a program that it started would take some twenty
-# milliseconds.
+# Commands that run while limber runs take time from its frames. So the shell
+# executes them itself; a program that it starts would take about 20 ms.
 
 def start_limber(machine, arguments, seconds=10):
     """Starts it by hand in the background, until its picture is there."""

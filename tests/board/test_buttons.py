@@ -12,12 +12,12 @@ from harness import (BY_HAND, FOLDER, booted, check, difference, done,
                      stop_limber, wait_until)
 
 LATENCY_MS, FRAME_MS = 100, 100
-# A press may wait for the frame under way, and its own frame follows: twice
-# what a frame takes, up to 50 ms of the arm's, and some. Nothing else adds to it.
+# A press may wait for the current frame, and its own frame follows: twice the
+# time of a frame, which is up to 50 ms for the arm, and a reserve.
 HOLD_S = 0.4
-# A demo, the buttons to press, those to tell them from, and where to look: of
-# the arm everything stands still until a button is pressed, of the walker the
-# line at the bottom that names a feature.
+# A demo, the buttons to press, the buttons to compare them with, and the region
+# of the screen that is still until a button is pressed: all of the arm's
+# screen, and of the walker's the line at the bottom that names a feature.
 DEMOS = (
     ("arm", ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"), ("F8",),
      (0, 0, 480, 640)),
@@ -50,7 +50,7 @@ def press_and_look(machine, demo, button, area):
     after = machine.frame()
     machine.wires.level(button, False)
     save(after, f"{button}.png")
-    # The release has its picture, too, before anything else runs there.
+    # The frame of the release must be drawn before anything else runs.
     pause(machine, HOLD_S)
     stop_limber(machine)
     stats = machine.shell("cat /run/stats")[1]
@@ -151,8 +151,8 @@ def press_twice():
 once = presses_seen(machine, press_once)[2]
 twice = presses_seen(machine, press_twice)[2]
 check("two presses are two", once != twice)
-# Bouncing must end before the press counts as one; on a busy machine, where
-# the board runs on while this waits for its turn, it has to be tried again.
+# The bouncing must end within the debounce time. On a busy machine, where the
+# board runs on while this script waits, it must be tried again.
 for _ in range(20):
     took_s, count, frame = presses_seen(
         machine, lambda: bounce(machine, "ENTER", 2))

@@ -7,7 +7,7 @@ from harness import (BY_HAND, booted, check, done, guest_tool, note, pause,
                      save, start_limber, stop_limber, wait_until)
 
 DRIVER = "/sys/bus/platform/drivers/vivid"
-# vivid's controls: no text over the bars; gone until nobody holds it.
+# vivid's controls: no text over the bars; disconnected until it is closed.
 TEXT_MODE, NO_TEXT = "0x00f0f001", 2
 DISCONNECT = "0x00f0f041"
 HUES = ("red", "yellow", "green", "cyan", "blue", "magenta")

@@ -16,7 +16,7 @@ for name in ("status", "available"):
 
 packages = list(IMAGE.glob("limber_*_armel.deb"))
 check("there is one package", len(packages) == 1, packages)
-# Its libraries are those of a board, not on record here.
+# The libraries are the board's; the host's package database lacks them.
 run = subprocess.run(
     ["dpkg", "--force-not-root", "--force-depends", "--force-architecture",
      "--force-script-chrootless", "--log=/dev/null", f"--admindir={admin}",

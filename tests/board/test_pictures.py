@@ -10,7 +10,7 @@ PICTURES = [(demo, time) for demo in ("walker", "arm", "face")
             for time in ("0.52", "2.2", "5")]
 
 machine = booted(BY_HAND)
-# Else the console takes the screen back when limber ends.
+# Otherwise the console draws on the screen when limber ends.
 machine.shell("echo 0 >/sys/class/vtconsole/vtcon1/bind")
 for demo, time in PICTURES:
     arguments = ("--demo", demo, "--time", time, "--clock", "fixed:25",

@@ -1,7 +1,7 @@
 #!/bin/sh
 # shellcheck disable=SC2154 # tap.sh's variables
-# The board's flashing script against a boot loader on a pty, in both dialects.
-# (sh only starts it: the script under test is bash's.)
+# Tests flash.sh with a simulated boot loader on a pseudo-terminal, once as U-Boot
+# and once as RedBoot.
 . "$(dirname "$0")/../support/tap.sh"
 flash=board/imx31-pdk/flash.sh
 images=$scratch/images
@@ -10,13 +10,13 @@ received=$scratch/received
 loader_pid=
 mkdir "$images" "$served"
 
-# Images with a size that is no multiple of anything, and one beyond a page.
+# Images of odd sizes, and one of whole pages.
 head -c 300001 /dev/urandom >"$images/zImage-dtb"
 head -c 200003 /dev/urandom >"$images/initramfs.cpio.lz4"
 head -c 262144 /dev/urandom >"$images/rootfs.ubi"
 (cd "$images" && sha256sum -- * >SHA256SUMS)
 
-# board LOADER [FAULT...]: sets $line.
+# board LOADER [FAULT...]: starts a board and sets $line to its terminal.
 board() {
     board_end
     rm -f "$scratch/line"
@@ -38,7 +38,7 @@ board_end() {
 }
 trap 'board_end; rm -rf "$tap_folder"' EXIT
 
-# flash ABOUT ARGUMENTS...
+# flash ABOUT ARGUMENTS...: runs the script.
 flash() {
     about_text=$1
     shift
@@ -46,7 +46,7 @@ flash() {
     about "$about_text"
 }
 
-# on_board ABOUT ARGUMENTS...: with the board's line, quick time-outs.
+# on_board ABOUT ARGUMENTS...: runs it on the board's line with short time-outs.
 on_board() {
     on_about=$1
     shift
@@ -98,7 +98,7 @@ for loader in uboot redboot; do
         [ "$(grep -Ec "$writes" "$received")" -le 4 ]
 
     board $loader
-    on_board "$loader: nobody says yes" write
+    on_board "$loader: the user does not say yes" write
     expect_status 1
     expect_err 'kernel was not changed'
     never_received "$writes"

@@ -19,7 +19,7 @@ import board  # noqa: E402
 from overlay import emulation  # noqa: E402
 
 TOLD_S = 10
-# What a test can wait for; a QEMU that hangs is given up after so long.
+# How long a test waits, and after how long the server gives a QEMU up.
 emulation.ANSWER_S, emulation.END_S = 1, 1
 
 _count = _failed = 0
@@ -99,11 +99,11 @@ async def check_told(name, virtual, why):
     """Checks that the end is reported with that word, that no process is left,
     and that the board starts again."""
     process = virtual.machine.process
-    told = await until(lambda: virtual.phase == "ended")
-    check(f"{name}: it is told", told and why in virtual.why,
+    reported = await until(lambda: virtual.phase == "ended")
+    check(f"{name}: it is reported", reported and why in virtual.why,
           f"{virtual.phase}: {virtual.why}")
     check(f"{name}: no process is left", process.poll() is not None)
-    if not told:
+    if not reported:
         await virtual.power(False)
     check(f"{name}: it starts again", await is_running(virtual), virtual.why)
 
@@ -114,8 +114,7 @@ async def test_deaths(virtual):
         kill(virtual)
         await check_told(f"QEMU dies after {wait_s * 1000:.0f} ms", virtual,
                          "QEMU has ended")
-    # In this thread, so that nothing is being asked: the next question finds
-    # nobody.
+    # In this thread no request is being sent; the next one must fail.
     kill(virtual)
     virtual.machine.process.wait()
     await check_told("QEMU dies between questions", virtual, "QEMU has ended")
@@ -150,10 +149,10 @@ async def test_hanging(virtual):
           virtual.phase == "off" and took_s < 5, f"{virtual.phase}, {took_s} s")
     await reset
     wish("deaf")
-    check("it starts deaf", await is_running(virtual), virtual.why)
+    check("it starts and ignores SIGTERM", await is_running(virtual), virtual.why)
     process = virtual.machine.process
     await virtual.power(False)
-    check("one that does not mind SIGTERM is killed",
+    check("one that ignores SIGTERM is killed",
           virtual.phase == "off" and process.returncode == -signal.SIGKILL)
     wish("deaf", False)
 
@@ -164,7 +163,7 @@ async def test_switching_off(virtual):
     for ticks in range(6):
         await is_running(virtual)
         watcher = virtual.tasks[-1]
-        # So it mostly rests, and does not ask.
+        # Then the task rests most of the time and sends no requests.
         virtual.listener.looks = False
         await asyncio.sleep(0.2)
         virtual.listener.phases.clear()
@@ -176,7 +175,7 @@ async def test_switching_off(virtual):
         if not watcher.done() or virtual.listener.phases != ["off"]:
             left.append((ticks, virtual.listener.phases[:]))
         virtual.listener.looks = True
-    check("switched off while pressed, nobody looks on", not left, left)
+    check("switched off while pressed, the page stops watching", not left, left)
 
 
 async def test_reset(virtual):

@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 struct scene {
-	struct test_path folder, told, library;
+	struct test_path folder, calls, library;
 	struct log_capture capture;
 	struct log log;
 	const struct display_driver *driver;
@@ -48,9 +48,9 @@ static void scene_begin(struct scene *scene, const char *library)
 	*scene = (struct scene){.library = beside(library)};
 	scene->log = log_capture_begin(&scene->capture);
 	scene->folder = temp_dir_make();
-	scene->told = path_join(&scene->folder, "told");
-	file_write(scene->told.text, "", 0);
-	setenv("FAKE_GLES_LOG", scene->told.text, 1);
+	scene->calls = path_join(&scene->folder, "calls");
+	file_write(scene->calls.text, "", 0);
+	setenv("FAKE_GLES_LOG", scene->calls.text, 1);
 	unsetenv("FAKE_GLES_SIZE");
 	unsetenv("FAKE_GLES_REFUSE");
 	unsetenv("FAKE_GLES_RENDERER");
@@ -97,11 +97,11 @@ static void scene_close(struct scene *scene)
 /* Checks that exactly these calls were logged, and clears the log. */
 static void expect_told(const struct scene *scene, const char *text)
 {
-	char *told = file_read(scene->told.text, NULL);
+	char *calls = file_read(scene->calls.text, NULL);
 
-	assert_string_equal(told, text);
-	free(told);
-	file_write(scene->told.text, "", 0);
+	assert_string_equal(calls, text);
+	free(calls);
+	file_write(scene->calls.text, "", 0);
 }
 
 static void scene_end(struct scene *scene)
@@ -242,7 +242,7 @@ static void test_the_picture_follows_the_screens_size(void **state)
 	scene_begin(&scene, "fake_gles.so");
 	assert_int_equal(scene_open(&scene, "egl", "gles1", PIXELS_RGB565), 0);
 	scene_draw(&scene);
-	file_write(scene.told.text, "", 0);
+	file_write(scene.calls.text, "", 0);
 	setenv("FAKE_GLES_SIZE", "640x480", 1);
 	scene_draw(&scene);
 	expect_told(&scene,

@@ -6,9 +6,9 @@ set -eu
 root=$1
 sysroot=$2
 out=$3
-stage=$out/deb.new
+tree=$out/deb.new
 top=$(dirname "$0")/../..
-trap 'rm -rf "$stage"' EXIT
+trap 'rm -rf "$tree"' EXIT
 version=$(qemu-arm -cpu arm1136 -L "$sysroot" "$root/usr/bin/limber" --version |
     sed -n '1s/^limber \([^ ]*\).*/\1/p')
 
@@ -34,12 +34,12 @@ for library in $(arm-linux-gnueabi-readelf -d "$root/usr/bin/limber" |
     esac
 done
 
-rm -rf "$stage"
-mkdir -p "$stage/usr/bin" "$stage/usr/share/limber" \
-    "$stage/usr/share/doc/limber"
-cp "$root/usr/bin/limber" "$stage/usr/bin"
-cp "$root"/usr/share/limber/* "$stage/usr/share/limber"
+rm -rf "$tree"
+mkdir -p "$tree/usr/bin" "$tree/usr/share/limber" \
+    "$tree/usr/share/doc/limber"
+cp "$root/usr/bin/limber" "$tree/usr/bin"
+cp "$root"/usr/share/limber/* "$tree/usr/share/limber"
 [ ! -f "$root/etc/limber.conf" ] ||
-    cp "$root/etc/limber.conf" "$stage/usr/share/doc/limber/imx31-pdk.conf"
-cp "$top/LICENSE" "$stage/usr/share/doc/limber/copyright"
-"$top/toolchain/package/pack.sh" "$stage" "$out" "$version" armel "$depends" >/dev/null
+    cp "$root/etc/limber.conf" "$tree/usr/share/doc/limber/imx31-pdk.conf"
+cp "$top/LICENSE" "$tree/usr/share/doc/limber/copyright"
+"$top/toolchain/package/pack.sh" "$tree" "$out" "$version" armel "$depends" >/dev/null

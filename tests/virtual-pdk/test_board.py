@@ -78,7 +78,7 @@ def prepare():
     board.overlay.make_archive = lambda folder: IMAGE / "zImage"
 
 
-def wish(name, on=True):
+def command(name, on=True):
     path = STATE / name
     if on:
         path.touch()
@@ -118,9 +118,9 @@ async def test_deaths(virtual):
     kill(virtual)
     virtual.machine.process.wait()
     await check_told("QEMU dies between questions", virtual, "QEMU has ended")
-    wish("half")
+    command("half")
     await until(lambda: virtual.phase == "ended")
-    wish("half", False)
+    command("half", False)
     await check_told("QEMU dies in an answer", virtual, "QEMU has ended")
     kill(virtual)
     await virtual.reset()
@@ -148,13 +148,13 @@ async def test_hanging(virtual):
     check("switched off, one that hangs ends at once",
           virtual.phase == "off" and took_s < 5, f"{virtual.phase}, {took_s} s")
     await reset
-    wish("deaf")
+    command("deaf")
     check("it starts and ignores SIGTERM", await is_running(virtual), virtual.why)
     process = virtual.machine.process
     await virtual.power(False)
     check("one that ignores SIGTERM is killed",
           virtual.phase == "off" and process.returncode == -signal.SIGKILL)
-    wish("deaf", False)
+    command("deaf", False)
 
 
 async def test_switching_off(virtual):

@@ -9,14 +9,14 @@ static void test_memory_is_zeroed_and_aligned(void **state)
 
 	(void)state;
 	for (size_t bytes = 0; bytes < 200; bytes += 7) {
-		unsigned char *room = arena_alloc(&arena, bytes, 1);
+		unsigned char *memory = arena_alloc(&arena, bytes, 1);
 
-		assert_non_null(room);
-		assert_int_equal((uintptr_t)room % 16, 0);
+		assert_non_null(memory);
+		assert_int_equal((uintptr_t)memory % 16, 0);
 		for (size_t i = 0; i < bytes; i++) {
-			assert_int_equal(room[i], 0);
+			assert_int_equal(memory[i], 0);
 		}
-		memset(room, 0xa5, bytes);
+		memset(memory, 0xa5, bytes);
 	}
 	arena_release(&arena);
 }
@@ -27,18 +27,18 @@ static void test_allocations_do_not_overlap(void **state)
 		COUNT = 500
 	};
 	struct arena arena = arena_empty();
-	int *room[COUNT];
+	int *memory[COUNT];
 
 	(void)state;
 	for (int i = 0; i < COUNT; i++) {
-		room[i] = ARENA_ARRAY(&arena, int, (size_t)(i % 90 + 1));
+		memory[i] = ARENA_ARRAY(&arena, int, (size_t)(i % 90 + 1));
 		for (int k = 0; k <= i % 90; k++) {
-			room[i][k] = i;
+			memory[i][k] = i;
 		}
 	}
 	for (int i = 0; i < COUNT; i++) {
 		for (int k = 0; k <= i % 90; k++) {
-			assert_int_equal(room[i][k], i);
+			assert_int_equal(memory[i][k], i);
 		}
 	}
 	arena_release(&arena);

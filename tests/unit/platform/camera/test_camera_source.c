@@ -70,12 +70,12 @@ static enum camera_status rig_take(struct rig *rig)
 {
 	struct camera_image image;
 	int64_t from_ms = now_ms();
-	enum camera_status news =
+	enum camera_status status =
 		camera_driver_v4l2.take(rig->source, 0, &image);
 
 	/* take() must not wait, but other programs may delay it. */
 	assert_true(now_ms() - from_ms < 200);
-	if (news == CAMERA_NEW) {
+	if (status == CAMERA_NEW) {
 		int number = image.plane[0][0];
 
 		for (int i = 0; i < image.stride_bytes[0] * image.height; i++) {
@@ -86,7 +86,7 @@ static enum camera_status rig_take(struct rig *rig)
 		rig->last = number;
 		camera_driver_v4l2.give_back(rig->source);
 	}
-	return news;
+	return status;
 }
 
 /* Waits up to five seconds, because the machine may be busy. */

@@ -22,7 +22,7 @@ struct demo_env {
 	const struct kernel *kernel;
 	int width, height;      /* of the picture, initially */
 	const char *model_path; /* the model file to show */
-	size_t memory_bytes;    /* its limit; 0: MODEL_MEMORY_BYTES */
+	size_t memory_bytes;    /* the model's budget; 0: MODEL_MEMORY_BYTES */
 	const char *clip;       /* name or index of the first clip, or NULL */
 	enum clip_interpolation interpolation;
 	enum clip_repeat repeat; /* viewer only */

@@ -14,7 +14,7 @@ const struct model_material model_plain_material = {
 	.alpha_cutoff = 0.5f,
 };
 
-/* Whether the arena, which holds the budget, and the source fit the budget. */
+/* Whether the budget allows the arena, which owns it, and the source. */
 static bool fits(struct arena *arena, struct memory_budget *budget, size_t bytes)
 {
 	return arena_set_budget(arena, budget) &&

@@ -195,8 +195,8 @@ struct model_camera {
 struct model {
 	struct arena arena;
 	/*
-	 * What the model and all its instances take memory from; it lies in the
-	 * arena. NULL, without a limit, in a model that no loader made.
+	 * Limits the memory of the model and of all its instances. The arena
+	 * owns it. NULL means no limit, in a model that no loader made.
 	 */
 	struct memory_budget *budget;
 	const char *path;
@@ -224,7 +224,7 @@ struct model {
 };
 
 enum {
-	MODEL_MEMORY_BYTES = 256 * 1024 * 1024
+	MODEL_MEMORY_BYTES = 256 * 1024 * 1024 /* the default budget */
 };
 
 /*
@@ -237,8 +237,8 @@ enum {
 int model_load(const char *path, const struct log *log, struct model **out);
 
 /*
- * The same with another limit than MODEL_MEMORY_BYTES on the memory of the
- * model, of what the load needs, and of the model's instances.
+ * The same with a budget of memory_bytes instead of MODEL_MEMORY_BYTES. The
+ * budget limits the memory of the load, the model and the model's instances.
  */
 int model_load_within(const char *path, size_t memory_bytes,
 	const struct log *log, struct model **out);

@@ -77,7 +77,7 @@ static int open_path(const char *path, const char *where, const struct log *log,
 	return fd;
 }
 
-/* Zeroed memory for a file of that size. */
+/* Allocates zeroed memory for a file of this size. */
 static int allocate(size_t size, const char *where, struct memory_budget *budget,
 	const struct log *log, struct model_file *out)
 {

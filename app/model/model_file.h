@@ -26,19 +26,19 @@ struct model_source {
 			     read; false for bytes from memory */
 	const uint8_t *data;
 	size_t size;
-	size_t memory_bytes; /* the limit of model_load_within() */
+	size_t memory_bytes; /* see model_load_within() */
 };
 
 /* A whole file in memory. */
 struct model_file {
 	uint8_t *data; /* never NULL after success; a zero byte follows */
 	size_t size;
-	struct memory_budget *budget; /* what data is taken from, or NULL */
+	struct memory_budget *budget; /* against which data counts, or NULL */
 };
 
 /*
- * Reads a regular file of at most MODEL_FILE_BYTES_MAX, whose bytes are taken
- * from the budget unless that is NULL. 0, or -errno after one error "PATH:
+ * Reads a regular file of at most MODEL_FILE_BYTES_MAX. Its bytes count against
+ * the budget unless that is NULL. 0, or -errno after one error "PATH:
  * REASON". The caller calls model_file_release() while the budget exists.
  */
 int model_file_read(const char *path, struct memory_budget *budget,

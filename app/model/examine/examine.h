@@ -19,8 +19,7 @@ struct examiner {
 
 /*
  * Loads the file and reports its findings, of which there may be none. 0, or
- * -errno after one error, as
- * model_load_within().
+ * -errno after one error, as model_load_within().
  */
 int model_examine(const char *path, size_t memory_bytes,
 	const struct examiner *examiner, const struct log *log);

@@ -152,7 +152,7 @@ int gltf_read(struct gltf *gltf, const struct model_source *source,
 	gltf->scratch = arena_within(gltf->model->budget);
 	error = read_all(gltf);
 	if (error) {
-		/* The scratch memory refers to the budget in the model. */
+		/* The scratch arena refers to the budget, which the model owns. */
 		gltf_release(gltf);
 		model_destroy(gltf->model);
 		gltf->model = NULL;

@@ -101,7 +101,7 @@ static size_t count_values(const struct chunk *text)
 	return count;
 }
 
-/* Jansson takes about that much memory for a value and its key. */
+/* The approximate memory that Jansson needs for a value and its key. */
 enum {
 	JSON_VALUE_BYTES = 100
 };

@@ -19,8 +19,8 @@
  * A function that returns int returns 0, or -errno after it has logged one
  * error. The loader checks every number of the file before it allocates memory
  * by it. All memory comes from two arenas: the model's arena, and a scratch
- * arena that is released at the end of the load. Both take
- * it from the model's budget.
+ * arena that is released at the end of the load. Both count against the model's
+ * budget.
  */
 #ifndef APP_MODEL_GLTF_GLTF_INTERNAL_H
 #define APP_MODEL_GLTF_GLTF_INTERNAL_H
@@ -121,7 +121,7 @@ struct gltf {
 
 	const uint8_t *binary; /* the BIN chunk of a .glb, or NULL */
 	size_t binary_size;
-	/* What JSON and decoders took from the budget, see gltf_take(). */
+	/* The bytes that gltf_take() took from the budget so far. */
 	size_t taken_bytes;
 
 	int warnings; /* logged so far */
@@ -246,10 +246,10 @@ void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
  */
 int gltf_take(const struct gltf_at *at, size_t count, size_t size);
 
-/* Gives back some of them earlier. */
+/* Returns bytes to the budget before gltf_release(). */
 void gltf_give_back(struct gltf *gltf, size_t bytes);
 
-/* Logs that the value needs more memory than there is; returns -ENOMEM. */
+/* Logs that there is not enough memory for the value; returns -ENOMEM. */
 int gltf_no_memory(const struct gltf_at *at);
 
 /* Arrays in the model's arena and in the scratch arena; see gltf_alloc(). */

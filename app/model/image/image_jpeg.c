@@ -10,7 +10,7 @@
 enum {
 	/* Encoders write about ten. A hostile file has thousands. */
 	SCANS_MAX = 100,
-	/* Each scan visits every pixel: 32 scans of the largest image. */
+	/* A limit of pixels times scans: 32 scans of the largest image. */
 	SCANNED_PIXELS_MAX = 512 * 1024 * 1024,
 };
 
@@ -140,8 +140,8 @@ static int measure(const struct image_input *input, int *width, int *height)
 }
 
 /*
- * Of an image with several scans, libjpeg keeps all coefficients: one of 16
- * bits for each pixel and component.
+ * libjpeg keeps all coefficients of an image with several scans: 16 bits for
+ * each component of a pixel.
  */
 static size_t coefficient_bytes(struct decoder *decoder, int width, int height)
 {

@@ -17,12 +17,12 @@ struct textures {
 	struct xfile_names names;
 	struct texture *list;
 	int count;
-	size_t unusable_bytes; /* of all files that hold no readable image */
+	size_t unusable_bytes; /* total size of files that are not images */
 };
 
 /*
- * A model may name any number of files that are no images. Beyond that many
- * bytes of them limber reads no more.
+ * A model may refer to any number of files that are not images. After this many
+ * bytes of such files, limber reads no further textures.
  */
 enum {
 	UNUSABLE_BYTES_MAX = 64 * 1024 * 1024

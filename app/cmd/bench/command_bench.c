@@ -159,7 +159,6 @@ static int run(const struct options *options, const struct log *log)
 	return command_exit_code(error);
 }
 
-/* clang-format off */
 const struct command command_bench = {
 	.name = "bench",
 	.bit = FOR_BENCH,
@@ -174,4 +173,3 @@ const struct command command_bench = {
 		"  limber bench --json | jq .results",
 	.run = run,
 };
-/* clang-format on */

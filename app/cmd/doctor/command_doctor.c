@@ -85,7 +85,6 @@ static int run(const struct options *options, const struct log *log)
 				  path, options->common.memory_bytes, log));
 }
 
-/* clang-format off */
 const struct command command_doctor = {
 	.name = "doctor",
 	.bit = FOR_DOCTOR,
@@ -107,4 +106,3 @@ const struct command command_doctor = {
 	.reads_config = true,
 	.run = run,
 };
-/* clang-format on */

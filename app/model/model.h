@@ -223,6 +223,12 @@ struct model {
 	float *rest_weights; /* [weight_count]: the node's, the mesh's, or 0 */
 };
 
+/*
+ * Loaders refuse a position, a length, a time or any other number of an array
+ * that is larger than this, so that sums of a few squares of them stay finite.
+ */
+#define MODEL_NUMBER_MAX 1e9f
+
 enum {
 	MODEL_MEMORY_BYTES = 256 * 1024 * 1024 /* the default budget */
 };

@@ -14,7 +14,7 @@ const char console_in_use_remedy[] =
 	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
 /*
- * The signals that end a process. A program that handles the last five is
+ * The signals that end a process. A program that handles the last six is
  * expected to end in order, and then calls console_release() itself.
  */
 static const struct {
@@ -29,6 +29,7 @@ static const struct {
 	{SIGSYS, false},
 	{SIGQUIT, true},
 	{SIGPIPE, true},
+	{SIGALRM, true},
 	{SIGINT, true},
 	{SIGTERM, true},
 	{SIGHUP, true},

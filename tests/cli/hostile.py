@@ -66,15 +66,15 @@ def empty_targets():
     )
 
 
-def far_apart():
-    """A triangle from one end of the floats to the other."""
+def far_apart(distance=3e38):
+    """Triangles at both ends of the floats, or of what is accepted."""
     return gltf(
         **data(0, 0, 0, 1, 0, 0, 0, 1, 0),
         accessors=[{"type": "VEC3", "componentType": 5126, "count": 3,
                     "bufferView": 0}],
         meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
-        nodes=[{"mesh": 0, "translation": [-3e38, 0, 0]},
-               {"mesh": 0, "translation": [3e38, 0, 0]}],
+        nodes=[{"mesh": 0, "translation": [-distance, 0, 0]},
+               {"mesh": 0, "translation": [distance, 0, 0]}],
     )
 
 
@@ -128,6 +128,7 @@ def main(folder):
         "empty-targets.gltf": empty_targets(),
         "far-apart.gltf": far_apart(),
         "nested-scales.gltf": nested_scales(),
+        "edge.gltf": far_apart(1e9),
     }
     for name, model in made.items():
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:

@@ -27,6 +27,53 @@ for model in many-nodes shared-mesh empty-targets; do
     expect_refusal 1 'too large to be C source'
 done
 
+# Numbers are finite and of a sane size; what nodes make of them may not be.
+limber info "$scratch/far-apart.gltf"
+expect_refusal 1 'nodes/0/translation/0: is larger than 1e9'
+for model in nested-scales edge; do
+    limber info "$scratch/$model.gltf"
+    expect_status 0
+    for command in "render --size 64x64 -o $scratch/x.png" \
+        "play --display null --frames 2"; do
+        # shellcheck disable=SC2086 # a command and its options
+        limber $command "$scratch/$model.gltf"
+        expect_status 0
+    done
+done
+
+# Files that never end, and that hold no text.
+for option in --config --script; do
+    limber play --demo arm --display null --frames 2 $option /dev/zero
+    expect_refusal 1 '/dev/zero'
+done
+
+# A signal ends whatever limber does within a second, and disables the watchdog.
+: >"$scratch/watchdog"
+# shellcheck disable=SC2086 # a command and its arguments
+$limber play --demo walker --time 86400 --display null --no-labels \
+    --watchdog "$scratch/watchdog" >"$out_file" 2>"$err_file" &
+child=$!
+sleep 1
+kill -TERM $child
+began=$(date +%s)
+wait $child
+took=$(($(date +%s) - began))
+check 'SIGTERM ends a long preparation within a second' test $took -le 2
+check 'the watchdog is disabled then' \
+    test "$(tail -c 1 "$scratch/watchdog")" = V
+
+# So does a reader of standard output that goes away.
+: >"$scratch/watchdog"
+# shellcheck disable=SC2086 # a command and its arguments
+$limber play --demo walker --display null --watchdog "$scratch/watchdog" \
+    >"$out_file" 2>"$err_file" &
+child=$!
+sleep 1
+kill -PIPE $child
+wait $child
+check 'SIGPIPE leaves the watchdog disabled' \
+    test "$(tail -c 1 "$scratch/watchdog")" = V
+
 # The limit is an option.
 limber info --memory 100k "$slider"
 expect_refusal 1 'more than 100 KiB of memory'

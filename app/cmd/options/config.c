@@ -13,7 +13,8 @@
 
 enum {
 	SPEC_BYTES = 2 * CONFIG_LIST_BYTES + 2048,
-	KEYS_MAX = 64
+	KEYS_MAX = 64,
+	LINES_MAX = 100000 /* a pipe or a device may never end */
 };
 
 /* Each key but "model" and "labels" sets the option of the same name. */
@@ -259,10 +260,17 @@ static char *next_line(char *text, int size, void *user)
 	}
 	reader->line++;
 	length = strlen(text);
-	if (length > 0 && text[length - 1] != '\n' && !feof(reader->file)) {
+	/* A line that holds zero bytes looks as if it had no end. */
+	if ((length == 0 || text[length - 1] != '\n') && !feof(reader->file)) {
 		log_error(&reader->log,
-			"this line has more than %d characters: make it shorter",
+			"this line has more than %d characters or is no text: make it shorter",
 			size - 2);
+		reader->error = -EINVAL;
+		return NULL;
+	}
+	if (reader->line > LINES_MAX) {
+		log_error(reader->outer, "%s: it has more than %d lines",
+			reader->path, LINES_MAX);
 		reader->error = -EINVAL;
 		return NULL;
 	}

@@ -208,8 +208,10 @@ int show_run(const struct show_plan *plan, const struct options *options,
 			 */
 			(void)watchdog_open(&show.watchdog, watchdog,
 				&device_calls_system, log);
+			stop_set_watchdog(show.watchdog.fd);
 		}
 		status = command_exit_code(open_and_run(&show));
+		stop_set_watchdog(-1);
 		watchdog_close(&show.watchdog);
 	}
 	camera_feed_close(&show.camera);

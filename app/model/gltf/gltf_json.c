@@ -249,6 +249,10 @@ int gltf_maybe_floats(
 		struct gltf_at element = gltf_element(&array, i);
 
 		error = read_number(&element, &out[i]);
+		if (!error && fabsf(out[i]) > MODEL_NUMBER_MAX) {
+			error = gltf_fail(
+				&element, -EINVAL, "is larger than 1e9");
+		}
 	}
 	return error;
 }

@@ -1,5 +1,7 @@
 #include "app/model/xfile/xfile_reader.h"
 
+#include "app/model/model.h"
+
 #include <errno.h>
 #include <float.h>
 #include <math.h>
@@ -154,11 +156,16 @@ int xfile_read_floats(
 	struct xfile_reader *reader, const char *what, size_t count, float *out)
 {
 	for (size_t i = 0; i < count; i++) {
+		size_t location = reader->token.location;
 		double value = 0;
 		int error = xfile_read_double(reader, what, &value);
 
 		if (error) {
 			return error;
+		}
+		if (fabs(value) > (double)MODEL_NUMBER_MAX) {
+			return xfile_fail_at(&reader->context, location,
+				"%s is larger than 1e9", what);
 		}
 		out[i] = (float)value;
 	}

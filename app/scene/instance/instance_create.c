@@ -15,7 +15,8 @@ static float near_one(float size, float small, float large)
 {
 	float scale = 1.0f;
 
-	if (!(size > 0.0f) || (size >= small && size <= large)) {
+	if (!(size > 1e-12f && size < 1e12f) ||
+		(size >= small && size <= large)) {
 		return 1.0f;
 	}
 	while (size * scale > 1.0f) {

@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* The chain while it is being solved. */
+/* The state of a solution. */
 struct solver {
 	int bones;
 	const struct ik_chain *chain;
@@ -259,7 +259,7 @@ static void store(const struct solver *solver, struct pose *pose)
 	}
 }
 
-/* Keeps the better of two. */
+/* Keeps the candidate if its tip is nearer to the target. */
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {

@@ -13,7 +13,7 @@
 static const float HIGHEST_HZ = 15;
 static const float FASTEST_TURN = 40; /* radians a second */
 
-/* What one update works with. */
+/* The data of one update. */
 struct swing {
 	struct spring *spring;
 	const struct pose *pose;

@@ -160,21 +160,24 @@ static void report_weights(const struct examination *at)
 int gltf_examine(const struct model_source *source,
 	const struct examiner *examiner, const struct log *log)
 {
+	struct model *model = NULL;
 	struct gltf gltf;
 	int error = gltf_read(&gltf, source, log);
 
 	if (!error) {
 		const struct examination at = {&gltf, examiner};
 
-		examine_clips(gltf.model, examiner);
-		examine_skins(gltf.model, examiner);
+		model = gltf.model;
+		examine_clips(model, examiner);
+		examine_skins(model, examiner);
 		report_skins(&at);
 		report_nodes(&at);
 		report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);
-		model_destroy(gltf.model);
 	}
+	/* It gives memory back to the model's budget. */
 	gltf_release(&gltf);
+	model_destroy(model);
 	return error;
 }

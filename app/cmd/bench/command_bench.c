@@ -23,7 +23,10 @@ static int make_mesh(const struct bench *bench, const struct bench_row *row,
 				      row->influences, row->joint_sets);
 }
 
-/* Returns 0, or -ENOTSUP when the kernel has no such loop. */
+/*
+ * Returns 0, -ENOTSUP when the kernel has no such loop, or -ERANGE when the
+ * mesh does not fit its numbers.
+ */
 static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	const struct bench_row *row, const struct kernel *kernel,
 	struct bench_time *out)
@@ -66,7 +69,7 @@ static int measure_kernels(struct bench *bench, const struct bench_row *row,
 		error = measure(bench, mesh, row, kernel, &result->time[size]);
 		if (!error) {
 			report->result_count++;
-		} else if (error != -ENOTSUP) {
+		} else if (error != -ENOTSUP && error != -ERANGE) {
 			return error;
 		}
 	}

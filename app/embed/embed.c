@@ -1,6 +1,7 @@
 #include "app/embed/embed_internal.h"
 
 #include "platform/base/count.h"
+#include "platform/base/printable.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -196,9 +197,14 @@ static void print_player(const struct embed *embed)
 
 static void print_head(const struct embed *embed)
 {
+	fprintf(embed->out, "/*\n * ");
+	printable_put_comment(embed->model->path, embed->out);
+	if (embed->clip) {
+		fprintf(embed->out, ", clip ");
+		printable_put_comment(embed->clip->name, embed->out);
+	}
 	fprintf(embed->out,
-		"/*\n"
-		" * %s%s%s as C: %d vertices in %d parts, %d nodes, %d joints, %d channels.\n"
+		" as C: %d vertices in %d parts, %d nodes, %d joints, %d channels.\n"
 		" * limber export has written this file. To use it:\n"
 		" *\n"
 		" *\tstatic struct %s_state state;\n"
@@ -209,10 +215,8 @@ static void print_head(const struct embed *embed)
 		" * unit they are the same but take longer.\n"
 		" */\n"
 		"#include <math.h>\n#include <stdint.h>\n#include <string.h>\n",
-		embed->model->path, embed->clip ? ", clip " : "",
-		embed->clip ? embed->clip->name : "", embed->vertices,
-		embed->parts, embed->model->node_count, embed->joints,
-		embed->channels, embed->prefix, embed->prefix,
+		embed->vertices, embed->parts, embed->model->node_count,
+		embed->joints, embed->channels, embed->prefix, embed->prefix,
 		embed->clip ? (double)embed->clip->duration_s : 0.0,
 		embed->prefix);
 }

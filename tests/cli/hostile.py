@@ -91,6 +91,26 @@ def nested_scales():
     )
 
 
+def names():
+    """Names with escape sequences, a C1 control and the end of a comment."""
+    evil = "*/ int evil;\x1b[31m\u009b31m\u202e/*"
+    times = {"type": "SCALAR", "componentType": 5126, "count": 2,
+             "bufferView": 0}
+    return gltf(
+        **data(0.0, 1.0),
+        accessors=[zeros("VEC3", 3), times, zeros("VEC3", 2)],
+        meshes=[{"name": evil, "primitives": [{"attributes": {"POSITION": 0}}],
+                 "extras": {"targetNames": [evil]}}],
+        nodes=[{"mesh": 0, "name": evil}],
+        animations=[{
+            "name": evil,
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0,
+                          "target": {"node": 0, "path": "translation"}}],
+        }],
+    )
+
+
 def png(side):
     """A black picture, compressed about a thousand times."""
     def chunk(kind, body):
@@ -128,6 +148,7 @@ def main(folder):
         "empty-targets.gltf": empty_targets(),
         "far-apart.gltf": far_apart(),
         "nested-scales.gltf": nested_scales(),
+        "names.gltf": names(),
         "edge.gltf": far_apart(1e9),
     }
     for name, model in made.items():

@@ -74,6 +74,26 @@ wait $child
 check 'SIGPIPE leaves the watchdog disabled' \
     test "$(tail -c 1 "$scratch/watchdog")" = V
 
+# One picture under many names, and a warning for each of many references.
+expect_too_large many-names.x
+limber pose -o "$scratch/x.obj" "$scratch/many-warnings.x"
+expect_status 0
+expect_err_lines 9
+expect_err '99992 more warnings'
+
+# Names reach neither a terminal nor a compiler as they are.
+for command in info "info --json" doctor "doctor --json" compare \
+    "compare --format json" "export --c $scratch/names.c"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $command "$scratch/names.gltf"
+    expect_status 0
+    check "$tap_about: prints no control characters" \
+        sh -c '! LC_ALL=C grep -aq "$(printf "[\001-\010\013-\037\177]\|\302[\200-\237]\|\342\200\256")" "$@"' \
+        sh "$out_file" "$err_file"
+done
+check 'the end of a comment in a name does not end the comment' \
+    sh -c "! grep -q '\*/ int evil' '$scratch/names.c'"
+
 # The limit is an option.
 limber info --memory 100k "$slider"
 expect_refusal 1 'more than 100 KiB of memory'

@@ -58,7 +58,8 @@ static int examine_in_json(
 	error = model_examine(path, memory_bytes, &examiner, log);
 	if (!error) {
 		bool dumped = !findings.failed &&
-			json_dumpf(root, stdout, JSON_INDENT(2)) == 0;
+			json_dumpf(root, stdout,
+				JSON_INDENT(2) | JSON_ENSURE_ASCII) == 0;
 
 		if (!dumped && !ferror(stdout)) {
 			log_error(log, "%s: there is not enough memory", path);

@@ -1,5 +1,7 @@
 #include "app/compare/report/report.h"
 
+#include "platform/base/printable.h"
+
 #include "app/anim/kernel/arm11_cost.h"
 
 /* The example in AN4044, section 4. */
@@ -18,12 +20,13 @@ static void print_head(const struct comparison *comparison, FILE *out)
 	const struct reference *reference = comparison->reference;
 	const char *name = reference->clip->name;
 
-	fprintf(out,
-		"%s, clip %d%s%s: %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
-		reference->model->path, reference->clip_index,
-		name[0] ? " " : "", name, (double)reference->clip->duration_s,
-		reference->frame_count, reference->rate_hz,
-		reference->vertex_count, reference->model->node_count);
+	printable_put(reference->model->path, out);
+	fprintf(out, ", clip %d%s", reference->clip_index, name[0] ? " " : "");
+	printable_put(name, out);
+	fprintf(out, ": %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
+		(double)reference->clip->duration_s, reference->frame_count,
+		reference->rate_hz, reference->vertex_count,
+		reference->model->node_count);
 	fprintf(out,
 		"Errors are in pixels of a %dx%d screen. \"here\": measured on this machine, kernel %s.\n"
 		"\"ARM11\": predicted for an ARM1136 at %d MHz by the timing model, not measured.\n\n",

@@ -1,5 +1,6 @@
 #include "app/model/examine/examine.h"
 
+#include "platform/base/printable.h"
 #include "platform/base/scalar.h"
 
 #include <stdarg.h>
@@ -17,6 +18,7 @@ void examine_report(const struct examiner *examiner, const char *format, ...)
 	va_start(values, format);
 	vsnprintf(finding, sizeof(finding), format, values);
 	va_end(values);
+	printable_make(finding);
 	examiner->report(examiner->context, finding);
 }
 

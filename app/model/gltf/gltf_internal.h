@@ -124,8 +124,6 @@ struct gltf {
 	/* The bytes that gltf_take() took from the budget so far. */
 	size_t taken_bytes;
 
-	int warnings; /* logged so far */
-
 	int buffer_count;
 	struct gltf_buffer *buffer;
 	int view_count;
@@ -167,7 +165,7 @@ void gltf_release(struct gltf *gltf);
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	PRINTF_LIKE(3, 4);
 
-/* Logs the same as a warning. Beyond eight warnings a file gets no more. */
+/* Logs the same as a warning. */
 void gltf_warn(const struct gltf_at *at, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 

@@ -9,7 +9,6 @@
 
 enum {
 	TEXT_BYTES = 512,
-	WARNINGS_MAX = 8,
 };
 
 static size_t print_path(const struct gltf_at *at, char *text, size_t size)
@@ -48,21 +47,14 @@ void gltf_path(const struct gltf_at *at, char *text, size_t size)
 	}
 }
 
-/* Replaces control characters, which a terminal would obey. */
 static void log_at(const struct gltf_at *at, enum log_level level,
 	const char *format, va_list arguments)
 {
 	char path[TEXT_BYTES];
 	char reason[TEXT_BYTES];
-	char *c;
 
 	gltf_path(at, path, sizeof(path));
 	vsnprintf(reason, sizeof(reason), format, arguments);
-	for (c = reason; *c; c++) {
-		if ((unsigned char)*c < 0x20 || *c == 0x7f) {
-			*c = '?';
-		}
-	}
 	log_write(at->gltf->log, level, "%s: %s", path, reason);
 }
 
@@ -80,17 +72,9 @@ void gltf_warn(const struct gltf_at *at, const char *format, ...)
 {
 	va_list arguments;
 
-	if (at->gltf->warnings++ >= WARNINGS_MAX) {
-		return;
-	}
 	va_start(arguments, format);
 	log_at(at, LOG_WARNING, format, arguments);
 	va_end(arguments);
-	if (at->gltf->warnings == WARNINGS_MAX) {
-		log_warning(at->gltf->log,
-			"%s: limber prints no further warnings about this file",
-			at->gltf->source->name);
-	}
 }
 
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key)

@@ -75,15 +75,15 @@ static void put_into_tier(
 }
 
 /*
- * How often the number of triangles has halved from the full list to a level.
- * A tier is made each time: more tiers would make shorter runs.
+ * How often the number of triangles has fallen to a quarter, from the full list
+ * to a level. Each time makes a tier; more tiers would make runs shorter.
  */
-static int count_halvings(const struct model_primitive *primitive, int level)
+static int count_quarterings(const struct model_primitive *primitive, int level)
 {
 	int mark = primitive->index_count, count = 0;
 
 	for (int i = 0; i < level; i++) {
-		if (primitive->lod[i].index_count <= mark / 2) {
+		if (primitive->lod[i].index_count <= mark / 4) {
 			mark = primitive->lod[i].index_count;
 			count++;
 		}
@@ -94,7 +94,7 @@ static int count_halvings(const struct model_primitive *primitive, int level)
 
 int fixed_skin_tier_of(const struct fixed_skin *skin, int level)
 {
-	return skin->tier_count - 1 - count_halvings(skin->primitive, level);
+	return skin->tier_count - 1 - count_quarterings(skin->primitive, level);
 }
 
 /* Of sorted[], which is in the primitive's order. */
@@ -103,7 +103,7 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 	const struct model_primitive *primitive = skin->primitive;
 
 	skin->tier_count =
-		1 + count_halvings(primitive, model_lod_of_size(primitive, 0));
+		1 + count_quarterings(primitive, model_lod_of_size(primitive, 0));
 	for (int v = 0; v < skin->vertex_count; v++) {
 		sorted[v].tier = skin->tier_count - 1;
 	}

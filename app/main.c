@@ -2,6 +2,7 @@
  * The program's entry point, and its table of commands.
  */
 #include "app/cmd/command.h"
+#include "app/cmd/dispatch.h"
 
 /* The first one runs when the command line names none. */
 static const struct command *const commands[] = {
@@ -18,5 +19,5 @@ static const struct command *const commands[] = {
 
 int main(int argc, char **argv)
 {
-	return command_dispatch(commands, argc, argv);
+	return dispatch(commands, argc, argv);
 }

@@ -5,12 +5,11 @@
 build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
 build/host/obj/app/anim/kernel/%.o: CFLAGS_host += -O3
 
-BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes demo_frames)
+BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes gl_states demo_frames)
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
-build/arm/bench/%: build/arm/obj/tests/bench/%.o \
-		build/arm/obj/tests/bench/bench_picture.o build/arm/liblimber.a \
+build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a \
 		| build/test-packages.stamp
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)

@@ -62,7 +62,8 @@ SOFT_ROWS_fuzz := portable
 
 # $(call seam_driver_sources,SEAM,NAMES)
 seam_driver_sources = $(foreach name,$(2),\
-	$(sort $(wildcard platform/$(1)/$(name)/*.c)))
+	$(sort $(wildcard platform/$(1)/$(name)/*.c \
+	platform/$(1)/$(name)/span/*.c)))
 soft_row_sources = $(if $(filter soft,$(GL_DRIVERS_$(1))),$(sort $(wildcard \
 	$(patsubst %,platform/gl/soft/$(SOFT_ROWS_$(1))/*.%,c S))))
 driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \

@@ -67,6 +67,7 @@ static int run(const struct options *options, const struct log *log)
 		&command_export, options, log, run_with_model);
 }
 
+/* clang-format off */
 const struct command command_export = {
 	.name = "export",
 	.bit = FOR_EXPORT,
@@ -80,3 +81,4 @@ const struct command command_export = {
 		"  limber export robot.glb --clip walk --c robot.c",
 	.run = run,
 };
+/* clang-format on */

@@ -22,6 +22,7 @@ static int run(const struct options *options, const struct log *log)
 	return show_run(&plan, options, log);
 }
 
+/* clang-format off */
 const struct command command_play = {
 	.name = "play",
 	.bit = FOR_PLAY,
@@ -41,3 +42,4 @@ const struct command command_play = {
 		"                                   fill a framebuffer; --size uses a part of it",
 	.run = run,
 };
+/* clang-format on */

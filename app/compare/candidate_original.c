@@ -223,8 +223,9 @@ static int prepare(struct original *state, const struct kernel *kernel,
 			&state->cursor, &state->model, &state->arena);
 	}
 	if (error) {
-		return memory_budget_fail(
-			state->model.budget, state->model.path, log);
+		log_error(log, "%s: there is not enough memory to compare it",
+			state->model.path);
+		return error;
 	}
 	error = instance_create(&state->model, kernel, log, &state->instance);
 	if (!error) {
@@ -255,7 +256,7 @@ int candidate_original(struct candidate *candidate,
 		return -ENOMEM;
 	}
 	state->reference = reference;
-	state->arena = arena_within(reference->model->budget);
+	state->arena = arena_empty();
 	error = prepare(state, kernel, max_influences, targets, log);
 	if (error) {
 		candidate_destroy(candidate);

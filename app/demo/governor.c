@@ -1,7 +1,5 @@
 #include "app/demo/governor.h"
 
-#include "app/scene/hud/hud_group.h"
-
 #include <stdio.h>
 
 enum {

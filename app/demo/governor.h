@@ -11,8 +11,7 @@
 #ifndef APP_DEMO_GOVERNOR_H
 #define APP_DEMO_GOVERNOR_H
 
-#include "app/demo/demo_env.h"
-#include "app/scene/hud/hud.h"
+#include "app/demo/demo.h"
 
 enum {
 	GOVERNOR_STEPS = 7

@@ -31,10 +31,7 @@ struct log log_to_stderr(enum log_level threshold);
 /* Returns a log that drops every message, for tests and probes. */
 struct log log_to_nowhere(void);
 
-/*
- * Formats and writes one message. It is cut after 1,023 bytes; characters that
- * a terminal would execute are replaced (printable.h).
- */
+/* Formats and writes one message. It is cut after 1,023 bytes. */
 void log_write(const struct log *log, enum log_level level, const char *format,
 	...) PRINTF_LIKE(3, 4);
 

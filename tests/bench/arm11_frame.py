@@ -19,7 +19,7 @@ STAGES = {
     "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
     " fill_relief fill_texture list narrow raster shadow textured triangle",
     "pixels": "band bands combine count fill flat fragment ground line luminance narrow_rows"
-    " glyph picture read relief rows shade span_565 texel texture tile_row tiles tint",
+    " glyph picture read relief rows shade span texel texture tile_row tiles tint",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

@@ -1,4 +1,4 @@
-"""The command line of the emulated board, board/imx31-pdk/emulate."""
+"""The command that people and scripts drive the emulated board with."""
 import subprocess
 import time
 
@@ -23,7 +23,7 @@ def shot(name):
 
 
 def shot_until(name, condition):
-    """Takes pictures until one meets the condition, for half a minute."""
+    """Pictures until one is as wanted, for half a minute of this machine."""
     for _ in range(60):
         frame = shot(name)
         if frame and condition(frame):

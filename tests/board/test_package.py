@@ -1,4 +1,5 @@
-"""The Debian package for armel: dpkg installs it, and limber runs from there."""
+"""The package for armel: dpkg puts it where it belongs, and limber runs from
+there."""
 import pathlib
 import shutil
 import subprocess
@@ -16,7 +17,7 @@ for name in ("status", "available"):
 
 packages = list(IMAGE.glob("limber_*_armel.deb"))
 check("there is one package", len(packages) == 1, packages)
-# The libraries are the board's; the host's package database lacks them.
+# Its libraries are those of a board, not on record here.
 run = subprocess.run(
     ["dpkg", "--force-not-root", "--force-depends", "--force-architecture",
      "--force-script-chrootless", "--log=/dev/null", f"--admindir={admin}",

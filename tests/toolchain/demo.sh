@@ -1,9 +1,9 @@
 #!/bin/sh
-# Tests demo.sh with a replacement of limber.
+# demo.sh with a stand-in for limber.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/demo.sh
 
-# given STATUS: makes a limber whose play exits with STATUS.
+# given STATUS: a limber whose play ends so.
 given() {
     rm -rf "$scratch/calls" "$scratch/pictures"
     cat >"$scratch/limber" <<END

@@ -1,16 +1,16 @@
 #!/bin/sh
-# Tests install.sh with replacements of apt-get, dpkg-query, sudo and id, so that
-# no package of this machine is changed.
+# install.sh with stand-ins for apt-get, dpkg-query, sudo and id, so that no
+# package of this machine is touched.
 . "$(dirname "$0")/../support/tap.sh"
 
-# A copy of toolchain/ with other package lists.
+# A toolchain of its own, with lists of its own.
 mkdir -p "$scratch/toolchain/packages" "$scratch/bin"
 cp "$(dirname "$0")/../../toolchain/install.sh" "$scratch/toolchain"
 printf '# a comment\n\nalpha\nbeta\n' >"$scratch/toolchain/packages/two.txt"
 printf 'gamma ?gamma-run\ndelta ?%s\n' "$scratch/delta-file" \
     >"$scratch/toolchain/packages/things.txt"
 
-# Only these commands can be found.
+# Only these commands are there.
 for tool in sh awk env dirname cat rm mktemp sed flock printf; do
     ln -s "$(command -v $tool)" "$scratch/bin/$tool"
 done
@@ -19,8 +19,8 @@ stub() {
     chmod +x "$scratch/bin/$1"
 }
 
-# given USER_ID PACKAGE...: a machine with these packages installed, and an
-# apt-get that can install others.
+# given USER_ID PACKAGE...: a machine with these packages and an apt-get that
+# installs what it is told.
 given() {
     rm -f "$scratch/installed" "$scratch/calls" "$scratch/bin/sudo" \
         "$scratch/bin/gamma-run" "$scratch/delta-file"

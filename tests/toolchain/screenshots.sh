@@ -1,13 +1,12 @@
 #!/bin/sh
-# Tests screenshots.sh: it makes all pictures, and the same ones each time except
-# for those with measured times.
+# screenshots.sh: the pictures are there, and the same each time where they can.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/screenshots.sh
 limber=build/host/limber
 page=app/compare/example.md
 
-# steady FILE: prints the rows of limber compare on a page without the two columns
-# of times measured on this machine.
+# steady FILE: the rows of limber compare on a page, without this machine's
+# times, the two columns after the board's.
 steady() {
     sed -n '/^      a frame takes/,/^      \.\.\.$/p' "$1" |
         sed -E 's/^(.{41}).{19}/\1/'

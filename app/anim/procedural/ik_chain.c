@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* The state of a solution. */
+/* The chain while it is being solved. */
 struct solver {
 	int bones;
 	const struct ik_chain *chain;
@@ -30,10 +30,17 @@ int ik_chain_init(
 		.tolerance = 0.0005f,
 		.weight = 1,
 	};
-	return count >= 2 && count <= IK_CHAIN_MAX &&
-			bone_chain(model, tip, count, chain->node)
-		? 0
-		: -EINVAL;
+	if (count < 2 || count > IK_CHAIN_MAX) {
+		return -EINVAL;
+	}
+	for (int i = count - 1; i >= 0; i--) {
+		if (tip < 0 || tip >= model->node_count) {
+			return -EINVAL;
+		}
+		chain->node[i] = tip;
+		tip = model->node[tip].parent;
+	}
+	return 0;
 }
 
 static void begin(struct solver *solver, const struct ik_chain *chain,
@@ -259,7 +266,7 @@ static void store(const struct solver *solver, struct pose *pose)
 	}
 }
 
-/* Keeps the candidate if its tip is nearer to the target. */
+/* Keeps the better of two. */
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {

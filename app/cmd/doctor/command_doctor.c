@@ -26,12 +26,11 @@ static void take_finding(void *context, const char *sentence)
 	}
 }
 
-static int examine_in_words(
-	const char *path, size_t memory_bytes, const struct log *log)
+static int examine_in_words(const char *path, const struct log *log)
 {
 	struct findings findings = {0};
 	const struct examiner examiner = {take_finding, &findings};
-	int error = model_examine(path, memory_bytes, &examiner, log);
+	int error = model_examine(path, &examiner, log);
 
 	if (!error && findings.count == 0) {
 		printf("%s: it contains nothing that players are known to get wrong\n",
@@ -40,8 +39,7 @@ static int examine_in_words(
 	return error;
 }
 
-static int examine_in_json(
-	const char *path, size_t memory_bytes, const struct log *log)
+static int examine_in_json(const char *path, const struct log *log)
 {
 	struct findings findings = {.list = json_array()};
 	const struct examiner examiner = {take_finding, &findings};
@@ -55,11 +53,10 @@ static int examine_in_json(
 			path);
 		goto out;
 	}
-	error = model_examine(path, memory_bytes, &examiner, log);
+	error = model_examine(path, &examiner, log);
 	if (!error) {
 		bool dumped = !findings.failed &&
-			json_dumpf(root, stdout,
-				JSON_INDENT(2) | JSON_ENSURE_ASCII) == 0;
+			json_dumpf(root, stdout, JSON_INDENT(2)) == 0;
 
 		if (!dumped && !ferror(stdout)) {
 			log_error(log, "%s: there is not enough memory", path);
@@ -81,11 +78,11 @@ static int run(const struct options *options, const struct log *log)
 		return doctor_examine_machine(options, log);
 	}
 	return command_exit_code(options->common.json
-			? examine_in_json(path, options->common.memory_bytes, log)
-			: examine_in_words(
-				  path, options->common.memory_bytes, log));
+			? examine_in_json(path, log)
+			: examine_in_words(path, log));
 }
 
+/* clang-format off */
 const struct command command_doctor = {
 	.name = "doctor",
 	.bit = FOR_DOCTOR,
@@ -107,3 +104,4 @@ const struct command command_doctor = {
 	.reads_config = true,
 	.run = run,
 };
+/* clang-format on */

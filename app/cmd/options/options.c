@@ -8,7 +8,6 @@
 struct options options_default(void)
 {
 	struct options options = {
-		.common.memory_bytes = MODEL_MEMORY_BYTES,
 		.motion.speed = 1.0f,
 		.motion.repeat = CLIP_LOOP,
 		.motion.interpolation = CLIP_AUTO,
@@ -68,38 +67,38 @@ const char *options_closest(const char *word, const char *const *candidates)
 	return closest;
 }
 
-void options_log_unknown(const struct log *log,
-	const struct options_unknown *unknown, const char *const *names)
+/* Whether word is "-o", "--output" or, if bare, "output". */
+static bool is_named(const struct option_entry *entry, const char *word,
+	size_t length, bool bare)
 {
-	const char *word = unknown->word;
-	const char *closest = options_closest(word + strspn(word, "-"), names);
-
-	if (closest) {
-		log_error(log, "%s%s: there is no such %s: did you mean %s%s?",
-			unknown->option, word, unknown->what, unknown->prefix,
-			closest);
-	} else {
-		log_error(log, "%s%s: there is no such %s: %s", unknown->option,
-			word, unknown->what, unknown->hint);
+	if (!bare && length == 2 && word[0] == '-') {
+		return entry->letter && word[1] == entry->letter;
 	}
+	if (!bare) {
+		if (length < 3 || strncmp(word, "--", 2) != 0) {
+			return false;
+		}
+		word += 2;
+		length -= 2;
+	}
+	return strlen(entry->name) == length &&
+		strncmp(word, entry->name, length) == 0;
 }
 
 /*
- * Finds an option by its letter or, if that is 0, by its name. Prefers the
- * command's own to another command's of that name. Returns NULL for none.
+ * Returns the command's own option of that name, else another command's, or
+ * NULL.
  */
 static const struct option_entry *find_entry(
-	enum command_bit command, char letter, const char *name, size_t length)
+	const char *word, size_t length, bool bare, enum command_bit command)
 {
 	const struct option_entry *found = NULL;
 
 	for (size_t i = 0; option_entries[i].name; i++) {
 		const struct option_entry *entry = &option_entries[i];
-		bool named = letter ? entry->letter == letter
-				    : strlen(entry->name) == length &&
-				strncmp(entry->name, name, length) == 0;
 
-		if (named && (!found || (entry->commands & (int)command))) {
+		if (is_named(entry, word, length, bare) &&
+			(!found || (entry->commands & (int)command))) {
 			found = entry;
 		}
 	}
@@ -110,15 +109,22 @@ static int refuse_unknown(const char *word, size_t length,
 	enum command_bit command, const struct log *log)
 {
 	const char *names[OPTIONS_MAX];
-	char bare[64];
+	const char *closest;
+	char bare[32];
 	int count = options_names(command, names, OPTIONS_MAX - 1);
 
 	names[count] = NULL;
 	snprintf(bare, sizeof(bare), "%.*s", (int)length, word);
-	options_log_unknown(log,
-		&(struct options_unknown){
-			"", bare, "option", "--", "--help lists the options"},
-		names);
+	closest = options_closest(bare + strspn(bare, "-"), names);
+	if (closest) {
+		log_error(log,
+			"%.*s: there is no such option: did you mean --%s?",
+			(int)length, word, closest);
+	} else {
+		log_error(log,
+			"%.*s: there is no such option: --help lists the options",
+			(int)length, word);
+	}
 	return -EINVAL;
 }
 
@@ -189,11 +195,8 @@ static int parse_option(struct options *options, enum command_bit command,
 	const char *word = argv[*at];
 	const char *equals = strchr(word, '=');
 	size_t length = equals ? (size_t)(equals - word) : strlen(word);
-	bool is_long = word[1] == '-';
-	char letter = length == 2 ? word[1] : '?';
-	const struct option_entry *entry = is_long
-		? find_entry(command, 0, word + 2, length - 2)
-		: find_entry(command, letter, NULL, 0);
+	const struct option_entry *entry =
+		find_entry(word, length, false, command);
 	const char *value = equals ? equals + 1 : NULL;
 
 	if (!entry) {
@@ -256,7 +259,7 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 bool options_takes(enum command_bit command, const char *name)
 {
 	const struct option_entry *entry =
-		find_entry(command, 0, name, strlen(name));
+		find_entry(name, strlen(name), true, command);
 
 	return entry && (entry->commands & (int)command);
 }
@@ -277,7 +280,7 @@ int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log)
 {
 	const struct option_entry *entry =
-		find_entry(command, 0, name, strlen(name));
+		find_entry(name, strlen(name), true, command);
 	struct options tried = *options;
 	bool good;
 

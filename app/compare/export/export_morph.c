@@ -1,5 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
+#include "app/compare/export/export_look.h"
+
 #include <errno.h>
 #include <stdlib.h>
 

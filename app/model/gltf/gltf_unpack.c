@@ -106,13 +106,11 @@ static int check_finite(const struct gltf_at *at,
 	size_t i;
 
 	for (i = 0; i < total; i++) {
-		if (!(fabsf(values[i]) <= MODEL_NUMBER_MAX)) {
+		if (!isfinite(values[i])) {
 			return gltf_fail(at, -EINVAL,
-				"element %zu of accessor %d is %s",
+				"element %zu of accessor %d is not finite",
 				i / (size_t)accessor->width,
-				(int)(accessor - at->gltf->accessor),
-				isfinite(values[i]) ? "larger than 1e9"
-						    : "not finite");
+				(int)(accessor - at->gltf->accessor));
 		}
 	}
 	return 0;

@@ -1,12 +1,12 @@
-# The serial console: sends lines and waits for the board's answers.
+# The serial console: sends lines and waits for what the board says.
 # shellcheck shell=bash disable=SC2034,SC2154 # flash.sh's variables
 #
-# A command is sent without its end of line first. The end follows only when the
-# board has echoed the command correctly, so a lost character cannot turn it into
-# another command.
+# A command is sent without its end of line first; only when the board has
+# echoed it as it was sent does the end follow. So a character that the line
+# lost never makes another command of it.
 
-received=  # the board's output since the last command
-reason= # of the last failure
+heard=  # all that came since the last command
+reason= # of the last failure, for a sentence
 prompt_pattern='(RedBoot>|U-Boot ?>|[uU][bB]oot ?>|=>) ?$'
 linux_pattern='(login:|[#$]) ?$'
 
@@ -16,7 +16,7 @@ console_list() {
 
 console_open() {
     [ -c "$1" ] ||
-        fail "$1: no such serial line: choose one with --port ($(console_list))"
+        fail "$1: no such serial line: give --port (there is: $(console_list))"
     if ! [[ -r $1 && -w $1 ]]; then
         fail "$1: no permission: join its group (usermod -aG $(stat -c %G "$1") USER) and log in again"
     fi
@@ -25,24 +25,24 @@ console_open() {
     exec {console}<>"$1" || fail "$1: cannot be opened"
 }
 
-# Adds what arrives within 0.05 s, without CR, to $received; false for nothing.
+# What came within a twentieth of a second, without CR, is added to $heard.
 console_hear() {
     local part=
     IFS= read -r -u "$console" -t 0.05 -N 512 part || true
     part=${part//$'\r'/}
-    received+=$part
+    heard+=$part
     [ -n "$part" ]
 }
 
-# console_wait SECONDS PATTERN: waits until $received matches. The time starts again
-# whenever something arrives, so that a slow transfer does not time out.
+# console_wait SECONDS PATTERN: until $heard's end has it; resets the time
+# whenever something comes, so that progress is never cut short.
 console_wait() {
     local until=$((SECONDS + $1 + 1))
     while [ $SECONDS -le $until ]; do
         if console_hear; then
             until=$((SECONDS + $1 + 1))
         fi
-        if [[ $received =~ $2 ]]; then
+        if [[ $heard =~ $2 ]]; then
             return 0
         fi
     done
@@ -53,39 +53,39 @@ console_put() {
     printf %s "$1" >&"$console"
 }
 
-# Interrupts the current command and drops its output.
+# Drops what is under way, up to silence.
 console_settle() {
     $dry_run && return 0
-    received=
+    heard=
     console_put $'\x03'
     console_wait 1 "$prompt_pattern" || true
     while console_hear; do :; done
-    received=
+    heard=
 }
 
-# console_echo TEXT PAUSE: sends the text and waits for its echo.
+# console_echo TEXT PAUSE: sends it and waits for its echo.
 console_echo() {
     local i
-    received=
+    heard=
     for ((i = 0; i < ${#1}; i++)); do
         console_put "${1:i:1}"
         [ "$2" = 0 ] || sleep "$2"
     done
     for ((i = 0; i < 20; i++)); do
         console_hear || true
-        if [ "$received" = "$1" ]; then
+        if [ "$heard" = "$1" ]; then
             return 0
         fi
     done
     return 1
 }
 
-# console_type TEXT: sends one line, more slowly each time it is not echoed.
+# console_type TEXT: one line, unchanged, then its end.
 console_type() {
     local pause
     for pause in 0 0.005 0.02 0.05; do
         if console_echo "$1" $pause; then
-            received=
+            heard=
             console_put $'\r'
             return 0
         fi
@@ -95,8 +95,8 @@ console_type() {
     return 1
 }
 
-# console_run TEXT [SECONDS]: runs a command; its output is in $received.
-console_run() {
+# tell TEXT [SECONDS]: runs it; what it said is in $heard.
+tell() {
     echo "  > $1"
     $dry_run && return 0
     console_type "$1" || return 1
@@ -106,48 +106,48 @@ console_run() {
     fi
 }
 
-# Recognizes the boot loader. Asks for a reset when nothing answers.
+# Which boot loader is there; waits for a reset when nothing answers.
 console_find_loader() {
-    received=
+    heard=
     console_put $'\r'
     if ! console_wait 1 "$prompt_pattern|$linux_pattern"; then
         echo "Nothing answers on $port: press the board's reset button."
         console_stop_autoboot
     fi
-    case $received in
+    case $heard in
     *RedBoot\>*) loader=redboot ;;
     *)
-        [[ $received =~ $prompt_pattern ]] || fail_wrong_prompt
+        [[ $heard =~ $prompt_pattern ]] || say_wrong_prompt
         loader=uboot
         ;;
     esac
     echo "The boot loader is $loader."
 }
 
-# Both boot loaders announce that they will boot; Ctrl-C stops that.
+# Both loaders announce their autoboot; any key or ^C ends it.
 console_stop_autoboot() {
     console_wait "$seconds" 'stop autoboot|\^C to abort' ||
-        fail "$port: the board sends nothing: check its power and the cable, and that no other program uses the line"
-    received=
+        fail "$port: nothing comes from the board: check its power, the cable and that no other program has the line"
+    heard=
     console_put $'\x03'
-    console_wait 3 "$prompt_pattern" || fail_wrong_prompt
+    console_wait 3 "$prompt_pattern" || say_wrong_prompt
 }
 
-fail_wrong_prompt() {
-    if [[ $received =~ $linux_pattern ]]; then
+say_wrong_prompt() {
+    if [[ $heard =~ $linux_pattern ]]; then
         fail "$port: the board runs Linux: reset it and start flash.sh at once"
     fi
-    fail "$port: this is neither the prompt of RedBoot nor of U-Boot: \"${received##*$'\n'}\""
+    fail "$port: this is neither RedBoot's nor U-Boot's prompt: \"${heard##*$'\n'}\""
 }
 
 console_want_prompt() {
-    received=
+    heard=
     console_put $'\r'
     console_wait 2 "$prompt_pattern|$linux_pattern" || console_find_loader
-    [[ $received =~ $prompt_pattern ]] || fail_wrong_prompt
-    case $loader$received in
+    [[ $heard =~ $prompt_pattern ]] || say_wrong_prompt
+    case $loader$heard in
     redboot*RedBoot\>*) ;;
     redboot* | uboot*RedBoot\>*)
-        fail "$port: the prompt is not that of $loader: leave --loader out" ;;
+        fail "$port: the prompt is not $loader's: leave --loader out" ;;
     esac
 }

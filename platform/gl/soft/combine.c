@@ -37,11 +37,9 @@ static bool has_alpha(GLenum format)
 	return format != GL_RGB && format != GL_LUMINANCE;
 }
 
-/* The modes before the combiner, on one fragment; color is in and out. */
-static void apply_mode(const struct texenv *env, GLenum format,
-	const struct meeting *m, uint8_t color[4])
+void soft_apply_environment(const struct texenv *env, GLenum format,
+	const uint8_t constant[4], const uint8_t t[4], uint8_t color[4])
 {
-	const uint8_t *t = m->texel;
 	int alpha = color[3];
 
 	for (int i = 0; i < 3 && has_color(format); i++) {
@@ -49,7 +47,7 @@ static void apply_mode(const struct texenv *env, GLenum format,
 
 		c = env->mode == GL_REPLACE     ? t[i]
 			: env->mode == GL_DECAL ? mix(c, t[i], t[3])
-			: env->mode == GL_BLEND ? mix(c, m->constant[i], t[i])
+			: env->mode == GL_BLEND ? mix(c, constant[i], t[i])
 			: env->mode == GL_ADD   ? c + t[i]
 						: scale_byte(c, t[i]);
 		color[i] = to_byte(c);
@@ -219,7 +217,8 @@ void soft_combine(const struct texture_input *input, int count,
 		if (env->mode == GL_COMBINE) {
 			apply_combiner(env, &m, color[i]);
 		} else {
-			apply_mode(env, input->base->base_format, &m, color[i]);
+			soft_apply_environment(env, input->base->base_format,
+				m.constant, texel[i], color[i]);
 		}
 	}
 }

@@ -20,6 +20,7 @@
 #include "platform/gl/soft/band.h"
 #include "platform/gl/soft/shade.h"
 #include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/textured.h"
 
 enum {
@@ -206,7 +207,8 @@ struct span {
 struct raster {
 	struct plane plane[PLANES];
 	int x0; /* the column the planes start from */
-	bool perspective;
+	bool perspective;    /* texture coordinates are divided by 1 / w */
+	bool colors_divided; /* and colours too; see rows_is_divided() */
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
@@ -334,6 +336,7 @@ struct draw {
 	bool picture;   /* rows may be picture.c's */
 	bool plain;     /* colours into RGB565, nothing to test or blend */
 	span_function span;
+	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
@@ -450,19 +453,26 @@ void soft_draw_span(struct draw *draw, const struct span *span);
 /* Runs the tests on a span's fragments; how many pass, and which. */
 int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
 
-/* span_565.c: the same for what is drawn most; whether the state is that. */
-void soft_draw_span_565(struct draw *draw, const struct span *span);
-bool soft_takes_span_565(const struct draw *draw);
-
 /* relief.c: the same for what relief is drawn in, or NULL. */
 span_function relief_choose_span(const struct draw *draw);
 
-/* texel.c: colours of texels for a span's fragments. */
+/* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
 void soft_sample(const struct texture_input *input, const struct span *span,
-	int unit, uint8_t (*out)[4]);
+	int unit, bool wide, uint8_t (*out)[4]);
 
 /* combine.c: whether it is a texel's normal by the light in the primary colour */
 bool soft_is_plain_dot(const struct texenv *env);
+
+/*
+ * combine.c: the environments other than GL_COMBINE, with their colour; format
+ * is the texture's base format.
+ */
+void soft_apply_environment(const struct texenv *env, GLenum format,
+	const uint8_t constant[4], const uint8_t texel[4], uint8_t color[4]);
+
+/* fragment.c: color and what is in the picture, into color. */
+void soft_blend(GLenum source_factor, GLenum destination_factor,
+	const uint8_t to[4], uint8_t color[4]);
 
 /* combine.c: what the environment makes of the fragments' colours. */
 void soft_combine(const struct texture_input *input, int count,

@@ -5,10 +5,12 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 #include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/span/sample.h"
 
 /* The fragments of a span on their way. */
 struct fragments {
 	uint8_t color[SPAN_PIXELS][4];
+	uint16_t alpha_q7[SPAN_PIXELS]; /* the vertices' */
 	bool passes[SPAN_PIXELS];
 	int left; /* how many still pass */
 };
@@ -131,16 +133,36 @@ int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
 
 static void fill_colors(const struct span *span, struct fragments *fragments)
 {
-	uint32_t c[4];
+	uint32_t c[3] = {span->value[RED], span->value[GREEN],
+		span->value[BLUE]};
+	uint32_t alpha_q7 = span->value[ALPHA] >> 9;
+	uint32_t alpha_step = (uint32_t)soft_alpha_step(span->step[ALPHA]);
 
-	for (int i = 0; i < 4; i++) {
-		c[i] = span->value[i];
-	}
 	for (int i = 0; i < span->count; i++) {
-		for (int j = 0; j < 4; j++) {
+		for (int j = 0; j < 3; j++) {
 			fragments->color[i][j] = (uint8_t)(c[j] >> 16);
 			c[j] += (uint32_t)span->step[j];
 		}
+		fragments->color[i][3] = (uint8_t)(alpha_q7 >> 7);
+		fragments->alpha_q7[i] = (uint16_t)alpha_q7;
+		alpha_q7 += alpha_step;
+	}
+}
+
+/* Texels of the first texture count with the fraction that alpha has. */
+static void scale_alphas(const struct draw *draw, int count,
+	const uint8_t (*texel)[4], struct fragments *fragments)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	if (input->env->mode != GL_MODULATE ||
+		input->base->base_format == GL_RGB ||
+		input->base->base_format == GL_LUMINANCE) {
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		fragments->color[i][3] = (uint8_t)soft_scale_alpha(
+			fragments->alpha_q7[i], texel[i][3]);
 	}
 }
 
@@ -153,10 +175,15 @@ static void add_textures(const struct draw *draw, const struct span *span,
 	memcpy(primary, fragments->color, size);
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
 		if (draw->texture[unit].used) {
-			soft_sample(&draw->texture[unit], span, unit, texel);
+			soft_sample(&draw->texture[unit], span, unit,
+				draw->soft->format == PIXELS_RGBA8888, texel);
 			soft_combine(&draw->texture[unit], span->count,
 				(const uint8_t(*)[4])texel,
 				(const uint8_t(*)[4])primary, fragments->color);
+			if (unit == 0) {
+				scale_alphas(draw, span->count,
+					(const uint8_t(*)[4])texel, fragments);
+			}
 		}
 	}
 }
@@ -227,15 +254,15 @@ static int blend_factor(
 	}
 }
 
-static void blend(const struct fragment_state *state, const uint8_t to[4],
-	uint8_t color[4])
+void soft_blend(GLenum source_factor, GLenum destination_factor,
+	const uint8_t to[4], uint8_t color[4])
 {
 	uint8_t out[4];
 
 	for (int i = 0; i < 4; i++) {
-		int source = blend_factor(state->blend_source, color, to, i);
+		int source = blend_factor(source_factor, color, to, i);
 		int destination =
-			blend_factor(state->blend_destination, color, to, i);
+			blend_factor(destination_factor, color, to, i);
 		int sum = color[i] * source + to[i] * destination + 128;
 
 		sum = (sum + (sum >> 8)) >> 8;
@@ -265,7 +292,8 @@ static void write_colors(const struct draw *draw, const struct span *span,
 			load_pixel(target->format, at, old);
 		}
 		if (draw->blended) {
-			blend(state, old, color);
+			soft_blend(state->blend_source,
+				state->blend_destination, old, color);
 		}
 		for (int j = 0; j < 4 && masked; j++) {
 			color[j] = mask[j] ? color[j] : old[j];

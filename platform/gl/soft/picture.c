@@ -1,13 +1,15 @@
 #include "platform/gl/soft/picture.h"
 
 #include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/span/sample.h"
 
 bool picture_takes(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 
-	return draw->span == soft_draw_span_565 && !draw->tests &&
-		!draw->blended && draw->color_written && input->used &&
+	return draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
+		draw->soft->format == PIXELS_RGB565 && !draw->tests &&
+		input->used &&
 		input->base->format == TEXEL_565 &&
 		input->texture->min_filter == GL_NEAREST &&
 		input->texture->mag_filter == GL_NEAREST &&
@@ -34,6 +36,30 @@ static uint32_t last_of(int log2)
 	return (1u << log2) - 1;
 }
 
+/* In runs as those of the span functions, so that the texels are the same. */
+static void copy_runs(const struct draw *draw, int y, int left, int right,
+	const uint16_t *texels)
+{
+	const struct raster *raster = &draw->raster;
+	const int shift = 16 - SOFT_TEXEL_FRACTION;
+	int32_t step =
+		soft_texel_step(raster->plane[TEX_S].dx, shift) * (1 << shift);
+	uint8_t *at = pixel_at(&draw->soft->buffers.target, left, y);
+
+	for (int x = left; x < right; x += SOFT_RUN_PIXELS) {
+		int count = right - x < SOFT_RUN_PIXELS ? right - x
+							: SOFT_RUN_PIXELS;
+		int32_t s = soft_texel_start(
+			(int32_t)plane_at(raster, TEX_S, x),
+			soft_texel_rest(raster->plane[TEX_S].dx, shift), count,
+			shift);
+
+		soft_bands.picture((uint16_t *)(void *)at, texels, count,
+			(uint32_t)s << shift, (uint32_t)step);
+		at += 2 * SOFT_RUN_PIXELS;
+	}
+}
+
 /* Texels outside of the texture are left to those who know where they are. */
 void picture_row(struct draw *draw, int y, int left, int right)
 {
@@ -44,16 +70,15 @@ void picture_row(struct draw *draw, int y, int left, int right)
 	uint32_t t = raster->plane[TEX_S + 1].start >> 16;
 	uint32_t last = last_of(input->width_log2);
 
-	if (s >> 16 > last || end >> 16 > last ||
+	/* A run's first texel is off by less than a 16th of one. */
+	if ((s - 4096) >> 16 > last || (end + 4096) >> 16 > last ||
 		t > last_of(input->height_log2)) {
 		rows_affine(draw, y, left, right);
 		return;
 	}
-	soft_bands.picture((uint16_t *)(void *)pixel_at(
-				   &draw->soft->buffers.target, left, y),
+	copy_runs(draw, y, left, right,
 		(const uint16_t *)(const void *)input->base->texels +
-			(t << input->width_log2),
-		right - left, s, (uint32_t)raster->plane[TEX_S].dx);
+			(t << input->width_log2));
 }
 
 void picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,

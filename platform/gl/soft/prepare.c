@@ -311,6 +311,9 @@ static void list_attributes(struct draw *draw)
 
 static fill_function choose_fill(const struct draw *draw)
 {
+	if (draw->soft->reference) {
+		return rows_fill;
+	}
 	if (fill_is_flat(draw)) {
 		return fill_flat;
 	}
@@ -335,13 +338,16 @@ static fill_function choose_fill(const struct draw *draw)
 /* And no alpha where nobody asks for it. */
 static void choose_span(struct draw *draw)
 {
-	span_function relief = relief_choose_span(draw);
-	bool quick = soft_takes_span_565(draw);
+	span_function relief = draw->soft->reference
+		? NULL
+		: relief_choose_span(draw);
 
-	draw->span = relief ? relief
-		: quick     ? soft_draw_span_565
-			    : soft_draw_span;
-	if (relief || (quick && !draw->blended)) {
+	soft_prepare_spans(draw);
+	draw->span = relief ? relief : soft_draw_span;
+	draw->spans.takes_state &= !relief;
+	draw->spans.used &= !relief;
+	if (relief ||
+		(draw->spans.takes_state && !draw->spans.alpha_read)) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
 }
@@ -408,11 +414,12 @@ bool soft_prepare(
 	choose_span(draw);
 	list_attributes(draw);
 	draw->fill = choose_fill(draw);
-	draw->luminance = luminance_takes(draw);
-	draw->picture = picture_takes(draw);
-	draw->ground = ground_takes(draw);
-	draw->plain = draw->span == soft_draw_span_565 && !draw->tests &&
-		!draw->blended && !draw->texture[0].used && draw->color_written;
+	draw->luminance = !soft->reference && luminance_takes(draw);
+	draw->picture = !soft->reference && picture_takes(draw);
+	draw->ground = !soft->reference && ground_takes(draw);
+	draw->plain = draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
+		!draw->tests && !draw->texture[0].used &&
+		soft->format == PIXELS_RGB565;
 	if (draw->fill == fill_flat) {
 		draw->attributes = 0;
 	}

@@ -1,5 +1,6 @@
 /* How attributes run across a triangle. */
 #include "platform/gl/soft/raster.h"
+#include "platform/gl/soft/rows.h"
 
 /* num / area, times 2^scale; see struct setup. */
 static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
@@ -167,29 +168,40 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 }
 
 /*
- * Whether running linearly is off by more than a step of 255 or a quarter of a
- * texel: by up to spread (qmax - qmin) / 4 qmin.
+ * Whether running linearly is off by more than what nobody sees, see
+ * rows_color_tolerance(), or a quarter of a texel: by up to
+ * spread (qmax - qmin) / 4 qmin.
  */
-static ALWAYS_INLINE bool bends(
-	int name, const int32_t value[3], int32_t q_spread, int32_t q_least)
+static ALWAYS_INLINE bool bends(const struct draw *draw, int name,
+	const int32_t value[3], int32_t q_spread, int32_t q_least)
 {
-	int64_t allowed = name >= TEX_S ? 64 * 4 : 256 * 4;
+	int64_t allowed = name >= TEX_S
+		? 64 * 4
+		: 64 * 4 << rows_color_tolerance(draw);
 
 	return (int64_t)spread(value) * q_spread > allowed * q_least;
 }
 
-static bool any_bends(const struct raster *raster, int count,
-	int32_t (*value)[3], const int32_t q[3])
+/* What has to be divided: everything, or texels alone, or nothing. */
+static void find_divided(struct draw *draw, int count, int32_t (*value)[3],
+	const int32_t q[3])
 {
+	struct raster *raster = &draw->raster;
 	int32_t q_least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
 
 	q_least = q_least < q[2] ? q_least : q[2];
 	for (int i = 0; i < count; i++) {
-		if (bends(raster->moving[i], value[i], q_spread, q_least)) {
-			return true;
+		int name = raster->moving[i];
+
+		if (bends(draw, name, value[i], q_spread, q_least)) {
+			raster->perspective = true;
+			raster->colors_divided |= name < TEX_S;
 		}
 	}
-	return false;
+	/* Their rows are made for one or the other. */
+	if (draw->luminance || draw->ground) {
+		raster->colors_divided = raster->perspective;
+	}
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
@@ -216,6 +228,14 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 	set_plane(raster, setup, product, 4, &raster->plane[name]);
 }
 
+/* Whether a texture takes the place of the vertices' colour, or alpha. */
+static bool is_white(const struct draw *draw, int name)
+{
+	const struct soft_spans *spans = &draw->spans;
+
+	return spans->takes_state && !(name == ALPHA ? spans->alpha : spans->colored);
+}
+
 /* Of what differs; what does not goes into the span once and for all. */
 static int gather_attributes(
 	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
@@ -234,8 +254,9 @@ static int gather_attributes(
 			continue;
 		}
 		for (int k = 0; k < 3; k++) {
-			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
-					     : colored.corner[k][name];
+			out[k] = name == FOG       ? setup->v[k]->attribute[FOG]
+				: is_white(draw, name) ? 0xFF80
+						       : colored.corner[k][name];
 		}
 		if (out[0] != out[1] || out[0] != out[2]) {
 			raster->moving[count++] = name;
@@ -255,9 +276,10 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 
 	raster->moving_count = count;
 	raster->perspective = false;
+	raster->colors_divided = false;
 	if (draw->perspective && count > 0) {
 		gather_inverse_w(setup, q);
-		raster->perspective = any_bends(raster, count, value, q);
+		find_divided(draw, count, value, q);
 	}
 	if (raster->perspective) {
 		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
@@ -265,7 +287,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
 
-		if (raster->perspective) {
+		if (rows_is_divided(raster, name)) {
 			set_perspective(draw, setup, value[i], q, name);
 		} else {
 			set_affine(draw, setup, value[i], name);

@@ -5,11 +5,6 @@
 #include "platform/gl/soft/picture.h"
 #include "platform/gl/soft/pixel.h"
 
-/* 65536 / n */
-static const int32_t inverse_q16[PERSPECTIVE_STEP + 1] = {0, 65536, 32768,
-	21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041,
-	4681, 4369, 4096};
-
 static uint32_t size_of(int64_t value)
 {
 	uint64_t size = (uint64_t)(value < 0 ? -value : value);
@@ -26,7 +21,7 @@ static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
 	return right > below ? right : below;
 }
 
-static void find_affine_lod(const struct draw *draw, struct span *span)
+void rows_find_affine_lod(const struct draw *draw, struct span *span)
 {
 	const struct raster *raster = &draw->raster;
 
@@ -83,12 +78,15 @@ void rows_find_point(const struct draw *draw, int x, struct point *out)
 		int i = raster->moving[n];
 		int32_t at = (int32_t)plane_at(raster, i, x);
 
-		if (i >= TEX_S) {
+		if (!rows_is_divided(raster, i)) {
+			out->value[i] = at;
+		} else if (i >= TEX_S) {
 			out->value[i] = rows_divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);
 		} else {
 			out->value[i] = clamp_int(
-				rows_divide(out, at, 24), 0, 0xFF80FF);
+				rows_divide(out, at, 24),
+				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 		}
 	}
 }
@@ -101,7 +99,7 @@ void rows_find_lod(
 	const struct plane *q = &raster->plane[INVERSE_W];
 
 	if (!raster->perspective) {
-		find_affine_lod(draw, span);
+		rows_find_affine_lod(draw, span);
 		return;
 	}
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
@@ -124,46 +122,6 @@ void rows_find_lod(
 			down[i] = rows_divide(point, saturate_64(y), shift + 8);
 		}
 		span->lod[unit] = raster_log2_q8(longer_way(across, down));
-	}
-}
-
-static void set_steps(const struct raster *raster, const struct point *from,
-	const struct point *to, int steps, struct span *span)
-{
-	for (int n = 0; n < raster->moving_count; n++) {
-		int i = raster->moving[n];
-		int64_t all = (int64_t)to->value[i] - from->value[i];
-
-		span->value[i] = (uint32_t)from->value[i];
-		span->step[i] = (int32_t)(all * inverse_q16[steps] >> 16);
-	}
-}
-
-static void row_perspective(struct draw *draw, int y, int left, int right)
-{
-	struct span *span = &draw->raster.span;
-	struct point from, to;
-
-	span->y = y;
-	rows_find_point(draw, left, &from);
-	for (int x = left; x < right; x += PERSPECTIVE_STEP) {
-		int left_over = right - x;
-		/* Up to the last pixel, which still is inside. */
-		int steps = left_over > PERSPECTIVE_STEP ? PERSPECTIVE_STEP
-							 : left_over - 1;
-
-		span->x = x;
-		span->count = left_over < PERSPECTIVE_STEP ? left_over
-							   : PERSPECTIVE_STEP;
-		span->value[DEPTH] = plane_at(&draw->raster, DEPTH, x);
-		rows_find_lod(draw, &from, span);
-		to = from;
-		if (steps > 0) {
-			rows_find_point(draw, x + steps, &to);
-		}
-		set_steps(&draw->raster, &from, &to, steps, span);
-		draw->span(draw, span);
-		from = to;
 	}
 }
 
@@ -238,19 +196,17 @@ void rows_fill(struct draw *draw, struct setup *setup)
 		fill_constant(draw, setup);
 		return;
 	}
-	if (raster->perspective) {
-		raster_walk(draw, setup, row_perspective, raster_next_row);
-		return;
-	}
-	for (int i = 0; i < raster->moving_count; i++) {
-		int name = raster->moving[i];
+	if (draw->picture && !raster->perspective) {
+		for (int i = 0; i < raster->moving_count; i++) {
+			int name = raster->moving[i];
 
-		raster->span.step[name] = raster->plane[name].dx;
+			raster->span.step[name] = raster->plane[name].dx;
+		}
+		rows_find_affine_lod(draw, &raster->span);
+		if (picture_begin(draw)) {
+			raster_walk(draw, setup, picture_row, raster_next_row);
+			return;
+		}
 	}
-	find_affine_lod(draw, &raster->span);
-	if (draw->picture && picture_begin(draw)) {
-		raster_walk(draw, setup, picture_row, raster_next_row);
-		return;
-	}
-	raster_walk(draw, setup, rows_affine, raster_next_row);
+	soft_walk_rows(draw, setup);
 }

@@ -196,6 +196,8 @@ struct soft {
 	struct arrays arrays;
 	struct textures textures;
 	struct fragment_state fragment;
+	/* All fragments go through fragment.c, for tests to compare with. */
+	bool reference;
 	struct draw *draw; /* scratch of the draw call, owned */
 };
 

@@ -2,72 +2,91 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 #include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/run.h"
 
-static int wide_4(int nibble)
+/* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
+struct along {
+	int32_t at, step;
+	struct soft_wrap wrap;
+};
+
+static struct along find_along(const struct span *span, int name, int log2,
+	int level_log2, GLenum mode, int32_t half)
 {
-	return nibble * 17;
+	int shift = log2 - level_log2 + 16 - SOFT_TEXEL_FRACTION;
+	int32_t last = (1 << level_log2) - 1;
+	bool repeats = mode == GL_REPEAT;
+
+	return (struct along){
+		.at = soft_texel_start((int32_t)span->value[name],
+			      soft_texel_rest(span->step[name], shift),
+			      span->count, shift) -
+			half,
+		.step = soft_texel_step(span->step[name], shift),
+		.wrap = {repeats ? INT32_MIN : 0, repeats ? INT32_MAX : last,
+			(uint32_t)last},
+	};
 }
 
-static void read_texel(const struct level *level, int x, int y, uint8_t out[4])
+/* The texel so many further. */
+static uint32_t read_texel(const struct level *level, const struct along *s,
+	const struct along *t, int right, int down)
 {
-	size_t at = ((size_t)y << level->width_log2) + (size_t)x;
-	const uint8_t *texels = level->texels;
-	uint16_t packed;
+	uint32_t x = soft_wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right, s->wrap.low,
+		s->wrap.high, s->wrap.mask);
+	uint32_t y = soft_wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down, t->wrap.low,
+		t->wrap.high, t->wrap.mask);
+	size_t at = ((size_t)y << level->width_log2) + x;
 
-	switch (level->format) {
-	case TEXEL_565:
-		unpack_565(load_16(texels + 2 * at), out);
-		out[3] = 255;
-		break;
-	case TEXEL_4444:
-		packed = load_16(texels + 2 * at);
-		for (int i = 0; i < 4; i++) {
-			out[i] = (uint8_t)wide_4(packed >> (12 - 4 * i) & 15);
-		}
-		break;
-	case TEXEL_5551:
-		packed = load_16(texels + 2 * at);
-		for (int i = 0; i < 3; i++) {
-			int five = packed >> (11 - 5 * i) & 31;
+	return soft_load_texel(level->format,
+		level->texels + (at << soft_texel_bytes_log2(level->format)));
+}
 
-			out[i] = (uint8_t)(five << 3 | five >> 2);
-		}
-		out[3] = packed & 1 ? 255 : 0;
-		break;
-	case TEXEL_8888:
-		memcpy(out, texels + 4 * at, 4);
-		break;
-	case TEXEL_L8:
-		memset(out, texels[at], 3);
-		out[3] = 255;
-		break;
-	case TEXEL_A8:
-		memset(out, 0, 3);
-		out[3] = texels[at];
-		break;
-	case TEXEL_LA88:
-		memset(out, texels[2 * at], 3);
-		out[3] = texels[2 * at + 1];
-		break;
-	default:
-		memset(out, 255, 4);
-		break;
+static void sample_nearest(const struct level *level, const struct along *s,
+	const struct along *t, uint8_t out[4])
+{
+	uint32_t texel = read_texel(level, s, t, 0, 0);
+
+	for (int i = 0; i < 4; i++) {
+		int bits = soft_field(level->format, i).bits;
+
+		out[i] = (uint8_t)soft_widen_field(
+			soft_get_field(level->format, i, texel), bits);
 	}
 }
 
-/* A whole coordinate into the level. */
-static int wrap(GLenum mode, int at, int log2)
+static void sample_linear(const struct level *level, const struct along *s,
+	const struct along *t, bool wide, uint8_t out[4])
 {
-	int last = (1 << log2) - 1;
+	uint32_t s_at = (uint32_t)s->at, t_at = (uint32_t)t->at;
+	const uint32_t above[2] = {read_texel(level, s, t, 0, 0),
+		read_texel(level, s, t, 1, 0)};
+	const uint32_t below[2] = {read_texel(level, s, t, 0, 1),
+		read_texel(level, s, t, 1, 1)};
 
-	return mode == GL_REPEAT ? at & last : clamp_int(at, 0, last);
-}
+	if (level->format == TEXEL_8888) {
+		struct soft_lanes lanes =
+			soft_mix_8888(above, below, s_at, t_at, wide);
 
-static void sample_nearest(const struct texture *texture,
-	const struct level *level, int32_t s_q16, int32_t t_q16, uint8_t out[4])
-{
-	read_texel(level, wrap(texture->wrap_s, s_q16 >> 16, level->width_log2),
-		wrap(texture->wrap_t, t_q16 >> 16, level->height_log2), out);
+		out[0] = (uint8_t)lanes.red_blue;
+		out[1] = (uint8_t)lanes.green_alpha;
+		out[2] = (uint8_t)(lanes.red_blue >> 16);
+		out[3] = (uint8_t)(lanes.green_alpha >> 16);
+		return;
+	}
+	for (int i = 0; i < 4; i++) {
+		int bits = soft_field(level->format, i).bits;
+
+		out[i] = bits == 0
+			? 0
+			: (uint8_t)soft_narrow_mixed(
+				  soft_mix_channel(level->format, i,
+					  above[0] | above[1] << 16,
+					  below[0] | below[1] << 16,
+					  soft_weigh(s_at, t_at)),
+				  bits);
+	}
 }
 
 static void mix_texels(
@@ -79,101 +98,31 @@ static void mix_texels(
 	}
 }
 
-static void sample_linear(const struct texture *texture,
-	const struct level *level, int32_t s_q16, int32_t t_q16, uint8_t out[4])
-{
-	int32_t s = (int32_t)((uint32_t)s_q16 - 32768);
-	int32_t t = (int32_t)((uint32_t)t_q16 - 32768);
-	int x[2], y[2];
-	uint8_t corner[2][4], side[2][4];
-
-	for (int i = 0; i < 2; i++) {
-		x[i] = wrap(texture->wrap_s, (s >> 16) + i, level->width_log2);
-		y[i] = wrap(texture->wrap_t, (t >> 16) + i, level->height_log2);
-	}
-	for (int i = 0; i < 2; i++) {
-		read_texel(level, x[0], y[i], corner[0]);
-		read_texel(level, x[1], y[i], corner[1]);
-		mix_texels(corner[0], corner[1], s >> 8 & 255, side[i]);
-	}
-	mix_texels(side[0], side[1], t >> 8 & 255, out);
-}
-
-/* All three channels of an RGB565 texel by 256ths, 10 bits apart. */
-static ALWAYS_INLINE void mix_565(
-	const uint16_t texel[4], uint32_t across, uint32_t down, uint8_t out[4])
-{
-	static const int shift[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
-
-	for (int i = 0; i < 3; i++) {
-		uint32_t mask = (1u << bits[i]) - 1;
-		uint32_t above = (texel[0] >> shift[i] & mask) * (256 - across) +
-			(texel[1] >> shift[i] & mask) * across;
-		uint32_t below = (texel[2] >> shift[i] & mask) * (256 - across) +
-			(texel[3] >> shift[i] & mask) * across;
-		uint32_t all = above * (256 - down) + below * down;
-
-		/* times 255 / 31 or 255 / 63, in 1/256 */
-		out[i] = (uint8_t)(((all >> 8) * (bits[i] == 5 ? 2106 : 1036) +
-					   32768) >>
-			16);
-	}
-	out[3] = 255;
-}
-
-/* As sample_level(), of what most textures are. */
-static void sample_linear_565(const struct level *level, int count, uint32_t s,
-	uint32_t t, const int32_t step[2], const int shift[2], uint8_t (*out)[4])
-{
-	const uint32_t mask_s = (1u << level->width_log2) - 1;
-	const uint32_t mask_t = (1u << level->height_log2) - 1;
-	const uint16_t *texels = (const uint16_t *)(const void *)level->texels;
-
-	for (int i = 0; i < count; i++) {
-		uint32_t at_s = (uint32_t)((int32_t)s >> shift[0]) - 32768;
-		uint32_t at_t = (uint32_t)((int32_t)t >> shift[1]) - 32768;
-		uint32_t x0 = at_s >> 16 & mask_s, x1 = (x0 + 1) & mask_s;
-		uint32_t y0 = at_t >> 16 & mask_t, y1 = (y0 + 1) & mask_t;
-		const uint16_t *row = texels + (y0 << level->width_log2);
-		const uint16_t *next = texels + (y1 << level->width_log2);
-		const uint16_t four[4] = {row[x0], row[x1], next[x0], next[x1]};
-
-		mix_565(four, at_s >> 8 & 255, at_t >> 8 & 255, out[i]);
-		s += (uint32_t)step[0];
-		t += (uint32_t)step[1];
-	}
-}
-
 /* One level for all of a span, as s and t run at level 0. */
 static void sample_level(const struct texture_input *input, int number,
-	bool linear, const struct span *span, int unit, uint8_t (*out)[4])
+	bool linear, const struct span *span, int unit, bool wide,
+	uint8_t (*out)[4])
 {
 	const struct texture *texture = input->texture;
 	const struct level *level = &texture->level[number];
-	int s_name = TEX_S + 2 * unit;
-	uint32_t s = span->value[s_name], t = span->value[s_name + 1];
-	int s_shift = input->width_log2 - level->width_log2;
-	int t_shift = input->height_log2 - level->height_log2;
+	int name = TEX_S + 2 * unit;
+	struct along s = find_along(span, name, input->width_log2,
+		level->width_log2, texture->wrap_s,
+		soft_half_texel(level->format, linear, true));
+	struct along t = find_along(span, name + 1, input->height_log2,
+		level->height_log2, texture->wrap_t,
+		soft_half_texel(level->format, linear, false));
+	bool opaque = soft_field(level->format, SOFT_ALPHA).bits == 0;
 
-	if (linear && level->format == TEXEL_565 &&
-		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT) {
-		const int shift[2] = {s_shift, t_shift};
-
-		sample_linear_565(level, span->count, s, t, &span->step[s_name],
-			shift, out);
-		return;
-	}
 	for (int i = 0; i < span->count; i++) {
-		int32_t at_s = (int32_t)s >> s_shift;
-		int32_t at_t = (int32_t)t >> t_shift;
-
 		if (linear) {
-			sample_linear(texture, level, at_s, at_t, out[i]);
+			sample_linear(level, &s, &t, wide, out[i]);
 		} else {
-			sample_nearest(texture, level, at_s, at_t, out[i]);
+			sample_nearest(level, &s, &t, out[i]);
 		}
-		s += (uint32_t)span->step[s_name];
-		t += (uint32_t)span->step[s_name + 1];
+		out[i][3] = opaque ? 255 : out[i][3];
+		s.at += s.step;
+		t.at += t.step;
 	}
 }
 
@@ -185,7 +134,7 @@ static bool is_linear(GLenum filter)
 
 /* GL ES 1.1 section 3.7.7: between two levels when both filters ask for it. */
 void soft_sample(const struct texture_input *input, const struct span *span,
-	int unit, uint8_t (*out)[4])
+	int unit, bool wide, uint8_t (*out)[4])
 {
 	const struct texture *texture = input->texture;
 	GLenum min = texture->min_filter;
@@ -198,22 +147,23 @@ void soft_sample(const struct texture_input *input, const struct span *span,
 
 	if (lod <= (sharp ? 128 : 0)) {
 		sample_level(input, 0, texture->mag_filter == GL_LINEAR, span,
-			unit, out);
+			unit, wide, out);
 		return;
 	}
 	if (min != GL_NEAREST_MIPMAP_LINEAR && min != GL_LINEAR_MIPMAP_LINEAR) {
 		level = clamp_int((lod + 127) >> 8, 0, last);
-		sample_level(input, level, is_linear(min), span, unit, out);
+		sample_level(input, level, is_linear(min), span, unit, wide, out);
 		return;
 	}
 	level = clamp_int(lod >> 8, 0, last);
-	sample_level(input, level, is_linear(min), span, unit, out);
+	sample_level(input, level, is_linear(min), span, unit, wide, out);
 	if (level < last) {
 		/* lod runs straight between powers of two, a logarithm above. */
 		int line = lod & 255;
 		int share = line + (line * (256 - line) * 92 >> 16);
 
-		sample_level(input, level + 1, is_linear(min), span, unit, next);
+		sample_level(input, level + 1, is_linear(min), span, unit, wide,
+			next);
 		for (int i = 0; i < span->count; i++) {
 			mix_texels(out[i], next[i], share, out[i]);
 		}

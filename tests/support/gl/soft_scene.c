@@ -18,11 +18,8 @@ struct soft_scene *soft_scene_open(void)
 		.format = PIXELS_RGB565,
 		.data = (uint8_t *)scene->pixel,
 	};
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){
-					 .format = PIXELS_RGB565, .log = &log},
-				 &scene->context),
-		0);
+	assert_int_equal(
+		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
 	soft_scene_use(scene, false);
@@ -34,8 +31,7 @@ void soft_scene_use(struct soft_scene *scene, bool long_way)
 	assert_int_equal(scene->context->driver->begin_frame(
 				 scene->context, &scene->picture),
 		0);
-	(long_way ? scene->gl->Enable : scene->gl->Disable)(GL_ALPHA_TEST);
-	scene->gl->AlphaFuncx(GL_ALWAYS, 0);
+	scene->soft->reference = long_way;
 }
 
 void soft_scene_close(struct soft_scene *scene)

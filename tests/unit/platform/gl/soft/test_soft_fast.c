@@ -71,11 +71,8 @@ static struct scene *open_scene(uint32_t seed)
 		.format = PIXELS_RGB565,
 		.data = (uint8_t *)(scene->all + GUARD * WIDTH),
 	};
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){
-					 .format = PIXELS_RGB565, .log = &log},
-				 &scene->context),
-		0);
+	assert_int_equal(
+		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
 	use(scene);
@@ -142,7 +139,7 @@ static void make_triangles(
 	}
 }
 
-/* The alpha test that all pass sends fragments the long way. */
+/* The long way is that of fragment.c, for all fragments. */
 static void set_state(struct scene *scene, const struct soft_corner *corner,
 	enum kind kind, bool long_way)
 {
@@ -150,8 +147,7 @@ static void set_state(struct scene *scene, const struct soft_corner *corner,
 	const GLsizei stride = sizeof(*corner);
 
 	use(scene);
-	(long_way ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_ALWAYS, 0);
+	scene->soft->reference = long_way;
 	gl->Enable(GL_DEPTH_TEST);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);

@@ -8,7 +8,7 @@
 enum {
 	SIDE = 32, /* texels */
 	ROW = 200,
-	PIXELS = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
+	PIXELS = STAGE_WIDTH * STAGE_HEIGHT,
 };
 
 struct corner {
@@ -97,21 +97,20 @@ static void make_strip(uint32_t *seed, struct corner corner[4])
 	}
 }
 
-/* The alpha test that all pass sends fragments the long way. */
-static void draw(const struct gl_canvas *canvas, const struct corner *corner,
+/* The long way is that of fragment.c, for all fragments. */
+static void draw(const struct stage *stage, const struct corner *corner,
 	bool long_way, uint16_t out[PIXELS])
 {
-	const struct gl *gl = canvas->gl;
+	const struct gl *gl = stage->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	(long_way ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_ALWAYS, 0);
+	((struct soft *)stage->context)->reference = long_way;
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 	gl->VertexPointer(2, GL_FLOAT, stride, corner->position);
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	memcpy(out, canvas->pixels.data, PIXELS * sizeof(*out));
+	memcpy(out, stage->pixels.data, PIXELS * sizeof(*out));
 }
 
 static int differ_most(uint16_t a, uint16_t b)
@@ -130,21 +129,21 @@ static int differ_most(uint16_t a, uint16_t b)
 static void test_pictures_are_those_of_the_long_way(void **state)
 {
 	static uint16_t quick[PIXELS], slow[PIXELS];
-	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct stage stage = stage_open("soft", PIXELS_RGB565);
 	uint32_t seed = 6;
 	int seen = 0, other = 0;
 
 	(void)state;
-	assert_int_equal(canvas.pixels.stride_bytes, GL_CANVAS_WIDTH * 2);
-	set_up(canvas.gl);
+	assert_int_equal(stage.pixels.stride_bytes, STAGE_WIDTH * 2);
+	set_up(stage.gl);
 	for (int round = 0; round < 1000; round++) {
 		struct corner corner[4];
 
 		make_strip(&seed, corner);
-		canvas.gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		stage.gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
 			round % 3 ? GL_MODULATE : GL_REPLACE);
-		draw(&canvas, corner, false, quick);
-		draw(&canvas, corner, true, slow);
+		draw(&stage, corner, false, quick);
+		draw(&stage, corner, true, slow);
 		for (int i = 0; i < PIXELS; i++) {
 			seen += slow[i] != 0;
 			other += differ_most(quick[i], slow[i]) > 2;
@@ -152,7 +151,7 @@ static void test_pictures_are_those_of_the_long_way(void **state)
 	}
 	assert_true(seen > 100000);
 	assert_true(other * 2000 < seen);
-	gl_canvas_end_and_close(&canvas);
+	stage_end_and_close(&stage);
 }
 
 int main(void)

@@ -1,0 +1,79 @@
+#include "platform/gl/soft/span/depth_ways.h"
+
+#include <string.h>
+
+#include "platform/gl/soft/draw.h"
+
+/* GL's comparisons: the low bits say which of less, equal, greater pass. */
+static bool passes(GLenum function, uint32_t a, uint32_t b)
+{
+	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
+}
+
+/*
+ * Depths beside the buffer, which every fragment of a run passes that passes
+ * its tests: z is 1 for all of them then.
+ */
+static void test_aside(struct draw *draw, int x, int y)
+{
+	struct soft_spans *spans = &draw->spans;
+	const struct soft_run *run = &spans->run;
+	const struct fragment_state *state = &draw->soft->fragment;
+	uint32_t z = run->z;
+
+	if (spans->depth_way == SOFT_DEPTH_FREE) {
+		memset(spans->aside, 0xFF, run->count * 2);
+	} else if (spans->depth_way == SOFT_DEPTH_LAST) {
+		for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
+			spans->aside[i] = passes(state->depth_function, z >> 16,
+						  run->depth[i])
+				? UINT16_MAX
+				: 0;
+		}
+	} else {
+		bool through[SPAN_PIXELS];
+		const struct span span = {
+			.x = x,
+			.y = y,
+			.count = (int)run->count,
+			.value[DEPTH] = z >> 6,
+			.step[DEPTH] = (int32_t)run->z_right >> 6,
+		};
+
+		soft_test_span(draw, &span, through);
+		for (uint32_t i = 0; i < run->count; i++) {
+			spans->aside[i] = through[i] ? UINT16_MAX : 0;
+		}
+	}
+}
+
+void soft_draw_tested(
+	struct draw *draw, soft_span_function function, int x, int y)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	uint16_t *depth = run->depth;
+	uint32_t z = run->z, z_right = run->z_right;
+
+	if (spans->depth_way == SOFT_DEPTH_KEPT) {
+		memcpy(spans->aside, depth, run->count * 2);
+		run->depth = spans->aside;
+		function(run);
+		return;
+	}
+	test_aside(draw, x, y);
+	run->depth = spans->aside;
+	run->z = 1 << 16;
+	run->z_right = 0;
+	function(run);
+	run->z_right = z_right;
+	if (spans->depth_way != SOFT_DEPTH_LAST ||
+		!draw->soft->fragment.depth_mask) {
+		return;
+	}
+	for (uint32_t i = 0; i < run->count; i++, z += z_right) {
+		if (spans->aside[i] == 1) {
+			depth[i] = (uint16_t)(z >> 16);
+		}
+	}
+}

@@ -1,0 +1,98 @@
+/*
+ * Names and makes a picture format's span functions, and lists them: for each
+ * texel format and filter a function a finish; the formats that most textures
+ * have get one besides for runs inside of the level.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_INSTANCES_H
+#define PLATFORM_GL_SOFT_SPAN_INSTANCES_H
+
+#include "platform/gl/soft/span/template.h"
+
+#define SOFT_SPAN_FUNCTION(name, ...)                                       \
+	static void name(const struct soft_run *run)                       \
+	{                                                                   \
+		soft_draw_run(run, (struct soft_kind){__VA_ARGS__});        \
+	}
+
+/* Each finish that has an inside of its own, then the one that has not. */
+#define SOFT_FINISH_FUNCTIONS(name, ...)                                    \
+	SOFT_SPAN_FUNCTION(name##_opaque, .finish = SOFT_OPAQUE,            \
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_tested, .finish = SOFT_TESTED,            \
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_blended, .finish = SOFT_BLENDED,          \
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_opaque_fog, .finish = SOFT_OPAQUE_FOG,    \
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_tested_fog, .finish = SOFT_TESTED_FOG,    \
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
+		__VA_ARGS__)
+
+#define SOFT_ANYWHERE_FUNCTIONS(name, ...)                                  \
+	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
+	SOFT_SPAN_FUNCTION(name##_any, .finish = SOFT_ANY, __VA_ARGS__)
+
+#define SOFT_SOURCE_FUNCTIONS(name, texels, is_linear, is_wide)             \
+	SOFT_ANYWHERE_FUNCTIONS(name, .textured = true, .format = texels,   \
+		.linear = is_linear, .wide = is_wide)
+
+#define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
+	SOFT_SOURCE_FUNCTIONS(name, texels, is_linear, is_wide)             \
+	SOFT_FINISH_FUNCTIONS(name##_inside, .textured = true,              \
+		.format = texels, .linear = is_linear, .wide = is_wide,     \
+		.inside = true)
+
+#define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
+	SOFT_ANYWHERE_FUNCTIONS(plain, .wide = is_wide)                     \
+	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
+	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
+	SOFT_SOURCE_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)     \
+	SOFT_BOTH_FUNCTIONS(nearest_8888, TEXEL_8888, false, is_wide)       \
+	SOFT_SOURCE_FUNCTIONS(nearest_l8, TEXEL_L8, false, is_wide)         \
+	SOFT_SOURCE_FUNCTIONS(nearest_a8, TEXEL_A8, false, is_wide)         \
+	SOFT_SOURCE_FUNCTIONS(nearest_la88, TEXEL_LA88, false, is_wide)     \
+	SOFT_BOTH_FUNCTIONS(linear_565, TEXEL_565, true, is_wide)           \
+	SOFT_BOTH_FUNCTIONS(linear_4444, TEXEL_4444, true, is_wide)         \
+	SOFT_SOURCE_FUNCTIONS(linear_5551, TEXEL_5551, true, is_wide)       \
+	SOFT_BOTH_FUNCTIONS(linear_8888, TEXEL_8888, true, is_wide)         \
+	SOFT_SOURCE_FUNCTIONS(linear_l8, TEXEL_L8, true, is_wide)           \
+	SOFT_SOURCE_FUNCTIONS(linear_a8, TEXEL_A8, true, is_wide)           \
+	SOFT_SOURCE_FUNCTIONS(linear_la88, TEXEL_LA88, true, is_wide)
+
+/* clang-format off */
+#define SOFT_FINISH_ROWS(name, inside)                                      \
+	{                                                                   \
+		[SOFT_OPAQUE] = {name##_opaque, inside##_opaque},           \
+		[SOFT_TESTED] = {name##_tested, inside##_tested},           \
+		[SOFT_BLENDED] = {name##_blended, inside##_blended},        \
+		[SOFT_OPAQUE_FOG] = {name##_opaque_fog, inside##_opaque_fog}, \
+		[SOFT_TESTED_FOG] = {name##_tested_fog, inside##_tested_fog}, \
+		[SOFT_BLENDED_FOG] =                                        \
+			{name##_blended_fog, inside##_blended_fog},         \
+		[SOFT_ANY] = {name##_any, name##_any},                      \
+	}
+
+#define SOFT_FORMAT_ROWS(filter, first)                                     \
+	[first + TEXEL_565 - 1] =                                           \
+		SOFT_FINISH_ROWS(filter##_565, filter##_565_inside),        \
+	[first + TEXEL_4444 - 1] =                                          \
+		SOFT_FINISH_ROWS(filter##_4444, filter##_4444_inside),      \
+	[first + TEXEL_5551 - 1] =                                          \
+		SOFT_FINISH_ROWS(filter##_5551, filter##_5551),             \
+	[first + TEXEL_8888 - 1] =                                          \
+		SOFT_FINISH_ROWS(filter##_8888, filter##_8888_inside),      \
+	[first + TEXEL_L8 - 1] = SOFT_FINISH_ROWS(filter##_l8, filter##_l8), \
+	[first + TEXEL_A8 - 1] = SOFT_FINISH_ROWS(filter##_a8, filter##_a8), \
+	[first + TEXEL_LA88 - 1] =                                          \
+		SOFT_FINISH_ROWS(filter##_la88, filter##_la88)
+
+#define SOFT_SPAN_TABLE                                                     \
+	{                                                                   \
+		[SOFT_NO_TEXTURE] = SOFT_FINISH_ROWS(plain, plain),         \
+		SOFT_FORMAT_ROWS(nearest, SOFT_NEAREST),                    \
+		SOFT_FORMAT_ROWS(linear, SOFT_LINEAR),                      \
+	}
+/* clang-format on */
+
+#endif

@@ -1,0 +1,286 @@
+/* Which span function draws a state, and the constants that it looks up. */
+#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/number.h"
+#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/spans.h"
+
+enum {
+	/*
+	 * From colours of 8.16 with a half of 1/255 to factors of 1.14: white is
+	 * a 2,000th more than 1, so that rounding leaves all of a texel.
+	 */
+	FACTOR_SCALE = 4204558,
+	BYTE_SCALE = 1 << 24, /* to 8.8 */
+};
+
+/*
+ * Of the alpha test: fragments whose alpha is low to low + range pass, modulo
+ * 256. False where none does.
+ */
+static bool find_alpha_range(const struct fragment_state *state,
+	struct soft_fragment_stages *stages)
+{
+	uint32_t reference = (uint32_t)soft_byte(state->alpha_reference);
+	uint32_t low = 0, range = 255;
+
+	switch (state->alpha_test ? state->alpha_function : GL_ALWAYS) {
+	case GL_LESS:
+		range = reference - 1;
+		break;
+	case GL_EQUAL:
+		low = reference;
+		range = 0;
+		break;
+	case GL_LEQUAL:
+		range = reference;
+		break;
+	case GL_GREATER:
+		low = reference + 1;
+		range = 254 - reference;
+		break;
+	case GL_NOTEQUAL:
+		low = (reference + 1) & 255;
+		range = 254;
+		break;
+	case GL_GEQUAL:
+		low = reference;
+		range = 255 - reference;
+		break;
+	case GL_NEVER:
+		return false;
+	default:
+		break;
+	}
+	stages->alpha_low = low;
+	stages->alpha_range = range;
+	return range <= 255;
+}
+
+static bool is_tested(const struct fragment_state *state)
+{
+	return state->alpha_test && state->alpha_function != GL_ALWAYS;
+}
+
+/* Textures that multiply the colour, or take its place. */
+static bool is_simple_environment(const struct texture_input *input)
+{
+	GLenum mode = input->env->mode, format = input->base->base_format;
+
+	return mode == GL_MODULATE || mode == GL_REPLACE ||
+		(mode == GL_DECAL && format == GL_RGB);
+}
+
+static bool is_replaced(const struct texture_input *input)
+{
+	return input->used && input->env->mode != GL_MODULATE &&
+		is_simple_environment(input);
+}
+
+static enum soft_finish choose_finish(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct texture_input *input = &draw->texture[0];
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
+	int fog = draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0;
+
+	if ((input->used && !is_simple_environment(input)) ||
+		(draw->blended && (!by_alpha || is_tested(state)))) {
+		return SOFT_ANY;
+	}
+	return (enum soft_finish)((draw->blended     ? SOFT_BLENDED
+					  : is_tested(state) ? SOFT_TESTED
+							     : SOFT_OPAQUE) +
+		fog);
+}
+
+static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
+{
+	if (state->stencil.enabled) {
+		return SOFT_DEPTH_FIRST;
+	}
+	if (!state->depth_test) {
+		return SOFT_DEPTH_FREE;
+	}
+	if (state->depth_function == GL_LESS) {
+		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_KEPT;
+	}
+	return is_tested(state) ? SOFT_DEPTH_LAST : SOFT_DEPTH_FIRST;
+}
+
+static bool is_trilinear(const struct texture_input *input)
+{
+	GLenum min = input->texture->min_filter;
+
+	return input->levels > 1 &&
+		(min == GL_NEAREST_MIPMAP_LINEAR ||
+			min == GL_LINEAR_MIPMAP_LINEAR);
+}
+
+static bool takes_state(const struct draw *draw)
+{
+	const struct soft *soft = draw->soft;
+	const struct fragment_state *state = &soft->fragment;
+	const GLboolean *mask = state->color_mask;
+	const struct texture_input *input = &draw->texture[0];
+
+	return mask[0] && mask[1] && mask[2] &&
+		(mask[3] || soft->format == PIXELS_RGB565) &&
+		!(is_tested(state) && state->stencil.enabled) &&
+		!draw->texture[1].used &&
+		(!input->used ||
+			(input->env->mode != GL_COMBINE &&
+				!is_trilinear(input)));
+}
+
+static bool is_linear(GLenum filter)
+{
+	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
+		filter == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+/* The ratio of two largest values, as template.h's shifts have them. */
+static int32_t scale_factor(int texel_bits, int pixel_bits)
+{
+	int64_t to = ((1 << pixel_bits) - 1) << (16 - pixel_bits);
+	int64_t from = ((1 << texel_bits) - 1) << (16 - texel_bits);
+
+	return texel_bits == 0 ? 0
+			       : (int32_t)(FACTOR_SCALE * to * 2048 /
+					 (from * 2048));
+}
+
+static void find_scales(const struct draw *draw, struct soft_spans *spans)
+{
+	bool wide = draw->soft->format == PIXELS_RGBA8888;
+	int five = wide ? 8 : 5, six = wide ? 8 : 6;
+	enum texel_format format =
+		spans->textured ? draw->texture[0].base->format : TEXEL_NONE;
+	struct soft_field red = soft_field(format, SOFT_RED);
+	struct soft_field green = soft_field(format, SOFT_GREEN);
+
+	spans->red_blue_half = 0;
+	spans->green_half = 0;
+	if (spans->finish == SOFT_ANY || (wide && red.bits == 0)) {
+		spans->red_blue_scale = BYTE_SCALE;
+		spans->green_scale = BYTE_SCALE;
+	} else if (red.bits == 0) {
+		spans->red_blue_scale = 31 << 19;
+		spans->green_scale = 63 << 17;
+		spans->red_blue_half = 1 << 10;
+		spans->green_half = 1 << 8;
+	} else {
+		spans->red_blue_scale = scale_factor(red.bits, five);
+		spans->green_scale = scale_factor(green.bits, six);
+	}
+}
+
+static bool has_alpha(GLenum format)
+{
+	return format != GL_RGB && format != GL_LUMINANCE;
+}
+
+static void find_stages(const struct draw *draw, struct soft_spans *spans)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const GLfixed *fog = draw->soft->fog.color;
+	struct soft_fragment_stages *stages = &spans->stages;
+	const struct texture_input *input = &draw->texture[0];
+
+	for (int i = 0; i < 3; i++) {
+		int most = i == 1 ? 63 : 31;
+
+		stages->fog_color[i] = (uint8_t)soft_byte(fog[i]);
+		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
+	}
+	stages->textured = spans->textured;
+	stages->fogged = draw->fogged;
+	stages->blended = draw->blended;
+	stages->blend_source = state->blend_source;
+	stages->blend_destination = state->blend_destination;
+	if (spans->textured) {
+		stages->env = input->env;
+		stages->base_format = input->base->base_format;
+		stages->alpha_scaled = input->env->mode == GL_MODULATE &&
+			has_alpha(input->base->base_format);
+		for (int i = 0; i < 4; i++) {
+			stages->env_color[i] =
+				(uint8_t)soft_byte(input->env->color[i]);
+		}
+	}
+}
+
+static void find_functions(const struct draw *draw, struct soft_spans *spans)
+{
+	const soft_span_table *table = draw->soft->format == PIXELS_RGB565
+		? &soft_spans_565
+		: &soft_spans_8888;
+	const struct texture_input *input = &draw->texture[0];
+	int format = spans->textured ? input->base->format - 1 : 0;
+	const struct texture *texture = input->texture;
+
+	for (int i = 0; i < 2; i++) {
+		const int finish = spans->finish;
+
+		if (!spans->textured) {
+			spans->mag[i] = (*table)[SOFT_NO_TEXTURE][finish][i];
+			continue;
+		}
+		spans->min[i] = (*table)[(is_linear(texture->min_filter)
+						 ? SOFT_LINEAR
+						 : SOFT_NEAREST) +
+			format][finish][i];
+		spans->mag[i] = (*table)[(texture->mag_filter == GL_LINEAR
+						 ? SOFT_LINEAR
+						 : SOFT_NEAREST) +
+			format][finish][i];
+	}
+	spans->function = spans->mag;
+}
+
+/* What the vertices' colours are asked for. */
+static void find_wanted(const struct draw *draw, struct soft_spans *spans)
+{
+	const struct texture_input *input = &draw->texture[0];
+	bool any = spans->finish == SOFT_ANY;
+	bool wide = draw->soft->format == PIXELS_RGBA8888;
+	GLenum format = input->used ? input->base->base_format : GL_RGB;
+	bool replaced = !any && is_replaced(input);
+
+	spans->colored = !replaced || format == GL_ALPHA;
+	spans->alpha_read = wide || any ||
+		(spans->finish != SOFT_OPAQUE &&
+			spans->finish != SOFT_OPAQUE_FOG);
+	spans->alpha = spans->alpha_read &&
+		!(replaced && has_alpha(format));
+}
+
+void soft_prepare_spans(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct texture_input *input = &draw->texture[0];
+
+	spans->takes_state = takes_state(draw) &&
+		find_alpha_range(state, &spans->stages);
+	spans->used = spans->takes_state && !draw->soft->reference;
+	spans->textured = input->used;
+	spans->fogged = draw->fogged;
+	spans->lod_wanted = input->used &&
+		(input->levels > 1 ||
+			is_linear(input->texture->min_filter) !=
+				(input->texture->mag_filter == GL_LINEAR));
+	spans->level = -1;
+	if (!spans->takes_state) {
+		return;
+	}
+	spans->color_tolerance =
+		draw->soft->format == PIXELS_RGB565 ? 4 : 2;
+	spans->finish = choose_finish(draw);
+	spans->depth_way = choose_depth_way(state);
+	find_wanted(draw, spans);
+	find_scales(draw, spans);
+	find_stages(draw, spans);
+	find_functions(draw, spans);
+	spans->run = (struct soft_run){.stages = &spans->stages};
+}

@@ -1,0 +1,111 @@
+/*
+ * Runs: up to SOFT_RUN_PIXELS pixels of one row whose values change linearly,
+ * and the functions that draw them, one for each combination of texture,
+ * filter, fragment state and picture format. raster/rows.c makes runs from
+ * triangles; template.h is the text that all functions are made of.
+ *
+ * Number formats:
+ *	z               16.16
+ *	red, blue       in the halves of one word, and green in the lower half of
+ *	                another: what a texel's channel is multiplied with, 1.14,
+ *	                times the ratio of the picture's and the texel's largest
+ *	                values; without a texture what is drawn: 5.11 and 6.9,
+ *	                a half added, or 8.8
+ *	alpha           8.7, above green
+ *	fog             1.15: how much of the fragment's own colour stays
+ *	s, t            in texels of the level, 9 bits of fraction; for bilinear
+ *	                textures half a texel less
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_RUN_H
+#define PLATFORM_GL_SOFT_SPAN_RUN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "platform/gl/soft/soft.h"
+
+enum {
+	/* s and t lose up to 1/1024 of a texel a pixel to rounding. */
+	SOFT_RUN_PIXELS = 32,
+	/* As many texels fit a half of a word, with 9 bits of fraction. */
+	SOFT_RUN_TEXELS = 128,
+};
+
+/* How a coordinate leads into a level: clamped to low..high, then masked. */
+struct soft_wrap {
+	int32_t low, high;
+	uint32_t mask;
+};
+
+/*
+ * What all fragments of a draw call go through after their texture, where a
+ * span function has no constants for it.
+ */
+struct soft_fragment_stages {
+	uint8_t fog_color[4];
+	int32_t fog_565[3]; /* red, green, blue of 5, 6, 5 bits, times 2^14 */
+	/* alpha passes when (alpha - low) modulo 256 is at most range */
+	uint32_t alpha_low, alpha_range;
+	bool textured, fogged, blended;
+	bool alpha_scaled; /* the texture's alpha times the fragment's */
+	const struct texenv *env;
+	uint8_t env_color[4];
+	GLenum base_format;
+	GLenum blend_source, blend_destination;
+};
+
+struct soft_run {
+	uint16_t *depth;
+	uint8_t *pixel;
+	uint32_t count; /* 1 to SOFT_RUN_PIXELS */
+	uint32_t z, z_right;
+	uint32_t red_blue, red_blue_right; /* blue in the upper half */
+	uint32_t green_alpha, green_alpha_right;
+	uint32_t fog, fog_right;
+	/*
+	 * Where all texels that are wanted lie in the level: the first one of
+	 * them, and from there t in the upper half and s in the lower one, both
+	 * below SOFT_RUN_TEXELS.
+	 */
+	const uint8_t *first_texel;
+	uint32_t texel, texel_right;
+	/* Elsewhere */
+	const uint8_t *texels;
+	int32_t s, t, s_right, t_right;
+	struct soft_wrap wrap_s, wrap_t;
+	uint32_t stride_log2; /* of the level, in bytes */
+	const struct soft_fragment_stages *stages;
+};
+
+typedef void (*soft_span_function)(const struct soft_run *run);
+
+/* Textures as a span function reads them. */
+enum soft_source {
+	SOFT_NO_TEXTURE,
+	SOFT_NEAREST, /* and enum texel_format - 1 */
+	SOFT_LINEAR = SOFT_NEAREST + TEXEL_LA88,
+	SOFT_SOURCES = SOFT_LINEAR + TEXEL_LA88,
+};
+
+/* What happens to a fragment after its texture. */
+enum soft_finish {
+	SOFT_OPAQUE,
+	SOFT_TESTED,  /* by alpha; then opaque */
+	SOFT_BLENDED, /* by GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA */
+	SOFT_OPAQUE_FOG,
+	SOFT_TESTED_FOG,
+	SOFT_BLENDED_FOG,
+	SOFT_ANY, /* all that struct soft_fragment_stages tells */
+	SOFT_FINISHES,
+};
+
+/*
+ * Span functions of a picture format; those of the first half of each pair
+ * take runs anywhere in their texture, those of the second only runs with
+ * first_texel, and are the same where that makes no difference.
+ */
+typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES][2];
+
+extern const soft_span_table soft_spans_565, soft_spans_8888;
+
+#endif

@@ -1,0 +1,279 @@
+/*
+ * Texels as all who read them see them: the span functions and fragment.c.
+ *
+ * Bilinear weights are 1/32 across and 1/256 down; of four bytes a texel 1/256
+ * both ways. So alpha has the same 8 bits everywhere,
+ * and an alpha test passes the same fragments.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_SAMPLE_H
+#define PLATFORM_GL_SOFT_SPAN_SAMPLE_H
+
+#include <string.h>
+
+#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/span/halves.h"
+
+enum {
+	SOFT_TEXEL_FRACTION = 9, /* bits, of coordinates in a level */
+};
+
+enum soft_channel {
+	SOFT_RED,
+	SOFT_GREEN,
+	SOFT_BLUE,
+	SOFT_ALPHA,
+};
+
+/* Where a channel lies in a texel, and its width; 0 where there is none. */
+struct soft_field {
+	int shift, bits;
+};
+
+static ALWAYS_INLINE struct soft_field soft_field(
+	enum texel_format format, enum soft_channel channel)
+{
+	bool alpha = channel == SOFT_ALPHA;
+
+	switch (format) {
+	case TEXEL_565:
+		return channel == SOFT_RED          ? (struct soft_field){11, 5}
+			: channel == SOFT_GREEN ? (struct soft_field){5, 6}
+			: channel == SOFT_BLUE  ? (struct soft_field){0, 5}
+						: (struct soft_field){0, 0};
+	case TEXEL_4444:
+		return (struct soft_field){12 - 4 * (int)channel, 4};
+	case TEXEL_5551:
+		return alpha ? (struct soft_field){0, 1}
+			     : (struct soft_field){11 - 5 * (int)channel, 5};
+	case TEXEL_8888:
+		return (struct soft_field){8 * (int)channel, 8};
+	case TEXEL_L8:
+		return (struct soft_field){0, alpha ? 0 : 8};
+	case TEXEL_A8:
+		return (struct soft_field){0, alpha ? 8 : 0};
+	case TEXEL_LA88:
+		return (struct soft_field){alpha ? 8 : 0, 8};
+	default:
+		return (struct soft_field){0, 0};
+	}
+}
+
+static ALWAYS_INLINE uint32_t soft_get_field(
+	enum texel_format format, enum soft_channel channel, uint32_t texel)
+{
+	struct soft_field field = soft_field(format, channel);
+
+	return texel >> field.shift & ((1u << field.bits) - 1);
+}
+
+static ALWAYS_INLINE int soft_texel_bytes_log2(enum texel_format format)
+{
+	return format == TEXEL_8888                           ? 2
+		: format == TEXEL_L8 || format == TEXEL_A8 ? 0
+							   : 1;
+}
+
+static ALWAYS_INLINE uint32_t soft_load_32(const uint8_t *at)
+{
+	uint32_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
+static ALWAYS_INLINE uint32_t soft_load_16(const uint8_t *at)
+{
+	uint16_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
+static ALWAYS_INLINE uint32_t soft_load_texel(
+	enum texel_format format, const uint8_t *at)
+{
+	switch (soft_texel_bytes_log2(format)) {
+	case 0:
+		return *at;
+	case 1:
+		return soft_load_16(at);
+	default:
+		return soft_load_32(at);
+	}
+}
+
+/* Two texels side by side, the left one in the lower half; not of 8888. */
+static ALWAYS_INLINE uint32_t soft_load_pair(
+	enum texel_format format, const uint8_t *at)
+{
+	if (soft_texel_bytes_log2(format) == 0) {
+		uint32_t two = soft_load_16(at);
+
+		return (two | two << 8) & 0x00FF00FF;
+	}
+	return soft_load_32(at);
+}
+
+/* How far from one texel to the next. */
+static ALWAYS_INLINE uint32_t soft_fraction_q8(uint32_t at)
+{
+	return at >> (SOFT_TEXEL_FRACTION - 8) & 255;
+}
+
+/*
+ * What bilinear coordinates are less: half a texel, but for half of a weight's
+ * last bit, so that weights are the nearest ones.
+ */
+static ALWAYS_INLINE int32_t soft_half_texel(
+	enum texel_format format, bool linear, bool across)
+{
+	int bits = across && format != TEXEL_8888 ? 5 : 8;
+
+	return linear ? (1 << (SOFT_TEXEL_FRACTION - 1)) -
+			(1 << (SOFT_TEXEL_FRACTION - bits - 1))
+		      : 0;
+}
+
+/* The weights of two pairs of texels, left and right in the halves. */
+struct soft_weights {
+	uint32_t above, below; /* 8192 in all */
+};
+
+static ALWAYS_INLINE struct soft_weights soft_weigh(
+	uint32_t s, uint32_t t)
+{
+	uint32_t right = s >> (SOFT_TEXEL_FRACTION - 5) & 31;
+	uint32_t across = (right << 16) - right + 32;
+	uint32_t below = across * soft_fraction_q8(t);
+
+	return (struct soft_weights){(across << 8) - below, below};
+}
+
+/* 8192 times a channel, of two pairs. */
+static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
+	enum soft_channel channel, uint32_t above, uint32_t below,
+	struct soft_weights weights)
+{
+	struct soft_field field = soft_field(format, channel);
+	uint32_t mask = ((1u << field.bits) - 1) * 0x10001;
+
+	return HALVES_SUM_ADD(below >> field.shift & mask, weights.below,
+		HALVES_SUM(above >> field.shift & mask, weights.above));
+}
+
+/*
+ * Bytes 0 and 2, or 1 and 3, of a texel: from a to b by 0..255 of 256. more is
+ * added before the division.
+ */
+static ALWAYS_INLINE uint32_t soft_mix_bytes(
+	uint32_t a, uint32_t b, uint32_t fraction, uint32_t more)
+{
+	return (a * (256 - fraction) + (b * fraction + more)) >> 8 & 0x00FF00FF;
+}
+
+struct soft_lanes {
+	uint32_t red_blue, green_alpha;
+};
+
+static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
+{
+	return (struct soft_lanes){texel & 0x00FF00FF, texel >> 8 & 0x00FF00FF};
+}
+
+static ALWAYS_INLINE struct soft_lanes soft_mix_lanes(
+	struct soft_lanes a, struct soft_lanes b, uint32_t fraction,
+	uint32_t more)
+{
+	return (struct soft_lanes){
+		soft_mix_bytes(a.red_blue, b.red_blue, fraction, more),
+		soft_mix_bytes(a.green_alpha, b.green_alpha, fraction, more),
+	};
+}
+
+/*
+ * Of the four texels around a place: first down, rounded down, then across,
+ * rounded up where the picture has bytes, which would show it.
+ */
+static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
+	const uint32_t above[2], const uint32_t below[2], uint32_t s,
+	uint32_t t, bool wide)
+{
+	uint32_t down = soft_fraction_q8(t);
+
+	return soft_mix_lanes(
+		soft_mix_lanes(soft_split(above[0]), soft_split(below[0]), down,
+			0),
+		soft_mix_lanes(soft_split(above[1]), soft_split(below[1]), down,
+			0),
+		soft_fraction_q8(s), wide ? 0x00FF00FF : 0);
+}
+
+/* 255 times a channel of so many bits, of one texel. */
+static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
+{
+	return bits == 4       ? value * 17
+		: bits == 1    ? value * 255
+		: bits == 5    ? value << 3 | value >> 2
+		: bits == 6    ? value << 2 | value >> 4
+			       : value;
+}
+
+/* The byte that 8192 times a channel of so many bits is. */
+static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
+{
+	uint32_t most = (1u << bits) - 1;
+
+	return bits == 8 ? (mixed + 4096) >> 13
+		: bits == 4 ? (mixed * 17 + 4096) >> 13
+		: bits == 1 ? (mixed * 255 + 4096) >> 13
+			    : (mixed * (255 * 64 / most) + (1 << 18)) >> 19;
+}
+
+/* A texel's alpha by the fragment's, 8.7 and a half of 1/255: a byte. */
+static ALWAYS_INLINE uint32_t soft_scale_alpha(
+	uint32_t alpha_q7, uint32_t texel)
+{
+	/* 128, so that 255 leaves what there is */
+	uint32_t product = alpha_q7 * texel + 128;
+
+	return (product + (product >> 8)) >> 15;
+}
+
+/* A step of 8.16 in one of 8.7, cut towards zero. */
+static ALWAYS_INLINE int32_t soft_alpha_step(int32_t step)
+{
+	return (step >> 9) + (int32_t)((uint32_t)step >> 31);
+}
+
+/* A step of 16.16 in one of a level's coordinates, the nearest one. */
+static ALWAYS_INLINE int32_t soft_texel_step(int32_t step, int shift)
+{
+	return (int32_t)((uint32_t)step + (1u << (shift - 1))) >> shift;
+}
+
+/* What a pixel's step loses by that. */
+static ALWAYS_INLINE int32_t soft_texel_rest(int32_t step, int shift)
+{
+	return (int32_t)((uint32_t)step -
+		((uint32_t)soft_texel_step(step, shift) << shift));
+}
+
+/* Where a run begins, so that its middle is where it should be. */
+static ALWAYS_INLINE int32_t soft_texel_start(
+	int32_t at, int32_t rest, int count, int shift)
+{
+	return (int32_t)((uint32_t)at +
+		       (uint32_t)rest * ((uint32_t)count >> 1)) >>
+		shift;
+}
+
+/* A coordinate in a level, by its way of wrapping. */
+static ALWAYS_INLINE uint32_t soft_wrap_at(int32_t at, int32_t low,
+	int32_t high, uint32_t mask)
+{
+	at = at < low ? low : at;
+	at = at > high ? high : at;
+	return (uint32_t)at & mask;
+}
+
+#endif

@@ -1,0 +1,515 @@
+/*
+ * The span functions' one text. Its stages are switched by constants: each
+ * function of a table is a call with constants of its own, in which the
+ * compiler leaves nothing but what that function needs.
+ *
+ * A pixel: the depth test; the texel (nearest, or four mixed); times the
+ * colour; fog; the alpha test; depth, and the colour, blended or not.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
+#define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
+
+#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/span/any.h"
+#include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/span/sample.h"
+
+struct soft_kind {
+	bool textured, linear;
+	enum texel_format format;
+	bool inside; /* the run has first_texel */
+	enum soft_finish finish;
+	bool wide; /* the picture is RGBA8888 */
+};
+
+/* What moves on with every pixel. */
+struct soft_pixel {
+	uint32_t z, red_blue, green_alpha, fog;
+	uint32_t texel; /* inside */
+	int32_t s, t;   /* elsewhere */
+};
+
+/* A texel: as bytes, or by channels, 8192 times where texels are mixed. */
+struct soft_texel {
+	struct soft_lanes lanes;
+	uint32_t channel[3];
+	uint32_t alpha; /* 8 bits */
+};
+
+struct soft_color {
+	int32_t channel[3]; /* with soft_fraction() bits of fraction */
+	uint32_t alpha;     /* of 255, or of 32 */
+};
+
+static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
+{
+	return kind.finish == SOFT_OPAQUE_FOG ||
+		kind.finish == SOFT_TESTED_FOG ||
+		kind.finish == SOFT_BLENDED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_is_tested(struct soft_kind kind)
+{
+	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
+{
+	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
+{
+	return soft_is_tested(kind) || soft_is_blended(kind) ||
+		(kind.wide && kind.finish != SOFT_ANY);
+}
+
+/* Where nothing else is in the upper half of green, the count is. */
+static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
+{
+	return !soft_wants_alpha(kind) && kind.finish != SOFT_ANY;
+}
+
+static ALWAYS_INLINE bool soft_has_color(struct soft_kind kind)
+{
+	return kind.textured && kind.format != TEXEL_A8;
+}
+
+/* Channels are mixed 8192 times what they are. */
+static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
+{
+	return kind.linear && kind.format != TEXEL_8888;
+}
+
+static ALWAYS_INLINE int soft_fraction(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	int bits = kind.wide ? 8 : channel == SOFT_GREEN ? 6 : 5;
+
+	if (!soft_has_color(kind)) {
+		/* Green leaves room for a step, see soft_draw_run(). */
+		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
+							   : 16 - bits;
+	}
+	return (soft_is_mixed(kind) ? 13 + 14 - 16 : 14) +
+		soft_field(kind.format, channel).bits - bits;
+}
+
+static ALWAYS_INLINE void soft_split_texel(
+	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+{
+	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
+
+	if (kind.format == TEXEL_8888) {
+		out->lanes = soft_split(texel);
+		out->alpha = out->lanes.green_alpha >> 16;
+		return;
+	}
+	out->channel[0] = soft_get_field(kind.format, SOFT_RED, texel);
+	out->channel[1] = soft_get_field(kind.format, SOFT_GREEN, texel);
+	out->channel[2] = soft_get_field(kind.format, SOFT_BLUE, texel);
+	out->alpha = alpha.bits == 0
+		? 255
+		: soft_widen_field(
+			  soft_get_field(kind.format, SOFT_ALPHA, texel),
+			  alpha.bits);
+}
+
+static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
+	uint32_t below, uint32_t s, uint32_t t, struct soft_texel *out)
+{
+	struct soft_weights weights = soft_weigh(s, t);
+	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
+
+	out->channel[0] = soft_mix_channel(
+		kind.format, SOFT_RED, above, below, weights);
+	out->channel[1] = soft_mix_channel(
+		kind.format, SOFT_GREEN, above, below, weights);
+	out->channel[2] = soft_mix_channel(
+		kind.format, SOFT_BLUE, above, below, weights);
+	out->alpha = alpha.bits == 0
+		? 255
+		: soft_narrow_mixed(soft_mix_channel(kind.format, SOFT_ALPHA,
+					    above, below, weights),
+			  alpha.bits);
+}
+
+static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
+	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+{
+	int bytes_log2 = soft_texel_bytes_log2(kind.format);
+	uint32_t at = (texel >> (16 + SOFT_TEXEL_FRACTION) << run->stride_log2) +
+		(texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
+			((SOFT_RUN_TEXELS - 1u) << bytes_log2));
+	const uint8_t *above = run->first_texel + at;
+	const uint8_t *below = above + (1u << run->stride_log2);
+
+	if (!kind.linear) {
+		soft_split_texel(
+			kind, soft_load_texel(kind.format, above), out);
+	} else if (kind.format == TEXEL_8888) {
+		const uint32_t a[2] = {
+			soft_load_32(above), soft_load_32(above + 4)};
+		const uint32_t b[2] = {
+			soft_load_32(below), soft_load_32(below + 4)};
+
+		out->lanes = soft_mix_8888(
+			a, b, texel, texel >> 16, kind.wide);
+		out->alpha = out->lanes.green_alpha >> 16;
+	} else {
+		soft_mix_pairs(kind, soft_load_pair(kind.format, above),
+			soft_load_pair(kind.format, below), texel, texel >> 16,
+			out);
+	}
+}
+
+static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
+	struct soft_kind kind, int32_t s, int32_t t, struct soft_texel *out)
+{
+	int bytes_log2 = soft_texel_bytes_log2(kind.format);
+	const struct soft_wrap *ws = &run->wrap_s, *wt = &run->wrap_t;
+	uint32_t x = soft_wrap_at(s >> SOFT_TEXEL_FRACTION, ws->low, ws->high, ws->mask);
+	uint32_t y = soft_wrap_at(t >> SOFT_TEXEL_FRACTION, wt->low, wt->high, wt->mask);
+	const uint8_t *above =
+		run->texels + (y << run->stride_log2);
+	const uint8_t *below = above;
+	uint32_t next = x, a[2], b[2];
+
+	if (!kind.linear) {
+		soft_split_texel(kind,
+			soft_load_texel(
+				kind.format, above + (x << bytes_log2)),
+			out);
+		return;
+	}
+	next = soft_wrap_at((s >> SOFT_TEXEL_FRACTION) + 1, ws->low, ws->high, ws->mask);
+	y = soft_wrap_at((t >> SOFT_TEXEL_FRACTION) + 1, wt->low, wt->high, wt->mask);
+	below = run->texels + (y << run->stride_log2);
+	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
+	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));
+	b[0] = soft_load_texel(kind.format, below + (x << bytes_log2));
+	b[1] = soft_load_texel(kind.format, below + (next << bytes_log2));
+	if (kind.format == TEXEL_8888) {
+		out->lanes = soft_mix_8888(
+			a, b, (uint32_t)s, (uint32_t)t, kind.wide);
+		out->alpha = out->lanes.green_alpha >> 16;
+	} else {
+		soft_mix_pairs(kind, a[0] | a[1] << 16, b[0] | b[1] << 16,
+			(uint32_t)s, (uint32_t)t, out);
+	}
+}
+
+/* A half in the picture's last bit. */
+static ALWAYS_INLINE int32_t soft_half(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	return 1 << (soft_fraction(kind, channel) - 1);
+}
+
+/* Texel times colour, and a half; see struct soft_run. */
+static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
+	const struct soft_texel *texel, const struct soft_pixel *at)
+{
+	uint32_t rb = at->red_blue, ga = at->green_alpha;
+	int32_t red = soft_half(kind, SOFT_RED);
+	int32_t green = soft_half(kind, SOFT_GREEN);
+	int32_t blue = soft_half(kind, SOFT_BLUE);
+	const uint32_t *c = texel->channel;
+	struct soft_color out;
+
+	if (!soft_has_color(kind)) {
+		red = (int32_t)(rb & 0xFFFF);
+		green = (int32_t)(ga & 0xFFFF);
+		blue = (int32_t)(rb >> 16);
+	} else if (kind.format == TEXEL_8888) {
+		red = HALVES_BB(texel->lanes.red_blue, rb, red);
+		green = HALVES_BB(texel->lanes.green_alpha, ga, green);
+		blue = HALVES_TT(texel->lanes.red_blue, rb, blue);
+	} else if (kind.linear) {
+		red = WORD_BY_BOTTOM(c[0], rb, red);
+		green = WORD_BY_BOTTOM(c[1], ga, green);
+		blue = WORD_BY_TOP(c[2], rb, blue);
+	} else {
+		red = HALVES_BB(c[0], rb, red);
+		green = HALVES_BB(c[1], ga, green);
+		blue = HALVES_BT(c[2], rb, blue);
+	}
+	out.channel[0] = red;
+	out.channel[1] = green;
+	out.channel[2] = blue;
+	return out;
+}
+
+/* What a run looks up once. */
+struct soft_constants {
+	int32_t fog[3]; /* with soft_fraction() bits of fraction, and a half */
+	uint32_t alpha_low, alpha_range;
+};
+
+/* Given in 14 bits of fraction, or 8 bits. */
+static ALWAYS_INLINE int32_t soft_find_fog(const struct soft_run *run,
+	struct soft_kind kind, enum soft_channel channel)
+{
+	const struct soft_fragment_stages *stages = run->stages;
+	int fraction = soft_fraction(kind, channel);
+
+	return soft_half(kind, channel) +
+		(kind.wide      ? stages->fog_color[channel] << fraction
+			: fraction >= 14
+			? stages->fog_565[channel] << (fraction - 14)
+			: stages->fog_565[channel] >> (14 - fraction));
+}
+
+static ALWAYS_INLINE struct soft_constants soft_find_constants(
+	const struct soft_run *run, struct soft_kind kind)
+{
+	struct soft_constants out = {{0, 0, 0}, 0, 0};
+
+	if (soft_is_fogged(kind)) {
+		out.fog[0] = soft_find_fog(run, kind, SOFT_RED);
+		out.fog[1] = soft_find_fog(run, kind, SOFT_GREEN);
+		out.fog[2] = soft_find_fog(run, kind, SOFT_BLUE);
+	}
+	if (soft_is_tested(kind)) {
+		out.alpha_low = run->stages->alpha_low;
+		out.alpha_range = run->stages->alpha_range;
+	}
+	return out;
+}
+
+static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
+	uint32_t fog, struct soft_color *color)
+{
+	const int32_t *to = constants->fog;
+	int32_t *c = color->channel;
+
+	c[0] = to[0] + 2 * WORD_BY_BOTTOM(c[0] - to[0], fog, 0);
+	c[1] = to[1] + 2 * WORD_BY_BOTTOM(c[1] - to[1], fog, 0);
+	c[2] = to[2] + 2 * WORD_BY_BOTTOM(c[2] - to[2], fog, 0);
+}
+
+/* A channel as the picture has it. */
+static ALWAYS_INLINE uint32_t soft_whole(
+	struct soft_kind kind, const struct soft_color *color, int i)
+{
+	return (uint32_t)color->channel[i] >> soft_fraction(kind, i);
+}
+
+static ALWAYS_INLINE void soft_store_565(struct soft_kind kind,
+	const struct soft_color *color, uint16_t *pixel)
+{
+	uint32_t r = soft_whole(kind, color, 0), g = soft_whole(kind, color, 1);
+	uint32_t b = soft_whole(kind, color, 2);
+	uint32_t mask = WIDE_MASK, to = *pixel;
+
+	if (!soft_is_blended(kind)) {
+		*pixel = (uint16_t)((r << 6 | g) << 5 | b);
+		return;
+	}
+	OPAQUE(mask); /* else it becomes several instructions */
+	to = (to | to << 16) & mask;
+	to = (to * 32 + ((g << 21 | r << 11 | b) - to) * color->alpha +
+		     WIDE_ROUND) >> 5 & mask;
+	*pixel = narrow(to);
+}
+
+static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
+{
+	return kind.textured &&
+		soft_field(kind.format, SOFT_ALPHA).bits > 0;
+}
+
+/* 0 to 32. */
+static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
+	const struct soft_texel *texel, uint32_t green_alpha)
+{
+	return soft_has_alpha(kind)
+		? ((green_alpha >> 16) * texel->alpha + (1 << 17)) >> 18
+		: (green_alpha + (1 << 25)) >> 26;
+}
+
+static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
+	const struct soft_texel *texel, uint32_t green_alpha)
+{
+	return soft_has_alpha(kind)
+		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
+		: green_alpha >> 23;
+}
+
+/* From one to the other of bytes 0 and 2, exactly as scale_byte() has it. */
+static ALWAYS_INLINE uint32_t soft_blend_lanes(
+	uint32_t to, uint32_t own, uint32_t alpha)
+{
+	uint32_t sum = own * alpha + to * (255 - alpha) + 0x00800080;
+
+	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
+}
+
+static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
+	const struct soft_color *color, uint8_t *pixel)
+{
+	uint32_t rb = soft_whole(kind, color, 0) |
+		soft_whole(kind, color, 2) << 16;
+	uint32_t ga = soft_whole(kind, color, 1) | color->alpha << 16;
+
+	if (soft_is_blended(kind)) {
+		uint32_t to = soft_load_32(pixel);
+
+		rb = soft_blend_lanes(to & 0x00FF00FF, rb, color->alpha);
+		ga = soft_blend_lanes(to >> 8 & 0x00FF00FF, ga, color->alpha);
+	}
+	rb |= ga << 8;
+	memcpy(pixel, &rb, sizeof(rb));
+}
+
+/* The bytes of a texel. */
+static ALWAYS_INLINE void soft_widen_texel(
+	struct soft_kind kind, const struct soft_texel *texel, uint8_t out[4])
+{
+	const struct soft_lanes *lanes = &texel->lanes;
+
+	if (kind.format == TEXEL_8888) {
+		out[0] = (uint8_t)lanes->red_blue;
+		out[1] = (uint8_t)lanes->green_alpha;
+		out[2] = (uint8_t)(lanes->red_blue >> 16);
+		out[3] = (uint8_t)texel->alpha;
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		int bits = soft_field(kind.format, i).bits;
+
+		out[i] = (uint8_t)(kind.linear && bits > 0
+				? soft_narrow_mixed(texel->channel[i], bits)
+				: soft_widen_field(texel->channel[i], bits));
+	}
+	out[3] = (uint8_t)texel->alpha;
+}
+
+/* The way of SOFT_ANY; colours are 8.8 there. */
+static ALWAYS_INLINE void soft_shade_any(const struct soft_run *run,
+	struct soft_kind kind, const struct soft_pixel *at,
+	const struct soft_texel *texel, uint16_t *depth, uint8_t *pixel)
+{
+	uint8_t from[4] = {255, 255, 255, 255}, to[4];
+	uint8_t color[4] = {(uint8_t)(at->red_blue >> 8),
+		(uint8_t)(at->green_alpha >> 8), (uint8_t)(at->red_blue >> 24),
+		(uint8_t)(at->green_alpha >> 23)};
+	enum pixel_format format =
+		kind.wide ? PIXELS_RGBA8888 : PIXELS_RGB565;
+
+	if (kind.textured) {
+		soft_widen_texel(kind, texel, from);
+	}
+	load_pixel(format, pixel, to);
+	if (soft_finish_any(run->stages, from, at->green_alpha >> 16, at->fog,
+		    to, color)) {
+		*depth = (uint16_t)(at->z >> 16);
+		store_pixel(format, pixel, color);
+	}
+}
+
+/* Tests and draws one pixel whose depth passes. */
+static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
+	struct soft_kind kind, const struct soft_constants *constants,
+	const struct soft_pixel *at, uint16_t *depth, uint8_t *pixel)
+{
+	struct soft_texel texel = {.alpha = 255};
+	struct soft_color color;
+	uint32_t alpha = 255;
+
+	if (kind.textured && kind.inside) {
+		soft_sample_inside(run, kind, at->texel, &texel);
+	} else if (kind.textured) {
+		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
+	}
+	if (kind.finish == SOFT_ANY) {
+		soft_shade_any(run, kind, at, &texel, depth, pixel);
+		return;
+	}
+	if (soft_wants_alpha(kind)) {
+		alpha = kind.wide || soft_is_tested(kind)
+			? soft_find_alpha(kind, &texel, at->green_alpha)
+			: soft_find_alpha_32(kind, &texel, at->green_alpha);
+	}
+	if (soft_is_tested(kind) &&
+		((alpha - constants->alpha_low) & 255) >
+			constants->alpha_range) {
+		return;
+	}
+	*depth = (uint16_t)(at->z >> 16);
+	if (soft_is_blended(kind) && alpha == 0) {
+		return;
+	}
+	color = soft_modulate(kind, &texel, at);
+	color.alpha = alpha;
+	if (soft_is_fogged(kind)) {
+		soft_add_fog(constants, at->fog, &color);
+	}
+	if (kind.wide) {
+		soft_store_8888(kind, &color, pixel);
+	} else {
+		soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
+	}
+}
+
+static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
+	struct soft_kind kind, struct soft_pixel *at)
+{
+	at->z += run->z_right;
+	at->red_blue += run->red_blue_right;
+	if (!soft_counts_by_green(kind)) {
+		at->green_alpha += run->green_alpha_right;
+	}
+	if (soft_is_fogged(kind) || kind.finish == SOFT_ANY) {
+		at->fog += run->fog_right;
+	}
+	if (kind.textured && kind.inside) {
+		at->texel += run->texel_right;
+	} else if (kind.textured) {
+		at->s += run->s_right;
+		at->t += run->t_right;
+	}
+}
+
+static ALWAYS_INLINE void soft_draw_run(
+	const struct soft_run *given, const struct soft_kind kind)
+{
+	/* Pixels do not lie in it, which the compiler cannot know. */
+	const struct soft_run own = *given, *run = &own;
+	const struct soft_constants constants = soft_find_constants(run, kind);
+	uint16_t *depth = run->depth;
+	uint8_t *pixel = run->pixel;
+	/* Depths are as far apart as pixels of RGB565. */
+	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
+	struct soft_pixel at = {run->z, run->red_blue, run->green_alpha,
+		run->fog, run->texel, run->s, run->t};
+	const uint16_t *end = depth + run->count;
+	/*
+	 * The count is above green, which stays below 2^15, and leaves 2^15 for
+	 * the step behind the last pixel; across one pixel alone values may
+	 * change by more than they have.
+	 */
+	uint32_t green_right =
+		(run->count > 1 ? run->green_alpha_right : 0) - 0x10000;
+
+	if (soft_counts_by_green(kind)) {
+		at.green_alpha += (run->count - 1) << 16;
+	}
+	do {
+		if (at.z >> 16 < *depth) {
+			soft_shade_pixel(run, kind, &constants, &at, depth,
+				kind.wide ? pixel
+					  : (uint8_t *)((uintptr_t)depth +
+						    distance));
+		}
+		depth++;
+		pixel += kind.wide ? 4 : 0;
+		soft_step_pixel(run, kind, &at);
+		if (soft_counts_by_green(kind)) {
+			at.green_alpha += green_right;
+		}
+	} while (soft_counts_by_green(kind) ? (int32_t)at.green_alpha >= 0
+					    : depth != end);
+}
+
+#endif

@@ -1,0 +1,163 @@
+/*
+ * The rows of a triangle for fragment.c, of any number of attributes: cut, and
+ * divided, where walk.c does it.
+ */
+#include "platform/gl/soft/number.h"
+#include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/span/walk.h"
+
+struct walk_kind {
+	bool divided;
+};
+
+/* A run whose values are these, and move by the span's steps. */
+static void draw_run(struct draw *draw, const struct soft_line *line, int x,
+	int count, const int32_t value[])
+{
+	struct raster *raster = &draw->raster;
+	struct span *span = &raster->span;
+
+	for (int n = 0; n < raster->moving_count; n++) {
+		span->value[raster->moving[n]] =
+			(uint32_t)value[raster->moving[n]];
+	}
+	span->x = x;
+	span->y = line->y;
+	span->count = count;
+	span->value[DEPTH] = plane_at(raster, DEPTH, x);
+	draw->span(draw, span);
+}
+
+static void draw_linear(struct draw *draw, const struct soft_line *line,
+	int left, int right, int32_t value[])
+{
+	const struct raster *raster = &draw->raster;
+
+	for (int x = left;; x += SOFT_RUN_PIXELS) {
+		if (right - x <= SOFT_RUN_PIXELS) {
+			draw_run(draw, line, x, right - x, value);
+			return;
+		}
+		draw_run(draw, line, x, SOFT_RUN_PIXELS, value);
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			value[i] += raster->span.step[i] * SOFT_RUN_PIXELS;
+		}
+	}
+}
+
+static void set_steps(struct draw *draw, const struct point *from,
+	const struct point *to, int steps)
+{
+	struct raster *raster = &draw->raster;
+
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		int64_t all = (int64_t)to->value[i] - from->value[i];
+
+		raster->span.step[i] = rows_is_divided(raster, i)
+			? (int32_t)(all * draw->inverse_q31[steps] >> 31)
+			: raster->plane[i].dx;
+	}
+}
+
+/* As find_spacing() in walk.c. */
+static int find_spacing(const struct draw *draw, const struct point *from,
+	const struct point *to, int steps)
+{
+	const struct raster *raster = &draw->raster;
+	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
+	uint32_t dq = (uint32_t)(from->q < to->q ? to->q - from->q
+						 : from->q - to->q);
+	uint64_t error, allowed = (uint64_t)q << 16;
+	uint32_t most = 0;
+
+	if (steps < PERSPECTIVE_STEP || dq == 0) {
+		return steps <= SMALL_EXTENT ? steps + 1 : SOFT_RUN_PIXELS;
+	}
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		uint32_t d = raster_size(to->value[i] - from->value[i]);
+
+		if (rows_is_divided(raster, i)) {
+			d = i < TEX_S ? d >> rows_color_tolerance(draw) : d;
+			most = d > most ? d : most;
+		}
+	}
+	error = (uint64_t)most * dq;
+	if (error <= allowed && steps <= SMALL_EXTENT) {
+		return steps + 1;
+	}
+	return error >> 2 <= (allowed >> 12) * (uint32_t)(steps * steps)
+		? SOFT_RUN_PIXELS
+		: PERSPECTIVE_STEP;
+}
+
+static void row_divided(struct draw *draw, const struct soft_line *line,
+	int left, int right)
+{
+	int steps = right - left - 1, spacing, x = left;
+	struct point from, to, end;
+
+	rows_find_point(draw, left, &from);
+	end = from;
+	if (steps > 0) {
+		rows_find_point(draw, right - 1, &end);
+	}
+	rows_find_lod(draw, &from, &draw->raster.span);
+	spacing = find_spacing(draw, &from, &end, steps);
+	if (spacing > steps) {
+		set_steps(draw, &from, &end, steps);
+		draw_linear(draw, line, left, right, from.value);
+		return;
+	}
+	for (; right - x > spacing; x += spacing) {
+		rows_find_point(draw, x + spacing, &to);
+		set_steps(draw, &from, &to, spacing);
+		draw_run(draw, line, x, spacing, from.value);
+		from = to;
+	}
+	set_steps(draw, &from, &end, right - x - 1);
+	draw_run(draw, line, x, right - x, from.value);
+}
+
+static void draw_row(struct draw *draw, const struct walk_kind kind,
+	struct soft_line *line, int left, int right)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t value[ATTRIBUTES];
+
+	if (left < right && kind.divided) {
+		row_divided(draw, line, left, right);
+	} else if (left < right) {
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			value[i] = (int32_t)plane_at(raster, i, left);
+		}
+		draw_linear(draw, line, left, right, value);
+	}
+	raster_next_row(draw);
+}
+
+SOFT_WALK(linear, false)
+SOFT_WALK(divided, true)
+
+void soft_walk_general(struct draw *draw, const struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+
+	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (raster->perspective) {
+		walk_divided(draw, setup);
+		return;
+	}
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+
+		raster->span.step[i] = raster->plane[i].dx;
+	}
+	rows_find_affine_lod(draw, &raster->span);
+	walk_linear(draw, setup);
+}

@@ -2,7 +2,6 @@
  * The program's entry point, and its table of commands.
  */
 #include "app/cmd/command.h"
-#include "app/cmd/dispatch.h"
 
 /* The first one runs when the command line names none. */
 static const struct command *const commands[] = {
@@ -19,5 +18,5 @@ static const struct command *const commands[] = {
 
 int main(int argc, char **argv)
 {
-	return dispatch(commands, argc, argv);
+	return command_dispatch(commands, argc, argv);
 }

@@ -9,7 +9,8 @@ BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes gl_states 
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
-build/arm/bench/%: build/arm/obj/tests/bench/%.o build/arm/liblimber.a \
+build/arm/bench/%: build/arm/obj/tests/bench/%.o \
+		build/arm/obj/tests/bench/bench_picture.o build/arm/liblimber.a \
 		| build/test-packages.stamp
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)

@@ -153,16 +153,6 @@ static ALWAYS_INLINE float *moving_target(
 	return (float *)(base + moving->offset);
 }
 
-static ALWAYS_INLINE void copy_still(const struct pose *still, struct pose *pose)
-{
-	size_t nodes = (size_t)still->node_count;
-
-	memcpy(pose->local, still->local, nodes * sizeof(*pose->local));
-	memcpy(pose->animated, still->animated, nodes * sizeof(*pose->animated));
-	memcpy(pose->weight, still->weight,
-		(size_t)still->weight_count * sizeof(*pose->weight));
-}
-
 static bool is_prepared(
 	const struct clip_cursor *cursor, const struct model_clip *clip)
 {
@@ -185,7 +175,7 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	if (cursor->clip != clip) {
 		begin_clip(cursor, clip, pose->model);
 	}
-	copy_still(&cursor->still, pose);
+	pose_copy(pose, &cursor->still);
 	end = cursor->moving + cursor->moving_count;
 	for (struct clip_moving *moving = cursor->moving; moving < end;
 		moving++) {

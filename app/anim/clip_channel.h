@@ -11,7 +11,7 @@
 #include "app/anim/clip.h"
 #include "app/anim/math/transform_inline.h"
 
-/* u of a time that takes the value of its key as it is. */
+/* u of a time at or beyond the first or last key, which gives that key. */
 #define CLIP_AT_KEY (-1.0f)
 
 /* The position of a time among a channel's keys. */
@@ -22,7 +22,7 @@ struct clip_moment {
 	float u; /* 0..1 from this key to the next one, or CLIP_AT_KEY */
 };
 
-/* For any value of cached. A NaN gives the first key. */
+/* Finds time_s among the keys. cached may have any value; a NaN gives key 0. */
 struct clip_moment clip_moment_search(
 	const struct model_channel *channel, float time_s, int cached);
 

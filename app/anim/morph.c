@@ -98,11 +98,27 @@ float morph_omega(const struct morph *morph, double now_ms)
 	return scalar_clamp(1 - (float)(left / motion->duration_ms), 0, 1);
 }
 
-static void interpolate(struct morph *morph, float omega)
+static void interpolate(struct morph *morph, struct morph_key from,
+	struct morph_key to, float omega, const float offset[3])
 {
-	const struct morph_motion *motion = &morph->motion;
+	static const float none[3] = {0, 0, 0};
 	const struct kernel *kernel = morph->kernel;
 	int count = morph->vertex_count;
+
+	kernel->morph_lerp(count, from.position, to.position, omega, offset,
+		morph->temporal);
+	if (morph->temporal_normal) {
+		kernel->morph_lerp(count, from.normal, to.normal, omega, none,
+			morph->temporal_normal);
+		kernel->normalize(count, morph->temporal_normal);
+	}
+}
+
+static void interpolate_to_destiny(struct morph *morph, float omega)
+{
+	const struct morph_motion *motion = &morph->motion;
+	const struct morph_key source = {(const float(*)[3])morph->source,
+		(const float(*)[3])morph->source_normal};
 	float offset[3] = {0, 0, 0};
 
 	if (motion->curve == MORPH_SINUSOIDAL) {
@@ -112,34 +128,16 @@ static void interpolate(struct morph *morph, float omega)
 			offset[i] = motion->direction[i] * wave;
 		}
 	}
-	kernel->morph_lerp(count, (const float(*)[3])morph->source,
-		morph->destiny.position, omega, offset, morph->temporal);
-	if (morph->temporal_normal) {
-		static const float none[3] = {0, 0, 0};
-
-		kernel->morph_lerp(count,
-			(const float(*)[3])morph->source_normal,
-			morph->destiny.normal, omega, none,
-			morph->temporal_normal);
-		kernel->normalize(count, morph->temporal_normal);
-	}
+	interpolate(morph, source, morph->destiny, omega, offset);
 }
 
 void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
 	float omega)
 {
 	static const float none[3] = {0, 0, 0};
-	const struct kernel *kernel = morph->kernel;
-	int count = morph->vertex_count;
 
 	morph->running = false;
-	kernel->morph_lerp(count, from.position, to.position, omega, none,
-		morph->temporal);
-	if (morph->temporal_normal) {
-		kernel->morph_lerp(count, from.normal, to.normal, omega, none,
-			morph->temporal_normal);
-		kernel->normalize(count, morph->temporal_normal);
-	}
+	interpolate(morph, from, to, omega, none);
 }
 
 bool morph_update(struct morph *morph, double now_ms)
@@ -152,7 +150,7 @@ bool morph_update(struct morph *morph, double now_ms)
 	morph->count++;
 	omega = morph_omega(morph, now_ms);
 	if (omega < 1) {
-		interpolate(morph, omega);
+		interpolate_to_destiny(morph, omega);
 	} else {
 		copy_key(morph, morph->destiny);
 		morph->running = false;

@@ -4,8 +4,8 @@
  * A playback has a speed of either sign and plays its clip once, in a loop or
  * forward and backward. It samples nothing: clip_sample() takes its time_s.
  */
-#ifndef APP_ANIM_TIMELINE_H
-#define APP_ANIM_TIMELINE_H
+#ifndef APP_ANIM_PLAYBACK_H
+#define APP_ANIM_PLAYBACK_H
 
 #include "app/anim/clip.h"
 

@@ -36,20 +36,6 @@ void pose_rest(struct pose *pose, const struct model *model)
 	}
 }
 
-void pose_copy(struct pose *to, const struct pose *from)
-{
-	size_t nodes = (size_t)from->node_count;
-	size_t weights = (size_t)from->weight_count;
-
-	for (size_t i = 0; i < nodes; i++) {
-		to->local[i] = from->local[i];
-		to->animated[i] = from->animated[i];
-	}
-	for (size_t i = 0; i < weights; i++) {
-		to->weight[i] = from->weight[i];
-	}
-}
-
 void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 	mat4 *world)
 {

@@ -10,6 +10,8 @@
 
 #include "app/model/model.h"
 
+#include <string.h>
+
 struct pose {
 	const struct model *model; /* not owned */
 	int node_count;
@@ -27,7 +29,15 @@ int pose_init(struct pose *pose, const struct model *model, struct arena *arena)
 void pose_rest(struct pose *pose, const struct model *model);
 
 /* Copies the contents of a pose to another one of the same model. */
-void pose_copy(struct pose *to, const struct pose *from);
+static inline void pose_copy(struct pose *to, const struct pose *from)
+{
+	size_t nodes = (size_t)from->node_count;
+
+	memcpy(to->local, from->local, nodes * sizeof(*to->local));
+	memcpy(to->animated, from->animated, nodes * sizeof(*to->animated));
+	memcpy(to->weight, from->weight,
+		(size_t)from->weight_count * sizeof(*to->weight));
+}
 
 /*
  * world[i] = world[parent] * local[i] for all nodes, parents first. For nodes

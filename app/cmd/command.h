@@ -1,8 +1,8 @@
 /*
  * The interface of a command ("limber play", "limber info" and so on).
  *
- * Each command fills one struct command; main.c lists them and dispatch.c runs
- * the one that the command line names.
+ * Each command fills one struct command; main.c lists them, and
+ * command_dispatch() runs the one that the command line names.
  */
 #ifndef APP_CMD_COMMAND_H
 #define APP_CMD_COMMAND_H
@@ -22,7 +22,7 @@ struct command {
 	const char *usage;   /* its arguments: "MODEL -o FILE" and the like */
 	const char *summary; /* one line */
 	const char *detail;  /* paragraphs and examples for --help */
-	bool reads_config;   /* run() reads limber.conf, not dispatch() */
+	bool reads_config;   /* run() reads limber.conf itself */
 	/* Returns one of enum exit_code; every failure has logged an error. */
 	int (*run)(const struct options *options, const struct log *log);
 };
@@ -35,6 +35,14 @@ extern const struct command command_bench;
 extern const struct command command_compare;
 extern const struct command command_doctor;
 extern const struct command command_export;
+
+/*
+ * Runs the command that argv[1] names; when it names none, the first of
+ * commands, which ends with NULL. Returns the program's exit code; every
+ * failure has logged an error.
+ */
+int command_dispatch(
+	const struct command *const *commands, int argc, char **argv);
 
 /*
  * EXIT_OK for 0, EXIT_FAILED for any -errno. A command checks its options

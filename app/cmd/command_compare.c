@@ -71,7 +71,6 @@ static int run(const struct options *options, const struct log *log)
 		&command_compare, options, log, run_with_model);
 }
 
-/* clang-format off */
 const struct command command_compare = {
 	.name = "compare",
 	.bit = FOR_COMPARE,
@@ -87,4 +86,3 @@ const struct command command_compare = {
 		"  limber compare robot.glb --plot techniques.svg --export baked",
 	.run = run,
 };
-/* clang-format on */

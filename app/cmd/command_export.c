@@ -67,7 +67,6 @@ static int run(const struct options *options, const struct log *log)
 		&command_export, options, log, run_with_model);
 }
 
-/* clang-format off */
 const struct command command_export = {
 	.name = "export",
 	.bit = FOR_EXPORT,
@@ -81,4 +80,3 @@ const struct command command_export = {
 		"  limber export robot.glb --clip walk --c robot.c",
 	.run = run,
 };
-/* clang-format on */

@@ -22,7 +22,6 @@ static int run(const struct options *options, const struct log *log)
 	return show_run(&plan, options, log);
 }
 
-/* clang-format off */
 const struct command command_play = {
 	.name = "play",
 	.bit = FOR_PLAY,
@@ -42,4 +41,3 @@ const struct command command_play = {
 		"                                   fill a framebuffer; --size uses a part of it",
 	.run = run,
 };
-/* clang-format on */

@@ -130,7 +130,6 @@ static int run(const struct options *options, const struct log *log)
 		&command_pose, options, log, run_with_model);
 }
 
-/* clang-format off */
 const struct command command_pose = {
 	.name = "pose",
 	.bit = FOR_POSE,
@@ -145,4 +144,3 @@ const struct command command_pose = {
 		"  limber pose robot.glb --clip walk --time 0.4 -o walk.obj",
 	.run = run,
 };
-/* clang-format on */

@@ -49,7 +49,6 @@ static int run(const struct options *options, const struct log *log)
 	return show_run(&plan, options, log);
 }
 
-/* clang-format off */
 const struct command command_render = {
 	.name = "render",
 	.bit = FOR_RENDER,
@@ -66,4 +65,3 @@ const struct command command_render = {
 		"  limber render --demo arm --script run.txt --frames 250 -o arm.y4m",
 	.run = run,
 };
-/* clang-format on */

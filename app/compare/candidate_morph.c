@@ -3,6 +3,7 @@
 #include "app/anim/kernel/layout/fixed_key.h"
 #include "app/anim/kernel/run/fixed_lerp.h"
 #include "app/compare/fit.h"
+#include "platform/base/count.h"
 
 #include <cglm/cglm.h>
 
@@ -188,11 +189,14 @@ static int prepare_fixed(struct morph_bake *bake)
 {
 	const struct reference *reference = bake->reference;
 	size_t count = (size_t)reference->vertex_count;
-	size_t pairs = (size_t)(bake->key_count - 1) * count;
+	size_t pairs;
 	struct fixed_range range = fixed_range_empty();
 	struct fixed_placement placement;
 	struct fixed_vector *scratch;
 
+	if (!size_multiply((size_t)(bake->key_count - 1), count, &pairs)) {
+		return -ENOMEM;
+	}
 	for (int k = 0; k < bake->key_count; k++) {
 		fixed_range_add(&range, reference->vertex_count,
 			reference_position(reference, bake->key[k]));
@@ -258,14 +262,12 @@ int candidate_morph(struct candidate *candidate,
 		bake->reference = reference;
 		bake->kernel = kernel;
 		bake->key_count = key_count;
-		bake->arena = arena_empty();
+		bake->arena = arena_within(reference->model->budget);
 	}
 	if (!bake || prepare(bake, key) != 0) {
-		log_error(log,
-			"%s: there is not enough memory for %d key frames",
-			reference->model->path, key_count);
 		candidate_destroy(candidate);
-		return -ENOMEM;
+		return memory_budget_fail(
+			reference->model->budget, reference->model->path, log);
 	}
 	if (bake->loops) {
 		candidate->pose = pose_fixed;

@@ -223,9 +223,8 @@ static int prepare(struct original *state, const struct kernel *kernel,
 			&state->cursor, &state->model, &state->arena);
 	}
 	if (error) {
-		log_error(log, "%s: there is not enough memory to compare it",
-			state->model.path);
-		return error;
+		return memory_budget_fail(
+			state->model.budget, state->model.path, log);
 	}
 	error = instance_create(&state->model, kernel, log, &state->instance);
 	if (!error) {
@@ -256,7 +255,7 @@ int candidate_original(struct candidate *candidate,
 		return -ENOMEM;
 	}
 	state->reference = reference;
-	state->arena = arena_empty();
+	state->arena = arena_within(reference->model->budget);
 	error = prepare(state, kernel, max_influences, targets, log);
 	if (error) {
 		candidate_destroy(candidate);

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/model/model_stats.h"
+#include "platform/base/count.h"
 
 #include <cglm/cglm.h>
 
@@ -201,24 +202,29 @@ static int init_arrays(struct rigid_bake *rigid)
 	const struct reference *reference = rigid->reference;
 	const struct instance *instance = reference->instance;
 	struct arena *arena = &rigid->arena;
-	size_t corners = 0, parts = 0;
+	const struct model *model = reference->model;
+	int corners = 0, parts = 0;
 
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
-		corners += (size_t)drawable->primitive->index_count;
-		parts += drawable->skin >= 0
-			? (size_t)reference->model->skin[drawable->skin].joint_count
-			: 1;
+		if (!count_add(corners, drawable->primitive->index_count,
+			    &corners) ||
+			!count_add(parts,
+				drawable->skin >= 0
+					? model->skin[drawable->skin].joint_count
+					: 1,
+				&parts)) {
+			return -ENOMEM;
+		}
 	}
-	rigid->part = ARENA_ARRAY(arena, struct rigid_part, parts + 1);
-	rigid->index = ARENA_ARRAY(arena, uint32_t, corners);
-	rigid->source = ARENA_ARRAY(arena, int, corners);
-	rigid->node = ARENA_ARRAY(arena, int, corners);
-	rigid->position = arena_alloc(arena, corners, sizeof(float[3]));
-	rigid->normal = arena_alloc(arena, corners, sizeof(float[3]));
-	rigid->world =
-		ARENA_ARRAY(arena, mat4, (size_t)reference->model->node_count);
+	rigid->part = ARENA_ARRAY(arena, struct rigid_part, (size_t)parts + 1);
+	rigid->index = ARENA_ARRAY(arena, uint32_t, (size_t)corners);
+	rigid->source = ARENA_ARRAY(arena, int, (size_t)corners);
+	rigid->node = ARENA_ARRAY(arena, int, (size_t)corners);
+	rigid->position = arena_alloc(arena, (size_t)corners, sizeof(float[3]));
+	rigid->normal = arena_alloc(arena, (size_t)corners, sizeof(float[3]));
+	rigid->world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
 	return rigid->part && rigid->index && rigid->source && rigid->node &&
 			rigid->position && rigid->normal && rigid->world
 		? 0
@@ -278,14 +284,12 @@ int candidate_rigid(struct candidate *candidate,
 	};
 	if (rigid) {
 		rigid->reference = reference;
-		rigid->arena = arena_empty();
+		rigid->arena = arena_within(reference->model->budget);
 	}
 	if (!rigid || prepare(rigid) != 0) {
-		log_error(log,
-			"%s: there is not enough memory to split it into rigid parts",
-			reference->model->path);
 		candidate_destroy(candidate);
-		return -ENOMEM;
+		return memory_budget_fail(
+			reference->model->budget, reference->model->path, log);
 	}
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;

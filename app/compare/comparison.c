@@ -170,6 +170,19 @@ static enum comparison_cost choose_cost(const struct comparison *comparison)
 	return COMPARISON_COST_INSTRUCTIONS;
 }
 
+bool comparison_has(
+	const struct comparison *comparison, enum technique technique)
+{
+	for (int i = 0; i < comparison->candidate_count; i++) {
+		const struct candidate *candidate = &comparison->candidate[i];
+
+		if (candidate->listed && candidate->technique == technique) {
+			return true;
+		}
+	}
+	return false;
+}
+
 static bool fits(
 	const struct comparison *comparison, const struct candidate *candidate)
 {

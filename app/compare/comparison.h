@@ -51,6 +51,10 @@ int comparison_create(const struct model *model,
 double comparison_cost_of(
 	const struct comparison *comparison, const struct candidate *candidate);
 
+/* Whether a listed candidate uses the technique. */
+bool comparison_has(
+	const struct comparison *comparison, enum technique technique);
+
 /* NULL is fine. */
 void comparison_destroy(struct comparison *comparison);
 

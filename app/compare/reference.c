@@ -1,5 +1,6 @@
 #include "app/compare/reference.h"
 
+#include "platform/base/count.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 
 enum {
-	BYTES_MAX = 1 << 30
+	FRAMES_MAX = 1000000
 };
 
 /* Normals are transformed by the cofactors of the node's matrix. */
@@ -84,7 +85,11 @@ static int init_parts(struct reference *reference)
 			.vertex_count = drawable->primitive->vertex_count,
 			.normals = drawable->normal != NULL,
 		};
-		reference->vertex_count += drawable->primitive->vertex_count;
+		if (!count_add(reference->vertex_count,
+			    drawable->primitive->vertex_count,
+			    &reference->vertex_count)) {
+			return -E2BIG;
+		}
 	}
 	return 0;
 }
@@ -92,8 +97,13 @@ static int init_parts(struct reference *reference)
 static int init_times(struct reference *reference)
 {
 	double duration_s = (double)reference->clip->duration_s;
-	int whole = (int)(duration_s * reference->rate_hz - 1e-6) + 1;
+	double frames = duration_s * reference->rate_hz - 1e-6;
+	int whole;
 
+	if (frames > FRAMES_MAX) {
+		return -E2BIG;
+	}
+	whole = (int)frames + 1;
 	reference->frame_count = whole + 1;
 	reference->time_s = ARENA_ARRAY(
 		&reference->arena, float, (size_t)reference->frame_count);
@@ -107,23 +117,33 @@ static int init_times(struct reference *reference)
 	return 0;
 }
 
-static int init_frames(struct reference *reference, const struct log *log)
+static int init_frames(struct reference *reference)
 {
-	size_t count = (size_t)reference->frame_count *
-		(size_t)reference->vertex_count;
+	size_t count;
 
-	if (count > BYTES_MAX / (2 * sizeof(float[3]))) {
-		log_error(log,
-			"%s: clip %d has %d frames of %d vertices, which are too many to keep: give a lower --fps",
-			reference->model->path, reference->clip_index,
-			reference->frame_count, reference->vertex_count);
+	if (!size_multiply((size_t)reference->frame_count,
+		    (size_t)reference->vertex_count, &count)) {
 		return -E2BIG;
 	}
 	reference->position =
 		arena_alloc(&reference->arena, count, sizeof(float[3]));
 	reference->normal =
 		arena_alloc(&reference->arena, count, sizeof(float[3]));
-	return reference->position && reference->normal ? 0 : -ENOMEM;
+	return reference->position && reference->normal ? 0 : -E2BIG;
+}
+
+static int init_arrays(struct reference *reference)
+{
+	int error = init_parts(reference);
+
+	if (!error) {
+		error = init_times(reference);
+	}
+	if (!error) {
+		error = clip_cursor_init(&reference->cursor, reference->model,
+			&reference->arena);
+	}
+	return error ? error : init_frames(reference);
 }
 
 static int prepare(struct reference *reference, const struct log *log)
@@ -135,20 +155,14 @@ static int prepare(struct reference *reference, const struct log *log)
 		return error;
 	}
 	reference->instance->normal_mapping = false;
-	error = init_parts(reference);
-	if (!error) {
-		error = init_times(reference);
-	}
-	if (!error) {
-		error = clip_cursor_init(&reference->cursor, reference->model,
-			&reference->arena);
-	}
-	if (!error) {
-		error = init_frames(reference, log);
-	}
-	if (error == -ENOMEM) {
-		log_error(log, "%s: there is not enough memory for its frames",
-			reference->model->path);
+	error = init_arrays(reference);
+	if (error == -E2BIG) {
+		log_error(log,
+			"%s: the frames of clip %d need too much memory: give a lower --fps, or allow more with --memory",
+			reference->model->path, reference->clip_index);
+	} else if (error) {
+		error = memory_budget_fail(
+			reference->model->budget, reference->model->path, log);
 	}
 	return error;
 }
@@ -175,7 +189,7 @@ int reference_create(const struct model *model, int clip, double rate_hz,
 	reference->clip = &model->clip[clip];
 	reference->clip_index = clip;
 	reference->rate_hz = rate_hz;
-	reference->arena = arena_empty();
+	reference->arena = arena_within(model->budget);
 	error = prepare(reference, log);
 	if (error) {
 		reference_destroy(reference);

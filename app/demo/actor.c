@@ -7,11 +7,14 @@
 
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
+	size_t memory_bytes =
+		env->memory_bytes ? env->memory_bytes : MODEL_MEMORY_BYTES;
 	struct bounds bounds;
 	int error;
 
 	*actor = (struct actor){0};
-	error = model_load(env->model_path, env->log, &actor->model);
+	error = model_load_within(
+		env->model_path, memory_bytes, env->log, &actor->model);
 	if (error) {
 		return error;
 	}

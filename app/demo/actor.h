@@ -7,9 +7,10 @@
 
 #include "app/anim/clip.h"
 #include "app/anim/fade.h"
-#include "app/demo/demo.h"
+#include "app/demo/demo_env.h"
 #include "app/demo/live.h"
 #include "app/scene/draw/texture.h"
+#include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/stage/stage.h"
 

@@ -9,42 +9,11 @@
 #ifndef APP_DEMO_DEMO_H
 #define APP_DEMO_DEMO_H
 
-#include "app/anim/clip.h"
-#include "app/anim/kernel/kernel.h"
-#include "app/demo/live.h"
-#include "app/scene/hud/hud_group.h"
-#include "app/scene/instance/influence_cap.h"
-#include "app/scene/instance/lod.h"
-#include "platform/base/log.h"
+#include "app/demo/demo_env.h"
+#include "app/scene/hud/hud.h"
 #include "platform/buttons/buttons.h"
-#include "platform/display/pixels.h"
-#include "platform/gl/gl.h"
 
 struct demo;
-
-/* What a demo is created with. Everything it points to outlives the demo. */
-struct demo_env {
-	const struct log *log;
-	const struct gl *gl;
-	enum pixel_format target;
-	const struct kernel *kernel;
-	int width, height;      /* of the picture, initially */
-	const char *model_path; /* the model file to show */
-	const char *clip;       /* name or index of the first clip, or NULL */
-	enum clip_interpolation interpolation;
-	enum clip_repeat repeat; /* viewer only */
-	float speed;             /* viewer only; below 0: backwards */
-	struct influence_cap influence_cap; /* influences of a vertex */
-	struct lod lod;                     /* triangles */
-	int walkers;      /* of the crowd; 0: the demo's own number */
-	bool follow_file; /* reload the model when its file changes */
-	int64_t (*now_ns)(
-		void);   /* clock to measure with; NULL: do not measure */
-	bool unattended; /* nobody presses buttons: show everything */
-	const struct camera_feed *camera; /* video camera, or NULL */
-	enum live_use camera_use;         /* initially */
-	bool smooth;                      /* filter camera images linearly */
-};
 
 /* What a demo shows, for the display of frame times. */
 struct demo_facts {
@@ -112,13 +81,6 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 
 /* Frees the demo; NULL is allowed. */
 void demo_destroy(const struct demo_driver *driver, struct demo *demo);
-
-/* What a demo leaves out to keep a frame budget; all zero: nothing. */
-struct demo_reduction {
-	float error_px;     /* least error of the triangles; 0: unchanged */
-	int max_influences; /* of a vertex; 0: all */
-	bool hold_normals;  /* see instance.hold_normals */
-};
 
 /* Sets what the demo leaves out from its next update on. */
 void demo_set_reduction(

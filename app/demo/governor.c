@@ -1,5 +1,7 @@
 #include "app/demo/governor.h"
 
+#include "app/scene/hud/hud_group.h"
+
 #include <stdio.h>
 
 enum {

@@ -11,7 +11,8 @@
 #ifndef APP_DEMO_GOVERNOR_H
 #define APP_DEMO_GOVERNOR_H
 
-#include "app/demo/demo.h"
+#include "app/demo/demo_env.h"
+#include "app/scene/hud/hud.h"
 
 enum {
 	GOVERNOR_STEPS = 7

@@ -49,7 +49,7 @@ int preset_file_read(struct preset_file *file, const struct log *log)
 		file->path[0] = '\0';
 		return 0;
 	}
-	count = model_file_read(file->path, log, &text);
+	count = model_file_read(file->path, NULL, log, &text);
 	if (count < 0) {
 		return count;
 	}
@@ -207,7 +207,7 @@ int preset_file_save(const char *path, const struct procedural_preset *preset,
 {
 	struct model_file text;
 	struct output_file *file;
-	int error = model_file_read(path, log, &text);
+	int error = model_file_read(path, NULL, log, &text);
 
 	if (error) {
 		return error;

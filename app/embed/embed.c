@@ -1,24 +1,60 @@
 #include "app/embed/embed_internal.h"
 
+#include "platform/base/count.h"
+#include "platform/base/printable.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <string.h>
 
+enum {
+	TABLE_BYTES_MAX = 256 * 1024 * 1024
+};
+
 /* The text of app/embed/player.inc, which the build makes. */
 extern const char embed_player_text[];
+
+static void add(struct embed *embed, int *sum, int count)
+{
+	embed->too_large = !count_add(*sum, count, sum) || embed->too_large;
+}
+
+/* Adds a * b. */
+static void add_product(struct embed *embed, int *sum, int a, int b)
+{
+	int product = 0;
+
+	embed->too_large = !count_multiply(a, b, &product) || embed->too_large;
+	add(embed, sum, product);
+}
 
 static void count_part(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
+	int values = 0;
 
-	embed->parts++;
-	embed->vertices += primitive->vertex_count;
-	embed->indices += primitive->index_count;
-	embed->targets += primitive->vertex_count * part->mesh->target_count * 6;
+	add(embed, &embed->parts, 1);
+	add(embed, &embed->vertices, primitive->vertex_count);
+	add(embed, &embed->indices, primitive->index_count);
+	add_product(embed, &values, part->mesh->target_count, 6);
+	add_product(embed, &embed->targets, primitive->vertex_count, values);
 	embed->wide_index = embed->wide_index || primitive->vertex_count > 65536;
 	if (embed_is_skinned(part)) {
-		embed->influences +=
-			primitive->vertex_count * primitive->influences;
+		add_product(embed, &embed->influences, primitive->vertex_count,
+			primitive->influences);
+	}
+}
+
+/* The player has 16 bits for some of the clip's numbers. */
+static void count_channel(
+	struct embed *embed, const struct model_channel *channel)
+{
+	embed->too_large = embed->too_large || channel->key_count > INT16_MAX ||
+		channel->width > INT16_MAX;
+	add(embed, &embed->channels, 1);
+	add(embed, &embed->times, channel->key_count);
+	if (!embed->too_large) {
+		add(embed, &embed->values, embed_channel_values(channel));
 	}
 }
 
@@ -28,18 +64,42 @@ static void count_all(struct embed *embed)
 
 	embed_each_part(embed, count_part);
 	for (int i = 0; i < model->skin_count; i++) {
-		embed->joints += model->skin[i].joint_count;
+		add(embed, &embed->joints, model->skin[i].joint_count);
 		embed->wide_joint =
 			embed->wide_joint || model->skin[i].joint_count > 256;
 	}
 	embed->weights = model->weight_count;
 	for (int c = 0; embed->clip && c < embed->clip->channel_count; c++) {
-		const struct model_channel *channel = &embed->clip->channel[c];
-
-		embed->channels++;
-		embed->times += channel->key_count;
-		embed->values += embed_channel_values(channel);
+		count_channel(embed, &embed->clip->channel[c]);
 	}
+	embed->too_large = embed->too_large || model->node_count > INT16_MAX;
+}
+
+/* An upper bound of the tables' size, before any of them is printed. */
+static double table_bytes(const struct embed *embed)
+{
+	return 28.0 * embed->vertices + 4.0 * embed->indices +
+		6.0 * embed->influences + 4.0 * embed->targets +
+		50.0 * embed->joints + 4.0 * embed->weights +
+		42.0 * embed->model->node_count + 60.0 * embed->parts +
+		16.0 * embed->channels + 4.0 * embed->times +
+		4.0 * embed->values;
+}
+
+static int check_size(const struct embed *embed, const struct log *log)
+{
+	if (embed->too_large || table_bytes(embed) > TABLE_BYTES_MAX) {
+		log_error(log,
+			"%s: the model is too large to be C source: its tables may have up to %d MiB, with up to %d nodes and keys of a channel",
+			embed->model->path, TABLE_BYTES_MAX >> 20, INT16_MAX);
+		return -EFBIG;
+	}
+	if (embed->parts == 0) {
+		log_error(log, "%s: the model has nothing to draw",
+			embed->model->path);
+		return -EINVAL;
+	}
+	return 0;
 }
 
 static void put_part(struct embed *embed, const struct embed_part *part)
@@ -137,9 +197,14 @@ static void print_player(const struct embed *embed)
 
 static void print_head(const struct embed *embed)
 {
+	fprintf(embed->out, "/*\n * ");
+	printable_put_comment(embed->model->path, embed->out);
+	if (embed->clip) {
+		fprintf(embed->out, ", clip ");
+		printable_put_comment(embed->clip->name, embed->out);
+	}
 	fprintf(embed->out,
-		"/*\n"
-		" * %s%s%s as C: %d vertices in %d parts, %d nodes, %d joints, %d channels.\n"
+		" as C: %d vertices in %d parts, %d nodes, %d joints, %d channels.\n"
 		" * limber export has written this file. To use it:\n"
 		" *\n"
 		" *\tstatic struct %s_state state;\n"
@@ -150,10 +215,8 @@ static void print_head(const struct embed *embed)
 		" * unit they are the same but take longer.\n"
 		" */\n"
 		"#include <math.h>\n#include <stdint.h>\n#include <string.h>\n",
-		embed->model->path, embed->clip ? ", clip " : "",
-		embed->clip ? embed->clip->name : "", embed->vertices,
-		embed->parts, embed->model->node_count, embed->joints,
-		embed->channels, embed->prefix, embed->prefix,
+		embed->vertices, embed->parts, embed->model->node_count,
+		embed->joints, embed->channels, embed->prefix, embed->prefix,
 		embed->clip ? (double)embed->clip->duration_s : 0.0,
 		embed->prefix);
 }
@@ -211,9 +274,9 @@ int embed_print(const struct model *model, int clip, const char *prefix,
 		return error;
 	}
 	count_all(&embed);
-	if (embed.parts == 0) {
-		log_error(log, "%s: the model has nothing to draw", model->path);
-		return -EINVAL;
+	error = check_size(&embed, log);
+	if (error) {
+		return error;
 	}
 	print_head(&embed);
 	embed_print_vertices(&embed);

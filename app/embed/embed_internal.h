@@ -33,6 +33,7 @@ struct embed {
 	int parts, vertices, indices, influences, targets, joints, weights;
 	int channels, times, values;
 	bool wide_index, wide_joint;
+	bool too_large; /* a count does not fit its type */
 
 	struct embed_offsets next; /* of the part to list next */
 };

@@ -4,7 +4,7 @@ void embed_each_part(struct embed *embed, embed_part_fn *function)
 {
 	const struct model *model = embed->model;
 
-	for (int i = 0; i < model->node_count; i++) {
+	for (int i = 0; i < model->node_count && !embed->too_large; i++) {
 		const struct model_node *node = &model->node[i];
 		const struct model_mesh *mesh;
 

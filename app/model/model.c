@@ -14,21 +14,35 @@ const struct model_material model_plain_material = {
 	.alpha_cutoff = 0.5f,
 };
 
-struct model *model_create(const char *path, const char *format)
+/* Whether the budget allows the arena, which owns it, and the source. */
+static bool fits(struct arena *arena, struct memory_budget *budget, size_t bytes)
+{
+	return arena_set_budget(arena, budget) &&
+		memory_budget_take(budget, bytes);
+}
+
+struct model *model_create(const struct model_source *source,
+	const char *format, const struct log *log)
 {
 	struct arena arena = arena_empty();
 	struct model *model = ARENA_NEW(&arena, struct model);
+	struct memory_budget *budget = ARENA_NEW(&arena, struct memory_budget);
 
-	if (model) {
-		model->path = arena_strdup(&arena, path);
+	if (budget) {
+		budget->limit_bytes = source->memory_bytes;
+	}
+	if (model && budget && fits(&arena, budget, source->size)) {
+		model->path = arena_strdup(&arena, source->name);
 		model->format = arena_strdup(&arena, format);
+		model->budget = budget;
 		model->arena = arena;
-		if (!model->path || !model->format) {
-			model_destroy(model);
-			model = NULL;
+		if (model->path && model->format) {
+			return model;
 		}
 	}
-	return model;
+	(void)memory_budget_fail(budget, source->name, log);
+	arena_release(&arena);
+	return NULL;
 }
 
 void model_destroy(struct model *model)
@@ -50,6 +64,19 @@ int model_find_node(const struct model *model, const char *name)
 		}
 	}
 	return -1;
+}
+
+int model_lod_of_size(const struct model_primitive *primitive, int index_count)
+{
+	int level = 0;
+
+	for (int i = 0; i < primitive->lod_count; i++) {
+		if (!primitive->lod[i].shadow_only &&
+			primitive->lod[i].index_count >= index_count) {
+			level = i + 1;
+		}
+	}
+	return level;
 }
 
 int model_find_clip(const struct model *model, const char *name_or_index)

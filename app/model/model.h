@@ -17,6 +17,7 @@
 
 #include "platform/base/arena.h"
 #include "platform/base/log.h"
+#include "platform/base/memory_budget.h"
 
 #include <cglm/types.h>
 
@@ -125,8 +126,10 @@ struct model_channel {
 	enum model_path path;
 	enum model_interpolation interpolation;
 	bool constant;       /* no value differs from the first one by more than
-				2e-6 of the clip's largest on this path */
-	bool unit;           /* rotation keys are of unit length to 1e-6 */
+				2e-6 of the clip's largest on this path; never
+				true for MODEL_CUBICSPLINE */
+	bool unit;           /* rotation keys are of unit length to 1e-6; never
+				true for MODEL_CUBICSPLINE */
 	int width;           /* floats of a value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */
@@ -191,6 +194,11 @@ struct model_camera {
 
 struct model {
 	struct arena arena;
+	/*
+	 * Limits the memory of the model and of all its instances. The arena
+	 * owns it. NULL means no limit, in a model that no loader made.
+	 */
+	struct memory_budget *budget;
 	const char *path;
 	const char *format; /* for display: "glTF 2.0" */
 
@@ -216,6 +224,16 @@ struct model {
 };
 
 /*
+ * Loaders refuse a position, a length, a time or any other number of an array
+ * that is larger than this, so that sums of a few squares of them stay finite.
+ */
+#define MODEL_NUMBER_MAX 1e9f
+
+enum {
+	MODEL_MEMORY_BYTES = 256 * 1024 * 1024 /* the default budget */
+};
+
+/*
  * Loads a file, whose content decides its format. 0, or -errno after one error
  * that names the file, the location in it and the reason: -ENOENT for a missing
  * file, -EINVAL for a malformed one, -ENOTSUP for what limber cannot play,
@@ -225,8 +243,15 @@ struct model {
 int model_load(const char *path, const struct log *log, struct model **out);
 
 /*
- * The same from memory, to which the model keeps no pointer. name serves as the
- * path in messages and in model.path. A model that refers to other files is
+ * The same with a budget of memory_bytes instead of MODEL_MEMORY_BYTES. The
+ * budget limits the memory of the load, the model and the model's instances.
+ */
+int model_load_within(const char *path, size_t memory_bytes,
+	const struct log *log, struct model **out);
+
+/*
+ * model_load() from memory, to which the model keeps no pointer. name serves as
+ * the path in messages and in model.path. A model that refers to other files is
  * -EACCES.
  */
 int model_load_memory(const void *data, size_t size, const char *name,
@@ -237,6 +262,13 @@ void model_destroy(struct model *model);
 
 /* The index of the first node of that name, or -1. */
 int model_find_node(const struct model *model, const char *name);
+
+/*
+ * The coarsest level of detail, counted from 1, whose list has at least
+ * index_count indices; 0, the full list, if there is none. Lists for shadows
+ * are no levels.
+ */
+int model_lod_of_size(const struct model_primitive *primitive, int index_count);
 
 /*
  * The index of a clip given by its name or, when no clip has that name, by its

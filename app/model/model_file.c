@@ -11,14 +11,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static int read_all(int fd, size_t size, struct model_file *out)
+static int read_all(int fd, size_t size, uint8_t *data)
 {
-	uint8_t *data = malloc(size + 1);
 	size_t done = 0;
 
-	if (!data) {
-		return -ENOMEM;
-	}
 	while (done < size) {
 		ssize_t got = read(fd, data + done, size - done);
 
@@ -26,16 +22,10 @@ static int read_all(int fd, size_t size, struct model_file *out)
 			continue;
 		}
 		if (got <= 0) {
-			int error = got < 0 ? -errno : -EIO;
-
-			free(data);
-			return error;
+			return got < 0 ? -errno : -EIO;
 		}
 		done += (size_t)got;
 	}
-	data[size] = 0;
-	out->data = data;
-	out->size = size;
 	return 0;
 }
 
@@ -87,7 +77,26 @@ static int open_path(const char *path, const char *where, const struct log *log,
 	return fd;
 }
 
-static int read_path(const char *path, const char *where, const struct log *log,
+/* Allocates zeroed memory for a file of this size. */
+static int allocate(size_t size, const char *where, struct memory_budget *budget,
+	const struct log *log, struct model_file *out)
+{
+	uint8_t *data = NULL;
+
+	if (!memory_budget_take(budget, size)) {
+		return memory_budget_fail(budget, where, log);
+	}
+	data = calloc(size + 1, 1);
+	if (!data) {
+		memory_budget_give_back(budget, size);
+		return memory_budget_fail(budget, where, log);
+	}
+	*out = (struct model_file){data, size, budget};
+	return 0;
+}
+
+static int read_path(const char *path, const char *where,
+	struct memory_budget *budget, const struct log *log,
 	struct model_file *out)
 {
 	size_t size;
@@ -98,9 +107,13 @@ static int read_path(const char *path, const char *where, const struct log *log,
 	if (fd < 0) {
 		return fd;
 	}
-	error = read_all(fd, size, out);
-	if (error) {
-		log_error(log, "%s: %s", where, strerror(-error));
+	error = allocate(size, where, budget, log, out);
+	if (!error) {
+		error = read_all(fd, size, out->data);
+		if (error) {
+			log_error(log, "%s: %s", where, strerror(-error));
+			model_file_release(out);
+		}
 	}
 	close(fd);
 	return error;
@@ -118,10 +131,10 @@ int model_file_check(const char *path, const struct log *log)
 	return 0;
 }
 
-int model_file_read(
-	const char *path, const struct log *log, struct model_file *out)
+int model_file_read(const char *path, struct memory_budget *budget,
+	const struct log *log, struct model_file *out)
 {
-	return read_path(path, path, log, out);
+	return read_path(path, path, budget, log, out);
 }
 
 static bool has_parent_folder(const char *relative)
@@ -198,8 +211,8 @@ static bool is_inside(const char *folder, const char *file)
 }
 
 int model_file_read_beside(const struct model_source *source,
-	const char *relative, const char *where, const struct log *log,
-	struct model_file *out)
+	const char *relative, const char *where, struct memory_budget *budget,
+	const struct log *log, struct model_file *out)
 {
 	const char *problem = find_problem(relative);
 	char *folder = NULL;
@@ -230,7 +243,7 @@ int model_file_read_beside(const struct model_source *source,
 		log_error(log, "%s: the path leads outside the model's folder",
 			message_start);
 	} else {
-		error = read_path(file, message_start, log, out);
+		error = read_path(file, message_start, budget, log, out);
 	}
 	free(folder);
 	free(file);
@@ -240,5 +253,6 @@ int model_file_read_beside(const struct model_source *source,
 void model_file_release(struct model_file *file)
 {
 	free(file->data);
+	memory_budget_give_back(file->budget, file->size);
 	*file = (struct model_file){0};
 }

@@ -9,6 +9,7 @@
 #define APP_MODEL_MODEL_FILE_H
 
 #include "platform/base/log.h"
+#include "platform/base/memory_budget.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,20 +26,23 @@ struct model_source {
 			     read; false for bytes from memory */
 	const uint8_t *data;
 	size_t size;
+	size_t memory_bytes; /* see model_load_within() */
 };
 
 /* A whole file in memory. */
 struct model_file {
 	uint8_t *data; /* never NULL after success; a zero byte follows */
 	size_t size;
+	struct memory_budget *budget; /* against which data counts, or NULL */
 };
 
 /*
- * Reads a regular file of at most MODEL_FILE_BYTES_MAX. 0, or -errno after one
- * error "PATH: REASON". The caller calls model_file_release().
+ * Reads a regular file of at most MODEL_FILE_BYTES_MAX. Its bytes count against
+ * the budget unless that is NULL. 0, or -errno after one error "PATH:
+ * REASON". The caller calls model_file_release() while the budget exists.
  */
-int model_file_read(
-	const char *path, const struct log *log, struct model_file *out);
+int model_file_read(const char *path, struct memory_budget *budget,
+	const struct log *log, struct model_file *out);
 
 /* Like model_file_read(), but only opens the file and checks its size. */
 int model_file_check(const char *path, const struct log *log);
@@ -51,8 +55,8 @@ int model_file_check(const char *path, const struct log *log);
  * the start of the message ("fox.gltf: /buffers/0/uri").
  */
 int model_file_read_beside(const struct model_source *source,
-	const char *relative, const char *where, const struct log *log,
-	struct model_file *out);
+	const char *relative, const char *where, struct memory_budget *budget,
+	const struct log *log, struct model_file *out);
 
 /* Frees the bytes; a zeroed struct is allowed. */
 void model_file_release(struct model_file *file);

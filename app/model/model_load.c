@@ -3,6 +3,7 @@
 #include "app/model/xfile/xfile.h"
 
 #include <errno.h>
+#include <limits.h>
 
 /* The first format that recognises a file loads it. */
 static const struct model_format formats[] = {
@@ -31,29 +32,76 @@ static int find_format(const struct model_source *source, const struct log *log,
 	return -ENOTSUP;
 }
 
+enum {
+	WARNINGS_MAX = 8 /* a file may cause any number of them */
+};
+
+struct limited_log {
+	const struct log *log;
+	int warnings;
+};
+
+static void write_limited(void *user, enum log_level level, const char *sentence)
+{
+	struct limited_log *limited = user;
+
+	if (level != LOG_WARNING || limited->warnings < WARNINGS_MAX) {
+		log_write(limited->log, level, "%s", sentence);
+	}
+	limited->warnings += level == LOG_WARNING && limited->warnings < INT_MAX;
+}
+
+static struct log begin_limit(struct limited_log *limited, const struct log *log)
+{
+	*limited = (struct limited_log){.log = log};
+	return (struct log){
+		.write = write_limited,
+		.user = limited,
+		.threshold = log->threshold,
+	};
+}
+
+static void end_limit(
+	const struct limited_log *limited, const struct model_source *source)
+{
+	if (limited->warnings > WARNINGS_MAX) {
+		log_warning(limited->log,
+			"%s: limber leaves out %d more warnings about this file",
+			source->name, limited->warnings - WARNINGS_MAX);
+	}
+}
+
 static int load_source(const struct model_source *source, const struct log *log,
 	struct model **out)
 {
 	const struct model_format *format;
+	struct limited_log limited;
+	const struct log few = begin_limit(&limited, log);
 	int error = find_format(source, log, &format);
 
 	*out = NULL;
 	if (!error) {
-		error = format->load(source, log, out);
+		error = format->load(source, &few, out);
+		end_limit(&limited, source);
 	}
 	if (!error) {
+		memory_budget_give_back((*out)->budget, source->size);
 		model_prepare_clips(*out);
 	}
 	return error;
 }
 
-int model_examine(const char *path, const struct examiner *examiner,
-	const struct log *log)
+int model_examine(const char *path, size_t memory_bytes,
+	const struct examiner *examiner, const struct log *log)
 {
-	struct model_source source = {.name = path, .has_folder = true};
+	struct model_source source = {
+		.name = path,
+		.has_folder = true,
+		.memory_bytes = memory_bytes,
+	};
 	const struct model_format *format;
 	struct model_file file;
-	int error = model_file_read(path, log, &file);
+	int error = model_file_read(path, NULL, log, &file);
 
 	if (error) {
 		return error;
@@ -62,7 +110,11 @@ int model_examine(const char *path, const struct examiner *examiner,
 	source.size = file.size;
 	error = find_format(&source, log, &format);
 	if (!error) {
-		error = format->examine(&source, examiner, log);
+		struct limited_log limited;
+		const struct log few = begin_limit(&limited, log);
+
+		error = format->examine(&source, examiner, &few);
+		end_limit(&limited, &source);
 	}
 	model_file_release(&file);
 	return error;
@@ -70,12 +122,23 @@ int model_examine(const char *path, const struct examiner *examiner,
 
 int model_load(const char *path, const struct log *log, struct model **out)
 {
-	struct model_source source = {.name = path, .has_folder = true};
+	return model_load_within(path, MODEL_MEMORY_BYTES, log, out);
+}
+
+int model_load_within(const char *path, size_t memory_bytes,
+	const struct log *log, struct model **out)
+{
+	struct model_source source = {
+		.name = path,
+		.has_folder = true,
+		.memory_bytes = memory_bytes,
+	};
+	struct memory_budget budget = {.limit_bytes = memory_bytes};
 	struct model_file file;
 	int error;
 
 	*out = NULL;
-	error = model_file_read(path, log, &file);
+	error = model_file_read(path, &budget, log, &file);
 	if (error) {
 		return error;
 	}
@@ -89,7 +152,12 @@ int model_load(const char *path, const struct log *log, struct model **out)
 int model_load_memory(const void *data, size_t size, const char *name,
 	const struct log *log, struct model **out)
 {
-	struct model_source source = {.name = name, .data = data, .size = size};
+	struct model_source source = {
+		.name = name,
+		.data = data,
+		.size = size,
+		.memory_bytes = MODEL_MEMORY_BYTES,
+	};
 
 	return load_source(&source, log, out);
 }

@@ -25,10 +25,13 @@ struct model_format {
 };
 
 /*
- * An empty model in its own arena, which also holds the struct. It copies path
- * and format. NULL when there is not enough memory.
+ * An empty model in its own arena, which also holds the struct and the budget.
+ * The source's bytes count as taken from the budget until the load has ended.
+ * The model copies the source's name and format. NULL, after an error, when
+ * there is not enough memory.
  */
-struct model *model_create(const char *path, const char *format);
+struct model *model_create(const struct model_source *source,
+	const char *format, const struct log *log);
 
 /*
  * Makes the influences of a primitive satisfy model.h: negative weights become

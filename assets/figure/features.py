@@ -26,7 +26,7 @@ FRONT = Surface(make_skull(4))
 class Eye:
     upper: float = 1.0  # upper lid: 0 closed, 1 at rest, above 1 wide open
     lower: float = 0.0  # how far the middle of the lower lid is raised, in metres
-    shut: float = 0.0   # fraction of its way to the closed line
+    shut: float = 0.0   # fraction of the distance to the closed line
     tilt: float = 0.0   # how far the inner side of the upper lid is lowered, in metres
 
 

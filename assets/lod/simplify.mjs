@@ -196,20 +196,24 @@ export function makeLevels(glb, primitives, others, errors, shapeError, share) {
     let last = group.index.length;
     for (const error of errors) {
         const list = simplify(group, group.index, error / counts, () => true);
-        if (list.length > 0 && list.length <= last * (1 - share)) {
+        const index = split(group, list);
+        // A primitive of a glTF file cannot be empty.
+        if (index.every((part) => part.length > 0) &&
+                list.length <= last * (1 - share)) {
             const error_m = measure(group, list) * counts;
             // A coarser level may be nearer by chance; it then replaces this one.
             while (levels.at(-1)?.error_m >= error_m) levels.pop();
-            levels.push({ error_m, index: split(group, list) });
+            levels.push({ error_m, index });
             last = list.length;
         }
     }
     const welded = weld(group);
     const list = simplify(group, group.index.map((v) => welded[v]), shapeError,
         (i) => i >= 8);
-    if (list.length > 0 && list.length < group.index.length) {
-        levels.push({ error_m: measure(group, list), shape: true,
-            index: split(group, list) });
+    const index = split(group, list);
+    if (index.every((part) => part.length > 0) &&
+            list.length < group.index.length) {
+        levels.push({ error_m: measure(group, list), shape: true, index });
     }
     return levels;
 }

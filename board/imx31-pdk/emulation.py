@@ -1,10 +1,10 @@
 """The emulated board: QEMU's i.MX31 with limber's image.
 
-Machine starts one, in a folder of its own, and reaches it from outside: the
-console through a socket and a log, the framebuffer through QEMU's memory (QMP),
-the buttons through the emulated GPIO controller's inputs (qtest). The command
-line beside this file and tests/board are made of it. Only the standard library
-is needed.
+A Machine is one board with a folder of its own. It controls the board from
+outside: the console through a socket and a log, the framebuffer through QEMU's
+memory (QMP), the buttons through the inputs of the emulated GPIO controller
+(qtest). The command line `emulate`, the web page and tests/board use it. It
+needs only the standard library.
 """
 import array
 import contextlib
@@ -25,7 +25,7 @@ WIDTH, HEIGHT = 480, 640
 FRAME_BYTES = WIDTH * HEIGHT * 2
 FRAMEBUFFER = 0x87E00000
 
-# The shell's, on the console.
+# The prompt of the shell on the console.
 PROMPT = r"limber:/\S*# "
 
 # Lines of GPIO2 (../README.md, wiring).
@@ -33,24 +33,24 @@ BUTTONS = {"UP": 18, "DOWN": 19, "LEFT": 20, "RIGHT": 21, "ENTER": 22,
            "F6": 23, "F8": 24, "F9": 25}
 GPIO2 = "/machine/soc/gpio[1]"
 
-# A timer that the kernel leaves alone counts 32768 Hz down from the first
-# instruction on: the guest's time, the boot loader's part included.
+# A timer that the kernel does not use counts down at 32768 Hz from the first
+# instruction on. It measures the time of the guest and of its boot loader.
 TIMER_CONTROL, TIMER_COUNT = 0x53F94000, 0x53F94010
 TIMER_RUN = 3 << 24 | 1 << 1 | 1 << 0
 TIMER_HZ = 32768.0
 TIMER_START = 0xFFFFFFFF
 
-# How long QEMU may take for an answer, on a busy machine too, and to end.
+# How long QEMU may take to answer, even on a busy machine, and to end.
 ANSWER_S, END_S = 60, 10
 
 
 class Error(Exception):
-    """Something to tell the person in one sentence."""
+    """A failure whose text is a message for the user."""
 
 
 def connect(folder, name):
-    """A socket to folder/name, however long the folder's path is. QEMU's is a
-    file a moment before it listens, on a busy machine a long one."""
+    """Connects to the socket folder/name. The path may be longer than a Unix
+    socket's name. QEMU may listen only a while after the file exists."""
     descriptor = os.open(folder, os.O_PATH)
     try:
         for left in reversed(range(100)):
@@ -69,10 +69,9 @@ def connect(folder, name):
 
 
 class Lines:
-    """A conversation in lines over a socket. What is asked leaves at once:
-    nothing is kept that could not be sent later, when QEMU has ended and this
-    is closed. After an answer that does not come in time there is none, lest
-    it is taken for the next one's."""
+    """Requests and answers in lines over a socket. Requests are not buffered,
+    so nothing is left to send when QEMU has ended. After an answer that was
+    late every request fails, because the late answer would be taken for its."""
 
     def __init__(self, folder, name):
         self.link = connect(folder, name)
@@ -80,8 +79,8 @@ class Lines:
         self.is_late = False
 
     @contextlib.contextmanager
-    def told(self):
-        """What goes wrong with the socket, as the sentence for a person."""
+    def errors(self):
+        """Turns errors of the socket into an Error."""
         if self.is_late:
             raise Error("QEMU does not answer")
         try:
@@ -93,12 +92,12 @@ class Lines:
             raise Error("QEMU does not answer") from None
 
     def ask(self, text):
-        with self.told():
+        with self.errors():
             self.link.sendall(f"{text}\n".encode())
         return self.read()
 
     def read(self):
-        with self.told():
+        with self.errors():
             line = self.file.readline()
         if not line.endswith("\n"):
             raise Error("QEMU has ended")
@@ -110,8 +109,8 @@ class Lines:
 
 
 class Console:
-    """What is typed at the board. QEMU stops the board while nobody reads its
-    answers, so they are read and dropped: they are in the log, too."""
+    """Types at the board's console. QEMU stops the board while nobody reads its
+    output, so the output is read and dropped; the log has it, too."""
 
     def __init__(self, folder):
         self.link = connect(folder, "console.sock")
@@ -157,7 +156,7 @@ class Monitor:
 
 
 class Wires:
-    """qtest: what happens at the chip's pins."""
+    """qtest: the chip's pins and registers."""
 
     def __init__(self, folder):
         self.lines = Lines(folder, "qtest.sock")
@@ -175,7 +174,7 @@ class Wires:
                  f"{int(high)}")
 
     def start_timer(self):
-        # A reset leaves it enabled but stopped.
+        # After a reset the timer is enabled, but does not run.
         self.run(f"writel {TIMER_CONTROL:#x} 0")
         self.run(f"writel {TIMER_CONTROL:#x} {TIMER_RUN:#x}")
 
@@ -211,7 +210,8 @@ def qemu_command(image, tree, arguments, icount, reboot, more):
 
 
 class Machine:
-    """One emulated board. Starts in its folder, or finds what runs there."""
+    """One emulated board: starts it in a folder, or uses the one that runs
+    there."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).resolve()
@@ -222,23 +222,22 @@ class Machine:
 
     def start(self, image, extra=(), arguments=None, tree=None,
               icount=False, reboot=True, power=True, more=()):
-        """Boots image; extra are more initramfs archives, laid over its own.
-
-        arguments replaces the kernel's command line of the device tree, tree
-        the device tree. With icount time is a count of instructions, 4 ns
-        each. Without reboot a reset ends QEMU. Without power the machine waits
-        for power_on(). more are further words of QEMU's command line."""
+        """Boots image. extra are further initramfs archives, whose files
+        replace those of the image. arguments replaces the kernel's command
+        line, tree the device tree. With icount an instruction takes 4 ns of the
+        guest's time. Without reboot a reset ends QEMU. Without power the board
+        waits for power_on(). more are further arguments for QEMU."""
         image = pathlib.Path(image).resolve()
         self.folder.mkdir(parents=True, exist_ok=True)
         if self.pid():
-            raise Error(f"one is running in {self.folder} already: stop it")
+            raise Error(f"a board runs in {self.folder} already: stop it first")
         for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log"):
             (self.folder / name).unlink(missing_ok=True)
         with open(self.folder / "initrd", "wb") as out:
             for part in (image / "initramfs.cpio.lz4", *extra):
                 data = pathlib.Path(part).read_bytes()
-                # Four zeros end LZ4's blocks; archives begin at multiples
-                # of four.
+                # Four zeros end the blocks of LZ4, and an archive must begin
+                # at a multiple of four bytes.
                 out.write(data + b"\0" * (4 + -len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
         command = qemu_command(image, tree, arguments, icount, reboot, more)
@@ -263,7 +262,7 @@ class Machine:
             time.sleep(0.02)
         said = (self.folder / "qemu.log").read_text(errors="replace").strip()
         self.stop()
-        raise Error(f"QEMU does not start: {said or 'it says nothing'}")
+        raise Error(f"QEMU does not start: {said or 'it gives no reason'}")
 
     def power_on(self):
         self.monitor.run("cont")
@@ -279,7 +278,7 @@ class Machine:
     def link(self, name, make):
         if name not in self.links:
             if not self.pid():
-                raise Error(f"nothing runs in {self.folder}: start it first")
+                raise Error(f"no board runs in {self.folder}: start it first")
             self.links[name] = make(self.folder)
         return self.links[name]
 
@@ -303,8 +302,8 @@ class Machine:
         (self.folder / "pid").unlink(missing_ok=True)
 
     def end(self):
-        """Ends QEMU, also one that no longer listens to anybody. Another
-        thread that waits for its answer gets an Error."""
+        """Ends QEMU, even if it does not answer any more. A thread that waits
+        for its answer gets an Error."""
         for number in (signal.SIGTERM, signal.SIGKILL):
             with contextlib.suppress(ProcessLookupError):
                 if self.process:
@@ -316,7 +315,7 @@ class Machine:
         raise Error(f"QEMU (process {self.pid()}) cannot be ended")
 
     def has_ended(self, seconds):
-        """Whether it has, after at most this long."""
+        """Waits at most that long; returns whether QEMU has ended."""
         if self.process:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self.process.wait(seconds)
@@ -339,23 +338,23 @@ class Machine:
         return path.read_bytes().decode(errors="replace").replace("\r", "")
 
     def mark(self):
-        """From here on is what wait() looks at."""
+        """Makes wait() ignore the output so far."""
         self.seen = len(self.log())
 
     def wait(self, pattern, seconds=60):
-        """Until the console has said it since the last mark(); the match."""
+        """Waits until the output since mark() matches; returns the match."""
         deadline = time.monotonic() + seconds
         while True:
             found = re.search(pattern, self.log()[self.seen:], re.M)
             if found:
                 return found
             if time.monotonic() > deadline or not self.pid():
-                raise Error(f"the console has not said /{pattern}/, but:\n"
+                raise Error(f"the console has not shown /{pattern}/, but:\n"
                             + self.log()[self.seen:][-2000:])
             time.sleep(0.02)
 
     def shell(self, command, seconds=60):
-        """Runs a command in the console's shell: its status and output."""
+        """Runs a command in the console's shell; returns status and output."""
         self.asked += 1
         end = f"done-{self.asked}-"
         self.mark()
@@ -375,11 +374,11 @@ class Machine:
         return self.wires.time_s()
 
     def clear(self):
-        """Makes the framebuffer black."""
+        """Clears the framebuffer to black."""
         self.wires.run(f"memset {FRAMEBUFFER:#x} {FRAME_BYTES:#x} 0x00")
 
     def frame(self):
-        """The framebuffer: RGB565, little-endian, row by row."""
+        """Returns the framebuffer: rows of RGB565, little-endian."""
         name = f"frame-{os.getpid()}.raw"
         self.monitor.run("pmemsave", val=FRAMEBUFFER, size=FRAME_BYTES,
                          filename=name)
@@ -390,7 +389,7 @@ class Machine:
 
 
 def rgb_of(frame):
-    """RGB565 to RGB, three bytes a pixel, full range."""
+    """Converts RGB565 to three bytes a pixel, full range."""
     pixels = array.array("H", frame)
     if sys.byteorder == "big":
         pixels.byteswap()

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# flash.sh: over the board's serial console, tells its boot loader to load
-# limber by TFTP and run it, or to write it to the NAND. `flash.sh --help`.
+# flash.sh: sends commands to the boot loader over the board's serial console, to
+# load limber by TFTP and run it, or to write it to the NAND. See flash.sh --help.
 #
-# Every step is checked by its sum on the board and left out when the board
-# already holds the right bytes; so after a time-out, simply start it again.
+# The board's checksum verifies every step. A step whose result is on the board
+# already is skipped, so after a failure the same command continues.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=board/imx31-pdk/flash/console.sh
@@ -14,20 +14,20 @@ here=$(cd "$(dirname "$0")" && pwd)
 usage() {
     cat <<'END'
 usage: flash.sh run|write [options]
-  run                load kernel and root file system by TFTP and start them;
-                     the NAND is not touched
+  run                load kernel and root file system by TFTP and start them,
+                     without touching the NAND
   write              write both to the NAND, after asking
-  --port DEVICE      the serial line (/dev/ttyUSB0), 115200 baud
-  --loader NAME      uboot or redboot (found out by its prompt)
-  --images DIR       what `make image` made (build/board/imx31-pdk)
-  --tftp DIR         where the TFTP server's files lie: the images are copied
-                     there (otherwise they must be there already)
+  --port DEVICE      the serial line (/dev/ttyUSB0), at 115200 baud
+  --loader NAME      uboot or redboot (by default recognized by its prompt)
+  --images DIR       the folder that make image made (build/board/imx31-pdk)
+  --tftp DIR         copy the images to this folder of the TFTP server (without
+                     this option they must be there already)
   --server ADDRESS   the TFTP server, if the boot loader does not know it
-  --address ADDRESS  the board's own address, if it does not know it
+  --address ADDRESS  the board's address, if the boot loader does not know it
   --seconds N        how long to wait for a silent console (30)
   --tries N          how often to try each step (3)
   --yes              erase without asking
-  --dry-run          show the commands, send none
+  --dry-run          show the commands and send none
 END
 }
 
@@ -69,7 +69,7 @@ read_options() {
     while [ $# -gt 0 ]; do
         case $1 in
         run | write)
-            [ -z "$action" ] || wrong_usage "$1: $action was asked for already"
+            [ -z "$action" ] || wrong_usage "$1: give either run or write, not both"
             action=$1
             ;;
         --yes) yes=true ;;
@@ -80,7 +80,7 @@ read_options() {
             ;;
         --port | --loader | --images | --tftp | --server | --address | \
             --seconds | --tries)
-            [ $# -ge 2 ] || wrong_usage "$1 wants a value"
+            [ $# -ge 2 ] || wrong_usage "$1 needs a value"
             printf -v "${1#--}" %s "$2"
             shift
             ;;
@@ -88,7 +88,7 @@ read_options() {
         esac
         shift
     done
-    [ -n "$action" ] || wrong_usage 'run or write?'
+    [ -n "$action" ] || wrong_usage 'give run or write'
     is_count "$seconds" || wrong_usage "--seconds $seconds: not a number"
     is_count "$tries" || wrong_usage "--tries $tries: not a number"
     for value in $server $address; do
@@ -96,14 +96,14 @@ read_options() {
     done
     case $loader in
     '' | uboot | redboot) ;;
-    *) wrong_usage "--loader $loader: uboot or redboot" ;;
+    *) wrong_usage "--loader $loader: choose uboot or redboot" ;;
     esac
     if $dry_run && [ -z "$loader" ]; then
-        wrong_usage '--dry-run has no prompt to go by: give --loader'
+        wrong_usage '--dry-run cannot recognize the boot loader: give --loader'
     fi
 }
 
-# confirm QUESTION: true for y.
+# confirm QUESTION: asks the user; true for y.
 confirm() {
     local answer=
     if $yes || $dry_run; then
@@ -114,7 +114,7 @@ confirm() {
     [[ $answer == [yY]* ]]
 }
 
-# attempt WHAT COMMAND...: up to $tries times, each with the console quiet.
+# attempt WHAT COMMAND...: runs it up to $tries times, until it succeeds.
 attempt() {
     local what=$1 try
     shift
@@ -125,10 +125,10 @@ attempt() {
         echo "flash.sh: $what: $reason (try $try of $tries)" >&2
         console_settle
     done
-    fail "$what: $reason. What is done is not done again: mend this and start the same command anew"
+    fail "$what: $reason: correct that and start the same command again, which skips the finished steps"
 }
 
-# load NAME ADDRESS: into the board's memory, unless it is there already.
+# load NAME ADDRESS: loads it into the board's memory, unless it is there already.
 load() {
     if ! $dry_run && loader_verify "$1" "$2"; then
         echo "$1 is in memory already"
@@ -141,7 +141,7 @@ load_once() {
     loader_load "$1" "$2" && { $dry_run || loader_verify "$1" "$2"; }
 }
 
-# write_part NAME PARTITION: the file, which is at the load address, to NAND.
+# write_part NAME PARTITION: loads the file and writes it to the NAND.
 write_part() {
     local offset size
     read -r offset size <<<"$(partition_range "$2")"
@@ -151,24 +151,24 @@ write_part() {
     fi
     load "$1" "$load_address"
     confirm "Erase $2 ($(hex "$size") bytes of the NAND at $(hex "$offset"))?" ||
-        fail "$2 was left as it is"
+        fail "$2 was not changed"
     attempt "$2" write_once "$1" "$2" "$offset" "$size"
 }
 
 write_once() {
-    # What a failed try left in memory may be anything.
+    # A failed try may have changed the memory.
     $dry_run || loader_verify "$1" "$load_address" ||
         loader_load "$1" "$load_address" || return 1
     loader_write "$@" && { $dry_run || loader_verify_nand "$1" "$2" "$3"; }
 }
 
-# start_kernel COMMAND: the boot loader's last one; Linux speaks next.
+# start_kernel COMMAND: sends the command that starts Linux.
 start_kernel() {
     echo "  > $1"
     $dry_run && return 0
     console_type "$1" || fail "$reason"
     console_wait "$seconds" 'Linux version|Starting kernel|Uncompressing Linux' ||
-        fail "no kernel answered within $seconds s: its console is ttymxc0 (see panic messages on $port)"
+        fail "the kernel did not answer within $seconds s on its console ttymxc0: look for messages on $port"
     echo 'The kernel has started.'
 }
 

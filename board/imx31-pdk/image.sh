@@ -1,8 +1,8 @@
 #!/bin/sh
-# image.sh LINUX SYSROOT LIMBER DIR: all that goes onto the board, into DIR.
+# image.sh LINUX SYSROOT LIMBER DIR: builds the board's image in DIR.
 #
-# LINUX is what kernel/build.sh made. The same input gives the same bytes, but
-# for the UBI image: mkfs.ubifs draws a new identity each time.
+# LINUX is the folder that kernel/build.sh made. The same input gives the same
+# bytes, except for the UBI image: mkfs.ubifs writes a new UUID each time.
 set -eu
 
 linux=$1
@@ -12,11 +12,11 @@ out=$4
 here=$(dirname "$0")
 top=$here/../..
 
-# What the flash chip and the BSP's layout allow (README.md).
+# The flash chip and the BSP's layout (README.md).
 page=2048
 block=131072
-# The NAND driver corrects errors by 512 bytes, so UBI takes that for a part of
-# a page it can write, and looks for its second header there.
+# The NAND driver corrects errors in units of 512 bytes, which UBI therefore uses
+# as its sub-page size, and places its second header accordingly.
 part=512
 logical=$((block - page))
 rootfs_blocks=1440
@@ -30,8 +30,8 @@ rm -rf "$work"
 mkdir -p "$work"
 trap 'rm -rf "$work"' EXIT
 
-# archive LIST FILE.lz4: an initramfs, with fixed times and without root. LZ4
-# because unpacking gzip takes half a second of the time to the first picture.
+# archive LIST FILE.lz4: makes an initramfs with fixed times, without being root.
+# It uses LZ4 because unpacking gzip would delay the first picture by 0.5 s.
 archive() {
     "$linux/obj/usr/gen_init_cpio" -t 0 "$1" | lz4 -l -12 --favor-decSpeed >"$2"
 }
@@ -41,13 +41,13 @@ arm-linux-gnueabi-cpp -nostdinc -undef -x assembler-with-cpp \
     "$here/imx31-pdk-limber.dts" |
     dtc -q -I dts -O dtb -o "$out/imx31-pdk-limber.dtb" -
 cp "$linux/zImage" "$out/zImage"
-# Boot loaders of this age know no device trees: the kernel finds its own behind itself.
+# The boot loaders know no device trees; the kernel finds one appended to itself.
 cat "$linux/zImage" "$out/imx31-pdk-limber.dtb" >"$out/zImage-dtb"
 
 "$here/rootfs/make.py" "$sysroot" "$limber" "$top/assets" "$work"
 archive "$work/list" "$out/initramfs.cpio.lz4"
 
-# Modules that stand in for hardware, for emulation and tests alone.
+# Modules that replace hardware, for emulation and tests only.
 find "$linux/modules" -exec touch -d @0 {} +
 (cd "$linux/modules" && find . -type d ! -name . -printf 'dir /%P 0755 0 0\n' \
     -o -type f -printf "file /%P $PWD/%P 0644 0 0\\n") | sort -k 2 >"$work/modules"
@@ -85,6 +85,6 @@ done
 together=$(($(size zImage-dtb) + $(size initramfs.cpio.lz4)))
 if [ "$together" -gt "$total_bytes" ] ||
     [ "$(size zImage-dtb)" -gt "$kernel_bytes" ]; then
-    echo "limber: kernel and root file system are too large: $together bytes together, $total_bytes allowed; the kernel's partition has $kernel_bytes" >&2
+    echo "limber: kernel and root file system are too large: they take $together of $total_bytes bytes, and the kernel's partition has $kernel_bytes" >&2
     exit 1
 fi

@@ -1,18 +1,18 @@
 #!/bin/sh
-# package.sh ROOT SYSROOT DIR: limber as a Debian package for armel, in DIR.
-# ROOT holds it as the board's root file system has it.
+# package.sh ROOT SYSROOT DIR: makes a Debian package of limber for armel in DIR.
+# ROOT is the board's root file system.
 set -eu
 
 root=$1
 sysroot=$2
 out=$3
-stage=$out/deb.new
+tree=$out/deb.new
 top=$(dirname "$0")/../..
-trap 'rm -rf "$stage"' EXIT
+trap 'rm -rf "$tree"' EXIT
 version=$(qemu-arm -cpu arm1136 -L "$sysroot" "$root/usr/bin/limber" --version |
     sed -n '1s/^limber \([^ ]*\).*/\1/p')
 
-# Which Debian 13 packages the libraries come in, for those that limber names.
+# The Debian 13 packages of the libraries that limber needs.
 depends=
 for library in $(arm-linux-gnueabi-readelf -d "$root/usr/bin/limber" |
     sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p') libv4lconvert.so.0; do
@@ -24,7 +24,7 @@ for library in $(arm-linux-gnueabi-readelf -d "$root/usr/bin/limber" |
     libv4lconvert.so.0) package=libv4lconvert0t64 ;;
     libinih.so.1) package=libinih1 ;;
     *)
-        echo "limber: package.sh does not know what brings $library" >&2
+        echo "limber: package.sh does not know the package of $library" >&2
         exit 1
         ;;
     esac
@@ -34,12 +34,12 @@ for library in $(arm-linux-gnueabi-readelf -d "$root/usr/bin/limber" |
     esac
 done
 
-rm -rf "$stage"
-mkdir -p "$stage/usr/bin" "$stage/usr/share/limber" \
-    "$stage/usr/share/doc/limber"
-cp "$root/usr/bin/limber" "$stage/usr/bin"
-cp "$root"/usr/share/limber/* "$stage/usr/share/limber"
+rm -rf "$tree"
+mkdir -p "$tree/usr/bin" "$tree/usr/share/limber" \
+    "$tree/usr/share/doc/limber"
+cp "$root/usr/bin/limber" "$tree/usr/bin"
+cp "$root"/usr/share/limber/* "$tree/usr/share/limber"
 [ ! -f "$root/etc/limber.conf" ] ||
-    cp "$root/etc/limber.conf" "$stage/usr/share/doc/limber/imx31-pdk.conf"
-cp "$top/LICENSE" "$stage/usr/share/doc/limber/copyright"
-"$top/toolchain/package/pack.sh" "$stage" "$out" "$version" armel "$depends" >/dev/null
+    cp "$root/etc/limber.conf" "$tree/usr/share/doc/limber/imx31-pdk.conf"
+cp "$top/LICENSE" "$tree/usr/share/doc/limber/copyright"
+"$top/toolchain/package/pack.sh" "$tree" "$out" "$version" armel "$depends" >/dev/null

@@ -1,5 +1,7 @@
 #include "platform/base/arena.h"
 
+#include "platform/base/memory_budget.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,14 +24,44 @@ struct arena arena_empty(void)
 	return (struct arena){0};
 }
 
+struct arena arena_within(struct memory_budget *budget)
+{
+	return (struct arena){.budget = budget};
+}
+
+static size_t block_bytes(size_t capacity)
+{
+	return (sizeof(struct arena_block) + capacity + ALIGNMENT - 1) &
+		~(size_t)(ALIGNMENT - 1);
+}
+
+bool arena_set_budget(struct arena *arena, struct memory_budget *budget)
+{
+	const struct arena_block *block = arena->newest;
+	size_t bytes = 0;
+
+	for (; block; block = block->older) {
+		bytes += block_bytes(block->capacity);
+	}
+	if (!memory_budget_take(budget, bytes)) {
+		return false;
+	}
+	arena->budget = budget;
+	return true;
+}
+
 static struct arena_block *grow(struct arena *arena, size_t bytes)
 {
 	size_t capacity = bytes > BLOCK_BYTES ? bytes : BLOCK_BYTES;
-	size_t total = (sizeof(struct arena_block) + capacity + ALIGNMENT - 1) &
-		~(size_t)(ALIGNMENT - 1);
-	struct arena_block *block = aligned_alloc(ALIGNMENT, total);
+	size_t total = block_bytes(capacity);
+	struct arena_block *block;
 
+	if (!memory_budget_take(arena->budget, total)) {
+		return NULL;
+	}
+	block = aligned_alloc(ALIGNMENT, total);
 	if (!block) {
+		memory_budget_give_back(arena->budget, total);
 		return NULL;
 	}
 	memset(block, 0, total);
@@ -46,6 +78,7 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 	void *memory;
 
 	if (size && count > (SIZE_MAX / 2) / size) {
+		(void)memory_budget_take(arena->budget, SIZE_MAX);
 		return NULL;
 	}
 	bytes = (count * size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
@@ -78,6 +111,9 @@ void arena_release(struct arena *arena)
 		struct arena_block *block = arena->newest;
 
 		arena->newest = block->older;
+		/* The oldest block may hold the budget itself (model.c). */
+		memory_budget_give_back(
+			arena->budget, block_bytes(block->capacity));
 		free(block);
 	}
 	arena->used_bytes = 0;

@@ -37,7 +37,10 @@ uint64_t file_stamp(const char *path)
 	return stamp | 1u;
 }
 
-/* Writes "FOLDER BELOW/NAME" to path; true if that exists. */
+/*
+ * Writes the path of name in the folder below under folder (length bytes of it)
+ * to path. Returns whether that file exists.
+ */
 static bool try_path(const char *folder, int length, const char *below,
 	const char *name, char *path, size_t size)
 {

@@ -1,5 +1,7 @@
 #include "platform/base/log.h"
 
+#include "platform/base/printable.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -39,5 +41,6 @@ void log_write(
 	va_start(arguments, format);
 	vsnprintf(sentence, sizeof(sentence), format, arguments);
 	va_end(arguments);
+	printable_make(sentence);
 	log->write(log->user, level, sentence);
 }

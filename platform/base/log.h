@@ -31,7 +31,10 @@ struct log log_to_stderr(enum log_level threshold);
 /* Returns a log that drops every message, for tests and probes. */
 struct log log_to_nowhere(void);
 
-/* Formats and writes one message. It is cut after 1,023 bytes. */
+/*
+ * Formats and writes one message. It is cut after 1,023 bytes; characters that
+ * a terminal would execute are replaced (printable.h).
+ */
 void log_write(const struct log *log, enum log_level level, const char *format,
 	...) PRINTF_LIKE(3, 4);
 

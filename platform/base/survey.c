@@ -1,5 +1,7 @@
 #include "platform/base/survey.h"
 
+#include "platform/base/printable.h"
+
 #include <errno.h>
 #include <grp.h>
 #include <stdarg.h>
@@ -26,50 +28,6 @@ const char *survey_state_name(enum survey_state state)
 	return names[state];
 }
 
-/* The bytes of the UTF-8 character that text begins with; 0 if it is invalid
- * or a control character. */
-static int character_length(const char *text)
-{
-	unsigned char first = (unsigned char)text[0];
-	int length = first < 0x80 ? 1
-		: first >= 0xF0   ? 4
-		: first >= 0xE0   ? 3
-				  : 2;
-
-	if (first < ' ' || first == 0x7F || (first >= 0x80 && first < 0xC2) ||
-		first > 0xF4) {
-		return 0;
-	}
-	/* C1 controls, overlong encodings, surrogates, beyond U+10FFFF. */
-	if ((first == 0xC2 && (unsigned char)text[1] < 0xA0) ||
-		(first == 0xE0 && (unsigned char)text[1] < 0xA0) ||
-		(first == 0xED && (unsigned char)text[1] > 0x9F) ||
-		(first == 0xF0 && (unsigned char)text[1] < 0x90) ||
-		(first == 0xF4 && (unsigned char)text[1] > 0x8F)) {
-		return 0;
-	}
-	for (int i = 1; i < length; i++) {
-		if (((unsigned char)text[i] & 0xC0) != 0x80) {
-			return 0;
-		}
-	}
-	return length;
-}
-
-/* Terminals execute control characters, and JSON must be valid UTF-8. */
-static void make_printable(char *text)
-{
-	while (*text) {
-		int length = character_length(text);
-
-		if (length == 0) {
-			*text = '?';
-			length = 1;
-		}
-		text += length;
-	}
-}
-
 void survey_report(const struct survey *survey, enum survey_state state,
 	const char *subject, const char *remedy, const char *format, ...)
 {
@@ -80,8 +38,8 @@ void survey_report(const struct survey *survey, enum survey_state state,
 	va_start(arguments, format);
 	vsnprintf(text, sizeof(text), format, arguments);
 	va_end(arguments);
-	make_printable(name);
-	make_printable(text);
+	printable_make(name);
+	printable_make(text);
 	survey->take(survey->user,
 		&(struct survey_finding){state, name, text, remedy});
 }

@@ -14,7 +14,7 @@ const char console_in_use_remedy[] =
 	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
 /*
- * The signals that end a process. A program that handles the last five is
+ * The signals that end a process. A program that handles the last six is
  * expected to end in order, and then calls console_release() itself.
  */
 static const struct {
@@ -29,6 +29,7 @@ static const struct {
 	{SIGSYS, false},
 	{SIGQUIT, true},
 	{SIGPIPE, true},
+	{SIGALRM, true},
 	{SIGINT, true},
 	{SIGTERM, true},
 	{SIGHUP, true},
@@ -95,9 +96,8 @@ static void release_endings(void)
 }
 
 /*
- * Opens the current console, which kernels without virtual terminals call
- * /dev/tty. *in_use is the result of console_is_in_use(). Returns -1 when there
- * is no console.
+ * Opens the current console: /dev/tty0, or /dev/tty if that is none. *in_use is
+ * the result of console_is_in_use(). Returns -1 when there is no console.
  */
 static int open_console(
 	const struct device_calls *calls, const struct log *log, bool *in_use)

@@ -104,11 +104,7 @@ bool gl_can_draw(const char *name, bool on_surface);
  * graphics processor, else the first of the others. Returns 0, or -errno after
  * logging an error for each driver it tried; -EINVAL for an unknown name.
  */
-int gl_open_for(const char *name, const struct gl_request *request,
-	struct gl_context **out);
-
-/* The same for pixels of that format, with the default libraries. */
-int gl_open(const char *name, enum pixel_format format, const struct log *log,
+int gl_open(const char *name, const struct gl_request *request,
 	struct gl_context **out);
 
 #endif

@@ -94,7 +94,7 @@ bool gl_can_draw(const char *name, bool on_surface)
 	return is_auto(name) || !on_surface || find(name)->surface;
 }
 
-int gl_open_for(const char *name, const struct gl_request *request,
+int gl_open(const char *name, const struct gl_request *request,
 	struct gl_context **out)
 {
 	if (!gl_is_known(name, request->log)) {
@@ -108,12 +108,4 @@ int gl_open_for(const char *name, const struct gl_request *request,
 	}
 	return is_auto(name) ? open_any(request, out)
 			     : find(name)->create(request, out);
-}
-
-int gl_open(const char *name, enum pixel_format format, const struct log *log,
-	struct gl_context **out)
-{
-	const struct gl_request request = {.format = format, .log = log};
-
-	return gl_open_for(name, &request, out);
 }

@@ -51,7 +51,7 @@ static void report_auto(
 	struct gl_context *context;
 
 	own.log = &log;
-	if (gl_open_for("auto", &own, &context) != 0) {
+	if (gl_open("auto", &own, &context) != 0) {
 		survey_report_message(
 			survey, SURVEY_BROKEN, "auto", &sentence, NULL);
 		return;

@@ -1,22 +1,36 @@
 #include "platform/process/stop.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stddef.h>
+#include <unistd.h>
 
 enum {
-	SIGNAL_COUNT = 3
+	SIGNAL_COUNT = 4,
+	GRACE_S = 1
 };
 
-static const int signals[SIGNAL_COUNT] = {SIGINT, SIGTERM, SIGHUP};
+static const int signals[SIGNAL_COUNT] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 /* A signal handler can reach static variables only. */
 static volatile sig_atomic_t wanted;
+static volatile sig_atomic_t watchdog_fd = -1;
 static struct sigaction before[SIGNAL_COUNT];
 
 static void raise_flag(int number)
 {
+	int kept = errno;
+
 	(void)number;
-	wanted = 1;
+	if (!wanted) {
+		wanted = 1;
+		(void)alarm(GRACE_S);
+	}
+	/* What cannot be written here, the orderly end reports. */
+	if (watchdog_fd >= 0 && write(watchdog_fd, "V", 1) < 0) {
+		watchdog_fd = -1;
+	}
+	errno = kept;
 }
 
 void stop_catch(void)
@@ -34,8 +48,15 @@ void stop_catch(void)
 	}
 }
 
+void stop_set_watchdog(int fd)
+{
+	watchdog_fd = fd;
+}
+
 void stop_release(void)
 {
+	(void)alarm(0);
+	watchdog_fd = -1;
 	for (int i = 0; i < SIGNAL_COUNT; i++) {
 		(void)sigaction(signals[i], &before[i], NULL);
 	}
@@ -43,5 +64,8 @@ void stop_release(void)
 
 bool stop_requested(void)
 {
+	if (wanted) {
+		(void)alarm(0);
+	}
 	return wanted != 0;
 }

@@ -9,15 +9,26 @@
 #include <stdbool.h>
 
 /*
- * Clears the flag. From now on SIGINT, SIGTERM and SIGHUP only set it. A
- * signal that the process ignores stays ignored, as nohup requires.
+ * Clears the flag. From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE only set it.
+ * A signal that the process ignores stays ignored, as nohup requires. If the
+ * program does not call stop_requested() within a second after the signal,
+ * SIGALRM ends it.
  */
 void stop_catch(void);
+
+/*
+ * Makes such a signal write "V" to a file descriptor at once: a watchdog whose
+ * last byte was that does not reset the board when the process ends. -1: none.
+ */
+void stop_set_watchdog(int fd);
 
 /* Restores the handlers that were set before stop_catch(). */
 void stop_release(void);
 
-/* Whether one of the signals came since stop_catch(). */
+/*
+ * Whether one of the signals came since stop_catch(). The caller then ends in
+ * order, for which it has any time.
+ */
 bool stop_requested(void);
 
 #endif

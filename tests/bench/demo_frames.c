@@ -17,6 +17,7 @@
 #include "platform/base/file.h"
 #include "platform/gl/gl_context.h"
 #include "tests/arm1136/marker.h"
+#include "tests/bench/bench_picture.h"
 
 enum {
 	WIDTH = 480,
@@ -35,26 +36,6 @@ static double find_start(char *name)
 	*at = '\0';
 	start_s = strtod(at + 1, &end);
 	return end > at + 1 && *end == '\0' && start_s >= 0.0 ? start_s : -1.0;
-}
-
-static void write_picture(const char *path, const struct pixels *pixels)
-{
-	FILE *file = fopen(path, "wb");
-
-	if (!file) {
-		perror(path);
-		exit(EXIT_FAILURE);
-	}
-	fprintf(file, "P6 %d %d 255\n", pixels->width, pixels->height);
-	for (int i = 0; i < pixels->width * pixels->height; i++) {
-		uint16_t p;
-
-		memcpy(&p, pixels->data + 2 * i, sizeof(p));
-		fputc((p >> 11) * 255 / 31, file);
-		fputc((p >> 5 & 63) * 255 / 63, file);
-		fputc((p & 31) * 255 / 31, file);
-	}
-	fclose(file);
 }
 
 static void draw_frames(const struct demo_driver *driver, struct demo *demo,
@@ -115,7 +96,9 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	if (pixels_alloc(&pixels, WIDTH, HEIGHT, PIXELS_RGB565, &log) != 0 ||
-		gl_open(argc > 3 ? argv[3] : "soft", PIXELS_RGB565, &log,
+		gl_open(argc > 3 ? argv[3] : "soft",
+			&(struct gl_request){
+				.format = PIXELS_RGB565, .log = &log},
 			&context) != 0) {
 		return EXIT_FAILURE;
 	}
@@ -125,7 +108,7 @@ int main(int argc, char **argv)
 	}
 	draw_frames(driver, demo, context, &pixels, from_s, atoi(argv[2]));
 	if (argc > 4) {
-		write_picture(argv[4], &pixels);
+		bench_picture_write(argv[4], &pixels);
 	}
 	demo_destroy(driver, demo);
 	context->driver->destroy(context);

@@ -18,6 +18,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/gl_context.h"
 #include "tests/arm1136/marker.h"
+#include "tests/bench/bench_picture.h"
 
 enum {
 	WIDTH = 480,
@@ -169,26 +170,6 @@ static bool parse(const char *name, struct scene *out)
 	return true;
 }
 
-static void write_picture(const char *path, const struct pixels *pixels)
-{
-	FILE *file = fopen(path, "wb");
-
-	if (!file) {
-		perror(path);
-		exit(EXIT_FAILURE);
-	}
-	fprintf(file, "P6 %d %d 255\n", pixels->width, pixels->height);
-	for (int i = 0; i < pixels->width * pixels->height; i++) {
-		uint16_t p;
-
-		memcpy(&p, pixels->data + 2 * i, sizeof(p));
-		fputc((p >> 11) * 255 / 31, file);
-		fputc((p >> 5 & 63) * 255 / 63, file);
-		fputc((p & 31) * 255 / 31, file);
-	}
-	fclose(file);
-}
-
 int main(int argc, char **argv)
 {
 	static struct vertex vertex[VERTICES];
@@ -206,7 +187,9 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	if (pixels_alloc(&pixels, WIDTH, HEIGHT, PIXELS_RGB565, &log) != 0 ||
-		gl_open(argc > 3 ? argv[3] : "soft", PIXELS_RGB565, &log,
+		gl_open(argc > 3 ? argv[3] : "soft",
+			&(struct gl_request){
+				.format = PIXELS_RGB565, .log = &log},
 			&context) != 0) {
 		return EXIT_FAILURE;
 	}
@@ -226,7 +209,7 @@ int main(int argc, char **argv)
 		MARKER_END(1);
 	}
 	if (argc > 4) {
-		write_picture(argv[4], &pixels);
+		bench_picture_write(argv[4], &pixels);
 	}
 	context->driver->destroy(context);
 	free(pixels.data);

@@ -1,9 +1,9 @@
-"""bench.py JSON: what the emulated board makes of the demos, as a table.
+"""bench.py JSON: the demos' frames a second on the emulated board, as a table.
 
-Time is a count of instructions there, 4 ns each: 250 million a second, about
-what a 532 MHz ARM1136 gets through. Beside soft's frames stands what Mesa's
-software rasteriser (OSMesa) needs for the same pictures, in instructions under
-qemu-arm, as it could not be shown in this time.
+The board's time is a count of instructions of 4 ns, 250 million a second, about
+as many as an ARM1136 executes at 532 MHz. For comparison the table has the
+instructions that Mesa's software rasterizer (OSMesa) needs for the same
+pictures, under qemu-arm, because it is too slow for the board.
 """
 import json
 import pathlib
@@ -28,7 +28,7 @@ def boot_s():
 
 
 def crowd_of(machine, walkers):
-    """Frames a second of so many walkers."""
+    """Frames a second of a crowd of that many walkers."""
     machine.shell(
         f"limber play --demo crowd --walkers {walkers} --gl soft --no-labels "
         f"--clock fixed:25 --frames {CROWD_FRAMES} --stats /run/stats "

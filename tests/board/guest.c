@@ -1,8 +1,8 @@
 /*
- * On the emulated board: what its shell cannot do.
+ * A program for the emulated board, for what its shell cannot do.
  *
- *   guest key NAME...        a keyboard appears, presses the keys, goes
- *   guest control DEV ID N   sets a V4L2 control, numbers as in C
+ *   guest key NAME...        plugs a keyboard in, presses the keys, unplugs it
+ *   guest control DEV ID N   sets a V4L2 control; numbers may be hexadecimal
  *   guest ubi N              attaches UBI to the flash partition mtdN
  */
 #include <errno.h>

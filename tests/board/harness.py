@@ -1,9 +1,9 @@
 """What the board's tests share: TAP, a booted machine, pictures, overlays.
 
-A test is a script test_NAME.py beside this file. It boots what `make image`
-made with booted(), looks, calls check() for each thing it expects, and ends
-with done(). Machines live below build/check-board/NAME; the last one's console
-is kept there in console.log.
+A test is a script test_NAME.py beside this file. It boots the image with
+booted(), calls check() for each expectation, and ends with done(). Its machines
+have folders in build/check-board/NAME, which keep the console's output in
+console.log.
 """
 import array
 import atexit
@@ -34,7 +34,7 @@ FOLDER = TOP / "build/check-board" / NAME
 PATIENCE_S = int(os.environ.get("PATIENCE_S", 560))
 PROMPT = emulation.PROMPT
 
-# Limber does not start by itself, the shell is the test's.
+# With this inittab limber does not start by itself.
 BY_HAND = {"etc/inittab": "::sysinit:/etc/rc\nttymxc0::respawn:-/bin/sh\n"}
 
 _count = 0
@@ -54,8 +54,8 @@ def check(name, good, why=""):
 
 
 def aim(name, value, wanted, worst):
-    """A figure that should be at most wanted. Where it is not yet, that is
-    told as an aim; beyond worst, what it once was and some, it fails."""
+    """Checks that a value is at most wanted. A value up to worst is reported as
+    a goal that is not reached yet; a larger one fails."""
     global _count
     if value is None or value > worst:
         return check(f"{name} {worst}, if not {wanted}", False, value)
@@ -77,12 +77,12 @@ def done():
 
 
 def _surprise(kind, error, trace):
-    """A test that ends early fails, and says where."""
+    """Reports a test that ends early as failed, with its traceback."""
     check(f"goes on to its end: {kind.__name__}", False,
           "".join(traceback.format_exception(kind, error, trace)))
     for machine in _machines:
         if machine.pid():
-            note("the console's last words:")
+            note("the end of the console's output:")
             for line in machine.log().splitlines()[-25:]:
                 note(line)
     print(f"1..{_count}", flush=True)
@@ -108,7 +108,8 @@ signal.alarm(PATIENCE_S)
 
 
 def archive(files):
-    """An initramfs archive of {path: text, bytes or Path}, all executable."""
+    """Makes an initramfs archive of executable files from a dictionary
+    {path: text, bytes or Path}."""
     out = bytearray()
     inode = 0
 
@@ -139,7 +140,7 @@ def archive(files):
 
 
 def device_tree(*disabled):
-    """The board's device tree without some of its nodes."""
+    """Makes the board's device tree without some of its nodes."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     tree = FOLDER / "tree.dtb"
     shutil.copyfile(IMAGE / "imx31-pdk-limber.dtb", tree)
@@ -276,9 +277,8 @@ def limber_pid(machine):
     return int(re.findall(r"^(\d+)$", said, re.M)[0]) if status == 0 else None
 
 
-# What is done beside a running limber takes time from its frames. So the shell
-# does it by itself: a program that it started would take some twenty
-# milliseconds.
+# Commands that run while limber runs take time from its frames. So the shell
+# executes them itself; a program that it starts would take about 20 ms.
 
 def start_limber(machine, arguments, seconds=10):
     """Starts it by hand in the background, until its picture is there."""

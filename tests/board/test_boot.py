@@ -1,4 +1,4 @@
-"""From power-on to the first picture, and what keeps limber on the screen."""
+"""The boot up to the first picture, and restarting limber when it ends."""
 from harness import (PROMPT, booted, check, done, is_drawn, limber_pid, note,
                      save, wait_until)
 
@@ -23,7 +23,7 @@ note(f"limber's memory at its peak: {peak[0] / 1024:.1f} MiB")
 status, said = machine.shell("touch /etc/x")
 check("the root file system is read-only", status != 0 and
       "Read-only" in said, said)
-check("there is room in memory to write to",
+check("files can be written to memory",
       machine.shell("echo >/run/x && echo >/tmp/y")[0] == 0)
 
 before = limber_pid(machine)

@@ -1,9 +1,9 @@
 """Buttons pressed at the emulated GPIO controller's pins.
 
-Each press should change the picture within 100 ms of the board's time, by
-limber's own count from the kernel's time stamp of the edge, and to
-what the same button shows on this machine: of the pictures of the buttons the
-right one must be the nearest. What limber writes down must name the button.
+Each press must change the picture within 100 ms of the board's time, which
+limber measures from the kernel's time stamp of the edge. The new picture must
+be nearer to the host's picture for this button than to that of any other, and
+limber's record of the buttons must name it.
 """
 import re
 
@@ -12,12 +12,12 @@ from harness import (BY_HAND, FOLDER, booted, check, difference, done,
                      stop_limber, wait_until)
 
 LATENCY_MS, FRAME_MS = 100, 100
-# A press may wait for the frame under way, and its own frame follows: twice
-# what a frame takes, up to 50 ms of the arm's, and some. Nothing else adds to it.
+# A press may wait for the current frame, and its own frame follows: twice the
+# time of a frame, which is up to 50 ms for the arm, and a reserve.
 HOLD_S = 0.4
-# A demo, the buttons to press, those to tell them from, and where to look: of
-# the arm everything stands still until a button is pressed, of the walker the
-# line at the bottom that names a feature.
+# A demo, the buttons to press, the buttons to compare them with, and the region
+# of the screen that is still until a button is pressed: all of the arm's
+# screen, and of the walker's the line at the bottom that names a feature.
 DEMOS = (
     ("arm", ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"), ("F8",),
      (0, 0, 480, 640)),
@@ -36,8 +36,8 @@ def expected(demo, button):
 
 
 def press_and_look(machine, demo, button, area):
-    """Whether the picture changed, how long that took, and the picture after
-    HOLD_S. Buttons are wired as the image's limber.conf says."""
+    """Returns whether the picture changed, how long that took, and the picture
+    after HOLD_S. The buttons are wired as in the image's limber.conf."""
     start_limber(machine, f"--demo {demo} --stats /run/stats "
                  "--record-buttons /run/record")
     pause(machine, 0.5)
@@ -50,7 +50,7 @@ def press_and_look(machine, demo, button, area):
     after = machine.frame()
     machine.wires.level(button, False)
     save(after, f"{button}.png")
-    # The release has its picture, too, before anything else runs there.
+    # The frame of the release must be drawn before anything else runs.
     pause(machine, HOLD_S)
     stop_limber(machine)
     stats = machine.shell("cat /run/stats")[1]
@@ -61,8 +61,8 @@ def press_and_look(machine, demo, button, area):
 
 
 def bounce(machine, button, times):
-    """Closes a contact that opens again and again, for some milliseconds: how
-    long it took on the board."""
+    """Closes a contact that bounces for some milliseconds; returns how long it
+    took on the board."""
     begun_s = now_s = machine.time_s()
     for high in [True, False] * times + [True]:
         machine.wires.level(button, high)
@@ -73,7 +73,7 @@ def bounce(machine, button, times):
 
 
 def edges(machine):
-    """How many edges of ENTER's line the kernel has seen."""
+    """The number of edges of ENTER's line that the kernel has counted."""
     said = machine.shell("cat /proc/interrupts")[1]
     return sum(int(count) for count in re.findall(
         r"^ *\d+: +(\d+) +\S+ +22 .*limber", said, re.M))
@@ -151,8 +151,8 @@ def press_twice():
 once = presses_seen(machine, press_once)[2]
 twice = presses_seen(machine, press_twice)[2]
 check("two presses are two", once != twice)
-# Bouncing must end before the press counts as one; on a busy machine, where
-# the board runs on while this waits for its turn, it has to be tried again.
+# The bouncing must end within the debounce time. On a busy machine, where the
+# board runs on while this script waits, it must be tried again.
 for _ in range(20):
     took_s, count, frame = presses_seen(
         machine, lambda: bounce(machine, "ENTER", 2))

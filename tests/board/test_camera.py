@@ -1,5 +1,5 @@
-"""A real V4L2 device, the kernel's vivid: its colour bars are in the picture as
-a background and as a texture, and limber goes on without it."""
+"""A real V4L2 device, the kernel's vivid: its colour bars appear as background
+and as texture, and limber continues when the device disappears."""
 import array
 import colorsys
 
@@ -7,14 +7,14 @@ from harness import (BY_HAND, booted, check, done, guest_tool, note, pause,
                      save, start_limber, stop_limber, wait_until)
 
 DRIVER = "/sys/bus/platform/drivers/vivid"
-# vivid's controls: no text over the bars; gone until nobody holds it.
+# vivid's controls: no text over the bars; disconnected until it is closed.
 TEXT_MODE, NO_TEXT = "0x00f0f001", 2
 DISCONNECT = "0x00f0f041"
 HUES = ("red", "yellow", "green", "cyan", "blue", "magenta")
 
 
 def bars(frame, least=0.002):
-    """The strong colours that fill at least that share of the picture."""
+    """The saturated colours that fill at least that fraction of the picture."""
     pixels = array.array("H", frame)
     seen = dict.fromkeys(HUES, 0)
     colours = {}

@@ -1,4 +1,4 @@
-"""limber compare on the board: its figures are those of this machine."""
+"""limber compare gives the same figures on the board as on the host."""
 import json
 import re
 import subprocess

@@ -1,4 +1,4 @@
-"""The command that people and scripts drive the emulated board with."""
+"""The command line of the emulated board, board/imx31-pdk/emulate."""
 import subprocess
 import time
 
@@ -23,7 +23,7 @@ def shot(name):
 
 
 def shot_until(name, condition):
-    """Pictures until one is as wanted, for half a minute of this machine."""
+    """Takes pictures until one meets the condition, for half a minute."""
     for _ in range(60):
         frame = shot(name)
         if frame and condition(frame):

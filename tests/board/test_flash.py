@@ -1,5 +1,5 @@
-"""The UBI image, on a NAND of the board's kind (the kernel's nandsim): UBI and
-UBIFS of this kernel mount it, and it holds the root file system."""
+"""The UBI image on a simulated NAND of the board's kind (the kernel's nandsim):
+the kernel mounts it, and it contains the root file system."""
 import re
 
 from harness import BY_HAND, IMAGE, booted, check, done, guest_tool
@@ -29,7 +29,7 @@ status, said = machine.shell(
 differ = re.findall(r"^NOT-(\S+)$", said, re.M)
 files = int(re.findall(r"^(\d+)$", said, re.M)[0])
 check("and it holds what the initramfs holds",
-      # The test laid an inittab of its own over the initramfs.
+      # The test replaced the inittab of the initramfs.
       differ == ["./etc/inittab"] and files >= 15, said)
 status, said = machine.shell(
     "mount -t proc proc /run/flash/proc; chroot /run/flash /usr/bin/limber "

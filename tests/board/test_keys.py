@@ -1,4 +1,4 @@
-"""Keys of a keyboard that is plugged in while limber runs, through evdev."""
+"""The keys of a keyboard that is plugged in while limber runs, through evdev."""
 from harness import (BY_HAND, booted, check, done, guest_tool, is_drawn,
                      pause, start_limber, stop_limber)
 
@@ -8,7 +8,7 @@ check("the kernel's test keyboard can be made", status == 0, said)
 
 
 def after(keys):
-    """The arm's picture after these keys, once it stands still."""
+    """The picture of the demo arm after these keys, when it has stopped."""
     start_limber(machine, "--demo arm")
     if keys:
         status, said = machine.shell(f"guest key {keys}")

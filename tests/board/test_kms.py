@@ -1,4 +1,4 @@
-"""The same pictures where the kernel has no framebuffer device: KMS."""
+"""KMS shows the same pictures when the kernel has no framebuffer device."""
 from harness import (BY_HAND, booted, check, difference, done, host_picture,
                      pause, save, start_limber, stop_limber)
 
@@ -9,7 +9,7 @@ status, said = machine.shell(f"echo 87e00000.framebuffer >{UNBIND}; "
                              "modprobe simpledrm; ls /dev/dri")
 check("simpledrm has the screen", "card0" in said, said)
 
-# Stands still, so that any moment will do.
+# The arm does not move, so a picture can be taken at any time.
 start_limber(machine, "--demo arm --script /dev/null --math fixed --display kms")
 pause(machine, 1)
 frame = machine.frame()

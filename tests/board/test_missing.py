@@ -1,5 +1,5 @@
-"""A board without a framebuffer, a GPIO chip or a camera: a sentence each, and
-what can run runs."""
+"""A board without a framebuffer, a GPIO chip or a camera: limber reports each
+once and runs as far as it can."""
 from harness import (booted, check, device_tree, done, is_drawn, limber_pid,
                      pause, wait_until)
 

@@ -1,5 +1,4 @@
-"""The package for armel: dpkg puts it where it belongs, and limber runs from
-there."""
+"""The Debian package for armel: dpkg installs it, and limber runs from there."""
 import pathlib
 import shutil
 import subprocess
@@ -17,7 +16,7 @@ for name in ("status", "available"):
 
 packages = list(IMAGE.glob("limber_*_armel.deb"))
 check("there is one package", len(packages) == 1, packages)
-# Its libraries are those of a board, not on record here.
+# The libraries are the board's; the host's package database lacks them.
 run = subprocess.run(
     ["dpkg", "--force-not-root", "--force-depends", "--force-architecture",
      "--force-script-chrootless", "--log=/dev/null", f"--admindir={admin}",

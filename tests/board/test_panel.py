@@ -1,5 +1,5 @@
-"""What the kernel does on a board with an IPU, as far as a chip without one
-goes: pins, the panel's framebuffer, its serial bus, the flash controller."""
+"""What the kernel sets up on a board with an IPU, as far as the emulated chip
+shows it: pins, the panel's framebuffer, its serial bus, the flash controller."""
 from harness import BY_HAND, PROMPT, booted, check, done
 
 machine = booted(BY_HAND, shell=False,

@@ -1,7 +1,7 @@
-"""Pictures on the board's framebuffer are those of this machine, to the byte.
+"""Pictures on the board's framebuffer equal those of the host byte for byte.
 
-Both draw with the soft driver in RGB565; the clock is fixed, so what a time
-shows does not depend on how long anything takes.
+Both draw with the soft driver in RGB565. The clock is fixed, so the pictures do
+not depend on the speed of either machine.
 """
 from harness import (BY_HAND, booted, check, difference, done, emulation,
                      host_picture, save)
@@ -10,7 +10,7 @@ PICTURES = [(demo, time) for demo in ("walker", "arm", "face")
             for time in ("0.52", "2.2", "5")]
 
 machine = booted(BY_HAND)
-# Else the console takes the screen back when limber ends.
+# Otherwise the console draws on the screen when limber ends.
 machine.shell("echo 0 >/sys/class/vtconsole/vtcon1/bind")
 for demo, time in PICTURES:
     arguments = ("--demo", demo, "--time", time, "--clock", "fixed:25",

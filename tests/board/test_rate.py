@@ -1,8 +1,8 @@
-"""Each demo as fast as the board draws it."""
+"""The frame rate of each demo on the board."""
 from harness import BY_HAND, booted, check, done, frames_of, note
 
-# The walker's is what was set out for. The others' stand for what was
-# reached, some of it left for a busier picture.
+# The walker's rate is the project's goal. Those of the others are below what
+# the board reaches, to leave some time for larger scenes.
 WANTED_FPS = {"walker": 30, "arm": 22, "face": 22}
 FRAMES = 60
 MEMORY_MIB = 24

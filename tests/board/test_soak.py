@@ -1,5 +1,5 @@
-"""SOAK_S seconds of the board's time with buttons pressed at random: memory
-stays flat, no frame should take longer than 100 ms, nothing is said or lost."""
+"""Presses buttons at random for SOAK_S seconds of the board's time: memory must
+not grow, no frame should take longer than 100 ms, and nothing may be logged."""
 import os
 import random
 import re
@@ -11,12 +11,12 @@ from harness import (BY_HAND, aim, booted, check, done, emulation,
 SECONDS = float(os.environ.get("SOAK_S", 120))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = 100
-# The walker's uneven ground takes up to 92 ms a frame; a press may wait for one
-# and its picture is the next.
+# The walker's uneven ground takes up to 92 ms a frame. A press may wait for one
+# frame, and the next one shows it.
 LATENCY_WORST_MS = 220
-# So long after the last press its picture has surely come.
+# After this time the picture of the last press has been drawn.
 SHOWN_S = 0.3
-# Together they write a file, and the board's files take memory.
+# Together they save a picture, and the board's files are in memory.
 KEEP_A_PICTURE = {"F8", "F9"}
 DEMOS = ("walker", "arm", "face")
 

@@ -1,4 +1,4 @@
-"""A limber that hangs lets the watchdog reset the board, which comes back."""
+"""When limber hangs, the watchdog resets the board, which boots again."""
 from harness import (PROMPT, booted, check, done, is_drawn, limber_pid, note,
                      pause, wait_until)
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """xfile_assimp.py FILE.x TIME_S POSED.obj
 
-Holds what limber makes of a .x file against assimp's reading of it: the mesh
-skinned at a time, computed here from the nodes, bones and keys that `assimp
-dump` prints. Prints the largest distance, as a share of the extent, from a
-vertex of either to the nearest of the other, and fails above 1e-4.
+Compares a pose that limber wrote for a .x file with assimp's reading of the
+file. This script skins the mesh at the time, from the nodes, bones and keys that
+`assimp dump` prints. It prints the largest distance, as a fraction of the extent,
+from a vertex of either pose to the nearest vertex of the other, and fails above
+1e-4.
 
-assimp expands vertices and limber shares them, so orders differ. A bone that
-no node carries stays with the mesh's own node, as in limber.
+assimp duplicates vertices and limber shares them, so their orders differ. A bone
+without a node follows the mesh's own node, as in limber.
 """
 import math
 import re
@@ -51,7 +52,7 @@ def from_trs(t, q, s):
 
 
 def value_at(node, kind, tick):
-    """The keys' value; times fall on keys in this test or between two."""
+    """The value at a tick; the tick is on a key or between two."""
     keys = [(float(key.get("time")), numbers(key))
             for key in node.iter(kind)]
     if tick <= keys[0][0]:
@@ -77,7 +78,7 @@ def slerp(a, b, u):
 
 
 def worlds(scene, tick):
-    """World matrix of each node, and of each mesh by number; first clip."""
+    """The world matrices of nodes by name and of meshes by number; first clip."""
     animated = {}
     clips = scene.find("AnimationList")
     for node in clips[0].iter("NodeAnim") if clips is not None else []:
@@ -125,10 +126,10 @@ def posed(scene, time_s, ticks_per_s):
                         if name in world else mesh_world[number])
             for weight in bone.iter("Weight"):
                 index = int(weight.get("index"))
-                share = float(weight.text) / totals[index]
+                fraction = float(weight.text) / totals[index]
                 moved = apply(to_world, points[index])
                 for axis in range(3):
-                    sums[index][axis] += share * moved[axis]
+                    sums[index][axis] += fraction * moved[axis]
         out += sums
     return out
 

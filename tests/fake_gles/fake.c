@@ -16,14 +16,15 @@ enum {
 static int refused;
 static EGLint last_error = EGL_SUCCESS;
 
-static const char *setting(const char *name, const char *usual)
+static const char *setting(const char *name, const char *otherwise)
 {
 	const char *value = getenv(name);
 
-	return value ? value : usual;
+	return value ? value : otherwise;
 }
 
-__attribute__((format(printf, 1, 2))) static void tell(const char *format, ...)
+__attribute__((format(printf, 1, 2))) static void log_call(
+	const char *format, ...)
 {
 	const char *path = getenv("FAKE_GLES_LOG");
 	FILE *file = path ? fopen(path, "a") : NULL;
@@ -40,7 +41,7 @@ __attribute__((format(printf, 1, 2))) static void tell(const char *format, ...)
 
 EGLDisplay eglGetDisplay(EGLNativeDisplayType native)
 {
-	tell("GetDisplay %ld", (long)(intptr_t)native);
+	log_call("GetDisplay %ld", (long)(intptr_t)native);
 	return (EGLDisplay)1;
 }
 
@@ -48,7 +49,7 @@ EGLBoolean eglInitialize(EGLDisplay display, EGLint *major, EGLint *minor)
 {
 	(void)major;
 	(void)minor;
-	tell("Initialize %ld", (long)(intptr_t)display);
+	log_call("Initialize %ld", (long)(intptr_t)display);
 	return EGL_TRUE;
 }
 
@@ -69,14 +70,14 @@ EGLint eglGetError(void)
 #ifndef FAKE_GLES_OLD
 EGLBoolean eglBindAPI(EGLenum api)
 {
-	tell("BindAPI 0x%x", api);
+	log_call("BindAPI 0x%x", api);
 	return EGL_TRUE;
 }
 
 EGLBoolean eglSwapInterval(EGLDisplay display, EGLint interval)
 {
 	(void)display;
-	tell("SwapInterval %d", interval);
+	log_call("SwapInterval %d", interval);
 	return EGL_TRUE;
 }
 #endif
@@ -95,7 +96,7 @@ EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint *attributes,
 	EGLConfig *configs, EGLint room, EGLint *count)
 {
 	(void)display;
-	tell("ChooseConfig surface %d renderable %d",
+	log_call("ChooseConfig surface %d renderable %d",
 		find(attributes, EGL_SURFACE_TYPE),
 		find(attributes, EGL_RENDERABLE_TYPE));
 	*count = room < CONFIG_COUNT ? room : CONFIG_COUNT;
@@ -136,7 +137,7 @@ EGLSurface eglCreateWindowSurface(EGLDisplay display, EGLConfig config,
 
 	(void)display;
 	(void)attributes;
-	tell("CreateWindowSurface config %d window 0x%lx",
+	log_call("CreateWindowSurface config %d window 0x%lx",
 		(int)(intptr_t)config, (unsigned long)(uintptr_t)window);
 	if (limit == 0) {
 		refused = 0;
@@ -153,7 +154,7 @@ EGLSurface eglCreatePbufferSurface(
 {
 	(void)display;
 	(void)config;
-	tell("CreatePbufferSurface %dx%d", find(attributes, EGL_WIDTH),
+	log_call("CreatePbufferSurface %dx%d", find(attributes, EGL_WIDTH),
 		find(attributes, EGL_HEIGHT));
 	return (EGLSurface)8;
 }
@@ -163,7 +164,7 @@ EGLContext eglCreateContext(EGLDisplay display, EGLConfig config,
 {
 	(void)display;
 	(void)share;
-	tell("CreateContext config %d%s", (int)(intptr_t)config,
+	log_call("CreateContext config %d%s", (int)(intptr_t)config,
 		attributes ? " version 1" : "");
 	return (EGLContext)9;
 }
@@ -173,7 +174,7 @@ EGLBoolean eglMakeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read,
 {
 	(void)display;
 	(void)read;
-	tell("MakeCurrent %ld %ld", (long)(intptr_t)draw,
+	log_call("MakeCurrent %ld %ld", (long)(intptr_t)draw,
 		(long)(intptr_t)context);
 	return EGL_TRUE;
 }
@@ -193,21 +194,21 @@ EGLBoolean eglQuerySurface(
 EGLBoolean eglSwapBuffers(EGLDisplay display, EGLSurface surface)
 {
 	(void)display;
-	tell("SwapBuffers %ld", (long)(intptr_t)surface);
+	log_call("SwapBuffers %ld", (long)(intptr_t)surface);
 	return EGL_TRUE;
 }
 
 EGLBoolean eglDestroySurface(EGLDisplay display, EGLSurface surface)
 {
 	(void)display;
-	tell("DestroySurface %ld", (long)(intptr_t)surface);
+	log_call("DestroySurface %ld", (long)(intptr_t)surface);
 	return EGL_TRUE;
 }
 
 EGLBoolean eglDestroyContext(EGLDisplay display, EGLContext context)
 {
 	(void)display;
-	tell("DestroyContext %ld", (long)(intptr_t)context);
+	log_call("DestroyContext %ld", (long)(intptr_t)context);
 	return EGL_TRUE;
 }
 
@@ -217,7 +218,7 @@ __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char *name)
 	return NULL;
 }
 
-/* The GL calls that tell something or are worth telling. */
+/* The GL calls that return something or are logged. */
 const GLubyte *glGetString(GLenum name);
 const GLubyte *glGetString(GLenum name)
 {
@@ -257,7 +258,7 @@ void glGenTextures(GLsizei count, GLuint *textures)
 void glViewport(GLint x, GLint y, GLsizei width, GLsizei height);
 void glViewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
-	tell("Viewport %d %d %d %d", x, y, width, height);
+	log_call("Viewport %d %d %d %d", x, y, width, height);
 }
 
 void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
@@ -267,6 +268,6 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
 {
 	(void)format;
 	(void)type;
-	tell("ReadPixels %d %d %d %d", x, y, width, height);
+	log_call("ReadPixels %d %d %d %d", x, y, width, height);
 	memset(pixels, 0x40, (size_t)width * (size_t)height * 4);
 }

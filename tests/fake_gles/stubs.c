@@ -1,6 +1,6 @@
 /*
- * A function for every GL call limber uses, for those that fake.c leaves out.
- * Without parameters: nothing looks at them.
+ * A function for every GL call that fake.c does not define. They have no
+ * parameters because nothing uses them.
  */
 #define GL_FUNCTION(result, name, parameters)                            \
 	void gl##name(void);                                             \

@@ -234,7 +234,7 @@ class Console:
 
     def begin(self):
         if self.board.fault("autoboot"):
-            # Until a key comes; then the prompt.
+            # Waits for a key, then shows the prompt.
             while True:
                 self.say("Boot loader 1.0\n" + self.board.autoboot)
                 if os.read(self.line, 1) == b"\x03":

@@ -1,7 +1,7 @@
 #!/bin/sh
 # shellcheck disable=SC2154 # tap.sh's variables
-# The board's flashing script against a boot loader on a pty, in both dialects.
-# (sh only starts it: the script under test is bash's.)
+# Tests flash.sh with a simulated boot loader on a pseudo-terminal, once as U-Boot
+# and once as RedBoot.
 . "$(dirname "$0")/../support/tap.sh"
 flash=board/imx31-pdk/flash.sh
 images=$scratch/images
@@ -10,13 +10,13 @@ received=$scratch/received
 loader_pid=
 mkdir "$images" "$served"
 
-# Images with a size that is no multiple of anything, and one beyond a page.
+# Images of odd sizes, and one of whole pages.
 head -c 300001 /dev/urandom >"$images/zImage-dtb"
 head -c 200003 /dev/urandom >"$images/initramfs.cpio.lz4"
 head -c 262144 /dev/urandom >"$images/rootfs.ubi"
 (cd "$images" && sha256sum -- * >SHA256SUMS)
 
-# board LOADER [FAULT...]: sets $line.
+# board LOADER [FAULT...]: starts a board and sets $line to its terminal.
 board() {
     board_end
     rm -f "$scratch/line"
@@ -38,7 +38,7 @@ board_end() {
 }
 trap 'board_end; rm -rf "$tap_folder"' EXIT
 
-# flash ABOUT ARGUMENTS...
+# flash ABOUT ARGUMENTS...: runs the script.
 flash() {
     about_text=$1
     shift
@@ -46,7 +46,7 @@ flash() {
     about "$about_text"
 }
 
-# on_board ABOUT ARGUMENTS...: with the board's line, quick time-outs.
+# on_board ABOUT ARGUMENTS...: runs it on the board's line with short time-outs.
 on_board() {
     on_about=$1
     shift
@@ -98,9 +98,9 @@ for loader in uboot redboot; do
         [ "$(grep -Ec "$writes" "$received")" -le 4 ]
 
     board $loader
-    on_board "$loader: nobody says yes" write
+    on_board "$loader: the user does not say yes" write
     expect_status 1
-    expect_err 'kernel was left as it is'
+    expect_err 'kernel was not changed'
     never_received "$writes"
 
     board $loader lose=17
@@ -135,8 +135,8 @@ for loader in uboot redboot; do
     board $loader short=1 corrupt=2
     on_board "$loader: the server's copy is short, then damaged" run
     expect_status 0
-    expect_err 'bytes (came|came instead)|not 300001 bytes'
-    expect_err 'its sum on the board is wrong'
+    expect_err 'received [0-9]+ bytes instead|did not receive 300001 bytes'
+    expect_err 'its checksum on the board is wrong'
 
     board $loader deaf=1
     on_board "$loader: one command gets no answer" run
@@ -167,7 +167,7 @@ for loader in uboot redboot; do
     board $loader write=1
     on_board "$loader: one write fails" write --yes
     expect_status 0
-    expect_err 'what the NAND holds is not zImage-dtb'
+    expect_err 'the content of the NAND differs from zImage-dtb'
 
     board $loader autoboot=1
     on_board "$loader: stopped in its autoboot" run
@@ -197,7 +197,7 @@ received_is '^setenv serverip 192.168.1.2$'
 board uboot
 on_board 'the wrong dialect' run --loader redboot
 expect_status 1
-expect_err "the prompt is not redboot's"
+expect_err "the prompt is not that of redboot"
 
 rm "$served/zImage-dtb"
 board uboot
@@ -207,7 +207,7 @@ expect_err 'no such file \(--tftp copies it\)'
 
 flash 'no line' run --port "$scratch/none"
 expect_status 1
-expect_err 'no such serial line: give --port'
+expect_err 'no such serial line: choose one with --port'
 flash 'nothing asked' --port x
 expect_status 2
 flash 'a typo' run --prot x
@@ -219,7 +219,7 @@ expect_status 2
 printf x >>"$images/zImage-dtb"
 flash 'a damaged image' run --port "$line"
 expect_status 1
-expect_err 'its sum is not the one in SHA256SUMS'
+expect_err 'its checksum differs from SHA256SUMS'
 head -c 5300000 /dev/zero >"$images/zImage-dtb"
 (cd "$images" && sha256sum zImage-dtb rootfs.ubi >SHA256SUMS)
 flash 'a kernel too large' write --dry-run --loader uboot
@@ -228,6 +228,6 @@ expect_err 'larger than its partition'
 rm "$images/rootfs.ubi"
 flash 'no image' write --dry-run --loader uboot
 expect_status 1
-expect_err 'rootfs.ubi: not there: run make image'
+expect_err 'rootfs.ubi: this file is missing: run make image'
 
 tap_done

@@ -5,25 +5,10 @@
 #include "app/model/gltf/gltf.h"
 #include "app/model/model_loader.h"
 #include "app/model/model_stats.h"
+#include "tests/fuzz/fuzz_expect.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-static void count_errors(void *user, enum log_level level, const char *sentence)
-{
-	int *errors = user;
-
-	(void)sentence;
-	*errors += level == LOG_ERROR;
-}
-
-static void expect(bool holds)
-{
-	if (!holds) {
-		abort();
-	}
-}
 
 static void check_primitive(const struct model *model,
 	const struct model_mesh *mesh, const struct model_primitive *primitive)
@@ -33,20 +18,22 @@ static void check_primitive(const struct model *model,
 	size_t i;
 	int k;
 
-	expect(primitive->material >= 0 &&
+	fuzz_expect(primitive->material >= 0 &&
 		primitive->material < model->material_count);
-	expect(primitive->vertex_count > 0 && primitive->position);
-	expect(primitive->index_count % 3 == 0);
+	fuzz_expect(primitive->vertex_count > 0 && primitive->position);
+	fuzz_expect(primitive->index_count % 3 == 0);
 	for (k = 0; k < primitive->index_count; k++) {
-		expect(primitive->index[k] < (uint32_t)primitive->vertex_count);
+		fuzz_expect(primitive->index[k] <
+			(uint32_t)primitive->vertex_count);
 	}
-	expect(primitive->influences == 0 || primitive->influences == 4 ||
+	fuzz_expect(primitive->influences == 0 || primitive->influences == 4 ||
 		primitive->influences == 8);
 	for (i = 0; i < total; i++) {
-		expect(primitive->weight[i] >= 0 && primitive->weight[i] <= 1);
+		fuzz_expect(
+			primitive->weight[i] >= 0 && primitive->weight[i] <= 1);
 	}
-	expect(mesh->target_count == 0 || primitive->target);
-	expect(isfinite(primitive->position[0][0]));
+	fuzz_expect(mesh->target_count == 0 || primitive->target);
+	fuzz_expect(isfinite(primitive->position[0][0]));
 }
 
 static void check_nodes(const struct model *model, const int *joint_of_mesh)
@@ -56,16 +43,16 @@ static void check_nodes(const struct model *model, const int *joint_of_mesh)
 	for (i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 
-		expect(node->parent >= -1 && node->parent < i);
-		expect(node->mesh >= -1 && node->mesh < model->mesh_count);
-		expect(node->camera < model->camera_count);
-		expect(node->skin < model->skin_count);
+		fuzz_expect(node->parent >= -1 && node->parent < i);
+		fuzz_expect(node->mesh >= -1 && node->mesh < model->mesh_count);
+		fuzz_expect(node->camera < model->camera_count);
+		fuzz_expect(node->skin < model->skin_count);
 		if (node->skin >= 0) {
-			expect(joint_of_mesh[node->mesh] <
+			fuzz_expect(joint_of_mesh[node->mesh] <
 				model->skin[node->skin].joint_count);
 		}
 		if (node->mesh >= 0) {
-			expect(node->weight_offset +
+			fuzz_expect(node->weight_offset +
 					model->mesh[node->mesh].target_count <=
 				model->weight_count);
 		}
@@ -81,11 +68,12 @@ static void check_clips(const struct model *model)
 			const struct model_channel *channel =
 				&model->clip[i].channel[k];
 
-			expect(channel->node >= 0 &&
+			fuzz_expect(channel->node >= 0 &&
 				channel->node < model->node_count);
-			expect(channel->key_count > 0 && channel->width > 0);
-			expect(isfinite(channel->value[0]));
-			expect(channel->time_s[channel->key_count - 1] <=
+			fuzz_expect(
+				channel->key_count > 0 && channel->width > 0);
+			fuzz_expect(isfinite(channel->value[0]));
+			fuzz_expect(channel->time_s[channel->key_count - 1] <=
 					model->clip[i].duration_s ||
 				channel->time_s[0] < 0);
 		}
@@ -99,7 +87,7 @@ static void check(const struct model *model)
 	struct model_stats stats;
 	int i, k;
 
-	expect(joint_of_mesh != NULL);
+	fuzz_expect(joint_of_mesh != NULL);
 	for (i = 0; i < model->mesh_count; i++) {
 		const struct model_mesh *mesh = &model->mesh[i];
 
@@ -119,26 +107,20 @@ static void check(const struct model *model)
 	free(joint_of_mesh);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	int errors = 0;
-	struct log log = {
-		.write = count_errors,
-		.user = &errors,
-		.threshold = LOG_NOTE,
-	};
+	struct log log = fuzz_log(&errors);
 	struct model *model;
 
 	if (!gltf_recognise(data, size)) {
 		return 0;
 	}
 	if (model_load_memory(data, size, "fuzz", &log, &model) == 0) {
-		expect(errors == 0);
+		fuzz_expect(errors == 0);
 		check(model);
 	} else {
-		expect(errors == 1 && model == NULL);
+		fuzz_expect(errors == 1 && model == NULL);
 	}
 	model_destroy(model);
 	return 0;

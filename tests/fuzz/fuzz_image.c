@@ -1,27 +1,10 @@
 /* Decodes any bytes as an image. Expects pixels, or one error and no leak. */
 #include "app/model/image/image.h"
-
-#include <stdint.h>
-#include <stdlib.h>
+#include "tests/fuzz/fuzz_expect.h"
 
 enum {
 	PIXELS_MAX = 512 * 512, /* larger images would slow the run down */
 };
-
-static void count_errors(void *user, enum log_level level, const char *sentence)
-{
-	int *errors = user;
-
-	(void)sentence;
-	*errors += level == LOG_ERROR;
-}
-
-static void expect(bool holds)
-{
-	if (!holds) {
-		abort();
-	}
-}
 
 /* Reads every pixel, so that the sanitizers check its address. */
 static void check(const struct model_image *image)
@@ -33,37 +16,31 @@ static void check(const struct model_image *image)
 	for (i = 0; i < total; i++) {
 		opaque = opaque && image->rgba[i * 4 + 3] == 255;
 	}
-	expect(opaque == image->opaque);
+	fuzz_expect(opaque == image->opaque);
 }
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	struct arena arena = arena_empty();
 	struct model_image image = {0};
 	int errors = 0;
-	struct log log = {
-		.write = count_errors,
-		.user = &errors,
-		.threshold = LOG_NOTE,
-	};
+	struct log log = fuzz_log(&errors);
 	int width, height;
 
 	if (image_measure(data, size, "fuzz", &log, &width, &height) < 0) {
-		expect(errors == 1);
+		fuzz_expect(errors == 1);
 		return 0;
 	}
-	expect(errors == 0);
+	fuzz_expect(errors == 0);
 	if (width * height > PIXELS_MAX) {
 		return 0;
 	}
 	if (image_decode(data, size, "fuzz", &log, &arena, &image) == 0) {
-		expect(errors == 0);
-		expect(image.width == width && image.height == height);
+		fuzz_expect(errors == 0);
+		fuzz_expect(image.width == width && image.height == height);
 		check(&image);
 	} else {
-		expect(errors == 1);
+		fuzz_expect(errors == 1);
 	}
 	arena_release(&arena);
 	return 0;

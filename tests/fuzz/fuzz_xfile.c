@@ -5,17 +5,7 @@
 #include "app/model/model.h"
 #include "app/model/model_stats.h"
 #include "app/model/xfile/xfile.h"
-
-#include <stdint.h>
-#include <stdlib.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
-static void count_errors(void *user, enum log_level level, const char *sentence)
-{
-	(void)sentence;
-	*(int *)user += level == LOG_ERROR;
-}
+#include "tests/fuzz/fuzz_expect.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -24,8 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	struct model_stats stats;
 	struct model *model = NULL;
 	int errors = 0;
-	const struct log log = {
-		.write = count_errors, .user = &errors, .threshold = LOG_ERROR};
+	const struct log log = fuzz_log(&errors);
 
 	if (!xfile_recognise(data, size)) {
 		return 0;
@@ -33,8 +22,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	if (xfile_load(&source, &log, &model) == 0) {
 		model_measure(model, &stats);
 		model_destroy(model);
-	} else if (errors != 1) {
-		abort();
+	} else {
+		fuzz_expect(errors == 1);
 	}
 	return 0;
 }

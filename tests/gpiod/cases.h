@@ -1,10 +1,10 @@
 /*
- * What the gpiod driver does, whichever libgpiod it was built for.
+ * The tests of the gpiod driver, for both versions of libgpiod.
  */
 #ifndef TESTS_GPIOD_CASES_H
 #define TESTS_GPIOD_CASES_H
 
-/* Runs all cases; the result is main's. */
+/* Runs all tests. Returns main()'s result. */
 int gpiod_cases_run(void);
 
 #endif

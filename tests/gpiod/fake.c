@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The library's functions are given no context. */
+/* The library's functions have no context parameter. */
 static struct fake_gpio *machine;
 
 void fake_gpio_begin(struct fake_gpio *gpio)
@@ -160,16 +160,16 @@ int fake_line_value(const struct fake_line *line)
 	return line->gone ? -1 : line->high != line->active_low;
 }
 
-int fake_line_read(struct fake_line *line, struct fake_edge *edges, int room)
+int fake_line_read(struct fake_line *line, struct fake_edge *edges, int capacity)
 {
 	char bytes[FAKE_EDGES];
-	int count = line->edges < room ? line->edges : room;
+	int count = line->edges < capacity ? line->edges : capacity;
 
 	if (line->gone) {
 		errno = ENODEV;
 		return -1;
 	}
-	/* A driver that did not poll would wait here for ever. */
+	/* A driver that does not poll first would wait here for ever. */
 	assert_true(count > 0);
 	assert_int_equal(read(line->pipe[0], bytes, (size_t)count), count);
 	memcpy(edges, line->edge, (size_t)count * sizeof(*edges));

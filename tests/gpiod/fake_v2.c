@@ -28,7 +28,7 @@ struct gpiod_edge_event {
 };
 
 struct gpiod_edge_event_buffer {
-	int room, count;
+	int capacity, count;
 	struct gpiod_edge_event event[FAKE_EDGES];
 };
 
@@ -60,7 +60,7 @@ void gpiod_chip_close(struct gpiod_chip *chip)
 	fake_chip_close(fake(chip));
 }
 
-/* Its own memory, as in the library: it must be given back. */
+/* Allocated as in the library, so that the driver must free it. */
 struct gpiod_chip_info *gpiod_chip_get_info(struct gpiod_chip *chip)
 {
 	struct fake_chip **info = make(sizeof(*info));
@@ -255,7 +255,7 @@ struct gpiod_edge_event_buffer *gpiod_edge_event_buffer_new(size_t capacity)
 {
 	struct gpiod_edge_event_buffer *buffer = make(sizeof(*buffer));
 
-	buffer->room = capacity < FAKE_EDGES ? (int)capacity : FAKE_EDGES;
+	buffer->capacity = capacity < FAKE_EDGES ? (int)capacity : FAKE_EDGES;
 	return buffer;
 }
 
@@ -275,10 +275,10 @@ int gpiod_line_request_read_edge_events(struct gpiod_line_request *request,
 	struct gpiod_edge_event_buffer *buffer, size_t max_events)
 {
 	struct fake_edge edges[FAKE_EDGES];
-	int room = max_events < (size_t)buffer->room ? (int)max_events
-						     : buffer->room;
+	int capacity = max_events < (size_t)buffer->capacity ? (int)max_events
+							     : buffer->capacity;
 
-	buffer->count = fake_line_read(fake_line(request), edges, room);
+	buffer->count = fake_line_read(fake_line(request), edges, capacity);
 	for (int i = 0; i < buffer->count; i++) {
 		buffer->event[i].edge = edges[i];
 	}

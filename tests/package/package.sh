@@ -1,6 +1,6 @@
 #!/bin/sh
-# make install and the Debian package: what lies where, and that it works from
-# there, far from the sources.
+# Tests make install and the Debian package: the files that they install, and that
+# limber works from there, without the sources.
 . "$(dirname "$0")/../support/tap.sh"
 root=$scratch/root
 
@@ -32,7 +32,7 @@ done
 
 check 'the manual page says where limber.conf is' grep -q '^\.I /etc/limber.conf' "$page"
 
-# completed WORD...: what bash offers for the last one.
+# completed WORD...: prints bash's completions of the last word.
 completed() {
     PATH=$root/usr/bin:$PATH bash -c '
         source "$0"
@@ -72,7 +72,7 @@ mkdir -p "$scratch/system" "$scratch/admin/info" "$scratch/admin/updates" \
     "$scratch/admin/triggers"
 : >"$scratch/admin/status"
 : >"$scratch/admin/available"
-# The libraries are this machine's, so they are not on record there.
+# The package database of the test has none of the libraries' packages.
 run dpkg --force-not-root --force-depends --force-script-chrootless \
     --log=/dev/null --admindir="$scratch/admin" --instdir="$scratch/system" -i "$deb"
 expect_status 0

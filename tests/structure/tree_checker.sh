@@ -26,7 +26,7 @@ check_tree() {
         mkdir -p "$OBJECTS/$(dirname "$file")"
         gcc -I "$TREE" -c -o "$OBJECTS/${file%.c}.o" "$TREE/$file"
     done
-    run python3 -B "$here/tree.py"
+    run "$here/tree.sh"
     about "$1"
 }
 
@@ -84,7 +84,7 @@ expect_status 0
 
 rm -r "$TREE" "$OBJECTS"
 mkdir -p "$TREE" "$OBJECTS"
-run python3 -B "$here/tree.py"
+run "$here/tree.sh"
 about 'an empty tree'
 expect_status 1
 tap_done

@@ -1,10 +1,9 @@
 #!/bin/sh
-# check-arm.sh lets through what the board can run and nothing else.
+# Tests check-arm.sh: it accepts only programs that the board can run.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/check-arm.sh
 
-# compiled OPTION...: an object file for that processor, held against the
-# script.
+# compiled OPTION...: runs the script on an object file for that processor.
 compiled() {
     printf 'float twice(float x) { return x + x; }\n' |
         arm-linux-gnueabi-gcc "$@" -c -x c -o "$scratch/object.o" -

@@ -1,9 +1,9 @@
 #!/bin/sh
-# demo.sh with a stand-in for limber.
+# Tests demo.sh with a replacement of limber.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/demo.sh
 
-# given STATUS: a limber whose play ends so.
+# given STATUS: makes a limber whose play exits with STATUS.
 given() {
     rm -rf "$scratch/calls" "$scratch/pictures"
     cat >"$scratch/limber" <<END

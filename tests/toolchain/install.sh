@@ -1,16 +1,16 @@
 #!/bin/sh
-# install.sh with stand-ins for apt-get, dpkg-query, sudo and id, so that no
-# package of this machine is touched.
+# Tests install.sh with replacements of apt-get, dpkg-query, sudo and id, so that
+# no package of this machine is changed.
 . "$(dirname "$0")/../support/tap.sh"
 
-# A toolchain of its own, with lists of its own.
+# A copy of toolchain/ with other package lists.
 mkdir -p "$scratch/toolchain/packages" "$scratch/bin"
 cp "$(dirname "$0")/../../toolchain/install.sh" "$scratch/toolchain"
 printf '# a comment\n\nalpha\nbeta\n' >"$scratch/toolchain/packages/two.txt"
 printf 'gamma ?gamma-run\ndelta ?%s\n' "$scratch/delta-file" \
     >"$scratch/toolchain/packages/things.txt"
 
-# Only these commands are there.
+# Only these commands can be found.
 for tool in sh awk env dirname cat rm mktemp sed flock printf; do
     ln -s "$(command -v $tool)" "$scratch/bin/$tool"
 done
@@ -19,8 +19,8 @@ stub() {
     chmod +x "$scratch/bin/$1"
 }
 
-# given USER_ID PACKAGE...: a machine with these packages and an apt-get that
-# installs what it is told.
+# given USER_ID PACKAGE...: a machine with these packages installed, and an
+# apt-get that can install others.
 given() {
     rm -f "$scratch/installed" "$scratch/calls" "$scratch/bin/sudo" \
         "$scratch/bin/gamma-run" "$scratch/delta-file"

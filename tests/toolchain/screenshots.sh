@@ -1,12 +1,13 @@
 #!/bin/sh
-# screenshots.sh: the pictures are there, and the same each time where they can.
+# Tests screenshots.sh: it makes all pictures, and the same ones each time except
+# for those with measured times.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/screenshots.sh
 limber=build/host/limber
 page=app/compare/example.md
 
-# steady FILE: the rows of limber compare on a page, without this machine's
-# times, the two columns after the board's.
+# steady FILE: prints the rows of limber compare on a page without the two columns
+# of times measured on this machine.
 steady() {
     sed -n '/^      a frame takes/,/^      \.\.\.$/p' "$1" |
         sed -E 's/^(.{41}).{19}/\1/'

@@ -1,5 +1,5 @@
 #!/bin/sh
-# sysroot.sh with stand-ins for apt-get, mmdebstrap and id.
+# Tests sysroot.sh with replacements of apt-get, mmdebstrap and id.
 . "$(dirname "$0")/../support/tap.sh"
 script=$(dirname "$0")/../../toolchain/sysroot.sh
 root=$scratch/build/sysroot
@@ -13,7 +13,7 @@ stub() {
     chmod +x "$scratch/bin/$1"
 }
 
-# given USER_ID SOURCE...: apt's sources with their release information.
+# given USER_ID SOURCE...: sets apt's sources and their release information.
 given() {
     stub id "echo $1"
     shift

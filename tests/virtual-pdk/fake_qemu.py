@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What the server of the virtual PDK sees of QEMU, without a board: sockets
-that answer. Files in its folder say how it misbehaves:
+"""A replacement of QEMU for the server of the virtual PDK: sockets that answer.
+Files in its folder make it fail:
 
-  half      it dies in the middle of its next answer about the picture
-  deaf      it does not mind SIGTERM
+  half      it ends in the middle of its next answer with the picture
+  deaf      it ignores SIGTERM
 """
 import json
 import os
@@ -18,8 +18,8 @@ RESET_S, BOOT_S = 0.1, 0.3
 
 
 class Guest:
-    """Draws all the time, except while it stands still or boots. A reset
-    comes a moment after QEMU has promised it."""
+    """Draws all the time, except while it is stopped or boots. A reset happens
+    a moment after QEMU has acknowledged it."""
 
     def __init__(self):
         self.moves = False
@@ -54,7 +54,7 @@ class Guest:
 
 
 def answer(guest, name, line):
-    """As bytes, or None: it dies half-way."""
+    """Returns the answer as bytes, or None to end in the middle of it."""
     if name == "qtest.sock":
         return f"{guest.ask_wires(line.split())}\n".encode()
     said = guest.ask_monitor(json.loads(line))

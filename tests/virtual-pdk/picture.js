@@ -3,7 +3,7 @@
 
 const fs = require("fs");
 const path = require("path");
-const { Server, openBrowser, isRunning, sleep, told, TOP } = require("./stage.js");
+const { Server, openBrowser, isRunning, sleep, statusText, TOP } = require("./server.js");
 
 const SETTLE_MS = 6000;
 
@@ -19,7 +19,7 @@ async function draw(file) {
 		await page?.goto(url);
 		if (!page || !await isRunning(page)) {
 			throw new Error("the virtual PDK does not start: " +
-				(page ? await told(page) : server.said));
+				(page ? await statusText(page) : server.said));
 		}
 		await page.waitForSelector('#camera[aria-checked="true"]:not([data-pending])');
 		await page.keyboard.press("ArrowUp");

@@ -1,15 +1,15 @@
-// The virtual PDK's page in a real browser, with a real server and board.
-// TAP; pictures to look at stay in build/check-virtual-pdk.
+// The virtual PDK's page in a real browser, with the real server and the emulated
+// board. Prints TAP and keeps screenshots in build/check-virtual-pdk.
 
 const fs = require("fs");
 const http = require("http");
 const path = require("path");
-const { Server, openBrowser, isRunning, told, sleep, until, TOP } =
-	require("./stage.js");
+const { Server, openBrowser, isRunning, statusText, sleep, until, TOP } =
+	require("./server.js");
 
 const FOLDER = path.join(TOP, "build/check-virtual-pdk");
 const PATIENCE_MS = Number(process.env.PATIENCE_S ?? 400) * 1000;
-// Where the walker names the chosen feature, and the camera's use.
+// Where the demo walker shows the chosen feature and the camera's use.
 const FEATURE = [12, 592, 180, 36];
 const CAMERA_USE = [288, 592, 180, 36];
 
@@ -27,13 +27,13 @@ function check(name, good, why = "") {
 	}
 }
 
-// What a part of the screen shows, as text to compare.
+// Returns a part of the screen as text that can be compared.
 const region = (page, [x, y, width, height]) =>
 	page.evaluate(([x, y, width, height]) =>
 		document.getElementById("screen").getContext("2d")
 			.getImageData(x, y, width, height).data.join(), [x, y, width, height]);
 
-// The share of the screen in the test camera's yellow, green and magenta.
+// The fraction of the screen in the test camera's yellow, green and magenta.
 const colourBars = (page) => page.evaluate(() => {
 	const { data } = document.getElementById("screen").getContext("2d")
 		.getImageData(0, 0, 480, 640);
@@ -53,7 +53,7 @@ const logText = (page) => page.textContent("#log");
 const isDown = (page, name) =>
 	page.locator(`[data-button="${name}"][data-down]`).count();
 
-// Checks that doing something changes a part that stands still.
+// Checks that an action changes a part of the screen that was still before.
 async function checkChange(name, page, part, act) {
 	let before = "";
 	const still = await until(async () => {
@@ -69,7 +69,7 @@ async function checkChange(name, page, part, act) {
 	}
 }
 
-// The status of a request with these headers.
+// Returns the HTTP status of a request with these headers.
 function ask(url, headers, file = "") {
 	return new Promise((done) => {
 		http.get(url + file, { headers }, (answer) => {
@@ -84,7 +84,7 @@ function ask(url, headers, file = "") {
 
 async function testPicture(page) {
 	check("the board boots, and its page says so", await isRunning(page),
-		`${await logText(page)}\n${await told(page)}`);
+		`${await logText(page)}\n${await statusText(page)}`);
 	const colours = await page.evaluate(() => new Set(new Uint32Array(
 		document.getElementById("screen").getContext("2d")
 			.getImageData(0, 0, 480, 640).data.buffer)).size);
@@ -162,7 +162,7 @@ async function testCamera(page) {
 		await until(async () => await colourBars(page) > 0.004, 30000),
 		await colourBars(page));
 	await page.screenshot({ path: path.join(FOLDER, "camera.png") });
-	// She walks since UP, and the floor shines through the label.
+	// After UP the walker walks, and the floor is visible through the label.
 	await page.keyboard.press("ArrowDown");
 	await checkChange("F10 puts it elsewhere", page, CAMERA_USE,
 		() => page.keyboard.press("F10"));
@@ -173,7 +173,7 @@ async function testReset(page) {
 	check("reset begins again", await until(async () =>
 		/-- reset --\n[^]*Booting Linux/.test(await logText(page))),
 	await logText(page));
-	check("and the board is back", await isRunning(page), await told(page));
+	check("and the board is back", await isRunning(page), await statusText(page));
 	check("with its camera", await until(() => page.locator(
 		'#camera[aria-checked="true"]:not([data-pending])').count(), 40000));
 	await page.click("#camera");
@@ -190,21 +190,21 @@ async function testPower(page, server) {
 		await page.isDisabled("#reset"));
 	await page.screenshot({ path: path.join(FOLDER, "off.png") });
 	await page.click("#power");
-	check("switched on it boots", await isRunning(page), await told(page));
+	check("switched on it boots", await isRunning(page), await statusText(page));
 	await page.fill("#text", "halt -f");
 	await page.keyboard.press("Enter");
-	check("a system that is halted is told of", await until(() =>
+	check("a system that is halted is reported", await until(() =>
 		page.locator("#notice:visible", { hasText: "halted" }).count()),
 	await logText(page));
 	await page.click("#notice button");
-	check("and reset from there", await isRunning(page), await told(page));
+	check("and reset from there", await isRunning(page), await statusText(page));
 	process.kill(server.qemu(), "SIGKILL");
-	check("a board that has stopped is told of", await until(() =>
+	check("a board that has stopped is reported", await until(() =>
 		page.locator("#notice:visible", { hasText: "has stopped" }).count()),
-	await told(page));
+	await statusText(page));
 	await page.screenshot({ path: path.join(FOLDER, "stopped.png") });
 	await page.click("#notice button");
-	check("and starts again from there", await isRunning(page), await told(page));
+	check("and starts again from there", await isRunning(page), await statusText(page));
 }
 
 async function testLayout(page) {
@@ -247,7 +247,7 @@ async function testRefusals(server, url) {
 	const port = new URL(url).port;
 	const folder = path.join(FOLDER, "second");
 	const second = new Server(folder, "--port", port);
-	check("a port that is taken is told of in a sentence",
+	check("a port that is taken is reported in a sentence",
 		await second.ended === 1 && /^limber: port \d+ is taken: .*\n$/.test(second.said),
 		second.said);
 	const third = new Server(server.folder, "--port", "0");
@@ -257,7 +257,7 @@ async function testRefusals(server, url) {
 }
 
 async function testEnd(page, server) {
-	/* Whatever became of the board before. */
+	/* The board may be in any state here. */
 	if (!server.qemu()) {
 		await page.reload();
 		await page.click("#power");

@@ -1,5 +1,5 @@
-"""The server's part that talks to QEMU, with one that dies or hangs at chosen
-moments: the page is always told, and nothing is left behind. TAP."""
+"""The server's connection to QEMU, with a replacement that ends or hangs at
+chosen moments: the page always learns of it, and no process is left. TAP."""
 import asyncio
 import os
 import pathlib
@@ -19,7 +19,7 @@ import board  # noqa: E402
 from overlay import emulation  # noqa: E402
 
 TOLD_S = 10
-# What a test can wait for; a QEMU that hangs is given up after so long.
+# How long a test waits, and after how long the server gives a QEMU up.
 emulation.ANSWER_S, emulation.END_S = 1, 1
 
 _count = _failed = 0
@@ -35,7 +35,7 @@ def check(name, good, why=""):
 
 
 class Listener:
-    """Somebody who looks, and remembers the phases."""
+    """A page that watches the board and records its phases."""
 
     def __init__(self):
         self.board = None
@@ -78,7 +78,7 @@ def prepare():
     board.overlay.make_archive = lambda folder: IMAGE / "zImage"
 
 
-def wish(name, on=True):
+def command(name, on=True):
     path = STATE / name
     if on:
         path.touch()
@@ -96,14 +96,14 @@ def kill(virtual, number=signal.SIGKILL):
 
 
 async def check_told(name, virtual, why):
-    """That the end is told of with that word, no process is left, and the
-    board starts again."""
+    """Checks that the end is reported with that word, that no process is left,
+    and that the board starts again."""
     process = virtual.machine.process
-    told = await until(lambda: virtual.phase == "ended")
-    check(f"{name}: it is told", told and why in virtual.why,
+    reported = await until(lambda: virtual.phase == "ended")
+    check(f"{name}: it is reported", reported and why in virtual.why,
           f"{virtual.phase}: {virtual.why}")
     check(f"{name}: no process is left", process.poll() is not None)
-    if not told:
+    if not reported:
         await virtual.power(False)
     check(f"{name}: it starts again", await is_running(virtual), virtual.why)
 
@@ -114,14 +114,13 @@ async def test_deaths(virtual):
         kill(virtual)
         await check_told(f"QEMU dies after {wait_s * 1000:.0f} ms", virtual,
                          "QEMU has ended")
-    # In this thread, so that nothing is being asked: the next question finds
-    # nobody.
+    # In this thread no request is being sent; the next one must fail.
     kill(virtual)
     virtual.machine.process.wait()
     await check_told("QEMU dies between questions", virtual, "QEMU has ended")
-    wish("half")
+    command("half")
     await until(lambda: virtual.phase == "ended")
-    wish("half", False)
+    command("half", False)
     await check_told("QEMU dies in an answer", virtual, "QEMU has ended")
     kill(virtual)
     await virtual.reset()
@@ -149,22 +148,22 @@ async def test_hanging(virtual):
     check("switched off, one that hangs ends at once",
           virtual.phase == "off" and took_s < 5, f"{virtual.phase}, {took_s} s")
     await reset
-    wish("deaf")
-    check("it starts deaf", await is_running(virtual), virtual.why)
+    command("deaf")
+    check("it starts and ignores SIGTERM", await is_running(virtual), virtual.why)
     process = virtual.machine.process
     await virtual.power(False)
-    check("one that does not mind SIGTERM is killed",
+    check("one that ignores SIGTERM is killed",
           virtual.phase == "off" and process.returncode == -signal.SIGKILL)
-    wish("deaf", False)
+    command("deaf", False)
 
 
 async def test_switching_off(virtual):
-    """A press wakes the task that looks just as it is cancelled."""
+    """A press wakes the watching task at the moment it is cancelled."""
     left = []
     for ticks in range(6):
         await is_running(virtual)
         watcher = virtual.tasks[-1]
-        # So it mostly rests, and does not ask.
+        # Then the task rests most of the time and sends no requests.
         virtual.listener.looks = False
         await asyncio.sleep(0.2)
         virtual.listener.phases.clear()
@@ -176,7 +175,7 @@ async def test_switching_off(virtual):
         if not watcher.done() or virtual.listener.phases != ["off"]:
             left.append((ticks, virtual.listener.phases[:]))
         virtual.listener.looks = True
-    check("switched off while pressed, nobody looks on", not left, left)
+    check("switched off while pressed, the page stops watching", not left, left)
 
 
 async def test_reset(virtual):

@@ -1,9 +1,9 @@
 /*
  * The fixed-point vertex loops and the formats of what they read and write.
  *
- * The ARM1136 has no fast floating-point unit but a multiplier that takes two
+ * The ARM1136's floating-point unit is slow, but its multiplier makes two
  * products of 16 bits at a time (SMLAD; pmaddwd on a PC). All formats are made
- * for it; README.md and numbers.md say why each of them is as it is.
+ * for it; numbers.md says why each of them is as it is.
  *
  * Work is done in three steps. layout/ prepares a primitive at load, and again
  * when the cap on influences changes. run/ converts matrices and weights into
@@ -34,7 +34,7 @@ enum fixed_streams {
 /*
  * The output of the loops. As a GL array it is 3 GL_SHORT from &vector->x at a
  * stride of sizeof(struct fixed_vector). Aligned to 8 bytes. Directions have no
- * particular length: whoever lights them normalises them.
+ * particular length: the code that lights them normalises them.
  */
 struct fixed_vector {
 	int16_t fraction; /* the bits below x, for the loops alone */

@@ -55,6 +55,18 @@ void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	set_rotation(pose, node, parent, rotation, weight);
 }
 
+bool bone_chain(const struct model *model, int tip, int count, int *node)
+{
+	for (int i = count - 1; i >= 0; i--) {
+		if (tip < 0 || tip >= model->node_count) {
+			return false;
+		}
+		node[i] = tip;
+		tip = model->node[tip].parent;
+	}
+	return true;
+}
+
 /* The length that factor gives to an axis of a child. */
 static float stretched(
 	const struct transform *child, int axis, const float factor[3])

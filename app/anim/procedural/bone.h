@@ -29,6 +29,12 @@ void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	const float rotation[4], float weight);
 
 /*
+ * Fills node[] with the count nodes that end at tip, each the parent of the
+ * next. False if tip is no node or has too few ancestors.
+ */
+bool bone_chain(const struct model *model, int tip, int count, int *node);
+
+/*
  * Multiplies a node's scale by a factor for each axis and divides its
  * children's scale by it, so that only the vertices of the node itself grow. A
  * child that is rotated against the node gets the factor of its own axes back,

@@ -2,16 +2,11 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
+#include "app/anim/procedural/substep.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
 
-enum {
-	MOST_PARTS = 12
-}; /* or a slow frame would make the next one slower */
-
-static const float PART_S = 1.0f / 120;
-static const float LONGEST_STEP_S = 0.2f;
 static const float FASTEST = 30; /* the world's units a second */
 static const float GIVE = 1.02f; /* the most a column may stretch */
 
@@ -206,23 +201,18 @@ void cloth_update(struct cloth *cloth, float step_s,
 	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world)
 {
-	int parts;
+	const struct substep substep = substep_divide(step_s);
 
 	find_pins(cloth, world);
 	if (!cloth->begun || jumped(cloth)) {
 		begin_at_rest(cloth, world);
 		find_normals(cloth);
 	}
-	step_s = scalar_clamp(step_s, 1e-4f, LONGEST_STEP_S);
-	parts = (int)(step_s / PART_S) + 1;
-	parts = parts < MOST_PARTS ? parts : MOST_PARTS;
-	for (int p = 1; p <= parts; p++) {
-		float part_s = step_s / (float)parts;
-
-		fall(cloth, part_s);
-		move_pins(cloth, (float)p / (float)parts);
+	for (int p = 1; p <= substep.count; p++) {
+		fall(cloth, substep.part_s);
+		move_pins(cloth, (float)p / (float)substep.count);
 		hold_together(cloth, capsule, capsule_count);
-		find_speed(cloth, part_s);
+		find_speed(cloth, substep.part_s);
 	}
 	memcpy(cloth->pin_from, cloth->pin_to,
 		(size_t)cloth->settings.columns * sizeof(*cloth->pin_from));

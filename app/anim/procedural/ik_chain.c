@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* The chain while it is being solved. */
+/* The state of a solution. */
 struct solver {
 	int bones;
 	const struct ik_chain *chain;
@@ -30,17 +30,10 @@ int ik_chain_init(
 		.tolerance = 0.0005f,
 		.weight = 1,
 	};
-	if (count < 2 || count > IK_CHAIN_MAX) {
-		return -EINVAL;
-	}
-	for (int i = count - 1; i >= 0; i--) {
-		if (tip < 0 || tip >= model->node_count) {
-			return -EINVAL;
-		}
-		chain->node[i] = tip;
-		tip = model->node[tip].parent;
-	}
-	return 0;
+	return count >= 2 && count <= IK_CHAIN_MAX &&
+			bone_chain(model, tip, count, chain->node)
+		? 0
+		: -EINVAL;
 }
 
 static void begin(struct solver *solver, const struct ik_chain *chain,
@@ -266,7 +259,7 @@ static void store(const struct solver *solver, struct pose *pose)
 	}
 }
 
-/* Keeps the better of two. */
+/* Keeps the candidate if its tip is nearer to the target. */
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {

@@ -91,8 +91,8 @@ float procedural_modifier(const struct procedural_preset *preset, int level);
 /*
  * Applies translation and rotation, times the factor, to the bone and its
  * descendants: local = local * T * R. The factor, m_fFactor, is
- * cos(time * speed) * amplitude * modifier * (1 - fade). At fade 1 the pose does
- * not change.
+ * cos(time * speed) * amplitude * modifier * (1 - fade). At fade 1 the pose
+ * does not change.
  */
 void procedural_apply(
 	const struct procedural *procedural, double time_s, struct pose *pose);

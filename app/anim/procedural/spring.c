@@ -4,21 +4,16 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
+#include "app/anim/procedural/substep.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
 
-static const float LONGEST_STEP_S = 0.2f;
-static const float PART_S = 1.0f / 120;
-enum {
-	MOST_PARTS = 12
-}; /* or a slow frame would make the next one slower */
-
 static const float HIGHEST_HZ = 15;
 static const float FASTEST_TURN = 40; /* radians a second */
 
-/* What one update works with. */
+/* The data of one update. */
 struct swing {
 	struct spring *spring;
 	const struct pose *pose;
@@ -40,19 +35,12 @@ int spring_init(
 		.gravity = {0, -9.81f, 0},
 		.weight = 1,
 	};
-	if (count < 1 || count > SPRING_MAX || last < 0 ||
-		last >= model->node_count) {
+	if (count < 1 || count > SPRING_MAX ||
+		!bone_chain(model, last, count, spring->node)) {
 		return -EINVAL;
 	}
 	memcpy(spring->end, model->node[last].rest.translation,
 		sizeof(spring->end));
-	for (int i = count - 1; i >= 0; i--) {
-		if (last < 0) {
-			return -EINVAL;
-		}
-		spring->node[i] = last;
-		last = model->node[last].parent;
-	}
 	return 0;
 }
 
@@ -217,7 +205,7 @@ static void swing_bone(struct swing *swing, int i, const struct base *base,
 	}
 }
 
-/* One part of a step, with the first bone's base of that moment. */
+/* Moves all bones by one part of a step. base is the first one's origin. */
 static void swing_chain(struct swing *swing, struct base base,
 	const float above[4], float part_s)
 {
@@ -285,7 +273,7 @@ void spring_update(struct spring *spring, float step_s,
 	const float *origin = world[spring->node[0]][3];
 	struct base base;
 	float above[4];
-	int parts;
+	const struct substep substep = substep_divide(step_s);
 
 	measure(&swing, world, pose);
 	bone_parent_rotation(pose, world, spring->node[0], above);
@@ -293,20 +281,17 @@ void spring_update(struct spring *spring, float step_s,
 		begin_at_rest(spring, &swing, world);
 		keep_base(spring, origin, above);
 	}
-	step_s = scalar_clamp(step_s, 1e-4f, LONGEST_STEP_S);
-	parts = (int)(step_s / PART_S) + 1;
-	parts = parts < MOST_PARTS ? parts : MOST_PARTS;
 	vec_subtract(origin, spring->origin, base.velocity);
 	for (int k = 0; k < 3; k++) {
-		base.velocity[k] /= step_s;
+		base.velocity[k] /= substep.step_s;
 	}
-	for (int p = 1; p <= parts; p++) {
-		float fraction = (float)p / (float)parts;
+	for (int p = 1; p <= substep.count; p++) {
+		float fraction = (float)p / (float)substep.count;
 		float rotation[4];
 
 		vec_mix(spring->origin, origin, fraction, base.position);
 		quat_slerp(spring->rotation, above, fraction, rotation);
-		swing_chain(&swing, base, rotation, step_s / (float)parts);
+		swing_chain(&swing, base, rotation, substep.part_s);
 	}
 	store(&swing, above, pose);
 	keep_base(spring, origin, above);

@@ -2,10 +2,10 @@
  * Springy bones: ponytails, tails, antennas.
  *
  * A damped spring pulls the end of each bone to its animated position, relative
- * to the bone above, so that it lags, swings and hangs. The distance of the
- * ends is kept, so nothing stretches. A step is divided into at most 12 parts
- * of at least 1/120 s, and the spring is integrated by a rule that is stable
- * for any of them: nothing flies away, whatever the frame time.
+ * to the bone above, so that it lags, swings and hangs. The ends keep their
+ * distance, so nothing stretches. A step is divided into parts (substep.h), and
+ * the spring is integrated by a rule that is stable for parts of any length:
+ * nothing flies away, whatever the frame time.
  */
 #ifndef APP_ANIM_PROCEDURAL_SPRING_H
 #define APP_ANIM_PROCEDURAL_SPRING_H

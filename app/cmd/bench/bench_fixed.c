@@ -96,6 +96,19 @@ static struct fixed_vector *vectors(struct arena *arena, int count)
 	return ARENA_ARRAY(arena, struct fixed_vector, (size_t)count);
 }
 
+/* Each frame adds a fifteenth of the way between the keys. */
+static void prepare_steps(struct fixed_state *state,
+	const struct fixed_vector *from, const struct fixed_vector *to)
+{
+	for (int v = 0; v < state->mesh->primitive.vertex_count; v++) {
+		state->step[v] = (struct fixed_vector){
+			.x = (int16_t)((to[v].x - from[v].x) / 15),
+			.y = (int16_t)((to[v].y - from[v].y) / 15),
+			.z = (int16_t)((to[v].z - from[v].z) / 15),
+		};
+	}
+}
+
 static int prepare_keys(struct fixed_state *state, struct arena *arena)
 {
 	const struct bench_mesh *mesh = state->mesh;
@@ -134,13 +147,7 @@ static int prepare_keys(struct fixed_state *state, struct arena *arena)
 	fixed_key_positions(count, from[0], &state->placement, key[0]);
 	fixed_key_positions(count, to[0], &state->placement, key[1]);
 	fixed_lerp_prepare(count, key[0], key[1], state->pair[0]);
-	for (int v = 0; v < count; v++) {
-		state->step[v] = (struct fixed_vector){
-			.x = (int16_t)((key[1][v].x - key[0][v].x) / 15),
-			.y = (int16_t)((key[1][v].y - key[0][v].y) / 15),
-			.z = (int16_t)((key[1][v].z - key[0][v].z) / 15),
-		};
-	}
+	prepare_steps(state, key[0], key[1]);
 	return 0;
 }
 

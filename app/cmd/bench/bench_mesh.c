@@ -238,6 +238,22 @@ static int pose_model(
 	return 0;
 }
 
+/* A model without normals gets some: loops take the same time with any. */
+static int add_normals(struct bench_mesh *mesh, uint32_t *state)
+{
+	struct model_primitive *primitive = &mesh->primitive;
+
+	if (primitive->normal) {
+		return 0;
+	}
+	primitive->normal = vectors(&mesh->arena, primitive->vertex_count);
+	if (!primitive->normal) {
+		return -ENOMEM;
+	}
+	draw_vectors(state, primitive->vertex_count, 1.0f, primitive->normal);
+	return 0;
+}
+
 int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model)
 {
 	const struct model_primitive *primitive;
@@ -245,7 +261,8 @@ int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model)
 	int skin = -1;
 	int error;
 
-	*mesh = (struct bench_mesh){.arena = arena_empty(), .is_model = true};
+	*mesh = (struct bench_mesh){
+		.arena = arena_within(model->budget), .is_model = true};
 	primitive = largest_skinned(model, &skin);
 	if (!primitive) {
 		return -ENOENT;
@@ -254,6 +271,9 @@ int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model)
 	error = pose_model(mesh, model, skin);
 	if (!error) {
 		error = add_keys(mesh, &state);
+	}
+	if (!error) {
+		error = add_normals(mesh, &state);
 	}
 	if (error) {
 		bench_mesh_release(mesh);

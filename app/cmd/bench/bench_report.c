@@ -119,7 +119,8 @@ int bench_print_json(
 			"bench: the model's file name is not UTF-8, or there is not enough memory: rename the file");
 		return -EINVAL;
 	}
-	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(5));
+	json_dumpf(root, out,
+		JSON_INDENT(2) | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(5));
 	fputc('\n', out);
 	json_decref(root);
 	return 0;

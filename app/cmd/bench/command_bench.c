@@ -23,7 +23,10 @@ static int make_mesh(const struct bench *bench, const struct bench_row *row,
 				      row->influences, row->joint_sets);
 }
 
-/* Returns 0, or -ENOTSUP when the kernel has no such loop. */
+/*
+ * Returns 0, -ENOTSUP when the kernel has no such loop, or -ERANGE when the
+ * mesh does not fit its numbers.
+ */
 static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	const struct bench_row *row, const struct kernel *kernel,
 	struct bench_time *out)
@@ -66,7 +69,7 @@ static int measure_kernels(struct bench *bench, const struct bench_row *row,
 		error = measure(bench, mesh, row, kernel, &result->time[size]);
 		if (!error) {
 			report->result_count++;
-		} else if (error != -ENOTSUP) {
+		} else if (error != -ENOTSUP && error != -ERANGE) {
 			return error;
 		}
 	}
@@ -147,7 +150,8 @@ static int run(const struct options *options, const struct log *log)
 		return EXIT_USAGE;
 	}
 	if (options->model_path) {
-		error = model_load(options->model_path, log, &model);
+		error = model_load_within(options->model_path,
+			options->common.memory_bytes, log, &model);
 	}
 	if (!error) {
 		bench.model = model;
@@ -158,7 +162,6 @@ static int run(const struct options *options, const struct log *log)
 	return command_exit_code(error);
 }
 
-/* clang-format off */
 const struct command command_bench = {
 	.name = "bench",
 	.bit = FOR_BENCH,
@@ -173,4 +176,3 @@ const struct command command_bench = {
 		"  limber bench --json | jq .results",
 	.run = run,
 };
-/* clang-format on */

@@ -26,11 +26,12 @@ static void take_finding(void *context, const char *sentence)
 	}
 }
 
-static int examine_in_words(const char *path, const struct log *log)
+static int examine_in_words(
+	const char *path, size_t memory_bytes, const struct log *log)
 {
 	struct findings findings = {0};
 	const struct examiner examiner = {take_finding, &findings};
-	int error = model_examine(path, &examiner, log);
+	int error = model_examine(path, memory_bytes, &examiner, log);
 
 	if (!error && findings.count == 0) {
 		printf("%s: it contains nothing that players are known to get wrong\n",
@@ -39,7 +40,8 @@ static int examine_in_words(const char *path, const struct log *log)
 	return error;
 }
 
-static int examine_in_json(const char *path, const struct log *log)
+static int examine_in_json(
+	const char *path, size_t memory_bytes, const struct log *log)
 {
 	struct findings findings = {.list = json_array()};
 	const struct examiner examiner = {take_finding, &findings};
@@ -53,10 +55,11 @@ static int examine_in_json(const char *path, const struct log *log)
 			path);
 		goto out;
 	}
-	error = model_examine(path, &examiner, log);
+	error = model_examine(path, memory_bytes, &examiner, log);
 	if (!error) {
 		bool dumped = !findings.failed &&
-			json_dumpf(root, stdout, JSON_INDENT(2)) == 0;
+			json_dumpf(root, stdout,
+				JSON_INDENT(2) | JSON_ENSURE_ASCII) == 0;
 
 		if (!dumped && !ferror(stdout)) {
 			log_error(log, "%s: there is not enough memory", path);
@@ -78,11 +81,11 @@ static int run(const struct options *options, const struct log *log)
 		return doctor_examine_machine(options, log);
 	}
 	return command_exit_code(options->common.json
-			? examine_in_json(path, log)
-			: examine_in_words(path, log));
+			? examine_in_json(path, options->common.memory_bytes, log)
+			: examine_in_words(
+				  path, options->common.memory_bytes, log));
 }
 
-/* clang-format off */
 const struct command command_doctor = {
 	.name = "doctor",
 	.bit = FOR_DOCTOR,
@@ -104,4 +107,3 @@ const struct command command_doctor = {
 	.reads_config = true,
 	.run = run,
 };
-/* clang-format on */

@@ -98,7 +98,8 @@ static bool print_json(
 		version_text(), "plays", plays, "display", display, "findings",
 		report->findings);
 	bool fine = root && !report->failed &&
-		(json_dumpf(root, report->out, JSON_INDENT(2)) == 0 ||
+		(json_dumpf(root, report->out,
+			 JSON_INDENT(2) | JSON_ENSURE_ASCII) == 0 ||
 			ferror(report->out));
 
 	fputc('\n', report->out);

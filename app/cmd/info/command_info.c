@@ -25,7 +25,6 @@ static int run(const struct options *options, const struct log *log)
 		&command_info, options, log, run_with_model);
 }
 
-/* clang-format off */
 const struct command command_info = {
 	.name = "info",
 	.bit = FOR_INFO,
@@ -39,4 +38,3 @@ const struct command command_info = {
 		"  limber info robot.glb --json | jq .clips",
 	.run = run,
 };
-/* clang-format on */

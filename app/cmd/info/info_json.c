@@ -135,7 +135,8 @@ int info_print_json(
 			model->path);
 		return -EINVAL;
 	}
-	if (json_dumpf(root, out, JSON_INDENT(2)) != 0 && !ferror(out)) {
+	if (json_dumpf(root, out, JSON_INDENT(2) | JSON_ENSURE_ASCII) != 0 &&
+		!ferror(out)) {
 		log_error(log, "%s: there is not enough memory", model->path);
 		error = -ENOMEM;
 	}

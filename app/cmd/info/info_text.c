@@ -1,11 +1,14 @@
 #include "app/cmd/info/info_report.h"
+#include "platform/base/printable.h"
 #include "platform/base/time_text.h"
 
 #include <errno.h>
 
-static const char *or_unnamed(const char *name)
+/* Prints a name, which may be missing, and what follows it. */
+static void print_name(const char *name, const char *after, FILE *out)
 {
-	return name[0] ? name : "(unnamed)";
+	printable_put(name[0] ? name : "(unnamed)", out);
+	fputs(after, out);
 }
 
 /* Prints each level's triangles and error. */
@@ -34,13 +37,13 @@ static void print_meshes(const struct model *model, FILE *out)
 		struct model_stats stats = {0};
 
 		model_stats_add_mesh(&stats, mesh);
-		fprintf(out, "  %3d      %5d %8d %9d %7d  %s\n", i,
+		fprintf(out, "  %3d      %5d %8d %9d %7d  ", i,
 			mesh->primitive_count, stats.vertex_count,
-			stats.triangle_count, mesh->target_count,
-			or_unnamed(mesh->name));
+			stats.triangle_count, mesh->target_count);
+		print_name(mesh->name, "\n", out);
 		for (int t = 0; t < mesh->target_count; t++) {
-			fprintf(out, "%s%s", t ? ", " : "           targets: ",
-				or_unnamed(mesh->target_name[t]));
+			fputs(t ? ", " : "           targets: ", out);
+			print_name(mesh->target_name[t], "", out);
 		}
 		if (mesh->target_count) {
 			fprintf(out, "\n");
@@ -59,9 +62,8 @@ static void print_skins(const struct info_report *report, FILE *out)
 	}
 	fprintf(out, "\nskins      joints\n");
 	for (int i = 0; i < model->skin_count; i++) {
-		fprintf(out, "  %3d      %6d  %s\n", i,
-			model->skin[i].joint_count,
-			or_unnamed(model->skin[i].name));
+		fprintf(out, "  %3d      %6d  ", i, model->skin[i].joint_count);
+		print_name(model->skin[i].name, "\n", out);
 	}
 	fprintf(out, "influences a vertex:");
 	for (int k = 1; k <= stats->max_influences; k++) {
@@ -83,10 +85,11 @@ static void print_clips(const struct model *model, FILE *out)
 		struct model_stats stats = {0};
 
 		model_stats_add_clip(&stats, clip);
-		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  %s\n", i,
+		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  ", i,
 			duration_s, duration_s * 30.0,
 			duration_s * TICKS_PER_SECOND, stats.channel_count,
-			stats.key_count, or_unnamed(clip->name));
+			stats.key_count);
+		print_name(clip->name, "\n", out);
 	}
 }
 
@@ -99,9 +102,9 @@ static void print_images(const struct model *model, FILE *out)
 	for (int i = 0; i < model->image_count; i++) {
 		const struct model_image *image = &model->image[i];
 
-		fprintf(out, "  %3d      %dx%d%s  %s\n", i, image->width,
-			image->height, image->opaque ? "" : " with alpha",
-			or_unnamed(image->name));
+		fprintf(out, "  %3d      %dx%d%s  ", i, image->width,
+			image->height, image->opaque ? "" : " with alpha");
+		print_name(image->name, "\n", out);
 	}
 }
 
@@ -135,11 +138,10 @@ void info_print_text(const struct info_report *report, FILE *out)
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
 
-	fprintf(out,
-		"%s: %s, %d nodes, %d vertices, %d triangles, %d materials\n",
-		model->path, model->format, model->node_count,
-		stats->vertex_count, stats->triangle_count,
-		model->material_count);
+	printable_put(model->path, out);
+	fprintf(out, ": %s, %d nodes, %d vertices, %d triangles, %d materials\n",
+		model->format, model->node_count, stats->vertex_count,
+		stats->triangle_count, model->material_count);
 	print_meshes(model, out);
 	print_skins(report, out);
 	print_clips(model, out);

@@ -13,7 +13,8 @@
 
 enum {
 	SPEC_BYTES = 2 * CONFIG_LIST_BYTES + 2048,
-	KEYS_MAX = 64
+	KEYS_MAX = 64,
+	LINES_MAX = 100000 /* a pipe or a device may never end */
 };
 
 /* Each key but "model" and "labels" sets the option of the same name. */
@@ -92,20 +93,22 @@ static void log_with_line(void *user, enum log_level level, const char *sentence
 static int refuse_unknown(struct reader *reader, const char *what,
 	const char *name, const char *const *names)
 {
-	const char *closest = options_closest(name, names);
 	struct name_list list = {""};
+	char hint[sizeof(list) + 32];
 
-	if (closest) {
-		log_error(&reader->log,
-			"%s: there is no such %s: did you mean %s?", name, what,
-			closest);
-		return -EINVAL;
+	for (int i = 0; names[i]; i++) {
+		name_list_add(&list, names[i]);
 	}
-	while (*names) {
-		name_list_add(&list, *names++);
-	}
-	log_error(&reader->log, "%s: there is no such %s: use one such as %s",
-		name, what, list.text);
+	snprintf(hint, sizeof(hint), "use one such as %s", list.text);
+	options_log_unknown(&reader->log,
+		&(struct options_unknown){"", name, what, "", hint}, names);
+	return -EINVAL;
+}
+
+static int refuse_line(struct reader *reader)
+{
+	log_error(&reader->log,
+		"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
 	return -EINVAL;
 }
 
@@ -257,19 +260,24 @@ static char *next_line(char *text, int size, void *user)
 	}
 	reader->line++;
 	length = strlen(text);
-	if (length > 0 && text[length - 1] != '\n' && !feof(reader->file)) {
+	/* A line that holds zero bytes looks as if it had no end. */
+	if ((length == 0 || text[length - 1] != '\n') && !feof(reader->file)) {
 		log_error(&reader->log,
-			"this line has more than %d characters: make it shorter",
+			"this line has more than %d characters or is no text: make it shorter",
 			size - 2);
+		reader->error = -EINVAL;
+		return NULL;
+	}
+	if (reader->line > LINES_MAX) {
+		log_error(reader->outer, "%s: it has more than %d lines",
+			reader->path, LINES_MAX);
 		reader->error = -EINVAL;
 		return NULL;
 	}
 	blank = strspn(text, " \t");
 	memmove(text, text + blank, length + 1 - blank);
 	if (!is_valid(text)) {
-		log_error(&reader->log,
-			"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
-		reader->error = -EINVAL;
+		reader->error = refuse_line(reader);
 		return NULL;
 	}
 	return text;
@@ -288,9 +296,7 @@ static int read_lines(struct reader *reader)
 	}
 	if (line) {
 		reader->line = line > 0 ? line : 0;
-		log_error(&reader->log,
-			"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
-		return -EINVAL;
+		return refuse_line(reader);
 	}
 	return 0;
 }
@@ -317,30 +323,20 @@ static int take_buttons(struct reader *reader)
 int config_read(struct config *config, FILE *file, const char *path,
 	enum command_bit command, struct options *options, const struct log *log)
 {
-	struct reader *reader = calloc(1, sizeof(*reader));
-	int error;
-
-	if (!reader) {
-		log_error(log, "%s: there is not enough memory", path);
-		return -ENOMEM;
-	}
-	*reader = (struct reader){
+	struct reader reader = {
 		.path = path,
 		.file = file,
 		.config = config,
 		.options = options,
 		.command = command,
 		.outer = log,
+		.log = {.write = log_with_line, .threshold = log->threshold},
 	};
-	reader->log = (struct log){
-		.write = log_with_line,
-		.user = reader,
-		.threshold = log->threshold,
-	};
-	error = read_lines(reader);
-	error = error ? error : take_buttons(reader);
-	free(reader);
-	return error;
+	int error;
+
+	reader.log.user = &reader;
+	error = read_lines(&reader);
+	return error ? error : take_buttons(&reader);
 }
 
 int config_load(struct config *config, const char *path,

@@ -8,6 +8,7 @@
 struct options options_default(void)
 {
 	struct options options = {
+		.common.memory_bytes = MODEL_MEMORY_BYTES,
 		.motion.speed = 1.0f,
 		.motion.repeat = CLIP_LOOP,
 		.motion.interpolation = CLIP_AUTO,
@@ -67,38 +68,38 @@ const char *options_closest(const char *word, const char *const *candidates)
 	return closest;
 }
 
-/* Whether word is "-o", "--output" or, if bare, "output". */
-static bool is_named(const struct option_entry *entry, const char *word,
-	size_t length, bool bare)
+void options_log_unknown(const struct log *log,
+	const struct options_unknown *unknown, const char *const *names)
 {
-	if (!bare && length == 2 && word[0] == '-') {
-		return entry->letter && word[1] == entry->letter;
+	const char *word = unknown->word;
+	const char *closest = options_closest(word + strspn(word, "-"), names);
+
+	if (closest) {
+		log_error(log, "%s%s: there is no such %s: did you mean %s%s?",
+			unknown->option, word, unknown->what, unknown->prefix,
+			closest);
+	} else {
+		log_error(log, "%s%s: there is no such %s: %s", unknown->option,
+			word, unknown->what, unknown->hint);
 	}
-	if (!bare) {
-		if (length < 3 || strncmp(word, "--", 2) != 0) {
-			return false;
-		}
-		word += 2;
-		length -= 2;
-	}
-	return strlen(entry->name) == length &&
-		strncmp(word, entry->name, length) == 0;
 }
 
 /*
- * Returns the command's own option of that name, else another command's, or
- * NULL.
+ * Finds an option by its letter or, if that is 0, by its name. Prefers the
+ * command's own to another command's of that name. Returns NULL for none.
  */
 static const struct option_entry *find_entry(
-	const char *word, size_t length, bool bare, enum command_bit command)
+	enum command_bit command, char letter, const char *name, size_t length)
 {
 	const struct option_entry *found = NULL;
 
 	for (size_t i = 0; option_entries[i].name; i++) {
 		const struct option_entry *entry = &option_entries[i];
+		bool named = letter ? entry->letter == letter
+				    : strlen(entry->name) == length &&
+				strncmp(entry->name, name, length) == 0;
 
-		if (is_named(entry, word, length, bare) &&
-			(!found || (entry->commands & (int)command))) {
+		if (named && (!found || (entry->commands & (int)command))) {
 			found = entry;
 		}
 	}
@@ -109,22 +110,15 @@ static int refuse_unknown(const char *word, size_t length,
 	enum command_bit command, const struct log *log)
 {
 	const char *names[OPTIONS_MAX];
-	const char *closest;
-	char bare[32];
+	char bare[64];
 	int count = options_names(command, names, OPTIONS_MAX - 1);
 
 	names[count] = NULL;
 	snprintf(bare, sizeof(bare), "%.*s", (int)length, word);
-	closest = options_closest(bare + strspn(bare, "-"), names);
-	if (closest) {
-		log_error(log,
-			"%.*s: there is no such option: did you mean --%s?",
-			(int)length, word, closest);
-	} else {
-		log_error(log,
-			"%.*s: there is no such option: --help lists the options",
-			(int)length, word);
-	}
+	options_log_unknown(log,
+		&(struct options_unknown){
+			"", bare, "option", "--", "--help lists the options"},
+		names);
 	return -EINVAL;
 }
 
@@ -195,8 +189,11 @@ static int parse_option(struct options *options, enum command_bit command,
 	const char *word = argv[*at];
 	const char *equals = strchr(word, '=');
 	size_t length = equals ? (size_t)(equals - word) : strlen(word);
-	const struct option_entry *entry =
-		find_entry(word, length, false, command);
+	bool is_long = word[1] == '-';
+	char letter = length == 2 ? word[1] : '?';
+	const struct option_entry *entry = is_long
+		? find_entry(command, 0, word + 2, length - 2)
+		: find_entry(command, letter, NULL, 0);
 	const char *value = equals ? equals + 1 : NULL;
 
 	if (!entry) {
@@ -259,7 +256,7 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 bool options_takes(enum command_bit command, const char *name)
 {
 	const struct option_entry *entry =
-		find_entry(name, strlen(name), true, command);
+		find_entry(command, 0, name, strlen(name));
 
 	return entry && (entry->commands & (int)command);
 }
@@ -280,7 +277,7 @@ int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log)
 {
 	const struct option_entry *entry =
-		find_entry(name, strlen(name), true, command);
+		find_entry(command, 0, name, strlen(name));
 	struct options tried = *options;
 	bool good;
 

@@ -11,6 +11,7 @@
 
 #include "app/anim/clip.h"
 #include "app/demo/live.h"
+#include "app/model/model.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
 #include "platform/base/log.h"
@@ -45,7 +46,8 @@ enum options_math {
 
 /* Options of all commands, or of most. */
 struct options_common {
-	const char *config; /* a path or "none" */
+	const char *config;  /* a path or "none" */
+	size_t memory_bytes; /* the limit of model_load_within() */
 	bool json;
 	bool verbose;
 	bool help;
@@ -176,5 +178,21 @@ void options_list(FILE *out, enum command_bit command);
  * NULL.
  */
 const char *options_closest(const char *word, const char *const *candidates);
+
+/* A word that is not one of the names it should be one of. */
+struct options_unknown {
+	const char *option; /* printed before the word: "--demo ", or "" */
+	const char *word;
+	const char *what;   /* "demo" */
+	const char *prefix; /* printed before a suggested name: "--", or "" */
+	const char *hint;   /* what to do when no name is similar */
+};
+
+/*
+ * Logs an error about the word, with the name that it was probably meant to be.
+ * names ends with NULL.
+ */
+void options_log_unknown(const struct log *log,
+	const struct options_unknown *unknown, const char *const *names);
 
 #endif

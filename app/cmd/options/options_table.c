@@ -98,24 +98,40 @@ static bool set_lod(struct options *options, const char *value)
 	return lod_parse(value, &options->vertices.lod);
 }
 
-/* Reads a number of bytes; a "k" or "m" after it means KiB or MiB. */
-static bool set_ram(struct options *options, const char *value)
+/*
+ * Reads a number of bytes up to 4e9; a "k", "m" or "g" after it means KiB, MiB or GiB.
+ */
+static bool read_bytes(const char *value, size_t *out)
 {
+	static const char suffixes[] = "kmg";
 	char *end;
 	double bytes = strtod(value, &end);
 
-	if (end == value || !(bytes >= 1.0) || bytes > 1e9) {
+	if (end == value || !(bytes >= 1.0) || bytes > 4e9) {
 		return false;
 	}
-	if (*end == 'k' || *end == 'K') {
-		bytes *= 1024.0;
-		end++;
-	} else if (*end == 'm' || *end == 'M') {
-		bytes *= 1024.0 * 1024.0;
-		end++;
+	for (size_t i = 0; suffixes[i]; i++) {
+		if (*end == suffixes[i] || *end == suffixes[i] - 'a' + 'A') {
+			bytes *= (double)((size_t)1 << (10 * (i + 1)));
+			end++;
+			break;
+		}
 	}
-	options->compare.ram_bytes = (size_t)bytes;
-	return *end == '\0' && bytes <= 4e9;
+	if (*end != '\0' || bytes > 4e9) {
+		return false;
+	}
+	*out = (size_t)bytes;
+	return true;
+}
+
+static bool set_ram(struct options *options, const char *value)
+{
+	return read_bytes(value, &options->compare.ram_bytes);
+}
+
+static bool set_memory(struct options *options, const char *value)
+{
+	return read_bytes(value, &options->common.memory_bytes);
 }
 
 static bool set_report(struct options *options, const char *value)
@@ -276,6 +292,10 @@ const struct option_entry option_entries[] = {
 	{0, "export", "DIR", FOR_COMPARE,
 		"write the baked models into this folder as glTF",
 		"the name of a folder", TEXT(compare.export)},
+	{0, "memory", "BYTES", FOR_ALL,
+		"let a model take up to this much memory; the default is 256m",
+		"a number of bytes such as 200000, 512k, 64m or 2g, up to 4e9",
+		PARSED(set_memory)},
 	{0, "json", NULL, FOR_INFO | FOR_BENCH | FOR_DOCTOR,
 		"print JSON",
 		NULL, SWITCH(common.json)},

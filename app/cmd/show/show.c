@@ -71,6 +71,7 @@ static int open_demo(struct show *show)
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
 		.model_path = show->plan->model_path,
+		.memory_bytes = options->common.memory_bytes,
 		.clip = options->motion.clip,
 		.interpolation = options->motion.interpolation,
 		.repeat = options->motion.repeat,
@@ -207,8 +208,10 @@ int show_run(const struct show_plan *plan, const struct options *options,
 			 */
 			(void)watchdog_open(&show.watchdog, watchdog,
 				&device_calls_system, log);
+			stop_set_watchdog(show.watchdog.fd);
 		}
 		status = command_exit_code(open_and_run(&show));
+		stop_set_watchdog(-1);
 		watchdog_close(&show.watchdog);
 	}
 	camera_feed_close(&show.camera);

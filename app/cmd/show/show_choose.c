@@ -8,18 +8,16 @@
 static void log_unknown_demo(const char *name, const struct log *log)
 {
 	const char *names[16];
-	const char *closest;
 	int count = 0;
 
 	for (; demo_registry[count] && count < 15; count++) {
 		names[count] = demo_registry[count]->name;
 	}
 	names[count] = NULL;
-	closest = options_closest(name, names);
-	log_error(log, "--demo %s: there is no such demo: %s%s%s", name,
-		closest ? "did you mean "
-			: "choose walker, arm, face, crowd, duel or tuner",
-		closest ? closest : "", closest ? "?" : "");
+	options_log_unknown(log,
+		&(struct options_unknown){"--demo ", name, "demo", "",
+			"choose walker, arm, face, crowd, duel or tuner"},
+		names);
 }
 
 /* Checks everything that does not depend on the machine. */

@@ -2,6 +2,8 @@
 
 #include "platform/process/stop.h"
 
+#include <inttypes.h>
+
 int show_input_open(struct show *show)
 {
 	const struct options_input *input = &show->options->input;
@@ -12,8 +14,8 @@ int show_input_open(struct show *show)
 			&show->buttons, "script", input->script, show->log);
 	}
 	if (!error && input->record_buttons) {
-		error = button_record_open(
-			&show->record, input->record_buttons, show->log);
+		error = output_file_create(
+			input->record_buttons, show->log, &show->record);
 	}
 	if (error) {
 		buttons_close(&show->buttons);
@@ -24,7 +26,34 @@ int show_input_open(struct show *show)
 int show_input_close(struct show *show, int run_error)
 {
 	buttons_close(&show->buttons);
-	return button_record_close(&show->record, run_error == 0);
+	if (!show->record) {
+		return 0;
+	}
+	if (run_error) {
+		output_file_discard(show->record);
+		return 0;
+	}
+	return output_file_commit(show->record);
+}
+
+/*
+ * Writes the event as a line of a script. The line is in the file when this
+ * returns, since a board may be switched off at any time.
+ */
+static void record(struct show *show, const struct button_event *event)
+{
+	if (!show->record) {
+		return;
+	}
+	/* Times never decrease in a script. */
+	if (event->time_ms > show->record_ms) {
+		show->record_ms = event->time_ms;
+	}
+	fprintf(output_file_stream(show->record), "%" PRId64 " %s %s\n",
+		show->record_ms, button_name(event->button),
+		event->down ? "down" : "up");
+	/* show_input_close() reports what could not be written. */
+	(void)output_file_publish(show->record);
 }
 
 static void act(struct show *show, enum program_action action)
@@ -66,7 +95,7 @@ void show_input_poll_buttons(struct show *show, int64_t now_ms)
 
 	buttons_poll(&show->buttons, now_ms);
 	while (button_queue_pop(&show->buttons.queue, &event)) {
-		button_record_event(&show->record, &event);
+		record(show, &event);
 		press(show, event);
 		if (!show->clock.fixed) {
 			frame_stats_press(&show->stats,

@@ -1,6 +1,7 @@
 #include "app/cmd/show/show_state.h"
 
 #include "app/cmd/progress.h"
+#include "platform/process/stop.h"
 
 /* Feeding only here lets the watchdog act when frames stop. */
 static void feed_watchdog(struct show *show)
@@ -13,7 +14,9 @@ static void skip_to_begin(struct show *show)
 {
 	double step_s = 1.0 / (show->clock.fixed ? show->clock.rate_hz : 60.0);
 
-	for (double at = 0.0; at < show->plan->begin_s; at += step_s) {
+	for (double at = 0.0; at < show->plan->begin_s && !show->closed;
+		at += step_s) {
+		show->closed = stop_requested();
 		feed_watchdog(show);
 		show_input_poll_buttons(show, (int64_t)(at * 1000.0));
 		show->plan->demo->update(show->demo, at);

@@ -67,7 +67,7 @@ static int open_gl(struct show_screen *screen,
 		screen->driver->get_surface(screen->display, &surface);
 		request.surface = &surface;
 	}
-	return gl_open_for(options->gl, &request, &screen->gl);
+	return gl_open(options->gl, &request, &screen->gl);
 }
 
 int show_screen_open(struct show_screen *screen,

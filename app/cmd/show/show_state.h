@@ -9,7 +9,6 @@
 #ifndef APP_CMD_SHOW_SHOW_STATE_H
 #define APP_CMD_SHOW_SHOW_STATE_H
 
-#include "app/cmd/show/button_record.h"
 #include "app/cmd/show/film.h"
 #include "app/cmd/show/frame_stats.h"
 #include "app/cmd/show/frame_watch.h"
@@ -19,6 +18,7 @@
 #include "app/cmd/show/show_screen.h"
 #include "app/cmd/show/snapshot.h"
 #include "app/demo/governor.h"
+#include "platform/base/output_file.h"
 #include "platform/watchdog/watchdog.h"
 
 struct show {
@@ -43,7 +43,8 @@ struct show {
 
 	/* Input. */
 	struct buttons buttons;
-	struct button_record record;
+	struct output_file *record; /* of --record-buttons, or NULL */
+	int64_t record_ms;          /* of the last event in it */
 	struct program_keys keys;
 
 	/* Files. */
@@ -56,7 +57,11 @@ struct show {
 /* Opens the sources of buttons. Returns 0, or -errno after logging an error. */
 int show_input_open(struct show *show);
 
-/* Closes them and the file of --record-buttons; see button_record_close(). */
+/*
+ * Closes them and completes --record-buttons. When the run failed before any
+ * event, the file that stood there before stays. Returns 0, or -errno after
+ * logging an error.
+ */
 int show_input_close(struct show *show, int run_error);
 
 /* Reads the display's events and the buttons up to now_ms, and acts on them. */

@@ -31,4 +31,7 @@ void export_attributes(struct glb *glb, json_t *attributes,
 /* Sets an attribute to the number of its accessor. */
 void export_attribute(json_t *attributes, const char *name, int accessor);
 
+/* Adds materials, textures and images, with the numbers that the model uses. */
+void export_materials(struct glb *glb, const struct model *model);
+
 #endif

@@ -1,7 +1,5 @@
 #include "app/compare/export/export_bake.h"
 
-#include "app/compare/export/export_look.h"
-
 #include <errno.h>
 #include <stdlib.h>
 

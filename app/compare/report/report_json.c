@@ -107,7 +107,8 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 	if (!root) {
 		return -ENOMEM;
 	}
-	failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	failed = json_dumpf(root, out,
+		JSON_INDENT(2) | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(9));
 	json_decref(root);
 	fprintf(out, "\n");
 	return failed && !ferror(out) ? -ENOMEM : 0;

@@ -189,13 +189,7 @@ static void draw_legend(const struct comparison *comparison, FILE *out)
 	double x = CHART_LEFT;
 
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
-		bool present = false;
-
-		for (int i = 0; i < comparison->candidate_count; i++) {
-			present = present ||
-				(int)comparison->candidate[i].technique == t;
-		}
-		if (present) {
+		if (comparison_has(comparison, (enum technique)t)) {
 			fprintf(out,
 				"<circle cx='%.1f' cy='%d' r='5' fill='%s'/>"
 				"<text x='%.1f' y='%d'>%s</text>\n",

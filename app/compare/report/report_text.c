@@ -1,5 +1,7 @@
 #include "app/compare/report/report.h"
 
+#include "platform/base/printable.h"
+
 #include "app/anim/kernel/arm11_cost.h"
 
 /* The example in AN4044, section 4. */
@@ -18,12 +20,13 @@ static void print_head(const struct comparison *comparison, FILE *out)
 	const struct reference *reference = comparison->reference;
 	const char *name = reference->clip->name;
 
-	fprintf(out,
-		"%s, clip %d%s%s: %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
-		reference->model->path, reference->clip_index,
-		name[0] ? " " : "", name, (double)reference->clip->duration_s,
-		reference->frame_count, reference->rate_hz,
-		reference->vertex_count, reference->model->node_count);
+	printable_put(reference->model->path, out);
+	fprintf(out, ", clip %d%s", reference->clip_index, name[0] ? " " : "");
+	printable_put(name, out);
+	fprintf(out, ": %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
+		(double)reference->clip->duration_s, reference->frame_count,
+		reference->rate_hz, reference->vertex_count,
+		reference->model->node_count);
 	fprintf(out,
 		"Errors are in pixels of a %dx%d screen. \"here\": measured on this machine, kernel %s.\n"
 		"\"ARM11\": predicted for an ARM1136 at %d MHz by the timing model, not measured.\n\n",
@@ -55,19 +58,6 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 		(double)candidate->error.mean_px);
 }
 
-static bool has_technique(
-	const struct comparison *comparison, enum technique technique)
-{
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		const struct candidate *candidate = &comparison->candidate[i];
-
-		if (candidate->listed && candidate->technique == technique) {
-			return true;
-		}
-	}
-	return false;
-}
-
 static void print_ratings(const struct comparison *comparison, FILE *out)
 {
 	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 rates them",
@@ -75,7 +65,7 @@ static void print_ratings(const struct comparison *comparison, FILE *out)
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
 		const struct technique_rating *rating = &technique_ratings[t];
 
-		if (has_technique(comparison, (enum technique)t)) {
+		if (comparison_has(comparison, (enum technique)t)) {
 			fprintf(out, "  %-26s %-20s %-20s %s\n", rating->name,
 				rating->control, rating->looks, rating->coding);
 		}

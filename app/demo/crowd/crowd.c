@@ -10,6 +10,8 @@
 #include "app/demo/crowd/crowd_shadow.h"
 #include "app/demo/demo.h"
 #include "app/scene/draw/draw.h"
+#include "app/scene/instance/batch.h"
+#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -25,9 +27,11 @@ enum {
 	HALF_RATE_BELOW_PX = 110,
 	THIRD_RATE_BELOW_PX = 64,
 	PLAIN_SHADOW_BELOW_PX = 110,
+	COARSE_BELOW_PX = 240, /* levels of detail may be off by more */
 	RATES = 3
 };
 
+static const float coarse_error_px = 2.0f; /* of a level of detail */
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its goal */
@@ -72,6 +76,30 @@ static int choose_clip(const struct model *model, const char *name)
 	return clip >= 0 ? clip : model->clip_count > 0 ? 0 : -1;
 }
 
+/* Gives the textured parts of each walker, its clothes, a colour of their own. */
+static int dress_walker(const struct walker *walker, int number)
+{
+	static const float color[][3] = {{1.0f, 1.0f, 1.0f},
+		{1.0f, 0.62f, 0.45f}, {0.55f, 0.75f, 1.0f}, {1.0f, 0.9f, 0.45f},
+		{0.95f, 0.55f, 0.75f}, {0.6f, 1.0f, 0.55f}, {0.7f, 0.6f, 1.0f},
+		{0.55f, 0.55f, 0.6f}, {1.0f, 0.75f, 0.75f}, {0.75f, 0.9f, 0.3f},
+		{0.4f, 0.9f, 0.95f}, {0.8f, 0.65f, 0.5f}};
+	struct instance *instance = walker->instance;
+	int error = 0;
+
+	for (int i = 0; !error && i < instance->drawable_count; i++) {
+		struct drawable *drawable = &instance->drawable[i];
+		int material = drawable->primitive->material;
+
+		if (instance->model->material[material].texture >= 0) {
+			error = batch_tint(drawable,
+				color[number % (int)ARRAY_COUNT(color)],
+				&instance->arena);
+		}
+	}
+	return error;
+}
+
 /* The first walker shows the actor's instance, others create their own. */
 static int add_walker(struct demo *demo)
 {
@@ -92,6 +120,9 @@ static int add_walker(struct demo *demo)
 	}
 	error = clip_cursor_init(
 		&walker->cursor, model, &walker->instance->arena);
+	if (!error) {
+		error = dress_walker(walker, demo->count);
+	}
 	if (error) {
 		log_error(demo->log,
 			"crowd: there is not enough memory for %d walkers",
@@ -101,6 +132,7 @@ static int add_walker(struct demo *demo)
 	}
 	/* Normal maps are lit in world space, but GL turns the walkers. */
 	walker->instance->normal_mapping = false;
+	walker->instance->drawn_vertices_only = true;
 	walker->clip = choose_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;
@@ -252,7 +284,10 @@ static void choose_lod(struct demo *demo, struct walker *walker)
 {
 	static const struct lod all = {.kind = LOD_ALL};
 	const struct actor *actor = &demo->base.actor;
-	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
+	float min_error_px = walker->height_px < COARSE_BELOW_PX
+		? glm_max(actor->min_error_px, coarse_error_px)
+		: actor->min_error_px;
+	struct lod lod = lod_relax(&actor->lod, min_error_px);
 
 	lod_choose(walker->instance, demo->reducing ? &lod : &all,
 		walker->height_px / actor->extent);
@@ -277,7 +312,7 @@ static void crowd_update(struct demo *demo, double time_s)
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
 		choose_lod(demo, walker);
 		/* Poses are staggered, so that frames take equally long. */
-		if (first ||
+		if (first || instance_is_stale(walker->instance) ||
 			(demo->frame + (unsigned)i) %
 					(unsigned)walker->frames_a_pose ==
 				0) {

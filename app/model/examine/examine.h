@@ -19,10 +19,10 @@ struct examiner {
 
 /*
  * Loads the file and reports its findings, of which there may be none. 0, or
- * -errno after one error, as model_load().
+ * -errno after one error, as model_load_within().
  */
-int model_examine(const char *path, const struct examiner *examiner,
-	const struct log *log);
+int model_examine(const char *path, size_t memory_bytes,
+	const struct examiner *examiner, const struct log *log);
 
 /* Report what a loaded model of any format shows. Loaders call them. */
 void examine_clips(const struct model *model, const struct examiner *examiner);
@@ -31,5 +31,9 @@ void examine_skins(const struct model *model, const struct examiner *examiner);
 /* Reports a finding formatted as by printf(), truncated to 400 bytes. */
 void examine_report(const struct examiner *examiner, const char *format, ...)
 	PRINTF_LIKE(2, 3);
+
+/* Reports "FEATURE (COUNT): TREATMENT", but nothing when count is 0. */
+void examine_count(const struct examiner *examiner, int count,
+	const char *feature, const char *treatment);
 
 #endif

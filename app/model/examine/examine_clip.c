@@ -9,6 +9,16 @@ static const char *clip_name(const struct model_clip *clip)
 	return clip->name[0] ? clip->name : "(unnamed)";
 }
 
+static void report_count(const struct model_clip *clip,
+	const struct examiner *examiner, int count, const char *feature,
+	const char *treatment)
+{
+	if (count > 0) {
+		examine_report(examiner, "clip %s: %s (%d): %s",
+			clip_name(clip), feature, count, treatment);
+	}
+}
+
 static void report_cubic(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
@@ -22,11 +32,8 @@ static void report_cubic(
 			weights += channel->path == MODEL_WEIGHTS;
 		}
 	}
-	if (cubic > 0) {
-		examine_report(examiner,
-			"clip %s: CUBICSPLINE channels (%d): limber multiplies their tangents by the interval between keys, and normalises rotations afterwards",
-			clip_name(clip), cubic);
-	}
+	report_count(clip, examiner, cubic, "CUBICSPLINE channels",
+		"limber multiplies their tangents by the interval between keys, and normalises rotations afterwards");
 	if (weights > 0) {
 		examine_report(examiner,
 			"clip %s: cubic morph weights (%d channels): each key holds all in-tangents, then all values, then all out-tangents",
@@ -76,11 +83,8 @@ static void report_key_kinds(
 		linear += channel->key_count > 1 &&
 			channel->interpolation == MODEL_LINEAR;
 	}
-	if (single > 0) {
-		examine_report(examiner,
-			"clip %s: channels with a single key (%d): limber uses its value at every time",
-			clip_name(clip), single);
-	}
+	report_count(clip, examiner, single, "channels with a single key",
+		"limber uses its value at every time");
 	if (step > 0) {
 		examine_report(examiner,
 			"clip %s: STEP channels (%d)%s: limber interpolates each channel in its own mode",
@@ -113,11 +117,9 @@ static void report_long_arcs(
 			keys += key_dot(channel, k) < 0.0f;
 		}
 	}
-	if (keys > 0) {
-		examine_report(examiner,
-			"clip %s: rotation keys with a negative dot product to the key before (%d): limber negates them, so that the rotation takes the shorter arc",
-			clip_name(clip), keys);
-	}
+	report_count(clip, examiner, keys,
+		"rotation keys with a negative dot product to the key before",
+		"limber negates them, so that the rotation takes the shorter arc");
 }
 
 static bool clip_moves(
@@ -166,11 +168,8 @@ static void report_matrices(
 	for (int i = 0; i < model->node_count; i++) {
 		nodes += model->node[i].matrix != NULL;
 	}
-	if (nodes > 0) {
-		examine_report(examiner,
-			"nodes with a sheared matrix (%d): translation, rotation and scale cannot express shear, so limber keeps the matrix",
-			nodes);
-	}
+	examine_count(examiner, nodes, "nodes with a sheared matrix",
+		"translation, rotation and scale cannot express shear, so limber keeps the matrix");
 }
 
 void examine_clips(const struct model *model, const struct examiner *examiner)

@@ -1,5 +1,6 @@
 #include "app/model/examine/examine.h"
 
+#include "platform/base/printable.h"
 #include "platform/base/scalar.h"
 
 #include <stdarg.h>
@@ -17,7 +18,17 @@ void examine_report(const struct examiner *examiner, const char *format, ...)
 	va_start(values, format);
 	vsnprintf(finding, sizeof(finding), format, values);
 	va_end(values);
+	printable_make(finding);
 	examiner->report(examiner->context, finding);
+}
+
+void examine_count(const struct examiner *examiner, int count,
+	const char *feature, const char *treatment)
+{
+	if (count > 0) {
+		examine_report(
+			examiner, "%s (%d): %s", feature, count, treatment);
+	}
 }
 
 static bool near(float a, float b)
@@ -71,26 +82,17 @@ static void report_nodes(
 			!is_joint(model, node->parent) &&
 			!is_identity(&model->node[node->parent]);
 	}
-	if (transformed > 0) {
-		examine_report(examiner,
-			"skinned nodes with a transform of their own (%d): limber ignores it, because only the joints move a skin",
-			transformed);
-	}
-	if (ancestors > 0) {
-		examine_report(examiner,
-			"joints whose parent is not a joint but has a transform (%d): limber applies that transform",
-			ancestors);
-	}
-	if (rigid > 0) {
-		examine_report(examiner,
-			"meshes without a skin that are attached to joints (%d): limber moves each rigidly with its joint",
-			rigid);
-	}
-	if (scaled > 0) {
-		examine_report(examiner,
-			"joints with a scale (%d): limber transforms normals by the joint matrix, scale included, and normalises them",
-			scaled);
-	}
+	examine_count(examiner, transformed,
+		"skinned nodes with a transform of their own",
+		"limber ignores it, because only the joints move a skin");
+	examine_count(examiner, ancestors,
+		"joints whose parent is not a joint but has a transform",
+		"limber applies that transform");
+	examine_count(examiner, rigid,
+		"meshes without a skin that are attached to joints",
+		"limber moves each rigidly with its joint");
+	examine_count(examiner, scaled, "joints with a scale",
+		"limber transforms normals by the joint matrix, scale included, and normalises them");
 }
 
 static bool is_ordered(const struct model_skin *skin)
@@ -111,11 +113,9 @@ static void report_skins(
 	for (int i = 0; i < model->skin_count; i++) {
 		unordered += !is_ordered(&model->skin[i]);
 	}
-	if (unordered > 0) {
-		examine_report(examiner,
-			"skins that list their joints in another order than the nodes (%d): limber takes the joint numbers of vertices as indices into the skin's list",
-			unordered);
-	}
+	examine_count(examiner, unordered,
+		"skins that list their joints in another order than the nodes",
+		"limber takes the joint numbers of vertices as indices into the skin's list");
 	for (int m = 0; m < model->mesh_count; m++) {
 		int first = -1, users = 0;
 
@@ -150,16 +150,11 @@ static void report_meshes(
 			many += primitive->influences > 4;
 		}
 	}
-	if (flat > 0) {
-		examine_report(examiner,
-			"primitives without normals (%d): limber lights the posed triangles with flat normals, as glTF requires",
-			flat);
-	}
-	if (many > 0) {
-		examine_report(examiner,
-			"primitives with a second set of joints and weights (%d): limber uses all eight influences of a vertex",
-			many);
-	}
+	examine_count(examiner, flat, "primitives without normals",
+		"limber lights the posed triangles with flat normals, as glTF requires");
+	examine_count(examiner, many,
+		"primitives with a second set of joints and weights",
+		"limber uses all eight influences of a vertex");
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 

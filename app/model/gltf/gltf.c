@@ -125,8 +125,13 @@ void gltf_release(struct gltf *gltf)
 	for (i = 0; i < gltf->buffer_count; i++) {
 		model_file_release(&gltf->buffer[i].file);
 	}
+	gltf->buffer_count = 0;
 	json_decref(gltf->json);
+	gltf->json = NULL;
 	arena_release(&gltf->scratch);
+	if (gltf->model) {
+		gltf_give_back(gltf, gltf->taken_bytes);
+	}
 }
 
 int gltf_read(struct gltf *gltf, const struct model_source *source,
@@ -137,17 +142,18 @@ int gltf_read(struct gltf *gltf, const struct model_source *source,
 	*gltf = (struct gltf){
 		.source = source,
 		.log = log,
-		.scratch = arena_empty(),
 		.default_material = -1,
 	};
 	gltf->root.gltf = gltf;
-	gltf->model = model_create(source->name, "glTF 2.0");
+	gltf->model = model_create(source, "glTF 2.0", log);
 	if (!gltf->model) {
-		log_error(log, "%s: not enough memory", source->name);
 		return -ENOMEM;
 	}
+	gltf->scratch = arena_within(gltf->model->budget);
 	error = read_all(gltf);
 	if (error) {
+		/* The scratch arena refers to the budget, which the model owns. */
+		gltf_release(gltf);
 		model_destroy(gltf->model);
 		gltf->model = NULL;
 	}

@@ -215,12 +215,12 @@ static int read_sparse(
 }
 
 /*
- * An accessor that is unpacked to floats must fit the budget. Hence count *
- * width <= 2^26, and its size in bytes fits 32 bits.
+ * Keeps count * width <= 2^26, so that the size of an accessor in bytes fits 32
+ * bits, whatever budget the model has.
  */
 static int check_size(const struct gltf_at *at, int64_t count, int width)
 {
-	int64_t most = GLTF_BUDGET_BYTES / (int64_t)sizeof(float) / width;
+	int64_t most = GLTF_ACCESSOR_BYTES_MAX / (int64_t)sizeof(float) / width;
 
 	if (count > most) {
 		return gltf_fail(at, -EFBIG,

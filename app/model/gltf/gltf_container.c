@@ -87,7 +87,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	return error;
 }
 
-/* An upper bound of the values in the text; each takes about 100 bytes. */
+/* An upper bound of the values in the text. */
 static size_t count_values(const struct chunk *text)
 {
 	size_t count = 1;
@@ -101,8 +101,14 @@ static size_t count_values(const struct chunk *text)
 	return count;
 }
 
+/* The approximate memory that Jansson needs for a value and its key. */
+enum {
+	JSON_VALUE_BYTES = 100
+};
+
 static int parse(struct gltf *gltf, const struct chunk *text)
 {
+	size_t values = count_values(text);
 	json_error_t error;
 
 	if (text->size > GLTF_JSON_BYTES_MAX) {
@@ -110,10 +116,13 @@ static int parse(struct gltf *gltf, const struct chunk *text)
 			"the JSON has %zu bytes; limber reads up to %d",
 			text->size, GLTF_JSON_BYTES_MAX);
 	}
-	if (count_values(text) > GLTF_JSON_VALUES_MAX) {
+	if (values > GLTF_JSON_VALUES_MAX) {
 		return gltf_fail(&gltf->root, -EFBIG,
 			"the JSON has more than %d values",
 			GLTF_JSON_VALUES_MAX);
+	}
+	if (gltf_take(&gltf->root, values, JSON_VALUE_BYTES) != 0) {
+		return -ENOMEM;
 	}
 	gltf->json = json_loadb((const char *)text->data, text->size,
 		JSON_REJECT_DUPLICATES, &error);
@@ -175,7 +184,6 @@ static int read_file_uri(
 	struct gltf *gltf = at->gltf;
 	char where[256];
 	char *name;
-	int error;
 
 	if (uri_has_scheme(uri)) {
 		return gltf_fail(at, -EACCES,
@@ -191,19 +199,8 @@ static int read_file_uri(
 			"\"%.80s\" has a malformed %% escape", uri);
 	}
 	gltf_path(at, where, sizeof(where));
-	error = model_file_read_beside(
-		gltf->source, name, where, gltf->log, file);
-	if (error) {
-		return error;
-	}
-	gltf->file_bytes += file->size;
-	if (gltf->file_bytes > GLTF_BUDGET_BYTES) {
-		model_file_release(file);
-		return gltf_fail(at, -EFBIG,
-			"the files beside the model exceed %d MiB in total",
-			GLTF_BUDGET_BYTES >> 20);
-	}
-	return 0;
+	return model_file_read_beside(gltf->source, name, where,
+		gltf->model->budget, gltf->log, file);
 }
 
 int gltf_read_uri(const struct gltf_at *at, const char *uri,

@@ -36,21 +36,13 @@ static void report_accessors(const struct examination *at)
 			((uintptr_t)base->data % 4 != 0 ||
 				base->stride % 4 != 0);
 	}
-	if (empty > 0) {
-		examine_report(at->examiner,
-			"accessors without a buffer view (%d): their values are 0%s",
-			empty, sparse > 0 ? ", except for sparse ones" : "");
-	}
-	if (sparse > 0) {
-		examine_report(at->examiner,
-			"sparse accessors (%d): limber replaces the listed values of the base",
-			sparse);
-	}
-	if (odd > 0) {
-		examine_report(at->examiner,
-			"accessors of floats that are not aligned to 4 bytes (%d): some ARM processors fault on such floats, so limber copies them bytewise",
-			odd);
-	}
+	examine_count(at->examiner, empty, "accessors without a buffer view",
+		"limber reads zeros where no sparse value replaces them");
+	examine_count(at->examiner, sparse, "sparse accessors",
+		"limber replaces the listed values of the base");
+	examine_count(at->examiner, odd,
+		"accessors of floats that are not aligned to 4 bytes",
+		"some ARM processors fault on such floats, so limber copies them bytewise");
 }
 
 static void report_samplers(const struct examination *at)
@@ -71,11 +63,8 @@ static void report_samplers(const struct examination *at)
 					GLTF_F32;
 		}
 	}
-	if (scaled > 0) {
-		examine_report(at->examiner,
-			"samplers with integer outputs (%d): limber converts them to -1..1 or 0..1",
-			scaled);
-	}
+	examine_count(at->examiner, scaled, "samplers with integer outputs",
+		"limber converts them to -1..1 or 0..1");
 }
 
 static void report_skins(const struct examination *at)
@@ -88,11 +77,9 @@ static void report_skins(const struct examination *at)
 	{
 		missing += !json_object_get(skin, "inverseBindMatrices");
 	}
-	if (missing > 0) {
-		examine_report(at->examiner,
-			"skins without inverse bind matrices (%d): limber uses identity matrices",
-			missing);
-	}
+	examine_count(at->examiner, missing,
+		"skins without inverse bind matrices",
+		"limber uses identity matrices");
 }
 
 static void report_nodes(const struct examination *at)
@@ -109,16 +96,12 @@ static void report_nodes(const struct examination *at)
 		}
 		own_weights += json_object_get(node, "weights") != NULL;
 	}
-	if (before > 0) {
-		examine_report(at->examiner,
-			"nodes that come before their parents in the file (%d): limber sorts the nodes, so that a parent's matrix is always computed first",
-			before);
-	}
-	if (own_weights > 0) {
-		examine_report(at->examiner,
-			"nodes with morph weights of their own (%d): limber uses them instead of those of the mesh",
-			own_weights);
-	}
+	examine_count(at->examiner, before,
+		"nodes that come before their parents in the file",
+		"limber sorts the nodes, so that a parent's matrix is always computed first");
+	examine_count(at->examiner, own_weights,
+		"nodes with morph weights of their own",
+		"limber uses them instead of those of the mesh");
 }
 
 /* Counts vertices whose weights are all 0, and those with another sum than 1. */
@@ -167,36 +150,34 @@ static void report_weights(const struct examination *at)
 				&unequal);
 		}
 	}
-	if (none > 0) {
-		examine_report(at->examiner,
-			"vertices without a weight above 0 (%d): limber attaches them to their first joint, because they would collapse into the origin",
-			none);
-	}
-	if (unequal > 0) {
-		examine_report(at->examiner,
-			"vertices whose weights do not sum to 1 (%d): limber divides them by their sum",
-			unequal);
-	}
+	examine_count(at->examiner, none, "vertices without a weight above 0",
+		"limber attaches them to their first joint, because they would collapse into the origin");
+	examine_count(at->examiner, unequal,
+		"vertices whose weights do not sum to 1",
+		"limber divides them by their sum");
 }
 
 int gltf_examine(const struct model_source *source,
 	const struct examiner *examiner, const struct log *log)
 {
+	struct model *model = NULL;
 	struct gltf gltf;
 	int error = gltf_read(&gltf, source, log);
 
 	if (!error) {
 		const struct examination at = {&gltf, examiner};
 
-		examine_clips(gltf.model, examiner);
-		examine_skins(gltf.model, examiner);
+		model = gltf.model;
+		examine_clips(model, examiner);
+		examine_skins(model, examiner);
 		report_skins(&at);
 		report_nodes(&at);
 		report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);
-		model_destroy(gltf.model);
 	}
+	/* It gives memory back to the model's budget. */
 	gltf_release(&gltf);
+	model_destroy(model);
 	return error;
 }

@@ -19,19 +19,20 @@
  * A function that returns int returns 0, or -errno after it has logged one
  * error. The loader checks every number of the file before it allocates memory
  * by it. All memory comes from two arenas: the model's arena, and a scratch
- * arena that is released at the end of the load. Together they stay within
- * GLTF_BUDGET_BYTES.
+ * arena that is released at the end of the load. Both count against the model's
+ * budget.
  */
 #ifndef APP_MODEL_GLTF_GLTF_INTERNAL_H
 #define APP_MODEL_GLTF_GLTF_INTERNAL_H
 
 #include "app/model/model_file.h"
 #include "app/model/model_loader.h"
+#include "platform/base/count.h"
 
 #include <jansson.h>
 
 enum {
-	GLTF_BUDGET_BYTES = 256 * 1024 * 1024,
+	GLTF_ACCESSOR_BYTES_MAX = 256 * 1024 * 1024, /* unpacked to floats */
 	GLTF_JSON_BYTES_MAX = 64 * 1024 * 1024,
 	GLTF_JSON_VALUES_MAX = 1024 * 1024,
 };
@@ -120,9 +121,8 @@ struct gltf {
 
 	const uint8_t *binary; /* the BIN chunk of a .glb, or NULL */
 	size_t binary_size;
-	size_t file_bytes; /* size of all files read beside the model */
-
-	int warnings; /* logged so far */
+	/* The bytes that gltf_take() took from the budget so far. */
+	size_t taken_bytes;
 
 	int buffer_count;
 	struct gltf_buffer *buffer;
@@ -146,6 +146,7 @@ struct gltf {
 	int node_count;           /* of the file */
 	bool *node_is_level;      /* [node_count] */
 	int *node_index;          /* file's number -> model's; -1: a level */
+	int *node_parent;         /* [node_count]: file's numbers, or -1 */
 };
 
 /* gltf.c */
@@ -164,7 +165,7 @@ void gltf_release(struct gltf *gltf);
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	PRINTF_LIKE(3, 4);
 
-/* Logs the same as a warning. Beyond eight warnings a file gets no more. */
+/* Logs the same as a warning. */
 void gltf_warn(const struct gltf_at *at, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 
@@ -212,6 +213,10 @@ int gltf_maybe_integer(const struct gltf_at *at, const char *key, int64_t min,
 int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	const char *what, int *out);
 
+/* The same for an index into the array of this name in the root object. */
+int gltf_maybe_root_index(const struct gltf_at *at, const char *key,
+	const char *array, const char *what, int *out);
+
 /* The same for a value that is itself the index. */
 int gltf_index(const struct gltf_at *at, int count, const char *what, int *out);
 
@@ -233,8 +238,17 @@ int gltf_name(const struct gltf_at *at, const char **out);
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size);
 
-/* Whether the budget allows count * size more bytes; logs an error if not. */
-bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size);
+/*
+ * Takes count * size bytes from the model's budget until gltf_release(). 0, or
+ * -ENOMEM after an error.
+ */
+int gltf_take(const struct gltf_at *at, size_t count, size_t size);
+
+/* Returns bytes to the budget before gltf_release(). */
+void gltf_give_back(struct gltf *gltf, size_t bytes);
+
+/* Logs that there is not enough memory for the value; returns -ENOMEM. */
+int gltf_no_memory(const struct gltf_at *at);
 
 /* Arrays in the model's arena and in the scratch arena; see gltf_alloc(). */
 #define GLTF_KEEP(at, type, count)                                            \

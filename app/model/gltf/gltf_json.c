@@ -9,7 +9,6 @@
 
 enum {
 	TEXT_BYTES = 512,
-	WARNINGS_MAX = 8,
 };
 
 static size_t print_path(const struct gltf_at *at, char *text, size_t size)
@@ -48,22 +47,15 @@ void gltf_path(const struct gltf_at *at, char *text, size_t size)
 	}
 }
 
-/* Replaces control characters, which a terminal would obey. */
 static void log_at(const struct gltf_at *at, enum log_level level,
 	const char *format, va_list arguments)
 {
-	char place[TEXT_BYTES];
+	char path[TEXT_BYTES];
 	char reason[TEXT_BYTES];
-	char *c;
 
-	gltf_path(at, place, sizeof(place));
+	gltf_path(at, path, sizeof(path));
 	vsnprintf(reason, sizeof(reason), format, arguments);
-	for (c = reason; *c; c++) {
-		if ((unsigned char)*c < 0x20 || *c == 0x7f) {
-			*c = '?';
-		}
-	}
-	log_write(at->gltf->log, level, "%s: %s", place, reason);
+	log_write(at->gltf->log, level, "%s: %s", path, reason);
 }
 
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
@@ -80,17 +72,9 @@ void gltf_warn(const struct gltf_at *at, const char *format, ...)
 {
 	va_list arguments;
 
-	if (at->gltf->warnings++ >= WARNINGS_MAX) {
-		return;
-	}
 	va_start(arguments, format);
 	log_at(at, LOG_WARNING, format, arguments);
 	va_end(arguments);
-	if (at->gltf->warnings == WARNINGS_MAX) {
-		log_warning(at->gltf->log,
-			"%s: limber prints no further warnings about this file",
-			at->gltf->source->name);
-	}
 }
 
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key)
@@ -249,6 +233,10 @@ int gltf_maybe_floats(
 		struct gltf_at element = gltf_element(&array, i);
 
 		error = read_number(&element, &out[i]);
+		if (!error && fabsf(out[i]) > MODEL_NUMBER_MAX) {
+			error = gltf_fail(
+				&element, -EINVAL, "is larger than 1e9");
+		}
 	}
 	return error;
 }
@@ -318,6 +306,16 @@ int gltf_maybe_index(const struct gltf_at *at, const char *key, int count,
 	return member.json ? gltf_index(&member, count, what, out) : 0;
 }
 
+int gltf_maybe_root_index(const struct gltf_at *at, const char *key,
+	const char *array, const char *what, int *out)
+{
+	struct gltf_at elements;
+	int count;
+	int error = gltf_array(&at->gltf->root, array, &elements, &count);
+
+	return error ? error : gltf_maybe_index(at, key, count, what, out);
+}
+
 int gltf_require(const struct gltf_at *at, const char *key)
 {
 	if (!json_object_get(at->json, key)) {
@@ -348,33 +346,39 @@ int gltf_name(const struct gltf_at *at, const char **out)
 	return error ? error : gltf_copy_string(at, name, out);
 }
 
-bool gltf_fits_budget(const struct gltf_at *at, size_t count, size_t size)
+int gltf_no_memory(const struct gltf_at *at)
 {
-	const struct gltf *gltf = at->gltf;
-	size_t used = gltf->model->arena.used_bytes + gltf->scratch.used_bytes +
-		gltf->file_bytes;
+	char where[256];
 
-	if (used > GLTF_BUDGET_BYTES ||
-		count > (GLTF_BUDGET_BYTES - used) / size) {
-		gltf_fail(at, -ENOMEM,
-			"the model needs more than %d MiB of memory",
-			GLTF_BUDGET_BYTES >> 20);
-		return false;
+	gltf_path(at, where, sizeof(where));
+	return memory_budget_fail(at->gltf->model->budget, where, at->gltf->log);
+}
+
+int gltf_take(const struct gltf_at *at, size_t count, size_t size)
+{
+	size_t bytes = SIZE_MAX;
+
+	(void)size_multiply(count, size, &bytes);
+	if (!memory_budget_take(at->gltf->model->budget, bytes)) {
+		return gltf_no_memory(at);
 	}
-	return true;
+	at->gltf->taken_bytes += bytes;
+	return 0;
+}
+
+void gltf_give_back(struct gltf *gltf, size_t bytes)
+{
+	memory_budget_give_back(gltf->model->budget, bytes);
+	gltf->taken_bytes -= bytes;
 }
 
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size)
 {
-	void *memory;
+	void *memory = arena_alloc(arena, count, size);
 
-	if (!gltf_fits_budget(at, count, size)) {
-		return NULL;
-	}
-	memory = arena_alloc(arena, count, size);
 	if (!memory) {
-		gltf_fail(at, -ENOMEM, "not enough memory");
+		(void)gltf_no_memory(at);
 	}
 	return memory;
 }

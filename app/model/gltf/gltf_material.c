@@ -43,9 +43,7 @@ static int read_uv_transform(const struct gltf_at *at, struct gltf_uv *out)
 static int read_texture_info(const struct gltf_at *parent, const char *key,
 	int *texture, struct gltf_uv *uv)
 {
-	struct gltf *gltf = parent->gltf;
-	struct gltf_at at, textures, extensions, transform;
-	int count;
+	struct gltf_at at, extensions, transform;
 	int index = 0;
 	int64_t set = 0;
 	int error = gltf_object(parent, key, &at);
@@ -56,10 +54,8 @@ static int read_texture_info(const struct gltf_at *parent, const char *key,
 	}
 	error = gltf_require(&at, "index");
 	if (!error) {
-		error = gltf_array(&gltf->root, "textures", &textures, &count);
-	}
-	if (!error) {
-		error = gltf_maybe_index(&at, "index", count, "texture", &index);
+		error = gltf_maybe_root_index(
+			&at, "index", "textures", "texture", &index);
 	}
 	if (!error) {
 		error = gltf_maybe_integer(&at, "texCoord", 0, INT32_MAX, &set);
@@ -72,7 +68,7 @@ static int read_texture_info(const struct gltf_at *parent, const char *key,
 			&extensions, "KHR_texture_transform", &transform);
 	}
 	if (!error) {
-		error = gltf_use_texture(gltf, index, texture);
+		error = gltf_use_texture(at.gltf, index, texture);
 	}
 	uv->set = (int)set;
 	return error || !transform.json ? error

@@ -149,15 +149,11 @@ static int read_vertices(
 static int read_material_index(
 	const struct gltf_at *at, struct model_primitive *out)
 {
-	struct gltf_at materials;
-	int count;
-	int error = gltf_array(&at->gltf->root, "materials", &materials, &count);
+	int error;
 
 	out->material = -1;
-	if (!error) {
-		error = gltf_maybe_index(
-			at, "material", count, "material", &out->material);
-	}
+	error = gltf_maybe_root_index(
+		at, "material", "materials", "material", &out->material);
 	if (!error && out->material < 0) {
 		out->material = gltf_default_material(at->gltf);
 	}
@@ -226,26 +222,43 @@ static int read_primitives(
 	return error;
 }
 
-static int read_mesh(const struct gltf_at *at, struct model_mesh *out)
+/* Skips the meshes that are levels of detail. */
+static int read_mesh(const struct gltf_at *at)
 {
+	struct gltf *gltf = at->gltf;
+	int index = gltf->mesh_index[at->index];
+	struct model_mesh *out;
 	struct gltf_at primitives;
 	int count;
-	int error = gltf_name(at, &out->name);
+	int error;
 
+	if (index < 0) {
+		return 0;
+	}
+	out = &gltf->model->mesh[index];
+	gltf->model->mesh_count = index + 1;
+	error = gltf_name(at, &out->name);
 	if (!error) {
 		error = gltf_array(at, "primitives", &primitives, &count);
 	}
 	if (!error) {
 		error = gltf_read_target_names(at, &primitives, out);
 	}
-	return error ? error : read_primitives(&primitives, count, out);
+	if (!error) {
+		error = read_primitives(&primitives, count, out);
+	}
+	if (!error) {
+		error = gltf_read_weights(
+			at, out->target_count, &gltf->mesh_weights[index]);
+	}
+	return error ? error : gltf_read_levels(gltf, at->index);
 }
 
 int gltf_read_meshes(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "meshes", &array, &count);
 
 	if (error) {
@@ -256,25 +269,5 @@ int gltf_read_meshes(struct gltf *gltf)
 	if (!model->mesh || !gltf->mesh_weights) {
 		return -ENOMEM;
 	}
-	for (i = 0; i < count && !error; i++) {
-		int index = gltf->mesh_index[i];
-
-		if (index < 0) {
-			continue;
-		}
-		model->mesh_count = index + 1;
-		error = gltf_item(&array, i, &item);
-		if (!error) {
-			error = read_mesh(&item, &model->mesh[index]);
-		}
-		if (!error) {
-			error = gltf_read_weights(&item,
-				model->mesh[index].target_count,
-				&gltf->mesh_weights[index]);
-		}
-		if (!error) {
-			error = gltf_read_levels(gltf, i);
-		}
-	}
-	return error;
+	return gltf_for_each(&array, count, read_mesh);
 }

@@ -79,19 +79,19 @@ static int read_transform(const struct gltf_at *at, struct model_node *out)
 		     : gltf_normalize_rotation(&rotation, rest->rotation);
 }
 
-static int count_of(struct gltf *gltf, const char *key, int *out)
-{
-	struct gltf_at array;
-
-	return gltf_array(&gltf->root, key, &array, out);
-}
-
-static int read_node(const struct gltf_at *at, struct model_node *out)
+/* Skips the nodes that are levels of detail. */
+static int read_node(const struct gltf_at *at)
 {
 	struct gltf *gltf = at->gltf;
-	int skin_count;
-	int error = gltf_name(at, &out->name);
+	int index = gltf->node_index[at->index];
+	struct model_node *out;
+	int error;
 
+	if (index < 0) {
+		return 0;
+	}
+	out = &gltf->model->node[index];
+	error = gltf_name(at, &out->name);
 	out->mesh = out->skin = out->camera = -1;
 	if (!error) {
 		error = read_transform(at, out);
@@ -104,11 +104,8 @@ static int read_node(const struct gltf_at *at, struct model_node *out)
 		out->mesh = gltf->mesh_index[out->mesh];
 	}
 	if (!error) {
-		error = count_of(gltf, "skins", &skin_count);
-	}
-	if (!error) {
-		error = gltf_maybe_index(
-			at, "skin", skin_count, "skin", &out->skin);
+		error = gltf_maybe_root_index(
+			at, "skin", "skins", "skin", &out->skin);
 	}
 	if (!error) {
 		error = gltf_maybe_index(at, "camera",
@@ -122,8 +119,9 @@ static int read_node(const struct gltf_at *at, struct model_node *out)
 }
 
 /* Sets the parent of each child; a second parent is an error. */
-static int read_children(const struct gltf_at *at, int count, int *parent)
+static int read_children(const struct gltf_at *at)
 {
+	int *parent = at->gltf->node_parent;
 	struct gltf_at array;
 	int children, i;
 	int error = gltf_array(at, "children", &array, &children);
@@ -132,7 +130,8 @@ static int read_children(const struct gltf_at *at, int count, int *parent)
 		struct gltf_at element = gltf_element(&array, i);
 		int child = 0;
 
-		error = gltf_index(&element, count, "node", &child);
+		error = gltf_index(
+			&element, at->gltf->node_count, "node", &child);
 		if (error) {
 			break;
 		}
@@ -146,33 +145,15 @@ static int read_children(const struct gltf_at *at, int count, int *parent)
 	return error;
 }
 
-static int read_parents(const struct gltf_at *array, int count, int *parent)
-{
-	struct gltf_at item;
-	int error = 0;
-	int i;
-
-	for (i = 0; i < count; i++) {
-		parent[i] = -1;
-	}
-	for (i = 0; i < count && !error; i++) {
-		error = gltf_item(array, i, &item);
-		if (!error) {
-			error = read_children(&item, count, parent);
-		}
-	}
-	return error;
-}
-
 /* Assigns indices to the nodes, without those that are levels of detail. */
-static void number_nodes(
-	struct gltf *gltf, int count, const int *order, const int *parent)
+static void number_nodes(struct gltf *gltf, const int *order)
 {
 	struct model_node *node = gltf->model->node;
+	const int *parent = gltf->node_parent;
 	int next = 0;
 	int i;
 
-	for (i = 0; i < count; i++) {
+	for (i = 0; i < gltf->node_count; i++) {
 		int number = order[i];
 		int *index = &gltf->node_index[number];
 
@@ -190,30 +171,33 @@ static void number_nodes(
 static int order_nodes(const struct gltf_at *array, int count)
 {
 	struct gltf *gltf = array->gltf;
-	int *parent = GLTF_SCRATCH(array, int, count);
 	int *order = GLTF_SCRATCH(array, int, count);
 	struct gltf_at item;
-	int node_on_cycle;
+	int node_on_cycle, i;
 	int error;
 
 	gltf->node_index = GLTF_SCRATCH(array, int, count);
-	if (!parent || !order || !gltf->node_index) {
+	gltf->node_parent = GLTF_SCRATCH(array, int, count);
+	if (!order || !gltf->node_index || !gltf->node_parent) {
 		return -ENOMEM;
 	}
-	error = read_parents(array, count, parent);
+	for (i = 0; i < count; i++) {
+		gltf->node_parent[i] = -1;
+	}
+	error = gltf_for_each(array, count, read_children);
 	if (error) {
 		return error;
 	}
-	error = model_order_nodes(
-		parent, count, order, gltf->node_index, &node_on_cycle);
+	error = model_order_nodes(gltf->node_parent, count, order,
+		gltf->node_index, &node_on_cycle);
 	if (error == -ELOOP) {
 		item = gltf_element(array, node_on_cycle);
 		return gltf_fail(&item, -EINVAL, "is an ancestor of itself");
 	}
 	if (error) {
-		return gltf_fail(array, error, "not enough memory");
+		return gltf_no_memory(array);
 	}
-	number_nodes(gltf, count, order, parent);
+	number_nodes(gltf, order);
 	return 0;
 }
 
@@ -304,18 +288,17 @@ static int read_rest_weights(const struct gltf_at *array)
 {
 	struct gltf *gltf = array->gltf;
 	struct model *model = gltf->model;
-	int64_t total = 0;
+	int total = 0;
 	int error = 0;
 	int i;
 
 	for (i = 0; i < model->node_count; i++) {
 		struct model_node *node = &model->node[i];
 
-		node->weight_offset = (int)total;
-		if (node->mesh >= 0) {
-			total += model->mesh[node->mesh].target_count;
-		}
-		if (total > GLTF_BUDGET_BYTES) {
+		node->weight_offset = total;
+		if (node->mesh >= 0 &&
+			!count_add(total, model->mesh[node->mesh].target_count,
+				&total)) {
 			return gltf_fail(array, -EFBIG,
 				"the nodes have too many morph weights");
 		}
@@ -324,7 +307,7 @@ static int read_rest_weights(const struct gltf_at *array)
 	if (!model->rest_weights) {
 		return -ENOMEM;
 	}
-	model->weight_count = (int)total;
+	model->weight_count = total;
 	for (i = 0; i < model->node_count && !error; i++) {
 		const struct model_node *node = &model->node[i];
 		struct gltf_at item = gltf_element(array, node->file_index);
@@ -340,8 +323,8 @@ static int read_rest_weights(const struct gltf_at *array)
 int gltf_read_nodes(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
-	struct gltf_at array, item;
-	int count, i;
+	struct gltf_at array;
+	int count;
 	int error = gltf_array(&gltf->root, "nodes", &array, &count);
 
 	if (error) {
@@ -352,12 +335,8 @@ int gltf_read_nodes(struct gltf *gltf)
 		return -ENOMEM;
 	}
 	error = order_nodes(&array, count);
-	for (i = 0; i < count && !error; i++) {
-		item = gltf_element(&array, i);
-		if (gltf->node_index[i] >= 0) {
-			error = read_node(
-				&item, &model->node[gltf->node_index[i]]);
-		}
+	if (!error) {
+		error = gltf_for_each(&array, count, read_node);
 	}
 	if (!error) {
 		error = mark_scene(gltf);

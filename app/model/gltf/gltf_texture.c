@@ -63,17 +63,13 @@ static int read_filters(const struct gltf_at *at, struct model_texture *out)
 
 static int read_sampler(const struct gltf_at *texture, struct model_texture *out)
 {
-	struct gltf *gltf = texture->gltf;
-	struct gltf_at array, sampler;
-	int count;
+	struct gltf_at array = gltf_member(&texture->gltf->root, "samplers");
+	struct gltf_at sampler;
 	int index = -1;
-	int error = gltf_array(&gltf->root, "samplers", &array, &count);
+	int error = gltf_maybe_root_index(
+		texture, "sampler", "samplers", "sampler", &index);
 
 	out->mipmap = true;
-	if (!error) {
-		error = gltf_maybe_index(
-			texture, "sampler", count, "sampler", &index);
-	}
 	if (error || index < 0) {
 		return error;
 	}
@@ -92,17 +88,8 @@ static int decode(const struct gltf_at *at, const uint8_t *data, size_t size,
 {
 	struct gltf *gltf = at->gltf;
 	char where[256];
-	int width, height;
-	int error;
 
 	gltf_path(at, where, sizeof(where));
-	error = image_measure(data, size, where, gltf->log, &width, &height);
-	if (error) {
-		return error;
-	}
-	if (!gltf_fits_budget(at, (size_t)width * (size_t)height, 4)) {
-		return -ENOMEM;
-	}
 	return image_decode(
 		data, size, where, gltf->log, &gltf->model->arena, out);
 }
@@ -140,7 +127,6 @@ static int read_image(const struct gltf_at *at, struct model_image *out)
 	if (!error) {
 		error = decode(at, data, size, out);
 	}
-	gltf->file_bytes -= file.size;
 	model_file_release(&file);
 	return error;
 }
@@ -148,13 +134,13 @@ static int read_image(const struct gltf_at *at, struct model_image *out)
 static int use_image(struct gltf *gltf, int index, int *out)
 {
 	struct model *model = gltf->model;
-	struct gltf_at array, item;
-	int count;
-	int error = gltf_array(&gltf->root, "images", &array, &count);
+	struct gltf_at array = gltf_member(&gltf->root, "images");
+	struct gltf_at item;
+	int error;
 
-	if (error || gltf->image_index[index] >= 0) {
+	if (gltf->image_index[index] >= 0) {
 		*out = gltf->image_index[index];
-		return error;
+		return 0;
 	}
 	error = gltf_item(&array, index, &item);
 	if (!error) {
@@ -170,15 +156,10 @@ static int use_image(struct gltf *gltf, int index, int *out)
 /* A texture without a source has an image that only an extension defines. */
 static int read_texture(const struct gltf_at *at, struct model_texture *out)
 {
-	struct gltf *gltf = at->gltf;
-	struct gltf_at images;
-	int count;
 	int source = -1;
-	int error = gltf_array(&gltf->root, "images", &images, &count);
+	int error =
+		gltf_maybe_root_index(at, "source", "images", "image", &source);
 
-	if (!error) {
-		error = gltf_maybe_index(at, "source", count, "image", &source);
-	}
 	if (!error) {
 		error = read_sampler(at, out);
 	}
@@ -191,20 +172,20 @@ static int read_texture(const struct gltf_at *at, struct model_texture *out)
 			"has no source that limber can read; limber ignores this texture");
 		return 0;
 	}
-	return use_image(gltf, source, &out->image);
+	return use_image(at->gltf, source, &out->image);
 }
 
 int gltf_use_texture(struct gltf *gltf, int file_index, int *out)
 {
 	struct model *model = gltf->model;
 	struct model_texture texture = {0};
-	struct gltf_at array, item;
-	int count;
-	int error = gltf_array(&gltf->root, "textures", &array, &count);
+	struct gltf_at array = gltf_member(&gltf->root, "textures");
+	struct gltf_at item;
+	int error;
 
-	if (error || gltf->texture_index[file_index] != NOT_READ) {
+	if (gltf->texture_index[file_index] != NOT_READ) {
 		*out = gltf->texture_index[file_index];
-		return error;
+		return 0;
 	}
 	error = gltf_item(&array, file_index, &item);
 	if (!error) {

@@ -106,11 +106,13 @@ static int check_finite(const struct gltf_at *at,
 	size_t i;
 
 	for (i = 0; i < total; i++) {
-		if (!isfinite(values[i])) {
+		if (!(fabsf(values[i]) <= MODEL_NUMBER_MAX)) {
 			return gltf_fail(at, -EINVAL,
-				"element %zu of accessor %d is not finite",
+				"element %zu of accessor %d is %s",
 				i / (size_t)accessor->width,
-				(int)(accessor - at->gltf->accessor));
+				(int)(accessor - at->gltf->accessor),
+				isfinite(values[i]) ? "larger than 1e9"
+						    : "not finite");
 		}
 	}
 	return 0;

@@ -56,7 +56,7 @@ static int measure(const struct image_codec *codec,
 int image_measure(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, int *width, int *height)
 {
-	struct image_input input = {data, size, where, log};
+	struct image_input input = {data, size, where, log, NULL};
 
 	return measure(find_codec(data, size), &input, width, height);
 }
@@ -78,7 +78,7 @@ int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, struct arena *arena, struct model_image *out)
 {
 	const struct image_codec *codec = find_codec(data, size);
-	struct image_input input = {data, size, where, log};
+	struct image_input input = {data, size, where, log, arena->budget};
 	int error = measure(codec, &input, &out->width, &out->height);
 
 	if (error) {
@@ -87,9 +87,7 @@ int image_decode(const uint8_t *data, size_t size, const char *where,
 	out->rgba =
 		arena_alloc(arena, (size_t)out->width * (size_t)out->height, 4);
 	if (!out->rgba) {
-		log_error(log, "%s: not enough memory for %dx%d pixels", where,
-			out->width, out->height);
-		return -ENOMEM;
+		return memory_budget_fail(arena->budget, where, log);
 	}
 	error = codec->decode(&input, out->width, out->height, out->rgba);
 	if (!error) {

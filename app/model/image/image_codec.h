@@ -9,6 +9,7 @@
 #define APP_MODEL_IMAGE_IMAGE_CODEC_H
 
 #include "platform/base/log.h"
+#include "platform/base/memory_budget.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -18,6 +19,7 @@ struct image_input {
 	size_t size;
 	const char *where; /* the start of messages */
 	const struct log *log;
+	struct memory_budget *budget; /* for the decoder's own memory, or NULL */
 };
 
 struct image_codec {

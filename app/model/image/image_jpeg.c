@@ -10,6 +10,8 @@
 enum {
 	/* Encoders write about ten. A hostile file has thousands. */
 	SCANS_MAX = 100,
+	/* A limit of pixels times scans: 32 scans of the largest image. */
+	SCANNED_PIXELS_MAX = 512 * 1024 * 1024,
 };
 
 struct decoder {
@@ -48,9 +50,15 @@ static void limit_scans(j_common_ptr jpeg)
 {
 	struct decoder *decoder = jpeg->client_data;
 
-	if (decoder->jpeg.input_scan_number > SCANS_MAX) {
+	int scans = decoder->jpeg.input_scan_number;
+	size_t pixels = (size_t)decoder->jpeg.image_width *
+		(size_t)decoder->jpeg.image_height;
+
+	if (scans > SCANS_MAX ||
+		(scans > 0 && pixels > SCANNED_PIXELS_MAX / (size_t)scans)) {
 		snprintf(decoder->problem, sizeof(decoder->problem),
-			"it has more than %d scans", SCANS_MAX);
+			"it has more than %d scans",
+			scans > SCANS_MAX ? SCANS_MAX : scans - 1);
 		longjmp(decoder->leave, 1);
 	}
 }
@@ -131,18 +139,40 @@ static int measure(const struct image_input *input, int *width, int *height)
 	return end(&decoder, fine);
 }
 
+/*
+ * libjpeg keeps all coefficients of an image with several scans: 16 bits for
+ * each component of a pixel.
+ */
+static size_t coefficient_bytes(struct decoder *decoder, int width, int height)
+{
+	return jpeg_has_multiple_scans(&decoder->jpeg)
+		? (size_t)width * (size_t)height *
+			(size_t)decoder->jpeg.num_components * sizeof(JCOEF)
+		: 0;
+}
+
 static int decode(
 	const struct image_input *input, int width, int height, uint8_t *rgba)
 {
 	struct decoder decoder;
+	size_t kept = 0;
 	bool fine;
+	int error;
 
-	(void)width;
-	(void)height;
 	begin(&decoder, input);
 	fine = read_header(&decoder);
+	if (fine) {
+		kept = coefficient_bytes(&decoder, width, height);
+		if (!memory_budget_take(input->budget, kept)) {
+			jpeg_destroy_decompress(&decoder.jpeg);
+			return memory_budget_fail(
+				input->budget, input->where, input->log);
+		}
+	}
 	fine = fine && read_pixels(&decoder, rgba);
-	return end(&decoder, fine);
+	error = end(&decoder, fine);
+	memory_budget_give_back(input->budget, kept);
+	return error;
 }
 
 const struct image_codec image_codec_jpeg = {

@@ -58,7 +58,8 @@ static int begin(struct decoder *decoder, const struct image_input *input)
 	}
 	if (!decoder->info) {
 		png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
-		log_error(input->log, "%s: not enough memory", input->where);
+		log_error(input->log, "%s: there is not enough memory",
+			input->where);
 		return -ENOMEM;
 	}
 	return 0;
@@ -141,7 +142,7 @@ static int decode(
 	decoder.rows = malloc((size_t)height * sizeof(*decoder.rows));
 	if (!decoder.rows) {
 		snprintf(decoder.problem, sizeof(decoder.problem),
-			"not enough memory");
+			"there is not enough memory");
 		return end(&decoder, false);
 	}
 	for (y = 0; y < height; y++) {

@@ -96,8 +96,8 @@ static int read_header(const struct model_source *source, const struct log *log,
 	return 0;
 }
 
-static struct model *make_model(
-	const struct model_source *source, const struct header *header)
+static struct model *make_model(const struct model_source *source,
+	const struct header *header, const struct log *log)
 {
 	char format[64];
 
@@ -105,42 +105,23 @@ static struct model *make_model(
 		header->version, header->version + 2,
 		header->binary ? "binary" : "text",
 		header->packed ? ", compressed" : "");
-	return model_create(source->name, format);
-}
-
-static int build_model(const struct model_source *source,
-	const struct header *header, const struct xfile_context *context,
-	const struct xfile_scene *scene, struct arena *scratch,
-	struct model **out)
-{
-	struct xfile_build build = {
-		.source = source,
-		.context = context,
-		.log = context->log,
-		.scratch = scratch,
-		.scene = scene,
-		.model = make_model(source, header),
-	};
-	int error;
-
-	if (!build.model) {
-		return xfile_no_memory(context);
-	}
-	error = xfile_build(&build);
-	if (error) {
-		model_destroy(build.model);
-		return error;
-	}
-	*out = build.model;
-	return 0;
+	return model_create(source, format, log);
 }
 
 static int load_body(const struct model_source *source,
 	const struct header *header, const struct xfile_context *context,
-	const uint8_t *body, size_t size, struct model **out)
+	const uint8_t *body, size_t size, struct model *model)
 {
-	struct arena scratch = arena_empty();
+	struct arena scratch = arena_within(model->budget);
 	struct xfile_scene scene = {0};
+	struct xfile_build build = {
+		.source = source,
+		.context = context,
+		.log = context->log,
+		.scratch = &scratch,
+		.scene = &scene,
+		.model = model,
+	};
 	struct xfile_reader reader = {
 		.context = *context,
 		.scratch = &scratch,
@@ -153,10 +134,37 @@ static int load_body(const struct model_source *source,
 		error = xfile_parse(&reader, &scene);
 	}
 	if (!error) {
-		error = build_model(
-			source, header, context, &scene, &scratch, out);
+		error = xfile_build(&build);
 	}
 	arena_release(&scratch);
+	return error;
+}
+
+/* Reads what follows the header, which may be compressed. */
+static int load_rest(const struct model_source *source,
+	const struct header *header, const struct log *log, struct model *model)
+{
+	const struct xfile_context context = {
+		.path = source->name,
+		.log = log,
+		.budget = model->budget,
+		.binary = header->binary,
+		.unpacked = header->packed,
+	};
+	const uint8_t *body = source->data + XFILE_HEADER_BYTES;
+	size_t size = source->size - XFILE_HEADER_BYTES;
+	struct xfile_unpacked unpacked;
+	int error;
+
+	if (!header->packed) {
+		return load_body(source, header, &context, body, size, model);
+	}
+	error = xfile_inflate(&context, body, size, &unpacked);
+	if (!error) {
+		error = load_body(source, header, &context, unpacked.data,
+			unpacked.size, model);
+		xfile_unpacked_release(&unpacked, &context);
+	}
 	return error;
 }
 
@@ -164,29 +172,24 @@ int xfile_load(const struct model_source *source, const struct log *log,
 	struct model **out)
 {
 	struct header header;
-	struct xfile_context context = {.path = source->name, .log = log};
-	const uint8_t *body;
-	uint8_t *unpacked = NULL;
-	size_t size;
+	struct model *model;
 	int error = read_header(source, log, &header);
 
 	*out = NULL;
 	if (error) {
 		return error;
 	}
-	body = source->data + XFILE_HEADER_BYTES;
-	size = source->size - XFILE_HEADER_BYTES;
-	context.binary = header.binary;
-	context.unpacked = header.packed;
-	if (header.packed) {
-		error = xfile_inflate(&context, body, size, &unpacked, &size);
-		body = unpacked;
+	model = make_model(source, &header, log);
+	if (!model) {
+		return -ENOMEM;
 	}
-	if (!error) {
-		error = load_body(source, &header, &context, body, size, out);
+	error = load_rest(source, &header, log, model);
+	if (error) {
+		model_destroy(model);
+		return error;
 	}
-	free(unpacked);
-	return error;
+	*out = model;
+	return 0;
 }
 
 int xfile_examine(const struct model_source *source,

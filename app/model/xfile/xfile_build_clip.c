@@ -1,6 +1,7 @@
 #include "app/model/xfile/xfile_build.h"
 #include "app/model/xfile/xfile_convert.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,6 +36,12 @@ static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
 		key_time[i].time_s =
 			(float)(keys->tick[i] / build->scene->ticks_per_second);
 		key_time[i].index = i;
+		if (!(key_time[i].time_s <= MODEL_NUMBER_MAX)) {
+			log_error(build->log,
+				"%s: the time of an animation key is beyond 1e9 s",
+				build->context->path);
+			return -EINVAL;
+		}
 	}
 	qsort(key_time, keys->count, sizeof(*key_time), compare_key_times);
 	*out = key_time;

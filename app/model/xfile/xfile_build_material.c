@@ -17,6 +17,15 @@ struct textures {
 	struct xfile_names names;
 	struct texture *list;
 	int count;
+	size_t unusable_bytes; /* total size of files that are not images */
+};
+
+/*
+ * A model may refer to any number of files that are not images. After this many
+ * bytes of such files, limber reads no further textures.
+ */
+enum {
+	UNUSABLE_BYTES_MAX = 64 * 1024 * 1024
 };
 
 /* Logs errors as warnings, because a model loads without its textures. */
@@ -56,8 +65,8 @@ static char *clean_file_name(struct arena *arena, const char *written)
 	return name;
 }
 
-static int read_image(struct xfile_build *build, size_t location,
-	const char *file, struct model_image *out)
+static int read_image(struct xfile_build *build, struct textures *textures,
+	size_t location, const char *file, struct model_image *out)
 {
 	const struct log warnings_only = {
 		.write = write_warning,
@@ -72,8 +81,11 @@ static int read_image(struct xfile_build *build, size_t location,
 		build->context->path, build->context->binary ? "byte" : "line",
 		location,
 		build->context->unpacked ? " of the decompressed data" : "");
-	error = model_file_read_beside(
-		build->source, file, where, &warnings_only, &bytes);
+	if (textures->unusable_bytes > UNUSABLE_BYTES_MAX) {
+		return -EFBIG;
+	}
+	error = model_file_read_beside(build->source, file, where,
+		build->model->budget, &warnings_only, &bytes);
 	if (error) {
 		return error;
 	}
@@ -81,12 +93,13 @@ static int read_image(struct xfile_build *build, size_t location,
 		" %.120s", file);
 	error = image_decode(bytes.data, bytes.size, where, &warnings_only,
 		&build->model->arena, out);
+	textures->unusable_bytes += error ? bytes.size : 0;
 	model_file_release(&bytes);
 	return error;
 }
 
 /* Fails only without memory. *out is -1 when the texture cannot be read. */
-static int add_texture(struct xfile_build *build,
+static int add_texture(struct xfile_build *build, struct textures *textures,
 	const struct xfile_material *material, int *out)
 {
 	struct model *model = build->model;
@@ -98,7 +111,8 @@ static int add_texture(struct xfile_build *build,
 	if (!file) {
 		return xfile_no_memory(build->context);
 	}
-	error = read_image(build, material->texture_location, file, image);
+	error = read_image(
+		build, textures, material->texture_location, file, image);
 	if (error) {
 		return error == -ENOMEM ? error : 0;
 	}
@@ -131,7 +145,7 @@ static int find_texture(struct xfile_build *build, struct textures *textures,
 		return 0;
 	}
 	texture = &textures->list[textures->count];
-	error = add_texture(build, material, &texture->texture);
+	error = add_texture(build, textures, material, &texture->texture);
 	if (error) {
 		return error;
 	}

@@ -46,8 +46,14 @@ static int reserve(struct inflater *inflater, size_t more)
 	if (capacity == inflater->capacity) {
 		return 0;
 	}
+	if (!memory_budget_take(
+		    inflater->context->budget, capacity - inflater->capacity)) {
+		return xfile_no_memory(inflater->context);
+	}
 	out = realloc(inflater->out, capacity);
 	if (!out) {
+		memory_budget_give_back(inflater->context->budget,
+			capacity - inflater->capacity);
 		return xfile_no_memory(inflater->context);
 	}
 	inflater->out = out;
@@ -158,7 +164,7 @@ static int unpack_all(struct inflater *inflater)
 }
 
 int xfile_inflate(const struct xfile_context *context, const uint8_t *packed,
-	size_t packed_size, uint8_t **out, size_t *out_size)
+	size_t packed_size, struct xfile_unpacked *out)
 {
 	struct inflater inflater = {
 		.context = context,
@@ -177,11 +183,18 @@ int xfile_inflate(const struct xfile_context *context, const uint8_t *packed,
 		error = reserve(&inflater, 1);
 	}
 	inflateEnd(&inflater.stream);
+	*out = (struct xfile_unpacked){
+		inflater.out, inflater.used, inflater.capacity};
 	if (error) {
-		free(inflater.out);
-		return error;
+		xfile_unpacked_release(out, context);
 	}
-	*out = inflater.out;
-	*out_size = inflater.used;
-	return 0;
+	return error;
+}
+
+void xfile_unpacked_release(
+	struct xfile_unpacked *unpacked, const struct xfile_context *context)
+{
+	free(unpacked->data);
+	memory_budget_give_back(context->budget, unpacked->taken_bytes);
+	*unpacked = (struct xfile_unpacked){0};
 }

@@ -13,13 +13,23 @@ enum {
 	XFILE_UNPACKED_MAX = 256 * 1024 * 1024
 };
 
+struct xfile_unpacked {
+	uint8_t *data;
+	size_t size;
+	size_t taken_bytes; /* from the context's budget */
+};
+
 /*
- * Decompresses what follows the 16-byte header into memory that the caller
- * frees. 0, or after an error -EINVAL for damaged data, -EFBIG beyond
- * XFILE_UNPACKED_MAX, -ENOMEM. The buffer grows with the decompressed data, not
- * to the size that the file claims.
+ * Decompresses what follows the 16-byte header. 0, or after an error -EINVAL
+ * for damaged data, -EFBIG beyond XFILE_UNPACKED_MAX, -ENOMEM. The buffer grows
+ * with the decompressed data, not to the size that the file claims. After
+ * success the caller calls xfile_unpacked_release().
  */
 int xfile_inflate(const struct xfile_context *context, const uint8_t *packed,
-	size_t packed_size, uint8_t **out, size_t *out_size);
+	size_t packed_size, struct xfile_unpacked *out);
+
+/* Frees the bytes and gives them back to the context's budget. */
+void xfile_unpacked_release(
+	struct xfile_unpacked *unpacked, const struct xfile_context *context);
 
 #endif

@@ -1,5 +1,7 @@
 #include "app/model/xfile/xfile_reader.h"
 
+#include "app/model/model.h"
+
 #include <errno.h>
 #include <float.h>
 #include <math.h>
@@ -42,8 +44,13 @@ void xfile_warn_at(const struct xfile_context *context, size_t location,
 
 int xfile_no_memory(const struct xfile_context *context)
 {
-	log_error(context->log, "%s: not enough memory", context->path);
-	return -ENOMEM;
+	return memory_budget_fail(context->budget, context->path, context->log);
+}
+
+/* Drops the next token and scans the one after it. */
+static int advance(struct xfile_reader *reader)
+{
+	return reader->scan(reader, &reader->token);
 }
 
 int xfile_reader_begin(
@@ -55,12 +62,7 @@ int xfile_reader_begin(
 	reader->line = 1;
 	reader->list_left = 0;
 	reader->depth = 0;
-	return xfile_advance(reader);
-}
-
-int xfile_advance(struct xfile_reader *reader)
-{
-	return reader->scan(reader, &reader->token);
+	return advance(reader);
 }
 
 static char *copy_text(struct xfile_reader *reader)
@@ -127,7 +129,7 @@ int xfile_read_double(struct xfile_reader *reader, const char *what, double *out
 		return xfile_fail_at(&reader->context, reader->token.location,
 			"%s is not a finite number", what);
 	}
-	return xfile_advance(reader);
+	return advance(reader);
 }
 
 int xfile_read_integer(
@@ -154,11 +156,16 @@ int xfile_read_floats(
 	struct xfile_reader *reader, const char *what, size_t count, float *out)
 {
 	for (size_t i = 0; i < count; i++) {
+		size_t location = reader->token.location;
 		double value = 0;
 		int error = xfile_read_double(reader, what, &value);
 
 		if (error) {
 			return error;
+		}
+		if (fabs(value) > (double)MODEL_NUMBER_MAX) {
+			return xfile_fail_at(&reader->context, location,
+				"%s is larger than 1e9", what);
 		}
 		out[i] = (float)value;
 	}
@@ -176,7 +183,7 @@ int xfile_read_string(
 	if (!*out) {
 		return xfile_no_memory(&reader->context);
 	}
-	return xfile_advance(reader);
+	return advance(reader);
 }
 
 static size_t utf8_length(const unsigned char *text)
@@ -301,7 +308,7 @@ int xfile_skip_rest(struct xfile_reader *reader)
 		}
 		open += reader->token.kind == XFILE_OPEN;
 		open -= reader->token.kind == XFILE_CLOSE;
-		error = xfile_advance(reader);
+		error = advance(reader);
 		if (error) {
 			return error;
 		}
@@ -329,7 +336,7 @@ static const struct xfile_kind *find_kind(
 /* Reads TYPE [NAME] { [<GUID>] up to the first member. */
 static int read_head(struct xfile_reader *reader, const char **name)
 {
-	int error = xfile_advance(reader);
+	int error = advance(reader);
 
 	*name = "";
 	if (!error && reader->token.kind != XFILE_OPEN) {
@@ -341,10 +348,10 @@ static int read_head(struct xfile_reader *reader, const char **name)
 			reader, "the opening brace of a data object");
 	}
 	if (!error) {
-		error = xfile_advance(reader);
+		error = advance(reader);
 	}
 	if (!error && reader->token.kind == XFILE_GUID) {
-		error = xfile_advance(reader);
+		error = advance(reader);
 	}
 	return error;
 }
@@ -379,7 +386,7 @@ static int read_reference(struct xfile_reader *reader,
 {
 	size_t location = reader->token.location;
 	const char *name = NULL;
-	int error = xfile_advance(reader);
+	int error = advance(reader);
 
 	if (!error && reader->token.kind != XFILE_GUID &&
 		reader->token.kind != XFILE_CLOSE) {
@@ -403,7 +410,7 @@ int xfile_read_children(struct xfile_reader *reader,
 	while (!error) {
 		switch (reader->token.kind) {
 		case XFILE_CLOSE:
-			return xfile_advance(reader);
+			return advance(reader);
 		case XFILE_END:
 			return xfile_fail_at(&reader->context,
 				reader->token.location,
@@ -415,7 +422,7 @@ int xfile_read_children(struct xfile_reader *reader,
 			error = read_reference(reader, grammar, scope);
 			break;
 		default:
-			error = xfile_advance(reader);
+			error = advance(reader);
 			break;
 		}
 	}

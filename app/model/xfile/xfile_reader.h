@@ -10,6 +10,7 @@
 #define APP_MODEL_XFILE_XFILE_READER_H
 
 #include "platform/base/arena.h"
+#include "platform/base/memory_budget.h"
 #include "platform/base/log.h"
 
 #include <stdbool.h>
@@ -25,6 +26,7 @@ enum {
 struct xfile_context {
 	const char *path;
 	const struct log *log;
+	struct memory_budget *budget; /* the model's */
 	bool binary;
 	bool unpacked; /* locations count in the decompressed data */
 };
@@ -74,13 +76,6 @@ int xfile_reader_begin(
 int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token);
 int xfile_scan_binary(struct xfile_reader *reader, struct xfile_token *token);
 
-/*
- * Parses a decimal number with an optional sign, fraction and exponent, in any
- * locale; false unless it fills the text. NaN and infinity as Microsoft's C
- * library prints them (1.#IND, 1.#INF) become 0.
- */
-bool xfile_parse_number(const char *text, size_t length, double *out);
-
 /* Logs an error "PATH: line N: ..." or "PATH: byte N: ..."; returns -EINVAL. */
 int xfile_fail_at(const struct xfile_context *context, size_t location,
 	const char *format, ...) PRINTF_LIKE(3, 4);
@@ -91,9 +86,6 @@ void xfile_warn_at(const struct xfile_context *context, size_t location,
 
 /* Logs that there is not enough memory; returns -ENOMEM. */
 int xfile_no_memory(const struct xfile_context *context);
-
-/* Drops the next token and scans the one after it. */
-int xfile_advance(struct xfile_reader *reader);
 
 /*
  * Read members of a data object. what names the member in messages ("the vertex

@@ -57,59 +57,6 @@ static int scan_enclosed(
 	return 0;
 }
 
-static void scan_word(struct xfile_reader *reader, struct xfile_token *token)
-{
-	const uint8_t *at = reader->at;
-
-	while (at < reader->end && !ends_word(at, reader->end)) {
-		at++;
-	}
-	token->text = (const char *)reader->at;
-	token->length = (size_t)(at - reader->at);
-	token->kind =
-		xfile_parse_number(token->text, token->length, &token->number)
-		? XFILE_NUMBER
-		: XFILE_WORD;
-	reader->at = at;
-}
-
-int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token)
-{
-	skip_space(reader);
-	*token = (struct xfile_token){.location = reader->line};
-	if (reader->at == reader->end) {
-		return 0;
-	}
-	switch (*reader->at) {
-	case '{':
-		token->kind = XFILE_OPEN;
-		break;
-	case '}':
-		token->kind = XFILE_CLOSE;
-		break;
-	case '"':
-		reader->at++;
-		token->kind = XFILE_STRING;
-		return scan_enclosed(reader, token, '"');
-	case '<':
-		reader->at++;
-		token->kind = XFILE_GUID;
-		return scan_enclosed(reader, token, '>');
-	case '>':
-	case '[':
-	case ']':
-	case '(':
-	case ')':
-		token->kind = XFILE_OTHER;
-		break;
-	default:
-		scan_word(reader, token);
-		return 0;
-	}
-	reader->at++;
-	return 0;
-}
-
 static double power_of_ten(int exponent)
 {
 	double power = 1;
@@ -204,7 +151,12 @@ static bool take_exponent(struct digits *digits, int *exponent)
 	return any && digits->at == digits->end;
 }
 
-bool xfile_parse_number(const char *text, size_t length, double *out)
+/*
+ * Parses a decimal number with an optional sign, fraction and exponent, in any
+ * locale; false unless it fills the text. NaN and infinity as Microsoft's C
+ * library prints them (1.#IND, 1.#INF) become 0.
+ */
+static bool parse_number(const char *text, size_t length, double *out)
 {
 	struct digits digits = {.at = text, .end = text + length};
 	bool negative = length && *text == '-';
@@ -231,4 +183,56 @@ bool xfile_parse_number(const char *text, size_t length, double *out)
 		*out = -*out;
 	}
 	return true;
+}
+
+static void scan_word(struct xfile_reader *reader, struct xfile_token *token)
+{
+	const uint8_t *at = reader->at;
+
+	while (at < reader->end && !ends_word(at, reader->end)) {
+		at++;
+	}
+	token->text = (const char *)reader->at;
+	token->length = (size_t)(at - reader->at);
+	token->kind = parse_number(token->text, token->length, &token->number)
+		? XFILE_NUMBER
+		: XFILE_WORD;
+	reader->at = at;
+}
+
+int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token)
+{
+	skip_space(reader);
+	*token = (struct xfile_token){.location = reader->line};
+	if (reader->at == reader->end) {
+		return 0;
+	}
+	switch (*reader->at) {
+	case '{':
+		token->kind = XFILE_OPEN;
+		break;
+	case '}':
+		token->kind = XFILE_CLOSE;
+		break;
+	case '"':
+		reader->at++;
+		token->kind = XFILE_STRING;
+		return scan_enclosed(reader, token, '"');
+	case '<':
+		reader->at++;
+		token->kind = XFILE_GUID;
+		return scan_enclosed(reader, token, '>');
+	case '>':
+	case '[':
+	case ']':
+	case '(':
+	case ')':
+		token->kind = XFILE_OTHER;
+		break;
+	default:
+		scan_word(reader, token);
+		return 0;
+	}
+	reader->at++;
+	return 0;
 }

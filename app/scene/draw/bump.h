@@ -18,7 +18,7 @@
 #ifndef APP_SCENE_DRAW_BUMP_H
 #define APP_SCENE_DRAW_BUMP_H
 
-#include "app/scene/instance/instance.h"
+#include "app/scene/instance/instance_data.h"
 #include "app/scene/stage/light.h"
 
 /*

@@ -77,8 +77,8 @@ struct arrays {
 	bool lit; /* pass the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
-	bool proxy; /* draw the shadow proxy if the batch has one */
-	int lod;    /* as drawable.lod */
+	bool shadow; /* draw the proxy if it is the shorter list */
+	int lod;     /* as drawable.lod, or drawable.shadow_lod */
 };
 
 static void set_vertices(
@@ -122,7 +122,7 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
-	if (arrays->proxy && batch->proxy) {
+	if (arrays->shadow && batch_has_shorter_proxy(batch, arrays->lod)) {
 		draw_list(gl, batch->proxy, batch->proxy_count);
 	} else if (arrays->lod > 0) {
 		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
@@ -177,7 +177,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	const struct arrays none = {.proxy = true, .lod = drawable->lod};
+	const struct arrays none = {.shadow = true, .lod = drawable->shadow_lod};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {

@@ -10,8 +10,8 @@
  *
  * Each call adds one row: a label at the left, a value at the right and, for
  * some, a bar below. All rows are as wide as the group, whose width depends
- *only on the picture's, so that nothing moves while values change. Groups in
- *the same corner stack towards the middle of the picture.
+ * only on the picture's. Nothing therefore moves while values change. Groups
+ * in the same corner stack towards the middle of the picture.
  */
 #ifndef APP_SCENE_HUD_HUD_GROUP_H
 #define APP_SCENE_HUD_HUD_GROUP_H

@@ -198,6 +198,13 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
+static bool has_shadow_list(const struct model_primitive *primitive)
+{
+	int count = primitive->lod_count;
+
+	return count > 0 && primitive->lod[count - 1].shadow_only;
+}
+
 static int make_proxy(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
@@ -206,6 +213,9 @@ static int make_proxy(struct batch *batch, const struct drawable *drawable,
 		inverse_order_of(drawable), arena, &proxy, &batch->proxy_count);
 
 	batch->proxy = proxy;
+	batch->proxy_lod = has_shadow_list(drawable->primitive)
+		? model_lod_of_size(drawable->primitive, batch->proxy_count)
+		: 0;
 	return error;
 }
 
@@ -276,6 +286,43 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 
 	return whole ? make_whole(drawable, base_color, arena)
 		     : make_unindexed(drawable, base_color, arena);
+}
+
+static int tint_copy(
+	struct batch *batch, const float factor[3], struct arena *arena)
+{
+	uint8_t(*color)[4] =
+		arena_alloc(arena, (size_t)batch->vertex_count, sizeof(*color));
+
+	if (!color) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < batch->vertex_count; v++) {
+		for (int i = 0; i < 3; i++) {
+			color[v][i] =
+				(uint8_t)(batch->color[v][i] * factor[i] + 0.5f);
+		}
+		color[v][3] = batch->color[v][3];
+	}
+	batch->color = (const uint8_t(*)[4])color;
+	return 0;
+}
+
+int batch_tint(
+	struct drawable *drawable, const float factor[3], struct arena *arena)
+{
+	int error = 0;
+
+	for (int i = 0; i < 3; i++) {
+		drawable->color[i] =
+			(fx16_t)((float)drawable->color[i] * factor[i]);
+	}
+	for (int i = 0; !error && i < drawable->batch_count; i++) {
+		if (drawable->batch[i].color) {
+			error = tint_copy(&drawable->batch[i], factor, arena);
+		}
+	}
+	return error;
 }
 
 static void face_normal(

@@ -11,7 +11,7 @@
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H
 
-#include "app/scene/instance/instance.h"
+#include "app/scene/instance/instance_data.h"
 
 /*
  * Makes the batches of a drawable whose output arrays are set. Vertex colours
@@ -19,6 +19,14 @@
  */
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena);
+
+/*
+ * Multiplies the drawable's vertex colours and its material's colour by an
+ * sRGB-encoded factor from 0 to 1 a channel. The model and its other instances
+ * keep their colours. 0 or -ENOMEM.
+ */
+int batch_tint(
+	struct drawable *drawable, const float factor[3], struct arena *arena);
 
 /* Copies posed vertices into the gathered arrays; called once a frame. */
 void batch_gather(struct drawable *drawable);

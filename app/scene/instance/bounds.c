@@ -1,8 +1,10 @@
 #include "app/scene/instance/bounds.h"
 
 #include "app/anim/clip.h"
+#include "platform/base/scalar.h"
 
 #include <float.h>
+#include <math.h>
 
 enum {
 	CLIP_STEPS = 12
@@ -23,12 +25,17 @@ bool bounds_is_empty(const struct bounds *bounds)
 
 void bounds_add(struct bounds *bounds, const float point[3])
 {
+	if (isnan(point[0]) || isnan(point[1]) || isnan(point[2])) {
+		return;
+	}
 	for (int axis = 0; axis < 3; axis++) {
-		if (point[axis] < bounds->low[axis]) {
-			bounds->low[axis] = point[axis];
+		float at = scalar_clamp(point[axis], -BOUNDS_MAX, BOUNDS_MAX);
+
+		if (at < bounds->low[axis]) {
+			bounds->low[axis] = at;
 		}
-		if (point[axis] > bounds->high[axis]) {
-			bounds->high[axis] = point[axis];
+		if (at > bounds->high[axis]) {
+			bounds->high[axis] = at;
 		}
 	}
 }

@@ -9,6 +9,8 @@
 
 #include "app/scene/instance/instance.h"
 
+#define BOUNDS_MAX 1e9f
+
 struct bounds {
 	float low[3], high[3]; /* low is above high in an empty box */
 };
@@ -16,7 +18,11 @@ struct bounds {
 struct bounds bounds_empty(void);
 bool bounds_is_empty(const struct bounds *bounds);
 
-/* Extend the box to contain a point or another box. */
+/*
+ * Extend the box to contain a point or another box. Coordinates are clamped to
+ * +-BOUNDS_MAX, so that the box's lengths are finite; a point with a NaN is
+ * left out.
+ */
 void bounds_add(struct bounds *bounds, const float point[3]);
 void bounds_join(struct bounds *bounds, const struct bounds *other);
 

@@ -107,22 +107,22 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	return error;
 }
 
-static void run_skin(const struct drawable_fixed *fixed, bool with_normals,
-	bool with_tangents)
+static void run_skin(const struct drawable_fixed *fixed, int lod,
+	bool with_normals, bool with_tangents)
 {
 	const struct fixed_skin *skin = &fixed->skin;
 	const struct fixed_loops *loops = fixed->loops;
+	int group_count = fixed_skin_group_count(skin, lod);
 
-	loops->skin(skin->group, skin->group_count, skin->base[FIXED_POSITION],
+	loops->skin(skin->group, group_count, skin->base[FIXED_POSITION],
 		fixed->matrix, fixed->position);
 	if (fixed->normal && with_normals) {
-		loops->skin(skin->group, skin->group_count,
-			skin->base[FIXED_NORMAL], fixed->matrix, fixed->normal);
+		loops->skin(skin->group, group_count, skin->base[FIXED_NORMAL],
+			fixed->matrix, fixed->normal);
 	}
 	if (with_tangents) {
-		loops->skin(skin->group, skin->group_count,
-			skin->base[FIXED_TANGENT], fixed->matrix,
-			fixed->tangent);
+		loops->skin(skin->group, group_count, skin->base[FIXED_TANGENT],
+			fixed->matrix, fixed->tangent);
 	}
 }
 
@@ -156,7 +156,8 @@ static void pose_skin(const struct instance *instance,
 		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
 		&fixed->placement);
 	if (!fixed->overflowed) {
-		run_skin(fixed, !instance->hold_normals, with_tangents);
+		run_skin(fixed, drawable->posed_lod, !instance->hold_normals,
+			with_tangents);
 	}
 }
 

@@ -5,7 +5,7 @@
 #ifndef APP_SCENE_INSTANCE_DRAWABLE_FIXED_H
 #define APP_SCENE_INSTANCE_DRAWABLE_FIXED_H
 
-#include "app/scene/instance/instance.h"
+#include "app/scene/instance/instance_data.h"
 
 /*
  * Creates drawable->fixed. The drawable's node, skin, morphed and primitive are

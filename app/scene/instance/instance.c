@@ -99,6 +99,23 @@ static void skin_drawable(
 	}
 }
 
+/* The finest level of those whose vertices are drawn. */
+static int drawn_lod(const struct drawable *drawable)
+{
+	int lod = drawable->lod < drawable->shadow_lod ? drawable->lod
+						       : drawable->shadow_lod;
+
+	for (int i = 0; i < drawable->batch_count; i++) {
+		const struct batch *batch = &drawable->batch[i];
+
+		if (batch_has_shorter_proxy(batch, drawable->shadow_lod) &&
+			batch->proxy_lod < lod) {
+			lod = batch->proxy_lod;
+		}
+	}
+	return lod;
+}
+
 /* The world matrices and palettes are up to date. */
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
@@ -171,10 +188,24 @@ void instance_update(struct instance *instance)
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
 
+		drawable->posed_lod =
+			instance->drawn_vertices_only ? drawn_lod(drawable) : 0;
 		if (!drawable->hidden) {
 			pose_drawable(instance, drawable);
 		}
 	}
+}
+
+bool instance_is_stale(const struct instance *instance)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (drawable->posed_lod > drawn_lod(drawable)) {
+			return true;
+		}
+	}
+	return false;
 }
 
 bool instance_overflowed(const struct instance *instance)

@@ -1,170 +1,12 @@
 /*
- * An instance of a model: its pose and its output vertices.
+ * Creates and updates instances; instance_data.h describes their data.
  *
- * A model may have many instances. Each owns a pose, the world matrices and
- * palettes computed from the pose, and the arrays that the vertex kernels write.
  * instance_create() allocates all memory; posing and drawing allocate none.
- *
- * Units: matrices reach GL in 16.16 fixed point, so lengths have to stay near 1.
- * A scene unit is a metre if the model is between 25 cm and 16 m large, else a
- * power of two of metres (unit_scale; exact in float). In the same way a rigid
- * or morphed primitive whose positions are far from 1 is scaled by a power of
- * two (vertex_scale), and the matrix that draws it divides by that again.
- *
- * With a kernel that has fixed-point loops, vertices are 16-bit numbers whose
- * scale and offset are part of the matrix that draws them. A primitive that 16
- * bits cannot represent stays in float. drawable_position() returns a vertex's
- * position in either case.
  */
 #ifndef APP_SCENE_INSTANCE_INSTANCE_H
 #define APP_SCENE_INSTANCE_INSTANCE_H
 
-#include "app/anim/kernel/kernel.h"
-#include "app/anim/kernel/layout/fixed_morph.h"
-#include "app/anim/kernel/layout/fixed_skin.h"
-#include "app/anim/pose.h"
-#include "app/anim/skin.h"
-#include "platform/base/fixed.h"
-
-#include <string.h>
-
-/* A coarser list of a batch's triangles, see lod.h. */
-struct batch_lod {
-	float error; /* in the unit of the model's positions */
-	int index_count;
-	const uint16_t *index;
-};
-
-/*
- * Vertices that one GL call draws. The arrays are the drawable's own or copies
- * in another order, see batch.h.
- */
-struct batch {
-	int vertex_count;
-	/*
-	 * The primitive's vertex for each of the batch's in a gathered batch;
-	 * NULL if the batch has the drawable's vertices in its order.
-	 */
-	const uint32_t *source;
-	const float (*position)[3]; /* NULL: fixed_position is used */
-	const float (*normal)[3];   /* NULL: fixed_normal is used */
-	const struct fixed_vector *fixed_position;
-	const struct fixed_vector *fixed_normal;
-	const float (*texcoord)[2]; /* or NULL */
-	const uint8_t (*color)[4];  /* or NULL */
-
-	int index_count;
-	const uint16_t *index; /* NULL: each three vertices are a triangle */
-	int lod_count;
-	struct batch_lod *lod; /* [lod_count], finest first */
-	/* Fewer triangles with nearly the same silhouette, or NULL. */
-	const uint16_t *proxy;
-	int proxy_count;
-
-	/* The copies of a gathered batch, which each update writes. */
-	float (*gathered_position)[3];
-	float (*gathered_normal)[3];
-	struct fixed_vector *gathered_fixed;
-	struct fixed_vector *gathered_fixed_normal;
-};
-
-/* The vertices of a drawable in fixed point. */
-struct drawable_fixed {
-	const struct fixed_loops *loops;
-	/*
-	 * Scale and offset of the last update's positions, see fixed.h: to
-	 * scene units if the drawable is skinned, else to local units.
-	 */
-	struct fixed_placement placement;
-	struct fixed_vector *position; /* output */
-	struct fixed_vector *normal;   /* output; NULL: flat shading */
-	struct fixed_vector *tangent;  /* output; NULL: not bump-mapped */
-
-	/*
-	 * NULL if the arrays have the primitive's order. Otherwise order[i] is
-	 * the primitive's vertex that is stored at i, and inverse_order[v] is
-	 * where the primitive's vertex v is stored.
-	 */
-	const uint32_t *order, *inverse_order;
-
-	struct fixed_skin skin;      /* if skinned */
-	struct fixed_matrix *matrix; /* [skin.joint_count] */
-	struct fixed_morph morph;    /* if not skinned; rigid: no targets */
-	/* The last pose did not fit 16 bits: the output is an earlier one's. */
-	bool overflowed;
-};
-
-/* One primitive as one node shows it. */
-struct drawable {
-	int node;
-	int primitive_index;
-	const struct model_primitive *primitive;
-	int skin;      /* -1: rigid, drawn by its node's matrix */
-	bool morphed;  /* the mesh has targets */
-	bool external; /* shows the caller's arrays: instance_use_vertices() */
-	bool hidden;
-	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
-	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
-	float vertex_scale;
-
-	const float (*base_position)[3]; /* times vertex_scale */
-	const float (*base_normal)[3];   /* NULL: flat shading */
-	/*
-	 * Output: in scene units if skinned, else in local units times
-	 * vertex_scale.
-	 */
-	float (*position)[3];
-	float (*normal)[3]; /* output; NULL: flat shading */
-
-	/* Replaces the two arrays above; vertex_scale is 1 then. Or NULL. */
-	struct drawable_fixed *fixed;
-
-	/* If bump-mapped (see bump.h), else NULL. */
-	uint8_t (*light)[4];            /* output: the light's directions */
-	const float (*base_tangent)[3]; /* if not skinned, in float only */
-	float (*tangent)[3];            /* output, in float only */
-	float (*bitangent)[3];          /* output, in float only */
-
-	struct skin_stream stream; /* in fixed point only its counts */
-	struct morph_term *term;   /* [target_count] */
-
-	int batch_count;
-	struct batch *batch;
-};
-
-struct instance {
-	const struct model *model;
-	struct arena arena;
-	const struct kernel *kernel;
-	int max_influences; /* of a vertex; 0: all */
-
-	/*
-	 * If true, updates pose the positions of skinned vertices and keep their
-	 * normals, which saves time where lighting need not follow closely.
-	 */
-	bool hold_normals;
-
-	/*
-	 * If true, updates pose and light the tangents of bump-mapped
-	 * drawables, which are then drawn with their normal maps if
-	 * texture_set.normal_mapping is true. May be changed before any update;
-	 * true initially.
-	 */
-	bool normal_mapping;
-	/* Unit vector to the light that bump mapping uses, in world space. */
-	float towards_light[3];
-
-	struct pose pose;
-	mat4 *world;      /* [node_count], in the model's units */
-	mat4 **palette;   /* [skin_count][joint_count], times unit_scale */
-	float unit_scale; /* scene units a metre */
-	/* What the drawables' lods were chosen for; 0 before the first choice. */
-	float lod_px_per_unit;
-
-	int drawable_count;
-	struct drawable *drawable;
-	int float_count; /* drawables in float because 16 bits do not suffice */
-};
+#include "app/scene/instance/instance_data.h"
 
 /*
  * Creates an instance in the rest pose. The model must outlive it. Returns 0,
@@ -184,6 +26,12 @@ bool instance_overflowed(const struct instance *instance);
  * from the pose. Allocates nothing.
  */
 void instance_update(struct instance *instance);
+
+/*
+ * Whether the last update left out vertices that are drawn by now, because
+ * drawn_vertices_only is true and a finer level was chosen since.
+ */
+bool instance_is_stale(const struct instance *instance);
 
 /*
  * Makes a float drawable that is not skinned show the caller's vertices:
@@ -206,38 +54,6 @@ void instance_node_position(
  */
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
-
-/* Returns the number of morph targets of the drawable's mesh. */
-static inline int drawable_target_count(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	const struct model *model = instance->model;
-
-	return model->mesh[model->node[drawable->node].mesh].target_count;
-}
-
-/*
- * Returns the posed position of the primitive's vertex: in scene units if the
- * drawable is skinned, else in local units times vertex_scale.
- */
-static inline void drawable_position(
-	const struct drawable *drawable, int vertex, float out[3])
-{
-	const struct drawable_fixed *fixed = drawable->fixed;
-	const struct fixed_placement *placement;
-	const struct fixed_vector *v;
-
-	if (!fixed) {
-		memcpy(out, drawable->position[vertex], sizeof(float[3]));
-		return;
-	}
-	placement = &fixed->placement;
-	v = &fixed->position[fixed->inverse_order ? fixed->inverse_order[vertex]
-						  : (uint32_t)vertex];
-	out[0] = (float)v->x * placement->scale + placement->offset[0];
-	out[1] = (float)v->y * placement->scale + placement->offset[1];
-	out[2] = (float)v->z * placement->scale + placement->offset[2];
-}
 
 /*
  * Returns the posed position of the primitive's vertex in world space, in the

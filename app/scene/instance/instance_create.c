@@ -6,6 +6,7 @@
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/drawable_fixed.h"
 #include "app/scene/stage/light.h"
+#include "platform/base/count.h"
 
 #include <errno.h>
 
@@ -14,7 +15,8 @@ static float near_one(float size, float small, float large)
 {
 	float scale = 1.0f;
 
-	if (!(size > 0.0f) || (size >= small && size <= large)) {
+	if (!(size > 1e-12f && size < 1e12f) ||
+		(size >= small && size <= large)) {
 		return 1.0f;
 	}
 	while (size * scale > 1.0f) {
@@ -194,17 +196,21 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	return error;
 }
 
-static int count_drawables(const struct model *model)
+/* Nodes share meshes, so only the sum shows whether the count fits. */
+static int count_drawables(const struct model *model, int *out)
 {
-	int count = 0;
-
+	*out = 0;
 	for (int i = 0; i < model->node_count; i++) {
-		if (model->node[i].in_scene && model->node[i].mesh >= 0) {
-			count +=
-				model->mesh[model->node[i].mesh].primitive_count;
+		const struct model_node *node = &model->node[i];
+
+		if (node->in_scene && node->mesh >= 0 &&
+			!count_add(*out,
+				model->mesh[node->mesh].primitive_count, out)) {
+			(void)memory_budget_take(model->budget, SIZE_MAX);
+			return -ENOMEM;
 		}
 	}
-	return count;
+	return 0;
 }
 
 static int init_drawables(struct instance *instance)
@@ -212,7 +218,9 @@ static int init_drawables(struct instance *instance)
 	const struct model *model = instance->model;
 	int next = 0;
 
-	instance->drawable_count = count_drawables(model);
+	if (count_drawables(model, &instance->drawable_count) != 0) {
+		return -ENOMEM;
+	}
 	instance->drawable = ARENA_ARRAY(&instance->arena, struct drawable,
 		(size_t)instance->drawable_count);
 	if (!instance->drawable) {
@@ -273,7 +281,7 @@ static void choose_unit_scale(struct instance *instance)
 int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out)
 {
-	struct arena arena = arena_empty();
+	struct arena arena = arena_within(model->budget);
 	struct instance *instance = ARENA_NEW(&arena, struct instance);
 	int error = -ENOMEM;
 
@@ -304,8 +312,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	return 0;
 
 fail:
-	log_error(log, "%s: there is not enough memory to pose the model",
-		model->path);
+	(void)memory_budget_fail(model->budget, model->path, log);
 	arena_release(&arena);
 	return error;
 }

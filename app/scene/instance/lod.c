@@ -139,8 +139,9 @@ static int coarsest(const struct batch *batch, float error)
 	return lod;
 }
 
+/* The coarsest list whose error is at most tolerance times the limit. */
 static int lod_of(const struct instance *instance,
-	const struct drawable *drawable, const struct lod *lod)
+	const struct drawable *drawable, const struct lod *lod, float tolerance)
 {
 	const struct batch *batch = drawable->batch;
 	float units;
@@ -156,7 +157,8 @@ static int lod_of(const struct instance *instance,
 		break;
 	}
 	units = units_of(instance, drawable) * instance->lod_px_per_unit;
-	return units > 0.0f ? coarsest(batch, error_px(lod) / units) : 0;
+	return units > 0.0f ? coarsest(batch, tolerance * error_px(lod) / units)
+			    : 0;
 }
 
 void lod_choose(
@@ -170,9 +172,12 @@ void lod_choose(
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
 
-		drawable->lod = drawable->batch_count > 0
-			? lod_of(instance, drawable, lod)
-			: 0;
+		drawable->lod = drawable->shadow_lod = 0;
+		if (drawable->batch_count > 0) {
+			drawable->lod = lod_of(instance, drawable, lod, 1.0f);
+			drawable->shadow_lod = lod_of(
+				instance, drawable, lod, LOD_SHADOW_TOLERANCE);
+		}
 	}
 }
 

@@ -26,7 +26,9 @@ struct lod {
 	int level;
 };
 
-#define LOD_ERROR_PX 1.0f
+#define LOD_ERROR_PX         1.0f
+/* A shadow may be off by so many times the error that its figure may have. */
+#define LOD_SHADOW_TOLERANCE 1.5f
 
 /*
  * Parses "auto", "off", "level:N" or a number of pixels up to 100. Returns

@@ -182,7 +182,7 @@ int floor_init(struct floor *floor, const struct gl *gl,
 {
 	float middle[3], extent = bounds_extent(bounds);
 
-	extent = extent > 0.0f ? extent : 1.0f;
+	extent = extent > 1e-9f ? extent : 1.0f;
 	bounds_center(bounds, middle);
 	*floor = (struct floor){
 		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
@@ -213,6 +213,10 @@ void floor_finish(struct floor *floor, const struct gl *gl)
 /* The pattern repeats, so the offset can be kept small. */
 static float wrap(float offset, float length)
 {
+	/* Steps that do not fit the pattern would not get smaller. */
+	if (!(scalar_abs(offset) < 1000.0f * length)) {
+		return 0.0f;
+	}
 	while (offset >= length) {
 		offset -= length;
 	}

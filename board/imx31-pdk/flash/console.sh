@@ -1,12 +1,12 @@
-# The serial console: sends lines and waits for what the board says.
+# The serial console: sends lines and waits for the board's answers.
 # shellcheck shell=bash disable=SC2034,SC2154 # flash.sh's variables
 #
-# A command is sent without its end of line first; only when the board has
-# echoed it as it was sent does the end follow. So a character that the line
-# lost never makes another command of it.
+# A command is sent without its end of line first. The end follows only when the
+# board has echoed the command correctly, so a lost character cannot turn it into
+# another command.
 
-heard=  # all that came since the last command
-reason= # of the last failure, for a sentence
+received=  # the board's output since the last command
+reason= # of the last failure
 prompt_pattern='(RedBoot>|U-Boot ?>|[uU][bB]oot ?>|=>) ?$'
 linux_pattern='(login:|[#$]) ?$'
 
@@ -16,7 +16,7 @@ console_list() {
 
 console_open() {
     [ -c "$1" ] ||
-        fail "$1: no such serial line: give --port (there is: $(console_list))"
+        fail "$1: no such serial line: choose one with --port ($(console_list))"
     if ! [[ -r $1 && -w $1 ]]; then
         fail "$1: no permission: join its group (usermod -aG $(stat -c %G "$1") USER) and log in again"
     fi
@@ -25,24 +25,24 @@ console_open() {
     exec {console}<>"$1" || fail "$1: cannot be opened"
 }
 
-# What came within a twentieth of a second, without CR, is added to $heard.
+# Adds what arrives within 0.05 s, without CR, to $received; false for nothing.
 console_hear() {
     local part=
     IFS= read -r -u "$console" -t 0.05 -N 512 part || true
     part=${part//$'\r'/}
-    heard+=$part
+    received+=$part
     [ -n "$part" ]
 }
 
-# console_wait SECONDS PATTERN: until $heard's end has it; resets the time
-# whenever something comes, so that progress is never cut short.
+# console_wait SECONDS PATTERN: waits until $received matches. The time starts again
+# whenever something arrives, so that a slow transfer does not time out.
 console_wait() {
     local until=$((SECONDS + $1 + 1))
     while [ $SECONDS -le $until ]; do
         if console_hear; then
             until=$((SECONDS + $1 + 1))
         fi
-        if [[ $heard =~ $2 ]]; then
+        if [[ $received =~ $2 ]]; then
             return 0
         fi
     done
@@ -53,39 +53,39 @@ console_put() {
     printf %s "$1" >&"$console"
 }
 
-# Drops what is under way, up to silence.
+# Interrupts the current command and drops its output.
 console_settle() {
     $dry_run && return 0
-    heard=
+    received=
     console_put $'\x03'
     console_wait 1 "$prompt_pattern" || true
     while console_hear; do :; done
-    heard=
+    received=
 }
 
-# console_echo TEXT PAUSE: sends it and waits for its echo.
+# console_echo TEXT PAUSE: sends the text and waits for its echo.
 console_echo() {
     local i
-    heard=
+    received=
     for ((i = 0; i < ${#1}; i++)); do
         console_put "${1:i:1}"
         [ "$2" = 0 ] || sleep "$2"
     done
     for ((i = 0; i < 20; i++)); do
         console_hear || true
-        if [ "$heard" = "$1" ]; then
+        if [ "$received" = "$1" ]; then
             return 0
         fi
     done
     return 1
 }
 
-# console_type TEXT: one line, unchanged, then its end.
+# console_type TEXT: sends one line, more slowly each time it is not echoed.
 console_type() {
     local pause
     for pause in 0 0.005 0.02 0.05; do
         if console_echo "$1" $pause; then
-            heard=
+            received=
             console_put $'\r'
             return 0
         fi
@@ -95,8 +95,8 @@ console_type() {
     return 1
 }
 
-# tell TEXT [SECONDS]: runs it; what it said is in $heard.
-tell() {
+# console_run TEXT [SECONDS]: runs a command; its output is in $received.
+console_run() {
     echo "  > $1"
     $dry_run && return 0
     console_type "$1" || return 1
@@ -106,48 +106,48 @@ tell() {
     fi
 }
 
-# Which boot loader is there; waits for a reset when nothing answers.
+# Recognizes the boot loader. Asks for a reset when nothing answers.
 console_find_loader() {
-    heard=
+    received=
     console_put $'\r'
     if ! console_wait 1 "$prompt_pattern|$linux_pattern"; then
         echo "Nothing answers on $port: press the board's reset button."
         console_stop_autoboot
     fi
-    case $heard in
+    case $received in
     *RedBoot\>*) loader=redboot ;;
     *)
-        [[ $heard =~ $prompt_pattern ]] || say_wrong_prompt
+        [[ $received =~ $prompt_pattern ]] || fail_wrong_prompt
         loader=uboot
         ;;
     esac
     echo "The boot loader is $loader."
 }
 
-# Both loaders announce their autoboot; any key or ^C ends it.
+# Both boot loaders announce that they will boot; Ctrl-C stops that.
 console_stop_autoboot() {
     console_wait "$seconds" 'stop autoboot|\^C to abort' ||
-        fail "$port: nothing comes from the board: check its power, the cable and that no other program has the line"
-    heard=
+        fail "$port: the board sends nothing: check its power and the cable, and that no other program uses the line"
+    received=
     console_put $'\x03'
-    console_wait 3 "$prompt_pattern" || say_wrong_prompt
+    console_wait 3 "$prompt_pattern" || fail_wrong_prompt
 }
 
-say_wrong_prompt() {
-    if [[ $heard =~ $linux_pattern ]]; then
+fail_wrong_prompt() {
+    if [[ $received =~ $linux_pattern ]]; then
         fail "$port: the board runs Linux: reset it and start flash.sh at once"
     fi
-    fail "$port: this is neither RedBoot's nor U-Boot's prompt: \"${heard##*$'\n'}\""
+    fail "$port: this is neither the prompt of RedBoot nor of U-Boot: \"${received##*$'\n'}\""
 }
 
 console_want_prompt() {
-    heard=
+    received=
     console_put $'\r'
     console_wait 2 "$prompt_pattern|$linux_pattern" || console_find_loader
-    [[ $heard =~ $prompt_pattern ]] || say_wrong_prompt
-    case $loader$heard in
+    [[ $received =~ $prompt_pattern ]] || fail_wrong_prompt
+    case $loader$received in
     redboot*RedBoot\>*) ;;
     redboot* | uboot*RedBoot\>*)
-        fail "$port: the prompt is not $loader's: leave --loader out" ;;
+        fail "$port: the prompt is not that of $loader: leave --loader out" ;;
     esac
 }

@@ -1,4 +1,4 @@
-# The images: which there are, what their sums are, where they go.
+# The images, their checksums and their partitions.
 # shellcheck shell=bash disable=SC2034,SC2154 # flash.sh's variables
 
 kernel=zImage-dtb
@@ -23,44 +23,44 @@ file_size() {
     stat -c %s "$images/$1"
 }
 
-# Whole pages of the NAND.
+# The size rounded up to whole pages of the NAND.
 paged_size() {
     local size
     size=$(file_size "$1")
     echo $(((size + nand_page - 1) / nand_page * nand_page))
 }
 
-# The CRC-32 that U-Boot prints: the one gzip ends its files with.
+# The CRC-32 that U-Boot prints, which gzip appends to its output.
 file_crc32() {
     local byte
     read -ra byte <<<"$(gzip -1c "$images/$1" | tail -c 8 | head -c 4 | od -An -tx1)"
     echo "${byte[3]}${byte[2]}${byte[1]}${byte[0]}"
 }
 
-# The sum that RedBoot prints: POSIX cksum.
+# The checksum that RedBoot prints, that of POSIX cksum.
 file_cksum() {
     cksum <"$images/$1" | cut -d' ' -f1
 }
 
-# The files of this action are there, whole, and not larger than their places.
+# Checks that the files exist, match SHA256SUMS and fit into their partitions.
 files_check() {
     local name part offset size
     local wanted=("$kernel" "$initramfs")
     [ "$action" = run ] || wanted=("$kernel" "$rootfs")
     for name in "${wanted[@]}" SHA256SUMS; do
         [ -s "$images/$name" ] ||
-            fail "$images/$name: not there: run make image, or name the folder with --images"
+            fail "$images/$name: this file is missing: run make image, or name the folder with --images"
     done
     for name in "${wanted[@]}"; do
         (cd "$images" && grep -q " [ *]*$name\$" SHA256SUMS &&
             grep " [ *]*$name\$" SHA256SUMS | sha256sum --check --status) ||
-            fail "$images/$name: its sum is not the one in SHA256SUMS: run make image again"
+            fail "$images/$name: its checksum differs from SHA256SUMS: run make image again"
     done
     [ "$action" = write ] || return 0
     for part in kernel rootfs; do
         read -r offset size <<<"$(partition_range "$part")"
         [ "$(paged_size "${!part}")" -le "$size" ] ||
-            fail "$images/${!part}: larger than its partition of $size bytes"
+            fail "$images/${!part}: it is larger than its partition of $size bytes"
     done
 }
 

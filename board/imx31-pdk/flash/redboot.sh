@@ -1,4 +1,4 @@
-# How RedBoot is told. Its RAM begins at 0; it asks before it erases.
+# The commands of RedBoot. Its RAM begins at 0, and it asks before it erases.
 # shellcheck shell=bash disable=SC2034,SC2154 # flash.sh's variables
 
 load_address=0x100000
@@ -6,45 +6,45 @@ initramfs_address=0x2000000
 check_address=0x4000000
 
 loader_network() {
-    [ -z "$address$server" ] || attempt network tell \
+    [ -z "$address$server" ] || attempt network console_run \
         "ip_address${address:+ -l $address}${server:+ -h $server}"
 }
 
 loader_load() {
-    tell "load -r -b $2 $1" || return 1
+    console_run "load -r -b $2 $1" || return 1
     $dry_run && return 0
-    if ! [[ $heard =~ "Raw file loaded "(0x[0-9a-f]+)-(0x[0-9a-f]+) ]]; then
-        reason="the transfer failed: $(grep -m 1 -iE "can't|error|timed out" <<<"$heard" || echo 'no reason given')"
+    if ! [[ $received =~ "Raw file loaded "(0x[0-9a-f]+)-(0x[0-9a-f]+) ]]; then
+        reason="the transfer failed: $(grep -m 1 -iE "can't|error|timed out" <<<"$received" || echo 'no reason given')"
         return 1
     fi
     if [ $((BASH_REMATCH[2] - BASH_REMATCH[1] + 1)) -ne "$(file_size "$1")" ]; then
-        reason="not $(file_size "$1") bytes came: is the server's copy old? (--tftp copies it)"
+        reason="the board did not receive $(file_size "$1") bytes: copy the file to the server again (--tftp)"
         return 1
     fi
 }
 
 loader_verify() {
-    tell "cksum -b $2 -l $(hex "$(file_size "$1")")" || return 1
-    if ! [[ $heard =~ "cksum = "([0-9]+) ]] ||
+    console_run "cksum -b $2 -l $(hex "$(file_size "$1")")" || return 1
+    if ! [[ $received =~ "cksum = "([0-9]+) ]] ||
         [ "${BASH_REMATCH[1]}" != "$(file_cksum "$1")" ]; then
-        reason='its sum on the board is wrong'
+        reason='its checksum on the board is wrong'
         return 1
     fi
 }
 
 loader_verify_nand() {
-    tell "fis load -b $check_address $2" &&
+    console_run "fis load -b $check_address $2" &&
         loader_verify "$1" $check_address && return 0
-    reason="what the NAND holds is not $1"
+    reason="the content of the NAND differs from $1"
     return 1
 }
 
-# Where RedBoot sees the NAND: its own image is at the start of it.
+# RedBoot's address of the NAND, where its own image starts.
 redboot_flash_base() {
     $dry_run && { flash_base=0; return 0; }
-    tell 'fis list' || return 1
-    if ! [[ $heard =~ RedBoot\ +(0x[0-9A-Fa-f]+) ]]; then
-        reason='fis list shows no RedBoot image: is there a directory (fis init)?'
+    console_run 'fis list' || return 1
+    if ! [[ $received =~ RedBoot\ +(0x[0-9A-Fa-f]+) ]]; then
+        reason='fis list shows no RedBoot image: create its directory with fis init'
         return 1
     fi
     flash_base=$((BASH_REMATCH[1]))
@@ -60,16 +60,16 @@ loader_write() {
     $dry_run && return 0
     console_type "$line" || return 1
     until console_wait 120 "$prompt_pattern|\(y/n\)\? ?$" &&
-        [[ $heard =~ $prompt_pattern ]]; do
-        if ! [[ $heard =~ \(y/n\)\?\ ?$ ]]; then
-            reason='no answer to fis create within 120 s'
+        [[ $received =~ $prompt_pattern ]]; do
+        if ! [[ $received =~ \(y/n\)\?\ ?$ ]]; then
+            reason='fis create did not finish within 120 s'
             return 1
         fi
-        heard=
+        received=
         console_put $'y\r'
     done
-    if [[ $heard =~ ([^$'\n']*([Ee]rror|[Ii]nvalid|can\'t)[^$'\n']*) ]]; then
-        reason="RedBoot says: ${BASH_REMATCH[1]}"
+    if [[ $received =~ ([^$'\n']*([Ee]rror|[Ii]nvalid|can\'t)[^$'\n']*) ]]; then
+        reason="RedBoot reports: ${BASH_REMATCH[1]}"
         return 1
     fi
 }

@@ -1,7 +1,7 @@
 #!/bin/sh
-# build.sh SOURCE.tar.xz DIR: makes the board's kernel from Debian's source.
-# DIR receives zImage, Image.config and modules/; its work stays in DIR/source
-# and DIR/obj. Does nothing when what it was made from has not changed.
+# build.sh SOURCE.tar.xz DIR: builds the board's kernel from Debian's source in
+# DIR/source and DIR/obj, and copies it to DIR/zImage and DIR/modules. Does
+# nothing when its input has not changed.
 set -eu
 
 tarball=$1
@@ -21,7 +21,7 @@ log=$directory/build.log
 : >"$log"
 rm -f "$directory/made-from"
 
-# The same bytes from the same source, whoever builds.
+# Makes the build reproducible.
 export ARCH=arm CROSS_COMPILE=arm-linux-gnueabi- LC_ALL=C
 export KBUILD_BUILD_TIMESTAMP='2026-01-01 00:00:00 UTC'
 export KBUILD_BUILD_USER=limber KBUILD_BUILD_HOST=limber KBUILD_BUILD_VERSION=1
@@ -30,12 +30,12 @@ kernel_make() {
     make -C "$source" O="$directory/obj" --no-print-directory -j"$JOBS" \
         "$@" >>"$log" 2>&1 || {
         tail -n 30 "$log" >&2
-        echo "limber: the kernel does not build: $log has all of it" >&2
+        echo "limber: the kernel cannot be built: see $log" >&2
         exit 1
     }
 }
 
-# Most of the source is for machines that this is not.
+# Leaves out most of the source that is for other machines.
 unpack() {
     rm -rf "$source" "$source.new"
     mkdir "$source.new"
@@ -64,16 +64,16 @@ config LIMBER_IMX31_PDK
 END
     echo 'obj-$(CONFIG_LIMBER_IMX31_PDK) += limber-imx31-pdk.o' \
         >>"$source/arch/arm/mach-imx/Makefile"
-    # simpledrm is a module, loaded by a test after it has unbound the simple
-    # framebuffer. Both built in would fight, so Kconfig allows one alone, and
-    # both drivers have one name.
+    # A test loads the module simpledrm after it has unbound the simple
+    # framebuffer. Both drivers have the same name, so Kconfig allows only one
+    # of them; this allows both and renames one.
     sed -i '/^config FB_SIMPLE$/,/^config /{/depends on !DRM_SIMPLEDRM/d}' \
         "$source/drivers/video/fbdev/Kconfig"
     sed -i 's/\.name = "simple-framebuffer", .*/.name = "simpledrm",/' \
         "$source/drivers/gpu/drm/tiny/simpledrm.c"
 }
 
-# Every line of the fragment must have become true.
+# Prints the lines of limber.config that the configuration did not accept.
 check_config() {
     grep -E '^(# )?CONFIG_' "$here/limber.config" |
         while read -r line; do
@@ -102,7 +102,7 @@ kernel_make tinyconfig
 kernel_make olddefconfig
 refused=$(check_config)
 if [ -n "$refused" ]; then
-    echo "limber: the kernel's configuration does not take:" >&2
+    echo "limber: the kernel's configuration does not accept these lines:" >&2
     echo "$refused" >&2
     exit 1
 fi

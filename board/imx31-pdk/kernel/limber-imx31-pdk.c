@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-only OR MIT
 /*
- * The i.MX31 PDK's picture on a device-tree kernel.
+ * The panel of the i.MX31 PDK on a device-tree kernel.
  *
- * mx3fb and the IPU's driver take platform data only, and there is no pin
- * controller for the i.MX31. So on "fsl,imx31-pdk" this file routes the pins,
- * registers the two devices with the Epson panel's timing, and enables what the
- * device tree leaves disabled for the emulated i.MX31, which has no IPU: that
- * one keeps its simple framebuffer. Addresses, pins and timing are those of
+ * mx3fb and the IPU's driver support platform data only, and the kernel has no
+ * pin controller driver for the i.MX31. So on "fsl,imx31-pdk" this file routes
+ * the pins, registers the two devices with the Epson panel's timing, and enables
+ * what the device tree disables for the emulated i.MX31. That one has no IPU and
+ * keeps its simple framebuffer. Addresses, pins and timing are those of
  * Freescale's board support (mach-mx31_3ds.c, up to Linux 5.9).
  */
 #include <linux/clk.h>
@@ -32,10 +32,10 @@ enum pin_mode {
 	PIN_ALTERNATE_1 = 0x24,
 };
 
-/* Pulled down by 100 kOhm, with a Schmitt trigger. */
+/* A 100 kOhm pull-down and a Schmitt trigger. */
 #define PAD_BUTTON ((1 << 8) | (1 << 7) | (1 << 4))
 
-/* Pins by their number in the multiplexer, first to last. */
+/* Pins by their number in the multiplexer. */
 struct pin_range {
 	u16 first, last;
 	enum pin_mode mode;
@@ -72,7 +72,7 @@ static const struct fb_videomode panel_mode = {
 	.vmode = FB_VMODE_NONINTERLACED,
 };
 
-/* Four pins a register, a byte each. */
+/* A register has four pins of one byte. */
 static void __init route_pin(void __iomem *iomux, unsigned int pin, u32 mode)
 {
 	void __iomem *reg = iomux + IOMUX_MUX + (pin & ~3u);
@@ -81,7 +81,7 @@ static void __init route_pin(void __iomem *iomux, unsigned int pin, u32 mode)
 	writel((readl(reg) & ~(0xffu << shift)) | mode << shift, reg);
 }
 
-/* Three pads a register, ten bits each, the first in the third field. */
+/* A register has three pads of ten bits; pad 0 is the third of the first. */
 static void __init set_pad(void __iomem *iomux, unsigned int pin, u32 config)
 {
 	void __iomem *reg = iomux + IOMUX_PAD + (pin + 2) / 3 * 4;
@@ -108,7 +108,7 @@ static int __init route_pins(void)
 	return 0;
 }
 
-/* limber_ipu on the command line: as if there were one, to try what follows. */
+/* limber_ipu on the command line assumes an IPU, to test the code below. */
 static bool ipu_is_assumed __initdata;
 
 static int __init assume_ipu(char *value)
@@ -118,7 +118,7 @@ static int __init assume_ipu(char *value)
 }
 early_param("limber_ipu", assume_ipu);
 
-/* The emulated i.MX31 reads zero where the IPU would keep what was written. */
+/* A register of the IPU keeps what is written; the emulated one reads as 0. */
 static bool __init has_ipu(struct device_node *node)
 {
 	struct clk *clock = of_clk_get(node, 0);
@@ -159,7 +159,7 @@ static int __init set_status(struct device_node *node, const char *status)
 	return error;
 }
 
-/* Buses, keypad, flash and picture as the board has them. */
+/* Enables buses, keypad and flash, and disables the simple framebuffer. */
 static int __init enable_board(void)
 {
 	struct device_node *nodes[] = {
@@ -218,7 +218,7 @@ static int __init register_picture(struct device_node *node, u32 base)
 	return PTR_ERR_OR_ZERO(platform_device_register_full(&info));
 }
 
-/* Before the device tree's devices are made, and before the IPU's driver. */
+/* Runs before the device tree's devices and the IPU's driver are set up. */
 static int __init limber_imx31_pdk_init(void)
 {
 	struct device_node *node;

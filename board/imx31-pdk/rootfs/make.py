@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""make.py SYSROOT LIMBER ASSETS STAGE: collects the board's root file system.
+"""make.py SYSROOT LIMBER ASSETS DIR: collects the board's root file system.
 
-STAGE/root receives the tree, for a flash image, and STAGE/list the same as a
-list for the kernel's gen_init_cpio, which needs no root to make nodes and
-owners. Programs bring the libraries that they name (DT_NEEDED), taken from the
-sysroot, and so on down; OPENED names those that limber opens at run time.
+It writes the tree to DIR/root, for the flash image, and to DIR/list a list of
+it for the kernel's gen_init_cpio, which can make device nodes and owners
+without being root. The libraries that a program needs (DT_NEEDED) are copied
+from the sysroot, and those that they need; OPENED names the libraries that
+limber opens at run time.
 """
 import os
 import pathlib
@@ -16,8 +17,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 PREFIX = "arm-linux-gnueabi-"
 LIBRARIES = "usr/lib/arm-linux-gnueabi"
-# Opened by limber when it is asked for what they do. Not Mesa: its drivers
-# alone are larger than the flash partition's worth of everything else.
+# Mesa is not among them, because its drivers alone are larger than all the rest.
 OPENED = ("libv4lconvert.so.0",)
 FOLDERS = ("bin", "dev", "etc", "lib", "proc", "run", "sbin", "sys", "usr",
            "usr/bin", "usr/lib", "usr/sbin", "usr/share", "usr/share/limber")
@@ -70,7 +70,7 @@ class Tree:
             if applet != "busybox":
                 self.link("bin/" + applet, "busybox")
         self.link("sbin/init", "../bin/busybox")
-        # The kernel's name for it in an initramfs.
+        # The kernel starts /init of an initramfs.
         self.link("init", "sbin/init")
 
 
@@ -96,7 +96,7 @@ def collect(sysroot, limber, assets, root):
 
 
 def listed(root):
-    """Lines for gen_init_cpio, in an order of their own."""
+    """Returns sorted lines for gen_init_cpio."""
     lines = ["nod /dev/console 0600 0 0 c 5 1"]
     for folder, folders, files in os.walk(root):
         folders.sort()
@@ -110,17 +110,17 @@ def listed(root):
             else:
                 mode = path.stat().st_mode & 0o777
                 lines.append(f"file {inside} {path} {mode:04o} 0 0")
-    # A folder comes before what is in it.
+    # Sorted by path, a folder comes before its content.
     return sorted(lines, key=lambda line: line.split()[1])
 
 
 def main():
     if len(sys.argv) != 5:
         sys.exit(__doc__.splitlines()[0])
-    sysroot, limber, assets, stage = map(pathlib.Path, sys.argv[1:])
-    shutil.rmtree(stage, ignore_errors=True)
-    collect(sysroot, limber, assets, stage / "root")
-    (stage / "list").write_text("\n".join(listed(stage / "root")) + "\n")
+    sysroot, limber, assets, out = map(pathlib.Path, sys.argv[1:])
+    shutil.rmtree(out, ignore_errors=True)
+    collect(sysroot, limber, assets, out / "root")
+    (out / "list").write_text("\n".join(listed(out / "root")) + "\n")
 
 
 if __name__ == "__main__":

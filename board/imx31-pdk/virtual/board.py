@@ -1,8 +1,8 @@
-"""The emulated board as the server sees it.
+"""The emulated board of the server.
 
-QEMU is asked from one thread, question by question; everything else happens in
-the event loop. listener is told what changes: listener.state(), .log(text) and
-.picture(first_row, rows).
+One thread sends requests to QEMU, one after the other; everything else runs in
+the event loop. The board calls listener.state(), listener.log(text) and
+listener.picture(first_row, rows) when something changes.
 """
 import asyncio
 import concurrent.futures
@@ -14,18 +14,18 @@ import overlay
 from overlay import LINES, emulation
 
 ROW_BYTES = emulation.WIDTH * 2
-# How often the screen is looked at: while it changes, and at rest.
+# The time between two readings of the screen, while it changes and at rest.
 LOOK_S, REST_S = 1 / 30, 1 / 6
-# How often QEMU is asked whether it lives while nobody looks.
+# The time between two checks of QEMU while no page is visible.
 UNSEEN_S = 0.5
-# A press lasts so long at least, and until the board has drawn twice, but no
-# longer than the last of them: QEMU on a busy host may stand still for longer
-# than a click takes, and then never sees it.
+# A press lasts at least the first time, and until the board has drawn so many
+# pictures or the last time is over. On a busy host QEMU may stand still for
+# longer than a click, and would not notice it.
 SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S = 0.1, 2, 0.4
-# And between two of them.
+# The time between two presses of a button.
 PAUSE_S = 0.05
 LOG_KEPT = 100_000
-# The last words of a kernel that will not go on, and what to tell of them.
+# The last messages of a kernel that has stopped, and what they mean.
 LAST_WORDS = {
     "Kernel panic": "its kernel has panicked, the console says why",
     "reboot: System halted": "its system has been halted",
@@ -34,8 +34,8 @@ LAST_WORDS = {
 
 
 def changed_rows(old, new, step=16):
-    """The first row and the number of rows from the first to the last block
-    of rows that differ; (0, 0) where nothing does."""
+    """Returns the first row and the number of rows from the first to the last
+    block of rows that differ, or (0, 0)."""
     old, new = memoryview(old), memoryview(new)
     block = step * ROW_BYTES
     starts = [at for at in range(0, len(new), block)
@@ -47,13 +47,13 @@ def changed_rows(old, new, step=16):
 
 
 def is_drawn(frame):
-    """More than the few colours of an empty screen."""
+    """Whether the screen shows more than the few colours of an empty one."""
     return len({frame[at:at + 2] for at in range(0, len(frame), 1998)}) > 12
 
 
 class Board:
-    """phase is off, starting, booting, running, halted or ended; why says it
-    in words for the last two."""
+    """phase is off, starting, booting, running, halted or ended; why is the
+    reason for the last two."""
 
     def __init__(self, image, state, listener):
         self.image = pathlib.Path(image)
@@ -75,7 +75,7 @@ class Board:
         self.hurry = asyncio.Event()
 
     async def ask(self, function, *arguments):
-        """In the thread that talks to QEMU."""
+        """Runs a function in the thread that sends requests to QEMU."""
         loop = asyncio.get_running_loop()
         return await loop.run_in_executor(self.worker, function, *arguments)
 
@@ -92,8 +92,8 @@ class Board:
 
     async def power(self, on):
         if not on:
-            # First of all, so that nobody goes on waiting for its answer.
-            self.leave_alone()
+            # Comes first, so that no task goes on waiting for an answer.
+            self.disconnect()
             await self.end_qemu()
         async with self.switching:
             if on and not self.is_on:
@@ -118,7 +118,7 @@ class Board:
     def launch(self):
         stale = self.machine.pid()
         if stale:
-            # Of a server that could not stop it; ours holds the folder's lock.
+            # A former server left it; this one holds the folder's lock.
             emulation.Machine(self.folder).stop()
         for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
                      "test-drivers.cpio.lz4"):
@@ -141,8 +141,8 @@ class Board:
         self.tasks += [asyncio.create_task(self.read_console(console)),
                        asyncio.create_task(self.read_camera(camera))]
 
-    def leave_alone(self):
-        """Nobody looks at this QEMU or listens to it any longer."""
+    def disconnect(self):
+        """Cancels the tasks and closes the lines of this QEMU."""
         this = asyncio.current_task()
         for task in self.tasks:
             if task is not this:
@@ -155,13 +155,13 @@ class Board:
         self.camera_seen = False
 
     async def end_qemu(self):
-        """Not in the thread that talks to it, which may be waiting for an
-        answer. What it fails in, stop() fails in, too, and tells."""
+        """Ends QEMU from another thread than that of ask(), which may be
+        waiting for an answer. stop() reports a failure."""
         with contextlib.suppress(emulation.Error, OSError):
             await asyncio.to_thread(self.machine.end)
 
     async def stop(self, phase, why=""):
-        self.leave_alone()
+        self.disconnect()
         await self.end_qemu()
         try:
             await self.ask(self.machine.stop)
@@ -178,19 +178,19 @@ class Board:
             try:
                 await self.ask(self.push_reset)
             except (emulation.Error, OSError):
-                return  # watch() tells it
+                return  # watch() reports it
             self.say("\n-- reset --\n")
             self.begin_again()
 
     def push_reset(self):
-        # It stands still meanwhile, lest it draws on what is cleared.
+        # The board is stopped while its screen is cleared.
         self.machine.monitor.run("stop")
         self.machine.monitor.run("system_reset")
         self.machine.clear()
         self.machine.monitor.run("cont")
 
     def begin_again(self):
-        """The machine has been reset, by the switch or by itself."""
+        """Called after a reset, by the switch or by the board itself."""
         self.camera_seen = False
         self.show(bytes(emulation.FRAME_BYTES))
         self.enter("booting")
@@ -211,7 +211,7 @@ class Board:
         return rows > 0
 
     async def watch(self):
-        """Looks at the screen while somebody else does, and after QEMU."""
+        """Reads the screen while a page is visible, and checks QEMU."""
         pause = LOOK_S
         while True:
             begun = time.monotonic()
@@ -223,14 +223,14 @@ class Board:
                 else:
                     await self.ask(self.machine.monitor.run, "query-status")
                     pause = UNSEEN_S
-                self.hear_news()
+                self.handle_events()
             except Exception as error:  # pylint: disable=broad-except
-                # Whatever it is, the page must not go on as if nothing were.
-                await self.tell_end(error)
+                # The page must learn of every failure.
+                await self.report_end(error)
                 return
             left = pause - (time.monotonic() - begun)
             with contextlib.suppress(TimeoutError):
-                # A press makes it look at once.
+                # A press sets hurry, and the screen is read at once.
                 async with asyncio.timeout(max(left, 0.005)):
                     await self.hurry.wait()
                 pause = LOOK_S
@@ -241,7 +241,7 @@ class Board:
             self.enter("running")
         return self.show(frame)
 
-    def hear_news(self):
+    def handle_events(self):
         events = self.machine.monitor.events
         for event in events:
             if event["event"] == "RESET" and event["data"].get("guest"):
@@ -249,7 +249,7 @@ class Board:
                 self.begin_again()
         events.clear()
 
-    async def tell_end(self, error):
+    async def report_end(self, error):
         said = ""
         with contextlib.suppress(OSError):
             said = (self.folder / "qemu.log").read_text(errors="replace")
@@ -258,8 +258,8 @@ class Board:
             await self.stop("ended", str(error) +
                             (f": {lines[-1]}" if lines else ""))
 
-    # Buttons: a line is high while anybody holds it. What is done to one is
-    # done in its order, so two quick clicks are two.
+    # Buttons: a line is high while any page holds it. The presses of a button
+    # are carried out one after the other, so that two quick clicks count.
 
     async def press(self, name, who):
         async with self.turns[name]:
@@ -281,7 +281,7 @@ class Board:
                 await asyncio.sleep(PAUSE_S)
 
     def is_noticed(self, pressed_s, drawn):
-        """Whether the board has had its time to see the press."""
+        """Whether the board had enough time to notice the press."""
         lasted_s = time.monotonic() - pressed_s
         return lasted_s >= SLOWEST_PRESS_S or (
             lasted_s >= SHORTEST_PRESS_S and

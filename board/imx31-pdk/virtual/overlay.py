@@ -1,9 +1,10 @@
-"""What the virtual board has beside the image: a camera that can be switched,
-and a contact for F10.
+"""What the virtual board has in addition to the image: a camera that can be
+switched, and a button F10.
 
-On the board F10 is on the keypad's matrix, and the camera a part on I2C. QEMU's
-i.MX31 has neither, so here F10 is a GPIO line, and the camera the kernel's test
-camera, switched through the second serial line (guest/camera-switch).
+On the board F10 is a key of the keypad's matrix, and the camera is a chip on
+I2C. QEMU's i.MX31 has neither. Here F10 is a GPIO line, and the camera is the
+kernel's test camera, switched through the second serial line
+(guest/camera-switch).
 """
 import pathlib
 import subprocess
@@ -42,7 +43,7 @@ def run(*command, **how):
 
 
 def make_archive(folder):
-    """The files over the image's own, as an initramfs archive in folder."""
+    """Makes an initramfs archive of the files that replace the image's."""
     tree = folder / "overlay"
     files = {
         "etc/inittab": (BOARD / "rootfs/etc/inittab").read_text() + SERVICES,
@@ -63,7 +64,7 @@ def make_archive(folder):
 
 
 def make_tree(image, folder):
-    """The board's device tree with the second serial line enabled."""
+    """Makes the device tree, with the second serial line enabled."""
     tree = folder / "virtual.dtb"
     tree.write_bytes((image / "imx31-pdk-limber.dtb").read_bytes())
     node = run("fdtget", str(tree), "/aliases", "serial1").decode().strip()

@@ -1,9 +1,10 @@
-"""The pages that are open, and what goes between them and the board.
+"""The open pages and their messages.
 
-Everything is one WebSocket a page. Text is JSON with a "type"; binary is a
-part of the screen: two 16-bit little-endian numbers, first row and rows, then
-those rows in RGB565. A page answers each with "shown", and gets the next only
-then, so a slow one gets fewer pictures and never old ones.
+Each page has one WebSocket. A text message is JSON with a "type". A binary
+message is a part of the screen: two 16-bit little-endian numbers, the first row
+and the number of rows, then these rows in RGB565. A page answers it with
+"shown" and gets the next one only then, so a slow page gets fewer pictures, but
+never old ones.
 """
 import asyncio
 import ipaddress
@@ -31,8 +32,9 @@ LONGEST_MESSAGE = 4096
 
 
 def is_local(host):
-    """Whether a Host header names this machine, with any port (a tunnel's may
-    differ). A page elsewhere whose name was made to lead here does not."""
+    """Whether a Host header names this machine. Any port is allowed, because a
+    tunnel's may differ. This refuses DNS rebinding: a name of another machine
+    that resolves to this one."""
     try:
         name = urllib.parse.urlsplit(f"//{host}").hostname or ""
         return name == "localhost" or ipaddress.ip_address(name).is_loopback
@@ -74,11 +76,11 @@ class Page:
         self.dirty = (first, end)
 
     def wake(self):
-        """Something is there for send()."""
+        """Wakes send(), because there is something to send."""
         self.queue.put_nowait(None)
 
     async def send(self, board):
-        """Passes on what is queued, until the socket closes."""
+        """Sends messages and pictures until the socket closes."""
         while True:
             message = await self.queue.get()
             if message is not None:
@@ -93,7 +95,7 @@ class Page:
 
 
 class Pages:
-    """All of them; the board's listener."""
+    """All open pages. It is the board's listener."""
 
     def __init__(self):
         self.board = None
@@ -139,7 +141,7 @@ class Pages:
         return socket
 
     def take(self, page, data, jobs):
-        """What a page says. What it should not say is dropped."""
+        """Handles a message of a page; ignores an invalid one."""
         try:
             said = json.loads(data)
             kind = said["type"]
@@ -190,7 +192,7 @@ class Pages:
             page.tell(**self.state_message())
 
     def log(self, text):
-        """None: begins anew."""
+        """Sends output of the console; None clears the pages' consoles."""
         for page in self.open:
             page.tell(type="log", text=text or "", fresh=text is None)
 

@@ -59,7 +59,7 @@ static void report_device(const char *path,
 		path);
 	survey_report(survey, SURVEY_UNUSED, path,
 		has_keys(description) ? remedy : NULL,
-		"%s: no key that is a button", description->name);
+		"%s: no key is mapped to a button", description->name);
 }
 
 /* Reports the device of that number; false when there is none. */

@@ -131,8 +131,9 @@ int gpio_line_spec_parse(
 
 	*out = (struct gpio_line_spec){.button = BUTTON_COUNT};
 	if (strlen(text) >= sizeof(copy)) {
-		log_error(log, "gpiod:%.20s...: more than %d characters", text,
-			TEXT_BYTES - 1);
+		log_error(log,
+			"gpiod:%.20s...: a line may have at most %d characters",
+			text, TEXT_BYTES - 1);
 		return -EINVAL;
 	}
 	memcpy(copy, text, strlen(text) + 1);

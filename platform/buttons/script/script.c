@@ -9,6 +9,11 @@
 
 #include "platform/buttons/buttons.h"
 
+enum {
+	LINE_BYTES = 512,
+	LINES_MAX = 1000000 /* a pipe or a device may never end */
+};
+
 /* A hundred days, so that sums of times cannot overflow. */
 #define TIME_MAX_MS INT64_C(8640000000)
 
@@ -130,23 +135,41 @@ static int read_line(
 	return error ? error : append(script, event, at);
 }
 
+/* A line that holds zero bytes looks as if it had no end. */
+static int check_line(const char *line, FILE *file, const struct position *at)
+{
+	size_t length = strlen(line);
+
+	if (at->line > LINES_MAX) {
+		log_error(at->log, "%s: it has more than %d lines", at->path,
+			LINES_MAX);
+		return -EFBIG;
+	}
+	if ((length == 0 || line[length - 1] != '\n') && !feof(file)) {
+		log_error(at->log,
+			"%s:%d: this line has more than %d characters or is no text",
+			at->path, at->line, LINE_BYTES - 2);
+		return -EINVAL;
+	}
+	return 0;
+}
+
 static int read_file(
 	struct button_source *script, FILE *file, struct position *at)
 {
-	char *line = NULL;
-	size_t size = 0;
+	char line[LINE_BYTES];
 	int error = 0;
 
-	while (!error && getline(&line, &size, file) >= 0) {
+	while (!error && fgets(line, sizeof(line), file)) {
 		at->line++;
-		error = read_line(script, line, at);
+		error = check_line(line, file, at);
+		error = error ? error : read_line(script, line, at);
 	}
 	if (!error && ferror(file)) {
 		error = -errno;
 		log_error(at->log, "%s: cannot be read: %s", at->path,
 			strerror(-error));
 	}
-	free(line);
 	return error;
 }
 

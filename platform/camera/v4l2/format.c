@@ -165,7 +165,7 @@ static int refuse(struct v4l2_device *device,
 			"another program is using it: close that program");
 	} else if (error != -EINVAL) {
 		snprintf(device->reason, sizeof(device->reason),
-			"cannot set its format (%s)", strerror(-error));
+			"its format cannot be set (%s)", strerror(-error));
 	} else if (request->fourcc) {
 		v4l2_format_text(request->fourcc, text);
 		snprintf(device->reason, sizeof(device->reason),

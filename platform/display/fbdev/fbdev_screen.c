@@ -80,7 +80,8 @@ static int read_layout(struct fbdev_screen *screen)
 	if (screen->fix.type != FB_TYPE_PACKED_PIXELS || var->nonstd != 0 ||
 		var->red.msb_right || var->green.msb_right ||
 		var->blue.msb_right || var->grayscale > 1) {
-		return refused(screen, "its pixels are not packed as numbers");
+		return refused(
+			screen, "its pixels are not packed into integers");
 	}
 	if (screen->fix.visual == FB_VISUAL_PSEUDOCOLOR &&
 		var->bits_per_pixel == 8) {
@@ -155,7 +156,7 @@ static bool has_two_pages(const struct fbdev_screen *screen)
 		screen->fix.smem_len >= both * (uint64_t)screen->stride_bytes;
 }
 
-/* Drivers may change what was requested; all but the virtual height counts. */
+/* Drivers may change a requested mode; only the virtual height may differ. */
 static bool is_still_good(
 	const struct fbdev_screen *screen, const struct fbdev_screen *was)
 {

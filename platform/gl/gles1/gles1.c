@@ -185,7 +185,7 @@ static int gles1_begin_frame(
 	}
 	if (target->format != gles1->format) {
 		log_error(&gles1->log,
-			"--gl gles1: cannot draw into a picture of another format than the context's");
+			"--gl gles1: the picture and the context have different formats");
 		return -EINVAL;
 	}
 	gles1->target = *target;

@@ -181,7 +181,7 @@ static int osmesa_begin_frame(
 	if (target->format != osmesa->format ||
 		target->stride_bytes % pixel != 0) {
 		log_error(&osmesa->log,
-			"--gl osmesa: cannot draw into a picture of another format than the context's");
+			"--gl osmesa: the picture and the context have different formats");
 		return -EINVAL;
 	}
 	if (!make_current(osmesa, target->data, target->width, target->height,

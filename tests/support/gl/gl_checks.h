@@ -11,56 +11,57 @@
 #include "tests/support/test.h"
 
 enum {
-	STAGE_WIDTH = 32,
-	STAGE_HEIGHT = 24
+	GL_CANVAS_WIDTH = 32,
+	GL_CANVAS_HEIGHT = 24
 };
 
 /* A context of GL and the picture that it draws into. */
-struct stage {
+struct gl_canvas {
 	struct gl_context *context;
 	struct gl *gl;
 	struct pixels pixels;
 };
 
 /*
- * Opens the driver of that name and begins a frame of STAGE_WIDTH x STAGE_HEIGHT,
- * cleared to black. If the driver cannot be opened, the running test ends: as
- * skipped on an ARM machine without the driver's library, otherwise as failed.
+ * Opens the driver of that name and begins a frame of GL_CANVAS_WIDTH x
+ * GL_CANVAS_HEIGHT, cleared to black. If the driver cannot be opened, the
+ * running test ends: as skipped on an ARM machine without the driver's library,
+ * otherwise as failed.
  */
-struct stage stage_open(const char *driver, enum pixel_format format);
+struct gl_canvas gl_canvas_open(const char *driver, enum pixel_format format);
 
 /* Ends the frame; fails the test when GetError() reports an error. */
-void stage_end_frame(struct stage *stage);
+void gl_canvas_end_frame(struct gl_canvas *canvas);
 
-void stage_close(struct stage *stage);
+void gl_canvas_close(struct gl_canvas *canvas);
 
-void stage_end_and_close(struct stage *stage);
+void gl_canvas_end_and_close(struct gl_canvas *canvas);
 
 /* Fails unless each channel (0..255) of the pixel is within tolerance of this. */
-void stage_expect(const struct stage *stage, int x, int y, int red, int green,
-	int blue, int tolerance);
+void gl_canvas_expect(const struct gl_canvas *canvas, int x, int y, int red,
+	int green, int blue, int tolerance);
 
 /* Draws a rectangle as two triangles, in clip space (-1..1) at depth z. */
-void stage_draw_rectangle(struct gl *gl, float left, float bottom, float right,
-	float top, float z);
+void gl_canvas_draw_rectangle(struct gl *gl, float left, float bottom,
+	float right, float top, float z);
 
 /* Draws a rectangle that covers the picture, at depth 0. */
-void stage_draw_all(struct gl *gl);
+void gl_canvas_draw_all(struct gl *gl);
 
 /* Binds and enables a texture of 2x2: red green, above it blue white. */
-GLuint stage_make_texture(struct gl *gl);
+GLuint gl_canvas_make_texture(struct gl *gl);
 
 /*
  * Enables lighting with one light, number 0: directional, from (0, 0, 1) in eye
  * space, white and diffuse alone. Every other colour of light is black.
  */
-void stage_set_up_light(struct gl *gl);
+void gl_canvas_set_up_light(struct gl *gl);
 
 /*
  * Draws a scene with light, a texture, fog and blending, which uses most calls
  * of GL, and ends the frame. It serves to compare drivers.
  */
-void stage_draw_scene(struct stage *stage);
+void gl_canvas_draw_scene(struct gl_canvas *canvas);
 
 void gl_check_top_row_comes_first(void **state);
 void gl_check_a_triangle_covers_its_pixels(void **state);

@@ -6,10 +6,11 @@
 
 const enum pixel_format gl_expect_formats[2] = {PIXELS_RGBA8888, PIXELS_RGB565};
 
-void gl_expect_read(const struct stage *stage, int x, int y, uint8_t rgba[4])
+void gl_expect_read(
+	const struct gl_canvas *canvas, int x, int y, uint8_t rgba[4])
 {
-	stage->gl->ReadPixels(
-		x, STAGE_HEIGHT - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+	canvas->gl->ReadPixels(x, GL_CANVAS_HEIGHT - 1 - y, 1, 1, GL_RGBA,
+		GL_UNSIGNED_BYTE, rgba);
 }
 
 static double clamp(double value)
@@ -25,42 +26,42 @@ static double tolerance_of(enum pixel_format format, int channel)
 	return 2.0 * 255 / (channel == 1 ? 63 : 31);
 }
 
-static void expect(const struct stage *stage, const char *name, int x, int y,
-	const double *wanted, int channels)
+static void expect(const struct gl_canvas *canvas, const char *name, int x,
+	int y, const double *wanted, int channels)
 {
 	uint8_t is[4];
 	bool near = true;
 
-	gl_expect_read(stage, x, y, is);
+	gl_expect_read(canvas, x, y, is);
 	for (int i = 0; i < channels; i++) {
 		near = near &&
 			fabs(is[i] - 255 * clamp(wanted[i])) <=
-				tolerance_of(stage->pixels.format, i);
+				tolerance_of(canvas->pixels.format, i);
 	}
 	if (!near) {
 		fail_msg("%s%s: pixel (%d, %d) is (%d, %d, %d, %d), not "
 			 "(%.1f, %.1f, %.1f, %.1f)",
 			name,
-			stage->pixels.format == PIXELS_RGB565 ? " in RGB565"
-							      : "",
+			canvas->pixels.format == PIXELS_RGB565 ? " in RGB565"
+							       : "",
 			x, y, is[0], is[1], is[2], is[3], 255 * wanted[0],
 			255 * wanted[1], 255 * wanted[2],
 			channels > 3 ? 255 * wanted[3] : 255);
 	}
 }
 
-void gl_expect_color(const struct stage *stage, const char *name, int x, int y,
-	const double rgb[3])
+void gl_expect_color(const struct gl_canvas *canvas, const char *name, int x,
+	int y, const double rgb[3])
 {
-	expect(stage, name, x, y, rgb, 3);
+	expect(canvas, name, x, y, rgb, 3);
 }
 
-void gl_expect_color_alpha(const struct stage *stage, const char *name, int x,
-	int y, const double rgba[4])
+void gl_expect_color_alpha(const struct gl_canvas *canvas, const char *name,
+	int x, int y, const double rgba[4])
 {
-	bool alpha = stage->pixels.format == PIXELS_RGBA8888;
+	bool alpha = canvas->pixels.format == PIXELS_RGBA8888;
 
-	expect(stage, name, x, y, rgba, alpha ? 4 : 3);
+	expect(canvas, name, x, y, rgba, alpha ? 4 : 3);
 }
 
 GLfixed gl_fixed(double value)
@@ -92,16 +93,16 @@ void gl_clear_to(struct gl *gl, const double rgba[4])
 static uint8_t *draw_with(const char *driver,
 	void (*draw)(struct gl *gl, const void *context), const void *context)
 {
-	struct stage stage = stage_open(driver, PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open(driver, PIXELS_RGBA8888);
 	uint8_t *picture;
 
-	stage.gl->Disable(GL_DITHER);
-	draw(stage.gl, context);
-	stage_end_frame(&stage);
-	assert_int_equal(stage.pixels.stride_bytes, 4 * STAGE_WIDTH);
-	picture = stage.pixels.data;
-	stage.pixels.data = NULL;
-	stage_close(&stage);
+	canvas.gl->Disable(GL_DITHER);
+	draw(canvas.gl, context);
+	gl_canvas_end_frame(&canvas);
+	assert_int_equal(canvas.pixels.stride_bytes, 4 * GL_CANVAS_WIDTH);
+	picture = canvas.pixels.data;
+	canvas.pixels.data = NULL;
+	gl_canvas_close(&canvas);
 	return picture;
 }
 
@@ -110,14 +111,14 @@ static bool is_found(const uint8_t *own, const uint8_t *other, int at,
 	int reach, int tolerance)
 {
 	for (int i = 0; i < (2 * reach + 1) * (2 * reach + 1); i++) {
-		int x = at % STAGE_WIDTH + i % (2 * reach + 1) - reach;
-		int y = at / STAGE_WIDTH + i / (2 * reach + 1) - reach;
-		bool near =
-			x >= 0 && x < STAGE_WIDTH && y >= 0 && y < STAGE_HEIGHT;
+		int x = at % GL_CANVAS_WIDTH + i % (2 * reach + 1) - reach;
+		int y = at / GL_CANVAS_WIDTH + i / (2 * reach + 1) - reach;
+		bool near = x >= 0 && x < GL_CANVAS_WIDTH && y >= 0 &&
+			y < GL_CANVAS_HEIGHT;
 
 		for (int j = 0; j < 3 && near; j++) {
 			near = abs(own[4 * at + j] -
-				       other[4 * (y * STAGE_WIDTH + x) + j]) <=
+				       other[4 * (y * GL_CANVAS_WIDTH + x) + j]) <=
 				tolerance;
 		}
 		if (near) {
@@ -134,7 +135,7 @@ int gl_count_differences(void (*draw)(struct gl *gl, const void *context),
 	uint8_t *own = draw_with("soft", draw, context);
 	int count = 0;
 
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
+	for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
 		count += !is_found(own, reference, i, reach, tolerance) ||
 			!is_found(reference, own, i, reach, tolerance);
 	}

@@ -14,15 +14,16 @@
 extern const enum pixel_format gl_expect_formats[2];
 
 /* The pixel as ReadPixels returns it; y counts from the top row. */
-void gl_expect_read(const struct stage *stage, int x, int y, uint8_t rgba[4]);
+void gl_expect_read(
+	const struct gl_canvas *canvas, int x, int y, uint8_t rgba[4]);
 
 /* Fails, with the name of the case, unless red, green and blue are near. */
-void gl_expect_color(const struct stage *stage, const char *name, int x, int y,
-	const double rgb[3]);
+void gl_expect_color(const struct gl_canvas *canvas, const char *name, int x,
+	int y, const double rgb[3]);
 
 /* The same for red, green, blue and, where the format has it, alpha. */
-void gl_expect_color_alpha(const struct stage *stage, const char *name, int x,
-	int y, const double rgba[4]);
+void gl_expect_color_alpha(const struct gl_canvas *canvas, const char *name,
+	int x, int y, const double rgba[4]);
 
 /* Converts a number, or count numbers, to 16.16 fixed point. */
 GLfixed gl_fixed(double value);

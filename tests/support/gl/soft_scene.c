@@ -18,8 +18,11 @@ struct soft_scene *soft_scene_open(void)
 		.format = PIXELS_RGB565,
 		.data = (uint8_t *)scene->pixel,
 	};
-	assert_int_equal(
-		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &scene->context),
+		0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
 	soft_scene_use(scene, false);

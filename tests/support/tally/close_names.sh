@@ -38,6 +38,7 @@ function close_to(word,    i, d, far, text, count) {
             }
         }
     }
+    sub(/, [^,]*$/, " or" substr(text, match(text, / [^ ]*$/)), text)
     return text
 }
 
@@ -47,10 +48,10 @@ END {
     words = split(wanted, word)
     for (w = 1; w <= words; w++) {
         sub(/^(test_|cli\/)/, "", word[w])
-        close_ones = close_to(word[w])
+        close_ones = close_to(tolower(word[w]))
         print "limber: no test is called \"" word[w] "\"; " \
-            (close_ones ? "close to it: " close_ones : \
-            "tests are tests/unit/**/test_NAME.c and tests/cli/NAME.sh")
+            (close_ones ? "did you mean " close_ones "?" : \
+            "the tests are tests/unit/**/test_NAME.c and tests/cli/NAME.sh")
     }
 }' >&2
 exit 2

@@ -219,14 +219,16 @@ close() {
 close clap
 expect_status 2
 expect_no_out
-expect_err '^limber: no test is called "clap"; close to it: clip$'
+expect_err '^limber: no test is called "clap"; did you mean clip[?]$'
 close test_clip_
-expect_err '"clip_"; close to it: clip_fit, clip$'
+expect_err '"clip_"; did you mean clip_fit or clip[?]$'
 close xyzzyxyzzy
-expect_err '"xyzzyxyzzy"; tests are tests/unit/'
+expect_err '"xyzzyxyzzy"; the tests are tests/unit/'
 close 'pos hut'
-expect_err '"pos"; close to it: pose$'
-expect_err '"hut"; close to it: hud$'
+expect_err '"pos"; did you mean pose[?]$'
+expect_err '"hut"; did you mean hud[?]$'
+close CLIP
+expect_err '"CLIP"; did you mean clip or clip_fit[?]$'
 
 for n in 1 2 3 4 5 6 7 8; do suite "s$n" '1..1\nok 1 - one\n'; done \
     >"$scratch/list"

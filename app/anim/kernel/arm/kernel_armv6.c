@@ -4,7 +4,7 @@
 #include "app/anim/kernel/arm/armv6.h"
 #include "app/anim/kernel/float.h"
 
-const struct fixed_loops fixed_loops_armv6 = {
+static const struct fixed_loops loops = {
 	.skin = kernel_armv6_skin,
 	.lerp = kernel_armv6_lerp,
 	.increment = kernel_armv6_increment,
@@ -18,6 +18,6 @@ const struct fixed_loops fixed_loops_armv6 = {
 const struct kernel kernel_armv6 = {
 	.name = "armv6",
 	.summary = "ARMv6 assembly in fixed point",
-	.fixed = &fixed_loops_armv6,
+	.fixed = &loops,
 	FLOAT_LOOPS,
 };

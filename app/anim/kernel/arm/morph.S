@@ -303,7 +303,7 @@ kernel_armv6_rebase:
 	subs	r0, r0, #1
 	mov	r12, #0x8000
 	blt	2f
-1:	ldmia	r1!, {r4-r7}	/* y x, w z, at, weight moved */
+1:	ldmia	r1!, {r4-r7}	/* y x, w z, base_index, weight_q16 delta_index */
 	pld	[r1, #AHEAD]
 	subs	r0, r0, #1
 	pkhbt	r10, r12, r4, lsl #16

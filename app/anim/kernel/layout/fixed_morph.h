@@ -50,7 +50,7 @@ struct fixed_morph {
  * streams (enum fixed_streams) says which directions to morph besides
  * positions; the primitive must have them. Without targets, stream[].base is
  * the primitive itself in fixed point. 0; -ENOMEM; -ERANGE if coordinates are
- * not finite numbers of sensible size: such a primitive stays in float.
+ * not finite numbers of sensible size: such a primitive is posed in float.
  */
 int fixed_morph_init(struct fixed_morph *morph,
 	const struct model_primitive *primitive, int target_count,

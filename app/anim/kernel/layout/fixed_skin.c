@@ -81,6 +81,11 @@ void fixed_skin_extend_weights(struct fixed_skin *skin, float old_limit)
 	lay_out(skin, skin->max_influences);
 }
 
+int fixed_skin_group_count(const struct fixed_skin *skin, int level)
+{
+	return skin->group_count_to[fixed_skin_tier_of(skin, level)];
+}
+
 size_t fixed_skin_bytes(const struct fixed_skin *skin)
 {
 	size_t streams = 0;

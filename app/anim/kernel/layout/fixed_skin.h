@@ -8,9 +8,11 @@
  *   frame:  fixed_skin_set_cap(&skin, cap), which does work on a change only
  *           run/fixed_skin_run.h and run/fixed_palette.h, then loops->skin()
  *
- * Vertices come out in another order than the primitive's: sorted by number
- * of influences, then by joints. So no branch in a loop depends on a vertex,
- * and a joint's matrix is fetched once for many vertices. order[] maps output
+ * Vertices come out in another order than the primitive's: in tiers, those that
+ * the coarsest levels of detail use first, and in a tier sorted by number of
+ * influences, then by joints. So no branch in a loop depends on a vertex, a
+ * joint's matrix is fetched once for many vertices, and a coarse level needs
+ * only the groups at the beginning. order[] maps output
  * vertices to the primitive's; whoever draws reorders indices and the other
  * attributes at load.
  *
@@ -24,6 +26,10 @@
 #include "app/anim/kernel/fixed.h"
 #include "app/anim/kernel/layout/fixed_morph.h"
 #include "app/anim/skin.h"
+
+enum {
+	FIXED_SKIN_TIERS_MAX = 8
+};
 
 /* A joint that moves vertices of the primitive. */
 struct fixed_joint {
@@ -66,8 +72,12 @@ struct fixed_skin {
 	   and the output vertex that vertex i of the primitive becomes. */
 	uint32_t *order, *inverse_order;
 
-	int group_count;
-	struct fixed_group group[SKIN_INFLUENCES_MAX];
+	int group_count; /* of all tiers */
+	struct fixed_group group[FIXED_SKIN_TIERS_MAX * SKIN_INFLUENCES_MAX];
+	int tier_count; /* at least 1 */
+	/* The groups and the vertices of the tiers 0 to t together, by t. */
+	int group_count_to[FIXED_SKIN_TIERS_MAX];
+	int vertex_count_to[FIXED_SKIN_TIERS_MAX];
 	struct fixed_base *base[FIXED_ATTRIBUTES]; /* a stream, or NULL */
 	float scale[FIXED_ATTRIBUTES];             /* of its vectors */
 
@@ -84,7 +94,7 @@ struct fixed_skin {
  * streams (enum fixed_streams) says which directions to skin besides
  * positions; the primitive must have them. 0; -ENOMEM; -ERANGE if positions
  * are not finite or more than 2,048 joints move vertices: such a primitive
- * stays in float.
+ * is posed in float.
  */
 int fixed_skin_init(struct fixed_skin *skin,
 	const struct model_primitive *primitive, unsigned streams,
@@ -94,7 +104,8 @@ int fixed_skin_init(struct fixed_skin *skin,
  * Adds the primitive's targets, for the skin's directions, and lays the streams
  * out again. The skin refers to itself from then on and may not be moved. 0;
  * -ENOMEM; -ERANGE if deltas are not finite numbers of sensible size or move
- * more than 65,535 vertices: such a primitive stays in float.
+ * more than 65,535 vertices: such a primitive is posed in float. After an error
+ * the skin may not be used.
  */
 int fixed_skin_add_targets(
 	struct fixed_skin *skin, int target_count, struct arena *arena);
@@ -112,6 +123,13 @@ void fixed_skin_set_cap(struct fixed_skin *skin, int max_influences);
  * from old_limit. Target weights become 0.
  */
 void fixed_skin_extend_weights(struct fixed_skin *skin, float old_limit);
+
+/*
+ * The groups to skin for a level of detail: those of the vertices that the
+ * list of that level uses, or any coarser one, or a list for shadows that
+ * model_lod_of_size() finds there. level 0 needs all groups.
+ */
+int fixed_skin_group_count(const struct fixed_skin *skin, int level);
 
 /* Bytes of streams, runs, order and joints, for reports. */
 size_t fixed_skin_bytes(const struct fixed_skin *skin);

@@ -28,6 +28,9 @@ void fixed_skin_measure_joints(struct fixed_skin *skin);
 int fixed_skin_init_streams(
 	struct fixed_skin *skin, unsigned streams, struct arena *arena);
 
+/* The last tier with vertices that a level of detail or a coarser one uses. */
+int fixed_skin_tier_of(const struct fixed_skin *skin, int level);
+
 /* Writes runs and base vectors, at the present cap and scales. */
 void fixed_skin_write_streams(struct fixed_skin *skin);
 

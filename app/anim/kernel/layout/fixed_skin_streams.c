@@ -13,6 +13,7 @@ enum {
 /* The sort key of a vertex. */
 struct sorted {
 	uint32_t vertex;
+	int tier;
 	int count;
 	uint16_t joint[WIDTH];     /* ascending */
 	uint16_t by_weight[WIDTH]; /* the same joints, heaviest first */
@@ -22,6 +23,9 @@ static int compare_sorted(const void *left, const void *right)
 {
 	const struct sorted *a = left, *b = right;
 
+	if (a->tier != b->tier) {
+		return a->tier < b->tier ? -1 : 1;
+	}
 	if (a->count != b->count) {
 		return a->count < b->count ? -1 : 1;
 	}
@@ -38,11 +42,10 @@ static int compare_sorted(const void *left, const void *right)
 	return a->vertex < b->vertex ? -1 : 1;
 }
 
-/* Whether every cap leaves the same joints to both. */
-static bool same_joints_at_any_cap(
-	const struct sorted *a, const struct sorted *b)
+/* Whether both are in one run, whatever the cap. */
+static bool same_run_at_any_cap(const struct sorted *a, const struct sorted *b)
 {
-	return a->count == b->count &&
+	return a->tier == b->tier && a->count == b->count &&
 		memcmp(a->by_weight, b->by_weight,
 			(size_t)a->count * sizeof(a->by_weight[0])) == 0;
 }
@@ -53,11 +56,66 @@ static size_t count_run_words(const struct sorted *list, size_t count)
 	size_t words = 0;
 
 	for (size_t i = 0; i < count; i++) {
-		if (i == 0 || !same_joints_at_any_cap(&list[i - 1], &list[i])) {
+		if (i == 0 || !same_run_at_any_cap(&list[i - 1], &list[i])) {
 			words += 1 + (size_t)list[i].count;
 		}
 	}
 	return words;
+}
+
+/* Moves the vertices of a list to the tier of its level, if that is earlier. */
+static void put_into_tier(
+	struct sorted *sorted, const uint32_t *index, int index_count, int tier)
+{
+	for (int i = 0; i < index_count; i++) {
+		struct sorted *vertex = &sorted[index[i]];
+
+		vertex->tier = tier < vertex->tier ? tier : vertex->tier;
+	}
+}
+
+/*
+ * How often the number of triangles has fallen to a quarter, from the full list
+ * to a level. Each time makes a tier; more tiers would make runs shorter.
+ */
+static int count_quarterings(const struct model_primitive *primitive, int level)
+{
+	int mark = primitive->index_count, count = 0;
+
+	for (int i = 0; i < level; i++) {
+		if (primitive->lod[i].index_count <= mark / 4) {
+			mark = primitive->lod[i].index_count;
+			count++;
+		}
+	}
+	return count < FIXED_SKIN_TIERS_MAX - 1 ? count
+						: FIXED_SKIN_TIERS_MAX - 1;
+}
+
+int fixed_skin_tier_of(const struct fixed_skin *skin, int level)
+{
+	return skin->tier_count - 1 - count_quarterings(skin->primitive, level);
+}
+
+/* Of sorted[], which is in the primitive's order. */
+static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
+{
+	const struct model_primitive *primitive = skin->primitive;
+
+	skin->tier_count =
+		1 + count_quarterings(primitive, model_lod_of_size(primitive, 0));
+	for (int v = 0; v < skin->vertex_count; v++) {
+		sorted[v].tier = skin->tier_count - 1;
+	}
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+		int level = lod->shadow_only
+			? model_lod_of_size(primitive, lod->index_count)
+			: i + 1;
+
+		put_into_tier(sorted, lod->index, lod->index_count,
+			fixed_skin_tier_of(skin, level));
+	}
 }
 
 /*
@@ -82,10 +140,17 @@ static int sort_vertices(struct fixed_skin *skin, struct arena *arena)
 		fixed_influences_by_joint(&in);
 		memcpy(list[v].joint, in.joint, sizeof(in.joint));
 	}
+	choose_tiers(skin, list);
 	qsort(list, count, sizeof(*list), compare_sorted);
 	for (uint32_t i = 0; i < count; i++) {
 		skin->order[i] = list[i].vertex;
 		skin->inverse_order[list[i].vertex] = i;
+		skin->vertex_count_to[list[i].tier] = (int)i + 1;
+	}
+	for (int t = 1; t < skin->tier_count; t++) {
+		if (skin->vertex_count_to[t] == 0) {
+			skin->vertex_count_to[t] = skin->vertex_count_to[t - 1];
+		}
 	}
 	skin->run = ARENA_ARRAY(arena, int32_t, count_run_words(list, count));
 	free(list);
@@ -180,7 +245,8 @@ static struct fixed_group *last_group(struct fixed_skin *skin)
 
 /*
  * Adds a vertex to the last run, or begins another run at end, in a new group
- * if the number of influences changes. Returns the run of the vertex.
+ * if the number of influences changes. last is NULL for the first vertex of a
+ * tier. Returns the run of the vertex.
  */
 static int32_t *extend_run(struct fixed_skin *skin,
 	const struct fixed_influences *in, int32_t *last, int32_t *end)
@@ -212,11 +278,17 @@ static int32_t *extend_run(struct fixed_skin *skin,
 void fixed_skin_write_streams(struct fixed_skin *skin)
 {
 	int32_t *last = NULL, *end = skin->run;
+	int tier = 0;
 
 	skin->group_count = 0;
 	skin->influence_count = 0;
 	for (int i = 0; i < skin->vertex_count; i++) {
 		struct fixed_influences in;
+
+		for (; i == skin->vertex_count_to[tier]; tier++) {
+			skin->group_count_to[tier] = skin->group_count;
+			last = NULL;
+		}
 
 		fixed_influences_gather(skin->primitive, skin->order[i],
 			skin->max_influences, &in);
@@ -229,5 +301,8 @@ void fixed_skin_write_streams(struct fixed_skin *skin)
 			write_influence(skin, skin->order[i], in.joint[k],
 				in.weight_q14[k]);
 		}
+	}
+	for (; tier < skin->tier_count; tier++) {
+		skin->group_count_to[tier] = skin->group_count;
 	}
 }

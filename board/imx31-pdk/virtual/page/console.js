@@ -1,5 +1,5 @@
-// The console's text: a terminal's line endings, backspaces and escapes, and
-// no more of a terminal than that. Lines are typed whole.
+// The console: understands line endings, backspace and escape sequences, but no
+// other features of a terminal. Input is sent line by line.
 
 const LINES_KEPT = 2000;
 const HISTORY_KEPT = 100;
@@ -67,7 +67,7 @@ export class Console {
 	take(letter) {
 		if (this.escape) {
 			this.escape += letter;
-			// ESC [ numbers letter, or ESC and one letter.
+			// ESC [ numbers character, or ESC and one character.
 			if (/^\x1b(\[[\d;?]*[@-~]|[^[])$/.test(this.escape)) {
 				this.escape = "";
 			}

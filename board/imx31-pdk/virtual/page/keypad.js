@@ -1,5 +1,5 @@
-// Buttons by pointer, by touch and by keyboard; each may be held, several at
-// a time. press(name, down) is called once for each change.
+// Buttons operated by pointer, touch and keyboard. Several may be held at a time.
+// press(name, down) is called once for each change.
 
 const KEYS = {
 	ArrowUp: "UP", ArrowDown: "DOWN", ArrowLeft: "LEFT", ArrowRight: "RIGHT",
@@ -12,7 +12,7 @@ export class Keypad {
 	constructor(element, press) {
 		this.press = press;
 		this.buttons = new Map();
-		// By name, the pointers and keys that hold it.
+		// For each button's name, the pointers and keys that hold it.
 		this.holders = new Map();
 		for (const button of element.querySelectorAll("[data-button]")) {
 			this.buttons.set(button.dataset.button, button);
@@ -37,7 +37,7 @@ export class Keypad {
 			});
 		}
 		button.addEventListener("contextmenu", (event) => event.preventDefault());
-		// A click that no pointer made: a screen reader's.
+		// A click without a pointer, as screen readers make it.
 		button.addEventListener("click", (event) => {
 			if (event.detail === 0 && event.pointerId < 0) {
 				this.hold(name, "click");
@@ -89,7 +89,7 @@ export class Keypad {
 		}
 	}
 
-	// Which are down on the board, whoever holds them.
+	// Shows the buttons that are down on the board, whichever page holds them.
 	show(held) {
 		for (const [name, button] of this.buttons) {
 			button.toggleAttribute("data-down", held.includes(name));

@@ -1,4 +1,4 @@
-// Ties screen, keypad, switches and console to the server's socket.
+// Connects screen, keypad, switches and console to the server's socket.
 
 import { Screen } from "./screen.js";
 import { Keypad } from "./keypad.js";
@@ -64,7 +64,7 @@ function showState() {
 	for (const id of ["power", "camera"]) {
 		find(id).disabled = state.phase === "lost";
 	}
-	/* What a board that is off would not notice. */
+	/* These have no effect on a board that is off. */
 	for (const id of ["reset", "text"]) {
 		find(id).disabled = !isOn();
 	}
@@ -118,7 +118,7 @@ find("camera").addEventListener("click", () => send({ type: "camera", on: !state
 find("reset").addEventListener("click", () => send({ type: "reset" }));
 find("notice").querySelector("button").addEventListener("click", () => send({ type: "reset" }));
 for (const button of document.querySelectorAll("button")) {
-	// The keyboard stays with the keypad after a click.
+	// Keeps the keyboard focus on the keypad after a click.
 	button.addEventListener("mousedown", (event) => event.preventDefault());
 }
 document.addEventListener("visibilitychange", tellVisible);

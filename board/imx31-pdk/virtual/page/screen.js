@@ -1,9 +1,9 @@
-// The board's screen on a canvas: RGB565 in, and how often it changes.
+// Draws the board's screen, in RGB565, on a canvas and measures its frame rate.
 
 const WIDTH = 480;
 const RATE_OVER_MS = 2000;
 
-// What each of the 65536 colours is to a canvas, red in the lowest byte.
+// The canvas colours of all 65536 pixel values, with red in the lowest byte.
 function makeColours() {
 	const colours = new Uint32Array(65536);
 	for (let value = 0; value < 65536; value++) {
@@ -22,7 +22,7 @@ export class Screen {
 		this.drawn = [];
 	}
 
-	// A message of the server: first row, rows, pixels.
+	// Draws a message of the server: first row, number of rows, pixels.
 	draw(message) {
 		const [first, rows] = new Uint16Array(message, 0, 2);
 		const pixels = new Uint16Array(message, 4);
@@ -35,7 +35,7 @@ export class Screen {
 		this.drawn.push(performance.now());
 	}
 
-	// Pictures a second of the last two seconds, 0 when it stands still.
+	// Frames a second during the last two seconds.
 	rate() {
 		const since = performance.now() - RATE_OVER_MS;
 		this.drawn = this.drawn.filter((time) => time > since);

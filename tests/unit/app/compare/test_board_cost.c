@@ -1,4 +1,4 @@
-/* The board's predicted cost against what the timing model wrote down. */
+/* Compares predicted costs with what the timing model counted. */
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/board_cost.h"
 #include "app/model/model.h"
@@ -11,7 +11,7 @@
 
 static const char figures_path[] = "tests/bench/arm11.figures";
 
-/* One figure of the board's kernel or of posing, or a failure. */
+/* Reads one figure of the board's kernel or of posing. */
 static double recorded(const char *row, const char *figure)
 {
 	FILE *file = fopen(figures_path, "r");
@@ -38,13 +38,12 @@ static double recorded(const char *row, const char *figure)
 static void assert_copied(const char *row, double got, double wanted)
 {
 	if (fabs(got - wanted) > 0.0051) {
-		fail_msg("%s is %.2f, in %s %.2f: make bench-arm11-table "
-			 "renews app/anim/kernel/arm11_cost.c",
+		fail_msg("%s is %.2f, but %s has %.2f: make bench-arm11-table renews app/anim/kernel/arm11_cost.c",
 			row, got, figures_path, wanted);
 	}
 }
 
-static void test_the_table_is_what_was_recorded(void **state)
+static void test_the_table_has_the_recorded_figures(void **state)
 {
 	(void)state;
 	for (int i = 0; i < ARM11_WORKS; i++) {
@@ -58,7 +57,7 @@ static void test_the_table_is_what_was_recorded(void **state)
 	}
 }
 
-/* The primitive that the bench takes of a model: the largest with a skin. */
+/* Finds the largest skinned primitive, which limber bench also uses. */
 static const struct model_primitive *body_of(const struct model *model)
 {
 	const struct model_primitive *best = NULL;
@@ -80,7 +79,7 @@ static const struct model_primitive *body_of(const struct model *model)
 	return best;
 }
 
-static void assert_share(double got, double wanted, const char *what)
+static void assert_within_5_percent(double got, double wanted, const char *what)
 {
 	if (fabs(got / wanted - 1.0) > 0.05) {
 		fail_msg("%s: %.2f a vertex, the model counted %.2f", what, got,
@@ -98,9 +97,9 @@ static void expect_row(const char *path, const char *row)
 	assert_int_equal(model_load(path, &log, &model), 0);
 	body = body_of(model);
 	cost = board_cost_skin(body, 0);
-	assert_share(
+	assert_within_5_percent(
 		cost.cycles / body->vertex_count, recorded(row, "cold"), row);
-	assert_share(cost.instructions / body->vertex_count,
+	assert_within_5_percent(cost.instructions / body->vertex_count,
 		recorded(row, "instructions"), row);
 	model_destroy(model);
 }
@@ -118,7 +117,7 @@ static void test_cesium_man_costs_what_the_model_counted(void **state)
 	expect_row(samples_path("CesiumMan.glb").text, "cesium-normals");
 }
 
-/* One vertex held by count joints in equal parts. */
+/* The cost of a vertex that count joints move with equal weights. */
 static double vertex_cycles(int count, int cap, bool normals)
 {
 	float position[1][3] = {{0}}, weight[8] = {0};
@@ -163,7 +162,7 @@ static void test_time_is_cycles_at_532_mhz(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_the_table_is_what_was_recorded),
+		cmocka_unit_test(test_the_table_has_the_recorded_figures),
 		cmocka_unit_test(
 			test_the_walkers_body_costs_what_the_model_counted),
 		cmocka_unit_test(test_cesium_man_costs_what_the_model_counted),

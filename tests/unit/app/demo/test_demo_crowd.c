@@ -138,20 +138,23 @@ static void test_a_budget_removes_triangles_and_restores_them(void **state)
 {
 	const struct demo_reduction reduction = {.error_px = 4.0f},
 				    nothing = {0};
+	/* Two walkers are large enough for fine levels. */
+	static const struct demo_press fewer[] = {
+		{0.1, BUTTON_LEFT}, {0.5, BUTTON_LEFT}};
 	struct demo_run run;
 	long all, less;
 
 	(void)state;
 	demo_run_begin(&run, "crowd");
-	demo_run_to(&run, 1.0, 5, NULL, 0);
+	demo_run_to(&run, 6.0, 25, fewer, 2);
 	all = demo_get_facts(run.driver, run.demo).triangles;
 	demo_set_reduction(run.demo, &reduction);
-	demo_run_to(&run, 1.5, 5, NULL, 0);
+	demo_run_to(&run, 6.5, 25, NULL, 0);
 	less = demo_get_facts(run.driver, run.demo).triangles;
 	assert_true(less < 2 * all / 3);
 	assert_true(less > all / 10);
 	demo_set_reduction(run.demo, &nothing);
-	demo_run_to(&run, 2.0, 5, NULL, 0);
+	demo_run_to(&run, 7.0, 25, NULL, 0);
 	assert_int_equal(demo_get_facts(run.driver, run.demo).triangles, all);
 	demo_run_end(&run);
 }

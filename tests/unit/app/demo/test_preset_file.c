@@ -122,7 +122,8 @@ static void test_the_programs_own_file_stays_as_it_is(void **state)
 	int count;
 
 	assert_int_equal(
-		model_file_read("assets/presets.ini", &bench->log, &own), 0);
+		model_file_read("assets/presets.ini", NULL, &bench->log, &own),
+		0);
 	write_file(bench, (const char *)own.data);
 	count = procedural_presets_parse((const char *)own.data, "own",
 		&bench->log, preset, PRESETS_MAX);

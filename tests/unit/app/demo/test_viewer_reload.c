@@ -27,7 +27,7 @@ static void put_model(const struct bench *bench, const char *asset)
 {
 	struct model_file file;
 
-	assert_int_equal(model_file_read(asset, &bench->log, &file), 0);
+	assert_int_equal(model_file_read(asset, NULL, &bench->log, &file), 0);
 	put(bench, file.data, file.size);
 	model_file_release(&file);
 }

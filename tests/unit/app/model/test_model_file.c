@@ -57,7 +57,8 @@ static int read_beside(struct tree *tree, const char *name, char out[16])
 	int error;
 
 	tree->log = log_capture_begin(&tree->logged);
-	error = model_file_read_beside(&source, name, "HERE", &tree->log, &file);
+	error = model_file_read_beside(
+		&source, name, "HERE", NULL, &tree->log, &file);
 	if (!error) {
 		assert_true(file.size < 16);
 		snprintf(out, 16, "%s", (const char *)file.data);
@@ -172,8 +173,9 @@ static void test_reads_beside_a_model_named_without_a_folder(void **state)
 	struct model_file file;
 
 	(void)state;
-	assert_int_equal(
-		model_file_read_beside(&source, "Makefile", "", &log, &file), 0);
+	assert_int_equal(model_file_read_beside(
+				 &source, "Makefile", "", NULL, &log, &file),
+		0);
 	model_file_release(&file);
 }
 
@@ -184,7 +186,7 @@ static void test_refuses_references_of_a_model_in_memory(void **state)
 	struct model_file file;
 
 	assert_int_equal(model_file_read_beside(&source, "inside.bin", "HERE",
-				 &tree->log, &file),
+				 NULL, &tree->log, &file),
 		-EACCES);
 	assert_contains(tree->logged.sentence[0],
 		"HERE: the model was not loaded from a folder");

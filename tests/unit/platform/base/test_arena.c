@@ -3,48 +3,48 @@
 
 #include <string.h>
 
-static void test_room_is_zeroed_and_aligned(void **state)
+static void test_memory_is_zeroed_and_aligned(void **state)
 {
 	struct arena arena = arena_empty();
 
 	(void)state;
 	for (size_t bytes = 0; bytes < 200; bytes += 7) {
-		unsigned char *room = arena_alloc(&arena, bytes, 1);
+		unsigned char *memory = arena_alloc(&arena, bytes, 1);
 
-		assert_non_null(room);
-		assert_int_equal((uintptr_t)room % 16, 0);
+		assert_non_null(memory);
+		assert_int_equal((uintptr_t)memory % 16, 0);
 		for (size_t i = 0; i < bytes; i++) {
-			assert_int_equal(room[i], 0);
+			assert_int_equal(memory[i], 0);
 		}
-		memset(room, 0xa5, bytes);
+		memset(memory, 0xa5, bytes);
 	}
 	arena_release(&arena);
 }
 
-static void test_rooms_do_not_overlap(void **state)
+static void test_allocations_do_not_overlap(void **state)
 {
 	enum {
 		COUNT = 500
 	};
 	struct arena arena = arena_empty();
-	int *room[COUNT];
+	int *memory[COUNT];
 
 	(void)state;
 	for (int i = 0; i < COUNT; i++) {
-		room[i] = ARENA_ARRAY(&arena, int, (size_t)(i % 90 + 1));
+		memory[i] = ARENA_ARRAY(&arena, int, (size_t)(i % 90 + 1));
 		for (int k = 0; k <= i % 90; k++) {
-			room[i][k] = i;
+			memory[i][k] = i;
 		}
 	}
 	for (int i = 0; i < COUNT; i++) {
 		for (int k = 0; k <= i % 90; k++) {
-			assert_int_equal(room[i][k], i);
+			assert_int_equal(memory[i][k], i);
 		}
 	}
 	arena_release(&arena);
 }
 
-static void test_rooms_larger_than_a_block_work(void **state)
+static void test_allocations_larger_than_a_block_work(void **state)
 {
 	enum {
 		BYTES = 1000000
@@ -115,9 +115,9 @@ static void test_release_leaves_an_empty_arena(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room_is_zeroed_and_aligned),
-		cmocka_unit_test(test_rooms_do_not_overlap),
-		cmocka_unit_test(test_rooms_larger_than_a_block_work),
+		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
+		cmocka_unit_test(test_allocations_do_not_overlap),
+		cmocka_unit_test(test_allocations_larger_than_a_block_work),
 		cmocka_unit_test(test_overflowing_sizes_give_null),
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),

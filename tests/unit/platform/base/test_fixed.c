@@ -33,7 +33,7 @@ static void test_nan_gives_zero(void **state)
 	assert_int_equal(fx16_from_float(NAN), 0);
 }
 
-static void test_values_come_back(void **state)
+static void test_values_convert_back(void **state)
 {
 	(void)state;
 	for (int i = -200; i <= 200; i++) {
@@ -51,7 +51,7 @@ int main(void)
 		cmocka_unit_test(test_values_round_to_the_nearest),
 		cmocka_unit_test(test_values_beyond_the_range_saturate),
 		cmocka_unit_test(test_nan_gives_zero),
-		cmocka_unit_test(test_values_come_back),
+		cmocka_unit_test(test_values_convert_back),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static void test_sentences_are_formatted_with_their_level(void **state)
+static void test_messages_are_formatted_with_their_level(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -41,7 +41,7 @@ static void test_levels_above_the_threshold_are_dropped(void **state)
 	assert_string_equal(capture.sentence[1], "kept too");
 }
 
-static void test_long_sentences_are_cut(void **state)
+static void test_long_messages_are_cut(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -54,7 +54,7 @@ static void test_long_sentences_are_cut(void **state)
 	assert_int_equal(strlen(capture.sentence[0]), 1023);
 }
 
-/* Lets write_stderr() run with standard error going into a file. */
+/* Runs write_stderr() with standard error redirected to a file. */
 static void say_into(FILE *file, const struct log *log)
 {
 	int saved;
@@ -98,9 +98,9 @@ static void test_a_log_to_nowhere_takes_everything(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_sentences_are_formatted_with_their_level),
+		cmocka_unit_test(test_messages_are_formatted_with_their_level),
 		cmocka_unit_test(test_levels_above_the_threshold_are_dropped),
-		cmocka_unit_test(test_long_sentences_are_cut),
+		cmocka_unit_test(test_long_messages_are_cut),
 		cmocka_unit_test(test_standard_error_gets_whole_lines),
 		cmocka_unit_test(test_a_log_to_nowhere_takes_everything),
 	};

@@ -29,7 +29,7 @@ static void test_a_file_appears_when_it_is_complete(void **state)
 	assert_int_equal(scene->logged.count, 0);
 }
 
-static void test_the_old_file_stays_until_then(void **state)
+static void test_the_old_file_stays_until_the_new_one_is_complete(void **state)
 {
 	struct output_scene *scene = *state;
 	struct output_file *file;
@@ -44,7 +44,7 @@ static void test_the_old_file_stays_until_then(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
-static void test_what_is_discarded_leaves_no_trace(void **state)
+static void test_a_discarded_file_leaves_no_trace(void **state)
 {
 	struct output_scene *scene = *state;
 	struct output_file *file;
@@ -77,7 +77,7 @@ static void test_a_published_file_is_seen_as_it_grows(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
-/* Writes more than fits into limit bytes; the error of committing it. */
+/* Writes more than limit bytes; returns the error of committing it. */
 static int write_beyond(struct output_file *file, rlim_t limit)
 {
 	struct rlimit usual, small;
@@ -109,7 +109,7 @@ static void test_a_disk_that_fills_up_keeps_the_old_file(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
-static void test_nothing_is_published_that_cannot_be_written(void **state)
+static void test_a_file_that_cannot_be_written_is_not_published(void **state)
 {
 	struct output_scene *scene = *state;
 	struct output_file *file;
@@ -141,7 +141,7 @@ static void test_a_failure_is_reported_once(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 0);
 }
 
-/* The character device that is always full, in a folder of the test's own. */
+/* Makes a device that is always full in the test's own folder. */
 static bool make_full_device(const char *path)
 {
 	return mknod(path, S_IFCHR | 0666, (dev_t)(1 << 8 | 7)) == 0;
@@ -233,8 +233,8 @@ static void test_a_socket_stays_where_it_is(void **state)
 	assert_true(S_ISSOCK(output_scene_mode(scene->path.text)));
 }
 
-/* A file that is open already, as a shell's ">>" makes standard output. */
-static void test_an_open_descriptor_is_written_on_from_where_it_is(void **state)
+/* Opens a file as a shell's ">>" opens standard output. */
+static void test_an_open_descriptor_is_written_from_its_position(void **state)
 {
 	struct output_scene *scene = *state;
 	char path[32];
@@ -282,7 +282,7 @@ static void test_standard_output_is_recognized(void **state)
 	}
 }
 
-static void test_two_writers_do_not_meet(void **state)
+static void test_two_writers_do_not_interfere(void **state)
 {
 	struct output_scene *scene = *state;
 	struct output_file *first = output_scene_begin(scene, scene->path.text);
@@ -357,19 +357,19 @@ int main(void)
 		name, output_scene_setup, output_scene_teardown)
 	const struct CMUnitTest tests[] = {
 		CASE(test_a_file_appears_when_it_is_complete),
-		CASE(test_the_old_file_stays_until_then),
-		CASE(test_what_is_discarded_leaves_no_trace),
+		CASE(test_the_old_file_stays_until_the_new_one_is_complete),
+		CASE(test_a_discarded_file_leaves_no_trace),
 		CASE(test_a_published_file_is_seen_as_it_grows),
 		CASE(test_a_disk_that_fills_up_keeps_the_old_file),
-		CASE(test_nothing_is_published_that_cannot_be_written),
+		CASE(test_a_file_that_cannot_be_written_is_not_published),
 		CASE(test_a_failure_is_reported_once),
 		CASE(test_a_full_device_stays_where_it_is),
 		CASE(test_a_device_is_written_to),
 		CASE(test_a_named_pipe_is_written_to),
 		CASE(test_a_socket_stays_where_it_is),
-		CASE(test_an_open_descriptor_is_written_on_from_where_it_is),
+		CASE(test_an_open_descriptor_is_written_from_its_position),
 		cmocka_unit_test(test_standard_output_is_recognized),
-		CASE(test_two_writers_do_not_meet),
+		CASE(test_two_writers_do_not_interfere),
 		CASE(test_writers_at_the_same_time_leave_one_whole_file),
 	};
 #undef CASE

@@ -38,7 +38,7 @@ static void test_a_link_to_nothing_gets_its_target(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 2);
 }
 
-/* The temporary file lies beside the target, not beside the link. */
+/* The temporary file is in the folder of the target, not of the link. */
 static void test_a_link_into_another_folder_is_followed(void **state)
 {
 	struct output_scene *scene = *state;
@@ -72,7 +72,7 @@ static void test_a_circle_of_links_is_refused(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 2);
 }
 
-static void test_places_that_are_no_files_are_refused(void **state)
+static void test_paths_that_are_no_files_are_refused(void **state)
 {
 	struct output_scene *scene = *state;
 	struct test_path below = path_join(&scene->path, "below");
@@ -88,7 +88,7 @@ static void test_places_that_are_no_files_are_refused(void **state)
 	output_scene_expect(scene->path.text, "old");
 }
 
-/* As an ordinary user: root may write everywhere. 0 when all went well. */
+/* Runs as an ordinary user, because root may write everywhere. */
 static int try_locked_places(struct output_scene *scene)
 {
 	struct test_path fresh = path_join(&scene->folder, "fresh");
@@ -137,7 +137,7 @@ static void test_a_folder_without_permission_is_refused(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
-/* A read-only file in a folder that may be written to. */
+/* Makes a read-only file in a writable folder. */
 static int try_locked_file(struct output_scene *scene)
 {
 	struct output_file *file;
@@ -209,7 +209,7 @@ static void test_a_replaced_file_keeps_its_owner(void **state)
 	assert_int_equal(status.st_gid, 65534);
 }
 
-/* Links at the names that a temporary file was known to have. */
+/* Makes links at former names of the temporary file. */
 static void test_a_planted_link_is_not_written_through(void **state)
 {
 	static const char *const names[] = {"file.part", "file.tmp", "file~"};
@@ -246,7 +246,7 @@ static void test_temporary_names_differ(void **state)
 	}
 }
 
-static void test_a_long_name_has_room_for_a_temporary_one(void **state)
+static void test_a_long_name_gets_a_shorter_temporary_one(void **state)
 {
 	struct output_scene *scene = *state;
 	struct test_path path;
@@ -270,7 +270,7 @@ int main(void)
 		CASE(test_a_link_to_nothing_gets_its_target),
 		CASE(test_a_link_into_another_folder_is_followed),
 		CASE(test_a_circle_of_links_is_refused),
-		CASE(test_places_that_are_no_files_are_refused),
+		CASE(test_paths_that_are_no_files_are_refused),
 		CASE(test_a_folder_without_permission_is_refused),
 		CASE(test_a_read_only_file_is_not_replaced),
 		CASE(test_a_new_file_has_the_permissions_of_the_umask),
@@ -278,7 +278,7 @@ int main(void)
 		CASE(test_a_replaced_file_keeps_its_owner),
 		CASE(test_a_planted_link_is_not_written_through),
 		cmocka_unit_test(test_temporary_names_differ),
-		CASE(test_a_long_name_has_room_for_a_temporary_one),
+		CASE(test_a_long_name_gets_a_shorter_temporary_one),
 	};
 #undef CASE
 

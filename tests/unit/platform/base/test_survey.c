@@ -22,7 +22,7 @@ static void write_text(
 	file_write(path_join(at, name).text, text, strlen(text));
 }
 
-static void test_what_devices_say_cannot_hurt_a_terminal(void **state)
+static void test_control_characters_of_devices_are_replaced(void **state)
 {
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
@@ -39,7 +39,7 @@ static void test_what_devices_say_cannot_hurt_a_terminal(void **state)
 	assert_string_equal(capture.finding[1].text, "?|?|??|??|???|?|??");
 }
 
-static void test_a_sentence_ends_with_its_remedy(void **state)
+static void test_the_end_of_a_message_is_its_remedy(void **state)
 {
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
@@ -61,7 +61,7 @@ static void test_a_sentence_ends_with_its_remedy(void **state)
 	survey_capture_expect(&capture, 2, SURVEY_BROKEN, "x", "alone", NULL);
 }
 
-static void test_who_is_denied_learns_the_group(void **state)
+static void test_a_denied_user_is_told_the_group(void **state)
 {
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
@@ -115,7 +115,7 @@ static void test_a_device_without_a_node_gets_its_mknod(void **state)
 	temp_dir_remove(&folder);
 }
 
-/* A sysfs with two watchdogs, and a folder of devices with the first. */
+/* Makes a sysfs with two watchdogs and a device node of the first. */
 static void make_watchdogs(const struct test_path *folder, const char *active)
 {
 	make_folder(folder, "dev");
@@ -130,7 +130,7 @@ static void make_watchdogs(const struct test_path *folder, const char *active)
 	write_text(folder, "dev/watchdog0", "");
 }
 
-static void test_watchdogs_are_told_without_starting_them(void **state)
+static void test_watchdogs_are_reported_without_starting_them(void **state)
 {
 	struct test_path folder = temp_dir_make();
 	struct test_path devices = path_join(&folder, "dev");
@@ -152,7 +152,7 @@ static void test_watchdogs_are_told_without_starting_them(void **state)
 	temp_dir_remove(&folder);
 }
 
-static void test_a_watchdog_that_counts_is_taken(void **state)
+static void test_an_active_watchdog_is_taken(void **state)
 {
 	struct test_path folder = temp_dir_make();
 	struct test_path devices = path_join(&folder, "dev");
@@ -189,12 +189,13 @@ static void test_no_watchdog_is_one_finding(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_what_devices_say_cannot_hurt_a_terminal),
-		cmocka_unit_test(test_a_sentence_ends_with_its_remedy),
-		cmocka_unit_test(test_who_is_denied_learns_the_group),
+		cmocka_unit_test(test_control_characters_of_devices_are_replaced),
+		cmocka_unit_test(test_the_end_of_a_message_is_its_remedy),
+		cmocka_unit_test(test_a_denied_user_is_told_the_group),
 		cmocka_unit_test(test_a_device_without_a_node_gets_its_mknod),
-		cmocka_unit_test(test_watchdogs_are_told_without_starting_them),
-		cmocka_unit_test(test_a_watchdog_that_counts_is_taken),
+		cmocka_unit_test(
+			test_watchdogs_are_reported_without_starting_them),
+		cmocka_unit_test(test_an_active_watchdog_is_taken),
 		cmocka_unit_test(test_no_watchdog_is_one_finding),
 	};
 

@@ -282,7 +282,7 @@ static void test_a_survey_reports_which_keys_are_buttons(void **state)
 	survey_capture_expect(
 		&capture, 1, SURVEY_WORKS, "/event0", "Keypad: UP, F6", NULL);
 	survey_capture_expect(&capture, 2, SURVEY_UNUSED, "/event1",
-		"Mouse: no key that is a button", ",UP=KEY");
+		"Mouse: no key is mapped to a button", ",UP=KEY");
 	survey_capture_expect(
 		&capture, 3, SURVEY_BROKEN, "/event2", "no permission", "root");
 }

@@ -16,7 +16,7 @@ static const struct {
 	{31, 9, 96},
 };
 
-/* A picture of noise; data is to be freed. */
+/* Returns a picture of noise; the caller frees data. */
 struct noise {
 	struct camera_image image;
 	uint8_t *data;
@@ -45,7 +45,7 @@ static double clamp(double value)
 	return value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
 }
 
-/* The luma and chroma bytes of a pixel, as each format's definition says. */
+/* Reads a pixel's luma and chroma as its format defines them. */
 static void read_ycc(const struct camera_image *image, int x, int y, int ycc[3])
 {
 	const uint8_t *luma =
@@ -122,7 +122,7 @@ static void reference(
 	}
 }
 
-/* Half a step is what rounding takes, the rest what Q16 constants take. */
+/* Rounding costs half a step, the constants in Q16 the rest. */
 static void assert_color(uint16_t color, const double rgb[3])
 {
 	assert_near(color >> 11, rgb[0] * 31.0, 0.51);
@@ -167,7 +167,7 @@ static void test_rows_match_the_formula_of_the_standard(void **state)
 	}
 }
 
-/* All of luma with the corners of chroma, where the clamps are. */
+/* All of luma with extreme chroma, where clamping happens. */
 static void test_every_luma_and_extreme_chroma_match_the_formula(void **state)
 {
 	static const uint8_t chroma[] = {
@@ -223,7 +223,7 @@ static void test_planes_follow_each_other(void **state)
 	assert_int_equal(layout.size, 48);
 }
 
-/* A picture of RGB565 whose pixels count up. */
+/* Returns a picture of RGB565 whose pixels count up. */
 static struct noise make_count(int width, int height)
 {
 	struct noise count = make_noise(CAMERA_RGB565, width, height, 0);
@@ -262,7 +262,7 @@ static void test_a_larger_picture_takes_the_nearest(void **state)
 
 	(void)state;
 	assert_non_null(scaler);
-	/* A centre on the border of two goes to the first. */
+	/* A centre between two pixels takes the first. */
 	camera_convert(scaler, &count.image, &part, 9, 5, out[0], 9);
 	for (int y = 0; y < 5; y++) {
 		for (int x = 0; x < 9; x++) {
@@ -276,7 +276,7 @@ static void test_a_larger_picture_takes_the_nearest(void **state)
 	free(scaler);
 }
 
-/* Each channel is the mean of the square's, rounded; the float says which. */
+/* Each channel is the rounded mean of four pixels, computed in float. */
 static void test_half_the_size_is_the_mean_of_squares(void **state)
 {
 	enum {

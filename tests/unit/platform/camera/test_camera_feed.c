@@ -1,4 +1,4 @@
-/* What --camera takes, and the pictures of the pattern. */
+/* The syntax of --camera, and the test picture. */
 #include "platform/camera/camera.h"
 #include "platform/camera/convert.h"
 #include "platform/camera/motion.h"
@@ -99,7 +99,7 @@ static void test_the_pattern_depends_on_the_time_only(void **state)
 	camera_feed_close(&feed);
 }
 
-/* The pattern's picture in a format, as RGB565. */
+/* Converts the test picture in a format to RGB565. */
 static void convert_pattern(
 	const char *format, struct camera_scaler *scaler, uint16_t out[48][64])
 {
@@ -156,7 +156,7 @@ static void test_all_formats_show_the_same(void **state)
 	free(scaler);
 }
 
-/* A grey picture in a format; every byte of luma is the value. */
+/* Returns a grey picture in a format with that luma. */
 static struct camera_image grey(
 	enum camera_format format, uint8_t *data, int value)
 {
@@ -183,7 +183,7 @@ static void test_motion_is_the_change_of_luma(void **state)
 		assert_int_equal(camera_motion_feed(&motion, &image), 40 * 256);
 		image = grey(formats[i], data, 90);
 		assert_int_equal(camera_motion_feed(&motion, &image), 50 * 256);
-		/* Noise does not count. */
+		/* Noise is ignored. */
 		image = grey(formats[i], data, 96);
 		assert_int_equal(camera_motion_feed(&motion, &image), 0);
 		camera_motion_reset(&motion);

@@ -1,4 +1,4 @@
-/* The V4L2 source with its thread, on the machine's clock. */
+/* The V4L2 source with its thread, in real time. */
 #include "platform/camera/v4l2/v4l2.h"
 
 #include "tests/support/fake/v4l2_fake.h"
@@ -11,7 +11,7 @@
 
 extern const struct camera_driver camera_driver_v4l2;
 
-/* A source over a fake device. */
+/* A source with a simulated device. */
 struct rig {
 	struct v4l2_fake *fake;
 	struct log_capture capture;
@@ -65,17 +65,17 @@ static void rig_finish(struct rig *rig)
 	v4l2_fake_free(rig->fake);
 }
 
-/* Takes; a picture is whole and newer than the last one. */
+/* Takes a picture, which must be complete and newer than the last one. */
 static enum camera_status rig_take(struct rig *rig)
 {
 	struct camera_image image;
 	int64_t from_ms = now_ms();
-	enum camera_status news =
+	enum camera_status status =
 		camera_driver_v4l2.take(rig->source, 0, &image);
 
-	/* Other programs may run, but nobody waits for a picture. */
+	/* take() must not wait, but other programs may delay it. */
 	assert_true(now_ms() - from_ms < 200);
-	if (news == CAMERA_NEW) {
+	if (status == CAMERA_NEW) {
 		int number = image.plane[0][0];
 
 		for (int i = 0; i < image.stride_bytes[0] * image.height; i++) {
@@ -86,10 +86,10 @@ static enum camera_status rig_take(struct rig *rig)
 		rig->last = number;
 		camera_driver_v4l2.give_back(rig->source);
 	}
-	return news;
+	return status;
 }
 
-/* Up to five seconds, as other programs may have the processor. */
+/* Waits up to five seconds, because the machine may be busy. */
 static void wait_for(struct rig *rig, enum camera_status wanted)
 {
 	int64_t until_ms = now_ms() + 5000;
@@ -100,7 +100,7 @@ static void wait_for(struct rig *rig, enum camera_status wanted)
 	}
 }
 
-static void test_hands_out_new_pictures(void **state)
+static void test_new_pictures_are_handed_out(void **state)
 {
 	struct rig rig;
 
@@ -127,7 +127,7 @@ static void test_pictures_that_nobody_took_are_dropped(void **state)
 	sleep_ms(200);
 	made = v4l2_fake_get(rig.fake, &rig.fake->next);
 	wait_for(&rig, CAMERA_NEW);
-	/* Not the one after the last, but the newest or nearly so. */
+	/* The newest picture or nearly so, not the next one. */
 	assert_true(rig.last - before > 2);
 	assert_true(rig.last >= made - 2);
 	rig_finish(&rig);
@@ -179,7 +179,7 @@ static void test_an_unplugged_device_is_logged_once_and_comes_back(void **state)
 	wait_for(&rig, CAMERA_NEW);
 	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
 	wait_for(&rig, CAMERA_NONE);
-	/* It tries again twice, in vain; a busy machine takes its time. */
+	/* Two attempts fail; a busy machine may be slow. */
 	for (int waited_ms = 0; waited_ms < 10000 &&
 		v4l2_fake_get(rig.fake, &rig.fake->opens) <= 2;
 		waited_ms += 50) {
@@ -193,7 +193,7 @@ static void test_an_unplugged_device_is_logged_once_and_comes_back(void **state)
 	v4l2_fake_set(rig.fake, &rig.fake->unplugged, false);
 	wait_for(&rig, CAMERA_NEW);
 	assert_true(log_capture_has(&rig.capture, LOG_NOTE, "it is back"));
-	/* And a second time is a second sentence. */
+	/* A second outage is logged again. */
 	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
 	wait_for(&rig, CAMERA_NONE);
 	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 2);
@@ -220,7 +220,7 @@ static void test_a_device_that_is_busy_is_tried_again(void **state)
 	rig_finish(&rig);
 }
 
-/* The thread is caught in DQBUF all the while; who takes tells it. */
+/* The thread is blocked in DQBUF, so take() logs the silence. */
 static void test_silence_is_logged_although_the_driver_blocks(void **state)
 {
 	struct rig rig;
@@ -241,7 +241,7 @@ static void test_silence_is_logged_although_the_driver_blocks(void **state)
 	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 1);
 	assert_true(log_capture_has(
 		&rig.capture, LOG_WARNING, "no picture for 2 s"));
-	/* The driver wakes up. */
+	/* The driver returns from DQBUF. */
 	pthread_mutex_lock(&rig.fake->lock);
 	rig.fake->period_ms = 10;
 	rig.fake->next_due_ms = now_ms();
@@ -266,7 +266,7 @@ static void test_destroy_returns_soon_although_the_driver_blocks(void **state)
 	from_ms = now_ms();
 	camera_driver_v4l2.destroy(rig.source);
 	assert_true(now_ms() - from_ms < 1000);
-	/* The thread lets go of all by itself when the driver does. */
+	/* When the driver returns, the thread releases everything. */
 	sleep_ms(2000);
 	assert_int_equal(v4l2_fake_get(rig.fake, &rig.fake->closes), 1);
 	assert_int_equal(rig.fake->maps, rig.fake->unmaps);
@@ -299,7 +299,7 @@ static void test_await_waits_for_a_picture_but_not_for_a_missing_device(
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_hands_out_new_pictures),
+		cmocka_unit_test(test_new_pictures_are_handed_out),
 		cmocka_unit_test(test_pictures_that_nobody_took_are_dropped),
 		cmocka_unit_test(test_a_picture_in_use_does_not_change),
 		cmocka_unit_test(test_two_buffers_do_not_stall),

@@ -19,7 +19,7 @@ static struct v4l2_session begin(struct v4l2_fake *fake)
 	return session;
 }
 
-/* Closes and looks that nothing was left or misused. */
+/* Closes the session and checks that everything was released. */
 static void end(struct v4l2_fake *fake, struct v4l2_session *session)
 {
 	v4l2_device_close(&session->device);
@@ -37,7 +37,7 @@ static int first_byte(const struct v4l2_session *session, int index)
 	return image.plane[0][0];
 }
 
-static void test_captures_from_a_common_driver(void **state)
+static void test_a_common_driver_delivers_pictures(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session = begin(fake);
@@ -67,7 +67,7 @@ static void test_captures_from_a_common_driver(void **state)
 	end(fake, &session);
 }
 
-static void test_captures_from_the_vendor_driver(void **state)
+static void test_the_vendor_driver_delivers_pictures(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session = begin(fake);
@@ -91,15 +91,15 @@ static void test_captures_from_the_vendor_driver(void **state)
 	assert_int_equal(image.format, CAMERA_NV12);
 	assert_int_equal(image.width, 32);
 	assert_int_equal(image.height, 24);
-	/* Then DQBUF blocks for its ten seconds: that is silence. */
+	/* Then DQBUF blocks for ten seconds, which counts as silence. */
 	assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
 	assert_int_equal(session.state, V4L2_FAILED);
 	assert_contains(session.device.reason, "no picture for 2 s");
 	end(fake, &session);
 }
 
-/* Which of the formats that a driver has is taken. */
-static void test_takes_the_cheapest_format(void **state)
+/* The format chosen among those of a driver. */
+static void test_the_cheapest_format_is_chosen(void **state)
 {
 	static const struct {
 		uint32_t offered[4];
@@ -146,7 +146,7 @@ static void test_format_names_and_codes_are_found(void **state)
 	assert_string_equal(text, "????");
 }
 
-/* Fails to open now, for this reason. */
+/* Checks that opening fails for this reason. */
 static void assert_refused(struct v4l2_fake *fake, const char *reason)
 {
 	struct v4l2_session session = begin(fake);
@@ -214,7 +214,7 @@ static void test_damaged_and_short_pictures_are_queued_again(void **state)
 	end(fake, &session);
 }
 
-static void test_opens_again_after_it_was_unplugged(void **state)
+static void test_an_unplugged_device_is_opened_again(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session = begin(fake);
@@ -228,7 +228,7 @@ static void test_opens_again_after_it_was_unplugged(void **state)
 	v4l2_session_close(&session);
 	assert_int_equal(session.state, V4L2_CLOSED);
 	fake->unplugged = false;
-	/* Not yet: true, for nothing failed. */
+	/* It is too early; true, because nothing failed. */
 	assert_true(v4l2_session_open(&session));
 	assert_int_equal(session.state, V4L2_CLOSED);
 	fake->now_ms += V4L2_RETRY_FIRST_MS;
@@ -239,7 +239,7 @@ static void test_opens_again_after_it_was_unplugged(void **state)
 	end(fake, &session);
 }
 
-static void test_waits_longer_from_failure_to_failure(void **state)
+static void test_each_failure_doubles_the_wait(void **state)
 {
 	static const int waits_ms[] = {250, 500, 1000, 2000, 2000, 2000};
 	struct v4l2_fake *fake = v4l2_fake_new();
@@ -254,7 +254,7 @@ static void test_waits_longer_from_failure_to_failure(void **state)
 		assert_int_equal(fake->opens, i + 1);
 		fake->now_ms++;
 	}
-	/* A picture makes the next wait short again. */
+	/* After a picture the next wait is short again. */
 	fake->open_error = 0;
 	assert_true(v4l2_session_open(&session));
 	fake->ready = 1;
@@ -305,7 +305,7 @@ static void test_temporary_errors_are_no_failure(void **state)
 	end(fake, &session);
 }
 
-static void test_auto_takes_the_first_that_captures(void **state)
+static void test_auto_takes_the_first_device_that_captures(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
 	struct v4l2_session session;
@@ -324,7 +324,7 @@ static void test_auto_takes_the_first_that_captures(void **state)
 	end(fake, &session);
 }
 
-/* Cr and Cb the other way round: for libv4lconvert. Bytes of 128 are grey. */
+/* YVYU swaps Cr and Cb and needs libv4lconvert. Bytes of 128 are grey. */
 static void test_other_formats_go_through_the_library(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
@@ -358,20 +358,20 @@ static void test_other_formats_go_through_the_library(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_captures_from_a_common_driver),
-		cmocka_unit_test(test_captures_from_the_vendor_driver),
-		cmocka_unit_test(test_takes_the_cheapest_format),
+		cmocka_unit_test(test_a_common_driver_delivers_pictures),
+		cmocka_unit_test(test_the_vendor_driver_delivers_pictures),
+		cmocka_unit_test(test_the_cheapest_format_is_chosen),
 		cmocka_unit_test(test_format_names_and_codes_are_found),
 		cmocka_unit_test(
 			test_the_reason_names_why_a_device_does_not_open),
 		cmocka_unit_test(test_two_buffers_are_enough),
 		cmocka_unit_test(
 			test_damaged_and_short_pictures_are_queued_again),
-		cmocka_unit_test(test_opens_again_after_it_was_unplugged),
-		cmocka_unit_test(test_waits_longer_from_failure_to_failure),
+		cmocka_unit_test(test_an_unplugged_device_is_opened_again),
+		cmocka_unit_test(test_each_failure_doubles_the_wait),
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
 		cmocka_unit_test(test_temporary_errors_are_no_failure),
-		cmocka_unit_test(test_auto_takes_the_first_that_captures),
+		cmocka_unit_test(test_auto_takes_the_first_device_that_captures),
 		cmocka_unit_test(test_other_formats_go_through_the_library),
 	};
 

@@ -9,12 +9,12 @@
 #include <string.h>
 #include <time.h>
 
-/* The fake answers to every name; this machine has /dev/video2. */
+/* The simulated machine has /dev/video2 only. */
 struct machine {
 	struct v4l2_fake *fake;
 	struct v4l2_calls calls;
-	int slow_ms;    /* that opening takes */
-	uint32_t lacks; /* capabilities that it has not */
+	int slow_ms;    /* how long open() blocks */
+	uint32_t lacks; /* capabilities to remove */
 };
 
 static void pass(int ms)
@@ -54,7 +54,7 @@ static void close_one(void *user, int fd)
 	machine->fake->calls.close(machine->fake, fd);
 }
 
-/* What would change the device or take it is not for a survey. */
+/* A survey must not change the device or take it. */
 static int ask_one(void *user, int fd, unsigned long request, void *argument)
 {
 	struct machine *machine = user;
@@ -190,7 +190,7 @@ static void test_a_thread_blocked_in_a_driver_is_abandoned(void **state)
 	assert_true(now_ms() - begun_ms < 2500);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/video2",
 		"does not answer within", "dmesg");
-	/* It ends by itself, and owns what it worked on. */
+	/* The thread ends by itself and releases its data. */
 	while (v4l2_fake_get(machine->fake, &machine->fake->closes) == 0) {
 		pass(20);
 	}

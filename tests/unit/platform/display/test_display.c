@@ -30,7 +30,7 @@ static void test_every_display_is_complete(void **state)
 	assert_null(display_choose("hologram", &log));
 }
 
-static void test_an_unknown_display_lists_the_known(void **state)
+static void test_an_unknown_display_lists_the_known_ones(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -67,14 +67,14 @@ static void test_a_device_is_refused_where_none_is_used(void **state)
 	assert_null(display_choose("nulls", &log));
 }
 
-/* Has this machine a screen of its own that "auto" may take? */
+/* Whether this machine has a screen that "auto" may take. */
 static bool has_screen(void)
 {
 	return access("/dev/fb0", F_OK) == 0 ||
 		access("/dev/dri/card0", F_OK) == 0;
 }
 
-static void test_nobody_is_shown_a_picture_unasked(void **state)
+static void test_auto_takes_no_display_that_shows_nothing(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -98,7 +98,7 @@ static void test_nobody_is_shown_a_picture_unasked(void **state)
 	assert_contains(capture.sentence[0], "image");
 }
 
-static void test_pictures_have_the_format_asked_for(void **state)
+static void test_pictures_have_the_requested_format(void **state)
 {
 	static const enum pixel_format formats[] = {
 		PIXELS_RGB565, PIXELS_RGBA8888};
@@ -176,11 +176,11 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_every_display_is_complete),
-		cmocka_unit_test(test_an_unknown_display_lists_the_known),
+		cmocka_unit_test(test_an_unknown_display_lists_the_known_ones),
 		cmocka_unit_test(test_a_named_display_is_chosen),
 		cmocka_unit_test(test_a_device_is_refused_where_none_is_used),
-		cmocka_unit_test(test_pictures_have_the_format_asked_for),
-		cmocka_unit_test(test_nobody_is_shown_a_picture_unasked),
+		cmocka_unit_test(test_pictures_have_the_requested_format),
+		cmocka_unit_test(test_auto_takes_no_display_that_shows_nothing),
 		cmocka_unit_test(test_null_hands_out_memory),
 		cmocka_unit_test(test_impossible_sizes_are_refused),
 	};

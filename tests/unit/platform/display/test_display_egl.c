@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 struct scene {
-	struct test_path folder, told, library;
+	struct test_path folder, calls, library;
 	struct log_capture capture;
 	struct log log;
 	const struct display_driver *driver;
@@ -19,7 +19,7 @@ struct scene {
 	struct gl_context *gl;
 };
 
-/* What is asked first, of EGL 1.4 and of 1.0. */
+/* The calls that open EGL 1.4 and 1.0. */
 #define BEGUN                                          \
 	"GetDisplay 0\nInitialize 1\nBindAPI 0x30a0\n" \
 	"ChooseConfig surface 4 renderable 1\n"
@@ -27,7 +27,7 @@ struct scene {
 	"GetDisplay 0\nInitialize 1\n" \
 	"ChooseConfig surface 4 renderable -1\n"
 
-/* The fake lies beside this program. */
+/* The path of a library in this program's folder. */
 static struct test_path beside(const char *name)
 {
 	struct test_path path = {""};
@@ -48,9 +48,9 @@ static void scene_begin(struct scene *scene, const char *library)
 	*scene = (struct scene){.library = beside(library)};
 	scene->log = log_capture_begin(&scene->capture);
 	scene->folder = temp_dir_make();
-	scene->told = path_join(&scene->folder, "told");
-	file_write(scene->told.text, "", 0);
-	setenv("FAKE_GLES_LOG", scene->told.text, 1);
+	scene->calls = path_join(&scene->folder, "calls");
+	file_write(scene->calls.text, "", 0);
+	setenv("FAKE_GLES_LOG", scene->calls.text, 1);
 	unsetenv("FAKE_GLES_SIZE");
 	unsetenv("FAKE_GLES_REFUSE");
 	unsetenv("FAKE_GLES_RENDERER");
@@ -74,7 +74,7 @@ static int scene_open(struct scene *scene, const char *spec,
 		return error;
 	}
 	scene->driver->get_surface(scene->display, &surface);
-	error = gl_open_for(gl_name, &request, &scene->gl);
+	error = gl_open(gl_name, &request, &scene->gl);
 	if (error) {
 		scene->driver->destroy(scene->display);
 	}
@@ -94,14 +94,14 @@ static void scene_close(struct scene *scene)
 	scene->driver->destroy(scene->display);
 }
 
-/* Everything told so far is exactly that; then it is forgotten. */
+/* Checks that exactly these calls were logged, and clears the log. */
 static void expect_told(const struct scene *scene, const char *text)
 {
-	char *told = file_read(scene->told.text, NULL);
+	char *calls = file_read(scene->calls.text, NULL);
 
-	assert_string_equal(told, text);
-	free(told);
-	file_write(scene->told.text, "", 0);
+	assert_string_equal(calls, text);
+	free(calls);
+	file_write(scene->calls.text, "", 0);
 }
 
 static void scene_end(struct scene *scene)
@@ -145,7 +145,7 @@ static void test_frames_are_drawn_on_the_whole_screen(void **state)
 	scene_end(&scene);
 }
 
-static void test_an_old_egl_is_asked_for_nothing_younger(void **state)
+static void test_only_old_calls_are_used_with_an_old_egl(void **state)
 {
 	struct scene scene;
 
@@ -179,7 +179,7 @@ static void test_a_window_is_named_by_its_number(void **state)
 	scene_end(&scene);
 }
 
-static void test_no_number_is_no_window(void **state)
+static void test_a_window_must_be_a_number(void **state)
 {
 	static const char *const specs[] = {
 		"egl:main", "egl:-1", "egl:1x", "egl:0x1ffffffffffffffff"};
@@ -215,7 +215,7 @@ static void test_the_next_configuration_is_tried(void **state)
 	scene_end(&scene);
 }
 
-static void test_a_window_that_nothing_fits_is_told(void **state)
+static void test_a_window_without_a_configuration_is_reported(void **state)
 {
 	struct scene scene;
 
@@ -242,7 +242,7 @@ static void test_the_picture_follows_the_screens_size(void **state)
 	scene_begin(&scene, "fake_gles.so");
 	assert_int_equal(scene_open(&scene, "egl", "gles1", PIXELS_RGB565), 0);
 	scene_draw(&scene);
-	file_write(scene.told.text, "", 0);
+	file_write(scene.calls.text, "", 0);
 	setenv("FAKE_GLES_SIZE", "640x480", 1);
 	scene_draw(&scene);
 	expect_told(&scene,
@@ -257,7 +257,7 @@ static void test_the_picture_follows_the_screens_size(void **state)
 	scene_end(&scene);
 }
 
-static void test_a_library_that_is_not_there_is_named(void **state)
+static void test_the_message_names_a_missing_library(void **state)
 {
 	struct scene scene;
 
@@ -270,7 +270,7 @@ static void test_a_library_that_is_not_there_is_named(void **state)
 	scene_end(&scene);
 }
 
-static void test_what_cannot_draw_on_it_is_refused(void **state)
+static void test_drivers_without_surfaces_are_refused(void **state)
 {
 	static const char *const names[] = {"soft", "osmesa"};
 
@@ -288,7 +288,7 @@ static void test_what_cannot_draw_on_it_is_refused(void **state)
 	}
 }
 
-/* Where there are pixels, a processor's own GL is read back. */
+/* For a display of pixels the pictures are read back. */
 static void test_auto_takes_a_graphics_processor(void **state)
 {
 	struct scene scene;
@@ -301,7 +301,7 @@ static void test_auto_takes_a_graphics_processor(void **state)
 	request.egl_library = scene.library.text;
 	request.gles_library = scene.library.text;
 	request.log = &scene.log;
-	assert_int_equal(gl_open_for("auto", &request, &scene.gl), 0);
+	assert_int_equal(gl_open("auto", &request, &scene.gl), 0);
 	assert_string_equal(scene.gl->driver->name, "gles1");
 	assert_int_equal(scene.gl->driver->begin_frame(scene.gl, &pixels), 0);
 	assert_int_equal(scene.gl->driver->end_frame(scene.gl), 0);
@@ -309,7 +309,7 @@ static void test_auto_takes_a_graphics_processor(void **state)
 	scene.gl->driver->destroy(scene.gl);
 
 	setenv("FAKE_GLES_RENDERER", "llvmpipe (LLVM 15.0.6, 256 bits)", 1);
-	assert_int_equal(gl_open_for("auto", &request, &scene.gl), 0);
+	assert_int_equal(gl_open("auto", &request, &scene.gl), 0);
 	assert_string_equal(scene.gl->driver->name, "soft");
 	scene.gl->driver->destroy(scene.gl);
 	assert_true(log_capture_has(&scene.capture, LOG_NOTE, "llvmpipe"));
@@ -320,14 +320,15 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_frames_are_drawn_on_the_whole_screen),
-		cmocka_unit_test(test_an_old_egl_is_asked_for_nothing_younger),
+		cmocka_unit_test(test_only_old_calls_are_used_with_an_old_egl),
 		cmocka_unit_test(test_a_window_is_named_by_its_number),
-		cmocka_unit_test(test_no_number_is_no_window),
+		cmocka_unit_test(test_a_window_must_be_a_number),
 		cmocka_unit_test(test_the_next_configuration_is_tried),
-		cmocka_unit_test(test_a_window_that_nothing_fits_is_told),
+		cmocka_unit_test(
+			test_a_window_without_a_configuration_is_reported),
 		cmocka_unit_test(test_the_picture_follows_the_screens_size),
-		cmocka_unit_test(test_a_library_that_is_not_there_is_named),
-		cmocka_unit_test(test_what_cannot_draw_on_it_is_refused),
+		cmocka_unit_test(test_the_message_names_a_missing_library),
+		cmocka_unit_test(test_drivers_without_surfaces_are_refused),
 		cmocka_unit_test(test_auto_takes_a_graphics_processor),
 	};
 

@@ -11,69 +11,65 @@ enum {
 
 extern const struct display_driver display_driver_fbdev;
 
+/* The pixels of a layout in the corners and the middle of the screen. */
+static const struct {
+	struct pixel_layout layout;
+	int stride_bytes;
+	uint32_t red, green, blue, white, gray;
+} layout_cases[] = {
+	{{.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}},
+		WIDTH * 2 + 6, 0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8430},
+	{{.bits = 16, .red = {0, 5}, .green = {5, 6}, .blue = {11, 5}},
+		WIDTH * 2, 0x001F, 0x07E0, 0xF800, 0xFFFF, 0x8430},
+	{{.bits = 16,
+		 .red = {10, 5},
+		 .green = {5, 5},
+		 .blue = {0, 5},
+		 .alpha = {15, 1}},
+		WIDTH * 2 + 3, 0xFC00, 0x83E0, 0x801F, 0xFFFF, 0xC210},
+	{{.bits = 15, .red = {10, 5}, .green = {5, 5}, .blue = {0, 5}},
+		WIDTH * 2, 0x7C00, 0x03E0, 0x001F, 0x7FFF, 0x4210},
+	{{.bits = 24, .red = {16, 8}, .green = {8, 8}, .blue = {0, 8}},
+		WIDTH * 3 + 5, 0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF, 0x848484},
+	{{.bits = 24, .red = {0, 8}, .green = {8, 8}, .blue = {16, 8}},
+		WIDTH * 3, 0x0000FF, 0x00FF00, 0xFF0000, 0xFFFFFF, 0x848484},
+	{{.bits = 32,
+		 .red = {16, 8},
+		 .green = {8, 8},
+		 .blue = {0, 8},
+		 .alpha = {24, 8}},
+		WIDTH * 4 + 7, 0xFFFF0000, 0xFF00FF00, 0xFF0000FF, 0xFFFFFFFF,
+		0xFF848484},
+	{{.bits = 32, .red = {0, 8}, .green = {8, 8}, .blue = {16, 8}},
+		WIDTH * 4 + 4, 0x000000FF, 0x0000FF00, 0x00FF0000, 0x00FFFFFF,
+		0x00848484},
+	{{.bits = 32,
+		 .red = {20, 10},
+		 .green = {10, 10},
+		 .blue = {0, 10},
+		 .alpha = {30, 2}},
+		WIDTH * 4, 0xFFF00000, 0xC00FFC00, 0xC00003FF, 0xFFFFFFFF,
+		0xE1284A12},
+	{{.bits = 8, .red = {5, 3}, .green = {2, 3}, .blue = {0, 2}}, WIDTH,
+		0xE0, 0x1C, 0x03, 0xFF, 0x92},
+	{{.bits = 8, .red = {0, 8}, .green = {0, 8}, .blue = {0, 8}, .gray = true},
+		WIDTH + 1, 0x4C, 0x96, 0x1C, 0xFF, 0x82},
+};
+
 static void test_every_layout_shows_its_colours(void **state)
 {
-	static const struct {
-		struct pixel_layout layout;
-		int stride_bytes;
-		uint32_t red, green, blue, white, gray;
-	} cases[] = {
-		{{.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}},
-			WIDTH * 2 + 6, 0xF800, 0x07E0, 0x001F, 0xFFFF, 0x8430},
-		{{.bits = 16, .red = {0, 5}, .green = {5, 6}, .blue = {11, 5}},
-			WIDTH * 2, 0x001F, 0x07E0, 0xF800, 0xFFFF, 0x8430},
-		{{.bits = 16,
-			 .red = {10, 5},
-			 .green = {5, 5},
-			 .blue = {0, 5},
-			 .alpha = {15, 1}},
-			WIDTH * 2 + 3, 0xFC00, 0x83E0, 0x801F, 0xFFFF, 0xC210},
-		{{.bits = 15, .red = {10, 5}, .green = {5, 5}, .blue = {0, 5}},
-			WIDTH * 2, 0x7C00, 0x03E0, 0x001F, 0x7FFF, 0x4210},
-		{{.bits = 24, .red = {16, 8}, .green = {8, 8}, .blue = {0, 8}},
-			WIDTH * 3 + 5, 0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF,
-			0x848484},
-		{{.bits = 24, .red = {0, 8}, .green = {8, 8}, .blue = {16, 8}},
-			WIDTH * 3, 0x0000FF, 0x00FF00, 0xFF0000, 0xFFFFFF,
-			0x848484},
-		{{.bits = 32,
-			 .red = {16, 8},
-			 .green = {8, 8},
-			 .blue = {0, 8},
-			 .alpha = {24, 8}},
-			WIDTH * 4 + 7, 0xFFFF0000, 0xFF00FF00, 0xFF0000FF,
-			0xFFFFFFFF, 0xFF848484},
-		{{.bits = 32, .red = {0, 8}, .green = {8, 8}, .blue = {16, 8}},
-			WIDTH * 4 + 4, 0x000000FF, 0x0000FF00, 0x00FF0000,
-			0x00FFFFFF, 0x00848484},
-		{{.bits = 32,
-			 .red = {20, 10},
-			 .green = {10, 10},
-			 .blue = {0, 10},
-			 .alpha = {30, 2}},
-			WIDTH * 4, 0xFFF00000, 0xC00FFC00, 0xC00003FF,
-			0xFFFFFFFF, 0xE1284A12},
-		{{.bits = 8, .red = {5, 3}, .green = {2, 3}, .blue = {0, 2}},
-			WIDTH, 0xE0, 0x1C, 0x03, 0xFF, 0x92},
-		{{.bits = 8,
-			 .red = {0, 8},
-			 .green = {0, 8},
-			 .blue = {0, 8},
-			 .gray = true},
-			WIDTH + 1, 0x4C, 0x96, 0x1C, 0xFF, 0x82},
-	};
 	struct fbdev_scene scene = {0};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
-		bool wide = cases[i].layout.bits > 16;
+	for (size_t i = 0; i < ARRAY_COUNT(layout_cases); i++) {
+		bool wide = layout_cases[i].layout.bits > 16;
 		struct pixels pixels;
 		uint32_t pixel;
 
 		fake_fb_begin(WIDTH, HEIGHT, HEIGHT, HEIGHT,
-			cases[i].stride_bytes, cases[i].layout);
-		/* Each by the format that is the finer one. */
-		scene.options.format_given = cases[i].layout.bits == 8;
+			layout_cases[i].stride_bytes, layout_cases[i].layout);
+		/* From the wider of the two picture formats. */
+		scene.options.format_given = layout_cases[i].layout.bits == 8;
 		scene.options.format = PIXELS_RGBA8888;
 		assert_int_equal(fbdev_scene_open(&scene), 0);
 		pixels = fbdev_scene_draw(&scene);
@@ -84,24 +80,27 @@ static void test_every_layout_shows_its_colours(void **state)
 		assert_int_equal(pixels.width, WIDTH);
 		assert_int_equal(pixels.height, HEIGHT);
 		pixel = fake_fb_seen(WIDTH / 2, HEIGHT / 2);
-		if (cases[i].layout.gray) {
-			/* Green takes what rounding took from white. */
+		if (layout_cases[i].layout.gray) {
+			/* Green gets the rounding error of white. */
 			assert_in_range(fake_fb_seen(WIDTH - 1, 0),
-				cases[i].green - 1, cases[i].green + 1);
-			assert_int_equal(fake_fb_seen(0, 0), cases[i].red);
+				layout_cases[i].green - 1,
+				layout_cases[i].green + 1);
+			assert_int_equal(
+				fake_fb_seen(0, 0), layout_cases[i].red);
 			assert_int_equal(
 				fake_fb_seen(WIDTH - 1, HEIGHT - 1), 0xFF);
 			assert_in_range(pixel, 0x81, 0x84);
 		} else {
-			fbdev_scene_expect_corners(cases[i].red, cases[i].green,
-				cases[i].blue, cases[i].white);
-			assert_int_equal(pixel, cases[i].gray);
+			fbdev_scene_expect_corners(layout_cases[i].red,
+				layout_cases[i].green, layout_cases[i].blue,
+				layout_cases[i].white);
+			assert_int_equal(pixel, layout_cases[i].gray);
 		}
 		fbdev_scene_close(&scene);
 	}
 }
 
-/* What a screen with tables shows, 0 to 255 a channel. */
+/* Checks the colour that a screen with a colour map shows. */
 static void expect_color(
 	const int index[3], int red, int green, int blue, int tolerance)
 {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One picture of a GIF as it is shown, and its delay. */
+/* A picture of a GIF as a player shows it, and its delay. */
 struct shown {
 	uint8_t rgb[IMAGE_SCENE_HEIGHT][IMAGE_SCENE_WIDTH][3];
 	int delay_cs;
@@ -168,7 +168,7 @@ static void test_gif_delays_do_not_drift(void **state)
 	for (int i = 0; i < 60; i++) {
 		assert_in_range(delays[i], 3, 4);
 		sum += delays[i];
-		/* Within half a hundredth of the true time. */
+		/* Within half a hundredth of a second of the true time. */
 		assert_near(sum, (i + 1) * 100.0 / 30, 0.5 + 1e-9);
 	}
 	assert_int_equal(sum, 200);
@@ -190,7 +190,7 @@ static void test_a_gif_leaves_out_what_players_would_slow_down(void **state)
 	assert_near(sum, 100, 1);
 }
 
-static void test_a_gif_takes_new_colours_for_a_new_scene(void **state)
+static void test_a_gif_gets_a_new_palette_for_a_new_scene(void **state)
 {
 	struct image_scene scene;
 	struct shown shown = {0};
@@ -238,7 +238,7 @@ int main(void)
 		cmocka_unit_test(test_gif_delays_do_not_drift),
 		cmocka_unit_test(
 			test_a_gif_leaves_out_what_players_would_slow_down),
-		cmocka_unit_test(test_a_gif_takes_new_colours_for_a_new_scene),
+		cmocka_unit_test(test_a_gif_gets_a_new_palette_for_a_new_scene),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -99,7 +99,7 @@ static void test_a_y4m_holds_header_and_planes(void **state)
 	assert_memory_equal(bytes, header, strlen(header));
 	assert_memory_equal(
 		bytes + strlen(header) + 2 * frame_size, "FRAME\n", 6);
-	/* Row 7 and 8 of the first frame begin with the square. */
+	/* Rows 7 and 8 of the first frame begin with the square. */
 	luma = (const uint8_t *)bytes + strlen(header) + 6;
 	cb = luma + 37 * 21 + 19 * 3;
 	cr = cb + 19 * 11;
@@ -133,7 +133,7 @@ static void test_a_y4m_states_its_rate_as_a_fraction(void **state)
 	expect_rate(12.5, " F12500:1000 ");
 }
 
-static void test_an_unknown_extension_lists_the_known(void **state)
+static void test_an_unknown_extension_lists_the_known_ones(void **state)
 {
 	static const char *const names[] = {
 		"/tmp/x.jpg", "/tmp/png", "/tmp/x.png.gz", ".png"};
@@ -150,7 +150,7 @@ static void test_an_unknown_extension_lists_the_known(void **state)
 	}
 }
 
-static void test_a_missing_file_name_is_asked_for(void **state)
+static void test_a_missing_file_name_is_refused(void **state)
 {
 	struct image_scene scene;
 
@@ -162,7 +162,7 @@ static void test_a_missing_file_name_is_asked_for(void **state)
 	assert_contains(scene.capture.sentence[0], "-o FILE");
 }
 
-static void test_a_folder_that_is_not_there_is_named(void **state)
+static void test_the_message_names_a_missing_folder(void **state)
 {
 	static const char *const names[] = {
 		"/nowhere/at/all/x.gif", "/nowhere/at/all/x.y4m"};
@@ -199,7 +199,7 @@ static void test_a_folder_of_that_name_is_refused(void **state)
 	temp_dir_remove(&directory);
 }
 
-/* What an unfinished or failed file leaves: the old one and nothing else. */
+/* Checks that only the old file is left. */
 static void expect_untouched(const struct image_scene *scene)
 {
 	size_t size;
@@ -211,7 +211,7 @@ static void expect_untouched(const struct image_scene *scene)
 	assert_int_equal(temp_dir_count(&scene->directory), 1);
 }
 
-static void test_what_is_not_finished_leaves_the_old_file(void **state)
+static void test_an_unfinished_file_leaves_the_old_one(void **state)
 {
 	static const char *const names[] = {"x.gif", "x.y4m"};
 
@@ -238,10 +238,11 @@ static int draw_until_failure(struct image_scene *scene)
 	return error ? error : scene->driver->finish(scene->display);
 }
 
-static void test_a_full_disk_is_told_once_and_leaves_the_old_file(void **state)
+static void test_a_full_disk_is_reported_once_and_leaves_the_old_file(
+	void **state)
 {
 	static const char *const names[] = {"x.png", "x.gif", "x.y4m"};
-	/* A file may grow to this size: as a full disk, but repeatable. */
+	/* Limits the size of files, which acts like a full disk. */
 	struct rlimit small, usual;
 
 	(void)state;
@@ -266,7 +267,7 @@ static void test_a_full_disk_is_told_once_and_leaves_the_old_file(void **state)
 	}
 }
 
-static void test_an_animation_without_frames_is_no_file(void **state)
+static void test_an_animation_without_frames_makes_no_file(void **state)
 {
 	struct image_scene scene;
 
@@ -286,14 +287,14 @@ int main(void)
 		cmocka_unit_test(test_an_unknown_number_of_pngs_is_numbered),
 		cmocka_unit_test(test_a_y4m_holds_header_and_planes),
 		cmocka_unit_test(test_a_y4m_states_its_rate_as_a_fraction),
-		cmocka_unit_test(test_an_unknown_extension_lists_the_known),
-		cmocka_unit_test(test_a_missing_file_name_is_asked_for),
-		cmocka_unit_test(test_a_folder_that_is_not_there_is_named),
+		cmocka_unit_test(test_an_unknown_extension_lists_the_known_ones),
+		cmocka_unit_test(test_a_missing_file_name_is_refused),
+		cmocka_unit_test(test_the_message_names_a_missing_folder),
 		cmocka_unit_test(test_a_folder_of_that_name_is_refused),
-		cmocka_unit_test(test_what_is_not_finished_leaves_the_old_file),
+		cmocka_unit_test(test_an_unfinished_file_leaves_the_old_one),
 		cmocka_unit_test(
-			test_a_full_disk_is_told_once_and_leaves_the_old_file),
-		cmocka_unit_test(test_an_animation_without_frames_is_no_file),
+			test_a_full_disk_is_reported_once_and_leaves_the_old_file),
+		cmocka_unit_test(test_an_animation_without_frames_makes_no_file),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,7 +32,7 @@ static int reset(void **state)
 
 	(void)state;
 	fake_card_begin();
-	/* For its console. */
+	/* The console belongs to fake_fb. */
 	fake_fb_begin(8, 8, 8, 8, 16, any);
 	fake_fb.has_console = true;
 	return 0;
@@ -66,7 +66,7 @@ static void scene_close(struct scene *scene)
 	expect_all_closed();
 }
 
-/* A picture whose corner tells its number in red. */
+/* Draws a picture with its number as red in a corner. */
 static struct pixels draw(struct scene *scene, int number)
 {
 	struct pixels pixels;
@@ -100,7 +100,7 @@ static void test_each_format_shows_its_colours(void **state)
 		fake_card.fourccs[0] = cases[i].fourcc;
 		assert_int_equal(scene_open(&scene), 0);
 		assert_int_equal(draw(&scene, 1).format, cases[i].format);
-		/* The next one waits until this is seen. */
+		/* The next frame waits until this one is shown. */
 		draw(&scene, 1);
 		draw(&scene, 1);
 		assert_int_equal(fake_card_seen(0, 0), cases[i].red);
@@ -131,7 +131,7 @@ static void test_buffers_are_flipped_in_turn(void **state)
 	for (int i = 1; i < 7; i++) {
 		struct pixels pixels = draw(&scene, i);
 
-		/* Straight into the buffer that was not seen. */
+		/* Directly into the buffer that was not shown. */
 		assert_ptr_equal(pixels.data,
 			fake_card.buffers[fake_card.flip_fb - 1].memory);
 		if (i > 1) {
@@ -252,7 +252,7 @@ static void test_formats_that_the_screen_refuses_are_skipped(void **state)
 	struct scene scene = {0};
 
 	(void)state;
-	/* XBGR8888 comes first, and is taken as a buffer alone. */
+	/* XBGR8888 is tried first; only its framebuffer object is accepted. */
 	fake_card.fail = CALL_SET;
 	fake_card.fail_once = true;
 	assert_int_equal(scene_open(&scene), 0);
@@ -355,7 +355,7 @@ static void test_a_later_failure_is_logged_and_everything_closed(void **state)
 		assert_true(error < 0);
 		assert_int_equal(
 			log_capture_count(&scene.capture, LOG_ERROR), 1);
-		/* The card is none that ends what it began. */
+		/* The card never completes a page flip. */
 		fake_card.flip_user = NULL;
 		fake_card.flip_fb = 0;
 		fake_card.fail = CALL_NONE;

@@ -36,7 +36,7 @@ static void scene_open(struct scene *scene)
 	scene->log = log_capture_begin(&scene->capture);
 	button_queue_init(&scene->queue, 0);
 	assert_int_equal(scene->driver->create(&options, &scene->display), 0);
-	/* What opening a window brings of its own. */
+	/* The events of opening a window. */
 	scene->driver->poll(scene->display, 0, &scene->queue, &scene->events);
 	assert_false(scene->events.close);
 }
@@ -167,13 +167,13 @@ static void test_key_repeat_is_ignored(void **state)
 	scene_close(&scene);
 }
 
-static void test_losing_the_focus_lets_go(void **state)
+static void test_losing_the_focus_releases_the_buttons(void **state)
 {
 	struct scene scene;
 
 	(void)state;
 	scene_open(&scene);
-	/* Held by another source: not the window's to let go. */
+	/* The window must not release a button of another source. */
 	button_queue_push(
 		&scene.queue, (struct button_event){1, BUTTON_F6, true});
 	expect(&scene, 1, BUTTON_F6, true);
@@ -234,7 +234,7 @@ static void test_h_and_p_ask_for_graph_and_picture_once(void **state)
 	scene_close(&scene);
 }
 
-static void test_escape_q_and_the_cross_close(void **state)
+static void test_escape_q_and_the_close_button_close(void **state)
 {
 	struct scene scene;
 	SDL_Event quit = {.type = SDL_QUIT};
@@ -266,7 +266,7 @@ static void test_an_interrupt_closes(void **state)
 	struct scene scene;
 
 	(void)state;
-	/* SDL leaves a signal alone that a shell's "&" made it ignore. */
+	/* SDL does not catch a signal that a shell's "&" has set to ignored. */
 	signal(SIGINT, SIG_DFL);
 	scene_open(&scene);
 	raise(SIGINT);
@@ -318,10 +318,10 @@ int main(void)
 		cmocka_unit_test(test_frames_are_shown),
 		cmocka_unit_test(test_keys_carry_the_keypads_names),
 		cmocka_unit_test(test_key_repeat_is_ignored),
-		cmocka_unit_test(test_losing_the_focus_lets_go),
+		cmocka_unit_test(test_losing_the_focus_releases_the_buttons),
 		cmocka_unit_test(test_a_resized_window_hands_out_the_new_size),
 		cmocka_unit_test(test_h_and_p_ask_for_graph_and_picture_once),
-		cmocka_unit_test(test_escape_q_and_the_cross_close),
+		cmocka_unit_test(test_escape_q_and_the_close_button_close),
 		cmocka_unit_test(test_an_interrupt_closes),
 		cmocka_unit_test(test_windows_may_follow_each_other),
 		cmocka_unit_test(test_a_missing_desktop_is_logged),

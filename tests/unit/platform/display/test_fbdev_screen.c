@@ -33,7 +33,7 @@ static void test_two_pages_are_drawn_into_in_turn(void **state)
 
 		assert_int_equal(
 			scene.driver->begin_frame(scene.display, &pixels), 0);
-		/* Straight into the page that is not seen. */
+		/* Directly into the page that is not shown. */
 		assert_ptr_equal(pixels.data, pages[back]);
 		assert_int_equal(pixels.stride_bytes, STRIDE);
 		assert_int_not_equal(fake_fb.var.yoffset, back * HEIGHT);
@@ -196,7 +196,7 @@ static void test_invalid_modes_are_refused(void **state)
 		{&fake_fb.var.red.offset, 4000000000u},
 		{&fake_fb.var.green.length, 0},
 		{&fake_fb.var.green.length, 4000000000u},
-		{&fake_fb.var.blue.offset, 5}, /* over green */
+		{&fake_fb.var.blue.offset, 5}, /* overlaps green */
 		{&fake_fb.var.red.msb_right, 1},
 		{&fake_fb.var.nonstd, 1},
 		{&fake_fb.var.grayscale, 0x56595559},

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The channel's value as a part of one, by floating point. */
+/* The channel's value as a fraction of 1, in floating point. */
 static uint32_t expected(int value, int max, struct pixel_field field)
 {
 	double full = (double)((1ull << field.length) - 1);
@@ -59,7 +59,9 @@ static void test_every_value_of_a_channel_is_rounded_to_nearest(void **state)
 				(uint8_t)(255 - value), (uint8_t)(value ^ 0x55),
 				0};
 
-			/* Alpha may be anything when the bytes are the same. */
+			/*
+			 * Alpha is not defined when the layouts are the same.
+			 */
 			if (packing.same) {
 				pixel[3] = 255;
 			}
@@ -74,7 +76,7 @@ static void test_every_value_of_a_channel_is_rounded_to_nearest(void **state)
 	}
 }
 
-static void test_565_spreads_over_wider_channels(void **state)
+static void test_565_fills_wider_channels(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < sizeof(layouts) / sizeof(layouts[0]); i++) {
@@ -116,7 +118,7 @@ static void test_a_format_is_its_own_layout(void **state)
 	}
 }
 
-static void test_back_from_565_and_there_again_is_the_same(void **state)
+static void test_converting_565_back_and_forth_changes_nothing(void **state)
 {
 	struct pixel_layout wide = pixel_layout_of(PIXELS_RGBA8888);
 	struct pixel_layout narrow = pixel_layout_of(PIXELS_RGB565);
@@ -137,7 +139,7 @@ static void test_back_from_565_and_there_again_is_the_same(void **state)
 	}
 }
 
-static void test_unsound_layouts_are_seen(void **state)
+static void test_invalid_layouts_are_recognized(void **state)
 {
 	static const struct pixel_layout unsound[] = {
 		{0, {0, 1}, {1, 1}, {2, 1}, {0, 0}, false},
@@ -164,10 +166,11 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_every_value_of_a_channel_is_rounded_to_nearest),
-		cmocka_unit_test(test_565_spreads_over_wider_channels),
+		cmocka_unit_test(test_565_fills_wider_channels),
 		cmocka_unit_test(test_a_format_is_its_own_layout),
-		cmocka_unit_test(test_back_from_565_and_there_again_is_the_same),
-		cmocka_unit_test(test_unsound_layouts_are_seen),
+		cmocka_unit_test(
+			test_converting_565_back_and_forth_changes_nothing),
+		cmocka_unit_test(test_invalid_layouts_are_recognized),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

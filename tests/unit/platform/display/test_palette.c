@@ -33,7 +33,7 @@ static void test_a_picture_of_few_colours_keeps_them(void **state)
 			paint(x, y, band * 36, 255 - band * 36, band * 5);
 		}
 	}
-	/* A lone pixel counts too. */
+	/* A single pixel counts, too. */
 	paint(0, 0, 1, 2, 255);
 	palette_choose(maker, &picture, 255);
 	assert_int_equal(palette_current(maker)->count, 9);
@@ -63,8 +63,10 @@ static void test_a_full_picture_is_near_its_palette(void **state)
 	}
 	palette_choose(maker, &picture, 255);
 	assert_int_equal(palette_current(maker)->count, 255);
-	/* 255 colours over a plane of 256 x 256: steps of 16, 8 at most away,
-	 * a mean square of 16^2 / 12 in red (2), green (4), less in blue. */
+	/*
+	 * 255 colours for a plane of 256 x 256: steps of 16 with a mean square
+	 * error of 16^2 / 12 in red (weight 2) and green (4), less in blue.
+	 */
 	assert_in_range((int)palette_error(maker, &picture), 1, 220);
 	palette_maker_destroy(maker);
 }
@@ -86,7 +88,7 @@ static void test_the_limit_holds(void **state)
 	palette_maker_destroy(maker);
 }
 
-static void test_another_picture_shows_as_error(void **state)
+static void test_another_picture_has_a_larger_error(void **state)
 {
 	struct palette_maker *maker = palette_maker_create();
 	float before;
@@ -110,7 +112,7 @@ int main(void)
 		cmocka_unit_test(test_a_picture_of_few_colours_keeps_them),
 		cmocka_unit_test(test_a_full_picture_is_near_its_palette),
 		cmocka_unit_test(test_the_limit_holds),
-		cmocka_unit_test(test_another_picture_shows_as_error),
+		cmocka_unit_test(test_another_picture_has_a_larger_error),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,7 +33,7 @@ static void fill(struct picture *picture, int left, int top, int size, int value
 	}
 }
 
-/* Both are released. */
+/* Releases both. */
 static bool is_near(struct picture a, struct picture b)
 {
 	struct picture_difference difference =
@@ -44,7 +44,7 @@ static bool is_near(struct picture a, struct picture b)
 	return picture_is_near(&difference, &TOLERANCE);
 }
 
-static void test_a_picture_is_near_itself(void **state)
+static void test_a_picture_equals_itself(void **state)
 {
 	(void)state;
 	assert_true(is_near(gray(WIDTH, HEIGHT, 90), gray(WIDTH, HEIGHT, 90)));
@@ -95,7 +95,7 @@ static void test_a_missing_small_part_is_too_far(void **state)
 	assert_false(is_near(gray(480, 640, 90), large));
 }
 
-static void test_figures_are_exact(void **state)
+static void test_the_measures_are_exact(void **state)
 {
 	struct picture a = gray(32, 32, 100);
 	struct picture b = gray(32, 32, 100);
@@ -159,13 +159,13 @@ static void test_png_files_keep_every_pixel(void **state)
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_a_picture_is_near_itself),
+		cmocka_unit_test(test_a_picture_equals_itself),
 		cmocka_unit_test(test_other_sizes_are_never_near),
 		cmocka_unit_test(test_a_small_shift_everywhere_is_too_far),
 		cmocka_unit_test(test_single_pixels_are_forgiven),
 		cmocka_unit_test(test_too_many_far_pixels_are_too_far),
 		cmocka_unit_test(test_a_missing_small_part_is_too_far),
-		cmocka_unit_test(test_figures_are_exact),
+		cmocka_unit_test(test_the_measures_are_exact),
 		cmocka_unit_test(test_the_difference_is_shown_beside_both),
 		cmocka_unit_test(test_png_files_keep_every_pixel),
 	};

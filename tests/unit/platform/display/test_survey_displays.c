@@ -1,4 +1,4 @@
-/* What the displays and GL drivers tell of a machine that is made up. */
+/* The findings of displays and GL drivers on a simulated machine. */
 #include "platform/display/fbdev/fbdev.h"
 #include "platform/display/kms/kms_calls.h"
 #include "platform/gl/gl_survey.h"
@@ -22,7 +22,7 @@ enum {
 static const struct pixel_layout rgb565 = {
 	.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
 
-/* The fake answers to every number; this machine has the one. */
+/* The simulated machine has one device of this number. */
 static int open_fb1(const char *path, int flags)
 {
 	if (strncmp(path, "/dev/fb", 7) == 0 && strcmp(path, "/dev/fb1") != 0) {
@@ -200,7 +200,7 @@ static void test_cards_without_permission_are_broken(void **state)
 		"no permission", "root");
 }
 
-/* The finding of that subject. */
+/* Returns the index of the finding with that subject. */
 static int find(const struct survey_capture *capture, const char *subject)
 {
 	for (int i = 0; i < capture->count; i++) {
@@ -232,7 +232,7 @@ static void test_each_gl_driver_is_opened(void **state)
 		"auto", "takes soft", NULL);
 }
 
-/* The fake lies beside this program. */
+/* The path of a library in this program's folder. */
 static void beside(const char *name, char *path, size_t size)
 {
 	ssize_t length = readlink("/proc/self/exe", path, size - 64);
@@ -276,11 +276,11 @@ int main(void)
 			test_a_framebuffer_of_planes_is_broken, setup),
 		cmocka_unit_test_setup(test_no_framebuffer_is_one_finding, setup),
 		cmocka_unit_test_setup(test_a_cards_screen_is_described, setup),
-		cmocka_unit_test_setup(test_a_finding_names_what_a_card_lacks, setup),
+		cmocka_unit_test_setup(
+			test_a_finding_names_what_a_card_lacks, setup),
 		cmocka_unit_test_setup(
 			test_a_screen_without_a_crtc_is_broken, setup),
-		cmocka_unit_test_setup(
-			test_a_missing_card_is_one_finding, setup),
+		cmocka_unit_test_setup(test_a_missing_card_is_one_finding, setup),
 		cmocka_unit_test_setup(
 			test_cards_without_permission_are_broken, setup),
 		cmocka_unit_test(test_each_gl_driver_is_opened),

@@ -7,15 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void test_an_unknown_driver_lists_the_known(void **state)
+static void test_an_unknown_driver_lists_the_known_ones(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 	struct gl_context *context = NULL;
 
 	(void)state;
-	assert_int_equal(
-		gl_open("voodoo", PIXELS_RGBA8888, &log, &context), -EINVAL);
+	assert_int_equal(gl_open("voodoo",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-EINVAL);
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "--gl voodoo");
 	for (int i = 0; gl_registry[i]; i++) {
@@ -38,7 +41,8 @@ static void test_every_driver_is_complete(void **state)
 	}
 }
 
-static void test_a_missing_library_is_named_with_its_package(void **state)
+static void test_the_message_names_a_missing_library_and_its_package(
+	void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -46,8 +50,11 @@ static void test_a_missing_library_is_named_with_its_package(void **state)
 
 	(void)state;
 	setenv("LIMBER_EGL", "libnowhere.so.7", 1);
-	assert_int_equal(
-		gl_open("gles1", PIXELS_RGBA8888, &log, &context), -ENOENT);
+	assert_int_equal(gl_open("gles1",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-ENOENT);
 	unsetenv("LIMBER_EGL");
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "LIMBER_EGL");
@@ -64,39 +71,46 @@ static void test_a_library_without_a_function_is_refused(void **state)
 	(void)state;
 	setenv("LIMBER_EGL", "libm.so.6", 1);
 	setenv("LIMBER_GLES", "libm.so.6", 1);
-	assert_int_equal(
-		gl_open("gles1", PIXELS_RGBA8888, &log, &context), -ENOSYS);
+	assert_int_equal(gl_open("gles1",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		-ENOSYS);
 	unsetenv("LIMBER_EGL");
 	unsetenv("LIMBER_GLES");
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "has no egl");
 }
 
-static void test_auto_opens_the_first_that_can(void **state)
+static void test_auto_opens_the_first_driver_that_works(void **state)
 {
-	struct stage stage = stage_open("auto", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("auto", PIXELS_RGBA8888);
 
 	(void)state;
-	stage_end_frame(&stage);
-	stage_expect(&stage, 0, 0, 0, 0, 0, 0);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_expect(&canvas, 0, 0, 0, 0, 0, 0);
+	gl_canvas_close(&canvas);
 }
 
-static void test_auto_takes_no_reference_and_no_software_gl(void **state)
+static void test_auto_takes_neither_reference_nor_software_gl(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
 	struct gl_context *context = NULL;
 
 	(void)state;
-	assert_int_equal(gl_open("auto", PIXELS_RGB565, &log, &context), 0);
+	assert_int_equal(gl_open("auto",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &context),
+		0);
 	assert_true(context->accelerated ||
 		strcmp(context->driver->name, "soft") == 0);
 	context->driver->destroy(context);
 	assert_int_equal(log_capture_count(&capture, LOG_ERROR), 0);
 }
 
-static void test_auto_passes_over_a_gl_without_a_processor(void **state)
+static void test_auto_skips_a_gl_without_a_graphics_processor(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -106,9 +120,9 @@ static void test_auto_passes_over_a_gl_without_a_processor(void **state)
 	struct gl_context *context = NULL;
 
 	(void)state;
-	/* Asked about by name, Mesa's EGL is looked at, and draws by itself. */
+	/* Opened by name, Mesa's EGL draws on the processor. */
 	setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-	assert_int_equal(gl_open_for("auto", &request, &context), 0);
+	assert_int_equal(gl_open("auto", &request, &context), 0);
 	unsetenv("LIBGL_ALWAYS_SOFTWARE");
 	assert_string_equal(context->driver->name, "soft");
 	context->driver->destroy(context);
@@ -131,16 +145,17 @@ static void test_only_surface_drivers_draw_on_surfaces(void **state)
 static void draw_with(
 	const char *driver, enum pixel_format format, uint8_t *out, size_t size)
 {
-	struct stage stage = stage_open(driver, format);
+	struct gl_canvas canvas = gl_canvas_open(driver, format);
 
-	stage.gl->Disable(GL_DITHER);
-	stage_draw_scene(&stage);
-	assert_int_equal(stage.pixels.stride_bytes * stage.pixels.height, size);
-	memcpy(out, stage.pixels.data, size);
-	stage_close(&stage);
+	canvas.gl->Disable(GL_DITHER);
+	gl_canvas_draw_scene(&canvas);
+	assert_int_equal(
+		canvas.pixels.stride_bytes * canvas.pixels.height, size);
+	memcpy(out, canvas.pixels.data, size);
+	gl_canvas_close(&canvas);
 }
 
-/* Backwards: the reference is last, and what a machine may lack first. */
+/* In reverse order: the reference is last. */
 static int last_driver(void)
 {
 	int last = 0;
@@ -151,7 +166,7 @@ static int last_driver(void)
 	return last;
 }
 
-/* How many bytes of two RGBA pictures differ by more than 2. */
+/* Counts the bytes of two RGBA pictures that differ by more than 2. */
 static int count_differences(const uint8_t *a, const uint8_t *b, size_t size)
 {
 	int count = 0;
@@ -165,7 +180,7 @@ static int count_differences(const uint8_t *a, const uint8_t *b, size_t size)
 static void test_the_drivers_agree(void **state)
 {
 	enum {
-		SIZE = STAGE_WIDTH * STAGE_HEIGHT * 4
+		SIZE = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT * 4
 	};
 	uint8_t first[SIZE], next[SIZE];
 	int colors = 0;
@@ -176,11 +191,11 @@ static void test_the_drivers_agree(void **state)
 	for (int i = 4; i < SIZE; i += 4) {
 		colors += memcmp(first + i, first + i - 4, 4) != 0;
 	}
-	/* The scene is worth comparing. */
+	/* The picture must not be empty. */
 	assert_true(colors > 100);
 	for (int i = last_driver() - 1; i >= 0; i--) {
 		draw_with(gl_registry[i]->name, PIXELS_RGBA8888, next, SIZE);
-		/* Edges may fall to one side or the other. */
+		/* Pixels on edges may differ. */
 		assert_in_range(
 			count_differences(first, next, SIZE), 0, SIZE / 100);
 	}
@@ -189,7 +204,7 @@ static void test_the_drivers_agree(void **state)
 static void test_the_drivers_agree_in_565(void **state)
 {
 	enum {
-		COUNT = STAGE_WIDTH * STAGE_HEIGHT
+		COUNT = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT
 	};
 	uint16_t first[COUNT], next[COUNT];
 	int differences = 0;
@@ -215,14 +230,16 @@ static void test_the_drivers_agree_in_565(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_an_unknown_driver_lists_the_known),
+		cmocka_unit_test(test_an_unknown_driver_lists_the_known_ones),
 		cmocka_unit_test(test_every_driver_is_complete),
 		cmocka_unit_test(
-			test_a_missing_library_is_named_with_its_package),
+			test_the_message_names_a_missing_library_and_its_package),
 		cmocka_unit_test(test_a_library_without_a_function_is_refused),
-		cmocka_unit_test(test_auto_opens_the_first_that_can),
-		cmocka_unit_test(test_auto_takes_no_reference_and_no_software_gl),
-		cmocka_unit_test(test_auto_passes_over_a_gl_without_a_processor),
+		cmocka_unit_test(test_auto_opens_the_first_driver_that_works),
+		cmocka_unit_test(
+			test_auto_takes_neither_reference_nor_software_gl),
+		cmocka_unit_test(
+			test_auto_skips_a_gl_without_a_graphics_processor),
 		cmocka_unit_test(test_only_surface_drivers_draw_on_surfaces),
 		cmocka_unit_test(test_the_drivers_agree),
 		cmocka_unit_test(test_the_drivers_agree_in_565),

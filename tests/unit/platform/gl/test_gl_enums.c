@@ -1,6 +1,6 @@
 /*
- * gl.h and gl_functions.h against the Khronos header: the calls by the
- * compiler, which sees that header alone here, the values as text.
+ * Compares gl.h and gl_functions.h with the Khronos header: the compiler
+ * compares the calls, the tests compare the values as text.
  */
 #include "tests/support/files.h"
 #include "tests/support/test.h"
@@ -88,7 +88,7 @@ static void test_values_are_those_of_khronos(void **state)
 			continue;
 		}
 		expected = defined_value(theirs, name);
-		/* Values, not names, are told apart: 0x0 is 0. */
+		/* Values are compared, so 0x0 equals 0. */
 		if (expected != strtol(value, NULL, 0)) {
 			print_error("%s is %s, not %#lx\n", name, value,
 				(unsigned long)expected);

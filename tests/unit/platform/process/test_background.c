@@ -28,7 +28,7 @@ static void count_once_allowed(void *context)
 	atomic_fetch_add(&task->done, 1);
 }
 
-static void test_goes_on_beside_the_caller(void **state)
+static void test_the_task_runs_beside_the_caller(void **state)
 {
 	struct background background = {0};
 	struct task task = {0};
@@ -44,7 +44,7 @@ static void test_goes_on_beside_the_caller(void **state)
 	assert_int_equal(task.value, 1);
 }
 
-static void test_waits_for_what_was_begun_before(void **state)
+static void test_beginning_waits_for_the_former_task(void **state)
 {
 	struct background background = {0};
 	struct task first = {.may_end = true};
@@ -60,7 +60,7 @@ static void test_waits_for_what_was_begun_before(void **state)
 	}
 }
 
-static void test_waits_for_nothing(void **state)
+static void test_waiting_without_a_task_returns(void **state)
 {
 	struct background background = {0};
 	struct task task = {.may_end = true};
@@ -76,9 +76,9 @@ static void test_waits_for_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_goes_on_beside_the_caller),
-		cmocka_unit_test(test_waits_for_what_was_begun_before),
-		cmocka_unit_test(test_waits_for_nothing),
+		cmocka_unit_test(test_the_task_runs_beside_the_caller),
+		cmocka_unit_test(test_beginning_waits_for_the_former_task),
+		cmocka_unit_test(test_waiting_without_a_task_returns),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,13 +9,13 @@
 #include <string.h>
 #include <sys/ioctl.h>
 
-/* What a watchdog that is not there was told. */
+/* A simulated watchdog and what was written to it. */
 static struct {
 	char fed[64];
 	int fed_count;
 	int open_count;
-	int set_count; /* calls that change it; there must be none */
-	int timeout_s; /* 0: it does not tell */
+	int set_count; /* calls that change its timeout; must stay 0 */
+	int timeout_s; /* 0 if it cannot be read */
 	int open_error, write_error;
 } fake;
 
@@ -104,7 +104,7 @@ static void test_it_is_fed_once_a_second(void **state)
 	assert_int_equal(fake.fed_count, 12);
 }
 
-static void test_one_of_a_second_is_fed_in_time(void **state)
+static void test_a_timeout_of_one_second_is_met(void **state)
 {
 	struct log log = log_to_nowhere();
 	struct watchdog watchdog;
@@ -119,7 +119,7 @@ static void test_one_of_a_second_is_fed_in_time(void **state)
 	watchdog_close(&watchdog);
 }
 
-static void test_without_one_it_goes_on_after_a_sentence(void **state)
+static void test_a_missing_watchdog_is_logged_once(void **state)
 {
 	static const int errors[] = {ENOENT, EBUSY, EACCES};
 	struct watchdog watchdog;
@@ -142,7 +142,7 @@ static void test_without_one_it_goes_on_after_a_sentence(void **state)
 	}
 }
 
-static void test_one_that_takes_no_food_is_told_of(void **state)
+static void test_a_watchdog_that_cannot_be_fed_is_logged(void **state)
 {
 	struct log_capture capture;
 	struct log log = log_capture_begin(&capture);
@@ -157,7 +157,7 @@ static void test_one_that_takes_no_food_is_told_of(void **state)
 	assert_int_equal(fake.open_count, 0);
 }
 
-static void test_a_file_of_the_system_is_fed(void **state)
+static void test_a_real_file_is_fed(void **state)
 {
 	struct test_path folder = temp_dir_make();
 	struct test_path path = path_join(&folder, "watchdog");
@@ -186,12 +186,12 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup(test_it_is_fed_once_a_second, forget),
 		cmocka_unit_test_setup(
-			test_one_of_a_second_is_fed_in_time, forget),
+			test_a_timeout_of_one_second_is_met, forget),
 		cmocka_unit_test_setup(
-			test_without_one_it_goes_on_after_a_sentence, forget),
+			test_a_missing_watchdog_is_logged_once, forget),
 		cmocka_unit_test_setup(
-			test_one_that_takes_no_food_is_told_of, forget),
-		cmocka_unit_test_setup(test_a_file_of_the_system_is_fed, forget),
+			test_a_watchdog_that_cannot_be_fed_is_logged, forget),
+		cmocka_unit_test_setup(test_a_real_file_is_fed, forget),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /*
- * What limber bench measures, and with what: meshes, jobs, times.
+ * The meshes, jobs and times of limber bench.
  */
 #include "app/cmd/bench/bench_rows.h"
 #include "app/cmd/bench/bench_time.h"
@@ -81,7 +81,7 @@ static void test_meshes_have_the_joint_sets_asked_for(void **state)
 	bench_mesh_release(&mesh);
 }
 
-static void test_every_kernel_does_every_work_or_says_so(void **state)
+static void test_every_kernel_runs_every_job_or_refuses_it(void **state)
 {
 	(void)state;
 	for (const struct bench_row *row = bench_rows; row->name; row++) {
@@ -110,7 +110,7 @@ static void test_every_kernel_does_every_work_or_says_so(void **state)
 	}
 }
 
-static void test_refuses_a_kernel_that_is_not_there(void **state)
+static void test_refuses_an_unknown_kernel(void **state)
 {
 	struct arena arena = arena_empty();
 	struct bench_mesh mesh;
@@ -125,7 +125,7 @@ static void test_refuses_a_kernel_that_is_not_there(void **state)
 	arena_release(&arena);
 }
 
-static void nap(void *user)
+static void sleep_1_ms(void *user)
 {
 	struct timespec millisecond = {.tv_nsec = 1000000};
 
@@ -135,7 +135,7 @@ static void nap(void *user)
 
 static void test_times_a_vertex(void **state)
 {
-	const struct bench_job job = {.vertex_count = 10, .run = nap};
+	const struct bench_job job = {.vertex_count = 10, .run = sleep_1_ms};
 	struct bench_evictor evictor;
 	struct bench_time time;
 
@@ -143,7 +143,7 @@ static void test_times_a_vertex(void **state)
 	assert_int_equal(bench_evictor_init(&evictor), 0);
 	time = bench_time_job(&job, &evictor, 3);
 	bench_evictor_release(&evictor);
-	/* A nap is never shorter; a busy machine may make it much longer. */
+	/* nanosleep() never returns early; a busy machine may delay it a lot. */
 	assert_true(time.warm_ns >= 1e5 && time.warm_ns < 1e8);
 	assert_true(time.cold_ns >= 1e5 && time.cold_ns < 1e8);
 }
@@ -154,8 +154,8 @@ int main(void)
 		cmocka_unit_test(test_makes_the_same_mesh_every_time),
 		cmocka_unit_test(test_meshes_have_the_influences_asked_for),
 		cmocka_unit_test(test_meshes_have_the_joint_sets_asked_for),
-		cmocka_unit_test(test_every_kernel_does_every_work_or_says_so),
-		cmocka_unit_test(test_refuses_a_kernel_that_is_not_there),
+		cmocka_unit_test(test_every_kernel_runs_every_job_or_refuses_it),
+		cmocka_unit_test(test_refuses_an_unknown_kernel),
 		cmocka_unit_test(test_times_a_vertex),
 	};
 

@@ -48,7 +48,7 @@ static void load(struct scene *scene, enum command_bit command, const char *text
 		&scene->options, &log);
 }
 
-/* Refused with one sentence that begins with the place. */
+/* It was refused with one error, which begins with the file and the line. */
 static void expect_refusal(struct scene *scene, int line, const char *why)
 {
 	char place[600];
@@ -102,7 +102,7 @@ static void test_keys_are_options_by_their_names(void **state)
 	assert_null(scene->options.input.buttons);
 }
 
-static void test_buttons_become_sources(void **state)
+static void test_buttons_become_the_value_of_an_option(void **state)
 {
 	struct scene *scene = *state;
 
@@ -137,7 +137,7 @@ static void test_actions_move_to_other_buttons(void **state)
 	assert_int_equal(scene->options.input.action[BUTTON_UP], BUTTON_UP);
 }
 
-static void test_what_a_command_has_not_is_left_out(void **state)
+static void test_options_of_other_commands_are_checked_and_skipped(void **state)
 {
 	struct scene *scene = *state;
 
@@ -153,7 +153,7 @@ static void test_what_a_command_has_not_is_left_out(void **state)
 	expect_refusal(scene, 2, "give a width and a height");
 }
 
-static void test_mistakes_are_named_with_their_line(void **state)
+static void test_errors_name_their_line(void **state)
 {
 	static const struct {
 		int line;
@@ -214,7 +214,7 @@ static void test_a_missing_file_is_named(void **state)
 		-EIO);
 }
 
-static void test_files_are_found_in_their_order(void **state)
+static void test_files_are_found_in_order_of_precedence(void **state)
 {
 	struct scene *scene = *state;
 	struct test_path home = path_join(&scene->folder, "none-here");
@@ -233,7 +233,7 @@ static void test_files_are_found_in_their_order(void **state)
 	assert_false(config_find(NULL, false, path, sizeof(path)));
 }
 
-static void test_the_boards_file_is_good(void **state)
+static void test_the_boards_file_is_valid(void **state)
 {
 	struct scene *scene = *state;
 	struct log log = log_capture_begin(&scene->logged);
@@ -264,14 +264,14 @@ int main(void)
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 	const struct CMUnitTest tests[] = {
 		CASE(test_keys_are_options_by_their_names),
-		CASE(test_buttons_become_sources),
+		CASE(test_buttons_become_the_value_of_an_option),
 		CASE(test_actions_move_to_other_buttons),
-		CASE(test_what_a_command_has_not_is_left_out),
-		CASE(test_mistakes_are_named_with_their_line),
+		CASE(test_options_of_other_commands_are_checked_and_skipped),
+		CASE(test_errors_name_their_line),
 		CASE(test_a_line_that_is_too_long_is_refused),
 		CASE(test_a_missing_file_is_named),
-		CASE(test_files_are_found_in_their_order),
-		CASE(test_the_boards_file_is_good),
+		CASE(test_files_are_found_in_order_of_precedence),
+		CASE(test_the_boards_file_is_valid),
 	};
 #undef CASE
 

@@ -55,7 +55,7 @@ static void test_starts_from_the_panels_size(void **state)
 	assert_false(options.show.clock.fixed);
 }
 
-static void test_refuses_a_text_that_is_empty(void **state)
+static void test_refuses_an_empty_value(void **state)
 {
 	struct parse demo = PARSE(FOR_RENDER, "--demo", "");
 	struct parse output = PARSE(FOR_POSE, "-o", "");
@@ -76,7 +76,7 @@ static void test_suggests_the_option_that_was_meant(void **state)
 	assert_contains(p.logged.sentence[0], "did you mean --time?");
 }
 
-static void test_points_to_help_when_nothing_is_near(void **state)
+static void test_mentions_help_when_no_option_is_similar(void **state)
 {
 	struct parse p = PARSE(FOR_RENDER, "--frobnicate");
 
@@ -85,7 +85,7 @@ static void test_points_to_help_when_nothing_is_near(void **state)
 	assert_contains(p.logged.sentence[0], "--help lists the options");
 }
 
-static void test_does_not_suggest_what_the_command_does_not_take(void **state)
+static void test_suggests_only_options_of_the_command(void **state)
 {
 	struct parse p = PARSE(FOR_INFO, "--tmie", "1");
 
@@ -102,7 +102,7 @@ static void test_refuses_an_option_of_another_command(void **state)
 	assert_contains(p.logged.sentence[0], "not an option of this command");
 }
 
-static void test_says_what_a_good_value_looks_like(void **state)
+static void test_describes_a_valid_value(void **state)
 {
 	static const char *const bad[][2] = {
 		{"--size", "480"},
@@ -135,7 +135,7 @@ static void test_says_what_a_good_value_looks_like(void **state)
 	}
 }
 
-static void test_says_when_a_value_is_missing(void **state)
+static void test_reports_a_missing_value(void **state)
 {
 	struct parse p = PARSE(FOR_RENDER, "-o");
 
@@ -188,14 +188,13 @@ int main(void)
 		cmocka_unit_test(
 			test_reads_values_after_a_space_or_an_equals_sign),
 		cmocka_unit_test(test_starts_from_the_panels_size),
-		cmocka_unit_test(test_refuses_a_text_that_is_empty),
+		cmocka_unit_test(test_refuses_an_empty_value),
 		cmocka_unit_test(test_suggests_the_option_that_was_meant),
-		cmocka_unit_test(test_points_to_help_when_nothing_is_near),
-		cmocka_unit_test(
-			test_does_not_suggest_what_the_command_does_not_take),
+		cmocka_unit_test(test_mentions_help_when_no_option_is_similar),
+		cmocka_unit_test(test_suggests_only_options_of_the_command),
 		cmocka_unit_test(test_refuses_an_option_of_another_command),
-		cmocka_unit_test(test_says_what_a_good_value_looks_like),
-		cmocka_unit_test(test_says_when_a_value_is_missing),
+		cmocka_unit_test(test_describes_a_valid_value),
+		cmocka_unit_test(test_reports_a_missing_value),
 		cmocka_unit_test(test_refuses_a_value_for_a_switch),
 		cmocka_unit_test(test_takes_one_model_only),
 		cmocka_unit_test(test_takes_a_name_with_a_dash_after_two_dashes),

@@ -20,7 +20,7 @@ static int64_t now_ns(void)
 	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-static void waiting_between_frames_is_no_work(void **state)
+static void test_waiting_between_frames_is_not_work(void **state)
 {
 	struct frame_stats stats = {0};
 
@@ -38,7 +38,7 @@ static void waiting_between_frames_is_no_work(void **state)
 	assert_true(stats.work_ns < stats.ended_ns - stats.first_ns);
 }
 
-static void latency_runs_from_the_oldest_press_to_the_end_of_its_frame(
+static void test_latency_lasts_from_the_oldest_press_to_the_end_of_its_frame(
 	void **state)
 {
 	struct frame_stats stats = {0};
@@ -59,7 +59,7 @@ static void latency_runs_from_the_oldest_press_to_the_end_of_its_frame(
 	assert_int_equal(stats.latency_max_ns, pressed);
 }
 
-static void percentiles_count_frames(void **state)
+static void test_percentiles_count_frames(void **state)
 {
 	struct frame_stats stats = {.frames = 100};
 
@@ -73,7 +73,7 @@ static void percentiles_count_frames(void **state)
 		frame_stats_percentile_ms(&stats, 1.0), FRAME_STATS_BUCKETS);
 }
 
-static void a_file_that_cannot_be_written_is_said(void **state)
+static void test_a_file_that_cannot_be_written_is_reported(void **state)
 {
 	struct frame_stats stats = {0};
 	struct log_capture capture;
@@ -89,11 +89,11 @@ static void a_file_that_cannot_be_written_is_said(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(waiting_between_frames_is_no_work),
+		cmocka_unit_test(test_waiting_between_frames_is_not_work),
 		cmocka_unit_test(
-			latency_runs_from_the_oldest_press_to_the_end_of_its_frame),
-		cmocka_unit_test(percentiles_count_frames),
-		cmocka_unit_test(a_file_that_cannot_be_written_is_said),
+			test_latency_lasts_from_the_oldest_press_to_the_end_of_its_frame),
+		cmocka_unit_test(test_percentiles_count_frames),
+		cmocka_unit_test(test_a_file_that_cannot_be_written_is_reported),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,7 +15,7 @@ static int64_t cpu_ns(void)
 	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
-static void test_frames_lie_on_even_moments(void **state)
+static void test_frames_are_evenly_spaced(void **state)
 {
 	struct pace pace = pace_begin(200.0, 0.0);
 	int64_t begun = pace.next_ns - pace.period_ns;
@@ -27,9 +27,9 @@ static void test_frames_lie_on_even_moments(void **state)
 		pace_wait(&pace);
 	}
 	spent = clock_monotonic_ns() - begun;
-	/* Not a frame early, however late this machine wakes. */
+	/* No frame is early, however late this machine wakes the loop. */
 	assert_true(spent >= 40 * 5000000);
-	/* Asleep meanwhile. */
+	/* The loop slept in between. */
 	assert_true(cpu_ns() - cpu < spent / 2);
 }
 
@@ -42,7 +42,7 @@ static void test_a_late_frame_is_not_caught_up(void **state)
 	pace.next_ns -= 1000000000;
 	late_ns = clock_monotonic_ns();
 	pace_wait(&pace);
-	/* The next one is a whole period away. */
+	/* The next frame is a whole period away. */
 	assert_true(pace.next_ns >= late_ns + pace.period_ns);
 }
 
@@ -67,7 +67,7 @@ static void test_none_never_waits(void **state)
 	assert_true(clock_monotonic_ns() - begun < 1000000000);
 }
 
-static void test_each_signal_asks_to_stop(void **state)
+static void test_each_signal_requests_a_stop(void **state)
 {
 	static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
 
@@ -83,7 +83,7 @@ static void test_each_signal_asks_to_stop(void **state)
 	}
 }
 
-static void test_what_was_ignored_stays_ignored(void **state)
+static void test_an_ignored_signal_stays_ignored(void **state)
 {
 	struct sigaction after;
 	void (*usual)(int) = signal(SIGHUP, SIG_IGN);
@@ -101,12 +101,12 @@ static void test_what_was_ignored_stays_ignored(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_frames_lie_on_even_moments),
+		cmocka_unit_test(test_frames_are_evenly_spaced),
 		cmocka_unit_test(test_a_late_frame_is_not_caught_up),
 		cmocka_unit_test(test_the_screens_own_rate_is_not_slowed_down),
 		cmocka_unit_test(test_none_never_waits),
-		cmocka_unit_test(test_each_signal_asks_to_stop),
-		cmocka_unit_test(test_what_was_ignored_stays_ignored),
+		cmocka_unit_test(test_each_signal_requests_a_stop),
+		cmocka_unit_test(test_an_ignored_signal_stays_ignored),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

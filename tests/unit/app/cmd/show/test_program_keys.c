@@ -17,7 +17,7 @@ static enum program_action take(
 		&scene->keys, &event, scene->passed, &scene->count);
 }
 
-static void test_other_buttons_pass_as_they_come(void **state)
+static void test_other_events_go_to_the_demo_unchanged(void **state)
 {
 	struct scene scene = {.count = 0};
 
@@ -31,7 +31,7 @@ static void test_other_buttons_pass_as_they_come(void **state)
 	assert_false(scene.passed[0].down);
 }
 
-static void test_a_short_f9_is_the_demos_when_it_is_released(void **state)
+static void test_the_demo_gets_a_short_f9_when_it_is_released(void **state)
 {
 	struct scene scene = {.count = 0};
 
@@ -46,7 +46,7 @@ static void test_a_short_f9_is_the_demos_when_it_is_released(void **state)
 	assert_int_equal(scene.passed[0].time_ms, 799);
 }
 
-static void test_a_held_f9_asks_for_the_graph_once(void **state)
+static void test_a_held_f9_shows_the_graph_once(void **state)
 {
 	struct scene scene = {.count = 0};
 
@@ -61,7 +61,7 @@ static void test_a_held_f9_asks_for_the_graph_once(void **state)
 		program_keys_update(&scene.keys, 9000), PROGRAM_NOTHING);
 }
 
-static void test_f8_under_f9_keeps_the_picture_and_is_not_passed(void **state)
+static void test_f8_while_f9_is_held_keeps_the_picture(void **state)
 {
 	struct scene scene = {.count = 0};
 
@@ -87,7 +87,7 @@ static void test_a_release_without_a_press_is_ignored(void **state)
 	assert_int_equal(scene.count, 0);
 }
 
-static void test_f10_is_the_cameras_where_there_is_one(void **state)
+static void test_f10_belongs_to_the_camera_if_there_is_one(void **state)
 {
 	struct scene scene = {.keys.has_camera = true};
 
@@ -105,13 +105,12 @@ static void test_f10_is_the_cameras_where_there_is_one(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_other_buttons_pass_as_they_come),
+		cmocka_unit_test(test_other_events_go_to_the_demo_unchanged),
 		cmocka_unit_test(
-			test_a_short_f9_is_the_demos_when_it_is_released),
-		cmocka_unit_test(test_a_held_f9_asks_for_the_graph_once),
-		cmocka_unit_test(
-			test_f8_under_f9_keeps_the_picture_and_is_not_passed),
-		cmocka_unit_test(test_f10_is_the_cameras_where_there_is_one),
+			test_the_demo_gets_a_short_f9_when_it_is_released),
+		cmocka_unit_test(test_a_held_f9_shows_the_graph_once),
+		cmocka_unit_test(test_f8_while_f9_is_held_keeps_the_picture),
+		cmocka_unit_test(test_f10_belongs_to_the_camera_if_there_is_one),
 		cmocka_unit_test(test_a_release_without_a_press_is_ignored),
 	};
 

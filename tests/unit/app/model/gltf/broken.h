@@ -27,7 +27,7 @@ static void expect_code(const char *text, int code, const char *sentence)
 
 	if (error != code || !logged.count ||
 		!strstr(logged.sentence[logged.count - 1], sentence)) {
-		fail_msg("%s\n gives %d: %s\n not %d: %s", text, error,
+		fail_msg("%s\n returns %d: %s\n instead of %d: %s", text, error,
 			logged.count ? logged.sentence[logged.count - 1] : "",
 			code, sentence);
 	}

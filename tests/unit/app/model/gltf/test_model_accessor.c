@@ -172,7 +172,8 @@ static void test_reads_numbers_in_any_locale(void **state)
 	temp_dir_remove(&folder);
 	if (!has_comma) {
 		setlocale(LC_ALL, "C");
-		skip_because("localedef makes no locale with a decimal comma");
+		skip_because(
+			"localedef cannot compile a locale with a decimal comma");
 	}
 	error = model_from_text("{'asset':{'version':'2.0'},'nodes':[{"
 				"'translation':[0.5,-1.25,1e-3]}]}",

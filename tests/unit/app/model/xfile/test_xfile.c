@@ -97,7 +97,7 @@ static void test_polygons_become_triangles(void **state)
 	"AnimationSet Move { Animation { { Bone } AnimationKey { 2; 2; " \
 	"0;3;0,0,0;;, 48;3;1,2,3;;; } } }"
 
-static void test_pitfall_19_the_tick_rate_is_4800_unless_given(void **state)
+static void test_the_tick_rate_is_4800_unless_given(void **state)
 {
 	struct log_capture logged;
 	struct model *model = load(HEADER KEYS, &logged);
@@ -409,8 +409,7 @@ int main(void)
 		cmocka_unit_test(test_vertices_become_right_handed),
 		cmocka_unit_test(test_a_frame_rotates_as_in_direct3d),
 		cmocka_unit_test(test_polygons_become_triangles),
-		cmocka_unit_test(
-			test_pitfall_19_the_tick_rate_is_4800_unless_given),
+		cmocka_unit_test(test_the_tick_rate_is_4800_unless_given),
 		cmocka_unit_test(test_position_keys_are_converted),
 		cmocka_unit_test(test_matrix_keys_are_decomposed),
 		cmocka_unit_test(test_influences_come_from_skin_weights),

@@ -13,7 +13,7 @@ static const uint8_t ridge_map[2][4] = {
 
 /* A grid that OSMesa draws over the whole picture. */
 struct shown {
-	struct stage stage;
+	struct gl_canvas canvas;
 	struct model *model;
 	struct instance *instance;
 	struct texture_set textures;
@@ -26,7 +26,7 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 	struct log nowhere = log_to_nowhere();
 	struct transform *local;
 
-	shown->stage = stage_open("osmesa", PIXELS_RGBA8888);
+	shown->canvas = gl_canvas_open("osmesa", PIXELS_RGBA8888);
 	shown->model = small_model_grid(1, 1, 1.0f, true);
 	small_model_add_normal_map(shown->model, texels, map);
 	shown->model->mesh[0].primitive[0].color =
@@ -42,36 +42,37 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 	local->scale[2] = 2;
 	instance_update(shown->instance);
 	assert_int_equal(texture_set_create(&shown->textures, shown->model,
-				 shown->stage.gl, PIXELS_RGBA8888, &nowhere),
+				 shown->canvas.gl, PIXELS_RGBA8888, &nowhere),
 		0);
 	assert_true(shown->textures.normal_mapping);
-	shown->stage.gl->Enable(GL_DEPTH_TEST);
-	light_apply(shown->stage.gl);
+	shown->canvas.gl->Enable(GL_DEPTH_TEST);
+	light_apply(shown->canvas.gl);
 }
 
 static void tear_down(struct shown *shown)
 {
-	texture_set_destroy(&shown->textures, shown->stage.gl);
+	texture_set_destroy(&shown->textures, shown->canvas.gl);
 	instance_destroy(shown->instance);
 	model_destroy(shown->model);
-	stage_close(&shown->stage);
+	gl_canvas_close(&shown->canvas);
 }
 
 /* Draws and returns the picture as RGBA, top row first. */
 static void show(struct shown *shown, uint8_t (*out)[4])
 {
-	struct stage *stage = &shown->stage;
+	struct gl_canvas *canvas = &shown->canvas;
 
-	stage->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-	draw_instance(stage->gl, shown->instance, &shown->textures, DRAW_SHADED);
-	stage_end_frame(stage);
-	for (int y = 0; y < STAGE_HEIGHT; y++) {
-		memcpy(out[(size_t)y * STAGE_WIDTH],
-			stage->pixels.data + y * stage->pixels.stride_bytes,
-			(size_t)STAGE_WIDTH * 4);
+	canvas->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	draw_instance(
+		canvas->gl, shown->instance, &shown->textures, DRAW_SHADED);
+	gl_canvas_end_frame(canvas);
+	for (int y = 0; y < GL_CANVAS_HEIGHT; y++) {
+		memcpy(out[(size_t)y * GL_CANVAS_WIDTH],
+			canvas->pixels.data + y * canvas->pixels.stride_bytes,
+			(size_t)GL_CANVAS_WIDTH * 4);
 	}
-	assert_int_equal(stage->context->driver->begin_frame(
-				 stage->context, &stage->pixels),
+	assert_int_equal(canvas->context->driver->begin_frame(
+				 canvas->context, &canvas->pixels),
 		0);
 }
 
@@ -80,10 +81,10 @@ static long brightness(const uint8_t (*picture)[4], bool right)
 {
 	long sum = 0;
 
-	for (int y = 0; y < STAGE_HEIGHT; y++) {
-		for (int x = 0; x < STAGE_WIDTH / 2; x++) {
-			const uint8_t *texel = picture[y * STAGE_WIDTH + x +
-				(right ? STAGE_WIDTH / 2 : 0)];
+	for (int y = 0; y < GL_CANVAS_HEIGHT; y++) {
+		for (int x = 0; x < GL_CANVAS_WIDTH / 2; x++) {
+			const uint8_t *texel = picture[y * GL_CANVAS_WIDTH + x +
+				(right ? GL_CANVAS_WIDTH / 2 : 0)];
 
 			sum += texel[0] + texel[1] + texel[2];
 		}
@@ -93,8 +94,8 @@ static long brightness(const uint8_t (*picture)[4], bool right)
 
 static void test_a_ridge_is_bright_on_the_side_of_the_light(void **state)
 {
-	static uint8_t left[STAGE_WIDTH * STAGE_HEIGHT][4];
-	static uint8_t right[STAGE_WIDTH * STAGE_HEIGHT][4];
+	static uint8_t left[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
+	static uint8_t right[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
 	struct shown shown;
 
 	(void)state;
@@ -111,8 +112,8 @@ static void test_a_ridge_is_bright_on_the_side_of_the_light(void **state)
 
 static void test_a_flat_map_looks_like_plain_light(void **state)
 {
-	static uint8_t plain[STAGE_WIDTH * STAGE_HEIGHT][4];
-	static uint8_t mapped[STAGE_WIDTH * STAGE_HEIGHT][4];
+	static uint8_t plain[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
+	static uint8_t mapped[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
 	struct shown shown;
 
 	(void)state;
@@ -120,7 +121,7 @@ static void test_a_flat_map_looks_like_plain_light(void **state)
 	show(&shown, mapped);
 	shown.instance->normal_mapping = false;
 	show(&shown, plain);
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
+	for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
 		for (int channel = 0; channel < 3; channel++) {
 			/* The picture is not empty, and three passes round
 			   three times. */
@@ -133,8 +134,8 @@ static void test_a_flat_map_looks_like_plain_light(void **state)
 
 static void test_the_state_is_plain_again_afterwards(void **state)
 {
-	static uint8_t before[STAGE_WIDTH * STAGE_HEIGHT][4];
-	static uint8_t after[STAGE_WIDTH * STAGE_HEIGHT][4];
+	static uint8_t before[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
+	static uint8_t after[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
 	struct shown shown;
 
 	(void)state;

@@ -9,17 +9,17 @@
 static const struct hud_color orange = {255, 128, 0, 255};
 
 static void check_picture(
-	const char *driver, void (*check)(struct stage *, struct hud *))
+	const char *driver, void (*check)(struct gl_canvas *, struct hud *))
 {
 	static struct hud hud;
 	struct log log = log_to_stderr(LOG_WARNING);
-	struct stage stage = stage_open(driver, PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open(driver, PIXELS_RGBA8888);
 
-	assert_int_equal(hud_init(&hud, stage.gl, &log), 0);
-	hud_begin(&hud, STAGE_WIDTH, STAGE_HEIGHT);
-	check(&stage, &hud);
-	hud_finish(&hud, stage.gl);
-	stage_close(&stage);
+	assert_int_equal(hud_init(&hud, canvas.gl, &log), 0);
+	hud_begin(&hud, GL_CANVAS_WIDTH, GL_CANVAS_HEIGHT);
+	check(&canvas, &hud);
+	hud_finish(&hud, canvas.gl);
+	gl_canvas_close(&canvas);
 }
 
 static int blend(int above, int below, int alpha)
@@ -45,28 +45,28 @@ static int glyph_alpha(const struct hud *hud, uint32_t code, int pen, int y,
 }
 
 /* Expects a picture with nothing but two orange letters on black. */
-static void expect_letters(const struct stage *stage, const struct hud *hud,
-	const char *two, int x, int y)
+static void expect_letters(const struct gl_canvas *canvas,
+	const struct hud *hud, const char *two, int x, int y)
 {
 	char first[2] = {two[0], 0};
 	int second = x + hud_text_width(hud, first);
 
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-		int at_x = i % STAGE_WIDTH, at_y = i / STAGE_WIDTH;
+	for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
+		int at_x = i % GL_CANVAS_WIDTH, at_y = i / GL_CANVAS_WIDTH;
 		int alpha = glyph_alpha(hud, (uint8_t)two[0], x, y, at_x, at_y) +
 			glyph_alpha(hud, (uint8_t)two[1], second, y, at_x, at_y);
 
-		stage_expect(
-			stage, at_x, at_y, alpha, blend(128, 0, alpha), 0, 2);
+		gl_canvas_expect(
+			canvas, at_x, at_y, alpha, blend(128, 0, alpha), 0, 2);
 	}
 }
 
-static void check_letters(struct stage *stage, struct hud *hud)
+static void check_letters(struct gl_canvas *canvas, struct hud *hud)
 {
 	hud_text(hud, 3, 5, orange, "1g");
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	expect_letters(stage, hud, "1g", 3, 5);
+	hud_end(hud, canvas->gl);
+	gl_canvas_end_frame(canvas);
+	expect_letters(canvas, hud, "1g", 3, 5);
 }
 
 static void test_text_lands_on_its_pixels_in_its_colour(void **state)
@@ -74,12 +74,12 @@ static void test_text_lands_on_its_pixels_in_its_colour(void **state)
 	check_picture(*state, check_letters);
 }
 
-static void check_letters_that_leave(struct stage *stage, struct hud *hud)
+static void check_letters_that_leave(struct gl_canvas *canvas, struct hud *hud)
 {
 	hud_text(hud, -3, -6, orange, "1g");
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	expect_letters(stage, hud, "1g", -3, -6);
+	hud_end(hud, canvas->gl);
+	gl_canvas_end_frame(canvas);
+	expect_letters(canvas, hud, "1g", -3, -6);
 }
 
 static void test_text_over_the_edge_is_cut_off_there(void **state)
@@ -87,7 +87,7 @@ static void test_text_over_the_edge_is_cut_off_there(void **state)
 	check_picture(*state, check_letters_that_leave);
 }
 
-static void check_order(struct stage *stage, struct hud *hud)
+static void check_order(struct gl_canvas *canvas, struct hud *hud)
 {
 	static const struct hud_color white = {255, 255, 255, 255};
 	static const struct hud_color half_blue = {0, 0, 255, 128};
@@ -95,18 +95,18 @@ static void check_order(struct stage *stage, struct hud *hud)
 	hud_rectangle(hud, 4, 4, 10, 10, white);
 	hud_rectangle(hud, 8, 4, 10, 10, half_blue);
 	hud_rectangle(hud, 31, 23, 1, 1, orange);
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
-	stage_expect(stage, 3, 4, 0, 0, 0, 0);
-	stage_expect(stage, 4, 4, 255, 255, 255, 0);
-	stage_expect(stage, 4, 14, 0, 0, 0, 0);
-	stage_expect(stage, 7, 13, 255, 255, 255, 0);
-	stage_expect(stage, 8, 13, 127, 127, 255, 2);
-	stage_expect(stage, 17, 13, 0, 0, 128, 2);
-	stage_expect(stage, 18, 13, 0, 0, 0, 0);
-	stage_expect(stage, 31, 23, 255, 128, 0, 2);
-	stage_expect(stage, 30, 23, 0, 0, 0, 0);
-	stage_expect(stage, 31, 22, 0, 0, 0, 0);
+	hud_end(hud, canvas->gl);
+	gl_canvas_end_frame(canvas);
+	gl_canvas_expect(canvas, 3, 4, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 4, 4, 255, 255, 255, 0);
+	gl_canvas_expect(canvas, 4, 14, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 7, 13, 255, 255, 255, 0);
+	gl_canvas_expect(canvas, 8, 13, 127, 127, 255, 2);
+	gl_canvas_expect(canvas, 17, 13, 0, 0, 128, 2);
+	gl_canvas_expect(canvas, 18, 13, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 31, 23, 255, 128, 0, 2);
+	gl_canvas_expect(canvas, 30, 23, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 31, 22, 0, 0, 0, 0);
 }
 
 static void test_later_things_cover_earlier_ones(void **state)
@@ -115,13 +115,13 @@ static void test_later_things_cover_earlier_ones(void **state)
 }
 
 /* Expects the disc's quarters in the corners and solid colour elsewhere. */
-static void check_panel(struct stage *stage, struct hud *hud)
+static void check_panel(struct gl_canvas *canvas, struct hud *hud)
 {
 	const uint16_t *disc = hud->font->disc[4];
 
 	hud_panel(hud, 2, 3, 20, 15, 4, orange);
-	hud_end(hud, stage->gl);
-	stage_end_frame(stage);
+	hud_end(hud, canvas->gl);
+	gl_canvas_end_frame(canvas);
 	for (int i = 0; i < 20 * 15; i++) {
 		int x = i % 20, y = i / 20;
 		int s = x < 4 ? x : x >= 16 ? x - 12 : -1;
@@ -131,13 +131,13 @@ static void check_panel(struct stage *stage, struct hud *hud)
 			: hud->font->alpha[(disc[1] + t) * hud->font->width +
 				  disc[0] + s];
 
-		stage_expect(
-			stage, 2 + x, 3 + y, alpha, blend(128, 0, alpha), 0, 2);
+		gl_canvas_expect(canvas, 2 + x, 3 + y, alpha,
+			blend(128, 0, alpha), 0, 2);
 	}
-	stage_expect(stage, 1, 10, 0, 0, 0, 0);
-	stage_expect(stage, 22, 10, 0, 0, 0, 0);
-	stage_expect(stage, 10, 2, 0, 0, 0, 0);
-	stage_expect(stage, 10, 18, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 1, 10, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 22, 10, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 10, 2, 0, 0, 0, 0);
+	gl_canvas_expect(canvas, 10, 18, 0, 0, 0, 0);
 }
 
 static void test_panels_are_whole_and_round(void **state)
@@ -146,9 +146,9 @@ static void test_panels_are_whole_and_round(void **state)
 }
 
 /* State that a scene may have left must not affect the hud. */
-static void check_after_a_scene(struct stage *stage, struct hud *hud)
+static void check_after_a_scene(struct gl_canvas *canvas, struct hud *hud)
 {
-	struct gl *gl = stage->gl;
+	struct gl *gl = canvas->gl;
 
 	gl->Enable(GL_DEPTH_TEST);
 	gl->Enable(GL_LIGHTING);
@@ -163,7 +163,7 @@ static void check_after_a_scene(struct stage *stage, struct hud *hud)
 	gl->MatrixMode(GL_PROJECTION);
 	gl->Scalex(0, 0, 0);
 	gl->BlendFunc(GL_ZERO, GL_ONE);
-	check_order(stage, hud);
+	check_order(canvas, hud);
 }
 
 static void test_state_of_the_scene_does_not_matter(void **state)

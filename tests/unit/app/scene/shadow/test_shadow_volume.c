@@ -309,7 +309,11 @@ static void test_depth_pass_and_depth_fail_draw_the_same_shadow(void **state)
 		.near_plane = {0.0f, 0.0f, 0.0f, 1.0f}};
 
 	(void)state;
-	assert_int_equal(gl_open("soft", PIXELS_RGBA8888, &log, &context), 0);
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		0);
 	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.0f,
 				 PIXELS_RGBA8888, &log),
 		0);

@@ -44,7 +44,11 @@ static void test_ground_is_drawn_where_it_is(void **state)
 	float most = 0.0f;
 
 	(void)state;
-	assert_int_equal(gl_open("soft", PIXELS_RGB565, &log, &context), 0);
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &context),
+		0);
 	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.8f,
 				 PIXELS_RGB565, &log),
 		0);

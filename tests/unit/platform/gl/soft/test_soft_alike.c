@@ -13,7 +13,7 @@ enum {
 	TRIANGLES = 500,
 	CORNERS = 3 * TRIANGLES,
 	WORDS_MOST = 10,
-	PICTURE_BYTES = 2 * STAGE_WIDTH * STAGE_HEIGHT,
+	PICTURE_BYTES = 2 * GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
 };
 
 /* Words of 4 bytes a vertex, and of these in use. */
@@ -74,8 +74,8 @@ static void draw_list(const float pool[POOL][8], const uint16_t list[CORNERS],
 	static float vertex[CORNERS * WORDS_MOST];
 	const GLsizei bytes = layout->stride * 4;
 	static const GLfixed aslant[4] = {FX16_ONE, FX16_ONE, FX16_ONE, 0};
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl *gl = canvas.gl;
 
 	for (int i = 0; i < CORNERS; i++) {
 		memcpy(vertex + i * layout->stride, pool[list[i]],
@@ -90,16 +90,16 @@ static void draw_list(const float pool[POOL][8], const uint16_t list[CORNERS],
 	gl->Lightxv(GL_LIGHT0, GL_POSITION, aslant);
 	gl->Enable(GL_DEPTH_TEST);
 	if (layout->used == 8) {
-		stage_make_texture(gl);
+		gl_canvas_make_texture(gl);
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 		gl->TexCoordPointer(2, GL_FLOAT, bytes, vertex + 6);
 	}
 	/* All but the first triangle, and two corners that are of none. */
 	gl->DrawArrays(GL_TRIANGLES, 3, CORNERS - 4);
 	gl->DrawArrays(GL_TRIANGLES, 0, 3);
-	assert_int_equal(stage.pixels.stride_bytes, 2 * STAGE_WIDTH);
-	memcpy(picture, stage.pixels.data, PICTURE_BYTES);
-	stage_end_and_close(&stage);
+	assert_int_equal(canvas.pixels.stride_bytes, 2 * GL_CANVAS_WIDTH);
+	memcpy(picture, canvas.pixels.data, PICTURE_BYTES);
+	gl_canvas_end_and_close(&canvas);
 }
 
 static void check_layout(

@@ -81,9 +81,9 @@ static void test_positions_of_each_type_and_stride(void **state)
 	for (int i = 0; i < 3 * TYPES; i++) {
 		const struct type_case *c = &types[i / 3];
 		int size = 2 + i % 3;
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
 		double values[12];
 		uint8_t data[ROOM];
 
@@ -91,7 +91,7 @@ static void test_positions_of_each_type_and_stride(void **state)
 			values[n] = corner[n / size * 4 + n % size];
 		}
 		if (c->stride && c->stride < size * bytes_of(c->type)) {
-			stage_close(&stage);
+			gl_canvas_close(&canvas);
 			continue;
 		}
 		fill(data, c->type, c->stride, size, 3, values);
@@ -99,10 +99,10 @@ static void test_positions_of_each_type_and_stride(void **state)
 		gl->EnableClientState(GL_VERTEX_ARRAY);
 		gl->VertexPointer(size, c->type, c->stride, data);
 		gl->DrawArrays(GL_TRIANGLES, 0, 3);
-		gl_expect_color(&stage, c->name, 30, 20, (double[]){1, 1, 1});
-		gl_expect_color(&stage, c->name, 18, 13, (double[]){1, 1, 1});
-		gl_expect_color(&stage, c->name, 13, 10, (double[]){0, 0, 0});
-		stage_end_and_close(&stage);
+		gl_expect_color(&canvas, c->name, 30, 20, (double[]){1, 1, 1});
+		gl_expect_color(&canvas, c->name, 18, 13, (double[]){1, 1, 1});
+		gl_expect_color(&canvas, c->name, 13, 10, (double[]){0, 0, 0});
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -117,22 +117,22 @@ static void test_normals_of_each_type_and_stride(void **state)
 						 : 1;
 		double values[12];
 		uint8_t data[ROOM];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 
 		for (int n = 0; n < 12; n++) {
 			values[n] = unit * (double[]){0, 0.8, 0.6}[n % 3];
 		}
 		fill(data, c->type, c->stride, 3, 4, values);
-		stage_set_up_light(stage.gl);
-		stage.gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE,
+		gl_canvas_set_up_light(canvas.gl);
+		canvas.gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE,
 			(GLfixed[]){ONE, ONE, ONE, ONE});
-		stage.gl->EnableClientState(GL_NORMAL_ARRAY);
-		stage.gl->NormalPointer(c->type, c->stride, data);
-		stage_draw_all(stage.gl);
+		canvas.gl->EnableClientState(GL_NORMAL_ARRAY);
+		canvas.gl->NormalPointer(c->type, c->stride, data);
+		gl_canvas_draw_all(canvas.gl);
 		gl_expect_color(
-			&stage, c->name, 9, 9, (double[]){0.6, 0.6, 0.6});
-		stage_end_and_close(&stage);
+			&canvas, c->name, 9, 9, (double[]){0.6, 0.6, 0.6});
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -149,8 +149,8 @@ static void test_colours_of_each_type_and_stride(void **state)
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(kinds) / sizeof(kinds[0]); i++) {
 		const struct type_case *c = &kinds[i / 2];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		double values[16];
 		uint8_t data[ROOM];
 
@@ -159,11 +159,11 @@ static void test_colours_of_each_type_and_stride(void **state)
 				(c->type == GL_UNSIGNED_BYTE ? 255 : 1);
 		}
 		fill(data, c->type, c->stride, 4, 4, values);
-		stage.gl->EnableClientState(GL_COLOR_ARRAY);
-		stage.gl->ColorPointer(4, c->type, c->stride, data);
-		stage_draw_all(stage.gl);
-		gl_expect_color_alpha(&stage, c->name, 9, 9, own);
-		stage_end_and_close(&stage);
+		canvas.gl->EnableClientState(GL_COLOR_ARRAY);
+		canvas.gl->ColorPointer(4, c->type, c->stride, data);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color_alpha(&canvas, c->name, 9, 9, own);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -175,36 +175,36 @@ static void test_texture_coordinates_of_each_type_and_stride(void **state)
 	(void)state;
 	for (int i = 0; i < 2 * TYPES; i++) {
 		const struct type_case *c = &types[i / 2];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		GLuint texture = stage_make_texture(stage.gl);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		GLuint texture = gl_canvas_make_texture(canvas.gl);
 		uint8_t data[ROOM];
 
 		fill(data, c->type, c->stride, 2, 4, corner);
-		stage.gl->MatrixMode(GL_TEXTURE);
-		stage.gl->Scalex(ONE / 2, ONE / 2, ONE);
-		stage.gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		stage.gl->TexCoordPointer(2, c->type, c->stride, data);
-		stage_draw_all(stage.gl);
-		gl_expect_color(&stage, c->name, 7, 18, (double[]){1, 0, 0});
-		gl_expect_color(&stage, c->name, 24, 18, (double[]){0, 1, 0});
-		gl_expect_color(&stage, c->name, 7, 5, (double[]){0, 0, 1});
-		gl_expect_color(&stage, c->name, 24, 5, (double[]){1, 1, 1});
-		stage.gl->DeleteTextures(1, &texture);
-		stage_end_and_close(&stage);
+		canvas.gl->MatrixMode(GL_TEXTURE);
+		canvas.gl->Scalex(ONE / 2, ONE / 2, ONE);
+		canvas.gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+		canvas.gl->TexCoordPointer(2, c->type, c->stride, data);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color(&canvas, c->name, 7, 18, (double[]){1, 0, 0});
+		gl_expect_color(&canvas, c->name, 24, 18, (double[]){0, 1, 0});
+		gl_expect_color(&canvas, c->name, 7, 5, (double[]){0, 0, 1});
+		gl_expect_color(&canvas, c->name, 24, 5, (double[]){1, 1, 1});
+		canvas.gl->DeleteTextures(1, &texture);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
 static void test_nothing_is_drawn_without_positions(void **state)
 {
 	static const float corner[] = {-1, -1, 1, -1, 0, 1};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
 
 	(void)state;
-	stage.gl->VertexPointer(2, GL_FLOAT, 0, corner);
-	stage.gl->DrawArrays(GL_TRIANGLES, 0, 3);
-	gl_expect_color(&stage, "nothing", 16, 18, (double[]){0, 0, 0});
-	stage_end_and_close(&stage);
+	canvas.gl->VertexPointer(2, GL_FLOAT, 0, corner);
+	canvas.gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	gl_expect_color(&canvas, "nothing", 16, 18, (double[]){0, 0, 0});
+	gl_canvas_end_and_close(&canvas);
 }
 
 /*
@@ -256,18 +256,19 @@ static void test_elements_draw_as_arrays_do(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < 6 * sizeof(modes) / sizeof(modes[0]); i++) {
-		struct stage own = stage_open("soft", gl_expect_formats[i % 2]);
-		size_t size = (size_t)own.pixels.stride_bytes * STAGE_HEIGHT;
-		struct stage other;
+		struct gl_canvas own =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		size_t size = (size_t)own.pixels.stride_bytes * GL_CANVAS_HEIGHT;
+		struct gl_canvas other;
 
 		draw_mode(own.gl, &modes[i / 6], 0);
-		stage_end_frame(&own);
-		other = stage_open("soft", gl_expect_formats[i % 2]);
+		gl_canvas_end_frame(&own);
+		other = gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		draw_mode(other.gl, &modes[i / 6], 1 + (int)i / 2 % 3);
-		stage_end_frame(&other);
+		gl_canvas_end_frame(&other);
 		assert_memory_equal(own.pixels.data, other.pixels.data, size);
-		stage_close(&other);
-		stage_close(&own);
+		gl_canvas_close(&other);
+		gl_canvas_close(&own);
 	}
 }
 

@@ -81,8 +81,9 @@ static double weigh(
 	}
 }
 
-static void check_pair(const struct stage *stage, const struct factor *source,
-	const struct factor *destination, const double colors[2][4])
+static void check_pair(const struct gl_canvas *canvas,
+	const struct factor *source, const struct factor *destination,
+	const double colors[2][4])
 {
 	double over[4], wanted[4];
 	char name[64];
@@ -90,7 +91,7 @@ static void check_pair(const struct stage *stage, const struct factor *source,
 	for (int i = 0; i < 4; i++) {
 		over[i] = colors[1][i];
 	}
-	if (stage->pixels.format == PIXELS_RGB565) {
+	if (canvas->pixels.format == PIXELS_RGB565) {
 		over[3] = 1; /* there is no other */
 	}
 	for (int i = 0; i < 4; i++) {
@@ -98,26 +99,26 @@ static void check_pair(const struct stage *stage, const struct factor *source,
 				weigh(source->value, colors[0], over, i) +
 			over[i] * weigh(destination->value, colors[0], over, i);
 	}
-	gl_clear_to(stage->gl, colors[1]);
-	gl_set_color(stage->gl, colors[0]);
-	stage->gl->BlendFunc(source->value, destination->value);
-	stage_draw_all(stage->gl);
+	gl_clear_to(canvas->gl, colors[1]);
+	gl_set_color(canvas->gl, colors[0]);
+	canvas->gl->BlendFunc(source->value, destination->value);
+	gl_canvas_draw_all(canvas->gl);
 	snprintf(name, sizeof(name), "%s, %s", source->name, destination->name);
-	gl_expect_color_alpha(stage, name, 13, 11, wanted);
+	gl_expect_color_alpha(canvas, name, 13, 11, wanted);
 }
 
 static void check_pairs(enum pixel_format format)
 {
-	struct stage stage = stage_open("soft", format);
+	struct gl_canvas canvas = gl_canvas_open("soft", format);
 
-	stage.gl->Enable(GL_BLEND);
+	canvas.gl->Enable(GL_BLEND);
 	for (int i = 0; i < SOURCES * DESTINATIONS * PAIRS; i++) {
-		check_pair(&stage, &sources[i / PAIRS / DESTINATIONS],
+		check_pair(&canvas, &sources[i / PAIRS / DESTINATIONS],
 			&destinations[i / PAIRS % DESTINATIONS],
 			pairs[i % PAIRS]);
 	}
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 static void test_every_pair_of_factors_is_the_formulas(void **state)
@@ -140,23 +141,24 @@ static void test_alpha_blends_between_vertices(void **state)
 
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[i]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i]);
+		struct gl *gl = canvas.gl;
 
 		gl_clear_to(gl, (double[]){0, 1, 0.5, 1});
 		gl->Enable(GL_BLEND);
 		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 		gl->EnableClientState(GL_COLOR_ARRAY);
 		gl->ColorPointer(4, GL_FLOAT, 0, colors);
-		stage_draw_all(gl);
-		for (int x = 0; x < STAGE_WIDTH; x++) {
-			double a = (x + 0.5) / STAGE_WIDTH;
+		gl_canvas_draw_all(gl);
+		for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
+			double a = (x + 0.5) / GL_CANVAS_WIDTH;
 
-			gl_expect_color(&stage, "mixed", x, 7,
+			gl_expect_color(&canvas, "mixed", x, 7,
 				(double[]){a, 1 - a, 0.5 * (1 - a)});
 		}
-		stage_end_frame(&stage);
-		stage_close(&stage);
+		gl_canvas_end_frame(&canvas);
+		gl_canvas_close(&canvas);
 	}
 }
 
@@ -164,15 +166,16 @@ static void test_without_blending_factors_do_nothing(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[i]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i]);
 
-		gl_clear_to(stage.gl, pairs[0][1]);
-		gl_set_color(stage.gl, pairs[0][0]);
-		stage.gl->BlendFunc(GL_ZERO, GL_SRC_ALPHA);
-		stage_draw_all(stage.gl);
-		gl_expect_color_alpha(&stage, "replaced", 4, 4, pairs[0][0]);
-		stage_end_frame(&stage);
-		stage_close(&stage);
+		gl_clear_to(canvas.gl, pairs[0][1]);
+		gl_set_color(canvas.gl, pairs[0][0]);
+		canvas.gl->BlendFunc(GL_ZERO, GL_SRC_ALPHA);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color_alpha(&canvas, "replaced", 4, 4, pairs[0][0]);
+		gl_canvas_end_frame(&canvas);
+		gl_canvas_close(&canvas);
 	}
 }
 
@@ -181,9 +184,9 @@ static void test_the_colour_mask_keeps_channels(void **state)
 {
 	(void)state;
 	for (int bits = 0; bits < 32; bits++) {
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[bits >> 4]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[bits >> 4]);
+		struct gl *gl = canvas.gl;
 		double wanted[4];
 
 		for (int i = 0; i < 4; i++) {
@@ -193,12 +196,12 @@ static void test_the_colour_mask_keeps_channels(void **state)
 		gl->ColorMask(
 			bits & 1, bits >> 1 & 1, bits >> 2 & 1, bits >> 3 & 1);
 		gl_set_color(gl, pairs[0][0]);
-		stage_draw_all(gl);
-		gl_expect_color_alpha(&stage, "drawn", 20, 20, wanted);
+		gl_canvas_draw_all(gl);
+		gl_expect_color_alpha(&canvas, "drawn", 20, 20, wanted);
 		gl_clear_to(gl, pairs[0][0]);
-		gl_expect_color_alpha(&stage, "cleared", 20, 20, wanted);
-		stage_end_frame(&stage);
-		stage_close(&stage);
+		gl_expect_color_alpha(&canvas, "cleared", 20, 20, wanted);
+		gl_canvas_end_frame(&canvas);
+		gl_canvas_close(&canvas);
 	}
 }
 

@@ -47,31 +47,32 @@ static void test_the_nearer_of_crossing_triangles_is_seen(void **state)
 	(void)state;
 	for (size_t i = 0; i < 4 * sizeof(planes) / sizeof(planes[0]); i++) {
 		const struct plane_case *c = &planes[i / 4];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		const double *colors[2] = {
 			(double[]){1, 0, 0, 1}, (double[]){0, 1, 0, 1}};
 		const double *drawn[2] = {c->red, c->green};
 		int first = i / 2 % 2;
 
-		stage.gl->Enable(GL_DEPTH_TEST);
+		canvas.gl->Enable(GL_DEPTH_TEST);
 		for (int n = 0; n < 2; n++) {
-			gl_set_color(stage.gl, colors[first ^ n]);
-			draw_plane(stage.gl, drawn[first ^ n]);
+			gl_set_color(canvas.gl, colors[first ^ n]);
+			draw_plane(canvas.gl, drawn[first ^ n]);
 		}
-		for (int p = 0; p < STAGE_WIDTH * STAGE_HEIGHT; p++) {
-			int column = p % STAGE_WIDTH, row = p / STAGE_WIDTH;
-			double x = (column + 0.5) * 2 / STAGE_WIDTH - 1;
-			double y = 1 - (row + 0.5) * 2 / STAGE_HEIGHT;
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			int column = p % GL_CANVAS_WIDTH,
+			    row = p / GL_CANVAS_WIDTH;
+			double x = (column + 0.5) * 2 / GL_CANVAS_WIDTH - 1;
+			double y = 1 - (row + 0.5) * 2 / GL_CANVAS_HEIGHT;
 			double gap = plane_at(c->red, x, y) -
 				plane_at(c->green, x, y);
 
 			if (fabs(gap) > 1e-4) { /* 3 steps of 16 bits */
-				gl_expect_color(&stage, c->name, column, row,
+				gl_expect_color(&canvas, c->name, column, row,
 					colors[gap > 0]);
 			}
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -158,25 +159,27 @@ static void test_viewports_place_the_picture(void **state)
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
 		size_t n = i / 2;
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 
-		stage.gl->Viewport(cases[n].x, cases[n].y, cases[n].width,
+		canvas.gl->Viewport(cases[n].x, cases[n].y, cases[n].width,
 			cases[n].height);
-		stage_draw_rectangle(stage.gl, -0.5f, -0.5f, 0.5f, 0.5f, 0);
-		for (int p = 0; p < STAGE_WIDTH * STAGE_HEIGHT; p++) {
-			int column = p % STAGE_WIDTH, row = p / STAGE_WIDTH;
+		gl_canvas_draw_rectangle(canvas.gl, -0.5f, -0.5f, 0.5f, 0.5f, 0);
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			int column = p % GL_CANVAS_WIDTH,
+			    row = p / GL_CANVAS_WIDTH;
 			double x = (column + 0.5 - cases[n].x) * 2;
-			double y = (STAGE_HEIGHT - row - 0.5 - cases[n].y) * 2;
+			double y =
+				(GL_CANVAS_HEIGHT - row - 0.5 - cases[n].y) * 2;
 			double on = x > cases[n].width * 0.5 &&
 				x < cases[n].width * 1.5 &&
 				y > cases[n].height * 0.5 &&
 				y < cases[n].height * 1.5;
 
-			gl_expect_color(&stage, cases[n].name, column, row,
+			gl_expect_color(&canvas, cases[n].name, column, row,
 				(double[]){on, on, on});
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -185,18 +188,19 @@ static void test_viewports_cut_triangles(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[i]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i]);
 
-		stage.gl->Viewport(8, 6, 16, 12);
-		stage_draw_rectangle(stage.gl, -1.5f, -7, 9, 1.25f, 0);
-		for (int p = 0; p < STAGE_WIDTH * STAGE_HEIGHT; p++) {
-			int x = p % STAGE_WIDTH, y = p / STAGE_WIDTH;
+		canvas.gl->Viewport(8, 6, 16, 12);
+		gl_canvas_draw_rectangle(canvas.gl, -1.5f, -7, 9, 1.25f, 0);
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			int x = p % GL_CANVAS_WIDTH, y = p / GL_CANVAS_WIDTH;
 			double on = x >= 8 && x < 24 && y >= 6 && y < 18;
 
 			gl_expect_color(
-				&stage, "cut", x, y, (double[]){on, on, on});
+				&canvas, "cut", x, y, (double[]){on, on, on});
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -209,16 +213,16 @@ static void test_pixels_are_read_as_they_were_drawn(void **state)
 	for (int i = 0; i < 8; i++) {
 		int align = alignments[i / 2],
 		    row = (3 * 4 + align - 1) / align * align;
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
 		uint8_t pixels[64], gap = 0xEE;
 
 		memset(pixels, gap, sizeof(pixels));
 		gl_set_color(gl, (double[]){1, 0, 0, 1});
-		stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
+		gl_canvas_draw_rectangle(gl, -1, -1, 0, 1, 0);
 		gl_set_color(gl, (double[]){0, 1, 1, 1});
-		stage_draw_rectangle(gl, -1, -1, 1, 0, 0);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 0, 0);
 		gl->PixelStorei(GL_PACK_ALIGNMENT, align);
 		gl->ReadPixels(15, 11, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 		for (int x = 0; x < 3; x++) {
@@ -231,28 +235,28 @@ static void test_pixels_are_read_as_they_were_drawn(void **state)
 			assert_int_equal(pixels[n], gap);
 		}
 		assert_int_equal(pixels[row + 12], gap);
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
 /* Outside of the picture nothing is defined, and nothing breaks. */
 static void test_reading_may_leave_the_picture(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	uint8_t pixels[4 * 4][4];
 
 	(void)state;
-	gl_clear_to(stage.gl, (double[]){1, 1, 1, 1});
-	stage.gl->ReadPixels(-2, -2, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+	gl_clear_to(canvas.gl, (double[]){1, 1, 1, 1});
+	canvas.gl->ReadPixels(-2, -2, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 	assert_int_equal(pixels[15][0], 255);
-	stage.gl->ReadPixels(STAGE_WIDTH - 1, STAGE_HEIGHT - 1, 4, 4, GL_RGBA,
-		GL_UNSIGNED_BYTE, pixels);
+	canvas.gl->ReadPixels(GL_CANVAS_WIDTH - 1, GL_CANVAS_HEIGHT - 1, 4, 4,
+		GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 	assert_int_equal(pixels[0][0], 255);
-	stage.gl->ReadPixels(
+	canvas.gl->ReadPixels(
 		INT32_MAX, INT32_MAX, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-	stage.gl->ReadPixels(
+	canvas.gl->ReadPixels(
 		INT32_MIN, INT32_MIN, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-	stage_end_and_close(&stage);
+	gl_canvas_end_and_close(&canvas);
 }
 
 int main(void)

@@ -15,8 +15,8 @@
 static void test_enumerants_are_checked(void **state)
 {
 	const GLfixed zeros[16] = {0};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	EXPECT(GL_INVALID_ENUM, Enable(GL_RGB));
@@ -48,13 +48,13 @@ static void test_enumerants_are_checked(void **state)
 	EXPECT(GL_INVALID_ENUM, DrawArrays(GL_TRIANGLE_FAN + 1, 0, 3));
 	EXPECT(GL_INVALID_ENUM, DrawElements(GL_TRIANGLES, 3, GL_FLOAT, zeros));
 	EXPECT(GL_INVALID_ENUM, GetIntegerv(GL_RGB, &(GLint){0}));
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 static void test_values_are_checked(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 	GLuint name = 0;
 
 	(void)state;
@@ -81,13 +81,13 @@ static void test_values_are_checked(void **state)
 	EXPECT(GL_INVALID_VALUE,
 		TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 2048, 1, 0, GL_RGB,
 			GL_UNSIGNED_BYTE, NULL));
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 static void test_pairs_that_do_not_go_together_are_refused(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 	uint8_t texels[64] = {0};
 
 	(void)state;
@@ -106,7 +106,7 @@ static void test_pairs_that_do_not_go_together_are_refused(void **state)
 	EXPECT(GL_INVALID_OPERATION,
 		TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_ALPHA,
 			GL_UNSIGNED_BYTE, texels));
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 /* How many pushes a stack takes; and as many pops, then one too many. */
@@ -125,29 +125,29 @@ static void check_stack(struct gl *gl, GLenum mode, int depth)
 
 static void test_stacks_end(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
 	GLint depth = 0;
 
 	(void)state;
-	stage.gl->GetIntegerv(GL_MAX_MODELVIEW_STACK_DEPTH, &depth);
+	canvas.gl->GetIntegerv(GL_MAX_MODELVIEW_STACK_DEPTH, &depth);
 	assert_true(depth >= 16);
-	check_stack(stage.gl, GL_MODELVIEW, depth);
-	check_stack(stage.gl, GL_PROJECTION, 4);
-	check_stack(stage.gl, GL_TEXTURE, 4);
-	stage_close(&stage);
+	check_stack(canvas.gl, GL_MODELVIEW, depth);
+	check_stack(canvas.gl, GL_PROJECTION, 4);
+	check_stack(canvas.gl, GL_TEXTURE, 4);
+	gl_canvas_close(&canvas);
 }
 
 static void test_the_first_error_stays(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	gl->LineWidthx(-1);
 	gl->Enable(0);
 	assert_int_equal(gl->GetError(), GL_INVALID_VALUE);
 	assert_int_equal(gl->GetError(), GL_NO_ERROR);
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 int main(void)

@@ -71,8 +71,11 @@ static struct scene *open_scene(uint32_t seed)
 		.format = PIXELS_RGB565,
 		.data = (uint8_t *)(scene->all + GUARD * WIDTH),
 	};
-	assert_int_equal(
-		gl_open("soft", PIXELS_RGB565, &log, &scene->context), 0);
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &scene->context),
+		0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
 	use(scene);

@@ -39,23 +39,25 @@ static void draw_third(struct gl *gl, int third, float z)
 {
 	float left = (float)third * 0.7f - 1.0f;
 
-	stage_draw_rectangle(gl, left, -1, left + 0.6f, 1, z);
+	gl_canvas_draw_rectangle(gl, left, -1, left + 0.6f, 1, z);
 }
 
-static void expect_thirds(const struct stage *stage, const struct comparison *c)
+static void expect_thirds(
+	const struct gl_canvas *canvas, const struct comparison *c)
 {
-	gl_expect_color(stage, c->name, LESS_X, 9, c->less ? green : red);
-	gl_expect_color(stage, c->name, EQUAL_X, 9, c->equal ? green : red);
-	gl_expect_color(stage, c->name, GREATER_X, 9, c->greater ? green : red);
+	gl_expect_color(canvas, c->name, LESS_X, 9, c->less ? green : red);
+	gl_expect_color(canvas, c->name, EQUAL_X, 9, c->equal ? green : red);
+	gl_expect_color(canvas, c->name, GREATER_X, 9, c->greater ? green : red);
 }
 
-static struct stage open_red(int format)
+static struct gl_canvas open_red(int format)
 {
-	struct stage stage = stage_open("soft", gl_expect_formats[format]);
+	struct gl_canvas canvas =
+		gl_canvas_open("soft", gl_expect_formats[format]);
 
-	gl_clear_to(stage.gl, red);
-	gl_set_color(stage.gl, green);
-	return stage;
+	gl_clear_to(canvas.gl, red);
+	gl_set_color(canvas.gl, green);
+	return canvas;
 }
 
 static void test_each_alpha_function_compares(void **state)
@@ -63,16 +65,16 @@ static void test_each_alpha_function_compares(void **state)
 	(void)state;
 	for (int i = 0; i < 2 * COMPARISONS; i++) {
 		const struct comparison *c = &comparisons[i / 2];
-		struct stage stage = open_red(i % 2);
+		struct gl_canvas canvas = open_red(i % 2);
 
-		stage.gl->Enable(GL_ALPHA_TEST);
-		stage.gl->AlphaFuncx(c->function, ONE / 5 * 2 + 1);
+		canvas.gl->Enable(GL_ALPHA_TEST);
+		canvas.gl->AlphaFuncx(c->function, ONE / 5 * 2 + 1);
 		for (int third = 0; third < 3; third++) {
-			stage.gl->Color4x(0, ONE, 0, ONE / 5 * (third + 1) + 1);
-			draw_third(stage.gl, third, 0);
+			canvas.gl->Color4x(0, ONE, 0, ONE / 5 * (third + 1) + 1);
+			draw_third(canvas.gl, third, 0);
 		}
-		expect_thirds(&stage, c);
-		stage_end_and_close(&stage);
+		expect_thirds(&canvas, c);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -81,17 +83,17 @@ static void test_alpha_is_tested_before_depth_is_written(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = open_red(i);
+		struct gl_canvas canvas = open_red(i);
 
-		stage.gl->Enable(GL_ALPHA_TEST);
-		stage.gl->Enable(GL_DEPTH_TEST);
-		stage.gl->AlphaFuncx(GL_GREATER, ONE / 2);
-		stage.gl->Color4x(0, 0, ONE, ONE / 4);
-		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, -0.5f);
-		gl_set_color(stage.gl, green);
-		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, 0.5f);
-		gl_expect_color(&stage, "behind", 9, 9, green);
-		stage_end_and_close(&stage);
+		canvas.gl->Enable(GL_ALPHA_TEST);
+		canvas.gl->Enable(GL_DEPTH_TEST);
+		canvas.gl->AlphaFuncx(GL_GREATER, ONE / 2);
+		canvas.gl->Color4x(0, 0, ONE, ONE / 4);
+		gl_canvas_draw_rectangle(canvas.gl, -1, -1, 1, 1, -0.5f);
+		gl_set_color(canvas.gl, green);
+		gl_canvas_draw_rectangle(canvas.gl, -1, -1, 1, 1, 0.5f);
+		gl_expect_color(&canvas, "behind", 9, 9, green);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -100,18 +102,18 @@ static void test_each_depth_function_compares(void **state)
 	(void)state;
 	for (int i = 0; i < 2 * COMPARISONS; i++) {
 		const struct comparison *c = &comparisons[i / 2];
-		struct stage stage = open_red(i % 2);
+		struct gl_canvas canvas = open_red(i % 2);
 
-		stage.gl->Enable(GL_DEPTH_TEST);
-		gl_set_color(stage.gl, red);
-		stage_draw_all(stage.gl);
-		gl_set_color(stage.gl, green);
-		stage.gl->DepthFunc(c->function);
+		canvas.gl->Enable(GL_DEPTH_TEST);
+		gl_set_color(canvas.gl, red);
+		gl_canvas_draw_all(canvas.gl);
+		gl_set_color(canvas.gl, green);
+		canvas.gl->DepthFunc(c->function);
 		for (int third = 0; third < 3; third++) {
-			draw_third(stage.gl, third, (float)(third - 1) / 2);
+			draw_third(canvas.gl, third, (float)(third - 1) / 2);
 		}
-		expect_thirds(&stage, c);
-		stage_end_and_close(&stage);
+		expect_thirds(&canvas, c);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -119,17 +121,17 @@ static void test_the_depth_mask_keeps_depth(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 4; i++) {
-		struct stage stage = open_red(i / 2);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas = open_red(i / 2);
+		struct gl *gl = canvas.gl;
 
 		gl->Enable(GL_DEPTH_TEST);
 		gl->DepthMask(i % 2 ? GL_TRUE : GL_FALSE);
 		gl_set_color(gl, red);
-		stage_draw_rectangle(gl, -1, -1, 1, 1, -0.5f);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, -0.5f);
 		gl_set_color(gl, green);
-		stage_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
-		gl_expect_color(&stage, "masked", 9, 9, i % 2 ? red : green);
-		stage_end_and_close(&stage);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
+		gl_expect_color(&canvas, "masked", 9, 9, i % 2 ? red : green);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -138,15 +140,15 @@ static void test_depth_is_written_by_the_test_alone(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = open_red(i);
+		struct gl_canvas canvas = open_red(i);
 
-		gl_set_color(stage.gl, red);
-		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, -0.9f);
-		stage.gl->Enable(GL_DEPTH_TEST);
-		gl_set_color(stage.gl, green);
-		stage_draw_rectangle(stage.gl, -1, -1, 1, 1, 0.5f);
-		gl_expect_color(&stage, "untested", 9, 9, green);
-		stage_end_and_close(&stage);
+		gl_set_color(canvas.gl, red);
+		gl_canvas_draw_rectangle(canvas.gl, -1, -1, 1, 1, -0.9f);
+		canvas.gl->Enable(GL_DEPTH_TEST);
+		gl_set_color(canvas.gl, green);
+		gl_canvas_draw_rectangle(canvas.gl, -1, -1, 1, 1, 0.5f);
+		gl_expect_color(&canvas, "untested", 9, 9, green);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -163,15 +165,15 @@ static void test_depth_clears_to_a_value(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
-		struct stage stage = open_red((int)i % 2);
+		struct gl_canvas canvas = open_red((int)i % 2);
 
-		stage.gl->ClearDepthx(cases[i / 2].clear);
-		stage.gl->Clear(GL_DEPTH_BUFFER_BIT);
-		stage.gl->Enable(GL_DEPTH_TEST);
-		stage_draw_all(stage.gl);
-		gl_expect_color(&stage, cases[i / 2].name, 9, 9,
+		canvas.gl->ClearDepthx(cases[i / 2].clear);
+		canvas.gl->Clear(GL_DEPTH_BUFFER_BIT);
+		canvas.gl->Enable(GL_DEPTH_TEST);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color(&canvas, cases[i / 2].name, 9, 9,
 			cases[i / 2].drawn ? green : red);
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -189,25 +191,25 @@ static void test_scissors_cut_drawing_and_clearing(void **state)
 	(void)state;
 	for (size_t i = 0; i < 4 * sizeof(cases) / sizeof(cases[0]); i++) {
 		const int *box = cases[i / 4].box;
-		struct stage stage = open_red((int)i % 2);
+		struct gl_canvas canvas = open_red((int)i % 2);
 
-		stage.gl->Enable(GL_SCISSOR_TEST);
-		stage.gl->Scissor(box[0], box[1], box[2], box[3]);
+		canvas.gl->Enable(GL_SCISSOR_TEST);
+		canvas.gl->Scissor(box[0], box[1], box[2], box[3]);
 		if (i & 2) {
-			gl_clear_to(stage.gl, green);
+			gl_clear_to(canvas.gl, green);
 		} else {
-			stage_draw_all(stage.gl);
+			gl_canvas_draw_all(canvas.gl);
 		}
-		for (int p = 0; p < STAGE_WIDTH * STAGE_HEIGHT; p++) {
-			int x = p % STAGE_WIDTH;
-			int y = STAGE_HEIGHT - 1 - p / STAGE_WIDTH;
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			int x = p % GL_CANVAS_WIDTH;
+			int y = GL_CANVAS_HEIGHT - 1 - p / GL_CANVAS_WIDTH;
 			bool in = x >= box[0] && x - box[0] < box[2] &&
 				y >= box[1] && y - box[1] < box[3];
 
-			gl_expect_color(&stage, cases[i / 4].name, x,
-				p / STAGE_WIDTH, in ? green : red);
+			gl_expect_color(&canvas, cases[i / 4].name, x,
+				p / GL_CANVAS_WIDTH, in ? green : red);
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -231,8 +233,8 @@ static void test_culling_goes_by_face_and_winding(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
-		struct stage stage = open_red((int)i % 2);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas = open_red((int)i % 2);
+		struct gl *gl = canvas.gl;
 
 		if (cases[i / 2].face) {
 			gl->Enable(GL_CULL_FACE);
@@ -242,11 +244,11 @@ static void test_culling_goes_by_face_and_winding(void **state)
 		gl->EnableClientState(GL_VERTEX_ARRAY);
 		gl->VertexPointer(2, GL_FLOAT, 0, triangles);
 		gl->DrawArrays(GL_TRIANGLES, 0, 6);
-		gl_expect_color(&stage, cases[i / 2].name, 8, 16,
+		gl_expect_color(&canvas, cases[i / 2].name, 8, 16,
 			cases[i / 2].ccw ? green : red);
-		gl_expect_color(&stage, cases[i / 2].name, 24, 16,
+		gl_expect_color(&canvas, cases[i / 2].name, 24, 16,
 			cases[i / 2].cw ? green : red);
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -275,8 +277,8 @@ static void test_polygon_offset_moves_depth(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
-		struct stage stage = open_red((int)i % 2);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas = open_red((int)i % 2);
+		struct gl *gl = canvas.gl;
 
 		gl->Enable(GL_DEPTH_TEST);
 		gl->EnableClientState(GL_VERTEX_ARRAY);
@@ -289,11 +291,11 @@ static void test_polygon_offset_moves_depth(void **state)
 		gl->PolygonOffsetx(gl_fixed(cases[i / 2].factor),
 			gl_fixed(cases[i / 2].units));
 		gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-		for (int x = 0; x < STAGE_WIDTH; x++) {
-			gl_expect_color(&stage, cases[i / 2].name, x, 11,
+		for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
+			gl_expect_color(&canvas, cases[i / 2].name, x, 11,
 				cases[i / 2].nearer ? green : red);
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -307,8 +309,8 @@ static void test_flat_shading_takes_the_last_vertex(void **state)
 
 	(void)state;
 	for (int i = 0; i < 4; i++) {
-		struct stage stage = open_red(i % 2);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas = open_red(i % 2);
+		struct gl *gl = canvas.gl;
 
 		gl_clear_to(gl, black);
 		gl->ShadeModel(GL_FLAT);
@@ -322,9 +324,9 @@ static void test_flat_shading_takes_the_last_vertex(void **state)
 			gl->DrawElements(
 				GL_TRIANGLE_STRIP, 4, GL_UNSIGNED_BYTE, strip);
 		}
-		gl_expect_color(&stage, "first", 30, 20, red);
-		gl_expect_color(&stage, "second", 1, 3, green);
-		stage_end_and_close(&stage);
+		gl_expect_color(&canvas, "first", 30, 20, red);
+		gl_expect_color(&canvas, "second", 1, 3, green);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 

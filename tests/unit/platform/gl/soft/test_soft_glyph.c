@@ -10,7 +10,7 @@
 enum {
 	SIDE = 40,
 	ATLAS = 64, /* texels a side */
-	PIXELS = STAGE_WIDTH * STAGE_HEIGHT,
+	PIXELS = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
 };
 
 struct corner {
@@ -80,8 +80,8 @@ static void test_panels_are_as_in_c(void **state)
 /* Pixels from the top left corner, as the corners of a picture are -1 and 1. */
 static void set_corner(struct corner *corner, float x, float y, float s, float t)
 {
-	corner->position[0] = x * 2.0f / STAGE_WIDTH - 1.0f;
-	corner->position[1] = 1.0f - y * 2.0f / STAGE_HEIGHT;
+	corner->position[0] = x * 2.0f / GL_CANVAS_WIDTH - 1.0f;
+	corner->position[1] = 1.0f - y * 2.0f / GL_CANVAS_HEIGHT;
 	corner->texcoord[0] = s / ATLAS;
 	corner->texcoord[1] = t / ATLAS;
 }
@@ -149,7 +149,7 @@ static void set_up(struct gl *gl)
 
 static void draw(const struct gl *gl, const struct corner *corner,
 	const uint16_t *index, int count, uint16_t *out,
-	const struct stage *stage)
+	const struct gl_canvas *canvas)
 {
 	const GLsizei stride = sizeof(*corner);
 
@@ -159,9 +159,10 @@ static void draw(const struct gl *gl, const struct corner *corner,
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
-	for (int y = 0; y < STAGE_HEIGHT; y++) {
-		memcpy(out + y * STAGE_WIDTH, pixel_at(&stage->pixels, 0, y),
-			STAGE_WIDTH * sizeof(*out));
+	for (int y = 0; y < GL_CANVAS_HEIGHT; y++) {
+		memcpy(out + y * GL_CANVAS_WIDTH,
+			pixel_at(&canvas->pixels, 0, y),
+			GL_CANVAS_WIDTH * sizeof(*out));
 	}
 }
 
@@ -172,39 +173,39 @@ static void test_rectangles_are_their_two_triangles(void **state)
 	static const uint16_t apart[18] = {
 		0, 1, 2, 0, 0, 0, 2, 1, 3, 4, 5, 6, 4, 4, 4, 6, 5, 7};
 	static uint16_t quick[PIXELS], slow[PIXELS], none[PIXELS];
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	uint32_t seed = 8;
 	int drawn = 0;
 
 	(void)state;
-	set_up(stage.gl);
+	set_up(canvas.gl);
 	for (int round = 0; round < 3000; round++) {
 		struct corner corner[8];
 
 		make_rectangle(&seed, corner);
 		make_rectangle(&seed, corner + 4);
-		(round % 4 ? stage.gl->Disable : stage.gl->Enable)(
+		(round % 4 ? canvas.gl->Disable : canvas.gl->Enable)(
 			GL_SCISSOR_TEST);
-		stage.gl->Scissor(5, 3, 17, 15);
-		draw(stage.gl, corner, paired, 12, quick, &stage);
-		draw(stage.gl, corner, apart, 18, slow, &stage);
-		draw(stage.gl, corner, apart, 0, none, &stage);
+		canvas.gl->Scissor(5, 3, 17, 15);
+		draw(canvas.gl, corner, paired, 12, quick, &canvas);
+		draw(canvas.gl, corner, apart, 18, slow, &canvas);
+		draw(canvas.gl, corner, apart, 0, none, &canvas);
 		assert_memory_equal(quick, slow, sizeof(quick));
 		drawn += memcmp(quick, none, sizeof(quick)) != 0;
 	}
 	assert_true(drawn > 2000);
-	stage_end_and_close(&stage);
+	gl_canvas_end_and_close(&canvas);
 }
 
 static void test_culled_rectangles_are_not_drawn(void **state)
 {
 	static const uint16_t paired[6] = {0, 1, 2, 2, 1, 3};
 	static uint16_t front[PIXELS], back[PIXELS], none[PIXELS];
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	struct corner corner[4];
 
 	(void)state;
-	set_up(stage.gl);
+	set_up(canvas.gl);
 	set_corner(&corner[0], 4, 4, 0, 0);
 	set_corner(&corner[1], 4, 12, 0, 0);
 	set_corner(&corner[2], 20, 4, 0, 0);
@@ -213,14 +214,14 @@ static void test_culled_rectangles_are_not_drawn(void **state)
 		memset(corner[i].color, 255, 4);
 		corner[i].texcoord[0] = corner[i].texcoord[1] = 0.5f;
 	}
-	stage.gl->Enable(GL_CULL_FACE);
-	draw(stage.gl, corner, paired, 6, front, &stage);
-	stage.gl->CullFace(GL_FRONT);
-	draw(stage.gl, corner, paired, 6, back, &stage);
-	draw(stage.gl, corner, paired, 0, none, &stage);
+	canvas.gl->Enable(GL_CULL_FACE);
+	draw(canvas.gl, corner, paired, 6, front, &canvas);
+	canvas.gl->CullFace(GL_FRONT);
+	draw(canvas.gl, corner, paired, 6, back, &canvas);
+	draw(canvas.gl, corner, paired, 0, none, &canvas);
 	assert_memory_equal(back, none, sizeof(back));
 	assert_memory_not_equal(front, none, sizeof(front));
-	stage_end_and_close(&stage);
+	gl_canvas_end_and_close(&canvas);
 }
 
 int main(void)

@@ -357,10 +357,10 @@ static void draw_case(struct gl *gl, const struct lit_case *c, enum given given,
 
 /* The colours of the corners, mixed at a pixel's centre. */
 static void expect_lit(
-	const struct stage *stage, const struct lit_case *c, int x, int y)
+	const struct gl_canvas *canvas, const struct lit_case *c, int x, int y)
 {
-	double px = (x + 0.5) * 2 / STAGE_WIDTH - 1;
-	double py = 1 - (y + 0.5) * 2 / STAGE_HEIGHT;
+	double px = (x + 0.5) * 2 / GL_CANVAS_WIDTH - 1;
+	double py = 1 - (y + 0.5) * 2 / GL_CANVAS_HEIGHT;
 	double top = (py + 1) / 2;
 	double right = (px + 1 - top) / 2;
 	const double share[3] = {1 - top - right, right, top};
@@ -374,25 +374,25 @@ static void expect_lit(
 			color[j] += share[i] * lit[j];
 		}
 	}
-	gl_expect_color(stage, c->name, x, y, color);
+	gl_expect_color(canvas, c->name, x, y, color);
 }
 
 static void check_cases(enum pixel_format format, enum given given)
 {
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		struct stage stage = stage_open("soft", format);
+		struct gl_canvas canvas = gl_canvas_open("soft", format);
 		struct lit_case c = cases[i];
 		struct lit_arrays arrays;
 
 		/* Shorts have no length of use. */
 		c.normalize |= given == SHORTS;
-		draw_case(stage.gl, &c, given, &arrays);
-		expect_lit(&stage, &c, 2, 22);
-		expect_lit(&stage, &c, 29, 22);
-		expect_lit(&stage, &c, 15, 3);
-		expect_lit(&stage, &c, 17, 14);
-		stage_end_frame(&stage);
-		stage_close(&stage);
+		draw_case(canvas.gl, &c, given, &arrays);
+		expect_lit(&canvas, &c, 2, 22);
+		expect_lit(&canvas, &c, 29, 22);
+		expect_lit(&canvas, &c, 15, 3);
+		expect_lit(&canvas, &c, 17, 14);
+		gl_canvas_end_frame(&canvas);
+		gl_canvas_close(&canvas);
 	}
 }
 
@@ -422,11 +422,11 @@ static void test_every_light_counts(void **state)
 	static const GLfixed white[] = {65536, 65536, 65536, 65536};
 	static const GLfixed black[] = {0, 0, 0, 65536};
 	static const GLfixed from_front[] = {0, 0, 65536, 0};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
-	stage_set_up_light(gl);
+	gl_canvas_set_up_light(gl);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, white);
 	for (GLenum i = 0; i < 8; i++) {
 		gl->Lightxv(GL_LIGHT0 + i, GL_DIFFUSE, eighth);
@@ -434,13 +434,13 @@ static void test_every_light_counts(void **state)
 		gl->Lightxv(GL_LIGHT0 + i, GL_POSITION, from_front);
 		gl->Enable(GL_LIGHT0 + i);
 	}
-	stage_draw_all(gl);
-	gl_expect_color(&stage, "eight", 9, 9, (double[]){1, 1, 1});
+	gl_canvas_draw_all(gl);
+	gl_expect_color(&canvas, "eight", 9, 9, (double[]){1, 1, 1});
 	gl->Disable(GL_LIGHT0 + 5);
-	stage_draw_all(gl);
-	gl_expect_color(&stage, "seven", 9, 9, (double[]){0.875, 0.875, 0.875});
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	gl_canvas_draw_all(gl);
+	gl_expect_color(&canvas, "seven", 9, 9, (double[]){0.875, 0.875, 0.875});
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 /* A position is turned by the matrix of when it is told, not of drawing. */
@@ -448,22 +448,22 @@ static void test_a_position_goes_to_eye_space_at_once(void **state)
 {
 	static const GLfixed along_x[] = {65536, 0, 0, 0};
 	static const GLfixed white[] = {65536, 65536, 65536, 65536};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
-	stage_set_up_light(gl);
+	gl_canvas_set_up_light(gl);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, white);
 	gl->PushMatrix();
 	gl->Rotatex(-60 * 65536, 0, 65536, 0);
 	gl->Lightxv(GL_LIGHT0, GL_POSITION, along_x);
 	gl->PopMatrix();
-	stage_draw_all(gl);
+	gl_canvas_draw_all(gl);
 	/* (cos 60, 0, sin 60) */
-	gl_expect_color(&stage, "turned", 9, 9,
+	gl_expect_color(&canvas, "turned", 9, 9,
 		(double[]){0.8660254, 0.8660254, 0.8660254});
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 int main(void)

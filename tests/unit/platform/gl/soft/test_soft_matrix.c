@@ -189,9 +189,9 @@ static const struct step steps[] = {
 	{ORTHO, {0, 640, 480, 0, -1, 1}},
 };
 
-static const struct matrix *top_of(const struct stage *stage, GLenum mode)
+static const struct matrix *top_of(const struct gl_canvas *canvas, GLenum mode)
 {
-	const struct soft *soft = (const struct soft *)stage->context;
+	const struct soft *soft = (const struct soft *)canvas->context;
 	const struct matrices *m = &soft->matrices;
 
 	return mode == GL_MODELVIEW     ? m->modelview_stack.top
@@ -199,10 +199,10 @@ static const struct matrix *top_of(const struct stage *stage, GLenum mode)
 					: m->texture_stack[0].top;
 }
 
-static void expect_matrix(const struct stage *stage, GLenum mode,
+static void expect_matrix(const struct gl_canvas *canvas, GLenum mode,
 	const struct wide_matrix *wanted)
 {
-	const float *is = top_of(stage, mode)->m;
+	const float *is = top_of(canvas, mode)->m;
 
 	for (int i = 0; i < 16; i++) {
 		assert_near(
@@ -214,44 +214,44 @@ static const GLenum modes[] = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
 
 static void test_each_operation_multiplies_from_the_right(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
 
 	(void)state;
 	for (int n = 0; n < 3; n++) {
 		struct wide_matrix wanted = identity();
 
-		stage.gl->MatrixMode(modes[n]);
+		canvas.gl->MatrixMode(modes[n]);
 		for (size_t i = 0; i < sizeof(steps) / sizeof(steps[0]); i++) {
 			struct wide_matrix by = factor_of(&steps[i]);
 			enum operation operation = steps[i].operation;
 			bool anew = operation == LOAD || operation == IDENTITY;
 
-			call(stage.gl, &steps[i]);
+			call(canvas.gl, &steps[i]);
 			wanted = anew ? by : multiply(&wanted, &by);
-			expect_matrix(&stage, modes[n], &wanted);
+			expect_matrix(&canvas, modes[n], &wanted);
 		}
 	}
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 static void test_stacks_are_apart(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
 
 	(void)state;
 	for (int n = 0; n < 3; n++) {
-		stage.gl->MatrixMode(modes[n]);
-		stage.gl->LoadIdentity();
-		stage.gl->Translatex((n + 1) * ONE, 0, 0);
+		canvas.gl->MatrixMode(modes[n]);
+		canvas.gl->LoadIdentity();
+		canvas.gl->Translatex((n + 1) * ONE, 0, 0);
 	}
 	for (int n = 0; n < 3; n++) {
 		struct wide_matrix wanted = identity();
 
 		wanted.m[12] = n + 1;
-		expect_matrix(&stage, modes[n], &wanted);
+		expect_matrix(&canvas, modes[n], &wanted);
 	}
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 /* As deep as it goes: each level comes back as it was. */
@@ -259,8 +259,8 @@ static void test_popping_brings_each_level_back(void **state)
 {
 	static const int depths[] = {SOFT_MODELVIEW_DEPTH,
 		SOFT_PROJECTION_DEPTH, SOFT_TEXTURE_DEPTH};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	for (int n = 0; n < 3; n++) {
@@ -277,21 +277,21 @@ static void test_popping_brings_each_level_back(void **state)
 		assert_int_equal(gl->GetError(), GL_STACK_OVERFLOW);
 		for (; level >= 0; level--) {
 			wanted.m[12] = level;
-			expect_matrix(&stage, modes[n], &wanted);
+			expect_matrix(&canvas, modes[n], &wanted);
 			gl->PopMatrix();
 		}
 		assert_int_equal(gl->GetError(), GL_STACK_UNDERFLOW);
-		expect_matrix(&stage, modes[n], &wanted);
+		expect_matrix(&canvas, modes[n], &wanted);
 	}
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 /* The second unit's texture matrix is one of its own. */
 static void test_each_unit_has_a_texture_matrix(void **state)
 {
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	const struct soft *soft = (const struct soft *)stage.context;
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	const struct soft *soft = (const struct soft *)canvas.context;
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	gl->MatrixMode(GL_TEXTURE);
@@ -300,16 +300,16 @@ static void test_each_unit_has_a_texture_matrix(void **state)
 	gl->Scalex(3 * ONE, ONE, ONE);
 	assert_near(soft->matrices.texture_stack[0].top->m[0], 2, 0);
 	assert_near(soft->matrices.texture_stack[1].top->m[0], 3, 0);
-	stage_close(&stage);
+	gl_canvas_close(&canvas);
 }
 
 /* s and t are turned, moved and scaled before they are looked up. */
 static void test_the_texture_matrix_moves_texels(void **state)
 {
 	static const float st[] = {0, 0, 1, 0, 0, 1, 1, 1};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
-	GLuint texture = stage_make_texture(gl);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
+	GLuint texture = gl_canvas_make_texture(gl);
 
 	(void)state;
 	gl->MatrixMode(GL_TEXTURE);
@@ -317,15 +317,15 @@ static void test_the_texture_matrix_moves_texels(void **state)
 	gl->Rotatex(90 * ONE, 0, 0, ONE);
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, st);
-	stage_draw_all(gl);
+	gl_canvas_draw_all(gl);
 	/* (s, t) looks up (1 - t, s): red green / blue white turned. */
-	gl_expect_color(&stage, "lower left", 7, 18, (double[]){0, 1, 0});
-	gl_expect_color(&stage, "lower right", 24, 18, (double[]){1, 1, 1});
-	gl_expect_color(&stage, "upper left", 7, 5, (double[]){1, 0, 0});
-	gl_expect_color(&stage, "upper right", 24, 5, (double[]){0, 0, 1});
+	gl_expect_color(&canvas, "lower left", 7, 18, (double[]){0, 1, 0});
+	gl_expect_color(&canvas, "lower right", 24, 18, (double[]){1, 1, 1});
+	gl_expect_color(&canvas, "upper left", 7, 5, (double[]){1, 0, 0});
+	gl_expect_color(&canvas, "upper right", 24, 5, (double[]){0, 0, 1});
 	gl->DeleteTextures(1, &texture);
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 int main(void)

@@ -8,7 +8,7 @@
 enum {
 	SIDE = 32, /* texels */
 	ROW = 200,
-	PIXELS = STAGE_WIDTH * STAGE_HEIGHT,
+	PIXELS = GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
 };
 
 struct corner {
@@ -98,19 +98,19 @@ static void make_strip(uint32_t *seed, struct corner corner[4])
 }
 
 /* The long way is that of fragment.c, for all fragments. */
-static void draw(const struct stage *stage, const struct corner *corner,
+static void draw(const struct gl_canvas *canvas, const struct corner *corner,
 	bool long_way, uint16_t out[PIXELS])
 {
-	const struct gl *gl = stage->gl;
+	const struct gl *gl = canvas->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	((struct soft *)stage->context)->reference = long_way;
+	((struct soft *)canvas->context)->reference = long_way;
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 	gl->VertexPointer(2, GL_FLOAT, stride, corner->position);
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	memcpy(out, stage->pixels.data, PIXELS * sizeof(*out));
+	memcpy(out, canvas->pixels.data, PIXELS * sizeof(*out));
 }
 
 static int differ_most(uint16_t a, uint16_t b)
@@ -129,21 +129,21 @@ static int differ_most(uint16_t a, uint16_t b)
 static void test_pictures_are_those_of_the_long_way(void **state)
 {
 	static uint16_t quick[PIXELS], slow[PIXELS];
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	uint32_t seed = 6;
 	int seen = 0, other = 0;
 
 	(void)state;
-	assert_int_equal(stage.pixels.stride_bytes, STAGE_WIDTH * 2);
-	set_up(stage.gl);
+	assert_int_equal(canvas.pixels.stride_bytes, GL_CANVAS_WIDTH * 2);
+	set_up(canvas.gl);
 	for (int round = 0; round < 1000; round++) {
 		struct corner corner[4];
 
 		make_strip(&seed, corner);
-		stage.gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		canvas.gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
 			round % 3 ? GL_MODULATE : GL_REPLACE);
-		draw(&stage, corner, false, quick);
-		draw(&stage, corner, true, slow);
+		draw(&canvas, corner, false, quick);
+		draw(&canvas, corner, true, slow);
 		for (int i = 0; i < PIXELS; i++) {
 			seen += slow[i] != 0;
 			other += differ_most(quick[i], slow[i]) > 2;
@@ -151,7 +151,7 @@ static void test_pictures_are_those_of_the_long_way(void **state)
 	}
 	assert_true(seen > 100000);
 	assert_true(other * 2000 < seen);
-	stage_end_and_close(&stage);
+	gl_canvas_end_and_close(&canvas);
 }
 
 int main(void)

@@ -26,27 +26,27 @@ static const char *const entry_names[] = {
 };
 
 struct trial {
-	struct stage stage;
+	struct gl_canvas canvas;
 	struct soft before;
 	bool tried[ENTRIES];
 };
 
 static void remember(struct trial *trial)
 {
-	memcpy(&trial->before, trial->stage.context, sizeof(trial->before));
+	memcpy(&trial->before, trial->canvas.context, sizeof(trial->before));
 }
 
 static void expect_unchanged(
 	struct trial *trial, enum entry entry, GLenum wanted, const char *text)
 {
-	GLenum error = trial->stage.gl->GetError();
+	GLenum error = trial->canvas.gl->GetError();
 
 	trial->tried[entry] = true;
 	if (error != wanted) {
 		fail_msg("%s leaves error 0x%04x, not 0x%04x", text, error,
 			wanted);
 	}
-	if (memcmp(&trial->before, trial->stage.context,
+	if (memcmp(&trial->before, trial->canvas.context,
 		    sizeof(trial->before)) != 0) {
 		fail_msg("%s changes the context", text);
 	}
@@ -288,14 +288,14 @@ static void test_what_is_refused_changes_nothing(void **state)
 	for (size_t i = 0; i < sizeof(harmless) / sizeof(harmless[0]); i++) {
 		trial->tried[harmless[i]] = true;
 	}
-	trial->stage = stage_open("soft", PIXELS_RGBA8888);
-	refuse_state(trial, trial->stage.gl);
-	refuse_lights(trial, trial->stage.gl);
-	refuse_matrices(trial, trial->stage.gl);
-	refuse_arrays(trial, trial->stage.gl);
-	refuse_textures(trial, trial->stage.gl);
-	refuse_queries(trial, trial->stage.gl);
-	stage_close(&trial->stage);
+	trial->canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	refuse_state(trial, trial->canvas.gl);
+	refuse_lights(trial, trial->canvas.gl);
+	refuse_matrices(trial, trial->canvas.gl);
+	refuse_arrays(trial, trial->canvas.gl);
+	refuse_textures(trial, trial->canvas.gl);
+	refuse_queries(trial, trial->canvas.gl);
+	gl_canvas_close(&trial->canvas);
 	for (int i = 0; i < ENTRIES; i++) {
 		if (!trial->tried[i]) {
 			fail_msg("%s has no row", entry_names[i]);

@@ -10,16 +10,17 @@ static const double black[] = {0, 0, 0, 1};
 static const double red[] = {1, 0, 0, 1};
 static const double green[] = {0, 1, 0, 1};
 
-static struct stage open_cleared(int format, int stencil)
+static struct gl_canvas open_cleared(int format, int stencil)
 {
-	struct stage stage = stage_open("soft", gl_expect_formats[format]);
+	struct gl_canvas canvas =
+		gl_canvas_open("soft", gl_expect_formats[format]);
 
-	stage.gl->Enable(GL_STENCIL_TEST);
-	stage.gl->ClearStencil(stencil);
-	stage.gl->Clear(GL_STENCIL_BUFFER_BIT);
-	gl_clear_to(stage.gl, red);
-	gl_set_color(stage.gl, green);
-	return stage;
+	canvas.gl->Enable(GL_STENCIL_TEST);
+	canvas.gl->ClearStencil(stencil);
+	canvas.gl->Clear(GL_STENCIL_BUFFER_BIT);
+	gl_clear_to(canvas.gl, red);
+	gl_set_color(canvas.gl, green);
+	return canvas;
 }
 
 static void test_each_stencil_function_compares(void **state)
@@ -57,15 +58,16 @@ static void test_each_stencil_function_compares(void **state)
 	(void)state;
 	for (size_t i = 0; i < 4 * sizeof(cases) / sizeof(cases[0]); i++) {
 		size_t n = i / 4;
-		struct stage stage = open_cleared((int)i & 1, cases[n].stored);
+		struct gl_canvas canvas =
+			open_cleared((int)i & 1, cases[n].stored);
 
-		(i & 2 ? stage.gl->Enable : stage.gl->Disable)(GL_DEPTH_TEST);
-		stage.gl->StencilFunc(
+		(i & 2 ? canvas.gl->Enable : canvas.gl->Disable)(GL_DEPTH_TEST);
+		canvas.gl->StencilFunc(
 			cases[n].function, cases[n].reference, cases[n].mask);
-		stage_draw_all(stage.gl);
-		gl_expect_color(&stage, cases[n].name, 9, 9,
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color(&canvas, cases[n].name, 9, 9,
 			cases[n].passes ? green : red);
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -106,8 +108,9 @@ static void test_each_stencil_action_acts(void **state)
 		size_t n = i / (2 * WAYS);
 		int way = (int)i / 2 % WAYS;
 		GLenum op = cases[n].action, keep = GL_KEEP;
-		struct stage stage = open_cleared((int)i % 2, cases[n].stored);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			open_cleared((int)i % 2, cases[n].stored);
+		struct gl *gl = canvas.gl;
 
 		gl->StencilMask(cases[n].write_mask);
 		gl->StencilFunc(way == FAIL ? GL_NEVER : GL_ALWAYS, 0x5A, 0xFF);
@@ -115,29 +118,29 @@ static void test_each_stencil_action_acts(void **state)
 			way == DEPTH_FAIL ? op : keep, way >= PASS ? op : keep);
 		gl->DepthFunc(way == DEPTH_FAIL ? GL_NEVER : GL_LESS);
 		(way == PASS_UNTESTED ? gl->Disable : gl->Enable)(GL_DEPTH_TEST);
-		stage_draw_all(gl);
+		gl_canvas_draw_all(gl);
 		gl->Disable(GL_DEPTH_TEST);
 		gl->StencilOp(keep, keep, keep);
 		gl_clear_to(gl, red);
 		gl->StencilFunc(GL_EQUAL, cases[n].after, 0xFF);
-		stage_draw_all(gl);
-		gl_expect_color(&stage, cases[n].name, 9, 9, green);
-		stage_end_and_close(&stage);
+		gl_canvas_draw_all(gl);
+		gl_expect_color(&canvas, cases[n].name, 9, 9, green);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
 static void test_clearing_the_stencil_heeds_its_mask(void **state)
 {
-	struct stage stage = open_cleared(0, 0x35);
+	struct gl_canvas canvas = open_cleared(0, 0x35);
 
 	(void)state;
-	stage.gl->StencilMask(0x0F);
-	stage.gl->ClearStencil(0xCA);
-	stage.gl->Clear(GL_STENCIL_BUFFER_BIT);
-	stage.gl->StencilFunc(GL_EQUAL, 0x3A, 0xFF);
-	stage_draw_all(stage.gl);
-	gl_expect_color(&stage, "both halves", 9, 9, green);
-	stage_end_and_close(&stage);
+	canvas.gl->StencilMask(0x0F);
+	canvas.gl->ClearStencil(0xCA);
+	canvas.gl->Clear(GL_STENCIL_BUFFER_BIT);
+	canvas.gl->StencilFunc(GL_EQUAL, 0x3A, 0xFF);
+	gl_canvas_draw_all(canvas.gl);
+	gl_expect_color(&canvas, "both halves", 9, 9, green);
+	gl_canvas_end_and_close(&canvas);
 }
 
 /* A volume's two sides, as shadows are made: counted up, then down. */
@@ -145,25 +148,25 @@ static void test_sides_of_a_volume_count_up_and_down(void **state)
 {
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct stage stage = open_cleared(i, 0);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas = open_cleared(i, 0);
+		struct gl *gl = canvas.gl;
 
 		gl->Enable(GL_DEPTH_TEST);
-		stage_draw_rectangle(gl, -1, -1, 0, 1, 0);
+		gl_canvas_draw_rectangle(gl, -1, -1, 0, 1, 0);
 		gl->DepthMask(GL_FALSE);
 		gl->ColorMask(0, 0, 0, 0);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-		stage_draw_rectangle(gl, -1, -1, 1, 1, -0.5f);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, -0.5f);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_DECR);
-		stage_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, 0.5f);
 		gl->ColorMask(1, 1, 1, 1);
 		gl->Disable(GL_DEPTH_TEST);
 		gl->StencilFunc(GL_NOTEQUAL, 0, 0xFF);
 		gl_set_color(gl, black);
-		stage_draw_all(gl);
-		gl_expect_color(&stage, "in the volume", 4, 9, black);
-		gl_expect_color(&stage, "through it", 28, 9, red);
-		stage_end_and_close(&stage);
+		gl_canvas_draw_all(gl);
+		gl_expect_color(&canvas, "in the volume", 4, 9, black);
+		gl_expect_color(&canvas, "through it", 28, 9, red);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -215,9 +218,9 @@ static void test_each_fog_is_the_formulas(void **state)
 	gl_fixed_all(mist, 4, color);
 	for (size_t i = 0; i < 2 * sizeof(fogs) / sizeof(fogs[0]); i++) {
 		const struct fog_case *c = &fogs[i / 2];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
 		double wanted[4] = {0, 0, 0, own[3]};
 
 		gl->MatrixMode(GL_PROJECTION);
@@ -229,13 +232,13 @@ static void test_each_fog_is_the_formulas(void **state)
 		gl->Fogxv(GL_FOG_COLOR, color);
 		gl->Enable(GL_FOG);
 		gl_set_color(gl, own);
-		stage_draw_rectangle(gl, -1, -1, 1, 1, (float)-c->distance);
+		gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, (float)-c->distance);
 		for (int j = 0; j < 3; j++) {
 			wanted[j] = left_by(c) * own[j] +
 				(1 - left_by(c)) * mist[j];
 		}
-		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color_alpha(&canvas, c->name, 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 

@@ -106,22 +106,22 @@ static void test_each_mode_is_the_formulas(void **state)
 	for (int i = 0; i < 2 * 5 * 5; i++) {
 		GLenum mode = modes[i / 10].mode;
 		GLenum f = format[i / 2 % 5];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		double wanted[4];
 
 		if (mode == GL_DECAL && f != GL_RGB && f != GL_RGBA) {
-			stage_close(&stage); /* GL does not define it */
+			gl_canvas_close(&canvas); /* GL does not define it */
 			continue;
 		}
-		bind_texel(stage.gl, f, texel);
-		set_env(stage.gl, GL_TEXTURE_ENV_MODE, mode);
-		stage.gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
-		gl_set_color(stage.gl, own);
-		stage_draw_all(stage.gl);
+		bind_texel(canvas.gl, f, texel);
+		set_env(canvas.gl, GL_TEXTURE_ENV_MODE, mode);
+		canvas.gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
+		gl_set_color(canvas.gl, own);
+		gl_canvas_draw_all(canvas.gl);
 		find_mode(mode, f, wanted);
-		gl_expect_color_alpha(&stage, modes[i / 10].name, 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color_alpha(&canvas, modes[i / 10].name, 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -237,21 +237,21 @@ static void test_each_combiner_is_the_formulas(void **state)
 	for (size_t i = 0; i < 2 * sizeof(combiners) / sizeof(combiners[0]);
 		i++) {
 		const struct combiner_case *c = &combiners[i / 2];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		double wanted[4];
 
-		bind_texel(stage.gl, GL_RGBA, texel);
-		tell_combiner(stage.gl, c);
-		gl_set_color(stage.gl, own);
-		stage_draw_all(stage.gl);
+		bind_texel(canvas.gl, GL_RGBA, texel);
+		tell_combiner(canvas.gl, c);
+		gl_set_color(canvas.gl, own);
+		gl_canvas_draw_all(canvas.gl);
 		for (int j = 0; j < 3; j++) {
 			wanted[j] = c->scale * combine(c, j);
 		}
 		wanted[3] = c->combine == GL_DOT3_RGBA ? wanted[0]
 						       : texel[3] * own[3];
-		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color_alpha(&canvas, c->name, 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -270,19 +270,20 @@ static void test_alpha_is_combined_apart(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		struct stage stage = stage_open("soft", PIXELS_RGBA8888);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
 
-		bind_texel(stage.gl, GL_RGBA, texel);
-		set_env(stage.gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-		set_env(stage.gl, GL_COMBINE_RGB, GL_REPLACE);
-		set_env(stage.gl, GL_COMBINE_ALPHA, cases[i].combine);
-		stage.gl->TexEnvx(
+		bind_texel(canvas.gl, GL_RGBA, texel);
+		set_env(canvas.gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+		set_env(canvas.gl, GL_COMBINE_RGB, GL_REPLACE);
+		set_env(canvas.gl, GL_COMBINE_ALPHA, cases[i].combine);
+		canvas.gl->TexEnvx(
 			GL_TEXTURE_ENV, ALPHA_SCALE, cases[i].scale * ONE);
-		gl_set_color(stage.gl, own);
-		stage_draw_all(stage.gl);
-		gl_expect_color_alpha(&stage, cases[i].name, 9, 9,
+		gl_set_color(canvas.gl, own);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color_alpha(&canvas, cases[i].name, 9, 9,
 			(double[]){texel[0], texel[1], texel[2], cases[i].alpha});
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -291,8 +292,9 @@ static void test_a_second_unit_takes_the_first_ones_colour(void **state)
 {
 	(void)state;
 	for (int n = 0; n < 2; n++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[n]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[n]);
+		struct gl *gl = canvas.gl;
 		double wanted[4], dot = 0;
 
 		bind_texel(gl, GL_RGBA, texel);
@@ -303,7 +305,7 @@ static void test_a_second_unit_takes_the_first_ones_colour(void **state)
 		bind_texel(gl, GL_RGB, constant);
 		set_env(gl, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 		gl_set_color(gl, (double[]){0.2, 1, 0.4, 1});
-		stage_draw_all(gl);
+		gl_canvas_draw_all(gl);
 		for (int i = 0; i < 3; i++) {
 			dot += 4 * (texel[i] - 0.5) *
 				((double[]){0.2, 1, 0.4}[i] - 0.5);
@@ -311,15 +313,15 @@ static void test_a_second_unit_takes_the_first_ones_colour(void **state)
 		for (int i = 0; i < 3; i++) {
 			wanted[i] = (dot > 1 ? 1 : dot) * constant[i];
 		}
-		gl_expect_color(&stage, "two units", 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color(&canvas, "two units", 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
 /* A floor from near to far: s and t at each pixel by its ray in double. */
 static double floor_depth(int y)
 {
-	double ndc_y = 1 - (y + 0.5) * 2 / STAGE_HEIGHT;
+	double ndc_y = 1 - (y + 0.5) * 2 / GL_CANVAS_HEIGHT;
 
 	return -1 / ndc_y; /* of the plane y = -1 before a frustum of 90 deg */
 }
@@ -371,21 +373,24 @@ static void test_texels_lie_in_perspective(void **state)
 {
 	(void)state;
 	for (int n = 0; n < 2; n++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[n]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[n]);
 
-		bind_ramps(stage.gl);
-		draw_floor(stage.gl);
-		for (int y = STAGE_HEIGHT / 2 + 2; y < STAGE_HEIGHT; y++) {
-			for (int x = 0; x < STAGE_WIDTH; x++) {
+		bind_ramps(canvas.gl);
+		draw_floor(canvas.gl);
+		for (int y = GL_CANVAS_HEIGHT / 2 + 2; y < GL_CANVAS_HEIGHT;
+			y++) {
+			for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
 				double d = floor_depth(y);
-				double ndc_x = (x + 0.5) * 2 / STAGE_WIDTH - 1;
+				double ndc_x =
+					(x + 0.5) * 2 / GL_CANVAS_WIDTH - 1;
 				double s = (ndc_x * d + 9) / 18, t = (d - 1) / 8;
 
-				gl_expect_color(&stage, "floor", x, y,
+				gl_expect_color(&canvas, "floor", x, y,
 					(double[]){ramp_at(s), ramp_at(t), 0});
 			}
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 

@@ -32,7 +32,7 @@ static void draw_part(
 
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, st);
-	stage_draw_all(gl);
+	gl_canvas_draw_all(gl);
 }
 
 static const struct format_case {
@@ -66,9 +66,9 @@ static void test_each_format_is_read(void **state)
 	(void)state;
 	for (size_t i = 0; i < 8 * sizeof(formats) / sizeof(formats[0]); i++) {
 		const struct format_case *c = &formats[i / 8];
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
 		double wanted[4];
 		bool blended = i & 2;
 		double a = c->expected[3];
@@ -85,8 +85,8 @@ static void test_each_format_is_read(void **state)
 		for (int j = 0; j < 4 && blended; j++) {
 			wanted[j] = wanted[j] * a + (j >= 2 ? 1 - a : 0);
 		}
-		gl_expect_color_alpha(&stage, c->name, 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color_alpha(&canvas, c->name, 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -160,29 +160,29 @@ static bool is_on_border(double s, double t)
 	return fabs(u - round(u)) < 0.02 || fabs(v - round(v)) < 0.02;
 }
 
-static void check_part(struct stage *stage, const struct wrap_case *c,
+static void check_part(struct gl_canvas *canvas, const struct wrap_case *c,
 	GLenum wrap_s, GLenum wrap_t, bool linear)
 {
 	uint8_t texels[SIDE_T][SIDE_S][3];
 
 	make_texels(texels);
-	bind_new(stage->gl, linear ? GL_LINEAR : GL_NEAREST, wrap_s, wrap_t);
-	stage->gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE_S, SIDE_T, 0,
+	bind_new(canvas->gl, linear ? GL_LINEAR : GL_NEAREST, wrap_s, wrap_t);
+	canvas->gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, SIDE_S, SIDE_T, 0,
 		GL_RGB, GL_UNSIGNED_BYTE, texels);
-	draw_part(stage->gl, c->left, c->bottom, c->right, c->top);
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-		int x = i % STAGE_WIDTH, y = i / STAGE_WIDTH;
+	draw_part(canvas->gl, c->left, c->bottom, c->right, c->top);
+	for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
+		int x = i % GL_CANVAS_WIDTH, y = i / GL_CANVAS_WIDTH;
 		double s = c->left +
-			(c->right - c->left) * (x + 0.5) / STAGE_WIDTH;
+			(c->right - c->left) * (x + 0.5) / GL_CANVAS_WIDTH;
 		double t = c->top +
-			(c->bottom - c->top) * (y + 0.5) / STAGE_HEIGHT;
+			(c->bottom - c->top) * (y + 0.5) / GL_CANVAS_HEIGHT;
 		double wanted[3];
 
 		if (!linear && is_on_border(s, t)) {
 			continue;
 		}
 		sample(texels, wrap_s, wrap_t, linear, s, t, wanted);
-		gl_expect_color(stage, c->name, x, y, wanted);
+		gl_expect_color(canvas, c->name, x, y, wanted);
 	}
 }
 
@@ -190,13 +190,13 @@ static void check_part(struct stage *stage, const struct wrap_case *c,
 static void check_parts(bool linear)
 {
 	for (size_t i = 0; i < 8 * sizeof(parts) / sizeof(parts[0]); i++) {
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 
-		check_part(&stage, &parts[i / 8],
+		check_part(&canvas, &parts[i / 8],
 			i & 2 ? GL_REPEAT : GL_CLAMP_TO_EDGE,
 			i & 4 ? GL_REPEAT : GL_CLAMP_TO_EDGE, linear);
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -220,8 +220,9 @@ static void test_a_part_of_a_texture_is_replaced(void **state)
 
 	(void)state;
 	for (int n = 0; n < 2; n++) {
-		struct stage stage = stage_open("soft", gl_expect_formats[n]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[n]);
+		struct gl *gl = canvas.gl;
 
 		make_texels(texels);
 		bind_new(gl, GL_NEAREST, GL_REPEAT, GL_REPEAT);
@@ -240,10 +241,10 @@ static void test_a_part_of_a_texture_is_replaced(void **state)
 			for (int j = 0; j < 3; j++) {
 				wanted[j] = texels[t][s][j] / 255.0;
 			}
-			gl_expect_color(&stage, "texel", 4 * s + 2,
-				STAGE_HEIGHT - 3 - 6 * t, wanted);
+			gl_expect_color(&canvas, "texel", 4 * s + 2,
+				GL_CANVAS_HEIGHT - 3 - 6 * t, wanted);
 		}
-		stage_end_and_close(&stage);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -256,20 +257,20 @@ static void test_rows_begin_where_the_alignment_says(void **state)
 	for (int i = 0; i < 8; i++) {
 		int align = alignments[i / 2];
 		int row = (3 + align - 1) / align * align;
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
 		uint8_t texels[16] = {0};
 
 		memcpy(texels, (uint8_t[]){255, 0, 0}, 3);
 		memcpy(texels + row, (uint8_t[]){0, 255, 0}, 3);
-		bind_new(stage.gl, GL_NEAREST, GL_REPEAT, GL_REPEAT);
-		stage.gl->PixelStorei(GL_UNPACK_ALIGNMENT, align);
-		stage.gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 1, 2, 0, GL_RGB,
+		bind_new(canvas.gl, GL_NEAREST, GL_REPEAT, GL_REPEAT);
+		canvas.gl->PixelStorei(GL_UNPACK_ALIGNMENT, align);
+		canvas.gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 1, 2, 0, GL_RGB,
 			GL_UNSIGNED_BYTE, texels);
-		draw_part(stage.gl, 0, 0, 1, 1);
-		gl_expect_color(&stage, "lower", 9, 20, (double[]){1, 0, 0});
-		gl_expect_color(&stage, "upper", 9, 3, (double[]){0, 1, 0});
-		stage_end_and_close(&stage);
+		draw_part(canvas.gl, 0, 0, 1, 1);
+		gl_expect_color(&canvas, "lower", 9, 20, (double[]){1, 0, 0});
+		gl_expect_color(&canvas, "upper", 9, 3, (double[]){0, 1, 0});
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -322,9 +323,9 @@ static void test_a_level_is_chosen_by_size(void **state)
 	(void)state;
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
 		size_t n = i / 2;
-		struct stage stage =
-			stage_open("soft", gl_expect_formats[i % 2]);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
 		double size = exp2(cases[n].lod) / 8;
 		double wanted[3];
 
@@ -332,7 +333,8 @@ static void test_a_level_is_chosen_by_size(void **state)
 		make_levels(gl);
 		gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
 			(GLfixed)cases[n].filter);
-		draw_part(gl, 0, 0, STAGE_WIDTH * size, STAGE_HEIGHT * size);
+		draw_part(gl, 0, 0, GL_CANVAS_WIDTH * size,
+			GL_CANVAS_HEIGHT * size);
 		for (int j = 0; j < 3; j++) {
 			int level = cases[n].level;
 			int next = level < 3 ? level + 1 : 3;
@@ -340,8 +342,8 @@ static void test_a_level_is_chosen_by_size(void **state)
 			wanted[j] = level_color[level][j] * (1 - cases[n].next) +
 				level_color[next][j] * cases[n].next;
 		}
-		gl_expect_color(&stage, cases[n].name, 9, 9, wanted);
-		stage_end_and_close(&stage);
+		gl_expect_color(&canvas, cases[n].name, 9, 9, wanted);
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -349,8 +351,8 @@ static void test_a_level_is_chosen_by_size(void **state)
 static void test_an_incomplete_texture_is_none(void **state)
 {
 	static const uint8_t black[3 * 16] = {0};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	bind_new(gl, GL_LINEAR, GL_REPEAT, GL_REPEAT);
@@ -359,11 +361,11 @@ static void test_an_incomplete_texture_is_none(void **state)
 	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGB,
 		GL_UNSIGNED_BYTE, black);
 	draw_part(gl, 0, 0, 1, 1);
-	gl_expect_color(&stage, "no levels", 9, 9, (double[]){1, 1, 1});
+	gl_expect_color(&canvas, "no levels", 9, 9, (double[]){1, 1, 1});
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 	draw_part(gl, 0, 0, 1, 1);
-	gl_expect_color(&stage, "one level", 9, 9, (double[]){0, 0, 0});
-	stage_end_and_close(&stage);
+	gl_expect_color(&canvas, "one level", 9, 9, (double[]){0, 0, 0});
+	gl_canvas_end_and_close(&canvas);
 }
 
 int main(void)

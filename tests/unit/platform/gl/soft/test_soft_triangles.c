@@ -62,8 +62,9 @@ static void test_each_pixel_is_covered_once(void **state)
 
 	(void)state;
 	for (uint32_t seed = 1; seed < 60; seed++) {
-		struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+		struct gl *gl = canvas.gl;
 
 		make_net(net, seed);
 		gl->Color4x(ONE * 40 / 255, 0, 0, ONE);
@@ -72,12 +73,12 @@ static void test_each_pixel_is_covered_once(void **state)
 		gl->EnableClientState(GL_VERTEX_ARRAY);
 		gl->VertexPointer(2, GL_FLOAT, 0, net);
 		gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
-		stage_end_frame(&stage);
-		for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-			stage_expect(&stage, i % STAGE_WIDTH, i / STAGE_WIDTH,
-				40, 0, 0, 0);
+		gl_canvas_end_frame(&canvas);
+		for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
+			gl_canvas_expect(&canvas, i % GL_CANVAS_WIDTH,
+				i / GL_CANVAS_WIDTH, 40, 0, 0, 0);
 		}
-		stage_close(&stage);
+		gl_canvas_close(&canvas);
 	}
 }
 
@@ -92,7 +93,11 @@ static struct framed open_framed(enum pixel_format format)
 	struct log log = log_to_stderr(LOG_WARNING);
 	struct framed framed;
 
-	assert_int_equal(gl_open("soft", format, &log, &framed.context), 0);
+	assert_int_equal(
+		gl_open("soft",
+			&(struct gl_request){.format = format, .log = &log},
+			&framed.context),
+		0);
 	assert_int_equal(pixels_alloc(&framed.all, 64 + 2 * BORDER,
 				 48 + 2 * BORDER, format, &log),
 		0);
@@ -226,8 +231,9 @@ static void test_every_plane_cuts(void **state)
 
 	(void)state;
 	for (int i = 0; i < 6; i++) {
-		struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-		struct gl *gl = stage.gl;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+		struct gl *gl = canvas.gl;
 		int axis = i / 2;
 		float a = axis == 0 ? 0.0f : -0.5f, b = axis == 1 ? 0.0f : -0.5f;
 		float vertex[3][3] = {{a, b, 0}, {-a, -b, 0}};
@@ -237,21 +243,21 @@ static void test_every_plane_cuts(void **state)
 		gl->EnableClientState(GL_VERTEX_ARRAY);
 		gl->VertexPointer(3, GL_FLOAT, 0, vertex);
 		gl->DrawArrays(GL_TRIANGLES, 0, 3);
-		stage_end_frame(&stage);
-		for (int p = 0; p < STAGE_WIDTH * STAGE_HEIGHT; p++) {
-			covered += stage.pixels.data[4 * p] == 255;
+		gl_canvas_end_frame(&canvas);
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			covered += canvas.pixels.data[4 * p] == 255;
 		}
 		/* Half of a band of half the picture, or a sliver in depth. */
 		assert_in_range(covered, axis == 2 ? 0 : 150, 210);
-		stage_close(&stage);
+		gl_canvas_close(&canvas);
 	}
 }
 
 static void test_the_same_depth_loses_to_less(void **state)
 {
 	static const float square[] = {-1, -1, 1, -1, -1, 1, 1, 1};
-	struct stage stage = stage_open("soft", PIXELS_RGB565);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	gl->Enable(GL_DEPTH_TEST);
@@ -264,21 +270,21 @@ static void test_the_same_depth_loses_to_less(void **state)
 	gl->Enable(GL_POLYGON_OFFSET_FILL);
 	gl->PolygonOffsetx(0, -2 * ONE);
 	gl->Color4x(0, 0, ONE, ONE);
-	gl->Scissor(0, 0, STAGE_WIDTH / 2, STAGE_HEIGHT);
+	gl->Scissor(0, 0, GL_CANVAS_WIDTH / 2, GL_CANVAS_HEIGHT);
 	gl->Enable(GL_SCISSOR_TEST);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	stage_end_frame(&stage);
-	stage_expect(&stage, 3, 3, 0, 0, 255, 0);
-	stage_expect(&stage, STAGE_WIDTH - 3, 3, 255, 0, 0, 0);
-	stage_close(&stage);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_expect(&canvas, 3, 3, 0, 0, 255, 0);
+	gl_canvas_expect(&canvas, GL_CANVAS_WIDTH - 3, 3, 255, 0, 0, 0);
+	gl_canvas_close(&canvas);
 }
 
-static int count_red(const struct stage *stage)
+static int count_red(const struct gl_canvas *canvas)
 {
 	int count = 0;
 
-	for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++) {
-		count += stage->pixels.data[4 * i] == 255;
+	for (int i = 0; i < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; i++) {
+		count += canvas->pixels.data[4 * i] == 255;
 	}
 	return count;
 }
@@ -287,24 +293,25 @@ static void test_lines_and_points_have_their_size(void **state)
 {
 	static const float ends[] = {-1, 0.04f, 0.99f, 0.04f};
 	static const float point[] = {0.5f, -0.5f};
-	struct stage stage = stage_open("soft", PIXELS_RGBA8888);
-	struct gl *gl = stage.gl;
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
 
 	(void)state;
 	gl->Color4x(ONE, 0, 0, ONE);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(2, GL_FLOAT, 0, ends);
 	gl->DrawArrays(GL_LINES, 0, 2);
-	assert_in_range(count_red(&stage), STAGE_WIDTH - 1, STAGE_WIDTH);
-	stage_expect(&stage, 5, STAGE_HEIGHT / 2 - 1, 255, 0, 0, 0);
+	assert_in_range(
+		count_red(&canvas), GL_CANVAS_WIDTH - 1, GL_CANVAS_WIDTH);
+	gl_canvas_expect(&canvas, 5, GL_CANVAS_HEIGHT / 2 - 1, 255, 0, 0, 0);
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 	gl->PointSizex(3 * ONE);
 	gl->VertexPointer(2, GL_FLOAT, 0, point);
 	gl->DrawArrays(GL_POINTS, 0, 1);
-	assert_int_equal(count_red(&stage), 9);
-	stage_expect(&stage, 24, 18, 255, 0, 0, 0);
-	stage_end_frame(&stage);
-	stage_close(&stage);
+	assert_int_equal(count_red(&canvas), 9);
+	gl_canvas_expect(&canvas, 24, 18, 255, 0, 0, 0);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
 }
 
 int main(void)

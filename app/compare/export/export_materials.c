@@ -1,4 +1,4 @@
-#include "app/compare/export/export_look.h"
+#include "app/compare/export/export_bake.h"
 
 #include <errno.h>
 #include <stdlib.h>

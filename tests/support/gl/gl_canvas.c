@@ -28,46 +28,48 @@ static void fail_or_skip(const char *driver, int error)
 	fail_msg("--gl %s: does not open: %s", driver, strerror(-error));
 }
 
-struct stage stage_open(const char *driver, enum pixel_format format)
+struct gl_canvas gl_canvas_open(const char *driver, enum pixel_format format)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
-	struct stage stage;
+	struct gl_canvas canvas;
 	int error;
 
-	error = gl_open(driver, format, &log, &stage.context);
+	error = gl_open(driver,
+		&(struct gl_request){.format = format, .log = &log},
+		&canvas.context);
 	if (error) {
 		fail_or_skip(driver, error);
 	}
-	stage.gl = &stage.context->gl;
-	assert_int_equal(pixels_alloc(&stage.pixels, STAGE_WIDTH, STAGE_HEIGHT,
-				 format, &log),
+	canvas.gl = &canvas.context->gl;
+	assert_int_equal(pixels_alloc(&canvas.pixels, GL_CANVAS_WIDTH,
+				 GL_CANVAS_HEIGHT, format, &log),
 		0);
-	assert_int_equal(
-		stage.context->driver->begin_frame(stage.context, &stage.pixels),
+	assert_int_equal(canvas.context->driver->begin_frame(
+				 canvas.context, &canvas.pixels),
 		0);
-	stage.gl->ClearColorx(0, 0, 0, FX16_ONE);
-	stage.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+	canvas.gl->ClearColorx(0, 0, 0, FX16_ONE);
+	canvas.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
 		GL_STENCIL_BUFFER_BIT);
-	return stage;
+	return canvas;
 }
 
-void stage_end_frame(struct stage *stage)
+void gl_canvas_end_frame(struct gl_canvas *canvas)
 {
-	assert_int_equal(stage->gl->GetError(), GL_NO_ERROR);
-	assert_int_equal(stage->context->driver->end_frame(stage->context), 0);
-	assert_int_equal(stage->gl->GetError(), GL_NO_ERROR);
+	assert_int_equal(canvas->gl->GetError(), GL_NO_ERROR);
+	assert_int_equal(canvas->context->driver->end_frame(canvas->context), 0);
+	assert_int_equal(canvas->gl->GetError(), GL_NO_ERROR);
 }
 
-void stage_close(struct stage *stage)
+void gl_canvas_close(struct gl_canvas *canvas)
 {
-	stage->context->driver->destroy(stage->context);
-	free(stage->pixels.data);
+	canvas->context->driver->destroy(canvas->context);
+	free(canvas->pixels.data);
 }
 
-void stage_end_and_close(struct stage *stage)
+void gl_canvas_end_and_close(struct gl_canvas *canvas)
 {
-	stage_end_frame(stage);
-	stage_close(stage);
+	gl_canvas_end_frame(canvas);
+	gl_canvas_close(canvas);
 }
 
 static void read_pixel(const struct pixels *pixels, int x, int y, int rgb[3])
@@ -88,12 +90,12 @@ static void read_pixel(const struct pixels *pixels, int x, int y, int rgb[3])
 	rgb[2] = (packed & 31) * 255 / 31;
 }
 
-void stage_expect(const struct stage *stage, int x, int y, int red, int green,
-	int blue, int tolerance)
+void gl_canvas_expect(const struct gl_canvas *canvas, int x, int y, int red,
+	int green, int blue, int tolerance)
 {
 	int rgb[3];
 
-	read_pixel(&stage->pixels, x, y, rgb);
+	read_pixel(&canvas->pixels, x, y, rgb);
 	if (abs(rgb[0] - red) > tolerance || abs(rgb[1] - green) > tolerance ||
 		abs(rgb[2] - blue) > tolerance) {
 		fail_msg("pixel (%d, %d) is (%d, %d, %d), not (%d, %d, %d) "
@@ -103,8 +105,8 @@ void stage_expect(const struct stage *stage, int x, int y, int red, int green,
 	}
 }
 
-void stage_draw_rectangle(struct gl *gl, float left, float bottom, float right,
-	float top, float z)
+void gl_canvas_draw_rectangle(struct gl *gl, float left, float bottom,
+	float right, float top, float z)
 {
 	const float vertices[] = {
 		left, bottom, z, right, bottom, z, left, top, z, right, top, z};
@@ -114,12 +116,12 @@ void stage_draw_rectangle(struct gl *gl, float left, float bottom, float right,
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void stage_draw_all(struct gl *gl)
+void gl_canvas_draw_all(struct gl *gl)
 {
-	stage_draw_rectangle(gl, -1, -1, 1, 1, 0);
+	gl_canvas_draw_rectangle(gl, -1, -1, 1, 1, 0);
 }
 
-GLuint stage_make_texture(struct gl *gl)
+GLuint gl_canvas_make_texture(struct gl *gl)
 {
 	static const GLubyte texels[] = {
 		255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
@@ -139,7 +141,7 @@ GLuint stage_make_texture(struct gl *gl)
 	return texture;
 }
 
-void stage_set_up_light(struct gl *gl)
+void gl_canvas_set_up_light(struct gl *gl)
 {
 	static const GLfixed black[] = {0, 0, 0, ONE};
 	static const GLfixed white[] = {ONE, ONE, ONE, ONE};
@@ -193,16 +195,16 @@ static void draw_cylinder(struct gl *gl)
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
 }
 
-void stage_draw_scene(struct stage *stage)
+void gl_canvas_draw_scene(struct gl_canvas *canvas)
 {
 	static const GLfixed material[] = {ONE, 3 * ONE / 4, ONE / 2, ONE};
 	static const GLfixed sky[] = {ONE / 8, ONE / 4, ONE / 2, ONE};
-	struct gl *gl = stage->gl;
-	GLuint texture = stage_make_texture(gl);
+	struct gl *gl = canvas->gl;
+	GLuint texture = gl_canvas_make_texture(gl);
 
 	gl->ClearColorx(ONE / 8, ONE / 4, ONE / 2, ONE);
 	gl->Clear(GL_COLOR_BUFFER_BIT);
-	stage_set_up_light(gl);
+	gl_canvas_set_up_light(gl);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, material);
 	gl->MatrixMode(GL_PROJECTION);
 	gl->Frustumx(-ONE, ONE, -ONE, ONE, 2 * ONE, 10 * ONE);
@@ -226,7 +228,7 @@ void stage_draw_scene(struct stage *stage)
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->Color4x(ONE, ONE, 0, ONE / 2);
-	stage_draw_rectangle(gl, -1, -1, 2, 0, 0.5f);
-	stage_end_frame(stage);
+	gl_canvas_draw_rectangle(gl, -1, -1, 2, 0, 0.5f);
+	gl_canvas_end_frame(canvas);
 	gl->DeleteTextures(1, &texture);
 }

@@ -1,5 +1,5 @@
-// What the test and the picture share: the server as a person starts it, and
-// Chromium with a page of it.
+// Starts the server as a user does, and Chromium with its page, for the test and
+// for the screenshot.
 
 const { spawn } = require("child_process");
 const fs = require("fs");
@@ -15,7 +15,7 @@ const FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
 
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 
-// Until get() is true; its value, or the last that was not.
+// Waits until get() returns a true value; returns its last value.
 async function until(get, ms = 20000, step = 100) {
 	const end = Date.now() + ms;
 	for (;;) {
@@ -51,7 +51,7 @@ class Server {
 		return this.said.match(/http:\S+/)?.[0];
 	}
 
-	// The emulated board's process, 0 when there is none.
+	// The process id of the emulated board's QEMU, or 0.
 	qemu() {
 		try {
 			const pid = Number(fs.readFileSync(path.join(this.folder, "pid")));
@@ -78,16 +78,16 @@ async function openBrowser(folder, options = {}) {
 		try {
 			fs.rmSync(profile, { recursive: true, force: true });
 		} catch {
-			/* Chromium still writes into it: it stays in build/. */
+			/* Chromium may still write to the folder, which stays in build/. */
 		}
 	});
 	return browser;
 }
 
 const phase = (page) => page.textContent("#phase");
-const told = async (page) =>
+const statusText = async (page) =>
 	`${await phase(page)}: ${await page.textContent("#notice")}`;
 const isRunning = (page) =>
 	until(async () => await phase(page) === "running", BOOT_MS);
 
-module.exports = { Server, openBrowser, isRunning, told, sleep, until, TOP };
+module.exports = { Server, openBrowser, isRunning, statusText, sleep, until, TOP };

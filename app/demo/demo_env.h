@@ -1,0 +1,49 @@
+/*
+ * What the program gives a demo: its environment when it is created, and later
+ * what to leave out of its frames.
+ */
+#ifndef APP_DEMO_DEMO_ENV_H
+#define APP_DEMO_DEMO_ENV_H
+
+#include "app/anim/clip.h"
+#include "app/anim/kernel/kernel.h"
+#include "app/demo/live.h"
+#include "app/scene/instance/influence_cap.h"
+#include "app/scene/instance/lod.h"
+#include "platform/base/log.h"
+#include "platform/display/pixels.h"
+#include "platform/gl/gl.h"
+
+/* What a demo is created with. Everything it points to outlives the demo. */
+struct demo_env {
+	const struct log *log;
+	const struct gl *gl;
+	enum pixel_format target;
+	const struct kernel *kernel;
+	int width, height;      /* of the picture, initially */
+	const char *model_path; /* the model file to show */
+	size_t memory_bytes;    /* the model's budget; 0: MODEL_MEMORY_BYTES */
+	const char *clip;       /* name or index of the first clip, or NULL */
+	enum clip_interpolation interpolation;
+	enum clip_repeat repeat; /* viewer only */
+	float speed;             /* viewer only; below 0: backwards */
+	struct influence_cap influence_cap; /* influences of a vertex */
+	struct lod lod;                     /* triangles */
+	int walkers;      /* of the crowd; 0: the demo's own number */
+	bool follow_file; /* reload the model when its file changes */
+	int64_t (*now_ns)(
+		void);   /* clock to measure with; NULL: do not measure */
+	bool unattended; /* nobody presses buttons: show everything */
+	const struct camera_feed *camera; /* video camera, or NULL */
+	enum live_use camera_use;         /* initially */
+	bool smooth;                      /* filter camera images linearly */
+};
+
+/* What a demo leaves out to keep a frame budget; all zero: nothing. */
+struct demo_reduction {
+	float error_px;     /* least error of the triangles; 0: unchanged */
+	int max_influences; /* of a vertex; 0: all */
+	bool hold_normals;  /* see instance.hold_normals */
+};
+
+#endif

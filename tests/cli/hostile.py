@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""hostile.py FOLDER: writes models that are small, valid in each number, and
+meant to make a program overflow, hang or fill the memory."""
+import json
+import os
+import struct
+import sys
+import zlib
+
+
+def gltf(**members):
+    return {"asset": {"version": "2.0"}, **members}
+
+
+def zeros(kind, count, component=5126):
+    """An accessor without a buffer view: its values are 0."""
+    return {"type": kind, "componentType": component, "count": count}
+
+
+def data(*values):
+    """A buffer of floats as a data URI, and the view of all of it."""
+    import base64
+
+    raw = struct.pack("<%df" % len(values), *values)
+    uri = "data:application/octet-stream;base64," + base64.b64encode(raw).decode()
+    return {
+        "buffers": [{"byteLength": len(raw), "uri": uri}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(raw)}],
+    }
+
+
+def many_nodes():
+    """Nodes times primitives is 2 to the power of 32."""
+    part = {"attributes": {"POSITION": 0}}
+    return gltf(
+        accessors=[zeros("VEC3", 3)],
+        meshes=[{"primitives": [part] * 65536}],
+        nodes=[{"mesh": 0}] * 65536,
+    )
+
+
+def shared_mesh():
+    """The vertices of all nodes are more than an int counts."""
+    times = {"type": "SCALAR", "componentType": 5126, "count": 2,
+             "bufferView": 0}
+    return gltf(
+        **data(0.0, 1.0),
+        accessors=[zeros("VEC3", 3000000), times, zeros("VEC3", 2)],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=[{"mesh": 0}] * 1500,
+        animations=[{
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0,
+                          "target": {"node": 0, "path": "translation"}}],
+        }],
+    )
+
+
+def empty_targets():
+    """Targets that displace nothing, but count."""
+    return gltf(
+        accessors=[zeros("VEC3", 300000)],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0},
+                                 "targets": [{}] * 2000}]}],
+        nodes=[{"mesh": 0}],
+    )
+
+
+def far_apart(distance=3e38):
+    """Triangles at both ends of the floats, or of what is accepted."""
+    return gltf(
+        **data(0, 0, 0, 1, 0, 0, 0, 1, 0),
+        accessors=[{"type": "VEC3", "componentType": 5126, "count": 3,
+                    "bufferView": 0}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=[{"mesh": 0, "translation": [-distance, 0, 0]},
+               {"mesh": 0, "translation": [distance, 0, 0]}],
+    )
+
+
+def nested_scales():
+    """Each node is within the limits; the product of their scales is not."""
+    nodes = [{"scale": [1e6] * 3, "children": [i + 1]} for i in range(12)]
+    return gltf(
+        **data(0, 0, 0, 1, 0, 0, 0, 1, 0),
+        accessors=[{"type": "VEC3", "componentType": 5126, "count": 3,
+                    "bufferView": 0}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=nodes + [{"mesh": 0}],
+        scenes=[{"nodes": [0]}],
+    )
+
+
+def names():
+    """Names with escape sequences, a C1 control and the end of a comment."""
+    evil = "*/ int evil;\x1b[31m\u009b31m\u202e/*"
+    times = {"type": "SCALAR", "componentType": 5126, "count": 2,
+             "bufferView": 0}
+    return gltf(
+        **data(0.0, 1.0),
+        accessors=[zeros("VEC3", 3), times, zeros("VEC3", 2)],
+        meshes=[{"name": evil, "primitives": [{"attributes": {"POSITION": 0}}],
+                 "extras": {"targetNames": [evil]}}],
+        nodes=[{"mesh": 0, "name": evil}],
+        animations=[{
+            "name": evil,
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0,
+                          "target": {"node": 0, "path": "translation"}}],
+        }],
+    )
+
+
+def png(side):
+    """A black picture, compressed about a thousand times."""
+    def chunk(kind, body):
+        return (struct.pack(">I", len(body)) + kind + body +
+                struct.pack(">I", zlib.crc32(kind + body)))
+
+    rows = zlib.compressobj(9)
+    body = b"".join(rows.compress(b"\0" * (side + 1)) for _ in range(side))
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", body + rows.flush()) + chunk(b"IEND", b""))
+
+
+def one_png_many_names():
+    """The same file under names that differ, and materials that use them."""
+    text = ["xof 0303txt 0032"]
+    for i in range(2000):
+        text.append('Material m%d{1;1;1;1;;1;1;1;1;;0;0;0;;TextureFilename{"'
+                    '%sbomb.png";}}' % (i, "./" * i))
+    text.append("Mesh{3;0;0;0;,1;0;0;,0;1;0;;1;3;0,1,2;;}")
+    return "\n".join(text)
+
+
+def many_warnings():
+    """A warning for each of many references."""
+    frames = "".join("{missing%d}" % i for i in range(100000))
+    return "xof 0303txt 0032\nFrame f{%s}\n%s" % (
+        frames, "Mesh{3;0;0;0;,1;0;0;,0;1;0;;1;3;0,1,2;;}")
+
+
+def main(folder):
+    made = {
+        "many-nodes.gltf": many_nodes(),
+        "shared-mesh.gltf": shared_mesh(),
+        "empty-targets.gltf": empty_targets(),
+        "far-apart.gltf": far_apart(),
+        "nested-scales.gltf": nested_scales(),
+        "names.gltf": names(),
+        "edge.gltf": far_apart(1e9),
+    }
+    for name, model in made.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            json.dump(model, file, separators=(",", ":"))
+    with open(os.path.join(folder, "bomb.png"), "wb") as file:
+        file.write(png(4096))
+    for name, text in {
+        "many-names.x": one_png_many_names(),
+        "many-warnings.x": many_warnings(),
+    }.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+
+main(sys.argv[1])

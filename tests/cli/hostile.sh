@@ -1,0 +1,107 @@
+#!/bin/sh
+# Models that are small and valid in each number, but that would make a program
+# overflow, hang or fill the memory (hostile.py writes them). Each command ends
+# within seconds, with a picture or with one sentence.
+. "$(dirname "$0")/../support/cli.sh"
+RUN_SECONDS=${RUN_SECONDS:-60}
+
+python3 "$(dirname "$0")/hostile.py" "$scratch"
+
+# expect_too_large NAME: each command that poses the model refuses it by its
+# need of memory.
+expect_too_large() {
+    for command in info "pose -o $scratch/x.obj" \
+        "render --size 64x64 -o $scratch/x.png"; do
+        # shellcheck disable=SC2086 # a command and its options
+        limber $command "$scratch/$1"
+        expect_refusal 1 'more than 256 MiB of memory: .*--memory'
+    done
+}
+
+expect_too_large many-nodes.gltf
+expect_too_large shared-mesh.gltf
+limber compare "$scratch/shared-mesh.gltf"
+expect_refusal 1 'more than 256 MiB of memory: .*--memory'
+for model in many-nodes shared-mesh empty-targets; do
+    limber export "$scratch/$model.gltf" --c "$scratch/x.c"
+    expect_refusal 1 'too large to be C source'
+done
+
+# Numbers are finite and of a sane size; what nodes make of them may not be.
+limber info "$scratch/far-apart.gltf"
+expect_refusal 1 'nodes/0/translation/0: is larger than 1e9'
+for model in nested-scales edge; do
+    limber info "$scratch/$model.gltf"
+    expect_status 0
+    for command in "render --size 64x64 -o $scratch/x.png" \
+        "play --display null --frames 2"; do
+        # shellcheck disable=SC2086 # a command and its options
+        limber $command "$scratch/$model.gltf"
+        expect_status 0
+    done
+done
+
+# Files that never end, and that hold no text.
+for option in --config --script; do
+    limber play --demo arm --display null --frames 2 $option /dev/zero
+    expect_refusal 1 '/dev/zero'
+done
+
+# A signal ends whatever limber does within a second, and disables the watchdog.
+: >"$scratch/watchdog"
+# shellcheck disable=SC2086 # a command and its arguments
+$limber play --demo walker --time 86400 --display null --no-labels \
+    --watchdog "$scratch/watchdog" >"$out_file" 2>"$err_file" &
+child=$!
+sleep 1
+kill -TERM $child
+began=$(date +%s)
+wait $child
+took=$(($(date +%s) - began))
+check 'SIGTERM ends a long preparation within a second' test $took -le 2
+check 'the watchdog is disabled then' \
+    test "$(tail -c 1 "$scratch/watchdog")" = V
+
+# So does a reader of standard output that goes away.
+: >"$scratch/watchdog"
+# shellcheck disable=SC2086 # a command and its arguments
+$limber play --demo walker --display null --watchdog "$scratch/watchdog" \
+    >"$out_file" 2>"$err_file" &
+child=$!
+sleep 1
+kill -PIPE $child
+wait $child
+check 'SIGPIPE leaves the watchdog disabled' \
+    test "$(tail -c 1 "$scratch/watchdog")" = V
+
+# One picture under many names, and a warning for each of many references.
+expect_too_large many-names.x
+limber pose -o "$scratch/x.obj" "$scratch/many-warnings.x"
+expect_status 0
+expect_err_lines 9
+expect_err '99992 more warnings'
+
+# Names reach neither a terminal nor a compiler as they are.
+for command in info "info --json" doctor "doctor --json" compare \
+    "compare --format json" "export --c $scratch/names.c"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $command "$scratch/names.gltf"
+    expect_status 0
+    check "$tap_about: prints no control characters" \
+        sh -c '! LC_ALL=C grep -aq "$(printf "[\001-\010\013-\037\177]\|\302[\200-\237]\|\342\200\256")" "$@"' \
+        sh "$out_file" "$err_file"
+done
+check 'the end of a comment in a name does not end the comment' \
+    sh -c "! grep -q '\*/ int evil' '$scratch/names.c'"
+
+# The limit is an option.
+limber info --memory 100k "$slider"
+expect_refusal 1 'more than 100 KiB of memory'
+limber info --memory 1m "$slider"
+expect_status 0
+for wrong in 0 -1 x 1t 9g 1e99 nan; do
+    limber info --memory "$wrong" "$slider"
+    expect_refusal 2 '--memory .*such as'
+done
+
+tap_done

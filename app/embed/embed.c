@@ -28,6 +28,17 @@ static void add_product(struct embed *embed, int *sum, int a, int b)
 	add(embed, sum, product);
 }
 
+/* An upper bound of the tables' size, before any of them is printed. */
+static double table_bytes(const struct embed *embed)
+{
+	return 28.0 * embed->vertices + 4.0 * embed->indices +
+		6.0 * embed->influences + 4.0 * embed->targets +
+		50.0 * embed->joints + 4.0 * embed->weights +
+		42.0 * embed->model->node_count + 60.0 * embed->parts +
+		16.0 * embed->channels + 4.0 * embed->times +
+		4.0 * embed->values;
+}
+
 static void count_part(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
@@ -43,6 +54,9 @@ static void count_part(struct embed *embed, const struct embed_part *part)
 		add_product(embed, &embed->influences, primitive->vertex_count,
 			primitive->influences);
 	}
+	/* Nodes times primitives may be more than anyone waits for. */
+	embed->too_large =
+		embed->too_large || table_bytes(embed) > TABLE_BYTES_MAX;
 }
 
 /* The player has 16 bits for some of the clip's numbers. */
@@ -73,17 +87,6 @@ static void count_all(struct embed *embed)
 		count_channel(embed, &embed->clip->channel[c]);
 	}
 	embed->too_large = embed->too_large || model->node_count > INT16_MAX;
-}
-
-/* An upper bound of the tables' size, before any of them is printed. */
-static double table_bytes(const struct embed *embed)
-{
-	return 28.0 * embed->vertices + 4.0 * embed->indices +
-		6.0 * embed->influences + 4.0 * embed->targets +
-		50.0 * embed->joints + 4.0 * embed->weights +
-		42.0 * embed->model->node_count + 60.0 * embed->parts +
-		16.0 * embed->channels + 4.0 * embed->times +
-		4.0 * embed->values;
 }
 
 static int check_size(const struct embed *embed, const struct log *log)

@@ -1,5 +1,7 @@
 #include "app/cmd/bench/bench_report.h"
 
+#include "platform/base/json_memory.h"
+
 #include <errno.h>
 #include <string.h>
 
@@ -110,18 +112,31 @@ static json_t *results(const struct bench_report *report)
 int bench_print_json(
 	const struct bench_report *report, const struct log *log, FILE *out)
 {
-	json_t *root = json_pack("{s:s?, s:i, s:s, s:o}", "model", report->mesh,
-		"runs", report->runs, "unit", "ns a vertex", "results",
-		results(report));
+	json_t *root;
+	bool dumped;
+
+	json_memory_begin();
+	root = json_pack("{s:s?, s:i, s:s, s:o}", "model", report->mesh, "runs",
+		report->runs, "unit", "ns a vertex", "results", results(report));
+	if (!json_memory_ok()) {
+		log_error(log, "bench: there is not enough memory");
+		json_decref(root);
+		return -ENOMEM;
+	}
 
 	if (!root) {
 		log_error(log,
 			"bench: the model's file name is not UTF-8, or there is not enough memory: rename the file");
 		return -EINVAL;
 	}
-	json_dumpf(root, out,
-		JSON_INDENT(2) | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(5));
+	dumped = json_dumpf(root, out,
+			 JSON_INDENT(2) | JSON_ENSURE_ASCII |
+				 JSON_REAL_PRECISION(5)) == 0;
 	fputc('\n', out);
 	json_decref(root);
+	if (!dumped && !ferror(out)) {
+		log_error(log, "bench: there is not enough memory");
+		return -ENOMEM;
+	}
 	return 0;
 }

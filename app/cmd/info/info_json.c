@@ -1,5 +1,7 @@
 #include "app/cmd/info/info_report.h"
 
+#include "platform/base/json_memory.h"
+
 #include <errno.h>
 
 #include <jansson.h>
@@ -119,7 +121,11 @@ int info_print_json(
 {
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
-	json_t *root = json_pack(
+	json_t *root;
+	int error = 0;
+
+	json_memory_begin();
+	root = json_pack(
 		"{s:s, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o}",
 		"file", model->path, "format", model->format, "nodes",
 		model->node_count, "vertices", stats->vertex_count, "triangles",
@@ -127,8 +133,12 @@ int info_print_json(
 		"joints", report->joint_count, "meshes", meshes(model), "skins",
 		skins(model), "influences", influences(stats), "clips",
 		clips(model), "images", images(model), "bytes", bytes(report));
-	int error = 0;
 
+	if (!json_memory_ok()) {
+		log_error(log, "%s: there is not enough memory", model->path);
+		json_decref(root);
+		return -ENOMEM;
+	}
 	if (!root) {
 		log_error(log,
 			"%s: a name in it is not UTF-8, which JSON requires: use limber info without --json",

@@ -1,5 +1,6 @@
 #include "app/compare/export/glb.h"
 
+#include "platform/base/json_memory.h"
 #include "platform/base/output_file.h"
 
 #include <errno.h>
@@ -18,6 +19,7 @@ enum {
 
 void glb_begin(struct glb *glb)
 {
+	json_memory_begin();
 	*glb = (struct glb){.root = json_object(),
 		.accessors = json_array(),
 		.views = json_array()};
@@ -202,7 +204,7 @@ int glb_write(struct glb *glb, const char *path, const struct log *log)
 	glb_set(glb, "bufferViews", json_incref(glb->views));
 	if (!glb->error) {
 		text = json_dumps(glb->root, JSON_COMPACT);
-		glb->error = text ? 0 : -ENOMEM;
+		glb->error = text && json_memory_ok() ? 0 : -ENOMEM;
 	}
 	error = glb->error;
 	if (error) {

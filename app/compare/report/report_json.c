@@ -1,5 +1,7 @@
 #include "app/compare/report/report.h"
 
+#include "platform/base/json_memory.h"
+
 #include "app/compare/candidate_morph.h"
 
 #include <errno.h>
@@ -79,10 +81,12 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 {
 	const struct reference *reference = comparison->reference;
 	const struct screen_view *screen = &comparison->screen;
-	json_t *candidates = json_array(), *times = json_array();
-	json_t *root;
+	json_t *candidates, *times, *root;
 	int failed;
 
+	json_memory_begin();
+	candidates = json_array();
+	times = json_array();
 	for (int i = 0; i < comparison->candidate_count; i++) {
 		json_array_append_new(candidates, candidate_json(comparison, i));
 	}
@@ -105,6 +109,10 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 		"reason", comparison->reason, "advised_by",
 		cost_names[comparison->cost], "candidates", candidates);
 	if (!root) {
+		return -ENOMEM;
+	}
+	if (!json_memory_ok()) {
+		json_decref(root);
 		return -ENOMEM;
 	}
 	failed = json_dumpf(root, out,

@@ -2,6 +2,7 @@
 #include "app/model/gltf/gltf_internal.h"
 #include "app/model/gltf/uri.h"
 #include "app/model/little_endian.h"
+#include "platform/base/json_memory.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -124,8 +125,12 @@ static int parse(struct gltf *gltf, const struct chunk *text)
 	if (gltf_take(&gltf->root, values, JSON_VALUE_BYTES) != 0) {
 		return -ENOMEM;
 	}
+	json_memory_begin();
 	gltf->json = json_loadb((const char *)text->data, text->size,
 		JSON_REJECT_DUPLICATES, &error);
+	if (!json_memory_ok()) {
+		return gltf_no_memory(&gltf->root);
+	}
 	if (!gltf->json) {
 		return gltf_fail(&gltf->root, -EINVAL, "line %d, column %d: %s",
 			error.line, error.column, error.text);

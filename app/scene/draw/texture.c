@@ -8,7 +8,8 @@
 #include <string.h>
 
 enum {
-	SIDE_MAX = 1024
+	SIDE_MAX = 1024,
+	ERRORS_MAX = 16 /* a driver without a context may never run out */
 };
 
 /* An image whose sides are powers of two. */
@@ -206,6 +207,21 @@ static void set_sampling(
 		sampling->wrap_t == MODEL_CLAMP ? GL_CLAMP_TO_EDGE : GL_REPEAT);
 }
 
+bool texture_memory_ok(const struct gl *gl)
+{
+	bool fine = true;
+
+	for (int i = 0; i < ERRORS_MAX; i++) {
+		GLenum error = gl->GetError();
+
+		if (error == GL_NO_ERROR) {
+			break;
+		}
+		fine = fine && error != GL_OUT_OF_MEMORY;
+	}
+	return fine;
+}
+
 GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 	const struct model_texture *sampling, enum pixel_format target)
 {
@@ -232,6 +248,10 @@ GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 	while (sampling->mipmap && (texels.width > 1 || texels.height > 1)) {
 		halve(&texels);
 		upload_level(gl, ++level, &texels, packing, packed);
+	}
+	if (!texture_memory_ok(gl)) {
+		gl->DeleteTextures(1, &name);
+		name = 0;
 	}
 out:
 	free(packed);

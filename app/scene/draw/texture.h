@@ -44,4 +44,10 @@ void texture_bind(
 GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 	const struct model_texture *sampling, enum pixel_format target);
 
+/*
+ * Reads the GL's errors. Returns false if one of them was GL_OUT_OF_MEMORY: a
+ * texture that was given its image before may have none.
+ */
+bool texture_memory_ok(const struct gl *gl);
+
 #endif

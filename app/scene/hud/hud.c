@@ -1,5 +1,6 @@
 #include "app/scene/hud/hud.h"
 
+#include "app/scene/draw/texture.h"
 #include "app/scene/draw/triangle_list.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -30,6 +31,13 @@ static void set_filter(const struct gl *gl, GLint filter)
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
 }
 
+static int fail(const struct log *log)
+{
+	log_error(log,
+		"there is not enough memory for the texture of the labels' font");
+	return -ENOMEM;
+}
+
 int hud_init(struct hud *hud, const struct gl *gl, const struct log *log)
 {
 	const struct font *font = &font_default;
@@ -45,9 +53,7 @@ int hud_init(struct hud *hud, const struct gl *gl, const struct log *log)
 	hud_begin(hud, 1, 1);
 	gl->GenTextures(1, &hud->texture);
 	if (!hud->texture) {
-		log_error(log,
-			"there is not enough memory for the texture of the labels' font");
-		return -ENOMEM;
+		return fail(log);
 	}
 	gl->BindTexture(GL_TEXTURE_2D, hud->texture);
 	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -56,6 +62,10 @@ int hud_init(struct hud *hud, const struct gl *gl, const struct log *log)
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 	gl->TexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, font->width, font->height, 0,
 		GL_ALPHA, GL_UNSIGNED_BYTE, font->alpha);
+	if (!texture_memory_ok(gl)) {
+		hud_finish(hud, gl);
+		return fail(log);
+	}
 	return 0;
 }
 

@@ -227,6 +227,10 @@ static bool is_damaged(
 	if (buffer->flags & V4L2_BUF_FLAG_ERROR) {
 		return true;
 	}
+	/* A driver that claims more than its buffer holds is not trusted. */
+	if (buffer->bytesused > device->buffer[buffer->index].length) {
+		return true;
+	}
 	/* Some drivers leave bytesused at 0. */
 	return !device->library && buffer->bytesused != 0 &&
 		buffer->bytesused < (uint32_t)device->layout.size;

@@ -219,6 +219,7 @@ static int take_picture(struct v4l2_fake *fake, struct v4l2_buffer *buffer)
 	buffer->flags = fake->damaged ? V4L2_BUF_FLAG_ERROR : 0;
 	buffer->bytesused = fake->vendor ? 0
 		: fake->short_of         ? fake->size - 1
+		: fake->excess           ? 0x7fffffff
 					 : fake->size;
 	return 0;
 }

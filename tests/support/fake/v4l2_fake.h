@@ -44,6 +44,7 @@ struct v4l2_fake {
 	bool unplugged;
 	bool damaged;  /* pictures carry an error flag */
 	bool short_of; /* pictures lack their last byte */
+	bool excess;   /* pictures claim more bytes than their buffer has */
 
 	int next;      /* number of the next picture */
 	int ready;     /* pictures that DQBUF can take */

@@ -209,6 +209,11 @@ static void test_damaged_and_short_pictures_are_queued_again(void **state)
 	assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
 	assert_int_equal(fake->queued, 3);
 	fake->short_of = false;
+	fake->excess = true;
+	fake->ready = 1;
+	assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
+	assert_int_equal(fake->queued, 3);
+	fake->excess = false;
 	fake->ready = 1;
 	assert_true(v4l2_session_dequeue(&session, 20) >= 0);
 	end(fake, &session);

@@ -1,0 +1,21 @@
+/*
+ * Noticing every allocation of jansson that fails.
+ *
+ * Many of jansson's functions accept NULL where an earlier one found no memory,
+ * so a value may be missing from a file that looks complete. Between
+ * json_memory_begin() and json_memory_ok() all of them are watched; whoever
+ * builds or reads JSON checks the result before using it. Jansson has one
+ * allocator for the whole process, so the watch is for one thread at a time.
+ */
+#ifndef PLATFORM_BASE_JSON_MEMORY_H
+#define PLATFORM_BASE_JSON_MEMORY_H
+
+#include <stdbool.h>
+
+/* Begins to watch, and forgets earlier failures. */
+void json_memory_begin(void);
+
+/* Whether no allocation has failed since json_memory_begin(). */
+bool json_memory_ok(void);
+
+#endif

@@ -533,8 +533,9 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	if (pixels_alloc(&pixels, WIDTH, HEIGHT, format, &log) != 0 ||
-		gl_open(argc > 3 ? argv[3] : "soft", format, &log, &context) !=
-			0) {
+		gl_open(argc > 3 ? argv[3] : "soft",
+			&(struct gl_request){.format = format, .log = &log},
+			&context) != 0) {
 		return EXIT_FAILURE;
 	}
 	draw_frames(context, &pixels, &scene, atoi(argv[2]));

@@ -45,7 +45,11 @@ static struct scene *open_scene(enum pixel_format format)
 		.format = format,
 		.data = scene->bytes,
 	};
-	assert_int_equal(gl_open("soft", format, &log, &scene->context), 0);
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = format, .log = &log},
+				 &scene->context),
+		0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
 	return scene;

@@ -78,6 +78,7 @@ static void count_all(struct embed *embed)
 
 	embed_each_part(embed, count_part);
 	for (int i = 0; i < model->skin_count; i++) {
+		embed->skin_first[i] = embed->joints;
 		add(embed, &embed->joints, model->skin[i].joint_count);
 		embed->wide_joint =
 			embed->wide_joint || model->skin[i].joint_count > 256;
@@ -113,8 +114,8 @@ static void put_part(struct embed *embed, const struct embed_part *part)
 		&embed->model->material[primitive->material];
 	int skin = -1;
 
-	for (int s = 0; embed_is_skinned(part) && s <= part->node->skin; s++) {
-		skin = s == 0 ? 0 : skin + embed->model->skin[s - 1].joint_count;
+	if (embed_is_skinned(part)) {
+		skin = embed->skin_first[part->node->skin];
 	}
 	fprintf(embed->out,
 		"\n\t{{%.9g, %.9g, %.9g, %.9g}, %d, %d, %d, %d, %d, %d, "
@@ -260,37 +261,47 @@ static int check_nodes(const struct model *model, const struct log *log)
 	return 0;
 }
 
+static void print_all(struct embed *embed)
+{
+	print_head(embed);
+	embed_print_vertices(embed);
+	embed_print_nodes(embed);
+	embed_print_skins(embed);
+	embed_print_clip(embed);
+	print_parts(embed);
+	print_state(embed);
+	print_player(embed);
+	/* The player's own table, an identity matrix. */
+	embed->rom_bytes += 48;
+}
+
 int embed_print(const struct model *model, int clip, const char *prefix,
 	const struct log *log, FILE *out, struct embed_size *size)
 {
+	struct arena arena = arena_within(model->budget);
 	struct embed embed = {
 		.model = model,
 		.clip = clip >= 0 ? &model->clip[clip] : NULL,
 		.out = out,
+		.skin_first =
+			ARENA_ARRAY(&arena, int, (size_t)model->skin_count),
 	};
 	int error = set_prefix(&embed, prefix, log);
 
+	if (!error && !embed.skin_first) {
+		error = memory_budget_fail(model->budget, model->path, log);
+	}
 	if (!error) {
 		error = check_nodes(model, log);
 	}
-	if (error) {
-		return error;
+	if (!error) {
+		count_all(&embed);
+		error = check_size(&embed, log);
 	}
-	count_all(&embed);
-	error = check_size(&embed, log);
-	if (error) {
-		return error;
+	if (!error) {
+		print_all(&embed);
+		*size = (struct embed_size){embed.rom_bytes, ram_bytes(&embed)};
 	}
-	print_head(&embed);
-	embed_print_vertices(&embed);
-	embed_print_nodes(&embed);
-	embed_print_skins(&embed);
-	embed_print_clip(&embed);
-	print_parts(&embed);
-	print_state(&embed);
-	print_player(&embed);
-	/* The player's own table, an identity matrix. */
-	embed.rom_bytes += 48;
-	*size = (struct embed_size){embed.rom_bytes, ram_bytes(&embed)};
-	return 0;
+	arena_release(&arena);
+	return error;
 }

@@ -35,6 +35,7 @@ struct embed {
 	bool wide_index, wide_joint;
 	bool too_large; /* a count does not fit its type */
 
+	int *skin_first; /* [skin_count]: the first joint in the tables */
 	struct embed_offsets next; /* of the part to list next */
 };
 

@@ -111,6 +111,18 @@ def names():
     )
 
 
+def repeated_levels():
+    """A list that names one level of detail again and again."""
+    long = [0.0] * 20000
+    return gltf(
+        accessors=[zeros("VEC3", 3)],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}] * 2,
+        nodes=[{"mesh": 0, "translation": long,
+                "extensions": {"MSFT_lod": {"ids": [1] * 60000}}},
+               {"mesh": 1, "translation": long}],
+    )
+
+
 def png(side):
     """A black picture, compressed about a thousand times."""
     def chunk(kind, body):
@@ -149,6 +161,7 @@ def main(folder):
         "far-apart.gltf": far_apart(),
         "nested-scales.gltf": nested_scales(),
         "names.gltf": names(),
+        "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
     }
     for name, model in made.items():

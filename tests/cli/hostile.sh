@@ -41,6 +41,10 @@ for model in nested-scales edge; do
     done
 done
 
+# The time that a file takes grows with its size, not with the square.
+RUN_SECONDS=10 limber info "$scratch/repeated-levels.gltf"
+expect_refusal 1 'has 20000 numbers instead of 3'
+
 # Files that never end, and that hold no text.
 for option in --config --script; do
     limber play --demo arm --display null --frames 2 $option /dev/zero

@@ -227,6 +227,10 @@ static void find_node_levels(
 	{
 		int number = valid_index(id, gltf->node_count);
 
+		/* A list of any length shall not be compared with the node. */
+		if (i >= LEVELS_MAX) {
+			break;
+		}
 		if (number < 0 || gltf->node_is_level[number]) {
 			continue;
 		}

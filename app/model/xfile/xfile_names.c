@@ -1,65 +1,127 @@
 #include "app/model/xfile/xfile_names.h"
 
 #include <errno.h>
-#include <stdint.h>
 #include <string.h>
 
+/*
+ * A node tells names apart by their byte at index byte, of which mask has all
+ * bits set but one. A child is the number of a node, or -1 - the number of a
+ * name. Bytes and bits grow towards the leaves.
+ */
+struct xfile_name_node {
+	size_t byte;
+	uint8_t mask;
+	int child[2];
+};
+
 struct xfile_named {
-	const char *name; /* NULL means that the slot is free */
+	const char *name;
 	int number;
 };
 
 int xfile_names_init(
 	struct xfile_names *names, struct arena *arena, size_t count)
 {
-	size_t size = 4;
-
-	/* At least half of the slots stay free, which keeps probes short. */
-	while (size / 2 < count) {
-		size *= 2;
-	}
-	names->mask = size - 1;
-	names->table = ARENA_ARRAY(arena, struct xfile_named, size);
-	return names->table ? 0 : -ENOMEM;
+	*names = (struct xfile_names){
+		.named = ARENA_ARRAY(arena, struct xfile_named, count),
+		.node = ARENA_ARRAY(arena, struct xfile_name_node, count),
+	};
+	return names->named && names->node ? 0 : -ENOMEM;
 }
 
-/* FNV-1a. */
-static size_t hash(const char *name)
+/* 1 if the bit that mask leaves out is set in byte, else 0. */
+static int side(uint8_t mask, uint8_t byte)
 {
-	uint32_t hash = 2166136261u;
-
-	for (; *name; name++) {
-		hash = (hash ^ (unsigned char)*name) * 16777619u;
-	}
-	return hash;
+	return (1 + (mask | byte)) >> 8;
 }
 
-/* The slot of the name, or the free slot for it. */
-static struct xfile_named *look_up(
-	const struct xfile_names *names, const char *name)
+/* The child of the node that a name of that length belongs to. */
+static int choose(
+	const struct xfile_name_node *node, const char *name, size_t length)
 {
-	size_t slot = hash(name) & names->mask;
+	return side(node->mask,
+		node->byte < length ? (uint8_t)name[node->byte] : 0);
+}
 
-	while (names->table[slot].name &&
-		strcmp(names->table[slot].name, name) != 0) {
-		slot = (slot + 1) & names->mask;
+/* The only name that can be equal; there is at least one. */
+static const struct xfile_named *look_up(
+	const struct xfile_names *names, const char *name, size_t length)
+{
+	int at = names->root;
+
+	while (at >= 0) {
+		const struct xfile_name_node *node = &names->node[at];
+
+		at = node->child[choose(node, name, length)];
 	}
-	return &names->table[slot];
+	return &names->named[-1 - at];
+}
+
+/* All bits but the highest one in which two different bytes differ. */
+static uint8_t mask_of(uint8_t a, uint8_t b)
+{
+	uint8_t bits = a ^ b;
+
+	bits |= (uint8_t)(bits >> 1);
+	bits |= (uint8_t)(bits >> 2);
+	bits |= (uint8_t)(bits >> 4);
+	return (uint8_t) ~(bits & ~(bits >> 1));
+}
+
+/* Adds a leaf that differs from the tree's closest name at that byte. */
+static void insert(struct xfile_names *names, const char *name, size_t length,
+	const char *closest, size_t byte)
+{
+	uint8_t mask = mask_of((uint8_t)name[byte], (uint8_t)closest[byte]);
+	int own = side(mask, (uint8_t)name[byte]);
+	int *link = &names->root;
+	struct xfile_name_node *added = &names->node[names->node_count];
+
+	while (*link >= 0) {
+		struct xfile_name_node *node = &names->node[*link];
+
+		if (node->byte > byte ||
+			(node->byte == byte && node->mask > mask)) {
+			break;
+		}
+		link = &node->child[choose(node, name, length)];
+	}
+	*added = (struct xfile_name_node){.byte = byte, .mask = mask};
+	added->child[own] = -1 - names->named_count;
+	added->child[1 - own] = *link;
+	*link = names->node_count++;
 }
 
 void xfile_names_add(struct xfile_names *names, const char *name, int number)
 {
-	struct xfile_named *named = look_up(names, name);
+	size_t length = strlen(name), byte = 0;
 
-	if (*name && !named->name) {
-		named->name = name;
-		named->number = number;
+	if (length == 0) {
+		return;
 	}
+	if (names->named_count == 0) {
+		names->root = -1;
+	} else {
+		const char *closest = look_up(names, name, length)->name;
+
+		if (strcmp(closest, name) == 0) {
+			return;
+		}
+		while (closest[byte] == name[byte]) {
+			byte++;
+		}
+		insert(names, name, length, closest, byte);
+	}
+	names->named[names->named_count++] = (struct xfile_named){name, number};
 }
 
 int xfile_names_find(const struct xfile_names *names, const char *name)
 {
-	const struct xfile_named *named = look_up(names, name);
+	const struct xfile_named *named;
 
-	return named->name ? named->number : -1;
+	if (names->named_count == 0) {
+		return -1;
+	}
+	named = look_up(names, name, strlen(name));
+	return strcmp(named->name, name) == 0 ? named->number : -1;
 }

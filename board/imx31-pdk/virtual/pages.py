@@ -146,7 +146,7 @@ class Pages:
             said = json.loads(data)
             kind = said["type"]
             job = self.job(page, kind, said)
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             return
         if job:
             task = asyncio.create_task(job)

@@ -1,6 +1,6 @@
 #include "app/cmd/info/info_report.h"
+#include "app/cmd/time_text.h"
 #include "platform/base/printable.h"
-#include "platform/base/time_text.h"
 
 #include <errno.h>
 

@@ -1,7 +1,7 @@
 #include "app/cmd/options/options_table.h"
 
+#include "app/cmd/time_text.h"
 #include "app/compare/report/report.h"
-#include "platform/base/time_text.h"
 
 #include <stddef.h>
 #include <stdlib.h>

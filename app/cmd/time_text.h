@@ -1,8 +1,8 @@
 /*
  * Times as people write them: in seconds, in frames at a rate, or in ticks.
  */
-#ifndef PLATFORM_BASE_TIME_TEXT_H
-#define PLATFORM_BASE_TIME_TEXT_H
+#ifndef APP_CMD_TIME_TEXT_H
+#define APP_CMD_TIME_TEXT_H
 
 /* 3ds Max counts time in ticks: 160 a frame at 30 frames a second. */
 #define TICKS_PER_SECOND 4800

@@ -1,4 +1,4 @@
-#include "platform/base/time_text.h"
+#include "app/cmd/time_text.h"
 
 #include <errno.h>
 #include <stdlib.h>

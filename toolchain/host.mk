@@ -14,7 +14,8 @@ RUN_host :=
 
 # The sanitizers check memory accesses, leaks and undefined behaviour.
 CC_asan := gcc
-CFLAGS_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined \
+CFLAGS_asan := -O1 -g -fno-omit-frame-pointer \
+	-fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 SETS_asan := host font
 PACKAGES_asan := $(PACKAGES_host)

@@ -61,4 +61,16 @@ static inline float scalar_clamp(float value, float low, float high)
 	return value > low ? value : low;
 }
 
+/*
+ * The integer part of value, clamped to low..high; NaN gives low. C leaves the
+ * conversion of other values undefined, and processors differ in it.
+ */
+static inline int scalar_to_int(double value, int low, int high)
+{
+	if (value >= (double)high) {
+		return high;
+	}
+	return value > (double)low ? (int)value : low;
+}
+
 #endif

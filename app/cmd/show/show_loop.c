@@ -1,7 +1,12 @@
 #include "app/cmd/show/show_state.h"
 
 #include "app/cmd/progress.h"
+#include "platform/base/scalar.h"
 #include "platform/process/stop.h"
+
+enum {
+	FRAMES_MAX = 1000000 /* as --frames */
+};
 
 /* Feeding only here lets the watchdog act when frames stop. */
 static void feed_watchdog(struct show *show)
@@ -74,9 +79,8 @@ static int period_frames(const struct show *show)
 {
 	double period_s = show->plan->demo->period_s(show->demo);
 	double rate_hz = show->clock.fixed ? show->clock.rate_hz : 30.0;
-	int frames = (int)(period_s * rate_hz + 0.5);
 
-	return frames < 1 ? 1 : frames;
+	return scalar_to_int(period_s * rate_hz + 0.5, 1, FRAMES_MAX);
 }
 
 int show_loop_run(struct show *show)

@@ -1,6 +1,7 @@
 #include "app/compare/report/report.h"
 
 #include "platform/base/output_file.h"
+#include "platform/base/scalar.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +15,8 @@ enum {
 	CHART_HEIGHT = 300,
 	CHART_LEFT = 64,
 	CHART_STEP = 480,
-	CHART_TOP = 60
+	CHART_TOP = 60,
+	DECADES_MAX = 99
 };
 
 /* Smaller errors are drawn here, as the axis is logarithmic. */
@@ -69,10 +71,16 @@ static void fit_axes(struct chart *chart, const struct comparison *comparison)
 			1e-9);
 		double y = log10(shown_px(&comparison->candidate[i]));
 
-		chart->low_x = (int)fmin(chart->low_x, floor(x));
-		chart->high_x = (int)fmax(chart->high_x, floor(x) + 1.0);
-		chart->low_y = (int)fmin(chart->low_y, floor(y));
-		chart->high_y = (int)fmax(chart->high_y, floor(y) + 1.0);
+		chart->low_x = scalar_to_int(fmin(chart->low_x, floor(x)),
+			-DECADES_MAX, DECADES_MAX);
+		chart->high_x =
+			scalar_to_int(fmax(chart->high_x, floor(x) + 1.0),
+				-DECADES_MAX, DECADES_MAX);
+		chart->low_y = scalar_to_int(fmin(chart->low_y, floor(y)),
+			-DECADES_MAX, DECADES_MAX);
+		chart->high_y =
+			scalar_to_int(fmax(chart->high_y, floor(y) + 1.0),
+				-DECADES_MAX, DECADES_MAX);
 	}
 }
 

@@ -141,9 +141,24 @@ static void test_clamp_keeps_to_its_limits(void **state)
 	assert_true(scalar_clamp(NAN, 0, 2) == 0);
 }
 
+static void test_integers_are_clamped(void **state)
+{
+	(void)state;
+	assert_int_equal(scalar_to_int(2.9, 0, 10), 2);
+	assert_int_equal(scalar_to_int(-2.9, -10, 10), -2);
+	assert_int_equal(scalar_to_int(1e300, 0, 10), 10);
+	assert_int_equal(scalar_to_int(-1e300, 3, 10), 3);
+	assert_int_equal(
+		scalar_to_int((double)INFINITY, 0, INT32_MAX), INT32_MAX);
+	assert_int_equal(scalar_to_int((double)NAN, -7, 7), -7);
+	assert_int_equal(
+		scalar_to_int(-2147483648.0, INT32_MIN, INT32_MAX), INT32_MIN);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_integers_are_clamped),
 		cmocka_unit_test(test_sine_and_cosine_keep_their_tolerance),
 		cmocka_unit_test(test_sine_is_exact_where_it_matters),
 		cmocka_unit_test(test_absurd_angles_count_as_zero),

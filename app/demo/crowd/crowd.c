@@ -6,12 +6,11 @@
  * and a plain shadow. figures.md lists what a frame costs.
  */
 #include "app/demo/actor.h"
+#include "app/demo/crowd/crowd_dress.h"
 #include "app/demo/crowd/crowd_route.h"
 #include "app/demo/crowd/crowd_shadow.h"
 #include "app/demo/demo.h"
 #include "app/scene/draw/draw.h"
-#include "app/scene/instance/batch.h"
-#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -76,30 +75,6 @@ static int choose_clip(const struct model *model, const char *name)
 	return clip >= 0 ? clip : model->clip_count > 0 ? 0 : -1;
 }
 
-/* Gives the textured parts of each walker, its clothes, a colour of their own. */
-static int dress_walker(const struct walker *walker, int number)
-{
-	static const float color[][3] = {{1.0f, 1.0f, 1.0f},
-		{1.0f, 0.62f, 0.45f}, {0.55f, 0.75f, 1.0f}, {1.0f, 0.9f, 0.45f},
-		{0.95f, 0.55f, 0.75f}, {0.6f, 1.0f, 0.55f}, {0.7f, 0.6f, 1.0f},
-		{0.55f, 0.55f, 0.6f}, {1.0f, 0.75f, 0.75f}, {0.75f, 0.9f, 0.3f},
-		{0.4f, 0.9f, 0.95f}, {0.8f, 0.65f, 0.5f}};
-	struct instance *instance = walker->instance;
-	int error = 0;
-
-	for (int i = 0; !error && i < instance->drawable_count; i++) {
-		struct drawable *drawable = &instance->drawable[i];
-		int material = drawable->primitive->material;
-
-		if (instance->model->material[material].texture >= 0) {
-			error = batch_tint(drawable,
-				color[number % (int)ARRAY_COUNT(color)],
-				&instance->arena);
-		}
-	}
-	return error;
-}
-
 /* The first walker shows the actor's instance, others create their own. */
 static int add_walker(struct demo *demo)
 {
@@ -121,7 +96,7 @@ static int add_walker(struct demo *demo)
 	error = clip_cursor_init(
 		&walker->cursor, model, &walker->instance->arena);
 	if (!error) {
-		error = dress_walker(walker, demo->count);
+		error = crowd_dress(walker->instance, demo->count);
 	}
 	if (error) {
 		log_error(demo->log,

@@ -7,12 +7,6 @@
 
 #include "platform/gl/soft/raster.h"
 
-/* An attribute across a small triangle. */
-struct ramp {
-	uint32_t at; /* at column 0 of the row under way */
-	int32_t dx, dy;
-};
-
 /* What all gradients of a triangle share; see raster_find_area(). */
 struct scale {
 	const struct setup *setup;
@@ -37,33 +31,6 @@ static ALWAYS_INLINE struct scale find_scale(const struct setup *setup)
 		.off_y = setup->top * 16 + 8 - v->y,
 		.column = column,
 	};
-}
-
-/* Deltas below SMALL_DELTA: products fit 32 bits. */
-static ALWAYS_INLINE struct ramp find_ramp(
-	const struct scale *scale, int32_t first, int32_t d1, int32_t d2)
-{
-	const struct setup *setup = scale->setup;
-	int32_t across = d1 * setup->y2 - d2 * setup->y1;
-	int32_t down = d2 * setup->x1 - d1 * setup->x2;
-	uint32_t dx = (uint32_t)mul_high(across, scale->inverse) << scale->shift;
-	uint32_t dy = (uint32_t)mul_high(down, scale->inverse) << scale->shift;
-	uint32_t at = ((uint32_t)first << 8) +
-		(uint32_t)((int32_t)dx >> 4) * (uint32_t)scale->off_x +
-		(uint32_t)((int32_t)dy >> 4) * (uint32_t)scale->off_y;
-
-	return (struct ramp){
-		at - dx * (uint32_t)scale->column, (int32_t)dx, (int32_t)dy};
-}
-
-static ALWAYS_INLINE uint32_t ramp_at(const struct ramp *ramp, int x)
-{
-	return ramp->at + (uint32_t)ramp->dx * (uint32_t)x;
-}
-
-static ALWAYS_INLINE void ramp_down(struct ramp *ramp, int rows)
-{
-	ramp->at += (uint32_t)ramp->dy * (uint32_t)rows;
 }
 
 /* How much attributes may differ before perspective would show. */
@@ -127,42 +94,6 @@ static ALWAYS_INLINE int32_t find_spread(int32_t d1, int32_t d2)
 static ALWAYS_INLINE bool is_color_within(int32_t d1, int32_t d2, int32_t limit)
 {
 	return limit >= 1 << 16 || find_spread(d1, d2) <= 2 * limit;
-}
-
-/* False when the triangle has to go the general way. */
-static ALWAYS_INLINE bool find_color_ramp(const struct scale *scale, int name,
-	int32_t limit, int32_t round, struct ramp *out)
-{
-	const struct setup *setup = scale->setup;
-	int32_t first = setup->v[0]->attribute[name];
-	int32_t d1 = setup->v[1]->attribute[name] - first;
-	int32_t d2 = setup->v[2]->attribute[name] - first;
-
-	*out = find_ramp(scale, first + round, d1, d2);
-	return is_color_within(d1, d2, limit);
-}
-
-/* As gather() in raster.c, of a texture that repeats. */
-static ALWAYS_INLINE bool find_texel_ramp(const struct scale *scale, int name,
-	int log2, int32_t limit, struct ramp *out)
-{
-	const struct setup *setup = scale->setup;
-	uint32_t first = (uint32_t)setup->v[0]->attribute[name];
-	uint32_t base = first & ~0xFFFFu;
-	int32_t a = shift_by((int32_t)(first - base), log2 - 8);
-	int32_t d1 = shift_by(
-		(int32_t)((uint32_t)setup->v[1]->attribute[name] - first),
-		log2 - 8);
-	int32_t d2 = shift_by(
-		(int32_t)((uint32_t)setup->v[2]->attribute[name] - first),
-		log2 - 8);
-
-	if (!is_within(d1, limit) || !is_within(d2, limit)) {
-		return false;
-	}
-	*out = find_ramp(scale, a, d1, d2);
-	out->at += TEXEL_NUDGE;
-	return true;
 }
 
 #endif

@@ -24,11 +24,13 @@ static void test_aside(struct draw *draw, int x, int y)
 	if (spans->depth_way == SOFT_DEPTH_FREE) {
 		memset(spans->aside, 0xFF, run->count * 2);
 	} else if (spans->depth_way == SOFT_DEPTH_LAST) {
+		const GLenum function = state->depth_function;
+		const uint16_t *depth = run->depth;
+
 		for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
-			spans->aside[i] = passes(state->depth_function, z >> 16,
-						  run->depth[i])
-				? UINT16_MAX
-				: 0;
+			bool through = passes(function, z >> 16, depth[i]);
+
+			spans->aside[i] = (uint16_t)-through;
 		}
 	} else {
 		bool through[SPAN_PIXELS];

@@ -105,7 +105,7 @@ static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
 	if (state->depth_function == GL_LESS) {
 		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_KEPT;
 	}
-	return is_tested(state) ? SOFT_DEPTH_LAST : SOFT_DEPTH_FIRST;
+	return SOFT_DEPTH_LAST;
 }
 
 static bool is_trilinear(const struct texture_input *input)
@@ -139,15 +139,21 @@ static bool is_linear(GLenum filter)
 		filter == GL_LINEAR_MIPMAP_LINEAR;
 }
 
-/* The ratio of two largest values, as template.h's shifts have them. */
+/* The largest value of so many bits, as template.h's shifts have it. */
+#define MOST(bits) ((int64_t)((1 << (bits)) - 1) << (16 - (bits)))
+#define RATIO(from, to) ((int32_t)(FACTOR_SCALE * MOST(to) / MOST(from)))
+
+/* From a texel's largest value to the picture's, of 5, 6 and 8 bits. */
 static int32_t scale_factor(int texel_bits, int pixel_bits)
 {
-	int64_t to = ((1 << pixel_bits) - 1) << (16 - pixel_bits);
-	int64_t from = ((1 << texel_bits) - 1) << (16 - texel_bits);
+	static const int32_t ratio[9][3] = {
+		[4] = {RATIO(4, 5), RATIO(4, 6), RATIO(4, 8)},
+		[5] = {RATIO(5, 5), RATIO(5, 6), RATIO(5, 8)},
+		[6] = {RATIO(6, 5), RATIO(6, 6), RATIO(6, 8)},
+		[8] = {RATIO(8, 5), RATIO(8, 6), RATIO(8, 8)},
+	};
 
-	return texel_bits == 0 ? 0
-			       : (int32_t)(FACTOR_SCALE * to * 2048 /
-					 (from * 2048));
+	return ratio[texel_bits][pixel_bits == 8 ? 2 : pixel_bits - 5];
 }
 
 static void find_scales(const struct draw *draw, struct soft_spans *spans)
@@ -187,7 +193,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
 
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 3 && draw->fogged; i++) {
 		int most = i == 1 ? 63 : 31;
 
 		stages->fog_color[i] = (uint8_t)soft_byte(fog[i]);
@@ -203,7 +209,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->base_format = input->base->base_format;
 		stages->alpha_scaled = input->env->mode == GL_MODULATE &&
 			has_alpha(input->base->base_format);
-		for (int i = 0; i < 4; i++) {
+		for (int i = 0; i < 4 && spans->finish == SOFT_ANY; i++) {
 			stages->env_color[i] =
 				(uint8_t)soft_byte(input->env->color[i]);
 		}
@@ -278,9 +284,13 @@ void soft_prepare_spans(struct draw *draw)
 		draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	spans->finish = choose_finish(draw);
 	spans->depth_way = choose_depth_way(state);
+	spans->plain_pixels = spans->finish == SOFT_OPAQUE &&
+			spans->depth_way == SOFT_DEPTH_DIRECT
+		? SOFT_PLAIN_PIXELS
+		: SOFT_RUN_PIXELS;
 	find_wanted(draw, spans);
 	find_scales(draw, spans);
 	find_stages(draw, spans);
 	find_functions(draw, spans);
-	spans->run = (struct soft_run){.stages = &spans->stages};
+	spans->run.stages = &spans->stages;
 }

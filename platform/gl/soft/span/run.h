@@ -27,6 +27,8 @@
 enum {
 	/* s and t lose up to 1/1024 of a texel a pixel to rounding. */
 	SOFT_RUN_PIXELS = 32,
+	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
+	SOFT_PLAIN_PIXELS = 512,
 	/* As many texels fit a half of a word, with 9 bits of fraction. */
 	SOFT_RUN_TEXELS = 128,
 };

@@ -18,8 +18,8 @@ enum soft_depth_way {
 	SOFT_DEPTH_DIRECT, /* LESS, written */
 	SOFT_DEPTH_FREE,   /* no test */
 	SOFT_DEPTH_KEPT,   /* LESS, not written */
-	SOFT_DEPTH_FIRST,  /* tests, with the stencil's, before the span */
-	SOFT_DEPTH_LAST,   /* the same without a stencil, written after it */
+	SOFT_DEPTH_FIRST,  /* with a stencil: tested and written before */
+	SOFT_DEPTH_LAST,   /* tested before, written after the span */
 };
 
 /* What of a draw call is the same for all of its runs. */
@@ -37,6 +37,7 @@ struct soft_spans {
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way;
 	enum soft_finish finish;
+	int plain_pixels; /* of a run without a texture, at most */
 	/* From 8.16 to struct soft_run's: upper half of the product, and more */
 	int32_t red_blue_scale, green_scale, red_blue_half, green_half;
 	/* of minified and magnified textures: anywhere and inside */

@@ -12,6 +12,7 @@
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/span/walk.h"
 
+/* What a run across a texture's edge is cut into. */
 enum { PIECE_PIXELS = 8 };
 
 /* 32 steps of 255 a pixel, 8.16. */
@@ -375,27 +376,26 @@ static ALWAYS_INLINE void draw_linear(struct draw *draw,
 	struct colors *colors, const struct colors *color_step)
 {
 	struct soft_spans *spans = &draw->spans;
+	const int most = kind.textured ? SOFT_RUN_PIXELS : spans->plain_pixels;
 
-	for (int x = left;; x += SOFT_RUN_PIXELS) {
+	for (int x = left;; x += most) {
 		int count = right - x;
 
 		if (kind.textured) {
-			set_texels(spans, texels,
-				count < SOFT_RUN_PIXELS ? count
-							: SOFT_RUN_PIXELS);
+			set_texels(spans, texels, count < most ? count : most);
 		}
 		if (kind.colored) {
 			set_colors(spans, colors);
 		}
-		if (count <= SOFT_RUN_PIXELS) {
+		if (count <= most) {
 			draw_run(draw, kind, line, x, count);
 			return;
 		}
-		draw_run(draw, kind, line, x, SOFT_RUN_PIXELS);
+		draw_run(draw, kind, line, x, most);
 		texels.s += texel_step.s * SOFT_RUN_PIXELS;
 		texels.t += texel_step.t * SOFT_RUN_PIXELS;
 		if (kind.colored) {
-			add_steps(spans, colors, color_step, SOFT_RUN_PIXELS);
+			add_steps(spans, colors, color_step, most);
 		}
 	}
 }

@@ -119,7 +119,8 @@ static const double turn_y = 20.0 * 3.14159265358979 / 180.0;
 static void cut_plane(struct vertex *v, double x, double y, bool turned)
 {
 	double normal[3] = {0.0, -sin(turn_x), cos(turn_x)};
-	double right[3] = {1.0, 0.0, 0.0}, up[3] = {0.0, cos(turn_x), sin(turn_x)};
+	double right[3] = {1.0, 0.0, 0.0},
+	       up[3] = {0.0, cos(turn_x), sin(turn_x)};
 	double ray[3] = {0.375 * x, 0.5 * y, -1.0}, t, s = 0.0, r = 0.0;
 
 	if (turned) {
@@ -227,8 +228,7 @@ static void make_triangle(struct vertex *v, const double cell[4],
 		double color[3];
 
 		place(&v[k], cell[0] + x * cell[2], cell[1] + y * cell[3],
-			k == 0 ? depth
-			       : depth + between(seed, -spread, spread));
+			k == 0 ? depth : depth + between(seed, -spread, spread));
 		v[k].texcoord[0] = (float)(s + corner[k][0] * texels);
 		v[k].texcoord[1] = (float)(t + corner[k][1] * texels);
 		for (int i = 0; i < 3; i++) {
@@ -331,8 +331,7 @@ static void give_level(const struct gl *gl, unsigned state, int level, int side)
 	}
 	gl->TexImage2D(GL_TEXTURE_2D, level, alpha ? GL_RGBA : GL_RGB, side,
 		side, 0, alpha ? GL_RGBA : GL_RGB,
-		state & RGBA_4444 ? GL_UNSIGNED_SHORT_4_4_4_4
-				  : GL_UNSIGNED_BYTE,
+		state & RGBA_4444 ? GL_UNSIGNED_SHORT_4_4_4_4 : GL_UNSIGNED_BYTE,
 		texels);
 }
 
@@ -361,8 +360,8 @@ static void make_texture(const struct gl *gl, unsigned state, int side)
 	gl->Enable(GL_TEXTURE_2D);
 }
 
-static void set_arrays(const struct gl *gl, const struct scene *scene,
-	const struct mesh *mesh)
+static void set_arrays(
+	const struct gl *gl, const struct scene *scene, const struct mesh *mesh)
 {
 	const struct vertex *v = mesh->vertex;
 
@@ -406,8 +405,8 @@ static void set_fragments(const struct gl *gl, unsigned state)
 	}
 }
 
-static void set_up(const struct gl *gl, const struct scene *scene,
-	const struct mesh *mesh)
+static void set_up(
+	const struct gl *gl, const struct scene *scene, const struct mesh *mesh)
 {
 	/* (1, 1, 2) / sqrt 6 */
 	static const GLfixed towards[4] = {26755, 26755, 53510, 0};

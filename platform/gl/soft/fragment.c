@@ -133,8 +133,8 @@ int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
 
 static void fill_colors(const struct span *span, struct fragments *fragments)
 {
-	uint32_t c[3] = {span->value[RED], span->value[GREEN],
-		span->value[BLUE]};
+	uint32_t c[3] = {
+		span->value[RED], span->value[GREEN], span->value[BLUE]};
 	uint32_t alpha_q7 = span->value[ALPHA] >> 9;
 	uint32_t alpha_step = (uint32_t)soft_alpha_step(span->step[ALPHA]);
 
@@ -261,8 +261,7 @@ void soft_blend(GLenum source_factor, GLenum destination_factor,
 
 	for (int i = 0; i < 4; i++) {
 		int source = blend_factor(source_factor, color, to, i);
-		int destination =
-			blend_factor(destination_factor, color, to, i);
+		int destination = blend_factor(destination_factor, color, to, i);
 		int sum = color[i] * source + to[i] * destination + 128;
 
 		sum = (sum + (sum >> 8)) >> 8;

@@ -9,8 +9,7 @@ bool picture_takes(const struct draw *draw)
 
 	return draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
 		draw->soft->format == PIXELS_RGB565 && !draw->tests &&
-		input->used &&
-		input->base->format == TEXEL_565 &&
+		input->used && input->base->format == TEXEL_565 &&
 		input->texture->min_filter == GL_NEAREST &&
 		input->texture->mag_filter == GL_NEAREST &&
 		(input->env->mode == GL_MODULATE ||
@@ -49,8 +48,7 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 	for (int x = left; x < right; x += SOFT_RUN_PIXELS) {
 		int count = right - x < SOFT_RUN_PIXELS ? right - x
 							: SOFT_RUN_PIXELS;
-		int32_t s = soft_texel_start(
-			(int32_t)plane_at(raster, TEX_S, x),
+		int32_t s = soft_texel_start((int32_t)plane_at(raster, TEX_S, x),
 			soft_texel_rest(raster->plane[TEX_S].dx, shift), count,
 			shift);
 

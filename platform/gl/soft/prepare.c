@@ -338,16 +338,14 @@ static fill_function choose_fill(const struct draw *draw)
 /* And no alpha where nobody asks for it. */
 static void choose_span(struct draw *draw)
 {
-	span_function relief = draw->soft->reference
-		? NULL
-		: relief_choose_span(draw);
+	span_function relief =
+		draw->soft->reference ? NULL : relief_choose_span(draw);
 
 	soft_prepare_spans(draw);
 	draw->span = relief ? relief : soft_draw_span;
 	draw->spans.takes_state &= !relief;
 	draw->spans.used &= !relief;
-	if (relief ||
-		(draw->spans.takes_state && !draw->spans.alpha_read)) {
+	if (relief || (draw->spans.takes_state && !draw->spans.alpha_read)) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
 }

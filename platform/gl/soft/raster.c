@@ -175,16 +175,15 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 static ALWAYS_INLINE bool bends(const struct draw *draw, int name,
 	const int32_t value[3], int32_t q_spread, int32_t q_least)
 {
-	int64_t allowed = name >= TEX_S
-		? 64 * 4
-		: 64 * 4 << rows_color_tolerance(draw);
+	int64_t allowed =
+		name >= TEX_S ? 64 * 4 : 64 * 4 << rows_color_tolerance(draw);
 
 	return (int64_t)spread(value) * q_spread > allowed * q_least;
 }
 
 /* What has to be divided: everything, or texels alone, or nothing. */
-static void find_divided(struct draw *draw, int count, int32_t (*value)[3],
-	const int32_t q[3])
+static void find_divided(
+	struct draw *draw, int count, int32_t (*value)[3], const int32_t q[3])
 {
 	struct raster *raster = &draw->raster;
 	int32_t q_least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
@@ -233,7 +232,8 @@ static bool is_white(const struct draw *draw, int name)
 {
 	const struct soft_spans *spans = &draw->spans;
 
-	return spans->takes_state && !(name == ALPHA ? spans->alpha : spans->colored);
+	return spans->takes_state &&
+		!(name == ALPHA ? spans->alpha : spans->colored);
 }
 
 /* Of what differs; what does not goes into the span once and for all. */
@@ -254,7 +254,7 @@ static int gather_attributes(
 			continue;
 		}
 		for (int k = 0; k < 3; k++) {
-			out[k] = name == FOG       ? setup->v[k]->attribute[FOG]
+			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
 				: is_white(draw, name) ? 0xFF80
 						       : colored.corner[k][name];
 		}

@@ -84,8 +84,7 @@ void rows_find_point(const struct draw *draw, int x, struct point *out)
 			out->value[i] = rows_divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);
 		} else {
-			out->value[i] = clamp_int(
-				rows_divide(out, at, 24),
+			out->value[i] = clamp_int(rows_divide(out, at, 24),
 				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 		}
 	}

@@ -2,8 +2,8 @@
 #include "platform/gl/soft/draw.h"
 #include "platform/gl/soft/number.h"
 #include "platform/gl/soft/pixel.h"
-#include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/span/sample.h"
 
 /* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
 struct along {
@@ -33,10 +33,10 @@ static struct along find_along(const struct span *span, int name, int log2,
 static uint32_t read_texel(const struct level *level, const struct along *s,
 	const struct along *t, int right, int down)
 {
-	uint32_t x = soft_wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right, s->wrap.low,
-		s->wrap.high, s->wrap.mask);
-	uint32_t y = soft_wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down, t->wrap.low,
-		t->wrap.high, t->wrap.mask);
+	uint32_t x = soft_wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right,
+		s->wrap.low, s->wrap.high, s->wrap.mask);
+	uint32_t y = soft_wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down,
+		t->wrap.low, t->wrap.high, t->wrap.mask);
 	size_t at = ((size_t)y << level->width_log2) + x;
 
 	return soft_load_texel(level->format,
@@ -60,10 +60,10 @@ static void sample_linear(const struct level *level, const struct along *s,
 	const struct along *t, bool wide, uint8_t out[4])
 {
 	uint32_t s_at = (uint32_t)s->at, t_at = (uint32_t)t->at;
-	const uint32_t above[2] = {read_texel(level, s, t, 0, 0),
-		read_texel(level, s, t, 1, 0)};
-	const uint32_t below[2] = {read_texel(level, s, t, 0, 1),
-		read_texel(level, s, t, 1, 1)};
+	const uint32_t above[2] = {
+		read_texel(level, s, t, 0, 0), read_texel(level, s, t, 1, 0)};
+	const uint32_t below[2] = {
+		read_texel(level, s, t, 0, 1), read_texel(level, s, t, 1, 1)};
 
 	if (level->format == TEXEL_8888) {
 		struct soft_lanes lanes =
@@ -78,14 +78,13 @@ static void sample_linear(const struct level *level, const struct along *s,
 	for (int i = 0; i < 4; i++) {
 		int bits = soft_field(level->format, i).bits;
 
-		out[i] = bits == 0
-			? 0
-			: (uint8_t)soft_narrow_mixed(
-				  soft_mix_channel(level->format, i,
-					  above[0] | above[1] << 16,
-					  below[0] | below[1] << 16,
-					  soft_weigh(s_at, t_at)),
-				  bits);
+		out[i] = bits == 0 ? 0
+				   : (uint8_t)soft_narrow_mixed(
+					     soft_mix_channel(level->format, i,
+						     above[0] | above[1] << 16,
+						     below[0] | below[1] << 16,
+						     soft_weigh(s_at, t_at)),
+					     bits);
 	}
 }
 
@@ -152,7 +151,8 @@ void soft_sample(const struct texture_input *input, const struct span *span,
 	}
 	if (min != GL_NEAREST_MIPMAP_LINEAR && min != GL_LINEAR_MIPMAP_LINEAR) {
 		level = clamp_int((lod + 127) >> 8, 0, last);
-		sample_level(input, level, is_linear(min), span, unit, wide, out);
+		sample_level(
+			input, level, is_linear(min), span, unit, wide, out);
 		return;
 	}
 	level = clamp_int(lod >> 8, 0, last);

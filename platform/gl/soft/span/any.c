@@ -14,8 +14,7 @@ bool soft_finish_any(const struct soft_fragment_stages *stages,
 		soft_apply_environment(stages->env, stages->base_format,
 			stages->env_color, texel, color);
 		if (stages->alpha_scaled) {
-			color[3] = (uint8_t)soft_scale_alpha(
-				alpha_q7, texel[3]);
+			color[3] = (uint8_t)soft_scale_alpha(alpha_q7, texel[3]);
 		}
 	}
 	if (((color[3] - stages->alpha_low) & 255) > stages->alpha_range) {

@@ -33,8 +33,8 @@ static inline int32_t soft_word_by_half(uint32_t word, uint32_t half)
 	return (int32_t)((int64_t)(int32_t)word * (int16_t)half >> 16);
 }
 
-#define HALVES_SUM(a, b) soft_halves_sum(a, b)
-#define HALVES_SUM_ADD(a, b, sum) (soft_halves_sum(a, b) + (sum))
+#define HALVES_SUM(a, b)                soft_halves_sum(a, b)
+#define HALVES_SUM_ADD(a, b, sum)       (soft_halves_sum(a, b) + (sum))
 #define WORD_BY_BOTTOM(word, half, sum) (soft_word_by_half(word, half) + (sum))
 #define WORD_BY_TOP(word, half, sum) \
 	(soft_word_by_half(word, (half) >> 16) + (sum))

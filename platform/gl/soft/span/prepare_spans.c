@@ -6,8 +6,8 @@
 
 enum {
 	/*
-	 * From colours of 8.16 with a half of 1/255 to factors of 1.14: white is
-	 * a 2,000th more than 1, so that rounding leaves all of a texel.
+	 * From colours of 8.16 with a half of 1/255 to factors of 1.14: white
+	 * is a 2,000th more than 1, so that rounding leaves all of a texel.
 	 */
 	FACTOR_SCALE = 4204558,
 	BYTE_SCALE = 1 << 24, /* to 8.8 */
@@ -17,8 +17,8 @@ enum {
  * Of the alpha test: fragments whose alpha is low to low + range pass, modulo
  * 256. False where none does.
  */
-static bool find_alpha_range(const struct fragment_state *state,
-	struct soft_fragment_stages *stages)
+static bool find_alpha_range(
+	const struct fragment_state *state, struct soft_fragment_stages *stages)
 {
 	uint32_t reference = (uint32_t)soft_byte(state->alpha_reference);
 	uint32_t low = 0, range = 255;
@@ -88,9 +88,10 @@ static enum soft_finish choose_finish(const struct draw *draw)
 		(draw->blended && (!by_alpha || is_tested(state)))) {
 		return SOFT_ANY;
 	}
-	return (enum soft_finish)((draw->blended     ? SOFT_BLENDED
-					  : is_tested(state) ? SOFT_TESTED
-							     : SOFT_OPAQUE) +
+	return (enum soft_finish)(
+		(draw->blended                     ? SOFT_BLENDED
+				: is_tested(state) ? SOFT_TESTED
+						   : SOFT_OPAQUE) +
 		fog);
 }
 
@@ -129,8 +130,7 @@ static bool takes_state(const struct draw *draw)
 		!(is_tested(state) && state->stencil.enabled) &&
 		!draw->texture[1].used &&
 		(!input->used ||
-			(input->env->mode != GL_COMBINE &&
-				!is_trilinear(input)));
+			(input->env->mode != GL_COMBINE && !is_trilinear(input)));
 }
 
 static bool is_linear(GLenum filter)
@@ -140,7 +140,7 @@ static bool is_linear(GLenum filter)
 }
 
 /* The largest value of so many bits, as template.h's shifts have it. */
-#define MOST(bits) ((int64_t)((1 << (bits)) - 1) << (16 - (bits)))
+#define MOST(bits)      ((int64_t)((1 << (bits)) - 1) << (16 - (bits)))
 #define RATIO(from, to) ((int32_t)(FACTOR_SCALE * MOST(to) / MOST(from)))
 
 /* From a texel's largest value to the picture's, of 5, 6 and 8 bits. */
@@ -232,14 +232,14 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 			spans->mag[i] = (*table)[SOFT_NO_TEXTURE][finish][i];
 			continue;
 		}
-		spans->min[i] = (*table)[(is_linear(texture->min_filter)
-						 ? SOFT_LINEAR
-						 : SOFT_NEAREST) +
-			format][finish][i];
-		spans->mag[i] = (*table)[(texture->mag_filter == GL_LINEAR
-						 ? SOFT_LINEAR
-						 : SOFT_NEAREST) +
-			format][finish][i];
+		spans->min[i] =
+			(*table)[(is_linear(texture->min_filter) ? SOFT_LINEAR
+								 : SOFT_NEAREST) +
+				format][finish][i];
+		spans->mag[i] =
+			(*table)[(texture->mag_filter == GL_LINEAR ? SOFT_LINEAR
+								   : SOFT_NEAREST) +
+				format][finish][i];
 	}
 	spans->function = spans->mag;
 }
@@ -257,8 +257,7 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	spans->alpha_read = wide || any ||
 		(spans->finish != SOFT_OPAQUE &&
 			spans->finish != SOFT_OPAQUE_FOG);
-	spans->alpha = spans->alpha_read &&
-		!(replaced && has_alpha(format));
+	spans->alpha = spans->alpha_read && !(replaced && has_alpha(format));
 }
 
 void soft_prepare_spans(struct draw *draw)
@@ -267,8 +266,8 @@ void soft_prepare_spans(struct draw *draw)
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct texture_input *input = &draw->texture[0];
 
-	spans->takes_state = takes_state(draw) &&
-		find_alpha_range(state, &spans->stages);
+	spans->takes_state =
+		takes_state(draw) && find_alpha_range(state, &spans->stages);
 	spans->used = spans->takes_state && !draw->soft->reference;
 	spans->textured = input->used;
 	spans->fogged = draw->fogged;
@@ -280,8 +279,7 @@ void soft_prepare_spans(struct draw *draw)
 	if (!spans->takes_state) {
 		return;
 	}
-	spans->color_tolerance =
-		draw->soft->format == PIXELS_RGB565 ? 4 : 2;
+	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	spans->finish = choose_finish(draw);
 	spans->depth_way = choose_depth_way(state);
 	spans->plain_pixels = spans->finish == SOFT_OPAQUE &&

@@ -6,15 +6,12 @@
  *
  * Number formats:
  *	z               16.16
- *	red, blue       in the halves of one word, and green in the lower half of
- *	                another: what a texel's channel is multiplied with, 1.14,
- *	                times the ratio of the picture's and the texel's largest
- *	                values; without a texture what is drawn: 5.11 and 6.9,
- *	                a half added, or 8.8
- *	alpha           8.7, above green
- *	fog             1.15: how much of the fragment's own colour stays
- *	s, t            in texels of the level, 9 bits of fraction; for bilinear
- *	                textures half a texel less
+ *	red, blue       in the halves of one word, and green in the lower half
+ *of another: what a texel's channel is multiplied with, 1.14, times the ratio
+ *of the picture's and the texel's largest values; without a texture what is
+ *drawn: 5.11 and 6.9, a half added, or 8.8 alpha           8.7, above green fog
+ *1.15: how much of the fragment's own colour stays s, t            in texels of
+ *the level, 9 bits of fraction; for bilinear textures half a texel less
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_RUN_H
 #define PLATFORM_GL_SOFT_SPAN_RUN_H

@@ -36,7 +36,7 @@ static ALWAYS_INLINE struct soft_field soft_field(
 
 	switch (format) {
 	case TEXEL_565:
-		return channel == SOFT_RED          ? (struct soft_field){11, 5}
+		return channel == SOFT_RED      ? (struct soft_field){11, 5}
 			: channel == SOFT_GREEN ? (struct soft_field){5, 6}
 			: channel == SOFT_BLUE  ? (struct soft_field){0, 5}
 						: (struct soft_field){0, 0};
@@ -68,7 +68,7 @@ static ALWAYS_INLINE uint32_t soft_get_field(
 
 static ALWAYS_INLINE int soft_texel_bytes_log2(enum texel_format format)
 {
-	return format == TEXEL_8888                           ? 2
+	return format == TEXEL_8888                        ? 2
 		: format == TEXEL_L8 || format == TEXEL_A8 ? 0
 							   : 1;
 }
@@ -139,8 +139,7 @@ struct soft_weights {
 	uint32_t above, below; /* 8192 in all */
 };
 
-static ALWAYS_INLINE struct soft_weights soft_weigh(
-	uint32_t s, uint32_t t)
+static ALWAYS_INLINE struct soft_weights soft_weigh(uint32_t s, uint32_t t)
 {
 	uint32_t right = s >> (SOFT_TEXEL_FRACTION - 5) & 31;
 	uint32_t across = (right << 16) - right + 32;
@@ -180,9 +179,8 @@ static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
 	return (struct soft_lanes){texel & 0x00FF00FF, texel >> 8 & 0x00FF00FF};
 }
 
-static ALWAYS_INLINE struct soft_lanes soft_mix_lanes(
-	struct soft_lanes a, struct soft_lanes b, uint32_t fraction,
-	uint32_t more)
+static ALWAYS_INLINE struct soft_lanes soft_mix_lanes(struct soft_lanes a,
+	struct soft_lanes b, uint32_t fraction, uint32_t more)
 {
 	return (struct soft_lanes){
 		soft_mix_bytes(a.red_blue, b.red_blue, fraction, more),
@@ -194,28 +192,26 @@ static ALWAYS_INLINE struct soft_lanes soft_mix_lanes(
  * Of the four texels around a place: first down, rounded down, then across,
  * rounded up where the picture has bytes, which would show it.
  */
-static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
-	const uint32_t above[2], const uint32_t below[2], uint32_t s,
-	uint32_t t, bool wide)
+static ALWAYS_INLINE struct soft_lanes soft_mix_8888(const uint32_t above[2],
+	const uint32_t below[2], uint32_t s, uint32_t t, bool wide)
 {
 	uint32_t down = soft_fraction_q8(t);
 
-	return soft_mix_lanes(
-		soft_mix_lanes(soft_split(above[0]), soft_split(below[0]), down,
-			0),
-		soft_mix_lanes(soft_split(above[1]), soft_split(below[1]), down,
-			0),
+	return soft_mix_lanes(soft_mix_lanes(soft_split(above[0]),
+				      soft_split(below[0]), down, 0),
+		soft_mix_lanes(
+			soft_split(above[1]), soft_split(below[1]), down, 0),
 		soft_fraction_q8(s), wide ? 0x00FF00FF : 0);
 }
 
 /* 255 times a channel of so many bits, of one texel. */
 static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
 {
-	return bits == 4       ? value * 17
-		: bits == 1    ? value * 255
-		: bits == 5    ? value << 3 | value >> 2
-		: bits == 6    ? value << 2 | value >> 4
-			       : value;
+	return bits == 4    ? value * 17
+		: bits == 1 ? value * 255
+		: bits == 5 ? value << 3 | value >> 2
+		: bits == 6 ? value << 2 | value >> 4
+			    : value;
 }
 
 /* The byte that 8192 times a channel of so many bits is. */
@@ -223,15 +219,14 @@ static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
 {
 	uint32_t most = (1u << bits) - 1;
 
-	return bits == 8 ? (mixed + 4096) >> 13
+	return bits == 8    ? (mixed + 4096) >> 13
 		: bits == 4 ? (mixed * 17 + 4096) >> 13
 		: bits == 1 ? (mixed * 255 + 4096) >> 13
 			    : (mixed * (255 * 64 / most) + (1 << 18)) >> 19;
 }
 
 /* A texel's alpha by the fragment's, 8.7 and a half of 1/255: a byte. */
-static ALWAYS_INLINE uint32_t soft_scale_alpha(
-	uint32_t alpha_q7, uint32_t texel)
+static ALWAYS_INLINE uint32_t soft_scale_alpha(uint32_t alpha_q7, uint32_t texel)
 {
 	/* 128, so that 255 leaves what there is */
 	uint32_t product = alpha_q7 * texel + 128;
@@ -268,8 +263,8 @@ static ALWAYS_INLINE int32_t soft_texel_start(
 }
 
 /* A coordinate in a level, by its way of wrapping. */
-static ALWAYS_INLINE uint32_t soft_wrap_at(int32_t at, int32_t low,
-	int32_t high, uint32_t mask)
+static ALWAYS_INLINE uint32_t soft_wrap_at(
+	int32_t at, int32_t low, int32_t high, uint32_t mask)
 {
 	at = at < low ? low : at;
 	at = at > high ? high : at;

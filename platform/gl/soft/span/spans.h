@@ -11,7 +11,9 @@ struct draw;
 struct setup;
 
 /* From fog's 8.16 to a run's 1.15. */
-enum { SOFT_FOG_SCALE = 8402980 };
+enum {
+	SOFT_FOG_SCALE = 8402980
+};
 
 /* How runs are tested for depth, which span functions only do by LESS. */
 enum soft_depth_way {
@@ -25,9 +27,9 @@ enum soft_depth_way {
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
 	bool takes_state;
-	bool used;    /* else fragment.c draws */
-	bool colored; /* the vertices' colours are wanted */
-	bool alpha;   /* and their alpha */
+	bool used;       /* else fragment.c draws */
+	bool colored;    /* the vertices' colours are wanted */
+	bool alpha;      /* and their alpha */
 	bool alpha_read; /* by the span function, if only as white's */
 	bool textured, fogged;
 	bool lod_wanted; /* levels, or filters, differ */
@@ -48,10 +50,10 @@ struct soft_spans {
 	const soft_span_function *function;
 	int s_shift, t_shift; /* from 16.16 of the base's texels to 24.8 */
 	int32_t s_half, t_half;
-	int32_t s_rest, t_rest; /* see soft_texel_rest() */
+	int32_t s_rest, t_rest;     /* see soft_texel_rest() */
 	int32_t s_last, t_last;     /* the last texel that a run may begin in */
 	int32_t s_repeat, t_repeat; /* masks, or all ones */
-	int texel_log2; /* bytes */
+	int texel_log2;             /* bytes */
 	bool has_inside;
 	bool splits; /* runs across the edge are worth cutting */
 	struct soft_fragment_stages stages;

@@ -121,12 +121,12 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 	struct soft_weights weights = soft_weigh(s, t);
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
-	out->channel[0] = soft_mix_channel(
-		kind.format, SOFT_RED, above, below, weights);
+	out->channel[0] =
+		soft_mix_channel(kind.format, SOFT_RED, above, below, weights);
 	out->channel[1] = soft_mix_channel(
 		kind.format, SOFT_GREEN, above, below, weights);
-	out->channel[2] = soft_mix_channel(
-		kind.format, SOFT_BLUE, above, below, weights);
+	out->channel[2] =
+		soft_mix_channel(kind.format, SOFT_BLUE, above, below, weights);
 	out->alpha = alpha.bits == 0
 		? 255
 		: soft_narrow_mixed(soft_mix_channel(kind.format, SOFT_ALPHA,
@@ -145,16 +145,14 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	const uint8_t *below = above + (1u << run->stride_log2);
 
 	if (!kind.linear) {
-		soft_split_texel(
-			kind, soft_load_texel(kind.format, above), out);
+		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
 	} else if (kind.format == TEXEL_8888) {
 		const uint32_t a[2] = {
 			soft_load_32(above), soft_load_32(above + 4)};
 		const uint32_t b[2] = {
 			soft_load_32(below), soft_load_32(below + 4)};
 
-		out->lanes = soft_mix_8888(
-			a, b, texel, texel >> 16, kind.wide);
+		out->lanes = soft_mix_8888(a, b, texel, texel >> 16, kind.wide);
 		out->alpha = out->lanes.green_alpha >> 16;
 	} else {
 		soft_mix_pairs(kind, soft_load_pair(kind.format, above),
@@ -168,22 +166,24 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 {
 	int bytes_log2 = soft_texel_bytes_log2(kind.format);
 	const struct soft_wrap *ws = &run->wrap_s, *wt = &run->wrap_t;
-	uint32_t x = soft_wrap_at(s >> SOFT_TEXEL_FRACTION, ws->low, ws->high, ws->mask);
-	uint32_t y = soft_wrap_at(t >> SOFT_TEXEL_FRACTION, wt->low, wt->high, wt->mask);
-	const uint8_t *above =
-		run->texels + (y << run->stride_log2);
+	uint32_t x = soft_wrap_at(
+		s >> SOFT_TEXEL_FRACTION, ws->low, ws->high, ws->mask);
+	uint32_t y = soft_wrap_at(
+		t >> SOFT_TEXEL_FRACTION, wt->low, wt->high, wt->mask);
+	const uint8_t *above = run->texels + (y << run->stride_log2);
 	const uint8_t *below = above;
 	uint32_t next = x, a[2], b[2];
 
 	if (!kind.linear) {
 		soft_split_texel(kind,
-			soft_load_texel(
-				kind.format, above + (x << bytes_log2)),
+			soft_load_texel(kind.format, above + (x << bytes_log2)),
 			out);
 		return;
 	}
-	next = soft_wrap_at((s >> SOFT_TEXEL_FRACTION) + 1, ws->low, ws->high, ws->mask);
-	y = soft_wrap_at((t >> SOFT_TEXEL_FRACTION) + 1, wt->low, wt->high, wt->mask);
+	next = soft_wrap_at(
+		(s >> SOFT_TEXEL_FRACTION) + 1, ws->low, ws->high, ws->mask);
+	y = soft_wrap_at(
+		(t >> SOFT_TEXEL_FRACTION) + 1, wt->low, wt->high, wt->mask);
 	below = run->texels + (y << run->stride_log2);
 	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
 	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));
@@ -254,10 +254,10 @@ static ALWAYS_INLINE int32_t soft_find_fog(const struct soft_run *run,
 	int fraction = soft_fraction(kind, channel);
 
 	return soft_half(kind, channel) +
-		(kind.wide      ? stages->fog_color[channel] << fraction
-			: fraction >= 14
-			? stages->fog_565[channel] << (fraction - 14)
-			: stages->fog_565[channel] >> (14 - fraction));
+		(kind.wide ? stages->fog_color[channel] << fraction
+				: fraction >= 14
+				? stages->fog_565[channel] << (fraction - 14)
+				: stages->fog_565[channel] >> (14 - fraction));
 }
 
 static ALWAYS_INLINE struct soft_constants soft_find_constants(
@@ -295,8 +295,8 @@ static ALWAYS_INLINE uint32_t soft_whole(
 	return (uint32_t)color->channel[i] >> soft_fraction(kind, i);
 }
 
-static ALWAYS_INLINE void soft_store_565(struct soft_kind kind,
-	const struct soft_color *color, uint16_t *pixel)
+static ALWAYS_INLINE void soft_store_565(
+	struct soft_kind kind, const struct soft_color *color, uint16_t *pixel)
 {
 	uint32_t r = soft_whole(kind, color, 0), g = soft_whole(kind, color, 1);
 	uint32_t b = soft_whole(kind, color, 2);
@@ -309,14 +309,15 @@ static ALWAYS_INLINE void soft_store_565(struct soft_kind kind,
 	OPAQUE(mask); /* else it becomes several instructions */
 	to = (to | to << 16) & mask;
 	to = (to * 32 + ((g << 21 | r << 11 | b) - to) * color->alpha +
-		     WIDE_ROUND) >> 5 & mask;
+		     WIDE_ROUND) >>
+			5 &
+		mask;
 	*pixel = narrow(to);
 }
 
 static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
 {
-	return kind.textured &&
-		soft_field(kind.format, SOFT_ALPHA).bits > 0;
+	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
 }
 
 /* 0 to 32. */
@@ -345,11 +346,11 @@ static ALWAYS_INLINE uint32_t soft_blend_lanes(
 	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
 }
 
-static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
-	const struct soft_color *color, uint8_t *pixel)
+static ALWAYS_INLINE void soft_store_8888(
+	struct soft_kind kind, const struct soft_color *color, uint8_t *pixel)
 {
-	uint32_t rb = soft_whole(kind, color, 0) |
-		soft_whole(kind, color, 2) << 16;
+	uint32_t rb =
+		soft_whole(kind, color, 0) | soft_whole(kind, color, 2) << 16;
 	uint32_t ga = soft_whole(kind, color, 1) | color->alpha << 16;
 
 	if (soft_is_blended(kind)) {
@@ -394,8 +395,7 @@ static ALWAYS_INLINE void soft_shade_any(const struct soft_run *run,
 	uint8_t color[4] = {(uint8_t)(at->red_blue >> 8),
 		(uint8_t)(at->green_alpha >> 8), (uint8_t)(at->red_blue >> 24),
 		(uint8_t)(at->green_alpha >> 23)};
-	enum pixel_format format =
-		kind.wide ? PIXELS_RGBA8888 : PIXELS_RGB565;
+	enum pixel_format format = kind.wide ? PIXELS_RGBA8888 : PIXELS_RGB565;
 
 	if (kind.textured) {
 		soft_widen_texel(kind, texel, from);
@@ -432,8 +432,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 			: soft_find_alpha_32(kind, &texel, at->green_alpha);
 	}
 	if (soft_is_tested(kind) &&
-		((alpha - constants->alpha_low) & 255) >
-			constants->alpha_range) {
+		((alpha - constants->alpha_low) & 255) > constants->alpha_range) {
 		return;
 	}
 	*depth = (uint16_t)(at->z >> 16);

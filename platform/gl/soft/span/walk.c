@@ -3,6 +3,7 @@
  * linearly along a row where perspective bends them too little to be seen, see
  * raster.c; else they are divided exactly every 16 or 32 pixels.
  */
+#include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/number.h"
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
@@ -10,10 +11,11 @@
 #include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
-#include "platform/gl/soft/span/walk.h"
 
 /* What a run across a texture's edge is cut into. */
-enum { PIECE_PIXELS = 8 };
+enum {
+	PIECE_PIXELS = 8
+};
 
 /* 32 steps of 255 a pixel, 8.16. */
 #define STEEP (1u << 21)
@@ -68,10 +70,10 @@ static NEVER_INLINE void set_level(struct draw *draw, int lod)
 	spans->level = number;
 	spans->small = small;
 	spans->function = small ? spans->min : spans->mag;
-	spans->s_shift = input->width_log2 - level->width_log2 +
-		16 - SOFT_TEXEL_FRACTION;
-	spans->t_shift = input->height_log2 - level->height_log2 +
-		16 - SOFT_TEXEL_FRACTION;
+	spans->s_shift = input->width_log2 - level->width_log2 + 16 -
+		SOFT_TEXEL_FRACTION;
+	spans->t_shift = input->height_log2 - level->height_log2 + 16 -
+		SOFT_TEXEL_FRACTION;
 	spans->s_half = soft_half_texel(level->format, linear, true);
 	spans->t_half = soft_half_texel(level->format, linear, false);
 	spans->s_last = s_most - linear;
@@ -83,8 +85,7 @@ static NEVER_INLINE void set_level(struct draw *draw, int lod)
 	spans->s_repeat = s_repeats ? s_most : -1;
 	spans->t_repeat = t_repeats ? t_most : -1;
 	spans->texel_log2 = soft_texel_bytes_log2(level->format);
-	run->stride_log2 =
-		(uint32_t)(level->width_log2 + spans->texel_log2);
+	run->stride_log2 = (uint32_t)(level->width_log2 + spans->texel_log2);
 	run->texels = level->texels;
 	run->wrap_s = (struct soft_wrap){s_repeats ? INT32_MIN : 0,
 		s_repeats ? INT32_MAX : s_most, (uint32_t)s_most};
@@ -127,8 +128,8 @@ static ALWAYS_INLINE void set_color_steps(
 		scale_step(step->red, scale);
 	run->green_alpha_right = scale_step(step->green, spans->green_scale);
 	if (spans->alpha_read) {
-		run->green_alpha_right +=
-			(uint32_t)soft_alpha_step(step->alpha) << 16;
+		run->green_alpha_right += (uint32_t)soft_alpha_step(step->alpha)
+			<< 16;
 	}
 	if (spans->fogged) {
 		run->fog_right = scale_step(step->fog, SOFT_FOG_SCALE);
@@ -244,11 +245,11 @@ static ALWAYS_INLINE void draw_run(struct draw *draw,
 static ALWAYS_INLINE void set_texels(
 	struct soft_spans *spans, struct texels at, int count)
 {
-	spans->run.s = soft_texel_start(at.s, spans->s_rest, count,
-			       spans->s_shift) -
+	spans->run.s =
+		soft_texel_start(at.s, spans->s_rest, count, spans->s_shift) -
 		spans->s_half;
-	spans->run.t = soft_texel_start(at.t, spans->t_rest, count,
-			       spans->t_shift) -
+	spans->run.t =
+		soft_texel_start(at.t, spans->t_rest, count, spans->t_shift) -
 		spans->t_half;
 }
 
@@ -282,14 +283,13 @@ static ALWAYS_INLINE int32_t limit_color(int32_t color)
 	return clamp_int(color, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 }
 
-static ALWAYS_INLINE int32_t divide_color(
-	const struct point *at, int32_t color)
+static ALWAYS_INLINE int32_t divide_color(const struct point *at, int32_t color)
 {
 	return limit_color(rows_divide(at, color, 24));
 }
 
-static ALWAYS_INLINE struct row_point find_point(const struct draw *draw,
-	const struct walk_kind kind, int x)
+static ALWAYS_INLINE struct row_point find_point(
+	const struct draw *draw, const struct walk_kind kind, int x)
 {
 	const struct raster *raster = &draw->raster;
 	const struct soft_spans *spans = &draw->spans;
@@ -302,10 +302,10 @@ static ALWAYS_INLINE struct row_point find_point(const struct draw *draw,
 	if (kind.textured) {
 		struct texels t = find_texels_at(raster, x);
 
-		out.texels.s = rows_divide(
-			&divisor, t.s, raster->tex_shift[0] + 8);
-		out.texels.t = rows_divide(
-			&divisor, t.t, raster->tex_shift[1] + 8);
+		out.texels.s =
+			rows_divide(&divisor, t.s, raster->tex_shift[0] + 8);
+		out.texels.t =
+			rows_divide(&divisor, t.t, raster->tex_shift[1] + 8);
 	}
 	if (kind.colors_divided) {
 		struct colors c = find_colors(spans, raster, x);
@@ -355,8 +355,8 @@ static ALWAYS_INLINE struct texels find_texel_steps(struct soft_spans *spans,
 	return step;
 }
 
-static ALWAYS_INLINE void add_steps(struct soft_spans *spans,
-	struct colors *at, const struct colors *step, int count)
+static ALWAYS_INLINE void add_steps(struct soft_spans *spans, struct colors *at,
+	const struct colors *step, int count)
 {
 	at->red += step->red * count;
 	at->green += step->green * count;
@@ -548,8 +548,7 @@ static ALWAYS_INLINE void row_bent(struct draw *draw,
 	for (; right - x > spacing; x += spacing) {
 		struct row_point to = find_point(draw, kind, x + spacing);
 
-		draw_between(
-			draw, kind, line, x, spacing, &from, &to, spacing);
+		draw_between(draw, kind, line, x, spacing, &from, &to, spacing);
 		from = to;
 	}
 	draw_between(draw, kind, line, x, right - x, &from, end, right - x - 1);
@@ -617,9 +616,8 @@ static ALWAYS_INLINE void next_plane(struct plane *plane)
 	plane->start += (uint32_t)plane->dy;
 }
 
-static ALWAYS_INLINE void next_row(
-	const struct soft_spans *spans, struct raster *raster,
-	const struct walk_kind kind)
+static ALWAYS_INLINE void next_row(const struct soft_spans *spans,
+	struct raster *raster, const struct walk_kind kind)
 {
 	struct plane *plane = raster->plane;
 
@@ -650,9 +648,9 @@ static ALWAYS_INLINE void draw_row(struct draw *draw,
 	const struct plane *depth = &draw->raster.plane[DEPTH];
 
 	if (left < right) {
-		line->z = (depth->start -
-				  (uint32_t)depth->dx *
-					  (uint32_t)draw->raster.x0)
+		line->z =
+			(depth->start -
+				(uint32_t)depth->dx * (uint32_t)draw->raster.x0)
 			<< 6;
 		if (kind.texels_divided || kind.colors_divided) {
 			row_divided(draw, kind, line, left, right);
@@ -690,14 +688,13 @@ static void set_constants(struct draw *draw, bool colored)
 		set_color_steps(spans, &(struct colors){0});
 	} else if (!raster->colors_divided) {
 		const struct colors step = find_plane_steps(raster);
-		const int32_t all[] = {step.red, step.green, step.blue,
-			step.alpha, step.fog};
+		const int32_t all[] = {
+			step.red, step.green, step.blue, step.alpha, step.fog};
 
 		set_color_steps(spans, &step);
 		spans->steep = false;
 		for (int i = 0; i < 5; i++) {
-			spans->steep |=
-				(uint32_t)all[i] + STEEP > 2 * STEEP;
+			spans->steep |= (uint32_t)all[i] + STEEP > 2 * STEEP;
 		}
 	}
 	if (!spans->textured) {
@@ -766,15 +763,15 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	colored = join_colors(draw);
 	set_constants(draw, colored);
 	if (!draw->spans.textured) {
-		(!colored ? walk_plain_still
-			: bent ? walk_plain_divided
-			       : walk_plain)(draw, setup);
+		(!colored              ? walk_plain_still
+				: bent ? walk_plain_divided
+				       : walk_plain)(draw, setup);
 	} else if (!colored) {
 		(bent ? walk_still_divided : walk_still)(draw, setup);
 	} else {
-		(!bent                            ? walk_colored
-				: raster->colors_divided ? walk_colored_divided
-							 : walk_colored_by_texels)(
-			draw, setup);
+		(!bent ? walk_colored
+				: raster->colors_divided
+				? walk_colored_divided
+				: walk_colored_by_texels)(draw, setup);
 	}
 }

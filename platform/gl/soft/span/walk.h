@@ -34,45 +34,44 @@ static ALWAYS_INLINE struct soft_line soft_find_line(
 }
 
 /* Defines walk_NAME(), which calls draw_row() for each row. */
-#define SOFT_WALK(name, ...)                                                 \
-	static NEVER_INLINE void walk_##name(                                \
-		struct draw *draw, const struct setup *setup)                \
-	{                                                                    \
-		const struct walk_kind kind = {__VA_ARGS__};                 \
-		const struct buffers *buffers = &draw->soft->buffers;        \
-		const struct clip_box box = draw->box;                       \
-		int y = raster_first_row(draw, setup), turn = setup->middle; \
-		int bottom = setup->bottom < box.bottom ? setup->bottom      \
-							: box.bottom;        \
-		struct soft_line line = soft_find_line(draw, y);             \
-		struct side whole, part = {0};                               \
-                                                                             \
-		raster_skip_rows(draw, y - setup->top);                      \
-		turn = turn > y ? turn : y;                                  \
-		whole = raster_side(draw, setup->v[0], setup->v[2], y);      \
-		if (y < turn) {                                              \
-			part = raster_side(                                  \
-				draw, setup->v[0], setup->v[1], y);          \
-		}                                                            \
-		for (; line.y < bottom; line.y++) {                          \
-			int left, right;                                     \
-                                                                             \
-			if (line.y == turn) {                                \
-				part = raster_side(draw, setup->v[1],        \
-					setup->v[2], turn);                  \
-			}                                                    \
-			left = raster_column(                                \
-				setup->middle_left ? part.x : whole.x);      \
-			right = raster_column(                               \
-				setup->middle_left ? whole.x : part.x);      \
-			left = left > box.left ? left : box.left;            \
-			right = right < box.right ? right : box.right;       \
-			draw_row(draw, kind, &line, left, right);            \
-			whole.x += whole.step;                               \
-			part.x += part.step;                                 \
-			line.depth += buffers->width;                        \
-			line.pixel += buffers->target.stride_bytes;          \
-		}                                                            \
+#define SOFT_WALK(name, ...)                                                   \
+	static NEVER_INLINE void walk_##name(                                  \
+		struct draw *draw, const struct setup *setup)                  \
+	{                                                                      \
+		const struct walk_kind kind = {__VA_ARGS__};                   \
+		const struct buffers *buffers = &draw->soft->buffers;          \
+		const struct clip_box box = draw->box;                         \
+		int y = raster_first_row(draw, setup), turn = setup->middle;   \
+		int bottom = setup->bottom < box.bottom ? setup->bottom        \
+							: box.bottom;          \
+		struct soft_line line = soft_find_line(draw, y);               \
+		struct side whole, part = {0};                                 \
+                                                                               \
+		raster_skip_rows(draw, y - setup->top);                        \
+		turn = turn > y ? turn : y;                                    \
+		whole = raster_side(draw, setup->v[0], setup->v[2], y);        \
+		if (y < turn) {                                                \
+			part = raster_side(draw, setup->v[0], setup->v[1], y); \
+		}                                                              \
+		for (; line.y < bottom; line.y++) {                            \
+			int left, right;                                       \
+                                                                               \
+			if (line.y == turn) {                                  \
+				part = raster_side(                            \
+					draw, setup->v[1], setup->v[2], turn); \
+			}                                                      \
+			left = raster_column(                                  \
+				setup->middle_left ? part.x : whole.x);        \
+			right = raster_column(                                 \
+				setup->middle_left ? whole.x : part.x);        \
+			left = left > box.left ? left : box.left;              \
+			right = right < box.right ? right : box.right;         \
+			draw_row(draw, kind, &line, left, right);              \
+			whole.x += whole.step;                                 \
+			part.x += part.step;                                   \
+			line.depth += buffers->width;                          \
+			line.pixel += buffers->target.stride_bytes;            \
+		}                                                              \
 	}
 
 #endif

@@ -68,8 +68,8 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
-	uint32_t dq = (uint32_t)(from->q < to->q ? to->q - from->q
-						 : from->q - to->q);
+	uint32_t dq =
+		(uint32_t)(from->q < to->q ? to->q - from->q : from->q - to->q);
 	uint64_t error, allowed = (uint64_t)q << 16;
 	uint32_t most = 0;
 
@@ -94,8 +94,8 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 		: PERSPECTIVE_STEP;
 }
 
-static void row_divided(struct draw *draw, const struct soft_line *line,
-	int left, int right)
+static void row_divided(
+	struct draw *draw, const struct soft_line *line, int left, int right)
 {
 	int steps = right - left - 1, spacing, x = left;
 	struct point from, to, end;

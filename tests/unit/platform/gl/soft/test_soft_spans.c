@@ -45,10 +45,10 @@ static struct scene *open_scene(enum pixel_format format)
 		.format = format,
 		.data = scene->bytes,
 	};
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){
-					 .format = format, .log = &log},
-				 &scene->context),
+	assert_int_equal(
+		gl_open("soft",
+			&(struct gl_request){.format = format, .log = &log},
+			&scene->context),
 		0);
 	scene->gl = &scene->context->gl;
 	scene->soft = (struct soft *)scene->context;
@@ -140,8 +140,8 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		(GLfixed)one_of(seed, modes, 6));
 	if (by_chance(seed, 3)) {
 		gl->Enable(GL_BLEND);
-		gl->BlendFunc(one_of(seed, source, 4),
-			one_of(seed, destination, 4));
+		gl->BlendFunc(
+			one_of(seed, source, 4), one_of(seed, destination, 4));
 	}
 	if (by_chance(seed, 3)) {
 		gl->Enable(GL_ALPHA_TEST);
@@ -159,8 +159,8 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 	}
 	if (!by_chance(seed, 6)) {
 		gl->Enable(GL_DEPTH_TEST);
-		gl->DepthFunc(
-			by_chance(seed, 2) ? GL_LESS : one_of(seed, functions, 7));
+		gl->DepthFunc(by_chance(seed, 2) ? GL_LESS
+						 : one_of(seed, functions, 7));
 		gl->DepthMask(!by_chance(seed, 4));
 	}
 	if (by_chance(seed, 8)) {
@@ -218,7 +218,8 @@ static void give_triangles(const struct gl *gl, uint32_t *seed)
 }
 
 /* The same by one way or the other, on a picture of noise. */
-static struct scene *draw(enum pixel_format format, uint32_t seed, bool reference)
+static struct scene *draw(
+	enum pixel_format format, uint32_t seed, bool reference)
 {
 	struct scene *scene = open_scene(format);
 	const struct gl *gl = scene->gl;
@@ -255,8 +256,8 @@ static bool is_near(const struct scene *a, const struct scene *b, int i)
 {
 	if (a->soft->format == PIXELS_RGBA8888) {
 		for (int k = 0; k < 4; k++) {
-			if (distance(a->bytes[4 * i + k],
-				    b->bytes[4 * i + k]) > 8) {
+			if (distance(a->bytes[4 * i + k], b->bytes[4 * i + k]) >
+				8) {
 				return false;
 			}
 		}

@@ -130,6 +130,12 @@ static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	return (struct side){(int32_t)x, step};
 }
 
+/* To the next row. Below the edge's end x may wrap; no row reads it there. */
+static ALWAYS_INLINE void raster_next_side(struct side *side)
+{
+	side->x = (int32_t)((uint32_t)side->x + (uint32_t)side->step);
+}
+
 static inline uint32_t raster_size(int32_t value)
 {
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
@@ -309,8 +315,8 @@ static ALWAYS_INLINE void raster_walk(struct draw *draw,
 			row(draw, y, left, right);
 		}
 		next(draw);
-		whole.x += whole.step;
-		part.x += part.step;
+		raster_next_side(&whole);
+		raster_next_side(&part);
 	}
 }
 

@@ -42,6 +42,12 @@ struct row_point {
 	struct colors colors;
 };
 
+/* Coordinates far outside of the texture wrap around. */
+static ALWAYS_INLINE int32_t step_by(int32_t at, int32_t step, int32_t count)
+{
+	return (int32_t)((uint32_t)at + (uint32_t)step * (uint32_t)count);
+}
+
 /* The level and filter for a level of detail, if they are not set already. */
 static NEVER_INLINE void set_level(struct draw *draw, int lod)
 {
@@ -153,7 +159,7 @@ static ALWAYS_INLINE void set_texel_steps(
 static ALWAYS_INLINE bool find_texels(int32_t at, int32_t step, int32_t steps,
 	int32_t repeat, int32_t last, int32_t *first, uint32_t *offset)
 {
-	int32_t low = at, high = at + step * steps;
+	int32_t low = at, high = step_by(at, step, steps);
 	int32_t span;
 
 	if (step < 0) {
@@ -162,7 +168,7 @@ static ALWAYS_INLINE bool find_texels(int32_t at, int32_t step, int32_t steps,
 	}
 	low >>= SOFT_TEXEL_FRACTION;
 	span = (high >> SOFT_TEXEL_FRACTION) - low;
-	*offset = (uint32_t)(at - low * (1 << SOFT_TEXEL_FRACTION));
+	*offset = (uint32_t)at - ((uint32_t)low << SOFT_TEXEL_FRACTION);
 	low &= repeat;
 	*first = low;
 	/* low may be negative: then it is large */
@@ -198,8 +204,8 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->red_blue += run->red_blue_right * count;
 	run->green_alpha += run->green_alpha_right * count;
 	run->fog += run->fog_right * count;
-	run->s += run->s_right * (int32_t)count;
-	run->t += run->t_right * (int32_t)count;
+	run->s = step_by(run->s, run->s_right, (int32_t)count);
+	run->t = step_by(run->t, run->t_right, (int32_t)count);
 }
 
 /* A run across the texture's edge: what of it lies inside goes faster. */
@@ -326,7 +332,8 @@ static ALWAYS_INLINE struct row_point find_point(
 /* inverse is 2^31 over the number of steps. */
 static ALWAYS_INLINE int32_t find_step(int32_t from, int32_t to, int64_t inverse)
 {
-	return (int32_t)((to - from) * inverse >> 31);
+	return (int32_t)((int32_t)((uint32_t)to - (uint32_t)from) * inverse >>
+		31);
 }
 
 static ALWAYS_INLINE void find_color_steps(struct soft_spans *spans,
@@ -358,14 +365,14 @@ static ALWAYS_INLINE struct texels find_texel_steps(struct soft_spans *spans,
 static ALWAYS_INLINE void add_steps(struct soft_spans *spans, struct colors *at,
 	const struct colors *step, int count)
 {
-	at->red += step->red * count;
-	at->green += step->green * count;
-	at->blue += step->blue * count;
+	at->red = step_by(at->red, step->red, count);
+	at->green = step_by(at->green, step->green, count);
+	at->blue = step_by(at->blue, step->blue, count);
 	if (spans->alpha_read) {
-		at->alpha += step->alpha * count;
+		at->alpha = step_by(at->alpha, step->alpha, count);
 	}
 	if (spans->fogged) {
-		at->fog += step->fog * count;
+		at->fog = step_by(at->fog, step->fog, count);
 	}
 }
 
@@ -392,8 +399,8 @@ static ALWAYS_INLINE void draw_linear(struct draw *draw,
 			return;
 		}
 		draw_run(draw, kind, line, x, most);
-		texels.s += texel_step.s * SOFT_RUN_PIXELS;
-		texels.t += texel_step.t * SOFT_RUN_PIXELS;
+		texels.s = step_by(texels.s, texel_step.s, SOFT_RUN_PIXELS);
+		texels.t = step_by(texels.t, texel_step.t, SOFT_RUN_PIXELS);
 		if (kind.colored) {
 			add_steps(spans, colors, color_step, most);
 		}
@@ -453,14 +460,12 @@ static ALWAYS_INLINE void row_linear(struct draw *draw,
 		&color_step);
 }
 
-static ALWAYS_INLINE int32_t distance(int32_t a, int32_t b)
+static ALWAYS_INLINE uint32_t distance(int32_t a, int32_t b)
 {
-	int32_t d = a - b;
-
-	return d < 0 ? -d : d;
+	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
 }
 
-static ALWAYS_INLINE int32_t larger(int32_t a, int32_t b)
+static ALWAYS_INLINE uint32_t larger(uint32_t a, uint32_t b)
 {
 	return a > b ? a : b;
 }
@@ -474,9 +479,9 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	const struct row_point *to, int steps)
 {
 	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
-	uint32_t dq = (uint32_t)distance(from->q, to->q);
+	uint32_t dq = distance(from->q, to->q);
 	uint64_t error, allowed = (uint64_t)q << 16;
-	int32_t most = 0;
+	uint32_t most = 0;
 
 	if (steps < PERSPECTIVE_STEP || dq == 0) {
 		return steps <= SMALL_EXTENT ? steps + 1 : SOFT_RUN_PIXELS;
@@ -486,7 +491,7 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 			distance(from->texels.t, to->texels.t));
 	}
 	if (kind.colors_divided) {
-		int32_t color = larger(
+		uint32_t color = larger(
 			larger(distance(from->colors.red, to->colors.red),
 				distance(from->colors.green, to->colors.green)),
 			distance(from->colors.blue, to->colors.blue));
@@ -501,7 +506,7 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 		}
 		most = larger(most, color >> draw->spans.color_tolerance);
 	}
-	error = (uint64_t)(uint32_t)most * dq;
+	error = (uint64_t)most * dq;
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}

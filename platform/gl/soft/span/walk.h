@@ -67,8 +67,8 @@ static ALWAYS_INLINE struct soft_line soft_find_line(
 			left = left > box.left ? left : box.left;              \
 			right = right < box.right ? right : box.right;         \
 			draw_row(draw, kind, &line, left, right);              \
-			whole.x += whole.step;                                 \
-			part.x += part.step;                                   \
+			raster_next_side(&whole);                              \
+			raster_next_side(&part);                               \
 			line.depth += buffers->width;                          \
 			line.pixel += buffers->target.stride_bytes;            \
 		}                                                              \

@@ -14,12 +14,13 @@ SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
     "transform and light": "alike array array_state beams draw fog_state light light_state matrix"
-    " number prepare prepare_beams prepare_light query soft state texenv_state unshared vertex"
+    " number prepare prepare_spans prepare_beams prepare_light query soft state texenv_state unshared vertex"
     " vertices",
     "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
-    " fill_relief fill_texture list narrow raster shadow textured triangle",
-    "pixels": "band bands combine count fill flat fragment ground line luminance narrow_rows"
-    " glyph picture read relief rows shade span texel texture tile_row tiles tint",
+    " fill_relief fill_texture list narrow raster shadow textured triangle"
+    " walk walk_general",
+    "pixels": "any band bands combine count depth_ways fill flat fragment ground line luminance narrow_rows"
+    " glyph picture read relief rows shade span spans_565 spans_8888 texel texture tile_row tiles tint",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

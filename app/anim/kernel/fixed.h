@@ -25,10 +25,11 @@ enum fixed_attribute {
 	FIXED_ATTRIBUTES
 };
 
-/* Flags for the directions that are wanted besides positions. */
+/* Flags for what is wanted of a skin or a morph besides positions. */
 enum fixed_streams {
 	FIXED_NORMALS = 1 << FIXED_NORMAL,
-	FIXED_TANGENTS = 1 << FIXED_TANGENT
+	FIXED_TANGENTS = 1 << FIXED_TANGENT,
+	FIXED_TIERS = 1 << FIXED_ATTRIBUTES /* a skin in tiers, fixed_skin.h */
 };
 
 /*

@@ -87,7 +87,7 @@ static int add_walker(struct demo *demo)
 	if (demo->count == 0) {
 		walker->instance = demo->base.actor.instance;
 	} else {
-		error = instance_create(
+		error = instance_create_for_drawing(
 			model, demo->kernel, demo->log, &walker->instance);
 	}
 	if (error) {
@@ -107,7 +107,6 @@ static int add_walker(struct demo *demo)
 	}
 	/* Normal maps are lit in world space, but GL turns the walkers. */
 	walker->instance->normal_mapping = false;
-	walker->instance->drawn_vertices_only = true;
 	walker->clip = choose_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;

@@ -82,7 +82,7 @@ static int init_morph(struct drawable_fixed *fixed,
 }
 
 int drawable_fixed_init(struct drawable *drawable, const struct model *model,
-	const struct fixed_loops *loops, struct arena *arena)
+	const struct fixed_loops *loops, bool in_tiers, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	int mesh = model->node[drawable->node].mesh;
@@ -97,8 +97,8 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	}
 	fixed->loops = loops;
 	if (drawable->skin >= 0) {
-		error = init_skin(
-			fixed, primitive, target_count, streams, arena);
+		error = init_skin(fixed, primitive, target_count,
+			streams | (in_tiers ? FIXED_TIERS : 0), arena);
 	} else {
 		error = init_morph(
 			fixed, primitive, target_count, streams, arena);

@@ -15,6 +15,16 @@
 int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out);
 
+/*
+ * The same for an instance that is only drawn: updates leave out skinned
+ * vertices that the drawables' lods do not draw. So nothing but the chosen
+ * lists may be read: no shadow volumes, no bounds, no single vertices. After
+ * lod_choose() see instance_is_stale().
+ */
+int instance_create_for_drawing(const struct model *model,
+	const struct kernel *kernel, const struct log *log,
+	struct instance **out);
+
 /* Frees the instance; NULL is allowed. */
 void instance_destroy(struct instance *instance);
 
@@ -29,7 +39,7 @@ void instance_update(struct instance *instance);
 
 /*
  * Whether the last update left out vertices that are drawn by now, because
- * drawn_vertices_only is true and a finer level was chosen since.
+ * the instance is only drawn and a finer level was chosen since.
  */
 bool instance_is_stale(const struct instance *instance);
 

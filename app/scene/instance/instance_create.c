@@ -131,7 +131,8 @@ static int init_vertices(struct instance *instance, struct drawable *drawable)
 	int error;
 
 	if (loops) {
-		error = drawable_fixed_init(drawable, model, loops, arena);
+		error = drawable_fixed_init(drawable, model, loops,
+			instance->drawn_vertices_only, arena);
 		if (!error && drawable->skin >= 0) {
 			skin_stream_count(
 				&drawable->stream, drawable->primitive);
@@ -278,8 +279,8 @@ static void choose_unit_scale(struct instance *instance)
 	instance_update(instance);
 }
 
-int instance_create(const struct model *model, const struct kernel *kernel,
-	const struct log *log, struct instance **out)
+static int create(const struct model *model, const struct kernel *kernel,
+	bool drawn_vertices_only, const struct log *log, struct instance **out)
 {
 	struct arena arena = arena_within(model->budget);
 	struct instance *instance = ARENA_NEW(&arena, struct instance);
@@ -292,6 +293,7 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	instance->model = model;
 	instance->kernel = kernel;
 	instance->normal_mapping = true;
+	instance->drawn_vertices_only = drawn_vertices_only;
 	light_direction(instance->towards_light);
 	error = init_skeleton(instance);
 	if (!error) {
@@ -315,6 +317,19 @@ fail:
 	(void)memory_budget_fail(model->budget, model->path, log);
 	arena_release(&arena);
 	return error;
+}
+
+int instance_create(const struct model *model, const struct kernel *kernel,
+	const struct log *log, struct instance **out)
+{
+	return create(model, kernel, false, log, out);
+}
+
+int instance_create_for_drawing(const struct model *model,
+	const struct kernel *kernel, const struct log *log,
+	struct instance **out)
+{
+	return create(model, kernel, true, log, out);
 }
 
 void instance_destroy(struct instance *instance)

@@ -157,13 +157,7 @@ struct instance {
 	 */
 	bool hold_normals;
 
-	/*
-	 * If true, updates leave out skinned vertices that the drawables' lods
-	 * do not draw. Only for instances of which nothing but the chosen lists
-	 * is read: no shadow volumes, no bounds, no single vertices. After
-	 * lod_choose() see instance_is_stale().
-	 */
-	bool drawn_vertices_only;
+	bool drawn_vertices_only; /* set by instance_create_for_drawing() */
 
 	/*
 	 * If true, updates pose and light the tangents of bump-mapped

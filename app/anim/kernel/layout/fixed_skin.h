@@ -8,13 +8,14 @@
  *   frame:  fixed_skin_set_cap(&skin, cap), which does work on a change only
  *           run/fixed_skin_run.h and run/fixed_palette.h, then loops->skin()
  *
- * Vertices come out in another order than the primitive's: in tiers, those that
- * the coarsest levels of detail use first, and in a tier sorted by number of
- * influences, then by joints. So no branch in a loop depends on a vertex, a
- * joint's matrix is fetched once for many vertices, and a coarse level needs
- * only the groups at the beginning. order[] maps output
- * vertices to the primitive's; whoever draws reorders indices and the other
- * attributes at load.
+ * Vertices come out in another order than the primitive's: sorted by number of
+ * influences, then by joints. So no branch in a loop depends on a vertex, and a
+ * joint's matrix is fetched once for many vertices. On request (FIXED_TIERS)
+ * they are sorted into tiers before that, those that the coarsest levels of
+ * detail use first, so that a coarse level needs only the groups at the
+ * beginning. The full level takes about 5% longer then, as runs are shorter.
+ * order[] maps output vertices to the primitive's; whoever draws reorders
+ * indices and the other attributes at load.
  *
  * Positions are relative to the centre of the box around the vertices that a
  * joint moves, which the joint's matrix accounts for. So the base vectors are
@@ -92,9 +93,9 @@ struct fixed_skin {
 
 /*
  * streams (enum fixed_streams) says which directions to skin besides
- * positions; the primitive must have them. 0; -ENOMEM; -ERANGE if positions
- * are not finite or more than 2,048 joints move vertices: such a primitive
- * is posed in float.
+ * positions, which the primitive must have, and whether to make tiers. 0;
+ * -ENOMEM; -ERANGE if positions are not finite or more than 2,048 joints move
+ * vertices: such a primitive is posed in float.
  */
 int fixed_skin_init(struct fixed_skin *skin,
 	const struct model_primitive *primitive, unsigned streams,

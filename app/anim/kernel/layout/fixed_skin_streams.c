@@ -94,7 +94,10 @@ static int count_quarterings(const struct model_primitive *primitive, int level)
 
 int fixed_skin_tier_of(const struct fixed_skin *skin, int level)
 {
-	return skin->tier_count - 1 - count_quarterings(skin->primitive, level);
+	int last = skin->tier_count - 1;
+	int count = count_quarterings(skin->primitive, level);
+
+	return count < last ? last - count : 0;
 }
 
 /* Of sorted[], which is in the primitive's order. */
@@ -102,8 +105,8 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 {
 	const struct model_primitive *primitive = skin->primitive;
 
-	skin->tier_count =
-		1 + count_quarterings(primitive, model_lod_of_size(primitive, 0));
+	skin->tier_count = 1 +
+		count_quarterings(primitive, model_lod_of_size(primitive, 0));
 	for (int v = 0; v < skin->vertex_count; v++) {
 		sorted[v].tier = skin->tier_count - 1;
 	}
@@ -122,7 +125,8 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
  * Fills order[] and inverse_order[] and allocates the runs. The list of sort
  * keys is freed again.
  */
-static int sort_vertices(struct fixed_skin *skin, struct arena *arena)
+static int sort_vertices(
+	struct fixed_skin *skin, bool in_tiers, struct arena *arena)
 {
 	size_t count = (size_t)skin->vertex_count;
 	struct sorted *list = calloc(count ? count : 1, sizeof(*list));
@@ -140,7 +144,10 @@ static int sort_vertices(struct fixed_skin *skin, struct arena *arena)
 		fixed_influences_by_joint(&in);
 		memcpy(list[v].joint, in.joint, sizeof(in.joint));
 	}
-	choose_tiers(skin, list);
+	skin->tier_count = 1;
+	if (in_tiers) {
+		choose_tiers(skin, list);
+	}
 	qsort(list, count, sizeof(*list), compare_sorted);
 	for (uint32_t i = 0; i < count; i++) {
 		skin->order[i] = list[i].vertex;
@@ -199,7 +206,8 @@ int fixed_skin_init_streams(
 {
 	int error = reserve(skin, streams, arena);
 
-	return error ? error : sort_vertices(skin, arena);
+	return error ? error
+		     : sort_vertices(skin, (streams & FIXED_TIERS) != 0, arena);
 }
 
 /* One influence of a vertex in one stream. */

@@ -13,8 +13,8 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "alike array array_state beams draw fog_state light light_state matrix"
-    " number prepare prepare_spans prepare_beams prepare_light query soft state texenv_state unshared vertex"
+    "transform and light": "dedup array array_state dir_lights draw fog_state light light_state matrix"
+    " number prepare prepare_spans prepare_dir_lights prepare_light query soft state texenv_state unindexed vertex"
     " vertices",
     "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
     " fill_relief fill_texture list narrow raster shadow textured triangle"

@@ -28,10 +28,10 @@ static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
 {
 	struct vertex *vertex = &draw->cache[slot];
-	struct place *place = &draw->place[slot];
+	struct cache_tag *place = &draw->place[slot];
 
 	soft_transform(draw, index, vertex);
-	place->tag = vertex->outcode || !draw->packed ? PLACE_OUTSIDE : index;
+	place->tag = vertex->outcode || !draw->packed ? TAG_OUTSIDE : index;
 	place->xy = vertex_xy(vertex);
 }
 
@@ -42,7 +42,7 @@ static ALWAYS_INLINE struct vertex *find_by_index(
 	struct vertex *vertex = &draw->cache[slot];
 	uint32_t tag = draw->place[slot].tag;
 
-	if (tag != index && (tag != PLACE_OUTSIDE || vertex->index != index)) {
+	if (tag != index && (tag != TAG_OUTSIDE || vertex->index != index)) {
 		soft_load_slot(draw, slot, index);
 	}
 	return vertex;
@@ -168,9 +168,9 @@ static void draw_listed(struct draw *draw, const struct source *source)
 	}
 }
 
-static void draw_unshared(struct draw *draw, const struct source *source)
+static void draw_unindexed(struct draw *draw, const struct source *source)
 {
-	if (soft_draw_unshared(draw, source->first, source->count)) {
+	if (soft_draw_unindexed(draw, source->first, source->count)) {
 		return;
 	}
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
@@ -237,7 +237,7 @@ static void draw_primitives(
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
 	} else if (mode == GL_TRIANGLES && !source->indices) {
-		draw_unshared(draw, source);
+		draw_unindexed(draw, source);
 	} else if (mode == GL_TRIANGLES && source->type == GL_UNSIGNED_SHORT) {
 		draw_listed(draw, source);
 	} else {

@@ -7,12 +7,11 @@
  *	            2^30; position_q says where the point is
  *	clip        block floating for all of the draw, |coordinate| < 2^29
  *	window x, y 4 bits of fraction, y downwards; 0 to 2^17; below 2^15 they
- *	            also go as one number, y in its upper half (struct place)
- *	window z    2 bits of fraction: 18 bits
- *	attributes  colours and fog 8.8 with 0x80 to spare at either end, texture
- *	            coordinates 16.16, then texels with 8 bits of fraction
- *	planes      8 bits of fraction more than the attributes; they wrap, and
- *	            are right modulo 2^32 inside of their triangle
+ *	            also go as one number, y in its upper half (struct
+ *cache_tag) window z    2 bits of fraction: 18 bits attributes  colours and
+ *fog 8.8 with 0x80 to spare at either end, texture coordinates 16.16, then
+ *texels with 8 bits of fraction planes      8 bits of fraction more than the
+ *attributes; they wrap, and are right modulo 2^32 inside of their triangle
  */
 #ifndef PLATFORM_GL_SOFT_DRAW_H
 #define PLATFORM_GL_SOFT_DRAW_H
@@ -82,19 +81,19 @@ struct vertex {
 
 /*
  * Which vertex is in a slot of the cache, and its window x and y as one number,
- * y in the upper half. A tag of PLACE_OUTSIDE says that the vertex lies outside
+ * y in the upper half. A tag of TAG_OUTSIDE says that the vertex lies outside
  * of the clip volume, or too far off for 15 bits: then xy is nothing, and the
  * vertex itself has the index.
  */
-#define PLACE_EMPTY   UINT32_MAX
-#define PLACE_OUTSIDE (UINT32_MAX - 1)
-struct place {
+#define PLACE_EMPTY UINT32_MAX
+#define TAG_OUTSIDE (UINT32_MAX - 1)
+struct cache_tag {
 	_Alignas(8) uint32_t tag; /* else the index */
 	uint32_t xy;
 };
 
 /* A light as vertices meet it, in the space normals are given in. */
-struct lamp {
+struct light_source {
 	bool positional, spot, specular;
 	int32_t towards_q28[3], half_q28[3];
 	int32_t diffuse_q22[3], specular_q20[3], ambient_q16[3];
@@ -106,14 +105,14 @@ struct lamp {
 struct shading {
 	bool lit, two_side, tracked, normalize, rotate_normals;
 	int32_t normal_q28[9]; /* rotates normals where lights stay behind */
-	int lamp_count;
-	struct lamp lamp[SOFT_LIGHTS];
-	int32_t base_q16[4]; /* the colour without lamps */
+	int light_source_count;
+	struct light_source light_source[SOFT_LIGHTS];
+	int32_t base_q16[4]; /* the colour without light sources */
 	int32_t emission_q16[3];
 	int32_t ambient_q16[3]; /* where the colour is tracked */
 	int32_t shininess_q16;
 	bool color_array;
-	bool by_beams; /* struct beams takes it */
+	bool by_dir_lights; /* struct dir_lights takes it */
 };
 
 /*
@@ -121,18 +120,18 @@ struct shading {
  * they begin to count, 2^-10, to 1.
  */
 enum {
-	GLEAM_STEPS = 64,
-	GLEAMS = 4
+	SPEC_TABLE_STEPS = 64,
+	SPEC_TABLES = 4
 };
 
-struct gleam {
+struct spec_table {
 	int32_t shininess_q16; /* 0: none yet */
 	int32_t least_q26;     /* the cosine where they begin */
 	int32_t scale;         /* from there, Q26, to steps with 8 bits, Q-18 */
-	struct gleam_step {
+	struct spec_table_step {
 		_Alignas(8) int32_t value_q28;
 		int32_t rise_q28; /* a 256th of the way to the next */
-	} step[GLEAM_STEPS];
+	} step[SPEC_TABLE_STEPS];
 };
 
 /*
@@ -141,21 +140,21 @@ struct gleam {
  * of four bytes. arm/light.S knows the offsets. Colours are 257/256 of what
  * they are, so that a byte's 255 makes 1 of them.
  */
-struct beam {
+struct dir_light {
 	int32_t towards_q30[3], diffuse_q30[3];
-	int32_t gleams; /* whether what follows is of use */
+	int32_t spec_tables; /* whether what follows is of use */
 	int32_t half_q30[3], least_q26, scale;
-	const struct gleam_step *step;
+	const struct spec_table_step *step;
 	int32_t specular_q20[3]; /* as it is */
 };
 
-struct beams {
+struct dir_lights {
 	_Alignas(32) const uint8_t *normals;
 	int normal_stride;
 	const uint8_t *colors;
 	int color_stride;      /* 0: all of the same colour, below */
 	const uint16_t *roots; /* soft_root_table */
-	const struct beam *end;
+	const struct dir_light *end;
 	int two_side, floats;
 	/*
 	 * Floats whose squares, Q24, are not from least on and less than range
@@ -163,14 +162,14 @@ struct beams {
 	 */
 	uint32_t square_least, square_range;
 	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
-	struct beam beam[SOFT_LIGHTS];
+	struct dir_light dir_light[SOFT_LIGHTS];
 	uint8_t color[4];
 	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
 	int texcoord_stride;
 	int rest; /* instead: whether shade_rest() is wanted */
 };
 
-/* How coordinates are given; all but the last are quick to fetch. */
+/* How coordinates are given; all but the last are fast to fetch. */
 enum texcoord_kind {
 	TEXCOORD_FLOATS, /* as they are; too large ones are TEXCOORD_OTHER */
 	TEXCOORD_SHORTS, /* each by a factor, and moved: below 2^14 then */
@@ -206,7 +205,7 @@ struct span {
 /* The triangle under way. */
 struct raster {
 	struct plane plane[PLANES];
-	int x0; /* the column the planes start from */
+	int x0;              /* the column the planes start from */
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
@@ -216,7 +215,7 @@ struct raster {
 	struct span span; /* of the row under way, and what is the same in all */
 };
 
-/* How positions are given; all but the last are quick to fetch. */
+/* How positions are given; all but the last are fast to fetch. */
 enum position_kind {
 	POSITION_SHORTS, /* three */
 	POSITION_FLOATS, /* three, in range and aligned */
@@ -244,10 +243,10 @@ struct view {
 	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 	/*
-	 * How far behind the draw struct beams lies where soft_shade() may
+	 * How far behind the draw struct dir_lights lies where soft_shade() may
 	 * light by it, else 0
 	 */
-	uint32_t beams;
+	uint32_t dir_lights;
 };
 
 /* ground.c's triangle under way. */
@@ -258,14 +257,16 @@ struct ground_rows {
 
 /*
  * Slots of the vertex cache by what their vertices are made of, and triangles
- * as lists of slots; arm/alike.S knows the offsets.
+ * as lists of slots; arm/dedup.S knows the offsets.
  */
-enum { ALIKE_TRIANGLES = 64 };
+enum {
+	DEDUP_TRIANGLES = 64
+};
 
-struct alike {
+struct dedup {
 	const uint8_t *source[VERTEX_CACHE]; /* or one of nothing[] */
-	uint8_t listed[VERTEX_CACHE];        /* in slots[], which is under way */
-	uint16_t slots[3 * ALIKE_TRIANGLES];
+	uint8_t listed[VERTEX_CACHE]; /* in slots[], which is under way */
+	uint16_t slots[3 * DEDUP_TRIANGLES];
 	uint32_t nothing[2][8]; /* no vertex of a slot: slot 0's is the second */
 };
 
@@ -278,15 +279,15 @@ typedef void (*span_function)(struct draw *draw, const struct span *span);
  * What rejects triangles, and sets small ones up, in one place. Offsets are
  * known to arm/list.S, arm/narrow.S and arm/shadow.S.
  */
-struct quick {
-	fill_function fill;     /* 0 */
-	struct place *place;    /* 4 */
-	struct vertex *cache;   /* 8 */
-	const int32_t *inverse; /* 12: draw->inverse_q31 */
+struct fast_setup {
+	fill_function fill;      /* 0 */
+	struct cache_tag *place; /* 4 */
+	struct vertex *cache;    /* 8 */
+	const int32_t *inverse;  /* 12: draw->inverse_q31 */
 	/* positive areas are clockwise as they are seen */
 	_Alignas(8) uint32_t cull_side; /* 16: all ones: of negative areas */
 	uint32_t cull_mask;             /* 20: the sign's bit, or 0 for none */
-	/* draw->box, as struct place has xy, a column narrower at both sides */
+	/* draw->box, as struct cache_tag has xy, a column narrower at both sides */
 	uint32_t box_low;       /* 24 */
 	uint32_t box_high;      /* 28 */
 	uintptr_t depth;        /* 32: of column and row 0 */
@@ -302,8 +303,8 @@ struct quick {
 };
 
 struct draw {
-	struct view view;   /* first: arm/vertex.S */
-	struct quick quick; /* at once: arm/list.S */
+	struct view view;             /* first: arm/vertex.S */
+	struct fast_setup fast_setup; /* at once: arm/list.S */
 	struct soft *soft;
 	int32_t eye_q16[3][4];
 	int position_q;
@@ -320,9 +321,9 @@ struct draw {
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
 	int fog_scale_q;
 	struct shading shading;
-	struct beams beams;
-	struct gleam gleam[GLEAMS];
-	int gleam_next; /* to be made over */
+	struct dir_lights dir_lights;
+	struct spec_table spec_table[SPEC_TABLES];
+	int spec_table_next; /* to be made over */
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
@@ -331,10 +332,10 @@ struct draw {
 	fill_function fill;
 	struct flat_band flat;
 	struct textured textured; /* for fill_textured() */
-	bool luminance; /* rows may be luminance.c's */
-	bool ground;    /* rows may be ground.c's */
-	bool picture;   /* rows may be picture.c's */
-	bool plain;     /* colours into RGB565, nothing to test or blend */
+	bool luminance;           /* rows may be luminance.c's */
+	bool ground;              /* rows may be ground.c's */
+	bool picture;             /* rows may be picture.c's */
+	bool plain; /* colours into RGB565, nothing to test or blend */
 	span_function span;
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
@@ -346,9 +347,9 @@ struct draw {
 	struct ground_rows ground_rows;
 	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
-	struct place place[VERTEX_CACHE];      /* of cache, slot by slot */
+	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];
-	struct alike alike;
+	struct dedup dedup;
 	struct vertex apart[3]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 };
@@ -366,15 +367,15 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
-/* unshared.c: a triangle of a list without indices, past the cache. */
+/* unindexed.c: a triangle of a list without indices, past the cache. */
 void soft_draw_apart(struct draw *draw, uint32_t index);
 
 /*
  * Draws such a list while draw->packed, from index first on, whose vertices lie
- * together, words of 4 bytes from at on. False where it is left to unshared.c:
- * it always is in C; else arm/alike.S does it.
+ * together, words of 4 bytes from at on. False where it is left to unindexed.c:
+ * it always is in C; else arm/dedup.S does it.
  */
-bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	int words, uint32_t first, uint32_t count);
 
 /* prepare.c: what stays the same for good. */
@@ -387,18 +388,18 @@ bool soft_prepare(
 /* prepare_light.c */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
-/* prepare_beams.c: after the above, of what is lit. */
-void soft_prepare_beams(const struct soft *soft, struct draw *draw);
+/* prepare_dir_lights.c: after the above, of what is lit. */
+void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw);
 
 /* vertex.c: fetches and transforms; attributes follow when they are wanted. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
-/* The same in C; arm/vertex.S has another for the quick kinds. */
+/* The same in C; arm/vertex.S has another for the fast kinds. */
 void transform_c(const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* Fills the attributes unless they are there. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
-/* The same in C; arm/light.S has another for what struct beams takes. */
+/* The same in C; arm/light.S has another for what struct dir_lights takes. */
 void shade_c(const struct draw *draw, struct vertex *vertex);
 /* What follows the colour: fog and texture coordinates. */
 void shade_rest(const struct draw *draw, struct vertex *vertex);
@@ -413,8 +414,7 @@ void array_texcoord_q16(
  * The largest of count times three floats, as bits without their sign, shifted
  * to the left by one. The other is in C; arm/vertex.S has one besides.
  */
-uint32_t soft_largest_float(
-	const uint8_t *at, int stride_bytes, uint32_t count);
+uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
 uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
 int array_position_exponent(
@@ -424,17 +424,18 @@ int array_position_exponent(
 void soft_light(const struct draw *draw, struct vertex *vertex);
 
 /*
- * beams.c: the same by struct beams, of the vertex's index. False where the
- * normal is not for it.
+ * dir_lights.c: the same by struct dir_lights, of the vertex's index. False
+ * where the normal is not for it.
  */
-bool soft_light_by_beams(const struct beams *beams, struct vertex *vertex);
+bool soft_light_by_dir_lights(
+	const struct dir_lights *dir_lights, struct vertex *vertex);
 
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
 
-/* triangle.c: draw->quick, once a call, after all else. */
-void soft_prepare_quick(struct draw *draw);
+/* triangle.c: draw->fast_setup, once a call, after all else. */
+void soft_prepare_fast_setup(struct draw *draw);
 
 /*
  * triangle.c: from three projected vertices to rows of pixels. Shades them once

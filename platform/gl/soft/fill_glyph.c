@@ -135,7 +135,7 @@ static bool are_upright(struct vertex *const v[4])
 }
 
 /* One colour, and coordinates that run along with the sides. */
-static bool are_alike(struct vertex *const v[4])
+static bool are_equal(struct vertex *const v[4])
 {
 	const int32_t *a = v[0]->attribute, *b = v[1]->attribute;
 	const int32_t *c = v[2]->attribute, *d = v[3]->attribute;
@@ -241,7 +241,7 @@ bool fill_rectangle(struct draw *draw, struct vertex *const v[4])
 	for (int i = 0; i < 4; i++) {
 		soft_shade(draw, v[i]);
 	}
-	if (!are_alike(v)) {
+	if (!are_equal(v)) {
 		return false;
 	}
 	box = box_of(draw, v);

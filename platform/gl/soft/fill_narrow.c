@@ -233,15 +233,15 @@ static void draw_rows(void *band)
 static void set_up(const struct draw *draw, const struct setup *setup,
 	const struct scale *scale, struct narrow *narrow)
 {
-	const struct quick *quick = &draw->quick;
+	const struct fast_setup *fast_setup = &draw->fast_setup;
 
 	*narrow = (struct narrow){
-		.depth = quick->depth +
-			(uintptr_t)setup->top * quick->stride_bytes,
-		.stride_bytes = quick->stride_bytes,
+		.depth = fast_setup->depth +
+			(uintptr_t)setup->top * fast_setup->stride_bytes,
+		.stride_bytes = fast_setup->stride_bytes,
 		.column = scale->column,
 	};
-	narrow->pixel = narrow->depth + 2 + quick->pixels;
+	narrow->pixel = narrow->depth + 2 + fast_setup->pixels;
 	set_depth(narrow, setup, scale);
 	add_channel(narrow, setup, scale, RED, 5, 13, 10);
 	add_channel(narrow, setup, scale, GREEN, 6, 13, 21);
@@ -254,7 +254,7 @@ void fill_narrow_c(struct draw *draw, struct setup *setup)
 	struct narrow narrow;
 	struct scale scale;
 
-	if (!setup->quick || setup->columns > NARROW_COLUMNS ||
+	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
 		!runs_linearly(draw, setup)) {
 		fill_plain(draw, setup);
 		return;

@@ -429,8 +429,8 @@ void fill_textured_begin(struct draw *draw)
 	bool free = !draw->perspective || is_mipmapped(draw);
 
 	draw->textured = (struct textured){
-		.depth = draw->quick.depth,
-		.stride_bytes = draw->quick.stride_bytes,
+		.depth = draw->fast_setup.depth,
+		.stride_bytes = draw->fast_setup.stride_bytes,
 		.inverse = draw->inverse_q31,
 		.reciprocals = soft_reciprocal_table,
 		.tint = choose_tint(draw),
@@ -442,7 +442,7 @@ void fill_textured_begin(struct draw *draw)
 		.red_blue_mask = TINT_RED_BLUE,
 		.green_mask = TINT_GREEN,
 		.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST,
-		.pixels = draw->quick.pixels,
+		.pixels = draw->fast_setup.pixels,
 		.half_texel = linear ? TINT_NEXT / 2 : 0,
 		.near_limit = is_mipmapped(draw) ? SMALL_DELTA : 0,
 	};

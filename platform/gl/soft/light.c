@@ -54,38 +54,42 @@ static void rotate_normal(const int32_t m_q28[9], bool any_length, int32_t n[3])
 	}
 }
 
-/* The highlight, which few lamps and materials have. */
-static void add_gleam(const struct shading *shading, const struct lamp *lamp,
-	const int32_t n[3], struct lit *lit)
+/* The highlight, which few light sources and materials have. */
+static void add_spec_table(const struct shading *shading,
+	const struct light_source *light_source, const int32_t n[3],
+	struct lit *lit)
 {
-	int32_t glance_q26 = dot_q26(n, lamp->half_q28);
-	int32_t gleam_q28;
+	int32_t glance_q26 = dot_q26(n, light_source->half_q28);
+	int32_t spec_table_q28;
 
 	if (glance_q26 <= 0) {
 		return;
 	}
-	gleam_q28 = power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
-		shading->shininess_q16);
+	spec_table_q28 =
+		power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
+			shading->shininess_q16);
 	for (int i = 0; i < 3; i++) {
-		lit->specular[i] += mul_high(gleam_q28, lamp->specular_q20[i]);
+		lit->specular[i] +=
+			mul_high(spec_table_q28, light_source->specular_q20[i]);
 	}
 }
 
 static ALWAYS_INLINE void add_directional(const struct shading *shading,
-	const struct lamp *lamp, const int32_t n[3], struct lit *lit)
+	const struct light_source *light_source, const int32_t n[3],
+	struct lit *lit)
 {
-	int32_t towards_q26 = dot_q26(n, lamp->towards_q28);
+	int32_t towards_q26 = dot_q26(n, light_source->towards_q28);
 
 	if (towards_q26 <= 0) {
 		return;
 	}
-	lit->diffuse[0] += mul_high(towards_q26, lamp->diffuse_q22[0]);
-	lit->diffuse[1] += mul_high(towards_q26, lamp->diffuse_q22[1]);
-	lit->diffuse[2] += mul_high(towards_q26, lamp->diffuse_q22[2]);
-	if (!lamp->specular) {
+	lit->diffuse[0] += mul_high(towards_q26, light_source->diffuse_q22[0]);
+	lit->diffuse[1] += mul_high(towards_q26, light_source->diffuse_q22[1]);
+	lit->diffuse[2] += mul_high(towards_q26, light_source->diffuse_q22[2]);
+	if (!light_source->specular) {
 		return;
 	}
-	add_gleam(shading, lamp, n, lit);
+	add_spec_table(shading, light_source, n, lit);
 }
 
 /* Its length in 16.16; the vector itself becomes Q28 of unit length. */
@@ -128,56 +132,58 @@ static int32_t invert_q16(int64_t value)
 		(62 - zeros > 31 ? 31 : 62 - zeros);
 }
 
-/* How much of a positional lamp arrives, 16.16. */
-static int32_t attenuate(const struct lamp *lamp, int32_t distance_q16,
-	const int32_t towards_q28[3])
+/* How much of a positional light source arrives, 16.16. */
+static int32_t attenuate(const struct light_source *light_source,
+	int32_t distance_q16, const int32_t towards_q28[3])
 {
-	const int32_t *k = lamp->attenuation_q16;
+	const int32_t *k = light_source->attenuation_q16;
 	int64_t d = distance_q16;
 	int64_t by = k[0] + (k[1] * d >> 16) + ((d * d >> 16) * k[2] >> 16);
 	int64_t share = invert_q16(by);
 	int64_t along = 0;
 
-	if (!lamp->spot) {
+	if (!light_source->spot) {
 		return (int32_t)share;
 	}
 	for (int i = 0; i < 3; i++) {
-		along -= (int64_t)towards_q28[i] * lamp->direction_q28[i];
+		along -= (int64_t)towards_q28[i] *
+			light_source->direction_q28[i];
 	}
 	along >>= 28;
-	if (along < lamp->cutoff_q28) {
+	if (along < light_source->cutoff_q28) {
 		return 0;
 	}
 	return (int32_t)(share *
 			power_q28((int32_t)(along > 1 << 28 ? 1 << 28 : along),
-				lamp->exponent_q16) >>
+				light_source->exponent_q16) >>
 		28);
 }
 
 static void add_positional(const struct shading *shading,
-	const struct lamp *lamp, const int32_t n[3], const int32_t eye_q16[3],
-	struct lit *lit)
+	const struct light_source *light_source, const int32_t n[3],
+	const int32_t eye_q16[3], struct lit *lit)
 {
-	struct lamp here = *lamp;
+	struct light_source here = *light_source;
 	struct lit added = {{0}, {0}};
 	int32_t distance, share;
 
 	for (int i = 0; i < 3; i++) {
 		here.towards_q28[i] = saturate_64(
-			(int64_t)lamp->position_q16[i] - eye_q16[i]);
+			(int64_t)light_source->position_q16[i] - eye_q16[i]);
 	}
 	distance = take_length(here.towards_q28);
-	share = attenuate(lamp, distance, here.towards_q28);
+	share = attenuate(light_source, distance, here.towards_q28);
 	for (int i = 0; i < 3; i++) {
 		here.half_q28[i] = here.towards_q28[i] + (i == 2 ? 1 << 28 : 0);
 	}
 	take_length(here.half_q28);
 	add_directional(shading, &here, n, &added);
 	for (int i = 0; i < 3; i++) {
-		lit->diffuse[i] += saturate_64(
-			(int64_t)(added.diffuse[i] + lamp->ambient_q16[i]) *
-				share >>
-			16);
+		lit->diffuse[i] +=
+			saturate_64((int64_t)(added.diffuse[i] +
+					    light_source->ambient_q16[i]) *
+					share >>
+				16);
 		lit->specular[i] +=
 			saturate_64((int64_t)added.specular[i] * share >> 16);
 	}
@@ -198,13 +204,14 @@ static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3]
 				  shading->ambient_q16[2]},
 		{0, 0, 0}};
 
-	for (int i = 0; i < shading->lamp_count; i++) {
-		const struct lamp *lamp = &shading->lamp[i];
+	for (int i = 0; i < shading->light_source_count; i++) {
+		const struct light_source *light_source =
+			&shading->light_source[i];
 
-		if (lamp->positional) {
-			add_positional(shading, lamp, n, eye, &lit);
+		if (light_source->positional) {
+			add_positional(shading, light_source, n, eye, &lit);
 		} else {
-			add_directional(shading, lamp, n, &lit);
+			add_directional(shading, light_source, n, &lit);
 		}
 	}
 	if (shading->tracked) {
@@ -401,8 +408,8 @@ void shade_c(const struct draw *draw, struct vertex *vertex)
 	vertex->shaded = true;
 	if (!draw->shading.lit) {
 		find_color(draw, vertex);
-	} else if (!draw->shading.by_beams ||
-		!soft_light_by_beams(&draw->beams, vertex)) {
+	} else if (!draw->shading.by_dir_lights ||
+		!soft_light_by_dir_lights(&draw->dir_lights, vertex)) {
 		soft_light(draw, vertex);
 	}
 	shade_rest(draw, vertex);

@@ -16,7 +16,8 @@ enum {
 	EXPONENT_MOST = 29,
 };
 
-static bool are_quick_floats(const struct draw *draw, const struct array *array)
+static bool are_fast_setup_floats(
+	const struct draw *draw, const struct array *array)
 {
 	uintptr_t places =
 		(uintptr_t)array->pointer | (uintptr_t)array->stride_bytes;
@@ -42,9 +43,9 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 	view->scale = soft_matrix_power_of_two(draw->position_q);
 	view->kind = array->size < 3 && array->type == GL_SHORT ? POSITION_PAIRS
 		: array->size < 3                               ? POSITION_OTHER
-		: array->type == GL_SHORT       ? POSITION_SHORTS
-		: are_quick_floats(draw, array) ? POSITION_FLOATS
-						: POSITION_OTHER;
+		: array->type == GL_SHORT            ? POSITION_SHORTS
+		: are_fast_setup_floats(draw, array) ? POSITION_FLOATS
+						     : POSITION_OTHER;
 	view->positions = array->pointer;
 	view->stride_bytes = array->stride_bytes;
 }
@@ -353,7 +354,7 @@ static void choose_span(struct draw *draw)
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
-	draw->beams.roots = soft_root_table;
+	draw->dir_lights.roots = soft_root_table;
 	/* 4 (1 + 65533 (z/w + 1) / 2) */
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
@@ -370,20 +371,20 @@ void soft_init_scratch(struct draw *draw)
 static void prepare_shade(struct draw *draw)
 {
 	const struct texture_input *input = draw->texture;
-	struct beams *beams = &draw->beams;
+	struct dir_lights *dir_lights = &draw->dir_lights;
 
-	draw->view.beams = 0;
+	draw->view.dir_lights = 0;
 	if (draw->attributes == 0 || !draw->shading.lit ||
-		!draw->shading.by_beams) {
+		!draw->shading.by_dir_lights) {
 		return;
 	}
-	draw->view.beams = (uint32_t)offsetof(struct draw, beams);
-	beams->texcoords = NULL;
-	beams->rest = draw->fogged || input[1].used ||
+	draw->view.dir_lights = (uint32_t)offsetof(struct draw, dir_lights);
+	dir_lights->texcoords = NULL;
+	dir_lights->rest = draw->fogged || input[1].used ||
 		(input[0].used && input[0].kind != TEXCOORD_FLOATS);
-	if (input[0].used && !beams->rest) {
-		beams->texcoords = input[0].array->pointer;
-		beams->texcoord_stride = input[0].array->stride_bytes;
+	if (input[0].used && !dir_lights->rest) {
+		dir_lights->texcoords = input[0].array->pointer;
+		dir_lights->texcoord_stride = input[0].array->stride_bytes;
 	}
 }
 
@@ -428,7 +429,7 @@ bool soft_prepare(
 		draw->fill = soft_bands.shadow;
 	}
 	prepare_shade(draw);
-	soft_prepare_quick(draw);
+	soft_prepare_fast_setup(draw);
 	if (draw->fill == fill_textured || draw->fill == fill_relief) {
 		fill_textured_begin(draw);
 	}

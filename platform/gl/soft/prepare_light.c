@@ -54,28 +54,30 @@ static int32_t product(GLfixed a, GLfixed b, int shift)
 	return saturate_64(shift < 0 ? all >> -shift : all << shift);
 }
 
-static void prepare_positional(const struct light *light, struct lamp *lamp)
+static void prepare_positional(
+	const struct light *light, struct light_source *light_source)
 {
 	float direction[3];
 
-	lamp->positional = true;
-	lamp->spot = light->cutoff != 180 * 65536;
+	light_source->positional = true;
+	light_source->spot = light->cutoff != 180 * 65536;
 	for (int i = 0; i < 3; i++) {
-		lamp->position_q16[i] = soft_matrix_to_int(
+		light_source->position_q16[i] = soft_matrix_to_int(
 			light->position[i] / light->position[3] * 65536.0f);
-		lamp->attenuation_q16[i] = light->attenuation[i];
+		light_source->attenuation_q16[i] = light->attenuation[i];
 	}
 	memcpy(direction, light->direction, sizeof(direction));
 	normalize(direction);
-	to_q28(direction, lamp->direction_q28);
-	lamp->cutoff_q28 = (int32_t)(scalar_cos((float)light->cutoff /
-					     65536.0f * (SCALAR_PI / 180.0f)) *
-		two_28);
-	lamp->exponent_q16 = light->exponent;
+	to_q28(direction, light_source->direction_q28);
+	light_source->cutoff_q28 =
+		(int32_t)(scalar_cos((float)light->cutoff / 65536.0f *
+				  (SCALAR_PI / 180.0f)) *
+			two_28);
+	light_source->exponent_q16 = light->exponent;
 }
 
-static void prepare_directional(
-	const struct light *light, const float *normal, struct lamp *lamp)
+static void prepare_directional(const struct light *light, const float *normal,
+	struct light_source *light_source)
 {
 	float towards[3], half[3];
 
@@ -84,8 +86,8 @@ static void prepare_directional(
 	memcpy(half, towards, sizeof(half));
 	half[2] += 1.0f; /* the viewer is infinitely far along z */
 	normalize(half);
-	turn(normal, towards, lamp->towards_q28);
-	turn(normal, half, lamp->half_q28);
+	turn(normal, towards, light_source->towards_q28);
+	turn(normal, half, light_source->half_q28);
 }
 
 /* What is tracked by vertex comes later; else the current colour is known. */
@@ -101,33 +103,34 @@ static const GLfixed *choose_color(const struct soft *soft,
 					     : material;
 }
 
-static void prepare_lamp(const struct soft *soft, const struct light *light,
-	const float *normal, struct shading *shading)
+static void prepare_light_source(const struct soft *soft,
+	const struct light *light, const float *normal, struct shading *shading)
 {
-	struct lamp *lamp = &shading->lamp[shading->lamp_count++];
+	struct light_source *light_source =
+		&shading->light_source[shading->light_source_count++];
 	const struct material *material = &soft->lighting.material;
 	const GLfixed *diffuse = choose_color(soft, shading, material->diffuse);
 	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
 
-	*lamp = (struct lamp){0};
+	*light_source = (struct light_source){0};
 	for (int i = 0; i < 3; i++) {
-		lamp->diffuse_q22[i] =
+		light_source->diffuse_q22[i] =
 			product(diffuse[i], light->diffuse[i], -10);
-		lamp->specular_q20[i] =
+		light_source->specular_q20[i] =
 			product(material->specular[i], light->specular[i], -12);
-		lamp->ambient_q16[i] =
+		light_source->ambient_q16[i] =
 			product(ambient[i], light->ambient[i], -16);
-		lamp->specular |= lamp->specular_q20[i] != 0;
+		light_source->specular |= light_source->specular_q20[i] != 0;
 	}
 	if (light->position[3] != 0.0f) {
-		prepare_positional(light, lamp);
+		prepare_positional(light, light_source);
 	} else {
-		prepare_directional(light, normal, lamp);
+		prepare_directional(light, normal, light_source);
 	}
-	if (!lamp->positional) {
+	if (!light_source->positional) {
 		/* No distance to fade with: into the base at once. */
 		for (int i = 0; i < 3; i++) {
-			shading->ambient_q16[i] += lamp->ambient_q16[i];
+			shading->ambient_q16[i] += light_source->ambient_q16[i];
 		}
 	}
 }
@@ -205,9 +208,9 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 	shading->two_side = lighting->enabled && lighting->two_side;
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	shading->by_beams = false;
+	shading->by_dir_lights = false;
 	shading->color_array = soft->arrays.color.enabled;
-	shading->lamp_count = 0;
+	shading->light_source_count = 0;
 	draw->eye_needed = false;
 	if (!shading->lit) {
 		return;
@@ -217,9 +220,9 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 	prepare_base(soft, shading);
 	for (int i = 0; i < SOFT_LIGHTS; i++) {
 		if (lighting->light[i].enabled) {
-			prepare_lamp(soft, &lighting->light[i],
+			prepare_light_source(soft, &lighting->light[i],
 				turn_lights ? normal : NULL, shading);
 		}
 	}
-	soft_prepare_beams(soft, draw);
+	soft_prepare_dir_lights(soft, draw);
 }

@@ -10,11 +10,11 @@
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
- * unshared.c: triangles without indices, count vertices from first on; finds
+ * unindexed.c: triangles without indices, count vertices from first on; finds
  * those that come again by what they are made of. False where arrays are not
  * words to compare: draws nothing then.
  */
-bool soft_draw_unshared(struct draw *draw, uint32_t first, uint32_t count);
+bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 
 /* A triangle of transformed vertices, as far as it is in the clip volume. */
 static ALWAYS_INLINE void draw_transformed(

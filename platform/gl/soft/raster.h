@@ -22,14 +22,14 @@ enum {
  */
 struct setup {
 	const struct vertex *v[3]; /* 0 */
-	uint32_t xy[3];            /* 12: of struct place, if quick */
+	uint32_t xy[3];            /* 12: of struct cache_tag, if fast_setup */
 	int top, middle, bottom;   /* 24 */
 	int columns;               /* 36: how many can be covered */
 	int32_t extent; /* 40: how wide or high it is, in sixteenths */
 	/* 44: all of it lies in draw->box with a pixel to spare at the sides */
 	bool inside;
-	bool wide;  /* extent > SMALL_EXTENT */
-	bool quick; /* inside, not wide, with xy */
+	bool wide;       /* extent > SMALL_EXTENT */
+	bool fast_setup; /* inside, not wide, with xy */
 	bool back;
 	_Alignas(8) uint64_t area; /* 48: twice of it, in 1/256 of pixels */
 	/* raster_find_area(): */

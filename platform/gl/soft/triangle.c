@@ -76,8 +76,8 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 /* Where their numbers fit, setup->xy is there too. */
 static void pack_corners(const struct draw *draw, struct setup *setup)
 {
-	setup->quick = draw->packed && setup->inside && !setup->wide;
-	for (int i = 0; i < 3 && setup->quick; i++) {
+	setup->fast_setup = draw->packed && setup->inside && !setup->wide;
+	for (int i = 0; i < 3 && setup->fast_setup; i++) {
 		setup->xy[i] = vertex_xy(setup->v[i]);
 	}
 }
@@ -128,13 +128,13 @@ static bool is_packed(const struct draw *draw)
 		!(draw->cull_front && draw->cull_back);
 }
 
-/* Sixteenths, as struct place has them. */
+/* Sixteenths, as struct cache_tag has them. */
 static uint32_t pack_pixels(int x, int y)
 {
 	return (uint32_t)y << 20 | (uint32_t)x << 4;
 }
 
-void soft_prepare_quick(struct draw *draw)
+void soft_prepare_fast_setup(struct draw *draw)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct clip_box *box = &draw->box;
@@ -142,7 +142,7 @@ void soft_prepare_quick(struct draw *draw)
 		draw->front_is_ccw ? draw->cull_back : draw->cull_front;
 
 	draw->packed = is_packed(draw);
-	draw->quick = (struct quick){
+	draw->fast_setup = (struct fast_setup){
 		.fill = draw->fill,
 		.place = draw->place,
 		.cache = draw->cache,
@@ -162,9 +162,10 @@ void soft_prepare_quick(struct draw *draw)
 		.shadow = draw->fill == soft_bands.shadow,
 	};
 	/* Nothing is inside of an empty box. */
-	draw->quick.box_low = PACKED_PIXELS * 0x100010u;
+	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;
 	if (draw->packed && draw->same_stride && box->right - box->left > 2) {
-		draw->quick.box_low = pack_pixels(box->left + 1, box->top);
-		draw->quick.box_high = pack_pixels(box->right - 1, box->bottom);
+		draw->fast_setup.box_low = pack_pixels(box->left + 1, box->top);
+		draw->fast_setup.box_high =
+			pack_pixels(box->right - 1, box->bottom);
 	}
 }

@@ -3,7 +3,7 @@
  *
  * A row costs 31 instructions, a pixel 9, whether it is seen or not.
  */
-#include "platform/gl/soft/arm/see.h"
+#include "platform/gl/soft/arm/depth_tested.h"
 
 	.syntax unified
 	.arch armv6
@@ -64,7 +64,7 @@ band_color_arm:
 	add	pc, pc, r5, lsl #2
 	nop
 	.rept	15
-	see_pixel r4, r12
+	depth_tested_pixel r4, r12
 	.endr
 	see_last r4, r12
 
@@ -80,7 +80,7 @@ band_color_arm:
 	mov	r5, #4
 .Lfour:
 	.rept	4
-	see_pixel r4, r12
+	depth_tested_pixel r4, r12
 	.endr
 	subs	r5, r5, #1
 	bne	.Lfour

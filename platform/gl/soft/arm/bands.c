@@ -55,8 +55,7 @@ static void count_arm(struct count_band *band)
 
 /* ground.S */
 void ground_shade_arm(const struct shade_run *run);
-int ground_depth_arm(
-	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+int ground_depth_arm(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 /* flat.S: blended ones of one row or more */
 void band_flat_arm(struct flat_band *band);
@@ -96,15 +95,16 @@ static_assert(offsetof(struct vertex, z) == 12, "VERTEX_Z");
 static_assert(offsetof(struct vertex, attribute) == 16, "VERTEX_COLOR");
 static_assert(offsetof(struct vertex, clip) == 64, "VERTEX_W");
 static_assert(offsetof(struct draw, view.reciprocals) == 112, "RECIPROCALS");
-static_assert(offsetof(struct draw, quick) == 128, "QUICK_");
-static_assert(offsetof(struct quick, inverse) == 12, "QUICK_INVERSE");
-static_assert(offsetof(struct quick, cull_side) == 16, "QUICK_CULL");
-static_assert(offsetof(struct quick, box_low) == 24, "QUICK_BOX");
-static_assert(offsetof(struct quick, attributes) == 44, "QUICK_ATTRIBUTES");
-static_assert(offsetof(struct quick, back_flip) == 52, "QUICK_BACK");
-static_assert(offsetof(struct quick, flat) == 56, "QUICK_FLAT");
-static_assert(offsetof(struct quick, stencil) == 64, "QUICK_STENCIL");
-static_assert(offsetof(struct quick, shadow) == 72, "QUICK_SHADOW");
+static_assert(offsetof(struct draw, fast_setup) == 128, "FAST_SETUP_");
+static_assert(offsetof(struct fast_setup, inverse) == 12, "FAST_SETUP_INVERSE");
+static_assert(offsetof(struct fast_setup, cull_side) == 16, "FAST_SETUP_CULL");
+static_assert(offsetof(struct fast_setup, box_low) == 24, "FAST_SETUP_BOX");
+static_assert(
+	offsetof(struct fast_setup, attributes) == 44, "FAST_SETUP_ATTRIBUTES");
+static_assert(offsetof(struct fast_setup, back_flip) == 52, "FAST_SETUP_BACK");
+static_assert(offsetof(struct fast_setup, flat) == 56, "FAST_SETUP_FLAT");
+static_assert(offsetof(struct fast_setup, stencil) == 64, "FAST_SETUP_STENCIL");
+static_assert(offsetof(struct fast_setup, shadow) == 72, "FAST_SETUP_SHADOW");
 static_assert(offsetof(struct flat_band, reference) == 44, "FLAT_REFERENCE");
 static_assert(offsetof(struct flat_band, keep) == 48, "FLAT_KEEP");
 static_assert(sizeof(struct setup) <= 88, "CULL");

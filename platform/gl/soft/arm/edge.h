@@ -1,6 +1,6 @@
 /*
  * raster.h's raster_side() of small triangles, and 0x7FFF more: from r1 to r2,
- * both struct place's xy, at the first row, r3; lr has 2^31 / n. Leaves x in
+ * both struct cache_tag's xy, at the first row, r3; lr has 2^31 / n. Leaves x in
  * r1, the step in r2, and neither r3 nor r12.
  */
 	.macro	find_edge

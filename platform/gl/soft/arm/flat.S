@@ -3,7 +3,7 @@
  * of struct flat_band. A pixel costs 9 instructions, 13 with a stencil; where
  * that is as it should not be, one of eight.
  */
-#include "platform/gl/soft/arm/wide.h"
+#include "platform/gl/soft/arm/blend_565.h"
 
 	.syntax unified
 	.arch armv6

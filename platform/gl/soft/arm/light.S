@@ -1,6 +1,6 @@
 /*
- * light.c's soft_shade() and beams.c for ARMv6: the same numbers. Offsets are
- * those of struct view, struct beams and struct vertex.
+ * light.c's soft_shade() and dir_lights.c for ARMv6: the same numbers. Offsets are
+ * those of struct view, struct dir_lights and struct vertex.
  *
  * A vertex costs 79 instructions, normalising a normal of shorts included, each
  * light that it faces 18, with a highlight 36, and texture coordinates 20.
@@ -12,14 +12,14 @@
 	.text
 
 /* of the draw */
-#define BEAMS 116
+#define DIR_LIGHTS 116
 
 #define SQUARE_LEAST 32
 #define SUMS 40
 
-/* what is left of a lamp behind its direction, its flag and its steps */
+/* what is left of a light source behind its direction, its flag and its steps */
 #define BEHIND_TOWARDS 52
-#define BEHIND_GLEAMS 36
+#define BEHIND_SPEC_TABLES 36
 #define BEHIND_STEPS 12
 
 #define TEXCOORDS 580
@@ -44,7 +44,7 @@
 	.type	soft_shade, %function
 soft_shade:
 	ldrb	r2, [r1, #VERTEX_SHADED]
-	ldr	r12, [r0, #BEAMS]
+	ldr	r12, [r0, #DIR_LIGHTS]
 	cmp	r2, #0
 	bxne	lr
 	cmp	r12, #0
@@ -95,7 +95,7 @@ soft_shade:
 	smmul	r5, r4, r1
 	smmul	lr, r6, r1
 
-	/* normal r5 r12 lr; dull r6 r7 r8, shine r9 r10 r11; r0 the lamp */
+	/* normal r5 r12 lr; dull r6 r7 r8, shine r9 r10 r11; r0 the light source */
 .Lside:
 	ldr	r4, [sp, #END]
 	add	r0, r0, #SUMS
@@ -116,7 +116,7 @@ soft_shade:
 	smmla	r8, r1, r4, r8
 	ldr	r4, [r0], #4
 	cmp	r4, #0
-	addeq	r0, r0, #BEHIND_GLEAMS
+	addeq	r0, r0, #BEHIND_SPEC_TABLES
 	beq	.Lnext
 	ldmia	r0!, {r1-r3}
 	smmul	r1, r1, r5

@@ -1,7 +1,7 @@
 /*
  * draw.c's lists of triangles by 16-bit indices, for ARMv6: what triangle.c's
- * soft_fill_triangle() makes of each. Offsets are those of struct quick,
- * struct setup, struct vertex and struct place; arm/bands.c asserts them.
+ * soft_fill_triangle() makes of each. Offsets are those of struct fast_setup,
+ * struct setup, struct vertex and struct cache_tag; arm/bands.c asserts them.
  *
  * A triangle that is culled costs 26 instructions, one that is handed on 110.
  */
@@ -10,16 +10,16 @@
 	.arm
 	.text
 
-/* struct quick, in struct draw */
-#define QUICK 128
-#define QUICK_FILL (QUICK + 0)
-#define QUICK_PLACE (QUICK + 4)
-#define QUICK_CACHE (QUICK + 8)
-#define QUICK_CULL (QUICK + 16)
-#define QUICK_BOX (QUICK + 24)
-#define QUICK_ATTRIBUTES (QUICK + 44)
-#define QUICK_BACK (QUICK + 52)
-#define QUICK_SHADOW (QUICK + 72)
+/* struct fast_setup, in struct draw */
+#define FAST_SETUP 128
+#define FAST_SETUP_FILL (FAST_SETUP + 0)
+#define FAST_SETUP_TAG (FAST_SETUP + 4)
+#define FAST_SETUP_CACHE (FAST_SETUP + 8)
+#define FAST_SETUP_CULL (FAST_SETUP + 16)
+#define FAST_SETUP_BOX (FAST_SETUP + 24)
+#define FAST_SETUP_ATTRIBUTES (FAST_SETUP + 44)
+#define FAST_SETUP_BACK (FAST_SETUP + 52)
+#define FAST_SETUP_SHADOW (FAST_SETUP + 72)
 
 #define VERTEX_BYTES 96
 #define VERTEX_X 4
@@ -59,10 +59,10 @@ list_arm:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
 	mov	r11, r1
-	ldr	r10, [r0, #QUICK_PLACE]
+	ldr	r10, [r0, #FAST_SETUP_TAG]
 	add	r2, r1, r2, lsl #1
-	ldrd	r4, [r0, #QUICK_CULL]
-	ldrd	r6, [r0, #QUICK_BOX]
+	ldrd	r4, [r0, #FAST_SETUP_CULL]
+	ldrd	r6, [r0, #FAST_SETUP_BOX]
 	strd	r4, [sp, #CULL]
 	strd	r6, [sp, #BOX]
 	ldr	r4, =0x00070007
@@ -70,18 +70,18 @@ list_arm:
 	strd	r4, [sp, #ROUND]
 	str	r0, [sp, #DRAW]
 	str	r2, [sp, #END]
-	ldr	r4, [r0, #QUICK_CACHE]
-	ldr	r5, [r0, #QUICK_FILL]
-	ldr	r6, [r0, #QUICK_ATTRIBUTES]
-	ldr	r7, [r0, #QUICK_BACK]
+	ldr	r4, [r0, #FAST_SETUP_CACHE]
+	ldr	r5, [r0, #FAST_SETUP_FILL]
+	ldr	r6, [r0, #FAST_SETUP_ATTRIBUTES]
+	ldr	r7, [r0, #FAST_SETUP_BACK]
 	str	r4, [sp, #CACHE]
 	str	r5, [sp, #FILL]
 	str	r6, [sp, #ATTRIBUTES]
-	/* inside, not wide, quick, and whether areas below 0 are back */
+	/* inside, not wide, fast_setup, and whether areas below 0 are back */
 	ldr	r4, =0x00010001
 	orr	r4, r4, r7, lsl #24
 	str	r4, [sp, #FLAGS]
-	ldr	r5, [r0, #QUICK_SHADOW]
+	ldr	r5, [r0, #FAST_SETUP_SHADOW]
 	mov	r4, #0
 	str	r5, [sp, #SHADOW]
 	str	r4, [sp, #SETUP_AREA + 4]

@@ -1,6 +1,6 @@
 /*
  * fill_narrow.c for ARMv6: the same bytes. Offsets are those of struct view,
- * struct quick, struct setup and struct vertex; arm/bands.c asserts them.
+ * struct fast_setup, struct setup and struct vertex; arm/bands.c asserts them.
  */
 #include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/narrow.h"
@@ -11,11 +11,11 @@
 	.text
 
 #define RECIPROCALS 112
-#define QUICK 128
-#define QUICK_INVERSE (QUICK + 12)
-#define QUICK_DEPTH (QUICK + 32)
-#define QUICK_PIXELS (QUICK + 40)
-#define QUICK_PERSPECTIVE (QUICK + 48)
+#define FAST_SETUP 128
+#define FAST_SETUP_INVERSE (FAST_SETUP + 12)
+#define FAST_SETUP_DEPTH (FAST_SETUP + 32)
+#define FAST_SETUP_PIXELS (FAST_SETUP + 40)
+#define FAST_SETUP_PERSPECTIVE (FAST_SETUP + 48)
 #define SETUP_XY 12
 #define SETUP_TOP 24
 #define SETUP_MIDDLE 28
@@ -97,7 +97,7 @@ fill_narrow_arm:
 	bgt	fill_plain
 	push	{r0, r1, r4-r11, lr}
 	sub	sp, sp, #ROOM
-	ldr	r12, [r0, #QUICK_PERSPECTIVE]
+	ldr	r12, [r0, #FAST_SETUP_PERSPECTIVE]
 	ldm	r1, {r4-r10}
 	cmp	r12, #0
 	beq	1f
@@ -218,13 +218,13 @@ fill_narrow_arm:
 .Lbegin:
 	ldr	r1, [sp, #DRAW]
 	ldr	r10, [sp, #SETUP]
-	ldr	lr, [r1, #QUICK_INVERSE]
-	ldrd	r8, [r1, #QUICK_DEPTH]
+	ldr	lr, [r1, #FAST_SETUP_INVERSE]
+	ldrd	r8, [r1, #FAST_SETUP_DEPTH]
 	ldr	r3, [r10, #SETUP_TOP]
 	ldr	r4, [sp, #Z]
 	str	r9, [sp, #STRIDE]
 	mla	r0, r3, r9, r8
-	ldr	r9, [r1, #QUICK_PIXELS]
+	ldr	r9, [r1, #FAST_SETUP_PIXELS]
 	ldr	r8, =0x07E0F81F
 	ldr	r6, [sp, #Z + 4]
 	sub	r0, r0, #48
@@ -260,7 +260,7 @@ fill_narrow_arm:
 	ldr	r1, [sp, #SETUP]
 	cmp	r12, #0
 	beq	.Ldone
-	ldr	lr, [r2, #QUICK_INVERSE]
+	ldr	lr, [r2, #FAST_SETUP_INVERSE]
 	ldr	r3, [r1, #SETUP_MIDDLE]
 	ldr	r2, [r1, #SETUP_XY + 8]
 	ldr	r1, [r1, #SETUP_XY + 4]

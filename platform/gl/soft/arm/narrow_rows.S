@@ -3,7 +3,7 @@
  * instructions, a pixel 9, whether it is seen or not.
  */
 #include "platform/gl/soft/arm/narrow.h"
-#include "platform/gl/soft/arm/see.h"
+#include "platform/gl/soft/arm/depth_tested.h"
 
 	.syntax unified
 	.arch armv6
@@ -42,7 +42,7 @@ narrow_rows_arm:
 	addls	pc, pc, lr, lsl #2
 	b	.Lnext
 	.rept	COLUMNS - 1
-	see_pixel r12, lr
+	depth_tested_pixel r12, lr
 	.endr
 	see_last r12, lr
 .Lnext:	ldm	sp, {r1, r2, r3, r12, lr}

@@ -1,24 +1,24 @@
 /*
  * fill_flat.c for ARMv6, of small triangles that a stencil lets draw each pixel
- * once: the same bytes. Offsets are those of struct quick, struct setup and
+ * once: the same bytes. Offsets are those of struct fast_setup, struct setup and
  * struct flat_band; arm/bands.c asserts them.
  *
  * A triangle costs 75 instructions, a row 13, a pixel 14, or 6 unseen.
  */
 #include "platform/gl/soft/arm/edge.h"
-#include "platform/gl/soft/arm/wide.h"
+#include "platform/gl/soft/arm/blend_565.h"
 
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
-#define QUICK 128
-#define QUICK_INVERSE (QUICK + 12)
-#define QUICK_DEPTH (QUICK + 32)
-#define QUICK_PIXELS (QUICK + 40)
-#define QUICK_FLAT (QUICK + 56)
-#define QUICK_STENCIL (QUICK + 64)
+#define FAST_SETUP 128
+#define FAST_SETUP_INVERSE (FAST_SETUP + 12)
+#define FAST_SETUP_DEPTH (FAST_SETUP + 32)
+#define FAST_SETUP_PIXELS (FAST_SETUP + 40)
+#define FAST_SETUP_FLAT (FAST_SETUP + 56)
+#define FAST_SETUP_STENCIL (FAST_SETUP + 64)
 #define SETUP_XY 12
 #define SETUP_FLAGS 44
 #define FLAT_REFERENCE 44
@@ -52,7 +52,7 @@ fill_shadow_arm:
 	.size	fill_shadow_arm, . - fill_shadow_arm
 
 /*
- * r0 draw, r4, r5, r6 struct place's xy by y, r7 to r9 the rows top, middle and
+ * r0 draw, r4, r5, r6 struct cache_tag's xy by y, r7 to r9 the rows top, middle and
  * bottom; leaves r10 and r11.
  */
 	.global	shadow_sorted_arm
@@ -60,8 +60,8 @@ fill_shadow_arm:
 shadow_sorted_arm:
 	push	{r0, r5, r6, r8, r10, r11, lr}
 	sub	sp, sp, #ROOM
-	ldr	lr, [r0, #QUICK_INVERSE]
-	ldr	r0, [r0, #QUICK_FLAT]
+	ldr	lr, [r0, #FAST_SETUP_INVERSE]
+	ldr	r0, [r0, #FAST_SETUP_FLAT]
 	ssub16	r2, r5, r4
 	ssub16	r3, r6, r4
 	smusdx	r10, r2, r3
@@ -96,9 +96,9 @@ shadow_sorted_arm:
 	movge	r5, r11
 	movge	r6, r1
 
-	ldrd	r2, [r12, #QUICK_STENCIL]
-	ldrd	r10, [r12, #QUICK_DEPTH]
-	ldr	r12, [r12, #QUICK_PIXELS]
+	ldrd	r2, [r12, #FAST_SETUP_STENCIL]
+	ldrd	r10, [r12, #FAST_SETUP_DEPTH]
+	ldr	r12, [r12, #FAST_SETUP_PIXELS]
 	str	r3, [sp, #STENCIL_STRIDE]
 	str	r11, [sp]
 	mla	r1, r7, r3, r2
@@ -143,7 +143,7 @@ shadow_sorted_arm:
 	str	r10, [sp, #LATER]
 	mov	r11, r3
 	mov	r10, r1
-	ldr	lr, [lr, #QUICK_INVERSE]
+	ldr	lr, [lr, #FAST_SETUP_INVERSE]
 	ldr	r1, [sp, #SECOND]
 	ldr	r2, [sp, #THIRD]
 	ldr	r3, [sp, #MIDDLE]

@@ -1,21 +1,21 @@
-/* What vertex.S, light.S and alike.S know of the structures, and the latter. */
+/* What vertex.S, light.S and dedup.S know of the structures, and the latter. */
 #include "platform/gl/soft/draw.h"
 
-/* A list, or what is left of it; offsets are known to alike.S. */
-struct alike_run {
+/* A list, or what is left of it; offsets are known to dedup.S. */
+struct dedup_run {
 	const uint8_t *from, *end;
 	/* what an index counts from, in steps of 2^shift / inverse */
 	const uint8_t *base;
 	uint32_t shift, inverse;
 };
 
-/* alike.S */
-const uint8_t *alike_six_tight_arm(
-	struct draw *draw, struct alike *alike, const struct alike_run *run);
-const uint8_t *alike_six_arm(
-	struct draw *draw, struct alike *alike, const struct alike_run *run);
-const uint8_t *alike_eight_arm(
-	struct draw *draw, struct alike *alike, const struct alike_run *run);
+/* dedup.S */
+const uint8_t *dedup_six_tight_arm(
+	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
+const uint8_t *dedup_six_arm(
+	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
+const uint8_t *dedup_eight_arm(
+	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
 
 _Static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
 _Static_assert(offsetof(struct view, row_x) == 8, "");
@@ -42,33 +42,34 @@ _Static_assert(offsetof(struct vertex, index) == 56, "");
 _Static_assert(offsetof(struct vertex, clip) == 64, "");
 
 /* light.S */
-_Static_assert(offsetof(struct view, beams) == 116, "BEAMS");
-_Static_assert(offsetof(struct beams, texcoords) == 580, "TEXCOORDS");
-_Static_assert(offsetof(struct beams, texcoord_stride) == 584, "");
-_Static_assert(offsetof(struct beams, rest) == 588, "");
+_Static_assert(offsetof(struct view, dir_lights) == 116, "DIR_LIGHTS");
+_Static_assert(offsetof(struct dir_lights, texcoords) == 580, "TEXCOORDS");
+_Static_assert(offsetof(struct dir_lights, texcoord_stride) == 584, "");
+_Static_assert(offsetof(struct dir_lights, rest) == 588, "");
 _Static_assert(offsetof(struct vertex, attribute[TEX_S]) == 36, "VERTEX_TEX");
-_Static_assert(offsetof(struct beams, floats) == 28, "eight words");
-_Static_assert(offsetof(struct beams, square_least) == 32, "");
-_Static_assert(offsetof(struct beams, ambient_q24) == 40, "SUMS");
-_Static_assert(offsetof(struct beams, emission_q16) == 52, "");
-_Static_assert(offsetof(struct beams, beam) == 64, "behind the sums");
-_Static_assert(sizeof(struct beam) == 64, "");
-_Static_assert(offsetof(struct beam, gleams) == 24, "");
-_Static_assert(offsetof(struct beam, half_q30) == 28, "");
-_Static_assert(offsetof(struct beam, specular_q20) == 52, "");
-_Static_assert(sizeof(struct gleam_step) == 8, "by LDRD");
+_Static_assert(offsetof(struct dir_lights, floats) == 28, "eight words");
+_Static_assert(offsetof(struct dir_lights, square_least) == 32, "");
+_Static_assert(offsetof(struct dir_lights, ambient_q24) == 40, "SUMS");
+_Static_assert(offsetof(struct dir_lights, emission_q16) == 52, "");
+_Static_assert(offsetof(struct dir_lights, dir_light) == 64, "behind the sums");
+_Static_assert(sizeof(struct dir_light) == 64, "");
+_Static_assert(offsetof(struct dir_light, spec_tables) == 24, "");
+_Static_assert(offsetof(struct dir_light, half_q30) == 28, "");
+_Static_assert(offsetof(struct dir_light, specular_q20) == 52, "");
+_Static_assert(sizeof(struct spec_table_step) == 8, "by LDRD");
 _Static_assert(offsetof(struct vertex, back) == 80, "VERTEX_BACK");
 
-/* alike.S */
-_Static_assert(offsetof(struct alike, listed) == 2048, "LISTED");
-_Static_assert(offsetof(struct alike, slots) == 2560, "SLOTS");
-_Static_assert(offsetof(struct alike, nothing) == 2944, "NOTHING");
-_Static_assert(ALIKE_TRIANGLES == 64, "BATCH");
+/* dedup.S */
+_Static_assert(offsetof(struct dedup, listed) == 2048, "LISTED");
+_Static_assert(offsetof(struct dedup, slots) == 2560, "SLOTS");
+_Static_assert(offsetof(struct dedup, nothing) == 2944, "NOTHING");
+_Static_assert(DEDUP_TRIANGLES == 64, "BATCH");
 _Static_assert(VERTEX_CACHE == 512, "nine bits of what is mixed");
 _Static_assert(sizeof(struct vertex) == 96, "");
-_Static_assert(sizeof(struct place) == 8, "");
-_Static_assert(offsetof(struct draw, quick.place) == 132, "QUICK_PLACE");
-_Static_assert(offsetof(struct draw, quick.cache) == 136, "QUICK_CACHE");
+_Static_assert(sizeof(struct cache_tag) == 8, "");
+_Static_assert(offsetof(struct draw, fast_setup.place) == 132, "FAST_SETUP_TAG");
+_Static_assert(
+	offsetof(struct draw, fast_setup.cache) == 136, "FAST_SETUP_CACHE");
 
 /* vertex.S: of aligned ones */
 uint32_t largest_float_arm(const uint8_t *at, int stride_bytes, uint32_t count);
@@ -81,21 +82,21 @@ uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
 }
 
 /* Zeros belong to slot 0, and one followed by zeros does not. */
-static void forget_all(struct alike *alike)
+static void forget_all(struct dedup *dedup)
 {
-	alike->nothing[1][0] = 1;
-	alike->source[0] = (const uint8_t *)alike->nothing[1];
+	dedup->nothing[1][0] = 1;
+	dedup->source[0] = (const uint8_t *)dedup->nothing[1];
 	for (int i = 1; i < VERTEX_CACHE; i++) {
-		alike->source[i] = (const uint8_t *)alike->nothing[0];
+		dedup->source[i] = (const uint8_t *)dedup->nothing[0];
 	}
 }
 
-bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	int words, uint32_t first, uint32_t count)
 {
-	struct alike *alike = &draw->alike;
+	struct dedup *dedup = &draw->dedup;
 	bool tight = stride_bytes == 24;
-	struct alike_run run = {
+	struct dedup_run run = {
 		.from = at + first * stride_bytes,
 		.end = at + (first + count / 3 * 3) * stride_bytes,
 		.base = at,
@@ -107,11 +108,11 @@ bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 		(stride_bytes != 32 && !(tight && words == 6))) {
 		return false;
 	}
-	forget_all(alike);
+	forget_all(dedup);
 	for (; run.from != run.end; run.from += 3 * stride_bytes) {
-		run.from = words == 8 ? alike_eight_arm(draw, alike, &run)
-			: tight       ? alike_six_tight_arm(draw, alike, &run)
-				      : alike_six_arm(draw, alike, &run);
+		run.from = words == 8 ? dedup_eight_arm(draw, dedup, &run)
+			: tight       ? dedup_six_tight_arm(draw, dedup, &run)
+				      : dedup_six_arm(draw, dedup, &run);
 		if (run.from == run.end) {
 			break;
 		}

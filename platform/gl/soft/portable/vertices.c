@@ -15,7 +15,7 @@ void soft_shade(const struct draw *draw, struct vertex *vertex)
 	shade_c(draw, vertex);
 }
 
-bool soft_draw_alike(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	int words, uint32_t first, uint32_t count)
 {
 	(void)draw;

@@ -207,14 +207,14 @@ static void check_kind(enum kind kind)
 	static const int sizes[] = {30, 100, 300, 900, 3000};
 
 	for (uint32_t seed = 1; seed <= 60; seed++) {
-		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct scene *fast_setup = open_scene(7), *slow = open_scene(7);
 		struct soft_corner corner[CORNERS];
 
 		make_triangles(corner, seed, kind, sizes[seed % 5]);
-		draw(quick, corner, kind, false);
+		draw(fast_setup, corner, kind, false);
 		draw(slow, corner, kind, true);
-		compare(quick, slow);
-		close_scene(quick);
+		compare(fast_setup, slow);
+		close_scene(fast_setup);
 		close_scene(slow);
 	}
 }
@@ -242,20 +242,20 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 
 	(void)state;
 	for (uint32_t seed = 1; seed <= 60; seed++) {
-		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct scene *fast_setup = open_scene(7), *slow = open_scene(7);
 		struct soft_corner corner[CORNERS];
 
 		make_triangles(corner, seed, TEXTURED, 30 + (int)seed * 6);
-		draw(quick, corner, TEXTURED, false);
+		draw(fast_setup, corner, TEXTURED, false);
 		draw(slow, corner, TEXTURED, true);
-		assert_memory_equal(quick->soft->buffers.depth,
+		assert_memory_equal(fast_setup->soft->buffers.depth,
 			slow->soft->buffers.depth, WIDTH * HEIGHT * 2);
 		for (int i = 0; i < PIXELS; i++) {
 			seen += slow->all[i] != 0 && slow->all[i] != 0xA5A5;
-			other += soft_scene_steps(quick->all[i], slow->all[i]) >
-				1;
+			other += soft_scene_steps(
+					 fast_setup->all[i], slow->all[i]) > 1;
 		}
-		close_scene(quick);
+		close_scene(fast_setup);
 		close_scene(slow);
 	}
 	assert_true(seen > 10000);
@@ -308,7 +308,7 @@ static void test_lists_are_drawn_the_same_in_assembly(void **state)
 
 	(void)state;
 	for (uint32_t seed = 1; seed <= 120; seed++) {
-		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct scene *fast_setup = open_scene(7), *slow = open_scene(7);
 		enum kind kind = (enum kind)(seed % KINDS);
 		int cull = (int)(seed / KINDS % 4);
 
@@ -318,13 +318,14 @@ static void test_lists_are_drawn_the_same_in_assembly(void **state)
 		}
 		make_list(seed, index);
 		memcpy(odd + 1, index, sizeof(index));
-		set_state(quick, corner, kind, false);
-		draw_list(quick, kind, cull, index);
+		set_state(fast_setup, corner, kind, false);
+		draw_list(fast_setup, kind, cull, index);
 		set_state(slow, corner, kind, false);
 		draw_list(slow, kind, cull, odd + 1);
-		compare(quick, slow);
-		assert_memory_equal(quick->all, slow->all, sizeof(quick->all));
-		close_scene(quick);
+		compare(fast_setup, slow);
+		assert_memory_equal(
+			fast_setup->all, slow->all, sizeof(fast_setup->all));
+		close_scene(fast_setup);
 		close_scene(slow);
 	}
 }
@@ -435,7 +436,7 @@ static void fill_projected(struct scene *scene, fill_function fill,
 
 	draw->fill = fill;
 	draw->perspective = perspective;
-	soft_prepare_quick(draw);
+	soft_prepare_fast_setup(draw);
 	for (int i = 0; i < 100; i++) {
 		struct vertex v[3];
 		struct vertex *const corner[3] = {&v[0], &v[1], &v[2]};
@@ -447,11 +448,11 @@ static void fill_projected(struct scene *scene, fill_function fill,
 
 /* Two that should draw the same. */
 struct fills {
-	fill_function slow, quick;
+	fill_function slow, fast_setup;
 	enum kind kind;
 	uint32_t rounds;
 	bool perspective; /* in every second one */
-	bool exact; /* quick is what is chosen, and draws the same bytes */
+	bool exact;       /* the fast path is chosen and draws the same bytes */
 };
 
 static void check_fills(const struct fills *fills)
@@ -460,22 +461,23 @@ static void check_fills(const struct fills *fills)
 
 	make_triangles(corner, 1, fills->kind, 10);
 	for (uint32_t seed = 1; seed <= fills->rounds; seed++) {
-		struct scene *quick = open_scene(7), *slow = open_scene(7);
+		struct scene *fast_setup = open_scene(7), *slow = open_scene(7);
 		bool perspective = fills->perspective && seed % 2;
 
 		draw(slow, corner, fills->kind, false);
 		fill_projected(slow, fills->slow, seed, perspective);
-		draw(quick, corner, fills->kind, false);
+		draw(fast_setup, corner, fills->kind, false);
 		if (fills->exact) {
-			assert_true(quick->soft->draw->fill == fills->quick);
+			assert_true(fast_setup->soft->draw->fill ==
+				fills->fast_setup);
 		}
-		fill_projected(quick, fills->quick, seed, perspective);
-		compare(quick, slow);
+		fill_projected(fast_setup, fills->fast_setup, seed, perspective);
+		compare(fast_setup, slow);
 		if (fills->exact) {
-			assert_memory_equal(
-				quick->all, slow->all, sizeof(quick->all));
+			assert_memory_equal(fast_setup->all, slow->all,
+				sizeof(fast_setup->all));
 		}
-		close_scene(quick);
+		close_scene(fast_setup);
 		close_scene(slow);
 	}
 }
@@ -485,7 +487,7 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 	(void)state;
 	check_fills(&(struct fills){
 		.slow = fill_narrow_c,
-		.quick = soft_bands.narrow,
+		.fast_setup = soft_bands.narrow,
 		.kind = PLAIN,
 		.rounds = 300,
 		.perspective = true,
@@ -498,7 +500,7 @@ static void test_shadows_are_as_in_c(void **state)
 	(void)state;
 	check_fills(&(struct fills){
 		.slow = fill_flat,
-		.quick = soft_bands.shadow,
+		.fast_setup = soft_bands.shadow,
 		.kind = SHADOW,
 		.rounds = 200,
 		.exact = true,
@@ -514,7 +516,7 @@ static void test_narrow_triangles_are_those_of_the_long_way(void **state)
 	(void)state;
 	check_fills(&(struct fills){
 		.slow = rows_fill,
-		.quick = fill_narrow_c,
+		.fast_setup = fill_narrow_c,
 		.kind = PLAIN,
 		.rounds = 150,
 	});

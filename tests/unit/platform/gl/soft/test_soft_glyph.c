@@ -172,7 +172,7 @@ static void test_rectangles_are_their_two_triangles(void **state)
 	/* The same triangles, with nothing between. */
 	static const uint16_t apart[18] = {
 		0, 1, 2, 0, 0, 0, 2, 1, 3, 4, 5, 6, 4, 4, 4, 6, 5, 7};
-	static uint16_t quick[PIXELS], slow[PIXELS], none[PIXELS];
+	static uint16_t fast_setup[PIXELS], slow[PIXELS], none[PIXELS];
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	uint32_t seed = 8;
 	int drawn = 0;
@@ -187,11 +187,11 @@ static void test_rectangles_are_their_two_triangles(void **state)
 		(round % 4 ? canvas.gl->Disable : canvas.gl->Enable)(
 			GL_SCISSOR_TEST);
 		canvas.gl->Scissor(5, 3, 17, 15);
-		draw(canvas.gl, corner, paired, 12, quick, &canvas);
+		draw(canvas.gl, corner, paired, 12, fast_setup, &canvas);
 		draw(canvas.gl, corner, apart, 18, slow, &canvas);
 		draw(canvas.gl, corner, apart, 0, none, &canvas);
-		assert_memory_equal(quick, slow, sizeof(quick));
-		drawn += memcmp(quick, none, sizeof(quick)) != 0;
+		assert_memory_equal(fast_setup, slow, sizeof(fast_setup));
+		drawn += memcmp(fast_setup, none, sizeof(fast_setup)) != 0;
 	}
 	assert_true(drawn > 2000);
 	gl_canvas_end_and_close(&canvas);

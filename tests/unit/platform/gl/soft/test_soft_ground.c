@@ -104,7 +104,7 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 
 	(void)state;
 	for (uint32_t round = 0; round < 60; round++) {
-		struct soft_scene *quick = soft_scene_open(),
+		struct soft_scene *fast_setup = soft_scene_open(),
 				  *slow = soft_scene_open();
 		uint32_t seed = round + 1;
 
@@ -113,13 +113,13 @@ static void test_volumes_shade_what_the_long_way_does(void **state)
 			make_triangles(
 				hull + i * CORNERS, &seed, sizes[round % 4]);
 		}
-		cast_shadow(quick, false, ground, hull);
+		cast_shadow(fast_setup, false, ground, hull);
 		cast_shadow(slow, true, ground, hull);
-		compare(quick, slow);
+		compare(fast_setup, slow);
 		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
-			counted += quick->soft->buffers.stencil[i];
+			counted += fast_setup->soft->buffers.stencil[i];
 		}
-		soft_scene_close(quick);
+		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
 	}
 	assert_true(counted > 10000);
@@ -215,21 +215,21 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 
 	(void)state;
 	for (uint32_t round = 0; round < 40; round++) {
-		struct soft_scene *quick = soft_scene_open(),
+		struct soft_scene *fast_setup = soft_scene_open(),
 				  *slow = soft_scene_open();
 		uint32_t seed = round + 1;
 		int seen = 0, other = 0, far = 0;
 
 		make_hills(corner, &seed);
-		draw_hills(quick, corner, round % 2, false);
+		draw_hills(fast_setup, corner, round % 2, false);
 		draw_hills(slow, corner, round % 2, true);
-		assert_true(quick->soft->draw->ground);
+		assert_true(fast_setup->soft->draw->ground);
 		assert_false(slow->soft->draw->ground);
-		assert_memory_equal(quick->soft->buffers.depth,
+		assert_memory_equal(fast_setup->soft->buffers.depth,
 			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
 		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 			int step = soft_scene_steps(
-				quick->pixel[i], slow->pixel[i]);
+				fast_setup->pixel[i], slow->pixel[i]);
 
 			seen += slow->soft->buffers.depth[i] < 65535;
 			other += step > 1;
@@ -238,7 +238,7 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 		assert_true(seen > 2000);
 		assert_true(other * 40 < seen);
 		assert_true(far * 200 < seen);
-		soft_scene_close(quick);
+		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
 	}
 }

@@ -27,10 +27,10 @@ struct lit_case {
 	{               \
 		1, 1, 1 \
 	}
-#define FRONT .position = {0, 0, 1, 0}, .normal = {0, 0, 1}
-#define MATT  .diffuse = WHITE, .material_diffuse = {0.8, 0.6, 0.2, 1}
-#define GLOSS .specular = WHITE, .material_specular = {0.9, 0.5, 0.3}
-#define LAMP  .position = {0.3, -0.2, 1.5, 1}, .normal = {0, 0, 1}
+#define FRONT        .position = {0, 0, 1, 0}, .normal = {0, 0, 1}
+#define MATT         .diffuse = WHITE, .material_diffuse = {0.8, 0.6, 0.2, 1}
+#define GLOSS        .specular = WHITE, .material_specular = {0.9, 0.5, 0.3}
+#define LIGHT_SOURCE .position = {0.3, -0.2, 1.5, 1}, .normal = {0, 0, 1}
 
 static const struct lit_case cases[] = {
 	{"nothing is black", FRONT},
@@ -64,29 +64,30 @@ static const struct lit_case cases[] = {
 		.position = {0.28, 0, 0.96, 0}, .normal = {0, 0, 1}},
 	{"no specular where no diffuse", GLOSS, .position = {0.98, 0, -0.2, 0},
 		.normal = {0, 0, 1}, .shininess = 2},
-	{"a point light", MATT, LAMP},
+	{"a point light", MATT, LIGHT_SOURCE},
 	{"a point light with w", MATT, .position = {0.6, -0.4, 3, 2},
 		.normal = {0, 0, 1}},
-	{"a point light's specular", GLOSS, LAMP, .shininess = 4},
-	{"constant attenuation", MATT, LAMP, .attenuation = {2, 0, 0}},
-	{"linear attenuation", MATT, LAMP, .attenuation = {1, 0.5, 0}},
-	{"quadratic attenuation", MATT, LAMP, .attenuation = {1, 0, 0.5}},
-	{"attenuation alone", MATT, LAMP, .attenuation = {0, 0, 1}},
+	{"a point light's specular", GLOSS, LIGHT_SOURCE, .shininess = 4},
+	{"constant attenuation", MATT, LIGHT_SOURCE, .attenuation = {2, 0, 0}},
+	{"linear attenuation", MATT, LIGHT_SOURCE, .attenuation = {1, 0.5, 0}},
+	{"quadratic attenuation", MATT, LIGHT_SOURCE, .attenuation = {1, 0, 0.5}},
+	{"attenuation alone", MATT, LIGHT_SOURCE, .attenuation = {0, 0, 1}},
 	{"attenuation of ambient", .ambient = WHITE, .material_ambient = WHITE,
-		LAMP, .attenuation = {1, 1, 1}},
-	{"attenuation of specular", GLOSS, LAMP, .attenuation = {1, 0.25, 0.5},
-		.shininess = 3},
+		LIGHT_SOURCE, .attenuation = {1, 1, 1}},
+	{"attenuation of specular", GLOSS, LIGHT_SOURCE,
+		.attenuation = {1, 0.25, 0.5}, .shininess = 3},
 	{"a directional light does not fade", MATT, FRONT,
 		.attenuation = {4, 1, 1}},
-	{"a wide spot", MATT, LAMP, .direction = {0, 0, -1}, .cutoff = 89},
-	{"a spot's exponent", MATT, LAMP, .direction = {0, 0, -1}, .cutoff = 80,
-		.exponent = 3},
-	{"a spot aside", MATT, LAMP, .direction = {-1, 0, -1}, .cutoff = 85,
-		.exponent = 1},
-	{"a spot that looks away", MATT, LAMP, .direction = {0, 0, 1},
+	{"a wide spot", MATT, LIGHT_SOURCE, .direction = {0, 0, -1},
+		.cutoff = 89},
+	{"a spot's exponent", MATT, LIGHT_SOURCE, .direction = {0, 0, -1},
+		.cutoff = 80, .exponent = 3},
+	{"a spot aside", MATT, LIGHT_SOURCE, .direction = {-1, 0, -1},
+		.cutoff = 85, .exponent = 1},
+	{"a spot that looks away", MATT, LIGHT_SOURCE, .direction = {0, 0, 1},
 		.cutoff = 60},
 	{"a spot has no ambient outside", .ambient = WHITE,
-		.material_ambient = WHITE, LAMP, .direction = {0, 0, 1},
+		.material_ambient = WHITE, LIGHT_SOURCE, .direction = {0, 0, 1},
 		.cutoff = 60},
 	{"a tilted normal", MATT, .position = {0, 0, 1, 0},
 		.normal = {0.6, 0, 0.8}},
@@ -110,7 +111,7 @@ static const struct lit_case cases[] = {
 		.scale = {0.5, 0.5, 0.5}, .rescale = true},
 	{"uneven scale is normalised", MATT, .position = {0, 0, 1, 0},
 		.normal = {0.6, 0, 0.8}, .scale = {2, 1, 0.5}, .normalize = true},
-	{"scale and a point light", MATT, LAMP, .scale = {3, 3, 3},
+	{"scale and a point light", MATT, LIGHT_SOURCE, .scale = {3, 3, 3},
 		.normalize = true},
 	{"one side: the back is lit as the front", MATT, FRONT,
 		.clockwise = true},
@@ -129,7 +130,7 @@ static const struct lit_case cases[] = {
 		.position = {0, 0, -1, 0}},
 	{"colour material is not emission", .emission = GRAY, .diffuse = GRAY,
 		.color = {0.2, 0.4, 0.9, 1}, FRONT},
-	{"colour material and a point light", .diffuse = WHITE, LAMP,
+	{"colour material and a point light", .diffuse = WHITE, LIGHT_SOURCE,
 		.attenuation = {1, 0.5, 0}, .color = {1, 0.5, 0.25, 1}},
 };
 
@@ -202,7 +203,7 @@ static double find_light(
 static void light_vertex(
 	const struct lit_case *c, const double eye[3], double out[3])
 {
-	double n[3], towards[3], half[3], share, diffuse, gleam;
+	double n[3], towards[3], half[3], share, diffuse, spec_table;
 	bool tracked = c->color[3] > 0;
 
 	find_normal(c, n);
@@ -211,7 +212,7 @@ static void light_vertex(
 	half[2] += 1;
 	normalize(half);
 	diffuse = fmax(dot(n, towards), 0);
-	gleam = diffuse > 0 ? pow(fmax(dot(n, half), 0), c->shininess) : 0;
+	spec_table = diffuse > 0 ? pow(fmax(dot(n, half), 0), c->shininess) : 0;
 	for (int i = 0; i < 3; i++) {
 		double dull = tracked ? c->color[i] : c->material_diffuse[i];
 		double dark = tracked ? c->color[i] : c->material_ambient[i];
@@ -220,7 +221,7 @@ static void light_vertex(
 			share *
 				(dark * c->ambient[i] +
 					diffuse * dull * c->diffuse[i] +
-					gleam * c->material_specular[i] *
+					spec_table * c->material_specular[i] *
 						c->specular[i]);
 		out[i] = fmin(fmax(out[i], 0), 1);
 	}

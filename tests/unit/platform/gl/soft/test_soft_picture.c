@@ -128,7 +128,7 @@ static int differ_most(uint16_t a, uint16_t b)
 
 static void test_pictures_are_those_of_the_long_way(void **state)
 {
-	static uint16_t quick[PIXELS], slow[PIXELS];
+	static uint16_t fast_setup[PIXELS], slow[PIXELS];
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	uint32_t seed = 6;
 	int seen = 0, other = 0;
@@ -142,11 +142,11 @@ static void test_pictures_are_those_of_the_long_way(void **state)
 		make_strip(&seed, corner);
 		canvas.gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
 			round % 3 ? GL_MODULATE : GL_REPLACE);
-		draw(&canvas, corner, false, quick);
+		draw(&canvas, corner, false, fast_setup);
 		draw(&canvas, corner, true, slow);
 		for (int i = 0; i < PIXELS; i++) {
 			seen += slow[i] != 0;
-			other += differ_most(quick[i], slow[i]) > 2;
+			other += differ_most(fast_setup[i], slow[i]) > 2;
 		}
 	}
 	assert_true(seen > 100000);

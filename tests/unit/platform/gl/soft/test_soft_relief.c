@@ -134,25 +134,26 @@ static void check_passes(int passes)
 
 	for (uint32_t seed = 1; seed <= 40; seed++) {
 		GLuint name[2][2];
-		struct soft_scene *quick = open_scene(name[0]);
+		struct soft_scene *fast_setup = open_scene(name[0]);
 		struct soft_scene *slow = open_scene(name[1]);
 
 		make_triangles(corner, seed, sizes[seed % 4]);
-		draw(quick, name[0], corner, passes, false);
+		draw(fast_setup, name[0], corner, passes, false);
 		draw(slow, name[1], corner, passes, true);
-		assert_ptr_not_equal(quick->soft->draw->span, soft_draw_span);
+		assert_ptr_not_equal(
+			fast_setup->soft->draw->span, soft_draw_span);
 		assert_ptr_equal(slow->soft->draw->span, soft_draw_span);
-		assert_memory_equal(quick->soft->buffers.depth,
+		assert_memory_equal(fast_setup->soft->buffers.depth,
 			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
 		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 			int step = soft_scene_steps(
-				quick->pixel[i], slow->pixel[i]);
+				fast_setup->pixel[i], slow->pixel[i]);
 
 			assert_true(step <= 2);
 			seen += slow->pixel[i] != 0;
 			other += step > 1;
 		}
-		soft_scene_close(quick);
+		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
 	}
 	assert_true(seen > 20000);

@@ -94,16 +94,16 @@ struct figures {
 };
 
 static void add_difference(struct figures *figures,
-	const struct soft_scene *quick, const struct soft_scene *slow)
+	const struct soft_scene *fast_setup, const struct soft_scene *slow)
 {
-	const size_t size = sizeof(quick->pixel);
+	const size_t size = sizeof(fast_setup->pixel);
 
-	assert_memory_equal(
-		quick->soft->buffers.depth, slow->soft->buffers.depth, size);
+	assert_memory_equal(fast_setup->soft->buffers.depth,
+		slow->soft->buffers.depth, size);
 	for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 		figures->seen += slow->pixel[i] != 0;
-		figures->other +=
-			soft_scene_steps(quick->pixel[i], slow->pixel[i]) > 1;
+		figures->other += soft_scene_steps(fast_setup->pixel[i],
+					  slow->pixel[i]) > 1;
 	}
 }
 
@@ -112,16 +112,17 @@ static struct figures compare_ways(GLint min, GLint mag, int height_part)
 	struct figures figures = {0};
 
 	for (uint32_t round = 1; round <= 40; round++) {
-		struct soft_scene *quick = open_scene(min, mag, height_part);
+		struct soft_scene *fast_setup =
+			open_scene(min, mag, height_part);
 		struct soft_scene *slow = open_scene(min, mag, height_part);
 		struct soft_corner corner[CORNERS];
 		uint32_t seed = round;
 
 		make_triangles(corner, &seed, 30 + (int)round * 6);
-		draw(quick, corner, false);
+		draw(fast_setup, corner, false);
 		draw(slow, corner, true);
-		add_difference(&figures, quick, slow);
-		soft_scene_close(quick);
+		add_difference(&figures, fast_setup, slow);
+		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
 	}
 	assert_true(figures.seen > 10000);

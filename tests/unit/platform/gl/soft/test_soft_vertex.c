@@ -241,13 +241,13 @@ static void test_the_largest_float_is_found_as_in_c(void **state)
 	}
 }
 
-/* What arrays hold, and one gleam for all. */
+/* What arrays hold, and one specular table for all. */
 struct lit_mesh {
 	int16_t halves[VERTICES][4];
 	float floats[VERTICES][3];
 	uint8_t color[VERTICES][4];
 	float texcoord[VERTICES][2];
-	struct gleam_step step[GLEAM_STEPS];
+	struct spec_table_step step[SPEC_TABLE_STEPS];
 };
 
 static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
@@ -274,28 +274,28 @@ static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
 	mesh->floats[3][0] = INFINITY;
 }
 
-static void make_lamp(
-	const struct lit_mesh *mesh, struct beam *lamp, uint32_t *seed)
+static void make_light_source(const struct lit_mesh *mesh,
+	struct dir_light *light_source, uint32_t *seed)
 {
 	int32_t most = next_random(seed) % 2 ? 620000000 : INT32_MAX - 1;
 
 	for (int j = 0; j < 3; j++) {
-		lamp->towards_q30[j] = random_within(seed, most / 2) * 2;
-		lamp->half_q30[j] = random_within(seed, most / 2) * 2;
-		lamp->diffuse_q30[j] = random_within(seed, 1 << 30);
-		lamp->specular_q20[j] = random_within(seed, 1 << 22);
+		light_source->towards_q30[j] = random_within(seed, most / 2) * 2;
+		light_source->half_q30[j] = random_within(seed, most / 2) * 2;
+		light_source->diffuse_q30[j] = random_within(seed, 1 << 30);
+		light_source->specular_q20[j] = random_within(seed, 1 << 22);
 	}
-	lamp->gleams = next_random(seed) % 2;
-	lamp->least_q26 = abs(random_within(seed, 1 << 26)) & ~7;
-	lamp->scale =
-		(int32_t)(ldexp(1, 46) / ((1 << 26) - lamp->least_q26 + 8));
-	lamp->step = mesh->step;
+	light_source->spec_tables = next_random(seed) % 2;
+	light_source->least_q26 = abs(random_within(seed, 1 << 26)) & ~7;
+	light_source->scale = (int32_t)(ldexp(1, 46) /
+		((1 << 26) - light_source->least_q26 + 8));
+	light_source->step = mesh->step;
 }
 
 static void make_light(
-	const struct lit_mesh *mesh, struct beams *light, uint32_t *seed)
+	const struct lit_mesh *mesh, struct dir_lights *light, uint32_t *seed)
 {
-	int lamps = random_within(seed, 4) + 4;
+	int light_sources = random_within(seed, 4) + 4;
 
 	light->roots = soft_root_table;
 	light->floats = next_random(seed) % 2;
@@ -311,10 +311,10 @@ static void make_light(
 		light->ambient_q24[i] = random_within(seed, 1 << 25);
 		light->emission_q16[i] = random_within(seed, 1 << 16);
 	}
-	for (int i = 0; i < lamps; i++) {
-		make_lamp(mesh, &light->beam[i], seed);
+	for (int i = 0; i < light_sources; i++) {
+		make_light_source(mesh, &light->dir_light[i], seed);
 	}
-	light->end = light->beam + lamps;
+	light->end = light->dir_light + light_sources;
 }
 
 /* Untextured, or with coordinates of which some are too large. */
@@ -342,21 +342,21 @@ static void make_texture(
 		.stride_bytes = 8,
 		.pointer = (const uint8_t *)mesh->texcoord,
 	};
-	draw->beams.rest = input->used && next_random(seed) % 2;
-	draw->beams.texcoords = input->used && !draw->beams.rest
+	draw->dir_lights.rest = input->used && next_random(seed) % 2;
+	draw->dir_lights.texcoords = input->used && !draw->dir_lights.rest
 		? (const uint8_t *)mesh->texcoord
 		: NULL;
-	draw->beams.texcoord_stride = 8;
+	draw->dir_lights.texcoord_stride = 8;
 }
 
-/* What beams do not take is lit by no lamp here, by floats. */
+/* What directional lights do not cover is lit by no light source here, by floats. */
 static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
 {
 	draw->attributes = 15;
-	draw->view.beams = (uint32_t)offsetof(struct draw, beams);
+	draw->view.dir_lights = (uint32_t)offsetof(struct draw, dir_lights);
 	draw->shading.lit = true;
-	draw->shading.by_beams = true;
-	draw->shading.two_side = draw->beams.two_side;
+	draw->shading.by_dir_lights = true;
+	draw->shading.two_side = draw->dir_lights.two_side;
 	draw->shading.base_q16[3] = 65536;
 	draw->soft->arrays.normal = (struct array){
 		.enabled = true,
@@ -382,7 +382,7 @@ static int check_lit(const struct draw *draw)
 		assert_memory_equal(
 			a.attribute, b.attribute, sizeof(a.attribute));
 		assert_memory_equal(a.back, b.back, sizeof(a.back));
-		lit += soft_light_by_beams(&draw->beams, &c);
+		lit += soft_light_by_dir_lights(&draw->dir_lights, &c);
 	}
 	return lit;
 }
@@ -401,13 +401,13 @@ static void test_vertices_are_shaded_as_in_c(void **state)
 	assert_non_null(soft);
 	memset(mesh, 0, sizeof(*mesh));
 	draw->soft = soft;
-	for (int i = 0; i < GLEAM_STEPS; i++) {
+	for (int i = 0; i < SPEC_TABLE_STEPS; i++) {
 		mesh->step[i].value_q28 = i << 22;
 		mesh->step[i].rise_q28 = random_within(&seed, 1 << 14);
 	}
 	for (int round = 0; round < 1000; round++) {
 		fill_mesh(mesh, &seed);
-		make_light(mesh, &draw->beams, &seed);
+		make_light(mesh, &draw->dir_lights, &seed);
 		make_texture(mesh, draw, &seed);
 		make_rest(mesh, draw);
 		lit += check_lit(draw);

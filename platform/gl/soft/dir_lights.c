@@ -1,5 +1,5 @@
 /*
- * Lighting as most is wanted, see struct beams: normals of Q28, their
+ * Lighting as most is wanted, see struct dir_lights: normals of Q28, their
  * cosines with lights Q26, diffuse light Q24, what highlights add Q16.
  */
 #include "platform/gl/soft/draw.h"
@@ -12,7 +12,7 @@
  * a quarter of the length's, within 2^-9 where any is 256 or more.
  */
 static ALWAYS_INLINE void normalize_shorts(
-	const struct beams *light, const int16_t c[3], int32_t n[3])
+	const struct dir_lights *light, const int16_t c[3], int32_t n[3])
 {
 	/* Below 2^32: three of at most 2^30. */
 	uint32_t square = 1 + (uint32_t)(c[0] * c[0]) +
@@ -33,7 +33,7 @@ static ALWAYS_INLINE void normalize_shorts(
 
 /* What is no number is 0. */
 static ALWAYS_INLINE bool take_floats(
-	const struct beams *light, const void *at, int32_t n[3])
+	const struct dir_lights *light, const void *at, int32_t n[3])
 {
 	uint32_t square;
 	float f[3];
@@ -59,23 +59,24 @@ static ALWAYS_INLINE int32_t dot_q26(
 	return mul_high_add(sum, n_q28[2], v_q30[2]);
 }
 
-static void add_gleam(
-	const struct beam *lamp, const int32_t n[3], int32_t shine[3])
+static void add_spec_table(const struct dir_light *light_source,
+	const int32_t n[3], int32_t shine[3])
 {
-	int32_t above_q26 = dot_q26(n, lamp->half_q30) - lamp->least_q26;
-	const struct gleam_step *step;
-	int32_t place, gleam_q28;
+	int32_t above_q26 =
+		dot_q26(n, light_source->half_q30) - light_source->least_q26;
+	const struct spec_table_step *step;
+	int32_t place, spec_table_q28;
 
 	if (above_q26 <= 0) {
 		return;
 	}
-	place = mul_high(above_q26, lamp->scale);
-	place = clamp_int(place, 0, 256 * GLEAM_STEPS - 1);
-	step = &lamp->step[place >> 8];
-	gleam_q28 = step->value_q28 + step->rise_q28 * (place & 255);
+	place = mul_high(above_q26, light_source->scale);
+	place = clamp_int(place, 0, 256 * SPEC_TABLE_STEPS - 1);
+	step = &light_source->step[place >> 8];
+	spec_table_q28 = step->value_q28 + step->rise_q28 * (place & 255);
 	for (int i = 0; i < 3; i++) {
-		shine[i] = mul_high_add(
-			shine[i], gleam_q28, lamp->specular_q20[i]);
+		shine[i] = mul_high_add(shine[i], spec_table_q28,
+			light_source->specular_q20[i]);
 	}
 }
 
@@ -86,25 +87,26 @@ static int32_t to_attribute(int32_t value_q16)
 	return 128 + value_q16 - (value_q16 >> 8);
 }
 
-static void light_side(const struct beams *light, const int32_t n[3],
+static void light_side(const struct dir_lights *light, const int32_t n[3],
 	const uint8_t color[4], int32_t out[4])
 {
 	int32_t dull[3], shine[3];
 
 	memcpy(dull, light->ambient_q24, sizeof(dull));
 	memcpy(shine, light->emission_q16, sizeof(shine));
-	for (const struct beam *lamp = light->beam; lamp != light->end; lamp++) {
-		int32_t towards_q26 = dot_q26(n, lamp->towards_q30);
+	for (const struct dir_light *light_source = light->dir_light;
+		light_source != light->end; light_source++) {
+		int32_t towards_q26 = dot_q26(n, light_source->towards_q30);
 
 		if (towards_q26 <= 0) {
 			continue;
 		}
 		for (int i = 0; i < 3; i++) {
-			dull[i] = mul_high_add(
-				dull[i], towards_q26, lamp->diffuse_q30[i]);
+			dull[i] = mul_high_add(dull[i], towards_q26,
+				light_source->diffuse_q30[i]);
 		}
-		if (lamp->gleams) {
-			add_gleam(lamp, n, shine);
+		if (light_source->spec_tables) {
+			add_spec_table(light_source, n, shine);
 		}
 	}
 	for (int i = 0; i < 3; i++) {
@@ -114,7 +116,8 @@ static void light_side(const struct beams *light, const int32_t n[3],
 	out[3] = 128 + color[3] * 256;
 }
 
-bool soft_light_by_beams(const struct beams *light, struct vertex *vertex)
+bool soft_light_by_dir_lights(
+	const struct dir_lights *light, struct vertex *vertex)
 {
 	size_t index = vertex->index;
 	const void *normal =

@@ -4,7 +4,7 @@
  * WIDE_MASK, r9 from behind a depth to its pixel. Loads the next depth, which
  * takes as long as the rest. Those who jump to them know the 9 instructions.
  */
-	.macro	see_pixel depth, temp
+	.macro	depth_tested_pixel depth, temp
 	cmp	r2, \depth, lsl #16
 	ldrh	\depth, [r1, #2]!
 	movlo	\temp, r2, lsr #16

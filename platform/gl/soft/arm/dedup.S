@@ -1,8 +1,8 @@
 /*
  * Lists of triangles without indices, for ARMv6: gives each vertex a slot of
- * the cache by what it is made of, as unshared.c's find_alike() does, and hands
+ * the cache by what it is made of, as unindexed.c's find_dedup() does, and hands
  * slots instead of indices to list.S, up to 64 triangles at a time. Offsets are
- * those of struct alike, struct alike_run, struct quick and struct vertex.
+ * those of struct dedup, struct dedup_run, struct fast_setup and struct vertex.
  *
  * A vertex that is there already costs 21 instructions, of eight words 26.
  */
@@ -11,21 +11,21 @@
 	.arm
 	.text
 
-/* struct alike */
+/* struct dedup */
 #define LISTED 2048
 #define SLOTS 2560
 #define NOTHING 2944
 #define BATCH 64
 
-/* struct alike_run */
+/* struct dedup_run */
 #define RUN_FROM 0
 #define RUN_END 4
 #define RUN_BASE 8
 #define RUN_SHIFT 12
 #define RUN_INVERSE 16
 
-#define QUICK_PLACE 132
-#define QUICK_CACHE 136
+#define FAST_SETUP_TAG 132
+#define FAST_SETUP_CACHE 136
 #define VERTEX_OUTCODE 1
 #define VERTEX_X 4
 
@@ -42,7 +42,7 @@
 
 /*
  * The next vertex: r0 behind it, r8 its slot, r7 the multiplier, r10 struct
- * alike, lr behind the slots. Any part of r7 marks what is listed.
+ * dedup, lr behind the slots. Any part of r7 marks what is listed.
  */
 	.macro	one_vertex words, stride
 	ldmia	r0, {r1-r6}
@@ -78,10 +78,10 @@
 	.endm
 
 /*
- * r0 draw, r1 alike, r2 run, whose from is the first triangle; r0 is the first
+ * r0 draw, r1 dedup, r2 run, whose from is the first triangle; r0 is the first
  * that is not drawn: run's end, or one that list.S cannot have this way.
  */
-	.macro	alike_list name, words, stride
+	.macro	dedup_list name, words, stride
 	.global	\name
 	.type	\name, %function
 \name:
@@ -118,7 +118,7 @@
 	.size	\name, . - \name
 	.endm
 
-	alike_list alike_six_tight_arm, 6, 24
+	dedup_list dedup_six_tight_arm, 6, 24
 
 	/* r11 where to go on; r4 the vertex */
 .Lmiss_24:
@@ -139,7 +139,7 @@
 	ldr	r1, [r2, #RUN_BASE]
 	ldr	r3, [r2, #RUN_SHIFT]
 	ldr	r5, [r2, #RUN_INVERSE]
-	ldr	r6, [r0, #QUICK_CACHE]
+	ldr	r6, [r0, #FAST_SETUP_CACHE]
 	sub	r1, r4, r1
 	lsr	r1, r1, r3
 	mul	r1, r5, r1
@@ -153,7 +153,7 @@
 	bne	.Loutside
 	ldr	r2, [r9, #VERTEX_X]
 	ldr	r3, [r9, #VERTEX_X + 4]
-	ldr	r0, [r0, #QUICK_PLACE]
+	ldr	r0, [r0, #FAST_SETUP_TAG]
 	str	r4, [r10, r8, lsl #2]
 	orr	r3, r2, r3, lsl #16
 	mov	r2, r8
@@ -235,7 +235,7 @@
 
 	.ltorg
 
-	alike_list alike_six_arm, 6, 32
-	alike_list alike_eight_arm, 8, 32
+	dedup_list dedup_six_arm, 6, 32
+	dedup_list dedup_eight_arm, 8, 32
 
 	.section .note.GNU-stack, "", %progbits

@@ -64,7 +64,7 @@ static bool are_equal_streams(
 }
 
 /* By what the vertex is made of: unindexed lists give it several times. */
-static ALWAYS_INLINE struct vertex *find_alike(struct draw *draw,
+static ALWAYS_INLINE struct vertex *find_dedup(struct draw *draw,
 	const struct stream *streams, int count, int words, uint32_t index)
 {
 	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
@@ -104,7 +104,7 @@ static bool list_streams(
 }
 
 /* Words is constant where all of a vertex lies together, else 0. */
-static ALWAYS_INLINE void draw_alike(struct draw *draw,
+static ALWAYS_INLINE void draw_dedup(struct draw *draw,
 	const struct stream *streams, int stream_count, int words,
 	uint32_t first, uint32_t count)
 {
@@ -112,9 +112,9 @@ static ALWAYS_INLINE void draw_alike(struct draw *draw,
 		uint32_t index = first + i;
 		struct vertex *v[3];
 
-		v[0] = find_alike(draw, streams, stream_count, words, index);
-		v[1] = find_alike(draw, streams, stream_count, words, index + 1);
-		v[2] = find_alike(draw, streams, stream_count, words, index + 2);
+		v[0] = find_dedup(draw, streams, stream_count, words, index);
+		v[1] = find_dedup(draw, streams, stream_count, words, index + 1);
+		v[2] = find_dedup(draw, streams, stream_count, words, index + 2);
 		if (v[0] == v[1] || v[0] == v[2]) {
 			v[0] = &draw->apart[0];
 			soft_transform(draw, index, v[0]);
@@ -142,11 +142,11 @@ static bool draw_together(struct draw *draw, const struct stream *stream,
 	uint32_t first, uint32_t count)
 {
 	return draw->packed &&
-		soft_draw_alike(draw, stream->pointer, stream->stride_bytes,
+		soft_draw_dedup(draw, stream->pointer, stream->stride_bytes,
 			stream->words, first, count);
 }
 
-bool soft_draw_unshared(struct draw *draw, uint32_t first, uint32_t count)
+bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 {
 	struct stream streams[3 + SOFT_UNITS];
 	int used;
@@ -158,11 +158,11 @@ bool soft_draw_unshared(struct draw *draw, uint32_t first, uint32_t count)
 		return true;
 	}
 	if (used == 1 && streams->words == 6) {
-		draw_alike(draw, streams, 1, 6, first, count);
+		draw_dedup(draw, streams, 1, 6, first, count);
 	} else if (used == 1 && streams->words == 8) {
-		draw_alike(draw, streams, 1, 8, first, count);
+		draw_dedup(draw, streams, 1, 8, first, count);
 	} else {
-		draw_alike(draw, streams, used, 0, first, count);
+		draw_dedup(draw, streams, used, 0, first, count);
 	}
 	return true;
 }

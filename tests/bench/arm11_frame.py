@@ -16,8 +16,8 @@ STAGES = {
     "transform and light": "dedup array array_state dir_lights draw fog_state light light_state matrix"
     " number prepare prepare_spans prepare_dir_lights prepare_light query soft state texenv_state unindexed vertex"
     " vertices",
-    "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_plain"
-    " fill_relief fill_texture list narrow raster shadow textured triangle"
+    "set-up": "clip soft_fill_count soft_fill_flat soft_fill_glyph fill_narrow fill_opaque soft_fill_plain"
+    " soft_fill_relief fill_texture list narrow raster shadow textured triangle"
     " walk walk_general",
     "pixels": "any band bands combine count depth_ways fill flat fragment ground line luminance narrow_rows"
     " glyph picture read relief rows shade span spans_565 spans_8888 texel texture tile_row tiles tint",

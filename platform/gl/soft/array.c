@@ -95,7 +95,8 @@ static ALWAYS_INLINE uint32_t larger(uint32_t most, uint32_t bits)
 	return bits << 1 > most ? bits << 1 : most;
 }
 
-uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count)
+uint32_t soft_largest_float_c(
+	const uint8_t *at, int stride_bytes, uint32_t count)
 {
 	uint32_t most = 0;
 
@@ -107,7 +108,7 @@ uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count)
 	return most;
 }
 
-int array_position_exponent(
+int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count)
 {
 	const uint8_t *at = element_at(array, first);
@@ -131,7 +132,7 @@ int array_position_exponent(
 	return (int)(most >> 24) - 127;
 }
 
-void array_position(const struct draw *draw, uint32_t index, int32_t out[3])
+void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	const struct array *array = &draw->soft->arrays.vertex;
 	const uint8_t *at = element_at(array, index);
@@ -187,7 +188,8 @@ static bool is_long(const GLfixed n[3])
 		n[1] <= -two || n[2] <= -two;
 }
 
-void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3])
+void soft_array_normal_q30(
+	const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	const struct arrays *arrays = &draw->soft->arrays;
 	const struct array *array = &arrays->normal;
@@ -236,7 +238,8 @@ static int32_t color_from_byte(int byte)
 	return byte * 257 + (byte >> 7);
 }
 
-void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4])
+void soft_array_color_q16(
+	const struct draw *draw, uint32_t index, int32_t out[4])
 {
 	const struct arrays *arrays = &draw->soft->arrays;
 	const struct array *array = &arrays->color;
@@ -260,7 +263,7 @@ void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4])
 	}
 }
 
-void array_texcoord_q16(
+void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2])
 {
 	const struct array *array = &draw->soft->arrays.texcoord[unit];

@@ -40,7 +40,7 @@ static void move_down(struct band *band)
 	band->pixels += band->pixels_step;
 }
 
-void band_color_c(struct band *band)
+void soft_band_color_c(struct band *band)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
@@ -89,7 +89,7 @@ static void run_texture(const struct texture_band *band, int column, int count)
 	}
 }
 
-void band_texture_c(struct texture_band *band)
+void soft_band_texture_c(struct texture_band *band)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
@@ -109,7 +109,7 @@ void band_texture_c(struct texture_band *band)
 	}
 }
 
-void band_fill_c(uint16_t *at, int count, uint16_t value)
+void soft_band_fill_c(uint16_t *at, int count, uint16_t value)
 {
 	const uint32_t pair = value * 0x10001u;
 
@@ -135,7 +135,7 @@ static void flat_row(const struct flat_band *band, int left, int count)
 	uint8_t *stencil = band->stencil ? band->stencil + left : NULL;
 
 	if (!stencil && band->keep == 0) {
-		band_fill_c(pixel, count, band->opaque);
+		soft_band_fill_c(pixel, count, band->opaque);
 		return;
 	}
 	for (int i = 0; i < count; i++) {
@@ -148,7 +148,7 @@ static void flat_row(const struct flat_band *band, int left, int count)
 	}
 }
 
-void band_flat_c(struct flat_band *band)
+void soft_band_flat_c(struct flat_band *band)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;

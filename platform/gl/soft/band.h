@@ -177,9 +177,9 @@ struct band_functions {
 extern const struct band_functions soft_bands;
 
 /* In C. */
-void band_color_c(struct band *band);
-void band_texture_c(struct texture_band *band);
-void band_flat_c(struct flat_band *band);
-void band_fill_c(uint16_t *at, int count, uint16_t value);
+void soft_band_color_c(struct band *band);
+void soft_band_texture_c(struct texture_band *band);
+void soft_band_flat_c(struct flat_band *band);
+void soft_band_fill_c(uint16_t *at, int count, uint16_t value);
 
 #endif

@@ -30,6 +30,6 @@ struct count_band {
 };
 
 /* Counts in all rows, and leaves the band at the row after them. */
-void count_band_c(struct count_band *band);
+void soft_count_band_c(struct count_band *band);
 
 #endif

@@ -145,7 +145,7 @@ static void draw_rectangles(struct draw *draw, const struct source *source)
 				v[0]->index == index[0] &&
 				v[1]->index == index[1] &&
 				v[2]->index == index[2] &&
-				fill_rectangle(draw, v)) {
+				soft_fill_rectangle(draw, v)) {
 				i += 3;
 				continue;
 			}
@@ -159,7 +159,7 @@ static void draw_listed(struct draw *draw, const struct source *source)
 {
 	bool even = ((uintptr_t)source->indices & 1) == 0;
 
-	if (draw->fill == fill_glyph) {
+	if (draw->fill == soft_fill_glyph) {
 		draw_rectangles(draw, source);
 	} else if (draw->packed && even) {
 		soft_bands.list(draw, source->indices, source->count);

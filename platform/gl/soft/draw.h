@@ -166,7 +166,7 @@ struct dir_lights {
 	uint8_t color[4];
 	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
 	int texcoord_stride;
-	int rest; /* instead: whether shade_rest() is wanted */
+	int rest; /* instead: whether soft_shade_rest() is wanted */
 };
 
 /* How coordinates are given; all but the last are fast to fetch. */
@@ -331,7 +331,7 @@ struct draw {
 		tests, blended;
 	fill_function fill;
 	struct flat_band flat;
-	struct textured textured; /* for fill_textured() */
+	struct textured textured; /* for soft_fill_textured() */
 	bool luminance;           /* rows may be luminance.c's */
 	bool ground;              /* rows may be ground.c's */
 	bool picture;             /* rows may be picture.c's */
@@ -394,30 +394,35 @@ void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw);
 /* vertex.c: fetches and transforms; attributes follow when they are wanted. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
 /* The same in C; arm/vertex.S has another for the fast kinds. */
-void transform_c(const struct draw *draw, uint32_t index, struct vertex *out);
+void soft_transform_c(
+	const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* Fills the attributes unless they are there. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
 /* The same in C; arm/light.S has another for what struct dir_lights takes. */
-void shade_c(const struct draw *draw, struct vertex *vertex);
+void soft_shade_c(const struct draw *draw, struct vertex *vertex);
 /* What follows the colour: fog and texture coordinates. */
-void shade_rest(const struct draw *draw, struct vertex *vertex);
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
 
 /* array.c: elements of arrays as fixed point. */
-void array_position(const struct draw *draw, uint32_t index, int32_t out[3]);
-void array_normal_q30(const struct draw *draw, uint32_t index, int32_t out[3]);
-void array_color_q16(const struct draw *draw, uint32_t index, int32_t out[4]);
-void array_texcoord_q16(
+void soft_array_position(
+	const struct draw *draw, uint32_t index, int32_t out[3]);
+void soft_array_normal_q30(
+	const struct draw *draw, uint32_t index, int32_t out[3]);
+void soft_array_color_q16(
+	const struct draw *draw, uint32_t index, int32_t out[4]);
+void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
 /*
  * The largest of count times three floats, as bits without their sign, shifted
  * to the left by one. The other is in C; arm/vertex.S has one besides.
  */
 uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
-uint32_t largest_float_c(const uint8_t *at, int stride_bytes, uint32_t count);
+uint32_t soft_largest_float_c(
+	const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
-int array_position_exponent(
+int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);
 
 /* light.c: lit colour, 8.8, of either side. */
@@ -455,7 +460,7 @@ void soft_draw_span(struct draw *draw, const struct span *span);
 int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
 
 /* relief.c: the same for what relief is drawn in, or NULL. */
-span_function relief_choose_span(const struct draw *draw);
+span_function soft_relief_choose_span(const struct draw *draw);
 
 /* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
 void soft_sample(const struct texture_input *input, const struct span *span,

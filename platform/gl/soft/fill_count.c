@@ -15,7 +15,7 @@ static bool is_down(const struct stencil *stencil)
 	return stencil->pass == GL_DECR || stencil->depth_fail == GL_DECR;
 }
 
-bool fill_is_count(const struct draw *draw)
+bool soft_fill_is_count(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct stencil *stencil = &state->stencil;
@@ -34,7 +34,7 @@ static void draw_band(void *band)
 	soft_bands.count(band);
 }
 
-void fill_count(struct draw *draw, struct setup *setup)
+void soft_fill_count(struct draw *draw, struct setup *setup)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct plane *z = &draw->raster.plane[DEPTH];
@@ -43,7 +43,7 @@ void fill_count(struct draw *draw, struct setup *setup)
 	size_t first = (size_t)top * (size_t)buffers->width;
 	struct count_band band;
 
-	raster_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
 	band = (struct count_band){
 		.depth = buffers->depth + first,
 		.stencil = buffers->stencil + first,
@@ -81,7 +81,7 @@ static void count_row(const struct count_band *band, int left, int right)
 	}
 }
 
-void count_band_c(struct count_band *band)
+void soft_count_band_c(struct count_band *band)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;

@@ -13,7 +13,7 @@ static bool is_unlike(const struct stencil *stencil)
 		stencil->fail == GL_KEEP && stencil->pass == GL_KEEP;
 }
 
-bool fill_is_flat(const struct draw *draw)
+bool soft_fill_is_flat(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
 	const struct fragment_state *state = &soft->fragment;
@@ -43,7 +43,7 @@ static uint8_t next_stencil(const struct stencil *stencil)
 					   : stencil->reference;
 }
 
-void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
+void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
 {
 	struct flat_band *band = &draw->flat;
 
@@ -53,7 +53,7 @@ void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
 	band->own = widen(color) * alpha + WIDE_ROUND;
 }
 
-void fill_flat_begin(struct draw *draw)
+void soft_fill_flat_begin(struct draw *draw)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
@@ -69,13 +69,13 @@ void fill_flat_begin(struct draw *draw)
 		.unlike = is_unlike(stencil),
 	};
 	/* Where all of a call has one colour, no vertex is shaded. */
-	fill_flat_color(draw,
+	soft_fill_flat_color(draw,
 		pack_565(soft_byte(color[0]), soft_byte(color[1]),
 			soft_byte(color[2])),
 		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
 }
 
-bool fill_flat_is_once(const struct draw *draw)
+bool soft_fill_flat_is_once(const struct draw *draw)
 {
 	return draw->soft->fragment.stencil.enabled &&
 		draw->soft->buffers.stencil && !draw->flat.unlike;
@@ -86,7 +86,7 @@ static void draw_band(void *band)
 	soft_bands.flat(band);
 }
 
-void fill_flat(struct draw *draw, struct setup *setup)
+void soft_fill_flat(struct draw *draw, struct setup *setup)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct vertex *const *v = setup->v;

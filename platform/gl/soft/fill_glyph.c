@@ -7,7 +7,7 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/raster.h"
 
-bool fill_is_glyph(const struct draw *draw)
+bool soft_fill_is_glyph(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
 	const struct fragment_state *state = &soft->fragment;
@@ -99,33 +99,33 @@ static uint32_t share_through(const struct draw *draw, const int32_t *attribute)
 static void set_color(
 	struct draw *draw, const int32_t *attribute, uint32_t share)
 {
-	fill_flat_color(draw,
+	soft_fill_flat_color(draw,
 		color_565((uint32_t)attribute[RED] << 8,
 			(uint32_t)attribute[GREEN] << 8,
 			(uint32_t)attribute[BLUE] << 8),
 		share);
 }
 
-void fill_glyph(struct draw *draw, struct setup *setup)
+void soft_fill_glyph(struct draw *draw, struct setup *setup)
 {
 	const int32_t *a = setup->v[0]->attribute;
 
 	if (draw->soft->fragment.flat || !is_same(setup, RED, 4)) {
-		rows_fill(draw, setup);
+		soft_rows_fill(draw, setup);
 		return;
 	}
 	if (is_same(setup, TEX_S, 2)) {
 		set_color(draw, a, share_through(draw, a));
-		fill_flat(draw, setup);
+		soft_fill_flat(draw, setup);
 		return;
 	}
 	set_color(draw, a, share_of(a[ALPHA]));
-	raster_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
 	if (draw->raster.plane[TEX_S + 1].dx != 0) {
-		rows_fill(draw, setup);
+		soft_rows_fill(draw, setup);
 		return;
 	}
-	raster_walk(draw, setup, row_glyph, raster_next_row);
+	raster_walk(draw, setup, row_glyph, soft_raster_next_row);
 }
 
 static bool are_upright(struct vertex *const v[4])
@@ -228,7 +228,7 @@ static struct clip_box box_of(const struct draw *draw, struct vertex *const v[4]
 	return box;
 }
 
-bool fill_rectangle(struct draw *draw, struct vertex *const v[4])
+bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 {
 	const int32_t *a = v[0]->attribute;
 	struct clip_box box;

@@ -80,7 +80,7 @@ static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 	d1 = d1 < 0 ? -d1 : d1;
 	d2 = d2 < 0 ? -d2 : d2;
 	return !draw->perspective || d1 + d2 <= w >> 6 ||
-		fill_plain_is_linear(draw, setup);
+		soft_fill_plain_is_linear(draw, setup);
 }
 
 static struct scale find_scale(const struct setup *setup)
@@ -249,14 +249,14 @@ static void set_up(const struct draw *draw, const struct setup *setup,
 	pack(narrow);
 }
 
-void fill_narrow_c(struct draw *draw, struct setup *setup)
+void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
 {
 	struct narrow narrow;
 	struct scale scale;
 
 	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
 		!runs_linearly(draw, setup)) {
-		fill_plain(draw, setup);
+		soft_fill_plain(draw, setup);
 		return;
 	}
 	scale = find_scale(setup);

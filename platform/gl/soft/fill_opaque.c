@@ -15,22 +15,22 @@ static bool is_gray(const struct setup *setup)
 		       (c[0] ^ c[1]) | (c[0] ^ c[2])) == 0;
 }
 
-void fill_textured(struct draw *draw, struct setup *setup)
+void soft_fill_textured(struct draw *draw, struct setup *setup)
 {
 	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
-		if (!fill_texture_tinted(draw, setup)) {
-			rows_fill(draw, setup);
+		if (!soft_fill_texture_tinted(draw, setup)) {
+			soft_rows_fill(draw, setup);
 		}
 	} else if (is_gray(setup)) {
-		if (!fill_texture_gray(draw, setup)) {
-			rows_fill(draw, setup);
+		if (!soft_fill_texture_gray(draw, setup)) {
+			soft_rows_fill(draw, setup);
 		}
-	} else if (!fill_texture_tinted(draw, setup)) {
-		rows_fill(draw, setup);
+	} else if (!soft_fill_texture_tinted(draw, setup)) {
+		soft_rows_fill(draw, setup);
 	}
 }
 
-bool fill_is_opaque(const struct draw *draw)
+bool soft_fill_is_opaque(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
 	const struct fragment_state *state = &soft->fragment;
@@ -44,7 +44,7 @@ bool fill_is_opaque(const struct draw *draw)
 		!draw->shading.two_side && !draw->texture[1].used;
 }
 
-bool fill_takes_texture(const struct texture_input *input)
+bool soft_fill_takes_texture(const struct texture_input *input)
 {
 	const struct texture *texture = input->texture;
 	GLenum min = texture->min_filter;

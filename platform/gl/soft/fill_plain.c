@@ -96,7 +96,8 @@ static ALWAYS_INLINE void set_colors(
 		(uint32_t)cut(five(b->right), 14);
 }
 
-bool fill_plain_is_linear(const struct draw *draw, const struct setup *setup)
+bool soft_fill_plain_is_linear(
+	const struct draw *draw, const struct setup *setup)
 {
 	int32_t limit = find_limits(draw, setup).color;
 	bool within = true;
@@ -189,15 +190,15 @@ static void draw_inside(void *band)
 
 static void draw_cut(void *band)
 {
-	band_color_c(band);
+	soft_band_color_c(band);
 }
 
-void fill_plain(struct draw *draw, struct setup *setup)
+void soft_fill_plain(struct draw *draw, struct setup *setup)
 {
 	struct band band;
 
 	if (setup->wide || !set_values(draw, setup, &band)) {
-		rows_fill(draw, setup);
+		soft_rows_fill(draw, setup);
 		return;
 	}
 	place(draw, setup, &band);

@@ -39,7 +39,7 @@ static bool is_repeated(const struct draw *draw)
 		draw->texture[0].env->mode == GL_MODULATE;
 }
 
-bool fill_is_relief(const struct draw *draw)
+bool soft_fill_is_relief(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
 	const struct fragment_state *state = &soft->fragment;
@@ -57,9 +57,9 @@ bool fill_is_relief(const struct draw *draw)
 			!draw->blended && is_dot(draw->texture[0].env));
 }
 
-void fill_relief(struct draw *draw, struct setup *setup)
+void soft_fill_relief(struct draw *draw, struct setup *setup)
 {
-	if (!fill_texture_tinted(draw, setup)) {
-		rows_fill(draw, setup);
+	if (!soft_fill_texture_tinted(draw, setup)) {
+		soft_rows_fill(draw, setup);
 	}
 }

@@ -242,7 +242,7 @@ static bool fill_gray(const struct draw *draw, const struct setup *setup)
 	return true;
 }
 
-bool fill_texture_gray(const struct draw *draw, const struct setup *setup)
+bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
 {
 	const struct textured *textured = &draw->textured;
 
@@ -370,7 +370,7 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 	return true;
 }
 
-bool fill_texture_tinted(const struct draw *draw, const struct setup *setup)
+bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup)
 {
 	const struct textured *textured = &draw->textured;
 
@@ -403,7 +403,7 @@ static void set_levels(
 	}
 }
 
-/* The rows of tints that the state asks for; see fill_is_relief(). */
+/* The rows of tints that the state asks for; see soft_fill_is_relief(). */
 static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -422,7 +422,7 @@ static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
 		: soft_bands.tint_multiply;
 }
 
-void fill_textured_begin(struct draw *draw)
+void soft_fill_textured_begin(struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 	bool linear = input->texture->mag_filter == GL_LINEAR;

@@ -15,7 +15,7 @@ static void draw_row(
 	}
 }
 
-void glyph_draw_c(const struct glyph *glyph)
+void soft_glyph_draw_c(const struct glyph *glyph)
 {
 	uint8_t *pixel = (uint8_t *)glyph->pixel;
 	const uint8_t *texel = glyph->texel;
@@ -27,7 +27,7 @@ void glyph_draw_c(const struct glyph *glyph)
 	}
 }
 
-void glyph_mix_c(uint16_t *pixel, int count, uint32_t keep, uint32_t own)
+void soft_glyph_mix_c(uint16_t *pixel, int count, uint32_t keep, uint32_t own)
 {
 	for (int i = 0; i < count; i++) {
 		pixel[i] =

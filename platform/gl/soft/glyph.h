@@ -20,9 +20,9 @@ struct glyph {
 	uint32_t alpha;         /* 28: 0 to 32, which texels count */
 };
 
-void glyph_draw_c(const struct glyph *glyph);
+void soft_glyph_draw_c(const struct glyph *glyph);
 
 /* Pixels become (pixel keep + own) >> 5, wide; own holds the rounding. */
-void glyph_mix_c(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
+void soft_glyph_mix_c(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 
 #endif

@@ -59,7 +59,7 @@ static int32_t size_of(int32_t value)
 	return value < 0 ? -value : value;
 }
 
-void ground_shade_c(const struct shade_run *run)
+void soft_ground_shade_c(const struct shade_run *run)
 {
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t, share = run->share;
@@ -89,7 +89,7 @@ void ground_shade_c(const struct shade_run *run)
 	shade_each(run, pixel, left, s, t, share);
 }
 
-int ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
+int soft_ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
 	int i;
 
@@ -117,7 +117,7 @@ static void shade_part(
 		: pixel;
 	soft_bands.shade_ground(&part);
 	if (draw->blended) {
-		luminance_blend(pixel, part.pixel, count,
+		soft_luminance_blend(pixel, part.pixel, count,
 			run->alpha + (uint32_t)run->alpha_right * n,
 			run->alpha_right);
 	}
@@ -209,7 +209,7 @@ static void step_run(struct draw *draw, const struct point *from,
 	for (int i = 0; i < draw->raster.moving_count; i++) {
 		int name = draw->raster.moving[i];
 
-		step[name] = luminance_share_out(
+		step[name] = soft_luminance_share_out(
 			draw, to->value[name] - from->value[name], steps);
 		if (name == RED) {
 			run->share = (uint32_t)to_share(from->value[RED]);
@@ -230,11 +230,11 @@ static void row_perspective(struct draw *draw, int left, int right)
 	struct point from, to;
 	int length;
 
-	rows_find_point(draw, left, &from);
-	length = luminance_find_length(draw, &from);
+	soft_rows_find_point(draw, left, &from);
+	length = soft_luminance_find_length(draw, &from);
 	/* Every fourth row, and in the triangle's first one. */
 	if (raster->span.y % 4 == 0 || raster->first_row) {
-		rows_find_lod(draw, &from, &raster->span);
+		soft_rows_find_lod(draw, &from, &raster->span);
 		choose_level(draw);
 		raster->first_row = false;
 	}
@@ -243,7 +243,7 @@ static void row_perspective(struct draw *draw, int left, int right)
 		int steps = right - x > length ? length : right - x - 1;
 
 		if (steps > 0) {
-			rows_find_point(draw, x + steps, &to);
+			soft_rows_find_point(draw, x + steps, &to);
 		} else {
 			to = from;
 		}
@@ -274,7 +274,7 @@ static void row_affine(struct draw *draw, int left, int right)
 	draw_run(draw, run);
 }
 
-void ground_row(struct draw *draw, int y, int left, int right)
+void soft_ground_row(struct draw *draw, int y, int left, int right)
 {
 	draw->raster.span.y = y;
 	if (draw->raster.perspective) {
@@ -303,7 +303,7 @@ static void begin_runs(struct draw *draw)
 	if (raster->perspective) {
 		return;
 	}
-	rows_find_lod(draw, NULL, &raster->span);
+	soft_rows_find_lod(draw, NULL, &raster->span);
 	choose_level(draw);
 	run->s_right = (int32_t)((uint32_t)plane[TEX_S].dx << shift);
 	run->t_right = (int32_t)((uint32_t)plane[TEX_S + 1].dx << shift);
@@ -336,7 +336,7 @@ static int count_grays(const struct raster *raster)
 		: -1;
 }
 
-bool ground_begin(struct draw *draw)
+bool soft_ground_begin(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	int grays = count_grays(raster), count = 0;
@@ -360,20 +360,20 @@ bool ground_begin(struct draw *draw)
 	return true;
 }
 
-void ground_init(struct draw *draw)
+void soft_ground_init(struct draw *draw)
 {
 	for (int i = 0; i < 256; i++) {
 		draw->gray[i] = pack_565(i, i, i) * 0x10001u;
 	}
 }
 
-bool ground_takes(const struct draw *draw)
+bool soft_ground_takes(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct texture_input *input = &draw->texture[0];
 
 	return state->depth_test && state->depth_mask &&
 		state->depth_function == GL_LESS &&
-		luminance_takes_texture(draw) &&
+		soft_luminance_takes_texture(draw) &&
 		input->width_log2 == input->height_log2;
 }

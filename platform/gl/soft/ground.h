@@ -10,16 +10,16 @@
 #include "platform/gl/soft/shade.h"
 
 /* Once: the table of grays. */
-void ground_init(struct draw *draw);
+void soft_ground_init(struct draw *draw);
 
 /* Whether the state of a draw call is this. */
-bool ground_takes(const struct draw *draw);
+bool soft_ground_takes(const struct draw *draw);
 
-/* After raster_set_up(): whether the triangle is gray, which is taken. */
-bool ground_begin(struct draw *draw);
+/* After soft_raster_set_up(): whether the triangle is gray, which is taken. */
+bool soft_ground_begin(struct draw *draw);
 
 /* As raster_walk() calls it. */
-void ground_row(struct draw *draw, int y, int left, int right);
+void soft_ground_row(struct draw *draw, int y, int left, int right);
 
 /* To the next row: what those take. */
 static inline void ground_next(struct draw *draw)
@@ -38,12 +38,13 @@ static inline void ground_next(struct draw *draw)
  * Draws a run whose shade varies, in blocks of four pixels where texels are
  * wide enough for that, else one by one.
  */
-void ground_shade_c(const struct shade_run *run);
+void soft_ground_shade_c(const struct shade_run *run);
 
 /*
  * Tests depth LESS, and writes it, until one fails; how many passed. z has 10
  * bits of fraction.
  */
-int ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+int soft_ground_depth_c(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 #endif

@@ -30,7 +30,7 @@ static void normalize_q30(int32_t n[3])
 	if (square_q28 - ((1u << 28) - (1u << 19)) < 1u << 20 || square == 0) {
 		return;
 	}
-	root = reciprocal_root(square);
+	root = soft_reciprocal_root(square);
 	for (int i = 0; i < 3; i++) {
 		n[i] = (int32_t)((int64_t)n[i] * root.mantissa_q30 >> root.shift);
 	}
@@ -66,7 +66,7 @@ static void add_spec_table(const struct shading *shading,
 		return;
 	}
 	spec_table_q28 =
-		power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
+		soft_power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
 			shading->shininess_q16);
 	for (int i = 0; i < 3; i++) {
 		lit->specular[i] +=
@@ -107,7 +107,7 @@ static int32_t take_length(int32_t v[3])
 	if (square == 0) {
 		return 0;
 	}
-	root = reciprocal_root(square);
+	root = soft_reciprocal_root(square);
 	/* square / sqrt(square), square = high 2^32 + low */
 	length =
 		(int64_t)((square >> 16) * (uint64_t)(root.mantissa_q30 >> 14) >>
@@ -154,7 +154,8 @@ static int32_t attenuate(const struct light_source *light_source,
 		return 0;
 	}
 	return (int32_t)(share *
-			power_q28((int32_t)(along > 1 << 28 ? 1 << 28 : along),
+			soft_power_q28(
+				(int32_t)(along > 1 << 28 ? 1 << 28 : along),
 				light_source->exponent_q16) >>
 		28);
 }
@@ -235,7 +236,7 @@ static void find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	int32_t p[3];
 
-	array_position(draw, index, p);
+	soft_array_position(draw, index, p);
 	for (int i = 0; i < 3; i++) {
 		const int32_t *row = draw->eye_q16[i];
 		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
@@ -251,7 +252,7 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 	int32_t n[3], eye[3] = {0, 0, 0};
 	int32_t color[4] = {65536, 65536, 65536, 65536};
 
-	array_normal_q30(draw, vertex->index, n);
+	soft_array_normal_q30(draw, vertex->index, n);
 	if (shading->rotate_normals) {
 		rotate_normal(shading->normal_q28, shading->normalize, n);
 	}
@@ -259,7 +260,7 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 		normalize_q30(n);
 	}
 	if (shading->tracked) {
-		array_color_q16(draw, vertex->index, color);
+		soft_array_color_q16(draw, vertex->index, color);
 	}
 	if (draw->eye_needed) {
 		find_eye(draw, vertex->index, eye);
@@ -289,7 +290,7 @@ static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
 		thickness_q16 = thickness_q16 * thickness_q16 >> 16;
 	}
 	/* 1/e in Q28 */
-	return power_q28(98749918, saturate_64(thickness_q16)) >> 12;
+	return soft_power_q28(98749918, saturate_64(thickness_q16)) >> 12;
 }
 
 /* The share of the fragment's own colour, like a colour. */
@@ -308,7 +309,7 @@ static NEVER_INLINE void find_any_texcoord(
 	const struct texture_input *input = &draw->texture[unit];
 	int32_t st[2];
 
-	array_texcoord_q16(draw, unit, index, st);
+	soft_array_texcoord_q16(draw, unit, index, st);
 	for (int i = 0; i < 2; i++) {
 		const int32_t *m = input->matrix[i];
 		int64_t sum = (int64_t)m[0] * st[0] + (int64_t)m[1] * st[1] +
@@ -364,7 +365,7 @@ static NEVER_INLINE void find_any_color(
 {
 	int32_t color[4];
 
-	array_color_q16(draw, vertex->index, color);
+	soft_array_color_q16(draw, vertex->index, color);
 	for (int i = 0; i < 4; i++) {
 		vertex->attribute[i] = to_attribute(color[i]);
 	}
@@ -387,7 +388,7 @@ static ALWAYS_INLINE void find_color(
 	}
 }
 
-void shade_rest(const struct draw *draw, struct vertex *vertex)
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex)
 {
 	if (draw->fogged) {
 		vertex->attribute[FOG] = find_fog(draw, vertex);
@@ -400,7 +401,7 @@ void shade_rest(const struct draw *draw, struct vertex *vertex)
 	}
 }
 
-void shade_c(const struct draw *draw, struct vertex *vertex)
+void soft_shade_c(const struct draw *draw, struct vertex *vertex)
 {
 	if (vertex->shaded || draw->attributes == 0) {
 		return;
@@ -412,5 +413,5 @@ void shade_c(const struct draw *draw, struct vertex *vertex)
 		!soft_light_by_dir_lights(&draw->dir_lights, vertex)) {
 		soft_light(draw, vertex);
 	}
-	shade_rest(draw, vertex);
+	soft_shade_rest(draw, vertex);
 }

@@ -86,8 +86,8 @@ static void shade(
 		.shade = draw->shade,
 		.s_end = &level->tiles->patch->s[s_right >= 0],
 		.t_end = &level->tiles->patch->t[t_right >= 0],
-		.s_pixels = tile_pixels(s_right, level->width_log2),
-		.t_pixels = tile_pixels(t_right, level->height_log2),
+		.s_pixels = soft_tile_pixels(s_right, level->width_log2),
+		.t_pixels = soft_tile_pixels(t_right, level->height_log2),
 		.width_log2 = level->width_log2,
 		.height_log2 = level->height_log2,
 		.fine = level->tiles->fine,
@@ -98,7 +98,7 @@ static void shade(
 	if (tile_is_square(&run)) {
 		(fine ? soft_bands.tile_fine : soft_bands.tile_row)(&run);
 	} else {
-		(fine ? tile_fine_c : tile_row_c)(&run);
+		(fine ? soft_tile_fine_c : soft_tile_row_c)(&run);
 	}
 }
 
@@ -115,7 +115,7 @@ static int share_pixels(int32_t alpha_right)
 }
 
 /* With one share for as many pixels as will do. */
-void luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
+void soft_luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
 	uint32_t alpha, int32_t alpha_right)
 {
 	int most = share_pixels(alpha_right), count;
@@ -147,7 +147,7 @@ static void draw_piece(struct draw *draw, const struct piece *piece)
 			draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
 		shade(draw, piece, shaded);
-		luminance_blend(pixel, shaded, piece->count, piece->alpha,
+		soft_luminance_blend(pixel, shaded, piece->count, piece->alpha,
 			piece->alpha_right);
 	} else {
 		shade(draw, piece, pixel);
@@ -155,7 +155,7 @@ static void draw_piece(struct draw *draw, const struct piece *piece)
 }
 
 /* n^2 of the slope of q is below q. */
-int luminance_find_length(const struct draw *draw, const struct point *from)
+int soft_luminance_find_length(const struct draw *draw, const struct point *from)
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t slope, n = LUMINANCE_RUN;
@@ -228,7 +228,7 @@ static void level_row(struct draw *draw, const struct point *from, int left,
 	}
 }
 
-int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps)
+int32_t soft_luminance_share_out(const struct draw *draw, int32_t all, int steps)
 {
 	return steps < 2
 		? all
@@ -239,7 +239,7 @@ static void bent_row(
 	struct draw *draw, const struct point *begin, int left, int right)
 {
 	struct point from = *begin, to;
-	int length = luminance_find_length(draw, &from);
+	int length = soft_luminance_find_length(draw, &from);
 
 	for (int x = left; x < right; x += length) {
 		int count = right - x < length ? right - x : length;
@@ -250,21 +250,21 @@ static void bent_row(
 
 		to = from;
 		if (steps > 0) {
-			rows_find_point(draw, x + steps, &to);
+			soft_rows_find_point(draw, x + steps, &to);
 		}
 		set_start(&piece, &from);
-		piece.s_right = luminance_share_out(
+		piece.s_right = soft_luminance_share_out(
 			draw, to.value[TEX_S] - at[TEX_S], steps);
-		piece.t_right = luminance_share_out(
+		piece.t_right = soft_luminance_share_out(
 			draw, to.value[TEX_S + 1] - at[TEX_S + 1], steps);
-		piece.alpha_right = luminance_share_out(
+		piece.alpha_right = soft_luminance_share_out(
 			draw, to.value[ALPHA] - at[ALPHA], steps);
 		draw_piece(draw, &piece);
 		from = to;
 	}
 }
 
-void luminance_row(struct draw *draw, int y, int left, int right)
+void soft_luminance_row(struct draw *draw, int y, int left, int right)
 {
 	struct raster *raster = &draw->raster;
 	struct point from;
@@ -274,10 +274,10 @@ void luminance_row(struct draw *draw, int y, int left, int right)
 	raster->span.y = y;
 	/* Where it does not move. */
 	from.value[ALPHA] = (int32_t)raster->span.value[ALPHA];
-	rows_find_point(draw, left, &from);
+	soft_rows_find_point(draw, left, &from);
 	/* Every fourth row, and in the triangle's first one. */
 	if (y % 4 == 0 || raster->first_row) {
-		rows_find_lod(draw, &from, &raster->span);
+		soft_rows_find_lod(draw, &from, &raster->span);
 		raster->first_row = false;
 	}
 	if (is_level(draw, &from, right - left)) {
@@ -303,7 +303,7 @@ static void make_shades(struct draw *draw, const uint32_t color[3])
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
 
-bool luminance_begin(struct draw *draw)
+bool soft_luminance_begin(struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t color[3];
@@ -323,7 +323,7 @@ bool luminance_begin(struct draw *draw)
 	return true;
 }
 
-bool luminance_takes_texture(const struct draw *draw)
+bool soft_luminance_takes_texture(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct texture_input *input = &draw->texture[0];
@@ -344,10 +344,10 @@ bool luminance_takes_texture(const struct draw *draw)
 		mask[0] && mask[1] && mask[2] && !state->stencil.enabled;
 }
 
-bool luminance_takes(const struct draw *draw)
+bool soft_luminance_takes(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 
-	return luminance_takes_texture(draw) &&
+	return soft_luminance_takes_texture(draw) &&
 		(!state->depth_test || state->depth_function == GL_ALWAYS);
 }

@@ -13,13 +13,13 @@
 #include "platform/gl/soft/rows.h"
 
 /* Whether the state of a draw call is this. */
-bool luminance_takes(const struct draw *draw);
+bool soft_luminance_takes(const struct draw *draw);
 
-/* After raster_set_up(): whether the triangle has one colour, which is taken. */
-bool luminance_begin(struct draw *draw);
+/* After soft_raster_set_up(): whether the triangle has one colour, which is taken. */
+bool soft_luminance_begin(struct draw *draw);
 
 /* As raster_walk() calls it. */
-void luminance_row(struct draw *draw, int y, int left, int right);
+void soft_luminance_row(struct draw *draw, int y, int left, int right);
 
 /* To the next row: what those take. */
 static inline void luminance_next(struct draw *draw)
@@ -36,19 +36,21 @@ static inline void luminance_next(struct draw *draw)
 /* For ground.c: */
 
 /* Whether it is, but for the depth test. */
-bool luminance_takes_texture(const struct draw *draw);
+bool soft_luminance_takes_texture(const struct draw *draw);
 
 /* How many pixels may run linearly from there. */
-int luminance_find_length(const struct draw *draw, const struct point *from);
+int soft_luminance_find_length(
+	const struct draw *draw, const struct point *from);
 
 /*
  * Mixes what is shaded aside into the picture, by alpha of 8.16; words lie in
  * one as they do in the other.
  */
-void luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
+void soft_luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
 	uint32_t alpha, int32_t alpha_right);
 
 /* A step of so many that lead over all of it. */
-int32_t luminance_share_out(const struct draw *draw, int32_t all, int steps);
+int32_t soft_luminance_share_out(
+	const struct draw *draw, int32_t all, int steps);
 
 #endif

@@ -90,7 +90,7 @@ static const uint32_t exp_table[65] = {
 };
 /* clang-format on */
 
-struct root reciprocal_root(uint64_t value)
+struct root soft_reciprocal_root(uint64_t value)
 {
 	int zeros = LEADING_ZEROS_64(value) & ~1;
 	uint32_t v = (uint32_t)(value << zeros >> 32); /* 0.25..1 in Q32 */
@@ -121,7 +121,7 @@ static int32_t log2_q16(uint32_t value_q28)
 	return (3 - zeros) * 65536 + (int32_t)fraction;
 }
 
-int32_t power_q28(int32_t base_q28, int32_t exponent_q16)
+int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16)
 {
 	int64_t exponent;
 	int32_t e;

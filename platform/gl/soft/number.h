@@ -77,12 +77,12 @@ struct root {
 	int32_t mantissa_q30; /* 2^29..2^30 */
 	int shift;            /* the result is mantissa / 2^30 / 2^shift */
 };
-struct root reciprocal_root(uint64_t value);
+struct root soft_reciprocal_root(uint64_t value);
 
 /* 1 / sqrt((64.5 + i) / 256) in Q15. */
 extern const uint16_t soft_root_table[192];
 
 /* base to the power of exponent (Q16), base in 0..1 of Q28; result Q28. */
-int32_t power_q28(int32_t base_q28, int32_t exponent_q16);
+int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);
 
 #endif

@@ -3,7 +3,7 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/span/sample.h"
 
-bool picture_takes(const struct draw *draw)
+bool soft_picture_takes(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 
@@ -16,7 +16,7 @@ bool picture_takes(const struct draw *draw)
 			input->env->mode == GL_REPLACE);
 }
 
-bool picture_begin(const struct draw *draw)
+bool soft_picture_begin(const struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;
 	const uint32_t *color = raster->span.value;
@@ -59,7 +59,7 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 }
 
 /* Texels outside of the texture are left to those who know where they are. */
-void picture_row(struct draw *draw, int y, int left, int right)
+void soft_picture_row(struct draw *draw, int y, int left, int right)
 {
 	const struct texture_input *input = &draw->texture[0];
 	const struct raster *raster = &draw->raster;
@@ -71,7 +71,7 @@ void picture_row(struct draw *draw, int y, int left, int right)
 	/* A run's first texel is off by less than a 16th of one. */
 	if ((s - 4096) >> 16 > last || (end + 4096) >> 16 > last ||
 		t > last_of(input->height_log2)) {
-		rows_affine(draw, y, left, right);
+		soft_rows_affine(draw, y, left, right);
 		return;
 	}
 	copy_runs(draw, y, left, right,
@@ -79,7 +79,7 @@ void picture_row(struct draw *draw, int y, int left, int right)
 			(t << input->width_log2));
 }
 
-void picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
+void soft_picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16)
 {
 	for (int i = 0; i < count; i++) {

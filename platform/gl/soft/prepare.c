@@ -30,13 +30,13 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 {
 	const struct array *array = &soft->arrays.vertex;
 	struct view *view = &draw->view;
-	int exponent = array_position_exponent(array, first, count);
+	int exponent = soft_array_position_exponent(array, first, count);
 
 	draw->checked = exponent > EXPONENT_MOST;
 	exponent = exponent > EXPONENT_MOST ? EXPONENT_MOST
 		: exponent < EXPONENT_LEAST ? EXPONENT_LEAST
 					    : exponent;
-	/* |position| < 2^30; integers have fixed places, see array_position(). */
+	/* |position| < 2^30; integers have fixed places, see soft_array_position(). */
 	draw->position_q = array->type == GL_BYTE ? 22
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
@@ -313,34 +313,35 @@ static void list_attributes(struct draw *draw)
 static fill_function choose_fill(const struct draw *draw)
 {
 	if (draw->soft->reference) {
-		return rows_fill;
+		return soft_rows_fill;
 	}
-	if (fill_is_flat(draw)) {
-		return fill_flat;
+	if (soft_fill_is_flat(draw)) {
+		return soft_fill_flat;
 	}
-	if (fill_is_count(draw)) {
-		return fill_count;
+	if (soft_fill_is_count(draw)) {
+		return soft_fill_count;
 	}
-	if (fill_is_glyph(draw)) {
-		return fill_glyph;
+	if (soft_fill_is_glyph(draw)) {
+		return soft_fill_glyph;
 	}
-	if (fill_is_relief(draw)) {
-		return fill_relief;
+	if (soft_fill_is_relief(draw)) {
+		return soft_fill_relief;
 	}
-	if (!fill_is_opaque(draw)) {
-		return rows_fill;
+	if (!soft_fill_is_opaque(draw)) {
+		return soft_rows_fill;
 	}
 	if (!draw->texture[0].used) {
 		return soft_bands.narrow;
 	}
-	return fill_takes_texture(&draw->texture[0]) ? fill_textured : rows_fill;
+	return soft_fill_takes_texture(&draw->texture[0]) ? soft_fill_textured
+							  : soft_rows_fill;
 }
 
 /* And no alpha where nobody asks for it. */
 static void choose_span(struct draw *draw)
 {
 	span_function relief =
-		draw->soft->reference ? NULL : relief_choose_span(draw);
+		draw->soft->reference ? NULL : soft_relief_choose_span(draw);
 
 	soft_prepare_spans(draw);
 	draw->span = relief ? relief : soft_draw_span;
@@ -359,7 +360,7 @@ void soft_init_scratch(struct draw *draw)
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
 	draw->shade_color[0] = UINT32_MAX; /* no colour */
-	ground_init(draw);
+	soft_ground_init(draw);
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;
 	for (int i = 2; i <= SMALL_EXTENT; i++) {
@@ -413,25 +414,25 @@ bool soft_prepare(
 	choose_span(draw);
 	list_attributes(draw);
 	draw->fill = choose_fill(draw);
-	draw->luminance = !soft->reference && luminance_takes(draw);
-	draw->picture = !soft->reference && picture_takes(draw);
-	draw->ground = !soft->reference && ground_takes(draw);
+	draw->luminance = !soft->reference && soft_luminance_takes(draw);
+	draw->picture = !soft->reference && soft_picture_takes(draw);
+	draw->ground = !soft->reference && soft_ground_takes(draw);
 	draw->plain = draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
 		!draw->tests && !draw->texture[0].used &&
 		soft->format == PIXELS_RGB565;
-	if (draw->fill == fill_flat) {
+	if (draw->fill == soft_fill_flat) {
 		draw->attributes = 0;
 	}
-	if (draw->fill == fill_flat || draw->fill == fill_glyph) {
-		fill_flat_begin(draw);
+	if (draw->fill == soft_fill_flat || draw->fill == soft_fill_glyph) {
+		soft_fill_flat_begin(draw);
 	}
-	if (draw->fill == fill_flat && fill_flat_is_once(draw)) {
+	if (draw->fill == soft_fill_flat && soft_fill_flat_is_once(draw)) {
 		draw->fill = soft_bands.shadow;
 	}
 	prepare_shade(draw);
 	soft_prepare_fast_setup(draw);
-	if (draw->fill == fill_textured || draw->fill == fill_relief) {
-		fill_textured_begin(draw);
+	if (draw->fill == soft_fill_textured || draw->fill == soft_fill_relief) {
+		soft_fill_textured_begin(draw);
 	}
 	return true;
 }

@@ -14,7 +14,7 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 {
 	/* x^s is 2^-10 at 2^(-10 / s). */
 	int32_t inverse_q16 = (int32_t)(((int64_t)1 << 32) / shininess_q16);
-	int32_t least_q28 = power_q28(1 << 18, inverse_q16);
+	int32_t least_q28 = soft_power_q28(1 << 18, inverse_q16);
 	int32_t range_q28 = (1 << 28) - least_q28, value = 0;
 
 	spec_table->shininess_q16 = shininess_q16;
@@ -22,7 +22,7 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 	spec_table->scale = soft_matrix_to_int(
 		(float)(1 << 20) * (float)(1 << 28) / (float)range_q28);
 	for (int i = 0; i < SPEC_TABLE_STEPS; i++) {
-		int32_t next = power_q28(
+		int32_t next = soft_power_q28(
 			least_q28 + range_q28 / SPEC_TABLE_STEPS * (i + 1),
 			shininess_q16);
 

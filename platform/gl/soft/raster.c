@@ -325,7 +325,7 @@ static void offset_depth(
 	plane->start += (uint32_t)(int32_t)offset;
 }
 
-void raster_set_up(struct draw *draw, struct setup *setup)
+void soft_raster_set_up(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
@@ -341,7 +341,7 @@ void raster_set_up(struct draw *draw, struct setup *setup)
 	set_attributes(draw, setup);
 }
 
-int32_t raster_long_slope(int32_t dx, int32_t dy)
+int32_t soft_raster_long_slope(int32_t dx, int32_t dy)
 {
 	int zeros = LEADING_ZEROS_32((uint32_t)dy);
 
@@ -355,7 +355,7 @@ static void skip(struct plane *plane, int rows)
 	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
 }
 
-void raster_skip_rows(struct draw *draw, int rows)
+void soft_raster_skip_rows(struct draw *draw, int rows)
 {
 	struct raster *raster = &draw->raster;
 
@@ -373,7 +373,7 @@ static ALWAYS_INLINE void next(struct plane *plane)
 	plane->start += (uint32_t)plane->dy;
 }
 
-void raster_next_row(struct draw *draw)
+void soft_raster_next_row(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	const int *name = raster->moving;

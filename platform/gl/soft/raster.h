@@ -93,17 +93,17 @@ static ALWAYS_INLINE void raster_find_area(struct setup *setup)
 }
 
 /* raster.c: fills draw->raster. */
-void raster_set_up(struct draw *draw, struct setup *setup);
+void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
 /* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
-int32_t raster_long_slope(int32_t dx, int32_t dy);
+int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
 
 /* dx / dy in 16.16, of sixteenths; dy > 0. */
 static ALWAYS_INLINE int32_t raster_slope(
 	const struct draw *draw, int32_t dx, int32_t dy)
 {
 	if ((uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT || dy > SMALL_EXTENT) {
-		return raster_long_slope(dx, dy);
+		return soft_raster_long_slope(dx, dy);
 	}
 	return mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
 }
@@ -194,8 +194,8 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 }
 
 /* Moves all planes in use down by so many rows. */
-void raster_skip_rows(struct draw *draw, int rows);
-void raster_next_row(struct draw *draw);
+void soft_raster_skip_rows(struct draw *draw, int rows);
+void soft_raster_next_row(struct draw *draw);
 
 /* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
 static inline int raster_log2_q8(uint32_t value_q16)
@@ -226,57 +226,59 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 }
 
 /* rows.c: any state, through the stages of fragment.c. */
-void rows_fill(struct draw *draw, struct setup *setup);
+void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* One of its rows whose values run linearly, their steps in the span. */
-void rows_affine(struct draw *draw, int y, int left, int right);
+void soft_rows_affine(struct draw *draw, int y, int left, int right);
 
 /* fill_opaque.c: see there; whether the state, and a texture, are its. */
-bool fill_is_opaque(const struct draw *draw);
-bool fill_takes_texture(const struct texture_input *input);
-void fill_plain(struct draw *draw, struct setup *setup);
+bool soft_fill_is_opaque(const struct draw *draw);
+bool soft_fill_takes_texture(const struct texture_input *input);
+void soft_fill_plain(struct draw *draw, struct setup *setup);
 /* Whether its colours run linearly, to a step of 255. */
-bool fill_plain_is_linear(const struct draw *draw, const struct setup *setup);
-void fill_textured(struct draw *draw, struct setup *setup);
+bool soft_fill_plain_is_linear(
+	const struct draw *draw, const struct setup *setup);
+void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /*
  * fill_relief.c: what light, tint and rest of relief are drawn by; the others
  * of its triangles go the long way.
  */
-bool fill_is_relief(const struct draw *draw);
-void fill_relief(struct draw *draw, struct setup *setup);
+bool soft_fill_is_relief(const struct draw *draw);
+void soft_fill_relief(struct draw *draw, struct setup *setup);
 
 /*
  * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
  * is called once a draw call.
  */
-void fill_textured_begin(struct draw *draw);
-bool fill_texture_gray(const struct draw *draw, const struct setup *setup);
-bool fill_texture_tinted(const struct draw *draw, const struct setup *setup);
+void soft_fill_textured_begin(struct draw *draw);
+bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup);
+bool soft_fill_texture_tinted(
+	const struct draw *draw, const struct setup *setup);
 
-/* fill_narrow.c: what it does not take is fill_plain()'s. */
-void fill_narrow_c(struct draw *draw, struct setup *setup);
+/* fill_narrow.c: what it does not take is soft_fill_plain()'s. */
+void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
 
 /* fill_flat.c: see there; begin is called once a draw call. */
-bool fill_is_flat(const struct draw *draw);
-void fill_flat_begin(struct draw *draw);
+bool soft_fill_is_flat(const struct draw *draw);
+void soft_fill_flat_begin(struct draw *draw);
 /* Whether a stencil has the last word: soft_bands.shadow takes it then. */
-bool fill_flat_is_once(const struct draw *draw);
-void fill_flat(struct draw *draw, struct setup *setup);
-/* What fill_flat() goes on to draw in: alpha is 0 to 32. */
-void fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
+bool soft_fill_flat_is_once(const struct draw *draw);
+void soft_fill_flat(struct draw *draw, struct setup *setup);
+/* What soft_fill_flat() goes on to draw in: alpha is 0 to 32. */
+void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 
 /* fill_count.c: see there */
-bool fill_is_count(const struct draw *draw);
-void fill_count(struct draw *draw, struct setup *setup);
+bool soft_fill_is_count(const struct draw *draw);
+void soft_fill_count(struct draw *draw, struct setup *setup);
 
-/* fill_glyph.c, on top of fill_flat_begin() */
-bool fill_is_glyph(const struct draw *draw);
-void fill_glyph(struct draw *draw, struct setup *setup);
+/* fill_glyph.c, on top of soft_fill_flat_begin() */
+bool soft_fill_is_glyph(const struct draw *draw);
+void soft_fill_glyph(struct draw *draw, struct setup *setup);
 /*
  * Two triangles of its, v[0] v[1] v[2] and v[2] v[1] v[3]; false, with nothing
  * drawn, where they are no upright rectangle it can draw as one.
  */
-bool fill_rectangle(struct draw *draw, struct vertex *const v[4]);
+bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
 
 /*
  * Calls row(draw, y, left, right) for each row with pixels, inside of
@@ -293,7 +295,7 @@ static ALWAYS_INLINE void raster_walk(struct draw *draw,
 
 	end = end < box.bottom ? end : box.bottom;
 	if (y < box.top) {
-		raster_skip_rows(draw, box.top - y);
+		soft_raster_skip_rows(draw, box.top - y);
 		y = box.top;
 	}
 	whole = raster_side(draw, setup->v[0], setup->v[2], y);

@@ -223,7 +223,7 @@ static bool takes_texture(const struct texture_input *input)
 		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
 }
 
-span_function relief_choose_span(const struct draw *draw)
+span_function soft_relief_choose_span(const struct draw *draw)
 {
 	static const span_function function[] = {
 		[RELIEF_NONE] = NULL,

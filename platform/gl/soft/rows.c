@@ -21,7 +21,7 @@ static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
 	return right > below ? right : below;
 }
 
-void rows_find_affine_lod(const struct draw *draw, struct span *span)
+void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 {
 	const struct raster *raster = &draw->raster;
 
@@ -38,7 +38,7 @@ void rows_find_affine_lod(const struct draw *draw, struct span *span)
 	}
 }
 
-void rows_affine(struct draw *draw, int y, int left, int right)
+void soft_rows_affine(struct draw *draw, int y, int left, int right)
 {
 	const struct raster *raster = &draw->raster;
 	struct span *span = &draw->raster.span;
@@ -57,7 +57,7 @@ void rows_affine(struct draw *draw, int y, int left, int right)
 	}
 }
 
-void rows_find_point(const struct draw *draw, int x, struct point *out)
+void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
 	int32_t q;
@@ -91,14 +91,14 @@ void rows_find_point(const struct draw *draw, int x, struct point *out)
 }
 
 /* d(S / q) = (dS - S / q dq) / q */
-void rows_find_lod(
+void soft_rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span)
 {
 	const struct raster *raster = &draw->raster;
 	const struct plane *q = &raster->plane[INVERSE_W];
 
 	if (!raster->perspective) {
-		rows_find_affine_lod(draw, span);
+		soft_rows_find_affine_lod(draw, span);
 		return;
 	}
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
@@ -177,18 +177,18 @@ static bool is_constant_by_row(const struct draw *draw)
 	return across == 0;
 }
 
-void rows_fill(struct draw *draw, struct setup *setup)
+void soft_rows_fill(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 
-	raster_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
-	if (draw->luminance && luminance_begin(draw)) {
-		raster_walk(draw, setup, luminance_row, luminance_next);
+	if (draw->luminance && soft_luminance_begin(draw)) {
+		raster_walk(draw, setup, soft_luminance_row, luminance_next);
 		return;
 	}
-	if (draw->ground && ground_begin(draw)) {
-		raster_walk(draw, setup, ground_row, ground_next);
+	if (draw->ground && soft_ground_begin(draw)) {
+		raster_walk(draw, setup, soft_ground_row, ground_next);
 		return;
 	}
 	if (is_constant_by_row(draw)) {
@@ -201,9 +201,10 @@ void rows_fill(struct draw *draw, struct setup *setup)
 
 			raster->span.step[name] = raster->plane[name].dx;
 		}
-		rows_find_affine_lod(draw, &raster->span);
-		if (picture_begin(draw)) {
-			raster_walk(draw, setup, picture_row, raster_next_row);
+		soft_rows_find_affine_lod(draw, &raster->span);
+		if (soft_picture_begin(draw)) {
+			raster_walk(draw, setup, soft_picture_row,
+				soft_raster_next_row);
 			return;
 		}
 	}

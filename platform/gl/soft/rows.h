@@ -49,13 +49,13 @@ static ALWAYS_INLINE int32_t rows_divide(
 	return (int32_t)((uint64_t)product << (-down > 31 ? 31 : -down) >> 32);
 }
 
-void rows_find_point(const struct draw *draw, int x, struct point *out);
+void soft_rows_find_point(const struct draw *draw, int x, struct point *out);
 
 /* The levels of detail of a triangle that is linear all over. */
-void rows_find_affine_lod(const struct draw *draw, struct span *span);
+void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
 
 /* The levels of detail there, into span->lod; linear ones have no point. */
-void rows_find_lod(
+void soft_rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span);
 
 #endif

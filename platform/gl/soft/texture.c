@@ -332,7 +332,7 @@ static void make_quads(struct level *level)
 		height <= SOFT_QUAD_SIDE_MAX) {
 		level->quads = calloc(width * height, sizeof(*level->quads));
 		fill_quads(level);
-		tiles_update(level);
+		soft_tiles_update(level);
 	}
 }
 
@@ -364,7 +364,7 @@ static void define_level(struct soft *soft, struct level *level,
 		copy_rows(soft, transfer, level, &all, pixels);
 	}
 	make_quads(level);
-	tiles_make(level);
+	soft_tiles_make(level);
 }
 
 static void tex_image(GLenum target, GLint level, GLint internal_format,
@@ -434,7 +434,7 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	if (pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
 		fill_quads(level);
-		tiles_update(level);
+		soft_tiles_update(level);
 	}
 }
 

@@ -5,7 +5,7 @@
 #include "platform/gl/soft/pixel.h"
 #include "platform/gl/soft/tiles.h"
 
-uint32_t tile_pixels(int32_t step_q16, int log2)
+uint32_t soft_tile_pixels(int32_t step_q16, int log2)
 {
 	uint32_t size =
 		step_q16 < 0 ? 0u - (uint32_t)step_q16 : (uint32_t)step_q16;
@@ -73,7 +73,7 @@ static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 
 		if (quad & QUAD_PATCH) {
 			count = count_patch(run, quad, s, t, left);
-			band_fill_c(pixel, count,
+			soft_band_fill_c(pixel, count,
 				(uint16_t)run->shade[2 * quad_luminance(quad)]);
 		} else {
 			*pixel = (uint16_t)run->shade[fine
@@ -88,17 +88,17 @@ static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 	}
 }
 
-void tile_row_c(const struct tile_run *run)
+void soft_tile_row_c(const struct tile_run *run)
 {
 	draw_run(run, false);
 }
 
-void tile_fine_c(const struct tile_run *run)
+void soft_tile_fine_c(const struct tile_run *run)
 {
 	draw_run(run, true);
 }
 
-void tile_blend_c(
+void soft_tile_blend_c(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share)
 {
 	for (int i = 0; i < count; i++) {

@@ -18,7 +18,7 @@ struct tile_run {
 	const uint32_t *shade;    /* 28: colours of 0 to 254 halves of 127ths */
 	const uint32_t *s_end;    /* 32: patch 0's end that the run nears */
 	const uint32_t *t_end;    /* 36 */
-	uint32_t s_pixels, t_pixels; /* 40: see tile_pixels() */
+	uint32_t s_pixels, t_pixels; /* 40: see soft_tile_pixels() */
 	int width_log2, height_log2; /* 48 */
 	const uint8_t *fine;         /* 56: or NULL */
 };
@@ -27,15 +27,15 @@ struct tile_run {
  * 2^32 over a step of the coordinates, cut: times what is left to a patch's end
  * it gives, 2^32 of it, how many pixels further are still inside, or fewer.
  */
-uint32_t tile_pixels(int32_t step_q16, int log2);
+uint32_t soft_tile_pixels(int32_t step_q16, int log2);
 
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
  * bits, or from fine the mean of the place that is nearest. Whole runs of
  * pixels in a patch are found at once, which does not change what they become.
  */
-void tile_row_c(const struct tile_run *run);
-void tile_fine_c(const struct tile_run *run);
+void soft_tile_row_c(const struct tile_run *run);
+void soft_tile_fine_c(const struct tile_run *run);
 
 /* As those of band_functions take it: as wide as high. */
 static inline bool tile_is_square(const struct tile_run *run)
@@ -44,7 +44,7 @@ static inline bool tile_is_square(const struct tile_run *run)
 }
 
 /* Pixels become a mix of themselves and others, by share of 0 to 32. */
-void tile_blend_c(
+void soft_tile_blend_c(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
 #endif

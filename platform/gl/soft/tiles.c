@@ -143,7 +143,7 @@ static void fill_patches(struct grid *grid)
 	}
 }
 
-void tiles_update(struct level *level)
+void soft_tiles_update(struct level *level)
 {
 	struct tiles *tiles = level->tiles;
 	struct grid grid;
@@ -161,7 +161,7 @@ void tiles_update(struct level *level)
 	}
 }
 
-void tiles_make(struct level *level)
+void soft_tiles_make(struct level *level)
 {
 	size_t width = (size_t)1 << level->width_log2;
 	size_t height = (size_t)1 << level->height_log2;
@@ -181,5 +181,5 @@ void tiles_make(struct level *level)
 	if (level->tiles && fine) {
 		level->tiles->fine = (uint8_t *)level->tiles->quad + quads_bytes;
 	}
-	tiles_update(level);
+	soft_tiles_update(level);
 }

@@ -70,9 +70,9 @@ struct tiles {
  * Makes those of a level of luminance that is small enough, which owns them; of
  * others, and without memory, it makes none.
  */
-void tiles_make(struct level *level);
+void soft_tiles_make(struct level *level);
 
 /* Makes them again from changed texels, if there are any. */
-void tiles_update(struct level *level);
+void soft_tiles_update(struct level *level);
 
 #endif

@@ -198,27 +198,27 @@ static ALWAYS_INLINE void walk(struct tint_band *band, const struct look *look)
 	}
 }
 
-void tint_linear_c(struct tint_band *band)
+void soft_tint_linear_c(struct tint_band *band)
 {
 	walk(band, &(const struct look){load_linear, replace, false});
 }
 
-void tint_nearest_c(struct tint_band *band)
+void soft_tint_nearest_c(struct tint_band *band)
 {
 	walk(band, &(const struct look){load_nearest, replace, false});
 }
 
-void tint_dot_c(struct tint_band *band)
+void soft_tint_dot_c(struct tint_band *band)
 {
 	walk(band, &(const struct look){load_linear, dot, false});
 }
 
-void tint_multiply_c(struct tint_band *band)
+void soft_tint_multiply_c(struct tint_band *band)
 {
 	walk(band, &(const struct look){load_linear, multiply, true});
 }
 
-void tint_add_c(struct tint_band *band)
+void soft_tint_add_c(struct tint_band *band)
 {
 	walk(band, &(const struct look){load_linear, add, true});
 }

@@ -72,10 +72,10 @@ struct tint_band {
  * writes their product (GL_DOT3_RGB); multiply and add do that to the picture
  * where the depth is EQUAL.
  */
-void tint_nearest_c(struct tint_band *band);
-void tint_linear_c(struct tint_band *band);
-void tint_dot_c(struct tint_band *band);
-void tint_multiply_c(struct tint_band *band);
-void tint_add_c(struct tint_band *band);
+void soft_tint_nearest_c(struct tint_band *band);
+void soft_tint_linear_c(struct tint_band *band);
+void soft_tint_dot_c(struct tint_band *band);
+void soft_tint_multiply_c(struct tint_band *band);
+void soft_tint_add_c(struct tint_band *band);
 
 #endif

@@ -102,7 +102,7 @@ static ALWAYS_INLINE void find_clip(
 		p[1] = (int32_t)(f[1] * view->scale);
 		p[2] = (int32_t)(f[2] * view->scale);
 	} else {
-		array_position(draw, index, p);
+		soft_array_position(draw, index, p);
 	}
 	out[0] = transform_row(view->moved_x, view->row_x, p);
 	out[1] = transform_row(view->moved_y, view->row_y, p);
@@ -110,7 +110,8 @@ static ALWAYS_INLINE void find_clip(
 	out[3] = transform_row(view->moved_w, view->row_w, p);
 }
 
-void transform_c(const struct draw *draw, uint32_t index, struct vertex *out)
+void soft_transform_c(
+	const struct draw *draw, uint32_t index, struct vertex *out)
 {
 	find_clip(draw, index, out->clip);
 	out->index = index;

@@ -18,9 +18,9 @@
 #define MASK_PIXELS 64
 #define ROWS 72
 
-	.global	band_color_arm
-	.type	band_color_arm, %function
-band_color_arm:
+	.global	soft_band_color_arm
+	.type	soft_band_color_arm, %function
+soft_band_color_arm:
 	push	{r4-r11, lr}
 	ldrd	r6, [r0, #RIGHT]
 	ldrd	r10, [r0, #EDGE]
@@ -96,6 +96,6 @@ band_color_arm:
 	sub	r5, r5, #16
 	add	r12, r12, #16
 	b	.Lbegin
-	.size	band_color_arm, . - band_color_arm
+	.size	soft_band_color_arm, . - soft_band_color_arm
 
 	.section .note.GNU-stack, "", %progbits

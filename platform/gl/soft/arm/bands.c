@@ -8,80 +8,81 @@
 #include "platform/gl/soft/tile_row.h"
 
 /* band.S */
-void band_color_arm(struct band *band);
+void soft_band_color_arm(struct band *band);
 
 /* texture.S */
-void band_texture_arm(struct texture_band *band);
+void soft_band_texture_arm(struct texture_band *band);
 
 /* textured.S */
-bool gray_triangle_arm(
+bool soft_gray_triangle_arm(
 	const struct textured *textured, const struct setup *setup);
-bool tint_triangle_arm(
+bool soft_tint_triangle_arm(
 	const struct textured *textured, const struct setup *setup);
 
 /* tint.S */
-void tint_linear_arm(struct tint_band *band);
-void tint_nearest_arm(struct tint_band *band);
-void tint_dot_arm(struct tint_band *band);
-void tint_multiply_arm(struct tint_band *band);
-void tint_add_arm(struct tint_band *band);
+void soft_tint_linear_arm(struct tint_band *band);
+void soft_tint_nearest_arm(struct tint_band *band);
+void soft_tint_dot_arm(struct tint_band *band);
+void soft_tint_multiply_arm(struct tint_band *band);
+void soft_tint_add_arm(struct tint_band *band);
 
 /* fill.S */
-void band_fill_arm(uint16_t *at, int count, uint16_t value);
+void soft_band_fill_arm(uint16_t *at, int count, uint16_t value);
 
 /* picture.S */
-void picture_copy_arm(uint16_t *pixel, const uint16_t *texels, int count,
+void soft_picture_copy_arm(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);
 
 /* glyph.S */
-void glyph_draw_arm(const struct glyph *glyph);
-void glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
+void soft_glyph_draw_arm(const struct glyph *glyph);
+void soft_glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 
 /* tile_row.S */
-void tile_row_arm(const struct tile_run *run);
-void tile_fine_arm(const struct tile_run *run);
-void tile_blend_arm(
+void soft_tile_row_arm(const struct tile_run *run);
+void soft_tile_fine_arm(const struct tile_run *run);
+void soft_tile_blend_arm(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
 /* count.S: of one row or more */
-void count_band_arm(struct count_band *band);
+void soft_count_band_arm(struct count_band *band);
 
 static void count_arm(struct count_band *band)
 {
 	if (band->rows > 0) {
-		count_band_arm(band);
+		soft_count_band_arm(band);
 	}
 }
 
 /* ground.S */
-void ground_shade_arm(const struct shade_run *run);
-int ground_depth_arm(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+void soft_ground_shade_arm(const struct shade_run *run);
+int soft_ground_depth_arm(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 /* flat.S: blended ones of one row or more */
-void band_flat_arm(struct flat_band *band);
+void soft_band_flat_arm(struct flat_band *band);
 
 static void flat_arm(struct flat_band *band)
 {
 	if (band->rows > 0 && (band->stencil || band->keep)) {
-		band_flat_arm(band);
+		soft_band_flat_arm(band);
 	} else {
-		band_flat_c(band);
+		soft_band_flat_c(band);
 	}
 }
 
 /* narrow.S, narrow_rows.S */
-void fill_narrow_arm(struct draw *draw, struct setup *setup);
+void soft_fill_narrow_arm(struct draw *draw, struct setup *setup);
 
 /* shadow.S */
-void fill_shadow_arm(struct draw *draw, struct setup *setup);
+void soft_fill_shadow_arm(struct draw *draw, struct setup *setup);
 
 /* list.S, with struct setup and its own on the stack */
-void list_arm(struct draw *draw, const void *indices, uint32_t count);
+void soft_list_arm(struct draw *draw, const void *indices, uint32_t count);
 
 static void list(struct draw *draw, const void *indices, uint32_t count)
 {
 	if (count >= 3) {
-		list_arm(draw, indices, count / 3 * 3);
+		soft_list_arm(draw, indices, count / 3 * 3);
 	}
 }
 
@@ -116,26 +117,26 @@ static_assert(offsetof(struct setup, area) == 48, "SETUP_AREA");
 
 const struct band_functions soft_bands = {
 	.list = list,
-	.narrow = fill_narrow_arm,
-	.shadow = fill_shadow_arm,
-	.color = band_color_arm,
-	.texture = band_texture_arm,
-	.gray_triangle = gray_triangle_arm,
-	.tint_triangle = tint_triangle_arm,
-	.tint_linear = tint_linear_arm,
-	.tint_nearest = tint_nearest_arm,
-	.tint_dot = tint_dot_arm,
-	.tint_multiply = tint_multiply_arm,
-	.tint_add = tint_add_arm,
+	.narrow = soft_fill_narrow_arm,
+	.shadow = soft_fill_shadow_arm,
+	.color = soft_band_color_arm,
+	.texture = soft_band_texture_arm,
+	.gray_triangle = soft_gray_triangle_arm,
+	.tint_triangle = soft_tint_triangle_arm,
+	.tint_linear = soft_tint_linear_arm,
+	.tint_nearest = soft_tint_nearest_arm,
+	.tint_dot = soft_tint_dot_arm,
+	.tint_multiply = soft_tint_multiply_arm,
+	.tint_add = soft_tint_add_arm,
 	.flat = flat_arm,
-	.fill = band_fill_arm,
-	.picture = picture_copy_arm,
-	.glyph = glyph_draw_arm,
-	.mix = glyph_mix_arm,
-	.tile_row = tile_row_arm,
-	.tile_fine = tile_fine_arm,
-	.tile_blend = tile_blend_arm,
+	.fill = soft_band_fill_arm,
+	.picture = soft_picture_copy_arm,
+	.glyph = soft_glyph_draw_arm,
+	.mix = soft_glyph_mix_arm,
+	.tile_row = soft_tile_row_arm,
+	.tile_fine = soft_tile_fine_arm,
+	.tile_blend = soft_tile_blend_arm,
 	.count = count_arm,
-	.shade_ground = ground_shade_arm,
-	.depth = ground_depth_arm,
+	.shade_ground = soft_ground_shade_arm,
+	.depth = soft_ground_depth_arm,
 };

@@ -1,5 +1,5 @@
 /*
- * fill_count.c's count_band_c() for ARMv6: the same bytes. Offsets are those of
+ * fill_count.c's soft_count_band_c() for ARMv6: the same bytes. Offsets are those of
  * struct count_band. A pixel costs 9 instructions, a row 19.
  */
 	.syntax unified
@@ -12,9 +12,9 @@
 #define KIND 52
 
 /* r0 band, of one row or more */
-	.global	count_band_arm
-	.type	count_band_arm, %function
-count_band_arm:
+	.global	soft_count_band_arm
+	.type	soft_count_band_arm, %function
+soft_count_band_arm:
 	ldrb	r1, [r0, #KIND]
 	cmp	r1, #1
 	beq	count_down
@@ -73,6 +73,6 @@ count_band_arm:
 	bne	count_passed_down
 	count	count_passed_up, uqadd8, hi
 	count	count_passed_down, uqsub8, hi
-	.size	count_band_arm, . - count_band_arm
+	.size	soft_count_band_arm, . - soft_count_band_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -118,7 +118,7 @@
 	.size	\name, . - \name
 	.endm
 
-	dedup_list dedup_six_tight_arm, 6, 24
+	dedup_list soft_dedup_six_tight_arm, 6, 24
 
 	/* r11 where to go on; r4 the vertex */
 .Lmiss_24:
@@ -183,7 +183,7 @@
 	add	r1, r10, #SLOTS
 	subs	r2, r2, r1
 	lsrne	r2, r2, #1
-	bne	list_arm
+	bne	soft_list_arm
 	bx	lr
 
 	/* r0 stays; lr becomes the first slot */
@@ -235,7 +235,7 @@
 
 	.ltorg
 
-	dedup_list dedup_six_arm, 6, 32
-	dedup_list dedup_eight_arm, 8, 32
+	dedup_list soft_dedup_six_arm, 6, 32
+	dedup_list soft_dedup_eight_arm, 8, 32
 
 	.section .note.GNU-stack, "", %progbits

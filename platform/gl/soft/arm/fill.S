@@ -1,13 +1,13 @@
-/* band.c's band_fill_c() for ARMv6: 64 pixels in six instructions. */
+/* band.c's soft_band_fill_c() for ARMv6: 64 pixels in six instructions. */
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
 /* r0 address, r1 count, r2 value */
-	.global	band_fill_arm
-	.type	band_fill_arm, %function
-band_fill_arm:
+	.global	soft_band_fill_arm
+	.type	soft_band_fill_arm, %function
+soft_band_fill_arm:
 	cmp	r1, #0
 	bxle	lr
 	tst	r0, #2
@@ -49,6 +49,6 @@ band_fill_arm:
 	tst	r1, #1
 	strhne	r2, [r0], #2
 	bx	lr
-	.size	band_fill_arm, . - band_fill_arm
+	.size	soft_band_fill_arm, . - soft_band_fill_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,5 +1,5 @@
 /*
- * band.c's band_flat_c() for ARMv6, blended: the same bytes. Offsets are those
+ * band.c's soft_band_flat_c() for ARMv6, blended: the same bytes. Offsets are those
  * of struct flat_band. A pixel costs 9 instructions, 13 with a stencil; where
  * that is as it should not be, one of eight.
  */
@@ -33,9 +33,9 @@
  * r5, r6 edges, r7 what the stencil has, r8 what it gets, r9 band, r10 count,
  * r11 pixel, lr stencil
  */
-	.global	band_flat_arm
-	.type	band_flat_arm, %function
-band_flat_arm:
+	.global	soft_band_flat_arm
+	.type	soft_band_flat_arm, %function
+soft_band_flat_arm:
 	push	{r4-r11, lr}
 	mov	r9, r0
 	ldr	r2, =0x07E0F81F
@@ -138,6 +138,6 @@ band_flat_arm:
 	mov	r10, #0
 	bne	.Leach
 	b	.Lnext
-	.size	band_flat_arm, . - band_flat_arm
+	.size	soft_band_flat_arm, . - soft_band_flat_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -11,9 +11,9 @@
  * r0 pixel, r1 texel, r2 columns left, r3 rows left, r4 own, r5 alpha, r6 the
  * wide mask, r7 what rounds, r10 columns, r11, lr from a row's end to the next
  */
-	.global	glyph_draw_arm
-	.type	glyph_draw_arm, %function
-glyph_draw_arm:
+	.global	soft_glyph_draw_arm
+	.type	soft_glyph_draw_arm, %function
+soft_glyph_draw_arm:
 	push	{r4-r11, lr}
 	ldm	r0, {r0-r5, r7, r12}
 	mov	r10, r2
@@ -51,7 +51,7 @@ glyph_draw_arm:
 	subs	r3, r3, #1
 	bne	.Lletter
 	pop	{r4-r11, pc}
-	.size	glyph_draw_arm, . - glyph_draw_arm
+	.size	soft_glyph_draw_arm, . - soft_glyph_draw_arm
 
 /*
  * r0 pixel, r1 count, r2 keep, r3 own, r4 the wide mask. Two pixels are two
@@ -77,9 +77,9 @@ glyph_draw_arm:
 	strh	r5, [r0], #2
 	.endm
 
-	.global	glyph_mix_arm
-	.type	glyph_mix_arm, %function
-glyph_mix_arm:
+	.global	soft_glyph_mix_arm
+	.type	soft_glyph_mix_arm, %function
+soft_glyph_mix_arm:
 	cmp	r1, #0
 	bxle	lr
 	push	{r4-r8, lr}
@@ -112,6 +112,6 @@ glyph_mix_arm:
 	beq	5f
 	mix_one
 5:	pop	{r4-r8, pc}
-	.size	glyph_mix_arm, . - glyph_mix_arm
+	.size	soft_glyph_mix_arm, . - soft_glyph_mix_arm
 
 	.section .note.GNU-stack, "", %progbits

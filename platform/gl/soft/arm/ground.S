@@ -1,5 +1,5 @@
 /*
- * ground.c's ground_shade_c() and ground_depth_c() for ARMv6: the same pixels.
+ * ground.c's soft_ground_shade_c() and soft_ground_depth_c() for ARMv6: the same pixels.
  * Offsets are those of struct shade_run. Where the texels around a pixel are all
  * the same it costs 18 instructions, in blocks of four of one texel 10, else
  * 30; its depth 7.
@@ -68,9 +68,9 @@
  * shifts them to whole texels, r9 shade, r10 quad at s, t, r11 the side's
  * logarithm, lr share; its step is at sp. r8, r12 are lost.
  */
-	.global	ground_shade_arm
-	.type	ground_shade_arm, %function
-ground_shade_arm:
+	.global	soft_ground_shade_arm
+	.type	soft_ground_shade_arm, %function
+soft_ground_shade_arm:
 	push	{r4-r11, lr}
 	ldr	r12, [r0, #SHARE_RIGHT]
 	push	{r12}
@@ -146,7 +146,7 @@ ground_shade_arm:
 	put_each 0
 7:	pop	{r12}
 	pop	{r4-r11, pc}
-	.size	ground_shade_arm, . - ground_shade_arm
+	.size	soft_ground_shade_arm, . - soft_ground_shade_arm
 
 /* r0 depth, r1 count, r2 z, r3 z a pixel further; r12 is lost */
 	.macro	depth_one
@@ -158,9 +158,9 @@ ground_shade_arm:
 	add	r2, r2, r3
 	.endm
 
-	.global	ground_depth_arm
-	.type	ground_depth_arm, %function
-ground_depth_arm:
+	.global	soft_ground_depth_arm
+	.type	soft_ground_depth_arm, %function
+soft_ground_depth_arm:
 	push	{r0, lr}
 	subs	r1, r1, #2
 	blt	1f
@@ -175,6 +175,6 @@ ground_depth_arm:
 	sub	r0, r0, r1
 	mov	r0, r0, lsr #1
 	bx	lr
-	.size	ground_depth_arm, . - ground_depth_arm
+	.size	soft_ground_depth_arm, . - soft_ground_depth_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -48,7 +48,7 @@ soft_shade:
 	cmp	r2, #0
 	bxne	lr
 	cmp	r12, #0
-	beq	shade_c
+	beq	soft_shade_c
 	push	{r0, r1, r4-r11, lr}
 	ldr	r2, [r1, #VERTEX_INDEX]
 	add	r0, r0, r12
@@ -205,12 +205,12 @@ soft_shade:
 	strb	r4, [r5, #VERTEX_SHADED]
 	add	sp, sp, #FRAME
 	pop	{r0, r1, r4-r11, lr}
-	b	shade_rest
+	b	soft_shade_rest
 
 .Lother:
 	add	sp, sp, #FRAME
 	pop	{r0, r1, r4-r11, lr}
-	b	shade_c
+	b	soft_shade_c
 
 	/* the other side, once */
 .Lback:

@@ -53,9 +53,9 @@
  * r0 draw, r1 indices, r2 how many, of 3 or more. Then r10 places, r11 the
  * next index, r3, r12, lr the three places, r5, r7, r9 their xy.
  */
-	.global	list_arm
-	.type	list_arm, %function
-list_arm:
+	.global	soft_list_arm
+	.type	soft_list_arm, %function
+soft_list_arm:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
 	mov	r11, r1
@@ -251,7 +251,7 @@ list_arm:
 	mov	r5, r7
 	mov	r7, r1
 	mov	r9, r2
-	bl	shadow_sorted_arm
+	bl	soft_shadow_sorted_arm
 	b	.Lnext
 
 	/* Those that are missing, from r5, r7, r9: of what the indices are. */
@@ -322,6 +322,6 @@ list_arm:
 	mvn	r6, #1
 	str	r6, [r8]
 	b	.Lother
-	.size	list_arm, . - list_arm
+	.size	soft_list_arm, . - soft_list_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -86,15 +86,15 @@
 	str\right	r2, [sp, #RIGHT_STEP]
 	.endm
 
-	.global	fill_narrow_arm
-	.type	fill_narrow_arm, %function
-fill_narrow_arm:
+	.global	soft_fill_narrow_arm
+	.type	soft_fill_narrow_arm, %function
+soft_fill_narrow_arm:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	ldr	r3, [r1, #SETUP_COLUMNS]
 	tst	r2, #1 << 16
-	beq	fill_plain
+	beq	soft_fill_plain
 	cmp	r3, #23
-	bgt	fill_plain
+	bgt	soft_fill_plain
 	push	{r0, r1, r4-r11, lr}
 	sub	sp, sp, #ROOM
 	ldr	r12, [r0, #FAST_SETUP_PERSPECTIVE]
@@ -253,7 +253,7 @@ fill_narrow_arm:
 	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #REST]
-	bl	narrow_rows_arm
+	bl	soft_narrow_rows_arm
 .Llower:
 	ldr	r12, [sp, #LATER]
 	ldr	r2, [sp, #DRAW]
@@ -269,7 +269,7 @@ fill_narrow_arm:
 	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #LATER]
-	bl	narrow_rows_arm
+	bl	soft_narrow_rows_arm
 .Ldone:	add	sp, sp, #ROOM + 8
 	pop	{r4-r11, pc}
 
@@ -296,13 +296,13 @@ fill_narrow_arm:
 
 	/* more of w: colours may run linearly yet */
 .Ldiffer:
-	bl	fill_plain_is_linear
+	bl	soft_fill_plain_is_linear
 	cmp	r0, #0
 	ldr	r0, [sp, #DRAW]
 	ldr	r1, [sp, #SETUP]
 	bne	1b
 	add	sp, sp, #ROOM
 	pop	{r0, r1, r4-r11, lr}
-	b	fill_plain
-	.size	fill_narrow_arm, . - fill_narrow_arm
+	b	soft_fill_plain
+	.size	soft_fill_narrow_arm, . - soft_fill_narrow_arm
 	.section .note.GNU-stack, "", %progbits

@@ -1,4 +1,4 @@
-/* picture.c's picture_copy_c() for ARMv6: 4.5 instructions a pixel. */
+/* picture.c's soft_picture_copy_c() for ARMv6: 4.5 instructions a pixel. */
 	.syntax unified
 	.arch armv6
 	.arm
@@ -23,9 +23,9 @@
 	.endm
 
 /* r0 pixel, r1 texels, r2 count, r3 s, r4 its step, r5 what keeps bytes even */
-	.global	picture_copy_arm
-	.type	picture_copy_arm, %function
-picture_copy_arm:
+	.global	soft_picture_copy_arm
+	.type	soft_picture_copy_arm, %function
+soft_picture_copy_arm:
 	push	{r4, r5, r6, lr}
 	ldr	r4, [sp, #16]
 	ldr	r5, =0x1FFFE
@@ -48,6 +48,6 @@ picture_copy_arm:
 	beq	4f
 	copy_one
 4:	pop	{r4, r5, r6, pc}
-	.size	picture_copy_arm, . - picture_copy_arm
+	.size	soft_picture_copy_arm, . - soft_picture_copy_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -38,26 +38,26 @@
 #define THIRD 36
 #define MIDDLE 40
 
-	.global	fill_shadow_arm
-	.type	fill_shadow_arm, %function
-fill_shadow_arm:
+	.global	soft_fill_shadow_arm
+	.type	soft_fill_shadow_arm, %function
+soft_fill_shadow_arm:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	tst	r2, #1 << 16
-	beq	fill_flat
+	beq	soft_fill_flat
 	push	{r4-r11, lr}
 	add	r1, r1, #SETUP_XY
 	ldm	r1, {r4-r9}
-	bl	shadow_sorted_arm
+	bl	soft_shadow_sorted_arm
 	pop	{r4-r11, pc}
-	.size	fill_shadow_arm, . - fill_shadow_arm
+	.size	soft_fill_shadow_arm, . - soft_fill_shadow_arm
 
 /*
  * r0 draw, r4, r5, r6 struct cache_tag's xy by y, r7 to r9 the rows top, middle and
  * bottom; leaves r10 and r11.
  */
-	.global	shadow_sorted_arm
-	.type	shadow_sorted_arm, %function
-shadow_sorted_arm:
+	.global	soft_shadow_sorted_arm
+	.type	soft_shadow_sorted_arm, %function
+soft_shadow_sorted_arm:
 	push	{r0, r5, r6, r8, r10, r11, lr}
 	sub	sp, sp, #ROOM
 	ldr	lr, [r0, #FAST_SETUP_INVERSE]
@@ -160,6 +160,6 @@ shadow_sorted_arm:
 	b	.Lrow
 .Ldone:	add	sp, sp, #ROOM
 	pop	{r0, r5, r6, r8, r10, r11, pc}
-	.size	shadow_sorted_arm, . - shadow_sorted_arm
+	.size	soft_shadow_sorted_arm, . - soft_shadow_sorted_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,5 +1,5 @@
 /*
- * band.c's band_texture_c() for ARMv6: the same bytes. Offsets are those of
+ * band.c's soft_band_texture_c() for ARMv6: the same bytes. Offsets are those of
  * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
  */
 #include "platform/gl/soft/arm/blend_565.h"
@@ -40,9 +40,9 @@
 	add	r4, r4, r4, lsl #16
 	.endm
 
-	.global	band_texture_arm
-	.type	band_texture_arm, %function
-band_texture_arm:
+	.global	soft_band_texture_arm
+	.type	soft_band_texture_arm, %function
+soft_band_texture_arm:
 	push	{r4-r11, lr}
 	ldr	r1, [r0, #ROWS]
 	push	{r0, r1}
@@ -115,6 +115,6 @@ band_texture_arm:
 	sub	r5, r5, #16
 	add	r12, r12, #16
 	b	.Lbegin
-	.size	band_texture_arm, . - band_texture_arm
+	.size	soft_band_texture_arm, . - soft_band_texture_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -13,9 +13,9 @@
 	.arm
 	.text
 
-	.global	gray_triangle_arm
-	.type	gray_triangle_arm, %function
-gray_triangle_arm:
+	.global	soft_gray_triangle_arm
+	.type	soft_gray_triangle_arm, %function
+soft_gray_triangle_arm:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
 	ldmia	r1, {r2-r4}
@@ -52,7 +52,7 @@ gray_triangle_arm:
 	cmp	r1, #0
 	beq	.Lgray_refuse
 	stmia	r4, {r1, r2, r3, r5, r6, r7}
-	draw_parts GRAY_ROWS, GRAY_EDGE, GRAY_STEP, bl band_texture_arm
+	draw_parts GRAY_ROWS, GRAY_EDGE, GRAY_STEP, bl soft_band_texture_arm
 	add	sp, sp, #ROOM
 	pop	{r4-r11, pc}
 
@@ -62,11 +62,11 @@ gray_triangle_arm:
 	mov	r0, #0
 	add	sp, sp, #ROOM
 	pop	{r4-r11, pc}
-	.size	gray_triangle_arm, . - gray_triangle_arm
+	.size	soft_gray_triangle_arm, . - soft_gray_triangle_arm
 
-	.global	tint_triangle_arm
-	.type	tint_triangle_arm, %function
-tint_triangle_arm:
+	.global	soft_tint_triangle_arm
+	.type	soft_tint_triangle_arm, %function
+soft_tint_triangle_arm:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
 	ldmia	r1, {r2-r4}
@@ -181,6 +181,6 @@ tint_triangle_arm:
 	mov	r0, #0
 	add	sp, sp, #ROOM
 	pop	{r4-r11, pc}
-	.size	tint_triangle_arm, . - tint_triangle_arm
+	.size	soft_tint_triangle_arm, . - soft_tint_triangle_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -66,9 +66,9 @@
  * mask, r8 the rows' where it lies in an index, r9 shade, r10 from 16.16 to
  * 2^32; the run's address is at sp.
  */
-	.global	tile_row_arm
-	.type	tile_row_arm, %function
-tile_row_arm:
+	.global	soft_tile_row_arm
+	.type	soft_tile_row_arm, %function
+soft_tile_row_arm:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #SHADE]
@@ -112,12 +112,12 @@ tile_row_arm:
 	cmp	r1, #0
 	bne	.Lpixel
 	pop	{r0, r4-r11, pc}
-	.size	tile_row_arm, . - tile_row_arm
+	.size	soft_tile_row_arm, . - soft_tile_row_arm
 
 /* The same, but r2 fine, and masks and r10, 4 less, are for its index. */
-	.global	tile_fine_arm
-	.type	tile_fine_arm, %function
-tile_fine_arm:
+	.global	soft_tile_fine_arm
+	.type	soft_tile_fine_arm, %function
+soft_tile_fine_arm:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #SHADE]
@@ -166,7 +166,7 @@ tile_fine_arm:
 	cmp	r1, #0
 	bne	.Lplace
 	pop	{r0, r4-r11, pc}
-	.size	tile_fine_arm, . - tile_fine_arm
+	.size	soft_tile_fine_arm, . - soft_tile_fine_arm
 
 /*
  * r0 pixel, r1 own, r2 count, r3 share, r4 the wide mask, r5 what is kept, r6
@@ -203,9 +203,9 @@ tile_fine_arm:
 	strh	r7, [r0], #2
 	.endm
 
-	.global	tile_blend_arm
-	.type	tile_blend_arm, %function
-tile_blend_arm:
+	.global	soft_tile_blend_arm
+	.type	soft_tile_blend_arm, %function
+soft_tile_blend_arm:
 	cmp	r2, #0
 	bxle	lr
 	push	{r4-r10, lr}
@@ -231,6 +231,6 @@ tile_blend_arm:
 	beq	5f
 	blend_one
 5:	pop	{r4-r10, pc}
-	.size	tile_blend_arm, . - tile_blend_arm
+	.size	soft_tile_blend_arm, . - soft_tile_blend_arm
 
 	.section .note.GNU-stack, "", %progbits

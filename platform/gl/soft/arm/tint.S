@@ -80,14 +80,14 @@
 	.endm
 
 /*
- * tint_NAME_arm(): four texels mixed, into lr red, r12 green and r6 blue, then
+ * soft_tint_NAME_arm(): four texels mixed, into lr red, r12 green and r6 blue, then
  * the macro \finish. Where \equal is 1 the depth has to be, and stays, what it
  * is.
  */
 	.macro	linear name, finish, equal=0
-	.global	tint_\name\()_arm
-	.type	tint_\name\()_arm, %function
-tint_\name\()_arm:
+	.global	soft_tint_\name\()_arm
+	.type	soft_tint_\name\()_arm, %function
+soft_tint_\name\()_arm:
 	push	{r4-r11, lr}
 .Lrow_\name:
 	begin_row .Lend_\name
@@ -170,7 +170,7 @@ tint_\name\()_arm:
 	orr	r6, r6, r10, lsl #16
 	orr	r7, r7, r11, lsl #16
 	b	.Lmix_\name
-	.size	tint_\name\()_arm, . - tint_\name\()_arm
+	.size	soft_tint_\name\()_arm, . - soft_tint_\name\()_arm
 	.endm
 
 /* Tinted, and written. */
@@ -270,9 +270,9 @@ tint_\name\()_arm:
 	linear	multiply, multiply_color, 1
 	linear	dot, write_dot
 
-	.global	tint_nearest_arm
-	.type	tint_nearest_arm, %function
-tint_nearest_arm:
+	.global	soft_tint_nearest_arm
+	.type	soft_tint_nearest_arm, %function
+soft_tint_nearest_arm:
 	push	{r4-r11, lr}
 .Lnearest_row:
 	begin_row .Lnearest_end
@@ -313,6 +313,6 @@ tint_nearest_arm:
 
 .Lnearest_hidden:
 	hidden_pixel .Lnearest_next
-	.size	tint_nearest_arm, . - tint_nearest_arm
+	.size	soft_tint_nearest_arm, . - soft_tint_nearest_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -169,7 +169,7 @@ soft_transform:
 	moveq	r11, #0
 	beq	.Lshorts
 	pop	{r2, r4-r11, lr}
-	b	transform_c
+	b	soft_transform_c
 	.size	soft_transform, . - soft_transform
 
 	.macro	larger value
@@ -187,9 +187,9 @@ soft_transform:
 	.endm
 
 /* r0 the first, r1 bytes to the next, r2 how many; 9 instructions each */
-	.global	largest_float_arm
-	.type	largest_float_arm, %function
-largest_float_arm:
+	.global	soft_largest_float_arm
+	.type	soft_largest_float_arm, %function
+soft_largest_float_arm:
 	push	{r4, r5}
 	mov	r12, #0
 	subs	r2, r2, #4
@@ -207,6 +207,6 @@ largest_float_arm:
 4:	mov	r0, r12
 	pop	{r4, r5}
 	bx	lr
-	.size	largest_float_arm, . - largest_float_arm
+	.size	soft_largest_float_arm, . - soft_largest_float_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -10,11 +10,11 @@ struct dedup_run {
 };
 
 /* dedup.S */
-const uint8_t *dedup_six_tight_arm(
+const uint8_t *soft_dedup_six_tight_arm(
 	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
-const uint8_t *dedup_six_arm(
+const uint8_t *soft_dedup_six_arm(
 	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
-const uint8_t *dedup_eight_arm(
+const uint8_t *soft_dedup_eight_arm(
 	struct draw *draw, struct dedup *dedup, const struct dedup_run *run);
 
 _Static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
@@ -72,13 +72,14 @@ _Static_assert(
 	offsetof(struct draw, fast_setup.cache) == 136, "FAST_SETUP_CACHE");
 
 /* vertex.S: of aligned ones */
-uint32_t largest_float_arm(const uint8_t *at, int stride_bytes, uint32_t count);
+uint32_t soft_largest_float_arm(
+	const uint8_t *at, int stride_bytes, uint32_t count);
 
 uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
 {
 	return ((uintptr_t)at | (uintptr_t)stride_bytes) % 4 == 0
-		? largest_float_arm(at, stride_bytes, count)
-		: largest_float_c(at, stride_bytes, count);
+		? soft_largest_float_arm(at, stride_bytes, count)
+		: soft_largest_float_c(at, stride_bytes, count);
 }
 
 /* Zeros belong to slot 0, and one followed by zeros does not. */
@@ -110,9 +111,9 @@ bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	}
 	forget_all(dedup);
 	for (; run.from != run.end; run.from += 3 * stride_bytes) {
-		run.from = words == 8 ? dedup_eight_arm(draw, dedup, &run)
-			: tight       ? dedup_six_tight_arm(draw, dedup, &run)
-				      : dedup_six_arm(draw, dedup, &run);
+		run.from = words == 8 ? soft_dedup_eight_arm(draw, dedup, &run)
+			: tight ? soft_dedup_six_tight_arm(draw, dedup, &run)
+				: soft_dedup_six_arm(draw, dedup, &run);
 		if (run.from == run.end) {
 			break;
 		}

@@ -588,8 +588,8 @@ static NEVER_INLINE void set_row_level(struct draw *draw, int x)
 {
 	struct point point;
 
-	rows_find_point(draw, x, &point);
-	rows_find_lod(draw, &point, &draw->raster.span);
+	soft_rows_find_point(draw, x, &point);
+	soft_rows_find_lod(draw, &point, &draw->raster.span);
 	set_level(draw, draw->raster.span.lod[0]);
 }
 
@@ -709,7 +709,7 @@ static void set_constants(struct draw *draw, bool colored)
 	if (!spans->lod_wanted) {
 		set_level(draw, 0);
 	} else if (!raster->perspective) {
-		rows_find_affine_lod(draw, &draw->raster.span);
+		soft_rows_find_affine_lod(draw, &draw->raster.span);
 		set_level(draw, raster->span.lod[0]);
 	}
 	if (!raster->perspective) {

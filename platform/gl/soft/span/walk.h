@@ -47,7 +47,7 @@ static ALWAYS_INLINE struct soft_line soft_find_line(
 		struct soft_line line = soft_find_line(draw, y);               \
 		struct side whole, part = {0};                                 \
                                                                                \
-		raster_skip_rows(draw, y - setup->top);                        \
+		soft_raster_skip_rows(draw, y - setup->top);                   \
 		turn = turn > y ? turn : y;                                    \
 		whole = raster_side(draw, setup->v[0], setup->v[2], y);        \
 		if (y < turn) {                                                \

@@ -100,12 +100,12 @@ static void row_divided(
 	int steps = right - left - 1, spacing, x = left;
 	struct point from, to, end;
 
-	rows_find_point(draw, left, &from);
+	soft_rows_find_point(draw, left, &from);
 	end = from;
 	if (steps > 0) {
-		rows_find_point(draw, right - 1, &end);
+		soft_rows_find_point(draw, right - 1, &end);
 	}
-	rows_find_lod(draw, &from, &draw->raster.span);
+	soft_rows_find_lod(draw, &from, &draw->raster.span);
 	spacing = find_spacing(draw, &from, &end, steps);
 	if (spacing > steps) {
 		set_steps(draw, &from, &end, steps);
@@ -113,7 +113,7 @@ static void row_divided(
 		return;
 	}
 	for (; right - x > spacing; x += spacing) {
-		rows_find_point(draw, x + spacing, &to);
+		soft_rows_find_point(draw, x + spacing, &to);
 		set_steps(draw, &from, &to, spacing);
 		draw_run(draw, line, x, spacing, from.value);
 		from = to;
@@ -138,7 +138,7 @@ static void draw_row(struct draw *draw, const struct walk_kind kind,
 		}
 		draw_linear(draw, line, left, right, value);
 	}
-	raster_next_row(draw);
+	soft_raster_next_row(draw);
 }
 
 SOFT_WALK(linear, false)
@@ -158,6 +158,6 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 
 		raster->span.step[i] = raster->plane[i].dx;
 	}
-	rows_find_affine_lod(draw, &raster->span);
+	soft_rows_find_affine_lod(draw, &raster->span);
 	walk_linear(draw, setup);
 }

@@ -41,7 +41,7 @@ static void test_the_color_band_is_as_in_c(void **state)
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		soft_bands.color(&band);
-		band_color_c(&other);
+		soft_band_color_c(&other);
 		assert_int_equal(band.row.z_q16, other.row.z_q16);
 		assert_int_equal(band.row.green_q26, other.row.green_q26);
 		assert_int_equal(band.edge[0], other.edge[0]);
@@ -83,7 +83,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		soft_bands.texture(&band);
-		band_texture_c(&other);
+		soft_band_texture_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
@@ -138,7 +138,7 @@ static void test_the_flat_band_is_as_in_c(void **state)
 		band = make_flat_band(twins, 0, &like);
 		other = make_flat_band(twins, 1, &like);
 		soft_bands.flat(&band);
-		band_flat_c(&other);
+		soft_band_flat_c(&other);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
 		assert_int_equal(band.pixels - (uint8_t *)twins->pixel[0],

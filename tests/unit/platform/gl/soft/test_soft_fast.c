@@ -486,7 +486,7 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 {
 	(void)state;
 	check_fills(&(struct fills){
-		.slow = fill_narrow_c,
+		.slow = soft_fill_narrow_c,
 		.fast_setup = soft_bands.narrow,
 		.kind = PLAIN,
 		.rounds = 300,
@@ -499,7 +499,7 @@ static void test_shadows_are_as_in_c(void **state)
 {
 	(void)state;
 	check_fills(&(struct fills){
-		.slow = fill_flat,
+		.slow = soft_fill_flat,
 		.fast_setup = soft_bands.shadow,
 		.kind = SHADOW,
 		.rounds = 200,
@@ -515,8 +515,8 @@ static void test_narrow_triangles_are_those_of_the_long_way(void **state)
 {
 	(void)state;
 	check_fills(&(struct fills){
-		.slow = rows_fill,
-		.fast_setup = fill_narrow_c,
+		.slow = soft_rows_fill,
+		.fast_setup = soft_fill_narrow_c,
 		.kind = PLAIN,
 		.rounds = 150,
 	});

@@ -47,7 +47,7 @@ static void test_letters_are_as_in_c(void **state)
 			drawn[i] = expected[i] = (uint16_t)next_random(&seed);
 		}
 		glyph.pixel = expected + at;
-		glyph_draw_c(&glyph);
+		soft_glyph_draw_c(&glyph);
 		glyph.pixel = drawn + at;
 		soft_bands.glyph(&glyph);
 		assert_memory_equal(drawn, expected, sizeof(drawn));
@@ -71,7 +71,8 @@ static void test_panels_are_as_in_c(void **state)
 			drawn[i] = expected[i] =
 				next_random(&seed) << 12 ^ next_random(&seed);
 		}
-		glyph_mix_c((uint16_t *)expected + at, count, 32 - alpha, own);
+		soft_glyph_mix_c(
+			(uint16_t *)expected + at, count, 32 - alpha, own);
 		soft_bands.mix((uint16_t *)drawn + at, count, 32 - alpha, own);
 		assert_memory_equal(drawn, expected, sizeof(drawn));
 	}

@@ -291,7 +291,7 @@ static void test_the_count_band_is_as_in_c(void **state)
 		other.depth = twins->depth[1] + TWINS_ROW * TWINS_SIDE;
 		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
 		soft_bands.count(&band);
-		count_band_c(&other);
+		soft_count_band_c(&other);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
 		assert_int_equal(band.z, other.z);
@@ -359,7 +359,7 @@ static void test_the_sheet_is_as_in_c(void **state)
 			(uint8_t *)(twins->pixel[1] + TWINS_ROW * TWINS_SIDE);
 		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
 		soft_bands.flat(&band);
-		band_flat_c(&other);
+		soft_band_flat_c(&other);
 		twins_check(twins);
 	}
 }
@@ -403,7 +403,7 @@ static void test_ground_is_shaded_as_in_c(void **state)
 
 		other.pixel = twins->pixel[1] + at;
 		soft_bands.shade_ground(&run);
-		ground_shade_c(&other);
+		soft_ground_shade_c(&other);
 		twins_check(twins);
 	}
 }
@@ -430,8 +430,8 @@ static void test_depth_is_tested_as_in_c(void **state)
 		passed = soft_bands.depth(
 			twins->depth[0] + 64 + round % 2, count, z, step);
 		assert_int_equal(passed,
-			ground_depth_c(twins->depth[1] + 64 + round % 2, count,
-				z, step));
+			soft_ground_depth_c(twins->depth[1] + 64 + round % 2,
+				count, z, step));
 		all += passed == count;
 		some += passed > 0 && passed < count;
 		twins_check(twins);

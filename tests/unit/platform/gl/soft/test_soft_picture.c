@@ -37,7 +37,7 @@ static void test_copies_are_as_in_c(void **state)
 
 		memset(drawn, 0x5A, sizeof(drawn));
 		memset(expected, 0x5A, sizeof(expected));
-		picture_copy_c(
+		soft_picture_copy_c(
 			(uint16_t *)expected + at, texels, count, from, step);
 		soft_bands.picture(
 			(uint16_t *)drawn + at, texels, count, from, step);

@@ -40,7 +40,7 @@ static void make_level(uint32_t *seed, int width_log2, int height_log2,
 			: (x ^ y) & 8    ? 255
 					 : 233;
 	}
-	tiles_make(level);
+	soft_tiles_make(level);
 	assert_non_null(level->tiles);
 }
 
@@ -67,7 +67,7 @@ static void test_quads_are_four_texels_in_127ths(void **state)
 		.texels = (uint8_t *)texels};
 
 	(void)state;
-	tiles_make(&level);
+	soft_tiles_make(&level);
 	assert_non_null(level.tiles);
 	assert_int_equal(
 		level.tiles->quad[0], 0u | 127u << 8 | 0u << 16 | 1u << 24);
@@ -129,7 +129,7 @@ static void test_even_textures_are_one_patch(void **state)
 
 	(void)state;
 	memset(texels, 77, sizeof(texels));
-	tiles_make(&level);
+	soft_tiles_make(&level);
 	assert_non_null(level.tiles);
 	assert_int_equal(level.tiles->patch[1].s[0], UINT32_MAX);
 	assert_int_equal(level.tiles->patch[1].s[1], UINT32_MAX);
@@ -156,10 +156,10 @@ static void test_what_is_too_small_or_large_has_none(void **state)
 		.texels = texels};
 
 	(void)state;
-	tiles_make(&narrow);
-	tiles_make(&wide);
-	tiles_make(&alpha);
-	tiles_update(&alpha);
+	soft_tiles_make(&narrow);
+	soft_tiles_make(&wide);
+	soft_tiles_make(&alpha);
+	soft_tiles_update(&alpha);
 	assert_null(narrow.tiles);
 	assert_null(wide.tiles);
 	assert_null(alpha.tiles);
@@ -179,7 +179,7 @@ static void test_no_more_pixels_are_promised_than_fit(void **state)
 			<< (16 - log2);
 		uint32_t room = any_word(&seed) >> random_between(&seed, 0, 31);
 		uint64_t promised =
-			(uint64_t)room * tile_pixels(step, log2) >> 32;
+			(uint64_t)room * soft_tile_pixels(step, log2) >> 32;
 
 		assert_true(promised * size <= room);
 		/* Nor many fewer. */
@@ -227,8 +227,8 @@ static struct tile_run random_run(
 	run.t_right = random_between(seed, 0, 9) ? run.t_right : 0;
 	run.s_end = &level->tiles->patch->s[run.s_right >= 0];
 	run.t_end = &level->tiles->patch->t[run.t_right >= 0];
-	run.s_pixels = tile_pixels(run.s_right, run.width_log2);
-	run.t_pixels = tile_pixels(run.t_right, run.height_log2);
+	run.s_pixels = soft_tile_pixels(run.s_right, run.width_log2);
+	run.t_pixels = soft_tile_pixels(run.t_right, run.height_log2);
 	return run;
 }
 
@@ -284,13 +284,13 @@ static void test_rows_are_pixel_by_pixel_what_bilinear_means(void **state)
 		run.pixel = rows.expected + MARGIN;
 		draw_each(&run, &level, false);
 		run.pixel = rows.drawn + MARGIN;
-		tile_row_c(&run);
+		soft_tile_row_c(&run);
 		check_rows(&rows);
 		if (run.fine) {
 			run.pixel = rows.expected + MARGIN;
 			draw_each(&run, &level, true);
 			run.pixel = rows.drawn + MARGIN;
-			tile_fine_c(&run);
+			soft_tile_fine_c(&run);
 			check_rows(&rows);
 		}
 		free_level(&level);
@@ -315,13 +315,13 @@ static void test_rows_are_as_in_c(void **state)
 		run = random_run(&seed, &level, shade);
 		assert_true(tile_is_square(&run));
 		run.pixel = rows.expected + at;
-		tile_row_c(&run);
+		soft_tile_row_c(&run);
 		run.pixel = rows.drawn + at;
 		soft_bands.tile_row(&run);
 		check_rows(&rows);
 		if (run.fine) {
 			run.pixel = rows.expected + at;
-			tile_fine_c(&run);
+			soft_tile_fine_c(&run);
 			run.pixel = rows.drawn + at;
 			soft_bands.tile_fine(&run);
 			check_rows(&rows);

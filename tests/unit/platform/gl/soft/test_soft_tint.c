@@ -283,7 +283,7 @@ static void check_triangles(GLint min, GLint mag, int height_part)
 			draw(scene[k], corner, false);
 			prepared = scene[k]->soft->draw;
 			prepared->perspective = round % 4 != 0;
-			fill_textured_begin(prepared);
+			soft_fill_textured_begin(prepared);
 			if (k == 1) {
 				prepared->textured.gray_triangle = NULL;
 				prepared->textured.tint_triangle = NULL;

@@ -90,24 +90,26 @@ static void check_rows(void (*rows)(struct tint_band *band),
 static void test_rows_of_mixed_texels_are_as_in_c(void **state)
 {
 	(void)state;
-	check_rows(soft_bands.tint_linear, tint_linear_c, TINT_ROUND_LINEAR,
-		false);
+	check_rows(soft_bands.tint_linear, soft_tint_linear_c,
+		TINT_ROUND_LINEAR, false);
 }
 
 static void test_rows_of_nearest_texels_are_as_in_c(void **state)
 {
 	(void)state;
-	check_rows(soft_bands.tint_nearest, tint_nearest_c, TINT_ROUND_NEAREST,
-		false);
+	check_rows(soft_bands.tint_nearest, soft_tint_nearest_c,
+		TINT_ROUND_NEAREST, false);
 }
 
 static void test_rows_of_relief_are_as_in_c(void **state)
 {
 	(void)state;
-	check_rows(soft_bands.tint_dot, tint_dot_c, TINT_ROUND_LINEAR, false);
-	check_rows(soft_bands.tint_multiply, tint_multiply_c, TINT_ROUND_LINEAR,
-		true);
-	check_rows(soft_bands.tint_add, tint_add_c, TINT_ROUND_LINEAR, true);
+	check_rows(
+		soft_bands.tint_dot, soft_tint_dot_c, TINT_ROUND_LINEAR, false);
+	check_rows(soft_bands.tint_multiply, soft_tint_multiply_c,
+		TINT_ROUND_LINEAR, true);
+	check_rows(
+		soft_bands.tint_add, soft_tint_add_c, TINT_ROUND_LINEAR, true);
 }
 
 int main(void)

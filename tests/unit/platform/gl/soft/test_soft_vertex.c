@@ -64,7 +64,7 @@ static void check_vertex(const struct draw *draw, uint32_t index)
 	struct vertex vertex = {.shaded = true}, other = {.shaded = true};
 
 	soft_transform(draw, index, &vertex);
-	transform_c(draw, index, &other);
+	soft_transform_c(draw, index, &other);
 	assert_memory_equal(vertex.clip, other.clip, sizeof(vertex.clip));
 	assert_int_equal(vertex.outcode, other.outcode);
 	assert_int_equal(vertex.index, index);
@@ -228,7 +228,7 @@ static void test_the_largest_float_is_found_as_in_c(void **state)
 				(float)random_within(&seed, 1 << (i % 24));
 		}
 		found = soft_largest_float(at, stride, count);
-		assert_int_equal(found, largest_float_c(at, stride, count));
+		assert_int_equal(found, soft_largest_float_c(at, stride, count));
 		if (count > 0) {
 			size_t last = (size_t)stride * (count - 1) + 8;
 			uint32_t bits = 0xC5000000u | (uint32_t)round;
@@ -376,7 +376,7 @@ static int check_lit(const struct draw *draw)
 			      c = {.index = i};
 
 		soft_shade(draw, &a);
-		shade_c(draw, &b);
+		soft_shade_c(draw, &b);
 		assert_true(a.shaded);
 		assert_true(b.shaded);
 		assert_memory_equal(

@@ -60,10 +60,12 @@ SOFT_ROWS_arm := arm
 SOFT_ROWS_asan := portable
 SOFT_ROWS_fuzz := portable
 
-# $(call seam_driver_sources,SEAM,NAMES)
-seam_driver_sources = $(foreach name,$(2),\
-	$(sort $(wildcard platform/$(1)/$(name)/*.c \
-	platform/$(1)/$(name)/span/*.c)))
+# $(call seam_driver_sources,SEAM,NAMES): all but the folders of which a target
+# takes one.
+one_of_several := platform/gl/soft/arm/% platform/gl/soft/portable/% \
+	platform/buttons/gpiod/v1/% platform/buttons/gpiod/v2/%
+seam_driver_sources = $(filter-out $(one_of_several),$(foreach name,$(2),\
+	$(call c_files,platform/$(1)/$(name))))
 soft_row_sources = $(if $(filter soft,$(GL_DRIVERS_$(1))),$(sort $(wildcard \
 	$(patsubst %,platform/gl/soft/$(SOFT_ROWS_$(1))/*.%,c S))))
 driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \

@@ -82,5 +82,5 @@ sed -i 's/\bprepare\b//' "$scratch/arm11_frame.py"
 run "$scratch/arm11.py" --short --rows gl-walker
 about 'a file of the driver without a stage'
 expect_status 1
-expect_err 'STAGES in tests/bench/arm11_frame.py lacks platform/gl/soft/prepare.c'
+expect_err 'STAGES in tests/bench/arm11_frame.py lacks platform/gl/soft/vertex/prepare.c'
 tap_done

@@ -29,7 +29,6 @@ NAMES_ALLOWED = {
 # Folders to which the rules do not apply yet, each with its reason.
 FOLDERS_ALLOWED = {
     "platform/gl/soft": "its redesign is not complete",
-    "tests/unit/platform/gl/soft": "they follow the redesign",
 }
 
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 extern const struct gl_driver gl_driver_soft;
 

@@ -5,7 +5,7 @@
 #ifndef TESTS_SUPPORT_GL_SOFT_SCENE_H
 #define TESTS_SUPPORT_GL_SOFT_SCENE_H
 
-#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 enum {
 	SOFT_SCENE_WIDTH = 96,

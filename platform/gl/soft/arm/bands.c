@@ -1,11 +1,11 @@
 #include <assert.h>
 
-#include "platform/gl/soft/band.h"
-#include "platform/gl/soft/count.h"
-#include "platform/gl/soft/glyph.h"
-#include "platform/gl/soft/ground.h"
-#include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/tile_row.h"
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/count.h"
+#include "platform/gl/soft/fast/glyph.h"
+#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/tile_row.h"
+#include "platform/gl/soft/raster/raster.h"
 
 /* band.S */
 void soft_band_color_arm(struct band *band);

@@ -1,6 +1,6 @@
 /* What textured.S knows of the structures. */
-#include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/tint.h"
+#include "platform/gl/soft/fast/tint.h"
+#include "platform/gl/soft/raster/raster.h"
 
 #include <assert.h>
 

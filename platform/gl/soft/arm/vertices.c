@@ -1,5 +1,5 @@
 /* What vertex.S, light.S and dedup.S know of the structures, and the latter. */
-#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 /* A list, or what is left of it; offsets are known to dedup.S. */
 struct dedup_run {

@@ -1,11 +1,11 @@
-#include "platform/gl/soft/band.h"
-#include "platform/gl/soft/count.h"
-#include "platform/gl/soft/glyph.h"
-#include "platform/gl/soft/ground.h"
-#include "platform/gl/soft/picture.h"
-#include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/tile_row.h"
-#include "platform/gl/soft/tint.h"
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/count.h"
+#include "platform/gl/soft/fast/glyph.h"
+#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/fast/tile_row.h"
+#include "platform/gl/soft/fast/tint.h"
+#include "platform/gl/soft/raster/raster.h"
 
 const struct band_functions soft_bands = {
 	.list = soft_list_c,

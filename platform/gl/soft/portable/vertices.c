@@ -1,4 +1,4 @@
-#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 {

@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-#include "platform/gl/soft/draw.h"
-#include "platform/gl/soft/number.h"
 #include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
 
 bool soft_finish_any(const struct soft_fragment_stages *stages,
 	const uint8_t texel[4], uint32_t alpha_q7, uint32_t fog,

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "platform/gl/soft/draw.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 /* GL's comparisons: the low bits say which of less, equal, greater pass. */
 static bool passes(GLenum function, uint32_t a, uint32_t b)

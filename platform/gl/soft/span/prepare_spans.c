@@ -1,8 +1,8 @@
 /* Which span function draws a state, and the constants that it looks up. */
-#include "platform/gl/soft/draw.h"
-#include "platform/gl/soft/number.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
 
 enum {
 	/*

@@ -9,7 +9,7 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 
-#include "platform/gl/soft/pixel.h"
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/any.h"
 #include "platform/gl/soft/span/run.h"
 #include "platform/gl/soft/span/sample.h"

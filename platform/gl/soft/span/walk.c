@@ -4,13 +4,13 @@
  * raster.c; else they are divided exactly every 16 or 32 pixels.
  */
 #include "platform/gl/soft/span/walk.h"
-#include "platform/gl/soft/number.h"
-#include "platform/gl/soft/pixel.h"
-#include "platform/gl/soft/raster.h"
-#include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/number.h"
 
 /* What a run across a texture's edge is cut into. */
 enum {

@@ -5,7 +5,7 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_WALK_H
 #define PLATFORM_GL_SOFT_SPAN_WALK_H
 
-#include "platform/gl/soft/raster.h"
+#include "platform/gl/soft/raster/raster.h"
 
 /* A row under way. */
 struct soft_line {

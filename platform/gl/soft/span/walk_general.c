@@ -2,9 +2,9 @@
  * The rows of a triangle for fragment.c, of any number of attributes: cut, and
  * divided, where walk.c does it.
  */
-#include "platform/gl/soft/number.h"
-#include "platform/gl/soft/rows.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/vertex/number.h"
 
 struct walk_kind {
 	bool divided;

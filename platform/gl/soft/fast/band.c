@@ -1,0 +1,167 @@
+#include "platform/gl/soft/fast/band.h"
+
+#include "platform/gl/soft/raster/pixel.h"
+
+/* Addresses as numbers: arm/band.S adds them up like all else. */
+static uint16_t *at_address(uintptr_t address)
+{
+	return (uint16_t *)address;
+}
+
+static void run_color(const struct band *band, int column, int count)
+{
+	uintptr_t address = band->row.depth + 2 * (uintptr_t)column;
+	uint16_t *depth = at_address(address);
+	uint16_t *pixel = at_address(address + 2 + band->pixels);
+	uint32_t at = (uint32_t)column;
+	uint32_t z = band->row.z_q16 + band->z_right * at;
+	uint32_t packed =
+		band_pack(band->row.red_blue + band->red_blue_right * at,
+			band->row.green_q26 + band->green_right * at);
+
+	for (int i = 0; i < count; i++) {
+		if (z < (uint32_t)depth[i] << 16) {
+			depth[i] = (uint16_t)(z >> 16);
+			pixel[i] = band_unpack(packed);
+		}
+		z += band->z_right;
+		packed += band->packed_right;
+	}
+}
+
+static void move_down(struct band *band)
+{
+	band->row.depth += band->down.depth;
+	band->row.z_q16 += band->down.z_q16;
+	band->row.red_blue += band->down.red_blue;
+	band->row.green_q26 += band->down.green_q26;
+	band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+	band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	band->pixels += band->pixels_step;
+}
+
+void soft_band_color_c(struct band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		left = left > band->from ? left : band->from;
+		right = right < band->to ? right : band->to;
+		for (; left < right; left += BAND_RUN) {
+			run_color(band, left,
+				right - left < BAND_RUN ? right - left
+							: BAND_RUN);
+		}
+		move_down(band);
+	}
+}
+
+static uint16_t shade_texel(
+	const struct texture_band *band, uint32_t texel, uint32_t share)
+{
+	uint32_t at = texel & band->texel_mask;
+	uint32_t index = (at >> 8 & 255) + (at >> band->texel_shift);
+	uint32_t wide = widen(load_16(band->texels + 2 * index));
+
+	return narrow((wide * share + WIDE_ROUND) >> 5 & WIDE_MASK);
+}
+
+static void run_texture(const struct texture_band *band, int column, int count)
+{
+	uintptr_t address = band->row.depth + 2 * (uintptr_t)column;
+	uint16_t *depth = at_address(address);
+	uint16_t *pixel = at_address(address + 2 + band->pixels);
+	uint32_t at = (uint32_t)column;
+	uint32_t z = band->row.z_q16 + band->z_right * at;
+	uint32_t texel = band->row.texel + band->texel_right * at;
+	uint32_t share = (band->row.share_q26 + band->share_right * at) >> 16;
+
+	for (int i = 0; i < count; i++) {
+		if (z < (uint32_t)depth[i] << 16) {
+			depth[i] = (uint16_t)(z >> 16);
+			pixel[i] = shade_texel(
+				band, texel, (share & 0xFFFF) >> 10);
+		}
+		z += band->z_right;
+		texel += band->texel_right;
+		share += band->share_right >> 16;
+	}
+}
+
+void soft_band_texture_c(struct texture_band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		for (; left < right; left += BAND_RUN) {
+			run_texture(band, left,
+				right - left < BAND_RUN ? right - left
+							: BAND_RUN);
+		}
+		band->row.depth += band->down.depth;
+		band->row.z_q16 += band->down.z_q16;
+		band->row.texel += band->down.texel;
+		band->row.share_q26 += band->down.share_q26;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
+}
+
+void soft_band_fill_c(uint16_t *at, int count, uint16_t value)
+{
+	const uint32_t pair = value * 0x10001u;
+
+	for (; count >= 8; count -= 8, at += 8) {
+		memcpy(at, &pair, 4);
+		memcpy(at + 2, &pair, 4);
+		memcpy(at + 4, &pair, 4);
+		memcpy(at + 6, &pair, 4);
+	}
+	for (; count > 0; count--) {
+		*at++ = value;
+	}
+}
+
+static uint16_t darken(const struct flat_band *band, uint16_t pixel)
+{
+	return narrow((widen(pixel) * band->keep + band->own) >> 5 & WIDE_MASK);
+}
+
+static void flat_row(const struct flat_band *band, int left, int count)
+{
+	uint16_t *pixel = (uint16_t *)(void *)band->pixels + left;
+	uint8_t *stencil = band->stencil ? band->stencil + left : NULL;
+
+	if (!stencil && band->keep == 0) {
+		soft_band_fill_c(pixel, count, band->opaque);
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		if (!stencil || (band->unlike && stencil[i] != band->reference)) {
+			pixel[i] = darken(band, pixel[i]);
+		} else if (!band->unlike && stencil[i] == band->reference) {
+			stencil[i] = band->next;
+			pixel[i] = darken(band, pixel[i]);
+		}
+	}
+}
+
+void soft_band_flat_c(struct flat_band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		left = left > band->from ? left : band->from;
+		right = right < band->to ? right : band->to;
+		if (left < right) {
+			flat_row(band, left, right - left);
+		}
+		band->pixels += band->stride_bytes;
+		band->stencil += band->stencil ? band->stencil_stride : 0;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
+}

@@ -1,0 +1,98 @@
+/*
+ * Triangles of any size that count in the stencil, where they are hidden or
+ * where they are seen: the hulls of shadow volumes. See count.h.
+ */
+#include "platform/gl/soft/fast/count.h"
+#include "platform/gl/soft/raster/raster.h"
+
+static bool counts(GLenum operation)
+{
+	return operation == GL_INCR || operation == GL_DECR;
+}
+
+static bool is_down(const struct stencil *stencil)
+{
+	return stencil->pass == GL_DECR || stencil->depth_fail == GL_DECR;
+}
+
+bool soft_fill_is_count(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct stencil *stencil = &state->stencil;
+
+	return !draw->color_written && !state->alpha_test && state->depth_test &&
+		!state->depth_mask && state->depth_function == GL_LESS &&
+		stencil->enabled && draw->soft->buffers.stencil &&
+		stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
+		((counts(stencil->depth_fail) && stencil->pass == GL_KEEP) ||
+			(counts(stencil->pass) &&
+				stencil->depth_fail == GL_KEEP));
+}
+
+static void draw_band(void *band)
+{
+	soft_bands.count(band);
+}
+
+void soft_fill_count(struct draw *draw, struct setup *setup)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct plane *z = &draw->raster.plane[DEPTH];
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	int top = raster_first_row(draw, setup);
+	size_t first = (size_t)top * (size_t)buffers->width;
+	struct count_band band;
+
+	soft_raster_set_up(draw, setup);
+	band = (struct count_band){
+		.depth = buffers->depth + first,
+		.stencil = buffers->stencil + first,
+		.z = z->start + (uint32_t)z->dy * (uint32_t)(top - setup->top) -
+			(uint32_t)z->dx * (uint32_t)draw->raster.x0,
+		.z_right = (uint32_t)z->dx,
+		.z_down = (uint32_t)z->dy,
+		.width = buffers->width,
+		.from = draw->box.left,
+		.to = draw->box.right,
+		.kind = (uint8_t)((is_down(stencil) ? COUNT_DOWN : 0) +
+			(stencil->pass != GL_KEEP ? COUNT_PASSED : 0)),
+	};
+	raster_draw_bands(draw, setup, setup->middle_left,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		draw_band, &band);
+}
+
+static void count_row(const struct count_band *band, int left, int right)
+{
+	uint32_t z = band->z + band->z_right * (uint32_t)left;
+	bool passed = band->kind & COUNT_PASSED, down = band->kind & COUNT_DOWN;
+
+	for (int i = left; i < right; i++, z += band->z_right) {
+		uint8_t *stencil = &band->stencil[i];
+
+		if ((z >> 10 < band->depth[i]) != passed) {
+			continue;
+		}
+		if (down) {
+			*stencil = (uint8_t)(*stencil - (*stencil > 0));
+		} else {
+			*stencil = (uint8_t)(*stencil + (*stencil < 255));
+		}
+	}
+}
+
+void soft_count_band_c(struct count_band *band)
+{
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		count_row(band, left > band->from ? left : band->from,
+			right < band->to ? right : band->to);
+		band->depth += band->width;
+		band->stencil += band->width;
+		band->z += band->z_down;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
+}

@@ -1,0 +1,107 @@
+/*
+ * Triangles of any size in one colour for all of a call, without a depth test:
+ * shadows on level ground, whose stencil darkens each pixel once.
+ */
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/raster.h"
+
+/* What lies under a sheet that shows wherever anything was counted. */
+static bool is_unlike(const struct stencil *stencil)
+{
+	return stencil->enabled && stencil->function == GL_NOTEQUAL &&
+		stencil->fail == GL_KEEP && stencil->pass == GL_KEEP;
+}
+
+bool soft_fill_is_flat(const struct draw *draw)
+{
+	const struct soft *soft = draw->soft;
+	const struct fragment_state *state = &soft->fragment;
+	const struct stencil *stencil = &state->stencil;
+	const GLboolean *mask = state->color_mask;
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
+	bool once = stencil->function == GL_EQUAL &&
+		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
+		stencil->reference < 255 &&
+		(stencil->pass == GL_INCR || stencil->pass == GL_KEEP ||
+			stencil->pass == GL_ZERO);
+
+	return soft->format == PIXELS_RGB565 && !draw->shading.lit &&
+		!draw->shading.color_array && !draw->texture[0].used &&
+		!draw->texture[1].used && !draw->fogged && !state->alpha_test &&
+		!state->depth_test &&
+		(!state->stencil.enabled ||
+			(stencil->mask == 255 && (once || is_unlike(stencil)))) &&
+		(!draw->blended || by_alpha) && mask[0] && mask[1] && mask[2];
+}
+
+static uint8_t next_stencil(const struct stencil *stencil)
+{
+	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
+		: stencil->pass == GL_ZERO ? 0
+					   : stencil->reference;
+}
+
+void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
+{
+	struct flat_band *band = &draw->flat;
+
+	band->opaque = color;
+	band->alpha = alpha;
+	band->keep = 32 - alpha;
+	band->own = widen(color) * alpha + WIDE_ROUND;
+}
+
+void soft_fill_flat_begin(struct draw *draw)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	const GLfixed *color = draw->soft->arrays.current_color;
+
+	draw->flat = (struct flat_band){
+		.stride_bytes = buffers->target.stride_bytes,
+		.stencil_stride = buffers->width,
+		.from = draw->box.left,
+		.to = draw->box.right,
+		.reference = stencil->reference,
+		.next = next_stencil(stencil),
+		.unlike = is_unlike(stencil),
+	};
+	/* Where all of a call has one colour, no vertex is shaded. */
+	soft_fill_flat_color(draw,
+		pack_565(soft_byte(color[0]), soft_byte(color[1]),
+			soft_byte(color[2])),
+		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
+}
+
+bool soft_fill_flat_is_once(const struct draw *draw)
+{
+	return draw->soft->fragment.stencil.enabled &&
+		draw->soft->buffers.stencil && !draw->flat.unlike;
+}
+
+static void draw_band(void *band)
+{
+	soft_bands.flat(band);
+}
+
+void soft_fill_flat(struct draw *draw, struct setup *setup)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct vertex *const *v = setup->v;
+	struct flat_band *band = &draw->flat;
+	int top = raster_first_row(draw, setup);
+	/* The long edge is left of the middle vertex or right of it. */
+	bool middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
+		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+
+	band->pixels = buffers->target.data +
+		(ptrdiff_t)top * buffers->target.stride_bytes;
+	if (draw->soft->fragment.stencil.enabled) {
+		band->stencil = buffers->stencil + top * buffers->width;
+	}
+	raster_draw_bands(draw, setup, middle_left,
+		&(struct band_ends){band->edge, band->edge_step, &band->rows},
+		draw_band, band);
+}

@@ -1,0 +1,259 @@
+/*
+ * One colour through the alpha of a texture's nearest texels, upright, without
+ * tests: letters, and the panels and bars beside them, which are a single texel
+ * wide. Two triangles that are a rectangle are drawn as one.
+ */
+#include "platform/gl/soft/fast/glyph.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/raster.h"
+
+bool soft_fill_is_glyph(const struct draw *draw)
+{
+	const struct soft *soft = draw->soft;
+	const struct fragment_state *state = &soft->fragment;
+	const struct texture_input *input = &draw->texture[0];
+	const GLboolean *mask = state->color_mask;
+
+	return soft->format == PIXELS_RGB565 && input->used &&
+		input->base->format == TEXEL_A8 &&
+		input->env->mode == GL_MODULATE &&
+		input->texture->min_filter == GL_NEAREST &&
+		input->texture->mag_filter == GL_NEAREST &&
+		!draw->texture[1].used && !draw->fogged && !draw->tests &&
+		!state->alpha_test && !draw->shading.lit && !draw->perspective &&
+		draw->blended && state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA && mask[0] &&
+		mask[1] && mask[2];
+}
+
+static bool is_same(const struct setup *setup, int first, int count)
+{
+	int32_t differ = 0;
+
+	for (int i = first; i < first + count; i++) {
+		int32_t value = setup->v[0]->attribute[i];
+
+		differ |= (setup->v[1]->attribute[i] ^ value) |
+			(setup->v[2]->attribute[i] ^ value);
+	}
+	return differ == 0;
+}
+
+/* 0 to 32, of a texel in place or the one where coordinates wrap to. */
+static uint32_t load_alpha(const struct texture_input *input, int s, int t)
+{
+	const struct texture *texture = input->texture;
+	int last_s = (1 << input->width_log2) - 1;
+	int last_t = (1 << input->height_log2) - 1;
+
+	s = texture->wrap_s == GL_REPEAT ? s & last_s : clamp_int(s, 0, last_s);
+	t = texture->wrap_t == GL_REPEAT ? t & last_t : clamp_int(t, 0, last_t);
+	return (input->base->texels[(t << input->width_log2) + s] + 4u) >> 3;
+}
+
+/* Attributes are 8.8 with a bit to spare at their ends. */
+static uint32_t share_of(int32_t attribute)
+{
+	return ((uint32_t)attribute + (4 << 8)) >> 11;
+}
+
+static void row_glyph(struct draw *draw, int y, int left, int right)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct raster *raster = &draw->raster;
+	const struct flat_band *color = &draw->flat;
+	uint16_t *pixel =
+		(uint16_t *)(void *)pixel_at(&draw->soft->buffers.target, 0, y);
+	uint32_t s = plane_at(raster, TEX_S, left);
+	int t = (int32_t)raster->plane[TEX_S + 1].start >> 16;
+	uint32_t own = widen(color->opaque);
+
+	for (int x = left; x < right; x++) {
+		uint32_t alpha =
+			load_alpha(input, (int32_t)s >> 16, t) * color->alpha >>
+			5;
+
+		if (alpha) {
+			pixel[x] = narrow(mix_wide(widen(pixel[x]), own, alpha));
+		}
+		s += (uint32_t)raster->plane[TEX_S].dx;
+	}
+}
+
+static int texel_of(int32_t at_q16, int log2)
+{
+	return (int)((int64_t)at_q16 * (1 << log2) >> 16);
+}
+
+/* Of a single texel and the colour's alpha. */
+static uint32_t share_through(const struct draw *draw, const int32_t *attribute)
+{
+	const struct texture_input *input = &draw->texture[0];
+	uint32_t texel =
+		load_alpha(input, texel_of(attribute[TEX_S], input->width_log2),
+			texel_of(attribute[TEX_S + 1], input->height_log2));
+
+	return texel * share_of(attribute[ALPHA]) >> 5;
+}
+
+static void set_color(
+	struct draw *draw, const int32_t *attribute, uint32_t share)
+{
+	soft_fill_flat_color(draw,
+		color_565((uint32_t)attribute[RED] << 8,
+			(uint32_t)attribute[GREEN] << 8,
+			(uint32_t)attribute[BLUE] << 8),
+		share);
+}
+
+void soft_fill_glyph(struct draw *draw, struct setup *setup)
+{
+	const int32_t *a = setup->v[0]->attribute;
+
+	if (draw->soft->fragment.flat || !is_same(setup, RED, 4)) {
+		soft_rows_fill(draw, setup);
+		return;
+	}
+	if (is_same(setup, TEX_S, 2)) {
+		set_color(draw, a, share_through(draw, a));
+		soft_fill_flat(draw, setup);
+		return;
+	}
+	set_color(draw, a, share_of(a[ALPHA]));
+	soft_raster_set_up(draw, setup);
+	if (draw->raster.plane[TEX_S + 1].dx != 0) {
+		soft_rows_fill(draw, setup);
+		return;
+	}
+	raster_walk(draw, setup, row_glyph, soft_raster_next_row);
+}
+
+static bool are_upright(struct vertex *const v[4])
+{
+	return v[0]->x == v[1]->x && v[2]->x == v[3]->x && v[0]->y == v[2]->y &&
+		v[1]->y == v[3]->y && v[0]->x < v[2]->x && v[0]->y < v[1]->y;
+}
+
+/* One colour, and coordinates that run along with the sides. */
+static bool are_equal(struct vertex *const v[4])
+{
+	const int32_t *a = v[0]->attribute, *b = v[1]->attribute;
+	const int32_t *c = v[2]->attribute, *d = v[3]->attribute;
+	int32_t differ = (a[TEX_S] ^ b[TEX_S]) | (c[TEX_S] ^ d[TEX_S]) |
+		(a[TEX_S + 1] ^ c[TEX_S + 1]) | (b[TEX_S + 1] ^ d[TEX_S + 1]);
+
+	for (int i = RED; i <= ALPHA; i++) {
+		differ |= (a[i] ^ b[i]) | (a[i] ^ c[i]) | (a[i] ^ d[i]);
+	}
+	return differ == 0;
+}
+
+/*
+ * From which texel on pixels of a side run, from a centre on; -1 where texels
+ * are not as wide as pixels, or not all there. Ends in sixteenths and 16.16.
+ */
+static int find_texel(int first, int count, int32_t begin, int32_t end,
+	int32_t from_q16, int32_t to_q16, int log2)
+{
+	int64_t from = (int64_t)from_q16 * (1 << log2);
+	int64_t to = (int64_t)to_q16 * (1 << log2);
+	int64_t over = to - from - (int64_t)(end - begin) * 4096;
+	int64_t texel;
+
+	if (over > 0x4000 || over < -0x4000) {
+		return -1;
+	}
+	texel = (from + (int64_t)(first * 16 + 8 - begin) * 4096) >> 16;
+	return texel < 0 || texel + count > 1 << log2 ? -1 : (int)texel;
+}
+
+/* All of it through one texel. */
+static void mix_box(struct draw *draw, const struct clip_box *box)
+{
+	const struct flat_band *color = &draw->flat;
+	int count = box->right - box->left;
+
+	for (int y = box->top; y < box->bottom && color->alpha; y++) {
+		uint16_t *pixel = (uint16_t *)(void *)pixel_at(
+			&draw->soft->buffers.target, box->left, y);
+
+		if (color->alpha == 32) {
+			soft_bands.fill(pixel, count, color->opaque);
+		} else {
+			soft_bands.mix(pixel, count, color->keep, color->own);
+		}
+	}
+}
+
+/* False where texels are no pixels. */
+static bool draw_letter(struct draw *draw, struct vertex *const v[4],
+	const struct clip_box *box)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct pixels *target = &draw->soft->buffers.target;
+	const int32_t *from = v[0]->attribute, *to = v[3]->attribute;
+	struct glyph glyph = {
+		.pixel = (uint16_t *)(void *)pixel_at(
+			target, box->left, box->top),
+		.columns = box->right - box->left,
+		.rows = box->bottom - box->top,
+		.stride_bytes = target->stride_bytes,
+		.texel_stride = 1 << input->width_log2,
+		.own = widen(draw->flat.opaque),
+		.alpha = draw->flat.alpha,
+	};
+	int s = find_texel(box->left, glyph.columns, v[0]->x, v[3]->x,
+		from[TEX_S], to[TEX_S], input->width_log2);
+	int t = find_texel(box->top, glyph.rows, v[0]->y, v[3]->y,
+		from[TEX_S + 1], to[TEX_S + 1], input->height_log2);
+
+	if (s < 0 || t < 0) {
+		return false;
+	}
+	glyph.texel = input->base->texels + (t << input->width_log2) + s;
+	soft_bands.glyph(&glyph);
+	return true;
+}
+
+static struct clip_box box_of(const struct draw *draw, struct vertex *const v[4])
+{
+	struct clip_box box = {raster_centre(v[0]->x), raster_centre(v[0]->y),
+		raster_centre(v[3]->x), raster_centre(v[3]->y)};
+
+	box.left = box.left > draw->box.left ? box.left : draw->box.left;
+	box.top = box.top > draw->box.top ? box.top : draw->box.top;
+	box.right = box.right < draw->box.right ? box.right : draw->box.right;
+	box.bottom =
+		box.bottom < draw->box.bottom ? box.bottom : draw->box.bottom;
+	return box;
+}
+
+bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
+{
+	const int32_t *a = v[0]->attribute;
+	struct clip_box box;
+
+	if (v[0]->outcode | v[1]->outcode | v[2]->outcode | v[3]->outcode ||
+		!are_upright(v) || draw->cull_front || draw->cull_back ||
+		draw->soft->fragment.flat) {
+		return false;
+	}
+	for (int i = 0; i < 4; i++) {
+		soft_shade(draw, v[i]);
+	}
+	if (!are_equal(v)) {
+		return false;
+	}
+	box = box_of(draw, v);
+	if (box.left >= box.right || box.top >= box.bottom) {
+		return true;
+	}
+	set_color(draw, a, share_of(a[ALPHA]));
+	if (a[TEX_S] == v[3]->attribute[TEX_S] &&
+		a[TEX_S + 1] == v[3]->attribute[TEX_S + 1]) {
+		set_color(draw, a, share_through(draw, a));
+		mix_box(draw, &box);
+		return true;
+	}
+	return draw_letter(draw, v, &box);
+}

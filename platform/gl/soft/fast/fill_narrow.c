@@ -1,0 +1,267 @@
+/*
+ * Opaque triangles without a texture in a few columns: most of a character's.
+ * Set up in 32 bits, with rows and colours that run as one number.
+ *
+ * arm/narrow.S does the same, and leaves the same bytes.
+ */
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/raster.h"
+
+enum {
+	/*
+	 * The packed colour's steps are off by a 64th of a step of RGB565 at
+	 * most, and it is taken afresh after so many rows: it stays within
+	 * half a step for up to so many columns (one more by rounding).
+	 */
+	CHUNK_ROWS = 8,
+	NARROW_COLUMNS = 23,
+};
+
+/* Two signed halves in a word. */
+static ALWAYS_INLINE int32_t lower(uint32_t word)
+{
+	return (int16_t)(word & 0xFFFF);
+}
+
+static ALWAYS_INLINE int32_t upper(uint32_t word)
+{
+	return (int32_t)word >> 16;
+}
+
+static ALWAYS_INLINE uint32_t join(int32_t low, int32_t high)
+{
+	return ((uint32_t)high << 16) | ((uint32_t)low & 0xFFFF);
+}
+
+static ALWAYS_INLINE uint32_t subtract(uint32_t a, uint32_t b)
+{
+	return join(lower(a) - lower(b), upper(a) - upper(b));
+}
+
+static ALWAYS_INLINE int32_t cross(uint32_t a, uint32_t b)
+{
+	return lower(a) * upper(b) - upper(a) * lower(b);
+}
+
+/* What all gradients of the triangle share. */
+struct scale {
+	uint32_t xs, ys; /* of the second and, above, the third corner */
+	int32_t inverse; /* 2^62 over the area, shifted */
+	int shift;       /* of products with it */
+	/* from the first corner to the centre of column in the first row */
+	int32_t off_x, off_y;
+	int column;
+};
+
+/* A colour's channel, times 31/32 or 63/64: in 8.15 and 8.16 bits. */
+struct channel {
+	int32_t start, down;
+};
+
+struct narrow {
+	uintptr_t depth, pixel; /* addresses of column 0 */
+	uintptr_t stride_bytes; /* of both */
+	int32_t rows;
+	uint32_t edge[2], step[2];
+	uint32_t z, z_right, z_down;
+	uint32_t packed, packed_right, packed_down; /* as band_pack() has it */
+	struct channel channel[3]; /* where packed was taken from last */
+	int column;
+	int chunk; /* rows until it is taken afresh */
+};
+
+/* Mostly w differs so little that all colours run linearly. */
+static bool runs_linearly(const struct draw *draw, const struct setup *setup)
+{
+	int32_t w = setup->v[0]->clip[3];
+	int32_t d1 = setup->v[1]->clip[3] - w, d2 = setup->v[2]->clip[3] - w;
+
+	d1 = d1 < 0 ? -d1 : d1;
+	d2 = d2 < 0 ? -d2 : d2;
+	return !draw->perspective || d1 + d2 <= w >> 6 ||
+		soft_fill_plain_is_linear(draw, setup);
+}
+
+static struct scale find_scale(const struct setup *setup)
+{
+	uint32_t d1 = subtract(setup->xy[1], setup->xy[0]);
+	uint32_t d2 = subtract(setup->xy[2], setup->xy[0]);
+	int zeros = LEADING_ZEROS_32((uint32_t)setup->area);
+	int32_t inverse = reciprocal((uint32_t)setup->area << zeros);
+	int x = lower(setup->xy[0]), y = upper(setup->xy[0]);
+	int shift = zeros - 18;
+
+	inverse = cross(d1, d2) < 0 ? -inverse : inverse;
+	return (struct scale){
+		.xs = join(lower(d1), lower(d2)),
+		.ys = join(upper(d1), upper(d2)),
+		.inverse = setup->area < 256 ? 0
+			: shift < 0          ? inverse >> -shift
+					     : inverse,
+		.shift = shift < 0 ? 0 : shift,
+		.off_x = 8 - (x & 15),
+		.off_y = setup->top * 16 + 8 - y,
+		.column = x >> 4,
+	};
+}
+
+static int32_t shift_up(int32_t value, int shift)
+{
+	return (int32_t)((uint32_t)value << shift);
+}
+
+/* As raster.c's set_small_plane(), of 18 bits. */
+static void set_depth(struct narrow *narrow, const struct setup *setup,
+	const struct scale *scale)
+{
+	int32_t z = setup->v[0]->z;
+	int32_t d1 = setup->v[1]->z - z, d2 = setup->v[2]->z - z;
+	int32_t across = d1 * upper(scale->ys) - d2 * lower(scale->ys);
+	int32_t along = d2 * lower(scale->xs) - d1 * upper(scale->xs);
+	int32_t right = shift_up(mul_high(across, scale->inverse), scale->shift);
+	int32_t down = shift_up(mul_high(along, scale->inverse), scale->shift);
+	uint32_t at = ((uint32_t)z << 8) +
+		(uint32_t)(right >> 4) * (uint32_t)scale->off_x +
+		(uint32_t)(down >> 4) * (uint32_t)scale->off_y -
+		(uint32_t)right * (uint32_t)scale->column;
+
+	narrow->z = at << 6;
+	narrow->z_right = (uint32_t)right << 6;
+	narrow->z_down = (uint32_t)down << 6;
+}
+
+/* value * offset / 2 of sixteenths. */
+static uint32_t move_half(int32_t value, int32_t offset)
+{
+	return (uint32_t)(int32_t)((int64_t)value * (offset * 2048) >> 16);
+}
+
+/* Six or five bits of RGB565, and so many less of fraction than 8.16 have. */
+static int32_t round_off(int32_t value, int bits)
+{
+	return (int32_t)((uint32_t)value + (1u << (bits - 1))) >> bits;
+}
+
+/*
+ * Deltas lose their lowest bit to fit 16; bits are those of five or six of
+ * the colour, cut those that packing cuts.
+ */
+static ALWAYS_INLINE void add_channel(struct narrow *narrow,
+	const struct setup *setup, const struct scale *scale, int name,
+	int bits, int cut, int place)
+{
+	int32_t first = setup->v[0]->attribute[name];
+	uint32_t deltas = join((setup->v[1]->attribute[name] - first) >> 1,
+		(setup->v[2]->attribute[name] - first) >> 1);
+	int32_t inverse = scale->inverse - (scale->inverse >> bits);
+	int32_t right = shift_up(
+		mul_high(cross(deltas, scale->ys), inverse), scale->shift + 1);
+	int32_t down = shift_up(
+		mul_high(cross(scale->xs, deltas), inverse), scale->shift + 1);
+	/* half a step of RGB565, and half of what is cut */
+	uint32_t round = (1u << (22 - bits)) + (1u << (cut - 2));
+
+	narrow->channel[name].start = (int32_t)(round +
+		(uint32_t)((first << 7) - (first << (7 - bits))) +
+		move_half(right, scale->off_x) + move_half(down, scale->off_y));
+	narrow->channel[name].down = down;
+	narrow->packed_right += (uint32_t)round_off(right, cut) << place;
+	narrow->packed_down += (uint32_t)round_off(down, cut) << place;
+}
+
+static void pack(struct narrow *narrow)
+{
+	const struct channel *channel = narrow->channel;
+
+	narrow->packed = ((uint32_t)(channel[GREEN].start >> 12) << 21) +
+		((uint32_t)(channel[RED].start >> 12) << 10) +
+		(uint32_t)(channel[BLUE].start >> 13) -
+		narrow->packed_right * (uint32_t)narrow->column;
+	narrow->chunk = CHUNK_ROWS;
+}
+
+/* From the colour of the row that packed was taken from to that of this one. */
+static void pack_again(struct narrow *narrow)
+{
+	for (int i = 0; i < 3; i++) {
+		narrow->channel[i].start =
+			(int32_t)((uint32_t)narrow->channel[i].start +
+				(uint32_t)narrow->channel[i].down *
+					(CHUNK_ROWS / 2));
+	}
+	pack(narrow);
+}
+
+static void draw_row(const struct narrow *narrow, int left, int right)
+{
+	uint16_t *depth = (uint16_t *)narrow->depth;
+	uint16_t *pixel = (uint16_t *)narrow->pixel;
+	uint32_t z = narrow->z + narrow->z_right * (uint32_t)left;
+	uint32_t packed = narrow->packed + narrow->packed_right * (uint32_t)left;
+
+	for (int i = left; i < right; i++) {
+		if (z < (uint32_t)depth[i] << 16) {
+			depth[i] = (uint16_t)(z >> 16);
+			pixel[i] = band_unpack(packed);
+		}
+		z += narrow->z_right;
+		packed += narrow->packed_right;
+	}
+}
+
+static void draw_rows(void *band)
+{
+	struct narrow *narrow = band;
+
+	for (; narrow->rows > 0; narrow->rows--) {
+		if (narrow->chunk == 0) {
+			pack_again(narrow);
+		}
+		draw_row(narrow, (int32_t)narrow->edge[BAND_LEFT] >> 16,
+			(int32_t)narrow->edge[BAND_RIGHT] >> 16);
+		narrow->edge[BAND_LEFT] += narrow->step[BAND_LEFT];
+		narrow->edge[BAND_RIGHT] += narrow->step[BAND_RIGHT];
+		narrow->depth += narrow->stride_bytes;
+		narrow->pixel += narrow->stride_bytes;
+		narrow->z += narrow->z_down;
+		narrow->packed += narrow->packed_down;
+		narrow->chunk--;
+	}
+}
+
+static void set_up(const struct draw *draw, const struct setup *setup,
+	const struct scale *scale, struct narrow *narrow)
+{
+	const struct fast_setup *fast_setup = &draw->fast_setup;
+
+	*narrow = (struct narrow){
+		.depth = fast_setup->depth +
+			(uintptr_t)setup->top * fast_setup->stride_bytes,
+		.stride_bytes = fast_setup->stride_bytes,
+		.column = scale->column,
+	};
+	narrow->pixel = narrow->depth + 2 + fast_setup->pixels;
+	set_depth(narrow, setup, scale);
+	add_channel(narrow, setup, scale, RED, 5, 13, 10);
+	add_channel(narrow, setup, scale, GREEN, 6, 13, 21);
+	add_channel(narrow, setup, scale, BLUE, 5, 14, 0);
+	pack(narrow);
+}
+
+void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
+{
+	struct narrow narrow;
+	struct scale scale;
+
+	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
+		!runs_linearly(draw, setup)) {
+		soft_fill_plain(draw, setup);
+		return;
+	}
+	scale = find_scale(setup);
+	set_up(draw, setup, &scale, &narrow);
+	raster_draw_bands(draw, setup, cross(scale.xs, scale.ys) < 0,
+		&(struct band_ends){narrow.edge, narrow.step, &narrow.rows},
+		draw_rows, &narrow);
+}

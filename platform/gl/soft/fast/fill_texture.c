@@ -1,0 +1,454 @@
+/*
+ * Small opaque triangles with one RGB565 texture that repeats, set up as bands:
+ * nearest texels under one share of all colours, or texels of either filter
+ * under three. See fill_opaque.c for the state that asks for them.
+ */
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/tint.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/ramp.h"
+
+enum {
+	/* So many sixteenths of a pixel, so that 1/256 of texels are enough. */
+	BAND_EXTENT = 32 * 16,
+	/* Half of 1/32, so that 255 is 32/32. */
+	SHARE_ROUND = 4 << 8,
+};
+
+/* What all gradients of a triangle share: struct scale, by itself. */
+struct frame {
+	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
+	int32_t inverse;
+	int shift;
+	int32_t off_x, off_y; /* to the centre of column, of the first row */
+	int column;
+	bool middle_left;
+};
+
+/*
+ * How a value runs: per pixel, from the centre of frame.column, which is column
+ * 0 of the bands.
+ */
+struct run {
+	int32_t start, right, down;
+};
+
+/* raster_find_area() and find_scale() of small triangles. */
+static ALWAYS_INLINE struct frame find_frame(const struct setup *setup)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	uint32_t area = (uint32_t)setup->area;
+	int zeros = LEADING_ZEROS_32(area);
+	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
+	struct frame frame = {
+		.x1 = b->x - a->x,
+		.less_y1 = a->y - b->y,
+		.less_x2 = a->x - c->x,
+		.y2 = c->y - a->y,
+		.column = a->x >> 4,
+		.off_x = 8 - (a->x & 15),
+		.off_y = (8 - a->y) & 15,
+	};
+
+	frame.middle_left = frame.x1 * frame.y2 < frame.less_x2 * frame.less_y1;
+	inverse = frame.middle_left ? -inverse : inverse;
+	frame.shift = zeros > 18 ? zeros - 18 : 0;
+	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
+	return frame;
+}
+
+/* Differences below SMALL_DELTA: products fit 32 bits. */
+static ALWAYS_INLINE struct run find_run(
+	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
+{
+	uint32_t right =
+		(uint32_t)mul_high(d1 * f->y2 + d2 * f->less_y1, f->inverse)
+		<< f->shift;
+	uint32_t down =
+		(uint32_t)mul_high(d2 * f->x1 + d1 * f->less_x2, f->inverse)
+		<< f->shift;
+	uint32_t start = ((uint32_t)first << 8) +
+		(uint32_t)((int32_t)right >> 4) * (uint32_t)f->off_x +
+		(uint32_t)((int32_t)down >> 4) * (uint32_t)f->off_y;
+
+	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
+}
+
+/* False where perspective would show, as with all that follow. */
+static ALWAYS_INLINE bool find_color(const struct setup *setup,
+	const struct frame *frame, int name, int32_t round, int32_t limit,
+	struct run *out)
+{
+	int32_t first = setup->v[0]->attribute[name];
+	int32_t d1 = setup->v[1]->attribute[name] - first;
+	int32_t d2 = setup->v[2]->attribute[name] - first;
+
+	*out = find_run(frame, first + round, d1, d2);
+	return is_color_within(d1, d2, limit);
+}
+
+/* In 16.16 of the base's texels. */
+static ALWAYS_INLINE bool find_texels(const struct setup *setup,
+	const struct frame *frame, int name, int log2, int32_t limit,
+	struct run *out)
+{
+	int32_t first = setup->v[0]->attribute[name];
+	int32_t d1 = (int32_t)((uint32_t)setup->v[1]->attribute[name] -
+		(uint32_t)first);
+	int32_t d2 = (int32_t)((uint32_t)setup->v[2]->attribute[name] -
+		(uint32_t)first);
+
+	first &= 0xFFFF;
+	if (log2 <= 8) {
+		first >>= 8 - log2;
+		d1 >>= 8 - log2;
+		d2 >>= 8 - log2;
+	} else {
+		first = shift_by(first, log2 - 8);
+		d1 = shift_by(d1, log2 - 8);
+		d2 = shift_by(d2, log2 - 8);
+	}
+	if (!is_within(d1, limit) || !is_within(d2, limit)) {
+		return false;
+	}
+	*out = find_run(frame, first, d1, d2);
+	out->start += TEXEL_NUDGE;
+	return true;
+}
+
+static ALWAYS_INLINE struct run find_depth(
+	const struct setup *setup, const struct frame *frame)
+{
+	int32_t z = setup->v[0]->z;
+
+	return find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
+}
+
+/* At the centre of its first row; see raster_side(). */
+static ALWAYS_INLINE void set_edge(const struct draw *draw,
+	const struct frame *frame, const struct vertex *from, int32_t dx,
+	int32_t dy, uint32_t *edge, uint32_t *edge_step)
+{
+	int32_t step = mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
+	uint32_t off = (uint32_t)(8 - from->y) & 15;
+	uint32_t x = (uint32_t)(from->x - frame->column * 16);
+
+	*edge_step = (uint32_t)step;
+	*edge = (x << 12) + (uint32_t)(step >> 4) * off + 0x7FFF;
+}
+
+/* The upper part's edges, then the lower one's; how many rows it has. */
+static ALWAYS_INLINE int set_upper(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame, uint32_t edge[2],
+	uint32_t edge_step[2])
+{
+	const struct vertex *top = setup->v[0];
+	int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
+	int rows = setup->middle - setup->top;
+
+	set_edge(draw, frame, top, -frame->less_x2, frame->y2, &edge[!part],
+		&edge_step[!part]);
+	if (rows > 0) {
+		set_edge(draw, frame, top, frame->x1, -frame->less_y1,
+			&edge[part], &edge_step[part]);
+	}
+	return rows;
+}
+
+static ALWAYS_INLINE int set_lower(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame, uint32_t edge[2],
+	uint32_t edge_step[2])
+{
+	int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
+	int rows = setup->bottom - setup->middle;
+
+	if (rows > 0) {
+		set_edge(draw, frame, setup->v[1], -frame->less_x2 - frame->x1,
+			frame->y2 + frame->less_y1, &edge[part],
+			&edge_step[part]);
+	}
+	return rows;
+}
+
+/* The depth at frame.column of the first row. */
+static ALWAYS_INLINE uintptr_t find_place(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame)
+{
+	return draw->textured.depth +
+		(uintptr_t)setup->top * draw->textured.stride_bytes +
+		2 * (uintptr_t)frame->column;
+}
+
+/* Whole 256ths of texels, which s and t have 8 bits more than. */
+static ALWAYS_INLINE uint32_t pair_cut(int32_t s, int32_t t)
+{
+	return (((uint32_t)t << 8) & 0xFFFF0000) + (uint32_t)(s >> 8);
+}
+
+static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame,
+	struct texture_band *band)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct textured_level *level = &draw->textured.level[0];
+	const struct limits limits = find_limits(draw, setup);
+	struct run share, s, t, z;
+
+	if (!find_color(setup, frame, RED, SHARE_ROUND, limits.color, &share) ||
+		!find_texels(setup, frame, TEX_S, input->width_log2,
+			limits.texel, &s) ||
+		!find_texels(setup, frame, TEX_S + 1, input->height_log2,
+			limits.texel, &t)) {
+		return false;
+	}
+	z = find_depth(setup, frame);
+	band->z_right = (uint32_t)z.right << 6;
+	band->down.z_q16 = (uint32_t)z.down << 6;
+	band->row.z_q16 = (uint32_t)z.start << 6;
+	band->texel_right = pair_cut(s.right, t.right);
+	band->down.texel = pair_cut(s.down, t.down);
+	band->row.texel = pair_cut(s.start, t.start);
+	band->share_right = (uint32_t)share.right << 7;
+	band->down.share_q26 = (uint32_t)share.down << 7;
+	band->row.share_q26 = (uint32_t)share.start << 7;
+	band->texels = level->texels;
+	band->texel_mask = level->texel_mask;
+	band->texel_shift = level->texel_shift;
+	band->wide_mask = WIDE_MASK;
+	band->wide_round = WIDE_ROUND;
+	return true;
+}
+
+static bool fill_gray(const struct draw *draw, const struct setup *setup)
+{
+	const struct frame frame = find_frame(setup);
+	struct texture_band band;
+
+	if (!draw->textured.level[0].texels ||
+		!set_nearest(draw, setup, &frame, &band)) {
+		return false;
+	}
+	band.row.depth = find_place(draw, setup, &frame);
+	band.down.depth = draw->textured.stride_bytes;
+	band.pixels = draw->textured.pixels;
+	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
+	if (band.rows > 0) {
+		soft_bands.texture(&band);
+	}
+	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
+	if (band.rows > 0) {
+		soft_bands.texture(&band);
+	}
+	return true;
+}
+
+bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
+{
+	const struct textured *textured = &draw->textured;
+
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
+		return false;
+	}
+	return (textured->gray_triangle &&
+		       textured->gray_triangle(textured, setup)) ||
+		fill_gray(draw, setup);
+}
+
+/* The level whose texels are nearest in size to pixels; see choose_level(). */
+static ALWAYS_INLINE int find_level(
+	int last, const struct run *s, const struct run *t)
+{
+	uint32_t right =
+		raster_length(raster_size(s->right), raster_size(t->right));
+	uint32_t down =
+		raster_length(raster_size(s->down), raster_size(t->down));
+	int lod = (raster_log2_q8(right > down ? right : down) + 127) >> 8;
+
+	return clamp_int(lod, 0, last);
+}
+
+/* The nearest 256ths of the level's texels. */
+static ALWAYS_INLINE uint32_t pair_round(
+	const struct textured_level *level, int32_t s, int32_t t)
+{
+	uint32_t low =
+		(uint32_t)((s + (1 << (level->s_down - 1))) >> level->s_down);
+	uint32_t high =
+		(uint32_t)((t + (1 << (level->t_down - 1))) >> level->t_down);
+
+	return (high << 16) + low;
+}
+
+/* 1.15 of a plane's colour. */
+static ALWAYS_INLINE int32_t weight(int32_t color)
+{
+	return (color + 256) >> 9;
+}
+
+static ALWAYS_INLINE uint32_t pair_weights(int32_t red, int32_t blue)
+{
+	return ((uint32_t)weight(red) << 16) + (uint32_t)weight(blue);
+}
+
+static ALWAYS_INLINE bool set_tint(const struct setup *setup,
+	const struct frame *frame, int32_t limit, struct tint_band *band)
+{
+	struct run r, g, b;
+
+	if (!find_color(setup, frame, RED, 0, limit, &r) ||
+		!find_color(setup, frame, GREEN, 0, limit, &g) ||
+		!find_color(setup, frame, BLUE, 0, limit, &b)) {
+		return false;
+	}
+	band->red_blue_right = pair_weights(r.right, b.right);
+	band->down.red_blue = pair_weights(r.down, b.down);
+	band->row.red_blue = pair_weights(r.start, b.start);
+	/* Steps that leave 16 bits are of rows of one pixel. */
+	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
+	band->down.green = (uint32_t)weight(g.down);
+	band->row.green = (uint32_t)weight(g.start);
+	return true;
+}
+
+static ALWAYS_INLINE bool set_level(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame, int32_t limit,
+	struct tint_band *band)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct textured *textured = &draw->textured;
+	const struct textured_level *level;
+	struct run s, t;
+
+	if (!find_texels(setup, frame, TEX_S, input->width_log2, limit, &s) ||
+		!find_texels(setup, frame, TEX_S + 1, input->height_log2, limit,
+			&t)) {
+		return false;
+	}
+	level = &textured->level[find_level(textured->last_level, &s, &t)];
+	band->texel_right = pair_round(level, s.right, t.right);
+	band->down.texel = pair_round(level, s.down, t.down);
+	band->row.texel =
+		pair_round(level, s.start, t.start) - textured->half_texel;
+	band->texel_mask = level->texel_mask;
+	band->next = level->next;
+	band->texel_shift = level->texel_shift;
+	band->texels = level->texels;
+	band->stride_bytes = level->stride_bytes;
+	return level->texels != NULL;
+}
+
+static bool fill_tinted(const struct draw *draw, const struct setup *setup)
+{
+	const struct limits limits = find_limits(draw, setup);
+	const struct textured *textured = &draw->textured;
+	const struct frame frame = find_frame(setup);
+	struct tint_band band;
+	struct run z;
+
+	if (!set_tint(setup, &frame, limits.color, &band) ||
+		!set_level(draw, setup, &frame, limits.texel, &band)) {
+		return false;
+	}
+	z = find_depth(setup, &frame);
+	band.z_right = (uint32_t)z.right << 6;
+	band.down.z_q16 = (uint32_t)z.down << 6;
+	band.row.z_q16 = (uint32_t)z.start << 6;
+	band.red_blue_mask = textured->red_blue_mask;
+	band.green_mask = textured->green_mask;
+	band.round = textured->round;
+	band.row.depth = find_place(draw, setup, &frame);
+	band.down.depth = textured->stride_bytes;
+	band.pixels = textured->pixels;
+	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
+	if (band.rows > 0) {
+		textured->tint(&band);
+	}
+	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
+	if (band.rows > 0) {
+		textured->tint(&band);
+	}
+	return true;
+}
+
+bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup)
+{
+	const struct textured *textured = &draw->textured;
+
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
+		return false;
+	}
+	return (textured->tint_triangle &&
+		       textured->tint_triangle(textured, setup)) ||
+		fill_tinted(draw, setup);
+}
+
+static void set_levels(
+	const struct texture_input *input, struct textured_level *out)
+{
+	for (int i = 0; i < input->levels; i++) {
+		const struct level *level = &input->texture->level[i];
+		int width = level->width_log2, height = level->height_log2;
+		bool fits = width <= 8 && height <= 8;
+
+		out[i] = (struct textured_level){
+			.texel_mask = ((1u << height) - 1) << 24 |
+				((1u << width) - 1) << 8,
+			.next = TINT_NEXT,
+			.texel_shift = (uint32_t)(24 - width),
+			.texels = fits ? level->texels : NULL,
+			.stride_bytes = 2u << width,
+			.s_down = input->width_log2 - width + 8,
+			.t_down = input->height_log2 - height + 8,
+		};
+	}
+}
+
+/* The rows of tints that the state asks for; see soft_fill_is_relief(). */
+static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	if (input->texture->mag_filter != GL_LINEAR) {
+		return soft_bands.tint_nearest;
+	}
+	if (input->env->mode == GL_COMBINE) {
+		return soft_bands.tint_dot;
+	}
+	if (!draw->blended) {
+		return soft_bands.tint_linear;
+	}
+	return draw->soft->fragment.blend_source == GL_ONE
+		? soft_bands.tint_add
+		: soft_bands.tint_multiply;
+}
+
+void soft_fill_textured_begin(struct draw *draw)
+{
+	const struct texture_input *input = &draw->texture[0];
+	bool linear = input->texture->mag_filter == GL_LINEAR;
+	bool free = !draw->perspective || is_mipmapped(draw);
+
+	draw->textured = (struct textured){
+		.depth = draw->fast_setup.depth,
+		.stride_bytes = draw->fast_setup.stride_bytes,
+		.inverse = draw->inverse_q31,
+		.reciprocals = soft_reciprocal_table,
+		.tint = choose_tint(draw),
+		.perspective = draw->perspective,
+		.texel_limit = free ? SMALL_DELTA : 1 << 13,
+		.s_shift = 8 - input->width_log2,
+		.t_shift = 8 - input->height_log2,
+		.last_level = linear ? input->levels - 1 : 0,
+		.red_blue_mask = TINT_RED_BLUE,
+		.green_mask = TINT_GREEN,
+		.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST,
+		.pixels = draw->fast_setup.pixels,
+		.half_texel = linear ? TINT_NEXT / 2 : 0,
+		.near_limit = is_mipmapped(draw) ? SMALL_DELTA : 0,
+	};
+	if (input->width_log2 <= 8 && input->height_log2 <= 8) {
+		draw->textured.gray_triangle = soft_bands.gray_triangle;
+		draw->textured.tint_triangle = soft_bands.tint_triangle;
+	}
+	set_levels(input, draw->textured.level);
+}

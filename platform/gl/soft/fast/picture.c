@@ -1,0 +1,89 @@
+#include "platform/gl/soft/fast/picture.h"
+
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/span/sample.h"
+
+bool soft_picture_takes(const struct draw *draw)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	return draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
+		draw->soft->format == PIXELS_RGB565 && !draw->tests &&
+		input->used && input->base->format == TEXEL_565 &&
+		input->texture->min_filter == GL_NEAREST &&
+		input->texture->mag_filter == GL_NEAREST &&
+		(input->env->mode == GL_MODULATE ||
+			input->env->mode == GL_REPLACE);
+}
+
+bool soft_picture_begin(const struct draw *draw)
+{
+	const struct raster *raster = &draw->raster;
+	const uint32_t *color = raster->span.value;
+	/* From here on 255 is 32/32. */
+	const uint32_t white = 252 << 16;
+
+	return !raster->perspective && raster->moving_count == 2 &&
+		raster->plane[TEX_S + 1].dx == 0 &&
+		(draw->texture[0].env->mode == GL_REPLACE ||
+			(color[RED] >= white && color[GREEN] >= white &&
+				color[BLUE] >= white));
+}
+
+static uint32_t last_of(int log2)
+{
+	return (1u << log2) - 1;
+}
+
+/* In runs as those of the span functions, so that the texels are the same. */
+static void copy_runs(const struct draw *draw, int y, int left, int right,
+	const uint16_t *texels)
+{
+	const struct raster *raster = &draw->raster;
+	const int shift = 16 - SOFT_TEXEL_FRACTION;
+	int32_t step =
+		soft_texel_step(raster->plane[TEX_S].dx, shift) * (1 << shift);
+	uint8_t *at = pixel_at(&draw->soft->buffers.target, left, y);
+
+	for (int x = left; x < right; x += SOFT_RUN_PIXELS) {
+		int count = right - x < SOFT_RUN_PIXELS ? right - x
+							: SOFT_RUN_PIXELS;
+		int32_t s = soft_texel_start((int32_t)plane_at(raster, TEX_S, x),
+			soft_texel_rest(raster->plane[TEX_S].dx, shift), count,
+			shift);
+
+		soft_bands.picture((uint16_t *)(void *)at, texels, count,
+			(uint32_t)s << shift, (uint32_t)step);
+		at += 2 * SOFT_RUN_PIXELS;
+	}
+}
+
+/* Texels outside of the texture are left to those who know where they are. */
+void soft_picture_row(struct draw *draw, int y, int left, int right)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct raster *raster = &draw->raster;
+	uint32_t s = plane_at(raster, TEX_S, left);
+	uint32_t end = plane_at(raster, TEX_S, right - 1);
+	uint32_t t = raster->plane[TEX_S + 1].start >> 16;
+	uint32_t last = last_of(input->width_log2);
+
+	/* A run's first texel is off by less than a 16th of one. */
+	if ((s - 4096) >> 16 > last || (end + 4096) >> 16 > last ||
+		t > last_of(input->height_log2)) {
+		soft_rows_affine(draw, y, left, right);
+		return;
+	}
+	copy_runs(draw, y, left, right,
+		(const uint16_t *)(const void *)input->base->texels +
+			(t << input->width_log2));
+}
+
+void soft_picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
+	uint32_t s_q16, uint32_t s_right_q16)
+{
+	for (int i = 0; i < count; i++) {
+		pixel[i] = texels[s_q16 >> 16];
+		s_q16 += s_right_q16;
+	}
+}

@@ -1,0 +1,27 @@
+/*
+ * Rows of upright pictures as they are: an RGB565 texture's nearest texels on a
+ * level of their own, neither tinted nor tested, into RGB565. What a camera's
+ * picture behind the scene is.
+ */
+#ifndef PLATFORM_GL_SOFT_FAST_PICTURE_H
+#define PLATFORM_GL_SOFT_FAST_PICTURE_H
+
+#include "platform/gl/soft/raster/raster.h"
+
+/* Whether the state of a draw call is this. */
+bool soft_picture_takes(const struct draw *draw);
+
+/* After soft_raster_set_up(): whether the triangle is white, and upright. */
+bool soft_picture_begin(const struct draw *draw);
+
+/* As raster_walk() calls it. */
+void soft_picture_row(struct draw *draw, int y, int left, int right);
+
+/*
+ * A row of pixels from a row of texels, at s_q16 and steps further, which are
+ * all there: arm/picture.S has it again.
+ */
+void soft_picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
+	uint32_t s_q16, uint32_t s_right_q16);
+
+#endif

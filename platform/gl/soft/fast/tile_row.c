@@ -1,0 +1,108 @@
+#include "platform/gl/soft/fast/tile_row.h"
+
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/tiles.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/vertex/number.h"
+
+uint32_t soft_tile_pixels(int32_t step_q16, int log2)
+{
+	uint32_t size =
+		step_q16 < 0 ? 0u - (uint32_t)step_q16 : (uint32_t)step_q16;
+	int zeros;
+
+	size <<= 16 - log2;
+	if (size <= 1) {
+		return UINT32_MAX;
+	}
+	zeros = LEADING_ZEROS_32(size);
+	/* A reciprocal may be 32 too much. */
+	return (uint32_t)(reciprocal(size << zeros) - 32) >> (30 - zeros);
+}
+
+static ALWAYS_INLINE uint32_t load_quad(
+	const struct tile_run *run, uint32_t s, uint32_t t)
+{
+	uint32_t column = s >> 16 & ((1u << run->width_log2) - 1);
+	uint32_t row = t >> 16 & ((1u << run->height_log2) - 1);
+
+	return run->quads[(row << run->width_log2) + column];
+}
+
+static ALWAYS_INLINE uint32_t load_fine(
+	const struct tile_run *run, uint32_t s, uint32_t t)
+{
+	uint32_t column = s >> 14 & ((4u << run->width_log2) - 1);
+	uint32_t row = t >> 14 & ((4u << run->height_log2) - 1);
+
+	return run->fine[(row << (run->width_log2 + 2)) + column];
+}
+
+/* How many pixels further a coordinate stays before its end. */
+static ALWAYS_INLINE uint32_t room(
+	uint32_t end, uint32_t at, int32_t step, uint32_t pixels)
+{
+	uint32_t left = end - at;
+
+	return mul_high_unsigned(step < 0 ? ~left : left, pixels);
+}
+
+/* From one in a patch on, that one included. */
+static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
+	uint32_t s, uint32_t t, int most)
+{
+	size_t end = (size_t)quad_patch(quad) *
+		(sizeof(struct patch) / sizeof(uint32_t));
+	uint32_t across = room(run->s_end[end], s << (16 - run->width_log2),
+		run->s_right, run->s_pixels);
+	uint32_t down = room(run->t_end[end], t << (16 - run->height_log2),
+		run->t_right, run->t_pixels);
+	uint32_t further = across < down ? across : down;
+
+	return further < (uint32_t)most ? (int)further + 1 : most;
+}
+
+static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
+{
+	uint16_t *pixel = run->pixel;
+	uint32_t s = run->s, t = run->t;
+
+	for (int left = run->count; left > 0;) {
+		uint32_t quad = load_quad(run, s, t);
+		int count = 1;
+
+		if (quad & QUAD_PATCH) {
+			count = count_patch(run, quad, s, t, left);
+			soft_band_fill_c(pixel, count,
+				(uint16_t)run->shade[2 * quad_luminance(quad)]);
+		} else {
+			*pixel = (uint16_t)run->shade[fine
+					? load_fine(run, s, t)
+					: quad_mix(quad, s >> 8 & 255,
+						  t >> 8 & 255)];
+		}
+		pixel += count;
+		left -= count;
+		s += (uint32_t)run->s_right * (uint32_t)count;
+		t += (uint32_t)run->t_right * (uint32_t)count;
+	}
+}
+
+void soft_tile_row_c(const struct tile_run *run)
+{
+	draw_run(run, false);
+}
+
+void soft_tile_fine_c(const struct tile_run *run)
+{
+	draw_run(run, true);
+}
+
+void soft_tile_blend_c(
+	uint16_t *pixel, const uint16_t *own, int count, uint32_t share)
+{
+	for (int i = 0; i < count; i++) {
+		pixel[i] =
+			narrow(mix_wide(widen(pixel[i]), widen(own[i]), share));
+	}
+}

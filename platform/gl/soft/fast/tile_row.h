@@ -1,0 +1,50 @@
+/*
+ * Rows of a luminance texture in one colour; luminance.h tells how. tile_row.c
+ * has the functions in C, arm/tile_row.S again, with the same bytes.
+ */
+#ifndef PLATFORM_GL_SOFT_FAST_TILE_ROW_H
+#define PLATFORM_GL_SOFT_FAST_TILE_ROW_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Pixels of a row; texels of one level. Offsets are known to the assembly. */
+struct tile_run {
+	uint16_t *pixel;          /* 0 */
+	int count;                /* 4: at least 1 */
+	const uint32_t *quads;    /* 8: see tiles.h */
+	uint32_t s, t;            /* 12: first upper left texel, 16.16 */
+	int32_t s_right, t_right; /* 20 */
+	const uint32_t *shade;    /* 28: colours of 0 to 254 halves of 127ths */
+	const uint32_t *s_end;    /* 32: patch 0's end that the run nears */
+	const uint32_t *t_end;    /* 36 */
+	uint32_t s_pixels, t_pixels; /* 40: see soft_tile_pixels() */
+	int width_log2, height_log2; /* 48 */
+	const uint8_t *fine;         /* 56: or NULL */
+};
+
+/*
+ * 2^32 over a step of the coordinates, cut: times what is left to a patch's end
+ * it gives, 2^32 of it, how many pixels further are still inside, or fewer.
+ */
+uint32_t soft_tile_pixels(int32_t step_q16, int log2);
+
+/*
+ * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
+ * bits, or from fine the mean of the place that is nearest. Whole runs of
+ * pixels in a patch are found at once, which does not change what they become.
+ */
+void soft_tile_row_c(const struct tile_run *run);
+void soft_tile_fine_c(const struct tile_run *run);
+
+/* As those of band_functions take it: as wide as high. */
+static inline bool tile_is_square(const struct tile_run *run)
+{
+	return run->width_log2 == run->height_log2;
+}
+
+/* Pixels become a mix of themselves and others, by share of 0 to 32. */
+void soft_tile_blend_c(
+	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
+
+#endif

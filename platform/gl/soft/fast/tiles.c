@@ -1,0 +1,185 @@
+#include "platform/gl/soft/fast/tiles.h"
+
+#include "platform/gl/soft/soft.h"
+
+#include <stdlib.h>
+
+/* A grid of quads that are to be shared out among patches. */
+struct grid {
+	uint32_t *quads;
+	struct patch *patches;
+	int width, height;
+	int s_shift, t_shift; /* from texels to coordinates */
+};
+
+struct rectangle_of_quads {
+	int x, y, width, height;
+};
+
+static uint32_t luminance(uint8_t texel)
+{
+	return (texel * 127u + 127) / 255;
+}
+
+static void fill_quads(struct level *level)
+{
+	int width = 1 << level->width_log2, height = 1 << level->height_log2;
+
+	for (int y = 0; y < height; y++) {
+		const uint8_t *row = level->texels + y * width;
+		const uint8_t *next = level->texels + (y + 1) % height * width;
+
+		for (int x = 0; x < width; x++) {
+			int right = (x + 1) % width;
+
+			level->tiles->quad[y * width + x] = luminance(row[x]) |
+				luminance(row[right]) << 8 |
+				luminance(next[x]) << 16 |
+				luminance(next[right]) << 24;
+		}
+	}
+}
+
+/* Of the same texels, and of no patch yet. */
+static bool is_even(uint32_t quad)
+{
+	return quad == (quad & 127) * 0x01010101u;
+}
+
+static bool is_row_of(
+	const struct grid *grid, int x, int y, int width, uint32_t quad)
+{
+	for (int i = 0; i < width; i++) {
+		if (grid->quads[y * grid->width + x + i] != quad) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* As far right, then as far down as quads are like this one. */
+static struct rectangle_of_quads grow(const struct grid *grid, int x, int y)
+{
+	uint32_t quad = grid->quads[y * grid->width + x];
+	struct rectangle_of_quads r = {x, y, 1, 1};
+
+	while (x + r.width < grid->width &&
+		grid->quads[y * grid->width + x + r.width] == quad) {
+		r.width++;
+	}
+	while (y + r.height < grid->height &&
+		is_row_of(grid, x, y + r.height, r.width, quad)) {
+		r.height++;
+	}
+	return r;
+}
+
+static int area_of(const struct rectangle_of_quads *r)
+{
+	return r->width * r->height;
+}
+
+static struct rectangle_of_quads find_largest(const struct grid *grid)
+{
+	struct rectangle_of_quads largest = {0};
+
+	for (int y = 0; y < grid->height; y++) {
+		for (int x = 0; x < grid->width; x++) {
+			struct rectangle_of_quads r = {0};
+
+			if (is_even(grid->quads[y * grid->width + x])) {
+				r = grow(grid, x, y);
+			}
+			largest = area_of(&r) > area_of(&largest) ? r : largest;
+			/* Of each run the left end is enough of a try. */
+			x += r.width ? r.width - 1 : 0;
+		}
+	}
+	return largest;
+}
+
+static void set_patch(
+	struct grid *grid, int number, const struct rectangle_of_quads *r)
+{
+	for (int i = 0; i < area_of(r); i++) {
+		uint32_t *quad = grid->quads +
+			(r->y + i / r->width) * grid->width + r->x +
+			i % r->width;
+
+		*quad = QUAD_PATCH | (uint32_t)number << 8 | (*quad & 127);
+	}
+	grid->patches[number] = (struct patch){
+		.s = {((uint32_t)r->x << grid->s_shift) - 1,
+			((uint32_t)(r->x + r->width) << grid->s_shift) - 1},
+		.t = {((uint32_t)r->y << grid->t_shift) - 1,
+			((uint32_t)(r->y + r->height) << grid->t_shift) - 1},
+	};
+}
+
+static void fill_fine(const struct grid *grid, uint8_t *fine)
+{
+	int width = 4 * grid->width, height = 4 * grid->height;
+
+	for (int i = 0; i < width * height; i++) {
+		int x = i % width, y = i / width;
+		uint32_t quad = grid->quads[y / 4 * grid->width + x / 4];
+
+		fine[i] = (uint8_t)(quad & QUAD_PATCH
+				? FINE_PATCH
+				: quad_mix(quad, (uint32_t)(x % 4) * 64 + 32,
+					  (uint32_t)(y % 4) * 64 + 32));
+	}
+}
+
+static void fill_patches(struct grid *grid)
+{
+	for (int number = 1; number <= PATCHES_MOST; number++) {
+		struct rectangle_of_quads r = find_largest(grid);
+
+		if (area_of(&r) == 0) {
+			return;
+		}
+		set_patch(grid, number, &r);
+	}
+}
+
+void soft_tiles_update(struct level *level)
+{
+	struct tiles *tiles = level->tiles;
+	struct grid grid;
+
+	if (!tiles) {
+		return;
+	}
+	grid = (struct grid){tiles->quad, tiles->patch, 1 << level->width_log2,
+		1 << level->height_log2, 32 - level->width_log2,
+		32 - level->height_log2};
+	fill_quads(level);
+	fill_patches(&grid);
+	if (tiles->fine) {
+		fill_fine(&grid, tiles->fine);
+	}
+}
+
+void soft_tiles_make(struct level *level)
+{
+	size_t width = (size_t)1 << level->width_log2;
+	size_t height = (size_t)1 << level->height_log2;
+	size_t quads_bytes;
+	bool fine;
+
+	/* Of one texel no shift can tell. */
+	if (level->format != TEXEL_L8 || width > TILE_SIDE_MAX ||
+		height > TILE_SIDE_MAX || width < 2 || height < 2) {
+		return;
+	}
+	quads_bytes = width * height * sizeof(level->tiles->quad[0]);
+	fine = width <= FINE_SIDE_MAX && height <= FINE_SIDE_MAX;
+	level->tiles = calloc(1,
+		sizeof(*level->tiles) + quads_bytes +
+			(fine ? 16 * width * height : 0));
+	if (level->tiles && fine) {
+		level->tiles->fine = (uint8_t *)level->tiles->quad + quads_bytes;
+	}
+	soft_tiles_update(level);
+}

@@ -1,0 +1,330 @@
+/*
+ * Fragments in any state, a span at a time through stages: tests, colour,
+ * textures, fog, blending, writing (GL ES 1.1 chapters 3 and 4).
+ */
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+/* The fragments of a span on their way. */
+struct fragments {
+	uint8_t color[SPAN_PIXELS][4];
+	uint16_t alpha_q7[SPAN_PIXELS]; /* the vertices' */
+	bool passes[SPAN_PIXELS];
+	int left; /* how many still pass */
+};
+
+/* The comparisons' low bits say which of less, equal, greater pass. */
+static bool compares(GLenum function, int a, int b)
+{
+	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
+}
+
+static uint8_t apply_stencil(
+	const struct stencil *stencil, GLenum action, uint8_t old)
+{
+	uint8_t value = old;
+
+	switch (action) {
+	case GL_ZERO:
+		value = 0;
+		break;
+	case GL_REPLACE:
+		value = stencil->reference;
+		break;
+	case GL_INCR:
+		value = old < 255 ? (uint8_t)(old + 1) : old;
+		break;
+	case GL_DECR:
+		value = old > 0 ? (uint8_t)(old - 1) : old;
+		break;
+	case GL_INVERT:
+		value = (uint8_t)~old;
+		break;
+	default:
+		break;
+	}
+	return (uint8_t)((old & ~stencil->write_mask) |
+		(value & stencil->write_mask));
+}
+
+/* Depth and stencil tests of one fragment, and what they write. */
+static bool test_one(const struct fragment_state *state, int z, uint16_t *depth,
+	uint8_t *stencil)
+{
+	const struct stencil *s = &state->stencil;
+	bool passes = !state->depth_test ||
+		compares(state->depth_function, z, *depth);
+
+	if (s->enabled && stencil) {
+		bool through = compares(s->function, s->reference & s->mask,
+			*stencil & s->mask);
+
+		*stencil = apply_stencil(s,
+			!through         ? s->fail
+				: passes ? s->pass
+					 : s->depth_fail,
+			*stencil);
+		passes = passes && through;
+	}
+	if (passes && state->depth_test && state->depth_mask) {
+		*depth = (uint16_t)z;
+	}
+	return passes;
+}
+
+static void run_tests(const struct draw *draw, const struct span *span,
+	struct fragments *fragments)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	size_t at = (size_t)span->y * (size_t)buffers->width + (size_t)span->x;
+	uint32_t z = span->value[DEPTH];
+
+	for (int i = 0; i < span->count; i++, z += (uint32_t)span->step[DEPTH]) {
+		if (fragments->passes[i] &&
+			!test_one(&draw->soft->fragment,
+				(int)(z >> 10 & 0xFFFF), buffers->depth + at + i,
+				buffers->stencil ? buffers->stencil + at + i
+						 : NULL)) {
+			fragments->passes[i] = false;
+			fragments->left--;
+		}
+	}
+}
+
+/* The stencil without a depth test: flat shadows and what they darken. */
+static int test_stencil(
+	const struct draw *draw, const struct span *span, bool *passes)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct stencil *s = &draw->soft->fragment.stencil;
+	uint8_t *stencil = buffers->stencil +
+		(size_t)span->y * (size_t)buffers->width + span->x;
+	int reference = s->reference & s->mask, left = 0;
+
+	for (int i = 0; i < span->count; i++) {
+		int old = stencil[i] & s->mask;
+		bool through = compares(s->function, reference, old);
+		GLenum action = through ? s->pass : s->fail;
+
+		passes[i] = through;
+		left += through;
+		if (action != GL_KEEP) {
+			stencil[i] = apply_stencil(s, action, stencil[i]);
+		}
+	}
+	return left;
+}
+
+int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
+{
+	struct fragments fragments;
+
+	if (!draw->soft->fragment.depth_test && draw->soft->buffers.stencil) {
+		return test_stencil(draw, span, passes);
+	}
+	fragments.left = span->count;
+	memset(fragments.passes, true, (size_t)span->count);
+	run_tests(draw, span, &fragments);
+	memcpy(passes, fragments.passes, (size_t)span->count);
+	return fragments.left;
+}
+
+static void fill_colors(const struct span *span, struct fragments *fragments)
+{
+	uint32_t c[3] = {
+		span->value[RED], span->value[GREEN], span->value[BLUE]};
+	uint32_t alpha_q7 = span->value[ALPHA] >> 9;
+	uint32_t alpha_step = (uint32_t)soft_alpha_step(span->step[ALPHA]);
+
+	for (int i = 0; i < span->count; i++) {
+		for (int j = 0; j < 3; j++) {
+			fragments->color[i][j] = (uint8_t)(c[j] >> 16);
+			c[j] += (uint32_t)span->step[j];
+		}
+		fragments->color[i][3] = (uint8_t)(alpha_q7 >> 7);
+		fragments->alpha_q7[i] = (uint16_t)alpha_q7;
+		alpha_q7 += alpha_step;
+	}
+}
+
+/* Texels of the first texture count with the fraction that alpha has. */
+static void scale_alphas(const struct draw *draw, int count,
+	const uint8_t (*texel)[4], struct fragments *fragments)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	if (input->env->mode != GL_MODULATE ||
+		input->base->base_format == GL_RGB ||
+		input->base->base_format == GL_LUMINANCE) {
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		fragments->color[i][3] = (uint8_t)soft_scale_alpha(
+			fragments->alpha_q7[i], texel[i][3]);
+	}
+}
+
+static void add_textures(const struct draw *draw, const struct span *span,
+	struct fragments *fragments)
+{
+	uint8_t primary[SPAN_PIXELS][4], texel[SPAN_PIXELS][4];
+	size_t size = (size_t)span->count * 4;
+
+	memcpy(primary, fragments->color, size);
+	for (int unit = 0; unit < SOFT_UNITS; unit++) {
+		if (draw->texture[unit].used) {
+			soft_sample(&draw->texture[unit], span, unit,
+				draw->soft->format == PIXELS_RGBA8888, texel);
+			soft_combine(&draw->texture[unit], span->count,
+				(const uint8_t(*)[4])texel,
+				(const uint8_t(*)[4])primary, fragments->color);
+			if (unit == 0) {
+				scale_alphas(draw, span->count,
+					(const uint8_t(*)[4])texel, fragments);
+			}
+		}
+	}
+}
+
+static void add_fog(const struct draw *draw, const struct span *span,
+	struct fragments *fragments)
+{
+	const GLfixed *fog = draw->soft->fog.color;
+	uint32_t share = span->value[FOG];
+
+	for (int i = 0; i < span->count; i++) {
+		int own = (int)(share >> 16 & 255);
+
+		for (int j = 0; j < 3; j++) {
+			fragments->color[i][j] =
+				(uint8_t)(scale_byte(
+						  fragments->color[i][j], own) +
+					scale_byte(soft_byte(fog[j]), 255 - own));
+		}
+		share += (uint32_t)span->step[FOG];
+	}
+}
+
+static void test_alpha(const struct draw *draw, const struct span *span,
+	struct fragments *fragments)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	int reference = soft_byte(state->alpha_reference);
+
+	for (int i = 0; i < span->count; i++) {
+		if (!compares(state->alpha_function, fragments->color[i][3],
+			    reference)) {
+			fragments->passes[i] = false;
+			fragments->left--;
+		}
+	}
+}
+
+/* A factor of 0..255 for channel i. */
+static int blend_factor(
+	GLenum factor, const uint8_t from[4], const uint8_t to[4], int i)
+{
+	switch (factor) {
+	case GL_ZERO:
+		return 0;
+	case GL_SRC_COLOR:
+		return from[i];
+	case GL_ONE_MINUS_SRC_COLOR:
+		return 255 - from[i];
+	case GL_SRC_ALPHA:
+		return from[3];
+	case GL_ONE_MINUS_SRC_ALPHA:
+		return 255 - from[3];
+	case GL_DST_ALPHA:
+		return to[3];
+	case GL_ONE_MINUS_DST_ALPHA:
+		return 255 - to[3];
+	case GL_DST_COLOR:
+		return to[i];
+	case GL_ONE_MINUS_DST_COLOR:
+		return 255 - to[i];
+	case 0x0308: /* GL_SRC_ALPHA_SATURATE */
+		return i == 3                   ? 255
+			: from[3] < 255 - to[3] ? from[3]
+						: 255 - to[3];
+	default:
+		return 255;
+	}
+}
+
+void soft_blend(GLenum source_factor, GLenum destination_factor,
+	const uint8_t to[4], uint8_t color[4])
+{
+	uint8_t out[4];
+
+	for (int i = 0; i < 4; i++) {
+		int source = blend_factor(source_factor, color, to, i);
+		int destination = blend_factor(destination_factor, color, to, i);
+		int sum = color[i] * source + to[i] * destination + 128;
+
+		sum = (sum + (sum >> 8)) >> 8;
+		out[i] = (uint8_t)(sum > 255 ? 255 : sum);
+	}
+	memcpy(color, out, 4);
+}
+
+static void write_colors(const struct draw *draw, const struct span *span,
+	struct fragments *fragments)
+{
+	const struct pixels *target = &draw->soft->buffers.target;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const GLboolean *mask = state->color_mask;
+	bool masked = !(mask[0] && mask[1] && mask[2] && mask[3]);
+	uint8_t *at = pixel_at(target, span->x, span->y);
+	int bytes = pixel_bytes(target->format);
+	uint8_t old[4];
+
+	for (int i = 0; i < span->count; i++, at += bytes) {
+		uint8_t *color = fragments->color[i];
+
+		if (!fragments->passes[i]) {
+			continue;
+		}
+		if (draw->blended || masked) {
+			load_pixel(target->format, at, old);
+		}
+		if (draw->blended) {
+			soft_blend(state->blend_source,
+				state->blend_destination, old, color);
+		}
+		for (int j = 0; j < 4 && masked; j++) {
+			color[j] = mask[j] ? color[j] : old[j];
+		}
+		store_pixel(target->format, at, color);
+	}
+}
+
+void soft_draw_span(struct draw *draw, const struct span *span)
+{
+	struct fragments fragments;
+
+	fragments.left = span->count;
+	memset(fragments.passes, true, (size_t)span->count);
+	if (draw->tests && draw->early_tests) {
+		run_tests(draw, span, &fragments);
+	}
+	if (fragments.left == 0 || (!draw->color_written && draw->early_tests)) {
+		return;
+	}
+	fill_colors(span, &fragments);
+	add_textures(draw, span, &fragments);
+	if (draw->fogged) {
+		add_fog(draw, span, &fragments);
+	}
+	if (!draw->early_tests) {
+		test_alpha(draw, span, &fragments);
+		if (draw->tests) {
+			run_tests(draw, span, &fragments);
+		}
+	}
+	if (fragments.left > 0 && draw->color_written) {
+		write_colors(draw, span, &fragments);
+	}
+}

@@ -1,0 +1,117 @@
+/* Pixels of both formats, one at a time. */
+#ifndef PLATFORM_GL_SOFT_RASTER_PIXEL_H
+#define PLATFORM_GL_SOFT_RASTER_PIXEL_H
+
+#include <string.h>
+
+#include "platform/gl/soft/soft.h"
+
+static inline uint16_t pack_565(int red, int green, int blue)
+{
+	return (uint16_t)((red * 249 + 1014) >> 11 << 11 |
+		(green * 253 + 505) >> 10 << 5 | (blue * 249 + 1014) >> 11);
+}
+
+/*
+ * Planes of 8.16 whose upper five or six of eight bits are the nearest of 31
+ * or 63 steps: times 31/32 or 63/64, and a half.
+ */
+static inline uint32_t round_to_5(uint32_t value)
+{
+	return value - (value >> 5) + (1 << 18);
+}
+
+static inline uint32_t round_to_6(uint32_t value)
+{
+	return value - (value >> 6) + (1 << 17);
+}
+
+/* Five and six bits to eight, so that all ones are 255. */
+static inline void unpack_565(uint16_t pixel, uint8_t out[3])
+{
+	int red = pixel >> 11, green = pixel >> 5 & 63, blue = pixel & 31;
+
+	out[0] = (uint8_t)(red << 3 | red >> 2);
+	out[1] = (uint8_t)(green << 2 | green >> 4);
+	out[2] = (uint8_t)(blue << 3 | blue >> 2);
+}
+
+/*
+ * RGB565 with room between its fields: green moved up by 16. One
+ * multiplication scales all three, in steps of 1/32.
+ */
+enum {
+	WIDE_MASK = 0x07E0F81F,
+	WIDE_ROUND = 0x02008010, /* a half of every field, before >> 5 */
+};
+
+static inline uint32_t widen(uint32_t pixel)
+{
+	return (pixel | pixel << 16) & WIDE_MASK;
+}
+
+static inline uint16_t narrow(uint32_t wide)
+{
+	return (uint16_t)(wide | wide >> 16);
+}
+
+/* From a to b by 0..32 of 32. */
+static inline uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
+{
+	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
+}
+
+/* A colour of planes, 8.16 each. */
+static inline uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
+{
+	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
+		round_to_5(b) >> 19;
+}
+
+static inline uint16_t color_565(uint32_t r, uint32_t g, uint32_t b)
+{
+	return narrow(widen_color(r, g, b));
+}
+
+static inline uint16_t load_16(const uint8_t *at)
+{
+	uint16_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
+static inline void store_16(uint8_t *at, uint16_t value)
+{
+	memcpy(at, &value, sizeof(value));
+}
+
+/* RGB565 has no alpha: it reads as 255. */
+static inline void load_pixel(
+	enum pixel_format format, const uint8_t *at, uint8_t rgba[4])
+{
+	if (format == PIXELS_RGB565) {
+		unpack_565(load_16(at), rgba);
+		rgba[3] = 255;
+	} else {
+		memcpy(rgba, at, 4);
+	}
+}
+
+static inline void store_pixel(
+	enum pixel_format format, uint8_t *at, const uint8_t rgba[4])
+{
+	if (format == PIXELS_RGB565) {
+		store_16(at, pack_565(rgba[0], rgba[1], rgba[2]));
+	} else {
+		memcpy(at, rgba, 4);
+	}
+}
+
+static inline uint8_t *pixel_at(const struct pixels *target, int x, int y)
+{
+	return target->data + (ptrdiff_t)y * target->stride_bytes +
+		x * pixel_bytes(target->format);
+}
+
+#endif

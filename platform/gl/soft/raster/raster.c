@@ -1,0 +1,389 @@
+/* How attributes run across a triangle. */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
+
+/* num / area, times 2^scale; see struct setup. */
+static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
+{
+	uint64_t size = (uint64_t)(num < 0 ? -num : num);
+	int spare;
+
+	if (size == 0) {
+		return 0;
+	}
+	spare = LEADING_ZEROS_64(size) - 33; /* to 31 bits */
+	return shift_by(
+		mul_high((int32_t)(spare < 0 ? num >> -spare
+					     : num * ((int64_t)1 << spare)),
+			setup->inverse_area),
+		setup->area_zeros - spare - 62 + scale);
+}
+
+/* Moves a plane from a vertex to the centre of (x0, row). */
+static void start_plane(const struct raster *raster, const struct setup *setup,
+	int32_t value, struct plane *plane)
+{
+	int32_t off_x = raster->x0 * 16 + 8 - setup->v[0]->x;
+	int32_t off_y = setup->top * 16 + 8 - setup->v[0]->y;
+
+	/* Both within 16: less than a pixel. */
+	plane->start = (uint32_t)value +
+		(uint32_t)(plane->dx >> 4) * (uint32_t)off_x +
+		(uint32_t)(plane->dy >> 4) * (uint32_t)off_y;
+}
+
+/* A plane through three values; 2^scale over 16 is a unit of the plane. */
+static void set_plane(struct raster *raster, const struct setup *setup,
+	const int32_t value[3], int scale, struct plane *plane)
+{
+	int64_t d1 = (int64_t)value[1] - value[0];
+	int64_t d2 = (int64_t)value[2] - value[0];
+
+	plane->dx =
+		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
+	plane->dy =
+		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
+	start_plane(raster, setup, (int32_t)((uint32_t)value[0] << (scale - 4)),
+		plane);
+}
+
+/* The same for values that differ little, across little: see SMALL_EXTENT. */
+static void set_small_plane(struct raster *raster, const struct setup *setup,
+	const int32_t value[3], struct plane *plane)
+{
+	int32_t d1 = value[1] - value[0], d2 = value[2] - value[0];
+	int32_t across = d1 * setup->y2 - d2 * setup->y1;
+	int32_t down = d2 * setup->x1 - d1 * setup->x2;
+	int shift = setup->area_zeros - 50;
+
+	if (shift < 0) {
+		int32_t inverse = setup->inverse_area >> -shift;
+
+		plane->dx = mul_high(across, inverse);
+		plane->dy = mul_high(down, inverse);
+	} else {
+		plane->dx =
+			(int32_t)((uint32_t)mul_high(across, setup->inverse_area)
+				<< shift);
+		plane->dy =
+			(int32_t)((uint32_t)mul_high(down, setup->inverse_area)
+				<< shift);
+	}
+	start_plane(raster, setup, value[0] * 256, plane);
+}
+
+static void set_constant(struct plane *plane, int32_t value)
+{
+	*plane = (struct plane){(uint32_t)value << 8, 0, 0};
+}
+
+static bool is_small_delta(int32_t delta)
+{
+	return delta > -SMALL_DELTA && delta < SMALL_DELTA;
+}
+
+static void set_affine(struct draw *draw, const struct setup *setup,
+	const int32_t value[3], int name)
+{
+	struct raster *raster = &draw->raster;
+	struct plane *plane = &raster->plane[name];
+
+	if (value[0] == value[1] && value[0] == value[2]) {
+		set_constant(plane, value[0]);
+	} else if (!setup->wide && is_small_delta(value[1] - value[0]) &&
+		is_small_delta(value[2] - value[0])) {
+		set_small_plane(raster, setup, value, plane);
+	} else {
+		set_plane(raster, setup, value, 12, plane);
+	}
+}
+
+/* Colours and fog as they are, coordinates in 1/256 of texels. */
+static void gather_texels(const struct draw *draw, const struct setup *setup,
+	int name, int32_t out[3])
+{
+	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
+	bool t = (name - TEX_S) % 2;
+	int log2 = t ? input->height_log2 : input->width_log2;
+	GLenum wrap = t ? input->texture->wrap_t : input->texture->wrap_s;
+	uint32_t first = (uint32_t)setup->v[0]->attribute[name];
+	uint32_t base = wrap == GL_REPEAT ? first & ~0xFFFFu : 0;
+
+	for (int i = 0; i < 3; i++) {
+		out[i] = shift_by(
+			(int32_t)((uint32_t)setup->v[i]->attribute[name] - base),
+			log2 - 8);
+	}
+}
+
+/* Whose colours a triangle has: its corners', or one's. */
+struct colored {
+	const int32_t *corner[3];
+};
+
+static struct colored find_colored(
+	const struct draw *draw, const struct setup *setup)
+{
+	bool behind = setup->back && draw->shading.two_side;
+	struct colored colored;
+
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *v = draw->soft->fragment.flat
+			? draw->provoking
+			: setup->v[i];
+
+		colored.corner[i] = behind ? v->back : v->attribute;
+	}
+	return colored;
+}
+
+static ALWAYS_INLINE int32_t spread(const int32_t value[3])
+{
+	int32_t a = value[0], b = value[1], c = value[2];
+	int32_t high = a > b ? a : b, low = a > b ? b : a;
+	uint32_t most;
+
+	high = c > high ? c : high;
+	low = c < low ? c : low;
+	most = (uint32_t)high - (uint32_t)low;
+	return most > INT32_MAX ? INT32_MAX : (int32_t)most;
+}
+
+/* 1 / w of the three in a common scale, below 2^29. */
+static void gather_inverse_w(const struct setup *setup, int32_t q[3])
+{
+	int most = 0;
+
+	for (int i = 0; i < 3; i++) {
+		int zeros = setup->v[i]->w_zeros;
+
+		most = zeros > most ? zeros : most;
+	}
+	for (int i = 0; i < 3; i++) {
+		int down = most - setup->v[i]->w_zeros + 2;
+
+		q[i] = setup->v[i]->inverse_w_q30 >> (down > 31 ? 31 : down);
+		q[i] = q[i] > 0 ? q[i] : 1;
+	}
+}
+
+/*
+ * Whether running linearly is off by more than what nobody sees, see
+ * rows_color_tolerance(), or a quarter of a texel: by up to
+ * spread (qmax - qmin) / 4 qmin.
+ */
+static ALWAYS_INLINE bool bends(const struct draw *draw, int name,
+	const int32_t value[3], int32_t q_spread, int32_t q_least)
+{
+	int64_t allowed =
+		name >= TEX_S ? 64 * 4 : 64 * 4 << rows_color_tolerance(draw);
+
+	return (int64_t)spread(value) * q_spread > allowed * q_least;
+}
+
+/* What has to be divided: everything, or texels alone, or nothing. */
+static void find_divided(
+	struct draw *draw, int count, int32_t (*value)[3], const int32_t q[3])
+{
+	struct raster *raster = &draw->raster;
+	int32_t q_least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
+
+	q_least = q_least < q[2] ? q_least : q[2];
+	for (int i = 0; i < count; i++) {
+		int name = raster->moving[i];
+
+		if (bends(draw, name, value[i], q_spread, q_least)) {
+			raster->perspective = true;
+			raster->colors_divided |= name < TEX_S;
+		}
+	}
+	/* Their rows are made for one or the other. */
+	if (draw->luminance || draw->ground) {
+		raster->colors_divided = raster->perspective;
+	}
+}
+
+/* Values times q, scaled to stay below 2^29; exact again after a division. */
+static void set_perspective(struct draw *draw, const struct setup *setup,
+	const int32_t value[3], const int32_t q[3], int name)
+{
+	struct raster *raster = &draw->raster;
+	int32_t product[3];
+	int shift = 16;
+
+	if (name >= TEX_S) {
+		uint32_t all = 1;
+
+		for (int i = 0; i < 3; i++) {
+			all |= (uint32_t)(value[i] < 0 ? -(value[i] + 1)
+						       : value[i]);
+		}
+		shift = 32 - LEADING_ZEROS_32(all);
+		raster->tex_shift[name - TEX_S] = shift;
+	}
+	for (int i = 0; i < 3; i++) {
+		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
+	}
+	set_plane(raster, setup, product, 4, &raster->plane[name]);
+}
+
+/* Whether a texture takes the place of the vertices' colour, or alpha. */
+static bool is_white(const struct draw *draw, int name)
+{
+	const struct soft_spans *spans = &draw->spans;
+
+	return spans->takes_state &&
+		!(name == ALPHA ? spans->alpha : spans->colored);
+}
+
+/* Of what differs; what does not goes into the span once and for all. */
+static int gather_attributes(
+	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
+{
+	const struct colored colored = find_colored(draw, setup);
+	struct raster *raster = &draw->raster;
+	int count = 0;
+
+	for (int i = 0; i < draw->attribute_count; i++) {
+		int name = draw->attribute[i];
+		int32_t *out = value[count];
+
+		if (name >= TEX_S) {
+			gather_texels(draw, setup, name, out);
+			raster->moving[count++] = name;
+			continue;
+		}
+		for (int k = 0; k < 3; k++) {
+			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
+				: is_white(draw, name) ? 0xFF80
+						       : colored.corner[k][name];
+		}
+		if (out[0] != out[1] || out[0] != out[2]) {
+			raster->moving[count++] = name;
+			continue;
+		}
+		raster->span.value[name] = (uint32_t)out[0] << 8;
+		raster->span.step[name] = 0;
+	}
+	return count;
+}
+
+static void set_attributes(struct draw *draw, const struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	int32_t value[ATTRIBUTES][3], q[3];
+	int count = gather_attributes(draw, setup, value);
+
+	raster->moving_count = count;
+	raster->perspective = false;
+	raster->colors_divided = false;
+	if (draw->perspective && count > 0) {
+		gather_inverse_w(setup, q);
+		find_divided(draw, count, value, q);
+	}
+	if (raster->perspective) {
+		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
+	}
+	for (int i = 0; i < count; i++) {
+		int name = raster->moving[i];
+
+		if (rows_is_divided(raster, name)) {
+			set_perspective(draw, setup, value[i], q, name);
+		} else {
+			set_affine(draw, setup, value[i], name);
+			raster->plane[name].start +=
+				name >= TEX_S ? TEXEL_NUDGE : 0;
+		}
+	}
+}
+
+static int32_t size_of(int32_t value)
+{
+	return value < 0 ? value == INT32_MIN ? INT32_MAX : -value : value;
+}
+
+/* GL ES 1.1 section 3.5.5; cut so that no depth wraps. */
+static void offset_depth(
+	const struct draw *draw, const struct setup *setup, struct plane *plane)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	int32_t dx = size_of(plane->dx), dy = size_of(plane->dy);
+	int64_t offset =
+		((int64_t)state->offset_factor * (dx > dy ? dx : dy) >> 16) +
+		(state->offset_units >> 6);
+	int64_t low = setup->v[0]->z, high = low;
+
+	for (int i = 1; i < 3; i++) {
+		int32_t z = setup->v[i]->z;
+
+		low = z < low ? z : low;
+		high = z > high ? z : high;
+	}
+	low = -(low - 4) * 256;
+	high = (262138 - high) * 256;
+	offset = offset < low ? low : offset > high ? high : offset;
+	plane->start += (uint32_t)(int32_t)offset;
+}
+
+void soft_raster_set_up(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
+
+	raster_find_area(setup);
+	raster->x0 = setup->v[0]->x >> 4;
+	if (draw->soft->fragment.depth_test) {
+		set_affine(draw, setup, z, DEPTH);
+	}
+	if (draw->soft->fragment.offset_fill) {
+		offset_depth(draw, setup, &raster->plane[DEPTH]);
+	}
+	set_attributes(draw, setup);
+}
+
+int32_t soft_raster_long_slope(int32_t dx, int32_t dy)
+{
+	int zeros = LEADING_ZEROS_32((uint32_t)dy);
+
+	/* |dx| < 2^18, so below 2^49; long and flat edges end within a row */
+	return saturate_64((int64_t)dx * reciprocal((uint32_t)dy << zeros) >>
+		(46 - zeros));
+}
+
+static void skip(struct plane *plane, int rows)
+{
+	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+}
+
+void soft_raster_skip_rows(struct draw *draw, int rows)
+{
+	struct raster *raster = &draw->raster;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		skip(&raster->plane[raster->moving[i]], rows);
+	}
+	skip(&raster->plane[DEPTH], rows);
+	if (raster->perspective) {
+		skip(&raster->plane[INVERSE_W], rows);
+	}
+}
+
+static ALWAYS_INLINE void next(struct plane *plane)
+{
+	plane->start += (uint32_t)plane->dy;
+}
+
+void soft_raster_next_row(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	const int *name = raster->moving;
+	const int *end = name + raster->moving_count;
+
+	while (name < end) {
+		next(&raster->plane[*name++]);
+	}
+	next(&raster->plane[DEPTH]);
+	if (raster->perspective) {
+		next(&raster->plane[INVERSE_W]);
+	}
+}

@@ -1,0 +1,325 @@
+/*
+ * Setting triangles up and walking their rows.
+ */
+#ifndef PLATFORM_GL_SOFT_RASTER_RASTER_H
+#define PLATFORM_GL_SOFT_RASTER_RASTER_H
+
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+enum {
+	/*
+	 * 1/512 of a texel: what gradients lose to rounding, so that centres
+	 * on the border of two texels fall to the same one always.
+	 */
+	TEXEL_NUDGE = 128,
+};
+
+/*
+ * A triangle on its way to the rows: its vertices by y, those of one row by x,
+ * and its rows. Offsets on ARM are known to arm/list.S, arm/narrow.S and
+ * arm/shadow.S.
+ */
+struct setup {
+	const struct vertex *v[3]; /* 0 */
+	uint32_t xy[3];            /* 12: of struct cache_tag, if fast_setup */
+	int top, middle, bottom;   /* 24 */
+	int columns;               /* 36: how many can be covered */
+	int32_t extent; /* 40: how wide or high it is, in sixteenths */
+	/* 44: all of it lies in draw->box with a pixel to spare at the sides */
+	bool inside;
+	bool wide;       /* extent > SMALL_EXTENT */
+	bool fast_setup; /* inside, not wide, with xy */
+	bool back;
+	_Alignas(8) uint64_t area; /* 48: twice of it, in 1/256 of pixels */
+	/* raster_find_area(): */
+	bool middle_left; /* the middle vertex lies left of the long edge */
+	/* from v[0], in sixteenths */
+	int32_t x1, y1, x2, y2;
+	/* 2^62 over the area (shifted up by zeros), with its sign */
+	int32_t inverse_area;
+	int area_zeros; /* of 64 bits */
+};
+
+/* One side of the triangle, in 16.16 pixels. */
+struct side {
+	int32_t x, step;
+};
+
+/* The first pixel whose centre is at or beyond this. */
+static inline int raster_centre(int32_t sixteenths)
+{
+	return (sixteenths + 7) >> 4;
+}
+
+static inline int raster_column(int32_t x_q16)
+{
+	return (x_q16 + 0x7FFF) >> 16;
+}
+
+/*
+ * What gradients need. A triangle of less than half a pixel gets none: they
+ * would only be noise.
+ */
+static ALWAYS_INLINE void raster_find_area(struct setup *setup)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	int64_t across;
+	int32_t inverse;
+	bool small = !setup->wide;
+
+	setup->x1 = b->x - a->x;
+	setup->y1 = b->y - a->y;
+	setup->x2 = c->x - a->x;
+	setup->y2 = c->y - a->y;
+	across = small ? setup->x1 * setup->y2 - setup->x2 * setup->y1
+		       : (int64_t)setup->x1 * setup->y2 -
+			(int64_t)setup->x2 * setup->y1;
+	setup->middle_left = across < 0;
+	if (small) {
+		uint32_t area = (uint32_t)setup->area;
+		int zeros = LEADING_ZEROS_32(area);
+
+		setup->area_zeros = 32 + zeros;
+		inverse = reciprocal(area << zeros);
+	} else {
+		setup->area_zeros = LEADING_ZEROS_64(setup->area);
+		inverse = reciprocal(
+			(uint32_t)(setup->area << setup->area_zeros >> 32));
+	}
+	setup->inverse_area = setup->area < 256 ? 0
+		: setup->middle_left            ? -inverse
+						: inverse;
+}
+
+/* raster.c: fills draw->raster. */
+void soft_raster_set_up(struct draw *draw, struct setup *setup);
+
+/* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
+int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
+
+/* dx / dy in 16.16, of sixteenths; dy > 0. */
+static ALWAYS_INLINE int32_t raster_slope(
+	const struct draw *draw, int32_t dx, int32_t dy)
+{
+	if ((uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT || dy > SMALL_EXTENT) {
+		return soft_raster_long_slope(dx, dy);
+	}
+	return mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
+}
+
+/*
+ * The edge from a down to b, at the centre of the row, by nothing but the edge
+ * itself: the triangles on both sides see the same.
+ */
+static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
+	const struct vertex *a, const struct vertex *b, int row)
+{
+	int32_t dy = b->y - a->y;
+	int first = raster_centre(a->y);
+	uint32_t x = (uint32_t)a->x << 12;
+	int32_t step;
+
+	if (dy <= 0) {
+		return (struct side){(int32_t)x, 0};
+	}
+	step = raster_slope(draw, b->x - a->x, dy);
+	/* To the first row's centre, less than a pixel down; then by rows. */
+	x += (uint32_t)(step >> 4) * (uint32_t)(first * 16 + 8 - a->y);
+	x += (uint32_t)step * (uint32_t)(row - first);
+	return (struct side){(int32_t)x, step};
+}
+
+/* To the next row. Below the edge's end x may wrap; no row reads it there. */
+static ALWAYS_INLINE void raster_next_side(struct side *side)
+{
+	side->x = (int32_t)((uint32_t)side->x + (uint32_t)side->step);
+}
+
+static inline uint32_t raster_size(int32_t value)
+{
+	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
+}
+
+/* The first row that the box shows. */
+static inline int raster_first_row(
+	const struct draw *draw, const struct setup *setup)
+{
+	return setup->top < draw->box.top ? draw->box.top : setup->top;
+}
+
+/* Where a band has its edges (see BAND_LEFT) and its number of rows. */
+struct band_ends {
+	uint32_t *edge, *edge_step;
+	int32_t *rows;
+};
+
+static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
+	const struct setup *setup, const struct band_ends *ends, int which,
+	int from, int to, int row)
+{
+	struct side side = raster_side(draw, setup->v[from], setup->v[to], row);
+
+	ends->edge[which] = (uint32_t)side.x + 0x7FFF;
+	ends->edge_step[which] = (uint32_t)side.step;
+}
+
+/*
+ * Draws a band from raster_first_row() to the middle corner and another from
+ * there on, as far as the box shows them.
+ */
+static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
+	const struct setup *setup, bool middle_left,
+	const struct band_ends *ends, void (*function)(void *band), void *band)
+{
+	int top = raster_first_row(draw, setup);
+	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+						      : draw->box.bottom;
+	int turn = setup->middle < top   ? top
+		: setup->middle > bottom ? bottom
+					 : setup->middle;
+	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
+
+	raster_set_edge(draw, setup, ends, !part, 0, 2, top);
+	if (turn > top) {
+		raster_set_edge(draw, setup, ends, part, 0, 1, top);
+		*ends->rows = turn - top;
+		function(band);
+	}
+	if (bottom > turn) {
+		raster_set_edge(draw, setup, ends, part, 1, 2, turn);
+		*ends->rows = bottom - turn;
+		function(band);
+	}
+}
+
+/* Moves all planes in use down by so many rows. */
+void soft_raster_skip_rows(struct draw *draw, int rows);
+void soft_raster_next_row(struct draw *draw);
+
+/* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
+static inline int raster_log2_q8(uint32_t value_q16)
+{
+	int zeros = LEADING_ZEROS_32(value_q16 | 1);
+
+	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
+}
+
+/* How long a vector is, from the sizes of both parts: within 7 %. */
+static inline uint32_t raster_length(uint32_t a, uint32_t b)
+{
+	return a > b ? a + (b >> 2) + (b >> 3) : b + (a >> 2) + (a >> 3);
+}
+
+/* Pixels are 2 or 4 bytes. */
+static inline int raster_pixel_log2(const struct draw *draw)
+{
+	return draw->soft->format == PIXELS_RGB565 ? 1 : 2;
+}
+
+/* A plane's value at column x of the row under way. */
+static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
+{
+	const struct plane *p = &raster->plane[plane];
+
+	return p->start + (uint32_t)p->dx * (uint32_t)(x - raster->x0);
+}
+
+/* rows.c: any state, through the stages of fragment.c. */
+void soft_rows_fill(struct draw *draw, struct setup *setup);
+/* One of its rows whose values run linearly, their steps in the span. */
+void soft_rows_affine(struct draw *draw, int y, int left, int right);
+
+/* fill_opaque.c: see there; whether the state, and a texture, are its. */
+bool soft_fill_is_opaque(const struct draw *draw);
+bool soft_fill_takes_texture(const struct texture_input *input);
+void soft_fill_plain(struct draw *draw, struct setup *setup);
+/* Whether its colours run linearly, to a step of 255. */
+bool soft_fill_plain_is_linear(
+	const struct draw *draw, const struct setup *setup);
+void soft_fill_textured(struct draw *draw, struct setup *setup);
+
+/*
+ * fill_relief.c: what light, tint and rest of relief are drawn by; the others
+ * of its triangles go the long way.
+ */
+bool soft_fill_is_relief(const struct draw *draw);
+void soft_fill_relief(struct draw *draw, struct setup *setup);
+
+/*
+ * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
+ * is called once a draw call.
+ */
+void soft_fill_textured_begin(struct draw *draw);
+bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup);
+bool soft_fill_texture_tinted(
+	const struct draw *draw, const struct setup *setup);
+
+/* fill_narrow.c: what it does not take is soft_fill_plain()'s. */
+void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
+
+/* fill_flat.c: see there; begin is called once a draw call. */
+bool soft_fill_is_flat(const struct draw *draw);
+void soft_fill_flat_begin(struct draw *draw);
+/* Whether a stencil has the last word: soft_bands.shadow takes it then. */
+bool soft_fill_flat_is_once(const struct draw *draw);
+void soft_fill_flat(struct draw *draw, struct setup *setup);
+/* What soft_fill_flat() goes on to draw in: alpha is 0 to 32. */
+void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
+
+/* fill_count.c: see there */
+bool soft_fill_is_count(const struct draw *draw);
+void soft_fill_count(struct draw *draw, struct setup *setup);
+
+/* fill_glyph.c, on top of soft_fill_flat_begin() */
+bool soft_fill_is_glyph(const struct draw *draw);
+void soft_fill_glyph(struct draw *draw, struct setup *setup);
+/*
+ * Two triangles of its, v[0] v[1] v[2] and v[2] v[1] v[3]; false, with nothing
+ * drawn, where they are no upright rectangle it can draw as one.
+ */
+bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
+
+/*
+ * Calls row(draw, y, left, right) for each row with pixels, inside of
+ * draw->box; next(draw) moves the planes on.
+ */
+static ALWAYS_INLINE void raster_walk(struct draw *draw,
+	const struct setup *setup,
+	void (*row)(struct draw *draw, int y, int left, int right),
+	void (*next)(struct draw *draw))
+{
+	const struct clip_box box = draw->box;
+	int y = setup->top, end = setup->bottom, turn = setup->middle;
+	struct side whole = {0}, part = {0};
+
+	end = end < box.bottom ? end : box.bottom;
+	if (y < box.top) {
+		soft_raster_skip_rows(draw, box.top - y);
+		y = box.top;
+	}
+	whole = raster_side(draw, setup->v[0], setup->v[2], y);
+	if (y < turn) {
+		part = raster_side(draw, setup->v[0], setup->v[1], y);
+	}
+	turn = turn > y ? turn : y;
+	for (; y < end; y++) {
+		int left, right;
+
+		if (y == turn) {
+			part = raster_side(draw, setup->v[1], setup->v[2], y);
+		}
+		left = raster_column(setup->middle_left ? part.x : whole.x);
+		right = raster_column(setup->middle_left ? whole.x : part.x);
+		left = left > box.left ? left : box.left;
+		right = right < box.right ? right : box.right;
+		if (left < right) {
+			row(draw, y, left, right);
+		}
+		next(draw);
+		raster_next_side(&whole);
+		raster_next_side(&part);
+	}
+}
+
+#endif

@@ -1,0 +1,212 @@
+/* The rows of a triangle in any state: cut into spans for fragment.c. */
+#include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/luminance.h"
+#include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/raster/pixel.h"
+
+static uint32_t size_of(int64_t value)
+{
+	uint64_t size = (uint64_t)(value < 0 ? -value : value);
+
+	return size > UINT32_MAX / 2 ? UINT32_MAX / 2 : (uint32_t)size;
+}
+
+/* The longer of the two ways a step across and a step down lead. */
+static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
+{
+	uint32_t right = raster_length(size_of(across[0]), size_of(across[1]));
+	uint32_t below = raster_length(size_of(down[0]), size_of(down[1]));
+
+	return right > below ? right : below;
+}
+
+void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
+{
+	const struct raster *raster = &draw->raster;
+
+	for (int unit = 0; unit < SOFT_UNITS; unit++) {
+		const struct plane *p = &raster->plane[TEX_S + 2 * unit];
+
+		if (draw->texture[unit].used) {
+			const int64_t across[2] = {p[0].dx, p[1].dx};
+			const int64_t down[2] = {p[0].dy, p[1].dy};
+
+			span->lod[unit] =
+				raster_log2_q8(longer_way(across, down));
+		}
+	}
+}
+
+void soft_rows_affine(struct draw *draw, int y, int left, int right)
+{
+	const struct raster *raster = &draw->raster;
+	struct span *span = &draw->raster.span;
+
+	span->y = y;
+	for (int x = left; x < right; x += SPAN_PIXELS) {
+		span->x = x;
+		span->count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
+		for (int i = 0; i < raster->moving_count; i++) {
+			int name = raster->moving[i];
+
+			span->value[name] = plane_at(raster, name, x);
+		}
+		span->value[DEPTH] = plane_at(raster, DEPTH, x);
+		draw->span(draw, span);
+	}
+}
+
+void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t q;
+
+	if (!raster->perspective) {
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			out->value[i] = (int32_t)plane_at(raster, i, x);
+		}
+		return;
+	}
+	q = (int32_t)plane_at(raster, INVERSE_W, x);
+	out->q = q > 0 ? q : 1;
+	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
+	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		int32_t at = (int32_t)plane_at(raster, i, x);
+
+		if (!rows_is_divided(raster, i)) {
+			out->value[i] = at;
+		} else if (i >= TEX_S) {
+			out->value[i] = rows_divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
+		} else {
+			out->value[i] = clamp_int(rows_divide(out, at, 24),
+				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+		}
+	}
+}
+
+/* d(S / q) = (dS - S / q dq) / q */
+void soft_rows_find_lod(
+	const struct draw *draw, const struct point *point, struct span *span)
+{
+	const struct raster *raster = &draw->raster;
+	const struct plane *q = &raster->plane[INVERSE_W];
+
+	if (!raster->perspective) {
+		soft_rows_find_affine_lod(draw, span);
+		return;
+	}
+	for (int unit = 0; unit < SOFT_UNITS; unit++) {
+		int64_t across[2], down[2];
+
+		if (!draw->texture[unit].used) {
+			continue;
+		}
+		for (int i = 0; i < 2; i++) {
+			int name = TEX_S + 2 * unit + i;
+			const struct plane *p = &raster->plane[name];
+			int shift = raster->tex_shift[name - TEX_S];
+			int64_t u = point->value[name];
+			/* u is in 16.16: back to the plane's scale */
+			int64_t x = p->dx - (u * q->dx >> (shift + 8));
+			int64_t y = p->dy - (u * q->dy >> (shift + 8));
+
+			across[i] =
+				rows_divide(point, saturate_64(x), shift + 8);
+			down[i] = rows_divide(point, saturate_64(y), shift + 8);
+		}
+		span->lod[unit] = raster_log2_q8(longer_way(across, down));
+	}
+}
+
+/* Rows of one colour with nothing to test or blend: backdrops. */
+static void row_constant(struct draw *draw, int y, int left, int right)
+{
+	const struct plane *plane = draw->raster.plane;
+
+	soft_bands.fill((uint16_t *)(void *)pixel_at(
+				&draw->soft->buffers.target, left, y),
+		right - left,
+		color_565(plane[RED].start, plane[GREEN].start,
+			plane[BLUE].start));
+}
+
+static void next_constant(struct draw *draw)
+{
+	struct plane *plane = draw->raster.plane;
+
+	for (int i = RED; i <= BLUE; i++) {
+		plane[i].start += (uint32_t)plane[i].dy;
+	}
+}
+
+/* Colours that stand still have planes too. */
+static void fill_constant(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+	uint32_t still = 7u << RED;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		still &= ~(1u << raster->moving[i]);
+	}
+	for (int i = RED; i <= BLUE; i++) {
+		if (still >> i & 1) {
+			raster->plane[i] =
+				(struct plane){.start = raster->span.value[i]};
+		}
+	}
+	raster_walk(draw, setup, row_constant, next_constant);
+}
+
+static bool is_constant_by_row(const struct draw *draw)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t across = 0;
+
+	if (!draw->plain || raster->perspective) {
+		return false;
+	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		across |= raster->plane[raster->moving[i]].dx;
+	}
+	return across == 0;
+}
+
+void soft_rows_fill(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+
+	soft_raster_set_up(draw, setup);
+	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (draw->luminance && soft_luminance_begin(draw)) {
+		raster_walk(draw, setup, soft_luminance_row, luminance_next);
+		return;
+	}
+	if (draw->ground && soft_ground_begin(draw)) {
+		raster_walk(draw, setup, soft_ground_row, ground_next);
+		return;
+	}
+	if (is_constant_by_row(draw)) {
+		fill_constant(draw, setup);
+		return;
+	}
+	if (draw->picture && !raster->perspective) {
+		for (int i = 0; i < raster->moving_count; i++) {
+			int name = raster->moving[i];
+
+			raster->span.step[name] = raster->plane[name].dx;
+		}
+		soft_rows_find_affine_lod(draw, &raster->span);
+		if (soft_picture_begin(draw)) {
+			raster_walk(draw, setup, soft_picture_row,
+				soft_raster_next_row);
+			return;
+		}
+	}
+	soft_walk_rows(draw, setup);
+}

@@ -1,0 +1,61 @@
+/* What is true at single columns of the row under way. */
+#ifndef PLATFORM_GL_SOFT_RASTER_ROWS_H
+#define PLATFORM_GL_SOFT_RASTER_ROWS_H
+
+#include "platform/gl/soft/raster/raster.h"
+
+/*
+ * The attributes that move, divided by q where the triangle is in perspective;
+ * and q itself, with its reciprocal.
+ */
+struct point {
+	int32_t q, inverse;
+	int zeros;
+	int32_t value[ATTRIBUTES];
+};
+
+/* Whether an attribute's plane is of its product with 1 / w. */
+static ALWAYS_INLINE bool rows_is_divided(const struct raster *raster, int name)
+{
+	return name >= TEX_S ? raster->perspective : raster->colors_divided;
+}
+
+/*
+ * How far a colour may be off where it runs linearly though it should bend: a
+ * step of 255, or four of them where the picture has five bits; as the
+ * logarithm of that and 4, which is what 16.16 is compared with.
+ */
+static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
+{
+	return draw->soft->format == PIXELS_RGB565 ? 4 : 2;
+}
+
+/* A quarter of 1/255 to spare at either end for what steps lose. */
+enum {
+	ROWS_LEAST_COLOR = 0x4000,
+	ROWS_MOST_COLOR = 0xFFBFFF,
+};
+
+/* numerator / q times 2^up. */
+static ALWAYS_INLINE int32_t rows_divide(
+	const struct point *point, int32_t numerator, int up)
+{
+	int64_t product = (int64_t)numerator * point->inverse;
+	int down = 30 - point->zeros - up; /* of the upper half */
+
+	if (down >= 0) {
+		return (int32_t)(product >> 32) >> (down > 31 ? 31 : down);
+	}
+	return (int32_t)((uint64_t)product << (-down > 31 ? 31 : -down) >> 32);
+}
+
+void soft_rows_find_point(const struct draw *draw, int x, struct point *out);
+
+/* The levels of detail of a triangle that is linear all over. */
+void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
+
+/* The levels of detail there, into span->lod; linear ones have no point. */
+void soft_rows_find_lod(
+	const struct draw *draw, const struct point *point, struct span *span);
+
+#endif

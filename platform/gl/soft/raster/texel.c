@@ -1,0 +1,171 @@
+/* Colours of texels: formats, wrapping, filters and levels. */
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+/* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
+struct along {
+	int32_t at, step;
+	struct soft_wrap wrap;
+};
+
+static struct along find_along(const struct span *span, int name, int log2,
+	int level_log2, GLenum mode, int32_t half)
+{
+	int shift = log2 - level_log2 + 16 - SOFT_TEXEL_FRACTION;
+	int32_t last = (1 << level_log2) - 1;
+	bool repeats = mode == GL_REPEAT;
+
+	return (struct along){
+		.at = soft_texel_start((int32_t)span->value[name],
+			      soft_texel_rest(span->step[name], shift),
+			      span->count, shift) -
+			half,
+		.step = soft_texel_step(span->step[name], shift),
+		.wrap = {repeats ? INT32_MIN : 0, repeats ? INT32_MAX : last,
+			(uint32_t)last},
+	};
+}
+
+/* The texel so many further. */
+static uint32_t read_texel(const struct level *level, const struct along *s,
+	const struct along *t, int right, int down)
+{
+	uint32_t x = soft_wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right,
+		s->wrap.low, s->wrap.high, s->wrap.mask);
+	uint32_t y = soft_wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down,
+		t->wrap.low, t->wrap.high, t->wrap.mask);
+	size_t at = ((size_t)y << level->width_log2) + x;
+
+	return soft_load_texel(level->format,
+		level->texels + (at << soft_texel_bytes_log2(level->format)));
+}
+
+static void sample_nearest(const struct level *level, const struct along *s,
+	const struct along *t, uint8_t out[4])
+{
+	uint32_t texel = read_texel(level, s, t, 0, 0);
+
+	for (int i = 0; i < 4; i++) {
+		int bits = soft_field(level->format, i).bits;
+
+		out[i] = (uint8_t)soft_widen_field(
+			soft_get_field(level->format, i, texel), bits);
+	}
+}
+
+static void sample_linear(const struct level *level, const struct along *s,
+	const struct along *t, bool wide, uint8_t out[4])
+{
+	uint32_t s_at = (uint32_t)s->at, t_at = (uint32_t)t->at;
+	const uint32_t above[2] = {
+		read_texel(level, s, t, 0, 0), read_texel(level, s, t, 1, 0)};
+	const uint32_t below[2] = {
+		read_texel(level, s, t, 0, 1), read_texel(level, s, t, 1, 1)};
+
+	if (level->format == TEXEL_8888) {
+		struct soft_lanes lanes =
+			soft_mix_8888(above, below, s_at, t_at, wide);
+
+		out[0] = (uint8_t)lanes.red_blue;
+		out[1] = (uint8_t)lanes.green_alpha;
+		out[2] = (uint8_t)(lanes.red_blue >> 16);
+		out[3] = (uint8_t)(lanes.green_alpha >> 16);
+		return;
+	}
+	for (int i = 0; i < 4; i++) {
+		int bits = soft_field(level->format, i).bits;
+
+		out[i] = bits == 0 ? 0
+				   : (uint8_t)soft_narrow_mixed(
+					     soft_mix_channel(level->format, i,
+						     above[0] | above[1] << 16,
+						     below[0] | below[1] << 16,
+						     soft_weigh(s_at, t_at)),
+					     bits);
+	}
+}
+
+static void mix_texels(
+	const uint8_t a[4], const uint8_t b[4], int share_q8, uint8_t out[4])
+{
+	for (int i = 0; i < 4; i++) {
+		out[i] = (uint8_t)(a[i] +
+			(((b[i] - a[i]) * share_q8 + 128) >> 8));
+	}
+}
+
+/* One level for all of a span, as s and t run at level 0. */
+static void sample_level(const struct texture_input *input, int number,
+	bool linear, const struct span *span, int unit, bool wide,
+	uint8_t (*out)[4])
+{
+	const struct texture *texture = input->texture;
+	const struct level *level = &texture->level[number];
+	int name = TEX_S + 2 * unit;
+	struct along s = find_along(span, name, input->width_log2,
+		level->width_log2, texture->wrap_s,
+		soft_half_texel(level->format, linear, true));
+	struct along t = find_along(span, name + 1, input->height_log2,
+		level->height_log2, texture->wrap_t,
+		soft_half_texel(level->format, linear, false));
+	bool opaque = soft_field(level->format, SOFT_ALPHA).bits == 0;
+
+	for (int i = 0; i < span->count; i++) {
+		if (linear) {
+			sample_linear(level, &s, &t, wide, out[i]);
+		} else {
+			sample_nearest(level, &s, &t, out[i]);
+		}
+		out[i][3] = opaque ? 255 : out[i][3];
+		s.at += s.step;
+		t.at += t.step;
+	}
+}
+
+static bool is_linear(GLenum filter)
+{
+	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
+		filter == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+/* GL ES 1.1 section 3.7.7: between two levels when both filters ask for it. */
+void soft_sample(const struct texture_input *input, const struct span *span,
+	int unit, bool wide, uint8_t (*out)[4])
+{
+	const struct texture *texture = input->texture;
+	GLenum min = texture->min_filter;
+	bool sharp = texture->mag_filter == GL_LINEAR &&
+		(min == GL_NEAREST_MIPMAP_NEAREST ||
+			min == GL_NEAREST_MIPMAP_LINEAR);
+	int lod = span->lod[unit], last = input->levels - 1;
+	uint8_t next[SPAN_PIXELS][4];
+	int level;
+
+	if (lod <= (sharp ? 128 : 0)) {
+		sample_level(input, 0, texture->mag_filter == GL_LINEAR, span,
+			unit, wide, out);
+		return;
+	}
+	if (min != GL_NEAREST_MIPMAP_LINEAR && min != GL_LINEAR_MIPMAP_LINEAR) {
+		level = clamp_int((lod + 127) >> 8, 0, last);
+		sample_level(
+			input, level, is_linear(min), span, unit, wide, out);
+		return;
+	}
+	level = clamp_int(lod >> 8, 0, last);
+	sample_level(input, level, is_linear(min), span, unit, wide, out);
+	if (level < last) {
+		/* lod runs straight between powers of two, a logarithm above. */
+		int line = lod & 255;
+		int share = line + (line * (256 - line) * 92 >> 16);
+
+		sample_level(input, level + 1, is_linear(min), span, unit, wide,
+			next);
+		for (int i = 0; i < span->count; i++) {
+			mix_texels(out[i], next[i], share, out[i]);
+		}
+	}
+}

@@ -1,0 +1,171 @@
+/*
+ * Triangles: what is seen of them, how their attributes run, and their rows.
+ *
+ * A pixel belongs to the triangle its centre lies in; centres on an edge
+ * belong to the triangle right of or below it. Edges are stepped from their
+ * upper end always, so both triangles at an edge see the same numbers.
+ */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+static bool is_culled(const struct draw *draw, bool back)
+{
+	return back ? draw->cull_back : draw->cull_front;
+}
+
+static bool is_after(const struct vertex *a, const struct vertex *b)
+{
+	return a->y != b->y ? a->y > b->y : a->x > b->x;
+}
+
+static void order(const struct vertex **a, const struct vertex **b)
+{
+	if (is_after(*a, *b)) {
+		const struct vertex *first = *b;
+
+		*b = *a;
+		*a = first;
+	}
+}
+
+static void order_all(const struct vertex *v[3])
+{
+	order(&v[0], &v[1]);
+	order(&v[1], &v[2]);
+	order(&v[0], &v[1]);
+}
+
+static int32_t least(int32_t a, int32_t b, int32_t c)
+{
+	int32_t ab = a < b ? a : b;
+
+	return ab < c ? ab : c;
+}
+
+static int32_t most(int32_t a, int32_t b, int32_t c)
+{
+	int32_t ab = a > b ? a : b;
+
+	return ab > c ? ab : c;
+}
+
+/* The rows and columns whose centres can be covered; false if none. */
+static bool find_extent(const struct draw *draw, struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	const struct clip_box *box = &draw->box;
+	int32_t left = least(v[0]->x, v[1]->x, v[2]->x);
+	int32_t right = most(v[0]->x, v[1]->x, v[2]->x);
+	int32_t width = right - left, height = v[2]->y - v[0]->y;
+
+	setup->top = raster_centre(v[0]->y);
+	setup->middle = raster_centre(v[1]->y);
+	setup->bottom = raster_centre(v[2]->y);
+	setup->columns = raster_centre(right) - raster_centre(left);
+	setup->extent = width > height ? width : height;
+	setup->wide = setup->extent > SMALL_EXTENT;
+	setup->inside = draw->same_stride && setup->top >= box->top &&
+		setup->bottom <= box->bottom &&
+		raster_centre(left) > box->left &&
+		raster_centre(right) < box->right;
+	return setup->top < setup->bottom && setup->top < box->bottom &&
+		setup->bottom > box->top && setup->columns > 0;
+}
+
+/* Where their numbers fit, setup->xy is there too. */
+static void pack_corners(const struct draw *draw, struct setup *setup)
+{
+	setup->fast_setup = draw->packed && setup->inside && !setup->wide;
+	for (int i = 0; i < 3 && setup->fast_setup; i++) {
+		setup->xy[i] = vertex_xy(setup->v[i]);
+	}
+}
+
+/* Twice the area in sixteenths squared; rarely more than 32 bits. */
+static int64_t find_area(
+	const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+	return (int64_t)(b->x - a->x) * (c->y - a->y) -
+		(int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
+void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
+{
+	struct setup setup;
+	int64_t area = find_area(v[0], v[1], v[2]);
+	bool clockwise = area > 0; /* y runs downwards here */
+
+	setup.back = clockwise == draw->front_is_ccw;
+	if (area == 0 || is_culled(draw, setup.back)) {
+		return;
+	}
+	setup.v[0] = v[0];
+	setup.v[1] = v[1];
+	setup.v[2] = v[2];
+	order_all(setup.v);
+	if (!find_extent(draw, &setup)) {
+		return;
+	}
+	pack_corners(draw, &setup);
+	for (int i = 0; i < 3; i++) {
+		if (!v[i]->shaded && draw->attributes) {
+			soft_shade(draw, v[i]);
+		}
+	}
+	setup.area = area < 0 ? (uint64_t)-area : (uint64_t)area;
+	draw->fill(draw, &setup);
+}
+
+static bool is_packed(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct rectangle *r = &state->viewport;
+	int top = draw->soft->buffers.target.height - r->y - r->height;
+
+	return r->x >= 0 && top >= 0 && r->x + r->width <= PACKED_PIXELS &&
+		top + r->height <= PACKED_PIXELS && !state->flat &&
+		!(draw->cull_front && draw->cull_back);
+}
+
+/* Sixteenths, as struct cache_tag has them. */
+static uint32_t pack_pixels(int x, int y)
+{
+	return (uint32_t)y << 20 | (uint32_t)x << 4;
+}
+
+void soft_prepare_fast_setup(struct draw *draw)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct clip_box *box = &draw->box;
+	bool clockwise_culled =
+		draw->front_is_ccw ? draw->cull_back : draw->cull_front;
+
+	draw->packed = is_packed(draw);
+	draw->fast_setup = (struct fast_setup){
+		.fill = draw->fill,
+		.place = draw->place,
+		.cache = draw->cache,
+		.inverse = draw->inverse_q31,
+		.cull_side = clockwise_culled ? UINT32_MAX : 0,
+		.cull_mask = draw->cull_front || draw->cull_back ? 1u << 31 : 0,
+		.depth = (uintptr_t)buffers->depth,
+		.stride_bytes = (uintptr_t)buffers->target.stride_bytes,
+		.pixels = (uintptr_t)buffers->target.data -
+			(uintptr_t)buffers->depth - 2,
+		.attributes = draw->attributes,
+		.perspective = draw->perspective,
+		.back_flip = draw->front_is_ccw,
+		.flat = &draw->flat,
+		.stencil = buffers->stencil,
+		.stencil_stride = (uint32_t)buffers->width,
+		.shadow = draw->fill == soft_bands.shadow,
+	};
+	/* Nothing is inside of an empty box. */
+	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;
+	if (draw->packed && draw->same_stride && box->right - box->left > 2) {
+		draw->fast_setup.box_low = pack_pixels(box->left + 1, box->top);
+		draw->fast_setup.box_high =
+			pack_pixels(box->right - 1, box->bottom);
+	}
+}

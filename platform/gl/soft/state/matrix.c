@@ -1,0 +1,303 @@
+#include "platform/gl/soft/state/matrix.h"
+
+#include <string.h>
+
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+const struct matrix soft_matrix_identity = {
+	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+
+void soft_matrix_multiply(
+	const struct matrix *a, const struct matrix *b, struct matrix *out)
+{
+	struct matrix product;
+
+	for (int column = 0; column < 4; column++) {
+		soft_matrix_transform(
+			a, b->m + 4 * column, product.m + 4 * column);
+	}
+	*out = product;
+}
+
+void soft_matrix_transform(
+	const struct matrix *m, const float v[4], float out[4])
+{
+	for (int row = 0; row < 4; row++) {
+		out[row] = m->m[row] * v[0] + m->m[4 + row] * v[1] +
+			m->m[8 + row] * v[2] + m->m[12 + row] * v[3];
+	}
+}
+
+void soft_matrix_normal(const struct matrix *m, float out[9])
+{
+	const float *a = m->m, *b = m->m + 4, *c = m->m + 8;
+	const float *column[3] = {a, b, c};
+	float determinant, factor;
+
+	for (int i = 0; i < 3; i++) {
+		const float *u = column[(i + 1) % 3], *v = column[(i + 2) % 3];
+
+		for (int j = 0; j < 3; j++) {
+			int k = (j + 1) % 3, l = (j + 2) % 3;
+
+			out[3 * i + j] = u[k] * v[l] - u[l] * v[k];
+		}
+	}
+	determinant = a[0] * out[0] + a[1] * out[1] + a[2] * out[2];
+	factor = determinant != 0.0f ? 1.0f / determinant : 0.0f;
+	for (int i = 0; i < 9; i++) {
+		out[i] *= factor;
+	}
+}
+
+static float dot3(const float *a, const float *b)
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+float soft_matrix_uniform_scale(const struct matrix *m)
+{
+	const float *a = m->m, *b = m->m + 4, *c = m->m + 8;
+	float square = dot3(a, a);
+	float slack = square * (1.0f / 1024.0f);
+
+	if (square > 0.0f && scalar_abs(dot3(b, b) - square) < slack &&
+		scalar_abs(dot3(c, c) - square) < slack &&
+		scalar_abs(dot3(a, b)) < slack &&
+		scalar_abs(dot3(a, c)) < slack &&
+		scalar_abs(dot3(b, c)) < slack) {
+		return scalar_sqrt(square);
+	}
+	return 0.0f;
+}
+
+int soft_matrix_exponent(float value)
+{
+	uint32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	return (int)(bits >> 23 & 255) - 127;
+}
+
+int32_t soft_matrix_to_int(float value)
+{
+	return (int32_t)scalar_clamp(value, -1073741824.0f, 1073741824.0f);
+}
+
+float soft_matrix_power_of_two(int exponent)
+{
+	uint32_t bits = (uint32_t)(exponent + 127) << 23;
+	float value;
+
+	memcpy(&value, &bits, sizeof(value));
+	return value;
+}
+
+static struct matrix_stack *current_stack(struct soft *soft)
+{
+	struct matrices *matrices = &soft->matrices;
+
+	switch (matrices->mode) {
+	case GL_PROJECTION:
+		return &matrices->projection_stack;
+	case GL_TEXTURE:
+		return &matrices->texture_stack[soft->textures.active];
+	default:
+		return &matrices->modelview_stack;
+	}
+}
+
+static struct matrix *current_matrix(void)
+{
+	return current_stack(soft_current())->top;
+}
+
+static void multiply(const struct matrix *by)
+{
+	struct matrix *top = current_matrix();
+
+	soft_matrix_multiply(top, by, top);
+}
+
+static void matrix_mode(GLenum mode)
+{
+	struct soft *soft = soft_current();
+
+	if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return;
+	}
+	soft->matrices.mode = mode;
+}
+
+static void load_identity(void)
+{
+	*current_matrix() = soft_matrix_identity;
+}
+
+static struct matrix from_fixed(const GLfixed *values)
+{
+	struct matrix matrix;
+
+	for (int i = 0; i < 16; i++) {
+		matrix.m[i] = fx16_to_float(values[i]);
+	}
+	return matrix;
+}
+
+static void load_matrix(const GLfixed *values)
+{
+	*current_matrix() = from_fixed(values);
+}
+
+static void mult_matrix(const GLfixed *values)
+{
+	struct matrix matrix = from_fixed(values);
+
+	multiply(&matrix);
+}
+
+static void push_matrix(void)
+{
+	struct soft *soft = soft_current();
+	struct matrix_stack *stack = current_stack(soft);
+
+	if (stack->top - stack->bottom + 1 >= stack->room) {
+		soft_set_error(soft, GL_STACK_OVERFLOW);
+		return;
+	}
+	stack->top[1] = stack->top[0];
+	stack->top++;
+}
+
+static void pop_matrix(void)
+{
+	struct soft *soft = soft_current();
+	struct matrix_stack *stack = current_stack(soft);
+
+	if (stack->top == stack->bottom) {
+		soft_set_error(soft, GL_STACK_UNDERFLOW);
+		return;
+	}
+	stack->top--;
+}
+
+static void translate(GLfixed x, GLfixed y, GLfixed z)
+{
+	const float by[4] = {
+		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z), 1.0f};
+	struct matrix *top = current_matrix();
+
+	soft_matrix_transform(top, by, top->m + 12);
+}
+
+static void scale(GLfixed x, GLfixed y, GLfixed z)
+{
+	const float by[3] = {
+		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
+	struct matrix *top = current_matrix();
+
+	for (int i = 0; i < 12; i++) {
+		top->m[i] *= by[i / 4];
+	}
+}
+
+static void rotate(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
+{
+	float angle = fx16_to_float(degrees) * (SCALAR_PI / 180.0f);
+	float axis[3] = {fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
+	float length = scalar_sqrt(dot3(axis, axis));
+	float c = scalar_cos(angle), s = scalar_sin(angle);
+	struct matrix turn = soft_matrix_identity;
+
+	if (length == 0.0f) {
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		axis[i] /= length;
+	}
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		turn.m[5 * i] = axis[i] * axis[i] * (1.0f - c) + c;
+		turn.m[4 * i + j] = axis[i] * axis[j] * (1.0f - c) + axis[k] * s;
+		turn.m[4 * i + k] = axis[i] * axis[k] * (1.0f - c) - axis[j] * s;
+	}
+	multiply(&turn);
+}
+
+static void frustum(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
+	GLfixed near, GLfixed far)
+{
+	float l = fx16_to_float(left), r = fx16_to_float(right);
+	float b = fx16_to_float(bottom), t = fx16_to_float(top);
+	float n = fx16_to_float(near), f = fx16_to_float(far);
+	struct matrix matrix = {{0}};
+
+	if (near <= 0 || far <= 0 || left == right || bottom == top ||
+		near == far) {
+		soft_set_error(soft_current(), GL_INVALID_VALUE);
+		return;
+	}
+	matrix.m[0] = 2.0f * n / (r - l);
+	matrix.m[5] = 2.0f * n / (t - b);
+	matrix.m[8] = (r + l) / (r - l);
+	matrix.m[9] = (t + b) / (t - b);
+	matrix.m[10] = -(f + n) / (f - n);
+	matrix.m[11] = -1.0f;
+	matrix.m[14] = -2.0f * f * n / (f - n);
+	multiply(&matrix);
+}
+
+static void ortho(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
+	GLfixed near, GLfixed far)
+{
+	float l = fx16_to_float(left), r = fx16_to_float(right);
+	float b = fx16_to_float(bottom), t = fx16_to_float(top);
+	float n = fx16_to_float(near), f = fx16_to_float(far);
+	struct matrix matrix = soft_matrix_identity;
+
+	if (left == right || bottom == top || near == far) {
+		soft_set_error(soft_current(), GL_INVALID_VALUE);
+		return;
+	}
+	matrix.m[0] = 2.0f / (r - l);
+	matrix.m[5] = 2.0f / (t - b);
+	matrix.m[10] = -2.0f / (f - n);
+	matrix.m[12] = -(r + l) / (r - l);
+	matrix.m[13] = -(t + b) / (t - b);
+	matrix.m[14] = -(f + n) / (f - n);
+	multiply(&matrix);
+}
+
+static struct matrix_stack stack_of(struct matrix *bottom, int room)
+{
+	*bottom = soft_matrix_identity;
+	return (struct matrix_stack){bottom, bottom, room};
+}
+
+void soft_init_matrices(struct soft *soft)
+{
+	struct matrices *m = &soft->matrices;
+	struct gl *gl = &soft->base.gl;
+
+	m->mode = GL_MODELVIEW;
+	m->modelview_stack = stack_of(m->modelview, SOFT_MODELVIEW_DEPTH);
+	m->projection_stack = stack_of(m->projection, SOFT_PROJECTION_DEPTH);
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		m->texture_stack[i] =
+			stack_of(m->texture[i], SOFT_TEXTURE_DEPTH);
+	}
+	gl->MatrixMode = matrix_mode;
+	gl->LoadIdentity = load_identity;
+	gl->LoadMatrixx = load_matrix;
+	gl->MultMatrixx = mult_matrix;
+	gl->PushMatrix = push_matrix;
+	gl->PopMatrix = pop_matrix;
+	gl->Translatex = translate;
+	gl->Scalex = scale;
+	gl->Rotatex = rotate;
+	gl->Frustumx = frustum;
+	gl->Orthox = ortho;
+}

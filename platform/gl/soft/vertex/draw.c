@@ -1,0 +1,337 @@
+/* DrawArrays and DrawElements: from indices to primitives. */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/vertex/primitive.h"
+
+#include <string.h>
+
+/* Where the vertices of a call come from. */
+struct source {
+	const uint8_t *indices; /* NULL: from first on */
+	GLenum type;
+	uint32_t first, count;
+};
+
+static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
+{
+	uint16_t index;
+
+	if (!source->indices) {
+		return source->first + i;
+	}
+	if (source->type == GL_UNSIGNED_BYTE) {
+		return source->indices[i];
+	}
+	memcpy(&index, source->indices + 2 * i, sizeof(index));
+	return index;
+}
+
+void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
+{
+	struct vertex *vertex = &draw->cache[slot];
+	struct cache_tag *place = &draw->place[slot];
+
+	soft_transform(draw, index, vertex);
+	place->tag = vertex->outcode || !draw->packed ? TAG_OUTSIDE : index;
+	place->xy = vertex_xy(vertex);
+}
+
+static ALWAYS_INLINE struct vertex *find_by_index(
+	struct draw *draw, uint32_t index)
+{
+	uint32_t slot = index % VERTEX_CACHE;
+	struct vertex *vertex = &draw->cache[slot];
+	uint32_t tag = draw->place[slot].tag;
+
+	if (tag != index && (tag != TAG_OUTSIDE || vertex->index != index)) {
+		soft_load_slot(draw, slot, index);
+	}
+	return vertex;
+}
+
+static struct vertex *find_vertex(
+	struct draw *draw, const struct source *source, uint32_t i)
+{
+	return find_by_index(draw, index_at(source, i));
+}
+
+/*
+ * Vertices of one primitive whose indices share a slot of the cache: all but
+ * the last move to places of their own.
+ */
+static void find_vertices(struct draw *draw, const struct source *source,
+	const uint32_t *at, int count, struct vertex **out)
+{
+	for (int i = 0; i < count; i++) {
+		out[i] = find_vertex(draw, source, at[i]);
+		for (int j = 0; j < i; j++) {
+			if (out[j] == out[i] &&
+				index_at(source, at[j]) !=
+					index_at(source, at[i])) {
+				out[j] = &draw->apart[j];
+				soft_transform(
+					draw, index_at(source, at[j]), out[j]);
+			}
+		}
+	}
+}
+
+static void draw_triangle(struct draw *draw, const struct source *source,
+	uint32_t a, uint32_t b, uint32_t c)
+{
+	struct vertex *v[3];
+
+	v[0] = find_vertex(draw, source, a);
+	v[1] = find_vertex(draw, source, b);
+	v[2] = find_vertex(draw, source, c);
+	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+		const uint32_t at[3] = {a, b, c};
+
+		find_vertices(draw, source, at, 3, v);
+	}
+	draw_transformed(draw, v);
+}
+
+static void draw_indexed(struct draw *draw, const uint16_t index[3])
+{
+	struct vertex *v[3];
+
+	v[0] = find_by_index(draw, index[0]);
+	v[1] = find_by_index(draw, index[1]);
+	v[2] = find_by_index(draw, index[2]);
+	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+		const struct source source = {
+			.indices = (const uint8_t *)index,
+			.type = GL_UNSIGNED_SHORT,
+		};
+		const uint32_t which[3] = {0, 1, 2};
+
+		find_vertices(draw, &source, which, 3, v);
+	}
+	draw_transformed(draw, v);
+}
+
+void soft_list_other(struct draw *draw, const uint16_t index[3])
+{
+	draw_indexed(draw, index);
+}
+
+void soft_list_c(struct draw *draw, const void *indices, uint32_t count)
+{
+	const uint8_t *at = indices;
+
+	for (uint32_t i = 0; i + 2 < count; i += 3, at += 6) {
+		uint16_t index[3];
+
+		memcpy(index, at, sizeof(index));
+		draw_indexed(draw, index);
+	}
+}
+
+/* Triangles of fill_glyph.c, many of them two to a rectangle. */
+static void draw_rectangles(struct draw *draw, const struct source *source)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		uint16_t index[6];
+		struct vertex *v[4];
+
+		memcpy(index, source->indices + 2 * i, 3 * sizeof(index[0]));
+		if (i + 5 < source->count) {
+			memcpy(index, source->indices + 2 * i, sizeof(index));
+			v[0] = find_by_index(draw, index[0]);
+			v[1] = find_by_index(draw, index[1]);
+			v[2] = find_by_index(draw, index[2]);
+			v[3] = find_by_index(draw, index[5]);
+			if (index[3] == index[2] && index[4] == index[1] &&
+				v[0]->index == index[0] &&
+				v[1]->index == index[1] &&
+				v[2]->index == index[2] &&
+				soft_fill_rectangle(draw, v)) {
+				i += 3;
+				continue;
+			}
+		}
+		draw_indexed(draw, index);
+	}
+}
+
+/* Lists of triangles by 16-bit indices, which most are. */
+static void draw_listed(struct draw *draw, const struct source *source)
+{
+	bool even = ((uintptr_t)source->indices & 1) == 0;
+
+	if (draw->fill == soft_fill_glyph) {
+		draw_rectangles(draw, source);
+	} else if (draw->packed && even) {
+		soft_bands.list(draw, source->indices, source->count);
+	} else {
+		soft_list_c(draw, source->indices, source->count);
+	}
+}
+
+static void draw_unindexed(struct draw *draw, const struct source *source)
+{
+	if (soft_draw_unindexed(draw, source->first, source->count)) {
+		return;
+	}
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		draw_triangle(draw, source, i, i + 1, i + 2);
+	}
+}
+
+static void draw_line(
+	struct draw *draw, const struct source *source, uint32_t a, uint32_t b)
+{
+	const uint32_t at[2] = {a, b};
+	struct vertex *v[2];
+
+	find_vertices(draw, source, at, 2, v);
+	if (!(v[0]->outcode & v[1]->outcode)) {
+		draw->provoking = v[1];
+		soft_clip_line(draw, v[0], v[1]);
+	}
+}
+
+static void draw_lines(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	uint32_t step = mode == GL_LINES ? 2 : 1;
+
+	for (uint32_t i = 0; i + 1 < source->count; i += step) {
+		draw_line(draw, source, i, i + 1);
+	}
+	if (mode == GL_LINE_LOOP && source->count > 1) {
+		draw_line(draw, source, source->count - 1, 0);
+	}
+}
+
+static void draw_triangles(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	uint32_t step = mode == GL_TRIANGLES ? 3 : 1;
+
+	for (uint32_t i = 0; i + 2 < source->count; i += step) {
+		switch (mode) {
+		case GL_TRIANGLES:
+			draw_triangle(draw, source, i, i + 1, i + 2);
+			break;
+		case GL_TRIANGLE_STRIP:
+			/* Every second one is listed the other way round. */
+			draw_triangle(
+				draw, source, i + i % 2, i + 1 - i % 2, i + 2);
+			break;
+		default:
+			draw_triangle(draw, source, 0, i + 1, i + 2);
+			break;
+		}
+	}
+}
+
+static void draw_primitives(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	memset(draw->place, 0xFF, sizeof(draw->place));
+	if (mode == GL_POINTS) {
+		for (uint32_t i = 0; i < source->count; i++) {
+			soft_draw_point(draw, find_vertex(draw, source, i));
+		}
+	} else if (mode <= GL_LINE_STRIP) {
+		draw_lines(draw, source, mode);
+	} else if (mode == GL_TRIANGLES && !source->indices) {
+		draw_unindexed(draw, source);
+	} else if (mode == GL_TRIANGLES && source->type == GL_UNSIGNED_SHORT) {
+		draw_listed(draw, source);
+	} else {
+		draw_triangles(draw, source, mode);
+	}
+}
+
+/* What both calls refuse; false ends them. */
+static bool may_draw(struct soft *soft, GLenum mode, GLsizei count)
+{
+	if (mode > GL_TRIANGLE_FAN) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return false;
+	}
+	if (count < 0) {
+		soft_set_error(soft, GL_INVALID_VALUE);
+		return false;
+	}
+	return count > 0;
+}
+
+static void draw_arrays(GLenum mode, GLint first, GLsizei count)
+{
+	struct soft *soft = soft_current();
+	struct source source = {.first = (uint32_t)first};
+
+	if (first < 0) {
+		soft_set_error(soft, GL_INVALID_VALUE);
+		return;
+	}
+	if (!may_draw(soft, mode, count)) {
+		return;
+	}
+	source.count = (uint32_t)count;
+	if (soft_prepare(soft, soft->draw, source.first, source.count)) {
+		draw_primitives(soft->draw, &source, mode);
+	}
+}
+
+static void find_range(
+	const struct source *source, uint32_t *low, uint32_t *high)
+{
+	uint32_t i = 0, least = UINT32_MAX, most = 0;
+
+	if (source->type == GL_UNSIGNED_SHORT) {
+		uint32_t highest = 0, lowest = UINT32_MAX;
+
+		for (; i + 1 < source->count; i += 2) {
+			uint32_t two = load_word(source->indices + 2 * i);
+
+			lowest = least_halves(lowest, two);
+			highest = most_halves(highest, two);
+		}
+		least = lowest & 0xFFFF;
+		least = lowest >> 16 < least ? lowest >> 16 : least;
+		most = highest & 0xFFFF;
+		most = highest >> 16 > most ? highest >> 16 : most;
+	}
+	for (; i < source->count; i++) {
+		uint32_t index = index_at(source, i);
+
+		least = index < least ? index : least;
+		most = index > most ? index : most;
+	}
+	*low = least;
+	*high = most;
+}
+
+static void draw_elements(
+	GLenum mode, GLsizei count, GLenum type, const void *indices)
+{
+	struct soft *soft = soft_current();
+	struct source source = {.indices = indices, .type = type};
+	uint32_t low = UINT32_MAX, high = 0;
+
+	if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT) {
+		soft_set_error(soft, GL_INVALID_ENUM);
+		return;
+	}
+	if (!may_draw(soft, mode, count)) {
+		return;
+	}
+	source.count = (uint32_t)count;
+	/* Floats alone have a scale that their range decides. */
+	if (soft->arrays.vertex.type == GL_FLOAT) {
+		find_range(&source, &low, &high);
+	}
+	if (soft_prepare(soft, soft->draw, low, high - low + 1)) {
+		draw_primitives(soft->draw, &source, mode);
+	}
+}
+
+void soft_init_draw(struct soft *soft)
+{
+	soft->base.gl.DrawArrays = draw_arrays;
+	soft->base.gl.DrawElements = draw_elements;
+}

@@ -1,0 +1,488 @@
+/*
+ * A draw call: what is derived from the state for it, its vertices and the
+ * triangle under way. All of it is scratch of fixed size.
+ *
+ * Numbers, by their names' endings or here:
+ *	position    block floating: the array's largest coordinate is just below
+ *	            2^30; position_q says where the point is
+ *	clip        block floating for all of the draw, |coordinate| < 2^29
+ *	window x, y 4 bits of fraction, y downwards; 0 to 2^17; below 2^15 they
+ *	            also go as one number, y in its upper half (struct
+ *cache_tag) window z    2 bits of fraction: 18 bits attributes  colours and
+ *fog 8.8 with 0x80 to spare at either end, texture coordinates 16.16, then
+ *texels with 8 bits of fraction planes      8 bits of fraction more than the
+ *attributes; they wrap, and are right modulo 2^32 inside of their triangle
+ */
+#ifndef PLATFORM_GL_SOFT_VERTEX_DRAW_H
+#define PLATFORM_GL_SOFT_VERTEX_DRAW_H
+
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/textured.h"
+#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/shade.h"
+
+enum {
+	VERTEX_CACHE = 512, /* a power of two */
+	/*
+	 * Up to so many sixteenths of a pixel, and with attributes that differ
+	 * by less than SMALL_DELTA, products of a triangle's set-up fit 32 bits.
+	 */
+	SMALL_EXTENT = 2047,
+	SMALL_DELTA = 1 << 18,
+	/* Viewports that end there have their x and y as one number. */
+	PACKED_PIXELS = 2047,
+	CLIP_VERTICES = 9, /* a triangle cut by six planes */
+	SPAN_PIXELS = 64,  /* fragments that go through the stages at a time */
+	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
+	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
+};
+
+enum attribute {
+	RED,
+	GREEN,
+	BLUE,
+	ALPHA,
+	FOG,
+	TEX_S, /* and T; then the next unit's */
+	ATTRIBUTES = TEX_S + 2 * SOFT_UNITS,
+	/* planes have two more */
+	DEPTH = ATTRIBUTES,
+	INVERSE_W,
+	PLANES,
+};
+
+/* Outside of which planes of the clip volume. */
+enum {
+	OUT_LEFT = 1,
+	OUT_RIGHT = 2,
+	OUT_BOTTOM = 4,
+	OUT_TOP = 8,
+	OUT_NEAR = 16,
+	OUT_FAR = 32,
+};
+
+/*
+ * Three cache lines: what every triangle wants, what textured ones want
+ * besides, and what clipping and two sides want. arm/vertex.S, arm/list.S
+ * and arm/narrow.S know the offsets.
+ */
+struct vertex {
+	_Alignas(32) uint8_t w_zeros;
+	uint8_t outcode;
+	bool shaded;     /* attributes and back are there */
+	int32_t x, y, z; /* window, where outcode is 0 */
+	int32_t attribute[ATTRIBUTES];
+	int32_t inverse_w_q30; /* 2^62 / (w << w_zeros) */
+	uint32_t index;
+	_Alignas(32) int32_t clip[4];
+	int32_t back[4]; /* colour of the other side, if there are two */
+};
+
+/*
+ * Which vertex is in a slot of the cache, and its window x and y as one number,
+ * y in the upper half. A tag of TAG_OUTSIDE says that the vertex lies outside
+ * of the clip volume, or too far off for 15 bits: then xy is nothing, and the
+ * vertex itself has the index.
+ */
+#define PLACE_EMPTY UINT32_MAX
+#define TAG_OUTSIDE (UINT32_MAX - 1)
+struct cache_tag {
+	_Alignas(8) uint32_t tag; /* else the index */
+	uint32_t xy;
+};
+
+/* A light as vertices meet it, in the space normals are given in. */
+struct light_source {
+	bool positional, spot, specular;
+	int32_t towards_q28[3], half_q28[3];
+	int32_t diffuse_q22[3], specular_q20[3], ambient_q16[3];
+	/* positional ones, in eye space */
+	int32_t position_q16[3], direction_q28[3];
+	int32_t attenuation_q16[3], cutoff_q28, exponent_q16;
+};
+
+struct shading {
+	bool lit, two_side, tracked, normalize, rotate_normals;
+	int32_t normal_q28[9]; /* rotates normals where lights stay behind */
+	int light_source_count;
+	struct light_source light_source[SOFT_LIGHTS];
+	int32_t base_q16[4]; /* the colour without light sources */
+	int32_t emission_q16[3];
+	int32_t ambient_q16[3]; /* where the colour is tracked */
+	int32_t shininess_q16;
+	bool color_array;
+	bool by_dir_lights; /* struct dir_lights takes it */
+};
+
+/*
+ * The powers of cosines for one shininess, of 1 or more: 64 steps from where
+ * they begin to count, 2^-10, to 1.
+ */
+enum {
+	SPEC_TABLE_STEPS = 64,
+	SPEC_TABLES = 4
+};
+
+struct spec_table {
+	int32_t shininess_q16; /* 0: none yet */
+	int32_t least_q26;     /* the cosine where they begin */
+	int32_t scale;         /* from there, Q26, to steps with 8 bits, Q-18 */
+	struct spec_table_step {
+		_Alignas(8) int32_t value_q28;
+		int32_t rise_q28; /* a 256th of the way to the next */
+	} step[SPEC_TABLE_STEPS];
+};
+
+/*
+ * What most vertices are lit by: directional lights in the normals' space, for
+ * normals of three GL_SHORTs of any length or three aligned floats, and colours
+ * of four bytes. arm/light.S knows the offsets. Colours are 257/256 of what
+ * they are, so that a byte's 255 makes 1 of them.
+ */
+struct dir_light {
+	int32_t towards_q30[3], diffuse_q30[3];
+	int32_t spec_tables; /* whether what follows is of use */
+	int32_t half_q30[3], least_q26, scale;
+	const struct spec_table_step *step;
+	int32_t specular_q20[3]; /* as it is */
+};
+
+struct dir_lights {
+	_Alignas(32) const uint8_t *normals;
+	int normal_stride;
+	const uint8_t *colors;
+	int color_stride;      /* 0: all of the same colour, below */
+	const uint16_t *roots; /* soft_root_table */
+	const struct dir_light *end;
+	int two_side, floats;
+	/*
+	 * Floats whose squares, Q24, are not from least on and less than range
+	 * above it are left to soft_light(); the sum is at most 2^26.
+	 */
+	uint32_t square_least, square_range;
+	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
+	struct dir_light dir_light[SOFT_LIGHTS];
+	uint8_t color[4];
+	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
+	int texcoord_stride;
+	int rest; /* instead: whether soft_shade_rest() is wanted */
+};
+
+/* How coordinates are given; all but the last are fast to fetch. */
+enum texcoord_kind {
+	TEXCOORD_FLOATS, /* as they are; too large ones are TEXCOORD_OTHER */
+	TEXCOORD_SHORTS, /* each by a factor, and moved: below 2^14 then */
+	TEXCOORD_OTHER,
+};
+
+struct texture_input {
+	bool used, identity;
+	enum texcoord_kind kind;
+	const struct array *array;
+	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
+	int matrix_q;
+	int width_log2, height_log2;
+	const struct texture *texture;
+	const struct level *base;
+	int levels; /* how many there are to choose from */
+	const struct texenv *env;
+};
+
+struct plane {
+	uint32_t start; /* at the centre of raster.x0, of the row under way */
+	int32_t dx, dy;
+};
+
+/* Fragments of a row, and how their values run. */
+struct span {
+	int x, y, count;
+	uint32_t value[PLANES];
+	int32_t step[PLANES];
+	int lod[SOFT_UNITS]; /* level, 8 bits of fraction */
+};
+
+/* The triangle under way. */
+struct raster {
+	struct plane plane[PLANES];
+	int x0;              /* the column the planes start from */
+	bool perspective;    /* texture coordinates are divided by 1 / w */
+	bool colors_divided; /* and colours too; see rows_is_divided() */
+	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
+	int moving[ATTRIBUTES];        /* the attributes that have planes */
+	int moving_count;
+	bool first_row;   /* luminance.c's */
+	struct span span; /* of the row under way, and what is the same in all */
+};
+
+/* How positions are given; all but the last are fast to fetch. */
+enum position_kind {
+	POSITION_SHORTS, /* three */
+	POSITION_FLOATS, /* three, in range and aligned */
+	POSITION_PAIRS,  /* two shorts */
+	POSITION_OTHER,
+};
+
+/*
+ * From positions to the window; arm/vertex.S knows the offsets. A row of the
+ * matrix gives a clip coordinate: moved + row . position, the products shifted
+ * by 16 for shorts, else by 32.
+ */
+struct view {
+	_Alignas(32) int32_t moved_x;
+	int32_t moved_y, row_x[3], row_y[3];
+	int32_t row_z[3], row_w[3], moved_z, moved_w;
+	const uint8_t *positions;
+	int stride_bytes;
+	enum position_kind kind;
+	float scale; /* of floats */
+	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
+	int32_t center_z, depth; /* 2 bits of fraction; for z / w in Q29 */
+	/* every vertex's, where w does not vary, else 0; see struct vertex */
+	int32_t inverse_w_q30;
+	uint32_t w_zeros;
+	const uint16_t *reciprocals; /* soft_reciprocal_table */
+	/*
+	 * How far behind the draw struct dir_lights lies where soft_shade() may
+	 * light by it, else 0
+	 */
+	uint32_t dir_lights;
+};
+
+/* ground.c's triangle under way. */
+struct ground_rows {
+	struct shade_run run; /* of the row */
+	bool shaded, fading;  /* its gray and its alpha move */
+};
+
+/*
+ * Slots of the vertex cache by what their vertices are made of, and triangles
+ * as lists of slots; arm/dedup.S knows the offsets.
+ */
+enum {
+	DEDUP_TRIANGLES = 64
+};
+
+struct dedup {
+	const uint8_t *source[VERTEX_CACHE]; /* or one of nothing[] */
+	uint8_t listed[VERTEX_CACHE]; /* in slots[], which is under way */
+	uint16_t slots[3 * DEDUP_TRIANGLES];
+	uint32_t nothing[2][8]; /* no vertex of a slot: slot 0's is the second */
+};
+
+struct setup; /* raster.h */
+
+typedef void (*fill_function)(struct draw *draw, struct setup *setup);
+typedef void (*span_function)(struct draw *draw, const struct span *span);
+
+/*
+ * What rejects triangles, and sets small ones up, in one place. Offsets are
+ * known to arm/list.S, arm/narrow.S and arm/shadow.S.
+ */
+struct fast_setup {
+	fill_function fill;      /* 0 */
+	struct cache_tag *place; /* 4 */
+	struct vertex *cache;    /* 8 */
+	const int32_t *inverse;  /* 12: draw->inverse_q31 */
+	/* positive areas are clockwise as they are seen */
+	_Alignas(8) uint32_t cull_side; /* 16: all ones: of negative areas */
+	uint32_t cull_mask;             /* 20: the sign's bit, or 0 for none */
+	/* draw->box, as struct cache_tag has xy, a column narrower at both sides */
+	uint32_t box_low;       /* 24 */
+	uint32_t box_high;      /* 28 */
+	uintptr_t depth;        /* 32: of column and row 0 */
+	uintptr_t stride_bytes; /* 36 */
+	uintptr_t pixels;       /* 40: from behind a depth to its pixel */
+	uint32_t attributes;    /* 44: 0 where no vertex is shaded */
+	uint32_t perspective;   /* 48 */
+	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
+	const struct flat_band *flat; /* 56: draw->flat */
+	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
+	uint32_t stencil_stride;      /* 68 */
+	uint32_t shadow; /* 72: 1 where fill is soft_bands.shadow, else 0 */
+};
+
+struct draw {
+	struct view view;             /* first: arm/vertex.S */
+	struct fast_setup fast_setup; /* at once: arm/list.S */
+	struct soft *soft;
+	int32_t eye_q16[3][4];
+	int position_q;
+	bool checked; /* positions may be out of range */
+	struct clip_box box;
+	bool same_stride; /* the rows of depth and picture are as far apart */
+	/*
+	 * x and y of all that is inside are below 2^15, and no state is in the
+	 * way of arm/list.S: places have tags
+	 */
+	bool packed;
+	bool perspective, eye_needed, fogged;
+	int32_t fog_end_q16;
+	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
+	int fog_scale_q;
+	struct shading shading;
+	struct dir_lights dir_lights;
+	struct spec_table spec_table[SPEC_TABLES];
+	int spec_table_next; /* to be made over */
+	struct texture_input texture[SOFT_UNITS];
+	uint32_t attributes; /* bits of those that are interpolated */
+	/* fragments */
+	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
+		tests, blended;
+	fill_function fill;
+	struct flat_band flat;
+	struct textured textured; /* for soft_fill_textured() */
+	bool luminance;           /* rows may be luminance.c's */
+	bool ground;              /* rows may be ground.c's */
+	bool picture;             /* rows may be picture.c's */
+	bool plain; /* colours into RGB565, nothing to test or blend */
+	span_function span;
+	struct soft_spans spans;
+	int attribute[ATTRIBUTES], attribute_count; /* those in use */
+	const struct vertex *provoking;             /* whose colour is flat */
+	struct raster raster;
+	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
+	uint32_t shade[255];
+	uint16_t shaded[LUMINANCE_RUN + 1]; /* luminance.c's, to be blended */
+	struct ground_rows ground_rows;
+	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
+	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
+	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
+	struct vertex cache[VERTEX_CACHE];
+	struct dedup dedup;
+	struct vertex apart[3]; /* vertices that shared a place in it */
+	struct vertex clipped[2 * CLIP_VERTICES + 6];
+};
+
+/* Of a vertex inside of the clip volume, while draw->packed. */
+static inline uint32_t vertex_xy(const struct vertex *vertex)
+{
+	return (uint32_t)vertex->y << 16 | (uint32_t)vertex->x;
+}
+
+/*
+ * draw.c: a list of triangles by 16-bit indices; arm/list.S does the same where
+ * draw->packed, and hands on what it does not draw itself.
+ */
+void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
+void soft_list_other(struct draw *draw, const uint16_t index[3]);
+
+/* unindexed.c: a triangle of a list without indices, past the cache. */
+void soft_draw_apart(struct draw *draw, uint32_t index);
+
+/*
+ * Draws such a list while draw->packed, from index first on, whose vertices lie
+ * together, words of 4 bytes from at on. False where it is left to unindexed.c:
+ * it always is in C; else arm/dedup.S does it.
+ */
+bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
+	int words, uint32_t first, uint32_t count);
+
+/* prepare.c: what stays the same for good. */
+void soft_init_scratch(struct draw *draw);
+
+/* prepare.c: derives all of this. False when there is nothing to draw. */
+bool soft_prepare(
+	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count);
+
+/* prepare_light.c */
+void soft_prepare_shading(const struct soft *soft, struct draw *draw);
+
+/* prepare_dir_lights.c: after the above, of what is lit. */
+void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw);
+
+/* vertex.c: fetches and transforms; attributes follow when they are wanted. */
+void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
+/* The same in C; arm/vertex.S has another for the fast kinds. */
+void soft_transform_c(
+	const struct draw *draw, uint32_t index, struct vertex *out);
+/* From clip coordinates inside of the volume to the window. */
+void soft_project(const struct draw *draw, struct vertex *vertex);
+/* Fills the attributes unless they are there. */
+void soft_shade(const struct draw *draw, struct vertex *vertex);
+/* The same in C; arm/light.S has another for what struct dir_lights takes. */
+void soft_shade_c(const struct draw *draw, struct vertex *vertex);
+/* What follows the colour: fog and texture coordinates. */
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
+
+/* array.c: elements of arrays as fixed point. */
+void soft_array_position(
+	const struct draw *draw, uint32_t index, int32_t out[3]);
+void soft_array_normal_q30(
+	const struct draw *draw, uint32_t index, int32_t out[3]);
+void soft_array_color_q16(
+	const struct draw *draw, uint32_t index, int32_t out[4]);
+void soft_array_texcoord_q16(
+	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
+/*
+ * The largest of count times three floats, as bits without their sign, shifted
+ * to the left by one. The other is in C; arm/vertex.S has one besides.
+ */
+uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
+uint32_t soft_largest_float_c(
+	const uint8_t *at, int stride_bytes, uint32_t count);
+/* The exponent of the largest coordinate of these positions, within 1. */
+int soft_array_position_exponent(
+	const struct array *array, uint32_t first, uint32_t count);
+
+/* light.c: lit colour, 8.8, of either side. */
+void soft_light(const struct draw *draw, struct vertex *vertex);
+
+/*
+ * dir_lights.c: the same by struct dir_lights, of the vertex's index. False
+ * where the normal is not for it.
+ */
+bool soft_light_by_dir_lights(
+	const struct dir_lights *dir_lights, struct vertex *vertex);
+
+/* clip.c: cuts a triangle and hands on what is left. */
+void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
+void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
+
+/* triangle.c: draw->fast_setup, once a call, after all else. */
+void soft_prepare_fast_setup(struct draw *draw);
+
+/*
+ * triangle.c: from three projected vertices to rows of pixels. Shades them once
+ * it is known that they are seen.
+ */
+void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
+
+/* line.c */
+void soft_draw_point(struct draw *draw, struct vertex *v);
+void soft_draw_line(
+	struct draw *draw, const struct vertex *a, const struct vertex *b);
+
+/* fragment.c: up to SPAN_PIXELS fragments of a row, all inside of draw->box. */
+void soft_draw_span(struct draw *draw, const struct span *span);
+
+/* Runs the tests on a span's fragments; how many pass, and which. */
+int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
+
+/* relief.c: the same for what relief is drawn in, or NULL. */
+span_function soft_relief_choose_span(const struct draw *draw);
+
+/* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
+void soft_sample(const struct texture_input *input, const struct span *span,
+	int unit, bool wide, uint8_t (*out)[4]);
+
+/* combine.c: whether it is a texel's normal by the light in the primary colour */
+bool soft_is_plain_dot(const struct texenv *env);
+
+/*
+ * combine.c: the environments other than GL_COMBINE, with their colour; format
+ * is the texture's base format.
+ */
+void soft_apply_environment(const struct texenv *env, GLenum format,
+	const uint8_t constant[4], const uint8_t texel[4], uint8_t color[4]);
+
+/* fragment.c: color and what is in the picture, into color. */
+void soft_blend(GLenum source_factor, GLenum destination_factor,
+	const uint8_t to[4], uint8_t color[4]);
+
+/* combine.c: what the environment makes of the fragments' colours. */
+void soft_combine(const struct texture_input *input, int count,
+	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
+	uint8_t (*color)[4]);
+
+#endif

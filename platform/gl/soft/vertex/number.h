@@ -1,0 +1,88 @@
+/*
+ * Fixed-point arithmetic of the soft driver: 32-bit operands, 64-bit products,
+ * no division.
+ */
+#ifndef PLATFORM_GL_SOFT_VERTEX_NUMBER_H
+#define PLATFORM_GL_SOFT_VERTEX_NUMBER_H
+
+#include <stdint.h>
+
+#include "platform/base/compiler.h"
+
+/* 2^38 / (512 + 2 i + 1): the middle of each 256th of 0.5..1, in Q29. */
+extern const uint16_t soft_reciprocal_table[256];
+
+/* The upper half of the product; rounds down. */
+static inline int32_t mul_high(int32_t a, int32_t b)
+{
+	return multiply_high(a, b);
+}
+
+/* The same added to a sum; wraps. */
+static inline int32_t mul_high_add(int32_t sum, int32_t a, int32_t b)
+{
+	return multiply_add_high(sum, a, b);
+}
+
+static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)
+{
+	return (uint32_t)(((uint64_t)a * b) >> 32);
+}
+
+/*
+ * 2^62 / value for a value with its top bit set, within 32: 2^-25 of it. The
+ * result is at most 2^31 - 1.
+ */
+static inline int32_t reciprocal(uint32_t value)
+{
+	/* r = 1/v in Q30 from 8 bits, then r (2 - v r) twice: 16, 31 bits. */
+	uint32_t r = (uint32_t)soft_reciprocal_table[value >> 23 & 255] << 15;
+
+	r = mul_high_unsigned(r, (1u << 31) - mul_high_unsigned(value, r)) << 2;
+	r = mul_high_unsigned(r, (1u << 31) - mul_high_unsigned(value, r)) << 2;
+	return (int32_t)(r > INT32_MAX ? INT32_MAX : r);
+}
+
+/* value times 2^shift, 0 where nothing is left; wraps. */
+static inline int32_t shift_by(int32_t value, int shift)
+{
+	if (shift >= 0) {
+		return shift < 32 ? (int32_t)((uint32_t)value << shift) : 0;
+	}
+	return value >> (shift > -31 ? -shift : 31);
+}
+
+/* a b / 255 of bytes, rounded; 255 is one. */
+static inline int scale_byte(int a, int b)
+{
+	int product = a * b + 128;
+
+	return (product + (product >> 8)) >> 8;
+}
+
+static inline int32_t clamp_int(int32_t value, int32_t low, int32_t high)
+{
+	return value < low ? low : value > high ? high : value;
+}
+
+static inline int32_t saturate_64(int64_t value)
+{
+	return value > INT32_MAX     ? INT32_MAX
+		: value < -INT32_MAX ? -INT32_MAX
+				     : (int32_t)value;
+}
+
+/* 1 / sqrt(value) of a 64-bit number above 0; see number.c. */
+struct root {
+	int32_t mantissa_q30; /* 2^29..2^30 */
+	int shift;            /* the result is mantissa / 2^30 / 2^shift */
+};
+struct root soft_reciprocal_root(uint64_t value);
+
+/* 1 / sqrt((64.5 + i) / 256) in Q15. */
+extern const uint16_t soft_root_table[192];
+
+/* base to the power of exponent (Q16), base in 0..1 of Q28; result Q28. */
+int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);
+
+#endif

@@ -1,0 +1,438 @@
+/* What a draw call needs, from the state. */
+#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/luminance.h"
+#include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/state/matrix.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+#include <stdlib.h>
+
+#include "platform/base/scalar.h"
+
+enum {
+	/* Positions are taken as at least, and cut at, 2 to these powers. */
+	EXPONENT_LEAST = -20,
+	EXPONENT_MOST = 29,
+};
+
+static bool are_fast_setup_floats(
+	const struct draw *draw, const struct array *array)
+{
+	uintptr_t places =
+		(uintptr_t)array->pointer | (uintptr_t)array->stride_bytes;
+
+	return array->type == GL_FLOAT && !draw->checked && places % 4 == 0;
+}
+
+static void prepare_positions(const struct soft *soft, struct draw *draw,
+	uint32_t first, uint32_t count)
+{
+	const struct array *array = &soft->arrays.vertex;
+	struct view *view = &draw->view;
+	int exponent = soft_array_position_exponent(array, first, count);
+
+	draw->checked = exponent > EXPONENT_MOST;
+	exponent = exponent > EXPONENT_MOST ? EXPONENT_MOST
+		: exponent < EXPONENT_LEAST ? EXPONENT_LEAST
+					    : exponent;
+	/* |position| < 2^30; integers have fixed places, see soft_array_position(). */
+	draw->position_q = array->type == GL_BYTE ? 22
+		: array->type == GL_FLOAT         ? 29 - exponent
+						  : 14;
+	view->scale = soft_matrix_power_of_two(draw->position_q);
+	view->kind = array->size < 3 && array->type == GL_SHORT ? POSITION_PAIRS
+		: array->size < 3                               ? POSITION_OTHER
+		: array->type == GL_SHORT            ? POSITION_SHORTS
+		: are_fast_setup_floats(draw, array) ? POSITION_FLOATS
+						     : POSITION_OTHER;
+	view->positions = array->pointer;
+	view->stride_bytes = array->stride_bytes;
+}
+
+/* The largest that a row can give for coordinates up to most. */
+static float row_bound(const struct matrix *m, int row, float most)
+{
+	return (scalar_abs(m->m[row]) + scalar_abs(m->m[4 + row]) +
+		       scalar_abs(m->m[8 + row])) *
+		most +
+		scalar_abs(m->m[12 + row]);
+}
+
+/*
+ * The matrix with its products shifted by 32, so that clip coordinates stay
+ * below 2^28: entries are below 2^30, as positions are.
+ */
+static void prepare_clip(const struct soft *soft, struct draw *draw)
+{
+	float most = soft_matrix_power_of_two(30 - draw->position_q);
+	float bound = 0.0f, scale, moved;
+	struct view *view = &draw->view;
+	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
+	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
+	bool shorts =
+		view->kind == POSITION_SHORTS || view->kind == POSITION_PAIRS;
+	int shift = shorts ? 2 : 0;
+	struct matrix m;
+	int clip_q;
+
+	soft_matrix_multiply(soft->matrices.projection_stack.top,
+		soft->matrices.modelview_stack.top, &m);
+	for (int row = 0; row < 4; row++) {
+		float b = row_bound(&m, row, most);
+
+		bound = b > bound ? b : bound;
+	}
+	clip_q = clamp_int(27 - soft_matrix_exponent(bound), -60, 90);
+	scale = soft_matrix_power_of_two(
+		clamp_int(clip_q - draw->position_q + 32, -126, 127));
+	moved = soft_matrix_power_of_two(clip_q);
+	for (int row = 0; row < 4; row++) {
+		for (int column = 0; column < 3; column++) {
+			rows[row][column] =
+				soft_matrix_to_int(
+					m.m[4 * column + row] * scale) >>
+				shift;
+		}
+	}
+	view->moved_x = soft_matrix_to_int(m.m[12] * moved);
+	view->moved_y = soft_matrix_to_int(m.m[13] * moved);
+	view->moved_z = soft_matrix_to_int(m.m[14] * moved);
+	view->moved_w = soft_matrix_to_int(m.m[15] * moved);
+	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
+	view->inverse_w_q30 = 0;
+	if (!draw->perspective && view->moved_w > 0) {
+		uint32_t w = (uint32_t)view->moved_w;
+
+		view->w_zeros = (uint32_t)LEADING_ZEROS_32(w);
+		view->inverse_w_q30 = reciprocal(w << view->w_zeros);
+	}
+}
+
+static int32_t to_q16(float value)
+{
+	return soft_matrix_to_int(
+		scalar_clamp(value, -16383.0f, 16383.0f) * 65536.0f);
+}
+
+static void prepare_eye(const struct soft *soft, struct draw *draw)
+{
+	const float *m = soft->matrices.modelview_stack.top->m;
+
+	for (int row = 0; row < 3; row++) {
+		for (int column = 0; column < 4; column++) {
+			draw->eye_q16[row][column] = to_q16(m[4 * column + row]);
+		}
+	}
+}
+
+static void prepare_viewport(const struct soft *soft, struct draw *draw)
+{
+	const struct rectangle *r = &soft->fragment.viewport;
+	int height = soft->buffers.target.height;
+	struct view *view = &draw->view;
+
+	/* Half of a sixteenth more, so that cutting to 4 bits rounds. */
+	view->center_x_q8 = r->x * 256 + r->width * 128 + 8;
+	view->center_y_q8 = (height - r->y) * 256 - r->height * 128 + 8;
+	view->width_q10 = r->width * 1024;
+	view->height_q10 = r->height * -1024;
+	draw->box = soft_clip_box(soft, true);
+	draw->same_stride =
+		soft->buffers.target.stride_bytes == soft->buffers.width * 2;
+}
+
+static void prepare_fog(const struct soft *soft, struct draw *draw)
+{
+	const struct fog *fog = &soft->fog;
+	float range = (float)(fog->end - (int64_t)fog->start) / 65536.0f;
+	float scale = range != 0.0f ? 1.0f / range : 32768.0f;
+
+	draw->fogged = fog->enabled;
+	draw->fog_end_q16 = fog->end;
+	/* 2^28 to 2^29, whatever the range. */
+	draw->fog_scale_q = 28 - soft_matrix_exponent(scale);
+	draw->fog_scale = soft_matrix_to_int(
+		scale * soft_matrix_power_of_two(draw->fog_scale_q));
+}
+
+static bool is_mipmap(GLenum filter)
+{
+	return filter >= GL_NEAREST_MIPMAP_NEAREST;
+}
+
+/* How many levels follow the base as they must; 0 when it cannot be used. */
+static int count_levels(const struct texture *texture)
+{
+	const struct level *base = &texture->level[0];
+	int most = base->width_log2 > base->height_log2 ? base->width_log2
+							: base->height_log2;
+
+	if (!base->texels) {
+		return 0;
+	}
+	if (!is_mipmap(texture->min_filter)) {
+		return 1;
+	}
+	for (int i = 1; i <= most; i++) {
+		const struct level *level = &texture->level[i];
+		int width = base->width_log2 - i, height = base->height_log2 - i;
+
+		if (!level->texels || level->format != base->format ||
+			level->width_log2 != (width > 0 ? width : 0) ||
+			level->height_log2 != (height > 0 ? height : 0)) {
+			return 0;
+		}
+	}
+	return most + 1;
+}
+
+static void prepare_texture_matrix(
+	const struct soft *soft, struct texture_input *input, int unit)
+{
+	const struct matrix *m = soft->matrices.texture_stack[unit].top;
+	static const int column[3] = {0, 4, 12};
+	float most = 0.0f, scale;
+
+	input->identity = true;
+	for (int i = 0; i < 16; i++) {
+		input->identity &= m->m[i] == soft_matrix_identity.m[i];
+	}
+	for (int i = 0; i < 6; i++) {
+		float value = scalar_abs(m->m[column[i / 2] + i % 2]);
+
+		most = value > most ? value : most;
+	}
+	input->matrix_q = clamp_int(29 - soft_matrix_exponent(most), 0, 40);
+	scale = soft_matrix_power_of_two(input->matrix_q);
+	for (int i = 0; i < 6; i++) {
+		input->matrix[i % 2][i / 2] =
+			soft_matrix_to_int(m->m[column[i / 2] + i % 2] * scale);
+	}
+}
+
+/* 2^15 times the factor, and moved, stays below 2^14 in 16.16. */
+static bool takes_shorts(const struct texture_input *input, int i)
+{
+	int64_t most = (int64_t)abs(input->matrix[i][i]) * 32768 +
+		abs(input->matrix[i][2]);
+
+	return input->matrix[i][!i] == 0 && input->matrix_q >= 16 &&
+		most >> (input->matrix_q - 16) < 1 << 30;
+}
+
+static enum texcoord_kind choose_texcoord(const struct texture_input *input)
+{
+	const struct array *array = input->array;
+
+	if (!array->enabled) {
+		return TEXCOORD_OTHER;
+	}
+	if (array->type == GL_FLOAT && input->identity) {
+		return TEXCOORD_FLOATS;
+	}
+	return array->type == GL_SHORT && takes_shorts(input, 0) &&
+			takes_shorts(input, 1)
+		? TEXCOORD_SHORTS
+		: TEXCOORD_OTHER;
+}
+
+static void prepare_textures(const struct soft *soft, struct draw *draw)
+{
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		const struct unit *unit = &soft->textures.unit[i];
+		struct texture_input *input = &draw->texture[i];
+
+		input->levels = unit->enabled ? count_levels(unit->bound) : 0;
+		input->used = input->levels > 0;
+		if (!input->used) {
+			continue;
+		}
+		input->texture = unit->bound;
+		input->env = &unit->env;
+		input->base = &unit->bound->level[0];
+		input->width_log2 = input->base->width_log2;
+		input->height_log2 = input->base->height_log2;
+		prepare_texture_matrix(soft, input, i);
+		input->array = &soft->arrays.texcoord[i];
+		input->kind = choose_texcoord(input);
+	}
+}
+
+static bool reads_destination(const struct fragment_state *state)
+{
+	return state->blend &&
+		(state->blend_source != GL_ONE ||
+			state->blend_destination != GL_ZERO);
+}
+
+static void prepare_fragments(const struct soft *soft, struct draw *draw)
+{
+	const struct fragment_state *state = &soft->fragment;
+	const GLboolean *mask = state->color_mask;
+	bool both = state->cull_face == GL_FRONT_AND_BACK;
+
+	draw->front_is_ccw = state->front_face == GL_CCW;
+	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
+	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);
+	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
+	draw->tests = state->depth_test || state->stencil.enabled;
+	draw->early_tests = !state->alpha_test;
+	draw->blended = reads_destination(state);
+}
+
+/* Which attributes fragments ask for. */
+static uint32_t choose_attributes(const struct draw *draw)
+{
+	uint32_t mask = 0;
+
+	if (draw->color_written || !draw->early_tests) {
+		mask = 15u << RED;
+		if (draw->fogged) {
+			mask |= 1u << FOG;
+		}
+		for (int i = 0; i < SOFT_UNITS; i++) {
+			if (draw->texture[i].used) {
+				mask |= 3u << (TEX_S + 2 * i);
+			}
+		}
+	}
+	return mask;
+}
+
+static void list_attributes(struct draw *draw)
+{
+	draw->attribute_count = 0;
+	for (int i = 0; i < ATTRIBUTES; i++) {
+		if (draw->attributes >> i & 1) {
+			draw->attribute[draw->attribute_count++] = i;
+		}
+	}
+}
+
+static fill_function choose_fill(const struct draw *draw)
+{
+	if (draw->soft->reference) {
+		return soft_rows_fill;
+	}
+	if (soft_fill_is_flat(draw)) {
+		return soft_fill_flat;
+	}
+	if (soft_fill_is_count(draw)) {
+		return soft_fill_count;
+	}
+	if (soft_fill_is_glyph(draw)) {
+		return soft_fill_glyph;
+	}
+	if (soft_fill_is_relief(draw)) {
+		return soft_fill_relief;
+	}
+	if (!soft_fill_is_opaque(draw)) {
+		return soft_rows_fill;
+	}
+	if (!draw->texture[0].used) {
+		return soft_bands.narrow;
+	}
+	return soft_fill_takes_texture(&draw->texture[0]) ? soft_fill_textured
+							  : soft_rows_fill;
+}
+
+/* And no alpha where nobody asks for it. */
+static void choose_span(struct draw *draw)
+{
+	span_function relief =
+		draw->soft->reference ? NULL : soft_relief_choose_span(draw);
+
+	soft_prepare_spans(draw);
+	draw->span = relief ? relief : soft_draw_span;
+	draw->spans.takes_state &= !relief;
+	draw->spans.used &= !relief;
+	if (relief || (draw->spans.takes_state && !draw->spans.alpha_read)) {
+		draw->attributes &= ~(1u << ALPHA);
+	}
+}
+
+void soft_init_scratch(struct draw *draw)
+{
+	draw->view.reciprocals = soft_reciprocal_table;
+	draw->dir_lights.roots = soft_root_table;
+	/* 4 (1 + 65533 (z/w + 1) / 2) */
+	draw->view.center_z = 131070;
+	draw->view.depth = 1048528;
+	draw->shade_color[0] = UINT32_MAX; /* no colour */
+	soft_ground_init(draw);
+	draw->inverse_q31[0] = INT32_MAX;
+	draw->inverse_q31[1] = INT32_MAX;
+	for (int i = 2; i <= SMALL_EXTENT; i++) {
+		draw->inverse_q31[i] = (int32_t)((1u << 31) / (unsigned)i);
+	}
+}
+
+/* What arm/light.S shades. */
+static void prepare_shade(struct draw *draw)
+{
+	const struct texture_input *input = draw->texture;
+	struct dir_lights *dir_lights = &draw->dir_lights;
+
+	draw->view.dir_lights = 0;
+	if (draw->attributes == 0 || !draw->shading.lit ||
+		!draw->shading.by_dir_lights) {
+		return;
+	}
+	draw->view.dir_lights = (uint32_t)offsetof(struct draw, dir_lights);
+	dir_lights->texcoords = NULL;
+	dir_lights->rest = draw->fogged || input[1].used ||
+		(input[0].used && input[0].kind != TEXCOORD_FLOATS);
+	if (input[0].used && !dir_lights->rest) {
+		dir_lights->texcoords = input[0].array->pointer;
+		dir_lights->texcoord_stride = input[0].array->stride_bytes;
+	}
+}
+
+bool soft_prepare(
+	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
+{
+	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
+		return false;
+	}
+	draw->soft = soft;
+	prepare_viewport(soft, draw);
+	if (draw->box.left >= draw->box.right ||
+		draw->box.top >= draw->box.bottom) {
+		return false;
+	}
+	prepare_fragments(soft, draw);
+	prepare_fog(soft, draw);
+	prepare_textures(soft, draw);
+	draw->attributes = choose_attributes(draw);
+	prepare_positions(soft, draw, first, count);
+	prepare_clip(soft, draw);
+	soft_prepare_shading(soft, draw);
+	if (draw->eye_needed || draw->fogged) {
+		prepare_eye(soft, draw);
+	}
+	choose_span(draw);
+	list_attributes(draw);
+	draw->fill = choose_fill(draw);
+	draw->luminance = !soft->reference && soft_luminance_takes(draw);
+	draw->picture = !soft->reference && soft_picture_takes(draw);
+	draw->ground = !soft->reference && soft_ground_takes(draw);
+	draw->plain = draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
+		!draw->tests && !draw->texture[0].used &&
+		soft->format == PIXELS_RGB565;
+	if (draw->fill == soft_fill_flat) {
+		draw->attributes = 0;
+	}
+	if (draw->fill == soft_fill_flat || draw->fill == soft_fill_glyph) {
+		soft_fill_flat_begin(draw);
+	}
+	if (draw->fill == soft_fill_flat && soft_fill_flat_is_once(draw)) {
+		draw->fill = soft_bands.shadow;
+	}
+	prepare_shade(draw);
+	soft_prepare_fast_setup(draw);
+	if (draw->fill == soft_fill_textured || draw->fill == soft_fill_relief) {
+		soft_fill_textured_begin(draw);
+	}
+	return true;
+}

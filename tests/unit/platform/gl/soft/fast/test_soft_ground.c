@@ -1,0 +1,455 @@
+/*
+ * The soft driver's short cuts for uneven ground and the shadow volumes on it:
+ * against the long way, and those in assembly against the same in C.
+ */
+#include "platform/base/fixed.h"
+#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/count.h"
+#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "tests/support/gl/soft_scene.h"
+#include "tests/support/gl/twins.h"
+#include "tests/support/random.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+enum {
+	TRIANGLES = 24,
+	CORNERS = TRIANGLES * 3,
+	HULLS = 5,
+	HILLS = 12, /* a side */
+	TILE = 64,  /* texels */
+};
+
+static void make_triangles(struct soft_corner *corner, uint32_t *seed, int size)
+{
+	soft_scene_scatter(corner, TRIANGLES, seed, 1100, size, 3.3f);
+}
+
+static void draw_corners(const struct gl *gl, const struct soft_corner *corner)
+{
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
+	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+}
+
+/* Something to be hidden by, a hull's sides as told, and the sheet over all. */
+static void cast_shadow(struct soft_scene *scene, bool long_way,
+	const struct soft_corner *ground, const struct soft_corner *hull)
+{
+	static const int16_t sheet[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+	static const GLenum hidden[HULLS] = {
+		GL_INCR, GL_INCR, GL_DECR, GL_KEEP, GL_KEEP};
+	static const GLenum seen[HULLS] = {
+		GL_KEEP, GL_KEEP, GL_KEEP, GL_INCR, GL_DECR};
+	const struct gl *gl = scene->gl;
+
+	soft_scene_use(scene, long_way);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+		GL_STENCIL_BUFFER_BIT);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	draw_corners(gl, ground);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DepthMask(GL_FALSE);
+	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, 0, 255);
+	for (int i = 0; i < HULLS; i++) {
+		gl->StencilOp(GL_KEEP, hidden[i], seen[i]);
+		draw_corners(gl, hull + i * CORNERS);
+	}
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	gl->StencilFunc(GL_NOTEQUAL, 0, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->Color4x(FX16_ONE / 16, FX16_ONE, FX16_ONE / 12, FX16_ONE * 3 / 8);
+	gl->VertexPointer(2, GL_SHORT, 0, sheet);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_STENCIL_TEST);
+	gl->DepthMask(GL_TRUE);
+}
+
+/* Coverage, depth and stencil are the same, colours within a step. */
+static void compare(const struct soft_scene *a, const struct soft_scene *b)
+{
+	const struct buffers *left = &a->soft->buffers;
+	const struct buffers *right = &b->soft->buffers;
+
+	assert_memory_equal(left->depth, right->depth, SOFT_SCENE_PIXELS * 2);
+	if (left->stencil) {
+		assert_memory_equal(
+			left->stencil, right->stencil, SOFT_SCENE_PIXELS);
+	}
+	for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+		if (soft_scene_steps(a->pixel[i], b->pixel[i]) > 1) {
+			fail_msg("pixel %d,%d is %04x, the long way %04x",
+				i % SOFT_SCENE_WIDTH, i / SOFT_SCENE_WIDTH,
+				a->pixel[i], b->pixel[i]);
+		}
+	}
+}
+
+static void test_volumes_shade_what_the_long_way_does(void **state)
+{
+	static const int sizes[] = {40, 200, 700, 3000};
+	struct soft_corner ground[CORNERS], hull[HULLS * CORNERS];
+	int counted = 0;
+
+	(void)state;
+	for (uint32_t round = 0; round < 60; round++) {
+		struct soft_scene *fast_setup = soft_scene_open(),
+				  *slow = soft_scene_open();
+		uint32_t seed = round + 1;
+
+		make_triangles(ground, &seed, 900);
+		for (int i = 0; i < HULLS; i++) {
+			make_triangles(
+				hull + i * CORNERS, &seed, sizes[round % 4]);
+		}
+		cast_shadow(fast_setup, false, ground, hull);
+		cast_shadow(slow, true, ground, hull);
+		compare(fast_setup, slow);
+		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+			counted += fast_setup->soft->buffers.stencil[i];
+		}
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
+	}
+	assert_true(counted > 10000);
+}
+
+/* Fields of one shade and lines between them, in all levels. */
+static void make_tiles(const struct gl *gl)
+{
+	uint8_t texel[TILE * TILE];
+	GLuint name;
+
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	for (int level = 0, side = TILE; side; level++, side /= 2) {
+		for (int i = 0; i < side * side; i++) {
+			int x = i % side, y = i / side;
+
+			texel[i] = x % 8 == 0 || y % 8 == 0 ? 190
+				: (x ^ y) & 8               ? 230
+							    : 255;
+		}
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, side,
+			0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texel);
+	}
+}
+
+/* A field of hills, seen in perspective, that goes on beyond the picture. */
+static void make_hills(struct soft_corner *corner, uint32_t *seed)
+{
+	static const int part[6][2] = {
+		{0, 0}, {1, 0}, {0, 1}, {0, 1}, {1, 0}, {1, 1}};
+	enum {
+		ROW = HILLS + 1
+	};
+	float height[ROW * ROW];
+	uint8_t gray[ROW * ROW], alpha[ROW * ROW];
+
+	for (int i = 0; i < ROW * ROW; i++) {
+		height[i] = (float)random_between(seed, -300, 300) / 1000.0f;
+		gray[i] = (uint8_t)random_between(seed, 90, 255);
+		alpha[i] = (uint8_t)random_between(seed, 0, 255);
+	}
+	for (int i = 0; i < HILLS * HILLS * 6; i++) {
+		int x = i / 6 % HILLS + part[i % 6][0];
+		int z = i / 6 / HILLS + part[i % 6][1];
+		int at = z * ROW + x;
+
+		corner[i] = (struct soft_corner){
+			.position = {(float)(x - HILLS / 2), height[at] - 0.7f,
+				(float)-z - 0.2f},
+			.texcoord = {(float)x / 16, (float)z / 16},
+			.color = {gray[at], gray[at], gray[at], alpha[at]},
+		};
+	}
+}
+
+static void draw_hills(struct soft_scene *scene,
+	const struct soft_corner *corner, bool blended, bool long_way)
+{
+	const struct gl *gl = scene->gl;
+	const GLsizei stride = sizeof(*corner);
+
+	soft_scene_use(scene, long_way);
+	make_tiles(gl);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Frustumx(-FX16_ONE / 16, FX16_ONE / 16, -FX16_ONE / 16,
+		FX16_ONE / 16, FX16_ONE / 8, FX16_ONE * 40);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Enable(GL_TEXTURE_2D);
+	(blended ? gl->Enable : gl->Disable)(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
+	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
+	gl->DrawArrays(GL_TRIANGLES, 0, HILLS * HILLS * 6);
+}
+
+/*
+ * Depth is the same, and so is the colour but where runs end elsewhere: half a
+ * texel on a line, or a step of 1/32 more of the picture.
+ */
+static void test_hills_are_nearly_those_of_the_long_way(void **state)
+{
+	static struct soft_corner corner[HILLS * HILLS * 6];
+
+	(void)state;
+	for (uint32_t round = 0; round < 40; round++) {
+		struct soft_scene *fast_setup = soft_scene_open(),
+				  *slow = soft_scene_open();
+		uint32_t seed = round + 1;
+		int seen = 0, other = 0, far = 0;
+
+		make_hills(corner, &seed);
+		draw_hills(fast_setup, corner, round % 2, false);
+		draw_hills(slow, corner, round % 2, true);
+		assert_true(fast_setup->soft->draw->ground);
+		assert_false(slow->soft->draw->ground);
+		assert_memory_equal(fast_setup->soft->buffers.depth,
+			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
+		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+			int step = soft_scene_steps(
+				fast_setup->pixel[i], slow->pixel[i]);
+
+			seen += slow->soft->buffers.depth[i] < 65535;
+			other += step > 1;
+			far += step > 3;
+		}
+		assert_true(seen > 2000);
+		assert_true(other * 40 < seen);
+		assert_true(far * 200 < seen);
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
+	}
+}
+
+/* Of the stencil, one in rarely is not 0. */
+static struct twins *make_twins(uint32_t *seed, int rarely)
+{
+	struct twins *twins = twins_make(seed);
+
+	for (int i = 0; i < TWINS_PIXELS; i++) {
+		if (random_between(seed, 1, rarely) == 1) {
+			twins->stencil[0][i] = (uint8_t)next_random(seed);
+		}
+	}
+	memcpy(twins->stencil[1], twins->stencil[0], sizeof(twins->stencil[0]));
+	return twins;
+}
+
+/* Anywhere, also crossed and beyond the picture. */
+static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
+{
+	twins_edges(seed, -9, TWINS_SIDE + 9, edge, step);
+}
+
+static void test_the_count_band_is_as_in_c(void **state)
+{
+	uint32_t seed = 4;
+
+	(void)state;
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = make_twins(&seed, 2);
+		struct count_band band = {
+			.depth = twins->depth[0] + TWINS_ROW * TWINS_SIDE,
+			.stencil = twins->stencil[0] + TWINS_ROW * TWINS_SIDE,
+			.z = next_random(&seed),
+			.z_right = (uint32_t)random_between(
+				&seed, -1000000, 1000000),
+			.z_down = (uint32_t)random_between(
+				&seed, -1000000, 1000000),
+			.rows = random_between(&seed, 0, TWINS_ROWS),
+			.width = TWINS_SIDE,
+			.from = random_between(&seed, 0, 40),
+			.to = random_between(&seed, 30, TWINS_SIDE),
+			.kind = (uint8_t)(round % 4),
+		};
+		struct count_band other;
+
+		make_edges(&seed, band.edge, band.edge_step);
+		other = band;
+		other.depth = twins->depth[1] + TWINS_ROW * TWINS_SIDE;
+		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
+		soft_bands.count(&band);
+		soft_count_band_c(&other);
+		assert_int_equal(band.edge[0], other.edge[0]);
+		assert_int_equal(band.edge[1], other.edge[1]);
+		assert_int_equal(band.z, other.z);
+		assert_int_equal(band.depth - twins->depth[0],
+			other.depth - twins->depth[1]);
+		assert_int_equal(band.stencil - twins->stencil[0],
+			other.stencil - twins->stencil[1]);
+		twins_check(twins);
+	}
+}
+
+/* Counts stop at their ends. */
+static void test_counts_neither_wrap_up_nor_down(void **state)
+{
+	for (int down = 0; down < 2; down++) {
+		uint16_t depth[4] = {0, 0, 0, 65535};
+		uint8_t stencil[4] = {0, 255, 7, 7};
+		struct count_band band = {
+			.depth = depth,
+			.stencil = stencil,
+			.edge = {0x7FFF, 4 * 65536 + 0x7FFF},
+			.z = 5 << 10,
+			.rows = 1,
+			.width = 4,
+			.to = 4,
+			.kind = down ? COUNT_DOWN : 0,
+		};
+
+		soft_bands.count(&band);
+		assert_int_equal(stencil[0], down ? 0 : 1);
+		assert_int_equal(stencil[1], down ? 254 : 255);
+		assert_int_equal(stencil[2], down ? 6 : 8);
+		assert_int_equal(stencil[3], 7);
+	}
+	(void)state;
+}
+
+static void test_the_sheet_is_as_in_c(void **state)
+{
+	uint32_t seed = 5;
+
+	(void)state;
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = make_twins(&seed, round % 3 == 0 ? 2 : 30);
+		struct flat_band band = {
+			.pixels = (uint8_t *)(twins->pixel[0] +
+				TWINS_ROW * TWINS_SIDE),
+			.stencil = twins->stencil[0] + TWINS_ROW * TWINS_SIDE,
+			.stride_bytes = 2 * TWINS_SIDE,
+			.stencil_stride = TWINS_SIDE,
+			.rows = random_between(&seed, 1, TWINS_ROWS),
+			.from = random_between(&seed, 0, 40),
+			.to = random_between(&seed, 30, TWINS_SIDE),
+			.keep = (uint32_t)random_between(&seed, 0, 32),
+			.reference = round % 7 ? 0 : 129,
+			.unlike = true,
+			.opaque = (uint16_t)next_random(&seed),
+		};
+		struct flat_band other;
+
+		band.own = widen(band.opaque) * (32 - band.keep) + WIDE_ROUND;
+		make_edges(&seed, band.edge, band.edge_step);
+		other = band;
+		other.pixels =
+			(uint8_t *)(twins->pixel[1] + TWINS_ROW * TWINS_SIDE);
+		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
+		soft_bands.flat(&band);
+		soft_band_flat_c(&other);
+		twins_check(twins);
+	}
+}
+
+static void test_ground_is_shaded_as_in_c(void **state)
+{
+	uint32_t quads[16 * 16], gray[256], seed = 3;
+
+	(void)state;
+	for (int i = 0; i < 16 * 16; i++) {
+		quads[i] = i / 7 % 3
+			? 0x01010101u * (uint32_t)(i / 21 % 256)
+			: next_random(&seed) << 16 ^ next_random(&seed);
+	}
+	for (uint32_t i = 0; i < 256; i++) {
+		gray[i] = next_random(&seed) & 0xFFFF;
+	}
+	for (int round = 0; round < 3000; round++) {
+		struct twins *twins = make_twins(&seed, 2);
+		int at = random_between(&seed, 100, 120);
+		int count = random_between(&seed, 1, 100);
+		int32_t share[2] = {random_between(&seed, 0, 0x10000) << 8,
+			random_between(&seed, 0, 0x10000) << 8};
+		struct shade_run run = {
+			.pixel = twins->pixel[0] + at,
+			.count = count,
+			.quads = quads,
+			.width_log2 = 4,
+			.height_log2 = 4,
+			.s = next_random(&seed) << 8,
+			.t = next_random(&seed) << 8,
+			.s_right = random_between(&seed, -0x100000, 0x100000) *
+				(round % 4 ? 80 : 400),
+			.t_right = random_between(&seed, -0x100000, 0x100000) *
+				(round % 4 ? 80 : 400),
+			.share = (uint32_t)share[0],
+			.share_right = (share[1] - share[0]) / count,
+			.shade = gray,
+		};
+		struct shade_run other = run;
+
+		other.pixel = twins->pixel[1] + at;
+		soft_bands.shade_ground(&run);
+		soft_ground_shade_c(&other);
+		twins_check(twins);
+	}
+}
+
+static void test_depth_is_tested_as_in_c(void **state)
+{
+	uint32_t seed = 8;
+	int all = 0, some = 0;
+
+	(void)state;
+	for (int round = 0; round < 2000; round++) {
+		struct twins *twins = make_twins(&seed, 2);
+		int count = random_between(&seed, 0, 40);
+		uint32_t z = next_random(&seed) % (1 << 26);
+		uint32_t step = (uint32_t)random_between(&seed, -9999, 9999);
+		int passed;
+
+		for (int i = 0; i < 2 * TWINS_PIXELS; i++) {
+			if (round % 2 && i % 37 != round % 37) {
+				twins->depth[0][i % TWINS_PIXELS] = 65535;
+				twins->depth[1][i % TWINS_PIXELS] = 65535;
+			}
+		}
+		passed = soft_bands.depth(
+			twins->depth[0] + 64 + round % 2, count, z, step);
+		assert_int_equal(passed,
+			soft_ground_depth_c(twins->depth[1] + 64 + round % 2,
+				count, z, step));
+		all += passed == count;
+		some += passed > 0 && passed < count;
+		twins_check(twins);
+	}
+	assert_true(all > 100 && some > 100);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_volumes_shade_what_the_long_way_does),
+		cmocka_unit_test(test_the_count_band_is_as_in_c),
+		cmocka_unit_test(test_counts_neither_wrap_up_nor_down),
+		cmocka_unit_test(test_the_sheet_is_as_in_c),
+		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),
+		cmocka_unit_test(test_ground_is_shaded_as_in_c),
+		cmocka_unit_test(test_depth_is_tested_as_in_c),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,335 @@
+/*
+ * Every span function against fragment.c, which draws any state: random
+ * states, textures, sizes and places. Coverage, depth and stencil are equal,
+ * colours within a step of RGB565.
+ */
+#include "platform/gl/soft/vertex/draw.h"
+#include "tests/support/random.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	WIDTH = 112,
+	HEIGHT = 90,
+	PIXELS = WIDTH * HEIGHT,
+	TRIANGLES = 1, /* others on top would add to the difference */
+	SIDE_MOST = 256,
+};
+
+struct corner {
+	float position[3];
+	uint8_t color[4];
+	float texcoord[2];
+};
+
+struct scene {
+	struct gl_context *context;
+	const struct gl *gl;
+	struct soft *soft;
+	uint8_t bytes[PIXELS * 4];
+	struct pixels picture;
+};
+
+static struct scene *open_scene(enum pixel_format format)
+{
+	const struct log log = {0};
+	struct scene *scene = calloc(1, sizeof(*scene));
+
+	assert_non_null(scene);
+	scene->picture = (struct pixels){
+		.width = WIDTH,
+		.height = HEIGHT,
+		.stride_bytes = WIDTH * pixel_bytes(format),
+		.format = format,
+		.data = scene->bytes,
+	};
+	assert_int_equal(
+		gl_open("soft",
+			&(struct gl_request){.format = format, .log = &log},
+			&scene->context),
+		0);
+	scene->gl = &scene->context->gl;
+	scene->soft = (struct soft *)scene->context;
+	return scene;
+}
+
+static void close_scene(struct scene *scene)
+{
+	scene->context->driver->end_frame(scene->context);
+	scene->context->driver->destroy(scene->context);
+	free(scene);
+}
+
+/* A format, and how many bytes of it a texel takes. */
+static const struct texel_case {
+	GLenum format, type;
+	int bytes;
+} texels[] = {
+	{GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 2},
+	{GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 2},
+	{GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 2},
+	{GL_RGBA, GL_UNSIGNED_BYTE, 4},
+	{GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
+	{GL_ALPHA, GL_UNSIGNED_BYTE, 1},
+	{GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2},
+	{GL_RGB, GL_UNSIGNED_BYTE, 3},
+};
+
+static GLenum one_of(uint32_t *seed, const GLenum *values, int count)
+{
+	return values[random_between(seed, 0, count - 1)];
+}
+
+static bool by_chance(uint32_t *seed, int one_in)
+{
+	return random_between(seed, 1, one_in) == 1;
+}
+
+static void give_texture(const struct gl *gl, uint32_t *seed)
+{
+	static uint8_t bytes[SIDE_MOST * SIDE_MOST * 4];
+	static const GLenum min[] = {GL_NEAREST, GL_LINEAR,
+		GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST};
+	static const GLenum mag[] = {GL_NEAREST, GL_LINEAR};
+	static const GLenum wrap[] = {GL_REPEAT, GL_CLAMP_TO_EDGE};
+	const struct texel_case *texel = &texels[random_between(seed, 0, 7)];
+	int width = 1 << random_between(seed, 0, 8);
+	int height = 1 << random_between(seed, 0, 8);
+	GLuint name;
+
+	for (size_t i = 0; i < sizeof(bytes); i++) {
+		bytes[i] = (uint8_t)next_random(seed);
+	}
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+		(GLfixed)one_of(seed, min, 4));
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
+		(GLfixed)one_of(seed, mag, 2));
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S,
+		(GLfixed)one_of(seed, wrap, 2));
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T,
+		(GLfixed)one_of(seed, wrap, 2));
+	for (int level = 0;; level++) {
+		gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)texel->format,
+			width, height, 0, texel->format, texel->type, bytes);
+		if (width == 1 && height == 1) {
+			break;
+		}
+		width = width > 1 ? width / 2 : 1;
+		height = height > 1 ? height / 2 : 1;
+	}
+	gl->Enable(GL_TEXTURE_2D);
+}
+
+static void give_fragments(const struct gl *gl, uint32_t *seed)
+{
+	static const GLenum functions[] = {GL_LESS, GL_LEQUAL, GL_GREATER,
+		GL_ALWAYS, GL_NOTEQUAL, GL_GEQUAL, GL_EQUAL};
+	static const GLenum modes[] = {GL_MODULATE, GL_MODULATE, GL_REPLACE,
+		GL_DECAL, GL_ADD, GL_BLEND};
+	static const GLenum source[] = {
+		GL_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE, GL_DST_COLOR};
+	static const GLenum destination[] = {GL_ONE_MINUS_SRC_ALPHA,
+		GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ZERO};
+
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		(GLfixed)one_of(seed, modes, 6));
+	if (by_chance(seed, 3)) {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(
+			one_of(seed, source, 4), one_of(seed, destination, 4));
+	}
+	if (by_chance(seed, 3)) {
+		gl->Enable(GL_ALPHA_TEST);
+		gl->AlphaFuncx(one_of(seed, functions, 7),
+			random_between(seed, 0, 65536));
+	}
+	if (by_chance(seed, 4)) {
+		static const GLfixed color[] = {20000, 50000, 9000, 65536};
+
+		gl->Enable(GL_FOG);
+		gl->Fogx(GL_FOG_MODE, GL_LINEAR);
+		gl->Fogx(GL_FOG_START, 2 * 65536);
+		gl->Fogx(GL_FOG_END, 6 * 65536);
+		gl->Fogxv(GL_FOG_COLOR, color);
+	}
+	if (!by_chance(seed, 6)) {
+		gl->Enable(GL_DEPTH_TEST);
+		gl->DepthFunc(by_chance(seed, 2) ? GL_LESS
+						 : one_of(seed, functions, 7));
+		gl->DepthMask(!by_chance(seed, 4));
+	}
+	if (by_chance(seed, 8)) {
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_EQUAL, 0, 255);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+	}
+}
+
+/* At depths around 4: w differs by up to half, hardly, or not at all. */
+static void give_triangles(const struct gl *gl, uint32_t *seed)
+{
+	static struct corner corner[TRIANGLES * 3];
+	static const int sizes[] = {3, 8, 30, 120, 400};
+	int size = sizes[random_between(seed, 0, 4)];
+	int bend = random_between(seed, 0, 2) * 40;
+	int texels_wide = random_between(seed, 1, 30);
+	bool one_color = by_chance(seed, 4);
+
+	for (int i = 0; i < TRIANGLES * 3; i++) {
+		struct corner *c = &corner[i];
+		float depth = 4.0f +
+			(float)random_between(seed, -bend, bend) / 100.0f;
+		float x = (float)random_between(seed, -80, 80);
+		float y = (float)random_between(seed, -80, 80);
+
+		if (i % 3 != 0) {
+			const float *first = corner[i / 3 * 3].position;
+
+			x = first[0] * 50.0f +
+				(float)random_between(seed, -size, size);
+			y = first[1] * 50.0f +
+				(float)random_between(seed, -size, size);
+		}
+		c->position[0] = x / 50.0f;
+		c->position[1] = y / 50.0f;
+		c->position[2] = -depth;
+		for (int k = 0; k < 4; k++) {
+			c->color[k] = (uint8_t)(one_color
+					? 200
+					: random_between(seed, 0, 255));
+		}
+		c->texcoord[0] = (float)random_between(seed, -100, 100) /
+			100.0f * (float)texels_wide / 8.0f;
+		c->texcoord[1] = (float)random_between(seed, -100, 100) /
+			100.0f * (float)texels_wide / 8.0f;
+	}
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
+	gl->TexCoordPointer(2, GL_FLOAT, sizeof(*corner), corner->texcoord);
+	gl->DrawArrays(GL_TRIANGLES, 0, TRIANGLES * 3);
+}
+
+/* The same by one way or the other, on a picture of noise. */
+static struct scene *draw(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct scene *scene = open_scene(format);
+	const struct gl *gl = scene->gl;
+
+	assert_int_equal(scene->context->driver->begin_frame(
+				 scene->context, &scene->picture),
+		0);
+	scene->soft->reference = reference;
+	gl->ClearDepthx(60000);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+	gl->Disable(GL_STENCIL_TEST);
+	for (size_t i = 0; i < sizeof(scene->bytes); i++) {
+		scene->bytes[i] = (uint8_t)(i * 37 ^ i >> 5);
+	}
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
+	gl->MatrixMode(GL_MODELVIEW);
+	if (!by_chance(&seed, 5)) {
+		give_texture(gl, &seed);
+	}
+	give_fragments(gl, &seed);
+	give_triangles(gl, &seed);
+	return scene;
+}
+
+static int distance(int a, int b)
+{
+	return abs(a - b);
+}
+
+/* In steps of what the picture has five bits of. */
+static bool is_near(const struct scene *a, const struct scene *b, int i)
+{
+	if (a->soft->format == PIXELS_RGBA8888) {
+		for (int k = 0; k < 4; k++) {
+			if (distance(a->bytes[4 * i + k], b->bytes[4 * i + k]) >
+				8) {
+				return false;
+			}
+		}
+		return true;
+	}
+	int p = a->bytes[2 * i] | a->bytes[2 * i + 1] << 8;
+	int q = b->bytes[2 * i] | b->bytes[2 * i + 1] << 8;
+
+	return distance(p >> 11, q >> 11) <= 1 &&
+		distance(p >> 5 & 63, q >> 5 & 63) <= 2 &&
+		distance(p & 31, q & 31) <= 1;
+}
+
+static int compare(const struct scene *a, const struct scene *b, uint32_t seed)
+{
+	const struct buffers *x = &a->soft->buffers, *y = &b->soft->buffers;
+	int drawn = 0;
+
+	assert_memory_equal(x->depth, y->depth, PIXELS * 2);
+	assert_memory_equal(x->stencil, y->stencil, PIXELS);
+	for (int i = 0; i < PIXELS; i++) {
+		if (!is_near(a, b, i)) {
+			const uint8_t *p = a->bytes, *q = b->bytes;
+			int at = i * pixel_bytes(a->soft->format);
+
+			fail_msg("seed %u: pixel %d,%d: %02x%02x%02x%02x, by "
+				 "fragments %02x%02x%02x%02x, finish %d",
+				seed, i % WIDTH, i / WIDTH, p[at], p[at + 1],
+				p[at + 2], p[at + 3], q[at], q[at + 1],
+				q[at + 2], q[at + 3],
+				(int)a->soft->draw->spans.finish);
+		}
+		drawn += x->depth[i] != x->depth[0];
+	}
+	return drawn;
+}
+
+static void check(enum pixel_format format)
+{
+	int used = 0, drawn = 0;
+
+	for (uint32_t seed = 1; seed <= 3000; seed++) {
+		struct scene *fast = draw(format, seed * 7919, false);
+		struct scene *slow = draw(format, seed * 7919, true);
+
+		used += fast->soft->draw->spans.used;
+		drawn += compare(fast, slow, seed);
+		close_scene(fast);
+		close_scene(slow);
+	}
+	assert_true(used > 2000);
+	assert_true(drawn > 100000);
+}
+
+static void test_spans_of_565_are_those_of_fragments(void **state)
+{
+	(void)state;
+	check(PIXELS_RGB565);
+}
+
+static void test_spans_of_8888_are_those_of_fragments(void **state)
+{
+	(void)state;
+	check(PIXELS_RGBA8888);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
+		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

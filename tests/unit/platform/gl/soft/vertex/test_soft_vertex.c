@@ -1,0 +1,434 @@
+/* The soft driver's vertices: in assembly as in C, and against double. */
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+#include "tests/support/random.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	VERTICES = 64
+};
+
+static int32_t random_within(uint32_t *seed, int32_t most)
+{
+	uint32_t wide = next_random(seed) << 16 ^ next_random(seed);
+
+	return (int32_t)(wide % (2 * (uint32_t)most + 1)) - most;
+}
+
+static struct draw *make_draw(void)
+{
+	struct draw *draw = aligned_alloc(_Alignof(struct draw), sizeof(*draw));
+
+	assert_non_null(draw);
+	memset(draw, 0, sizeof(*draw));
+	soft_init_scratch(draw);
+	draw->view.center_x_q8 = 240 * 256 + 8;
+	draw->view.center_y_q8 = 320 * 256 + 8;
+	draw->view.width_q10 = 480 * 1024;
+	draw->view.height_q10 = -640 * 1024;
+	return draw;
+}
+
+/* Coordinates below 2^28 for positions below 2^30, or 2^15 * 2^16. */
+static void make_view(
+	struct view *view, enum position_kind kind, bool affine, uint32_t *seed)
+{
+	int32_t entry = kind == POSITION_SHORTS ? 1 << 26 : 1 << 28;
+	int32_t move = (1 << 28) - 3 * (1 << 26);
+
+	view->kind = kind;
+	for (int i = 0; i < 3; i++) {
+		view->row_x[i] = random_within(seed, entry);
+		view->row_y[i] = random_within(seed, entry);
+		view->row_z[i] = random_within(seed, entry);
+		view->row_w[i] = affine ? 0 : random_within(seed, entry);
+	}
+	view->moved_x = random_within(seed, move);
+	view->moved_y = random_within(seed, move);
+	view->moved_z = random_within(seed, move);
+	view->moved_w = move + random_within(seed, affine ? 0 : move);
+	view->inverse_w_q30 = 0;
+	if (affine) {
+		view->w_zeros = (uint32_t)LEADING_ZEROS_32(move);
+		view->inverse_w_q30 =
+			reciprocal((uint32_t)move << view->w_zeros);
+	}
+}
+
+static void check_vertex(const struct draw *draw, uint32_t index)
+{
+	struct vertex vertex = {.shaded = true}, other = {.shaded = true};
+
+	soft_transform(draw, index, &vertex);
+	soft_transform_c(draw, index, &other);
+	assert_memory_equal(vertex.clip, other.clip, sizeof(vertex.clip));
+	assert_int_equal(vertex.outcode, other.outcode);
+	assert_int_equal(vertex.index, index);
+	assert_int_equal(other.index, index);
+	assert_false(vertex.shaded);
+	assert_false(other.shaded);
+	if (vertex.outcode == 0) {
+		assert_int_equal(vertex.x, other.x);
+		assert_int_equal(vertex.y, other.y);
+		assert_int_equal(vertex.z, other.z);
+		assert_int_equal(vertex.w_zeros, other.w_zeros);
+		assert_int_equal(vertex.inverse_w_q30, other.inverse_w_q30);
+	}
+}
+
+/* Where exact arithmetic puts what is inside. */
+static void check_place(const struct draw *draw, uint32_t index)
+{
+	const struct view *view = &draw->view;
+	struct vertex v = {.shaded = true};
+	double w, x, y;
+
+	soft_transform(draw, index, &v);
+	if (v.outcode != 0 || v.clip[3] < 1 << 20) {
+		return;
+	}
+	w = v.clip[3];
+	x = (view->center_x_q8 + v.clip[0] / w * view->width_q10 / 8) / 16;
+	y = (view->center_y_q8 + v.clip[1] / w * view->height_q10 / 8) / 16;
+	assert_true(fabs(v.x + 0.5 - x) < 0.51);
+	assert_true(fabs(v.y + 0.5 - y) < 0.51);
+	assert_true(fabs(v.z - (131070 + v.clip[2] / w * 131066)) < 2);
+}
+
+static void check_vertices(struct draw *draw, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		check_vertex(draw, i);
+		check_place(draw, i);
+	}
+}
+
+static void check_shorts(bool affine)
+{
+	struct draw *draw = make_draw();
+	int16_t position[VERTICES][4];
+	uint32_t seed = 7;
+
+	draw->view.positions = (const uint8_t *)&position[0][1];
+	draw->view.stride_bytes = sizeof(position[0]);
+	for (int round = 0; round < 300; round++) {
+		make_view(&draw->view, POSITION_SHORTS, affine, &seed);
+		for (int i = 0; i < 4 * VERTICES; i++) {
+			int16_t any = (int16_t)random_within(&seed, 32767);
+
+			position[i / 4][i % 4] = i < 12 ? INT16_MIN
+				: i < 24                ? INT16_MAX
+				: i < 128               ? any >> 2
+							: any;
+		}
+		check_vertices(draw, VERTICES - 1);
+	}
+	free(draw);
+}
+
+static void test_shorts_are_transformed_as_in_c(void **state)
+{
+	(void)state;
+	check_shorts(false);
+}
+
+static void test_pairs_are_transformed_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	int16_t position[VERTICES][2];
+	uint32_t seed = 13;
+
+	(void)state;
+	draw->view.positions = (const uint8_t *)position;
+	draw->view.stride_bytes = sizeof(position[0]);
+	for (int round = 0; round < 100; round++) {
+		make_view(&draw->view, POSITION_SHORTS, round % 2, &seed);
+		draw->view.kind = POSITION_PAIRS;
+		for (int i = 0; i < 2 * VERTICES; i++) {
+			position[i / 2][i % 2] =
+				(int16_t)random_within(&seed, 32767 >> i % 3);
+		}
+		check_vertices(draw, VERTICES);
+	}
+	free(draw);
+}
+
+static void test_flat_projections_are_transformed_as_in_c(void **state)
+{
+	(void)state;
+	check_shorts(true);
+}
+
+static void test_floats_are_transformed_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	float position[VERTICES][5];
+	uint32_t seed = 11;
+
+	(void)state;
+	draw->view.positions = (const uint8_t *)position;
+	draw->view.stride_bytes = sizeof(position[0]);
+	draw->view.scale = 1 << 24;
+	for (int round = 0; round < 300; round++) {
+		make_view(&draw->view, POSITION_FLOATS, round % 4 == 0, &seed);
+		for (int i = 0; i < 5 * VERTICES; i++) {
+			int32_t any = random_within(&seed, (1 << 30) - 1);
+
+			position[i / 5][i % 5] = i < 10 ? 0.0f
+				: i < 20                ? -63.999996f
+				: i < 99 ? (float)(any >> 3) / (1 << 24)
+					 : (float)(any >> 7) / (1 << 17);
+		}
+		check_vertices(draw, VERTICES);
+	}
+	free(draw);
+}
+
+/* All of the volume's planes, and w of 0 and below. */
+static void test_outcodes_are_as_in_c(void **state)
+{
+	struct draw *draw = make_draw();
+	int16_t position[1][3] = {{0, 0, 0}};
+	static const int32_t some[] = {
+		-(1 << 27), -1001, -1000, -1, 0, 1, 1000, 1001, 1 << 27};
+	struct view *view = &draw->view;
+
+	(void)state;
+	view->kind = POSITION_SHORTS;
+	view->positions = (const uint8_t *)position;
+	view->stride_bytes = sizeof(position[0]);
+	for (int i = 0; i < 9 * 9 * 9 * 9; i++) {
+		view->moved_x = some[i % 9];
+		view->moved_y = some[i / 9 % 9];
+		view->moved_z = some[i / 81 % 9];
+		view->moved_w = some[i / 729];
+		check_vertex(draw, 0);
+	}
+	free(draw);
+}
+
+static void test_the_largest_float_is_found_as_in_c(void **state)
+{
+	float position[VERTICES][4];
+	const uint8_t *at = (const uint8_t *)position;
+	uint32_t seed = 1;
+
+	(void)state;
+	for (int round = 0; round < 2000; round++) {
+		uint32_t count = (uint32_t)round % VERTICES;
+		int stride = round % 3 ? 16 : 12;
+		uint32_t found;
+
+		for (int i = 0; i < 4 * VERTICES; i++) {
+			position[i / 4][i % 4] =
+				(float)random_within(&seed, 1 << (i % 24));
+		}
+		found = soft_largest_float(at, stride, count);
+		assert_int_equal(found, soft_largest_float_c(at, stride, count));
+		if (count > 0) {
+			size_t last = (size_t)stride * (count - 1) + 8;
+			uint32_t bits = 0xC5000000u | (uint32_t)round;
+
+			/* 2048 and more */
+			memcpy((uint8_t *)position + last, &bits, 4);
+			assert_true(soft_largest_float(at, stride, count) >=
+				bits << 1);
+		}
+	}
+}
+
+/* What arrays hold, and one specular table for all. */
+struct lit_mesh {
+	int16_t halves[VERTICES][4];
+	float floats[VERTICES][3];
+	uint8_t color[VERTICES][4];
+	float texcoord[VERTICES][2];
+	struct spec_table_step step[SPEC_TABLE_STEPS];
+};
+
+static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
+{
+	for (int i = 0; i < VERTICES; i++) {
+		float most = i % 3 ? 0.6f : 1.9999999f;
+
+		for (int j = 0; j < 3; j++) {
+			int16_t any = (int16_t)random_within(seed, 32767);
+
+			mesh->halves[i][j + 1] = i < 2 ? INT16_MIN
+				: i < 4                ? INT16_MAX
+				: i < 6                ? (int16_t)(i - 5)
+				: i < 20               ? any >> 6
+						       : any;
+			mesh->floats[i][j] = most * (float)any / 32767.0f;
+			mesh->color[i][j] = (uint8_t)next_random(seed);
+		}
+		mesh->color[i][3] = (uint8_t)next_random(seed);
+	}
+	mesh->floats[0][0] = 2.0f;
+	mesh->floats[1][1] = -1e30f;
+	mesh->floats[2][2] = NAN;
+	mesh->floats[3][0] = INFINITY;
+}
+
+static void make_light_source(const struct lit_mesh *mesh,
+	struct dir_light *light_source, uint32_t *seed)
+{
+	int32_t most = next_random(seed) % 2 ? 620000000 : INT32_MAX - 1;
+
+	for (int j = 0; j < 3; j++) {
+		light_source->towards_q30[j] = random_within(seed, most / 2) * 2;
+		light_source->half_q30[j] = random_within(seed, most / 2) * 2;
+		light_source->diffuse_q30[j] = random_within(seed, 1 << 30);
+		light_source->specular_q20[j] = random_within(seed, 1 << 22);
+	}
+	light_source->spec_tables = next_random(seed) % 2;
+	light_source->least_q26 = abs(random_within(seed, 1 << 26)) & ~7;
+	light_source->scale = (int32_t)(ldexp(1, 46) /
+		((1 << 26) - light_source->least_q26 + 8));
+	light_source->step = mesh->step;
+}
+
+static void make_light(
+	const struct lit_mesh *mesh, struct dir_lights *light, uint32_t *seed)
+{
+	int light_sources = random_within(seed, 4) + 4;
+
+	light->roots = soft_root_table;
+	light->floats = next_random(seed) % 2;
+	light->normals = light->floats ? (const uint8_t *)mesh->floats
+				       : (const uint8_t *)&mesh->halves[0][1];
+	light->normal_stride = light->floats ? 12 : 8;
+	light->colors = mesh->color[0];
+	light->color_stride = next_random(seed) % 2 ? 4 : 0;
+	light->two_side = next_random(seed) % 2;
+	light->square_least = next_random(seed) % 2 << 23;
+	light->square_range = light->square_least ? 1u << 24 : 1u << 26;
+	for (int i = 0; i < 3; i++) {
+		light->ambient_q24[i] = random_within(seed, 1 << 25);
+		light->emission_q16[i] = random_within(seed, 1 << 16);
+	}
+	for (int i = 0; i < light_sources; i++) {
+		make_light_source(mesh, &light->dir_light[i], seed);
+	}
+	light->end = light->dir_light + light_sources;
+}
+
+/* Untextured, or with coordinates of which some are too large. */
+static void make_texture(
+	struct lit_mesh *mesh, struct draw *draw, uint32_t *seed)
+{
+	struct texture_input *input = &draw->texture[0];
+
+	input->used = next_random(seed) % 2;
+	input->identity = true;
+	input->kind = TEXCOORD_FLOATS;
+	input->array = &draw->soft->arrays.texcoord[0];
+	for (int i = 0; i < 2 * VERTICES; i++) {
+		mesh->texcoord[i / 2][i % 2] =
+			ldexpf((float)random_within(seed, 1 << 20), i % 9 - 20);
+	}
+	mesh->texcoord[0][0] = 16383.999f;
+	mesh->texcoord[1][1] = 16384.0f;
+	mesh->texcoord[2][0] = -16384.0f;
+	mesh->texcoord[3][1] = -1e20f;
+	draw->soft->arrays.texcoord[0] = (struct array){
+		.enabled = true,
+		.size = 2,
+		.type = GL_FLOAT,
+		.stride_bytes = 8,
+		.pointer = (const uint8_t *)mesh->texcoord,
+	};
+	draw->dir_lights.rest = input->used && next_random(seed) % 2;
+	draw->dir_lights.texcoords = input->used && !draw->dir_lights.rest
+		? (const uint8_t *)mesh->texcoord
+		: NULL;
+	draw->dir_lights.texcoord_stride = 8;
+}
+
+/* What directional lights do not cover is lit by no light source here, by floats. */
+static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
+{
+	draw->attributes = 15;
+	draw->view.dir_lights = (uint32_t)offsetof(struct draw, dir_lights);
+	draw->shading.lit = true;
+	draw->shading.by_dir_lights = true;
+	draw->shading.two_side = draw->dir_lights.two_side;
+	draw->shading.base_q16[3] = 65536;
+	draw->soft->arrays.normal = (struct array){
+		.enabled = true,
+		.size = 3,
+		.type = GL_FLOAT,
+		.stride_bytes = 12,
+		.pointer = (const uint8_t *)mesh->floats,
+	};
+}
+
+static int check_lit(const struct draw *draw)
+{
+	int lit = 0;
+
+	for (uint32_t i = 0; i < VERTICES; i++) {
+		struct vertex a = {.index = i}, b = {.index = i},
+			      c = {.index = i};
+
+		soft_shade(draw, &a);
+		soft_shade_c(draw, &b);
+		assert_true(a.shaded);
+		assert_true(b.shaded);
+		assert_memory_equal(
+			a.attribute, b.attribute, sizeof(a.attribute));
+		assert_memory_equal(a.back, b.back, sizeof(a.back));
+		lit += soft_light_by_dir_lights(&draw->dir_lights, &c);
+	}
+	return lit;
+}
+
+static void test_vertices_are_shaded_as_in_c(void **state)
+{
+	struct lit_mesh *mesh =
+		aligned_alloc(_Alignof(struct lit_mesh), sizeof(*mesh));
+	struct soft *soft = calloc(1, sizeof(*soft));
+	struct draw *draw = make_draw();
+	uint32_t seed = 3;
+	int lit = 0;
+
+	(void)state;
+	assert_non_null(mesh);
+	assert_non_null(soft);
+	memset(mesh, 0, sizeof(*mesh));
+	draw->soft = soft;
+	for (int i = 0; i < SPEC_TABLE_STEPS; i++) {
+		mesh->step[i].value_q28 = i << 22;
+		mesh->step[i].rise_q28 = random_within(&seed, 1 << 14);
+	}
+	for (int round = 0; round < 1000; round++) {
+		fill_mesh(mesh, &seed);
+		make_light(mesh, &draw->dir_lights, &seed);
+		make_texture(mesh, draw, &seed);
+		make_rest(mesh, draw);
+		lit += check_lit(draw);
+	}
+	assert_true(lit > 1000 * VERTICES / 2);
+	free(draw);
+	free(soft);
+	free(mesh);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_shorts_are_transformed_as_in_c),
+		cmocka_unit_test(test_pairs_are_transformed_as_in_c),
+		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
+		cmocka_unit_test(test_floats_are_transformed_as_in_c),
+		cmocka_unit_test(test_outcodes_are_as_in_c),
+		cmocka_unit_test(test_the_largest_float_is_found_as_in_c),
+		cmocka_unit_test(test_vertices_are_shaded_as_in_c),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

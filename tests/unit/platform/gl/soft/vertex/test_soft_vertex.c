@@ -287,8 +287,8 @@ static void make_light_source(const struct lit_mesh *mesh,
 	}
 	light_source->spec_tables = next_random(seed) % 2;
 	light_source->least_q26 = abs(random_within(seed, 1 << 26)) & ~7;
-	light_source->scale = (int32_t)(ldexp(1, 46) /
-		((1 << 26) - light_source->least_q26 + 8));
+	light_source->scale = (int32_t)fmin(INT32_MAX,
+		ldexp(1, 46) / ((1 << 26) - light_source->least_q26 + 8));
 	light_source->step = mesh->step;
 }
 

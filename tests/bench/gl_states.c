@@ -18,6 +18,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/gl_context.h"
 #include "tests/arm1136/marker.h"
+#include "tests/bench/bench_picture.h"
 #include "tests/support/random.h"
 
 enum {
@@ -467,31 +468,6 @@ static bool find_scene(const char *name, struct scene *out)
 	return false;
 }
 
-static void write_picture(const char *path, const struct pixels *pixels)
-{
-	FILE *file = fopen(path, "wb");
-
-	if (!file) {
-		perror(path);
-		exit(EXIT_FAILURE);
-	}
-	fprintf(file, "P6 %d %d 255\n", pixels->width, pixels->height);
-	for (int i = 0; i < pixels->width * pixels->height; i++) {
-		const uint8_t *at = pixels->data + 4 * i;
-		uint16_t p;
-
-		if (pixels->format != PIXELS_RGB565) {
-			fwrite(at, 1, 3, file);
-			continue;
-		}
-		memcpy(&p, pixels->data + 2 * i, sizeof(p));
-		fputc((p >> 11) * 255 / 31, file);
-		fputc((p >> 5 & 63) * 255 / 63, file);
-		fputc((p & 31) * 255 / 31, file);
-	}
-	fclose(file);
-}
-
 static void draw_frames(struct gl_context *context, struct pixels *pixels,
 	const struct scene *scene, int frames)
 {
@@ -539,7 +515,7 @@ int main(int argc, char **argv)
 	}
 	draw_frames(context, &pixels, &scene, atoi(argv[2]));
 	if (argc > 4) {
-		write_picture(argv[4], &pixels);
+		bench_picture_write(argv[4], &pixels);
 	}
 	context->driver->destroy(context);
 	free(pixels.data);

@@ -146,6 +146,26 @@ def one_png_many_names():
     return "\n".join(text)
 
 
+def one_image_many_textures():
+    """A picture of one colour, which each of many textures stores again."""
+    import base64
+
+    uri = "data:image/png;base64," + base64.b64encode(png(1024)).decode()
+    count = 600
+    return gltf(
+        accessors=[zeros("VEC3", 3), zeros("VEC2", 3)],
+        images=[{"uri": uri}],
+        samplers=[{"wrapS": 33648, "wrapT": 33648}],
+        textures=[{"source": 0, "sampler": 0}] * count,
+        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
+                   for i in range(count)],
+        meshes=[{"primitives": [
+            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
+            for i in range(count)]}],
+        nodes=[{"mesh": 0}],
+    )
+
+
 def many_warnings():
     """A warning for each of many references."""
     frames = "".join("{missing%d}" % i for i in range(100000))
@@ -161,6 +181,7 @@ def main(folder):
         "far-apart.gltf": far_apart(),
         "nested-scales.gltf": nested_scales(),
         "names.gltf": names(),
+        "many-textures.gltf": one_image_many_textures(),
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
     }

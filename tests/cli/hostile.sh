@@ -80,6 +80,11 @@ check 'SIGPIPE leaves the watchdog disabled' \
 
 # One picture under many names, and a warning for each of many references.
 expect_too_large many-names.x
+limber info "$scratch/many-textures.gltf"
+expect_status 0
+limber render --size 64x64 --frames 1 -o "$scratch/x.png" \
+    "$scratch/many-textures.gltf"
+expect_refusal 1 'more than 256 MiB of memory: .*--memory'
 limber pose -o "$scratch/x.obj" "$scratch/many-warnings.x"
 expect_status 0
 expect_err_lines 9

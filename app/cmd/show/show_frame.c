@@ -1,4 +1,7 @@
 #include "app/cmd/show/show_state.h"
+#include "app/scene/draw/texture.h"
+
+#include <errno.h>
 
 /* Draws the labels and the graph of frame times, unless both are hidden. */
 static void draw_hud(struct show *show, int width, int height)
@@ -41,6 +44,32 @@ static void keep_frame(struct show *show)
 	}
 }
 
+/*
+ * Whether the GL had no memory for a part of the frame, such as the stencil of
+ * shadows. The GL of a GPU is not asked, because it would first complete the
+ * frame. A file must not hold such a picture; a screen may show it.
+ */
+static int check_memory(struct show *show)
+{
+	bool files = show->film.display || show->screen.driver->finish;
+
+	if (show->screen.gl->accelerated || show->lacks_memory ||
+		texture_memory_ok(&show->screen.gl->gl)) {
+		return 0;
+	}
+	if (!files) {
+		show->lacks_memory = true;
+		log_warning(show->log,
+			"--gl %s: there is not enough memory for all of a picture: parts of it are missing",
+			show->screen.gl->driver->name);
+		return 0;
+	}
+	log_error(show->log,
+		"--gl %s: there is not enough memory for all of a picture",
+		show->screen.gl->driver->name);
+	return -ENOMEM;
+}
+
 int show_frame_draw(struct show *show)
 {
 	int width, height;
@@ -52,7 +81,10 @@ int show_frame_draw(struct show *show)
 	demo_update_live(show->demo, show->now_s, width, height);
 	show->plan->demo->draw(show->demo, width, height);
 	draw_hud(show, width, height);
-	error = show_screen_complete_frame(&show->screen);
+	error = check_memory(show);
+	if (!error) {
+		error = show_screen_complete_frame(&show->screen);
+	}
 	frame_watch_stage(&show->watch, HUD_DRAW);
 	if (!error) {
 		keep_frame(show);

@@ -52,6 +52,8 @@ struct show {
 	int film_error;     /* 0 or the -errno that ended the film */
 	bool keeps_picture; /* the frame under way goes into a file */
 	struct snapshot snapshot;
+
+	bool lacks_memory; /* a picture was incomplete, which has been logged */
 };
 
 /* Opens the sources of buttons. Returns 0, or -errno after logging an error. */

@@ -29,6 +29,25 @@ static int power_of_two_near(int side)
 	return power > 1 && power - side > side - power / 2 ? power / 2 : power;
 }
 
+static int upload_side(int side, enum model_wrap wrap)
+{
+	return power_of_two_near(side) << (wrap == MODEL_MIRROR);
+}
+
+/*
+ * The memory of a texture in the GL, and as much again for the tables that a
+ * driver such as soft makes of it. Mipmaps add a third.
+ */
+static size_t texture_bytes(const struct model_image *image,
+	const struct model_texture *sampling, enum pixel_format target)
+{
+	size_t texels = (size_t)upload_side(image->width, sampling->wrap_s) *
+		(size_t)upload_side(image->height, sampling->wrap_t);
+	size_t bytes = texels * (target == PIXELS_RGB565 ? 4 : 8);
+
+	return sampling->mipmap ? bytes + bytes / 3 : bytes;
+}
+
 /* The source column or row, in 1/256, at a texel's centre. */
 static int source_at(int texel, int side, int source_side, bool mirrored)
 {
@@ -71,8 +90,8 @@ static int resample(const struct model_image *image,
 	bool mirror_s = sampling->wrap_s == MODEL_MIRROR;
 	bool mirror_t = sampling->wrap_t == MODEL_MIRROR;
 
-	out->width = power_of_two_near(image->width) << mirror_s;
-	out->height = power_of_two_near(image->height) << mirror_t;
+	out->width = upload_side(image->width, sampling->wrap_s);
+	out->height = upload_side(image->height, sampling->wrap_t);
 	out->rgba = malloc((size_t)out->width * (size_t)out->height * 4);
 	if (!out->rgba) {
 		return -ENOMEM;
@@ -273,9 +292,14 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 	set->count = model->texture_count;
 	for (int i = 0; i < set->count; i++) {
 		const struct model_texture *texture = &model->texture[i];
+		const struct model_image *image = &model->image[texture->image];
+		size_t bytes = texture_bytes(image, texture, target);
 
-		set->name[i] = texture_upload(
-			gl, &model->image[texture->image], texture, target);
+		if (!memory_budget_take(model->budget, bytes)) {
+			goto fail;
+		}
+		set->taken_bytes += bytes;
+		set->name[i] = texture_upload(gl, image, texture, target);
 		if (!set->name[i]) {
 			goto fail;
 		}
@@ -283,8 +307,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 	set->normal_mapping = bump_is_supported(model, gl, log);
 	return 0;
 fail:
-	log_error(log, "%s: there is not enough memory for the model's textures",
-		model->path);
+	(void)memory_budget_fail(model->budget, model->path, log);
 	texture_set_destroy(set, gl);
 	return -ENOMEM;
 }
@@ -295,6 +318,10 @@ void texture_set_destroy(struct texture_set *set, const struct gl *gl)
 		gl->DeleteTextures(set->count, set->name);
 	}
 	free(set->name);
+	if (set->taken_bytes) {
+		memory_budget_give_back(
+			set->model->budget, set->taken_bytes);
+	}
 	*set = (struct texture_set){0};
 }
 

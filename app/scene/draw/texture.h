@@ -18,12 +18,15 @@ struct texture_set {
 	int count;
 	GLuint *name;        /* [count], one for each of the model's textures */
 	bool normal_mapping; /* the driver can draw the model's normal maps */
+	size_t taken_bytes;  /* from the model's budget, for the GL's memory */
 };
 
 /*
  * Uploads all textures of the model, with 16 bits a texel when the target is
- * RGB565. Returns 0, or -ENOMEM after logging an error; then nothing is left to
- * release. Release the set with texture_set_destroy().
+ * RGB565. The memory that the GL needs for them is taken from the model's
+ * budget, because many textures may share one image. Returns 0, or -ENOMEM
+ * after logging an error; then nothing is left to release. Release the set with
+ * texture_set_destroy() while the model exists.
  */
 int texture_set_create(struct texture_set *set, const struct model *model,
 	const struct gl *gl, enum pixel_format target, const struct log *log);

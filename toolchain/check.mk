@@ -123,6 +123,7 @@ $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 $(call suite,tally,tests/support/tally/tally_test.sh)
 $(model_suites)
 $(bench_suites)
+$(trust_suites)
 $(board_suites)
 $(virtual_pdk_suite)
 endef
@@ -140,6 +141,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
+		$(trust_programs) \
 		image build/board/guest \
 		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \

@@ -1,0 +1,23 @@
+# make trust measures how well limber stands faults and hostile input; make check
+# runs the short form of each part (SECURITY.md).
+
+FAULTS := build/faults/faults.so
+FAULTS_RUN := python3 -B tests/faults/faults.py $(FAULTS)
+
+$(FAULTS): tests/faults/faults.c | build/host/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_host) -std=c11 $(WARNINGS) -O1 -g -fno-omit-frame-pointer -fPIC \
+		-shared -o $@ $<
+
+# The short form spreads its faults over each kind of call; the long one tries
+# all of them, which takes about an hour on two processors.
+MOST ?= 0
+.PHONY: faults
+faults: $(FAULTS) build/asan/limber
+	$(Q)$(FAULTS_RUN) build/asan/limber --most $(MOST) --table build/faults/table
+
+trust_programs := $(FAULTS)
+trust_suites = $(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
+	--most 3 --jobs 1) \
+	$(call suite,faults/host,$(FAULTS_RUN) build/host/limber --most 2 --jobs 1)

@@ -4,11 +4,11 @@
 FAULTS := build/faults/faults.so
 FAULTS_RUN := python3 -B tests/faults/faults.py $(FAULTS)
 
-$(FAULTS): tests/faults/faults.c | build/host/packages.stamp
+$(FAULTS): $(sort $(wildcard tests/faults/*.[ch])) | build/host/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
 	$(Q)$(CC_host) -std=c11 $(WARNINGS) -O1 -g -fno-omit-frame-pointer -fPIC \
-		-shared -o $@ $<
+		-shared -o $@ $(filter %.c,$^)
 
 # The short form spreads its faults over each kind of call; the long one tries
 # all of them, which takes about an hour on two processors.

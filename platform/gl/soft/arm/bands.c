@@ -13,19 +13,6 @@ void soft_band_color_arm(struct band *band);
 /* texture.S */
 void soft_band_texture_arm(struct texture_band *band);
 
-/* textured.S */
-bool soft_gray_triangle_arm(
-	const struct textured *textured, const struct setup *setup);
-bool soft_tint_triangle_arm(
-	const struct textured *textured, const struct setup *setup);
-
-/* tint.S */
-void soft_tint_linear_arm(struct tint_band *band);
-void soft_tint_nearest_arm(struct tint_band *band);
-void soft_tint_dot_arm(struct tint_band *band);
-void soft_tint_multiply_arm(struct tint_band *band);
-void soft_tint_add_arm(struct tint_band *band);
-
 /* fill.S */
 void soft_band_fill_arm(uint16_t *at, int count, uint16_t value);
 
@@ -121,13 +108,6 @@ const struct band_functions soft_bands = {
 	.shadow = soft_fill_shadow_arm,
 	.color = soft_band_color_arm,
 	.texture = soft_band_texture_arm,
-	.gray_triangle = soft_gray_triangle_arm,
-	.tint_triangle = soft_tint_triangle_arm,
-	.tint_linear = soft_tint_linear_arm,
-	.tint_nearest = soft_tint_nearest_arm,
-	.tint_dot = soft_tint_dot_arm,
-	.tint_multiply = soft_tint_multiply_arm,
-	.tint_add = soft_tint_add_arm,
 	.flat = flat_arm,
 	.fill = soft_band_fill_arm,
 	.picture = soft_picture_copy_arm,

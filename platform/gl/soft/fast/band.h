@@ -128,8 +128,6 @@ struct flat_band {
 struct shade_run;
 struct tile_run;
 struct glyph;
-struct textured;
-struct tint_band;
 struct count_band;
 struct draw;
 struct setup;
@@ -144,17 +142,6 @@ struct band_functions {
 	band_function color;
 	/* Inside of the picture, whose rows are as far apart as the depth's. */
 	void (*texture)(struct texture_band *band);
-	/* textured_function of textured.h, NULL where C sets triangles up */
-	bool (*gray_triangle)(
-		const struct textured *textured, const struct setup *setup);
-	bool (*tint_triangle)(
-		const struct textured *textured, const struct setup *setup);
-	/* tint.h; as texture() */
-	void (*tint_nearest)(struct tint_band *band);
-	void (*tint_linear)(struct tint_band *band);
-	void (*tint_dot)(struct tint_band *band);
-	void (*tint_multiply)(struct tint_band *band);
-	void (*tint_add)(struct tint_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
 	/* picture.h */

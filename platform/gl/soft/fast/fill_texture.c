@@ -219,13 +219,17 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	return true;
 }
 
-static bool fill_gray(const struct draw *draw, const struct setup *setup)
+bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
 {
-	const struct frame frame = find_frame(setup);
 	struct texture_band band;
+	struct frame frame;
 
-	if (!draw->textured.level[0].texels ||
-		!set_nearest(draw, setup, &frame, &band)) {
+	if (!setup->inside || setup->extent > BAND_EXTENT ||
+		!draw->textured.level[0].texels) {
+		return false;
+	}
+	frame = find_frame(setup);
+	if (!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
 	band.row.depth = find_place(draw, setup, &frame);
@@ -240,18 +244,6 @@ static bool fill_gray(const struct draw *draw, const struct setup *setup)
 		soft_bands.texture(&band);
 	}
 	return true;
-}
-
-bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
-{
-	const struct textured *textured = &draw->textured;
-
-	if (!setup->inside || setup->extent > BAND_EXTENT) {
-		return false;
-	}
-	return (textured->gray_triangle &&
-		       textured->gray_triangle(textured, setup)) ||
-		fill_gray(draw, setup);
 }
 
 /* The level whose texels are nearest in size to pixels; see choose_level(). */
@@ -330,21 +322,25 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 	band->row.texel =
 		pair_round(level, s.start, t.start) - textured->half_texel;
 	band->texel_mask = level->texel_mask;
-	band->next = level->next;
 	band->texel_shift = level->texel_shift;
 	band->texels = level->texels;
 	band->stride_bytes = level->stride_bytes;
 	return level->texels != NULL;
 }
 
-static bool fill_tinted(const struct draw *draw, const struct setup *setup)
+bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup)
 {
-	const struct limits limits = find_limits(draw, setup);
 	const struct textured *textured = &draw->textured;
-	const struct frame frame = find_frame(setup);
+	struct limits limits;
+	struct frame frame;
 	struct tint_band band;
 	struct run z;
 
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
+		return false;
+	}
+	limits = find_limits(draw, setup);
+	frame = find_frame(setup);
 	if (!set_tint(setup, &frame, limits.color, &band) ||
 		!set_level(draw, setup, &frame, limits.texel, &band)) {
 		return false;
@@ -353,9 +349,6 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 	band.z_right = (uint32_t)z.right << 6;
 	band.down.z_q16 = (uint32_t)z.down << 6;
 	band.row.z_q16 = (uint32_t)z.start << 6;
-	band.red_blue_mask = textured->red_blue_mask;
-	band.green_mask = textured->green_mask;
-	band.round = textured->round;
 	band.row.depth = find_place(draw, setup, &frame);
 	band.down.depth = textured->stride_bytes;
 	band.pixels = textured->pixels;
@@ -370,18 +363,6 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 	return true;
 }
 
-bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup)
-{
-	const struct textured *textured = &draw->textured;
-
-	if (!setup->inside || setup->extent > BAND_EXTENT) {
-		return false;
-	}
-	return (textured->tint_triangle &&
-		       textured->tint_triangle(textured, setup)) ||
-		fill_tinted(draw, setup);
-}
-
 static void set_levels(
 	const struct texture_input *input, struct textured_level *out)
 {
@@ -393,7 +374,6 @@ static void set_levels(
 		out[i] = (struct textured_level){
 			.texel_mask = ((1u << height) - 1) << 24 |
 				((1u << width) - 1) << 8,
-			.next = TINT_NEXT,
 			.texel_shift = (uint32_t)(24 - width),
 			.texels = fits ? level->texels : NULL,
 			.stride_bytes = 2u << width,
@@ -409,46 +389,30 @@ static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
 	const struct texture_input *input = &draw->texture[0];
 
 	if (input->texture->mag_filter != GL_LINEAR) {
-		return soft_bands.tint_nearest;
+		return soft_tint_nearest;
 	}
 	if (input->env->mode == GL_COMBINE) {
-		return soft_bands.tint_dot;
+		return soft_tint_dot;
 	}
 	if (!draw->blended) {
-		return soft_bands.tint_linear;
+		return soft_tint_linear;
 	}
-	return draw->soft->fragment.blend_source == GL_ONE
-		? soft_bands.tint_add
-		: soft_bands.tint_multiply;
+	return draw->soft->fragment.blend_source == GL_ONE ? soft_tint_add
+							   : soft_tint_multiply;
 }
 
 void soft_fill_textured_begin(struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 	bool linear = input->texture->mag_filter == GL_LINEAR;
-	bool free = !draw->perspective || is_mipmapped(draw);
 
 	draw->textured = (struct textured){
 		.depth = draw->fast_setup.depth,
 		.stride_bytes = draw->fast_setup.stride_bytes,
-		.inverse = draw->inverse_q31,
-		.reciprocals = soft_reciprocal_table,
 		.tint = choose_tint(draw),
-		.perspective = draw->perspective,
-		.texel_limit = free ? SMALL_DELTA : 1 << 13,
-		.s_shift = 8 - input->width_log2,
-		.t_shift = 8 - input->height_log2,
 		.last_level = linear ? input->levels - 1 : 0,
-		.red_blue_mask = TINT_RED_BLUE,
-		.green_mask = TINT_GREEN,
-		.round = linear ? TINT_ROUND_LINEAR : TINT_ROUND_NEAREST,
 		.pixels = draw->fast_setup.pixels,
 		.half_texel = linear ? TINT_NEXT / 2 : 0,
-		.near_limit = is_mipmapped(draw) ? SMALL_DELTA : 0,
 	};
-	if (input->width_log2 <= 8 && input->height_log2 <= 8) {
-		draw->textured.gray_triangle = soft_bands.gray_triangle;
-		draw->textured.tint_triangle = soft_bands.tint_triangle;
-	}
 	set_levels(input, draw->textured.level);
 }

@@ -33,49 +33,36 @@ enum {
 	 */
 	TINT_RED_BLUE = 0x03E003E0,
 	TINT_GREEN = 0x07E007E0,
-	/*
-	 * Halves of a tinted channel. The weights of four texels sum up to
-	 * 8192; a colour of 1 is 32768, and the upper half of its product with
-	 * them is taken.
-	 */
-	TINT_ROUND_LINEAR = 1 << (5 + 13 + 15 - 16 - 1),
-	TINT_ROUND_NEAREST = 1 << (5 + 15 - 1),
 };
 
-/* Offsets are known to arm/tint.S. Levels of up to 256 texels that repeat. */
+/* Levels of up to 256 texels that repeat. */
 struct tint_band {
-	_Alignas(8) struct tint_row row; /* 0: of the next row */
-	struct tint_row down;            /* 20: a row further */
-	uint32_t edge[2];                /* 40: as in struct band */
-	uint32_t edge_step[2];           /* 48 */
-	int32_t rows;                    /* 56 */
-	uint32_t unused;                 /* 60 */
-	uint32_t z_right;                /* 64: a pixel further */
-	uint32_t texel_right;            /* 68 */
-	uint32_t red_blue_right;         /* 72 */
-	uint32_t green_right;            /* 76: less 0x10000, to count */
-	uint32_t texel_mask;             /* 80: whole texels of the level */
-	uint32_t next;                   /* 84: TINT_NEXT */
-	uint32_t texel_shift;            /* 88: 24 less the width's log2 */
-	const uint8_t *texels;           /* 92 */
-	uint32_t stride_bytes;           /* 96: of the level */
-	uint32_t unused_too;             /* 100 */
-	uint32_t red_blue_mask;          /* 104: TINT_RED_BLUE */
-	uint32_t green_mask;             /* 108: TINT_GREEN */
-	uint32_t round;                  /* 112: TINT_ROUND_ */
-	uintptr_t pixels;                /* 116: as in struct band */
+	_Alignas(8) struct tint_row row; /* of the next row */
+	struct tint_row down;            /* a row further */
+	uint32_t edge[2];                /* as in struct band */
+	uint32_t edge_step[2];
+	int32_t rows;
+	uint32_t z_right; /* a pixel further */
+	uint32_t texel_right;
+	uint32_t red_blue_right;
+	uint32_t green_right; /* less 0x10000, to count */
+	uint32_t texel_mask;  /* whole texels of the level */
+	uint32_t texel_shift; /* 24 less the width's log2 */
+	const uint8_t *texels;
+	uint32_t stride_bytes; /* of the level */
+	uintptr_t pixels;      /* as in struct band */
 };
 
 /*
- * As band_functions.texture, tinted: of the nearest texels, and of four mixed,
+ * As soft_bands.texture, tinted: of the nearest texels, and of four mixed,
  * which all others take as well. dot has texel and colour as directions and
  * writes their product (GL_DOT3_RGB); multiply and add do that to the picture
  * where the depth is EQUAL.
  */
-void soft_tint_nearest_c(struct tint_band *band);
-void soft_tint_linear_c(struct tint_band *band);
-void soft_tint_dot_c(struct tint_band *band);
-void soft_tint_multiply_c(struct tint_band *band);
-void soft_tint_add_c(struct tint_band *band);
+void soft_tint_nearest(struct tint_band *band);
+void soft_tint_linear(struct tint_band *band);
+void soft_tint_dot(struct tint_band *band);
+void soft_tint_multiply(struct tint_band *band);
+void soft_tint_add(struct tint_band *band);
 
 #endif

@@ -4,7 +4,6 @@
 #include "platform/gl/soft/fast/ground.h"
 #include "platform/gl/soft/fast/picture.h"
 #include "platform/gl/soft/fast/tile_row.h"
-#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/raster.h"
 
 const struct band_functions soft_bands = {
@@ -13,11 +12,6 @@ const struct band_functions soft_bands = {
 	.shadow = soft_fill_flat,
 	.color = soft_band_color_c,
 	.texture = soft_band_texture_c,
-	.tint_linear = soft_tint_linear_c,
-	.tint_nearest = soft_tint_nearest_c,
-	.tint_dot = soft_tint_dot_c,
-	.tint_multiply = soft_tint_multiply_c,
-	.tint_add = soft_tint_add_c,
 	.flat = soft_band_flat_c,
 	.fill = soft_band_fill_c,
 	.picture = soft_picture_copy_c,

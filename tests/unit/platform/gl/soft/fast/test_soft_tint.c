@@ -1,6 +1,5 @@
 /*
- * The soft driver's short cuts for coloured textures: against the long way, and
- * triangles set up in assembly against the same in C.
+ * The soft driver's short cuts for coloured textures against the long way.
  */
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
@@ -207,107 +206,6 @@ static void test_relief_is_that_of_the_long_way(void **state)
 	assert_true(figures.other * 200 < figures.seen);
 }
 
-static void make_vertex(uint32_t *seed, const struct vertex *near, int reach,
-	int w_bits, bool gray, struct vertex *out)
-{
-	*out = (struct vertex){
-		.shaded = true,
-		.x = near->x + random_between(seed, -reach, reach),
-		.y = near->y + random_between(seed, -reach, reach),
-		.z = random_between(seed, 4, 262138),
-		.clip[3] = (1 << 28) - random_between(seed, 0, (1 << w_bits)),
-	};
-	for (int i = 0; i < 3; i++) {
-		out->attribute[i] = gray && i > 0
-			? out->attribute[0]
-			: random_between(seed, 0x80, 0xFF80);
-	}
-	for (int i = 0; i < 2; i++) {
-		out->attribute[TEX_S + i] = near->attribute[TEX_S + i] +
-			(int32_t)any_word(seed) / 65536;
-	}
-}
-
-/* Near the borders as well, where they are not the short cut's. */
-static void make_vertices(uint32_t *seed, struct vertex v[3])
-{
-	const struct vertex near = {
-		.x = random_between(seed, 0, SOFT_SCENE_WIDTH * 16),
-		.y = random_between(seed, 0, SOFT_SCENE_HEIGHT * 16),
-		.attribute[TEX_S] = (int32_t)any_word(seed) / 64,
-		.attribute[TEX_S + 1] = (int32_t)any_word(seed) / 64,
-	};
-	int reach = random_between(seed, 4, 20) * random_between(seed, 1, 14);
-	int w_bits = random_between(seed, 10, 27);
-	bool gray = random_between(seed, 0, 1) != 0;
-
-	for (int i = 0; i < 3; i++) {
-		make_vertex(seed, &near, reach, w_bits, gray, &v[i]);
-		v[i].x = v[i].x < 0 ? 0 : v[i].x;
-		v[i].y = v[i].y < 0 ? 0 : v[i].y;
-		v[i].x = v[i].x > SOFT_SCENE_WIDTH * 16 ? SOFT_SCENE_WIDTH * 16
-							: v[i].x;
-		v[i].y = v[i].y > SOFT_SCENE_HEIGHT * 16 ? SOFT_SCENE_HEIGHT * 16
-							 : v[i].y;
-	}
-}
-
-static void fill_twice(struct soft_scene *scene[2], uint32_t *seed)
-{
-	for (int i = 0; i < 30; i++) {
-		struct vertex v[3];
-
-		make_vertices(seed, v);
-		for (int k = 0; k < 2; k++) {
-			struct vertex own[3] = {v[0], v[1], v[2]};
-			struct vertex *const list[3] = {
-				&own[0], &own[1], &own[2]};
-
-			soft_fill_triangle(scene[k]->soft->draw, list);
-		}
-	}
-}
-
-static void check_triangles(GLint min, GLint mag, int height_part)
-{
-	struct soft_corner corner[CORNERS] = {0};
-	uint32_t seed = 11;
-
-	for (int round = 0; round < 150; round++) {
-		struct soft_scene *scene[2];
-
-		for (int k = 0; k < 2; k++) {
-			struct draw *prepared;
-
-			scene[k] = open_scene(min, mag, height_part);
-			draw(scene[k], corner, false);
-			prepared = scene[k]->soft->draw;
-			prepared->perspective = round % 4 != 0;
-			soft_fill_textured_begin(prepared);
-			if (k == 1) {
-				prepared->textured.gray_triangle = NULL;
-				prepared->textured.tint_triangle = NULL;
-			}
-		}
-		fill_twice(scene, &seed);
-		assert_memory_equal(scene[0]->soft->buffers.depth,
-			scene[1]->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
-		assert_memory_equal(scene[0]->pixel, scene[1]->pixel,
-			sizeof(scene[0]->pixel));
-		soft_scene_close(scene[0]);
-		soft_scene_close(scene[1]);
-	}
-}
-
-static void test_triangles_are_set_up_as_in_c(void **state)
-{
-	(void)state;
-	check_triangles(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1);
-	check_triangles(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 4);
-	check_triangles(GL_LINEAR, GL_LINEAR, 1);
-	check_triangles(GL_NEAREST, GL_NEAREST, 2);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -316,7 +214,6 @@ int main(void)
 		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
 		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),
 		cmocka_unit_test(test_relief_is_that_of_the_long_way),
-		cmocka_unit_test(test_triangles_are_set_up_as_in_c),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

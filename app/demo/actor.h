@@ -12,6 +12,7 @@
 #include "app/scene/draw/texture.h"
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
+#include "app/scene/overlay/overlay.h"
 #include "app/scene/stage/stage.h"
 
 struct actor {
@@ -36,6 +37,10 @@ struct demo_base {
 	struct live live;
 	struct demo_reduction reduction;
 	float frames_per_s; /* 0 if unknown */
+
+	struct log log;
+	struct overlay *overlay;        /* NULL before any is shown */
+	unsigned overlays_of_old_model; /* kinds to show for the new one */
 };
 
 /*

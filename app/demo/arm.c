@@ -74,6 +74,7 @@ static const struct camera_framing framing = {
 struct demo {
 	struct demo_base base;
 	struct hierarchy hierarchy;
+	mat4 *pivot_world; /* [hierarchy.pivot_count], for overlays */
 	int pivot[PART_COUNT];
 	struct hierarchy_pivot crate_rest;
 	float truck_rest[3];
@@ -103,7 +104,9 @@ static int make_pivots(struct demo *demo, const struct demo_env *env)
 		arena, struct hierarchy_pivot, (size_t)model->node_count);
 	int next = 0;
 
-	if (!index || !pivot) {
+	demo->pivot_world = arena_alloc(
+		arena, (size_t)model->node_count, sizeof(*demo->pivot_world));
+	if (!index || !pivot || !demo->pivot_world) {
 		log_error(env->log,
 			"%s: there is not enough memory for the pivots",
 			env->model_path);
@@ -287,6 +290,24 @@ static void arm_draw(struct demo *demo, int width, int height)
 		DRAW_SHADED);
 }
 
+/* Writes the pivots' matrices where overlays read those of nodes. */
+static bool arm_get_figure(
+	struct demo *demo, int number, struct overlay_figure *out)
+{
+	const struct hierarchy *hierarchy = &demo->hierarchy;
+
+	(void)out;
+	if (number > 0) {
+		return false;
+	}
+	hierarchy_world(hierarchy, demo->pivot_world);
+	for (int i = 0; i < hierarchy->pivot_count; i++) {
+		memcpy(demo->base.actor.instance->world[hierarchy->pivot[i].part],
+			demo->pivot_world[i], sizeof(mat4));
+	}
+	return true;
+}
+
 static double arm_period_s(const struct demo *demo)
 {
 	(void)demo;
@@ -402,4 +423,5 @@ const struct demo_driver demo_driver_arm = {
 	.draw = arm_draw,
 	.period_s = arm_period_s,
 	.label = arm_label,
+	.get_figure = arm_get_figure,
 };

@@ -1,6 +1,7 @@
 #include "app/demo/demo.h"
 
 #include "app/demo/actor.h"
+#include "app/demo/demo_overlay.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -52,6 +53,7 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 		return error;
 	}
 	base_of(demo)->gl = env->gl;
+	base_of(demo)->log = *env->log;
 	error = actor_load(&base_of(demo)->actor, env);
 	if (!error) {
 		error = driver->prepare(demo, env);
@@ -61,6 +63,9 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 			env->camera_use, env->smooth, env->gl, env->log);
 		live_set_stage(&base_of(demo)->live, &base_of(demo)->stage,
 			(float)env->width / (float)env->height);
+	}
+	if (!error && env->overlays.kinds) {
+		error = demo_overlay_make(driver, demo, &env->overlays);
 	}
 	if (error) {
 		demo_destroy(driver, demo);
@@ -75,6 +80,7 @@ void demo_destroy(const struct demo_driver *driver, struct demo *demo)
 	if (demo) {
 		struct demo_base *base = base_of(demo);
 
+		overlay_destroy(base->overlay);
 		if (driver->finish) {
 			driver->finish(demo);
 		}
@@ -95,8 +101,11 @@ void demo_update_live(struct demo *demo, double time_s, int width, int height)
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud)
 {
+	const struct demo_base *base = (const struct demo_base *)demo;
+
 	driver->label(demo, hud);
-	live_label(&((const struct demo_base *)demo)->live, hud);
+	live_label(&base->live, hud);
+	demo_overlay_label(driver, demo, base->overlay, hud);
 }
 
 void demo_set_reduction(

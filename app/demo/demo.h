@@ -11,6 +11,7 @@
 
 #include "app/demo/demo_env.h"
 #include "app/scene/hud/hud.h"
+#include "app/scene/overlay/overlay.h"
 #include "platform/buttons/buttons.h"
 
 struct demo;
@@ -61,6 +62,20 @@ struct demo_driver {
 
 	/* Corrects the actor's facts. Optional. */
 	void (*get_facts)(const struct demo *demo, struct demo_facts *out);
+
+	/*
+	 * Describes the figure of this number, from 0, for overlays. Returns
+	 * false where there is none. Optional: the actor's instance stands at
+	 * the origin.
+	 */
+	bool (*get_figure)(
+		struct demo *demo, int number, struct overlay_figure *out);
+
+	/*
+	 * Describes what moves the first figure. *out describes nothing yet.
+	 * Optional.
+	 */
+	void (*get_motion)(const struct demo *demo, struct overlay_motion *out);
 };
 
 /* All demos, ended by NULL; the first one is the default. */
@@ -95,7 +110,23 @@ void demo_set_rate(struct demo *demo, float frames_per_s);
  */
 void demo_update_live(struct demo *demo, double time_s, int width, int height);
 
-/* Adds the demo's labels and what the camera's image is used for. */
+/*
+ * Draws a frame of this size, with the overlays that are shown. Allocates
+ * nothing, unless the model has been loaded anew.
+ */
+void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
+	int height);
+
+/* Shows the next overlay, or none after the last one. */
+void demo_show_next_overlay(const struct demo_driver *driver, struct demo *demo);
+
+/*
+ * Chooses the next joint, part or morph target for overlays; the one before
+ * with step -1.
+ */
+void demo_choose_joint(struct demo *demo, int step);
+
+/* Adds labels of the demo, of the camera's use and of overlays. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud);
 

@@ -10,6 +10,7 @@
 #include "app/demo/live.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
+#include "app/scene/overlay/overlay_kind.h"
 #include "platform/base/log.h"
 #include "platform/display/pixels.h"
 #include "platform/gl/gl.h"
@@ -37,6 +38,7 @@ struct demo_env {
 	const struct camera_feed *camera; /* video camera, or NULL */
 	enum live_use camera_use;         /* initially */
 	bool smooth;                      /* filter camera images linearly */
+	struct overlay_choice overlays;   /* initially */
 };
 
 /* What a demo leaves out to keep a frame budget; all zero: nothing. */

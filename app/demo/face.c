@@ -19,8 +19,9 @@ static const char mesh_node[] = "Face";
 static const char motion_target[] = "surprise";
 static const float default_ms = 600.0f;
 static const float forward[3] = {0.0f, 0.0f, 1.0f};
-static const float bulge_m = 0.03f; /* amplitude of sinusoidal motion */
-static const double dwell_s = 1.5;  /* autoplay: time for an expression */
+static const float bulge_m = 0.03f;    /* amplitude of sinusoidal motion */
+static const float graph_wave = 0.35f; /* its height in the graph */
+static const double dwell_s = 1.5;     /* autoplay: time for an expression */
 
 static const struct camera_framing framing = {
 	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .margin = 1.06f};
@@ -184,6 +185,16 @@ static void face_label(const struct demo *demo, struct hud *hud)
 	hud_group_end(&group);
 }
 
+static void face_get_motion(const struct demo *demo, struct overlay_motion *out)
+{
+	out->morphing = true;
+	out->node = demo->head;
+	out->from = demo->previous - 1;
+	out->to = demo->current - 1;
+	out->omega = face_keys_omega(&demo->keys, demo->now_s * 1000.0);
+	out->wave = demo->motion.curve == MORPH_SINUSOIDAL ? graph_wave : 0.0f;
+}
+
 static void press_next(struct demo *demo, bool down)
 {
 	if (down) {
@@ -279,4 +290,5 @@ const struct demo_driver demo_driver_face = {
 	.draw = face_draw,
 	.period_s = face_period_s,
 	.label = face_label,
+	.get_motion = face_get_motion,
 };

@@ -10,6 +10,7 @@
 #include "app/demo/demo.h"
 #include "app/demo/preset_file.h"
 #include "app/demo/vertex_tint.h"
+#include "app/scene/overlay/overlay_heat.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -124,7 +125,7 @@ static void paint(struct demo *demo)
 		max = level < 6 && modifier > max ? modifier : max;
 	}
 	for (int level = 0; level <= LEVELS_MAX; level++) {
-		vertex_tint_ramp(
+		overlay_heat_ramp(
 			procedural_modifier(preset, level) / max, rgb[level]);
 	}
 	for (int d = 0; d < instance->drawable_count; d++) {
@@ -300,6 +301,23 @@ static void tuner_label(const struct demo *demo, struct hud *hud)
 	}
 }
 
+static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out)
+{
+	static const char *const name[SIDES] = {"left shake", "right shake"};
+	const struct model *model = demo->base.actor.model;
+
+	out->clip = demo->clip;
+	if (demo->clip >= 0) {
+		out->time_s = clip_time(demo->now_s,
+			model->clip[demo->clip].duration_s, CLIP_LOOP);
+	}
+	for (int side = 0; side < SIDES; side++) {
+		out->layer[side] = (struct overlay_layer){
+			name[side], 1.0f - demo->swing[side].fade, NULL};
+	}
+	out->layer_count = SIDES;
+}
+
 static void step_field(struct demo *demo, int step)
 {
 	demo->field = (demo->field + step + PRESET_FIELDS) % PRESET_FIELDS;
@@ -415,4 +433,5 @@ const struct demo_driver demo_driver_tuner = {
 	.draw = tuner_draw,
 	.period_s = tuner_period_s,
 	.label = tuner_label,
+	.get_motion = tuner_get_motion,
 };

@@ -1,7 +1,5 @@
 #include "app/demo/vertex_tint.h"
 
-#include "platform/base/scalar.h"
-
 #include <errno.h>
 #include <string.h>
 
@@ -87,20 +85,5 @@ void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
 			: (size_t)vertex;
 
 		memcpy(tint->color[drawable][at], rgb, 3);
-	}
-}
-
-void vertex_tint_ramp(float fraction, uint8_t rgb[3])
-{
-	static const float stop[4][3] = {{70.0f, 110.0f, 190.0f},
-		{70.0f, 190.0f, 120.0f}, {246.0f, 204.0f, 72.0f},
-		{236.0f, 60.0f, 56.0f}};
-	float at = scalar_clamp(fraction, 0.0f, 1.0f) * 3.0f;
-	int from = at < 1.0f ? 0 : at < 2.0f ? 1 : 2;
-	float part = at - (float)from;
-
-	for (int i = 0; i < 3; i++) {
-		rgb[i] = (uint8_t)(stop[from][i] +
-			(stop[from + 1][i] - stop[from][i]) * part + 0.5f);
 	}
 }

@@ -30,10 +30,4 @@ void vertex_tint_switch(struct vertex_tint *tint, bool on);
 void vertex_tint_set(struct vertex_tint *tint, int drawable, int vertex,
 	const uint8_t rgb[3]);
 
-/*
- * Returns the heat map's colour: from blue at 0 over green and yellow to red at
- * 1. The fraction is clamped.
- */
-void vertex_tint_ramp(float fraction, uint8_t rgb[3]);
-
 #endif

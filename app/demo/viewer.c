@@ -6,6 +6,7 @@
 #include "app/anim/playback.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/demo_overlay.h"
 #include "platform/base/file.h"
 #include "platform/base/scalar.h"
 
@@ -194,6 +195,7 @@ static int reload(struct demo *demo)
 		scalar_clamp(
 			before.playback.time_s, 0.0f, viewer_duration_s(demo)));
 	reframe(demo, old.extent);
+	demo_overlay_release(&demo->base);
 	actor_unload(&old, env->gl);
 	return 0;
 }
@@ -285,6 +287,20 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 		hud_group_mark(&group, "new file is broken", "", hud_color_rose);
 	}
 	hud_group_end(&group);
+}
+
+static void viewer_get_motion(
+	const struct demo *demo, struct overlay_motion *out)
+{
+	out->clip = demo->clip;
+	out->time_s =
+		demo->joining ? (float)demo->join_s : demo->playback.time_s;
+	if (demo->base.actor.fade.running) {
+		out->layer[0].name = "fade";
+		out->layer[0].weight = demo->base.actor.fade.elapsed_s /
+			demo->base.actor.fade.duration_s;
+		out->layer_count = 1;
+	}
 }
 
 static void step_clip(struct demo *demo, int step)
@@ -385,4 +401,5 @@ const struct demo_driver demo_driver_viewer = {
 	.draw = viewer_draw,
 	.period_s = viewer_period_s,
 	.label = viewer_label,
+	.get_motion = viewer_get_motion,
 };

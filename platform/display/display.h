@@ -48,6 +48,8 @@ struct display_events {
 	bool resized; /* resized it: the next frame has another size */
 	bool graph;   /* asked to show or hide the frame times */
 	bool picture; /* asked to save the picture in a file */
+	bool overlay; /* asked for the next overlay */
+	int joint;    /* asked for the next joint (1) or the one before (-1) */
 };
 
 struct display_driver {

@@ -14,6 +14,7 @@
 #include "app/model/model.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
+#include "app/scene/overlay/overlay_kind.h"
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"
@@ -111,6 +112,7 @@ struct options_show {
 	const char *watchdog;
 	bool no_labels;
 	bool hud;
+	struct overlay_choice overlays;
 };
 
 struct options_compare {

@@ -42,6 +42,11 @@ static bool set_camera_use(struct options *options, const char *value)
 	return options->input.camera_use != LIVE_USES;
 }
 
+static bool set_overlays(struct options *options, const char *value)
+{
+	return overlay_choice_parse(value, &options->show.overlays);
+}
+
 static bool set_clock(struct options *options, const char *value)
 {
 	return clock_parse(value, &options->show.clock) == 0;
@@ -268,6 +273,10 @@ const struct option_entry option_entries[] = {
 	{0, "hud", NULL, FOR_SHOW,
 		"show the graph of frame times, as holding F9 does (H in a window)",
 		NULL, SWITCH(show.hud)},
+	{0, "show", "LIST", FOR_SHOW,
+		"show skeleton, weights[:JOINT], wireframe, keys, pivots, curve, layers",
+		"names from skeleton, weights[:JOINT], wireframe, keys, pivots, curve and layers, separated by commas, or all or none",
+		PARSED(set_overlays)},
 	{0, "runs", "N", FOR_BENCH,
 		"measure everything N times and print the median; the default is 15",
 		"a number from 1 to 1001", INT(bench.runs, 1, 1001)},

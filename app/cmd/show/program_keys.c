@@ -23,6 +23,23 @@ static int release_f9(struct program_keys *keys,
 	return 2;
 }
 
+/* What a button does while F9 is held. */
+static enum program_action chord_of(enum button button)
+{
+	switch (button) {
+	case BUTTON_F8:
+		return PROGRAM_KEEP_PICTURE;
+	case BUTTON_F6:
+		return PROGRAM_NEXT_OVERLAY;
+	case BUTTON_DOWN:
+		return PROGRAM_NEXT_JOINT;
+	case BUTTON_UP:
+		return PROGRAM_PREVIOUS_JOINT;
+	default:
+		return PROGRAM_NOTHING;
+	}
+}
+
 enum program_action program_keys_press(struct program_keys *keys,
 	const struct button_event *event,
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX], int *count)
@@ -39,12 +56,13 @@ enum program_action program_keys_press(struct program_keys *keys,
 		}
 		return PROGRAM_NOTHING;
 	}
-	if (event->button == BUTTON_F8 && event->down && keys->f9_held) {
-		keys->f9_used = keys->f8_used = true;
-		return PROGRAM_KEEP_PICTURE;
+	if (event->down && keys->f9_held &&
+		chord_of(event->button) != PROGRAM_NOTHING) {
+		keys->f9_used = keys->used[event->button] = true;
+		return chord_of(event->button);
 	}
-	if (event->button == BUTTON_F8 && !event->down && keys->f8_used) {
-		keys->f8_used = false;
+	if (!event->down && keys->used[event->button]) {
+		keys->used[event->button] = false;
 		return PROGRAM_NOTHING;
 	}
 	passed[0] = *event;
@@ -79,6 +97,8 @@ void program_keys_print(
 			out);
 	}
 	fputs("  F9     held: show or hide the frame times (H in a window)\n"
+	      "  F9+F6  show skeleton, weights, wireframe... (F7 in a window)\n"
+	      "  F9+UP, F9+DOWN  choose their joint (Page Up and Page Down)\n"
 	      "  F9+F8  keep the picture in a file (P in a window)\n"
 	      "  Esc    quit\n",
 		out);

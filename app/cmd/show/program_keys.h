@@ -1,13 +1,15 @@
 /*
- * What F8, F9 and F10 do in every demo, beside the demo's own actions.
+ * What some buttons do in every demo, beside the demo's own actions.
  *
  *	F9, held for PROGRAM_KEYS_HOLD_MS   shows or hides the frame times
+ *	F6, pressed while F9 is held        shows the next overlay
+ *	DOWN, UP, pressed while F9 is held  choose the joint that overlays show
  *	F8, pressed while F9 is held        keeps the picture in a file
  *	F10, where a camera is open         changes what its pictures are for
  *
  * The demo gets every other press. Since F9 may be held for the program, the
  * demo gets its press and release together when F9 is released in time. A
- * window has keys of its own for the first two (struct display_events).
+ * window has keys of its own for all but the last (struct display_events).
  */
 #ifndef APP_CMD_SHOW_PROGRAM_KEYS_H
 #define APP_CMD_SHOW_PROGRAM_KEYS_H
@@ -27,6 +29,9 @@ enum program_action {
 	PROGRAM_TOGGLE_GRAPH,
 	PROGRAM_KEEP_PICTURE,
 	PROGRAM_NEXT_CAMERA_USE,
+	PROGRAM_NEXT_OVERLAY,
+	PROGRAM_NEXT_JOINT,
+	PROGRAM_PREVIOUS_JOINT,
 };
 
 /* All zero: no key is down, there is no camera. */
@@ -34,7 +39,8 @@ struct program_keys {
 	bool has_camera; /* F10 belongs to the program */
 	bool f9_held;
 	bool f9_used; /* the program acted on it: the demo does not get it */
-	bool f8_used; /* likewise, until it is released */
+	/* The program acted on it while F9 was held; until it is released. */
+	bool used[BUTTON_COUNT];
 	int64_t f9_since_ms; /* when F9 was pressed */
 };
 

@@ -86,6 +86,7 @@ static int open_demo(struct show *show)
 		.camera_use = options->input.camera_use,
 		.smooth = show->screen.gl->accelerated ||
 			show->screen.info.format != PIXELS_RGB565,
+		.overlays = options->show.overlays,
 	};
 
 	return demo_create(show->plan->demo, &env, &show->demo);

@@ -79,7 +79,7 @@ int show_frame_draw(struct show *show)
 		return error;
 	}
 	demo_update_live(show->demo, show->now_s, width, height);
-	show->plan->demo->draw(show->demo, width, height);
+	demo_draw(show->plan->demo, show->demo, width, height);
 	draw_hud(show, width, height);
 	error = check_memory(show);
 	if (!error) {

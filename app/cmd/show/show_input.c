@@ -68,6 +68,15 @@ static void act(struct show *show, enum program_action action)
 	case PROGRAM_NEXT_CAMERA_USE:
 		demo_next_camera_use(show->demo);
 		break;
+	case PROGRAM_NEXT_OVERLAY:
+		demo_show_next_overlay(show->plan->demo, show->demo);
+		break;
+	case PROGRAM_NEXT_JOINT:
+		demo_choose_joint(show->demo, 1);
+		break;
+	case PROGRAM_PREVIOUS_JOINT:
+		demo_choose_joint(show->demo, -1);
+		break;
 	default:
 		break;
 	}
@@ -120,5 +129,13 @@ void show_input_poll_display(struct show *show, int64_t now_ms)
 	}
 	if (events.picture) {
 		act(show, PROGRAM_KEEP_PICTURE);
+	}
+	if (events.overlay) {
+		act(show, PROGRAM_NEXT_OVERLAY);
+	}
+	if (events.joint != 0) {
+		act(show,
+			events.joint > 0 ? PROGRAM_NEXT_JOINT
+					 : PROGRAM_PREVIOUS_JOINT);
 	}
 }

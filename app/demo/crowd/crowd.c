@@ -342,6 +342,37 @@ static void crowd_draw(struct demo *demo, int width, int height)
 	}
 }
 
+static bool crowd_get_figure(
+	struct demo *demo, int number, struct overlay_figure *out)
+{
+	const struct walker *walker;
+
+	if (number >= demo->count) {
+		return false;
+	}
+	walker = &demo->walker[number];
+	out->instance = walker->instance;
+	out->place[3][0] = walker->position.x;
+	out->place[3][2] = walker->position.z;
+	glm_rotate_y(out->place, walker->position.yaw_rad, out->place);
+	return true;
+}
+
+static void crowd_get_motion(const struct demo *demo, struct overlay_motion *out)
+{
+	const struct walker *walker = &demo->walker[0];
+	const struct model *model = demo->base.actor.model;
+
+	out->clip = walker->clip;
+	if (walker->clip >= 0) {
+		const struct model_clip *clip = &model->clip[walker->clip];
+
+		out->time_s = clip_time(demo->now_s +
+				(double)(walker->route.phase * clip->duration_s),
+			clip->duration_s, CLIP_LOOP);
+	}
+}
+
 static double crowd_period_s(const struct demo *demo)
 {
 	(void)demo;
@@ -456,4 +487,6 @@ const struct demo_driver demo_driver_crowd = {
 	.period_s = crowd_period_s,
 	.label = crowd_label,
 	.get_facts = crowd_get_facts,
+	.get_figure = crowd_get_figure,
+	.get_motion = crowd_get_motion,
 };

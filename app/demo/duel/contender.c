@@ -3,6 +3,7 @@
 #include "app/compare/candidate_morph.h"
 #include "app/compare/fit.h"
 #include "app/scene/instance/batch.h"
+#include "app/scene/overlay/overlay_heat.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -223,7 +224,7 @@ void contender_measure_error(struct contender *contender,
 				contender->peak_px = px;
 			}
 			sum_px += px;
-			vertex_tint_ramp(px / full_px, rgb);
+			overlay_heat_ramp(px / full_px, rgb);
 			vertex_tint_set(&contender->heat, d, v, rgb);
 		}
 		count += drawable->primitive->vertex_count;

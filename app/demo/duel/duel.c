@@ -191,6 +191,27 @@ static void duel_draw(struct demo *demo, int width, int height)
 	draw_row(demo, DRAW_SHADED);
 }
 
+static bool duel_get_figure(
+	struct demo *demo, int number, struct overlay_figure *out)
+{
+	if (number >= CONTENDER_KINDS) {
+		return false;
+	}
+	out->instance = demo->contender[number].shown;
+	out->unposed_nodes = number == CONTENDER_MORPH;
+	out->place[3][0] = (float)(number - 1) * spacing_m;
+	return true;
+}
+
+static void duel_get_motion(const struct demo *demo, struct overlay_motion *out)
+{
+	const struct reference *reference = demo->reference;
+
+	out->clip = reference->clip_index;
+	out->time_s =
+		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP);
+}
+
 static double duel_period_s(const struct demo *demo)
 {
 	(void)demo;
@@ -295,4 +316,6 @@ const struct demo_driver demo_driver_duel = {
 	.period_s = duel_period_s,
 	.label = duel_label,
 	.get_facts = duel_get_facts,
+	.get_figure = duel_get_figure,
+	.get_motion = duel_get_motion,
 };

@@ -1,4 +1,5 @@
 #include "app/demo/duel/duel_board.h"
+#include "app/scene/overlay/overlay_heat.h"
 
 #include <stdio.h>
 
@@ -94,7 +95,7 @@ static void show_ramp(float full_px, struct hud *hud)
 		int to = x + bar * (i + 1) / RAMP_STEPS;
 		uint8_t rgb[3];
 
-		vertex_tint_ramp((float)i / (RAMP_STEPS - 1), rgb);
+		overlay_heat_ramp((float)i / (RAMP_STEPS - 1), rgb);
 		hud_rectangle(hud, from, y + line / 4, to - from, line / 2,
 			(struct hud_color){rgb[0], rgb[1], rgb[2], 255});
 	}
@@ -117,6 +118,8 @@ void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 		show_column(contender, i, left + i * column, column, y + em / 2,
 			hud);
 	}
+	hud->stacked_px[HUD_BOTTOM_LEFT] += height + em / 2;
+	hud->stacked_px[HUD_BOTTOM_RIGHT] += height + em / 2;
 	if (full_px > 0.0f) {
 		show_ramp(full_px, hud);
 	}

@@ -271,6 +271,39 @@ static void walker_label(const struct demo *demo, struct hud *hud)
 	}
 }
 
+static void add_layer(struct overlay_motion *motion, const char *name,
+	float weight, const float *mask)
+{
+	if (motion->layer_count < OVERLAY_LAYERS_MAX) {
+		motion->layer[motion->layer_count++] =
+			(struct overlay_layer){name, weight, mask};
+	}
+}
+
+static void walker_get_motion(
+	const struct demo *demo, struct overlay_motion *out)
+{
+	const struct walker_moves *moves = &demo->moves;
+	const struct model_clip *clip =
+		walker_moves_clip(moves, demo->base.actor.model, &out->time_s);
+
+	out->clip = moves->clip[moves->move];
+	add_layer(out, clip->name,
+		moves->fade.running
+			? moves->fade.elapsed_s / moves->fade.duration_s
+			: 1.0f,
+		NULL);
+	add_layer(out, "wave (arm)", moves->wave_weight, moves->wave_mask);
+	for (int i = 0; i < RIG_SHADOW; i++) {
+		if (demo->rig.weight[i] > 0.0f) {
+			add_layer(out,
+				walker_rig_feature_name(
+					(enum walker_rig_feature)i),
+				demo->rig.weight[i], NULL);
+		}
+	}
+}
+
 static void press_faster(struct demo *demo, bool down)
 {
 	if (down) {
@@ -363,4 +396,5 @@ const struct demo_driver demo_driver_walker = {
 	.draw = walker_draw,
 	.period_s = walker_period_s,
 	.label = walker_label,
+	.get_motion = walker_get_motion,
 };

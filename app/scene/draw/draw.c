@@ -2,6 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
+#include "app/scene/draw/edge_list.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -78,6 +79,7 @@ struct arrays {
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
 	bool shadow; /* draw the proxy if it is the shorter list */
+	bool edges;  /* draw the triangles' edges */
 	int lod;     /* as drawable.lod, or drawable.shadow_lod */
 };
 
@@ -101,9 +103,17 @@ static void set_vertices(
 	}
 }
 
-static void draw_list(const struct gl *gl, const uint16_t *index, int count)
+/* index is NULL where each three vertices are a triangle. */
+static void draw_list(
+	const struct gl *gl, const uint16_t *index, int count, bool edges)
 {
-	gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+	if (edges) {
+		edge_list_draw(gl, index, count);
+	} else if (index) {
+		gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+	} else {
+		gl->DrawArrays(GL_TRIANGLES, 0, count);
+	}
 }
 
 static void draw_batch(const struct gl *gl, const struct batch *batch,
@@ -123,15 +133,15 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
 	if (arrays->shadow && batch_has_shorter_proxy(batch, arrays->lod)) {
-		draw_list(gl, batch->proxy, batch->proxy_count);
+		draw_list(gl, batch->proxy, batch->proxy_count, false);
 	} else if (arrays->lod > 0) {
 		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
 
-		draw_list(gl, lod->index, lod->index_count);
-	} else if (batch->index) {
-		draw_list(gl, batch->index, batch->index_count);
+		draw_list(gl, lod->index, lod->index_count, arrays->edges);
 	} else {
-		gl->DrawArrays(GL_TRIANGLES, 0, batch->vertex_count);
+		draw_list(gl, batch->index,
+			batch->index ? batch->index_count : batch->vertex_count,
+			arrays->edges);
 	}
 }
 
@@ -177,7 +187,10 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	const struct arrays none = {.shadow = true, .lod = drawable->shadow_lod};
+	const struct arrays bare = {.shadow = pass == DRAW_SHADOW,
+		.edges = pass == DRAW_EDGES,
+		.lod = pass == DRAW_EDGES ? drawable->lod
+					  : drawable->shadow_lod};
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {
@@ -196,7 +209,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 		if (shaded) {
 			draw_shaded(gl, instance, drawable, &drawable->batch[i]);
 		} else {
-			draw_batch(gl, &drawable->batch[i], &none);
+			draw_batch(gl, &drawable->batch[i], &bare);
 		}
 	}
 }

@@ -15,6 +15,7 @@
 enum draw_pass {
 	DRAW_SHADED, /* with materials, textures and light */
 	DRAW_SHADOW, /* the shadow proxy's positions in the current colour */
+	DRAW_EDGES,  /* the shaded triangles' edges in the current colour */
 };
 
 /*

@@ -259,6 +259,10 @@ static void handle_key(struct display *display, const SDL_KeyboardEvent *key,
 	if (key->state == SDL_PRESSED) {
 		events->graph = events->graph || code == SDLK_h;
 		events->picture = events->picture || code == SDLK_p;
+		events->overlay = events->overlay || code == SDLK_F7;
+		if (code == SDLK_PAGEDOWN || code == SDLK_PAGEUP) {
+			events->joint = code == SDLK_PAGEDOWN ? 1 : -1;
+		}
 	}
 	push_key(display, code, key->state == SDL_PRESSED, now_ms, queue);
 }

@@ -9,7 +9,7 @@
 #include "platform/gl/gl.h"
 
 enum {
-	GL_RECORDER_DRAWS = 128
+	GL_RECORDER_DRAWS = 1024
 };
 
 struct gl_recorded_draw {

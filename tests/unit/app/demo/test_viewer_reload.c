@@ -117,6 +117,25 @@ static void test_a_new_file_is_shown_at_the_same_clip_and_time(void **state)
 	end_bench(bench);
 }
 
+static void test_overlays_are_shown_for_the_new_model(void **state)
+{
+	struct bench *bench = begin_bench(true);
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+
+	(void)state;
+	demo_show_next_overlay(&demo_driver_viewer, bench->demo);
+	demo_draw(&demo_driver_viewer, bench->demo, 240, 320);
+	put_model(bench, "assets/arm.glb");
+	run_to(bench, 4.3);
+	assert_null(base->overlay);
+	demo_draw(&demo_driver_viewer, bench->demo, 240, 320);
+	assert_non_null(base->overlay);
+	assert_ptr_equal(
+		base->overlay->subject.instance, base->actor.instance);
+	assert_true(overlay_shows(base->overlay, OVERLAY_SKELETON));
+	end_bench(bench);
+}
+
 static void test_another_model_takes_its_place(void **state)
 {
 	struct bench *bench = begin_bench(true);
@@ -168,6 +187,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_new_file_is_shown_at_the_same_clip_and_time),
+		cmocka_unit_test(test_overlays_are_shown_for_the_new_model),
 		cmocka_unit_test(test_another_model_takes_its_place),
 		cmocka_unit_test(test_a_broken_file_leaves_the_old_one),
 		cmocka_unit_test(test_a_file_that_is_not_followed_is_left_alone),

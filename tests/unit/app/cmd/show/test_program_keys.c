@@ -78,6 +78,33 @@ static void test_f8_while_f9_is_held_keeps_the_picture(void **state)
 	assert_int_equal(scene.count, 1);
 }
 
+static void test_buttons_while_f9_is_held_choose_overlays(void **state)
+{
+	struct scene scene = {.count = 0};
+
+	(void)state;
+	take(&scene, 0, BUTTON_F9, true);
+	assert_int_equal(
+		take(&scene, 100, BUTTON_F6, true), PROGRAM_NEXT_OVERLAY);
+	take(&scene, 150, BUTTON_F6, false);
+	assert_int_equal(scene.count, 0);
+	assert_int_equal(
+		take(&scene, 200, BUTTON_DOWN, true), PROGRAM_NEXT_JOINT);
+	assert_int_equal(
+		take(&scene, 250, BUTTON_UP, true), PROGRAM_PREVIOUS_JOINT);
+	assert_int_equal(
+		program_keys_update(&scene.keys, 2000), PROGRAM_NOTHING);
+	take(&scene, 2100, BUTTON_F9, false);
+	assert_int_equal(scene.count, 0);
+	/* Their releases come late and are not the demo's either. */
+	take(&scene, 2200, BUTTON_DOWN, false);
+	assert_int_equal(scene.count, 0);
+	take(&scene, 2300, BUTTON_UP, false);
+	assert_int_equal(scene.count, 0);
+	take(&scene, 2400, BUTTON_F6, true);
+	assert_int_equal(scene.count, 1);
+}
+
 static void test_a_release_without_a_press_is_ignored(void **state)
 {
 	struct scene scene = {.count = 0};
@@ -111,6 +138,7 @@ int main(void)
 		cmocka_unit_test(test_a_held_f9_shows_the_graph_once),
 		cmocka_unit_test(test_f8_while_f9_is_held_keeps_the_picture),
 		cmocka_unit_test(test_f10_belongs_to_the_camera_if_there_is_one),
+		cmocka_unit_test(test_buttons_while_f9_is_held_choose_overlays),
 		cmocka_unit_test(test_a_release_without_a_press_is_ignored),
 	};
 

@@ -1,0 +1,145 @@
+#include "app/demo/demo_overlay.h"
+
+#include "app/scene/stage/light.h"
+
+#include <cglm/cglm.h>
+
+enum {
+	FIGURES_MAX = 64
+};
+
+static struct overlay_motion motion_of(
+	const struct demo_driver *driver, const struct demo *demo)
+{
+	struct overlay_motion motion = overlay_motion_none();
+
+	if (driver->get_motion) {
+		driver->get_motion(demo, &motion);
+	}
+	return motion;
+}
+
+static bool find_figure(const struct demo_driver *driver, struct demo *demo,
+	int number, struct overlay_figure *out)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+
+	*out = (struct overlay_figure){.instance = base->actor.instance};
+	glm_mat4_identity(out->place);
+	return driver->get_figure ? driver->get_figure(demo, number, out)
+				  : number == 0;
+}
+
+int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
+	const struct overlay_choice *choice)
+{
+	struct demo_base *base = (struct demo_base *)demo;
+	struct overlay_subject subject = {
+		.textures = &base->actor.textures,
+		.extent = base->actor.extent,
+	};
+	struct overlay_figure first;
+
+	overlay_destroy(base->overlay);
+	base->overlay = NULL;
+	find_figure(driver, demo, 0, &first);
+	subject.instance = first.instance;
+	return overlay_create(
+		&subject, base->gl, choice, &base->log, &base->overlay);
+}
+
+/* Without memory for the overlays of a new model none are shown. */
+static void follow_model(const struct demo_driver *driver, struct demo *demo)
+{
+	struct demo_base *base = (struct demo_base *)demo;
+
+	const struct overlay_choice choice = {
+		.kinds = base->overlays_of_old_model};
+
+	if (choice.kinds) {
+		base->overlays_of_old_model = 0;
+		(void)demo_overlay_make(driver, demo, &choice);
+	}
+}
+
+void demo_overlay_release(struct demo_base *base)
+{
+	if (base->overlay) {
+		base->overlays_of_old_model = base->overlay->kinds;
+		overlay_destroy(base->overlay);
+		base->overlay = NULL;
+	}
+}
+
+static void draw_over(const struct demo_driver *driver, struct demo *demo,
+	const struct overlay_motion *motion, int width, int height)
+{
+	struct overlay *overlay = ((struct demo_base *)demo)->overlay;
+	struct overlay_figure figure;
+
+	for (int i = 0;
+		i < FIGURES_MAX && find_figure(driver, demo, i, &figure); i++) {
+		overlay_draw_surface(overlay, &figure, height);
+		if (i == 0) {
+			overlay_draw_keys(
+				overlay, motion, &figure, width, height);
+		}
+	}
+	overlay_clear_depth(overlay);
+	for (int i = 0;
+		i < FIGURES_MAX && find_figure(driver, demo, i, &figure); i++) {
+		overlay_draw_bones(overlay, &figure, height);
+	}
+}
+
+void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
+	int height)
+{
+	struct demo_base *base = (struct demo_base *)demo;
+	struct overlay_motion motion;
+
+	follow_model(driver, demo);
+	if (!base->overlay || !base->overlay->kinds) {
+		driver->draw(demo, width, height);
+		return;
+	}
+	motion = motion_of(driver, demo);
+	overlay_begin(base->overlay, &motion);
+	driver->draw(demo, width, height);
+	overlay_end(base->overlay);
+	camera_apply(&base->stage.camera, base->gl, width, height);
+	light_apply(base->gl);
+	draw_over(driver, demo, &motion, width, height);
+}
+
+void demo_show_next_overlay(const struct demo_driver *driver, struct demo *demo)
+{
+	struct demo_base *base = (struct demo_base *)demo;
+	struct overlay_motion motion = motion_of(driver, demo);
+	const struct overlay_choice none = {0};
+
+	follow_model(driver, demo);
+	/* Without memory nothing is shown; an error has been logged. */
+	if (base->overlay || demo_overlay_make(driver, demo, &none) == 0) {
+		overlay_show_next(base->overlay, &motion);
+	}
+}
+
+void demo_choose_joint(struct demo *demo, int step)
+{
+	struct overlay *overlay = ((struct demo_base *)demo)->overlay;
+
+	if (overlay) {
+		overlay_choose(overlay, step);
+	}
+}
+
+void demo_overlay_label(const struct demo_driver *driver,
+	const struct demo *demo, struct overlay *overlay, struct hud *hud)
+{
+	if (overlay && overlay->kinds) {
+		struct overlay_motion motion = motion_of(driver, demo);
+
+		overlay_label(overlay, &motion, hud);
+	}
+}

@@ -1,0 +1,19 @@
+/*
+ * Draws the edges of indexed triangles. GL ES 1.1 has no glPolygonMode(), so
+ * the edges are drawn as GL_LINES, each edge once for each of its triangles.
+ */
+#ifndef APP_SCENE_DRAW_EDGE_LIST_H
+#define APP_SCENE_DRAW_EDGE_LIST_H
+
+#include "platform/gl/gl.h"
+
+#include <stdint.h>
+
+/*
+ * Draws the edges of count / 3 triangles of the current vertex array. Where
+ * index is NULL, each three vertices are a triangle, of which those beyond
+ * number 65535 are left out.
+ */
+void edge_list_draw(const struct gl *gl, const uint16_t *index, int count);
+
+#endif

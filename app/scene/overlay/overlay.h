@@ -1,0 +1,163 @@
+/*
+ * Overlays show how a figure is animated: its skeleton, the weights of a joint,
+ * its triangles, key frames, pivots, curves and layers, as the figures of
+ * AN4044 do.
+ *
+ *	overlay_begin()          before the figures are drawn as always
+ *	overlay_end()            after that
+ *	overlay_draw_surface()   for each figure
+ *	overlay_draw_keys()      for the first figure
+ *	overlay_clear_depth()
+ *	overlay_draw_bones()     for each figure
+ *	overlay_label()          on the head-up display
+ *
+ * All memory is taken when an overlay is created; frames allocate nothing.
+ * Everything is drawn by calls of GL ES 1.1, with the camera's model-view
+ *matrix and the lights loaded.
+ */
+#ifndef APP_SCENE_OVERLAY_OVERLAY_H
+#define APP_SCENE_OVERLAY_OVERLAY_H
+
+#include "app/scene/hud/hud.h"
+#include "app/scene/overlay/overlay_ghost.h"
+#include "app/scene/overlay/overlay_heat.h"
+#include "app/scene/overlay/overlay_kind.h"
+#include "app/scene/overlay/overlay_sketch.h"
+
+enum {
+	OVERLAY_LAYERS_MAX = 8
+};
+
+/* A layer of a pose. */
+struct overlay_layer {
+	const char *name;
+	float weight;
+	const float *mask; /* [node_count], 0..1; NULL: all nodes */
+};
+
+/* What moves the figures at this moment. */
+struct overlay_motion {
+	int clip; /* or -1 */
+	float time_s;
+
+	/* A morph between two key frames, if morphing is true. */
+	bool morphing;
+	int node;     /* that has the morph targets */
+	int from, to; /* targets; -1: the base */
+	float omega;
+	float wave; /* height of the sinusoidal part in the graph, 0: linear */
+
+	int layer_count;
+	struct overlay_layer layer[OVERLAY_LAYERS_MAX];
+};
+
+/* One of the figures that a demo shows. */
+struct overlay_figure {
+	struct instance *instance; /* its world matrices are read */
+	bool unposed_nodes;        /* they do not follow: draw no bones */
+	mat4 place; /* from the instance's scene units to the stage's */
+};
+
+/* The instance that is painted and whose key frames are shown. */
+struct overlay_subject {
+	struct instance *instance;
+	const struct texture_set *textures;
+	float extent; /* scene units */
+};
+
+struct overlay {
+	const struct gl *gl;
+	struct log log;
+	struct overlay_subject subject;
+	unsigned kinds; /* that are shown, a bit 1 << kind each */
+
+	/* Private. */
+	struct arena arena;
+	uint8_t *is_bone;  /* [node_count] */
+	float *node_value; /* [node_count], that is painted */
+	float *sample;     /* a value of any channel */
+	int chosen;        /* a node or, if chooses_target, a morph target */
+	bool chooses_target;
+	int target_count; /* the most that a mesh of the model has */
+	bool painting;
+	const float *painted_mask;
+	int painted_choice; /* -1: none */
+	struct overlay_heat heat;
+	struct overlay_ghost ghost;
+	struct overlay_sketch sketch;
+};
+
+/* No clip, no morph, no layers. */
+struct overlay_motion overlay_motion_none(void);
+
+/*
+ * Makes the overlays of a subject and shows those that are chosen. Onion skins
+ * need a second instance of the model. Returns 0, -ENOMEM, or -EINVAL when the
+ * model has no joint of the chosen name, after logging an error. Release it
+ * with overlay_destroy().
+ */
+int overlay_create(const struct overlay_subject *subject, const struct gl *gl,
+	const struct overlay_choice *choice, const struct log *log,
+	struct overlay **out);
+
+/* Releases an overlay; NULL is allowed. */
+void overlay_destroy(struct overlay *overlay);
+
+static inline bool overlay_shows(
+	const struct overlay *overlay, enum overlay_kind kind)
+{
+	return overlay->kinds >> kind & 1;
+}
+
+/*
+ * Shows the next overlay alone, or none after the last one. Overlays that have
+ * nothing to show for this motion are left out.
+ */
+void overlay_show_next(
+	struct overlay *overlay, const struct overlay_motion *motion);
+
+/* Chooses the next joint, part or morph target, or with step -1 the last one. */
+void overlay_choose(struct overlay *overlay, int step);
+
+/* Returns the name of what is chosen. */
+const char *overlay_chosen_name(const struct overlay *overlay);
+
+void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion);
+void overlay_end(struct overlay *overlay);
+
+/* Draws the wireframe. height is the picture's. */
+void overlay_draw_surface(struct overlay *overlay,
+	const struct overlay_figure *figure, int height);
+
+/* Multiplies the model-view matrix by the figure's place, after a push. */
+void overlay_push_place(
+	const struct overlay *overlay, const struct overlay_figure *figure);
+
+/*
+ * Draws key frames: those of a clip as onion skins around the present pose, and
+ * the shapes of a morphed model as a row of small pictures below it.
+ */
+void overlay_draw_keys(struct overlay *overlay,
+	const struct overlay_motion *motion,
+	const struct overlay_figure *figure, int width, int height);
+
+/* A row of small pictures of the base and the morph targets. */
+struct overlay_row {
+	int count;
+	int width, height; /* of each, pixels; the row begins at the left */
+};
+struct overlay_row overlay_row_of(
+	const struct overlay *overlay, int width, int height);
+
+/* Lets what follows be drawn over the figures. */
+void overlay_clear_depth(struct overlay *overlay);
+
+/* Draws the skeleton and the pivots. height is the picture's. */
+void overlay_draw_bones(struct overlay *overlay,
+	const struct overlay_figure *figure, int height);
+
+/* Adds labels, curves and weights to the display. */
+void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
+	struct hud *hud);
+
+#endif

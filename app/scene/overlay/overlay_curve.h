@@ -1,0 +1,43 @@
+/*
+ * Graphs on the head-up display of how a value moves between key frames: the
+ * interpolation function of a morph, as in AN4044's figure 4, or the curves of
+ * a clip's channel. A running point marks the present moment.
+ */
+#ifndef APP_SCENE_OVERLAY_OVERLAY_CURVE_H
+#define APP_SCENE_OVERLAY_OVERLAY_CURVE_H
+
+#include "app/anim/clip.h"
+#include "app/scene/hud/hud_group.h"
+
+enum {
+	OVERLAY_CURVE_POINTS = 40,
+	OVERLAY_CURVES_MAX = 4
+};
+
+/* Values at evenly spaced moments from 0 to 1. */
+struct overlay_curve {
+	int count; /* curves */
+	float value[OVERLAY_CURVES_MAX][OVERLAY_CURVE_POINTS];
+	float at; /* the present moment, 0..1 */
+};
+
+/*
+ * The way from source (0) to destiny (1) over Omega: a slope and, where wave is
+ * not 0, the signal of this height that is mounted on it, both alone and added.
+ */
+struct overlay_curve overlay_curve_of_morph(float wave, float omega);
+
+/*
+ * The values of a channel over its clip: x, y and z of a rotation, or those
+ * of four morph targets from number first on. value has room for one of the
+ * channel's values.
+ */
+struct overlay_curve overlay_curve_of_channel(const struct model_clip *clip,
+	const struct model_channel *channel, int first, float time_s,
+	float *value);
+
+/* Adds a row with the graph to a group. */
+void overlay_curve_show(
+	const struct overlay_curve *curve, struct hud_group *group);
+
+#endif

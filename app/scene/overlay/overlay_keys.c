@@ -1,0 +1,129 @@
+#include "app/anim/clip.h"
+#include "app/scene/draw/matrix_gl.h"
+#include "app/scene/overlay/overlay.h"
+#include "platform/base/fixed.h"
+
+#include <string.h>
+
+enum {
+	ROW_MAX = 12,    /* pictures in a row */
+	ROW_FRACTION = 5 /* a picture's width is at most 1/5 of the whole */
+};
+
+static const float ghost_gap = 0.08f; /* of a clip, between onion skins */
+static const float before_color[4] = {0.30f, 0.62f, 1.0f, 0.36f};
+static const float after_color[4] = {1.0f, 0.66f, 0.22f, 0.36f};
+
+void overlay_push_place(
+	const struct overlay *overlay, const struct overlay_figure *figure)
+{
+	overlay->gl->MatrixMode(GL_MODELVIEW);
+	overlay->gl->PushMatrix();
+	matrix_gl_multiply(overlay->gl, (const vec4 *)figure->place);
+}
+
+static void draw_ghost(struct overlay *overlay, const struct model_clip *clip,
+	float time_s, const float color[4])
+{
+	struct pose *pose = &overlay->ghost.instance->pose;
+	struct clip_cursor none = {0};
+
+	pose_rest(pose, overlay->subject.instance->model);
+	clip_sample(clip, time_s, &none, pose);
+	overlay_ghost_draw(
+		&overlay->ghost, overlay->gl, overlay->subject.textures, color);
+}
+
+/* Two key frames before the present moment and two after it. */
+static void draw_ghosts(
+	struct overlay *overlay, const struct overlay_motion *motion)
+{
+	const struct model_clip *clip =
+		&overlay->subject.instance->model->clip[motion->clip];
+	float gap_s = clip->duration_s * ghost_gap;
+
+	for (int side = -1; side <= 1; side += 2) {
+		float color[4], at_s = motion->time_s;
+
+		memcpy(color, side < 0 ? before_color : after_color,
+			sizeof(color));
+		for (int i = 0; i < 2; i++) {
+			at_s = overlay_ghost_key_time(
+				clip, at_s, gap_s * (float)side);
+			if (at_s < 0.0f) {
+				break;
+			}
+			draw_ghost(overlay, clip, at_s, color);
+			color[3] *= 0.6f;
+		}
+	}
+}
+
+struct overlay_row overlay_row_of(
+	const struct overlay *overlay, int width, int height)
+{
+	struct overlay_row row = {.count = overlay->target_count + 1};
+
+	row.count = row.count > ROW_MAX ? ROW_MAX : row.count;
+	row.width = width / row.count;
+	if (row.width > width / ROW_FRACTION) {
+		row.width = width / ROW_FRACTION;
+	}
+	row.height = height * row.width / width;
+	return row;
+}
+
+/* Poses the ghost at a target alone, -1: the base. */
+static void pose_target(struct overlay *overlay, int target)
+{
+	const struct model *model = overlay->subject.instance->model;
+	struct pose *pose = &overlay->ghost.instance->pose;
+
+	pose_copy(pose, &overlay->subject.instance->pose);
+	memset(pose->weight, 0,
+		(size_t)pose->weight_count * sizeof(*pose->weight));
+	for (int n = 0; target >= 0 && n < model->node_count; n++) {
+		int mesh = model->node[n].mesh;
+
+		if (mesh >= 0 && target < model->mesh[mesh].target_count) {
+			pose->weight[model->node[n].weight_offset + target] =
+				1.0f;
+		}
+	}
+}
+
+static void draw_row(struct overlay *overlay, int width, int height)
+{
+	const struct gl *gl = overlay->gl;
+	struct overlay_row row = overlay_row_of(overlay, width, height);
+
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, 0, row.width * row.count, row.height);
+	gl->ClearColorx(FX16_ONE / 8, FX16_ONE / 7, FX16_ONE / 6, FX16_ONE);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	for (int i = 0; i < row.count; i++) {
+		gl->Viewport(i * row.width, 0, row.width, row.height);
+		pose_target(overlay, i - 1);
+		overlay_ghost_draw_solid(
+			&overlay->ghost, gl, overlay->subject.textures);
+	}
+	gl->Viewport(0, 0, width, height);
+	gl->ClearColorx(0, 0, 0, 0);
+	gl->Disable(GL_SCISSOR_TEST);
+}
+
+void overlay_draw_keys(struct overlay *overlay,
+	const struct overlay_motion *motion,
+	const struct overlay_figure *figure, int width, int height)
+{
+	if (!overlay_shows(overlay, OVERLAY_KEYS)) {
+		return;
+	}
+	overlay_push_place(overlay, figure);
+	if (overlay->chooses_target) {
+		draw_row(overlay, width, height);
+	} else if (motion->clip >= 0) {
+		draw_ghosts(overlay, motion);
+	}
+	overlay->gl->PopMatrix();
+}

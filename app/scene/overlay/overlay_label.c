@@ -1,0 +1,232 @@
+#include "app/scene/hud/hud_group.h"
+#include "app/scene/overlay/overlay.h"
+#include "app/scene/overlay/overlay_curve.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	RAMP_STEPS = 24
+};
+
+static const char *const path_name[] = {
+	[MODEL_TRANSLATION] = "position",
+	[MODEL_ROTATION] = "rotation",
+	[MODEL_SCALE] = "scale",
+	[MODEL_WEIGHTS] = "weights",
+};
+
+/* "skeleton, weights" or "all overlays". */
+static void write_title(const struct overlay *overlay, char *out, size_t size)
+{
+	size_t used = 0;
+
+	out[0] = '\0';
+	for (int kind = 0; kind < OVERLAY_KINDS; kind++) {
+		if (overlay_shows(overlay, (enum overlay_kind)kind) &&
+			used < size) {
+			used += (size_t)snprintf(out + used, size - used,
+				"%s%s", used ? ", " : "",
+				overlay_kind_name((enum overlay_kind)kind));
+		}
+	}
+	if (overlay->kinds == (1U << OVERLAY_KINDS) - 1) {
+		snprintf(out, size, "all overlays");
+	}
+	if (out[0] >= 'a' && out[0] <= 'z') {
+		out[0] = (char)(out[0] - 'a' + 'A');
+	}
+}
+
+/* The colours from weight 0 to weight 1. */
+static void show_ramp(struct hud_group *group)
+{
+	struct hud *hud = group->hud;
+	int height = hud_em(hud) / 2, top = hud_group_space(group, height);
+
+	for (int i = 0; i < RAMP_STEPS; i++) {
+		int from = group->left + group->width * i / RAMP_STEPS;
+		int to = group->left + group->width * (i + 1) / RAMP_STEPS;
+		uint8_t rgb[3];
+
+		overlay_heat_ramp((float)i / (RAMP_STEPS - 1), rgb);
+		hud_rectangle(hud, from, top, to - from, height,
+			(struct hud_color){rgb[0], rgb[1], rgb[2], 255});
+	}
+}
+
+/* How well a channel suits the graph: 0 for not at all. */
+static int rank_of(
+	const struct overlay *overlay, const struct model_channel *channel)
+{
+	bool chosen =
+		!overlay->chooses_target && channel->node == overlay->chosen;
+
+	if (channel->path == MODEL_WEIGHTS) {
+		return overlay->chooses_target ? 5 : 1;
+	}
+	if (!chosen) {
+		return 1;
+	}
+	return channel->path == MODEL_ROTATION ? 4 : channel->constant ? 2 : 3;
+}
+
+static const struct model_channel *find_channel(
+	const struct overlay *overlay, const struct model_clip *clip)
+{
+	const struct model_channel *found = NULL;
+	int best = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		int rank = rank_of(overlay, &clip->channel[i]);
+
+		if (rank > best) {
+			best = rank;
+			found = &clip->channel[i];
+		}
+	}
+	return found;
+}
+
+static void show_clip_curve(struct overlay *overlay,
+	const struct overlay_motion *motion, struct hud_group *group)
+{
+	const struct model *model = overlay->subject.instance->model;
+	const struct model_clip *clip = &model->clip[motion->clip];
+	const struct model_channel *channel = find_channel(overlay, clip);
+	struct overlay_curve curve;
+	int first = 0;
+
+	if (!channel) {
+		return;
+	}
+	if (channel->path == MODEL_WEIGHTS && overlay->chooses_target &&
+		overlay->chosen < channel->width) {
+		first = overlay->chosen;
+	}
+	hud_group_text(group,
+		first || channel->path == MODEL_WEIGHTS
+			? overlay_chosen_name(overlay)
+			: model->node[channel->node].name,
+		path_name[channel->path]);
+	curve = overlay_curve_of_channel(
+		clip, channel, first, motion->time_s, overlay->sample);
+	overlay_curve_show(&curve, group);
+}
+
+static void show_curve(struct overlay *overlay,
+	const struct overlay_motion *motion, struct hud_group *group)
+{
+	if (motion->morphing) {
+		struct overlay_curve curve =
+			overlay_curve_of_morph(motion->wave, motion->omega);
+
+		overlay_curve_show(&curve, group);
+	} else if (motion->clip >= 0) {
+		show_clip_curve(overlay, motion, group);
+	} else {
+		hud_group_text(group, "nothing moves", "");
+	}
+}
+
+static void show_layers(
+	const struct overlay_motion *motion, struct hud_group *group)
+{
+	for (int i = 0; i < motion->layer_count; i++) {
+		const struct overlay_layer *layer = &motion->layer[i];
+
+		hud_group_weight(group, layer->name, layer->weight,
+			layer->mask ? hud_color_rose : hud_color_green);
+	}
+	if (motion->layer_count == 0) {
+		hud_group_text(group, "no layers", "");
+	}
+}
+
+static void frame(struct hud *hud, int x, int y, int w, int h, int line,
+	struct hud_color color)
+{
+	hud_rectangle(hud, x, y, w, line, color);
+	hud_rectangle(hud, x, y + h - line, w, line, color);
+	hud_rectangle(hud, x, y + line, line, h - 2 * line, color);
+	hud_rectangle(hud, x + w - line, y + line, line, h - 2 * line, color);
+}
+
+/* Marks a morph's source and destiny in the row of small pictures. */
+static void mark_row(const struct overlay *overlay,
+	const struct overlay_motion *motion, struct hud *hud)
+{
+	struct overlay_row row =
+		overlay_row_of(overlay, hud->width, hud->height);
+	const int key[2] = {motion->from + 1, motion->to + 1};
+	int line = hud_em(hud) / 6 < 2 ? 2 : hud_em(hud) / 6;
+
+	hud->stacked_px[HUD_BOTTOM_LEFT] += row.height;
+	hud->stacked_px[HUD_BOTTOM_RIGHT] += row.height;
+	for (int i = 0; motion->morphing && i < 2; i++) {
+		if (key[i] < row.count) {
+			frame(hud, key[i] * row.width, hud->height - row.height,
+				row.width, row.height, line,
+				i ? hud_color_amber : hud_color_blue);
+		}
+	}
+}
+
+static void show_keys(const struct overlay *overlay,
+	const struct overlay_motion *motion, struct hud_group *group)
+{
+	if (!overlay->chooses_target) {
+		hud_group_mark(group, "before", "", hud_color_blue);
+		hud_group_mark(group, "after", "", hud_color_amber);
+	} else if (motion->morphing) {
+		hud_group_mark(group, "source", "", hud_color_blue);
+		hud_group_mark(group, "destiny", "", hud_color_amber);
+	}
+}
+
+static bool has_rows(const struct overlay *overlay)
+{
+	return overlay->kinds &
+		~(1U << OVERLAY_SKELETON | 1U << OVERLAY_WIREFRAME);
+}
+
+void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
+	struct hud *hud)
+{
+	struct hud_group group;
+	char title[64];
+
+	if (!overlay->kinds) {
+		return;
+	}
+	write_title(overlay, title, sizeof(title));
+	if (overlay_shows(overlay, OVERLAY_KEYS) && overlay->chooses_target) {
+		mark_row(overlay, motion, hud);
+	}
+	group = hud_group_begin(
+		hud, HUD_BOTTOM_LEFT, has_rows(overlay) ? title : NULL);
+	if (!has_rows(overlay)) {
+		hud_group_text(&group, title, "");
+	}
+	if (overlay_shows(overlay, OVERLAY_WEIGHTS)) {
+		hud_group_text(&group,
+			overlay->chooses_target ? "target" : "joint",
+			overlay_chosen_name(overlay));
+		show_ramp(&group);
+	}
+	if (overlay_shows(overlay, OVERLAY_KEYS)) {
+		show_keys(overlay, motion, &group);
+	}
+	if (overlay_shows(overlay, OVERLAY_PIVOTS)) {
+		hud_group_mark(&group, "x", "", hud_color_rose);
+		hud_group_mark(&group, "y", "", hud_color_green);
+		hud_group_mark(&group, "z", "", hud_color_blue);
+	}
+	if (overlay_shows(overlay, OVERLAY_CURVE)) {
+		show_curve(overlay, motion, &group);
+	}
+	if (overlay_shows(overlay, OVERLAY_LAYERS)) {
+		show_layers(motion, &group);
+	}
+	hud_group_end(&group);
+}

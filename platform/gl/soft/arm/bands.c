@@ -1,9 +1,6 @@
 #include <assert.h>
 
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/count.h"
-#include "platform/gl/soft/fast/glyph.h"
-#include "platform/gl/soft/fast/ground.h"
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/raster/raster.h"
 
@@ -16,34 +13,9 @@ void soft_band_texture_arm(struct texture_band *band);
 /* fill.S */
 void soft_band_fill_arm(uint16_t *at, int count, uint16_t value);
 
-/* picture.S */
-void soft_picture_copy_arm(uint16_t *pixel, const uint16_t *texels, int count,
-	uint32_t s_q16, uint32_t s_right_q16);
-
-/* glyph.S */
-void soft_glyph_draw_arm(const struct glyph *glyph);
-void soft_glyph_mix_arm(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
-
 /* tile_row.S */
 void soft_tile_row_arm(const struct tile_run *run);
 void soft_tile_fine_arm(const struct tile_run *run);
-void soft_tile_blend_arm(
-	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
-
-/* count.S: of one row or more */
-void soft_count_band_arm(struct count_band *band);
-
-static void count_arm(struct count_band *band)
-{
-	if (band->rows > 0) {
-		soft_count_band_arm(band);
-	}
-}
-
-/* ground.S */
-void soft_ground_shade_arm(const struct shade_run *run);
-int soft_ground_depth_arm(
-	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 /* flat.S: blended ones of one row or more */
 void soft_band_flat_arm(struct flat_band *band);
@@ -110,13 +82,6 @@ const struct band_functions soft_bands = {
 	.texture = soft_band_texture_arm,
 	.flat = flat_arm,
 	.fill = soft_band_fill_arm,
-	.picture = soft_picture_copy_arm,
-	.glyph = soft_glyph_draw_arm,
-	.mix = soft_glyph_mix_arm,
 	.tile_row = soft_tile_row_arm,
 	.tile_fine = soft_tile_fine_arm,
-	.tile_blend = soft_tile_blend_arm,
-	.count = count_arm,
-	.shade_ground = soft_ground_shade_arm,
-	.depth = soft_ground_depth_arm,
 };

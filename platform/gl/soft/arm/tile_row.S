@@ -1,7 +1,7 @@
 /*
  * tile_row.c for ARMv6: the same bytes. Offsets are those of struct tile_run.
  * A pixel of its own costs 23 instructions, 12 from fine, those in a patch 46,
- * or 57, and 3 for eight of them; to blend one takes 7.5.
+ * or 57, and 3 for eight of them.
  */
 	.syntax unified
 	.arch armv6
@@ -167,70 +167,5 @@ soft_tile_fine_arm:
 	bne	.Lplace
 	pop	{r0, r4-r11, pc}
 	.size	soft_tile_fine_arm, . - soft_tile_fine_arm
-
-/*
- * r0 pixel, r1 own, r2 count, r3 share, r4 the wide mask, r5 what is kept, r6
- * what rounds. Two pixels are two wide ones, each with the other's green.
- */
-	.macro	blend_two
-	ldr	r7, [r0]
-	ldr	r9, [r1], #4
-	and	r8, r4, r7, ror #16
-	and	r7, r4, r7
-	and	r10, r4, r9, ror #16
-	mla	r8, r5, r8, r6
-	and	r9, r4, r9
-	mla	r7, r5, r7, r6
-	mla	r8, r3, r10, r8
-	mla	r7, r3, r9, r7
-	and	r8, r4, r8, lsr #5
-	and	r7, r4, r7, lsr #5
-	orr	r7, r7, r8, ror #16
-	str	r7, [r0], #4
-	.endm
-
-	.macro	blend_one
-	ldrh	r7, [r0]
-	ldrh	r9, [r1], #2
-	orr	r7, r7, r7, lsl #16
-	orr	r9, r9, r9, lsl #16
-	and	r7, r4, r7
-	and	r9, r4, r9
-	mla	r7, r5, r7, r6
-	mla	r7, r3, r9, r7
-	and	r7, r4, r7, lsr #5
-	orr	r7, r7, r7, lsr #16
-	strh	r7, [r0], #2
-	.endm
-
-	.global	soft_tile_blend_arm
-	.type	soft_tile_blend_arm, %function
-soft_tile_blend_arm:
-	cmp	r2, #0
-	bxle	lr
-	push	{r4-r10, lr}
-	pld	[r0, #32]
-	ldr	r4, =0x07E0F81F
-	ldr	r6, =0x02008010
-	rsb	r5, r3, #32
-	tst	r0, #2
-	beq	1f
-	blend_one
-	sub	r2, r2, #1
-1:	subs	r2, r2, #4
-	blt	3f
-2:	pld	[r0, #64]
-	blend_two
-	subs	r2, r2, #4
-	blend_two
-	bge	2b
-3:	tst	r2, #2
-	beq	4f
-	blend_two
-4:	tst	r2, #1
-	beq	5f
-	blend_one
-5:	pop	{r4-r10, pc}
-	.size	soft_tile_blend_arm, . - soft_tile_blend_arm
 
 	.section .note.GNU-stack, "", %progbits

@@ -125,10 +125,7 @@ struct flat_band {
 	uint32_t alpha;  /* 0 to 32 */
 };
 
-struct shade_run;
 struct tile_run;
-struct glyph;
-struct count_band;
 struct draw;
 struct setup;
 
@@ -144,21 +141,9 @@ struct band_functions {
 	void (*texture)(struct texture_band *band);
 	void (*flat)(struct flat_band *band);
 	void (*fill)(uint16_t *at, int count, uint16_t value);
-	/* picture.h */
-	void (*picture)(uint16_t *pixel, const uint16_t *texels, int count,
-		uint32_t s_q16, uint32_t s_right_q16);
-	/* glyph.h */
-	void (*glyph)(const struct glyph *glyph);
-	void (*mix)(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 	/* tile_row.h; rows of textures as wide as high */
 	void (*tile_row)(const struct tile_run *run);
 	void (*tile_fine)(const struct tile_run *run);
-	void (*tile_blend)(uint16_t *pixel, const uint16_t *own, int count,
-		uint32_t share);
-	void (*count)(struct count_band *band); /* count.h */
-	/* ground.h */
-	void (*shade_ground)(const struct shade_run *run);
-	int (*depth)(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 };
 
 extern const struct band_functions soft_bands;

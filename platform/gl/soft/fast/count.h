@@ -14,22 +14,22 @@ enum {
 	COUNT_PASSED = 2, /* else what failed */
 };
 
-/* Rows between two edges, as struct band. Offsets are known to arm/count.S. */
+/* Rows between two edges, as struct band. */
 struct count_band {
-	uint16_t *depth; /* 0: of column 0 */
+	uint16_t *depth; /* of column 0 */
 	uint8_t *stencil;
-	uint32_t edge[2];      /* 8: see BAND_LEFT */
-	uint32_t z;            /* 16: at column 0, 10 bits of fraction */
-	uint32_t z_right;      /* 20: a pixel further */
-	int32_t rows;          /* 24 */
-	uint32_t edge_step[2]; /* 28 */
-	uint32_t z_down;       /* 36 */
-	int32_t width;         /* 40: pixels from a row to the next */
-	int32_t from, to;      /* 44: columns that may be counted */
-	uint8_t kind;          /* 52: of the two below, added up */
+	uint32_t edge[2]; /* see BAND_LEFT */
+	uint32_t z;       /* at column 0, 10 bits of fraction */
+	uint32_t z_right; /* a pixel further */
+	int32_t rows;
+	uint32_t edge_step[2];
+	uint32_t z_down;
+	int32_t width;    /* pixels from a row to the next */
+	int32_t from, to; /* columns that may be counted */
+	uint8_t kind;     /* of the two below, added up */
 };
 
 /* Counts in all rows, and leaves the band at the row after them. */
-void soft_count_band_c(struct count_band *band);
+void soft_count_band(struct count_band *band);
 
 #endif

@@ -31,7 +31,7 @@ bool soft_fill_is_count(const struct draw *draw)
 
 static void draw_band(void *band)
 {
-	soft_bands.count(band);
+	soft_count_band(band);
 }
 
 void soft_fill_count(struct draw *draw, struct setup *setup)
@@ -62,37 +62,56 @@ void soft_fill_count(struct draw *draw, struct setup *setup)
 		draw_band, &band);
 }
 
-static void count_row(const struct count_band *band, int left, int right)
+static ALWAYS_INLINE void count_row(const struct count_band *band, int left,
+	int right, bool down, bool passed)
 {
-	uint32_t z = band->z + band->z_right * (uint32_t)left;
-	bool passed = band->kind & COUNT_PASSED, down = band->kind & COUNT_DOWN;
+	const uint16_t *depth = band->depth + left;
+	uint8_t *stencil = band->stencil + left;
+	uint32_t z_right = band->z_right;
+	uint32_t z = band->z + z_right * (uint32_t)left;
 
-	for (int i = left; i < right; i++, z += band->z_right) {
-		uint8_t *stencil = &band->stencil[i];
+	for (const uint16_t *end = band->depth + right; depth < end; depth++) {
+		if ((z >> 10 < *depth) == passed) {
+			int count = *stencil;
 
-		if ((z >> 10 < band->depth[i]) != passed) {
-			continue;
+			*stencil = (uint8_t)(down ? count - (count > 0)
+						  : count + (count < 255));
 		}
-		if (down) {
-			*stencil = (uint8_t)(*stencil - (*stencil > 0));
-		} else {
-			*stencil = (uint8_t)(*stencil + (*stencil < 255));
-		}
+		stencil++;
+		z += z_right;
 	}
 }
 
-void soft_count_band_c(struct count_band *band)
+static ALWAYS_INLINE void count_rows(
+	struct count_band *band, bool down, bool passed)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
 		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
 
 		count_row(band, left > band->from ? left : band->from,
-			right < band->to ? right : band->to);
+			right < band->to ? right : band->to, down, passed);
 		band->depth += band->width;
 		band->stencil += band->width;
 		band->z += band->z_down;
 		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
 		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
+}
+
+void soft_count_band(struct count_band *band)
+{
+	bool passed = band->kind & COUNT_PASSED;
+
+	if (band->kind & COUNT_DOWN) {
+		if (passed) {
+			count_rows(band, true, true);
+		} else {
+			count_rows(band, true, false);
+		}
+	} else if (passed) {
+		count_rows(band, false, true);
+	} else {
+		count_rows(band, false, false);
 	}
 }

@@ -4,6 +4,7 @@
  * wide. Two triangles that are a rectangle are drawn as one.
  */
 #include "platform/gl/soft/fast/glyph.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
@@ -180,7 +181,7 @@ static void mix_box(struct draw *draw, const struct clip_box *box)
 		if (color->alpha == 32) {
 			soft_bands.fill(pixel, count, color->opaque);
 		} else {
-			soft_bands.mix(pixel, count, color->keep, color->own);
+			soft_keep_pixels(pixel, count, color->keep, color->own);
 		}
 	}
 }
@@ -211,7 +212,7 @@ static bool draw_letter(struct draw *draw, struct vertex *const v[4],
 		return false;
 	}
 	glyph.texel = input->base->texels + (t << input->width_log2) + s;
-	soft_bands.glyph(&glyph);
+	soft_glyph_draw(&glyph);
 	return true;
 }
 

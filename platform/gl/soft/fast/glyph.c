@@ -15,7 +15,7 @@ static void draw_row(
 	}
 }
 
-void soft_glyph_draw_c(const struct glyph *glyph)
+void soft_glyph_draw(const struct glyph *glyph)
 {
 	uint8_t *pixel = (uint8_t *)glyph->pixel;
 	const uint8_t *texel = glyph->texel;
@@ -24,13 +24,5 @@ void soft_glyph_draw_c(const struct glyph *glyph)
 		draw_row(glyph, (uint16_t *)(void *)pixel, texel);
 		pixel += glyph->stride_bytes;
 		texel += glyph->texel_stride;
-	}
-}
-
-void soft_glyph_mix_c(uint16_t *pixel, int count, uint32_t keep, uint32_t own)
-{
-	for (int i = 0; i < count; i++) {
-		pixel[i] =
-			narrow((widen(pixel[i]) * keep + own) >> 5 & WIDE_MASK);
 	}
 }

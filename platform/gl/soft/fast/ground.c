@@ -4,6 +4,7 @@
 #include "platform/gl/soft/fast/luminance.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/halves.h"
 
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct shade_run *run, uint32_t s, uint32_t t)
@@ -12,16 +13,23 @@ static ALWAYS_INLINE uint32_t load_quad(
 		(s >> (32 - run->width_log2))];
 }
 
+/* Of four texels that are the same. */
+static ALWAYS_INLINE bool is_even(uint32_t quad)
+{
+	return quad == (quad >> 8 | quad << 24);
+}
+
 /* The mean of four texels by 16ths, with 8 bits of fraction. */
 static ALWAYS_INLINE uint32_t mix_quad_q8(
 	const struct shade_run *run, uint32_t quad, uint32_t s, uint32_t t)
 {
-	uint32_t left = quad & 0xFF00FF, right = quad >> 8 & 0xFF00FF;
+	uint32_t left = BYTES_AS_HALVES(quad);
+	uint32_t right = BYTES_AS_HALVES(quad >> 8);
 	uint32_t across = s << run->width_log2 >> 28;
 	uint32_t down = t << run->height_log2 >> 28;
 	uint32_t rows = left * 16 + (right - left) * across;
 
-	return (rows & 0xFFFF) * (16 - down) + (rows >> 16) * down;
+	return HALVES_SUM(rows, (down << 16) - down + 16);
 }
 
 /* 65280 times 65662 are below 2^32. */
@@ -34,24 +42,30 @@ static ALWAYS_INLINE uint16_t shade_one(
 static void shade_each(const struct shade_run *run, uint16_t *pixel, int count,
 	uint32_t s, uint32_t t, uint32_t share)
 {
-	for (int i = 0; i < count; i++) {
+	for (const uint16_t *end = pixel + count; pixel < end; pixel++) {
 		uint32_t quad = load_quad(run, s, t);
 
-		pixel[i] = shade_one(run, mix_quad_q8(run, quad, s, t), share);
+		*pixel = shade_one(run, mix_quad_q8(run, quad, s, t), share);
 		s += (uint32_t)run->s_right;
 		t += (uint32_t)run->t_right;
 		share += (uint32_t)run->share_right;
 	}
 }
 
-/* Four pixels of one texel. */
-static void shade_same(const struct shade_run *run, uint16_t *pixel,
-	uint32_t texel, uint32_t share)
+/* Four pixels of one texel, which is at most 255: a product is below 2^32. */
+static ALWAYS_INLINE void shade_same(const struct shade_run *run,
+	uint16_t *pixel, uint32_t texel, uint32_t share)
 {
-	for (int i = 0; i < 4; i++) {
-		pixel[i] = shade_one(run, texel << 8, share);
-		share += (uint32_t)run->share_right;
-	}
+	const uint32_t *shade = run->shade;
+	uint32_t right = (uint32_t)run->share_right;
+
+	pixel[0] = (uint16_t)shade[texel * (share >> 8) >> 16];
+	share += right;
+	pixel[1] = (uint16_t)shade[texel * (share >> 8) >> 16];
+	share += right;
+	pixel[2] = (uint16_t)shade[texel * (share >> 8) >> 16];
+	share += right;
+	pixel[3] = (uint16_t)shade[texel * (share >> 8) >> 16];
 }
 
 static int32_t size_of(int32_t value)
@@ -59,7 +73,7 @@ static int32_t size_of(int32_t value)
 	return value < 0 ? -value : value;
 }
 
-void soft_ground_shade_c(const struct shade_run *run)
+void soft_ground_shade(const struct shade_run *run)
 {
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t, share = run->share;
@@ -76,7 +90,7 @@ void soft_ground_shade_c(const struct shade_run *run)
 		uint32_t next_t = t + (uint32_t)run->t_right * 4;
 		uint32_t next = load_quad(run, next_s, next_t);
 
-		if (next == quad && quad == (quad >> 8 | quad << 24)) {
+		if (next == quad && is_even(quad)) {
 			shade_same(run, pixel, quad & 255, share);
 		} else {
 			shade_each(run, pixel, 4, s, t, share);
@@ -89,13 +103,25 @@ void soft_ground_shade_c(const struct shade_run *run)
 	shade_each(run, pixel, left, s, t, share);
 }
 
-int soft_ground_depth_c(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
+int soft_ground_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
-	int i;
+	int i = 0;
 
-	for (i = 0; i < count && z >> 10 < depth[i]; i++) {
+	for (; i < count - 1; i += 2) {
+		if (z >> 10 >= depth[i]) {
+			return i;
+		}
 		depth[i] = (uint16_t)(z >> 10);
 		z += z_right;
+		if (z >> 10 >= depth[i + 1]) {
+			return i + 1;
+		}
+		depth[i + 1] = (uint16_t)(z >> 10);
+		z += z_right;
+	}
+	if (i < count && z >> 10 < depth[i]) {
+		depth[i] = (uint16_t)(z >> 10);
+		i++;
 	}
 	return i;
 }
@@ -115,7 +141,7 @@ static void shade_part(
 	part.pixel = draw->blended
 		? draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2
 		: pixel;
-	soft_bands.shade_ground(&part);
+	soft_ground_shade(&part);
 	if (draw->blended) {
 		soft_luminance_blend(pixel, part.pixel, count,
 			run->alpha + (uint32_t)run->alpha_right * n,
@@ -140,7 +166,7 @@ static void draw_parts(
 		if (passed == 0) {
 			/* what follows is hidden, unless the run is over */
 			first++;
-			passed = soft_bands.depth(run->depth + first,
+			passed = soft_ground_depth(run->depth + first,
 				run->count - first,
 				run->z + (uint32_t)run->z_right * (uint32_t)first,
 				(uint32_t)run->z_right);
@@ -151,11 +177,11 @@ static void draw_parts(
 /* Mostly all of it is. */
 static void draw_run(struct draw *draw, const struct shade_run *run)
 {
-	int passed = soft_bands.depth(
+	int passed = soft_ground_depth(
 		run->depth, run->count, run->z, (uint32_t)run->z_right);
 
 	if (passed == run->count && !draw->blended) {
-		soft_bands.shade_ground(run);
+		soft_ground_shade(run);
 	} else {
 		draw_parts(draw, run, passed);
 	}

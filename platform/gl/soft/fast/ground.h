@@ -38,13 +38,12 @@ static inline void ground_next(struct draw *draw)
  * Draws a run whose shade varies, in blocks of four pixels where texels are
  * wide enough for that, else one by one.
  */
-void soft_ground_shade_c(const struct shade_run *run);
+void soft_ground_shade(const struct shade_run *run);
 
 /*
  * Tests depth LESS, and writes it, until one fails; how many passed. z has 10
  * bits of fraction.
  */
-int soft_ground_depth_c(
-	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+int soft_ground_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 #endif

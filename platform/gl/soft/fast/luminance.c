@@ -1,5 +1,6 @@
 #include "platform/gl/soft/fast/luminance.h"
 
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/pixel.h"
@@ -130,7 +131,7 @@ void soft_luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
 			count = most;
 		}
 		middle = alpha + (uint32_t)(alpha_right * (i + count / 2));
-		soft_bands.tile_blend(pixel + i, shaded + i, count,
+		soft_mix_pixels(pixel + i, shaded + i, count,
 			(middle + SHARE_ROUND) >> 19);
 	}
 }

@@ -1,4 +1,5 @@
 #include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/fast/mix.h"
 
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/sample.h"
@@ -52,7 +53,7 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 			soft_texel_rest(raster->plane[TEX_S].dx, shift), count,
 			shift);
 
-		soft_bands.picture((uint16_t *)(void *)at, texels, count,
+		soft_picture_copy((uint16_t *)(void *)at, texels, count,
 			(uint32_t)s << shift, (uint32_t)step);
 		at += 2 * SOFT_RUN_PIXELS;
 	}
@@ -79,11 +80,24 @@ void soft_picture_row(struct draw *draw, int y, int left, int right)
 			(t << input->width_log2));
 }
 
-void soft_picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
+void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16)
 {
-	for (int i = 0; i < count; i++) {
-		pixel[i] = texels[s_q16 >> 16];
+	const uint8_t *bytes = (const uint8_t *)texels;
+	uint32_t even = 0x1FFFE;
+	int i = 0;
+
+	/* else it becomes two shifts */
+	OPAQUE(even);
+	for (; i < count - 1; i += 2) {
+		uint32_t left = load_16(bytes + (s_q16 >> 15 & even)), right;
+
 		s_q16 += s_right_q16;
+		right = load_16(bytes + (s_q16 >> 15 & even));
+		soft_store_two(pixel + i, left | right << 16);
+		s_q16 += s_right_q16;
+	}
+	if (i < count) {
+		pixel[i] = texels[s_q16 >> 16];
 	}
 }

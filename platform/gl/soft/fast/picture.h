@@ -21,7 +21,7 @@ void soft_picture_row(struct draw *draw, int y, int left, int right);
  * A row of pixels from a row of texels, at s_q16 and steps further, which are
  * all there: arm/picture.S has it again.
  */
-void soft_picture_copy_c(uint16_t *pixel, const uint16_t *texels, int count,
+void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);
 
 #endif

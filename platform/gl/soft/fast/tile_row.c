@@ -97,12 +97,3 @@ void soft_tile_fine_c(const struct tile_run *run)
 {
 	draw_run(run, true);
 }
-
-void soft_tile_blend_c(
-	uint16_t *pixel, const uint16_t *own, int count, uint32_t share)
-{
-	for (int i = 0; i < count; i++) {
-		pixel[i] =
-			narrow(mix_wide(widen(pixel[i]), widen(own[i]), share));
-	}
-}

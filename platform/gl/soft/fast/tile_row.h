@@ -43,8 +43,4 @@ static inline bool tile_is_square(const struct tile_run *run)
 	return run->width_log2 == run->height_log2;
 }
 
-/* Pixels become a mix of themselves and others, by share of 0 to 32. */
-void soft_tile_blend_c(
-	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
-
 #endif

@@ -1,6 +1,5 @@
 /* Letters and panels: rectangles that are drawn as one, and their loops. */
-#include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/glyph.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"
@@ -19,42 +18,7 @@ struct corner {
 	uint8_t color[4];
 };
 
-static void test_letters_are_as_in_c(void **state)
-{
-	static uint16_t drawn[SIDE * SIDE], expected[SIDE * SIDE];
-	static uint8_t texel[SIDE * SIDE];
-	uint32_t seed = 2;
-
-	(void)state;
-	for (int round = 0; round < 1000; round++) {
-		int at = random_between(&seed, 0, 7);
-		struct glyph glyph = {
-			.texel = texel + random_between(&seed, 0, 9),
-			.columns = random_between(&seed, 1, 20),
-			.rows = random_between(&seed, 1, 20),
-			.stride_bytes = random_between(&seed, 20, 38) * 2,
-			.texel_stride = random_between(&seed, 1, 38),
-			.own = widen(next_random(&seed) & 0xFFFF),
-			.alpha = (uint32_t)random_between(&seed, 0, 32),
-		};
-
-		for (int i = 0; i < SIDE * SIDE; i++) {
-			int kind = random_between(&seed, 0, 3);
-
-			texel[i] = kind == 0 ? 0
-				: kind == 1  ? 255
-					     : (uint8_t)next_random(&seed);
-			drawn[i] = expected[i] = (uint16_t)next_random(&seed);
-		}
-		glyph.pixel = expected + at;
-		soft_glyph_draw_c(&glyph);
-		glyph.pixel = drawn + at;
-		soft_bands.glyph(&glyph);
-		assert_memory_equal(drawn, expected, sizeof(drawn));
-	}
-}
-
-static void test_panels_are_as_in_c(void **state)
+static void test_panels_are_mixed_pixel_by_pixel(void **state)
 {
 	static uint32_t drawn[SIDE], expected[SIDE];
 	uint32_t seed = 3;
@@ -71,9 +35,14 @@ static void test_panels_are_as_in_c(void **state)
 			drawn[i] = expected[i] =
 				next_random(&seed) << 12 ^ next_random(&seed);
 		}
-		soft_glyph_mix_c(
-			(uint16_t *)expected + at, count, 32 - alpha, own);
-		soft_bands.mix((uint16_t *)drawn + at, count, 32 - alpha, own);
+		for (int i = 0; i < count; i++) {
+			uint16_t *pixel = (uint16_t *)expected + at + i;
+
+			*pixel = narrow(
+				(widen(*pixel) * (32 - alpha) + own) >> 5 &
+				WIDE_MASK);
+		}
+		soft_keep_pixels((uint16_t *)drawn + at, count, 32 - alpha, own);
 		assert_memory_equal(drawn, expected, sizeof(drawn));
 	}
 }
@@ -228,8 +197,7 @@ static void test_culled_rectangles_are_not_drawn(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_letters_are_as_in_c),
-		cmocka_unit_test(test_panels_are_as_in_c),
+		cmocka_unit_test(test_panels_are_mixed_pixel_by_pixel),
 		cmocka_unit_test(test_rectangles_are_their_two_triangles),
 		cmocka_unit_test(test_culled_rectangles_are_not_drawn),
 	};

@@ -1,5 +1,6 @@
 /* Luminance textures in patches, and the rows that are drawn with them. */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/pixel.h"
@@ -330,7 +331,7 @@ static void test_rows_are_as_in_c(void **state)
 	}
 }
 
-static void test_blends_are_as_in_c(void **state)
+static void test_blends_are_mixed_pixel_by_pixel(void **state)
 {
 	static struct rows rows;
 	uint16_t own[80];
@@ -354,7 +355,7 @@ static void test_blends_are_as_in_c(void **state)
 			*pixel = narrow(mix_wide(
 				widen(*pixel), widen(own[odd + i]), share));
 		}
-		soft_bands.tile_blend(
+		soft_mix_pixels(
 			rows.drawn + MARGIN + odd, own + odd, count, share);
 		check_rows(&rows);
 	}
@@ -371,7 +372,7 @@ int main(void)
 		cmocka_unit_test(
 			test_rows_are_pixel_by_pixel_what_bilinear_means),
 		cmocka_unit_test(test_rows_are_as_in_c),
-		cmocka_unit_test(test_blends_are_as_in_c),
+		cmocka_unit_test(test_blends_are_mixed_pixel_by_pixel),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

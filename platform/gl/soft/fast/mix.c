@@ -1,0 +1,31 @@
+#include "platform/gl/soft/fast/mix.h"
+
+void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own)
+{
+	int i = 0;
+
+	for (; i < count - 1; i += 2) {
+		soft_store_two(pixel + i,
+			soft_keep_two(soft_load_two(pixel + i), keep, own, own));
+	}
+	if (i < count) {
+		pixel[i] =
+			narrow((widen(pixel[i]) * keep + own) >> 5 & WIDE_MASK);
+	}
+}
+
+void soft_mix_pixels(
+	uint16_t *pixel, const uint16_t *own, int count, uint32_t share)
+{
+	int i = 0;
+
+	for (; i < count - 1; i += 2) {
+		soft_store_two(pixel + i,
+			soft_mix_two(soft_load_two(pixel + i),
+				soft_load_two(own + i), share));
+	}
+	if (i < count) {
+		pixel[i] =
+			narrow(mix_wide(widen(pixel[i]), widen(own[i]), share));
+	}
+}

@@ -1,0 +1,61 @@
+/*
+ * Two pixels of RGB565 at a time: each becomes a mix of itself and a colour.
+ * Where two pixels are spread to wide ones (see pixel.h), each has the other's
+ * green.
+ */
+#ifndef PLATFORM_GL_SOFT_FAST_MIX_H
+#define PLATFORM_GL_SOFT_FAST_MIX_H
+
+#include <string.h>
+
+#include "platform/base/compiler.h"
+#include "platform/gl/soft/raster/pixel.h"
+
+static ALWAYS_INLINE uint32_t soft_load_two(const uint16_t *at)
+{
+	uint32_t two;
+
+	memcpy(&two, at, sizeof(two));
+	return two;
+}
+
+static ALWAYS_INLINE void soft_store_two(uint16_t *at, uint32_t two)
+{
+	memcpy(at, &two, sizeof(two));
+}
+
+static ALWAYS_INLINE uint32_t soft_swap_halves(uint32_t word)
+{
+	return word >> 16 | word << 16;
+}
+
+/* (wide pixel keep + own) >> 5, of the two pixels that a word of own has. */
+static ALWAYS_INLINE uint32_t soft_keep_two(
+	uint32_t two, uint32_t keep, uint32_t own, uint32_t own_swapped)
+{
+	uint32_t a = two & WIDE_MASK, b = soft_swap_halves(two) & WIDE_MASK;
+
+	a = (a * keep + own) >> 5 & WIDE_MASK;
+	b = (b * keep + own_swapped) >> 5 & WIDE_MASK;
+	return a | soft_swap_halves(b);
+}
+
+/* From two pixels to two others by 0 to 32 of 32. */
+static ALWAYS_INLINE uint32_t soft_mix_two(
+	uint32_t two, uint32_t to, uint32_t share)
+{
+	uint32_t own = (to & WIDE_MASK) * share + WIDE_ROUND;
+	uint32_t swapped =
+		(soft_swap_halves(to) & WIDE_MASK) * share + WIDE_ROUND;
+
+	return soft_keep_two(two, 32 - share, own, swapped);
+}
+
+/* Pixels become (pixel keep + own) >> 5, wide; own holds the rounding. */
+void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
+
+/* Pixels become a mix of themselves and others, by share of 0 to 32. */
+void soft_mix_pixels(
+	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
+
+#endif

@@ -47,8 +47,7 @@ void soft_fill_count(struct draw *draw, struct setup *setup)
 	band = (struct count_band){
 		.depth = buffers->depth + first,
 		.stencil = buffers->stencil + first,
-		.z = z->start + (uint32_t)z->dy * (uint32_t)(top - setup->top) -
-			(uint32_t)z->dx * (uint32_t)draw->raster.x0,
+		.z = z->start + (uint32_t)z->dy * (uint32_t)(top - setup->top),
 		.z_right = (uint32_t)z->dx,
 		.z_down = (uint32_t)z->dy,
 		.width = buffers->width,

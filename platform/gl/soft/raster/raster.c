@@ -2,6 +2,11 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 
+enum {
+	/* Bits of 1/256 of texels that mild perspective leaves exact enough. */
+	MILD_BITS = 18,
+};
+
 /* num / area, times 2^scale; see struct setup. */
 static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 {
@@ -19,22 +24,24 @@ static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 		setup->area_zeros - spare - 62 + scale);
 }
 
-/* Moves a plane from a vertex to the centre of (x0, row). */
-static void start_plane(const struct raster *raster, const struct setup *setup,
-	int32_t value, struct plane *plane)
+/* Moves a plane from a vertex to the centre of column 0 of the first row. */
+static void start_plane(
+	const struct setup *setup, int32_t value, struct plane *plane)
 {
-	int32_t off_x = raster->x0 * 16 + 8 - setup->v[0]->x;
+	int column = setup->v[0]->x >> 4;
+	int32_t off_x = column * 16 + 8 - setup->v[0]->x;
 	int32_t off_y = setup->top * 16 + 8 - setup->v[0]->y;
 
 	/* Both within 16: less than a pixel. */
 	plane->start = (uint32_t)value +
 		(uint32_t)(plane->dx >> 4) * (uint32_t)off_x +
-		(uint32_t)(plane->dy >> 4) * (uint32_t)off_y;
+		(uint32_t)(plane->dy >> 4) * (uint32_t)off_y -
+		(uint32_t)plane->dx * (uint32_t)column;
 }
 
 /* A plane through three values; 2^scale over 16 is a unit of the plane. */
-static void set_plane(struct raster *raster, const struct setup *setup,
-	const int32_t value[3], int scale, struct plane *plane)
+static void set_plane(const struct setup *setup, const int32_t value[3],
+	int scale, struct plane *plane)
 {
 	int64_t d1 = (int64_t)value[1] - value[0];
 	int64_t d2 = (int64_t)value[2] - value[0];
@@ -43,13 +50,12 @@ static void set_plane(struct raster *raster, const struct setup *setup,
 		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
 	plane->dy =
 		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
-	start_plane(raster, setup, (int32_t)((uint32_t)value[0] << (scale - 4)),
-		plane);
+	start_plane(setup, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
 }
 
 /* The same for values that differ little, across little: see SMALL_EXTENT. */
-static void set_small_plane(struct raster *raster, const struct setup *setup,
-	const int32_t value[3], struct plane *plane)
+static void set_small_plane(const struct setup *setup, const int32_t value[3],
+	struct plane *plane)
 {
 	int32_t d1 = value[1] - value[0], d2 = value[2] - value[0];
 	int32_t across = d1 * setup->y2 - d2 * setup->y1;
@@ -69,7 +75,7 @@ static void set_small_plane(struct raster *raster, const struct setup *setup,
 			(int32_t)((uint32_t)mul_high(down, setup->inverse_area)
 				<< shift);
 	}
-	start_plane(raster, setup, value[0] * 256, plane);
+	start_plane(setup, value[0] * 256, plane);
 }
 
 static void set_constant(struct plane *plane, int32_t value)
@@ -85,16 +91,15 @@ static bool is_small_delta(int32_t delta)
 static void set_affine(struct draw *draw, const struct setup *setup,
 	const int32_t value[3], int name)
 {
-	struct raster *raster = &draw->raster;
-	struct plane *plane = &raster->plane[name];
+	struct plane *plane = &draw->raster.plane[name];
 
 	if (value[0] == value[1] && value[0] == value[2]) {
 		set_constant(plane, value[0]);
 	} else if (!setup->wide && is_small_delta(value[1] - value[0]) &&
 		is_small_delta(value[2] - value[0])) {
-		set_small_plane(raster, setup, value, plane);
+		set_small_plane(setup, value, plane);
 	} else {
-		set_plane(raster, setup, value, 12, plane);
+		set_plane(setup, value, 12, plane);
 	}
 }
 
@@ -203,6 +208,35 @@ static void find_divided(
 	}
 }
 
+/*
+ * w as a plane, where it varies by at most a quarter: q times w is 2^62 over
+ * 2^w_zeros at the corners.
+ */
+static void set_linear_w(
+	struct draw *draw, const struct setup *setup, const int32_t q[3])
+{
+	struct raster *raster = &draw->raster;
+	int32_t least = q[0] < q[1] ? q[0] : q[1], w[3];
+	int most_zeros = 0, least_zeros = 31;
+
+	least = least < q[2] ? least : q[2];
+	raster->mild = spread(q) <= least >> 2;
+	if (!raster->mild) {
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		int zeros = setup->v[i]->w_zeros;
+
+		most_zeros = zeros > most_zeros ? zeros : most_zeros;
+		least_zeros = zeros < least_zeros ? zeros : least_zeros;
+	}
+	raster->w_zeros = 3 + most_zeros - least_zeros;
+	for (int i = 0; i < 3; i++) {
+		w[i] = setup->v[i]->clip[3] * (1 << (least_zeros - 1));
+	}
+	set_plane(setup, w, 4, &raster->plane[LINEAR_W]);
+}
+
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
 static void set_perspective(struct draw *draw, const struct setup *setup,
 	const int32_t value[3], const int32_t q[3], int name)
@@ -220,11 +254,12 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 		}
 		shift = 32 - LEADING_ZEROS_32(all);
 		raster->tex_shift[name - TEX_S] = shift;
+		raster->mild &= shift <= MILD_BITS;
 	}
 	for (int i = 0; i < 3; i++) {
 		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	set_plane(raster, setup, product, 4, &raster->plane[name]);
+	set_plane(setup, product, 4, &raster->plane[name]);
 }
 
 /* Whether a texture takes the place of the vertices' colour, or alpha. */
@@ -282,7 +317,8 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 		find_divided(draw, count, value, q);
 	}
 	if (raster->perspective) {
-		set_plane(raster, setup, q, 4, &raster->plane[INVERSE_W]);
+		set_plane(setup, q, 4, &raster->plane[INVERSE_W]);
+		set_linear_w(draw, setup, q);
 	}
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
@@ -331,7 +367,6 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
 
 	raster_find_area(setup);
-	raster->x0 = setup->v[0]->x >> 4;
 	if (draw->soft->fragment.depth_test) {
 		set_affine(draw, setup, z, DEPTH);
 	}
@@ -365,6 +400,7 @@ void soft_raster_skip_rows(struct draw *draw, int rows)
 	skip(&raster->plane[DEPTH], rows);
 	if (raster->perspective) {
 		skip(&raster->plane[INVERSE_W], rows);
+		skip(&raster->plane[LINEAR_W], rows);
 	}
 }
 
@@ -385,5 +421,6 @@ void soft_raster_next_row(struct draw *draw)
 	next(&raster->plane[DEPTH]);
 	if (raster->perspective) {
 		next(&raster->plane[INVERSE_W]);
+		next(&raster->plane[LINEAR_W]);
 	}
 }

@@ -222,7 +222,7 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {
 	const struct plane *p = &raster->plane[plane];
 
-	return p->start + (uint32_t)p->dx * (uint32_t)(x - raster->x0);
+	return p->start + (uint32_t)p->dx * (uint32_t)x;
 }
 
 /* rows.c: any state, through the stages of fragment.c. */

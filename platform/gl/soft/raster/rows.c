@@ -60,7 +60,6 @@ void soft_rows_affine(struct draw *draw, int y, int left, int right)
 void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
-	int32_t q;
 
 	if (!raster->perspective) {
 		for (int n = 0; n < raster->moving_count; n++) {
@@ -70,10 +69,8 @@ void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 		}
 		return;
 	}
-	q = (int32_t)plane_at(raster, INVERSE_W, x);
-	out->q = q > 0 ? q : 1;
-	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
-	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
+	rows_find_divisor(raster, (int32_t)plane_at(raster, INVERSE_W, x),
+		(int32_t)plane_at(raster, LINEAR_W, x), out);
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 		int32_t at = (int32_t)plane_at(raster, i, x);

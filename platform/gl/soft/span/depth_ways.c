@@ -14,7 +14,7 @@ static bool passes(GLenum function, uint32_t a, uint32_t b)
  * Depths beside the buffer, which every fragment of a run passes that passes
  * its tests: z is 1 for all of them then.
  */
-static void test_aside(struct draw *draw, int x, int y)
+static void test_aside(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
@@ -34,9 +34,9 @@ static void test_aside(struct draw *draw, int x, int y)
 		}
 	} else {
 		bool through[SPAN_PIXELS];
+		/* The buffers are as wide: x counts through all of their rows. */
 		const struct span span = {
-			.x = x,
-			.y = y,
+			.x = (int)(run->depth - draw->soft->buffers.depth),
 			.count = (int)run->count,
 			.value[DEPTH] = z >> 6,
 			.step[DEPTH] = (int32_t)run->z_right >> 6,
@@ -49,8 +49,7 @@ static void test_aside(struct draw *draw, int x, int y)
 	}
 }
 
-void soft_draw_tested(
-	struct draw *draw, soft_span_function function, int x, int y)
+static void draw_tested(struct draw *draw, soft_span_function function)
 {
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
@@ -61,13 +60,16 @@ void soft_draw_tested(
 		memcpy(spans->aside, depth, run->count * 2);
 		run->depth = spans->aside;
 		function(run);
+		run->depth = depth;
 		return;
 	}
-	test_aside(draw, x, y);
+	test_aside(draw);
 	run->depth = spans->aside;
 	run->z = 1 << 16;
 	run->z_right = 0;
 	function(run);
+	run->depth = depth;
+	run->z = z;
 	run->z_right = z_right;
 	if (spans->depth_way != SOFT_DEPTH_LAST ||
 		!draw->soft->fragment.depth_mask) {
@@ -78,4 +80,24 @@ void soft_draw_tested(
 			depth[i] = (uint16_t)(z >> 16);
 		}
 	}
+}
+
+static void test_anywhere(const struct soft_run *run)
+{
+	draw_tested(run->draw, run->draw->spans.function[0]);
+}
+
+static void test_inside(const struct soft_run *run)
+{
+	draw_tested(run->draw, run->draw->spans.function[1]);
+}
+
+void soft_set_functions(
+	struct soft_spans *spans, const soft_span_function function[2])
+{
+	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT;
+
+	spans->function = function;
+	spans->draw_anywhere = direct ? function[0] : test_anywhere;
+	spans->draw = direct ? function[1] : test_inside;
 }

@@ -4,10 +4,13 @@
 
 #include "platform/gl/soft/span/run.h"
 
-struct draw;
+struct soft_spans;
 
-/* draw->spans.run, which begins at column x of row y. */
-void soft_draw_tested(
-	struct draw *draw, soft_span_function function, int x, int y);
+/*
+ * Sets the functions that draw runs anywhere in the texture, and inside of the
+ * window.
+ */
+void soft_set_functions(
+	struct soft_spans *spans, const soft_span_function function[2]);
 
 #endif

@@ -1,4 +1,5 @@
 /* Which span function draws a state, and the constants that it looks up. */
+#include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -241,7 +242,7 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 								   : SOFT_NEAREST) +
 				format][finish][i];
 	}
-	spans->function = spans->mag;
+	soft_set_functions(spans, spans->mag);
 }
 
 /* What the vertices' colours are asked for. */
@@ -291,4 +292,6 @@ void soft_prepare_spans(struct draw *draw)
 	find_stages(draw, spans);
 	find_functions(draw, spans);
 	spans->run.stages = &spans->stages;
+	spans->run.draw = draw;
+	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
 }

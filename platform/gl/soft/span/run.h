@@ -53,6 +53,8 @@ struct soft_fragment_stages {
 	GLenum blend_source, blend_destination;
 };
 
+struct draw;
+
 struct soft_run {
 	uint16_t *depth;
 	uint8_t *pixel;
@@ -74,6 +76,7 @@ struct soft_run {
 	struct soft_wrap wrap_s, wrap_t;
 	uint32_t stride_log2; /* of the level, in bytes */
 	const struct soft_fragment_stages *stages;
+	struct draw *draw; /* whose run it is */
 };
 
 typedef void (*soft_span_function)(const struct soft_run *run);

@@ -24,6 +24,16 @@ enum soft_depth_way {
 	SOFT_DEPTH_LAST,   /* tested before, written after the span */
 };
 
+/*
+ * The coordinates of a level from which no texel wraps around: after the masks
+ * they are less than the rooms. None where the span functions that need that
+ * are missing.
+ */
+struct soft_window {
+	uint32_t s_mask, t_mask, s_room, t_room;
+	bool large; /* a run's texels count from its own first one */
+};
+
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
 	bool takes_state;
@@ -36,6 +46,9 @@ struct soft_spans {
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
 	bool level_by_row;   /* of the triangle under way */
+	bool alpha_moves, fog_moves;
+	bool rare; /* either of them, or steep colours */
+	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way;
 	enum soft_finish finish;
@@ -48,14 +61,12 @@ struct soft_spans {
 	int level; /* -1: none yet */
 	bool small;
 	const soft_span_function *function;
+	/* the same, with the depth test before them that they do not do */
+	soft_span_function draw_anywhere, draw;
+	struct soft_window window;
 	int s_shift, t_shift; /* from 16.16 of the base's texels to 24.8 */
 	int32_t s_half, t_half;
-	int32_t s_rest, t_rest;     /* see soft_texel_rest() */
-	int32_t s_last, t_last;     /* the last texel that a run may begin in */
-	int32_t s_repeat, t_repeat; /* masks, or all ones */
-	int texel_log2;             /* bytes */
-	bool has_inside;
-	bool splits; /* runs across the edge are worth cutting */
+	int texel_log2, pixel_log2; /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */

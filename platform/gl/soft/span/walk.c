@@ -4,18 +4,10 @@
  * raster.c; else they are divided exactly every 16 or 32 pixels.
  */
 #include "platform/gl/soft/span/walk.h"
-#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/depth_ways.h"
-#include "platform/gl/soft/span/sample.h"
-#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/vertex/number.h"
-
-/* What a run across a texture's edge is cut into. */
-enum {
-	PIECE_PIXELS = 8
-};
 
 /* 32 steps of 255 a pixel, 8.16. */
 #define STEEP (1u << 21)
@@ -26,77 +18,37 @@ struct walk_kind {
 	bool texels_divided, colors_divided;
 };
 
+/* A row under way; row counts from the triangle's first one. */
+struct line {
+	struct draw *draw;
+	int y, row;
+};
+
 /* Colours and fog, 8.16; their values at a pixel, or their steps. */
 struct colors {
 	int32_t red, green, blue, alpha, fog;
 };
 
-/* Coordinates in the base's texels, 16.16. */
-struct texels {
-	int32_t s, t;
-};
-
 struct row_point {
-	int32_t q;
+	struct point divisor; /* q and its reciprocal alone */
 	struct texels texels;
 	struct colors colors;
 };
 
-/* Coordinates far outside of the texture wrap around. */
-static ALWAYS_INLINE int32_t step_by(int32_t at, int32_t step, int32_t count)
+/* A plane's value at column x of the row. */
+static ALWAYS_INLINE int32_t find_value(
+	const struct line *line, int plane, int x)
 {
-	return (int32_t)((uint32_t)at + (uint32_t)step * (uint32_t)count);
+	const struct plane *p = &line->draw->raster.plane[plane];
+
+	return (int32_t)(p->start + (uint32_t)p->dy * (uint32_t)line->row +
+		(uint32_t)p->dx * (uint32_t)x);
 }
 
-/* The level and filter for a level of detail, if they are not set already. */
-static NEVER_INLINE void set_level(struct draw *draw, int lod)
+/* Coordinates far outside of the texture wrap around. */
+static ALWAYS_INLINE int32_t step_by(int32_t at, int32_t step, int count)
 {
-	struct soft_spans *spans = &draw->spans;
-	const struct texture_input *input = &draw->texture[0];
-	const struct texture *texture = input->texture;
-	GLenum min = texture->min_filter;
-	bool sharp = texture->mag_filter == GL_LINEAR &&
-		(min == GL_NEAREST_MIPMAP_NEAREST ||
-			min == GL_NEAREST_MIPMAP_LINEAR);
-	bool small = lod > (sharp ? 128 : 0);
-	int number =
-		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
-	const struct level *level = &texture->level[number];
-	struct soft_run *run = &spans->run;
-	bool linear = small ? min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST
-			    : texture->mag_filter == GL_LINEAR;
-	int32_t s_most = (1 << level->width_log2) - 1;
-	int32_t t_most = (1 << level->height_log2) - 1;
-	bool s_repeats = texture->wrap_s == GL_REPEAT;
-	bool t_repeats = texture->wrap_t == GL_REPEAT;
-
-	if (number == spans->level && small == spans->small) {
-		return;
-	}
-	spans->level = number;
-	spans->small = small;
-	spans->function = small ? spans->min : spans->mag;
-	spans->s_shift = input->width_log2 - level->width_log2 + 16 -
-		SOFT_TEXEL_FRACTION;
-	spans->t_shift = input->height_log2 - level->height_log2 + 16 -
-		SOFT_TEXEL_FRACTION;
-	spans->s_half = soft_half_texel(level->format, linear, true);
-	spans->t_half = soft_half_texel(level->format, linear, false);
-	spans->s_last = s_most - linear;
-	spans->t_last = t_most - linear;
-	spans->has_inside = spans->function[0] != spans->function[1] &&
-		spans->s_last >= 0 && spans->t_last >= 0;
-	spans->splits = spans->has_inside && s_repeats && t_repeats &&
-		s_most >= SOFT_RUN_PIXELS && t_most >= SOFT_RUN_PIXELS;
-	spans->s_repeat = s_repeats ? s_most : -1;
-	spans->t_repeat = t_repeats ? t_most : -1;
-	spans->texel_log2 = soft_texel_bytes_log2(level->format);
-	run->stride_log2 = (uint32_t)(level->width_log2 + spans->texel_log2);
-	run->texels = level->texels;
-	run->wrap_s = (struct soft_wrap){s_repeats ? INT32_MIN : 0,
-		s_repeats ? INT32_MAX : s_most, (uint32_t)s_most};
-	run->wrap_t = (struct soft_wrap){t_repeats ? INT32_MIN : 0,
-		t_repeats ? INT32_MAX : t_most, (uint32_t)t_most};
+	return (int32_t)((uint32_t)at + (uint32_t)step * (uint32_t)count);
 }
 
 /* Cut towards zero, so that what moves stays between its ends. */
@@ -105,21 +57,28 @@ static ALWAYS_INLINE uint32_t scale_step(int32_t step, int32_t scale)
 	return (uint32_t)mul_high(step, scale) + ((uint32_t)step >> 31);
 }
 
+/* Alpha and fog stay what they are, see set_still(), unless they move. */
 static ALWAYS_INLINE void set_colors(
-	struct soft_spans *spans, const struct colors *at)
+	struct soft_spans *spans, int32_t red, int32_t green, int32_t blue)
 {
 	struct soft_run *run = &spans->run;
 	int32_t scale = spans->red_blue_scale, half = spans->red_blue_half;
-	uint32_t red = (uint32_t)(mul_high(at->red, scale) + half);
-	uint32_t blue = (uint32_t)(mul_high(at->blue, scale) + half);
 
-	run->red_blue = (blue << 16) + red;
-	run->green_alpha = (uint32_t)(mul_high(at->green, spans->green_scale) +
-		spans->green_half);
-	if (spans->alpha_read) {
+	run->red_blue = ((uint32_t)mul_high_add(half, blue, scale) << 16) +
+		(uint32_t)mul_high_add(half, red, scale);
+	run->green_alpha = (uint32_t)mul_high_add(
+		spans->green_start, green, spans->green_scale);
+}
+
+static ALWAYS_INLINE void set_more_colors(
+	struct soft_spans *spans, const struct colors *at)
+{
+	struct soft_run *run = &spans->run;
+
+	if (spans->alpha_moves) {
 		run->green_alpha += (uint32_t)at->alpha >> 9 << 16;
 	}
-	if (spans->fogged) {
+	if (spans->fog_moves) {
 		run->fog = (uint32_t)mul_high(at->fog, SOFT_FOG_SCALE);
 	}
 }
@@ -133,160 +92,142 @@ static ALWAYS_INLINE void set_color_steps(
 	run->red_blue_right = (scale_step(step->blue, scale) << 16) +
 		scale_step(step->red, scale);
 	run->green_alpha_right = scale_step(step->green, spans->green_scale);
-	if (spans->alpha_read) {
+	if (spans->alpha_moves) {
 		run->green_alpha_right += (uint32_t)soft_alpha_step(step->alpha)
 			<< 16;
 	}
-	if (spans->fogged) {
+	if (spans->fog_moves) {
 		run->fog_right = scale_step(step->fog, SOFT_FOG_SCALE);
 	}
 }
 
-static ALWAYS_INLINE void set_texel_steps(
-	struct soft_spans *spans, struct texels step)
+static ALWAYS_INLINE struct colors find_colors(const struct line *line, int x)
 {
-	struct soft_run *run = &spans->run;
-
-	run->s_right = soft_texel_step(step.s, spans->s_shift);
-	run->t_right = soft_texel_step(step.t, spans->t_shift);
-	spans->s_rest = soft_texel_rest(step.s, spans->s_shift);
-	spans->t_rest = soft_texel_rest(step.t, spans->t_shift);
-	run->texel_right =
-		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
-}
-
-/* The texels from at on, by so many steps: the first, as far as it goes on. */
-static ALWAYS_INLINE bool find_texels(int32_t at, int32_t step, int32_t steps,
-	int32_t repeat, int32_t last, int32_t *first, uint32_t *offset)
-{
-	int32_t low = at, high = step_by(at, step, steps);
-	int32_t span;
-
-	if (step < 0) {
-		low = high;
-		high = at;
-	}
-	low >>= SOFT_TEXEL_FRACTION;
-	span = (high >> SOFT_TEXEL_FRACTION) - low;
-	*offset = (uint32_t)at - ((uint32_t)low << SOFT_TEXEL_FRACTION);
-	low &= repeat;
-	*first = low;
-	/* low may be negative: then it is large */
-	return (uint32_t)low + (uint32_t)span <= (uint32_t)last &&
-		(uint32_t)low <= (uint32_t)last && span < SOFT_RUN_TEXELS - 1;
-}
-
-/* Sets the run's texels where all of them lie inside of the level. */
-static ALWAYS_INLINE bool find_inside(struct soft_spans *spans)
-{
-	struct soft_run *run = &spans->run;
-	int32_t steps = (int32_t)run->count - 1, x, y;
-	uint32_t s_off, t_off;
-
-	if (!spans->has_inside ||
-		!find_texels(run->s, run->s_right, steps, spans->s_repeat,
-			spans->s_last, &x, &s_off) ||
-		!find_texels(run->t, run->t_right, steps, spans->t_repeat,
-			spans->t_last, &y, &t_off)) {
-		return false;
-	}
-	run->first_texel = run->texels + ((uint32_t)y << run->stride_log2) +
-		((uint32_t)x << spans->texel_log2);
-	run->texel = (t_off << 16) + s_off;
-	return true;
-}
-
-static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
-{
-	run->depth += count;
-	run->pixel += count << pixel_log2;
-	run->z += run->z_right * count;
-	run->red_blue += run->red_blue_right * count;
-	run->green_alpha += run->green_alpha_right * count;
-	run->fog += run->fog_right * count;
-	run->s = step_by(run->s, run->s_right, (int32_t)count);
-	run->t = step_by(run->t, run->t_right, (int32_t)count);
-}
-
-/* A run across the texture's edge: what of it lies inside goes faster. */
-static NEVER_INLINE void draw_across(struct draw *draw)
-{
-	struct soft_spans *spans = &draw->spans;
-	struct soft_run *run = &spans->run;
-	int pixel_log2 = raster_pixel_log2(draw);
-
-	for (uint32_t left = run->count; left > 0; left -= run->count) {
-		run->count = left < PIECE_PIXELS ? left : PIECE_PIXELS;
-		spans->function[find_inside(spans)](run);
-		advance(run, run->count, pixel_log2);
-	}
-}
-
-/* Draws a run from x on, whose values and steps are set. */
-static ALWAYS_INLINE void draw_run(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int x,
-	int count)
-{
-	struct soft_spans *spans = &draw->spans;
-	struct soft_run *run = &spans->run;
-	bool inside = false;
-
-	run->count = (uint32_t)count;
-	run->depth = line->depth + x;
-	run->pixel = line->pixel + (x << line->pixel_log2);
-	run->z = line->z + run->z_right * (uint32_t)x;
-	if (kind.textured) {
-		inside = find_inside(spans);
-	}
-	if (spans->depth_way != SOFT_DEPTH_DIRECT) {
-		soft_draw_tested(draw, spans->function[inside], x, line->y);
-	} else if (kind.textured && !inside && spans->splits &&
-		count > PIECE_PIXELS) {
-		draw_across(draw);
-	} else {
-		spans->function[inside](run);
-	}
-}
-
-static ALWAYS_INLINE void set_texels(
-	struct soft_spans *spans, struct texels at, int count)
-{
-	spans->run.s =
-		soft_texel_start(at.s, spans->s_rest, count, spans->s_shift) -
-		spans->s_half;
-	spans->run.t =
-		soft_texel_start(at.t, spans->t_rest, count, spans->t_shift) -
-		spans->t_half;
-}
-
-static ALWAYS_INLINE struct colors find_colors(
-	const struct soft_spans *spans, const struct raster *raster, int x)
-{
+	const struct soft_spans *spans = &line->draw->spans;
 	struct colors at = {
-		.red = (int32_t)plane_at(raster, RED, x),
-		.green = (int32_t)plane_at(raster, GREEN, x),
-		.blue = (int32_t)plane_at(raster, BLUE, x),
+		.red = find_value(line, RED, x),
+		.green = find_value(line, GREEN, x),
+		.blue = find_value(line, BLUE, x),
 	};
 
-	if (spans->alpha_read) {
-		at.alpha = (int32_t)plane_at(raster, ALPHA, x);
+	if (spans->alpha_moves) {
+		at.alpha = find_value(line, ALPHA, x);
 	}
-	if (spans->fogged) {
-		at.fog = (int32_t)plane_at(raster, FOG, x);
+	if (spans->fog_moves) {
+		at.fog = find_value(line, FOG, x);
 	}
 	return at;
-}
-
-static ALWAYS_INLINE struct texels find_texels_at(
-	const struct raster *raster, int x)
-{
-	return (struct texels){(int32_t)plane_at(raster, TEX_S, x),
-		(int32_t)plane_at(raster, TEX_S + 1, x)};
 }
 
 static ALWAYS_INLINE int32_t limit_color(int32_t color)
 {
 	return clamp_int(color, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+}
+
+static ALWAYS_INLINE struct colors limit_colors(struct colors colors)
+{
+	return (struct colors){limit_color(colors.red),
+		limit_color(colors.green), limit_color(colors.blue),
+		limit_color(colors.alpha), limit_color(colors.fog)};
+}
+
+static ALWAYS_INLINE struct colors find_color_steps(
+	const struct soft_spans *spans, const struct colors *from,
+	const struct colors *to, int32_t inverse)
+{
+	struct colors step = {
+		.red = rows_find_step(from->red, to->red, inverse),
+		.green = rows_find_step(from->green, to->green, inverse),
+		.blue = rows_find_step(from->blue, to->blue, inverse),
+	};
+
+	if (spans->alpha_moves) {
+		step.alpha = rows_find_step(from->alpha, to->alpha, inverse);
+	}
+	if (spans->fog_moves) {
+		step.fog = rows_find_step(from->fog, to->fog, inverse);
+	}
+	return step;
+}
+
+/*
+ * Alpha and fog that move, and colours that are steep: these run from one end
+ * of the run to the other, both in range.
+ */
+static NEVER_INLINE void place_rare_colors(
+	const struct line *line, int x, int count)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	struct colors from = find_colors(line, x), to, step;
+
+	if (spans->steep) {
+		from = limit_colors(from);
+		to = limit_colors(find_colors(line, x + count - 1));
+		step = find_color_steps(spans, &from, &to,
+			line->draw->inverse_q31[count - 1]);
+		set_color_steps(spans, &step);
+		set_colors(spans, from.red, from.green, from.blue);
+	}
+	set_more_colors(spans, &from);
+}
+
+/* Colours that run linearly in all of the triangle. */
+static ALWAYS_INLINE void place_colors(const struct line *line, int x, int count)
+{
+	struct soft_spans *spans = &line->draw->spans;
+
+	set_colors(spans, find_value(line, RED, x), find_value(line, GREEN, x),
+		find_value(line, BLUE, x));
+	if (spans->rare) {
+		place_rare_colors(line, x, count);
+	}
+}
+
+/* Draws a run of so many pixels from x on, whose values and steps are set. */
+static ALWAYS_INLINE void draw_run(const struct line *line,
+	const struct walk_kind kind, int x, int count)
+{
+	const struct buffers *buffers = &line->draw->soft->buffers;
+	struct soft_spans *spans = &line->draw->spans;
+	struct soft_run *run = &spans->run;
+
+	run->count = (uint32_t)count;
+	run->depth = buffers->depth + (line->y * buffers->width + x);
+	run->pixel = buffers->target.data +
+		(line->y * buffers->target.stride_bytes +
+			(x << spans->pixel_log2));
+	run->z = (uint32_t)find_value(line, DEPTH, x) << 6;
+	if (!kind.textured || soft_find_window(spans)) {
+		spans->draw(run);
+	} else {
+		soft_draw_across(spans);
+	}
+}
+
+static ALWAYS_INLINE void row_linear(const struct line *line,
+	const struct walk_kind kind, int x, int right)
+{
+	struct draw *draw = line->draw;
+	const struct plane *plane = draw->raster.plane;
+	const int most =
+		kind.textured ? SOFT_RUN_PIXELS : draw->spans.plain_pixels;
+
+	for (; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
+
+		if (kind.textured) {
+			soft_set_texels(&draw->spans,
+				(struct texels){find_value(line, TEX_S, x),
+					find_value(line, TEX_S + 1, x)},
+				(struct texels){plane[TEX_S].dx,
+					plane[TEX_S + 1].dx},
+				(uint32_t)count);
+		}
+		if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
+	}
 }
 
 static ALWAYS_INLINE int32_t divide_color(const struct point *at, int32_t color)
@@ -295,169 +236,36 @@ static ALWAYS_INLINE int32_t divide_color(const struct point *at, int32_t color)
 }
 
 static ALWAYS_INLINE struct row_point find_point(
-	const struct draw *draw, const struct walk_kind kind, int x)
+	const struct line *line, const struct walk_kind kind, int x)
 {
-	const struct raster *raster = &draw->raster;
-	const struct soft_spans *spans = &draw->spans;
-	int32_t q = (int32_t)plane_at(raster, INVERSE_W, x);
-	struct row_point out = {.q = q > 0 ? q : 1};
-	struct point divisor;
+	const struct raster *raster = &line->draw->raster;
+	const struct soft_spans *spans = &line->draw->spans;
+	struct row_point out;
+	struct point *divisor = &out.divisor;
 
-	divisor.zeros = LEADING_ZEROS_32((uint32_t)out.q);
-	divisor.inverse = reciprocal((uint32_t)out.q << divisor.zeros);
+	rows_find_divisor(raster, find_value(line, INVERSE_W, x),
+		find_value(line, LINEAR_W, x), divisor);
 	if (kind.textured) {
-		struct texels t = find_texels_at(raster, x);
-
-		out.texels.s =
-			rows_divide(&divisor, t.s, raster->tex_shift[0] + 8);
-		out.texels.t =
-			rows_divide(&divisor, t.t, raster->tex_shift[1] + 8);
+		out.texels.s = rows_divide(divisor, find_value(line, TEX_S, x),
+			raster->tex_shift[0] + 8);
+		out.texels.t = rows_divide(divisor,
+			find_value(line, TEX_S + 1, x),
+			raster->tex_shift[1] + 8);
 	}
 	if (kind.colors_divided) {
-		struct colors c = find_colors(spans, raster, x);
+		struct colors c = find_colors(line, x);
 
-		out.colors.red = divide_color(&divisor, c.red);
-		out.colors.green = divide_color(&divisor, c.green);
-		out.colors.blue = divide_color(&divisor, c.blue);
-		if (spans->alpha_read) {
-			out.colors.alpha = divide_color(&divisor, c.alpha);
+		out.colors.red = divide_color(divisor, c.red);
+		out.colors.green = divide_color(divisor, c.green);
+		out.colors.blue = divide_color(divisor, c.blue);
+		if (spans->alpha_moves) {
+			out.colors.alpha = divide_color(divisor, c.alpha);
 		}
-		if (spans->fogged) {
-			out.colors.fog = divide_color(&divisor, c.fog);
+		if (spans->fog_moves) {
+			out.colors.fog = divide_color(divisor, c.fog);
 		}
 	}
 	return out;
-}
-
-/* inverse is 2^31 over the number of steps. */
-static ALWAYS_INLINE int32_t find_step(int32_t from, int32_t to, int64_t inverse)
-{
-	return (int32_t)((int32_t)((uint32_t)to - (uint32_t)from) * inverse >>
-		31);
-}
-
-static ALWAYS_INLINE void find_color_steps(struct soft_spans *spans,
-	const struct colors *from, const struct colors *to, int64_t inverse,
-	struct colors *step)
-{
-	step->red = find_step(from->red, to->red, inverse);
-	step->green = find_step(from->green, to->green, inverse);
-	step->blue = find_step(from->blue, to->blue, inverse);
-	if (spans->alpha_read) {
-		step->alpha = find_step(from->alpha, to->alpha, inverse);
-	}
-	if (spans->fogged) {
-		step->fog = find_step(from->fog, to->fog, inverse);
-	}
-	set_color_steps(spans, step);
-}
-
-static ALWAYS_INLINE struct texels find_texel_steps(struct soft_spans *spans,
-	struct texels from, struct texels to, int64_t inverse)
-{
-	const struct texels step = {find_step(from.s, to.s, inverse),
-		find_step(from.t, to.t, inverse)};
-
-	set_texel_steps(spans, step);
-	return step;
-}
-
-static ALWAYS_INLINE void add_steps(struct soft_spans *spans, struct colors *at,
-	const struct colors *step, int count)
-{
-	at->red = step_by(at->red, step->red, count);
-	at->green = step_by(at->green, step->green, count);
-	at->blue = step_by(at->blue, step->blue, count);
-	if (spans->alpha_read) {
-		at->alpha = step_by(at->alpha, step->alpha, count);
-	}
-	if (spans->fogged) {
-		at->fog = step_by(at->fog, step->fog, count);
-	}
-}
-
-/* Values that run linearly by their steps, which the run has too. */
-static ALWAYS_INLINE void draw_linear(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int left,
-	int right, struct texels texels, struct texels texel_step,
-	struct colors *colors, const struct colors *color_step)
-{
-	struct soft_spans *spans = &draw->spans;
-	const int most = kind.textured ? SOFT_RUN_PIXELS : spans->plain_pixels;
-
-	for (int x = left;; x += most) {
-		int count = right - x;
-
-		if (kind.textured) {
-			set_texels(spans, texels, count < most ? count : most);
-		}
-		if (kind.colored) {
-			set_colors(spans, colors);
-		}
-		if (count <= most) {
-			draw_run(draw, kind, line, x, count);
-			return;
-		}
-		draw_run(draw, kind, line, x, most);
-		texels.s = step_by(texels.s, texel_step.s, SOFT_RUN_PIXELS);
-		texels.t = step_by(texels.t, texel_step.t, SOFT_RUN_PIXELS);
-		if (kind.colored) {
-			add_steps(spans, colors, color_step, most);
-		}
-	}
-}
-
-/* From one end of the row to the other, both in range. */
-static NEVER_INLINE void limit_colors(struct draw *draw, int left, int right,
-	struct colors *at, struct colors *step)
-{
-	struct soft_spans *spans = &draw->spans;
-	struct colors to = find_colors(spans, &draw->raster, right - 1);
-
-	at->red = limit_color(at->red);
-	at->green = limit_color(at->green);
-	at->blue = limit_color(at->blue);
-	at->alpha = limit_color(at->alpha);
-	at->fog = limit_color(at->fog);
-	to.red = limit_color(to.red);
-	to.green = limit_color(to.green);
-	to.blue = limit_color(to.blue);
-	to.alpha = limit_color(to.alpha);
-	to.fog = limit_color(to.fog);
-	find_color_steps(
-		spans, at, &to, draw->inverse_q31[right - left - 1], step);
-}
-
-/* The steps of a triangle whose colours are linear all over. */
-static ALWAYS_INLINE struct colors find_plane_steps(const struct raster *raster)
-{
-	return (struct colors){raster->plane[RED].dx, raster->plane[GREEN].dx,
-		raster->plane[BLUE].dx, raster->plane[ALPHA].dx,
-		raster->plane[FOG].dx};
-}
-
-static ALWAYS_INLINE void row_linear(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int left,
-	int right)
-{
-	const struct raster *raster = &draw->raster;
-	struct texels texels = {0, 0}, texel_step = {0, 0};
-	struct colors colors = {0}, color_step = {0};
-
-	if (kind.textured) {
-		texels = find_texels_at(raster, left);
-		texel_step.s = raster->plane[TEX_S].dx;
-		texel_step.t = raster->plane[TEX_S + 1].dx;
-	}
-	if (kind.colored) {
-		colors = find_colors(&draw->spans, raster, left);
-		color_step = find_plane_steps(raster);
-		if (draw->spans.steep) {
-			limit_colors(draw, left, right, &colors, &color_step);
-		}
-	}
-	draw_linear(draw, kind, line, left, right, texels, texel_step, &colors,
-		&color_step);
 }
 
 static ALWAYS_INLINE uint32_t distance(int32_t a, int32_t b)
@@ -470,6 +278,23 @@ static ALWAYS_INLINE uint32_t larger(uint32_t a, uint32_t b)
 	return a > b ? a : b;
 }
 
+/* The most that a colour changes, in what counts as much of a texel. */
+static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
+	const struct colors *from, const struct colors *to)
+{
+	uint32_t most = larger(distance(from->red, to->red),
+		larger(distance(from->green, to->green),
+			distance(from->blue, to->blue)));
+
+	if (spans->alpha_moves) {
+		most = larger(most, distance(from->alpha, to->alpha));
+	}
+	if (spans->fog_moves) {
+		most = larger(most, distance(from->fog, to->fog));
+	}
+	return most >> spans->color_tolerance;
+}
+
 /*
  * How many pixels apart the exact divisions of a row may be: what runs
  * linearly is off by |dv dq| / 4 q at most, a quarter of that in halves of it.
@@ -478,35 +303,19 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	const struct walk_kind kind, const struct row_point *from,
 	const struct row_point *to, int steps)
 {
-	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
-	uint32_t dq = distance(from->q, to->q);
+	uint32_t q = (uint32_t)(from->divisor.q < to->divisor.q ? from->divisor.q : to->divisor.q);
 	uint64_t error, allowed = (uint64_t)q << 16;
 	uint32_t most = 0;
 
-	if (steps < PERSPECTIVE_STEP || dq == 0) {
-		return steps <= SMALL_EXTENT ? steps + 1 : SOFT_RUN_PIXELS;
-	}
 	if (kind.textured) {
 		most = larger(distance(from->texels.s, to->texels.s),
 			distance(from->texels.t, to->texels.t));
 	}
 	if (kind.colors_divided) {
-		uint32_t color = larger(
-			larger(distance(from->colors.red, to->colors.red),
-				distance(from->colors.green, to->colors.green)),
-			distance(from->colors.blue, to->colors.blue));
-
-		if (draw->spans.alpha_read) {
-			color = larger(color,
-				distance(from->colors.alpha, to->colors.alpha));
-		}
-		if (draw->spans.fogged) {
-			color = larger(color,
-				distance(from->colors.fog, to->colors.fog));
-		}
-		most = larger(most, color >> draw->spans.color_tolerance);
+		most = larger(most,
+			find_change(&draw->spans, &from->colors, &to->colors));
 	}
-	error = (uint64_t)most * dq;
+	error = (uint64_t)most * distance(from->divisor.q, to->divisor.q);
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}
@@ -516,180 +325,200 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 		: PERSPECTIVE_STEP;
 }
 
-/* A run between two points, the values of the first set by the caller. */
-static ALWAYS_INLINE void draw_between(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int x,
-	int count, const struct row_point *from, const struct row_point *to,
-	int steps)
+/*
+ * Draws from left to right what runs linearly between two points, so many
+ * steps apart.
+ */
+static ALWAYS_INLINE void draw_between(const struct line *line,
+	const struct walk_kind kind, int left, int right,
+	const struct row_point *from, const struct row_point *to, int steps)
 {
-	struct soft_spans *spans = &draw->spans;
-	int64_t inverse = draw->inverse_q31[steps];
+	struct soft_spans *spans = &line->draw->spans;
+	int32_t inverse = line->draw->inverse_q31[steps];
+	const int most = kind.textured ? SOFT_RUN_PIXELS : spans->plain_pixels;
+	struct texels texel_step;
+	struct colors color_step;
 
 	if (kind.textured) {
-		find_texel_steps(spans, from->texels, to->texels, inverse);
-		set_texels(spans, from->texels, count);
+		texel_step.s = rows_find_step(from->texels.s, to->texels.s, inverse);
+		texel_step.t = rows_find_step(from->texels.t, to->texels.t, inverse);
+		soft_set_texel_steps(spans, texel_step);
 	}
 	if (kind.colors_divided) {
-		struct colors step;
-
-		find_color_steps(
-			spans, &from->colors, &to->colors, inverse, &step);
-		set_colors(spans, &from->colors);
-	} else if (kind.colored) {
-		struct colors colors = find_colors(spans, &draw->raster, x);
-
-		set_colors(spans, &colors);
+		color_step = find_color_steps(
+			spans, &from->colors, &to->colors, inverse);
+		set_color_steps(spans, &color_step);
 	}
-	draw_run(draw, kind, line, x, count);
+	for (int x = left; x < right; x += most) {
+		int count = right - x < most ? right - x : most, past = x - left;
+
+		if (kind.textured) {
+			soft_set_texels(spans,
+				(struct texels){step_by(from->texels.s,
+							texel_step.s, past),
+					step_by(from->texels.t, texel_step.t,
+						past)},
+				texel_step, (uint32_t)count);
+		}
+		if (kind.colors_divided) {
+			const struct colors *c = &from->colors;
+
+			set_colors(spans, step_by(c->red, color_step.red, past),
+				step_by(c->green, color_step.green, past),
+				step_by(c->blue, color_step.blue, past));
+			set_more_colors(spans,
+				&(struct colors){.alpha = step_by(c->alpha,
+							 color_step.alpha, past),
+					.fog = step_by(c->fog, color_step.fog,
+						past)});
+		} else if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
+	}
 }
 
-static ALWAYS_INLINE void row_bent(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int left,
-	int right, struct row_point from, const struct row_point *end,
-	int spacing)
+static NEVER_INLINE void set_row_level(
+	struct draw *draw, struct point point, struct texels texels)
 {
-	int x = left;
+	struct raster *raster = &draw->raster;
 
-	for (; right - x > spacing; x += spacing) {
-		struct row_point to = find_point(draw, kind, x + spacing);
-
-		draw_between(draw, kind, line, x, spacing, &from, &to, spacing);
-		from = to;
-	}
-	draw_between(draw, kind, line, x, right - x, &from, end, right - x - 1);
+	point.value[TEX_S] = texels.s;
+	point.value[TEX_S + 1] = texels.t;
+	soft_rows_find_lod(draw, &point, &raster->span);
+	soft_set_level(draw, raster->span.lod[0]);
 }
 
-static ALWAYS_INLINE void row_straight(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int left,
-	int right, const struct row_point *from, const struct row_point *to)
+static ALWAYS_INLINE void row_divided(const struct line *line,
+	const struct walk_kind kind, int left, int right)
 {
-	struct soft_spans *spans = &draw->spans;
-	int64_t inverse = draw->inverse_q31[right - left - 1];
-	struct texels texel_step = {0, 0};
-	struct colors colors = {0}, color_step = {0};
+	int steps = right - left - 1, x = left;
+	struct row_point from = find_point(line, kind, left), to, end = from;
 
-	if (kind.textured) {
-		texel_step = find_texel_steps(
-			spans, from->texels, to->texels, inverse);
-	}
-	if (kind.colors_divided) {
-		colors = from->colors;
-		find_color_steps(spans, &from->colors, &to->colors, inverse,
-			&color_step);
-	} else if (kind.colored) {
-		colors = find_colors(spans, &draw->raster, left);
-		color_step = find_plane_steps(&draw->raster);
-	}
-	draw_linear(draw, kind, line, left, right, from->texels, texel_step,
-		&colors, &color_step);
-}
-
-static NEVER_INLINE void set_row_level(struct draw *draw, int x)
-{
-	struct point point;
-
-	soft_rows_find_point(draw, x, &point);
-	soft_rows_find_lod(draw, &point, &draw->raster.span);
-	set_level(draw, draw->raster.span.lod[0]);
-}
-
-static ALWAYS_INLINE void row_divided(struct draw *draw,
-	const struct walk_kind kind, const struct soft_line *line, int left,
-	int right)
-{
-	int steps = right - left - 1, spacing;
-	struct row_point from, to;
-
-	from = find_point(draw, kind, left);
-	to = from;
 	if (steps > 0) {
-		to = find_point(draw, kind, right - 1);
+		end = find_point(line, kind, right - 1);
 	}
-	if (kind.textured && draw->spans.level_by_row) {
-		set_row_level(draw, left);
+	if (kind.textured && line->draw->spans.level_by_row) {
+		set_row_level(line->draw, from.divisor, from.texels);
 	}
-	spacing = find_spacing(draw, kind, &from, &to, steps);
-	if (spacing > steps) {
-		row_straight(draw, kind, line, left, right, &from, &to);
-	} else {
-		row_bent(draw, kind, line, left, right, from, &to, spacing);
-	}
-}
+	if (steps >= PERSPECTIVE_STEP) {
+		int spacing = find_spacing(line->draw, kind, &from, &end, steps);
 
-static ALWAYS_INLINE void next_plane(struct plane *plane)
-{
-	plane->start += (uint32_t)plane->dy;
-}
-
-static ALWAYS_INLINE void next_row(const struct soft_spans *spans,
-	struct raster *raster, const struct walk_kind kind)
-{
-	struct plane *plane = raster->plane;
-
-	next_plane(&plane[DEPTH]);
-	if (kind.texels_divided || kind.colors_divided) {
-		next_plane(&plane[INVERSE_W]);
-	}
-	if (kind.textured) {
-		next_plane(&plane[TEX_S]);
-		next_plane(&plane[TEX_S + 1]);
-	}
-	if (kind.colored) {
-		next_plane(&plane[RED]);
-		next_plane(&plane[GREEN]);
-		next_plane(&plane[BLUE]);
-		if (spans->alpha_read) {
-			next_plane(&plane[ALPHA]);
-		}
-		if (spans->fogged) {
-			next_plane(&plane[FOG]);
+		for (; right - x > spacing; x += spacing) {
+			to = find_point(line, kind, x + spacing);
+			draw_between(line, kind, x, x + spacing, &from, &to,
+				spacing);
+			from = to;
 		}
 	}
+	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-static ALWAYS_INLINE void draw_row(struct draw *draw,
-	const struct walk_kind kind, struct soft_line *line, int left, int right)
+/* Rows down to the end, between two edges. */
+static ALWAYS_INLINE void walk_part(struct line *line,
+	const struct walk_kind kind, struct side *left_side,
+	struct side *right_side, int end)
 {
-	const struct plane *depth = &draw->raster.plane[DEPTH];
+	const struct clip_box *box = &line->draw->box;
 
-	if (left < right) {
-		line->z =
-			(depth->start -
-				(uint32_t)depth->dx * (uint32_t)draw->raster.x0)
-			<< 6;
-		if (kind.texels_divided || kind.colors_divided) {
-			row_divided(draw, kind, line, left, right);
-		} else {
-			row_linear(draw, kind, line, left, right);
+	for (; line->y < end; line->y++, line->row++) {
+		int left = raster_column(left_side->x);
+		int right = raster_column(right_side->x);
+
+		left = left > box->left ? left : box->left;
+		right = right < box->right ? right : box->right;
+		if (left < right) {
+			if (kind.texels_divided || kind.colors_divided) {
+				row_divided(line, kind, left, right);
+			} else {
+				row_linear(line, kind, left, right);
+			}
+		}
+		raster_next_side(left_side);
+		raster_next_side(right_side);
+	}
+}
+
+/* All rows, above and below the middle vertex. */
+static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
+	const struct walk_kind kind)
+{
+	int top = raster_first_row(draw, setup);
+	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+						      : draw->box.bottom;
+	struct line line = {draw, top, top - setup->top};
+	struct side side[2]; /* left and right */
+	int part = setup->middle_left ? 0 : 1;
+
+	side[!part] = raster_side(draw, setup->v[0], setup->v[2], top);
+	for (int i = 0; i < 2; i++) {
+		int end = i == 0 && setup->middle < bottom ? setup->middle
+							   : bottom;
+
+		if (line.y < end) {
+			side[part] = raster_side(
+				draw, setup->v[i], setup->v[i + 1], line.y);
+			walk_part(&line, kind, &side[0], &side[1], end);
 		}
 	}
-	next_row(&draw->spans, &draw->raster, kind);
 }
 
-SOFT_WALK(plain_still, false, false, false, false)
-SOFT_WALK(plain, false, true, false, false)
-SOFT_WALK(plain_divided, false, true, false, true)
-SOFT_WALK(still, true, false, false, false)
-SOFT_WALK(still_divided, true, false, true, false)
-SOFT_WALK(colored, true, true, false, false)
-SOFT_WALK(colored_by_texels, true, true, true, false)
-SOFT_WALK(colored_divided, true, true, true, true)
+#define WALK(name, ...)                                         \
+	static NEVER_INLINE void walk_##name(                   \
+		struct draw *draw, const struct setup *setup)   \
+	{                                                       \
+		walk(draw, setup, (struct walk_kind){__VA_ARGS__}); \
+	}
+
+WALK(plain_still, false, false, false, false)
+WALK(plain, false, true, false, false)
+WALK(plain_divided, false, true, false, true)
+WALK(still, true, false, false, false)
+WALK(still_divided, true, false, true, false)
+WALK(colored, true, true, false, false)
+WALK(colored_by_texels, true, true, true, false)
+WALK(colored_divided, true, true, true, true)
+
+/* What of alpha and fog stays the same; see set_colors(). */
+static void set_still(struct draw *draw)
+{
+	const uint32_t *value = draw->raster.span.value;
+	struct soft_spans *spans = &draw->spans;
+
+	spans->green_start = spans->green_half;
+	if (spans->alpha_read && !spans->alpha_moves) {
+		spans->green_start += (int32_t)(value[ALPHA] >> 9 << 16);
+	}
+	if (!spans->fog_moves) {
+		spans->run.fog = (uint32_t)mul_high(
+			(int32_t)value[FOG], SOFT_FOG_SCALE);
+		spans->run.fog_right = 0;
+	}
+}
+
+/* The steps of a triangle whose colours are linear all over. */
+static struct colors find_plane_steps(const struct raster *raster)
+{
+	return (struct colors){raster->plane[RED].dx, raster->plane[GREEN].dx,
+		raster->plane[BLUE].dx, raster->plane[ALPHA].dx,
+		raster->plane[FOG].dx};
+}
 
 /* What stays the same in all of the triangle. */
-static void set_constants(struct draw *draw, bool colored)
+static void set_constants(struct draw *draw, uint32_t moving)
 {
 	const struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
 	const struct plane *plane = raster->plane;
 
 	spans->run.z_right = (uint32_t)plane[DEPTH].dx << 6;
-	if (!colored) {
+	set_still(draw);
+	spans->steep = false;
+	if (!moving) {
 		const uint32_t *value = raster->span.value;
-		const struct colors still = {(int32_t)value[RED],
-			(int32_t)value[GREEN], (int32_t)value[BLUE],
-			(int32_t)value[ALPHA], (int32_t)value[FOG]};
 
-		set_colors(spans, &still);
+		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
+			(int32_t)value[BLUE]);
 		set_color_steps(spans, &(struct colors){0});
 	} else if (!raster->colors_divided) {
 		const struct colors step = find_plane_steps(raster);
@@ -697,26 +526,26 @@ static void set_constants(struct draw *draw, bool colored)
 			step.red, step.green, step.blue, step.alpha, step.fog};
 
 		set_color_steps(spans, &step);
-		spans->steep = false;
-		for (int i = 0; i < 5; i++) {
-			spans->steep |= (uint32_t)all[i] + STEEP > 2 * STEEP;
+		for (int i = RED; i <= FOG; i++) {
+			spans->steep |= (moving >> i & 1) &&
+				(uint32_t)all[i] + STEEP > 2 * STEEP;
 		}
+		spans->rare = spans->steep || spans->alpha_moves ||
+			spans->fog_moves;
 	}
 	if (!spans->textured) {
 		return;
 	}
 	spans->level_by_row = spans->lod_wanted && raster->perspective;
 	if (!spans->lod_wanted) {
-		set_level(draw, 0);
+		soft_set_level(draw, 0);
 	} else if (!raster->perspective) {
 		soft_rows_find_affine_lod(draw, &draw->raster.span);
-		set_level(draw, raster->span.lod[0]);
+		soft_set_level(draw, raster->span.lod[0]);
 	}
 	if (!raster->perspective) {
-		const struct texels step = {
-			plane[TEX_S].dx, plane[TEX_S + 1].dx};
-
-		set_texel_steps(spans, step);
+		soft_set_texel_steps(spans,
+			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
 	}
 }
 
@@ -738,40 +567,44 @@ static void add_plane(struct draw *draw, int name)
 	raster->moving[raster->moving_count++] = name;
 }
 
-/* Colours that move do so together; whether they do. */
-static bool join_colors(struct draw *draw)
+/* Which of colours, alpha and fog move: red, green and blue do so together. */
+static uint32_t find_moving(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
-	uint32_t wanted = draw->attributes & ((2u << FOG) - 1), moving = 0;
+	struct soft_spans *spans = &draw->spans;
+	uint32_t moving = 0;
 
 	for (int n = 0; n < raster->moving_count; n++) {
 		moving |= 1u << raster->moving[n];
 	}
-	moving &= wanted;
-	for (int i = RED; i <= FOG && moving; i++) {
-		if ((wanted & ~moving) >> i & 1) {
+	moving &= (2u << FOG) - 1;
+	spans->alpha_moves = moving >> ALPHA & 1;
+	spans->fog_moves = moving >> FOG & 1;
+	for (int i = RED; i <= BLUE && moving; i++) {
+		if (!(moving >> i & 1)) {
 			add_plane(draw, i);
 		}
 	}
-	return moving != 0;
+	return moving;
 }
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	bool colored, bent = raster->perspective;
+	bool bent = raster->perspective;
+	uint32_t moving;
 
 	if (!draw->spans.used) {
 		soft_walk_general(draw, setup);
 		return;
 	}
-	colored = join_colors(draw);
-	set_constants(draw, colored);
+	moving = find_moving(draw);
+	set_constants(draw, moving);
 	if (!draw->spans.textured) {
-		(!colored              ? walk_plain_still
+		(!moving               ? walk_plain_still
 				: bent ? walk_plain_divided
 				       : walk_plain)(draw, setup);
-	} else if (!colored) {
+	} else if (!moving) {
 		(bent ? walk_still_divided : walk_still)(draw, setup);
 	} else {
 		(!bent ? walk_colored

@@ -6,12 +6,8 @@
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
 
-struct walk_kind {
-	bool divided;
-};
-
 /* A run whose values are these, and move by the span's steps. */
-static void draw_run(struct draw *draw, const struct soft_line *line, int x,
+static void draw_run(struct draw *draw, int y, int x,
 	int count, const int32_t value[])
 {
 	struct raster *raster = &draw->raster;
@@ -22,23 +18,23 @@ static void draw_run(struct draw *draw, const struct soft_line *line, int x,
 			(uint32_t)value[raster->moving[n]];
 	}
 	span->x = x;
-	span->y = line->y;
+	span->y = y;
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
 	draw->span(draw, span);
 }
 
-static void draw_linear(struct draw *draw, const struct soft_line *line,
+static void draw_linear(struct draw *draw, int y,
 	int left, int right, int32_t value[])
 {
 	const struct raster *raster = &draw->raster;
 
 	for (int x = left;; x += SOFT_RUN_PIXELS) {
 		if (right - x <= SOFT_RUN_PIXELS) {
-			draw_run(draw, line, x, right - x, value);
+			draw_run(draw, y, x, right - x, value);
 			return;
 		}
-		draw_run(draw, line, x, SOFT_RUN_PIXELS, value);
+		draw_run(draw, y, x, SOFT_RUN_PIXELS, value);
 		for (int n = 0; n < raster->moving_count; n++) {
 			int i = raster->moving[n];
 
@@ -54,10 +50,10 @@ static void set_steps(struct draw *draw, const struct point *from,
 
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
-		int64_t all = (int64_t)to->value[i] - from->value[i];
 
 		raster->span.step[i] = rows_is_divided(raster, i)
-			? (int32_t)(all * draw->inverse_q31[steps] >> 31)
+			? rows_find_step(from->value[i], to->value[i],
+				  draw->inverse_q31[steps])
 			: raster->plane[i].dx;
 	}
 }
@@ -95,7 +91,7 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 }
 
 static void row_divided(
-	struct draw *draw, const struct soft_line *line, int left, int right)
+	struct draw *draw, int y, int left, int right)
 {
 	int steps = right - left - 1, spacing, x = left;
 	struct point from, to, end;
@@ -109,40 +105,31 @@ static void row_divided(
 	spacing = find_spacing(draw, &from, &end, steps);
 	if (spacing > steps) {
 		set_steps(draw, &from, &end, steps);
-		draw_linear(draw, line, left, right, from.value);
+		draw_linear(draw, y, left, right, from.value);
 		return;
 	}
 	for (; right - x > spacing; x += spacing) {
 		soft_rows_find_point(draw, x + spacing, &to);
 		set_steps(draw, &from, &to, spacing);
-		draw_run(draw, line, x, spacing, from.value);
+		draw_run(draw, y, x, spacing, from.value);
 		from = to;
 	}
 	set_steps(draw, &from, &end, right - x - 1);
-	draw_run(draw, line, x, right - x, from.value);
+	draw_run(draw, y, x, right - x, from.value);
 }
 
-static void draw_row(struct draw *draw, const struct walk_kind kind,
-	struct soft_line *line, int left, int right)
+static void row_linear(struct draw *draw, int y, int left, int right)
 {
 	const struct raster *raster = &draw->raster;
 	int32_t value[ATTRIBUTES];
 
-	if (left < right && kind.divided) {
-		row_divided(draw, line, left, right);
-	} else if (left < right) {
-		for (int n = 0; n < raster->moving_count; n++) {
-			int i = raster->moving[n];
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
 
-			value[i] = (int32_t)plane_at(raster, i, left);
-		}
-		draw_linear(draw, line, left, right, value);
+		value[i] = (int32_t)plane_at(raster, i, left);
 	}
-	soft_raster_next_row(draw);
+	draw_linear(draw, y, left, right, value);
 }
-
-SOFT_WALK(linear, false)
-SOFT_WALK(divided, true)
 
 void soft_walk_general(struct draw *draw, const struct setup *setup)
 {
@@ -150,7 +137,7 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	if (raster->perspective) {
-		walk_divided(draw, setup);
+		raster_walk(draw, setup, row_divided, soft_raster_next_row);
 		return;
 	}
 	for (int n = 0; n < raster->moving_count; n++) {
@@ -159,5 +146,5 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 		raster->span.step[i] = raster->plane[i].dx;
 	}
 	soft_rows_find_affine_lod(draw, &raster->span);
-	walk_linear(draw, setup);
+	raster_walk(draw, setup, row_linear, soft_raster_next_row);
 }

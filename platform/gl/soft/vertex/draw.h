@@ -46,9 +46,10 @@ enum attribute {
 	FOG,
 	TEX_S, /* and T; then the next unit's */
 	ATTRIBUTES = TEX_S + 2 * SOFT_UNITS,
-	/* planes have two more */
+	/* planes have three more */
 	DEPTH = ATTRIBUTES,
 	INVERSE_W,
+	LINEAR_W, /* w as if it ran linearly; see rows_find_divisor() */
 	PLANES,
 };
 
@@ -190,7 +191,7 @@ struct texture_input {
 };
 
 struct plane {
-	uint32_t start; /* at the centre of raster.x0, of the row under way */
+	uint32_t start; /* at the centre of column 0, of the row under way */
 	int32_t dx, dy;
 };
 
@@ -205,9 +206,10 @@ struct span {
 /* The triangle under way. */
 struct raster {
 	struct plane plane[PLANES];
-	int x0;              /* the column the planes start from */
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */
+	bool mild;   /* w varies so little that its plane is a first guess */
+	int w_zeros; /* of it then; see struct point */
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;

@@ -1,0 +1,173 @@
+/* The level of detail that runs are drawn from, and runs across its edges. */
+#include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/depth_ways.h"
+#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/vertex/number.h"
+
+static struct soft_wrap find_wrap(GLenum mode, int log2)
+{
+	int32_t last = (1 << log2) - 1;
+	bool repeats = mode == GL_REPEAT;
+
+	return (struct soft_wrap){repeats ? INT32_MIN : 0,
+		repeats ? INT32_MAX : last, (uint32_t)last};
+}
+
+/* The masks of coordinates that repeat, else all ones. */
+static uint32_t find_mask(GLenum mode, int log2)
+{
+	return mode == GL_REPEAT ? (1u << (log2 + SOFT_TEXEL_FRACTION)) - 1
+				 : UINT32_MAX;
+}
+
+static uint32_t find_room(int log2, bool linear)
+{
+	return ((1u << log2) - linear) << SOFT_TEXEL_FRACTION;
+}
+
+static struct soft_window find_window(
+	const struct texture *texture, const struct level *level, bool linear)
+{
+	return (struct soft_window){
+		.s_mask = find_mask(texture->wrap_s, level->width_log2),
+		.t_mask = find_mask(texture->wrap_t, level->height_log2),
+		.s_room = find_room(level->width_log2, linear),
+		.t_room = find_room(level->height_log2, linear),
+		.large = (1 << level->width_log2) >= SOFT_RUN_TEXELS ||
+			(1 << level->height_log2) >= SOFT_RUN_TEXELS,
+	};
+}
+
+static void choose_level(struct draw *draw, int number, bool small)
+{
+	struct soft_spans *spans = &draw->spans;
+	const struct texture_input *input = &draw->texture[0];
+	const struct texture *texture = input->texture;
+	const struct level *level = &texture->level[number];
+	struct soft_run *run = &spans->run;
+	GLenum min = texture->min_filter;
+	bool linear = small ? min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST
+			    : texture->mag_filter == GL_LINEAR;
+
+	spans->level = number;
+	spans->small = small;
+	spans->s_shift = input->width_log2 - level->width_log2 + 16 -
+		SOFT_TEXEL_FRACTION;
+	spans->t_shift = input->height_log2 - level->height_log2 + 16 -
+		SOFT_TEXEL_FRACTION;
+	spans->s_half = soft_half_texel(level->format, linear, true);
+	spans->t_half = soft_half_texel(level->format, linear, false);
+	spans->window = find_window(texture, level, linear);
+	spans->texel_log2 = soft_texel_bytes_log2(level->format);
+	run->stride_log2 = (uint32_t)(level->width_log2 + spans->texel_log2);
+	run->texels = level->texels;
+	run->first_texel = level->texels;
+	run->wrap_s = find_wrap(texture->wrap_s, level->width_log2);
+	run->wrap_t = find_wrap(texture->wrap_t, level->height_log2);
+	soft_set_functions(spans, small ? spans->min : spans->mag);
+	if (spans->function[0] == spans->function[1]) {
+		spans->window.s_room = 0;
+	}
+}
+
+void soft_set_level(struct draw *draw, int lod)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct texture_input *input = &draw->texture[0];
+	GLenum min = input->texture->min_filter;
+	bool sharp = input->texture->mag_filter == GL_LINEAR &&
+		(min == GL_NEAREST_MIPMAP_NEAREST ||
+			min == GL_NEAREST_MIPMAP_LINEAR);
+	bool small = lod > (sharp ? 128 : 0);
+	int number =
+		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
+
+	if (number != spans->level || small != spans->small) {
+		choose_level(draw, number, small);
+	}
+}
+
+/* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
+static uint32_t count_steps(uint32_t distance, uint32_t step)
+{
+	uint32_t count = 0;
+
+	if (distance / SOFT_RUN_PIXELS >= step) {
+		return SOFT_RUN_PIXELS - 1;
+	}
+	for (uint32_t part = SOFT_RUN_PIXELS / 2; part > 0; part /= 2) {
+		if (distance >= step * part) {
+			distance -= step * part;
+			count += part;
+		}
+	}
+	return count;
+}
+
+/*
+ * How many pixels from here on lie on the same side of the window's edges as
+ * the first one, whose coordinate is at; *inside says which side.
+ */
+static uint32_t count_alike(uint32_t at, int32_t right, uint32_t room,
+	uint32_t mask, bool *inside)
+{
+	uint32_t step = right < 0 ? 0u - (uint32_t)right : (uint32_t)right;
+	bool below = (int32_t)at < 0; /* clamped ones alone */
+
+	if (at < room) {
+		return count_steps(right < 0 ? at : room - 1 - at, step) + 1;
+	}
+	*inside = false;
+	if (below ? right > 0 : right < 0) {
+		return count_steps(below ? ~at : at - room, step) + 1;
+	}
+	return mask == UINT32_MAX ? SOFT_RUN_PIXELS
+				  : count_steps(mask - at, step) + 1;
+}
+
+static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
+{
+	run->depth += count;
+	run->pixel += count << pixel_log2;
+	run->z += run->z_right * count;
+	run->red_blue += run->red_blue_right * count;
+	run->green_alpha += run->green_alpha_right * count;
+	run->fog += run->fog_right * count;
+	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
+	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
+}
+
+/* Whether the pieces that edges cut a run into are long enough to pay. */
+static bool is_cut(const struct soft_spans *spans)
+{
+	const struct soft_run *run = &spans->run;
+	const struct soft_window *window = &spans->window;
+
+	return raster_size(run->s_right) * 8 < window->s_room &&
+		raster_size(run->t_right) * 8 < window->t_room;
+}
+
+void soft_draw_across(struct soft_spans *spans)
+{
+	const struct soft_window *window = &spans->window;
+	struct soft_run *run = &spans->run;
+
+	if (run->count == 1 || !is_cut(spans)) {
+		spans->draw_anywhere(run);
+		return;
+	}
+	for (uint32_t left = run->count; left > 0; left -= run->count) {
+		bool inside = true;
+		uint32_t s = count_alike((uint32_t)run->s & window->s_mask,
+			run->s_right, window->s_room, window->s_mask, &inside);
+		uint32_t t = count_alike((uint32_t)run->t & window->t_mask,
+			run->t_right, window->t_room, window->t_mask, &inside);
+
+		run->count = s < t ? s : t;
+		run->count = run->count < left ? run->count : left;
+		(inside && soft_find_window(spans) ? spans->draw
+						   : spans->draw_anywhere)(run);
+		advance(run, run->count, spans->pixel_log2);
+	}
+}

@@ -4,9 +4,6 @@
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/raster/raster.h"
 
-/* band.S */
-void soft_band_color_arm(struct band *band);
-
 /* texture.S */
 void soft_band_texture_arm(struct texture_band *band);
 
@@ -16,18 +13,6 @@ void soft_band_fill_arm(uint16_t *at, int count, uint16_t value);
 /* tile_row.S */
 void soft_tile_row_arm(const struct tile_run *run);
 void soft_tile_fine_arm(const struct tile_run *run);
-
-/* flat.S: blended ones of one row or more */
-void soft_band_flat_arm(struct flat_band *band);
-
-static void flat_arm(struct flat_band *band)
-{
-	if (band->rows > 0 && (band->stencil || band->keep)) {
-		soft_band_flat_arm(band);
-	} else {
-		soft_band_flat_c(band);
-	}
-}
 
 /* narrow.S, narrow_rows.S */
 void soft_fill_narrow_arm(struct draw *draw, struct setup *setup);
@@ -78,9 +63,7 @@ const struct band_functions soft_bands = {
 	.list = list,
 	.narrow = soft_fill_narrow_arm,
 	.shadow = soft_fill_shadow_arm,
-	.color = soft_band_color_arm,
 	.texture = soft_band_texture_arm,
-	.flat = flat_arm,
 	.fill = soft_band_fill_arm,
 	.tile_row = soft_tile_row_arm,
 	.tile_fine = soft_tile_fine_arm,

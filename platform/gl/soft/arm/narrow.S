@@ -92,9 +92,9 @@ soft_fill_narrow_arm:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	ldr	r3, [r1, #SETUP_COLUMNS]
 	tst	r2, #1 << 16
-	beq	soft_fill_plain
+	beq	soft_rows_fill
 	cmp	r3, #23
-	bgt	soft_fill_plain
+	bgt	soft_rows_fill
 	push	{r0, r1, r4-r11, lr}
 	sub	sp, sp, #ROOM
 	ldr	r12, [r0, #FAST_SETUP_PERSPECTIVE]
@@ -296,13 +296,13 @@ soft_fill_narrow_arm:
 
 	/* more of w: colours may run linearly yet */
 .Ldiffer:
-	bl	soft_fill_plain_is_linear
+	bl	soft_fill_is_linear
 	cmp	r0, #0
 	ldr	r0, [sp, #DRAW]
 	ldr	r1, [sp, #SETUP]
 	bne	1b
 	add	sp, sp, #ROOM
 	pop	{r0, r1, r4-r11, lr}
-	b	soft_fill_plain
+	b	soft_rows_fill
 	.size	soft_fill_narrow_arm, . - soft_fill_narrow_arm
 	.section .note.GNU-stack, "", %progbits

@@ -1,60 +1,17 @@
 #include "platform/gl/soft/fast/band.h"
 
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 
-/* Addresses as numbers: arm/band.S adds them up like all else. */
+enum {
+	/* So many pixels the share runs before it is taken afresh. */
+	SHARE_RUN = 16,
+};
+
+/* Addresses as numbers: arm/texture.S adds them up like all else. */
 static uint16_t *at_address(uintptr_t address)
 {
 	return (uint16_t *)address;
-}
-
-static void run_color(const struct band *band, int column, int count)
-{
-	uintptr_t address = band->row.depth + 2 * (uintptr_t)column;
-	uint16_t *depth = at_address(address);
-	uint16_t *pixel = at_address(address + 2 + band->pixels);
-	uint32_t at = (uint32_t)column;
-	uint32_t z = band->row.z_q16 + band->z_right * at;
-	uint32_t packed =
-		band_pack(band->row.red_blue + band->red_blue_right * at,
-			band->row.green_q26 + band->green_right * at);
-
-	for (int i = 0; i < count; i++) {
-		if (z < (uint32_t)depth[i] << 16) {
-			depth[i] = (uint16_t)(z >> 16);
-			pixel[i] = band_unpack(packed);
-		}
-		z += band->z_right;
-		packed += band->packed_right;
-	}
-}
-
-static void move_down(struct band *band)
-{
-	band->row.depth += band->down.depth;
-	band->row.z_q16 += band->down.z_q16;
-	band->row.red_blue += band->down.red_blue;
-	band->row.green_q26 += band->down.green_q26;
-	band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
-	band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
-	band->pixels += band->pixels_step;
-}
-
-void soft_band_color_c(struct band *band)
-{
-	for (; band->rows > 0; band->rows--) {
-		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
-		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
-
-		left = left > band->from ? left : band->from;
-		right = right < band->to ? right : band->to;
-		for (; left < right; left += BAND_RUN) {
-			run_color(band, left,
-				right - left < BAND_RUN ? right - left
-							: BAND_RUN);
-		}
-		move_down(band);
-	}
 }
 
 static uint16_t shade_texel(
@@ -95,10 +52,10 @@ void soft_band_texture_c(struct texture_band *band)
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
 		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
 
-		for (; left < right; left += BAND_RUN) {
+		for (; left < right; left += SHARE_RUN) {
 			run_texture(band, left,
-				right - left < BAND_RUN ? right - left
-							: BAND_RUN);
+				right - left < SHARE_RUN ? right - left
+							 : SHARE_RUN);
 		}
 		band->row.depth += band->down.depth;
 		band->row.z_q16 += band->down.z_q16;
@@ -124,31 +81,71 @@ void soft_band_fill_c(uint16_t *at, int count, uint16_t value)
 	}
 }
 
-static uint16_t darken(const struct flat_band *band, uint16_t pixel)
+static ALWAYS_INLINE void darken(const struct flat_band *band, uint16_t *pixel)
 {
-	return narrow((widen(pixel) * band->keep + band->own) >> 5 & WIDE_MASK);
+	*pixel = narrow(
+		(widen(*pixel) * band->keep + band->own) >> 5 & WIDE_MASK);
+}
+
+/* How many of eight at a time have what the stencil must not have. */
+static ALWAYS_INLINE int count_like(
+	const uint8_t *stencil, uint32_t like, int count)
+{
+	int i = 0;
+
+	while (i + 8 <= count && load_32(stencil + i) == like &&
+		load_32(stencil + i + 4) == like) {
+		i += 8;
+	}
+	return i;
+}
+
+static void flat_unlike(const struct flat_band *band, uint16_t *pixel,
+	const uint8_t *stencil, int count)
+{
+	for (int i = 0; i < count;) {
+		int end;
+
+		i += count_like(
+			stencil + i, band->reference * 0x01010101u, count - i);
+		end = count - i < 8 ? count : i + 8;
+		for (; i < end; i++) {
+			if (stencil[i] != band->reference) {
+				darken(band, &pixel[i]);
+			}
+		}
+	}
+}
+
+static void flat_once(const struct flat_band *band, uint16_t *pixel,
+	uint8_t *stencil, int count)
+{
+	for (int i = 0; i < count; i++) {
+		if (stencil[i] == band->reference) {
+			stencil[i] = band->next;
+			darken(band, &pixel[i]);
+		}
+	}
 }
 
 static void flat_row(const struct flat_band *band, int left, int count)
 {
 	uint16_t *pixel = (uint16_t *)(void *)band->pixels + left;
-	uint8_t *stencil = band->stencil ? band->stencil + left : NULL;
 
-	if (!stencil && band->keep == 0) {
-		soft_band_fill_c(pixel, count, band->opaque);
-		return;
-	}
-	for (int i = 0; i < count; i++) {
-		if (!stencil || (band->unlike && stencil[i] != band->reference)) {
-			pixel[i] = darken(band, pixel[i]);
-		} else if (!band->unlike && stencil[i] == band->reference) {
-			stencil[i] = band->next;
-			pixel[i] = darken(band, pixel[i]);
+	if (!band->stencil) {
+		if (band->keep == 0) {
+			soft_bands.fill(pixel, count, band->opaque);
+		} else {
+			soft_keep_pixels(pixel, count, band->keep, band->own);
 		}
+	} else if (band->unlike) {
+		flat_unlike(band, pixel, band->stencil + left, count);
+	} else {
+		flat_once(band, pixel, band->stencil + left, count);
 	}
 }
 
-void soft_band_flat_c(struct flat_band *band)
+void soft_band_flat(struct flat_band *band)
 {
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;

@@ -14,7 +14,7 @@ enum {
 	COUNT_PASSED = 2, /* else what failed */
 };
 
-/* Rows between two edges, as struct band. */
+/* Rows between two edges. */
 struct count_band {
 	uint16_t *depth; /* of column 0 */
 	uint8_t *stencil;

@@ -83,7 +83,7 @@ bool soft_fill_flat_is_once(const struct draw *draw)
 
 static void draw_band(void *band)
 {
-	soft_bands.flat(band);
+	soft_band_flat(band);
 }
 
 void soft_fill_flat(struct draw *draw, struct setup *setup)

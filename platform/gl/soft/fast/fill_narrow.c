@@ -5,6 +5,7 @@
  * arm/narrow.S does the same, and leaves the same bytes.
  */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/limits.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
@@ -65,11 +66,26 @@ struct narrow {
 	int32_t rows;
 	uint32_t edge[2], step[2];
 	uint32_t z, z_right, z_down;
-	uint32_t packed, packed_right, packed_down; /* as band_pack() has it */
+	uint32_t packed, packed_right,
+		packed_down;       /* 6.5 green, 5.6 red, 5.5 blue */
 	struct channel channel[3]; /* where packed was taken from last */
 	int column;
 	int chunk; /* rows until it is taken afresh */
 };
+
+bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
+{
+	int32_t limit = find_limits(draw, setup).color;
+	bool within = true;
+
+	for (int name = RED; name <= BLUE; name++) {
+		int32_t first = setup->v[0]->attribute[name];
+
+		within &= is_color_within(setup->v[1]->attribute[name] - first,
+			setup->v[2]->attribute[name] - first, limit);
+	}
+	return within;
+}
 
 /* Mostly w differs so little that all colours run linearly. */
 static bool runs_linearly(const struct draw *draw, const struct setup *setup)
@@ -80,7 +96,7 @@ static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 	d1 = d1 < 0 ? -d1 : d1;
 	d2 = d2 < 0 ? -d2 : d2;
 	return !draw->perspective || d1 + d2 <= w >> 6 ||
-		soft_fill_plain_is_linear(draw, setup);
+		soft_fill_is_linear(draw, setup);
 }
 
 static struct scale find_scale(const struct setup *setup)
@@ -193,6 +209,14 @@ static void pack_again(struct narrow *narrow)
 	pack(narrow);
 }
 
+/* Green is in 31..21, red in 20..10, blue in 9..0. */
+static ALWAYS_INLINE uint16_t unpack(uint32_t packed)
+{
+	uint32_t wide = (packed >> 5 | packed << 27) & WIDE_MASK;
+
+	return narrow(wide);
+}
+
 static void draw_row(const struct narrow *narrow, int left, int right)
 {
 	uint16_t *depth = (uint16_t *)narrow->depth;
@@ -203,7 +227,7 @@ static void draw_row(const struct narrow *narrow, int left, int right)
 	for (int i = left; i < right; i++) {
 		if (z < (uint32_t)depth[i] << 16) {
 			depth[i] = (uint16_t)(z >> 16);
-			pixel[i] = band_unpack(packed);
+			pixel[i] = unpack(packed);
 		}
 		z += narrow->z_right;
 		packed += narrow->packed_right;
@@ -256,7 +280,7 @@ void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
 
 	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
 		!runs_linearly(draw, setup)) {
-		soft_fill_plain(draw, setup);
+		soft_rows_fill(draw, setup);
 		return;
 	}
 	scale = find_scale(setup);

@@ -3,7 +3,7 @@
  * LESS, with one RGB565 texture that repeats: the small ones are
  * fill_texture.c's, the others are drawn by the span functions.
  */
-#include "platform/gl/soft/raster/ramp.h"
+#include "platform/gl/soft/fast/limits.h"
 
 static bool is_gray(const struct setup *setup)
 {

@@ -4,9 +4,9 @@
  * under three. See fill_opaque.c for the state that asks for them.
  */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/limits.h"
 #include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/raster/ramp.h"
 
 enum {
 	/* So many sixteenths of a pixel, so that 1/256 of texels are enough. */

@@ -14,14 +14,6 @@ struct tint_pixel {
 	uint32_t z, texel, red_blue, green;
 };
 
-static ALWAYS_INLINE uint32_t load_pair(const uint8_t *at)
-{
-	uint32_t pair;
-
-	memcpy(&pair, at, sizeof(pair));
-	return pair;
-}
-
 static ALWAYS_INLINE const uint8_t *find_texel(
 	const struct tint_band *band, uint32_t at)
 {
@@ -69,8 +61,8 @@ static ALWAYS_INLINE struct channels load_linear(
 	} else {
 		const uint8_t *from = find_texel(band, at);
 
-		a = load_pair(from);
-		b = load_pair(from + band->stride_bytes);
+		a = load_32(from);
+		b = load_32(from + band->stride_bytes);
 	}
 	return (struct channels){
 		.red = mix_pairs(a >> 6, b >> 6, TINT_RED_BLUE, above, below),

@@ -39,7 +39,7 @@ enum {
 struct tint_band {
 	_Alignas(8) struct tint_row row; /* of the next row */
 	struct tint_row down;            /* a row further */
-	uint32_t edge[2];                /* as in struct band */
+	uint32_t edge[2];                /* see struct texture_band */
 	uint32_t edge_step[2];
 	int32_t rows;
 	uint32_t z_right; /* a pixel further */
@@ -50,7 +50,7 @@ struct tint_band {
 	uint32_t texel_shift; /* 24 less the width's log2 */
 	const uint8_t *texels;
 	uint32_t stride_bytes; /* of the level */
-	uintptr_t pixels;      /* as in struct band */
+	uintptr_t pixels;      /* see struct texture_band */
 };
 
 /*

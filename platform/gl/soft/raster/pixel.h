@@ -81,6 +81,14 @@ static inline uint16_t load_16(const uint8_t *at)
 	return value;
 }
 
+static inline uint32_t load_32(const uint8_t *at)
+{
+	uint32_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
 static inline void store_16(uint8_t *at, uint16_t value)
 {
 	memcpy(at, &value, sizeof(value));

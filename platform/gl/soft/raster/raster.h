@@ -233,10 +233,6 @@ void soft_rows_affine(struct draw *draw, int y, int left, int right);
 /* fill_opaque.c: see there; whether the state, and a texture, are its. */
 bool soft_fill_is_opaque(const struct draw *draw);
 bool soft_fill_takes_texture(const struct texture_input *input);
-void soft_fill_plain(struct draw *draw, struct setup *setup);
-/* Whether its colours run linearly, to a step of 255. */
-bool soft_fill_plain_is_linear(
-	const struct draw *draw, const struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /*
@@ -255,8 +251,10 @@ bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup);
 bool soft_fill_texture_tinted(
 	const struct draw *draw, const struct setup *setup);
 
-/* fill_narrow.c: what it does not take is soft_fill_plain()'s. */
+/* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
+/* Whether colours run linearly, to a step of 255. */
+bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 
 /* fill_flat.c: see there; begin is called once a draw call. */
 bool soft_fill_is_flat(const struct draw *draw);

@@ -1,37 +1,8 @@
-/*
- * How attributes run across small triangles: what raster.c does for all, in 32
- * bits and without a step in memory.
- */
-#ifndef PLATFORM_GL_SOFT_RASTER_RAMP_H
-#define PLATFORM_GL_SOFT_RASTER_RAMP_H
+/* How far attributes of a small triangle run linearly in perspective. */
+#ifndef PLATFORM_GL_SOFT_FAST_LIMITS_H
+#define PLATFORM_GL_SOFT_FAST_LIMITS_H
 
 #include "platform/gl/soft/raster/raster.h"
-
-/* What all gradients of a triangle share; see raster_find_area(). */
-struct scale {
-	const struct setup *setup;
-	int32_t inverse;
-	int shift;
-	int32_t off_x, off_y; /* to the centre of column 0 of the first row */
-	int column;
-};
-
-static ALWAYS_INLINE struct scale find_scale(const struct setup *setup)
-{
-	const struct vertex *v = setup->v[0];
-	int shift = setup->area_zeros - 50;
-	int column = v->x >> 4;
-
-	return (struct scale){
-		.setup = setup,
-		.inverse = shift < 0 ? setup->inverse_area >> -shift
-				     : setup->inverse_area,
-		.shift = shift < 0 ? 0 : shift,
-		.off_x = column * 16 + 8 - v->x,
-		.off_y = setup->top * 16 + 8 - v->y,
-		.column = column,
-	};
-}
 
 /* How much attributes may differ before perspective would show. */
 struct limits {

@@ -5,6 +5,8 @@
 #include <errno.h>
 #include <stdio.h>
 
+static const float least_side = 0.4f; /* of a region; the picture has 2 */
+
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
 	size_t memory_bytes =
@@ -61,12 +63,70 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 	*actor = (struct actor){0};
 }
 
-int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
-	struct camera_framing framing, struct stage *stage)
+/*
+ * The regions that labels leave free: beside them and below them. Returns their
+ * number; if labels leave little of a small picture, it is the whole one.
+ */
+static int free_regions(const struct actor_framing *framing, int width,
+	int height, struct camera_region out[2])
 {
-	framing.aspect = (float)env->width / (float)env->height;
+	struct hud_group_extent labels = hud_group_extent_of(
+		width, height, framing->label_rows, framing->label_bars);
+	float bottom = 2.0f * (float)(framing->lines_below * labels.line) /
+			(float)height -
+		1.0f;
+
+	float left = 2.0f * (float)labels.column / (float)width - 1.0f;
+	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
+	int count = 0;
+
+	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	if (framing->label_rows == 0) {
+		return 1;
+	}
+	if (left < 1.0f - least_side) {
+		out[count++] = (struct camera_region){left, 1.0f, bottom, 1.0f};
+	}
+	if (top > bottom + least_side) {
+		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, top};
+	}
+	return count > 0 ? count : 1;
+}
+
+/* The region in which the box appears larger. */
+static struct camera_region choose_region(const struct actor_framing *framing,
+	int width, int height, const struct bounds *bounds)
+{
+	struct camera_framing tried = framing->camera;
+	struct camera_region region[2];
+	int count = free_regions(framing, width, height, region), best = 0;
+	float least = 0.0f;
+
+	tried.aspect = (float)width / (float)height;
+	for (int i = 0; i < count; i++) {
+		struct camera camera = camera_default();
+
+		tried.region = region[i];
+		camera_frame(&camera, bounds, &tried);
+		if (i == 0 || camera.distance < least) {
+			least = camera.distance;
+			best = i;
+		}
+	}
+	return region[best];
+}
+
+int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
+	const struct actor_framing *framing, struct stage *stage)
+{
+	struct actor_framing wanted = *framing;
+
+	wanted.label_rows = env->no_labels ? 0 : framing->label_rows;
+	wanted.camera.aspect = (float)env->width / (float)env->height;
+	wanted.camera.region =
+		choose_region(&wanted, env->width, env->height, bounds);
 	return stage_init(
-		stage, env->gl, bounds, &framing, env->target, env->log);
+		stage, env->gl, bounds, &wanted.camera, env->target, env->log);
 }
 
 void actor_draw(const struct actor *actor, const struct stage *stage,

@@ -29,6 +29,14 @@ struct actor {
 	float extent;       /* in the rest pose, scene units */
 };
 
+/* How a demo frames its figures, and what its labels take of the picture. */
+struct actor_framing {
+	struct camera_framing camera;
+	/* In the top left corner, beside a title, and how many have bars. */
+	int label_rows, label_bars; /* 0: there are no labels */
+	int lines_below;            /* of text along the lower edge */
+};
+
 /* Every demo's struct begins with this one. */
 struct demo_base {
 	const struct gl *gl;
@@ -41,6 +49,7 @@ struct demo_base {
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
 	unsigned overlays_of_old_model; /* kinds to show for the new one */
+	float overlay_room; /* raises the region's bottom for the overlays */
 };
 
 /*
@@ -52,11 +61,12 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * Makes a stage that frames the box. The framing's aspect is taken from env.
- * Returns 0, or -errno after logging an error.
+ * Makes a stage that frames the box beside or below the labels in the top left
+ * corner, wherever it is larger. The framing's aspect and region are taken from
+ * env. Returns 0, or -errno after logging an error.
  */
 int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
-	struct camera_framing framing, struct stage *stage);
+	const struct actor_framing *framing, struct stage *stage);
 
 /* Draws a whole frame: the stage, the actor's flat shadow and the actor. */
 void actor_draw(const struct actor *actor, const struct stage *stage,

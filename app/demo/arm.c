@@ -19,7 +19,8 @@
 static const float wheel_radius_m = 0.056f;
 static const float joint_deg_per_s = 45.0f;
 static const float truck_m_per_s = 0.35f;
-static const double pause_s = 1.0; /* between two runs of the sequence */
+static const float truck_half_m = 0.26f; /* of its length */
+static const double pause_s = 1.0;       /* between two runs of the sequence */
 
 /* The pivots that the demo moves; part_names are their nodes' names. */
 enum part {
@@ -65,11 +66,15 @@ static const struct {
 	[HAND_PITCH] = {-80.0f, 100.0f},
 	[HAND_BANK] = {-180.0f, 180.0f},
 	[FINGER_HEADING] = {-6.0f, 25.0f},
-	[TRUCK_POSITION] = {-0.4f, 0.8f},
+	[TRUCK_POSITION] = {-0.2f, 0.45f},
 };
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.6f, .pitch_rad = 0.28f, .margin = 0.95f};
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.6f,
+						     .pitch_rad = 0.28f,
+						     .margin = 1.03f,
+						     .follow = true},
+	.label_rows = 6,
+	.label_bars = 1};
 
 struct demo {
 	struct demo_base base;
@@ -160,6 +165,19 @@ static void begin_step(struct demo *demo, int step)
 	memcpy(demo->from, demo->joint, sizeof(demo->from));
 }
 
+/* Extends the box to wherever the truck may drive. */
+static void add_truck_path(const struct demo *demo, struct bounds *bounds)
+{
+	for (int end = 0; end < 2; end++) {
+		float at[3];
+
+		memcpy(at, demo->truck_rest, sizeof(at));
+		at[2] += end ? joint_limits[TRUCK_POSITION].high + truck_half_m
+			     : joint_limits[TRUCK_POSITION].low - truck_half_m;
+		bounds_add(bounds, at);
+	}
+}
+
 static int arm_prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct bounds bounds;
@@ -173,7 +191,8 @@ static int arm_prepare(struct demo *demo, const struct demo_env *env)
 	demo->repeating = env->unattended;
 	begin_step(demo, demo->repeating ? 0 : -1);
 	bounds = bounds_of_clip(demo->base.actor.instance, -1);
-	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	add_truck_path(demo, &bounds);
+	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 }
 
 static void run_program(struct demo *demo)
@@ -314,12 +333,37 @@ static double arm_period_s(const struct demo *demo)
 	return (double)arm_program_duration_s() + pause_s;
 }
 
-static void label_joint(struct hud_group *group, const char *name, float degrees)
-{
-	char value[32];
+static const char *const joint_names[ARM_JOINT_COUNT] = {
+	[ARM_HEADING] = "arm heading",
+	[ARM_PITCH] = "arm pitch",
+	[FOREARM_PITCH] = "forearm pitch",
+	[HAND_PITCH] = "hand pitch",
+	[HAND_BANK] = "hand bank",
+	[FINGER_HEADING] = "finger heading",
+	[TRUCK_POSITION] = "position",
+};
 
-	snprintf(value, sizeof(value), "%.0f\u00b0", (double)degrees);
-	hud_group_text(group, name, value);
+static void label_joint(
+	struct hud_group *group, enum arm_joint joint, const float *value)
+{
+	char text[32];
+
+	if (joint == TRUCK_POSITION) {
+		snprintf(text, sizeof(text), "%.2f m", (double)value[joint]);
+	} else {
+		snprintf(text, sizeof(text), "%.0f\u00b0", (double)value[joint]);
+	}
+	hud_group_text(group, joint_names[joint], text);
+}
+
+/* The values that the arrows change. */
+static void label_handle(struct hud_group *group, const struct handle *handle,
+	const float *value)
+{
+	label_joint(group, handle->up_down, value);
+	if (handle->left_right != handle->up_down) {
+		label_joint(group, handle->left_right, value);
+	}
 }
 
 static void arm_label(const struct demo *demo, struct hud *hud)
@@ -332,16 +376,20 @@ static void arm_label(const struct demo *demo, struct hud *hud)
 		const struct arm_step *step = &arm_program[demo->step];
 		float done_s = (float)(demo->now_s - demo->step_start_s);
 
-		hud_group_time(&group, step->name,
+		hud_group_text(&group, step->name, "");
+		hud_group_time(&group, "",
 			scalar_clamp(done_s, 0.0f, step->duration_s),
 			step->duration_s, hud_color_amber);
 	} else {
 		hud_group_text(&group, "moving", handles[demo->handle].name);
+		label_handle(&group, &handles[demo->handle], joint);
+		hud_group_end(&group);
+		return;
 	}
-	label_joint(&group, "arm heading", joint[ARM_HEADING]);
-	label_joint(&group, "arm pitch", joint[ARM_PITCH]);
-	label_joint(&group, "forearm pitch", joint[FOREARM_PITCH]);
-	label_joint(&group, "hand pitch", joint[HAND_PITCH]);
+	label_joint(&group, ARM_HEADING, joint);
+	label_joint(&group, ARM_PITCH, joint);
+	label_joint(&group, FOREARM_PITCH, joint);
+	label_joint(&group, HAND_PITCH, joint);
 	hud_group_end(&group);
 }
 

@@ -22,6 +22,7 @@ struct demo_env {
 	enum pixel_format target;
 	const struct kernel *kernel;
 	int width, height;      /* of the picture, initially */
+	bool no_labels;         /* none will be on the picture */
 	const char *model_path; /* the model file to show */
 	size_t memory_bytes;    /* the model's budget; 0: MODEL_MEMORY_BYTES */
 	const char *clip;       /* name or index of the first clip, or NULL */

@@ -4,6 +4,9 @@
 
 #include <cglm/cglm.h>
 
+/* A region that ends below this is below the labels. */
+static const float region_top = 0.85f;
+
 enum {
 	FIGURES_MAX = 64
 };
@@ -71,6 +74,28 @@ void demo_overlay_release(struct demo_base *base)
 	}
 }
 
+/* Moves the figures above the row of small pictures while it is shown. */
+static void make_room(struct demo_base *base, int width, int height)
+{
+	const struct overlay *overlay = base->overlay;
+	float room = 0.0f;
+
+	if (overlay && overlay_shows(overlay, OVERLAY_KEYS) &&
+		overlay->chooses_target) {
+		struct overlay_row row = overlay_row_of(overlay, width, height);
+
+		room = 2.0f * (float)row.height / (float)height;
+	}
+	if (room != base->overlay_room) {
+		struct camera *camera = &base->stage.camera;
+		struct camera_region region = camera->fit.region;
+
+		region.bottom += room - base->overlay_room;
+		base->overlay_room = room;
+		camera_set_region(camera, &region, 1.0f, camera->fit.aspect);
+	}
+}
+
 static void draw_over(const struct demo_driver *driver, struct demo *demo,
 	const struct overlay_motion *motion, int width, int height)
 {
@@ -99,6 +124,7 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 	struct overlay_motion motion;
 
 	follow_model(driver, demo);
+	make_room(base, width, height);
 	if (!base->overlay || !base->overlay->kinds) {
 		driver->draw(demo, width, height);
 		return;
@@ -134,12 +160,28 @@ void demo_choose_joint(struct demo *demo, int step)
 	}
 }
 
+/*
+ * Where the figures are beside the labels, these are in a column at the left;
+ * where the figures are below them, there is room at the right of the others.
+ */
+static enum hud_corner corner_of(const struct demo *demo, const struct hud *hud)
+{
+	const struct camera_region *region =
+		&((const struct demo_base *)demo)->stage.camera.fit.region;
+	struct hud_group_extent labels =
+		hud_group_extent_of(hud->width, hud->height, 0, 0);
+
+	return region->top < region_top && 2 * labels.column <= hud->width
+		? HUD_TOP_RIGHT
+		: HUD_BOTTOM_LEFT;
+}
+
 void demo_overlay_label(const struct demo_driver *driver,
 	const struct demo *demo, struct overlay *overlay, struct hud *hud)
 {
 	if (overlay && overlay->kinds) {
 		struct overlay_motion motion = motion_of(driver, demo);
 
-		overlay_label(overlay, &motion, hud);
+		overlay_label(overlay, &motion, corner_of(demo, hud), hud);
 	}
 }

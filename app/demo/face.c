@@ -23,8 +23,12 @@ static const float bulge_m = 0.03f;    /* amplitude of sinusoidal motion */
 static const float graph_wave = 0.35f; /* its height in the graph */
 static const double dwell_s = 1.5;     /* autoplay: time for an expression */
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.3f, .pitch_rad = 0.04f, .margin = 1.06f};
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.3f,
+						     .pitch_rad = 0.04f,
+						     .margin = 1.04f,
+						     .follow = true},
+	.label_rows = 3,
+	.label_bars = 1};
 
 struct demo {
 	struct demo_base base;
@@ -89,7 +93,7 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 	memcpy(demo->motion.direction, forward, sizeof(forward));
 	demo->motion.amplitude = bulge_m;
 	bounds = bounds_of_clip(demo->base.actor.instance, -1);
-	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 }
 
 static void go_to_key(struct demo *demo, int key)

@@ -32,8 +32,12 @@ static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* of preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.3f, .pitch_rad = 0.1f, .margin = 1.04f, .shift_x = 0.36f};
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.3f,
+						     .pitch_rad = 0.1f,
+						     .margin = 1.04f,
+						     .follow = true},
+	.label_rows = 11,
+	.label_bars = 0};
 
 struct demo {
 	struct demo_base base;
@@ -204,7 +208,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
 	vertex_tint_switch(&demo->tint, demo->painted);
-	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 }
 
 static void change(struct demo *demo, int steps)

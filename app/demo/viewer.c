@@ -19,8 +19,12 @@ static const float zoom_per_s = 1.2f;
 static const float fade_s = 0.25f;
 static const double check_s = 1.0; /* between checks of the file */
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.16f, .margin = 1.15f, .shift_x = 0.15f};
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.45f,
+						     .pitch_rad = 0.16f,
+						     .margin = 1.1f,
+						     .follow = true},
+	.label_rows = 2,
+	.label_bars = 1};
 
 /* Watches the model's file for changes, once a second. */
 struct file_watch {
@@ -135,8 +139,8 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 	demo->tilting = actor->model->clip_count < 2;
 	demo->title = actor_technique(actor->instance);
 	begin_clip(demo);
-	bounds = bounds_of_clip(actor->instance, demo->clip);
-	return actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	bounds = bounds_of_model(actor->instance, demo->clip);
+	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 }
 
 /* The clip with the old clip's name, else with its index, else the first. */
@@ -161,8 +165,8 @@ static void reframe(struct demo *demo, float old_extent)
 	if (ratio > 0.8f && ratio < 1.25f) {
 		return;
 	}
-	bounds = bounds_of_clip(demo->base.actor.instance, demo->clip);
-	if (actor_init_stage(&demo->watch.env, &bounds, framing, &fresh) == 0) {
+	bounds = bounds_of_model(demo->base.actor.instance, demo->clip);
+	if (actor_init_stage(&demo->watch.env, &bounds, &framing, &fresh) == 0) {
 		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
@@ -232,8 +236,8 @@ static void viewer_update(struct demo *demo, double time_s)
 	camera_orbit(&demo->base.stage.camera,
 		demo->turn * orbit_rad_per_s * step_s,
 		demo->tilt * orbit_rad_per_s * step_s);
-	demo->base.stage.camera.distance *=
-		1.0f + demo->zoom * zoom_per_s * step_s;
+	camera_zoom(&demo->base.stage.camera,
+		1.0f + demo->zoom * zoom_per_s * step_s);
 	if (demo->joining) {
 		run_join(demo, demo->paused ? 0.0f : step_s);
 	} else {

@@ -70,6 +70,7 @@ static int open_demo(struct show *show)
 		.kernel = options_kernel(&options->vertices, show->log),
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
+		.no_labels = options->show.no_labels,
 		.model_path = show->plan->model_path,
 		.memory_bytes = options->common.memory_bytes,
 		.clip = options->motion.clip,

@@ -36,8 +36,10 @@ static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its goal */
 static const double period_s = 8.0;
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.42f, .margin = 1.0f};
+static const struct actor_framing framing = {
+	.camera = {.yaw_rad = 0.45f, .pitch_rad = 0.42f, .margin = 1.0f},
+	.label_rows = 2,
+	.label_bars = 2};
 
 struct walker {
 	struct instance *instance;
@@ -54,7 +56,8 @@ struct demo {
 	const struct log *log;
 	const struct kernel *kernel;
 	float aspect;
-	int height; /* of the picture */
+	struct camera_region region; /* that labels leave free */
+	int height;                  /* of the picture */
 	int count;
 	bool out_of_memory; /* for another walker */
 	struct walker walker[CROWD_MAX];
@@ -148,9 +151,10 @@ static struct camera camera_for(const struct demo *demo, int count)
 {
 	struct bounds bounds = bounds_of_crowd(demo, count);
 	struct camera camera = camera_default();
-	struct camera_framing wanted = framing;
+	struct camera_framing wanted = framing.camera;
 
 	wanted.aspect = demo->aspect;
+	wanted.region = demo->region;
 	camera_frame(&camera, &bounds, &wanted);
 	return camera;
 }
@@ -175,7 +179,8 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	/* The floor is made for the largest crowd. */
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
-	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
+	error = actor_init_stage(env, &bounds, &framing, &demo->base.stage);
+	demo->region = demo->base.stage.camera.fit.region;
 	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;
 }

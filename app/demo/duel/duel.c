@@ -21,13 +21,15 @@ static const double rate_hz = 60.0; /* of the reference */
 static const float bound_px = 0.5f; /* the morph's greatest error */
 static const float ground_m_per_s = 1.03f;
 static const float spacing_m = 0.92f;
-static const float board_height_m = 0.2f; /* below the figures */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time with and without errors */
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.25f, .pitch_rad = 0.14f, .margin = 0.98f};
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
+						     .pitch_rad = 0.14f,
+						     .margin = 1.04f,
+						     .follow = true},
+	.lines_below = 6};
 
 struct demo {
 	struct demo_base base;
@@ -92,8 +94,7 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 		return error;
 	}
 	bounds = bounds_of_row(demo);
-	error = actor_init_stage(env, &bounds, framing, &demo->base.stage);
-	demo->base.stage.camera.target[1] -= board_height_m;
+	error = actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 	return error;
 }
 

@@ -42,8 +42,13 @@ static const struct autoplay_step autoplay_steps[] = {
 
 static const float autoplay_s = 17.6f;
 
-static const struct camera_framing framing = {
-	.yaw_rad = 0.45f, .pitch_rad = 0.12f, .margin = 1.02f, .shift_x = 0.16f};
+static const struct actor_framing framing = {
+	.camera = {.yaw_rad = 0.45f,
+		.pitch_rad = 0.12f,
+		.margin = 1.08f,
+		.follow = true},
+	.label_rows = 9,
+	.label_bars = 8};
 
 struct demo {
 	struct demo_base base;
@@ -95,7 +100,7 @@ static int walker_prepare(struct demo *demo, const struct demo_env *env)
 		struct bounds bounds = bounds_of_moves(demo);
 
 		error = actor_init_stage(
-			env, &bounds, framing, &demo->base.stage);
+			env, &bounds, &framing, &demo->base.stage);
 	}
 	return error;
 }

@@ -77,21 +77,22 @@ void hud_finish(struct hud *hud, const struct gl *gl)
 	}
 }
 
-/* Chooses the largest face that fits; scales it where all are too small. */
-static void choose_face(struct hud *hud)
+/* The largest face that fits, scaled where all are too small. */
+const struct font_face *hud_face_for(
+	const struct font *font, int height, int *scale)
 {
-	const struct font *font = hud->font;
 	const struct font_face *largest = &font->face[font->face_count - 1];
-	int wanted = hud->height / EMS_PER_HEIGHT;
+	const struct font_face *chosen = &font->face[0];
+	int wanted = height / EMS_PER_HEIGHT;
 
-	hud->scale = wanted / largest->size;
-	hud->scale = hud->scale < 1 ? 1 : hud->scale;
-	hud->face = &font->face[0];
+	*scale = wanted / largest->size;
+	*scale = *scale < 1 ? 1 : *scale;
 	for (int i = 1; i < font->face_count; i++) {
-		if (font->face[i].size * hud->scale <= wanted) {
-			hud->face = &font->face[i];
+		if (font->face[i].size * *scale <= wanted) {
+			chosen = &font->face[i];
 		}
 	}
+	return chosen;
 }
 
 void hud_begin(struct hud *hud, int width, int height)
@@ -100,7 +101,7 @@ void hud_begin(struct hud *hud, int width, int height)
 	hud->height = height < 1 ? 1 : height;
 	hud->quad_count = 0;
 	memset(hud->stacked_px, 0, sizeof(hud->stacked_px));
-	choose_face(hud);
+	hud->face = hud_face_for(hud->font, hud->height, &hud->scale);
 }
 
 int hud_em(const struct hud *hud)

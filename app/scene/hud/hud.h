@@ -63,6 +63,13 @@ struct hud {
  */
 int hud_init(struct hud *hud, const struct gl *gl, const struct log *log);
 
+/*
+ * Returns the face for pictures of this height, and the pixels a texel of it in
+ * *scale.
+ */
+const struct font_face *hud_face_for(
+	const struct font *font, int height, int *scale);
+
 /* Deletes the texture. A hud that is all zero is allowed. */
 void hud_finish(struct hud *hud, const struct gl *gl);
 

@@ -51,14 +51,37 @@ static bool is_bottom(enum hud_corner corner)
 }
 
 /* The panel's width: three eighths of the picture's, within text's limits. */
-static int group_width(const struct hud *hud)
+static int width_for(int picture_width, int em)
 {
-	int min = eighths(hud, WIDTH_MIN), max = eighths(hud, WIDTH_MAX);
-	int available = hud->width - 2 * eighths(hud, MARGIN);
-	int width = hud->width * 3 / 8;
+	int min = em * WIDTH_MIN / 8, max = em * WIDTH_MAX / 8;
+	int available = picture_width - 2 * (em * MARGIN / 8);
+	int width = picture_width * 3 / 8;
 
 	width = width < min ? min : width > max ? max : width;
 	return width < available ? width : available;
+}
+
+static int group_width(const struct hud *hud)
+{
+	return width_for(hud->width, hud_em(hud));
+}
+
+struct hud_group_extent hud_group_extent_of(
+	int width, int height, int rows, int bars)
+{
+	int scale;
+	const struct font_face *face =
+		hud_face_for(&font_default, height, &scale);
+	int em = face->size * scale, line = face->line_height * scale;
+	int row = line + em * ROW_GAP / 8;
+	int bar = em * (BAR_GAP + BAR_HEIGHT + ROW_GAP) / 8;
+
+	return (struct hud_group_extent){
+		.column = width_for(width, em) + 2 * (em * MARGIN / 8),
+		.top = line + rows * row + bars * bar +
+			em * (2 * PADDING_Y + 2 * TITLE_GAP + 2 * MARGIN) / 8,
+		.line = line,
+	};
 }
 
 /* Adds the panel behind the rows, wider than they are by the padding. */

@@ -36,6 +36,20 @@ struct hud_group {
 	int first_quad;
 };
 
+/* The part of a picture that groups take, in pixels from its left and top. */
+struct hud_group_extent {
+	int column; /* width of the groups in a left corner */
+	int top;    /* height of a group in a top corner */
+	int line;   /* height of a line of text */
+};
+
+/*
+ * Returns what groups take of a picture of this size, where the one at the top
+ * has a title and this number of rows, some of them with bars.
+ */
+struct hud_group_extent hud_group_extent_of(
+	int width, int height, int rows, int bars);
+
 /* Begins a group; the title may be NULL. */
 struct hud_group hud_group_begin(
 	struct hud *hud, enum hud_corner corner, const char *title);

@@ -7,7 +7,9 @@
 #include <math.h>
 
 enum {
-	CLIP_STEPS = 12
+	CLIP_STEPS = 12,
+	CLIP_STEPS_LEAST = 2,
+	POSES_MAX = 104 /* of all clips together */
 };
 
 struct bounds bounds_empty(void)
@@ -149,7 +151,8 @@ void bounds_join(struct bounds *bounds, const struct bounds *other)
 	}
 }
 
-struct bounds bounds_of_clip(struct instance *instance, int clip)
+/* The box of a clip at steps + 1 times, or of the rest pose. */
+static struct bounds sample_clip(struct instance *instance, int clip, int steps)
 {
 	bool hold_normals = instance->hold_normals,
 	     normal_mapping = instance->normal_mapping;
@@ -161,18 +164,48 @@ struct bounds bounds_of_clip(struct instance *instance, int clip)
 		instance_update(instance);
 		return bounds_of_instance(instance);
 	}
-	for (int step = CLIP_STEPS; step >= 0; step--) {
+	for (int step = steps; step >= 0; step--) {
 		const struct model_clip *c = &instance->model->clip[clip];
 		struct bounds now;
 
-		clip_sample(c, c->duration_s * (float)step / CLIP_STEPS, &none,
-			&instance->pose);
+		clip_sample(c, c->duration_s * (float)step / (float)steps,
+			&none, &instance->pose);
 		/* Only the last sample's normals and tangents are kept. */
 		instance->hold_normals = hold_normals || step > 0;
 		instance->normal_mapping = normal_mapping && step == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
 		bounds_join(&all, &now);
+	}
+	return all;
+}
+
+struct bounds bounds_of_clip(struct instance *instance, int clip)
+{
+	return sample_clip(instance, clip, CLIP_STEPS);
+}
+
+struct bounds bounds_of_model(struct instance *instance, int clip)
+{
+	int count = instance->model->clip_count;
+	int steps = count > 0 ? POSES_MAX / count - 1 : 0;
+	struct bounds all;
+
+	steps = steps > CLIP_STEPS         ? CLIP_STEPS
+		: steps < CLIP_STEPS_LEAST ? CLIP_STEPS_LEAST
+					   : steps;
+	all = sample_clip(instance, -1, steps);
+	for (int i = 0; i < count; i++) {
+		if (i != clip) {
+			struct bounds bounds = sample_clip(instance, i, steps);
+
+			bounds_join(&all, &bounds);
+		}
+	}
+	if (clip >= 0) {
+		struct bounds bounds = sample_clip(instance, clip, CLIP_STEPS);
+
+		bounds_join(&all, &bounds);
 	}
 	return all;
 }

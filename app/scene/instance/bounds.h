@@ -36,6 +36,14 @@ void bounds_center(const struct bounds *bounds, float out[3]);
 struct bounds bounds_of_instance(const struct instance *instance);
 
 /*
+ * Returns the box of all clips, which are sampled the more coarsely the more
+ * there are, in scene units. Leaves the instance posed at the start of this
+ * clip, -1: at rest. It poses the whole instance about a hundred times at most,
+ * unless there are more clips than that.
+ */
+struct bounds bounds_of_model(struct instance *instance, int clip);
+
+/*
  * Returns the box of a clip, sampled at 13 evenly spaced times, in scene units;
  * -1 means the rest pose. Leaves the instance posed at the clip's start. It
  * poses the whole instance each time, so it is meant for load time.

@@ -18,7 +18,7 @@
 #ifndef APP_SCENE_OVERLAY_OVERLAY_H
 #define APP_SCENE_OVERLAY_OVERLAY_H
 
-#include "app/scene/hud/hud.h"
+#include "app/scene/hud/hud_group.h"
 #include "app/scene/overlay/overlay_ghost.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "app/scene/overlay/overlay_kind.h"
@@ -156,8 +156,8 @@ void overlay_clear_depth(struct overlay *overlay);
 void overlay_draw_bones(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
-/* Adds labels, curves and weights to the display. */
+/* Adds labels, curves and weights in a corner of the display. */
 void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	struct hud *hud);
+	enum hud_corner corner, struct hud *hud);
 
 #endif

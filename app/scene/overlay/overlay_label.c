@@ -191,7 +191,7 @@ static bool has_rows(const struct overlay *overlay)
 }
 
 void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	struct hud *hud)
+	enum hud_corner corner, struct hud *hud)
 {
 	struct hud_group group;
 	char title[64];
@@ -203,8 +203,7 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	if (overlay_shows(overlay, OVERLAY_KEYS) && overlay->chooses_target) {
 		mark_row(overlay, motion, hud);
 	}
-	group = hud_group_begin(
-		hud, HUD_BOTTOM_LEFT, has_rows(overlay) ? title : NULL);
+	group = hud_group_begin(hud, corner, has_rows(overlay) ? title : NULL);
 	if (!has_rows(overlay)) {
 		hud_group_text(&group, title, "");
 	}

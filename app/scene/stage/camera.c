@@ -7,7 +7,8 @@
 #include <cglm/cglm.h>
 
 enum {
-	YAW_STEPS = 9
+	YAW_STEPS = 9,
+	FIT_STEPS = 18
 };
 
 struct camera camera_default(void)
@@ -51,39 +52,199 @@ float camera_tan_half(float angle_rad)
 	return scalar_sin(0.5f * angle_rad) / scalar_cos(0.5f * angle_rad);
 }
 
+/* A corner of the box, of eight. */
+static void box_corner(const float half[3], int number, float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = number >> axis & 1 ? half[axis] : -half[axis];
+	}
+}
+
+/* The least distance at which a box around the target fits at every yaw. */
+static float distance_for_every_yaw(const struct camera *camera,
+	const float half[3], float tan_x, float tan_y)
+{
+	float farthest = 0.0f;
+
+	for (int i = 0; i < YAW_STEPS * 8; i++) {
+		float corner[3], right[3], up[3], back[3], distance;
+		float yaw = (float)(i / 8) * (2.0f * SCALAR_PI / YAW_STEPS);
+
+		box_corner(half, i % 8, corner);
+		view_axes(yaw, camera->pitch_rad, right, up, back);
+		distance = distance_for(corner, right, up, back, tan_x, tan_y);
+		farthest = distance > farthest ? distance : farthest;
+	}
+	return farthest > 0.0f ? farthest : 1.0f;
+}
+
+/* The box's corners in eye space, relative to the target. */
+struct seen_box {
+	float corner[8][3]; /* right, up, towards the eye */
+	float nearest;      /* the largest of the third numbers */
+	float fits_at;      /* a distance at which the box surely fits */
+};
+
+static struct seen_box see_box(
+	const struct camera *camera, float tan_x, float tan_y)
+{
+	struct seen_box box = {.nearest = 0.0f};
+	float axis[3][3];
+
+	view_axes(camera->yaw_rad, camera->pitch_rad, axis[0], axis[1], axis[2]);
+	for (int i = 0; i < 8; i++) {
+		float corner[3], distance;
+
+		box_corner(camera->fit.half, i, corner);
+		for (int k = 0; k < 3; k++) {
+			box.corner[i][k] = glm_vec3_dot(corner, axis[k]);
+		}
+		distance = distance_for(
+			corner, axis[0], axis[1], axis[2], tan_x, tan_y);
+		box.fits_at = distance > box.fits_at ? distance : box.fits_at;
+		if (box.corner[i][2] > box.nearest) {
+			box.nearest = box.corner[i][2];
+		}
+	}
+	return box;
+}
+
+/* The smallest and greatest slope of the box along an axis, at a distance. */
+static void slopes(const struct seen_box *box, int axis, float distance,
+	float *low, float *high)
+{
+	*low = *high = box->corner[0][axis] / (distance - box->corner[0][2]);
+	for (int i = 1; i < 8; i++) {
+		float slope =
+			box->corner[i][axis] / (distance - box->corner[i][2]);
+
+		*low = slope < *low ? slope : *low;
+		*high = slope > *high ? slope : *high;
+	}
+}
+
+/*
+ * Moves the camera to the least distance at which the box is no larger than the
+ * region, found by halving, and shifts the picture so that the box is in the
+ * region's middle.
+ */
+static void fit_box(struct camera *camera)
+{
+	const struct camera_region *region = &camera->fit.region;
+	float tan_y = camera_tan_half(camera->yfov_rad);
+	float tan_x = tan_y * camera->fit.aspect;
+	float wide = tan_x * (region->right - region->left);
+	float high = tan_y * (region->top - region->bottom);
+	struct seen_box box = see_box(camera, 0.5f * wide, 0.5f * high);
+	float far = box.fits_at, near = box.nearest * 1.02f;
+	float x[2], y[2];
+
+	for (int i = 0; i < FIT_STEPS; i++) {
+		float middle = 0.5f * (near + far);
+
+		slopes(&box, 0, middle, &x[0], &x[1]);
+		slopes(&box, 1, middle, &y[0], &y[1]);
+		if (x[1] - x[0] <= wide && y[1] - y[0] <= high) {
+			far = middle;
+		} else {
+			near = middle;
+		}
+	}
+	far = far > 0.0f ? far : 1.0f;
+	slopes(&box, 0, far, &x[0], &x[1]);
+	slopes(&box, 1, far, &y[0], &y[1]);
+	camera->shift_x =
+		0.5f * (region->left + region->right - (x[0] + x[1]) / tan_x);
+	camera->shift_y =
+		0.5f * (region->bottom + region->top - (y[0] + y[1]) / tan_y);
+	camera->distance = far * camera->fit.zoom;
+}
+
+/* The region within the margin. */
+static struct camera_region inner_region(
+	const struct camera_region *region, float margin)
+{
+	static const struct camera_region whole = {-1.0f, 1.0f, -1.0f, 1.0f};
+	struct camera_region in = region->right > region->left ? *region : whole;
+	float x = 0.5f * (in.right - in.left) * (1.0f - 1.0f / margin);
+	float y = 0.5f * (in.top - in.bottom) * (1.0f - 1.0f / margin);
+
+	return (struct camera_region){
+		in.left + x, in.right - x, in.bottom + y, in.top - y};
+}
+
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct camera_framing *framing)
 {
-	float tan_y = camera_tan_half(camera->yfov_rad) / framing->margin;
-	float half[3], farthest = 0.0f;
+	struct camera_region region =
+		inner_region(&framing->region, framing->margin);
+	float *half = camera->fit.half;
 
 	camera->yaw_rad = framing->yaw_rad;
 	camera->pitch_rad = framing->pitch_rad;
-	camera->shift_x = framing->shift_x;
+	camera->fit.on = framing->follow;
+	camera->fit.region = region;
+	camera->fit.aspect = framing->aspect;
+	camera->fit.zoom = 1.0f;
 	bounds_center(bounds, camera->target);
 	for (int axis = 0; axis < 3; axis++) {
 		half[axis] = bounds_is_empty(bounds)
 			? 0.5f
 			: 0.5f * (bounds->high[axis] - bounds->low[axis]);
+		half[axis] = scalar_clamp(half[axis], 0.0f, CAMERA_REACH);
 	}
-	for (int i = 0; i < YAW_STEPS * 8; i++) {
-		float corner[3], right[3], up[3], back[3], distance;
-		float yaw = (float)(i / 8) * (2.0f * SCALAR_PI / YAW_STEPS);
-
-		for (int axis = 0; axis < 3; axis++) {
-			corner[axis] = i >> axis & 1 ? half[axis] : -half[axis];
-		}
-		view_axes(yaw, camera->pitch_rad, right, up, back);
-		distance = distance_for(corner, right, up, back,
-			tan_y * framing->aspect, tan_y);
-		farthest = distance > farthest ? distance : farthest;
-	}
-	camera->distance = farthest > 0.0f ? farthest : 1.0f;
 	camera->radius = glm_vec3_norm(half) * 1.5f;
+	if (framing->follow) {
+		fit_box(camera);
+	} else {
+		float tan_y = 0.5f * (region.top - region.bottom) *
+			camera_tan_half(camera->yfov_rad);
+		float tan_x = 0.5f * (region.right - region.left) *
+			camera_tan_half(camera->yfov_rad) * framing->aspect;
+
+		camera->distance =
+			distance_for_every_yaw(camera, half, tan_x, tan_y);
+		camera->shift_x = 0.5f * (region.left + region.right);
+		camera->shift_y = 0.5f * (region.bottom + region.top);
+	}
+}
+
+void camera_set_region(struct camera *camera,
+	const struct camera_region *region, float margin, float aspect)
+{
+	camera->fit.region = inner_region(region, margin);
+	camera->fit.aspect = aspect;
+	if (camera->fit.on) {
+		fit_box(camera);
+	}
+}
+
+void camera_zoom(struct camera *camera, float factor)
+{
+	camera->fit.zoom *= factor;
+	camera->distance *= factor;
+}
+
+float camera_farthest(const struct camera *camera)
+{
+	struct camera turned = *camera;
+	float farthest = camera->distance;
+
+	for (int i = 0; camera->fit.on && i < YAW_STEPS; i++) {
+		turned.yaw_rad = (float)i * (2.0f * SCALAR_PI / YAW_STEPS);
+		fit_box(&turned);
+		if (turned.distance > farthest) {
+			farthest = turned.distance;
+		}
+	}
+	return farthest;
 }
 
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad)
 {
+	if (yaw_rad == 0.0f && pitch_rad == 0.0f) {
+		return;
+	}
 	camera->yaw_rad += yaw_rad;
 	if (camera->yaw_rad > SCALAR_PI) {
 		camera->yaw_rad -= 2.0f * SCALAR_PI;
@@ -93,6 +254,9 @@ void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad)
 	}
 	camera->pitch_rad =
 		scalar_clamp(camera->pitch_rad + pitch_rad, 0.02f, 1.5f);
+	if (camera->fit.on) {
+		fit_box(camera);
+	}
 }
 
 void camera_eye(const struct camera *camera, float out[3])
@@ -141,13 +305,14 @@ struct camera_frustum camera_frustum(
 	float far = 2.2f * camera->distance + 3.0f * camera->radius;
 	float top = near * camera_tan_half(camera->yfov_rad);
 	float half_width = top * (float)width / (float)height;
-	float shift = camera->shift_x * half_width;
+	float right = camera->shift_x * half_width;
+	float up = camera->shift_y * top;
 
 	return (struct camera_frustum){
-		.left = fx16_from_float(-half_width - shift),
-		.right = fx16_from_float(half_width - shift),
-		.bottom = -fx16_from_float(top),
-		.top = fx16_from_float(top),
+		.left = fx16_from_float(-half_width - right),
+		.right = fx16_from_float(half_width - right),
+		.bottom = fx16_from_float(-top - up),
+		.top = fx16_from_float(top - up),
 		.near = fx16_from_float(near),
 		.far = fx16_from_float(far),
 	};

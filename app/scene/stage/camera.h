@@ -8,15 +8,41 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/gl.h"
 
+#include <stdbool.h>
+
+/*
+ * Scene units. Matrices and frustums reach GL in 16.16 fixed point, so
+ * distances stay below 32768.
+ */
+#define CAMERA_REACH 2000.0f
+
+/* A rectangle of the picture; -1 is its left or lower edge, 1 the other one. */
+struct camera_region {
+	float left, right, bottom, top;
+};
+
+/* Keeps a box in a region of the picture while the camera orbits. */
+struct camera_fit {
+	bool on;
+	float half[3];               /* of the box's sides */
+	struct camera_region region; /* without the margin */
+	float aspect;                /* of the picture */
+	float zoom; /* factor of the distance; 1 shows the whole box */
+};
+
 struct camera {
 	float target[3]; /* scene units */
 	float distance;  /* from the target to the eye */
 	float yaw_rad;   /* 0 looks along -Z, at a model's front */
 	float pitch_rad; /* above the horizon */
 	float yfov_rad;
-	float radius;  /* around the target; nothing in it may be clipped */
-	float shift_x; /* how far right of the picture's middle the target
-			  appears, in halves of the picture's width */
+	float radius; /* around the target; nothing in it may be clipped */
+	/*
+	 * How far right of and above the picture's middle the target appears,
+	 * in halves of the picture's width and height.
+	 */
+	float shift_x, shift_y;
+	struct camera_fit fit;
 };
 
 /* Looks from the front, a little from the side and from above; 30 degrees. */
@@ -26,13 +52,32 @@ struct camera camera_default(void);
 struct camera_framing {
 	float aspect; /* of the picture: width / height */
 	float yaw_rad, pitch_rad;
-	float margin;  /* 1.1 leaves a tenth free around the box */
-	float shift_x; /* as camera.shift_x */
+	float margin; /* 1.1 leaves a tenth free around the box */
+	struct camera_region region; /* all zero: the whole picture */
+	/*
+	 * If true, the box fills the region as well as it can at each yaw and
+	 * pitch, for which the distance changes when the camera orbits. If
+	 * false, the distance is one at which the box fits at every yaw.
+	 */
+	bool follow;
 };
 
-/* Moves the camera so that the box fits the picture at every yaw. */
+/*
+ * Moves the camera so that the whole box is in the region of the picture. A box
+ * that extends farther than CAMERA_REACH from its centre is cut at that.
+ */
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct camera_framing *framing);
+
+/* The same box in another region of a picture of another aspect. */
+void camera_set_region(struct camera *camera,
+	const struct camera_region *region, float margin, float aspect);
+
+/* Multiplies the distance, which stays in proportion when the camera orbits. */
+void camera_zoom(struct camera *camera, float factor);
+
+/* Returns the greatest distance at any yaw, for ground to reach that far. */
+float camera_farthest(const struct camera *camera);
 
 /*
  * Adds to yaw and pitch. The pitch is clamped between the horizon and straight

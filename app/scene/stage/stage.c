@@ -25,7 +25,7 @@ int stage_init(struct stage *stage, const struct gl *gl,
 	stage->has_stencil = stencil_bits > 0;
 	/* The floor extends to below the camera. */
 	return floor_init(&stage->floor, gl, bounds,
-		1.1f * stage->camera.distance, target, log);
+		1.1f * camera_farthest(&stage->camera), target, log);
 }
 
 void stage_finish(struct stage *stage, const struct gl *gl)

@@ -60,18 +60,137 @@ static void test_frames_any_box_from_all_sides(void **state)
 	check_framing(box(0.01f, 0.03f, 0.01f), 1.0f);
 }
 
+/* A point's place in the picture that camera_frustum() describes. */
+static void project_shifted(const struct camera *camera, float aspect,
+	const float point[3], float out[2])
+{
+	project(camera, aspect, point, out);
+	out[0] += camera->shift_x;
+	out[1] += camera->shift_y;
+}
+
+struct extent {
+	float low[2], high[2];
+};
+
+static struct extent extent_of(
+	const struct camera *camera, float aspect, const struct bounds *bounds)
+{
+	struct extent extent = {{9.0f, 9.0f}, {-9.0f, -9.0f}};
+
+	for (int i = 0; i < 8; i++) {
+		float corner[3], at[2];
+
+		for (int axis = 0; axis < 3; axis++) {
+			corner[axis] = i >> axis & 1 ? bounds->high[axis]
+						     : bounds->low[axis];
+		}
+		project_shifted(camera, aspect, corner, at);
+		for (int k = 0; k < 2; k++) {
+			extent.low[k] = fminf(extent.low[k], at[k]);
+			extent.high[k] = fmaxf(extent.high[k], at[k]);
+		}
+	}
+	return extent;
+}
+
+/* The box is in the region, in its middle, and touches two of its edges. */
+static void check_region(const struct camera *camera, float aspect,
+	const struct bounds *bounds, const struct camera_region *region)
+{
+	struct extent e = extent_of(camera, aspect, bounds);
+	float wide = (e.high[0] - e.low[0]) / (region->right - region->left);
+	float high = (e.high[1] - e.low[1]) / (region->top - region->bottom);
+
+	assert_true(e.low[0] >= region->left - 1e-3f);
+	assert_true(e.high[0] <= region->right + 1e-3f);
+	assert_true(e.low[1] >= region->bottom - 1e-3f);
+	assert_true(e.high[1] <= region->top + 1e-3f);
+	assert_near(e.low[0] + e.high[0], region->left + region->right, 2e-3);
+	assert_near(e.low[1] + e.high[1], region->bottom + region->top, 2e-3);
+	assert_true(fmaxf(wide, high) > 0.98f);
+}
+
+static void check_following(struct bounds bounds, float aspect)
+{
+	const struct camera_framing framing = {.aspect = aspect,
+		.yaw_rad = 0.45f,
+		.pitch_rad = 0.16f,
+		.margin = 1.0f,
+		.region = {-0.3f, 1.0f, -1.0f, 0.8f},
+		.follow = true};
+	struct camera camera = camera_default();
+
+	camera_frame(&camera, &bounds, &framing);
+	for (int turn = 0; turn < 24; turn++) {
+		check_region(&camera, aspect, &bounds, &framing.region);
+		assert_true(
+			camera.distance <= camera_farthest(&camera) * 1.0001f);
+		camera_orbit(&camera, 0.2618f, turn < 12 ? 0.1f : -0.1f);
+	}
+}
+
+static void test_follows_any_box_around(void **state)
+{
+	static const float aspects[] = {0.75f, 4.0f / 3, 5.0f / 3, 16.0f / 9};
+	static const float sizes[][3] = {{6, 1, 0.2f}, {0.2f, 1, 6},
+		{3, 0.01f, 3}, {0.15f, 14, 0.15f}, {0.001f, 0.001f, 0.002f},
+		{450, 200, 300}, {0.5f, 0.5f, 20}};
+
+	(void)state;
+	for (size_t a = 0; a < 4; a++) {
+		for (size_t s = 0; s < 7; s++) {
+			struct bounds bounds =
+				box(sizes[s][0], sizes[s][1], sizes[s][2]);
+
+			check_following(bounds, aspects[a]);
+			bounds.low[0] += 300.0f;
+			bounds.high[0] += 300.0f;
+			if (sizes[s][1] > 0.1f) {
+				check_following(bounds, aspects[a]);
+			}
+		}
+	}
+}
+
+static void test_zoom_stays_when_the_camera_orbits(void **state)
+{
+	const struct camera_framing framing = {
+		.aspect = 0.75f, .margin = 1.1f, .follow = true};
+	struct camera camera = camera_default();
+	struct bounds bounds = box(2.0f, 1.0f, 0.5f);
+	float whole;
+
+	(void)state;
+	camera_frame(&camera, &bounds, &framing);
+	whole = camera.distance;
+	camera_zoom(&camera, 0.5f);
+	assert_near(camera.distance, 0.5 * whole, 1e-4);
+	camera_orbit(&camera, 1.0f, 0.0f);
+	camera_orbit(&camera, -1.0f, 0.0f);
+	assert_near(camera.distance, 0.5 * whole, 1e-3 * whole);
+}
+
 static void test_frames_nothing_without_dividing_by_zero(void **state)
 {
 	const struct camera_framing framing = {.aspect = 0.75f, .margin = 1.1f};
 	struct camera camera = camera_default();
 	struct bounds nothing = bounds_empty();
 	struct bounds point = box(0.0f, 0.0f, 0.0f);
+	struct camera_framing follows;
 
 	(void)state;
 	camera_frame(&camera, &nothing, &framing);
 	assert_true(camera.distance > 0.0f);
 	camera_frame(&camera, &point, &framing);
 	assert_true(camera.distance > 0.0f);
+	follows = framing;
+	follows.follow = true;
+	camera_frame(&camera, &nothing, &follows);
+	assert_true(camera.distance > 0.0f);
+	camera_frame(&camera, &point, &follows);
+	assert_true(camera.distance > 0.0f);
+	assert_true(isfinite(camera.shift_x) && isfinite(camera.shift_y));
 }
 
 static void test_view_puts_the_target_straight_ahead(void **state)
@@ -122,6 +241,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_frames_any_box_from_all_sides),
+		cmocka_unit_test(test_follows_any_box_around),
+		cmocka_unit_test(test_zoom_stays_when_the_camera_orbits),
 		cmocka_unit_test(test_frames_nothing_without_dividing_by_zero),
 		cmocka_unit_test(test_view_puts_the_target_straight_ahead),
 		cmocka_unit_test(test_view_at_yaw_zero_looks_at_the_front),

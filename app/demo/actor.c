@@ -1,5 +1,6 @@
 #include "app/demo/actor.h"
 
+#include "app/model/levels/levels.h"
 #include "app/scene/draw/draw.h"
 
 #include <errno.h>
@@ -20,6 +21,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
+	levels_make(actor->model);
 	error = instance_create(
 		actor->model, env->kernel, env->log, &actor->instance);
 	if (error) {

@@ -83,7 +83,9 @@ function addMeshes(glb) {
     const primitives = (mesh) => glb.json.meshes[mesh].primitives;
     const shapeError = SHAPE_ERROR * Math.max(...glb.json.meshes.map((_, m) =>
         extentOf(glb, m)));
-    const isList = (p) => p.indices !== undefined && (p.mode ?? 4) === 4;
+    // limber makes levels of moving faces at load, with more regard to shading.
+    const isList = (p) => p.indices !== undefined && (p.mode ?? 4) === 4 &&
+        !p.targets;
     for (let m = glb.json.meshes.length - 1; m >= 0; m--) {
         if (!primitives(m).every(isList)) continue;
         const others = neighboursOf(glb.json, m).flatMap(primitives);

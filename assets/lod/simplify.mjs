@@ -16,7 +16,6 @@ const COLOR_M = 0.04; // for a change from black to white
 const TEXTURE = 8; // for a metre by which the texture is displaced
 const WEIGHT_M = 0.5; // for a weight of 1: how far bending a limb moves the vertex
 const WEIGHT_SLOTS = 8;
-const FACE = 2; // the factor of errors in meshes with morph targets
 const SMALL_PARTS_FROM_M = 0.008; // from this error on, small parts may vanish
 
 const encode = (x) =>
@@ -60,16 +59,14 @@ function readPrimitive(glb, primitive) {
         texcoord: maybe(TEXCOORD_0),
         joint: maybe(JOINTS_0),
         weight: maybe(WEIGHTS_0),
-        target: (primitive.targets ?? []).map((t) =>
-            valuesOf(glb, t.POSITION).value),
         index: Array.from(valuesOf(glb, primitive.indices).value),
     };
 }
 
 // The attributes of each vertex in metres: normal, colour, texture coordinates,
-// then morph targets or influences.
+// then influences.
 function attributesOf(part, slots, directions) {
-    const { normal, color, texcoord, joint, weight, target } = part;
+    const { normal, color, texcoord, joint, weight } = part;
     const width = 8 + slots;
     const out = new Float32Array(part.position.count * width);
     const uv = texcoord ? textureScale(
@@ -84,10 +81,7 @@ function attributesOf(part, slots, directions) {
         for (let k = 0; k < 2; k++) {
             row[6 + k] = texcoord ? texcoord.value[v * 2 + k] * uv * TEXTURE : 0;
         }
-        target.forEach((t, i) => {
-            for (let k = 0; k < 3; k++) row[8 + i * 3 + k] = t[v * 3 + k];
-        });
-        for (let i = 0; joint && target.length === 0 && i < 4; i++) {
+        for (let i = 0; joint && i < 4; i++) {
             const w = weight.value[v * 4 + i] * WEIGHT_M;
             directions[joint.value[v * 4 + i]].forEach((d, k) => {
                 row[8 + k] += w * d;
@@ -108,8 +102,7 @@ function join(glb, primitives, others) {
     const joints = 1 + Math.max(0, ...parts.flatMap((p) =>
         (p.joint ? Array.from(p.joint.value) : [])));
     const directions = jointDirections(joints);
-    const slots = Math.max(...parts.map((p) =>
-        Math.max(p.target.length * 3, p.joint ? WEIGHT_SLOTS : 0)));
+    const slots = parts.some((p) => p.joint) ? WEIGHT_SLOTS : 0;
     const first = [];
     let count = 0;
     for (const part of parts) {
@@ -129,8 +122,8 @@ function join(glb, primitives, others) {
             part.index.map((v) => v + first[i]))) };
 }
 
-// For shadow levels: welds vertices of a primitive that have the same position,
-// targets and influences.
+// For shadow levels: welds vertices of a primitive that have the same position
+// and influences.
 function weld({ parts, first, count, position, attribute, width }) {
     const same = new Map();
     const weldTo = Uint32Array.from({ length: count }, (_, i) => i);
@@ -156,21 +149,6 @@ function simplify(group, index, error, used) {
         attribute, width, factor, lock, 0, error, flags)[0];
 }
 
-// The largest distance at rest and in the shape of each morph target.
-function measure(group, list) {
-    const { position, parts, first, index } = group;
-    const targets = Math.max(...parts.map((p) => p.target.length));
-    let worst = surfaceDistance(position, index, list);
-    for (let t = 0; t < targets; t++) {
-        const moved = position.slice();
-        parts.forEach((part, p) => part.target[t]?.forEach((d, i) => {
-            moved[first[p] * 3 + i] += d;
-        }));
-        worst = Math.max(worst, surfaceDistance(moved, index, list));
-    }
-    return worst;
-}
-
 // Splits the result into one index list for each primitive.
 function split({ parts, first }, list) {
     return parts.map((part, p) => {
@@ -186,21 +164,21 @@ function split({ parts, first }, list) {
 
 // Makes a level { error_m, index } for each allowed error in metres. error_m is
 // the measured distance, index holds a list for each primitive. With shape, only
-// positions, targets and influences count, and seams are welded. A level must
+// positions and influences count, and seams are welded. A level must
 // save a fraction (worth) of the triangles of the one before. others are the
 // primitives of the meshes that this mesh touches.
 export function makeLevels(glb, primitives, others, errors, shapeError, share) {
     const group = join(glb, primitives, others);
-    const counts = group.parts[0].target.length > 0 ? FACE : 1;
     const levels = [];
     let last = group.index.length;
     for (const error of errors) {
-        const list = simplify(group, group.index, error / counts, () => true);
+        const list = simplify(group, group.index, error, () => true);
         const index = split(group, list);
         // A primitive of a glTF file cannot be empty.
         if (index.every((part) => part.length > 0) &&
                 list.length <= last * (1 - share)) {
-            const error_m = measure(group, list) * counts;
+            const error_m = surfaceDistance(
+                group.position, group.index, list);
             // A coarser level may be nearer by chance; it then replaces this one.
             while (levels.at(-1)?.error_m >= error_m) levels.pop();
             levels.push({ error_m, index });
@@ -213,7 +191,8 @@ export function makeLevels(glb, primitives, others, errors, shapeError, share) {
     const index = split(group, list);
     if (index.every((part) => part.length > 0) &&
             list.length < group.index.length) {
-        levels.push({ error_m: measure(group, list), shape: true, index });
+        levels.push({ error_m: surfaceDistance(
+            group.position, group.index, list), shape: true, index });
     }
     return levels;
 }

@@ -26,11 +26,13 @@ enum {
 	HALF_RATE_BELOW_PX = 110,
 	THIRD_RATE_BELOW_PX = 64,
 	PLAIN_SHADOW_BELOW_PX = 110,
-	COARSE_BELOW_PX = 240, /* levels of detail may be off by more */
+	/* Levels of detail may be off by more. */
+	COARSE_BELOW_PX = 240,
+	FAR_BELOW_PX = 170,
 	RATES = 3
 };
 
-static const float coarse_error_px = 2.0f; /* of a level of detail */
+static const float coarse_error_px = 2.0f, far_error_px = 3.0f;
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its goal */
@@ -263,10 +265,11 @@ static void choose_lod(struct demo *demo, struct walker *walker)
 {
 	static const struct lod all = {.kind = LOD_ALL};
 	const struct actor *actor = &demo->base.actor;
-	float min_error_px = walker->height_px < COARSE_BELOW_PX
-		? glm_max(actor->min_error_px, coarse_error_px)
-		: actor->min_error_px;
-	struct lod lod = lod_relax(&actor->lod, min_error_px);
+	float error_px = walker->height_px < FAR_BELOW_PX ? far_error_px
+		: walker->height_px < COARSE_BELOW_PX     ? coarse_error_px
+							  : 0.0f;
+	struct lod lod =
+		lod_relax(&actor->lod, glm_max(actor->min_error_px, error_px));
 
 	lod_choose(walker->instance, demo->reducing ? &lod : &all,
 		walker->height_px / actor->extent);

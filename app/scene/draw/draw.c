@@ -78,9 +78,8 @@ struct arrays {
 	bool lit; /* pass the batch's normals */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
-	bool shadow; /* draw the proxy if it is the shorter list */
-	bool edges;  /* draw the triangles' edges */
-	int lod;     /* as drawable.lod, or drawable.shadow_lod */
+	bool edges;                   /* draw the triangles' edges */
+	const struct batch_lod *list; /* NULL: all triangles */
 };
 
 static void set_vertices(
@@ -132,12 +131,9 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
-	if (arrays->shadow && batch_has_shorter_proxy(batch, arrays->lod)) {
-		draw_list(gl, batch->proxy, batch->proxy_count, false);
-	} else if (arrays->lod > 0) {
-		const struct batch_lod *lod = &batch->lod[arrays->lod - 1];
-
-		draw_list(gl, lod->index, lod->index_count, arrays->edges);
+	if (arrays->list) {
+		draw_list(gl, arrays->list->index, arrays->list->index_count,
+			arrays->edges);
 	} else {
 		draw_list(gl, batch->index,
 			batch->index ? batch->index_count : batch->vertex_count,
@@ -169,6 +165,12 @@ static void set_surface(const struct gl *gl, const struct instance *instance,
 	}
 }
 
+static const struct batch_lod *shaded_list(
+	const struct drawable *drawable, const struct batch *batch)
+{
+	return drawable->lod > 0 ? &batch->lod[drawable->lod - 1] : NULL;
+}
+
 static void draw_shaded(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct batch *batch)
 {
@@ -179,7 +181,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 			.lit = true,
 			.texcoord = textured ? batch->texcoord : NULL,
 			.color = batch->color,
-			.lod = drawable->lod,
+			.list = shaded_list(drawable, batch),
 		});
 }
 
@@ -187,10 +189,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
-	const struct arrays bare = {.shadow = pass == DRAW_SHADOW,
-		.edges = pass == DRAW_EDGES,
-		.lod = pass == DRAW_EDGES ? drawable->lod
-					  : drawable->shadow_lod};
+	bool edges = pass == DRAW_EDGES;
 	bool shaded = pass == DRAW_SHADED;
 
 	if (shaded) {
@@ -206,10 +205,17 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 		gl->Enable(GL_CULL_FACE);
 	}
 	for (int i = 0; i < drawable->batch_count; i++) {
+		const struct batch *batch = &drawable->batch[i];
+
 		if (shaded) {
-			draw_shaded(gl, instance, drawable, &drawable->batch[i]);
+			draw_shaded(gl, instance, drawable, batch);
 		} else {
-			draw_batch(gl, &drawable->batch[i], &bare);
+			draw_batch(gl, batch,
+				&(struct arrays){.edges = edges,
+					.list = edges
+						? shaded_list(drawable, batch)
+						: drawable_shadow(
+							  drawable, batch)});
 		}
 	}
 }
@@ -239,7 +245,7 @@ static void draw_bump_mapped(const struct gl *gl,
 		&(struct arrays){
 			.texcoord = batch->texcoord,
 			.color = (const uint8_t(*)[4])drawable->light,
-			.lod = drawable->lod,
+			.list = shaded_list(drawable, batch),
 		});
 	set_surface(gl, instance, drawable, textures);
 	bump_begin_color_pass(gl);

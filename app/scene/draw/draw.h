@@ -14,7 +14,7 @@
 
 enum draw_pass {
 	DRAW_SHADED, /* with materials, textures and light */
-	DRAW_SHADOW, /* the shadow proxy's positions in the current colour */
+	DRAW_SHADOW, /* the list for shadows in the current colour */
 	DRAW_EDGES,  /* the shaded triangles' edges in the current colour */
 };
 

@@ -166,56 +166,59 @@ static const uint16_t *convert_list(const struct drawable *drawable,
 	return index;
 }
 
-/* The model's coarser lists, except those for shadows (shadow_proxy.h). */
+static int convert_lod(struct batch_lod *out, const struct drawable *drawable,
+	const struct model_lod *lod, struct arena *arena)
+{
+	*out = (struct batch_lod){
+		.error = lod->error_m,
+		.index_count = lod->index_count,
+		.index = convert_list(
+			drawable, lod->index, lod->index_count, arena),
+		.posed_lod = model_lod_of_size(
+			drawable->primitive, lod->index_count),
+	};
+	return out->index ? 0 : -ENOMEM;
+}
+
+/* The model's coarser lists, and those for shadows. */
 static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
+	size_t count = (size_t)primitive->lod_count;
+	int error = 0;
 
-	batch->lod = ARENA_ARRAY(
-		arena, struct batch_lod, (size_t)primitive->lod_count);
-	if (!batch->lod) {
+	batch->lod = ARENA_ARRAY(arena, struct batch_lod, count);
+	batch->shadow = ARENA_ARRAY(arena, struct batch_lod, count + 1);
+	if (!batch->lod || !batch->shadow) {
 		return -ENOMEM;
 	}
-	for (int i = 0; i < primitive->lod_count; i++) {
+	for (size_t i = 0; i < count && !error; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
-		struct batch_lod *to = &batch->lod[batch->lod_count];
 
-		if (lod->shadow_only) {
-			continue;
-		}
-		*to = (struct batch_lod){
-			.error = lod->error_m,
-			.index_count = lod->index_count,
-			.index = convert_list(
-				drawable, lod->index, lod->index_count, arena),
-		};
-		if (!to->index) {
-			return -ENOMEM;
-		}
-		batch->lod_count++;
+		error = convert_lod(lod->shadow_only
+				? &batch->shadow[batch->shadow_count++]
+				: &batch->lod[batch->lod_count++],
+			drawable, lod, arena);
 	}
-	return 0;
+	return error;
 }
 
-static bool has_shadow_list(const struct model_primitive *primitive)
-{
-	int count = primitive->lod_count;
-
-	return count > 0 && primitive->lod[count - 1].shadow_only;
-}
-
+/* What casts the shadow of a primitive without lists for shadows. */
 static int make_proxy(struct batch *batch, const struct drawable *drawable,
 	struct arena *arena)
 {
-	uint16_t *proxy;
-	int error = shadow_proxy_make(drawable->primitive,
-		inverse_order_of(drawable), arena, &proxy, &batch->proxy_count);
+	uint16_t *index;
+	int error, index_count;
 
-	batch->proxy = proxy;
-	batch->proxy_lod = has_shadow_list(drawable->primitive)
-		? model_lod_of_size(drawable->primitive, batch->proxy_count)
-		: 0;
+	if (batch->shadow_count > 0) {
+		return 0;
+	}
+	error = shadow_proxy_make(drawable->primitive,
+		inverse_order_of(drawable), arena, &index, &index_count);
+	batch->shadow[0] =
+		(struct batch_lod){.index_count = index_count, .index = index};
+	batch->shadow_count = 1;
 	return error;
 }
 

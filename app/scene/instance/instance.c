@@ -106,11 +106,11 @@ static int drawn_lod(const struct drawable *drawable)
 						       : drawable->shadow_lod;
 
 	for (int i = 0; i < drawable->batch_count; i++) {
-		const struct batch *batch = &drawable->batch[i];
+		const struct batch_lod *shadow =
+			drawable_shadow(drawable, &drawable->batch[i]);
 
-		if (batch_has_shorter_proxy(batch, drawable->shadow_lod) &&
-			batch->proxy_lod < lod) {
-			lod = batch->proxy_lod;
+		if (shadow && shadow->posed_lod < lod) {
+			lod = shadow->posed_lod;
 		}
 	}
 	return lod;

@@ -33,6 +33,8 @@ struct batch_lod {
 	float error; /* in the unit of the model's positions */
 	int index_count;
 	const uint16_t *index;
+	int posed_lod; /* of a list for shadows: posing the vertices of this
+			  level poses its own */
 };
 
 /*
@@ -57,10 +59,9 @@ struct batch {
 	const uint16_t *index; /* NULL: each three vertices are a triangle */
 	int lod_count;
 	struct batch_lod *lod; /* [lod_count], finest first */
-	/* Fewer triangles with nearly the same silhouette, or NULL. */
-	const uint16_t *proxy;
-	int proxy_count;
-	int proxy_lod; /* posing the vertices of this level poses the proxy's */
+	/* Fewer triangles with nearly the same silhouette, finest first. */
+	int shadow_count;
+	struct batch_lod *shadow; /* [shadow_count] */
 
 	/* The copies of a gathered batch, which each update writes. */
 	float (*gathered_position)[3];
@@ -68,14 +69,6 @@ struct batch {
 	struct fixed_vector *gathered_fixed;
 	struct fixed_vector *gathered_fixed_normal;
 };
-
-/* Whether the proxy has fewer triangles than the list of a level. */
-static inline bool batch_has_shorter_proxy(const struct batch *batch, int lod)
-{
-	return batch->proxy &&
-		(lod == 0 ||
-			batch->proxy_count <= batch->lod[lod - 1].index_count);
-}
 
 /* The vertices of a drawable in fixed point. */
 struct drawable_fixed {
@@ -112,9 +105,10 @@ struct drawable {
 	bool morphed;  /* the mesh has targets */
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
-	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
-	int shadow_lod;  /* the same for the shadow, if that list is shorter
-			    than the proxy */
+	int lod;        /* draws batch.lod[lod - 1]; 0: all triangles */
+	int shadow_lod; /* the same for the shadow, if that list is shorter
+			   than batch.shadow[shadow_list] */
+	int shadow_list;
 	int posed_lod;   /* the last update posed the vertices that this level
 			    and coarser ones use; 0: all */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
@@ -180,6 +174,20 @@ struct instance {
 	struct drawable *drawable;
 	int float_count; /* drawables in float because 16 bits do not suffice */
 };
+
+/* The list that draws a batch's shadow, or NULL: all triangles. */
+static inline const struct batch_lod *drawable_shadow(
+	const struct drawable *drawable, const struct batch *batch)
+{
+	const struct batch_lod *lod = drawable->shadow_lod > 0
+		? &batch->lod[drawable->shadow_lod - 1]
+		: NULL;
+	const struct batch_lod *own = drawable->shadow_list < batch->shadow_count
+		? &batch->shadow[drawable->shadow_list]
+		: NULL;
+
+	return own && (!lod || own->index_count <= lod->index_count) ? own : lod;
+}
 
 /* Returns the number of morph targets of the drawable's mesh. */
 static inline int drawable_target_count(

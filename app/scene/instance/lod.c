@@ -129,36 +129,46 @@ static float units_of(
 		instance->unit_scale;
 }
 
-static int coarsest(const struct batch *batch, float error)
+/* How many lists there are up to the coarsest of at most this error. */
+static int coarsest(const struct batch_lod *list, int count, float error)
 {
 	int lod = 0;
 
-	while (lod < batch->lod_count && batch->lod[lod].error <= error) {
+	while (lod < count && list[lod].error <= error) {
 		lod++;
 	}
 	return lod;
 }
 
-/* The coarsest list whose error is at most tolerance times the limit. */
-static int lod_of(const struct instance *instance,
-	const struct drawable *drawable, const struct lod *lod, float tolerance)
+/* The error that the limit is at the drawable's distance; -1 for none. */
+static float allowed_error(const struct instance *instance,
+	const struct drawable *drawable, const struct lod *lod)
+{
+	float units = units_of(instance, drawable) * instance->lod_px_per_unit;
+
+	return (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) && units > 0.0f
+		? error_px(lod) / units
+		: -1.0f;
+}
+
+static void choose_of_drawable(const struct instance *instance,
+	struct drawable *drawable, const struct lod *lod)
 {
 	const struct batch *batch = drawable->batch;
-	float units;
+	float error = allowed_error(instance, drawable, lod);
+	int level = lod->kind == LOD_LEVEL ? lod->level : 0;
+	int shadow;
 
-	switch (lod->kind) {
-	case LOD_ALL:
-		return 0;
-	case LOD_LEVEL:
-		return lod->level < batch->lod_count ? lod->level
-						     : batch->lod_count;
-	case LOD_AUTO:
-	case LOD_ERROR:
-		break;
+	level = level < batch->lod_count ? level : batch->lod_count;
+	if (error < 0.0f) {
+		drawable->lod = drawable->shadow_lod = level;
+		return;
 	}
-	units = units_of(instance, drawable) * instance->lod_px_per_unit;
-	return units > 0.0f ? coarsest(batch, tolerance * error_px(lod) / units)
-			    : 0;
+	drawable->lod = coarsest(batch->lod, batch->lod_count, error);
+	error *= LOD_SHADOW_TOLERANCE;
+	drawable->shadow_lod = coarsest(batch->lod, batch->lod_count, error);
+	shadow = coarsest(batch->shadow, batch->shadow_count, error);
+	drawable->shadow_list = shadow > 0 ? shadow - 1 : 0;
 }
 
 void lod_choose(
@@ -173,10 +183,9 @@ void lod_choose(
 		struct drawable *drawable = &instance->drawable[i];
 
 		drawable->lod = drawable->shadow_lod = 0;
+		drawable->shadow_list = 0;
 		if (drawable->batch_count > 0) {
-			drawable->lod = lod_of(instance, drawable, lod, 1.0f);
-			drawable->shadow_lod = lod_of(
-				instance, drawable, lod, LOD_SHADOW_TOLERANCE);
+			choose_of_drawable(instance, drawable, lod);
 		}
 	}
 }

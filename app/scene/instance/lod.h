@@ -4,9 +4,10 @@
  * A model may have coarser triangle lists over the same vertices (model_lod),
  * each with its geometric error. An instance is drawn with the coarsest lists
  * whose error is at most a limit in pixels where the instance is nearest to the
- * eye. limber's own models state the error that 99 of 100 surface points keep
- * within; their mean error is a quarter of it. Shadows have a list of their own
- * (shadow_proxy.h), and influence_cap.h limits the influences of a vertex.
+ * eye. An error is what 99 of 100 surface points keep within; the mean is a
+ * quarter of it. A model whose file has no levels gets them when it is loaded
+ * (app/model/levels). Shadows have lists of their own, and influence_cap.h
+ * limits the influences of a vertex.
  */
 #ifndef APP_SCENE_INSTANCE_LOD_H
 #define APP_SCENE_INSTANCE_LOD_H
@@ -26,9 +27,9 @@ struct lod {
 	int level;
 };
 
-#define LOD_ERROR_PX         1.0f
+#define LOD_ERROR_PX         1.5f
 /* A shadow may be off by so many times the error that its figure may have. */
-#define LOD_SHADOW_TOLERANCE 1.5f
+#define LOD_SHADOW_TOLERANCE 3.0f
 
 /*
  * Parses "auto", "off", "level:N" or a number of pixels up to 100. Returns

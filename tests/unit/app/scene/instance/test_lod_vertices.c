@@ -1,5 +1,6 @@
 /* Updates that pose only the vertices that the chosen lists draw. */
 #include "app/anim/clip.h"
+#include "app/model/levels/levels.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/lod.h"
 #include "tests/support/test.h"
@@ -28,6 +29,7 @@ static struct scene begin(const char *kernel, create_function *create)
 
 	assert_int_equal(
 		model_load("assets/walker.glb", &nowhere, &scene.model), 0);
+	levels_make(scene.model);
 	assert_int_equal(create(scene.model, kernel_find(kernel), &nowhere,
 				 &scene.instance),
 		0);
@@ -106,7 +108,7 @@ static void assert_same_drawing(
 	const struct drawable *drawable, const struct drawable *all)
 {
 	const struct batch *batch = drawable->batch;
-	int shadow = drawable->shadow_lod;
+	const struct batch_lod *shadow = drawable_shadow(drawable, batch);
 
 	if (drawable->lod > 0) {
 		const struct batch_lod *lod = &batch->lod[drawable->lod - 1];
@@ -116,13 +118,8 @@ static void assert_same_drawing(
 		assert_drawn_as_in(
 			drawable, all, batch->index, batch->index_count);
 	}
-	if (batch_has_shorter_proxy(batch, shadow)) {
-		assert_drawn_as_in(
-			drawable, all, batch->proxy, batch->proxy_count);
-	} else {
-		assert_drawn_as_in(drawable, all, batch->lod[shadow - 1].index,
-			batch->lod[shadow - 1].index_count);
-	}
+	assert_non_null(shadow);
+	assert_drawn_as_in(drawable, all, shadow->index, shadow->index_count);
 }
 
 static void test_each_level_has_the_vertices_that_it_draws(void **state)

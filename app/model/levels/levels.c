@@ -1,0 +1,315 @@
+#include "app/model/levels/levels.h"
+
+#include "app/model/levels/simplify.h"
+#include "platform/base/compiler.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	TRIANGLES_MIN = 150, /* what fewer cost is not worth a level */
+	VERTICES_MAX = 65536,
+	LEVELS_MAX = 12,
+};
+
+/* The limits of collapses, in fractions of the longest side. */
+static const float shaded_limits[] = {
+	0.0004f, 0.0008f, 0.0016f, 0.003f, 0.0055f, 0.01f, 0.018f, 0.03f};
+static const float shadow_limits[] = {0.0016f, 0.003f, 0.006f, 0.012f, 0.025f};
+/*
+ * 99 of 100 points of the surface are at most so many limits away, as measured
+ * with assets/lod/distance.mjs.
+ */
+static const float shaded_factor = 1.0f, shadow_factor = 2.0f;
+static const float worth =
+	0.2f; /* the part of the triangles that a level saves */
+
+/* A vertex of a primitive, to find others at its position. */
+struct place {
+	float position[3];
+	int primitive, vertex;
+};
+
+static int compare_places(const void *left, const void *right)
+{
+	const struct place *a = left, *b = right;
+
+	for (int i = 0; i < 3; i++) {
+		if (a->position[i] != b->position[i]) {
+			return a->position[i] < b->position[i] ? -1 : 1;
+		}
+	}
+	return a->primitive - b->primitive;
+}
+
+static bool are_together(const struct place *a, const struct place *b)
+{
+	return memcmp(a->position, b->position, sizeof(a->position)) == 0;
+}
+
+/* The primitives that share borders: those of a mesh, and all that are skinned. */
+struct group {
+	int count;
+	struct model_primitive **primitive;
+	int *target_count;
+	bool **shared; /* of each primitive by vertex */
+	size_t vertex_count;
+	float extent; /* the longest side of the box around them */
+};
+
+static int init_group(
+	struct group *group, const struct model *model, struct arena *arena)
+{
+	size_t most = 0;
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		most += (size_t)model->mesh[m].primitive_count;
+	}
+	group->primitive = ARENA_ARRAY(arena, struct model_primitive *, most);
+	group->target_count = ARENA_ARRAY(arena, int, most);
+	group->shared = ARENA_ARRAY(arena, bool *, most);
+	return group->primitive && group->target_count && group->shared ? 0 : -1;
+}
+
+static bool is_skinned(const struct model_mesh *mesh)
+{
+	return mesh->primitive_count > 0 && mesh->primitive[0].influences > 0;
+}
+
+/* Mesh -1 stands for all skinned ones. */
+static void gather_group(
+	struct group *group, const struct model *model, int mesh)
+{
+	group->count = 0;
+	group->vertex_count = 0;
+	for (int m = 0; m < model->mesh_count; m++) {
+		struct model_mesh *own = &model->mesh[m];
+		bool wanted = mesh < 0 ? is_skinned(own) : m == mesh;
+
+		for (int p = 0; wanted && p < own->primitive_count; p++) {
+			group->primitive[group->count] = &own->primitive[p];
+			group->target_count[group->count] = own->target_count;
+			group->vertex_count +=
+				(size_t)own->primitive[p].vertex_count;
+			group->count++;
+		}
+	}
+}
+
+static void measure(struct group *group)
+{
+	float low[3], high[3];
+	bool first = true;
+
+	for (int p = 0; p < group->count; p++) {
+		const struct model_primitive *primitive = group->primitive[p];
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			for (int i = 0; i < 3; i++) {
+				float at = primitive->position[v][i];
+
+				low[i] = first || at < low[i] ? at : low[i];
+				high[i] = first || at > high[i] ? at : high[i];
+			}
+			first = false;
+		}
+	}
+	group->extent = 0.0f;
+	for (int i = 0; i < 3 && !first; i++) {
+		float side = high[i] - low[i];
+
+		group->extent = side > group->extent ? side : group->extent;
+	}
+}
+
+static int list_places(
+	const struct group *group, struct arena *arena, struct place **out)
+{
+	struct place *next;
+
+	*out = next = ARENA_ARRAY(arena, struct place, group->vertex_count);
+	for (int p = 0; next && p < group->count; p++) {
+		const struct model_primitive *primitive = group->primitive[p];
+
+		group->shared[p] = ARENA_ARRAY(
+			arena, bool, (size_t)primitive->vertex_count);
+		if (!group->shared[p]) {
+			return -1;
+		}
+		for (int v = 0; v < primitive->vertex_count; v++, next++) {
+			memcpy(next->position, primitive->position[v],
+				sizeof(next->position));
+			next->primitive = p;
+			next->vertex = v;
+		}
+	}
+	return *out ? 0 : -1;
+}
+
+/* Marks the vertices at whose position another primitive has one too. */
+static int find_shared(const struct group *group, struct arena *arena)
+{
+	struct place *place;
+	size_t end;
+
+	if (list_places(group, arena, &place) != 0) {
+		return -1;
+	}
+	qsort(place, group->vertex_count, sizeof(*place), compare_places);
+	for (size_t i = 0; i < group->vertex_count; i = end) {
+		end = i + 1;
+		while (end < group->vertex_count &&
+			are_together(&place[i], &place[end])) {
+			end++;
+		}
+		for (size_t j = i;
+			place[end - 1].primitive != place[i].primitive && j < end;
+			j++) {
+			group->shared[place[j].primitive][place[j].vertex] =
+				true;
+		}
+	}
+	return 0;
+}
+
+/* Levels under way, of one kind. */
+struct levels {
+	int count;
+	struct model_lod lod[LEVELS_MAX];
+	int last_count; /* indices of the finest list, or of the last level */
+};
+
+static bool add_level(struct levels *levels, const struct simplify *simplify,
+	float limit, struct arena *arena)
+{
+	size_t count = (size_t)simplify->index_count;
+	uint32_t *index;
+
+	if (count == 0 || levels->count == LEVELS_MAX ||
+		(float)count > (1.0f - worth) * (float)levels->last_count) {
+		return true;
+	}
+	index = ARENA_ARRAY(arena, uint32_t, count);
+	if (!index) {
+		return false;
+	}
+	memcpy(index, simplify->index, count * sizeof(*index));
+	levels->lod[levels->count++] = (struct model_lod){
+		.error_m = limit * simplify->extent *
+			(simplify->shape_only ? shadow_factor : shaded_factor),
+		.shadow_only = simplify->shape_only,
+		.index_count = simplify->index_count,
+		.index = index,
+	};
+	levels->last_count = simplify->index_count;
+	return true;
+}
+
+static void make_lists(struct levels *levels, const struct simplify_input *input,
+	const float *limit, int limit_count, struct model *model)
+{
+	struct simplify simplify;
+	bool fits = simplify_begin(&simplify, input, model->budget) == 0;
+
+	levels->last_count = input->index_count;
+	for (int i = 0; fits && i < limit_count; i++) {
+		simplify_until(&simplify, limit[i]);
+		fits = add_level(levels, &simplify, limit[i], &model->arena);
+	}
+	simplify_end(&simplify);
+}
+
+/* The levels that the file has come first, and lists for shadows last. */
+static void join_levels(struct model_primitive *primitive,
+	const struct levels *shaded, const struct levels *shadow,
+	struct arena *arena)
+{
+	int count = primitive->lod_count + shaded->count + shadow->count;
+	struct model_lod *lod =
+		ARENA_ARRAY(arena, struct model_lod, (size_t)count);
+
+	if (!lod) {
+		return;
+	}
+	if (primitive->lod_count > 0) {
+		memcpy(lod, primitive->lod,
+			(size_t)primitive->lod_count * sizeof(*lod));
+	}
+	memcpy(lod + primitive->lod_count, shaded->lod,
+		(size_t)shaded->count * sizeof(*lod));
+	memcpy(lod + primitive->lod_count + shaded->count, shadow->lod,
+		(size_t)shadow->count * sizeof(*lod));
+	primitive->lod = lod;
+	primitive->lod_count = count;
+}
+
+static void add_to_primitive(
+	struct model *model, const struct group *group, int number)
+{
+	struct model_primitive *primitive = group->primitive[number];
+	int own = primitive->lod_count;
+	bool has_shadow = own > 0 && primitive->lod[own - 1].shadow_only;
+	struct simplify_input input = {
+		.primitive = primitive,
+		.target_count = group->target_count[number],
+		.index = primitive->index,
+		.index_count = primitive->index_count,
+		.extent = group->extent,
+		.shared = group->shared[number],
+	};
+	struct levels shaded = {0}, shadow = {0};
+
+	if (!primitive->normal || primitive->index_count < 3 * TRIANGLES_MIN ||
+		primitive->vertex_count > VERTICES_MAX) {
+		return;
+	}
+	if (own == 0) {
+		make_lists(&shaded, &input, shaded_limits,
+			(int)ARRAY_COUNT(shaded_limits), model);
+	}
+	input.shape_only = true;
+	for (int i = 0; i < shaded.count &&
+		shaded.lod[i].error_m <=
+			shadow_limits[0] * shaded_factor * group->extent;
+		i++) {
+		input.index = shaded.lod[i].index;
+		input.index_count = shaded.lod[i].index_count;
+	}
+	if (has_shadow) {
+		input.index = primitive->lod[own - 1].index;
+		input.index_count = primitive->lod[own - 1].index_count;
+	}
+	make_lists(&shadow, &input, shadow_limits,
+		(int)ARRAY_COUNT(shadow_limits), model);
+	join_levels(primitive, &shaded, &shadow, &model->arena);
+}
+
+static void add_to_group(struct model *model, struct group *group, int mesh)
+{
+	struct arena scratch = arena_within(model->budget);
+
+	gather_group(group, model, mesh);
+	measure(group);
+	if (group->extent > 0.0f && find_shared(group, &scratch) == 0) {
+		for (int p = 0; p < group->count; p++) {
+			add_to_primitive(model, group, p);
+		}
+	}
+	arena_release(&scratch);
+}
+
+void levels_make(struct model *model)
+{
+	struct arena scratch = arena_within(model->budget);
+	struct group group;
+
+	if (init_group(&group, model, &scratch) == 0) {
+		add_to_group(model, &group, -1);
+		for (int m = 0; m < model->mesh_count; m++) {
+			if (!is_skinned(&model->mesh[m])) {
+				add_to_group(model, &group, m);
+			}
+		}
+	}
+	arena_release(&scratch);
+}

@@ -1,0 +1,22 @@
+/*
+ * Levels of detail for primitives whose file has none.
+ *
+ * A level is a coarser triangle list over the vertices of its primitive
+ * (struct model_lod), so that posing and attributes stay as they are. Lists for
+ * shadows keep only the shape.
+ */
+#ifndef APP_MODEL_LEVELS_LEVELS_H
+#define APP_MODEL_LEVELS_LEVELS_H
+
+#include "app/model/model.h"
+
+/*
+ * Adds levels to the primitives of a loaded model that have none, and coarser
+ * lists for shadows to all. It takes some 2,000 instructions a triangle.
+ * Primitives without normals, of few triangles, or of more than 65,536 vertices
+ * stay as they are. Memory comes from the model's budget; where that is too
+ * small, levels are left out.
+ */
+void levels_make(struct model *model);
+
+#endif

@@ -1,0 +1,246 @@
+#include "app/model/levels/simplify_choose.h"
+
+#include "app/model/levels/simplify_error.h"
+#include "platform/base/scalar.h"
+
+#include <float.h>
+
+enum {
+	TRIES = 3 /* neighbours that a vertex may collapse to */
+};
+
+/* A triangle may turn by so much: the cosine. */
+static const float least_cosine = 0.25f;
+
+static void keep(struct simplify *simplify, uint32_t leader)
+{
+	uint32_t vertex = leader;
+
+	do {
+		simplify->to[vertex] = vertex;
+		vertex = simplify->next[vertex];
+	} while (vertex != leader);
+}
+
+/* Whether a leader's vertex is a corner of a triangle at present. */
+static bool is_used(
+	const struct simplify *simplify, uint32_t leader, uint32_t vertex)
+{
+	for (uint32_t i = simplify->first_triangle[leader];
+		i < simplify->first_triangle[leader + 1]; i++) {
+		uint32_t t = simplify->triangle[i];
+		int corner = simplify_mesh_corner(simplify, t, leader);
+
+		if (simplify->index[t + (uint32_t)corner] == vertex) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * Sets where each vertex of a leader goes: to the vertex of the other leader in
+ * a triangle that has both. False if one has no such triangle or two choices.
+ */
+static bool pair_vertices(struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	uint32_t vertex = from;
+
+	for (uint32_t i = simplify->first_triangle[from];
+		i < simplify->first_triangle[from + 1]; i++) {
+		uint32_t t = simplify->triangle[i];
+		const uint32_t *at = simplify->index + t;
+		uint32_t v, u;
+
+		if (!simplify_mesh_has(simplify, t, to)) {
+			continue;
+		}
+		v = at[simplify_mesh_corner(simplify, t, from)];
+		u = at[simplify_mesh_corner(simplify, t, to)];
+		if (simplify->to[v] != v && simplify->to[v] != u) {
+			return false;
+		}
+		simplify->to[v] = u;
+	}
+	do {
+		if (simplify->to[vertex] == vertex &&
+			is_used(simplify, from, vertex)) {
+			return false;
+		}
+		vertex = simplify->next[vertex];
+	} while (vertex != from);
+	return true;
+}
+
+static void find_normal(
+	const float a[3], const float b[3], const float c[3], float out[3])
+{
+	float u[3], v[3];
+
+	for (int i = 0; i < 3; i++) {
+		u[i] = b[i] - a[i];
+		v[i] = c[i] - a[i];
+	}
+	out[0] = u[1] * v[2] - u[2] * v[1];
+	out[1] = u[2] * v[0] - u[0] * v[2];
+	out[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+/* Whether a collapse would turn a triangle over, or far, or make it a line. */
+static bool turns_over(
+	const struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	for (uint32_t i = simplify->first_triangle[from];
+		i < simplify->first_triangle[from + 1]; i++) {
+		uint32_t t = simplify->triangle[i];
+		int corner = simplify_mesh_corner(simplify, t, from);
+		uint32_t b = simplify->index[t + (uint32_t)(corner + 1) % 3];
+		uint32_t c = simplify->index[t + (uint32_t)(corner + 2) % 3];
+		float old[3], new[3], product, lengths;
+
+		/* Neighbours may have collapsed in this pass. */
+		b = simplify->leader[simplify->to[b]];
+		c = simplify->leader[simplify->to[c]];
+		if (b == to || c == to || b == c || b == from || c == from) {
+			continue;
+		}
+		find_normal(simplify->position[from], simplify->position[b],
+			simplify->position[c], old);
+		find_normal(simplify->position[to], simplify->position[b],
+			simplify->position[c], new);
+		product = old[0] * new[0] + old[1] * new[1] + old[2] * new[2];
+		if (old[0] == 0.0f && old[1] == 0.0f && old[2] == 0.0f) {
+			continue;
+		}
+		lengths = (old[0] * old[0] + old[1] * old[1] + old[2] * old[2]) *
+			(new[0] * new[0] + new[1] * new[1] + new[2] * new[2]);
+		if (product <= least_cosine * scalar_sqrt(lengths)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Both ends of an edge have only the neighbours of its triangles in common. */
+static bool stays_surface(struct simplify *simplify,
+	const struct simplify_ring *ring, uint32_t to, bool border)
+{
+	uint32_t mark = ++simplify->mark_value;
+	int common = 0;
+
+	for (int i = 0; i < ring->count; i++) {
+		simplify->mark[ring->neighbour[i]] = mark;
+	}
+	for (uint32_t i = simplify->first_triangle[to];
+		i < simplify->first_triangle[to + 1]; i++) {
+		const uint32_t *at = simplify->index + simplify->triangle[i];
+
+		for (int j = 0; j < 3; j++) {
+			uint32_t leader = simplify->leader[at[j]];
+
+			if (leader != to && simplify->mark[leader] == mark) {
+				common++;
+				simplify->mark[leader] = mark - 1;
+			}
+		}
+	}
+	return common == (border ? 1 : 2);
+}
+
+static bool is_allowed(struct simplify *simplify,
+	const struct simplify_ring *ring, uint32_t from, uint32_t to)
+{
+	int i = 0;
+
+	while (i < ring->count && ring->neighbour[i] != to) {
+		i++;
+	}
+	return i < ring->count && (ring->border_count == 0 || ring->border[i]) &&
+		stays_surface(simplify, ring, to, ring->border[i]) &&
+		!turns_over(simplify, from, to) &&
+		pair_vertices(simplify, from, to);
+}
+
+/* The error of a collapse; negative if it is not allowed. */
+static float measure(struct simplify *simplify, const struct simplify_ring *ring,
+	uint32_t from, uint32_t to, float shape)
+{
+	float attributes = -1.0f;
+
+	if (is_allowed(simplify, ring, from, to)) {
+		attributes = simplify_error_of_attributes(simplify, from, to);
+	}
+	keep(simplify, from);
+	return attributes < 0.0f
+		? -1.0f
+		: scalar_sqrt(shape * shape + attributes * attributes);
+}
+
+/* The neighbours by their error of shape, those of a border along it alone. */
+static int list_nearest(const struct simplify *simplify,
+	const struct simplify_ring *ring, uint32_t from,
+	struct simplify_collapse nearest[TRIES])
+{
+	int count = 0;
+
+	for (int i = 0; i < ring->count; i++) {
+		struct simplify_collapse own = {from, ring->neighbour[i], 0.0f};
+		int at;
+
+		if (ring->border_count > 0 && !ring->border[i]) {
+			continue;
+		}
+		own.error = simplify_error_of_shape(simplify, from, own.to);
+		at = count < TRIES ? count++ : TRIES;
+		for (; at > 0 && own.error < nearest[at - 1].error; at--) {
+			if (at < TRIES) {
+				nearest[at] = nearest[at - 1];
+			}
+		}
+		if (at < TRIES) {
+			nearest[at] = own;
+		}
+	}
+	return count;
+}
+
+void simplify_choose(struct simplify *simplify, uint32_t from, float limit)
+{
+	struct simplify_collapse nearest[TRIES];
+	struct simplify_collapse best = {from, from, FLT_MAX};
+	struct simplify_ring ring;
+	int tries = 0;
+
+	if (simplify->first_triangle[from] < simplify->first_triangle[from + 1] &&
+		simplify_mesh_ring(simplify, from, &ring)) {
+		tries = list_nearest(simplify, &ring, from, nearest);
+	}
+	if (tries > 0 && nearest[0].error > limit) {
+		simplify->best[from] = nearest[0];
+		simplify->known[from] = SIMPLIFY_BOUND;
+		return;
+	}
+	for (int i = 0; i < tries && nearest[i].error < best.error; i++) {
+		float error = measure(
+			simplify, &ring, from, nearest[i].to, nearest[i].error);
+
+		if (error >= 0.0f && error < best.error) {
+			best.to = nearest[i].to;
+			best.error = error;
+		}
+	}
+	simplify->best[from] = best;
+	simplify->known[from] = SIMPLIFY_BEST;
+}
+
+bool simplify_choose_again(struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	struct simplify_ring ring;
+
+	if (simplify_mesh_ring(simplify, from, &ring) &&
+		is_allowed(simplify, &ring, from, to)) {
+		return true;
+	}
+	keep(simplify, from);
+	return false;
+}

@@ -1,0 +1,403 @@
+#include "app/model/levels/simplify_error.h"
+
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+/*
+ * What a unit of an attribute looks as bad as, in fractions of the longest
+ * side; of weights, what bending a limb moves a vertex by.
+ */
+static const float normal_distance = 0.005f;
+static const float color_distance = 0.05f; /* from black to white */
+static const float weight_distance = 0.05f;
+static const float texture_factor = 1.0f;
+static const float border_weight = 10.0f;
+
+static void subtract(const float a[3], const float b[3], float out[3])
+{
+	out[0] = a[0] - b[0];
+	out[1] = a[1] - b[1];
+	out[2] = a[2] - b[2];
+}
+
+static void cross(const float a[3], const float b[3], float out[3])
+{
+	out[0] = a[1] * b[2] - a[2] * b[1];
+	out[1] = a[2] * b[0] - a[0] * b[2];
+	out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void add(struct simplify_quadric *to, const struct simplify_quadric *q)
+{
+	to->xx += q->xx;
+	to->yy += q->yy;
+	to->zz += q->zz;
+	to->xy += q->xy;
+	to->xz += q->xz;
+	to->yz += q->yz;
+	to->x += q->x;
+	to->y += q->y;
+	to->z += q->z;
+	to->constant += q->constant;
+	to->weight += q->weight;
+}
+
+/* The plane through a point, of a unit normal, with a weight. */
+static void add_plane(struct simplify_quadric *to, const float n[3],
+	const float point[3], float weight)
+{
+	float d = -dot(n, point);
+	const struct simplify_quadric plane = {
+		n[0] * n[0] * weight,
+		n[1] * n[1] * weight,
+		n[2] * n[2] * weight,
+		n[0] * n[1] * weight,
+		n[0] * n[2] * weight,
+		n[1] * n[2] * weight,
+		n[0] * d * weight,
+		n[1] * d * weight,
+		n[2] * d * weight,
+		d * d * weight,
+		weight,
+	};
+
+	add(to, &plane);
+}
+
+static bool has_unit_length(float v[3])
+{
+	float length = scalar_sqrt(dot(v, v));
+
+	for (int i = 0; i < 3 && length > 0.0f; i++) {
+		v[i] /= length;
+	}
+	return length > 0.0f;
+}
+
+/* A border keeps its line: planes through it, upright on its triangles. */
+static void add_border(struct simplify *simplify, uint32_t a, uint32_t b,
+	const float normal[3])
+{
+	const float *from = simplify->position[a];
+	float along[3], upright[3], weight;
+
+	subtract(simplify->position[b], from, along);
+	weight = dot(along, along) * border_weight;
+	cross(along, normal, upright);
+	if (has_unit_length(upright)) {
+		add_plane(&simplify->quadric[simplify->leader[a]], upright,
+			from, weight);
+		add_plane(&simplify->quadric[simplify->leader[b]], upright,
+			from, weight);
+	}
+}
+
+/* Whether a triangle has the edge from leader b to leader a. */
+static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b)
+{
+	for (uint32_t i = simplify->first_triangle[a];
+		i < simplify->first_triangle[a + 1]; i++) {
+		uint32_t t = simplify->triangle[i];
+		int corner = simplify_mesh_corner(simplify, t, a);
+
+		if (simplify->leader[simplify->index[t +
+			    (uint32_t)(corner + 2) % 3]] == b) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void simplify_error_begin(struct simplify *simplify)
+{
+	for (int t = 0; t < simplify->index_count; t += 3) {
+		const uint32_t *at = simplify->index + t;
+		const float *p = simplify->position[at[0]];
+		float u[3], v[3], normal[3], area;
+
+		subtract(simplify->position[at[1]], p, u);
+		subtract(simplify->position[at[2]], p, v);
+		cross(u, v, normal);
+		area = scalar_sqrt(dot(normal, normal));
+		if (!has_unit_length(normal)) {
+			continue;
+		}
+		for (int i = 0; i < 3; i++) {
+			uint32_t a = at[i], b = at[(i + 1) % 3];
+
+			add_plane(&simplify->quadric[simplify->leader[a]],
+				normal, p, area);
+			if (!has_opposite(simplify, simplify->leader[a],
+				    simplify->leader[b])) {
+				add_border(simplify, a, b, normal);
+			}
+		}
+	}
+}
+
+float simplify_error_of_shape(
+	const struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	const struct simplify_quadric *q = &simplify->quadric[from];
+	const float *p = simplify->position[to];
+	float sum = q->constant + p[0] * p[0] * q->xx + p[1] * p[1] * q->yy +
+		p[2] * p[2] * q->zz +
+		2.0f *
+			(p[0] * p[1] * q->xy + p[0] * p[2] * q->xz +
+				p[1] * p[2] * q->yz + p[0] * q->x +
+				p[1] * q->y + p[2] * q->z);
+
+	return q->weight > 0.0f ? scalar_sqrt(scalar_abs(sum) / q->weight)
+				: 0.0f;
+}
+
+void simplify_error_collapse(
+	struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	add(&simplify->quadric[to], &simplify->quadric[from]);
+}
+
+/* A point on a triangle: its corners' shares. */
+struct place {
+	const uint32_t *vertex;
+	float share[3];
+	float square; /* of the distance from the point asked for */
+};
+
+/* The nearest point of a triangle, or one near to it at an obtuse corner. */
+static void find_place(const struct simplify *simplify, const float point[3],
+	struct place *place)
+{
+	const float *a = simplify->position[place->vertex[0]];
+	float u[3], v[3], d[3], sum = 0.0f, away[3];
+	float uu, uv, vv, du, dv, area;
+
+	subtract(simplify->position[place->vertex[1]], a, u);
+	subtract(simplify->position[place->vertex[2]], a, v);
+	subtract(point, a, d);
+	uu = dot(u, u);
+	uv = dot(u, v);
+	vv = dot(v, v);
+	du = dot(d, u);
+	dv = dot(d, v);
+	area = uu * vv - uv * uv;
+	area = area > 0.0f ? 1.0f / area : 0.0f;
+	place->share[1] = (vv * du - uv * dv) * area;
+	place->share[2] = (uu * dv - uv * du) * area;
+	place->share[0] = 1.0f - place->share[1] - place->share[2];
+	for (int i = 0; i < 3; i++) {
+		place->share[i] =
+			place->share[i] > 0.0f ? place->share[i] : 0.0f;
+		sum += place->share[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		place->share[i] /= sum;
+		away[i] = d[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		away[i] -= place->share[1] * u[i] + place->share[2] * v[i];
+	}
+	place->square = dot(away, away);
+}
+
+static float difference(const float *value, const float (*corner)[3], int width,
+	const struct place *place)
+{
+	float square = 0.0f;
+
+	for (int i = 0; i < width; i++) {
+		float d = value[i] - place->share[0] * corner[0][i] -
+			place->share[1] * corner[1][i] -
+			place->share[2] * corner[2][i];
+
+		square += d * d;
+	}
+	return square;
+}
+
+static float normal_square(const struct model_primitive *primitive,
+	uint32_t vertex, const struct place *place)
+{
+	float corner[3][3];
+
+	for (int i = 0; i < 3; i++) {
+		memcpy(corner[i], primitive->normal[place->vertex[i]],
+			sizeof(corner[i]));
+	}
+	return difference(primitive->normal[vertex], (const float(*)[3])corner,
+		       3, place) *
+		normal_distance * normal_distance;
+}
+
+static float color_square(const struct model_primitive *primitive,
+	uint32_t vertex, const struct place *place)
+{
+	const float scale = color_distance / 255.0f;
+	float corner[3][3], value[3];
+
+	for (int i = 0; i < 3; i++) {
+		value[i] = primitive->color[vertex][i];
+		for (int j = 0; j < 3; j++) {
+			corner[j][i] = primitive->color[place->vertex[j]][i];
+		}
+	}
+	return difference(value, (const float(*)[3])corner, 3, place) * scale *
+		scale;
+}
+
+static float texture_square(const struct simplify *simplify, uint32_t vertex,
+	const struct place *place)
+{
+	const struct model_primitive *primitive = simplify->primitive;
+	const float scale = simplify->texture_scale * texture_factor;
+	float corner[3][3];
+
+	for (int i = 0; i < 3; i++) {
+		memcpy(corner[i], primitive->texcoord[place->vertex[i]],
+			sizeof(primitive->texcoord[0]));
+	}
+	return difference(primitive->texcoord[vertex],
+		       (const float(*)[3])corner, 2, place) *
+		scale * scale;
+}
+
+static float weight_of(const struct model_primitive *primitive, uint32_t vertex,
+	uint16_t joint)
+{
+	size_t count = (size_t)primitive->influences, at = vertex * count;
+	float weight = 0.0f;
+
+	for (size_t i = at; i < at + count; i++) {
+		weight += primitive->joint[i] == joint ? primitive->weight[i]
+						       : 0.0f;
+	}
+	return weight;
+}
+
+/* Weights sum to 1: what some joints have too little, others have too much. */
+static float weight_square(const struct model_primitive *primitive,
+	uint32_t vertex, const struct place *place)
+{
+	size_t count = (size_t)primitive->influences, at = vertex * count;
+	float lack = 0.0f;
+
+	for (size_t i = at; i < at + count; i++) {
+		float left = primitive->weight[i];
+
+		for (int j = 0; j < 3 && left > 0.0f; j++) {
+			left -= place->share[j] *
+				weight_of(primitive, place->vertex[j],
+					primitive->joint[i]);
+		}
+		lack += left > 0.0f ? left : 0.0f;
+	}
+	return lack * lack * weight_distance * weight_distance;
+}
+
+static float delta_square(float (*delta)[3], uint32_t vertex,
+	const struct place *place, float scale)
+{
+	float corner[3][3];
+
+	if (!delta) {
+		return 0.0f;
+	}
+	for (int i = 0; i < 3; i++) {
+		memcpy(corner[i], delta[place->vertex[i]], sizeof(corner[i]));
+	}
+	return difference(delta[vertex], (const float(*)[3])corner, 3, place) *
+		scale * scale;
+}
+
+/* At a weight of 1 of the target that changes most. */
+static float target_square(const struct simplify *simplify, uint32_t vertex,
+	const struct place *place)
+{
+	float most = 0.0f;
+
+	for (int t = 0; t < simplify->target_count; t++) {
+		const struct model_target *target =
+			&simplify->primitive->target[t];
+		float square = delta_square(target->position, vertex, place,
+			1.0f / simplify->extent);
+
+		if (!simplify->shape_only) {
+			square += delta_square(
+				target->normal, vertex, place, normal_distance);
+		}
+		most = square > most ? square : most;
+	}
+	return most;
+}
+
+static float square_at(const struct simplify *simplify, uint32_t vertex,
+	const struct place *place)
+{
+	const struct model_primitive *primitive = simplify->primitive;
+	float square = target_square(simplify, vertex, place);
+
+	if (primitive->influences > 0) {
+		square += weight_square(primitive, vertex, place);
+	}
+	if (simplify->shape_only) {
+		return square;
+	}
+	square += normal_square(primitive, vertex, place);
+	if (primitive->color) {
+		square += color_square(primitive, vertex, place);
+	}
+	if (primitive->texcoord) {
+		square += texture_square(simplify, vertex, place);
+	}
+	return square;
+}
+
+/* One of the vertices at the place of leader from; 0 if no triangle has it. */
+static float vertex_square(const struct simplify *simplify, uint32_t from,
+	uint32_t to, uint32_t vertex)
+{
+	struct place best = {.square = -1.0f};
+	uint32_t corners[2][3];
+	int turn = 0;
+
+	for (uint32_t i = simplify->first_triangle[from];
+		i < simplify->first_triangle[from + 1]; i++) {
+		uint32_t t = simplify->triangle[i];
+		int corner = simplify_mesh_corner(simplify, t, from);
+		struct place place = {.vertex = corners[turn]};
+
+		memcpy(corners[turn], simplify->index + t, sizeof(corners[0]));
+		if (corners[turn][corner] != vertex ||
+			simplify_mesh_has(simplify, t, to)) {
+			continue;
+		}
+		corners[turn][corner] = simplify->to[vertex];
+		find_place(simplify, simplify->position[vertex], &place);
+		if (best.square < 0.0f || place.square < best.square) {
+			best = place;
+			turn = !turn;
+		}
+	}
+	return best.square < 0.0f ? 0.0f : square_at(simplify, vertex, &best);
+}
+
+float simplify_error_of_attributes(
+	const struct simplify *simplify, uint32_t from, uint32_t to)
+{
+	float most = 0.0f;
+	uint32_t vertex = from;
+
+	do {
+		float square = vertex_square(simplify, from, to, vertex);
+
+		most = square > most ? square : most;
+		vertex = simplify->next[vertex];
+	} while (vertex != from);
+	return scalar_sqrt(most);
+}

@@ -1,0 +1,140 @@
+#include "app/model/levels/simplify_mesh.h"
+
+#include <errno.h>
+#include <string.h>
+
+static uint32_t hash_position(const float position[3])
+{
+	uint32_t bits[3];
+
+	memcpy(bits, position, sizeof(bits));
+	return ((bits[0] * 73856093u) ^ (bits[1] * 19349663u) ^
+		       (bits[2] * 83492791u)) *
+		2654435761u;
+}
+
+static bool are_equal(const float a[3], const float b[3])
+{
+	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+int simplify_mesh_weld(struct simplify *simplify)
+{
+	const struct model_primitive *primitive = simplify->primitive;
+	uint32_t count = (uint32_t)primitive->vertex_count, size = 16, *table;
+
+	while (size < 2 * count) {
+		size *= 2;
+	}
+	table = ARENA_ARRAY(&simplify->arena, uint32_t, size);
+	if (!table) {
+		return -ENOMEM;
+	}
+	for (uint32_t v = 0; v < count; v++) {
+		const float *at = primitive->position[v];
+		uint32_t slot = hash_position(at) & (size - 1);
+		uint32_t leader;
+
+		/* The table holds vertices plus 1; 0 is empty. */
+		while (table[slot] &&
+			!are_equal(at, primitive->position[table[slot] - 1])) {
+			slot = (slot + 1) & (size - 1);
+		}
+		if (!table[slot]) {
+			table[slot] = v + 1;
+		}
+		leader = table[slot] - 1;
+		simplify->leader[v] = leader;
+		simplify->next[v] = v;
+		if (leader != v) {
+			simplify->next[v] = simplify->next[leader];
+			simplify->next[leader] = v;
+		}
+	}
+	return 0;
+}
+
+void simplify_mesh_link(struct simplify *simplify)
+{
+	uint32_t count = (uint32_t)simplify->primitive->vertex_count;
+	uint32_t *first = simplify->first_triangle;
+
+	memset(first, 0, ((size_t)count + 1) * sizeof(*first));
+	for (int i = 0; i < simplify->index_count; i++) {
+		first[simplify->leader[simplify->index[i]] + 1]++;
+	}
+	for (uint32_t v = 0; v < count; v++) {
+		first[v + 1] += first[v];
+	}
+	/* Each place moves to the next leader's while it is filled. */
+	for (int i = 0; i < simplify->index_count; i++) {
+		uint32_t leader = simplify->leader[simplify->index[i]];
+
+		simplify->triangle[first[leader]++] = (uint32_t)(i - i % 3);
+	}
+	for (uint32_t v = count; v > 0; v--) {
+		first[v] = first[v - 1];
+	}
+	first[0] = 0;
+}
+
+static int find_neighbour(const struct simplify_ring *ring, uint32_t leader)
+{
+	int i = 0;
+
+	while (i < ring->count && ring->neighbour[i] != leader) {
+		i++;
+	}
+	return i;
+}
+
+/* Counts the triangles in which an edge runs from the leader or to it. */
+static bool add_edge(struct simplify_ring *ring, uint32_t neighbour,
+	uint8_t uses[SIMPLIFY_RING_MAX], int bit)
+{
+	int i = find_neighbour(ring, neighbour);
+
+	if (i == SIMPLIFY_RING_MAX) {
+		return false;
+	}
+	if (i == ring->count) {
+		ring->neighbour[ring->count++] = neighbour;
+		uses[i] = 0;
+	}
+	if (uses[i] & bit) {
+		return false;
+	}
+	uses[i] = (uint8_t)(uses[i] | bit);
+	return true;
+}
+
+bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
+	struct simplify_ring *out)
+{
+	uint8_t uses[SIMPLIFY_RING_MAX];
+	uint32_t first = simplify->first_triangle[leader];
+	uint32_t end = simplify->first_triangle[leader + 1];
+
+	out->count = out->border_count = 0;
+	for (uint32_t i = first; i < end; i++) {
+		uint32_t t = simplify->triangle[i];
+		int corner = simplify_mesh_corner(simplify, t, leader);
+		const uint32_t *at = simplify->index + t;
+		uint32_t after = simplify->leader[at[(corner + 1) % 3]];
+		uint32_t before = simplify->leader[at[(corner + 2) % 3]];
+
+		if (after == leader || before == leader || after == before ||
+			!add_edge(out, after, uses, 1) ||
+			!add_edge(out, before, uses, 2)) {
+			return false;
+		}
+	}
+	for (int i = 0; i < out->count; i++) {
+		out->border[i] = uses[i] != 3;
+		out->border_count += out->border[i];
+	}
+	/* One triangle more edges than triangles where the border passes. */
+	return (out->border_count == 0 && (uint32_t)out->count == end - first) ||
+		(out->border_count == 2 &&
+			(uint32_t)out->count == end - first + 1);
+}

@@ -1,0 +1,407 @@
+/* Levels of detail that are made for models without any. */
+#include "app/model/levels/levels.h"
+#include "app/model/model_loader.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	SIDE = 40, /* quads along each side of a net */
+	ROW = SIDE + 1,
+	COUNT = ROW * ROW,
+	INDICES = SIDE * SIDE * 6,
+};
+
+/* A net of quads, which a function bends and colours. */
+struct net {
+	struct model *model;
+	struct model_primitive *primitive;
+};
+
+typedef void (*shape_function)(
+	float u, float v, float position[3], float normal[3], uint8_t color[4]);
+
+static void list_triangles(uint32_t *next)
+{
+	for (uint32_t row = 0; row < SIDE; row++) {
+		for (uint32_t column = 0; column < SIDE; column++) {
+			uint32_t i = row * ROW + column;
+			const uint32_t corner[6] = {
+				i, i + 1, i + ROW, i + ROW, i + 1, i + ROW + 1};
+
+			memcpy(next, corner, sizeof(corner));
+			next += 6;
+		}
+	}
+}
+
+static void fill(struct model *model, struct model_primitive *primitive,
+	shape_function shape, float shift)
+{
+	struct arena *arena = &model->arena;
+
+	primitive->vertex_count = COUNT;
+	primitive->index_count = INDICES;
+	primitive->position = arena_alloc(arena, COUNT, sizeof(float[3]));
+	primitive->normal = arena_alloc(arena, COUNT, sizeof(float[3]));
+	primitive->color = arena_alloc(arena, COUNT, 4);
+	primitive->index = ARENA_ARRAY(arena, uint32_t, INDICES);
+	list_triangles(primitive->index);
+	for (int i = 0; i < COUNT; i++) {
+		shape((float)(i % ROW) / SIDE, (float)(i / ROW) / SIDE,
+			primitive->position[i], primitive->normal[i],
+			primitive->color[i]);
+		primitive->position[i][0] += shift;
+	}
+}
+
+/* primitives stand side by side, each from x = its number on. */
+static struct net make_net(shape_function shape, int primitives)
+{
+	struct model *model = calloc(1, sizeof(*model));
+	struct net net = {.model = model};
+
+	assert_non_null(model);
+	model->arena = arena_empty();
+	model->mesh_count = 1;
+	model->mesh = ARENA_NEW(&model->arena, struct model_mesh);
+	net.primitive = ARENA_ARRAY(
+		&model->arena, struct model_primitive, (size_t)primitives);
+	model->mesh->primitive_count = primitives;
+	model->mesh->primitive = net.primitive;
+	for (int i = 0; i < primitives; i++) {
+		fill(model, &net.primitive[i], shape, (float)i);
+	}
+	return net;
+}
+
+static void free_net(struct net *net)
+{
+	arena_release(&net->model->arena);
+	free(net->model);
+}
+
+static void shape_flat(
+	float u, float v, float position[3], float normal[3], uint8_t color[4])
+{
+	position[0] = u;
+	position[1] = v;
+	normal[2] = 1.0f;
+	memset(color, 255, 4);
+}
+
+/* One black vertex in the middle. */
+static void shape_spotted(
+	float u, float v, float position[3], float normal[3], uint8_t color[4])
+{
+	shape_flat(u, v, position, normal, color);
+	if (u == 0.5f && v == 0.5f) {
+		memset(color, 0, 3);
+	}
+}
+
+/* A ball, whose seam and poles have several vertices at one position. */
+static void shape_ball(
+	float u, float v, float position[3], float normal[3], uint8_t color[4])
+{
+	float around = u >= 1.0f ? 0.0f : u * 6.2831853f;
+	float down = v <= 0.0f ? 0.0f : v * 3.1415927f;
+	float ring = v <= 0.0f || v >= 1.0f ? 0.0f : sinf(down);
+
+	position[0] = ring * cosf(around);
+	position[1] = v >= 1.0f ? -1.0f : cosf(down);
+	position[2] = ring == 0.0f ? 0.0f : -ring * sinf(around);
+	if (ring == 0.0f) {
+		position[0] = 0.0f;
+	}
+	memcpy(normal, position, sizeof(float[3]));
+	memset(color, 255, 4);
+}
+
+static float area_of(const struct model_primitive *primitive,
+	const uint32_t *index, int count)
+{
+	float sum = 0.0f;
+
+	for (int i = 0; i < count; i += 3) {
+		const float *a = primitive->position[index[i]];
+		const float *b = primitive->position[index[i + 1]];
+		const float *c = primitive->position[index[i + 2]];
+
+		sum += 0.5f *
+			((b[0] - a[0]) * (c[1] - a[1]) -
+				(c[0] - a[0]) * (b[1] - a[1]));
+	}
+	return sum;
+}
+
+static void test_a_flat_net_keeps_its_area_with_few_triangles(void **state)
+{
+	struct net net = make_net(shape_flat, 1);
+
+	(void)state;
+	levels_make(net.model);
+	assert_true(net.primitive->lod_count > 0);
+	for (int i = 0; i < net.primitive->lod_count; i++) {
+		const struct model_lod *lod = &net.primitive->lod[i];
+
+		assert_true(lod->index_count < INDICES / 20);
+		assert_int_equal(lod->index_count % 3, 0);
+		assert_true(fabsf(area_of(net.primitive, lod->index,
+					  lod->index_count) -
+				    1.0f) < 1e-4f);
+	}
+	free_net(&net);
+}
+
+static void test_levels_get_coarser_and_those_for_shadows_come_last(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+	const struct model_lod *lod;
+	bool shadow = false;
+
+	(void)state;
+	levels_make(net.model);
+	lod = net.primitive->lod;
+	assert_true(net.primitive->lod_count >= 4);
+	assert_true(lod[0].index_count <= INDICES * 8 / 10);
+	for (int i = 1; i < net.primitive->lod_count; i++) {
+		if (lod[i].shadow_only == lod[i - 1].shadow_only) {
+			assert_true(lod[i].error_m > lod[i - 1].error_m);
+			assert_true(lod[i].index_count < lod[i - 1].index_count);
+		}
+		assert_false(shadow && !lod[i].shadow_only);
+		shadow = shadow || lod[i].shadow_only;
+	}
+	assert_true(shadow);
+	free_net(&net);
+}
+
+/* How far a triangle's corners and its middle are from the unit ball. */
+static float ball_error(
+	const struct model_primitive *primitive, const uint32_t corner[3])
+{
+	float middle[3];
+
+	for (int i = 0; i < 3; i++) {
+		middle[i] = (primitive->position[corner[0]][i] +
+				    primitive->position[corner[1]][i] +
+				    primitive->position[corner[2]][i]) /
+			3.0f;
+	}
+	return 1.0f -
+		sqrtf(middle[0] * middle[0] + middle[1] * middle[1] +
+			middle[2] * middle[2]);
+}
+
+static void test_a_ball_stays_round_within_its_levels_errors(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+
+	(void)state;
+	levels_make(net.model);
+	for (int i = 0; i < net.primitive->lod_count; i++) {
+		const struct model_lod *lod = &net.primitive->lod[i];
+		int beyond = 0;
+
+		for (int t = 0; t < lod->index_count; t += 3) {
+			float error = ball_error(net.primitive, lod->index + t);
+
+			/* The full ball itself is 0.004 off. */
+			beyond += error > 3.0f * lod->error_m + 0.004f;
+		}
+		assert_true(beyond * 20 <= lod->index_count / 3);
+	}
+	free_net(&net);
+}
+
+static bool are_at_one_place(
+	const struct model_primitive *primitive, uint32_t a, uint32_t b)
+{
+	return memcmp(primitive->position[a], primitive->position[b],
+		       sizeof(float[3])) == 0;
+}
+
+/* How many triangles have the edge from place b to place a. */
+static int count_opposite(const struct model_primitive *primitive,
+	const struct model_lod *lod, uint32_t a, uint32_t b)
+{
+	int count = 0;
+
+	for (int i = 0; i < lod->index_count; i++) {
+		uint32_t from = lod->index[i];
+		uint32_t to = lod->index[i % 3 == 2 ? i - 2 : i + 1];
+
+		count += are_at_one_place(primitive, from, b) &&
+			are_at_one_place(primitive, to, a);
+	}
+	return count;
+}
+
+static void test_a_closed_surface_stays_closed_at_its_seam(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+
+	(void)state;
+	levels_make(net.model);
+	for (int l = 0; l < net.primitive->lod_count; l++) {
+		const struct model_lod *lod = &net.primitive->lod[l];
+
+		for (int i = 0; i < lod->index_count; i++) {
+			uint32_t to = lod->index[i % 3 == 2 ? i - 2 : i + 1];
+
+			assert_int_equal(count_opposite(net.primitive, lod,
+						 lod->index[i], to),
+				1);
+		}
+	}
+	free_net(&net);
+}
+
+static bool has_vertex(const struct model_lod *lod, uint32_t vertex)
+{
+	for (int i = 0; i < lod->index_count; i++) {
+		if (lod->index[i] == vertex) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void test_a_coloured_spot_stays_until_its_size_is_the_error(void **state)
+{
+	struct net net = make_net(shape_spotted, 1);
+	uint32_t spot = (uint32_t)(ROW * (SIDE / 2) + SIDE / 2);
+
+	(void)state;
+	levels_make(net.model);
+	assert_true(net.primitive->lod_count > 0);
+	for (int i = 0; i < net.primitive->lod_count; i++) {
+		const struct model_lod *lod = &net.primitive->lod[i];
+
+		if (lod->shadow_only) {
+			assert_false(has_vertex(lod, spot));
+		} else if (lod->error_m < 0.01f) {
+			assert_true(has_vertex(lod, spot));
+		}
+	}
+	free_net(&net);
+}
+
+static void test_primitives_that_touch_keep_their_common_border(void **state)
+{
+	struct net net = make_net(shape_flat, 2);
+
+	(void)state;
+	levels_make(net.model);
+	for (int p = 0; p < 2; p++) {
+		const struct model_primitive *primitive = &net.primitive[p];
+
+		assert_true(primitive->lod_count > 0);
+		for (int l = 0; l < primitive->lod_count; l++) {
+			for (uint32_t v = 0; v < ROW; v++) {
+				uint32_t border = v * ROW + (p ? 0 : SIDE);
+
+				assert_true(
+					has_vertex(&primitive->lod[l], border));
+			}
+		}
+	}
+	free_net(&net);
+}
+
+static void test_own_levels_of_a_file_stay(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+	struct model_lod own = {.error_m = 0.5f,
+		.index_count = 3,
+		.index = net.primitive->index};
+
+	(void)state;
+	net.primitive->lod = &own;
+	net.primitive->lod_count = 1;
+	levels_make(net.model);
+	assert_true(net.primitive->lod_count > 1);
+	assert_memory_equal(&net.primitive->lod[0], &own, sizeof(own));
+	for (int i = 1; i < net.primitive->lod_count; i++) {
+		assert_true(net.primitive->lod[i].shadow_only);
+	}
+	free_net(&net);
+}
+
+/* Triangles that no surface has: of one point, three at an edge, doubled. */
+static void test_any_list_of_triangles_is_taken(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+	uint32_t random = 1;
+
+	(void)state;
+	for (int i = 0; i < INDICES; i++) {
+		random = random * 1664525u + 1013904223u;
+		if (random >> 28 == 0) {
+			net.primitive->index[i] = (random >> 8) % COUNT;
+		}
+	}
+	levels_make(net.model);
+	for (int l = 0; l < net.primitive->lod_count; l++) {
+		const struct model_lod *lod = &net.primitive->lod[l];
+
+		for (int i = 0; i < lod->index_count; i++) {
+			assert_true(lod->index[i] < COUNT);
+		}
+	}
+	free_net(&net);
+}
+
+static void test_without_memory_there_are_no_levels(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+	struct memory_budget budget = {.limit_bytes = 4096};
+
+	(void)state;
+	net.model->budget = &budget;
+	levels_make(net.model);
+	assert_int_equal(net.primitive->lod_count, 0);
+	assert_int_equal(budget.used_bytes, 0);
+	free_net(&net);
+}
+
+static void test_few_triangles_or_flat_shading_get_none(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+
+	(void)state;
+	net.primitive->index_count = 99;
+	levels_make(net.model);
+	assert_int_equal(net.primitive->lod_count, 0);
+	net.primitive->index_count = INDICES;
+	net.primitive->normal = NULL;
+	levels_make(net.model);
+	assert_int_equal(net.primitive->lod_count, 0);
+	free_net(&net);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_flat_net_keeps_its_area_with_few_triangles),
+		cmocka_unit_test(
+			test_levels_get_coarser_and_those_for_shadows_come_last),
+		cmocka_unit_test(
+			test_a_ball_stays_round_within_its_levels_errors),
+		cmocka_unit_test(test_a_closed_surface_stays_closed_at_its_seam),
+		cmocka_unit_test(
+			test_a_coloured_spot_stays_until_its_size_is_the_error),
+		cmocka_unit_test(
+			test_primitives_that_touch_keep_their_common_border),
+		cmocka_unit_test(test_own_levels_of_a_file_stay),
+		cmocka_unit_test(test_any_list_of_triangles_is_taken),
+		cmocka_unit_test(test_without_memory_there_are_no_levels),
+		cmocka_unit_test(test_few_triangles_or_flat_shading_get_none),
+	};
+
+	return cmocka_run_group_tests_name("levels", tests, NULL, NULL);
+}

@@ -4,10 +4,10 @@
  * Each morph target of the model is a key frame: the base plus that target at
  * weight 1. Buttons change Destiny to another key frame, also during a morph.
  */
-#include "app/anim/math/quat.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/face_keys.h"
+#include "app/scene/instance/bend.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -18,8 +18,28 @@
 static const char mesh_node[] = "Face";
 static const char motion_target[] = "surprise";
 static const float default_ms = 600.0f;
-static const float forward[3] = {0.0f, 0.0f, 1.0f};
-static const float bulge_m = 0.03f;    /* amplitude of sinusoidal motion */
+static const float turn_rad = 0.2f, turn_rad_per_s = 0.8f; /* of the head */
+
+/* The face's neck, in metres. */
+static const struct bend_neck neck = {.low = 0.098f, .high = 0.15f};
+
+/* What F8 chooses: no wave, or one that runs through the face. */
+static const struct {
+	const char *name;
+	struct morph_wave wave;
+} curves[] = {
+	{"linear", {.amplitude = 0.0f}},
+	{"sine across",
+		{.direction = {0.0f, 0.0f, 1.0f},
+			.axis = {1.0f, 0.0f, 0.0f},
+			.amplitude = 0.026f,
+			.delay = 1.5f}},
+	{"sine up",
+		{.direction = {1.0f, 0.0f, 0.0f},
+			.axis = {0.0f, 1.0f, 0.0f},
+			.amplitude = 0.02f,
+			.delay = 1.5f}},
+};
 static const float graph_wave = 0.35f; /* its height in the graph */
 static const double dwell_s = 1.5;     /* autoplay: time for an expression */
 
@@ -37,6 +57,8 @@ struct demo {
 	int current;  /* the key frame that Destiny is */
 	int previous; /* the key frame before it */
 	struct morph_motion motion;
+	size_t curve; /* of curves */
+	struct bend bend;
 	double now_s;
 	bool autoplay;
 	double next_s;
@@ -58,6 +80,10 @@ static int init_keys(struct demo *demo, const struct demo_env *env)
 	}
 	error = face_keys_init(
 		&demo->keys, demo->base.actor.instance, demo->head);
+	if (!error) {
+		error = bend_init(&demo->bend, demo->base.actor.instance,
+			demo->head, &neck);
+	}
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory for the key frames",
@@ -90,9 +116,9 @@ static int face_prepare(struct demo *demo, const struct demo_env *env)
 	demo->motion_key = find_key(demo, motion_target);
 	demo->motion = morph_motion_default();
 	demo->motion.duration_ms = default_ms;
-	memcpy(demo->motion.direction, forward, sizeof(forward));
-	demo->motion.amplitude = bulge_m;
+	bend_update(&demo->bend, 0.0f, 0.0f);
 	bounds = bounds_of_clip(demo->base.actor.instance, -1);
+	bend_update(&demo->bend, 0.0f, 0.0f);
 	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
 }
 
@@ -104,17 +130,12 @@ static void go_to_key(struct demo *demo, int key)
 		demo->now_s * 1000.0);
 }
 
-static void turn_head(struct demo *demo)
+/* The head turns on the bust, and the wave runs through the face. */
+static void bend_face(struct demo *demo)
 {
-	static const float up[3] = {0.0f, 1.0f, 0.0f};
-	struct transform *local =
-		&demo->base.actor.instance->pose.local[demo->head];
-	float turn[4];
-
-	pose_rest(&demo->base.actor.instance->pose, demo->base.actor.model);
-	quat_from_axis_angle(
-		up, 0.10f * scalar_sin((float)demo->now_s * 0.8f), turn);
-	quat_multiply(turn, local->rotation, local->rotation);
+	bend_update(&demo->bend,
+		turn_rad * scalar_sin((float)demo->now_s * turn_rad_per_s),
+		face_keys_omega(&demo->keys, demo->now_s * 1000.0));
 }
 
 /* When camera motion ceases to control the face, it morphs to its key. */
@@ -146,9 +167,10 @@ static void face_update(struct demo *demo, double time_s)
 	} else {
 		face_keys_update(&demo->keys, time_s * 1000.0);
 	}
-	turn_head(demo);
+	pose_rest(&demo->base.actor.instance->pose, demo->base.actor.model);
 	face_keys_apply(&demo->keys);
 	instance_update(demo->base.actor.instance);
+	bend_face(demo);
 }
 
 static void face_draw(struct demo *demo, int width, int height)
@@ -184,8 +206,7 @@ static void face_label(const struct demo *demo, struct hud *hud)
 	} else {
 		snprintf(pace, sizeof(pace), "%d frames", motion->frame_count);
 	}
-	hud_group_text(&group,
-		motion->curve == MORPH_LINEAR ? "linear" : "sinusoidal", pace);
+	hud_group_text(&group, curves[demo->curve].name, pace);
 	hud_group_end(&group);
 }
 
@@ -196,7 +217,7 @@ static void face_get_motion(const struct demo *demo, struct overlay_motion *out)
 	out->from = demo->previous - 1;
 	out->to = demo->current - 1;
 	out->omega = face_keys_omega(&demo->keys, demo->now_s * 1000.0);
-	out->wave = demo->motion.curve == MORPH_SINUSOIDAL ? graph_wave : 0.0f;
+	out->wave = demo->curve > 0 ? graph_wave : 0.0f;
 }
 
 static void press_next(struct demo *demo, bool down)
@@ -257,9 +278,8 @@ static void press_timing(struct demo *demo, bool down)
 static void press_curve(struct demo *demo, bool down)
 {
 	if (down) {
-		demo->motion.curve = demo->motion.curve == MORPH_LINEAR
-			? MORPH_SINUSOIDAL
-			: MORPH_LINEAR;
+		demo->curve = (demo->curve + 1) % ARRAY_COUNT(curves);
+		bend_set_wave(&demo->bend, &curves[demo->curve].wave);
 	}
 }
 
@@ -278,7 +298,8 @@ static const struct demo_action face_actions[] = {
 	{BUTTON_UP, "morph twice as fast", press_faster},
 	{BUTTON_DOWN, "morph half as fast", press_slower},
 	{BUTTON_F6, "interpolate over time or by frames", press_timing},
-	{BUTTON_F8, "interpolate linearly or sinusoidally", press_curve},
+	{BUTTON_F8, "interpolate linearly, with a wave across, or upwards",
+		press_curve},
 	{BUTTON_F9, "show all expressions in turn, or stop", press_autoplay},
 	{0},
 };

@@ -1,9 +1,6 @@
 #include "app/demo/face_keys.h"
 
 #include "app/anim/kernel/kernel.h"
-#include "app/anim/math/quat.h"
-#include "app/anim/math/vec.h"
-#include "platform/base/scalar.h"
 
 #include <errno.h>
 
@@ -144,7 +141,6 @@ int face_keys_init(struct face_keys *keys, struct instance *instance, int node)
 		.key_count = mesh->target_count + 1,
 		.target_name = mesh->target_name,
 		.weighs = any_is_fixed(instance, node),
-		.motion = morph_motion_default(),
 	};
 	if (!keys->weighs) {
 		return init_parts(keys);
@@ -158,10 +154,7 @@ void face_keys_go(struct face_keys *keys, int key,
 {
 	struct morph_motion own = *motion;
 
-	keys->motion = *motion;
-	if (keys->weighs) {
-		own.curve = MORPH_LINEAR; /* the wave is added afterwards */
-	}
+	own.curve = MORPH_LINEAR;
 	for (int i = 0; i < keys->part_count; i++) {
 		morph_trigger(&keys->part[i].morph, keys->part[i].key[key],
 			&own, now_ms);
@@ -170,7 +163,6 @@ void face_keys_go(struct face_keys *keys, int key,
 
 void face_keys_hold(struct face_keys *keys, int from, int to, float amount)
 {
-	keys->wave = 0.0f;
 	for (int i = 0; i < keys->part_count; i++) {
 		struct face_part *part = &keys->part[i];
 
@@ -183,10 +175,6 @@ void face_keys_update(struct face_keys *keys, double now_ms)
 	for (int i = 0; i < keys->part_count; i++) {
 		morph_update(&keys->part[i].morph, now_ms);
 	}
-	keys->wave = keys->motion.curve == MORPH_SINUSOIDAL
-		? keys->motion.amplitude *
-			scalar_sin(SCALAR_PI * face_keys_omega(keys, now_ms))
-		: 0.0f;
 }
 
 float face_keys_omega(const struct face_keys *keys, double now_ms)
@@ -198,9 +186,7 @@ void face_keys_apply(const struct face_keys *keys)
 {
 	const struct model *model = keys->instance->model;
 	struct pose *pose = &keys->instance->pose;
-	struct transform *local = &pose->local[keys->node];
 	float *weight = pose->weight + model->node[keys->node].weight_offset;
-	float moved[3];
 
 	if (!keys->weighs) {
 		return;
@@ -208,11 +194,4 @@ void face_keys_apply(const struct face_keys *keys)
 	for (int t = 0; t < keys->key_count - 1; t++) {
 		weight[t] = keys->part[0].morph.temporal[t / 3][t % 3];
 	}
-	/* The wave moves all vertices equally, so the node is moved. */
-	for (int i = 0; i < 3; i++) {
-		moved[i] = keys->motion.direction[i] * keys->wave *
-			local->scale[i];
-	}
-	quat_rotate(local->rotation, moved, moved);
-	vec_add_scaled(local->translation, moved, 1.0f, local->translation);
 }

@@ -31,8 +31,6 @@ struct face_keys {
 	bool weighs;              /* part[0] is the weights */
 	int part_count;
 	struct face_part part[FACE_PARTS_MAX];
-	float wave; /* if weighs: displacement of sinusoidal motion, metres */
-	struct morph_motion motion; /* of the last face_keys_go() */
 };
 
 /*
@@ -41,7 +39,10 @@ struct face_keys {
  */
 int face_keys_init(struct face_keys *keys, struct instance *instance, int node);
 
-/* Starts a morph from what is shown to a key frame. */
+/*
+ * Starts a linear morph from what is shown to a key frame, with the motion's
+ * timing.
+ */
 void face_keys_go(struct face_keys *keys, int key,
 	const struct morph_motion *motion, double now_ms);
 

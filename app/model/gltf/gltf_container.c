@@ -125,8 +125,7 @@ static int parse(struct gltf *gltf, const struct chunk *text)
 	if (gltf_take(&gltf->root, values, JSON_VALUE_BYTES) != 0) {
 		return -ENOMEM;
 	}
-	json_memory_begin();
-	gltf->json = json_loadb((const char *)text->data, text->size,
+	gltf->json = json_memory_load((const char *)text->data, text->size,
 		JSON_REJECT_DUPLICATES, &error);
 	if (!json_memory_ok()) {
 		return gltf_no_memory(&gltf->root);

@@ -7,7 +7,7 @@ ARM_PREFIX := arm-linux-gnueabi-
 CC_arm := $(ARM_PREFIX)gcc --sysroot=$(SYSROOT)
 CFLAGS_arm ?= -O2 -g
 CFLAGS_arm += -mcpu=arm1136jf-s -mfpu=vfpv2 -mfloat-abi=softfp -marm \
-	-D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64 \
+	$(HARDENING) -D_TIME_BITS=64 -D_FILE_OFFSET_BITS=64 \
 	-I$(SYSROOT)/usr/include/libdrm
 SETS_arm := arm font
 # Small libraries are linked in. libc is not: they need the sysroot's, which is
@@ -18,7 +18,7 @@ PACKAGES_arm :=
 LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libgif.a \
 	-l:libgpiod.a -l:libdrm.a -l:libinih.a \
-	-l:libjpeg.so -lm -ldl
+	-l:libjpeg.so -lm -ldl $(HARDENING_LIBS)
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 		toolchain/packages/arm.txt | build

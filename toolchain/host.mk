@@ -5,11 +5,20 @@ WARNINGS := -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
 COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
 	-ffp-contract=off -fno-math-errno $(WARNINGS)
 
+# What makes an error in memory harder to exploit, on host and ARM: addresses
+# that change with every run, tables of the linker that are read-only, checks of
+# the stack and of the C library's functions. No path of this machine gets into
+# the program (tests/package/hardening.sh).
+HARDENING := -fPIE -fstack-protector-strong -U_FORTIFY_SOURCE \
+	-D_FORTIFY_SOURCE=2 -Wdate-time -ffile-prefix-map=$(CURDIR)=.
+HARDENING_LIBS := -pie -Wl,-z,relro,-z,now,-z,noexecstack
+
 CC_host ?= gcc
 CFLAGS_host ?= -O2 -g
+CFLAGS_host += $(HARDENING)
 SETS_host := host font
 PACKAGES_host := jansson libpng libjpeg sdl2 zlib libgpiod libdrm inih
-LIBS_host := -lgif -lm -ldl
+LIBS_host := -lgif -lm -ldl $(HARDENING_LIBS)
 RUN_host :=
 
 # The sanitizers check memory accesses, leaks and undefined behaviour.
@@ -19,7 +28,7 @@ CFLAGS_asan := -O1 -g -fno-omit-frame-pointer \
 	-fno-sanitize-recover=all
 SETS_asan := host font
 PACKAGES_asan := $(PACKAGES_host)
-LIBS_asan := $(LIBS_host) -fsanitize=address,undefined
+LIBS_asan := -lgif -lm -ldl -fsanitize=address,undefined
 RUN_asan :=
 GL_DRIVERS_asan := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_asan := $(DISPLAY_DRIVERS_host)

@@ -7,6 +7,8 @@ out=$2
 version=$("$stage/usr/bin/limber" --version | sed -n '1s/^limber \([^ ]*\).*/\1/p')
 architecture=$(dpkg --print-architecture)
 
+strip --strip-unneeded "$stage/usr/bin/limber"
+
 # dpkg-shlibdeps has to run in the tree of a source package.
 work=$stage.control
 rm -rf "$work"

@@ -1,7 +1,9 @@
 #include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
+#include "app/cmd/progress.h"
 #include "app/compare/export/export.h"
 #include "app/compare/report/report.h"
+#include "platform/process/jobs.h"
 
 #include <errno.h>
 
@@ -14,7 +16,15 @@ static int choose_clip(const struct model *model, const char *name,
 			model->path);
 		return -ENOENT;
 	}
-	return model_choose_clip(model, name, 0, log, out);
+	return model_choose_clip(model, name, -1, log, out);
+}
+
+static void show_progress(void *context, int done, int total)
+{
+	struct progress *progress = context;
+
+	progress->total = total;
+	progress_step(progress, done);
 }
 
 static int print(const struct comparison *comparison,
@@ -37,22 +47,39 @@ static int print(const struct comparison *comparison,
 	return error;
 }
 
+static int compare(const struct model *model, struct comparison_request *request,
+	const struct log *log, struct comparison **out)
+{
+	struct progress progress = progress_begin(2, "steps", stderr);
+	int error;
+
+	request->progress = show_progress;
+	request->progress_context = &progress;
+	error = comparison_create(model, request, log, out);
+	progress_end(&progress);
+	return error;
+}
+
 static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
+	const struct options_compare *wanted = &options->compare;
 	struct comparison_request request = {
-		.rate_hz = options->compare.fps,
-		.bound_px = options->compare.error_px,
-		.memory_bytes = options->compare.ram_bytes,
+		.rate_hz = wanted->fps,
+		.bound_px = wanted->error_px,
+		.board = wanted->board,
+		.memory_bytes = wanted->ram_bytes,
+		.frame_ms = (double)wanted->ms,
 		.width = options->screen.size.width,
 		.height = options->screen.size.height,
+		.jobs = wanted->jobs > 0 ? wanted->jobs : jobs_processors(),
 		.kernel = options_kernel(&options->vertices, log),
 	};
 	struct comparison *comparison;
 	int error = choose_clip(model, options->motion.clip, log, &request.clip);
 
 	if (!error) {
-		error = comparison_create(model, &request, log, &comparison);
+		error = compare(model, &request, log, &comparison);
 	}
 	if (error) {
 		return error;
@@ -77,11 +104,16 @@ const struct command command_compare = {
 	.usage = "MODEL",
 	.summary = "compare the animation techniques on a model",
 	.detail =
-		"limber bakes a clip as morph key frames, as rigid parts on pivots and as skins with fewer\n"
-		"influences. It measures what each costs: the time of a frame, memory, the size of the file,\n"
-		"and the error on the screen in pixels. Then it recommends one: the one that costs least on an\n"
-		"ARM1136, predicted by a timing model of that core, or measured where limber runs on the board.\n"
+		"limber bakes the clips of a model as morph key frames, as rigid parts on pivots and as skins\n"
+		"with fewer influences. It measures what each costs: the time of a frame, memory, the size of\n"
+		"the file, and the error on the screen: of positions, outlines, normals and shades, between\n"
+		"keys too. Time is predicted by a timing model of an ARM1136, or measured on the board.\n"
 		"\n"
+		"Then it recommends one: of all that keep within --error, --ram and --ms, the one with the\n"
+		"least sum of time and memory, where 256 KiB count as 1% of the board's frame. --clip compares\n"
+		"one clip; else all clips are compared, and what a technique shares is counted once.\n"
+		"\n"
+		"  limber compare robot.glb\n"
 		"  limber compare robot.glb --clip walk --error 1 --ram 512k\n"
 		"  limber compare robot.glb --plot techniques.svg --export baked",
 	.run = run,

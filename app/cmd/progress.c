@@ -16,9 +16,10 @@ static int64_t now_ms(void)
 	return clock_monotonic_ns() / 1000000;
 }
 
-struct progress progress_begin(int total, FILE *out)
+struct progress progress_begin(int total, const char *unit, FILE *out)
 {
-	struct progress progress = {.total = total, .start_ms = now_ms()};
+	struct progress progress = {
+		.total = total, .unit = unit, .start_ms = now_ms()};
 
 	if (total > 1 && isatty(fileno(out))) {
 		progress.out = out;
@@ -44,8 +45,8 @@ void progress_step(struct progress *progress, int done)
 	memset(bar, '-', BAR_WIDTH);
 	memset(bar, '#', (size_t)(filled > BAR_WIDTH ? BAR_WIDTH : filled));
 	bar[BAR_WIDTH] = '\0';
-	fprintf(progress->out, "\r[%s] %d/%d frames", bar, done,
-		progress->total);
+	fprintf(progress->out, "\r[%s] %d/%d %s", bar, done, progress->total,
+		progress->unit);
 	fflush(progress->out);
 	progress->shown_ms = now;
 	progress->visible = true;

@@ -11,12 +11,13 @@
 struct progress {
 	FILE *out; /* NULL: no bar */
 	int total;
+	const char *unit; /* "frames" */
 	int64_t start_ms, shown_ms;
 	bool visible;
 };
 
-/* There is no bar when total is below 2 or out is not a terminal. */
-struct progress progress_begin(int total, FILE *out);
+/* There is no bar when total is below 2 or out is not a terminal. unit is not copied. */
+struct progress progress_begin(int total, const char *unit, FILE *out);
 
 /* Shows the bar, one second after the beginning and ten times a second then. */
 void progress_step(struct progress *progress, int done);

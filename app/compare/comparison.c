@@ -1,263 +1,133 @@
 #include "app/compare/comparison.h"
 
-#include "app/compare/candidate_morph.h"
-#include "app/compare/candidate_rigid.h"
-#include "app/compare/fit.h"
-#include "app/model/model_stats.h"
+#include "app/compare/advice.h"
+#include "app/compare/comparison_cell.h"
+#include "app/compare/comparison_rows.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 
-/* AN4044, section 4: "20 key frames are required". */
-enum {
-	AN4044_KEYS = 20
+struct run {
+	struct comparison *comparison;
+	const struct log *log;
+	int done;
 };
-
-/* Only the program for the board has this kernel. */
-static const char board_kernel[] = "armv6";
-
-/* The other points of the plot, as multiples of the bound. */
-static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
-static const int caps[] = {4, 2, 1};
-
-static struct candidate *next_candidate(struct comparison *comparison)
-{
-	return &comparison->candidate[comparison->candidate_count];
-}
-
-/* Counts the candidate that next_candidate() gave, unless it has failed. */
-static int count_candidate(struct comparison *comparison, int error, bool listed)
-{
-	if (!error) {
-		next_candidate(comparison)->listed = listed;
-		comparison->candidate_count++;
-	}
-	return error;
-}
-
-static int most_influences(const struct model *model)
-{
-	struct model_stats stats;
-
-	model_measure(model, &stats);
-	return stats.max_influences;
-}
-
-static bool has_targets(const struct model *model)
-{
-	for (int i = 0; i < model->mesh_count; i++) {
-		if (model->mesh[i].target_count > 0) {
-			return true;
-		}
-	}
-	return false;
-}
-
-static int add_originals(struct comparison *comparison, const struct log *log)
-{
-	const struct reference *reference = comparison->reference;
-	const struct kernel *kernel = comparison->request.kernel;
-	const struct model *model = reference->model;
-	int most = most_influences(model);
-	int error = count_candidate(comparison,
-		candidate_original(next_candidate(comparison), reference,
-			kernel, 0, true, log),
-		true);
-
-	if (!error && has_targets(model) && model->skin_count > 0) {
-		error = count_candidate(comparison,
-			candidate_original(next_candidate(comparison),
-				reference, kernel, 0, false, log),
-			true);
-	}
-	for (size_t i = 0; !error && i < ARRAY_COUNT(caps); i++) {
-		if (caps[i] < most) {
-			error = count_candidate(comparison,
-				candidate_original(next_candidate(comparison),
-					reference, kernel, caps[i], true, log),
-				true);
-		}
-	}
-	return error;
-}
-
-/* Adds a morph fitted to the bound; if that is 0, with AN4044's even keys. */
-static int add_morph(struct comparison *comparison, float bound_px, bool listed,
-	const struct log *log)
-{
-	const struct reference *reference = comparison->reference;
-	int *key = malloc((size_t)reference->frame_count * sizeof(*key));
-	int count = -ENOMEM;
-	int error;
-
-	if (key && bound_px > 0.0f) {
-		count = fit_keys(reference, &comparison->screen, bound_px, key);
-	} else if (key) {
-		count = fit_even_keys(reference, AN4044_KEYS, key);
-	}
-	if (count < 0) {
-		log_error(log,
-			"%s: there is not enough memory to fit key frames",
-			reference->model->path);
-		free(key);
-		return count;
-	}
-	error = count_candidate(comparison,
-		candidate_morph(next_candidate(comparison), reference,
-			comparison->request.kernel, key, count, log),
-		listed);
-	if (!error) {
-		comparison->candidate[comparison->candidate_count - 1].even =
-			!(bound_px > 0.0f);
-	}
-	free(key);
-	return error;
-}
-
-static int add_all(struct comparison *comparison, const struct log *log)
-{
-	float bound_px = comparison->request.bound_px;
-	int error = add_originals(comparison, log);
-
-	if (!error) {
-		error = add_morph(comparison, bound_px, true, log);
-	}
-	if (!error) {
-		snprintf(comparison->candidate[comparison->candidate_count - 1].name,
-			sizeof(comparison->candidate->name),
-			"morph, %d keys fitted",
-			comparison->candidate[comparison->candidate_count - 1]
-				.key_count);
-		error = add_morph(comparison, 0.0f, true, log);
-	}
-	if (!error) {
-		error = count_candidate(comparison,
-			candidate_rigid(next_candidate(comparison),
-				comparison->reference, log),
-			true);
-	}
-	for (size_t i = 0; !error && i < ARRAY_COUNT(other_bounds); i++) {
-		error = add_morph(
-			comparison, bound_px * other_bounds[i], false, log);
-	}
-	return error;
-}
-
-double comparison_cost_of(
-	const struct comparison *comparison, const struct candidate *candidate)
-{
-	switch (comparison->cost) {
-	case COMPARISON_COST_INSTRUCTIONS:
-		return candidate->instructions;
-	case COMPARISON_COST_TIME:
-		return candidate->frame_us;
-	default:
-		return board_cost_us(&candidate->board);
-	}
-}
-
-static enum comparison_cost choose_cost(const struct comparison *comparison)
-{
-	if (!kernel_find(board_kernel)) {
-		return COMPARISON_COST_PREDICTED;
-	}
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		if (comparison->candidate[i].instructions < 0.0) {
-			return COMPARISON_COST_TIME;
-		}
-	}
-	return COMPARISON_COST_INSTRUCTIONS;
-}
 
 bool comparison_has(
 	const struct comparison *comparison, enum technique technique)
 {
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		const struct candidate *candidate = &comparison->candidate[i];
+	for (int i = 0; i < comparison->row_count; i++) {
+		const struct comparison_row *row = &comparison->row[i];
 
-		if (candidate->listed && candidate->technique == technique) {
+		if (row->listed && row->technique == technique) {
 			return true;
 		}
 	}
 	return false;
 }
 
-static bool fits(
-	const struct comparison *comparison, const struct candidate *candidate)
+static void count_done(struct run *run, struct jobs *jobs)
 {
-	size_t limit = comparison->request.memory_bytes;
+	struct comparison *comparison = run->comparison;
+	const struct comparison_request *request = &comparison->request;
 
-	return limit == 0 || candidate->memory_bytes <= limit;
+	jobs_lock(jobs);
+	run->done++;
+	if (request->progress) {
+		request->progress(request->progress_context, run->done,
+			(comparison->row_count + 1) * comparison->clip_count);
+	}
+	jobs_unlock(jobs);
 }
 
-/* Whether a is the better choice. */
-static bool is_better(const struct comparison *comparison,
-	const struct candidate *a, const struct candidate *b)
+static int prepare_clip(struct jobs *jobs, int job, void *context)
 {
-	float bound_px = comparison->request.bound_px;
-	double a_cost = comparison_cost_of(comparison, a);
-	double b_cost = comparison_cost_of(comparison, b);
-	bool a_fits = a->error.peak_px <= bound_px;
-	bool b_fits = b->error.peak_px <= bound_px;
+	struct run *run = context;
+	int error =
+		comparison_clip_prepare(run->comparison, job, jobs, run->log);
 
-	if (fits(comparison, a) != fits(comparison, b)) {
-		return fits(comparison, a);
-	}
-	if (!fits(comparison, a)) {
-		return a->memory_bytes < b->memory_bytes;
-	}
-	if (a_fits != b_fits) {
-		return a_fits;
-	}
-	if (!a_fits) {
-		return a->error.peak_px < b->error.peak_px;
-	}
-	return a_cost < b_cost ||
-		(a_cost <= b_cost && a->memory_bytes < b->memory_bytes);
+	count_done(run, jobs);
+	return error;
 }
 
-static void advise(struct comparison *comparison)
+static int measure_cell(struct jobs *jobs, int job, void *context)
 {
-	const struct candidate *best = &comparison->candidate[0];
-	const char *why;
+	struct run *run = context;
+	int clips = run->comparison->clip_count;
+	int error = comparison_cell_measure(
+		run->comparison, job / clips, job % clips, jobs, run->log);
 
-	for (int i = 1; i < comparison->candidate_count; i++) {
-		const struct candidate *other = &comparison->candidate[i];
+	count_done(run, jobs);
+	return error;
+}
 
-		if (other->listed && is_better(comparison, other, best)) {
-			best = other;
+/* All clips that move; a clip that was asked for is taken in any case. */
+static int choose_clips(struct comparison *comparison, const struct log *log)
+{
+	const struct model *model = comparison->model;
+	int wanted = comparison->request.clip;
+
+	comparison->clip =
+		calloc((size_t)model->clip_count, sizeof(*comparison->clip));
+	if (!comparison->clip) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < model->clip_count; i++) {
+		if (wanted < 0 ? model->clip[i].duration_s > 0.0f : i == wanted) {
+			comparison->clip[comparison->clip_count++].clip = i;
 		}
 	}
-	comparison->advised = (int)(best - comparison->candidate);
-	if (!fits(comparison, best)) {
-		why = "nothing fits the memory, and it needs the least";
-	} else if (best->error.peak_px > comparison->request.bound_px) {
-		why = "nothing that fits the memory keeps within the error, and it comes closest";
-	} else if (comparison->cost != COMPARISON_COST_PREDICTED) {
-		why = "it costs least of all that keep within the error and the memory";
-	} else {
-		why = "the timing model predicts that it takes the least time on an ARM1136 of all that keep within the error and the memory";
+	if (comparison->clip_count == 0) {
+		log_error(log,
+			"%s: none of its clips has a duration: give a model with a clip that moves",
+			model->path);
+		return -EINVAL;
 	}
-	snprintf(comparison->reason, sizeof(comparison->reason), "%s", why);
+	return 0;
 }
 
-static int prepare(struct comparison *comparison, const struct model *model,
-	const struct log *log)
+static void find_box(struct comparison *comparison)
 {
-	const struct comparison_request *request = &comparison->request;
-	int error = reference_create(model, request->clip, request->rate_hz,
-		log, &comparison->reference);
-
-	if (error) {
-		return error;
+	comparison->box = bounds_empty();
+	for (int i = 0; i < comparison->clip_count; i++) {
+		bounds_join(&comparison->box, &comparison->clip[i].screen.box);
 	}
-	comparison->screen = screen_view_create(
-		comparison->reference, request->width, request->height);
-	error = add_all(comparison, log);
-	for (int i = 0; !error && i < comparison->candidate_count; i++) {
-		candidate_measure(&comparison->candidate[i],
-			comparison->reference, &comparison->screen);
+}
+
+static int count_vertices(const struct comparison *comparison)
+{
+	const struct comparison_cell *cell = &comparison->row[0].cell[0];
+
+	return cell->vertex_count;
+}
+
+static int measure_all(struct comparison *comparison, const struct log *log)
+{
+	struct run run = {comparison, log, 0};
+	int jobs = comparison->request.jobs, clips = comparison->clip_count;
+	int error = jobs_run(clips, jobs, prepare_clip, &run);
+
+	if (!error) {
+		find_box(comparison);
+		error = jobs_run(comparison->row_count * clips, jobs,
+			measure_cell, &run);
+	}
+	return error;
+}
+
+static int prepare(struct comparison *comparison, const struct log *log)
+{
+	int error = choose_clips(comparison, log);
+
+	if (!error) {
+		error = comparison_rows_choose(comparison);
+	}
+	if (!error) {
+		error = measure_all(comparison, log);
+	}
+	if (error == -ENOMEM) {
+		log_error(log, "%s: there is not enough memory to compare it",
+			comparison->model->path);
 	}
 	return error;
 }
@@ -275,24 +145,35 @@ int comparison_create(const struct model *model,
 		return -ENOMEM;
 	}
 	comparison->request = *request;
-	error = prepare(comparison, model, log);
+	comparison->model = model;
+	error = prepare(comparison, log);
 	if (error) {
 		comparison_destroy(comparison);
 		return error;
 	}
-	comparison->cost = choose_cost(comparison);
-	advise(comparison);
+	comparison->vertex_count = count_vertices(comparison);
+	comparison_rows_sum_up(comparison);
+	advice_give(comparison);
 	*out = comparison;
 	return 0;
 }
 
 void comparison_destroy(struct comparison *comparison)
 {
-	if (comparison) {
-		for (int i = 0; i < comparison->candidate_count; i++) {
-			candidate_destroy(&comparison->candidate[i]);
-		}
-		reference_destroy(comparison->reference);
-		free(comparison);
+	if (!comparison) {
+		return;
 	}
+	for (int i = 0; i < comparison->row_count; i++) {
+		struct comparison_row *row = &comparison->row[i];
+
+		for (int c = 0; row->cell && c < comparison->clip_count; c++) {
+			fit_keys_release(&row->cell[c].keys);
+		}
+		free(row->cell);
+	}
+	for (int c = 0; c < comparison->clip_count; c++) {
+		time_grid_release(&comparison->clip[c].grid);
+	}
+	free(comparison->clip);
+	free(comparison);
 }

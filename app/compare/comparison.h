@@ -1,13 +1,22 @@
 /*
- * Bakes and measures all candidates for a clip, and recommends one.
+ * Compares all techniques on the clips of a model, and recommends one.
+ *
+ * A row is a technique, a cell a technique that plays one clip. The clips of a
+ * row share what the technique shares between them: a skin its mesh and its
+ * influences, a morph its posed vertices, but each clip has its own keys.
  */
 #ifndef APP_COMPARE_COMPARISON_H
 #define APP_COMPARE_COMPARISON_H
 
-#include "app/compare/candidate.h"
+#include "app/compare/board_profile.h"
+#include "app/compare/candidate/candidate_error.h"
+#include "app/compare/candidate/candidate_time.h"
+#include "app/compare/candidate/fit.h"
+#include "app/compare/technique.h"
 
 enum {
-	COMPARISON_CANDIDATES_MAX = 20
+	COMPARISON_ROWS_MAX = 20,
+	COMPARISON_REASON_BYTES = 512
 };
 
 /* Which figure counts as the cost of a frame. */
@@ -18,25 +27,87 @@ enum comparison_cost {
 	COMPARISON_COSTS
 };
 
+enum comparison_kind {
+	COMPARISON_ORIGINAL,   /* the model itself, see max_influences */
+	COMPARISON_MORPH,      /* key frames fitted to bound_px */
+	COMPARISON_MORPH_EVEN, /* AN4044's number of keys, evenly spaced */
+	COMPARISON_RIGID       /* rigid parts on pivots */
+};
+
 struct comparison_request {
-	int clip;
-	double rate_hz;      /* of the reference's frames */
-	float bound_px;      /* the largest error to accept */
-	size_t memory_bytes; /* the most memory to accept; 0: any */
+	int clip;       /* -1: all clips */
+	double rate_hz; /* at which the clips are played */
+	float bound_px; /* the largest error to accept */
+	const struct board_profile *board;
+	size_t memory_bytes; /* the most memory to accept; 0: the board's */
+	double frame_ms;     /* the most time to accept; 0: the board's */
 	int width, height;   /* of the screen, in pixels */
+	int jobs;            /* threads */
 	const struct kernel *kernel;
+	/* Called now and then with the jobs done and their number; or NULL. */
+	void (*progress)(void *context, int done, int total);
+	void *progress_context;
+};
+
+struct comparison_cell {
+	struct candidate_error error;
+	struct candidate_time time;
+	struct board_cost board;
+	struct candidate_bytes bytes;
+	int vertex_count;
+	struct fit_keys keys; /* of a morph */
+};
+
+/* The clips of a row together. */
+struct comparison_total {
+	float peak_px, mean_px, outline_px, normal_deg, shade_steps;
+	int peak_clip;       /* the clip with the largest error, of clip[] */
+	double frame_us;     /* here; the mean of all clips, as all below */
+	double instructions; /* negative: there is no counter */
+	struct board_cost board;
+	size_t memory_bytes, file_bytes;
+	int key_count;
+};
+
+struct comparison_row {
+	char name[48]; /* "morph, 9 keys" */
+	enum technique technique;
+	enum comparison_kind kind;
+	bool listed; /* in the table; the others are only in the plot */
+	bool front;  /* no listed row is better in time, memory and error */
+	int max_influences; /* of an original; 0: all */
+	bool targets;       /* of an original: its morph targets are played */
+	float bound_px;     /* of a fitted morph */
+	struct comparison_cell *cell; /* [clip_count] */
+	struct comparison_total total;
+};
+
+struct comparison_clip {
+	int clip; /* of the model */
+	struct time_grid grid;
+	struct screen_view screen;
+	int row; /* in the mixed plan */
 };
 
 struct comparison {
 	struct comparison_request request;
-	struct reference *reference;
-	struct screen_view screen;
-	int candidate_count;
-	struct candidate candidate[COMPARISON_CANDIDATES_MAX];
+	const struct model *model;
+	struct bounds box; /* around all clips, in the model's units */
+	int vertex_count;
+	int clip_count;
+	struct comparison_clip *clip;
+	int row_count;
+	struct comparison_row row[COMPARISON_ROWS_MAX];
 
-	enum comparison_cost cost; /* used by the advice and the plot */
-	int advised;               /* index of the recommended candidate */
-	char reason[200];          /* why it is recommended */
+	/* Set by advice_give(). */
+	enum comparison_cost cost;
+	size_t memory_limit_bytes;
+	double time_limit_us;
+	int advised; /* the row that suits all clips best */
+	bool mixed;  /* a plan of several rows is better: clip[].row */
+	size_t mixed_bytes;
+	double mixed_us;
+	char reason[COMPARISON_REASON_BYTES]; /* a sentence with both numbers */
 };
 
 /*
@@ -47,11 +118,7 @@ int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,
 	struct comparison **out);
 
-/* The figure that comparison->cost selects; its unit depends on that. */
-double comparison_cost_of(
-	const struct comparison *comparison, const struct candidate *candidate);
-
-/* Whether a listed candidate uses the technique. */
+/* Whether a listed row uses the technique. */
 bool comparison_has(
 	const struct comparison *comparison, enum technique technique);
 

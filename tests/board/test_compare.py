@@ -5,7 +5,7 @@ import subprocess
 
 from harness import BY_HAND, HOST, TOP, booted, check, done
 
-QUESTION = ("compare", "--fps", "4", "--error", "2", "--format", "json",
+QUESTION = ("compare", "--clip", "run", "--error", "2", "--format", "json",
             "--kernel", "float")
 MODEL = "walker.glb"
 

@@ -6,7 +6,7 @@
 samples=${SAMPLES:-../shared}/models
 here=$(cd "$(dirname "$0")" && pwd)
 
-# recomputed MODEL FPS COUNT: recomputes COUNT figures from the baked models.
+# recomputed MODEL CLIP COUNT: recomputes COUNT figures from the baked models.
 recomputed() {
     name=$(basename "$1")
     if [ ! -f "$1" ]; then
@@ -14,7 +14,7 @@ recomputed() {
         return
     fi
     rm -rf "$scratch/baked"
-    limber compare "$1" --fps "$2" --error 2 --format json \
+    limber compare "$1" --clip "$2" --error 2 --format json \
         --export "$scratch/baked"
     expect_status 0
     cp "$out_file" "$scratch/report.json"
@@ -30,14 +30,17 @@ recomputed() {
     check "$name: all figures were recomputed" grep -qx "1..$3" "$scratch/checked"
 }
 
-recomputed "$samples/CesiumMan.glb" 30 17
-recomputed "$here/../../assets/walker.glb" 8 8
-recomputed "$samples/x/anim_test.x" 8 8
+recomputed "$samples/CesiumMan.glb" 0 26
+recomputed "$here/../../assets/walker.glb" walk 19
+recomputed "$samples/x/anim_test.x" 0 16
 
 limber compare "$slider" --fps 10 --plot "$scratch/plot.svg"
 expect_status 0
-expect_out '^> '
-expect_out '^"ARM11": predicted for an ARM1136 at 532 MHz by the timing model, not measured\.$'
+expect_out '^>'
+expect_out '^Take "'
+expect_out '"ARM11": predicted for an ARM1136 at 532 MHz'
+expect_out '^by the timing model, not measured\.'
+expect_out 'Board imx31-pdk: ARM1136 at 532 MHz, 128 MiB; limits: 81920 KiB, 33\.3 ms, 0\.5 px'
 expect_out '  a frame takes  *ARM11 us  us here '
 expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
 check 'the plot has a point for each technique' \
@@ -72,6 +75,46 @@ limber compare "$slider" --fps 10 --ram 1
 expect_status 0
 expect_out 'nothing fits the memory'
 
+# What a person would advise, without any option.
+for advised in "walk skin" "idle skin . morph"; do
+    limber compare "$here/../../assets/walker.glb" --clip "${advised%% *}"
+    expect_status 0
+    expect_out "^Take \"${advised#* }\": it takes [0-9]* us and [0-9]* KiB; \"morph, .* would save [0-9]* us, .* but take [0-9]* KiB more"
+done
+limber compare "$here/../../assets/face.glb" --clip talk
+expect_out '^Take "morph targets": '
+
+# All clips are compared at once; what they share is counted once.
+limber compare "$here/../../assets/walker.glb" --format json
+expect_status 0
+check 'all clips share their mesh' python3 -c '
+import json, sys
+report = json.load(open(sys.argv[1]))
+assert [clip["name"] for clip in report["clips"]] == [
+    "idle", "jump", "run", "walk", "wave"]
+skin = report["candidates"][0]
+shared = skin["clips"][0]["ram_bytes_shared"]
+own = sum(clip["ram_bytes_own"] for clip in skin["clips"])
+assert skin["ram_bytes"] == shared + own and shared > own > 0
+assert skin["peak_px"] == max(clip["peak_px"] for clip in skin["clips"])
+fitted = next(row for row in report["candidates"]
+              if row["name"].endswith("fitted"))
+assert fitted["peak_px"] <= report["bound_px"]
+assert report["advice"] == "skin + morph" and not report["mixed_plan"]["better"]
+' "$out_file"
+
+# The playback rate is no measure: the error between keys is found at any rate.
+limber compare "$slider" --fps 4 --format csv
+cp "$out_file" "$scratch/four.csv"
+limber compare "$slider" --fps 240 --format csv --jobs 1
+check 'the same errors at any playback rate and number of threads' python3 -c '
+import csv, sys
+slow, fast = ([(r["peak_px"], r["normal_deg"], r["ram_bytes"])
+               for r in csv.DictReader(open(f, newline=""))]
+              for f in sys.argv[1:])
+assert slow == fast and len(slow) >= 3, (slow, fast)
+' "$scratch/four.csv" "$out_file"
+
 limber compare
 expect_refusal 2 'no model'
 limber compare "$slider" --format xml
@@ -80,6 +123,13 @@ limber compare "$slider" --error 0
 expect_refusal 2 'from 0.001 to 1000'
 limber compare "$slider" --ram lots
 expect_refusal 2 'a number of bytes'
+limber compare "$slider" --board pc
+expect_refusal 2 'the name of a board: imx31-pdk'
+limber compare "$slider" --jobs 0
+expect_refusal 2 'from 1 to 64'
+limber compare "$slider" --ms 0.001 --error 0.001
+expect_status 0
+expect_out 'nothing that keeps within 0\.001 px is as fast as 0\.0 ms, and it is the fastest'
 limber compare "$slider" --clip none
 expect_refusal 1 'no such clip'
 limber compare "$slider" --fps 10 --plot "$scratch/none/plot.svg"

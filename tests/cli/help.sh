@@ -41,7 +41,8 @@ helped pose --output --clip --time --math --kernel --verbose --help --version
 helped info --json --verbose --help --version
 helped bench --kernel --runs --json --verbose --help --version
 helped doctor --config --egl-library --gles-library --json --verbose --help --version
-helped compare --clip --size --kernel --fps --error --ram --format --plot --export --help
+helped compare --clip --size --kernel --fps --error --ram --ms --board --jobs --format \
+    --plot --export --help
 
 limber --version
 expect_status 0

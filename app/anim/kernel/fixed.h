@@ -88,6 +88,14 @@ struct fixed_weights {
 	int16_t a, b;
 };
 
+/*
+ * A vertex of a key frame: each number times -2, as in the pairs that a lerp
+ * reads. An array of them is aligned to 4 bytes and has an even length.
+ */
+struct fixed_key {
+	int16_t x, y, z;
+};
+
 /* A sum of targets, in 2^-16 of a fixed_vector's unit. */
 struct fixed_sum {
 	int32_t x, y, z;
@@ -122,6 +130,15 @@ struct fixed_loops {
 	/* out = (pair.a * weights.a + pair.b * weights.b + 2^15) >> 16. */
 	void (*lerp)(int count, const struct fixed_pair (*pair)[3],
 		struct fixed_weights weights, struct fixed_vector *out);
+
+	/*
+	 * The same between two key frames that are stored one after the other:
+	 * half the memory, and no pairs to prepare when the keys change. With
+	 * an odd count one more key of each is loaded.
+	 */
+	void (*lerp_keys)(int count, const struct fixed_key *source,
+		const struct fixed_key *destiny, struct fixed_weights weights,
+		struct fixed_vector *out);
 
 	/*
 	 * vector += step, each number clamped to 16 bits: AN4044's morphing by

@@ -146,6 +146,34 @@ static void lerp(int count, const struct fixed_pair (*pair)[3],
 	}
 }
 
+/* A loop over the numbers of all keys, which compilers can vectorise. */
+static void weigh_keys(int count, const int16_t *source, const int16_t *destiny,
+	struct fixed_weights weights, uint32_t start, uint32_t *sum)
+{
+	for (int i = 0; i < count; i++) {
+		sum[i] = start + (uint32_t)(source[i] * weights.a) +
+			(uint32_t)(destiny[i] * weights.b);
+	}
+}
+
+static void lerp_keys(int count, const struct fixed_key *source,
+	const struct fixed_key *destiny, struct fixed_weights weights,
+	struct fixed_vector *out)
+{
+	const uint32_t half = 0x8000;
+
+	for (int first = 0; first < count; first += CHUNK) {
+		uint32_t sum[CHUNK][3];
+		int left = count - first < CHUNK ? count - first : CHUNK;
+
+		weigh_keys(3 * left, &source[first].x, &destiny[first].x,
+			weights, half, &sum[0][0]);
+		for (int i = 0; i < left; i++) {
+			narrow(sum[i][0], sum[i][1], sum[i][2], &out[first + i]);
+		}
+	}
+}
+
 static inline int16_t add_clamped(int16_t a, int16_t b)
 {
 	int sum = a + b;
@@ -260,6 +288,7 @@ static void rebase(int count, const struct fixed_rebase *rebase,
 const struct fixed_loops fixed_loops_c = {
 	.skin = skin,
 	.lerp = lerp,
+	.lerp_keys = lerp_keys,
 	.increment = increment,
 	.morph_pair = morph_pair,
 	.morph_begin = morph_begin,

@@ -14,7 +14,10 @@ struct options options_default(void)
 		.motion.interpolation = CLIP_AUTO,
 		.screen.size = {.width = 480, .height = 640},
 		.show.clock = clock_real(),
-		.compare = {.fps = 60.0, .error_px = 0.5f, .format = "text"},
+		.compare = {.fps = 60.0,
+			.error_px = 0.5f,
+			.board = board_profile_find(NULL),
+			.format = "text"},
 		.bench.runs = 15,
 	};
 

@@ -10,6 +10,7 @@
 #include <stdio.h>
 
 #include "app/anim/clip.h"
+#include "app/compare/board_profile.h"
 #include "app/demo/live.h"
 #include "app/model/model.h"
 #include "app/scene/instance/influence_cap.h"
@@ -119,6 +120,9 @@ struct options_compare {
 	double fps;
 	float error_px;
 	size_t ram_bytes;
+	float ms;
+	int jobs; /* 0: one a processor */
+	const struct board_profile *board;
 	const char *format; /* of the report */
 	const char *plot;
 	const char *export;

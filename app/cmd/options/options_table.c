@@ -145,6 +145,12 @@ static bool set_report(struct options *options, const char *value)
 	return report_find(value) != NULL;
 }
 
+static bool set_board(struct options *options, const char *value)
+{
+	options->compare.board = board_profile_find(value);
+	return options->compare.board != NULL;
+}
+
 static bool set_record(struct options *options, const char *value)
 {
 	const char *dot = strrchr(value, '.');
@@ -281,14 +287,23 @@ const struct option_entry option_entries[] = {
 		"measure everything N times and print the median; the default is 15",
 		"a number from 1 to 1001", INT(bench.runs, 1, 1001)},
 	{0, "fps", "F", FOR_COMPARE,
-		"compare F frames of each second of the clip; the default is 60",
+		"the rate at which clips are played, in frames a second; the default is 60",
 		"a number from 1 to 240", DOUBLE(compare.fps, 1, 240)},
 	{0, "error", "PX", FOR_COMPARE,
 		"accept an error of up to PX pixels; the default is 0.5",
 		"a number from 0.001 to 1000", FLOAT(compare.error_px, 0.001, 1000)},
 	{0, "ram", "BYTES", FOR_COMPARE,
-		"accept up to this much memory, such as 200000, 512k or 2m",
+		"accept up to this much memory, such as 512k; the board sets the default",
 		"a number of bytes such as 200000, 512k or 2m", PARSED(set_ram)},
+	{0, "ms", "N", FOR_COMPARE,
+		"accept up to N ms a frame for animation; the board sets the default",
+		"a number from 0.001 to 1000", FLOAT(compare.ms, 0.001, 1000)},
+	{0, "board", "NAME", FOR_COMPARE,
+		"take the limits of this board: imx31-pdk",
+		"the name of a board: imx31-pdk", PARSED(set_board)},
+	{0, "jobs", "N", FOR_COMPARE,
+		"measure in N threads; the default is one for each processor",
+		"a number from 1 to 64", INT(compare.jobs, 1, 64)},
 	{0, "format", "KIND", FOR_COMPARE,
 		"print the report as: text, json, csv or md; the default is text",
 		"text, json, csv or md", PARSED(set_report)},

@@ -95,8 +95,8 @@ int show_loop_run(struct show *show)
 	show->pace = show->clock.fixed
 		? pace_none()
 		: pace_begin(show->options->show.fps, show->screen.info.rate_hz);
-	progress =
-		progress_begin(show->plan->progress ? show->frames : 0, stderr);
+	progress = progress_begin(
+		show->plan->progress ? show->frames : 0, "frames", stderr);
 	for (int done = 0; !error && !show->closed; done++) {
 		if (show->frames && done >= show->frames) {
 			break;

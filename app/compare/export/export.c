@@ -1,6 +1,5 @@
 #include "app/compare/export/export.h"
 
-#include "app/compare/candidate_morph.h"
 #include "app/compare/export/export_bake.h"
 
 #include <errno.h>
@@ -8,55 +7,111 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static int export_candidate(const struct comparison *comparison,
-	const struct candidate *candidate, const char *folder,
+enum {
+	PATH_BYTES = 4096
+};
+
+/* The file's name; "" for the model itself, which is a file already. */
+static void name_file(const struct comparison_row *row, char *text, size_t size)
+{
+	switch (row->kind) {
+	case COMPARISON_MORPH:
+		snprintf(text, size, "morph-%d.glb", row->total.key_count);
+		break;
+	case COMPARISON_MORPH_EVEN:
+		snprintf(text, size, "morph-even-%d.glb", row->total.key_count);
+		break;
+	case COMPARISON_RIGID:
+		snprintf(text, size, "rigid.glb");
+		break;
+	default:
+		if (row->max_influences > 0) {
+			snprintf(text, size, "skin-%d.glb", row->max_influences);
+		} else {
+			snprintf(text, size, "%s",
+				row->targets ? "" : "skin.glb");
+		}
+		break;
+	}
+}
+
+static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	const struct log *log)
 {
-	char path[4096];
-	int length;
-	struct glb glb;
+	struct candidate candidate = {0};
+	struct reference *reference;
+	int error = reference_create(
+		comparison->model, comparison->clip[0].clip, log, &reference);
 
-	if (candidate->key_count > 0) {
-		length = snprintf(path, sizeof(path), "%s/morph-%d.glb", folder,
-			candidate->key_count);
-	} else {
-		length = snprintf(path, sizeof(path), "%s/rigid.glb", folder);
+	if (error) {
+		return error;
 	}
-	if (length < 0 || (size_t)length >= sizeof(path)) {
-		log_error(log,
-			"--export %s: the name is too long: choose a shorter one",
-			folder);
-		return -ENAMETOOLONG;
+	error = candidate_rigid(&candidate, reference, log);
+	if (!error) {
+		export_rigid(glb, candidate_rigid_bake(&candidate), comparison);
 	}
+	candidate_destroy(&candidate);
+	reference_destroy(reference);
+	return error;
+}
+
+static int export_row(const struct comparison *comparison,
+	const struct comparison_row *row, const char *path,
+	const struct log *log)
+{
+	struct glb glb;
+	int error = 0;
+
 	glb_begin(&glb);
-	if (candidate->key_count > 0) {
-		export_morph(&glb, comparison->reference,
-			candidate_morph_keys(candidate), candidate->key_count);
+	if (row->kind == COMPARISON_ORIGINAL) {
+		export_skin(&glb, comparison, row->max_influences, row->targets);
+	} else if (row->kind == COMPARISON_RIGID) {
+		error = bake_rigid(&glb, comparison, log);
 	} else {
-		export_rigid(&glb, candidate_rigid_bake(candidate));
+		error = export_morph(&glb, comparison, row, log);
+	}
+	if (error) {
+		glb_discard(&glb);
+		return error;
 	}
 	return glb_write(&glb, path, log);
+}
+
+static int make_folder(const char *folder, const struct log *log)
+{
+	int error;
+
+	if (mkdir(folder, 0777) == 0 || errno == EEXIST) {
+		return 0;
+	}
+	error = -errno;
+	log_error(log, "--export %s: the folder cannot be made: %s", folder,
+		strerror(-error));
+	return error;
 }
 
 int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log)
 {
-	int error = 0;
+	int error = make_folder(folder, log);
 
-	if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
-		error = -errno;
-		log_error(log, "--export %s: the folder cannot be made: %s",
-			folder, strerror(-error));
-		return error;
-	}
-	for (int i = 0; !error && i < comparison->candidate_count; i++) {
-		const struct candidate *candidate = &comparison->candidate[i];
+	for (int i = 0; !error && i < comparison->row_count; i++) {
+		const struct comparison_row *row = &comparison->row[i];
+		char name[40], path[PATH_BYTES];
+		int length;
 
-		if (candidate->listed &&
-			(candidate->key_count > 0 || candidate->source)) {
-			error = export_candidate(
-				comparison, candidate, folder, log);
+		name_file(row, name, sizeof(name));
+		if (!row->listed || !name[0]) {
+			continue;
 		}
+		length = snprintf(path, sizeof(path), "%s/%s", folder, name);
+		if (length < 0 || (size_t)length >= sizeof(path)) {
+			log_error(log,
+				"--export %s: the name is too long: choose a shorter one",
+				folder);
+			return -ENAMETOOLONG;
+		}
+		error = export_row(comparison, row, path, log);
 	}
 	return error;
 }

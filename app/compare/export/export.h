@@ -7,8 +7,10 @@
 #include "app/compare/comparison.h"
 
 /*
- * Writes FOLDER/morph-N.glb for each listed morph of N key frames, and
- * FOLDER/rigid.glb. Creates the folder if it does not exist. Returns 0, or
+ * Writes a file for each listed row but the model itself: FOLDER/morph-N.glb
+ * with N fitted keys, morph-even-N.glb, rigid.glb, skin-K.glb with K
+ * influences a vertex, and skin.glb without morph targets. Each has all clips
+ * that were compared. Creates the folder if it does not exist. Returns 0, or
  * -errno after logging an error.
  */
 int export_comparison(const struct comparison *comparison, const char *folder,

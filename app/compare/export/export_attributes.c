@@ -71,3 +71,29 @@ void export_attributes(struct glb *glb, json_t *attributes,
 		add_colors(glb, attributes, primitive, vertex_count, source);
 	}
 }
+
+int export_indices(struct glb *glb, const uint32_t *index, int count)
+{
+	uint16_t *small;
+	uint32_t most = 0;
+	int accessor;
+
+	for (int i = 0; i < count; i++) {
+		most = index[i] > most ? index[i] : most;
+	}
+	/* 65535 restarts a strip in some programs, so glTF excludes it. */
+	if (most >= UINT16_MAX) {
+		return glb_add_array(glb, index, count, 1, GLB_UINT);
+	}
+	small = malloc((size_t)count * sizeof(*small) + 1);
+	if (!small) {
+		glb->error = glb->error ? glb->error : -ENOMEM;
+		return -1;
+	}
+	for (int i = 0; i < count; i++) {
+		small[i] = (uint16_t)index[i];
+	}
+	accessor = glb_add_array(glb, small, count, 1, GLB_USHORT);
+	free(small);
+	return accessor;
+}

@@ -5,20 +5,41 @@
 #ifndef APP_COMPARE_EXPORT_EXPORT_BAKE_H
 #define APP_COMPARE_EXPORT_EXPORT_BAKE_H
 
-#include "app/compare/candidate_rigid.h"
+#include "app/compare/candidate/candidate_rigid.h"
+#include "app/compare/comparison.h"
 #include "app/compare/export/glb.h"
 
 /*
- * Adds one node, whose mesh has the first key frame as base and the others as
- * targets, and a clip that blends from each key to the next.
+ * Adds one node, whose mesh has all key frames of a morph as targets, and for
+ * each clip an animation that blends from each of its keys to the next. It
+ * poses one key at a time. Returns 0, or -errno after logging an error.
  */
-void export_morph(struct glb *glb, const struct reference *reference,
-	const int *key, int key_count);
+int export_morph(struct glb *glb, const struct comparison *comparison,
+	const struct comparison_row *row, const struct log *log);
 
 /*
- * Adds the nodes and the clip; each part is a child of the node that moves it.
+ * Adds the nodes and all clips. A node that moves parts has a mesh of them.
  */
-void export_rigid(struct glb *glb, const struct rigid_bake *rigid);
+void export_rigid(struct glb *glb, const struct rigid_bake *rigid,
+	const struct comparison *comparison);
+
+/*
+ * Adds the model with at most max_influences a vertex (0: all), and with or
+ * without its morph targets.
+ */
+void export_skin(struct glb *glb, const struct comparison *comparison,
+	int max_influences, bool targets);
+
+/*
+ * Adds the model's nodes. mesh[node] is the number of the node's mesh, or -1;
+ * with skins, nodes keep theirs. Adds the scene's roots.
+ */
+void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
+	bool skins);
+
+/* Adds the comparison's clips; weights of targets only if targets is true. */
+void export_clips(
+	struct glb *glb, const struct comparison *comparison, bool targets);
 
 /*
  * Adds the texture coordinates and colours of vertex_count vertices. source[v]
@@ -27,6 +48,9 @@ void export_rigid(struct glb *glb, const struct rigid_bake *rigid);
 void export_attributes(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int vertex_count,
 	const int *source);
+
+/* Adds a list of triangles with 16 or 32 bits an index. The accessor or -1. */
+int export_indices(struct glb *glb, const uint32_t *index, int count);
 
 /* Sets an attribute to the number of its accessor. */
 void export_attribute(json_t *attributes, const char *name, int accessor);

@@ -1,140 +1,245 @@
 #include "app/compare/export/export_bake.h"
 
+#include "app/compare/candidate/candidate_morph.h"
+
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Adds a part's vectors at one key frame minus those at the first. */
-static int add_delta(struct glb *glb, const float (*from)[3],
-	const float (*base)[3], int count)
+/* What is needed while the keys are posed one after the other. */
+struct exporter {
+	struct glb *glb;
+	const struct comparison *comparison;
+	const struct comparison_row *row;
+	const struct log *log;
+	struct fixed_placement placement;
+	struct reference *reference; /* of the present clip */
+	int16_t (*base)[3];          /* [vertex_count] */
+	int8_t (*base_normal)[3];
+	int16_t (*delta)[3];
+	int8_t (*delta_normal)[3];
+	json_t *primitives; /* each with an array "targets" */
+};
+
+static int allocate(struct exporter *exporter)
 {
-	float(*delta)[3] = malloc((size_t)count * sizeof(*delta));
-	int accessor;
+	size_t count = (size_t)exporter->reference->vertex_count + 1;
 
-	if (!delta) {
-		glb->error = -ENOMEM;
-		return -1;
-	}
-	for (int v = 0; v < count; v++) {
+	exporter->base = malloc(count * sizeof(*exporter->base));
+	exporter->base_normal = malloc(count * sizeof(*exporter->base_normal));
+	exporter->delta = malloc(count * sizeof(*exporter->delta));
+	exporter->delta_normal = malloc(count * sizeof(*exporter->delta_normal));
+	return exporter->base && exporter->base_normal && exporter->delta &&
+			exporter->delta_normal
+		? 0
+		: -ENOMEM;
+}
+
+/* The mesh itself is the first pose, with normals on the diagonals. */
+static void take_base(struct exporter *exporter)
+{
+	const struct reference *reference = exporter->reference;
+
+	for (int v = 0; v < reference->vertex_count; v++) {
+		candidate_morph_position(&exporter->placement,
+			reference->position[v], exporter->base[v]);
 		for (int axis = 0; axis < 3; axis++) {
-			delta[v][axis] = from[v][axis] - base[v][axis];
+			exporter->base_normal[v][axis] =
+				reference->normal[v][axis] < 0.0f
+				? -MORPH_NORMAL_BASE
+				: MORPH_NORMAL_BASE;
 		}
 	}
-	accessor = glb_add_array(glb, delta, count, 3, GLB_FLOAT);
-	free(delta);
-	return accessor;
 }
 
-static json_t *targets_json(struct glb *glb, const struct reference *reference,
-	const struct reference_part *part, const int *key, int key_count)
+static void take_deltas(struct exporter *exporter)
 {
-	json_t *targets = json_array();
-	int first = part->first_vertex, count = part->vertex_count;
+	const struct reference *reference = exporter->reference;
 
-	for (int k = 1; k < key_count; k++) {
-		json_t *target = json_object();
+	for (int v = 0; v < reference->vertex_count; v++) {
+		int16_t position[3];
+		int8_t normal[3];
 
-		export_attribute(target, "POSITION",
-			add_delta(glb,
-				reference_position(reference, key[k]) + first,
-				reference_position(reference, key[0]) + first,
-				count));
-		if (part->normals) {
-			export_attribute(target, "NORMAL",
-				add_delta(glb,
-					reference_normal(reference, key[k]) +
-						first,
-					reference_normal(reference, key[0]) +
-						first,
-					count));
+		candidate_morph_position(
+			&exporter->placement, reference->position[v], position);
+		candidate_morph_normal(reference->normal[v], normal);
+		for (int axis = 0; axis < 3; axis++) {
+			exporter->delta[v][axis] = (int16_t)(position[axis] -
+				exporter->base[v][axis]);
+			exporter->delta_normal[v][axis] = (int8_t)(normal[axis] -
+				exporter->base_normal[v][axis]);
 		}
-		json_array_append_new(targets, target);
 	}
-	return targets;
 }
 
-static json_t *primitive_json(struct glb *glb, const struct reference *reference,
-	const struct reference_part *part, const int *key, int key_count)
+static void add_vectors(struct exporter *exporter, json_t *to,
+	const struct reference_part *part, const int16_t (*position)[3],
+	const int8_t (*normal)[3])
 {
-	const struct model_primitive *primitive =
-		reference->instance->drawable[part->drawable].primitive;
-	json_t *attributes = json_object();
-	int first = part->first_vertex;
+	struct glb *glb = exporter->glb;
 
-	export_attribute(attributes, "POSITION",
-		glb_add_array(glb, reference_position(reference, key[0]) + first,
-			part->vertex_count, 3, GLB_FLOAT));
+	export_attribute(to, "POSITION",
+		glb_add_vectors(glb, position + part->first_vertex,
+			part->vertex_count, GLB_SHORT, false));
 	if (part->normals) {
-		export_attribute(attributes, "NORMAL",
-			glb_add_array(glb,
-				reference_normal(reference, key[0]) + first,
-				part->vertex_count, 3, GLB_FLOAT));
+		export_attribute(to, "NORMAL",
+			glb_add_vectors(glb, normal + part->first_vertex,
+				part->vertex_count, GLB_BYTE, true));
 	}
-	export_attributes(glb, attributes, primitive, part->vertex_count, NULL);
-	return json_pack("{s:o, s:i, s:i, s:o}", "attributes", attributes,
-		"indices",
-		glb_add_array(glb, primitive->index, primitive->index_count, 1,
-			GLB_UINT),
-		"material", primitive->material, "targets",
-		targets_json(glb, reference, part, key, key_count));
 }
 
-/* At each key after the first, its own weight is 1 and all others are 0. */
-static int add_weights(struct glb *glb, int key_count)
+static void add_primitives(struct exporter *exporter)
 {
-	size_t width = (size_t)key_count - 1;
-	float *weight = calloc((size_t)key_count * width, sizeof(*weight));
-	int accessor;
-
-	if (!weight) {
-		glb->error = -ENOMEM;
-		return -1;
-	}
-	for (size_t k = 1; k <= width; k++) {
-		weight[k * width + k - 1] = 1.0f;
-	}
-	accessor = glb_add_array(
-		glb, weight, key_count * (key_count - 1), 1, GLB_FLOAT);
-	free(weight);
-	return accessor;
-}
-
-static int add_times(struct glb *glb, const struct reference *reference,
-	const int *key, int count)
-{
-	float *time_s = malloc((size_t)count * sizeof(*time_s));
-	int accessor;
-
-	if (!time_s) {
-		glb->error = -ENOMEM;
-		return -1;
-	}
-	for (int i = 0; i < count; i++) {
-		time_s[i] = reference->time_s[key[i]];
-	}
-	accessor = glb_add_array(glb, time_s, count, 1, GLB_FLOAT);
-	free(time_s);
-	return accessor;
-}
-
-void export_morph(struct glb *glb, const struct reference *reference,
-	const int *key, int key_count)
-{
-	json_t *primitives = json_array();
+	const struct reference *reference = exporter->reference;
 
 	for (int i = 0; i < reference->part_count; i++) {
-		json_array_append_new(primitives,
-			primitive_json(glb, reference, &reference->part[i], key,
-				key_count));
+		const struct reference_part *part = &reference->part[i];
+		const struct model_primitive *primitive =
+			reference->instance->drawable[part->drawable].primitive;
+		json_t *attributes = json_object();
+
+		add_vectors(exporter, attributes, part,
+			(const int16_t(*)[3])exporter->base,
+			(const int8_t(*)[3])exporter->base_normal);
+		export_attributes(exporter->glb, attributes, primitive,
+			part->vertex_count, NULL);
+		json_array_append_new(exporter->primitives,
+			json_pack("{s:o, s:i, s:i, s:[]}", "attributes",
+				attributes, "indices",
+				export_indices(exporter->glb, primitive->index,
+					primitive->index_count),
+				"material", primitive->material, "targets"));
 	}
-	export_materials(glb, reference->model);
-	glb_set(glb, "meshes", json_pack("[{s:o}]", "primitives", primitives));
-	glb_set(glb, "nodes", json_pack("[{s:i}]", "mesh", 0));
+}
+
+static void add_targets(struct exporter *exporter)
+{
+	const struct reference *reference = exporter->reference;
+
+	for (int i = 0; i < reference->part_count; i++) {
+		json_t *primitive =
+			json_array_get(exporter->primitives, (size_t)i);
+		json_t *target = json_object();
+
+		add_vectors(exporter, target, &reference->part[i],
+			(const int16_t(*)[3])exporter->delta,
+			(const int8_t(*)[3])exporter->delta_normal);
+		json_array_append_new(
+			json_object_get(primitive, "targets"), target);
+	}
+}
+
+static int export_keys(struct exporter *exporter, int clip)
+{
+	const struct fit_keys *keys = &exporter->row->cell[clip].keys;
+	int error = reference_create(exporter->comparison->model,
+		exporter->comparison->clip[clip].clip, exporter->log,
+		&exporter->reference);
+
+	if (error) {
+		return error;
+	}
+	error = exporter->base ? 0 : allocate(exporter);
+	for (int k = 0; !error && k < keys->count; k++) {
+		reference_pose(exporter->reference, keys->time_s[k], true);
+		if (json_array_size(exporter->primitives) == 0) {
+			take_base(exporter);
+			add_primitives(exporter);
+		}
+		take_deltas(exporter);
+		add_targets(exporter);
+	}
+	reference_destroy(exporter->reference);
+	return error;
+}
+
+/* At each key its own weight is 1 and all others are 0. */
+static int add_weights(
+	struct exporter *exporter, const struct fit_keys *keys, int first)
+{
+	int total = exporter->row->total.key_count, accessor = -1;
+	uint32_t *one = malloc((size_t)keys->count * sizeof(*one));
+
+	if (!one) {
+		exporter->glb->error = -ENOMEM;
+		return -1;
+	}
+	for (int k = 0; k < keys->count; k++) {
+		one[k] = (uint32_t)k * (uint32_t)total + (uint32_t)(first + k);
+	}
+	accessor = glb_add_ones(
+		exporter->glb, one, keys->count, keys->count * total);
+	free(one);
+	return accessor;
+}
+
+static void add_clips(struct exporter *exporter)
+{
+	const struct comparison *comparison = exporter->comparison;
+	json_t *animations = json_array();
+	int first = 0;
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		const struct fit_keys *keys = &exporter->row->cell[c].keys;
+		const struct model_clip *clip =
+			&comparison->model->clip[comparison->clip[c].clip];
+
+		json_array_append_new(animations,
+			json_pack(
+				"{s:s, s:[{s:i, s:i}], s:[{s:i, s:{s:i, s:s}}]}",
+				"name", clip->name, "samplers", "input",
+				glb_add_array(exporter->glb, keys->time_s,
+					keys->count, 1, GLB_FLOAT),
+				"output", add_weights(exporter, keys, first),
+				"channels", "sampler", 0, "target", "node", 0,
+				"path", "weights"));
+		first += keys->count;
+	}
+	glb_set(exporter->glb, "animations", animations);
+}
+
+/* The node's scale and translation turn the numbers into the model's units. */
+static void add_node(struct exporter *exporter)
+{
+	const struct fixed_placement *placement = &exporter->placement;
+	double scale = (double)placement->scale;
+	struct glb *glb = exporter->glb;
+
+	glb_set(glb, "nodes",
+		json_pack("[{s:i, s:o, s:[f, f, f]}]", "mesh", 0, "translation",
+			glb_floats(placement->offset, 3), "scale", scale, scale,
+			scale));
 	glb_set(glb, "scenes", json_pack("[{s:[i]}]", "nodes", 0));
 	glb_set(glb, "scene", json_integer(0));
-	glb_set(glb, "animations",
-		json_pack("[{s:s, s:[{s:i, s:i}], s:[{s:i, s:{s:i, s:s}}]}]",
-			"name", reference->clip->name, "samplers", "input",
-			add_times(glb, reference, key, key_count), "output",
-			add_weights(glb, key_count), "channels", "sampler", 0,
-			"target", "node", 0, "path", "weights"));
+}
+
+int export_morph(struct glb *glb, const struct comparison *comparison,
+	const struct comparison_row *row, const struct log *log)
+{
+	struct exporter exporter = {
+		.glb = glb,
+		.comparison = comparison,
+		.row = row,
+		.log = log,
+		.placement = candidate_morph_placement(&comparison->box),
+		.primitives = json_array(),
+	};
+	int error = 0;
+
+	for (int c = 0; !error && c < comparison->clip_count; c++) {
+		error = export_keys(&exporter, c);
+	}
+	if (!error) {
+		export_materials(glb, comparison->model);
+		glb_set(glb, "meshes",
+			json_pack("[{s:O}]", "primitives", exporter.primitives));
+		add_node(&exporter);
+		add_clips(&exporter);
+	}
+	json_decref(exporter.primitives);
+	free(exporter.base);
+	free(exporter.base_normal);
+	free(exporter.delta);
+	free(exporter.delta_normal);
+	return error;
 }

@@ -3,62 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-static json_t *node_json(const struct model_node *node)
-{
-	json_t *json = json_pack("{s:s}", "name", node->name);
-
-	if (json && node->matrix) {
-		json_object_set_new(
-			json, "matrix", glb_floats(&node->matrix[0][0], 16));
-	} else if (json) {
-		json_object_set_new(json, "translation",
-			glb_floats(node->rest.translation, 3));
-		json_object_set_new(
-			json, "rotation", glb_floats(node->rest.rotation, 4));
-		json_object_set_new(
-			json, "scale", glb_floats(node->rest.scale, 3));
-	}
-	return json;
-}
-
-static void add_child(json_t *nodes, int parent, int child)
-{
-	json_t *node = json_array_get(nodes, (size_t)parent);
-	json_t *children = json_object_get(node, "children");
-
-	if (!children) {
-		children = json_array();
-		json_object_set_new(node, "children", children);
-	}
-	json_array_append_new(children, json_integer(child));
-}
-
-/* Adds the model's nodes, then a child node for each part. */
-static void add_nodes(struct glb *glb, const struct rigid_bake *rigid)
-{
-	const struct model *model = rigid->reference->model;
-	json_t *nodes = json_array(), *roots = json_array();
-
-	for (int i = 0; i < model->node_count; i++) {
-		const struct model_node *node = &model->node[i];
-
-		json_array_append_new(nodes, node_json(node));
-		if (node->parent >= 0) {
-			add_child(nodes, node->parent, i);
-		} else {
-			json_array_append_new(roots, json_integer(i));
-		}
-	}
-	for (int i = 0; i < rigid->part_count; i++) {
-		json_array_append_new(nodes, json_pack("{s:i}", "mesh", i));
-		add_child(nodes, rigid->part[i].node, model->node_count + i);
-	}
-	glb_set(glb, "nodes", nodes);
-	glb_set(glb, "scenes", json_pack("[{s:o}]", "nodes", roots));
-	glb_set(glb, "scene", json_integer(0));
-}
-
-static json_t *primitive_json(struct glb *glb, const struct rigid_bake *rigid,
+static json_t *part_json(struct glb *glb, const struct rigid_bake *rigid,
 	const struct rigid_part *part, const struct model_primitive *primitive,
 	const int *source)
 {
@@ -76,12 +21,12 @@ static json_t *primitive_json(struct glb *glb, const struct rigid_bake *rigid,
 	export_attributes(
 		glb, attributes, primitive, part->vertex_count, source);
 	return json_pack("{s:o, s:i, s:i}", "attributes", attributes, "indices",
-		glb_add_array(glb, rigid->index + part->first_index,
-			part->index_count, 1, GLB_UINT),
+		export_indices(glb, rigid->index + part->first_index,
+			part->index_count),
 		"material", primitive->material);
 }
 
-static json_t *mesh_json(struct glb *glb, const struct rigid_bake *rigid,
+static json_t *primitive_json(struct glb *glb, const struct rigid_bake *rigid,
 	const struct rigid_part *part)
 {
 	const struct reference *reference = rigid->reference;
@@ -99,73 +44,53 @@ static json_t *mesh_json(struct glb *glb, const struct rigid_bake *rigid,
 		source[i] = rigid->source[part->first_vertex + i] -
 			from->first_vertex;
 	}
-	json = json_pack("{s:[o]}", "primitives",
-		primitive_json(glb, rigid, part, drawable->primitive, source));
+	json = part_json(glb, rigid, part, drawable->primitive, source);
 	free(source);
 	return json;
 }
 
-static json_t *channel_json(const struct model_channel *channel, int sampler)
+/* The parts that a node moves are the primitives of one mesh. */
+static json_t *mesh_json(
+	struct glb *glb, const struct rigid_bake *rigid, int node)
 {
-	static const char *const path[] = {
-		[MODEL_TRANSLATION] = "translation",
-		[MODEL_ROTATION] = "rotation",
-		[MODEL_SCALE] = "scale",
-	};
-
-	return json_pack("{s:i, s:{s:i, s:s}}", "sampler", sampler, "target",
-		"node", channel->node, "path", path[channel->path]);
-}
-
-static json_t *sampler_json(struct glb *glb, const struct model_channel *channel)
-{
-	static const char *const interpolation[] = {
-		[MODEL_STEP] = "STEP",
-		[MODEL_LINEAR] = "LINEAR",
-		[MODEL_CUBICSPLINE] = "CUBICSPLINE",
-	};
-	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
-	int values = channel->key_count * (cubic ? 3 : 1);
-
-	return json_pack("{s:i, s:i, s:s}", "input",
-		glb_add_array(
-			glb, channel->time_s, channel->key_count, 1, GLB_FLOAT),
-		"output",
-		glb_add_array(
-			glb, channel->value, values, channel->width, GLB_FLOAT),
-		"interpolation", interpolation[channel->interpolation]);
-}
-
-static void add_clip(struct glb *glb, const struct model_clip *clip)
-{
-	json_t *samplers = json_array(), *channels = json_array();
-	int count = 0;
-
-	for (int i = 0; i < clip->channel_count; i++) {
-		const struct model_channel *channel = &clip->channel[i];
-
-		if (channel->path != MODEL_WEIGHTS) {
-			json_array_append_new(
-				samplers, sampler_json(glb, channel));
-			json_array_append_new(
-				channels, channel_json(channel, count++));
-		}
-	}
-	glb_set(glb, "animations",
-		json_pack("[{s:s, s:o, s:o}]", "name", clip->name, "samplers",
-			samplers, "channels", channels));
-}
-
-void export_rigid(struct glb *glb, const struct rigid_bake *rigid)
-{
-	json_t *meshes = json_array();
+	json_t *primitives = json_array();
 
 	for (int i = 0; i < rigid->part_count; i++) {
-		json_array_append_new(
-			meshes, mesh_json(glb, rigid, &rigid->part[i]));
+		if (rigid->part[i].node == node) {
+			json_array_append_new(primitives,
+				primitive_json(glb, rigid, &rigid->part[i]));
+		}
 	}
-	export_materials(glb, rigid->reference->model);
+	if (json_array_size(primitives) == 0) {
+		json_decref(primitives);
+		return NULL;
+	}
+	return json_pack("{s:o}", "primitives", primitives);
+}
+
+void export_rigid(struct glb *glb, const struct rigid_bake *rigid,
+	const struct comparison *comparison)
+{
+	const struct model *model = comparison->model;
+	json_t *meshes = json_array();
+	int *mesh = malloc((size_t)model->node_count * sizeof(*mesh));
+
+	if (!mesh) {
+		glb->error = -ENOMEM;
+		json_decref(meshes);
+		return;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		json_t *json = mesh_json(glb, rigid, i);
+
+		mesh[i] = json ? (int)json_array_size(meshes) : -1;
+		if (json) {
+			json_array_append_new(meshes, json);
+		}
+	}
+	export_materials(glb, model);
 	glb_set(glb, "meshes", meshes);
-	add_nodes(glb, rigid);
-	add_clip(glb, rigid->reference->clip);
+	export_nodes(glb, model, mesh, false);
+	export_clips(glb, comparison, false);
+	free(mesh);
 }

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include <jansson.h>
 
@@ -19,28 +20,51 @@ struct glb {
 	int error; /* 0 or -errno */
 	json_t *root;
 	json_t *accessors, *views;
-	uint8_t *data; /* the binary chunk */
-	size_t size, capacity;
+	FILE *data; /* the binary chunk, in a temporary file */
+	size_t size;
+	bool quantized; /* KHR_mesh_quantization is needed */
 };
 
 /* The component types of glTF: OpenGL's numbers. */
 enum glb_component {
+	GLB_BYTE = 5120,
+	GLB_UBYTE = 5121,
+	GLB_SHORT = 5122,
+	GLB_USHORT = 5123,
 	GLB_UINT = 5125,
 	GLB_FLOAT = 5126,
 };
 
 void glb_begin(struct glb *glb);
 
+/* The bytes of a component. */
+size_t glb_component_bytes(enum glb_component component);
+
 /* Appends bytes to the binary chunk. Returns the buffer view's number or -1. */
 int glb_add_view(struct glb *glb, const void *data, size_t size);
 
 /*
- * Appends count elements of width components each (1 to 4). Returns the
+ * Appends count elements of width components each (1 to 4, or 16). Returns the
  * accessor's number or -1. Floats of width 1 and 3 get the bounds that glTF
  * demands of times and positions.
  */
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);
+
+/*
+ * Appends an attribute of count vertices with 3 signed bytes or shorts each,
+ * each vertex aligned to 4 bytes. normalized is glTF's. Where more vertices are
+ * zero than a sparse accessor costs, the accessor is sparse. Returns its number
+ * or -1.
+ */
+int glb_add_vectors(struct glb *glb, const void *data, int count,
+	enum glb_component component, bool normalized);
+
+/*
+ * Appends a row of count numbers of one byte, normalized, of which only a few
+ * are not 0: at[i] is the number of the i-th that is 1.
+ */
+int glb_add_ones(struct glb *glb, const uint32_t *at, int ones, int count);
 
 /* Makes a JSON array, which the caller owns. */
 json_t *glb_floats(const float *value, int count);
@@ -53,5 +77,8 @@ void glb_set(struct glb *glb, const char *name, json_t *value);
  * Returns 0, or -errno after logging an error.
  */
 int glb_write(struct glb *glb, const char *path, const struct log *log);
+
+/* Releases everything without writing a file. */
+void glb_discard(struct glb *glb);
 
 #endif

@@ -2,8 +2,6 @@
 
 #include "platform/base/json_memory.h"
 
-#include "app/compare/candidate_morph.h"
-
 #include <errno.h>
 
 #include <jansson.h>
@@ -26,88 +24,136 @@ static json_t *matrix_json(const vec4 *matrix)
 	return array;
 }
 
-static json_t *keys_json(
-	const struct comparison *comparison, const struct candidate *candidate)
+static json_t *times_json(const float *time_s, int count)
 {
 	json_t *array = json_array();
 
-	for (int i = 0; i < candidate->key_count; i++) {
-		int frame = candidate_morph_keys(candidate)[i];
-
-		json_array_append_new(array,
-			json_real((double)comparison->reference->time_s[frame]));
+	for (int i = 0; i < count; i++) {
+		json_array_append_new(array, json_real((double)time_s[i]));
 	}
 	return array;
 }
 
-static json_t *candidate_json(const struct comparison *comparison, int index)
+static void set_cost(
+	json_t *json, double instructions, const struct board_cost *board)
 {
-	const struct candidate *candidate = &comparison->candidate[index];
-	const struct technique_rating *rating =
-		&technique_ratings[candidate->technique];
-	json_t *json = json_pack(
-		"{s:s, s:s, s:b, s:b, s:f, s:I, s:I, s:i, s:f, s:f, s:f, s:s, s:s, s:s}",
-		"name", candidate->name, "technique", rating->name, "listed",
-		candidate->listed, "advised", index == comparison->advised,
-		"us_per_frame", candidate->frame_us, "ram_bytes",
-		(json_int_t)candidate->memory_bytes, "file_bytes",
-		(json_int_t)candidate->file_bytes, "vertices",
-		candidate->vertex_count, "peak_px",
-		(double)candidate->error.peak_px, "peak_s",
-		(double)comparison->reference->time_s[candidate->error.peak_frame],
-		"mean_px", (double)candidate->error.mean_px, "control",
-		rating->control, "looks", rating->looks, "coding",
-		rating->coding);
-
-	if (json && candidate->instructions >= 0.0) {
+	if (instructions >= 0.0) {
 		json_object_set_new(json, "instructions_per_frame",
-			json_real(candidate->instructions));
+			json_real(instructions));
 	}
+	json_object_set_new(json, "arm11_predicted",
+		json_pack("{s:f, s:f}", "us_per_frame", board_cost_us(board),
+			"instructions_per_frame", board->instructions));
+}
+
+static json_t *cell_json(const struct comparison_cell *cell)
+{
+	const struct candidate_error *error = &cell->error;
+	json_t *json = json_pack(
+		"{s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:f, s:I, s:I, s:I, s:I}",
+		"peak_px", (double)error->peak_px, "peak_s",
+		(double)error->peak_s, "mean_px", (double)error->mean_px,
+		"outline_px", (double)error->outline_px, "normal_deg",
+		(double)error->normal_deg, "shade_steps",
+		(double)error->shade_steps, "samples", error->samples,
+		"us_per_frame", cell->time.frame_us, "ram_bytes_shared",
+		(json_int_t)cell->bytes.shared, "ram_bytes_own",
+		(json_int_t)cell->bytes.own, "file_bytes_shared",
+		(json_int_t)cell->bytes.shared_file, "file_bytes_own",
+		(json_int_t)cell->bytes.own_file);
+
 	if (json) {
-		json_object_set_new(json, "arm11_predicted",
-			json_pack("{s:f, s:f}", "us_per_frame",
-				board_cost_us(&candidate->board),
-				"instructions_per_frame",
-				candidate->board.instructions));
+		set_cost(json, cell->time.instructions, &cell->board);
 	}
-	if (json && candidate->key_count > 0) {
-		json_object_set_new(
-			json, "key_times_s", keys_json(comparison, candidate));
+	if (json && cell->keys.count > 0) {
+		json_object_set_new(json, "key_times_s",
+			times_json(cell->keys.time_s, cell->keys.count));
 	}
 	return json;
 }
 
+static json_t *row_json(const struct comparison *comparison, int index)
+{
+	const struct comparison_row *row = &comparison->row[index];
+	const struct comparison_total *total = &row->total;
+	const struct technique_rating *rating =
+		&technique_ratings[row->technique];
+	json_t *cells = json_array(), *json;
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		json_array_append_new(cells, cell_json(&row->cell[c]));
+	}
+	json = json_pack(
+		"{s:s, s:s, s:b, s:b, s:b, s:f, s:I, s:I, s:i, s:f, s:f, s:f, s:f, s:f, s:i, s:s, s:s, s:s, s:o}",
+		"name", row->name, "technique", rating->name, "listed",
+		row->listed, "front", row->front, "advised",
+		index == comparison->advised, "us_per_frame", total->frame_us,
+		"ram_bytes", (json_int_t)total->memory_bytes, "file_bytes",
+		(json_int_t)total->file_bytes, "vertices",
+		row->cell[0].vertex_count, "peak_px", (double)total->peak_px,
+		"mean_px", (double)total->mean_px, "outline_px",
+		(double)total->outline_px, "normal_deg",
+		(double)total->normal_deg, "shade_steps",
+		(double)total->shade_steps, "keys", total->key_count, "control",
+		rating->control, "looks", rating->looks, "coding",
+		rating->coding, "clips", cells);
+	if (json) {
+		set_cost(json, total->instructions, &total->board);
+	}
+	return json;
+}
+
+static json_t *clip_json(const struct comparison *comparison, int index)
+{
+	const struct comparison_clip *clip = &comparison->clip[index];
+	const struct model_clip *from = &comparison->model->clip[clip->clip];
+	const struct screen_view *screen = &clip->screen;
+
+	return json_pack("{s:i, s:s, s:f, s:s, s:o, s:{s:i, s:i, s:f, s:o}}",
+		"clip", clip->clip, "name", from->name, "duration_s",
+		(double)from->duration_s, "plan",
+		comparison->row[clip->row].name, "times_s",
+		times_json(clip->grid.time_s, clip->grid.count), "screen",
+		"width", screen->width, "height", screen->height, "focal_px",
+		(double)screen->focal_px, "view",
+		matrix_json((const vec4 *)screen->view));
+}
+
+static json_t *report_json(const struct comparison *comparison)
+{
+	const struct comparison_request *request = &comparison->request;
+	json_t *rows = json_array(), *clips = json_array();
+
+	for (int i = 0; i < comparison->row_count; i++) {
+		json_array_append_new(rows, row_json(comparison, i));
+	}
+	for (int c = 0; c < comparison->clip_count; c++) {
+		json_array_append_new(clips, clip_json(comparison, c));
+	}
+	return json_pack(
+		"{s:s, s:i, s:f, s:f, s:s, s:I, s:f, s:f, s:I, s:s, s:s, s:s, s:s, s:{s:b, s:I, s:f}, s:o, s:o}",
+		"model", comparison->model->path, "vertices",
+		comparison->vertex_count, "bound_px", (double)request->bound_px,
+		"rate_hz", request->rate_hz, "board", request->board->name,
+		"ram_limit_bytes", (json_int_t)comparison->memory_limit_bytes,
+		"frame_limit_us", comparison->time_limit_us, "board_frame_ms",
+		request->board->frame_ms, "bytes_per_percent",
+		(json_int_t)request->board->bytes_per_percent, "kernel",
+		request->kernel->name, "advice",
+		comparison->row[comparison->advised].name, "reason",
+		comparison->reason, "advised_by", cost_names[comparison->cost],
+		"mixed_plan", "better", comparison->mixed, "ram_bytes",
+		(json_int_t)comparison->mixed_bytes, "us_per_frame",
+		comparison->mixed_us, "clips", clips, "candidates", rows);
+}
+
 int report_print_json(const struct comparison *comparison, FILE *out)
 {
-	const struct reference *reference = comparison->reference;
-	const struct screen_view *screen = &comparison->screen;
-	json_t *candidates, *times, *root;
+	json_t *root;
 	int failed;
 
 	json_memory_begin();
-	candidates = json_array();
-	times = json_array();
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		json_array_append_new(candidates, candidate_json(comparison, i));
-	}
-	for (int i = 0; i < reference->frame_count; i++) {
-		json_array_append_new(
-			times, json_real((double)reference->time_s[i]));
-	}
-	root = json_pack(
-		"{s:s, s:i, s:s, s:i, s:f, s:I, s:s, s:{s:i, s:i, s:f, s:o}, s:o, s:s, s:s, s:s, s:o}",
-		"model", reference->model->path, "clip", reference->clip_index,
-		"clip_name", reference->clip->name, "vertices",
-		reference->vertex_count, "bound_px",
-		(double)comparison->request.bound_px, "ram_limit_bytes",
-		(json_int_t)comparison->request.memory_bytes, "kernel",
-		comparison->request.kernel->name, "screen", "width",
-		screen->width, "height", screen->height, "focal_px",
-		(double)screen->focal_px, "view",
-		matrix_json((const vec4 *)screen->view), "times_s", times,
-		"advice", comparison->candidate[comparison->advised].name,
-		"reason", comparison->reason, "advised_by",
-		cost_names[comparison->cost], "candidates", candidates);
+	root = report_json(comparison);
 	if (!root) {
 		return -ENOMEM;
 	}

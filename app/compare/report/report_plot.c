@@ -1,5 +1,6 @@
 #include "app/compare/report/report.h"
 
+#include "app/compare/advice_price.h"
 #include "platform/base/output_file.h"
 #include "platform/base/scalar.h"
 
@@ -26,7 +27,7 @@ static const char *const cost_titles[COMPARISON_COSTS] = {
 	[COMPARISON_COST_PREDICTED] =
 		"against us a frame on an ARM1136 (predicted)",
 	[COMPARISON_COST_INSTRUCTIONS] =
-		"peak error in pixels against instructions a frame",
+		"peak error in pixels against us a frame, by instructions",
 	[COMPARISON_COST_TIME] = "peak error in pixels against us a frame",
 };
 
@@ -42,21 +43,27 @@ struct chart {
 	const char *title;
 	/* The x coordinate of a candidate. */
 	double (*cost)(const struct comparison *comparison,
-		const struct candidate *candidate);
+		const struct comparison_row *row);
 	double left;                      /* pixels */
 	int low_x, high_x, low_y, high_y; /* powers of ten */
 };
 
 static double memory_cost(
-	const struct comparison *comparison, const struct candidate *candidate)
+	const struct comparison *comparison, const struct comparison_row *row)
 {
 	(void)comparison;
-	return (double)candidate->memory_bytes / 1024.0;
+	return (double)row->total.memory_bytes / 1024.0;
 }
 
-static double shown_px(const struct candidate *candidate)
+static double time_cost(
+	const struct comparison *comparison, const struct comparison_row *row)
 {
-	double px = (double)candidate->error.peak_px;
+	return advice_row_us(comparison, (int)(row - comparison->row));
+}
+
+static double shown_px(const struct comparison_row *row)
+{
+	double px = (double)row->total.peak_px;
 
 	return px > min_px ? px : min_px;
 }
@@ -65,11 +72,10 @@ static void fit_axes(struct chart *chart, const struct comparison *comparison)
 {
 	chart->low_x = chart->low_y = 99;
 	chart->high_x = chart->high_y = -99;
-	for (int i = 0; i < comparison->candidate_count; i++) {
+	for (int i = 0; i < comparison->row_count; i++) {
 		double x = log10(
-			chart->cost(comparison, &comparison->candidate[i]) +
-			1e-9);
-		double y = log10(shown_px(&comparison->candidate[i]));
+			chart->cost(comparison, &comparison->row[i]) + 1e-9);
+		double y = log10(shown_px(&comparison->row[i]));
 
 		chart->low_x = scalar_to_int(fmin(chart->low_x, floor(x)),
 			-DECADES_MAX, DECADES_MAX);
@@ -129,21 +135,23 @@ static void draw_axes(const struct chart *chart, double bound_px, FILE *out)
 /* qsort() passes no context, so both charts use this order. */
 static int by_memory(const void *a, const void *b)
 {
-	const struct candidate *x = *(const struct candidate *const *)a;
-	const struct candidate *y = *(const struct candidate *const *)b;
+	const struct comparison_row *x =
+		*(const struct comparison_row *const *)a;
+	const struct comparison_row *y =
+		*(const struct comparison_row *const *)b;
 
-	return (x->memory_bytes > y->memory_bytes) -
-		(x->memory_bytes < y->memory_bytes);
+	return (x->total.memory_bytes > y->total.memory_bytes) -
+		(x->total.memory_bytes < y->total.memory_bytes);
 }
 
 static int collect(const struct comparison *comparison,
-	enum technique technique, const struct candidate **point)
+	enum technique technique, const struct comparison_row **point)
 {
 	int count = 0;
 
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		if (comparison->candidate[i].technique == technique) {
-			point[count++] = &comparison->candidate[i];
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (comparison->row[i].technique == technique) {
+			point[count++] = &comparison->row[i];
 		}
 	}
 	qsort(point, (size_t)count, sizeof(point[0]), by_memory);
@@ -151,21 +159,22 @@ static int collect(const struct comparison *comparison,
 }
 
 static void draw_points(const struct chart *chart,
-	const struct comparison *comparison, const struct candidate **point,
-	int count, FILE *out)
+	const struct comparison *comparison,
+	const struct comparison_row **point, int count, FILE *out)
 {
 	for (int i = 0; i < count; i++) {
-		bool advised =
-			point[i] == &comparison->candidate[comparison->advised];
+		bool advised = point[i] == &comparison->row[comparison->advised];
 		const char *fill = color[point[i]->technique];
 
 		fprintf(out,
 			"<circle cx='%.1f' cy='%.1f' r='%d' fill='%s' "
-			"stroke='%s'><title>%s: %.3f px</title></circle>\n",
+			"stroke='%s'%s><title>%s: %.3f px</title></circle>\n",
 			chart_x(chart, chart->cost(comparison, point[i])),
 			chart_y(chart, shown_px(point[i])), advised ? 7 : 4,
-			point[i]->even ? "white" : fill, fill, point[i]->name,
-			(double)point[i]->error.peak_px);
+			point[i]->kind == COMPARISON_MORPH_EVEN ? "white" : fill,
+			point[i]->front ? "black" : fill,
+			point[i]->front ? " stroke-width='2.5'" : "",
+			point[i]->name, (double)point[i]->total.peak_px);
 	}
 }
 
@@ -173,13 +182,13 @@ static void draw_points(const struct chart *chart,
 static void draw_curve(const struct chart *chart,
 	const struct comparison *comparison, enum technique technique, FILE *out)
 {
-	const struct candidate *point[COMPARISON_CANDIDATES_MAX];
+	const struct comparison_row *point[COMPARISON_ROWS_MAX];
 	int count = collect(comparison, technique, point);
 	const char *begin = "<path class='curve' d='M";
 	bool drawn = false;
 
 	for (int i = 0; i < count; i++) {
-		if (!point[i]->even) {
+		if (point[i]->kind != COMPARISON_MORPH_EVEN) {
 			fprintf(out, "%s%.1f %.1f", drawn ? " L" : begin,
 				chart_x(chart, chart->cost(comparison, point[i])),
 				chart_y(chart, shown_px(point[i])));
@@ -208,10 +217,10 @@ static void draw_legend(const struct comparison *comparison, FILE *out)
 		}
 	}
 	fprintf(out,
-		"<text x='%d' y='%d'>Dashed: the accepted error, %g px. Large: recommended, \"%s\". Hollow: evenly spaced keys.</text>\n",
+		"<text x='%d' y='%d'>Dashed: the accepted error, %g px. Large: recommended, \"%s\". Black rim: Pareto front. Hollow: even keys.</text>\n",
 		CHART_LEFT, PICTURE_HEIGHT - 12,
 		(double)comparison->request.bound_px,
-		comparison->candidate[comparison->advised].name);
+		comparison->row[comparison->advised].name);
 }
 
 static void draw(const struct comparison *comparison, FILE *out)
@@ -221,7 +230,7 @@ static void draw(const struct comparison *comparison, FILE *out)
 			.cost = memory_cost,
 			.left = CHART_LEFT},
 		{.title = cost_titles[comparison->cost],
-			.cost = comparison_cost_of,
+			.cost = time_cost,
 			.left = CHART_LEFT + CHART_STEP},
 	};
 

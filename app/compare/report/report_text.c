@@ -1,8 +1,9 @@
 #include "app/compare/report/report.h"
 
+#include "app/anim/kernel/arm11_cost.h"
 #include "platform/base/printable.h"
 
-#include "app/anim/kernel/arm11_cost.h"
+#include <string.h>
 
 /* The example in AN4044, section 4. */
 enum {
@@ -15,47 +16,97 @@ static double kilobytes(size_t bytes)
 	return (double)bytes / 1024.0;
 }
 
-static void print_head(const struct comparison *comparison, FILE *out)
+static const struct model_clip *clip_of(
+	const struct comparison *comparison, int clip)
 {
-	const struct reference *reference = comparison->reference;
-	const char *name = reference->clip->name;
-
-	printable_put(reference->model->path, out);
-	fprintf(out, ", clip %d%s", reference->clip_index, name[0] ? " " : "");
-	printable_put(name, out);
-	fprintf(out, ": %.2f s, %d frames at %g Hz; %d vertices, %d nodes\n",
-		(double)reference->clip->duration_s, reference->frame_count,
-		reference->rate_hz, reference->vertex_count,
-		reference->model->node_count);
-	fprintf(out,
-		"Errors are in pixels of a %dx%d screen. \"here\": measured on this machine, kernel %s.\n"
-		"\"ARM11\": predicted for an ARM1136 at %d MHz by the timing model, not measured.\n\n",
-		comparison->screen.width, comparison->screen.height,
-		comparison->request.kernel->name, ARM11_MHZ);
+	return &comparison->model->clip[comparison->clip[clip].clip];
 }
 
-static void print_instructions(const struct candidate *candidate, FILE *out)
+static void print_clip_name(
+	const struct comparison *comparison, int clip, FILE *out)
 {
-	if (candidate->instructions < 0.0) {
+	const char *name = clip_of(comparison, clip)->name;
+
+	fprintf(out, "%d%s", comparison->clip[clip].clip, name[0] ? " " : "");
+	printable_put(name, out);
+}
+
+static void print_head(const struct comparison *comparison, FILE *out)
+{
+	const struct comparison_request *request = &comparison->request;
+	const struct board_profile *board = request->board;
+	double seconds = 0.0;
+
+	printable_put(comparison->model->path, out);
+	if (comparison->clip_count == 1) {
+		fprintf(out, ", clip ");
+		print_clip_name(comparison, 0, out);
+	} else {
+		fprintf(out, ", %d clips", comparison->clip_count);
+	}
+	for (int c = 0; c < comparison->clip_count; c++) {
+		seconds += (double)clip_of(comparison, c)->duration_s;
+	}
+	fprintf(out, ": %.2f s; %d vertices, %d nodes\n", seconds,
+		comparison->vertex_count, comparison->model->node_count);
+	fprintf(out,
+		"Errors are in pixels of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
+		"\"here\": measured on this machine, kernel %s. \"ARM11\": predicted for an ARM1136 at %d MHz\n"
+		"by the timing model, not measured. Board %s: %s; limits: %.0f KiB, %.1f ms, %g px.\n\n",
+		request->width, request->height, request->kernel->name,
+		ARM11_MHZ, board->name, board->summary,
+		kilobytes(comparison->memory_limit_bytes),
+		comparison->time_limit_us * 1e-3, (double)request->bound_px);
+}
+
+static void print_instructions(double instructions, FILE *out)
+{
+	if (instructions < 0.0) {
 		fprintf(out, "%9s", "-");
 	} else {
-		fprintf(out, "%9.0f", candidate->instructions / 1000.0);
+		fprintf(out, "%9.0f", instructions / 1000.0);
 	}
 }
 
 static void print_row(const struct comparison *comparison, int index, FILE *out)
 {
-	const struct candidate *candidate = &comparison->candidate[index];
+	const struct comparison_row *row = &comparison->row[index];
+	const struct comparison_total *total = &row->total;
 
-	fprintf(out, "%c %-26s %8.1f %8.1f ",
-		index == comparison->advised ? '>' : ' ', candidate->name,
-		board_cost_us(&candidate->board), candidate->frame_us);
-	print_instructions(candidate, out);
-	fprintf(out, " %9.1f %9.1f %8.3f %8.3f\n",
-		kilobytes(candidate->memory_bytes),
-		kilobytes(candidate->file_bytes),
-		(double)candidate->error.peak_px,
-		(double)candidate->error.mean_px);
+	fprintf(out, "%c%c%-26s %8.1f %8.1f ",
+		index == comparison->advised ? '>' : ' ', row->front ? '*' : ' ',
+		row->name, board_cost_us(&total->board), total->frame_us);
+	print_instructions(total->instructions, out);
+	fprintf(out, " %9.1f %9.1f %8.3f %8.3f %8.3f %7.2f %6.1f\n",
+		kilobytes(total->memory_bytes), kilobytes(total->file_bytes),
+		(double)total->peak_px, (double)total->mean_px,
+		(double)total->outline_px, (double)total->normal_deg,
+		(double)total->shade_steps);
+}
+
+static void print_clips(const struct comparison *comparison, FILE *out)
+{
+	if (comparison->clip_count == 1) {
+		return;
+	}
+	fprintf(out, "\n  %-20s %8s %8s %8s  %s\n", "clip", "seconds",
+		"ARM11 us", "peak px",
+		comparison->mixed ? "technique in the mixed plan" : "technique");
+	for (int c = 0; c < comparison->clip_count; c++) {
+		const struct model_clip *clip = clip_of(comparison, c);
+		const struct comparison_row *row =
+			&comparison->row[comparison->clip[c].row];
+		const struct comparison_cell *cell = &row->cell[c];
+
+		fprintf(out, "  %2d ", comparison->clip[c].clip);
+		printable_put(clip->name, out);
+		fprintf(out, "%*s %8.2f %8.1f %8.3f  %s\n",
+			(int)(strlen(clip->name) < 17 ? 17 - strlen(clip->name)
+						      : 0),
+			"", (double)clip->duration_s,
+			board_cost_us(&cell->board),
+			(double)cell->error.peak_px, row->name);
+	}
 }
 
 static void print_ratings(const struct comparison *comparison, FILE *out)
@@ -74,108 +125,38 @@ static void print_ratings(const struct comparison *comparison, FILE *out)
 
 static void print_advice(const struct comparison *comparison, FILE *out)
 {
-	const struct comparison_request *request = &comparison->request;
-
-	fprintf(out, "\nWithin %g px", (double)request->bound_px);
-	if (request->memory_bytes > 0) {
-		fprintf(out, " and %.1f KiB", kilobytes(request->memory_bytes));
-	}
-	fprintf(out, " take \"%s\": %s.\n",
-		comparison->candidate[comparison->advised].name,
+	fprintf(out, "\nTake \"%s\"%s: %s.\n",
+		comparison->row[comparison->advised].name,
+		comparison->clip_count > 1 ? " for all clips" : "",
 		comparison->reason);
+	if (comparison->mixed) {
+		fprintf(out,
+			"A mixed plan, with the technique that the clips' table names for each, takes %.0f us and %.0f KiB.\n",
+			comparison->mixed_us,
+			kilobytes(comparison->mixed_bytes));
+	}
 	fprintf(out,
 		"AN4044's example, %d key frames of %d vertices, is %d vertices; here %d key frames of %d are %d.\n",
 		AN4044_KEYS, AN4044_VERTICES, AN4044_KEYS * AN4044_VERTICES,
-		AN4044_KEYS, comparison->reference->vertex_count,
-		AN4044_KEYS * comparison->reference->vertex_count);
+		AN4044_KEYS, comparison->vertex_count,
+		AN4044_KEYS * comparison->vertex_count);
 }
 
 int report_print_text(const struct comparison *comparison, FILE *out)
 {
 	print_head(comparison, out);
-	fprintf(out, "  %-26s %8s %8s %9s %9s %9s %8s %8s\n", "a frame takes",
-		"ARM11 us", "us here", "k instr.", "KiB RAM", "KiB file",
-		"peak px", "mean px");
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		if (comparison->candidate[i].listed) {
+	fprintf(out, "  %-26s %8s %8s %9s %9s %9s %8s %8s %8s %7s %6s\n",
+		"a frame takes", "ARM11 us", "us here", "k instr.", "KiB RAM",
+		"KiB file", "peak px", "mean px", "outline", "normal", "shade");
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (comparison->row[i].listed) {
 			print_row(comparison, i, out);
 		}
 	}
+	fprintf(out,
+		"  *: on the Pareto front: nothing else is better in time, memory and peak error at once\n");
+	print_clips(comparison, out);
 	print_ratings(comparison, out);
 	print_advice(comparison, out);
-	return 0;
-}
-
-static const char *const columns[] = {
-	"technique",
-	"kind",
-	"us_per_frame",
-	"instructions_per_frame",
-	"arm11_us_predicted",
-	"arm11_instructions_predicted",
-	"ram_bytes",
-	"file_bytes",
-	"peak_px",
-	"mean_px",
-	"advised",
-};
-
-/* Prints a row of cells, each after the first preceded by separator. */
-static void print_cells(const struct comparison *comparison, int index,
-	const char *separator, const char *quote, FILE *out)
-{
-	const struct candidate *candidate = &comparison->candidate[index];
-
-	fprintf(out, "%s%s%s%s%s%s%.2f%s", quote, candidate->name, quote,
-		separator, technique_ratings[candidate->technique].name,
-		separator, candidate->frame_us, separator);
-	if (candidate->instructions >= 0.0) {
-		fprintf(out, "%.0f", candidate->instructions);
-	}
-	fprintf(out, "%s%.2f%s%.0f%s%zu%s%zu%s%.4f%s%.4f%s%s", separator,
-		board_cost_us(&candidate->board), separator,
-		candidate->board.instructions, separator,
-		candidate->memory_bytes, separator, candidate->file_bytes,
-		separator, (double)candidate->error.peak_px, separator,
-		(double)candidate->error.mean_px, separator,
-		index == comparison->advised ? "yes" : "no");
-}
-
-static void print_columns(const char *separator, FILE *out)
-{
-	for (size_t i = 0; i < ARRAY_COUNT(columns); i++) {
-		fprintf(out, "%s%s", i ? separator : "", columns[i]);
-	}
-}
-
-int report_print_csv(const struct comparison *comparison, FILE *out)
-{
-	print_columns(",", out);
-	fprintf(out, "\r\n"); /* RFC 4180 */
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		if (comparison->candidate[i].listed) {
-			print_cells(comparison, i, ",", "\"", out);
-			fprintf(out, "\r\n");
-		}
-	}
-	return 0;
-}
-
-int report_print_markdown(const struct comparison *comparison, FILE *out)
-{
-	fprintf(out, "| ");
-	print_columns(" | ", out);
-	fprintf(out, " |\n");
-	for (size_t i = 0; i < ARRAY_COUNT(columns); i++) {
-		fprintf(out, "|%s", i < 2 ? "---" : "---:");
-	}
-	fprintf(out, "|\n");
-	for (int i = 0; i < comparison->candidate_count; i++) {
-		if (comparison->candidate[i].listed) {
-			fprintf(out, "| ");
-			print_cells(comparison, i, " | ", "", out);
-			fprintf(out, " |\n");
-		}
-	}
 	return 0;
 }

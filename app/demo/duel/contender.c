@@ -1,7 +1,6 @@
 #include "app/demo/duel/contender.h"
 
-#include "app/compare/candidate_morph.h"
-#include "app/compare/fit.h"
+#include "app/compare/candidate/candidate_morph.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_heat.h"
 
@@ -10,28 +9,34 @@
 #include <string.h>
 
 enum {
-	FRAMES_A_MEAN = 16
+	FRAMES_A_MEAN = 16,
+	KEPT_BYTES = 64 * 1024 * 1024 /* of key frames, for all of them */
 };
 
+static const double rate_hz = 60.0; /* of the playback */
+
 static int init_morph(struct contender *contender,
-	const struct screen_view *screen, float bound_px,
-	const struct demo_env *env)
+	const struct screen_view *screen, const struct time_grid *grid,
+	float bound_px, const struct demo_env *env)
 {
-	const struct reference *reference = contender->reference;
-	int *key = malloc((size_t)reference->frame_count * sizeof(*key));
-	int count = key ? fit_keys(reference, screen, bound_px, key) : -ENOMEM;
-	int error = count < 0 ? count : 0;
+	struct reference *reference = contender->reference;
+	struct fixed_placement placement =
+		candidate_morph_placement(&screen->box);
+	struct fit_keys keys;
+	int error = fit_keys_within(
+		reference, screen, grid, bound_px, KEPT_BYTES, &keys);
 
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory to fit key frames",
 			env->model_path);
-	} else {
-		/* show_morph() needs the morph's vertices in float. */
-		error = candidate_morph(&contender->candidate, reference,
-			&kernel_float, key, count, env->log);
+		return error;
 	}
-	free(key);
+	contender->key_count = keys.count;
+	error = candidate_morph(&contender->candidate, reference, env->kernel,
+		&placement, &keys, KEPT_BYTES, env->log);
+	fit_keys_release(&keys);
+	/* show_morph() writes vertices in float. */
 	return error ? error
 		     : instance_create(reference->model, &kernel_float,
 			       env->log, &contender->shown);
@@ -39,7 +44,7 @@ static int init_morph(struct contender *contender,
 
 static int init_rigid(struct contender *contender, const struct demo_env *env)
 {
-	const struct reference *reference = contender->reference;
+	struct reference *reference = contender->reference;
 	struct arena arena = arena_empty();
 	int error = candidate_rigid(&contender->candidate, reference, env->log);
 
@@ -60,30 +65,44 @@ static int init_rigid(struct contender *contender, const struct demo_env *env)
 }
 
 static int init_technique(struct contender *contender,
-	const struct screen_view *screen, float bound_px,
-	const struct demo_env *env)
+	const struct screen_view *screen, const struct time_grid *grid,
+	float bound_px, const struct demo_env *env)
 {
-	const struct reference *reference = contender->reference;
+	struct reference *reference = contender->reference;
 	int error;
 
 	switch (contender->kind) {
 	case CONTENDER_MORPH:
-		return init_morph(contender, screen, bound_px, env);
+		return init_morph(contender, screen, grid, bound_px, env);
 	case CONTENDER_RIGID:
 		return init_rigid(contender, env);
 	default:
 		/* The candidate counts bytes as `limber compare` does. */
 		error = candidate_original(&contender->candidate, reference,
-			env->kernel, 0, true, env->log);
+			env->kernel, 0, true, rate_hz, env->log);
 		return error ? error
 			     : instance_create(reference->model, env->kernel,
 				       env->log, &contender->shown);
 	}
 }
 
+/* Memory for the morph's vertices. */
+static int init_vectors(struct contender *contender)
+{
+	struct arena *arena = &contender->shown->arena;
+	size_t count = (size_t)contender->reference->vertex_count;
+
+	if (contender->kind != CONTENDER_MORPH) {
+		return 0;
+	}
+	contender->position = arena_alloc(arena, count, sizeof(float[3]));
+	contender->normal = arena_alloc(arena, count, sizeof(float[3]));
+	return contender->position && contender->normal ? 0 : -ENOMEM;
+}
+
 int contender_init(struct contender *contender, enum contender_kind kind,
-	const struct reference *reference, const struct screen_view *screen,
-	float bound_px, const struct demo_env *env)
+	struct reference *reference, const struct screen_view *screen,
+	const struct time_grid *grid, float bound_px, const struct demo_env *env)
 {
 	struct instance *shown;
 	int error;
@@ -92,14 +111,17 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 		.reference = reference,
 		.now_ns = env->now_ns,
 		.ms = -1.0f};
-	error = init_technique(contender, screen, bound_px, env);
+	error = init_technique(contender, screen, grid, bound_px, env);
 	if (error) {
 		return error;
 	}
 	shown = contender->shown;
 	shown->normal_mapping = false;
-	error = clip_cursor_init(
-		&contender->cursor, shown->model, &shown->arena);
+	error = init_vectors(contender);
+	if (!error) {
+		error = clip_cursor_init(
+			&contender->cursor, shown->model, &shown->arena);
+	}
 	if (!error) {
 		error = vertex_tint_init(&contender->heat, shown);
 	}
@@ -123,7 +145,7 @@ static void run(struct contender *contender, float time_s)
 	struct instance *shown = contender->shown;
 
 	if (contender->kind == CONTENDER_MORPH) {
-		contender->candidate.pose(&contender->candidate, time_s);
+		candidate_pose(&contender->candidate, time_s);
 		return;
 	}
 	clip_pose(contender->reference->clip, time_s, CLIP_AUTO,
@@ -136,23 +158,25 @@ static void show_morph(struct contender *contender)
 {
 	const struct reference *reference = contender->reference;
 	float unit = reference->instance->unit_scale;
-	const float(*position)[3], (*normal)[3];
 
-	candidate_morph_vertices(&contender->candidate, &position, &normal);
+	contender->candidate.take(
+		&contender->candidate, contender->position, contender->normal);
 	for (int i = 0; i < reference->part_count; i++) {
 		const struct reference_part *part = &reference->part[i];
 		struct drawable *drawable =
 			&contender->shown->drawable[part->drawable];
 
 		for (int v = 0; v < part->vertex_count; v++) {
-			const float *from = position[part->first_vertex + v];
+			const float *from =
+				contender->position[part->first_vertex + v];
 
 			for (int axis = 0; axis < 3; axis++) {
 				drawable->position[v][axis] = from[axis] * unit;
 			}
 		}
 		if (drawable->normal) {
-			memcpy(drawable->normal, normal + part->first_vertex,
+			memcpy(drawable->normal,
+				contender->normal + part->first_vertex,
 				(size_t)part->vertex_count *
 					sizeof(*drawable->normal));
 		}
@@ -201,10 +225,9 @@ static int source_of(const struct contender *contender, int drawable, int vertex
 }
 
 void contender_measure_error(struct contender *contender,
-	const struct screen_view *screen, int frame, float full_px)
+	const struct screen_view *screen, float full_px)
 {
-	const float(*wanted)[3] =
-		reference_position(contender->reference, frame);
+	const struct reference *reference = contender->reference;
 	const struct instance *shown = contender->shown;
 	float sum_px = 0.0f;
 	int count = 0;
@@ -218,8 +241,8 @@ void contender_measure_error(struct contender *contender,
 			float at[3], px;
 
 			instance_world_vertex(shown, drawable, v, at);
-			px = screen_view_distance_px(
-				screen, at, wanted[source_of(contender, d, v)]);
+			px = screen_view_distance_px(screen, at,
+				reference->position[source_of(contender, d, v)]);
 			if (px > contender->peak_px) {
 				contender->peak_px = px;
 			}

@@ -5,7 +5,8 @@
 #ifndef APP_DEMO_DUEL_CONTENDER_H
 #define APP_DEMO_DUEL_CONTENDER_H
 
-#include "app/compare/candidate.h"
+#include "app/compare/candidate/candidate.h"
+#include "app/compare/measure/time_grid.h"
 #include "app/demo/demo.h"
 #include "app/demo/duel/duel_rigid.h"
 #include "app/demo/vertex_tint.h"
@@ -19,12 +20,15 @@ enum contender_kind {
 
 struct contender {
 	enum contender_kind kind;
-	const struct reference *reference;
+	struct reference *reference;
 	struct candidate candidate; /* counts bytes; also poses the morph */
+	int key_count;              /* of the morph, else 0 */
 	struct duel_rigid rigid;    /* CONTENDER_RIGID only */
 	struct instance *shown;
 	struct clip_cursor cursor;
 	struct vertex_tint heat;
+	float (*position)[3]; /* the morph's last pose; else NULL */
+	float (*normal)[3];
 	int64_t (*now_ns)(void); /* NULL: not timed */
 
 	float ms; /* mean time of a frame; negative if unknown */
@@ -39,8 +43,9 @@ struct contender {
  * contender_finish() in either case.
  */
 int contender_init(struct contender *contender, enum contender_kind kind,
-	const struct reference *reference, const struct screen_view *screen,
-	float bound_px, const struct demo_env *env);
+	struct reference *reference, const struct screen_view *screen,
+	const struct time_grid *grid, float bound_px,
+	const struct demo_env *env);
 
 void contender_finish(struct contender *contender);
 
@@ -48,10 +53,10 @@ void contender_finish(struct contender *contender);
 void contender_pose(struct contender *contender, float time_s);
 
 /*
- * Compares the pose with a frame of the reference and paints each vertex by its
+ * Compares the pose with the reference's last one and paints each vertex by its
  * distance; full_px is painted red.
  */
 void contender_measure_error(struct contender *contender,
-	const struct screen_view *screen, int frame, float full_px);
+	const struct screen_view *screen, float full_px);
 
 #endif

@@ -17,7 +17,6 @@
 #include <errno.h>
 
 static const char clip_name[] = "walk";
-static const double rate_hz = 60.0; /* of the reference */
 static const float bound_px = 0.5f; /* the morph's greatest error */
 static const float ground_m_per_s = 1.03f;
 static const float spacing_m = 0.92f;
@@ -34,6 +33,7 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
 struct demo {
 	struct demo_base base;
 	struct reference *reference;
+	struct time_grid grid; /* of the clip */
 	struct screen_view screen;
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
@@ -51,7 +51,7 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	for (int i = 0; i < CONTENDER_KINDS && !error; i++) {
 		error = contender_init(&demo->contender[i],
 			(enum contender_kind)i, demo->reference, &demo->screen,
-			bound_px, env);
+			&demo->grid, bound_px, env);
 	}
 	return error;
 }
@@ -80,13 +80,19 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 			model->path, clip_name);
 		return -EINVAL;
 	}
-	error = reference_create(
-		model, clip, rate_hz, env->log, &demo->reference);
+	error = reference_create(model, clip, env->log, &demo->reference);
 	if (error) {
 		return error;
 	}
-	demo->screen =
-		screen_view_create(demo->reference, env->width, env->height);
+	error = time_grid_make(demo->reference->clip, &demo->grid);
+	if (error) {
+		log_error(env->log,
+			"%s: there is not enough memory for the clip's moments",
+			model->path);
+		return error;
+	}
+	demo->screen = screen_view_create(
+		demo->reference, &demo->grid, env->width, env->height);
 	demo->scale = 2;
 	demo->autoplay = env->unattended;
 	error = init_contenders(demo, env);
@@ -103,6 +109,7 @@ static void duel_finish(struct demo *demo)
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		contender_finish(&demo->contender[i]);
 	}
+	time_grid_release(&demo->grid);
 	reference_destroy(demo->reference);
 }
 
@@ -115,12 +122,12 @@ static void show_heat(struct demo *demo, bool on)
 }
 
 /* Measures one contender a frame to save time, and all in the first frame. */
-static void measure_errors(struct demo *demo, int frame)
+static void measure_errors(struct demo *demo)
 {
 	for (unsigned i = 0; i < CONTENDER_KINDS; i++) {
 		if (demo->frame == 0 || demo->frame % CONTENDER_KINDS == i) {
 			contender_measure_error(&demo->contender[i],
-				&demo->screen, frame, full_px[demo->scale]);
+				&demo->screen, full_px[demo->scale]);
 		}
 	}
 }
@@ -131,8 +138,8 @@ static void duel_update(struct demo *demo, double time_s)
 	float clip_step_s = demo->paused
 		? 0.0f
 		: step_s / (float)(1 << demo->speed_halvings);
-	const struct reference *reference = demo->reference;
-	int frame;
+	struct reference *reference = demo->reference;
+	float at_s;
 
 	demo->now_s = time_s;
 	demo->clip_s += (double)clip_step_s;
@@ -143,13 +150,12 @@ static void duel_update(struct demo *demo, double time_s)
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
 	floor_scroll(
 		&demo->base.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
-	/* The reference's own frames make the errors exact. */
-	frame = reference_frame_at(reference,
-		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP));
+	at_s = clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP);
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		contender_pose(&demo->contender[i], reference->time_s[frame]);
+		contender_pose(&demo->contender[i], at_s);
 	}
-	measure_errors(demo, frame);
+	reference_pose(reference, at_s, false);
+	measure_errors(demo);
 	demo->frame++;
 }
 

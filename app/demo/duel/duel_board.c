@@ -18,7 +18,9 @@ static const char *const titles[CONTENDER_KINDS] = {
 static float figure(const struct contender *contender, int row)
 {
 	return row == 0    ? contender->ms
-		: row == 1 ? (float)contender->candidate.memory_bytes / 1024.0f
+		: row == 1 ? (float)(contender->candidate.bytes.shared +
+				     contender->candidate.bytes.own) /
+			1024.0f
 			   : contender->peak_px;
 }
 
@@ -54,7 +56,7 @@ static void show_column(const struct contender *contender, int kind, int left,
 	int width, int y, struct hud *hud)
 {
 	int line = hud_line_height(hud);
-	int key_count = contender[kind].candidate.key_count;
+	int key_count = contender[kind].key_count;
 	char text[32];
 
 	write_centered(hud, left, width, y, hud_color_text, titles[kind]);

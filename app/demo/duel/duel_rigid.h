@@ -4,7 +4,7 @@
 #ifndef APP_DEMO_DUEL_DUEL_RIGID_H
 #define APP_DEMO_DUEL_DUEL_RIGID_H
 
-#include "app/compare/candidate_rigid.h"
+#include "app/compare/candidate/candidate_rigid.h"
 
 struct duel_rigid {
 	struct model model; /* shares arrays with the reference's model */

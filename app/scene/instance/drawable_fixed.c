@@ -1,8 +1,10 @@
 #include "app/scene/instance/drawable_fixed.h"
 
+#include "app/anim/kernel/run/fixed_keys_run.h"
 #include "app/anim/kernel/run/fixed_morph_run.h"
 #include "app/anim/kernel/run/fixed_palette.h"
 #include "app/anim/kernel/run/fixed_skin_run.h"
+#include "app/model/model_keys.h"
 #include "app/scene/draw/bump.h"
 
 #include <errno.h>
@@ -81,6 +83,24 @@ static int init_morph(struct drawable_fixed *fixed,
 	return 0;
 }
 
+static int init_keys(struct drawable_fixed *fixed,
+	const struct model_primitive *primitive, int target_count,
+	unsigned streams, struct arena *arena)
+{
+	int error;
+
+	fixed->keys = ARENA_NEW(arena, struct fixed_keys);
+	if (!fixed->keys) {
+		return -ENOMEM;
+	}
+	error = fixed_keys_init(
+		fixed->keys, primitive, target_count, streams, arena);
+	fixed->placement = fixed->keys->placement;
+	return error
+		? error
+		: init_output(fixed, primitive->vertex_count, streams, arena);
+}
+
 int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	const struct fixed_loops *loops, bool in_tiers, struct arena *arena)
 {
@@ -99,6 +119,9 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	if (drawable->skin >= 0) {
 		error = init_skin(fixed, primitive, target_count,
 			streams | (in_tiers ? FIXED_TIERS : 0), arena);
+	} else if (model_has_key_frames(model, drawable->node)) {
+		error = init_keys(
+			fixed, primitive, target_count, streams, arena);
 	} else {
 		error = init_morph(
 			fixed, primitive, target_count, streams, arena);
@@ -184,6 +207,30 @@ static void pose_morph(const struct instance *instance,
 	}
 }
 
+static void pose_keys(const struct instance *instance,
+	struct drawable *drawable, bool with_tangents)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+	const struct fixed_loops *loops = fixed->loops;
+	struct fixed_keys_frame frame;
+
+	fixed->overflowed = fixed_keys_find(fixed->keys,
+				    weights_of(instance, drawable), &frame) != 0;
+	if (fixed->overflowed) {
+		return;
+	}
+	fixed_keys_run(
+		fixed->keys, loops, &frame, FIXED_POSITION, fixed->position);
+	if (fixed->normal) {
+		fixed_keys_run(fixed->keys, loops, &frame, FIXED_NORMAL,
+			fixed->normal);
+	}
+	if (with_tangents) {
+		fixed_keys_run(fixed->keys, loops, &frame, FIXED_TANGENT,
+			fixed->tangent);
+	}
+}
+
 void drawable_fixed_pose(
 	const struct instance *instance, struct drawable *drawable)
 {
@@ -191,6 +238,8 @@ void drawable_fixed_pose(
 
 	if (drawable->skin >= 0) {
 		pose_skin(instance, drawable, with_tangents);
+	} else if (drawable->fixed->keys && !drawable->external) {
+		pose_keys(instance, drawable, with_tangents);
 	} else if (drawable->morphed && !drawable->external) {
 		pose_morph(instance, drawable, with_tangents);
 	}

@@ -20,6 +20,7 @@
 #define APP_SCENE_INSTANCE_INSTANCE_DATA_H
 
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/kernel/layout/fixed_keys.h"
 #include "app/anim/kernel/layout/fixed_morph.h"
 #include "app/anim/kernel/layout/fixed_skin.h"
 #include "app/anim/pose.h"
@@ -92,6 +93,7 @@ struct drawable_fixed {
 	struct fixed_skin skin;      /* if skinned */
 	struct fixed_matrix *matrix; /* [skin.joint_count] */
 	struct fixed_morph morph;    /* if not skinned; rigid: no targets */
+	struct fixed_keys *keys;     /* instead if the targets are key frames */
 	/* The last pose did not fit 16 bits: the output is an earlier one's. */
 	bool overflowed;
 };

@@ -11,6 +11,9 @@ void kernel_armv6_skin(const struct fixed_group *group, int group_count,
 	struct fixed_vector *out);
 void kernel_armv6_lerp(int count, const struct fixed_pair (*pair)[3],
 	struct fixed_weights weights, struct fixed_vector *out);
+void kernel_armv6_lerp_keys(int count, const struct fixed_key *source,
+	const struct fixed_key *destiny, struct fixed_weights weights,
+	struct fixed_vector *out);
 void kernel_armv6_increment(int count, const struct fixed_vector *step,
 	struct fixed_vector *vector);
 void kernel_armv6_morph_pair(int count, const struct fixed_vector *base,

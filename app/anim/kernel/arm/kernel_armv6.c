@@ -7,6 +7,7 @@
 static const struct fixed_loops loops = {
 	.skin = kernel_armv6_skin,
 	.lerp = kernel_armv6_lerp,
+	.lerp_keys = kernel_armv6_lerp_keys,
 	.increment = kernel_armv6_increment,
 	.morph_pair = kernel_armv6_morph_pair,
 	.morph_begin = kernel_armv6_morph_begin,

@@ -74,6 +74,62 @@ lerp_done:
 	.size	kernel_armv6_lerp, . - kernel_armv6_lerp
 
 /*
+ * void kernel_armv6_lerp_keys(int count, const struct fixed_key *source,
+ *	const struct fixed_key *destiny, struct fixed_weights weights,
+ *	struct fixed_vector *out);
+ *
+ *   r0 vertices left   r1 source   r2 destiny   r3 weights   r12 a half
+ *   lr out   r4-r6, r7-r9  two vertices of each key: { y, x } { x, z } { z, y }
+ *
+ * Two vertices at a time are three words of each key. The halves of the two
+ * keys are paired by PKH, which the interleaved pairs of lerp do not need.
+ */
+	.macro	pair_keys
+	pkhbt	r10, r4, r7, lsl #16
+	pkhtb	r11, r7, r4, asr #16
+	pkhbt	r4, r5, r8, lsl #16
+	smlad	r10, r10, r3, r12
+	smlad	r11, r11, r3, r12
+	smlad	r4, r4, r3, r12
+	.endm
+
+	.global	kernel_armv6_lerp_keys
+	.type	kernel_armv6_lerp_keys, %function
+kernel_armv6_lerp_keys:
+	push	{r4-r11, lr}
+	ldr	lr, [sp, #36]
+	mov	r12, #0x8000
+	subs	r0, r0, #2
+	blt	2f
+1:	ldmia	r1!, {r4, r5, r6}
+	ldmia	r2!, {r7, r8, r9}
+	pld	[r1, #AHEAD]
+	pld	[r2, #AHEAD]
+	subs	r0, r0, #2
+	pair_keys
+	pkhtb	r7, r8, r5, asr #16
+	pkhbt	r5, r6, r9, lsl #16
+	pkhtb	r8, r9, r6, asr #16
+	pkhtb	r11, r4, r11, asr #16
+	smlad	r5, r5, r3, r12
+	smlad	r8, r8, r3, r12
+	stmia	lr!, {r10, r11}
+	smlad	r7, r7, r3, r12
+	pack	r5, r8
+	stmia	lr!, {r7, r8}
+	bge	1b
+2:	adds	r0, r0, #1
+	blt	3f
+	ldmia	r1, {r4, r5}
+	ldmia	r2, {r7, r8}
+	pair_keys
+	pack	r11, r4
+	str	r10, [lr]
+	str	r4, [lr, #4]
+3:	pop	{r4-r11, pc}
+	.size	kernel_armv6_lerp_keys, . - kernel_armv6_lerp_keys
+
+/*
  * void kernel_armv6_increment(int count, const struct fixed_vector *step,
  *	struct fixed_vector *vector);
  *

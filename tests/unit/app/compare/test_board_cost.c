@@ -1,6 +1,6 @@
 /* Compares predicted costs with what the timing model counted. */
 #include "app/anim/kernel/arm11_cost.h"
-#include "app/compare/board_cost.h"
+#include "app/compare/cost/board_cost.h"
 #include "app/model/model.h"
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"

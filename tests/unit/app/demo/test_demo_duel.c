@@ -1,4 +1,5 @@
 /* The duel's contenders compared with the figures of `limber compare`. */
+#include "app/compare/candidate/candidate_error.h"
 #include "app/demo/duel/contender.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/demo_run.h"
@@ -10,6 +11,7 @@ struct bench {
 	struct log log;
 	struct model *model;
 	struct reference *reference;
+	struct time_grid grid;
 	struct screen_view screen;
 	struct demo_env env;
 	struct contender contender;
@@ -25,21 +27,25 @@ static void begin(struct bench *bench, enum contender_kind kind)
 	bench->log = log_to_stderr(LOG_WARNING);
 	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
 	clip = model_find_clip(bench->model, "walk");
-	assert_int_equal(reference_create(bench->model, clip, 20.0, &bench->log,
+	assert_int_equal(reference_create(bench->model, clip, &bench->log,
 				 &bench->reference),
 		0);
-	bench->screen = screen_view_create(bench->reference, 480, 640);
+	assert_int_equal(
+		time_grid_make(bench->reference->clip, &bench->grid), 0);
+	bench->screen =
+		screen_view_create(bench->reference, &bench->grid, 480, 640);
 	bench->env = (struct demo_env){
 		.log = &bench->log, .kernel = &kernel_float, .model_path = path};
 	assert_int_equal(
 		contender_init(&bench->contender, kind, bench->reference,
-			&bench->screen, 0.5f, &bench->env),
+			&bench->screen, &bench->grid, 0.5f, &bench->env),
 		0);
 }
 
 static void end(struct bench *bench)
 {
 	contender_finish(&bench->contender);
+	time_grid_release(&bench->grid);
 	reference_destroy(bench->reference);
 	model_destroy(bench->model);
 }
@@ -48,10 +54,13 @@ static float largest_error(struct bench *bench, float full_px)
 {
 	float peak_px = 0.0f;
 
-	for (int f = 0; f < bench->reference->frame_count; f++) {
-		contender_pose(&bench->contender, bench->reference->time_s[f]);
+	for (int f = 0; f < bench->grid.count; f++) {
+		float at_s = bench->grid.time_s[f];
+
+		contender_pose(&bench->contender, at_s);
+		reference_pose(bench->reference, at_s, false);
 		contender_measure_error(
-			&bench->contender, &bench->screen, f, full_px);
+			&bench->contender, &bench->screen, full_px);
 		if (bench->contender.peak_px > peak_px) {
 			peak_px = bench->contender.peak_px;
 		}
@@ -61,15 +70,24 @@ static float largest_error(struct bench *bench, float full_px)
 
 static void agrees(enum contender_kind kind)
 {
+	struct candidate_error error;
 	struct bench bench;
 	float shown_px;
 
 	begin(&bench, kind);
 	shown_px = largest_error(&bench, 4.0f);
-	candidate_measure(
-		&bench.contender.candidate, bench.reference, &bench.screen);
-	assert_near(shown_px, bench.contender.candidate.error.peak_px, 2e-3);
-	assert_true(bench.contender.candidate.memory_bytes > 100000);
+	assert_int_equal(candidate_error_measure(&bench.contender.candidate,
+				 &bench.screen, &bench.grid, &error),
+		0);
+	/* The figure shown is posed at the grid's moments alone. */
+	assert_true(shown_px <= error.peak_px + 2e-3f);
+	contender_pose(&bench.contender, error.peak_s);
+	reference_pose(bench.reference, error.peak_s, false);
+	contender_measure_error(&bench.contender, &bench.screen, 4.0f);
+	assert_near(bench.contender.peak_px, error.peak_px, 2e-3);
+	assert_true(bench.contender.candidate.bytes.shared +
+			bench.contender.candidate.bytes.own >
+		100000);
 	end(&bench);
 }
 

@@ -263,17 +263,53 @@ static void test_increments_stop_at_the_ends(void **state)
 	assert_memory_equal(v, want, sizeof(want));
 }
 
+/* The fixture's pairs are room for two keys of random numbers. */
+static const struct fixed_key *source_key(const struct fixture *f)
+{
+	return (const struct fixed_key *)f->pair;
+}
+
+static const struct fixed_key *destiny_key(const struct fixture *f)
+{
+	return source_key(f) + (VERTICES & ~1);
+}
+
+static void test_a_lerp_of_keys_is_one_of_pairs(void **state)
+{
+	static struct fixture f;
+	static struct fixed_pair pair[VERTICES][3];
+	static struct output out, want;
+	const struct fixed_key *source = source_key(&f);
+	const struct fixed_key *destiny = destiny_key(&f);
+
+	(void)state;
+	set_up(&f, FILL_ANY, 4);
+	for (int v = 0; v < VERTICES - 1; v++) {
+		pair[v][0] = (struct fixed_pair){source[v].x, destiny[v].x};
+		pair[v][1] = (struct fixed_pair){source[v].y, destiny[v].y};
+		pair[v][2] = (struct fixed_pair){source[v].z, destiny[v].z};
+	}
+	fixed_loops_c.lerp(VERTICES - 1, (const struct fixed_pair(*)[3])pair,
+		f.weights, want.vector);
+	fixed_loops_c.lerp_keys(
+		VERTICES - 1, source, destiny, f.weights, out.vector);
+	assert_memory_equal(
+		out.vector, want.vector, (VERTICES - 1) * sizeof(*out.vector));
+}
+
 /* Runs all loops with count vertices, which may be 0. */
 static void run_all(const struct fixed_loops *loops, const struct fixture *f,
-	int count, struct output out[5])
+	int count, struct output out[6])
 {
 	const struct fixed_pair(*pair)[3] =
 		(const struct fixed_pair(*)[3])f->pair;
 
-	memset(out, 0x5a, 5 * sizeof(*out));
+	memset(out, 0x5a, 6 * sizeof(*out));
 	loops->skin(
 		f->group, f->group_count, f->base, f->palette, out[0].vector);
 	loops->lerp(count, pair, f->weights, out[1].vector);
+	loops->lerp_keys(count, source_key(f), destiny_key(f), f->weights,
+		out[5].vector);
 	memcpy(out[2].vector, f->from, sizeof(f->from));
 	loops->increment(count, f->step, out[2].vector);
 	loops->morph_pair(count, f->from, pair, f->weights, out[3].vector);
@@ -286,7 +322,7 @@ static void run_all(const struct fixed_loops *loops, const struct fixture *f,
 static void test_all_kernels_give_the_same_bits(void **state)
 {
 	static struct fixture f;
-	static struct output want[5], got[5];
+	static struct output want[6], got[6];
 
 	(void)state;
 	for (int k = 0; kernel_registry[k]; k++) {
@@ -302,7 +338,7 @@ static void test_all_kernels_give_the_same_bits(void **state)
 				(uint32_t)round * 77 + 5);
 			run_all(&fixed_loops_c, &f, count, want);
 			run_all(loops, &f, count, got);
-			for (int i = 0; i < 5; i++) {
+			for (int i = 0; i < 6; i++) {
 				assert_memory_equal(
 					&got[i], &want[i], sizeof(*want));
 			}
@@ -337,6 +373,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_skinning_sums_rows_times_vectors),
 		cmocka_unit_test(test_a_lerp_weighs_and_rounds),
+		cmocka_unit_test(test_a_lerp_of_keys_is_one_of_pairs),
 		cmocka_unit_test(test_a_pair_of_targets_is_added),
 		cmocka_unit_test(test_many_pairs_are_added_like_one),
 		cmocka_unit_test(test_moved_influences_are_rewritten),

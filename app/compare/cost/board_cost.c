@@ -1,4 +1,4 @@
-#include "app/compare/board_cost.h"
+#include "app/compare/cost/board_cost.h"
 
 #include "app/anim/kernel/arm11_cost.h"
 
@@ -41,20 +41,23 @@ void board_cost_add(struct board_cost *cost, const struct board_cost *more)
 	cost->instructions += more->instructions;
 }
 
+struct board_cost board_cost_joints(int count)
+{
+	struct board_cost cost = cost_of(ARM11_POSE_CESIUM, 0.5 * count);
+	struct board_cost other = cost_of(ARM11_POSE_WALKER, 0.5 * count);
+
+	board_cost_add(&cost, &other);
+	return cost;
+}
+
 struct board_cost board_cost_pose(const struct model *model)
 {
 	int joints = 0;
-	struct board_cost cost, other;
 
 	for (int i = 0; i < model->skin_count; i++) {
 		joints += model->skin[i].joint_count;
 	}
-	joints = joints > 0 ? joints : model->node_count;
-	cost = cost_of(ARM11_POSE_CESIUM, 0.5 * joints);
-	other = cost_of(ARM11_POSE_WALKER, 0.5 * joints);
-
-	board_cost_add(&cost, &other);
-	return cost;
+	return board_cost_joints(joints > 0 ? joints : model->node_count);
 }
 
 /* Of one vertex; each influence beyond four costs as much as the fourth. */
@@ -131,7 +134,7 @@ struct board_cost board_cost_skin(
 	return cost;
 }
 
-struct board_cost board_cost_lerp(int vertex_count, bool normals)
+struct board_cost board_cost_keys(int vertex_count, bool normals)
 {
 	return cost_of(normals ? ARM11_LERP_NORMALS : ARM11_LERP, vertex_count);
 }

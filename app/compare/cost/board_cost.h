@@ -10,10 +10,11 @@
  * within 5% of the meshes that the timing model ran as a whole
  * (tests/unit/app/compare/test_board_cost.c).
  */
-#ifndef APP_COMPARE_BOARD_COST_H
-#define APP_COMPARE_BOARD_COST_H
+#ifndef APP_COMPARE_COST_BOARD_COST_H
+#define APP_COMPARE_COST_BOARD_COST_H
 
-#include "app/compare/reference.h"
+#include "app/anim/clip.h"
+#include "app/scene/instance/instance.h"
 
 struct board_cost {
 	double cycles, instructions; /* a frame */
@@ -31,6 +32,9 @@ void board_cost_add(struct board_cost *cost, const struct board_cost *more);
  */
 struct board_cost board_cost_pose(const struct model *model);
 
+/* The same for a number of joints or nodes. */
+struct board_cost board_cost_joints(int count);
+
 /*
  * The cost of skinning a primitive that has influences, at most max_influences
  * a vertex (0: all), and its normals if it has any. This includes converting
@@ -40,7 +44,7 @@ struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences);
 
 /* The cost of interpolating vertices between two key frames. */
-struct board_cost board_cost_lerp(int vertex_count, bool normals);
+struct board_cost board_cost_keys(int vertex_count, bool normals);
 
 /*
  * The cost of adding weighted targets, which the loops take in pairs. moves is
@@ -49,12 +53,12 @@ struct board_cost board_cost_lerp(int vertex_count, bool normals);
 struct board_cost board_cost_targets(double moves, bool normals);
 
 /*
- * The cost of everything an instance does in an average frame of the
- * reference's clip, with at most max_influences a vertex (0: all). It changes
- * the instance's pose.
+ * The cost of everything an instance does in an average frame of the clip at
+ * rate_hz frames a second, with at most max_influences a vertex (0: all). It
+ * changes the instance's pose.
  */
-struct board_cost board_cost_clip(const struct reference *reference,
+struct board_cost board_cost_clip(const struct model_clip *clip,
 	struct instance *instance, struct clip_cursor *cursor,
-	int max_influences);
+	int max_influences, double rate_hz);
 
 #endif

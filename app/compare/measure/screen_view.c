@@ -1,4 +1,4 @@
-#include "app/compare/screen_view.h"
+#include "app/compare/measure/screen_view.h"
 
 #include "app/scene/stage/camera.h"
 #include "platform/base/scalar.h"
@@ -12,26 +12,36 @@ static const struct camera_framing framing = {
 	.margin = 1.15f,
 };
 
-struct screen_view screen_view_create(
-	const struct reference *reference, int width, int height)
+static struct bounds box_of(
+	struct reference *reference, const struct time_grid *grid)
+{
+	struct bounds box = bounds_empty();
+
+	for (int i = 0; i < grid->count; i++) {
+		reference_pose(reference, grid->time_s[i], false);
+		for (int v = 0; v < reference->vertex_count; v++) {
+			bounds_add(&box, reference->position[v]);
+		}
+	}
+	return box;
+}
+
+struct screen_view screen_view_create(struct reference *reference,
+	const struct time_grid *grid, int width, int height)
 {
 	struct screen_view screen = {.width = width, .height = height};
 	struct camera camera = camera_default();
 	struct camera_framing wanted = framing;
-	struct bounds bounds = bounds_empty();
+	struct bounds scene_box;
 	float unit = reference->instance->unit_scale;
-	size_t count = (size_t)reference->frame_count *
-		(size_t)reference->vertex_count;
 	float half_rad = 0.5f * camera.yfov_rad;
 
-	for (size_t i = 0; i < count; i++) {
-		float point[3];
-
-		glm_vec3_scale(reference->position[i], unit, point);
-		bounds_add(&bounds, point);
-	}
+	screen.box = box_of(reference, grid);
+	scene_box = screen.box;
+	glm_vec3_scale(scene_box.low, unit, scene_box.low);
+	glm_vec3_scale(scene_box.high, unit, scene_box.high);
 	wanted.aspect = (float)width / (float)height;
-	camera_frame(&camera, &bounds, &wanted);
+	camera_frame(&camera, &scene_box, &wanted);
 	camera_view(&camera, screen.view);
 	for (int column = 0; column < 3; column++) {
 		glm_vec3_scale(screen.view[column], unit, screen.view[column]);
@@ -41,7 +51,7 @@ struct screen_view screen_view_create(
 	return screen;
 }
 
-static void project(
+void screen_view_project(
 	const struct screen_view *screen, const float point[3], float out[2])
 {
 	const vec4 *view = screen->view;
@@ -62,8 +72,8 @@ float screen_view_distance_px(
 {
 	float p[2], q[2];
 
-	project(screen, a, p);
-	project(screen, b, q);
+	screen_view_project(screen, a, p);
+	screen_view_project(screen, b, q);
 	p[0] -= q[0];
 	p[1] -= q[1];
 	return scalar_sqrt(p[0] * p[0] + p[1] * p[1]);

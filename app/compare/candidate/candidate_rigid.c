@@ -1,4 +1,4 @@
-#include "app/compare/candidate_rigid.h"
+#include "app/compare/candidate/candidate_rigid.h"
 
 #include "app/anim/math/matrix.h"
 #include "app/model/model_stats.h"
@@ -30,18 +30,27 @@ static void pose_rigid(struct candidate *candidate, float time_s)
 {
 	struct rigid_bake *rigid = candidate->state;
 
-	clip_sample(
-		rigid->reference->clip, time_s, &rigid->cursor, &rigid->pose);
+	clip_pose(rigid->reference->clip, time_s, CLIP_AUTO, &rigid->cursor,
+		&rigid->pose);
 	pose_world(&rigid->pose, rigid->reference->model, NULL, rigid->world);
 }
 
-static void vertex_rigid(
-	const struct candidate *candidate, int vertex, float out[3])
+/* Joints turn and scale evenly, or normals are bent as on the screen. */
+static void take_rigid(const struct candidate *candidate, float (*position)[3],
+	float (*normal)[3])
 {
 	const struct rigid_bake *rigid = candidate->state;
 
-	matrix_apply(rigid->world[rigid->node[vertex]], rigid->position[vertex],
-		out);
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		vec4 *world = rigid->world[rigid->node[v]];
+
+		matrix_apply(world, rigid->position[v], position[v]);
+		if (normal) {
+			matrix_apply_direction(
+				world, rigid->normal[v], normal[v]);
+			glm_vec3_normalize(normal[v]);
+		}
+	}
 }
 
 static void destroy_rigid(struct candidate *candidate)
@@ -263,22 +272,22 @@ static void count_bytes(
 
 		vectors += (size_t)(part->vertex_count * (normals ? 2 : 1));
 	}
-	candidate->file_bytes = stats.clip_bytes + vectors * sizeof(float[3]);
-	candidate->memory_bytes = candidate->file_bytes +
+	candidate->bytes.own = candidate->bytes.own_file = stats.clip_bytes;
+	candidate->bytes.shared_file = vectors * sizeof(float[3]);
+	candidate->bytes.shared = vectors * sizeof(struct fixed_vector) +
 		(size_t)reference->model->node_count *
 			(sizeof(struct transform) + sizeof(mat4));
 }
 
-int candidate_rigid(struct candidate *candidate,
-	const struct reference *reference, const struct log *log)
+int candidate_rigid(struct candidate *candidate, struct reference *reference,
+	const struct log *log)
 {
 	struct rigid_bake *rigid = calloc(1, sizeof(*rigid));
 
 	*candidate = (struct candidate){
-		.name = "rigid parts",
-		.technique = TECHNIQUE_HIERARCHICAL,
+		.reference = reference,
 		.pose = pose_rigid,
-		.vertex = vertex_rigid,
+		.take = take_rigid,
 		.destroy = destroy_rigid,
 		.state = rigid,
 	};
@@ -294,7 +303,7 @@ int candidate_rigid(struct candidate *candidate,
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;
 	count_bytes(candidate, rigid);
-	candidate->board = board_cost_pose(reference->model);
+	candidate->board = board_cost_joints(reference->model->node_count);
 	return 0;
 }
 

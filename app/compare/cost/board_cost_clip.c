@@ -1,12 +1,20 @@
 /*
  * Predicts the cost of a whole clip from the loops that run in each frame.
  */
-#include "app/compare/board_cost.h"
+#include "app/compare/cost/board_cost.h"
+
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
+enum {
+	FRAMES_MAX = 10000 /* which are enough for an average */
+};
+
 struct playback {
-	const struct reference *reference;
+	const struct model_clip *clip;
+	double rate_hz;
+	int frame_count;
 	struct instance *instance;
 	struct clip_cursor *cursor;
 };
@@ -38,7 +46,6 @@ static int count_moved(const struct model_primitive *primitive, int t, int count
 static int count_frames(
 	const struct playback *playback, const struct drawable *drawable, int t)
 {
-	const struct reference *reference = playback->reference;
 	struct instance *instance = playback->instance;
 	const struct model_node *node = &instance->model->node[drawable->node];
 	const float *weight = instance->pose.weight + node->weight_offset + t;
@@ -49,9 +56,9 @@ static int count_frames(
 	float before[2] = {0.0f, 0.0f};
 	int frames = 0;
 
-	for (int i = 0; i < reference->frame_count; i++) {
-		clip_sample(reference->clip, reference->time_s[i],
-			playback->cursor, &instance->pose);
+	for (int i = 0; i < playback->frame_count; i++) {
+		clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
+			CLIP_AUTO, playback->cursor, &instance->pose);
 		/* A skin's base vectors change only when weights do. */
 		frames += drawable->skin >= 0 ? memcmp(weight, before, size) != 0
 					      : memcmp(weight, none, size) != 0;
@@ -71,7 +78,7 @@ static double average_moves(
 		sum += (double)count_moved(drawable->primitive, t, count) *
 			count_frames(playback, drawable, t);
 	}
-	return sum / playback->reference->frame_count;
+	return sum / playback->frame_count;
 }
 
 static void add_drawable(struct board_cost *sum, const struct playback *playback,
@@ -82,6 +89,11 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 	double moved = 0.0;
 	struct board_cost cost;
 
+	if (drawable->fixed && drawable->fixed->keys) {
+		cost = board_cost_keys(primitive->vertex_count, normals);
+		board_cost_add(sum, &cost);
+		return;
+	}
 	if (drawable->morphed) {
 		moved = average_moves(playback, drawable);
 	}
@@ -89,7 +101,7 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 		cost = board_cost_skin(primitive, max_influences);
 		board_cost_add(sum, &cost);
 		/* The skin's base vectors are updated from them. */
-		cost = board_cost_lerp((int)moved, normals);
+		cost = board_cost_keys((int)moved, normals);
 		board_cost_add(sum, &cost);
 	} else if (drawable->morphed && moved < primitive->vertex_count) {
 		/* The loop copies the vertices that do not move. */
@@ -99,11 +111,18 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 	board_cost_add(sum, &cost);
 }
 
-struct board_cost board_cost_clip(const struct reference *reference,
+struct board_cost board_cost_clip(const struct model_clip *clip,
 	struct instance *instance, struct clip_cursor *cursor,
-	int max_influences)
+	int max_influences, double rate_hz)
 {
-	const struct playback playback = {reference, instance, cursor};
+	const struct playback playback = {
+		.clip = clip,
+		.rate_hz = rate_hz,
+		.frame_count = scalar_to_int(
+			(double)clip->duration_s * rate_hz, 1, FRAMES_MAX),
+		.instance = instance,
+		.cursor = cursor,
+	};
 	struct board_cost sum = board_cost_pose(instance->model);
 
 	for (int i = 0; i < instance->drawable_count; i++) {

@@ -1,5 +1,6 @@
-#include "app/compare/candidate.h"
+#include "app/compare/candidate/candidate.h"
 
+#include "app/compare/measure/posed_vertices.h"
 #include "app/model/model_stats.h"
 
 #include <cglm/cglm.h>
@@ -21,25 +22,20 @@ static void pose_original(struct candidate *candidate, float time_s)
 {
 	struct original *state = candidate->state;
 
-	clip_sample(state->reference->clip, time_s, &state->cursor,
+	clip_pose(state->reference->clip, time_s, CLIP_AUTO, &state->cursor,
 		&state->instance->pose);
 	instance_update(state->instance);
 }
 
-static void vertex_original(
-	const struct candidate *candidate, int vertex, float out[3])
+static void take_original(const struct candidate *candidate,
+	float (*position)[3], float (*normal)[3])
 {
 	const struct original *state = candidate->state;
-	const struct reference *reference = state->reference;
-	int part = 0;
 
-	while (vertex >= reference->part[part].first_vertex +
-			reference->part[part].vertex_count) {
-		part++;
+	posed_vertices_positions(state->instance, position);
+	if (normal) {
+		posed_vertices_normals(state->instance, normal);
 	}
-	instance_world_vertex(state->instance,
-		&state->instance->drawable[reference->part[part].drawable],
-		vertex - reference->part[part].first_vertex, out);
 }
 
 static void destroy_original(struct candidate *candidate)
@@ -94,10 +90,13 @@ static size_t output_bytes(const struct drawable *drawable)
 			       : vector_bytes(drawable);
 }
 
-/* In fixed point a morph keeps its base, and its targets in pairs. */
+/* In fixed point a morph keeps its base, and its targets in pairs or as keys. */
 static size_t morph_bytes(
 	const struct model *model, const struct drawable *drawable)
 {
+	if (drawable->fixed && drawable->fixed->keys) {
+		return fixed_keys_bytes(drawable->fixed->keys);
+	}
 	return drawable->fixed && drawable->skin < 0
 		? fixed_morph_bytes(&drawable->fixed->morph)
 		: vector_bytes(drawable) + target_bytes(model, drawable);
@@ -119,18 +118,18 @@ static void count_drawable(struct candidate *candidate,
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t vectors = vector_bytes(drawable);
 
-	candidate->file_bytes += vectors + target_bytes(model, drawable);
-	candidate->memory_bytes += output_bytes(drawable);
+	candidate->bytes.shared_file += vectors + target_bytes(model, drawable);
+	candidate->bytes.shared += output_bytes(drawable);
 	if (drawable->skin >= 0) {
 		size_t joint =
 			model->skin[drawable->skin].joint_count > 256 ? 2 : 1;
 
-		candidate->memory_bytes += skin_bytes(drawable, cap);
-		candidate->file_bytes += (size_t)primitive->vertex_count *
+		candidate->bytes.shared += skin_bytes(drawable, cap);
+		candidate->bytes.shared_file += (size_t)primitive->vertex_count *
 			(size_t)primitive->influences * (joint + sizeof(float));
 	}
 	if (drawable->morphed) {
-		candidate->memory_bytes += morph_bytes(model, drawable);
+		candidate->bytes.shared += morph_bytes(model, drawable);
 	}
 }
 
@@ -141,17 +140,16 @@ static void count_bytes(
 	struct model_stats stats = {0};
 
 	model_stats_add_clip(&stats, state->reference->clip);
-	candidate->memory_bytes = stats.clip_bytes +
-		(size_t)model->node_count *
-			(sizeof(struct transform) + sizeof(mat4));
-	candidate->file_bytes = stats.clip_bytes;
+	candidate->bytes.own = candidate->bytes.own_file = stats.clip_bytes;
+	candidate->bytes.shared = (size_t)model->node_count *
+		(sizeof(struct transform) + sizeof(mat4));
 	for (int i = 0; i < model->skin_count; i++) {
 		size_t matrices =
 			(size_t)model->skin[i].joint_count * sizeof(mat4);
 
-		candidate->memory_bytes +=
+		candidate->bytes.shared +=
 			2 * matrices; /* inverse bind matrices and palette */
-		candidate->file_bytes += matrices;
+		candidate->bytes.shared_file += matrices;
 	}
 	for (int i = 0; i < state->instance->drawable_count; i++) {
 		count_drawable(
@@ -175,38 +173,6 @@ static int drop_targets(struct original *state)
 	}
 	state->model.mesh = mesh;
 	return 0;
-}
-
-static enum technique technique_of(const struct model *model, bool targets)
-{
-	bool morphs = false;
-
-	for (int i = 0; targets && i < model->mesh_count; i++) {
-		morphs = morphs || model->mesh[i].target_count > 0;
-	}
-	if (model->skin_count > 0) {
-		return morphs ? TECHNIQUE_COMBINED : TECHNIQUE_SKELETAL;
-	}
-	return morphs ? TECHNIQUE_MORPHING : TECHNIQUE_HIERARCHICAL;
-}
-
-static void name_original(struct candidate *candidate, int max_influences)
-{
-	static const char *const name[TECHNIQUE_COUNT] = {
-		[TECHNIQUE_MORPHING] = "morph targets",
-		[TECHNIQUE_HIERARCHICAL] = "nodes as they are",
-		[TECHNIQUE_SKELETAL] = "skin",
-		[TECHNIQUE_COMBINED] = "skin + morph",
-	};
-	const char *what = name[candidate->technique];
-
-	if (max_influences > 0) {
-		snprintf(candidate->name, sizeof(candidate->name),
-			"%s, %d influence%s", what, max_influences,
-			max_influences > 1 ? "s" : "");
-	} else {
-		snprintf(candidate->name, sizeof(candidate->name), "%s", what);
-	}
 }
 
 static int prepare(struct original *state, const struct kernel *kernel,
@@ -234,18 +200,18 @@ static int prepare(struct original *state, const struct kernel *kernel,
 	return error;
 }
 
-int candidate_original(struct candidate *candidate,
-	const struct reference *reference, const struct kernel *kernel,
-	int max_influences, bool targets, const struct log *log)
+int candidate_original(struct candidate *candidate, struct reference *reference,
+	const struct kernel *kernel, int max_influences, bool targets,
+	double rate_hz, const struct log *log)
 {
 	struct original *state = calloc(1, sizeof(*state));
 	int error;
 
 	*candidate = (struct candidate){
-		.technique = technique_of(reference->model, targets),
+		.reference = reference,
 		.vertex_count = reference->vertex_count,
 		.pose = pose_original,
-		.vertex = vertex_original,
+		.take = take_original,
 		.destroy = destroy_original,
 		.state = state,
 	};
@@ -261,10 +227,8 @@ int candidate_original(struct candidate *candidate,
 		candidate_destroy(candidate);
 		return error;
 	}
-	name_original(candidate, max_influences);
 	count_bytes(candidate, state, max_influences);
-	candidate->board = board_cost_clip(
-		reference, state->instance, &state->cursor, max_influences);
-	pose_rest(&state->instance->pose, &state->model);
+	candidate->board = board_cost_clip(reference->clip, state->instance,
+		&state->cursor, max_influences, rate_hz);
 	return 0;
 }

@@ -2,10 +2,10 @@
  * A candidate of rigid parts on pivots: AN4044's hierarchical technique
  * (section 2), with the joints as pivots.
  */
-#ifndef APP_COMPARE_CANDIDATE_RIGID_H
-#define APP_COMPARE_CANDIDATE_RIGID_H
+#ifndef APP_COMPARE_CANDIDATE_CANDIDATE_RIGID_H
+#define APP_COMPARE_CANDIDATE_CANDIDATE_RIGID_H
 
-#include "app/compare/candidate.h"
+#include "app/compare/candidate/candidate.h"
 
 /* The triangles of one primitive that move with one node. */
 struct rigid_part {
@@ -40,8 +40,8 @@ struct rigid_bake {
  * reference must outlive the candidate. Returns 0, or -ENOMEM after logging an
  * error.
  */
-int candidate_rigid(struct candidate *candidate,
-	const struct reference *reference, const struct log *log);
+int candidate_rigid(struct candidate *candidate, struct reference *reference,
+	const struct log *log);
 
 /* The baked parts; they belong to the candidate. */
 const struct rigid_bake *candidate_rigid_bake(const struct candidate *candidate);

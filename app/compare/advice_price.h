@@ -1,0 +1,30 @@
+/*
+ * What a row of a comparison costs, and whether it keeps within the limits.
+ *
+ * The comparison's cost and limits are set (advice.h).
+ */
+#ifndef APP_COMPARE_ADVICE_PRICE_H
+#define APP_COMPARE_ADVICE_PRICE_H
+
+#include "app/compare/comparison.h"
+
+/* The time of a frame in microseconds, from the figure that cost selects. */
+double advice_row_us(const struct comparison *comparison, int row);
+double advice_cell_us(const struct comparison *comparison, int row, int clip);
+
+/* Whether a row keeps within one limit. */
+bool advice_fits_memory(const struct comparison *comparison, int row);
+bool advice_fits_time(const struct comparison *comparison, int row);
+bool advice_fits_error(const struct comparison *comparison, int row);
+
+/* Whether a row is listed and keeps within all limits. */
+bool advice_fits(const struct comparison *comparison, int row);
+
+/*
+ * The sum of the prices of time and memory, in hundredths of the board's frame.
+ */
+double advice_price(
+	const struct comparison *comparison, double us, size_t bytes);
+double advice_row_price(const struct comparison *comparison, int row);
+
+#endif

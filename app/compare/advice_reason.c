@@ -1,0 +1,151 @@
+#include "app/compare/advice_reason.h"
+
+#include "app/compare/advice_price.h"
+
+#include <stdio.h>
+
+static double kilobytes(double bytes)
+{
+	return bytes / 1024.0;
+}
+
+static size_t bytes_of(const struct comparison *comparison, int row)
+{
+	return comparison->row[row].total.memory_bytes;
+}
+
+/* Of the other rows within all limits: the fastest, and the smallest, or -1. */
+static int find_fastest(const struct comparison *comparison)
+{
+	int best = -1;
+
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (i != comparison->advised && advice_fits(comparison, i) &&
+			(best < 0 ||
+				advice_row_us(comparison, i) <
+					advice_row_us(comparison, best))) {
+			best = i;
+		}
+	}
+	return best;
+}
+
+static int find_smallest(const struct comparison *comparison)
+{
+	int best = -1;
+
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (i != comparison->advised && advice_fits(comparison, i) &&
+			(best < 0 ||
+				bytes_of(comparison, i) <
+					bytes_of(comparison, best))) {
+			best = i;
+		}
+	}
+	return best;
+}
+
+/* What a faster row would cost; it has more memory, or it would be advised. */
+static void weigh_faster(
+	const struct comparison *comparison, int other, char *text, size_t size)
+{
+	const struct board_profile *board = comparison->request.board;
+	int advised = comparison->advised;
+	double saved_us = advice_row_us(comparison, advised) -
+		advice_row_us(comparison, other);
+	double more = (double)bytes_of(comparison, other) -
+		(double)bytes_of(comparison, advised);
+
+	snprintf(text, size,
+		"\"%s\" would save %.0f us, which is %.1f%% of a frame of %.1f ms, but take %.0f KiB more, where 1%% is worth %.0f KiB",
+		comparison->row[other].name, saved_us,
+		saved_us / (board->frame_ms * 10.0), board->frame_ms,
+		kilobytes(more), kilobytes((double)board->bytes_per_percent));
+}
+
+static void weigh_smaller(
+	const struct comparison *comparison, int other, char *text, size_t size)
+{
+	const struct board_profile *board = comparison->request.board;
+	int advised = comparison->advised;
+	double more_us = advice_row_us(comparison, other) -
+		advice_row_us(comparison, advised);
+	double less = (double)bytes_of(comparison, advised) -
+		(double)bytes_of(comparison, other);
+
+	snprintf(text, size,
+		"\"%s\" would save %.0f KiB but take %.0f us more, which is %.1f%% of a frame of %.1f ms, where 1%% is worth %.0f KiB",
+		comparison->row[other].name, kilobytes(less), more_us,
+		more_us / (board->frame_ms * 10.0), board->frame_ms,
+		kilobytes((double)board->bytes_per_percent));
+}
+
+static void write_fitting(
+	const struct comparison *comparison, char *text, size_t size)
+{
+	int advised = comparison->advised;
+	int fastest = find_fastest(comparison);
+	int smallest = find_smallest(comparison);
+
+	if (fastest >= 0 &&
+		advice_row_us(comparison, fastest) <
+			advice_row_us(comparison, advised)) {
+		weigh_faster(comparison, fastest, text, size);
+	} else if (smallest >= 0 &&
+		bytes_of(comparison, smallest) < bytes_of(comparison, advised)) {
+		weigh_smaller(comparison, smallest, text, size);
+	} else if (fastest >= 0) {
+		snprintf(text, size,
+			"nothing that keeps within %g px is faster or smaller; \"%s\" takes %.0f us and %.0f KiB",
+			(double)comparison->request.bound_px,
+			comparison->row[fastest].name,
+			advice_row_us(comparison, fastest),
+			kilobytes((double)bytes_of(comparison, fastest)));
+	} else {
+		snprintf(text, size,
+			"nothing else keeps within %g px, %.0f KiB and %.1f ms",
+			(double)comparison->request.bound_px,
+			kilobytes((double)comparison->memory_limit_bytes),
+			comparison->time_limit_us * 1e-3);
+	}
+}
+
+static void write_failing(
+	const struct comparison *comparison, char *text, size_t size)
+{
+	const struct comparison_total *total =
+		&comparison->row[comparison->advised].total;
+
+	if (total->memory_bytes > comparison->memory_limit_bytes) {
+		snprintf(text, size,
+			"nothing fits the memory of %.0f KiB, and it needs the least",
+			kilobytes((double)comparison->memory_limit_bytes));
+	} else if (total->peak_px > comparison->request.bound_px) {
+		snprintf(text, size,
+			"nothing that fits the memory of %.0f KiB keeps within %g px, and with %.2f px it comes closest",
+			kilobytes((double)comparison->memory_limit_bytes),
+			(double)comparison->request.bound_px,
+			(double)total->peak_px);
+	} else {
+		snprintf(text, size,
+			"nothing that keeps within %g px is as fast as %.1f ms, and it is the fastest",
+			(double)comparison->request.bound_px,
+			comparison->time_limit_us * 1e-3);
+	}
+}
+
+void advice_reason_write(struct comparison *comparison)
+{
+	int advised = comparison->advised;
+	char why[COMPARISON_REASON_BYTES - 64];
+
+	if (advice_fits(comparison, advised)) {
+		write_fitting(comparison, why, sizeof(why));
+	} else {
+		write_failing(comparison, why, sizeof(why));
+	}
+	snprintf(comparison->reason, sizeof(comparison->reason),
+		"it takes %.0f us and %.0f KiB; %s",
+		advice_row_us(comparison, advised),
+		kilobytes((double)bytes_of(comparison, advised)), why);
+}

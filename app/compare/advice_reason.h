@@ -1,0 +1,12 @@
+/*
+ * The reason of the advice in one sentence.
+ */
+#ifndef APP_COMPARE_ADVICE_REASON_H
+#define APP_COMPARE_ADVICE_REASON_H
+
+#include "app/compare/comparison.h"
+
+/* Sets comparison->reason, which has no full stop. The rest is set. */
+void advice_reason_write(struct comparison *comparison);
+
+#endif

@@ -1,0 +1,224 @@
+#include "app/compare/candidate/candidate_error.h"
+
+#include "app/scene/stage/light.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+enum {
+	DIVISIONS_MAX = 10 /* of an interval of the grid, each into halves */
+};
+
+/* Refining stops where the peak cannot be missed by more than this. */
+static const float tolerance_px = 0.025f;
+static const float tolerance_share = 0.025f;
+/* Sideways: the cosine of normal and view is at most this. */
+static const float outline_cosine = 0.2f;
+static const float green_steps = 63.0f;
+
+struct comparer {
+	struct candidate *candidate;
+	struct reference *reference;
+	const struct screen_view *screen;
+	float light[3];
+	float (*position)[3]; /* [candidate->vertex_count] */
+	float (*normal)[3];
+	struct candidate_error error;
+	float chord; /* the largest distance of two unit normals */
+	double sum_px;
+	double sum_count;
+};
+
+/* One moment: the largest error of a vertex there. */
+struct sample {
+	float time_s, px;
+};
+
+static float dot(const float a[3], const float b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void keep_larger(float *most, float value)
+{
+	*most = value > *most ? value : *most;
+}
+
+/* across[] is the screen direction of the normal, if it is seen sideways. */
+static bool find_across(const struct screen_view *screen,
+	const float position[3], const float normal[3], float across[2])
+{
+	const vec4 *view = screen->view;
+	float eye[3], facing[3], length;
+
+	for (int row = 0; row < 3; row++) {
+		eye[row] = view[0][row] * position[0] +
+			view[1][row] * position[1] +
+			view[2][row] * position[2] + view[3][row];
+		facing[row] = view[0][row] * normal[0] +
+			view[1][row] * normal[1] + view[2][row] * normal[2];
+	}
+	length = scalar_sqrt(dot(eye, eye) * dot(facing, facing));
+	if (!(length > 0.0f) ||
+		scalar_abs(dot(eye, facing)) > outline_cosine * length) {
+		return false;
+	}
+	length = scalar_sqrt(facing[0] * facing[0] + facing[1] * facing[1]);
+	across[0] = length > 0.0f ? facing[0] / length : 0.0f;
+	across[1] = length > 0.0f ? facing[1] / length : 0.0f;
+	return true;
+}
+
+static float brightness(const float light[3], const float normal[3])
+{
+	float lambert = dot(light, normal);
+
+	return lambert > 0.0f ? lambert : 0.0f;
+}
+
+static void compare_normals(struct comparer *comparer, const float position[3],
+	const float wanted[3], const float shown[3], const float moved_px[2])
+{
+	struct candidate_error *error = &comparer->error;
+	float apart[3], across[2];
+
+	if (dot(wanted, wanted) < 0.5f || dot(shown, shown) < 0.5f) {
+		return;
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		apart[axis] = wanted[axis] - shown[axis];
+	}
+	keep_larger(&comparer->chord, dot(apart, apart));
+	keep_larger(&error->shade_steps,
+		green_steps *
+			scalar_abs(brightness(comparer->light, wanted) -
+				brightness(comparer->light, shown)));
+	if (find_across(comparer->screen, position, wanted, across)) {
+		keep_larger(&error->outline_px,
+			scalar_abs(moved_px[0] * across[0] +
+				moved_px[1] * across[1]));
+	}
+}
+
+/* Poses both at time_s and compares all vertices; with normals if wanted. */
+static struct sample compare_at(
+	struct comparer *comparer, float time_s, bool normals)
+{
+	struct candidate *candidate = comparer->candidate;
+	const struct reference *reference = comparer->reference;
+	struct sample sample = {time_s, 0.0f};
+
+	candidate_pose(candidate, time_s);
+	candidate->take(candidate, comparer->position,
+		normals ? comparer->normal : NULL);
+	reference_pose(comparer->reference, time_s, normals);
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		int source = candidate->source ? candidate->source[v] : v;
+		float wanted[2], moved[2], px;
+
+		screen_view_project(
+			comparer->screen, reference->position[source], wanted);
+		screen_view_project(
+			comparer->screen, comparer->position[v], moved);
+		moved[0] -= wanted[0];
+		moved[1] -= wanted[1];
+		px = scalar_sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
+		keep_larger(&sample.px, px);
+		if (normals) {
+			comparer->sum_px += (double)px;
+			compare_normals(comparer, reference->position[source],
+				reference->normal[source], comparer->normal[v],
+				moved);
+		}
+	}
+	comparer->error.samples++;
+	if (sample.px > comparer->error.peak_px) {
+		comparer->error.peak_px = sample.px;
+		comparer->error.peak_s = time_s;
+	}
+	comparer->sum_count += normals ? candidate->vertex_count : 0;
+	return sample;
+}
+
+/*
+ * The most that the error may be between three moments at even distances: a
+ * parabola through them exceeds them by an eighth of their second difference;
+ * four times that allows for errors that are no parabolas.
+ */
+static float most_between(const struct sample s[3])
+{
+	float most = s[0].px > s[1].px ? s[0].px : s[1].px;
+	float bend = scalar_abs(s[0].px - 2.0f * s[1].px + s[2].px);
+
+	return (s[2].px > most ? s[2].px : most) + 0.5f * bend;
+}
+
+static void refine(
+	struct comparer *comparer, const struct sample s[3], int divisions)
+{
+	float peak_px = comparer->error.peak_px;
+	float spare_px = tolerance_share * peak_px;
+	struct sample half[3];
+
+	spare_px = spare_px > tolerance_px ? spare_px : tolerance_px;
+	if (divisions == 0 || most_between(s) <= peak_px + spare_px) {
+		return;
+	}
+	for (int i = 0; i < 2; i++) {
+		half[0] = s[i];
+		half[2] = s[i + 1];
+		half[1] = compare_at(comparer,
+			0.5f * (half[0].time_s + half[2].time_s), false);
+		refine(comparer, half, divisions - 1);
+	}
+}
+
+/* Samples the grid's moments and the middles between them: 2 count - 1. */
+static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
+	struct sample *sample)
+{
+	for (int i = 0; i < 2 * grid->count - 1; i++) {
+		const float *at = grid->time_s + i / 2;
+		float time_s = i % 2 ? 0.5f * (at[0] + at[1]) : at[0];
+
+		sample[i] = compare_at(comparer, time_s, true);
+	}
+}
+
+int candidate_error_measure(struct candidate *candidate,
+	const struct screen_view *screen, const struct time_grid *grid,
+	struct candidate_error *out)
+{
+	size_t count = (size_t)candidate->vertex_count;
+	struct sample *sample =
+		malloc((2 * (size_t)grid->count) * sizeof(*sample));
+	struct comparer comparer = {
+		.candidate = candidate,
+		.reference = candidate->reference,
+		.screen = screen,
+		.position = malloc((count + 1) * sizeof(float[3])),
+		.normal = malloc((count + 1) * sizeof(float[3])),
+	};
+	int error = -ENOMEM;
+
+	if (sample && comparer.position && comparer.normal) {
+		light_direction(comparer.light);
+		sample_grid(&comparer, grid, sample);
+		for (int i = 0; i + 2 < 2 * grid->count - 1; i += 2) {
+			refine(&comparer, sample + i, DIVISIONS_MAX);
+		}
+		comparer.error.mean_px = comparer.sum_count > 0.0
+			? (float)(comparer.sum_px / comparer.sum_count)
+			: 0.0f;
+		comparer.error.normal_deg = 2.0f * 180.0f / SCALAR_PI *
+			(0.5f * SCALAR_PI -
+				scalar_acos(0.5f * scalar_sqrt(comparer.chord)));
+		*out = comparer.error;
+		error = 0;
+	}
+	free(sample);
+	free(comparer.position);
+	free(comparer.normal);
+	return error;
+}

@@ -1,0 +1,20 @@
+/*
+ * Times a candidate on this machine.
+ */
+#ifndef APP_COMPARE_CANDIDATE_CANDIDATE_TIME_H
+#define APP_COMPARE_CANDIDATE_CANDIDATE_TIME_H
+
+#include "app/compare/candidate/candidate.h"
+
+struct candidate_time {
+	double frame_us;     /* the median, in processor time of the thread */
+	double instructions; /* a frame; negative: there is no counter */
+};
+
+/*
+ * Poses frames that are spread evenly over the clip, several times. Other
+ * threads do not disturb it, but make it less exact.
+ */
+struct candidate_time candidate_time_measure(struct candidate *candidate);
+
+#endif

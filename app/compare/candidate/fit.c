@@ -1,0 +1,206 @@
+#include "app/compare/candidate/fit.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	MISSES_MAX = 8,
+	MOMENTS_MIN = 3,
+	MOMENTS_MAX = 600
+};
+
+/* The positions at the moments that are looked at, in a ring. */
+struct window {
+	struct reference *reference;
+	const struct screen_view *screen;
+	const struct time_grid *grid;
+	float bound_px;
+	int capacity;         /* moments */
+	int end;              /* of the moments that have been posed */
+	float (*position)[3]; /* [capacity][vertex_count] */
+	int suspect;          /* the vertex that exceeded the bound last */
+};
+
+/* moment is at least end - capacity. */
+static const float (*positions_of(struct window *window, int moment))[3]
+{
+	struct reference *reference = window->reference;
+	size_t count = (size_t)reference->vertex_count;
+
+	for (; window->end <= moment; window->end++) {
+		reference_pose(
+			reference, window->grid->time_s[window->end], false);
+		memcpy(window->position +
+				(size_t)(window->end % window->capacity) * count,
+			reference->position, count * sizeof(float[3]));
+	}
+	return (const float(*)[3])window->position +
+		(size_t)(moment % window->capacity) * count;
+}
+
+/* Two keys, and a moment between them. */
+struct between {
+	const float (*from)[3], (*to)[3], (*wanted)[3];
+	float omega; /* 0 at from, 1 at to */
+};
+
+static struct between between_of(
+	struct window *window, int from, int to, int moment)
+{
+	const float *time_s = window->grid->time_s;
+
+	return (struct between){
+		.from = positions_of(window, from),
+		.to = positions_of(window, to),
+		.wanted = positions_of(window, moment),
+		.omega = (time_s[moment] - time_s[from]) /
+			(time_s[to] - time_s[from]),
+	};
+}
+
+static bool vertex_fits(
+	const struct window *window, const struct between *between, int vertex)
+{
+	const float *from = between->from[vertex], *to = between->to[vertex];
+	float straight[3];
+
+	for (int axis = 0; axis < 3; axis++) {
+		straight[axis] =
+			from[axis] + (to[axis] - from[axis]) * between->omega;
+	}
+	return screen_view_distance_px(window->screen, straight,
+		       between->wanted[vertex]) <= window->bound_px;
+}
+
+static bool moment_fits(struct window *window, int from, int to, int moment)
+{
+	struct between between = between_of(window, from, to, moment);
+
+	for (int v = 0; v < window->reference->vertex_count; v++) {
+		if (!vertex_fits(window, &between, v)) {
+			window->suspect = v;
+			return false;
+		}
+	}
+	return true;
+}
+
+static bool suspect_fits(struct window *window, int from, int to)
+{
+	for (int moment = from + 1; moment < to; moment++) {
+		struct between between = between_of(window, from, to, moment);
+
+		if (!vertex_fits(window, &between, window->suspect)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* The last suspect and the middle moment come first: they fail most often. */
+static bool span_fits(struct window *window, int from, int to)
+{
+	int middle = (from + to) / 2;
+
+	(void)positions_of(window, to);
+	if (to - from < 2) {
+		return true;
+	}
+	if (!suspect_fits(window, from, to) ||
+		!moment_fits(window, from, to, middle)) {
+		return false;
+	}
+	for (int moment = from + 1; moment < to; moment++) {
+		if (moment != middle && !moment_fits(window, from, to, moment)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static int farthest_from(struct window *window, int from)
+{
+	int last = window->grid->count - 1, best = from + 1, misses = 0;
+
+	for (int to = from + 1; to <= last && to - from < window->capacity &&
+		misses < MISSES_MAX;
+		to++) {
+		if (span_fits(window, from, to)) {
+			best = to;
+			misses = 0;
+		} else {
+			misses++;
+		}
+	}
+	return best;
+}
+
+static void choose_keys(struct window *window, struct fit_keys *out)
+{
+	const struct time_grid *grid = window->grid;
+	int at = 0;
+
+	out->time_s[out->count++] = grid->time_s[0];
+	while (at < grid->count - 1) {
+		at = farthest_from(window, at);
+		out->time_s[out->count++] = grid->time_s[at];
+	}
+}
+
+static int capacity_of(
+	size_t memory_bytes, size_t moment_bytes, int moment_count)
+{
+	size_t most = moment_bytes > 0 ? memory_bytes / moment_bytes
+				       : (size_t)MOMENTS_MAX;
+
+	most = most < MOMENTS_MAX ? most : (size_t)MOMENTS_MAX;
+	most = most > MOMENTS_MIN ? most : (size_t)MOMENTS_MIN;
+	return most < (size_t)moment_count ? (int)most : moment_count;
+}
+
+int fit_keys_within(struct reference *reference,
+	const struct screen_view *screen, const struct time_grid *grid,
+	float bound_px, size_t memory_bytes, struct fit_keys *out)
+{
+	size_t moment_bytes = (size_t)reference->vertex_count * sizeof(float[3]);
+	struct window window = {
+		.reference = reference,
+		.screen = screen,
+		.grid = grid,
+		.bound_px = bound_px,
+		.capacity = capacity_of(memory_bytes, moment_bytes, grid->count),
+	};
+	int error = -ENOMEM;
+
+	window.position = malloc((size_t)window.capacity * moment_bytes + 1);
+	*out = (struct fit_keys){
+		.time_s = malloc((size_t)grid->count * sizeof(*out->time_s))};
+	if (window.position && out->time_s) {
+		choose_keys(&window, out);
+		error = 0;
+	} else {
+		fit_keys_release(out);
+	}
+	free(window.position);
+	return error;
+}
+
+int fit_keys_evenly(float duration_s, int count, struct fit_keys *out)
+{
+	*out = (struct fit_keys){.count = count,
+		.time_s = malloc((size_t)count * sizeof(*out->time_s))};
+	if (!out->time_s) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < count; i++) {
+		out->time_s[i] = duration_s * (float)i / (float)(count - 1);
+	}
+	return 0;
+}
+
+void fit_keys_release(struct fit_keys *keys)
+{
+	free(keys->time_s);
+	*keys = (struct fit_keys){0};
+}

@@ -1,0 +1,194 @@
+#include "app/compare/comparison_cell.h"
+
+#include "app/compare/candidate/candidate_morph.h"
+#include "app/compare/candidate/candidate_rigid.h"
+
+#include "app/compare/measure/grid_refine.h"
+
+#include <errno.h>
+
+enum {
+	/* AN4044, section 4: "20 key frames are required". */
+	AN4044_KEYS = 20,
+	FITS_MAX = 4,
+	/* What all threads together keep of poses and key frames. */
+	KEPT_BYTES = 40 * 1024 * 1024
+};
+
+/* The share of the bound that the first fit uses at the grid's moments. */
+static const float first_fit = 0.97f;
+
+static int make_reference(const struct comparison *comparison, int clip,
+	struct jobs *jobs, const struct log *log, struct reference **out)
+{
+	int error;
+
+	jobs_lock(jobs);
+	error = reference_create(
+		comparison->model, comparison->clip[clip].clip, log, out);
+	jobs_unlock(jobs);
+	return error;
+}
+
+static void end_reference(struct reference *reference, struct jobs *jobs)
+{
+	jobs_lock(jobs);
+	reference_destroy(reference);
+	jobs_unlock(jobs);
+}
+
+int comparison_clip_prepare(struct comparison *comparison, int clip,
+	struct jobs *jobs, const struct log *log)
+{
+	const struct comparison_request *request = &comparison->request;
+	struct comparison_clip *to = &comparison->clip[clip];
+	struct reference *reference;
+	int error = make_reference(comparison, clip, jobs, log, &reference);
+
+	if (error) {
+		return error;
+	}
+	error = time_grid_make(reference->clip, &to->grid);
+	if (!error) {
+		to->screen = screen_view_create(
+			reference, &to->grid, request->width, request->height);
+		/* Half of the bound leaves a fit some choice of keys. */
+		error = grid_refine(reference, &to->screen,
+			0.5f * request->bound_px, &to->grid);
+	}
+	if (error) {
+		log_error(log, "%s: clip %d is too long to compare: %s",
+			comparison->model->path, to->clip,
+			error == -E2BIG ? "it lasts more than five hours"
+					: "there is not enough memory");
+	}
+	end_reference(reference, jobs);
+	return error;
+}
+
+/* What a job works with. */
+struct task {
+	struct comparison *comparison;
+	const struct comparison_row *row;
+	const struct comparison_clip *clip;
+	struct comparison_cell *cell;
+	struct reference *reference;
+	struct jobs *jobs;
+	const struct log *log;
+};
+
+static size_t kept_bytes(const struct task *task)
+{
+	return KEPT_BYTES / 2 / (size_t)task->comparison->request.jobs;
+}
+
+static int create(struct task *task, struct candidate *candidate)
+{
+	const struct comparison *comparison = task->comparison;
+	const struct comparison_request *request = &comparison->request;
+	struct fixed_placement placement;
+	int error;
+
+	jobs_lock(task->jobs);
+	switch (task->row->kind) {
+	case COMPARISON_ORIGINAL:
+		error = candidate_original(candidate, task->reference,
+			request->kernel, task->row->max_influences,
+			task->row->targets, request->rate_hz, task->log);
+		break;
+	case COMPARISON_RIGID:
+		error = candidate_rigid(candidate, task->reference, task->log);
+		break;
+	default:
+		placement = candidate_morph_placement(&comparison->box);
+		error = candidate_morph(candidate, task->reference,
+			request->kernel, &placement, &task->cell->keys,
+			kept_bytes(task), task->log);
+		break;
+	}
+	jobs_unlock(task->jobs);
+	return error;
+}
+
+static int measure(struct task *task)
+{
+	struct comparison_cell *cell = task->cell;
+	struct candidate candidate = {0};
+	int error = create(task, &candidate);
+
+	if (!error) {
+		error = candidate_error_measure(&candidate, &task->clip->screen,
+			&task->clip->grid, &cell->error);
+	}
+	if (!error) {
+		cell->time = candidate_time_measure(&candidate);
+		cell->board = candidate.board;
+		cell->bytes = candidate.bytes;
+		cell->vertex_count = candidate.vertex_count;
+	}
+	jobs_lock(task->jobs);
+	candidate_destroy(&candidate);
+	jobs_unlock(task->jobs);
+	return error;
+}
+
+/* Fits more keys until the error is within the bound between moments, too. */
+static int fit_and_measure(struct task *task)
+{
+	float bound_px = task->row->bound_px, fit_px = bound_px * first_fit;
+	struct comparison_cell *cell = task->cell;
+	int error = 0;
+
+	for (int i = 0; i < FITS_MAX && !error; i++) {
+		fit_keys_release(&cell->keys);
+		error = fit_keys_within(task->reference, &task->clip->screen,
+			&task->clip->grid, fit_px, kept_bytes(task),
+			&cell->keys);
+		if (!error) {
+			error = measure(task);
+		}
+		if (cell->error.peak_px <= bound_px || !task->row->listed ||
+			cell->keys.count == task->clip->grid.count) {
+			break;
+		}
+		fit_px *= first_fit * bound_px / cell->error.peak_px;
+	}
+	return error;
+}
+
+static int fill(struct task *task)
+{
+	int error;
+
+	switch (task->row->kind) {
+	case COMPARISON_MORPH:
+		return fit_and_measure(task);
+	case COMPARISON_MORPH_EVEN:
+		error = fit_keys_evenly(task->reference->clip->duration_s,
+			AN4044_KEYS, &task->cell->keys);
+		return error ? error : measure(task);
+	default:
+		return measure(task);
+	}
+}
+
+int comparison_cell_measure(struct comparison *comparison, int row, int clip,
+	struct jobs *jobs, const struct log *log)
+{
+	struct task task = {
+		.comparison = comparison,
+		.row = &comparison->row[row],
+		.clip = &comparison->clip[clip],
+		.cell = &comparison->row[row].cell[clip],
+		.jobs = jobs,
+		.log = log,
+	};
+	int error = make_reference(comparison, clip, jobs, log, &task.reference);
+
+	if (error) {
+		return error;
+	}
+	error = fill(&task);
+	end_reference(task.reference, jobs);
+	return error;
+}

@@ -1,0 +1,154 @@
+#include "app/compare/export/export_bake.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+static json_t *node_json(const struct model_node *node, int mesh, bool skins)
+{
+	json_t *json = json_pack("{s:s}", "name", node->name);
+
+	if (!json) {
+		return NULL;
+	}
+	if (mesh >= 0) {
+		json_object_set_new(json, "mesh", json_integer(mesh));
+	}
+	if (mesh >= 0 && skins && node->skin >= 0) {
+		json_object_set_new(json, "skin", json_integer(node->skin));
+	}
+	if (node->matrix) {
+		json_object_set_new(
+			json, "matrix", glb_floats(&node->matrix[0][0], 16));
+		return json;
+	}
+	json_object_set_new(
+		json, "translation", glb_floats(node->rest.translation, 3));
+	json_object_set_new(
+		json, "rotation", glb_floats(node->rest.rotation, 4));
+	json_object_set_new(json, "scale", glb_floats(node->rest.scale, 3));
+	return json;
+}
+
+static void add_child(json_t *nodes, int parent, int child)
+{
+	json_t *node = json_array_get(nodes, (size_t)parent);
+	json_t *children = json_object_get(node, "children");
+
+	if (!children) {
+		children = json_array();
+		json_object_set_new(node, "children", children);
+	}
+	json_array_append_new(children, json_integer(child));
+}
+
+void export_nodes(
+	struct glb *glb, const struct model *model, const int *mesh, bool skins)
+{
+	json_t *nodes = json_array(), *roots = json_array();
+
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		json_array_append_new(nodes, node_json(node, mesh[i], skins));
+		if (node->parent >= 0) {
+			add_child(nodes, node->parent, i);
+		} else if (node->in_scene) {
+			json_array_append_new(roots, json_integer(i));
+		}
+	}
+	glb_set(glb, "nodes", nodes);
+	glb_set(glb, "scenes", json_pack("[{s:o}]", "nodes", roots));
+	glb_set(glb, "scene", json_integer(0));
+}
+
+static json_t *channel_json(const struct model_channel *channel, int sampler)
+{
+	static const char *const path[] = {
+		[MODEL_TRANSLATION] = "translation",
+		[MODEL_ROTATION] = "rotation",
+		[MODEL_SCALE] = "scale",
+		[MODEL_WEIGHTS] = "weights",
+	};
+
+	return json_pack("{s:i, s:{s:i, s:s}}", "sampler", sampler, "target",
+		"node", channel->node, "path", path[channel->path]);
+}
+
+/* Consecutive channels often have the same times, which are stored once. */
+struct last_times {
+	const float *time_s;
+	int count, accessor;
+};
+
+static json_t *sampler_json(struct glb *glb,
+	const struct model_channel *channel, struct last_times *last)
+{
+	static const char *const interpolation[] = {
+		[MODEL_STEP] = "STEP",
+		[MODEL_LINEAR] = "LINEAR",
+		[MODEL_CUBICSPLINE] = "CUBICSPLINE",
+	};
+	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
+	bool scalars = channel->path == MODEL_WEIGHTS;
+	int values = channel->key_count * (cubic ? 3 : 1);
+	int width = scalars ? 1 : channel->width;
+
+	if (last->time_s != channel->time_s ||
+		last->count != channel->key_count) {
+		*last = (struct last_times){channel->time_s, channel->key_count,
+			glb_add_array(glb, channel->time_s, channel->key_count,
+				1, GLB_FLOAT)};
+	}
+	return json_pack("{s:i, s:i, s:s}", "input", last->accessor, "output",
+		glb_add_array(glb, channel->value,
+			scalars ? values * channel->width : values, width,
+			GLB_FLOAT),
+		"interpolation", interpolation[channel->interpolation]);
+}
+
+static json_t *clip_json(
+	struct glb *glb, const struct model_clip *clip, bool targets)
+{
+	json_t *samplers = json_array(), *channels = json_array();
+	struct last_times last = {NULL, 0, -1};
+	int count = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (channel->path != MODEL_WEIGHTS || targets) {
+			json_array_append_new(
+				samplers, sampler_json(glb, channel, &last));
+			json_array_append_new(
+				channels, channel_json(channel, count++));
+		}
+	}
+	if (count == 0) {
+		json_decref(samplers);
+		json_decref(channels);
+		return NULL;
+	}
+	return json_pack("{s:s, s:o, s:o}", "name", clip->name, "samplers",
+		samplers, "channels", channels);
+}
+
+void export_clips(
+	struct glb *glb, const struct comparison *comparison, bool targets)
+{
+	json_t *animations = json_array();
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		int clip = comparison->clip[c].clip;
+		json_t *json =
+			clip_json(glb, &comparison->model->clip[clip], targets);
+
+		if (json) {
+			json_array_append_new(animations, json);
+		}
+	}
+	if (json_array_size(animations) > 0) {
+		glb_set(glb, "animations", animations);
+	} else {
+		json_decref(animations);
+	}
+}

@@ -1,0 +1,219 @@
+#include "app/compare/export/export_bake.h"
+
+#include "app/model/model_stats.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+enum {
+	SET = 4 /* influences of an attribute JOINTS_n and WEIGHTS_n */
+};
+
+/* The influences of a vertex that the file keeps, largest first. */
+struct kept {
+	int count;
+	uint16_t joint[MODEL_INFLUENCES_MAX];
+	float weight[MODEL_INFLUENCES_MAX];
+};
+
+static void insert(struct kept *kept, uint16_t joint, float weight)
+{
+	int at = kept->count++;
+
+	while (at > 0 && kept->weight[at - 1] < weight) {
+		kept->joint[at] = kept->joint[at - 1];
+		kept->weight[at] = kept->weight[at - 1];
+		at--;
+	}
+	kept->joint[at] = joint;
+	kept->weight[at] = weight;
+}
+
+/* The largest max (0: all) influences, whose weights are scaled to sum to 1. */
+static struct kept keep(
+	const struct model_primitive *primitive, int vertex, int max)
+{
+	struct kept kept = {.count = 0};
+	size_t first = (size_t)vertex * (size_t)primitive->influences;
+	float sum = 0.0f;
+
+	for (int i = 0; i < primitive->influences; i++) {
+		if (primitive->weight[first + (size_t)i] > 0.0f) {
+			insert(&kept, primitive->joint[first + (size_t)i],
+				primitive->weight[first + (size_t)i]);
+		}
+	}
+	kept.count = max > 0 && kept.count > max ? max : kept.count;
+	for (int i = 0; i < kept.count; i++) {
+		sum += kept.weight[i];
+	}
+	for (int i = 0; i < MODEL_INFLUENCES_MAX; i++) {
+		bool used = i < kept.count;
+
+		kept.weight[i] = used ? kept.weight[i] / sum : 0.0f;
+		kept.joint[i] = used ? kept.joint[i] : 0;
+	}
+	return kept;
+}
+
+/* Adds JOINTS_n and WEIGHTS_n from influence 4 n on. */
+static void add_set(struct glb *glb, json_t *attributes,
+	const struct model_primitive *primitive, int max, int set)
+{
+	size_t count = (size_t)primitive->vertex_count;
+	uint16_t(*joint)[SET] = malloc(count * sizeof(*joint));
+	float(*weight)[SET] = malloc(count * sizeof(*weight));
+	char name[32];
+
+	if (!joint || !weight) {
+		glb->error = -ENOMEM;
+		goto out;
+	}
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		struct kept kept = keep(primitive, v, max);
+
+		for (int i = 0; i < SET; i++) {
+			joint[v][i] = kept.joint[set * SET + i];
+			weight[v][i] = kept.weight[set * SET + i];
+		}
+	}
+	snprintf(name, sizeof(name), "JOINTS_%d", set);
+	export_attribute(attributes, name,
+		glb_add_array(
+			glb, joint, primitive->vertex_count, SET, GLB_USHORT));
+	snprintf(name, sizeof(name), "WEIGHTS_%d", set);
+	export_attribute(attributes, name,
+		glb_add_array(
+			glb, weight, primitive->vertex_count, SET, GLB_FLOAT));
+out:
+	free(joint);
+	free(weight);
+}
+
+static void add_influences(struct glb *glb, json_t *attributes,
+	const struct model_primitive *primitive, int max)
+{
+	int most = max > 0 && max < primitive->influences
+		? max
+		: primitive->influences;
+
+	for (int set = 0; set * SET < most; set++) {
+		add_set(glb, attributes, primitive, max, set);
+	}
+}
+
+static json_t *targets_json(struct glb *glb,
+	const struct model_primitive *primitive, int target_count)
+{
+	json_t *targets = json_array();
+
+	for (int t = 0; t < target_count; t++) {
+		const struct model_target *target = &primitive->target[t];
+		json_t *json = json_object();
+
+		if (target->position) {
+			export_attribute(json, "POSITION",
+				glb_add_array(glb, target->position,
+					primitive->vertex_count, 3, GLB_FLOAT));
+		}
+		if (target->normal) {
+			export_attribute(json, "NORMAL",
+				glb_add_array(glb, target->normal,
+					primitive->vertex_count, 3, GLB_FLOAT));
+		}
+		json_array_append_new(targets, json);
+	}
+	return targets;
+}
+
+static json_t *primitive_json(struct glb *glb,
+	const struct model_primitive *primitive, int max, int target_count)
+{
+	json_t *attributes = json_object(), *json;
+	int count = primitive->vertex_count;
+
+	export_attribute(attributes, "POSITION",
+		glb_add_array(glb, primitive->position, count, 3, GLB_FLOAT));
+	if (primitive->normal) {
+		export_attribute(attributes, "NORMAL",
+			glb_add_array(
+				glb, primitive->normal, count, 3, GLB_FLOAT));
+	}
+	export_attributes(glb, attributes, primitive, count, NULL);
+	add_influences(glb, attributes, primitive, max);
+	json = json_pack("{s:o, s:i, s:i}", "attributes", attributes, "indices",
+		export_indices(glb, primitive->index, primitive->index_count),
+		"material", primitive->material);
+	if (json && target_count > 0) {
+		json_object_set_new(json, "targets",
+			targets_json(glb, primitive, target_count));
+	}
+	return json;
+}
+
+static void add_meshes(
+	struct glb *glb, const struct model *model, int max, bool targets)
+{
+	json_t *meshes = json_array();
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		const struct model_mesh *mesh = &model->mesh[m];
+		json_t *primitives = json_array();
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			json_array_append_new(primitives,
+				primitive_json(glb, &mesh->primitive[p], max,
+					targets ? mesh->target_count : 0));
+		}
+		json_array_append_new(meshes,
+			json_pack("{s:s, s:o}", "name", mesh->name,
+				"primitives", primitives));
+	}
+	glb_set(glb, "meshes", meshes);
+}
+
+static void add_skins(struct glb *glb, const struct model *model)
+{
+	json_t *skins = json_array();
+
+	for (int s = 0; s < model->skin_count; s++) {
+		const struct model_skin *skin = &model->skin[s];
+		json_t *joints = json_array();
+
+		for (int j = 0; j < skin->joint_count; j++) {
+			json_array_append_new(
+				joints, json_integer(skin->joint[j]));
+		}
+		json_array_append_new(skins,
+			json_pack("{s:o, s:i}", "joints", joints,
+				"inverseBindMatrices",
+				glb_add_array(glb, skin->inverse_bind,
+					skin->joint_count, 16, GLB_FLOAT)));
+	}
+	if (model->skin_count > 0) {
+		glb_set(glb, "skins", skins);
+	} else {
+		json_decref(skins);
+	}
+}
+
+void export_skin(struct glb *glb, const struct comparison *comparison,
+	int max_influences, bool targets)
+{
+	const struct model *model = comparison->model;
+	int *mesh = malloc((size_t)model->node_count * sizeof(*mesh));
+
+	if (!mesh) {
+		glb->error = -ENOMEM;
+		return;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		mesh[i] = model->node[i].mesh;
+	}
+	export_materials(glb, model);
+	add_meshes(glb, model, max_influences, targets);
+	add_skins(glb, model);
+	export_nodes(glb, model, mesh, true);
+	export_clips(glb, comparison, targets);
+	free(mesh);
+}

@@ -1,0 +1,113 @@
+#include "app/compare/measure/posed_vertices.h"
+
+#include "platform/base/count.h"
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+int posed_vertices_count(const struct instance *instance)
+{
+	int count = 0;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		if (!count_add(count,
+			    instance->drawable[i].primitive->vertex_count,
+			    &count)) {
+			return -1;
+		}
+	}
+	return count;
+}
+
+void posed_vertices_positions(
+	const struct instance *instance, float (*position)[3])
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		int count = drawable->primitive->vertex_count;
+
+		for (int v = 0; v < count; v++) {
+			instance_world_vertex(
+				instance, drawable, v, position[v]);
+		}
+		position += count;
+	}
+}
+
+static void normalize(float v[3])
+{
+	float length = scalar_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	float scale = length > 0.0f ? 1.0f / length : 0.0f;
+
+	for (int axis = 0; axis < 3; axis++) {
+		v[axis] *= scale;
+	}
+}
+
+/* The drawable's posed normal: of the model's space if skinned, else local. */
+static bool posed_normal(
+	const struct drawable *drawable, int vertex, float out[3])
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+	const struct fixed_vector *normal;
+
+	if (!fixed) {
+		if (drawable->normal) {
+			memcpy(out, drawable->normal[vertex], sizeof(float[3]));
+		}
+		return drawable->normal != NULL;
+	}
+	if (!fixed->normal) {
+		return false;
+	}
+	normal =
+		&fixed->normal[fixed->inverse_order ? fixed->inverse_order[vertex]
+						    : (uint32_t)vertex];
+	out[0] = (float)normal->x;
+	out[1] = (float)normal->y;
+	out[2] = (float)normal->z;
+	return true;
+}
+
+/* Normals are transformed by the cofactors of the node's matrix. */
+static void cofactors(const vec4 *world, mat3 out)
+{
+	glm_vec3_cross((float *)world[1], (float *)world[2], out[0]);
+	glm_vec3_cross((float *)world[2], (float *)world[0], out[1]);
+	glm_vec3_cross((float *)world[0], (float *)world[1], out[2]);
+}
+
+static void write_normals(const struct instance *instance,
+	const struct drawable *drawable, float (*normal)[3])
+{
+	int count = drawable->primitive->vertex_count;
+	mat3 turn;
+
+	cofactors(instance->world[drawable->node], turn);
+	for (int v = 0; v < count; v++) {
+		float from[3];
+
+		if (!posed_normal(drawable, v, from)) {
+			memset(normal[v], 0, sizeof(float[3]));
+			continue;
+		}
+		for (int axis = 0; axis < 3; axis++) {
+			normal[v][axis] = drawable->skin >= 0
+				? from[axis]
+				: turn[0][axis] * from[0] +
+					turn[1][axis] * from[1] +
+					turn[2][axis] * from[2];
+		}
+		normalize(normal[v]);
+	}
+}
+
+void posed_vertices_normals(const struct instance *instance, float (*normal)[3])
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		write_normals(instance, drawable, normal);
+		normal += drawable->primitive->vertex_count;
+	}
+}

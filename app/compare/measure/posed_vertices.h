@@ -1,0 +1,20 @@
+/*
+ * The posed vertices of an instance in world space, in the model's units: all
+ * drawables in order, each with its primitive's vertices in the file's order.
+ */
+#ifndef APP_COMPARE_MEASURE_POSED_VERTICES_H
+#define APP_COMPARE_MEASURE_POSED_VERTICES_H
+
+#include "app/scene/instance/instance.h"
+
+/* The number of vertices, or -1 when it exceeds an int. */
+int posed_vertices_count(const struct instance *instance);
+
+/* Writes the positions of the last update: [posed_vertices_count()]. */
+void posed_vertices_positions(
+	const struct instance *instance, float (*position)[3]);
+
+/* Writes unit normals; zeros where a primitive has none. */
+void posed_vertices_normals(const struct instance *instance, float (*normal)[3]);
+
+#endif

@@ -1,0 +1,32 @@
+/*
+ * The moments of a clip between which its motion is smooth.
+ *
+ * They are the key times of all channels that change, and moments between them
+ * where keys are far apart. Errors are measured at and between these moments,
+ * and the key frames of a morph are chosen from them.
+ */
+#ifndef APP_COMPARE_MEASURE_TIME_GRID_H
+#define APP_COMPARE_MEASURE_TIME_GRID_H
+
+#include "app/model/model.h"
+
+struct time_grid {
+	int count;     /* at least 2 */
+	float *time_s; /* [count], increasing, from 0 to the clip's end */
+};
+
+/*
+ * Two moments are at most 1/60 s apart; of keys closer than 1/120 s only one
+ * becomes a moment. A key after which a value jumps gives a second moment just
+ * before it. The clip's duration must be above 0. Returns 0, -E2BIG when the
+ * clip lasts longer than five hours, or -ENOMEM. The caller releases the grid
+ * with time_grid_release().
+ */
+int time_grid_make(const struct model_clip *clip, struct time_grid *out);
+
+void time_grid_release(struct time_grid *grid);
+
+/* The index of the last moment at or before time_s. */
+int time_grid_at(const struct time_grid *grid, float time_s);
+
+#endif

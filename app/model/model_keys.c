@@ -1,0 +1,102 @@
+#include "app/model/model_keys.h"
+
+static const float tolerance = 1e-5f;
+
+static bool is_near(float value, float wanted)
+{
+	return value > wanted - tolerance && value < wanted + tolerance;
+}
+
+static bool shows_one_target(const float *weight, int count)
+{
+	int shown = 0;
+
+	for (int t = 0; t < count; t++) {
+		if (is_near(weight[t], 1.0f)) {
+			shown++;
+		} else if (!is_near(weight[t], 0.0f)) {
+			return false;
+		}
+	}
+	return shown <= 1;
+}
+
+static bool has_key_weights(const struct model_channel *channel)
+{
+	if (channel->interpolation == MODEL_CUBICSPLINE) {
+		return false;
+	}
+	for (int k = 0; k < channel->key_count; k++) {
+		if (!shows_one_target(
+			    channel->value + (size_t)k * (size_t)channel->width,
+			    channel->width)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* Whether all clips have such weights for the node, or none of their own. */
+static bool clips_have_key_weights(const struct model *model, int node)
+{
+	bool found = false;
+
+	for (int c = 0; c < model->clip_count; c++) {
+		const struct model_clip *clip = &model->clip[c];
+
+		for (int i = 0; i < clip->channel_count; i++) {
+			const struct model_channel *channel = &clip->channel[i];
+
+			if (channel->node != node ||
+				channel->path != MODEL_WEIGHTS) {
+				continue;
+			}
+			if (!has_key_weights(channel)) {
+				return false;
+			}
+			found = true;
+		}
+	}
+	return found;
+}
+
+static bool is_zero(const float delta[3])
+{
+	return delta[0] == 0.0f && delta[1] == 0.0f && delta[2] == 0.0f;
+}
+
+static long count_moved(const struct model_primitive *primitive, int target)
+{
+	const struct model_target *deltas = &primitive->target[target];
+	long moved = 0;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		moved += (deltas->position && !is_zero(deltas->position[v])) ||
+			(deltas->normal && !is_zero(deltas->normal[v]));
+	}
+	return moved;
+}
+
+static bool moves_half(const struct model_mesh *mesh)
+{
+	double moved = 0.0, total = 0.0;
+
+	for (int p = 0; p < mesh->primitive_count; p++) {
+		const struct model_primitive *primitive = &mesh->primitive[p];
+
+		for (int t = 0; t < mesh->target_count; t++) {
+			moved += (double)count_moved(primitive, t);
+			total += (double)primitive->vertex_count;
+		}
+	}
+	return moved >= 0.5 * total;
+}
+
+bool model_has_key_frames(const struct model *model, int node)
+{
+	int mesh = model->node[node].mesh;
+
+	return mesh >= 0 && model->mesh[mesh].target_count > 1 &&
+		clips_have_key_weights(model, node) &&
+		moves_half(&model->mesh[mesh]);
+}

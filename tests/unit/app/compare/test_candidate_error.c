@@ -1,0 +1,243 @@
+/* The reported peak of an error against a dense sampling of the whole clip. */
+#include "app/compare/candidate/candidate_error.h"
+#include "app/compare/candidate/candidate_morph.h"
+#include "app/compare/candidate/candidate_rigid.h"
+#include "app/compare/measure/grid_refine.h"
+#include "tests/support/model/samples.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+
+enum {
+	DENSE = 10, /* samples in each interval of the grid */
+	KEPT_BYTES = 1 << 24
+};
+
+struct bench {
+	struct log log;
+	struct model *model;
+	struct reference *reference;
+	struct time_grid grid;
+	struct screen_view screen;
+};
+
+static void begin(struct bench *bench, const char *path, const char *clip)
+{
+	int index;
+
+	*bench = (struct bench){.log = log_to_stderr(LOG_WARNING)};
+	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
+	index = model_find_clip(bench->model, clip);
+	assert_true(index >= 0);
+	assert_int_equal(reference_create(bench->model, index, &bench->log,
+				 &bench->reference),
+		0);
+	assert_int_equal(
+		time_grid_make(bench->reference->clip, &bench->grid), 0);
+	bench->screen =
+		screen_view_create(bench->reference, &bench->grid, 480, 640);
+	assert_int_equal(grid_refine(bench->reference, &bench->screen, 0.25f,
+				 &bench->grid),
+		0);
+}
+
+static void end(struct bench *bench)
+{
+	time_grid_release(&bench->grid);
+	reference_destroy(bench->reference);
+	model_destroy(bench->model);
+}
+
+static float largest_at(
+	struct bench *bench, struct candidate *candidate, float time_s)
+{
+	float(*shown)[3] =
+		malloc((size_t)candidate->vertex_count * sizeof(*shown));
+	float most = 0.0f;
+
+	assert_non_null(shown);
+	candidate_pose(candidate, time_s);
+	candidate->take(candidate, shown, NULL);
+	reference_pose(bench->reference, time_s, false);
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		int source = candidate->source ? candidate->source[v] : v;
+		float px = screen_view_distance_px(&bench->screen, shown[v],
+			bench->reference->position[source]);
+
+		most = px > most ? px : most;
+	}
+	free(shown);
+	return most;
+}
+
+/* Ten times as dense as the grid and its middles. */
+static float dense_peak_px(struct bench *bench, struct candidate *candidate)
+{
+	float most = 0.0f;
+
+	for (int i = 0; i + 1 < bench->grid.count; i++) {
+		float from = bench->grid.time_s[i];
+		float step = (bench->grid.time_s[i + 1] - from) / (2 * DENSE);
+
+		for (int k = 0; k < 2 * DENSE; k++) {
+			float px = largest_at(
+				bench, candidate, from + step * (float)k);
+
+			most = px > most ? px : most;
+		}
+	}
+	return most;
+}
+
+static void agrees(struct bench *bench, struct candidate *candidate)
+{
+	struct candidate_error error;
+	float dense_px = dense_peak_px(bench, candidate);
+	float allowed_px = 0.05f * dense_px;
+
+	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
+				 &bench->grid, &error),
+		0);
+	allowed_px = allowed_px > 0.05f ? allowed_px : 0.05f;
+	if (error.peak_px < dense_px - allowed_px) {
+		fail_msg("reported %.3f px, but %.3f px were found",
+			(double)error.peak_px, (double)dense_px);
+	}
+	assert_near(error.peak_px, largest_at(bench, candidate, error.peak_s),
+		1e-3);
+	assert_true(error.mean_px <= error.peak_px);
+	assert_true(error.outline_px <= error.peak_px * 1.001f);
+	candidate_destroy(candidate);
+}
+
+static void add_morph(struct bench *bench, int keys)
+{
+	struct fixed_placement placement =
+		candidate_morph_placement(&bench->screen.box);
+	struct candidate candidate;
+	struct fit_keys even;
+
+	assert_int_equal(
+		fit_keys_evenly(bench->reference->clip->duration_s, keys, &even),
+		0);
+	assert_int_equal(
+		candidate_morph(&candidate, bench->reference, kernel_find(NULL),
+			&placement, &even, KEPT_BYTES, &bench->log),
+		0);
+	agrees(bench, &candidate);
+	fit_keys_release(&even);
+}
+
+/* All kinds of candidates whose error varies over the clip. */
+static void check_clip(const char *path, const char *clip)
+{
+	struct candidate candidate;
+	struct bench bench;
+
+	begin(&bench, path, clip);
+	add_morph(&bench, 4);
+	add_morph(&bench, 20);
+	add_morph(&bench, 33);
+	assert_int_equal(
+		candidate_rigid(&candidate, bench.reference, &bench.log), 0);
+	agrees(&bench, &candidate);
+	assert_int_equal(candidate_original(&candidate, bench.reference,
+				 kernel_find(NULL), 1, true, 60.0, &bench.log),
+		0);
+	agrees(&bench, &candidate);
+	end(&bench);
+}
+
+static void test_the_peak_is_found_between_keys(void **state)
+{
+	(void)state;
+	check_clip("assets/walker.glb", "walk");
+}
+
+static void test_the_peak_of_fast_turns_is_found(void **state)
+{
+	(void)state;
+	check_clip("assets/walker.glb", "jump");
+}
+
+static void test_the_peak_of_other_models_is_found(void **state)
+{
+	(void)state;
+	samples_require("RiggedSimple.glb");
+	check_clip(samples_path("RiggedSimple.glb").text, "0");
+	check_clip(samples_path("BoxAnimated.glb").text, "0");
+	check_clip(samples_path("AnimatedMorphCube.glb").text, "0");
+}
+
+/* A morph that keeps two keys at a time shows what one with all keys does. */
+static void test_keys_that_are_baked_again_are_the_same(void **state)
+{
+	struct candidate_error error[2];
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "run");
+	for (int i = 0; i < 2; i++) {
+		struct fixed_placement placement =
+			candidate_morph_placement(&bench.screen.box);
+		struct candidate candidate;
+		struct fit_keys keys;
+
+		assert_int_equal(fit_keys_within(bench.reference, &bench.screen,
+					 &bench.grid, 1.0f, KEPT_BYTES, &keys),
+			0);
+		assert_true(keys.count > 4);
+		assert_int_equal(candidate_morph(&candidate, bench.reference,
+					 kernel_find(NULL), &placement, &keys,
+					 i * KEPT_BYTES, &bench.log),
+			0);
+		assert_int_equal(candidate_error_measure(&candidate,
+					 &bench.screen, &bench.grid, &error[i]),
+			0);
+		candidate_destroy(&candidate);
+		fit_keys_release(&keys);
+	}
+	assert_memory_equal(&error[0], &error[1], sizeof(error[0]));
+	end(&bench);
+}
+
+/* With room for few moments a fit takes more keys, all within the bound. */
+static void test_a_fit_in_little_memory_keeps_within_the_bound(void **state)
+{
+	struct fit_keys wide, narrow;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "idle");
+	assert_int_equal(fit_keys_within(bench.reference, &bench.screen,
+				 &bench.grid, 2.0f, KEPT_BYTES, &wide),
+		0);
+	assert_int_equal(fit_keys_within(bench.reference, &bench.screen,
+				 &bench.grid, 2.0f, 1 << 18, &narrow),
+		0);
+	assert_true(wide.count >= 3);
+	assert_true(narrow.count > wide.count);
+	for (int i = 1; i < narrow.count; i++) {
+		assert_true(narrow.time_s[i] > narrow.time_s[i - 1]);
+	}
+	assert_true(narrow.time_s[0] == 0.0f);
+	assert_true(narrow.time_s[narrow.count - 1] ==
+		bench.reference->clip->duration_s);
+	fit_keys_release(&wide);
+	fit_keys_release(&narrow);
+	end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_peak_is_found_between_keys),
+		cmocka_unit_test(test_the_peak_of_fast_turns_is_found),
+		cmocka_unit_test(test_the_peak_of_other_models_is_found),
+		cmocka_unit_test(test_keys_that_are_baked_again_are_the_same),
+		cmocka_unit_test(
+			test_a_fit_in_little_memory_keeps_within_the_bound),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -128,6 +128,9 @@ static bool stays_surface(struct simplify *simplify,
 	uint32_t mark = ++simplify->mark_value;
 	int common = 0;
 
+	if (simplify_mesh_valence(simplify, to) > SIMPLIFY_VALENCE_MAX) {
+		return false;
+	}
 	for (int i = 0; i < ring->count; i++) {
 		simplify->mark[ring->neighbour[i]] = mark;
 	}
@@ -211,7 +214,7 @@ void simplify_choose(struct simplify *simplify, uint32_t from, float limit)
 	struct simplify_ring ring;
 	int tries = 0;
 
-	if (simplify->first_triangle[from] < simplify->first_triangle[from + 1] &&
+	if (simplify_mesh_valence(simplify, from) > 0 &&
 		simplify_mesh_ring(simplify, from, &ring)) {
 		tries = list_nearest(simplify, &ring, from, nearest);
 	}

@@ -98,16 +98,29 @@ static void add_border(struct simplify *simplify, uint32_t a, uint32_t b,
 	}
 }
 
-/* Whether a triangle has the edge from leader b to leader a. */
+/*
+ * Whether a triangle has the edge from leader b to leader a. Where both have
+ * many triangles, nobody collapses, and the answer does not matter.
+ */
 static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b)
 {
-	for (uint32_t i = simplify->first_triangle[a];
-		i < simplify->first_triangle[a + 1]; i++) {
-		uint32_t t = simplify->triangle[i];
-		int corner = simplify_mesh_corner(simplify, t, a);
+	bool at_a = simplify_mesh_valence(simplify, a) <
+		simplify_mesh_valence(simplify, b);
+	uint32_t own = at_a ? a : b, other = at_a ? b : a;
+	uint32_t first = simplify->first_triangle[own];
+	uint32_t end = simplify->first_triangle[own + 1];
 
-		if (simplify->leader[simplify->index[t +
-			    (uint32_t)(corner + 2) % 3]] == b) {
+	if (end - first > SIMPLIFY_VALENCE_MAX) {
+		return true;
+	}
+	for (uint32_t i = first; i < end; i++) {
+		const uint32_t *at = simplify->index + simplify->triangle[i];
+		int corner = simplify_mesh_corner(
+			simplify, simplify->triangle[i], own);
+
+		/* The edge runs to a: it comes before a and behind b. */
+		if (simplify->leader[at[(corner + (at_a ? 2 : 1)) % 3]] ==
+			other) {
 			return true;
 		}
 	}

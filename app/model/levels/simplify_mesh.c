@@ -3,14 +3,17 @@
 #include <errno.h>
 #include <string.h>
 
+/* Low bits of round numbers are 0, so the high ones are mixed into them. */
 static uint32_t hash_position(const float position[3])
 {
-	uint32_t bits[3];
+	uint32_t bits[3], hash = 0;
 
 	memcpy(bits, position, sizeof(bits));
-	return ((bits[0] * 73856093u) ^ (bits[1] * 19349663u) ^
-		       (bits[2] * 83492791u)) *
-		2654435761u;
+	for (int i = 0; i < 3; i++) {
+		hash = (hash ^ bits[i]) * 0x85EBCA6Bu;
+		hash ^= hash >> 15;
+	}
+	return hash;
 }
 
 static bool are_equal(const float a[3], const float b[3])

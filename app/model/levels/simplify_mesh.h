@@ -5,7 +5,9 @@
 #include "app/model/levels/simplify.h"
 
 enum {
-	SIMPLIFY_RING_MAX = 24 /* neighbours of a vertex that may collapse */
+	SIMPLIFY_RING_MAX = 24, /* neighbours of a vertex that may collapse */
+	/* Triangles of a vertex that others may collapse to; limits the time. */
+	SIMPLIFY_VALENCE_MAX = 64
 };
 
 /* The neighbours of a leader, which are leaders. */
@@ -38,6 +40,14 @@ static inline int simplify_mesh_corner(
 	return simplify->leader[at[0]] == leader    ? 0
 		: simplify->leader[at[1]] == leader ? 1
 						    : 2;
+}
+
+/* The number of triangles that have a leader as a corner. */
+static inline uint32_t simplify_mesh_valence(
+	const struct simplify *simplify, uint32_t leader)
+{
+	return simplify->first_triangle[leader + 1] -
+		simplify->first_triangle[leader];
 }
 
 /* Whether a triangle has a leader as a corner. */

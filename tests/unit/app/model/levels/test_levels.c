@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum {
 	SIDE = 40, /* quads along each side of a net */
@@ -355,6 +356,30 @@ static void test_any_list_of_triangles_is_taken(void **state)
 	free_net(&net);
 }
 
+/* All triangles share a vertex: what takes each with each takes hours. */
+static void test_a_hub_of_many_triangles_takes_no_longer(void **state)
+{
+	struct net net = make_net(shape_flat, 1);
+	const int triangles = 600000;
+	clock_t began;
+	uint32_t *index =
+		ARENA_ARRAY(&net.model->arena, uint32_t, 3 * (size_t)triangles);
+
+	(void)state;
+	assert_non_null(index);
+	for (uint32_t i = 0; i < (uint32_t)triangles; i++) {
+		index[3 * i] = 0;
+		index[3 * i + 1] = 1 + i % (COUNT - 1);
+		index[3 * i + 2] = 1 + (i + i / COUNT + 1) % (COUNT - 1);
+	}
+	net.primitive->index = index;
+	net.primitive->index_count = 3 * triangles;
+	began = clock();
+	levels_make(net.model);
+	assert_true(clock() - began < 10 * CLOCKS_PER_SEC);
+	free_net(&net);
+}
+
 static void test_without_memory_there_are_no_levels(void **state)
 {
 	struct net net = make_net(shape_ball, 1);
@@ -399,6 +424,7 @@ int main(void)
 			test_primitives_that_touch_keep_their_common_border),
 		cmocka_unit_test(test_own_levels_of_a_file_stay),
 		cmocka_unit_test(test_any_list_of_triangles_is_taken),
+		cmocka_unit_test(test_a_hub_of_many_triangles_takes_no_longer),
 		cmocka_unit_test(test_without_memory_there_are_no_levels),
 		cmocka_unit_test(test_few_triangles_or_flat_shading_get_none),
 	};

@@ -69,6 +69,41 @@ bool bump_is_supported(
 	return supported;
 }
 
+/* Twice the area of a triangle on the surface, and on the texture. */
+static void measure_triangle(const struct model_primitive *primitive,
+	const uint32_t *corner, float *surface, float *texture)
+{
+	const float *s = primitive->texcoord[corner[0]];
+	const float *t = primitive->texcoord[corner[1]];
+	const float *u = primitive->texcoord[corner[2]];
+	float a[3], b[3], normal[3];
+
+	vec_subtract(primitive->position[corner[1]],
+		primitive->position[corner[0]], a);
+	vec_subtract(primitive->position[corner[2]],
+		primitive->position[corner[0]], b);
+	vec_cross(a, b, normal);
+	*surface += vec_length(normal);
+	*texture += scalar_abs(
+		(t[0] - s[0]) * (u[1] - s[1]) - (u[0] - s[0]) * (t[1] - s[1]));
+}
+
+static float find_texels(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	int texture = model->material[primitive->material].normal_texture;
+	const struct model_image *image =
+		&model->image[model->texture[texture].image];
+	float surface = 0.0f, mapped = 0.0f;
+
+	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
+		measure_triangle(
+			primitive, primitive->index + i, &surface, &mapped);
+	}
+	mapped *= (float)image->width * (float)image->height;
+	return surface > 0.0f ? scalar_sqrt(mapped / surface) : 0.0f;
+}
+
 int bump_init(struct drawable *drawable, const struct model *model,
 	struct arena *arena)
 {
@@ -78,6 +113,7 @@ int bump_init(struct drawable *drawable, const struct model *model,
 	if (!bump_is_mapped(model, primitive) || drawable->batch[0].source) {
 		return 0;
 	}
+	drawable->bump_texels = find_texels(model, primitive);
 	if (drawable->fixed) {
 		drawable->light =
 			arena_alloc(arena, count, sizeof(*drawable->light));

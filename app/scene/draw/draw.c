@@ -264,7 +264,7 @@ static void draw_in_place(const struct gl *gl, const struct instance *instance,
 	enum draw_pass pass)
 {
 	if (pass == DRAW_SHADED && instance->normal_mapping &&
-		textures->normal_mapping && drawable->light) {
+		textures->normal_mapping && drawable->bumped) {
 		draw_bump_mapped(gl, instance, drawable, textures);
 	} else {
 		draw_drawable(gl, instance, drawable, textures, pass);

@@ -234,7 +234,7 @@ static void pose_keys(const struct instance *instance,
 void drawable_fixed_pose(
 	const struct instance *instance, struct drawable *drawable)
 {
-	bool with_tangents = drawable->light && instance->normal_mapping;
+	bool with_tangents = drawable->bumped;
 
 	if (drawable->skin >= 0) {
 		pose_skin(instance, drawable, with_tangents);

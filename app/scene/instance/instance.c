@@ -56,7 +56,7 @@ static void morph_drawable(
 			drawable->term, terms, true, drawable->normal);
 		kernel->normalize(count, drawable->normal);
 	}
-	if (drawable->tangent && instance->normal_mapping) {
+	if (drawable->tangent && drawable->bumped) {
 		morph_tangents(instance, drawable);
 	}
 }
@@ -76,7 +76,7 @@ static void skin_morphed_drawable(
 	const struct skin_output output = {
 		.position = drawable->position,
 		.normal = instance->hold_normals ? NULL : drawable->normal,
-		.tangent = instance->normal_mapping ? drawable->tangent : NULL,
+		.tangent = drawable->bumped ? drawable->tangent : NULL,
 	};
 
 	set_weights(instance, drawable, 1.0f);
@@ -93,7 +93,7 @@ static void skin_drawable(
 	instance->kernel->skin(&drawable->stream, palette,
 		instance->max_influences, drawable->position,
 		instance->hold_normals ? NULL : drawable->normal);
-	if (drawable->tangent && instance->normal_mapping) {
+	if (drawable->tangent && drawable->bumped) {
 		instance->kernel->skin_tangents(&drawable->stream, palette,
 			instance->max_influences, drawable->tangent);
 	}
@@ -120,6 +120,8 @@ static int drawn_lod(const struct drawable *drawable)
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
+	drawable->bumped = drawable->light && instance->normal_mapping &&
+		!drawable->bumps_hidden;
 	if (drawable->fixed) {
 		drawable_fixed_pose(instance, drawable);
 	} else if (drawable->skin >= 0 && drawable->morphed) {
@@ -129,7 +131,7 @@ static void pose_drawable(
 	} else if (drawable->morphed && !drawable->external) {
 		morph_drawable(instance, drawable);
 	}
-	if (drawable->light && instance->normal_mapping) {
+	if (drawable->bumped) {
 		bump_update(instance, drawable);
 	}
 	if (drawable->morphed || drawable->skin >= 0) {

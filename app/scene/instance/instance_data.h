@@ -129,7 +129,10 @@ struct drawable {
 	struct drawable_fixed *fixed;
 
 	/* If bump-mapped (see bump.h), else NULL. */
-	uint8_t (*light)[4];            /* output: the light's directions */
+	uint8_t (*light)[4]; /* output: the light's directions */
+	float bump_texels;   /* of the normal map on a unit of the surface */
+	bool bumps_hidden;   /* it appears too small for bumps to be seen */
+	bool bumped;         /* the last update posed what bumps need */
 	const float (*base_tangent)[3]; /* if not skinned, in float only */
 	float (*tangent)[3];            /* output, in float only */
 	float (*bitangent)[3];          /* output, in float only */

@@ -160,11 +160,14 @@ static void choose_of_drawable(const struct instance *instance,
 	int shadow;
 
 	level = level < batch->lod_count ? level : batch->lod_count;
+	drawable->bumps_hidden = false;
 	if (error < 0.0f) {
 		drawable->lod = drawable->shadow_lod = level;
 		return;
 	}
 	drawable->lod = coarsest(batch->lod, batch->lod_count, error);
+	drawable->bumps_hidden =
+		drawable->bump_texels * error > LOD_BUMP_TEXELS * error_px(lod);
 	error *= LOD_SHADOW_TOLERANCE;
 	drawable->shadow_lod = coarsest(batch->lod, batch->lod_count, error);
 	shadow = coarsest(batch->shadow, batch->shadow_count, error);

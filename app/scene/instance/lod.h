@@ -30,6 +30,11 @@ struct lod {
 #define LOD_ERROR_PX         1.5f
 /* A shadow may be off by so many times the error that its figure may have. */
 #define LOD_SHADOW_TOLERANCE 3.0f
+/*
+ * Where a pixel has more texels of a normal map along a side, the mean of their
+ * normals is nearly the surface's own, and bumps are left out.
+ */
+#define LOD_BUMP_TEXELS      2.5f
 
 /*
  * Parses "auto", "off", "level:N" or a number of pixels up to 100. Returns

@@ -1,5 +1,6 @@
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/draw.h"
+#include "app/scene/instance/lod.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/model/small_model.h"
@@ -306,6 +307,38 @@ static void test_bump_mapping_takes_three_passes_and_can_be_off(void **state)
 	model_destroy(model);
 }
 
+static void test_bumps_smaller_than_pixels_are_left_out(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct gl gl = gl_recorder_begin();
+	struct texture_set textures = {.model = model, .normal_mapping = true};
+	const struct lod fine = {.kind = LOD_AUTO}, all = {.kind = LOD_ALL};
+	GLuint name = 1;
+	struct instance *instance;
+	float texels;
+
+	(void)state;
+	small_model_add_normal_map(model, 1, small_model_flat_map);
+	textures.name = &name;
+	instance = small_model_instance(model);
+	/* The single texel covers the unit square of the grid. */
+	texels = instance->drawable[0].bump_texels;
+	assert_true(texels > 0.99f && texels < 1.01f);
+	lod_choose(instance, &fine, 0.3f / LOD_BUMP_TEXELS);
+	instance_update(instance);
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 1);
+	/* What comes into sight is drawn when it is posed. */
+	lod_choose(instance, &fine, 3.0f / LOD_BUMP_TEXELS);
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 1);
+	instance_update(instance);
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 3);
+	lod_choose(instance, &all, 0.3f / LOD_BUMP_TEXELS);
+	instance_update(instance);
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 3);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -321,6 +354,7 @@ int main(void)
 			test_models_without_normal_maps_need_no_combiner),
 		cmocka_unit_test(
 			test_bump_mapping_takes_three_passes_and_can_be_off),
+		cmocka_unit_test(test_bumps_smaller_than_pixels_are_left_out),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -24,12 +24,11 @@ void soft_luminance_row(struct draw *draw, int y, int left, int right);
 /* To the next row: what those take. */
 static inline void luminance_next(struct draw *draw)
 {
-	static const int taken[] = {
-		ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W, LINEAR_W};
+	static const int taken[] = {ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
 	struct plane *plane = draw->raster.plane;
 
 	/* Some have no plane, but nobody asks for it then. */
-	for (int i = 0; i < 6; i++) {
+	for (int i = 0; i < 5; i++) {
 		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
 	}
 }

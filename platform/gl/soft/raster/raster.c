@@ -3,8 +3,8 @@
 #include "platform/gl/soft/raster/rows.h"
 
 enum {
-	/* Bits of 1/256 of texels that mild perspective leaves exact enough. */
-	MILD_BITS = 18,
+	/* In 1/256 of texels: where mild perspective is off by less than 1/8. */
+	MILD_TEXELS = 1 << 17,
 };
 
 /* num / area, times 2^scale; see struct setup. */
@@ -25,23 +25,34 @@ static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 }
 
 /* Moves a plane from a vertex to the centre of column 0 of the first row. */
-static void start_plane(
-	const struct setup *setup, int32_t value, struct plane *plane)
+static ALWAYS_INLINE void start_plane(
+	const struct basis *basis, int32_t value, struct plane *plane)
 {
-	int column = setup->v[0]->x >> 4;
-	int32_t off_x = column * 16 + 8 - setup->v[0]->x;
-	int32_t off_y = setup->top * 16 + 8 - setup->v[0]->y;
-
 	/* Both within 16: less than a pixel. */
 	plane->start = (uint32_t)value +
-		(uint32_t)(plane->dx >> 4) * (uint32_t)off_x +
-		(uint32_t)(plane->dy >> 4) * (uint32_t)off_y -
-		(uint32_t)plane->dx * (uint32_t)column;
+		(uint32_t)(plane->dx >> 4) * (uint32_t)basis->off_x +
+		(uint32_t)(plane->dy >> 4) * (uint32_t)basis->off_y -
+		(uint32_t)plane->dx * (uint32_t)basis->column;
+}
+
+/* What the functions above need of the triangle. */
+static ALWAYS_INLINE void find_basis(
+	const struct setup *setup, struct basis *basis)
+{
+	const struct vertex *v = setup->v[0];
+	int shift = setup->area_zeros - 50;
+
+	basis->column = v->x >> 4;
+	basis->off_x = 8 - (v->x & 15);
+	basis->off_y = setup->top * 16 + 8 - v->y;
+	basis->inverse =
+		shift < 0 ? setup->inverse_area >> -shift : setup->inverse_area;
+	basis->shift = shift < 0 ? 0 : shift;
 }
 
 /* A plane through three values; 2^scale over 16 is a unit of the plane. */
-static void set_plane(const struct setup *setup, const int32_t value[3],
-	int scale, struct plane *plane)
+static void set_plane(const struct basis *basis, const struct setup *setup,
+	const int32_t value[3], int scale, struct plane *plane)
 {
 	int64_t d1 = (int64_t)value[1] - value[0];
 	int64_t d2 = (int64_t)value[2] - value[0];
@@ -50,37 +61,22 @@ static void set_plane(const struct setup *setup, const int32_t value[3],
 		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
 	plane->dy =
 		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
-	start_plane(setup, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
+	start_plane(basis, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
 }
 
 /* The same for values that differ little, across little: see SMALL_EXTENT. */
-static void set_small_plane(const struct setup *setup, const int32_t value[3],
-	struct plane *plane)
+static ALWAYS_INLINE void set_small_plane(const struct basis *basis,
+	const struct setup *setup, const int32_t value[3], struct plane *plane)
 {
 	int32_t d1 = value[1] - value[0], d2 = value[2] - value[0];
 	int32_t across = d1 * setup->y2 - d2 * setup->y1;
 	int32_t down = d2 * setup->x1 - d1 * setup->x2;
-	int shift = setup->area_zeros - 50;
+	int32_t inverse = basis->inverse;
+	int shift = basis->shift;
 
-	if (shift < 0) {
-		int32_t inverse = setup->inverse_area >> -shift;
-
-		plane->dx = mul_high(across, inverse);
-		plane->dy = mul_high(down, inverse);
-	} else {
-		plane->dx =
-			(int32_t)((uint32_t)mul_high(across, setup->inverse_area)
-				<< shift);
-		plane->dy =
-			(int32_t)((uint32_t)mul_high(down, setup->inverse_area)
-				<< shift);
-	}
-	start_plane(setup, value[0] * 256, plane);
-}
-
-static void set_constant(struct plane *plane, int32_t value)
-{
-	*plane = (struct plane){(uint32_t)value << 8, 0, 0};
+	plane->dx = (int32_t)((uint32_t)mul_high(across, inverse) << shift);
+	plane->dy = (int32_t)((uint32_t)mul_high(down, inverse) << shift);
+	start_plane(basis, value[0] * 256, plane);
 }
 
 static bool is_small_delta(int32_t delta)
@@ -93,20 +89,19 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 {
 	struct plane *plane = &draw->raster.plane[name];
 
-	if (value[0] == value[1] && value[0] == value[2]) {
-		set_constant(plane, value[0]);
-	} else if (!setup->wide && is_small_delta(value[1] - value[0]) &&
+	if (!setup->wide && is_small_delta(value[1] - value[0]) &&
 		is_small_delta(value[2] - value[0])) {
-		set_small_plane(setup, value, plane);
+		set_small_plane(&draw->raster.basis, setup, value, plane);
 	} else {
-		set_plane(setup, value, 12, plane);
+		set_plane(&draw->raster.basis, setup, value, 12, plane);
 	}
 }
 
 /* Colours and fog as they are, coordinates in 1/256 of texels. */
-static void gather_texels(const struct draw *draw, const struct setup *setup,
-	int name, int32_t out[3])
+static void gather_texels(
+	struct draw *draw, const struct setup *setup, int name, int32_t out[3])
 {
+	int32_t *range = draw->raster.texel_range[name - TEX_S];
 	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
 	bool t = (name - TEX_S) % 2;
 	int log2 = t ? input->height_log2 : input->width_log2;
@@ -119,6 +114,10 @@ static void gather_texels(const struct draw *draw, const struct setup *setup,
 			(int32_t)((uint32_t)setup->v[i]->attribute[name] - base),
 			log2 - 8);
 	}
+	range[0] = out[0] < out[1] ? out[0] : out[1];
+	range[0] = out[2] < range[0] ? out[2] : range[0];
+	range[1] = out[0] > out[1] ? out[0] : out[1];
+	range[1] = out[2] > range[1] ? out[2] : range[1];
 }
 
 /* Whose colours a triangle has: its corners', or one's. */
@@ -173,68 +172,142 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 }
 
 /*
+ * Whether w varies by at most a quarter, and texels by no more than what such
+ * perspective leaves exact; see struct mild_point. Rows of a large triangle
+ * have a level of detail each, which wants more.
+ */
+static bool is_mild(const struct draw *draw, const struct setup *setup,
+	int count, int32_t (*value)[3], int32_t q_spread, int32_t q_least)
+{
+	const struct raster *raster = &draw->raster;
+
+	if (q_spread > q_least >> 2 || draw->luminance || draw->ground ||
+		(setup->wide && draw->spans.lod_wanted)) {
+		return false;
+	}
+	for (int i = 0; i < count; i++) {
+		for (int k = 0; k < 3 && raster->moving[i] >= TEX_S; k++) {
+			if ((uint32_t)value[i][k] + MILD_TEXELS >
+				2 * MILD_TEXELS) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+/*
  * Whether running linearly is off by more than what nobody sees, see
  * rows_color_tolerance(), or a quarter of a texel: by up to
  * spread (qmax - qmin) / 4 qmin.
  */
-static ALWAYS_INLINE bool bends(const struct draw *draw, int name,
-	const int32_t value[3], int32_t q_spread, int32_t q_least)
+static ALWAYS_INLINE bool bends(
+	uint32_t most, int tolerance, uint32_t q_spread, uint32_t q_least)
 {
-	int64_t allowed =
-		name >= TEX_S ? 64 * 4 : 64 * 4 << rows_color_tolerance(draw);
-
-	return (int64_t)spread(value) * q_spread > allowed * q_least;
+	return (uint64_t)most * q_spread > (uint64_t)q_least << (8 + tolerance);
 }
 
 /* What has to be divided: everything, or texels alone, or nothing. */
-static void find_divided(
-	struct draw *draw, int count, int32_t (*value)[3], const int32_t q[3])
+static void find_divided(struct draw *draw, const struct setup *setup,
+	int count, int32_t (*value)[3], const int32_t q[3])
 {
 	struct raster *raster = &draw->raster;
-	int32_t q_least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
+	int32_t least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
+	int32_t color = 0, texel = 0;
 
-	q_least = q_least < q[2] ? q_least : q[2];
-	for (int i = 0; i < count; i++) {
-		int name = raster->moving[i];
-
-		if (bends(draw, name, value[i], q_spread, q_least)) {
-			raster->perspective = true;
-			raster->colors_divided |= name < TEX_S;
-		}
+	if (q_spread == 0) {
+		return;
 	}
+	least = least < q[2] ? least : q[2];
+	for (int i = 0; i < count; i++) {
+		int32_t own = spread(value[i]);
+		int32_t *most = raster->moving[i] < TEX_S ? &color : &texel;
+
+		*most = own > *most ? own : *most;
+	}
+	raster->colors_divided = bends((uint32_t)color,
+		rows_color_tolerance(draw), (uint32_t)q_spread, (uint32_t)least);
+	raster->perspective = raster->colors_divided ||
+		bends((uint32_t)texel, 0, (uint32_t)q_spread, (uint32_t)least);
 	/* Their rows are made for one or the other. */
 	if (draw->luminance || draw->ground) {
 		raster->colors_divided = raster->perspective;
 	}
+	raster->mild = raster->perspective &&
+		is_mild(draw, setup, count, value, q_spread, least);
+}
+
+static void set_any_plane(const struct basis *basis, const struct setup *setup,
+	const int32_t value[3], struct plane *plane)
+{
+	if (setup->wide) {
+		set_plane(basis, setup, value, 12, plane);
+	} else {
+		set_small_plane(basis, setup, value, plane);
+	}
+}
+
+static int32_t find_mean(const int32_t value[3])
+{
+	return mul_high(value[0] + value[1] + value[2], 0x55555556);
+}
+
+/* q, and w, which is 2^29 over q, as mild_find_point() takes them. */
+static void set_mild_divisor(
+	struct draw *draw, const struct setup *setup, const int32_t q[3])
+{
+	struct plane *plane = draw->raster.plane;
+	int32_t small_q[3], w[3];
+	int zeros = 0;
+
+	for (int i = 0; i < 3; i++) {
+		int own = setup->v[i]->w_zeros;
+
+		zeros = own > zeros ? own : zeros;
+	}
+	for (int i = 0; i < 3; i++) {
+		small_q[i] = q[i] >> 12;
+		w[i] = shift_by(setup->v[i]->clip[3], zeros - 16);
+	}
+	set_any_plane(&draw->raster.basis, setup, small_q, &plane[INVERSE_W]);
+	set_any_plane(&draw->raster.basis, setup, w, &plane[LINEAR_W]);
+	draw->raster.middle_w = find_mean(w) * (1 << 14);
+	draw->raster.mild_pixels =
+		draw->raster.colors_divided ? PERSPECTIVE_STEP : SOFT_RUN_PIXELS;
 }
 
 /*
- * w as a plane, where it varies by at most a quarter: q times w is 2^62 over
- * 2^w_zeros at the corners.
+ * Running linearly across n pixels is off by n^2 ds dq / 4 q at most, where ds
+ * is the change in the middle and a quarter more; half a texel is too much.
  */
-static void set_linear_w(
-	struct draw *draw, const struct setup *setup, const int32_t q[3])
+static void limit_mild_pixels(struct raster *raster, int name)
+{
+	const struct plane *p = &raster->plane[name];
+	int32_t q_step = raster->plane[INVERSE_W].dx;
+	uint32_t change = raster_size(rows_find_mild_change(
+		p->dx, raster->middle[name - TEX_S], q_step));
+
+	if ((uint64_t)change * raster_size(q_step) > 1u << 31) {
+		raster->mild_pixels = PERSPECTIVE_STEP;
+	}
+}
+
+/* A value times q, to the nearest. */
+static void set_mild_plane(struct draw *draw, const struct setup *setup,
+	const int32_t value[3], const int32_t q[3], int name)
 {
 	struct raster *raster = &draw->raster;
-	int32_t least = q[0] < q[1] ? q[0] : q[1], w[3];
-	int most_zeros = 0, least_zeros = 31;
+	int32_t product[3];
 
-	least = least < q[2] ? least : q[2];
-	raster->mild = spread(q) <= least >> 2;
-	if (!raster->mild) {
-		return;
-	}
 	for (int i = 0; i < 3; i++) {
-		int zeros = setup->v[i]->w_zeros;
-
-		most_zeros = zeros > most_zeros ? zeros : most_zeros;
-		least_zeros = zeros < least_zeros ? zeros : least_zeros;
+		product[i] =
+			(mul_high(value[i] * (1 << 9), q[i] << 2) + 128) >> 8;
 	}
-	raster->w_zeros = 3 + most_zeros - least_zeros;
-	for (int i = 0; i < 3; i++) {
-		w[i] = setup->v[i]->clip[3] * (1 << (least_zeros - 1));
+	set_any_plane(&raster->basis, setup, product, &raster->plane[name]);
+	if (name >= TEX_S) {
+		raster->middle[name - TEX_S] = find_mean(value) * (1 << 8);
+		limit_mild_pixels(raster, name);
 	}
-	set_plane(setup, w, 4, &raster->plane[LINEAR_W]);
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
@@ -254,12 +327,11 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 		}
 		shift = 32 - LEADING_ZEROS_32(all);
 		raster->tex_shift[name - TEX_S] = shift;
-		raster->mild &= shift <= MILD_BITS;
 	}
 	for (int i = 0; i < 3; i++) {
 		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	set_plane(setup, product, 4, &raster->plane[name]);
+	set_plane(&raster->basis, setup, product, 4, &raster->plane[name]);
 }
 
 /* Whether a texture takes the place of the vertices' colour, or alpha. */
@@ -312,23 +384,28 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	raster->moving_count = count;
 	raster->perspective = false;
 	raster->colors_divided = false;
+	raster->mild = false;
 	if (draw->perspective && count > 0) {
 		gather_inverse_w(setup, q);
-		find_divided(draw, count, value, q);
+		find_divided(draw, setup, count, value, q);
 	}
-	if (raster->perspective) {
-		set_plane(setup, q, 4, &raster->plane[INVERSE_W]);
-		set_linear_w(draw, setup, q);
+	if (raster->mild) {
+		set_mild_divisor(draw, setup, q);
+	} else if (raster->perspective) {
+		set_plane(
+			&raster->basis, setup, q, 4, &raster->plane[INVERSE_W]);
 	}
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
 
-		if (rows_is_divided(raster, name)) {
-			set_perspective(draw, setup, value[i], q, name);
-		} else {
+		if (!rows_is_divided(raster, name)) {
 			set_affine(draw, setup, value[i], name);
 			raster->plane[name].start +=
 				name >= TEX_S ? TEXEL_NUDGE : 0;
+		} else if (raster->mild) {
+			set_mild_plane(draw, setup, value[i], q, name);
+		} else {
+			set_perspective(draw, setup, value[i], q, name);
 		}
 	}
 }
@@ -367,6 +444,7 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
 
 	raster_find_area(setup);
+	find_basis(setup, &raster->basis);
 	if (draw->soft->fragment.depth_test) {
 		set_affine(draw, setup, z, DEPTH);
 	}

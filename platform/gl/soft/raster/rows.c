@@ -21,17 +21,37 @@ static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
 	return right > below ? right : below;
 }
 
+/* How coordinates change; in mild perspective in the triangle's middle. */
+static void find_changes(
+	const struct raster *raster, int name, int64_t *across, int64_t *down)
+{
+	const struct plane *p = &raster->plane[name];
+
+	*across = p->dx;
+	*down = p->dy;
+	if (raster->mild) {
+		int32_t w = raster->middle_w, at = raster->middle[name - TEX_S];
+		const struct plane *q = &raster->plane[INVERSE_W];
+
+		*across = rows_divide_mild(
+			rows_find_mild_change(p->dx, at, q->dx), w);
+		*down = rows_divide_mild(
+			rows_find_mild_change(p->dy, at, q->dy), w);
+	}
+}
+
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 {
 	const struct raster *raster = &draw->raster;
 
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		const struct plane *p = &raster->plane[TEX_S + 2 * unit];
+		int64_t across[2], down[2];
 
 		if (draw->texture[unit].used) {
-			const int64_t across[2] = {p[0].dx, p[1].dx};
-			const int64_t down[2] = {p[0].dy, p[1].dy};
-
+			for (int i = 0; i < 2; i++) {
+				find_changes(raster, TEX_S + 2 * unit + i,
+					&across[i], &down[i]);
+			}
 			span->lod[unit] =
 				raster_log2_q8(longer_way(across, down));
 		}
@@ -60,6 +80,7 @@ void soft_rows_affine(struct draw *draw, int y, int left, int right)
 void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
+	int32_t q;
 
 	if (!raster->perspective) {
 		for (int n = 0; n < raster->moving_count; n++) {
@@ -69,14 +90,25 @@ void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 		}
 		return;
 	}
-	rows_find_divisor(raster, (int32_t)plane_at(raster, INVERSE_W, x),
-		(int32_t)plane_at(raster, LINEAR_W, x), out);
+	q = (int32_t)plane_at(raster, INVERSE_W, x);
+	if (raster->mild) {
+		out->inverse = rows_find_mild_w(
+			q, (int32_t)plane_at(raster, LINEAR_W, x));
+	} else {
+		rows_find_divisor(q, out);
+	}
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 		int32_t at = (int32_t)plane_at(raster, i, x);
 
 		if (!rows_is_divided(raster, i)) {
 			out->value[i] = at;
+		} else if (raster->mild) {
+			at = rows_divide_mild(at, out->inverse);
+			out->value[i] = i >= TEX_S
+				? at
+				: clamp_int(at, ROWS_LEAST_COLOR,
+					  ROWS_MOST_COLOR);
 		} else if (i >= TEX_S) {
 			out->value[i] = rows_divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);

@@ -36,25 +36,38 @@ enum {
 	ROWS_MOST_COLOR = 0xFFBFFF,
 };
 
-/*
- * q and its reciprocal, where 1 / w and, in mild perspective, w as a plane has
- * it are these. There one step of Newton's method is enough: with w a quarter
- * apart it leaves 1 / 4096 of the plane's error, which is below 1 / 64.
- */
-static ALWAYS_INLINE void rows_find_divisor(
-	const struct raster *raster, int32_t q, int32_t w, struct point *out)
+static ALWAYS_INLINE void rows_find_divisor(int32_t q, struct point *out)
 {
 	out->q = q > 0 ? q : 1;
-	if (raster->mild) {
-		int32_t error = (1 << (30 - raster->w_zeros)) - mul_high(q, w);
-
-		out->zeros = raster->w_zeros;
-		out->inverse = mul_high_add(
-			w, w, error * (1 << (raster->w_zeros + 2)));
-		return;
-	}
 	out->zeros = LEADING_ZEROS_32((uint32_t)out->q);
 	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
+}
+
+/*
+ * Mild perspective: w varies by at most a quarter, so that w as a plane is off
+ * by at most 1/64, and one step of Newton's method leaves 1/4096 of that. q is
+ * 7.25 and below 1, w its reciprocal as 9.23; the result is 3.29.
+ */
+static ALWAYS_INLINE int32_t rows_find_mild_w(int32_t q, int32_t w)
+{
+	int32_t high = (int32_t)((uint32_t)w << 6);
+	int32_t error = (1 << 27) - mul_high((int32_t)((uint32_t)q << 5), high);
+
+	return mul_high_add(high, high, error * 32);
+}
+
+/* A value times q, by that. */
+static ALWAYS_INLINE int32_t rows_divide_mild(int32_t value, int32_t w)
+{
+	return mul_high(value, w) * 8;
+}
+
+/* How much the numerator of d(S / q) = (dS - S / q dq) / q is. */
+static ALWAYS_INLINE int32_t rows_find_mild_change(
+	int32_t product_step, int32_t value, int32_t q_step)
+{
+	return (int32_t)((uint32_t)product_step -
+		(uint32_t)mul_high(value, (int32_t)((uint32_t)q_step << 7)));
 }
 
 /* numerator / q times 2^up. */

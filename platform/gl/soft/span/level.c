@@ -58,7 +58,7 @@ static void choose_level(struct draw *draw, int number, bool small)
 		SOFT_TEXEL_FRACTION;
 	spans->s_half = soft_half_texel(level->format, linear, true);
 	spans->t_half = soft_half_texel(level->format, linear, false);
-	spans->window = find_window(texture, level, linear);
+	spans->level_window = find_window(texture, level, linear);
 	spans->texel_log2 = soft_texel_bytes_log2(level->format);
 	run->stride_log2 = (uint32_t)(level->width_log2 + spans->texel_log2);
 	run->texels = level->texels;
@@ -67,8 +67,9 @@ static void choose_level(struct draw *draw, int number, bool small)
 	run->wrap_t = find_wrap(texture->wrap_t, level->height_log2);
 	soft_set_functions(spans, small ? spans->min : spans->mag);
 	if (spans->function[0] == spans->function[1]) {
-		spans->window.s_room = 0;
+		spans->level_window.s_room = 0;
 	}
+	spans->window = spans->level_window;
 }
 
 void soft_set_level(struct draw *draw, int lod)
@@ -86,6 +87,60 @@ void soft_set_level(struct draw *draw, int lod)
 	if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
 	}
+}
+
+/* The part of a window along one coordinate that a triangle needs. */
+struct part {
+	uint32_t first, room;
+};
+
+/*
+ * From the triangle's least and largest coordinate, in 1/256 of the base's
+ * texels, and an eighth of a texel to spare.
+ */
+static ALWAYS_INLINE struct part find_part(
+	const int32_t range[2], int shift, int32_t half, uint32_t mask)
+{
+	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
+	int32_t low = (range[0] * 256 >> shift) - half - spare;
+	int32_t high = (range[1] * 256 >> shift) - half + spare;
+
+	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
+	return (struct part){
+		(uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
+}
+
+void soft_set_window(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	const struct soft_window *whole = &spans->level_window;
+	const struct raster *raster = &draw->raster;
+	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
+	struct soft_run *run = &spans->run;
+	struct part s, t;
+
+	spans->window = *whole;
+	run->first_texel = run->texels;
+	if (!whole->large) {
+		return;
+	}
+	s = find_part(raster->texel_range[0], spans->s_shift, spans->s_half,
+		whole->s_mask);
+	t = find_part(raster->texel_range[1], spans->t_shift, spans->t_half,
+		whole->t_mask);
+	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
+		t.first >= whole->t_room || s.first + s.room > whole->s_room ||
+		t.first + t.room > whole->t_room) {
+		return;
+	}
+	spans->window.s_first = s.first;
+	spans->window.t_first = t.first;
+	spans->window.s_room = s.room;
+	spans->window.t_room = t.room;
+	spans->window.large = false;
+	run->first_texel = run->texels +
+		(t.first >> SOFT_TEXEL_FRACTION << run->stride_log2) +
+		(s.first >> SOFT_TEXEL_FRACTION << spans->texel_log2);
 }
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
@@ -109,8 +164,8 @@ static uint32_t count_steps(uint32_t distance, uint32_t step)
  * How many pixels from here on lie on the same side of the window's edges as
  * the first one, whose coordinate is at; *inside says which side.
  */
-static uint32_t count_alike(uint32_t at, int32_t right, uint32_t room,
-	uint32_t mask, bool *inside)
+static uint32_t count_alike(
+	uint32_t at, int32_t right, uint32_t room, uint32_t mask, bool *inside)
 {
 	uint32_t step = right < 0 ? 0u - (uint32_t)right : (uint32_t)right;
 	bool below = (int32_t)at < 0; /* clamped ones alone */
@@ -159,9 +214,11 @@ void soft_draw_across(struct soft_spans *spans)
 	}
 	for (uint32_t left = run->count; left > 0; left -= run->count) {
 		bool inside = true;
-		uint32_t s = count_alike((uint32_t)run->s & window->s_mask,
+		uint32_t s = count_alike(
+			((uint32_t)run->s - window->s_first) & window->s_mask,
 			run->s_right, window->s_room, window->s_mask, &inside);
-		uint32_t t = count_alike((uint32_t)run->t & window->t_mask,
+		uint32_t t = count_alike(
+			((uint32_t)run->t - window->t_first) & window->t_mask,
 			run->t_right, window->t_room, window->t_mask, &inside);
 
 		run->count = s < t ? s : t;

@@ -25,12 +25,12 @@ enum soft_depth_way {
 };
 
 /*
- * The coordinates of a level from which no texel wraps around: after the masks
- * they are less than the rooms. None where the span functions that need that
- * are missing.
+ * The coordinates of a level from which no texel wraps around: counted from the
+ * first ones and masked they are less than the rooms. None where the span
+ * functions that need that are missing.
  */
 struct soft_window {
-	uint32_t s_mask, t_mask, s_room, t_room;
+	uint32_t s_first, t_first, s_mask, t_mask, s_room, t_room;
 	bool large; /* a run's texels count from its own first one */
 };
 
@@ -45,9 +45,9 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	bool level_by_row;   /* of the triangle under way */
+	bool level_by_row; /* of the triangle under way */
 	bool alpha_moves, fog_moves;
-	bool rare; /* either of them, or steep colours */
+	bool rare;           /* either of them, or steep colours */
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way;
@@ -63,7 +63,8 @@ struct soft_spans {
 	const soft_span_function *function;
 	/* the same, with the depth test before them that they do not do */
 	soft_span_function draw_anywhere, draw;
-	struct soft_window window;
+	struct soft_window window;       /* of the triangle */
+	struct soft_window level_window; /* as large as it can be */
 	int s_shift, t_shift; /* from 16.16 of the base's texels to 24.8 */
 	int32_t s_half, t_half;
 	int texel_log2, pixel_log2; /* bytes */

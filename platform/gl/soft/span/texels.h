@@ -65,8 +65,8 @@ static ALWAYS_INLINE bool soft_find_window(struct soft_spans *spans)
 	struct soft_run *run = &spans->run;
 	const struct soft_window *window = &spans->window;
 	uint32_t last = run->count - 1;
-	uint32_t s = (uint32_t)run->s & window->s_mask;
-	uint32_t t = (uint32_t)run->t & window->t_mask;
+	uint32_t s = ((uint32_t)run->s - window->s_first) & window->s_mask;
+	uint32_t t = ((uint32_t)run->t - window->t_first) & window->t_mask;
 	uint32_t s_end = s + (uint32_t)run->s_right * last;
 	uint32_t t_end = t + (uint32_t)run->t_right * last;
 

@@ -16,12 +16,15 @@
 struct walk_kind {
 	bool textured, colored;
 	bool texels_divided, colors_divided;
+	bool mild; /* as rows_find_mild_w() has it */
 };
 
 /* A row under way; row counts from the triangle's first one. */
 struct line {
 	struct draw *draw;
-	int y, row;
+	int row;
+	uint16_t *depth; /* of column 0 */
+	uint8_t *pixel;
 };
 
 /* Colours and fog, 8.16; their values at a pixel, or their steps. */
@@ -163,8 +166,8 @@ static NEVER_INLINE void place_rare_colors(
 	if (spans->steep) {
 		from = limit_colors(from);
 		to = limit_colors(find_colors(line, x + count - 1));
-		step = find_color_steps(spans, &from, &to,
-			line->draw->inverse_q31[count - 1]);
+		step = find_color_steps(
+			spans, &from, &to, line->draw->inverse_q31[count - 1]);
 		set_color_steps(spans, &step);
 		set_colors(spans, from.red, from.green, from.blue);
 	}
@@ -184,18 +187,15 @@ static ALWAYS_INLINE void place_colors(const struct line *line, int x, int count
 }
 
 /* Draws a run of so many pixels from x on, whose values and steps are set. */
-static ALWAYS_INLINE void draw_run(const struct line *line,
-	const struct walk_kind kind, int x, int count)
+static ALWAYS_INLINE void draw_run(
+	const struct line *line, const struct walk_kind kind, int x, int count)
 {
-	const struct buffers *buffers = &line->draw->soft->buffers;
 	struct soft_spans *spans = &line->draw->spans;
 	struct soft_run *run = &spans->run;
 
 	run->count = (uint32_t)count;
-	run->depth = buffers->depth + (line->y * buffers->width + x);
-	run->pixel = buffers->target.data +
-		(line->y * buffers->target.stride_bytes +
-			(x << spans->pixel_log2));
+	run->depth = line->depth + x;
+	run->pixel = line->pixel + (x << spans->pixel_log2);
 	run->z = (uint32_t)find_value(line, DEPTH, x) << 6;
 	if (!kind.textured || soft_find_window(spans)) {
 		spans->draw(run);
@@ -204,8 +204,8 @@ static ALWAYS_INLINE void draw_run(const struct line *line,
 	}
 }
 
-static ALWAYS_INLINE void row_linear(const struct line *line,
-	const struct walk_kind kind, int x, int right)
+static ALWAYS_INLINE void row_linear(
+	const struct line *line, const struct walk_kind kind, int x, int right)
 {
 	struct draw *draw = line->draw;
 	const struct plane *plane = draw->raster.plane;
@@ -219,8 +219,8 @@ static ALWAYS_INLINE void row_linear(const struct line *line,
 			soft_set_texels(&draw->spans,
 				(struct texels){find_value(line, TEX_S, x),
 					find_value(line, TEX_S + 1, x)},
-				(struct texels){plane[TEX_S].dx,
-					plane[TEX_S + 1].dx},
+				(struct texels){
+					plane[TEX_S].dx, plane[TEX_S + 1].dx},
 				(uint32_t)count);
 		}
 		if (kind.colored) {
@@ -230,39 +230,50 @@ static ALWAYS_INLINE void row_linear(const struct line *line,
 	}
 }
 
-static ALWAYS_INLINE int32_t divide_color(const struct point *at, int32_t color)
+/* plane is the attribute's; of textures it tells the scale, too. */
+static ALWAYS_INLINE int32_t divide(const struct line *line,
+	const struct walk_kind kind, const struct point *divisor, int plane,
+	int x)
 {
-	return limit_color(rows_divide(at, color, 24));
+	const struct raster *raster = &line->draw->raster;
+	int32_t value = find_value(line, plane, x);
+
+	if (kind.mild) {
+		value = rows_divide_mild(value, divisor->inverse);
+	} else {
+		value = rows_divide(divisor, value,
+			plane >= TEX_S ? raster->tex_shift[plane - TEX_S] + 8
+				       : 24);
+	}
+	return plane >= TEX_S ? value : limit_color(value);
 }
 
 static ALWAYS_INLINE struct row_point find_point(
 	const struct line *line, const struct walk_kind kind, int x)
 {
-	const struct raster *raster = &line->draw->raster;
 	const struct soft_spans *spans = &line->draw->spans;
+	int32_t q = find_value(line, INVERSE_W, x);
 	struct row_point out;
-	struct point *divisor = &out.divisor;
+	struct point *by = &out.divisor;
 
-	rows_find_divisor(raster, find_value(line, INVERSE_W, x),
-		find_value(line, LINEAR_W, x), divisor);
+	if (kind.mild) {
+		by->inverse = rows_find_mild_w(q, find_value(line, LINEAR_W, x));
+	} else {
+		rows_find_divisor(q, by);
+	}
 	if (kind.textured) {
-		out.texels.s = rows_divide(divisor, find_value(line, TEX_S, x),
-			raster->tex_shift[0] + 8);
-		out.texels.t = rows_divide(divisor,
-			find_value(line, TEX_S + 1, x),
-			raster->tex_shift[1] + 8);
+		out.texels.s = divide(line, kind, by, TEX_S, x);
+		out.texels.t = divide(line, kind, by, TEX_S + 1, x);
 	}
 	if (kind.colors_divided) {
-		struct colors c = find_colors(line, x);
-
-		out.colors.red = divide_color(divisor, c.red);
-		out.colors.green = divide_color(divisor, c.green);
-		out.colors.blue = divide_color(divisor, c.blue);
+		out.colors.red = divide(line, kind, by, RED, x);
+		out.colors.green = divide(line, kind, by, GREEN, x);
+		out.colors.blue = divide(line, kind, by, BLUE, x);
 		if (spans->alpha_moves) {
-			out.colors.alpha = divide_color(divisor, c.alpha);
+			out.colors.alpha = divide(line, kind, by, ALPHA, x);
 		}
 		if (spans->fog_moves) {
-			out.colors.fog = divide_color(divisor, c.fog);
+			out.colors.fog = divide(line, kind, by, FOG, x);
 		}
 	}
 	return out;
@@ -303,7 +314,9 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	const struct walk_kind kind, const struct row_point *from,
 	const struct row_point *to, int steps)
 {
-	uint32_t q = (uint32_t)(from->divisor.q < to->divisor.q ? from->divisor.q : to->divisor.q);
+	uint32_t q =
+		(uint32_t)(from->divisor.q < to->divisor.q ? from->divisor.q
+							   : to->divisor.q);
 	uint64_t error, allowed = (uint64_t)q << 16;
 	uint32_t most = 0;
 
@@ -325,6 +338,65 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 		: PERSPECTIVE_STEP;
 }
 
+/* How values change between two points. */
+struct change {
+	struct texels texels;
+	struct colors colors;
+};
+
+static ALWAYS_INLINE struct change set_steps(const struct line *line,
+	const struct walk_kind kind, const struct row_point *from,
+	const struct row_point *to, int steps)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	int32_t inverse = line->draw->inverse_q31[steps];
+	struct change out;
+
+	if (kind.textured) {
+		out.texels.s =
+			rows_find_step(from->texels.s, to->texels.s, inverse);
+		out.texels.t =
+			rows_find_step(from->texels.t, to->texels.t, inverse);
+		soft_set_texel_steps(spans, out.texels);
+	}
+	if (kind.colors_divided) {
+		out.colors = find_color_steps(
+			spans, &from->colors, &to->colors, inverse);
+		set_color_steps(spans, &out.colors);
+	}
+	return out;
+}
+
+/* Draws a run that begins so many pixels behind a point. */
+static ALWAYS_INLINE void draw_behind(const struct line *line,
+	const struct walk_kind kind, int x, int count,
+	const struct row_point *from, const struct change *change, int past)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	const struct colors *c = &from->colors, *step = &change->colors;
+
+	if (kind.textured) {
+		const struct texels at = {
+			step_by(from->texels.s, change->texels.s, past),
+			step_by(from->texels.t, change->texels.t, past)};
+
+		soft_set_texels(spans, at, change->texels, (uint32_t)count);
+	}
+	if (kind.colors_divided) {
+		const struct colors more = {
+			.alpha = step_by(c->alpha, step->alpha, past),
+			.fog = step_by(c->fog, step->fog, past)};
+
+		set_colors(spans, step_by(c->red, step->red, past),
+			step_by(c->green, step->green, past),
+			step_by(c->blue, step->blue, past));
+		set_more_colors(spans, &more);
+	} else if (kind.colored) {
+		place_colors(line, x, count);
+	}
+	draw_run(line, kind, x, count);
+}
+
 /*
  * Draws from left to right what runs linearly between two points, so many
  * steps apart.
@@ -333,48 +405,13 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 	const struct walk_kind kind, int left, int right,
 	const struct row_point *from, const struct row_point *to, int steps)
 {
-	struct soft_spans *spans = &line->draw->spans;
-	int32_t inverse = line->draw->inverse_q31[steps];
-	const int most = kind.textured ? SOFT_RUN_PIXELS : spans->plain_pixels;
-	struct texels texel_step;
-	struct colors color_step;
+	const int most = kind.textured ? SOFT_RUN_PIXELS
+				       : line->draw->spans.plain_pixels;
+	const struct change change = set_steps(line, kind, from, to, steps);
 
-	if (kind.textured) {
-		texel_step.s = rows_find_step(from->texels.s, to->texels.s, inverse);
-		texel_step.t = rows_find_step(from->texels.t, to->texels.t, inverse);
-		soft_set_texel_steps(spans, texel_step);
-	}
-	if (kind.colors_divided) {
-		color_step = find_color_steps(
-			spans, &from->colors, &to->colors, inverse);
-		set_color_steps(spans, &color_step);
-	}
 	for (int x = left; x < right; x += most) {
-		int count = right - x < most ? right - x : most, past = x - left;
-
-		if (kind.textured) {
-			soft_set_texels(spans,
-				(struct texels){step_by(from->texels.s,
-							texel_step.s, past),
-					step_by(from->texels.t, texel_step.t,
-						past)},
-				texel_step, (uint32_t)count);
-		}
-		if (kind.colors_divided) {
-			const struct colors *c = &from->colors;
-
-			set_colors(spans, step_by(c->red, color_step.red, past),
-				step_by(c->green, color_step.green, past),
-				step_by(c->blue, color_step.blue, past));
-			set_more_colors(spans,
-				&(struct colors){.alpha = step_by(c->alpha,
-							 color_step.alpha, past),
-					.fog = step_by(c->fog, color_step.fog,
-						past)});
-		} else if (kind.colored) {
-			place_colors(line, x, count);
-		}
-		draw_run(line, kind, x, count);
+		draw_behind(line, kind, x, right - x < most ? right - x : most,
+			from, &change, x - left);
 	}
 }
 
@@ -414,70 +451,113 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-/* Rows down to the end, between two edges. */
+/* In mild perspective each run leads to the pixel behind it. */
+static ALWAYS_INLINE void row_mild(const struct line *line,
+	const struct walk_kind kind, int left, int right)
+{
+	const int most = line->draw->raster.mild_pixels;
+	struct row_point from = find_point(line, kind, left);
+
+	for (int x = left; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
+		struct row_point to = find_point(line, kind, x + count);
+		struct change change = set_steps(line, kind, &from, &to, count);
+
+		draw_behind(line, kind, x, count, &from, &change, 0);
+		from = to;
+	}
+}
+
+/* Rows between two edges. */
 static ALWAYS_INLINE void walk_part(struct line *line,
 	const struct walk_kind kind, struct side *left_side,
-	struct side *right_side, int end)
+	struct side *right_side, int rows)
 {
-	const struct clip_box *box = &line->draw->box;
+	const struct buffers *buffers = &line->draw->soft->buffers;
+	const int width = buffers->width;
+	const int stride_bytes = buffers->target.stride_bytes;
+	const struct clip_box box = line->draw->box;
+	struct side first = *left_side, last = *right_side;
 
-	for (; line->y < end; line->y++, line->row++) {
-		int left = raster_column(left_side->x);
-		int right = raster_column(right_side->x);
+	for (int end = line->row + rows; line->row < end; line->row++) {
+		int left = raster_column(first.x);
+		int right = raster_column(last.x);
 
-		left = left > box->left ? left : box->left;
-		right = right < box->right ? right : box->right;
+		left = left > box.left ? left : box.left;
+		right = right < box.right ? right : box.right;
 		if (left < right) {
-			if (kind.texels_divided || kind.colors_divided) {
+			if (kind.mild) {
+				row_mild(line, kind, left, right);
+			} else if (kind.texels_divided || kind.colors_divided) {
 				row_divided(line, kind, left, right);
 			} else {
 				row_linear(line, kind, left, right);
 			}
 		}
-		raster_next_side(left_side);
-		raster_next_side(right_side);
+		raster_next_side(&first);
+		raster_next_side(&last);
+		line->depth += width;
+		line->pixel += stride_bytes;
 	}
+	*left_side = first;
+	*right_side = last;
 }
 
 /* All rows, above and below the middle vertex. */
 static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 	const struct walk_kind kind)
 {
-	int top = raster_first_row(draw, setup);
+	const struct buffers *buffers = &draw->soft->buffers;
+	int y = raster_first_row(draw, setup);
 	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
 						      : draw->box.bottom;
-	struct line line = {draw, top, top - setup->top};
+	struct line line = {
+		.draw = draw,
+		.row = y - setup->top,
+		.depth = buffers->depth + (ptrdiff_t)y * buffers->width,
+		.pixel = buffers->target.data +
+			(ptrdiff_t)y * buffers->target.stride_bytes,
+	};
 	struct side side[2]; /* left and right */
 	int part = setup->middle_left ? 0 : 1;
 
-	side[!part] = raster_side(draw, setup->v[0], setup->v[2], top);
+	side[!part] = raster_side(draw, setup->v[0], setup->v[2], y);
 	for (int i = 0; i < 2; i++) {
 		int end = i == 0 && setup->middle < bottom ? setup->middle
 							   : bottom;
 
-		if (line.y < end) {
+		if (y < end) {
 			side[part] = raster_side(
-				draw, setup->v[i], setup->v[i + 1], line.y);
-			walk_part(&line, kind, &side[0], &side[1], end);
+				draw, setup->v[i], setup->v[i + 1], y);
+			walk_part(&line, kind, &side[0], &side[1], end - y);
+			y = end;
 		}
 	}
 }
 
-#define WALK(name, ...)                                         \
-	static NEVER_INLINE void walk_##name(                   \
-		struct draw *draw, const struct setup *setup)   \
-	{                                                       \
+#define WALK(name, ...)                                             \
+	static NEVER_INLINE void walk_##name(                       \
+		struct draw *draw, const struct setup *setup)       \
+	{                                                           \
 		walk(draw, setup, (struct walk_kind){__VA_ARGS__}); \
 	}
 
-WALK(plain_still, false, false, false, false)
-WALK(plain, false, true, false, false)
-WALK(plain_divided, false, true, false, true)
-WALK(still, true, false, false, false)
-WALK(still_divided, true, false, true, false)
-WALK(colored, true, true, false, false)
-WALK(colored_by_texels, true, true, true, false)
-WALK(colored_divided, true, true, true, true)
+WALK(plain_still, .textured = false)
+WALK(plain, .colored = true)
+WALK(plain_divided, .colored = true, .colors_divided = true)
+WALK(still, .textured = true)
+WALK(still_divided, .textured = true, .texels_divided = true)
+WALK(colored, .textured = true, .colored = true)
+WALK(colored_by_texels, .textured = true, .colored = true,
+	.texels_divided = true)
+WALK(colored_divided, .textured = true, .colored = true, .texels_divided = true,
+	.colors_divided = true)
+WALK(plain_mild, .colored = true, .colors_divided = true, .mild = true)
+WALK(still_mild, .textured = true, .texels_divided = true, .mild = true)
+WALK(colored_by_texels_mild, .textured = true, .colored = true,
+	.texels_divided = true, .mild = true)
+WALK(colored_mild, .textured = true, .colored = true, .texels_divided = true,
+	.colors_divided = true, .mild = true)
 
 /* What of alpha and fog stays the same; see set_colors(). */
 static void set_still(struct draw *draw)
@@ -490,8 +570,8 @@ static void set_still(struct draw *draw)
 		spans->green_start += (int32_t)(value[ALPHA] >> 9 << 16);
 	}
 	if (!spans->fog_moves) {
-		spans->run.fog = (uint32_t)mul_high(
-			(int32_t)value[FOG], SOFT_FOG_SCALE);
+		spans->run.fog =
+			(uint32_t)mul_high((int32_t)value[FOG], SOFT_FOG_SCALE);
 		spans->run.fog_right = 0;
 	}
 }
@@ -530,18 +610,22 @@ static void set_constants(struct draw *draw, uint32_t moving)
 			spans->steep |= (moving >> i & 1) &&
 				(uint32_t)all[i] + STEEP > 2 * STEEP;
 		}
-		spans->rare = spans->steep || spans->alpha_moves ||
-			spans->fog_moves;
+		spans->rare =
+			spans->steep || spans->alpha_moves || spans->fog_moves;
 	}
 	if (!spans->textured) {
 		return;
 	}
-	spans->level_by_row = spans->lod_wanted && raster->perspective;
+	spans->level_by_row =
+		spans->lod_wanted && raster->perspective && !raster->mild;
 	if (!spans->lod_wanted) {
 		soft_set_level(draw, 0);
-	} else if (!raster->perspective) {
+	} else if (!spans->level_by_row) {
 		soft_rows_find_affine_lod(draw, &draw->raster.span);
 		soft_set_level(draw, raster->span.lod[0]);
+	}
+	if (!spans->level_by_row) {
+		soft_set_window(draw);
 	}
 	if (!raster->perspective) {
 		soft_set_texel_steps(spans,
@@ -560,9 +644,12 @@ static void add_plane(struct draw *draw, int name)
 
 	*plane = (struct plane){.start = value};
 	if (raster->colors_divided) {
-		plane->start = (uint32_t)((int32_t)q->start * part >> 16);
-		plane->dx = (int32_t)(q->dx * part >> 16);
-		plane->dy = (int32_t)(q->dy * part >> 16);
+		/* as set_mild_plane() and set_perspective() scale products */
+		const int down = raster->mild ? 17 : 16;
+
+		plane->start = (uint32_t)((int32_t)q->start * part >> down);
+		plane->dx = (int32_t)(q->dx * part >> down);
+		plane->dy = (int32_t)(q->dy * part >> down);
 	}
 	raster->moving[raster->moving_count++] = name;
 }
@@ -591,7 +678,7 @@ static uint32_t find_moving(struct draw *draw)
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	bool bent = raster->perspective;
+	bool bent = raster->perspective, mild = raster->mild;
 	uint32_t moving;
 
 	if (!draw->spans.used) {
@@ -602,14 +689,18 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	set_constants(draw, moving);
 	if (!draw->spans.textured) {
 		(!moving               ? walk_plain_still
+				: mild ? walk_plain_mild
 				: bent ? walk_plain_divided
 				       : walk_plain)(draw, setup);
 	} else if (!moving) {
-		(bent ? walk_still_divided : walk_still)(draw, setup);
+		(mild                  ? walk_still_mild
+				: bent ? walk_still_divided
+				       : walk_still)(draw, setup);
+	} else if (raster->colors_divided) {
+		(mild ? walk_colored_mild : walk_colored_divided)(draw, setup);
 	} else {
-		(!bent ? walk_colored
-				: raster->colors_divided
-				? walk_colored_divided
-				: walk_colored_by_texels)(draw, setup);
+		(mild                  ? walk_colored_by_texels_mild
+				: bent ? walk_colored_by_texels
+				       : walk_colored)(draw, setup);
 	}
 }

@@ -11,4 +11,7 @@ void soft_walk_general(struct draw *draw, const struct setup *setup);
 /* level.c: the level and filter for a level of detail. */
 void soft_set_level(struct draw *draw, int lod);
 
+/* level.c: a window of few texels, if the triangle has few; else the level's. */
+void soft_set_window(struct draw *draw);
+
 #endif

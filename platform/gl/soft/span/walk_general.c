@@ -7,8 +7,8 @@
 #include "platform/gl/soft/vertex/number.h"
 
 /* A run whose values are these, and move by the span's steps. */
-static void draw_run(struct draw *draw, int y, int x,
-	int count, const int32_t value[])
+static void draw_run(
+	struct draw *draw, int y, int x, int count, const int32_t value[])
 {
 	struct raster *raster = &draw->raster;
 	struct span *span = &raster->span;
@@ -24,8 +24,8 @@ static void draw_run(struct draw *draw, int y, int x,
 	draw->span(draw, span);
 }
 
-static void draw_linear(struct draw *draw, int y,
-	int left, int right, int32_t value[])
+static void draw_linear(
+	struct draw *draw, int y, int left, int right, int32_t value[])
 {
 	const struct raster *raster = &draw->raster;
 
@@ -90,8 +90,7 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 		: PERSPECTIVE_STEP;
 }
 
-static void row_divided(
-	struct draw *draw, int y, int left, int right)
+static void row_divided(struct draw *draw, int y, int left, int right)
 {
 	int steps = right - left - 1, spacing, x = left;
 	struct point from, to, end;
@@ -118,6 +117,23 @@ static void row_divided(
 	draw_run(draw, y, x, right - x, from.value);
 }
 
+/* As row_mild() in walk.c. */
+static void row_mild(struct draw *draw, int y, int left, int right)
+{
+	int most = draw->raster.mild_pixels;
+	struct point from, to;
+
+	soft_rows_find_point(draw, left, &from);
+	for (int x = left; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
+
+		soft_rows_find_point(draw, x + count, &to);
+		set_steps(draw, &from, &to, count);
+		draw_run(draw, y, x, count, from.value);
+		from = to;
+	}
+}
+
 static void row_linear(struct draw *draw, int y, int left, int right)
 {
 	const struct raster *raster = &draw->raster;
@@ -136,6 +152,11 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 	struct raster *raster = &draw->raster;
 
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (raster->mild) {
+		soft_rows_find_affine_lod(draw, &raster->span);
+		raster_walk(draw, setup, row_mild, soft_raster_next_row);
+		return;
+	}
 	if (raster->perspective) {
 		raster_walk(draw, setup, row_divided, soft_raster_next_row);
 		return;

@@ -49,7 +49,7 @@ enum attribute {
 	/* planes have three more */
 	DEPTH = ATTRIBUTES,
 	INVERSE_W,
-	LINEAR_W, /* w as if it ran linearly; see rows_find_divisor() */
+	LINEAR_W, /* w as if it ran linearly; see rows_find_mild_w() */
 	PLANES,
 };
 
@@ -203,13 +203,28 @@ struct span {
 	int lod[SOFT_UNITS]; /* level, 8 bits of fraction */
 };
 
+/* What the planes of a triangle have in common. */
+struct basis {
+	/* of gradients, see set_small_plane(); unless the triangle is wide */
+	int32_t inverse;
+	int shift;
+	/* from v[0] to the centre of its column in the first row, sixteenths */
+	int32_t off_x, off_y;
+	int column;
+};
+
 /* The triangle under way. */
 struct raster {
+	struct basis basis;
 	struct plane plane[PLANES];
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */
-	bool mild;   /* w varies so little that its plane is a first guess */
-	int w_zeros; /* of it then; see struct point */
+	bool mild;           /* see rows_find_mild_w() */
+	int mild_pixels;     /* from one division to the next then */
+	int32_t middle_w;    /* in the triangle's middle then: 3.29 */
+	int32_t middle[2 * SOFT_UNITS]; /* and 16.16 */
+	/* the least and the largest, in 1/256 of texels */
+	int32_t texel_range[2 * SOFT_UNITS][2];
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;

@@ -6,7 +6,8 @@ INSTALLED := $(DESTDIR)$(prefix)
 PACKAGE := toolchain/package
 ASSET_FILES := $(sort $(wildcard assets/*.glb)) assets/presets.ini
 
-build/host/limber.1: build/host/limber $(PACKAGE)/man.sh
+build/host/limber.1: build/host/limber $(PACKAGE)/man.sh \
+		$(PACKAGE)/man_page.awk app/character/format.md
 	$(call say,MAN,$@)
 	$(Q)$(PACKAGE)/man.sh build/host/limber >$@
 

@@ -14,6 +14,8 @@
 #include "app/scene/overlay/overlay.h"
 #include "platform/buttons/buttons.h"
 
+#include <stdio.h>
+
 struct demo;
 
 /* What a demo shows, for the display of frame times. */
@@ -47,6 +49,18 @@ struct demo_driver {
 
 	/* Releases what prepare() and actions allocated. Optional. */
 	void (*finish)(struct demo *demo);
+
+	/*
+	 * Takes a button event. Returns false to leave it to the table of
+	 * actions. Optional.
+	 */
+	bool (*press)(struct demo *demo, const struct button_event *event);
+
+	/*
+	 * Prints what each button does. Returns false to leave it to the table
+	 * of actions. Optional.
+	 */
+	bool (*print_buttons)(const struct demo *demo, FILE *out);
 
 	/* Moves on to time_s, which never decreases. Allocates nothing. */
 	void (*update)(struct demo *demo, double time_s);

@@ -25,6 +25,8 @@ struct demo_env {
 	bool no_labels;         /* none will be on the picture */
 	const char *model_path; /* the model file to show */
 	size_t memory_bytes;    /* the model's budget; 0: MODEL_MEMORY_BYTES */
+	const char *character;  /* a character file, "none", or NULL: the one
+				   beside the model if there is one */
 	const char *clip;       /* name or index of the first clip, or NULL */
 	enum clip_interpolation interpolation;
 	enum clip_repeat repeat; /* viewer only */

@@ -1,10 +1,12 @@
 /*
- * The viewer shows any model: UP and DOWN choose a clip, other buttons move the
- * camera.
+ * The viewer shows any model. A model with a character file behaves as the file
+ * says (behaviour.h). For others UP and DOWN choose a clip, and other buttons
+ * move the camera.
  */
 #include "app/anim/clip_join.h"
 #include "app/anim/playback.h"
 #include "app/demo/actor.h"
+#include "app/demo/behaviour.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
 #include "platform/base/file.h"
@@ -37,8 +39,9 @@ struct file_watch {
 
 struct demo {
 	struct demo_base base;
-	int height; /* of the picture */
-	int clip;   /* or -1: at rest */
+	struct behaviour *behaviour; /* NULL: what follows moves the model */
+	int height;                  /* of the picture */
+	int clip;                    /* or -1: at rest */
 	struct playback playback;
 	enum clip_repeat repeat;
 	float speed;
@@ -118,29 +121,58 @@ static int init_join(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
+/* The stamps of all files that are shown. */
+static uint64_t stamp_files(const struct demo *demo)
+{
+	uint64_t model = file_stamp(demo->watch.env.model_path);
+
+	return model == 0
+		? 0
+		: model ^ behaviour_stamp(&demo->watch.env, demo->behaviour);
+}
+
+static int init_stage(struct demo *demo, struct stage *stage)
+{
+	struct actor *actor = &demo->base.actor;
+	struct bounds bounds;
+
+	if (demo->behaviour) {
+		return behaviour_init_stage(
+			demo->behaviour, &demo->watch.env, actor, stage);
+	}
+	bounds = bounds_of_model(actor->instance, demo->clip);
+	return actor_init_stage(&demo->watch.env, &bounds, &framing, stage);
+}
+
 static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
-	const struct actor *actor = &demo->base.actor;
-	struct bounds bounds;
+	struct actor *actor = &demo->base.actor;
 	int error = model_choose_clip(actor->model, env->clip,
 		actor->model->clip_count > 0 ? 0 : -1, env->log, &demo->clip);
 
 	if (!error) {
 		error = init_join(demo, env);
 	}
+	if (!error) {
+		error = behaviour_create(env, actor, &demo->behaviour);
+	}
 	if (error) {
 		return error;
 	}
 	demo->height = env->height;
 	demo->watch.env = *env;
-	demo->watch.shown = demo->watch.last = file_stamp(env->model_path);
+	demo->watch.shown = demo->watch.last = stamp_files(demo);
 	demo->repeat = env->repeat;
 	demo->speed = env->speed;
 	demo->tilting = actor->model->clip_count < 2;
 	demo->title = actor_technique(actor->instance);
 	begin_clip(demo);
-	bounds = bounds_of_model(actor->instance, demo->clip);
-	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
+	return init_stage(demo, &demo->base.stage);
+}
+
+static void viewer_finish(struct demo *demo)
+{
+	behaviour_destroy(demo->behaviour);
 }
 
 /* The clip with the old clip's name, else with its index, else the first. */
@@ -159,14 +191,12 @@ static void reframe(struct demo *demo, float old_extent)
 {
 	struct stage *stage = &demo->base.stage;
 	float ratio = demo->base.actor.extent / old_extent;
-	struct bounds bounds;
 	struct stage fresh;
 
 	if (ratio > 0.8f && ratio < 1.25f) {
 		return;
 	}
-	bounds = bounds_of_model(demo->base.actor.instance, demo->clip);
-	if (actor_init_stage(&demo->watch.env, &bounds, &framing, &fresh) == 0) {
+	if (init_stage(demo, &fresh) == 0) {
 		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
@@ -185,7 +215,13 @@ static int reload(struct demo *demo)
 	}
 	demo->base.actor = fresh;
 	error = init_join(demo, env);
+	if (!error) {
+		behaviour_suspend(before.behaviour);
+		error = behaviour_create(
+			env, &demo->base.actor, &demo->behaviour);
+	}
 	if (error) {
+		behaviour_resume(before.behaviour, env->log);
 		actor_unload(&fresh, env->gl);
 		*demo = before;
 		return error;
@@ -200,6 +236,7 @@ static int reload(struct demo *demo)
 			before.playback.time_s, 0.0f, viewer_duration_s(demo)));
 	reframe(demo, old.extent);
 	demo_overlay_release(&demo->base);
+	behaviour_destroy(before.behaviour);
 	actor_unload(&old, env->gl);
 	return 0;
 }
@@ -215,7 +252,7 @@ static void check_file(struct demo *demo)
 		return;
 	}
 	watch->next_s = demo->now_s + check_s;
-	stamp = file_stamp(watch->env.model_path);
+	stamp = stamp_files(demo);
 	settled = stamp == watch->last;
 	watch->last = stamp;
 	if (stamp != 0 && settled && stamp != watch->shown) {
@@ -230,6 +267,11 @@ static void viewer_update(struct demo *demo, double time_s)
 
 	demo->now_s = time_s;
 	check_file(demo);
+	if (demo->behaviour) {
+		behaviour_update(
+			demo->behaviour, &demo->base, time_s, demo->height);
+		return;
+	}
 	if (!demo->paused) {
 		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
 	}
@@ -251,6 +293,10 @@ static void viewer_update(struct demo *demo, double time_s)
 static void viewer_draw(struct demo *demo, int width, int height)
 {
 	demo->height = height;
+	if (demo->behaviour) {
+		behaviour_draw(demo->behaviour, &demo->base, width, height);
+		return;
+	}
 	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
 		height);
 }
@@ -259,15 +305,35 @@ static double viewer_period_s(const struct demo *demo)
 {
 	float duration_s = viewer_duration_s(demo);
 
+	if (demo->behaviour) {
+		return behaviour_period_s(demo->behaviour);
+	}
 	return duration_s > 0.0f ? duration_s : 1.0;
+}
+
+static void label_broken(const struct demo *demo, struct hud *hud)
+{
+	struct hud_group group;
+
+	if (demo->watch.broken) {
+		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+		hud_group_mark(&group, "new file is broken", "", hud_color_rose);
+		hud_group_end(&group);
+	}
 }
 
 static void viewer_label(const struct demo *demo, struct hud *hud)
 {
 	const struct model *model = demo->base.actor.model;
 	float duration_s = viewer_duration_s(demo);
-	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, demo->title);
+	struct hud_group group;
 
+	if (demo->behaviour) {
+		behaviour_label(demo->behaviour, &demo->base, hud);
+		label_broken(demo, hud);
+		return;
+	}
+	group = hud_group_begin(hud, HUD_TOP_LEFT, demo->title);
 	if (demo->clip < 0) {
 		hud_group_text(&group, "at rest", "");
 	} else {
@@ -296,6 +362,11 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 static void viewer_get_motion(
 	const struct demo *demo, struct overlay_motion *out)
 {
+	if (demo->behaviour) {
+		behaviour_get_motion(
+			demo->behaviour, demo->base.actor.model, out);
+		return;
+	}
 	out->clip = demo->clip;
 	out->time_s =
 		demo->joining ? (float)demo->join_s : demo->playback.time_s;
@@ -382,6 +453,22 @@ static void press_join(struct demo *demo, bool down)
 	}
 }
 
+static bool viewer_press(struct demo *demo, const struct button_event *event)
+{
+	if (demo->behaviour) {
+		behaviour_press(demo->behaviour, event);
+	}
+	return demo->behaviour;
+}
+
+static bool viewer_print_buttons(const struct demo *demo, FILE *out)
+{
+	if (demo->behaviour) {
+		behaviour_print_buttons(demo->behaviour, out);
+	}
+	return demo->behaviour;
+}
+
 static const struct demo_action viewer_actions[] = {
 	{BUTTON_UP, "play the previous clip (or tilt up)", press_up},
 	{BUTTON_DOWN, "play the next clip (or tilt down)", press_down},
@@ -401,6 +488,9 @@ const struct demo_driver demo_driver_viewer = {
 	.action = viewer_actions,
 	.size = sizeof(struct demo),
 	.prepare = viewer_prepare,
+	.finish = viewer_finish,
+	.press = viewer_press,
+	.print_buttons = viewer_print_buttons,
 	.update = viewer_update,
 	.draw = viewer_draw,
 	.period_s = viewer_period_s,

@@ -6,7 +6,7 @@
 
 /* Initialize it with {""}. */
 struct name_list {
-	char text[160];
+	char text[400];
 };
 
 /* Appends a name, or drops it when it does not fit any more. */

@@ -25,19 +25,20 @@ helped() {
 limber --help
 expect_status 0
 expect_no_err
-for command in play render pose info bench compare doctor export; do
+for command in play render pose info bench compare doctor export character; do
     expect_out "^ *limber $command "
 done
 cp "$out_file" "$scratch/long"
 limber -h
 check 'limber -h: the same' cmp "$scratch/long" "$out_file"
 
-helped play --demo --clip --time --frames --size --format --gl --egl-library \
+helped play --demo --character --clip --time --frames --size --format --gl --egl-library \
     --gles-library --display --fps --watchdog --buttons \
     --script --clock --math --kernel --verbose --help --version
 helped render --output --demo --clip --time --frames --size --format --gl --buttons \
     --script --clock --math --kernel --verbose --help --version
 helped pose --output --clip --time --math --kernel --verbose --help --version
+helped character --output --verbose --help --version
 helped info --json --verbose --help --version
 helped bench --kernel --runs --json --verbose --help --version
 helped doctor --config --egl-library --gles-library --json --verbose --help --version

@@ -2,6 +2,7 @@
 
 #include "platform/base/compiler.h"
 #include "platform/buttons/buttons.h"
+#include "platform/buttons/gpio_output.h"
 #include "platform/buttons/gpiod/gpiod_survey.h"
 #include "tests/gpiod/fake.h"
 #include "tests/support/log_capture.h"
@@ -419,6 +420,46 @@ static void test_a_survey_without_chips_is_one_finding(void **state)
 		"no GPIO chip", "CONFIG_GPIO_CDEV");
 }
 
+static void test_an_output_is_driven_and_given_back(void **state)
+{
+	struct bench *bench = *state;
+	struct fake_line *line = wire(bench, 7);
+	struct gpio_output *output;
+
+	line->high = true;
+	output = gpio_output_open(
+		"led", "53fd0000.gpio/7/active-low", &bench->log);
+	assert_non_null(output);
+	assert_true(line->requested && !line->input && line->high);
+	assert_string_equal(line->consumer, "limber led");
+	gpio_output_set(output, true);
+	assert_false(line->high);
+	gpio_output_set(output, false);
+	gpio_output_set(output, true);
+	gpio_output_close(output);
+	assert_true(line->high);
+	assert_int_equal(line->changes, 4);
+	assert_int_equal(bench->logged.count, 0);
+}
+
+static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
+{
+	struct bench *bench = *state;
+
+	wire(bench, 7)->holder = "heartbeat";
+	assert_null(gpio_output_open("led", "gpiochip2/7", &bench->log));
+	expect_warning(
+		bench, "output led: the line gpiochip2/7", "cannot be driven");
+	assert_null(gpio_output_open("led", "gpiochip9/7", &bench->log));
+	expect_warning(bench, "output led", "has the line gpiochip9/7");
+	gpio_output_set(NULL, true);
+	gpio_output_close(NULL);
+	assert_int_equal(gpio_output_check("gpiochip0/18", &bench->log), 0);
+	assert_int_equal(gpio_output_check("18", &bench->log), -EINVAL);
+	assert_contains(
+		bench->logged.sentence[0], "18: a number needs its chip");
+}
+
 int gpiod_cases_run(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
@@ -444,6 +485,8 @@ int gpiod_cases_run(void)
 		CASE(test_wrong_specs_are_refused),
 		CASE(test_a_survey_reports_chips_lines_and_their_users),
 		CASE(test_a_survey_without_chips_is_one_finding),
+		CASE(test_an_output_is_driven_and_given_back),
+		CASE(test_an_output_that_cannot_be_had_is_a_warning),
 	};
 #undef CASE
 

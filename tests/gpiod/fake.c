@@ -160,6 +160,19 @@ int fake_line_value(const struct fake_line *line)
 	return line->gone ? -1 : line->high != line->active_low;
 }
 
+int fake_line_drive(struct fake_line *line, bool active)
+{
+	bool high = active != line->active_low;
+
+	errno = EPERM;
+	if (!line->requested || line->input || line->gone) {
+		return -1;
+	}
+	line->changes += line->high != high;
+	line->high = high;
+	return 0;
+}
+
 int fake_line_read(struct fake_line *line, struct fake_edge *edges, int capacity)
 {
 	char bytes[FAKE_EDGES];

@@ -39,6 +39,7 @@ struct fake_line {
 	struct fake_edge edge[FAKE_EDGES];
 	int edges;
 	bool gone; /* its chip was unplugged */
+	int changes; /* of an output's level */
 };
 
 struct fake_chip {
@@ -81,6 +82,7 @@ int fake_chip_find(const struct fake_chip *chip, const char *name);
 int fake_line_request(struct fake_line *line, const char *consumer);
 void fake_line_release(struct fake_line *line);
 int fake_line_value(const struct fake_line *line);
+int fake_line_drive(struct fake_line *line, bool active);
 int fake_line_read(
 	struct fake_line *line, struct fake_edge *edges, int capacity);
 

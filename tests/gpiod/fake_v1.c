@@ -101,7 +101,6 @@ static enum fake_bias bias_of(int flags)
 int gpiod_line_request(struct gpiod_line *line,
 	const struct gpiod_line_request_config *config, int default_value)
 {
-	(void)default_value;
 	if (fake_line_request(fake_line(line), config->consumer) < 0) {
 		return -1;
 	}
@@ -111,7 +110,14 @@ int gpiod_line_request(struct gpiod_line *line,
 	fake_line(line)->active_low =
 		config->flags & GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW;
 	fake_line(line)->bias = bias_of(config->flags);
-	return 0;
+	return fake_line(line)->input
+		? 0
+		: fake_line_drive(fake_line(line), default_value);
+}
+
+int gpiod_line_set_value(struct gpiod_line *line, int value)
+{
+	return fake_line_drive(fake_line(line), value);
 }
 
 void gpiod_line_release(struct gpiod_line *line)

@@ -231,6 +231,9 @@ struct gpiod_line_request *gpiod_chip_request_lines(struct gpiod_chip *chip,
 	line->both_edges = line_cfg->settings.edge == GPIOD_LINE_EDGE_BOTH;
 	line->active_low = line_cfg->settings.active_low;
 	line->bias = bias_of(line_cfg->settings.bias);
+	if (!line->input) {
+		fake_line_drive(line, false);
+	}
 	return (struct gpiod_line_request *)line;
 }
 
@@ -249,6 +252,14 @@ enum gpiod_line_value gpiod_line_request_get_value(
 {
 	(void)offset;
 	return (enum gpiod_line_value)fake_line_value(fake_line(request));
+}
+
+int gpiod_line_request_set_value(struct gpiod_line_request *request,
+	unsigned int offset, enum gpiod_line_value value)
+{
+	(void)offset;
+	return fake_line_drive(
+		fake_line(request), value == GPIOD_LINE_VALUE_ACTIVE);
 }
 
 struct gpiod_edge_event_buffer *gpiod_edge_event_buffer_new(size_t capacity)

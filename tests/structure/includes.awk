@@ -3,7 +3,7 @@
 
 BEGIN {
     # Each layer may include itself and those before it.
-    layers = split("model embed anim scene compare demo cmd", layer)
+    layers = split("model embed anim scene compare character demo cmd", layer)
     for (i = 1; i <= layers; i++) {
         rank_of[layer[i]] = i
     }
@@ -15,6 +15,7 @@ BEGIN {
         "<strings.h> <sys/stat.h> <sys/types.h> <time.h> <unistd.h>", outside)
     listed("<jansson.h> <png.h> <jpeglib.h> <zlib.h>", library_model)
     listed("<jansson.h> <png.h>", library_compare)
+    listed("<ini.h>", library_character)
     listed("<jansson.h> <ini.h>", library_cmd)
 
     rule("named", "include paths begin at the top folder")
@@ -94,6 +95,7 @@ system_header && !(header in plain) && !(header in outside) &&
     header !~ /^<cglm\// &&
     !(from == rank_of["model"] && header in library_model) &&
     !(from == rank_of["compare"] && header in library_compare) &&
+    !(from == rank_of["character"] && header in library_character) &&
     !(from == rank_of["cmd"] && header in library_cmd) {
     broken("foreign")
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Includes run cmd -> demo -> compare -> scene -> anim -> model, from any of them
+# Includes run cmd -> demo -> character -> compare -> scene -> anim -> model, from any of them
 # to platform's public headers, and from platform to nothing of app. TREE is the
 # folder of app/ and platform/.
 rules=$(cd "$(dirname "$0")" && pwd)/includes.awk

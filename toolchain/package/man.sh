@@ -54,6 +54,9 @@ for command in $commands; do
         END { literal(0) }'
 done
 
+here=$(dirname "$0")
+awk -f "$here/man_page.awk" "$here/../../app/character/format.md"
+
 cat <<'END'
 .SH "EXIT STATUS"
 The exit status is 0 for success, 1 when a file, a device or memory failed, and 2

@@ -1,4 +1,5 @@
 #include "app/cmd/command.h"
+#include "app/cmd/doctor/doctor_character.h"
 #include "app/cmd/doctor/doctor_machine.h"
 #include "app/model/examine/examine.h"
 
@@ -26,9 +27,29 @@ static void take_finding(void *context, const char *sentence)
 	}
 }
 
+/* A finding that the compiler of character files logs. */
+static void log_finding(
+	void *context, enum log_level level, const char *sentence)
+{
+	(void)level;
+	take_finding(context, sentence);
+}
+
+static int examine_character(const char *path, size_t memory_bytes,
+	struct findings *findings, const struct log *log,
+	struct doctor_character *out)
+{
+	const struct log taken = {.write = log_finding,
+		.user = findings,
+		.threshold = LOG_WARNING};
+
+	return doctor_character_check(path, memory_bytes, &taken, log, out);
+}
+
 static int examine_in_words(
 	const char *path, size_t memory_bytes, const struct log *log)
 {
+	struct doctor_character character;
 	struct findings findings = {0};
 	const struct examiner examiner = {take_finding, &findings};
 	int error = model_examine(path, memory_bytes, &examiner, log);
@@ -37,12 +58,22 @@ static int examine_in_words(
 		printf("%s: it contains nothing that players are known to get wrong\n",
 			path);
 	}
+	if (!error) {
+		error = examine_character(
+			path, memory_bytes, &findings, log, &character);
+	}
+	if (!error && character.right) {
+		printf("%s: it fits the model: %d states, %d layers, %d effects and expressions, %d buttons\n",
+			character.path, character.states, character.layers,
+			character.effects, character.buttons);
+	}
 	return error;
 }
 
 static int examine_in_json(
 	const char *path, size_t memory_bytes, const struct log *log)
 {
+	struct doctor_character character;
 	struct findings findings = {.list = json_array()};
 	const struct examiner examiner = {take_finding, &findings};
 	json_t *root = json_pack(
@@ -56,6 +87,10 @@ static int examine_in_json(
 		goto out;
 	}
 	error = model_examine(path, memory_bytes, &examiner, log);
+	if (!error) {
+		error = examine_character(
+			path, memory_bytes, &findings, log, &character);
+	}
 	if (!error) {
 		bool dumped = !findings.failed &&
 			json_dumpf(root, stdout,
@@ -99,7 +134,7 @@ const struct command command_doctor = {
 		"status is 0 when limber can play: a display and a GL driver work.\n"
 		"\n"
 		"With a model, limber lists everything in the file that players are known to get wrong, and\n"
-		"says what limber does there.\n"
+		"says what limber does there. It also checks the character file that lies beside the model.\n"
 		"\n"
 		"  limber doctor\n"
 		"  limber doctor --json | jq '.findings[] | select(.state != \"works\")'\n"

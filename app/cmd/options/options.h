@@ -31,7 +31,8 @@ enum command_bit {
 	FOR_COMPARE = 32,
 	FOR_DOCTOR = 64,
 	FOR_EXPORT = 128,
-	FOR_ALL = 255,
+	FOR_CHARACTER = 256,
+	FOR_ALL = 511,
 };
 
 /* The value of --math: which arithmetic computes the vertices. */
@@ -103,6 +104,7 @@ struct options_input {
 /* What play and render show, for how long, and which files they write. */
 struct options_show {
 	const char *demo;
+	const char *character; /* a file or "none" */
 	struct clock clock;
 	int frames;
 	double fps;

@@ -178,12 +178,15 @@ enum {
 
 /* clang-format off */
 const struct option_entry option_entries[] = {
-	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY,
+	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY | FOR_CHARACTER,
 		"write to this file",
 		"the name of a file", TEXT(screen.output)},
 	{0, "demo", "NAME", FOR_SHOW,
 		"show a built-in demo: walker, arm, face, crowd, duel or tuner",
 		"the name of a demo", TEXT(show.demo)},
+	{0, "character", "FILE", FOR_SHOW,
+		"let the model behave as this file says; the default is MODEL's .character",
+		"the name of a character file, or none", TEXT(show.character)},
 	{0, "clip", "NAME", FOR_VERTICES | FOR_COMPARE | FOR_EXPORT,
 		"use this animation of the model, by its name or its number from 0",
 		"the name or the number of a clip", TEXT(motion.clip)},

@@ -81,16 +81,24 @@ enum program_action program_keys_update(
 	return PROGRAM_TOGGLE_GRAPH;
 }
 
-void program_keys_print(
-	FILE *out, const struct demo_driver *demo, bool has_camera)
+static void print_actions(
+	FILE *out, const struct demo_driver *driver, bool has_camera)
 {
-	fprintf(out, "%s: %s\n", demo->name, demo->summary);
-	for (const struct demo_action *action = demo->action; action->run;
+	for (const struct demo_action *action = driver->action; action->run;
 		action++) {
 		if (!has_camera || action->button != BUTTON_F10) {
 			fprintf(out, "  %-6s %s\n", button_name(action->button),
 				action->summary);
 		}
+	}
+}
+
+void program_keys_print(FILE *out, const struct demo_driver *driver,
+	const struct demo *demo, bool has_camera)
+{
+	fprintf(out, "%s: %s\n", driver->name, driver->summary);
+	if (!driver->print_buttons || !driver->print_buttons(demo, out)) {
+		print_actions(out, driver, has_camera);
 	}
 	if (has_camera) {
 		fputs("  F10    change what the camera's pictures are for\n",

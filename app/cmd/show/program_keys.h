@@ -57,7 +57,7 @@ enum program_action program_keys_update(
 	struct program_keys *keys, int64_t now_ms);
 
 /* Prints what each button does in this demo. */
-void program_keys_print(
-	FILE *out, const struct demo_driver *demo, bool has_camera);
+void program_keys_print(FILE *out, const struct demo_driver *driver,
+	const struct demo *demo, bool has_camera);
 
 #endif

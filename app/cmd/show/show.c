@@ -73,6 +73,7 @@ static int open_demo(struct show *show)
 		.no_labels = options->show.no_labels,
 		.model_path = show->plan->model_path,
 		.memory_bytes = options->common.memory_bytes,
+		.character = options->show.character,
 		.clip = options->motion.clip,
 		.interpolation = options->motion.interpolation,
 		.repeat = options->motion.repeat,
@@ -140,7 +141,7 @@ static int run(struct show *show)
 	}
 	if (show->plan->print_keys) {
 		program_keys_print(
-			stdout, show->plan->demo, show->keys.has_camera);
+			stdout, show->plan->demo, show->demo, show->keys.has_camera);
 	}
 	error = show_loop_run(show);
 	if (!error && stats) {

@@ -22,6 +22,7 @@ enum gpio_bias {
 };
 
 struct gpio_settings {
+	bool output; /* the line is driven, inactive at first; else an input */
 	bool active_low;
 	enum gpio_bias bias;
 };
@@ -58,13 +59,15 @@ int gpio_line_get_info(struct gpio_chip *chip, unsigned int offset,
 	struct gpio_line_info *out);
 
 /*
- * Requests a line as an input that reports both edges. Other programs see
- * consumer as the name of its user. Returns 0 or -errno; -EBUSY when the line
+ * Requests a line: an input reports both edges. Other programs see consumer as the name of its user. Returns 0 or -errno; -EBUSY when the line
  * is in use.
  */
 int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	const struct gpio_settings *settings, const char *consumer,
 	struct gpio_line **out);
+
+/* Makes an output line active or inactive. Returns 0 or -errno. */
+int gpio_line_drive(struct gpio_line *line, bool active);
 
 /* NULL is fine. */
 void gpio_line_release(struct gpio_line *line);

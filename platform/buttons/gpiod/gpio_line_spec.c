@@ -153,3 +153,25 @@ int gpio_line_spec_parse(
 	}
 	return 0;
 }
+
+int gpio_line_spec_parse_output(
+	const char *text, struct gpio_line_spec *out, const struct log *log)
+{
+	char copy[TEXT_BYTES];
+	const char *wrong;
+
+	*out = (struct gpio_line_spec){.button = BUTTON_COUNT};
+	if (strlen(text) >= sizeof(copy)) {
+		log_error(log, "%.20s...: a line may have at most %d characters",
+			text, TEXT_BYTES - 1);
+		return -EINVAL;
+	}
+	memcpy(copy, text, strlen(text) + 1);
+	wrong = read_words(out, copy);
+	if (wrong) {
+		log_error(log, "%s: %s", text, wrong);
+		return -EINVAL;
+	}
+	out->settings.output = true;
+	return 0;
+}

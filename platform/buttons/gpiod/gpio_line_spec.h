@@ -31,4 +31,10 @@ struct gpio_line_spec {
 int gpio_line_spec_parse(
 	const char *text, struct gpio_line_spec *out, const struct log *log);
 
+/*
+ * Reads the same without "BUTTON=", for an output; .button is BUTTON_COUNT.
+ */
+int gpio_line_spec_parse_output(
+	const char *text, struct gpio_line_spec *out, const struct log *log);
+
 #endif

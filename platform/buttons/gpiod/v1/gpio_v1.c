@@ -103,7 +103,9 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 {
 	const struct gpiod_line_request_config config = {
 		.consumer = consumer,
-		.request_type = GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
+		.request_type = settings->output
+			? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT
+			: GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
 		.flags = request_flags(settings),
 	};
 	struct gpiod_line *line = gpiod_chip_get_line(to_chip(chip), offset);
@@ -113,6 +115,12 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	}
 	*out = (struct gpio_line *)line;
 	return 0;
+}
+
+int gpio_line_drive(struct gpio_line *line, bool active)
+{
+	return gpiod_line_set_value(to_line(line), active) < 0 ? last_error()
+							       : 0;
 }
 
 void gpio_line_release(struct gpio_line *line)

@@ -113,10 +113,12 @@ static struct gpiod_line_settings *make_settings(
 	struct gpiod_line_settings *made = gpiod_line_settings_new();
 
 	if (made &&
-		(gpiod_line_settings_set_direction(
-			 made, GPIOD_LINE_DIRECTION_INPUT) < 0 ||
-			gpiod_line_settings_set_edge_detection(
-				made, GPIOD_LINE_EDGE_BOTH) < 0 ||
+		(gpiod_line_settings_set_direction(made,
+			 settings->output ? GPIOD_LINE_DIRECTION_OUTPUT
+					  : GPIOD_LINE_DIRECTION_INPUT) < 0 ||
+			gpiod_line_settings_set_edge_detection(made,
+				settings->output ? GPIOD_LINE_EDGE_NONE
+						 : GPIOD_LINE_EDGE_BOTH) < 0 ||
 			gpiod_line_settings_set_bias(
 				made, bias[settings->bias]) < 0)) {
 		gpiod_line_settings_free(made);
@@ -180,6 +182,15 @@ out_events:
 out_free:
 	free(line);
 	return error;
+}
+
+int gpio_line_drive(struct gpio_line *line, bool active)
+{
+	return gpiod_line_request_set_value(line->request, line->offset,
+		       active ? GPIOD_LINE_VALUE_ACTIVE
+			      : GPIOD_LINE_VALUE_INACTIVE) < 0
+		? last_error()
+		: 0;
 }
 
 void gpio_line_release(struct gpio_line *line)

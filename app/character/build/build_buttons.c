@@ -1,0 +1,206 @@
+#include "app/character/build/build.h"
+
+#include <errno.h>
+#include <string.h>
+
+/* "UP", "UP long", "UP+DOWN" as libinih gives it: the key without "=". */
+static int read_buttons(struct character_words *words,
+	struct character_binding *binding, const char **gesture)
+{
+	char name[32];
+	const char *key = words->line->key;
+	size_t length = strcspn(key, " \t+");
+	size_t blank;
+
+	if (length >= sizeof(name)) {
+		length = sizeof(name) - 1;
+	}
+	memcpy(name, key, length);
+	name[length] = '\0';
+	binding->button = button_from_name(name);
+	binding->second = BUTTON_COUNT;
+	*gesture = "";
+	if (key[length] == '+') {
+		binding->second = button_from_name(key + length + 1);
+		binding->gesture = CHARACTER_TOGETHER;
+	} else {
+		blank = strspn(key + length, " \t");
+		*gesture = key + length + blank;
+	}
+	if (binding->button == BUTTON_COUNT ||
+		(key[length] == '+' &&
+			(binding->second == BUTTON_COUNT ||
+				binding->second == binding->button))) {
+		return character_fail(words,
+			"this is no button: use UP, DOWN, LEFT, RIGHT, ENTER, F6, F8, F9 or F10, perhaps with \" hold\", \" long\" or \" release\" behind it, or two such as UP+DOWN");
+	}
+	return 0;
+}
+
+static int read_gesture(struct character_words *words,
+	struct character_binding *binding, const char *gesture)
+{
+	static const char *const names[] = {
+		[CHARACTER_PRESS] = "",
+		[CHARACTER_RELEASE] = "release",
+		[CHARACTER_HOLD] = "hold",
+		[CHARACTER_LONG] = "long",
+	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
+		if (binding->gesture != CHARACTER_TOGETHER &&
+			strcmp(gesture, names[i]) == 0) {
+			binding->gesture = (enum character_gesture)i;
+			/* limber itself uses F9 while it is held. */
+			return i != CHARACTER_PRESS &&
+					binding->button == BUTTON_F9
+				? character_fail(words,
+					  "limber uses F9 while it is held: choose another button")
+				: 0;
+		}
+	}
+	if (binding->gesture != CHARACTER_TOGETHER) {
+		return character_fail(words,
+			"%s is not one of hold, long and release", gesture);
+	}
+	return binding->button == BUTTON_F9 || binding->second == BUTTON_F9
+		? character_fail(words,
+			  "limber uses F9 together with others: choose another button")
+		: 0;
+}
+
+/* The opposite of an action that lasts while a button is held. */
+static int add_after(struct character_words *words,
+	const struct character_action *action, struct character_action **after)
+{
+	struct character *character = words->build->character;
+	struct character_action *one;
+
+	if (action->verb != CHARACTER_SET && action->verb != CHARACTER_SWITCH) {
+		return 0;
+	}
+	one = ARENA_NEW(words->build->arena, struct character_action);
+	if (!one) {
+		return character_fail_memory(words->build);
+	}
+	*one = *action;
+	one->amount = action->verb == CHARACTER_SET
+		? character->parameter[action->index].start
+		: action->amount > 0 ? 0
+				     : 1;
+	one->next = *after;
+	*after = one;
+	return 0;
+}
+
+/* The words of the line as the file has them, for people. */
+static const char *make_label(struct character_words *words)
+{
+	char text[256] = "";
+	size_t used = 0;
+
+	for (int i = 0; i < words->line->word_count; i++) {
+		const char *word = words->line->word[i].text;
+		int length = snprintf(text + used, sizeof(text) - used, "%s%s",
+			used && *word != ',' ? " " : "", word);
+
+		if (length < 0 || (size_t)length >= sizeof(text) - used) {
+			break;
+		}
+		used += (size_t)length;
+	}
+	return arena_strdup(words->build->arena, text);
+}
+
+/* BUTTON = ACTION, ACTION ... ["what it does"] */
+static int read_binding(
+	struct character_words *words, struct character_binding *binding)
+{
+	struct character_action *action = NULL, *after = NULL;
+	const char *gesture;
+	bool all_held = true;
+	int error = read_buttons(words, binding, &gesture);
+
+	if (!error) {
+		error = read_gesture(words, binding, gesture);
+	}
+	if (error) {
+		return error;
+	}
+	do {
+		bool is_held = false;
+
+		error = character_read_action(words, &action, &is_held);
+		all_held = all_held && is_held;
+	} while (!error && character_take(words, ","));
+	if (error) {
+		return error;
+	}
+	if (!character_at_end(words) && words->line->word[words->next].quoted) {
+		binding->label = character_next_word(words);
+	} else {
+		binding->label = make_label(words);
+	}
+	if (!binding->label) {
+		return character_fail_memory(words->build);
+	}
+	if (!character_at_end(words)) {
+		return character_fail(words,
+			"%s is too much: give actions with commas between and what they do in quotes",
+			words->line->word[words->next].text);
+	}
+	/* Motion goes on as long as the button is down. */
+	if (binding->gesture == CHARACTER_PRESS &&
+		(action->verb == CHARACTER_MOVE ||
+			action->verb == CHARACTER_TURN ||
+			action->verb == CHARACTER_TILT ||
+			action->verb == CHARACTER_ZOOM)) {
+		binding->gesture = CHARACTER_HOLD;
+	}
+	binding->action = action;
+	for (; action && binding->gesture == CHARACTER_HOLD && !error;
+		action = action->next) {
+		error = add_after(words, action, &after);
+	}
+	binding->after = after;
+	return error;
+}
+
+static void note(
+	struct character *character, const struct character_binding *binding)
+{
+	struct character_button *button = &character->button[binding->button];
+
+	button->has_long |= binding->gesture == CHARACTER_LONG;
+	if (binding->gesture == CHARACTER_TOGETHER) {
+		button->joins = true;
+		character->button[binding->second].joins = true;
+	}
+}
+
+int character_build_buttons(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "buttons");
+	struct character_binding **last = &character->binding;
+	int error = 0;
+
+	for (const struct character_line *line = section ? section->first : NULL;
+		line && !error; line = line->next) {
+		struct character_words words = {build, line, 0};
+		struct character_binding *binding =
+			ARENA_NEW(build->arena, struct character_binding);
+
+		if (!binding) {
+			return character_fail_memory(build);
+		}
+		error = read_binding(&words, binding);
+		if (!error) {
+			note(character, binding);
+			*last = binding;
+			last = &binding->next;
+		}
+	}
+	return error;
+}

@@ -1,0 +1,238 @@
+#include "app/character/build/build.h"
+
+#include "app/anim/math/vec.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	SAMPLES = 48
+};
+
+static int read_marks(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_clip *clip = member;
+	float duration_s = clip->clip ? clip->clip->duration_s : 0;
+
+	clip->mark_count = 0;
+	while (!character_at_end(words)) {
+		float *mark = &clip->mark[clip->mark_count];
+
+		if (clip->mark_count == CHARACTER_MARKS_MAX ||
+			!character_take_number(words, mark) || *mark < 0 ||
+			*mark > duration_s ||
+			(clip->mark_count > 0 && *mark <= mark[-1])) {
+			return character_fail(words,
+				"give at most %d increasing times within the clip's %g s, such as %s",
+				CHARACTER_MARKS_MAX, (double)duration_s,
+				key->right);
+		}
+		clip->mark_count++;
+		character_take(words, ",");
+	}
+	return 0;
+}
+
+static int read_event(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_clip *clip = member;
+	struct character_event **last = &clip->event;
+	float duration_s = clip->clip ? clip->clip->duration_s : 0;
+	struct character_action *action = NULL;
+	float time_s;
+	int error;
+
+	if (!character_take_number(words, &time_s) || time_s < 0 ||
+		time_s > duration_s) {
+		return character_fail(words,
+			"an event begins with its time within the clip's %g s: give %s",
+			(double)duration_s, key->right);
+	}
+	do {
+		error = character_read_action(words, &action, NULL);
+	} while (!error && character_take(words, ","));
+	while (*last) {
+		last = &(*last)->next;
+	}
+	*last = ARENA_NEW(words->build->arena, struct character_event);
+	if (!*last) {
+		return character_fail_memory(words->build);
+	}
+	**last = (struct character_event){time_s, action, NULL};
+	return error;
+}
+
+static const struct character_key keys[] = {
+	{"marks", read_marks, 0, 0, 0, NULL, "0.1 0.6"},
+	{"event", read_event, 0, 0, 0, NULL,
+		"a time and actions, such as 0.25 line step"},
+	{0},
+};
+
+/* The world positions of the nodes at a time of the clip. */
+static void pose_at(const struct character_build *build,
+	const struct character_clip *clip, float fraction)
+{
+	struct instance *instance = build->character->instance;
+
+	pose_rest(&instance->pose, build->model);
+	if (clip->clip) {
+		clip_sample(clip->clip, fraction * clip->clip->duration_s,
+			&(struct clip_cursor){0}, &instance->pose);
+	}
+	instance_update_nodes(instance);
+}
+
+static void copy_position(
+	const struct character_build *build, int node, float out[3])
+{
+	memcpy(out, build->character->instance->world[node][3],
+		sizeof(float[3]));
+}
+
+/* What the root travels from the start of the clip to its end. */
+static void find_travel(
+	const struct character_build *build, struct character_clip *clip)
+{
+	int root = build->character->motion.root;
+	struct pose *pose = &build->character->instance->pose;
+	float start[3], local[3], end[3];
+
+	if (root < 0 || !clip->clip || clip->clip->duration_s <= 0) {
+		return;
+	}
+	pose_at(build, clip, 0);
+	copy_position(build, root, start);
+	memcpy(local, pose->local[root].translation, sizeof(local));
+	pose_at(build, clip, 1);
+	copy_position(build, root, end);
+	vec_subtract(pose->local[root].translation, local, clip->travel);
+	clip->ground_m_per_s[0] = (end[0] - start[0]) / clip->clip->duration_s;
+	clip->ground_m_per_s[1] = (end[2] - start[2]) / clip->clip->duration_s;
+}
+
+/* How far the first foot is ahead of the second one, along x and z. */
+static void sample_feet(const struct character_build *build,
+	const struct character_clip *clip, float ahead[SAMPLES][2])
+{
+	struct character_motion *motion = &build->character->motion;
+
+	for (int i = 0; i < SAMPLES; i++) {
+		float foot[2][3];
+
+		pose_at(build, clip, (float)i / SAMPLES);
+		for (int f = 0; f < 2; f++) {
+			copy_position(build, motion->foot[f], foot[f]);
+			if (foot[f][1] < motion->low_m[f]) {
+				motion->low_m[f] = foot[f][1];
+			}
+		}
+		ahead[i][0] = foot[0][0] - foot[1][0];
+		ahead[i][1] = foot[0][2] - foot[1][2];
+	}
+}
+
+/* The samples where the value is least and largest. */
+static float find_extremes(
+	float ahead[SAMPLES][2], int axis, int *least, int *most)
+{
+	*least = *most = 0;
+	for (int i = 1; i < SAMPLES; i++) {
+		*least = ahead[i][axis] < ahead[*least][axis] ? i : *least;
+		*most = ahead[i][axis] > ahead[*most][axis] ? i : *most;
+	}
+	return ahead[*most][axis] - ahead[*least][axis];
+}
+
+/* Marks where each foot is ahead of the other one most, if they step. */
+static void find_steps(
+	const struct character_build *build, struct character_clip *clip)
+{
+	struct character_motion *motion = &build->character->motion;
+	float ahead[SAMPLES][2];
+	int first[2], second[2], axis;
+	float range[2];
+
+	if (motion->foot[0] < 0) {
+		return;
+	}
+	sample_feet(build, clip, ahead);
+	for (axis = 0; axis < 2; axis++) {
+		range[axis] =
+			find_extremes(ahead, axis, &second[axis], &first[axis]);
+	}
+	axis = range[1] >= range[0] ? 1 : 0;
+	if (!clip->clip || clip->mark_count > 0 ||
+		range[axis] < 2 * motion->near_m || first[axis] == second[axis]) {
+		return;
+	}
+	/* The first mark is the first foot's, so the second may lie beyond the
+	   clip's end. */
+	clip->mark_count = 2;
+	clip->mark[0] = clip->clip->duration_s * (float)first[axis] / SAMPLES;
+	clip->mark[1] = clip->clip->duration_s * (float)second[axis] / SAMPLES;
+	if (second[axis] < first[axis]) {
+		clip->mark[1] += clip->clip->duration_s;
+	}
+}
+
+/* All clips of the model, then the rest pose. */
+int character_build_clip_list(struct character_build *build)
+{
+	struct character *character = build->character;
+
+	character->clip_count = build->model->clip_count + 1;
+	character->clip = ARENA_ARRAY(build->arena, struct character_clip,
+		(size_t)character->clip_count);
+	if (!character->clip) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; i < build->model->clip_count; i++) {
+		character->clip[i].clip = &build->model->clip[i];
+	}
+	return 0;
+}
+
+static int find_named(
+	struct character_build *build, const struct character_section *section)
+{
+	struct character_word word = {section->name, true};
+	struct character_line line = {.file = section->file,
+		.number = section->number,
+		.section = section->heading,
+		.key = "name",
+		.word_count = 1,
+		.word = &word};
+	struct character_words words = {build, &line, 0};
+
+	return character_name_clip(&words);
+}
+
+int character_build_clips(struct character_build *build)
+{
+	struct character *character = build->character;
+	int error = 0;
+
+	for (const struct character_section *section =
+			character_text_find(build->text->first, "clip");
+		section && !error;
+		section = character_text_find(section->next, "clip")) {
+		int clip = find_named(build, section);
+
+		error = clip == -1
+			? -EINVAL
+			: character_read_section(build, section, keys,
+				  &character->clip[clip < 0
+						  ? character->clip_count - 1
+						  : clip]);
+	}
+	for (int i = 0; i < character->clip_count && !error; i++) {
+		find_travel(build, &character->clip[i]);
+		find_steps(build, &character->clip[i]);
+	}
+	pose_rest(&character->instance->pose, build->model);
+	instance_update_nodes(character->instance);
+	return error;
+}

@@ -1,0 +1,209 @@
+#include "app/character/build/build.h"
+
+#include "app/anim/pose_blend.h"
+#include "app/character/run/layers.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	MASKS_MAX = 32
+};
+
+/* What a layer's section says, of which masks and clip are made later. */
+struct draft {
+	struct character_layer layer;
+	int clip; /* -1: none was given */
+	int soft; /* levels over which the mask's edge fades */
+	int mask_count;
+	struct {
+		int node;
+		float weight;
+	} mask[MASKS_MAX];
+};
+
+static int read_clip(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	(void)key;
+	*(int *)member = character_name_clip(words);
+	return *(int *)member == -1 ? -EINVAL : 0;
+}
+
+/* Whether node is below, or is, the one at the top; and by how many levels. */
+static bool is_below(const struct model *model, int node, int top, int *levels)
+{
+	*levels = 0;
+	while (node > top) {
+		node = model->node[node].parent;
+		(*levels)++;
+	}
+	return node == top;
+}
+
+/* Nodes below the top get the weight, the first ones a part of it. */
+static void mask_subtree(
+	float *mask, const struct model *model, int top, float weight, int soft)
+{
+	for (int i = top; i < model->node_count; i++) {
+		int levels;
+
+		if (is_below(model, i, top, &levels)) {
+			mask[i] = levels < soft ? weight * (float)(levels + 1) /
+					(float)(soft + 1)
+						: weight;
+		}
+	}
+}
+
+/* mask = NODE [WEIGHT], NODE [WEIGHT] ...; also in several lines. */
+static int read_mask(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct draft *draft = member;
+
+	do {
+		int node = character_name_node(words);
+		float weight = 1;
+
+		if (node < 0) {
+			return -EINVAL;
+		}
+		if (character_take_number(words, &weight) &&
+			(weight < 0 || weight > 1)) {
+			return character_fail(words,
+				"a weight is from 0 to 1: give %s", key->right);
+		}
+		if (draft->mask_count == MASKS_MAX) {
+			return character_fail(words,
+				"a layer has at most %d masks", MASKS_MAX);
+		}
+		draft->mask[draft->mask_count].node = node;
+		draft->mask[draft->mask_count++].weight = weight;
+	} while (character_take(words, ","));
+	return 0;
+}
+
+static const char *const modes[] = {"override", "additive", NULL};
+static const char *const plays[] = {"loop", "once", NULL};
+
+/* Reads one of two words; the second one is true. */
+static int read_either(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int choice = 0;
+	int error = character_read_choice(words, key, &choice);
+
+	*(bool *)member = choice == 1;
+	return error;
+}
+
+static const struct character_key keys[] = {
+	CHARACTER_SWITCH_KEYS(struct draft, layer.is),
+	{"clip", read_clip, offsetof(struct draft, clip), 0, 0, NULL,
+		"the name of a clip"},
+	{"mode", read_either, offsetof(struct draft, layer.additive), 0, 0,
+		modes, "override or additive"},
+	{"play", read_either, offsetof(struct draft, layer.once), 0, 0, plays,
+		"loop or once"},
+	{"rate", character_read_value, offsetof(struct draft, layer.rate), -100,
+		100, NULL, "a number from -100 to 100, or a parameter"},
+	{"mask", read_mask, 0, 0, 0, NULL,
+		"a node and perhaps a weight, such as shoulder.R 1"},
+	{"soft", character_read_count, offsetof(struct draft, soft), 0, 16,
+		NULL, "a whole number of levels from 0 to 16"},
+	{0},
+};
+
+_Static_assert(offsetof(struct draft, layer) == 0,
+	"keys of a layer are keys of a draft");
+
+static int make_mask(struct character_build *build, const struct draft *draft,
+	struct character_layer *layer)
+{
+	const struct model *model = build->model;
+
+	if (draft->mask_count == 0) {
+		return 0;
+	}
+	layer->mask =
+		ARENA_ARRAY(build->arena, float, (size_t)model->node_count);
+	if (!layer->mask) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; i < draft->mask_count; i++) {
+		mask_subtree(layer->mask, model, draft->mask[i].node,
+			draft->mask[i].weight, draft->soft);
+	}
+	return 0;
+}
+
+/* The pose whose difference to the clip an additive layer adds. */
+static int make_reference(
+	struct character_build *build, struct character_layer *layer)
+{
+	const struct model_clip *clip = layer->entry.of->clip;
+
+	if (!layer->additive) {
+		return 0;
+	}
+	if (pose_init(&layer->reference, build->model, build->arena)) {
+		return character_fail_memory(build);
+	}
+	if (clip) {
+		clip_sample(
+			clip, 0, &(struct clip_cursor){0}, &layer->reference);
+	}
+	return 0;
+}
+
+static int build_layer(struct character_build *build,
+	const struct character_section *section, struct character_layer *layer)
+{
+	static const float one = 1;
+	struct draft draft = {.clip = -1};
+	int error = character_add_switch(build, section, &layer->is);
+
+	layer->rate = &one;
+	draft.layer = *layer;
+	if (!error) {
+		error = character_read_section(build, section, keys, &draft);
+	}
+	*layer = draft.layer;
+	if (!error && draft.clip == -1) {
+		return character_fail_section(build, section,
+			"a layer plays a clip: add clip = NAME");
+	}
+	if (!error) {
+		error = character_init_entry(build, draft.clip, &layer->entry);
+	}
+	if (!error) {
+		error = make_mask(build, &draft, layer);
+	}
+	if (!error) {
+		error = make_reference(build, layer);
+	}
+	character_add_op(
+		build, CHARACTER_STAGE_LAYER, character_layer_run, layer);
+	return error;
+}
+
+int character_build_layers(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "layer");
+	int error = 0;
+
+	character->layer_count = character_text_count(build->text, "layer");
+	character->layer = ARENA_ARRAY(build->arena, struct character_layer,
+		(size_t)character->layer_count);
+	if (!character->layer) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		error = build_layer(build, section, &character->layer[i]);
+		section = character_text_find(section->next, "layer");
+	}
+	return error;
+}

@@ -1,0 +1,372 @@
+#include "app/character/build/build.h"
+
+#include "app/character/run/layers.h"
+
+#include <errno.h>
+#include <string.h>
+
+enum {
+	PARTS_MAX = 32,
+	KEYS_MAX = 64
+};
+
+/* The first node whose mesh has morph targets, or -1. */
+static int first_morphed(const struct model *model)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		int mesh = model->node[i].mesh;
+
+		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
+			return i;
+		}
+	}
+	return -1;
+}
+
+/* Reads the section's node, or takes the first one with morph targets. */
+static int find_node(struct character_build *build,
+	const struct character_section *section, int *node)
+{
+	*node = first_morphed(build->model);
+	for (const struct character_line *line = section->first; line;
+		line = line->next) {
+		struct character_words words = {build, line, 0};
+
+		if (strcmp(line->key, "node") == 0) {
+			int named = character_name_node(&words);
+			int mesh =
+				named < 0 ? -1 : build->model->node[named].mesh;
+
+			if (named < 0) {
+				return -EINVAL;
+			}
+			if (mesh < 0 ||
+				build->model->mesh[mesh].target_count == 0) {
+				return character_fail(&words,
+					"the node has no morph targets: name one that has");
+			}
+			*node = named;
+		}
+	}
+	return *node >= 0 ? 0
+			  : character_fail_section(build, section,
+				    "the model has no morph targets");
+}
+
+static int skip_word(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	(void)key;
+	(void)member;
+	character_next_word(words);
+	return 0;
+}
+
+/* A mix of targets: TARGET [AMOUNT], TARGET [AMOUNT] ... */
+struct mix {
+	int node;
+	int count;
+	int target[PARTS_MAX];
+	float amount[PARTS_MAX];
+};
+
+static int read_mix(
+	struct character_words *words, const char *right, struct mix *mix)
+{
+	do {
+		int target = character_name_target(words, mix->node);
+		float amount = 1;
+
+		if (target < 0) {
+			return -EINVAL;
+		}
+		if (character_take_number(words, &amount) &&
+			(amount < -10 || amount > 10)) {
+			return character_fail(words,
+				"an amount is from -10 to 10: give %s", right);
+		}
+		if (mix->count == PARTS_MAX) {
+			return character_fail(words,
+				"at most %d targets can be mixed", PARTS_MAX);
+		}
+		mix->target[mix->count] = target;
+		mix->amount[mix->count++] = amount;
+	} while (character_take(words, ","));
+	return 0;
+}
+
+struct expression_draft {
+	struct character_expression expression;
+	struct mix mix;
+};
+
+static int read_targets(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	return read_mix(words, key->right, member);
+}
+
+static const struct character_key expression_keys[] = {
+	CHARACTER_SWITCH_KEYS(struct expression_draft, expression.is),
+	{"node", skip_word, 0, 0, 0, NULL, "the name of a node"},
+	{"targets", read_targets, offsetof(struct expression_draft, mix), 0, 0,
+		NULL, "targets and amounts, such as smile 1, blink 0.3"},
+	{0},
+};
+
+static int build_expression(struct character_build *build,
+	const struct character_section *section,
+	struct character_expression *expression)
+{
+	struct expression_draft draft = {.mix = {0}};
+	int error = character_add_switch(build, section, &expression->is);
+	int first;
+
+	draft.expression = *expression;
+	if (!error) {
+		error = find_node(build, section, &draft.mix.node);
+	}
+	if (!error) {
+		error = character_read_section(
+			build, section, expression_keys, &draft);
+	}
+	if (error) {
+		return error;
+	}
+	if (draft.mix.count == 0) {
+		return character_fail_section(build, section,
+			"an expression mixes targets: add targets = NAME AMOUNT");
+	}
+	*expression = draft.expression;
+	expression->count = draft.mix.count;
+	expression->target =
+		ARENA_ARRAY(build->arena, int, (size_t)draft.mix.count);
+	expression->amount =
+		ARENA_ARRAY(build->arena, float, (size_t)draft.mix.count);
+	if (!expression->target || !expression->amount) {
+		return character_fail_memory(build);
+	}
+	first = build->model->node[draft.mix.node].weight_offset;
+	for (int i = 0; i < draft.mix.count; i++) {
+		expression->target[i] = first + draft.mix.target[i];
+		expression->amount[i] = draft.mix.amount[i];
+	}
+	character_add_op(build, CHARACTER_STAGE_MORPH, character_expression_run,
+		expression);
+	return 0;
+}
+
+int character_build_expressions(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "expression");
+	int error = 0;
+
+	character->expression_count =
+		character_text_count(build->text, "expression");
+	character->expression =
+		ARENA_ARRAY(build->arena, struct character_expression,
+			(size_t)character->expression_count);
+	if (!character->expression) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		error = build_expression(
+			build, section, &character->expression[i]);
+		section = character_text_find(section->next, "expression");
+	}
+	return error;
+}
+
+/* Adds a key frame with all weights 0. */
+static int add_key(struct character_build *build, struct character_morph *morph,
+	const char *name)
+{
+	float *weight =
+		ARENA_ARRAY(build->arena, float, (size_t)morph->target_count);
+
+	if (!weight) {
+		return character_fail_memory(build);
+	}
+	morph->key[morph->key_count] = weight;
+	morph->key_name[morph->key_count++] = name;
+	return 0;
+}
+
+/* key = NAME, TARGET [AMOUNT], ... */
+static int read_key(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_morph *morph = member;
+	struct mix mix = {.node = morph->node};
+	const char *name = character_next_word(words);
+	int error;
+
+	if (!name) {
+		return character_fail(
+			words, "the name is missing: give %s", key->right);
+	}
+	if (morph->key_count == KEYS_MAX) {
+		return character_fail(
+			words, "a morph has at most %d key frames", KEYS_MAX);
+	}
+	error = add_key(words->build, morph, name);
+	if (!error && character_take(words, ",")) {
+		error = read_mix(words, key->right, &mix);
+	}
+	for (int i = 0; i < mix.count && !error; i++) {
+		morph->key[morph->key_count - 1][mix.target[i]] = mix.amount[i];
+	}
+	return error;
+}
+
+static int read_curve(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_morph *morph = member;
+	int wanted = 0;
+
+	if (character_take(words, "linear")) {
+		morph->curve = CHARACTER_CURVE_LINEAR;
+		return 0;
+	}
+	if (character_take(words, "sine")) {
+		morph->curve = CHARACTER_CURVE_SINE;
+		return character_read_number(words, key, &morph->amplitude_m);
+	}
+	morph->table_count = 0;
+	if (character_take(words, "bezier")) {
+		morph->curve = CHARACTER_CURVE_BEZIER;
+		wanted = 4;
+	} else if (character_take(words, "table")) {
+		morph->curve = CHARACTER_CURVE_TABLE;
+	} else {
+		return character_fail(words, "give %s", key->right);
+	}
+	while (morph->table_count < CHARACTER_TABLE_MAX &&
+		character_take_number(words, &morph->table[morph->table_count])) {
+		morph->table_count++;
+	}
+	if (wanted ? morph->table_count != wanted || morph->table[0] < 0 ||
+				morph->table[0] > 1 || morph->table[2] < 0 ||
+				morph->table[2] > 1
+		   : morph->table_count < 2 || morph->table[0] != 0 ||
+				morph->table[morph->table_count - 1] != 1) {
+		return character_fail(words,
+			wanted ? "a Bezier curve has four numbers x1 y1 x2 y2, with x1 and x2 from 0 to 1"
+			       : "a table has 2 to 32 numbers that begin with 0 and end with 1");
+	}
+	return 0;
+}
+
+static const struct character_key morph_keys[] = {
+	{"node", skip_word, 0, 0, 0, NULL, "the name of a node"},
+	{"key", read_key, 0, 0, 0, NULL,
+		"a name and targets, such as smirk, smile 0.6, blink 0.2"},
+	{"time", character_read_number,
+		offsetof(struct character_morph, duration_s), 0, 60, NULL,
+		"seconds from 0 to 60"},
+	{"frames", character_read_count,
+		offsetof(struct character_morph, frame_count), 1, 10000, NULL,
+		"a whole number of frames from 1 to 10000"},
+	{"curve", read_curve, 0, 0, 0, NULL,
+		"linear, sine METRES, table 0 ... 1 or bezier X1 Y1 X2 Y2"},
+	{"direction", character_read_direction,
+		offsetof(struct character_morph, direction), 0, 0, NULL,
+		"x y z, such as 0 0 1"},
+	{0},
+};
+
+/* Without a line "key", there are the neutral shape and each target. */
+static int add_target_keys(
+	struct character_build *build, struct character_morph *morph)
+{
+	const struct model_mesh *mesh =
+		&build->model->mesh[build->model->node[morph->node].mesh];
+	int error = add_key(build, morph, "neutral");
+
+	for (int i = 0; i < morph->target_count && i < KEYS_MAX - 1 && !error;
+		i++) {
+		char number[16];
+		const char *name = mesh->target_name[i];
+
+		snprintf(number, sizeof(number), "%d", i);
+		name = name[0] ? name : arena_strdup(build->arena, number);
+		error = name ? add_key(build, morph, name)
+			     : character_fail_memory(build);
+		if (!error) {
+			morph->key[i + 1][i] = 1;
+		}
+	}
+	return error;
+}
+
+static int take_memory(
+	struct character_build *build, struct character_morph *morph)
+{
+	size_t targets = (size_t)morph->target_count;
+
+	morph->key = ARENA_ARRAY(build->arena, float *, KEYS_MAX);
+	morph->key_name = ARENA_ARRAY(build->arena, const char *, KEYS_MAX);
+	morph->source = ARENA_ARRAY(build->arena, float, targets);
+	morph->temporal = ARENA_ARRAY(build->arena, float, targets);
+	return morph->key && morph->key_name && morph->source && morph->temporal
+		? 0
+		: character_fail_memory(build);
+}
+
+static int build_morph(struct character_build *build,
+	const struct character_section *section, struct character_morph *morph)
+{
+	int node;
+	int error = find_node(build, section, &node);
+
+	if (error) {
+		return error;
+	}
+	*morph = (struct character_morph){
+		.name = section->name,
+		.node = node,
+		.target_count = build->model->mesh[build->model->node[node].mesh]
+					.target_count,
+		.duration_s = 0.6f,
+		.direction = {0, 0, 1},
+		.pace = 1,
+	};
+	error = take_memory(build, morph);
+	if (!error) {
+		error = character_read_section(
+			build, section, morph_keys, morph);
+	}
+	if (!error && morph->key_count == 0) {
+		error = add_target_keys(build, morph);
+	}
+	if (!error) {
+		memcpy(morph->temporal, morph->key[0],
+			(size_t)morph->target_count * sizeof(float));
+		character_add_op(build, CHARACTER_STAGE_MORPH,
+			character_morph_run, morph);
+	}
+	return error;
+}
+
+int character_build_morphs(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "morph");
+	int error = 0;
+
+	character->morph_count = character_text_count(build->text, "morph");
+	character->morph = ARENA_ARRAY(build->arena, struct character_morph,
+		(size_t)character->morph_count);
+	if (!character->morph) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		error = build_morph(build, section, &character->morph[i]);
+		section = character_text_find(section->next, "morph");
+	}
+	return error;
+}

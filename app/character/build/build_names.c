@@ -1,0 +1,285 @@
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/character/build/build.h"
+#include "platform/base/name_list.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *character_own_name(
+	const struct character_build *build, const char *name)
+{
+	const struct character_section *names =
+		character_text_find(build->text->first, "names");
+
+	for (const struct character_line *line = names ? names->first : NULL;
+		line; line = line->next) {
+		if (line->word_count > 0 && strcmp(line->key, name) == 0) {
+			name = line->word[0].text;
+			break;
+		}
+	}
+	return name;
+}
+
+/* Fails because nothing has the name; the list names what there is. */
+static int fail_name(struct character_words *words, const char *name,
+	const char *what, const struct name_list *list)
+{
+	character_fail(words,
+		list->text[0] ? "there is no %s named %s: there are %s"
+			      : "there is no %s named %s%s: there is none",
+		what, name, list->text);
+	return -1;
+}
+
+static void add_named(struct name_list *list, const char *name, int number)
+{
+	char text[16];
+
+	if (name[0]) {
+		name_list_add(list, name);
+	} else {
+		snprintf(text, sizeof(text), "%d", number);
+		name_list_add(list, text);
+	}
+}
+
+int character_name_node(struct character_words *words)
+{
+	const struct character_build *build = words->build;
+	const char *word = character_next_word(words);
+	const char *name = word ? character_own_name(build, word) : "";
+	struct name_list list = {""};
+	int node = model_find_node(build->model, name);
+
+	if (node >= 0 && name[0]) {
+		return node;
+	}
+	for (int i = 0; i < build->model->node_count; i++) {
+		if (build->model->node[i].name[0]) {
+			name_list_add(&list, build->model->node[i].name);
+		}
+	}
+	return fail_name(words, name, "node", &list);
+}
+
+int character_name_clip(struct character_words *words)
+{
+	const struct character_build *build = words->build;
+	const char *word = character_next_word(words);
+	const char *name = word ? character_own_name(build, word) : "";
+	struct name_list list = {""};
+	int clip = word ? model_find_clip(build->model, name) : -1;
+
+	if (clip >= 0) {
+		return clip;
+	}
+	if (word && strcmp(word, "rest") == 0) {
+		return -2;
+	}
+	for (int i = 0; i < build->model->clip_count; i++) {
+		add_named(&list, build->model->clip[i].name, i);
+	}
+	name_list_add(&list, "rest");
+	return fail_name(words, name, "clip", &list);
+}
+
+int character_name_target(struct character_words *words, int node)
+{
+	const struct character_build *build = words->build;
+	const struct model_mesh *mesh =
+		&build->model->mesh[build->model->node[node].mesh];
+	const char *word = character_next_word(words);
+	const char *name = word ? character_own_name(build, word) : "";
+	struct name_list list = {""};
+	char *end;
+	long number;
+
+	for (int i = 0; i < mesh->target_count; i++) {
+		if (name[0] && strcmp(mesh->target_name[i], name) == 0) {
+			return i;
+		}
+		add_named(&list, mesh->target_name[i], i);
+	}
+	number = strtol(name, &end, 10);
+	if (*name && !*end && number >= 0 && number < mesh->target_count) {
+		return (int)number;
+	}
+	return fail_name(words, name, "morph target", &list);
+}
+
+int character_name_section(struct character_words *words, const char *kind)
+{
+	const struct character_section *section =
+		character_text_find(words->build->text->first, kind);
+	const char *name = character_next_word(words);
+	struct name_list list = {""};
+
+	for (int i = 0; section; i++) {
+		if (name && strcmp(section->name, name) == 0) {
+			return i;
+		}
+		name_list_add(&list, section->name);
+		section = character_text_find(section->next, kind);
+	}
+	return fail_name(words, name ? name : "", kind, &list);
+}
+
+static bool is_switch(const char *kind)
+{
+	static const char *const switches[] = {"layer", "expression", "shake",
+		"look", "reach", "turn", "spring", "breath", "muscle"};
+
+	for (size_t i = 0; i < ARRAY_COUNT(switches); i++) {
+		if (strcmp(kind, switches[i]) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+int character_find_switch(const struct character_build *build, const char *name)
+{
+	int index = 0;
+
+	for (const struct character_section *section = build->text->first;
+		section; section = section->next) {
+		if (is_switch(section->kind)) {
+			if (strcmp(section->name, name) == 0) {
+				return index;
+			}
+			index++;
+		}
+	}
+	return -1;
+}
+
+int character_add_switch(struct character_build *build,
+	const struct character_section *section, struct character_switch *is)
+{
+	static const float whole = 1;
+	int index = character_find_switch(build, section->name);
+	struct character *character = build->character;
+
+	if (character->switches[index]) {
+		return character_fail_section(build, section,
+			"there already is a [%s %s]: give this one another name",
+			character->switches[index]->kind, section->name);
+	}
+	*is = (struct character_switch){
+		.name = section->name,
+		.kind = section->kind,
+		.weight = &whole,
+		.fade_s = 0.4f,
+		.on = true,
+	};
+	character->switches[index] = is;
+	return 0;
+}
+
+void character_start_switches(struct character *character)
+{
+	for (int i = 0; i < character->switch_count; i++) {
+		struct character_switch *is = character->switches[i];
+
+		is->is_on = is->on;
+		is->level = is->on ? 1 : 0;
+	}
+}
+
+static const char *const kinds[] = {"character", "names", "parameter", "clip",
+	"state", "transition", "layer", "expression", "morph", "part",
+	"sequence", "target", "shake", "look", "reach", "turn", "spring",
+	"breath", "muscle", "output", "motion", "scene", "buttons", NULL};
+
+/* Kinds of which there may be several, each with a name. */
+static bool is_named(const char *kind)
+{
+	static const char *const single[] = {
+		"character", "names", "motion", "scene", "buttons"};
+
+	for (size_t i = 0; i < ARRAY_COUNT(single); i++) {
+		if (strcmp(kind, single[i]) == 0) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static int check_section(
+	struct character_build *build, const struct character_section *section)
+{
+	bool two = strcmp(section->kind, "transition") == 0;
+	bool has_name = section->name[0], has_other = section->other[0];
+	struct name_list list = {""};
+	int i = 0;
+
+	for (; kinds[i] && strcmp(kinds[i], section->kind) != 0; i++) {
+		name_list_add(&list, kinds[i]);
+	}
+	if (!kinds[i]) {
+		return character_fail_section(build, section,
+			"there is no such kind of section: use one of %s",
+			list.text);
+	}
+	if (is_named(section->kind) != has_name || two != has_other) {
+		return character_fail_section(build, section,
+			two ? "write [transition FROM TO]"
+				: is_named(section->kind)
+				? "this kind of section has one name: write [KIND NAME]"
+				: "this kind of section has no name: write [KIND]");
+	}
+	return 0;
+}
+
+int character_build_names(struct character_build *build)
+{
+	struct character *character = build->character;
+	size_t sections = 0;
+	int error = 0;
+
+	for (const struct character_section *section = build->text->first;
+		section && !error; section = section->next) {
+		error = check_section(build, section);
+		character->switch_count += is_switch(section->kind);
+		sections++;
+	}
+	if (error) {
+		return error;
+	}
+	character->switches = ARENA_ARRAY(build->arena,
+		struct character_switch *, (size_t)character->switch_count);
+	/* Two more than sections: for all parts and for those attached. */
+	character->op =
+		ARENA_ARRAY(build->arena, struct character_op, sections + 2);
+	return character->switches && character->op
+		? 0
+		: character_fail_memory(build);
+}
+
+/* Operations run by stages, and in the order of the file within one. */
+void character_add_op(struct character_build *build, enum character_stage stage,
+	void (*run)(struct character *character, void *what), void *what)
+{
+	struct character *character = build->character;
+	int at = character->op_count++;
+
+	for (; at > 0 && character->op[at - 1].stage > stage; at--) {
+		character->op[at] = character->op[at - 1];
+	}
+	character->op[at] =
+		(struct character_op){.stage = stage, .run = run, .what = what};
+}
+
+/* The world matrices are those of the rest pose. */
+void character_to_bone(const struct character_build *build, int node,
+	const float direction[3], float out[3])
+{
+	float back[4];
+
+	matrix_rotation(build->character->instance->world[node], back);
+	quat_conjugate(back, back);
+	quat_rotate(back, direction, out);
+}

@@ -1,0 +1,116 @@
+#include "app/character/build/build.h"
+
+#include <errno.h>
+
+static const float not_given = 1e30f;
+
+static int read_source(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_parameter *parameter = member;
+	struct character *character = words->build->character;
+
+	parameter->scale = 1;
+	if (character_take(words, "buttons")) {
+		parameter->source = CHARACTER_SOURCE_ACTIONS;
+		return 0;
+	}
+	if (character_take(words, "motion")) {
+		parameter->source = CHARACTER_SOURCE_MOTION;
+		return 0;
+	}
+	if (character_take(words, "time")) {
+		parameter->source = CHARACTER_SOURCE_TIME;
+	} else if (character_take(words, "sine")) {
+		parameter->source = CHARACTER_SOURCE_SINE;
+		if (!character_take_number(words, &parameter->scale) ||
+			parameter->scale < 0.01f) {
+			return character_fail(words,
+				"sine needs a period in seconds, at least 0.01: give %s",
+				key->right);
+		}
+		character_take_number(words, &parameter->offset);
+		return 0;
+	} else {
+		int other = character_name_section(words, "parameter");
+
+		if (other < 0) {
+			return -EINVAL;
+		}
+		parameter->source = CHARACTER_SOURCE_PARAMETER;
+		parameter->other = &character->parameter[other].value;
+	}
+	character_take_number(words, &parameter->scale);
+	character_take_number(words, &parameter->offset);
+	return 0;
+}
+
+static const struct character_key keys[] = {
+	{"range", character_read_numbers2,
+		offsetof(struct character_parameter, range), 0, 0, NULL,
+		"the lowest and the highest value, such as 0 2.6"},
+	{"start", character_read_number,
+		offsetof(struct character_parameter, start), 0, 0, NULL,
+		"a number in the range"},
+	{"ease", character_read_number,
+		offsetof(struct character_parameter, ease_s), 0, 60, NULL,
+		"seconds from 0 to 60"},
+	{"source", read_source, 0, 0, 0, NULL,
+		"buttons, motion, time [SCALE [OFFSET]], sine PERIOD [PHASE] or PARAMETER [SCALE [OFFSET]]"},
+	{0},
+};
+
+static int read_one(struct character_build *build,
+	const struct character_section *section,
+	struct character_parameter *parameter)
+{
+	int error = character_read_section(build, section, keys, parameter);
+
+	if (!error && !(parameter->range[0] < parameter->range[1])) {
+		return character_fail_section(build, section,
+			"range: the second number has to be larger than the first");
+	}
+	if (parameter->start == not_given) {
+		parameter->start = scalar_clamp(
+			0, parameter->range[0], parameter->range[1]);
+	}
+	if (!error &&
+		(parameter->start < parameter->range[0] ||
+			parameter->start > parameter->range[1])) {
+		return character_fail_section(build, section,
+			"start: %g is outside the range %g to %g",
+			(double)parameter->start, (double)parameter->range[0],
+			(double)parameter->range[1]);
+	}
+	parameter->value = parameter->goal = parameter->from = parameter->start;
+	return error;
+}
+
+int character_build_parameters(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section;
+	int error = 0, count = 0;
+
+	character->parameter_count =
+		character_text_count(build->text, "parameter");
+	character->parameter = ARENA_ARRAY(build->arena,
+		struct character_parameter, (size_t)character->parameter_count);
+	if (!character->parameter) {
+		return character_fail_memory(build);
+	}
+	section = character_text_find(build->text->first, "parameter");
+	for (const struct character_section *one = section; one;
+		one = character_text_find(one->next, "parameter")) {
+		character->parameter[count++] = (struct character_parameter){
+			.name = one->name,
+			.range = {0, 1},
+			.start = not_given,
+		};
+	}
+	for (int i = 0; section && !error; i++) {
+		error = read_one(build, section, &character->parameter[i]);
+		section = character_text_find(section->next, "parameter");
+	}
+	return error;
+}

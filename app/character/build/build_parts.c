@@ -1,0 +1,282 @@
+#include "app/character/build/build.h"
+
+#include "app/character/run/parts.h"
+
+#include <errno.h>
+#include <string.h>
+
+static const char *const freedom_names[CHARACTER_FREEDOMS] = {
+	"heading", "pitch", "bank", "x", "y", "z"};
+
+/* START LOW HIGH [SPEED], or the name of a parameter that it follows. */
+static int read_freedom(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_part *part = member;
+	int which = 0;
+	struct character_freedom *freedom;
+	float range[2] = {-1e6f, 1e6f};
+
+	while (strcmp(freedom_names[which], key->name) != 0) {
+		which++;
+	}
+	freedom = &part->freedom[which];
+	*freedom = (struct character_freedom){.given = true,
+		.low = range[0],
+		.high = range[1],
+		.speed = which < CHARACTER_X ? 45 : 0.5f};
+	if (!character_take_number(words, &freedom->start)) {
+		return character_read_value(words, key, &part->follows[which]);
+	}
+	if (character_take_number(words, &freedom->low) &&
+		!character_take_number(words, &freedom->high)) {
+		return character_fail(words,
+			"the highest value is missing: give %s", key->right);
+	}
+	character_take_number(words, &freedom->speed);
+	if (freedom->low > freedom->start || freedom->start > freedom->high) {
+		return character_fail(words,
+			"the start has to lie between the lowest and the highest value: give %s",
+			key->right);
+	}
+	freedom->value = freedom->start;
+	return 0;
+}
+
+/* order = heading pitch bank, the outermost rotation first. */
+static int read_order(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int *order = member;
+	bool has[3] = {false};
+
+	for (int i = 0; i < 3; i++) {
+		int which = 0;
+
+		while (which < 3 &&
+			!character_take(words, freedom_names[which])) {
+			which++;
+		}
+		if (which == 3 || has[which]) {
+			return character_fail(
+				words, "give each of %s once", key->right);
+		}
+		has[which] = true;
+		order[i] = which;
+	}
+	return 0;
+}
+
+static int read_first(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int choice = 0;
+	int error = character_read_choice(words, key, &choice);
+
+	*(bool *)member = choice == 1;
+	return error;
+}
+
+static const char *const firsts[] = {"translate", "rotate", NULL};
+
+#define ANGLE \
+	"START LOW HIGH SPEED in degrees, such as 0 -60 60 45, or a parameter"
+#define SHIFT \
+	"START LOW HIGH SPEED in metres, such as 0 -0.4 0.8 0.35, or a parameter"
+
+static const struct character_key keys[] = {
+	{"node", character_read_node, offsetof(struct character_part, node), 0,
+		0, NULL, "the name of a node"},
+	{"order", read_order, offsetof(struct character_part, order), 0, 0,
+		NULL, "heading pitch bank"},
+	{"first", read_first, offsetof(struct character_part, rotates_first), 0,
+		0, firsts, "translate or rotate"},
+	{"heading", read_freedom, 0, 0, 0, NULL, ANGLE},
+	{"pitch", read_freedom, 0, 0, 0, NULL, ANGLE},
+	{"bank", read_freedom, 0, 0, 0, NULL, ANGLE},
+	{"x", read_freedom, 0, 0, 0, NULL, SHIFT},
+	{"y", read_freedom, 0, 0, 0, NULL, SHIFT},
+	{"z", read_freedom, 0, 0, 0, NULL, SHIFT},
+	{"radius", character_read_number,
+		offsetof(struct character_part, radius_m), 0, 1000, NULL,
+		"metres that other parts and the ground keep away"},
+	{"tip", character_read_numbers3, offsetof(struct character_part, tip),
+		0, 0, NULL, "x y z in metres from the pivot"},
+	{0},
+};
+
+static int build_part(struct character_build *build,
+	const struct character_section *section, struct character_part *part)
+{
+	int error;
+
+	*part = (struct character_part){
+		.name = section->name,
+		.node = -1,
+		.order = {CHARACTER_HEADING, CHARACTER_PITCH, CHARACTER_BANK},
+		.holder = -1,
+	};
+	error = character_read_section(build, section, keys, part);
+	if (!error && part->node < 0) {
+		struct character_word word = {section->name, true};
+		struct character_line line = {.file = section->file,
+			.number = section->number,
+			.section = section->heading,
+			.key = "node",
+			.word_count = 1,
+			.word = &word};
+		struct character_words words = {build, &line, 0};
+
+		part->node = character_name_node(&words);
+		error = part->node < 0 ? -EINVAL : 0;
+	}
+	return error;
+}
+
+int character_build_parts(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "part");
+	int error = 0;
+
+	character->part_count = character_text_count(build->text, "part");
+	character->part = ARENA_ARRAY(build->arena, struct character_part,
+		(size_t)character->part_count);
+	if (!character->part) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		error = build_part(build, section, &character->part[i]);
+		section = character_text_find(section->next, "part");
+	}
+	if (!error && character->part_count > 0) {
+		character_add_op(
+			build, CHARACTER_STAGE_PART, character_parts_run, NULL);
+		character_add_op(build, CHARACTER_STAGE_ATTACHED,
+			character_attached_run, NULL);
+	}
+	return error;
+}
+
+/* PART FREEDOM VALUE */
+static int read_goal(struct character_words *words, const char *right,
+	struct character_step *step)
+{
+	struct character *character = words->build->character;
+	struct character_goal *goal =
+		ARENA_NEW(words->build->arena, struct character_goal);
+	const char *name;
+
+	if (!goal) {
+		return character_fail_memory(words->build);
+	}
+	goal->part = character_name_section(words, "part");
+	if (goal->part < 0) {
+		return -EINVAL;
+	}
+	name = character_next_word(words);
+	while (name && goal->freedom < CHARACTER_FREEDOMS &&
+		strcmp(freedom_names[goal->freedom], name) != 0) {
+		goal->freedom++;
+	}
+	if (!name || goal->freedom == CHARACTER_FREEDOMS ||
+		!character_take_number(words, &goal->value)) {
+		return character_fail(words, "give %s", right);
+	}
+	character->part[goal->part].freedom[goal->freedom].given = true;
+	goal->next = step->goal;
+	step->goal = goal;
+	return 0;
+}
+
+/* step = NAME SECONDS, PART FREEDOM VALUE, ... */
+static int read_step(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_sequence *sequence = member;
+	struct character_step **last = &sequence->step;
+	struct character_step *step =
+		ARENA_NEW(words->build->arena, struct character_step);
+	int error = 0;
+
+	if (!step) {
+		return character_fail_memory(words->build);
+	}
+	step->name = character_next_word(words);
+	if (!step->name || !character_take_number(words, &step->duration_s) ||
+		step->duration_s < 0.01f || step->duration_s > 3600) {
+		return character_fail(words,
+			"a step begins with its name and its seconds, 0.01 to 3600: give %s",
+			key->right);
+	}
+	while (*last) {
+		last = &(*last)->next;
+	}
+	*last = step;
+	while (!error && character_take(words, ",")) {
+		error = read_goal(words,
+			"PART FREEDOM VALUE, such as Arm pitch 16.7", step);
+	}
+	return error;
+}
+
+/* Actions at the end of the last step. */
+static int read_then(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_sequence *sequence = member;
+	struct character_step *step = sequence->step;
+
+	if (!step) {
+		return character_fail(words,
+			"there is no step before it: write a line \"step\" first");
+	}
+	while (step->next) {
+		step = step->next;
+	}
+	return character_read_actions(words, key, &step->then);
+}
+
+static const struct character_key sequence_keys[] = {
+	{"step", read_step, 0, 0, 0, NULL,
+		"a name, seconds and values, such as lift 0.7, Arm pitch 13, Hand pitch 60"},
+	{"then", read_then, 0, 0, 0, NULL, "actions, such as attach Crate Hand"},
+	{"repeat", character_read_switch,
+		offsetof(struct character_sequence, repeat), 0, 0, NULL,
+		"yes or no"},
+	{"start", character_read_switch,
+		offsetof(struct character_sequence, start), 0, 0, NULL,
+		"yes or no"},
+	{0},
+};
+
+int character_build_sequences(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "sequence");
+	int error = 0;
+
+	character->sequence_count =
+		character_text_count(build->text, "sequence");
+	character->sequence = ARENA_ARRAY(build->arena,
+		struct character_sequence, (size_t)character->sequence_count);
+	if (!character->sequence) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		struct character_sequence *sequence = &character->sequence[i];
+
+		sequence->name = section->name;
+		error = character_read_section(
+			build, section, sequence_keys, sequence);
+		if (!error && sequence->start) {
+			character_sequence_start(character, sequence);
+		}
+		character_add_op(build, CHARACTER_STAGE_SEQUENCE,
+			character_sequence_run, sequence);
+		section = character_text_find(section->next, "sequence");
+	}
+	return error;
+}

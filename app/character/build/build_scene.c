@@ -1,0 +1,256 @@
+#include "app/character/build/build.h"
+#include "platform/buttons/gpio_output.h"
+
+#include <errno.h>
+#include <string.h>
+
+static const struct character_section *only_section(
+	const struct character_build *build, const char *kind)
+{
+	return character_text_find(build->text->first, kind);
+}
+
+/* foot = LEFT RIGHT */
+static int read_feet(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int *foot = member;
+	int error = character_read_node(words, key, &foot[0]);
+
+	return error ? error : character_read_node(words, key, &foot[1]);
+}
+
+static const struct character_key motion_keys[] = {
+	{"root", character_read_node, offsetof(struct character_motion, root),
+		0, 0, NULL, "the node that clips move over the ground"},
+	{"feet", read_feet, offsetof(struct character_motion, foot), 0, 0, NULL,
+		"the nodes of both feet, such as foot.L foot.R"},
+	{"speed", character_read_value, offsetof(struct character_motion, speed),
+		0, 0, NULL, "m/s, or a parameter"},
+	{0},
+};
+
+/* The height of the skeleton at rest, over all nodes. */
+static void measure(struct character_build *build)
+{
+	struct character *character = build->character;
+	mat4 *world = character->instance->world;
+	float low = 0, high = 0;
+
+	for (int i = 0; i < build->model->node_count; i++) {
+		float y = world[i][3][1];
+
+		low = i == 0 || y < low ? y : low;
+		high = i == 0 || y > high ? y : high;
+	}
+	character->motion.near_m = 0.025f * (high - low);
+}
+
+int character_build_motion(struct character_build *build)
+{
+	struct character_motion *motion = &build->character->motion;
+	const struct character_section *section = only_section(build, "motion");
+	int error;
+
+	*motion = (struct character_motion){.root = -1,
+		.foot = {-1, -1},
+		.low_m = {1e9f, 1e9f},
+		.planted = -1};
+	error = section
+		? character_read_section(build, section, motion_keys, motion)
+		: 0;
+	measure(build);
+	return error;
+}
+
+/* place = X Y Z, each a number or a parameter. */
+static int read_place(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	const float **place = member;
+	int error = 0;
+
+	for (int i = 0; i < 3 && !error; i++) {
+		error = character_read_value(words, key, &place[i]);
+	}
+	return error;
+}
+
+static const struct character_key target_keys[] = {
+	{"place", read_place, offsetof(struct character_target, place), 0, 0,
+		NULL, "x y z, each a number of metres or a parameter"},
+	{"node", character_read_node, offsetof(struct character_target, node),
+		0, 0, NULL, "the name of a node"},
+	{"camera", character_read_switch,
+		offsetof(struct character_target, is_camera), 0, 0, NULL,
+		"yes or no"},
+	{"radius", character_read_number,
+		offsetof(struct character_target, radius_m), 0, 1000, NULL,
+		"metres of the ball that shows the target; 0 shows none"},
+	{"color", character_read_numbers3,
+		offsetof(struct character_target, color), 0, 1, NULL,
+		"red, green and blue from 0 to 1"},
+	{0},
+};
+
+int character_build_targets(struct character_build *build)
+{
+	static const float zero = 0;
+	struct character *character = build->character;
+	const struct character_section *section = only_section(build, "target");
+	int error = 0;
+
+	character->target_count = character_text_count(build->text, "target");
+	character->target = ARENA_ARRAY(build->arena, struct character_target,
+		(size_t)character->target_count);
+	if (!character->target) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		character->target[i] = (struct character_target){
+			.name = section->name,
+			.place = {&zero, &zero, &zero},
+			.node = -1,
+			.color = {0.95f, 0.35f, 0.2f},
+		};
+		error = character_read_section(
+			build, section, target_keys, &character->target[i]);
+		section = character_text_find(section->next, "target");
+	}
+	return error;
+}
+
+/* Says what is wrong with a line in the words of the buttons' driver. */
+static int read_gpio_line(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct log nowhere = log_to_nowhere();
+	const char *line = character_next_word(words);
+
+	*(const char **)member = line;
+	return line && gpio_output_check(line, &nowhere) == 0
+		? 0
+		: character_fail(words, "%s names no line: give %s",
+			  line ? line : ",", key->right);
+}
+
+static const struct character_key output_keys[] = {
+	{"line", read_gpio_line, offsetof(struct character_output, line), 0, 0,
+		NULL, "a GPIO line as --buttons names it, such as gpiochip0/18"},
+	{0},
+};
+
+int character_build_outputs(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section = only_section(build, "output");
+	int error = 0;
+
+	for (; section && !error;
+		section = character_text_find(section->next, "output")) {
+		struct character_output *output;
+
+		if (character->output_count == CHARACTER_OUTPUTS_MAX) {
+			return character_fail_section(build, section,
+				"a character has at most %d outputs",
+				CHARACTER_OUTPUTS_MAX);
+		}
+		output = &character->output[character->output_count++];
+		output->name = section->name;
+		error = character_read_section(
+			build, section, output_keys, output);
+		if (!error && !output->line) {
+			error = character_fail_missing(build, section,
+				"line = CHIP/LINE, such as gpiochip0/18");
+		}
+	}
+	return error;
+}
+
+/* tour = SECONDS BUTTON, or SECONDS ACTION, ACTION ... */
+static int read_tour(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_tour **last = member;
+	struct character_tour *tour =
+		ARENA_NEW(words->build->arena, struct character_tour);
+	struct character_action *action = NULL;
+	float time_s;
+	int error = 0;
+
+	if (!tour) {
+		return character_fail_memory(words->build);
+	}
+	while (*last) {
+		last = &(*last)->next;
+	}
+	if (!character_take_number(words, &time_s) || time_s < 0) {
+		return character_fail(words,
+			"a line begins with its time in seconds: give %s",
+			key->right);
+	}
+	tour->time_s = (double)time_s;
+	tour->button = BUTTON_COUNT;
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		if (character_take(words, button_name((enum button)i))) {
+			tour->button = (enum button)i;
+		}
+	}
+	if (tour->button == BUTTON_COUNT) {
+		do {
+			error = character_read_action(words, &action, NULL);
+		} while (!error && character_take(words, ","));
+	}
+	tour->action = action;
+	*last = tour;
+	return error;
+}
+
+static int read_period(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	float period_s = 0;
+	int error = character_read_number(words, key, &period_s);
+
+	*(double *)member = (double)period_s;
+	return error;
+}
+
+static const char *const labels[] = {"left", "right", "none", NULL};
+
+#define SCENE(name) offsetof(struct character_scene, name)
+
+static const struct character_key scene_keys[] = {
+	{"waves", character_read_number, SCENE(wave_m), 0, 10, NULL,
+		"metres of uneven ground from 0 to 10"},
+	{"yaw", character_read_angle, SCENE(yaw_rad), -360, 360, NULL,
+		"degrees from -360 to 360"},
+	{"pitch", character_read_angle, SCENE(pitch_rad), 0, 89, NULL,
+		"degrees from 0 to 89"},
+	{"margin", character_read_number, SCENE(margin), 0.2f, 10, NULL,
+		"a factor from 0.2 to 10; 1.1 leaves a tenth free"},
+	{"shadow", character_read_switch, SCENE(shadow), 0, 0, NULL, "yes or no"},
+	{"labels", character_read_choice, SCENE(labels), 0, 0, labels,
+		"left, right or none"},
+	{"period", read_period, SCENE(tour_s), 0.1f, 3600, NULL,
+		"seconds after which the tour begins again"},
+	{"tour", read_tour, SCENE(tour), 0, 0, NULL,
+		"a time and a button or actions, such as 2.2 LEFT or 2.2 go run"},
+	{0},
+};
+
+int character_build_scene(struct character_build *build)
+{
+	struct character_scene *scene = &build->character->scene;
+	const struct character_section *section = only_section(build, "scene");
+
+	*scene = (struct character_scene){
+		.yaw_rad = 0.45f,
+		.pitch_rad = 0.16f,
+		.margin = 1.15f,
+		.shadow = true,
+	};
+	return section
+		? character_read_section(build, section, scene_keys, scene)
+		: 0;
+}

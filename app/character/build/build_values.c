@@ -1,0 +1,86 @@
+#include "app/character/build/build.h"
+
+#include <errno.h>
+
+int character_read_value(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	const float **value = member;
+	struct character *character = words->build->character;
+	float number;
+
+	if (character_take_number(words, &number)) {
+		float *kept = ARENA_NEW(words->build->arena, float);
+
+		if (!kept) {
+			return character_fail_memory(words->build);
+		}
+		if (key->low < key->high &&
+			(number < key->low || number > key->high)) {
+			words->next--;
+			return character_fail_value(words, key);
+		}
+		*kept = number;
+		*value = kept;
+		return 0;
+	}
+	if (character_at_end(words) || character_next_is(words, ",")) {
+		return character_fail_value(words, key);
+	}
+	for (int i = 0; i < character->parameter_count; i++) {
+		if (character_take(words, character->parameter[i].name)) {
+			*value = &character->parameter[i].value;
+			return 0;
+		}
+	}
+	return character_name_section(words, "parameter") < 0 ? -EINVAL : 0;
+}
+
+int character_read_fade(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	static const char *const curves[] = {"smooth", "linear", "cubic", NULL};
+	struct character_fade *fade = member;
+	float amount;
+
+	if (!character_take_number(words, &amount) || amount < 0 || amount > 60) {
+		return character_fail_value(words, key);
+	}
+	*fade = (struct character_fade){.duration_s = amount};
+	if (character_take(words, "frames")) {
+		fade->frames = (int)amount;
+		fade->duration_s = 0;
+	} else {
+		character_take(words, "s");
+	}
+	for (int i = 0; curves[i]; i++) {
+		if (character_take(words, curves[i])) {
+			fade->curve = (enum inertia_curve)i;
+		}
+	}
+	return 0;
+}
+
+int character_read_node(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int node;
+
+	if (character_at_end(words) || character_next_is(words, ",")) {
+		return character_fail_value(words, key);
+	}
+	node = character_name_node(words);
+	*(int *)member = node;
+	return node < 0 ? -EINVAL : 0;
+}
+
+int character_read_state(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	int state;
+
+	(void)key;
+	state = character_name_section(words, "state");
+	*(int *)member = state;
+	return state < 0 ? -EINVAL : 0;
+}

@@ -1,0 +1,111 @@
+#include "app/character/character.h"
+
+#include "app/character/run/actions.h"
+#include "app/character/run/effects.h"
+#include "app/character/run/gestures.h"
+#include "app/character/run/ground.h"
+#include "app/character/run/machine.h"
+#include "app/character/run/parameters.h"
+
+#include "platform/base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void character_destroy(struct character *character)
+{
+	if (character) {
+		arena_release(&character->arena);
+		free(character);
+	}
+}
+
+uint64_t character_stamp(const struct character *character)
+{
+	uint64_t stamp = 0;
+
+	for (int i = 0; i < character->text.file_count; i++) {
+		stamp = stamp * 31 + file_stamp(character->text.file[i]);
+	}
+	return stamp;
+}
+
+void character_press(
+	struct character *character, const struct button_event *event)
+{
+	character_gestures_press(character, event);
+}
+
+static void run_ops(struct character *character)
+{
+	bool has_world = false;
+
+	for (int i = 0; i < character->op_count; i++) {
+		const struct character_op *op = &character->op[i];
+
+		if (op->stage >= CHARACTER_STAGE_WORLD && !has_world) {
+			instance_update_nodes(character->instance);
+			character_targets_update(character);
+			has_world = true;
+		}
+		op->run(character, op->what);
+	}
+	if (!has_world) {
+		instance_update_nodes(character->instance);
+	}
+}
+
+void character_update(
+	struct character *character, const struct character_frame *frame)
+{
+	double step_s = frame->time_s - character->seen_s;
+
+	character->seen_s = frame->time_s;
+	character->real_s = scalar_clamp((float)step_s, 0, 10);
+	character->step_s = character->paused ? 0 : character->real_s;
+	character->now_s += (double)character->step_s;
+	character->motion_level = frame->motion_level;
+	memcpy(character->eye, frame->eye, sizeof(character->eye));
+	character->camera_turn = character->camera_tilt = 0;
+	character->camera_zoom = 0;
+	character_tour_update(character);
+	character_gestures_update(character);
+	character_actions_run(character);
+	character_parameters_update(character);
+	character_switches_update(character);
+	character_machine_update(character);
+	run_ops(character);
+	character_ground_update(character);
+	character_actions_run(character);
+	character_outputs_update(character);
+}
+
+static const char *gesture_name(const struct character_binding *one)
+{
+	static const char *const names[] = {
+		[CHARACTER_PRESS] = "",
+		[CHARACTER_RELEASE] = " released",
+		[CHARACTER_HOLD] = "",
+		[CHARACTER_LONG] = " held",
+		[CHARACTER_TOGETHER] = "",
+	};
+
+	return names[one->gesture];
+}
+
+void character_print_buttons(const struct character *character, FILE *out)
+{
+	for (const struct character_binding *one = character->binding; one;
+		one = one->next) {
+		char name[48];
+
+		snprintf(name, sizeof(name), "%s%s%s%s",
+			button_name(one->button),
+			one->gesture == CHARACTER_TOGETHER ? "+" : "",
+			one->gesture == CHARACTER_TOGETHER
+				? button_name(one->second)
+				: "",
+			gesture_name(one));
+		fprintf(out, "  %-6s %s\n", name, one->label);
+	}
+}

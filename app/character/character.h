@@ -1,0 +1,53 @@
+/*
+ * A character: how a model behaves, as a character file says it.
+ *
+ * character_create() compiles the file for one instance (format.md describes
+ * it). A frame is character_press() for each button event, then
+ * character_update(), after which the instance's pose is that of the frame and
+ * the caller calls instance_update(). No frame allocates memory or looks up a
+ * name, and equal inputs give equal poses on every machine.
+ */
+#ifndef APP_CHARACTER_CHARACTER_H
+#define APP_CHARACTER_CHARACTER_H
+
+#include "app/character/character_data.h"
+#include "app/character/text/character_text.h"
+
+/*
+ * Compiles the character file at path for the instance, which has to outlive
+ * the character. Memory counts against the model's budget. Returns 0, or
+ * -errno after one error that names file and line; then *out is NULL. Release
+ * it with character_destroy().
+ */
+int character_load(const char *path, struct instance *instance,
+	const struct log *log, struct character **out);
+
+/* The same from a stream; path stands in messages. Nothing can be included. */
+int character_read(FILE *file, const char *path, struct instance *instance,
+	const struct log *log, struct character **out);
+
+/* A number that changes when one of the character's files changes. */
+uint64_t character_stamp(const struct character *character);
+
+/* Frees the character; NULL is allowed. */
+void character_destroy(struct character *character);
+
+/* Takes a button event; the next update acts on it. */
+void character_press(
+	struct character *character, const struct button_event *event);
+
+/* What a frame depends on besides the buttons. */
+struct character_frame {
+	double time_s;      /* never decreases */
+	float motion_level; /* before the video camera, 0..1 */
+	float eye[3];       /* of the camera, in metres */
+};
+
+/* Moves on and writes the frame's pose; world matrices are up to date. */
+void character_update(
+	struct character *character, const struct character_frame *frame);
+
+/* Prints what each button does, one line each. */
+void character_print_buttons(const struct character *character, FILE *out);
+
+#endif

@@ -1,0 +1,483 @@
+/*
+ * The data of a character: what its file says, compiled for one instance.
+ *
+ * app/character/build makes it from the text and resolves all names, so that a
+ * frame looks up nothing: an input is the address of a number, and what a frame
+ * does to the pose is a flat list of operations. All memory comes from one
+ * arena within the model's budget. Members below "Changes:" change in a frame.
+ */
+#ifndef APP_CHARACTER_CHARACTER_DATA_H
+#define APP_CHARACTER_CHARACTER_DATA_H
+
+#include "app/anim/clip.h"
+#include "app/anim/ease.h"
+#include "app/anim/hierarchy.h"
+#include "app/character/run/inertia.h"
+#include "app/character/text/character_text.h"
+#include "app/scene/instance/instance.h"
+#include "platform/buttons/buttons.h"
+
+/* Where a parameter's goal comes from. */
+enum character_source {
+	CHARACTER_SOURCE_ACTIONS, /* set, add and toggle */
+	CHARACTER_SOURCE_TIME,    /* seconds times scale */
+	CHARACTER_SOURCE_SINE,    /* a sine of period scale over the range */
+	CHARACTER_SOURCE_MOTION,  /* motion before the video camera, 0..1 */
+	CHARACTER_SOURCE_PARAMETER,
+};
+
+/* A named number. Its value eases from where it is to its goal. */
+struct character_parameter {
+	const char *name;
+	float range[2];
+	float start;
+	float ease_s;
+	enum character_source source;
+	const float *other;
+	float scale, offset;
+
+	/* Changes: */
+	float value, goal, from, elapsed_s;
+};
+
+/* What an action does. */
+enum character_verb {
+	CHARACTER_SET,    /* parameter index = amount */
+	CHARACTER_ADD,    /* parameter index += amount */
+	CHARACTER_TOGGLE, /* parameter index: low or high end of its range */
+	CHARACTER_SWITCH, /* effect index: amount 1 on, 0 off, -1 the other */
+	CHARACTER_GO,     /* to state index */
+	CHARACTER_NEXT,   /* amount states on, in the order of the file */
+	CHARACTER_PLAY,   /* layer index, from its start */
+	CHARACTER_MORPH,  /* morph index to key detail, or amount keys on */
+	CHARACTER_PACE,   /* morph index: amount times as fast */
+	CHARACTER_MOVE,   /* part index: degree of freedom detail by amount */
+	CHARACTER_RUN,    /* sequence index */
+	CHARACTER_STOP,   /* sequence index */
+	CHARACTER_ATTACH, /* part index to node detail; -1: where it was */
+	CHARACTER_LINE,   /* writes text to standard output */
+	CHARACTER_OUTPUT, /* output line index: amount ms; 0 off, -1 on */
+	CHARACTER_TURN,   /* the camera, amount radians */
+	CHARACTER_TILT,
+	CHARACTER_ZOOM,   /* amount of the distance */
+	CHARACTER_PAUSE,  /* or goes on */
+	CHARACTER_TOUR,   /* begins or ends the tour */
+	CHARACTER_LABELS, /* shows or hides the labels */
+};
+
+struct character_action {
+	enum character_verb verb;
+	int index, detail;
+	float amount;
+	const char *text;
+	struct character_action *next; /* or NULL */
+};
+
+/* A time of a clip at which actions run. */
+struct character_event {
+	float time_s;
+	const struct character_action *action;
+	struct character_event *next;
+};
+
+enum {
+	CHARACTER_MARKS_MAX = 16
+};
+
+/* What the file says about a clip beyond the model. */
+struct character_clip {
+	const struct model_clip *clip;   /* NULL: the rest pose */
+	int mark_count;                  /* 0: not kept in phase with others */
+	float mark[CHARACTER_MARKS_MAX]; /* seconds, increasing */
+	float travel[3];         /* of the motion's root, in its frame */
+	float ground_m_per_s[2]; /* the clip's own speed along x and z */
+	struct character_event *event;
+};
+
+/* A clip as a state plays it. */
+struct character_entry {
+	const struct character_clip *of;
+	float at; /* the parameter's value at which only this clip plays */
+	struct clip_cursor cursor;
+
+	/* Changes: */
+	double time_s; /* since the clip began, not wrapped */
+	float shown_s; /* the time in the clip */
+	float weight;
+};
+
+/* How a state or a transition takes over from the shown pose. */
+struct character_fade {
+	float duration_s;
+	int frames; /* instead, if above 0 */
+	enum inertia_curve curve;
+};
+
+struct character_state {
+	const char *name;
+	int entry_count;
+	struct character_entry *entry; /* sorted by .at */
+	const float *position;         /* in the blend space */
+	const float *rate;
+	enum clip_repeat repeat;
+	int next; /* the state after the end, or -1 */
+	struct character_fade fade;
+	const struct character_action *enter, *leave;
+};
+
+/* One comparison of a transition's. */
+struct character_condition {
+	const float *left, *right;
+	enum {
+		CHARACTER_ABOVE,
+		CHARACTER_BELOW,
+		CHARACTER_EQUAL
+	} is;
+	struct character_condition *next;
+};
+
+/* When a transition that runs may be replaced by another one. */
+enum character_interrupt {
+	CHARACTER_INTERRUPT_ALWAYS,
+	CHARACTER_INTERRUPT_HIGHER, /* by one of a higher priority */
+	CHARACTER_INTERRUPT_NEVER,
+};
+
+struct character_transition {
+	int from, to;                     /* from -1: any state */
+	struct character_condition *when; /* NULL: only by an action */
+	float exit; /* fraction of the clip from which on it may begin; 0: any */
+	float priority;
+	enum character_interrupt interrupt;
+	struct character_fade fade;
+};
+
+/* The state that is playing. */
+struct character_machine {
+	int state_count, transition_count;
+	struct character_state *state;
+	struct character_transition *transition; /* by falling priority */
+	struct inertia inertia;
+
+	/* Changes: */
+	int current;
+	int wanted;       /* a state that an action asked for, or -1 */
+	int running;      /* the transition under way, or -1 */
+	double elapsed_s; /* since the state began */
+	double phase;     /* in marks */
+	float done;       /* fraction of the clip, 0..1 */
+	int loops;        /* ends of the clip that have passed */
+	bool fresh;       /* the state began in this frame */
+};
+
+/* A switch that fades, which layers and effects begin with. */
+struct character_switch {
+	const char *name;
+	const char *kind;
+	const float *weight; /* from 0 to 1 */
+	float fade_s;
+	bool on; /* at the start */
+
+	/* Changes: */
+	bool is_on;
+	float level; /* 0..1, of the fade */
+	float now;   /* eased level times *weight */
+};
+
+/* The order of operations in a frame. */
+enum character_stage {
+	CHARACTER_STAGE_LAYER,
+	CHARACTER_STAGE_MORPH,
+	CHARACTER_STAGE_SEQUENCE,
+	CHARACTER_STAGE_PART,
+	CHARACTER_STAGE_BONE,  /* changes bones by the pose alone */
+	CHARACTER_STAGE_WORLD, /* reads world matrices and from here on
+				  operations leave them up to date */
+	CHARACTER_STAGE_ATTACHED,
+};
+
+/* An operation of a frame; it changes the pose. */
+struct character;
+struct character_op {
+	enum character_stage stage;
+	void (*run)(struct character *character, void *what);
+	void *what;
+};
+
+/* A layer above the states. */
+struct character_layer {
+	struct character_switch is;
+	struct character_entry entry;
+	const float *rate;
+	bool additive;
+	bool once;   /* plays when an action says so, and fades at its ends */
+	float *mask; /* [node_count], or NULL */
+	struct pose reference; /* of an additive layer: the clip's start */
+
+	/* Changes: */
+	bool playing; /* if once */
+};
+
+/* Morph weights that a parameter mixes in. */
+struct character_expression {
+	struct character_switch is;
+	int count;
+	int *target;   /* indices of the pose's weights */
+	float *amount; /* at weight 1 */
+};
+
+enum character_curve {
+	CHARACTER_CURVE_LINEAR,
+	CHARACTER_CURVE_SINE,
+	CHARACTER_CURVE_TABLE,
+	CHARACTER_CURVE_BEZIER,
+};
+
+enum {
+	CHARACTER_TABLE_MAX = 32
+};
+
+/* AN4044's morph between key frames. */
+struct character_morph {
+	const char *name;
+	int node;
+	int target_count;
+	int key_count;
+	float **key;           /* [key_count][target_count] */
+	const char **key_name; /* [key_count] */
+	float duration_s;
+	int frame_count; /* above 0: by frames, over so many */
+	enum character_curve curve;
+	int table_count;
+	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
+	float amplitude_m;                /* of the sine */
+	float direction[3];
+
+	/* Changes: */
+	float *source, *temporal; /* [target_count] */
+	int destiny;
+	float elapsed_s;
+	int count; /* of frames, since the trigger */
+	float pace;
+	bool running;
+};
+
+/* Degrees of freedom of a part. */
+enum {
+	CHARACTER_HEADING,
+	CHARACTER_PITCH,
+	CHARACTER_BANK,
+	CHARACTER_X,
+	CHARACTER_Y,
+	CHARACTER_Z,
+	CHARACTER_FREEDOMS,
+};
+
+struct character_freedom {
+	float start, low, high;
+	float speed; /* a second, for move */
+	bool given;
+
+	/* Changes: */
+	float value, moved; /* moved: asked for in this frame */
+};
+
+/* A rigid part on a pivot: degrees and metres. */
+struct character_part {
+	const char *name;
+	int node;
+	int order[3]; /* of CHARACTER_HEADING, .._PITCH, .._BANK; outermost first */
+	bool rotates_first; /* the position turns with the angles */
+	struct character_freedom freedom[CHARACTER_FREEDOMS];
+	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
+	float radius_m; /* kept from the floor and from others; 0: no limit */
+	float tip[3];   /* of the guarded line from the pivot, in its frame */
+
+	/* Changes: */
+	int holder;            /* the node it is attached to, or -1 */
+	struct transform held; /* where, in the holder's frame */
+};
+
+/* A step of a sequence: values that parts reach. */
+struct character_goal {
+	int part, freedom;
+	float value;
+
+	/* Changes: */
+	float from;
+	struct character_goal *next;
+};
+
+struct character_step {
+	const char *name;
+	float duration_s;
+	struct character_goal *goal;
+	const struct character_action *then;
+	struct character_step *next;
+};
+
+struct character_sequence {
+	const char *name;
+	struct character_step *step;
+	bool repeat;
+	bool start; /* runs from the start */
+
+	/* Changes: */
+	struct character_step *now; /* or NULL */
+	float elapsed_s;
+};
+
+/* A point to look at or to reach. */
+struct character_target {
+	const char *name;
+	const float *place[3]; /* metres */
+	int node;              /* its origin is the point, or -1 */
+	bool is_camera;
+	float radius_m; /* of the ball that shows it; 0: nothing */
+	float color[3];
+
+	/* Changes: */
+	float point[3];
+};
+
+/* What a press of buttons does. */
+enum character_gesture {
+	CHARACTER_PRESS,
+	CHARACTER_RELEASE,
+	CHARACTER_HOLD,
+	CHARACTER_LONG,
+	CHARACTER_TOGETHER,
+};
+
+struct character_binding {
+	enum button button, second; /* second: of CHARACTER_TOGETHER */
+	enum character_gesture gesture;
+	const char *label; /* what it does, for people */
+	const struct character_action *action;
+	const struct character_action *after; /* of CHARACTER_HOLD, at its end */
+	struct character_binding *next;
+};
+
+enum {
+	CHARACTER_LONG_MS = 700,
+	CHARACTER_TOGETHER_MS = 120,
+};
+
+struct character_button {
+	bool joins; /* in some CHARACTER_TOGETHER */
+	bool has_long;
+
+	/* Changes: */
+	bool down;
+	bool pending; /* the press waits for another button, or for its end */
+	bool used;    /* it was a long press or two together */
+	double since_s;
+};
+
+/* A line of the tour. */
+struct character_tour {
+	double time_s;
+	enum button button; /* to press, or BUTTON_COUNT */
+	const struct character_action *action;
+	struct character_tour *next;
+};
+
+enum {
+	CHARACTER_OUTPUTS_MAX = 8
+};
+
+/* A GPIO output line. */
+struct character_output {
+	const char *name;
+	const char *line; /* as --buttons names one: gpiochip0/18 */
+
+	/* Changes: */
+	bool on;
+	double until_s; /* when it goes off; below 0: it stays on */
+};
+
+/* Which side of the picture labels take. */
+enum character_labels {
+	CHARACTER_LABELS_LEFT,
+	CHARACTER_LABELS_RIGHT,
+	CHARACTER_LABELS_NONE,
+};
+
+struct character_scene {
+	float wave_m; /* height of uneven ground */
+	float yaw_rad, pitch_rad, margin;
+	bool shadow;
+	enum character_labels labels;
+	double tour_s; /* the tour's period; 0: no tour */
+	struct character_tour *tour;
+};
+
+/* How the ground moves under the character. */
+struct character_motion {
+	int root;           /* its translation moves the ground, or -1 */
+	int foot[2];        /* they keep to the ground, or -1 */
+	const float *speed; /* or NULL */
+	float low_m[2];     /* the feet's lowest heights in the clips */
+	float near_m;       /* a foot below low_m + near_m is planted */
+
+	/* Changes: */
+	float before[2][3]; /* where the feet were */
+	bool begun;
+	float scroll[2];   /* of the ground in this frame, along x and z */
+	float velocity[2]; /* of the ground, metres a second */
+	int planted;       /* the foot on the ground, or -1 */
+};
+
+enum {
+	CHARACTER_PENDING_MAX = 64
+};
+
+struct character {
+	struct arena arena;
+	struct instance *instance;  /* not owned */
+	struct character_text text; /* names point into it */
+	/* Drives an output line; NULL: nothing does. */
+	void (*drive)(void *user, int output, bool on);
+	void *drive_user;
+
+	int parameter_count, clip_count, layer_count, expression_count;
+	int morph_count, part_count, sequence_count, target_count;
+	int switch_count, output_count, op_count;
+	struct character_parameter *parameter;
+	struct character_clip *clip;
+	struct character_machine machine;
+	struct character_layer *layer;
+	struct character_expression *expression;
+	struct character_morph *morph;
+	struct character_part *part;
+	struct character_sequence *sequence;
+	struct character_target *target;
+	struct character_switch **switches; /* of layers, expressions, effects */
+	struct character_output output[CHARACTER_OUTPUTS_MAX];
+	struct character_op *op;
+	struct character_binding *binding;
+	struct character_button button[BUTTON_COUNT];
+	struct character_scene scene;
+	struct character_motion motion;
+	struct pose scratch, still;
+	float ground_m; /* the height of level ground */
+
+	/* Changes: */
+	double seen_s; /* of the last frame */
+	double now_s;  /* without pauses */
+	float real_s;  /* since the last frame */
+	float step_s;  /* the same, or 0 while paused */
+	float motion_level;
+	float eye[3];
+	float camera_turn, camera_tilt, camera_zoom; /* in this frame */
+	bool paused, touring, labels_hidden;
+	double tour_from_s;
+	const struct character_tour *tour_next;
+	int pending_count;
+	struct {
+		const struct character_action *action;
+		float times; /* a share of the amount */
+	} pending[CHARACTER_PENDING_MAX];
+};
+
+#endif

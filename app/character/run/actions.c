@@ -1,0 +1,189 @@
+#include "app/character/run/actions.h"
+
+#include "app/character/run/layers.h"
+#include "app/character/run/parameters.h"
+#include "app/character/run/parts.h"
+
+#include <stdio.h>
+
+static void toggle(struct character_parameter *parameter)
+{
+	float middle = 0.5f * (parameter->range[0] + parameter->range[1]);
+
+	character_parameter_set(
+		parameter, parameter->range[parameter->goal > middle ? 0 : 1]);
+}
+
+static void go_on(struct character_machine *machine, int step)
+{
+	int count = machine->state_count;
+
+	machine->wanted = ((machine->current + step) % count + count) % count;
+}
+
+static void morph(
+	struct character_morph *morph, const struct character_action *action)
+{
+	int count = morph->key_count;
+	int key = action->detail >= 0 ? action->detail
+				      : morph->destiny + (int)action->amount;
+
+	character_morph_go(morph, (key % count + count) % count);
+}
+
+static void drive(struct character *character, int index, float amount)
+{
+	struct character_output *output = &character->output[index];
+
+	output->on = amount != 0;
+	output->until_s =
+		amount > 0 ? character->now_s + (double)amount / 1000 : -1;
+	if (character->drive) {
+		character->drive(character->drive_user, index, output->on);
+	}
+}
+
+void character_outputs_update(struct character *character)
+{
+	for (int i = 0; i < character->output_count; i++) {
+		struct character_output *output = &character->output[i];
+
+		if (output->on && output->until_s >= 0 &&
+			character->now_s >= output->until_s) {
+			drive(character, i, 0);
+		}
+	}
+}
+
+static void write_line(const char *text)
+{
+	puts(text);
+	fflush(stdout);
+}
+
+static void start_tour(struct character *character)
+{
+	character->touring = !character->touring;
+	character->tour_from_s = character->now_s;
+	character->tour_next = character->scene.tour;
+}
+
+static void run_scene(struct character *character,
+	const struct character_action *action, float amount)
+{
+	switch (action->verb) {
+	case CHARACTER_LINE:
+		write_line(action->text);
+		break;
+	case CHARACTER_OUTPUT:
+		drive(character, action->index, action->amount);
+		break;
+	case CHARACTER_TURN:
+		character->camera_turn += amount;
+		break;
+	case CHARACTER_TILT:
+		character->camera_tilt += amount;
+		break;
+	case CHARACTER_ZOOM:
+		character->camera_zoom += amount;
+		break;
+	case CHARACTER_PAUSE:
+		character->paused = !character->paused;
+		break;
+	case CHARACTER_TOUR:
+		start_tour(character);
+		break;
+	case CHARACTER_LABELS:
+		character->labels_hidden = !character->labels_hidden;
+		break;
+	default:
+		break;
+	}
+}
+
+static void run_part(struct character *character,
+	const struct character_action *action, float times)
+{
+	struct character_part *part = &character->part[action->index];
+
+	if (action->verb == CHARACTER_MOVE) {
+		struct character_freedom *freedom =
+			&part->freedom[action->detail];
+
+		freedom->moved += action->amount * freedom->speed * times;
+	} else {
+		character_part_attach(
+			character, part, action->detail, action->amount);
+	}
+}
+
+static void run_parameter(struct character_parameter *parameter,
+	const struct character_action *action, float amount)
+{
+	if (action->verb == CHARACTER_TOGGLE) {
+		toggle(parameter);
+	} else {
+		character_parameter_set(parameter,
+			action->verb == CHARACTER_ADD ? parameter->goal + amount
+						      : action->amount);
+	}
+}
+
+static void run(struct character *character,
+	const struct character_action *action, float times)
+{
+	float amount = action->amount * times;
+	int index = action->index;
+
+	switch (action->verb) {
+	case CHARACTER_SET:
+	case CHARACTER_ADD:
+	case CHARACTER_TOGGLE:
+		run_parameter(&character->parameter[index], action, amount);
+		break;
+	case CHARACTER_SWITCH:
+		character->switches[index]->is_on = action->amount < 0
+			? !character->switches[index]->is_on
+			: action->amount > 0;
+		break;
+	case CHARACTER_GO:
+		character->machine.wanted = index;
+		break;
+	case CHARACTER_NEXT:
+		go_on(&character->machine, (int)action->amount);
+		break;
+	case CHARACTER_PLAY:
+		character_layer_play(&character->layer[index]);
+		break;
+	case CHARACTER_MORPH:
+		morph(&character->morph[index], action);
+		break;
+	case CHARACTER_PACE:
+		character->morph[index].pace = scalar_clamp(
+			character->morph[index].pace * action->amount, 0.125f,
+			8);
+		break;
+	case CHARACTER_MOVE:
+	case CHARACTER_ATTACH:
+		run_part(character, action, times);
+		break;
+	case CHARACTER_RUN:
+		character_sequence_start(character, &character->sequence[index]);
+		break;
+	case CHARACTER_STOP:
+		character_sequence_stop(&character->sequence[index]);
+		break;
+	default:
+		run_scene(character, action, amount);
+	}
+}
+
+void character_actions_run(struct character *character)
+{
+	/* Actions may add others; what does not fit into the list is dropped. */
+	for (int i = 0; i < character->pending_count; i++) {
+		run(character, character->pending[i].action,
+			character->pending[i].times);
+	}
+	character->pending_count = 0;
+}

@@ -1,0 +1,161 @@
+#include "app/character/run/effects.h"
+
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
+
+#include <string.h>
+
+static void update_world_from(struct instance *instance, int node)
+{
+	pose_world_from(
+		&instance->pose, instance->model, NULL, node, instance->world);
+}
+
+void character_shake_run(struct character *character, void *what)
+{
+	struct character_shake *shake = what;
+
+	shake->swing.fade = 1 - shake->is.now;
+	procedural_apply(&shake->swing,
+		character->now_s + (double)shake->delay_s,
+		&character->instance->pose);
+}
+
+void character_look_run(struct character *character, void *what)
+{
+	struct character_look *look = what;
+	struct instance *instance = character->instance;
+	const float *target = look->is.is_on ? look->target->point : NULL;
+
+	if (look->is.now == 0) {
+		return;
+	}
+	for (int i = 0; i < look->bone_count; i++) {
+		struct lookat *bone = &look->bone[i];
+
+		bone->weight = look->share[i] * look->is.now;
+		lookat_update(bone, target, character->step_s,
+			(const mat4 *)instance->world, &instance->pose);
+		update_world_from(instance, bone->node);
+	}
+}
+
+/* The tip's goal lies on the way from the first bone to the target. */
+static void shorten(const struct character_reach *reach,
+	const struct instance *instance, float goal[3])
+{
+	int first = reach->is_chain ? reach->chain.node[0] : reach->limb.upper;
+	float back[3], distance;
+
+	vec_subtract(instance->world[first][3], reach->target->point, back);
+	distance = vec_normalize(back);
+	vec_add_scaled(reach->target->point, back,
+		reach->short_m < distance ? reach->short_m : distance, goal);
+}
+
+void character_reach_run(struct character *character, void *what)
+{
+	struct character_reach *reach = what;
+	struct instance *instance = character->instance;
+	float goal[3], pole[3];
+
+	if (reach->is.now == 0) {
+		return;
+	}
+	shorten(reach, instance, goal);
+	if (reach->is_chain) {
+		reach->chain.weight = reach->is.now;
+		ik_chain_solve(&reach->chain, goal,
+			(const mat4 *)instance->world, &instance->pose);
+		update_world_from(instance, reach->chain.node[0]);
+		return;
+	}
+	vec_add_scaled(goal, reach->pole, 1, pole);
+	reach->limb.weight = reach->is.now;
+	ik_limb_solve(&reach->limb, goal, reach->has_pole ? pole : NULL,
+		(const mat4 *)instance->world, &instance->pose);
+	update_world_from(instance, reach->limb.upper);
+}
+
+void character_turn_run(struct character *character, void *what)
+{
+	struct character_turn *turn = what;
+	struct pose *pose = &character->instance->pose;
+	float rotation[4];
+
+	if (turn->is.now == 0) {
+		return;
+	}
+	for (int i = 0; i < turn->bone_count; i++) {
+		float *local = pose->local[turn->bone[i]].rotation;
+
+		quat_from_axis_angle(turn->bone_axis[i],
+			turn->angle_rad * turn->is.now, rotation);
+		quat_multiply(local, rotation, local);
+		pose->animated[turn->bone[i]] = true;
+	}
+}
+
+void character_spring_run(struct character *character, void *what)
+{
+	struct character_spring *effect = what;
+	struct instance *instance = character->instance;
+	struct capsule_world body[CHARACTER_BONES_MAX];
+	const float *ground = character->motion.velocity;
+
+	capsule_to_world(effect->body, effect->body_count,
+		(const mat4 *)instance->world, body);
+	/* The figure moves on the spot, so the air moves instead. */
+	effect->spring.gravity[0] = -3 * ground[0];
+	effect->spring.gravity[2] = -3 * ground[1];
+	effect->spring.weight = effect->is.now;
+	spring_update(&effect->spring, character->step_s, body,
+		effect->body_count, (const mat4 *)instance->world,
+		&instance->pose);
+	update_world_from(instance, effect->spring.node[0]);
+}
+
+void character_breath_run(struct character *character, void *what)
+{
+	struct character_breath *effect = what;
+
+	effect->breath.weight = effect->is.now;
+	if (effect->is.now != 0) {
+		breath_apply(&effect->breath, character->now_s,
+			&character->instance->pose);
+	}
+}
+
+void character_muscle_run(struct character *character, void *what)
+{
+	struct character_muscle *effect = what;
+
+	if (effect->is.now == 0) {
+		return;
+	}
+	for (int i = 0; i < 3; i++) {
+		effect->muscle.swell[i] = effect->swell[i] * effect->is.now;
+	}
+	muscle_apply(&effect->muscle, &character->instance->pose);
+}
+
+void character_targets_update(struct character *character)
+{
+	for (int i = 0; i < character->target_count; i++) {
+		struct character_target *target = &character->target[i];
+
+		if (target->is_camera) {
+			memcpy(target->point, character->eye,
+				sizeof(target->point));
+			continue;
+		}
+		for (int axis = 0; axis < 3; axis++) {
+			target->point[axis] = *target->place[axis];
+		}
+		if (target->node >= 0) {
+			vec_add_scaled(target->point,
+				character->instance->world[target->node][3], 1,
+				target->point);
+		}
+	}
+}

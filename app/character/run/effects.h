@@ -1,0 +1,85 @@
+/*
+ * Operations that move bones without a clip, each with its switch and fade.
+ */
+#ifndef APP_CHARACTER_RUN_EFFECTS_H
+#define APP_CHARACTER_RUN_EFFECTS_H
+
+#include "app/anim/procedural/breath.h"
+#include "app/anim/procedural/ik.h"
+#include "app/anim/procedural/lookat.h"
+#include "app/anim/procedural/muscle.h"
+#include "app/anim/procedural/procedural.h"
+#include "app/anim/procedural/spring.h"
+#include "app/character/character_data.h"
+
+enum {
+	CHARACTER_BONES_MAX = 8
+};
+
+/* All begin with their switch. */
+struct character_shake {
+	struct character_switch is;
+	struct procedural swing;
+	float delay_s;
+};
+
+/* Bones that share a look: the first ones turn by their share of it. */
+struct character_look {
+	struct character_switch is;
+	const struct character_target *target;
+	int bone_count;
+	struct lookat bone[CHARACTER_BONES_MAX];
+	float share[CHARACTER_BONES_MAX];
+};
+
+struct character_reach {
+	struct character_switch is;
+	const struct character_target *target;
+	bool is_chain;
+	struct ik_limb limb;
+	struct ik_chain chain;
+	float short_m; /* the tip stops this far before the target */
+	bool has_pole;
+	float pole[3]; /* from the target */
+};
+
+/* Bones that turn about an axis, such as fingers that close. */
+struct character_turn {
+	struct character_switch is;
+	int bone_count;
+	int bone[CHARACTER_BONES_MAX];
+	float axis[3]; /* unit, of the model at rest */
+	float bone_axis[CHARACTER_BONES_MAX][3]; /* the same for each bone */
+	float angle_rad;
+};
+
+struct character_spring {
+	struct character_switch is;
+	struct spring spring;
+	int body_count;
+	struct capsule body[CHARACTER_BONES_MAX];
+};
+
+struct character_breath {
+	struct character_switch is;
+	struct breath breath;
+};
+
+struct character_muscle {
+	struct character_switch is;
+	struct muscle muscle;
+	float swell[3]; /* at weight 1 */
+};
+
+void character_shake_run(struct character *character, void *shake);
+void character_look_run(struct character *character, void *look);
+void character_reach_run(struct character *character, void *reach);
+void character_turn_run(struct character *character, void *turn);
+void character_spring_run(struct character *character, void *spring);
+void character_breath_run(struct character *character, void *breath);
+void character_muscle_run(struct character *character, void *muscle);
+
+/* Computes where the targets are; the world matrices are up to date. */
+void character_targets_update(struct character *character);
+
+#endif

@@ -1,0 +1,34 @@
+/*
+ * A clip as a state or a layer plays it: its time, its events and its pose.
+ */
+#ifndef APP_CHARACTER_RUN_ENTRY_H
+#define APP_CHARACTER_RUN_ENTRY_H
+
+#include "app/character/character_data.h"
+
+/* The clip's duration, or 0 for the rest pose. */
+float character_entry_duration_s(const struct character_entry *entry);
+
+/*
+ * How many marks a second the clip passes at a phase, which counts marks: 2.5
+ * is in the middle between the marks 2 and 3.
+ */
+float character_entry_marks_per_s(
+	const struct character_entry *entry, double phase);
+
+/*
+ * Moves the clip on by step_s or, if it has marks, to the phase. phase below 0
+ * stands for no phase.
+ */
+void character_entry_move(
+	struct character_entry *entry, double step_s, double phase);
+
+/*
+ * Writes the clip's pose, without the travel of the motion's root, and adds the
+ * actions of the events that were passed since the last call.
+ */
+void character_entry_sample(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	struct pose *pose);
+
+#endif

@@ -1,0 +1,77 @@
+#include "app/character/run/ground.h"
+
+#include "app/character/run/machine.h"
+
+#include <string.h>
+
+/* The speed that the clips themselves have, by their weights. */
+static void blend_speeds(const struct character *character, float out[2])
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+
+	out[0] = out[1] = 0;
+	for (int i = 0; i < state->entry_count; i++) {
+		const struct character_entry *entry = &state->entry[i];
+
+		for (int axis = 0; axis < 2; axis++) {
+			out[axis] += entry->weight * *state->rate *
+				entry->of->ground_m_per_s[axis];
+		}
+	}
+}
+
+/* The foot that stands on the ground: the lower one, if it is low enough. */
+static int find_planted(const struct character *character)
+{
+	const struct character_motion *motion = &character->motion;
+	mat4 *world = character->instance->world;
+	float height[2];
+	int lower;
+
+	for (int i = 0; i < 2; i++) {
+		height[i] = world[motion->foot[i]][3][1] - motion->low_m[i];
+	}
+	lower = height[0] <= height[1] ? 0 : 1;
+	return height[lower] < motion->near_m ? lower : -1;
+}
+
+static void follow_feet(struct character *character)
+{
+	struct character_motion *motion = &character->motion;
+	mat4 *world = character->instance->world;
+	float step_s = character->step_s;
+	int planted = find_planted(character);
+
+	if (motion->begun && planted >= 0 && step_s > 0) {
+		const float *at = world[motion->foot[planted]][3];
+		const float *before = motion->before[planted];
+
+		motion->velocity[0] = (before[0] - at[0]) / step_s;
+		motion->velocity[1] = (before[2] - at[2]) / step_s;
+	}
+	motion->planted = planted;
+	for (int i = 0; i < 2; i++) {
+		memcpy(motion->before[i], world[motion->foot[i]][3],
+			sizeof(motion->before[i]));
+	}
+	motion->begun = true;
+}
+
+void character_ground_update(struct character *character)
+{
+	struct character_motion *motion = &character->motion;
+
+	if (motion->foot[0] >= 0) {
+		follow_feet(character);
+	} else if (motion->speed) {
+		motion->velocity[0] = 0;
+		motion->velocity[1] = *motion->speed;
+	} else if (motion->root >= 0) {
+		blend_speeds(character, motion->velocity);
+	}
+	for (int axis = 0; axis < 2; axis++) {
+		motion->scroll[axis] =
+			motion->velocity[axis] * character->step_s;
+	}
+}

@@ -1,0 +1,305 @@
+#include "app/character/run/machine.h"
+
+#include "app/anim/clip_join.h"
+#include "app/anim/pose_blend.h"
+#include "app/character/run/entry.h"
+#include "app/character/run/pending.h"
+#include "platform/base/scalar.h"
+
+static bool holds(const struct character_condition *condition)
+{
+	for (; condition; condition = condition->next) {
+		float left = *condition->left, right = *condition->right;
+		bool is = condition->is == CHARACTER_ABOVE ? left > right
+			: condition->is == CHARACTER_BELOW ? left < right
+							   : left == right;
+
+		if (!is) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* The transition that fits best from the present state, or -1. */
+static int find_transition(const struct character_machine *machine, int to)
+{
+	int any = -1;
+
+	for (int i = 0; i < machine->transition_count; i++) {
+		const struct character_transition *one = &machine->transition[i];
+
+		if (one->to == to && one->from == machine->current) {
+			return i;
+		}
+		if (one->to == to && one->from < 0 && any < 0) {
+			any = i;
+		}
+	}
+	return any;
+}
+
+/* Whether the transition under way lets another one begin. */
+static bool may_begin(const struct character_machine *machine, int transition)
+{
+	const struct character_transition *running, *next;
+
+	if (machine->running < 0 || !machine->inertia.running) {
+		return true;
+	}
+	running = &machine->transition[machine->running];
+	if (running->interrupt != CHARACTER_INTERRUPT_HIGHER) {
+		return running->interrupt == CHARACTER_INTERRUPT_ALWAYS;
+	}
+	next = transition < 0 ? NULL : &machine->transition[transition];
+	return next && next->priority > running->priority;
+}
+
+static bool is_late_enough(
+	const struct character_machine *machine, int transition)
+{
+	return transition < 0 ||
+		machine->done >= machine->transition[transition].exit ||
+		machine->loops > 0;
+}
+
+static int find_condition(const struct character_machine *machine)
+{
+	for (int i = 0; i < machine->transition_count; i++) {
+		const struct character_transition *one = &machine->transition[i];
+
+		if (one->when && one->to != machine->current &&
+			(one->from < 0 || one->from == machine->current) &&
+			is_late_enough(machine, i) && may_begin(machine, i) &&
+			holds(one->when)) {
+			return i;
+		}
+	}
+	return -1;
+}
+
+static float fade_s(
+	const struct character_fade *fade, const struct character_entry *entry)
+{
+	if (fade->frames <= 0) {
+		return fade->duration_s;
+	}
+	return (float)fade->frames *
+		(entry->of->clip ? clip_join_frame_s(entry->of->clip)
+				 : 1.0f / 30);
+}
+
+/* The fade to a state, by a transition or by the state itself. */
+static const struct character_fade *fade_to(
+	const struct character_machine *machine, int to, int transition)
+{
+	return transition >= 0 ? &machine->transition[transition].fade
+			       : &machine->state[to].fade;
+}
+
+/* Whether the end of the clip has come, less the fade to the next state. */
+static bool is_at_end(const struct character *character)
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	const struct character_entry *entry = character_machine_entry(character);
+	float duration_s = character_entry_duration_s(entry);
+	float overlap_s;
+
+	if (state->next < 0 || machine->fresh) {
+		return false;
+	}
+	if (machine->loops > 0) {
+		return true;
+	}
+	overlap_s = fade_s(fade_to(machine, state->next,
+				   find_transition(machine, state->next)),
+		entry);
+	return duration_s * (1 - machine->done) <=
+		(overlap_s < 0.5f * duration_s ? overlap_s : 0.5f * duration_s);
+}
+
+static void choose_weights(const struct character_state *state)
+{
+	float at = *state->position;
+	int upper = 0;
+
+	for (int i = 0; i < state->entry_count; i++) {
+		state->entry[i].weight = 0;
+	}
+	while (upper < state->entry_count && state->entry[upper].at < at) {
+		upper++;
+	}
+	if (upper == 0 || upper == state->entry_count) {
+		state->entry[upper ? upper - 1 : 0].weight = 1;
+	} else {
+		struct character_entry *low = &state->entry[upper - 1];
+
+		state->entry[upper].weight =
+			(at - low->at) / (state->entry[upper].at - low->at);
+		low->weight = 1 - state->entry[upper].weight;
+	}
+}
+
+static void begin_state(struct character *character, int to, int transition)
+{
+	struct character_machine *machine = &character->machine;
+	struct character_state *state = &machine->state[to];
+
+	character_pending_add(
+		character, machine->state[machine->current].leave, 1);
+	character_pending_add(character, state->enter, 1);
+	machine->current = to;
+	machine->running = transition;
+	machine->wanted = -1;
+	machine->elapsed_s = 0;
+	machine->done = 0;
+	machine->loops = 0;
+	machine->fresh = true;
+	for (int i = 0; i < state->entry_count; i++) {
+		state->entry[i].time_s = 0;
+		state->entry[i].shown_s = -1;
+	}
+}
+
+/* The phase of clips with marks, or -1 where each clip has its own time. */
+static double phase_of(const struct character_machine *machine)
+{
+	return machine->state[machine->current].repeat == CLIP_LOOP
+		? machine->phase
+		: -1;
+}
+
+/* All clips with marks move on by one phase, so that they stay in step. */
+static void move_on(struct character *character)
+{
+	struct character_machine *machine = &character->machine;
+	struct character_state *state = &machine->state[machine->current];
+	double step_s = (double)(character->step_s * *state->rate);
+	float speed = 0, weight = 0;
+
+	if (machine->fresh) {
+		step_s = 0;
+	}
+	for (int i = 0; i < state->entry_count; i++) {
+		const struct character_entry *entry = &state->entry[i];
+
+		if (entry->weight > 0 && entry->of->mark_count > 0) {
+			speed += entry->weight *
+				character_entry_marks_per_s(
+					entry, machine->phase);
+			weight += entry->weight;
+		}
+	}
+	if (weight > 0) {
+		machine->phase += step_s * (double)(speed / weight);
+	}
+	machine->elapsed_s += step_s;
+	for (int i = 0; i < state->entry_count; i++) {
+		character_entry_move(
+			&state->entry[i], step_s, phase_of(machine));
+	}
+}
+
+static void note_progress(struct character *character)
+{
+	struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	const struct character_entry *entry = character_machine_entry(character);
+	float duration_s = character_entry_duration_s(entry);
+	double turns = duration_s > 0 ? entry->time_s / (double)duration_s : 1;
+
+	turns = turns < 0 ? -turns : turns;
+	machine->loops = scalar_to_int(turns, 0, 1 << 30);
+	machine->done = (float)(turns - (double)machine->loops);
+	if (state->repeat == CLIP_ONCE && machine->loops > 0) {
+		machine->done = 1;
+	}
+}
+
+static void sample(struct character *character, struct pose *pose)
+{
+	struct character_machine *machine = &character->machine;
+	struct character_state *state = &machine->state[machine->current];
+	bool first = true;
+	float before = 0;
+
+	for (int i = 0; i < state->entry_count; i++) {
+		struct character_entry *entry = &state->entry[i];
+
+		if (entry->weight <= 0) {
+			continue;
+		}
+		character_entry_sample(character, entry, state->repeat,
+			phase_of(machine), first ? pose : &character->scratch);
+		if (!first) {
+			pose_mix(pose, &character->scratch,
+				entry->weight / (before + entry->weight), NULL,
+				pose);
+		}
+		before += entry->weight;
+		first = false;
+	}
+}
+
+const struct character_entry *character_machine_entry(
+	const struct character *character)
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	const struct character_entry *best = &state->entry[0];
+
+	for (int i = 1; i < state->entry_count; i++) {
+		best = state->entry[i].weight > best->weight ? &state->entry[i]
+							     : best;
+	}
+	return best;
+}
+
+/* Changes the state if something asks for it; returns the fade's length. */
+static const struct character_fade *change(
+	struct character *character, float *duration_s)
+{
+	struct character_machine *machine = &character->machine;
+	const struct character_entry *entry = character_machine_entry(character);
+	int transition = find_condition(machine), to = -1;
+
+	if (transition >= 0) {
+		to = machine->transition[transition].to;
+	} else if (machine->wanted >= 0) {
+		transition = find_transition(machine, machine->wanted);
+		if (is_late_enough(machine, transition) &&
+			may_begin(machine, transition)) {
+			to = machine->wanted;
+		}
+	}
+	if (to < 0 && is_at_end(character)) {
+		to = machine->state[machine->current].next;
+		transition = find_transition(machine, to);
+	}
+	if (to < 0) {
+		return NULL;
+	}
+	*duration_s = fade_s(fade_to(machine, to, transition), entry);
+	begin_state(character, to, transition);
+	return fade_to(machine, to, transition);
+}
+
+void character_machine_update(struct character *character)
+{
+	struct character_machine *machine = &character->machine;
+	struct pose *pose = &character->instance->pose;
+	float duration_s = 0;
+	const struct character_fade *fade = change(character, &duration_s);
+
+	choose_weights(&machine->state[machine->current]);
+	move_on(character);
+	sample(character, pose);
+	note_progress(character);
+	if (fade) {
+		inertia_begin(&machine->inertia, pose, duration_s, fade->curve);
+	}
+	inertia_apply(&machine->inertia, character->step_s, pose);
+	inertia_keep(&machine->inertia, pose, character->step_s);
+	machine->fresh = false;
+}

@@ -1,0 +1,27 @@
+/*
+ * Actions that wait for the end of a step of the frame. What makes actions
+ * (buttons, states, events) thereby need not know what runs them.
+ */
+#ifndef APP_CHARACTER_RUN_PENDING_H
+#define APP_CHARACTER_RUN_PENDING_H
+
+#include "app/character/character_data.h"
+
+/*
+ * Adds a list of actions; NULL is fine. times multiplies the amount of those
+ * that change something by an amount. The last ones are dropped beyond
+ * CHARACTER_PENDING_MAX.
+ */
+static inline void character_pending_add(struct character *character,
+	const struct character_action *action, float times)
+{
+	for (; action && character->pending_count < CHARACTER_PENDING_MAX;
+		action = action->next) {
+		int at = character->pending_count++;
+
+		character->pending[at].action = action;
+		character->pending[at].times = times;
+	}
+}
+
+#endif

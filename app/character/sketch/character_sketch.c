@@ -1,0 +1,271 @@
+#include "app/character/sketch/character_sketch.h"
+
+#include <string.h>
+
+enum {
+	EXPRESSIONS_MAX = 12,
+	PARTS_MAX = 12,
+	CHAINS_MAX = 6,
+	NAME_BYTES = 40
+};
+
+/* Writes a name, in quotes if it has blanks or commas. */
+static void write_name(FILE *out, const char *name)
+{
+	bool plain = *name && !strpbrk(name, " \t,;\"#");
+
+	fprintf(out, plain ? "%s" : "\"%s\"", name);
+}
+
+/* Whether a character file can hold the name. */
+static bool is_usable(const char *name)
+{
+	return *name && strlen(name) < NAME_BYTES && !strpbrk(name, "\"]\r\n;");
+}
+
+/* Whether a name is usable and no earlier clip has it. */
+static bool is_clip_name(const struct model *model, int clip)
+{
+	const char *name = model->clip[clip].name;
+
+	return is_usable(name) && model_find_clip(model, name) == clip;
+}
+
+static void write_clip_name(const struct model *model, int clip, FILE *out)
+{
+	if (is_clip_name(model, clip)) {
+		write_name(out, model->clip[clip].name);
+	} else {
+		fprintf(out, "%d", clip);
+	}
+}
+
+static void write_states(const struct model *model, FILE *out)
+{
+	if (model->clip_count == 0) {
+		fputs("; The model has no clips: it stands still until buttons or effects move it.\n\n",
+			out);
+		return;
+	}
+	fputs("; How fast clips play.\n"
+	      "[parameter rate]\nrange = 0 3\nstart = 1\nease = 0.3\n\n"
+	      "; Each clip is a state. The first one plays at the start. A state that\n"
+	      "; plays once goes on with another: repeat = once and next = STATE.\n",
+		out);
+	for (int i = 0; i < model->clip_count; i++) {
+		fputs("[state ", out);
+		write_clip_name(model, i, out);
+		fputs("]\nclip = ", out);
+		write_clip_name(model, i, out);
+		fprintf(out, "\nrate = rate\nfade = 0.3 ; of %.2f s\n\n",
+			(double)model->clip[i].duration_s);
+	}
+}
+
+static int first_morphed(const struct model *model)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		int mesh = model->node[i].mesh;
+
+		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
+			return i;
+		}
+	}
+	return -1;
+}
+
+static void write_target(const struct model_mesh *mesh, int target, FILE *out)
+{
+	if (is_usable(mesh->target_name[target])) {
+		write_name(out, mesh->target_name[target]);
+	} else {
+		fprintf(out, "%d", target);
+	}
+}
+
+static void write_morph(const struct model *model, FILE *out)
+{
+	int node = first_morphed(model);
+	const struct model_mesh *mesh;
+
+	if (node < 0) {
+		return;
+	}
+	mesh = &model->mesh[model->node[node].mesh];
+	fputs("; The shape goes from key frame to key frame: the neutral shape and each\n"
+	      "; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
+	      "[morph shape]\n",
+		out);
+	if (is_usable(model->node[node].name)) {
+		fputs("node = ", out);
+		write_name(out, model->node[node].name);
+		fputc('\n', out);
+	}
+	fputs("time = 0.6\ncurve = bezier 0.4 0 0.2 1\n\n"
+	      "; Expressions are mixed, each with a weight of its own.\n",
+		out);
+	for (int i = 0; i < mesh->target_count && i < EXPRESSIONS_MAX; i++) {
+		fprintf(out, ";[expression face%d]\n;targets = ", i);
+		write_target(mesh, i, out);
+		fputs(" 1\n;on = no\n\n", out);
+	}
+}
+
+static bool is_joint(const struct model *model, int node)
+{
+	for (int s = 0; s < model->skin_count; s++) {
+		for (int j = 0; j < model->skin[s].joint_count; j++) {
+			if (model->skin[s].joint[j] == node) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+static void write_parts(const struct model *model, FILE *out)
+{
+	int written = 0;
+
+	for (int i = 0; i < model->node_count && written < PARTS_MAX; i++) {
+		const struct model_node *node = &model->node[i];
+
+		if (node->mesh < 0 || node->skin >= 0 || is_joint(model, i) ||
+			!is_usable(node->name)) {
+			continue;
+		}
+		if (written++ == 0) {
+			fputs("; Rigid parts turn on their pivots: start, lowest, highest, degrees a second.\n",
+				out);
+		}
+		fputs(";[part ", out);
+		write_name(out, node->name);
+		fputs("]\n;heading = 0 -90 90 45\n;pitch = 0 -45 45 45\n\n",
+			out);
+	}
+}
+
+static int child_count(const struct model *model, int node)
+{
+	int count = 0;
+
+	for (int i = node + 1; i < model->node_count; i++) {
+		count += model->node[i].parent == node;
+	}
+	return count;
+}
+
+/* The number of bones from a last one up to where the skeleton branches. */
+static int chain_length(const struct model *model, int last)
+{
+	int count = 1;
+	int node = model->node[last].parent;
+
+	while (node >= 0 && is_joint(model, node) &&
+		child_count(model, node) == 1) {
+		node = model->node[node].parent;
+		count++;
+	}
+	return count;
+}
+
+static void write_chains(const struct model *model, FILE *out)
+{
+	int written = 0;
+
+	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
+		int bones = chain_length(model, i);
+
+		if (!is_joint(model, i) || child_count(model, i) > 0 ||
+			bones < 2 || !is_usable(model->node[i].name)) {
+			continue;
+		}
+		if (written++ == 0) {
+			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n"
+			      ";[target ball]\n;place = 0.3 1 0.5\n;radius = 0.05\n\n",
+				out);
+		}
+		fprintf(out, ";[spring swing%d]\n;bones = ", written);
+		write_name(out, model->node[i].name);
+		fprintf(out, " %d\n\n;[reach reach%d]\n;chain = ",
+			bones < 16 ? bones : 16, written);
+		write_name(out, model->node[i].name);
+		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
+			bones < 16 ? bones : 16);
+	}
+}
+
+static void write_buttons(const struct model *model, FILE *out)
+{
+	fputs("; BUTTON = ACTION, ACTION \"what it does\". Also BUTTON hold, long and\n"
+	      "; release, and two buttons: UP+DOWN.\n"
+	      "[buttons]\n",
+		out);
+	if (model->clip_count > 1) {
+		fputs("UP = previous \"play the previous clip\"\n"
+		      "DOWN = next \"play the next clip\"\n",
+			out);
+	} else if (model->clip_count == 1) {
+		fputs("UP = add rate 0.25 \"play faster\"\n"
+		      "DOWN = add rate -0.25 \"play slower\"\n",
+			out);
+	} else {
+		fputs("UP = camera tilt 80 \"tilt the camera up\"\n"
+		      "DOWN = camera tilt -80 \"tilt the camera down\"\n",
+			out);
+	}
+	if (first_morphed(model) >= 0) {
+		fputs("LEFT = morph shape previous \"show the previous shape\"\n"
+		      "RIGHT = morph shape next \"show the next shape\"\n"
+		      "F9 = morph shape neutral \"show the neutral shape\"\n",
+			out);
+	} else {
+		fputs("LEFT = camera turn -80 \"turn the camera left\"\n"
+		      "RIGHT = camera turn 80 \"turn the camera right\"\n",
+			out);
+	}
+	fputs("ENTER = pause \"pause or continue\"\n"
+	      "F6 = camera zoom -120 \"move the camera closer\"\n"
+	      "F8 = camera zoom 120 \"move the camera away\"\n"
+	      "F10 = labels \"show or hide the labels\"\n",
+		out);
+}
+
+/* An unattended picture of a model with shapes shows them all. */
+static void write_scene(const struct model *model, FILE *out)
+{
+	int node = first_morphed(model), count;
+
+	if (node < 0 || model->clip_count > 0) {
+		fputs("[scene]\nyaw = 26\npitch = 9\nlabels = left\n\n", out);
+		return;
+	}
+	count = model->mesh[model->node[node].mesh].target_count;
+	count = count < EXPRESSIONS_MAX ? count : EXPRESSIONS_MAX;
+	fprintf(out,
+		"; What happens while nobody presses buttons, from time to time.\n"
+		"[scene]\nyaw = 26\npitch = 9\nlabels = left\nperiod = %d\n",
+		count + 1);
+	for (int i = 0; i <= count; i++) {
+		fprintf(out, "tour = %d morph shape next\n", i);
+	}
+	fputc('\n', out);
+}
+
+void character_sketch(const struct model *model, FILE *out)
+{
+	const char *slash = strrchr(model->path, '/');
+
+	fprintf(out,
+		"; How %s behaves. limber play finds this file beside the model when its\n"
+		"; name is that of the model with .character at the end. limber doctor MODEL\n"
+		"; checks it, and man limber describes it. Lines that begin with ; are\n"
+		"; suggestions.\n\n",
+		slash ? slash + 1 : model->path);
+	write_states(model, out);
+	write_morph(model, out);
+	write_parts(model, out);
+	write_chains(model, out);
+	write_scene(model, out);
+	write_buttons(model, out);
+}

@@ -1,0 +1,338 @@
+#include "app/character/text/character_text.h"
+
+#include "app/character/text/character_split.h"
+
+#include <errno.h>
+#include <ini.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	HEADING_BYTES = 50 /* libinih's limit of a section's name */
+};
+
+struct reader {
+	struct character_text *text;
+	struct character_section *section;
+	FILE *file;
+	const char *path;
+	int line; /* from 1 */
+	int error;
+	bool may_include;
+	const struct log *log;
+};
+
+static int load_file(
+	struct character_text *text, const char *path, const struct log *log);
+
+static int fail(const struct reader *reader, const char *sentence)
+{
+	log_error(
+		reader->log, "%s:%d: %s", reader->path, reader->line, sentence);
+	return -EINVAL;
+}
+
+static int fail_memory(const struct reader *reader)
+{
+	log_error(reader->log,
+		"%s: there is not enough memory for the character file",
+		reader->path);
+	return -ENOMEM;
+}
+
+static struct character_section *find_section(const struct character_text *text,
+	const char *kind, const char *name, const char *other)
+{
+	struct character_section *section = text->first;
+
+	while (section &&
+		(strcmp(section->kind, kind) != 0 ||
+			strcmp(section->name, name) != 0 ||
+			strcmp(section->other, other) != 0)) {
+		section = section->next;
+	}
+	return section;
+}
+
+/* Begins the section "[KIND NAME OTHER]", or goes on with it. */
+static int begin_section(struct reader *reader, const char *line)
+{
+	struct character_text *text = reader->text;
+	struct character_word word[CHARACTER_WORDS_MAX];
+	size_t length = strcspn(line + 1, "]");
+	struct character_section *section;
+	char heading[HEADING_BYTES];
+	int count;
+
+	if (length >= HEADING_BYTES) {
+		return fail(reader,
+			"the name of this section has more than 49 characters: make it shorter");
+	}
+	memcpy(heading, line + 1, length);
+	heading[length] = '\0';
+	count = character_split(heading, text->arena, word);
+	if (count == -ENOMEM) {
+		return fail_memory(reader);
+	}
+	if (count < 1 || count > 3) {
+		return fail(reader,
+			"this is no section: write [KIND], [KIND NAME] or [KIND NAME OTHER], with names of several words in quotes");
+	}
+	for (int i = count; i < 3; i++) {
+		word[i].text = "";
+	}
+	reader->section =
+		find_section(text, word[0].text, word[1].text, word[2].text);
+	if (reader->section) {
+		return 0;
+	}
+	section = ARENA_NEW(text->arena, struct character_section);
+	if (!section) {
+		return fail_memory(reader);
+	}
+	*section = (struct character_section){
+		.file = reader->path,
+		.number = reader->line,
+		.heading = arena_strdup(text->arena, heading),
+		.kind = word[0].text,
+		.name = word[1].text,
+		.other = word[2].text,
+	};
+	if (!section->heading) {
+		return fail_memory(reader);
+	}
+	if (text->last) {
+		text->last->next = section;
+	} else {
+		text->first = section;
+	}
+	text->last = reader->section = section;
+	return 0;
+}
+
+/* Includes a file that lies in the folder of the one that names it. */
+static int include(struct reader *reader, const char *name)
+{
+	const char *slash = strrchr(reader->path, '/');
+	int folder = slash ? (int)(slash - reader->path) + 1 : 0;
+	char path[CHARACTER_PATH_BYTES];
+	int length;
+
+	if (!reader->may_include) {
+		return fail(
+			reader, "include: a file is needed to include another");
+	}
+	if (!*name || strpbrk(name, "/\\") || name[0] == '.') {
+		return fail(reader,
+			"include: give the name of a file in the same folder, without a path, such as biped.character");
+	}
+	length = snprintf(
+		path, sizeof(path), "%.*s%s", folder, reader->path, name);
+	if (length < 0 || (size_t)length >= sizeof(path)) {
+		return fail(reader, "include: the path is too long");
+	}
+	return load_file(reader->text, path, reader->log);
+}
+
+static int add_line(struct reader *reader, const char *key, const char *value)
+{
+	struct character_text *text = reader->text;
+	struct character_line *line;
+	struct character_word word[CHARACTER_WORDS_MAX];
+	int count = character_split(value, text->arena, word);
+
+	if (count < 0) {
+		return count == -ENOMEM
+			? fail_memory(reader)
+			: fail(reader,
+				  count == -EFBIG
+					  ? "this line has more than 64 words: divide it"
+					  : "a quotation mark is missing at the end of a name");
+	}
+	if (strcmp(key, "include") == 0 &&
+		(!reader->section ||
+			strcmp(reader->section->kind, "character") == 0)) {
+		return include(reader, value);
+	}
+	if (!reader->section) {
+		return fail(reader,
+			"this line comes before any [section]: write its section above it");
+	}
+	if (++text->line_count > CHARACTER_LINES_MAX) {
+		return fail(reader, "the character has more than 4000 lines");
+	}
+	line = ARENA_NEW(text->arena, struct character_line);
+	if (!line) {
+		return fail_memory(reader);
+	}
+	*line = (struct character_line){
+		.file = reader->path,
+		.number = reader->line,
+		.section = reader->section->heading,
+		.key = arena_strdup(text->arena, key),
+		.word_count = count,
+		.word = ARENA_ARRAY(
+			text->arena, struct character_word, (size_t)count),
+	};
+	if (!line->key || !line->word) {
+		return fail_memory(reader);
+	}
+	memcpy(line->word, word, (size_t)count * sizeof(*word));
+	if (reader->section->last) {
+		reader->section->last->next = line;
+	} else {
+		reader->section->first = line;
+	}
+	reader->section->last = line;
+	return 0;
+}
+
+static int take(
+	void *user, const char *section, const char *key, const char *value)
+{
+	struct reader *reader = user;
+
+	(void)section; /* next_line() knows it, also when it has no lines */
+	if (!reader->error) {
+		reader->error = add_line(reader, key, value);
+	}
+	return !reader->error;
+}
+
+/* Whether the library accepts the line. */
+static int check_line(struct reader *reader, const char *line)
+{
+	if (*line == '[') {
+		return strchr(line, ']') ? begin_section(reader, line)
+					 : fail(reader, "a ] is missing");
+	}
+	if (strchr(";#\r\n", *line) || strchr(line, '=')) {
+		return 0;
+	}
+	return fail(reader,
+		"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
+}
+
+/* libinih would take an indented line for a continuation. */
+static char *next_line(char *line, int size, void *user)
+{
+	struct reader *reader = user;
+	size_t length, blank;
+
+	if (reader->error || !fgets(line, size, reader->file)) {
+		return NULL;
+	}
+	reader->line++;
+	length = strlen(line);
+	if ((length == 0 || line[length - 1] != '\n') && !feof(reader->file)) {
+		reader->error = fail(reader,
+			"this line is too long or is no text: divide it (most keys may be repeated)");
+		return NULL;
+	}
+	if (reader->line > CHARACTER_LINES_MAX) {
+		reader->error =
+			fail(reader, "the file has more than 4000 lines");
+		return NULL;
+	}
+	blank = strspn(line, " \t");
+	memmove(line, line + blank, length + 1 - blank);
+	reader->error = check_line(reader, line);
+	return reader->error ? NULL : line;
+}
+
+static int read_file(struct character_text *text, FILE *file, const char *path,
+	bool may_include, const struct log *log)
+{
+	struct reader reader = {.text = text,
+		.file = file,
+		.path = arena_strdup(text->arena, path),
+		.may_include = may_include,
+		.log = log};
+	int line;
+
+	if (!reader.path) {
+		reader.path = path;
+		return fail_memory(&reader);
+	}
+	if (text->file_count == CHARACTER_FILES_MAX) {
+		log_error(log,
+			"%s: a character may have at most %d files, and none may include itself",
+			path, CHARACTER_FILES_MAX);
+		return -EINVAL;
+	}
+	text->file[text->file_count++] = reader.path;
+	line = ini_parse_stream(next_line, &reader, take, &reader);
+	if (reader.error) {
+		return reader.error;
+	}
+	if (ferror(file)) {
+		log_error(log, "%s: cannot be read", path);
+		return -EIO;
+	}
+	if (line) {
+		reader.line = line > 0 ? line : 0;
+		return fail(&reader, "this line is not valid");
+	}
+	return 0;
+}
+
+static int load_file(
+	struct character_text *text, const char *path, const struct log *log)
+{
+	FILE *file = fopen(path, "r");
+	int error;
+
+	if (!file) {
+		error = -errno;
+		log_error(log, "%s: cannot be read: %s", path, strerror(-error));
+		return error;
+	}
+	error = read_file(text, file, path, true, log);
+	fclose(file);
+	return error;
+}
+
+int character_text_read(struct character_text *text, struct arena *arena,
+	FILE *file, const char *path, bool may_include, const struct log *log)
+{
+	*text = (struct character_text){.arena = arena};
+	return read_file(text, file, path, may_include, log);
+}
+
+int character_text_load(struct character_text *text, struct arena *arena,
+	const char *path, const struct log *log)
+{
+	*text = (struct character_text){.arena = arena};
+	return load_file(text, path, log);
+}
+
+const struct character_section *character_text_find(
+	const struct character_section *section, const char *kind)
+{
+	while (section && strcmp(section->kind, kind) != 0) {
+		section = section->next;
+	}
+	return section;
+}
+
+int character_text_count(const struct character_text *text, const char *kind)
+{
+	const struct character_section *section =
+		character_text_find(text->first, kind);
+	int count = 0;
+
+	for (; section; section = character_text_find(section->next, kind)) {
+		count++;
+	}
+	return count;
+}
+
+bool character_text_path_beside(const char *model_path, char *path, size_t size)
+{
+	const char *slash = strrchr(model_path, '/');
+	const char *dot = strrchr(slash ? slash : model_path, '.');
+	int stem = dot ? (int)(dot - model_path) : (int)strlen(model_path);
+	int length = snprintf(path, size, "%.*s.character", stem, model_path);
+
+	return length >= 0 && (size_t)length < size;
+}

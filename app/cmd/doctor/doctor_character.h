@@ -1,0 +1,29 @@
+/*
+ * Checks the character file that lies beside a model.
+ */
+#ifndef APP_CMD_DOCTOR_DOCTOR_CHARACTER_H
+#define APP_CMD_DOCTOR_DOCTOR_CHARACTER_H
+
+#include "platform/base/log.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What a character file contains. */
+struct doctor_character {
+	char path[1024];
+	bool found; /* there is such a file */
+	bool right; /* and it fits the model */
+	int states, layers, effects, buttons;
+};
+
+/*
+ * Compiles the character file beside the model. Its error goes to findings and
+ * errors of the model to log. Returns 0, or -errno if the model cannot be
+ * loaded.
+ */
+int doctor_character_check(const char *model_path, size_t memory_bytes,
+	const struct log *findings, const struct log *log,
+	struct doctor_character *out);
+
+#endif

@@ -1,0 +1,421 @@
+#include "app/demo/behaviour.h"
+
+#include "app/character/character.h"
+#include "app/character/run/layers.h"
+#include "app/character/run/machine.h"
+#include "app/character/sketch/character_sketch.h"
+#include "app/scene/draw/draw.h"
+#include "app/scene/stage/ball.h"
+#include "platform/base/file.h"
+#include "platform/buttons/gpio_output.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct behaviour {
+	struct character *character;
+	const char *title;               /* the model's technique */
+	char path[CHARACTER_PATH_BYTES]; /* "" for the default behaviour */
+	struct ball ball;
+	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
+};
+
+/* The character file of a model: --character, or the one beside it. */
+static bool find_file(const struct demo_env *env, char *path, size_t size)
+{
+	const char *given = env->character;
+
+	if (given) {
+		int length = snprintf(path, size, "%s", given);
+
+		return strcmp(given, "none") != 0 && length >= 0 &&
+			(size_t)length < size;
+	}
+	/* A clip that is asked for plays by itself. */
+	return !env->clip &&
+		character_text_path_beside(env->model_path, path, size) &&
+		file_exists(path);
+}
+
+static bool needs_default(const struct demo_env *env, const struct model *model)
+{
+	return !env->clip && model->clip_count == 0 && model->weight_count > 0 &&
+		!(env->character && strcmp(env->character, "none") == 0);
+}
+
+/* Reads what `limber character` would write for the model. */
+static int read_default(
+	struct actor *actor, const struct demo_env *env, struct character **out)
+{
+	char *text = NULL;
+	size_t size = 0;
+	FILE *file = open_memstream(&text, &size);
+	int error = -ENOMEM;
+
+	if (file) {
+		character_sketch(actor->model, file);
+		fclose(file);
+	}
+	file = text && size > 0 ? fmemopen(text, size, "r") : NULL;
+	if (file) {
+		error = character_read(
+			file, env->model_path, actor->instance, env->log, out);
+		fclose(file);
+	} else {
+		log_error(env->log, "%s: there is not enough memory",
+			env->model_path);
+	}
+	free(text);
+	return error;
+}
+
+static void drive(void *user, int output, bool on)
+{
+	struct behaviour *behaviour = user;
+
+	gpio_output_set(behaviour->output[output], on);
+}
+
+static void open_outputs(struct behaviour *behaviour, const struct log *log)
+{
+	struct character *character = behaviour->character;
+
+	for (int i = 0; i < character->output_count; i++) {
+		if (!behaviour->output[i]) {
+			behaviour->output[i] =
+				gpio_output_open(character->output[i].name,
+					character->output[i].line, log);
+		}
+	}
+	character->drive = drive;
+	character->drive_user = behaviour;
+}
+
+static void close_outputs(struct behaviour *behaviour)
+{
+	for (int i = 0; i < CHARACTER_OUTPUTS_MAX; i++) {
+		gpio_output_close(behaviour->output[i]);
+		behaviour->output[i] = NULL;
+	}
+}
+
+void behaviour_suspend(struct behaviour *behaviour)
+{
+	if (behaviour) {
+		close_outputs(behaviour);
+	}
+}
+
+void behaviour_resume(struct behaviour *behaviour, const struct log *log)
+{
+	if (behaviour) {
+		open_outputs(behaviour, log);
+	}
+}
+
+int behaviour_create(
+	const struct demo_env *env, struct actor *actor, struct behaviour **out)
+{
+	char path[CHARACTER_PATH_BYTES];
+	bool has_file = find_file(env, path, sizeof(path));
+	struct behaviour *behaviour;
+	int error;
+
+	*out = NULL;
+	if (!has_file && !needs_default(env, actor->model)) {
+		return 0;
+	}
+	behaviour = calloc(1, sizeof(*behaviour));
+	if (!behaviour) {
+		log_error(env->log, "%s: there is not enough memory",
+			env->model_path);
+		return -ENOMEM;
+	}
+	if (has_file) {
+		memcpy(behaviour->path, path, sizeof(path));
+		error = character_load(
+			path, actor->instance, env->log, &behaviour->character);
+	} else {
+		error = read_default(actor, env, &behaviour->character);
+	}
+	if (error) {
+		free(behaviour);
+		return error;
+	}
+	open_outputs(behaviour, env->log);
+	ball_init(&behaviour->ball);
+	behaviour->title = actor_technique(actor->instance);
+	behaviour->character->touring = env->unattended;
+	behaviour->character->tour_next = behaviour->character->scene.tour;
+	*out = behaviour;
+	return 0;
+}
+
+void behaviour_destroy(struct behaviour *behaviour)
+{
+	if (behaviour) {
+		close_outputs(behaviour);
+		character_destroy(behaviour->character);
+		free(behaviour);
+	}
+}
+
+uint64_t behaviour_stamp(
+	const struct demo_env *env, const struct behaviour *behaviour)
+{
+	char path[CHARACTER_PATH_BYTES];
+
+	if (behaviour && behaviour->path[0]) {
+		return character_stamp(behaviour->character);
+	}
+	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
+}
+
+/* How many rows of labels there usually are, and how many have bars. */
+static void count_labels(
+	const struct character *character, struct actor_framing *framing)
+{
+	framing->label_rows = framing->label_bars = 1 + character->morph_count;
+	for (int i = 0; i < character->parameter_count; i++) {
+		int shown = character->parameter[i].source ==
+			CHARACTER_SOURCE_ACTIONS;
+
+		framing->label_rows += shown;
+		framing->label_bars += shown;
+	}
+	if (character->scene.labels == CHARACTER_LABELS_NONE) {
+		framing->label_rows = 0;
+	}
+}
+
+int behaviour_init_stage(const struct behaviour *behaviour,
+	const struct demo_env *env, struct actor *actor, struct stage *stage)
+{
+	const struct character_scene *scene = &behaviour->character->scene;
+	struct actor_framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
+						.pitch_rad = scene->pitch_rad,
+						.margin = scene->margin,
+						.follow = true}};
+	struct bounds bounds = bounds_of_model(actor->instance, -1);
+	int error;
+
+	count_labels(behaviour->character, &framing);
+	error = actor_init_stage(env, &bounds, &framing, stage);
+	if (!error && scene->labels == CHARACTER_LABELS_RIGHT) {
+		struct camera_region left = stage->camera.fit.region;
+
+		camera_set_region(&stage->camera,
+			&(struct camera_region){
+				-left.right, -left.left, left.bottom, left.top},
+			1.0f, (float)env->width / (float)env->height);
+	}
+	return error;
+}
+
+void behaviour_press(
+	struct behaviour *behaviour, const struct button_event *event)
+{
+	character_press(behaviour->character, event);
+}
+
+void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
+	double time_s, int height)
+{
+	struct character *character = behaviour->character;
+	struct camera *camera = &base->stage.camera;
+	float scale = base->actor.instance->unit_scale;
+	struct character_frame frame = {.time_s = time_s,
+		.motion_level = live_controls_motion(&base->live)
+			? base->live.smooth_level
+			: 0.0f};
+
+	character->ground_m = base->stage.floor.y / scale;
+	floor_set_wave_height(
+		&base->stage.floor, character->scene.wave_m * scale);
+	camera_eye(camera, frame.eye);
+	for (int i = 0; i < 3; i++) {
+		frame.eye[i] /= scale;
+	}
+	character_update(character, &frame);
+	camera_orbit(camera, character->camera_turn, character->camera_tilt);
+	camera_zoom(camera, 1.0f + character->camera_zoom);
+	floor_scroll(&base->stage.floor, character->motion.scroll[0] * scale,
+		character->motion.scroll[1] * scale);
+	actor_update(&base->actor, camera, height);
+}
+
+static void draw_balls(
+	const struct behaviour *behaviour, const struct demo_base *base)
+{
+	const struct character *character = behaviour->character;
+	float scale = base->actor.instance->unit_scale;
+
+	for (int i = 0; i < character->target_count; i++) {
+		const struct character_target *target = &character->target[i];
+		float center[3];
+
+		if (target->radius_m <= 0.0f) {
+			continue;
+		}
+		for (int axis = 0; axis < 3; axis++) {
+			center[axis] = target->point[axis] * scale;
+		}
+		ball_draw(&behaviour->ball, base->gl, center,
+			target->radius_m * scale, target->color);
+	}
+}
+
+void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
+	int width, int height)
+{
+	const struct gl *gl = base->gl;
+	const struct actor *actor = &base->actor;
+
+	stage_begin(&base->stage, gl, width, height);
+	if (behaviour->character->scene.shadow) {
+		stage_shadow_begin(&base->stage, gl);
+		draw_instance(
+			gl, actor->instance, &actor->textures, DRAW_SHADOW);
+		stage_shadow_end(&base->stage, gl);
+	} else {
+		stage_draw_monitor(&base->stage, gl);
+	}
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	draw_balls(behaviour, base);
+}
+
+static const struct hud_color *color_of(int number)
+{
+	static const struct hud_color *const colors[] = {
+		&hud_color_green,
+		&hud_color_amber,
+		&hud_color_violet,
+		&hud_color_rose,
+	};
+
+	return colors[(size_t)number % ARRAY_COUNT(colors)];
+}
+
+static void label_motion(
+	const struct character *character, struct hud_group *group)
+{
+	const struct character_entry *entry = character_machine_entry(character);
+	const struct character_machine *machine = &character->machine;
+	const struct model_clip *clip = entry->of->clip;
+
+	if (clip) {
+		hud_group_time(group, machine->state[machine->current].name,
+			entry->shown_s, clip->duration_s, hud_color_blue);
+	} else if (character->morph_count == 0 || machine->state_count > 1) {
+		hud_group_text(group, machine->state[machine->current].name, "");
+	}
+	for (int i = 0; i < character->morph_count; i++) {
+		const struct character_morph *morph = &character->morph[i];
+
+		hud_group_weight(group, morph->key_name[morph->destiny],
+			scalar_clamp(character_morph_omega(morph), 0, 1),
+			hud_color_rose);
+	}
+}
+
+static void label_values(
+	const struct character *character, struct hud_group *group)
+{
+	for (int i = 0; i < character->parameter_count; i++) {
+		const struct character_parameter *one = &character->parameter[i];
+		char value[32];
+
+		if (one->source == CHARACTER_SOURCE_ACTIONS) {
+			snprintf(value, sizeof(value), "%.2f",
+				(double)one->value);
+			hud_group_bar(group, one->name, value,
+				(one->value - one->range[0]) /
+					(one->range[1] - one->range[0]),
+				*color_of(i));
+		}
+	}
+	for (int i = 0; i < character->switch_count; i++) {
+		const struct character_switch *is = character->switches[i];
+
+		if (is->now > 0 && !(is->on && is->now >= 1)) {
+			hud_group_weight(
+				group, is->name, is->now, *color_of(i + 1));
+		}
+	}
+	for (int i = 0; i < character->sequence_count; i++) {
+		const struct character_sequence *one = &character->sequence[i];
+
+		if (one->now) {
+			hud_group_time(group, one->now->name, one->elapsed_s,
+				one->now->duration_s, hud_color_amber);
+		}
+	}
+}
+
+void behaviour_label(const struct behaviour *behaviour,
+	const struct demo_base *base, struct hud *hud)
+{
+	const struct character *character = behaviour->character;
+	struct hud_group group;
+
+	if (character->labels_hidden ||
+		character->scene.labels == CHARACTER_LABELS_NONE) {
+		return;
+	}
+	group = hud_group_begin(hud,
+		character->scene.labels == CHARACTER_LABELS_RIGHT ? HUD_TOP_RIGHT
+								  : HUD_TOP_LEFT,
+		behaviour->title);
+	label_motion(character, &group);
+	label_values(character, &group);
+	actor_label_lod(&base->actor, &group);
+	if (character->paused) {
+		hud_group_text(&group, "paused", "");
+	}
+	hud_group_end(&group);
+}
+
+double behaviour_period_s(const struct behaviour *behaviour)
+{
+	const struct character *character = behaviour->character;
+	const struct model_clip *clip =
+		character_machine_entry(character)->of->clip;
+
+	if (character->scene.tour_s > 0.0) {
+		return character->scene.tour_s;
+	}
+	return clip && clip->duration_s > 0.0f ? clip->duration_s : 1.0;
+}
+
+void behaviour_print_buttons(const struct behaviour *behaviour, FILE *out)
+{
+	character_print_buttons(behaviour->character, out);
+}
+
+void behaviour_get_motion(const struct behaviour *behaviour,
+	const struct model *model, struct overlay_motion *out)
+{
+	const struct character *character = behaviour->character;
+	const struct character_entry *entry = character_machine_entry(character);
+	const struct inertia *inertia = &character->machine.inertia;
+
+	out->clip = entry->of->clip ? (int)(entry->of->clip - model->clip) : -1;
+	out->time_s = entry->shown_s;
+	for (int i = 0; i < character->layer_count &&
+		out->layer_count < (int)ARRAY_COUNT(out->layer);
+		i++) {
+		const struct character_layer *layer = &character->layer[i];
+
+		if (layer->is.now > 0) {
+			out->layer[out->layer_count].name = layer->is.name;
+			out->layer[out->layer_count].weight = layer->is.now;
+			out->layer[out->layer_count++].mask = layer->mask;
+		}
+	}
+	if (inertia->running && out->layer_count < (int)ARRAY_COUNT(out->layer)) {
+		out->layer[out->layer_count].name = "fade";
+		out->layer[out->layer_count++].weight =
+			inertia->elapsed_s / inertia->duration_s;
+	}
+}

@@ -1,0 +1,33 @@
+/*
+ * GPIO lines that the program drives: an LED, a buzzer, a relay.
+ */
+#ifndef PLATFORM_BUTTONS_GPIO_OUTPUT_H
+#define PLATFORM_BUTTONS_GPIO_OUTPUT_H
+
+#include "platform/base/log.h"
+
+#include <stdbool.h>
+
+struct gpio_output;
+
+/*
+ * Checks the text that names a line: CHIP/OFFSET, CHIP/NAME or NAME, with
+ * /active-low behind it for a line that is on when it is low. Opens nothing.
+ * Returns 0, or -EINVAL after logging an error.
+ */
+int gpio_output_check(const char *line, const struct log *log);
+
+/*
+ * Opens the line as an output that is off. Other programs see "limber NAME" as
+ * its user. Returns NULL after logging a warning if this machine has no such
+ * line or it is in use; the other functions then do nothing.
+ */
+struct gpio_output *gpio_output_open(
+	const char *name, const char *line, const struct log *log);
+
+void gpio_output_set(struct gpio_output *output, bool on);
+
+/* Switches the line off and gives it back. NULL is fine. */
+void gpio_output_close(struct gpio_output *output);
+
+#endif

@@ -1,0 +1,498 @@
+/* What a character does from frame to frame. */
+#include "app/anim/math/quat.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double rate_hz = 50.0;
+
+static const char gaits[] =
+	"[parameter speed]\nrange = 0 2.6\nease = 0.3\n"
+	"[state move]\nblend = speed, idle 0, walk 1.03, run 2.6\n"
+	"[motion]\nfeet = toe.L toe.R\n"
+	"[state jump]\nclip = jump\nrepeat = once\nnext = move\nfade = 0.2\n"
+	"[layer wave]\nclip = wave\nmask = shoulder.R\nplay = once\nfade = 0.3\n"
+	"[buttons]\nUP = set speed 1.03\nF6 = set speed 2.6\nDOWN = set speed 0\n"
+	"LEFT = play wave\nRIGHT = go jump\n";
+
+static void press_once(struct acting *acting, enum button button)
+{
+	acting_press(acting, button);
+	acting_run_to(acting, acting->now_s + 1.0 / rate_hz, rate_hz);
+	acting_release(acting, button);
+}
+
+static void test_a_parameter_eases_to_its_goal(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 2\nease = 1\n[buttons]\nUP = add v 1\n");
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(acting_value(&acting, "v"), 0.5, 0.05);
+	acting_run_to(&acting, 1.2, rate_hz);
+	assert_near(acting_value(&acting, "v"), 1.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 4.0, rate_hz);
+	assert_near(acting_value(&acting, "v"), 2.0, 0.0);
+	acting_end(&acting);
+}
+
+static void test_sources_of_parameters(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter t]\nrange = 0 100\nsource = time 2 1\n"
+		"[parameter s]\nrange = -1 3\nsource = sine 4\n"
+		"[parameter p]\nrange = -9 9\nsource = s 2 -1\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	assert_near(acting_value(&acting, "t"), 3.0, 1e-4);
+	assert_near(acting_value(&acting, "s"), 3.0, 1e-4);
+	assert_near(acting_value(&acting, "p"), 5.0, 1e-3);
+	acting_end(&acting);
+}
+
+/* The largest angle that a bone turns from frame to frame, degrees. */
+static double largest_turn(const struct pose *a, const struct pose *b)
+{
+	double largest = 0.0;
+
+	for (int i = 0; i < a->node_count; i++) {
+		float back[4], turn[4];
+		double angle;
+
+		quat_conjugate(a->local[i].rotation, back);
+		quat_multiply(back, b->local[i].rotation, turn);
+		angle = (double)quat_angle(turn) * 180.0 / 3.14159265;
+		largest = angle > largest ? angle : largest;
+	}
+	return largest;
+}
+
+static void copy_pose(const struct acting *acting, struct pose *copy)
+{
+	pose_copy(copy, &acting->instance->pose);
+}
+
+/* Runs to a time and returns the largest turn of a bone in one frame. */
+static double turn_until(
+	struct acting *acting, double time_s, struct pose *before)
+{
+	double largest = 0.0;
+
+	while (acting->now_s < time_s) {
+		double turn;
+
+		copy_pose(acting, before);
+		acting_run_to(acting, acting->now_s + 1.0 / rate_hz, rate_hz);
+		turn = largest_turn(before, &acting->instance->pose);
+		largest = turn > largest ? turn : largest;
+	}
+	return largest;
+}
+
+/* From any moment, and with another transition under way. */
+static void test_no_transition_makes_a_bone_jump(void **state)
+{
+	struct acting acting;
+	struct arena arena = arena_empty();
+	struct pose before;
+	double usual;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	assert_int_equal(pose_init(&before, acting.model, &arena), 0);
+	acting_expect(&acting, gaits);
+	press_once(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.0, rate_hz);
+	usual = turn_until(&acting, 4.0, &before);
+	for (int i = 0; i < 40; i++) {
+		double turn;
+
+		acting_expect(&acting, gaits);
+		press_once(&acting, BUTTON_F6);
+		acting_run_to(&acting, 1.0 + 0.02 * i, rate_hz);
+		copy_pose(&acting, &before);
+		press_once(&acting, BUTTON_RIGHT);
+		turn = largest_turn(&before, &acting.instance->pose);
+		assert_true(turn < 2.0 * usual);
+		turn = turn_until(&acting, 1.1 + 0.02 * i, &before);
+		press_once(&acting, BUTTON_RIGHT); /* during the transition */
+		turn = turn_until(&acting, 1.6 + 0.02 * i, &before);
+		assert_true(turn < 2.0 * usual);
+	}
+	arena_release(&arena);
+	acting_end(&acting);
+}
+
+/*
+ * The foot that stands on the ground stays where it is on the ground, also
+ * while the gait changes.
+ */
+static void test_planted_feet_do_not_skate(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (int i = 0; i < 40; i++) {
+		float ground[2] = {0}, at[3], from[2] = {0};
+		int planted = -1;
+
+		acting_expect(&acting, gaits);
+		press_once(&acting, i % 2 ? BUTTON_UP : BUTTON_F6);
+		acting_run_to(&acting, 1.0 + 0.03 * i, rate_hz);
+		acting_press(&acting, i % 3 ? BUTTON_DOWN : BUTTON_F6);
+		while (acting.now_s < 2.5 + 0.03 * i) {
+			const struct character_motion *motion =
+				&acting.character->motion;
+
+			acting_run_to(
+				&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
+			ground[0] += motion->scroll[0];
+			ground[1] += motion->scroll[1];
+			if (motion->planted < 0) {
+				planted = -1;
+				continue;
+			}
+			acting_place(&acting,
+				motion->planted ? "toe.R" : "toe.L", at);
+			at[0] += ground[0];
+			at[2] += ground[1];
+			if (planted != motion->planted) {
+				planted = motion->planted;
+				from[0] = at[0];
+				from[1] = at[2];
+			}
+			assert_near(hypotf(at[0] - from[0], at[2] - from[1]),
+				0.0, 0.01);
+		}
+	}
+	acting_end(&acting);
+}
+
+static void test_the_ground_runs_as_fast_as_the_clips(void **state)
+{
+	static const struct {
+		enum button button;
+		double speed;
+	} gait[] = {{BUTTON_DOWN, 0.0}, {BUTTON_UP, 1.03}, {BUTTON_F6, 2.6}};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(gait); i++) {
+		double sum = 0.0;
+
+		acting_expect(&acting, gaits);
+		press_once(&acting, gait[i].button);
+		acting_run_to(&acting, 2.0, 100.0);
+		while (acting.now_s < 5.0) {
+			acting_run_to(&acting, acting.now_s + 0.01, 100.0);
+			sum += (double)acting.character->motion.scroll[1];
+		}
+		assert_near(
+			sum / 3.0, gait[i].speed, 0.05 + 0.15 * gait[i].speed);
+	}
+	acting_end(&acting);
+}
+
+static void test_clips_with_marks_stay_in_phase(void **state)
+{
+	struct acting acting;
+	const struct character_state *move;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, gaits);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 2.0, rate_hz);
+	acting_press(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.15, rate_hz);
+	move = &acting.character->machine.state[0];
+	assert_true(move->entry[1].weight > 0.1f);
+	assert_true(move->entry[2].weight > 0.1f);
+	assert_int_equal(move->entry[0].of->mark_count, 0);
+	assert_int_equal(move->entry[1].of->mark_count, 2);
+	assert_int_equal(move->entry[2].of->mark_count, 2);
+	/* Both are as far between the same two marks. */
+	for (int e = 1; e < 3; e++) {
+		const struct character_clip *clip = move->entry[e].of;
+		double phase = acting.character->machine.phase;
+		double within = phase - 2.0 * floor(phase / 2.0);
+		double first = (double)clip->mark[0];
+		double second = (double)clip->mark[1];
+		double end = first + (double)clip->clip->duration_s;
+		double time = within < 1.0
+			? first + within * (second - first)
+			: second + (within - 1.0) * (end - second);
+		double duration = (double)clip->clip->duration_s;
+
+		time -= duration * floor(time / duration);
+		assert_near(move->entry[e].shown_s, time, 1e-3);
+	}
+	acting_end(&acting);
+}
+
+static void test_a_state_that_ends_goes_on_with_the_next(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, gaits);
+	press_once(&acting, BUTTON_RIGHT);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_string_equal(acting_state(&acting), "jump");
+	acting_run_to(&acting, 1.6, rate_hz);
+	assert_string_equal(acting_state(&acting), "move");
+	acting_end(&acting);
+}
+
+static void test_conditions_exit_times_and_priorities(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\n[state a]\nclip = walk\n[state b]\nclip = run\n"
+		"[state c]\nclip = idle\n"
+		"[transition a b]\nwhen = v > 0.5\nexit = 0.9\n"
+		"[transition b c]\nwhen = v > 0.5\npriority = 1\nexit = 0.1\n"
+		"[transition b a]\nwhen = v > 0.5\npriority = 2\nexit = 0.5\n"
+		"[buttons]\nUP = set v 1\n");
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 0.9, rate_hz);
+	assert_string_equal(acting_state(&acting), "a");
+	acting_run_to(&acting, 1.05, rate_hz);
+	assert_string_equal(acting_state(&acting), "b");
+	acting_run_to(&acting, 1.3, rate_hz);
+	assert_string_equal(acting_state(&acting), "c");
+	acting_end(&acting);
+}
+
+static void test_a_transition_may_refuse_interruption(void **state)
+{
+	static const char format[] =
+		"[state a]\nclip = walk\n[state b]\nclip = run\n"
+		"[state c]\nclip = idle\n"
+		"[transition a b]\nfade = 1\ninterrupt = %s\n"
+		"[transition b c]\npriority = 1\n"
+		"[buttons]\nUP = go b\nDOWN = go c\n";
+	static const struct {
+		const char *rule, *state;
+	} cases[] = {{"always", "c"}, {"higher", "c"}, {"never", "b"}};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		char text[512];
+
+		snprintf(text, sizeof(text), format, cases[i].rule);
+		acting_expect(&acting, text);
+		acting_run_to(&acting, 0.5, rate_hz);
+		press_once(&acting, BUTTON_UP);
+		press_once(&acting, BUTTON_DOWN);
+		acting_run_to(&acting, 0.8, rate_hz);
+		assert_string_equal(acting_state(&acting), cases[i].state);
+		acting_run_to(&acting, 2.0, rate_hz);
+		assert_string_equal(acting_state(&acting), "c");
+	}
+	acting_end(&acting);
+}
+
+static void test_a_layer_moves_its_mask_alone_and_fades(void **state)
+{
+	struct acting acting;
+	struct arena arena = arena_empty();
+	struct pose plain;
+	int arm, leg;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	assert_int_equal(pose_init(&plain, acting.model, &arena), 0);
+	arm = model_find_node(acting.model, "upper_arm.R");
+	leg = model_find_node(acting.model, "thigh.L");
+	acting_expect(&acting, gaits);
+	acting_run_to(&acting, 1.22, rate_hz);
+	copy_pose(&acting, &plain);
+	acting_expect(&acting, gaits);
+	press_once(&acting, BUTTON_LEFT);
+	acting_run_to(&acting, 1.22, rate_hz);
+	assert_near(acting.character->layer[0].is.now, 1.0, 1e-3);
+	assert_all_near(acting.instance->pose.local[leg].rotation,
+		plain.local[leg].rotation, 4, 1e-6);
+	assert_true(fabsf(acting.instance->pose.local[arm].rotation[0] -
+			    plain.local[arm].rotation[0]) +
+			fabsf(acting.instance->pose.local[arm].rotation[2] -
+				plain.local[arm].rotation[2]) >
+		0.05f);
+	acting_run_to(&acting, 3.0, rate_hz);
+	assert_near(acting.character->layer[0].is.now, 0.0, 0.0);
+	arena_release(&arena);
+	acting_end(&acting);
+}
+
+static void test_an_additive_layer_adds_to_the_state(void **state)
+{
+	struct acting acting;
+	float with[3], without[3];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, "[state a]\nclip = rest\n");
+	acting_run_to(&acting, 0.5, rate_hz);
+	acting_place(&acting, "hand.R", without);
+	acting_expect(&acting,
+		"[state a]\nclip = rest\n[layer b]\nclip = wave\nmode = additive\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	acting_place(&acting, "hand.R", with);
+	assert_true(fabsf(with[1] - without[1]) > 0.1f);
+	acting_end(&acting);
+}
+
+static void test_gestures_of_buttons(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter short]\nrange = 0 9\n[parameter long]\nrange = 0 9\n"
+		"[parameter both]\nrange = 0 9\n[parameter held]\nrange = 0 9\n"
+		"[parameter up]\nrange = 0 9\n"
+		"[buttons]\nUP = add short 1\nUP long = add long 1\n"
+		"LEFT = add short 1\nLEFT+RIGHT = add both 1\n"
+		"F6 hold = set held 5\nF8 hold = add held 1\nF6 release = add up 1\n");
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 0.2, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 1.2, rate_hz);
+	acting_release(&acting, BUTTON_UP);
+	acting_run_to(&acting, 1.3, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "long"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_LEFT);
+	acting_run_to(&acting, 1.35, rate_hz);
+	acting_press(&acting, BUTTON_RIGHT);
+	acting_run_to(&acting, 1.6, rate_hz);
+	acting_release(&acting, BUTTON_LEFT);
+	acting_release(&acting, BUTTON_RIGHT);
+	acting_run_to(&acting, 1.7, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "both"), 1.0, 0.0);
+	press_once(&acting, BUTTON_LEFT);
+	acting_run_to(&acting, 2.0, rate_hz);
+	assert_near(acting_value(&acting, "short"), 2.0, 0.0);
+	acting_press(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.5, rate_hz);
+	assert_near(acting_value(&acting, "held"), 5.0, 0.0);
+	acting_release(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.6, rate_hz);
+	assert_near(acting_value(&acting, "held"), 0.0, 0.0);
+	assert_near(acting_value(&acting, "up"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_F8);
+	acting_run_to(&acting, 4.6, rate_hz);
+	assert_near(acting_value(&acting, "held"), 2.0, 0.05);
+	acting_end(&acting);
+}
+
+static void test_events_run_actions_once_a_round(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter steps]\nrange = 0 99\n[parameter begun]\nrange = 0 99\n"
+		"[state a]\nclip = walk\nenter = add begun 1\n"
+		"[state b]\nclip = idle\n"
+		"[clip walk]\nevent = 0 add steps 1\nevent = 0.6 add steps 1\n"
+		"[buttons]\nUP = go b\nDOWN = go a\n");
+	acting_run_to(&acting, 5.49, 37.0); /* five rounds of 1.1 s */
+	assert_near(acting_value(&acting, "steps"), 10.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 7.0, 37.0);
+	assert_near(acting_value(&acting, "steps"), 10.0, 0.0);
+	press_once(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 7.2, 37.0);
+	assert_near(acting_value(&acting, "steps"), 11.0, 0.0);
+	assert_near(acting_value(&acting, "begun"), 1.0, 0.0);
+	acting_end(&acting);
+}
+
+static void test_a_tour_presses_buttons_until_somebody_does(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 99\n[scene]\nperiod = 2\ntour = 0.5 UP\n"
+		"tour = 1 add v 10\n[buttons]\nUP = add v 1\nDOWN = pause\n");
+	acting.character->touring = true;
+	acting.character->tour_next = acting.character->scene.tour;
+	acting_run_to(&acting, 4.1, rate_hz);
+	assert_near(acting_value(&acting, "v"), 22.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 7.0, rate_hz);
+	assert_near(acting_value(&acting, "v"), 23.0, 0.0);
+	acting_end(&acting);
+}
+
+static void test_a_pause_holds_the_pose(void **state)
+{
+	struct acting acting;
+	float before[3], after[3];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(
+		&acting, "[state a]\nclip = run\n[buttons]\nENTER = pause\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	press_once(&acting, BUTTON_ENTER);
+	acting_place(&acting, "foot.L", before);
+	acting_run_to(&acting, 3.3, rate_hz);
+	acting_place(&acting, "foot.L", after);
+	assert_all_near(after, before, 3, 0.0);
+	press_once(&acting, BUTTON_ENTER);
+	acting_run_to(&acting, 3.5, rate_hz);
+	acting_place(&acting, "foot.L", after);
+	assert_true(fabsf(after[2] - before[2]) > 0.01f);
+	acting_end(&acting);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_parameter_eases_to_its_goal),
+		cmocka_unit_test(test_sources_of_parameters),
+		cmocka_unit_test(test_no_transition_makes_a_bone_jump),
+		cmocka_unit_test(test_planted_feet_do_not_skate),
+		cmocka_unit_test(test_the_ground_runs_as_fast_as_the_clips),
+		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
+		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),
+		cmocka_unit_test(test_conditions_exit_times_and_priorities),
+		cmocka_unit_test(test_a_transition_may_refuse_interruption),
+		cmocka_unit_test(test_a_layer_moves_its_mask_alone_and_fades),
+		cmocka_unit_test(test_an_additive_layer_adds_to_the_state),
+		cmocka_unit_test(test_gestures_of_buttons),
+		cmocka_unit_test(test_events_run_actions_once_a_round),
+		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
+		cmocka_unit_test(test_a_pause_holds_the_pose),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

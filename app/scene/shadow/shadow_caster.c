@@ -142,14 +142,19 @@ static int find_edges(struct shadow_caster *caster, struct arena *arena)
 	return error;
 }
 
-/* Edges use welded vertices, which no triangle need have as a corner. */
-static int list_vertices(struct shadow_caster *caster, struct arena *arena)
+/*
+ * Edges use welded vertices, which no triangle need have as a corner. Numbers
+ * the vertices that are used, and lets corners and edges refer to the numbers.
+ */
+static int number_vertices(struct shadow_caster *caster, struct arena *arena)
 {
 	size_t count = (size_t)caster->drawable->primitive->vertex_count;
 	bool *used = calloc(count + 1, sizeof(*used));
+	uint16_t *place = calloc(count + 1, sizeof(*place));
 
 	caster->vertex = ARENA_ARRAY(arena, uint16_t, count);
-	if (!used || !caster->vertex) {
+	if (!used || !place || !caster->vertex) {
+		free(place);
 		free(used);
 		return -ENOMEM;
 	}
@@ -162,9 +167,18 @@ static int list_vertices(struct shadow_caster *caster, struct arena *arena)
 	}
 	for (size_t v = 0; v < count; v++) {
 		if (used[v]) {
+			place[v] = (uint16_t)caster->vertex_count;
 			caster->vertex[caster->vertex_count++] = (uint16_t)v;
 		}
 	}
+	for (int i = 0; i < caster->corner_count; i++) {
+		caster->corner[i] = place[caster->corner[i]];
+	}
+	for (int i = 0; i < caster->edge_count; i++) {
+		caster->edge[i].a = place[caster->edge[i].a];
+		caster->edge[i].b = place[caster->edge[i].b];
+	}
+	free(place);
 	free(used);
 	return 0;
 }
@@ -185,14 +199,14 @@ int shadow_caster_init(struct shadow_caster *caster,
 	triangles = (size_t)caster->corner_count / 3;
 	error = find_edges(caster, arena);
 	if (!error) {
-		error = list_vertices(caster, arena);
+		error = number_vertices(caster, arena);
 	}
 	if (error) {
 		return error;
 	}
 	caster->lit = ARENA_ARRAY(arena, bool, triangles);
 	caster->position = arena_alloc(
-		arena, 2 * (size_t)primitive->vertex_count, sizeof(float[3]));
+		arena, 2 * (size_t)caster->vertex_count, sizeof(float[3]));
 	/* Every triangle may be in both caps; an edge may become two triangles. */
 	caster->index = ARENA_ARRAY(
 		arena, uint16_t, 6 * (triangles + (size_t)caster->edge_count));

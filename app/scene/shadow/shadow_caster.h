@@ -20,19 +20,20 @@ struct shadow_edge {
 
 struct shadow_caster {
 	const struct drawable *drawable;
-	/* The shadow proxy's triangles as vertices of the primitive. */
+	/* The primitive's vertices that the shadow proxy uses. */
+	uint16_t *vertex;
+	int vertex_count;
+	/* The proxy's triangles; corners and edges number those vertices. */
 	uint16_t *corner;
 	int corner_count; /* three a triangle */
-	uint16_t *vertex; /* the vertices that triangles and edges use */
-	int vertex_count;
 	int edge_count;
 	struct shadow_edge *edge;
 
 	/* The volume of the last update, allocated for the largest one. */
 	bool *lit; /* [corner_count / 3]: the triangle faces the light */
 	/*
-	 * [2 * the primitive's vertices]: where the volume begins and, in the
-	 * second half, where it ends; scene units.
+	 * [2 * vertex_count]: where the volume begins and, in the second half,
+	 * where it ends; scene units.
 	 */
 	float (*position)[3];
 	uint16_t *index; /* front cap, sides, back cap */

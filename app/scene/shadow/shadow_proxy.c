@@ -158,16 +158,21 @@ static int make_clusters(const struct model_primitive *primitive,
 	return error;
 }
 
-/* The model's level for shadows, or NULL. */
+/* The coarsest of the model's lists for shadows that is fine enough, or NULL. */
 static const struct model_lod *find_shadow_level(
 	const struct model_primitive *primitive)
 {
+	const struct model_lod *found = NULL;
+	float low[3], limit = SHADOW_PROXY_ERROR * find_box(primitive, low);
+
 	for (int i = 0; i < primitive->lod_count; i++) {
-		if (primitive->lod[i].shadow_only) {
-			return &primitive->lod[i];
+		const struct model_lod *lod = &primitive->lod[i];
+
+		if (lod->shadow_only && (!found || lod->error_m <= limit)) {
+			found = lod;
 		}
 	}
-	return NULL;
+	return found;
 }
 
 int shadow_proxy_make(const struct model_primitive *primitive,

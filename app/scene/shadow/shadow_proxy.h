@@ -1,11 +1,12 @@
 /*
  * Shadow proxies: fewer triangles with nearly the same silhouette.
  *
- * The triangles are the model's own level for shadows if it has one. Otherwise
- * they are made by vertex clustering: vertices in the same cell of a grid whose
- * normals are in the same octant and that follow the same joint are merged, and
- * triangles that degenerate are dropped. The remaining vertices keep their
- * positions, so a proxy needs no additional posing.
+ * The triangles are a list for shadows of the model if it has any: the coarsest
+ * one that is off by at most SHADOW_PROXY_ERROR, or the finest. Otherwise they
+ * are made by vertex clustering: vertices in the same cell of a grid whose normals
+ * are in the same octant and that follow the same joint are merged, and triangles
+ * that degenerate are dropped. The remaining vertices keep their positions, so
+ * a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
 #define APP_SCENE_SHADOW_SHADOW_PROXY_H
@@ -14,6 +15,9 @@
 #include "platform/base/arena.h"
 
 #include <stdint.h>
+
+/* A fraction of the primitive's longest side. */
+#define SHADOW_PROXY_ERROR 0.012f
 
 /*
  * Makes the proxy of a primitive of at most 65,536 vertices and allocates its

@@ -104,7 +104,7 @@ static void move_vertices(struct shadow_caster *caster,
 	const struct instance *instance, const struct shadow_light *light)
 {
 	const struct drawable *drawable = caster->drawable;
-	int count = drawable->primitive->vertex_count;
+	int count = caster->vertex_count;
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
 	if (drawable->skin < 0) {
@@ -112,18 +112,17 @@ static void move_vertices(struct shadow_caster *caster,
 	}
 	caster->too_short = false;
 	for (int i = 0; i < caster->vertex_count; i++) {
-		int v = caster->vertex[i];
 		float p[3], posed[3], near, far;
 
-		drawable_position(drawable, v, p);
+		drawable_position(drawable, caster->vertex[i], p);
 		for (int axis = 0; axis < 3; axis++) {
 			posed[axis] = matrix[0][axis] * p[0] +
 				matrix[1][axis] * p[1] +
 				matrix[2][axis] * p[2] + matrix[3][axis];
 		}
 		caster->too_short |= !find_extent(light, posed, &near, &far);
-		move(posed, light->towards, near, caster->position[v]);
-		move(posed, light->towards, far, caster->position[v + count]);
+		move(posed, light->towards, near, caster->position[i]);
+		move(posed, light->towards, far, caster->position[i + count]);
 	}
 }
 
@@ -159,7 +158,7 @@ static uint16_t *add_front_cap(
 /* The same triangles, reversed, close it at its end. */
 static uint16_t *add_back_cap(const struct shadow_caster *caster, uint16_t *next)
 {
-	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
+	uint32_t away = (uint32_t)caster->vertex_count;
 
 	for (int t = 0; t < caster->corner_count / 3; t++) {
 		const uint16_t *corner = caster->corner + t * 3;
@@ -175,7 +174,7 @@ static uint16_t *add_back_cap(const struct shadow_caster *caster, uint16_t *next
 /* A quad for every edge between a lit and an unlit triangle. */
 static uint16_t *add_sides(const struct shadow_caster *caster, uint16_t *next)
 {
-	uint32_t away = (uint32_t)caster->drawable->primitive->vertex_count;
+	uint32_t away = (uint32_t)caster->vertex_count;
 
 	for (int i = 0; i < caster->edge_count; i++) {
 		const struct shadow_edge *edge = &caster->edge[i];
@@ -202,24 +201,45 @@ static bool allows_depth_pass(
 	const struct shadow_caster *caster, const struct shadow_light *light)
 {
 	const float *plane = light->near_plane;
-	int away = caster->drawable->primitive->vertex_count;
 	float nearest = 1.0f;
 
-	for (int i = 0; i < caster->vertex_count; i++) {
-		int v = caster->vertex[i];
-		float near = plane_distance(plane, caster->position[v]);
-		float far = plane_distance(plane, caster->position[v + away]);
+	for (int i = 0; i < 2 * caster->vertex_count; i++) {
+		float distance = plane_distance(plane, caster->position[i]);
 
-		nearest = near < nearest ? near : nearest;
-		nearest = far < nearest ? far : nearest;
+		nearest = distance < nearest ? distance : nearest;
 	}
 	return nearest > 0.0f && !caster->too_short;
+}
+
+static void add_to_box(struct bounds *box, const struct shadow_caster *caster)
+{
+	for (int i = 0; i < 2 * caster->vertex_count; i++) {
+		bounds_add(box, caster->position[i]);
+	}
+}
+
+/* All of the box is beyond the near plane, so the eye is outside of it. */
+static bool is_box_seen(const struct bounds *box, const float near_plane[4])
+{
+	bool seen = !bounds_is_empty(box);
+
+	for (int i = 0; i < 8; i++) {
+		const float corner[3] = {
+			i & 1 ? box->high[0] : box->low[0],
+			i & 2 ? box->high[1] : box->low[1],
+			i & 4 ? box->high[2] : box->low[2],
+		};
+
+		seen = seen && plane_distance(near_plane, corner) > 0.0f;
+	}
+	return seen;
 }
 
 void shadow_volume_update(struct shadow_volume *volume,
 	const struct instance *instance, const struct shadow_light *light)
 {
 	volume->depth_pass = light->ground && light->towards[1] > 0.0f;
+	volume->box = bounds_empty();
 	for (int i = 0; i < volume->caster_count; i++) {
 		struct shadow_caster *caster = &volume->caster[i];
 		uint16_t *sides_end, *end;
@@ -240,7 +260,9 @@ void shadow_volume_update(struct shadow_volume *volume,
 		caster->index_count = (int)(end - caster->index);
 		caster->back_cap_count = (int)(end - sides_end);
 		volume->depth_pass &= allows_depth_pass(caster, light);
+		add_to_box(&volume->box, caster);
 	}
+	volume->box_seen = is_box_seen(&volume->box, light->near_plane);
 }
 
 /* With depth-pass counting the ground hides all back caps. */
@@ -257,8 +279,8 @@ static void draw_volumes(const struct shadow_volume *volume, const struct gl *gl
 	}
 }
 
-/* Blends a dark quad over all pixels whose stencil is not 0. */
-static void darken(const struct gl *gl, float strength)
+/* Covers the whole picture. */
+static void draw_picture(const struct gl *gl)
 {
 	static const int16_t corner[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
 
@@ -268,6 +290,42 @@ static void darken(const struct gl *gl, float strength)
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->PushMatrix();
 	gl->LoadIdentity();
+	gl->Disable(GL_CULL_FACE);
+	gl->VertexPointer(2, GL_SHORT, 0, corner);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->PopMatrix();
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->PopMatrix();
+}
+
+/* Covers the pixels of the box once: those of its faces towards the eye. */
+static void draw_box(const struct gl *gl, const struct bounds *box)
+{
+	static const uint16_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
+		0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
+		3, 7, 5};
+	float corner[8][3];
+
+	for (int i = 0; i < 8; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			corner[i][axis] = i >> axis & 1 ? box->high[axis]
+							: box->low[axis];
+		}
+	}
+	gl->Enable(GL_CULL_FACE);
+	gl->VertexPointer(3, GL_FLOAT, 0, corner);
+	gl->DrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, index);
+	gl->Disable(GL_CULL_FACE);
+}
+
+/*
+ * Blends a dark colour over all pixels whose stencil is not 0, once: among the
+ * pixels that may have been counted, which lie in the volumes' box.
+ */
+static void darken(
+	const struct shadow_volume *volume, const struct gl *gl, float strength)
+{
 	gl->StencilFunc(GL_NOTEQUAL, 0, 255);
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 	gl->Disable(GL_DEPTH_TEST);
@@ -275,14 +333,13 @@ static void darken(const struct gl *gl, float strength)
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
 		fx16_from_float(strength));
-	gl->VertexPointer(2, GL_SHORT, 0, corner);
-	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	if (volume->box_seen) {
+		draw_box(gl, &volume->box);
+	} else {
+		draw_picture(gl);
+	}
 	gl->Disable(GL_BLEND);
 	gl->Enable(GL_DEPTH_TEST);
-	gl->MatrixMode(GL_PROJECTION);
-	gl->PopMatrix();
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->PopMatrix();
 }
 
 /*
@@ -326,7 +383,7 @@ void shadow_volume_draw(
 	count_volumes(volume, gl);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->Disable(GL_CULL_FACE);
-	darken(gl, strength);
+	darken(volume, gl, strength);
 	gl->DepthMask(GL_TRUE);
 	gl->Disable(GL_STENCIL_TEST);
 }

@@ -8,6 +8,7 @@
 #ifndef APP_SCENE_SHADOW_SHADOW_VOLUME_H
 #define APP_SCENE_SHADOW_SHADOW_VOLUME_H
 
+#include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/shadow/shadow_caster.h"
 #include "app/scene/stage/floor.h"
@@ -19,6 +20,8 @@ struct shadow_volume {
 	 * counting suffices. Otherwise depth-fail counting is used.
 	 */
 	bool depth_pass;
+	struct bounds box; /* around all volumes */
+	bool box_seen;     /* its faces cover all pixels that it covers */
 	int caster_count;
 	struct shadow_caster *caster;
 };

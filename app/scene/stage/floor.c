@@ -140,6 +140,15 @@ float floor_mesh_error(const struct floor *floor)
 	return 0.4f * floor->wave_height;
 }
 
+/* Whether triangles have this vertex: inner rings do not use all spokes. */
+static bool is_used(int vertex)
+{
+	int ring = vertex ? (vertex - 1) / FLOOR_SPOKES + 1 : 0;
+	int each = FLOOR_SPOKES / count_spokes(ring);
+
+	return vertex == 0 || (vertex - 1) % FLOOR_SPOKES % each == 0;
+}
+
 /* Heights, and shades in which slopes that face the light are brighter. */
 static void update_surface(struct floor *floor)
 {
@@ -149,6 +158,9 @@ static void update_surface(struct floor *floor)
 		float *p = floor->position[i];
 		float slope, value;
 
+		if (!is_used(i)) {
+			continue;
+		}
 		p[1] = floor_height(floor, p[0], p[2]);
 		slope = floor->wave_height == 0.0f
 			? 0.0f

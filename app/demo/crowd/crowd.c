@@ -22,15 +22,11 @@
 enum {
 	DEFAULT_COUNT = 12,
 	STRIDE = 5, /* walkers added or removed by RIGHT and LEFT */
-	/*
-	 * The heights on the screen below which a walker costs less. The rates
-	 * of poses fall at a quarter and an eighth of 640 rows.
-	 */
+	/* The heights on the screen below which a walker costs less. */
 	HALF_RATE_BELOW_PX = 160,
 	THIRD_RATE_BELOW_PX = 80,
 	PLAIN_SHADOW_BELOW_PX = 110,
-	/* Levels of detail may be off by more. */
-	COARSE_BELOW_PX = 240,
+	COARSE_BELOW_PX = 240, /* levels of detail may be off by more */
 	FAR_BELOW_PX = 170,
 	RATES = 3
 };

@@ -7,10 +7,12 @@
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_dress.h"
+#include "app/demo/crowd/crowd_height.h"
 #include "app/demo/crowd/crowd_route.h"
 #include "app/demo/crowd/crowd_shadow.h"
 #include "app/demo/demo.h"
 #include "app/scene/draw/draw.h"
+#include "app/scene/draw/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -206,20 +208,6 @@ static void move_camera(struct demo *demo, float step_s)
 		camera, (demo->turn * turn_rad_per_s + drift) * step_s, 0.0f);
 }
 
-/* The figure's height on the screen. */
-static float height_px(const struct demo *demo, const struct walker *walker)
-{
-	const struct camera *camera = &demo->base.stage.camera;
-	float eye[3], dx, dz, seen;
-
-	camera_eye(camera, eye);
-	dx = eye[0] - walker->position.x;
-	dz = eye[2] - walker->position.z;
-	seen = 2.0f * camera_tan_half(camera->yfov_rad) *
-		scalar_sqrt(dx * dx + dz * dz + eye[1] * eye[1]);
-	return demo->base.actor.extent / seen * (float)demo->height;
-}
-
 static int influences_of(const struct demo *demo, const struct walker *walker)
 {
 	const struct influence_cap *wanted = &demo->base.actor.influence_cap;
@@ -241,6 +229,16 @@ static int choose_rate(const struct demo *demo, float height)
 	return height >= THIRD_RATE_BELOW_PX ? 2 : 3;
 }
 
+/* Smaller walkers take shorter steps, so more of them. */
+static double clip_time_of(const struct demo *demo, const struct walker *walker)
+{
+	const struct model_clip *clip =
+		&demo->base.actor.model->clip[walker->clip];
+
+	return demo->now_s / (double)walker->route.size +
+		(double)(walker->route.phase * clip->duration_s);
+}
+
 static void pose_walker(struct demo *demo, struct walker *walker)
 {
 	struct instance *instance = walker->instance;
@@ -250,8 +248,7 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 	instance->hold_normals = demo->base.reduction.hold_normals;
 	if (walker->clip >= 0) {
 		const struct model_clip *clip = &model->clip[walker->clip];
-		double at_s = demo->now_s +
-			(double)(walker->route.phase * clip->duration_s);
+		double at_s = clip_time_of(demo, walker);
 
 		clip_pose(clip, clip_time(at_s, clip->duration_s, CLIP_LOOP),
 			demo->base.actor.interpolation, &walker->cursor,
@@ -288,7 +285,10 @@ static void crowd_update(struct demo *demo, double time_s)
 		bool first = walker->height_px == 0.0f;
 
 		walker->position = crowd_position_at(&walker->route, time_s);
-		walker->height_px = height_px(demo, walker);
+		walker->height_px = crowd_height_px(&demo->base.stage.camera,
+			&walker->position,
+			demo->base.actor.extent * walker->route.size,
+			demo->height);
 		walker->frames_a_pose = choose_rate(demo, walker->height_px);
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
 		choose_lod(demo, walker);
@@ -303,14 +303,13 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static void push_position(
-	const struct crowd_position *position, const struct gl *gl)
+static void push_position(const struct walker *walker, const struct gl *gl)
 {
+	mat4 matrix;
+
+	crowd_matrix(&walker->route, &walker->position, matrix);
 	gl->PushMatrix();
-	gl->Translatex(
-		fx16_from_float(position->x), 0, fx16_from_float(position->z));
-	gl->Rotatex(fx16_from_float(position->yaw_rad * (180.0f / SCALAR_PI)),
-		0, FX16_ONE, 0);
+	matrix_gl_multiply(gl, (const vec4 *)matrix);
 }
 
 static void draw_shadow(const struct demo *demo, const struct walker *walker)
@@ -322,7 +321,7 @@ static void draw_shadow(const struct demo *demo, const struct walker *walker)
 	if (plain) {
 		crowd_shadow_draw(&walker->position, gl);
 	} else {
-		push_position(&walker->position, gl);
+		push_position(walker, gl);
 		draw_instance(gl, walker->instance, &demo->base.actor.textures,
 			DRAW_SHADOW);
 		gl->PopMatrix();
@@ -342,7 +341,7 @@ static void crowd_draw(struct demo *demo, int width, int height)
 	}
 	stage_shadow_end(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {
-		push_position(&demo->walker[i].position, gl);
+		push_position(&demo->walker[i], gl);
 		draw_instance(gl, demo->walker[i].instance,
 			&demo->base.actor.textures, DRAW_SHADED);
 		gl->PopMatrix();
@@ -359,9 +358,7 @@ static bool crowd_get_figure(
 	}
 	walker = &demo->walker[number];
 	out->instance = walker->instance;
-	out->place[3][0] = walker->position.x;
-	out->place[3][2] = walker->position.z;
-	glm_rotate_y(out->place, walker->position.yaw_rad, out->place);
+	crowd_matrix(&walker->route, &walker->position, out->place);
 	return true;
 }
 
@@ -374,8 +371,7 @@ static void crowd_get_motion(const struct demo *demo, struct overlay_motion *out
 	if (walker->clip >= 0) {
 		const struct model_clip *clip = &model->clip[walker->clip];
 
-		out->time_s = clip_time(demo->now_s +
-				(double)(walker->route.phase * clip->duration_s),
+		out->time_s = clip_time(clip_time_of(demo, walker),
 			clip->duration_s, CLIP_LOOP);
 	}
 }

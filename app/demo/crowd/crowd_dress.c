@@ -3,24 +3,144 @@
 #include "app/scene/instance/batch.h"
 #include "platform/base/compiler.h"
 
+#include <errno.h>
+#include <string.h>
+
+/* How a walker looks, sRGB. A colour of all zeros keeps the model's own. */
+struct look {
+	float shirt[3]; /* factors of the stripes, or a plain shirt's colour */
+	bool plain;
+	uint8_t hair[3], trousers[3], shoes[3];
+};
+
+static const struct look looks[] = {
+	{{1.0f, 1.0f, 1.0f}, false, {0}, {0}, {0}},
+	{{0.90f, 0.36f, 0.28f}, true, {52, 42, 40}, {70, 72, 80},
+		{230, 230, 226}},
+	{{1.0f, 0.62f, 0.45f}, false, {210, 170, 100}, {158, 136, 100},
+		{96, 62, 40}},
+	{{0.96f, 0.80f, 0.30f}, true, {92, 58, 40}, {0}, {60, 90, 170}},
+	{{0.55f, 0.75f, 1.0f}, false, {150, 148, 148}, {58, 60, 66}, {0}},
+	{{0.62f, 0.45f, 0.82f}, true, {60, 44, 38}, {120, 150, 190},
+		{50, 50, 56}},
+	{{1.0f, 0.95f, 0.55f}, false, {170, 84, 40}, {72, 90, 70},
+		{220, 190, 80}},
+	{{0.92f, 0.92f, 0.90f}, true, {48, 40, 38}, {0}, {190, 60, 60}},
+	{{0.6f, 1.0f, 0.55f}, false, {224, 190, 122}, {104, 62, 60},
+		{70, 70, 76}},
+	{{0.94f, 0.52f, 0.68f}, true, {110, 66, 40}, {196, 190, 178}, {0}},
+	{{0.62f, 0.62f, 0.66f}, false, {0}, {96, 120, 160}, {60, 130, 110}},
+	{{0.28f, 0.46f, 0.72f}, true, {190, 150, 92}, {150, 128, 92},
+		{234, 234, 230}},
+};
+
+/* Heights of the model at rest that tell hair, trousers and shoes apart. */
+static const float hair_from_m = 1.2f, waist_m = 1.1f, ankle_m = 0.16f;
+
+/* The target's colour, as light as the old one is of the brightest. */
+static void recolor(uint8_t color[4], const uint8_t target[3], int brightest)
+{
+	int light = color[0] > color[2] ? color[0] : color[2];
+
+	if (!(target[0] | target[1] | target[2])) {
+		return;
+	}
+	light = light > brightest ? brightest : light;
+	for (int i = 0; i < 3; i++) {
+		color[i] = (uint8_t)(target[i] * light / brightest);
+	}
+}
+
+/* Trousers are blue, hair and shoes are red and no skin. */
+static void dye(uint8_t color[4], float height_m, const struct look *look)
+{
+	bool blue = color[2] > color[0] + 8;
+	bool red = 10 * color[1] < 6 * color[0];
+
+	if (blue && height_m < waist_m) {
+		recolor(color, look->trousers, 118);
+	} else if (red && height_m > hair_from_m) {
+		recolor(color, look->hair, 124);
+	} else if (red && height_m < ankle_m) {
+		recolor(color, look->shoes, 222);
+	}
+}
+
+static int dye_batch(const struct drawable *drawable, struct batch *batch,
+	const struct look *look, struct arena *arena)
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+	size_t count = (size_t)batch->vertex_count;
+	uint8_t(*color)[4] = arena_alloc(arena, count, sizeof(*color));
+
+	if (!color) {
+		return -ENOMEM;
+	}
+	memcpy(color, batch->color, count * sizeof(*color));
+	for (size_t i = 0; i < count; i++) {
+		size_t v = batch->source        ? batch->source[i]
+			: fixed && fixed->order ? fixed->order[i]
+						: i;
+
+		dye(color[i], drawable->primitive->position[v][1], look);
+	}
+	batch->color = (const uint8_t(*)[4])color;
+	return 0;
+}
+
+static int dye_drawable(
+	struct drawable *drawable, const struct look *look, struct arena *arena)
+{
+	int error = 0;
+
+	for (int i = 0; !error && i < drawable->batch_count; i++) {
+		if (drawable->batch[i].color) {
+			error = dye_batch(
+				drawable, &drawable->batch[i], look, arena);
+		}
+	}
+	return error;
+}
+
+/* A model whose clothes have no stripes, which the instance shows instead. */
+static int use_plain_cloth(struct instance *instance)
+{
+	const struct model *model = instance->model;
+	struct model *plain = ARENA_NEW(&instance->arena, struct model);
+	struct model_material *material = ARENA_ARRAY(&instance->arena,
+		struct model_material, (size_t)model->material_count);
+
+	if (!plain || !material) {
+		return -ENOMEM;
+	}
+	*plain = *model;
+	plain->material = material;
+	for (int i = 0; i < model->material_count; i++) {
+		material[i] = model->material[i];
+		if (material[i].normal_texture < 0) {
+			material[i].texture = -1;
+		}
+	}
+	instance->model = plain;
+	return 0;
+}
+
 int crowd_dress(struct instance *instance, int number)
 {
-	/* sRGB-encoded factors; the first leaves the texture's own colours. */
-	static const float color[][3] = {{1.0f, 1.0f, 1.0f},
-		{1.0f, 0.62f, 0.45f}, {0.55f, 0.75f, 1.0f}, {1.0f, 0.9f, 0.45f},
-		{0.95f, 0.55f, 0.75f}, {0.6f, 1.0f, 0.55f}, {0.7f, 0.6f, 1.0f},
-		{0.55f, 0.55f, 0.6f}, {1.0f, 0.75f, 0.75f}, {0.75f, 0.9f, 0.3f},
-		{0.4f, 0.9f, 0.95f}, {0.8f, 0.65f, 0.5f}};
-	int error = 0;
+	const struct look *look = &looks[number % (int)ARRAY_COUNT(looks)];
+	const struct model *model = instance->model;
+	int error = look->plain ? use_plain_cloth(instance) : 0;
 
 	for (int i = 0; !error && i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
-		int material = drawable->primitive->material;
+		const struct model_material *material =
+			&model->material[drawable->primitive->material];
 
-		if (instance->model->material[material].texture >= 0) {
-			error = batch_tint(drawable,
-				color[number % (int)ARRAY_COUNT(color)],
-				&instance->arena);
+		if (material->texture >= 0 && material->normal_texture < 0) {
+			error = batch_tint(
+				drawable, look->shirt, &instance->arena);
+		} else if (material->texture < 0 && !drawable->morphed) {
+			error = dye_drawable(drawable, look, &instance->arena);
 		}
 	}
 	return error;

@@ -1,5 +1,5 @@
 /*
- * The colours of a crowd's clothes.
+ * The looks of a crowd's walkers: shirts, trousers, shoes and hair.
  */
 #ifndef APP_DEMO_CROWD_CROWD_DRESS_H
 #define APP_DEMO_CROWD_CROWD_DRESS_H
@@ -7,8 +7,9 @@
 #include "app/scene/instance/instance.h"
 
 /*
- * Tints the textured parts of an instance, its clothes, in the colour of walker
- * number 0, 1 and so on. Twelve colours repeat. 0 or -ENOMEM.
+ * Gives an instance the look of walker number 0, 1 and so on; twelve looks
+ * repeat, the first of which is the model's own. Some shirts lose their stripes,
+ * for which the instance gets a model of its own, in its arena. 0 or -ENOMEM.
  */
 int crowd_dress(struct instance *instance, int number);
 

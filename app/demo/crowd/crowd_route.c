@@ -22,7 +22,23 @@ static const struct ring rings[] = {
 };
 
 static const float golden = 0.618034f;
+static const float gravity_m_s2 = 9.81f;
 static const float body_m = 0.4f; /* a walker's own radius */
+
+/* Twelve sizes repeat, in no order. */
+static float size_of(int number)
+{
+	return 0.90f + 0.18f * (float)((number * 5 + 7) % 12) / 11.0f;
+}
+
+/* The lean at which gravity balances the ring's centrifugal force. */
+static float lean_of(const struct crowd_route *route)
+{
+	float speed = route->speed_m_s;
+	float lean = scalar_atan2(speed * speed, gravity_m_s2 * route->radius_m);
+
+	return speed > 0.0f ? lean : -lean;
+}
 
 struct crowd_route crowd_route(int number)
 {
@@ -44,6 +60,7 @@ struct crowd_route crowd_route(int number)
 			(2.0f * SCALAR_PI / (float)ring->count),
 		.speed_m_s = ring->speed_m_s,
 		.facing_rad = ring->facing_rad,
+		.size = size_of(number),
 	};
 }
 
@@ -57,6 +74,7 @@ struct crowd_position crowd_position_at(
 {
 	float angle = route->angle_rad;
 	float facing = route->facing_rad;
+	float lean = 0.0f;
 
 	if (route->speed_m_s != 0.0f) {
 		double turns = time_s * (double)route->speed_m_s /
@@ -66,10 +84,31 @@ struct crowd_position crowd_position_at(
 		angle += (float)turns * 2.0f * SCALAR_PI;
 		facing = route->speed_m_s > 0.0f ? 0.5f * SCALAR_PI
 						 : -0.5f * SCALAR_PI;
+		lean = lean_of(route);
 	}
 	return (struct crowd_position){
 		.x = route->radius_m * scalar_sin(angle),
 		.z = route->radius_m * scalar_cos(angle),
 		.yaw_rad = angle + facing,
+		.lean_rad = lean,
 	};
+}
+
+void crowd_matrix(const struct crowd_route *route,
+	const struct crowd_position *position, mat4 out)
+{
+	float cy = scalar_cos(position->yaw_rad);
+	float sy = scalar_sin(position->yaw_rad);
+	float cl = scalar_cos(position->lean_rad);
+	float sl = scalar_sin(position->lean_rad);
+	/* Leans about z, then turns about y. */
+	const float column[4][4] = {{cl * cy, -sl, -cl * sy, 0.0f},
+		{sl * cy, cl, -sl * sy, 0.0f}, {sy, 0.0f, cy, 0.0f},
+		{position->x, 0.0f, position->z, 1.0f}};
+
+	for (int c = 0; c < 4; c++) {
+		for (int r = 0; r < 4; r++) {
+			out[c][r] = column[c][r] * (c < 3 ? route->size : 1.0f);
+		}
+	}
 }

@@ -7,6 +7,8 @@
 #ifndef APP_DEMO_CROWD_CROWD_ROUTE_H
 #define APP_DEMO_CROWD_CROWD_ROUTE_H
 
+#include <cglm/types.h>
+
 enum {
 	CROWD_MAX = 50
 };
@@ -18,6 +20,7 @@ struct crowd_route {
 	float angle_rad;  /* on the ring at time 0 */
 	float speed_m_s;  /* along the ring; negative: the other way round */
 	float facing_rad; /* added to the angle where the speed is 0 */
+	float size;       /* factor of the figure's height, near 1 */
 };
 
 /* Returns the route of walker number 0 to CROWD_MAX - 1. */
@@ -29,10 +32,18 @@ float crowd_radius_m(int count);
 /* A walker's position on the ground in metres and its heading. */
 struct crowd_position {
 	float x, z;
-	float yaw_rad; /* 0 faces +Z */
+	float yaw_rad;  /* 0 faces +Z */
+	float lean_rad; /* to its own left (+X), into the ring */
 };
 
 struct crowd_position crowd_position_at(
 	const struct crowd_route *route, double time_s);
+
+/*
+ * Returns the matrix that takes a figure of the model's size at the origin to
+ * its place in the crowd.
+ */
+void crowd_matrix(const struct crowd_route *route,
+	const struct crowd_position *position, mat4 out);
 
 #endif

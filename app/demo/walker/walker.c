@@ -42,11 +42,10 @@ static const struct autoplay_step autoplay_steps[] = {
 
 static const float autoplay_s = 17.6f;
 
-static const struct actor_framing framing = {
-	.camera = {.yaw_rad = 0.45f,
-		.pitch_rad = 0.12f,
-		.margin = 1.08f,
-		.follow = true},
+static const struct actor_framing framing = {.camera = {.yaw_rad = 0.45f,
+						     .pitch_rad = 0.12f,
+						     .margin = 1.08f,
+						     .follow = true},
 	.label_rows = 9,
 	.label_bars = 8};
 
@@ -177,11 +176,16 @@ static void draw_shadow(const struct demo *demo)
 	}
 	stage_shadow_begin(&demo->base.stage, gl);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADOW);
-	if (demo->rig.on[RIG_CAPE]) {
+	if (demo->rig.weight[RIG_CAPE] > 0.5f) {
 		walker_secondary_draw_cape(
-			&demo->rig.secondary, gl, DRAW_SHADOW);
+			&demo->rig.secondary, gl, DRAW_SHADOW, 1.0f);
 	}
 	stage_shadow_end(&demo->base.stage, gl);
+}
+
+static bool shows_ball(const struct demo *demo)
+{
+	return demo->rig.on[RIG_LOOK] || demo->rig.on[RIG_REACH];
 }
 
 static void walker_draw(struct demo *demo, int width, int height)
@@ -192,12 +196,16 @@ static void walker_draw(struct demo *demo, int width, int height)
 	demo->height = height;
 	stage_begin(&demo->base.stage, gl, width, height);
 	draw_shadow(demo);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
-	if (demo->rig.on[RIG_CAPE]) {
-		walker_secondary_draw_cape(
-			&demo->rig.secondary, gl, DRAW_SHADED);
+	if (shows_ball(demo) && demo->rig.on[RIG_SHADOW]) {
+		ball_draw_shadow(gl, demo->rig.ball, ball_radius_m,
+			&demo->base.stage.floor);
 	}
-	if (demo->rig.on[RIG_LOOK] || demo->rig.on[RIG_REACH]) {
+	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	if (demo->rig.weight[RIG_CAPE] > 0.0f) {
+		walker_secondary_draw_cape(&demo->rig.secondary, gl,
+			DRAW_SHADED, demo->rig.weight[RIG_CAPE]);
+	}
+	if (shows_ball(demo)) {
 		ball_draw(&demo->ball, gl, demo->rig.ball, ball_radius_m,
 			ball_color);
 	}

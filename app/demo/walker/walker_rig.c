@@ -14,7 +14,17 @@
 static const float switch_s = 0.4f; /* the duration of a fade */
 static const float expression_s = 1.3f;
 static const float wave_height_m = 0.2f;
-static const float hand_m = 0.1f; /* from the wrist to the grip */
+/*
+ * The middle of a ball of 5 cm that lies in the right palm, from the wrist in
+ * the hand's axes (fingers along y, back of the hand along x), and how far
+ * fingers and thumb close around it.
+ */
+static const float grip_m[3] = {-0.070f, 0.060f, 0.0f};
+static const float finger_rad = 0.85f, thumb_rad = 0.30f;
+
+enum {
+	GRIP_ROUNDS = 4
+};
 
 static const char *const feature_names[RIG_FEATURE_COUNT] = {
 	[RIG_LOOK] = "look at",
@@ -47,6 +57,8 @@ static int find_bones(struct walker_rig *rig, const struct model *model,
 		{"upper_arm.R", &rig->arm.upper},
 		{"forearm.R", &rig->arm.lower},
 		{"hand.R", &rig->arm.tip},
+		{"fingers.R", &rig->fingers},
+		{"thumb.R", &rig->thumb},
 		{"thigh.L", &rig->leg[0].upper},
 		{"shin.L", &rig->leg[0].lower},
 		{"foot.L", &rig->leg[0].tip},
@@ -219,26 +231,67 @@ static void look(struct walker_rig *rig, struct instance *instance, float step_s
 	}
 }
 
-/* The wrist's goal is a hand's length before the ball. */
+/* Blends a joint from its pose to the rest pose turned about its own axis z. */
+static void curl(struct walker_rig *rig, struct instance *instance, int node,
+	float angle_rad)
+{
+	static const float axis[3] = {0.0f, 0.0f, 1.0f};
+	struct transform *local = &instance->pose.local[node];
+	float turn[4], closed[4];
+
+	quat_from_axis_angle(axis, angle_rad, turn);
+	quat_multiply(instance->model->node[node].rest.rotation, turn, closed);
+	quat_slerp(local->rotation, closed, rig->arm.weight, local->rotation);
+	instance->pose.animated[node] = true;
+}
+
+/* Where the wrist has to be for the ball to lie in the palm. */
+static void wrist_goal(
+	const struct walker_rig *rig, struct instance *instance, float out[3])
+{
+	float rotation[4], grip[3];
+
+	matrix_rotation(instance->world[rig->arm.tip], rotation);
+	quat_rotate(rotation, grip_m, grip);
+	vec_subtract(rig->ball, grip, out);
+}
+
+/*
+ * Brings the hand to the ball and closes the fingers around it. Where the palm
+ * is follows from the hand's rotation, and that from the arm's: a few rounds
+ * make both agree.
+ */
 static void reach(struct walker_rig *rig, struct instance *instance)
 {
-	const float *shoulder = instance->world[rig->arm.upper][3];
+	const int node[3] = {rig->arm.upper, rig->arm.lower, rig->arm.tip};
 	const float *ball = rig->ball;
 	/* The elbow points down and a little outwards. */
 	const float pole[3] = {ball[0] - 0.5f, ball[1] - 1.0f, ball[2] - 0.6f};
-	float wrist[3], to_shoulder[3], fraction;
+	struct transform animated[3];
+	float weight = eased(rig, RIG_REACH);
 
-	rig->arm.weight = eased(rig, RIG_REACH);
-	if (rig->arm.weight == 0.0f) {
+	if (weight == 0.0f) {
 		return;
 	}
-	vec_subtract(shoulder, ball, to_shoulder);
-	fraction = hand_m /
-		(scalar_sqrt(vec_dot(to_shoulder, to_shoulder)) + hand_m);
-	vec_add_scaled(ball, to_shoulder, fraction, wrist);
-	ik_limb_solve(&rig->arm, wrist, pole, (const mat4 *)instance->world,
-		&instance->pose);
-	update_world_from(instance, rig->arm.upper);
+	for (int i = 0; i < 3; i++) {
+		animated[i] = instance->pose.local[node[i]];
+	}
+	for (int round = 0; round < GRIP_ROUNDS; round++) {
+		float wrist[3];
+
+		wrist_goal(rig, instance, wrist);
+		for (int i = 0; i < 3; i++) {
+			instance->pose.local[node[i]] = animated[i];
+		}
+		update_world_from(instance, rig->arm.upper);
+		rig->arm.weight = round + 1 < GRIP_ROUNDS ? 1.0f : weight;
+		ik_limb_solve(&rig->arm, wrist, pole,
+			(const mat4 *)instance->world, &instance->pose);
+		update_world_from(instance, rig->arm.upper);
+	}
+	curl(rig, instance, rig->fingers, finger_rad);
+	curl(rig, instance, rig->thumb, thumb_rad);
+	update_world_from(instance, rig->arm.tip);
 }
 
 /* The rotation from a level foot to the ground's slope. */

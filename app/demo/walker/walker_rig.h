@@ -39,6 +39,7 @@ struct walker_rig {
 
 	struct lookat neck, head;
 	struct ik_limb arm, leg[2];
+	int fingers, thumb; /* of the hand that reaches */
 	struct procedural shake[2];
 	struct preset_file presets;
 	int preset_chosen;

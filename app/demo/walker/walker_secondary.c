@@ -2,15 +2,26 @@
 
 #include "app/demo/actor.h"
 #include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
-/* The cape's shape at rest. */
-static const float cape_half_width_m = 0.17f;
-static const float cape_flare = 1.5f; /* width of the hem / width at the top */
-static const float cape_top_m = 1.435f;
-static const float cape_length_m = 0.78f;
-static const float cape_back_m = 0.115f;
+/*
+ * The cape's shape at rest: it lies around the shoulders, and its pleats become
+ * deeper and wider towards the hem.
+ */
+static const float cape_half_width_m = 0.165f;
+static const float cape_flare = 1.35f; /* width of the hem / width at the top */
+static const float cape_top_m = 1.45f;
+static const float cape_drop_m = 0.045f; /* of the top, from neck to shoulder */
+static const float cape_length_m = 0.80f;
+static const float cape_back_m = 0.118f;
+static const float cape_wrap_m = 0.062f;  /* forward, from neck to shoulder */
+static const float cape_pleat_m = 0.034f; /* depth at the hem, to each side */
+static const float cape_pleats = 3.0f;
+
+/* Air pushes with the square of the speed: the cape hangs while walking. */
+static const float wind_s_per_m = 0.17f;
 
 static const struct {
 	const char *a, *b;
@@ -63,18 +74,22 @@ static int init_cape(struct walker_secondary *secondary,
 	}
 	settings.columns = CAPE_COLUMNS;
 	settings.rows = CAPE_ROWS;
-	settings.radius = 0.02f;
+	settings.radius = 0.015f;
+	settings.bend = 0.45f;
 	for (int i = 0; i < CAPE_COLUMNS * CAPE_ROWS; i++) {
 		/* Columns run from the wearer's left to right: it faces back. */
 		float across = 1.0f -
 			2.0f * (float)(i % CAPE_COLUMNS) / (CAPE_COLUMNS - 1);
 		float down = (float)(i / CAPE_COLUMNS) / (CAPE_ROWS - 1);
 		float flare = 1.0f + (cape_flare - 1.0f) * down;
+		float pleat = scalar_cos(across * SCALAR_PI * cape_pleats) *
+			cape_pleat_m * (0.12f + 0.88f * down);
 
 		shape[i][0] = across * cape_half_width_m * flare;
-		shape[i][1] = cape_top_m - cape_length_m * down;
-		shape[i][2] =
-			-cape_back_m - 0.09f * down + 0.05f * across * across;
+		shape[i][1] = cape_top_m - cape_length_m * down -
+			cape_drop_m * across * across;
+		shape[i][2] = -cape_back_m - 0.05f * down + pleat +
+			cape_wrap_m * across * across * (1.0f - 0.5f * down);
 	}
 	for (int i = 0; i < CAPE_COLUMNS; i++) {
 		pin[i] = chest;
@@ -122,7 +137,8 @@ void walker_secondary_update(struct walker_secondary *secondary,
 	capsule_to_world(secondary->body, BODY_CAPSULES,
 		(const mat4 *)instance->world, body);
 	/* The figure walks on the spot, so the air moves instead. */
-	secondary->cape.settings.wind[2] = -speed_m_per_s;
+	secondary->cape.settings.wind[2] =
+		-speed_m_per_s * speed_m_per_s * wind_s_per_m;
 	ponytail->gravity[2] = -3.0f * speed_m_per_s;
 	ponytail->weight = ponytail_weight;
 	if (with_cape) {
@@ -140,7 +156,7 @@ void walker_secondary_reset_cape(struct walker_secondary *secondary)
 	cloth_reset(&secondary->cape);
 }
 
-static void set_cape_material(const struct gl *gl)
+static void set_cape_material(const struct gl *gl, float weight)
 {
 	static const GLfixed dull[4] = {0, 0, 0, FX16_ONE};
 
@@ -148,17 +164,22 @@ static void set_cape_material(const struct gl *gl)
 	gl->Enable(GL_COLOR_MATERIAL);
 	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, dull);
-	gl->Disable(GL_BLEND);
+	if (weight < 1.0f) {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	} else {
+		gl->Disable(GL_BLEND);
+	}
 	gl->Disable(GL_TEXTURE_2D);
-	gl->Color4x(FX16_ONE * 70 / 100, FX16_ONE * 13 / 100,
-		FX16_ONE * 16 / 100, FX16_ONE);
+	gl->Color4x(FX16_ONE * 82 / 100, FX16_ONE * 15 / 100,
+		FX16_ONE * 19 / 100, fx16_from_float(weight));
 }
 
 void walker_secondary_draw_cape(const struct walker_secondary *secondary,
-	const struct gl *gl, enum draw_pass pass)
+	const struct gl *gl, enum draw_pass pass, float weight)
 {
 	if (pass == DRAW_SHADED) {
-		set_cape_material(gl);
+		set_cape_material(gl, weight);
 		gl->EnableClientState(GL_NORMAL_ARRAY);
 		gl->NormalPointer(GL_FLOAT, 0, secondary->cape.normal);
 	} else {
@@ -171,4 +192,5 @@ void walker_secondary_draw_cape(const struct walker_secondary *secondary,
 	gl->VertexPointer(3, GL_FLOAT, 0, secondary->cape.position);
 	gl->DrawElements(GL_TRIANGLES, CAPE_INDICES, GL_UNSIGNED_SHORT,
 		secondary->cape_index);
+	gl->Disable(GL_BLEND);
 }

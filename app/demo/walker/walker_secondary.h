@@ -11,8 +11,8 @@
 #include "app/scene/instance/instance.h"
 
 enum {
-	CAPE_COLUMNS = 9,
-	CAPE_ROWS = 11,
+	CAPE_COLUMNS = 13,
+	CAPE_ROWS = 10,
 	CAPE_INDICES = 6 * (CAPE_COLUMNS - 1) * (CAPE_ROWS - 1),
 	BODY_CAPSULES = 8,
 };
@@ -44,8 +44,11 @@ void walker_secondary_update(struct walker_secondary *secondary,
 /* Resets the cape to its shape at rest, as when it is put on. */
 void walker_secondary_reset_cape(struct walker_secondary *secondary);
 
-/* Draws the cape, for DRAW_SHADED with two-sided lighting. */
+/*
+ * Draws the cape, for DRAW_SHADED with two-sided lighting and as opaque as its
+ * weight, 0..1.
+ */
 void walker_secondary_draw_cape(const struct walker_secondary *secondary,
-	const struct gl *gl, enum draw_pass pass);
+	const struct gl *gl, enum draw_pass pass, float weight);
 
 #endif

@@ -1,9 +1,16 @@
 #include "app/scene/stage/ball.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/draw/triangle_list.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
+
+enum {
+	SHADOW_CORNERS = 16
+};
+
+static const float shadow_lift = 0.003f; /* above the floor, scene units */
 
 void ball_init(struct ball *ball)
 {
@@ -28,6 +35,68 @@ void ball_init(struct ball *ball)
 			next = triangle_list_add(next, below, at + 1, below + 1);
 		}
 	}
+}
+
+/* Where the line from a point along the light meets the floor. */
+static void fall_on_floor(const struct floor *floor, const float light[3],
+	const float from[3], float out[3])
+{
+	float height = floor_height(floor, from[0], from[2]);
+
+	for (int i = 0; i < 3; i++) {
+		float fall = (from[1] - height) / light[1];
+
+		out[0] = from[0] - light[0] * fall;
+		out[1] = height;
+		out[2] = from[2] - light[2] * fall;
+		height = floor_height(floor, out[0], out[2]);
+	}
+	out[1] = height + floor_mesh_error(floor) + shadow_lift;
+}
+
+/* A circle across the light, as the floor cuts the light's rays through it. */
+static void find_shadow(const struct floor *floor, const float center[3],
+	float radius, float out[SHADOW_CORNERS][3])
+{
+	float light[3], side[3], up[3];
+	const float above[3] = {0.0f, 1.0f, 0.0f};
+
+	light_direction(light);
+	vec_cross(above, light, side);
+	vec_normalize(side);
+	vec_cross(light, side, up);
+	for (int i = 0; i < SHADOW_CORNERS; i++) {
+		float round = (float)i * (2.0f * SCALAR_PI / SHADOW_CORNERS);
+		float at[3];
+
+		vec_add_scaled(center, side, radius * scalar_cos(round), at);
+		vec_add_scaled(at, up, radius * scalar_sin(round), at);
+		fall_on_floor(floor, light, at, out[i]);
+	}
+}
+
+void ball_draw_shadow(const struct gl *gl, const float center[3], float radius,
+	const struct floor *floor)
+{
+	float corner[SHADOW_CORNERS][3];
+
+	find_shadow(floor, center, radius, corner);
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_CULL_FACE);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->DepthMask(GL_FALSE);
+	gl->Color4x(
+		FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12, FX16_ONE * 3 / 8);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->VertexPointer(3, GL_FLOAT, 0, corner);
+	gl->DrawArrays(GL_TRIANGLE_FAN, 0, SHADOW_CORNERS);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_BLEND);
 }
 
 void ball_draw(const struct ball *ball, const struct gl *gl,

@@ -4,6 +4,7 @@
 #ifndef APP_SCENE_STAGE_BALL_H
 #define APP_SCENE_STAGE_BALL_H
 
+#include "app/scene/stage/floor.h"
 #include "platform/gl/gl.h"
 
 enum {
@@ -19,6 +20,13 @@ struct ball {
 };
 
 void ball_init(struct ball *ball);
+
+/*
+ * Draws the ball's shadow on the floor, level or uneven, with the camera's
+ * matrix loaded.
+ */
+void ball_draw_shadow(const struct gl *gl, const float center[3], float radius,
+	const struct floor *floor);
 
 /*
  * Draws the ball with the camera's matrix and the lights loaded. center and

@@ -16,17 +16,18 @@ struct directional_light {
  */
 static const struct directional_light key_light = {
 	.towards = {0.389f, 0.778f, 0.494f, 0.0f},
-	.diffuse = {0.65f, 0.63f, 0.58f, 1.0f},
+	.diffuse = {0.62f, 0.60f, 0.55f, 1.0f},
 	.specular = {1.0f, 0.97f, 0.9f, 1.0f},
 };
 
+/* From the left and a little from behind, for backs and far sides. */
 static const struct directional_light fill_light = {
-	.towards = {-0.728f, 0.243f, 0.641f, 0.0f},
-	.diffuse = {0.20f, 0.22f, 0.27f, 1.0f},
+	.towards = {-0.862f, 0.259f, -0.436f, 0.0f},
+	.diffuse = {0.30f, 0.32f, 0.36f, 1.0f},
 	.specular = {0.0f, 0.0f, 0.0f, 1.0f},
 };
 
-static const float ambient[4] = {0.31f, 0.32f, 0.35f, 1.0f};
+static const float ambient[4] = {0.38f, 0.38f, 0.41f, 1.0f};
 static const float black[4] = {0.0f, 0.0f, 0.0f, 1.0f};
 
 static void set_vector(

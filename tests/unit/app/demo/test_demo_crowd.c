@@ -1,10 +1,12 @@
 /* The crowd: its walkers' positions and number. */
+#include "app/demo/crowd/crowd_dress.h"
 #include "app/demo/crowd/crowd_route.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 static float distance(int a, int b, double time_s)
 {
@@ -53,6 +55,98 @@ static void test_walkers_go_where_they_look_as_fast_as_their_feet(void **state)
 		assert_true(x * sinf(from.yaw_rad) + z * cosf(from.yaw_rad) >
 			0.99f * hypotf(x, z));
 	}
+}
+
+/* Feet stay on the ground, and the head is nearer to the ring's middle. */
+static void test_runners_lean_into_their_circle(void **state)
+{
+	int leaning = 0;
+
+	(void)state;
+	for (int i = 0; i < 30; i++) {
+		struct crowd_route route = crowd_route(i);
+		struct crowd_position at = crowd_position_at(&route, 3.0);
+		float speed = fabsf(route.speed_m_s);
+		float feet, head;
+		mat4 matrix;
+
+		crowd_matrix(&route, &at, matrix);
+		feet = hypotf(matrix[3][0], matrix[3][2]);
+		head = hypotf(matrix[3][0] + matrix[1][0],
+			matrix[3][2] + matrix[1][2]);
+		assert_true(matrix[3][1] == 0.0f);
+		assert_near(feet, route.radius_m, 1e-4);
+		if (speed > 0.0f) {
+			assert_near(tanf(fabsf(at.lean_rad)),
+				speed * speed / (9.81f * route.radius_m), 1e-3);
+			assert_near(feet - head,
+				route.size * sinf(fabsf(at.lean_rad)), 1e-3);
+			leaning++;
+		} else {
+			assert_near(head, feet, 1e-4);
+		}
+	}
+	assert_true(leaning > 20);
+}
+
+static void test_walkers_differ_in_size_and_phase(void **state)
+{
+	(void)state;
+	for (int a = 0; a < 12; a++) {
+		struct crowd_route one = crowd_route(a);
+
+		assert_true(one.size >= 0.9f && one.size <= 1.08f);
+		for (int b = 0; b < a; b++) {
+			struct crowd_route other = crowd_route(b);
+
+			assert_true(fabsf(one.size - other.size) > 0.002f);
+			assert_true(fabsf(one.phase - other.phase) > 0.02f);
+		}
+	}
+}
+
+/* By the mean colour of what is drawn for each of twelve walkers. */
+static void test_walkers_differ_in_colours(void **state)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	double mean[12][3];
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load("assets/walker.glb", &log, &model), 0);
+	for (int i = 0; i < 12; i++) {
+		struct instance *instance;
+		double count = 0.0;
+
+		assert_int_equal(instance_create(model, kernel_find("fixed"),
+					 &log, &instance),
+			0);
+		assert_int_equal(crowd_dress(instance, i), 0);
+		memset(mean[i], 0, sizeof(mean[i]));
+		for (int d = 0; d < instance->drawable_count; d++) {
+			const struct batch *batch = instance->drawable[d].batch;
+
+			for (int v = 0; v < batch->vertex_count; v++) {
+				for (int c = 0; c < 3; c++) {
+					mean[i][c] += batch->color[v][c];
+				}
+				count += 1.0;
+			}
+		}
+		for (int c = 0; c < 3; c++) {
+			mean[i][c] /= count;
+		}
+		for (int other = 0; other < i; other++) {
+			double apart = 0.0;
+
+			for (int c = 0; c < 3; c++) {
+				apart += fabs(mean[i][c] - mean[other][c]);
+			}
+			assert_true(apart > 4.0);
+		}
+		instance_destroy(instance);
+	}
+	model_destroy(model);
 }
 
 static const struct demo_press presses[] = {
@@ -171,6 +265,9 @@ int main(void)
 		cmocka_unit_test(test_the_circle_holds_them_all_and_grows),
 		cmocka_unit_test(
 			test_walkers_go_where_they_look_as_fast_as_their_feet),
+		cmocka_unit_test(test_runners_lean_into_their_circle),
+		cmocka_unit_test(test_walkers_differ_in_size_and_phase),
+		cmocka_unit_test(test_walkers_differ_in_colours),
 		cmocka_unit_test(test_buttons_add_and_remove_walkers),
 		cmocka_unit_test(test_small_figures_have_fewer_triangles),
 		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),

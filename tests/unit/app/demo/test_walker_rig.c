@@ -142,13 +142,73 @@ static void test_the_hand_goes_to_a_ball_in_reach(void **state)
 				       shoulder[1] - walk.rig.ball[1]),
 			shoulder[2] - walk.rig.ball[2]);
 		assert_true(isfinite(gap));
-		/* Upper arm, forearm and hand: 0.262 + 0.232 + 0.1 m. */
-		if (reach < 0.58f) {
-			assert_true(gap < 0.105f);
+		/*
+		 * Upper arm and forearm are 0.262 + 0.232 m long; a ball in the
+		 * palm is 0.06 m farther along the hand and 0.07 m beside it.
+		 */
+		if (reach < 0.55f) {
+			assert_true(gap < 0.0935f);
 			reached++;
+		}
+		if (reach < 0.58f) {
+			assert_true(gap < 0.0935f + 0.04f);
 		}
 	}
 	assert_true(reached > 50);
+	end(&walk);
+}
+
+/* The least distance of the skin from the ball's middle, and how many vertices
+   are within 2 cm of its surface. */
+static float skin_distance(const struct walk *walk, int *near)
+{
+	const struct instance *instance = walk->instance;
+	float least = 9.0f;
+
+	*near = 0;
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float at[3], distance;
+
+			instance_world_vertex(instance, drawable, v, at);
+			distance = hypotf(hypotf(at[0] - walk->rig.ball[0],
+						  at[1] - walk->rig.ball[1]),
+				at[2] - walk->rig.ball[2]);
+			least = fminf(least, distance);
+			*near += distance < 0.07f;
+		}
+	}
+	return least;
+}
+
+static void test_the_fingers_close_around_the_ball(void **state)
+{
+	struct walk walk;
+	int grasped = 0;
+
+	(void)state;
+	begin(&walk, "walk");
+	walk.rig.on[RIG_REACH] = true;
+	go_on(&walk, 30);
+	for (int frame = 0; frame < 120; frame++) {
+		const float *hand;
+		int near;
+
+		go_on(&walk, 1);
+		instance_update(walk.instance);
+		hand = place_of(&walk, walk.rig.arm.tip);
+		if (hypotf(hypotf(hand[0] - walk.rig.ball[0],
+				   hand[1] - walk.rig.ball[1]),
+			    hand[2] - walk.rig.ball[2]) < 0.0935f) {
+			/* The ball's radius is 5 cm: nothing pierces it. */
+			assert_true(skin_distance(&walk, &near) > 0.048f);
+			assert_true(near > 20);
+			grasped++;
+		}
+	}
+	assert_true(grasped > 60);
 	end(&walk);
 }
 
@@ -212,6 +272,7 @@ int main(void)
 		cmocka_unit_test(test_without_features_the_clip_is_left_alone),
 		cmocka_unit_test(test_feet_keep_their_height_above_uneven_ground),
 		cmocka_unit_test(test_the_hand_goes_to_a_ball_in_reach),
+		cmocka_unit_test(test_the_fingers_close_around_the_ball),
 		cmocka_unit_test(test_the_head_turns_towards_the_ball),
 		cmocka_unit_test(test_the_cape_stays_on_and_moves),
 	};

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/model/color.h"
+#include "app/scene/instance/index_order.h"
 #include "app/scene/shadow/shadow_proxy.h"
 #include "platform/base/scalar.h"
 
@@ -162,6 +163,9 @@ static const uint16_t *convert_list(const struct drawable *drawable,
 	for (int i = 0; index && i < count; i++) {
 		index[i] = (uint16_t)(inverse_order ? inverse_order[list[i]]
 						    : list[i]);
+	}
+	if (index) {
+		index_order_improve(index, count);
 	}
 	return index;
 }

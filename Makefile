@@ -22,8 +22,8 @@ include toolchain/build.mk
 include toolchain/arm1136.mk
 include toolchain/bench.mk
 include toolchain/board.mk
-include toolchain/trust.mk
 include toolchain/check.mk
+include toolchain/trust.mk
 include toolchain/test.mk
 include toolchain/gpiod.mk
 include toolchain/demo.mk

@@ -14,6 +14,11 @@ PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod inih
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
 
+# Targets that load models change glTF as JSON.
+build/fuzz/fuzz_gltf build/fuzz/fuzz_command: \
+	build/fuzz/obj/tests/fuzz/gltf_mutator.o
+build/fuzz/fuzz_gl: build/fuzz/obj/tests/fuzz/fuzz_gl_calls.o
+
 build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 	$(call say,LINK,$@)
 	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ $^ \
@@ -68,7 +73,8 @@ define newline
 
 endef
 TESTS := $(basename $(notdir $(TEST_SOURCES)))
-FUZZERS := $(patsubst tests/fuzz/%.c,%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+FUZZERS := $(patsubst tests/fuzz/%.c,%,$(filter-out %_calls.c,$(sort \
+	$(wildcard tests/fuzz/fuzz_*.c))))
 
 # A suite is a line with a name and a command (tests/support/tally/tally.sh).
 suite = $(1) $(2)$(newline)
@@ -141,7 +147,6 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
-		$(trust_programs) \
 		image build/board/guest \
 		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \

@@ -43,7 +43,10 @@ KERNELS_arm := armv6 fixed float an4044
 KERNELS_fuzz := $(KERNELS_host)
 KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 
-# The fuzz targets need only the drivers whose parsers they test.
+# The fuzz targets need only the drivers that they test.
+GL_DRIVERS_fuzz := soft
+DISPLAY_DRIVERS_fuzz := image null
+CAMERA_DRIVERS_fuzz := pattern
 BUTTON_DRIVERS_fuzz := script gpiod evdev
 
 # The gpiod driver has a part for each generation of libgpiod. This machine's

@@ -17,7 +17,18 @@ MOST ?= 0
 faults: $(FAULTS) build/asan/limber
 	$(Q)$(FAULTS_RUN) build/asan/limber --most $(MOST) --table build/faults/table
 
-trust_programs := $(FAULTS)
+# make fuzz SECONDS=N JOBS=2 runs each target for N seconds, and keeps the inputs
+# that reached new code in build/fuzz/corpus, where the next run begins.
+SECONDS ?= 60
+JOBS ?= 1
+fuzz_run = CORPUS=build/fuzz/corpus/$(1) SEED=0 RUNS=-1 FUZZ_SECONDS=$(SECONDS) \
+	tests/fuzz/run.sh build/fuzz/$(1)
+.PHONY: fuzz
+fuzz: $(FUZZERS:%=build/fuzz/%)
+	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $(JOBS) -I '{}' \
+		sh -c '$(call fuzz_run,{})'
+
+check-build: $(FAULTS)
 trust_suites = $(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
 	--most 3 --jobs 1) \
 	$(call suite,faults/host,$(FAULTS_RUN) build/host/limber --most 2 --jobs 1)

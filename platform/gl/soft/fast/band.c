@@ -157,7 +157,9 @@ void soft_band_flat(struct flat_band *band)
 			flat_row(band, left, right - left);
 		}
 		band->pixels += band->stride_bytes;
-		band->stencil += band->stencil ? band->stencil_stride : 0;
+		if (band->stencil) {
+			band->stencil += band->stencil_stride;
+		}
 		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
 		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	}

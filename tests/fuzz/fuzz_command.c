@@ -1,0 +1,184 @@
+/*
+ * Runs a whole command on any bytes as a model: loads it, poses it, draws it
+ * with the soft driver, compares or exports it. A hash of the bytes chooses the
+ * command and its options, so that a file repeats its run.
+ */
+#define _GNU_SOURCE /* memfd_create() */
+
+#include "app/cmd/command.h"
+#include "app/model/gltf/gltf.h"
+#include "app/model/xfile/xfile.h"
+#include "tests/fuzz/fuzz_expect.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+static const struct command *const commands[] = {&command_play, &command_render,
+	&command_pose, &command_info, &command_compare, &command_doctor,
+	&command_export, NULL};
+
+/* Each run takes one value of each row; "" leaves the option out. */
+static const char *const option_values[][9] = {
+	{"--size", "32x32", "1x1", "33x17", "8x96", "64x48"},
+	{"--time", "", "0", "0.5", "2.25", "30", "7f@30"},
+	{"--clip", "", "", "0", "1"},
+	{"--interpolation", "", "", "step", "linear", "cubic", "nearest"},
+	{"--repeat", "", "ping-pong", "once"},
+	{"--speed", "", "", "-1", "0.01", "7"},
+	{"--math", "", "float", "fixed"},
+	{"--influences", "", "", "1", "3", "auto", "budget:200"},
+	{"--lod", "", "", "auto", "off", "level:1", "3"},
+	{"--format", "", "rgb565", "rgba8888"},
+};
+
+static char film[64]; /* a file's name */
+
+static const char *const command_lines[][12] = {
+	{"render", "--frames", "2", "-o", film},
+	{"play", "--display", "null", "--clock", "fixed:5", "--frames", "9",
+		"--script", "/proc/self/fd/100"},
+	{"pose", "-o", "/dev/null"},
+	{"info", "--json"},
+	{"info"},
+	{"doctor"},
+	{"doctor", "--json"},
+	{"compare", "--fps", "3", "--format", "json"},
+	{"export", "--c", "/dev/null"},
+};
+
+static const char script[] =
+	"0 UP down\n100 UP up\n200 RIGHT down\n600 F6 down\n650 F6 up\n"
+	"700 F9 down\n900 F10 down\n920 F10 up\n1000 F8 down\n1300 ENTER down\n";
+
+enum {
+	COMMAND_LINES = sizeof(command_lines) / sizeof(command_lines[0]),
+	OPTIONS = sizeof(option_values) / sizeof(option_values[0]),
+	SCRIPT_FD = 100
+};
+
+static uint64_t hash(const uint8_t *data, size_t size)
+{
+	uint64_t value = 0xcbf29ce484222325u;
+
+	for (size_t i = 0; i < size; i++) {
+		value = (value ^ data[i]) * 0x100000001b3u;
+	}
+	return value ^ value >> 31;
+}
+
+static bool draws(const char *command)
+{
+	return strcmp(command, "render") == 0 || strcmp(command, "play") == 0;
+}
+
+/* Whether the command takes the option; wrong usage would test nothing. */
+static bool takes(const char *command, const char *option)
+{
+	if (draws(command)) {
+		return true;
+	}
+	if (strcmp(command, "pose") == 0) {
+		return strcmp(option, "--time") == 0 ||
+			strcmp(option, "--clip") == 0 ||
+			strcmp(option, "--interpolation") == 0 ||
+			strcmp(option, "--math") == 0 ||
+			strcmp(option, "--influences") == 0;
+	}
+	return (strcmp(command, "compare") == 0 &&
+		       (strcmp(option, "--size") == 0 ||
+			       strcmp(option, "--clip") == 0)) ||
+		(strcmp(command, "export") == 0 && strcmp(option, "--clip") == 0);
+}
+
+static int add_options(const char **argv, int argc, uint64_t choice)
+{
+	const char *command = argv[1];
+
+	for (int i = 0; i < OPTIONS; i++) {
+		const char *const *row = option_values[i];
+		int count = 1;
+
+		while (count < 9 && row[count]) {
+			count++;
+		}
+		row += 1 + choice % (uint64_t)(count - 1);
+		choice /= (uint64_t)(count - 1);
+		if (**row && takes(command, option_values[i][0])) {
+			argv[argc++] = option_values[i][0];
+			argv[argc++] = *row;
+		}
+	}
+	if (draws(command)) {
+		argv[argc++] = "--gl";
+		argv[argc++] = "soft";
+		argv[argc++] = "--config";
+		argv[argc++] = "none";
+	}
+	argv[argc++] = "--memory";
+	argv[argc++] = "48m";
+	return argc;
+}
+
+static void run(const char *model, uint64_t choice)
+{
+	const char *const *line = command_lines[choice % COMMAND_LINES];
+	const char *argv[64] = {"limber"};
+	int argc = 1;
+	int status;
+
+	while (argc < 12 && line[argc - 1]) {
+		argv[argc] = line[argc - 1];
+		argc++;
+	}
+	argc = add_options(argv, argc, choice / COMMAND_LINES);
+	argv[argc++] = model;
+	status = command_dispatch(commands, argc, (char **)argv);
+	for (int i = 0; status != EXIT_OK && status != EXIT_FAILED && i < argc;
+		i++) {
+		dprintf(STDERR_FILENO, "%s ", argv[i]);
+	}
+	fuzz_expect(status == EXIT_OK || status == EXIT_FAILED);
+}
+
+/* A file in memory with the content, or -1. */
+static int file_of(const void *data, size_t size)
+{
+	int fd = memfd_create("limber-fuzz", 0);
+
+	if (fd >= 0 && write(fd, data, size) != (ssize_t)size) {
+		close(fd);
+		return -1;
+	}
+	return fd;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+	char model[32];
+	int fd;
+
+	if (!gltf_recognise(data, size) && !xfile_recognise(data, size)) {
+		return 0;
+	}
+	if (lseek(SCRIPT_FD, 0, SEEK_SET) != 0) {
+		fd = file_of(script, sizeof(script) - 1);
+		dup2(fd, SCRIPT_FD);
+		snprintf(film, sizeof(film), "/tmp/limber-fuzz-%d.gif",
+			(int)getpid());
+		close(fd);
+		/* Not freopen(): the sanitizers write to the descriptor. */
+		stdout = fopen("/dev/null", "w");
+		stderr = fopen("/dev/null", "w");
+	}
+	fd = file_of(data, size);
+	if (fd < 0) {
+		return 0;
+	}
+	snprintf(model, sizeof(model), "/proc/self/fd/%d", fd);
+	run(model, hash(data, size));
+	close(fd);
+	unlink(film);
+	return 0;
+}

@@ -9,14 +9,6 @@
 
 extern const struct gl_driver gl_driver_soft;
 
-/* What GL's calls on this thread mean: they have no parameter to say it. */
-static _Thread_local struct soft *current;
-
-struct soft *soft_current(void)
-{
-	return current;
-}
-
 static void soft_destroy(struct gl_context *context)
 {
 	struct soft *soft = (struct soft *)context;
@@ -24,8 +16,8 @@ static void soft_destroy(struct gl_context *context)
 	if (!soft) {
 		return;
 	}
-	if (current == soft) {
-		current = NULL;
+	if (soft_current() == soft) {
+		soft_make_current(NULL);
 	}
 	soft_release_textures(soft);
 	free(soft->buffers.depth);
@@ -66,61 +58,8 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 	soft_init_clear(soft);
 	soft_init_read(soft);
 	soft_init_draw(soft);
-	current = soft;
+	soft_make_current(soft);
 	*out = &soft->base;
-	return 0;
-}
-
-static int grow_depth(struct soft *soft, size_t count)
-{
-	struct buffers *buffers = &soft->buffers;
-	uint16_t *depth;
-
-	if (count <= buffers->room) {
-		return 0;
-	}
-	depth = calloc(count, sizeof(*depth));
-	if (!depth) {
-		log_error(&soft->log, "--gl soft: out of memory for depth");
-		return -ENOMEM;
-	}
-	free(buffers->depth);
-	buffers->depth = depth;
-	buffers->room = count;
-	return 0;
-}
-
-uint8_t *soft_stencil(struct soft *soft)
-{
-	struct buffers *buffers = &soft->buffers;
-
-	if (!buffers->stencil) {
-		size_t room = buffers->room ? buffers->room : 1;
-
-		buffers->stencil = malloc(room);
-		if (buffers->stencil) {
-			memset(buffers->stencil, soft->fragment.stencil.clear,
-				room);
-			buffers->stencil_room = room;
-		}
-	}
-	return buffers->stencil;
-}
-
-/* Once there is a stencil it keeps the size of the depth. */
-static int grow_stencil(struct soft *soft)
-{
-	struct buffers *buffers = &soft->buffers;
-
-	if (!buffers->stencil || buffers->stencil_room >= buffers->room) {
-		return 0;
-	}
-	free(buffers->stencil);
-	buffers->stencil = NULL;
-	if (!soft_stencil(soft)) {
-		log_error(&soft->log, "--gl soft: out of memory for stencil");
-		return -ENOMEM;
-	}
 	return 0;
 }
 
@@ -131,12 +70,11 @@ static int soft_begin_frame(
 	struct buffers *buffers = &soft->buffers;
 	int error;
 
-	current = soft;
+	soft_make_current(soft);
 	if (target->format != soft->format ||
 		target->stride_bytes % pixel_bytes(soft->format) != 0) {
 		log_error(&soft->log,
-			"--gl soft: cannot draw into a picture of another "
-			"format than the context's");
+			"--gl soft: cannot draw into a picture of another format than the context's");
 		return -EINVAL;
 	}
 	if (target->width < 1 || target->height < 1 ||
@@ -146,10 +84,8 @@ static int soft_begin_frame(
 			target->width, target->height);
 		return -EINVAL;
 	}
-	error = grow_depth(soft, (size_t)target->width * (size_t)target->height);
-	if (!error) {
-		error = grow_stencil(soft);
-	}
+	error = soft_grow_buffers(
+		soft, (size_t)target->width * (size_t)target->height);
 	if (error) {
 		return error;
 	}

@@ -202,6 +202,7 @@ struct soft {
 };
 
 struct soft *soft_current(void);
+void soft_make_current(struct soft *soft);
 
 /* Remembers the first error since GetError(). */
 void soft_set_error(struct soft *soft, GLenum error);
@@ -223,6 +224,9 @@ void soft_release_textures(struct soft *soft);
 
 /* The stencil buffer, made when it is first wanted; NULL without memory. */
 uint8_t *soft_stencil(struct soft *soft);
+
+/* Makes room for so many pixels; -ENOMEM, which is logged, without memory. */
+int soft_grow_buffers(struct soft *soft, size_t pixels);
 
 /* The flag behind Enable and Disable, or NULL for an unknown capability. */
 bool *soft_find_light_flag(struct soft *soft, GLenum capability);

@@ -183,7 +183,7 @@
 	add	r1, r10, #SLOTS
 	subs	r2, r2, r1
 	lsrne	r2, r2, #1
-	bne	soft_list_arm
+	bne	soft_list
 	bx	lr
 
 	/* r0 stays; lr becomes the first slot */

@@ -1,13 +1,13 @@
-/* band.c's soft_band_fill_c() for ARMv6: 64 pixels in six instructions. */
+/* portable/fill.c for ARMv6: 64 pixels in six instructions. */
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
 /* r0 address, r1 count, r2 value */
-	.global	soft_band_fill_arm
-	.type	soft_band_fill_arm, %function
-soft_band_fill_arm:
+	.global	soft_fill_pixels
+	.type	soft_fill_pixels, %function
+soft_fill_pixels:
 	cmp	r1, #0
 	bxle	lr
 	tst	r0, #2
@@ -49,6 +49,6 @@ soft_band_fill_arm:
 	tst	r1, #1
 	strhne	r2, [r0], #2
 	bx	lr
-	.size	soft_band_fill_arm, . - soft_band_fill_arm
+	.size	soft_fill_pixels, . - soft_fill_pixels
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,5 +1,5 @@
 /*
- * draw.c's lists of triangles by 16-bit indices, for ARMv6: what triangle.c's
+ * vertex/list.c for ARMv6: what triangle.c's
  * soft_fill_triangle() makes of each. Offsets are those of struct fast_setup,
  * struct setup, struct vertex and struct cache_tag; arm/bands.c asserts them.
  *
@@ -19,7 +19,7 @@
 #define FAST_SETUP_BOX (FAST_SETUP + 24)
 #define FAST_SETUP_ATTRIBUTES (FAST_SETUP + 44)
 #define FAST_SETUP_BACK (FAST_SETUP + 52)
-#define FAST_SETUP_SHADOW (FAST_SETUP + 72)
+#define FAST_SETUP_MASKED (FAST_SETUP + 72)
 
 #define VERTEX_BYTES 96
 #define VERTEX_X 4
@@ -46,16 +46,16 @@
 #define ATTRIBUTES 128
 #define FLAGS 132
 #define RETURN 136
-#define SHADOW 140
+#define MASKED 140
 #define ROOM 148 /* with the nine registers a multiple of 8 */
 
 /*
  * r0 draw, r1 indices, r2 how many, of 3 or more. Then r10 places, r11 the
  * next index, r3, r12, lr the three places, r5, r7, r9 their xy.
  */
-	.global	soft_list_arm
-	.type	soft_list_arm, %function
-soft_list_arm:
+	.global	soft_list
+	.type	soft_list, %function
+soft_list:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
 	mov	r11, r1
@@ -81,9 +81,9 @@ soft_list_arm:
 	ldr	r4, =0x00010001
 	orr	r4, r4, r7, lsl #24
 	str	r4, [sp, #FLAGS]
-	ldr	r5, [r0, #FAST_SETUP_SHADOW]
+	ldr	r5, [r0, #FAST_SETUP_MASKED]
 	mov	r4, #0
-	str	r5, [sp, #SHADOW]
+	str	r5, [sp, #MASKED]
 	str	r4, [sp, #SETUP_AREA + 4]
 
 .Lloop:	ldrh	r0, [r11], #2
@@ -154,9 +154,9 @@ soft_list_arm:
 	movlt	r8, r0
 	cmp	r8, #2048
 	bge	.Lother
-	ldr	r0, [sp, #SHADOW]
+	ldr	r0, [sp, #MASKED]
 	cmp	r0, #0
-	bne	.Lshadow
+	bne	.Lmasked
 	mov	r4, r4, lsr #20
 	mov	r6, r6, lsr #20
 	str	r4, [sp, #SETUP_TOP]
@@ -227,8 +227,8 @@ soft_list_arm:
 	bne	1b
 	b	.Lfill
 
-	/* shadow.S asks for no more than the corners by y, and the rows */
-.Lshadow:
+	/* masked.S asks for no more than the corners by y, and the rows */
+.Lmasked:
 	ldr	r0, [sp, #DRAW]
 	cmp	r5, r7
 	movgt	r1, r5
@@ -251,7 +251,7 @@ soft_list_arm:
 	mov	r5, r7
 	mov	r7, r1
 	mov	r9, r2
-	bl	soft_shadow_sorted_arm
+	bl	soft_fill_masked_sorted
 	b	.Lnext
 
 	/* Those that are missing, from r5, r7, r9: of what the indices are. */
@@ -322,6 +322,6 @@ soft_list_arm:
 	mvn	r6, #1
 	str	r6, [r8]
 	b	.Lother
-	.size	soft_list_arm, . - soft_list_arm
+	.size	soft_list, . - soft_list
 
 	.section .note.GNU-stack, "", %progbits

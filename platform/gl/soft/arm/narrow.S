@@ -86,9 +86,9 @@
 	str\right	r2, [sp, #RIGHT_STEP]
 	.endm
 
-	.global	soft_fill_narrow_arm
-	.type	soft_fill_narrow_arm, %function
-soft_fill_narrow_arm:
+	.global	soft_fill_narrow
+	.type	soft_fill_narrow, %function
+soft_fill_narrow:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	ldr	r3, [r1, #SETUP_COLUMNS]
 	tst	r2, #1 << 16
@@ -253,7 +253,7 @@ soft_fill_narrow_arm:
 	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #REST]
-	bl	soft_narrow_rows_arm
+	bl	soft_narrow_rows
 .Llower:
 	ldr	r12, [sp, #LATER]
 	ldr	r2, [sp, #DRAW]
@@ -269,7 +269,7 @@ soft_fill_narrow_arm:
 	cmp	r12, #0
 	set_edge lt, ge
 	ldr	r2, [sp, #LATER]
-	bl	soft_narrow_rows_arm
+	bl	soft_narrow_rows
 .Ldone:	add	sp, sp, #ROOM + 8
 	pop	{r4-r11, pc}
 
@@ -304,5 +304,5 @@ soft_fill_narrow_arm:
 	add	sp, sp, #ROOM
 	pop	{r0, r1, r4-r11, lr}
 	b	soft_rows_fill
-	.size	soft_fill_narrow_arm, . - soft_fill_narrow_arm
+	.size	soft_fill_narrow, . - soft_fill_narrow
 	.section .note.GNU-stack, "", %progbits

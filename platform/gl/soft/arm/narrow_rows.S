@@ -13,9 +13,9 @@
 #define COLUMNS 24
 
 /* r2 rows, of 1 or more; leaves all at the row after them. */
-	.global	soft_narrow_rows_arm
-	.type	soft_narrow_rows_arm, %function
-soft_narrow_rows_arm:
+	.global	soft_narrow_rows
+	.type	soft_narrow_rows, %function
+soft_narrow_rows:
 	str	lr, [sp, #RETURN]
 	ldr	r3, [sp, #CHUNK]
 .Lsegment:
@@ -83,6 +83,6 @@ soft_narrow_rows_arm:
 	mla	r5, r7, lr, r3
 	mov	r3, #8
 	b	.Lrows
-	.size	soft_narrow_rows_arm, . - soft_narrow_rows_arm
+	.size	soft_narrow_rows, . - soft_narrow_rows
 
 	.section .note.GNU-stack, "", %progbits

@@ -40,9 +40,9 @@
 	add	r4, r4, r4, lsl #16
 	.endm
 
-	.global	soft_band_texture_arm
-	.type	soft_band_texture_arm, %function
-soft_band_texture_arm:
+	.global	soft_band_texture
+	.type	soft_band_texture, %function
+soft_band_texture:
 	push	{r4-r11, lr}
 	ldr	r1, [r0, #ROWS]
 	push	{r0, r1}
@@ -115,6 +115,6 @@ soft_band_texture_arm:
 	sub	r5, r5, #16
 	add	r12, r12, #16
 	b	.Lbegin
-	.size	soft_band_texture_arm, . - soft_band_texture_arm
+	.size	soft_band_texture, . - soft_band_texture
 
 	.section .note.GNU-stack, "", %progbits

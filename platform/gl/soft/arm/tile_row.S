@@ -66,9 +66,9 @@
  * mask, r8 the rows' where it lies in an index, r9 shade, r10 from 16.16 to
  * 2^32; the run's address is at sp.
  */
-	.global	soft_tile_row_arm
-	.type	soft_tile_row_arm, %function
-soft_tile_row_arm:
+	.global	soft_tile_row
+	.type	soft_tile_row, %function
+soft_tile_row:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #SHADE]
@@ -112,12 +112,12 @@ soft_tile_row_arm:
 	cmp	r1, #0
 	bne	.Lpixel
 	pop	{r0, r4-r11, pc}
-	.size	soft_tile_row_arm, . - soft_tile_row_arm
+	.size	soft_tile_row, . - soft_tile_row
 
 /* The same, but r2 fine, and masks and r10, 4 less, are for its index. */
-	.global	soft_tile_fine_arm
-	.type	soft_tile_fine_arm, %function
-soft_tile_fine_arm:
+	.global	soft_tile_fine
+	.type	soft_tile_fine, %function
+soft_tile_fine:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #SHADE]
@@ -166,6 +166,6 @@ soft_tile_fine_arm:
 	cmp	r1, #0
 	bne	.Lplace
 	pop	{r0, r4-r11, pc}
-	.size	soft_tile_fine_arm, . - soft_tile_fine_arm
+	.size	soft_tile_fine, . - soft_tile_fine
 
 	.section .note.GNU-stack, "", %progbits

@@ -71,17 +71,6 @@ _Static_assert(offsetof(struct draw, fast_setup.place) == 132, "FAST_SETUP_TAG")
 _Static_assert(
 	offsetof(struct draw, fast_setup.cache) == 136, "FAST_SETUP_CACHE");
 
-/* vertex.S: of aligned ones */
-uint32_t soft_largest_float_arm(
-	const uint8_t *at, int stride_bytes, uint32_t count);
-
-uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
-{
-	return ((uintptr_t)at | (uintptr_t)stride_bytes) % 4 == 0
-		? soft_largest_float_arm(at, stride_bytes, count)
-		: soft_largest_float_c(at, stride_bytes, count);
-}
-
 /* Zeros belong to slot 0, and one followed by zeros does not. */
 static void forget_all(struct dedup *dedup)
 {

@@ -66,21 +66,6 @@ void soft_band_texture_c(struct texture_band *band)
 	}
 }
 
-void soft_band_fill_c(uint16_t *at, int count, uint16_t value)
-{
-	const uint32_t pair = value * 0x10001u;
-
-	for (; count >= 8; count -= 8, at += 8) {
-		memcpy(at, &pair, 4);
-		memcpy(at + 2, &pair, 4);
-		memcpy(at + 4, &pair, 4);
-		memcpy(at + 6, &pair, 4);
-	}
-	for (; count > 0; count--) {
-		*at++ = value;
-	}
-}
-
 static ALWAYS_INLINE void darken(const struct flat_band *band, uint16_t *pixel)
 {
 	*pixel = narrow(
@@ -134,7 +119,7 @@ static void flat_row(const struct flat_band *band, int left, int count)
 
 	if (!band->stencil) {
 		if (band->keep == 0) {
-			soft_bands.fill(pixel, count, band->opaque);
+			soft_fill_pixels(pixel, count, band->opaque);
 		} else {
 			soft_keep_pixels(pixel, count, band->keep, band->own);
 		}

@@ -2,9 +2,7 @@
  * Bands: rows of a triangle between two of its edges, with a depth that is
  * tested LESS and written, into RGB565.
  *
- * fill_opaque.c sets them up. band.c walks them in C; platforms may bring
- * faster functions (arm/band.S) which leave the same bytes. Which are used is
- * soft_bands, from the folder that toolchain/sources.mk names.
+ * Functions draw all rows, and leave row and edge at the row after them.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_BAND_H
 #define PLATFORM_GL_SOFT_FAST_BAND_H
@@ -71,30 +69,13 @@ struct flat_band {
 	uint32_t alpha;  /* 0 to 32 */
 };
 
-struct tile_run;
-struct draw;
-struct setup;
-
-struct band_functions {
-	/* draw.h: three vertices or more, of indices at an even address */
-	void (*list)(struct draw *draw, const void *indices, uint32_t count);
-	/* fill_narrow.c; a fill_function */
-	void (*narrow)(struct draw *draw, struct setup *setup);
-	/* fill_flat.c, of what a stencil lets through once; the same */
-	void (*shadow)(struct draw *draw, struct setup *setup);
-	/* Inside of the picture, whose rows are as far apart as the depth's. */
-	void (*texture)(struct texture_band *band);
-	void (*fill)(uint16_t *at, int count, uint16_t value);
-	/* tile_row.h; rows of textures as wide as high */
-	void (*tile_row)(const struct tile_run *run);
-	void (*tile_fine)(const struct tile_run *run);
-};
-
-extern const struct band_functions soft_bands;
-
-/* In C. */
+/*
+ * arm/texture.S or portable/texture.c: rows inside of the picture, whose rows
+ * are as far apart as the depth's.
+ */
+void soft_band_texture(struct texture_band *band);
 void soft_band_texture_c(struct texture_band *band);
+
 void soft_band_flat(struct flat_band *band);
-void soft_band_fill_c(uint16_t *at, int count, uint16_t value);
 
 #endif

@@ -179,7 +179,7 @@ static void mix_box(struct draw *draw, const struct clip_box *box)
 			&draw->soft->buffers.target, box->left, y);
 
 		if (color->alpha == 32) {
-			soft_bands.fill(pixel, count, color->opaque);
+			soft_fill_pixels(pixel, count, color->opaque);
 		} else {
 			soft_keep_pixels(pixel, count, color->keep, color->own);
 		}

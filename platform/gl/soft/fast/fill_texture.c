@@ -237,11 +237,11 @@ bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
 	band.pixels = draw->textured.pixels;
 	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
-		soft_bands.texture(&band);
+		soft_band_texture(&band);
 	}
 	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
 	if (band.rows > 0) {
-		soft_bands.texture(&band);
+		soft_band_texture(&band);
 	}
 	return true;
 }

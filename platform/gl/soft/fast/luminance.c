@@ -45,7 +45,7 @@ static void write_depth(const struct draw *draw, const struct piece *piece)
 	z = plane_at(&draw->raster, DEPTH, piece->x);
 	if ((uint64_t)size_of(right) * (uint32_t)piece->count < 1 << 10) {
 		z += (uint32_t)(right * piece->count / 2);
-		soft_bands.fill(depth, piece->count, (uint16_t)(z >> 10));
+		soft_fill_pixels(depth, piece->count, (uint16_t)(z >> 10));
 		return;
 	}
 	for (int i = 0; i < piece->count; i++) {
@@ -97,7 +97,7 @@ static void shade(
 	bool fine = number > 0 && run.fine;
 
 	if (tile_is_square(&run)) {
-		(fine ? soft_bands.tile_fine : soft_bands.tile_row)(&run);
+		(fine ? soft_tile_fine : soft_tile_row)(&run);
 	} else {
 		(fine ? soft_tile_fine_c : soft_tile_row_c)(&run);
 	}

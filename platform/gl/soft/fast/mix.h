@@ -58,4 +58,7 @@ void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 void soft_mix_pixels(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
+/* Pixels become the value. arm/fill.S or portable/fill.c. */
+void soft_fill_pixels(uint16_t *pixel, int count, uint16_t value);
+
 #endif

@@ -1,6 +1,6 @@
 #include "platform/gl/soft/fast/tile_row.h"
 
-#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -73,7 +73,7 @@ static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 
 		if (quad & QUAD_PATCH) {
 			count = count_patch(run, quad, s, t, left);
-			soft_band_fill_c(pixel, count,
+			soft_fill_pixels(pixel, count,
 				(uint16_t)run->shade[2 * quad_luminance(quad)]);
 		} else {
 			*pixel = (uint16_t)run->shade[fine

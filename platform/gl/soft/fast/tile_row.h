@@ -37,7 +37,10 @@ uint32_t soft_tile_pixels(int32_t step_q16, int log2);
 void soft_tile_row_c(const struct tile_run *run);
 void soft_tile_fine_c(const struct tile_run *run);
 
-/* As those of band_functions take it: as wide as high. */
+/* arm/tile_row.S or portable/tile_row.c: the same of levels as wide as high. */
+void soft_tile_row(const struct tile_run *run);
+void soft_tile_fine(const struct tile_run *run);
+
 static inline bool tile_is_square(const struct tile_run *run)
 {
 	return run->width_log2 == run->height_log2;

@@ -54,7 +54,7 @@ struct tint_band {
 };
 
 /*
- * As soft_bands.texture, tinted: of the nearest texels, and of four mixed,
+ * As soft_band_texture(), tinted: of the nearest texels, and of four mixed,
  * which all others take as well. dot has texel and colour as directions and
  * writes their product (GL_DOT3_RGB); multiply and add do that to the picture
  * where the depth is EQUAL.

@@ -5,11 +5,6 @@ void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 	soft_transform_c(draw, index, out);
 }
 
-uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count)
-{
-	return soft_largest_float_c(at, stride_bytes, count);
-}
-
 void soft_shade(const struct draw *draw, struct vertex *vertex)
 {
 	soft_shade_c(draw, vertex);

@@ -18,7 +18,7 @@ enum {
 /*
  * A triangle on its way to the rows: its vertices by y, those of one row by x,
  * and its rows. Offsets on ARM are known to arm/list.S, arm/narrow.S and
- * arm/shadow.S.
+ * arm/masked.S.
  */
 struct setup {
 	const struct vertex *v[3]; /* 0 */
@@ -225,9 +225,9 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 	return p->start + (uint32_t)p->dx * (uint32_t)x;
 }
 
-/* rows.c: any state, through the stages of fragment.c. */
+/* fill.c: any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
-/* One of its rows whose values run linearly, their steps in the span. */
+/* rows.c: one of its rows for fragment.c, whose values run linearly, their steps in the span. */
 void soft_rows_affine(struct draw *draw, int y, int left, int right);
 
 /* fill_opaque.c: see there; whether the state, and a texture, are its. */
@@ -253,15 +253,19 @@ bool soft_fill_texture_tinted(
 
 /* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
+/* arm/narrow.S or portable/narrow.c: the same. */
+void soft_fill_narrow(struct draw *draw, struct setup *setup);
 /* Whether colours run linearly, to a step of 255. */
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 
 /* fill_flat.c: see there; begin is called once a draw call. */
 bool soft_fill_is_flat(const struct draw *draw);
 void soft_fill_flat_begin(struct draw *draw);
-/* Whether a stencil has the last word: soft_bands.shadow takes it then. */
+/* Whether a stencil has the last word: soft_fill_masked() takes it then. */
 bool soft_fill_flat_is_once(const struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
+/* arm/masked.S or portable/masked.c: the same. */
+void soft_fill_masked(struct draw *draw, struct setup *setup);
 /* What soft_fill_flat() goes on to draw in: alpha is 0 to 32. */
 void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 

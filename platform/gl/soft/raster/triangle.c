@@ -159,7 +159,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.flat = &draw->flat,
 		.stencil = buffers->stencil,
 		.stencil_stride = (uint32_t)buffers->width,
-		.shadow = draw->fill == soft_bands.shadow,
+		.masked = draw->fill == soft_fill_masked,
 	};
 	/* Nothing is inside of an empty box. */
 	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;

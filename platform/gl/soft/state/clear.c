@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "platform/base/fixed.h"
-#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 
 static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
@@ -43,11 +43,11 @@ static void fill_rows(
 	uint16_t *first, int width, ptrdiff_t stride, int rows, uint16_t value)
 {
 	if (width == stride) {
-		soft_bands.fill(first, width * rows, value);
+		soft_fill_pixels(first, width * rows, value);
 		return;
 	}
 	for (int y = 0; y < rows; y++) {
-		soft_bands.fill(first + y * stride, width, value);
+		soft_fill_pixels(first + y * stride, width, value);
 	}
 }
 
@@ -117,7 +117,7 @@ static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
 
 	/* By two, where rows begin and end with a pair. */
 	if (keep == 0 && width == (int)stride && width % 2 == 0) {
-		soft_bands.fill((uint16_t *)(void *)first, width / 2 * rows,
+		soft_fill_pixels((uint16_t *)(void *)first, width / 2 * rows,
 			(uint16_t)(stencil->clear * 0x101u));
 		return;
 	}

@@ -95,19 +95,6 @@ static ALWAYS_INLINE uint32_t larger(uint32_t most, uint32_t bits)
 	return bits << 1 > most ? bits << 1 : most;
 }
 
-uint32_t soft_largest_float_c(
-	const uint8_t *at, int stride_bytes, uint32_t count)
-{
-	uint32_t most = 0;
-
-	for (uint32_t n = 0; n < count; n++, at += stride_bytes) {
-		most = larger(most, load_bits(at));
-		most = larger(most, load_bits(at + 4));
-		most = larger(most, load_bits(at + 8));
-	}
-	return most;
-}
-
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count)
 {
@@ -122,7 +109,10 @@ int soft_array_position_exponent(
 		return 15;
 	}
 	if (size == 3) {
-		most = soft_largest_float(at, array->stride_bytes, count);
+		most = ((uintptr_t)at | (uintptr_t)array->stride_bytes) % 4 == 0
+			? soft_largest_aligned_float(
+				  at, array->stride_bytes, count)
+			: soft_largest_float(at, array->stride_bytes, count);
 		return (int)(most >> 24) - 127;
 	}
 	for (uint32_t n = 0; n < count; n++, at += array->stride_bytes) {

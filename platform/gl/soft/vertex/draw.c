@@ -4,77 +4,6 @@
 
 #include <string.h>
 
-/* Where the vertices of a call come from. */
-struct source {
-	const uint8_t *indices; /* NULL: from first on */
-	GLenum type;
-	uint32_t first, count;
-};
-
-static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
-{
-	uint16_t index;
-
-	if (!source->indices) {
-		return source->first + i;
-	}
-	if (source->type == GL_UNSIGNED_BYTE) {
-		return source->indices[i];
-	}
-	memcpy(&index, source->indices + 2 * i, sizeof(index));
-	return index;
-}
-
-void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
-{
-	struct vertex *vertex = &draw->cache[slot];
-	struct cache_tag *place = &draw->place[slot];
-
-	soft_transform(draw, index, vertex);
-	place->tag = vertex->outcode || !draw->packed ? TAG_OUTSIDE : index;
-	place->xy = vertex_xy(vertex);
-}
-
-static ALWAYS_INLINE struct vertex *find_by_index(
-	struct draw *draw, uint32_t index)
-{
-	uint32_t slot = index % VERTEX_CACHE;
-	struct vertex *vertex = &draw->cache[slot];
-	uint32_t tag = draw->place[slot].tag;
-
-	if (tag != index && (tag != TAG_OUTSIDE || vertex->index != index)) {
-		soft_load_slot(draw, slot, index);
-	}
-	return vertex;
-}
-
-static struct vertex *find_vertex(
-	struct draw *draw, const struct source *source, uint32_t i)
-{
-	return find_by_index(draw, index_at(source, i));
-}
-
-/*
- * Vertices of one primitive whose indices share a slot of the cache: all but
- * the last move to places of their own.
- */
-static void find_vertices(struct draw *draw, const struct source *source,
-	const uint32_t *at, int count, struct vertex **out)
-{
-	for (int i = 0; i < count; i++) {
-		out[i] = find_vertex(draw, source, at[i]);
-		for (int j = 0; j < i; j++) {
-			if (out[j] == out[i] &&
-				index_at(source, at[j]) !=
-					index_at(source, at[i])) {
-				out[j] = &draw->apart[j];
-				soft_transform(
-					draw, index_at(source, at[j]), out[j]);
-			}
-		}
-	}
-}
-
 static void draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c)
 {
@@ -86,45 +15,9 @@ static void draw_triangle(struct draw *draw, const struct source *source,
 	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
 		const uint32_t at[3] = {a, b, c};
 
-		find_vertices(draw, source, at, 3, v);
+		soft_find_vertices(draw, source, at, 3, v);
 	}
 	draw_transformed(draw, v);
-}
-
-static void draw_indexed(struct draw *draw, const uint16_t index[3])
-{
-	struct vertex *v[3];
-
-	v[0] = find_by_index(draw, index[0]);
-	v[1] = find_by_index(draw, index[1]);
-	v[2] = find_by_index(draw, index[2]);
-	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-		const struct source source = {
-			.indices = (const uint8_t *)index,
-			.type = GL_UNSIGNED_SHORT,
-		};
-		const uint32_t which[3] = {0, 1, 2};
-
-		find_vertices(draw, &source, which, 3, v);
-	}
-	draw_transformed(draw, v);
-}
-
-void soft_list_other(struct draw *draw, const uint16_t index[3])
-{
-	draw_indexed(draw, index);
-}
-
-void soft_list_c(struct draw *draw, const void *indices, uint32_t count)
-{
-	const uint8_t *at = indices;
-
-	for (uint32_t i = 0; i + 2 < count; i += 3, at += 6) {
-		uint16_t index[3];
-
-		memcpy(index, at, sizeof(index));
-		draw_indexed(draw, index);
-	}
 }
 
 /* Triangles of fill_glyph.c, many of them two to a rectangle. */
@@ -150,7 +43,7 @@ static void draw_rectangles(struct draw *draw, const struct source *source)
 				continue;
 			}
 		}
-		draw_indexed(draw, index);
+		soft_list_other(draw, index);
 	}
 }
 
@@ -161,8 +54,8 @@ static void draw_listed(struct draw *draw, const struct source *source)
 
 	if (draw->fill == soft_fill_glyph) {
 		draw_rectangles(draw, source);
-	} else if (draw->packed && even) {
-		soft_bands.list(draw, source->indices, source->count);
+	} else if (draw->packed && even && source->count >= 3) {
+		soft_list(draw, source->indices, source->count / 3 * 3);
 	} else {
 		soft_list_c(draw, source->indices, source->count);
 	}
@@ -184,7 +77,7 @@ static void draw_line(
 	const uint32_t at[2] = {a, b};
 	struct vertex *v[2];
 
-	find_vertices(draw, source, at, 2, v);
+	soft_find_vertices(draw, source, at, 2, v);
 	if (!(v[0]->outcode & v[1]->outcode)) {
 		draw->provoking = v[1];
 		soft_clip_line(draw, v[0], v[1]);

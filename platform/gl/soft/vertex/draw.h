@@ -294,7 +294,7 @@ typedef void (*span_function)(struct draw *draw, const struct span *span);
 
 /*
  * What rejects triangles, and sets small ones up, in one place. Offsets are
- * known to arm/list.S, arm/narrow.S and arm/shadow.S.
+ * known to arm/list.S, arm/narrow.S and arm/masked.S.
  */
 struct fast_setup {
 	fill_function fill;      /* 0 */
@@ -316,7 +316,7 @@ struct fast_setup {
 	const struct flat_band *flat; /* 56: draw->flat */
 	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
 	uint32_t stencil_stride;      /* 68 */
-	uint32_t shadow; /* 72: 1 where fill is soft_bands.shadow, else 0 */
+	uint32_t masked; /* 72: 1 where fill is soft_fill_masked, else 0 */
 };
 
 struct draw {
@@ -378,13 +378,19 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 }
 
 /*
- * draw.c: a list of triangles by 16-bit indices; arm/list.S does the same where
- * draw->packed, and hands on what it does not draw itself.
+ * list.c: a list of triangles by 16-bit indices.
  */
 void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
+
+/*
+ * arm/list.S or portable/list.c: the same where draw->packed, of at least one
+ * triangle and whole ones, with indices at an even address. What arm/list.S does
+ * not draw itself it hands on to soft_list_other().
+ */
+void soft_list(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
-/* unindexed.c: a triangle of a list without indices, past the cache. */
+/* list.c: a triangle of a list without indices, past the cache. */
 void soft_draw_apart(struct draw *draw, uint32_t index);
 
 /*
@@ -433,10 +439,11 @@ void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
 /*
  * The largest of count times three floats, as bits without their sign, shifted
- * to the left by one. The other is in C; arm/vertex.S has one besides.
+ * to the left by one.
  */
 uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
-uint32_t soft_largest_float_c(
+/* arm/largest_float.S or portable/largest_float.c: of aligned ones. */
+uint32_t soft_largest_aligned_float(
 	const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
 int soft_array_position_exponent(

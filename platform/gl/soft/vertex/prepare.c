@@ -331,7 +331,7 @@ static fill_function choose_fill(const struct draw *draw)
 		return soft_rows_fill;
 	}
 	if (!draw->texture[0].used) {
-		return soft_bands.narrow;
+		return soft_fill_narrow;
 	}
 	return soft_fill_takes_texture(&draw->texture[0]) ? soft_fill_textured
 							  : soft_rows_fill;
@@ -427,7 +427,7 @@ bool soft_prepare(
 		soft_fill_flat_begin(draw);
 	}
 	if (draw->fill == soft_fill_flat && soft_fill_flat_is_once(draw)) {
-		draw->fill = soft_bands.shadow;
+		draw->fill = soft_fill_masked;
 	}
 	prepare_shade(draw);
 	soft_prepare_fast_setup(draw);

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* draw.c: the vertex of an index into a slot of the cache. */
+/* cache.c: the vertex of an index into a slot of the cache. */
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
@@ -15,6 +15,53 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
  * words to compare: draws nothing then.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
+
+/* Where the vertices of a call come from. */
+struct source {
+	const uint8_t *indices; /* NULL: from first on */
+	GLenum type;
+	uint32_t first, count;
+};
+
+static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
+{
+	uint16_t index;
+
+	if (!source->indices) {
+		return source->first + i;
+	}
+	if (source->type == GL_UNSIGNED_BYTE) {
+		return source->indices[i];
+	}
+	memcpy(&index, source->indices + 2 * i, sizeof(index));
+	return index;
+}
+
+static ALWAYS_INLINE struct vertex *find_by_index(
+	struct draw *draw, uint32_t index)
+{
+	uint32_t slot = index % VERTEX_CACHE;
+	struct vertex *vertex = &draw->cache[slot];
+	uint32_t tag = draw->place[slot].tag;
+
+	if (tag != index && (tag != TAG_OUTSIDE || vertex->index != index)) {
+		soft_load_slot(draw, slot, index);
+	}
+	return vertex;
+}
+
+static inline struct vertex *find_vertex(
+	struct draw *draw, const struct source *source, uint32_t i)
+{
+	return find_by_index(draw, index_at(source, i));
+}
+
+/*
+ * cache.c: vertices of one primitive whose indices share a slot of the cache:
+ * all but the last move to places of their own.
+ */
+void soft_find_vertices(struct draw *draw, const struct source *source,
+	const uint32_t *at, int count, struct vertex **out);
 
 /* A triangle of transformed vertices, as far as it is in the clip volume. */
 static ALWAYS_INLINE void draw_transformed(

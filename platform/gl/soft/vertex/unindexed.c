@@ -127,17 +127,6 @@ static ALWAYS_INLINE void draw_dedup(struct draw *draw,
 	}
 }
 
-void soft_draw_apart(struct draw *draw, uint32_t index)
-{
-	struct vertex *v[3];
-
-	for (uint32_t i = 0; i < 3; i++) {
-		v[i] = &draw->apart[i];
-		soft_transform(draw, index + i, v[i]);
-	}
-	draw_transformed(draw, v);
-}
-
 static bool draw_together(struct draw *draw, const struct stream *stream,
 	uint32_t first, uint32_t count)
 {

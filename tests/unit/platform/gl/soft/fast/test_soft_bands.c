@@ -1,5 +1,6 @@
 /* The soft driver's rows in assembly against the same in C. */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/twins.h"
 #include "tests/support/random.h"
@@ -45,7 +46,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 		other = band;
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
-		soft_bands.texture(&band);
+		soft_band_texture(&band);
 		soft_band_texture_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
 		assert_int_equal(band.edge[0], other.edge[0]);
@@ -62,7 +63,7 @@ static void test_fills_end_where_they_should(void **state)
 			uint16_t row[220];
 
 			memset(row, 0xA5, sizeof(row));
-			soft_bands.fill(row + at, count, 0x1234);
+			soft_fill_pixels(row + at, count, 0x1234);
 			for (int i = 0; i < 220; i++) {
 				bool in = i >= at && i < at + count;
 

@@ -487,7 +487,7 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 	(void)state;
 	check_fills(&(struct fills){
 		.slow = soft_fill_narrow_c,
-		.fast_setup = soft_bands.narrow,
+		.fast_setup = soft_fill_narrow,
 		.kind = PLAIN,
 		.rounds = 300,
 		.perspective = true,
@@ -500,7 +500,7 @@ static void test_shadows_are_as_in_c(void **state)
 	(void)state;
 	check_fills(&(struct fills){
 		.slow = soft_fill_flat,
-		.fast_setup = soft_bands.shadow,
+		.fast_setup = soft_fill_masked,
 		.kind = SHADOW,
 		.rounds = 200,
 		.exact = true,

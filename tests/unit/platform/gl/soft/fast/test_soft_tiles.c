@@ -318,13 +318,13 @@ static void test_rows_are_as_in_c(void **state)
 		run.pixel = rows.expected + at;
 		soft_tile_row_c(&run);
 		run.pixel = rows.drawn + at;
-		soft_bands.tile_row(&run);
+		soft_tile_row(&run);
 		check_rows(&rows);
 		if (run.fine) {
 			run.pixel = rows.expected + at;
 			soft_tile_fine_c(&run);
 			run.pixel = rows.drawn + at;
-			soft_bands.tile_fine(&run);
+			soft_tile_fine(&run);
 			check_rows(&rows);
 		}
 		free_level(&level);

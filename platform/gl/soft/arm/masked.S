@@ -38,26 +38,26 @@
 #define THIRD 36
 #define MIDDLE 40
 
-	.global	soft_fill_shadow_arm
-	.type	soft_fill_shadow_arm, %function
-soft_fill_shadow_arm:
+	.global	soft_fill_masked
+	.type	soft_fill_masked, %function
+soft_fill_masked:
 	ldr	r2, [r1, #SETUP_FLAGS]
 	tst	r2, #1 << 16
 	beq	soft_fill_flat
 	push	{r4-r11, lr}
 	add	r1, r1, #SETUP_XY
 	ldm	r1, {r4-r9}
-	bl	soft_shadow_sorted_arm
+	bl	soft_fill_masked_sorted
 	pop	{r4-r11, pc}
-	.size	soft_fill_shadow_arm, . - soft_fill_shadow_arm
+	.size	soft_fill_masked, . - soft_fill_masked
 
 /*
  * r0 draw, r4, r5, r6 struct cache_tag's xy by y, r7 to r9 the rows top, middle and
  * bottom; leaves r10 and r11.
  */
-	.global	soft_shadow_sorted_arm
-	.type	soft_shadow_sorted_arm, %function
-soft_shadow_sorted_arm:
+	.global	soft_fill_masked_sorted
+	.type	soft_fill_masked_sorted, %function
+soft_fill_masked_sorted:
 	push	{r0, r5, r6, r8, r10, r11, lr}
 	sub	sp, sp, #ROOM
 	ldr	lr, [r0, #FAST_SETUP_INVERSE]
@@ -160,6 +160,6 @@ soft_shadow_sorted_arm:
 	b	.Lrow
 .Ldone:	add	sp, sp, #ROOM
 	pop	{r0, r5, r6, r8, r10, r11, pc}
-	.size	soft_shadow_sorted_arm, . - soft_shadow_sorted_arm
+	.size	soft_fill_masked_sorted, . - soft_fill_masked_sorted
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,0 +1,16 @@
+#include "platform/gl/soft/fast/mix.h"
+
+void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
+{
+	const uint32_t pair = value * 0x10001u;
+
+	for (; count >= 8; count -= 8, at += 8) {
+		memcpy(at, &pair, 4);
+		memcpy(at + 2, &pair, 4);
+		memcpy(at + 4, &pair, 4);
+		memcpy(at + 6, &pair, 4);
+	}
+	for (; count > 0; count--) {
+		*at++ = value;
+	}
+}

@@ -1,0 +1,6 @@
+#include "platform/gl/soft/raster/raster.h"
+
+void soft_fill_masked(struct draw *draw, struct setup *setup)
+{
+	soft_fill_flat(draw, setup);
+}

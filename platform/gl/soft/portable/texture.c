@@ -1,0 +1,6 @@
+#include "platform/gl/soft/fast/band.h"
+
+void soft_band_texture(struct texture_band *band)
+{
+	soft_band_texture_c(band);
+}

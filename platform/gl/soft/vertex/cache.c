@@ -1,0 +1,28 @@
+#include "platform/gl/soft/vertex/primitive.h"
+
+void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
+{
+	struct vertex *vertex = &draw->cache[slot];
+	struct cache_tag *place = &draw->place[slot];
+
+	soft_transform(draw, index, vertex);
+	place->tag = vertex->outcode || !draw->packed ? TAG_OUTSIDE : index;
+	place->xy = vertex_xy(vertex);
+}
+
+void soft_find_vertices(struct draw *draw, const struct source *source,
+	const uint32_t *at, int count, struct vertex **out)
+{
+	for (int i = 0; i < count; i++) {
+		out[i] = find_vertex(draw, source, at[i]);
+		for (int j = 0; j < i; j++) {
+			if (out[j] == out[i] &&
+				index_at(source, at[j]) !=
+					index_at(source, at[i])) {
+				out[j] = &draw->apart[j];
+				soft_transform(
+					draw, index_at(source, at[j]), out[j]);
+			}
+		}
+	}
+}

@@ -393,6 +393,37 @@ static void test_an_overlap_is_no_longer_than_a_clip(void **state)
 	tear_down(&f);
 }
 
+/* Keys that are left, at frames 0, 1, 12 and so on, say nothing of the rate. */
+static void test_an_overlap_counts_frames_of_the_clips_rate(void **state)
+{
+	static const struct {
+		float times[5];
+		float frame_s;
+	} cases[] = {
+		{{0, 1 / 30.0f, 12 / 30.0f, 13 / 30.0f, 1.0f}, 1 / 30.0f},
+		{{0, 10 / 30.0f, 20 / 30.0f, 25 / 30.0f, 1.0f}, 1 / 30.0f},
+		{{0, 5 / 24.0f, 7 / 24.0f, 13 / 24.0f, 1.0f}, 1 / 24.0f},
+		{{0, 7 / 60.0f, 9 / 60.0f, 31 / 60.0f, 1.0f}, 1 / 60.0f},
+		{{0, 0.5f, 1.0f, 1.5f, 2.0f}, 1 / 30.0f},
+		{{0, 0.001f, 0.1234f, 0.4567f, 0.7891f}, 1 / 30.0f},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct model_channel channel = {.path = MODEL_TRANSLATION,
+			.key_count = 5,
+			.time_s = cases[i].times};
+		struct model_clip clip = {.duration_s = 1,
+			.channel_count = 1,
+			.channel = &channel};
+
+		assert_near(clip_join_frame_s(&clip), cases[i].frame_s, 1e-6);
+		assert_near(
+			clip_join_frames(&clip, &clip, CLIP_JOIN_FRAMES).overlap_s,
+			4 * cases[i].frame_s, 1e-6);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -411,6 +442,7 @@ int main(void)
 		cmocka_unit_test(test_joined_clips_lose_the_overlap),
 		cmocka_unit_test(test_joined_clips_mix_in_the_overlap),
 		cmocka_unit_test(test_an_overlap_is_no_longer_than_a_clip),
+		cmocka_unit_test(test_an_overlap_counts_frames_of_the_clips_rate),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -30,6 +30,9 @@ struct candidate {
 	int vertex_count;  /* of the vertices that it shows */
 	const int *source; /* [vertex_count] of the reference; NULL: the same */
 
+	/* pose() may leave out normals, to save time where none are taken. */
+	bool positions_only;
+
 	/*
 	 * Prepares pose() of the same time, outside of what is timed. It may
 	 * pose the reference. Or NULL.

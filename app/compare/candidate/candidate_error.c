@@ -7,7 +7,8 @@
 #include <stdlib.h>
 
 enum {
-	DIVISIONS_MAX = 10 /* of an interval of the grid, each into halves */
+	DIVISIONS_MAX = 10,  /* of an interval of the grid, each into halves */
+	NORMAL_SAMPLES = 500 /* at most, spread over the grid's moments */
 };
 
 /* Refining stops where the peak cannot be missed by more than this. */
@@ -109,6 +110,7 @@ static struct sample compare_at(
 	const struct reference *reference = comparer->reference;
 	struct sample sample = {time_s, 0.0f};
 
+	candidate->positions_only = !normals;
 	candidate_pose(candidate, time_s);
 	candidate->take(candidate, comparer->position,
 		normals ? comparer->normal : NULL);
@@ -174,15 +176,20 @@ static void refine(
 	}
 }
 
-/* Samples the grid's moments and the middles between them: 2 count - 1. */
+/*
+ * Samples the grid's moments and the middles between them: 2 count - 1. Normals
+ * are compared at some of the moments, which the mean is over, too.
+ */
 static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
 	struct sample *sample)
 {
+	int step = 2 * (grid->count / NORMAL_SAMPLES + 1);
+
 	for (int i = 0; i < 2 * grid->count - 1; i++) {
 		const float *at = grid->time_s + i / 2;
 		float time_s = i % 2 ? 0.5f * (at[0] + at[1]) : at[0];
 
-		sample[i] = compare_at(comparer, time_s, true);
+		sample[i] = compare_at(comparer, time_s, i % step == 0);
 	}
 }
 
@@ -214,6 +221,7 @@ int candidate_error_measure(struct candidate *candidate,
 		comparer.error.normal_deg = 2.0f * 180.0f / SCALAR_PI *
 			(0.5f * SCALAR_PI -
 				scalar_acos(0.5f * scalar_sqrt(comparer.chord)));
+		candidate->positions_only = false;
 		*out = comparer.error;
 		error = 0;
 	}

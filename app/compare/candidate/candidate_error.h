@@ -14,11 +14,13 @@
 struct candidate_error {
 	float peak_px; /* the largest distance of a vertex at any time */
 	float peak_s;  /* when that is */
-	float mean_px; /* over all vertices and the evenly weighted samples */
+	float mean_px; /* over all vertices at evenly spaced moments */
 
 	/*
-	 * The same for normals of vertices that face the eye sideways: how far
-	 * the outline moves across itself.
+	 * The next three are found at up to 500 moments of the grid.
+	 *
+	 * The distance for vertices whose normals face the eye sideways:
+	 * how far the outline moves across itself.
 	 */
 	float outline_px;
 	/* The largest angle between a vertex's normals. */

@@ -144,7 +144,7 @@ static void pose_morph(struct candidate *candidate, float time_s)
 	find_omega(bake, time_s);
 	from = (size_t)(bake->at % bake->slot_count) * stride;
 	to = (size_t)((bake->at + 1) % bake->slot_count) * stride;
-	for (int i = 0; i < 2; i++) {
+	for (int i = 0; i < (candidate->positions_only ? 1 : 2); i++) {
 		bake->loops->lerp_keys(candidate->vertex_count,
 			bake->key[i] + from, bake->key[i] + to,
 			fixed_lerp_weights(bake->omega), bake->posed[i]);

@@ -19,16 +19,70 @@ int posed_vertices_count(const struct instance *instance)
 	return count;
 }
 
+/* From the drawable's posed positions to world space: x * side + origin. */
+static void world_from_drawable(const struct instance *instance,
+	const struct drawable *drawable, mat3 side, vec3 origin)
+{
+	const vec4 *world = instance->world[drawable->node];
+
+	for (int column = 0; column < 3; column++) {
+		for (int axis = 0; axis < 3; axis++) {
+			side[column][axis] = drawable->skin < 0
+				? world[column][axis] / drawable->vertex_scale
+				: column == axis ? 1.0f / instance->unit_scale
+						 : 0.0f;
+		}
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		origin[axis] = drawable->skin < 0 ? world[3][axis] : 0.0f;
+	}
+}
+
+static inline void transform(
+	const mat3 side, const vec3 origin, const float from[3], float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = side[0][axis] * from[0] + side[1][axis] * from[1] +
+			side[2][axis] * from[2] + origin[axis];
+	}
+}
+
+static void write_fixed(const struct drawable_fixed *fixed, int count,
+	mat3 side, vec3 origin, float (*position)[3])
+{
+	const struct fixed_placement *placement = &fixed->placement;
+	vec3 moved;
+
+	transform((const vec3 *)side, origin, placement->offset, moved);
+	for (int column = 0; column < 3; column++) {
+		glm_vec3_scale(side[column], placement->scale, side[column]);
+	}
+	for (int i = 0; i < count; i++) {
+		const struct fixed_vector *v = &fixed->position[i];
+		float from[3] = {v->x, v->y, v->z};
+
+		transform((const vec3 *)side, moved, from,
+			position[fixed->order ? fixed->order[i] : (uint32_t)i]);
+	}
+}
+
 void posed_vertices_positions(
 	const struct instance *instance, float (*position)[3])
 {
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 		int count = drawable->primitive->vertex_count;
+		mat3 side;
+		vec3 origin;
 
-		for (int v = 0; v < count; v++) {
-			instance_world_vertex(
-				instance, drawable, v, position[v]);
+		world_from_drawable(instance, drawable, side, origin);
+		if (drawable->fixed) {
+			write_fixed(
+				drawable->fixed, count, side, origin, position);
+		}
+		for (int v = 0; !drawable->fixed && v < count; v++) {
+			transform((const vec3 *)side, origin,
+				drawable->position[v], position[v]);
 		}
 		position += count;
 	}

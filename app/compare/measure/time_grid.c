@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 static const float gap_most_s = 1.0f / 60.0f;
-static const float gap_least_s = 1.0f / 120.0f;
+static const float gap_least_s = 1.0f / 80.0f;
 static const float before_step_s = 1e-4f;
 static const float longest_s = 18000.0f;
 

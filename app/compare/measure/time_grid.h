@@ -16,7 +16,7 @@ struct time_grid {
 };
 
 /*
- * Two moments are at most 1/60 s apart; of keys closer than 1/120 s only one
+ * Two moments are at most 1/60 s apart; of keys closer than 1/80 s only one
  * becomes a moment. A key after which a value jumps gives a second moment just
  * before it. The clip's duration must be above 0. Returns 0, -E2BIG when the
  * clip lasts longer than five hours, or -ENOMEM. The caller releases the grid

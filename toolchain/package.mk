@@ -4,7 +4,9 @@ prefix ?= /usr/local
 DESTDIR ?=
 INSTALLED := $(DESTDIR)$(prefix)
 PACKAGE := toolchain/package
-ASSET_FILES := $(sort $(wildcard assets/*.glb)) assets/presets.ini
+ASSET_FILES := $(sort $(wildcard assets/*.glb assets/*.character)) \
+	assets/presets.ini
+CHARACTER_FILES := $(sort $(wildcard assets/characters/*.character))
 
 build/host/limber.1: build/host/limber $(PACKAGE)/man.sh \
 		$(PACKAGE)/man_page.awk app/character/format.md
@@ -17,6 +19,9 @@ install: build/host/limber build/host/limber.1
 	$(Q)install -D -m 755 build/host/limber $(INSTALLED)/bin/limber
 	$(Q)install -d $(INSTALLED)/share/limber
 	$(Q)install -m 644 $(ASSET_FILES) $(INSTALLED)/share/limber
+	$(Q)install -d $(INSTALLED)/share/limber/characters
+	$(Q)install -m 644 $(CHARACTER_FILES) \
+		$(INSTALLED)/share/limber/characters
 	$(Q)install -D -m 644 build/host/limber.1 \
 		$(INSTALLED)/share/man/man1/limber.1
 	$(Q)install -D -m 644 $(PACKAGE)/limber.bash \

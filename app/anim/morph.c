@@ -127,6 +127,8 @@ static void interpolate_to_destiny(struct morph *morph, float omega)
 		for (int i = 0; i < 3; i++) {
 			offset[i] = motion->direction[i] * wave;
 		}
+	} else if (motion->curve == MORPH_SHAPED) {
+		omega = motion->shape(motion->user, omega);
 	}
 	interpolate(morph, source, morph->destiny, omega, offset);
 }

@@ -35,6 +35,7 @@ enum morph_curve {
 	MORPH_LINEAR,     /* 1.2.3 */
 	MORPH_SINUSOIDAL, /* 1.2.5: linear plus direction * amplitude *
 			     sin(pi Omega), which is 0 at both ends */
+	MORPH_SHAPED,     /* 1.2.4: along any other function of Omega */
 };
 
 struct morph_motion {
@@ -44,6 +45,12 @@ struct morph_motion {
 	int frame_count;
 	float direction[3];
 	float amplitude; /* in the vertices' unit */
+	/*
+	 * MORPH_SHAPED: the part of the way at Omega, 0..1. It is not called at
+	 * the end, where the shape is exactly Destiny.
+	 */
+	float (*shape)(const void *user, float omega);
+	const void *user; /* outlives the morph's motion */
 };
 
 struct morph {

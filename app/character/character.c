@@ -4,6 +4,7 @@
 #include "app/character/run/effects.h"
 #include "app/character/run/gestures.h"
 #include "app/character/run/ground.h"
+#include "app/character/run/layers.h"
 #include "app/character/run/machine.h"
 #include "app/character/run/parameters.h"
 
@@ -78,6 +79,13 @@ void character_update(
 	character_ground_update(character);
 	character_actions_run(character);
 	character_outputs_update(character);
+}
+
+void character_bend(struct character *character)
+{
+	for (int i = 0; i < character->morph_count; i++) {
+		character_morph_bend(&character->morph[i], character->now_s);
+	}
 }
 
 static const char *gesture_name(const struct character_binding *one)

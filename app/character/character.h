@@ -47,6 +47,9 @@ struct character_frame {
 void character_update(
 	struct character *character, const struct character_frame *frame);
 
+/* Bends the vertices that instance_update() has made from the pose. */
+void character_bend(struct character *character);
+
 /* Prints what each button does, one line each. */
 void character_print_buttons(const struct character *character, FILE *out);
 

@@ -12,8 +12,10 @@
 #include "app/anim/clip.h"
 #include "app/anim/ease.h"
 #include "app/anim/hierarchy.h"
+#include "app/anim/morph.h"
 #include "app/character/run/inertia.h"
 #include "app/character/text/character_text.h"
+#include "app/scene/instance/bend.h"
 #include "app/scene/instance/instance.h"
 #include "platform/buttons/buttons.h"
 
@@ -51,6 +53,8 @@ enum character_verb {
 	CHARACTER_PLAY,   /* layer index, from its start */
 	CHARACTER_MORPH,  /* morph index to key detail, or amount keys on */
 	CHARACTER_PACE,   /* morph index: amount times as fast */
+	CHARACTER_CURVE,  /* morph index: the next of its curves */
+	CHARACTER_TIMING, /* morph index: over time or by frames */
 	CHARACTER_MOVE,   /* part index: degree of freedom detail by amount */
 	CHARACTER_RUN,    /* sequence index */
 	CHARACTER_STOP,   /* sequence index */
@@ -226,7 +230,7 @@ struct character_expression {
 	float *amount; /* at weight 1 */
 };
 
-enum character_curve {
+enum character_curve_kind {
 	CHARACTER_CURVE_LINEAR,
 	CHARACTER_CURVE_SINE,
 	CHARACTER_CURVE_TABLE,
@@ -234,7 +238,18 @@ enum character_curve {
 };
 
 enum {
-	CHARACTER_TABLE_MAX = 32
+	CHARACTER_TABLE_MAX = 32,
+	CHARACTER_CURVES_MAX = 4
+};
+
+/* How a morph gets from Source to Destiny. */
+struct character_curve {
+	enum character_curve_kind kind;
+	const char *name; /* for people */
+	int table_count;
+	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
+	/* Of the sine: displacement, and the way a wave of it runs. */
+	struct morph_wave wave;
 };
 
 /* AN4044's morph between key frames. */
@@ -243,23 +258,24 @@ struct character_morph {
 	int node;
 	int target_count;
 	int key_count;
-	float **key;           /* [key_count][target_count] */
+	bool plain_keys;       /* key 0 is the base, key k is target k - 1 */
+	struct morph_key *key; /* [key_count]: weights in groups of three */
 	const char **key_name; /* [key_count] */
 	float duration_s;
-	int frame_count; /* above 0: by frames, over so many */
-	enum character_curve curve;
-	int table_count;
-	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
-	float amplitude_m;                /* of the sine */
-	float direction[3];
+	int frame_count; /* by frames, over so many */
+	int curve_count;
+	struct character_curve curve[CHARACTER_CURVES_MAX];
+	struct bend_neck neck; /* above which the shape turns */
+	const float *turn_deg; /* or NULL */
+	const float *weight;   /* of all of it */
+	struct bend bend;      /* without parts the sine moves the node */
 
 	/* Changes: */
-	float *source, *temporal; /* [target_count] */
-	int destiny;
-	float elapsed_s;
-	int count; /* of frames, since the trigger */
+	struct morph morph; /* of the weights */
+	int destiny, before;
+	int chosen; /* of the curves */
+	bool by_frames;
 	float pace;
-	bool running;
 };
 
 /* Degrees of freedom of a part. */

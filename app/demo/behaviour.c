@@ -13,6 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Height of a sine in the graph of a morph's curve. */
+static const float graph_wave = 0.35f;
+
 struct behaviour {
 	struct character *character;
 	const char *title;               /* the model's technique */
@@ -172,11 +175,22 @@ uint64_t behaviour_stamp(
 	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
 }
 
+/* Whether labels name the state: not if there is nothing but one rest pose. */
+static bool names_state(const struct character *character)
+{
+	return character_machine_entry(character)->of->clip ||
+		character->machine.state_count > 1 ||
+		character->morph_count + character->part_count == 0;
+}
+
 /* How many rows of labels there usually are, and how many have bars. */
 static void count_labels(
 	const struct character *character, struct actor_framing *framing)
 {
-	framing->label_rows = framing->label_bars = 1 + character->morph_count;
+	int rows = names_state(character);
+
+	framing->label_bars = rows + character->morph_count;
+	framing->label_rows = rows + 3 * character->morph_count;
 	for (int i = 0; i < character->parameter_count; i++) {
 		int shown = character->parameter[i].source ==
 			CHARACTER_SOURCE_ACTIONS;
@@ -243,6 +257,7 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	floor_scroll(&base->stage.floor, character->motion.scroll[0] * scale,
 		character->motion.scroll[1] * scale);
 	actor_update(&base->actor, camera, height);
+	character_bend(character);
 }
 
 static void draw_balls(
@@ -297,6 +312,21 @@ static const struct hud_color *color_of(int number)
 	return colors[(size_t)number % ARRAY_COUNT(colors)];
 }
 
+static void label_pace(
+	const struct character_morph *morph, struct hud_group *group)
+{
+	char pace[32];
+
+	if (morph->by_frames) {
+		snprintf(pace, sizeof(pace), "%d frames",
+			(int)((float)morph->frame_count / morph->pace + 0.5f));
+	} else {
+		snprintf(pace, sizeof(pace), "%.0f ms",
+			(double)(1000 * morph->duration_s / morph->pace));
+	}
+	hud_group_text(group, morph->curve[morph->chosen].name, pace);
+}
+
 static void label_motion(
 	const struct character *character, struct hud_group *group)
 {
@@ -313,9 +343,11 @@ static void label_motion(
 	for (int i = 0; i < character->morph_count; i++) {
 		const struct character_morph *morph = &character->morph[i];
 
+		hud_group_text(group, "from", morph->key_name[morph->before]);
 		hud_group_weight(group, morph->key_name[morph->destiny],
-			scalar_clamp(character_morph_omega(morph), 0, 1),
+			character_morph_omega(morph, character->now_s),
 			hud_color_rose);
+		label_pace(morph, group);
 	}
 }
 
@@ -402,6 +434,18 @@ void behaviour_get_motion(const struct behaviour *behaviour,
 
 	out->clip = entry->of->clip ? (int)(entry->of->clip - model->clip) : -1;
 	out->time_s = entry->shown_s;
+	if (character->morph_count > 0 && character->morph[0].plain_keys) {
+		const struct character_morph *morph = &character->morph[0];
+		bool sine = morph->curve[morph->chosen].kind ==
+			CHARACTER_CURVE_SINE;
+
+		out->morphing = true;
+		out->node = morph->node;
+		out->from = morph->before - 1;
+		out->to = morph->destiny - 1;
+		out->omega = character_morph_omega(morph, character->now_s);
+		out->wave = sine ? graph_wave : 0.0f;
+	}
 	for (int i = 0; i < character->layer_count &&
 		out->layer_count < (int)ARRAY_COUNT(out->layer);
 		i++) {

@@ -3,12 +3,12 @@
  * says (behaviour.h). For others UP and DOWN choose a clip, and other buttons
  * move the camera.
  */
-#include "app/anim/clip_join.h"
 #include "app/anim/playback.h"
 #include "app/demo/actor.h"
 #include "app/demo/behaviour.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
+#include "app/demo/viewer_join.h"
 #include "platform/base/file.h"
 #include "platform/base/scalar.h"
 
@@ -46,12 +46,7 @@ struct demo {
 	enum clip_repeat repeat;
 	float speed;
 
-	/* Plays all clips in a row, each blended into the next one. */
-	bool joining;
-	struct clip_join join;
-	double join_s;
-	struct clip_cursor next_cursor;
-	struct pose scratch;
+	struct viewer_join join;
 	double now_s;
 	bool paused;
 	struct file_watch watch;
@@ -71,54 +66,6 @@ static void begin_clip(struct demo *demo)
 {
 	demo->playback = playback_begin(
 		viewer_duration_s(demo), demo->repeat, demo->speed);
-}
-
-/* The clip and the next one overlap by the document's four frames. */
-static void begin_join(struct demo *demo, double join_s)
-{
-	const struct model *model = demo->base.actor.model;
-	int next = (demo->clip + 1) % model->clip_count;
-
-	demo->join = clip_join_frames(
-		&model->clip[demo->clip], &model->clip[next], CLIP_JOIN_FRAMES);
-	demo->join.interpolation = demo->base.actor.interpolation;
-	demo->join_s = join_s;
-}
-
-/* After the overlap the second clip becomes the first of a new pair. */
-static void run_join(struct demo *demo, float step_s)
-{
-	double first_s = (double)demo->join.from->duration_s;
-
-	demo->join_s += (double)step_s;
-	if (demo->join_s >= first_s) {
-		double into_s =
-			demo->join_s - first_s + (double)demo->join.overlap_s;
-
-		demo->clip =
-			(demo->clip + 1) % demo->base.actor.model->clip_count;
-		begin_join(demo, into_s);
-	}
-	clip_join_sample(&demo->join, (float)demo->join_s,
-		&demo->base.actor.cursor, &demo->next_cursor, &demo->scratch,
-		&demo->base.actor.instance->pose);
-}
-
-static int init_join(struct demo *demo, const struct demo_env *env)
-{
-	struct arena *arena = &demo->base.actor.instance->arena;
-	int error = pose_init(&demo->scratch, demo->base.actor.model, arena);
-
-	if (!error) {
-		error = clip_cursor_init(
-			&demo->next_cursor, demo->base.actor.model, arena);
-	}
-	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory to join the clips",
-			env->model_path);
-	}
-	return error;
 }
 
 /* The stamps of all files that are shown. */
@@ -151,7 +98,8 @@ static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 		actor->model->clip_count > 0 ? 0 : -1, env->log, &demo->clip);
 
 	if (!error) {
-		error = init_join(demo, env);
+		error = viewer_join_init(
+			&demo->join, &demo->base.actor, env->log);
 	}
 	if (!error) {
 		error = behaviour_create(env, actor, &demo->behaviour);
@@ -214,7 +162,7 @@ static int reload(struct demo *demo)
 		return error;
 	}
 	demo->base.actor = fresh;
-	error = init_join(demo, env);
+	error = viewer_join_init(&demo->join, &demo->base.actor, env->log);
 	if (!error) {
 		behaviour_suspend(before.behaviour);
 		error = behaviour_create(
@@ -229,7 +177,7 @@ static int reload(struct demo *demo)
 	demo->clip = same_clip(old.model, fresh.model, demo->clip);
 	demo->title = actor_technique(fresh.instance);
 	demo->tilting = demo->tilting || fresh.model->clip_count < 2;
-	demo->joining = false;
+	demo->join.running = false;
 	begin_clip(demo);
 	playback_seek(&demo->playback,
 		scalar_clamp(
@@ -280,8 +228,9 @@ static void viewer_update(struct demo *demo, double time_s)
 		demo->tilt * orbit_rad_per_s * step_s);
 	camera_zoom(&demo->base.stage.camera,
 		1.0f + demo->zoom * zoom_per_s * step_s);
-	if (demo->joining) {
-		run_join(demo, demo->paused ? 0.0f : step_s);
+	if (demo->join.running) {
+		viewer_join_run(&demo->join, &demo->base.actor, &demo->clip,
+			demo->paused ? 0.0f : step_s);
 	} else {
 		actor_pose(&demo->base.actor, demo->clip, demo->playback.time_s);
 		fade_update(&demo->base.actor.fade, step_s,
@@ -342,12 +291,12 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 
 		snprintf(number, sizeof(number), "clip %d", demo->clip);
 		hud_group_time(&group, name[0] ? name : number,
-			demo->joining ? (float)demo->join_s
-				      : demo->playback.time_s,
+			demo->join.running ? (float)demo->join.time_s
+					   : demo->playback.time_s,
 			duration_s, hud_color_blue);
 	}
-	if (demo->joining) {
-		hud_group_text(&group, "joined to", demo->join.to->name);
+	if (demo->join.running) {
+		hud_group_text(&group, "joined to", demo->join.clips.to->name);
 	}
 	actor_label_lod(&demo->base.actor, &group);
 	if (demo->paused) {
@@ -368,8 +317,8 @@ static void viewer_get_motion(
 		return;
 	}
 	out->clip = demo->clip;
-	out->time_s =
-		demo->joining ? (float)demo->join_s : demo->playback.time_s;
+	out->time_s = demo->join.running ? (float)demo->join.time_s
+					 : demo->playback.time_s;
 	if (demo->base.actor.fade.running) {
 		out->layer[0].name = "fade";
 		out->layer[0].weight = demo->base.actor.fade.elapsed_s /
@@ -386,7 +335,7 @@ static void step_clip(struct demo *demo, int step)
 		fade_begin(&demo->base.actor.fade,
 			&demo->base.actor.instance->pose, fade_s, EASE_CUBIC);
 		demo->clip = (demo->clip + step + count) % count;
-		demo->joining = false;
+		demo->join.running = false;
 		begin_clip(demo);
 	}
 }
@@ -447,9 +396,10 @@ static void press_tilting(struct demo *demo, bool down)
 static void press_join(struct demo *demo, bool down)
 {
 	if (down && demo->base.actor.model->clip_count > 1) {
-		demo->joining = !demo->joining;
+		demo->join.running = !demo->join.running;
 		begin_clip(demo);
-		begin_join(demo, 0.0);
+		viewer_join_begin(
+			&demo->join, &demo->base.actor, demo->clip, 0.0);
 	}
 }
 
@@ -482,18 +432,25 @@ static const struct demo_action viewer_actions[] = {
 	{0},
 };
 
+/* The members that are the same for a model and for demos that are data. */
+#define VIEWER_FUNCTIONS                                              \
+	.action = viewer_actions, .size = sizeof(struct demo),        \
+	.prepare = viewer_prepare, .finish = viewer_finish,           \
+	.press = viewer_press, .print_buttons = viewer_print_buttons, \
+	.update = viewer_update, .draw = viewer_draw,                 \
+	.period_s = viewer_period_s, .label = viewer_label,           \
+	.get_motion = viewer_get_motion
+
 const struct demo_driver demo_driver_viewer = {
 	.name = "viewer",
 	.summary = "any model and its clips",
-	.action = viewer_actions,
-	.size = sizeof(struct demo),
-	.prepare = viewer_prepare,
-	.finish = viewer_finish,
-	.press = viewer_press,
-	.print_buttons = viewer_print_buttons,
-	.update = viewer_update,
-	.draw = viewer_draw,
-	.period_s = viewer_period_s,
-	.label = viewer_label,
-	.get_motion = viewer_get_motion,
+	VIEWER_FUNCTIONS,
+};
+
+/* assets/face.character says what it does. */
+const struct demo_driver demo_driver_face = {
+	.name = "face",
+	.summary = "morphing: a head that changes its expression",
+	.asset = "face.glb",
+	VIEWER_FUNCTIONS,
 };

@@ -6,7 +6,8 @@ root=$scratch/root
 
 run make --no-print-directory install DESTDIR="$root" prefix=/usr
 expect_status 0
-for file in bin/limber share/limber/walker.glb share/limber/presets.ini \
+for file in bin/limber share/limber/walker.glb share/limber/face.character \
+    share/limber/characters/CesiumMan.character share/limber/presets.ini \
     share/man/man1/limber.1 share/bash-completion/completions/limber \
     share/applications/limber.desktop share/doc/limber/copyright \
     share/icons/hicolor/scalable/apps/limber.svg; do

@@ -108,6 +108,10 @@ int character_read_state(struct character_words *words,
 	const struct character_key *key, void *member); /* int */
 int character_read_fade(struct character_words *words,
 	const struct character_key *key, void *member); /* struct .._fade */
+int character_read_curve(struct character_words *words,
+	const struct character_key *key, void *member); /* .._morph, adds */
+int character_read_curve_direction(struct character_words *words,
+	const struct character_key *key, void *member); /* .._morph */
 int character_read_actions(struct character_words *words,
 	const struct character_key *key, void *member); /* .._action *, adds */
 

@@ -238,6 +238,8 @@ static const struct verb verbs[] = {
 		"morph NAME KEY, morph NAME next or morph NAME previous"},
 	{"pace", CHARACTER_PACE, read_name_and_number, "morph", false,
 		"pace MORPH FACTOR"},
+	{"curve", CHARACTER_CURVE, read_name, "morph", false, "curve MORPH"},
+	{"timing", CHARACTER_TIMING, read_name, "morph", false, "timing MORPH"},
 	{"move", CHARACTER_MOVE, read_move, "part", true,
 		"move PART heading|pitch|bank|x|y|z FACTOR, such as move Arm pitch -1"},
 	{"run", CHARACTER_RUN, read_name, "sequence", false, "run SEQUENCE"},
@@ -289,7 +291,7 @@ int character_read_action(struct character_words *words,
 
 	if (!verb) {
 		return character_fail(words,
-			"%s is no action: use set, add, toggle, on, off, go, next, previous, play, morph, pace, move, run, stop, attach, detach, line, output, camera, pause, tour or labels",
+			"%s is no action: use set, add, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, move, run, stop, attach, detach, line, output, camera, pause, tour or labels",
 			name ? name : "\"\"");
 	}
 	action.verb = verb->verb;

@@ -179,17 +179,31 @@ int character_build_expressions(struct character_build *build)
 	return error;
 }
 
+/* The morph's loops take weights in groups of three. */
+static int triples(const struct character_morph *morph)
+{
+	return (morph->target_count + 2) / 3;
+}
+
+/* The weight of a target in the last key frame. */
+static float *last_weight(const struct character_morph *morph, int target)
+{
+	const struct morph_key *key = &morph->key[morph->key_count - 1];
+
+	return (float *)&key->position[target / 3][target % 3];
+}
+
 /* Adds a key frame with all weights 0. */
 static int add_key(struct character_build *build, struct character_morph *morph,
 	const char *name)
 {
-	float *weight =
-		ARENA_ARRAY(build->arena, float, (size_t)morph->target_count);
+	float(*weight)[3] = arena_alloc(
+		build->arena, (size_t)triples(morph), sizeof(*weight));
 
 	if (!weight) {
 		return character_fail_memory(build);
 	}
-	morph->key[morph->key_count] = weight;
+	morph->key[morph->key_count].position = (const float(*)[3])weight;
 	morph->key_name[morph->key_count++] = name;
 	return 0;
 }
@@ -216,48 +230,26 @@ static int read_key(struct character_words *words,
 		error = read_mix(words, key->right, &mix);
 	}
 	for (int i = 0; i < mix.count && !error; i++) {
-		morph->key[morph->key_count - 1][mix.target[i]] = mix.amount[i];
+		*last_weight(morph, mix.target[i]) = mix.amount[i];
 	}
 	return error;
 }
 
-static int read_curve(struct character_words *words,
+static int read_neck(struct character_words *words,
 	const struct character_key *key, void *member)
 {
-	struct character_morph *morph = member;
-	int wanted = 0;
+	struct bend_neck *neck = member;
+	float height[2];
+	int error = character_read_numbers2(words, key, height);
 
-	if (character_take(words, "linear")) {
-		morph->curve = CHARACTER_CURVE_LINEAR;
-		return 0;
-	}
-	if (character_take(words, "sine")) {
-		morph->curve = CHARACTER_CURVE_SINE;
-		return character_read_number(words, key, &morph->amplitude_m);
-	}
-	morph->table_count = 0;
-	if (character_take(words, "bezier")) {
-		morph->curve = CHARACTER_CURVE_BEZIER;
-		wanted = 4;
-	} else if (character_take(words, "table")) {
-		morph->curve = CHARACTER_CURVE_TABLE;
-	} else {
-		return character_fail(words, "give %s", key->right);
-	}
-	while (morph->table_count < CHARACTER_TABLE_MAX &&
-		character_take_number(words, &morph->table[morph->table_count])) {
-		morph->table_count++;
-	}
-	if (wanted ? morph->table_count != wanted || morph->table[0] < 0 ||
-				morph->table[0] > 1 || morph->table[2] < 0 ||
-				morph->table[2] > 1
-		   : morph->table_count < 2 || morph->table[0] != 0 ||
-				morph->table[morph->table_count - 1] != 1) {
+	if (!error && !(height[0] < height[1])) {
 		return character_fail(words,
-			wanted ? "a Bezier curve has four numbers x1 y1 x2 y2, with x1 and x2 from 0 to 1"
-			       : "a table has 2 to 32 numbers that begin with 0 and end with 1");
+			"the second height has to be larger: give %s",
+			key->right);
 	}
-	return 0;
+	neck->low = height[0];
+	neck->high = height[1];
+	return error;
 }
 
 static const struct character_key morph_keys[] = {
@@ -270,11 +262,16 @@ static const struct character_key morph_keys[] = {
 	{"frames", character_read_count,
 		offsetof(struct character_morph, frame_count), 1, 10000, NULL,
 		"a whole number of frames from 1 to 10000"},
-	{"curve", read_curve, 0, 0, 0, NULL,
-		"linear, sine METRES, table 0 ... 1 or bezier X1 Y1 X2 Y2"},
-	{"direction", character_read_direction,
-		offsetof(struct character_morph, direction), 0, 0, NULL,
+	{"curve", character_read_curve, 0, 0, 0, NULL,
+		"linear, sine METRES, sine METRES X Y Z DELAY, table 0 ... 1 or bezier X1 Y1 X2 Y2"},
+	{"direction", character_read_curve_direction, 0, 0, 0, NULL,
 		"x y z, such as 0 0 1"},
+	{"weight", character_read_value, offsetof(struct character_morph, weight),
+		0, 1, NULL, "a number from 0 to 1, or a parameter"},
+	{"neck", read_neck, offsetof(struct character_morph, neck), 0, 0, NULL,
+		"two heights in metres, such as 0.1 0.15"},
+	{"turn", character_read_value, offsetof(struct character_morph, turn_deg),
+		-28, 28, NULL, "degrees from -28 to 28, or a parameter"},
 	{0},
 };
 
@@ -286,6 +283,7 @@ static int add_target_keys(
 		&build->model->mesh[build->model->node[morph->node].mesh];
 	int error = add_key(build, morph, "neutral");
 
+	morph->plain_keys = true;
 	for (int i = 0; i < morph->target_count && i < KEYS_MAX - 1 && !error;
 		i++) {
 		char number[16];
@@ -296,7 +294,7 @@ static int add_target_keys(
 		error = name ? add_key(build, morph, name)
 			     : character_fail_memory(build);
 		if (!error) {
-			morph->key[i + 1][i] = 1;
+			*last_weight(morph, i) = 1;
 		}
 	}
 	return error;
@@ -305,20 +303,55 @@ static int add_target_keys(
 static int take_memory(
 	struct character_build *build, struct character_morph *morph)
 {
-	size_t targets = (size_t)morph->target_count;
-
-	morph->key = ARENA_ARRAY(build->arena, float *, KEYS_MAX);
+	morph->key = ARENA_ARRAY(build->arena, struct morph_key, KEYS_MAX);
 	morph->key_name = ARENA_ARRAY(build->arena, const char *, KEYS_MAX);
-	morph->source = ARENA_ARRAY(build->arena, float, targets);
-	morph->temporal = ARENA_ARRAY(build->arena, float, targets);
-	return morph->key && morph->key_name && morph->source && morph->temporal
-		? 0
-		: character_fail_memory(build);
+	return morph->key && morph->key_name ? 0 : character_fail_memory(build);
+}
+
+/* With both given, a morph begins over time. */
+static bool has_key(const struct character_section *section, const char *key)
+{
+	const struct character_line *line = section->first;
+
+	while (line && strcmp(line->key, key) != 0) {
+		line = line->next;
+	}
+	return line;
+}
+
+/* Only a morph with a sine or a neck bends its vertices one by one. */
+static int init_bend(
+	struct character_build *build, struct character_morph *morph)
+{
+	bool bends = morph->turn_deg;
+
+	if (morph->curve_count == 0) {
+		morph->curve_count = 1;
+		morph->curve[0].name = "linear";
+	}
+	for (int i = 0; i < morph->curve_count; i++) {
+		bends = bends || morph->curve[i].kind == CHARACTER_CURVE_SINE;
+	}
+	morph->frame_count += morph->frame_count == 0
+		? (int)(morph->duration_s * 30 + 0.5f)
+		: 0;
+	morph->frame_count += morph->frame_count == 0;
+	if (!bends) {
+		return 0;
+	}
+	if (bend_init(&morph->bend, build->character->instance, morph->node,
+		    &morph->neck) != 0) {
+		return character_fail_memory(build);
+	}
+	character_morph_use_curve(morph, 0);
+	character_morph_bend(morph, 0);
+	return 0;
 }
 
 static int build_morph(struct character_build *build,
 	const struct character_section *section, struct character_morph *morph)
 {
+	static const float whole = 1;
 	int node;
 	int error = find_node(build, section, &node);
 
@@ -331,7 +364,9 @@ static int build_morph(struct character_build *build,
 		.target_count = build->model->mesh[build->model->node[node].mesh]
 					.target_count,
 		.duration_s = 0.6f,
-		.direction = {0, 0, 1},
+		.curve[0].wave.direction = {0, 0, 1},
+		.neck = {.low = 1e6f, .high = 2e6f},
+		.weight = &whole,
 		.pace = 1,
 	};
 	error = take_memory(build, morph);
@@ -343,8 +378,15 @@ static int build_morph(struct character_build *build,
 		error = add_target_keys(build, morph);
 	}
 	if (!error) {
-		memcpy(morph->temporal, morph->key[0],
-			(size_t)morph->target_count * sizeof(float));
+		error = init_bend(build, morph);
+	}
+	if (!error) {
+		morph->by_frames =
+			has_key(section, "frames") && !has_key(section, "time");
+		error = morph_init(&morph->morph, triples(morph), morph->key[0],
+				build->arena)
+			? character_fail_memory(build)
+			: 0;
 		character_add_op(build, CHARACTER_STAGE_MORPH,
 			character_morph_run, morph);
 	}

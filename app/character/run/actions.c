@@ -21,14 +21,14 @@ static void go_on(struct character_machine *machine, int step)
 	machine->wanted = ((machine->current + step) % count + count) % count;
 }
 
-static void morph(
-	struct character_morph *morph, const struct character_action *action)
+static void morph(struct character_morph *morph,
+	const struct character_action *action, double now_s)
 {
 	int count = morph->key_count;
 	int key = action->detail >= 0 ? action->detail
 				      : morph->destiny + (int)action->amount;
 
-	character_morph_go(morph, (key % count + count) % count);
+	character_morph_go(morph, (key % count + count) % count, now_s);
 }
 
 static void drive(struct character *character, int index, float amount)
@@ -156,12 +156,23 @@ static void run(struct character *character,
 		character_layer_play(&character->layer[index]);
 		break;
 	case CHARACTER_MORPH:
-		morph(&character->morph[index], action);
+		/* What happened since the last frame began with it. */
+		morph(&character->morph[index], action,
+			character->now_s - (double)character->step_s);
 		break;
 	case CHARACTER_PACE:
 		character->morph[index].pace = scalar_clamp(
 			character->morph[index].pace * action->amount, 0.125f,
 			8);
+		break;
+	case CHARACTER_CURVE:
+		character_morph_use_curve(&character->morph[index],
+			(character->morph[index].chosen + 1) %
+				character->morph[index].curve_count);
+		break;
+	case CHARACTER_TIMING:
+		character->morph[index].by_frames =
+			!character->morph[index].by_frames;
 		break;
 	case CHARACTER_MOVE:
 	case CHARACTER_ATTACH:

@@ -74,16 +74,6 @@ void character_expression_run(struct character *character, void *what)
 	}
 }
 
-void character_morph_go(struct character_morph *morph, int key)
-{
-	memcpy(morph->source, morph->temporal,
-		(size_t)morph->target_count * sizeof(*morph->source));
-	morph->destiny = key;
-	morph->elapsed_s = 0;
-	morph->count = 0;
-	morph->running = true;
-}
-
 /* One coordinate of a Bezier curve from 0 to 1 with two inner points. */
 static float bezier(float a, float b, float s)
 {
@@ -109,85 +99,62 @@ static float bezier_at(const float point[4], float u)
 	return bezier(point[1], point[3], 0.5f * (low + high));
 }
 
-float character_morph_curve(const struct character_morph *morph, float u)
+float character_morph_curve(const void *user, float omega)
 {
-	int last = morph->table_count - 1, at;
+	const struct character_curve *curve = user;
+	int last = curve->table_count - 1, at;
 
-	if (u <= 0 || u >= 1) {
-		return u <= 0 ? 0 : 1;
+	if (curve->kind == CHARACTER_CURVE_BEZIER) {
+		return bezier_at(curve->table, omega);
 	}
-	if (morph->curve == CHARACTER_CURVE_BEZIER) {
-		return bezier_at(morph->table, u);
+	if (curve->kind != CHARACTER_CURVE_TABLE) {
+		return omega;
 	}
-	if (morph->curve != CHARACTER_CURVE_TABLE) {
-		return u;
-	}
-	at = (int)(u * (float)last);
-	at = at < last ? at : last - 1;
-	u = u * (float)last - (float)at;
-	return morph->table[at] * (1 - u) + morph->table[at + 1] * u;
+	omega *= (float)last;
+	at = scalar_to_int((double)omega, 0, last - 1);
+	omega -= (float)at;
+	return curve->table[at] * (1 - omega) + curve->table[at + 1] * omega;
 }
 
-static float plain_omega(const struct character_morph *morph)
+void character_morph_go(struct character_morph *morph, int key, double now_s)
 {
-	float duration_s = morph->duration_s / morph->pace;
+	const struct character_curve *curve = &morph->curve[morph->chosen];
+	float frames = (float)morph->frame_count / morph->pace;
+	struct morph_motion motion = {
+		.timing = morph->by_frames ? MORPH_BY_FRAMES : MORPH_OVER_TIME,
+		.curve = curve->kind == CHARACTER_CURVE_TABLE ||
+				curve->kind == CHARACTER_CURVE_BEZIER
+			? MORPH_SHAPED
+			: MORPH_LINEAR, /* a sine does not move the weights */
+		.duration_ms = 1000 * morph->duration_s / morph->pace,
+		.frame_count = scalar_to_int((double)frames + 0.5, 1, 1 << 20),
+		.shape = character_morph_curve,
+		.user = curve,
+	};
 
-	if (!morph->running) {
-		return 1;
-	}
-	if (morph->frame_count > 0) {
-		float frames = (float)morph->frame_count / morph->pace;
-
-		return scalar_clamp((float)morph->count / frames, 0, 1);
-	}
-	return duration_s > 0 ? scalar_clamp(morph->elapsed_s / duration_s, 0, 1)
-			      : 1;
+	morph->before = morph->destiny;
+	morph->destiny = key;
+	morph_trigger(&morph->morph, morph->key[key], &motion, now_s * 1000);
 }
 
-float character_morph_omega(const struct character_morph *morph)
+float character_morph_omega(const struct character_morph *morph, double now_s)
 {
-	return character_morph_curve(morph, plain_omega(morph));
+	return morph_omega(&morph->morph, now_s * 1000);
 }
 
 /*
- * By frames, each frame adds a share of Destiny - Source to Temporal (AN4044,
- * 1.2.2); over time, Temporal is computed from both (1.2.1).
+ * The sine that is mounted on the line (1.2.5), 0 at both ends, where vertices
+ * cannot be bent one by one: it moves the node.
  */
-static void move_on(struct character_morph *morph, float step_s)
-{
-	const float *destiny = morph->key[morph->destiny];
-	float before = character_morph_omega(morph), omega;
-
-	morph->elapsed_s += step_s;
-	morph->count += step_s > 0;
-	omega = character_morph_omega(morph);
-	if (plain_omega(morph) >= 1) {
-		morph->running = false;
-		memcpy(morph->temporal, destiny,
-			(size_t)morph->target_count * sizeof(*destiny));
-		return;
-	}
-	for (int i = 0; i < morph->target_count; i++) {
-		float all = destiny[i] - morph->source[i];
-
-		if (morph->frame_count > 0) {
-			morph->temporal[i] += all * (omega - before);
-		} else {
-			morph->temporal[i] = morph->source[i] + all * omega;
-		}
-	}
-}
-
-/* The sine that is mounted on the line (1.2.5); 0 at both ends. */
-static void add_sine(const struct character_morph *morph, struct pose *pose)
+static void add_sine(const struct character_morph *morph,
+	const struct morph_wave *wave, float omega, struct pose *pose)
 {
 	struct transform *local = &pose->local[morph->node];
 	float moved[3];
-	float wave =
-		morph->amplitude_m * scalar_sin(SCALAR_PI * plain_omega(morph));
+	float size = wave->amplitude * scalar_sin(SCALAR_PI * omega);
 
 	for (int i = 0; i < 3; i++) {
-		moved[i] = morph->direction[i] * wave * local->scale[i];
+		moved[i] = wave->direction[i] * size * local->scale[i];
 	}
 	quat_rotate(local->rotation, moved, moved);
 	vec_add_scaled(local->translation, moved, 1, local->translation);
@@ -197,16 +164,42 @@ static void add_sine(const struct character_morph *morph, struct pose *pose)
 void character_morph_run(struct character *character, void *what)
 {
 	struct character_morph *morph = what;
+	const struct character_curve *curve = &morph->curve[morph->chosen];
 	struct pose *pose = &character->instance->pose;
 	int first = pose->model->node[morph->node].weight_offset;
 
-	if (morph->running) {
-		move_on(morph, character->step_s);
+	if (character->step_s > 0) {
+		morph_update(&morph->morph, character->now_s * 1000);
 	}
 	for (int i = 0; i < morph->target_count; i++) {
-		pose->weight[first + i] += morph->temporal[i];
+		pose->weight[first + i] +=
+			morph->morph.temporal[i / 3][i % 3] * *morph->weight;
 	}
-	if (morph->curve == CHARACTER_CURVE_SINE && morph->running) {
-		add_sine(morph, pose);
+	if (curve->kind == CHARACTER_CURVE_SINE && morph->morph.running &&
+		morph->bend.part_count == 0) {
+		add_sine(morph, &curve->wave,
+			character_morph_omega(morph, character->now_s), pose);
+	}
+}
+
+void character_morph_bend(struct character_morph *morph, double now_s)
+{
+	bool sine = morph->curve[morph->chosen].kind == CHARACTER_CURVE_SINE;
+
+	if (morph->bend.part_count > 0) {
+		bend_update(&morph->bend,
+			morph->turn_deg ? *morph->turn_deg * (SCALAR_PI / 180)
+					: 0,
+			sine && morph->morph.running
+				? character_morph_omega(morph, now_s)
+				: 0);
+	}
+}
+
+void character_morph_use_curve(struct character_morph *morph, int curve)
+{
+	morph->chosen = curve;
+	if (morph->curve[curve].kind == CHARACTER_CURVE_SINE) {
+		bend_set_wave(&morph->bend, &morph->curve[curve].wave);
 	}
 }

@@ -15,12 +15,18 @@ void character_morph_run(struct character *character, void *morph);
 void character_layer_play(struct character_layer *layer);
 
 /* Makes another key frame the Destiny, also during a morph. */
-void character_morph_go(struct character_morph *morph, int key);
+void character_morph_go(struct character_morph *morph, int key, double now_s);
 
-/* The morph's Omega after its curve, 0 at the start and 1 at the end. */
-float character_morph_omega(const struct character_morph *morph);
+/* The morph's Omega, 0 at the start and 1 at the end. */
+float character_morph_omega(const struct character_morph *morph, double now_s);
 
-/* The curve of a table or of a Bezier at u, 0..1. */
-float character_morph_curve(const struct character_morph *morph, float u);
+/* The part of the way of a struct character_curve at omega, 0..1. */
+float character_morph_curve(const void *curve, float omega);
+
+/* Uses the curve of this number from now on. */
+void character_morph_use_curve(struct character_morph *morph, int curve);
+
+/* Bends the vertices that instance_update() has made. */
+void character_morph_bend(struct character_morph *morph, double now_s);
 
 #endif

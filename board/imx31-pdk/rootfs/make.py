@@ -80,7 +80,8 @@ def collect(sysroot, limber, assets, root):
     tree.program(limber, "usr/bin/limber")
     for library in OPENED:
         tree.library(library)
-    for asset in sorted([*assets.glob("*.glb"), *assets.glob("*.ini")]):
+    kinds = ("*.glb", "*.ini", "*.character")
+    for asset in sorted(a for kind in kinds for a in assets.glob(kind)):
         tree.file(asset, "usr/share/limber/" + asset.name, 0o644)
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644

@@ -113,6 +113,31 @@ static void test_by_frames_goes_on_by_equal_parts(void **state)
 	tear_down(&f);
 }
 
+static float overshoot(const void *user, float omega)
+{
+	return omega < 0.5f ? *(const float *)user * omega : 1.2f;
+}
+
+static void test_a_shape_is_any_function_of_omega(void **state)
+{
+	static const float slope = 0.4f;
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, MORPH_BY_FRAMES, MORPH_SHAPED);
+	f.motion.shape = overshoot;
+	f.motion.user = &slope;
+	morph_trigger(&f.morph, KEY_B, &f.motion, 0);
+	for (int i = 1; i < 7; i++) {
+		assert_true(morph_update(&f.morph, 0));
+		assert_near(morph_omega(&f.morph, 0), i / 7.0, 1e-6);
+		assert_between(&f.morph, i < 4 ? 0.4 * i / 7.0 : 1.2, 0);
+	}
+	assert_true(morph_update(&f.morph, 0));
+	assert_memory_equal(f.morph.temporal, B, sizeof(B));
+	tear_down(&f);
+}
+
 static void test_every_mode_ends_exactly_at_destiny(void **state)
 {
 	(void)state;
@@ -262,6 +287,7 @@ int main(void)
 		cmocka_unit_test(
 			test_over_time_omega_is_the_part_that_has_passed),
 		cmocka_unit_test(test_by_frames_goes_on_by_equal_parts),
+		cmocka_unit_test(test_a_shape_is_any_function_of_omega),
 		cmocka_unit_test(test_every_mode_ends_exactly_at_destiny),
 		cmocka_unit_test(
 			test_sinusoidal_adds_a_bulge_that_is_zero_at_both_ends),

@@ -22,7 +22,7 @@ COLORS = {
     "eyewhite": "#fbf7f2", "iris": "#3f7d6a", "pupil": "#17110f",
     "glint": "#ffffff", "lash": "#2b1812", "brow": "#5a2e1c",
     "hair": "#7b3a1e", "tie": "#e2583e",
-    "trousers": "#2f3f6b", "cuff": "#6f86b8", "sock": "#f4efe6",
+    "trousers": "#3a4f86", "cuff": "#6f86b8", "sock": "#f4efe6",
     "sole": "#f6f1e7", "toecap": "#f6f1e7", "upper": "#e2583e",
     "tongue": "#f3dfc4", "heel": "#a93a2b", "lining": "#7a2d24",
     "lace": "#fffaf0", "brass": "#d9a441",
@@ -121,6 +121,25 @@ def trimmed(pieces, hidden):
     return out
 
 
+def denim_fade(co):
+    """How much lighter denim is where it wears, and darker along seams.
+
+    Thighs and knees in front; the pockets, below them and the calves behind.
+    """
+    across, height = abs(co[0]), co[2]
+    front = smoothstep(0.02, -0.05, co[1]) * gauss(across, 0.10, 0.05)
+    k = front * (0.75 * gauss(height, 0.70, 0.13)
+                 + 0.45 * gauss(height, 0.50, 0.06))
+    back = smoothstep(0.02, 0.07, co[1])
+    k += back * gauss(across, 0.085, 0.038) * (
+        0.85 * gauss(height, 0.90, 0.045) + 0.45 * gauss(height, 0.70, 0.07)
+        + 0.40 * gauss(height, 0.34, 0.09))
+    k -= 0.35 * back * gauss(across, 0.0, 0.022) * smoothstep(
+        0.78, 0.86, height)
+    k -= 0.30 * back * gauss(height, 0.812, 0.016)
+    return k
+
+
 def vertex_tint(co, region, light, dark):
     """Linear factors for a region's colour: brightness and blush."""
     if dark:  # the line where the lips meet
@@ -128,11 +147,8 @@ def vertex_tint(co, region, light, dark):
     if region == "hair":
         k = 0.72 + 0.62 * light
         return np.array([k, k, k])
-    if region == "trousers":  # faded in front, on thighs and knees
-        front = smoothstep(0.02, -0.05, co[1]) * gauss(abs(co[0]), 0.10, 0.05)
-        k = front * (0.75 * gauss(co[2], 0.70, 0.13)
-                     + 0.45 * gauss(co[2], 0.50, 0.06))
-        return 1 + k * np.array([1.0, 0.95, 0.75])
+    if region == "trousers":
+        return 1 + denim_fade(co) * np.array([1.0, 0.95, 0.75])
     if region == "skin" and co[1] < 0 and co[2] > 1.47:
         co = rig.unplace_head(co)
         blush = 0.55 * gauss(abs(co[0]), 0.043, 0.016) * gauss(

@@ -64,18 +64,22 @@ def shirt_rings():
     return rings
 
 
-def add_sleeve(piece, hole, side):
-    """The sleeve from the arm hole's eight vertices, with a folded hem."""
+def add_sleeve(piece, hole, seam, side):
+    """The sleeve from the arm hole's eight vertices, with a folded hem.
+
+    seam is the torso's v at these vertices: its stripes go on in the sleeve.
+    """
     f = rounding(8)
-    before, v = hole, 0.0
+    before, v = hole, np.array(seam)
     for i, (s, depth, height) in enumerate(SLEEVE):
         points = ring_points(rig.SHOULDER + rig.ARM_DIR * s, Y, rig.ARM_UP,
                              (depth * f, height * f, height * f), 8)
         ring = piece.vertices([p * (side, 1, 1) for p in points])
-        after = (s + 0.05) / TILE
+        after = np.mean(seam) - (s - SLEEVE[0][0]) / TILE
         order = slice(None, None, side)
         piece.bridge(before[order], ring[order], "shirt", u=(0, 2),
-                     v=(v, after) if i < 3 else TRIM)
+                     v=((v[order] if i == 0 else v), after)
+                     if i < 3 else TRIM)
         piece.mark("sleeve", ring, 0.86 if i == 0 else 1)
         before, v = ring, after
 
@@ -84,16 +88,20 @@ def make_shirt():
     piece = Piece()
     rings = shirt_rings()
     height = [np.mean([p[2] for p in r]) for r in rings]
+    v = [(z - 0.97) / TILE for z in height]
     rings = [piece.vertices(r) for r in rings]
     for i in range(len(rings) - 1):
         hole = i in (HOLE, HOLE + 1)
-        v = [(height[k] - 0.97) / TILE for k in (i, i + 1)]
         piece.bridge(rings[i], rings[i + 1], "shirt", u=(0, 4),
-                     v=v if i < len(rings) - 3 else TRIM,
+                     v=v[i:i + 2] if i < len(rings) - 3 else TRIM,
                      skip=(11, 0, 5, 6) if hole else ())
     a, b, c = rings[HOLE : HOLE + 3]
-    add_sleeve(piece, [b[1], c[1], c[0], c[11], b[11], a[11], a[0], a[1]], 1)
-    add_sleeve(piece, [b[5], c[5], c[6], c[7], b[7], a[7], a[6], a[5]], -1)
+    va, vb, vc = v[HOLE : HOLE + 3]
+    seam = [vb, vc, vc, vc, vb, va, va, va]
+    add_sleeve(piece, [b[1], c[1], c[0], c[11], b[11], a[11], a[0], a[1]],
+               seam, 1)
+    add_sleeve(piece, [b[5], c[5], c[6], c[7], b[7], a[7], a[6], a[5]],
+               seam, -1)
     mark_shoulders(piece, rings)
     return piece.compact().subdivided()
 

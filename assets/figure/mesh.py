@@ -81,10 +81,12 @@ class Piece:
         """Quads between two rings of equal length, b above a.
 
         Seen from outside, rings run counter-clockwise from above. u spans
-        the ring, v runs from a to b. skip holds segments to leave open.
+        the ring, v runs from a to b; either end of v may be a list with a
+        number for each vertex. skip holds segments to leave open.
         """
         n = len(a)
         last = n if closed else n - 1
+        below, above = (np.broadcast_to(end, n) for end in v)
         for k in range(last):
             if k in skip:
                 continue
@@ -92,7 +94,8 @@ class Piece:
             u0 = u[0] + (u[1] - u[0]) * k / last
             u1 = u[0] + (u[1] - u[0]) * (k + 1) / last
             self.face((a[k], a[m], b[m], b[k]), region,
-                      [(u0, v[0]), (u1, v[0]), (u1, v[1]), (u0, v[1])])
+                      [(u0, below[k]), (u1, below[m]),
+                       (u1, above[m]), (u0, above[k])])
 
     def fan(self, ring, tip, region):
         """Closes a ring with triangles to one vertex above it."""

@@ -1,6 +1,7 @@
 /* The level of detail that runs are drawn from, and runs across its edges. */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/depth_ways.h"
+#include "platform/gl/soft/span/made.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -39,42 +40,63 @@ static struct soft_window find_window(
 	};
 }
 
+struct soft_view soft_find_view(
+	const struct texture_input *input, int number, bool linear)
+{
+	const struct texture *texture = input->texture;
+	const struct level *level = &texture->level[number];
+	const int more = 16 - SOFT_TEXEL_FRACTION;
+	int texel_log2 = soft_texel_bytes_log2(level->format);
+
+	return (struct soft_view){
+		.texels = level->texels,
+		.stride_log2 = (uint32_t)(level->width_log2 + texel_log2),
+		.texel_log2 = texel_log2,
+		.s_shift = input->width_log2 - level->width_log2 + more,
+		.t_shift = input->height_log2 - level->height_log2 + more,
+		.s_half = soft_half_texel(level->format, linear, true),
+		.t_half = soft_half_texel(level->format, linear, false),
+		.wrap_s = find_wrap(texture->wrap_s, level->width_log2),
+		.wrap_t = find_wrap(texture->wrap_t, level->height_log2),
+		.window = find_window(texture, level, linear),
+	};
+}
+
+void soft_use_view(const struct soft_view *view,
+	const soft_span_function function[2], struct soft_run *run,
+	struct soft_window *window)
+{
+	run->stride_log2 = view->stride_log2;
+	run->texels = view->texels;
+	run->first_texel = view->texels;
+	run->wrap_s = view->wrap_s;
+	run->wrap_t = view->wrap_t;
+	*window = view->window;
+	if (function[0] == function[1]) {
+		window->s_room = 0;
+	}
+}
+
 static void choose_level(struct draw *draw, int number, bool small)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct texture_input *input = &draw->texture[0];
-	const struct texture *texture = input->texture;
-	const struct level *level = &texture->level[number];
-	struct soft_run *run = &spans->run;
-	GLenum min = texture->min_filter;
+	GLenum min = input->texture->min_filter;
 	bool linear = small ? min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST
-			    : texture->mag_filter == GL_LINEAR;
+			    : input->texture->mag_filter == GL_LINEAR;
 
 	spans->level = number;
 	spans->small = small;
-	spans->s_shift = input->width_log2 - level->width_log2 + 16 -
-		SOFT_TEXEL_FRACTION;
-	spans->t_shift = input->height_log2 - level->height_log2 + 16 -
-		SOFT_TEXEL_FRACTION;
-	spans->s_half = soft_half_texel(level->format, linear, true);
-	spans->t_half = soft_half_texel(level->format, linear, false);
-	spans->level_window = find_window(texture, level, linear);
-	spans->texel_log2 = soft_texel_bytes_log2(level->format);
-	run->stride_log2 = (uint32_t)(level->width_log2 + spans->texel_log2);
-	run->texels = level->texels;
-	run->first_texel = level->texels;
-	run->wrap_s = find_wrap(texture->wrap_s, level->width_log2);
-	run->wrap_t = find_wrap(texture->wrap_t, level->height_log2);
+	spans->view = soft_find_view(input, number, linear);
 	soft_set_functions(spans, small ? spans->min : spans->mag);
-	if (spans->function[0] == spans->function[1]) {
-		spans->level_window.s_room = 0;
-	}
-	spans->window = spans->level_window;
+	soft_use_view(&spans->view, spans->function, &spans->run,
+		&spans->view.window);
+	spans->window = spans->view.window;
 }
 
 void soft_set_level(struct draw *draw, int lod)
 {
-	const struct soft_spans *spans = &draw->spans;
+	struct soft_spans *spans = &draw->spans;
 	const struct texture_input *input = &draw->texture[0];
 	GLenum min = input->texture->min_filter;
 	bool sharp = input->texture->mag_filter == GL_LINEAR &&
@@ -84,7 +106,9 @@ void soft_set_level(struct draw *draw, int lod)
 	int number =
 		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
 
-	if (number != spans->level || small != spans->small) {
+	if (spans->made) {
+		soft_set_made_levels(draw, small ? lod : -1);
+	} else if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
 	}
 }
@@ -113,7 +137,7 @@ static ALWAYS_INLINE struct part find_part(
 void soft_set_window(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	const struct soft_window *whole = &spans->level_window;
+	const struct soft_window *whole = &spans->view.window;
 	const struct raster *raster = &draw->raster;
 	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
 	struct soft_run *run = &spans->run;
@@ -124,9 +148,9 @@ void soft_set_window(struct draw *draw)
 	if (!whole->large) {
 		return;
 	}
-	s = find_part(raster->texel_range[0], spans->s_shift, spans->s_half,
+	s = find_part(raster->texel_range[0], spans->view.s_shift, spans->view.s_half,
 		whole->s_mask);
-	t = find_part(raster->texel_range[1], spans->t_shift, spans->t_half,
+	t = find_part(raster->texel_range[1], spans->view.t_shift, spans->view.t_half,
 		whole->t_mask);
 	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
 		t.first >= whole->t_room || s.first + s.room > whole->s_room ||
@@ -140,7 +164,7 @@ void soft_set_window(struct draw *draw)
 	spans->window.large = false;
 	run->first_texel = run->texels +
 		(t.first >> SOFT_TEXEL_FRACTION << run->stride_log2) +
-		(s.first >> SOFT_TEXEL_FRACTION << spans->texel_log2);
+		(s.first >> SOFT_TEXEL_FRACTION << spans->view.texel_log2);
 }
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
@@ -223,7 +247,8 @@ void soft_draw_across(struct soft_spans *spans)
 
 		run->count = s < t ? s : t;
 		run->count = run->count < left ? run->count : left;
-		(inside && soft_find_window(spans) ? spans->draw
+		(inside && soft_find_window(window, spans->view.texel_log2, run)
+				? spans->draw
 						   : spans->draw_anywhere)(run);
 		advance(run, run->count, spans->pixel_log2);
 	}

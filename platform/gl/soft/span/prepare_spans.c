@@ -1,5 +1,6 @@
 /* Which span function draws a state, and the constants that it looks up. */
 #include "platform/gl/soft/span/depth_ways.h"
+#include "platform/gl/soft/span/made.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -110,15 +111,6 @@ static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
 	return SOFT_DEPTH_LAST;
 }
 
-static bool is_trilinear(const struct texture_input *input)
-{
-	GLenum min = input->texture->min_filter;
-
-	return input->levels > 1 &&
-		(min == GL_NEAREST_MIPMAP_LINEAR ||
-			min == GL_LINEAR_MIPMAP_LINEAR);
-}
-
 static bool takes_state(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
@@ -130,8 +122,7 @@ static bool takes_state(const struct draw *draw)
 		(mask[3] || soft->format == PIXELS_RGB565) &&
 		!(is_tested(state) && state->stencil.enabled) &&
 		!draw->texture[1].used &&
-		(!input->used ||
-			(input->env->mode != GL_COMBINE && !is_trilinear(input)));
+		(!input->used || input->env->mode != GL_COMBINE);
 }
 
 static bool is_linear(GLenum filter)
@@ -157,29 +148,37 @@ static int32_t scale_factor(int texel_bits, int pixel_bits)
 	return ratio[texel_bits][pixel_bits == 8 ? 2 : pixel_bits - 5];
 }
 
-static void find_scales(const struct draw *draw, struct soft_spans *spans)
+/* From 8.16 to struct soft_run's, for fragments of a format of texels. */
+static struct soft_scales find_format_scales(
+	enum texel_format format, bool wide, bool any)
 {
-	bool wide = draw->soft->format == PIXELS_RGBA8888;
 	int five = wide ? 8 : 5, six = wide ? 8 : 6;
-	enum texel_format format =
-		spans->textured ? draw->texture[0].base->format : TEXEL_NONE;
 	struct soft_field red = soft_field(format, SOFT_RED);
 	struct soft_field green = soft_field(format, SOFT_GREEN);
 
-	spans->red_blue_half = 0;
-	spans->green_half = 0;
-	if (spans->finish == SOFT_ANY || (wide && red.bits == 0)) {
-		spans->red_blue_scale = BYTE_SCALE;
-		spans->green_scale = BYTE_SCALE;
-	} else if (red.bits == 0) {
-		spans->red_blue_scale = 31 << 19;
-		spans->green_scale = 63 << 17;
-		spans->red_blue_half = 1 << 10;
-		spans->green_half = 1 << 8;
-	} else {
-		spans->red_blue_scale = scale_factor(red.bits, five);
-		spans->green_scale = scale_factor(green.bits, six);
+	if (any || (wide && red.bits == 0)) {
+		return (struct soft_scales){BYTE_SCALE, BYTE_SCALE, 0, 0};
 	}
+	if (red.bits == 0) {
+		return (struct soft_scales){
+			31 << 19, 63 << 17, 1 << 10, 1 << 8};
+	}
+	return (struct soft_scales){scale_factor(red.bits, five),
+		scale_factor(green.bits, six), 0, 0};
+}
+
+static void find_scales(const struct draw *draw, struct soft_spans *spans)
+{
+	const int32_t white = 0xFF80 << 8;
+	bool wide = draw->soft->format == PIXELS_RGBA8888;
+	enum texel_format format =
+		spans->textured ? draw->texture[0].base->format : TEXEL_NONE;
+	struct soft_scales scales = find_format_scales(format, true, false);
+
+	spans->made_white[0] = (uint32_t)mul_high(white, scales.red_blue);
+	spans->made_white[1] = (uint32_t)mul_high(white, scales.green);
+	spans->scales = find_format_scales(spans->made ? TEXEL_8888 : format,
+		wide, spans->finish == SOFT_ANY);
 }
 
 static bool has_alpha(GLenum format)
@@ -242,6 +241,19 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 								   : SOFT_NEAREST) +
 				format][finish][i];
 	}
+	if (spans->made) {
+		const int source = SOFT_NEAREST + TEXEL_8888 - 1;
+
+		soft_set_functions(spans, (*table)[source][spans->finish]);
+		spans->run.s_right = 1 << SOFT_TEXEL_FRACTION;
+		spans->run.t_right = 0;
+		spans->run.texel_right = 1 << SOFT_TEXEL_FRACTION;
+		spans->run.stride_log2 = 0;
+		spans->run.wrap_s = (struct soft_wrap){
+			INT32_MIN, INT32_MAX, UINT32_MAX};
+		spans->run.wrap_t = spans->run.wrap_s;
+		return;
+	}
 	soft_set_functions(spans, spans->mag);
 }
 
@@ -272,6 +284,7 @@ void soft_prepare_spans(struct draw *draw)
 	spans->used = spans->takes_state && !draw->soft->reference;
 	spans->textured = input->used;
 	spans->fogged = draw->fogged;
+	spans->made = soft_wants_made(input);
 	spans->lod_wanted = input->used &&
 		(input->levels > 1 ||
 			is_linear(input->texture->min_filter) !=

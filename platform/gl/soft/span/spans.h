@@ -34,6 +34,27 @@ struct soft_window {
 	bool large; /* a run's texels count from its own first one */
 };
 
+/* A level of a texture as runs read it, by a filter. */
+struct soft_view {
+	const uint8_t *texels;
+	uint32_t stride_log2; /* bytes, as texel_log2 */
+	int texel_log2;
+	int s_shift, t_shift; /* from 16.16 of the base's texels to 23.9 */
+	int32_t s_half, t_half;
+	struct soft_wrap wrap_s, wrap_t;
+	struct soft_window window; /* as large as it can be */
+};
+
+/* From 8.16 to struct soft_run's: the product's upper half, and a half more. */
+struct soft_scales {
+	int32_t red_blue, green, red_blue_half, green_half;
+};
+
+/* Where a run's texels are in the base, and how they run: 16.16. */
+struct soft_made_at {
+	int32_t s, t, s_step, t_step;
+};
+
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
 	bool takes_state;
@@ -53,8 +74,7 @@ struct soft_spans {
 	enum soft_depth_way depth_way;
 	enum soft_finish finish;
 	int plain_pixels; /* of a run without a texture, at most */
-	/* From 8.16 to struct soft_run's: upper half of the product, and more */
-	int32_t red_blue_scale, green_scale, red_blue_half, green_half;
+	struct soft_scales scales;
 	/* of minified and magnified textures: anywhere and inside */
 	soft_span_function min[2], mag[2];
 	/* The level and filter under way */
@@ -63,11 +83,16 @@ struct soft_spans {
 	const soft_span_function *function;
 	/* the same, with the depth test before them that they do not do */
 	soft_span_function draw_anywhere, draw;
-	struct soft_window window;       /* of the triangle */
-	struct soft_window level_window; /* as large as it can be */
-	int s_shift, t_shift; /* from 16.16 of the base's texels to 24.8 */
-	int32_t s_half, t_half;
-	int texel_log2, pixel_log2; /* bytes */
+	struct soft_view view;
+	struct soft_window window; /* of the triangle */
+	/* Texels are made beforehand, see made.h, of two levels */
+	bool made, made_linear;
+	int made_share;         /* of next_view, of 256 */
+	uint32_t made_white[2]; /* red, and green, as struct soft_run has them */
+	const soft_span_function *made_sampler;
+	struct soft_view next_view;
+	struct soft_made_at made_at;
+	int pixel_log2;            /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */

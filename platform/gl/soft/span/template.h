@@ -415,7 +415,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 {
 	struct soft_texel texel = {.alpha = 255};
 	struct soft_color color;
-	uint32_t alpha = 255;
+	uint32_t alpha = 255, z = at->z;
 
 	if (kind.textured && kind.inside) {
 		soft_sample_inside(run, kind, at->texel, &texel);
@@ -435,7 +435,11 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		((alpha - constants->alpha_low) & 255) > constants->alpha_range) {
 		return;
 	}
-	*depth = (uint16_t)(at->z >> 16);
+	if (soft_is_tested(kind)) {
+		/* else all of the rest is done before it is known */
+		OPAQUE(z);
+	}
+	*depth = (uint16_t)(z >> 16);
 	if (soft_is_blended(kind) && alpha == 0) {
 		return;
 	}

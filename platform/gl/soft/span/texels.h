@@ -25,8 +25,11 @@ static ALWAYS_INLINE void soft_set_texel_steps(
 {
 	struct soft_run *run = &spans->run;
 
-	run->s_right = soft_texel_step(step.s, spans->s_shift);
-	run->t_right = soft_texel_step(step.t, spans->t_shift);
+	if (spans->made) {
+		return;
+	}
+	run->s_right = soft_texel_step(step.s, spans->view.s_shift);
+	run->t_right = soft_texel_step(step.t, spans->view.t_shift);
 	run->texel_right =
 		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
 }
@@ -49,10 +52,15 @@ static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
 {
 	struct soft_run *run = &spans->run;
 
+	if (spans->made) {
+		spans->made_at =
+			(struct soft_made_at){at.s, at.t, step.s, step.t};
+		return;
+	}
 	run->s = soft_find_start(at.s, step.s, count >> 1, run->s_right,
-		spans->s_shift, spans->s_half);
+		spans->view.s_shift, spans->view.s_half);
 	run->t = soft_find_start(at.t, step.t, count >> 1, run->t_right,
-		spans->t_shift, spans->t_half);
+		spans->view.t_shift, spans->view.t_half);
 }
 
 /*
@@ -60,10 +68,9 @@ static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
  * then. A window of more texels than the halves of a word can count is entered
  * anew by each run.
  */
-static ALWAYS_INLINE bool soft_find_window(struct soft_spans *spans)
+static ALWAYS_INLINE bool soft_find_window(
+	const struct soft_window *window, int texel_log2, struct soft_run *run)
 {
-	struct soft_run *run = &spans->run;
-	const struct soft_window *window = &spans->window;
 	uint32_t last = run->count - 1;
 	uint32_t s = ((uint32_t)run->s - window->s_first) & window->s_mask;
 	uint32_t t = ((uint32_t)run->t - window->t_first) & window->t_mask;
@@ -79,7 +86,7 @@ static ALWAYS_INLINE bool soft_find_window(struct soft_spans *spans)
 		uint32_t y = (t < t_end ? t : t_end) >> SOFT_TEXEL_FRACTION;
 
 		run->first_texel = run->texels + (y << run->stride_log2) +
-			(x << spans->texel_log2);
+			(x << texel_log2);
 		x <<= SOFT_TEXEL_FRACTION;
 		y <<= SOFT_TEXEL_FRACTION;
 		s -= x;

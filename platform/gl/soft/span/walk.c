@@ -65,12 +65,12 @@ static ALWAYS_INLINE void set_colors(
 	struct soft_spans *spans, int32_t red, int32_t green, int32_t blue)
 {
 	struct soft_run *run = &spans->run;
-	int32_t scale = spans->red_blue_scale, half = spans->red_blue_half;
+	int32_t scale = spans->scales.red_blue, half = spans->scales.red_blue_half;
 
 	run->red_blue = ((uint32_t)mul_high_add(half, blue, scale) << 16) +
 		(uint32_t)mul_high_add(half, red, scale);
 	run->green_alpha = (uint32_t)mul_high_add(
-		spans->green_start, green, spans->green_scale);
+		spans->green_start, green, spans->scales.green);
 }
 
 static ALWAYS_INLINE void set_more_colors(
@@ -90,11 +90,11 @@ static ALWAYS_INLINE void set_color_steps(
 	struct soft_spans *spans, const struct colors *step)
 {
 	struct soft_run *run = &spans->run;
-	int32_t scale = spans->red_blue_scale;
+	int32_t scale = spans->scales.red_blue;
 
 	run->red_blue_right = (scale_step(step->blue, scale) << 16) +
 		scale_step(step->red, scale);
-	run->green_alpha_right = scale_step(step->green, spans->green_scale);
+	run->green_alpha_right = scale_step(step->green, spans->scales.green);
 	if (spans->alpha_moves) {
 		run->green_alpha_right += (uint32_t)soft_alpha_step(step->alpha)
 			<< 16;
@@ -197,7 +197,8 @@ static ALWAYS_INLINE void draw_run(
 	run->depth = line->depth + x;
 	run->pixel = line->pixel + (x << spans->pixel_log2);
 	run->z = (uint32_t)find_value(line, DEPTH, x) << 6;
-	if (!kind.textured || soft_find_window(spans)) {
+	if (!kind.textured ||
+		soft_find_window(&spans->window, spans->view.texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
@@ -565,7 +566,7 @@ static void set_still(struct draw *draw)
 	const uint32_t *value = draw->raster.span.value;
 	struct soft_spans *spans = &draw->spans;
 
-	spans->green_start = spans->green_half;
+	spans->green_start = spans->scales.green_half;
 	if (spans->alpha_read && !spans->alpha_moves) {
 		spans->green_start += (int32_t)(value[ALPHA] >> 9 << 16);
 	}
@@ -624,7 +625,7 @@ static void set_constants(struct draw *draw, uint32_t moving)
 		soft_rows_find_affine_lod(draw, &draw->raster.span);
 		soft_set_level(draw, raster->span.lod[0]);
 	}
-	if (!spans->level_by_row) {
+	if (!spans->level_by_row && !spans->made) {
 		soft_set_window(draw);
 	}
 	if (!raster->perspective) {

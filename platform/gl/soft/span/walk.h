@@ -2,14 +2,22 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_WALK_H
 #define PLATFORM_GL_SOFT_SPAN_WALK_H
 
-struct draw;
-struct setup;
+#include "platform/gl/soft/span/spans.h"
+
+struct texture_input;
 
 /* By fragment.c, for states that no span function takes. */
 void soft_walk_general(struct draw *draw, const struct setup *setup);
 
 /* level.c: the level and filter for a level of detail. */
 void soft_set_level(struct draw *draw, int lod);
+
+/* level.c: a level by a filter, and a run that reads it. */
+struct soft_view soft_find_view(
+	const struct texture_input *input, int number, bool linear);
+void soft_use_view(const struct soft_view *view,
+	const soft_span_function function[2], struct soft_run *run,
+	struct soft_window *window);
 
 /* level.c: a window of few texels, if the triangle has few; else the level's. */
 void soft_set_window(struct draw *draw);

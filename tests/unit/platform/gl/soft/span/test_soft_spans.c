@@ -91,7 +91,8 @@ static void give_texture(const struct gl *gl, uint32_t *seed)
 {
 	static uint8_t bytes[SIDE_MOST * SIDE_MOST * 4];
 	static const GLenum min[] = {GL_NEAREST, GL_LINEAR,
-		GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST};
+		GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
+		GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
 	static const GLenum mag[] = {GL_NEAREST, GL_LINEAR};
 	static const GLenum wrap[] = {GL_REPEAT, GL_CLAMP_TO_EDGE};
 	const struct texel_case *texel = &texels[random_between(seed, 0, 7)];
@@ -106,7 +107,7 @@ static void give_texture(const struct gl *gl, uint32_t *seed)
 	gl->BindTexture(GL_TEXTURE_2D, name);
 	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-		(GLfixed)one_of(seed, min, 4));
+		(GLfixed)one_of(seed, min, 6));
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
 		(GLfixed)one_of(seed, mag, 2));
 	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S,

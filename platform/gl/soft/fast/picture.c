@@ -9,6 +9,7 @@ bool soft_picture_takes(const struct draw *draw)
 	const struct texture_input *input = &draw->texture[0];
 
 	return draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
+		draw->spans.color_mask == UINT32_MAX &&
 		draw->soft->format == PIXELS_RGB565 && !draw->tests &&
 		input->used && input->base->format == TEXEL_565 &&
 		input->texture->min_filter == GL_NEAREST &&

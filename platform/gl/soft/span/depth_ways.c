@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 /* GL's comparisons: the low bits say which of less, equal, greater pass. */
@@ -49,6 +50,24 @@ static void test_aside(struct draw *draw)
 	}
 }
 
+/* Draws where depths aside pass, which become 1. */
+static void draw_aside(
+	struct soft_spans *spans, soft_span_function function, uint8_t *pixel)
+{
+	struct soft_run *run = &spans->run;
+	const struct soft_run whole = *run;
+
+	run->depth = spans->aside;
+	run->pixel = pixel;
+	run->z = 1 << 16;
+	run->z_right = 0;
+	function(run);
+	run->depth = whole.depth;
+	run->pixel = whole.pixel;
+	run->z = whole.z;
+	run->z_right = whole.z_right;
+}
+
 static void draw_tested(struct draw *draw, soft_span_function function)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -64,13 +83,7 @@ static void draw_tested(struct draw *draw, soft_span_function function)
 		return;
 	}
 	test_aside(draw);
-	run->depth = spans->aside;
-	run->z = 1 << 16;
-	run->z_right = 0;
-	function(run);
-	run->depth = depth;
-	run->z = z;
-	run->z_right = z_right;
+	draw_aside(spans, function, run->pixel);
 	if (spans->depth_way != SOFT_DEPTH_LAST ||
 		!draw->soft->fragment.depth_mask) {
 		return;
@@ -82,14 +95,142 @@ static void draw_tested(struct draw *draw, soft_span_function function)
 	}
 }
 
+/*
+ * With an alpha test and a stencil, which fragments that fail the former must
+ * not touch: drawn beside the picture first, then the others tested.
+ */
+static void draw_then_test(struct draw *draw, soft_span_function function)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	const int pixel_log2 = spans->pixel_log2;
+	uint8_t own[SOFT_RUN_PIXELS * 4], *pixel = run->pixel;
+	struct span span = {
+		.x = (int)(run->depth - draw->soft->buffers.depth),
+		.count = 1,
+		.value[DEPTH] = run->z >> 6,
+	};
+	bool through;
+
+	memcpy(own, pixel, (size_t)run->count << pixel_log2);
+	memset(spans->aside, 0xFF, run->count * 2);
+	draw_aside(spans, function, own);
+	for (uint32_t i = 0; i < run->count; i++, span.x++) {
+		if (spans->aside[i] == 1) {
+			soft_test_span(draw, &span, &through);
+			if (through) {
+				memcpy(pixel + (i << pixel_log2),
+					own + (i << pixel_log2),
+					(size_t)1 << pixel_log2);
+			}
+		}
+		span.value[DEPTH] = (run->z + run->z_right * (i + 1)) >> 6;
+	}
+}
+
+/*
+ * At most what is there is less than one more. No fragment's depth is 65535,
+ * see soft_depth_units(), so that where 65535 is there nothing is lost. Depths
+ * go two at a time; one behind the run is left as it is.
+ */
+static void draw_at_most(struct draw *draw, soft_span_function function)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	uint8_t *depth = (uint8_t *)run->depth;
+	uint32_t pairs = run->count / 2, odd = run->count % 2;
+	uint32_t aside[SOFT_RUN_PIXELS / 2 + 1];
+
+	for (uint32_t i = 0; i < pairs; i++) {
+		aside[i] = HALVES_ADD_LIMITED(
+			soft_load_32(depth + 4 * i), 0x00010001);
+	}
+	if (odd) {
+		aside[pairs] =
+			HALVES_ADD_LIMITED(soft_load_16(depth + 4 * pairs), 1);
+	}
+	run->depth = (uint16_t *)aside;
+	function(run);
+	run->depth = (uint16_t *)(void *)depth;
+	if (!draw->soft->fragment.depth_mask) {
+		return;
+	}
+	for (uint32_t i = 0; i < pairs; i++) {
+		uint32_t least =
+			least_halves(soft_load_32(depth + 4 * i), aside[i]);
+
+		memcpy(depth + 4 * i, &least, 4);
+	}
+	if (odd) {
+		uint16_t *last = run->depth + run->count - 1;
+		uint16_t own = (uint16_t)aside[pairs];
+
+		*last = own < *last ? own : *last;
+	}
+}
+
+/* Every depth test but that of the functions themselves. */
+static void draw_by_way(struct draw *draw, int inside)
+{
+	soft_span_function function = draw->spans.function[inside];
+
+	switch (draw->spans.depth_way) {
+	case SOFT_DEPTH_DIRECT:
+		function(&draw->spans.run);
+		break;
+	case SOFT_DEPTH_LEQUAL:
+		draw_at_most(draw, function);
+		break;
+	case SOFT_DEPTH_AFTER:
+		draw_then_test(draw, function);
+		break;
+	default:
+		draw_tested(draw, function);
+		break;
+	}
+}
+
+/* Draws beside the picture, and takes from there what the mask lets through. */
+static void draw_masked(struct draw *draw, int inside)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	const uint32_t mask = spans->color_mask;
+	const uint32_t bytes = run->count << spans->pixel_log2;
+	uint8_t *pixel = run->pixel;
+	uint32_t own[SOFT_RUN_PIXELS];
+	uint8_t *at = (uint8_t *)own;
+
+	memcpy(own, pixel, bytes);
+	run->pixel = at;
+	draw_by_way(draw, inside);
+	run->pixel = pixel;
+	for (uint32_t i = 0; i < bytes; i++) {
+		uint8_t own_bits = (uint8_t)(mask >> i % 4 * 8);
+
+		pixel[i] =
+			(uint8_t)((pixel[i] & ~own_bits) | (at[i] & own_bits));
+	}
+}
+
 static void test_anywhere(const struct soft_run *run)
 {
-	draw_tested(run->draw, run->draw->spans.function[0]);
+	draw_by_way(run->draw, 0);
 }
 
 static void test_inside(const struct soft_run *run)
 {
-	draw_tested(run->draw, run->draw->spans.function[1]);
+	draw_by_way(run->draw, 1);
+}
+
+static void mask_anywhere(const struct soft_run *run)
+{
+	draw_masked(run->draw, 0);
+}
+
+static void mask_inside(const struct soft_run *run)
+{
+	draw_masked(run->draw, 1);
 }
 
 void soft_set_functions(
@@ -100,4 +241,8 @@ void soft_set_functions(
 	spans->function = function;
 	spans->draw_anywhere = direct ? function[0] : test_anywhere;
 	spans->draw = direct ? function[1] : test_inside;
+	if (spans->color_mask != UINT32_MAX) {
+		spans->draw_anywhere = mask_anywhere;
+		spans->draw = mask_inside;
+	}
 }

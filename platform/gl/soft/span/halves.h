@@ -21,6 +21,8 @@
 	__smlawb((int32_t)(word), (int32_t)(half), sum)
 #define WORD_BY_TOP(word, half, sum) \
 	__smlawt((int32_t)(word), (int32_t)(half), sum)
+/* a + b of both halves, unsigned, 65535 at most */
+#define HALVES_ADD_LIMITED(a, b) ((uint32_t)__uqadd16(a, b))
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
 {
@@ -33,6 +35,15 @@ static inline int32_t soft_word_by_half(uint32_t word, uint32_t half)
 	return (int32_t)((int64_t)(int32_t)word * (int16_t)half >> 16);
 }
 
+static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
+{
+	uint32_t low = (a & 0xFFFF) + (b & 0xFFFF), high = (a >> 16) + (b >> 16);
+
+	return (high > 0xFFFF ? 0xFFFF : high) << 16 |
+		(low > 0xFFFF ? 0xFFFF : low);
+}
+
+#define HALVES_ADD_LIMITED(a, b)        soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)                soft_halves_sum(a, b)
 #define HALVES_SUM_ADD(a, b, sum)       (soft_halves_sum(a, b) + (sum))
 #define WORD_BY_BOTTOM(word, half, sum) (soft_word_by_half(word, half) + (sum))

@@ -148,10 +148,10 @@ void soft_set_window(struct draw *draw)
 	if (!whole->large) {
 		return;
 	}
-	s = find_part(raster->texel_range[0], spans->view.s_shift, spans->view.s_half,
-		whole->s_mask);
-	t = find_part(raster->texel_range[1], spans->view.t_shift, spans->view.t_half,
-		whole->t_mask);
+	s = find_part(raster->texel_range[0], spans->view.s_shift,
+		spans->view.s_half, whole->s_mask);
+	t = find_part(raster->texel_range[1], spans->view.t_shift,
+		spans->view.t_half, whole->t_mask);
 	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
 		t.first >= whole->t_room || s.first + s.room > whole->s_room ||
 		t.first + t.room > whole->t_room) {
@@ -249,7 +249,7 @@ void soft_draw_across(struct soft_spans *spans)
 		run->count = run->count < left ? run->count : left;
 		(inside && soft_find_window(window, spans->view.texel_log2, run)
 				? spans->draw
-						   : spans->draw_anywhere)(run);
+				: spans->draw_anywhere)(run);
 		advance(run, run->count, spans->pixel_log2);
 	}
 }

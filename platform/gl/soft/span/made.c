@@ -51,8 +51,8 @@ void soft_set_made_levels(struct draw *draw, int lod)
 	spans->made_linear = linear;
 	spans->made_sampler = find_sampler(input, linear);
 	spans->view = soft_find_view(input, level, linear);
-	spans->next_view = soft_find_view(
-		input, level < last ? level + 1 : level, linear);
+	spans->next_view =
+		soft_find_view(input, level < last ? level + 1 : level, linear);
 	/* All runs come here: none lies in the window. */
 	spans->window.s_room = 0;
 	spans->draw_anywhere = soft_draw_made;
@@ -92,8 +92,8 @@ static uint32_t mix(uint32_t from, uint32_t to, uint32_t share)
 {
 	const uint32_t mask = 0x00FF00FF, half = 0x00800080;
 	uint32_t low = (from & mask) * (256 - share) + (to & mask) * share;
-	uint32_t high = (from >> 8 & mask) * (256 - share) +
-		(to >> 8 & mask) * share;
+	uint32_t high =
+		(from >> 8 & mask) * (256 - share) + (to >> 8 & mask) * share;
 
 	return ((low + half) >> 8 & mask) | ((high + half) & ~mask);
 }

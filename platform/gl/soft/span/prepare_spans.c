@@ -100,7 +100,7 @@ static enum soft_finish choose_finish(const struct draw *draw)
 static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
 {
 	if (state->stencil.enabled) {
-		return SOFT_DEPTH_FIRST;
+		return is_tested(state) ? SOFT_DEPTH_AFTER : SOFT_DEPTH_FIRST;
 	}
 	if (!state->depth_test) {
 		return SOFT_DEPTH_FREE;
@@ -108,20 +108,31 @@ static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
 	if (state->depth_function == GL_LESS) {
 		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_KEPT;
 	}
+	if (state->depth_function == GL_LEQUAL) {
+		return SOFT_DEPTH_LEQUAL;
+	}
 	return SOFT_DEPTH_LAST;
+}
+
+/* The bits of pixels that are written; of RGB565 in both halves. */
+static uint32_t find_color_mask(const struct soft *soft)
+{
+	const GLboolean *mask = soft->fragment.color_mask;
+	const uint32_t r = mask[0] ? UINT32_MAX : 0;
+	const uint32_t g = mask[1] ? UINT32_MAX : 0;
+	const uint32_t b = mask[2] ? UINT32_MAX : 0;
+	const uint32_t a = mask[3] ? UINT32_MAX : 0;
+
+	return soft->format == PIXELS_RGB565
+		? (r & 0xF800F800) | (g & 0x07E007E0) | (b & 0x001F001F)
+		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
 }
 
 static bool takes_state(const struct draw *draw)
 {
-	const struct soft *soft = draw->soft;
-	const struct fragment_state *state = &soft->fragment;
-	const GLboolean *mask = state->color_mask;
 	const struct texture_input *input = &draw->texture[0];
 
-	return mask[0] && mask[1] && mask[2] &&
-		(mask[3] || soft->format == PIXELS_RGB565) &&
-		!(is_tested(state) && state->stencil.enabled) &&
-		!draw->texture[1].used &&
+	return draw->attributes != 0 && !draw->texture[1].used &&
 		(!input->used || input->env->mode != GL_COMBINE);
 }
 
@@ -160,8 +171,7 @@ static struct soft_scales find_format_scales(
 		return (struct soft_scales){BYTE_SCALE, BYTE_SCALE, 0, 0};
 	}
 	if (red.bits == 0) {
-		return (struct soft_scales){
-			31 << 19, 63 << 17, 1 << 10, 1 << 8};
+		return (struct soft_scales){31 << 19, 63 << 17, 1 << 10, 1 << 8};
 	}
 	return (struct soft_scales){scale_factor(red.bits, five),
 		scale_factor(green.bits, six), 0, 0};
@@ -249,8 +259,8 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 		spans->run.t_right = 0;
 		spans->run.texel_right = 1 << SOFT_TEXEL_FRACTION;
 		spans->run.stride_log2 = 0;
-		spans->run.wrap_s = (struct soft_wrap){
-			INT32_MIN, INT32_MAX, UINT32_MAX};
+		spans->run.wrap_s =
+			(struct soft_wrap){INT32_MIN, INT32_MAX, UINT32_MAX};
 		spans->run.wrap_t = spans->run.wrap_s;
 		return;
 	}
@@ -296,8 +306,10 @@ void soft_prepare_spans(struct draw *draw)
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	spans->finish = choose_finish(draw);
 	spans->depth_way = choose_depth_way(state);
+	spans->color_mask = find_color_mask(draw->soft);
 	spans->plain_pixels = spans->finish == SOFT_OPAQUE &&
-			spans->depth_way == SOFT_DEPTH_DIRECT
+			spans->depth_way == SOFT_DEPTH_DIRECT &&
+			spans->color_mask == UINT32_MAX
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
 	find_wanted(draw, spans);

@@ -20,8 +20,10 @@ enum soft_depth_way {
 	SOFT_DEPTH_DIRECT, /* LESS, written */
 	SOFT_DEPTH_FREE,   /* no test */
 	SOFT_DEPTH_KEPT,   /* LESS, not written */
+	SOFT_DEPTH_LEQUAL, /* written or not */
 	SOFT_DEPTH_FIRST,  /* with a stencil: tested and written before */
 	SOFT_DEPTH_LAST,   /* tested before, written after the span */
+	SOFT_DEPTH_AFTER, /* with a stencil and an alpha test, which is first */
 };
 
 /*
@@ -72,6 +74,7 @@ struct soft_spans {
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way;
+	uint32_t color_mask; /* bits of pixels that are written, twice of 565 */
 	enum soft_finish finish;
 	int plain_pixels; /* of a run without a texture, at most */
 	struct soft_scales scales;
@@ -92,7 +95,7 @@ struct soft_spans {
 	const soft_span_function *made_sampler;
 	struct soft_view next_view;
 	struct soft_made_at made_at;
-	int pixel_log2;            /* bytes */
+	int pixel_log2; /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */

@@ -65,7 +65,8 @@ static ALWAYS_INLINE void set_colors(
 	struct soft_spans *spans, int32_t red, int32_t green, int32_t blue)
 {
 	struct soft_run *run = &spans->run;
-	int32_t scale = spans->scales.red_blue, half = spans->scales.red_blue_half;
+	int32_t scale = spans->scales.red_blue,
+		half = spans->scales.red_blue_half;
 
 	run->red_blue = ((uint32_t)mul_high_add(half, blue, scale) << 16) +
 		(uint32_t)mul_high_add(half, red, scale);

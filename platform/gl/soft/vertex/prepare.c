@@ -418,8 +418,8 @@ bool soft_prepare(
 	draw->picture = !soft->reference && soft_picture_takes(draw);
 	draw->ground = !soft->reference && soft_ground_takes(draw);
 	draw->plain = draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
-		!draw->tests && !draw->texture[0].used &&
-		soft->format == PIXELS_RGB565;
+		draw->spans.color_mask == UINT32_MAX && !draw->tests &&
+		!draw->texture[0].used && soft->format == PIXELS_RGB565;
 	if (draw->fill == soft_fill_flat) {
 		draw->attributes = 0;
 	}

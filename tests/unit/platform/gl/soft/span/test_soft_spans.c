@@ -165,6 +165,10 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		gl->DepthMask(!by_chance(seed, 4));
 	}
 	if (by_chance(seed, 8)) {
+		gl->ColorMask(by_chance(seed, 2), by_chance(seed, 2),
+			by_chance(seed, 2), by_chance(seed, 2));
+	}
+	if (by_chance(seed, 8)) {
 		gl->Enable(GL_STENCIL_TEST);
 		gl->StencilFunc(GL_EQUAL, 0, 255);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);

@@ -25,15 +25,15 @@ enum {
 	DEFAULT_COUNT = 12,
 	STRIDE = 5, /* walkers added or removed by RIGHT and LEFT */
 	/* The heights on the screen below which a walker costs less. */
-	HALF_RATE_BELOW_PX = 160,
-	THIRD_RATE_BELOW_PX = 80,
+	HALF_RATE_BELOW_PX = 170,
+	THIRD_RATE_BELOW_PX = 85,
 	PLAIN_SHADOW_BELOW_PX = 110,
 	COARSE_BELOW_PX = 240, /* levels of detail may be off by more */
 	FAR_BELOW_PX = 170,
 	RATES = 3
 };
 
-static const float coarse_error_px = 2.0f, far_error_px = 3.0f;
+static const float coarse_error_px = 2.0f, far_error_px = 4.0f;
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its goal */

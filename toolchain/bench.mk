@@ -10,7 +10,8 @@ build/arm/obj/app/anim/%.o build/arm/obj/app/scene/instance/%.o \
 		build/arm/obj/platform/gl/soft/%.o: \
 	CFLAGS_arm += -fno-stack-protector
 
-BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes gl_states demo_frames)
+BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes \
+	gl_states demo_frames character_cost)
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 

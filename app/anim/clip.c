@@ -134,7 +134,8 @@ static void begin_clip(struct clip_cursor *cursor,
 		float *out = channel_target(channel, still);
 		int key = 0;
 
-		if (channel->constant) {
+		if (channel->constant ||
+			(cursor->only && cursor->only[channel->node] == 0)) {
 			clip_sample_channel(channel, channel->time_s[0],
 				CLIP_AUTO, &key, out);
 		} else {

@@ -17,6 +17,11 @@ struct clip_moving; /* a channel whose value changes */
 struct clip_cursor {
 	int channel_count;
 	int *key; /* [channel_count]; any values are valid */
+	/*
+	 * [node_count] or NULL, set before the first use: clip_pose() lets
+	 * channels of nodes where it is 0 rest at their first key.
+	 */
+	const float *only;
 
 	const struct model_clip *clip; /* of the members below, or NULL */
 	struct pose still;             /* rest pose and constant channels */

@@ -36,26 +36,29 @@ static int weight_range(const struct pose *pose, int node, int *first)
 	return mesh < 0 ? 0 : model->mesh[mesh].target_count;
 }
 
+/* The pose of a node where it is wholly the one of from. */
+static void copy_node(const struct pose *from, int node, struct pose *out)
+{
+	int first;
+	int count = weight_range(from, node, &first);
+
+	out->animated[node] = from->animated[node];
+	out->local[node] = from->local[node];
+	for (int i = first; i < first + count; i++) {
+		out->weight[i] = from->weight[i];
+	}
+}
+
 static void mix_node(const struct pose *a, const struct pose *b, int node,
 	float t, struct pose *out)
 {
 	int first;
 	int count = weight_range(a, node, &first);
-	const struct pose *whole = t <= 0 ? a : b;
 
-	out->animated[node] = t <= 0 ? a->animated[node]
-		: t >= 1             ? b->animated[node]
-				     : a->animated[node] || b->animated[node];
-	if (t <= 0 || t >= 1) {
-		out->local[node] = whole->local[node];
-	} else {
-		transform_mix(
-			&a->local[node], &b->local[node], t, &out->local[node]);
-	}
+	out->animated[node] = a->animated[node] || b->animated[node];
+	transform_mix(&a->local[node], &b->local[node], t, &out->local[node]);
 	for (int i = first; i < first + count; i++) {
-		out->weight[i] = t <= 0 || t >= 1
-			? whole->weight[i]
-			: a->weight[i] * (1 - t) + b->weight[i] * t;
+		out->weight[i] = a->weight[i] * (1 - t) + b->weight[i] * t;
 	}
 }
 
@@ -63,7 +66,13 @@ void pose_mix(const struct pose *a, const struct pose *b, float t,
 	const float *mask, struct pose *out)
 {
 	for (int i = 0; i < out->node_count; i++) {
-		mix_node(a, b, i, mask ? t * mask[i] : t, out);
+		float amount = mask ? t * mask[i] : t;
+
+		if (amount > 0 && amount < 1) {
+			mix_node(a, b, i, amount, out);
+		} else if (out != (amount >= 1 ? b : a)) {
+			copy_node(amount >= 1 ? b : a, i, out);
+		}
 	}
 }
 

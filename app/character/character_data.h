@@ -121,6 +121,7 @@ struct character_state {
 	const char *name;
 	int entry_count;
 	struct character_entry *entry; /* sorted by .at */
+	uint8_t *differs;              /* [node_count], see run/blend.h */
 	const float *position;         /* in the blend space */
 	const float *rate;
 	enum clip_repeat repeat;

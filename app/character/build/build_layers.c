@@ -179,6 +179,7 @@ static int build_layer(struct character_build *build,
 	}
 	if (!error) {
 		error = make_mask(build, &draft, layer);
+		layer->entry.cursor.only = layer->mask;
 	}
 	if (!error) {
 		error = make_reference(build, layer);

@@ -1,4 +1,5 @@
 #include "app/character/build/build.h"
+#include "app/character/run/blend.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -268,6 +269,24 @@ static int build_state(struct character_build *build,
 	return error;
 }
 
+/* Marks what the clips of each state have in common, for blends. */
+static int find_differences(struct character_build *build)
+{
+	struct character_machine *machine = &build->character->machine;
+
+	for (int i = 0; i < machine->state_count; i++) {
+		struct character_state *state = &machine->state[i];
+
+		state->differs = ARENA_ARRAY(build->arena, uint8_t,
+			(size_t)build->model->node_count);
+		if (!state->differs) {
+			return character_fail_memory(build);
+		}
+		character_blend_find(state, build->model, state->differs);
+	}
+	return 0;
+}
+
 int character_build_states(struct character_build *build)
 {
 	static const float zero = 0, one = 1;
@@ -297,6 +316,9 @@ int character_build_states(struct character_build *build)
 		machine->state[i].name = section->name;
 		error = build_state(build, section, &machine->state[i]);
 		section = character_text_find(section->next, "state");
+	}
+	if (!error) {
+		error = find_differences(build);
 	}
 	if (!error) {
 		error = build_transitions(build);

@@ -1,7 +1,7 @@
 #include "app/character/run/machine.h"
 
 #include "app/anim/clip_join.h"
-#include "app/anim/pose_blend.h"
+#include "app/character/run/blend.h"
 #include "app/character/run/entry.h"
 #include "app/character/run/pending.h"
 #include "platform/base/scalar.h"
@@ -233,9 +233,9 @@ static void sample(struct character *character, struct pose *pose)
 		character_entry_sample(character, entry, state->repeat,
 			phase_of(machine), first ? pose : &character->scratch);
 		if (!first) {
-			pose_mix(pose, &character->scratch,
-				entry->weight / (before + entry->weight), NULL,
-				pose);
+			character_blend(pose, &character->scratch,
+				entry->weight / (before + entry->weight),
+				state->differs);
 		}
 		before += entry->weight;
 		first = false;

@@ -124,11 +124,13 @@ int simplify_begin(struct simplify *simplify,
 		.shape_only = input->shape_only,
 		.extent = input->extent,
 	};
-	if (allocate(simplify, input->index_count) != 0 ||
-		simplify_mesh_weld(simplify) != 0) {
+	if (allocate(simplify, input->index_count) != 0) {
 		return -ENOMEM;
 	}
 	scale_positions(simplify);
+	if (simplify_mesh_weld(simplify) != 0) {
+		return -ENOMEM;
+	}
 	copy_index(simplify, input);
 	simplify->texture_scale = find_texture_scale(simplify);
 	for (int v = 0; v < input->primitive->vertex_count; v++) {

@@ -1,30 +1,49 @@
 #include "app/model/levels/simplify_mesh.h"
 
+#include "platform/base/scalar.h"
+
 #include <errno.h>
 #include <string.h>
 
-/* Low bits of round numbers are 0, so the high ones are mixed into them. */
-static uint32_t hash_position(const float position[3])
-{
-	uint32_t bits[3], hash = 0;
+/* A cell of a grid; the ends of a seam may differ by the rounding of floats. */
+struct cell {
+	int32_t at[3];
+};
 
-	memcpy(bits, position, sizeof(bits));
+static const float cells = 65536.0f; /* along the extent */
+
+static struct cell cell_of(const float position[3])
+{
+	struct cell cell;
+
 	for (int i = 0; i < 3; i++) {
-		hash = (hash ^ bits[i]) * 0x85EBCA6Bu;
+		cell.at[i] = (int32_t)scalar_floor(position[i] * cells + 0.5f);
+	}
+	return cell;
+}
+
+static uint32_t hash_cell(const struct cell *cell)
+{
+	uint32_t hash = 0;
+
+	for (int i = 0; i < 3; i++) {
+		hash = (hash ^ (uint32_t)cell->at[i]) * 0x85EBCA6Bu;
 		hash ^= hash >> 15;
 	}
 	return hash;
 }
 
-static bool are_equal(const float a[3], const float b[3])
+static bool is_in(const struct cell *cell, const float position[3])
 {
-	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+	struct cell own = cell_of(position);
+
+	return memcmp(cell, &own, sizeof(own)) == 0;
 }
 
 int simplify_mesh_weld(struct simplify *simplify)
 {
-	const struct model_primitive *primitive = simplify->primitive;
-	uint32_t count = (uint32_t)primitive->vertex_count, size = 16, *table;
+	uint32_t count = (uint32_t)simplify->primitive->vertex_count;
+	uint32_t size = 16, *table;
 
 	while (size < 2 * count) {
 		size *= 2;
@@ -34,13 +53,13 @@ int simplify_mesh_weld(struct simplify *simplify)
 		return -ENOMEM;
 	}
 	for (uint32_t v = 0; v < count; v++) {
-		const float *at = primitive->position[v];
-		uint32_t slot = hash_position(at) & (size - 1);
+		struct cell cell = cell_of(simplify->position[v]);
+		uint32_t slot = hash_cell(&cell) & (size - 1);
 		uint32_t leader;
 
 		/* The table holds vertices plus 1; 0 is empty. */
 		while (table[slot] &&
-			!are_equal(at, primitive->position[table[slot] - 1])) {
+			!is_in(&cell, simplify->position[table[slot] - 1])) {
 			slot = (slot + 1) & (size - 1);
 		}
 		if (!table[slot]) {

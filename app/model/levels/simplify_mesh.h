@@ -18,7 +18,10 @@ struct simplify_ring {
 	int border_count;
 };
 
-/* Fills leader and next, by position. 0 or -ENOMEM. */
+/*
+ * Fills leader and next: vertices count as being at one position if they differ
+ * by less than some hundred-thousandth of the extent. 0 or -ENOMEM.
+ */
 int simplify_mesh_weld(struct simplify *simplify);
 
 /* Fills first_triangle and triangle for the present index. */

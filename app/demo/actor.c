@@ -131,6 +131,41 @@ int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
 		stage, env->gl, bounds, &wanted.camera, env->target, env->log);
 }
 
+/* An edge that leaves least_side of the picture, else the other one's margin. */
+static float edge_or_margin(float edge, float opposite)
+{
+	return edge < 1.0f - least_side ? edge : -opposite;
+}
+
+/*
+ * Labels beside the figures have a column that the picture's width decides;
+ * above them they have so many lines of text.
+ */
+void actor_resize_stage(struct stage *stage, int old_width, int old_height,
+	int width, int height)
+{
+	struct camera_region region = stage->camera.fit.region;
+	struct hud_group_extent old =
+		hud_group_extent_of(old_width, old_height, 0, 0);
+	struct hud_group_extent new = hud_group_extent_of(width, height, 0, 0);
+	float old_column = 2.0f * (float)old.column / (float)old_width - 1.0f;
+	float column = 2.0f * (float)new.column / (float)width - 1.0f;
+	float lines = (float)(new.line *old_height) / (float)(old.line * height);
+	float margin = 1.0f - region.right;
+
+	if (!stage->camera.fit.on) {
+		return;
+	}
+	region.left = region.left >= old_column
+		? edge_or_margin(column + margin, region.right)
+		: -region.right;
+	region.bottom = (region.bottom + 1.0f) * lines - 1.0f;
+	region.top = -edge_or_margin(
+		(1.0f - region.top) * lines * 1.05f - 1.0f, -region.bottom);
+	camera_set_region(
+		&stage->camera, &region, 1.0f, (float)width / (float)height);
+}
+
 void actor_draw(const struct actor *actor, const struct stage *stage,
 	const struct gl *gl, int width, int height)
 {

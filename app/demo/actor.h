@@ -45,6 +45,7 @@ struct demo_base {
 	struct live live;
 	struct demo_reduction reduction;
 	float frames_per_s; /* 0 if unknown */
+	int width, height;  /* of the pictures that the camera frames */
 
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
@@ -67,6 +68,13 @@ void actor_unload(struct actor *actor, const struct gl *gl);
  */
 int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
 	const struct actor_framing *framing, struct stage *stage);
+
+/*
+ * Frames the same figures in a picture of another size, beside or below labels
+ * whose text has the size for it. Cameras that do not follow stay as they are.
+ */
+void actor_resize_stage(struct stage *stage, int old_width, int old_height,
+	int width, int height);
 
 /* Draws a whole frame: the stage, the actor's flat shadow and the actor. */
 void actor_draw(const struct actor *actor, const struct stage *stage,

@@ -53,6 +53,8 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 		return error;
 	}
 	base_of(demo)->gl = env->gl;
+	base_of(demo)->width = env->width;
+	base_of(demo)->height = env->height;
 	base_of(demo)->log = *env->log;
 	error = actor_load(&base_of(demo)->actor, env);
 	if (!error) {

@@ -1,0 +1,186 @@
+/* Demos frame their figures beside or below their labels, at every size. */
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <cglm/cglm.h>
+
+static const int sizes[][2] = {{480, 640}, {320, 240}, {240, 320}, {800, 480},
+	{1920, 1080}, {640, 480}};
+
+struct shown {
+	struct log log;
+	struct gl gl;
+	const struct demo_driver *driver;
+	struct demo *demo;
+};
+
+static void begin(struct shown *shown, const char *name, const int size[2],
+	bool no_labels)
+{
+	char path[64];
+	struct demo_env env;
+
+	shown->log = log_to_stderr(LOG_ERROR);
+	shown->gl = gl_recorder_begin();
+	shown->driver = demo_find(name);
+	snprintf(path, sizeof(path), "assets/%s",
+		shown->driver ? shown->driver->asset : name);
+	shown->driver = shown->driver ? shown->driver : &demo_driver_viewer;
+	env = (struct demo_env){
+		.log = &shown->log,
+		.gl = &shown->gl,
+		.target = PIXELS_RGBA8888,
+		.kernel = kernel_find("fixed"),
+		.width = size[0],
+		.height = size[1],
+		.no_labels = no_labels,
+		.model_path = path,
+		.repeat = CLIP_LOOP,
+		.speed = 1.0f,
+	};
+	assert_int_equal(demo_create(shown->driver, &env, &shown->demo), 0);
+	shown->driver->update(shown->demo, 0.02);
+}
+
+static void end(struct shown *shown)
+{
+	demo_destroy(shown->driver, shown->demo);
+}
+
+/* The box of the figure as the picture shows it, -1 to 1. */
+static struct camera_region seen(const struct shown *shown, const int size[2])
+{
+	const struct camera *camera =
+		&((const struct demo_base *)shown->demo)->stage.camera;
+	const struct camera_frustum frustum =
+		camera_frustum(camera, size[0], size[1]);
+	struct camera_region region = {9.0f, -9.0f, 9.0f, -9.0f};
+	mat4 view;
+
+	camera_view(camera, view);
+	for (int i = 0; i < 8; i++) {
+		vec4 at = {0.0f, 0.0f, 0.0f, 1.0f}, eye;
+		float x, y;
+
+		for (int axis = 0; axis < 3; axis++) {
+			float half = camera->fit.half[axis];
+
+			at[axis] = camera->target[axis] +
+				(i >> axis & 1 ? half : -half);
+		}
+		glm_mat4_mulv(view, at, eye);
+		x = eye[0] / -eye[2] * (float)frustum.near;
+		y = eye[1] / -eye[2] * (float)frustum.near;
+		x = (2.0f * x - (float)(frustum.right + frustum.left)) /
+			(float)(frustum.right - frustum.left);
+		y = (2.0f * y - (float)(frustum.top + frustum.bottom)) /
+			(float)(frustum.top - frustum.bottom);
+		region.left = fminf(region.left, x);
+		region.right = fmaxf(region.right, x);
+		region.bottom = fminf(region.bottom, y);
+		region.top = fmaxf(region.top, y);
+	}
+	return region;
+}
+
+/* The whole figure is in the picture and fills a good part of it. */
+static void check_whole(const struct camera_region *region)
+{
+	assert_true(region->left > -1.001f && region->right < 1.001f);
+	assert_true(region->bottom > -1.001f && region->top < 1.001f);
+}
+
+static bool covers(const struct camera_region *region, const int size[2],
+	int rows, int bars)
+{
+	struct hud_group_extent labels =
+		hud_group_extent_of(size[0], size[1], rows, bars);
+	float right = 2.0f * (float)labels.column / (float)size[0] - 1.0f;
+	float bottom = 1.0f - 2.0f * (float)labels.top / (float)size[1];
+
+	return region->left < right - 0.01f && region->top > bottom + 0.01f;
+}
+
+static const struct {
+	const char *name;
+	int rows, bars; /* of the labels */
+} demos[] = {
+	{"walker", 9, 8},
+	{"arm", 6, 1},
+	{"tuner", 11, 0},
+	{"arm.glb", 2, 1},
+	{"walker.glb", 2, 1},
+};
+
+static void test_labels_do_not_cover_the_figure(void **state)
+{
+	(void)state;
+	for (size_t d = 0; d < sizeof(demos) / sizeof(demos[0]); d++) {
+		for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+			struct shown shown;
+			struct camera_region region;
+
+			begin(&shown, demos[d].name, sizes[s], false);
+			region = seen(&shown, sizes[s]);
+			check_whole(&region);
+			assert_false(covers(&region, sizes[s], demos[d].rows,
+				demos[d].bars));
+			end(&shown);
+		}
+	}
+}
+
+static void test_without_labels_the_figure_is_in_the_middle(void **state)
+{
+	(void)state;
+	for (size_t d = 0; d < sizeof(demos) / sizeof(demos[0]); d++) {
+		for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+			struct shown shown;
+			struct camera_region region;
+
+			begin(&shown, demos[d].name, sizes[s], true);
+			region = seen(&shown, sizes[s]);
+			check_whole(&region);
+			assert_near(region.left + region.right, 0.0, 0.01);
+			assert_near(region.bottom + region.top, 0.0, 0.01);
+			/* It fills the picture's width or its height. */
+			assert_true(fmaxf(region.right, region.top) > 0.85f);
+			end(&shown);
+		}
+	}
+}
+
+static void test_a_picture_of_another_size_is_framed_anew(void **state)
+{
+	(void)state;
+	for (size_t from = 0; from < sizeof(sizes) / sizeof(sizes[0]); from++) {
+		for (size_t to = 0; to < sizeof(sizes) / sizeof(sizes[0]); to++) {
+			struct shown shown;
+			struct camera_region region;
+
+			begin(&shown, "arm.glb", sizes[from], false);
+			demo_draw(shown.driver, shown.demo, sizes[to][0],
+				sizes[to][1]);
+			region = seen(&shown, sizes[to]);
+			check_whole(&region);
+			assert_false(covers(&region, sizes[to], 2, 1));
+			end(&shown);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_labels_do_not_cover_the_figure),
+		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
+		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -85,7 +85,10 @@ static bool find_extent(const struct shadow_light *light, const float posed[3],
 		return false;
 	}
 	ground = distance_to_ground(light, posed);
-	slack = floor_mesh_error(light->ground) / light->towards[1];
+	slack = floor_mesh_error(light->ground,
+			posed[0] - light->towards[0] * ground,
+			posed[2] - light->towards[2] * ground) /
+		light->towards[1];
 	*far = scalar_clamp(ground + slack, 0.0f, light->max_length);
 	*near = scalar_clamp(ground - slack, 0.0f, *far);
 	return *far < light->max_length;

@@ -51,7 +51,7 @@ static void fall_on_floor(const struct floor *floor, const float light[3],
 		out[2] = from[2] - light[2] * fall;
 		height = floor_height(floor, out[0], out[2]);
 	}
-	out[1] = height + floor_mesh_error(floor) + shadow_lift;
+	out[1] = height + floor_mesh_error(floor, out[0], out[2]) + shadow_lift;
 }
 
 /* A circle across the light, as the floor cuts the light's rays through it. */

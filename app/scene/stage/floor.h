@@ -73,10 +73,11 @@ void floor_set_wave_height(struct floor *floor, float wave_height);
 float floor_height(const struct floor *floor, float x, float z);
 
 /*
- * Returns how far the drawn surface may be from floor_height() where the disc
- * is opaque: its triangles are flat, the ground between their corners is not.
+ * Returns how far the drawn surface may be from floor_height() at a point where
+ * the disc is opaque: its triangles are flat, the ground between their corners
+ * is not. Triangles are larger outwards, and so is the error.
  */
-float floor_mesh_error(const struct floor *floor);
+float floor_mesh_error(const struct floor *floor, float x, float z);
 
 /*
  * Computes what a camera sees of level ground. Uneven ground may be anywhere in

@@ -10,7 +10,7 @@ build/board/packages.stamp: toolchain/packages/board.txt
 	$(Q)touch $@
 
 # Phony, because the scripts themselves find out what has changed.
-.PHONY: kernel image emulate bench-board soak
+.PHONY: kernel image emulate emulator bench-board soak
 kernel: build/board/packages.stamp build/arm/packages.stamp
 	$(call say,KERNEL,build/linux/zImage)
 	$(Q)$(BOARD)/kernel/build.sh $(KERNEL_SOURCE) build/linux
@@ -19,7 +19,20 @@ image: kernel build/arm/limber
 	$(call say,IMAGE,$(IMAGE))
 	$(Q)$(BOARD)/image.sh build/linux build/sysroot build/arm/limber $(IMAGE)
 
-emulate: image
+# QEMU with the machine imx31-pdk; where it cannot be built, the emulation uses
+# the installed one. EMULATOR=kzm does not need it.
+emulator: build/board/packages.stamp build/qemu/packages.stamp
+ifneq ($(EMULATOR),kzm)
+	$(call say,QEMU,build/qemu/qemu-system-arm)
+	$(Q)$(BOARD)/qemu/build.sh build/qemu
+endif
+
+build/qemu/packages.stamp: toolchain/packages/qemu.txt
+	$(Q)mkdir -p $(@D)
+	$(Q)toolchain/install.sh qemu
+	$(Q)touch $@
+
+emulate: image emulator
 	$(Q)$(BOARD)/emulate run
 
 build/virtual-pdk/packages.stamp: toolchain/packages/virtual.txt
@@ -29,7 +42,7 @@ build/virtual-pdk/packages.stamp: toolchain/packages/virtual.txt
 
 # PORT=NUMBER serves the page on another port than 8031.
 .PHONY: virtual-pdk screenshots screenshots-virtual-pdk
-virtual-pdk: image build/virtual-pdk/packages.stamp
+virtual-pdk: image emulator build/virtual-pdk/packages.stamp
 	$(Q)exec $(BOARD)/virtual/serve $(if $(PORT),--port $(PORT))
 
 # The library with which the page's test drives a browser, outside the sources.
@@ -49,12 +62,12 @@ virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
 
 # demo.mk draws the other pictures of make screenshots.
 screenshots: screenshots-virtual-pdk
-screenshots-virtual-pdk: image build/virtual-pdk-test/stamp
+screenshots-virtual-pdk: image emulator build/virtual-pdk-test/stamp
 	$(call say,PICTURE,$(BOARD)/virtual/page.png)
 	$(Q)$(virtual_pdk_node) tests/virtual-pdk/picture.js \
 		$(BOARD)/virtual/page.png
 
-bench-board: image build/arm/bench/demo_frames build/arm1136/insn_count.so
+bench-board: image emulator build/arm/bench/demo_frames build/arm1136/insn_count.so
 	$(Q)PATIENCE_S=3000 python3 -B tests/board/bench.py build/bench-board.json
 	@echo "The same for programs: build/bench-board.json"
 
@@ -67,7 +80,7 @@ build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.st
 
 # SOAK_S is the length in seconds of the board's time; SOAK_SEED=N gives other
 # buttons.
-soak: image build/board/guest
+soak: image emulator build/board/guest
 	$(Q)SOAK_S=$(or $(SOAK_S),1800) PATIENCE_S=1000000 \
 		python3 -B tests/board/test_soak.py
 

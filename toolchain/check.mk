@@ -147,7 +147,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
-		image build/board/guest \
+		image emulator build/board/guest \
 		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs
@@ -159,7 +159,7 @@ make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS
 check: | build
 	$(Q)date +%s >build/check-began
 	$(Q)toolchain/install.sh host font arm test fuzz check board \
-		package virtual browser
+		qemu package virtual browser
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
 	$(file >build/check-suites,$(SUITES))

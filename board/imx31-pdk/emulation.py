@@ -1,10 +1,10 @@
 """The emulated board: QEMU's i.MX31 with limber's image.
 
 A Machine is one board with a folder of its own. It controls the board from
-outside: the console through a socket and a log, the framebuffer through QEMU's
+outside: the console through a socket and a log, the picture through QEMU's
 memory (QMP), the buttons through the inputs of the emulated GPIO controller
-(qtest). The command line `emulate`, the web page and tests/board use it. It
-needs only the standard library.
+(qtest), the keys through the keypad's matrix (QMP). The command line `emulate`,
+the web page and tests/board use it. It needs only the standard library.
 """
 import array
 import contextlib
@@ -21,9 +21,8 @@ import threading
 import time
 import zlib
 
-WIDTH, HEIGHT = 480, 640
-FRAME_BYTES = WIDTH * HEIGHT * 2
-FRAMEBUFFER = 0x87E00000
+import machines
+from machines import FRAME_BYTES, HEIGHT, WIDTH
 
 # The prompt of the shell on the console.
 PROMPT = r"limber:/\S*# "
@@ -189,19 +188,20 @@ class Wires:
         self.lines.close()
 
 
-def qemu_command(image, tree, arguments, icount, reboot, more):
-    command = ["qemu-system-arm", "-M", "kzm", "-m", "128", "-display", "none",
-               "-nic", "none", "-monitor", "none", "-S",
+# What `flash.sh write` prints for the kernel in the NAND (flash/files.sh).
+NAND_ARGUMENTS = ("console=ttymxc0,115200 panic=5 ubi.mtd=rootfs "
+                  "root=ubi0:rootfs rootfstype=ubifs ro")
+
+
+def qemu_command(machine, start, icount, reboot, more):
+    command = [machine.program, *machine.arguments, *start, "-m", "128",
+               "-display", "none", "-nic", "none", "-monitor", "none", "-S",
                "-accel", "tcg",
                "-chardev", "socket,id=console,path=console.sock,server=on,"
                "wait=off,logfile=console.log", "-serial", "chardev:console",
                "-qmp", "unix:qmp.sock,server=on,wait=off",
                "-qtest", "unix:qtest.sock,server=on,wait=off",
-               "-qtest-log", "none",
-               "-kernel", str(image / "zImage"),
-               "-dtb", str(tree), "-initrd", "initrd"]
-    if arguments:
-        command += ["-append", arguments]
+               "-qtest-log", "none"]
     if icount:
         command += ["-icount", "shift=2,sleep=off"]
     if not reboot:
@@ -213,26 +213,51 @@ class Machine:
     """One emulated board: starts it in a folder, or uses the one that runs
     there."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, kind=None):
+        """kind is pdk or kzm (machines.choose)."""
         self.folder = pathlib.Path(folder).resolve()
+        self.kind = machines.choose(kind)
+        self.keys = set()
         self.process = None
         self.links = {}
         self.seen = 0
         self.asked = 0
 
-    def start(self, image, extra=(), arguments=None, tree=None,
+    def start(self, image, extra=(), arguments=None, tree=None, nand=None,
               icount=False, reboot=True, power=True, more=()):
-        """Boots image. extra are further initramfs archives, whose files
-        replace those of the image. arguments replaces the kernel's command
-        line, tree the device tree. With icount an instruction takes 4 ns of the
-        guest's time. Without reboot a reset ends QEMU. Without power the board
-        waits for power_on(). more are further arguments for QEMU."""
-        image = pathlib.Path(image).resolve()
+        """Boots image, or, when the file nand is given, what its NAND holds.
+        extra are further initramfs archives, whose files replace those of the
+        image. arguments replaces the kernel's command line, tree the device
+        tree. With icount an instruction takes 4 ns of the guest's time. Without
+        reboot a reset ends QEMU. Without power the board waits for power_on().
+        more are further arguments for QEMU."""
         self.folder.mkdir(parents=True, exist_ok=True)
         if self.pid():
             raise Error(f"a board runs in {self.folder} already: stop it first")
-        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log"):
+        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log",
+                     "devices.log"):
             (self.folder / name).unlink(missing_ok=True)
+        if nand:
+            start = self.from_nand(nand, arguments)
+        else:
+            start = self.from_files(pathlib.Path(image).resolve(), extra,
+                                    arguments, tree)
+        command = qemu_command(self.kind, start, icount, reboot, more)
+        with open(self.folder / "qemu.log", "wb") as log:
+            self.process = subprocess.Popen(
+                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
+                stderr=log, start_new_session=True)
+        (self.folder / "pid").write_text(str(self.process.pid))
+        self.wait_for_sockets()
+        try:
+            self.wires.start_timer()
+        except Error:
+            self.fail_start()
+        if power:
+            self.power_on()
+        return self
+
+    def from_files(self, image, extra, arguments, tree):
         with open(self.folder / "initrd", "wb") as out:
             for part in (image / "initramfs.cpio.lz4", *extra):
                 data = pathlib.Path(part).read_bytes()
@@ -240,17 +265,16 @@ class Machine:
                 # at a multiple of four bytes.
                 out.write(data + b"\0" * (4 + -len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
-        command = qemu_command(image, tree, arguments, icount, reboot, more)
-        with open(self.folder / "qemu.log", "wb") as log:
-            self.process = subprocess.Popen(
-                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
-                stderr=log, start_new_session=True)
-        (self.folder / "pid").write_text(str(self.process.pid))
-        self.wait_for_sockets()
-        self.wires.start_timer()
-        if power:
-            self.power_on()
-        return self
+        return ["-kernel", str(image / "zImage"), "-dtb", str(tree),
+                "-initrd", "initrd",
+                *(["-append", arguments] if arguments else [])]
+
+    def from_nand(self, nand, arguments):
+        if self.kind is not machines.Pdk:
+            raise Error("QEMU's machine kzm has no NAND: build the machine "
+                        "imx31-pdk with make emulator")
+        return self.kind.from_nand(pathlib.Path(nand).resolve(),
+                                   arguments or NAND_ARGUMENTS)
 
     def wait_for_sockets(self):
         for _ in range(600):
@@ -260,6 +284,9 @@ class Machine:
                    ("qmp.sock", "qtest.sock", "console.sock")):
                 return
             time.sleep(0.02)
+        self.fail_start()
+
+    def fail_start(self):
         said = (self.folder / "qemu.log").read_text(errors="replace").strip()
         self.stop()
         raise Error(f"QEMU does not start: {said or 'it gives no reason'}")
@@ -363,24 +390,62 @@ class Machine:
         said = self.log()[self.seen:][:found.start()]
         return int(found.group(1)), said
 
-    # Buttons, time and picture.
+    # Keys, buttons, time and picture.
 
-    def press(self, button, seconds=0.1):
-        self.wires.level(button, True)
+    def reports(self):
+        """What the emulated devices have to say about the guest, in lines."""
+        path = self.folder / "devices.log"
+        lines = path.read_text().splitlines() if path.exists() else []
+        return [line.removeprefix("imx31-pdk: ") for line in lines
+                if line.startswith("imx31-pdk: ")]
+
+    def key(self, name, down):
+        """Presses or releases a key of the keypad."""
+        if name not in self.kind.keys:
+            raise Error(f"{name}: no such key: {' '.join(self.kind.keys)}")
+        (self.keys.add if down else self.keys.discard)(name)
+        text = " ".join("%d,%d" % self.kind.keys[key]
+                        for key in sorted(self.keys))
+        self.monitor.run("qom-set", path="/machine/kpp", property="keys",
+                         value=text)
+
+    def press(self, button, seconds=0.1, gpio=False):
+        """Presses a key of the keypad, or with gpio, or on a machine without
+        keypad, the button on the GPIO line."""
+        change = self.wires.level if gpio or not self.kind.keys else self.key
+        change(button, True)
         time.sleep(seconds)
-        self.wires.level(button, False)
+        change(button, False)
 
     def time_s(self):
         return self.wires.time_s()
 
+    def ipu(self, name):
+        """A figure that the IPU of the machine imx31-pdk counts."""
+        return self.monitor.run("qom-get", path="/machine/ipu", property=name)
+
+    def first_picture_s(self):
+        """The time from the reset to the panel's first drawn picture, or None.
+        The board's time runs on while nobody looks, so it is the IPU's."""
+        return self.ipu("first-us") / 1e6 or None
+
     def clear(self):
-        """Clears the framebuffer to black."""
-        self.wires.run(f"memset {FRAMEBUFFER:#x} {FRAME_BYTES:#x} 0x00")
+        """Clears the screen and what it is drawn from to black."""
+        for address in self.kind.pictures(self.monitor):
+            self.wires.run(f"memset {address:#x} {FRAME_BYTES:#x} 0x00")
 
     def frame(self):
-        """Returns the framebuffer: rows of RGB565, little-endian."""
+        """Returns what the screen shows: rows of RGB565, little-endian."""
+        return self.picture(self.kind.picture_at)
+
+    def pages(self):
+        """The pictures in memory that the screen shows or has shown last."""
+        return [self.picture(address)
+                for address in self.kind.pictures(self.monitor)]
+
+    def picture(self, address):
         name = f"frame-{os.getpid()}.raw"
-        self.monitor.run("pmemsave", val=FRAMEBUFFER, size=FRAME_BYTES,
+        self.monitor.run("pmemsave", val=address, size=FRAME_BYTES,
                          filename=name)
         path = self.folder / name
         data = path.read_bytes()

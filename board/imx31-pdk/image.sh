@@ -53,7 +53,7 @@ find "$linux/modules" -exec touch -d @0 {} +
     -o -type f -printf "file /%P $PWD/%P 0644 0 0\\n") | sort -k 2 >"$work/modules"
 archive "$work/modules" "$out/test-drivers.cpio.lz4"
 
-mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x zlib -U \
+mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x lzo -U \
     -D "$here/rootfs/devices.txt" -r "$work/root" -o "$work/rootfs.ubifs" \
     >"$work/log" || {
     cat "$work/log" >&2

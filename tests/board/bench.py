@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-from harness import BY_HAND, TOP, booted, frames_of, is_drawn, wait_until
+from harness import BY_HAND, TOP, booted, first_picture_s, frames_of
 
 DEMOS = ("walker", "arm", "face")
 FRAMES = 60
@@ -24,7 +24,7 @@ COUNTER = TOP / "build/arm1136/insn_count.so"
 
 def boot_s():
     with booted(shell=False) as machine:
-        return wait_until(machine, lambda: is_drawn(machine.frame()), 10)
+        return first_picture_s(machine)
 
 
 def crowd_of(machine, walkers):

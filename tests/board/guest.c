@@ -4,9 +4,12 @@
  *   guest key NAME...        plugs a keyboard in, presses the keys, unplugs it
  *   guest control DEV ID N   sets a V4L2 control; numbers may be hexadecimal
  *   guest ubi N              attaches UBI to the flash partition mtdN
+ *   guest flip N             shows N pictures of one colour on two pages, and
+ *                            prints the time and the processor's time in us
  */
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/fb.h>
 #include <linux/uinput.h>
 #include <linux/videodev2.h>
 #include <mtd/ubi-user.h>
@@ -14,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -120,6 +124,50 @@ static int attach_ubi(const char *number)
 	return 0;
 }
 
+static long long now_us(clockid_t clock)
+{
+	struct timespec time;
+
+	clock_gettime(clock, &time);
+	return (long long)time.tv_sec * 1000000 + time.tv_nsec / 1000;
+}
+
+static int flip_pages(const char *path, int flips)
+{
+	struct fb_fix_screeninfo fix;
+	struct fb_var_screeninfo var;
+	long long begun_us, spent_us = 0;
+	size_t page_bytes;
+	char *pages;
+	int fd = open(path, O_RDWR);
+
+	if (fd < 0 || ioctl(fd, FBIOGET_FSCREENINFO, &fix) ||
+		ioctl(fd, FBIOGET_VSCREENINFO, &var)) {
+		return fail(path);
+	}
+	page_bytes = (size_t)fix.line_length * var.yres;
+	pages = mmap(NULL, 2 * page_bytes, PROT_READ | PROT_WRITE, MAP_SHARED,
+		fd, 0);
+	if (pages == MAP_FAILED) {
+		return fail(path);
+	}
+	begun_us = now_us(CLOCK_MONOTONIC);
+	for (int i = 0; i < flips; i++) {
+		var.yoffset = var.yoffset ? 0 : var.yres;
+		memset(pages + (var.yoffset ? page_bytes : 0), 1 + i,
+			page_bytes);
+		spent_us -= now_us(CLOCK_PROCESS_CPUTIME_ID);
+		if (ioctl(fd, FBIOPAN_DISPLAY, &var)) {
+			return fail("FBIOPAN_DISPLAY");
+		}
+		spent_us += now_us(CLOCK_PROCESS_CPUTIME_ID);
+	}
+	printf("%lld us\n%lld us of the processor\n",
+		now_us(CLOCK_MONOTONIC) - begun_us, spent_us);
+	close(fd);
+	return 0;
+}
+
 int main(int argc, char **argv)
 {
 	if (argc > 2 && strcmp(argv[1], "key") == 0) {
@@ -131,6 +179,10 @@ int main(int argc, char **argv)
 	if (argc == 3 && strcmp(argv[1], "ubi") == 0) {
 		return attach_ubi(argv[2]);
 	}
-	fputs("usage: guest key NAME... | control DEV ID N | ubi N\n", stderr);
+	if (argc == 3 && strcmp(argv[1], "flip") == 0) {
+		return flip_pages("/dev/fb0", atoi(argv[2]));
+	}
+	fputs("usage: guest key NAME... | control DEV ID N | ubi N | flip N\n",
+		stderr);
 	return 2;
 }

@@ -23,6 +23,8 @@ import zlib
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "board/imx31-pdk"))
 import emulation  # noqa: E402
+import machines  # noqa: E402
+import nand  # noqa: E402
 
 Error = emulation.Error
 IMAGE = pathlib.Path(os.environ.get("IMAGE", TOP / "build/board/imx31-pdk"))
@@ -150,9 +152,23 @@ def device_tree(*disabled):
     return tree
 
 
-def booted(files=None, drivers=False, tree=None, shell=True, **how):
+def needs_pdk():
+    """Ends the test, skipped, where the machine imx31-pdk is not built."""
+    if machines.choose() is not machines.Pdk:
+        print("1..0 # SKIP the machine imx31-pdk is not built here")
+        sys.exit(0)
+
+
+def flashed():
+    """A new file with the NAND chip that flash.sh has written, as a Nand."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    return nand.flashed(FOLDER / "nand.bin", IMAGE)
+
+
+def booted(files=None, drivers=False, tree=None, shell=True, kind=None, **how):
     """A machine that runs the image; files lie over its root file system. Its
-    time is a count of instructions, so a busy host changes nothing."""
+    time is a count of instructions, so a busy host changes nothing. kind names
+    the machine (machines.choose)."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     extra = []
     if files:
@@ -161,7 +177,7 @@ def booted(files=None, drivers=False, tree=None, shell=True, **how):
         extra.append(overlay)
     if drivers:
         extra.append(DRIVERS)
-    machine = emulation.Machine(FOLDER / f"machine-{len(_machines)}")
+    machine = emulation.Machine(FOLDER / f"machine-{len(_machines)}", kind)
     _machines.append(machine)
     machine.start(IMAGE, extra, tree=tree, icount=True, **how)
     if shell:
@@ -186,6 +202,14 @@ def wait_until(machine, condition, seconds, look_s=0.01):
         if now - begun > seconds:
             return None
         time.sleep(look_s)
+
+
+def first_picture_s(machine, seconds=10):
+    """The time from power-on or reset to the first picture, or None."""
+    if machine.kind is machines.Pdk:
+        wait_until(machine, machine.first_picture_s, seconds)
+        return machine.first_picture_s()
+    return wait_until(machine, lambda: is_drawn(machine.frame()), seconds)
 
 
 def pause(machine, seconds):

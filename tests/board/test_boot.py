@@ -1,12 +1,12 @@
 """The boot up to the first picture, and restarting limber when it ends."""
-from harness import (PROMPT, booted, check, done, is_drawn, limber_pid, note,
-                     save, wait_until)
+from harness import (PROMPT, booted, check, done, first_picture_s, is_drawn,
+                     limber_pid, note, save, wait_until)
 
 FIRST_FRAME_S = 2.0
 MEMORY_KIB = 24 * 1024
 
 machine = booted(shell=False)
-shown_s = wait_until(machine, lambda: is_drawn(machine.frame()), 10)
+shown_s = first_picture_s(machine)
 check(f"the first picture is on the screen within {FIRST_FRAME_S:.0f} s",
       shown_s is not None and shown_s <= FIRST_FRAME_S, f"{shown_s} s")
 note(f"first picture {shown_s or 0:.3f} s after power-on, boot loader not "

@@ -12,7 +12,7 @@ image = IMAGE / "rootfs.ubi"
 check("the image consists of whole blocks",
       image.stat().st_size % (128 * 1024) == 0)
 
-machine = booted(BY_HAND | guest_tool() | {"rootfs.ubi": image}, drivers=True)
+machine = booted(BY_HAND | guest_tool() | {"rootfs.ubi": image}, drivers=True, kind="kzm")
 status, said = machine.shell(f"{NAND} && cat /proc/mtd")
 check("a NAND of the board's kind", "00020000" in said, said)
 status, said = machine.shell(

@@ -4,7 +4,7 @@ from harness import (BY_HAND, booted, check, difference, done, host_picture,
 
 UNBIND = "/sys/bus/platform/drivers/simple-framebuffer/unbind"
 
-machine = booted(BY_HAND, drivers=True)
+machine = booted(BY_HAND, drivers=True, kind="kzm")
 status, said = machine.shell(f"echo 87e00000.framebuffer >{UNBIND}; "
                              "modprobe simpledrm; ls /dev/dri")
 check("simpledrm has the screen", "card0" in said, said)

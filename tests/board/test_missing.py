@@ -12,7 +12,7 @@ def sentences(machine, word):
             if "limber: " in line and word in line]
 
 
-machine = booted(tree=device_tree(SCREEN))
+machine = booted(tree=device_tree(SCREEN), kind="kzm")
 pause(machine, 2)
 said = sentences(machine, "/dev/fb0")
 check("without a framebuffer limber names it", len(said) > 0,

@@ -3,7 +3,8 @@ shows it: pins, the panel's framebuffer, its serial bus, the flash controller.""
 from harness import BY_HAND, PROMPT, booted, check, done
 
 machine = booted(BY_HAND, shell=False,
-                 arguments="console=ttymxc0,115200 panic=5 limber_ipu")
+                 arguments="console=ttymxc0,115200 panic=5 limber_ipu "
+                 "ubi.mtd=rootfs")
 machine.wait(PROMPT, 120)
 log = machine.log()
 check("mx3fb has the panel's mode", "using mode Epson-VGA" in log, log[-3000:])

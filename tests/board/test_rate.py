@@ -1,4 +1,5 @@
-"""The frame rate of each demo on the board."""
+"""The frame rate of each demo on the board, without waiting for the panel: the
+machine kzm has a framebuffer that does not flip (test_ipu.py flips)."""
 from harness import BY_HAND, booted, check, done, frames_of, note
 
 # The walker's rate is the project's goal. Those of the others are below what
@@ -7,7 +8,7 @@ WANTED_FPS = {"walker": 30, "arm": 22, "face": 22}
 FRAMES = 60
 MEMORY_MIB = 24
 
-machine = booted(BY_HAND)
+machine = booted(BY_HAND, kind="kzm")
 for demo, wanted_fps in WANTED_FPS.items():
     run = frames_of(machine, demo, FRAMES)
     check(f"{demo}: at least {wanted_fps} frames a second",

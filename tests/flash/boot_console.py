@@ -2,21 +2,31 @@
 """boot_console.py LOADER FILES LOG [FAULT...]: a boot loader on a pty.
 
 Prints the line's path, then answers on it as U-Boot or RedBoot would, with
-memory and a NAND of its own, until it is ended. LOG gets each command as it
+memory and a NAND of its own, until it is ended. NAND names the chip's file, which
+the emulated board boots from; without it the chip is gone at the end. LOG gets each command as it
 was received. FILES is the TFTP server's folder. A FAULT is NAME or NAME=COUNT:
 the first COUNT (1) times something goes wrong.
 
 lose=N loses every Nth character of those that come hurriedly, drop=N just the
-Nth one. The messages' wording is that of the two programs' sources and manuals.
+Nth one. cut=N cuts the power in the middle of the Nth erase or program of the
+NAND. The messages' wording is that of the two programs' sources and manuals.
 """
 import os
+import pathlib
 import re
 import sys
+import tempfile
 import time
 import tty
 import zlib
 
-PAGE = 2048
+BOARD = pathlib.Path(__file__).resolve().parents[2] / "board/imx31-pdk"
+sys.path.insert(0, str(BOARD))
+import nand  # noqa: E402
+
+PAGE = nand.PAGE
+# Neither boot loader writes more than a partition at once.
+LIMIT = 0xB400000
 
 
 def cksum(data):
@@ -49,9 +59,15 @@ class Board:
         self.log = log
         self.faults = faults
         self.memory = {}
-        self.nand = bytearray(b"\xff" * 0x1000000)
+        self.chip = nand.Nand(
+            os.environ.get("NAND") or self.own_file(), faults.get("cut"))
         self.fis = {}
         self.environment = {}
+
+    def own_file(self):
+        # pylint: disable-next=consider-using-with
+        self.folder = tempfile.TemporaryDirectory()
+        return os.path.join(self.folder.name, "nand")
 
     def fault(self, name):
         if self.faults.get(name, 0) > 0:
@@ -121,21 +137,20 @@ class UBoot(Board):
             offset, size = int(words[1], 16), int(words[2], 16)
             if self.fault("erase"):
                 return "Erasing at 0x100000 --   5% complete.\nMTD Erase failure: -5\n"
-            for i in range(offset, min(offset + size, len(self.nand))):
-                self.nand[i] = 255
+            self.chip.erase(offset, size)
             return "\rErasing at 0x5e0000 -- 100% complete.\nOK\n"
         address, offset, size = (int(word, 16) for word in words[1:4])
         if size % PAGE:
             return "Attempt to write non page-aligned data\n"
         if words[0] == "read":
-            self.store(address, self.nand[offset:offset + size])
+            self.store(address, self.chip.read(offset, size, LIMIT))
             return f"\nNAND read: device 0 offset 0x{offset:x}, size 0x{size:x}\n {size} bytes read: OK\n"
-        if any(byte != 255 for byte in self.nand[offset:offset + size]):
+        if self.chip.read(offset, size, LIMIT).count(0xFF) != size:
             return "NAND write to offset failed -5\n 0 bytes written: ERROR\n"
         data = self.range(address, size)
         if self.fault("write"):
             data = spoil(data)
-        self.nand[offset:offset + size] = data
+        self.chip.write(offset, data, LIMIT, words[0].endswith("trimffs"))
         return f"\nNAND write: device 0 offset 0x{offset:x}, size 0x{size:x}\n {size} bytes written: OK\n"
 
     def do_bootz(self, words):
@@ -196,7 +211,7 @@ class RedBoot(Board):
             if name not in self.fis:
                 return f"No image '{name}' found\n"
             offset, size = self.fis[name]
-            self.store(flags["-b"], self.nand[offset:offset + size])
+            self.store(flags["-b"], self.chip.read(offset, size, LIMIT))
             return ""
         if words[0] != "create":
             return "** Error: unrecognized FIS command\n"
@@ -213,7 +228,8 @@ class RedBoot(Board):
         data = bytearray(self.range(flags["-b"], flags["-s"]))
         if self.fault("write"):
             data[0] ^= 1
-        self.nand[offset:offset + len(data)] = data
+        self.chip.erase(offset, flags["-l"])
+        self.chip.write(offset, bytes(data), LIMIT)
         self.fis[name] = (offset, len(data))
         return "\n... Erase from 0xe0100000: ....\n... Program from 0x00100000: ....\n"
 
@@ -288,8 +304,11 @@ def main():
     with open(log, "w", encoding="ascii") as log_file:
         console = Console(kind(files, log_file, faults), line)
         console.begin()
-        while True:
-            console.take(os.read(line, 1))
+        try:
+            while True:
+                console.take(os.read(line, 1))
+        except InterruptedError as cut:
+            console.say(f"\n{cut}\n")
 
 
 if __name__ == "__main__":

@@ -71,6 +71,7 @@ def prepare():
         folder.mkdir(parents=True)
     (PROGRAMS / "qemu-system-arm").symlink_to(HERE / "fake_qemu.py")
     os.environ["PATH"] = f"{PROGRAMS}:{os.environ['PATH']}"
+    os.environ["EMULATOR"] = "kzm"
     for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
                  "test-drivers.cpio.lz4"):
         (IMAGE / name).write_bytes(b"none")

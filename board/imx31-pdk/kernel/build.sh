@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 : "${JOBS:=$(nproc)}"
 
 hash=$(cat "$tarball" "$here/build.sh" "$here/limber.config" \
-    "$here/limber-imx31-pdk.c" | sha256sum)
+    "$here/limber-imx31-pdk.c" "$here/linux.patch" | sha256sum)
 if [ -f "$directory/made-from" ] && [ "$(cat "$directory/made-from")" = "$hash" ]; then
     exit 0
 fi
@@ -64,6 +64,10 @@ config LIMBER_IMX31_PDK
 END
     echo 'obj-$(CONFIG_LIMBER_IMX31_PDK) += limber-imx31-pdk.o' \
         >>"$source/arch/arm/mach-imx/Makefile"
+    patch -d "$source" -s -p1 <"$here/linux.patch" >>"$log" 2>&1 || {
+        echo "limber: linux.patch does not fit $tarball: see $log" >&2
+        exit 1
+    }
     # A test loads the module simpledrm after it has unbound the simple
     # framebuffer. Both drivers have the same name, so Kconfig allows only one
     # of them; this allows both and renames one.
@@ -87,7 +91,7 @@ check_config() {
         done
 }
 
-source_hash=$(cat "$tarball" "$here/build.sh" | sha256sum)
+source_hash=$(cat "$tarball" "$here/build.sh" "$here/linux.patch" | sha256sum)
 if [ ! -f "$source/made-from" ] || [ "$(cat "$source/made-from")" != "$source_hash" ]; then
     rm -rf "$directory/obj"
     unpack

@@ -19,6 +19,7 @@
 #include <linux/platform_data/video-mx3fb.h>
 #include <linux/platform_device.h>
 #include <linux/slab.h>
+#include <linux/string.h>
 
 #define IPU_INT_CTRL_1 0x28
 #define IOMUX_BASE     0x43fac000
@@ -140,7 +141,8 @@ static bool __init has_ipu(struct device_node *node)
 	return found || ipu_is_assumed;
 }
 
-static int __init set_status(struct device_node *node, const char *status)
+static int __init set_property(
+	struct device_node *node, const char *name, const char *value)
 {
 	struct property *property;
 	int error;
@@ -150,23 +152,39 @@ static int __init set_status(struct device_node *node, const char *status)
 	property = kzalloc(sizeof(*property), GFP_KERNEL);
 	if (!property)
 		return -ENOMEM;
-	property->name = "status";
-	property->value = (void *)status;
-	property->length = strlen(status) + 1;
+	property->name = (char *)name;
+	property->value = (void *)value;
+	property->length = strlen(value) + 1;
 	error = of_update_property(node, property);
 	if (error)
 		kfree(property);
 	return error;
 }
 
-/* Enables buses, keypad and flash, and disables the simple framebuffer. */
+/*
+ * Only a system that starts from the flash uses it. Reading the marks of all
+ * blocks takes a second, so it keeps a table of the bad blocks in the last four
+ * blocks. One that was loaded into memory leaves the flash alone.
+ */
+static int __init enable_flash(struct device_node *nand)
+{
+	int error;
+
+	if (!strstr(boot_command_line, "ubi.mtd="))
+		return 0;
+	error = set_property(nand, "status", "okay");
+	return error ? error : set_property(nand, "nand-on-flash-bbt", "");
+}
+
+/* Enables buses and keypad, and the flash where it is used, and disables the simple framebuffer. */
 static int __init enable_board(void)
 {
+	struct device_node *nand =
+		of_find_compatible_node(NULL, NULL, "fsl,imx31-nand");
 	struct device_node *nodes[] = {
 		of_find_node_by_path("spi0"),
 		of_find_node_by_path("spi1"),
 		of_find_compatible_node(NULL, NULL, "fsl,imx31-kpp"),
-		of_find_compatible_node(NULL, NULL, "fsl,imx31-nand"),
 		of_get_compatible_child(of_chosen, "simple-framebuffer"),
 	};
 	unsigned int i, last = ARRAY_SIZE(nodes) - 1;
@@ -174,10 +192,13 @@ static int __init enable_board(void)
 
 	for (i = 0; i <= last; i++) {
 		if (!error)
-			error = set_status(
-				nodes[i], i == last ? "disabled" : "okay");
+			error = set_property(nodes[i], "status",
+				i == last ? "disabled" : "okay");
 		of_node_put(nodes[i]);
 	}
+	if (!error)
+		error = enable_flash(nand);
+	of_node_put(nand);
 	return error;
 }
 

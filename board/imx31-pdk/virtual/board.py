@@ -258,7 +258,8 @@ class Board:
             await self.stop("ended", str(error) +
                             (f": {lines[-1]}" if lines else ""))
 
-    # Buttons: a line is high while any page holds it. The presses of a button
+    # Buttons: a key of the keypad is pressed, or on the machine kzm a GPIO line
+    # is high, while any page holds it. The presses of a button
     # are carried out one after the other, so that two quick clicks count.
 
     async def press(self, name, who):
@@ -294,9 +295,13 @@ class Board:
         self.listener.state()
         if self.is_on:
             with contextlib.suppress(emulation.Error, OSError):
-                await self.ask(self.machine.wires.run,
-                               f"set_irq_in {emulation.GPIO2} unnamed-gpio-in "
-                               f"{LINES[name]} {int(high)}")
+                if self.machine.kind.keys:
+                    await self.ask(self.machine.key, name, high)
+                else:
+                    await self.ask(
+                        self.machine.wires.run,
+                        f"set_irq_in {emulation.GPIO2} unnamed-gpio-in "
+                        f"{LINES[name]} {int(high)}")
             self.hurry.set()
 
     # Serial lines. QEMU stops the board while nobody reads them.

@@ -1,10 +1,10 @@
 """What the virtual board has in addition to the image: a camera that can be
 switched, and a button F10.
 
-On the board F10 is a key of the keypad's matrix, and the camera is a chip on
-I2C. QEMU's i.MX31 has neither. Here F10 is a GPIO line, and the camera is the
+The board's camera is a chip on I2C, which no emulation has: here it is the
 kernel's test camera, switched through the second serial line
-(guest/camera-switch).
+(guest/camera-switch). F10 is a key of the keypad's matrix, which QEMU's machine
+kzm does not have: there it is a GPIO line.
 """
 import pathlib
 import subprocess

@@ -1,0 +1,554 @@
+/*
+ * The i.MX31's image processing unit (IPU), as far as it brings a picture to
+ * the panel: the DMA controller's channel 14 (SDC background), the synchronous
+ * display controller and display 3.
+ *
+ * A timer walks through the picture at the panel's rate of emulated time: it
+ * latches the channel's parameters at VSYNC, fetches the lines in slices while
+ * the beam passes them, and ends the frame with the channel's end-of-frame
+ * interrupt. So a picture that the processor changes while it is sent shows as
+ * torn. Other channels, the image converter and the camera interface only keep
+ * what is written.
+ *
+ * Registers as in Linux' drivers/dma/ipu and mx3fb.c, and in the reference
+ * manual's chapter "IPU".
+ *
+ * SPDX-License-Identifier: GPL-2.0-or-later
+ */
+#include "qemu/osdep.h"
+#include "exec/address-spaces.h"
+#include "exec/ram_addr.h"
+#include "hw/irq.h"
+#include "hw/qdev-properties.h"
+#include "imx31_pdk.h"
+#include "migration/vmstate.h"
+#include "qemu/module.h"
+#include "qemu/timer.h"
+#include "trace.h"
+
+enum {
+    IPU_CONF = 0x00 / 4,
+    CHA_BUF0_RDY = 0x04 / 4,
+    CHA_BUF1_RDY = 0x08 / 4,
+    CHA_DB_MODE_SEL = 0x0c / 4,
+    CHA_CUR_BUF = 0x10 / 4,
+    IMA_ADDR = 0x20 / 4,
+    IMA_DATA = 0x24 / 4,
+    INT_CTRL_1 = 0x28 / 4,
+    INT_STAT_1 = 0x3c / 4,
+    INT_STAT_3 = 0x44 / 4,
+    INT_STAT_5 = 0x4c / 4,
+    IDMAC_CHA_EN = 0xa8 / 4,
+    SDC_COM_CONF = 0xb4 / 4,
+    SDC_BG_POS = 0xc0 / 4,
+    SDC_PWM_CTRL = 0xc8 / 4,
+    SDC_HOR_CONF = 0xd0 / 4,
+    SDC_VER_CONF = 0xd4 / 4,
+    DI_DISP3_TIME_CONF = 0x15c / 4,
+    DI_DISP3_B0_MAP = 0x1a8 / 4,
+    REGISTERS = 0x200 / 4,
+};
+
+#define CONF_SDC_AND_DI (1 << 4 | 1 << 6)
+#define COM_CONF_BG_EN (1 << 9)
+#define CHANNEL 14
+#define CHANNEL_BIT (1u << CHANNEL)
+#define VSYNC_BIT (1u << 16) /* in INT_STAT_3 */
+#define BANKS 5
+
+/* IMA addresses of the channel parameter memory, 16 words a channel. */
+#define CPM_AT 0x10000
+#define CPM_WORDS (32 * 16)
+
+/* The window's position at the panel's first pixel: its back porches. */
+#define PANEL_LEFT 20
+#define PANEL_TOP 10
+
+#define SLICE_LINES 40
+#define ROW_MAX 4096
+#define IDLE_NS 16000000
+
+static const struct imx31_pins panel_pins[] = {
+    { 22, 23, IMX31_PIN_FUNCTION },  /* CONTRAST, VSYNC3 */
+    { 34, 35, IMX31_PIN_FUNCTION },  /* FPSHIFT, HSYNC */
+    { 37, 54, IMX31_PIN_FUNCTION },  /* LD17 to LD0 */
+};
+
+static const uint32_t rgb666_map[3] = { 0x0005000f, 0x000b000f, 0x0011000f };
+
+/* How the channel's memory is laid out, latched at VSYNC. */
+struct scan {
+    uint32_t address;
+    uint32_t width;
+    uint32_t height;
+    uint32_t stride;
+    uint32_t bytes; /* a pixel; 0 for a format that the model does not have */
+    bool is_565;
+    uint8_t offset[3]; /* of red, green and blue from the pixel's first bit */
+    uint8_t bits[3];
+};
+
+struct IMX31IPUState {
+    SysBusDevice parent_obj;
+
+    MemoryRegion iomem;
+    qemu_irq irq;
+    qemu_irq error_irq;
+    QEMUTimer timer;
+    IMX31CCMState *ccm;
+    IMX31IomuxState *iomux;
+    L4F00242T03State *panel;
+    uint32_t regs[REGISTERS];
+    uint32_t cpm[CPM_WORDS];
+
+    struct scan scan;
+    uint32_t pictures[2]; /* the addresses of the last two that differ */
+    bool is_active; /* the current frame is fetched */
+    bool is_started; /* a buffer has been ready since the channel's start */
+    uint32_t line; /* the next one of the current frame */
+    int64_t begun_ns;
+    uint64_t frames;
+    uint64_t torn;
+    int64_t reset_ns;
+    uint64_t first_us; /* from the reset to the first picture, 0 before */
+    const char *fault; /* the last one that was reported */
+};
+
+static void imx31_ipu_update(IMX31IPUState *s)
+{
+    uint32_t pending[BANKS];
+
+    for (unsigned i = 0; i < BANKS; i++) {
+        pending[i] = s->regs[INT_STAT_1 + i] & s->regs[INT_CTRL_1 + i];
+    }
+    qemu_set_irq(s->irq, pending[0] || pending[1] || pending[2]);
+    qemu_set_irq(s->error_irq, pending[3] || pending[4]);
+}
+
+/* The time of one line and the lines of a frame, as the registers have it. */
+static int64_t line_ns(IMX31IPUState *s)
+{
+    uint64_t clocks = extract32(s->regs[SDC_HOR_CONF], 16, 10) + 1;
+    uint64_t divider = MAX(s->regs[DI_DISP3_TIME_CONF] & 0xfff, 16);
+
+    return clocks * divider * NANOSECONDS_PER_SECOND /
+           (16 * imx31_hsp_hz(s->ccm));
+}
+
+static uint32_t frame_lines(const IMX31IPUState *s)
+{
+    return extract32(s->regs[SDC_VER_CONF], 16, 10) + 1;
+}
+
+static uint32_t first_line(const IMX31IPUState *s)
+{
+    return extract32(s->regs[SDC_BG_POS], 0, 10);
+}
+
+static void latch(IMX31IPUState *s)
+{
+    const uint32_t *words = s->cpm + 16 * CHANNEL;
+    unsigned current = s->regs[CHA_CUR_BUF] >> CHANNEL & 1;
+    uint32_t format = words[10], fields = words[11];
+    static const uint8_t bytes_of_bpp[8] = { 4, 3, 2, 0, 0, 0, 0, 0 };
+    bool is_rgb = extract32(format, 17, 3) == 4;
+
+    s->scan = (struct scan) {
+        .address = words[8 + current],
+        .width = extract32(words[3], 12, 12) + 1,
+        .height = (extract32(words[3], 24, 8) |
+                   extract32(words[4], 0, 4) << 8) + 1,
+        .stride = extract32(format, 3, 14) + 1,
+        .bytes = is_rgb ? bytes_of_bpp[format & 7] : 0,
+        .offset = { extract32(fields, 3, 5), extract32(fields, 8, 5),
+                    extract32(fields, 13, 5) },
+        .bits = { extract32(fields, 23, 3) + 1, extract32(fields, 26, 3) + 1,
+                  extract32(fields, 29, 3) + 1 },
+    };
+    if (s->scan.address != s->pictures[0]) {
+        s->pictures[1] = s->pictures[0];
+        s->pictures[0] = s->scan.address;
+    }
+    s->scan.is_565 = s->scan.bytes == 2 && s->scan.offset[0] == 0 &&
+        s->scan.offset[1] == 5 && s->scan.offset[2] == 11 &&
+        s->scan.bits[0] == 5 && s->scan.bits[1] == 6 && s->scan.bits[2] == 5;
+}
+
+/* What keeps the IPU from sending the picture, or NULL. */
+static const char *find_fault(IMX31IPUState *s)
+{
+    const uint32_t *map = s->regs + DI_DISP3_B0_MAP;
+
+    if (!imx31_clock_runs(s->ccm, IMX31_GATE_IPU)) {
+        return "the IPU's clock is off (bits 22 and 23 of CGR1)";
+    }
+    if (imx31_iomux_missing(s->iomux, panel_pins, ARRAY_SIZE(panel_pins)) >= 0) {
+        return "a pin of the panel's data or synchronization is not routed "
+               "to the IPU";
+    }
+    if (memcmp(map, rgb666_map, sizeof(rgb666_map))) {
+        return "display 3 does not send RGB666, which the panel's 18 wires "
+               "carry";
+    }
+    if (!s->scan.bytes) {
+        return "channel 14 has a pixel format that is not modelled";
+    }
+    if (!(s->regs[SDC_PWM_CTRL] >> 16 & 0xff)) {
+        return "the backlight is off (SDC_PWM_CTRL)";
+    }
+    return l4f00242t03_fault(s->panel);
+}
+
+static bool is_on(const IMX31IPUState *s)
+{
+    return (s->regs[IPU_CONF] & CONF_SDC_AND_DI) == CONF_SDC_AND_DI &&
+           s->regs[SDC_COM_CONF] & COM_CONF_BG_EN &&
+           s->regs[IDMAC_CHA_EN] & CHANNEL_BIT && s->is_started &&
+           imx31_clock_runs(s->ccm, IMX31_GATE_IPU);
+}
+
+static void report_fault(IMX31IPUState *s, const char *fault)
+{
+    if (fault && fault != s->fault) {
+        imx31_report("no picture: %s", fault);
+    } else if (!fault && s->fault) {
+        imx31_report("the panel shows the picture");
+    }
+    s->fault = fault;
+}
+
+/* Scales a channel of the pixel to so many bits. */
+static unsigned channel_of(const struct scan *scan, uint32_t pixel, unsigned i,
+                           unsigned bits)
+{
+    unsigned shift = scan->bytes * 8 - scan->offset[i] - scan->bits[i];
+    uint32_t value = shift < 32 ? extract32(pixel, shift, scan->bits[i]) : 0;
+
+    return scan->bits[i] > bits ? value >> (scan->bits[i] - bits)
+                                : value << (bits - scan->bits[i]);
+}
+
+static void convert_row(const struct scan *scan, const uint8_t *bytes,
+                        uint16_t *out, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        const uint8_t *p = bytes + i * scan->bytes;
+        uint32_t pixel = scan->bytes == 4 ? ldl_le_p(p) : lduw_le_p(p);
+
+        if (scan->bytes == 3) {
+            pixel |= p[2] << 16;
+        }
+        out[i] = scan->is_565 ? pixel
+                              : channel_of(scan, pixel, 0, 5) << 11 |
+                                channel_of(scan, pixel, 1, 6) << 5 |
+                                channel_of(scan, pixel, 2, 5);
+    }
+}
+
+static void fetch_line(IMX31IPUState *s, uint32_t line)
+{
+    uint8_t bytes[ROW_MAX * 4];
+    uint16_t pixels[ROW_MAX];
+    unsigned count = MIN(s->scan.width, ROW_MAX);
+    int left = (int)extract32(s->regs[SDC_BG_POS], 16, 10) - PANEL_LEFT;
+    int top = (int)first_line(s) - PANEL_TOP;
+
+    if (address_space_read(&address_space_memory,
+                           s->scan.address + line * s->scan.stride,
+                           MEMTXATTRS_UNSPECIFIED, bytes,
+                           count * s->scan.bytes) != MEMTX_OK) {
+        memset(bytes, 0, count * s->scan.bytes);
+    }
+    convert_row(&s->scan, bytes, pixels, count);
+    l4f00242t03_show(s->panel, left, top + (int)line, pixels, count);
+}
+
+/* Watches the part of memory that the frame is fetched from. */
+static MemoryRegionSection watched(IMX31IPUState *s)
+{
+    return memory_region_find(get_system_memory(), s->scan.address,
+                              (uint64_t)s->scan.stride * s->scan.height);
+}
+
+static void watch(IMX31IPUState *s)
+{
+    MemoryRegionSection section = watched(s);
+
+    if (!section.mr) {
+        return;
+    }
+    if (memory_region_is_ram(section.mr)) {
+        if (!(memory_region_get_dirty_log_mask(section.mr) &
+              1 << DIRTY_MEMORY_VGA)) {
+            memory_region_set_log(section.mr, true, DIRTY_MEMORY_VGA);
+        }
+        memory_region_reset_dirty(section.mr, section.offset_within_region,
+                                  int128_get64(section.size),
+                                  DIRTY_MEMORY_VGA);
+    }
+    memory_region_unref(section.mr);
+}
+
+/* Whether the processor has written there since watch(). */
+static bool was_written(IMX31IPUState *s)
+{
+    MemoryRegionSection section = watched(s);
+    bool written = false;
+
+    if (!section.mr) {
+        return false;
+    }
+    if (memory_region_is_ram(section.mr)) {
+        DirtyBitmapSnapshot *snapshot =
+            memory_region_snapshot_and_clear_dirty(
+                section.mr, section.offset_within_region,
+                int128_get64(section.size), DIRTY_MEMORY_VGA);
+
+        written = memory_region_snapshot_get_dirty(
+            section.mr, snapshot, section.offset_within_region,
+            int128_get64(section.size));
+        g_free(snapshot);
+    }
+    memory_region_unref(section.mr);
+    return written;
+}
+
+static void begin_frame(IMX31IPUState *s)
+{
+    s->begun_ns = qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL);
+    s->line = 0;
+    s->is_active = is_on(s);
+    if (s->is_active) {
+        latch(s);
+        watch(s);
+        s->regs[INT_STAT_3] |= VSYNC_BIT;
+    }
+    report_fault(s, s->is_active || s->is_started ? find_fault(s) : NULL);
+    if (!s->is_active || s->fault) {
+        l4f00242t03_darken(s->panel);
+    }
+    trace_imx31_ipu_frame(s->frames, s->scan.address, s->is_active);
+}
+
+static void end_frame(IMX31IPUState *s)
+{
+    unsigned current = s->regs[CHA_CUR_BUF] >> CHANNEL & 1;
+
+    s->frames++;
+    s->torn += was_written(s);
+    if (!s->first_us && !s->fault && l4f00242t03_is_drawn(s->panel)) {
+        s->first_us = (qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) - s->reset_ns) /
+                      SCALE_US;
+    }
+    s->regs[current ? CHA_BUF1_RDY : CHA_BUF0_RDY] &= ~CHANNEL_BIT;
+    if (s->regs[CHA_DB_MODE_SEL] & CHANNEL_BIT &&
+        s->regs[current ? CHA_BUF0_RDY : CHA_BUF1_RDY] & CHANNEL_BIT) {
+        s->regs[CHA_CUR_BUF] ^= CHANNEL_BIT;
+    }
+    s->regs[INT_STAT_1] |= CHANNEL_BIT;
+}
+
+/* The beam has passed the next lines, or a new frame begins. */
+static void imx31_ipu_beam(void *opaque)
+{
+    IMX31IPUState *s = opaque;
+    uint32_t stop;
+
+    if (!s->is_active || s->line >= s->scan.height) {
+        begin_frame(s);
+    } else {
+        stop = MIN(s->line + SLICE_LINES, s->scan.height);
+        for (; s->line < stop; s->line++) {
+            if (!s->fault) {
+                fetch_line(s, s->line);
+            }
+        }
+        if (s->line == s->scan.height) {
+            end_frame(s);
+        }
+    }
+    imx31_ipu_update(s);
+    if (!s->is_active) {
+        timer_mod(&s->timer, s->begun_ns + IDLE_NS);
+    } else if (s->line < s->scan.height) {
+        stop = first_line(s) + MIN(s->line + SLICE_LINES, s->scan.height);
+        timer_mod(&s->timer, s->begun_ns + stop * line_ns(s));
+    } else {
+        timer_mod(&s->timer, s->begun_ns + line_ns(s) *
+                  MAX(frame_lines(s), first_line(s) + s->scan.height + 1));
+    }
+}
+
+static MemTxResult imx31_ipu_read(void *opaque, hwaddr offset, uint64_t *value,
+                                  unsigned size, MemTxAttrs attrs)
+{
+    IMX31IPUState *s = opaque;
+    unsigned number = offset / 4;
+
+    *value = 0;
+    if (number == IMA_DATA) {
+        uint32_t at = s->regs[IMA_ADDR] - CPM_AT;
+
+        *value = at < CPM_WORDS ? s->cpm[at] : 0;
+    } else if (number < REGISTERS) {
+        *value = s->regs[number];
+    }
+    return imx31_clock_access(s->ccm, IMX31_GATE_IPU, "IPU", offset);
+}
+
+static void write_memory(IMX31IPUState *s, uint32_t value)
+{
+    uint32_t at = s->regs[IMA_ADDR] - CPM_AT;
+
+    if (at < CPM_WORDS) {
+        s->cpm[at] = value;
+    }
+    s->regs[IMA_ADDR]++;
+}
+
+static void write_register(IMX31IPUState *s, unsigned number, uint32_t value)
+{
+    switch (number) {
+    case CHA_BUF0_RDY:
+    case CHA_BUF1_RDY:
+        s->regs[number] |= value;
+        s->is_started |= value & CHANNEL_BIT;
+        break;
+    case CHA_CUR_BUF:
+    case INT_STAT_1 ... INT_STAT_5:
+        s->regs[number] &= ~value;
+        break;
+    case IMA_DATA:
+        write_memory(s, value);
+        break;
+    default:
+        s->regs[number] = value;
+    }
+}
+
+static MemTxResult imx31_ipu_write(void *opaque, hwaddr offset, uint64_t value,
+                                   unsigned size, MemTxAttrs attrs)
+{
+    IMX31IPUState *s = opaque;
+    MemTxResult result = imx31_clock_access(s->ccm, IMX31_GATE_IPU, "IPU",
+                                            offset);
+
+    trace_imx31_ipu_write(offset, value);
+    if (result == MEMTX_OK && offset / 4 < REGISTERS) {
+        write_register(s, offset / 4, value);
+        imx31_ipu_update(s);
+    }
+    return result;
+}
+
+static const MemoryRegionOps imx31_ipu_ops = {
+    .read_with_attrs = imx31_ipu_read,
+    .write_with_attrs = imx31_ipu_write,
+    .endianness = DEVICE_LITTLE_ENDIAN,
+    .valid = { .min_access_size = 4, .max_access_size = 4 },
+};
+
+static void imx31_ipu_reset(DeviceState *dev)
+{
+    IMX31IPUState *s = IMX31_IPU(dev);
+
+    memset(s->regs, 0, sizeof(s->regs));
+    memset(s->cpm, 0, sizeof(s->cpm));
+    memset(&s->scan, 0, sizeof(s->scan));
+    memset(s->pictures, 0, sizeof(s->pictures));
+    s->is_active = s->is_started = false;
+    s->line = 0;
+    s->frames = s->torn = s->first_us = 0;
+    s->reset_ns = qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL);
+    s->fault = NULL;
+    timer_mod(&s->timer, qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) + IDLE_NS);
+    imx31_ipu_update(s);
+}
+
+static void imx31_ipu_init(Object *obj)
+{
+    IMX31IPUState *s = IMX31_IPU(obj);
+
+    memory_region_init_io(&s->iomem, obj, &imx31_ipu_ops, s, TYPE_IMX31_IPU,
+                          0x4000);
+    sysbus_init_mmio(SYS_BUS_DEVICE(obj), &s->iomem);
+    sysbus_init_irq(SYS_BUS_DEVICE(obj), &s->irq);
+    sysbus_init_irq(SYS_BUS_DEVICE(obj), &s->error_irq);
+    timer_init_ns(&s->timer, QEMU_CLOCK_VIRTUAL, imx31_ipu_beam, s);
+    /* For tests: where the pictures are, how many were sent, how many torn. */
+    object_property_add_uint32_ptr(obj, "picture0", &s->pictures[0],
+                                   OBJ_PROP_FLAG_READ);
+    object_property_add_uint32_ptr(obj, "picture1", &s->pictures[1],
+                                   OBJ_PROP_FLAG_READ);
+    object_property_add_uint64_ptr(obj, "frames", &s->frames,
+                                   OBJ_PROP_FLAG_READ);
+    object_property_add_uint64_ptr(obj, "torn", &s->torn, OBJ_PROP_FLAG_READ);
+    object_property_add_uint64_ptr(obj, "first-us", &s->first_us,
+                                   OBJ_PROP_FLAG_READ);
+}
+
+static int imx31_ipu_post_load(void *opaque, int version)
+{
+    IMX31IPUState *s = opaque;
+
+    latch(s);
+    s->fault = NULL;
+    return 0;
+}
+
+static const VMStateDescription vmstate_imx31_ipu = {
+    .name = TYPE_IMX31_IPU,
+    .version_id = 1,
+    .minimum_version_id = 1,
+    .post_load = imx31_ipu_post_load,
+    .fields = (VMStateField[]) {
+        VMSTATE_TIMER(timer, IMX31IPUState),
+        VMSTATE_UINT32_ARRAY(regs, IMX31IPUState, REGISTERS),
+        VMSTATE_UINT32_ARRAY(cpm, IMX31IPUState, CPM_WORDS),
+        VMSTATE_UINT32_ARRAY(pictures, IMX31IPUState, 2),
+        VMSTATE_BOOL(is_active, IMX31IPUState),
+        VMSTATE_BOOL(is_started, IMX31IPUState),
+        VMSTATE_UINT32(line, IMX31IPUState),
+        VMSTATE_INT64(begun_ns, IMX31IPUState),
+        VMSTATE_UINT64(frames, IMX31IPUState),
+        VMSTATE_UINT64(torn, IMX31IPUState),
+        VMSTATE_INT64(reset_ns, IMX31IPUState),
+        VMSTATE_UINT64(first_us, IMX31IPUState),
+        VMSTATE_END_OF_LIST()
+    },
+};
+
+static Property imx31_ipu_properties[] = {
+    DEFINE_PROP_LINK("ccm", IMX31IPUState, ccm, TYPE_IMX31_CCM,
+                     IMX31CCMState *),
+    DEFINE_PROP_LINK("iomux", IMX31IPUState, iomux, TYPE_IMX31_IOMUX,
+                     IMX31IomuxState *),
+    DEFINE_PROP_LINK("panel", IMX31IPUState, panel, TYPE_L4F00242T03,
+                     L4F00242T03State *),
+    DEFINE_PROP_END_OF_LIST(),
+};
+
+static void imx31_ipu_class_init(ObjectClass *klass, void *data)
+{
+    DeviceClass *dc = DEVICE_CLASS(klass);
+
+    dc->reset = imx31_ipu_reset;
+    dc->vmsd = &vmstate_imx31_ipu;
+    dc->desc = "i.MX31 image processing unit";
+    device_class_set_props(dc, imx31_ipu_properties);
+}
+
+static const TypeInfo imx31_ipu_info = {
+    .name = TYPE_IMX31_IPU,
+    .parent = TYPE_SYS_BUS_DEVICE,
+    .instance_size = sizeof(IMX31IPUState),
+    .instance_init = imx31_ipu_init,
+    .class_init = imx31_ipu_class_init,
+};
+
+static void imx31_ipu_register_types(void)
+{
+    type_register_static(&imx31_ipu_info);
+}
+
+type_init(imx31_ipu_register_types)

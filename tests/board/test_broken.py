@@ -1,0 +1,74 @@
+"""Boards that are wired or described wrongly: no picture on the panel, and the
+emulated devices name the reason. It shows that they check what Linux does."""
+import subprocess
+
+from harness import (FOLDER, IMAGE, booted, check, difference, done, emulation,
+                     is_drawn, needs_pdk, pause, wait_until)
+
+IOMUX = 0x43FAC000
+# The byte of LD0 (pin 54) among the multiplexer's pins.
+LD0 = IOMUX + 0x0C + (54 & ~3)
+PMIC = "/soc/spba-bus@50000000/spi@50010000/pmic@2"
+PANEL = "/soc/bus@43f00000/spi@43fa4000/panel@2"
+IPU = "/display-controller@53fc0000"
+
+needs_pdk()
+
+
+def tree(name, *edits):
+    """The device tree with commands of fdtput applied to it."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    path = FOLDER / f"{name}.dtb"
+    path.write_bytes((IMAGE / "imx31-pdk-limber.dtb").read_bytes())
+    for edit in edits:
+        subprocess.run(["fdtput", *edit[:1], str(path), *edit[1:]], check=True)
+    return path
+
+
+def cells(node, name):
+    """The cells of a property of the image's device tree, in hexadecimal."""
+    return subprocess.run(
+        ["fdtget", "-tx", IMAGE / "imx31-pdk-limber.dtb", node, name],
+        check=True, stdout=subprocess.PIPE, text=True).stdout.split()
+
+
+def seen(name, reason, *edits):
+    """Boots the broken board: the panel stays dark, and why."""
+    machine = booted(tree=tree(name, *edits), shell=False)
+    pause(machine, 4)
+    frame = machine.frame()
+    dark = difference(frame, bytes(emulation.FRAME_BYTES)) == 0
+    reports = machine.reports()
+    check(f"{name}: no picture", dark, reports)
+    check(f"{name}: the devices say: {reason}",
+          any(reason in line for line in reports),
+          "\n".join(reports) + machine.log()[-2000:])
+    machine.stop()
+
+
+seen("the panel's supply is another one",
+     "the panel's supply VGEN does not give 1.8 V",
+     ("-d", PANEL, "vdd-supply"))
+seen("the panel's data line is another GPIO",
+     "the panel's data are not enabled (GPIO3_25, pin SER_RS)",
+     ("-tx", PANEL, "enable-gpios", cells(PANEL, "enable-gpios")[0], "1a", "0"))
+seen("the power chip has another select line",
+     "the panel's supply VGEN does not give 1.8 V",
+     ("-tx", PMIC, "reg", "0"))
+seen("the IPU has another device's clock",
+     "the IPU's clock is off (bits 22 and 23 of CGR1)",
+     ("-tx", IPU, "clocks", cells(IPU, "clocks")[0], "30"))
+
+machine = booted()
+wait_until(machine, lambda: is_drawn(machine.frame()), 10)
+value = int(machine.wires.run(f"readl {LD0:#x}"), 16)
+machine.wires.run(f"writel {LD0:#x} {value & ~0xFF0000 | 0x010000:#x}")
+pause(machine, 0.1)
+check("a data pin that becomes a GPIO ends the picture",
+      difference(machine.frame(), bytes(emulation.FRAME_BYTES)) == 0)
+check("and the devices say so", "not routed to the IPU" in
+      machine.reports()[-1], machine.reports())
+machine.wires.run(f"writel {LD0:#x} {value:#x}")
+pause(machine, 0.1)
+check("routed again, the picture is back", is_drawn(machine.frame()))
+done()

@@ -136,7 +136,7 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 		return;
 	}
 	motion = motion_of(driver, demo);
-	overlay_begin(base->overlay, &motion);
+	overlay_begin(base->overlay, &motion, &base->stage.camera);
 	driver->draw(demo, width, height);
 	overlay_end(base->overlay);
 	camera_apply(&base->stage.camera, base->gl, width, height);

@@ -23,6 +23,7 @@
 #include "app/scene/overlay/overlay_heat.h"
 #include "app/scene/overlay/overlay_kind.h"
 #include "app/scene/overlay/overlay_sketch.h"
+#include "app/scene/stage/camera.h"
 
 enum {
 	OVERLAY_LAYERS_MAX = 8
@@ -72,6 +73,7 @@ struct overlay {
 	unsigned kinds; /* that are shown, a bit 1 << kind each */
 
 	/* Private. */
+	const struct camera *camera; /* of the frame */
 	struct arena arena;
 	uint8_t *is_bone;  /* [node_count] */
 	float *node_value; /* [node_count], that is painted */
@@ -122,16 +124,23 @@ void overlay_choose(struct overlay *overlay, int step);
 /* Returns the name of what is chosen. */
 const char *overlay_chosen_name(const struct overlay *overlay);
 
-void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion);
+/* Begins a frame seen by this camera, which has to stay until its end. */
+void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion,
+	const struct camera *camera);
 void overlay_end(struct overlay *overlay);
 
 /* Draws the wireframe. height is the picture's. */
 void overlay_draw_surface(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
-/* Multiplies the model-view matrix by the figure's place, after a push. */
-void overlay_push_place(
-	const struct overlay *overlay, const struct overlay_figure *figure);
+/*
+ * Multiplies the model-view matrix by the figure's place, after a push. nearer
+ * moves it towards the eye, away from it if negative, by this part of the
+ * figure's extent and along the lines of sight: only depth changes. Depth
+ * offsets of GL would have another effect with each driver's depth buffer.
+ */
+void overlay_push_place(const struct overlay *overlay,
+	const struct overlay_figure *figure, float nearer);
 
 /*
  * Draws key frames: those of a clip as onion skins around the present pose, and

@@ -8,6 +8,9 @@ enum {
 	LINE_PX_PER_HEIGHT = 640 /* a line is a pixel wide at this height */
 };
 
+/* Edges lie before their surfaces, see overlay_push_place(). */
+static const float edges_nearer = 0.003f;
+
 static const float *first_mask(const struct overlay_motion *motion)
 {
 	for (int i = 0; i < motion->layer_count; i++) {
@@ -46,11 +49,13 @@ static void paint_mask(struct overlay *overlay, const float *mask)
 	}
 }
 
-void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion)
+void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion,
+	const struct camera *camera)
 {
 	const float *mask = first_mask(motion);
 	bool weights = overlay_shows(overlay, OVERLAY_WEIGHTS);
 
+	overlay->camera = camera;
 	overlay->painting =
 		weights || (overlay_shows(overlay, OVERLAY_LAYERS) && mask);
 	if (weights) {
@@ -61,11 +66,6 @@ void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion)
 	if (overlay->painting) {
 		overlay_heat_begin(&overlay->heat);
 	}
-	if (overlay_shows(overlay, OVERLAY_WIREFRAME)) {
-		/* Moves surfaces back a little, behind their edges. */
-		overlay->gl->Enable(GL_POLYGON_OFFSET_FILL);
-		overlay->gl->PolygonOffsetx(FX16_ONE, 2 * FX16_ONE);
-	}
 }
 
 void overlay_end(struct overlay *overlay)
@@ -74,7 +74,6 @@ void overlay_end(struct overlay *overlay)
 		overlay_heat_end(&overlay->heat);
 	}
 	overlay->painting = false;
-	overlay->gl->Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 static void set_line_width(const struct gl *gl, int height)
@@ -92,7 +91,7 @@ void overlay_draw_surface(struct overlay *overlay,
 	if (!overlay_shows(overlay, OVERLAY_WIREFRAME)) {
 		return;
 	}
-	overlay_push_place(overlay, figure);
+	overlay_push_place(overlay, figure, edges_nearer);
 	/* Only for the state that it sets. */
 	overlay_sketch_begin(&overlay->sketch, gl, GL_LINES);
 	gl->DepthFunc(GL_LEQUAL);
@@ -146,7 +145,7 @@ void overlay_draw_bones(struct overlay *overlay,
 			subject->instance->model->node_count) {
 		return;
 	}
-	overlay_push_place(overlay, figure);
+	overlay_push_place(overlay, figure, 0.0f);
 	if (overlay_shows(overlay, OVERLAY_PIVOTS)) {
 		draw_pivots(overlay, &bones, height);
 	}

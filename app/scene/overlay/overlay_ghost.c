@@ -73,11 +73,7 @@ void overlay_ghost_draw(struct overlay_ghost *ghost, const struct gl *gl,
 	}
 	instance_update(instance);
 	gl->DepthFunc(GL_LESS);
-	/* Where both nearly coincide, the figure is in front. */
-	gl->Enable(GL_POLYGON_OFFSET_FILL);
-	gl->PolygonOffsetx(4 * FX16_ONE, 16 * FX16_ONE);
 	draw_instance(gl, instance, textures, DRAW_SHADED);
-	gl->Disable(GL_POLYGON_OFFSET_FILL);
 	gl->DepthMask(GL_TRUE);
 	gl->Disable(GL_BLEND);
 }

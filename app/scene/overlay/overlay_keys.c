@@ -10,15 +10,28 @@ enum {
 	ROW_FRACTION = 5 /* a picture's width is at most 1/5 of the whole */
 };
 
+/* Where a ghost and the figure nearly coincide, the figure is in front. */
+static const float ghost_farther = 0.025f;
 static const float ghost_gap = 0.08f; /* of a clip, between onion skins */
 static const float before_color[4] = {0.30f, 0.62f, 1.0f, 0.36f};
 static const float after_color[4] = {1.0f, 0.66f, 0.22f, 0.36f};
 
-void overlay_push_place(
-	const struct overlay *overlay, const struct overlay_figure *figure)
+void overlay_push_place(const struct overlay *overlay,
+	const struct overlay_figure *figure, float nearer)
 {
+	const struct camera *camera = overlay->camera;
+	GLfixed scale = fx16_from_float(
+		1.0f - nearer * overlay->subject.extent / camera->distance);
+	mat4 view;
+
 	overlay->gl->MatrixMode(GL_MODELVIEW);
 	overlay->gl->PushMatrix();
+	if (nearer != 0.0f) {
+		camera_view(camera, view);
+		overlay->gl->LoadIdentity();
+		overlay->gl->Scalex(scale, scale, scale);
+		matrix_gl_multiply(overlay->gl, (const vec4 *)view);
+	}
 	matrix_gl_multiply(overlay->gl, (const vec4 *)figure->place);
 }
 
@@ -119,7 +132,8 @@ void overlay_draw_keys(struct overlay *overlay,
 	if (!overlay_shows(overlay, OVERLAY_KEYS)) {
 		return;
 	}
-	overlay_push_place(overlay, figure);
+	overlay_push_place(overlay, figure,
+		overlay->chooses_target ? 0.0f : -ghost_farther);
 	if (overlay->chooses_target) {
 		draw_row(overlay, width, height);
 	} else if (motion->clip >= 0) {

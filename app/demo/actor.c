@@ -82,6 +82,9 @@ static int free_regions(const struct actor_framing *framing, int width,
 	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
 	int count = 0;
 
+	if (bottom > 1.0f - least_side) {
+		bottom = -1.0f; /* the labels are larger than the picture */
+	}
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
 	if (framing->label_rows == 0) {
 		return 1;

@@ -165,7 +165,10 @@ static struct camera_region inner_region(
 	const struct camera_region *region, float margin)
 {
 	static const struct camera_region whole = {-1.0f, 1.0f, -1.0f, 1.0f};
-	struct camera_region in = region->right > region->left ? *region : whole;
+	struct camera_region in =
+		region->right > region->left && region->top > region->bottom
+		? *region
+		: whole;
 	float x = 0.5f * (in.right - in.left) * (1.0f - 1.0f / margin);
 	float y = 0.5f * (in.top - in.bottom) * (1.0f - 1.0f / margin);
 

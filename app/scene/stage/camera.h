@@ -53,7 +53,7 @@ struct camera_framing {
 	float aspect; /* of the picture: width / height */
 	float yaw_rad, pitch_rad;
 	float margin; /* 1.1 leaves a tenth free around the box */
-	struct camera_region region; /* all zero: the whole picture */
+	struct camera_region region; /* empty: the whole picture */
 	/*
 	 * If true, the box fills the region as well as it can at each yaw and
 	 * pitch, for which the distance changes when the camera orbits. If

@@ -153,6 +153,27 @@ static void test_follows_any_box_around(void **state)
 	}
 }
 
+static void test_an_empty_region_is_the_whole_picture(void **state)
+{
+	static const struct camera_region empty[] = {{0.0f, 0.0f, 0.0f, 0.0f},
+		{-1.0f, 1.0f, 1.0f, 1.0f}, {0.5f, -0.5f, -1.0f, 1.0f},
+		{-1.0f, 1.0f, 1.5f, 1.0f}};
+	const struct camera_region whole = {-1.0f, 1.0f, -1.0f, 1.0f};
+	struct bounds bounds = box(2.0f, 1.0f, 0.5f);
+
+	(void)state;
+	for (size_t i = 0; i < 4; i++) {
+		const struct camera_framing framing = {.aspect = 0.75f,
+			.margin = 1.0f,
+			.region = empty[i],
+			.follow = true};
+		struct camera camera = camera_default();
+
+		camera_frame(&camera, &bounds, &framing);
+		check_region(&camera, 0.75f, &bounds, &whole);
+	}
+}
+
 static void test_zoom_stays_when_the_camera_orbits(void **state)
 {
 	const struct camera_framing framing = {
@@ -242,6 +263,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_frames_any_box_from_all_sides),
 		cmocka_unit_test(test_follows_any_box_around),
+		cmocka_unit_test(test_an_empty_region_is_the_whole_picture),
 		cmocka_unit_test(test_zoom_stays_when_the_camera_orbits),
 		cmocka_unit_test(test_frames_nothing_without_dividing_by_zero),
 		cmocka_unit_test(test_view_puts_the_target_straight_ahead),

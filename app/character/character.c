@@ -1,11 +1,12 @@
 #include "app/character/character.h"
 
 #include "app/character/run/actions.h"
+#include "app/character/run/condition.h"
 #include "app/character/run/effects.h"
 #include "app/character/run/gestures.h"
 #include "app/character/run/ground.h"
 #include "app/character/run/layers.h"
-#include "app/character/run/machine.h"
+#include "app/character/state/machine.h"
 #include "app/character/run/parameters.h"
 
 #include "platform/base/file.h"
@@ -101,19 +102,28 @@ static const char *gesture_name(const struct character_binding *one)
 	return names[one->gesture];
 }
 
+void character_button_text(
+	const struct character_binding *binding, char *text, size_t size)
+{
+	bool both = binding->gesture == CHARACTER_TOGETHER;
+
+	snprintf(text, size, "%s%s%s%s", button_name(binding->button),
+		both ? "+" : "", both ? button_name(binding->second) : "",
+		gesture_name(binding));
+}
+
+bool character_button_acts(const struct character_binding *binding)
+{
+	return character_condition_holds(binding->when);
+}
+
 void character_print_buttons(const struct character *character, FILE *out)
 {
 	for (const struct character_binding *one = character->binding; one;
 		one = one->next) {
 		char name[48];
 
-		snprintf(name, sizeof(name), "%s%s%s%s",
-			button_name(one->button),
-			one->gesture == CHARACTER_TOGETHER ? "+" : "",
-			one->gesture == CHARACTER_TOGETHER
-				? button_name(one->second)
-				: "",
-			gesture_name(one));
+		character_button_text(one, name, sizeof(name));
 		fprintf(out, "  %-6s %s\n", name, one->label);
 	}
 }

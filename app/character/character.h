@@ -50,6 +50,13 @@ void character_update(
 /* Bends the vertices that instance_update() has made from the pose. */
 void character_bend(struct character *character);
 
+/* Writes the name of a binding's buttons, such as "UP+DOWN" or "F8 held". */
+void character_button_text(
+	const struct character_binding *binding, char *text, size_t size);
+
+/* Whether the binding's condition holds now. */
+bool character_button_acts(const struct character_binding *binding);
+
 /* Prints what each button does, one line each. */
 void character_print_buttons(const struct character *character, FILE *out);
 

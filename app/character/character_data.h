@@ -12,10 +12,9 @@
 #include "app/anim/clip.h"
 #include "app/anim/ease.h"
 #include "app/anim/hierarchy.h"
-#include "app/anim/morph.h"
-#include "app/character/run/inertia.h"
+#include "app/character/character_morph.h"
+#include "app/character/state/inertia.h"
 #include "app/character/text/character_text.h"
-#include "app/scene/instance/bend.h"
 #include "app/scene/instance/instance.h"
 #include "platform/buttons/buttons.h"
 
@@ -57,8 +56,11 @@ enum character_verb {
 	CHARACTER_TIMING, /* morph index: over time or by frames */
 	CHARACTER_MOVE,   /* part index: degree of freedom detail by amount */
 	CHARACTER_RUN,    /* sequence index */
+	CHARACTER_REPEAT, /* sequence index, again and again */
 	CHARACTER_STOP,   /* sequence index */
 	CHARACTER_ATTACH, /* part index to node detail; -1: where it was */
+	CHARACTER_DROP,   /* part index, onto the ground below it */
+	CHARACTER_KEYS,   /* shows or hides what the buttons do */
 	CHARACTER_LINE,   /* writes text to standard output */
 	CHARACTER_OUTPUT, /* output line index: amount ms; 0 off, -1 on */
 	CHARACTER_TURN,   /* the camera, amount radians */
@@ -231,54 +233,6 @@ struct character_expression {
 	float *amount; /* at weight 1 */
 };
 
-enum character_curve_kind {
-	CHARACTER_CURVE_LINEAR,
-	CHARACTER_CURVE_SINE,
-	CHARACTER_CURVE_TABLE,
-	CHARACTER_CURVE_BEZIER,
-};
-
-enum {
-	CHARACTER_TABLE_MAX = 32,
-	CHARACTER_CURVES_MAX = 4
-};
-
-/* How a morph gets from Source to Destiny. */
-struct character_curve {
-	enum character_curve_kind kind;
-	const char *name; /* for people */
-	int table_count;
-	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
-	/* Of the sine: displacement, and the way a wave of it runs. */
-	struct morph_wave wave;
-};
-
-/* AN4044's morph between key frames. */
-struct character_morph {
-	const char *name;
-	int node;
-	int target_count;
-	int key_count;
-	bool plain_keys;       /* key 0 is the base, key k is target k - 1 */
-	struct morph_key *key; /* [key_count]: weights in groups of three */
-	const char **key_name; /* [key_count] */
-	float duration_s;
-	int frame_count; /* by frames, over so many */
-	int curve_count;
-	struct character_curve curve[CHARACTER_CURVES_MAX];
-	struct bend_neck neck; /* above which the shape turns */
-	const float *turn_deg; /* or NULL */
-	const float *weight;   /* of all of it */
-	struct bend bend;      /* without parts the sine moves the node */
-
-	/* Changes: */
-	struct morph morph; /* of the weights */
-	int destiny, before;
-	int chosen; /* of the curves */
-	bool by_frames;
-	float pace;
-};
-
 /* Degrees of freedom of a part. */
 enum {
 	CHARACTER_HEADING,
@@ -299,6 +253,10 @@ struct character_freedom {
 	float value, moved; /* moved: asked for in this frame */
 };
 
+enum {
+	CHARACTER_GROUND = -2 /* the holder of a part that was dropped */
+};
+
 /* A rigid part on a pivot: degrees and metres. */
 struct character_part {
 	const char *name;
@@ -311,7 +269,8 @@ struct character_part {
 	float tip[3];   /* of the guarded line from the pivot, in its frame */
 
 	/* Changes: */
-	int holder;            /* the node it is attached to, or -1 */
+	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */
+	float rest_m; /* the pivot's height in the model */
 	struct transform held; /* where, in the holder's frame */
 };
 
@@ -341,6 +300,7 @@ struct character_sequence {
 
 	/* Changes: */
 	struct character_step *now; /* or NULL */
+	bool repeats;
 	float elapsed_s;
 };
 
@@ -367,6 +327,7 @@ enum character_gesture {
 };
 
 struct character_binding {
+	const struct character_condition *when; /* NULL: always */
 	enum button button, second; /* second: of CHARACTER_TOGETHER */
 	enum character_gesture gesture;
 	const char *label; /* what it does, for people */
@@ -487,7 +448,8 @@ struct character {
 	float motion_level;
 	float eye[3];
 	float camera_turn, camera_tilt, camera_zoom; /* in this frame */
-	bool paused, touring, labels_hidden;
+	bool paused, touring, labels_hidden, keys_shown;
+	int moved_part; /* the last one that an action moved, or -1 */
 	double tour_from_s;
 	const struct character_tour *tour_next;
 	int pending_count;

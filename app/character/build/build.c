@@ -9,6 +9,7 @@ static int build_all(struct character_build *build)
 {
 	static int (*const steps[])(struct character_build * build) = {
 		character_build_names,
+		character_build_part_list,
 		character_build_parameters,
 		character_build_motion,
 		character_build_clip_list,

@@ -108,6 +108,9 @@ int character_read_state(struct character_words *words,
 	const struct character_key *key, void *member); /* int */
 int character_read_fade(struct character_words *words,
 	const struct character_key *key, void *member); /* struct .._fade */
+int character_read_condition(struct character_words *words,
+	const struct character_key *key,
+	void *member); /* .._condition *, adds */
 int character_read_curve(struct character_words *words,
 	const struct character_key *key, void *member); /* .._morph, adds */
 int character_read_curve_direction(struct character_words *words,
@@ -123,6 +126,12 @@ int character_name_node(struct character_words *words);
 int character_name_clip(struct character_words *words); /* -2: rest pose */
 int character_name_target(struct character_words *words, int node);
 int character_name_section(struct character_words *words, const char *kind);
+
+/*
+ * Reads a part and one of its degrees of freedom. Returns the latter, or
+ * -EINVAL after an error.
+ */
+int character_read_freedom(struct character_words *words, int *part);
 
 /* The index of a switch by its section's name, or -1 without an error. */
 int character_find_switch(const struct character_build *build, const char *name);
@@ -141,6 +150,7 @@ int character_read_action(struct character_words *words,
 
 /* The steps of a compilation, in their order. */
 int character_build_names(struct character_build *build);
+int character_build_part_list(struct character_build *build);
 int character_build_parameters(struct character_build *build);
 int character_build_motion(struct character_build *build);
 int character_build_clip_list(struct character_build *build);

@@ -243,10 +243,13 @@ static const struct verb verbs[] = {
 	{"move", CHARACTER_MOVE, read_move, "part", true,
 		"move PART heading|pitch|bank|x|y|z FACTOR, such as move Arm pitch -1"},
 	{"run", CHARACTER_RUN, read_name, "sequence", false, "run SEQUENCE"},
+	{"repeat", CHARACTER_REPEAT, read_name, "sequence", false,
+		"repeat SEQUENCE"},
 	{"stop", CHARACTER_STOP, read_name, "sequence", false, "stop SEQUENCE"},
 	{"attach", CHARACTER_ATTACH, read_attach, "part", false,
 		"attach PART NODE, or attach PART NODE METRES for a part that is near"},
 	{"detach", CHARACTER_ATTACH, read_attach, "part", false, "detach PART"},
+	{"drop", CHARACTER_DROP, read_name, "part", false, "drop PART"},
 	{"line", CHARACTER_LINE, read_line, NULL, false, "line TEXT"},
 	{"output", CHARACTER_OUTPUT, read_output, "output", false,
 		"output NAME on, output NAME off or output NAME MILLISECONDS"},
@@ -254,6 +257,7 @@ static const struct verb verbs[] = {
 		"camera turn|tilt|zoom NUMBER, in degrees or percent a second"},
 	{"pause", CHARACTER_PAUSE, read_plain, NULL, false, "pause"},
 	{"tour", CHARACTER_TOUR, read_plain, NULL, false, "tour"},
+	{"keys", CHARACTER_KEYS, read_plain, NULL, false, "keys"},
 	{"labels", CHARACTER_LABELS, read_plain, NULL, false, "labels"},
 };
 
@@ -291,7 +295,7 @@ int character_read_action(struct character_words *words,
 
 	if (!verb) {
 		return character_fail(words,
-			"%s is no action: use set, add, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, move, run, stop, attach, detach, line, output, camera, pause, tour or labels",
+			"%s is no action: use set, add, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, move, run, repeat, stop, attach, detach, drop, line, output, camera, pause, tour, keys or labels",
 			name ? name : "\"\"");
 	}
 	action.verb = verb->verb;

@@ -112,6 +112,18 @@ static const char *make_label(struct character_words *words)
 	return arena_strdup(words->build->arena, text);
 }
 
+/* Motion goes on as long as the button is down. */
+static bool moves(const struct character_action *action)
+{
+	while (action && action->verb != CHARACTER_MOVE &&
+		action->verb != CHARACTER_TURN &&
+		action->verb != CHARACTER_TILT &&
+		action->verb != CHARACTER_ZOOM) {
+		action = action->next;
+	}
+	return action;
+}
+
 /* BUTTON = ACTION, ACTION ... ["what it does"] */
 static int read_binding(
 	struct character_words *words, struct character_binding *binding)
@@ -149,12 +161,7 @@ static int read_binding(
 			"%s is too much: give actions with commas between and what they do in quotes",
 			words->line->word[words->next].text);
 	}
-	/* Motion goes on as long as the button is down. */
-	if (binding->gesture == CHARACTER_PRESS &&
-		(action->verb == CHARACTER_MOVE ||
-			action->verb == CHARACTER_TURN ||
-			action->verb == CHARACTER_TILT ||
-			action->verb == CHARACTER_ZOOM)) {
+	if (binding->gesture == CHARACTER_PRESS && moves(action)) {
 		binding->gesture = CHARACTER_HOLD;
 	}
 	binding->action = action;
@@ -178,29 +185,69 @@ static void note(
 	}
 }
 
-int character_build_buttons(struct character_build *build)
+/* The comparisons under which a section's buttons act. */
+static int read_conditions(struct character_build *build,
+	const struct character_section *section,
+	struct character_condition **when)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "buttons");
-	struct character_binding **last = &character->binding;
+	static const struct character_key key = {.name = "when",
+		.right = "a comparison: chosen is 1, speed > 2 or speed < 1"};
 	int error = 0;
 
-	for (const struct character_line *line = section ? section->first : NULL;
-		line && !error; line = line->next) {
+	for (const struct character_line *line = section->first; line && !error;
+		line = line->next) {
 		struct character_words words = {build, line, 0};
-		struct character_binding *binding =
-			ARENA_NEW(build->arena, struct character_binding);
 
+		if (strcmp(line->key, "when") == 0) {
+			error = character_read_condition(&words, &key, when);
+			if (!error && !character_at_end(&words)) {
+				error = character_fail_value(&words, &key);
+			}
+		}
+	}
+	return error;
+}
+
+static int build_section(struct character_build *build,
+	const struct character_section *section,
+	struct character_binding ***last)
+{
+	struct character_condition *when = NULL;
+	int error = read_conditions(build, section, &when);
+
+	for (const struct character_line *line = section->first; line && !error;
+		line = line->next) {
+		struct character_words words = {build, line, 0};
+		struct character_binding *binding;
+
+		if (strcmp(line->key, "when") == 0) {
+			continue;
+		}
+		binding = ARENA_NEW(build->arena, struct character_binding);
 		if (!binding) {
 			return character_fail_memory(build);
 		}
 		error = read_binding(&words, binding);
 		if (!error) {
-			note(character, binding);
-			*last = binding;
-			last = &binding->next;
+			binding->when = when;
+			note(build->character, binding);
+			**last = binding;
+			*last = &binding->next;
 		}
+	}
+	return error;
+}
+
+int character_build_buttons(struct character_build *build)
+{
+	const struct character_section *section =
+		character_text_find(build->text->first, "buttons");
+	struct character_binding **last = &build->character->binding;
+	int error = 0;
+
+	while (section && !error) {
+		error = build_section(build, section, &last);
+		section = character_text_find(section->next, "buttons");
 	}
 	return error;
 }

@@ -224,6 +224,10 @@ static int check_section(
 			"there is no such kind of section: use one of %s",
 			list.text);
 	}
+	/* Buttons may have a name, for those that depend on a parameter. */
+	if (strcmp(section->kind, "buttons") == 0 && !has_other) {
+		return 0;
+	}
 	if (is_named(section->kind) != has_name || two != has_other) {
 		return character_fail_section(build, section,
 			two ? "write [transition FROM TO]"

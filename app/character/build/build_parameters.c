@@ -31,6 +31,15 @@ static int read_source(struct character_words *words,
 		}
 		character_take_number(words, &parameter->offset);
 		return 0;
+	} else if (character_take(words, "part")) {
+		int part = 0;
+		int freedom = character_read_freedom(words, &part);
+
+		if (freedom < 0) {
+			return -EINVAL;
+		}
+		parameter->source = CHARACTER_SOURCE_PARAMETER;
+		parameter->other = &character->part[part].freedom[freedom].value;
 	} else {
 		int other = character_name_section(words, "parameter");
 
@@ -56,7 +65,7 @@ static const struct character_key keys[] = {
 		offsetof(struct character_parameter, ease_s), 0, 60, NULL,
 		"seconds from 0 to 60"},
 	{"source", read_source, 0, 0, 0, NULL,
-		"buttons, motion, time [SCALE [OFFSET]], sine PERIOD [PHASE] or PARAMETER [SCALE [OFFSET]]"},
+		"buttons, motion, time [SCALE [OFFSET]], sine PERIOD [PHASE], PARAMETER [SCALE [OFFSET]] or part PART FREEDOM [SCALE [OFFSET]]"},
 	{0},
 };
 

@@ -130,7 +130,44 @@ static int build_part(struct character_build *build,
 		part->node = character_name_node(&words);
 		error = part->node < 0 ? -EINVAL : 0;
 	}
+	if (!error) {
+		part->rest_m =
+			build->character->instance->world[part->node][3][1];
+	}
 	return error;
+}
+
+int character_build_part_list(struct character_build *build)
+{
+	struct character *character = build->character;
+
+	character->moved_part = -1;
+	character->part_count = character_text_count(build->text, "part");
+	character->part = ARENA_ARRAY(build->arena, struct character_part,
+		(size_t)character->part_count);
+	return character->part ? 0 : character_fail_memory(build);
+}
+
+int character_read_freedom(struct character_words *words, int *part)
+{
+	const char *name;
+	int which = 0;
+
+	*part = character_name_section(words, "part");
+	if (*part < 0) {
+		return -EINVAL;
+	}
+	name = character_next_word(words);
+	while (name && which < CHARACTER_FREEDOMS &&
+		strcmp(freedom_names[which], name) != 0) {
+		which++;
+	}
+	if (!name || which == CHARACTER_FREEDOMS) {
+		return character_fail(words,
+			"%s is not one of heading, pitch, bank, x, y and z",
+			name ? name : "\"\"");
+	}
+	return which;
 }
 
 int character_build_parts(struct character_build *build)
@@ -140,12 +177,6 @@ int character_build_parts(struct character_build *build)
 		character_text_find(build->text->first, "part");
 	int error = 0;
 
-	character->part_count = character_text_count(build->text, "part");
-	character->part = ARENA_ARRAY(build->arena, struct character_part,
-		(size_t)character->part_count);
-	if (!character->part) {
-		return character_fail_memory(build);
-	}
 	for (int i = 0; section && !error; i++) {
 		error = build_part(build, section, &character->part[i]);
 		section = character_text_find(section->next, "part");
@@ -272,7 +303,7 @@ int character_build_sequences(struct character_build *build)
 		error = character_read_section(
 			build, section, sequence_keys, sequence);
 		if (!error && sequence->start) {
-			character_sequence_start(character, sequence);
+			character_sequence_start(character, sequence, false);
 		}
 		character_add_op(build, CHARACTER_STAGE_SEQUENCE,
 			character_sequence_run, sequence);

@@ -1,5 +1,5 @@
 #include "app/character/build/build.h"
-#include "app/character/run/blend.h"
+#include "app/character/state/blend.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -126,7 +126,7 @@ static const struct character_key keys[] = {
 _Static_assert(CLIP_ONCE == 0 && CLIP_LOOP == 1 && CLIP_PING_PONG == 2,
 	"repeats[] has the order of enum clip_repeat");
 
-static int read_condition(struct character_words *words,
+int character_read_condition(struct character_words *words,
 	const struct character_key *key, void *member)
 {
 	struct character_condition **list = member;
@@ -160,8 +160,9 @@ static int read_condition(struct character_words *words,
 static const char *const interrupts[] = {"always", "higher", "never", NULL};
 
 static const struct character_key transition_keys[] = {
-	{"when", read_condition, offsetof(struct character_transition, when), 0,
-		0, NULL, "a comparison: speed > 2, speed < 1 or armed is 1"},
+	{"when", character_read_condition,
+		offsetof(struct character_transition, when), 0, 0, NULL,
+		"a comparison: speed > 2, speed < 1 or armed is 1"},
 	{"exit", character_read_number,
 		offsetof(struct character_transition, exit), 0, 1, NULL,
 		"a fraction of the clip from 0 to 1"},

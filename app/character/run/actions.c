@@ -93,6 +93,9 @@ static void run_scene(struct character *character,
 	case CHARACTER_TOUR:
 		start_tour(character);
 		break;
+	case CHARACTER_KEYS:
+		character->keys_shown = !character->keys_shown;
+		break;
 	case CHARACTER_LABELS:
 		character->labels_hidden = !character->labels_hidden;
 		break;
@@ -111,6 +114,9 @@ static void run_part(struct character *character,
 			&part->freedom[action->detail];
 
 		freedom->moved += action->amount * freedom->speed * times;
+		character->moved_part = action->index;
+	} else if (action->verb == CHARACTER_DROP) {
+		character_part_drop(character, part);
 	} else {
 		character_part_attach(
 			character, part, action->detail, action->amount);
@@ -176,10 +182,13 @@ static void run(struct character *character,
 		break;
 	case CHARACTER_MOVE:
 	case CHARACTER_ATTACH:
+	case CHARACTER_DROP:
 		run_part(character, action, times);
 		break;
 	case CHARACTER_RUN:
-		character_sequence_start(character, &character->sequence[index]);
+	case CHARACTER_REPEAT:
+		character_sequence_start(character, &character->sequence[index],
+			action->verb == CHARACTER_REPEAT);
 		break;
 	case CHARACTER_STOP:
 		character_sequence_stop(&character->sequence[index]);

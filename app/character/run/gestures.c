@@ -1,5 +1,6 @@
 #include "app/character/run/gestures.h"
 
+#include "app/character/run/condition.h"
 #include "app/character/run/pending.h"
 
 static void add_all(struct character *character, enum button button,
@@ -7,7 +8,8 @@ static void add_all(struct character *character, enum button button,
 {
 	for (const struct character_binding *one = character->binding; one;
 		one = one->next) {
-		if (one->button == button && one->gesture == gesture) {
+		if (one->button == button && one->gesture == gesture &&
+			character_condition_holds(one->when)) {
 			character_pending_add(character, one->action, times);
 		}
 	}
@@ -23,6 +25,7 @@ static bool press_together(struct character *character, enum button button)
 							  : BUTTON_COUNT;
 
 		if (one->gesture == CHARACTER_TOGETHER &&
+			character_condition_holds(one->when) &&
 			other != BUTTON_COUNT && character->button[other].down &&
 			character->button[other].pending) {
 			character->button[other].pending = false;
@@ -59,7 +62,8 @@ static void end_hold(struct character *character, enum button which)
 {
 	for (const struct character_binding *one = character->binding; one;
 		one = one->next) {
-		if (one->button != which || one->gesture != CHARACTER_HOLD) {
+		if (one->button != which || one->gesture != CHARACTER_HOLD ||
+			!character_condition_holds(one->when)) {
 			continue;
 		}
 		character_pending_add(character, one->after, 1);

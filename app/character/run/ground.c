@@ -1,6 +1,6 @@
 #include "app/character/run/ground.h"
 
-#include "app/character/run/machine.h"
+#include "app/character/state/machine.h"
 
 #include <string.h>
 

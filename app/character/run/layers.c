@@ -3,7 +3,7 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
 #include "app/anim/pose_blend.h"
-#include "app/character/run/entry.h"
+#include "app/character/state/entry.h"
 
 #include <string.h>
 

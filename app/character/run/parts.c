@@ -195,6 +195,22 @@ void character_part_attach(struct character *character,
 	part->holder = holder;
 }
 
+void character_part_drop(
+	struct character *character, struct character_part *part)
+{
+	struct instance *instance = character->instance;
+
+	instance_update_nodes(instance);
+	memcpy(part->held.translation, instance->world[part->node][3],
+		sizeof(part->held.translation));
+	part->held.translation[1] = part->rest_m;
+	/* It stands upright, turned as it was. */
+	matrix_rotation(instance->world[part->node], part->held.rotation);
+	part->held.rotation[0] = part->held.rotation[2] = 0;
+	quat_normalize(part->held.rotation);
+	part->holder = CHARACTER_GROUND;
+}
+
 void character_attached_run(struct character *character, void *unused)
 {
 	struct instance *instance = character->instance;
@@ -206,13 +222,18 @@ void character_attached_run(struct character *character, void *unused)
 		int parent = instance->model->node[part->node].parent;
 		float point[3], rotation[4];
 
-		if (part->holder < 0) {
+		if (part->holder == -1) {
 			continue;
 		}
-		matrix_apply(instance->world[part->holder],
-			part->held.translation, point);
-		matrix_rotation(instance->world[part->holder], rotation);
-		quat_multiply(rotation, part->held.rotation, rotation);
+		memcpy(point, part->held.translation, sizeof(point));
+		memcpy(rotation, part->held.rotation, sizeof(rotation));
+		if (part->holder >= 0) {
+			mat4 *holder = &instance->world[part->holder];
+
+			matrix_apply(*holder, point, point);
+			matrix_rotation(*holder, rotation);
+			quat_multiply(rotation, part->held.rotation, rotation);
+		}
 		to_frame(instance, parent, point, rotation,
 			&pose->local[part->node]);
 		pose->animated[part->node] = true;
@@ -232,10 +253,11 @@ static void begin_step(struct character *character,
 	}
 }
 
-void character_sequence_start(
-	struct character *character, struct character_sequence *sequence)
+void character_sequence_start(struct character *character,
+	struct character_sequence *sequence, bool repeats)
 {
 	sequence->elapsed_s = 0;
+	sequence->repeats = repeats || sequence->repeat;
 	begin_step(character, sequence, sequence->step);
 }
 
@@ -275,9 +297,9 @@ void character_sequence_run(struct character *character, void *what)
 		character_pending_add(character, step->then, 1);
 		sequence->elapsed_s -= step->duration_s;
 		begin_step(character, sequence,
-			step->next                 ? step->next
-				: sequence->repeat ? sequence->step
-						   : NULL);
+			step->next                  ? step->next
+				: sequence->repeats ? sequence->step
+						    : NULL);
 	}
 	if (sequence->now) {
 		blend_step(character, sequence->now,

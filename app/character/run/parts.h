@@ -26,9 +26,16 @@ void character_attached_run(struct character *character, void *unused);
 void character_part_attach(struct character *character,
 	struct character_part *part, int holder, float within_m);
 
-/* Starts a sequence at its first step, or ends it. */
-void character_sequence_start(
-	struct character *character, struct character_sequence *sequence);
+/* Lets a part down from where it is to its height in the model. */
+void character_part_drop(
+	struct character *character, struct character_part *part);
+
+/*
+ * Starts a sequence at its first step, or ends it. It begins again after its
+ * last step if repeats is true or its section says so.
+ */
+void character_sequence_start(struct character *character,
+	struct character_sequence *sequence, bool repeats);
 void character_sequence_stop(struct character_sequence *sequence);
 
 #endif

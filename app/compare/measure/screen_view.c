@@ -5,7 +5,7 @@
 
 #include <cglm/cglm.h>
 
-/* The same as in app/demo/viewer.c. */
+/* The same as in app/demo/viewer/viewer.c. */
 static const struct camera_framing framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,

@@ -95,11 +95,10 @@ static void add_panel(const struct hud_group *group, int y, int height)
 		hud_color_panel);
 }
 
-struct hud_group hud_group_begin(
-	struct hud *hud, enum hud_corner corner, const char *title)
+static struct hud_group begin(
+	struct hud *hud, enum hud_corner corner, const char *title, int width)
 {
 	int margin = eighths(hud, MARGIN), padding = eighths(hud, PADDING_X);
-	int width = group_width(hud);
 	struct hud_group group = {.hud = hud,
 		.corner = corner,
 		.y = eighths(hud, PADDING_Y),
@@ -119,6 +118,21 @@ struct hud_group hud_group_begin(
 		group.y += hud->scale + eighths(hud, TITLE_GAP);
 	}
 	return group;
+}
+
+struct hud_group hud_group_begin(
+	struct hud *hud, enum hud_corner corner, const char *title)
+{
+	return begin(hud, corner, title, group_width(hud));
+}
+
+struct hud_group hud_group_begin_wide(
+	struct hud *hud, enum hud_corner corner, const char *title)
+{
+	int whole = hud->width - 2 * eighths(hud, MARGIN);
+	int width = 2 * group_width(hud);
+
+	return begin(hud, corner, title, width < whole ? width : whole);
 }
 
 /* Adds right-aligned text and returns its left edge. */

@@ -54,6 +54,10 @@ struct hud_group_extent hud_group_extent_of(
 struct hud_group hud_group_begin(
 	struct hud *hud, enum hud_corner corner, const char *title);
 
+/* The same, twice as wide if the picture is wide enough: for sentences. */
+struct hud_group hud_group_begin_wide(
+	struct hud *hud, enum hud_corner corner, const char *title);
+
 /* Adds a label and a value; either may be "". A long label is cut. */
 void hud_group_text(
 	struct hud_group *group, const char *label, const char *value);

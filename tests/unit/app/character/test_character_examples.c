@@ -4,6 +4,8 @@
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
+#include <cglm/cglm.h>
+
 #include <math.h>
 #include <string.h>
 
@@ -132,6 +134,104 @@ static void test_the_cube_mixes_three_expressions_and_a_morph(void **state)
 	acting_end(&acting);
 }
 
+static void expect_place(
+	const struct acting *acting, const char *node, float x, float y, float z)
+{
+	const float expected[3] = {x, y, z};
+	float place[3];
+
+	acting_place(acting, node, place);
+	assert_all_near(place, expected, 3, 0.005);
+}
+
+/* The places are those of assets/arm.md. */
+static void test_the_arm_loads_the_truck_by_a_sequence(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_load(&acting, "assets/characters/arm.character");
+	assert_int_equal(acting.error, 0);
+	acting_run_to(&acting, 0.5, rate_hz);
+	expect_place(&acting, "Crate", 0.34f, 0.06f, 0.40f);
+	press(&acting, BUTTON_F8, 6.1);
+	expect_place(&acting, "Crate", -0.42f, 0.194f, 0.102f);
+	acting_run_to(&acting, 9.0, rate_hz);
+	expect_place(&acting, "Crate", -0.42f, 0.194f, 0.502f);
+	expect_place(&acting, "Car", -0.42f, 0.0f, 0.62f);
+	press(&acting, BUTTON_F9, 13.0);
+	expect_place(&acting, "Crate", 0.34f, 0.06f, 0.40f);
+	acting_end(&acting);
+}
+
+static void test_what_the_arrows_move_depends_on_the_chosen_part(void **state)
+{
+	const struct character_part *part;
+	struct acting acting;
+	float pitch;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_load(&acting, "assets/characters/arm.character");
+	part = acting.character->part;
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 1.0, rate_hz);
+	acting_release(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 1.2, rate_hz);
+	assert_near(part[0].freedom[CHARACTER_PITCH].value, 17.0, 2.0);
+	press(&acting, BUTTON_ENTER, 1.6);
+	pitch = part[0].freedom[CHARACTER_PITCH].value;
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 2.0, rate_hz);
+	acting_release(&acting, BUTTON_DOWN);
+	assert_near(part[0].freedom[CHARACTER_PITCH].value, pitch, 0.0);
+	assert_true(part[1].freedom[CHARACTER_PITCH].value > 45.0f);
+	acting_end(&acting);
+}
+
+/* Every part is lowered as far as it goes. */
+static void test_guarded_parts_stay_above_the_floor(void **state)
+{
+	struct acting acting;
+	float tip[3] = {0.0f, 0.0f, 0.2f};
+	const struct character_part *hand;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_load(&acting, "assets/characters/arm.character");
+	hand = &acting.character->part[2];
+	for (int i = 0; i < 4; i++) {
+		acting_press(&acting, BUTTON_DOWN);
+		acting_run_to(&acting, acting.now_s + 4.0, rate_hz);
+		acting_release(&acting, BUTTON_DOWN);
+		press(&acting, BUTTON_ENTER, acting.now_s + 0.3);
+	}
+	glm_mat4_mulv3(acting.instance->world[hand->node], tip, 1.0f, tip);
+	assert_true(tip[1] > 0.03f);
+	assert_true(tip[1] < 0.5f);
+	acting_end(&acting);
+}
+
+static void test_a_part_that_is_dropped_stands_on_the_ground(void **state)
+{
+	struct acting acting;
+	float place[3];
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_load(&acting, "assets/characters/arm.character");
+	press(&acting, BUTTON_F8, 4.5); /* the crate is on its way */
+	acting_place(&acting, "Crate", place);
+	assert_true(place[1] > 0.2f);
+	acting_press(&acting, BUTTON_UP);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 4.6, rate_hz);
+	acting_place(&acting, "Crate", place);
+	assert_near(place[1], 0.06, 1e-4);
+	acting_end(&acting);
+}
+
 static void test_the_tours_of_all_examples_run(void **state)
 {
 	static const char *const models[] = {
@@ -163,6 +263,12 @@ int main(void)
 			test_rigged_figure_reaches_the_ball_by_the_shared_file),
 		cmocka_unit_test(
 			test_the_cube_mixes_three_expressions_and_a_morph),
+		cmocka_unit_test(test_the_arm_loads_the_truck_by_a_sequence),
+		cmocka_unit_test(
+			test_what_the_arrows_move_depends_on_the_chosen_part),
+		cmocka_unit_test(test_guarded_parts_stay_above_the_floor),
+		cmocka_unit_test(
+			test_a_part_that_is_dropped_stands_on_the_ground),
 		cmocka_unit_test(test_the_tours_of_all_examples_run),
 	};
 

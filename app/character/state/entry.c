@@ -1,4 +1,4 @@
-#include "app/character/run/entry.h"
+#include "app/character/state/entry.h"
 
 #include "app/anim/math/vec.h"
 #include "app/character/run/pending.h"

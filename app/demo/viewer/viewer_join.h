@@ -2,8 +2,8 @@
  * All clips of a model in a row, each blended into the next one by the overlap
  * of the second document's four frames.
  */
-#ifndef APP_DEMO_VIEWER_JOIN_H
-#define APP_DEMO_VIEWER_JOIN_H
+#ifndef APP_DEMO_VIEWER_VIEWER_JOIN_H
+#define APP_DEMO_VIEWER_VIEWER_JOIN_H
 
 #include "app/anim/clip_join.h"
 #include "app/demo/actor.h"

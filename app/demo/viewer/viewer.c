@@ -5,10 +5,10 @@
  */
 #include "app/anim/playback.h"
 #include "app/demo/actor.h"
-#include "app/demo/behaviour.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
-#include "app/demo/viewer_join.h"
+#include "app/demo/viewer/behaviour.h"
+#include "app/demo/viewer/viewer_join.h"
 #include "platform/base/file.h"
 #include "platform/base/scalar.h"
 

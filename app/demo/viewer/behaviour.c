@@ -1,9 +1,10 @@
-#include "app/demo/behaviour.h"
+#include "app/demo/viewer/behaviour.h"
 
 #include "app/character/character.h"
 #include "app/character/run/layers.h"
-#include "app/character/run/machine.h"
 #include "app/character/sketch/character_sketch.h"
+#include "app/character/state/machine.h"
+#include "app/demo/viewer/behaviour_label.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/ball.h"
 #include "platform/base/file.h"
@@ -175,34 +176,6 @@ uint64_t behaviour_stamp(
 	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
 }
 
-/* Whether labels name the state: not if there is nothing but one rest pose. */
-static bool names_state(const struct character *character)
-{
-	return character_machine_entry(character)->of->clip ||
-		character->machine.state_count > 1 ||
-		character->morph_count + character->part_count == 0;
-}
-
-/* How many rows of labels there usually are, and how many have bars. */
-static void count_labels(
-	const struct character *character, struct actor_framing *framing)
-{
-	int rows = names_state(character);
-
-	framing->label_bars = rows + character->morph_count;
-	framing->label_rows = rows + 3 * character->morph_count;
-	for (int i = 0; i < character->parameter_count; i++) {
-		int shown = character->parameter[i].source ==
-			CHARACTER_SOURCE_ACTIONS;
-
-		framing->label_rows += shown;
-		framing->label_bars += shown;
-	}
-	if (character->scene.labels == CHARACTER_LABELS_NONE) {
-		framing->label_rows = 0;
-	}
-}
-
 int behaviour_init_stage(const struct behaviour *behaviour,
 	const struct demo_env *env, struct actor *actor, struct stage *stage)
 {
@@ -214,7 +187,7 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 	struct bounds bounds = bounds_of_model(actor->instance, -1);
 	int error;
 
-	count_labels(behaviour->character, &framing);
+	behaviour_count_labels(behaviour->character, &framing);
 	error = actor_init_stage(env, &bounds, &framing, stage);
 	if (!error && scene->labels == CHARACTER_LABELS_RIGHT) {
 		struct camera_region left = stage->camera.fit.region;
@@ -300,112 +273,11 @@ void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
 	draw_balls(behaviour, base);
 }
 
-static const struct hud_color *color_of(int number)
-{
-	static const struct hud_color *const colors[] = {
-		&hud_color_green,
-		&hud_color_amber,
-		&hud_color_violet,
-		&hud_color_rose,
-	};
-
-	return colors[(size_t)number % ARRAY_COUNT(colors)];
-}
-
-static void label_pace(
-	const struct character_morph *morph, struct hud_group *group)
-{
-	char pace[32];
-
-	if (morph->by_frames) {
-		snprintf(pace, sizeof(pace), "%d frames",
-			(int)((float)morph->frame_count / morph->pace + 0.5f));
-	} else {
-		snprintf(pace, sizeof(pace), "%.0f ms",
-			(double)(1000 * morph->duration_s / morph->pace));
-	}
-	hud_group_text(group, morph->curve[morph->chosen].name, pace);
-}
-
-static void label_motion(
-	const struct character *character, struct hud_group *group)
-{
-	const struct character_entry *entry = character_machine_entry(character);
-	const struct character_machine *machine = &character->machine;
-	const struct model_clip *clip = entry->of->clip;
-
-	if (clip) {
-		hud_group_time(group, machine->state[machine->current].name,
-			entry->shown_s, clip->duration_s, hud_color_blue);
-	} else if (character->morph_count == 0 || machine->state_count > 1) {
-		hud_group_text(group, machine->state[machine->current].name, "");
-	}
-	for (int i = 0; i < character->morph_count; i++) {
-		const struct character_morph *morph = &character->morph[i];
-
-		hud_group_text(group, "from", morph->key_name[morph->before]);
-		hud_group_weight(group, morph->key_name[morph->destiny],
-			character_morph_omega(morph, character->now_s),
-			hud_color_rose);
-		label_pace(morph, group);
-	}
-}
-
-static void label_values(
-	const struct character *character, struct hud_group *group)
-{
-	for (int i = 0; i < character->parameter_count; i++) {
-		const struct character_parameter *one = &character->parameter[i];
-		char value[32];
-
-		if (one->source == CHARACTER_SOURCE_ACTIONS) {
-			snprintf(value, sizeof(value), "%.2f",
-				(double)one->value);
-			hud_group_bar(group, one->name, value,
-				(one->value - one->range[0]) /
-					(one->range[1] - one->range[0]),
-				*color_of(i));
-		}
-	}
-	for (int i = 0; i < character->switch_count; i++) {
-		const struct character_switch *is = character->switches[i];
-
-		if (is->now > 0 && !(is->on && is->now >= 1)) {
-			hud_group_weight(
-				group, is->name, is->now, *color_of(i + 1));
-		}
-	}
-	for (int i = 0; i < character->sequence_count; i++) {
-		const struct character_sequence *one = &character->sequence[i];
-
-		if (one->now) {
-			hud_group_time(group, one->now->name, one->elapsed_s,
-				one->now->duration_s, hud_color_amber);
-		}
-	}
-}
-
 void behaviour_label(const struct behaviour *behaviour,
 	const struct demo_base *base, struct hud *hud)
 {
-	const struct character *character = behaviour->character;
-	struct hud_group group;
-
-	if (character->labels_hidden ||
-		character->scene.labels == CHARACTER_LABELS_NONE) {
-		return;
-	}
-	group = hud_group_begin(hud,
-		character->scene.labels == CHARACTER_LABELS_RIGHT ? HUD_TOP_RIGHT
-								  : HUD_TOP_LEFT,
-		behaviour->title);
-	label_motion(character, &group);
-	label_values(character, &group);
-	actor_label_lod(&base->actor, &group);
-	if (character->paused) {
-		hud_group_text(&group, "paused", "");
-	}
-	hud_group_end(&group);
+	behaviour_label_all(
+		behaviour->character, behaviour->title, &base->actor, hud);
 }
 
 double behaviour_period_s(const struct behaviour *behaviour)

@@ -1,4 +1,4 @@
-#include "app/character/run/inertia.h"
+#include "app/character/state/inertia.h"
 
 #include "app/anim/ease.h"
 #include "app/anim/math/quat.h"

@@ -5,8 +5,8 @@
  * --character. Without one, a model that has morph targets and no clip gets the
  * behaviour that `limber character` would write; any other one gets none.
  */
-#ifndef APP_DEMO_BEHAVIOUR_H
-#define APP_DEMO_BEHAVIOUR_H
+#ifndef APP_DEMO_VIEWER_BEHAVIOUR_H
+#define APP_DEMO_VIEWER_BEHAVIOUR_H
 
 #include "app/demo/actor.h"
 #include "app/demo/demo_env.h"

@@ -1,4 +1,4 @@
-#include "app/demo/viewer_join.h"
+#include "app/demo/viewer/viewer_join.h"
 
 #include <errno.h>
 

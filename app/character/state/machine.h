@@ -1,8 +1,8 @@
 /*
  * The states of a character: which one plays, and its pose.
  */
-#ifndef APP_CHARACTER_RUN_MACHINE_H
-#define APP_CHARACTER_RUN_MACHINE_H
+#ifndef APP_CHARACTER_STATE_MACHINE_H
+#define APP_CHARACTER_STATE_MACHINE_H
 
 #include "app/character/character_data.h"
 

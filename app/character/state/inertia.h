@@ -8,8 +8,8 @@
  * velocity continues too: each difference follows a polynomial of the fifth
  * degree (D. Bollo, "Inertialization", Game Developers Conference 2018).
  */
-#ifndef APP_CHARACTER_RUN_INERTIA_H
-#define APP_CHARACTER_RUN_INERTIA_H
+#ifndef APP_CHARACTER_STATE_INERTIA_H
+#define APP_CHARACTER_STATE_INERTIA_H
 
 #include "app/anim/pose.h"
 

@@ -1,8 +1,8 @@
 /*
  * Blending two clips of a state, in fewer instructions than pose_mix().
  */
-#ifndef APP_CHARACTER_RUN_BLEND_H
-#define APP_CHARACTER_RUN_BLEND_H
+#ifndef APP_CHARACTER_STATE_BLEND_H
+#define APP_CHARACTER_STATE_BLEND_H
 
 #include "app/character/character_data.h"
 

@@ -1,4 +1,4 @@
-#include "app/character/run/blend.h"
+#include "app/character/state/blend.h"
 
 #include "app/anim/math/vec.h"
 

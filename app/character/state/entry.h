@@ -1,8 +1,8 @@
 /*
  * A clip as a state or a layer plays it: its time, its events and its pose.
  */
-#ifndef APP_CHARACTER_RUN_ENTRY_H
-#define APP_CHARACTER_RUN_ENTRY_H
+#ifndef APP_CHARACTER_STATE_ENTRY_H
+#define APP_CHARACTER_STATE_ENTRY_H
 
 #include "app/character/character_data.h"
 

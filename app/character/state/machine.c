@@ -1,25 +1,11 @@
-#include "app/character/run/machine.h"
+#include "app/character/state/machine.h"
 
 #include "app/anim/clip_join.h"
-#include "app/character/run/blend.h"
-#include "app/character/run/entry.h"
+#include "app/character/state/blend.h"
+#include "app/character/run/condition.h"
+#include "app/character/state/entry.h"
 #include "app/character/run/pending.h"
 #include "platform/base/scalar.h"
-
-static bool holds(const struct character_condition *condition)
-{
-	for (; condition; condition = condition->next) {
-		float left = *condition->left, right = *condition->right;
-		bool is = condition->is == CHARACTER_ABOVE ? left > right
-			: condition->is == CHARACTER_BELOW ? left < right
-							   : left == right;
-
-		if (!is) {
-			return false;
-		}
-	}
-	return true;
-}
 
 /* The transition that fits best from the present state, or -1. */
 static int find_transition(const struct character_machine *machine, int to)
@@ -71,7 +57,7 @@ static int find_condition(const struct character_machine *machine)
 		if (one->when && one->to != machine->current &&
 			(one->from < 0 || one->from == machine->current) &&
 			is_late_enough(machine, i) && may_begin(machine, i) &&
-			holds(one->when)) {
+			character_condition_holds(one->when)) {
 			return i;
 		}
 	}

@@ -13,11 +13,13 @@ enum {
 
 bool soft_wants_made(const struct texture_input *input)
 {
-	GLenum min = input->texture->min_filter;
+	GLenum min;
 
-	return input->used && input->levels > 1 &&
-		(min == GL_NEAREST_MIPMAP_LINEAR ||
-			min == GL_LINEAR_MIPMAP_LINEAR);
+	if (!input->used || input->levels <= 1) {
+		return false;
+	}
+	min = input->texture->min_filter;
+	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
 }
 
 /* The function that leaves texels as they are, but makes bytes of them. */

@@ -383,24 +383,6 @@ static void set_levels(
 	}
 }
 
-/* The rows of tints that the state asks for; see soft_fill_is_relief(). */
-static void (*choose_tint(const struct draw *draw))(struct tint_band *band)
-{
-	const struct texture_input *input = &draw->texture[0];
-
-	if (input->texture->mag_filter != GL_LINEAR) {
-		return soft_tint_nearest;
-	}
-	if (input->env->mode == GL_COMBINE) {
-		return soft_tint_dot;
-	}
-	if (!draw->blended) {
-		return soft_tint_linear;
-	}
-	return draw->soft->fragment.blend_source == GL_ONE ? soft_tint_add
-							   : soft_tint_multiply;
-}
-
 void soft_fill_textured_begin(struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -409,7 +391,7 @@ void soft_fill_textured_begin(struct draw *draw)
 	draw->textured = (struct textured){
 		.depth = draw->fast_setup.depth,
 		.stride_bytes = draw->fast_setup.stride_bytes,
-		.tint = choose_tint(draw),
+		.tint = linear ? soft_tint_linear : soft_tint_nearest,
 		.last_level = linear ? input->levels - 1 : 0,
 		.pixels = draw->fast_setup.pixels,
 		.half_texel = linear ? TINT_NEXT / 2 : 0,

@@ -92,89 +92,16 @@ static ALWAYS_INLINE void tint(
 	c->blue = (uint32_t)WORD_BY_BOTTOM(c->blue, at->red_blue, more);
 }
 
-static ALWAYS_INLINE uint32_t limit(int32_t value, int32_t most)
+static ALWAYS_INLINE uint16_t shade(
+	struct channels c, const struct tint_pixel *at)
 {
-	return (uint32_t)(value < 0 ? 0 : value > most ? most : value);
-}
-
-static ALWAYS_INLINE uint16_t pack(uint32_t red, uint32_t green, uint32_t blue)
-{
-	return (uint16_t)(red << 11 | green << 5 | blue);
-}
-
-/* What a pixel becomes: the texel's channels, their colours, what it was. */
-typedef uint16_t (*finish_function)(
-	struct channels c, const struct tint_pixel *at, uint16_t old);
-
-static ALWAYS_INLINE uint16_t replace(
-	struct channels c, const struct tint_pixel *at, uint16_t old)
-{
-	(void)old;
 	tint(&c, at, 1 << 16);
 	return (uint16_t)((c.red & 31 << 17) >> 6 | (c.green & 63 << 17) >> 12 |
 		c.blue >> 17);
 }
 
-static ALWAYS_INLINE uint16_t add(
-	struct channels c, const struct tint_pixel *at, uint16_t old)
-{
-	tint(&c, at, 1 << 16);
-	c.red += (uint32_t)(old >> 11) << 17;
-	c.green += (uint32_t)(old >> 5 & 63) << 17;
-	c.blue += (uint32_t)(old & 31) << 17;
-	return pack(limit((int32_t)c.red >> 17, 31),
-		limit((int32_t)c.green >> 17, 63),
-		limit((int32_t)c.blue >> 17, 31));
-}
-
-/* By 31 or 63 parts, which go on in 1023 and 4095. */
-static ALWAYS_INLINE uint32_t multiply_channel(
-	uint32_t value, uint32_t part, int bits)
-{
-	return (uint32_t)WORD_BY_BOTTOM(
-		       value, part << bits | part, 1 << 2 * bits) >>
-		(2 * bits + 1);
-}
-
-static ALWAYS_INLINE uint16_t multiply(
-	struct channels c, const struct tint_pixel *at, uint16_t old)
-{
-	tint(&c, at, 0);
-	return pack(multiply_channel(c.red, old >> 11, 5),
-		multiply_channel(c.green, old >> 5 & 63, 6),
-		multiply_channel(c.blue, old & 31, 5));
-}
-
-/*
- * (2 texel - 1) (color - 1/2), as a gray. Red and blue to 63 parts, half as
- * large as green's: 31 by 65 / 64.
- */
-static ALWAYS_INLINE uint16_t dot(
-	struct channels c, const struct tint_pixel *at, uint16_t old)
-{
-	uint32_t red = c.red + (c.red >> 6) - (63 << 16);
-	uint32_t green = c.green - (63 << 17);
-	uint32_t blue = c.blue + (c.blue >> 6) - (63 << 16);
-	int32_t sum = WORD_BY_BOTTOM(blue, at->red_blue,
-		WORD_BY_TOP(red, at->red_blue,
-			-((int32_t)red >> 2) - ((int32_t)blue >> 2)));
-	uint32_t five;
-
-	(void)old;
-	sum = 2 * sum + WORD_BY_BOTTOM(green, at->green, -((int32_t)green >> 2));
-	five = limit((sum - (sum >> 6) + (1 << 15)) >> 16, 31);
-	return pack(five, limit((sum + (1 << 14)) >> 15, 63), five);
-}
-
-/* How a band looks at its pixels. */
-struct look {
-	struct channels (*load)(const struct tint_band *band, uint32_t texel);
-	finish_function finish;
-	bool equal; /* the depth has to be, and stays; the picture is read */
-};
-
-static ALWAYS_INLINE void draw_row(const struct tint_band *band, int column,
-	int count, const struct look *look)
+static ALWAYS_INLINE void draw_row(
+	const struct tint_band *band, int column, int count, bool linear)
 {
 	const struct tint_row *row = &band->row;
 	const uint32_t n = (uint32_t)column;
@@ -190,17 +117,14 @@ static ALWAYS_INLINE void draw_row(const struct tint_band *band, int column,
 	do {
 		uint32_t there = *depth++;
 
-		if (look->equal ? at.z >> 16 == there : at.z < there << 16) {
+		if (at.z < there << 16) {
 			uintptr_t pixel = (uintptr_t)depth + band->pixels;
-			uint16_t old = 0;
 
-			if (look->equal) {
-				old = *(uint16_t *)pixel;
-			} else {
-				depth[-1] = (uint16_t)(at.z >> 16);
-			}
-			*(uint16_t *)pixel = look->finish(
-				look->load(band, at.texel), &at, old);
+			depth[-1] = (uint16_t)(at.z >> 16);
+			*(uint16_t *)pixel =
+				shade(linear ? load_linear(band, at.texel)
+					     : load_nearest(band, at.texel),
+					&at);
 		}
 		at.z += band->z_right;
 		at.texel += band->texel_right;
@@ -230,21 +154,24 @@ static ALWAYS_INLINE void walk(struct tint_band *band,
 	} while (--band->rows > 0);
 }
 
-#define TINT_ROWS(name, load, finish, equal)                         \
-	static NEVER_INLINE void row_##name(                         \
-		const struct tint_band *band, int column, int count) \
-	{                                                            \
-		draw_row(band, column, count,                        \
-			&(const struct look){load, finish, equal});  \
-	}                                                            \
-                                                                     \
-	void soft_tint_##name(struct tint_band *band)                \
-	{                                                            \
-		walk(band, row_##name);                              \
-	}
+static NEVER_INLINE void row_linear(
+	const struct tint_band *band, int column, int count)
+{
+	draw_row(band, column, count, true);
+}
 
-TINT_ROWS(linear, load_linear, replace, false)
-TINT_ROWS(nearest, load_nearest, replace, false)
-TINT_ROWS(dot, load_linear, dot, false)
-TINT_ROWS(multiply, load_linear, multiply, true)
-TINT_ROWS(add, load_linear, add, true)
+static NEVER_INLINE void row_nearest(
+	const struct tint_band *band, int column, int count)
+{
+	draw_row(band, column, count, false);
+}
+
+void soft_tint_linear(struct tint_band *band)
+{
+	walk(band, row_linear);
+}
+
+void soft_tint_nearest(struct tint_band *band)
+{
+	walk(band, row_nearest);
+}

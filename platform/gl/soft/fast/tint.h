@@ -53,16 +53,8 @@ struct tint_band {
 	uintptr_t pixels;      /* see struct texture_band */
 };
 
-/*
- * As soft_band_texture(), tinted: of the nearest texels, and of four mixed,
- * which all others take as well. dot has texel and colour as directions and
- * writes their product (GL_DOT3_RGB); multiply and add do that to the picture
- * where the depth is EQUAL.
- */
+/* As soft_band_texture(), tinted: of the nearest texels, and of four mixed. */
 void soft_tint_nearest(struct tint_band *band);
 void soft_tint_linear(struct tint_band *band);
-void soft_tint_dot(struct tint_band *band);
-void soft_tint_multiply(struct tint_band *band);
-void soft_tint_add(struct tint_band *band);
 
 #endif

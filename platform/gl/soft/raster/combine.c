@@ -158,7 +158,7 @@ static void apply_combiner(
 }
 
 /*
- * What relief asks for: the texel's normal by the light in the primary colour,
+ * What normal maps ask for: the texel's normal by the light in the primary colour,
  * alpha modulated. So much as apply_combiner(), without looking things up.
  */
 bool soft_is_plain_dot(const struct texenv *env)
@@ -176,21 +176,17 @@ bool soft_is_plain_dot(const struct texenv *env)
 		env->operand_alpha[1] == GL_SRC_ALPHA;
 }
 
-static void dot_plainly(int count, const uint8_t (*texel)[4],
-	const uint8_t (*primary)[4], uint8_t (*color)[4])
+void soft_apply_dot(
+	const uint8_t texel[4], const uint8_t primary[4], uint8_t color[4])
 {
-	for (int i = 0; i < count; i++) {
-		int sum = 0;
+	int sum = 0;
 
-		for (int k = 0; k < 3; k++) {
-			sum += (2 * texel[i][k] - 255) *
-				(2 * primary[i][k] - 255);
-		}
-		/* sum / 255 towards zero, wherever that is below 256 */
-		memset(color[i],
-			to_byte(sum <= 0 ? 0 : (sum * 257 + 257) >> 16), 3);
-		color[i][3] = (uint8_t)scale_byte(texel[i][3], color[i][3]);
+	for (int i = 0; i < 3; i++) {
+		sum += (2 * texel[i] - 255) * (2 * primary[i] - 255);
 	}
+	/* sum / 255 towards zero, wherever that is below 256 */
+	memset(color, to_byte(sum <= 0 ? 0 : (sum * 257 + 257) >> 16), 3);
+	color[3] = (uint8_t)scale_byte(texel[3], color[3]);
 }
 
 void soft_combine(const struct texture_input *input, int count,
@@ -201,7 +197,9 @@ void soft_combine(const struct texture_input *input, int count,
 	struct meeting m;
 
 	if (soft_is_plain_dot(env)) {
-		dot_plainly(count, texel, primary, color);
+		for (int i = 0; i < count; i++) {
+			soft_apply_dot(texel[i], primary[i], color[i]);
+		}
 		return;
 	}
 	for (int i = 0; i < 4; i++) {

@@ -236,13 +236,6 @@ bool soft_fill_takes_texture(const struct texture_input *input);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /*
- * fill_relief.c: what light, tint and rest of relief are drawn by; the others
- * of its triangles go the long way.
- */
-bool soft_fill_is_relief(const struct draw *draw);
-void soft_fill_relief(struct draw *draw, struct setup *setup);
-
-/*
  * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
  * is called once a draw call.
  */

@@ -69,7 +69,7 @@ void soft_rows_affine(struct draw *draw, int y, int left, int right)
 			span->value[name] = plane_at(raster, name, x);
 		}
 		span->value[DEPTH] = plane_at(raster, DEPTH, x);
-		draw->span(draw, span);
+		soft_draw_span(draw, span);
 	}
 }
 

@@ -10,12 +10,14 @@ bool soft_finish_any(const struct soft_fragment_stages *stages,
 	const uint8_t texel[4], uint32_t alpha_q7, uint32_t fog,
 	const uint8_t picture[4], uint8_t color[4])
 {
-	if (stages->textured) {
+	if (stages->textured && stages->dot) {
+		soft_apply_dot(texel, color, color);
+	} else if (stages->textured) {
 		soft_apply_environment(stages->env, stages->base_format,
 			stages->env_color, texel, color);
-		if (stages->alpha_scaled) {
-			color[3] = (uint8_t)soft_scale_alpha(alpha_q7, texel[3]);
-		}
+	}
+	if (stages->alpha_scaled) {
+		color[3] = (uint8_t)soft_scale_alpha(alpha_q7, texel[3]);
 	}
 	if (((color[3] - stages->alpha_low) & 255) > stages->alpha_range) {
 		return false;

@@ -128,12 +128,17 @@ static uint32_t find_color_mask(const struct soft *soft)
 		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
 }
 
+static bool takes_environment(const struct texenv *env)
+{
+	return env->mode != GL_COMBINE || soft_is_plain_dot(env);
+}
+
 static bool takes_state(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 
 	return draw->attributes != 0 && !draw->texture[1].used &&
-		(!input->used || input->env->mode != GL_COMBINE);
+		(!input->used || takes_environment(input->env));
 }
 
 static bool is_linear(GLenum filter)
@@ -210,6 +215,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
 	}
 	stages->textured = spans->textured;
+	stages->alpha_scaled = false;
 	stages->fogged = draw->fogged;
 	stages->blended = draw->blended;
 	stages->blend_source = state->blend_source;
@@ -217,7 +223,9 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	if (spans->textured) {
 		stages->env = input->env;
 		stages->base_format = input->base->base_format;
-		stages->alpha_scaled = input->env->mode == GL_MODULATE &&
+		stages->dot = input->env->mode == GL_COMBINE;
+		stages->alpha_scaled =
+			(input->env->mode == GL_MODULATE || stages->dot) &&
 			has_alpha(input->base->base_format);
 		for (int i = 0; i < 4 && spans->finish == SOFT_ANY; i++) {
 			stages->env_color[i] =

@@ -46,6 +46,7 @@ struct soft_fragment_stages {
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
 	bool textured, fogged, blended;
+	bool dot; /* the texel is a normal: GL_DOT3_RGB, see combine.c */
 	bool alpha_scaled; /* the texture's alpha times the fragment's */
 	const struct texenv *env;
 	uint8_t env_color[4];

@@ -21,7 +21,7 @@ static void draw_run(
 	span->y = y;
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
-	draw->span(draw, span);
+	soft_draw_span(draw, span);
 }
 
 static void draw_linear(

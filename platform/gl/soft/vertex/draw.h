@@ -290,7 +290,6 @@ struct dedup {
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
-typedef void (*span_function)(struct draw *draw, const struct span *span);
 
 /*
  * What rejects triangles, and sets small ones up, in one place. Offsets are
@@ -353,7 +352,6 @@ struct draw {
 	bool ground;              /* rows may be ground.c's */
 	bool picture;             /* rows may be picture.c's */
 	bool plain; /* colours into RGB565, nothing to test or blend */
-	span_function span;
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
@@ -483,15 +481,16 @@ void soft_draw_span(struct draw *draw, const struct span *span);
 /* Runs the tests on a span's fragments; how many pass, and which. */
 int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
 
-/* relief.c: the same for what relief is drawn in, or NULL. */
-span_function soft_relief_choose_span(const struct draw *draw);
-
 /* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
 void soft_sample(const struct texture_input *input, const struct span *span,
 	int unit, bool wide, uint8_t (*out)[4]);
 
 /* combine.c: whether it is a texel's normal by the light in the primary colour */
 bool soft_is_plain_dot(const struct texenv *env);
+
+/* combine.c: what it makes of a texel, the primary colour and color's alpha. */
+void soft_apply_dot(
+	const uint8_t texel[4], const uint8_t primary[4], uint8_t color[4]);
 
 /*
  * combine.c: the environments other than GL_COMBINE, with their colour; format

@@ -39,7 +39,7 @@ static void draw_square(struct draw *draw, struct span *span, int32_t x_q4,
 			int count = right - span->x;
 
 			span->count = count < SPAN_PIXELS ? count : SPAN_PIXELS;
-			draw->span(draw, span);
+			soft_draw_span(draw, span);
 		}
 	}
 }

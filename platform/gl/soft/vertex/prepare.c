@@ -324,9 +324,6 @@ static fill_function choose_fill(const struct draw *draw)
 	if (soft_fill_is_glyph(draw)) {
 		return soft_fill_glyph;
 	}
-	if (soft_fill_is_relief(draw)) {
-		return soft_fill_relief;
-	}
 	if (!soft_fill_is_opaque(draw)) {
 		return soft_rows_fill;
 	}
@@ -335,21 +332,6 @@ static fill_function choose_fill(const struct draw *draw)
 	}
 	return soft_fill_takes_texture(&draw->texture[0]) ? soft_fill_textured
 							  : soft_rows_fill;
-}
-
-/* And no alpha where nobody asks for it. */
-static void choose_span(struct draw *draw)
-{
-	span_function relief =
-		draw->soft->reference ? NULL : soft_relief_choose_span(draw);
-
-	soft_prepare_spans(draw);
-	draw->span = relief ? relief : soft_draw_span;
-	draw->spans.takes_state &= !relief;
-	draw->spans.used &= !relief;
-	if (relief || (draw->spans.takes_state && !draw->spans.alpha_read)) {
-		draw->attributes &= ~(1u << ALPHA);
-	}
 }
 
 void soft_init_scratch(struct draw *draw)
@@ -411,7 +393,11 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
-	choose_span(draw);
+	soft_prepare_spans(draw);
+	/* No alpha where nobody asks for it. */
+	if (draw->spans.takes_state && !draw->spans.alpha_read) {
+		draw->attributes &= ~(1u << ALPHA);
+	}
 	list_attributes(draw);
 	draw->fill = choose_fill(draw);
 	draw->luminance = !soft->reference && soft_luminance_takes(draw);
@@ -431,7 +417,7 @@ bool soft_prepare(
 	}
 	prepare_shade(draw);
 	soft_prepare_fast_setup(draw);
-	if (draw->fill == soft_fill_textured || draw->fill == soft_fill_relief) {
+	if (draw->fill == soft_fill_textured) {
 		soft_fill_textured_begin(draw);
 	}
 	return true;

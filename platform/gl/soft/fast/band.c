@@ -1,6 +1,6 @@
 #include "platform/gl/soft/fast/band.h"
 
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 
 enum {

@@ -5,28 +5,9 @@
 #include "platform/gl/soft/fast/count.h"
 #include "platform/gl/soft/raster/raster.h"
 
-static bool counts(GLenum operation)
-{
-	return operation == GL_INCR || operation == GL_DECR;
-}
-
 static bool is_down(const struct stencil *stencil)
 {
 	return stencil->pass == GL_DECR || stencil->depth_fail == GL_DECR;
-}
-
-bool soft_fill_is_count(const struct draw *draw)
-{
-	const struct fragment_state *state = &draw->soft->fragment;
-	const struct stencil *stencil = &state->stencil;
-
-	return !draw->color_written && !state->alpha_test && state->depth_test &&
-		!state->depth_mask && state->depth_function == GL_LESS &&
-		stencil->enabled && draw->soft->buffers.stencil &&
-		stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
-		((counts(stencil->depth_fail) && stencil->pass == GL_KEEP) ||
-			(counts(stencil->pass) &&
-				stencil->depth_fail == GL_KEEP));
 }
 
 static void draw_band(void *band)

@@ -13,29 +13,6 @@ static bool is_unlike(const struct stencil *stencil)
 		stencil->fail == GL_KEEP && stencil->pass == GL_KEEP;
 }
 
-bool soft_fill_is_flat(const struct draw *draw)
-{
-	const struct soft *soft = draw->soft;
-	const struct fragment_state *state = &soft->fragment;
-	const struct stencil *stencil = &state->stencil;
-	const GLboolean *mask = state->color_mask;
-	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
-		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
-	bool once = stencil->function == GL_EQUAL &&
-		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
-		stencil->reference < 255 &&
-		(stencil->pass == GL_INCR || stencil->pass == GL_KEEP ||
-			stencil->pass == GL_ZERO);
-
-	return soft->format == PIXELS_RGB565 && !draw->shading.lit &&
-		!draw->shading.color_array && !draw->texture[0].used &&
-		!draw->texture[1].used && !draw->fogged && !state->alpha_test &&
-		!state->depth_test &&
-		(!state->stencil.enabled ||
-			(stencil->mask == 255 && (once || is_unlike(stencil)))) &&
-		(!draw->blended || by_alpha) && mask[0] && mask[1] && mask[2];
-}
-
 static uint8_t next_stencil(const struct stencil *stencil)
 {
 	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
@@ -73,12 +50,6 @@ void soft_fill_flat_begin(struct draw *draw)
 		pack_565(soft_byte(color[0]), soft_byte(color[1]),
 			soft_byte(color[2])),
 		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
-}
-
-bool soft_fill_flat_is_once(const struct draw *draw)
-{
-	return draw->soft->fragment.stencil.enabled &&
-		draw->soft->buffers.stencil && !draw->flat.unlike;
 }
 
 static void draw_band(void *band)

@@ -3,28 +3,44 @@
  * tests: letters, and the panels and bars beside them, which are a single texel
  * wide. Two triangles that are a rectangle are drawn as one.
  */
-#include "platform/gl/soft/fast/glyph.h"
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
-bool soft_fill_is_glyph(const struct draw *draw)
-{
-	const struct soft *soft = draw->soft;
-	const struct fragment_state *state = &soft->fragment;
-	const struct texture_input *input = &draw->texture[0];
-	const GLboolean *mask = state->color_mask;
+/* A letter: a texel is a pixel. */
+struct glyph {
+	uint16_t *pixel;
+	const uint8_t *texel;   /* alpha */
+	int columns, rows;      /* at least 1 */
+	ptrdiff_t stride_bytes; /* of the picture */
+	ptrdiff_t texel_stride;
+	uint32_t own;   /* the colour, wide */
+	uint32_t alpha; /* 0 to 32, which texels count */
+};
 
-	return soft->format == PIXELS_RGB565 && input->used &&
-		input->base->format == TEXEL_A8 &&
-		input->env->mode == GL_MODULATE &&
-		input->texture->min_filter == GL_NEAREST &&
-		input->texture->mag_filter == GL_NEAREST &&
-		!draw->texture[1].used && !draw->fogged && !draw->tests &&
-		!state->alpha_test && !draw->shading.lit && !draw->perspective &&
-		draw->blended && state->blend_source == GL_SRC_ALPHA &&
-		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA && mask[0] &&
-		mask[1] && mask[2];
+static void draw_row(
+	const struct glyph *glyph, uint16_t *pixel, const uint8_t *texel)
+{
+	for (int i = 0; i < glyph->columns; i++) {
+		uint32_t alpha = ((texel[i] + 4u) >> 3) * glyph->alpha >> 5;
+
+		if (alpha) {
+			pixel[i] = narrow(
+				mix_wide(widen(pixel[i]), glyph->own, alpha));
+		}
+	}
+}
+
+static void draw_glyph(const struct glyph *glyph)
+{
+	uint8_t *pixel = (uint8_t *)glyph->pixel;
+	const uint8_t *texel = glyph->texel;
+
+	for (int i = 0; i < glyph->rows; i++) {
+		draw_row(glyph, (uint16_t *)(void *)pixel, texel);
+		pixel += glyph->stride_bytes;
+		texel += glyph->texel_stride;
+	}
 }
 
 static bool is_same(const struct setup *setup, int first, int count)
@@ -212,7 +228,7 @@ static bool draw_letter(struct draw *draw, struct vertex *const v[4],
 		return false;
 	}
 	glyph.texel = input->base->texels + (t << input->width_log2) + s;
-	soft_glyph_draw(&glyph);
+	draw_glyph(&glyph);
 	return true;
 }
 

@@ -1,7 +1,7 @@
 /*
  * Small opaque triangles with one RGB565 texture that repeats, set up as bands:
  * nearest texels under one share of all colours, or texels of either filter
- * under three. See fill_opaque.c for the state that asks for them.
+ * under three. Larger ones are drawn by the span template.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/limits.h"
@@ -219,7 +219,7 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	return true;
 }
 
-bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup)
+static bool fill_gray(const struct draw *draw, const struct setup *setup)
 {
 	struct texture_band band;
 	struct frame frame;
@@ -328,7 +328,7 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 	return level->texels != NULL;
 }
 
-bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup)
+static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 {
 	const struct textured *textured = &draw->textured;
 	struct limits limits;
@@ -361,6 +361,31 @@ bool soft_fill_texture_tinted(const struct draw *draw, const struct setup *setup
 		textured->tint(&band);
 	}
 	return true;
+}
+
+static bool is_gray(const struct setup *setup)
+{
+	const int32_t *a = setup->v[0]->attribute + RED;
+	const int32_t *b = setup->v[1]->attribute + RED;
+	const int32_t *c = setup->v[2]->attribute + RED;
+
+	return ((a[0] ^ a[1]) | (a[0] ^ a[2]) | (b[0] ^ b[1]) | (b[0] ^ b[2]) |
+		       (c[0] ^ c[1]) | (c[0] ^ c[2])) == 0;
+}
+
+void soft_fill_textured(struct draw *draw, struct setup *setup)
+{
+	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
+		if (!fill_tinted(draw, setup)) {
+			soft_rows_fill(draw, setup);
+		}
+	} else if (is_gray(setup)) {
+		if (!fill_gray(draw, setup)) {
+			soft_rows_fill(draw, setup);
+		}
+	} else if (!fill_tinted(draw, setup)) {
+		soft_rows_fill(draw, setup);
+	}
 }
 
 static void set_levels(

@@ -1,10 +1,11 @@
 #include "platform/gl/soft/fast/luminance.h"
 
-#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/fast/tiles.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/spans.h"
 
 enum {
 	/* Half of 1/32, so that 255 is 32/32. */
@@ -265,7 +266,7 @@ static void bent_row(
 	}
 }
 
-void soft_luminance_row(struct draw *draw, int y, int left, int right)
+static void draw_row(struct draw *draw, int y, int left, int right)
 {
 	struct raster *raster = &draw->raster;
 	struct point from;
@@ -304,7 +305,8 @@ static void make_shades(struct draw *draw, const uint32_t color[3])
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
 
-bool soft_luminance_begin(struct draw *draw)
+/* Whether the triangle has one colour, which is taken. */
+static bool begin(struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t color[3];
@@ -324,31 +326,24 @@ bool soft_luminance_begin(struct draw *draw)
 	return true;
 }
 
-bool soft_luminance_takes_texture(const struct draw *draw)
+/* To the next row: what those take. */
+static void next_row(struct draw *draw)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-	const struct texture_input *input = &draw->texture[0];
-	const struct texture *texture = input->texture;
-	const GLboolean *mask = state->color_mask;
+	static const int taken[] = {ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
+	struct plane *plane = draw->raster.plane;
 
-	return input->used && draw->soft->format == PIXELS_RGB565 &&
-		!draw->fogged && !state->alpha_test && !draw->texture[1].used &&
-		(!draw->blended ||
-			(state->blend_source == GL_SRC_ALPHA &&
-				state->blend_destination ==
-					GL_ONE_MINUS_SRC_ALPHA)) &&
-		input->env->mode == GL_MODULATE && input->base->quads &&
-		input->base->tiles && input->width_log2 > 0 &&
-		input->height_log2 > 0 && texture->mag_filter == GL_LINEAR &&
-		texture->min_filter == GL_LINEAR_MIPMAP_NEAREST &&
-		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&
-		mask[0] && mask[1] && mask[2] && !state->stencil.enabled;
+	/* Some have no plane, but nobody asks for it then. */
+	for (int i = 0; i < 5; i++) {
+		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
+	}
 }
 
-bool soft_luminance_takes(const struct draw *draw)
+void soft_fill_luminance(struct draw *draw, struct setup *setup)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-
-	return soft_luminance_takes_texture(draw) &&
-		(!state->depth_test || state->depth_function == GL_ALWAYS);
+	rows_set_up(draw, setup);
+	if (begin(draw)) {
+		raster_walk(draw, setup, draw_row, next_row);
+	} else {
+		soft_walk_rows(draw, setup);
+	}
 }

@@ -12,31 +12,7 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 
-/* Whether the state of a draw call is this. */
-bool soft_luminance_takes(const struct draw *draw);
-
-/* After soft_raster_set_up(): whether the triangle has one colour, which is taken. */
-bool soft_luminance_begin(struct draw *draw);
-
-/* As raster_walk() calls it. */
-void soft_luminance_row(struct draw *draw, int y, int left, int right);
-
-/* To the next row: what those take. */
-static inline void luminance_next(struct draw *draw)
-{
-	static const int taken[] = {ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
-	struct plane *plane = draw->raster.plane;
-
-	/* Some have no plane, but nobody asks for it then. */
-	for (int i = 0; i < 5; i++) {
-		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
-	}
-}
-
-/* For ground.c: */
-
-/* Whether it is, but for the depth test. */
-bool soft_luminance_takes_texture(const struct draw *draw);
+/* For gray.c: */
 
 /* How many pixels may run linearly from there. */
 int soft_luminance_find_length(

@@ -1,24 +1,13 @@
 #include "platform/gl/soft/fast/picture.h"
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/spans.h"
 
-bool soft_picture_takes(const struct draw *draw)
-{
-	const struct texture_input *input = &draw->texture[0];
-
-	return draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
-		draw->spans.color_mask == UINT32_MAX &&
-		draw->soft->format == PIXELS_RGB565 && !draw->tests &&
-		input->used && input->base->format == TEXEL_565 &&
-		input->texture->min_filter == GL_NEAREST &&
-		input->texture->mag_filter == GL_NEAREST &&
-		(input->env->mode == GL_MODULATE ||
-			input->env->mode == GL_REPLACE);
-}
-
-bool soft_picture_begin(const struct draw *draw)
+/* Whether the triangle is white, and upright. */
+static bool is_upright(const struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;
 	const uint32_t *color = raster->span.value;
@@ -61,7 +50,7 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 }
 
 /* Texels outside of the texture are left to those who know where they are. */
-void soft_picture_row(struct draw *draw, int y, int left, int right)
+static void draw_row(struct draw *draw, int y, int left, int right)
 {
 	const struct texture_input *input = &draw->texture[0];
 	const struct raster *raster = &draw->raster;
@@ -101,4 +90,22 @@ void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
 	if (i < count) {
 		pixel[i] = texels[s_q16 >> 16];
 	}
+}
+
+void soft_fill_picture(struct draw *draw, struct setup *setup)
+{
+	struct raster *raster = &draw->raster;
+
+	rows_set_up(draw, setup);
+	if (!is_upright(draw)) {
+		soft_walk_rows(draw, setup);
+		return;
+	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		int name = raster->moving[i];
+
+		raster->span.step[name] = raster->plane[name].dx;
+	}
+	soft_rows_find_affine_lod(draw, &raster->span);
+	raster_walk(draw, setup, draw_row, soft_raster_next_row);
 }

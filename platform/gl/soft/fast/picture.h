@@ -8,18 +8,9 @@
 
 #include "platform/gl/soft/raster/raster.h"
 
-/* Whether the state of a draw call is this. */
-bool soft_picture_takes(const struct draw *draw);
-
-/* After soft_raster_set_up(): whether the triangle is white, and upright. */
-bool soft_picture_begin(const struct draw *draw);
-
-/* As raster_walk() calls it. */
-void soft_picture_row(struct draw *draw, int y, int left, int right);
-
 /*
  * A row of pixels from a row of texels, at s_q16 and steps further, which are
- * all there: arm/picture.S has it again.
+ * all there.
  */
 void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);

@@ -1,7 +1,7 @@
 #include "platform/gl/soft/fast/tile_row.h"
 
-#include "platform/gl/soft/fast/mix.h"
 #include "platform/gl/soft/fast/tiles.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/number.h"
 

@@ -1,4 +1,4 @@
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 
 void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
 {

@@ -181,7 +181,7 @@ static bool is_mild(const struct draw *draw, const struct setup *setup,
 {
 	const struct raster *raster = &draw->raster;
 
-	if (q_spread > q_least >> 2 || draw->luminance || draw->ground ||
+	if (q_spread > q_least >> 2 || draw->divides_together ||
 		(setup->wide && draw->spans.lod_wanted)) {
 		return false;
 	}
@@ -230,7 +230,7 @@ static void find_divided(struct draw *draw, const struct setup *setup,
 	raster->perspective = raster->colors_divided ||
 		bends((uint32_t)texel, 0, (uint32_t)q_spread, (uint32_t)least);
 	/* Their rows are made for one or the other. */
-	if (draw->luminance || draw->ground) {
+	if (draw->divides_together) {
 		raster->colors_divided = raster->perspective;
 	}
 	raster->mild = raster->perspective &&

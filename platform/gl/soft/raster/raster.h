@@ -227,22 +227,19 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 
 /* fill.c: any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
-/* rows.c: one of its rows for fragment.c, whose values run linearly, their steps in the span. */
+/* The paths of fast/, each in a file of its name; fast/paths.c chooses. */
+void soft_fill_luminance(struct draw *draw, struct setup *setup);
+void soft_fill_gray(struct draw *draw, struct setup *setup);
+void soft_fill_picture(struct draw *draw, struct setup *setup);
+void soft_fill_constant(struct draw *draw, struct setup *setup);
+/* rows.c: one of its rows for fragment.c, whose values run linearly, their
+ * steps in the span. */
 void soft_rows_affine(struct draw *draw, int y, int left, int right);
 
-/* fill_opaque.c: see there; whether the state, and a texture, are its. */
-bool soft_fill_is_opaque(const struct draw *draw);
-bool soft_fill_takes_texture(const struct texture_input *input);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
-/*
- * fill_texture.c: its small ones, as bands; false if a triangle is not. begin
- * is called once a draw call.
- */
+/* fill_texture.c: its begin is called once a draw call. */
 void soft_fill_textured_begin(struct draw *draw);
-bool soft_fill_texture_gray(const struct draw *draw, const struct setup *setup);
-bool soft_fill_texture_tinted(
-	const struct draw *draw, const struct setup *setup);
 
 /* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
@@ -252,10 +249,7 @@ void soft_fill_narrow(struct draw *draw, struct setup *setup);
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 
 /* fill_flat.c: see there; begin is called once a draw call. */
-bool soft_fill_is_flat(const struct draw *draw);
 void soft_fill_flat_begin(struct draw *draw);
-/* Whether a stencil has the last word: soft_fill_masked() takes it then. */
-bool soft_fill_flat_is_once(const struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
 /* arm/masked.S or portable/masked.c: the same. */
 void soft_fill_masked(struct draw *draw, struct setup *setup);
@@ -263,11 +257,9 @@ void soft_fill_masked(struct draw *draw, struct setup *setup);
 void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 
 /* fill_count.c: see there */
-bool soft_fill_is_count(const struct draw *draw);
 void soft_fill_count(struct draw *draw, struct setup *setup);
 
 /* fill_glyph.c, on top of soft_fill_flat_begin() */
-bool soft_fill_is_glyph(const struct draw *draw);
 void soft_fill_glyph(struct draw *draw, struct setup *setup);
 /*
  * Two triangles of its, v[0] v[1] v[2] and v[2] v[1] v[3]; false, with nothing

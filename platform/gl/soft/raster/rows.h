@@ -93,6 +93,13 @@ static ALWAYS_INLINE int32_t rows_find_step(
 
 void soft_rows_find_point(const struct draw *draw, int x, struct point *out);
 
+/* Planes, and the depth's step. */
+static inline void rows_set_up(struct draw *draw, struct setup *setup)
+{
+	soft_raster_set_up(draw, setup);
+	draw->raster.span.step[DEPTH] = draw->raster.plane[DEPTH].dx;
+}
+
 /* The levels of detail of a triangle that is linear all over. */
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
 

@@ -20,6 +20,7 @@
 #include "platform/gl/soft/fast/textured.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/key.h"
 #include "platform/gl/soft/vertex/shade.h"
 
 enum {
@@ -266,8 +267,8 @@ struct view {
 	uint32_t dir_lights;
 };
 
-/* ground.c's triangle under way. */
-struct ground_rows {
+/* gray.c's triangle under way. */
+struct gray_rows {
 	struct shade_run run; /* of the row */
 	bool shaded, fading;  /* its gray and its alpha move */
 };
@@ -348,10 +349,9 @@ struct draw {
 	fill_function fill;
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
-	bool luminance;           /* rows may be luminance.c's */
-	bool ground;              /* rows may be ground.c's */
-	bool picture;             /* rows may be picture.c's */
-	bool plain; /* colours into RGB565, nothing to test or blend */
+	struct soft_pipeline_key key;
+	/* Its rows divide colours wherever they divide texture coordinates. */
+	bool divides_together;
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
@@ -359,8 +359,8 @@ struct draw {
 	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
 	uint32_t shade[255];
 	uint16_t shaded[LUMINANCE_RUN + 1]; /* luminance.c's, to be blended */
-	struct ground_rows ground_rows;
-	uint32_t gray[256]; /* two pixels of each shade of gray; see ground.h */
+	struct gray_rows gray_rows;
+	uint32_t gray[256]; /* two pixels of each shade of gray; see gray.h */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];
@@ -382,8 +382,8 @@ void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
 
 /*
  * arm/list.S or portable/list.c: the same where draw->packed, of at least one
- * triangle and whole ones, with indices at an even address. What arm/list.S does
- * not draw itself it hands on to soft_list_other().
+ * triangle and whole ones, with indices at an even address. What arm/list.S
+ * does not draw itself it hands on to soft_list_other().
  */
 void soft_list(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);

@@ -1,7 +1,6 @@
 /* What a draw call needs, from the state. */
-#include "platform/gl/soft/fast/ground.h"
-#include "platform/gl/soft/fast/luminance.h"
-#include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/fast/gray.h"
+#include "platform/gl/soft/fast/paths.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -310,30 +309,6 @@ static void list_attributes(struct draw *draw)
 	}
 }
 
-static fill_function choose_fill(const struct draw *draw)
-{
-	if (draw->soft->reference) {
-		return soft_rows_fill;
-	}
-	if (soft_fill_is_flat(draw)) {
-		return soft_fill_flat;
-	}
-	if (soft_fill_is_count(draw)) {
-		return soft_fill_count;
-	}
-	if (soft_fill_is_glyph(draw)) {
-		return soft_fill_glyph;
-	}
-	if (!soft_fill_is_opaque(draw)) {
-		return soft_rows_fill;
-	}
-	if (!draw->texture[0].used) {
-		return soft_fill_narrow;
-	}
-	return soft_fill_takes_texture(&draw->texture[0]) ? soft_fill_textured
-							  : soft_rows_fill;
-}
-
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
@@ -342,7 +317,7 @@ void soft_init_scratch(struct draw *draw)
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
 	draw->shade_color[0] = UINT32_MAX; /* no colour */
-	soft_ground_init(draw);
+	soft_gray_init(draw);
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;
 	for (int i = 2; i <= SMALL_EXTENT; i++) {
@@ -374,6 +349,8 @@ static void prepare_shade(struct draw *draw)
 bool soft_prepare(
 	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
 {
+	const struct soft_path *path;
+
 	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
 		return false;
 	}
@@ -399,26 +376,16 @@ bool soft_prepare(
 		draw->attributes &= ~(1u << ALPHA);
 	}
 	list_attributes(draw);
-	draw->fill = choose_fill(draw);
-	draw->luminance = !soft->reference && soft_luminance_takes(draw);
-	draw->picture = !soft->reference && soft_picture_takes(draw);
-	draw->ground = !soft->reference && soft_ground_takes(draw);
-	draw->plain = draw->spans.used && draw->spans.finish == SOFT_OPAQUE &&
-		draw->spans.color_mask == UINT32_MAX && !draw->tests &&
-		!draw->texture[0].used && soft->format == PIXELS_RGB565;
-	if (draw->fill == soft_fill_flat) {
+	path = soft_choose_path(draw);
+	draw->fill = path->fill;
+	draw->divides_together = path->divides_together;
+	if (path->one_color) {
 		draw->attributes = 0;
-	}
-	if (draw->fill == soft_fill_flat || draw->fill == soft_fill_glyph) {
-		soft_fill_flat_begin(draw);
-	}
-	if (draw->fill == soft_fill_flat && soft_fill_flat_is_once(draw)) {
-		draw->fill = soft_fill_masked;
 	}
 	prepare_shade(draw);
 	soft_prepare_fast_setup(draw);
-	if (draw->fill == soft_fill_textured) {
-		soft_fill_textured_begin(draw);
+	if (path->begin) {
+		path->begin(draw);
 	}
 	return true;
 }

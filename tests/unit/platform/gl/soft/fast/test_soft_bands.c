@@ -1,6 +1,6 @@
 /* The soft driver's rows in assembly against the same in C. */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/twins.h"
 #include "tests/support/random.h"

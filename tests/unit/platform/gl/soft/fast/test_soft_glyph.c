@@ -1,5 +1,5 @@
 /* Letters and panels: rectangles that are drawn as one, and their loops. */
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"

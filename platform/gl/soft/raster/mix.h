@@ -3,8 +3,8 @@
  * Where two pixels are spread to wide ones (see pixel.h), each has the other's
  * green.
  */
-#ifndef PLATFORM_GL_SOFT_FAST_MIX_H
-#define PLATFORM_GL_SOFT_FAST_MIX_H
+#ifndef PLATFORM_GL_SOFT_RASTER_MIX_H
+#define PLATFORM_GL_SOFT_RASTER_MIX_H
 
 #include <string.h>
 

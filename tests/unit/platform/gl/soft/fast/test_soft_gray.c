@@ -5,7 +5,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/count.h"
-#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/gray.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "tests/support/gl/soft_scene.h"
@@ -223,8 +223,8 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 		make_hills(corner, &seed);
 		draw_hills(fast_setup, corner, round % 2, false);
 		draw_hills(slow, corner, round % 2, true);
-		assert_true(fast_setup->soft->draw->ground);
-		assert_false(slow->soft->draw->ground);
+		assert_ptr_equal(fast_setup->soft->draw->fill, soft_fill_gray);
+		assert_ptr_equal(slow->soft->draw->fill, soft_rows_fill);
 		assert_memory_equal(fast_setup->soft->buffers.depth,
 			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
 		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
@@ -380,7 +380,7 @@ static void test_depth_is_tested_up_to_the_first_that_fails(void **state)
 				twins->depth[1][i % TWINS_PIXELS] = 65535;
 			}
 		}
-		passed = soft_ground_depth(
+		passed = soft_gray_depth(
 			twins->depth[0] + 64 + round % 2, count, z, step);
 		assert_int_equal(passed,
 			test_depth(twins->depth[1] + 64 + round % 2, count, z,

@@ -1,10 +1,11 @@
-#include "platform/gl/soft/fast/ground.h"
+#include "platform/gl/soft/fast/gray.h"
 
 #include "platform/base/compiler.h"
 #include "platform/gl/soft/fast/luminance.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/halves.h"
+#include "platform/gl/soft/span/spans.h"
 
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct shade_run *run, uint32_t s, uint32_t t)
@@ -73,7 +74,7 @@ static int32_t size_of(int32_t value)
 	return value < 0 ? -value : value;
 }
 
-void soft_ground_shade(const struct shade_run *run)
+void soft_gray_shade(const struct shade_run *run)
 {
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t, share = run->share;
@@ -103,7 +104,7 @@ void soft_ground_shade(const struct shade_run *run)
 	shade_each(run, pixel, left, s, t, share);
 }
 
-int soft_ground_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
+int soft_gray_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
 	int i = 0;
 
@@ -141,7 +142,7 @@ static void shade_part(
 	part.pixel = draw->blended
 		? draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2
 		: pixel;
-	soft_ground_shade(&part);
+	soft_gray_shade(&part);
 	if (draw->blended) {
 		soft_luminance_blend(pixel, part.pixel, count,
 			run->alpha + (uint32_t)run->alpha_right * n,
@@ -166,7 +167,7 @@ static void draw_parts(
 		if (passed == 0) {
 			/* what follows is hidden, unless the run is over */
 			first++;
-			passed = soft_ground_depth(run->depth + first,
+			passed = soft_gray_depth(run->depth + first,
 				run->count - first,
 				run->z + (uint32_t)run->z_right * (uint32_t)first,
 				(uint32_t)run->z_right);
@@ -177,11 +178,11 @@ static void draw_parts(
 /* Mostly all of it is. */
 static void draw_run(struct draw *draw, const struct shade_run *run)
 {
-	int passed = soft_ground_depth(
+	int passed = soft_gray_depth(
 		run->depth, run->count, run->z, (uint32_t)run->z_right);
 
 	if (passed == run->count && !draw->blended) {
-		soft_ground_shade(run);
+		soft_gray_shade(run);
 	} else {
 		draw_parts(draw, run, passed);
 	}
@@ -203,16 +204,16 @@ static void choose_level(struct draw *draw)
 	int number = clamp_int((draw->raster.span.lod[0] + 127) >> 8, 0, most);
 	const struct level *level = &input->texture->level[number];
 
-	draw->ground_rows.run.quads = level->quads;
-	draw->ground_rows.run.width_log2 = level->width_log2;
-	draw->ground_rows.run.height_log2 = level->height_log2;
+	draw->gray_rows.run.quads = level->quads;
+	draw->gray_rows.run.width_log2 = level->width_log2;
+	draw->gray_rows.run.height_log2 = level->height_log2;
 }
 
 /* Where it begins; coordinates are those of the base, 16.16. */
 static void start_run(struct draw *draw, int x, uint32_t s, uint32_t t)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
-	struct shade_run *run = &draw->ground_rows.run;
+	struct shade_run *run = &draw->gray_rows.run;
 	int y = draw->raster.span.y, shift = 16 - draw->texture[0].width_log2;
 	/* From centres to the upper left texel of four. */
 	uint32_t half = 1u << (31 - run->width_log2);
@@ -228,7 +229,7 @@ static void start_run(struct draw *draw, int x, uint32_t s, uint32_t t)
 static void step_run(struct draw *draw, const struct point *from,
 	const struct point *to, int steps)
 {
-	struct shade_run *run = &draw->ground_rows.run;
+	struct shade_run *run = &draw->gray_rows.run;
 	int shift = 16 - draw->texture[0].width_log2;
 	int32_t step[ATTRIBUTES];
 
@@ -252,7 +253,7 @@ static void step_run(struct draw *draw, const struct point *from,
 static void row_perspective(struct draw *draw, int left, int right)
 {
 	struct raster *raster = &draw->raster;
-	struct shade_run *run = &draw->ground_rows.run;
+	struct shade_run *run = &draw->gray_rows.run;
 	struct point from, to;
 	int length;
 
@@ -285,22 +286,22 @@ static void row_perspective(struct draw *draw, int left, int right)
 static void row_affine(struct draw *draw, int left, int right)
 {
 	const struct raster *raster = &draw->raster;
-	struct shade_run *run = &draw->ground_rows.run;
+	struct shade_run *run = &draw->gray_rows.run;
 
 	run->count = right - left;
 	start_run(draw, left, plane_at(raster, TEX_S, left),
 		plane_at(raster, TEX_S + 1, left));
-	if (draw->ground_rows.shaded) {
+	if (draw->gray_rows.shaded) {
 		run->share = (uint32_t)to_share(
 			(int32_t)plane_at(raster, RED, left));
 	}
-	if (draw->ground_rows.fading) {
+	if (draw->gray_rows.fading) {
 		run->alpha = plane_at(raster, ALPHA, left);
 	}
 	draw_run(draw, run);
 }
 
-void soft_ground_row(struct draw *draw, int y, int left, int right)
+static void draw_row(struct draw *draw, int y, int left, int right)
 {
 	draw->raster.span.y = y;
 	if (draw->raster.perspective) {
@@ -315,7 +316,7 @@ static void begin_runs(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	const struct plane *plane = raster->plane;
-	struct ground_rows *rows = &draw->ground_rows;
+	struct gray_rows *rows = &draw->gray_rows;
 	struct shade_run *run = &rows->run;
 	int shift = 16 - draw->texture[0].width_log2;
 
@@ -362,7 +363,8 @@ static int count_grays(const struct raster *raster)
 		: -1;
 }
 
-bool soft_ground_begin(struct draw *draw)
+/* Whether the triangle is gray, which is taken. */
+static bool begin(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	int grays = count_grays(raster), count = 0;
@@ -370,8 +372,8 @@ bool soft_ground_begin(struct draw *draw)
 	if (grays < 0) {
 		return false;
 	}
-	draw->ground_rows.shaded = grays > 0;
-	draw->ground_rows.fading = false;
+	draw->gray_rows.shaded = grays > 0;
+	draw->gray_rows.fading = false;
 	/* One of the three stands for all. */
 	for (int i = 0; i < raster->moving_count; i++) {
 		int name = raster->moving[i];
@@ -379,27 +381,39 @@ bool soft_ground_begin(struct draw *draw)
 		if (name != GREEN && name != BLUE) {
 			raster->moving[count++] = name;
 		}
-		draw->ground_rows.fading |= name == ALPHA;
+		draw->gray_rows.fading |= name == ALPHA;
 	}
 	raster->moving_count = count;
 	begin_runs(draw);
 	return true;
 }
 
-void soft_ground_init(struct draw *draw)
+void soft_gray_init(struct draw *draw)
 {
 	for (int i = 0; i < 256; i++) {
 		draw->gray[i] = pack_565(i, i, i) * 0x10001u;
 	}
 }
 
-bool soft_ground_takes(const struct draw *draw)
+/* To the next row: what those take. */
+static void next_row(struct draw *draw)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-	const struct texture_input *input = &draw->texture[0];
+	static const int taken[] = {
+		RED, ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
+	struct plane *plane = draw->raster.plane;
 
-	return state->depth_test && state->depth_mask &&
-		state->depth_function == GL_LESS &&
-		soft_luminance_takes_texture(draw) &&
-		input->width_log2 == input->height_log2;
+	/* Some have no plane, but nobody asks for it then. */
+	for (int i = 0; i < 6; i++) {
+		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
+	}
+}
+
+void soft_fill_gray(struct draw *draw, struct setup *setup)
+{
+	rows_set_up(draw, setup);
+	if (begin(draw)) {
+		raster_walk(draw, setup, draw_row, next_row);
+	} else {
+		soft_walk_rows(draw, setup);
+	}
 }

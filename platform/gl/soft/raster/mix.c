@@ -1,4 +1,4 @@
-#include "platform/gl/soft/fast/mix.h"
+#include "platform/gl/soft/raster/mix.h"
 
 void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own)
 {

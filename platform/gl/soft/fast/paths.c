@@ -1,0 +1,123 @@
+#include "platform/gl/soft/fast/paths.h"
+
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/vertex/key.h"
+
+enum {
+	/* What no path has a stage for. */
+	OTHERS = KEY_565 | KEY_COLOR_MASKED | KEY_TEXTURES | KEY_FOG |
+		KEY_ALPHA_TEST | KEY_BLENDED_OTHER,
+	FLAT = OTHERS | KEY_LIT | KEY_COLOR_ARRAY | KEY_TEXTURE |
+		KEY_DEPTH_TEST | KEY_STENCIL,
+	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
+		KEY_BLENDED,
+	COUNTS = KEY_NO_COLOR | KEY_DEPTH_KEPT | KEY_STENCIL_COUNT,
+	/* Opaque, tested LESS; and opaque without a test. */
+	SMALL = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_BY_TRIANGLE |
+		KEY_DEPTH_LESS,
+	PLAIN = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_DEPTH_TEST,
+	TILES = KEY_TEXTURE | KEY_TEXTURE_TILES | KEY_MODULATE | KEY_REPEAT |
+		KEY_LINEAR | KEY_MIPMAPS,
+	PICTURES = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_NEAREST,
+	TEXELS = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_MODULATE | KEY_REPEAT,
+};
+
+/* The first that takes a key; the last one takes every key. */
+static const struct soft_path path[] = {
+	{
+		.mask = FLAT,
+		.bits = KEY_565,
+		.fill = soft_fill_flat,
+		.begin = soft_fill_flat_begin,
+		.one_color = true,
+	},
+	{
+		.mask = FLAT | KEY_STENCIL_ONCE,
+		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_ONCE,
+		.fill = soft_fill_masked,
+		.begin = soft_fill_flat_begin,
+		.one_color = true,
+	},
+	{
+		.mask = FLAT | KEY_STENCIL_UNLIKE,
+		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_UNLIKE,
+		.fill = soft_fill_flat,
+		.begin = soft_fill_flat_begin,
+		.one_color = true,
+	},
+	{
+		.mask = COUNTS | KEY_ALPHA_TEST,
+		.bits = COUNTS,
+		.fill = soft_fill_count,
+	},
+	{
+		.mask = OTHERS | GLYPHS | KEY_LIT | KEY_PERSPECTIVE |
+			KEY_DEPTH_TEST | KEY_STENCIL,
+		.bits = KEY_565 | GLYPHS,
+		.fill = soft_fill_glyph,
+		.begin = soft_fill_flat_begin,
+	},
+	{
+		.mask = SMALL | KEY_TEXTURE,
+		.bits = KEY_565 | KEY_DEPTH_LESS,
+		.fill = soft_fill_narrow,
+	},
+	{
+		.mask = SMALL | TEXELS | KEY_NEAREST,
+		.bits = KEY_565 | KEY_DEPTH_LESS | TEXELS | KEY_NEAREST,
+		.fill = soft_fill_textured,
+		.begin = soft_fill_textured_begin,
+	},
+	{
+		.mask = SMALL | TEXELS | KEY_LINEAR,
+		.bits = KEY_565 | KEY_DEPTH_LESS | TEXELS | KEY_LINEAR,
+		.fill = soft_fill_textured,
+		.begin = soft_fill_textured_begin,
+	},
+	{
+		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_ALWAYS,
+		.bits = KEY_565 | TILES | KEY_DEPTH_ALWAYS,
+		.fill = soft_fill_luminance,
+		.divides_together = true,
+	},
+	{
+		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_LESS |
+			KEY_TEXTURE_SQUARE,
+		.bits = KEY_565 | TILES | KEY_DEPTH_LESS | KEY_TEXTURE_SQUARE,
+		.fill = soft_fill_gray,
+		.divides_together = true,
+	},
+	{
+		.mask = PLAIN | PICTURES | KEY_MODULATE,
+		.bits = KEY_565 | PICTURES | KEY_MODULATE,
+		.fill = soft_fill_picture,
+	},
+	{
+		.mask = PLAIN | PICTURES | KEY_REPLACE,
+		.bits = KEY_565 | PICTURES | KEY_REPLACE,
+		.fill = soft_fill_picture,
+	},
+	{
+		.mask = PLAIN | KEY_TEXTURE,
+		.bits = KEY_565,
+		.fill = soft_fill_constant,
+	},
+	{
+		.fill = soft_rows_fill,
+	},
+};
+
+const struct soft_path *soft_choose_path(struct draw *draw)
+{
+	const struct soft_path *last = &path[ARRAY_COUNT(path) - 1];
+	const struct soft_path *chosen = path;
+
+	draw->key = soft_find_key(draw);
+	if (draw->soft->reference) {
+		return last;
+	}
+	while ((draw->key.bits & chosen->mask) != chosen->bits) {
+		chosen++;
+	}
+	return chosen;
+}

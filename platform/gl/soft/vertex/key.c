@@ -1,0 +1,130 @@
+#include "platform/gl/soft/vertex/key.h"
+
+#include "platform/gl/soft/vertex/draw.h"
+
+static uint32_t bit_if(bool is, uint32_t bit)
+{
+	return is ? bit : 0;
+}
+
+static uint32_t find_target(const struct draw *draw)
+{
+	const GLboolean *mask = draw->soft->fragment.color_mask;
+
+	return bit_if(draw->soft->format == PIXELS_RGB565, KEY_565) |
+		bit_if(!mask[0] || !mask[1] || !mask[2], KEY_COLOR_MASKED) |
+		bit_if(!draw->color_written, KEY_NO_COLOR);
+}
+
+static uint32_t find_vertices(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+
+	return bit_if(draw->shading.lit, KEY_LIT) |
+		bit_if(draw->shading.color_array, KEY_COLOR_ARRAY) |
+		bit_if(draw->perspective, KEY_PERSPECTIVE) |
+		bit_if(state->flat || state->offset_fill ||
+				draw->shading.two_side,
+			KEY_BY_TRIANGLE);
+}
+
+static uint32_t find_fragments(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
+
+	return bit_if(state->alpha_test && state->alpha_function != GL_ALWAYS,
+		       KEY_ALPHA_TEST) |
+		bit_if(draw->fogged, KEY_FOG) |
+		bit_if(draw->blended, KEY_BLENDED) |
+		bit_if(draw->blended && !by_alpha, KEY_BLENDED_OTHER);
+}
+
+static uint32_t find_depth(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+
+	if (!state->depth_test) {
+		return KEY_DEPTH_ALWAYS;
+	}
+	if (state->depth_function == GL_LESS) {
+		return KEY_DEPTH_TEST |
+			(state->depth_mask ? KEY_DEPTH_LESS : KEY_DEPTH_KEPT);
+	}
+	return KEY_DEPTH_TEST |
+		bit_if(state->depth_function == GL_ALWAYS, KEY_DEPTH_ALWAYS);
+}
+
+static bool counts(GLenum operation)
+{
+	return operation == GL_INCR || operation == GL_DECR;
+}
+
+/* Of the stencils that fill_flat.c and fill_count.c have rows for. */
+static uint32_t find_stencil(const struct draw *draw)
+{
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	GLenum pass = stencil->pass, depth_fail = stencil->depth_fail;
+	bool kept = stencil->fail == GL_KEEP, buffer, once, unlike, count;
+
+	if (!stencil->enabled) {
+		return 0;
+	}
+	buffer = draw->soft->buffers.stencil != NULL;
+	once = stencil->function == GL_EQUAL && stencil->mask == 255 &&
+		stencil->write_mask == 255 && kept && stencil->reference < 255 &&
+		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO);
+	unlike = stencil->function == GL_NOTEQUAL && stencil->mask == 255 &&
+		kept && pass == GL_KEEP;
+	count = stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
+		((counts(depth_fail) && pass == GL_KEEP) ||
+			(counts(pass) && depth_fail == GL_KEEP));
+	return KEY_STENCIL | bit_if(once && buffer, KEY_STENCIL_ONCE) |
+		bit_if(unlike && buffer, KEY_STENCIL_UNLIKE) |
+		bit_if(count && buffer, KEY_STENCIL_COUNT);
+}
+
+static uint32_t find_filter(const struct texture *texture)
+{
+	GLenum min = texture->min_filter;
+
+	if (texture->mag_filter == GL_NEAREST) {
+		return bit_if(min == GL_NEAREST, KEY_NEAREST);
+	}
+	return min == GL_LINEAR                   ? KEY_LINEAR
+		: min == GL_LINEAR_MIPMAP_NEAREST ? KEY_LINEAR | KEY_MIPMAPS
+						  : 0;
+}
+
+static uint32_t find_texture(const struct texture_input *input)
+{
+	const struct texture *texture;
+	const struct level *base = input->base;
+
+	if (!input->used) {
+		return 0;
+	}
+	texture = input->texture;
+	return KEY_TEXTURE | find_filter(texture) |
+		bit_if(base->format == TEXEL_565, KEY_TEXTURE_565) |
+		bit_if(base->format == TEXEL_A8, KEY_TEXTURE_ALPHA) |
+		bit_if(base->quads && base->tiles && input->width_log2 > 0 &&
+				input->height_log2 > 0,
+			KEY_TEXTURE_TILES) |
+		bit_if(input->width_log2 == input->height_log2,
+			KEY_TEXTURE_SQUARE) |
+		bit_if(input->env->mode == GL_MODULATE, KEY_MODULATE) |
+		bit_if(input->env->mode == GL_REPLACE, KEY_REPLACE) |
+		bit_if(texture->wrap_s == GL_REPEAT &&
+				texture->wrap_t == GL_REPEAT,
+			KEY_REPEAT);
+}
+
+struct soft_pipeline_key soft_find_key(const struct draw *draw)
+{
+	return (struct soft_pipeline_key){find_target(draw) |
+		find_vertices(draw) | find_fragments(draw) | find_depth(draw) |
+		find_stencil(draw) | find_texture(&draw->texture[0]) |
+		bit_if(draw->texture[1].used, KEY_TEXTURES)};
+}

@@ -1,0 +1,58 @@
+/*
+ * What a draw call's state is to the paths of fast/: a set of bits, so that a
+ * path tells by a mask and a value which states it takes; see paths.c.
+ */
+#ifndef PLATFORM_GL_SOFT_VERTEX_KEY_H
+#define PLATFORM_GL_SOFT_VERTEX_KEY_H
+
+#include <stdint.h>
+
+struct draw;
+
+enum {
+	/* the picture and what is written */
+	KEY_565 = 1 << 0,
+	KEY_COLOR_MASKED = 1 << 1, /* red, green or blue is not written */
+	KEY_NO_COLOR = 1 << 2,     /* nothing of the colour is */
+	/* vertices */
+	KEY_LIT = 1 << 3,
+	KEY_COLOR_ARRAY = 1 << 4,
+	KEY_PERSPECTIVE = 1 << 5,
+	/* flat shading, two sides or a depth offset: planes differ by triangle */
+	KEY_BY_TRIANGLE = 1 << 6,
+	/* fragments */
+	KEY_ALPHA_TEST = 1 << 7,
+	KEY_FOG = 1 << 8,
+	KEY_BLENDED = 1 << 9,
+	KEY_BLENDED_OTHER = 1 << 10, /* not from alpha to 1 - alpha */
+	KEY_DEPTH_TEST = 1 << 11,
+	KEY_DEPTH_LESS = 1 << 12,   /* tested LESS, and written */
+	KEY_DEPTH_KEPT = 1 << 13,   /* tested LESS, and not written */
+	KEY_DEPTH_ALWAYS = 1 << 14, /* not tested, or ALWAYS */
+	KEY_STENCIL = 1 << 15,
+	KEY_STENCIL_ONCE = 1 << 16, /* where it is EQUAL; gets another value */
+	KEY_STENCIL_UNLIKE = 1 << 17, /* where it is NOTEQUAL; is kept */
+	KEY_STENCIL_COUNT = 1 << 18,  /* ALWAYS; counts up or down by depth */
+	/* the first texture */
+	KEY_TEXTURE = 1 << 19,
+	KEY_TEXTURE_565 = 1 << 20,
+	KEY_TEXTURE_ALPHA = 1 << 21,
+	KEY_TEXTURE_TILES = 1 << 22,  /* luminance; see tiles.h */
+	KEY_TEXTURE_SQUARE = 1 << 23, /* as wide as high */
+	KEY_MODULATE = 1 << 24,
+	KEY_REPLACE = 1 << 25,
+	KEY_REPEAT = 1 << 26,
+	KEY_NEAREST = 1 << 27,
+	KEY_LINEAR = 1 << 28,   /* and of one level */
+	KEY_MIPMAPS = 1 << 29,  /* KEY_LINEAR of the nearest level */
+	KEY_TEXTURES = 1 << 30, /* the second texture is used */
+};
+
+struct soft_pipeline_key {
+	uint32_t bits;
+};
+
+/* Of a draw call whose textures, fragments and shading are prepared. */
+struct soft_pipeline_key soft_find_key(const struct draw *draw);
+
+#endif

@@ -135,6 +135,9 @@ ROWS = (
     picture("gl-fog", "S5 in fog, bilinear", 15, "gl_states", "fog-b"),
     picture("gl-mip", "60 large triangles, mipmaps", 30, "gl_states", "mip"),
     picture("gl-walker", "the walker demo", 8.3, "demo_frames", "walker", stages=True),
+    picture("gl-arm", "the arm demo", 8.3, "demo_frames", "arm"),
+    picture("gl-face", "the face demo", 8.3, "demo_frames", "face"),
+    picture("gl-crowd", "a crowd of 12", 8.3, "demo_frames", "crowd"),
     # 100 ms at 250 million instructions a second
     picture("gl-walker-ground", "the walker on uneven ground", 25, "demo_frames", "walker@13"),
 )

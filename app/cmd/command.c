@@ -4,6 +4,7 @@
 #include "app/cmd/version.h"
 #include "platform/base/file.h"
 #include "platform/base/output_file.h"
+#include "platform/process/confine.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -19,6 +20,23 @@ int command_exit_code(int error)
 	return error ? EXIT_FAILED : EXIT_OK;
 }
 
+/* From here on only the files that the options name can be written. */
+static void confine(const struct options *options, const struct log *log)
+{
+	const char *const named[CONFINE_OUTPUTS_MAX] = {options->screen.output,
+		options->compare.plot, options->compare.export,
+		options->export.c};
+	struct confine_request request = {.connects = false};
+	int count = 0;
+
+	for (int i = 0; i < CONFINE_OUTPUTS_MAX; i++) {
+		if (named[i]) {
+			request.output[count++] = named[i];
+		}
+	}
+	(void)confine_process(&request, log);
+}
+
 int command_run_with_model(const struct command *command,
 	const struct options *options, const struct log *log,
 	int (*run)(const struct model *model, const struct options *options,
@@ -32,6 +50,7 @@ int command_run_with_model(const struct command *command,
 			command->name, command->name, command->usage);
 		return EXIT_USAGE;
 	}
+	confine(options, log);
 	error = model_load_within(
 		options->model_path, options->common.memory_bytes, log, &model);
 	if (!error) {

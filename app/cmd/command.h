@@ -53,7 +53,8 @@ int command_dispatch(
 int command_exit_code(int error);
 
 /*
- * Loads options->model_path, calls run() with it and releases it. run() returns
+ * Confines the process (confine.h) to the outputs that the options name, loads
+ * options->model_path, calls run() with it and releases it. run() returns
  * 0, or -errno after logging an error. This function returns an exit code: it
  * is EXIT_USAGE, after an error that shows the command's usage, when no model
  * was given.

@@ -122,14 +122,12 @@ static int prepare(struct comparison *comparison, const struct log *log)
 	if (!error) {
 		error = comparison_rows_choose(comparison);
 	}
-	if (!error) {
-		error = measure_all(comparison, log);
-	}
 	if (error == -ENOMEM) {
 		log_error(log, "%s: there is not enough memory to compare it",
 			comparison->model->path);
 	}
-	return error;
+	/* The jobs log their errors themselves. */
+	return error ? error : measure_all(comparison, log);
 }
 
 int comparison_create(const struct model *model,

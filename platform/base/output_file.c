@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* fopencookie() */
+#define _GNU_SOURCE /* fopencookie(), memfd_create() */
 
 #include "platform/base/output_file.h"
 
@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -314,6 +315,17 @@ void output_file_discard(struct output_file *file)
 	if (file) {
 		release(file);
 	}
+}
+
+FILE *output_file_scratch(void)
+{
+	int fd = memfd_create("limber", MFD_CLOEXEC);
+	FILE *file = fd < 0 ? NULL : fdopen(fd, "w+");
+
+	if (fd >= 0 && !file) {
+		close(fd);
+	}
+	return file;
 }
 
 void output_file_survive_limits(void)

@@ -74,6 +74,12 @@ int output_file_commit(struct output_file *file);
 void output_file_discard(struct output_file *file);
 
 /*
+ * A file in memory without a name, for content that is read again before it is
+ * written. The caller closes it. Returns NULL and sets errno on failure.
+ */
+FILE *output_file_scratch(void);
+
+/*
  * Makes a write beyond the limit of `ulimit -f` fail with EFBIG instead of
  * ending the process by SIGXFSZ. Call it once, when the program starts.
  */

@@ -85,25 +85,24 @@ static void read_fault(void)
 	}
 }
 
-static void write_report(void)
+/* report is open before main(), which may forbid opening files. */
+static void write_report(FILE *report)
 {
-	const char *path = getenv("FAULT_REPORT");
-	FILE *file = path ? faults_open_stream(path, "w") : NULL;
-
-	if (!file) {
-		return;
-	}
-	for (int kind = 0; kind < KINDS; kind++) {
-		fprintf(file, "%s %ld\n", kind_names[kind],
+	for (int kind = 0; report && kind < KINDS; kind++) {
+		fprintf(report, "%s %ld\n", kind_names[kind],
 			atomic_load(&calls[kind]));
 	}
-	fclose(file);
+	if (report) {
+		fclose(report);
+	}
 }
 
 static int (*real_main)(int, char **, char **);
 
 static int counted_main(int argc, char **argv, char **environment)
 {
+	const char *path = getenv("FAULT_REPORT");
+	FILE *report = path ? faults_open_stream(path, "w") : NULL;
 	int status;
 
 	if (getenv("FAULT_CALLER")) {
@@ -114,7 +113,7 @@ static int counted_main(int argc, char **argv, char **environment)
 	atomic_store(&counting, true);
 	status = real_main(argc, argv, environment);
 	atomic_store(&counting, false);
-	write_report();
+	write_report(report);
 	return status;
 }
 

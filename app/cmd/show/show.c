@@ -1,10 +1,12 @@
 #include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_state.h"
+#include "platform/process/confine.h"
 #include "platform/process/stop.h"
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const int first_picture_ms = 3000;
 static const double film_rate_hz = 25.0; /* of --record on the real clock */
@@ -129,6 +131,21 @@ static int complete_output(struct show *show)
 	return screen->driver->finish(screen->display);
 }
 
+/*
+ * Everything but the model and the films is open. A desktop's windows open
+ * sockets later; the user may keep a picture anywhere.
+ */
+static void confine(const struct show *show)
+{
+	const struct confine_request request = {
+		.writes_anywhere = true,
+		.connects = show->screen.driver->get_surface ||
+			strcmp(show->screen.driver->name, "window") == 0,
+	};
+
+	(void)confine_process(&request, show->log);
+}
+
 /* Runs the show once everything is open. */
 static int run(struct show *show)
 {
@@ -171,6 +188,7 @@ static int open_and_run(struct show *show)
 	if (error) {
 		goto out_screen;
 	}
+	confine(show);
 	error = open_demo(show);
 	if (error) {
 		goto out_hud;

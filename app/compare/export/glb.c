@@ -22,7 +22,7 @@ void glb_begin(struct glb *glb)
 	*glb = (struct glb){.root = json_object(),
 		.accessors = json_array(),
 		.views = json_array(),
-		.data = tmpfile()};
+		.data = output_file_scratch()};
 	if (!glb->data) {
 		glb->error = -errno;
 	}

@@ -1,0 +1,100 @@
+#define _GNU_SOURCE /* O_PATH, syscall() */
+
+#include "platform/process/confine_files.h"
+
+#include "platform/base/output_path.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/landlock.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+/* Everything that changes files or runs them, as of the first Landlock. */
+static const uint64_t handled = LANDLOCK_ACCESS_FS_EXECUTE |
+	LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
+	LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
+	LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
+	LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
+	LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
+
+/* What output_file.h does in the folder of an output. */
+static const uint64_t of_folder = LANDLOCK_ACCESS_FS_WRITE_FILE |
+	LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_DIR |
+	LANDLOCK_ACCESS_FS_MAKE_REG;
+
+/* The path whose rule covers the output; the caller frees it. */
+static char *covering_path(const char *output, uint64_t *access)
+{
+	struct stat status;
+	char *target = NULL;
+	char *slash;
+	int descriptor;
+
+	if (output_path_follow(output, &target, &descriptor) != 0) {
+		return NULL;
+	}
+	if (stat(target, &status) == 0 && !S_ISREG(status.st_mode) &&
+		!S_ISDIR(status.st_mode)) {
+		*access = LANDLOCK_ACCESS_FS_WRITE_FILE;
+		return target;
+	}
+	*access = of_folder;
+	slash = strrchr(target, '/');
+	if (!slash) {
+		free(target);
+		return strdup(".");
+	}
+	slash[slash == target] = '\0';
+	return target;
+}
+
+/* An output that cannot be reached gets no rule; writing it will fail. */
+static int allow(int rules, const char *output)
+{
+	struct landlock_path_beneath_attr beneath = {0};
+	uint64_t access = 0;
+	char *path = covering_path(output, &access);
+	int error = 0;
+
+	if (!path) {
+		return 0;
+	}
+	beneath.allowed_access = access;
+	beneath.parent_fd = open(path, O_PATH | O_CLOEXEC);
+	free(path);
+	if (beneath.parent_fd < 0) {
+		return 0;
+	}
+	if (syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH,
+		    &beneath, 0) != 0) {
+		error = -errno;
+	}
+	close(beneath.parent_fd);
+	return error;
+}
+
+int confine_files(const char *const *output)
+{
+	const struct landlock_ruleset_attr attributes = {
+		.handled_access_fs = handled};
+	int rules = (int)syscall(SYS_landlock_create_ruleset, &attributes,
+		sizeof(attributes), 0);
+	int error = 0;
+
+	if (rules < 0) {
+		return -errno;
+	}
+	for (; !error && *output; output++) {
+		error = allow(rules, *output);
+	}
+	if (!error && syscall(SYS_landlock_restrict_self, rules, 0) != 0) {
+		error = -errno;
+	}
+	close(rules);
+	return error;
+}

@@ -72,8 +72,11 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 static int free_regions(const struct actor_framing *framing, int width,
 	int height, struct camera_region out[2])
 {
-	struct hud_group_extent labels = hud_group_extent_of(
-		width, height, framing->label_rows, framing->label_bars);
+	int most = hud_group_rows_max(width, height);
+	int rows = framing->label_rows < most ? framing->label_rows : most;
+	int bars = framing->label_bars < rows ? framing->label_bars : rows;
+	struct hud_group_extent labels =
+		hud_group_extent_of(width, height, rows, bars);
 	float bottom = 2.0f * (float)(framing->lines_below * labels.line) /
 			(float)height -
 		1.0f;

@@ -279,12 +279,20 @@ static double tuner_period_s(const struct demo *demo)
 	return autoplay_s;
 }
 
+/* Where not all fields are shown, the chosen one is the second. */
+static int first_field(const struct demo *demo, const struct hud *hud)
+{
+	int rows = hud_group_rows_max(hud->width, hud->height);
+
+	return rows >= PRESET_FIELDS || demo->field == 0 ? 0 : demo->field - 1;
+}
+
 static void tuner_label(const struct demo *demo, struct hud *hud)
 {
 	struct procedural_preset preset = demo->file.preset[demo->chosen];
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, preset.name);
 
-	for (int i = 0; i < PRESET_FIELDS; i++) {
+	for (int i = first_field(demo, hud); i < PRESET_FIELDS; i++) {
 		const struct preset_field *field = &preset_fields[i];
 		char value[32];
 

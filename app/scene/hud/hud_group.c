@@ -2,6 +2,7 @@
 
 #include "platform/base/scalar.h"
 
+#include <limits.h>
 #include <stdio.h>
 
 /* Lengths in eighths of an em; TEXT_SIZE counts bytes. */
@@ -84,6 +85,13 @@ struct hud_group_extent hud_group_extent_of(
 	};
 }
 
+int hud_group_rows_max(int width, int height)
+{
+	return width < 2 * hud_group_extent_of(width, height, 0, 0).column
+		? HUD_GROUP_ROWS_NARROW
+		: INT_MAX;
+}
+
 /* Adds the panel behind the rows, wider than they are by the padding. */
 static void add_panel(const struct hud_group *group, int y, int height)
 {
@@ -102,6 +110,7 @@ static struct hud_group begin(
 	struct hud_group group = {.hud = hud,
 		.corner = corner,
 		.y = eighths(hud, PADDING_Y),
+		.rows_left = hud_group_rows_max(hud->width, hud->height),
 		.first_quad = hud->quad_count};
 
 	group.width = width - 2 * padding;
@@ -164,6 +173,12 @@ static void add_line(
 	add_line_from(group, group->left, label, value);
 }
 
+/* Whether another row may be added, which it takes. */
+static bool take_row(struct hud_group *group)
+{
+	return group->rows_left > 0 && group->rows_left-- > 0;
+}
+
 static void next_row(struct hud_group *group, int height)
 {
 	group->y += height + eighths(group->hud, ROW_GAP);
@@ -172,6 +187,9 @@ static void next_row(struct hud_group *group, int height)
 void hud_group_text(
 	struct hud_group *group, const char *label, const char *value)
 {
+	if (!take_row(group)) {
+		return;
+	}
 	add_line(group, label, value);
 	next_row(group, hud_line_height(group->hud));
 }
@@ -183,6 +201,9 @@ void hud_group_bar(struct hud_group *group, const char *label,
 	int below = hud_line_height(hud) + eighths(hud, BAR_GAP);
 	int height = eighths(hud, BAR_HEIGHT);
 
+	if (!take_row(group)) {
+		return;
+	}
 	add_line(group, label, value);
 	hud_bar(group->hud, group->left, group->y + below, group->width, height,
 		fraction, color);
@@ -239,6 +260,9 @@ void hud_group_mark(struct hud_group *group, const char *label,
 	int side = eighths(hud, MARK_SIDE);
 	int top = group->y + (hud_line_height(hud) - side) / 2;
 
+	if (!take_row(group)) {
+		return;
+	}
 	hud_panel(hud, group->left, top, side, side, side / 2, color);
 	add_line_from(group, group->left + side + eighths(hud, MARK_GAP), label,
 		value);

@@ -33,6 +33,7 @@ struct hud_group {
 	enum hud_corner corner;
 	int left, width; /* of the rows, pixels */
 	int y;           /* top of the next row */
+	int rows_left;   /* that may be added */
 	int first_quad;
 };
 
@@ -49,6 +50,17 @@ struct hud_group_extent {
  */
 struct hud_group_extent hud_group_extent_of(
 	int width, int height, int rows, int bars);
+
+enum {
+	HUD_GROUP_ROWS_NARROW = 4
+};
+
+/*
+ * Returns how many rows a group shows in a picture of this size. In one that is
+ * less than twice as wide as a group, figures have no room beside the labels,
+ * so that these get shorter: HUD_GROUP_ROWS_NARROW, without those that follow.
+ */
+int hud_group_rows_max(int width, int height);
 
 /* Begins a group; the title may be NULL. */
 struct hud_group hud_group_begin(

@@ -98,8 +98,9 @@ static void check_whole(const struct camera_region *region)
 static bool covers(const struct camera_region *region, const int size[2],
 	int rows, int bars)
 {
-	struct hud_group_extent labels =
-		hud_group_extent_of(size[0], size[1], rows, bars);
+	int most = hud_group_rows_max(size[0], size[1]);
+	struct hud_group_extent labels = hud_group_extent_of(size[0], size[1],
+		rows < most ? rows : most, bars < most ? bars : most);
 	float right = 2.0f * (float)labels.column / (float)size[0] - 1.0f;
 	float bottom = 1.0f - 2.0f * (float)labels.top / (float)size[1];
 

@@ -211,6 +211,37 @@ static const char *weight_text(float weight)
 	return text_of(hud, first);
 }
 
+/* The height of a group with this many rows of each kind. */
+static int height_of_group(struct hud *hud, int rows)
+{
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, "title");
+
+	for (int i = 0; i < rows; i++) {
+		hud_group_text(&group, "label", "value");
+		hud_group_weight(&group, "label", 0.5f, hud_color_blue);
+		hud_group_mark(&group, "label", "value", hud_color_rose);
+	}
+	hud_group_end(&group);
+	return hud->stacked_px[HUD_TOP_LEFT];
+}
+
+static void test_groups_are_shorter_in_narrow_pictures(void **state)
+{
+	int four, eight;
+
+	(void)state;
+	four = height_of_group(hud_of_size(240, 320), 2);
+	eight = height_of_group(hud_of_size(240, 320), 8);
+	assert_int_equal(four, eight);
+	assert_true(four < 160);
+	assert_int_equal(hud_group_rows_max(240, 320), HUD_GROUP_ROWS_NARROW);
+	four = height_of_group(hud_of_size(320, 240), 2);
+	eight = height_of_group(hud_of_size(320, 240), 4);
+	assert_true(eight > four + 60);
+	assert_true(hud_group_rows_max(320, 240) > 100);
+	assert_true(hud_group_rows_max(480, 640) > 100);
+}
+
 static void test_times_show_hundredths(void **state)
 {
 	(void)state;
@@ -309,6 +340,7 @@ int main(void)
 		cmocka_unit_test(
 			test_groups_of_a_corner_stack_towards_the_middle),
 		cmocka_unit_test(test_labels_stay_in_place_while_values_change),
+		cmocka_unit_test(test_groups_are_shorter_in_narrow_pictures),
 		cmocka_unit_test(test_times_show_hundredths),
 		cmocka_unit_test(test_weights_show_percent),
 		cmocka_unit_test(test_a_long_label_gives_way_to_its_value),

@@ -80,11 +80,14 @@ static bool is_skinned(const struct model_mesh *mesh)
 static void gather_group(
 	struct group *group, const struct model *model, int mesh)
 {
+	int first = mesh < 0 ? 0 : mesh;
+	int end = mesh < 0 ? model->mesh_count : mesh + 1;
+
 	group->count = 0;
 	group->vertex_count = 0;
-	for (int m = 0; m < model->mesh_count; m++) {
+	for (int m = first; m < end; m++) {
 		struct model_mesh *own = &model->mesh[m];
-		bool wanted = mesh < 0 ? is_skinned(own) : m == mesh;
+		bool wanted = mesh >= 0 || is_skinned(own);
 
 		for (int p = 0; wanted && p < own->primitive_count; p++) {
 			group->primitive[group->count] = &own->primitive[p];
@@ -298,11 +301,21 @@ static void add_to_group(struct model *model, struct group *group, int mesh)
 	arena_release(&scratch);
 }
 
+/* Instances want the rest of the budget, and levels are a luxury. */
+static bool has_room(const struct memory_budget *budget)
+{
+	return !budget || budget->used_bytes <= budget->limit_bytes / 2;
+}
+
 void levels_make(struct model *model)
 {
 	struct arena scratch = arena_within(model->budget);
+	bool exceeded = model->budget && model->budget->exceeded;
 	struct group group;
 
+	if (!has_room(model->budget)) {
+		return;
+	}
 	if (init_group(&group, model, &scratch) == 0) {
 		add_to_group(model, &group, -1);
 		for (int m = 0; m < model->mesh_count; m++) {
@@ -312,4 +325,8 @@ void levels_make(struct model *model)
 		}
 	}
 	arena_release(&scratch);
+	/* What was refused here is not why anything else fails. */
+	if (model->budget) {
+		model->budget->exceeded = exceeded;
+	}
 }

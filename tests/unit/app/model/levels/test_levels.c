@@ -414,6 +414,15 @@ static void test_without_memory_there_are_no_levels(void **state)
 	levels_make(net.model);
 	assert_int_equal(net.primitive->lod_count, 0);
 	assert_int_equal(budget.used_bytes, 0);
+	assert_false(budget.exceeded);
+	/* Half of the budget is left to instances. */
+	budget = (struct memory_budget){
+		.limit_bytes = 64 << 20, .used_bytes = 33 << 20};
+	levels_make(net.model);
+	assert_int_equal(net.primitive->lod_count, 0);
+	budget.used_bytes = 1 << 20;
+	levels_make(net.model);
+	assert_true(net.primitive->lod_count > 0);
 	free_net(&net);
 }
 

@@ -12,6 +12,7 @@
 #include "app/anim/clip.h"
 #include "app/anim/ease.h"
 #include "app/anim/hierarchy.h"
+#include "app/anim/procedural/cloth.h"
 #include "app/character/character_morph.h"
 #include "app/character/state/inertia.h"
 #include "app/character/text/character_text.h"
@@ -201,6 +202,7 @@ enum character_stage {
 	CHARACTER_STAGE_WORLD, /* reads world matrices and from here on
 				  operations leave them up to date */
 	CHARACTER_STAGE_ATTACHED,
+	CHARACTER_STAGE_CLOTH,
 };
 
 /* An operation of a frame; it changes the pose. */
@@ -374,6 +376,31 @@ struct character_output {
 	double until_s; /* when it goes off; below 0: it stays on */
 };
 
+enum {
+	CHARACTER_CAPES_MAX = 4,
+	CHARACTER_CAPE_BODIES = 12
+};
+
+/* A cloth that hangs from a bone, with its shape at rest in metres. */
+struct character_cape {
+	struct character_switch is;
+	int bone;
+	float place[3]; /* the middle of its upper edge, of the model at rest */
+	float width, length;
+	float flare;  /* width of the hem / width of the upper edge */
+	float pleat;  /* depth of its pleats at the hem */
+	float radius; /* kept from bodies */
+	float color[3];
+	struct cloth cloth;
+	uint16_t *index; /* of its triangles */
+	int index_count;
+	int body_count;
+	struct capsule body[CHARACTER_CAPE_BODIES];
+
+	/* Changes: */
+	bool worn; /* in the last frame */
+};
+
 /* Which side of the picture labels take. */
 enum character_labels {
 	CHARACTER_LABELS_LEFT,
@@ -430,6 +457,9 @@ struct character {
 	struct character_part *part;
 	struct character_sequence *sequence;
 	struct character_target *target;
+	int cape_count;
+	struct character_cape *cape;
+	const struct character_switch *feet; /* or NULL */
 	struct character_switch **switches; /* of layers, expressions, effects */
 	struct character_output output[CHARACTER_OUTPUTS_MAX];
 	struct character_op *op;
@@ -439,6 +469,8 @@ struct character {
 	struct character_motion motion;
 	struct pose scratch, still;
 	float ground_m; /* the height of level ground */
+	/* The height of the ground above that; NULL: it is level. */
+	float (*ground_height)(void *user, float x, float z);
 
 	/* Changes: */
 	double seen_s; /* of the last frame */

@@ -20,6 +20,7 @@ static int build_all(struct character_build *build)
 		character_build_layers,
 		character_build_expressions,
 		character_build_effects,
+		character_build_capes,
 		character_build_states,
 		character_build_clips,
 		character_build_sequences,

@@ -163,8 +163,11 @@ int character_build_expressions(struct character_build *build);
 int character_build_effects(struct character_build *build);
 int character_build_look(struct character_build *build,
 	const struct character_section *section, void *look);
+int character_build_feet(struct character_build *build,
+	const struct character_section *section, void *feet);
 int character_build_reach(struct character_build *build,
 	const struct character_section *section, void *reach);
+int character_build_capes(struct character_build *build);
 int character_build_clips(struct character_build *build);
 int character_build_states(struct character_build *build);
 int character_build_sequences(struct character_build *build);

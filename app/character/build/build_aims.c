@@ -124,10 +124,10 @@ int character_build_look(struct character_build *build,
 				: 0;
 }
 
-static int read_limb(struct character_words *words,
-	const struct character_key *key, void *member)
+/* UPPER LOWER TIP, each below the one before. */
+static int read_three(struct character_words *words,
+	const struct character_key *key, struct ik_limb *limb)
 {
-	struct character_reach *reach = member;
 	int node[3];
 
 	for (int i = 0; i < 3; i++) {
@@ -145,9 +145,17 @@ static int read_limb(struct character_words *words,
 				key->right);
 		}
 	}
-	reach->limb = (struct ik_limb){node[0], node[1], node[2], 0};
-	reach->is_chain = false;
+	*limb = (struct ik_limb){node[0], node[1], node[2], 0};
 	return 0;
+}
+
+static int read_limb(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_reach *reach = member;
+
+	reach->is_chain = false;
+	return read_three(words, key, &reach->limb);
 }
 
 static int read_chain(struct character_words *words,
@@ -233,4 +241,42 @@ int character_build_reach(struct character_build *build,
 		: !reach->target ? character_fail_missing(build, section,
 					   "target = NAME, and a [target NAME]")
 				 : 0;
+}
+
+static int read_leg(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	return read_three(words, key, member);
+}
+
+#define FEET(name) offsetof(struct character_feet, name)
+
+static const struct character_key feet_keys[] = {
+	CHARACTER_SWITCH_KEYS(struct character_feet, is),
+	{"hips", character_read_node, FEET(hips), 0, 0, NULL,
+		"the node that carries both legs"},
+	{"left", read_leg, FEET(leg[0]), 0, 0, NULL,
+		"three nodes, such as thigh.L shin.L foot.L"},
+	{"right", read_leg, FEET(leg[1]), 0, 0, NULL,
+		"three nodes, such as thigh.R shin.R foot.R"},
+	{0},
+};
+
+int character_build_feet(struct character_build *build,
+	const struct character_section *section, void *what)
+{
+	struct character_feet *feet = what;
+	int error;
+
+	feet->hips = feet->leg[0].upper = feet->leg[1].upper = -1;
+	error = character_read_section(build, section, feet_keys, feet);
+	if (error) {
+		return error;
+	}
+	if (feet->hips < 0 || feet->leg[0].upper < 0 || feet->leg[1].upper < 0) {
+		return character_fail_missing(build, section,
+			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
+	}
+	build->character->feet = &feet->is;
+	return 0;
 }

@@ -171,11 +171,16 @@ static int build_spring(struct character_build *build,
 {
 	struct character_spring *effect = what;
 
+	int error;
+
 	if (!section->first || strcmp(section->first->key, "bones") != 0) {
 		return character_fail_missing(
 			build, section, "bones = LAST COUNT as its first line");
 	}
-	return character_read_section(build, section, spring_keys, effect);
+	error = character_read_section(build, section, spring_keys, effect);
+
+	memcpy(effect->gravity, effect->spring.gravity, sizeof(effect->gravity));
+	return error;
 }
 
 #define BREATH(name) offsetof(struct character_breath, breath.name)
@@ -260,6 +265,8 @@ static const struct {
 		build_breath, character_breath_run},
 	{"muscle", sizeof(struct character_muscle), CHARACTER_STAGE_BONE,
 		build_muscle, character_muscle_run},
+	{"feet", sizeof(struct character_feet), CHARACTER_STAGE_WORLD,
+		character_build_feet, character_feet_run},
 	{"look", sizeof(struct character_look), CHARACTER_STAGE_WORLD,
 		character_build_look, character_look_run},
 	{"reach", sizeof(struct character_reach), CHARACTER_STAGE_WORLD,

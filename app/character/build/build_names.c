@@ -130,7 +130,8 @@ int character_name_section(struct character_words *words, const char *kind)
 static bool is_switch(const char *kind)
 {
 	static const char *const switches[] = {"layer", "expression", "shake",
-		"look", "reach", "turn", "spring", "breath", "muscle"};
+		"look", "reach", "turn", "spring", "breath", "muscle", "feet",
+		"cape"};
 
 	for (size_t i = 0; i < ARRAY_COUNT(switches); i++) {
 		if (strcmp(kind, switches[i]) == 0) {
@@ -192,7 +193,8 @@ void character_start_switches(struct character *character)
 static const char *const kinds[] = {"character", "names", "parameter", "clip",
 	"state", "transition", "layer", "expression", "morph", "part",
 	"sequence", "target", "shake", "look", "reach", "turn", "spring",
-	"breath", "muscle", "output", "motion", "scene", "buttons", NULL};
+	"breath", "muscle", "feet", "cape", "output", "motion", "scene",
+	"buttons", NULL};
 
 /* Kinds of which there may be several, each with a name. */
 static bool is_named(const char *kind)

@@ -106,8 +106,8 @@ void character_spring_run(struct character *character, void *what)
 	capsule_to_world(effect->body, effect->body_count,
 		(const mat4 *)instance->world, body);
 	/* The figure moves on the spot, so the air moves instead. */
-	effect->spring.gravity[0] = -3 * ground[0];
-	effect->spring.gravity[2] = -3 * ground[1];
+	effect->spring.gravity[0] = effect->gravity[0] - 3 * ground[0];
+	effect->spring.gravity[2] = effect->gravity[2] - 3 * ground[1];
 	effect->spring.weight = effect->is.now;
 	spring_update(&effect->spring, character->step_s, body,
 		effect->body_count, (const mat4 *)instance->world,

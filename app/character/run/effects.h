@@ -56,6 +56,7 @@ struct character_turn {
 struct character_spring {
 	struct character_switch is;
 	struct spring spring;
+	float gravity[3]; /* without the wind of the motion */
 	int body_count;
 	struct capsule body[CHARACTER_BONES_MAX];
 };
@@ -71,6 +72,13 @@ struct character_muscle {
 	float swell[3]; /* at weight 1 */
 };
 
+/* Feet that keep to uneven ground. */
+struct character_feet {
+	struct character_switch is;
+	int hips;
+	struct ik_limb leg[2];
+};
+
 void character_shake_run(struct character *character, void *shake);
 void character_look_run(struct character *character, void *look);
 void character_reach_run(struct character *character, void *reach);
@@ -78,6 +86,8 @@ void character_turn_run(struct character *character, void *turn);
 void character_spring_run(struct character *character, void *spring);
 void character_breath_run(struct character *character, void *breath);
 void character_muscle_run(struct character *character, void *muscle);
+void character_feet_run(struct character *character, void *feet);
+void character_cape_run(struct character *character, void *cape);
 
 /* Computes where the targets are; the world matrices are up to date. */
 void character_targets_update(struct character *character);

@@ -1,10 +1,10 @@
 #include "app/character/state/machine.h"
 
 #include "app/anim/clip_join.h"
-#include "app/character/state/blend.h"
 #include "app/character/run/condition.h"
-#include "app/character/state/entry.h"
 #include "app/character/run/pending.h"
+#include "app/character/state/blend.h"
+#include "app/character/state/entry.h"
 #include "platform/base/scalar.h"
 
 /* The transition that fits best from the present state, or -1. */

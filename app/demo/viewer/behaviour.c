@@ -23,6 +23,7 @@ struct behaviour {
 	char path[CHARACTER_PATH_BYTES]; /* "" for the default behaviour */
 	struct ball ball;
 	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
+	const struct floor *floor; /* of the stage, once it was updated */
 };
 
 /* The character file of a model: --character, or the one beside it. */
@@ -81,6 +82,18 @@ static void drive(void *user, int output, bool on)
 	gpio_output_set(behaviour->output[output], on);
 }
 
+/* The ground under a character, in metres; user is the behaviour. */
+static float ground_height(void *user, float x, float z)
+{
+	const struct behaviour *behaviour = user;
+	const struct floor *floor = behaviour->floor;
+	float scale = behaviour->character->instance->unit_scale;
+
+	return floor
+		? (floor_height(floor, x * scale, z * scale) - floor->y) / scale
+		: 0.0f;
+}
+
 static void open_outputs(struct behaviour *behaviour, const struct log *log)
 {
 	struct character *character = behaviour->character;
@@ -93,6 +106,7 @@ static void open_outputs(struct behaviour *behaviour, const struct log *log)
 		}
 	}
 	character->drive = drive;
+	character->ground_height = ground_height;
 	character->drive_user = behaviour;
 }
 
@@ -218,8 +232,10 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 			: 0.0f};
 
 	character->ground_m = base->stage.floor.y / scale;
-	floor_set_wave_height(
-		&base->stage.floor, character->scene.wave_m * scale);
+	behaviour->floor = &base->stage.floor;
+	floor_set_wave_height(&base->stage.floor,
+		character->scene.wave_m * scale *
+			(character->feet ? character->feet->now : 1.0f));
 	camera_eye(camera, frame.eye);
 	for (int i = 0; i < 3; i++) {
 		frame.eye[i] /= scale;
@@ -254,6 +270,62 @@ static void draw_balls(
 	}
 }
 
+static void set_cape_material(
+	const struct gl *gl, const struct character_cape *cape)
+{
+	static const GLfixed dull[4] = {0, 0, 0, FX16_ONE};
+
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_COLOR_MATERIAL);
+	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, dull);
+	if (cape->is.now < 1.0f) {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	} else {
+		gl->Disable(GL_BLEND);
+	}
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Color4x(fx16_from_float(cape->color[0]),
+		fx16_from_float(cape->color[1]),
+		fx16_from_float(cape->color[2]), fx16_from_float(cape->is.now));
+	gl->EnableClientState(GL_NORMAL_ARRAY);
+	gl->NormalPointer(GL_FLOAT, 0, cape->cloth.normal);
+}
+
+/* Cloth is in metres; the stage is in scene units. */
+static void draw_capes(const struct behaviour *behaviour,
+	const struct demo_base *base, enum draw_pass pass)
+{
+	const struct gl *gl = base->gl;
+	GLfixed scale = fx16_from_float(base->actor.instance->unit_scale);
+
+	for (int i = 0; i < behaviour->character->cape_count; i++) {
+		const struct character_cape *cape =
+			&behaviour->character->cape[i];
+
+		if (!cape->worn) {
+			continue;
+		}
+		if (pass == DRAW_SHADED) {
+			set_cape_material(gl, cape);
+		} else {
+			gl->DisableClientState(GL_NORMAL_ARRAY);
+		}
+		gl->Disable(GL_CULL_FACE);
+		gl->EnableClientState(GL_VERTEX_ARRAY);
+		gl->DisableClientState(GL_COLOR_ARRAY);
+		gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+		gl->VertexPointer(3, GL_FLOAT, 0, cape->cloth.position);
+		gl->PushMatrix();
+		gl->Scalex(scale, scale, scale);
+		gl->DrawElements(GL_TRIANGLES, cape->index_count,
+			GL_UNSIGNED_SHORT, cape->index);
+		gl->PopMatrix();
+		gl->Disable(GL_BLEND);
+	}
+}
+
 void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
 	int width, int height)
 {
@@ -261,15 +333,19 @@ void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
 	const struct actor *actor = &base->actor;
 
 	stage_begin(&base->stage, gl, width, height);
-	if (behaviour->character->scene.shadow) {
+	/* A flat shadow does not fit uneven ground. */
+	if (behaviour->character->scene.shadow &&
+		base->stage.floor.wave_height == 0.0f) {
 		stage_shadow_begin(&base->stage, gl);
 		draw_instance(
 			gl, actor->instance, &actor->textures, DRAW_SHADOW);
+		draw_capes(behaviour, base, DRAW_SHADOW);
 		stage_shadow_end(&base->stage, gl);
 	} else {
 		stage_draw_monitor(&base->stage, gl);
 	}
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	draw_capes(behaviour, base, DRAW_SHADED);
 	draw_balls(behaviour, base);
 }
 

@@ -18,8 +18,8 @@ void behaviour_count_labels(
 {
 	int rows = names_state(character);
 
-	framing->label_bars = rows + character->morph_count;
-	framing->label_rows = rows + 3 * character->morph_count;
+	framing->label_bars = rows ? 1 : character->morph_count;
+	framing->label_rows = rows ? 1 : 3 * character->morph_count;
 	for (int i = 0; i < character->parameter_count; i++) {
 		int shown = character->parameter[i].source ==
 			CHARACTER_SOURCE_ACTIONS;
@@ -75,11 +75,20 @@ static void label_motion(
 	for (int i = 0; i < character->morph_count; i++) {
 		const struct character_morph *morph = &character->morph[i];
 
-		hud_group_text(group, "from", morph->key_name[morph->before]);
+		/* Beside a clip, a morph is shown while it runs. */
+		if (names_state(character) && !morph->morph.running) {
+			continue;
+		}
+		if (!names_state(character)) {
+			hud_group_text(
+				group, "from", morph->key_name[morph->before]);
+		}
 		hud_group_weight(group, morph->key_name[morph->destiny],
 			character_morph_omega(morph, character->now_s),
 			hud_color_rose);
-		label_pace(morph, group);
+		if (!names_state(character)) {
+			label_pace(morph, group);
+		}
 	}
 }
 

@@ -232,6 +232,82 @@ static void test_a_part_that_is_dropped_stands_on_the_ground(void **state)
 	acting_end(&acting);
 }
 
+/* A hill to the right: 0.1 m for each metre. */
+static float hill(void *user, float x, float z)
+{
+	(void)user;
+	(void)z;
+	return 0.1f * x;
+}
+
+static void test_the_walker_keeps_to_uneven_ground(void **state)
+{
+	struct acting acting;
+	float left[3], right[3], level[3];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, "assets/characters/walker.character");
+	assert_int_equal(acting.error, 0);
+	acting.character->ground_height = hill;
+	acting_run_to(&acting, 1.0, rate_hz);
+	acting_place(&acting, "foot.R", level);
+	acting_press(&acting, BUTTON_UP);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 2.0, rate_hz);
+	acting_place(&acting, "foot.L", left);
+	acting_place(&acting, "foot.R", right);
+	assert_near(left[1] - right[1], 0.1f * (left[0] - right[0]), 0.01);
+	assert_near(right[1], level[1] + 0.1f * right[0], 0.01);
+	acting_end(&acting);
+}
+
+static void test_the_walkers_cape_hangs_from_its_back(void **state)
+{
+	struct acting acting;
+	const struct character_cape *cape;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, "assets/characters/walker.character");
+	cape = acting.character->cape;
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_false(cape->worn);
+	press(&acting, BUTTON_F10, 3.0);
+	assert_true(cape->worn);
+	assert_near(cape->is.now, 1.0, 0.0);
+	for (int i = 0; i < cape->cloth.count; i++) {
+		assert_true(cape->cloth.position[i][1] > 0.4f);
+		assert_true(cape->cloth.position[i][2] < 0.1f);
+	}
+	press(&acting, BUTTON_F10, 4.0);
+	assert_false(cape->worn);
+	acting_end(&acting);
+}
+
+static void test_the_tours_of_our_own_models_run(void **state)
+{
+	static const char *const files[][2] = {
+		{"assets/walker.glb", "assets/characters/walker.character"},
+		{"assets/arm.glb", "assets/characters/arm.character"},
+		{"assets/face.glb", "assets/face.character"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(files); i++) {
+		struct acting acting;
+
+		acting_begin(&acting, files[i][0]);
+		acting_load(&acting, files[i][1]);
+		assert_int_equal(acting.error, 0);
+		acting.character->touring = true;
+		acting.character->tour_next = acting.character->scene.tour;
+		acting_run_to(&acting, 40.0, rate_hz);
+		assert_true(acting.character->touring);
+		acting_end(&acting);
+	}
+}
+
 static void test_the_tours_of_all_examples_run(void **state)
 {
 	static const char *const models[] = {
@@ -269,6 +345,9 @@ int main(void)
 		cmocka_unit_test(test_guarded_parts_stay_above_the_floor),
 		cmocka_unit_test(
 			test_a_part_that_is_dropped_stands_on_the_ground),
+		cmocka_unit_test(test_the_walker_keeps_to_uneven_ground),
+		cmocka_unit_test(test_the_walkers_cape_hangs_from_its_back),
+		cmocka_unit_test(test_the_tours_of_our_own_models_run),
 		cmocka_unit_test(test_the_tours_of_all_examples_run),
 	};
 

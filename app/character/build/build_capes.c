@@ -1,0 +1,157 @@
+#include "app/character/build/build.h"
+#include "app/character/run/effects.h"
+
+#include <errno.h>
+
+enum {
+	COLUMNS = 9,
+	ROWS = 11
+};
+
+/* body = NODE NODE RADIUS [X Y Z]: a capsule that the cloth does not enter. */
+static int read_body(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_cape *cape = member;
+	struct capsule *capsule = &cape->body[cape->body_count];
+	int error;
+
+	if (cape->body_count == CHARACTER_CAPE_BODIES) {
+		return character_fail(words, "there are at most %d bodies",
+			CHARACTER_CAPE_BODIES);
+	}
+	error = character_read_node(words, key, &capsule->node_a);
+	if (!error) {
+		error = character_read_node(words, key, &capsule->node_b);
+	}
+	if (!error &&
+		(!character_take_number(words, &capsule->radius) ||
+			capsule->radius <= 0)) {
+		return character_fail(words,
+			"the radius is a number above 0: give %s", key->right);
+	}
+	cape->body_count++;
+	return error;
+}
+
+#define CAPE(name) offsetof(struct character_cape, name)
+
+static const struct character_key keys[] = {
+	CHARACTER_SWITCH_KEYS(struct character_cape, is),
+	{"bone", character_read_node, CAPE(bone), 0, 0, NULL,
+		"the name of a node"},
+	{"place", character_read_numbers3, CAPE(place), 0, 0, NULL,
+		"x y z of the middle of its upper edge, such as 0 1.45 -0.12"},
+	{"width", character_read_number, CAPE(width), 0.001f, 1000, NULL,
+		"metres of its upper edge"},
+	{"length", character_read_number, CAPE(length), 0.001f, 1000, NULL,
+		"metres from the upper edge to the hem"},
+	{"flare", character_read_number, CAPE(flare), 0.1f, 10, NULL,
+		"the hem's width in upper edges, such as 1.4"},
+	{"pleat", character_read_number, CAPE(pleat), 0, 100, NULL,
+		"metres of depth at the hem, such as 0.03"},
+	{"radius", character_read_number, CAPE(radius), 0, 100, NULL,
+		"metres kept from bodies, such as 0.02"},
+	{"color", character_read_numbers3, CAPE(color), 0, 1, NULL,
+		"red, green and blue from 0 to 1"},
+	{"body", read_body, 0, 0, 0, NULL,
+		"two nodes and a radius, such as hips chest 0.13"},
+	{0},
+};
+
+/* Columns run from the wearer's left to right: the cape faces back. */
+static void shape_of(const struct character_cape *cape, float shape[][3])
+{
+	for (int i = 0; i < COLUMNS * ROWS; i++) {
+		float across =
+			1 - 2 * (float)(i % COLUMNS) / (float)(COLUMNS - 1);
+		float down = (float)(i / COLUMNS) / (float)(ROWS - 1);
+		float flare = 1 + (cape->flare - 1) * down;
+		float pleat = scalar_cos(across * SCALAR_PI * 3) * cape->pleat *
+			(0.12f + 0.88f * down);
+
+		shape[i][0] =
+			cape->place[0] + across * 0.5f * cape->width * flare;
+		shape[i][1] = cape->place[1] - cape->length * down;
+		shape[i][2] =
+			cape->place[2] + pleat - 0.06f * cape->length * down;
+	}
+}
+
+static int make_cloth(struct character_build *build, struct character_cape *cape)
+{
+	struct cloth_settings settings = cloth_settings_default();
+	float shape[COLUMNS * ROWS][3];
+	int pin[COLUMNS];
+
+	settings.columns = COLUMNS;
+	settings.rows = ROWS;
+	settings.radius = cape->radius;
+	for (int i = 0; i < COLUMNS; i++) {
+		pin[i] = cape->bone;
+	}
+	shape_of(cape, shape);
+	cape->index_count = 6 * (COLUMNS - 1) * (ROWS - 1);
+	cape->index =
+		ARENA_ARRAY(build->arena, uint16_t, (size_t)cape->index_count);
+	if (!cape->index ||
+		cloth_init(&cape->cloth, &settings, (const float(*)[3])shape,
+			pin, (const mat4 *)build->character->instance->world,
+			build->arena) != 0) {
+		return character_fail_memory(build);
+	}
+	cloth_triangles(&settings, cape->index);
+	return 0;
+}
+
+static int build_cape(struct character_build *build,
+	const struct character_section *section, struct character_cape *cape)
+{
+	int error = character_add_switch(build, section, &cape->is);
+
+	cape->bone = -1;
+	cape->width = 0.33f;
+	cape->length = 0.8f;
+	cape->flare = 1.35f;
+	cape->pleat = 0.034f;
+	cape->radius = 0.02f;
+	cape->color[0] = 0.82f;
+	cape->color[1] = 0.15f;
+	cape->color[2] = 0.19f;
+	if (!error) {
+		error = character_read_section(build, section, keys, cape);
+	}
+	if (!error && cape->bone < 0) {
+		error = character_fail_missing(
+			build, section, "bone = NODE and place = X Y Z");
+	}
+	if (!error) {
+		error = make_cloth(build, cape);
+	}
+	character_add_op(build, CHARACTER_STAGE_CLOTH, character_cape_run, cape);
+	return error;
+}
+
+int character_build_capes(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct character_section *section =
+		character_text_find(build->text->first, "cape");
+	int error = 0;
+
+	character->cape_count = character_text_count(build->text, "cape");
+	if (character->cape_count > CHARACTER_CAPES_MAX) {
+		return character_fail_section(build, section,
+			"a character has at most %d capes", CHARACTER_CAPES_MAX);
+	}
+	character->cape = ARENA_ARRAY(build->arena, struct character_cape,
+		(size_t)character->cape_count);
+	if (!character->cape) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; section && !error; i++) {
+		error = build_cape(build, section, &character->cape[i]);
+		section = character_text_find(section->next, "cape");
+	}
+	return error;
+}

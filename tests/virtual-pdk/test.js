@@ -191,7 +191,8 @@ async function testPower(page, server) {
 	await page.screenshot({ path: path.join(FOLDER, "off.png") });
 	await page.click("#power");
 	check("switched on it boots", await isRunning(page), await statusText(page));
-	await page.fill("#text", "halt -f");
+	// halt -f could end while limber flips, and the kernel holds its console back.
+	await page.fill("#text", "halt");
 	await page.keyboard.press("Enter");
 	check("a system that is halted is reported", await until(() =>
 		page.locator("#notice:visible", { hasText: "halted" }).count()),

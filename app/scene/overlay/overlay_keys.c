@@ -47,6 +47,18 @@ static void draw_ghost(struct overlay *overlay, const struct model_clip *clip,
 		&overlay->ghost, overlay->gl, overlay->subject.textures, color);
 }
 
+/* The next key frame; beyond an end of the clip its other end goes on. */
+static float next_key(const struct model_clip *clip, float time_s, float gap_s)
+{
+	float key_s = overlay_ghost_key_time(clip, time_s, gap_s);
+
+	if (key_s < 0.0f) {
+		time_s += gap_s > 0.0f ? -clip->duration_s : clip->duration_s;
+		key_s = overlay_ghost_key_time(clip, time_s, gap_s);
+	}
+	return key_s;
+}
+
 /* Two key frames before the present moment and two after it. */
 static void draw_ghosts(
 	struct overlay *overlay, const struct overlay_motion *motion)
@@ -61,8 +73,7 @@ static void draw_ghosts(
 		memcpy(color, side < 0 ? before_color : after_color,
 			sizeof(color));
 		for (int i = 0; i < 2; i++) {
-			at_s = overlay_ghost_key_time(
-				clip, at_s, gap_s * (float)side);
+			at_s = next_key(clip, at_s, gap_s * (float)side);
 			if (at_s < 0.0f) {
 				break;
 			}

@@ -52,7 +52,7 @@ struct texture_band {
 
 /*
  * Rows in one colour without a depth test, opaque or blended, where a stencil
- * lets them: what shadows on the ground and panels are.
+ * lets them.
  */
 struct flat_band {
 	uint8_t *pixels, *stencil; /* of column 0; stencil may be NULL */

@@ -1,5 +1,5 @@
 /*
- * Counting in the stencil, with nothing drawn: what shadow volumes do. Depth
+ * Counting in the stencil, with nothing drawn: what the hulls of volumes do. Depth
  * is tested LESS; where that fails, or where it passes, the stencil goes up or
  * down by one and stays between 0 and 255.
  */

@@ -1,6 +1,6 @@
 /*
  * Triangles of any size that count in the stencil, where they are hidden or
- * where they are seen: the hulls of shadow volumes. See count.h.
+ * where they are seen: the hulls of volumes. See count.h.
  */
 #include "platform/gl/soft/fast/count.h"
 #include "platform/gl/soft/raster/raster.h"

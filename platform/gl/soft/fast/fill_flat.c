@@ -1,6 +1,6 @@
 /*
  * Triangles of any size in one colour for all of a call, without a depth test:
- * shadows on level ground, whose stencil darkens each pixel once.
+ * a stencil may let each pixel through once.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/raster/pixel.h"

@@ -1,6 +1,6 @@
 /*
  * One colour through the alpha of a texture's nearest texels, upright, without
- * tests: letters, and the panels and bars beside them, which are a single texel
+ * tests: text, and rectangles beside it, which are a single texel
  * wide. Two triangles that are a rectangle are drawn as one.
  */
 #include "platform/gl/soft/raster/mix.h"

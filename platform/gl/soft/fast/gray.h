@@ -1,6 +1,6 @@
 /*
  * Rows of triangles with a luminance texture in shades of gray that vary, depth
- * LESS, opaque or blended by alpha, into RGB565: what uneven ground is. As
+ * LESS, opaque or blended by alpha, into RGB565. As
  * luminance.h, whose rows have one colour and need no test.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_GRAY_H

@@ -28,7 +28,7 @@ static uint32_t size_of(int32_t value)
 }
 
 /*
- * Ground is as deep all along a row, but for what rounding left: then one value
+ * A level plane is as deep all along a row, but for what rounding left: then one value
  * does.
  */
 static void write_depth(const struct draw *draw, const struct piece *piece)
@@ -174,7 +174,7 @@ int soft_luminance_find_length(const struct draw *draw, const struct point *from
 }
 
 /*
- * Ground that is equally far all along a row: q moves by less than 2^-16 of it,
+ * A plane that is equally far all along a row: q moves by less than 2^-16 of it,
  * and so do coordinates, of thousands of texels, by less than their fraction.
  */
 static bool is_level(

@@ -1,6 +1,6 @@
 /*
  * Rows of large triangles with a luminance texture in one colour, opaque or
- * blended by alpha, into RGB565: what floors are. rows.c hands them on.
+ * blended by alpha, into RGB565.
  *
  * The four texels around a centre lie in one word (struct level, quads), so a
  * bilinear texel is one load, and equal texels are seen at once. A table has

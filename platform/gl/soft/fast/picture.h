@@ -1,7 +1,6 @@
 /*
  * Rows of upright pictures as they are: an RGB565 texture's nearest texels on a
- * level of their own, neither tinted nor tested, into RGB565. What a camera's
- * picture behind the scene is.
+ * level of their own, neither tinted nor tested, into RGB565.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_PICTURE_H
 #define PLATFORM_GL_SOFT_FAST_PICTURE_H

@@ -93,7 +93,7 @@ static void run_tests(const struct draw *draw, const struct span *span,
 	}
 }
 
-/* The stencil without a depth test: flat shadows and what they darken. */
+/* The stencil without a depth test: pixels that are drawn once, or where something was counted. */
 static int test_stencil(
 	const struct draw *draw, const struct span *span, bool *passes)
 {

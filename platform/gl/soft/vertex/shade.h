@@ -1,16 +1,16 @@
 /*
- * Rows of a luminance texture in shades that vary: what ground.h draws.
+ * Rows of a luminance texture in shades that vary: what gray.h draws.
  */
 #ifndef PLATFORM_GL_SOFT_VERTEX_SHADE_H
 #define PLATFORM_GL_SOFT_VERTEX_SHADE_H
 
 #include <stdint.h>
 
-/* Pixels of a row; texels of one level. Offsets are known to arm/ground.S. */
+/* Pixels of a row; texels of one level. */
 struct shade_run {
-	uint16_t *pixel; /* 0 */
+	uint16_t *pixel;
 	uint16_t *depth; /* NULL: none is written */
-	int count;       /* 8 */
+	int count;
 	const uint32_t *quads;
 	int width_log2, height_log2; /* both more than 0 */
 	/*
@@ -24,8 +24,8 @@ struct shade_run {
 	uint32_t alpha; /* 8.16 and the half of 1/32 */
 	int32_t alpha_right;
 	const uint32_t *shade; /* 256 wide colours */
-	/* ground.c's: how much of 256 a texel counts, 8.16 */
-	uint32_t share; /* 60 */
+	/* gray.c's: how much of 256 a texel counts, 8.16 */
+	uint32_t share;
 	int32_t share_right;
 };
 

@@ -10,8 +10,14 @@ build/arm/obj/app/anim/%.o build/arm/obj/app/scene/instance/%.o \
 		build/arm/obj/platform/gl/soft/%.o: \
 	CFLAGS_arm += -fno-stack-protector
 
-BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost gl_scenes \
-	gl_states demo_frames character_cost)
+BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
+	gl_scenes gl_states demo_frames character_cost)
+# Models whose rows of limber compare are played, with their clips.
+PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
+	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
+PLAY_MODELS = assets/walker.glb@walk assets/walker.glb@jump \
+	assets/face.glb@cycle $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
+	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb)
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -47,4 +53,5 @@ bench-arm11-table:
 
 bench_suites = $(call suite,bench/arm11,$(BENCH) --short --check \
 	$(BENCH_FIGURES)) \
-	$(call suite,bench/checker,tests/bench/checker.sh $(BENCH_FIGURES))
+	$(call suite,bench/checker,tests/bench/checker.sh $(BENCH_FIGURES)) \
+	$(call suite,bench/play,$(PLAY_CHECK) $(PLAY_MODELS))

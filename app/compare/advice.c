@@ -6,6 +6,9 @@
 
 /* Only the program for the board has this kernel. */
 static const char board_kernel[] = "armv6";
+/* The model itself comes first; others must be cheaper by more than this. */
+static const double worth_choosing = 0.1;
+
 static enum comparison_cost choose_cost(const struct comparison *comparison)
 {
 	if (!kernel_find(board_kernel)) {
@@ -76,15 +79,17 @@ static bool is_better(const struct comparison *comparison, int a, int b)
 		return advice_row_us(comparison, a) <
 			advice_row_us(comparison, b);
 	}
-	return advice_row_price(comparison, a) < advice_row_price(comparison, b);
+	return advice_row_price(comparison, a) <
+		advice_row_price(comparison, b) - worth_choosing;
 }
 
 static void set_limits(struct comparison *comparison)
 {
 	const struct comparison_request *request = &comparison->request;
 	const struct board_profile *board = request->board;
-	double frame_ms =
-		request->frame_ms > 0.0 ? request->frame_ms : board->frame_ms;
+	double frame_ms = request->frame_ms > 0.0
+		? request->frame_ms
+		: board->frame_ms - board->drawing_ms;
 
 	comparison->memory_limit_bytes = request->memory_bytes > 0
 		? request->memory_bytes

@@ -27,9 +27,10 @@ double advice_row_us(const struct comparison *comparison, int row)
 double advice_cell_us(const struct comparison *comparison, int row, int clip)
 {
 	const struct comparison_cell *cell = &comparison->row[row].cell[clip];
+	struct board_cost board = board_frame_sum(&cell->board);
 
 	return time_us(comparison, cell->time.frame_us, cell->time.instructions,
-		&cell->board);
+		&board);
 }
 
 bool advice_fits_memory(const struct comparison *comparison, int row)

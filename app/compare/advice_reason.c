@@ -56,6 +56,14 @@ static void weigh_faster(
 	double more = (double)bytes_of(comparison, other) -
 		(double)bytes_of(comparison, advised);
 
+	if (advice_row_price(comparison, other) <=
+		advice_row_price(comparison, advised)) {
+		snprintf(text, size,
+			"\"%s\" would save %.1f us, which is %.2f%% of a frame of %.1f ms and too little to convert the model for",
+			comparison->row[other].name, saved_us,
+			saved_us / (board->frame_ms * 10.0), board->frame_ms);
+		return;
+	}
 	snprintf(text, size,
 		"\"%s\" would save %.0f us, which is %.1f%% of a frame of %.1f ms, but take %.0f KiB more, where 1%% is worth %.0f KiB",
 		comparison->row[other].name, saved_us,

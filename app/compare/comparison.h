@@ -52,7 +52,7 @@ struct comparison_request {
 struct comparison_cell {
 	struct candidate_error error;
 	struct candidate_time time;
-	struct board_cost board;
+	struct board_frame board;
 	struct candidate_bytes bytes;
 	int vertex_count;
 	struct fit_keys keys; /* of a morph */

@@ -151,7 +151,7 @@ static void sum_up(
 	*total = (struct comparison_total){0};
 	for (int c = 0; c < comparison->clip_count; c++) {
 		const struct comparison_cell *cell = &row->cell[c];
-		struct board_cost board = cell->board;
+		struct board_cost board = board_frame_sum(&cell->board);
 
 		add_error(total, &cell->error, c, share);
 		total->frame_us += cell->time.frame_us * (double)share;

@@ -25,7 +25,7 @@ struct candidate_bytes {
 struct candidate {
 	struct reference *reference; /* not owned */
 	struct candidate_bytes bytes;
-	struct board_cost board; /* predicted, the same on every machine */
+	struct board_frame board; /* predicted, the same on every machine */
 
 	int vertex_count;  /* of the vertices that it shows */
 	const int *source; /* [vertex_count] of the reference; NULL: the same */

@@ -205,7 +205,8 @@ static void count_costs(
 	size_t keys = (size_t)bake->key_count;
 	size_t key_bytes = 0, file_bytes = 0;
 
-	candidate->board = board_cost_joints(1);
+	candidate->board.sample = board_cost_sample_keys(bake->key_count);
+	candidate->board.matrices = board_cost_matrices(1, 0);
 	for (int i = 0; i < reference->part_count; i++) {
 		const struct reference_part *part = &reference->part[i];
 		size_t count = (size_t)part->vertex_count;
@@ -213,7 +214,7 @@ static void count_costs(
 		struct board_cost cost =
 			board_cost_keys(part->vertex_count, part->normals);
 
-		board_cost_add(&candidate->board, &cost);
+		board_cost_add(&candidate->board.vertices, &cost);
 		key_bytes += (count + count % 2) * streams *
 			sizeof(struct fixed_key);
 		file_bytes += count *

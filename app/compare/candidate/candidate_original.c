@@ -1,5 +1,7 @@
 #include "app/compare/candidate/candidate.h"
 
+#include "app/compare/candidate/capped_influences.h"
+
 #include "app/compare/measure/posed_vertices.h"
 #include "app/model/model_stats.h"
 
@@ -73,15 +75,12 @@ static size_t target_bytes(const struct model *model, const struct drawable *d)
 }
 
 /* Each influence is a weight record with its base vectors. */
-static size_t stream_bytes(const struct skin_stream *stream, int cap)
+static size_t stream_bytes(const struct skin_stream *stream)
 {
-	int count = cap > 0 && cap < stream->max_influences
-		? stream->capped[cap]
-		: stream->influence_count;
 	size_t each = sizeof(struct joint_weight) + sizeof(float[4]) +
 		(stream->normal ? sizeof(float[4]) : 0);
 
-	return (size_t)count * each;
+	return (size_t)stream->influence_count * each;
 }
 
 static size_t output_bytes(const struct drawable *drawable)
@@ -103,18 +102,18 @@ static size_t morph_bytes(
 		: vector_bytes(drawable) + target_bytes(model, drawable);
 }
 
-static size_t skin_bytes(const struct drawable *drawable, int cap)
+static size_t skin_bytes(const struct drawable *drawable)
 {
 	const struct drawable_fixed *fixed = drawable->fixed;
 
 	return fixed ? fixed_skin_bytes(&fixed->skin) +
 			(size_t)fixed->skin.joint_count *
 				sizeof(struct fixed_matrix)
-		     : stream_bytes(&drawable->stream, cap);
+		     : stream_bytes(&drawable->stream);
 }
 
 static void count_drawable(struct candidate *candidate,
-	const struct model *model, const struct drawable *drawable, int cap)
+	const struct model *model, const struct drawable *drawable)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t vectors = vector_bytes(drawable);
@@ -125,7 +124,7 @@ static void count_drawable(struct candidate *candidate,
 		size_t joint =
 			model->skin[drawable->skin].joint_count > 256 ? 2 : 1;
 
-		candidate->bytes.shared += skin_bytes(drawable, cap);
+		candidate->bytes.shared += skin_bytes(drawable);
 		candidate->bytes.shared_file += (size_t)primitive->vertex_count *
 			(size_t)primitive->influences * (joint + sizeof(float));
 	}
@@ -135,7 +134,7 @@ static void count_drawable(struct candidate *candidate,
 }
 
 static void count_bytes(
-	struct candidate *candidate, const struct original *state, int cap)
+	struct candidate *candidate, const struct original *state)
 {
 	const struct model *model = &state->model;
 	struct model_stats stats = {0};
@@ -153,13 +152,12 @@ static void count_bytes(
 		candidate->bytes.shared_file += matrices;
 	}
 	for (int i = 0; i < state->instance->drawable_count; i++) {
-		count_drawable(
-			candidate, model, &state->instance->drawable[i], cap);
+		count_drawable(candidate, model, &state->instance->drawable[i]);
 	}
 }
 
-/* Gives the copy of the model meshes without targets. */
-static int drop_targets(struct original *state)
+/* Gives the copy of the model meshes of its own, maybe without targets. */
+static int copy_meshes(struct original *state, bool targets)
 {
 	const struct model *model = state->reference->model;
 	struct model_mesh *mesh = ARENA_ARRAY(
@@ -170,21 +168,77 @@ static int drop_targets(struct original *state)
 	}
 	memcpy(mesh, model->mesh, (size_t)model->mesh_count * sizeof(*mesh));
 	for (int i = 0; i < model->mesh_count; i++) {
-		mesh[i].target_count = 0;
+		mesh[i].target_count = targets ? mesh[i].target_count : 0;
 	}
 	state->model.mesh = mesh;
 	return 0;
 }
 
+static int cap_primitive(
+	struct model_primitive *primitive, int max, struct arena *arena)
+{
+	struct model_primitive from = *primitive;
+	size_t count = (size_t)from.vertex_count * (size_t)from.influences;
+
+	primitive->joint = ARENA_ARRAY(arena, uint16_t, count);
+	primitive->weight = ARENA_ARRAY(arena, float, count);
+	if (!primitive->joint || !primitive->weight) {
+		return -ENOMEM;
+	}
+	for (int v = 0; v < from.vertex_count; v++) {
+		struct capped_influences kept =
+			capped_influences_of(&from, v, max);
+		size_t at = (size_t)v * (size_t)from.influences;
+
+		memcpy(primitive->joint + at, kept.joint,
+			(size_t)from.influences * sizeof(*kept.joint));
+		memcpy(primitive->weight + at, kept.weight,
+			(size_t)from.influences * sizeof(*kept.weight));
+	}
+	return 0;
+}
+
+/* The influences that a file with at most max of them a vertex has. */
+static int cap_mesh(struct model_mesh *mesh, int max, struct arena *arena)
+{
+	size_t count = (size_t)mesh->primitive_count;
+	struct model_primitive *primitive =
+		ARENA_ARRAY(arena, struct model_primitive, count);
+	int error = primitive ? 0 : -ENOMEM;
+
+	if (primitive) {
+		memcpy(primitive, mesh->primitive, count * sizeof(*primitive));
+	}
+	for (int i = 0; !error && i < mesh->primitive_count; i++) {
+		if (primitive[i].influences > 0) {
+			error = cap_primitive(&primitive[i], max, arena);
+		}
+	}
+	mesh->primitive = primitive;
+	return error;
+}
+
+static int change_meshes(
+	struct original *state, int max_influences, bool targets)
+{
+	int error = copy_meshes(state, targets);
+
+	for (int i = 0;
+		!error && max_influences > 0 && i < state->model.mesh_count;
+		i++) {
+		error = cap_mesh(
+			&state->model.mesh[i], max_influences, &state->arena);
+	}
+	return error;
+}
+
 static int prepare(struct original *state, const struct kernel *kernel,
 	int max_influences, bool targets, const struct log *log)
 {
-	int error = 0;
+	int error;
 
 	state->model = *state->reference->model;
-	if (!targets) {
-		error = drop_targets(state);
-	}
+	error = change_meshes(state, max_influences, targets);
 	if (!error) {
 		error = clip_cursor_init(
 			&state->cursor, &state->model, &state->arena);
@@ -196,7 +250,28 @@ static int prepare(struct original *state, const struct kernel *kernel,
 	error = instance_create(&state->model, kernel, log, &state->instance);
 	if (!error) {
 		state->instance->normal_mapping = false;
-		state->instance->max_influences = max_influences;
+	}
+	return error;
+}
+
+/* The board plays in fixed point, whatever kernel is measured here. */
+static int predict(struct candidate *candidate, struct original *state,
+	double rate_hz, const struct log *log)
+{
+	const struct model_clip *clip = state->reference->clip;
+	struct instance *instance = state->instance;
+	int error = 0;
+
+	if (!instance->kernel->fixed) {
+		error = instance_create(
+			&state->model, kernel_find("fixed"), log, &instance);
+	}
+	if (!error) {
+		candidate->board = board_cost_clip(
+			clip, instance, &state->cursor, 0, rate_hz);
+	}
+	if (!error && instance != state->instance) {
+		instance_destroy(instance);
 	}
 	return error;
 }
@@ -228,8 +303,10 @@ int candidate_original(struct candidate *candidate, struct reference *reference,
 		candidate_destroy(candidate);
 		return error;
 	}
-	count_bytes(candidate, state, max_influences);
-	candidate->board = board_cost_clip(reference->clip, state->instance,
-		&state->cursor, max_influences, rate_hz);
-	return 0;
+	count_bytes(candidate, state);
+	error = predict(candidate, state, rate_hz, log);
+	if (error) {
+		candidate_destroy(candidate);
+	}
+	return error;
 }

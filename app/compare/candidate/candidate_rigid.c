@@ -303,7 +303,11 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;
 	count_bytes(candidate, rigid);
-	candidate->board = board_cost_joints(reference->model->node_count);
+	candidate->board = (struct board_frame){
+		.sample = board_cost_sample(
+			reference->clip, reference->model->node_count),
+		.matrices = board_cost_matrices(reference->model->node_count, 0),
+	};
 	return 0;
 }
 

@@ -11,6 +11,25 @@
  */
 static const struct board_cost palette_joint = {270.0, 250.0};
 
+/*
+ * What has no row either: the cycles and instructions that tests/bench/
+ * play_cost.c counts for models and exports of many kinds, divided among what
+ * they have by least squares (figures.md).
+ */
+static const struct board_cost sample_frame = {970.0, 124.0};
+static const struct board_cost sample_node = {190.0, 28.0};
+static const struct board_cost sample_channel = {278.0, 53.0}; /* that moves */
+static const struct board_cost sample_times = {133.0, 14.0};   /* of its own */
+static const struct board_cost sample_weight = {55.0, 7.8};
+static const struct board_cost matrix_node = {880.0, 140.0};
+static const struct board_cost palette_row = {330.0, 12.0}; /* of a joint */
+static const struct board_cost keys_drawable = {1700.0, 245.0};
+static const struct board_cost keys_vertex = {20.0, 11.1};
+static const struct board_cost targets_copied = {12.0, 2.0};
+static const struct board_cost targets_begun = {28.0, 13.0};
+static const struct board_cost targets_added = {27.0, 11.0};
+static const struct board_cost targets_rebased = {40.0, 14.0};
+
 static struct board_cost cost_of(enum arm11_work work, double count)
 {
 	return (struct board_cost){
@@ -41,23 +60,66 @@ void board_cost_add(struct board_cost *cost, const struct board_cost *more)
 	cost->instructions += more->instructions;
 }
 
-struct board_cost board_cost_joints(int count)
+struct board_cost board_frame_sum(const struct board_frame *frame)
 {
-	struct board_cost cost = cost_of(ARM11_POSE_CESIUM, 0.5 * count);
-	struct board_cost other = cost_of(ARM11_POSE_WALKER, 0.5 * count);
+	struct board_cost sum = frame->sample;
 
-	board_cost_add(&cost, &other);
-	return cost;
+	board_cost_add(&sum, &frame->matrices);
+	board_cost_add(&sum, &frame->vertices);
+	return sum;
 }
 
-struct board_cost board_cost_pose(const struct model *model)
+static void add_times(
+	struct board_cost *sum, const struct board_cost *each, double count)
 {
-	int joints = 0;
+	sum->cycles += each->cycles * count;
+	sum->instructions += each->instructions * count;
+}
 
-	for (int i = 0; i < model->skin_count; i++) {
-		joints += model->skin[i].joint_count;
+static struct board_cost sample_of(
+	double nodes, double channels, double times, double weights)
+{
+	struct board_cost sum = sample_frame;
+
+	add_times(&sum, &sample_node, nodes);
+	add_times(&sum, &sample_channel, channels);
+	add_times(&sum, &sample_times, times);
+	add_times(&sum, &sample_weight, weights);
+	return sum;
+}
+
+struct board_cost board_cost_sample(
+	const struct model_clip *clip, int node_count)
+{
+	const float *last_s = NULL;
+	int channels = 0, times = 0, weights = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (channel->constant) {
+			continue;
+		}
+		channels++;
+		times += channel->time_s != last_s;
+		last_s = channel->time_s;
+		weights += channel->path == MODEL_WEIGHTS ? channel->width : 0;
 	}
-	return board_cost_joints(joints > 0 ? joints : model->node_count);
+	return sample_of(node_count, channels, times, weights);
+}
+
+struct board_cost board_cost_sample_keys(int key_count)
+{
+	return sample_of(1, 1, 1, key_count);
+}
+
+struct board_cost board_cost_matrices(int node_count, int joint_count)
+{
+	struct board_cost sum = {0.0, 0.0};
+
+	add_times(&sum, &matrix_node, node_count);
+	add_times(&sum, &palette_row, joint_count);
+	return sum;
 }
 
 /* Of one vertex; each influence beyond four costs as much as the fourth. */
@@ -136,10 +198,19 @@ struct board_cost board_cost_skin(
 
 struct board_cost board_cost_keys(int vertex_count, bool normals)
 {
-	return cost_of(normals ? ARM11_LERP_NORMALS : ARM11_LERP, vertex_count);
+	struct board_cost sum = keys_drawable;
+
+	add_times(&sum, &keys_vertex, (normals ? 2.0 : 1.0) * vertex_count);
+	return sum;
 }
 
-struct board_cost board_cost_targets(double moves, bool normals)
+struct board_cost board_cost_targets(const struct board_targets *targets)
 {
-	return cost_of(ARM11_TARGETS_2, normals ? 2.0 * moves : moves);
+	struct board_cost sum = cost_of(ARM11_TARGETS_2, targets->paired);
+
+	add_times(&sum, &targets_copied, targets->copied);
+	add_times(&sum, &targets_begun, targets->begun);
+	add_times(&sum, &targets_added, targets->added);
+	add_times(&sum, &targets_rebased, targets->rebased);
+	return sum;
 }

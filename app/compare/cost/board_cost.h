@@ -1,14 +1,12 @@
 /*
  * Predicts what a technique costs on the board.
  *
- * The cost is the number of vertices and joints times the cycles that the
- * timing model of the board's core counted for each loop
- * (app/anim/kernel/arm11_cost.h). Nothing was measured on hardware. The result
- * is the same on every machine.
- *
- * It leaves out a few hundred cycles a frame that depend on neither. It is
- * within 5% of the meshes that the timing model ran as a whole
- * (tests/unit/app/compare/test_board_cost.c).
+ * The cost is the number of vertices, joints, nodes and channels times the
+ * cycles that the timing model of the board's core counted
+ * (app/anim/kernel/arm11_cost.h and board_cost.c), with the data of each frame
+ * in memory. Nothing was measured on hardware. The result is the same on every
+ * machine. It is within 10% of what the model counts when it plays the files
+ * (tests/bench/play_check.py), for all that comes before drawing.
  */
 #ifndef APP_COMPARE_COST_BOARD_COST_H
 #define APP_COMPARE_COST_BOARD_COST_H
@@ -20,25 +18,37 @@ struct board_cost {
 	double cycles, instructions; /* a frame */
 };
 
+/* The steps of a frame before it is drawn. */
+struct board_frame {
+	struct board_cost sample;   /* the clip's values at a time */
+	struct board_cost matrices; /* of nodes, and palettes of skins */
+	struct board_cost vertices; /* the loops, and converting palettes */
+};
+
 /* Converts cycles to microseconds at the board's clock rate. */
 double board_cost_us(const struct board_cost *cost);
 
 /* Adds more to *cost. */
 void board_cost_add(struct board_cost *cost, const struct board_cost *more);
 
-/*
- * The cost of sampling a clip and of computing world matrices and palettes, for
- * the joints of a model, or for its nodes when it has no skin.
- */
-struct board_cost board_cost_pose(const struct model *model);
+/* All steps together. */
+struct board_cost board_frame_sum(const struct board_frame *frame);
 
-/* The same for a number of joints or nodes. */
-struct board_cost board_cost_joints(int count);
+/* The cost of sampling a clip whose values are written to so many nodes. */
+struct board_cost board_cost_sample(
+	const struct model_clip *clip, int node_count);
+
+/* The same for weights of a number of key frames of a morph's single node. */
+struct board_cost board_cost_sample_keys(int key_count);
+
+/* The cost of matrices of nodes, and of the palettes of joints. */
+struct board_cost board_cost_matrices(int node_count, int joint_count);
 
 /*
  * The cost of skinning a primitive that has influences, at most max_influences
  * a vertex (0: all), and its normals if it has any. This includes converting
- * the matrices of its joints to fixed point.
+ * the matrices of its joints to fixed point. It leaves out what depends on the
+ * number of runs.
  */
 struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences);
@@ -46,18 +56,23 @@ struct board_cost board_cost_skin(
 /* The cost of interpolating vertices between two key frames. */
 struct board_cost board_cost_keys(int vertex_count, bool normals);
 
-/*
- * The cost of adding weighted targets, which the loops take in pairs. moves is
- * the number of vertices that each pair moves, summed over all pairs.
- */
-struct board_cost board_cost_targets(double moves, bool normals);
+/* Vertices of weighted targets in an average frame, over all attributes. */
+struct board_targets {
+	double copied;  /* no target has a weight */
+	double paired;  /* by a single pair of targets */
+	double begun;   /* by several pairs */
+	double added;   /* of these, by each pair */
+	double rebased; /* influences of a skin that are rewritten */
+};
+
+struct board_cost board_cost_targets(const struct board_targets *targets);
 
 /*
  * The cost of everything an instance does in an average frame of the clip at
  * rate_hz frames a second, with at most max_influences a vertex (0: all). It
- * changes the instance's pose.
+ * changes the instance's pose and its cap.
  */
-struct board_cost board_cost_clip(const struct model_clip *clip,
+struct board_frame board_cost_clip(const struct model_clip *clip,
 	struct instance *instance, struct clip_cursor *cursor,
 	int max_influences, double rate_hz);
 

@@ -3,6 +3,8 @@
  */
 #include "app/compare/cost/board_cost.h"
 
+#include "app/anim/kernel/run/fixed_morph_run.h"
+#include "app/anim/kernel/run/fixed_skin_run.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
@@ -10,6 +12,19 @@
 enum {
 	FRAMES_MAX = 10000 /* which are enough for an average */
 };
+
+/* A skinned drawable's own costs beside its vertices, and of each run. */
+static const struct board_cost skin_drawable = {900.0, 130.0};
+static const struct board_cost skin_run = {200.0, 87.0};
+static const struct board_cost skin_run_1 = {60.0, 75.0}; /* one influence */
+/*
+ * Runs of vertices with the same joints take less than vertices whose joints
+ * are mixed as in the rows of the loops.
+ */
+static const struct board_cost skin_share = {0.88, 0.96};
+
+/* A drawable of weighted targets, beside its vertices. */
+static const struct board_cost morph_drawable = {2800.0, 440.0};
 
 struct playback {
 	const struct model_clip *clip;
@@ -19,102 +34,199 @@ struct playback {
 	struct clip_cursor *cursor;
 };
 
-static bool is_zero(const float delta[3])
+/* Whether the loops run for a pair, as in fixed_morph_run(). */
+static bool is_active(const struct fixed_deltas *deltas)
 {
-	return delta[0] == 0.0f && delta[1] == 0.0f && delta[2] == 0.0f;
+	return deltas->span_count > 0 &&
+		(deltas->weights.a != 0 || deltas->weights.b != 0);
 }
 
-static bool moves(const struct model_target *target, int vertex)
+static double moved_by(const struct fixed_deltas *deltas)
 {
-	return (target->position && !is_zero(target->position[vertex])) ||
-		(target->normal && !is_zero(target->normal[vertex]));
-}
+	double moved = 0.0;
 
-/* Counts the vertices that target t, or t + 1 if it exists, moves. */
-static int count_moved(const struct model_primitive *primitive, int t, int count)
-{
-	int moved = 0;
-
-	for (int v = 0; v < primitive->vertex_count; v++) {
-		moved += moves(&primitive->target[t], v) ||
-			(t + 1 < count && moves(&primitive->target[t + 1], v));
+	for (int i = 0; i < deltas->span_count; i++) {
+		moved += (double)deltas->span[i].count;
 	}
 	return moved;
 }
 
-/* Counts the frames in which the loop for targets t and t + 1 runs. */
-static int count_frames(
-	const struct playback *playback, const struct drawable *drawable, int t)
+/* Counts one attribute of a frame, whose weights are set. */
+static void count_stream(const struct fixed_morph *morph,
+	const struct fixed_morph_stream *stream, struct board_targets *sum)
 {
-	struct instance *instance = playback->instance;
-	const struct model_node *node = &instance->model->node[drawable->node];
-	const float *weight = instance->pose.weight + node->weight_offset + t;
-	size_t size = t + 1 < drawable_target_count(instance, drawable)
-		? sizeof(float[2])
-		: sizeof(float);
-	static const float none[2] = {0.0f, 0.0f};
-	float before[2] = {0.0f, 0.0f};
-	int frames = 0;
+	double moved = 0.0;
+	int active = 0;
 
-	for (int i = 0; i < playback->frame_count; i++) {
-		clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
-			CLIP_AUTO, playback->cursor, &instance->pose);
-		/* A skin's base vectors change only when weights do. */
-		frames += drawable->skin >= 0 ? memcmp(weight, before, size) != 0
-					      : memcmp(weight, none, size) != 0;
-		memcpy(before, weight, size);
+	for (int p = 0; p < morph->pair_count; p++) {
+		if (is_active(&stream->deltas[p])) {
+			active++;
+			moved += moved_by(&stream->deltas[p]);
+		}
 	}
-	return frames;
+	if (active == 1) {
+		sum->paired += moved;
+		sum->copied += (double)morph->vertex_count - moved;
+	} else if (active > 1) {
+		sum->begun += (double)morph->vertex_count;
+		sum->added += moved;
+	} else {
+		sum->copied += (double)morph->vertex_count;
+	}
 }
 
-/* Returns how many vertices the targets move in an average frame. */
-static double average_moves(
-	const struct playback *playback, const struct drawable *drawable)
+static void count_streams(
+	const struct fixed_morph *morph, struct board_targets *sum)
 {
-	int count = drawable_target_count(playback->instance, drawable);
-	double sum = 0.0;
-
-	for (int t = 0; t < count; t += 2) {
-		sum += (double)count_moved(drawable->primitive, t, count) *
-			count_frames(playback, drawable, t);
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		if (morph->stream[a].base) {
+			count_stream(morph, &morph->stream[a], sum);
+		}
 	}
-	return sum / playback->frame_count;
+}
+
+static void count_morph(struct fixed_morph *morph, const float *weight,
+	struct board_targets *sum)
+{
+	if (fixed_morph_set_weights(morph, weight) == 0) {
+		count_streams(morph, sum);
+	}
+}
+
+/* A skin's base vectors are rewritten when weights have changed. */
+static void count_rebase(struct drawable_fixed *fixed, const float *weight,
+	struct board_targets *sum)
+{
+	struct fixed_skin *skin = &fixed->skin;
+	struct fixed_skin_targets *targets = &skin->targets;
+	size_t size = (size_t)targets->deltas.target_count * sizeof(*weight);
+
+	if (memcmp(weight, targets->weight, size) == 0 ||
+		fixed_skin_set_weights(skin, fixed->loops, weight) != 0) {
+		return;
+	}
+	count_streams(&targets->deltas, sum);
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		sum->rebased +=
+			targets->rebase[a] ? (double)targets->rebase_count : 0;
+	}
+}
+
+static const float *weights_at(
+	const struct playback *playback, const struct drawable *drawable, int i)
+{
+	struct instance *instance = playback->instance;
+
+	clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
+		CLIP_AUTO, playback->cursor, &instance->pose);
+	return instance->pose.weight +
+		instance->model->node[drawable->node].weight_offset;
+}
+
+static struct board_targets count_targets(
+	const struct playback *playback, struct drawable *drawable)
+{
+	struct drawable_fixed *fixed = drawable->fixed;
+	struct board_targets sum = {0};
+	double share = 1.0 / (double)playback->frame_count;
+
+	for (int i = 0; i < playback->frame_count; i++) {
+		const float *weight = weights_at(playback, drawable, i);
+
+		if (drawable->skin < 0) {
+			count_morph(&fixed->morph, weight, &sum);
+		} else {
+			count_rebase(fixed, weight, &sum);
+		}
+	}
+	return (struct board_targets){sum.copied * share, sum.paired * share,
+		sum.begun * share, sum.added * share, sum.rebased * share};
+}
+
+/* The runs of one influence a vertex, or those of more. */
+static double count_runs(const struct fixed_skin *skin, bool of_one)
+{
+	int runs = 0;
+
+	for (int i = 0; i < skin->group_count; i++) {
+		if ((skin->group[i].influences == 1) == of_one) {
+			runs += skin->group[i].run_count;
+		}
+	}
+	return (double)runs;
+}
+
+static struct board_cost scaled(
+	const struct board_cost *cost, const struct board_cost *share)
+{
+	return (struct board_cost){cost->cycles * share->cycles,
+		cost->instructions * share->instructions};
+}
+
+static void add_runs(
+	struct board_cost *sum, const struct board_cost *run, double count)
+{
+	sum->cycles += run->cycles * count;
+	sum->instructions += run->instructions * count;
+}
+
+static void add_skin(
+	struct board_cost *sum, struct drawable *drawable, int max_influences)
+{
+	struct board_cost cost =
+		board_cost_skin(drawable->primitive, max_influences);
+
+	cost = scaled(&cost, &skin_share);
+	board_cost_add(sum, &cost);
+	if (drawable->fixed) {
+		fixed_skin_set_cap(&drawable->fixed->skin, max_influences);
+		add_runs(sum, &skin_run_1,
+			count_runs(&drawable->fixed->skin, true));
+		add_runs(sum, &skin_run,
+			count_runs(&drawable->fixed->skin, false));
+	}
+	board_cost_add(sum, &skin_drawable);
 }
 
 static void add_drawable(struct board_cost *sum, const struct playback *playback,
-	const struct drawable *drawable, int max_influences)
+	struct drawable *drawable, int max_influences)
 {
 	const struct model_primitive *primitive = drawable->primitive;
-	bool normals = primitive->normal != NULL;
-	double moved = 0.0;
 	struct board_cost cost;
 
-	if (drawable->fixed && drawable->fixed->keys) {
-		cost = board_cost_keys(primitive->vertex_count, normals);
-		board_cost_add(sum, &cost);
-		return;
-	}
-	if (drawable->morphed) {
-		moved = average_moves(playback, drawable);
-	}
 	if (drawable->skin >= 0) {
-		cost = board_cost_skin(primitive, max_influences);
-		board_cost_add(sum, &cost);
-		/* The skin's base vectors are updated from them. */
-		cost = board_cost_keys((int)moved, normals);
-		board_cost_add(sum, &cost);
-	} else if (drawable->morphed && moved < primitive->vertex_count) {
-		/* The loop copies the vertices that do not move. */
-		moved = primitive->vertex_count;
+		add_skin(sum, drawable, max_influences);
 	}
-	cost = board_cost_targets(moved, normals);
-	board_cost_add(sum, &cost);
+	if (drawable->fixed && drawable->fixed->keys) {
+		cost = board_cost_keys(
+			primitive->vertex_count, primitive->normal != NULL);
+		board_cost_add(sum, &cost);
+	} else if (drawable->morphed && drawable->fixed) {
+		struct board_targets targets = count_targets(playback, drawable);
+
+		cost = board_cost_targets(&targets);
+		board_cost_add(sum, &cost);
+		if (drawable->skin < 0) {
+			board_cost_add(sum, &morph_drawable);
+		}
+	}
 }
 
-struct board_cost board_cost_clip(const struct model_clip *clip,
+static int count_joints(const struct model *model)
+{
+	int joints = 0;
+
+	for (int i = 0; i < model->skin_count; i++) {
+		joints += model->skin[i].joint_count;
+	}
+	return joints;
+}
+
+struct board_frame board_cost_clip(const struct model_clip *clip,
 	struct instance *instance, struct clip_cursor *cursor,
 	int max_influences, double rate_hz)
 {
+	const struct model *model = instance->model;
 	const struct playback playback = {
 		.clip = clip,
 		.rate_hz = rate_hz,
@@ -123,11 +235,15 @@ struct board_cost board_cost_clip(const struct model_clip *clip,
 		.instance = instance,
 		.cursor = cursor,
 	};
-	struct board_cost sum = board_cost_pose(instance->model);
+	struct board_frame frame = {
+		.sample = board_cost_sample(clip, model->node_count),
+		.matrices = board_cost_matrices(
+			model->node_count, count_joints(model)),
+	};
 
 	for (int i = 0; i < instance->drawable_count; i++) {
-		add_drawable(&sum, &playback, &instance->drawable[i],
+		add_drawable(&frame.vertices, &playback, &instance->drawable[i],
 			max_influences);
 	}
-	return sum;
+	return frame;
 }

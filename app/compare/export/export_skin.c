@@ -1,6 +1,6 @@
 #include "app/compare/export/export_bake.h"
 
-#include "app/model/model_stats.h"
+#include "app/compare/candidate/capped_influences.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -8,53 +8,6 @@
 enum {
 	SET = 4 /* influences of an attribute JOINTS_n and WEIGHTS_n */
 };
-
-/* The influences of a vertex that the file keeps, largest first. */
-struct kept {
-	int count;
-	uint16_t joint[MODEL_INFLUENCES_MAX];
-	float weight[MODEL_INFLUENCES_MAX];
-};
-
-static void insert(struct kept *kept, uint16_t joint, float weight)
-{
-	int at = kept->count++;
-
-	while (at > 0 && kept->weight[at - 1] < weight) {
-		kept->joint[at] = kept->joint[at - 1];
-		kept->weight[at] = kept->weight[at - 1];
-		at--;
-	}
-	kept->joint[at] = joint;
-	kept->weight[at] = weight;
-}
-
-/* The largest max (0: all) influences, whose weights are scaled to sum to 1. */
-static struct kept keep(
-	const struct model_primitive *primitive, int vertex, int max)
-{
-	struct kept kept = {.count = 0};
-	size_t first = (size_t)vertex * (size_t)primitive->influences;
-	float sum = 0.0f;
-
-	for (int i = 0; i < primitive->influences; i++) {
-		if (primitive->weight[first + (size_t)i] > 0.0f) {
-			insert(&kept, primitive->joint[first + (size_t)i],
-				primitive->weight[first + (size_t)i]);
-		}
-	}
-	kept.count = max > 0 && kept.count > max ? max : kept.count;
-	for (int i = 0; i < kept.count; i++) {
-		sum += kept.weight[i];
-	}
-	for (int i = 0; i < MODEL_INFLUENCES_MAX; i++) {
-		bool used = i < kept.count;
-
-		kept.weight[i] = used ? kept.weight[i] / sum : 0.0f;
-		kept.joint[i] = used ? kept.joint[i] : 0;
-	}
-	return kept;
-}
 
 /* Adds JOINTS_n and WEIGHTS_n from influence 4 n on. */
 static void add_set(struct glb *glb, json_t *attributes,
@@ -70,7 +23,8 @@ static void add_set(struct glb *glb, json_t *attributes,
 		goto out;
 	}
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		struct kept kept = keep(primitive, v, max);
+		struct capped_influences kept =
+			capped_influences_of(primitive, v, max);
 
 		for (int i = 0; i < SET; i++) {
 			joint[v][i] = kept.joint[set * SET + i];

@@ -34,6 +34,12 @@ static json_t *times_json(const float *time_s, int count)
 	return array;
 }
 
+static json_t *cost_json(const struct board_cost *cost)
+{
+	return json_pack("{s:f, s:f}", "us_per_frame", board_cost_us(cost),
+		"instructions_per_frame", cost->instructions);
+}
+
 static void set_cost(
 	json_t *json, double instructions, const struct board_cost *board)
 {
@@ -41,14 +47,13 @@ static void set_cost(
 		json_object_set_new(json, "instructions_per_frame",
 			json_real(instructions));
 	}
-	json_object_set_new(json, "arm11_predicted",
-		json_pack("{s:f, s:f}", "us_per_frame", board_cost_us(board),
-			"instructions_per_frame", board->instructions));
+	json_object_set_new(json, "arm11_predicted", cost_json(board));
 }
 
 static json_t *cell_json(const struct comparison_cell *cell)
 {
 	const struct candidate_error *error = &cell->error;
+	struct board_cost board;
 	json_t *json = json_pack(
 		"{s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:f, s:I, s:I, s:I, s:I}",
 		"peak_px", (double)error->peak_px, "peak_s",
@@ -63,7 +68,13 @@ static json_t *cell_json(const struct comparison_cell *cell)
 		(json_int_t)cell->bytes.own_file);
 
 	if (json) {
-		set_cost(json, cell->time.instructions, &cell->board);
+		board = board_frame_sum(&cell->board);
+		set_cost(json, cell->time.instructions, &board);
+		json_object_set_new(json, "arm11_split",
+			json_pack("{s:o, s:o, s:o}", "sample",
+				cost_json(&cell->board.sample), "matrices",
+				cost_json(&cell->board.matrices), "vertices",
+				cost_json(&cell->board.vertices)));
 	}
 	if (json && cell->keys.count > 0) {
 		json_object_set_new(json, "key_times_s",

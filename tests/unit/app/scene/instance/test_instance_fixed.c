@@ -275,8 +275,13 @@ static void test_shadows_fall_as_in_float(void **state)
 	shadow_volume_update(&exact, pair.exact, &light);
 	shadow_volume_update(&fixed, pair.fixed, &light);
 	for (int h = 0; h < exact.caster_count; h++) {
-		int count = pair.exact->drawable[h].primitive->vertex_count;
+		int count = exact.caster[h].vertex_count;
 
+		/* Both cast the shadow of the same vertices. */
+		assert_int_equal(fixed.caster[h].vertex_count, count);
+		assert_memory_equal(exact.caster[h].vertex,
+			fixed.caster[h].vertex,
+			(size_t)count * sizeof(*exact.caster[h].vertex));
 		for (int v = 0; v < 2 * count; v++) {
 			assert_true(distance(exact.caster[h].position[v],
 					    fixed.caster[h].position[v]) < 4e-4);

@@ -52,6 +52,7 @@ fetch() {
     mirror=${MIRROR:-http://deb.debian.org/debian}
     command -v apt-get >/dev/null || skip 'this machine has no apt-get'
     [ -n "$version" ] || skip 'the package qemu-system-arm is not installed'
+    rm -rf "$directory/package"
     mkdir -p "$directory/lists/partial" "$directory/cache/archives/partial" \
         "$directory/package"
     {
@@ -60,8 +61,11 @@ fetch() {
         echo "deb-src [signed-by=$key] ${mirror%/debian}/debian-security bookworm-security main"
     } >"$directory/sources.list"
     apt_here update || skip "no Debian source packages can be had from $mirror"
-    (cd "$directory/package" && apt_here source --download-only "qemu=$version") ||
+    cd "$directory/package"
+    apt_here source --download-only "qemu=$version" ||
+        apt_here source --download-only qemu ||
         skip "Debian's source of QEMU $version cannot be had"
+    cd "$directory"
 }
 
 # Firmware for other machines is not in the package, and is not needed.

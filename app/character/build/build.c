@@ -1,6 +1,7 @@
 #include "app/character/build/build.h"
 
 #include "app/character/character.h"
+#include "app/character/run/pending.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -89,6 +90,7 @@ static int create(FILE *file, const char *path, struct instance *instance,
 		return error;
 	}
 	character_start_switches(character);
+	character_pending_add(character, character->machine.state[0].enter, 1);
 	*out = character;
 	return 0;
 }

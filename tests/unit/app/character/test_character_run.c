@@ -482,7 +482,51 @@ static void test_events_run_actions_once_a_round(void **state)
 	press_once(&acting, BUTTON_DOWN);
 	acting_run_to(&acting, 7.2, 37.0);
 	assert_near(acting_value(&acting, "steps"), 11.0, 0.0);
-	assert_near(acting_value(&acting, "begun"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "begun"), 2.0, 0.0);
+	acting_end(&acting);
+}
+
+/* What a board's output line would do. */
+struct line {
+	bool on;
+	int changes;
+};
+
+static void drive(void *user, int output, bool on)
+{
+	struct line *line = user;
+
+	assert_int_equal(output, 0);
+	line->changes += line->on != on;
+	line->on = on;
+}
+
+static void test_events_give_pulses_to_output_lines(void **state)
+{
+	struct acting acting;
+	struct line line = {0};
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[output led]\nline = gpiochip0/18\n"
+		"[clip walk]\nevent = 0.3 output led 100\n"
+		"event = 0.8 output led 100\n"
+		"[buttons]\nUP = output led on\nDOWN = output led off\n");
+	acting.character->drive = drive;
+	acting.character->drive_user = &line;
+	acting_run_to(&acting, 0.36, rate_hz);
+	assert_true(line.on);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_false(line.on);
+	acting_run_to(&acting, 5.5, rate_hz); /* five rounds of 1.1 s */
+	assert_int_equal(line.changes, 20);
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 5.6, rate_hz);
+	assert_true(line.on);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 5.7, rate_hz);
+	assert_false(line.on);
 	acting_end(&acting);
 }
 
@@ -545,6 +589,7 @@ int main(void)
 		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
 		cmocka_unit_test(test_gestures_of_buttons),
 		cmocka_unit_test(test_events_run_actions_once_a_round),
+		cmocka_unit_test(test_events_give_pulses_to_output_lines),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
 		cmocka_unit_test(test_a_pause_holds_the_pose),
 	};

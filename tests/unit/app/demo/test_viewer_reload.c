@@ -6,6 +6,7 @@
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -50,7 +51,8 @@ static const struct model *model_of(const struct bench *bench)
 	return ((const struct demo_base *)bench->demo)->actor.model;
 }
 
-static struct bench *begin_bench(bool follow)
+static struct bench *begin_bench_as(
+	bool follow, const char *clip, const char *character)
 {
 	struct bench *bench = calloc(1, sizeof(*bench));
 	struct demo_env env;
@@ -61,6 +63,12 @@ static struct bench *begin_bench(bool follow)
 	bench->folder = temp_dir_make();
 	bench->path = path_join(&bench->folder, "followed.glb");
 	put_model(bench, "assets/walker.glb");
+	if (character) {
+		struct test_path path =
+			path_join(&bench->folder, "followed.character");
+
+		file_write(path.text, character, strlen(character));
+	}
 	env = (struct demo_env){
 		.log = &bench->log,
 		.gl = &bench->gl,
@@ -69,7 +77,7 @@ static struct bench *begin_bench(bool follow)
 		.width = 240,
 		.height = 320,
 		.model_path = bench->path.text,
-		.clip = "walk",
+		.clip = clip,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
 		.follow_file = follow,
@@ -77,6 +85,11 @@ static struct bench *begin_bench(bool follow)
 	assert_int_equal(
 		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
 	return bench;
+}
+
+static struct bench *begin_bench(bool follow)
+{
+	return begin_bench_as(follow, "walk", NULL);
 }
 
 static void end_bench(struct bench *bench)
@@ -130,9 +143,50 @@ static void test_overlays_are_shown_for_the_new_model(void **state)
 	assert_null(base->overlay);
 	demo_draw(&demo_driver_viewer, bench->demo, 240, 320);
 	assert_non_null(base->overlay);
-	assert_ptr_equal(
-		base->overlay->subject.instance, base->actor.instance);
+	assert_ptr_equal(base->overlay->subject.instance, base->actor.instance);
 	assert_true(overlay_shows(base->overlay, OVERLAY_SKELETON));
+	end_bench(bench);
+}
+
+static void put_character(
+	const struct bench *bench, const char *name, const char *text)
+{
+	struct test_path path = path_join(&bench->folder, name);
+
+	file_write(path.text, text, strlen(text));
+}
+
+/* How the right arm is turned shows which file acts. */
+static float arm_turn(const struct bench *bench)
+{
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	int arm = model_find_node(base->actor.model, "upper_arm.R");
+
+	return base->actor.instance->pose.local[arm].rotation[2];
+}
+
+static void test_a_changed_character_file_is_read_anew(void **state)
+{
+	struct bench *bench =
+		begin_bench_as(true, NULL, "[state a]\nclip = rest\n");
+	float rest, lifted;
+
+	(void)state;
+	run_to(bench, 1.0);
+	rest = arm_turn(bench);
+	put_character(bench, "followed.character",
+		"[state a]\nclip = rest\n[turn b]\nbone = upper_arm.R\n"
+		"axis = 0 0 1\nangle = 40\n");
+	run_to(bench, 4.3);
+	lifted = arm_turn(bench);
+	assert_true(fabsf(lifted - rest) > 0.05f);
+	/* A broken file leaves the one before in place. */
+	put_character(bench, "followed.character", "[state a]\nclip = none\n");
+	run_to(bench, 7.5);
+	assert_near(arm_turn(bench), lifted, 1e-6);
+	put_character(bench, "followed.character", "[state a]\nclip = rest\n\n");
+	run_to(bench, 10.5);
+	assert_near(arm_turn(bench), rest, 1e-6);
 	end_bench(bench);
 }
 
@@ -188,6 +242,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_new_file_is_shown_at_the_same_clip_and_time),
 		cmocka_unit_test(test_overlays_are_shown_for_the_new_model),
+		cmocka_unit_test(test_a_changed_character_file_is_read_anew),
 		cmocka_unit_test(test_another_model_takes_its_place),
 		cmocka_unit_test(test_a_broken_file_leaves_the_old_one),
 		cmocka_unit_test(test_a_file_that_is_not_followed_is_left_alone),

@@ -31,3 +31,16 @@ build/arm/packages.stamp: build/sysroot.stamp
 
 # The board's core has neither ARMv7 nor NEON; a binary that needs them fails.
 build/arm/limber: CHECK_BINARY = toolchain/check-arm.sh $(ARM_PREFIX)readelf $@
+
+# Offsets of structures for the soft driver's assembly, from the compiler's.
+build/arm/gen/soft_offsets.h: platform/gl/soft/arm/offsets.inc | \
+		build/arm/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,OFFSETS,$@)
+	$(Q)$(CC_arm) $(COMMON_CFLAGS) $(CFLAGS_arm) -g0 -I. -MMD -MP -MT $@ \
+		-MF $@.d -S -x c -o $@.s $<
+	$(Q)sed -n 's/^->\([A-Z0-9_]*\) #*\(-*[0-9]*\)$$/#define \1 \2/p' \
+		$@.s >$@
+-include build/arm/gen/soft_offsets.h.d
+$(patsubst %.S,build/arm/obj/%.o,$(wildcard platform/gl/soft/arm/*.S)): \
+	build/arm/gen/soft_offsets.h

@@ -55,7 +55,8 @@ build/$(1)/obj/%.o: %.c | build/$(1)/packages.stamp $$(LISTS_$(1))
 build/$(1)/obj/%.o: %.S | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)
 	$$(call say,AS,$$@)
-	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -I. -MMD -MP -c -o $$@ $$<
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -I. -Ibuild/$(1)/gen -MMD -MP \
+		-c -o $$@ $$<
 
 build/$(1)/liblimber.a: $$(OBJECTS_$(1))
 	$$(call say,AR,$$@)

@@ -6,15 +6,13 @@
  *
  * A vertex that is there already costs 21 instructions, of eight words 26.
  */
+#include "soft_offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
 /* struct dedup */
-#define LISTED 2048
-#define SLOTS 2560
-#define NOTHING 2944
 #define BATCH 64
 
 /* struct dedup_run */
@@ -23,11 +21,6 @@
 #define RUN_BASE 8
 #define RUN_SHIFT 12
 #define RUN_INVERSE 16
-
-#define FAST_SETUP_TAG 132
-#define FAST_SETUP_CACHE 136
-#define VERTEX_OUTCODE 1
-#define VERTEX_X 4
 
 /* of the stack, over the first arguments */
 #define DRAW 0
@@ -74,7 +67,7 @@
 	adrne	r11, 1f
 	bne	.Lmiss_\stride
 1:	add	r11, r10, r8
-	strb	r7, [r11, #LISTED]
+	strb	r7, [r11, #DEDUP_LISTED]
 	.endm
 
 /*
@@ -131,7 +124,7 @@
 	str	lr, [sp, #OUT]
 	str	r11, [sp, #RETURN]
 	add	r1, r10, r8
-	ldrb	r1, [r1, #LISTED]
+	ldrb	r1, [r1, #DEDUP_LISTED]
 	cmp	r1, #0
 	blne	.Lmake_room
 	ldr	r2, [sp, #RUN]
@@ -165,7 +158,7 @@
 
 	/* The slot's vertex is overwritten: it is made of nothing. */
 .Loutside:
-	add	r1, r10, #NOTHING
+	add	r1, r10, #DEDUP_NOTHING
 	cmp	r8, #0
 	addeq	r1, r1, #32
 	str	r1, [r10, r8, lsl #2]
@@ -180,7 +173,7 @@
 .Lflush:
 	ldr	r2, [sp, #TRIANGLE_SLOTS]
 	ldr	r0, [sp, #DRAW]
-	add	r1, r10, #SLOTS
+	add	r1, r10, #DEDUP_SLOTS
 	subs	r2, r2, r1
 	lsrne	r2, r2, #1
 	bne	soft_list
@@ -188,8 +181,8 @@
 
 	/* r0 stays; lr becomes the first slot */
 .Lbegin_batch:
-	add	r1, r10, #LISTED
-	add	r2, r1, #SLOTS - LISTED
+	add	r1, r10, #DEDUP_LISTED
+	add	r2, r1, #DEDUP_SLOTS - DEDUP_LISTED
 	mov	r3, #0
 	mov	r4, #0
 	mov	r5, #0
@@ -228,7 +221,7 @@
 	ldrhne	r3, [r1], #2
 	strhne	r3, [lr], #2
 	addne	r3, r3, r10
-	strbne	r7, [r3, #LISTED]
+	strbne	r7, [r3, #DEDUP_LISTED]
 	bne	8b
 	str	lr, [sp, #OUT]
 	ldr	pc, [sp, #SCRATCH]

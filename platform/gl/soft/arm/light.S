@@ -5,6 +5,7 @@
  * A vertex costs 79 instructions, normalising a normal of shorts included, each
  * light that it faces 18, with a highlight 36, and texture coordinates 20.
  */
+#include "soft_offsets.h"
 	.syntax unified
 	.arch armv6
 	.fpu vfpv2
@@ -23,12 +24,6 @@
 #define BEHIND_STEPS 12
 
 #define TEXCOORDS 580
-
-#define VERTEX_SHADED 2
-#define VERTEX_ATTRIBUTE 16
-#define VERTEX_TEX 36
-#define VERTEX_INDEX 56
-#define VERTEX_BACK 80
 
 /* of the stack */
 #define LIGHT 0

@@ -1,41 +1,17 @@
 /*
  * vertex/list.c for ARMv6: what triangle.c's
  * soft_fill_triangle() makes of each. Offsets are those of struct fast_setup,
- * struct setup, struct vertex and struct cache_tag; arm/bands.c asserts them.
+ * struct setup, struct vertex and struct cache_tag.
  *
  * A triangle that is culled costs 26 instructions, one that is handed on 110.
  */
+#include "soft_offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
-/* struct fast_setup, in struct draw */
-#define FAST_SETUP 128
-#define FAST_SETUP_FILL (FAST_SETUP + 0)
-#define FAST_SETUP_TAG (FAST_SETUP + 4)
-#define FAST_SETUP_CACHE (FAST_SETUP + 8)
-#define FAST_SETUP_CULL (FAST_SETUP + 16)
-#define FAST_SETUP_BOX (FAST_SETUP + 24)
-#define FAST_SETUP_ATTRIBUTES (FAST_SETUP + 44)
-#define FAST_SETUP_BACK (FAST_SETUP + 52)
-#define FAST_SETUP_MASKED (FAST_SETUP + 72)
-
-#define VERTEX_BYTES 96
-#define VERTEX_X 4
-#define VERTEX_OUTCODE 1
-#define VERTEX_SHADED 2
-#define VERTEX_INDEX 56
-
 /* The stack: a struct setup, and what stays the same for all triangles. */
-#define SETUP_XY 12
-#define SETUP_TOP 24
-#define SETUP_MIDDLE 28
-#define SETUP_BOTTOM 32
-#define SETUP_COLUMNS 36
-#define SETUP_EXTENT 40
-#define SETUP_FLAGS 44
-#define SETUP_AREA 48
 #define CULL 88
 #define BOX 96
 #define ROUND 104

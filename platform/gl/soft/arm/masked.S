@@ -1,10 +1,11 @@
 /*
  * fill_flat.c for ARMv6, of small triangles that a stencil lets draw each pixel
  * once: the same bytes. Offsets are those of struct fast_setup, struct setup and
- * struct flat_band; arm/bands.c asserts them.
+ * struct flat_band.
  *
  * A triangle costs 75 instructions, a row 13, a pixel 14, or 6 unseen.
  */
+#include "soft_offsets.h"
 #include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/blend_565.h"
 
@@ -12,18 +13,6 @@
 	.arch armv6
 	.arm
 	.text
-
-#define FAST_SETUP 128
-#define FAST_SETUP_INVERSE (FAST_SETUP + 12)
-#define FAST_SETUP_DEPTH (FAST_SETUP + 32)
-#define FAST_SETUP_PIXELS (FAST_SETUP + 40)
-#define FAST_SETUP_FLAT (FAST_SETUP + 56)
-#define FAST_SETUP_STENCIL (FAST_SETUP + 64)
-#define SETUP_XY 12
-#define SETUP_FLAGS 44
-#define FLAT_REFERENCE 44
-#define FLAT_NEXT 45
-#define FLAT_KEEP 48
 
 /* the stack; the first four are what a row adds to r0, r1, r5, r6 */
 #define STENCIL_STRIDE 4

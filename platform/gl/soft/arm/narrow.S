@@ -1,7 +1,8 @@
 /*
  * fill_narrow.c for ARMv6: the same bytes. Offsets are those of struct view,
- * struct fast_setup, struct setup and struct vertex; arm/bands.c asserts them.
+ * struct fast_setup, struct setup and struct vertex.
  */
+#include "soft_offsets.h"
 #include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/narrow.h"
 
@@ -10,22 +11,6 @@
 	.arm
 	.text
 
-#define RECIPROCALS 112
-#define FAST_SETUP 128
-#define FAST_SETUP_INVERSE (FAST_SETUP + 12)
-#define FAST_SETUP_DEPTH (FAST_SETUP + 32)
-#define FAST_SETUP_PIXELS (FAST_SETUP + 40)
-#define FAST_SETUP_PERSPECTIVE (FAST_SETUP + 48)
-#define SETUP_XY 12
-#define SETUP_TOP 24
-#define SETUP_MIDDLE 28
-#define SETUP_BOTTOM 32
-#define SETUP_COLUMNS 36
-#define SETUP_FLAGS 44
-#define SETUP_AREA 48
-#define VERTEX_Z 12
-#define VERTEX_COLOR 16
-#define VERTEX_W 76
 #define ROOM 84 /* then r0 and r1 follow */
 
 /*
@@ -114,7 +99,7 @@ soft_fill_narrow:
 
 	/* r12 the area's reciprocal, lr the shift */
 1:	ldr	r3, [r1, #SETUP_AREA]
-	ldr	r12, [r0, #RECIPROCALS]
+	ldr	r12, [r0, #VIEW_RECIPROCALS]
 	ssub16	r8, r8, r7
 	ssub16	r9, r9, r7
 	cmp	r3, #256

@@ -2,19 +2,13 @@
  * band.c's soft_band_texture_c() for ARMv6: the same bytes. Offsets are those of
  * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
  */
+#include "soft_offsets.h"
 #include "platform/gl/soft/arm/blend_565.h"
 
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
-
-#define RIGHT 32
-#define TEXELS 40
-#define EDGE 64
-#define EDGE_STEP 72
-#define SHARE_RIGHT 80
-#define ROWS 84
 
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
@@ -44,7 +38,7 @@
 	.type	soft_band_texture, %function
 soft_band_texture:
 	push	{r4-r11, lr}
-	ldr	r1, [r0, #ROWS]
+	ldr	r1, [r0, #TEXTURE_ROWS]
 	push	{r0, r1}
 
 	/* this row's values; the next one's go back at once */
@@ -56,20 +50,20 @@ soft_band_texture:
 	add	r7, r7, r3
 	add	r8, r8, r4
 	stmdb	r0!, {r5-r8}
-	ldrd	r10, [r0, #EDGE]
-	ldrd	r8, [r0, #EDGE_STEP]
+	ldrd	r10, [r0, #TEXTURE_EDGE]
+	ldrd	r8, [r0, #TEXTURE_EDGE_STEP]
 	mov	r12, r10, asr #16
 	pld	[r5, r12, lsl #1]
 	rsbs	r5, r12, r11, asr #16
 	add	r10, r10, r8
 	add	r11, r11, r9
-	strd	r10, [r0, #EDGE]
+	strd	r10, [r0, #TEXTURE_EDGE]
 	ble	.Lnext
 
 	/* from column 0 to column r12; r5 pixels are left */
 .Lbegin:
-	ldrd	r6, [r0, #RIGHT]
-	ldr	r8, [r0, #SHARE_RIGHT]
+	ldrd	r6, [r0, #TEXTURE_RIGHT]
+	ldr	r8, [r0, #TEXTURE_SHARE_RIGHT]
 	mla	r2, r12, r6, r2
 	mla	r3, r12, r7, r3
 	mla	r4, r12, r8, r4
@@ -77,7 +71,7 @@ soft_band_texture:
 	cmp	r5, #16
 	bgt	.Llong
 	pkhtb	r4, r4, r8, asr #16
-	add	r0, r0, #TEXELS
+	add	r0, r0, #TEXTURE_TEXELS
 	ldmia	r0, {r8-r12, lr}
 	rsb	r5, r5, #16
 	add	r5, r5, r5, lsl #2
@@ -98,7 +92,7 @@ soft_band_texture:
 .Llong:
 	pkhtb	r4, r4, r8, asr #16
 	push	{r5, r12}
-	add	r0, r0, #TEXELS
+	add	r0, r0, #TEXTURE_TEXELS
 	ldmia	r0, {r8-r12, lr}
 	.rept	16
 	texture_pixel

@@ -3,16 +3,11 @@
  * A pixel of its own costs 23 instructions, 12 from fine, those in a patch 46,
  * or 57, and 3 for eight of them.
  */
+#include "soft_offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
-
-#define QUADS 8
-#define SHADE 28
-#define S_END 32
-#define WIDTH_LOG2 48
-#define FINE 56
 
 /*
  * Pixels in the patch of quad r12, this one and those that are inside as well;
@@ -22,7 +17,7 @@
 	ldr	lr, [sp, #12]
 	uxtb	r11, r12, ror #8
 	uxtb	r12, r12
-	add	lr, lr, #S_END
+	add	lr, lr, #TILE_S_END
 	ldm	lr, {r2, r7, r8, lr}
 	ldr	r12, [r9, r12, lsl #3]
 	ldr	r2, [r2, r11, lsl #4]
@@ -71,8 +66,8 @@
 soft_tile_row:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
-	ldr	r9, [r0, #SHADE]
-	ldr	r10, [r0, #WIDTH_LOG2]
+	ldr	r9, [r0, #TILE_SHADE]
+	ldr	r10, [r0, #TILE_WIDTH_LOG2]
 	ldm	r12, {r0-r6}
 	mov	r7, #1
 	rsb	r7, r7, r7, lsl r10
@@ -120,10 +115,10 @@ soft_tile_row:
 soft_tile_fine:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
-	ldr	r9, [r0, #SHADE]
-	ldr	r10, [r0, #WIDTH_LOG2]
+	ldr	r9, [r0, #TILE_SHADE]
+	ldr	r10, [r0, #TILE_WIDTH_LOG2]
 	ldm	r12, {r0-r6}
-	ldr	r2, [r12, #FINE]
+	ldr	r2, [r12, #TILE_FINE]
 	mov	r7, #4
 	rsb	r7, r7, r7, lsl r10
 	orr	r7, r7, #3
@@ -153,10 +148,10 @@ soft_tile_fine:
 	sub	r3, r3, r5
 	sub	r4, r4, r6
 	add	r10, r10, #4
-	ldr	r2, [lr, #QUADS]
+	ldr	r2, [lr, #TILE_QUADS]
 	mov	r7, r7, lsr #2
 	and	r8, r7, r4, lsr #16
-	ldr	lr, [lr, #WIDTH_LOG2]
+	ldr	lr, [lr, #TILE_WIDTH_LOG2]
 	and	r7, r7, r3, lsr #16
 	add	r12, r7, r8, lsl lr
 	ldr	r12, [r2, r12, lsl #2]

@@ -5,6 +5,7 @@
  * A vertex of three shorts costs 70 instructions, one of three floats 81;
  * where w does not vary, 17 less.
  */
+#include "soft_offsets.h"
 	.syntax unified
 	.arch armv6
 	.fpu vfpv2
@@ -18,11 +19,6 @@
 #define CENTER 16
 #define INVERSE_W 40
 #define RECIPROCALS 48
-
-#define VERTEX_INVERSE_W 52
-#define VERTEX_INDEX 56
-#define VERTEX_CLIP 64
-
 
 /* r0 draw, r1 index, r2 vertex */
 	.global	soft_transform

@@ -33,12 +33,9 @@ _Static_assert(offsetof(struct view, reciprocals) == 64 + 48, "RECIPROCALS");
 _Static_assert(
 	POSITION_SHORTS == 0 && POSITION_FLOATS == 1 && POSITION_PAIRS == 2,
 	"by KIND");
-_Static_assert(offsetof(struct vertex, outcode) == 1, "");
-_Static_assert(offsetof(struct vertex, shaded) == 2, "");
 _Static_assert(offsetof(struct vertex, x) == 4, "");
 _Static_assert(offsetof(struct vertex, attribute) == 16, "");
 _Static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
-_Static_assert(offsetof(struct vertex, index) == 56, "");
 _Static_assert(offsetof(struct vertex, clip) == 64, "");
 
 /* light.S */
@@ -46,7 +43,6 @@ _Static_assert(offsetof(struct view, dir_lights) == 116, "DIR_LIGHTS");
 _Static_assert(offsetof(struct dir_lights, texcoords) == 580, "TEXCOORDS");
 _Static_assert(offsetof(struct dir_lights, texcoord_stride) == 584, "");
 _Static_assert(offsetof(struct dir_lights, rest) == 588, "");
-_Static_assert(offsetof(struct vertex, attribute[TEX_S]) == 36, "VERTEX_TEX");
 _Static_assert(offsetof(struct dir_lights, floats) == 28, "eight words");
 _Static_assert(offsetof(struct dir_lights, square_least) == 32, "");
 _Static_assert(offsetof(struct dir_lights, ambient_q24) == 40, "SUMS");
@@ -57,19 +53,12 @@ _Static_assert(offsetof(struct dir_light, spec_tables) == 24, "");
 _Static_assert(offsetof(struct dir_light, half_q30) == 28, "");
 _Static_assert(offsetof(struct dir_light, specular_q20) == 52, "");
 _Static_assert(sizeof(struct spec_table_step) == 8, "by LDRD");
-_Static_assert(offsetof(struct vertex, back) == 80, "VERTEX_BACK");
 
 /* dedup.S */
-_Static_assert(offsetof(struct dedup, listed) == 2048, "LISTED");
-_Static_assert(offsetof(struct dedup, slots) == 2560, "SLOTS");
-_Static_assert(offsetof(struct dedup, nothing) == 2944, "NOTHING");
 _Static_assert(DEDUP_TRIANGLES == 64, "BATCH");
 _Static_assert(VERTEX_CACHE == 512, "nine bits of what is mixed");
 _Static_assert(sizeof(struct vertex) == 96, "");
 _Static_assert(sizeof(struct cache_tag) == 8, "");
-_Static_assert(offsetof(struct draw, fast_setup.place) == 132, "FAST_SETUP_TAG");
-_Static_assert(
-	offsetof(struct draw, fast_setup.cache) == 136, "FAST_SETUP_CACHE");
 
 /* Zeros belong to slot 0, and one followed by zeros does not. */
 static void forget_all(struct dedup *dedup)

@@ -33,7 +33,7 @@ build/arm/packages.stamp: build/sysroot.stamp
 build/arm/limber: CHECK_BINARY = toolchain/check-arm.sh $(ARM_PREFIX)readelf $@
 
 # Offsets of structures for the soft driver's assembly, from the compiler's.
-build/arm/gen/soft_offsets.h: platform/gl/soft/arm/offsets.inc | \
+build/arm/gen/platform/gl/soft/arm/offsets.h: platform/gl/soft/arm/offsets.inc | \
 		build/arm/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,OFFSETS,$@)
@@ -41,6 +41,6 @@ build/arm/gen/soft_offsets.h: platform/gl/soft/arm/offsets.inc | \
 		-MF $@.d -S -x c -o $@.s $<
 	$(Q)sed -n 's/^->\([A-Z0-9_]*\) #*\(-*[0-9]*\)$$/#define \1 \2/p' \
 		$@.s >$@
--include build/arm/gen/soft_offsets.h.d
+-include build/arm/gen/platform/gl/soft/arm/offsets.h.d
 $(patsubst %.S,build/arm/obj/%.o,$(wildcard platform/gl/soft/arm/*.S)): \
-	build/arm/gen/soft_offsets.h
+	build/arm/gen/platform/gl/soft/arm/offsets.h

@@ -6,7 +6,7 @@
  *
  * A vertex that is there already costs 21 instructions, of eight words 26.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm

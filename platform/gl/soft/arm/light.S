@@ -5,7 +5,7 @@
  * A vertex costs 79 instructions, normalising a normal of shorts included, each
  * light that it faces 18, with a highlight 36, and texture coordinates 20.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.fpu vfpv2

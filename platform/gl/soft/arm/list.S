@@ -5,7 +5,7 @@
  *
  * A triangle that is culled costs 26 instructions, one that is handed on 110.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm

@@ -5,7 +5,7 @@
  *
  * A triangle costs 75 instructions, a row 13, a pixel 14, or 6 unseen.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 #include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/blend_565.h"
 

@@ -2,7 +2,7 @@
  * fill_narrow.c for ARMv6: the same bytes. Offsets are those of struct view,
  * struct fast_setup, struct setup and struct vertex.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 #include "platform/gl/soft/arm/edge.h"
 #include "platform/gl/soft/arm/narrow.h"
 

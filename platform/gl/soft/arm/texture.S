@@ -2,7 +2,7 @@
  * band.c's soft_band_texture_c() for ARMv6: the same bytes. Offsets are those of
  * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 #include "platform/gl/soft/arm/blend_565.h"
 
 	.syntax unified

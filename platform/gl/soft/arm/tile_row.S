@@ -3,7 +3,7 @@
  * A pixel of its own costs 23 instructions, 12 from fine, those in a patch 46,
  * or 57, and 3 for eight of them.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm

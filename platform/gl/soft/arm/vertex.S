@@ -5,7 +5,7 @@
  * A vertex of three shorts costs 70 instructions, one of three floats 81;
  * where w does not vary, 17 less.
  */
-#include "soft_offsets.h"
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.fpu vfpv2

@@ -28,6 +28,17 @@ fuzz: $(FUZZERS:%=build/fuzz/%)
 	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $(JOBS) -I '{}' \
 		sh -c '$(call fuzz_run,{})'
 
+# Builds host, ARM and the package from two folders, and compares their bytes.
+.PHONY: reproduce trust
+reproduce: build/sysroot.stamp
+	$(Q)toolchain/reproduce.sh build/reproduce host arm deb
+
+# The table of SECURITY.md.
+trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
+		$(FUZZERS:%=build/fuzz/%)
+	$(Q)MOST=$(MOST) SECONDS=$(SECONDS) toolchain/trust.sh \
+		$(FUZZERS:%=build/fuzz/%)
+
 check-build: $(FAULTS)
 trust_suites = $(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
 	--most 3 --jobs 1) \

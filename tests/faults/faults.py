@@ -144,7 +144,8 @@ def numbers(count, most):
     """Which of count calls shall fail."""
     if most <= 0 or count <= most:
         return list(range(1, count + 1))
-    return sorted({1 + i * (count - 1) // (most - 1) for i in range(most)})
+    return sorted({1 + i * (count - 1) // max(most - 1, 1)
+                   for i in range(most)})
 
 
 def faults_of(kind, count, most):

@@ -58,9 +58,10 @@ static const char *const command_lines[][12] = {
 	{"export", "--c", "/dev/null"},
 };
 
+/* F8 while F9 is held would keep pictures in this folder. */
 static const char script[] =
 	"0 UP down\n100 UP up\n200 RIGHT down\n600 F6 down\n650 F6 up\n"
-	"700 F9 down\n900 F10 down\n920 F10 up\n1000 F8 down\n1300 ENTER down\n";
+	"700 F9 down\n900 F9 up\n920 F10 down\n940 F10 up\n1000 F8 down\n1300 ENTER down\n";
 
 enum {
 	COMMAND_LINES = sizeof(command_lines) / sizeof(command_lines[0]),

@@ -25,11 +25,17 @@ static ALWAYS_INLINE int32_t transform_shorts(
 static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
 {
 	int32_t x = c[0], y = c[1], z = c[2], w = c[3];
+	uint32_t ux = (uint32_t)x, uy = (uint32_t)y, uz = (uint32_t)z;
+	uint32_t uw = (uint32_t)w;
 	unsigned out = 0;
 
-	/* Sums stay below 2^31, see prepare_clip(): the signs tell. */
-	if (((w - x) | (w + x) | (w - y) | (w + y) | (w - z) | (w + z) |
-		    (w - 1)) >= 0) {
+	/*
+	 * Inside when no sum has a sign bit. Where w > 0, a sum that wraps has
+	 * one, and the comparisons below decide.
+	 */
+	if ((((uw - ux) | (uw + ux) | (uw - uy) | (uw + uy) | (uw - uz) |
+		     (uw + uz) | (uw - 1)) >>
+		    31) == 0) {
 		return 0;
 	}
 	out |= x < -w ? OUT_LEFT : 0;

@@ -234,7 +234,10 @@ static char *next_line(char *line, int size, void *user)
 			fail(reader, "the file has more than 4000 lines");
 		return NULL;
 	}
-	blank = strspn(line, " \t");
+	/* Some editors begin a file with a byte order mark. */
+	blank = reader->line == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0 ? 3
+									   : 0;
+	blank += strspn(line + blank, " \t");
 	memmove(line, line + blank, length + 1 - blank);
 	reader->error = check_line(reader, line);
 	return reader->error ? NULL : line;

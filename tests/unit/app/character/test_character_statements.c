@@ -172,8 +172,8 @@ static const struct statement walker[] = {
 		"the radius is a number above 0"},
 	{"[output led]\nline = gpiochip0/18\n", "[output led]\n",
 		"line = CHIP/LINE"},
-	{"[output led]\nline = LED1/active-low\n",
-		"[output led]\nline = 18\n", "18 names no line"},
+	{"[output led]\nline = LED1/active-low\n", "[output led]\nline = 18\n",
+		"18 names no line"},
 	{"[motion]\nfeet = foot.L foot.R\n", "[motion]\nfeet = foot.L\n",
 		"a word is missing"},
 	{"[motion]\nroot = hips\n", "[motion]\nroot = hip\n",
@@ -265,8 +265,7 @@ static const struct statement face[] = {
 		"the second height has to be larger"},
 	{"[parameter t]\nrange = -9 9\n[morph a]\nneck = 0.1 0.15\nturn = t\n",
 		"[morph a]\nturn = 90\n", "degrees from -28 to 28"},
-	{"[morph a]\nweight = 0.5\n", "[morph a]\nweight = 2\n",
-		"from 0 to 1"},
+	{"[morph a]\nweight = 0.5\n", "[morph a]\nweight = 2\n", "from 0 to 1"},
 	{"[morph a]\ncurve = table 0 0.2 1.1 1\n",
 		"[morph a]\ncurve = table 0.2 1\n",
 		"begin with 0 and end with 1"},
@@ -364,6 +363,27 @@ static void test_an_error_names_file_line_section_and_key(void **state)
 	acting_end(&acting);
 }
 
+/* What editors of other systems write, and names with odd letters. */
+static void test_texts_of_all_editors_are_read(void **state)
+{
+	static const char *const texts[] = {
+		"\xEF\xBB\xBF[state a]\r\nclip = walk\r\n",
+		"\xEF\xBB\xBF; comment\n[state a]\nclip = walk",
+		"  [state a]  ; comment\n\tclip=walk ; comment\n# comment\n",
+		"[names]\nhips = mixamorig:Hips\n"
+		"[state a]\nclip = \"walk\"\nenter = line \"a = b, c: d\"\n",
+	};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
+		acting_expect(&acting, texts[i]);
+		assert_string_equal(acting_state(&acting), "a");
+	}
+	acting_end(&acting);
+}
+
 static void test_a_sketch_of_each_model_is_right(void **state)
 {
 	static const char *const models[] = {
@@ -395,6 +415,7 @@ int main(void)
 		cmocka_unit_test(test_statements_about_morphs),
 		cmocka_unit_test(test_statements_about_parts),
 		cmocka_unit_test(test_an_error_names_file_line_section_and_key),
+		cmocka_unit_test(test_texts_of_all_editors_are_read),
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
 	};
 

@@ -124,6 +124,10 @@ $(call script_suites,package)
 $(call suite,conformance/checker,tests/conformance/checker.sh)
 $(call suite,golden/checker,tests/golden/checker.sh)
 $(call suite,fuzz/checker,tests/fuzz/checker.sh)
+$(call suite,validator/exports,NODE_PATH=build/validator/node_modules \
+	tests/validator/exports.sh build/host/limber assets/walker.glb@run \
+	assets/face.glb@cycle tests/cli/slider.gltf \
+	$(SAMPLES)/models/CesiumMan.glb)
 $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 	tests/validator/checker.sh)
 $(call suite,tally,tests/support/tally/tally_test.sh)

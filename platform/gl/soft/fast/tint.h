@@ -1,7 +1,6 @@
 /*
  * Bands (see band.h) with an RGB565 texture under a colour of three channels,
- * its texels nearest or four mixed. tint.c walks them in C, arm/tint.S leaves
- * the same bytes.
+ * its texels nearest or four mixed. tint.c walks them.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_TINT_H
 #define PLATFORM_GL_SOFT_FAST_TINT_H

@@ -110,15 +110,23 @@ static int create(struct task *task, struct candidate *candidate)
 	return error;
 }
 
+static int fail(const struct task *task)
+{
+	log_error(task->log, "%s: there is not enough memory to compare it",
+		task->comparison->model->path);
+	return -ENOMEM;
+}
+
 static int measure(struct task *task)
 {
 	struct comparison_cell *cell = task->cell;
 	struct candidate candidate = {0};
 	int error = create(task, &candidate);
 
-	if (!error) {
-		error = candidate_error_measure(&candidate, &task->clip->screen,
-			&task->clip->grid, &cell->error);
+	if (!error &&
+		candidate_error_measure(&candidate, &task->clip->screen,
+			&task->clip->grid, &cell->error) != 0) {
+		error = fail(task);
 	}
 	if (!error) {
 		cell->time = candidate_time_measure(&candidate);
@@ -144,9 +152,7 @@ static int fit_and_measure(struct task *task)
 		error = fit_keys_within(task->reference, &task->clip->screen,
 			&task->clip->grid, fit_px, kept_bytes(task),
 			&cell->keys);
-		if (!error) {
-			error = measure(task);
-		}
+		error = error ? fail(task) : measure(task);
 		if (cell->error.peak_px <= bound_px || !task->row->listed ||
 			cell->keys.count == task->clip->grid.count) {
 			break;
@@ -166,7 +172,7 @@ static int fill(struct task *task)
 	case COMPARISON_MORPH_EVEN:
 		error = fit_keys_evenly(task->reference->clip->duration_s,
 			AN4044_KEYS, &task->cell->keys);
-		return error ? error : measure(task);
+		return error ? fail(task) : measure(task);
 	default:
 		return measure(task);
 	}

@@ -17,6 +17,8 @@ FLASH = TOP / "board/imx31-pdk/flash.sh"
 FIRST_S, LATER_S, GOAL_S = 6.0, 4.0, 1.5
 FIRST_ROOTFS_BLOCK = nand.ROOTFS_AT // nand.BLOCK
 BAD_BLOCKS = [8, 9, *range(FIRST_ROOTFS_BLOCK + 1, FIRST_ROOTFS_BLOCK + 40, 5)]
+# Free blocks, which UBI erases at the first start.
+WORN_BLOCKS = [300, 301]
 
 needs_pdk()
 
@@ -66,8 +68,8 @@ machine, shown_s = start(path)
 machine.wait(PROMPT)
 note(f"the next start, which finds the table of bad blocks, takes "
      f"{shown_s or 0:.2f} s")
-aim("a later start shows its first picture within milliseconds:",
-    None if shown_s is None else 1000 * shown_s, 1000 * GOAL_S, 1000 * LATER_S)
+aim("the next start shows its first picture within milliseconds:",
+    None if shown_s is None else 1000 * shown_s, round(1000 * GOAL_S), round(1000 * LATER_S))
 status, said = machine.shell("mount; cat /proc/mtd")
 check("the root file system is UBIFS on the NAND",
       "ubi0:rootfs on / type ubifs (ro" in said and "mxc_nand" in machine.log(),
@@ -90,6 +92,24 @@ check(f"with {len(BAD_BLOCKS)} bad blocks it is written and starts",
 check("UBI leaves the bad ones out",
       f"bad PEBs: {len(BAD_BLOCKS) - 2}" in machine.log(),
       machine.log()[-3000:])
+machine.stop()
+
+flashed().close()
+machine = booted(nand=path, shell=False, power=False)
+machine.monitor.run("qom-set", path="/machine/nand", property="worn-blocks",
+                    value=" ".join(map(str, WORN_BLOCKS)))
+machine.power_on()
+shown_s = first_picture_s(machine, 15)
+check("with blocks that cannot be erased any more it starts",
+      shown_s is not None, machine.log()[-3000:])
+for block in WORN_BLOCKS:
+    machine.wait(f"mark PEB {block - FIRST_ROOTFS_BLOCK} as bad")
+machine.wait(f"{40 - len(WORN_BLOCKS)} PEBs left in the reserve")
+check("UBI marks them and replaces them from its reserve", True)
+machine.stop()
+machine, shown_s = start(path)
+check("and the next start knows them", shown_s is not None and
+      f"bad PEBs: {len(WORN_BLOCKS)}" in machine.log(), machine.log()[-3000:])
 machine.stop()
 
 chip = flashed()

@@ -193,7 +193,7 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 	}
 }
 
-/* Moves all planes in use down by so many rows. */
+/* rows.c: moves all planes in use down by so many rows. */
 void soft_raster_skip_rows(struct draw *draw, int rows);
 void soft_raster_next_row(struct draw *draw);
 

@@ -1,4 +1,4 @@
-/* What is true at single columns of a row, and rows for fragment.c. */
+/* From row to row, single columns of a row, and rows for fragment.c. */
 #include "platform/gl/soft/raster/rows.h"
 
 static uint32_t size_of(int64_t value)
@@ -146,5 +146,45 @@ void soft_rows_find_lod(
 			down[i] = rows_divide(point, saturate_64(y), shift + 8);
 		}
 		span->lod[unit] = raster_log2_q8(longer_way(across, down));
+	}
+}
+
+static void skip(struct plane *plane, int rows)
+{
+	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+}
+
+void soft_raster_skip_rows(struct draw *draw, int rows)
+{
+	struct raster *raster = &draw->raster;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		skip(&raster->plane[raster->moving[i]], rows);
+	}
+	skip(&raster->plane[DEPTH], rows);
+	if (raster->perspective) {
+		skip(&raster->plane[INVERSE_W], rows);
+		skip(&raster->plane[LINEAR_W], rows);
+	}
+}
+
+static ALWAYS_INLINE void next(struct plane *plane)
+{
+	plane->start += (uint32_t)plane->dy;
+}
+
+void soft_raster_next_row(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	const int *name = raster->moving;
+	const int *end = name + raster->moving_count;
+
+	while (name < end) {
+		next(&raster->plane[*name++]);
+	}
+	next(&raster->plane[DEPTH]);
+	if (raster->perspective) {
+		next(&raster->plane[INVERSE_W]);
+		next(&raster->plane[LINEAR_W]);
 	}
 }

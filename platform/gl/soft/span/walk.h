@@ -12,7 +12,7 @@ void soft_walk_general(struct draw *draw, const struct setup *setup);
 /* level.c: the level and filter for a level of detail. */
 void soft_set_level(struct draw *draw, int lod);
 
-/* level.c: a level by a filter, and a run that reads it. */
+/* view.c: a level by a filter, and a run that reads it. */
 struct soft_view soft_find_view(
 	const struct texture_input *input, int number, bool linear);
 void soft_use_view(const struct soft_view *view,

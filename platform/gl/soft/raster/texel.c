@@ -66,8 +66,9 @@ static void sample_linear(const struct level *level, const struct along *s,
 		read_texel(level, s, t, 0, 1), read_texel(level, s, t, 1, 1)};
 
 	if (level->format == TEXEL_8888) {
-		struct soft_lanes lanes =
-			soft_mix_8888(above, below, s_at, t_at, wide);
+		struct soft_four four =
+			soft_weigh_8888(above, below, s_at, t_at);
+		struct soft_lanes lanes = soft_mix_8888(&four, wide);
 
 		out[0] = (uint8_t)lanes.red_blue;
 		out[1] = (uint8_t)lanes.green_alpha;

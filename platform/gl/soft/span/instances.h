@@ -47,18 +47,18 @@
 	SOFT_ANYWHERE_FUNCTIONS(plain, .wide = is_wide)                     \
 	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
 	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
-	SOFT_SOURCE_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)     \
+	SOFT_BOTH_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)       \
 	SOFT_BOTH_FUNCTIONS(nearest_8888, TEXEL_8888, false, is_wide)       \
-	SOFT_SOURCE_FUNCTIONS(nearest_l8, TEXEL_L8, false, is_wide)         \
-	SOFT_SOURCE_FUNCTIONS(nearest_a8, TEXEL_A8, false, is_wide)         \
-	SOFT_SOURCE_FUNCTIONS(nearest_la88, TEXEL_LA88, false, is_wide)     \
+	SOFT_BOTH_FUNCTIONS(nearest_l8, TEXEL_L8, false, is_wide)           \
+	SOFT_BOTH_FUNCTIONS(nearest_a8, TEXEL_A8, false, is_wide)           \
+	SOFT_BOTH_FUNCTIONS(nearest_la88, TEXEL_LA88, false, is_wide)       \
 	SOFT_BOTH_FUNCTIONS(linear_565, TEXEL_565, true, is_wide)           \
 	SOFT_BOTH_FUNCTIONS(linear_4444, TEXEL_4444, true, is_wide)         \
-	SOFT_SOURCE_FUNCTIONS(linear_5551, TEXEL_5551, true, is_wide)       \
+	SOFT_BOTH_FUNCTIONS(linear_5551, TEXEL_5551, true, is_wide)         \
 	SOFT_BOTH_FUNCTIONS(linear_8888, TEXEL_8888, true, is_wide)         \
-	SOFT_SOURCE_FUNCTIONS(linear_l8, TEXEL_L8, true, is_wide)           \
-	SOFT_SOURCE_FUNCTIONS(linear_a8, TEXEL_A8, true, is_wide)           \
-	SOFT_SOURCE_FUNCTIONS(linear_la88, TEXEL_LA88, true, is_wide)
+	SOFT_BOTH_FUNCTIONS(linear_l8, TEXEL_L8, true, is_wide)             \
+	SOFT_BOTH_FUNCTIONS(linear_a8, TEXEL_A8, true, is_wide)             \
+	SOFT_BOTH_FUNCTIONS(linear_la88, TEXEL_LA88, true, is_wide)
 
 /* clang-format off */
 #define SOFT_FINISH_ROWS(name, inside)                                      \
@@ -79,13 +79,15 @@
 	[first + TEXEL_4444 - 1] =                                          \
 		SOFT_FINISH_ROWS(filter##_4444, filter##_4444_inside),      \
 	[first + TEXEL_5551 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_5551, filter##_5551),             \
+		SOFT_FINISH_ROWS(filter##_5551, filter##_5551_inside),      \
 	[first + TEXEL_8888 - 1] =                                          \
 		SOFT_FINISH_ROWS(filter##_8888, filter##_8888_inside),      \
-	[first + TEXEL_L8 - 1] = SOFT_FINISH_ROWS(filter##_l8, filter##_l8), \
-	[first + TEXEL_A8 - 1] = SOFT_FINISH_ROWS(filter##_a8, filter##_a8), \
+	[first + TEXEL_L8 - 1] =                                            \
+		SOFT_FINISH_ROWS(filter##_l8, filter##_l8_inside),          \
+	[first + TEXEL_A8 - 1] =                                            \
+		SOFT_FINISH_ROWS(filter##_a8, filter##_a8_inside),          \
 	[first + TEXEL_LA88 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_la88, filter##_la88)
+		SOFT_FINISH_ROWS(filter##_la88, filter##_la88_inside)
 
 #define SOFT_SPAN_TABLE                                                     \
 	{                                                                   \

@@ -160,16 +160,6 @@ static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
 		HALVES_SUM(above >> field.shift & mask, weights.above));
 }
 
-/*
- * Bytes 0 and 2, or 1 and 3, of a texel: from a to b by 0..255 of 256. more is
- * added before the division.
- */
-static ALWAYS_INLINE uint32_t soft_mix_bytes(
-	uint32_t a, uint32_t b, uint32_t fraction, uint32_t more)
-{
-	return (a * (256 - fraction) + (b * fraction + more)) >> 8 & 0x00FF00FF;
-}
-
 struct soft_lanes {
 	uint32_t red_blue, green_alpha;
 };
@@ -179,29 +169,46 @@ static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
 	return (struct soft_lanes){texel & 0x00FF00FF, texel >> 8 & 0x00FF00FF};
 }
 
-static ALWAYS_INLINE struct soft_lanes soft_mix_lanes(struct soft_lanes a,
-	struct soft_lanes b, uint32_t fraction, uint32_t more)
+/* Four texels of four bytes, and their weights: 256 in all. */
+struct soft_four {
+	uint32_t texel[4], weight[4];
+};
+
+static ALWAYS_INLINE struct soft_four soft_weigh_8888(const uint32_t above[2],
+	const uint32_t below[2], uint32_t s, uint32_t t)
 {
-	return (struct soft_lanes){
-		soft_mix_bytes(a.red_blue, b.red_blue, fraction, more),
-		soft_mix_bytes(a.green_alpha, b.green_alpha, fraction, more),
+	uint32_t right = soft_fraction_q8(s), down = soft_fraction_q8(t);
+	uint32_t both = right * down >> 8;
+
+	return (struct soft_four){
+		{above[0], above[1], below[0], below[1]},
+		{256 - down - (right - both), right - both, down - both, both},
 	};
 }
 
 /*
- * Of the four texels around a place: first down, rounded down, then across,
- * rounded up where the picture has bytes, which would show it.
+ * Bytes 0 and 2 of the mixture, or 1 and 3 by a shift of 8: rounded down, but
+ * up where the picture has bytes, which would show it.
  */
-static ALWAYS_INLINE struct soft_lanes soft_mix_8888(const uint32_t above[2],
-	const uint32_t below[2], uint32_t s, uint32_t t, bool wide)
+static ALWAYS_INLINE uint32_t soft_mix_half(
+	const struct soft_four *four, int shift, bool wide)
 {
-	uint32_t down = soft_fraction_q8(t);
+	const uint32_t mask = 0x00FF00FF;
+	const uint32_t *texel = four->texel, *weight = four->weight;
+	uint32_t sum = (texel[0] >> shift & mask) * weight[0];
 
-	return soft_mix_lanes(soft_mix_lanes(soft_split(above[0]),
-				      soft_split(below[0]), down, 0),
-		soft_mix_lanes(
-			soft_split(above[1]), soft_split(below[1]), down, 0),
-		soft_fraction_q8(s), wide ? 0x00FF00FF : 0);
+	sum += wide ? mask : 0;
+	sum += (texel[1] >> shift & mask) * weight[1];
+	sum += (texel[2] >> shift & mask) * weight[2];
+	sum += (texel[3] >> shift & mask) * weight[3];
+	return sum >> 8 & mask;
+}
+
+static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
+	const struct soft_four *four, bool wide)
+{
+	return (struct soft_lanes){
+		soft_mix_half(four, 0, wide), soft_mix_half(four, 8, wide)};
 }
 
 /* 255 times a channel of so many bits, of one texel. */

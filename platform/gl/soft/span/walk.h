@@ -6,6 +6,12 @@
 
 struct texture_input;
 
+/*
+ * begin.c: what of a triangle's runs is the same for all; which of colours,
+ * alpha and fog move, as bits. Red, green and blue do so together.
+ */
+uint32_t soft_begin_walk(struct draw *draw);
+
 /* By fragment.c, for states that no span function takes. */
 void soft_walk_general(struct draw *draw, const struct setup *setup);
 

@@ -1,0 +1,132 @@
+/* What stays the same in all of a triangle's rows. */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/span/colors.h"
+#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/walk.h"
+
+/* 32 steps of 255 a pixel, 8.16. */
+#define STEEP (1u << 21)
+
+/* What of alpha and fog stays the same; see set_colors(). */
+static void set_still(struct draw *draw)
+{
+	const uint32_t *value = draw->raster.span.value;
+	struct soft_spans *spans = &draw->spans;
+
+	spans->green_start = spans->scales.green_half;
+	if (spans->alpha_read && !spans->alpha_moves) {
+		spans->green_start += (int32_t)(value[ALPHA] >> 9 << 16);
+	}
+	if (!spans->fog_moves) {
+		spans->run.fog =
+			(uint32_t)mul_high((int32_t)value[FOG], SOFT_FOG_SCALE);
+		spans->run.fog_right = 0;
+	}
+}
+
+/* The steps of a triangle whose colours are linear all over. */
+static struct colors find_plane_steps(const struct raster *raster)
+{
+	return (struct colors){raster->plane[RED].dx, raster->plane[GREEN].dx,
+		raster->plane[BLUE].dx, raster->plane[ALPHA].dx,
+		raster->plane[FOG].dx};
+}
+
+/* What stays the same in all of the triangle. */
+static void set_constants(struct draw *draw, uint32_t moving)
+{
+	const struct raster *raster = &draw->raster;
+	struct soft_spans *spans = &draw->spans;
+	const struct plane *plane = raster->plane;
+
+	spans->run.z_right = (uint32_t)plane[DEPTH].dx << 6;
+	set_still(draw);
+	spans->steep = false;
+	if (!moving) {
+		const uint32_t *value = raster->span.value;
+
+		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
+			(int32_t)value[BLUE]);
+		set_color_steps(spans, &(struct colors){0});
+	} else if (!raster->colors_divided) {
+		const struct colors step = find_plane_steps(raster);
+		const int32_t all[] = {
+			step.red, step.green, step.blue, step.alpha, step.fog};
+
+		set_color_steps(spans, &step);
+		for (int i = RED; i <= FOG; i++) {
+			spans->steep |= (moving >> i & 1) &&
+				(uint32_t)all[i] + STEEP > 2 * STEEP;
+		}
+		spans->rare =
+			spans->steep || spans->alpha_moves || spans->fog_moves;
+	}
+	if (!spans->textured) {
+		return;
+	}
+	spans->level_by_row =
+		spans->lod_wanted && raster->perspective && !raster->mild;
+	if (!spans->lod_wanted) {
+		soft_set_level(draw, 0);
+	} else if (!spans->level_by_row) {
+		soft_rows_find_affine_lod(draw, &draw->raster.span);
+		soft_set_level(draw, raster->span.lod[0]);
+	}
+	if (!spans->level_by_row && !spans->made) {
+		soft_set_window(draw);
+	}
+	if (!raster->perspective) {
+		soft_set_texel_steps(spans,
+			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
+	}
+}
+
+/* A plane for what stays the same, in perspective a part of 1 / w's. */
+static void add_plane(struct draw *draw, int name)
+{
+	struct raster *raster = &draw->raster;
+	const struct plane *q = &raster->plane[INVERSE_W];
+	struct plane *plane = &raster->plane[name];
+	uint32_t value = raster->span.value[name];
+	int64_t part = (int64_t)(value >> 8);
+
+	*plane = (struct plane){.start = value};
+	if (raster->colors_divided) {
+		/* as set_mild_plane() and set_perspective() scale products */
+		const int down = raster->mild ? 17 : 16;
+
+		plane->start = (uint32_t)((int32_t)q->start * part >> down);
+		plane->dx = (int32_t)(q->dx * part >> down);
+		plane->dy = (int32_t)(q->dy * part >> down);
+	}
+	raster->moving[raster->moving_count++] = name;
+}
+
+/* Which of colours, alpha and fog move: red, green and blue do so together. */
+static uint32_t find_moving(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	struct soft_spans *spans = &draw->spans;
+	uint32_t moving = 0;
+
+	for (int n = 0; n < raster->moving_count; n++) {
+		moving |= 1u << raster->moving[n];
+	}
+	moving &= (2u << FOG) - 1;
+	spans->alpha_moves = moving >> ALPHA & 1;
+	spans->fog_moves = moving >> FOG & 1;
+	for (int i = RED; i <= BLUE && moving; i++) {
+		if (!(moving >> i & 1)) {
+			add_plane(draw, i);
+		}
+	}
+	return moving;
+}
+
+uint32_t soft_begin_walk(struct draw *draw)
+{
+	uint32_t moving = find_moving(draw);
+
+	set_constants(draw, moving);
+	return moving;
+}

@@ -1,0 +1,204 @@
+/*
+ * The first stages of the span functions' text (template.h): which stages a
+ * function has, and its texels.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_STAGES_H
+#define PLATFORM_GL_SOFT_SPAN_STAGES_H
+
+#include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/span/sample.h"
+
+struct soft_kind {
+	bool textured, linear;
+	enum texel_format format;
+	bool inside; /* the run has first_texel */
+	enum soft_finish finish;
+	bool wide; /* the picture is RGBA8888 */
+};
+
+/* What moves on with every pixel. */
+struct soft_pixel {
+	uint32_t z, red_blue, green_alpha, fog;
+	uint32_t texel; /* inside */
+	int32_t s, t;   /* elsewhere */
+};
+
+/* A texel: as bytes, or by channels, 8192 times where texels are mixed. */
+struct soft_texel {
+	struct soft_lanes lanes;
+	struct soft_four four; /* whose red and blue are mixed last */
+	uint32_t channel[3];
+	uint32_t alpha; /* 8 bits */
+};
+
+struct soft_color {
+	int32_t channel[3]; /* with soft_fraction() bits of fraction */
+	uint32_t alpha;     /* of 255, or of 32 */
+};
+
+static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
+{
+	return kind.finish == SOFT_OPAQUE_FOG ||
+		kind.finish == SOFT_TESTED_FOG ||
+		kind.finish == SOFT_BLENDED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_is_tested(struct soft_kind kind)
+{
+	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
+{
+	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
+{
+	return soft_is_tested(kind) || soft_is_blended(kind) ||
+		(kind.wide && kind.finish != SOFT_ANY);
+}
+
+/* Where nothing else is in the upper half of green, the count is. */
+static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
+{
+	return !soft_wants_alpha(kind) && kind.finish != SOFT_ANY;
+}
+
+static ALWAYS_INLINE bool soft_has_color(struct soft_kind kind)
+{
+	return kind.textured && kind.format != TEXEL_A8;
+}
+
+/* Channels are mixed 8192 times what they are. */
+static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
+{
+	return kind.linear && kind.format != TEXEL_8888;
+}
+
+static ALWAYS_INLINE int soft_fraction(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	int bits = kind.wide ? 8 : channel == SOFT_GREEN ? 6 : 5;
+
+	if (!soft_has_color(kind)) {
+		/* Green leaves room for a step, see soft_draw_run(). */
+		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
+							   : 16 - bits;
+	}
+	return (soft_is_mixed(kind) ? 13 + 14 - 16 : 14) +
+		soft_field(kind.format, channel).bits - bits;
+}
+
+static ALWAYS_INLINE void soft_split_texel(
+	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+{
+	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
+
+	if (kind.format == TEXEL_8888) {
+		out->lanes = soft_split(texel);
+		out->alpha = out->lanes.green_alpha >> 16;
+		return;
+	}
+	out->channel[0] = soft_get_field(kind.format, SOFT_RED, texel);
+	out->channel[1] = soft_get_field(kind.format, SOFT_GREEN, texel);
+	out->channel[2] = soft_get_field(kind.format, SOFT_BLUE, texel);
+	out->alpha = alpha.bits == 0
+		? 255
+		: soft_widen_field(
+			  soft_get_field(kind.format, SOFT_ALPHA, texel),
+			  alpha.bits);
+}
+
+static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
+	uint32_t below, uint32_t s, uint32_t t, struct soft_texel *out)
+{
+	struct soft_weights weights = soft_weigh(s, t);
+	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
+
+	out->channel[0] =
+		soft_mix_channel(kind.format, SOFT_RED, above, below, weights);
+	out->channel[1] = soft_mix_channel(
+		kind.format, SOFT_GREEN, above, below, weights);
+	out->channel[2] =
+		soft_mix_channel(kind.format, SOFT_BLUE, above, below, weights);
+	out->alpha = alpha.bits == 0
+		? 255
+		: soft_narrow_mixed(soft_mix_channel(kind.format, SOFT_ALPHA,
+					    above, below, weights),
+			  alpha.bits);
+}
+
+/* Of four bytes: green and alpha alone, until the fragment has passed. */
+static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
+	const uint32_t above[2], const uint32_t below[2], uint32_t s,
+	uint32_t t, struct soft_texel *out)
+{
+	out->four = soft_weigh_8888(above, below, s, t);
+	out->lanes.green_alpha = soft_mix_half(&out->four, 8, kind.wide);
+	out->alpha = out->lanes.green_alpha >> 16;
+}
+
+static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
+	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+{
+	int bytes_log2 = soft_texel_bytes_log2(kind.format);
+	uint32_t at = (texel >> (16 + SOFT_TEXEL_FRACTION) << run->stride_log2) +
+		(texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
+			((SOFT_RUN_TEXELS - 1u) << bytes_log2));
+	const uint8_t *above = run->first_texel + at;
+	const uint8_t *below = above + (1u << run->stride_log2);
+
+	if (!kind.linear) {
+		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
+	} else if (kind.format == TEXEL_8888) {
+		const uint32_t a[2] = {
+			soft_load_32(above), soft_load_32(above + 4)};
+		const uint32_t b[2] = {
+			soft_load_32(below), soft_load_32(below + 4)};
+
+		soft_mix_green(kind, a, b, texel, texel >> 16, out);
+	} else {
+		soft_mix_pairs(kind, soft_load_pair(kind.format, above),
+			soft_load_pair(kind.format, below), texel, texel >> 16,
+			out);
+	}
+}
+
+static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
+	struct soft_kind kind, int32_t s, int32_t t, struct soft_texel *out)
+{
+	int bytes_log2 = soft_texel_bytes_log2(kind.format);
+	const struct soft_wrap *ws = &run->wrap_s, *wt = &run->wrap_t;
+	uint32_t x = soft_wrap_at(
+		s >> SOFT_TEXEL_FRACTION, ws->low, ws->high, ws->mask);
+	uint32_t y = soft_wrap_at(
+		t >> SOFT_TEXEL_FRACTION, wt->low, wt->high, wt->mask);
+	const uint8_t *above = run->texels + (y << run->stride_log2);
+	const uint8_t *below = above;
+	uint32_t next = x, a[2], b[2];
+
+	if (!kind.linear) {
+		soft_split_texel(kind,
+			soft_load_texel(kind.format, above + (x << bytes_log2)),
+			out);
+		return;
+	}
+	next = soft_wrap_at(
+		(s >> SOFT_TEXEL_FRACTION) + 1, ws->low, ws->high, ws->mask);
+	y = soft_wrap_at(
+		(t >> SOFT_TEXEL_FRACTION) + 1, wt->low, wt->high, wt->mask);
+	below = run->texels + (y << run->stride_log2);
+	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
+	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));
+	b[0] = soft_load_texel(kind.format, below + (x << bytes_log2));
+	b[1] = soft_load_texel(kind.format, below + (next << bytes_log2));
+	if (kind.format == TEXEL_8888) {
+		soft_mix_green(kind, a, b, (uint32_t)s, (uint32_t)t, out);
+	} else {
+		soft_mix_pairs(kind, a[0] | a[1] << 16, b[0] | b[1] << 16,
+			(uint32_t)s, (uint32_t)t, out);
+	}
+}
+
+#endif

@@ -67,7 +67,7 @@ static void sample_linear(const struct level *level, const struct along *s,
 
 	if (level->format == TEXEL_8888) {
 		struct soft_four four =
-			soft_weigh_8888(above, below, s_at, t_at);
+			soft_weigh_8888(above, below, s_at, t_at, wide);
 		struct soft_lanes lanes = soft_mix_8888(&four, wide);
 
 		out[0] = (uint8_t)lanes.red_blue;

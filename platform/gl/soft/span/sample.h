@@ -175,10 +175,10 @@ struct soft_four {
 };
 
 static ALWAYS_INLINE struct soft_four soft_weigh_8888(const uint32_t above[2],
-	const uint32_t below[2], uint32_t s, uint32_t t)
+	const uint32_t below[2], uint32_t s, uint32_t t, bool wide)
 {
 	uint32_t right = soft_fraction_q8(s), down = soft_fraction_q8(t);
-	uint32_t both = right * down >> 8;
+	uint32_t both = (right * down + (wide ? 128 : 0)) >> 8;
 
 	return (struct soft_four){
 		{above[0], above[1], below[0], below[1]},
@@ -188,7 +188,7 @@ static ALWAYS_INLINE struct soft_four soft_weigh_8888(const uint32_t above[2],
 
 /*
  * Bytes 0 and 2 of the mixture, or 1 and 3 by a shift of 8: rounded down, but
- * up where the picture has bytes, which would show it.
+ * to the nearest where the picture has bytes, which would show it.
  */
 static ALWAYS_INLINE uint32_t soft_mix_half(
 	const struct soft_four *four, int shift, bool wide)
@@ -197,7 +197,7 @@ static ALWAYS_INLINE uint32_t soft_mix_half(
 	const uint32_t *texel = four->texel, *weight = four->weight;
 	uint32_t sum = (texel[0] >> shift & mask) * weight[0];
 
-	sum += wide ? mask : 0;
+	sum += wide ? 0x00800080 : 0;
 	sum += (texel[1] >> shift & mask) * weight[1];
 	sum += (texel[2] >> shift & mask) * weight[2];
 	sum += (texel[3] >> shift & mask) * weight[3];

@@ -134,7 +134,7 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	const uint32_t above[2], const uint32_t below[2], uint32_t s,
 	uint32_t t, struct soft_texel *out)
 {
-	out->four = soft_weigh_8888(above, below, s, t);
+	out->four = soft_weigh_8888(above, below, s, t, kind.wide);
 	out->lanes.green_alpha = soft_mix_half(&out->four, 8, kind.wide);
 	out->alpha = out->lanes.green_alpha >> 16;
 }

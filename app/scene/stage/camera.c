@@ -299,6 +299,12 @@ void camera_near_plane(const struct camera *camera, float out[4])
 	out[3] -= fx16_to_float(frustum.near);
 }
 
+/* Such that the difference of two edges fits 16.16. */
+static fx16_t edge(float value)
+{
+	return fx16_from_float(scalar_clamp(value, -16000.0f, 16000.0f));
+}
+
 struct camera_frustum camera_frustum(
 	const struct camera *camera, int width, int height)
 {
@@ -312,10 +318,10 @@ struct camera_frustum camera_frustum(
 	float up = camera->shift_y * top;
 
 	return (struct camera_frustum){
-		.left = fx16_from_float(-half_width - right),
-		.right = fx16_from_float(half_width - right),
-		.bottom = fx16_from_float(-top - up),
-		.top = fx16_from_float(top - up),
+		.left = edge(-half_width - right),
+		.right = edge(half_width - right),
+		.bottom = edge(-top - up),
+		.top = edge(top - up),
 		.near = fx16_from_float(near),
 		.far = fx16_from_float(far),
 	};

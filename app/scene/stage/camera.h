@@ -102,7 +102,7 @@ void camera_view(const struct camera *camera, mat4 out);
 
 /* The arguments of Frustumx() for a picture of this size, 16.16. */
 struct camera_frustum {
-	fx16_t left, right, bottom, top; /* in the near plane */
+	fx16_t left, right, bottom, top; /* in the near plane, up to +-16000 */
 	fx16_t near, far;
 };
 struct camera_frustum camera_frustum(

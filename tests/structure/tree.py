@@ -26,12 +26,6 @@ NAMES_ALLOWED = {
     "main": "C asks for it",
 }
 
-# Folders and files to which the rules do not apply yet, each with its reason.
-FOLDERS_ALLOWED = {
-    "platform/gl/soft/span/template.h": "its stages are not a file of their own",
-    "platform/gl/soft/span/walk.c": "its points and colours are not files of their own",
-}
-
 
 def files_below(tree, suffixes):
     """Paths below the tree, as text, without build/ and hidden folders."""
@@ -59,10 +53,6 @@ def is_program(path):
     return path.startswith(("app/", "platform/"))
 
 
-def is_allowed(path):
-    return any(path == f or path.startswith(f + "/") for f in FOLDERS_ALLOWED)
-
-
 def stem(path):
     return path.rsplit(".", 1)[0]
 
@@ -75,7 +65,7 @@ def large_folders(tree):
     return [
         f"{folder} has {count} source files"
         for folder, count in sorted(counts.items())
-        if count > FOLDER_FILES and not is_allowed(folder)
+        if count > FOLDER_FILES
     ]
 
 
@@ -84,7 +74,7 @@ def long_files(tree):
     return [
         f"{p} has {n} lines"
         for p, n in lines
-        if is_program(p) and n > FILE_LINES and not is_allowed(p)
+        if is_program(p) and n > FILE_LINES
     ]
 
 
@@ -111,9 +101,7 @@ def rings(uses):
     for name in sorted(uses):
         if name not in order:
             visit(name)
-    return [
-        " and ".join(ring) for ring in sorted(found) if not all(map(is_allowed, ring))
-    ]
+    return [" and ".join(ring) for ring in sorted(found)]
 
 
 def rings_of_headers(tree):
@@ -172,7 +160,6 @@ def unprefixed(symbols):
             for name in defined
             if name.split("_")[0] not in words_of(source)
             and name not in NAMES_ALLOWED
-            and not is_allowed(source)
         }
     )
 
@@ -180,8 +167,6 @@ def unprefixed(symbols):
 def long_bullets(tree):
     found = []
     for path in files_below(tree, {".md"}):
-        if is_allowed(path):
-            continue
         start, text = 0, ""
         for number, line in enumerate([*read(tree, path).split("\n"), ""], 1):
             if text and re.match(r"\s+[^\s\-*]", line):
@@ -199,7 +184,7 @@ def broken_literals(tree):
     """A literal that ends within a sentence and goes on in the literal below."""
     found = []
     for path in files_below(tree, {".c", ".h"}):
-        if not is_program(path) or is_allowed(path):
+        if not is_program(path):
             continue
         lines = read(tree, path).split("\n")
         for number, (line, below) in enumerate(zip(lines, lines[1:]), 1):

@@ -104,7 +104,7 @@ static bool span_fits(struct window *window, int from, int to)
 	int middle = (from + to) / 2;
 
 	(void)positions_of(window, to);
-	if (to - from < 2) {
+	if (to - from < 2 || window->reference->vertex_count == 0) {
 		return true;
 	}
 	if (!suspect_fits(window, from, to) ||

@@ -20,8 +20,7 @@ int command_exit_code(int error)
 	return error ? EXIT_FAILED : EXIT_OK;
 }
 
-/* From here on only the files that the options name can be written. */
-static void confine(const struct options *options, const struct log *log)
+void command_confine(const struct options *options, const struct log *log)
 {
 	const char *const named[CONFINE_OUTPUTS_MAX] = {options->screen.output,
 		options->compare.plot, options->compare.export,
@@ -50,7 +49,7 @@ int command_run_with_model(const struct command *command,
 			command->name, command->name, command->usage);
 		return EXIT_USAGE;
 	}
-	confine(options, log);
+	command_confine(options, log);
 	error = model_load_within(
 		options->model_path, options->common.memory_bytes, log, &model);
 	if (!error) {

@@ -53,6 +53,12 @@ int command_dispatch(
 int command_exit_code(int error);
 
 /*
+ * Confines the process (confine.h): from here on only the files that the options
+ * name can be written. A command calls this before it reads a model.
+ */
+void command_confine(const struct options *options, const struct log *log);
+
+/*
  * Confines the process (confine.h) to the outputs that the options name, loads
  * options->model_path, calls run() with it and releases it. run() returns
  * 0, or -errno after logging an error. This function returns an exit code: it

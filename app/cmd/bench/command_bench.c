@@ -150,6 +150,7 @@ static int run(const struct options *options, const struct log *log)
 		return EXIT_USAGE;
 	}
 	if (options->model_path) {
+		command_confine(options, log);
 		error = model_load_within(options->model_path,
 			options->common.memory_bytes, log, &model);
 	}

@@ -115,6 +115,7 @@ static int run(const struct options *options, const struct log *log)
 	if (!path) {
 		return doctor_examine_machine(options, log);
 	}
+	command_confine(options, log);
 	return command_exit_code(options->common.json
 			? examine_in_json(path, options->common.memory_bytes, log)
 			: examine_in_words(

@@ -58,7 +58,7 @@ build/virtual-pdk-test/stamp: $(addprefix tests/virtual-pdk/,package.json \
 virtual_pdk_node := NODE_PATH=build/virtual-pdk-test/node_modules node
 virtual_pdk_suite = $(call suite,virtual-pdk,$(virtual_pdk_node) \
 	tests/virtual-pdk/test.js) \
-	$(call suite,virtual-pdk-board,python3 -B tests/virtual-pdk/test_board.py)
+	$(call suite,virtual-pdk-board,/usr/bin/python3 -B tests/virtual-pdk/test_board.py)
 
 # demo.mk draws the other pictures of make screenshots.
 screenshots: screenshots-virtual-pdk

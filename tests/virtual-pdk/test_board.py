@@ -1,5 +1,6 @@
 """The server's connection to QEMU, with a replacement that ends or hangs at
-chosen moments: the page always learns of it, and no process is left. TAP."""
+chosen moments: the page always learns of it, and no process is left. Messages
+that no page sends are ignored. TAP."""
 import asyncio
 import os
 import pathlib
@@ -16,6 +17,7 @@ STATE, IMAGE, PROGRAMS = (FOLDER / name for name in ("state", "image", "bin"))
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(TOP / "board/imx31-pdk/virtual"))
 import board  # noqa: E402
+import pages  # noqa: E402
 from overlay import emulation  # noqa: E402
 
 TOLD_S = 10
@@ -191,10 +193,36 @@ async def test_reset(virtual):
           f"{virtual.listener.phases}, {took_s} s")
 
 
+async def test_messages(virtual):
+    """Messages that no page sends are ignored, and the next one is heard."""
+    served = pages.Pages()
+    served.board = virtual
+    page = pages.Page(None)
+    odd = {"no JSON": "rubbish", "an empty one": "", "a number": "1",
+           "a list": "[]", "no type": "{}", "an unknown type": '{"type":"no"}',
+           "a type that is a list": '{"type":[]}',
+           "a button without a name": '{"type":"button"}',
+           "a button whose name is a list": '{"type":"button","name":[]}',
+           "text that is not there": '{"type":"type"}',
+           "2,000 nested lists": "[" * 2000 + "]" * 2000,
+           "2,000 nested objects": '{"a":' * 2000 + "1" + "}" * 2000}
+    for name, message in odd.items():
+        jobs = set()
+        why = ""
+        page.is_ready = False
+        try:
+            served.take(page, message, jobs)
+            served.take(page, '{"type":"shown"}', jobs)
+        except Exception:  # pylint: disable=broad-except
+            why = traceback.format_exc()
+        check(f"message with {name}: ignored", page.is_ready and not jobs, why)
+
+
 async def test_all():
     listener = Listener()
     virtual = listener.board = board.Board(IMAGE, STATE, listener)
     try:
+        await test_messages(virtual)
         await test_reset(virtual)
         await test_deaths(virtual)
         await test_hanging(virtual)

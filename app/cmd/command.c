@@ -74,7 +74,7 @@ static void print_overview(const struct command *const *commands)
 {
 	puts("limber plays 3D character animation: morphing, hierarchical and skeletal.\n");
 	for (int i = 0; commands[i]; i++) {
-		printf("  limber %-7s %-26s %s\n", commands[i]->name,
+		printf("  limber %-9s %-26s %s\n", commands[i]->name,
 			commands[i]->usage, commands[i]->summary);
 	}
 	puts("\nlimber COMMAND --help describes a command. Without a command, limber plays.");

@@ -14,6 +14,17 @@ static size_t bytes_of(const struct comparison *comparison, int row)
 	return comparison->row[row].total.memory_bytes;
 }
 
+/* Digits after the point, such that a small figure does not read as 0. */
+static int percent_digits(double percent)
+{
+	return percent < 0.1 ? 2 : 1;
+}
+
+static int kilobyte_digits(double figure)
+{
+	return figure < 10.0 ? 1 : 0;
+}
+
 /* Of the other rows within all limits: the fastest, and the smallest, or -1. */
 static int find_fastest(const struct comparison *comparison)
 {
@@ -55,20 +66,21 @@ static void weigh_faster(
 		advice_row_us(comparison, other);
 	double more = (double)bytes_of(comparison, other) -
 		(double)bytes_of(comparison, advised);
+	double share = saved_us / (board->frame_ms * 10.0);
 
 	if (advice_row_price(comparison, other) <=
 		advice_row_price(comparison, advised)) {
 		snprintf(text, size,
 			"\"%s\" would save %.1f us, which is %.2f%% of a frame of %.1f ms and too little to convert the model for",
-			comparison->row[other].name, saved_us,
-			saved_us / (board->frame_ms * 10.0), board->frame_ms);
+			comparison->row[other].name, saved_us, share,
+			board->frame_ms);
 		return;
 	}
 	snprintf(text, size,
-		"\"%s\" would save %.0f us, which is %.1f%% of a frame of %.1f ms, but take %.0f KiB more, where 1%% is worth %.0f KiB",
-		comparison->row[other].name, saved_us,
-		saved_us / (board->frame_ms * 10.0), board->frame_ms,
-		kilobytes(more), kilobytes((double)board->bytes_per_percent));
+		"\"%s\" would save %.0f us, which is %.*f%% of a frame of %.1f ms, but take %.0f KiB more, where 1%% is worth %.0f KiB",
+		comparison->row[other].name, saved_us, percent_digits(share),
+		share, board->frame_ms, kilobytes(more),
+		kilobytes((double)board->bytes_per_percent));
 }
 
 static void weigh_smaller(
@@ -80,11 +92,12 @@ static void weigh_smaller(
 		advice_row_us(comparison, advised);
 	double less = (double)bytes_of(comparison, advised) -
 		(double)bytes_of(comparison, other);
+	double share = more_us / (board->frame_ms * 10.0);
 
 	snprintf(text, size,
-		"\"%s\" would save %.0f KiB but take %.0f us more, which is %.1f%% of a frame of %.1f ms, where 1%% is worth %.0f KiB",
+		"\"%s\" would save %.0f KiB but take %.0f us more, which is %.*f%% of a frame of %.1f ms, where 1%% is worth %.0f KiB",
 		comparison->row[other].name, kilobytes(less), more_us,
-		more_us / (board->frame_ms * 10.0), board->frame_ms,
+		percent_digits(share), share, board->frame_ms,
 		kilobytes((double)board->bytes_per_percent));
 }
 
@@ -103,15 +116,18 @@ static void write_fitting(
 		bytes_of(comparison, smallest) < bytes_of(comparison, advised)) {
 		weigh_smaller(comparison, smallest, text, size);
 	} else if (fastest >= 0) {
+		double other_kib =
+			kilobytes((double)bytes_of(comparison, fastest));
+
 		snprintf(text, size,
-			"nothing that keeps within %g px is faster or smaller; \"%s\" takes %.0f us and %.0f KiB",
+			"nothing that keeps within %g px is faster or smaller; \"%s\" takes %.0f us and %.*f KiB",
 			(double)comparison->request.bound_px,
 			comparison->row[fastest].name,
 			advice_row_us(comparison, fastest),
-			kilobytes((double)bytes_of(comparison, fastest)));
+			kilobyte_digits(other_kib), other_kib);
 	} else {
 		snprintf(text, size,
-			"nothing else keeps within %g px, %.0f KiB and %.1f ms",
+			"nothing else keeps within %g px, %.0f KiB and %.3g ms",
 			(double)comparison->request.bound_px,
 			kilobytes((double)comparison->memory_limit_bytes),
 			comparison->time_limit_us * 1e-3);
@@ -136,7 +152,7 @@ static void write_failing(
 			(double)total->peak_px);
 	} else {
 		snprintf(text, size,
-			"nothing that keeps within %g px is as fast as %.1f ms, and it is the fastest",
+			"nothing that keeps within %g px is as fast as %.3g ms, and it is the fastest",
 			(double)comparison->request.bound_px,
 			comparison->time_limit_us * 1e-3);
 	}
@@ -145,6 +161,7 @@ static void write_failing(
 void advice_reason_write(struct comparison *comparison)
 {
 	int advised = comparison->advised;
+	double memory = kilobytes((double)bytes_of(comparison, advised));
 	char why[COMPARISON_REASON_BYTES - 64];
 
 	if (advice_fits(comparison, advised)) {
@@ -153,7 +170,7 @@ void advice_reason_write(struct comparison *comparison)
 		write_failing(comparison, why, sizeof(why));
 	}
 	snprintf(comparison->reason, sizeof(comparison->reason),
-		"it takes %.0f us and %.0f KiB; %s",
-		advice_row_us(comparison, advised),
-		kilobytes((double)bytes_of(comparison, advised)), why);
+		"it takes %.0f us and %.*f KiB; %s",
+		advice_row_us(comparison, advised), kilobyte_digits(memory),
+		memory, why);
 }

@@ -43,6 +43,9 @@ void embed_print_skins(struct embed *embed)
 {
 	const struct model *model = embed->model;
 
+	if (embed->joints == 0) {
+		return; /* the player compiles no use of these tables */
+	}
 	embed_begin_table(embed, "int16_t", "joint_node", "", embed->joints, 2);
 	for (int s = 0; s < model->skin_count; s++) {
 		for (int j = 0; j < model->skin[s].joint_count; j++) {
@@ -53,15 +56,15 @@ void embed_print_skins(struct embed *embed)
 	}
 	embed_end_table(embed, embed->joints);
 	fprintf(embed->out, "\nstatic const float %s_bind[%d][12] = {",
-		embed->prefix, embed->joints ? embed->joints : 1);
-	embed->rom_bytes += (size_t)(embed->joints ? embed->joints : 1) * 48;
+		embed->prefix, embed->joints);
+	embed->rom_bytes += (size_t)embed->joints * 48;
 	for (int s = 0; s < model->skin_count; s++) {
 		for (int j = 0; j < model->skin[s].joint_count; j++) {
 			put_matrix(embed,
 				(const vec4 *)model->skin[s].inverse_bind[j]);
 		}
 	}
-	fprintf(embed->out, "%s\n};\n", embed->joints ? "" : "\n\t{0},");
+	fprintf(embed->out, "\n};\n");
 }
 
 static void print_channels(struct embed *embed)

@@ -116,6 +116,18 @@ slow, fast = ([(r["peak_px"], r["normal_deg"], r["ram_bytes"])
 assert slow == fast and len(slow) >= 3, (slow, fast)
 ' "$scratch/four.csv" "$out_file"
 
+# Figures line up under their heads, and what is small does not read as 0.
+sed 's/"slide"/"slide from the left to the right"/' "$slider" >"$scratch/names.gltf"
+limber compare "$scratch/names.gltf"
+expect_status 0
+expect_out 'names\.gltf, 2 clips: .*; 3 vertices, 1 node$'
+expect_out '^Take .*: it takes [0-9]+ us and 0\.[1-9] KiB;'
+check 'the table of clips lines up' awk '
+    / ARM11 us  peak px  technique/ { end = index($0, " ARM11 us"); next }
+    end && NF < 5 { exit }
+    end { rows++; bad = bad || substr($0, end - 3, 4) !~ /\.[0-9][0-9] $/ }
+    END { exit bad || rows != 2 }' "$out_file"
+
 limber compare
 expect_refusal 2 'no model'
 limber compare "$slider" --format xml
@@ -130,7 +142,7 @@ limber compare "$slider" --jobs 0
 expect_refusal 2 'from 1 to 64'
 limber compare "$slider" --ms 0.001 --error 0.001
 expect_status 0
-expect_out 'nothing that keeps within 0\.001 px is as fast as 0\.0 ms, and it is the fastest'
+expect_out 'nothing that keeps within 0\.001 px is as fast as 0\.001 ms, and it is the fastest'
 limber compare "$slider" --clip none
 expect_refusal 1 'no such clip'
 limber compare "$slider" --fps 10 --plot "$scratch/none/plot.svg"

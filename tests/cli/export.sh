@@ -39,7 +39,9 @@ plays() {
     done
     check "$(basename "$model"): $ram bytes of RAM" \
         grep -qx "state $ram" "$scratch/played"
-    gcc -std=c99 -O0 -c -o "$scratch/one.o" "$scratch/one.c"
+    check "$(basename "$model"): compiles alone without a warning" \
+        gcc -std=c99 -pedantic -Wall -Wextra -Wshadow -Werror -O0 -c \
+        -o "$scratch/one.o" "$scratch/one.c"
     tables=$(nm -S "$scratch/one.o" | awk '
         $3 == "r" && $4 !~ /^offset/ {
             n = 0

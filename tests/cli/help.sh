@@ -28,6 +28,12 @@ expect_no_err
 for command in play render pose info bench compare doctor export character; do
     expect_out "^ *limber $command "
 done
+check 'limber --help: the descriptions stand in one column' awk '
+    /^  limber / && match($0, / (show|write|print|time|compare the|check) /) {
+        bad = bad || (column && RSTART != column)
+        column = RSTART
+    }
+    END { exit bad || !column }' "$out_file"
 cp "$out_file" "$scratch/long"
 limber -h
 check 'limber -h: the same' cmp "$scratch/long" "$out_file"

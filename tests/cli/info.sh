@@ -11,6 +11,15 @@ expect_out 'slide'
 expect_out 'rise'
 expect_out ' 2\.0+ '
 
+expect_out 'slider\.gltf: .*, 1 node, 3 vertices, 1 triangle, '
+
+# Targets without names are counted, not listed.
+targets=tests/fixtures/gltf/mesh/weights.gltf
+limber info "$targets"
+expect_status 0
+check 'no list of (unnamed) targets' sh -c '! grep -q "targets: (unnamed)" "$1"' \
+    sh "$out_file"
+
 limber info "$slider" --json
 expect_status 0
 expect_no_err

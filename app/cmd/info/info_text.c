@@ -3,6 +3,7 @@
 #include "platform/base/printable.h"
 
 #include <errno.h>
+#include <stdbool.h>
 
 /* Prints a name, which may be missing, and what follows it. */
 static void print_name(const char *name, const char *after, FILE *out)
@@ -29,6 +30,28 @@ static void print_levels(const struct model_mesh *mesh, FILE *out)
 	}
 }
 
+static bool has_target_names(const struct model_mesh *mesh)
+{
+	for (int t = 0; t < mesh->target_count; t++) {
+		if (mesh->target_name[t][0]) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void print_targets(const struct model_mesh *mesh, FILE *out)
+{
+	if (!has_target_names(mesh)) {
+		return;
+	}
+	for (int t = 0; t < mesh->target_count; t++) {
+		fputs(t ? ", " : "           targets: ", out);
+		print_name(mesh->target_name[t], "", out);
+	}
+	fprintf(out, "\n");
+}
+
 static void print_meshes(const struct model *model, FILE *out)
 {
 	fprintf(out, "\nmeshes     parts vertices triangles targets\n");
@@ -41,13 +64,7 @@ static void print_meshes(const struct model *model, FILE *out)
 			mesh->primitive_count, stats.vertex_count,
 			stats.triangle_count, mesh->target_count);
 		print_name(mesh->name, "\n", out);
-		for (int t = 0; t < mesh->target_count; t++) {
-			fputs(t ? ", " : "           targets: ", out);
-			print_name(mesh->target_name[t], "", out);
-		}
-		if (mesh->target_count) {
-			fprintf(out, "\n");
-		}
+		print_targets(mesh, out);
 		print_levels(mesh, out);
 	}
 }
@@ -133,15 +150,23 @@ static void print_bytes(const struct info_report *report, FILE *out)
 	print_bytes_line(out, "images", stats->image_bytes, "decoded");
 }
 
+static void print_count(int count, const char *one, const char *many, FILE *out)
+{
+	fprintf(out, ", %d %s", count, count == 1 ? one : many);
+}
+
 void info_print_text(const struct info_report *report, FILE *out)
 {
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
 
 	printable_put(model->path, out);
-	fprintf(out, ": %s, %d nodes, %d vertices, %d triangles, %d materials\n",
-		model->format, model->node_count, stats->vertex_count,
-		stats->triangle_count, model->material_count);
+	fprintf(out, ": %s", model->format);
+	print_count(model->node_count, "node", "nodes", out);
+	print_count(stats->vertex_count, "vertex", "vertices", out);
+	print_count(stats->triangle_count, "triangle", "triangles", out);
+	print_count(model->material_count, "material", "materials", out);
+	fprintf(out, "\n");
 	print_meshes(model, out);
 	print_skins(report, out);
 	print_clips(model, out);

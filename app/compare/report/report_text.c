@@ -47,12 +47,15 @@ static void print_head(const struct comparison *comparison, FILE *out)
 	for (int c = 0; c < comparison->clip_count; c++) {
 		seconds += (double)clip_of(comparison, c)->duration_s;
 	}
-	fprintf(out, ": %.2f s; %d vertices, %d nodes\n", seconds,
-		comparison->vertex_count, comparison->model->node_count);
+	fprintf(out, ": %.2f s; %d %s, %d %s\n", seconds,
+		comparison->vertex_count,
+		comparison->vertex_count == 1 ? "vertex" : "vertices",
+		comparison->model->node_count,
+		comparison->model->node_count == 1 ? "node" : "nodes");
 	fprintf(out,
 		"Errors are in pixels of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
 		"\"here\": measured on this machine, kernel %s. \"ARM11\": predicted for an ARM1136 at %d MHz\n"
-		"by the timing model, not measured. Board %s: %s; limits: %.0f KiB, %.1f ms, %g px.\n\n",
+		"by the timing model, not measured. Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
 		request->width, request->height, request->kernel->name,
 		ARM11_MHZ, board->name, board->summary,
 		kilobytes(comparison->memory_limit_bytes),
@@ -84,12 +87,32 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 		(double)total->shade_steps);
 }
 
+enum {
+	CLIP_NAME_MIN = 17,
+	CLIP_NAME_MAX = 40
+};
+
+/* The bytes of the longest name, within limits. */
+static int clip_name_width(const struct comparison *comparison)
+{
+	size_t width = CLIP_NAME_MIN;
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		size_t length = strlen(clip_of(comparison, c)->name);
+
+		width = length > width ? length : width;
+	}
+	return width < CLIP_NAME_MAX ? (int)width : (int)CLIP_NAME_MAX;
+}
+
 static void print_clips(const struct comparison *comparison, FILE *out)
 {
+	int width = clip_name_width(comparison);
+
 	if (comparison->clip_count == 1) {
 		return;
 	}
-	fprintf(out, "\n  %-20s %8s %8s %8s  %s\n", "clip", "seconds",
+	fprintf(out, "\n  %-*s %8s %8s %8s  %s\n", width + 3, "clip", "seconds",
 		"ARM11 us", "peak px",
 		comparison->mixed ? "technique in the mixed plan" : "technique");
 	for (int c = 0; c < comparison->clip_count; c++) {
@@ -98,13 +121,13 @@ static void print_clips(const struct comparison *comparison, FILE *out)
 			&comparison->row[comparison->clip[c].row];
 		const struct comparison_cell *cell = &row->cell[c];
 		struct board_cost board = board_frame_sum(&cell->board);
+		int length = (int)strlen(clip->name);
 
 		fprintf(out, "  %2d ", comparison->clip[c].clip);
 		printable_put(clip->name, out);
 		fprintf(out, "%*s %8.2f %8.1f %8.3f  %s\n",
-			(int)(strlen(clip->name) < 17 ? 17 - strlen(clip->name)
-						      : 0),
-			"", (double)clip->duration_s, board_cost_us(&board),
+			length < width ? width - length : 0, "",
+			(double)clip->duration_s, board_cost_us(&board),
 			(double)cell->error.peak_px, row->name);
 	}
 }

@@ -25,7 +25,7 @@ limber character "$model" -o "$file"
 expect_quiet
 limber doctor "$model"
 expect_status 0
-expect_out 'slider.character: it fits the model: 2 states'
+expect_out 'slider.character: it fits the model: states: 2, layers: 0, '
 
 # The file that was written, none, and another one.
 frame "$scratch/beside.png"
@@ -76,6 +76,14 @@ expect_status 0
 expect_out '^  RIGHT  show the next expression$'
 frame "$scratch/memory.png" --memory 1000
 expect_refusal 1 'memory'
+
+# The example of the documentation fits the walker.
+cp "$assets/walker.glb" "$scratch/walker.glb"
+sed -n '/^```ini$/,/^```$/p' "$assets/../app/character/format.md" | grep -v '^```' \
+    >"$scratch/walker.character"
+limber doctor "$scratch/walker.glb"
+expect_status 0
+expect_out 'walker.character: it fits the model: states: 2, layers: 1, effects and expressions: 1, buttons: 7$'
 
 limber character
 expect_refusal 2 'character'

@@ -82,6 +82,9 @@ bool character_at_end(const struct character_words *words);
 
 /* Reads a finite number; false, with nothing read, for another word. */
 bool character_take_number(struct character_words *words, float *out);
+/* The same; a number outside of low .. high is left where it is. */
+bool character_take_within(
+	struct character_words *words, float low, float high, float *out);
 
 /* Readers for tables; the member has the type in brackets. */
 int character_read_number(struct character_words *words,

@@ -10,8 +10,7 @@ static int read_sine(struct character_words *words,
 {
 	float axis[3] = {0, 1, 0};
 
-	if (!character_take_number(words, &wave->amplitude) ||
-		wave->amplitude < 0 || wave->amplitude > 1000) {
+	if (!character_take_within(words, 0.0f, 1000.0f, &wave->amplitude)) {
 		return character_fail_value(words, key);
 	}
 	if (character_take_number(words, &axis[0])) {
@@ -20,8 +19,7 @@ static int read_sine(struct character_words *words,
 				return character_fail_value(words, key);
 			}
 		}
-		if (!character_take_number(words, &wave->delay) ||
-			wave->delay < 0 || wave->delay > 100) {
+		if (!character_take_within(words, 0.0f, 100.0f, &wave->delay)) {
 			return character_fail_value(words, key);
 		}
 	}

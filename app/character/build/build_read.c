@@ -147,6 +147,19 @@ bool character_take_number(struct character_words *words, float *out)
 	return true;
 }
 
+bool character_take_within(
+	struct character_words *words, float low, float high, float *out)
+{
+	if (!character_take_number(words, out)) {
+		return false;
+	}
+	if (*out < low || *out > high) {
+		words->next--;
+		return false;
+	}
+	return true;
+}
+
 int character_fail_value(
 	const struct character_words *words, const struct character_key *key)
 {

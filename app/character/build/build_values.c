@@ -43,7 +43,7 @@ int character_read_fade(struct character_words *words,
 	struct character_fade *fade = member;
 	float amount;
 
-	if (!character_take_number(words, &amount) || amount < 0 || amount > 60) {
+	if (!character_take_within(words, 0.0f, 60.0f, &amount)) {
 		return character_fail_value(words, key);
 	}
 	*fade = (struct character_fade){.duration_s = amount};

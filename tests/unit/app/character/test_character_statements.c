@@ -54,6 +54,8 @@ static const struct statement walker[] = {
 	{"[state a]\nclip = walk\nnext = a\n",
 		"[state a]\nclip = walk\nnext = b\n",
 		"no state named b: there are a"},
+	{"[state a]\nclip = walk\nfade = 60\n",
+		"[state a]\nclip = walk\nfade = -1\n", "-1 is not right here"},
 	{"[state a]\nclip = walk\nfade = 4 frames linear\n",
 		"[state a]\nclip = walk\nfade = 4 frames bouncy\n",
 		"bouncy is too much"},

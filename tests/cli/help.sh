@@ -41,6 +41,8 @@ check 'limber -h: the same' cmp "$scratch/long" "$out_file"
 helped play --demo --character --clip --time --frames --size --format --gl --egl-library \
     --gles-library --display --fps --watchdog --buttons \
     --script --clock --math --kernel --verbose --help --version
+limit=$(sed -n 's/^#define LOD_ERROR_PX *\([0-9.]*\)f$/\1/p' app/scene/instance/lod.h)
+expect_out "--lod PX .* auto \($limit\)"
 helped render --output --demo --clip --time --frames --size --format --gl --buttons \
     --script --clock --math --kernel --verbose --help --version
 helped pose --output --clip --time --math --kernel --verbose --help --version

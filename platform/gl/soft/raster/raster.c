@@ -76,11 +76,13 @@ static ALWAYS_INLINE void set_small_plane(const struct basis *basis,
 
 	plane->dx = (int32_t)((uint32_t)mul_high(across, inverse) << shift);
 	plane->dy = (int32_t)((uint32_t)mul_high(down, inverse) << shift);
-	start_plane(basis, value[0] * 256, plane);
+	start_plane(basis, (int32_t)((uint32_t)value[0] << 8), plane);
 }
 
-static bool is_small_delta(int32_t delta)
+static bool is_small_delta(int32_t from, int32_t to)
 {
+	int64_t delta = (int64_t)to - from;
+
 	return delta > -SMALL_DELTA && delta < SMALL_DELTA;
 }
 
@@ -89,8 +91,8 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 {
 	struct plane *plane = &draw->raster.plane[name];
 
-	if (!setup->wide && is_small_delta(value[1] - value[0]) &&
-		is_small_delta(value[2] - value[0])) {
+	if (!setup->wide && is_small_delta(value[0], value[1]) &&
+		is_small_delta(value[0], value[2])) {
 		set_small_plane(&draw->raster.basis, setup, value, plane);
 	} else {
 		set_plane(&draw->raster.basis, setup, value, 12, plane);

@@ -46,20 +46,21 @@ static ALWAYS_INLINE void rows_find_divisor(int32_t q, struct point *out)
 /*
  * Mild perspective: w varies by at most a quarter, so that w as a plane is off
  * by at most 1/64, and one step of Newton's method leaves 1/4096 of that. q is
- * 7.25 and below 1, w its reciprocal as 9.23; the result is 3.29.
+ * 7.25 and below 1, w its reciprocal as 9.23; the result is 3.29. Outside of the
+ * triangle it may wrap, where a run of one pixel asks for it without reading it.
  */
 static ALWAYS_INLINE int32_t rows_find_mild_w(int32_t q, int32_t w)
 {
 	int32_t high = (int32_t)((uint32_t)w << 6);
 	int32_t error = (1 << 27) - mul_high((int32_t)((uint32_t)q << 5), high);
 
-	return mul_high_add(high, high, error * 32);
+	return mul_high_add(high, high, (int32_t)((uint32_t)error * 32));
 }
 
 /* A value times q, by that. */
 static ALWAYS_INLINE int32_t rows_divide_mild(int32_t value, int32_t w)
 {
-	return mul_high(value, w) * 8;
+	return (int32_t)((uint32_t)mul_high(value, w) * 8);
 }
 
 /* How much the numerator of d(S / q) = (dS - S / q dq) / q is. */

@@ -81,23 +81,39 @@ static void set_constants(struct draw *draw, uint32_t moving)
 	}
 }
 
+/* A share of 1 / w's plane; mild planes and others are scaled by down. */
+static struct plane share_plane(const struct basis *basis,
+	const struct plane *q, int64_t part, int down)
+{
+	const uint32_t off_x = (uint32_t)basis->off_x;
+	const uint32_t off_y = (uint32_t)basis->off_y;
+	const uint32_t column = (uint32_t)basis->column;
+	struct plane out = {
+		.dx = (int32_t)(q->dx * part >> down),
+		.dy = (int32_t)(q->dy * part >> down),
+	};
+	/* Far from the triangle 1 / w wraps: it is scaled at a vertex. */
+	int32_t at = (int32_t)(q->start - (uint32_t)(q->dx >> 4) * off_x -
+		(uint32_t)(q->dy >> 4) * off_y + (uint32_t)q->dx * column);
+
+	out.start = (uint32_t)(at * part >> down) +
+		(uint32_t)(out.dx >> 4) * off_x +
+		(uint32_t)(out.dy >> 4) * off_y - (uint32_t)out.dx * column;
+	return out;
+}
+
 /* A plane for what stays the same, in perspective a part of 1 / w's. */
 static void add_plane(struct draw *draw, int name)
 {
 	struct raster *raster = &draw->raster;
-	const struct plane *q = &raster->plane[INVERSE_W];
 	struct plane *plane = &raster->plane[name];
 	uint32_t value = raster->span.value[name];
-	int64_t part = (int64_t)(value >> 8);
 
 	*plane = (struct plane){.start = value};
 	if (raster->colors_divided) {
 		/* as set_mild_plane() and set_perspective() scale products */
-		const int down = raster->mild ? 17 : 16;
-
-		plane->start = (uint32_t)((int32_t)q->start * part >> down);
-		plane->dx = (int32_t)(q->dx * part >> down);
-		plane->dy = (int32_t)(q->dy * part >> down);
+		*plane = share_plane(&raster->basis, &raster->plane[INVERSE_W],
+			(int64_t)(value >> 8), raster->mild ? 17 : 16);
 	}
 	raster->moving[raster->moving_count++] = name;
 }

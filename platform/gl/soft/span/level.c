@@ -47,6 +47,12 @@ struct part {
 	uint32_t first, room;
 };
 
+static ALWAYS_INLINE int32_t to_level(int32_t base_q8, int shift)
+{
+	/* Far outside of the texture it wraps, as the planes do. */
+	return (int32_t)((uint32_t)base_q8 * 256) >> shift;
+}
+
 /*
  * From the triangle's least and largest coordinate, in 1/256 of the base's
  * texels, and an eighth of a texel to spare.
@@ -55,8 +61,8 @@ static ALWAYS_INLINE struct part find_part(
 	const int32_t range[2], int shift, int32_t half, uint32_t mask)
 {
 	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
-	int32_t low = (range[0] * 256 >> shift) - half - spare;
-	int32_t high = (range[1] * 256 >> shift) - half + spare;
+	int32_t low = to_level(range[0], shift) - half - spare;
+	int32_t high = to_level(range[1], shift) - half + spare;
 
 	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
 	return (struct part){

@@ -184,10 +184,13 @@ static struct soft_scales find_format_scales(
 
 static void find_scales(const struct draw *draw, struct soft_spans *spans)
 {
-	const int32_t white = 0xFF80 << 8;
 	bool wide = draw->soft->format == PIXELS_RGBA8888;
 	enum texel_format format =
 		spans->textured ? draw->texture[0].base->format : TEXEL_NONE;
+	/* Combiners read black from a texture of alpha alone. */
+	bool black =
+		format == TEXEL_A8 && draw->texture[0].env->mode == GL_COMBINE;
+	const int32_t white = black ? 0 : 0xFF80 << 8;
 	struct soft_scales scales = find_format_scales(format, true, false);
 
 	spans->made_white[0] = (uint32_t)mul_high(white, scales.red_blue);

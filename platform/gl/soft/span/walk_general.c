@@ -38,7 +38,8 @@ static void draw_linear(
 		for (int n = 0; n < raster->moving_count; n++) {
 			int i = raster->moving[n];
 
-			value[i] += raster->span.step[i] * SOFT_RUN_PIXELS;
+			value[i] = (int32_t)((uint32_t)value[i] +
+				(uint32_t)raster->span.step[i] * SOFT_RUN_PIXELS);
 		}
 	}
 }
@@ -58,6 +59,11 @@ static void set_steps(struct draw *draw, const struct point *from,
 	}
 }
 
+static uint32_t distance(int32_t a, int32_t b)
+{
+	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+}
+
 /* As find_spacing() in walk.c. */
 static int find_spacing(const struct draw *draw, const struct point *from,
 	const struct point *to, int steps)
@@ -74,7 +80,7 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 	}
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
-		uint32_t d = raster_size(to->value[i] - from->value[i]);
+		uint32_t d = distance(to->value[i], from->value[i]);
 
 		if (rows_is_divided(raster, i)) {
 			d = i < TEX_S ? d >> rows_color_tolerance(draw) : d;

@@ -128,6 +128,25 @@ check 'the table of clips lines up' awk '
     end { rows++; bad = bad || substr($0, end - 3, 4) !~ /\.[0-9][0-9] $/ }
     END { exit bad || rows != 2 }' "$out_file"
 
+# A mirrored node turns its triangles round, and so do key frames in the world.
+sed 's/"name": "slider",/& "scale": [-1, 1, 1],/' "$slider" >"$scratch/mirror.gltf"
+limber compare "$scratch/mirror.gltf" --export "$scratch/mirrored"
+expect_status 0
+# shellcheck disable=SC2016 # Python
+check 'key frames of a mirrored node face as the model does' python3 -c '
+import glob, json, struct, sys
+file, = glob.glob(sys.argv[1] + "/morph-even-*.glb")
+data = open(file, "rb").read()
+size, = struct.unpack_from("<I", data, 12)
+gltf = json.loads(data[20:20 + size])
+accessor = gltf["accessors"][gltf["meshes"][0]["primitives"][0]["indices"]]
+assert accessor["componentType"] == 5123
+view = gltf["bufferViews"][accessor["bufferView"]]
+at = 28 + size + view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+index = struct.unpack_from("<3H", data, at)
+assert index in ((0, 2, 1), (2, 1, 0), (1, 0, 2)), index
+' "$scratch/mirrored"
+
 limber compare
 expect_refusal 2 'no model'
 limber compare "$slider" --format xml

@@ -1,6 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
 #include "app/compare/candidate/candidate_morph.h"
+#include "app/scene/draw/matrix_gl.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -88,6 +89,48 @@ static void add_vectors(struct exporter *exporter, json_t *to,
 	}
 }
 
+static bool is_mirrored(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	mat4 matrix;
+
+	if (drawable->skin >= 0) {
+		return false;
+	}
+	instance_drawable_matrix(instance, drawable, matrix);
+	return matrix_gl_mirrors((const vec4 *)matrix) != 0;
+}
+
+/* Positions are those in the world, where a mirrored node turns triangles round. */
+static int add_indices(
+	const struct exporter *exporter, const struct reference_part *part)
+{
+	const struct instance *instance = exporter->reference->instance;
+	const struct drawable *drawable = &instance->drawable[part->drawable];
+	const struct model_primitive *primitive = drawable->primitive;
+	size_t count = (size_t)primitive->index_count;
+	uint32_t *index;
+	int accessor;
+
+	if (!is_mirrored(instance, drawable)) {
+		return export_indices(exporter->glb, primitive->index,
+			primitive->index_count);
+	}
+	index = malloc(count * sizeof(*index) + 1);
+	if (!index) {
+		exporter->glb->error = -ENOMEM;
+		return -1;
+	}
+	for (size_t i = 0; i + 2 < count; i += 3) {
+		index[i] = primitive->index[i];
+		index[i + 1] = primitive->index[i + 2];
+		index[i + 2] = primitive->index[i + 1];
+	}
+	accessor = export_indices(exporter->glb, index, primitive->index_count);
+	free(index);
+	return accessor;
+}
+
 static void add_primitives(struct exporter *exporter)
 {
 	const struct reference *reference = exporter->reference;
@@ -106,9 +149,8 @@ static void add_primitives(struct exporter *exporter)
 		json_array_append_new(exporter->primitives,
 			json_pack("{s:o, s:i, s:i, s:[]}", "attributes",
 				attributes, "indices",
-				export_indices(exporter->glb, primitive->index,
-					primitive->index_count),
-				"material", primitive->material, "targets"));
+				add_indices(exporter, part), "material",
+				primitive->material, "targets"));
 	}
 }
 

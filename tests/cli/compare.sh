@@ -130,6 +130,14 @@ check 'the table of clips lines up' awk '
 
 # A mirrored node turns its triangles round, and so do key frames in the world.
 sed 's/"name": "slider",/& "scale": [-1, 1, 1],/' "$slider" >"$scratch/mirror.gltf"
+sed -i 's/"POSITION": 0/&, "NORMAL": 0/' "$scratch/mirror.gltf"
+limber compare "$scratch/mirror.gltf" --format csv
+check 'normals of a mirrored node are those of the picture' python3 -c '
+import csv, sys
+rows = list(csv.DictReader(open(sys.argv[1], newline="")))
+assert len(rows) >= 3
+assert all(float(row["normal_deg"]) < 2 for row in rows), rows
+' "$out_file"
 limber compare "$scratch/mirror.gltf" --export "$scratch/mirrored"
 expect_status 0
 # shellcheck disable=SC2016 # Python

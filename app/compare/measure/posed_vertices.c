@@ -123,12 +123,18 @@ static bool posed_normal(
 	return true;
 }
 
-/* Normals are transformed by the cofactors of the node's matrix. */
-static void cofactors(const vec4 *world, mat3 out)
+/*
+ * Normals are transformed by the cofactors of the node's matrix, which have the
+ * sign of its determinant: a mirrored surface still faces outwards.
+ */
+static void normal_matrix(const vec4 *world, mat3 out)
 {
 	glm_vec3_cross((float *)world[1], (float *)world[2], out[0]);
 	glm_vec3_cross((float *)world[2], (float *)world[0], out[1]);
 	glm_vec3_cross((float *)world[0], (float *)world[1], out[2]);
+	if (glm_vec3_dot((float *)world[0], out[0]) < 0.0f) {
+		glm_mat3_scale(out, -1.0f);
+	}
 }
 
 static void write_normals(const struct instance *instance,
@@ -137,7 +143,7 @@ static void write_normals(const struct instance *instance,
 	int count = drawable->primitive->vertex_count;
 	mat3 turn;
 
-	cofactors(instance->world[drawable->node], turn);
+	normal_matrix(instance->world[drawable->node], turn);
 	for (int v = 0; v < count; v++) {
 		float from[3];
 

@@ -14,6 +14,9 @@ static const float weight_distance = 0.05f;
 static const float texture_factor = 1.0f;
 static const float border_weight = 10.0f;
 
+/* How far bending a joint by 60 degrees moves what is at a distance of 1. */
+static const float bend_distance = 1.0f;
+
 static void subtract(const float a[3], const float b[3], float out[3])
 {
 	out[0] = a[0] - b[0];
@@ -313,6 +316,58 @@ static float weight_square(const struct model_primitive *primitive,
 	return lack * lack * weight_distance * weight_distance;
 }
 
+/* The sum of weights of a joint at the corners, by their shares. */
+static float shared_weight(const struct simplify *simplify,
+	const struct place *place, uint16_t joint, float weight[3])
+{
+	float sum = 0.0f;
+
+	for (int k = 0; k < 3; k++) {
+		weight[k] =
+			weight_of(simplify->primitive, place->vertex[k], joint);
+		sum += place->share[k] * weight[k];
+	}
+	return sum;
+}
+
+/*
+ * A skin moves a point by the products of its weights and its position. Where
+ * both change along a triangle, a straight edge cuts off the curve of a bent
+ * limb: by their covariance over the corners, for each joint, with its bend. A
+ * joint's motion counts half, because what it loses another one gains.
+ */
+static float bend_square(
+	const struct simplify *simplify, const struct place *place)
+{
+	size_t count = (size_t)simplify->primitive->influences;
+	float sum = 0.0f;
+
+	for (size_t i = 0; i < 3 * count; i++) {
+		size_t corner = i / count;
+		uint16_t joint =
+			simplify->primitive->joint[place->vertex[corner] * count +
+				i % count];
+		float weight[3], along[3] = {0.0f, 0.0f, 0.0f}, mean;
+
+		mean = shared_weight(simplify, place, joint, weight);
+		if (weight[corner] <= 0.0f || (corner > 0 && weight[0] > 0.0f) ||
+			(corner > 1 && weight[1] > 0.0f)) {
+			continue; /* unused, or counted at a corner before */
+		}
+		for (int k = 0; k < 3; k++) {
+			const float *at = simplify->position[place->vertex[k]];
+			float factor = place->share[k] * (weight[k] - mean);
+
+			for (int axis = 0; axis < 3; axis++) {
+				along[axis] += factor * at[axis];
+			}
+		}
+		sum += scalar_sqrt(dot(along, along));
+	}
+	sum *= 0.5f * bend_distance;
+	return sum * sum;
+}
+
 static float delta_square(float (*delta)[3], uint32_t vertex,
 	const struct place *place, float scale)
 {
@@ -356,7 +411,8 @@ static float square_at(const struct simplify *simplify, uint32_t vertex,
 	float square = target_square(simplify, vertex, place);
 
 	if (primitive->influences > 0) {
-		square += weight_square(primitive, vertex, place);
+		square += weight_square(primitive, vertex, place) +
+			bend_square(simplify, place);
 	}
 	if (simplify->shape_only) {
 		return square;

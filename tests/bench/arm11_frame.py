@@ -13,13 +13,16 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state buffers cache current dedup dir_lights draw fog_state"
-    " largest_float light light_state matrix number prepare prepare_dir_lights prepare_light"
-    " prepare_spans query soft state texenv_state unindexed vertex vertices",
-    "set-up": "clip fill_count fill_flat fill_glyph fill_narrow fill_opaque fill_relief fill_texture"
-    " list masked narrow raster triangle walk walk_general",
-    "pixels": "any band bands combine depth_ways fill fragment glyph ground level line luminance made"
-    " mix narrow_rows picture read relief rows spans_565 spans_8888 texel texture tile_row tiles tint",
+    "transform and light": "array array_state buffers cache current dedup dir_lights draw fog_state key"
+    " largest_float light light_state matrix number paths prepare"
+    " prepare_dir_lights prepare_light prepare_spans query soft state texenv_state"
+    " unindexed vertex vertices",
+    "set-up": "begin clip fill_constant fill_count fill_flat fill_glyph fill_narrow"
+    " fill_texture layout list masked narrow raster triangle view walk"
+    " walk_general",
+    "pixels": "any band combine depth_ways fill fragment gray level line luminance made mix"
+    " narrow_rows picture read rows spans_565 spans_8888 texel texture tile_row"
+    " tiles tint",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

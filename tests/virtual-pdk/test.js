@@ -106,6 +106,7 @@ async function testButtons(page, other) {
 		() => page.keyboard.press("F6"));
 	await checkChange("so does its digit", page, FEATURE,
 		() => page.keyboard.press("6"));
+	await until(async () => !await isDown(page, "F6"));
 	const presses = [];
 	await page.exposeFunction("onKeypad", (down) => presses.push(down));
 	await page.evaluate(() => new MutationObserver(([change]) =>

@@ -77,6 +77,14 @@ expect_out '^  RIGHT  show the next expression$'
 frame "$scratch/memory.png" --memory 1000
 expect_refusal 1 'memory'
 
+# A terminal must not execute what a name holds.
+sed 's/"slide"/"\\u001b[2Jslide"/' "$slider" >"$scratch/escape.gltf"
+limber character "$scratch/escape.gltf"
+expect_status 0
+expect_out '^\[state 0\]$'
+check 'limber character: prints no escape sequence' \
+    sh -c '! grep -q "$(printf "\033")" "$1"' sh "$out_file"
+
 # The example of the documentation fits the walker.
 cp "$assets/walker.glb" "$scratch/walker.glb"
 sed -n '/^```ini$/,/^```$/p' "$assets/../app/character/format.md" | grep -v '^```' \

@@ -1,5 +1,7 @@
 #include "app/character/sketch/character_sketch.h"
 
+#include "platform/base/printable.h"
+
 #include <string.h>
 
 enum {
@@ -17,10 +19,18 @@ static void write_name(FILE *out, const char *name)
 	fprintf(out, plain ? "%s" : "\"%s\"", name);
 }
 
-/* Whether a character file can hold the name. */
+/* Whether a character file can hold the name, and a terminal show it. */
 static bool is_usable(const char *name)
 {
-	return *name && strlen(name) < NAME_BYTES && !strpbrk(name, "\"]\r\n;");
+	char shown[NAME_BYTES];
+
+	if (!*name || strlen(name) >= sizeof(shown) ||
+		strpbrk(name, "\"];\r\n")) {
+		return false;
+	}
+	strcpy(shown, name);
+	printable_make(shown);
+	return strcmp(shown, name) == 0;
 }
 
 /* Whether a name is usable and no earlier clip has it. */
@@ -256,12 +266,13 @@ void character_sketch(const struct model *model, FILE *out)
 {
 	const char *slash = strrchr(model->path, '/');
 
-	fprintf(out,
-		"; How %s behaves. limber play finds this file beside the model when its\n"
-		"; name is that of the model with .character at the end. limber doctor MODEL\n"
-		"; checks it, and man limber describes it. Lines that begin with ; are\n"
-		"; suggestions.\n\n",
-		slash ? slash + 1 : model->path);
+	fputs("; How ", out);
+	printable_put(slash ? slash + 1 : model->path, out);
+	fputs(" behaves. limber play finds this file beside the model when its\n"
+	      "; name is that of the model with .character at the end. limber doctor MODEL\n"
+	      "; checks it, and man limber describes it. Lines that begin with ; are\n"
+	      "; suggestions.\n\n",
+		out);
 	write_states(model, out);
 	write_morph(model, out);
 	write_parts(model, out);

@@ -9,9 +9,9 @@ static double kilobytes(double bytes)
 	return bytes / 1024.0;
 }
 
-static size_t bytes_of(const struct comparison *comparison, int row)
+static double row_bytes(const struct comparison *comparison, int row)
 {
-	return comparison->row[row].total.memory_bytes;
+	return (double)comparison->row[row].total.memory_bytes;
 }
 
 /* Digits after the point, such that a small figure does not read as 0. */
@@ -25,31 +25,15 @@ static int kilobyte_digits(double figure)
 	return figure < 10.0 ? 1 : 0;
 }
 
-/* Of the other rows within all limits: the fastest, and the smallest, or -1. */
-static int find_fastest(const struct comparison *comparison)
+/* Of the other rows within all limits: the one with the least, or -1. */
+static int find_least(const struct comparison *comparison,
+	double (*of)(const struct comparison *comparison, int row))
 {
 	int best = -1;
 
 	for (int i = 0; i < comparison->row_count; i++) {
 		if (i != comparison->advised && advice_fits(comparison, i) &&
-			(best < 0 ||
-				advice_row_us(comparison, i) <
-					advice_row_us(comparison, best))) {
-			best = i;
-		}
-	}
-	return best;
-}
-
-static int find_smallest(const struct comparison *comparison)
-{
-	int best = -1;
-
-	for (int i = 0; i < comparison->row_count; i++) {
-		if (i != comparison->advised && advice_fits(comparison, i) &&
-			(best < 0 ||
-				bytes_of(comparison, i) <
-					bytes_of(comparison, best))) {
+			(best < 0 || of(comparison, i) < of(comparison, best))) {
 			best = i;
 		}
 	}
@@ -64,8 +48,8 @@ static void weigh_faster(
 	int advised = comparison->advised;
 	double saved_us = advice_row_us(comparison, advised) -
 		advice_row_us(comparison, other);
-	double more = (double)bytes_of(comparison, other) -
-		(double)bytes_of(comparison, advised);
+	double more =
+		row_bytes(comparison, other) - row_bytes(comparison, advised);
 	double share = saved_us / (board->frame_ms * 10.0);
 
 	if (advice_row_price(comparison, other) <=
@@ -90,8 +74,8 @@ static void weigh_smaller(
 	int advised = comparison->advised;
 	double more_us = advice_row_us(comparison, other) -
 		advice_row_us(comparison, advised);
-	double less = (double)bytes_of(comparison, advised) -
-		(double)bytes_of(comparison, other);
+	double less =
+		row_bytes(comparison, advised) - row_bytes(comparison, other);
 	double share = more_us / (board->frame_ms * 10.0);
 
 	snprintf(text, size,
@@ -105,19 +89,19 @@ static void write_fitting(
 	const struct comparison *comparison, char *text, size_t size)
 {
 	int advised = comparison->advised;
-	int fastest = find_fastest(comparison);
-	int smallest = find_smallest(comparison);
+	int fastest = find_least(comparison, advice_row_us);
+	int smallest = find_least(comparison, row_bytes);
 
 	if (fastest >= 0 &&
 		advice_row_us(comparison, fastest) <
 			advice_row_us(comparison, advised)) {
 		weigh_faster(comparison, fastest, text, size);
 	} else if (smallest >= 0 &&
-		bytes_of(comparison, smallest) < bytes_of(comparison, advised)) {
+		row_bytes(comparison, smallest) <
+			row_bytes(comparison, advised)) {
 		weigh_smaller(comparison, smallest, text, size);
 	} else if (fastest >= 0) {
-		double other_kib =
-			kilobytes((double)bytes_of(comparison, fastest));
+		double other_kib = kilobytes(row_bytes(comparison, fastest));
 
 		snprintf(text, size,
 			"nothing that keeps within %g px is faster or smaller; \"%s\" takes %.0f us and %.*f KiB",
@@ -161,7 +145,7 @@ static void write_failing(
 void advice_reason_write(struct comparison *comparison)
 {
 	int advised = comparison->advised;
-	double memory = kilobytes((double)bytes_of(comparison, advised));
+	double memory = kilobytes(row_bytes(comparison, advised));
 	char why[COMPARISON_REASON_BYTES - 64];
 
 	if (advice_fits(comparison, advised)) {

@@ -79,6 +79,18 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 	return level;
 }
 
+int model_find_morphed(const struct model *model)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		int mesh = model->node[i].mesh;
+
+		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
+			return i;
+		}
+	}
+	return -1;
+}
+
 int model_find_clip(const struct model *model, const char *name_or_index)
 {
 	char *end;

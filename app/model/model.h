@@ -276,6 +276,9 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count);
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
 
+/* The first node whose mesh has morph targets, or -1. */
+int model_find_morphed(const struct model *model);
+
 /*
  * Sets *out to the clip that the option --clip names, or to fallback when
  * wanted is NULL. 0, or -ENOENT after an error when there is no such clip.

@@ -165,6 +165,15 @@ void quat_between(const float from[3], const float to[3], float out[4])
 	quat_normalize(out);
 }
 
+void quat_from_slope(float rise_x, float rise_z, float out[4])
+{
+	out[0] = -0.5f * rise_z;
+	out[1] = 0;
+	out[2] = 0.5f * rise_x;
+	out[3] = 1;
+	quat_normalize(out);
+}
+
 float quat_angle(const float q[4])
 {
 	return 2 * scalar_atan2(vec_length(q), scalar_abs(q[3]));

@@ -52,6 +52,12 @@ void quat_from_axis_angle(const float axis[3], float angle_rad, float out[4]);
  */
 void quat_between(const float from[3], const float to[3], float out[4]);
 
+/*
+ * The rotation from up, 0 1 0, to the normal of ground that rises by rise_x and
+ * rise_z a unit along x and z.
+ */
+void quat_from_slope(float rise_x, float rise_z, float out[4]);
+
 /* The angle of a unit quaternion's rotation, 0..pi. */
 float quat_angle(const float q[4]);
 

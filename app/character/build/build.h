@@ -121,6 +121,10 @@ int character_read_curve_direction(struct character_words *words,
 int character_read_actions(struct character_words *words,
 	const struct character_key *key, void *member); /* .._action *, adds */
 
+/* Reads NODE NODE RADIUS, a capsule from node to node. 0 or -EINVAL. */
+int character_read_capsule(struct character_words *words,
+	const struct character_key *key, struct capsule *capsule);
+
 /*
  * Names. Each returns an index, or -1 after an error that lists the names
  * that there are. A name is first looked up in [names].

@@ -13,25 +13,13 @@ static int read_body(struct character_words *words,
 	const struct character_key *key, void *member)
 {
 	struct character_cape *cape = member;
-	struct capsule *capsule = &cape->body[cape->body_count];
-	int error;
 
 	if (cape->body_count == CHARACTER_CAPE_BODIES) {
 		return character_fail(words, "there are at most %d bodies",
 			CHARACTER_CAPE_BODIES);
 	}
-	error = character_read_node(words, key, &capsule->node_a);
-	if (!error) {
-		error = character_read_node(words, key, &capsule->node_b);
-	}
-	if (!error &&
-		(!character_take_number(words, &capsule->radius) ||
-			capsule->radius <= 0)) {
-		return character_fail(words,
-			"the radius is a number above 0: give %s", key->right);
-	}
-	cape->body_count++;
-	return error;
+	return character_read_capsule(
+		words, key, &cape->body[cape->body_count++]);
 }
 
 #define CAPE(name) offsetof(struct character_cape, name)

@@ -123,25 +123,13 @@ static int read_body(struct character_words *words,
 	const struct character_key *key, void *member)
 {
 	struct character_spring *effect = member;
-	struct capsule *capsule = &effect->body[effect->body_count];
-	int error;
 
 	if (effect->body_count == CHARACTER_BONES_MAX) {
 		return character_fail(words, "there are at most %d bodies",
 			CHARACTER_BONES_MAX);
 	}
-	error = character_read_node(words, key, &capsule->node_a);
-	if (!error) {
-		error = character_read_node(words, key, &capsule->node_b);
-	}
-	if (!error &&
-		(!character_take_number(words, &capsule->radius) ||
-			capsule->radius <= 0)) {
-		return character_fail(words,
-			"the radius is a number above 0: give %s", key->right);
-	}
-	effect->body_count++;
-	return error;
+	return character_read_capsule(
+		words, key, &effect->body[effect->body_count++]);
 }
 
 #define SPRING(name) offsetof(struct character_spring, spring.name)

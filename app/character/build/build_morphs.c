@@ -10,24 +10,11 @@ enum {
 	KEYS_MAX = 64
 };
 
-/* The first node whose mesh has morph targets, or -1. */
-static int first_morphed(const struct model *model)
-{
-	for (int i = 0; i < model->node_count; i++) {
-		int mesh = model->node[i].mesh;
-
-		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
-			return i;
-		}
-	}
-	return -1;
-}
-
 /* Reads the section's node, or takes the first one with morph targets. */
 static int find_node(struct character_build *build,
 	const struct character_section *section, int *node)
 {
-	*node = first_morphed(build->model);
+	*node = model_find_morphed(build->model);
 	for (const struct character_line *line = section->first; line;
 		line = line->next) {
 		struct character_words words = {build, line, 0};

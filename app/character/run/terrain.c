@@ -28,12 +28,7 @@ static void slope_rotation(const struct character *character, const float at[3],
 	float dx = (height_at(character, at[0] + step, at[2]) - height) / step;
 	float dz = (height_at(character, at[0], at[2] + step) - height) / step;
 
-	/* The quaternion from up (0 1 0) to the normal (-dx 1 -dz). */
-	out[0] = -0.5f * dz;
-	out[1] = 0;
-	out[2] = 0.5f * dx;
-	out[3] = 1;
-	quat_normalize(out);
+	quat_from_slope(dx, dz, out);
 }
 
 /* Moves the hips by a height of the world. */

@@ -72,18 +72,6 @@ static void write_states(const struct model *model, FILE *out)
 	}
 }
 
-static int first_morphed(const struct model *model)
-{
-	for (int i = 0; i < model->node_count; i++) {
-		int mesh = model->node[i].mesh;
-
-		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
-			return i;
-		}
-	}
-	return -1;
-}
-
 static void write_target(const struct model_mesh *mesh, int target, FILE *out)
 {
 	if (is_usable(mesh->target_name[target])) {
@@ -95,7 +83,7 @@ static void write_target(const struct model_mesh *mesh, int target, FILE *out)
 
 static void write_morph(const struct model *model, FILE *out)
 {
-	int node = first_morphed(model);
+	int node = model_find_morphed(model);
 	const struct model_mesh *mesh;
 
 	if (node < 0) {
@@ -224,7 +212,7 @@ static void write_buttons(const struct model *model, FILE *out)
 		      "DOWN = camera tilt -80 \"tilt the camera down\"\n",
 			out);
 	}
-	if (first_morphed(model) >= 0) {
+	if (model_find_morphed(model) >= 0) {
 		fputs("LEFT = morph shape previous \"show the previous shape\"\n"
 		      "RIGHT = morph shape next \"show the next shape\"\n"
 		      "F9 = morph shape neutral \"show the neutral shape\"\n",
@@ -244,7 +232,7 @@ static void write_buttons(const struct model *model, FILE *out)
 /* An unattended picture of a model with shapes shows them all. */
 static void write_scene(const struct model *model, FILE *out)
 {
-	int node = first_morphed(model), count;
+	int node = model_find_morphed(model), count;
 
 	if (node < 0 || model->clip_count > 0) {
 		fputs("[scene]\nyaw = 26\npitch = 9\nlabels = left\n\n", out);

@@ -303,12 +303,7 @@ static void slope_rotation(
 	float dx = (floor_height(floor, at[0] + step, at[2]) - here) / step;
 	float dz = (floor_height(floor, at[0], at[2] + step) - here) / step;
 
-	/* The quaternion from up (0 1 0) to the normal (-dx 1 -dz). */
-	out[0] = -0.5f * dz;
-	out[1] = 0.0f;
-	out[2] = 0.5f * dx;
-	out[3] = 1.0f;
-	quat_normalize(out);
+	quat_from_slope(dx, dz, out);
 }
 
 /*

@@ -13,10 +13,7 @@
 
 static ALWAYS_INLINE uint32_t soft_load_two(const uint16_t *at)
 {
-	uint32_t two;
-
-	memcpy(&two, at, sizeof(two));
-	return two;
+	return load_32((const uint8_t *)at);
 }
 
 static ALWAYS_INLINE void soft_store_two(uint16_t *at, uint32_t two)

@@ -143,11 +143,11 @@ static void draw_at_most(struct draw *draw, soft_span_function function)
 
 	for (uint32_t i = 0; i < pairs; i++) {
 		aside[i] = HALVES_ADD_LIMITED(
-			soft_load_32(depth + 4 * i), 0x00010001);
+			load_32(depth + 4 * i), 0x00010001);
 	}
 	if (odd) {
 		aside[pairs] =
-			HALVES_ADD_LIMITED(soft_load_16(depth + 4 * pairs), 1);
+			HALVES_ADD_LIMITED(load_16(depth + 4 * pairs), 1);
 	}
 	run->depth = (uint16_t *)aside;
 	function(run);
@@ -157,7 +157,7 @@ static void draw_at_most(struct draw *draw, soft_span_function function)
 	}
 	for (uint32_t i = 0; i < pairs; i++) {
 		uint32_t least =
-			least_halves(soft_load_32(depth + 4 * i), aside[i]);
+			least_halves(load_32(depth + 4 * i), aside[i]);
 
 		memcpy(depth + 4 * i, &least, 4);
 	}

@@ -10,6 +10,7 @@
 
 #include <string.h>
 
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/halves.h"
 
@@ -73,22 +74,6 @@ static ALWAYS_INLINE int soft_texel_bytes_log2(enum texel_format format)
 							   : 1;
 }
 
-static ALWAYS_INLINE uint32_t soft_load_32(const uint8_t *at)
-{
-	uint32_t value;
-
-	memcpy(&value, at, sizeof(value));
-	return value;
-}
-
-static ALWAYS_INLINE uint32_t soft_load_16(const uint8_t *at)
-{
-	uint16_t value;
-
-	memcpy(&value, at, sizeof(value));
-	return value;
-}
-
 static ALWAYS_INLINE uint32_t soft_load_texel(
 	enum texel_format format, const uint8_t *at)
 {
@@ -96,9 +81,9 @@ static ALWAYS_INLINE uint32_t soft_load_texel(
 	case 0:
 		return *at;
 	case 1:
-		return soft_load_16(at);
+		return load_16(at);
 	default:
-		return soft_load_32(at);
+		return load_32(at);
 	}
 }
 
@@ -107,11 +92,11 @@ static ALWAYS_INLINE uint32_t soft_load_pair(
 	enum texel_format format, const uint8_t *at)
 {
 	if (soft_texel_bytes_log2(format) == 0) {
-		uint32_t two = soft_load_16(at);
+		uint32_t two = load_16(at);
 
 		return (two | two << 8) & 0x00FF00FF;
 	}
-	return soft_load_32(at);
+	return load_32(at);
 }
 
 /* How far from one texel to the next. */

@@ -153,9 +153,9 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
 	} else if (kind.format == TEXEL_8888) {
 		const uint32_t a[2] = {
-			soft_load_32(above), soft_load_32(above + 4)};
+			load_32(above), load_32(above + 4)};
 		const uint32_t b[2] = {
-			soft_load_32(below), soft_load_32(below + 4)};
+			load_32(below), load_32(below + 4)};
 
 		soft_mix_green(kind, a, b, texel, texel >> 16, out);
 	} else {

@@ -168,7 +168,7 @@ static ALWAYS_INLINE void soft_store_8888(
 	uint32_t ga = soft_whole(kind, color, 1) | color->alpha << 16;
 
 	if (soft_is_blended(kind)) {
-		uint32_t to = soft_load_32(pixel);
+		uint32_t to = load_32(pixel);
 
 		rb = soft_blend_lanes(to & 0x00FF00FF, rb, color->alpha);
 		ga = soft_blend_lanes(to >> 8 & 0x00FF00FF, ga, color->alpha);

@@ -190,6 +190,22 @@ uint64_t behaviour_stamp(
 	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
 }
 
+/* The box of all that the model's clips and the behaviour's shapes reach. */
+static struct bounds find_bounds(
+	const struct behaviour *behaviour, struct instance *instance)
+{
+	const struct character *character = behaviour->character;
+	struct bounds all = bounds_of_model(instance, -1);
+
+	for (int i = 0; i < character->morph_count; i++) {
+		struct bounds shapes =
+			bounds_of_targets(instance, character->morph[i].node);
+
+		bounds_join(&all, &shapes);
+	}
+	return all;
+}
+
 int behaviour_init_stage(const struct behaviour *behaviour,
 	const struct demo_env *env, struct actor *actor, struct stage *stage)
 {
@@ -198,7 +214,7 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 						.pitch_rad = scene->pitch_rad,
 						.margin = scene->margin,
 						.follow = true}};
-	struct bounds bounds = bounds_of_model(actor->instance, -1);
+	struct bounds bounds = find_bounds(behaviour, actor->instance);
 	int error;
 
 	behaviour_count_labels(behaviour->character, &framing);

@@ -209,3 +209,25 @@ struct bounds bounds_of_model(struct instance *instance, int clip)
 	}
 	return all;
 }
+
+struct bounds bounds_of_targets(struct instance *instance, int node)
+{
+	const struct model_node *n = &instance->model->node[node];
+	int count =
+		n->mesh < 0 ? 0 : instance->model->mesh[n->mesh].target_count;
+	float *weight = &instance->pose.weight[n->weight_offset];
+	struct bounds all = bounds_empty();
+
+	for (int i = 0; i < count && i < POSES_MAX; i++) {
+		struct bounds bounds;
+
+		pose_rest(&instance->pose, instance->model);
+		weight[i] = 1.0f;
+		instance_update(instance);
+		bounds = bounds_of_instance(instance);
+		bounds_join(&all, &bounds);
+	}
+	pose_rest(&instance->pose, instance->model);
+	instance_update(instance);
+	return all;
+}

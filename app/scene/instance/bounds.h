@@ -50,4 +50,12 @@ struct bounds bounds_of_model(struct instance *instance, int clip);
  */
 struct bounds bounds_of_clip(struct instance *instance, int clip);
 
+/*
+ * Returns the box of the rest pose with each morph target of a node's mesh in
+ * turn at its full weight, in scene units; of the first 104 targets when there
+ * are more. Leaves the instance posed at rest. It poses the whole instance each
+ * time, so it is meant for load time.
+ */
+struct bounds bounds_of_targets(struct instance *instance, int node);
+
 #endif

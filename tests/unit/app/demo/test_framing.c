@@ -52,11 +52,10 @@ static void end(struct shown *shown)
 	demo_destroy(shown->driver, shown->demo);
 }
 
-/* The box of the figure as the picture shows it, -1 to 1. */
-static struct camera_region seen(const struct shown *shown, const int size[2])
+/* A box of the scene as the picture shows it, -1 to 1. */
+static struct camera_region project(const struct camera *camera,
+	const int size[2], const float center[3], const float half_extent[3])
 {
-	const struct camera *camera =
-		&((const struct demo_base *)shown->demo)->stage.camera;
 	const struct camera_frustum frustum =
 		camera_frustum(camera, size[0], size[1]);
 	struct camera_region region = {9.0f, -9.0f, 9.0f, -9.0f};
@@ -68,10 +67,9 @@ static struct camera_region seen(const struct shown *shown, const int size[2])
 		float x, y;
 
 		for (int axis = 0; axis < 3; axis++) {
-			float half = camera->fit.half[axis];
+			float half = half_extent[axis];
 
-			at[axis] = camera->target[axis] +
-				(i >> axis & 1 ? half : -half);
+			at[axis] = center[axis] + (i >> axis & 1 ? half : -half);
 		}
 		glm_mat4_mulv(view, at, eye);
 		x = eye[0] / -eye[2] * (float)frustum.near;
@@ -86,6 +84,15 @@ static struct camera_region seen(const struct shown *shown, const int size[2])
 		region.top = fmaxf(region.top, y);
 	}
 	return region;
+}
+
+/* The box of the figure as the picture shows it, -1 to 1. */
+static struct camera_region seen(const struct shown *shown, const int size[2])
+{
+	const struct camera *camera =
+		&((const struct demo_base *)shown->demo)->stage.camera;
+
+	return project(camera, size, camera->target, camera->fit.half);
 }
 
 /* The whole figure is in the picture and fills a good part of it. */
@@ -175,12 +182,49 @@ static void test_a_picture_of_another_size_is_framed_anew(void **state)
 	}
 }
 
+static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+		struct shown shown;
+		struct demo_base *base;
+		struct instance *instance;
+
+		begin(&shown, "../tests/fixtures/gltf/mesh/weights.gltf",
+			sizes[s], false);
+		base = (struct demo_base *)shown.demo;
+		instance = base->actor.instance;
+		assert_int_equal(instance->model->clip_count, 0);
+		assert_int_not_equal(instance->pose.weight_count, 0);
+		for (int i = 0; i < instance->pose.weight_count; i++) {
+			struct bounds bounds;
+			float center[3], half[3];
+			struct camera_region region;
+
+			pose_rest(&instance->pose, instance->model);
+			instance->pose.weight[i] = 1.0f;
+			instance_update(instance);
+			bounds = bounds_of_instance(instance);
+			bounds_center(&bounds, center);
+			for (int axis = 0; axis < 3; axis++) {
+				half[axis] = bounds.high[axis] - center[axis];
+			}
+			region = project(
+				&base->stage.camera, sizes[s], center, half);
+			check_whole(&region);
+		}
+		end(&shown);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
+		cmocka_unit_test(
+			test_shapes_without_a_clip_are_in_the_picture_whole),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -54,6 +54,7 @@ static void run_ops(struct character *character)
 	}
 	if (!has_world) {
 		instance_update_nodes(character->instance);
+		character_targets_update(character);
 	}
 }
 

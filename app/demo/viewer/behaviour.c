@@ -190,6 +190,52 @@ uint64_t behaviour_stamp(
 	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
 }
 
+/* What a number of the file can be: a parameter's range, or what it is. */
+static void find_range(const struct character *character, const float *value,
+	float *low, float *high)
+{
+	*low = *high = *value;
+	for (int i = 0; i < character->parameter_count; i++) {
+		const struct character_parameter *p = &character->parameter[i];
+
+		if (value == &p->value) {
+			*low = p->range[0];
+			*high = p->range[1];
+		}
+	}
+}
+
+/*
+ * Adds all places of the targets' balls. One that goes so far that the model
+ * would be less than half as large in the picture is left out.
+ */
+static void add_balls(
+	struct bounds *all, const struct character *character, float unit_scale)
+{
+	float most = 2.0f * bounds_extent(all);
+
+	for (int i = 0; i < character->target_count; i++) {
+		const struct character_target *target = &character->target[i];
+		float radius = target->radius_m;
+		struct bounds ball, with = *all;
+
+		if (radius <= 0.0f || target->is_camera || target->node >= 0) {
+			continue;
+		}
+		for (int axis = 0; axis < 3; axis++) {
+			float low, high;
+
+			find_range(character, target->place[axis], &low, &high);
+			ball.low[axis] = (low - radius) * unit_scale;
+			ball.high[axis] = (high + radius) * unit_scale;
+		}
+		bounds_join(&with, &ball);
+		if (bounds_extent(&with) <= most) {
+			*all = with;
+		}
+	}
+}
+
 /* The box of all that the model's clips and the behaviour's shapes reach. */
 static struct bounds find_bounds(
 	const struct behaviour *behaviour, struct instance *instance)
@@ -203,6 +249,7 @@ static struct bounds find_bounds(
 
 		bounds_join(&all, &shapes);
 	}
+	add_balls(&all, character, instance->unit_scale);
 	return all;
 }
 

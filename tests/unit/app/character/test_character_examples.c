@@ -330,6 +330,21 @@ static void test_the_tours_of_all_examples_run(void **state)
 	}
 }
 
+static void test_a_ball_that_nothing_aims_at_moves_too(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, "tests/fixtures/ball.character");
+	assert_int_equal(acting.error, 0);
+	acting_run_to(&acting, 1.0, rate_hz);
+	assert_near(acting.character->target[0].point[0],
+		acting_value(&acting, "side"), 0.0);
+	assert_near(acting.character->target[0].point[2], 0.5, 0.0);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -349,6 +364,7 @@ int main(void)
 		cmocka_unit_test(test_the_walkers_cape_hangs_from_its_back),
 		cmocka_unit_test(test_the_tours_of_our_own_models_run),
 		cmocka_unit_test(test_the_tours_of_all_examples_run),
+		cmocka_unit_test(test_a_ball_that_nothing_aims_at_moves_too),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -19,8 +19,8 @@ struct shown {
 	struct demo *demo;
 };
 
-static void begin(struct shown *shown, const char *name, const int size[2],
-	bool no_labels)
+static void begin_env(struct shown *shown, const char *name,
+	const char *character, const int size[2], bool no_labels)
 {
 	char path[64];
 	struct demo_env env;
@@ -40,11 +40,18 @@ static void begin(struct shown *shown, const char *name, const int size[2],
 		.height = size[1],
 		.no_labels = no_labels,
 		.model_path = path,
+		.character = character,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
 	};
 	assert_int_equal(demo_create(shown->driver, &env, &shown->demo), 0);
 	shown->driver->update(shown->demo, 0.02);
+}
+
+static void begin(struct shown *shown, const char *name, const int size[2],
+	bool no_labels)
+{
+	begin_env(shown, name, NULL, size, no_labels);
 }
 
 static void end(struct shown *shown)
@@ -217,6 +224,26 @@ static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
 	}
 }
 
+static void test_a_target_that_moves_stays_in_the_picture(void **state)
+{
+	static const float center[3] = {-0.5f, 1.65f, 0.5f};
+	static const float half[3] = {0.75f, 0.5f, 0.05f};
+
+	(void)state;
+	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+		struct shown shown;
+		struct camera_region region;
+
+		begin_env(&shown, "walker.glb", "tests/fixtures/ball.character",
+			sizes[s], false);
+		region = project(&((struct demo_base *)shown.demo)->stage.camera,
+			sizes[s], center, half);
+		check_whole(&region);
+		assert_false(covers(&region, sizes[s], 2, 1));
+		end(&shown);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -225,6 +252,7 @@ int main(void)
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
+		cmocka_unit_test(test_a_target_that_moves_stays_in_the_picture),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,6 +10,7 @@ static int run(const struct options *options, const struct log *log)
 		.frames = options->show.frames,
 		.print_keys = true,
 		.follow_file = true,
+		.may_save = true,
 	};
 	int status = show_choose(options, log, &plan);
 
@@ -25,7 +26,7 @@ static int run(const struct options *options, const struct log *log)
 const struct command command_play = {
 	.name = "play",
 	.bit = FOR_PLAY,
-	.usage = "[MODEL | --demo NAME]",
+	.usage = "[MODEL] [--demo NAME]",
 	.summary = "show a model or a demo until you quit",
 	.detail =
 		"limber shows a model or a demo in a window until you close it or press Esc. Without a\n"
@@ -35,6 +36,8 @@ const struct command command_play = {
 		"\n"
 		"  limber play robot.glb            show a model: .glb, .gltf or .x\n"
 		"  limber play --demo face          show a built-in demo\n"
+		"  limber play --demo crowd robot.glb\n"
+		"                                   show a model as a crowd; also duel and tuner\n"
 		"  limber --demo arm --script run.txt\n"
 		"                                   leave out the word play, press buttons from a file\n"
 		"  limber play --demo walker --display fbdev:/dev/fb1\n"

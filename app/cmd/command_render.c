@@ -62,6 +62,7 @@ const struct command command_render = {
 		"\n"
 		"  limber render robot.glb --time 1.5 -o robot.png\n"
 		"  limber render --demo walker -o walker.gif --size 240x320\n"
+		"  limber render --demo duel robot.glb -o duel.png\n"
 		"  limber render --demo arm --script run.txt --frames 250 -o arm.y4m",
 	.run = run,
 };

@@ -36,6 +36,7 @@ struct demo_driver {
 	const char *name;
 	const char *summary;
 	const char *asset; /* a file in assets/; NULL: the user's model */
+	bool any_model;    /* shows the user's model in place of the asset */
 	const struct demo_action *action; /* ends with a NULL run */
 
 	/* Size of the demo's struct, which begins with a struct demo_base. */

@@ -35,6 +35,7 @@ struct demo_env {
 	struct lod lod;                     /* triangles */
 	int walkers;      /* of the crowd; 0: the demo's own number */
 	bool follow_file; /* reload the model when its file changes */
+	bool may_save;    /* a button may write a file, such as presets */
 	int64_t (*now_ns)(
 		void);   /* clock to measure with; NULL: do not measure */
 	bool unattended; /* nobody presses buttons: show everything */

@@ -68,6 +68,29 @@ limber play "$slider" --display null --frames 3 --clock fixed:30
 expect_status 0
 expect_no_err
 
+# The tuner's button for saving writes nothing while render presses it.
+mkdir "$scratch/assets"
+cp "${LIMBER_ASSETS:-assets}/walker.glb" "${LIMBER_ASSETS:-assets}/presets.ini" \
+    "$scratch/assets"
+printf '%s\n' '0 RIGHT down' '50 RIGHT up' '100 ENTER down' '150 ENTER up' \
+    >"$scratch/save.txt"
+before=$(cksum <"$scratch/assets/presets.ini")
+kept_assets=${LIMBER_ASSETS-}
+LIMBER_ASSETS=$scratch/assets
+export LIMBER_ASSETS
+limber render --demo tuner --script "$scratch/save.txt" --size 40x40 --frames 10 \
+    -o "$scratch/tuner.gif"
+expect_status 0
+check 'render saves no presets' \
+    test "$before" = "$(cksum <"$scratch/assets/presets.ini")"
+limber play --demo tuner --script "$scratch/save.txt" --size 40x40 --frames 10 \
+    --clock fixed:25 --display null
+expect_status 0
+check 'play saves the presets' \
+    test "$before" != "$(cksum <"$scratch/assets/presets.ini")"
+LIMBER_ASSETS=$kept_assets
+[ -n "$kept_assets" ] || unset LIMBER_ASSETS
+
 # A signal stops it: it reports that and leaves no file.
 half=$scratch/half.gif
 # shellcheck disable=SC2086,SC2016 # a command and its arguments

@@ -85,7 +85,9 @@ refused '[Mm]odel|nothing to show' render -o "$out"
 refused '[Mm]odel' pose -o "$out"
 refused '[Mm]odel' info
 refused 'one model' info "$slider" "$slider"
-refused 'both|demo' render "$slider" --demo walker -o "$out"
+for demo in walker arm face; do
+    refused 'a model of its own' render "$slider" --demo "$demo" -o "$out"
+done
 for option in -o --size --time --clip --frames --gl --script --clock --format; do
     refused 'missing' render "$slider" "$option"
 done

@@ -84,6 +84,7 @@ static int open_demo(struct show *show)
 		.lod = options->vertices.lod,
 		.walkers = options->show.walkers,
 		.follow_file = show->plan->follow_file,
+		.may_save = show->plan->may_save,
 		.now_ns = show->clock.fixed ? NULL : clock_monotonic_ns,
 		.unattended = show->plan->unattended,
 		.camera = &show->camera,

@@ -23,6 +23,7 @@ struct show_plan {
 	bool unattended;  /* no user will press a button */
 	bool print_keys;  /* print what the buttons do */
 	bool follow_file; /* show the model anew when its file changes */
+	bool may_save;    /* a button may write a file */
 	bool progress;    /* show a progress bar on a terminal */
 };
 

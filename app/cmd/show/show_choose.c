@@ -29,12 +29,6 @@ static bool are_valid(const struct options *options,
 		buttons_check(options->input.buttons, log) != 0) {
 		return false;
 	}
-	if (options->show.demo && options->model_path) {
-		log_error(log,
-			"%s: a demo has a model of its own: give --demo or a file, not both",
-			options->model_path);
-		return false;
-	}
 	if (!options->model_path && options->motion.clip) {
 		log_error(log,
 			"--clip %s: a demo chooses its own clips: give a model file instead of a demo",
@@ -52,16 +46,23 @@ int show_choose(const struct options *options, const struct log *log,
 	if (!are_valid(options, plan, log)) {
 		return EXIT_USAGE;
 	}
-	if (options->model_path) {
-		plan->demo = &demo_driver_viewer;
-		plan->model_path = options->model_path;
-		return command_exit_code(
-			model_file_check(plan->model_path, log));
-	}
-	plan->demo = demo ? demo_find(demo) : demo_registry[0];
+	plan->demo = demo             ? demo_find(demo)
+		: options->model_path ? &demo_driver_viewer
+				      : demo_registry[0];
 	if (!plan->demo) {
 		log_unknown_demo(demo, log);
 		return EXIT_USAGE;
+	}
+	if (options->model_path) {
+		if (plan->demo->asset && !plan->demo->any_model) {
+			log_error(log,
+				"%s: the demo %s has a model of its own: leave out one of them, or choose --demo crowd, duel or tuner",
+				options->model_path, demo);
+			return EXIT_USAGE;
+		}
+		plan->model_path = options->model_path;
+		return command_exit_code(
+			model_file_check(plan->model_path, log));
 	}
 	plan->model_path = plan->asset_path;
 	return command_exit_code(file_find_asset(plan->demo->asset, log,

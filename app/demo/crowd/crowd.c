@@ -7,9 +7,8 @@
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_dress.h"
+#include "app/demo/crowd/crowd_figure.h"
 #include "app/demo/crowd/crowd_height.h"
-#include "app/demo/crowd/crowd_route.h"
-#include "app/demo/crowd/crowd_shadow.h"
 #include "app/demo/demo.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/matrix_gl.h"
@@ -48,7 +47,8 @@ struct walker {
 	struct instance *instance;
 	struct clip_cursor cursor;
 	struct crowd_route route;
-	int clip;
+	struct motion motion;
+	float drift[2]; /* of the pose, see crowd_figure_matrix() */
 	struct crowd_position position;
 	float height_px; /* on the screen */
 	int frames_a_pose;
@@ -59,6 +59,7 @@ struct demo {
 	const struct log *log;
 	const struct kernel *kernel;
 	float aspect;
+	struct crowd_figure figure;
 	struct camera_region region; /* that labels leave free */
 	int height;                  /* of the picture */
 	int count;
@@ -73,14 +74,6 @@ struct demo {
 	int count_at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
 
-/* The named clip, else the first one, else -1. */
-static int choose_clip(const struct model *model, const char *name)
-{
-	int clip = model_find_clip(model, name);
-
-	return clip >= 0 ? clip : model->clip_count > 0 ? 0 : -1;
-}
-
 /* The first walker shows the actor's instance, others create their own. */
 static int add_walker(struct demo *demo)
 {
@@ -88,8 +81,9 @@ static int add_walker(struct demo *demo)
 	struct walker *walker = &demo->walker[demo->count];
 	int error = 0;
 
-	*walker = (struct walker){
-		.route = crowd_route(demo->count), .frames_a_pose = 1};
+	*walker = (struct walker){.frames_a_pose = 1};
+	walker->route =
+		crowd_figure_route(&demo->figure, demo->count, &walker->motion);
 	if (demo->count == 0) {
 		walker->instance = demo->base.actor.instance;
 	} else {
@@ -113,7 +107,6 @@ static int add_walker(struct demo *demo)
 	}
 	/* Normal maps are lit in world space, but GL turns the walkers. */
 	walker->instance->normal_mapping = false;
-	walker->clip = choose_clip(model, walker->route.clip);
 	demo->count++;
 	return 0;
 }
@@ -141,11 +134,12 @@ static void change_count(struct demo *demo, int by)
 static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 {
 	/* camera_frame() turns the box: inscribed in the circle it fits. */
-	float r = 0.7f * crowd_radius_m(count > 1 ? count : 2);
+	float r = 0.7f * crowd_radius_m(count > 1 ? count : 2) +
+		demo->figure.beyond_m;
 
 	return (struct bounds){
 		.low = {-r, 0.0f, -r},
-		.high = {r, demo->base.actor.extent, r},
+		.high = {r, demo->base.actor.extent * demo->figure.scale, r},
 	};
 }
 
@@ -166,7 +160,7 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 {
 	int wanted = env->walkers > 0 ? env->walkers : DEFAULT_COUNT;
 	struct bounds bounds;
-	int error = 0;
+	int error = crowd_figure_make(&demo->figure, env, &demo->base.actor);
 
 	demo->log = env->log;
 	demo->kernel = env->kernel;
@@ -230,13 +224,14 @@ static int choose_rate(const struct demo *demo, float height)
 }
 
 /* Smaller walkers take shorter steps, so more of them. */
-static double clip_time_of(const struct demo *demo, const struct walker *walker)
+static float clip_time_of(const struct demo *demo, const struct walker *walker)
 {
 	const struct model_clip *clip =
-		&demo->base.actor.model->clip[walker->clip];
+		&demo->base.actor.model->clip[walker->motion.clip];
 
-	return demo->now_s / (double)walker->route.size +
-		(double)(walker->route.phase * clip->duration_s);
+	return clip_time(demo->now_s / (double)walker->route.size +
+			(double)(walker->route.phase * clip->duration_s),
+		clip->duration_s, CLIP_LOOP);
 }
 
 static void pose_walker(struct demo *demo, struct walker *walker)
@@ -246,13 +241,13 @@ static void pose_walker(struct demo *demo, struct walker *walker)
 
 	instance->max_influences = influences_of(demo, walker);
 	instance->hold_normals = demo->base.reduction.hold_normals;
-	if (walker->clip >= 0) {
-		const struct model_clip *clip = &model->clip[walker->clip];
-		double at_s = clip_time_of(demo, walker);
+	if (walker->motion.clip >= 0) {
+		float at_s = clip_time_of(demo, walker);
 
-		clip_pose(clip, clip_time(at_s, clip->duration_s, CLIP_LOOP),
+		clip_pose(&model->clip[walker->motion.clip], at_s,
 			demo->base.actor.interpolation, &walker->cursor,
 			&instance->pose);
+		motion_drift_at(&walker->motion, model, at_s, walker->drift);
 	}
 	instance_update(instance);
 }
@@ -287,7 +282,8 @@ static void crowd_update(struct demo *demo, double time_s)
 		walker->position = crowd_position_at(&walker->route, time_s);
 		walker->height_px = crowd_height_px(&demo->base.stage.camera,
 			&walker->position,
-			demo->base.actor.extent * walker->route.size,
+			demo->base.actor.extent * demo->figure.scale *
+				walker->route.size,
 			demo->height);
 		walker->frames_a_pose = choose_rate(demo, walker->height_px);
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
@@ -303,11 +299,19 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static void push_position(const struct walker *walker, const struct gl *gl)
+static void find_matrix(
+	const struct demo *demo, const struct walker *walker, mat4 out)
+{
+	crowd_figure_matrix(&demo->figure, &walker->route, &walker->position,
+		walker->drift, out);
+}
+
+static void push_position(const struct demo *demo, const struct walker *walker,
+	const struct gl *gl)
 {
 	mat4 matrix;
 
-	crowd_matrix(&walker->route, &walker->position, matrix);
+	find_matrix(demo, walker, matrix);
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)matrix);
 }
@@ -319,9 +323,9 @@ static void draw_shadow(const struct demo *demo, const struct walker *walker)
 		(demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX);
 
 	if (plain) {
-		crowd_shadow_draw(&walker->position, gl);
+		crowd_shadow_draw(&demo->figure.shadow, &walker->position, gl);
 	} else {
-		push_position(walker, gl);
+		push_position(demo, walker, gl);
 		draw_instance(gl, walker->instance, &demo->base.actor.textures,
 			DRAW_SHADOW);
 		gl->PopMatrix();
@@ -341,7 +345,7 @@ static void crowd_draw(struct demo *demo, int width, int height)
 	}
 	stage_shadow_end(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {
-		push_position(&demo->walker[i], gl);
+		push_position(demo, &demo->walker[i], gl);
 		draw_instance(gl, demo->walker[i].instance,
 			&demo->base.actor.textures, DRAW_SHADED);
 		gl->PopMatrix();
@@ -358,21 +362,17 @@ static bool crowd_get_figure(
 	}
 	walker = &demo->walker[number];
 	out->instance = walker->instance;
-	crowd_matrix(&walker->route, &walker->position, out->place);
+	find_matrix(demo, walker, out->place);
 	return true;
 }
 
 static void crowd_get_motion(const struct demo *demo, struct overlay_motion *out)
 {
 	const struct walker *walker = &demo->walker[0];
-	const struct model *model = demo->base.actor.model;
 
-	out->clip = walker->clip;
-	if (walker->clip >= 0) {
-		const struct model_clip *clip = &model->clip[walker->clip];
-
-		out->time_s = clip_time(clip_time_of(demo, walker),
-			clip->duration_s, CLIP_LOOP);
+	out->clip = walker->motion.clip;
+	if (walker->motion.clip >= 0) {
+		out->time_s = clip_time_of(demo, walker);
 	}
 }
 
@@ -481,6 +481,7 @@ const struct demo_driver demo_driver_crowd = {
 	.name = "crowd",
 	.summary = "skeletal: walkers that share a model, as many as you like",
 	.asset = "walker.glb",
+	.any_model = true,
 	.action = crowd_actions,
 	.size = sizeof(struct demo),
 	.prepare = crowd_prepare,

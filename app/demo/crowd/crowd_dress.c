@@ -125,12 +125,42 @@ static int use_plain_cloth(struct instance *instance)
 	return 0;
 }
 
+static bool has_clothes(const struct model *model)
+{
+	for (int i = 0; i < model->material_count; i++) {
+		if (strcmp(model->material[i].name, "shirt") == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The whole figure, lightly. */
+static int tint(struct instance *instance, const struct look *look)
+{
+	float factor[3];
+	int error = 0;
+
+	for (int i = 0; i < 3; i++) {
+		factor[i] = 0.6f + 0.4f * look->shirt[i];
+	}
+	for (int i = 0; !error && i < instance->drawable_count; i++) {
+		error = batch_tint(
+			&instance->drawable[i], factor, &instance->arena);
+	}
+	return error;
+}
+
 int crowd_dress(struct instance *instance, int number)
 {
 	const struct look *look = &looks[number % (int)ARRAY_COUNT(looks)];
 	const struct model *model = instance->model;
-	int error = look->plain ? use_plain_cloth(instance) : 0;
+	int error;
 
+	if (!has_clothes(model)) {
+		return tint(instance, look);
+	}
+	error = look->plain ? use_plain_cloth(instance) : 0;
 	for (int i = 0; !error && i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
 		const struct model_material *material =

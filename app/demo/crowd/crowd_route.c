@@ -4,6 +4,7 @@
 #include "platform/base/scalar.h"
 
 struct ring {
+	enum crowd_gait gait;
 	int count; /* of the ring's places */
 	int step;  /* from one place to the next one that is filled */
 	float radius_m;
@@ -14,11 +15,12 @@ struct ring {
 
 /* Steps are coprime to their ring's count. */
 static const struct ring rings[] = {
-	{1, 1, 0.0f, 0.0f, {"wave"}, 0.45f},
-	{5, 2, 1.15f, 1.03f, {"walk"}, 0.0f},
-	{10, 3, 2.2f, -2.6f, {"run"}, 0.0f},
-	{14, 5, 3.3f, 1.03f, {"walk"}, 0.0f},
-	{20, 7, 4.4f, 0.0f, {"idle", "wave", "jump", "idle"}, SCALAR_PI},
+	{CROWD_STANDS, 1, 1, 0.0f, 0.0f, {"wave"}, 0.45f},
+	{CROWD_WALKS, 5, 2, 1.15f, 1.03f, {"walk"}, 0.0f},
+	{CROWD_RUNS, 10, 3, 2.2f, -2.6f, {"run"}, 0.0f},
+	{CROWD_WALKS, 14, 5, 3.3f, 1.03f, {"walk"}, 0.0f},
+	{CROWD_STANDS, 20, 7, 4.4f, 0.0f, {"idle", "wave", "jump", "idle"},
+		SCALAR_PI},
 };
 
 static const float golden = 0.618034f;
@@ -53,6 +55,7 @@ struct crowd_route crowd_route(int number)
 	}
 	clip = ring->clip[slot % (int)ARRAY_COUNT(ring->clip)];
 	return (struct crowd_route){
+		.gait = ring->gait,
 		.clip = clip ? clip : ring->clip[0],
 		.phase = fraction - (float)(int)fraction,
 		.radius_m = ring->radius_m,

@@ -13,8 +13,15 @@ enum {
 	CROWD_MAX = 50
 };
 
+enum crowd_gait {
+	CROWD_STANDS,
+	CROWD_WALKS,
+	CROWD_RUNS
+};
+
 struct crowd_route {
-	const char *clip;
+	enum crowd_gait gait;
+	const char *clip; /* of the walker of limber */
 	float phase;      /* of the clip, 0 to 1 */
 	float radius_m;   /* of the ring */
 	float angle_rad;  /* on the ring at time 0 */

@@ -7,12 +7,20 @@
 #include "app/demo/crowd/crowd_route.h"
 #include "platform/gl/gl.h"
 
+#include <stdbool.h>
+
+/* The outline: that of a person 1.72 m high, or an ellipse on the ground. */
+struct crowd_shadow {
+	bool is_person;
+	float half_width_m, height_m; /* of the ellipse */
+};
+
 /*
- * Draws the outline of a figure 1.72 m high that stands at the position and
- * faces the light. Call it between stage_shadow_begin() and stage_shadow_end().
+ * Draws the outline of a figure that stands at the position and faces the
+ * light. Call it between stage_shadow_begin() and stage_shadow_end().
  * Restores the matrix.
  */
-void crowd_shadow_draw(
+void crowd_shadow_draw(const struct crowd_shadow *shadow,
 	const struct crowd_position *position, const struct gl *gl);
 
 #endif

@@ -1,8 +1,11 @@
 #include "app/demo/duel/contender.h"
 
 #include "app/compare/candidate/candidate_morph.h"
+#include "app/demo/actor.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_heat.h"
+
+#include <cglm/cglm.h>
 
 #include <errno.h>
 #include <stdlib.h>
@@ -86,6 +89,35 @@ static int init_technique(struct contender *contender,
 	}
 }
 
+/*
+ * Lets rigid drawables show vertices of their own, which are in world space
+ * while all nodes stay at the origin. Skinned ones have such vertices already.
+ */
+static int own_vertices(struct contender *contender)
+{
+	struct instance *shown = contender->shown;
+
+	for (int i = 0; i < shown->model->node_count; i++) {
+		glm_mat4_identity(shown->world[i]);
+	}
+	for (int i = 0; i < shown->drawable_count; i++) {
+		struct drawable *drawable = &shown->drawable[i];
+		size_t count = (size_t)drawable->primitive->vertex_count;
+		float(*position)[3], (*normal)[3];
+
+		if (drawable->skin >= 0) {
+			continue;
+		}
+		position = arena_alloc(&shown->arena, count, sizeof(float[3]));
+		normal = arena_alloc(&shown->arena, count, sizeof(float[3]));
+		if (!position || !normal) {
+			return -ENOMEM;
+		}
+		instance_use_vertices(drawable, position, normal);
+	}
+	return 0;
+}
+
 /* Memory for the morph's vertices. */
 static int init_vectors(struct contender *contender)
 {
@@ -97,7 +129,8 @@ static int init_vectors(struct contender *contender)
 	}
 	contender->position = arena_alloc(arena, count, sizeof(float[3]));
 	contender->normal = arena_alloc(arena, count, sizeof(float[3]));
-	return contender->position && contender->normal ? 0 : -ENOMEM;
+	return contender->position && contender->normal ? own_vertices(contender)
+							: -ENOMEM;
 }
 
 int contender_init(struct contender *contender, enum contender_kind kind,
@@ -108,6 +141,11 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 	int error;
 
 	*contender = (struct contender){.kind = kind,
+		.title = kind == CONTENDER_MORPH  ? "Morphing"
+			: kind == CONTENDER_RIGID ? "Hierarchical"
+			: reference->model->skin_count > 0
+			? "Skeletal"
+			: actor_technique(reference->instance),
 		.reference = reference,
 		.now_ns = env->now_ns,
 		.ms = -1.0f};
@@ -165,13 +203,15 @@ static void show_morph(struct contender *contender)
 		const struct reference_part *part = &reference->part[i];
 		struct drawable *drawable =
 			&contender->shown->drawable[part->drawable];
+		float scale =
+			drawable->skin >= 0 ? unit : drawable->vertex_scale;
 
 		for (int v = 0; v < part->vertex_count; v++) {
 			const float *from =
 				contender->position[part->first_vertex + v];
 
 			for (int axis = 0; axis < 3; axis++) {
-				drawable->position[v][axis] = from[axis] * unit;
+				drawable->position[v][axis] = from[axis] * scale;
 			}
 		}
 		if (drawable->normal) {

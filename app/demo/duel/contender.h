@@ -12,7 +12,7 @@
 #include "app/demo/vertex_tint.h"
 
 enum contender_kind {
-	CONTENDER_SKIN,
+	CONTENDER_SKIN, /* the model as it is; most have a skin */
 	CONTENDER_MORPH,
 	CONTENDER_RIGID,
 	CONTENDER_KINDS
@@ -20,6 +20,7 @@ enum contender_kind {
 
 struct contender {
 	enum contender_kind kind;
+	const char *title; /* the technique's name */
 	struct reference *reference;
 	struct candidate candidate; /* counts bytes; also poses the morph */
 	int key_count;              /* of the morph, else 0 */

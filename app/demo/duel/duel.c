@@ -10,16 +10,15 @@
 #include "app/demo/demo.h"
 #include "app/demo/duel/contender.h"
 #include "app/demo/duel/duel_board.h"
+#include "app/demo/motions.h"
 #include "app/scene/draw/draw.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
 
-static const char clip_name[] = "walk";
 static const float bound_px = 0.5f; /* the morph's greatest error */
-static const float ground_m_per_s = 1.03f;
-static const float spacing_m = 0.92f;
+static const float spacing = 1.2f;  /* of a figure's width */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time with and without errors */
@@ -32,6 +31,8 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
 
 struct demo {
 	struct demo_base base;
+	struct motion motion;
+	float spacing; /* from one figure to the next, scene units */
 	struct reference *reference;
 	struct time_grid grid; /* of the clip */
 	struct screen_view screen;
@@ -56,31 +57,51 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/* The box of three figures in a row. */
+/* The box of three figures in a row; most models stand at height 0. */
 static struct bounds bounds_of_row(struct demo *demo)
 {
-	struct bounds bounds = bounds_of_clip(
-		demo->base.actor.instance, demo->reference->clip_index);
+	struct bounds bounds =
+		bounds_of_clip(demo->base.actor.instance, demo->motion.clip);
+	float height = bounds.high[1] - bounds.low[1];
 
-	bounds.low[0] -= spacing_m;
-	bounds.high[0] += spacing_m;
-	bounds.low[1] = 0.0f;
+	demo->spacing = spacing * (bounds.high[0] - bounds.low[0]);
+	bounds.low[0] -= demo->spacing;
+	bounds.high[0] += demo->spacing;
+	if (scalar_abs(bounds.low[1]) < 0.05f * height) {
+		bounds.low[1] = 0.0f;
+	}
 	return bounds;
+}
+
+/* Chooses the clip in which the figure walks, or what it does else. */
+static int choose_clip(struct demo *demo, const struct demo_env *env)
+{
+	struct motions motions;
+	int error = motions_find(env, &demo->base.actor, &motions);
+
+	if (error) {
+		return error;
+	}
+	demo->motion = motions.role[MOTION_WALK];
+	if (demo->motion.clip < 0) {
+		log_error(env->log,
+			"%s: the duel plays a clip by three techniques, and this model has none: give a model with an animation",
+			env->model_path);
+		return -EINVAL;
+	}
+	return 0;
 }
 
 static int duel_prepare(struct demo *demo, const struct demo_env *env)
 {
 	const struct model *model = demo->base.actor.model;
-	int clip = model_find_clip(model, clip_name);
 	struct bounds bounds;
-	int error;
+	int error = choose_clip(demo, env);
 
-	if (clip < 0) {
-		log_error(env->log, "%s: the model has no clip named %s",
-			model->path, clip_name);
-		return -EINVAL;
+	if (!error) {
+		error = reference_create(
+			model, demo->motion.clip, env->log, &demo->reference);
 	}
-	error = reference_create(model, clip, env->log, &demo->reference);
 	if (error) {
 		return error;
 	}
@@ -132,6 +153,19 @@ static void measure_errors(struct demo *demo)
 	}
 }
 
+/* The ground goes backwards under a figure that walks on the spot. */
+static void move_ground(struct demo *demo, float step_s)
+{
+	const struct motion *motion = &demo->motion;
+	float way = motion->speed * step_s;
+
+	if (motion->drift[0] == 0.0f && motion->drift[1] == 0.0f) {
+		floor_scroll(&demo->base.stage.floor,
+			way * scalar_sin(motion->facing_rad),
+			way * scalar_cos(motion->facing_rad));
+	}
+}
+
 static void duel_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
@@ -148,8 +182,7 @@ static void duel_update(struct demo *demo, double time_s)
 	}
 	camera_orbit(&demo->base.stage.camera,
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
-	floor_scroll(
-		&demo->base.stage.floor, 0.0f, ground_m_per_s * clip_step_s);
+	move_ground(demo, clip_step_s);
 	at_s = clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP);
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		contender_pose(&demo->contender[i], at_s);
@@ -166,7 +199,7 @@ static void draw_row(const struct demo *demo, enum draw_pass pass)
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		gl->PushMatrix();
 		gl->Translatex(
-			fx16_from_float((float)(i - 1) * spacing_m), 0, 0);
+			fx16_from_float((float)(i - 1) * demo->spacing), 0, 0);
 		draw_instance(gl, demo->contender[i].shown,
 			&demo->base.actor.textures, pass);
 		gl->PopMatrix();
@@ -206,7 +239,7 @@ static bool duel_get_figure(
 	}
 	out->instance = demo->contender[number].shown;
 	out->unposed_nodes = number == CONTENDER_MORPH;
-	out->place[3][0] = (float)(number - 1) * spacing_m;
+	out->place[3][0] = (float)(number - 1) * demo->spacing;
 	return true;
 }
 
@@ -314,6 +347,7 @@ const struct demo_driver demo_driver_duel = {
 	.name = "duel",
 	.summary = "all three techniques side by side, with what they cost",
 	.asset = "walker.glb",
+	.any_model = true,
 	.action = duel_actions,
 	.size = sizeof(struct demo),
 	.prepare = duel_prepare,

@@ -8,12 +8,6 @@ enum {
 	RAMP_STEPS = 24
 };
 
-static const char *const titles[CONTENDER_KINDS] = {
-	[CONTENDER_SKIN] = "Skeletal",
-	[CONTENDER_MORPH] = "Morphing",
-	[CONTENDER_RIGID] = "Hierarchical",
-};
-
 /* Lower is better; negative if unknown. */
 static float figure(const struct contender *contender, int row)
 {
@@ -59,12 +53,16 @@ static void show_column(const struct contender *contender, int kind, int left,
 	int key_count = contender[kind].key_count;
 	char text[32];
 
-	write_centered(hud, left, width, y, hud_color_text, titles[kind]);
+	write_centered(
+		hud, left, width, y, hud_color_text, contender[kind].title);
 	if (key_count > 0) {
 		snprintf(text, sizeof(text), "%d keys", key_count);
 	} else {
 		snprintf(text, sizeof(text), "%s",
-			kind == CONTENDER_SKIN ? "skin" : "rigid parts");
+			kind == CONTENDER_RIGID ? "rigid parts"
+				: contender[kind].reference->model->skin_count
+				? "skin"
+				: "the file's own");
 	}
 	write_centered(hud, left, width, y += line, hud_color_dim, text);
 	for (int row = 0; row < ROWS; row++) {

@@ -26,8 +26,7 @@ struct behaviour {
 	const struct floor *floor; /* of the stage, once it was updated */
 };
 
-/* The character file of a model: --character, or the one beside it. */
-static bool find_file(const struct demo_env *env, char *path, size_t size)
+bool behaviour_find_file(const struct demo_env *env, char *path, size_t size)
 {
 	const char *given = env->character;
 
@@ -136,7 +135,7 @@ int behaviour_create(
 	const struct demo_env *env, struct actor *actor, struct behaviour **out)
 {
 	char path[CHARACTER_PATH_BYTES];
-	bool has_file = find_file(env, path, sizeof(path));
+	bool has_file = behaviour_find_file(env, path, sizeof(path));
 	struct behaviour *behaviour;
 	int error;
 
@@ -187,7 +186,7 @@ uint64_t behaviour_stamp(
 	if (behaviour && behaviour->path[0]) {
 		return character_stamp(behaviour->character);
 	}
-	return find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
+	return behaviour_find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
 }
 
 /* What a number of the file can be: a parameter's range, or what it is. */

@@ -17,6 +17,13 @@
 struct behaviour;
 
 /*
+ * Writes the path of env's character file: --character, or the one beside the
+ * model. False if there is none; with --clip a model plays without one.
+ */
+bool behaviour_find_file(
+	const struct demo_env *env, char *path, size_t size);
+
+/*
  * Makes the behaviour of a loaded actor. Returns 0, or -errno after logging an
  * error. *out is NULL if the model has none. Release it with
  * behaviour_destroy() before the actor.

@@ -2,29 +2,28 @@
  * The tuner changes the parameters of shaken bones while they shake.
  *
  * It implements "Physic-based Implementation" of the document on offline and
- * physics-based animation. The bones below each shoulder are painted by the
- * strength of their swing: red for the strongest one, blue where the
- * attenuation leaves none.
+ * physics-based animation. The first row of the panel chooses the bone of any
+ * model. The bones below it are painted by the strength of their swing: red for
+ * the strongest one, blue where the attenuation leaves none.
  */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/preset_file.h"
+#include "app/demo/tuner/tuner_bones.h"
 #include "app/demo/vertex_tint.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "platform/base/scalar.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
 enum {
-	SIDES = 2,
-	LEVELS_MAX = 16,
-	OFF_CHAIN = -1
+	ROW_BONE,
+	ROW_FIELDS, /* the first of the preset's fields */
+	ROWS = ROW_FIELDS + PRESET_FIELDS
 };
 
-static const char clip_name[] = "idle";
-static const char *const bones[SIDES] = {"shoulder.L", "shoulder.R"};
+static const float person_m = 1.72f;
 static const float fade_s = 0.3f;
 static const double repeat_after_s = 0.4, repeat_s = 0.06; /* while held */
 static const double message_s = 2.0;
@@ -36,7 +35,7 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.3f,
 						     .pitch_rad = 0.1f,
 						     .margin = 1.04f,
 						     .follow = true},
-	.label_rows = 11,
+	.label_rows = 12,
 	.label_bars = 0};
 
 struct demo {
@@ -45,11 +44,12 @@ struct demo {
 	int height; /* of the picture */
 	struct preset_file file;
 	int chosen; /* the preset's index */
-	int field;
-	struct procedural swing[SIDES];
+	int row;
+	struct tuner_bones bones;
+	struct procedural swing[MOTION_BONES_MAX]; /* [bones.count] */
+	float unit_factor;                         /* of the presets' lengths */
 	struct vertex_tint tint;
-	int8_t **level; /* [drawable_count][vertex_count], see level_of() */
-	bool painted, autoplay, shaking;
+	bool painted, autoplay, shaking, may_save;
 	int clip;
 	double now_s;
 	int changing; /* while LEFT or RIGHT is held: -1 or 1, else 0 */
@@ -63,72 +63,20 @@ static struct procedural_preset *preset_of(struct demo *demo)
 	return &demo->file.preset[demo->chosen];
 }
 
-/* The node's depth below either shaken bone, or OFF_CHAIN. */
-static int8_t level_of(const struct demo *demo, int node)
-{
-	const struct model *model = demo->base.actor.model;
-	int8_t level = 0;
-
-	while (node >= 0 && level < LEVELS_MAX) {
-		if (node == demo->swing[0].node || node == demo->swing[1].node) {
-			return level;
-		}
-		node = model->node[node].parent;
-		level++;
-	}
-	return OFF_CHAIN;
-}
-
-/* The joint with the greatest weight, or a rigid drawable's node. */
-static int main_joint(
-	const struct model *model, const struct drawable *drawable, int vertex)
-{
-	struct skin_influence influence[SKIN_INFLUENCES_MAX];
-
-	if (drawable->skin < 0) {
-		return drawable->node;
-	}
-	skin_gather_influences(drawable->primitive, (uint32_t)vertex, influence);
-	return model->skin[drawable->skin].joint[influence[0].joint];
-}
-
-static int find_levels(struct demo *demo)
-{
-	struct instance *instance = demo->base.actor.instance;
-	struct arena *arena = &instance->arena;
-
-	demo->level = arena_alloc(
-		arena, (size_t)instance->drawable_count, sizeof(*demo->level));
-	for (int d = 0; demo->level && d < instance->drawable_count; d++) {
-		const struct drawable *drawable = &instance->drawable[d];
-		int count = drawable->primitive->vertex_count;
-
-		demo->level[d] = arena_alloc(arena, (size_t)count, 1);
-		if (!demo->level[d]) {
-			return -ENOMEM;
-		}
-		for (int v = 0; v < count; v++) {
-			demo->level[d][v] = level_of(
-				demo, main_joint(instance->model, drawable, v));
-		}
-	}
-	return demo->level ? 0 : -ENOMEM;
-}
-
 static void paint(struct demo *demo)
 {
 	const struct instance *instance = demo->base.actor.instance;
 	const struct procedural_preset *preset = preset_of(demo);
-	uint8_t rgb[LEVELS_MAX + 1][3];
+	const struct tuner_bones *bones = &demo->bones;
+	uint8_t rgb[TUNER_LEVELS_MAX + 1][3];
 	float max = 0.001f;
 
-	for (int level = 0; level <= LEVELS_MAX; level++) {
+	for (int level = 0; level <= bones->deepest; level++) {
 		float modifier = procedural_modifier(preset, level);
 
-		/* The chain is no longer than six bones. */
-		max = level < 6 && modifier > max ? modifier : max;
+		max = modifier > max ? modifier : max;
 	}
-	for (int level = 0; level <= LEVELS_MAX; level++) {
+	for (int level = 0; level <= TUNER_LEVELS_MAX; level++) {
 		overlay_heat_ramp(
 			procedural_modifier(preset, level) / max, rgb[level]);
 	}
@@ -136,10 +84,11 @@ static void paint(struct demo *demo)
 		int count = instance->drawable[d].primitive->vertex_count;
 
 		for (int v = 0; v < count; v++) {
-			int level = demo->level[d][v];
+			int level = bones->level[bones->joint[d][v]];
 
 			vertex_tint_set(&demo->tint, d, v,
-				level == OFF_CHAIN ? off_chain_rgb : rgb[level]);
+				level == TUNER_OFF_CHAIN ? off_chain_rgb
+							 : rgb[level]);
 		}
 	}
 }
@@ -147,8 +96,9 @@ static void paint(struct demo *demo)
 /* Call this after any change of the preset. */
 static void use_preset(struct demo *demo)
 {
-	for (int side = 0; side < SIDES; side++) {
-		demo->swing[side].preset = *preset_of(demo);
+	for (int i = 0; i < demo->bones.count; i++) {
+		demo->swing[i].preset = *preset_of(demo);
+		demo->swing[i].preset.unit *= demo->unit_factor;
 	}
 	paint(demo);
 }
@@ -159,26 +109,32 @@ static void show_message(struct demo *demo, const char *message)
 	demo->message_end_s = demo->now_s + message_s;
 }
 
-static int begin_swings(struct demo *demo, const struct log *log)
+/* Shakes the chosen bones; those that were shaken before stop at once. */
+static void begin_swings(struct demo *demo)
 {
-	const struct model *model = demo->base.actor.model;
-
-	for (int side = 0; side < SIDES; side++) {
-		int node;
-		int error = actor_find_bone(model, bones[side], log, &node);
-
-		if (error) {
-			return error;
-		}
-		demo->swing[side] = procedural_begin(preset_of(demo), node);
-		procedural_fade(&demo->swing[side], 0.0f, fade_s);
+	for (int i = 0; i < demo->bones.count; i++) {
+		demo->swing[i] =
+			procedural_begin(preset_of(demo), demo->bones.node[i]);
+		demo->swing[i].preset.unit *= demo->unit_factor;
+		procedural_fade(
+			&demo->swing[i], demo->shaking ? 0.0f : 1.0f, fade_s);
 	}
-	return 0;
+}
+
+/* Presets have lengths for a figure as large as a person. */
+static float unit_factor(const struct actor *actor)
+{
+	float extent = actor->extent / actor->instance->unit_scale;
+
+	return extent <= 0.0f || (extent > 0.5f && extent < 4.0f)
+		? 1.0f
+		: extent / person_m;
 }
 
 static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct instance *instance = demo->base.actor.instance;
+	struct motions motions;
 	struct bounds bounds;
 	int error = preset_file_read(&demo->file, env->log);
 
@@ -186,18 +142,20 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	demo->height = env->height;
 	demo->autoplay = env->unattended;
 	demo->painted = demo->shaking = true;
-	demo->field = attenuation;
-	demo->clip = model_find_clip(instance->model, clip_name);
+	demo->may_save = env->may_save;
+	demo->row = ROW_FIELDS + attenuation;
 	instance->normal_mapping = false;
 	if (!error) {
-		error = begin_swings(demo, env->log);
+		error = motions_find(env, &demo->base.actor, &motions);
 	}
 	if (error) {
 		return error;
 	}
+	demo->clip = motions.role[MOTION_STAND].clip;
+	demo->unit_factor = unit_factor(&demo->base.actor);
 	error = vertex_tint_init(&demo->tint, instance);
 	if (!error) {
-		error = find_levels(demo);
+		error = tuner_bones_init(&demo->bones, instance, &motions);
 	}
 	if (error) {
 		log_error(env->log,
@@ -205,6 +163,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 			env->model_path);
 		return error;
 	}
+	begin_swings(demo);
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
 	vertex_tint_switch(&demo->tint, demo->painted);
@@ -213,12 +172,20 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 
 static void change(struct demo *demo, int steps)
 {
-	const struct preset_field *field = &preset_fields[demo->field];
-	float *value = preset_value(preset_of(demo), field);
-	float count = *value / field->step + (float)steps;
-	/* Values are multiples of the step, so that a change can be undone. */
-	float whole = (float)(int)(count + (count < 0.0f ? -0.5f : 0.5f));
+	const struct preset_field *field;
+	float *value, count, whole;
 
+	if (demo->row == ROW_BONE) {
+		tuner_bones_step(&demo->bones, steps);
+		begin_swings(demo);
+		paint(demo);
+		return;
+	}
+	field = &preset_fields[demo->row - ROW_FIELDS];
+	value = preset_value(preset_of(demo), field);
+	count = *value / field->step + (float)steps;
+	/* Values are multiples of the step, so that a change can be undone. */
+	whole = (float)(int)(count + (count < 0.0f ? -0.5f : 0.5f));
 	*value = scalar_clamp(whole * field->step, field->low, field->high);
 	use_preset(demo);
 }
@@ -258,10 +225,10 @@ static void tuner_update(struct demo *demo, double time_s)
 			: clip_time(time_s,
 				  actor->model->clip[demo->clip].duration_s,
 				  CLIP_LOOP));
-	for (int side = 0; side < SIDES; side++) {
-		procedural_update(&demo->swing[side], step_s);
+	for (int i = 0; i < demo->bones.count; i++) {
+		procedural_update(&demo->swing[i], step_s);
 		procedural_apply(
-			&demo->swing[side], time_s, &actor->instance->pose);
+			&demo->swing[i], time_s, &actor->instance->pose);
 	}
 	actor_update(actor, &demo->base.stage.camera, demo->height);
 }
@@ -279,30 +246,41 @@ static double tuner_period_s(const struct demo *demo)
 	return autoplay_s;
 }
 
-/* Where not all fields are shown, the chosen one is the second. */
-static int first_field(const struct demo *demo, const struct hud *hud)
+/* Where not all rows are shown, the chosen one is the second. */
+static int first_row(const struct demo *demo, const struct hud *hud)
 {
 	int rows = hud_group_rows_max(hud->width, hud->height);
 
-	return rows >= PRESET_FIELDS || demo->field == 0 ? 0 : demo->field - 1;
+	return rows >= ROWS || demo->row == 0 ? 0 : demo->row - 1;
+}
+
+static const char *write_row(
+	const struct demo *demo, int row, char *value, size_t size)
+{
+	struct procedural_preset preset = demo->file.preset[demo->chosen];
+
+	if (row == ROW_BONE) {
+		tuner_bones_name(&demo->bones, value, size);
+		return "bone";
+	}
+	snprintf(value, size, "%.2f",
+		(double)*preset_value(&preset, &preset_fields[row - ROW_FIELDS]));
+	return preset_fields[row - ROW_FIELDS].name;
 }
 
 static void tuner_label(const struct demo *demo, struct hud *hud)
 {
-	struct procedural_preset preset = demo->file.preset[demo->chosen];
-	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, preset.name);
+	struct hud_group group = hud_group_begin(
+		hud, HUD_TOP_LEFT, demo->file.preset[demo->chosen].name);
 
-	for (int i = first_field(demo, hud); i < PRESET_FIELDS; i++) {
-		const struct preset_field *field = &preset_fields[i];
-		char value[32];
+	for (int i = first_row(demo, hud); i < ROWS; i++) {
+		char value[64];
+		const char *name = write_row(demo, i, value, sizeof(value));
 
-		snprintf(value, sizeof(value), "%.2f",
-			(double)*preset_value(&preset, field));
-		if (i == demo->field) {
-			hud_group_mark(
-				&group, field->name, value, hud_color_amber);
+		if (i == demo->row) {
+			hud_group_mark(&group, name, value, hud_color_amber);
 		} else {
-			hud_group_text(&group, field->name, value);
+			hud_group_text(&group, name, value);
 		}
 	}
 	hud_group_end(&group);
@@ -315,7 +293,6 @@ static void tuner_label(const struct demo *demo, struct hud *hud)
 
 static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out)
 {
-	static const char *const name[SIDES] = {"left shake", "right shake"};
 	const struct model *model = demo->base.actor.model;
 
 	out->clip = demo->clip;
@@ -323,26 +300,28 @@ static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out
 		out->time_s = clip_time(demo->now_s,
 			model->clip[demo->clip].duration_s, CLIP_LOOP);
 	}
-	for (int side = 0; side < SIDES; side++) {
-		out->layer[side] = (struct overlay_layer){
-			name[side], 1.0f - demo->swing[side].fade, NULL};
+	for (int i = 0;
+		i < demo->bones.count && i < (int)ARRAY_COUNT(out->layer); i++) {
+		out->layer[i] = (struct overlay_layer){
+			model->node[demo->bones.node[i]].name,
+			1.0f - demo->swing[i].fade, NULL};
+		out->layer_count = i + 1;
 	}
-	out->layer_count = SIDES;
 }
 
-static void step_field(struct demo *demo, int step)
+static void step_row(struct demo *demo, int step)
 {
-	demo->field = (demo->field + step + PRESET_FIELDS) % PRESET_FIELDS;
+	demo->row = (demo->row + step + ROWS) % ROWS;
 }
 
 static void press_up(struct demo *demo, bool down)
 {
-	step_field(demo, down ? -1 : 0);
+	step_row(demo, down ? -1 : 0);
 }
 
 static void press_down(struct demo *demo, bool down)
 {
-	step_field(demo, down ? 1 : 0);
+	step_row(demo, down ? 1 : 0);
 }
 
 static void change_value(struct demo *demo, int direction, bool down)
@@ -368,6 +347,10 @@ static void press_right(struct demo *demo, bool down)
 static void press_save(struct demo *demo, bool down)
 {
 	if (!down) {
+		return;
+	}
+	if (!demo->may_save) {
+		show_message(demo, "render saves nothing");
 		return;
 	}
 	if (!demo->file.path[0]) {
@@ -414,30 +397,33 @@ static void press_shake(struct demo *demo, bool down)
 {
 	if (down) {
 		demo->shaking = !demo->shaking;
-		for (int side = 0; side < SIDES; side++) {
-			procedural_fade(&demo->swing[side],
+		for (int i = 0; i < demo->bones.count; i++) {
+			procedural_fade(&demo->swing[i],
 				demo->shaking ? 0.0f : 1.0f, fade_s);
 		}
 	}
 }
 
 static const struct demo_action tuner_actions[] = {
-	{BUTTON_UP, "choose the previous parameter", press_up},
-	{BUTTON_DOWN, "choose the next parameter", press_down},
-	{BUTTON_LEFT, "decrease the parameter (hold to repeat)", press_left},
-	{BUTTON_RIGHT, "increase the parameter (hold to repeat)", press_right},
+	{BUTTON_UP, "choose the previous row: the bone or a parameter", press_up},
+	{BUTTON_DOWN, "choose the next row", press_down},
+	{BUTTON_LEFT, "decrease the parameter, or take the previous bone (hold)",
+		press_left},
+	{BUTTON_RIGHT, "increase the parameter, or take the next bone (hold)",
+		press_right},
 	{BUTTON_ENTER, "save the preset to its file", press_save},
 	{BUTTON_F6, "choose the next preset", press_next},
 	{BUTTON_F8, "paint the shaken bones, or not", press_paint},
 	{BUTTON_F9, "reload the preset from its file", press_reload},
-	{BUTTON_F10, "shake the arms, or hold them still", press_shake},
+	{BUTTON_F10, "shake the bones, or hold them still", press_shake},
 	{0},
 };
 
 const struct demo_driver demo_driver_tuner = {
 	.name = "tuner",
-	.summary = "procedural: shaking arms whose parameters you change",
+	.summary = "procedural: shaking bones whose parameters you change",
 	.asset = "walker.glb",
+	.any_model = true,
 	.action = tuner_actions,
 	.size = sizeof(struct demo),
 	.prepare = tuner_prepare,

@@ -1,0 +1,292 @@
+#include "app/demo/motions.h"
+
+#include "app/character/character.h"
+#include "app/character/run/effects.h"
+#include "app/demo/gait.h"
+#include "app/demo/viewer/behaviour.h"
+#include "platform/base/scalar.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum {
+	CLIPS_MAX = 16, /* that are measured */
+	POSES_MAX = 200,
+	STEPS_LEAST = 6,
+	STEPS_MOST = 20
+};
+
+/* Slower figures, in their own lengths a second, stand. */
+static const float standing = 0.12f;
+/* A speed that the file gives counts if the clip's own one is near it. */
+static const float near_factor = 1.5f;
+/* A clip that goes this near to an axis goes along it. */
+static const float straight_rad = 0.2f;
+
+static const char *const role_names[MOTION_ROLES][4] = {
+	[MOTION_STAND] = {"idle", "stand"},
+	[MOTION_WALK] = {"walk"},
+	[MOTION_RUN] = {"run", "gallop", "trot"},
+};
+
+static struct motion measure(struct actor *actor, int clip, int steps)
+{
+	const float right_rad = 0.5f * SCALAR_PI;
+	struct motion motion = {.clip = clip};
+	struct gait gait;
+	float turns;
+
+	if (clip < 0 || actor->model->clip[clip].duration_s <= 0.0f) {
+		return motion;
+	}
+	gait = gait_measure(actor->instance, clip, steps);
+	motion.speed = gait_speed(&gait);
+	memcpy(motion.drift, gait.drift, sizeof(motion.drift));
+	if (motion.speed < standing * actor->extent) {
+		motion.speed = 0.0f;
+		return motion;
+	}
+	motion.facing_rad = scalar_atan2(gait.velocity[0], gait.velocity[1]);
+	turns = scalar_floor(motion.facing_rad / right_rad + 0.5f);
+	if (scalar_abs(motion.facing_rad - turns * right_rad) < straight_rad) {
+		motion.facing_rad = turns * right_rad;
+	}
+	return motion;
+}
+
+static bool contains(const char *text, const char *word)
+{
+	size_t length = strlen(word);
+
+	for (; *text; text++) {
+		size_t i = 0;
+
+		while (i < length && tolower((unsigned char)text[i]) == word[i]) {
+			i++;
+		}
+		if (i == length) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The clip with the role's name, or one whose name contains it, or -1. */
+static int find_named(const struct model *model, enum motion_role role)
+{
+	for (int i = 0; i < 4 && role_names[role][i]; i++) {
+		const char *name = role_names[role][i];
+		int clip = model_find_clip(model, name);
+
+		for (int c = 0; clip < 0 && c < model->clip_count; c++) {
+			clip = contains(model->clip[c].name, name) ? c : -1;
+		}
+		if (clip >= 0) {
+			return clip;
+		}
+	}
+	return -1;
+}
+
+/* What the character file says about a role; clip -1: nothing. */
+struct saying {
+	int clip;
+	float speed;
+};
+
+/* Entries of a blend are sorted: the slowest clip is the first. */
+static void read_blend(const struct character_state *state,
+	const struct model *model, struct saying say[MOTION_ROLES])
+{
+	float most = state->entry[state->entry_count - 1].at;
+
+	for (int i = 0; i < state->entry_count; i++) {
+		const struct character_entry *entry = &state->entry[i];
+		enum motion_role role = entry->at <= 0.0f ? MOTION_STAND
+			: say[MOTION_WALK].clip < 0       ? MOTION_WALK
+							  : MOTION_RUN;
+
+		if (entry->of->clip &&
+			(role != MOTION_RUN || entry->at == most)) {
+			say[role].clip = (int)(entry->of->clip - model->clip);
+			say[role].speed = entry->at;
+		}
+	}
+}
+
+static void read_shakes(const struct character *character, struct motions *out)
+{
+	for (int i = 0;
+		i < character->op_count && out->bone_count < MOTION_BONES_MAX;
+		i++) {
+		const struct character_op *op = &character->op[i];
+
+		if (op->run == character_shake_run) {
+			const struct character_shake *shake = op->what;
+
+			out->bone[out->bone_count++] = shake->swing.node;
+		}
+	}
+}
+
+/* Reads the model's character file, if there is one. */
+static int read_character(const struct demo_env *env, struct actor *actor,
+	struct motions *out, struct saying say[MOTION_ROLES])
+{
+	char path[CHARACTER_PATH_BYTES];
+	struct character *character;
+	int error;
+
+	if (!behaviour_find_file(env, path, sizeof(path))) {
+		return 0;
+	}
+	error = character_load(path, actor->instance, env->log, &character);
+	if (error) {
+		return error;
+	}
+	for (int i = 0; i < character->machine.state_count; i++) {
+		const struct character_state *state =
+			&character->machine.state[i];
+
+		if (state->entry_count > 1) {
+			read_blend(state, actor->model, say);
+			break;
+		}
+	}
+	read_shakes(character, out);
+	character_destroy(character);
+	return 0;
+}
+
+/* Roles for which neither the file nor a name has a clip. */
+static void choose_by_speed(struct actor *actor, int steps, struct motions *out)
+{
+	struct motion *role = out->role;
+	bool walks = role[MOTION_WALK].clip >= 0 || role[MOTION_RUN].clip >= 0;
+
+	for (int i = 0; i < actor->model->clip_count && i < CLIPS_MAX; i++) {
+		struct motion one = measure(actor, i, steps);
+
+		if (one.speed <= 0.0f) {
+			if (role[MOTION_STAND].clip < 0) {
+				role[MOTION_STAND] = one;
+			}
+		} else if (!walks) {
+			if (role[MOTION_WALK].clip < 0 ||
+				one.speed < role[MOTION_WALK].speed) {
+				role[MOTION_WALK] = one;
+			}
+			if (one.speed > role[MOTION_RUN].speed) {
+				role[MOTION_RUN] = one;
+			}
+		}
+	}
+}
+
+static void replace_missing(struct motion role[MOTION_ROLES])
+{
+	static const enum motion_role other[MOTION_ROLES][2] = {
+		[MOTION_STAND] = {MOTION_WALK, MOTION_RUN},
+		[MOTION_WALK] = {MOTION_RUN, MOTION_STAND},
+		[MOTION_RUN] = {MOTION_WALK, MOTION_STAND},
+	};
+
+	for (int i = 0; i < MOTION_ROLES; i++) {
+		for (int k = 0; k < 2 && role[i].clip < 0; k++) {
+			role[i] = role[other[i][k]];
+		}
+	}
+}
+
+/* The file's speed for a clip is in metres and beats the measured one. */
+static void use_speed(struct motion *motion, float said)
+{
+	if (said > motion->speed / near_factor &&
+		said < motion->speed * near_factor) {
+		motion->speed = said;
+	}
+}
+
+static void choose_all(struct actor *actor,
+	const struct saying say[MOTION_ROLES], struct motions *out)
+{
+	int count = actor->model->clip_count;
+	int steps =
+		POSES_MAX / (2 * (count < CLIPS_MAX ? count + 1 : CLIPS_MAX));
+	bool missing = false;
+
+	steps = steps < STEPS_LEAST  ? STEPS_LEAST
+		: steps > STEPS_MOST ? STEPS_MOST
+				     : steps;
+	for (int i = 0; i < MOTION_ROLES; i++) {
+		enum motion_role role = (enum motion_role)i;
+		int clip = say[i].clip >= 0 ? say[i].clip
+					    : find_named(actor->model, role);
+
+		out->role[i] = measure(actor, clip, steps);
+		use_speed(&out->role[i],
+			say[i].speed * actor->instance->unit_scale);
+		missing = missing || clip < 0;
+	}
+	if (missing) {
+		choose_by_speed(actor, steps, out);
+	}
+	replace_missing(out->role);
+}
+
+int motions_find(
+	const struct demo_env *env, struct actor *actor, struct motions *out)
+{
+	struct saying say[MOTION_ROLES] = {{-1, 0}, {-1, 0}, {-1, 0}};
+	bool normals = actor->instance->hold_normals;
+	int clip, error;
+
+	*out = (struct motions){0};
+	error = model_choose_clip(actor->model, env->clip, -1, env->log, &clip);
+	if (!error) {
+		error = read_character(env, actor, out, say);
+	}
+	if (error) {
+		return error;
+	}
+	actor->instance->hold_normals = true;
+	if (clip >= 0) {
+		for (int i = 0; i < MOTION_ROLES; i++) {
+			out->role[i] = measure(actor, clip, STEPS_MOST);
+		}
+	} else {
+		choose_all(actor, say, out);
+	}
+	actor->instance->hold_normals = normals;
+	pose_rest(&actor->instance->pose, actor->model);
+	instance_update(actor->instance);
+	return 0;
+}
+
+struct bounds motion_bounds(struct actor *actor, const struct motion *motion)
+{
+	struct bounds bounds = bounds_of_clip(actor->instance, motion->clip);
+
+	for (int i = 0; i < 2; i++) {
+		float drift = motion->drift[i];
+
+		if (drift > 0.0f) {
+			bounds.high[2 * i] -= drift;
+		} else {
+			bounds.low[2 * i] -= drift;
+		}
+	}
+	return bounds;
+}
+
+void motion_drift_at(const struct motion *motion, const struct model *model,
+	float time_s, float out[2])
+{
+	float share =
+		motion->clip >= 0 && model->clip[motion->clip].duration_s > 0.0f
+		? time_s / model->clip[motion->clip].duration_s
+		: 0.0f;
+
+	out[0] = motion->drift[0] * share;
+	out[1] = motion->drift[1] * share;
+}

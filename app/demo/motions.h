@@ -1,0 +1,58 @@
+/*
+ * What a demo plays of any model: the clips in which it stands, walks and runs,
+ * and the bones that it shakes.
+ *
+ * The model's character file says so: by a state that blends clips over a
+ * speed, and by [shake] sections. Without one the clips' names tell, and what
+ * their lowest vertices do on the ground.
+ */
+#ifndef APP_DEMO_MOTIONS_H
+#define APP_DEMO_MOTIONS_H
+
+#include "app/demo/actor.h"
+
+enum motion_role {
+	MOTION_STAND,
+	MOTION_WALK,
+	MOTION_RUN,
+	MOTION_ROLES
+};
+
+enum {
+	MOTION_BONES_MAX = 4
+};
+
+/* A clip and where it goes. Lengths are in scene units. */
+struct motion {
+	int clip;         /* -1: the rest pose */
+	float speed;      /* over the ground, a second */
+	float facing_rad; /* where it goes: 0 is +Z, to +X */
+	float drift[2];   /* x and z that the clip itself moves the figure */
+};
+
+/* A model without a clip for a role has that of the next best one. */
+struct motions {
+	struct motion role[MOTION_ROLES];
+	int bone[MOTION_BONES_MAX]; /* that the character file shakes */
+	int bone_count;
+};
+
+/*
+ * Finds the motions of env's model; with --clip all are that clip. Leaves the
+ * instance in the rest pose. Returns 0, or -errno after logging an error in the
+ * character file or in --clip.
+ */
+int motions_find(
+	const struct demo_env *env, struct actor *actor, struct motions *out);
+
+/*
+ * The box of the figure in this motion, in scene units, without what the clip
+ * itself moves it.
+ */
+struct bounds motion_bounds(struct actor *actor, const struct motion *motion);
+
+/* What motion->drift adds at this time of the clip, x and z. */
+void motion_drift_at(const struct motion *motion, const struct model *model,
+	float time_s, float out[2]);
+
+#endif

@@ -1,0 +1,206 @@
+#include "app/demo/tuner/tuner_bones.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The joint with the greatest weight, or a rigid drawable's node. */
+static int main_joint(
+	const struct model *model, const struct drawable *drawable, int vertex)
+{
+	struct skin_influence influence[SKIN_INFLUENCES_MAX];
+
+	if (drawable->skin < 0) {
+		return drawable->node;
+	}
+	skin_gather_influences(drawable->primitive, (uint32_t)vertex, influence);
+	return model->skin[drawable->skin].joint[influence[0].joint];
+}
+
+static int find_joints(struct tuner_bones *bones, struct arena *arena)
+{
+	const struct instance *instance = bones->instance;
+	const struct model *model = instance->model;
+
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		int count = drawable->primitive->vertex_count;
+
+		bones->joint[d] = ARENA_ARRAY(arena, int, (size_t)count);
+		if (!bones->joint[d]) {
+			return -ENOMEM;
+		}
+		for (int v = 0; v < count; v++) {
+			int node = main_joint(model, drawable, v);
+
+			bones->joint[d][v] = node;
+			for (; node >= 0 && !bones->moves[node];
+				node = model->node[node].parent) {
+				bones->moves[node] = true;
+			}
+		}
+	}
+	return 0;
+}
+
+/* Parents precede their children. */
+static void find_levels(struct tuner_bones *bones)
+{
+	const struct model *model = bones->instance->model;
+
+	bones->deepest = 0;
+	for (int i = 0; i < model->node_count; i++) {
+		int parent = model->node[i].parent;
+		int above = parent < 0 ? TUNER_OFF_CHAIN : bones->level[parent];
+		int level = above == TUNER_OFF_CHAIN ? TUNER_OFF_CHAIN
+			: above < TUNER_LEVELS_MAX   ? above + 1
+						     : TUNER_LEVELS_MAX;
+
+		for (int b = 0; b < bones->count; b++) {
+			level = bones->node[b] == i ? 0 : level;
+		}
+		bones->level[i] = (int8_t)level;
+		if (bones->moves[i] && level > bones->deepest) {
+			bones->deepest = level;
+		}
+	}
+}
+
+/* The levels of bones below a node that move vertices. */
+static int depth_below(const struct tuner_bones *bones, int node)
+{
+	const struct model *model = bones->instance->model;
+	int deepest = 0;
+
+	for (int i = node + 1; i < model->node_count; i++) {
+		int depth = 0, at = i;
+
+		while (at > node) {
+			at = model->node[at].parent;
+			depth++;
+		}
+		if (at == node && bones->moves[i] && depth > deepest) {
+			deepest = depth;
+		}
+	}
+	return deepest;
+}
+
+static int moving_children(const struct tuner_bones *bones, int node)
+{
+	const struct model *model = bones->instance->model;
+	int count = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		count += model->node[i].parent == node && bones->moves[i];
+	}
+	return count;
+}
+
+/*
+ * The first bone of the longest limb, which begins where bones branch; a model
+ * without branches is one limb.
+ */
+static int longest_limb(const struct tuner_bones *bones)
+{
+	const struct model *model = bones->instance->model;
+	int found = -1, first = 0, longest = -1;
+
+	for (int i = model->node_count - 1; i >= 0; i--) {
+		first = bones->moves[i] ? i : first;
+		if (bones->moves[i] &&
+			moving_children(bones, model->node[i].parent) > 1) {
+			int depth = depth_below(bones, i);
+
+			if (depth >= longest) {
+				longest = depth;
+				found = i;
+			}
+		}
+	}
+	return found >= 0 ? found : first;
+}
+
+static void choose_default(
+	struct tuner_bones *bones, const struct motions *motions)
+{
+	static const char *const shoulders[] = {"shoulder.L", "shoulder.R"};
+	const struct model *model = bones->instance->model;
+
+	bones->default_count = motions->bone_count;
+	memcpy(bones->by_default, motions->bone, sizeof(bones->by_default));
+	for (int i = 0; i < 2 && motions->bone_count == 0; i++) {
+		int node = model_find_node(model, shoulders[i]);
+
+		if (node >= 0) {
+			bones->by_default[bones->default_count++] = node;
+		}
+	}
+	if (bones->default_count == 0 && model->node_count > 0) {
+		bones->by_default[bones->default_count++] = longest_limb(bones);
+	}
+}
+
+static void use_chosen(struct tuner_bones *bones)
+{
+	if (bones->chosen < 0) {
+		bones->count = bones->default_count;
+		memcpy(bones->node, bones->by_default, sizeof(bones->node));
+	} else {
+		bones->count = 1;
+		bones->node[0] = bones->chosen;
+	}
+	find_levels(bones);
+}
+
+int tuner_bones_init(struct tuner_bones *bones, struct instance *instance,
+	const struct motions *motions)
+{
+	struct arena *arena = &instance->arena;
+	size_t nodes = (size_t)instance->model->node_count;
+
+	*bones = (struct tuner_bones){.instance = instance, .chosen = -1};
+	bones->joint =
+		ARENA_ARRAY(arena, int *, (size_t)instance->drawable_count);
+	bones->moves = ARENA_ARRAY(arena, bool, nodes);
+	bones->level = ARENA_ARRAY(arena, int8_t, nodes);
+	if (!bones->joint || !bones->moves || !bones->level ||
+		find_joints(bones, arena) != 0) {
+		return -ENOMEM;
+	}
+	choose_default(bones, motions);
+	use_chosen(bones);
+	return 0;
+}
+
+void tuner_bones_step(struct tuner_bones *bones, int step)
+{
+	int count = bones->instance->model->node_count;
+
+	do {
+		bones->chosen += step;
+		if (bones->chosen < -1) {
+			bones->chosen = count - 1;
+		} else if (bones->chosen >= count) {
+			bones->chosen = -1;
+		}
+	} while (bones->chosen >= 0 && !bones->moves[bones->chosen]);
+	use_chosen(bones);
+}
+
+void tuner_bones_name(const struct tuner_bones *bones, char *text, size_t size)
+{
+	const char *name = bones->count > 0
+		? bones->instance->model->node[bones->node[0]].name
+		: "none";
+	char number[24], more[24] = "";
+
+	if (bones->count > 1) {
+		snprintf(more, sizeof(more), " +%d", bones->count - 1);
+	}
+	if (!name[0]) {
+		snprintf(number, sizeof(number), "node %d", bones->node[0]);
+		name = number;
+	}
+	snprintf(text, size, "%s%s", name, more);
+}

@@ -1,0 +1,186 @@
+/* What demos find out about any model: its clips, its speeds, its bones. */
+#include "app/demo/motions.h"
+#include "app/demo/tuner/tuner_bones.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct found {
+	struct log log;
+	struct actor actor;
+	struct motions motions;
+};
+
+static void find(struct found *found, const char *path, const char *clip,
+	const char *character)
+{
+	struct demo_env env = {
+		.log = &found->log,
+		.model_path = path,
+		.clip = clip,
+		.character = character,
+	};
+
+	memset(found, 0, sizeof(*found));
+	found->log = log_to_stderr(LOG_WARNING);
+	assert_int_equal(model_load(path, &found->log, &found->actor.model), 0);
+	assert_int_equal(
+		instance_create(found->actor.model, kernel_find("fixed"),
+			&found->log, &found->actor.instance),
+		0);
+	found->actor.extent = 1.72f;
+	assert_int_equal(motions_find(&env, &found->actor, &found->motions), 0);
+}
+
+static void release(struct found *found)
+{
+	instance_destroy(found->actor.instance);
+	model_destroy(found->actor.model);
+}
+
+static const char *clip_of(const struct found *found, enum motion_role role)
+{
+	int clip = found->motions.role[role].clip;
+
+	return clip < 0 ? "" : found->actor.model->clip[clip].name;
+}
+
+static void test_the_walkers_feet_tell_its_speeds(void **state)
+{
+	struct found found;
+	const struct motion *role = found.motions.role;
+
+	(void)state;
+	find(&found, "assets/walker.glb", NULL, "none");
+	assert_string_equal(clip_of(&found, MOTION_STAND), "idle");
+	assert_string_equal(clip_of(&found, MOTION_WALK), "walk");
+	assert_string_equal(clip_of(&found, MOTION_RUN), "run");
+	assert_near(role[MOTION_STAND].speed, 0.0, 1e-6);
+	assert_near(role[MOTION_WALK].speed, 1.03, 0.06);
+	assert_near(role[MOTION_RUN].speed, 2.6, 0.3);
+	assert_near(role[MOTION_WALK].facing_rad, 0.0, 1e-6);
+	assert_near(role[MOTION_WALK].drift[1], 0.0, 1e-6);
+	release(&found);
+}
+
+static void test_the_character_file_tells_speeds_and_bones(void **state)
+{
+	struct found found;
+
+	(void)state;
+	find(&found, "assets/walker.glb", NULL,
+		"assets/characters/walker.character");
+	assert_near(found.motions.role[MOTION_WALK].speed, 1.03, 1e-6);
+	assert_near(found.motions.role[MOTION_RUN].speed, 2.6, 1e-6);
+	assert_int_equal(found.motions.bone_count, 2);
+	assert_string_equal(found.actor.model->node[found.motions.bone[0]].name,
+		"shoulder.L");
+	release(&found);
+}
+
+static void test_a_clip_that_is_asked_for_has_all_roles(void **state)
+{
+	struct found found;
+
+	(void)state;
+	find(&found, "assets/walker.glb", "jump", NULL);
+	for (int i = 0; i < MOTION_ROLES; i++) {
+		assert_string_equal(
+			clip_of(&found, (enum motion_role)i), "jump");
+	}
+	release(&found);
+}
+
+static void test_a_model_without_clips_stands(void **state)
+{
+	struct found found;
+
+	(void)state;
+	find(&found, "assets/arm.glb", NULL, "none");
+	for (int i = 0; i < MOTION_ROLES; i++) {
+		assert_int_equal(found.motions.role[i].clip, -1);
+		assert_near(found.motions.role[i].speed, 0.0, 1e-6);
+	}
+	release(&found);
+}
+
+static void test_a_broken_character_file_is_an_error(void **state)
+{
+	struct found found;
+	struct demo_env env;
+
+	(void)state;
+	find(&found, "assets/arm.glb", NULL, "none");
+	found.log = log_to_nowhere();
+	env = (struct demo_env){.log = &found.log,
+		.model_path = "assets/arm.glb",
+		.character = "assets/characters/none.character"};
+	assert_true(motions_find(&env, &found.actor, &found.motions) < 0);
+	release(&found);
+}
+
+/* Both shoulders first, then every bone that moves a vertex, and back. */
+static void test_the_tuner_chooses_any_bone(void **state)
+{
+	struct tuner_bones bones;
+	struct found found;
+	char name[64];
+	int count = 0;
+
+	(void)state;
+	find(&found, "assets/walker.glb", NULL, "none");
+	assert_int_equal(
+		tuner_bones_init(&bones, found.actor.instance, &found.motions),
+		0);
+	assert_int_equal(bones.count, 2);
+	tuner_bones_name(&bones, name, sizeof(name));
+	assert_string_equal(name, "shoulder.L +1");
+	do {
+		tuner_bones_step(&bones, 1);
+		count++;
+		assert_true(bones.chosen < 0 || bones.moves[bones.chosen]);
+		assert_true(bones.chosen < 0 || bones.level[bones.chosen] == 0);
+	} while (bones.chosen >= 0);
+	assert_true(count > 20);
+	assert_true(count <= found.actor.model->node_count + 1);
+	assert_int_equal(bones.count, 2);
+	tuner_bones_step(&bones, -1);
+	assert_int_equal(bones.count, 1);
+	assert_true(bones.chosen >= 0);
+	release(&found);
+}
+
+/* The arm of a robot without a character file. */
+static void test_the_tuner_begins_with_the_longest_limb(void **state)
+{
+	struct tuner_bones bones;
+	struct found found;
+	char name[64];
+
+	(void)state;
+	find(&found, "assets/arm.glb", NULL, "none");
+	assert_int_equal(
+		tuner_bones_init(&bones, found.actor.instance, &found.motions),
+		0);
+	tuner_bones_name(&bones, name, sizeof(name));
+	assert_string_equal(name, "Arm");
+	assert_true(bones.deepest >= 2);
+	release(&found);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
+		cmocka_unit_test(test_the_character_file_tells_speeds_and_bones),
+		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),
+		cmocka_unit_test(test_a_model_without_clips_stands),
+		cmocka_unit_test(test_a_broken_character_file_is_an_error),
+		cmocka_unit_test(test_the_tuner_chooses_any_bone),
+		cmocka_unit_test(test_the_tuner_begins_with_the_longest_limb),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

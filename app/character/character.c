@@ -6,8 +6,8 @@
 #include "app/character/run/gestures.h"
 #include "app/character/run/ground.h"
 #include "app/character/run/layers.h"
-#include "app/character/state/machine.h"
 #include "app/character/run/parameters.h"
+#include "app/character/state/machine.h"
 
 #include "platform/base/file.h"
 
@@ -38,6 +38,14 @@ void character_press(
 	character_gestures_press(character, event);
 }
 
+/* Makes use of the pose before any effect that reads world matrices. */
+static void use_animated(struct character *character)
+{
+	instance_update_nodes(character->instance);
+	character_targets_update(character);
+	character_ground_update(character);
+}
+
 static void run_ops(struct character *character)
 {
 	bool has_world = false;
@@ -46,15 +54,13 @@ static void run_ops(struct character *character)
 		const struct character_op *op = &character->op[i];
 
 		if (op->stage >= CHARACTER_STAGE_WORLD && !has_world) {
-			instance_update_nodes(character->instance);
-			character_targets_update(character);
+			use_animated(character);
 			has_world = true;
 		}
 		op->run(character, op->what);
 	}
 	if (!has_world) {
-		instance_update_nodes(character->instance);
-		character_targets_update(character);
+		use_animated(character);
 	}
 }
 
@@ -78,7 +84,6 @@ void character_update(
 	character_switches_update(character);
 	character_machine_update(character);
 	run_ops(character);
-	character_ground_update(character);
 	character_actions_run(character);
 	character_outputs_update(character);
 }

@@ -12,7 +12,6 @@
 #include "app/anim/clip.h"
 #include "app/anim/ease.h"
 #include "app/anim/hierarchy.h"
-#include "app/anim/procedural/cloth.h"
 #include "app/character/character_morph.h"
 #include "app/character/state/inertia.h"
 #include "app/character/text/character_text.h"
@@ -88,7 +87,8 @@ struct character_event {
 };
 
 enum {
-	CHARACTER_MARKS_MAX = 16
+	CHARACTER_MARKS_MAX = 16,
+	CHARACTER_SAMPLES = 48 /* of a clip, at even distances in time */
 };
 
 /* What the file says about a clip beyond the model. */
@@ -98,6 +98,8 @@ struct character_clip {
 	float mark[CHARACTER_MARKS_MAX]; /* seconds, increasing */
 	float travel[3];         /* of the motion's root, in its frame */
 	float ground_m_per_s[2]; /* the clip's own speed along x and z */
+	/* Heights of the lower sole, CHARACTER_SAMPLES; NULL without feet. */
+	float *sole_m;
 	struct character_event *event;
 };
 
@@ -177,6 +179,10 @@ struct character_machine {
 	int loops;        /* ends of the clip that have passed */
 	bool fresh;       /* the state began in this frame */
 };
+
+/* See run/feet.h and run/effects.h. */
+struct character_feet;
+struct character_cape;
 
 /* A switch that fades, which layers and effects begin with. */
 struct character_switch {
@@ -376,31 +382,6 @@ struct character_output {
 	double until_s; /* when it goes off; below 0: it stays on */
 };
 
-enum {
-	CHARACTER_CAPES_MAX = 4,
-	CHARACTER_CAPE_BODIES = 12
-};
-
-/* A cloth that hangs from a bone, with its shape at rest in metres. */
-struct character_cape {
-	struct character_switch is;
-	int bone;
-	float place[3]; /* the middle of its upper edge, of the model at rest */
-	float width, length;
-	float flare;  /* width of the hem / width of the upper edge */
-	float pleat;  /* depth of its pleats at the hem */
-	float radius; /* kept from bodies */
-	float color[3];
-	struct cloth cloth;
-	uint16_t *index; /* of its triangles */
-	int index_count;
-	int body_count;
-	struct capsule body[CHARACTER_CAPE_BODIES];
-
-	/* Changes: */
-	bool worn; /* in the last frame */
-};
-
 /* Which side of the picture labels take. */
 enum character_labels {
 	CHARACTER_LABELS_LEFT,
@@ -409,7 +390,7 @@ enum character_labels {
 };
 
 struct character_scene {
-	float wave_m; /* height of uneven ground */
+	const float *wave_m; /* height of uneven ground */
 	float yaw_rad, pitch_rad, margin;
 	bool shadow;
 	enum character_labels labels;
@@ -424,6 +405,7 @@ struct character_motion {
 	const float *speed; /* or NULL */
 	float low_m[2];     /* the feet's lowest heights in the clips */
 	float near_m;       /* a foot below low_m + near_m is planted */
+	float height_m;     /* of the skeleton at rest */
 
 	/* Changes: */
 	float before[2][3]; /* where the feet were */
@@ -459,7 +441,7 @@ struct character {
 	struct character_target *target;
 	int cape_count;
 	struct character_cape *cape;
-	const struct character_switch *feet; /* or NULL */
+	struct character_feet *feet; /* or NULL */
 	struct character_switch **switches; /* of layers, expressions, effects */
 	struct character_output output[CHARACTER_OUTPUTS_MAX];
 	struct character_op *op;

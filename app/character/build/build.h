@@ -9,6 +9,7 @@
 #ifndef APP_CHARACTER_BUILD_BUILD_H
 #define APP_CHARACTER_BUILD_BUILD_H
 
+#include "app/anim/procedural/capsule.h"
 #include "app/character/character_data.h"
 #include "app/character/text/character_text.h"
 
@@ -124,6 +125,14 @@ int character_read_actions(struct character_words *words,
 /* Reads NODE NODE RADIUS, a capsule from node to node. 0 or -EINVAL. */
 int character_read_capsule(struct character_words *words,
 	const struct character_key *key, struct capsule *capsule);
+
+/* Reads UPPER LOWER TIP, each below the one before. 0 or -EINVAL. */
+struct ik_limb;
+int character_read_limb(struct character_words *words,
+	const struct character_key *key, struct ik_limb *limb);
+
+/* Whether a node is the one at the top or below it. */
+bool character_is_below(const struct model *model, int node, int top);
 
 /*
  * Names. Each returns an index, or -1 after an error that lists the names

@@ -19,7 +19,7 @@ static int read_target(struct character_words *words,
 	return 0;
 }
 
-static bool is_below(const struct model *model, int node, int top)
+bool character_is_below(const struct model *model, int node, int top)
 {
 	while (node > top) {
 		node = model->node[node].parent;
@@ -124,8 +124,7 @@ int character_build_look(struct character_build *build,
 				: 0;
 }
 
-/* UPPER LOWER TIP, each below the one before. */
-static int read_three(struct character_words *words,
+int character_read_limb(struct character_words *words,
 	const struct character_key *key, struct ik_limb *limb)
 {
 	int node[3];
@@ -138,7 +137,7 @@ static int read_three(struct character_words *words,
 		}
 		if (i > 0 &&
 			(node[i] == node[i - 1] ||
-				!is_below(words->build->model, node[i],
+				!character_is_below(words->build->model, node[i],
 					node[i - 1]))) {
 			return character_fail(words,
 				"each bone has to be below the one before it: give %s",
@@ -155,7 +154,7 @@ static int read_limb(struct character_words *words,
 	struct character_reach *reach = member;
 
 	reach->is_chain = false;
-	return read_three(words, key, &reach->limb);
+	return character_read_limb(words, key, &reach->limb);
 }
 
 static int read_chain(struct character_words *words,
@@ -241,42 +240,4 @@ int character_build_reach(struct character_build *build,
 		: !reach->target ? character_fail_missing(build, section,
 					   "target = NAME, and a [target NAME]")
 				 : 0;
-}
-
-static int read_leg(struct character_words *words,
-	const struct character_key *key, void *member)
-{
-	return read_three(words, key, member);
-}
-
-#define FEET(name) offsetof(struct character_feet, name)
-
-static const struct character_key feet_keys[] = {
-	CHARACTER_SWITCH_KEYS(struct character_feet, is),
-	{"hips", character_read_node, FEET(hips), 0, 0, NULL,
-		"the node that carries both legs"},
-	{"left", read_leg, FEET(leg[0]), 0, 0, NULL,
-		"three nodes, such as thigh.L shin.L foot.L"},
-	{"right", read_leg, FEET(leg[1]), 0, 0, NULL,
-		"three nodes, such as thigh.R shin.R foot.R"},
-	{0},
-};
-
-int character_build_feet(struct character_build *build,
-	const struct character_section *section, void *what)
-{
-	struct character_feet *feet = what;
-	int error;
-
-	feet->hips = feet->leg[0].upper = feet->leg[1].upper = -1;
-	error = character_read_section(build, section, feet_keys, feet);
-	if (error) {
-		return error;
-	}
-	if (feet->hips < 0 || feet->leg[0].upper < 0 || feet->leg[1].upper < 0) {
-		return character_fail_missing(build, section,
-			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
-	}
-	build->character->feet = &feet->is;
-	return 0;
 }

@@ -1,13 +1,10 @@
 #include "app/character/build/build.h"
 
 #include "app/anim/math/vec.h"
+#include "app/character/run/feet.h"
 
 #include <errno.h>
 #include <string.h>
-
-enum {
-	SAMPLES = 48
-};
 
 static int read_marks(struct character_words *words,
 	const struct character_key *key, void *member)
@@ -115,14 +112,14 @@ static void find_travel(
 
 /* How far the first foot is ahead of the second one, along x and z. */
 static void sample_feet(const struct character_build *build,
-	const struct character_clip *clip, float ahead[SAMPLES][2])
+	const struct character_clip *clip, float ahead[CHARACTER_SAMPLES][2])
 {
 	struct character_motion *motion = &build->character->motion;
 
-	for (int i = 0; i < SAMPLES; i++) {
+	for (int i = 0; i < CHARACTER_SAMPLES; i++) {
 		float foot[2][3];
 
-		pose_at(build, clip, (float)i / SAMPLES);
+		pose_at(build, clip, (float)i / CHARACTER_SAMPLES);
 		for (int f = 0; f < 2; f++) {
 			copy_position(build, motion->foot[f], foot[f]);
 			if (foot[f][1] < motion->low_m[f]) {
@@ -136,10 +133,10 @@ static void sample_feet(const struct character_build *build,
 
 /* The samples where the value is least and largest. */
 static float find_extremes(
-	float ahead[SAMPLES][2], int axis, int *least, int *most)
+	float ahead[CHARACTER_SAMPLES][2], int axis, int *least, int *most)
 {
 	*least = *most = 0;
-	for (int i = 1; i < SAMPLES; i++) {
+	for (int i = 1; i < CHARACTER_SAMPLES; i++) {
 		*least = ahead[i][axis] < ahead[*least][axis] ? i : *least;
 		*most = ahead[i][axis] > ahead[*most][axis] ? i : *most;
 	}
@@ -151,7 +148,7 @@ static void find_steps(
 	const struct character_build *build, struct character_clip *clip)
 {
 	struct character_motion *motion = &build->character->motion;
-	float ahead[SAMPLES][2];
+	float ahead[CHARACTER_SAMPLES][2];
 	int first[2], second[2], axis;
 	float range[2];
 
@@ -171,11 +168,32 @@ static void find_steps(
 	/* The first mark is the first foot's, so the second may lie beyond the
 	   clip's end. */
 	clip->mark_count = 2;
-	clip->mark[0] = clip->clip->duration_s * (float)first[axis] / SAMPLES;
-	clip->mark[1] = clip->clip->duration_s * (float)second[axis] / SAMPLES;
+	clip->mark[0] = clip->clip->duration_s * (float)first[axis] / CHARACTER_SAMPLES;
+	clip->mark[1] = clip->clip->duration_s * (float)second[axis] / CHARACTER_SAMPLES;
 	if (second[axis] < first[axis]) {
 		clip->mark[1] += clip->clip->duration_s;
 	}
+}
+
+/* How high the lower sole is during the clip. */
+static int find_soles(
+	struct character_build *build, struct character_clip *clip)
+{
+	struct character *character = build->character;
+
+	if (!character->feet) {
+		return 0;
+	}
+	clip->sole_m = ARENA_ARRAY(build->arena, float, CHARACTER_SAMPLES);
+	if (!clip->sole_m) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; i < CHARACTER_SAMPLES; i++) {
+		pose_at(build, clip, (float)i / CHARACTER_SAMPLES);
+		clip->sole_m[i] = character_feet_place(
+			character->feet, character->instance);
+	}
+	return 0;
 }
 
 /* All clips of the model, then the rest pose. */
@@ -231,6 +249,7 @@ int character_build_clips(struct character_build *build)
 	for (int i = 0; i < character->clip_count && !error; i++) {
 		find_travel(build, &character->clip[i]);
 		find_steps(build, &character->clip[i]);
+		error = find_soles(build, &character->clip[i]);
 	}
 	pose_rest(&character->instance->pose, build->model);
 	instance_update_nodes(character->instance);

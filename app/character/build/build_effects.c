@@ -1,6 +1,7 @@
 #include "app/character/build/build.h"
 
 #include "app/character/run/effects.h"
+#include "app/character/run/feet.h"
 
 #include <errno.h>
 #include <string.h>

@@ -43,6 +43,7 @@ static void measure(struct character_build *build)
 		low = i == 0 || y < low ? y : low;
 		high = i == 0 || y > high ? y : high;
 	}
+	character->motion.height_m = high - low;
 	character->motion.near_m = 0.025f * (high - low);
 }
 
@@ -221,8 +222,8 @@ static const char *const labels[] = {"left", "right", "none", NULL};
 #define SCENE(name) offsetof(struct character_scene, name)
 
 static const struct character_key scene_keys[] = {
-	{"waves", character_read_number, SCENE(wave_m), 0, 10, NULL,
-		"metres of uneven ground from 0 to 10"},
+	{"waves", character_read_value, SCENE(wave_m), 0, 10, NULL,
+		"metres of uneven ground from 0 to 10, or a parameter"},
 	{"yaw", character_read_angle, SCENE(yaw_rad), -360, 360, NULL,
 		"degrees from -360 to 360"},
 	{"pitch", character_read_angle, SCENE(pitch_rad), 0, 89, NULL,
@@ -241,10 +242,12 @@ static const struct character_key scene_keys[] = {
 
 int character_build_scene(struct character_build *build)
 {
+	static const float level = 0;
 	struct character_scene *scene = &build->character->scene;
 	const struct character_section *section = only_section(build, "scene");
 
 	*scene = (struct character_scene){
+		.wave_m = &level,
 		.yaw_rad = 0.45f,
 		.pitch_rad = 0.16f,
 		.margin = 1.15f,

@@ -5,6 +5,7 @@
 #define APP_CHARACTER_RUN_EFFECTS_H
 
 #include "app/anim/procedural/breath.h"
+#include "app/anim/procedural/cloth.h"
 #include "app/anim/procedural/ik.h"
 #include "app/anim/procedural/lookat.h"
 #include "app/anim/procedural/muscle.h"
@@ -72,11 +73,29 @@ struct character_muscle {
 	float swell[3]; /* at weight 1 */
 };
 
-/* Feet that keep to uneven ground. */
-struct character_feet {
+enum {
+	CHARACTER_CAPES_MAX = 4,
+	CHARACTER_CAPE_BODIES = 12
+};
+
+/* A cloth that hangs from a bone, with its shape at rest in metres. */
+struct character_cape {
 	struct character_switch is;
-	int hips;
-	struct ik_limb leg[2];
+	int bone;
+	float place[3]; /* the middle of its upper edge, of the model at rest */
+	float width, length;
+	float flare;  /* width of the hem / width of the upper edge */
+	float pleat;  /* depth of its pleats at the hem */
+	float radius; /* kept from bodies */
+	float color[3];
+	struct cloth cloth;
+	uint16_t *index; /* of its triangles */
+	int index_count;
+	int body_count;
+	struct capsule body[CHARACTER_CAPE_BODIES];
+
+	/* Changes: */
+	bool worn; /* in the last frame */
 };
 
 void character_shake_run(struct character *character, void *shake);
@@ -86,7 +105,6 @@ void character_turn_run(struct character *character, void *turn);
 void character_spring_run(struct character *character, void *spring);
 void character_breath_run(struct character *character, void *breath);
 void character_muscle_run(struct character *character, void *muscle);
-void character_feet_run(struct character *character, void *feet);
 void character_cape_run(struct character *character, void *cape);
 
 /* Computes where the targets are; the world matrices are up to date. */

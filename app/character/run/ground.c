@@ -1,5 +1,6 @@
 #include "app/character/run/ground.h"
 
+#include "app/character/run/feet.h"
 #include "app/character/state/machine.h"
 
 #include <string.h>
@@ -62,8 +63,13 @@ void character_ground_update(struct character *character)
 {
 	struct character_motion *motion = &character->motion;
 
+	if (character->feet) {
+		character_feet_follow(character);
+	}
 	if (motion->foot[0] >= 0) {
-		follow_feet(character);
+		if (!character->feet || character->feet->is.now == 0) {
+			follow_feet(character);
+		}
 	} else if (motion->speed) {
 		motion->velocity[0] = 0;
 		motion->velocity[1] = *motion->speed;

@@ -8,6 +8,22 @@ float character_entry_duration_s(const struct character_entry *entry)
 	return entry->of->clip ? entry->of->clip->duration_s : 0;
 }
 
+float character_entry_sole_m(const struct character_entry *entry)
+{
+	const float *sole_m = entry->of->sole_m;
+	float duration_s = character_entry_duration_s(entry), at, beyond;
+	int sample;
+
+	if (duration_s <= 0) {
+		return sole_m[0];
+	}
+	at = entry->shown_s / duration_s * CHARACTER_SAMPLES;
+	sample = scalar_to_int((double)at, 0, CHARACTER_SAMPLES - 1);
+	beyond = scalar_clamp(at - (float)sample, 0, 1);
+	return sole_m[sample] * (1 - beyond) +
+		sole_m[(sample + 1) % CHARACTER_SAMPLES] * beyond;
+}
+
 /* The time between a mark and the next one, which may be in the next round. */
 static float interval_s(const struct character_clip *clip, int mark)
 {

@@ -10,6 +10,12 @@
 float character_entry_duration_s(const struct character_entry *entry);
 
 /*
+ * The height of the clip's lower sole at the time that is shown, of a character
+ * with feet (run/feet.h).
+ */
+float character_entry_sole_m(const struct character_entry *entry);
+
+/*
  * How many marks a second the clip passes at a phase, which counts marks: 2.5
  * is in the middle between the marks 2 and 3.
  */

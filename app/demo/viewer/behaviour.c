@@ -1,6 +1,8 @@
 #include "app/demo/viewer/behaviour.h"
 
 #include "app/character/character.h"
+#include "app/character/run/effects.h"
+#include "app/character/run/feet.h"
 #include "app/character/run/layers.h"
 #include "app/character/sketch/character_sketch.h"
 #include "app/character/state/machine.h"
@@ -296,8 +298,8 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	character->ground_m = base->stage.floor.y / scale;
 	behaviour->floor = &base->stage.floor;
 	floor_set_wave_height(&base->stage.floor,
-		character->scene.wave_m * scale *
-			(character->feet ? character->feet->now : 1.0f));
+		*character->scene.wave_m * scale *
+			(character->feet ? character->feet->is.now : 1.0f));
 	camera_eye(camera, frame.eye);
 	for (int i = 0; i < 3; i++) {
 		frame.eye[i] /= scale;

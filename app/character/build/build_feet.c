@@ -1,0 +1,290 @@
+#include "app/character/build/build.h"
+
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
+#include "app/character/run/feet.h"
+
+#include <string.h>
+
+/*
+ * A sole is flat in the middle and rises at its edge. Of the flat part of each
+ * bone and of two lines around the foot the outermost points are kept. Each is
+ * bounded by a height above the lowest vertex, in heights of the figure.
+ */
+struct ring {
+	float height;
+	int directions; /* in which the outermost points are kept */
+	bool of_bone;
+};
+
+static const struct ring rings[] = {
+	{0.0015f, 4, true}, {0.0075f, 8, false}, {0.012f, 8, false}};
+
+/* Along x and z. */
+static const float direction[8][2] = {
+	{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+/* A sole is on the ground below this height. */
+static const float planted_height = 0.002f;
+
+static int read_leg(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	return character_read_limb(words, key, member);
+}
+
+#define FEET(name) offsetof(struct character_feet, name)
+
+static const struct character_key keys[] = {
+	CHARACTER_SWITCH_KEYS(struct character_feet, is),
+	{"hips", character_read_node, FEET(hips), 0, 0, NULL,
+		"the node that carries both legs"},
+	{"left", read_leg, FEET(foot[0].leg), 0, 0, NULL,
+		"three nodes, such as thigh.L shin.L foot.L"},
+	{"right", read_leg, FEET(foot[1].leg), 0, 0, NULL,
+		"three nodes, such as thigh.R shin.R foot.R"},
+	{0},
+};
+
+/* What takes each vertex of a foot, at rest. */
+struct visit {
+	const struct character_build *build;
+	struct character_foot *foot;
+	float below; /* only lower vertices are taken; and what is lowest */
+	const struct ring *ring;
+	int first; /* of the ring's points */
+	void (*take)(struct visit *visit, const struct character_sole *sole,
+		const float place[3]);
+};
+
+static void visit_vertex(struct visit *visit, const struct character_sole *sole)
+{
+	float place[3];
+
+	if (character_is_below(
+		    visit->build->model, sole->node[0], visit->foot->leg.tip)) {
+		character_sole_place(
+			sole, visit->build->character->instance, place);
+		visit->take(visit, sole, place);
+	}
+}
+
+/* The joint with the largest weight, other than one. */
+static int main_influence(
+	const struct model_primitive *primitive, int vertex, int other)
+{
+	const float *weight = &primitive->weight[vertex * primitive->influences];
+	int best = other == 0 ? 1 : 0;
+
+	for (int i = 0; i < primitive->influences; i++) {
+		best = i != other && weight[i] > weight[best] ? i : best;
+	}
+	return best;
+}
+
+/* The two strongest influences move the point. */
+static struct character_sole bind_vertex(const struct model_skin *skin,
+	const struct model_primitive *primitive, int vertex)
+{
+	int first = vertex * primitive->influences, influence = -1;
+	struct character_sole sole;
+	float sum = 0;
+
+	for (int i = 0; i < 2; i++) {
+		int joint;
+
+		influence = main_influence(primitive, vertex, influence);
+		joint = primitive->joint[first + influence];
+		sole.node[i] = skin->joint[joint];
+		sole.weight[i] = primitive->weight[first + influence];
+		sum += sole.weight[i];
+		matrix_apply(skin->inverse_bind[joint],
+			primitive->position[vertex], sole.at[i]);
+	}
+	for (int i = 0; i < 2; i++) {
+		sole.weight[i] /= sum;
+	}
+	return sole;
+}
+
+/* A point that moves with a node alone. */
+static struct character_sole on_node(int node, const float at[3])
+{
+	struct character_sole sole = {.node = {node, node}, .weight = {1, 0}};
+
+	memcpy(sole.at[0], at, sizeof(sole.at[0]));
+	return sole;
+}
+
+static void visit_primitive(
+	struct visit *visit, int node, const struct model_primitive *primitive)
+{
+	const struct model *model = visit->build->model;
+	const struct model_skin *skin =
+		model->node[node].skin >= 0 && primitive->influences > 0
+		? &model->skin[model->node[node].skin]
+		: NULL;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		struct character_sole sole = skin
+			? bind_vertex(skin, primitive, v)
+			: on_node(node, primitive->position[v]);
+
+		visit_vertex(visit, &sole);
+	}
+}
+
+static void visit_all(struct visit *visit)
+{
+	const struct model *model = visit->build->model;
+
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_mesh *mesh = model->node[n].mesh >= 0
+			? &model->mesh[model->node[n].mesh]
+			: NULL;
+
+		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
+			visit_primitive(visit, n, &mesh->primitive[i]);
+		}
+	}
+}
+
+static void take_lowest(struct visit *visit, const struct character_sole *sole,
+	const float place[3])
+{
+	(void)sole;
+	visit->below = place[1] < visit->below ? place[1] : visit->below;
+}
+
+/* How far a place of the sole is in a direction. */
+static float towards(const float place[3], int which)
+{
+	return place[0] * direction[which][0] + place[2] * direction[which][1];
+}
+
+/* Keeps the vertex in each direction in which it is the outermost one. */
+static void take_sole(struct visit *visit, const struct character_sole *sole,
+	const float place[3])
+{
+	const struct ring *ring = visit->ring;
+	struct character_foot *foot = visit->foot;
+	int i = visit->first;
+
+	if (place[1] > visit->below) {
+		return;
+	}
+	while (ring->of_bone && i < foot->sole_count &&
+		foot->sole[i].node[0] != sole->node[0]) {
+		i += ring->directions;
+	}
+	if (i + ring->directions > CHARACTER_SOLE_MAX) {
+		return;
+	}
+	for (int which = 0; which < ring->directions; which++, i++) {
+		if (i >= foot->sole_count ||
+			towards(place, which) > towards(foot->place[i], which)) {
+			foot->sole[i] = *sole;
+			memcpy(foot->place[i], place, sizeof(foot->place[i]));
+		}
+	}
+	foot->sole_count = i > foot->sole_count ? i : foot->sole_count;
+}
+
+/* A vertex may be the outermost one in several directions. */
+static void drop_twins(struct character_foot *foot)
+{
+	int count = 0;
+
+	for (int i = 0; i < foot->sole_count; i++) {
+		int twin = 0;
+
+		while (twin < count &&
+			memcmp(foot->place[twin], foot->place[i],
+				sizeof(foot->place[i])) != 0) {
+			twin++;
+		}
+		if (twin == count) {
+			foot->sole[count] = foot->sole[i];
+			memcpy(foot->place[count++], foot->place[i],
+				sizeof(foot->place[i]));
+		}
+	}
+	foot->sole_count = count;
+}
+
+/* The points that are farthest back and farthest ahead. */
+static void find_ends(struct character_foot *foot)
+{
+	for (int i = 0; i < foot->sole_count; i++) {
+		float ahead = foot->place[i][2];
+
+		foot->heel = ahead < foot->place[foot->heel][2] ? i : foot->heel;
+		foot->toe = ahead > foot->place[foot->toe][2] ? i : foot->toe;
+	}
+}
+
+/* A foot without vertices stands on its last bone. */
+static void find_sole(const struct character_build *build,
+	const struct character_feet *feet, struct character_foot *foot)
+{
+	static const float origin[3] = {0};
+	struct visit visit = {
+		.build = build, .foot = foot, .below = 1e9f, .take = take_lowest};
+	float low;
+
+	visit_all(&visit);
+	low = visit.below;
+	visit.take = take_sole;
+	for (size_t i = 0; i < ARRAY_COUNT(rings); i++) {
+		visit.ring = &rings[i];
+		visit.first = foot->sole_count;
+		visit.below = low + rings[i].height * feet->height_m;
+		visit_all(&visit);
+	}
+	drop_twins(foot);
+	find_ends(foot);
+	if (foot->sole_count == 0) {
+		foot->sole_count = 1;
+		foot->sole[0] = on_node(foot->leg.tip, origin);
+	}
+}
+
+static float distance(const struct character_build *build, int a, int b)
+{
+	mat4 *world = build->character->instance->world;
+	float apart[3];
+
+	vec_subtract(world[a][3], world[b][3], apart);
+	return vec_length(apart);
+}
+
+int character_build_feet(struct character_build *build,
+	const struct character_section *section, void *what)
+{
+	struct character_feet *feet = what;
+	int error;
+
+	feet->hips = feet->foot[0].leg.upper = feet->foot[1].leg.upper = -1;
+	error = character_read_section(build, section, keys, feet);
+	if (error) {
+		return error;
+	}
+	if (feet->hips < 0 || feet->foot[0].leg.upper < 0 ||
+		feet->foot[1].leg.upper < 0) {
+		return character_fail_missing(build, section,
+			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
+	}
+	feet->height_m = build->character->motion.height_m;
+	for (int side = 0; side < 2; side++) {
+		struct character_foot *foot = &feet->foot[side];
+
+		find_sole(build, feet, foot);
+		foot->step_s = -1;
+		foot->planted_m = planted_height * feet->height_m;
+		foot->length_m =
+			distance(build, foot->leg.upper, foot->leg.lower) +
+			distance(build, foot->leg.lower, foot->leg.tip);
+	}
+	build->character->feet = feet;
+	return 0;
+}

@@ -1,0 +1,205 @@
+/* Feet while the gait changes: they neither slide nor sink nor hover. */
+#include "app/character/run/parameters.h"
+#include "app/character/state/entry.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	MOMENTS = 40,
+	VERTICES_MAX = 512
+};
+
+static const double rate_hz = 30.0;
+static const float planted_m = 0.003f;
+
+static const char gaits[] =
+	"[parameter speed]\nrange = 0 2.6\nease = 0.6\n"
+	"[state move]\nblend = speed, idle 0, walk 1.03, run 2.6\n"
+	"[motion]\nfeet = toe.L toe.R\n"
+	"[feet ground]\nhips = hips\n"
+	"left = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n";
+
+static const struct {
+	float speed;
+	double duration_s; /* of the clip */
+} gait[] = {{0.0f, 3.2}, {1.03f, 1.1}, {2.6f, 0.7}};
+
+/* The vertices of both soles, with where they touched the ground. */
+struct soles {
+	int count;
+	struct {
+		int drawable, vertex;
+		bool planted;
+		float place[3], from[2];
+	} at[VERTICES_MAX];
+	float ground[2];
+};
+
+static void find_soles(struct acting *acting, struct soles *soles)
+{
+	const struct instance *instance = acting->instance;
+
+	soles->count = 0;
+	instance_update(acting->instance);
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float place[3];
+
+			instance_world_vertex(instance, drawable, v, place);
+			if (place[1] < 0.025f) {
+				assert_true(soles->count < VERTICES_MAX);
+				soles->at[soles->count].drawable = d;
+				soles->at[soles->count++].vertex = v;
+			}
+		}
+	}
+	assert_true(soles->count > 40);
+}
+
+/* What was seen of a frame's feet, or of many frames' at worst. */
+struct seen {
+	double slide, lowest;
+};
+
+static struct seen look_at_soles(
+	const struct acting *acting, struct soles *soles)
+{
+	const struct character_motion *motion = &acting->character->motion;
+	struct seen seen = {0.0, 9.0};
+
+	instance_update(acting->instance);
+	for (int axis = 0; axis < 2; axis++) {
+		soles->ground[axis] += motion->scroll[axis];
+	}
+	for (int i = 0; i < soles->count; i++) {
+		float place[3], x, z;
+
+		instance_world_vertex(acting->instance,
+			&acting->instance->drawable[soles->at[i].drawable],
+			soles->at[i].vertex, place);
+		x = place[0] + soles->ground[0];
+		z = place[2] + soles->ground[1];
+		seen.lowest = fmin(seen.lowest, (double)place[1]);
+		if (place[1] >= planted_m) {
+			soles->at[i].planted = false;
+			continue;
+		}
+		if (!soles->at[i].planted) {
+			soles->at[i].planted = true;
+			soles->at[i].from[0] = x;
+			soles->at[i].from[1] = z;
+		}
+		seen.slide = fmax(seen.slide,
+			(double)hypotf(x - soles->at[i].from[0],
+				z - soles->at[i].from[1]));
+	}
+	return seen;
+}
+
+/* In run's flight phase the clip itself has both feet off the ground. */
+static bool is_flight(const struct acting *acting)
+{
+	const struct character_entry *run =
+		&acting->character->machine.state[0].entry[2];
+
+	return run->weight > 0.0f && character_entry_sole_m(run) > 0.008f;
+}
+
+static void set_speed(struct acting *acting, float speed)
+{
+	character_parameter_set(&acting->character->parameter[0], speed);
+}
+
+static void change_gait(struct acting *acting, struct soles *soles, int from,
+	int to, double moment_s)
+{
+	double end_s;
+
+	acting_expect(acting, gaits);
+	soles->ground[0] = soles->ground[1] = 0.0f;
+	set_speed(acting, gait[from].speed);
+	acting_run_to(acting, 2.0 + moment_s, rate_hz);
+	set_speed(acting, gait[to].speed);
+	for (int i = 0; i < soles->count; i++) {
+		soles->at[i].planted = false;
+	}
+	for (end_s = acting->now_s + 2.0; acting->now_s < end_s;) {
+		struct seen seen;
+
+		acting_run_to(acting, acting->now_s + 1.0 / rate_hz, rate_hz);
+		seen = look_at_soles(acting, soles);
+		assert_true(seen.slide < 0.01);
+		assert_true(seen.lowest > -0.006);
+		assert_true(seen.lowest < 0.01 || is_flight(acting));
+	}
+}
+
+static void test_no_gait_change_slides_or_lifts_planted_feet(void **state)
+{
+	static struct soles soles;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, gaits);
+	find_soles(&acting, &soles);
+	for (int from = 0; from < 3; from++) {
+		for (int to = 0; to < 3; to++) {
+			for (int i = 0; i < MOMENTS; i++) {
+				change_gait(&acting, &soles, from, to,
+					gait[from].duration_s * i / MOMENTS);
+			}
+		}
+	}
+	acting_end(&acting);
+}
+
+/* Where a foot is in the end: as in the clip, with nothing that holds it. */
+static void test_feet_return_to_the_clips_places(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, gaits);
+	set_speed(&acting, 2.6f);
+	acting_run_to(&acting, 2.0, rate_hz);
+	set_speed(&acting, 0.0f);
+	acting_run_to(&acting, 4.5, rate_hz);
+	for (int side = 0; side < 2; side++) {
+		const char *const name[] = {"toe.L", "toe.R"};
+		float held[3], plain[3], lift[3];
+		struct pose *pose = &acting.instance->pose;
+
+		acting_place(&acting, name[side], held);
+		clip_pose(
+			&acting.model->clip[model_find_clip(acting.model, "idle")],
+			acting.character->machine.state[0].entry[0].shown_s,
+			CLIP_AUTO, &(struct clip_cursor){0}, pose);
+		instance_update_nodes(acting.instance);
+		acting_place(&acting, name[side], plain);
+		for (int axis = 0; axis < 3; axis++) {
+			lift[axis] = held[axis] - plain[axis];
+		}
+		assert_near(hypotf(lift[0], lift[2]), 0.0, 0.015);
+		assert_near(lift[1], 0.0, 0.003);
+		acting_run_to(&acting, acting.now_s + 0.1, rate_hz);
+	}
+	acting_end(&acting);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_no_gait_change_slides_or_lifts_planted_feet),
+		cmocka_unit_test(test_feet_return_to_the_clips_places),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -7,7 +7,7 @@
 #include "app/demo/walker/walker_moves.h"
 #include "app/demo/walker/walker_rig.h"
 #include "app/scene/draw/draw.h"
-#include "app/scene/shadow/shadow_volume.h"
+#include "app/scene/shadow/shadow_drape.h"
 #include "app/scene/stage/ball.h"
 #include "app/scene/stage/light.h"
 
@@ -53,7 +53,7 @@ struct demo {
 	struct demo_base base;
 	int height; /* of the picture */
 	struct ball ball;
-	struct shadow_volume shadow;
+	struct shadow_drape shadow;
 	struct walker_rig rig;
 	struct walker_moves moves;
 	double now_s;
@@ -93,7 +93,7 @@ static int walker_prepare(struct demo *demo, const struct demo_env *env)
 		error = walker_rig_init(&demo->rig, instance, env->log);
 	}
 	if (!error) {
-		error = shadow_volume_init(&demo->shadow, instance, env->log);
+		error = shadow_drape_init(&demo->shadow, instance, env->log);
 	}
 	if (!error) {
 		struct bounds bounds = bounds_of_moves(demo);
@@ -153,11 +153,11 @@ static void walker_update(struct demo *demo, double time_s)
 	if (floor->wave_height == 0.0f) {
 		return;
 	}
-	light.max_length = 2.0f * demo->base.stage.camera.radius;
 	light.ground = floor;
 	light_direction(light.towards);
+	camera_eye(&demo->base.stage.camera, light.eye);
 	camera_near_plane(&demo->base.stage.camera, light.near_plane);
-	shadow_volume_update(&demo->shadow, instance, &light);
+	shadow_drape_update(&demo->shadow, instance, &light);
 }
 
 static void draw_shadow(const struct demo *demo)
@@ -171,7 +171,7 @@ static void draw_shadow(const struct demo *demo)
 	}
 	if (demo->base.stage.floor.wave_height != 0.0f &&
 		demo->base.stage.has_stencil) {
-		shadow_volume_draw(&demo->shadow, gl, shadow_strength);
+		shadow_drape_draw(&demo->shadow, gl, shadow_strength);
 		return;
 	}
 	stage_shadow_begin(&demo->base.stage, gl);
@@ -198,7 +198,7 @@ static void walker_draw(struct demo *demo, int width, int height)
 	draw_shadow(demo);
 	if (shows_ball(demo) && demo->rig.on[RIG_SHADOW]) {
 		ball_draw_shadow(gl, demo->rig.ball, ball_radius_m,
-			&demo->base.stage.floor);
+			&demo->base.stage);
 	}
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
 	if (demo->rig.weight[RIG_CAPE] > 0.0f) {

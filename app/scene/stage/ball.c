@@ -10,8 +10,6 @@ enum {
 	SHADOW_CORNERS = 16
 };
 
-static const float shadow_lift = 0.003f; /* above the floor, scene units */
-
 void ball_init(struct ball *ball)
 {
 	uint16_t *next = ball->index;
@@ -51,12 +49,12 @@ static void fall_on_floor(const struct floor *floor, const float light[3],
 		out[2] = from[2] - light[2] * fall;
 		height = floor_height(floor, out[0], out[2]);
 	}
-	out[1] = height + floor_mesh_error(floor, out[0], out[2]) + shadow_lift;
+	out[1] = height;
 }
 
 /* A circle across the light, as the floor cuts the light's rays through it. */
-static void find_shadow(const struct floor *floor, const float center[3],
-	float radius, float out[SHADOW_CORNERS][3])
+static void find_shadow(const struct floor *floor, const float eye[3],
+	const float center[3], float radius, float out[SHADOW_CORNERS][3])
 {
 	float light[3], side[3], up[3];
 	const float above[3] = {0.0f, 1.0f, 0.0f};
@@ -72,15 +70,17 @@ static void find_shadow(const struct floor *floor, const float center[3],
 		vec_add_scaled(center, side, radius * scalar_cos(round), at);
 		vec_add_scaled(at, up, radius * scalar_sin(round), at);
 		fall_on_floor(floor, light, at, out[i]);
+		floor_lift(floor, eye, out[i]);
 	}
 }
 
 void ball_draw_shadow(const struct gl *gl, const float center[3], float radius,
-	const struct floor *floor)
+	const struct stage *stage)
 {
-	float corner[SHADOW_CORNERS][3];
+	float corner[SHADOW_CORNERS][3], eye[3];
 
-	find_shadow(floor, center, radius, corner);
+	camera_eye(&stage->camera, eye);
+	find_shadow(&stage->floor, eye, center, radius, corner);
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->Disable(GL_CULL_FACE);

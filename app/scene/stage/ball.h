@@ -4,7 +4,7 @@
 #ifndef APP_SCENE_STAGE_BALL_H
 #define APP_SCENE_STAGE_BALL_H
 
-#include "app/scene/stage/floor.h"
+#include "app/scene/stage/stage.h"
 #include "platform/gl/gl.h"
 
 enum {
@@ -26,7 +26,7 @@ void ball_init(struct ball *ball);
  * matrix loaded.
  */
 void ball_draw_shadow(const struct gl *gl, const float center[3], float radius,
-	const struct floor *floor);
+	const struct stage *stage);
 
 /*
  * Draws the ball with the camera's matrix and the lights loaded. center and

@@ -1,7 +1,7 @@
 #include "app/scene/stage/floor.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/draw/texture.h"
-#include "app/scene/draw/triangle_list.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -14,7 +14,12 @@ enum {
 	PERIOD_TILES = 8, /* the waves repeat after this many tiles */
 };
 
-static const float level_shade = 208.0f; /* of 255, on level ground */
+static const float level_shade = 208.0f;  /* of 255, on level ground */
+static const float opaque_part = 0.5625f; /* of the radius; it fades beyond */
+/* What lies on the ground is lifted by so many errors of the mesh, */
+static const float lift_errors = 4.0f;
+/* and by these parts of its distance from the eye. */
+static const float lift_min = 0.004f, lift_max = 0.1f;
 
 /* A tile in two shades with joints, which make motion visible. */
 static int make_texture(
@@ -43,84 +48,6 @@ static int make_texture(
 	return floor->texture ? 0 : -ENOMEM;
 }
 
-/* Alpha falls linearly with the radius, which is the ring's square. */
-static uint8_t alpha_at(int ring)
-{
-	const int end = FLOOR_RINGS * FLOOR_RINGS;
-	const int fading = end - FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING;
-	int left = end - ring * ring;
-
-	return (uint8_t)(left >= fading ? 255 : 255 * left / fading);
-}
-
-/* Rings get wider outwards, so that the middle has more detail. */
-static void place_vertices(struct floor *floor)
-{
-	for (int i = 0; i < FLOOR_VERTICES; i++) {
-		int ring = i ? (i - 1) / FLOOR_SPOKES + 1 : 0;
-		float fraction = (float)ring / FLOOR_RINGS;
-		float angle = (float)((i + FLOOR_SPOKES - 1) % FLOOR_SPOKES) *
-			(2.0f * SCALAR_PI / FLOOR_SPOKES);
-		float out = floor->radius * fraction * fraction;
-		float *p = floor->position[i];
-
-		p[0] = floor->center[0] + out * scalar_cos(angle);
-		p[2] = floor->center[1] + out * scalar_sin(angle);
-		floor->texcoord[i][0] = p[0] / floor->tile;
-		floor->texcoord[i][1] = p[2] / floor->tile;
-		floor->color[i][3] = alpha_at(ring);
-	}
-}
-
-/* Inner rings use fewer spokes, so that their triangles are not slivers. */
-static int count_spokes(int ring)
-{
-	return ring <= FLOOR_QUARTER_RING ? FLOOR_SPOKES / 4
-		: ring <= FLOOR_HALF_RING ? FLOOR_SPOKES / 2
-					  : FLOOR_SPOKES;
-}
-
-/* The vertex of a ring at the n-th of its spokes; ring 0 is the middle. */
-static uint16_t vertex_at(int ring, int n)
-{
-	int count = count_spokes(ring);
-
-	return (uint16_t)(ring == 0 ? 0
-				    : 1 + (ring - 1) * FLOOR_SPOKES +
-				n % count * (FLOOR_SPOKES / count));
-}
-
-/* The triangles between a ring and the next one. */
-static uint16_t *list_ring(uint16_t *next, int ring)
-{
-	int inner = ring == 0 ? 1 : count_spokes(ring);
-	int outer = count_spokes(ring + 1), each = outer / inner;
-
-	for (int i = 0; i < inner; i++) {
-		int first = i * each, middle = first + each / 2;
-		int a = vertex_at(ring, i), b = vertex_at(ring, i + 1);
-
-		if (ring > 0) {
-			next = triangle_list_add(
-				next, a, b, vertex_at(ring + 1, middle));
-		}
-		for (int n = first; n < first + each; n++) {
-			next = triangle_list_add(next, vertex_at(ring + 1, n),
-				n < middle ? a : b, vertex_at(ring + 1, n + 1));
-		}
-	}
-	return next;
-}
-
-static void list_triangles(struct floor *floor)
-{
-	uint16_t *next = floor->index;
-
-	for (int ring = 0; ring < FLOOR_RINGS; ring++) {
-		next = list_ring(next, ring);
-	}
-}
-
 float floor_height(const struct floor *floor, float x, float z)
 {
 	float turn = 2.0f * SCALAR_PI / (PERIOD_TILES * floor->tile);
@@ -135,50 +62,44 @@ float floor_height(const struct floor *floor, float x, float z)
 		(scalar_sin(2.0f * v + scalar_sin(u)) + scalar_sin(u + 0.7f));
 }
 
-float floor_mesh_error(const struct floor *floor, float x, float z)
+float floor_mesh_error(
+	const struct floor *floor, const float eye[3], float x, float z)
 {
-	float dx = scalar_abs(x - floor->center[0]);
-	float dz = scalar_abs(z - floor->center[1]);
-	/* At least the distance from the centre, at most 8% more. */
-	float out = dx > dz ? dx + 0.4143f * dz : dz + 0.4143f * dx;
-	float share = 0.06f * floor->radius + 0.7f * out;
+	float dx = scalar_abs(x - eye[0]), dz = scalar_abs(z - eye[2]);
+	/* At least the distance, at most 8% more. */
+	float away = dx > dz ? dx + 0.4143f * dz : dz + 0.4143f * dx;
+	float above = scalar_abs(eye[1] - floor->y) + 0.01f * away;
+	/* The sides of a triangle, in tiles. */
+	float across = 0.15f * (away + above) / floor->tile;
+	float ahead = 0.04f * (away / above * away + above) / floor->tile;
 
 	/* The factors were measured; test_floor.c holds them. */
-	return share < 0.4f * floor->radius
-		? floor->wave_height * share / floor->radius
-		: 0.4f * floor->wave_height;
+	return floor->wave_height *
+		scalar_clamp(
+			0.15f * (across * across + ahead * ahead), 0.01f, 0.6f);
 }
 
-/* Whether triangles have this vertex: inner rings do not use all spokes. */
-static bool is_used(int vertex)
+void floor_lift(const struct floor *floor, const float eye[3], float point[3])
 {
-	int ring = vertex ? (vertex - 1) / FLOOR_SPOKES + 1 : 0;
-	int each = FLOOR_SPOKES / count_spokes(ring);
+	float error = floor_mesh_error(floor, eye, point[0], point[2]);
+	float above = eye[1] - point[1], share = lift_max;
 
-	return vertex == 0 || (vertex - 1) % FLOOR_SPOKES % each == 0;
+	if (above * lift_max > lift_errors * error) {
+		share = scalar_clamp(
+			lift_errors * error / above, lift_min, lift_max);
+	}
+	vec_mix(point, eye, share, point);
 }
 
-/* Heights, and shades in which slopes that face the light are brighter. */
-static void update_surface(struct floor *floor)
+/* Slopes that face the light are brighter. */
+static uint8_t find_shade(const struct floor *floor, const float p[3])
 {
 	float step = 0.02f * floor->tile;
+	float slope =
+		(floor_height(floor, p[0] + step, p[2] + step) - p[1]) / step;
 
-	for (int i = 0; i < FLOOR_VERTICES; i++) {
-		float *p = floor->position[i];
-		float slope, value;
-
-		if (!is_used(i)) {
-			continue;
-		}
-		p[1] = floor_height(floor, p[0], p[2]);
-		slope = floor->wave_height == 0.0f
-			? 0.0f
-			: (floor_height(floor, p[0] + step, p[2] + step) - p[1]) /
-				step;
-		value = scalar_clamp(
-			level_shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
-		memset(floor->color[i], (uint8_t)value, 3);
-	}
+	return (uint8_t)scalar_clamp(
+		level_shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
 }
 
 /* The largest 1, 2 or 5 times a power of ten that is not above the size. */
@@ -212,9 +133,7 @@ int floor_init(struct floor *floor, const struct gl *gl,
 			2.2f * extent > min_radius ? 2.2f * extent : min_radius,
 		.tile = round_down(0.5f * extent),
 	};
-	place_vertices(floor);
-	list_triangles(floor);
-	update_surface(floor);
+	floor_mesh_list(floor->index);
 	if (make_texture(floor, gl, target) != 0) {
 		log_error(log,
 			"there is not enough memory for the floor's texture");
@@ -253,48 +172,73 @@ void floor_scroll(struct floor *floor, float dx, float dz)
 
 	floor->offset[0] = wrap(floor->offset[0] + dx, length);
 	floor->offset[1] = wrap(floor->offset[1] + dz, length);
-	if (floor->wave_height != 0.0f && (dx != 0.0f || dz != 0.0f)) {
-		update_surface(floor);
-	}
 }
 
 void floor_set_wave_height(struct floor *floor, float wave_height)
 {
-	if (wave_height != floor->wave_height) {
-		floor->wave_height = wave_height;
-		update_surface(floor);
+	floor->wave_height = wave_height;
+}
+
+/* The mesh on the ground's heights, and its shades. */
+static void find_mesh(const struct floor *floor, const struct camera *camera,
+	int width, int height, const struct floor_mesh_ground *ground,
+	struct floor_sight *out)
+{
+	floor_mesh_find(&out->mesh, camera, width, height, ground);
+	for (int i = 0; out->mesh.seen && i < FLOOR_VERTICES; i++) {
+		float *p = out->mesh.position[i];
+
+		p[1] = floor_height(floor, p[0], p[2]);
+		out->shade[i] = find_shade(floor, p);
 	}
 }
 
-void floor_visible_strips(const struct floor *floor, const struct camera *camera,
-	int width, int height, struct floor_strips *out)
+void floor_find_sight(const struct floor *floor, const struct camera *camera,
+	int width, int height, struct floor_sight *out)
 {
-	const float opaque_fraction =
-		(float)(FLOOR_OPAQUE_RING * FLOOR_OPAQUE_RING) /
-		(FLOOR_RINGS * FLOOR_RINGS);
 	float sine = scalar_sin(camera->yaw_rad);
 	float cosine = scalar_cos(camera->yaw_rad);
 	/* The floor extends at least to below a distant camera. */
 	float min_radius = 1.1f * camera->distance;
 	float radius = floor->radius > min_radius ? floor->radius : min_radius;
 	float eye[3], ahead;
+	struct floor_mesh_ground ground = {
+		.y = floor->y, .wave_height = floor->wave_height};
 
-	if (floor->wave_height != 0.0f) {
-		*out = (struct floor_strips){.horizon_px = height};
-		return;
-	}
 	camera_eye(camera, eye);
 	ahead = (eye[0] - floor->center[0]) * sine +
 		(eye[2] - floor->center[1]) * cosine;
-	floor_strips_find(out, camera, width, height, floor->y,
-		ahead + opaque_fraction * radius, ahead + radius);
+	ground.opaque_end = ahead + opaque_part * radius;
+	ground.end = ahead + radius;
+	if (floor->wave_height != 0.0f) {
+		out->strips = (struct floor_strips){.horizon_px = height};
+		find_mesh(floor, camera, width, height, &ground, out);
+	} else {
+		floor_strips_find(&out->strips, camera, width, height, floor->y,
+			ground.opaque_end, ground.end);
+	}
 }
 
-static void draw_disc(const struct floor *floor, const struct gl *gl)
+static void draw_mesh(const struct floor *floor,
+	const struct floor_sight *sight, const struct gl *gl)
 {
-	gl->VertexPointer(3, GL_FLOAT, 0, floor->position);
-	gl->TexCoordPointer(2, GL_FLOAT, 0, floor->texcoord);
-	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, floor->color);
+	float texcoord[FLOOR_VERTICES][2];
+	uint8_t color[FLOOR_VERTICES][4];
+
+	if (!sight->mesh.seen) {
+		return;
+	}
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		const float *p = sight->mesh.position[i];
+
+		texcoord[i][0] = p[0] / floor->tile;
+		texcoord[i][1] = p[2] / floor->tile;
+		memset(color[i], sight->shade[i], 3);
+		color[i][3] = sight->mesh.alpha[i];
+	}
+	gl->VertexPointer(3, GL_FLOAT, 0, sight->mesh.position);
+	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
 		floor->index);
 	gl->Enable(GL_BLEND);
@@ -332,7 +276,7 @@ static void draw_strips(const struct floor *floor,
 	gl->DepthFunc(GL_LESS);
 }
 
-void floor_draw(const struct floor *floor, const struct floor_strips *strips,
+void floor_draw(const struct floor *floor, const struct floor_sight *sight,
 	const struct gl *gl)
 {
 	gl->Disable(GL_BLEND);
@@ -352,9 +296,9 @@ void floor_draw(const struct floor *floor, const struct floor_strips *strips,
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
 	if (floor->wave_height != 0.0f) {
-		draw_disc(floor, gl);
+		draw_mesh(floor, sight, gl);
 	} else {
-		draw_strips(floor, strips, gl);
+		draw_strips(floor, &sight->strips, gl);
 	}
 	gl->Disable(GL_BLEND);
 	gl->Disable(GL_TEXTURE_2D);

@@ -108,10 +108,9 @@ void stage_begin(
 {
 	/* A camera's image takes the place of level ground, not of hills. */
 	bool ground = !stage->backdrop || stage->floor.wave_height != 0.0f;
-	struct floor_strips strips;
+	struct floor_sight sight;
 
-	floor_visible_strips(
-		&stage->floor, &stage->camera, width, height, &strips);
+	floor_find_sight(&stage->floor, &stage->camera, width, height, &sight);
 	gl->Viewport(0, 0, width, height);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->DepthMask(GL_TRUE);
@@ -121,13 +120,14 @@ void stage_begin(
 	gl->FrontFace(GL_CCW);
 	use_plain_state(gl);
 	if (stage->has_stencil) {
-		clear_stencil(gl, width, strips.horizon_px);
+		clear_stencil(gl, width, sight.strips.horizon_px);
 	}
-	draw_behind(stage, gl, width, height, ground ? strips.covered_px : 0);
+	draw_behind(
+		stage, gl, width, height, ground ? sight.strips.covered_px : 0);
 	camera_apply(&stage->camera, gl, width, height);
 	light_apply(gl);
 	if (ground) {
-		floor_draw(&stage->floor, &strips, gl);
+		floor_draw(&stage->floor, &sight, gl);
 	}
 	if (stage->monitor && stage->floor.wave_height != 0.0f) {
 		monitor_draw(stage->monitor, stage->monitor_picture, gl);

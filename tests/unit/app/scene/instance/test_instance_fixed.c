@@ -3,7 +3,7 @@
  * what does not fit 16 bits.
  */
 #include "app/scene/instance/bounds.h"
-#include "app/scene/shadow/shadow_volume.h"
+#include "app/scene/shadow/shadow_drape.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/model/instance_pair.h"
 #include "tests/support/model/samples.h"
@@ -261,30 +261,36 @@ static void test_normal_maps_are_lit_as_in_float(void **state)
 
 static void test_shadows_fall_as_in_float(void **state)
 {
-	static const struct shadow_light light = {
-		.towards = {0.3f, 0.9f, 0.3f}, .max_length = 5.0f};
+	static struct floor floor = {
+		.tile = 1.0f, .radius = 9.0f, .wave_height = 0.2f};
+	static const struct shadow_light light = {.towards = {0.3f, 0.9f, 0.3f},
+		.eye = {0.0f, 1.5f, 4.0f},
+		.ground = &floor};
 	struct log nowhere = log_to_nowhere();
-	struct shadow_volume exact, fixed;
+	struct shadow_drape exact, fixed;
 	struct instance_pair pair;
 
 	(void)state;
 	instance_pair_load(&pair, "assets/walker.glb");
 	instance_pair_pose(&pair, 0, 0.3f);
-	assert_int_equal(shadow_volume_init(&exact, pair.exact, &nowhere), 0);
-	assert_int_equal(shadow_volume_init(&fixed, pair.fixed, &nowhere), 0);
-	shadow_volume_update(&exact, pair.exact, &light);
-	shadow_volume_update(&fixed, pair.fixed, &light);
-	for (int h = 0; h < exact.caster_count; h++) {
-		int count = exact.caster[h].vertex_count;
+	assert_int_equal(shadow_drape_init(&exact, pair.exact, &nowhere), 0);
+	assert_int_equal(shadow_drape_init(&fixed, pair.fixed, &nowhere), 0);
+	fixed.longest = exact.longest = 9.0f;
+	shadow_drape_update(&exact, pair.exact, &light);
+	shadow_drape_update(&fixed, pair.fixed, &light);
+	for (int h = 0; h < exact.sheet_count; h++) {
+		const struct shadow_sheet *a = &exact.sheet[h];
+		const struct shadow_sheet *b = &fixed.sheet[h];
 
 		/* Both cast the shadow of the same vertices. */
-		assert_int_equal(fixed.caster[h].vertex_count, count);
-		assert_memory_equal(exact.caster[h].vertex,
-			fixed.caster[h].vertex,
-			(size_t)count * sizeof(*exact.caster[h].vertex));
-		for (int v = 0; v < 2 * count; v++) {
-			assert_true(distance(exact.caster[h].position[v],
-					    fixed.caster[h].position[v]) < 4e-4);
+		assert_true(a->vertex_count > 0);
+		assert_int_equal(a->vertex_count, b->vertex_count);
+		assert_int_equal(a->index_count, b->index_count);
+		assert_memory_equal(a->index, b->index,
+			(size_t)a->index_count * sizeof(*a->index));
+		for (int v = 0; v < a->vertex_count; v++) {
+			assert_true(distance(a->position[v], b->position[v]) <
+				4e-4);
 		}
 	}
 	instance_pair_end(&pair);

@@ -2,14 +2,55 @@
 #include "platform/gl/gl_context.h"
 #include "tests/support/test.h"
 
+enum {
+	WIDTH = 480,
+	HEIGHT = 640,
+};
+
+static const float pitch_rad[] = {0.0f, 0.1f, 0.3f, 0.6f, 1.0f, 1.57079f};
+
+/* A floor as large as the walker's, and a camera before it. */
+struct scene {
+	struct gl_context *context;
+	struct floor floor;
+	struct camera camera;
+};
+
+static void begin(struct scene *scene)
+{
+	const struct bounds bounds = {
+		.low = {-0.5f, 0.0f, -0.4f}, .high = {0.6f, 1.9f, 0.8f}};
+	struct log log = log_to_nowhere();
+
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &scene->context),
+		0);
+	assert_int_equal(floor_init(&scene->floor, &scene->context->gl, &bounds,
+				 4.8f, PIXELS_RGB565, &log),
+		0);
+	floor_set_wave_height(&scene->floor, 0.2f);
+	scene->camera = camera_default();
+	camera_frame(&scene->camera, &bounds,
+		&(struct camera_framing){
+			.aspect = (float)WIDTH / HEIGHT, .margin = 1.1f});
+}
+
+static void end(struct scene *scene)
+{
+	floor_finish(&scene->floor, &scene->context->gl);
+	scene->context->driver->destroy(scene->context);
+}
+
 /* A point in a triangle, by two barycentric coordinates. */
-static void mix(const struct floor *floor, const uint16_t *corner, float a,
+static void mix(const struct floor_mesh *mesh, const uint16_t *corner, float a,
 	float b, float out[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
-		out[axis] = a * floor->position[corner[0]][axis] +
-			b * floor->position[corner[1]][axis] +
-			(1.0f - a - b) * floor->position[corner[2]][axis];
+		out[axis] = a * mesh->position[corner[0]][axis] +
+			b * mesh->position[corner[1]][axis] +
+			(1.0f - a - b) * mesh->position[corner[2]][axis];
 	}
 }
 
@@ -17,63 +58,156 @@ static void mix(const struct floor *floor, const uint16_t *corner, float a,
  * The greatest distance of the opaque mesh from floor_height(), as a part of
  * the stated error there.
  */
-static float find_sag(const struct floor *floor)
+static float find_sag(const struct scene *scene, const struct floor_mesh *mesh)
 {
-	float most = 0.0f;
+	const struct floor *floor = &scene->floor;
+	float most = 0.0f, eye[3];
 
+	camera_eye(&scene->camera, eye);
 	for (int i = 0; i < FLOOR_OPAQUE_INDICES; i += 3) {
 		for (int n = 0; n < 10; n++) {
 			float a = (float)(n % 4) / 3.0f,
 			      b = (float)(n / 4) / 3.0f;
 			float at[3], off;
 
-			mix(floor, floor->index + i, a, b * (1.0f - a), at);
+			mix(mesh, floor->index + i, a, b * (1.0f - a), at);
 			off = at[1] - floor_height(floor, at[0], at[2]);
 			off = off < 0.0f ? -off : off;
-			off /= floor_mesh_error(floor, at[0], at[2]);
+			off /= floor_mesh_error(floor, eye, at[0], at[2]);
 			most = off > most ? off : most;
 		}
 	}
 	return most;
 }
 
-/* A floor as large as the walker's. */
 static void test_ground_is_drawn_where_it_is(void **state)
 {
-	const struct bounds bounds = {
-		.low = {-0.5f, 0.0f, -0.4f}, .high = {0.6f, 1.9f, 0.8f}};
-	struct log log = log_to_nowhere();
-	struct gl_context *context;
-	struct floor floor;
+	struct scene scene;
+	struct floor_sight sight;
 	float most = 0.0f;
 
 	(void)state;
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){
-					 .format = PIXELS_RGB565, .log = &log},
-				 &context),
-		0);
-	assert_int_equal(floor_init(&floor, &context->gl, &bounds, 4.8f,
-				 PIXELS_RGB565, &log),
-		0);
-	floor_set_wave_height(&floor, 0.2f);
-	for (int i = 0; i < 60; i++) {
-		float sag = find_sag(&floor);
+	begin(&scene);
+	for (int i = 0; i < 120; i++) {
+		float sag;
 
+		scene.camera.pitch_rad = pitch_rad[i % 5];
+		scene.camera.yaw_rad = 0.3f * (float)i;
+		floor_find_sight(
+			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		assert_true(sight.mesh.seen);
+		sag = find_sag(&scene, &sight.mesh);
 		most = sag > most ? sag : most;
 		assert_true(sag < 1.0f);
-		floor_scroll(&floor, 0.07f, 0.11f);
+		floor_scroll(&scene.floor, 0.07f, 0.11f);
 	}
 	/* The stated error is not much larger than the measured one. */
 	assert_true(2.0f * most > 1.0f);
-	floor_finish(&floor, &context->gl);
-	context->driver->destroy(context);
+	end(&scene);
+}
+
+/* What the ray of a pixel meets of the ground, found step by step. */
+static bool find_ground(
+	const struct scene *scene, float x, float y, float out[3])
+{
+	float tangent = camera_tan_half(scene->camera.yfov_rad), eye[3];
+	mat4 view;
+
+	camera_eye(&scene->camera, eye);
+	camera_view(&scene->camera, view);
+	for (float depth = 0.2f; depth < 9.0f; depth += 0.01f) {
+		for (int i = 0; i < 3; i++) {
+			out[i] = eye[i] +
+				depth *
+					(view[i][0] * x * tangent * WIDTH /
+							HEIGHT +
+						view[i][1] * y * tangent -
+						view[i][2]);
+		}
+		if (out[1] <= floor_height(&scene->floor, out[0], out[2])) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static float turn(const float a[3], const float b[3], float x, float z)
+{
+	return (b[0] - a[0]) * (z - a[2]) - (b[2] - a[2]) * (x - a[0]);
+}
+
+static bool is_covered(const struct floor *floor, const struct floor_mesh *mesh,
+	float x, float z)
+{
+	for (int i = 0; i < FLOOR_INDICES; i += 3) {
+		const float *a = mesh->position[floor->index[i]];
+		const float *b = mesh->position[floor->index[i + 1]];
+		const float *c = mesh->position[floor->index[i + 2]];
+		float ab = turn(a, b, x, z), bc = turn(b, c, x, z);
+		float ca = turn(c, a, x, z);
+
+		if ((ab >= 0 && bc >= 0 && ca >= 0) ||
+			(ab <= 0 && bc <= 0 && ca <= 0)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* However the camera looks, hills and troughs reach the picture's edges. */
+static void test_the_mesh_covers_what_is_seen(void **state)
+{
+	struct scene scene;
+	struct floor_sight sight;
+	int found = 0;
+
+	(void)state;
+	begin(&scene);
+	for (int i = 0; i < 30; i++) {
+		scene.camera.pitch_rad = pitch_rad[i % 6];
+		scene.camera.yaw_rad = 0.4f * (float)i;
+		floor_find_sight(
+			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		for (int n = 0; n < 16; n++) {
+			float along = -1.0f + 0.5f * (float)(n / 4), at[3];
+			float x = n % 4 == 0 ? -1.0f
+				: n % 4 == 1 ? 1.0f
+					     : along;
+			float y = n % 4 == 2 ? -1.0f
+				: n % 4 == 3 ? 1.0f
+					     : along;
+
+			if (find_ground(&scene, 0.99f * x, 0.99f * y, at)) {
+				found++;
+				assert_true(is_covered(&scene.floor,
+					&sight.mesh, at[0], at[2]));
+			}
+		}
+		floor_scroll(&scene.floor, 0.07f, 0.11f);
+	}
+	assert_true(found > 200);
+	end(&scene);
+}
+
+static void test_ground_above_the_eye_is_not_drawn(void **state)
+{
+	struct scene scene;
+	struct floor_sight sight;
+
+	(void)state;
+	begin(&scene);
+	scene.floor.y = 99.0f;
+	floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+	assert_false(sight.mesh.seen);
+	end(&scene);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ground_is_drawn_where_it_is),
+		cmocka_unit_test(test_the_mesh_covers_what_is_seen),
+		cmocka_unit_test(test_ground_above_the_eye_is_not_drawn),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

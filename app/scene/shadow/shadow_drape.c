@@ -1,0 +1,398 @@
+#include "app/scene/shadow/shadow_drape.h"
+
+#include "app/anim/math/vec.h"
+#include "app/scene/draw/triangle_list.h"
+#include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
+
+#include <cglm/cglm.h>
+
+#include <errno.h>
+
+enum {
+	EDGES_ALONG = 4, /* undivided edges along the figure's longest side */
+	DIVIDED_MAX = 2048, /* vertices that divisions may add to a sheet */
+	VERTICES_MAX = 65536,
+};
+
+#define UNUSED 0xFFFFFFFFu
+
+/* The corners of the longest list that may be drawn. */
+static int count_corners(const struct batch *batch)
+{
+	int most = batch->index ? batch->index_count : batch->vertex_count;
+
+	for (int i = 0; i < batch->lod_count; i++) {
+		int count = batch->lod[i].index_count;
+
+		most = count > most ? count : most;
+	}
+	for (int i = 0; i < batch->shadow_count; i++) {
+		int count = batch->shadow[i].index_count;
+
+		most = count > most ? count : most;
+	}
+	return most;
+}
+
+static int allocate(struct shadow_drape *drape, struct arena *arena,
+	int place_count, int vertex_count)
+{
+	size_t vertices = (size_t)vertex_count + DIVIDED_MAX;
+
+	drape->place = ARENA_ARRAY(arena, uint32_t, (size_t)place_count);
+	drape->posed = arena_alloc(arena, vertices, sizeof(float[3]));
+	drape->position = arena_alloc(arena, vertices, sizeof(float[3]));
+	drape->index = ARENA_ARRAY(arena, uint16_t, (size_t)drape->index_max);
+	return drape->place && drape->posed && drape->position && drape->index
+		? 0
+		: -ENOMEM;
+}
+
+static int make_sheets(struct shadow_drape *drape, struct instance *instance)
+{
+	int largest = 1, vertices = 0;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		for (int k = 0; k < drawable->batch_count; k++) {
+			const struct batch *batch = &drawable->batch[k];
+			int count = batch->vertex_count;
+
+			drape->sheet[drape->sheet_count++] =
+				(struct shadow_sheet){
+					.drawable = drawable, .batch = batch};
+			largest = count > largest ? count : largest;
+			vertices += count;
+			drape->index_max += count_corners(batch);
+		}
+	}
+	/* A division adds a triangle. */
+	drape->index_max += 3 * DIVIDED_MAX;
+	return allocate(drape, &instance->arena, largest, vertices);
+}
+
+int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
+	const struct log *log)
+{
+	struct bounds bounds = bounds_of_instance(instance);
+	int count = 0, error = -ENOMEM;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		count += instance->drawable[i].batch_count;
+	}
+	*drape = (struct shadow_drape){
+		.longest = bounds_extent(&bounds) / EDGES_ALONG,
+		.sheet = ARENA_ARRAY(&instance->arena, struct shadow_sheet,
+			(size_t)count + 1),
+	};
+	if (drape->sheet) {
+		error = make_sheets(drape, instance);
+	}
+	if (error) {
+		log_error(log,
+			"%s: there is not enough memory for the model's shadow",
+			instance->model->path);
+	}
+	return error;
+}
+
+static void find_posed(const struct shadow_sheet *sheet, const vec4 *matrix,
+	int vertex, float out[3])
+{
+	const struct batch *batch = sheet->batch;
+	float p[3];
+
+	if (batch->fixed_position) {
+		const struct fixed_placement *placement =
+			&sheet->drawable->fixed->placement;
+		const struct fixed_vector *v = &batch->fixed_position[vertex];
+
+		p[0] = (float)v->x * placement->scale + placement->offset[0];
+		p[1] = (float)v->y * placement->scale + placement->offset[1];
+		p[2] = (float)v->z * placement->scale + placement->offset[2];
+	} else {
+		memcpy(p, batch->position[vertex], sizeof(p));
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = matrix[0][axis] * p[0] + matrix[1][axis] * p[1] +
+			matrix[2][axis] * p[2] + matrix[3][axis];
+	}
+}
+
+static float find_square(const float a[3], const float b[3])
+{
+	float edge[3];
+
+	vec_subtract(a, b, edge);
+	return vec_dot(edge, edge);
+}
+
+/*
+ * Lists a triangle, or the two halves of it at its longest edge. Triangles on
+ * both sides of an edge divide it at the same point.
+ */
+static void add_triangle(struct shadow_drape *drape, struct shadow_sheet *sheet,
+	uint32_t a, uint32_t b, uint32_t c)
+{
+	float(*posed)[3] = sheet->posed;
+	float ab = find_square(posed[a], posed[b]);
+	float bc = find_square(posed[b], posed[c]);
+	float ca = find_square(posed[c], posed[a]);
+	float square = drape->longest * drape->longest;
+	uint32_t middle = (uint32_t)sheet->vertex_count;
+
+	if (!(ab > square || bc > square || ca > square) ||
+		drape->divisions_left == 0 || middle >= VERTICES_MAX) {
+		triangle_list_add(sheet->index + sheet->index_count, a, b, c);
+		sheet->index_count += 3;
+	} else if (bc > ab && bc >= ca) {
+		add_triangle(drape, sheet, b, c, a);
+	} else if (ca > ab) {
+		add_triangle(drape, sheet, c, a, b);
+	} else {
+		drape->divisions_left--;
+		sheet->vertex_count++;
+		vec_mix(posed[a], posed[b], 0.5f, posed[middle]);
+		add_triangle(drape, sheet, a, middle, c);
+		add_triangle(drape, sheet, middle, b, c);
+	}
+}
+
+/* Poses the vertices of the shadow's list, and numbers them as they come. */
+static uint32_t find_place(uint32_t *place, struct shadow_sheet *sheet,
+	const vec4 *matrix, uint32_t vertex)
+{
+	if (place[vertex] == UNUSED) {
+		place[vertex] = (uint32_t)sheet->vertex_count++;
+		find_posed(sheet, matrix, (int)vertex,
+			sheet->posed[place[vertex]]);
+	}
+	return place[vertex];
+}
+
+static void list_triangles(struct shadow_drape *drape,
+	struct shadow_sheet *sheet, const vec4 *matrix)
+{
+	const struct batch *batch = sheet->batch;
+	const struct batch_lod *lod = drawable_shadow(sheet->drawable, batch);
+	const uint16_t *index = lod ? lod->index : batch->index;
+	int count = lod ? lod->index_count
+		: index ? batch->index_count
+			: batch->vertex_count;
+	/* Read from the end, beyond what will have been written. */
+	uint16_t *listed = drape->index + drape->index_max - count;
+
+	memset(drape->place, 0xFF,
+		(size_t)batch->vertex_count * sizeof(*drape->place));
+	for (int i = 0; i < count; i++) {
+		listed[i] = (uint16_t)find_place(drape->place, sheet, matrix,
+			index ? index[i] : (uint32_t)i);
+	}
+	for (int i = 0; i + 2 < count; i += 3) {
+		add_triangle(
+			drape, sheet, listed[i], listed[i + 1], listed[i + 2]);
+	}
+}
+
+/*
+ * The distance from a point to the ground, down the light's direction. One step
+ * of the secant method from level ground leaves less than floor_mesh_error().
+ */
+static float distance_to_ground(
+	const struct shadow_light *light, const float from[3])
+{
+	const struct floor *ground = light->ground;
+	const float *towards = light->towards;
+	float per_height = 1.0f / towards[1];
+	float guess[2] = {(from[1] - ground->y) * per_height, 0.0f};
+	float height[2], slope;
+
+	for (int i = 0; i < 2; i++) {
+		height[i] = floor_height(ground, from[0] - towards[0] * guess[i],
+			from[2] - towards[2] * guess[i]);
+		if (i == 0) {
+			guess[1] = (from[1] - height[0]) * per_height;
+		}
+	}
+	slope = guess[1] == guess[0]
+		? 0.0f
+		: (height[1] - height[0]) / (guess[1] - guess[0]);
+	return guess[1] -
+		(height[1] - height[0]) /
+		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
+}
+
+static void lay_vertices(struct shadow_sheet *sheet,
+	const struct shadow_light *light, struct bounds *box)
+{
+	for (int i = 0; i < sheet->vertex_count; i++) {
+		const float *from = sheet->posed[i];
+		float *to = sheet->position[i];
+
+		vec_add_scaled(from, light->towards,
+			-distance_to_ground(light, from), to);
+		floor_lift(light->ground, light->eye, to);
+		bounds_add(box, to);
+	}
+}
+
+static float plane_distance(const float plane[4], const float from[3])
+{
+	return glm_vec3_dot((float *)plane, (float *)from) + plane[3];
+}
+
+/* All of the box is beyond the near plane, so the eye is outside of it. */
+static bool is_box_seen(const struct bounds *box, const float near_plane[4])
+{
+	bool seen = !bounds_is_empty(box);
+
+	for (int i = 0; i < 8; i++) {
+		const float corner[3] = {
+			i & 1 ? box->high[0] : box->low[0],
+			i & 2 ? box->high[1] : box->low[1],
+			i & 4 ? box->high[2] : box->low[2],
+		};
+
+		seen = seen && plane_distance(near_plane, corner) > 0.0f;
+	}
+	return seen;
+}
+
+static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
+	const struct instance *instance, const struct shadow_light *light)
+{
+	const struct drawable *drawable = sheet->drawable;
+	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+
+	if (drawable->skin < 0) {
+		instance_drawable_matrix(instance, drawable, matrix);
+	}
+	list_triangles(drape, sheet, (const vec4 *)matrix);
+	lay_vertices(sheet, light, &drape->box);
+}
+
+void shadow_drape_update(struct shadow_drape *drape,
+	const struct instance *instance, const struct shadow_light *light)
+{
+	int vertices = 0, indices = 0;
+
+	drape->box = bounds_empty();
+	drape->divisions_left = DIVIDED_MAX;
+	for (int i = 0; i < drape->sheet_count; i++) {
+		struct shadow_sheet *sheet = &drape->sheet[i];
+
+		sheet->vertex_count = sheet->index_count = 0;
+		sheet->posed = drape->posed + vertices;
+		sheet->position = drape->position + vertices;
+		sheet->index = drape->index + indices;
+		if (!sheet->drawable->hidden && light->towards[1] > 0.0f) {
+			lay_sheet(drape, sheet, instance, light);
+		}
+		vertices += sheet->vertex_count;
+		indices += sheet->index_count;
+	}
+	drape->box_seen = is_box_seen(&drape->box, light->near_plane);
+}
+
+/* Counts the shadow's triangles where the ground does not hide them. */
+static void count_sheets(const struct shadow_drape *drape, const struct gl *gl)
+{
+	gl->StencilFunc(GL_ALWAYS, 0, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	for (int i = 0; i < drape->sheet_count; i++) {
+		const struct shadow_sheet *sheet = &drape->sheet[i];
+
+		if (sheet->index_count > 0) {
+			gl->VertexPointer(3, GL_FLOAT, 0, sheet->position);
+			gl->DrawElements(GL_TRIANGLES, sheet->index_count,
+				GL_UNSIGNED_SHORT, sheet->index);
+		}
+	}
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+/* Covers the whole picture. */
+static void draw_picture(const struct gl *gl)
+{
+	static const int16_t corner[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->PushMatrix();
+	gl->LoadIdentity();
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->PushMatrix();
+	gl->LoadIdentity();
+	gl->Disable(GL_CULL_FACE);
+	gl->VertexPointer(2, GL_SHORT, 0, corner);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->PopMatrix();
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->PopMatrix();
+}
+
+/* Covers the pixels of the box once: those of its faces towards the eye. */
+static void draw_box(const struct gl *gl, const struct bounds *box)
+{
+	static const uint16_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
+		0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
+		3, 7, 5};
+	float corner[8][3];
+
+	for (int i = 0; i < 8; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			corner[i][axis] = i >> axis & 1 ? box->high[axis]
+							: box->low[axis];
+		}
+	}
+	gl->Enable(GL_CULL_FACE);
+	gl->VertexPointer(3, GL_FLOAT, 0, corner);
+	gl->DrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, index);
+	gl->Disable(GL_CULL_FACE);
+}
+
+/*
+ * Blends a dark colour over all pixels whose stencil is not 0, once: among the
+ * pixels that may have been counted, which lie in the sheets' box.
+ */
+static void darken(
+	const struct shadow_drape *drape, const struct gl *gl, float strength)
+{
+	gl->StencilFunc(GL_NOTEQUAL, 0, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+	gl->Disable(GL_DEPTH_TEST);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
+		fx16_from_float(strength));
+	if (drape->box_seen) {
+		draw_box(gl, &drape->box);
+	} else {
+		draw_picture(gl);
+	}
+	gl->Disable(GL_BLEND);
+	gl->Enable(GL_DEPTH_TEST);
+}
+
+void shadow_drape_draw(
+	const struct shadow_drape *drape, const struct gl *gl, float strength)
+{
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->Disable(GL_BLEND);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->DepthMask(GL_FALSE);
+	gl->Enable(GL_CULL_FACE);
+	count_sheets(drape, gl);
+	gl->Disable(GL_CULL_FACE);
+	darken(drape, gl, strength);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_STENCIL_TEST);
+}

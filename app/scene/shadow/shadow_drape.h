@@ -1,0 +1,75 @@
+/*
+ * Shadows on uneven ground: a figure's triangles, laid upon the ground.
+ *
+ * Each vertex of the lists that draw a figure's shadow moves down the light to
+ * the ground, and edges that are long against the figure are divided, so that
+ * the triangles follow the ground. What they cover is counted in the stencil
+ * and darkened once. They are drawn when the depth buffer holds the ground but
+ * not the figure, so the figure casts no shadow on itself.
+ */
+#ifndef APP_SCENE_SHADOW_SHADOW_DRAPE_H
+#define APP_SCENE_SHADOW_SHADOW_DRAPE_H
+
+#include "app/scene/instance/bounds.h"
+#include "app/scene/instance/instance.h"
+#include "app/scene/stage/floor.h"
+#include "platform/gl/gl.h"
+
+/* The shadow of one batch; the arrays are parts of the drape's. */
+struct shadow_sheet {
+	const struct drawable *drawable;
+	const struct batch *batch;
+	int vertex_count, index_count;
+	float (*posed)[3];
+	float (*position)[3]; /* on the ground, scene units */
+	uint16_t *index;
+};
+
+struct shadow_drape {
+	int sheet_count;
+	struct shadow_sheet *sheet;
+	float longest;     /* undivided edge */
+	struct bounds box; /* around all sheets */
+	bool box_seen;     /* its faces cover all pixels that it covers */
+
+	uint32_t *place; /* of a batch's vertices in posed */
+	float (*posed)[3], (*position)[3];
+	uint16_t *index;
+	int index_max;
+	int divisions_left; /* of an update */
+};
+
+/* Scene units. */
+struct shadow_light {
+	float towards[3]; /* unit vector to the light */
+	float eye[3];
+	float near_plane[4]; /* from camera_near_plane() */
+	const struct floor *ground;
+};
+
+/*
+ * Allocates the sheets in the instance's arena. Edges are divided when they are
+ * longer than a part of the instance as it was last updated. Returns 0, or
+ * -ENOMEM after logging an error.
+ */
+int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
+	const struct log *log);
+
+/*
+ * Lays the shadow of the instance, as it was last updated, upon the ground. It
+ * is moved towards the eye by no more than keeps the ground's triangles from
+ * hiding it. Allocates nothing. A light at or below the horizon casts none.
+ */
+void shadow_drape_update(struct shadow_drape *drape,
+	const struct instance *instance, const struct shadow_light *light);
+
+/*
+ * Darkens the ground in the shadow by strength, 0..1. Expects a cleared stencil
+ * buffer, the camera's model-view matrix, and a depth buffer with whatever
+ * receives the shadow or hides it. Leaves the stencil test off and the stencil
+ * buffer changed.
+ */
+void shadow_drape_draw(
+	const struct shadow_drape *drape, const struct gl *gl, float strength);
+
+#endif

@@ -1,0 +1,145 @@
+#include "app/scene/stage/floor_mesh.h"
+
+#include "app/scene/draw/triangle_list.h"
+#include "app/scene/stage/floor_view.h"
+#include "platform/base/scalar.h"
+
+/* Rows: of the nearest ground, where it begins to fade, where it ends. */
+struct extent {
+	float near, fading, end;
+};
+
+/*
+ * The row of the plane's point below ground that is seen in a row and rises
+ * above the plane by so much. The row's ray falls.
+ */
+static float find_below(const struct floor_view *view, float slope, float rise)
+{
+	float fall = view->sine - view->cosine * slope;
+	float depth = (view->height - rise) / fall;
+
+	return (slope * depth - rise * view->cosine) /
+		(depth + rise * view->sine);
+}
+
+static bool falls(const struct floor_view *view, float slope)
+{
+	return view->sine - view->cosine * slope > 1e-3f;
+}
+
+/* The nearest row whose ground can be seen at the picture's lower edge. */
+static float find_near(const struct floor_view *view, float wave_height)
+{
+	float nearest = floor_view_slope(view, view->near);
+	float low, high;
+
+	/* Waves may hide whatever is beyond the near plane. */
+	if (!falls(view, view->bottom) || view->height < 1.5f * wave_height) {
+		return nearest;
+	}
+	low = find_below(view, view->bottom, -wave_height);
+	high = find_below(view, view->bottom, wave_height);
+	low = low < high ? low : high;
+	return low > nearest ? low : nearest;
+}
+
+static float find_top(const struct floor_view *view, float wave_height)
+{
+	float low, high;
+
+	if (!falls(view, view->top) || view->height < 1.5f * wave_height) {
+		return view->top;
+	}
+	low = find_below(view, view->top, -wave_height);
+	high = find_below(view, view->top, wave_height);
+	return low > high ? low : high;
+}
+
+static struct extent find_extent(
+	const struct floor_view *view, const struct floor_mesh_ground *ground)
+{
+	struct extent extent = {.near = find_near(view, ground->wave_height)};
+	float far = floor_view_slope(view, view->far);
+	float top = find_top(view, ground->wave_height);
+
+	extent.end = floor_view_slope_ahead(view, ground->end);
+	extent.end = far < extent.end ? far : extent.end;
+	extent.end = top < extent.end ? top : extent.end;
+	extent.fading =
+		scalar_clamp(floor_view_slope_ahead(view, ground->opaque_end),
+			extent.near, extent.end);
+	return extent;
+}
+
+static float slope_of_row(const struct extent *extent, int row)
+{
+	float left = 1.0f - (float)row / FLOOR_OPAQUE_ROWS;
+	float fading = (float)(row - FLOOR_OPAQUE_ROWS) / FLOOR_FADING_ROWS;
+
+	return row < FLOOR_OPAQUE_ROWS
+		? extent->fading +
+			(extent->near - extent->fading) * left *
+				scalar_sqrt(left)
+		: extent->fading + (extent->end - extent->fading) * fading;
+}
+
+static void place_row(struct floor_mesh *mesh, const struct floor_view *view,
+	const struct floor_mesh_ground *ground, int row, float slope)
+{
+	int first = row * (FLOOR_COLUMNS + 1);
+	float left = ground->end - floor_view_ahead(view, slope);
+	float alpha = scalar_clamp(
+		left / (ground->end - ground->opaque_end), 0.0f, 1.0f);
+	float depth = floor_view_depth(view, slope);
+	/* Ground in a trough is farther away, where the picture is wider. */
+	float wider = 1.0f + ground->wave_height * view->sine / depth;
+
+	for (int i = 0; i <= FLOOR_COLUMNS; i++) {
+		float across = view->left +
+			(view->right - view->left) * (float)i / FLOOR_COLUMNS;
+
+		floor_view_unproject(
+			view, slope, across * wider, mesh->position[first + i]);
+		mesh->position[first + i][1] = ground->y;
+		mesh->alpha[first + i] = row <= FLOOR_OPAQUE_ROWS
+			? 255
+			: (uint8_t)(alpha * 255.0f + 0.5f);
+	}
+}
+
+void floor_mesh_find(struct floor_mesh *mesh, const struct camera *camera,
+	int width, int height, const struct floor_mesh_ground *ground)
+{
+	struct floor_view view;
+	struct extent extent;
+
+	mesh->seen = false;
+	floor_view_init(&view, camera, width, height, ground->y);
+	if (view.height <= 0.0f) {
+		return;
+	}
+	extent = find_extent(&view, ground);
+	if (!(extent.near < extent.end)) {
+		return;
+	}
+	mesh->seen = true;
+	for (int row = 0; row <= FLOOR_ROWS; row++) {
+		place_row(mesh, &view, ground, row, slope_of_row(&extent, row));
+	}
+}
+
+void floor_mesh_list(uint16_t index[FLOOR_INDICES])
+{
+	uint16_t *next = index;
+
+	for (int row = 0; row < FLOOR_ROWS; row++) {
+		for (int column = 0; column < FLOOR_COLUMNS; column++) {
+			uint32_t a =
+				(uint32_t)(row * (FLOOR_COLUMNS + 1) + column);
+			uint32_t far = a + FLOOR_COLUMNS + 1;
+
+			next = triangle_list_add(next, a, a + 1, far);
+			next = triangle_list_add(next, a + 1, far + 1, far);
+		}
+	}
+}

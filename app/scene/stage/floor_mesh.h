@@ -1,0 +1,49 @@
+/*
+ * The part of uneven ground that a camera sees, as a mesh.
+ *
+ * Its rows and columns are regular in the picture, the rows denser towards the
+ * horizon, so that triangles are about equally large wherever the camera is,
+ * and none is out of view. Like the strips of level ground, the near rows are
+ * opaque and the far ones fade out.
+ */
+#ifndef APP_SCENE_STAGE_FLOOR_MESH_H
+#define APP_SCENE_STAGE_FLOOR_MESH_H
+
+#include "app/scene/stage/camera.h"
+
+enum {
+	FLOOR_OPAQUE_ROWS = 12,
+	FLOOR_FADING_ROWS = 3,
+	FLOOR_ROWS = FLOOR_OPAQUE_ROWS + FLOOR_FADING_ROWS,
+	FLOOR_COLUMNS = 4,
+	FLOOR_VERTICES = (FLOOR_ROWS + 1) * (FLOOR_COLUMNS + 1),
+	FLOOR_OPAQUE_INDICES = FLOOR_OPAQUE_ROWS * FLOOR_COLUMNS * 6,
+	FLOOR_INDICES = FLOOR_ROWS * FLOOR_COLUMNS * 6,
+};
+
+struct floor_mesh {
+	bool seen;                         /* the rest is valid */
+	float position[FLOOR_VERTICES][3]; /* scene units */
+	uint8_t alpha[FLOOR_VERTICES];
+};
+
+/* Where the ground is; lengths are in scene units. */
+struct floor_mesh_ground {
+	float y;           /* the height of level ground */
+	float wave_height; /* greatest distance from y */
+	/* Level distances ahead of the eye: where it fades, where it ends. */
+	float opaque_end, end;
+};
+
+/*
+ * Computes the vertices of the level mesh: at every height up to wave_height
+ * above or below it, they still surround what the camera sees. A camera in or
+ * under the waves may see where the mesh begins.
+ */
+void floor_mesh_find(struct floor_mesh *mesh, const struct camera *camera,
+	int width, int height, const struct floor_mesh_ground *ground);
+
+/* Writes the triangles' corners, of near rows first. */
+void floor_mesh_list(uint16_t index[FLOOR_INDICES]);
+
+#endif

@@ -1,0 +1,322 @@
+#include "app/anim/math/vec.h"
+#include "app/scene/shadow/shadow_drape.h"
+#include "platform/base/fixed.h"
+#include "platform/gl/gl_context.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	PICTURE = 96
+};
+
+struct cast {
+	struct model *model;
+	struct instance *instance;
+	struct shadow_drape drape;
+};
+
+static struct cast begin(struct model *model)
+{
+	struct log nowhere = log_to_nowhere();
+	struct cast cast = {.model = model};
+
+	assert_int_equal(instance_create(model, kernel_find(NULL), &nowhere,
+				 &cast.instance),
+		0);
+	assert_int_equal(
+		shadow_drape_init(&cast.drape, cast.instance, &nowhere), 0);
+	return cast;
+}
+
+static void end(struct cast *cast)
+{
+	instance_destroy(cast->instance);
+	model_destroy(cast->model);
+}
+
+/* A unit cube with eight vertices. */
+static struct model *make_cube(void)
+{
+	static const uint32_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
+		0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
+		3, 7, 5};
+	struct model *model = small_model_grid(3, 2, 1.0f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+
+	primitive->vertex_count = 8;
+	primitive->index_count = 36;
+	memcpy(primitive->index, index, sizeof(index));
+	for (int i = 0; i < 8; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			primitive->position[i][axis] = i >> axis & 1 ? 1 : 0;
+		}
+	}
+	return model;
+}
+
+/* Where a ray down the light meets the ground, found by halving. */
+static void find_ground(
+	const struct shadow_light *light, const float from[3], float out[3])
+{
+	float above = -20.0f, below = 20.0f;
+
+	for (int i = 0; i < 60; i++) {
+		float middle = 0.5f * (above + below);
+
+		vec_add_scaled(from, light->towards, -middle, out);
+		if (out[1] > floor_height(light->ground, out[0], out[2])) {
+			above = middle;
+		} else {
+			below = middle;
+		}
+	}
+}
+
+/* Of a point from the line through two others. */
+static float distance_to_line(
+	const float at[3], const float a[3], const float b[3])
+{
+	float along[3], to[3], across[3];
+
+	vec_subtract(b, a, along);
+	vec_subtract(at, a, to);
+	vec_cross(along, to, across);
+	return vec_length(across) / vec_length(along);
+}
+
+static void test_a_shadow_is_seen_where_the_light_meets_the_ground(void **state)
+{
+	static struct floor floor = {
+		.y = -2.0f, .tile = 1.0f, .radius = 9.0f, .wave_height = 0.5f};
+	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.eye = {1.0f, 3.0f, 9.0f},
+		.ground = &floor};
+	struct cast cast = begin(make_cube());
+	const struct shadow_sheet *sheet = &cast.drape.sheet[0];
+
+	(void)state;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.sheet_count, 1);
+	assert_true(sheet->vertex_count > 8);
+	for (int v = 0; v < sheet->vertex_count; v++) {
+		float ground[3], lifted[3], away[3];
+
+		find_ground(&light, sheet->posed[v], ground);
+		assert_true(distance_to_line(sheet->position[v], light.eye,
+				    ground) < 0.02f);
+		/* It is a little nearer to the eye. */
+		vec_subtract(ground, sheet->position[v], lifted);
+		vec_subtract(ground, light.eye, away);
+		assert_true(vec_dot(lifted, away) > 0.0f);
+		assert_true(vec_length(lifted) < 0.11f * vec_length(away));
+	}
+	end(&cast);
+}
+
+/* A closed surface has each edge equally often in both directions. */
+static void assert_closed(const struct shadow_sheet *sheet)
+{
+	for (int i = 0; i < sheet->index_count; i++) {
+		const float *a = sheet->posed[sheet->index[i]];
+		const float *b =
+			sheet->posed[sheet->index[i / 3 * 3 + (i + 1) % 3]];
+		int balance = 0;
+
+		for (int j = 0; j < sheet->index_count; j++) {
+			const float *c = sheet->posed[sheet->index[j]];
+			const float *d =
+				sheet->posed[sheet->index[j / 3 * 3 + (j + 1) % 3]];
+
+			balance +=
+				memcmp(a, c, 12) == 0 && memcmp(b, d, 12) == 0;
+			balance -=
+				memcmp(a, d, 12) == 0 && memcmp(b, c, 12) == 0;
+		}
+		assert_int_equal(balance, 0);
+	}
+}
+
+static void test_long_edges_are_divided_without_gaps(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f};
+	const struct shadow_light light = {.towards = {0.36f, 0.48f, 0.8f},
+		.eye = {0.0f, 3.0f, 9.0f},
+		.ground = &floor};
+	struct cast cast = begin(make_cube());
+	const struct shadow_sheet *sheet = &cast.drape.sheet[0];
+
+	(void)state;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_near(cast.drape.longest, 0.25, 1e-5);
+	for (int i = 0; i < sheet->index_count; i++) {
+		const float *a = sheet->posed[sheet->index[i]];
+		const float *b =
+			sheet->posed[sheet->index[i / 3 * 3 + (i + 1) % 3]];
+		float edge[3];
+
+		vec_subtract(a, b, edge);
+		assert_true(vec_length(edge) < 0.25f + 1e-5f);
+	}
+	assert_closed(sheet);
+	end(&cast);
+}
+
+static void test_divisions_end_where_memory_does(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f};
+	const struct shadow_light light = {.towards = {0.36f, 0.48f, 0.8f},
+		.eye = {0.0f, 3.0f, 9.0f},
+		.ground = &floor};
+	struct cast cast = begin(make_cube());
+	const struct shadow_sheet *sheet = &cast.drape.sheet[0];
+
+	(void)state;
+	cast.drape.longest = 0.0f;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.divisions_left, 0);
+	assert_true(sheet->index_count <= cast.drape.index_max);
+	assert_int_equal(sheet->index_count, 36 + 3 * (sheet->vertex_count - 8));
+	end(&cast);
+}
+
+static void test_no_light_from_above_casts_no_shadow(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f};
+	struct shadow_light light = {
+		.towards = {1.0f, 0.0f, 0.0f}, .ground = &floor};
+	struct cast cast = begin(make_cube());
+
+	(void)state;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.sheet[0].index_count, 0);
+	light.towards[1] = 0.5f;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_true(cast.drape.sheet[0].index_count > 0);
+	cast.instance->drawable[0].hidden = true;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.sheet[0].index_count, 0);
+	end(&cast);
+}
+
+/* Draws from above; the picture is 8 units a side. */
+static void look_down(const struct gl *gl)
+{
+	static const GLfixed down[16] = {FX16_ONE / 4, 0, 0, 0, 0, 0,
+		-FX16_ONE / 4, 0, 0, -FX16_ONE / 4, 0, 0, 0, 0, 0, FX16_ONE};
+
+	gl->ClearColorx(0, 0, 0, FX16_ONE);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+		GL_STENCIL_BUFFER_BIT);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->LoadIdentity();
+	gl->MultMatrixx(down);
+}
+
+/*
+ * Draws white ground with the shadow, and a white roof over the ground's left
+ * part, up to x. Returns the number of dark pixels.
+ */
+static int draw_shadow(struct gl_context *context, struct pixels *picture,
+	const struct shadow_drape *drape, int16_t roof)
+{
+	const int16_t ground[4][3] = {
+		{-4, -1, -4}, {-4, -1, 4}, {4, -1, -4}, {4, -1, 4}};
+	const int16_t cover[4][3] = {
+		{-4, 0, -4}, {-4, 0, 4}, {roof, 0, -4}, {roof, 0, 4}};
+	const struct gl *gl = &context->gl;
+	int dark = 0;
+
+	assert_int_equal(context->driver->begin_frame(context, picture), 0);
+	look_down(gl);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->Disable(GL_CULL_FACE);
+	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(3, GL_SHORT, 0, ground);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	gl->VertexPointer(3, GL_SHORT, 0, cover);
+	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	shadow_drape_draw(drape, gl, 0.5f);
+	context->driver->end_frame(context);
+	for (int i = 0; i < PICTURE * PICTURE; i++) {
+		uint8_t value = picture->data[4 * i];
+
+		dark += value > 0 && value < 200;
+		assert_true(value == 0 || value > 100);
+	}
+	return dark;
+}
+
+static void test_ground_that_is_seen_is_darkened_once(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f, .radius = 9.0f};
+	struct log log = log_to_nowhere();
+	struct cast cast = begin(make_cube());
+	struct pixels picture;
+	struct gl_context *context;
+	struct shadow_light light = {.towards = {0.36f, 0.8f, 0.48f},
+		.eye = {0.0f, 100.0f, 0.0f},
+		.ground = &floor,
+		.near_plane = {0.0f, 0.0f, 0.0f, 1.0f}};
+
+	(void)state;
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){.format = PIXELS_RGBA8888,
+					 .log = &log},
+				 &context),
+		0);
+	assert_int_equal(
+		pixels_alloc(&picture, PICTURE, PICTURE, PIXELS_RGBA8888, &log),
+		0);
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	for (int seen = 1; seen >= 0; seen--) {
+		assert_true(cast.drape.box_seen == (seen == 1));
+		/* 1 + 0.45 + 0.6 square units of 144 pixels. */
+		assert_in_range(draw_shadow(context, &picture, &cast.drape, -3),
+			270, 330);
+		/* The shadow extends from x = -0.9 to 0.55. */
+		assert_int_equal(
+			draw_shadow(context, &picture, &cast.drape, 1), 0);
+		assert_in_range(
+			draw_shadow(context, &picture, &cast.drape, 0), 1, 200);
+		light.near_plane[3] = -1.0f;
+		shadow_drape_update(&cast.drape, cast.instance, &light);
+	}
+	free(picture.data);
+	context->driver->destroy(context);
+	end(&cast);
+}
+
+static void test_a_part_of_many_vertices_casts_a_shadow(void **state)
+{
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f};
+	const struct shadow_light light = {
+		.towards = {0.0f, 0.6f, 0.8f}, .ground = &floor};
+	struct cast cast = begin(small_model_grid(255, 255, 1.0f, true));
+	const struct shadow_sheet *sheet = &cast.drape.sheet[0];
+
+	(void)state;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.sheet_count, 1);
+	assert_true(sheet->index_count > 0);
+	assert_true(sheet->vertex_count <= 65536);
+	end(&cast);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_shadow_is_seen_where_the_light_meets_the_ground),
+		cmocka_unit_test(test_long_edges_are_divided_without_gaps),
+		cmocka_unit_test(test_divisions_end_where_memory_does),
+		cmocka_unit_test(test_no_light_from_above_casts_no_shadow),
+		cmocka_unit_test(test_ground_that_is_seen_is_darkened_once),
+		cmocka_unit_test(test_a_part_of_many_vertices_casts_a_shadow),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

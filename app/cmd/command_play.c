@@ -1,9 +1,11 @@
 #include "app/cmd/command.h"
 #include "app/cmd/show/show.h"
 
-static int run(const struct options *options, const struct log *log)
+static int show(const struct options *options, struct failsafe *failsafe,
+	const struct log *log)
 {
 	struct show_plan plan = {
+		.failsafe = failsafe,
 		.display = options->screen.display,
 		.clock = options->show.clock,
 		.begin_s = options->motion.time_s,
@@ -21,6 +23,17 @@ static int run(const struct options *options, const struct log *log)
 		plan.clock.start_s = plan.begin_s;
 	}
 	return show_run(&plan, options, log);
+}
+
+static int run(const struct options *options, const struct log *log)
+{
+	struct options shown = *options;
+	struct failsafe failsafe =
+		failsafe_begin(&shown, clock_monotonic_ns() / 1000000, log);
+	int status = show(&shown, &failsafe, log);
+
+	failsafe_end(&failsafe, status == EXIT_OK);
+	return status;
 }
 
 const struct command command_play = {

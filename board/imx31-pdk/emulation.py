@@ -188,6 +188,15 @@ class Wires:
         self.lines.close()
 
 
+# The word that opens a shell on the console (rootfs/usr/sbin/console).
+SHELL = "limber.shell"
+
+
+def tree_arguments(tree):
+    """The kernel's command line in a device tree."""
+    return re.search(rb"console=[^\0]+", tree.read_bytes())[0].decode()
+
+
 # What `flash.sh write` prints for the kernel in the NAND (flash/files.sh).
 NAND_ARGUMENTS = ("console=ttymxc0,115200 panic=5 ubi.mtd=rootfs "
                   "root=ubi0:rootfs rootfstype=ubifs ro")
@@ -224,13 +233,15 @@ class Machine:
         self.asked = 0
 
     def start(self, image, extra=(), arguments=None, tree=None, nand=None,
-              icount=False, reboot=True, power=True, more=()):
+              icount=False, reboot=True, power=True, open_shell=True,
+              more=()):
         """Boots image, or, when the file nand is given, what its NAND holds.
         extra are further initramfs archives, whose files replace those of the
         image. arguments replaces the kernel's command line, tree the device
-        tree. With icount an instruction takes 4 ns of the guest's time. Without
-        reboot a reset ends QEMU. Without power the board waits for power_on().
-        more are further arguments for QEMU."""
+        tree; with open_shell the console has a shell. With icount an instruction
+        takes 4 ns of the guest's time. Without reboot a reset ends QEMU. Without
+        power the board waits for power_on(). more are further arguments for
+        QEMU."""
         self.folder.mkdir(parents=True, exist_ok=True)
         if self.pid():
             raise Error(f"a board runs in {self.folder} already: stop it first")
@@ -238,10 +249,10 @@ class Machine:
                      "devices.log"):
             (self.folder / name).unlink(missing_ok=True)
         if nand:
-            start = self.from_nand(nand, arguments)
+            start = self.from_nand(nand, arguments, open_shell)
         else:
             start = self.from_files(pathlib.Path(image).resolve(), extra,
-                                    arguments, tree)
+                                    arguments, tree, open_shell)
         command = qemu_command(self.kind, start, icount, reboot, more)
         with open(self.folder / "qemu.log", "wb") as log:
             self.process = subprocess.Popen(
@@ -257,7 +268,7 @@ class Machine:
             self.power_on()
         return self
 
-    def from_files(self, image, extra, arguments, tree):
+    def from_files(self, image, extra, arguments, tree, shell):
         with open(self.folder / "initrd", "wb") as out:
             for part in (image / "initramfs.cpio.lz4", *extra):
                 data = pathlib.Path(part).read_bytes()
@@ -265,16 +276,18 @@ class Machine:
                 # at a multiple of four bytes.
                 out.write(data + b"\0" * (4 + -len(data) % 4))
         tree = pathlib.Path(tree or image / "imx31-pdk-limber.dtb").resolve()
+        arguments = arguments or tree_arguments(tree)
         return ["-kernel", str(image / "zImage"), "-dtb", str(tree),
-                "-initrd", "initrd",
-                *(["-append", arguments] if arguments else [])]
+                "-initrd", "initrd", "-append",
+                arguments + f" {SHELL}" * shell]
 
-    def from_nand(self, nand, arguments):
+    def from_nand(self, nand, arguments, shell):
         if self.kind is not machines.Pdk:
             raise Error("QEMU's machine kzm has no NAND: build the machine "
                         "imx31-pdk with make emulator")
         return self.kind.from_nand(pathlib.Path(nand).resolve(),
-                                   arguments or NAND_ARGUMENTS)
+                                   (arguments or NAND_ARGUMENTS)
+                                   + f" {SHELL}" * shell)
 
     def wait_for_sockets(self):
         for _ in range(600):

@@ -3,13 +3,43 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/watchdog.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/ioctl.h>
 
 enum {
+	EARLIER_S = 2,
+	LONGEST_S = 3600,
 	USUAL_PERIOD_MS = 1000,
 	SHORT_PERIOD_MS = 250
 };
+
+/*
+ * Ends the process by SIGALRM if it is not called again in time. A process that
+ * cannot be ended so is left to the device.
+ */
+static void limit_silence(const struct watchdog *watchdog)
+{
+	const struct itimerspec until = {
+		.it_value = {.tv_sec = watchdog->limit_s}};
+
+	if (watchdog->limit_s) {
+		(void)timer_settime(watchdog->timer, 0, &until, NULL);
+	}
+}
+
+/* A device may give any number of seconds. */
+static void choose_limit(struct watchdog *watchdog, int timeout_s)
+{
+	struct sigevent alarm = {
+		.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGALRM};
+
+	if (timeout_s > 2 * EARLIER_S && timeout_s <= LONGEST_S &&
+		timer_create(CLOCK_MONOTONIC, &alarm, &watchdog->timer) == 0) {
+		watchdog->limit_s = timeout_s - EARLIER_S;
+	}
+	limit_silence(watchdog);
+}
 
 struct watchdog watchdog_none(void)
 {
@@ -55,6 +85,7 @@ int watchdog_open(struct watchdog *out, const char *path,
 		if (timeout_s == 1) {
 			out->period_ms = SHORT_PERIOD_MS;
 		}
+		choose_limit(out, timeout_s);
 	}
 	return 0;
 }
@@ -67,6 +98,7 @@ void watchdog_feed(struct watchdog *watchdog, int64_t now_ms)
 		return;
 	}
 	watchdog->fed_ms = now_ms;
+	limit_silence(watchdog);
 	/* Any byte feeds it except 'V', which allows it to be stopped. */
 	if (watchdog->calls->write(watchdog->fd, "", 1) != 1 && errno != EINTR) {
 		log_warning(&watchdog->log,
@@ -79,6 +111,9 @@ void watchdog_close(struct watchdog *watchdog)
 {
 	if (watchdog->fd < 0) {
 		return;
+	}
+	if (watchdog->limit_s) {
+		(void)timer_delete(watchdog->timer);
 	}
 	if (watchdog->calls->write(watchdog->fd, "V", 1) != 1) {
 		log_warning(&watchdog->log,

@@ -5,11 +5,17 @@
  * stop. The kernel sets its timeout (imx2_wdt.timeout=SECONDS on the kernel's
  * command line). limber does not set it, because in emulation that stops the
  * i.MX31's watchdog.
+ *
+ * Two seconds before the device would restart the board, a process that does
+ * not feed it is ended by SIGALRM, so that init can start it again. That does
+ * not help a process which the kernel has stopped, and there is no time for it
+ * with a timeout below five seconds.
  */
 #ifndef PLATFORM_WATCHDOG_WATCHDOG_H
 #define PLATFORM_WATCHDOG_WATCHDOG_H
 
 #include <stdint.h>
+#include <time.h>
 
 #include "platform/base/log.h"
 #include "platform/base/survey.h"
@@ -22,6 +28,8 @@ struct watchdog {
 	int fd;            /* -1: no watchdog */
 	int64_t period_ms; /* shortest time between two writes */
 	int64_t fed_ms;    /* time of the last write */
+	int limit_s;       /* without feeding; 0: there is no timer */
+	timer_t timer;
 };
 
 /* Returns a watchdog without a device; feeding and closing it does nothing. */

@@ -29,7 +29,7 @@ static const struct {
 		{"display", "size", "format", "gl", "egl-library",
 			"gles-library", "fps", "labels"}},
 	{"camera", {"camera", "camera-use"}},
-	{"watchdog", {"watchdog"}},
+	{"watchdog", {"watchdog", "failsafe", "user"}},
 	{"math", {"math", "kernel", "influences", "lod"}},
 };
 

@@ -113,6 +113,8 @@ struct options_show {
 	const char *record;
 	const char *stats;
 	const char *watchdog;
+	const char *failsafe;
+	const char *user; /* to become, once the devices are open */
 	bool no_labels;
 	bool hud;
 	struct overlay_choice overlays;

@@ -3,6 +3,7 @@
 #include "app/cmd/show/show_state.h"
 #include "platform/process/confine.h"
 #include "platform/process/stop.h"
+#include "platform/process/user.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -136,15 +137,21 @@ static int complete_output(struct show *show)
  * Everything but the model and the films is open. A desktop's windows open
  * sockets later; the user may keep a picture anywhere.
  */
-static void confine(const struct show *show)
+static int confine(const struct show *show)
 {
+	const char *user = show->options->show.user;
+	int error = user ? user_become(user, show->log) : 0;
+
 	const struct confine_request request = {
 		.writes_anywhere = true,
 		.connects = show->screen.driver->get_surface ||
 			strcmp(show->screen.driver->name, "window") == 0,
 	};
 
-	(void)confine_process(&request, show->log);
+	if (!error) {
+		(void)confine_process(&request, show->log);
+	}
+	return error;
 }
 
 /* Runs the show once everything is open. */
@@ -189,8 +196,10 @@ static int open_and_run(struct show *show)
 	if (error) {
 		goto out_screen;
 	}
-	confine(show);
-	error = open_demo(show);
+	error = confine(show);
+	if (!error) {
+		error = open_demo(show);
+	}
 	if (error) {
 		goto out_hud;
 	}

@@ -5,6 +5,7 @@
 #define APP_CMD_SHOW_SHOW_H
 
 #include "app/cmd/options/options.h"
+#include "app/cmd/show/failsafe.h"
 #include "app/demo/demo.h"
 
 enum {
@@ -25,6 +26,7 @@ struct show_plan {
 	bool follow_file; /* show the model anew when its file changes */
 	bool may_save;    /* a button may write a file */
 	bool progress;    /* show a progress bar on a terminal */
+	struct failsafe *failsafe; /* to be fed, or NULL */
 };
 
 /*

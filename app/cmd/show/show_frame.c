@@ -3,14 +3,35 @@
 
 #include <errno.h>
 
-/* Draws the labels and the graph of frame times, unless both are hidden. */
+/* Says over the middle of the picture why it shows the built-in demo. */
+static void draw_notice(struct show *show, int width, int height)
+{
+	struct hud *hud = show->hud;
+	int em = hud_em(hud), line = hud_line_height(hud);
+	int top = height / 2 - line;
+	char text[FAILSAFE_NAME_BYTES + 64];
+
+	snprintf(text, sizeof(text), "%s ended limber %d times within",
+		show->plan->failsafe->name, FAILSAFE_STARTS);
+	hud_panel(hud, em, top - em / 2, width - 2 * em, 2 * line + em, em / 2,
+		hud_color_panel);
+	hud_text_cut(hud, 2 * em, top, width - 4 * em, hud_color_amber, text);
+	hud_text_cut(hud, 2 * em, top + line, width - 4 * em, hud_color_amber,
+		"a minute of its start, so this is a demo");
+}
+
+/*
+ * Draws the notice, the labels and the graph of frame times, unless there is
+ * none of them.
+ */
 static void draw_hud(struct show *show, int width, int height)
 {
 	const struct demo_driver *driver = show->plan->demo;
 	const struct demo_facts facts = demo_get_facts(driver, show->demo);
 	bool labelled = !show->options->show.no_labels;
+	bool noticed = show->plan->failsafe && show->plan->failsafe->gives_way;
 
-	if (!labelled && !show->watch.shown) {
+	if (!labelled && !show->watch.shown && !noticed) {
 		return;
 	}
 	hud_begin(show->hud, width, height);
@@ -20,6 +41,9 @@ static void draw_hud(struct show *show, int width, int height)
 	}
 	frame_watch_show(&show->watch, &facts, show->screen.gl->driver->name,
 		labelled ? NULL : governor_text(&show->governor), show->hud);
+	if (noticed) {
+		draw_notice(show, width, height);
+	}
 	hud_end(show->hud, &show->screen.gl->gl);
 }
 

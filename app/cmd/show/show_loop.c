@@ -11,7 +11,12 @@ enum {
 /* Feeding only here lets the watchdog act when frames stop. */
 static void feed_watchdog(struct show *show)
 {
-	watchdog_feed(&show->watchdog, clock_monotonic_ns() / 1000000);
+	int64_t now_ms = clock_monotonic_ns() / 1000000;
+
+	watchdog_feed(&show->watchdog, now_ms);
+	if (show->plan->failsafe) {
+		failsafe_feed(show->plan->failsafe, now_ms);
+	}
 }
 
 /* Updates the demo up to the first frame that is shown, without drawing. */

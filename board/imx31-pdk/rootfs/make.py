@@ -5,7 +5,8 @@ It writes the tree to DIR/root, for the flash image, and to DIR/list a list of
 it for the kernel's gen_init_cpio, which can make device nodes and owners
 without being root. The libraries that a program needs (DT_NEEDED) are copied
 from the sysroot, and those that they need; OPENED names the libraries that
-limber opens at run time.
+limber opens at run time. The environment's CONSOLE_PASSWORD lets root log in on
+the console.
 """
 import os
 import pathlib
@@ -73,6 +74,16 @@ class Tree:
         # The kernel starts /init of an initramfs.
         self.link("init", "sbin/init")
 
+    def password(self, password):
+        """Lets root log in on the console."""
+        shadow = self.root / "etc/shadow"
+        secret = subprocess.run(
+            ["qemu-arm", str(self.sysroot / "usr/bin/busybox"), "mkpasswd",
+             "-m", "sha512", "-P", "0"], input=password + "\n", check=True,
+            stdout=subprocess.PIPE, text=True).stdout.strip()
+        shadow.write_text(shadow.read_text().replace(
+            "root:!:", f"root:{secret}:", 1))
+
 
 def collect(sysroot, limber, assets, root):
     tree = Tree(sysroot, root)
@@ -85,6 +96,8 @@ def collect(sysroot, limber, assets, root):
         tree.file(asset, "usr/share/limber/" + asset.name, 0o644)
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644
+        if path.name == "shadow":
+            mode = 0o600
         tree.file(path, str(path.relative_to(HERE)), mode)
     settings = HERE.parent / "limber.conf"
     if settings.exists():
@@ -92,6 +105,8 @@ def collect(sysroot, limber, assets, root):
     tree.link("tmp", "run/tmp")
     tree.link("var", "run")
     os.symlink("/proc/mounts", root / "etc/mtab")
+    if password := os.environ.get("CONSOLE_PASSWORD"):
+        tree.password(password)
     for path in root.rglob("*"):
         os.utime(path, (0, 0), follow_symlinks=False)
 

@@ -4,10 +4,15 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <linux/watchdog.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
 
 /* A simulated watchdog and what was written to it. */
 static struct {
@@ -119,6 +124,70 @@ static void test_a_timeout_of_one_second_is_met(void **state)
 	watchdog_close(&watchdog);
 }
 
+static double seconds_left(const struct watchdog *watchdog)
+{
+	struct itimerspec left = {0};
+
+	assert_int_equal(timer_gettime(watchdog->timer, &left), 0);
+	return (double)left.it_value.tv_sec +
+		(double)left.it_value.tv_nsec * 1e-9;
+}
+
+static void test_feeding_moves_the_end_of_a_silent_process(void **state)
+{
+	const struct timespec pause = {.tv_nsec = 20000000};
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+
+	(void)state;
+	fake.timeout_s = 60;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	assert_in_range(seconds_left(&watchdog) * 1000.0, 57000, 58000);
+	nanosleep(&pause, NULL);
+	assert_in_range(seconds_left(&watchdog) * 1000.0, 1, 57981);
+	watchdog_feed(&watchdog, 0);
+	assert_in_range(seconds_left(&watchdog) * 1000.0, 57982, 58000);
+	watchdog_close(&watchdog);
+}
+
+static void test_a_silent_process_ends_before_the_board_restarts(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+	int status = 0;
+	pid_t child;
+
+	(void)state;
+	fake.timeout_s = 5;
+	child = fork();
+	if (child == 0) {
+		(void)watchdog_open(&watchdog, "/dev/wd", &calls, &log);
+		watchdog_feed(&watchdog, 0);
+		sleep(20);
+		_exit(0);
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	assert_true(WIFSIGNALED(status));
+	assert_int_equal(WTERMSIG(status), SIGALRM);
+}
+
+static void test_absurd_timeouts_set_no_timer(void **state)
+{
+	static const int timeouts_s[] = {INT_MIN, -1, 1, 4, 3601, INT_MAX};
+	struct log log = log_to_nowhere();
+
+	(void)state;
+	for (int i = 0; i < 6; i++) {
+		struct watchdog watchdog;
+
+		fake.timeout_s = timeouts_s[i];
+		assert_int_equal(
+			watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+		assert_int_equal(watchdog.limit_s, 0);
+		watchdog_close(&watchdog);
+	}
+}
+
 static void test_a_missing_watchdog_is_logged_once(void **state)
 {
 	static const int errors[] = {ENOENT, EBUSY, EACCES};
@@ -187,6 +256,12 @@ int main(void)
 		cmocka_unit_test_setup(test_it_is_fed_once_a_second, forget),
 		cmocka_unit_test_setup(
 			test_a_timeout_of_one_second_is_met, forget),
+		cmocka_unit_test_setup(
+			test_feeding_moves_the_end_of_a_silent_process, forget),
+		cmocka_unit_test_setup(
+			test_a_silent_process_ends_before_the_board_restarts,
+			forget),
+		cmocka_unit_test_setup(test_absurd_timeouts_set_no_timer, forget),
 		cmocka_unit_test_setup(
 			test_a_missing_watchdog_is_logged_once, forget),
 		cmocka_unit_test_setup(

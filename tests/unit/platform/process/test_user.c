@@ -1,0 +1,102 @@
+#include "platform/process/user.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <pwd.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static const char other[] = "nobody";
+
+/* The exit status of a child that becomes the user. */
+static int in_child(void (*run)(const struct log *log))
+{
+	struct log log = log_to_nowhere();
+	pid_t child = fork();
+	int status = 0;
+
+	if (child == 0) {
+		run(&log);
+		_exit(99);
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	assert_true(WIFEXITED(status));
+	return WEXITSTATUS(status);
+}
+
+static void become_other(const struct log *log)
+{
+	const struct passwd *user = getpwnam(other);
+	uid_t uid = user->pw_uid;
+	gid_t gid = user->pw_gid;
+
+	if (user_become(other, log) != 0) {
+		_exit(1);
+	}
+	if (getuid() != uid || geteuid() != uid || getgid() != gid ||
+		getegid() != gid) {
+		_exit(2);
+	}
+	if (setuid(0) == 0 || setgid(0) == 0) {
+		_exit(3);
+	}
+	if (user_become(other, log) != 0 ||
+		user_become("root", log) != -EPERM) {
+		_exit(4);
+	}
+	for (gid_t group[64], *at = group + getgroups(64, group); at > group;) {
+		if (*--at == 0) {
+			_exit(5);
+		}
+	}
+	_exit(0);
+}
+
+static void test_root_becomes_another_user_for_good(void **state)
+{
+	(void)state;
+	if (getuid() != 0 || !getpwnam(other)) {
+		print_message("# only root can become another user\n");
+		skip();
+	}
+	assert_int_equal(in_child(become_other), 0);
+}
+
+static void test_the_user_of_the_process_stays(void **state)
+{
+	const struct passwd *user = getpwuid(getuid());
+	struct log log = log_to_nowhere();
+
+	(void)state;
+	if (!user) {
+		print_message("# this user has no name\n");
+		skip();
+	}
+	assert_int_equal(user_become(user->pw_name, &log), 0);
+	assert_int_equal(getuid(), geteuid());
+}
+
+static void test_an_unknown_user_is_refused(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	assert_int_equal(user_become("no such user", &log), -ENOENT);
+	assert_int_equal(capture.count, 1);
+	assert_int_equal(capture.level[0], LOG_ERROR);
+	assert_contains(capture.sentence[0], "--user no such user: ");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_root_becomes_another_user_for_good),
+		cmocka_unit_test(test_the_user_of_the_process_stays),
+		cmocka_unit_test(test_an_unknown_user_is_refused),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

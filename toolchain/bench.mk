@@ -28,6 +28,12 @@ build/arm/bench/%: build/arm/obj/tests/bench/%.o \
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
 
+build/host/bench/%: build/host/obj/tests/bench/%.o \
+		build/host/obj/tests/bench/bench_picture.o build/host/liblimber.a
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)
+	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host)
+
 # This plugin counts instructions alone, several times as fast as the model.
 build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stamp
 	@mkdir -p $(@D)

@@ -80,14 +80,23 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
  * Multiply-accumulate on the signed 16-bit halves of a word, B for the bottom
  * half and T for the top one: HALVES_BT(a, b, sum) is (bottom of a) * (top of
  * b) + sum in 32 bits. BYTES_AS_HALVES() spreads bytes 0 and 2 of a word to
- * its two halves. Each is one instruction on cores that have it.
+ * its two halves, and ODD_BYTES_AS_HALVES() bytes 1 and 3. Each is one
+ * instruction on cores that have it.
  */
 #ifdef __ARM_FEATURE_DSP
+static inline uint32_t odd_bytes_as_halves(uint32_t word)
+{
+	uint32_t halves;
+
+	__asm__("uxtb16 %0, %1, ror #8" : "=r"(halves) : "r"(word));
+	return halves;
+}
 #define HALVES_BB(a, b, sum)  __smlabb((int32_t)(a), (int32_t)(b), sum)
 #define HALVES_BT(a, b, sum)  __smlabt((int32_t)(a), (int32_t)(b), sum)
 #define HALVES_TB(a, b, sum)  __smlatb((int32_t)(a), (int32_t)(b), sum)
 #define HALVES_TT(a, b, sum)  __smlatt((int32_t)(a), (int32_t)(b), sum)
 #define BYTES_AS_HALVES(word) __uxtb16(word)
+#define ODD_BYTES_AS_HALVES(word) odd_bytes_as_halves(word)
 #else
 #define HALVES_BB(a, b, sum) ((int16_t)(a) * (int16_t)(b) + (sum))
 #define HALVES_BT(a, b, sum) ((int16_t)(a) * (int16_t)((b) >> 16) + (sum))
@@ -95,6 +104,7 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 #define HALVES_TT(a, b, sum) \
 	((int16_t)((a) >> 16) * (int16_t)((b) >> 16) + (sum))
 #define BYTES_AS_HALVES(word) ((word)&0x00ff00ffu)
+#define ODD_BYTES_AS_HALVES(word) ((word) >> 8 & 0x00ff00ffu)
 #endif
 
 /* The minimum and the maximum of two words, for each unsigned half by itself. */

@@ -1,11 +1,13 @@
 /*
- * Draws frames of a demo into an RGB565 picture of 480x640, to count what they
- * cost.
+ * Draws frames of a demo, or of the viewer with a model file, into a picture of
+ * 480x640, to count what they cost.
  *
- *	demo_frames DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm]]
+ *	demo_frames DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm [rgba]]]
+ *	demo_frames MODEL.glb[@SECONDS] FRAMES [DRIVER [PICTURE.ppm [rgba]]]
  *
  * The demo's time begins at SECONDS, or at one second, and advances by 40 ms a
- * frame. For the timing model (tests/arm1136) the last frame is region 1.
+ * frame. The picture is RGB565 unless rgba follows. For the timing model
+ * (tests/arm1136) the last frame is region 1.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -66,18 +68,37 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 	hud_finish(&hud, &context->gl);
 }
 
+/* The demo of that name, or the viewer if the name is a file's. */
+static const struct demo_driver *find_driver(
+	const char *name, struct log *log, char *path, size_t size)
+{
+	const struct demo_driver *driver = demo_find(name);
+
+	if (driver) {
+		return file_find_asset(driver->asset, log, path, size) == 0
+			? driver
+			: NULL;
+	}
+	return (size_t)snprintf(path, size, "%s", name) < size
+		? &demo_driver_viewer
+		: NULL;
+}
+
 int main(int argc, char **argv)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
+	enum pixel_format format = argc > 5 && strcmp(argv[5], "rgba") == 0
+		? PIXELS_RGBA8888
+		: PIXELS_RGB565;
 	double from_s = argc > 2 ? find_start(argv[1]) : -1.0;
-	const struct demo_driver *driver = argc > 2 ? demo_find(argv[1]) : NULL;
+	const struct demo_driver *driver = NULL;
 	struct gl_context *context;
 	struct pixels pixels;
 	struct demo *demo;
 	char path[1024];
 	struct demo_env env = {
 		.log = &log,
-		.target = PIXELS_RGB565,
+		.target = format,
 		.kernel = kernel_registry[0],
 		.width = WIDTH,
 		.height = HEIGHT,
@@ -88,17 +109,19 @@ int main(int argc, char **argv)
 
 	/* With a random seed, addresses would differ from run to run. */
 	json_object_seed(1);
-	if (!driver || from_s < 0.0 || atoi(argv[2]) < 1 ||
-		file_find_asset(driver->asset, &log, path, sizeof(path)) != 0) {
+	if (from_s >= 0.0 && atoi(argv[2]) >= 1) {
+		driver = find_driver(argv[1], &log, path, sizeof(path));
+	}
+	if (!driver) {
 		fprintf(stderr,
-			"usage: %s DEMO[@SECONDS] FRAMES [DRIVER [PICTURE.ppm]]\n",
+			"usage: %s DEMO|MODEL.glb[@SECONDS] FRAMES "
+			"[DRIVER [PICTURE.ppm [rgba]]]\n",
 			argv[0]);
 		return 2;
 	}
-	if (pixels_alloc(&pixels, WIDTH, HEIGHT, PIXELS_RGB565, &log) != 0 ||
+	if (pixels_alloc(&pixels, WIDTH, HEIGHT, format, &log) != 0 ||
 		gl_open(argc > 3 ? argv[3] : "soft",
-			&(struct gl_request){
-				.format = PIXELS_RGB565, .log = &log},
+			&(struct gl_request){.format = format, .log = &log},
 			&context) != 0) {
 		return EXIT_FAILURE;
 	}

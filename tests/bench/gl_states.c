@@ -27,6 +27,8 @@ enum {
 	SIDE_MOST = 1024,
 	CELLS = 500,
 	VERTICES_MOST = CELLS * 3,
+	INTERPOLATE = 0x8575,
+	SRC2_RGB = 0x8582,
 };
 
 enum shape {
@@ -53,6 +55,11 @@ enum {
 	PLAIN = 1024, /* one colour */
 	LEQUAL = 2048,
 	REPLACED = 4096,
+	SECOND = 8192,        /* a second texture, modulated */
+	INTERPOLATED = 16384, /* by a combiner */
+	ADDED = 32768,
+	DECALED = 65536,
+	ADDITIVE = 131072, /* blended */
 };
 
 struct scene {
@@ -87,6 +94,13 @@ static const struct scene scenes[] = {
 	{"fog-b", SMALL, TEXTURED | LINEAR | FOGGED, 256},
 	{"mip", LAYERS, TEXTURED | LINEAR | MIPMAPS, 256},
 	{"mip2", LAYERS, TEXTURED | LINEAR | MIPMAPS | TRILINEAR, 256},
+	{"two-a", QUAD, TEXTURED | SECOND, 256},
+	{"two-b", QUAD, TEXTURED | LINEAR | SECOND, 256},
+	{"inter-a", QUAD, TEXTURED | SECOND | INTERPOLATED, 256},
+	{"inter-b", QUAD, TEXTURED | LINEAR | SECOND | INTERPOLATED, 256},
+	{"add-b", QUAD, TEXTURED | LINEAR | ADDED, 256},
+	{"decal-b", QUAD, TEXTURED | LINEAR | DECALED | RGBA, 256},
+	{"glow-b", QUAD, TEXTURED | LINEAR | BLENDED | ADDITIVE, 256},
 	{"still", BACKDROP, TEXTURED | LINEAR | PLAIN, 256},
 };
 
@@ -357,8 +371,24 @@ static void make_texture(const struct gl *gl, unsigned state, int side)
 		give_level(gl, state, level, side >> level);
 	}
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-		state & REPLACED ? GL_REPLACE : GL_MODULATE);
+		state & REPLACED          ? GL_REPLACE
+			: state & ADDED   ? GL_ADD
+			: state & DECALED ? GL_DECAL
+					  : GL_MODULATE);
 	gl->Enable(GL_TEXTURE_2D);
+}
+
+/* The first texture once more, or what a combiner mixes it with. */
+static void make_second(const struct gl *gl, unsigned state, int side)
+{
+	gl->ActiveTexture(GL_TEXTURE1);
+	make_texture(gl, state, side);
+	if (state & INTERPOLATED) {
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, INTERPOLATE);
+		gl->TexEnvx(GL_TEXTURE_ENV, SRC2_RGB, GL_PRIMARY_COLOR);
+	}
+	gl->ActiveTexture(GL_TEXTURE0);
 }
 
 static void set_arrays(
@@ -369,6 +399,11 @@ static void set_arrays(
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*v), v->position);
 	if (scene->state & TEXTURED) {
+		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+		gl->TexCoordPointer(2, GL_FLOAT, sizeof(*v), v->texcoord);
+	}
+	if (scene->state & SECOND) {
+		gl->ClientActiveTexture(GL_TEXTURE1);
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 		gl->TexCoordPointer(2, GL_FLOAT, sizeof(*v), v->texcoord);
 	}
@@ -391,7 +426,8 @@ static void set_fragments(const struct gl *gl, unsigned state)
 	gl->Disable(GL_DITHER);
 	if (state & BLENDED) {
 		gl->Enable(GL_BLEND);
-		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+		gl->BlendFunc(GL_SRC_ALPHA,
+			state & ADDITIVE ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
 	}
 	if (state & TESTED) {
 		gl->Enable(GL_ALPHA_TEST);
@@ -420,6 +456,9 @@ static void set_up(
 	gl->LoadIdentity();
 	if (scene->state & TEXTURED) {
 		make_texture(gl, scene->state, scene->side);
+	}
+	if (scene->state & SECOND) {
+		make_second(gl, scene->state, scene->side);
 	}
 	set_arrays(gl, scene, mesh);
 	set_fragments(gl, scene->state);

@@ -37,7 +37,7 @@ static bool has_alpha(GLenum format)
 	return format != GL_RGB && format != GL_LUMINANCE;
 }
 
-void soft_apply_environment(const struct texenv *env, GLenum format,
+static void apply_environment(const struct texenv *env, GLenum format,
 	const uint8_t constant[4], const uint8_t t[4], uint8_t color[4])
 {
 	int alpha = color[3];
@@ -157,38 +157,6 @@ static void apply_combiner(
 	}
 }
 
-/*
- * What normal maps ask for: the texel's normal by the light in the primary colour,
- * alpha modulated. So much as apply_combiner(), without looking things up.
- */
-bool soft_is_plain_dot(const struct texenv *env)
-{
-	return env->mode == GL_COMBINE && env->combine_rgb == GL_DOT3_RGB &&
-		env->source_rgb[0] == GL_TEXTURE &&
-		env->source_rgb[1] == GL_PRIMARY_COLOR &&
-		env->operand_rgb[0] == GL_SRC_COLOR &&
-		env->operand_rgb[1] == GL_SRC_COLOR &&
-		env->scale_rgb == 65536 && env->scale_alpha == 65536 &&
-		env->combine_alpha == GL_MODULATE &&
-		env->source_alpha[0] == GL_TEXTURE &&
-		env->source_alpha[1] == GL_PREVIOUS &&
-		env->operand_alpha[0] == GL_SRC_ALPHA &&
-		env->operand_alpha[1] == GL_SRC_ALPHA;
-}
-
-void soft_apply_dot(
-	const uint8_t texel[4], const uint8_t primary[4], uint8_t color[4])
-{
-	int sum = 0;
-
-	for (int i = 0; i < 3; i++) {
-		sum += (2 * texel[i] - 255) * (2 * primary[i] - 255);
-	}
-	/* sum / 255 towards zero, wherever that is below 256 */
-	memset(color, to_byte(sum <= 0 ? 0 : (sum * 257 + 257) >> 16), 3);
-	color[3] = (uint8_t)scale_byte(texel[3], color[3]);
-}
-
 void soft_combine(const struct texture_input *input, int count,
 	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
 	uint8_t (*color)[4])
@@ -196,12 +164,6 @@ void soft_combine(const struct texture_input *input, int count,
 	const struct texenv *env = input->env;
 	struct meeting m;
 
-	if (soft_is_plain_dot(env)) {
-		for (int i = 0; i < count; i++) {
-			soft_apply_dot(texel[i], primary[i], color[i]);
-		}
-		return;
-	}
 	for (int i = 0; i < 4; i++) {
 		m.constant[i] = (uint8_t)soft_byte(env->color[i]);
 	}
@@ -215,7 +177,7 @@ void soft_combine(const struct texture_input *input, int count,
 		if (env->mode == GL_COMBINE) {
 			apply_combiner(env, &m, color[i]);
 		} else {
-			soft_apply_environment(env, input->base->base_format,
+			apply_environment(env, input->base->base_format,
 				m.constant, texel[i], color[i]);
 		}
 	}

@@ -93,7 +93,8 @@ static void run_tests(const struct draw *draw, const struct span *span,
 	}
 }
 
-/* The stencil without a depth test: pixels that are drawn once, or where something was counted. */
+/* The stencil without a depth test: pixels that are drawn once, or where
+ * something was counted. */
 static int test_stencil(
 	const struct draw *draw, const struct span *span, bool *passes)
 {
@@ -133,15 +134,17 @@ int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
 
 static void fill_colors(const struct span *span, struct fragments *fragments)
 {
-	uint32_t c[3] = {
-		span->value[RED], span->value[GREEN], span->value[BLUE]};
+	/* 8.8, as runs of combined colours have them */
+	uint32_t c[3] = {span->value[RED] >> 8, span->value[GREEN] >> 8,
+		span->value[BLUE] >> 8};
 	uint32_t alpha_q7 = span->value[ALPHA] >> 9;
 	uint32_t alpha_step = (uint32_t)soft_alpha_step(span->step[ALPHA]);
 
 	for (int i = 0; i < span->count; i++) {
 		for (int j = 0; j < 3; j++) {
-			fragments->color[i][j] = (uint8_t)(c[j] >> 16);
-			c[j] += (uint32_t)span->step[j];
+			fragments->color[i][j] = (uint8_t)(c[j] >> 8);
+			c[j] += (uint32_t)(span->step[j] >> 8) +
+				((uint32_t)span->step[j] >> 31);
 		}
 		fragments->color[i][3] = (uint8_t)(alpha_q7 >> 7);
 		fragments->alpha_q7[i] = (uint16_t)alpha_q7;
@@ -176,7 +179,9 @@ static void add_textures(const struct draw *draw, const struct span *span,
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
 		if (draw->texture[unit].used) {
 			soft_sample(&draw->texture[unit], span, unit,
-				draw->soft->format == PIXELS_RGBA8888, texel);
+				draw->soft->format == PIXELS_RGBA8888 ||
+					draw->spans.made,
+				texel);
 			soft_combine(&draw->texture[unit], span->count,
 				(const uint8_t(*)[4])texel,
 				(const uint8_t(*)[4])primary, fragments->color);
@@ -254,7 +259,7 @@ static int blend_factor(
 	}
 }
 
-void soft_blend(GLenum source_factor, GLenum destination_factor,
+static void blend(GLenum source_factor, GLenum destination_factor,
 	const uint8_t to[4], uint8_t color[4])
 {
 	uint8_t out[4];
@@ -291,8 +296,8 @@ static void write_colors(const struct draw *draw, const struct span *span,
 			load_pixel(target->format, at, old);
 		}
 		if (draw->blended) {
-			soft_blend(state->blend_source,
-				state->blend_destination, old, color);
+			blend(state->blend_source, state->blend_destination,
+				old, color);
 		}
 		for (int j = 0; j < 4 && masked; j++) {
 			color[j] = mask[j] ? color[j] : old[j];

@@ -341,8 +341,7 @@ static bool is_white(const struct draw *draw, int name)
 {
 	const struct soft_spans *spans = &draw->spans;
 
-	return spans->takes_state &&
-		!(name == ALPHA ? spans->alpha : spans->colored);
+	return !(name == ALPHA ? spans->alpha : spans->colored);
 }
 
 /* Of what differs; what does not goes into the span once and for all. */
@@ -445,6 +444,7 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	struct raster *raster = &draw->raster;
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
 
+	draw->raster.top = setup->top;
 	raster_find_area(setup);
 	find_basis(setup, &raster->basis);
 	if (draw->soft->fragment.depth_test) {

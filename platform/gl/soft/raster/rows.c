@@ -116,37 +116,126 @@ void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 }
 
 /* d(S / q) = (dS - S / q dq) / q */
+static int find_lod(
+	const struct raster *raster, const struct point *point, int unit)
+{
+	const struct plane *q = &raster->plane[INVERSE_W];
+	int64_t across[2], down[2];
+
+	for (int i = 0; i < 2; i++) {
+		int name = TEX_S + 2 * unit + i;
+		const struct plane *p = &raster->plane[name];
+		int shift = raster->tex_shift[name - TEX_S];
+		int64_t u = point->value[name];
+		/* u is in 16.16: back to the plane's scale */
+		int64_t x = p->dx - (u * q->dx >> (shift + 8));
+		int64_t y = p->dy - (u * q->dy >> (shift + 8));
+
+		across[i] = rows_divide(point, saturate_64(x), shift + 8);
+		down[i] = rows_divide(point, saturate_64(y), shift + 8);
+	}
+	return raster_log2_q8(longer_way(across, down));
+}
+
 void soft_rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span)
 {
-	const struct raster *raster = &draw->raster;
-	const struct plane *q = &raster->plane[INVERSE_W];
-
-	if (!raster->perspective) {
+	if (!draw->raster.perspective) {
 		soft_rows_find_affine_lod(draw, span);
-		return;
+	} else if (draw->texture[0].used) {
+		span->lod[0] = find_lod(&draw->raster, point, 0);
 	}
-	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		int64_t across[2], down[2];
+}
 
-		if (!draw->texture[unit].used) {
-			continue;
-		}
-		for (int i = 0; i < 2; i++) {
-			int name = TEX_S + 2 * unit + i;
-			const struct plane *p = &raster->plane[name];
-			int shift = raster->tex_shift[name - TEX_S];
-			int64_t u = point->value[name];
-			/* u is in 16.16: back to the plane's scale */
-			int64_t x = p->dx - (u * q->dx >> (shift + 8));
-			int64_t y = p->dy - (u * q->dy >> (shift + 8));
+static int32_t value_at(const struct raster *raster, int plane, int row, int x)
+{
+	return (int32_t)(plane_at(raster, plane, x) +
+		(uint32_t)raster->plane[plane].dy * (uint32_t)row);
+}
 
-			across[i] =
-				rows_divide(point, saturate_64(x), shift + 8);
-			down[i] = rows_divide(point, saturate_64(y), shift + 8);
+static void find_second_point(
+	const struct raster *raster, int row, int x, struct point *out)
+{
+	if (raster->perspective) {
+		int32_t q = value_at(raster, INVERSE_W, row, x);
+
+		rows_find_divisor(q, out);
+		if (raster->mild) {
+			out->inverse = rows_find_mild_w(
+				q, value_at(raster, LINEAR_W, row, x));
 		}
-		span->lod[unit] = raster_log2_q8(longer_way(across, down));
 	}
+	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
+		int32_t at = value_at(raster, i, row, x);
+
+		out->value[i] = !raster->perspective ? at
+			: raster->mild
+			? rows_divide_mild(at, out->inverse)
+			: rows_divide(out, at, raster->tex_shift[i - TEX_S] + 8);
+	}
+}
+
+void soft_rows_find_second(const struct draw *draw, int row, struct span *span)
+{
+	const struct raster *raster = &draw->raster;
+	int steps = span->count - 1;
+	struct point from, to;
+
+	find_second_point(raster, row, span->x, &from);
+	find_second_point(raster, row, span->x + steps, &to);
+	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
+		span->value[i] = (uint32_t)from.value[i];
+		span->step[i] = rows_find_step(
+			from.value[i], to.value[i], draw->inverse_q31[steps]);
+	}
+	if (!soft_rows_want_lod(&draw->texture[1])) {
+		span->lod[1] = 0;
+	} else if (raster->perspective && !raster->mild) {
+		span->lod[1] = find_lod(raster, &from, 1);
+	} else {
+		soft_rows_find_affine_lod(draw, span);
+	}
+}
+
+uint32_t soft_rows_find_second_change(
+	const struct draw *draw, int row, int left, int right)
+{
+	struct point from, to;
+	uint32_t most = 0;
+
+	find_second_point(&draw->raster, row, left, &from);
+	find_second_point(&draw->raster, row, right, &to);
+	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
+		int32_t a = from.value[i], b = to.value[i];
+		uint32_t own = a < b ? (uint32_t)b - (uint32_t)a
+				     : (uint32_t)a - (uint32_t)b;
+
+		most = own > most ? own : most;
+	}
+	return most;
+}
+
+static bool is_linear(GLenum filter)
+{
+	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
+		filter == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+bool soft_rows_want_lod(const struct texture_input *input)
+{
+	return input->levels > 1 ||
+		is_linear(input->texture->min_filter) !=
+		(input->texture->mag_filter == GL_LINEAR);
+}
+
+bool soft_rows_is_small(const struct texture_input *input, int lod)
+{
+	GLenum min = input->texture->min_filter;
+	bool sharp = input->texture->mag_filter == GL_LINEAR &&
+		(min == GL_NEAREST_MIPMAP_NEAREST ||
+			min == GL_NEAREST_MIPMAP_LINEAR);
+
+	return lod > (sharp ? 128 : 0);
 }
 
 static void skip(struct plane *plane, int rows)

@@ -104,6 +104,22 @@ static inline void rows_set_up(struct draw *draw, struct setup *setup)
 /* The levels of detail of a triangle that is linear all over. */
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
 
+/*
+ * The second texture's coordinates along the span's pixels, and its level of
+ * detail, of a row so many below the one that planes are at.
+ */
+void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
+
+/* The most that one of them changes between two columns. */
+uint32_t soft_rows_find_second_change(
+	const struct draw *draw, int row, int left, int right);
+
+/* Whether levels, or the minifying filter, make a texture look different. */
+bool soft_rows_want_lod(const struct texture_input *input);
+
+/* Whether a level of detail, as struct span has it, asks for that filter. */
+bool soft_rows_is_small(const struct texture_input *input, int lod);
+
 /* The levels of detail there, into span->lod; linear ones have no point. */
 void soft_rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span);

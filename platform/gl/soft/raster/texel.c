@@ -145,10 +145,6 @@ void soft_sample(const struct texture_input *input, const struct span *span,
 	uint8_t next[SPAN_PIXELS][4];
 	int level;
 
-	/* made.h has bytes of all textures whose levels are mixed */
-	wide |= last > 0 &&
-		(min == GL_NEAREST_MIPMAP_LINEAR ||
-			min == GL_LINEAR_MIPMAP_LINEAR);
 	if (lod <= (sharp ? 128 : 0)) {
 		sample_level(input, 0, texture->mag_filter == GL_LINEAR, span,
 			unit, wide, out);

@@ -14,7 +14,6 @@
 		soft_draw_run(run, (struct soft_kind){__VA_ARGS__});        \
 	}
 
-/* Each finish that has an inside of its own, then the one that has not. */
 #define SOFT_FINISH_FUNCTIONS(name, ...)                                    \
 	SOFT_SPAN_FUNCTION(name##_opaque, .finish = SOFT_OPAQUE,            \
 		__VA_ARGS__)                                                \
@@ -29,12 +28,8 @@
 	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
 		__VA_ARGS__)
 
-#define SOFT_ANYWHERE_FUNCTIONS(name, ...)                                  \
-	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
-	SOFT_SPAN_FUNCTION(name##_any, .finish = SOFT_ANY, __VA_ARGS__)
-
 #define SOFT_SOURCE_FUNCTIONS(name, texels, is_linear, is_wide)             \
-	SOFT_ANYWHERE_FUNCTIONS(name, .textured = true, .format = texels,   \
+	SOFT_FINISH_FUNCTIONS(name, .textured = true, .format = texels,   \
 		.linear = is_linear, .wide = is_wide)
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
@@ -44,7 +39,7 @@
 		.inside = true)
 
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
-	SOFT_ANYWHERE_FUNCTIONS(plain, .wide = is_wide)                     \
+	SOFT_FINISH_FUNCTIONS(plain, .wide = is_wide)                     \
 	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
 	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
 	SOFT_BOTH_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)       \
@@ -70,7 +65,6 @@
 		[SOFT_TESTED_FOG] = {name##_tested_fog, inside##_tested_fog}, \
 		[SOFT_BLENDED_FOG] =                                        \
 			{name##_blended_fog, inside##_blended_fog},         \
-		[SOFT_ANY] = {name##_any, name##_any},                      \
 	}
 
 #define SOFT_FORMAT_ROWS(filter, first)                                     \

@@ -1,9 +1,9 @@
 /* The level of detail that runs are drawn from, and runs across its edges. */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/depth_ways.h"
-#include "platform/gl/soft/span/made.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/number.h"
 
 static void choose_level(struct draw *draw, int number, bool small)
@@ -27,16 +27,12 @@ void soft_set_level(struct draw *draw, int lod)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct texture_input *input = &draw->texture[0];
-	GLenum min = input->texture->min_filter;
-	bool sharp = input->texture->mag_filter == GL_LINEAR &&
-		(min == GL_NEAREST_MIPMAP_NEAREST ||
-			min == GL_NEAREST_MIPMAP_LINEAR);
-	bool small = lod > (sharp ? 128 : 0);
+	bool small = soft_rows_is_small(input, lod);
 	int number =
 		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
 
 	if (spans->made) {
-		soft_set_made_levels(draw, small ? lod : -1);
+		soft_set_made_levels(draw, lod);
 	} else if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
 	}

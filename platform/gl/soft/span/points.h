@@ -98,22 +98,23 @@ static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
 }
 
 /*
- * How many pixels apart the exact divisions of a row may be: what runs
+ * How many pixels apart the exact divisions of a row may be, where other
+ * coordinates change by most: what runs
  * linearly is off by |dv dq| / 4 q at most, a quarter of that in halves of it.
  */
 static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	const struct walk_kind kind, const struct row_point *from,
-	const struct row_point *to, int steps)
+	const struct row_point *to, int steps, uint32_t most)
 {
 	uint32_t q =
 		(uint32_t)(from->divisor.q < to->divisor.q ? from->divisor.q
 							   : to->divisor.q);
 	uint64_t error, allowed = (uint64_t)q << 16;
-	uint32_t most = 0;
 
 	if (kind.textured) {
-		most = larger(distance(from->texels.s, to->texels.s),
-			distance(from->texels.t, to->texels.t));
+		most = larger(most,
+			larger(distance(from->texels.s, to->texels.s),
+				distance(from->texels.t, to->texels.t)));
 	}
 	if (kind.colors_divided) {
 		most = larger(most,

@@ -1,8 +1,9 @@
 /* Which span function draws a state, and the constants that it looks up. */
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/depth_ways.h"
-#include "platform/gl/soft/span/made.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -63,31 +64,20 @@ static bool is_tested(const struct fragment_state *state)
 	return state->alpha_test && state->alpha_function != GL_ALWAYS;
 }
 
-/* Textures that multiply the colour, or take its place. */
-static bool is_simple_environment(const struct texture_input *input)
-{
-	GLenum mode = input->env->mode, format = input->base->base_format;
-
-	return mode == GL_MODULATE || mode == GL_REPLACE ||
-		(mode == GL_DECAL && format == GL_RGB);
-}
-
 static bool is_replaced(const struct texture_input *input)
 {
 	return input->used && input->env->mode != GL_MODULATE &&
-		is_simple_environment(input);
+		soft_is_simple_environment(input);
 }
 
 static enum soft_finish choose_finish(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
-	const struct texture_input *input = &draw->texture[0];
 	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 	int fog = draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0;
 
-	if ((input->used && !is_simple_environment(input)) ||
-		(draw->blended && (!by_alpha || is_tested(state)))) {
+	if (draw->blended && (!by_alpha || is_tested(state))) {
 		return SOFT_ANY;
 	}
 	return (enum soft_finish)(
@@ -128,19 +118,6 @@ static uint32_t find_color_mask(const struct soft *soft)
 		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
 }
 
-static bool takes_environment(const struct texenv *env)
-{
-	return env->mode != GL_COMBINE || soft_is_plain_dot(env);
-}
-
-static bool takes_state(const struct draw *draw)
-{
-	const struct texture_input *input = &draw->texture[0];
-
-	return draw->attributes != 0 && !draw->texture[1].used &&
-		(!input->used || takes_environment(input->env));
-}
-
 static bool is_linear(GLenum filter)
 {
 	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
@@ -166,13 +143,13 @@ static int32_t scale_factor(int texel_bits, int pixel_bits)
 
 /* From 8.16 to struct soft_run's, for fragments of a format of texels. */
 static struct soft_scales find_format_scales(
-	enum texel_format format, bool wide, bool any)
+	enum texel_format format, bool wide, bool combined)
 {
 	int five = wide ? 8 : 5, six = wide ? 8 : 6;
 	struct soft_field red = soft_field(format, SOFT_RED);
 	struct soft_field green = soft_field(format, SOFT_GREEN);
 
-	if (any || (wide && red.bits == 0)) {
+	if (combined || (wide && red.bits == 0)) {
 		return (struct soft_scales){BYTE_SCALE, BYTE_SCALE, 0, 0};
 	}
 	if (red.bits == 0) {
@@ -185,18 +162,15 @@ static struct soft_scales find_format_scales(
 static void find_scales(const struct draw *draw, struct soft_spans *spans)
 {
 	bool wide = draw->soft->format == PIXELS_RGBA8888;
-	enum texel_format format =
-		spans->textured ? draw->texture[0].base->format : TEXEL_NONE;
-	/* Combiners read black from a texture of alpha alone. */
-	bool black =
-		format == TEXEL_A8 && draw->texture[0].env->mode == GL_COMBINE;
-	const int32_t white = black ? 0 : 0xFF80 << 8;
-	struct soft_scales scales = find_format_scales(format, true, false);
+	enum texel_format format = !spans->textured ? TEXEL_NONE
+		: spans->made                       ? TEXEL_8888
+			      : draw->texture[0].base->format;
+	const int32_t white = 0xFF80 << 8;
+	struct soft_scales row = find_format_scales(TEXEL_8888, wide, false);
 
-	spans->made_white[0] = (uint32_t)mul_high(white, scales.red_blue);
-	spans->made_white[1] = (uint32_t)mul_high(white, scales.green);
-	spans->scales = find_format_scales(spans->made ? TEXEL_8888 : format,
-		wide, spans->finish == SOFT_ANY);
+	spans->white[0] = (uint32_t)mul_high(white, row.red_blue) * 0x10001;
+	spans->white[1] = (uint32_t)mul_high(white, row.green);
+	spans->scales = find_format_scales(format, wide, spans->combined);
 }
 
 static bool has_alpha(GLenum format)
@@ -217,24 +191,11 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->fog_color[i] = (uint8_t)soft_byte(fog[i]);
 		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
 	}
-	stages->textured = spans->textured;
-	stages->alpha_scaled = false;
+	stages->alpha_scaled = input->used && input->env->mode == GL_MODULATE &&
+		has_alpha(input->base->base_format);
 	stages->fogged = draw->fogged;
-	stages->blended = draw->blended;
 	stages->blend_source = state->blend_source;
 	stages->blend_destination = state->blend_destination;
-	if (spans->textured) {
-		stages->env = input->env;
-		stages->base_format = input->base->base_format;
-		stages->dot = input->env->mode == GL_COMBINE;
-		stages->alpha_scaled =
-			(input->env->mode == GL_MODULATE || stages->dot) &&
-			has_alpha(input->base->base_format);
-		for (int i = 0; i < 4 && spans->finish == SOFT_ANY; i++) {
-			stages->env_color[i] =
-				(uint8_t)soft_byte(input->env->color[i]);
-		}
-	}
 }
 
 static void find_functions(const struct draw *draw, struct soft_spans *spans)
@@ -262,19 +223,6 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 								   : SOFT_NEAREST) +
 				format][finish][i];
 	}
-	if (spans->made) {
-		const int source = SOFT_NEAREST + TEXEL_8888 - 1;
-
-		soft_set_functions(spans, (*table)[source][spans->finish]);
-		spans->run.s_right = 1 << SOFT_TEXEL_FRACTION;
-		spans->run.t_right = 0;
-		spans->run.texel_right = 1 << SOFT_TEXEL_FRACTION;
-		spans->run.stride_log2 = 0;
-		spans->run.wrap_s =
-			(struct soft_wrap){INT32_MIN, INT32_MAX, UINT32_MAX};
-		spans->run.wrap_t = spans->run.wrap_s;
-		return;
-	}
 	soft_set_functions(spans, spans->mag);
 }
 
@@ -282,52 +230,86 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 {
 	const struct texture_input *input = &draw->texture[0];
-	bool any = spans->finish == SOFT_ANY;
+	bool combined = spans->combined;
 	bool wide = draw->soft->format == PIXELS_RGBA8888;
 	GLenum format = input->used ? input->base->base_format : GL_RGB;
-	bool replaced = !any && is_replaced(input);
+	bool replaced = !combined && is_replaced(input);
 
 	spans->colored = !replaced || format == GL_ALPHA;
-	spans->alpha_read = wide || any ||
+	spans->alpha_read = wide || combined ||
 		(spans->finish != SOFT_OPAQUE &&
 			spans->finish != SOFT_OPAQUE_FOG);
 	spans->alpha = spans->alpha_read && !(replaced && has_alpha(format));
 }
 
-void soft_prepare_spans(struct draw *draw)
+/* Fragments that no span function has a stage for: see made.h. */
+static bool is_combined(const struct draw *draw, enum soft_finish finish)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	return finish == SOFT_ANY || draw->texture[1].used ||
+		(input->used &&
+			(!soft_is_simple_environment(input) ||
+				(soft_mixes_levels(input) &&
+					input->base->format == TEXEL_A8)));
+}
+
+/* Textures that only multiply each other and the colour. */
+static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
+{
+	bool tested = finish == SOFT_TESTED || finish == SOFT_TESTED_FOG;
+
+	/* An alpha test knows alpha as stages round it. */
+	return draw->texture[1].used && finish != SOFT_ANY && !tested &&
+		draw->texture[1].env->mode == GL_MODULATE &&
+		soft_is_simple_environment(&draw->texture[0]) &&
+		draw->texture[0].base->format != TEXEL_A8 &&
+		draw->texture[1].base->format != TEXEL_A8;
+}
+
+bool soft_prepare_spans(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct fragment_state *state = &draw->soft->fragment;
 	const struct texture_input *input = &draw->texture[0];
 
-	spans->takes_state =
-		takes_state(draw) && find_alpha_range(state, &spans->stages);
-	spans->used = spans->takes_state && !draw->soft->reference;
-	spans->textured = input->used;
-	spans->fogged = draw->fogged;
-	spans->made = soft_wants_made(input);
-	spans->lod_wanted = input->used &&
-		(input->levels > 1 ||
-			is_linear(input->texture->min_filter) !=
-				(input->texture->mag_filter == GL_LINEAR));
-	spans->level = -1;
-	if (!spans->takes_state) {
-		return;
+	if (!find_alpha_range(state, &spans->stages)) {
+		return false;
 	}
+	spans->used = !draw->soft->reference;
+	spans->textured = input->used && draw->attributes != 0;
+	spans->fogged = draw->fogged;
+	spans->lod_wanted = input->used && soft_rows_want_lod(input);
+	spans->level = -1;
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
-	spans->finish = choose_finish(draw);
+	spans->finish =
+		draw->attributes == 0 ? SOFT_OPAQUE : choose_finish(draw);
+	spans->multiplied =
+		draw->attributes != 0 && is_multiplied(draw, spans->finish);
+	spans->combined = draw->attributes != 0 && !spans->multiplied &&
+		is_combined(draw, spans->finish);
+	spans->made = spans->combined || spans->multiplied ||
+		(spans->textured && soft_mixes_levels(input));
 	spans->depth_way = choose_depth_way(state);
+	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&
+		(state->depth_function == GL_LESS ||
+			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
-	spans->plain_pixels = spans->finish == SOFT_OPAQUE &&
+	spans->plain_pixels = spans->finish == SOFT_OPAQUE && !spans->combined &&
 			spans->depth_way == SOFT_DEPTH_DIRECT &&
 			spans->color_mask == UINT32_MAX
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
-	find_wanted(draw, spans);
-	find_scales(draw, spans);
-	find_stages(draw, spans);
-	find_functions(draw, spans);
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
+	find_wanted(draw, spans);
+	find_scales(draw, spans);
+	find_stages(draw, spans);
+	if (spans->made) {
+		soft_prepare_made(draw);
+	} else {
+		find_functions(draw, spans);
+	}
+	return true;
 }

@@ -45,12 +45,8 @@ struct soft_fragment_stages {
 	int32_t fog_565[3]; /* red, green, blue of 5, 6, 5 bits, times 2^14 */
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
-	bool textured, fogged, blended;
-	bool dot; /* the texel is a normal: GL_DOT3_RGB, see combine.c */
-	bool alpha_scaled; /* the texture's alpha times the fragment's */
-	const struct texenv *env;
-	uint8_t env_color[4];
-	GLenum base_format;
+	bool fogged;
+	bool alpha_scaled; /* the first texture's alpha times the fragment's */
 	GLenum blend_source, blend_destination;
 };
 
@@ -98,8 +94,7 @@ enum soft_finish {
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
-	SOFT_ANY, /* all that struct soft_fragment_stages tells */
-	SOFT_FINISHES,
+	SOFT_ANY, /* any blend function: soft_finish_row() */
 };
 
 /*
@@ -107,8 +102,11 @@ enum soft_finish {
  * take runs anywhere in their texture, those of the second only runs with
  * first_texel, and are the same where that makes no difference.
  */
-typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES][2];
+typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_ANY][2];
 
 extern const soft_span_table soft_spans_565, soft_spans_8888;
+
+/* stages/samplers.c: the same for a run's texels alone, which become RGBA8888 at pixel. */
+extern const soft_span_function soft_samplers[SOFT_SOURCES][2];
 
 #endif

@@ -5,7 +5,7 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_SPANS_H
 #define PLATFORM_GL_SOFT_SPAN_SPANS_H
 
-#include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 
 struct draw;
 struct setup;
@@ -57,10 +57,18 @@ struct soft_made_at {
 	int32_t s, t, s_step, t_step;
 };
 
+/* One level of a texture, or two of which texels are mixed. */
+struct soft_made_levels {
+	int level; /* -1: none yet */
+	bool linear;
+	int share; /* of next_view, of 256 */
+	const soft_span_function *sampler;
+	struct soft_view view, next_view;
+};
+
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
-	bool takes_state;
-	bool used;       /* else fragment.c draws */
+	bool used;       /* else fragment.c draws, for tests */
 	bool colored;    /* the vertices' colours are wanted */
 	bool alpha;      /* and their alpha */
 	bool alpha_read; /* by the span function, if only as white's */
@@ -88,21 +96,26 @@ struct soft_spans {
 	soft_span_function draw_anywhere, draw;
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
-	/* Texels are made beforehand, see made.h, of two levels */
-	bool made, made_linear;
-	int made_share;         /* of next_view, of 256 */
-	uint32_t made_white[2]; /* red, and green, as struct soft_run has them */
-	const soft_span_function *made_sampler;
-	struct soft_view next_view;
+	/* Texels are made beforehand, see made.h, or whole colours */
+	bool made, combined;
+	bool multiplied;    /* made: the product of both textures */
+	bool depth_by_less; /* or by LEQUAL: what is behind shows nothing */
+	uint32_t white[2];  /* red_blue and green_alpha of a run */
+	struct soft_made_levels made_levels[SOFT_UNITS];
+	struct soft_environment environment[SOFT_UNITS];
 	struct soft_made_at made_at;
-	int pixel_log2; /* bytes */
+	soft_span_function draw_row; /* what is made */
+	int pixel_log2;              /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */
 };
 
-/* Whether a span function takes the state, and all that it needs. */
-void soft_prepare_spans(struct draw *draw);
+/*
+ * Which functions draw the state, and all that they need. False where the alpha
+ * test lets nothing through.
+ */
+bool soft_prepare_spans(struct draw *draw);
 
 /* All rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);

@@ -55,14 +55,13 @@ static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 
 static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
 {
-	return soft_is_tested(kind) || soft_is_blended(kind) ||
-		(kind.wide && kind.finish != SOFT_ANY);
+	return soft_is_tested(kind) || soft_is_blended(kind) || kind.wide;
 }
 
 /* Where nothing else is in the upper half of green, the count is. */
 static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
 {
-	return !soft_wants_alpha(kind) && kind.finish != SOFT_ANY;
+	return !soft_wants_alpha(kind);
 }
 
 static ALWAYS_INLINE bool soft_has_color(struct soft_kind kind)
@@ -152,10 +151,8 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	if (!kind.linear) {
 		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
 	} else if (kind.format == TEXEL_8888) {
-		const uint32_t a[2] = {
-			load_32(above), load_32(above + 4)};
-		const uint32_t b[2] = {
-			load_32(below), load_32(below + 4)};
+		const uint32_t a[2] = {load_32(above), load_32(above + 4)};
+		const uint32_t b[2] = {load_32(below), load_32(below + 4)};
 
 		soft_mix_green(kind, a, b, texel, texel >> 16, out);
 	} else {
@@ -198,6 +195,16 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 	} else {
 		soft_mix_pairs(kind, a[0] | a[1] << 16, b[0] | b[1] << 16,
 			(uint32_t)s, (uint32_t)t, out);
+	}
+}
+
+/* Mixes what waits for the fragment to pass. */
+static ALWAYS_INLINE void soft_finish_texel(
+	struct soft_kind kind, struct soft_texel *texel)
+{
+	if (kind.format == TEXEL_8888 && kind.linear) {
+		texel->lanes.red_blue =
+			soft_mix_half(&texel->four, 0, kind.wide);
 	}
 }
 

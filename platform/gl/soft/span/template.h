@@ -10,7 +10,6 @@
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/span/any.h"
 #include "platform/gl/soft/span/stages.h"
 
 /* A half in the picture's last bit. */
@@ -177,60 +176,6 @@ static ALWAYS_INLINE void soft_store_8888(
 	memcpy(pixel, &rb, sizeof(rb));
 }
 
-/* The bytes of a texel. */
-static ALWAYS_INLINE void soft_widen_texel(
-	struct soft_kind kind, const struct soft_texel *texel, uint8_t out[4])
-{
-	const struct soft_lanes *lanes = &texel->lanes;
-
-	if (kind.format == TEXEL_8888) {
-		out[0] = (uint8_t)lanes->red_blue;
-		out[1] = (uint8_t)lanes->green_alpha;
-		out[2] = (uint8_t)(lanes->red_blue >> 16);
-		out[3] = (uint8_t)texel->alpha;
-		return;
-	}
-	for (int i = 0; i < 3; i++) {
-		int bits = soft_field(kind.format, i).bits;
-
-		out[i] = (uint8_t)(kind.linear && bits > 0
-				? soft_narrow_mixed(texel->channel[i], bits)
-				: soft_widen_field(texel->channel[i], bits));
-	}
-	out[3] = (uint8_t)texel->alpha;
-}
-
-/* The way of SOFT_ANY; colours are 8.8 there. */
-static ALWAYS_INLINE void soft_shade_any(const struct soft_run *run,
-	struct soft_kind kind, const struct soft_pixel *at,
-	const struct soft_texel *texel, uint16_t *depth, uint8_t *pixel)
-{
-	uint8_t from[4] = {255, 255, 255, 255}, to[4];
-	uint8_t color[4] = {(uint8_t)(at->red_blue >> 8),
-		(uint8_t)(at->green_alpha >> 8), (uint8_t)(at->red_blue >> 24),
-		(uint8_t)(at->green_alpha >> 23)};
-	enum pixel_format format = kind.wide ? PIXELS_RGBA8888 : PIXELS_RGB565;
-
-	if (kind.textured) {
-		soft_widen_texel(kind, texel, from);
-	}
-	load_pixel(format, pixel, to);
-	if (soft_finish_any(run->stages, from, at->green_alpha >> 16, at->fog,
-		    to, color)) {
-		*depth = (uint16_t)(at->z >> 16);
-		store_pixel(format, pixel, color);
-	}
-}
-
-static ALWAYS_INLINE void soft_finish_texel(
-	struct soft_kind kind, struct soft_texel *texel)
-{
-	if (kind.format == TEXEL_8888 && kind.linear) {
-		texel->lanes.red_blue =
-			soft_mix_half(&texel->four, 0, kind.wide);
-	}
-}
-
 /* Tests and draws one pixel whose depth passes. */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	struct soft_kind kind, const struct soft_constants *constants,
@@ -244,11 +189,6 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_sample_inside(run, kind, at->texel, &texel);
 	} else if (kind.textured) {
 		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
-	}
-	if (kind.finish == SOFT_ANY) {
-		soft_finish_texel(kind, &texel);
-		soft_shade_any(run, kind, at, &texel, depth, pixel);
-		return;
 	}
 	if (soft_wants_alpha(kind)) {
 		alpha = kind.wide || soft_is_tested(kind)
@@ -288,7 +228,7 @@ static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 	if (!soft_counts_by_green(kind)) {
 		at->green_alpha += run->green_alpha_right;
 	}
-	if (soft_is_fogged(kind) || kind.finish == SOFT_ANY) {
+	if (soft_is_fogged(kind)) {
 		at->fog += run->fog_right;
 	}
 	if (kind.textured && kind.inside) {

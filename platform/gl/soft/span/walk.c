@@ -124,7 +124,12 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 		set_row_level(line->draw, from.divisor, from.texels);
 	}
 	if (steps >= PERSPECTIVE_STEP) {
-		int spacing = find_spacing(line->draw, kind, &from, &end, steps);
+		uint32_t most = line->draw->texture[1].used
+			? soft_rows_find_second_change(
+				  line->draw, line->row, left, right - 1)
+			: 0;
+		int spacing = find_spacing(
+			line->draw, kind, &from, &end, steps, most);
 
 		for (; right - x > spacing; x += spacing) {
 			to = find_point(line, kind, x + spacing);

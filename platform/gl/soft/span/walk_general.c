@@ -21,6 +21,9 @@ static void draw_run(
 	span->y = y;
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
+	if (draw->texture[1].used) {
+		soft_rows_find_second(draw, 0, span);
+	}
 	soft_draw_span(draw, span);
 }
 

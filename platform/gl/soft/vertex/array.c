@@ -256,7 +256,7 @@ void soft_array_color_q16(
 void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2])
 {
-	const struct array *array = &draw->soft->arrays.texcoord[unit];
+	const struct array *array = draw->texture[unit].array;
 	const uint8_t *at = element_at(array, index);
 
 	out[0] = 0;

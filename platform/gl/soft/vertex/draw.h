@@ -153,6 +153,7 @@ struct raster {
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
+	int top;          /* the row that planes begin in */
 	bool first_row;   /* luminance.c's */
 	struct span span; /* of the row under way, and what is the same in all */
 };
@@ -408,24 +409,6 @@ int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
 /* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
 void soft_sample(const struct texture_input *input, const struct span *span,
 	int unit, bool wide, uint8_t (*out)[4]);
-
-/* combine.c: whether it is a texel's normal by the light in the primary colour */
-bool soft_is_plain_dot(const struct texenv *env);
-
-/* combine.c: what it makes of a texel, the primary colour and color's alpha. */
-void soft_apply_dot(
-	const uint8_t texel[4], const uint8_t primary[4], uint8_t color[4]);
-
-/*
- * combine.c: the environments other than GL_COMBINE, with their colour; format
- * is the texture's base format.
- */
-void soft_apply_environment(const struct texenv *env, GLenum format,
-	const uint8_t constant[4], const uint8_t texel[4], uint8_t color[4]);
-
-/* fragment.c: color and what is in the picture, into color. */
-void soft_blend(GLenum source_factor, GLenum destination_factor,
-	const uint8_t to[4], uint8_t color[4]);
 
 /* combine.c: what the environment makes of the fragments' colours. */
 void soft_combine(const struct texture_input *input, int count,

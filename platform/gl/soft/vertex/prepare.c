@@ -236,17 +236,25 @@ static enum texcoord_kind choose_texcoord(const struct texture_input *input)
 		: TEXCOORD_OTHER;
 }
 
+/* A unit that is used alone counts as the first one. */
 static void prepare_textures(const struct soft *soft, struct draw *draw)
 {
+	int used = 0;
+
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		draw->texture[i].used = false;
+	}
 	for (int i = 0; i < SOFT_UNITS; i++) {
 		const struct unit *unit = &soft->textures.unit[i];
-		struct texture_input *input = &draw->texture[i];
+		struct texture_input *input = &draw->texture[used];
+		int levels = unit->enabled ? count_levels(unit->bound) : 0;
 
-		input->levels = unit->enabled ? count_levels(unit->bound) : 0;
-		input->used = input->levels > 0;
-		if (!input->used) {
+		if (levels == 0) {
 			continue;
 		}
+		input->levels = levels;
+		input->used = true;
+		used++;
 		input->texture = unit->bound;
 		input->env = &unit->env;
 		input->base = &unit->bound->level[0];
@@ -370,9 +378,11 @@ bool soft_prepare(
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}
-	soft_prepare_spans(draw);
+	if (!soft_prepare_spans(draw)) {
+		return false;
+	}
 	/* No alpha where nobody asks for it. */
-	if (draw->spans.takes_state && !draw->spans.alpha_read) {
+	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
 	list_attributes(draw);

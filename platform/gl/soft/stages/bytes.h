@@ -1,0 +1,57 @@
+/*
+ * The four bytes of a word at once: one instruction of ARMv6 each, or the same
+ * bits in C.
+ */
+#ifndef PLATFORM_GL_SOFT_STAGES_BYTES_H
+#define PLATFORM_GL_SOFT_STAGES_BYTES_H
+
+#include "platform/gl/soft/span/halves.h"
+
+#ifdef __ARM_FEATURE_SIMD32
+/* a + b, 255 at most, and a - b, 0 at least, of unsigned bytes */
+#define BYTES_ADD_LIMITED(a, b)  ((uint32_t)__uqadd8(a, b))
+#define BYTES_LESS_LIMITED(a, b) ((uint32_t)__uqsub8(a, b))
+/* a - b of both halves, which wrap */
+static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
+{
+	return (uint32_t)__usub16(a, b);
+}
+#else
+static inline uint32_t soft_bytes_add_limited(uint32_t a, uint32_t b)
+{
+	const uint32_t top = 0x80808080;
+	uint32_t sum = ((a & ~top) + (b & ~top)) ^ ((a ^ b) & top);
+	uint32_t over = ((a & b) | ((a | b) & ~sum)) & top;
+
+	return sum | ((over << 1) - (over >> 7));
+}
+
+static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
+{
+	return ((a & 0xFFFF0000) - (b & 0xFFFF0000)) | ((a - b) & 0xFFFF);
+}
+
+#define BYTES_ADD_LIMITED(a, b)  soft_bytes_add_limited(a, b)
+#define BYTES_LESS_LIMITED(a, b) (~soft_bytes_add_limited(~(a), b))
+#endif
+
+/* Bytes 0 and 2 of two products of 16 bits, a half added, over 255. */
+static ALWAYS_INLINE uint32_t soft_divide_lanes(uint32_t product)
+{
+	return ODD_BYTES_AS_HALVES(product + ODD_BYTES_AS_HALVES(product));
+}
+
+/* a b / 255 of each byte, as scale_byte() has it. */
+static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
+{
+	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
+	uint32_t b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
+	uint32_t rb = (uint32_t)HALVES_BB(a_rb, b_rb, 128) |
+		(uint32_t)HALVES_TT(a_rb, b_rb, 128) << 16;
+	uint32_t ga = (uint32_t)HALVES_BB(a_ga, b_ga, 128) |
+		(uint32_t)HALVES_TT(a_ga, b_ga, 128) << 16;
+
+	return soft_divide_lanes(rb) | soft_divide_lanes(ga) << 8;
+}
+
+#endif

@@ -1,0 +1,286 @@
+#include "platform/gl/soft/stages/combine_rows.h"
+
+#include <string.h>
+
+#include "platform/gl/soft/stages/bytes.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+enum {
+	ADD_SIGNED = 0x8574,
+	INTERPOLATE = 0x8575,
+	SUBTRACT = 0x84E7,
+	RGB = 0x00FFFFFF,
+};
+
+/* The colours that meet in a stage. */
+struct meeting {
+	const uint32_t *texel, *primary, *previous;
+	uint32_t constant;
+};
+
+static bool has_color(GLenum format)
+{
+	return format != GL_ALPHA;
+}
+
+static bool has_alpha(GLenum format)
+{
+	return format != GL_RGB && format != GL_LUMINANCE;
+}
+
+bool soft_is_simple_environment(const struct texture_input *input)
+{
+	GLenum mode = input->env->mode, format = input->base->base_format;
+
+	return mode == GL_MODULATE || mode == GL_REPLACE ||
+		(mode == GL_DECAL && format == GL_RGB);
+}
+
+static void set(
+	struct soft_combiner *combiner, int i, GLenum source, GLenum operand)
+{
+	combiner->source[i] = source;
+	combiner->operand[i] = operand;
+}
+
+/* The modes other than GL_COMBINE as functions of it. */
+static void find_rgb(GLenum mode, struct soft_combiner *rgb)
+{
+	rgb->function = mode == GL_REPLACE ? GL_REPLACE
+		: mode == GL_ADD           ? GL_ADD
+		: mode == GL_DECAL         ? INTERPOLATE
+		: mode == GL_BLEND         ? INTERPOLATE
+					   : GL_MODULATE;
+	set(rgb, 0, mode == GL_BLEND ? GL_CONSTANT : GL_TEXTURE, GL_SRC_COLOR);
+	set(rgb, 1, GL_PREVIOUS, GL_SRC_COLOR);
+	set(rgb, 2, GL_TEXTURE, mode == GL_DECAL ? GL_SRC_ALPHA : GL_SRC_COLOR);
+}
+
+static void find_mode(GLenum mode, GLenum format, struct soft_environment *out)
+{
+	out->rgb.function = GL_REPLACE;
+	set(&out->rgb, 0, GL_PREVIOUS, GL_SRC_COLOR);
+	if (has_color(format)) {
+		find_rgb(mode, &out->rgb);
+	}
+	out->alpha.function = mode == GL_REPLACE ? GL_REPLACE : GL_MODULATE;
+	set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
+	set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
+	if (!has_alpha(format) || mode == GL_DECAL) {
+		out->alpha.function = GL_REPLACE;
+		set(&out->alpha, 0, GL_PREVIOUS, GL_SRC_ALPHA);
+	}
+}
+
+static void find_combine(const struct texenv *env, struct soft_environment *out)
+{
+	out->rgb.function = env->combine_rgb;
+	out->rgb.doublings = env->scale_rgb >> 17;
+	out->alpha.function = env->combine_alpha;
+	out->alpha.doublings = env->scale_alpha >> 17;
+	for (int i = 0; i < 3; i++) {
+		set(&out->rgb, i, env->source_rgb[i], env->operand_rgb[i]);
+		set(&out->alpha, i, env->source_alpha[i], env->operand_alpha[i]);
+	}
+}
+
+static int count_arguments(GLenum function)
+{
+	return function == GL_REPLACE ? 1 : function == INTERPOLATE ? 3 : 2;
+}
+
+static bool is_inverted(GLenum operand)
+{
+	return operand == GL_ONE_MINUS_SRC_COLOR ||
+		operand == GL_ONE_MINUS_SRC_ALPHA;
+}
+
+static bool is_alpha(GLenum operand)
+{
+	return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
+}
+
+static bool is_dot(GLenum function)
+{
+	return function == GL_DOT3_RGB || function == GL_DOT3_RGBA;
+}
+
+/* Alpha's function on all four bytes does what both do. */
+static bool are_alike(
+	const struct soft_combiner *rgb, const struct soft_combiner *alpha)
+{
+	bool alike = rgb->function == alpha->function &&
+		rgb->doublings == alpha->doublings && !is_dot(rgb->function);
+
+	for (int i = 0; i < count_arguments(rgb->function); i++) {
+		alike = alike && rgb->source[i] == alpha->source[i] &&
+			!is_alpha(rgb->operand[i]) &&
+			is_inverted(rgb->operand[i]) ==
+				is_inverted(alpha->operand[i]);
+	}
+	return alike;
+}
+
+void soft_find_environment(
+	const struct texture_input *input, struct soft_environment *out)
+{
+	const struct texenv *env = input->env;
+
+	memset(out, 0, sizeof(*out));
+	for (int i = 0; i < 4; i++) {
+		out->constant |= (uint32_t)soft_byte(env->color[i]) << 8 * i;
+	}
+	if (env->mode == GL_COMBINE) {
+		find_combine(env, out);
+	} else {
+		find_mode(env->mode, input->base->base_format, out);
+	}
+	/* Without an alpha of its own a texel's is 255. */
+	if (out->rgb.function == GL_MODULATE && env->mode == GL_MODULATE) {
+		out->alpha.function = GL_MODULATE;
+		set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
+		set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
+	}
+	out->alpha_wanted = true;
+	out->alike = out->rgb.function == GL_DOT3_RGBA ||
+		are_alike(&out->rgb, &out->alpha);
+}
+
+static void fill(uint32_t *out, uint32_t value, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		out[i] = value;
+	}
+}
+
+/* An argument's row: a source's own, or made of it in out. */
+static const uint32_t *find_argument(const struct meeting *m, GLenum source,
+	GLenum operand, bool for_alpha, uint32_t *out, uint32_t count)
+{
+	const uint32_t *from = source == GL_TEXTURE ? m->texel
+		: source == GL_PRIMARY_COLOR        ? m->primary
+						    : m->previous;
+	uint32_t invert = is_inverted(operand) ? UINT32_MAX : 0;
+
+	if (source == GL_CONSTANT) {
+		fill(out, m->constant, count);
+		from = out;
+	}
+	if (is_alpha(operand) && !for_alpha) {
+		for (uint32_t i = 0; i < count; i++) {
+			out[i] = ((from[i] >> 24) * 0x01010101) ^ invert;
+		}
+		return out;
+	}
+	if (!invert) {
+		return from;
+	}
+	for (uint32_t i = 0; i < count; i++) {
+		out[i] = ~from[i];
+	}
+	return out;
+}
+
+/* 4 times the sum of (a - 1/2)(b - 1/2), of 0..255, in all four bytes. */
+static uint32_t dot(uint32_t a, uint32_t b)
+{
+	const uint32_t one = 0x00FF00FF;
+	/* 2 a - 255 of bytes 0 and 2: 511 keeps the lower half from borrowing */
+	uint32_t a_rb = soft_halves_minus(BYTES_AS_HALVES(a) * 2, one);
+	uint32_t b_rb = soft_halves_minus(BYTES_AS_HALVES(b) * 2, one);
+	int32_t a_g = (int32_t)(a >> 8 & 255) * 2 - 255;
+	int32_t b_g = (int32_t)(b >> 8 & 255) * 2 - 255;
+	int32_t sum = (int32_t)HALVES_SUM_ADD(a_rb, b_rb, (uint32_t)(a_g * b_g));
+
+	/* sum / 255 towards zero, wherever that is below 256 */
+	sum = sum <= 0 ? 0 : (sum * 257 + 257) >> 16;
+	return (uint32_t)(sum > 255 ? 255 : sum) * 0x01010101;
+}
+
+static void run_function(GLenum function, const uint32_t *const a[3],
+	uint32_t *out, uint32_t count)
+{
+	const uint32_t *x = a[0], *y = a[1], *z = a[2];
+	const uint32_t half = 0x80808080;
+	uint32_t i = 0;
+
+	switch (function) {
+	case GL_REPLACE:
+		memmove(out, x, count * sizeof(*out));
+		break;
+	case GL_ADD:
+		for (; i < count; i++) {
+			out[i] = BYTES_ADD_LIMITED(x[i], y[i]);
+		}
+		break;
+	case ADD_SIGNED:
+		/* one of the differences is 0 */
+		for (; i < count; i++) {
+			uint32_t more = BYTES_LESS_LIMITED(x[i], half);
+			uint32_t less = BYTES_LESS_LIMITED(half, x[i]);
+
+			out[i] = BYTES_LESS_LIMITED(
+				BYTES_ADD_LIMITED(y[i], more), less);
+		}
+		break;
+	case SUBTRACT:
+		for (; i < count; i++) {
+			out[i] = BYTES_LESS_LIMITED(x[i], y[i]);
+		}
+		break;
+	case INTERPOLATE:
+		for (; i < count; i++) {
+			out[i] = soft_multiply_bytes(x[i], z[i]) +
+				soft_multiply_bytes(y[i], ~z[i]);
+		}
+		break;
+	case GL_DOT3_RGB:
+	case GL_DOT3_RGBA:
+		for (; i < count; i++) {
+			out[i] = dot(x[i], y[i]);
+		}
+		break;
+	default:
+		for (; i < count; i++) {
+			out[i] = soft_multiply_bytes(x[i], y[i]);
+		}
+		break;
+	}
+}
+
+static void run_combiner(const struct soft_combiner *combiner,
+	const struct meeting *m, bool for_alpha, uint32_t *out, uint32_t count)
+{
+	uint32_t made[3][SOFT_RUN_PIXELS];
+	const uint32_t *argument[3] = {NULL};
+
+	for (int i = 0; i < count_arguments(combiner->function); i++) {
+		argument[i] = find_argument(m, combiner->source[i],
+			combiner->operand[i], for_alpha, made[i], count);
+	}
+	run_function(combiner->function, argument, out, count);
+	for (int n = 0; n < combiner->doublings; n++) {
+		for (uint32_t i = 0; i < count; i++) {
+			out[i] = BYTES_ADD_LIMITED(out[i], out[i]);
+		}
+	}
+}
+
+void soft_combine_row(const struct soft_environment *environment,
+	const uint32_t *texel, const uint32_t *primary, uint32_t *color,
+	uint32_t count)
+{
+	const struct meeting m = {texel, primary, color, environment->constant};
+	uint32_t rgb[SOFT_RUN_PIXELS];
+
+	if (environment->alike || !environment->alpha_wanted) {
+		run_combiner(&environment->rgb, &m, false, color, count);
+		return;
+	}
+	run_combiner(&environment->rgb, &m, false, rgb, count);
+	run_combiner(&environment->alpha, &m, true, color, count);
+	for (uint32_t i = 0; i < count; i++) {
+		color[i] = (rgb[i] & RGB) | (color[i] & ~(uint32_t)RGB);
+	}
+}

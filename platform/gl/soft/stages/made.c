@@ -1,0 +1,281 @@
+#include "platform/gl/soft/stages/made.h"
+
+#include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/depth_ways.h"
+#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/stages/bytes.h"
+#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
+
+/* White's alpha, 8.7. */
+enum {
+	WHITE_ALPHA = 0x7FC0,
+};
+
+static bool is_linear(GLenum filter)
+{
+	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
+		filter == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+bool soft_mixes_levels(const struct texture_input *input)
+{
+	GLenum min;
+
+	if (!input->used || input->levels <= 1) {
+		return false;
+	}
+	min = input->texture->min_filter;
+	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+/* GL ES 1.1 section 3.7.7: the level, or two and their shares. */
+static void choose_levels(const struct texture_input *input, int lod,
+	struct soft_made_levels *levels)
+{
+	const struct texture *texture = input->texture;
+	bool small = soft_rows_is_small(input, lod),
+	     mixed = soft_mixes_levels(input);
+	GLenum filter = small ? texture->min_filter : texture->mag_filter;
+	bool linear = is_linear(filter);
+	int last = input->levels - 1, line = lod & 255;
+	int level = small
+		? clamp_int(mixed ? lod >> 8 : (lod + 127) >> 8, 0, last)
+		: 0;
+
+	/* lod runs straight between powers of two, a logarithm above. */
+	levels->share = !mixed || !small || level == last
+		? 0
+		: line + (line * (256 - line) * 92 >> 16);
+	if (level == levels->level && linear == levels->linear) {
+		return;
+	}
+	levels->level = level;
+	levels->linear = linear;
+	levels->sampler = soft_samplers[(linear ? SOFT_LINEAR : SOFT_NEAREST) +
+		(int)input->base->format - 1];
+	levels->view = soft_find_view(input, level, linear);
+	levels->next_view =
+		soft_find_view(input, level < last ? level + 1 : level, linear);
+}
+
+void soft_set_made_levels(struct draw *draw, int lod)
+{
+	choose_levels(&draw->texture[0], lod, &draw->spans.made_levels[0]);
+}
+
+/* The texels of a level, as bytes. */
+static void sample_level(const struct soft_made_levels *levels,
+	const struct soft_view *view, const struct soft_made_at *at,
+	uint32_t count, uint32_t *out)
+{
+	struct soft_window window;
+	struct soft_run run = {.pixel = (uint8_t *)out, .count = count};
+
+	soft_use_view(view, levels->sampler, &run, &window);
+	run.s_right = soft_texel_step(at->s_step, view->s_shift);
+	run.t_right = soft_texel_step(at->t_step, view->t_shift);
+	run.texel_right = ((uint32_t)run.t_right << 16) + (uint32_t)run.s_right;
+	run.s = soft_find_start(at->s, at->s_step, count >> 1, run.s_right,
+		view->s_shift, view->s_half);
+	run.t = soft_find_start(at->t, at->t_step, count >> 1, run.t_right,
+		view->t_shift, view->t_half);
+	levels->sampler[soft_find_window(&window, view->texel_log2, &run)](&run);
+}
+
+/* From one to the other of four bytes by 0..255 of 256. */
+static uint32_t mix(uint32_t from, uint32_t to, uint32_t share)
+{
+	const uint32_t mask = 0x00FF00FF, half = 0x00800080;
+	uint32_t low = (from & mask) * (256 - share) + (to & mask) * share;
+	uint32_t high =
+		(from >> 8 & mask) * (256 - share) + (to >> 8 & mask) * share;
+
+	return ((low + half) >> 8 & mask) | ((high + half) & ~mask);
+}
+
+static void sample(const struct soft_made_levels *levels,
+	const struct soft_made_at *at, uint32_t count, uint32_t *texel)
+{
+	uint32_t next[SOFT_RUN_PIXELS], share = (uint32_t)levels->share;
+
+	sample_level(levels, &levels->view, at, count, texel);
+	if (share > 0) {
+		sample_level(levels, &levels->next_view, at, count, next);
+		for (uint32_t i = 0; i < count; i++) {
+			texel[i] = mix(texel[i], next[i], share);
+		}
+	}
+}
+
+/* The second texture's texels; the depth's place says where the run is. */
+static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	struct soft_made_levels *levels = &draw->spans.made_levels[1];
+	uint32_t place = (uint32_t)(draw->spans.run.depth - buffers->depth);
+	uint32_t y = place / (uint32_t)buffers->width;
+	struct span span;
+
+	span.x = (int)(place - y * (uint32_t)buffers->width);
+	span.count = (int)count;
+	soft_rows_find_second(draw, (int)y - draw->raster.top, &span);
+	choose_levels(&draw->texture[1], span.lod[1], levels);
+	sample(levels,
+		&(struct soft_made_at){(int32_t)span.value[TEX_S + 2],
+			(int32_t)span.value[TEX_S + 3], span.step[TEX_S + 2],
+			span.step[TEX_S + 3]},
+		count, texel);
+}
+
+/* The vertices' colours. */
+static void fill_primary(const struct soft_run *run, uint32_t *out)
+{
+	uint32_t rb = run->red_blue, rb_right = run->red_blue_right;
+	uint32_t ga = run->green_alpha, ga_right = run->green_alpha_right;
+	const uint32_t *end = out + run->count;
+
+	for (; out != end; out++) {
+		*out = ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) | ga >> 23 << 24;
+		rb += rb_right;
+		ga += ga_right;
+	}
+}
+
+/* Alpha by the texel's with its fraction, as the span functions have it. */
+static void scale_alphas(
+	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
+{
+	uint32_t ga = run->green_alpha, ga_right = run->green_alpha_right;
+	const uint32_t *end = color + run->count;
+
+	for (; color != end; color++, texel++, ga += ga_right) {
+		uint32_t alpha = soft_scale_alpha(ga >> 16, *texel >> 24);
+
+		*color = (*color & 0x00FFFFFF) | alpha << 24;
+	}
+}
+
+/* What the environments make of the vertices' colours and the textures. */
+static void combine(struct draw *draw, uint32_t *texel, uint32_t *color)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct soft_run *run = &spans->run;
+	uint32_t primary[SOFT_RUN_PIXELS];
+
+	fill_primary(run, color);
+	if (!draw->texture[0].used) {
+		return;
+	}
+	memcpy(primary, color, run->count * sizeof(*primary));
+	soft_combine_row(
+		&spans->environment[0], texel, primary, color, run->count);
+	if (spans->stages.alpha_scaled) {
+		scale_alphas(run, texel, color);
+	}
+	if (draw->texture[1].used) {
+		sample_second(draw, run->count, texel);
+		soft_combine_row(&spans->environment[1], texel, primary, color,
+			run->count);
+	}
+}
+
+/* Whether all of the run lies behind what is there. */
+static bool is_hidden(const struct soft_spans *spans)
+{
+	const struct soft_run *run = &spans->run;
+	uint32_t z = run->z;
+
+	if (!spans->depth_by_less) {
+		return false;
+	}
+	for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
+		if (z >> 16 <= run->depth[i]) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static void draw_made(const struct soft_run *given)
+{
+	struct draw *draw = given->draw;
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	const struct soft_run whole = *run;
+	uint32_t texel[SOFT_RUN_PIXELS], color[SOFT_RUN_PIXELS], *row = texel;
+
+	if (is_hidden(spans)) {
+		return;
+	}
+	if (spans->textured) {
+		sample(&spans->made_levels[0], &spans->made_at, run->count,
+			texel);
+	}
+	if (spans->multiplied) {
+		sample_second(draw, run->count, color);
+		for (uint32_t i = 0; i < run->count; i++) {
+			texel[i] = soft_multiply_bytes(texel[i], color[i]);
+		}
+	} else if (spans->combined) {
+		combine(draw, texel, color);
+		row = color;
+		run->red_blue = spans->white[0];
+		run->green_alpha = spans->white[1];
+		run->red_blue_right = 0;
+		run->green_alpha_right = 0;
+	}
+	run->first_texel = (const uint8_t *)row;
+	run->texel = 0;
+	spans->draw_row(run);
+	run->red_blue = whole.red_blue;
+	run->green_alpha = whole.green_alpha;
+	run->red_blue_right = whole.red_blue_right;
+	run->green_alpha_right = whole.green_alpha_right;
+}
+
+static void prepare_combined(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	bool alpha = spans->finish != SOFT_OPAQUE &&
+		spans->finish != SOFT_OPAQUE_FOG;
+
+	alpha |= draw->soft->format == PIXELS_RGBA8888;
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		if (draw->texture[i].used) {
+			soft_find_environment(
+				&draw->texture[i], &spans->environment[i]);
+		}
+	}
+	spans->environment[draw->texture[1].used].alpha_wanted = alpha;
+	spans->white[1] |= alpha ? WHITE_ALPHA << 16 : 0;
+}
+
+void soft_prepare_made(struct draw *draw)
+{
+	static const soft_span_function any[2] = {
+		soft_finish_row, soft_finish_row};
+	struct soft_spans *spans = &draw->spans;
+	const soft_span_table *table = draw->soft->format == PIXELS_RGB565
+		? &soft_spans_565
+		: &soft_spans_8888;
+
+	if (spans->combined) {
+		prepare_combined(draw);
+	}
+	spans->made_levels[0].level = -1;
+	spans->made_levels[1].level = -1;
+	soft_set_functions(spans,
+		spans->finish == SOFT_ANY
+			? any
+			: (*table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
+	spans->draw_row = spans->draw;
+	/* All runs come here: none lies in the window. */
+	spans->window.s_room = 0;
+	spans->draw = draw_made;
+	spans->draw_anywhere = draw_made;
+	spans->run.texel_right = 1 << SOFT_TEXEL_FRACTION;
+	spans->run.stride_log2 = 0;
+}

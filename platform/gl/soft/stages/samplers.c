@@ -1,0 +1,89 @@
+/* Functions that read a run's texels alone, one for each format and filter. */
+#include "platform/gl/soft/span/stages.h"
+
+static ALWAYS_INLINE uint32_t widen_channel(struct soft_kind kind,
+	enum soft_channel channel, const struct soft_texel *texel)
+{
+	int bits = soft_field(kind.format, channel).bits;
+	uint32_t value = texel->channel[channel];
+
+	return kind.linear && bits > 0 ? soft_narrow_mixed(value, bits)
+				       : soft_widen_field(value, bits);
+}
+
+/* The bytes of a texel. */
+static ALWAYS_INLINE uint32_t widen_texel(
+	struct soft_kind kind, const struct soft_texel *texel)
+{
+	if (kind.format == TEXEL_8888) {
+		return texel->lanes.red_blue | texel->lanes.green_alpha << 8;
+	}
+	return widen_channel(kind, SOFT_RED, texel) |
+		widen_channel(kind, SOFT_GREEN, texel) << 8 |
+		widen_channel(kind, SOFT_BLUE, texel) << 16 | texel->alpha << 24;
+}
+
+static ALWAYS_INLINE void read_texels(
+	const struct soft_run *given, const struct soft_kind kind)
+{
+	const struct soft_run own = *given, *run = &own;
+	uint32_t at = run->texel;
+	int32_t s = run->s, t = run->t;
+	uint8_t *out = run->pixel, *end = out + run->count * 4;
+
+	for (; out != end; out += 4) {
+		struct soft_texel texel = {.alpha = 255};
+		uint32_t bytes;
+
+		if (kind.inside) {
+			soft_sample_inside(run, kind, at, &texel);
+			at += run->texel_right;
+		} else {
+			soft_sample_anywhere(run, kind, s, t, &texel);
+			s += run->s_right;
+			t += run->t_right;
+		}
+		soft_finish_texel(kind, &texel);
+		bytes = widen_texel(kind, &texel);
+		memcpy(out, &bytes, sizeof(bytes));
+	}
+}
+
+#define READ_TEXELS(name, ...)                                                 \
+	static void name(const struct soft_run *run)                           \
+	{                                                                      \
+		read_texels(run,                                               \
+			(struct soft_kind){                                    \
+				.textured = true, .wide = true, __VA_ARGS__}); \
+	}
+
+#define BOTH_FUNCTIONS(name, texels)                                           \
+	READ_TEXELS(nearest_##name, .format = texels)                          \
+	READ_TEXELS(nearest_##name##_inside, .format = texels, .inside = true) \
+	READ_TEXELS(linear_##name, .format = texels, .linear = true)           \
+	READ_TEXELS(linear_##name##_inside, .format = texels, .linear = true,  \
+		.inside = true)
+
+BOTH_FUNCTIONS(565, TEXEL_565)
+BOTH_FUNCTIONS(4444, TEXEL_4444)
+BOTH_FUNCTIONS(5551, TEXEL_5551)
+BOTH_FUNCTIONS(8888, TEXEL_8888)
+BOTH_FUNCTIONS(l8, TEXEL_L8)
+BOTH_FUNCTIONS(a8, TEXEL_A8)
+BOTH_FUNCTIONS(la88, TEXEL_LA88)
+
+#define ROWS(name, texels)                             \
+	[SOFT_NEAREST + (texels)-1] = {nearest_##name, \
+		nearest_##name##_inside},              \
+			[SOFT_LINEAR + (texels)-1] = { \
+				linear_##name, linear_##name##_inside}
+
+const soft_span_function soft_samplers[SOFT_SOURCES][2] = {
+	ROWS(565, TEXEL_565),
+	ROWS(4444, TEXEL_4444),
+	ROWS(5551, TEXEL_5551),
+	ROWS(8888, TEXEL_8888),
+	ROWS(l8, TEXEL_L8),
+	ROWS(a8, TEXEL_A8),
+	ROWS(la88, TEXEL_LA88),
+};

@@ -7,6 +7,7 @@
 #include "app/character/run/ground.h"
 #include "app/character/run/layers.h"
 #include "app/character/run/parameters.h"
+#include "app/character/run/triggers.h"
 #include "app/character/state/machine.h"
 
 #include "platform/base/file.h"
@@ -84,6 +85,7 @@ void character_update(
 	character_switches_update(character);
 	character_machine_update(character);
 	run_ops(character);
+	character_triggers_update(character);
 	character_actions_run(character);
 	character_outputs_update(character);
 }

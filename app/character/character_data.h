@@ -36,6 +36,8 @@ struct character_parameter {
 	enum character_source source;
 	const float *other;
 	float scale, offset;
+	int choice_count;          /* 0: it is no choice */
+	const char *const *choice; /* names of its values 0, 1 ... */
 
 	/* Changes: */
 	float value, goal, from, elapsed_s;
@@ -58,8 +60,9 @@ enum character_verb {
 	CHARACTER_RUN,    /* sequence index */
 	CHARACTER_REPEAT, /* sequence index, again and again */
 	CHARACTER_STOP,   /* sequence index */
-	CHARACTER_ATTACH, /* part index to node detail; -1: where it was */
-	CHARACTER_DROP,   /* part index, onto the ground below it */
+	CHARACTER_ATTACH, /* part index to node detail, if it is at most amount
+			     from place, with amount 0 anyway; -1: where it was */
+	CHARACTER_DROP,   /* part index, onto node detail or the ground below */
 	CHARACTER_KEYS,   /* shows or hides what the buttons do */
 	CHARACTER_LINE,   /* writes text to standard output */
 	CHARACTER_OUTPUT, /* output line index: amount ms; 0 off, -1 on */
@@ -75,6 +78,8 @@ struct character_action {
 	enum character_verb verb;
 	int index, detail;
 	float amount;
+	bool has_place;
+	float place[3]; /* in the node's frame */
 	const char *text;
 	struct character_action *next; /* or NULL */
 };
@@ -144,6 +149,16 @@ struct character_condition {
 		CHARACTER_EQUAL
 	} is;
 	struct character_condition *next;
+};
+
+/* Actions that run when comparisons begin to hold, and when they end to. */
+struct character_trigger {
+	const char *name;
+	struct character_condition *when;
+	const struct character_action *then, *otherwise;
+
+	/* Changes: */
+	bool held; /* in the last frame */
 };
 
 /* When a transition that runs may be replaced by another one. */
@@ -265,6 +280,16 @@ enum {
 	CHARACTER_GROUND = -2 /* the holder of a part that was dropped */
 };
 
+enum {
+	CHARACTER_GUARDS_MAX = 4
+};
+
+/* A capsule in a part's frame that keeps away from others and the ground. */
+struct character_guard {
+	float radius_m;
+	float from[3], to[3];
+};
+
 /* A rigid part on a pivot: degrees and metres. */
 struct character_part {
 	const char *name;
@@ -273,13 +298,15 @@ struct character_part {
 	bool rotates_first; /* the position turns with the angles */
 	struct character_freedom freedom[CHARACTER_FREEDOMS];
 	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
-	float radius_m; /* kept from the floor and from others; 0: no limit */
-	float tip[3];   /* of the guarded line from the pivot, in its frame */
+	int guard_count;
+	struct character_guard guard[CHARACTER_GUARDS_MAX];
 
 	/* Changes: */
 	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */
 	float rest_m; /* the pivot's height in the model */
-	struct transform held; /* where, in the holder's frame */
+	struct transform held;      /* where, in the holder's frame */
+	float pull[3], pull_s;      /* from there, and how long until it is 0 */
+	float fall_m, fall_m_per_s; /* how far it is above that, and falling */
 };
 
 /* A step of a sequence: values that parts reach. */
@@ -429,7 +456,8 @@ struct character {
 
 	int parameter_count, clip_count, layer_count, expression_count;
 	int morph_count, part_count, sequence_count, target_count;
-	int switch_count, output_count, op_count;
+	int switch_count, output_count, op_count, trigger_count;
+	struct character_trigger *trigger;
 	struct character_parameter *parameter;
 	struct character_clip *clip;
 	struct character_machine machine;
@@ -463,7 +491,7 @@ struct character {
 	float eye[3];
 	float camera_turn, camera_tilt, camera_zoom; /* in this frame */
 	bool paused, touring, labels_hidden, keys_shown;
-	int moved_part; /* the last one that an action moved, or -1 */
+	bool seen_triggers; /* in an earlier frame */
 	double tour_from_s;
 	const struct character_tour *tour_next;
 	int pending_count;

@@ -134,6 +134,10 @@ int character_read_limb(struct character_words *words,
 /* Whether a node is the one at the top or below it. */
 bool character_is_below(const struct model *model, int node, int top);
 
+/* Reads the name of one of a parameter's choices; false for another word. */
+bool character_take_choice(struct character_words *words,
+	const struct character_parameter *parameter, float *out);
+
 /*
  * Names. Each returns an index, or -1 after an error that lists the names
  * that there are. A name is first looked up in [names].
@@ -186,6 +190,7 @@ int character_build_reach(struct character_build *build,
 int character_build_capes(struct character_build *build);
 int character_build_clips(struct character_build *build);
 int character_build_states(struct character_build *build);
+int character_build_triggers(struct character_build *build);
 int character_build_sequences(struct character_build *build);
 int character_build_scene(struct character_build *build);
 int character_build_buttons(struct character_build *build);

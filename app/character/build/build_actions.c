@@ -44,6 +44,12 @@ static int read_name_and_number(struct character_words *words,
 {
 	int error = read_name(words, action, verb);
 
+	if (!error && action->verb == CHARACTER_SET &&
+		character_take_choice(words,
+			&words->build->character->parameter[action->index],
+			&action->amount)) {
+		return 0;
+	}
 	if (!error && !character_take_number(words, &action->amount)) {
 		return fail_action(words, verb);
 	}
@@ -164,10 +170,36 @@ static int read_attach(struct character_words *words,
 	action->detail = -1;
 	if (verb->name[0] == 'a') {
 		action->detail = character_name_node(words);
-		character_take_number(words, &action->amount);
-		return action->detail < 0 ? -EINVAL : 0;
+		if (action->detail < 0) {
+			return -EINVAL;
+		}
+		if (character_take_number(words, &action->amount) &&
+			character_take_number(words, &action->place[0])) {
+			action->has_place = true;
+			return character_take_number(words, &action->place[1]) &&
+					character_take_number(
+						words, &action->place[2])
+				? 0
+				: fail_action(words, verb);
+		}
 	}
 	return 0;
+}
+
+/* drop PART [NODE] */
+static int read_drop(struct character_words *words,
+	struct character_action *action, const struct verb *verb)
+{
+	int error = read_name(words, action, verb);
+
+	action->detail = -1;
+	if (!error && !character_at_end(words) &&
+		!character_next_is(words, ",") &&
+		!words->line->word[words->next].quoted) {
+		action->detail = character_name_node(words);
+		error = action->detail < 0 ? -EINVAL : 0;
+	}
+	return error;
 }
 
 static int read_line(struct character_words *words,
@@ -247,9 +279,10 @@ static const struct verb verbs[] = {
 		"repeat SEQUENCE"},
 	{"stop", CHARACTER_STOP, read_name, "sequence", false, "stop SEQUENCE"},
 	{"attach", CHARACTER_ATTACH, read_attach, "part", false,
-		"attach PART NODE, or attach PART NODE METRES for a part that is near"},
+		"attach PART NODE, or attach PART NODE METRES [X Y Z] for a part that is near"},
 	{"detach", CHARACTER_ATTACH, read_attach, "part", false, "detach PART"},
-	{"drop", CHARACTER_DROP, read_name, "part", false, "drop PART"},
+	{"drop", CHARACTER_DROP, read_drop, "part", false,
+		"drop PART, or drop PART NODE to let it lie on that too"},
 	{"line", CHARACTER_LINE, read_line, NULL, false, "line TEXT"},
 	{"output", CHARACTER_OUTPUT, read_output, "output", false,
 		"output NAME on, output NAME off or output NAME MILLISECONDS"},

@@ -192,7 +192,7 @@ void character_start_switches(struct character *character)
 
 static const char *const kinds[] = {"character", "names", "parameter", "clip",
 	"state", "transition", "layer", "expression", "morph", "part",
-	"sequence", "target", "shake", "look", "reach", "turn", "spring",
+	"sequence", "trigger", "target", "shake", "look", "reach", "turn", "spring",
 	"breath", "muscle", "feet", "cape", "output", "motion", "scene",
 	"buttons", NULL};
 

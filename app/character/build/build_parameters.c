@@ -54,7 +54,41 @@ static int read_source(struct character_words *words,
 	return 0;
 }
 
+/* choices = NAME NAME ...: the values 0, 1 and so on. */
+static int read_choices(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_parameter *parameter = member;
+	int count = words->line->word_count;
+	const char **name =
+		ARENA_ARRAY(words->build->arena, const char *, (size_t)count);
+
+	if (!name) {
+		return character_fail_memory(words->build);
+	}
+	parameter->choice_count = 0;
+	while (!character_at_end(words)) {
+		const char *word = character_next_word(words);
+
+		if (!word) {
+			return character_fail_value(words, key);
+		}
+		name[parameter->choice_count++] = word;
+		character_take(words, ",");
+	}
+	if (parameter->choice_count < 2) {
+		return character_fail(
+			words, "one name is no choice: give %s", key->right);
+	}
+	parameter->choice = name;
+	parameter->range[0] = 0;
+	parameter->range[1] = (float)(parameter->choice_count - 1);
+	return 0;
+}
+
 static const struct character_key keys[] = {
+	{"choices", read_choices, 0, 0, 0, NULL,
+		"two or more names, such as arm forearm hand"},
 	{"range", character_read_numbers2,
 		offsetof(struct character_parameter, range), 0, 0, NULL,
 		"the lowest and the highest value, such as 0 2.6"},
@@ -68,6 +102,18 @@ static const struct character_key keys[] = {
 		"buttons, motion, time [SCALE [OFFSET]], sine PERIOD [PHASE], PARAMETER [SCALE [OFFSET]] or part PART FREEDOM [SCALE [OFFSET]]"},
 	{0},
 };
+
+bool character_take_choice(struct character_words *words,
+	const struct character_parameter *parameter, float *out)
+{
+	for (int i = 0; i < parameter->choice_count; i++) {
+		if (character_take(words, parameter->choice[i])) {
+			*out = (float)i;
+			return true;
+		}
+	}
+	return false;
+}
 
 static int read_one(struct character_build *build,
 	const struct character_section *section,

@@ -1,5 +1,6 @@
 #include "app/character/build/build.h"
 
+#include "app/character/run/held.h"
 #include "app/character/run/parts.h"
 
 #include <errno.h>
@@ -77,6 +78,50 @@ static int read_first(struct character_words *words,
 	return error;
 }
 
+/* radius and tip describe the first capsule, each guard a further one. */
+static struct character_guard *first_guard(struct character_part *part)
+{
+	part->guard_count += part->guard_count == 0;
+	return &part->guard[0];
+}
+
+static int read_radius(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	return character_read_number(words, key, &first_guard(member)->radius_m);
+}
+
+static int read_tip(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	return character_read_numbers3(words, key, first_guard(member)->to);
+}
+
+/* guard = METRES [X Y Z [X Y Z]] */
+static int read_guard(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_part *part = member;
+	struct character_guard *guard = &part->guard[part->guard_count];
+	int error;
+
+	if (part->guard_count == CHARACTER_GUARDS_MAX) {
+		return character_fail(words, "a part has at most %d capsules",
+			CHARACTER_GUARDS_MAX);
+	}
+	part->guard_count++;
+	error = character_read_number(words, key, &guard->radius_m);
+	if (error || character_at_end(words)) {
+		return error;
+	}
+	error = character_read_numbers3(words, key, guard->to);
+	if (!error && !character_at_end(words)) {
+		memcpy(guard->from, guard->to, sizeof(guard->from));
+		error = character_read_numbers3(words, key, guard->to);
+	}
+	return error;
+}
+
 static const char *const firsts[] = {"translate", "rotate", NULL};
 
 #define ANGLE \
@@ -97,11 +142,11 @@ static const struct character_key keys[] = {
 	{"x", read_freedom, 0, 0, 0, NULL, SHIFT},
 	{"y", read_freedom, 0, 0, 0, NULL, SHIFT},
 	{"z", read_freedom, 0, 0, 0, NULL, SHIFT},
-	{"radius", character_read_number,
-		offsetof(struct character_part, radius_m), 0, 1000, NULL,
+	{"radius", read_radius, 0, 0, 1000, NULL,
 		"metres that other parts and the ground keep away"},
-	{"tip", character_read_numbers3, offsetof(struct character_part, tip),
-		0, 0, NULL, "x y z in metres from the pivot"},
+	{"tip", read_tip, 0, 0, 0, NULL, "x y z in metres from the pivot"},
+	{"guard", read_guard, 0, 0, 0, NULL,
+		"metres that others keep away, and one or two ends x y z, such as 0.05 0 0.5 0"},
 	{0},
 };
 
@@ -141,7 +186,6 @@ int character_build_part_list(struct character_build *build)
 {
 	struct character *character = build->character;
 
-	character->moved_part = -1;
 	character->part_count = character_text_count(build->text, "part");
 	character->part = ARENA_ARRAY(build->arena, struct character_part,
 		(size_t)character->part_count);
@@ -185,7 +229,7 @@ int character_build_parts(struct character_build *build)
 		character_add_op(
 			build, CHARACTER_STAGE_PART, character_parts_run, NULL);
 		character_add_op(build, CHARACTER_STAGE_ATTACHED,
-			character_attached_run, NULL);
+			character_held_run, NULL);
 	}
 	return error;
 }
@@ -197,6 +241,8 @@ static int read_goal(struct character_words *words, const char *right,
 	struct character *character = words->build->character;
 	struct character_goal *goal =
 		ARENA_NEW(words->build->arena, struct character_goal);
+	struct character_goal **last = &step->goal;
+	struct character_freedom *freedom;
 	const char *name;
 
 	if (!goal) {
@@ -215,9 +261,22 @@ static int read_goal(struct character_words *words, const char *right,
 		!character_take_number(words, &goal->value)) {
 		return character_fail(words, "give %s", right);
 	}
-	character->part[goal->part].freedom[goal->freedom].given = true;
-	goal->next = step->goal;
-	step->goal = goal;
+	freedom = &character->part[goal->part].freedom[goal->freedom];
+	if (freedom->given &&
+		(goal->value < freedom->low || goal->value > freedom->high)) {
+		return character_fail(words,
+			"%g is outside of the part's limits %g to %g",
+			(double)goal->value, (double)freedom->low,
+			(double)freedom->high);
+	}
+	if (!freedom->given) {
+		*freedom = (struct character_freedom){
+			.given = true, .low = -1e6f, .high = 1e6f};
+	}
+	while (*last) {
+		last = &(*last)->next;
+	}
+	*last = goal;
 	return 0;
 }
 

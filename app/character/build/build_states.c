@@ -126,6 +126,27 @@ static const struct character_key keys[] = {
 _Static_assert(CLIP_ONCE == 0 && CLIP_LOOP == 1 && CLIP_PING_PONG == 2,
 	"repeats[] has the order of enum clip_repeat");
 
+/* A parameter with choices may be compared with the name of one. */
+static int read_right_side(struct character_words *words,
+	const struct character_key *key, struct character_condition *one)
+{
+	const struct character *character = words->build->character;
+	float *kept = ARENA_NEW(words->build->arena, float);
+
+	if (!kept) {
+		return character_fail_memory(words->build);
+	}
+	one->right = kept;
+	for (int i = 0; i < character->parameter_count; i++) {
+		if (one->left == &character->parameter[i].value &&
+			character_take_choice(
+				words, &character->parameter[i], kept)) {
+			return 0;
+		}
+	}
+	return character_read_value(words, key, &one->right);
+}
+
 int character_read_condition(struct character_words *words,
 	const struct character_key *key, void *member)
 {
@@ -151,7 +172,7 @@ int character_read_condition(struct character_words *words,
 		return character_fail(
 			words, "a comparison is missing: give %s", key->right);
 	}
-	error = character_read_value(words, key, &one->right);
+	error = read_right_side(words, key, one);
 	one->next = *list;
 	*list = one;
 	return error;

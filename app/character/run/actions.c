@@ -1,5 +1,6 @@
 #include "app/character/run/actions.h"
 
+#include "app/character/run/held.h"
 #include "app/character/run/layers.h"
 #include "app/character/run/parameters.h"
 #include "app/character/run/parts.h"
@@ -114,13 +115,22 @@ static void run_part(struct character *character,
 			&part->freedom[action->detail];
 
 		freedom->moved += action->amount * freedom->speed * times;
-		character->moved_part = action->index;
 	} else if (action->verb == CHARACTER_DROP) {
-		character_part_drop(character, part);
+		character_part_drop(character, part, action->detail);
 	} else {
-		character_part_attach(
-			character, part, action->detail, action->amount);
+		character_part_attach(character, part, action);
 	}
+}
+
+/* After the last choice comes the first one. */
+static void step_choice(struct character_parameter *parameter, float step)
+{
+	int count = parameter->choice_count;
+	int choice = scalar_to_int(
+		(double)(parameter->goal + step), -count, 2 * count);
+
+	character_parameter_set(
+		parameter, (float)((choice % count + count) % count));
 }
 
 static void run_parameter(struct character_parameter *parameter,
@@ -128,6 +138,8 @@ static void run_parameter(struct character_parameter *parameter,
 {
 	if (action->verb == CHARACTER_TOGGLE) {
 		toggle(parameter);
+	} else if (parameter->choice && action->verb == CHARACTER_ADD) {
+		step_choice(parameter, amount);
 	} else {
 		character_parameter_set(parameter,
 			action->verb == CHARACTER_ADD ? parameter->goal + amount

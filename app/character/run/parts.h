@@ -16,20 +16,6 @@ void character_sequence_run(struct character *character, void *sequence);
  */
 void character_parts_run(struct character *character, void *unused);
 
-/* Moves attached parts with their holders; world matrices are up to date. */
-void character_attached_run(struct character *character, void *unused);
-
-/*
- * Attaches a part to a node where it is now if it is at most within_m away; -1
- * lets it go back to its place in the model.
- */
-void character_part_attach(struct character *character,
-	struct character_part *part, int holder, float within_m);
-
-/* Lets a part down from where it is to its height in the model. */
-void character_part_drop(
-	struct character *character, struct character_part *part);
-
 /*
  * Starts a sequence at its first step, or ends it. It begins again after its
  * last step if repeats is true or its section says so.

@@ -10,6 +10,7 @@
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/ball.h"
 #include "platform/base/file.h"
+#include "platform/base/scalar.h"
 #include "platform/buttons/gpio_output.h"
 
 #include <errno.h>
@@ -18,6 +19,7 @@
 
 /* Height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
+static const float unlimited_m = 1e5f; /* a part's limit that is none */
 
 struct behaviour {
 	struct character *character;
@@ -188,7 +190,8 @@ uint64_t behaviour_stamp(
 	if (behaviour && behaviour->path[0]) {
 		return character_stamp(behaviour->character);
 	}
-	return behaviour_find_file(env, path, sizeof(path)) ? file_stamp(path) : 0;
+	return behaviour_find_file(env, path, sizeof(path)) ? file_stamp(path)
+							    : 0;
 }
 
 /* What a number of the file can be: a parameter's range, or what it is. */
@@ -237,6 +240,37 @@ static void add_balls(
 	}
 }
 
+/* Adds where parts go that are shifted, such as a truck on its way. */
+static void add_shifts(struct bounds *all, const struct character *character)
+{
+	struct instance *instance = character->instance;
+
+	for (int i = 0; i < character->part_count; i++) {
+		const struct character_part *part = &character->part[i];
+
+		for (int f = CHARACTER_X; f < CHARACTER_FREEDOMS; f++) {
+			const struct character_freedom *freedom =
+				&part->freedom[f];
+			const float end[2] = {freedom->low, freedom->high};
+
+			for (int e = 0; e < 2; e++) {
+				struct bounds moved;
+
+				if (scalar_abs(end[e]) >= unlimited_m) {
+					continue;
+				}
+				instance->pose.local[part->node]
+					.translation[f - CHARACTER_X] += end[e];
+				instance_update(instance);
+				moved = bounds_of_instance(instance);
+				bounds_join(all, &moved);
+				pose_rest(&instance->pose, instance->model);
+			}
+		}
+	}
+	instance_update(instance);
+}
+
 /* The box of all that the model's clips and the behaviour's shapes reach. */
 static struct bounds find_bounds(
 	const struct behaviour *behaviour, struct instance *instance)
@@ -250,6 +284,7 @@ static struct bounds find_bounds(
 
 		bounds_join(&all, &shapes);
 	}
+	add_shifts(&all, character);
 	add_balls(&all, character, instance->unit_scale);
 	return all;
 }

@@ -5,6 +5,10 @@
 
 #include <stdio.h>
 
+enum {
+	VALUES_MAX = 4 /* of parts, that have a row */
+};
+
 /* Whether labels name the state: not if there is nothing but one rest pose. */
 static bool names_state(const struct character *character)
 {
@@ -16,16 +20,24 @@ static bool names_state(const struct character *character)
 void behaviour_count_labels(
 	const struct character *character, struct actor_framing *framing)
 {
-	int rows = names_state(character);
+	int rows = names_state(character), choices = 0;
+	/* A sequence's step has two rows, and its choices are hidden. */
+	int steps = character->sequence_count > 0 ? 2 : 0;
 
 	framing->label_bars = rows ? 1 : character->morph_count;
 	framing->label_rows = rows ? 1 : 3 * character->morph_count;
 	for (int i = 0; i < character->parameter_count; i++) {
-		int shown = character->parameter[i].source ==
-			CHARACTER_SOURCE_ACTIONS;
+		const struct character_parameter *one = &character->parameter[i];
+		bool shown = one->source == CHARACTER_SOURCE_ACTIONS;
 
-		framing->label_rows += shown;
-		framing->label_bars += shown;
+		choices += shown && one->choice;
+		framing->label_rows += shown && !one->choice;
+		framing->label_bars += shown && !one->choice;
+	}
+	framing->label_rows += choices > steps ? choices : steps;
+	framing->label_bars += steps > 0;
+	if (character->part_count > 0) {
+		framing->label_rows += VALUES_MAX;
 	}
 	if (character->scene.labels == CHARACTER_LABELS_NONE) {
 		framing->label_rows = 0;
@@ -92,6 +104,16 @@ static void label_motion(
 	}
 }
 
+static bool runs_sequence(const struct character *character)
+{
+	for (int i = 0; i < character->sequence_count; i++) {
+		if (character->sequence[i].now) {
+			return true;
+		}
+	}
+	return false;
+}
+
 static void label_values(
 	const struct character *character, struct hud_group *group)
 {
@@ -99,7 +121,12 @@ static void label_values(
 		const struct character_parameter *one = &character->parameter[i];
 		char value[32];
 
-		if (one->source == CHARACTER_SOURCE_ACTIONS) {
+		if (one->choice) {
+			if (!runs_sequence(character)) {
+				hud_group_text(group, one->name,
+					one->choice[(int)(one->value + 0.5f)]);
+			}
+		} else if (one->source == CHARACTER_SOURCE_ACTIONS) {
 			snprintf(value, sizeof(value), "%.2f",
 				(double)one->value);
 			hud_group_bar(group, one->name, value,
@@ -116,38 +143,101 @@ static void label_values(
 				group, is->name, is->now, *color_of(i + 1));
 		}
 	}
-	for (int i = 0; i < character->sequence_count; i++) {
-		const struct character_sequence *one = &character->sequence[i];
+}
 
-		if (one->now) {
-			hud_group_time(group, one->now->name, one->elapsed_s,
-				one->now->duration_s, hud_color_amber);
+static const char *const freedom_names[CHARACTER_FREEDOMS] = {
+	"heading", "pitch", "bank", "x", "y", "z"};
+
+/* A degree of freedom that is moved, and its value. */
+static void label_freedom(
+	const struct character_part *part, int freedom, struct hud_group *group)
+{
+	char name[64], value[32];
+
+	snprintf(name, sizeof(name), "%s %s", part->name,
+		freedom_names[freedom]);
+	snprintf(value, sizeof(value),
+		freedom < CHARACTER_X ? "%.0f\u00b0" : "%.2f m",
+		(double)part->freedom[freedom].value);
+	hud_group_text(group, name, value);
+}
+
+/* Which degrees of freedom have a row already. */
+struct shown {
+	int count;
+	struct {
+		int part, freedom;
+	} at[VALUES_MAX];
+};
+
+static void label_once(const struct character *character, int part, int freedom,
+	struct shown *shown, struct hud_group *group)
+{
+	for (int i = 0; i < shown->count; i++) {
+		if (shown->at[i].part == part &&
+			shown->at[i].freedom == freedom) {
+			return;
+		}
+	}
+	if (shown->count < VALUES_MAX) {
+		shown->at[shown->count].part = part;
+		shown->at[shown->count++].freedom = freedom;
+		label_freedom(&character->part[part], freedom, group);
+	}
+}
+
+/* The values that buttons move now. */
+static void label_moves(
+	const struct character *character, struct hud_group *group)
+{
+	struct shown shown = {0};
+
+	for (const struct character_binding *one = character->binding; one;
+		one = one->next) {
+		const struct character_action *action =
+			character_button_acts(one) ? one->action : NULL;
+
+		for (; action; action = action->next) {
+			if (action->verb == CHARACTER_MOVE) {
+				label_once(character, action->index,
+					action->detail, &shown, group);
+			}
 		}
 	}
 }
 
-/* The values of the part that was moved last. */
-static void label_part(
+/* The first values that a sequence moves. */
+static void label_sequence(const struct character *character,
+	const struct character_sequence *sequence, struct hud_group *group)
+{
+	const struct character_step *now = sequence->now;
+	struct shown shown = {0};
+
+	hud_group_text(group, now->name, "");
+	hud_group_time(group, "", sequence->elapsed_s, now->duration_s,
+		hud_color_amber);
+	for (const struct character_step *step = sequence->step; step;
+		step = step->next) {
+		for (const struct character_goal *goal = step->goal; goal;
+			goal = goal->next) {
+			label_once(character, goal->part, goal->freedom, &shown,
+				group);
+		}
+	}
+}
+
+/* What sequences move, else what buttons move. */
+static void label_parts(
 	const struct character *character, struct hud_group *group)
 {
-	static const char *const names[CHARACTER_FREEDOMS] = {
-		"heading", "pitch", "bank", "x", "y", "z"};
-	const struct character_part *part;
-
-	if (character->moved_part < 0) {
-		return;
-	}
-	part = &character->part[character->moved_part];
-	hud_group_text(group, "moving", part->name);
-	for (int i = 0; i < CHARACTER_FREEDOMS; i++) {
-		char value[32];
-
-		if (part->freedom[i].given) {
-			snprintf(value, sizeof(value),
-				i < CHARACTER_X ? "%.0f\u00b0" : "%.2f m",
-				(double)part->freedom[i].value);
-			hud_group_text(group, names[i], value);
+	for (int i = 0; i < character->sequence_count; i++) {
+		if (character->sequence[i].now) {
+			label_sequence(
+				character, &character->sequence[i], group);
 		}
+	}
+	if (!runs_sequence(character)) {
+		label_moves(character, group);
 	}
 }
 
@@ -184,7 +274,7 @@ void behaviour_label_all(const struct character *character, const char *title,
 		title);
 	label_motion(character, &group);
 	label_values(character, &group);
-	label_part(character, &group);
+	label_parts(character, &group);
 	actor_label_lod(actor, &group);
 	if (character->paused) {
 		hud_group_text(&group, "paused", "");

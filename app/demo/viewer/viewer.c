@@ -454,3 +454,11 @@ const struct demo_driver demo_driver_face = {
 	.asset = "face.glb",
 	VIEWER_FUNCTIONS,
 };
+
+/* assets/arm.character says what it does. */
+const struct demo_driver demo_driver_arm = {
+	.name = "arm",
+	.summary = "hierarchical: a robot arm on pivots that loads a truck",
+	.asset = "arm.glb",
+	VIEWER_FUNCTIONS,
+};

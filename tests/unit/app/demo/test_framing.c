@@ -127,7 +127,7 @@ static const struct {
 } demos[] = {
 	{"walker", 9, 8},
 	{"arm", 6, 1},
-	{"tuner", 11, 0},
+	{"tuner", 12, 0},
 	{"arm.glb", 2, 1},
 	{"walker.glb", 2, 1},
 };
@@ -178,7 +178,7 @@ static void test_a_picture_of_another_size_is_framed_anew(void **state)
 			struct shown shown;
 			struct camera_region region;
 
-			begin(&shown, "arm.glb", sizes[from], false);
+			begin_env(&shown, "arm.glb", "none", sizes[from], false);
 			demo_draw(shown.driver, shown.demo, sizes[to][0],
 				sizes[to][1]);
 			region = seen(&shown, sizes[to]);

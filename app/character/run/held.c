@@ -1,0 +1,193 @@
+#include "app/character/run/held.h"
+
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/quat.h"
+#include "app/anim/math/vec.h"
+
+#include <string.h>
+
+static const float gravity_m_s2 = 9.81f;
+static const float pull_s = 0.2f; /* to the place where a part is held */
+
+/* A point and a rotation of the world in the frame of a node, or of none. */
+static void to_frame(const struct instance *instance, int node,
+	const float point[3], const float rotation[4], struct transform *out)
+{
+	float back[4] = {0, 0, 0, 1}, offset[3];
+	float scale = 1;
+
+	memcpy(offset, point, sizeof(offset));
+	if (node >= 0) {
+		matrix_rotation(instance->world[node], back);
+		quat_conjugate(back, back);
+		vec_subtract(point, instance->world[node][3], offset);
+		scale = matrix_scale((const mat4 *)&instance->world[node]);
+	}
+	quat_rotate(back, offset, offset);
+	for (int i = 0; i < 3; i++) {
+		out->translation[i] = scale > 0 ? offset[i] / scale : offset[i];
+	}
+	quat_multiply(back, rotation, out->rotation);
+}
+
+void character_part_attach(struct character *character,
+	struct character_part *part, const struct character_action *action)
+{
+	struct instance *instance = character->instance;
+	int holder = action->detail;
+	float at[3], away[3], rotation[4];
+
+	instance_update_nodes(instance);
+	if (holder < 0) {
+		part->holder = -1;
+		return;
+	}
+	matrix_apply(instance->world[holder], action->place, at);
+	vec_subtract(instance->world[part->node][3], at, away);
+	if (part->holder == holder ||
+		(action->amount > 0 && vec_length(away) > action->amount)) {
+		return;
+	}
+	matrix_rotation(instance->world[part->node], rotation);
+	to_frame(instance, holder, instance->world[part->node][3], rotation,
+		&part->held);
+	part->holder = holder;
+	part->fall_m = part->pull_s = 0;
+	if (action->has_place) {
+		vec_subtract(part->held.translation, action->place, part->pull);
+		memcpy(part->held.translation, action->place,
+			sizeof(action->place));
+		part->pull_s = pull_s;
+	}
+}
+
+/* The height at which a vertical line meets a triangle; false if nowhere. */
+static bool height_at(float corner[3][3], const float at[3], float *height)
+{
+	const float *a = corner[0], *b = corner[1], *c = corner[2];
+	float area =
+		(b[0] - a[0]) * (c[2] - a[2]) - (c[0] - a[0]) * (b[2] - a[2]);
+	float u, v;
+
+	if (area == 0) {
+		return false;
+	}
+	u = ((at[0] - a[0]) * (c[2] - a[2]) - (c[0] - a[0]) * (at[2] - a[2])) /
+		area;
+	v = ((b[0] - a[0]) * (at[2] - a[2]) - (at[0] - a[0]) * (b[2] - a[2])) /
+		area;
+	*height = a[1] + u * (b[1] - a[1]) + v * (c[1] - a[1]);
+	return u >= 0 && v >= 0 && u + v <= 1;
+}
+
+/* The highest triangle of a rigid node below a point; false if none is. */
+static bool find_support(const struct instance *instance, int node,
+	const float at[3], float *height)
+{
+	bool found = false;
+
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		const struct model_primitive *shape = drawable->primitive;
+
+		if (drawable->node != node || drawable->skin >= 0) {
+			continue;
+		}
+		for (int i = 0; i + 2 < shape->index_count; i += 3) {
+			float corner[3][3], y;
+
+			for (int k = 0; k < 3; k++) {
+				matrix_apply(instance->world[node],
+					shape->position[shape->index[i + k]],
+					corner[k]);
+			}
+			if (height_at(corner, at, &y) && y <= at[1] &&
+				(!found || y > *height)) {
+				*height = y;
+				found = true;
+			}
+		}
+	}
+	return found;
+}
+
+void character_part_drop(
+	struct character *character, struct character_part *part, int node)
+{
+	struct instance *instance = character->instance;
+	float above_m = part->rest_m - character->ground_m;
+	float support = character->ground_m, from;
+	float point[3], rotation[4];
+
+	instance_update_nodes(instance);
+	memcpy(point, instance->world[part->node][3], sizeof(point));
+	/* It stands upright, turned as it was. */
+	matrix_rotation(instance->world[part->node], rotation);
+	rotation[0] = rotation[2] = 0;
+	quat_normalize(rotation);
+	from = point[1];
+	if (node >= 0 && find_support(instance, node, point, &support) &&
+		support > character->ground_m) {
+		point[1] = support + above_m;
+		to_frame(instance, node, point, rotation, &part->held);
+		part->holder = node;
+	} else {
+		point[1] = part->rest_m;
+		to_frame(instance, -1, point, rotation, &part->held);
+		part->holder = CHARACTER_GROUND;
+	}
+	part->fall_m = scalar_clamp(from - point[1], 0, 1e6f);
+	part->fall_m_per_s = part->pull_s = 0;
+}
+
+static void place(struct instance *instance, const struct character_part *part)
+{
+	struct pose *pose = &instance->pose;
+	float point[3], rotation[4];
+
+	for (int i = 0; i < 3; i++) {
+		point[i] = part->held.translation[i] +
+			part->pull[i] * (part->pull_s / pull_s);
+	}
+	memcpy(rotation, part->held.rotation, sizeof(rotation));
+	if (part->holder >= 0) {
+		mat4 *holder = &instance->world[part->holder];
+
+		matrix_apply(*holder, point, point);
+		matrix_rotation(*holder, rotation);
+		quat_multiply(rotation, part->held.rotation, rotation);
+	}
+	point[1] += part->fall_m;
+	to_frame(instance, instance->model->node[part->node].parent, point,
+		rotation, &pose->local[part->node]);
+	pose->animated[part->node] = true;
+	pose_world_from(
+		pose, instance->model, NULL, part->node, instance->world);
+}
+
+void character_held_place(struct character *character)
+{
+	for (int i = 0; i < character->part_count; i++) {
+		if (character->part[i].holder != -1) {
+			place(character->instance, &character->part[i]);
+		}
+	}
+}
+
+void character_held_run(struct character *character, void *unused)
+{
+	(void)unused;
+	for (int i = 0; i < character->part_count; i++) {
+		struct character_part *part = &character->part[i];
+
+		part->pull_s = scalar_clamp(
+			part->pull_s - character->step_s, 0, pull_s);
+		if (part->holder != -1 && part->fall_m > 0) {
+			part->fall_m_per_s += gravity_m_s2 * character->step_s;
+			part->fall_m = scalar_clamp(part->fall_m -
+					part->fall_m_per_s * character->step_s,
+				0, 1e6f);
+		}
+	}
+	character_held_place(character);
+}

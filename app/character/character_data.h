@@ -13,6 +13,7 @@
 #include "app/anim/ease.h"
 #include "app/anim/hierarchy.h"
 #include "app/character/character_morph.h"
+#include "app/character/character_part.h"
 #include "app/character/state/inertia.h"
 #include "app/character/text/character_text.h"
 #include "app/scene/instance/instance.h"
@@ -254,89 +255,6 @@ struct character_expression {
 	int count;
 	int *target;   /* indices of the pose's weights */
 	float *amount; /* at weight 1 */
-};
-
-/* Degrees of freedom of a part. */
-enum {
-	CHARACTER_HEADING,
-	CHARACTER_PITCH,
-	CHARACTER_BANK,
-	CHARACTER_X,
-	CHARACTER_Y,
-	CHARACTER_Z,
-	CHARACTER_FREEDOMS,
-};
-
-struct character_freedom {
-	float start, low, high;
-	float speed; /* a second, for move */
-	bool given;
-
-	/* Changes: */
-	float value, moved; /* moved: asked for in this frame */
-};
-
-enum {
-	CHARACTER_GROUND = -2 /* the holder of a part that was dropped */
-};
-
-enum {
-	CHARACTER_GUARDS_MAX = 4
-};
-
-/* A capsule in a part's frame that keeps away from others and the ground. */
-struct character_guard {
-	float radius_m;
-	float from[3], to[3];
-};
-
-/* A rigid part on a pivot: degrees and metres. */
-struct character_part {
-	const char *name;
-	int node;
-	int order[3]; /* of CHARACTER_HEADING, .._PITCH, .._BANK; outermost first */
-	bool rotates_first; /* the position turns with the angles */
-	struct character_freedom freedom[CHARACTER_FREEDOMS];
-	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
-	int guard_count;
-	struct character_guard guard[CHARACTER_GUARDS_MAX];
-
-	/* Changes: */
-	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */
-	float rest_m; /* the pivot's height in the model */
-	struct transform held;      /* where, in the holder's frame */
-	float pull[3], pull_s;      /* from there, and how long until it is 0 */
-	float fall_m, fall_m_per_s; /* how far it is above that, and falling */
-};
-
-/* A step of a sequence: values that parts reach. */
-struct character_goal {
-	int part, freedom;
-	float value;
-
-	/* Changes: */
-	float from;
-	struct character_goal *next;
-};
-
-struct character_step {
-	const char *name;
-	float duration_s;
-	struct character_goal *goal;
-	const struct character_action *then;
-	struct character_step *next;
-};
-
-struct character_sequence {
-	const char *name;
-	struct character_step *step;
-	bool repeat;
-	bool start; /* runs from the start */
-
-	/* Changes: */
-	struct character_step *now; /* or NULL */
-	bool repeats;
-	float elapsed_s;
 };
 
 /* A point to look at or to reach. */

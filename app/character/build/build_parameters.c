@@ -103,18 +103,6 @@ static const struct character_key keys[] = {
 	{0},
 };
 
-bool character_take_choice(struct character_words *words,
-	const struct character_parameter *parameter, float *out)
-{
-	for (int i = 0; i < parameter->choice_count; i++) {
-		if (character_take(words, parameter->choice[i])) {
-			*out = (float)i;
-			return true;
-		}
-	}
-	return false;
-}
-
 static int read_one(struct character_build *build,
 	const struct character_section *section,
 	struct character_parameter *parameter)

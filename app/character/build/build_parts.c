@@ -1,7 +1,7 @@
 #include "app/character/build/build.h"
 
-#include "app/character/run/held.h"
-#include "app/character/run/parts.h"
+#include "app/character/parts/held.h"
+#include "app/character/parts/parts.h"
 
 #include <errno.h>
 #include <string.h>

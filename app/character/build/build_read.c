@@ -261,20 +261,3 @@ int character_read_choice(struct character_words *words,
 	}
 	return character_fail_value(words, key);
 }
-
-int character_read_capsule(struct character_words *words,
-	const struct character_key *key, struct capsule *capsule)
-{
-	int error = character_read_node(words, key, &capsule->node_a);
-
-	if (!error) {
-		error = character_read_node(words, key, &capsule->node_b);
-	}
-	if (!error &&
-		(!character_take_number(words, &capsule->radius) ||
-			capsule->radius <= 0)) {
-		return character_fail(words,
-			"the radius is a number above 0: give %s", key->right);
-	}
-	return error;
-}

@@ -84,3 +84,32 @@ int character_read_state(struct character_words *words,
 	*(int *)member = state;
 	return state < 0 ? -EINVAL : 0;
 }
+
+bool character_take_choice(struct character_words *words,
+	const struct character_parameter *parameter, float *out)
+{
+	for (int i = 0; i < parameter->choice_count; i++) {
+		if (character_take(words, parameter->choice[i])) {
+			*out = (float)i;
+			return true;
+		}
+	}
+	return false;
+}
+
+int character_read_capsule(struct character_words *words,
+	const struct character_key *key, struct capsule *capsule)
+{
+	int error = character_read_node(words, key, &capsule->node_a);
+
+	if (!error) {
+		error = character_read_node(words, key, &capsule->node_b);
+	}
+	if (!error &&
+		(!character_take_number(words, &capsule->radius) ||
+			capsule->radius <= 0)) {
+		return character_fail(words,
+			"the radius is a number above 0: give %s", key->right);
+	}
+	return error;
+}

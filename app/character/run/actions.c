@@ -1,9 +1,9 @@
 #include "app/character/run/actions.h"
 
-#include "app/character/run/held.h"
+#include "app/character/parts/held.h"
 #include "app/character/run/layers.h"
 #include "app/character/run/parameters.h"
-#include "app/character/run/parts.h"
+#include "app/character/parts/parts.h"
 
 #include <stdio.h>
 

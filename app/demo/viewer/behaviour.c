@@ -6,11 +6,11 @@
 #include "app/character/run/layers.h"
 #include "app/character/sketch/character_sketch.h"
 #include "app/character/state/machine.h"
+#include "app/demo/viewer/behaviour_bounds.h"
 #include "app/demo/viewer/behaviour_label.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/ball.h"
 #include "platform/base/file.h"
-#include "platform/base/scalar.h"
 #include "platform/buttons/gpio_output.h"
 
 #include <errno.h>
@@ -19,7 +19,6 @@
 
 /* Height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
-static const float unlimited_m = 1e5f; /* a part's limit that is none */
 
 struct behaviour {
 	struct character *character;
@@ -194,110 +193,15 @@ uint64_t behaviour_stamp(
 							    : 0;
 }
 
-/* What a number of the file can be: a parameter's range, or what it is. */
-static void find_range(const struct character *character, const float *value,
-	float *low, float *high)
-{
-	*low = *high = *value;
-	for (int i = 0; i < character->parameter_count; i++) {
-		const struct character_parameter *p = &character->parameter[i];
-
-		if (value == &p->value) {
-			*low = p->range[0];
-			*high = p->range[1];
-		}
-	}
-}
-
-/*
- * Adds all places of the targets' balls. One that goes so far that the model
- * would be less than half as large in the picture is left out.
- */
-static void add_balls(
-	struct bounds *all, const struct character *character, float unit_scale)
-{
-	float most = 2.0f * bounds_extent(all);
-
-	for (int i = 0; i < character->target_count; i++) {
-		const struct character_target *target = &character->target[i];
-		float radius = target->radius_m;
-		struct bounds ball, with = *all;
-
-		if (radius <= 0.0f || target->is_camera || target->node >= 0) {
-			continue;
-		}
-		for (int axis = 0; axis < 3; axis++) {
-			float low, high;
-
-			find_range(character, target->place[axis], &low, &high);
-			ball.low[axis] = (low - radius) * unit_scale;
-			ball.high[axis] = (high + radius) * unit_scale;
-		}
-		bounds_join(&with, &ball);
-		if (bounds_extent(&with) <= most) {
-			*all = with;
-		}
-	}
-}
-
-/* Adds where parts go that are shifted, such as a truck on its way. */
-static void add_shifts(struct bounds *all, const struct character *character)
-{
-	struct instance *instance = character->instance;
-
-	for (int i = 0; i < character->part_count; i++) {
-		const struct character_part *part = &character->part[i];
-
-		for (int f = CHARACTER_X; f < CHARACTER_FREEDOMS; f++) {
-			const struct character_freedom *freedom =
-				&part->freedom[f];
-			const float end[2] = {freedom->low, freedom->high};
-
-			for (int e = 0; e < 2; e++) {
-				struct bounds moved;
-
-				if (scalar_abs(end[e]) >= unlimited_m) {
-					continue;
-				}
-				instance->pose.local[part->node]
-					.translation[f - CHARACTER_X] += end[e];
-				instance_update(instance);
-				moved = bounds_of_instance(instance);
-				bounds_join(all, &moved);
-				pose_rest(&instance->pose, instance->model);
-			}
-		}
-	}
-	instance_update(instance);
-}
-
-/* The box of all that the model's clips and the behaviour's shapes reach. */
-static struct bounds find_bounds(
-	const struct behaviour *behaviour, struct instance *instance)
-{
-	const struct character *character = behaviour->character;
-	struct bounds all = bounds_of_model(instance, -1);
-
-	for (int i = 0; i < character->morph_count; i++) {
-		struct bounds shapes =
-			bounds_of_targets(instance, character->morph[i].node);
-
-		bounds_join(&all, &shapes);
-	}
-	add_shifts(&all, character);
-	add_balls(&all, character, instance->unit_scale);
-	return all;
-}
-
 int behaviour_init_stage(const struct behaviour *behaviour,
-	const struct demo_env *env, struct actor *actor, struct stage *stage)
+	const struct demo_env *env, struct stage *stage)
 {
 	const struct character_scene *scene = &behaviour->character->scene;
 	struct actor_framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
 						.pitch_rad = scene->pitch_rad,
 						.margin = scene->margin,
 						.follow = true}};
-	struct bounds bounds = find_bounds(behaviour, actor->instance);
+	struct bounds bounds = behaviour_bounds(behaviour->character);
 	int error;
 
 	behaviour_count_labels(behaviour->character, &framing);

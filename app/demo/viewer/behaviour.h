@@ -46,7 +46,7 @@ uint64_t behaviour_stamp(
 
 /* The stage that the character asks for. */
 int behaviour_init_stage(const struct behaviour *behaviour,
-	const struct demo_env *env, struct actor *actor, struct stage *stage);
+	const struct demo_env *env, struct stage *stage);
 
 void behaviour_press(
 	struct behaviour *behaviour, const struct button_event *event);

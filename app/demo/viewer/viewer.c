@@ -85,7 +85,7 @@ static int init_stage(struct demo *demo, struct stage *stage)
 
 	if (demo->behaviour) {
 		return behaviour_init_stage(
-			demo->behaviour, &demo->watch.env, actor, stage);
+			demo->behaviour, &demo->watch.env, stage);
 	}
 	bounds = bounds_of_model(actor->instance, demo->clip);
 	return actor_init_stage(&demo->watch.env, &bounds, &framing, stage);

@@ -1,4 +1,4 @@
-#include "app/character/run/held.h"
+#include "app/character/parts/held.h"
 
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"

@@ -1,8 +1,8 @@
 /*
  * The distance of lines, for parts that must not pass through each other.
  */
-#ifndef APP_CHARACTER_RUN_DISTANCE_H
-#define APP_CHARACTER_RUN_DISTANCE_H
+#ifndef APP_CHARACTER_PARTS_DISTANCE_H
+#define APP_CHARACTER_PARTS_DISTANCE_H
 
 /* The shortest distance between the segments a-b and c-d. */
 float character_line_distance(

@@ -1,8 +1,8 @@
 /*
  * Parts that are attached to nodes, fall, and lie on what is below them.
  */
-#ifndef APP_CHARACTER_RUN_HELD_H
-#define APP_CHARACTER_RUN_HELD_H
+#ifndef APP_CHARACTER_PARTS_HELD_H
+#define APP_CHARACTER_PARTS_HELD_H
 
 #include "app/character/character_data.h"
 

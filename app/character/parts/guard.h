@@ -1,8 +1,8 @@
 /*
  * The capsules that keep rigid parts away from each other and from the ground.
  */
-#ifndef APP_CHARACTER_RUN_GUARD_H
-#define APP_CHARACTER_RUN_GUARD_H
+#ifndef APP_CHARACTER_PARTS_GUARD_H
+#define APP_CHARACTER_PARTS_GUARD_H
 
 #include "app/character/character_data.h"
 

@@ -1,4 +1,4 @@
-#include "app/character/run/distance.h"
+#include "app/character/parts/distance.h"
 
 #include "app/anim/math/vec.h"
 

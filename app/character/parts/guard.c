@@ -1,7 +1,7 @@
-#include "app/character/run/guard.h"
+#include "app/character/parts/guard.h"
 
 #include "app/anim/math/matrix.h"
-#include "app/character/run/distance.h"
+#include "app/character/parts/distance.h"
 
 /* A capsule in the world. */
 struct capsule_at {

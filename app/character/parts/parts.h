@@ -1,8 +1,8 @@
 /*
  * Rigid parts on pivots (AN4044, section 2), and sequences of their steps.
  */
-#ifndef APP_CHARACTER_RUN_PARTS_H
-#define APP_CHARACTER_RUN_PARTS_H
+#ifndef APP_CHARACTER_PARTS_PARTS_H
+#define APP_CHARACTER_PARTS_PARTS_H
 
 #include "app/character/character_data.h"
 

@@ -1,8 +1,8 @@
-#include "app/character/run/parts.h"
+#include "app/character/parts/parts.h"
 
 #include "app/anim/math/quat.h"
-#include "app/character/run/guard.h"
-#include "app/character/run/held.h"
+#include "app/character/parts/guard.h"
+#include "app/character/parts/held.h"
 #include "app/character/run/pending.h"
 
 #include <string.h>

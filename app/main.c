@@ -13,6 +13,7 @@ static const struct command *const commands[] = {
 	&command_compare,
 	&command_doctor,
 	&command_export,
+	&command_optimize,
 	&command_character,
 	NULL,
 };

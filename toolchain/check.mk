@@ -128,6 +128,11 @@ $(call suite,validator/exports,NODE_PATH=build/validator/node_modules \
 	tests/validator/exports.sh build/host/limber assets/walker.glb@run \
 	assets/face.glb@cycle tests/cli/slider.gltf \
 	$(SAMPLES)/models/CesiumMan.glb)
+$(call suite,validator/optimized,NODE_PATH=build/validator/node_modules \
+	tests/validator/optimized.sh build/host/limber assets/walker.glb \
+	assets/face.glb assets/arm.glb tests/cli/slider.gltf \
+	tests/fixtures/gltf/mesh/levels.gltf \
+	tests/fixtures/gltf/skin/and_morph.gltf $(SAMPLES)/models/CesiumMan.glb)
 $(call suite,validator/checker,NODE_PATH=build/validator/node_modules \
 	tests/validator/checker.sh)
 $(call suite,tally,tests/support/tally/tally_test.sh)

@@ -61,6 +61,8 @@ CASES = [
     Case('render-y4m', ['render', '-o', 'x.y4m', '--frames', '4', SKIN] + SMALL,
          files=('x.y4m',)),
     Case('export', ['export', SKIN, '--c', 'x.c'], files=('x.c',)),
+    Case('optimize', ['optimize', SKIN, '--size', '32x32', '-o', 'x.glb'],
+         files=('x.glb',)),
     Case('compare', ['compare', SKIN, '--fps', '4', '--size', '32x32',
                      '--format', 'json', '--plot', 'x.svg', '--export', 'baked'],
          files=('x.svg',), varying=('x.svg',), prints_the_same=False),

@@ -27,7 +27,7 @@ struct confinement confine_process(
 
 static const struct command *const commands[] = {&command_play, &command_render,
 	&command_pose, &command_info, &command_compare, &command_doctor,
-	&command_export, NULL};
+	&command_export, &command_optimize, NULL};
 
 /* Each run takes one value of each row; "" leaves the option out. */
 static const char *const option_values[][9] = {
@@ -56,6 +56,7 @@ static const char *const command_lines[][12] = {
 	{"doctor", "--json"},
 	{"compare", "--fps", "3", "--format", "json"},
 	{"export", "--c", "/dev/null"},
+	{"optimize", "-o", "/dev/null"},
 };
 
 /* F8 while F9 is held would keep pictures in this folder. */
@@ -96,6 +97,9 @@ static bool takes(const char *command, const char *option)
 			strcmp(option, "--interpolation") == 0 ||
 			strcmp(option, "--math") == 0 ||
 			strcmp(option, "--influences") == 0;
+	}
+	if (strcmp(command, "optimize") == 0) {
+		return strcmp(option, "--size") == 0;
 	}
 	return (strcmp(command, "compare") == 0 &&
 		       (strcmp(option, "--size") == 0 ||

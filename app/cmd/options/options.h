@@ -32,7 +32,8 @@ enum command_bit {
 	FOR_DOCTOR = 64,
 	FOR_EXPORT = 128,
 	FOR_CHARACTER = 256,
-	FOR_ALL = 511,
+	FOR_OPTIMIZE = 512,
+	FOR_ALL = 1023,
 };
 
 /* The value of --math: which arithmetic computes the vertices. */

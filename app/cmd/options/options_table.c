@@ -178,7 +178,8 @@ enum {
 
 /* clang-format off */
 const struct option_entry option_entries[] = {
-	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY | FOR_CHARACTER,
+	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY | FOR_CHARACTER |
+		FOR_OPTIMIZE,
 		"write to this file",
 		"the name of a file", TEXT(screen.output)},
 	{0, "demo", "NAME", FOR_SHOW,
@@ -206,7 +207,7 @@ const struct option_entry option_entries[] = {
 	{0, "frames", "N", FOR_SHOW,
 		"stop after N frames",
 		"a number from 1 to 1000000", INT(show.frames, 1, 1000000)},
-	{0, "size", "WxH", FOR_SHOW | FOR_COMPARE,
+	{0, "size", "WxH", FOR_SHOW | FOR_COMPARE | FOR_OPTIMIZE,
 		"the picture's size in pixels; the default is 480x640 or the whole screen",
 		"a width and a height such as 480x640, up to 8192x8192",
 		PARSED(set_size)},
@@ -298,7 +299,7 @@ const struct option_entry option_entries[] = {
 	{0, "fps", "F", FOR_COMPARE,
 		"the rate at which clips are played, in frames a second; the default is 60",
 		"a number from 1 to 240", DOUBLE(compare.fps, 1, 240)},
-	{0, "error", "PX", FOR_COMPARE,
+	{0, "error", "PX", FOR_COMPARE | FOR_OPTIMIZE,
 		"accept an error of up to PX pixels; the default is 0.5",
 		"a number from 0.001 to 1000", FLOAT(compare.error_px, 0.001, 1000)},
 	{0, "ram", "BYTES", FOR_COMPARE,

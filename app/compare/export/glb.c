@@ -13,6 +13,7 @@ enum {
 	CHUNK_BINARY = 0x004E4942,
 	MAGIC = 0x46546C67,
 	HEADER_BYTES = 12,
+	REAL_DIGITS = 15, /* more than floats have; 0.1 stays 0.1 */
 	CHUNK_HEADER_BYTES = 8
 };
 
@@ -322,6 +323,9 @@ static int put_binary(const struct glb *glb, FILE *file)
 	uint8_t buffer[16384];
 	size_t left = glb->size;
 
+	if (left == 0) {
+		return 0;
+	}
 	put_u32(buffer, left);
 	put_u32(buffer + 4, CHUNK_BINARY);
 	fwrite(buffer, CHUNK_HEADER_BYTES, 1, file);
@@ -349,7 +353,7 @@ static int put_file(const struct glb *glb, const char *text, FILE *file)
 	put_u32(header, MAGIC);
 	put_u32(header + 4, 2);
 	put_u32(header + 8,
-		HEADER_BYTES + 2 * CHUNK_HEADER_BYTES +
+		HEADER_BYTES + (glb->size > 0 ? 2 : 1) * CHUNK_HEADER_BYTES +
 			((length + 3) & ~(size_t)3) + glb->size);
 	fwrite(header, sizeof(header), 1, file);
 	put_json(file, text, length);
@@ -417,27 +421,71 @@ void glb_discard(struct glb *glb)
 	*glb = (struct glb){0};
 }
 
-int glb_write(struct glb *glb, const char *path, const struct log *log)
+/* Completes the JSON: its text, or NULL after logging an error. */
+static char *finish(struct glb *glb, const char *path, const struct log *log)
 {
 	char *text = NULL;
-	int error;
 
 	set_extensions(glb);
-	glb_set(glb, "buffers",
-		json_pack("[{s:I}]", "byteLength", (json_int_t)glb->size));
-	glb_set(glb, "accessors", json_incref(glb->accessors));
-	glb_set(glb, "bufferViews", json_incref(glb->views));
+	if (glb->size > 0) {
+		glb_set(glb, "buffers",
+			json_pack("[{s:I}]", "byteLength",
+				(json_int_t)glb->size));
+		glb_set(glb, "bufferViews", json_incref(glb->views));
+	}
+	if (json_array_size(glb->accessors) > 0) {
+		glb_set(glb, "accessors", json_incref(glb->accessors));
+	}
 	if (!glb->error) {
-		text = json_dumps(glb->root, JSON_COMPACT);
+		text = json_dumps(glb->root,
+			JSON_COMPACT | JSON_REAL_PRECISION(REAL_DIGITS));
 		glb->error = text && json_memory_ok() ? 0 : -ENOMEM;
 	}
-	error = glb->error;
-	if (error) {
+	if (glb->error) {
 		report_error(glb, path, log);
-	} else {
+		free(text);
+		return NULL;
+	}
+	return text;
+}
+
+int glb_write(struct glb *glb, const char *path, const struct log *log)
+{
+	char *text = finish(glb, path, log);
+	int error = glb->error;
+
+	if (text) {
 		error = write_file(glb, text, path, log);
 	}
 	free(text);
+	glb_discard(glb);
+	return error;
+}
+
+int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
+	uint8_t **data, size_t *size)
+{
+	char *text = finish(glb, path, log);
+	char *bytes = NULL;
+	FILE *file = text ? open_memstream(&bytes, size) : NULL;
+	int error;
+
+	if (text && file) {
+		glb->error = put_file(glb, text, file);
+		if (fclose(file) != 0 && !glb->error) {
+			glb->error = -ENOMEM;
+		}
+	} else if (text) {
+		glb->error = -ENOMEM;
+	}
+	if (text && glb->error) {
+		report_error(glb, path, log);
+		free(bytes);
+		bytes = NULL;
+	}
+	*data = (uint8_t *)bytes;
+	free(text);
+	error = glb->error;
 	glb_discard(glb);
 	return error;
 }

@@ -78,6 +78,13 @@ void glb_set(struct glb *glb, const char *name, json_t *value);
  */
 int glb_write(struct glb *glb, const char *path, const struct log *log);
 
+/*
+ * The same into memory, which the caller frees with free(). path is for
+ * messages.
+ */
+int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
+	uint8_t **data, size_t *size);
+
 /* Releases everything without writing a file. */
 void glb_discard(struct glb *glb);
 

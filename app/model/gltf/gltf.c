@@ -90,32 +90,34 @@ static int check_extensions(struct gltf *gltf)
 	return error;
 }
 
-static int read_all(struct gltf *gltf)
+typedef int (*gltf_step)(struct gltf *gltf);
+
+static const gltf_step document_steps[] = {
+	gltf_open,
+	check_version,
+	check_extensions,
+	gltf_read_buffers,
+	gltf_read_accessors,
+};
+
+static const gltf_step model_steps[] = {
+	gltf_read_materials,
+	gltf_find_levels,
+	gltf_read_meshes,
+	gltf_read_cameras,
+	gltf_read_nodes,
+	gltf_read_skins,
+	gltf_read_animations,
+};
+
+static int run_steps(struct gltf *gltf, const gltf_step *step, size_t count)
 {
-	static int (*const steps[])(struct gltf * gltf) = {
-		gltf_open,
-		check_version,
-		check_extensions,
-		gltf_read_buffers,
-		gltf_read_accessors,
-		gltf_read_materials,
-		gltf_find_levels,
-		gltf_read_meshes,
-		gltf_read_cameras,
-		gltf_read_nodes,
-		gltf_read_skins,
-		gltf_read_animations,
-	};
-	size_t i;
+	int error = 0;
 
-	for (i = 0; i < ARRAY_COUNT(steps); i++) {
-		int error = steps[i](gltf);
-
-		if (error) {
-			return error;
-		}
+	for (size_t i = 0; i < count && !error; i++) {
+		error = step[i](gltf);
 	}
-	return 0;
+	return error;
 }
 
 void gltf_release(struct gltf *gltf)
@@ -134,7 +136,15 @@ void gltf_release(struct gltf *gltf)
 	}
 }
 
-int gltf_read(struct gltf *gltf, const struct model_source *source,
+/* The scratch arena refers to the budget, which the model owns. */
+static void discard(struct gltf *gltf)
+{
+	gltf_release(gltf);
+	model_destroy(gltf->model);
+	gltf->model = NULL;
+}
+
+int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 	const struct log *log)
 {
 	int error;
@@ -150,12 +160,23 @@ int gltf_read(struct gltf *gltf, const struct model_source *source,
 		return -ENOMEM;
 	}
 	gltf->scratch = arena_within(gltf->model->budget);
-	error = read_all(gltf);
+	error = run_steps(gltf, document_steps, ARRAY_COUNT(document_steps));
 	if (error) {
-		/* The scratch arena refers to the budget, which the model owns. */
-		gltf_release(gltf);
-		model_destroy(gltf->model);
-		gltf->model = NULL;
+		discard(gltf);
+	}
+	return error;
+}
+
+int gltf_read(struct gltf *gltf, const struct model_source *source,
+	const struct log *log)
+{
+	int error = gltf_read_document(gltf, source, log);
+
+	if (!error) {
+		error = run_steps(gltf, model_steps, ARRAY_COUNT(model_steps));
+		if (error) {
+			discard(gltf);
+		}
 	}
 	return error;
 }

@@ -1,6 +1,6 @@
 /*
- * Declarations shared by the files of the glTF loader; nothing else includes
- * this header.
+ * Declarations shared by the files of the glTF loader and of document/; nothing
+ * else includes this header.
  *
  *	gltf.c            runs the steps of a load in order
  *	gltf_container.c  JSON and binary chunk, buffers, buffer views
@@ -158,6 +158,10 @@ struct gltf {
 int gltf_read(struct gltf *gltf, const struct model_source *source,
 	const struct log *log);
 void gltf_release(struct gltf *gltf);
+
+/* The same up to the accessors; the model stays empty. */
+int gltf_read_document(struct gltf *gltf, const struct model_source *source,
+	const struct log *log);
 
 /* gltf_json.c */
 

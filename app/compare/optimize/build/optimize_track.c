@@ -1,0 +1,204 @@
+#include "app/compare/optimize/build/optimize_track.h"
+
+#include "app/anim/math/quat.h"
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+/* Relative to the values: what rounding to floats changes. */
+static const float rounding = 1e-6f;
+
+const float *optimize_track_value(const struct optimize_track *track, int key)
+{
+	size_t values = track->interpolation == MODEL_CUBICSPLINE
+		? 3 * (size_t)key + 1
+		: (size_t)key;
+
+	return track->value + values * (size_t)track->width;
+}
+
+static float distance(const float *a, const float *b, int count, float sign)
+{
+	float sum = 0.0f;
+
+	for (int i = 0; i < count; i++) {
+		float apart = a[i] - sign * b[i];
+
+		sum += apart * apart;
+	}
+	return scalar_sqrt(sum);
+}
+
+static float weights_px(
+	const struct optimize_track *track, const float *a, const float *b)
+{
+	const struct optimize_reach_node *reach = track->reach;
+	float sum = 0.0f;
+
+	for (int i = 0; i < track->width && i < reach->target_count; i++) {
+		sum += scalar_abs(a[i] - b[i]) * reach->target_px[i];
+	}
+	return sum;
+}
+
+static float distance_px(
+	const struct optimize_track *track, const float *a, const float *b)
+{
+	float same, opposite;
+
+	switch (track->path) {
+	case MODEL_TRANSLATION:
+		return distance(a, b, 3, 1.0f) * track->reach->move_px;
+	case MODEL_ROTATION:
+		/* The chord of two unit quaternions is half the angle. */
+		same = distance(a, b, 4, 1.0f);
+		opposite = distance(a, b, 4, -1.0f);
+		return 2.0f * (same < opposite ? same : opposite) *
+			track->reach->turn_px;
+	case MODEL_SCALE:
+		return distance(a, b, 3, 1.0f) * track->reach->scale_px;
+	case MODEL_WEIGHTS:
+		break;
+	}
+	return weights_px(track, a, b);
+}
+
+bool optimize_track_is_near(
+	const struct optimize_track *track, const float *a, const float *b)
+{
+	bool equal = true;
+
+	for (int i = 0; i < track->width; i++) {
+		float size = scalar_abs(a[i]) > 1.0f ? scalar_abs(a[i]) : 1.0f;
+
+		equal = equal && scalar_abs(a[i] - b[i]) <= rounding * size;
+	}
+	return equal ||
+		(track->bound_px > 0.0f && !track->reach->exact &&
+			distance_px(track, a, b) <= track->bound_px);
+}
+
+/* A spline holds still when its tangents are 0, too. */
+bool optimize_track_is_constant(const struct optimize_track *track)
+{
+	size_t width = (size_t)track->width;
+
+	for (int key = 1; key < track->key_count; key++) {
+		if (!optimize_track_is_near(track,
+			    optimize_track_value(track, key),
+			    optimize_track_value(track, 0))) {
+			return false;
+		}
+	}
+	if (track->interpolation != MODEL_CUBICSPLINE) {
+		return true;
+	}
+	for (size_t i = 0; i < (size_t)track->key_count * 3 * width; i++) {
+		if ((i / width) % 3 != 1 && track->value[i] != 0.0f) {
+			return false;
+		}
+	}
+	return true;
+}
+
+enum {
+	WIDTH_MAX = 4 /* of paths other than weights */
+};
+
+/* Whether the key lies where the keys from and to put it. */
+static bool is_between(
+	const struct optimize_track *track, int from, int to, int key)
+{
+	const float *a = optimize_track_value(track, from),
+		    *b = optimize_track_value(track, to);
+	const float *wanted = optimize_track_value(track, key);
+	float u = (track->time_s[key] - track->time_s[from]) /
+		(track->time_s[to] - track->time_s[from]);
+	float between[WIDTH_MAX], sum = 0.0f;
+	bool equal = true;
+
+	if (track->interpolation == MODEL_STEP) {
+		return optimize_track_is_near(track, wanted, a);
+	}
+	if (track->path == MODEL_ROTATION) {
+		quat_slerp(a, b, u, between);
+		return optimize_track_is_near(track, wanted, between);
+	}
+	if (track->path != MODEL_WEIGHTS) {
+		for (int i = 0; i < track->width; i++) {
+			between[i] = a[i] + u * (b[i] - a[i]);
+		}
+		return optimize_track_is_near(track, wanted, between);
+	}
+	for (int i = 0; i < track->width; i++) {
+		float apart = scalar_abs(a[i] + u * (b[i] - a[i]) - wanted[i]);
+
+		equal = equal && apart <= rounding;
+		sum += i < track->reach->target_count
+			? apart * track->reach->target_px[i]
+			: 0.0f;
+	}
+	return equal ||
+		(track->bound_px > 0.0f && !track->reach->exact &&
+			sum <= track->bound_px);
+}
+
+static bool fits(
+	const struct optimize_track *const *track, int count, int from, int to)
+{
+	for (int t = 0; t < count; t++) {
+		for (int key = from + 1; key < to; key++) {
+			if (!is_between(track[t], from, to, key)) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+/*
+ * The farthest key that a line from this one may lead to: steps double while
+ * they fit and are halved then.
+ */
+static int farthest(
+	const struct optimize_track *const *track, int count, int from)
+{
+	int last = track[0]->key_count - 1;
+	int good = from + 1, step = 2, bad;
+
+	while (from + step <= last && fits(track, count, from, from + step)) {
+		good = from + step;
+		step *= 2;
+	}
+	bad = from + step;
+	if (bad > last) {
+		if (fits(track, count, from, last)) {
+			return last;
+		}
+		bad = last;
+	}
+	while (bad - good > 1) {
+		int middle = (good + bad) / 2;
+
+		if (fits(track, count, from, middle)) {
+			good = middle;
+		} else {
+			bad = middle;
+		}
+	}
+	return good;
+}
+
+int optimize_track_reduce(
+	const struct optimize_track *const *track, int count, int *kept)
+{
+	int last = track[0]->key_count - 1;
+	int kept_count = 0, key = 0;
+
+	kept[kept_count++] = 0;
+	while (key < last) {
+		key = farthest(track, count, key);
+		kept[kept_count++] = key;
+	}
+	return kept_count;
+}

@@ -1,0 +1,439 @@
+#include "app/compare/optimize/optimize.h"
+
+#include "app/compare/optimize/build/optimize_build.h"
+#include "app/compare/optimize/optimize_measure.h"
+#include "app/compare/optimize/optimize_prune.h"
+#include "app/compare/optimize/optimize_refs.h"
+#include "app/compare/optimize/optimize_sizes.h"
+#include "app/model/gltf/gltf.h"
+#include "platform/base/json_memory.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+	LEVELS = 4,    /* of precision, see set_precision() */
+	ROUNDS_MAX = 7 /* of the search for the error of keys */
+};
+
+/* Numbers take at most this share of the bound; keys take the rest. */
+static const float numbers_share = 0.25f;
+/* Aim below the bound, as errors do not grow evenly. */
+static const float aim = 0.9f;
+
+/* The search for the largest error of a clip's keys that keeps to the bound. */
+struct clip_search {
+	float good_px; /* what has kept to the bound; 0: nothing yet */
+	float bad_px;  /* what has not; 0: nothing yet */
+	bool done;
+};
+
+struct optimizer {
+	const struct model *model;
+	const struct optimize_request *request;
+	const struct log *log;
+	struct model_file file;
+	struct model_source source;
+	struct gltf_document *document;
+	struct optimize_order order;
+	struct optimize_scale scale;
+	struct optimize_reach reach;
+	struct model *base;  /* all numbers as they were, in the new order */
+	struct model *found; /* with the plan */
+	struct optimize_plan plan;
+	struct clip_search *clip;
+	float *key_px, *peak_px; /* [clip_count] */
+	int clip_count;          /* at least 1: the rest pose */
+	float left_px;
+	uint8_t *data;
+	size_t size;
+	int steps;
+};
+
+static void step(struct optimizer *optimizer)
+{
+	const struct optimize_request *request = optimizer->request;
+
+	optimizer->steps++;
+	if (request->progress) {
+		request->progress(request->progress_context, optimizer->steps,
+			optimizer->steps + 1);
+	}
+}
+
+static int fail_memory(const struct optimizer *optimizer)
+{
+	log_error(optimizer->log,
+		"%s: there is not enough memory to optimize it",
+		optimizer->model->path);
+	return -ENOMEM;
+}
+
+static void warn_removed(void *context, const char *name)
+{
+	const struct optimizer *optimizer = context;
+
+	log_warning(optimizer->log,
+		"%s: limber does not know the extension %.80s and leaves it out",
+		optimizer->model->path, name);
+}
+
+static int open_document(struct optimizer *optimizer)
+{
+	const char *path = optimizer->model->path;
+	int error =
+		model_file_read(path, NULL, optimizer->log, &optimizer->file);
+
+	if (error) {
+		return error;
+	}
+	optimizer->source = (struct model_source){
+		.name = path,
+		.has_folder = true,
+		.data = optimizer->file.data,
+		.size = optimizer->file.size,
+		.memory_bytes = optimizer->request->memory_bytes,
+	};
+	if (!gltf_recognise(optimizer->file.data, optimizer->file.size)) {
+		log_error(optimizer->log,
+			"%s: limber optimizes glTF files only; this one is %s",
+			path, optimizer->model->format);
+		return -ENOTSUP;
+	}
+	return gltf_document_open(
+		&optimizer->source, optimizer->log, &optimizer->document);
+}
+
+/* Removes what is not used, and finds orders and units. */
+static int prepare(struct optimizer *optimizer)
+{
+	json_t *root = gltf_document_json(optimizer->document);
+	int error;
+
+	json_memory_begin();
+	optimize_strip_extensions(root, warn_removed, optimizer);
+	error = optimize_prune(root);
+	if (!error) {
+		error = optimize_order_find(
+			&optimizer->order, optimizer->document);
+	}
+	if (!error) {
+		error = optimize_scale_find(
+			&optimizer->scale, optimizer->document);
+	}
+	if (!json_memory_ok()) {
+		error = -ENOMEM;
+	}
+	return error == -ENOMEM ? fail_memory(optimizer) : error;
+}
+
+/* Builds the plan's file and loads it. */
+static int build(struct optimizer *optimizer, bool reduces, struct model **model)
+{
+	struct optimize_build request = {
+		.document = optimizer->document,
+		.order = &optimizer->order,
+		.scale = &optimizer->scale,
+		.reach = reduces ? &optimizer->reach : NULL,
+		.plan = &optimizer->plan,
+	};
+	const char *path = optimizer->model->path;
+	struct log errors = *optimizer->log;
+	int error;
+
+	/* The first load has warned about the file already. */
+	errors.threshold = LOG_ERROR;
+	free(optimizer->data);
+	optimizer->data = NULL;
+	model_destroy(*model);
+	*model = NULL;
+	error = optimize_build(&request, path, optimizer->log, &optimizer->data,
+		&optimizer->size);
+	step(optimizer);
+	return error ? error
+		     : model_load_memory(optimizer->data, optimizer->size, path,
+			       &errors, model);
+}
+
+static int measure(struct optimizer *optimizer, int clip)
+{
+	const struct optimize_view_size size = {
+		optimizer->request->width, optimizer->request->height};
+	bool moves = clip < optimizer->base->clip_count &&
+		clip < optimizer->found->clip_count;
+	int error = optimize_measure(optimizer->base, optimizer->found,
+		moves ? clip : -1, size, optimizer->log,
+		&optimizer->peak_px[clip]);
+
+	step(optimizer);
+	return error;
+}
+
+static int measure_all(struct optimizer *optimizer, float *most_px)
+{
+	int error = 0;
+
+	*most_px = 0.0f;
+	for (int c = 0; c < optimizer->clip_count && !error; c++) {
+		error = measure(optimizer, c);
+		*most_px = optimizer->peak_px[c] > *most_px
+			? optimizer->peak_px[c]
+			: *most_px;
+	}
+	return error;
+}
+
+static void set_precision(struct optimize_plan *plan, int level)
+{
+	plan->directions = true;
+	plan->byte_weights = level == 0;
+	plan->weights = level < 3;
+	plan->positions = level < 2;
+	plan->rotations = level < 3;
+}
+
+/* The least precision of numbers that takes a small share of the bound. */
+static int choose_precision(struct optimizer *optimizer)
+{
+	float most_px = 0.0f;
+	int error = 0;
+
+	for (int level = 0; level < LEVELS && !error; level++) {
+		set_precision(&optimizer->plan, level);
+		error = build(optimizer, true, &optimizer->found);
+		if (!error) {
+			error = measure_all(optimizer, &most_px);
+		}
+		if (!error && most_px <= numbers_share * optimizer->left_px) {
+			return 0;
+		}
+	}
+	return error;
+}
+
+/*
+ * Learns from the error that the clip's keys have led to. The next error to try
+ * is the one that would use the bound, if errors grew evenly, but not beyond
+ * the middle between the best and the worst that are known.
+ */
+static void adjust(struct optimizer *optimizer, int clip)
+{
+	struct clip_search *search = &optimizer->clip[clip];
+	float *key_px = &optimizer->key_px[clip];
+	float peak_px = optimizer->peak_px[clip], left_px = optimizer->left_px;
+	float factor = peak_px > 0.0f ? aim * left_px / peak_px : 4.0f;
+	float next_px = *key_px * (factor < 4.0f ? factor : 4.0f), middle_px;
+
+	if (peak_px <= left_px) {
+		search->good_px = *key_px;
+	} else {
+		search->bad_px = *key_px;
+	}
+	middle_px = sqrtf(search->good_px * search->bad_px);
+	if (middle_px > 0.0f &&
+		(next_px > middle_px || next_px <= search->good_px)) {
+		next_px = middle_px;
+	}
+	search->done =
+		search->good_px > 0.0f && next_px < search->good_px * 1.1f;
+	*key_px = next_px;
+}
+
+static bool is_done(const struct optimizer *optimizer)
+{
+	for (int c = 0; c < optimizer->clip_count; c++) {
+		if (!optimizer->clip[c].done) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/*
+ * Finds the keys of all clips. What one clip needs may keep a channel in
+ * another, so the last file is measured once more as a whole.
+ */
+static int choose_keys(struct optimizer *optimizer, float *peak_px)
+{
+	int error = 0;
+
+	for (int c = 0; c < optimizer->clip_count; c++) {
+		optimizer->key_px[c] = optimizer->left_px;
+	}
+	for (int round = 1; round <= ROUNDS_MAX && !is_done(optimizer); round++) {
+		error = error ? error
+			      : build(optimizer, true, &optimizer->found);
+		for (int c = 0; c < optimizer->clip_count && !error; c++) {
+			if (!optimizer->clip[c].done) {
+				error = measure(optimizer, c);
+				adjust(optimizer, c);
+			}
+		}
+	}
+	for (int c = 0; c < optimizer->clip_count; c++) {
+		optimizer->key_px[c] = optimizer->clip[c].good_px;
+	}
+	if (!error) {
+		error = build(optimizer, true, &optimizer->found);
+	}
+	return error ? error : measure_all(optimizer, peak_px);
+}
+
+/* What is left when even that misses the bound: only the order changes. */
+static int keep_numbers(struct optimizer *optimizer, float *peak_px)
+{
+	int error;
+
+	optimizer->plan = (struct optimize_plan){
+		.key_px = optimizer->key_px,
+		.stated_px = optimizer->plan.stated_px,
+	};
+	for (int c = 0; c < optimizer->clip_count; c++) {
+		optimizer->key_px[c] = 0.0f;
+	}
+	error = build(optimizer, true, &optimizer->found);
+	return error ? error : measure_all(optimizer, peak_px);
+}
+
+static float stated_error(const struct optimizer *optimizer)
+{
+	json_t *asset = json_object_get(
+		gltf_document_json(optimizer->document), "asset");
+	double stated = json_number_value(json_object_get(
+		json_object_get(asset, "extras"), "limber_error_px"));
+
+	return stated > 0.0 && stated < 1e6 ? (float)stated : 0.0f;
+}
+
+static int allocate(struct optimizer *optimizer)
+{
+	size_t count = (size_t)optimizer->base->clip_count + 1;
+
+	optimizer->clip_count = optimizer->base->clip_count > 0
+		? optimizer->base->clip_count
+		: 1;
+	optimizer->clip = calloc(count, sizeof(*optimizer->clip));
+	optimizer->key_px = calloc(count, sizeof(float));
+	optimizer->peak_px = calloc(count, sizeof(float));
+	optimizer->plan.key_px = optimizer->key_px;
+	return optimizer->clip && optimizer->key_px && optimizer->peak_px
+		? 0
+		: fail_memory(optimizer);
+}
+
+/* The file in its new order, and how far its vertices reach. */
+static int build_base(struct optimizer *optimizer)
+{
+	const struct optimize_view_size size = {
+		optimizer->request->width, optimizer->request->height};
+	float px_per_unit;
+	int error = build(optimizer, false, &optimizer->base);
+
+	if (!error) {
+		error = optimize_measure_unit(optimizer->base,
+			optimizer->base->clip_count > 0 ? 0 : -1, size,
+			optimizer->log, &px_per_unit);
+	}
+	if (!error) {
+		error = optimize_reach_find(
+			&optimizer->reach, optimizer->base, px_per_unit);
+		error = error ? fail_memory(optimizer) : 0;
+	}
+	return error ? error : allocate(optimizer);
+}
+
+static int search(struct optimizer *optimizer, struct optimize_result *out)
+{
+	int error;
+
+	out->earlier_px = stated_error(optimizer);
+	optimizer->left_px = optimizer->request->bound_px - out->earlier_px;
+	if (!(optimizer->left_px > 0.0f)) {
+		optimizer->plan.stated_px = out->earlier_px;
+		return keep_numbers(optimizer, &out->peak_px);
+	}
+	optimizer->plan.stated_px = optimizer->request->bound_px;
+	error = choose_precision(optimizer);
+	if (!error) {
+		error = choose_keys(optimizer, &out->peak_px);
+	}
+	if (!error && out->peak_px > optimizer->left_px) {
+		error = keep_numbers(optimizer, &out->peak_px);
+	}
+	return error;
+}
+
+static int measure_result(
+	const struct optimizer *optimizer, struct optimize_result *out)
+{
+	const struct model_source source = {
+		.name = optimizer->model->path,
+		.data = optimizer->data,
+		.size = optimizer->size,
+		.memory_bytes = optimizer->request->memory_bytes,
+	};
+	struct gltf_document *document;
+	int error = gltf_document_open(&source, optimizer->log, &document);
+
+	if (!error) {
+		error = optimize_sizes_of(document, &out->after);
+		error = error ? fail_memory(optimizer) : 0;
+		gltf_document_close(document);
+	}
+	return error;
+}
+
+static int run(struct optimizer *optimizer, struct optimize_result *out)
+{
+	int error = open_document(optimizer);
+
+	if (!error) {
+		error = optimize_sizes_of(optimizer->document, &out->before);
+		error = error ? fail_memory(optimizer) : 0;
+	}
+	if (!error) {
+		error = prepare(optimizer);
+	}
+	if (!error) {
+		error = build_base(optimizer);
+	}
+	if (!error) {
+		error = search(optimizer, out);
+	}
+	return error ? error : measure_result(optimizer, out);
+}
+
+int optimize_model(const struct model *model,
+	const struct optimize_request *request, const struct log *log,
+	struct optimize_result *out)
+{
+	struct optimizer optimizer = {
+		.model = model,
+		.request = request,
+		.log = log,
+		.plan = {.stated_px = -1.0f},
+	};
+	int error;
+
+	*out = (struct optimize_result){.data = NULL};
+	error = run(&optimizer, out);
+	if (!error) {
+		out->data = optimizer.data;
+		optimizer.data = NULL;
+	}
+	free(optimizer.data);
+	free(optimizer.clip);
+	free(optimizer.key_px);
+	free(optimizer.peak_px);
+	model_destroy(optimizer.base);
+	model_destroy(optimizer.found);
+	optimize_reach_release(&optimizer.reach);
+	optimize_scale_release(&optimizer.scale);
+	if (optimizer.document) {
+		optimize_order_release(&optimizer.order);
+	}
+	gltf_document_close(optimizer.document);
+	model_file_release(&optimizer.file);
+	return error;
+}

@@ -1,0 +1,143 @@
+#include "app/compare/optimize/optimize_measure.h"
+
+#include "app/compare/candidate/candidate_error.h"
+
+#include <errno.h>
+#include <string.h>
+
+/* A model and the clip to play; the copy shares the model's memory. */
+struct played {
+	struct model model;
+	struct model_clip still; /* no channels: it shows the rest pose */
+	struct reference *reference;
+};
+
+static int begin(struct played *played, const struct model *model, int clip,
+	const struct log *log)
+{
+	played->model = *model;
+	if (clip < 0 || !(model->clip[clip].duration_s > 0.0f)) {
+		played->still =
+			(struct model_clip){.name = "", .duration_s = 1e-3f};
+		played->model.clip = &played->still;
+		played->model.clip_count = 1;
+		clip = 0;
+	}
+	return reference_create(&played->model, clip, log, &played->reference);
+}
+
+static void pose(struct candidate *candidate, float time_s)
+{
+	reference_pose(candidate->state, time_s, !candidate->positions_only);
+}
+
+static void take(const struct candidate *candidate, float (*position)[3],
+	float (*normal)[3])
+{
+	const struct reference *found = candidate->state;
+	size_t bytes = (size_t)found->vertex_count * sizeof(float[3]);
+
+	memcpy(position, found->position, bytes);
+	if (normal) {
+		memcpy(normal, found->normal, bytes);
+	}
+}
+
+static int measure(struct reference *wanted, struct reference *found,
+	struct optimize_view_size size, float *peak_px)
+{
+	struct candidate candidate = {
+		.reference = wanted,
+		.vertex_count = wanted->vertex_count,
+		.pose = pose,
+		.take = take,
+		.state = found,
+	};
+	struct candidate_error measured;
+	struct screen_view screen;
+	struct time_grid grid;
+	int error = time_grid_make(wanted->clip, &grid);
+
+	if (error) {
+		return error;
+	}
+	screen = screen_view_create(wanted, &grid, size.width, size.height);
+	error = candidate_error_measure(&candidate, &screen, &grid, &measured);
+	time_grid_release(&grid);
+	*peak_px = measured.peak_px;
+	return error;
+}
+
+static int fail(const struct model *model, int error, const struct log *log)
+{
+	log_error(log,
+		error == -E2BIG
+			? "%s: a clip lasts longer than five hours: shorten it"
+			: "%s: there is not enough memory to compare it",
+		model->path);
+	return error;
+}
+
+int optimize_measure(const struct model *wanted, const struct model *found,
+	int clip, struct optimize_view_size size, const struct log *log,
+	float *peak_px)
+{
+	struct played a = {.reference = NULL}, b = {.reference = NULL};
+	int error = begin(&a, wanted, clip, log);
+
+	if (!error) {
+		error = begin(&b, found, clip, log);
+	}
+	*peak_px = 0.0f;
+	if (!error && a.reference->vertex_count > 0 &&
+		a.reference->vertex_count == b.reference->vertex_count) {
+		error = measure(a.reference, b.reference, size, peak_px);
+		error = error ? fail(wanted, error, log) : 0;
+	}
+	reference_destroy(a.reference);
+	reference_destroy(b.reference);
+	return error;
+}
+
+static float closest_px(const struct screen_view *screen)
+{
+	const struct bounds *box = &screen->box;
+	float nearest = 0.0f;
+
+	for (int corner = 0; corner < 8; corner++) {
+		float depth = -screen->view[3][2];
+
+		for (int axis = 0; axis < 3; axis++) {
+			depth -= screen->view[axis][2] *
+				(corner >> axis & 1 ? box->high[axis]
+						    : box->low[axis]);
+		}
+		nearest = corner == 0 || depth < nearest ? depth : nearest;
+	}
+	return screen->focal_px / (nearest > 1e-3f ? nearest : 1e-3f);
+}
+
+int optimize_measure_unit(const struct model *model, int clip,
+	struct optimize_view_size size, const struct log *log,
+	float *px_per_unit)
+{
+	struct played played = {.reference = NULL};
+	struct screen_view screen;
+	struct time_grid grid;
+	int error = begin(&played, model, clip, log);
+
+	*px_per_unit = 1.0f;
+	if (!error && played.reference->vertex_count > 0) {
+		error = time_grid_make(played.reference->clip, &grid);
+		if (error) {
+			error = fail(model, error, log);
+		} else {
+			screen = screen_view_create(played.reference, &grid,
+				size.width, size.height);
+			*px_per_unit = closest_px(&screen);
+			time_grid_release(&grid);
+		}
+	}
+	reference_destroy(played.reference);
+	return error;
+}

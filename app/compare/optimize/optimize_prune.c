@@ -1,0 +1,321 @@
+#include "app/compare/optimize/optimize_prune.h"
+
+#include "app/compare/optimize/optimize_refs.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is used, and what is still to be searched for references. */
+struct marks {
+	json_t *root;
+	int count[OPTIMIZE_PARTS];
+	bool *used[OPTIMIZE_PARTS];
+	int *number[OPTIMIZE_PARTS]; /* the new one */
+	int *parent;                 /* of each node, or -1 */
+	int pending;
+	struct pending {
+		enum optimize_part part;
+		int index;
+	} * stack; /* each element once */
+};
+
+static json_t *elements(const struct marks *marks, int part)
+{
+	return json_object_get(marks->root, optimize_part_name[part]);
+}
+
+static int mark(void *context, enum optimize_part part, int index)
+{
+	struct marks *marks = context;
+
+	if (index >= 0 && index < marks->count[part] &&
+		!marks->used[part][index]) {
+		marks->used[part][index] = true;
+		marks->stack[marks->pending++] = (struct pending){part, index};
+	}
+	return index;
+}
+
+static void search(struct marks *marks)
+{
+	while (marks->pending > 0) {
+		struct pending next = marks->stack[--marks->pending];
+		json_t *element = json_array_get(
+			elements(marks, (int)next.part), (size_t)next.index);
+
+		if (next.part == OPTIMIZE_NODES) {
+			mark(marks, OPTIMIZE_NODES, marks->parent[next.index]);
+		}
+		optimize_refs_of(next.part, element, mark, marks);
+	}
+}
+
+static int allocate(struct marks *marks)
+{
+	int total = 0;
+
+	for (int part = 0; part < OPTIMIZE_PARTS; part++) {
+		int count = (int)json_array_size(elements(marks, part));
+
+		marks->count[part] = count;
+		marks->used[part] = calloc((size_t)count + 1, sizeof(bool));
+		marks->number[part] = calloc((size_t)count + 1, sizeof(int));
+		if (!marks->used[part] || !marks->number[part]) {
+			return -ENOMEM;
+		}
+		total += count;
+	}
+	marks->parent = malloc(
+		((size_t)marks->count[OPTIMIZE_NODES] + 1) * sizeof(int));
+	marks->stack = malloc(((size_t)total + 1) * sizeof(*marks->stack));
+	return marks->parent && marks->stack ? 0 : -ENOMEM;
+}
+
+static void find_parents(struct marks *marks)
+{
+	json_t *node, *child;
+	size_t i, k;
+
+	for (int n = 0; n < marks->count[OPTIMIZE_NODES]; n++) {
+		marks->parent[n] = -1;
+	}
+	json_array_foreach(elements(marks, OPTIMIZE_NODES), i, node)
+	{
+		json_array_foreach(json_object_get(node, "children"), k, child)
+		{
+			json_int_t index = json_integer_value(child);
+
+			if (index >= 0 && index < marks->count[OPTIMIZE_NODES]) {
+				marks->parent[index] = (int)i;
+			}
+		}
+	}
+}
+
+static void mark_all(struct marks *marks)
+{
+	json_t *scenes = elements(marks, OPTIMIZE_SCENES), *scene, *node;
+	size_t i;
+
+	json_array_foreach(scenes, i, scene)
+	{
+		optimize_refs_of(OPTIMIZE_SCENES, scene, mark, marks);
+	}
+	json_array_foreach(elements(marks, OPTIMIZE_NODES), i, node)
+	{
+		if (!json_array_size(scenes) || json_object_get(node, "camera")) {
+			mark(marks, OPTIMIZE_NODES, (int)i);
+		}
+	}
+	search(marks);
+}
+
+static int new_number(void *context, enum optimize_part part, int index)
+{
+	const struct marks *marks = context;
+
+	return index >= 0 && index < marks->count[part]
+		? marks->number[part][index]
+		: index;
+}
+
+static void remove_unused(struct marks *marks, int part)
+{
+	json_t *array = elements(marks, part);
+	int kept = 0;
+
+	for (int i = 0; i < marks->count[part]; i++) {
+		marks->number[part][i] = kept;
+		kept += marks->used[part][i];
+	}
+	for (int i = marks->count[part]; i-- > 0;) {
+		if (!marks->used[part][i]) {
+			json_array_remove(array, (size_t)i);
+		}
+	}
+	if (array && kept == 0) {
+		json_object_del(marks->root, optimize_part_name[part]);
+	}
+}
+
+/* A channel without a node, or of a removed one, moves nothing. */
+static void prune_channels(const struct marks *marks, json_t *animation)
+{
+	json_t *channels = json_object_get(animation, "channels");
+
+	for (size_t i = json_array_size(channels); i-- > 0;) {
+		json_t *target =
+			json_object_get(json_array_get(channels, i), "target");
+		json_t *node = json_object_get(target, "node");
+		int index = json_is_integer(node) ? (int)json_integer_value(node)
+						  : -1;
+
+		if (index < 0 || index >= marks->count[OPTIMIZE_NODES] ||
+			!marks->used[OPTIMIZE_NODES][index]) {
+			json_array_remove(channels, i);
+		} else {
+			json_object_set_new(target, "node",
+				json_integer(
+					marks->number[OPTIMIZE_NODES][index]));
+		}
+	}
+}
+
+static void prune_animations(const struct marks *marks)
+{
+	json_t *animations = json_object_get(marks->root, "animations");
+
+	for (size_t i = json_array_size(animations); i-- > 0;) {
+		json_t *animation = json_array_get(animations, i);
+
+		prune_channels(marks, animation);
+		if (json_array_size(json_object_get(animation, "channels")) ==
+			0) {
+			json_array_remove(animations, i);
+		}
+	}
+	if (json_array_size(animations) == 0) {
+		json_object_del(marks->root, "animations");
+	}
+}
+
+static void renumber(struct marks *marks)
+{
+	json_t *element;
+	size_t i;
+
+	for (int part = 0; part < OPTIMIZE_PARTS; part++) {
+		remove_unused(marks, part);
+	}
+	for (int part = 0; part <= OPTIMIZE_PARTS; part++) {
+		json_array_foreach(elements(marks, part), i, element)
+		{
+			optimize_refs_of((enum optimize_part)part, element,
+				new_number, marks);
+		}
+	}
+	prune_animations(marks);
+}
+
+/* Sets a bit for each set of coordinates that an object's textures read. */
+static void find_sets(
+	const json_t *object, int depth, unsigned int *sets, bool *normals)
+{
+	const char *key;
+	json_t *value;
+
+	json_object_foreach((json_t *)object, key, value)
+	{
+		json_t *transform, *set;
+
+		if (!json_is_object(value)) {
+			continue;
+		}
+		if (!optimize_ends_with(key, "Texture")) {
+			if (depth > 0) {
+				find_sets(value, depth - 1, sets, normals);
+			}
+			continue;
+		}
+		transform = json_object_get(json_object_get(value, "extensions"),
+			"KHR_texture_transform");
+		set = json_object_get(value, "texCoord");
+		*sets |= 1u << (json_integer_value(set) & 31);
+		set = json_object_get(transform, "texCoord");
+		*sets |= set ? 1u << (json_integer_value(set) & 31) : 0;
+		*normals = *normals || optimize_ends_with(key, "ormalTexture");
+	}
+}
+
+struct coordinates {
+	json_t *materials;
+	unsigned int sets;
+	bool normals;
+};
+
+static int add_material(void *context, enum optimize_part part, int index)
+{
+	struct coordinates *found = context;
+
+	(void)part;
+	find_sets(json_array_get(found->materials, (size_t)index), 4,
+		&found->sets, &found->normals);
+	return index;
+}
+
+/* TEXCOORD_0 stays: live pictures are drawn with it without any texture. */
+static void prune_attributes(json_t *attributes, unsigned int sets, bool normals)
+{
+	const char *key;
+	json_t *value;
+	void *next;
+
+	json_object_foreach_safe(attributes, next, key, value)
+	{
+		int set = 0;
+
+		if (!normals && strcmp(key, "TANGENT") == 0) {
+			json_object_del(attributes, key);
+		} else if (sscanf(key, "TEXCOORD_%d", &set) == 1 && set > 0 &&
+			(set > 31 || !(sets & 1u << set))) {
+			json_object_del(attributes, key);
+		}
+	}
+}
+
+/*
+ * All primitives of all meshes keep what any material needs: levels of detail
+ * must have the attributes of the full mesh.
+ */
+static void prune_vertices(json_t *root)
+{
+	struct coordinates found = {
+		json_object_get(root, "materials"), 1, false};
+	json_t *meshes = json_object_get(root, "meshes");
+	json_t *mesh, *primitive, *target;
+	size_t i, p, t;
+
+	json_array_foreach(meshes, i, mesh)
+	{
+		optimize_refs_of(OPTIMIZE_MESHES, mesh, add_material, &found);
+	}
+	json_array_foreach(meshes, i, mesh)
+	{
+		json_array_foreach(
+			json_object_get(mesh, "primitives"), p, primitive)
+		{
+			json_t *targets = json_object_get(primitive, "targets");
+
+			prune_attributes(
+				json_object_get(primitive, "attributes"),
+				found.sets, found.normals);
+			json_array_foreach(targets, t, target)
+			{
+				prune_attributes(
+					target, found.sets, found.normals);
+			}
+		}
+	}
+}
+
+int optimize_prune(json_t *root)
+{
+	struct marks marks = {.root = root};
+	int error = allocate(&marks);
+
+	if (!error) {
+		find_parents(&marks);
+		mark_all(&marks);
+		renumber(&marks);
+		prune_vertices(root);
+	}
+	for (int part = 0; part < OPTIMIZE_PARTS; part++) {
+		free(marks.used[part]);
+		free(marks.number[part]);
+	}
+	free(marks.parent);
+	free(marks.stack);
+	return error;
+}

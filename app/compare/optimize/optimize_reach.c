@@ -1,0 +1,259 @@
+#include "app/compare/optimize/optimize_reach.h"
+
+#include "app/anim/pose.h"
+#include "platform/base/scalar.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include <cglm/cglm.h>
+
+/* Of the model's size: where a node without vertices is taken to have one. */
+static const float helper_reach = 0.1f;
+
+struct reacher {
+	const struct model *model;
+	mat4 *world;   /* of the nodes at rest */
+	mat4 *palette; /* of the skin in hand */
+	float *reach;  /* [node_count]: in units of the world */
+	struct bounds box;
+};
+
+static float column_scale(const vec4 *matrix)
+{
+	float most = 0.0f;
+
+	for (int column = 0; column < 3; column++) {
+		float length = glm_vec3_norm((float *)matrix[column]);
+
+		most = length > most ? length : most;
+	}
+	return most;
+}
+
+/* A vertex that follows a node follows all nodes above it as well. */
+static void follow(struct reacher *reacher, int node, const vec3 at)
+{
+	for (; node >= 0; node = reacher->model->node[node].parent) {
+		float distance =
+			glm_vec3_distance((float *)at, reacher->world[node][3]);
+
+		if (distance > reacher->reach[node]) {
+			reacher->reach[node] = distance;
+		}
+	}
+}
+
+static void reach_skinned(struct reacher *reacher,
+	const struct model_primitive *primitive, const struct model_skin *skin)
+{
+	int influences = primitive->influences;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		size_t first = (size_t)v * (size_t)influences;
+
+		for (int i = 0; i < influences; i++) {
+			int joint = primitive->joint[first + (size_t)i];
+			vec3 at;
+
+			if (primitive->weight[first + (size_t)i] < 0.01f) {
+				continue;
+			}
+			glm_mat4_mulv3(reacher->palette[joint],
+				primitive->position[v], 1.0f, at);
+			bounds_add(&reacher->box, at);
+			follow(reacher, skin->joint[joint], at);
+		}
+	}
+}
+
+static void reach_rigid(struct reacher *reacher,
+	const struct model_primitive *primitive, int node)
+{
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		vec3 at;
+
+		glm_mat4_mulv3(
+			reacher->world[node], primitive->position[v], 1.0f, at);
+		bounds_add(&reacher->box, at);
+		follow(reacher, node, at);
+	}
+}
+
+static void reach_node(struct reacher *reacher, int index)
+{
+	const struct model *model = reacher->model;
+	const struct model_node *node = &model->node[index];
+	const struct model_mesh *mesh =
+		node->mesh >= 0 ? &model->mesh[node->mesh] : NULL;
+	const struct model_skin *skin =
+		node->skin >= 0 ? &model->skin[node->skin] : NULL;
+
+	if (mesh && skin) {
+		pose_palette(skin, reacher->world, reacher->palette);
+	}
+	for (int p = 0; mesh && p < mesh->primitive_count; p++) {
+		const struct model_primitive *primitive = &mesh->primitive[p];
+
+		if (skin && primitive->influences > 0) {
+			reach_skinned(reacher, primitive, skin);
+		} else {
+			reach_rigid(reacher, primitive, index);
+		}
+	}
+}
+
+/* The largest displacement of each target, times px. */
+static int measure_targets(struct optimize_reach *reach,
+	struct optimize_reach_node *node, const struct model_mesh *mesh,
+	float px)
+{
+	float *out =
+		ARENA_ARRAY(&reach->arena, float, (size_t)mesh->target_count);
+
+	if (!out) {
+		return -ENOMEM;
+	}
+	for (int p = 0; p < mesh->primitive_count; p++) {
+		const struct model_primitive *primitive = &mesh->primitive[p];
+
+		for (int t = 0; t < mesh->target_count; t++) {
+			const float(*moved)[3] =
+				(const float(*)[3])primitive->target[t].position;
+
+			for (int v = 0; moved && v < primitive->vertex_count;
+				v++) {
+				float length =
+					px * glm_vec3_norm((float *)moved[v]);
+
+				out[t] = length > out[t] ? length : out[t];
+			}
+		}
+	}
+	node->target_count = mesh->target_count;
+	node->target_px = out;
+	return 0;
+}
+
+static int describe(struct optimize_reach *reach, const struct reacher *reacher,
+	int index, float px_per_unit)
+{
+	const struct model *model = reacher->model;
+	const struct model_node *node = &model->node[index];
+	struct optimize_reach_node *out = &reach->node[node->file_index];
+	float least = helper_reach * bounds_extent(&reacher->box);
+	float far =
+		reacher->reach[index] > least ? reacher->reach[index] : least;
+	float parent = node->parent >= 0
+		? column_scale((const vec4 *)reacher->world[node->parent])
+		: 1.0f;
+
+	out->exact = false;
+	out->move_px = parent * px_per_unit;
+	out->turn_px = far * px_per_unit;
+	out->scale_px = far * px_per_unit;
+	if (node->mesh < 0 || model->mesh[node->mesh].target_count == 0) {
+		return 0;
+	}
+	return measure_targets(reach, out, &model->mesh[node->mesh],
+		px_per_unit *
+			column_scale((const vec4 *)(node->skin >= 0
+					? reacher->palette[0]
+					: reacher->world[index])));
+}
+
+static int find(struct optimize_reach *reach, struct reacher *reacher,
+	float px_per_unit)
+{
+	const struct model *model = reacher->model;
+	int error = 0;
+
+	/* Nodes that are no part of the model keep their keys. */
+	for (int i = 0; i < reach->node_count; i++) {
+		reach->node[i].exact = true;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		reach_node(reacher, i);
+	}
+	for (int i = 0; i < model->node_count && !error; i++) {
+		const struct model_node *node = &model->node[i];
+
+		if (node->skin >= 0) {
+			pose_palette(&model->skin[node->skin], reacher->world,
+				reacher->palette);
+		}
+		error = describe(reach, reacher, i, px_per_unit);
+	}
+	for (int i = model->node_count; i-- > 0;) {
+		int parent = model->node[i].parent;
+		const struct optimize_reach_node *node =
+			&reach->node[model->node[i].file_index];
+
+		if (model->node[i].camera >= 0) {
+			reach->node[model->node[i].file_index].exact = true;
+		}
+		if (parent >= 0 && node->exact) {
+			reach->node[model->node[parent].file_index].exact = true;
+		}
+	}
+	return error;
+}
+
+static int most_joints(const struct model *model)
+{
+	int most = 1;
+
+	for (int s = 0; s < model->skin_count; s++) {
+		int count = model->skin[s].joint_count;
+
+		most = count > most ? count : most;
+	}
+	return most;
+}
+
+static int count_file_nodes(const struct model *model)
+{
+	int count = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		int index = model->node[i].file_index;
+
+		count = index >= count ? index + 1 : count;
+	}
+	return count;
+}
+
+int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
+	float px_per_unit)
+{
+	struct reacher reacher = {.model = model, .box = bounds_empty()};
+	struct arena scratch = arena_empty();
+	size_t count = (size_t)model->node_count;
+	struct pose pose;
+	int error = -ENOMEM;
+
+	*reach = (struct optimize_reach){
+		.arena = arena_empty(), .node_count = count_file_nodes(model)};
+	reach->node = ARENA_ARRAY(&reach->arena, struct optimize_reach_node,
+		(size_t)reach->node_count);
+	reacher.world = ARENA_ARRAY(&scratch, mat4, count);
+	reacher.palette =
+		ARENA_ARRAY(&scratch, mat4, (size_t)most_joints(model));
+	reacher.reach = ARENA_ARRAY(&scratch, float, count);
+	if (reach->node && reacher.world && reacher.palette && reacher.reach) {
+		error = pose_init(&pose, model, &scratch);
+	}
+	if (!error) {
+		pose_rest(&pose, model);
+		pose_world(&pose, model, NULL, reacher.world);
+		error = find(reach, &reacher, px_per_unit);
+	}
+	arena_release(&scratch);
+	return error;
+}
+
+void optimize_reach_release(struct optimize_reach *reach)
+{
+	arena_release(&reach->arena);
+	*reach = (struct optimize_reach){.node_count = 0};
+}

@@ -1,0 +1,198 @@
+#include "app/compare/optimize/optimize_tipsify.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	CACHE = 16,
+	PASSES_MAX = 8
+};
+
+int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
+{
+	int *fetched = calloc((size_t)vertex_count + 1, sizeof(*fetched));
+	int misses = 0;
+
+	if (!fetched) {
+		return count;
+	}
+	/* fetched is the number of the miss; 16 misses later it is gone. */
+	for (int i = 0; i < count; i++) {
+		int *at = &fetched[index[i]];
+
+		if (*at == 0 || misses - *at >= CACHE) {
+			*at = ++misses;
+		}
+	}
+	free(fetched);
+	return misses;
+}
+
+/* The names of the members are those of the paper. */
+struct tipsify {
+	const uint32_t *index;
+	int count, vertex_count;
+	int *first;    /* [vertex_count + 1]: its triangles in the list below */
+	int *triangle; /* [count] */
+	int *live;     /* triangles of a vertex that are not written yet */
+	int *stamp;    /* when a vertex entered the cache */
+	bool *written; /* of a triangle */
+	uint32_t *dead_end; /* vertices used lately: a stack */
+	int dead_ends;
+	int time, cursor;
+	uint32_t *out;
+	int out_count;
+};
+
+static void list_triangles(struct tipsify *tipsify)
+{
+	for (int i = 0; i < tipsify->count; i++) {
+		tipsify->live[tipsify->index[i]]++;
+	}
+	for (int v = 0; v < tipsify->vertex_count; v++) {
+		tipsify->first[v + 1] = tipsify->first[v] + tipsify->live[v];
+		tipsify->stamp[v] = 0;
+	}
+	for (int i = tipsify->count; i-- > 0;) {
+		uint32_t v = tipsify->index[i];
+
+		tipsify->triangle[--tipsify->first[v + 1]] = i / 3;
+	}
+	/* The fill has moved each end to the beginning of its vertex. */
+	for (int v = 0; v < tipsify->vertex_count; v++) {
+		tipsify->first[v] = tipsify->first[v + 1];
+	}
+	tipsify->first[tipsify->vertex_count] = tipsify->count;
+}
+
+static void write_triangle(struct tipsify *tipsify, int triangle)
+{
+	for (int corner = 0; corner < 3; corner++) {
+		uint32_t v = tipsify->index[3 * triangle + corner];
+
+		tipsify->out[tipsify->out_count++] = v;
+		tipsify->dead_end[tipsify->dead_ends++] = v;
+		tipsify->live[v]--;
+		if (tipsify->time - tipsify->stamp[v] > CACHE) {
+			tipsify->stamp[v] = tipsify->time++;
+		}
+	}
+	tipsify->written[triangle] = true;
+}
+
+/* The next vertex after those of the triangles written last, or -1. */
+static int best_neighbour(const struct tipsify *tipsify, int begin)
+{
+	int best = -1, most = -1;
+
+	for (int i = begin; i < tipsify->out_count; i++) {
+		uint32_t v = tipsify->out[i];
+		int age = tipsify->time - tipsify->stamp[v];
+		int priority = 0;
+
+		if (tipsify->live[v] <= 0) {
+			continue;
+		}
+		if (age + 2 * tipsify->live[v] <= CACHE) {
+			priority = age;
+		}
+		if (priority > most) {
+			most = priority;
+			best = (int)v;
+		}
+	}
+	return best;
+}
+
+static int skip_dead_end(struct tipsify *tipsify)
+{
+	while (tipsify->dead_ends > 0) {
+		uint32_t v = tipsify->dead_end[--tipsify->dead_ends];
+
+		if (tipsify->live[v] > 0) {
+			return (int)v;
+		}
+	}
+	for (; tipsify->cursor < tipsify->vertex_count; tipsify->cursor++) {
+		if (tipsify->live[tipsify->cursor] > 0) {
+			return tipsify->cursor;
+		}
+	}
+	return -1;
+}
+
+static void run(struct tipsify *tipsify)
+{
+	int fan = tipsify->count > 0 ? (int)tipsify->index[0] : -1;
+
+	tipsify->time = CACHE + 1;
+	while (fan >= 0) {
+		int begin = tipsify->out_count;
+
+		for (int i = tipsify->first[fan]; i < tipsify->first[fan + 1];
+			i++) {
+			if (!tipsify->written[tipsify->triangle[i]]) {
+				write_triangle(tipsify, tipsify->triangle[i]);
+			}
+		}
+		fan = best_neighbour(tipsify, begin);
+		if (fan < 0) {
+			fan = skip_dead_end(tipsify);
+		}
+	}
+}
+
+/* One pass; *better tells whether it has saved enough to be taken. */
+static int reorder(uint32_t *index, int count, int vertex_count, bool *better)
+{
+	size_t vertices = (size_t)vertex_count + 2, corners = (size_t)count + 1;
+	struct tipsify tipsify = {
+		.index = index,
+		.count = count,
+		.vertex_count = vertex_count,
+		.first = calloc(vertices, sizeof(int)),
+		.triangle = calloc(corners, sizeof(int)),
+		.live = calloc(vertices, sizeof(int)),
+		.stamp = calloc(vertices, sizeof(int)),
+		.written = calloc(corners, sizeof(bool)),
+		.dead_end = calloc(corners, sizeof(uint32_t)),
+		.out = calloc(corners, sizeof(uint32_t)),
+	};
+	int error = -ENOMEM;
+
+	*better = false;
+	if (tipsify.first && tipsify.triangle && tipsify.live && tipsify.stamp &&
+		tipsify.written && tipsify.dead_end && tipsify.out) {
+		list_triangles(&tipsify);
+		run(&tipsify);
+		*better = optimize_tipsify_misses(
+				  tipsify.out, count, vertex_count) *
+				50LL <
+			optimize_tipsify_misses(index, count, vertex_count) *
+				49LL;
+		error = 0;
+	}
+	if (*better) {
+		memcpy(index, tipsify.out, (size_t)count * sizeof(*index));
+	}
+	free(tipsify.first);
+	free(tipsify.triangle);
+	free(tipsify.live);
+	free(tipsify.stamp);
+	free(tipsify.written);
+	free(tipsify.dead_end);
+	free(tipsify.out);
+	return error;
+}
+
+int optimize_tipsify(uint32_t *index, int count, int vertex_count)
+{
+	bool better = true;
+	int error = 0;
+
+	for (int pass = 0; pass < PASSES_MAX && better && !error; pass++) {
+		error = reorder(index, count, vertex_count, &better);
+	}
+	return error;
+}

@@ -1,0 +1,74 @@
+#!/bin/sh
+# Tests limber optimize: what it prints, writes and refuses.
+. "$(dirname "$0")/../support/cli.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+fixtures=$here/../fixtures/gltf
+walker=$here/../../assets/walker.glb
+
+# member FILE EXPRESSION: prints a value of a .glb's JSON, which is called j.
+member() {
+    python3 - "$1" "$2" <<'PYTHON'
+import json
+import struct
+import sys
+with open(sys.argv[1], 'rb') as file:
+    data = file.read()
+size, = struct.unpack_from('<I', data, 12)
+j = json.loads(data[20:20 + size])
+print(eval(sys.argv[2]))
+PYTHON
+}
+
+limber optimize "$walker" -o "$scratch/walker.glb"
+expect_status 0
+expect_no_err
+expect_out '^  KiB +before +after$'
+expect_out '^  the whole file +[0-9.]+ +[0-9.]+$'
+expect_out 'keys are left\. No vertex moves by more than 0\.[0-4][0-9]* px in 480x640\.$'
+check 'the file is a third smaller' test "$(wc -c <"$scratch/walker.glb")" -lt \
+    $(($(wc -c <"$walker") * 2 / 3))
+check 'all clips keep their names' test \
+    "$(member "$scratch/walker.glb" "sorted(a['name'] for a in j['animations'])")" = \
+    "$(member "$walker" "sorted(a['name'] for a in j['animations'])")"
+check 'all nodes keep their names' test \
+    "$(member "$scratch/walker.glb" "[n['name'] for n in j['nodes']]")" = \
+    "$(member "$walker" "[n['name'] for n in j['nodes']]")"
+check 'the file states its error' test \
+    "$(member "$scratch/walker.glb" "j['asset']['extras']['limber_error_px']")" = 0.5
+
+limber optimize "$scratch/walker.glb" -o "$scratch/again.glb"
+expect_status 0
+expect_out 'No vertex moves by more than 0\.000 px'
+expect_out '^An earlier run has used 0\.5 px of --error 0\.5 already\.$'
+check 'a second run saves nothing' test "$(wc -c <"$scratch/again.glb")" -eq \
+    "$(wc -c <"$scratch/walker.glb")"
+limber info "$scratch/again.glb"
+expect_status 0
+expect_no_err
+
+limber optimize "$fixtures/scene/cameras.gltf" -o "$scratch/cameras.glb"
+expect_status 0
+limber info "$fixtures/scene/cameras.gltf" --json
+grep -c '"camera' "$out_file" >"$scratch/wanted"
+limber info "$scratch/cameras.glb" --json
+check 'cameras stay' test "$(grep -c '"camera' "$out_file")" = "$(cat "$scratch/wanted")"
+
+# An image that nothing shows may be missing; an unknown extension is left out.
+limber optimize "$fixtures/material/textures.gltf" -o "$scratch/textures.glb"
+expect_status 0
+expect_err 'limber does not know the extension EXT_unheard_of and leaves it out$'
+
+limber optimize
+expect_refusal 2 'no model is given: use limber optimize MODEL -o FILE\.glb'
+limber optimize "$slider"
+expect_refusal 2 'there is no file to write: add -o FILE\.glb'
+limber optimize "$slider" -o "$scratch/one.gltf"
+expect_refusal 2 'the name of the file to write shall end in \.glb'
+limber optimize "$slider" -o "$scratch/none/one.glb"
+expect_refusal 1 'none'
+limber optimize "$slider" -o "$scratch/one.glb" --error 0
+expect_refusal 2 '--error'
+limber optimize "$here/../fixtures/xfile/tower_binary_packed.x" -o "$scratch/x.glb"
+expect_refusal 1 'limber optimizes glTF files only; this one is DirectX'
+check 'nothing is written after a refusal' test ! -e "$scratch/x.glb"
+tap_done

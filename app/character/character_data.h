@@ -321,6 +321,8 @@ enum {
 struct character_output {
 	const char *name;
 	const char *line; /* as --buttons names one: gpiochip0/18 */
+	const char *file; /* that says so, in this line */
+	int number;
 
 	/* Changes: */
 	bool on;

@@ -1,5 +1,6 @@
 /*
- * A list of names for a message: "one, two, three".
+ * A list of names for a message: one, two, "three, or four". Names with blanks
+ * or commas stand in quotes.
  */
 #ifndef PLATFORM_BASE_NAME_LIST_H
 #define PLATFORM_BASE_NAME_LIST_H

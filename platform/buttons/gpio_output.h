@@ -19,11 +19,12 @@ int gpio_output_check(const char *line, const struct log *log);
 
 /*
  * Opens the line as an output that is off. Other programs see "limber NAME" as
- * its user. Returns NULL after logging a warning if this machine has no such
- * line or it is in use; the other functions then do nothing.
+ * its user. Returns NULL after logging a warning, which begins with where the
+ * output is asked for, if this machine has no such line or it is in use; the
+ * other functions then do nothing.
  */
-struct gpio_output *gpio_output_open(
-	const char *name, const char *line, const struct log *log);
+struct gpio_output *gpio_output_open(const char *where, const char *name,
+	const char *line, const struct log *log);
 
 void gpio_output_set(struct gpio_output *output, bool on);
 

@@ -428,7 +428,7 @@ static void test_an_output_is_driven_and_given_back(void **state)
 
 	line->high = true;
 	output = gpio_output_open(
-		"led", "53fd0000.gpio/7/active-low", &bench->log);
+		"output led", "led", "53fd0000.gpio/7/active-low", &bench->log);
 	assert_non_null(output);
 	assert_true(line->requested && !line->input && line->high);
 	assert_string_equal(line->consumer, "limber led");
@@ -447,10 +447,10 @@ static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
 	struct bench *bench = *state;
 
 	wire(bench, 7)->holder = "heartbeat";
-	assert_null(gpio_output_open("led", "gpiochip2/7", &bench->log));
+	assert_null(gpio_output_open("output led", "led", "gpiochip2/7", &bench->log));
 	expect_warning(
 		bench, "output led: the line gpiochip2/7", "cannot be driven");
-	assert_null(gpio_output_open("led", "gpiochip9/7", &bench->log));
+	assert_null(gpio_output_open("output led", "led", "gpiochip9/7", &bench->log));
 	expect_warning(bench, "output led", "has the line gpiochip9/7");
 	gpio_output_set(NULL, true);
 	gpio_output_close(NULL);

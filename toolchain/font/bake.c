@@ -26,14 +26,8 @@ enum {
 	GRID = 16, /* samples along a texel's side, for discs */
 };
 
-/* Characters beyond printable ASCII, ascending. */
+/* Characters beyond ASCII and Latin-1, ascending. */
 static const uint16_t signs[] = {
-	0x00B0, /* degree */
-	0x00B1, /* plus-minus */
-	0x00B2, /* squared */
-	0x00B5, /* micro */
-	0x00B7, /* middle dot */
-	0x00D7, /* times */
 	0x2013, /* en dash */
 	0x2014, /* em dash */
 	0x2022, /* bullet */
@@ -53,8 +47,11 @@ static const uint16_t signs[] = {
 enum {
 	ASCII_FIRST = 0x20,
 	ASCII_COUNT = 0x7F - ASCII_FIRST,
+	LATIN_FIRST = 0xA1, /* Latin-1: accents, umlauts, degree, times */
+	LATIN_COUNT = 0x100 - LATIN_FIRST,
+	PLAIN_COUNT = ASCII_COUNT + LATIN_COUNT,
 	SIGN_COUNT = sizeof(signs) / sizeof(signs[0]),
-	GLYPH_COUNT = 1 + ASCII_COUNT + SIGN_COUNT,
+	GLYPH_COUNT = 1 + PLAIN_COUNT + SIGN_COUNT,
 	PIECES_MAX = FACES_MAX * GLYPH_COUNT + FONT_DISC_RADIUS_MAX + 1,
 };
 
@@ -105,7 +102,8 @@ static int code_at(int glyph)
 {
 	return glyph == FONT_UNKNOWN   ? 0
 		: glyph <= ASCII_COUNT ? ASCII_FIRST + glyph - 1
-				       : signs[glyph - 1 - ASCII_COUNT];
+		: glyph <= PLAIN_COUNT ? LATIN_FIRST + glyph - 1 - ASCII_COUNT
+				       : signs[glyph - 1 - PLAIN_COUNT];
 }
 
 static int pixels_from_26_6(FT_Pos value)

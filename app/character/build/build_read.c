@@ -61,10 +61,44 @@ static int fail_key(
 		list.text);
 }
 
-static int read_line(struct character_words *words,
-	const struct character_key *keys, void *out)
+/* Keys whose lines add to each other. */
+static bool may_repeat(const struct character_key *key)
+{
+	static const char *const names[] = {"body", "bone", "curve",
+		"direction", "else", "enter", "event", "guard", "key", "leave",
+		"mask", "step", "targets", "then", "tour", "when"};
+
+	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
+		if (strcmp(names[i], key->name) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * A line that an earlier one of the same file contradicts. One of another file
+ * replaces what the included file says.
+ */
+static const struct character_line *find_twin(
+	const struct character_section *section,
+	const struct character_line *line)
+{
+	for (const struct character_line *one = section->first; one != line;
+		one = one->next) {
+		if (strcmp(one->key, line->key) == 0 && one->file == line->file) {
+			return one;
+		}
+	}
+	return NULL;
+}
+
+static int read_line(const struct character_section *section,
+	struct character_words *words, const struct character_key *keys,
+	void *out)
 {
 	const struct character_key *key = keys;
+	const struct character_line *twin = find_twin(section, words->line);
 	int error;
 
 	while (key->name && strcmp(key->name, words->line->key) != 0) {
@@ -72,6 +106,11 @@ static int read_line(struct character_words *words,
 	}
 	if (!key->name) {
 		return fail_key(words, keys);
+	}
+	if (twin && !may_repeat(key)) {
+		return character_fail(words,
+			"line %d says this already: remove one of both",
+			twin->number);
 	}
 	if (words->line->word_count == 0) {
 		return character_fail(
@@ -95,7 +134,7 @@ int character_read_section(struct character_build *build,
 		line = line->next) {
 		struct character_words words = {build, line, 0};
 
-		error = read_line(&words, keys, out);
+		error = read_line(section, &words, keys, out);
 	}
 	return error;
 }

@@ -127,8 +127,11 @@ static int read_gpio_line(struct character_words *words,
 {
 	struct log nowhere = log_to_nowhere();
 	const char *line = character_next_word(words);
+	struct character_output *output = member;
 
-	*(const char **)member = line;
+	output->line = line;
+	output->file = words->line->file;
+	output->number = words->line->number;
 	return line && gpio_output_check(line, &nowhere) == 0
 		? 0
 		: character_fail(words, "%s names no line: give %s",
@@ -136,8 +139,8 @@ static int read_gpio_line(struct character_words *words,
 }
 
 static const struct character_key output_keys[] = {
-	{"line", read_gpio_line, offsetof(struct character_output, line), 0, 0,
-		NULL, "a GPIO line as --buttons names it, such as gpiochip0/18"},
+	{"line", read_gpio_line, 0, 0, 0, NULL,
+		"a GPIO line as --buttons names it, such as gpiochip0/18"},
 	{0},
 };
 
@@ -240,11 +243,24 @@ static const struct character_key scene_keys[] = {
 	{0},
 };
 
+/* A tour without a period begins again a little after its last line. */
+static double tour_end_s(const struct character_tour *tour)
+{
+	const double rest_s = 2.0;
+	double last_s = 0.0;
+
+	for (const struct character_tour *one = tour; one; one = one->next) {
+		last_s = one->time_s > last_s ? one->time_s : last_s;
+	}
+	return tour ? last_s + rest_s : 0.0;
+}
+
 int character_build_scene(struct character_build *build)
 {
 	static const float level = 0;
 	struct character_scene *scene = &build->character->scene;
 	const struct character_section *section = only_section(build, "scene");
+	int error;
 
 	*scene = (struct character_scene){
 		.wave_m = &level,
@@ -253,7 +269,11 @@ int character_build_scene(struct character_build *build)
 		.margin = 1.15f,
 		.shadow = true,
 	};
-	return section
+	error = section
 		? character_read_section(build, section, scene_keys, scene)
 		: 0;
+	if (scene->tour_s == 0.0) {
+		scene->tour_s = tour_end_s(scene->tour);
+	}
+	return error;
 }

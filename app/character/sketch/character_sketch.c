@@ -1,5 +1,6 @@
 #include "app/character/sketch/character_sketch.h"
 
+#include "app/anim/pose.h"
 #include "platform/base/printable.h"
 
 #include <string.h>
@@ -72,7 +73,7 @@ static void write_states(const struct model *model, FILE *out)
 	}
 }
 
-static void write_target(const struct model_mesh *mesh, int target, FILE *out)
+static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
 {
 	if (is_usable(mesh->target_name[target])) {
 		write_name(out, mesh->target_name[target]);
@@ -104,7 +105,7 @@ static void write_morph(const struct model *model, FILE *out)
 		out);
 	for (int i = 0; i < mesh->target_count && i < EXPRESSIONS_MAX; i++) {
 		fprintf(out, ";[expression face%d]\n;targets = ", i);
-		write_target(mesh, i, out);
+		write_shape(mesh, i, out);
 		fputs(" 1\n;on = no\n\n", out);
 	}
 }
@@ -167,6 +168,52 @@ static int chain_length(const struct model *model, int last)
 	return count;
 }
 
+/* The box of the bones at rest, in metres; false without memory. */
+static bool measure_bones(const struct model *model, float low[3], float high[3])
+{
+	struct arena arena = arena_empty();
+	struct pose pose;
+	mat4 *world = ARENA_ARRAY(&arena, mat4, (size_t)model->node_count);
+	bool done = world && pose_init(&pose, model, &arena) == 0;
+
+	if (done) {
+		pose_rest(&pose, model);
+		pose_world(&pose, model, NULL, world);
+	}
+	for (int i = 0, found = 0; done && i < model->node_count; i++) {
+		for (int axis = 0; axis < 3 && is_joint(model, i); axis++) {
+			float at = world[i][3][axis];
+
+			low[axis] = !found || at < low[axis] ? at : low[axis];
+			high[axis] = !found || at > high[axis] ? at : high[axis];
+			found = found || axis == 2;
+		}
+	}
+	arena_release(&arena);
+	return done;
+}
+
+/* A ball before the middle of the figure, at its right hand. */
+static void write_target(const struct model *model, FILE *out)
+{
+	float low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, size = 0;
+
+	if (!measure_bones(model, low, high)) {
+		return;
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		float side = high[axis] - low[axis];
+
+		size = side > size ? side : size;
+	}
+	fprintf(out,
+		";[target ball]\n;place = %.3g %.3g %.3g\n;radius = %.2g\n\n",
+		(double)(0.5f * (low[0] + high[0]) + 0.18f * size),
+		(double)(low[1] + 0.6f * (high[1] - low[1])),
+		(double)(0.5f * (low[2] + high[2]) + 0.3f * size),
+		(double)(0.03f * size));
+}
+
 static void write_chains(const struct model *model, FILE *out)
 {
 	int written = 0;
@@ -179,9 +226,9 @@ static void write_chains(const struct model *model, FILE *out)
 			continue;
 		}
 		if (written++ == 0) {
-			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n"
-			      ";[target ball]\n;place = 0.3 1 0.5\n;radius = 0.05\n\n",
+			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
+			write_target(model, out);
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		write_name(out, model->node[i].name);

@@ -101,10 +101,14 @@ static void open_outputs(struct behaviour *behaviour, const struct log *log)
 	struct character *character = behaviour->character;
 
 	for (int i = 0; i < character->output_count; i++) {
+		const struct character_output *output = &character->output[i];
+		char where[CHARACTER_PATH_BYTES + 64];
+
+		snprintf(where, sizeof(where), "%s:%d: [output %s] line",
+			output->file, output->number, output->name);
 		if (!behaviour->output[i]) {
-			behaviour->output[i] =
-				gpio_output_open(character->output[i].name,
-					character->output[i].line, log);
+			behaviour->output[i] = gpio_output_open(
+				where, output->name, output->line, log);
 		}
 	}
 	character->drive = drive;
@@ -396,6 +400,8 @@ void behaviour_get_motion(const struct behaviour *behaviour,
 		out->to = morph->destiny - 1;
 		out->omega = character_morph_omega(morph, character->now_s);
 		out->wave = sine ? graph_wave : 0.0f;
+		out->shape = character_morph_curve;
+		out->shape_user = &morph->curve[morph->chosen];
 	}
 	for (int i = 0; i < character->layer_count &&
 		out->layer_count < (int)ARRAY_COUNT(out->layer);

@@ -46,7 +46,10 @@ struct overlay_motion {
 	int node;     /* that has the morph targets */
 	int from, to; /* targets; -1: the base */
 	float omega;
-	float wave; /* height of the sinusoidal part in the graph, 0: linear */
+	float wave; /* height of the sinusoidal part in the graph, 0: none */
+	/* The way's shape from 0 to 1 over Omega; NULL: a straight line. */
+	float (*shape)(const void *shape_user, float omega);
+	const void *shape_user;
 
 	int layer_count;
 	struct overlay_layer layer[OVERLAY_LAYERS_MAX];

@@ -7,18 +7,20 @@ static const struct hud_color moment_color = {255, 255, 255, 90};
 static const struct hud_color *const colors[OVERLAY_CURVES_MAX] = {
 	&hud_color_rose, &hud_color_green, &hud_color_blue, &hud_color_amber};
 
-struct overlay_curve overlay_curve_of_morph(float wave, float omega)
+struct overlay_curve overlay_curve_of_morph(
+	const struct overlay_way *way, float omega)
 {
 	struct overlay_curve curve = {
-		.count = wave == 0.0f ? 1 : 3, .at = omega};
+		.count = way->wave == 0.0f ? 1 : 3, .at = omega};
 
 	for (int i = 0; i < OVERLAY_CURVE_POINTS; i++) {
 		float at = (float)i / (OVERLAY_CURVE_POINTS - 1);
-		float signal = wave * scalar_sin(SCALAR_PI * at);
+		float signal = way->wave * scalar_sin(SCALAR_PI * at);
+		float slope = way->shape ? way->shape(way->user, at) : at;
 
-		curve.value[0][i] = at + signal;
+		curve.value[0][i] = slope + signal;
 		curve.value[1][i] = signal;
-		curve.value[2][i] = at;
+		curve.value[2][i] = slope;
 	}
 	return curve;
 }

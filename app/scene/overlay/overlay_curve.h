@@ -21,11 +21,19 @@ struct overlay_curve {
 	float at; /* the present moment, 0..1 */
 };
 
+/* The way of a morph from source to destiny. */
+struct overlay_way {
+	float wave; /* height of a signal that is mounted on it, or 0 */
+	float (*shape)(const void *user, float omega); /* NULL: straight */
+	const void *user;
+};
+
 /*
- * The way from source (0) to destiny (1) over Omega: a slope and, where wave is
- * not 0, the signal of this height that is mounted on it, both alone and added.
+ * The way from source (0) to destiny (1) over Omega: the slope and, where there
+ * is a signal, the slope and the signal alone and added.
  */
-struct overlay_curve overlay_curve_of_morph(float wave, float omega);
+struct overlay_curve overlay_curve_of_morph(
+	const struct overlay_way *way, float omega);
 
 /*
  * The values of a channel over its clip: x, y and z of a rotation, or those

@@ -118,8 +118,10 @@ static void show_curve(struct overlay *overlay,
 	const struct overlay_motion *motion, struct hud_group *group)
 {
 	if (motion->morphing) {
+		struct overlay_way way = {
+			motion->wave, motion->shape, motion->shape_user};
 		struct overlay_curve curve =
-			overlay_curve_of_morph(motion->wave, motion->omega);
+			overlay_curve_of_morph(&way, motion->omega);
 
 		overlay_curve_show(&curve, group);
 	} else if (motion->clip >= 0) {

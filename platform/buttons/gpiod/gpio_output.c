@@ -58,8 +58,8 @@ static struct gpio_chip *open_chip(
 	return NULL;
 }
 
-struct gpio_output *gpio_output_open(
-	const char *name, const char *line, const struct log *log)
+struct gpio_output *gpio_output_open(const char *where, const char *name,
+	const char *line, const struct log *log)
 {
 	struct gpio_output *output;
 	struct gpio_line_spec spec;
@@ -71,14 +71,14 @@ struct gpio_output *gpio_output_open(
 	}
 	output = calloc(1, sizeof(*output));
 	if (!output) {
-		log_warning(log, "output %s: there is not enough memory", name);
+		log_warning(log, "%s: there is not enough memory", where);
 		return NULL;
 	}
 	output->chip = open_chip(&spec, &offset);
 	if (!output->chip) {
 		log_warning(log,
-			"output %s: no GPIO chip that can be opened has the line %s: limber doctor lists the chips",
-			name, line);
+			"%s: no GPIO chip that can be opened has the line %s: limber doctor lists the chips",
+			where, line);
 		free(output);
 		return NULL;
 	}
@@ -86,8 +86,8 @@ struct gpio_output *gpio_output_open(
 	error = gpio_line_request(output->chip, (unsigned int)offset,
 		&spec.settings, consumer, &output->line);
 	if (error) {
-		log_warning(log, "output %s: the line %s cannot be driven: %s",
-			name, line, strerror(-error));
+		log_warning(log, "%s: the line %s cannot be driven: %s", where,
+			line, strerror(-error));
 		gpio_chip_close(output->chip);
 		free(output);
 		return NULL;

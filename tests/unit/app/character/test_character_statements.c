@@ -188,6 +188,8 @@ static const struct statement walker[] = {
 		"metres of uneven ground"},
 	{"[scene]\nlabels = right\n", "[scene]\nlabels = top\n",
 		"left, right or none"},
+	{"[scene]\ntour = 1 UP\ntour = 2 UP\n", "[scene]\nyaw = 1\nyaw = 2\n",
+		"says this already: remove one of both"},
 	{"[scene]\nperiod = 4\ntour = 1 UP\ntour = 2 line two, pause\n",
 		"[scene]\ntour = UP\n", "begins with its time"},
 };

@@ -251,7 +251,7 @@ static void ignore_image(GLenum target, GLint level, GLint internal_format,
 	(void)type;
 	(void)pixels;
 	assert_int_equal(internal_format, format);
-	assert_in_range(width * height, 1, 64 * 1024);
+	assert_in_range(width * height, 1, 128 * 1024);
 }
 
 static struct gl recorder(void)

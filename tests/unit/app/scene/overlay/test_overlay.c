@@ -195,10 +195,19 @@ static void test_onion_skins_are_key_frames(void **state)
 	assert_true(overlay_ghost_key_time(&clip, 0.02f, -0.05f) < 0.0f);
 }
 
+static float square(const void *user, float omega)
+{
+	(void)user;
+	return omega * omega;
+}
+
 static void test_the_morph_curve_begins_at_0_and_ends_at_1(void **state)
 {
-	struct overlay_curve line = overlay_curve_of_morph(0.0f, 0.25f);
-	struct overlay_curve wave = overlay_curve_of_morph(0.35f, 0.25f);
+	const struct overlay_way straight = {0}, wavy = {.wave = 0.35f},
+				 bent = {.shape = square};
+	struct overlay_curve line = overlay_curve_of_morph(&straight, 0.25f);
+	struct overlay_curve wave = overlay_curve_of_morph(&wavy, 0.25f);
+	struct overlay_curve shaped = overlay_curve_of_morph(&bent, 0.25f);
 	int last = OVERLAY_CURVE_POINTS - 1;
 
 	(void)state;
@@ -210,6 +219,9 @@ static void test_the_morph_curve_begins_at_0_and_ends_at_1(void **state)
 	assert_near(wave.value[0][last], 1.0, 1e-5);
 	assert_near(wave.value[0][last / 2 + 1], 0.51 + 0.35, 0.01);
 	assert_near(wave.at, 0.25, 1e-6);
+	assert_int_equal(shaped.count, 1);
+	assert_near(shaped.value[0][last], 1.0, 1e-6);
+	assert_near(shaped.value[0][last / 3], 1.0 / 9.0, 1e-4);
 }
 
 int main(void)

@@ -173,10 +173,17 @@ static void add_line(
 	add_line_from(group, group->left, label, value);
 }
 
-/* Whether another row may be added, which it takes. */
+/* Whether another row may be added and is in the picture; it takes it. */
 static bool take_row(struct hud_group *group)
 {
-	return group->rows_left > 0 && group->rows_left-- > 0;
+	const struct hud *hud = group->hud;
+	int row = hud_line_height(hud) +
+		eighths(hud, BAR_GAP + BAR_HEIGHT + PADDING_Y);
+	int room = hud->height - 2 * eighths(hud, MARGIN) -
+		hud->stacked_px[group->corner];
+
+	return group->y + row <= room && group->rows_left > 0 &&
+		group->rows_left-- > 0;
 }
 
 static void next_row(struct hud_group *group, int height)

@@ -70,7 +70,10 @@ struct hud_group hud_group_begin(
 struct hud_group hud_group_begin_wide(
 	struct hud *hud, enum hud_corner corner, const char *title);
 
-/* Adds a label and a value; either may be "". A long label is cut. */
+/*
+ * Adds a label and a value; either may be "". A long label is cut. A row that
+ * would end beyond the picture is left out, as all rows are.
+ */
 void hud_group_text(
 	struct hud_group *group, const char *label, const char *value);
 

@@ -242,6 +242,28 @@ static void test_groups_are_shorter_in_narrow_pictures(void **state)
 	assert_true(hud_group_rows_max(480, 640) > 100);
 }
 
+static void test_rows_beyond_the_picture_are_left_out(void **state)
+{
+	static const int sizes[][2] = {{320, 240}, {640, 480}, {400, 120}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		struct hud *hud = hud_of_size(sizes[i][0], sizes[i][1]);
+		struct hud_group group =
+			hud_group_begin(hud, HUD_BOTTOM_LEFT, "title");
+		struct box box;
+
+		for (int row = 0; row < 60; row++) {
+			hud_group_weight(
+				&group, "row", 0.5f, hud_color_green);
+		}
+		hud_group_end(&group);
+		box = box_of(hud, 0, hud->quad_count);
+		assert_true(box.top >= 0 && box.bottom <= sizes[i][1]);
+		assert_true(box.bottom - box.top > sizes[i][1] / 2);
+	}
+}
+
 static void test_times_show_hundredths(void **state)
 {
 	(void)state;
@@ -341,6 +363,7 @@ int main(void)
 			test_groups_of_a_corner_stack_towards_the_middle),
 		cmocka_unit_test(test_labels_stay_in_place_while_values_change),
 		cmocka_unit_test(test_groups_are_shorter_in_narrow_pictures),
+		cmocka_unit_test(test_rows_beyond_the_picture_are_left_out),
 		cmocka_unit_test(test_times_show_hundredths),
 		cmocka_unit_test(test_weights_show_percent),
 		cmocka_unit_test(test_a_long_label_gives_way_to_its_value),

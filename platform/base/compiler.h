@@ -1,6 +1,6 @@
 /*
  * Compiler extensions and instructions that C cannot express, behind portable
- * names. No other header uses compiler extensions.
+ * names. Beside gl/soft/span/vectors.h no other header uses such extensions.
  */
 #ifndef PLATFORM_BASE_COMPILER_H
 #define PLATFORM_BASE_COMPILER_H

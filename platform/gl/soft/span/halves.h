@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "platform/base/compiler.h"
+#include "platform/gl/soft/span/vectors.h"
 
 #ifdef __ARM_FEATURE_DSP
 /* bottom a * bottom b + top a * top b */

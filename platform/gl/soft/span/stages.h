@@ -134,7 +134,16 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	uint32_t t, struct soft_texel *out)
 {
 	out->four = soft_weigh_8888(above, below, s, t, kind.wide);
+#ifdef HAS_COLOR_VECTORS
+	const uint64_t mixed = vector_mix(above[0] | (uint64_t)above[1] << 32,
+		below[0] | (uint64_t)below[1] << 32, out->four.weight,
+		kind.wide ? 128 : 0);
+
+	out->lanes.red_blue = (uint32_t)mixed;
+	out->lanes.green_alpha = (uint32_t)(mixed >> 32);
+#else
 	out->lanes.green_alpha = soft_mix_half(&out->four, 8, kind.wide);
+#endif
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
@@ -202,10 +211,15 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 static ALWAYS_INLINE void soft_finish_texel(
 	struct soft_kind kind, struct soft_texel *texel)
 {
+#ifdef HAS_COLOR_VECTORS
+	(void)kind;
+	(void)texel;
+#else
 	if (kind.format == TEXEL_8888 && kind.linear) {
 		texel->lanes.red_blue =
 			soft_mix_half(&texel->four, 0, kind.wide);
 	}
+#endif
 }
 
 #endif

@@ -159,21 +159,54 @@ static ALWAYS_INLINE uint32_t soft_blend_lanes(
 	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
 }
 
-static ALWAYS_INLINE void soft_store_8888(
-	struct soft_kind kind, const struct soft_color *color, uint8_t *pixel)
+static ALWAYS_INLINE uint32_t soft_blend_8888(
+	uint32_t to, uint32_t own, uint32_t alpha)
 {
-	uint32_t rb =
-		soft_whole(kind, color, 0) | soft_whole(kind, color, 2) << 16;
-	uint32_t ga = soft_whole(kind, color, 1) | color->alpha << 16;
+#ifdef HAS_COLOR_VECTORS
+	return vector_blend(to, own, alpha);
+#else
+	const uint32_t mask = 0x00FF00FF;
+
+	return soft_blend_lanes(to & mask, own & mask, alpha) |
+		soft_blend_lanes(to >> 8 & mask, own >> 8 & mask, alpha) << 8;
+#endif
+}
+
+static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
+	const struct soft_lanes *lanes, uint32_t alpha, uint8_t *pixel)
+{
+	uint32_t own = lanes->red_blue | lanes->green_alpha << 8 | alpha << 24;
 
 	if (soft_is_blended(kind)) {
-		uint32_t to = load_32(pixel);
-
-		rb = soft_blend_lanes(to & 0x00FF00FF, rb, color->alpha);
-		ga = soft_blend_lanes(to >> 8 & 0x00FF00FF, ga, color->alpha);
+		own = soft_blend_8888(load_32(pixel), own, alpha);
 	}
-	rb |= ga << 8;
-	memcpy(pixel, &rb, sizeof(rb));
+	memcpy(pixel, &own, sizeof(own));
+}
+
+/* Red, green and blue of a picture of bytes; alpha is 0. */
+static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	const struct soft_pixel *at)
+{
+	struct soft_color color;
+
+#ifdef HAS_COLOR_VECTORS
+	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind)) {
+		uint64_t lanes = vector_scale(texel->lanes.red_blue |
+				(uint64_t)texel->lanes.green_alpha << 32,
+			at->red_blue | (uint64_t)at->green_alpha << 32);
+
+		return (struct soft_lanes){
+			(uint32_t)lanes, (uint32_t)(lanes >> 32) & 255};
+	}
+#endif
+	color = soft_modulate(kind, texel, at);
+	if (soft_is_fogged(kind)) {
+		soft_add_fog(constants, at->fog, &color);
+	}
+	return (struct soft_lanes){
+		soft_whole(kind, &color, 0) | soft_whole(kind, &color, 2) << 16,
+		soft_whole(kind, &color, 1)};
 }
 
 /* Tests and draws one pixel whose depth passes. */
@@ -208,16 +241,19 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		return;
 	}
 	soft_finish_texel(kind, &texel);
+	if (kind.wide) {
+		const struct soft_lanes lanes =
+			soft_find_lanes(kind, constants, &texel, at);
+
+		soft_store_8888(kind, &lanes, alpha, pixel);
+		return;
+	}
 	color = soft_modulate(kind, &texel, at);
 	color.alpha = alpha;
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);
 	}
-	if (kind.wide) {
-		soft_store_8888(kind, &color, pixel);
-	} else {
-		soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
-	}
+	soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
 }
 
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,

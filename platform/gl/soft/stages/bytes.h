@@ -44,6 +44,9 @@ static ALWAYS_INLINE uint32_t soft_divide_lanes(uint32_t product)
 /* a b / 255 of each byte, as scale_byte() has it. */
 static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 {
+#ifdef HAS_COLOR_VECTORS
+	return vector_multiply(a, b);
+#else
 	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
 	uint32_t b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
 	uint32_t rb = (uint32_t)HALVES_BB(a_rb, b_rb, 128) |
@@ -52,6 +55,7 @@ static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 		(uint32_t)HALVES_TT(a_ga, b_ga, 128) << 16;
 
 	return soft_divide_lanes(rb) | soft_divide_lanes(ga) << 8;
+#endif
 }
 
 #endif

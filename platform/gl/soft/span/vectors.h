@@ -1,0 +1,103 @@
+/*
+ * The four bytes of a colour at once, by the SSE2 that every x86-64 has. Where
+ * HAS_COLOR_VECTORS is not defined, callers have C of the same results.
+ *
+ * Lanes are 16 bits each in a 64-bit word: red, blue, green and alpha from the
+ * lowest bits on.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_VECTORS_H
+#define PLATFORM_GL_SOFT_SPAN_VECTORS_H
+
+#include "platform/base/compiler.h"
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#include <string.h>
+
+#define HAS_COLOR_VECTORS 1
+
+static ALWAYS_INLINE __m128i vector_load(uint64_t lanes)
+{
+	return _mm_set_epi64x(0, (long long)lanes);
+}
+
+static ALWAYS_INLINE uint64_t vector_store(__m128i lanes)
+{
+	uint64_t out;
+
+	_mm_storel_epi64((__m128i *)(void *)&out, lanes);
+	return out;
+}
+
+static ALWAYS_INLINE __m128i vector_widen(uint64_t bytes)
+{
+	return _mm_unpacklo_epi8(vector_load(bytes), _mm_setzero_si128());
+}
+
+/*
+ * Four colours, two in each argument, by four weights, 256 in all: the upper
+ * bytes of the sums as lanes, after a rounding of up to 128 is added.
+ */
+static ALWAYS_INLINE uint64_t vector_mix(uint64_t first, uint64_t second,
+	const uint32_t weight[4], uint32_t rounding)
+{
+	__m128i by = vector_load((weight[0] | weight[1] << 16) |
+		(uint64_t)(weight[2] | weight[3] << 16) << 32);
+	__m128i sum;
+
+	by = _mm_unpacklo_epi16(by, by);
+	sum = _mm_add_epi16(_mm_mullo_epi16(vector_widen(first),
+				    _mm_shuffle_epi32(by, 0x50)),
+		_mm_mullo_epi16(
+			vector_widen(second), _mm_shuffle_epi32(by, 0xFA)));
+	sum = _mm_add_epi16(sum, _mm_srli_si128(sum, 8));
+	sum = _mm_add_epi16(sum, _mm_set1_epi16((short)rounding));
+	return vector_store(_mm_shufflelo_epi16(_mm_srli_epi16(sum, 8), 0xD8));
+}
+
+/* Lanes by lanes below 2^15, and 2^13, over 2^14; below 2^15. */
+static ALWAYS_INLINE uint64_t vector_scale(uint64_t lanes, uint64_t factors)
+{
+	__m128i by = _mm_unpacklo_epi16(
+		vector_load(factors), _mm_set1_epi16(1 << 13));
+	__m128i sum = _mm_madd_epi16(
+		_mm_unpacklo_epi16(vector_load(lanes), _mm_set1_epi16(1)), by);
+
+	sum = _mm_srli_epi32(sum, 14);
+	return vector_store(_mm_packs_epi32(sum, sum));
+}
+
+/* Lanes of products of bytes over 255, to the nearest, as bytes. */
+static ALWAYS_INLINE uint32_t vector_divide(__m128i products)
+{
+	__m128i sum = _mm_add_epi16(products, _mm_set1_epi16(128));
+
+	sum = _mm_srli_epi16(_mm_add_epi16(sum, _mm_srli_epi16(sum, 8)), 8);
+	return (uint32_t)_mm_cvtsi128_si32(_mm_packus_epi16(sum, sum));
+}
+
+/* The products of four bytes over 255. */
+static ALWAYS_INLINE uint32_t vector_multiply(uint32_t a, uint32_t b)
+{
+	return vector_divide(_mm_mullo_epi16(vector_widen(a), vector_widen(b)));
+}
+
+/* From one colour to another by alpha of 255. */
+static ALWAYS_INLINE uint32_t vector_blend(
+	uint32_t to, uint32_t own, uint32_t alpha)
+{
+	__m128i by = _mm_set1_epi32((int)(alpha << 16 | (255 - alpha)));
+	__m128i both = _mm_unpacklo_epi8(
+		_mm_cvtsi32_si128((int)to), _mm_cvtsi32_si128((int)own));
+	__m128i sum = _mm_madd_epi16(
+		_mm_unpacklo_epi8(both, _mm_setzero_si128()), by);
+
+	sum = _mm_add_epi32(sum, _mm_set1_epi32(128));
+	sum = _mm_srli_epi32(_mm_add_epi32(sum, _mm_srli_epi32(sum, 8)), 8);
+	sum = _mm_packs_epi32(sum, sum);
+	return (uint32_t)_mm_cvtsi128_si32(_mm_packus_epi16(sum, sum));
+}
+
+#endif
+
+#endif

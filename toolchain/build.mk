@@ -11,6 +11,11 @@ define driver_list
 	$(Q)cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 endef
 
+# The file that sets a target's packages, where that is not host.mk.
+packages_of_arm := arm
+packages_of_fuzz := check
+packages_of_coverage := coverage
+
 define target_rules
 OBJECTS_$(1) := $$(addprefix build/$(1)/obj/,$$(addsuffix .o,$$(basename \
 	$$(SHARED_SOURCES) $$(call driver_sources,$(1)) \
@@ -37,7 +42,7 @@ build/$(1)/gen/kernel_drivers.h: toolchain/sources.mk | build/$(1)/packages.stam
 
 # Installs the target's packages, then asks pkg-config for the libraries' flags.
 build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \
-		toolchain/$(if $(filter arm,$(1)),arm,host).mk
+		toolchain/$(or $(packages_of_$(1)),host).mk
 	$$(Q)mkdir -p $$(@D)
 	$$(Q)toolchain/install.sh $$(SETS_$(1))
 	$$(Q)$$(if $$(PACKAGES_$(1)),pkg-config --cflags $$(PACKAGES_$(1))) \

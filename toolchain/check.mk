@@ -10,7 +10,7 @@ CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
 SETS_fuzz := host font fuzz
-PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod inih
+PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod libdrm inih
 LIBS_fuzz := -lgif -lm -ldl
 $(eval $(call target_rules,fuzz))
 
@@ -18,6 +18,8 @@ $(eval $(call target_rules,fuzz))
 build/fuzz/fuzz_gltf build/fuzz/fuzz_command: \
 	build/fuzz/obj/tests/fuzz/gltf_mutator.o
 build/fuzz/fuzz_gl: build/fuzz/obj/tests/fuzz/fuzz_gl_calls.o
+build/fuzz/fuzz_device: $(patsubst %,build/fuzz/obj/tests/fuzz/%_calls.o,\
+	fuzz_device fuzz_device_kms)
 
 build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 	$(call say,LINK,$@)

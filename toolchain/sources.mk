@@ -45,8 +45,8 @@ KERNEL_SOURCES_arm := $(sort $(wildcard app/anim/kernel/arm/*.[cS]))
 
 # The fuzz targets need only the drivers that they test.
 GL_DRIVERS_fuzz := soft
-DISPLAY_DRIVERS_fuzz := image null
-CAMERA_DRIVERS_fuzz := pattern
+DISPLAY_DRIVERS_fuzz := kms fbdev image null
+CAMERA_DRIVERS_fuzz := v4l2 pattern
 BUTTON_DRIVERS_fuzz := script gpiod evdev
 
 # The gpiod driver has a part for each generation of libgpiod. This machine's

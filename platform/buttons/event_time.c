@@ -20,14 +20,20 @@ struct event_clocks event_clocks_now(void)
 	};
 }
 
+/* Below 0 for a stamp that is no time before the clock's; any stamp is fine. */
+static int64_t age_of(int64_t clock_ns, int64_t stamp_ns)
+{
+	return stamp_ns < 0 || stamp_ns > clock_ns ? -1 : clock_ns - stamp_ns;
+}
+
 int64_t event_time_ms(const struct event_clocks *clocks, int64_t stamp_ns,
 	int64_t earliest_ms, int64_t now_ms)
 {
-	int64_t age_ns = clocks->monotonic_ns - stamp_ns;
+	int64_t age_ns = age_of(clocks->monotonic_ns, stamp_ns);
 	int64_t time_ms;
 
 	if (age_ns < 0 || age_ns > oldest_ns) {
-		age_ns = clocks->real_ns - stamp_ns;
+		age_ns = age_of(clocks->real_ns, stamp_ns);
 	}
 	if (age_ns < 0 || age_ns > oldest_ns) {
 		age_ns = 0;

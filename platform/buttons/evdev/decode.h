@@ -18,7 +18,9 @@ enum {
 };
 
 struct evdev_event {
-	int64_t stamp_ns; /* the kernel's time stamp, see event_time.h */
+	/* The kernel's time stamp (event_time.h), below 0 for one that is no
+	 * time. */
+	int64_t stamp_ns;
 	uint16_t type, code;
 	int32_t value;
 };

@@ -8,6 +8,10 @@
 
 #include <libv4l-plugin.h>
 
+enum {
+	LIST_MAX = 64
+};
+
 struct v4lconvert_data;
 
 struct convert_library {
@@ -57,11 +61,29 @@ bool convert_library_is_available(void)
 	return load(&library) == 0;
 }
 
+/*
+ * The library asks for formats and sizes of every index until the device has no
+ * more of them. A device that never ends its lists must not keep it busy.
+ */
+static bool is_beyond_lists(unsigned long request, const void *argument)
+{
+	uint32_t index; /* the first member of what these requests pass */
+
+	if (request != VIDIOC_ENUM_FMT && request != VIDIOC_ENUM_FRAMESIZES &&
+		request != VIDIOC_ENUM_FRAMEINTERVALS) {
+		return false;
+	}
+	memcpy(&index, argument, sizeof(index));
+	return index >= LIST_MAX;
+}
+
 /* The library queries the device through the driver's calls. */
 static int query(void *user, int fd, unsigned long request, void *argument)
 {
 	const struct v4l2_calls *calls = user;
-	int error = calls->ioctl(calls->user, fd, request, argument);
+	int error = is_beyond_lists(request, argument)
+		? -EINVAL
+		: calls->ioctl(calls->user, fd, request, argument);
 
 	errno = -error;
 	return error ? -1 : 0;

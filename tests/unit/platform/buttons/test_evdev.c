@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <linux/input-event-codes.h>
+#include <string.h>
 #include <sys/stat.h>
 
 static void test_the_keypads_keys_are_the_buttons_of_their_names(void **state)
@@ -236,6 +237,25 @@ static void test_events_of_both_sizes_are_decoded(void **state)
 	assert_int_equal(event.value, -1);
 }
 
+static void test_absurd_time_stamps_are_no_time(void **state)
+{
+	static const int64_t times[][2] = {{INT64_MAX, 0}, {INT64_MIN, 0},
+		{INT64_C(9000000001), 0}, {-1, 999999}, {1, -1}, {1, 1000000},
+		{0, INT64_MAX}};
+	const struct event_clocks clocks = {INT64_C(5000000000), INT64_MAX};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(times); i++) {
+		unsigned char bytes[EVDEV_SIZE_64] = {0};
+
+		memcpy(bytes, times[i], sizeof(times[i]));
+		assert_true(evdev_decode(bytes, sizeof(bytes)).stamp_ns < 0);
+	}
+	assert_int_equal(event_time_ms(&clocks, INT64_MIN, 1, 70), 70);
+	assert_int_equal(event_time_ms(&clocks, -1, 1, 70), 70);
+	assert_int_equal(event_time_ms(&clocks, INT64_C(4990000000), 1, 70), 60);
+}
+
 static void test_time_stamps_become_the_programs_time(void **state)
 {
 	const struct event_clocks clocks = {
@@ -305,6 +325,7 @@ int main(void)
 		CASE(test_a_missing_permission_is_logged_once),
 		CASE(test_wrong_arguments_are_refused),
 		cmocka_unit_test(test_events_of_both_sizes_are_decoded),
+		cmocka_unit_test(test_absurd_time_stamps_are_no_time),
 		cmocka_unit_test(test_time_stamps_become_the_programs_time),
 		CASE(test_a_survey_reports_which_keys_are_buttons),
 	};

@@ -3,6 +3,7 @@
 #include "app/cmd/progress.h"
 #include "app/compare/export/export.h"
 #include "app/compare/report/report.h"
+#include "platform/base/output_file.h"
 #include "platform/process/jobs.h"
 
 #include <errno.h>
@@ -47,6 +48,25 @@ static int print(const struct comparison *comparison,
 	return error;
 }
 
+/* A long comparison shall not end with a file that cannot be written. */
+static int check_outputs(
+	const struct options_compare *wanted, const struct log *log)
+{
+	struct output_file *file;
+	int error = 0;
+
+	if (wanted->plot) {
+		error = output_file_create_for(
+			"--plot", wanted->plot, log, &file);
+		if (!error) {
+			output_file_discard(file);
+		}
+	}
+	return error || !wanted->export
+		? error
+		: export_make_folder(wanted->export, log);
+}
+
 static int compare(const struct model *model, struct comparison_request *request,
 	const struct log *log, struct comparison **out)
 {
@@ -78,6 +98,9 @@ static int run_with_model(const struct model *model,
 	struct comparison *comparison;
 	int error = choose_clip(model, options->motion.clip, log, &request.clip);
 
+	if (!error) {
+		error = check_outputs(wanted, log);
+	}
 	if (!error) {
 		error = compare(model, &request, log, &comparison);
 	}

@@ -47,10 +47,10 @@ frame "$scratch/wrong.png"
 expect_refusal 1 'slider.character:2: \[state a\] clip: there is no clip named slied: there are slide, rise, rest'
 check 'no picture was written' test ! -e "$scratch/wrong.png"
 limber doctor "$model"
-expect_status 0
+expect_status 1
 expect_out 'slider.character:2: .*slied'
 limber doctor "$model" --json
-expect_status 0
+expect_status 1
 expect_out 'slider.character:2: .*slied'
 frame "$scratch/wrong.png" --character "$scratch/missing.character"
 expect_refusal 1 'missing.character: cannot be read'

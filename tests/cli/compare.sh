@@ -172,12 +172,15 @@ expect_status 0
 expect_out 'nothing that keeps within 0\.001 px is as fast as 0\.001 ms, and it is the fastest'
 limber compare "$slider" --clip none
 expect_refusal 1 'no such clip'
+# Nothing is compared for a file that cannot be written.
 limber compare "$slider" --fps 10 --plot "$scratch/none/plot.svg"
-expect_status 1
-expect_err 'plot.svg: cannot be written'
+expect_refusal 1 'plot.svg: cannot be written'
 limber compare "$slider" --fps 10 --export "$scratch/none/baked"
-expect_status 1
-expect_err 'baked: the folder cannot be made'
+expect_refusal 1 'baked: the folder cannot be made'
+limber compare "$slider" --fps 10 --export "$scratch/plot.svg"
+expect_refusal 1 'plot.svg: the folder cannot be made: Not a directory'
+limber compare "$slider" --plot "$scratch/plot.png"
+expect_refusal 2 '--plot .*plot.png: give a file name that ends in \.svg'
 limber compare "$(dirname "$0")/../../assets/arm.glb"
 expect_refusal 1 'it has no clip'
 tap_done

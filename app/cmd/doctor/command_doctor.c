@@ -46,6 +46,12 @@ static int examine_character(const char *path, size_t memory_bytes,
 	return doctor_character_check(path, memory_bytes, &taken, log, out);
 }
 
+/* A character file that limber cannot play is a failure; it is reported. */
+static int character_error(const struct doctor_character *character)
+{
+	return character->found && !character->right ? -EINVAL : 0;
+}
+
 static int examine_in_words(
 	const char *path, size_t memory_bytes, const struct log *log)
 {
@@ -67,7 +73,7 @@ static int examine_in_words(
 			character.path, character.states, character.layers,
 			character.effects, character.buttons);
 	}
-	return error;
+	return error ? error : character_error(&character);
 }
 
 static int examine_in_json(
@@ -101,6 +107,7 @@ static int examine_in_json(
 			error = -ENOMEM;
 		}
 		putchar('\n');
+		error = error ? error : character_error(&character);
 	}
 out:
 	json_decref(root);
@@ -135,7 +142,8 @@ const struct command command_doctor = {
 		"status is 0 when limber can play: a display and a GL driver work.\n"
 		"\n"
 		"With a model, limber lists everything in the file that players are known to get wrong, and\n"
-		"says what limber does there. It also checks the character file that lies beside the model.\n"
+		"says what limber does there. It also checks the character file that lies beside the model:\n"
+		"if limber cannot play it, the exit status is 1.\n"
 		"\n"
 		"  limber doctor\n"
 		"  limber doctor --json | jq '.findings[] | select(.state != \"works\")'\n"

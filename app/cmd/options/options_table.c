@@ -151,12 +151,24 @@ static bool set_board(struct options *options, const char *value)
 	return options->compare.board != NULL;
 }
 
-static bool set_record(struct options *options, const char *value)
+static bool ends_with(const char *value, const char *ending)
 {
 	const char *dot = strrchr(value, '.');
 
+	return dot && strcmp(dot, ending) == 0;
+}
+
+/* Devices such as /dev/stdout have no ending. */
+static bool set_plot(struct options *options, const char *value)
+{
+	options->compare.plot = value;
+	return ends_with(value, ".svg") || strncmp(value, "/dev/", 5) == 0;
+}
+
+static bool set_record(struct options *options, const char *value)
+{
 	options->show.record = value;
-	return dot && (strcmp(dot, ".gif") == 0 || strcmp(dot, ".y4m") == 0);
+	return ends_with(value, ".gif") || ends_with(value, ".y4m");
 }
 
 enum {
@@ -319,7 +331,7 @@ const struct option_entry option_entries[] = {
 		"text, json, csv or md", PARSED(set_report)},
 	{0, "plot", "FILE.svg", FOR_COMPARE,
 		"draw error against cost into this file, with a curve for each technique",
-		"the name of a file", TEXT(compare.plot)},
+		"a file name that ends in .svg", PARSED(set_plot)},
 	{0, "c", "FILE.c", FOR_EXPORT,
 		"write the C source to this file; its functions get the file's name",
 		"the name of a file", TEXT(export.c)},

@@ -77,14 +77,22 @@ static int export_row(const struct comparison *comparison,
 	return glb_write(&glb, path, log);
 }
 
-static int make_folder(const char *folder, const struct log *log)
+int export_make_folder(const char *folder, const struct log *log)
 {
 	int error;
 
-	if (mkdir(folder, 0777) == 0 || errno == EEXIST) {
+	if (mkdir(folder, 0777) == 0) {
 		return 0;
 	}
 	error = -errno;
+	if (error == -EEXIST) {
+		struct stat found;
+
+		if (stat(folder, &found) == 0 && S_ISDIR(found.st_mode)) {
+			return 0;
+		}
+		error = -ENOTDIR;
+	}
 	log_error(log, "--export %s: the folder cannot be made: %s", folder,
 		strerror(-error));
 	return error;
@@ -93,7 +101,7 @@ static int make_folder(const char *folder, const struct log *log)
 int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log)
 {
-	int error = make_folder(folder, log);
+	int error = export_make_folder(folder, log);
 
 	for (int i = 0; !error && i < comparison->row_count; i++) {
 		const struct comparison_row *row = &comparison->row[i];

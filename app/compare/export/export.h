@@ -7,6 +7,12 @@
 #include "app/compare/comparison.h"
 
 /*
+ * Creates the folder if it does not exist. Returns 0, or -errno after logging an
+ * error.
+ */
+int export_make_folder(const char *folder, const struct log *log);
+
+/*
  * Writes a file for each listed row but the model itself: FOLDER/morph-N.glb
  * with N fitted keys, morph-even-N.glb, rigid.glb, skin-K.glb with K
  * influences a vertex, and skin.glb without morph targets. Each has all clips

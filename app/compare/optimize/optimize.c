@@ -18,7 +18,7 @@ enum {
 };
 
 /* Numbers take at most this share of the bound; keys take the rest. */
-static const float numbers_share = 0.25f;
+static const float numbers_share = 0.5f;
 /* Aim below the bound, as errors do not grow evenly. */
 static const float aim = 0.9f;
 

@@ -28,6 +28,10 @@ enum character_source {
 	CHARACTER_SOURCE_PARAMETER,
 };
 
+enum {
+	CHARACTER_STOPS_MAX = 32
+};
+
 /* A named number. Its value eases from where it is to its goal. */
 struct character_parameter {
 	const char *name;
@@ -39,6 +43,9 @@ struct character_parameter {
 	float scale, offset;
 	int choice_count;          /* 0: it is no choice */
 	const char *const *choice; /* names of its values 0, 1 ... */
+	int stop_count; /* of values for CHARACTER_STEP */
+	float stop[CHARACTER_STOPS_MAX];
+	bool unlabelled; /* labels do not show it */
 
 	/* Changes: */
 	float value, goal, from, elapsed_s;
@@ -48,6 +55,7 @@ struct character_parameter {
 enum character_verb {
 	CHARACTER_SET,    /* parameter index = amount */
 	CHARACTER_ADD,    /* parameter index += amount */
+	CHARACTER_STEP,   /* parameter index: amount stops on */
 	CHARACTER_TOGGLE, /* parameter index: low or high end of its range */
 	CHARACTER_SWITCH, /* effect index: amount 1 on, 0 off, -1 the other */
 	CHARACTER_GO,     /* to state index */
@@ -57,6 +65,7 @@ enum character_verb {
 	CHARACTER_PACE,   /* morph index: amount times as fast */
 	CHARACTER_CURVE,  /* morph index: the next of its curves */
 	CHARACTER_TIMING, /* morph index: over time or by frames */
+	CHARACTER_PRESET, /* shakes by name: detail, or amount presets on */
 	CHARACTER_MOVE,   /* part index: degree of freedom detail by amount */
 	CHARACTER_RUN,    /* sequence index */
 	CHARACTER_REPEAT, /* sequence index, again and again */
@@ -199,6 +208,7 @@ struct character_machine {
 /* See run/feet.h and run/effects.h. */
 struct character_feet;
 struct character_cape;
+struct character_shake;
 
 /* A switch that fades, which layers and effects begin with. */
 struct character_switch {
@@ -206,7 +216,8 @@ struct character_switch {
 	const char *kind;
 	const float *weight; /* from 0 to 1 */
 	float fade_s;
-	bool on; /* at the start */
+	bool on;         /* at the start */
+	bool unlabelled; /* labels do not show it */
 
 	/* Changes: */
 	bool is_on;
@@ -265,9 +276,11 @@ struct character_target {
 	bool is_camera;
 	float radius_m; /* of the ball that shows it; 0: nothing */
 	float color[3];
+	bool has_users; /* effects look at it or reach for it */
 
 	/* Changes: */
 	float point[3];
+	bool used; /* by an effect that is switched on */
 };
 
 /* What a press of buttons does. */
@@ -339,7 +352,8 @@ enum character_labels {
 struct character_scene {
 	const float *wave_m; /* height of uneven ground */
 	float yaw_rad, pitch_rad, margin;
-	bool shadow;
+	const float *shadow; /* above 0: there is one */
+	const float *relief; /* above 0: normal maps are used */
 	enum character_labels labels;
 	double tour_s; /* the tour's period; 0: no tour */
 	struct character_tour *tour;
@@ -390,6 +404,8 @@ struct character {
 	int cape_count;
 	struct character_cape *cape;
 	struct character_feet *feet; /* or NULL */
+	int shake_count;
+	struct character_shake **shake;     /* in the order of the file */
 	struct character_switch **switches; /* of layers, expressions, effects */
 	struct character_output output[CHARACTER_OUTPUTS_MAX];
 	struct character_op *op;

@@ -3,7 +3,6 @@
 #include "app/model/levels/levels.h"
 #include "app/scene/draw/draw.h"
 
-#include <errno.h>
 #include <stdio.h>
 
 static const float least_side = 0.4f; /* of a region; the picture has 2 */
@@ -228,18 +227,6 @@ const char *actor_technique(const struct instance *instance)
 		: skinned         ? "Skeletal"
 		: morphed         ? "Morphing"
 				  : "Hierarchical";
-}
-
-int actor_find_bone(const struct model *model, const char *name,
-	const struct log *log, int *out)
-{
-	*out = model_find_node(model, name);
-	if (*out < 0) {
-		log_error(log, "%s: the model has no bone named %s",
-			model->path, name);
-		return -EINVAL;
-	}
-	return 0;
 }
 
 void actor_pose(struct actor *actor, int clip, float time_s)

@@ -97,10 +97,6 @@ void actor_label_lod(const struct actor *actor, struct hud_group *group);
 /* Returns the name of the instance's technique, such as "Skeletal". */
 const char *actor_technique(const struct instance *instance);
 
-/* Finds a node by name. Returns 0, or -EINVAL after logging an error. */
-int actor_find_bone(const struct model *model, const char *name,
-	const struct log *log, int *out);
-
 /*
  * Sets the pose to a clip's at time_s, with nodes without a channel at rest;
  * clip -1 means the rest pose.

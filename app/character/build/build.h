@@ -102,6 +102,8 @@ int character_read_count(struct character_words *words,
 	const struct character_key *key, void *member); /* int */
 int character_read_switch(struct character_words *words,
 	const struct character_key *key, void *member); /* bool: yes or no */
+int character_read_unlabelled(struct character_words *words,
+	const struct character_key *key, void *member); /* bool: no or yes */
 int character_read_choice(struct character_words *words,
 	const struct character_key *key, void *member); /* int: its index */
 int character_read_value(struct character_words *words,
@@ -122,7 +124,10 @@ int character_read_curve_direction(struct character_words *words,
 int character_read_actions(struct character_words *words,
 	const struct character_key *key, void *member); /* .._action *, adds */
 
-/* Reads NODE NODE RADIUS, a capsule from node to node. 0 or -EINVAL. */
+/*
+ * Reads NODE NODE RADIUS [X Y Z], a capsule from node to node, both ends of
+ * which are moved by x y z in their nodes' frames. 0 or -EINVAL.
+ */
 int character_read_capsule(struct character_words *words,
 	const struct character_key *key, struct capsule *capsule);
 
@@ -223,6 +228,9 @@ int character_init_entry(
 		NULL, "a number from 0 to 1, or a parameter"},                 \
 		{"fade", character_read_number, offsetof(type, member.fade_s), \
 			0, 60, NULL, "seconds, such as 0.4"},                  \
+		{"label", character_read_unlabelled,                           \
+			offsetof(type, member.unlabelled), 0, 0, NULL,         \
+			"yes or no"},                                          \
 	{                                                                      \
 		"on", character_read_switch, offsetof(type, member.on), 0, 0,  \
 			NULL, "yes or no"                                      \

@@ -1,5 +1,7 @@
 #include "app/character/build/build.h"
 
+#include "app/character/run/effects.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,6 +53,20 @@ static int read_name_and_number(struct character_words *words,
 		return 0;
 	}
 	if (!error && !character_take_number(words, &action->amount)) {
+		return fail_action(words, verb);
+	}
+	return error;
+}
+
+static int read_stops(struct character_words *words,
+	struct character_action *action, const struct verb *verb)
+{
+	int error = read_name_and_number(words, action, verb);
+	const struct character *character = words->build->character;
+
+	if (!error &&
+		(action->amount != (float)(int)action->amount ||
+			character->parameter[action->index].stop_count == 0)) {
 		return fail_action(words, verb);
 	}
 	return error;
@@ -130,6 +146,36 @@ static int read_morph(struct character_words *words,
 	return character_fail(words,
 		"%s is no key frame of the morph %s: write %s",
 		key ? key : "\"\"", morph->name, verb->right);
+}
+
+/* Presets of the file that the shake's section names. */
+static int read_preset(struct character_words *words,
+	struct character_action *action, const struct verb *verb)
+{
+	int error = read_name(words, action, verb);
+	const struct character_shake *shake;
+	const char *name;
+
+	if (error) {
+		return error;
+	}
+	shake = words->build->character->shake[action->index];
+	action->detail = -1;
+	action->amount = character_take(words, "next") ? 1
+		: character_take(words, "previous")    ? -1
+						       : 0;
+	if (action->amount != 0) {
+		return shake->preset_count > 0 ? 0 : fail_action(words, verb);
+	}
+	name = character_next_word(words);
+	action->detail = !name ? -1
+			       : procedural_preset_find(shake->preset,
+					 shake->preset_count, name);
+	return action->detail >= 0
+		? 0
+		: character_fail(words,
+			  "%s is no preset of the shake %s: write %s",
+			  name ? name : "\"\"", shake->is.name, verb->right);
 }
 
 static const char *const freedom_names[CHARACTER_FREEDOMS] = {
@@ -258,6 +304,8 @@ static const struct verb verbs[] = {
 		"set PARAMETER NUMBER"},
 	{"add", CHARACTER_ADD, read_name_and_number, "parameter", false,
 		"add PARAMETER NUMBER"},
+	{"step", CHARACTER_STEP, read_stops, "parameter", false,
+		"step PARAMETER COUNT, and give the parameter stops"},
 	{"toggle", CHARACTER_TOGGLE, read_toggle, "parameter", false,
 		"toggle NAME, with the name of a parameter, a layer or an effect"},
 	{"on", CHARACTER_SWITCH, read_switch, NULL, true, "on NAME"},
@@ -272,6 +320,8 @@ static const struct verb verbs[] = {
 		"pace MORPH FACTOR"},
 	{"curve", CHARACTER_CURVE, read_name, "morph", false, "curve MORPH"},
 	{"timing", CHARACTER_TIMING, read_name, "morph", false, "timing MORPH"},
+	{"preset", CHARACTER_PRESET, read_preset, "shake", false,
+		"preset SHAKE NAME, preset SHAKE next or preset SHAKE previous"},
 	{"move", CHARACTER_MOVE, read_move, "part", true,
 		"move PART heading|pitch|bank|x|y|z FACTOR, such as move Arm pitch -1"},
 	{"run", CHARACTER_RUN, read_name, "sequence", false, "run SEQUENCE"},
@@ -328,7 +378,7 @@ int character_read_action(struct character_words *words,
 
 	if (!verb) {
 		return character_fail(words,
-			"%s is no action: use set, add, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, move, run, repeat, stop, attach, detach, drop, line, output, camera, pause, tour, keys or labels",
+			"%s is no action: use set, add, step, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, preset, move, run, repeat, stop, attach, detach, drop, line, output, camera, pause, tour, keys or labels",
 			name ? name : "\"\"");
 	}
 	action.verb = verb->verb;

@@ -14,8 +14,9 @@ static int read_target(struct character_words *words,
 	if (index < 0) {
 		return -EINVAL;
 	}
-	*(const struct character_target **)member =
+	*(struct character_target **)member =
 		&words->build->character->target[index];
+	words->build->character->target[index].has_users = true;
 	return 0;
 }
 
@@ -36,6 +37,7 @@ static int read_look_bone(struct character_words *words,
 {
 	struct character_look *look = member;
 	int at = look->bone_count;
+	float rate = 0;
 	int node;
 
 	if (at == CHARACTER_BONES_MAX) {
@@ -52,7 +54,13 @@ static int read_look_bone(struct character_words *words,
 		return character_fail(
 			words, "a share is from 0 to 1: give %s", key->right);
 	}
+	rate = character_take_number(words, &rate) ? rate : 0;
+	if (rate < 0 || rate > 100) {
+		return character_fail(
+			words, "a rate is from 0 to 100: give %s", key->right);
+	}
 	look->bone[at] = lookat_default(node);
+	look->bone[at].rate = rate > 0 ? rate : look->bone[at].rate;
 	character_to_bone(words->build, node, front, look->bone[at].forward);
 	character_to_bone(words->build, node, up, look->bone[at].up);
 	look->bone_count++;
@@ -95,7 +103,7 @@ static int read_look_number(struct character_words *words,
 static const struct character_key look_keys[] = {
 	CHARACTER_SWITCH_KEYS(struct character_look, is),
 	{"bone", read_look_bone, 0, 0, 0, NULL,
-		"a node and its share of the turn, such as neck 0.4"},
+		"a node, its share of the turn and its rate, such as neck 0.4 or eye.L 1 20"},
 	{"target", read_target, offsetof(struct character_look, target), 0, 0,
 		NULL, "the name of a [target]"},
 	{"forward", read_look_number, 0, 0, 0, NULL,
@@ -137,8 +145,8 @@ int character_read_limb(struct character_words *words,
 		}
 		if (i > 0 &&
 			(node[i] == node[i - 1] ||
-				!character_is_below(words->build->model, node[i],
-					node[i - 1]))) {
+				!character_is_below(words->build->model,
+					node[i], node[i - 1]))) {
 			return character_fail(words,
 				"each bone has to be below the one before it: give %s",
 				key->right);
@@ -206,6 +214,15 @@ static int read_pole(struct character_words *words,
 	return character_read_numbers3(words, key, reach->pole);
 }
 
+static int read_grip(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_reach *reach = member;
+
+	reach->has_grip = true;
+	return character_read_numbers3(words, key, reach->grip);
+}
+
 static const struct character_key reach_keys[] = {
 	CHARACTER_SWITCH_KEYS(struct character_reach, is),
 	{"limb", read_limb, 0, 0, 0, NULL,
@@ -218,6 +235,8 @@ static const struct character_key reach_keys[] = {
 	{"short", character_read_number,
 		offsetof(struct character_reach, short_m), 0, 1000, NULL,
 		"metres that the tip stops before the target"},
+	{"grip", read_grip, 0, 0, 0, NULL,
+		"x y z of the target in the tip's frame, such as 0 0.06 0"},
 	{"pole", read_pole, 0, 0, 0, NULL,
 		"x y z from the target, towards which the middle bends"},
 	{0},
@@ -233,6 +252,10 @@ int character_build_reach(struct character_build *build,
 	error = character_read_section(build, section, reach_keys, reach);
 	if (error) {
 		return error;
+	}
+	if (reach->is_chain && reach->has_grip) {
+		return character_fail_section(build, section,
+			"only a limb has a grip: write limb = UPPER LOWER TIP");
 	}
 	return !reach->is_chain && reach->limb.upper < 0
 		? character_fail_missing(build, section,

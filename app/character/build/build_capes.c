@@ -4,8 +4,8 @@
 #include <errno.h>
 
 enum {
-	COLUMNS = 9,
-	ROWS = 11
+	COLUMNS = 13,
+	ROWS = 10
 };
 
 /* body = NODE NODE RADIUS [X Y Z]: a capsule that the cloth does not enter. */
@@ -38,6 +38,8 @@ static const struct character_key keys[] = {
 		"the hem's width in upper edges, such as 1.4"},
 	{"pleat", character_read_number, CAPE(pleat), 0, 100, NULL,
 		"metres of depth at the hem, such as 0.03"},
+	{"shoulders", character_read_numbers2, CAPE(shoulders), 0, 0, NULL,
+		"metres that the ends of its upper edge are below and before its middle, such as 0.045 0.06"},
 	{"radius", character_read_number, CAPE(radius), 0, 100, NULL,
 		"metres kept from bodies, such as 0.02"},
 	{"color", character_read_numbers3, CAPE(color), 0, 1, NULL,
@@ -60,9 +62,11 @@ static void shape_of(const struct character_cape *cape, float shape[][3])
 
 		shape[i][0] =
 			cape->place[0] + across * 0.5f * cape->width * flare;
-		shape[i][1] = cape->place[1] - cape->length * down;
-		shape[i][2] =
-			cape->place[2] + pleat - 0.06f * cape->length * down;
+		shape[i][1] = cape->place[1] - cape->length * down -
+			cape->shoulders[0] * across * across;
+		shape[i][2] = cape->place[2] + pleat -
+			0.06f * cape->length * down +
+			cape->shoulders[1] * across * across * (1 - 0.5f * down);
 	}
 }
 
@@ -75,6 +79,7 @@ static int make_cloth(struct character_build *build, struct character_cape *cape
 	settings.columns = COLUMNS;
 	settings.rows = ROWS;
 	settings.radius = cape->radius;
+	settings.bend = 0.45f;
 	for (int i = 0; i < COLUMNS; i++) {
 		pin[i] = cape->bone;
 	}

@@ -168,16 +168,17 @@ static void find_steps(
 	/* The first mark is the first foot's, so the second may lie beyond the
 	   clip's end. */
 	clip->mark_count = 2;
-	clip->mark[0] = clip->clip->duration_s * (float)first[axis] / CHARACTER_SAMPLES;
-	clip->mark[1] = clip->clip->duration_s * (float)second[axis] / CHARACTER_SAMPLES;
+	clip->mark[0] =
+		clip->clip->duration_s * (float)first[axis] / CHARACTER_SAMPLES;
+	clip->mark[1] = clip->clip->duration_s * (float)second[axis] /
+		CHARACTER_SAMPLES;
 	if (second[axis] < first[axis]) {
 		clip->mark[1] += clip->clip->duration_s;
 	}
 }
 
 /* How high the lower sole is during the clip. */
-static int find_soles(
-	struct character_build *build, struct character_clip *clip)
+static int find_soles(struct character_build *build, struct character_clip *clip)
 {
 	struct character *character = build->character;
 

@@ -2,11 +2,55 @@
 
 #include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
+#include "app/model/model_file.h"
 
 #include <errno.h>
 #include <string.h>
 
+enum {
+	PRESETS_MAX = 16
+};
+
 #define SHAKE(name) offsetof(struct character_shake, name)
+
+/* The file lies beside the character file that names it. */
+static int read_presets(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_shake *shake = member;
+	struct character_build *build = words->build;
+	const char *name = character_next_word(words);
+	char path[CHARACTER_PATH_BYTES];
+	struct model_file file;
+	int error;
+
+	if (!build->text->is_file || !name ||
+		!character_text_path_near(
+			words->line->file, name, path, sizeof(path))) {
+		return character_fail(words,
+			"a file is needed that lies beside this one: give %s",
+			key->right);
+	}
+	shake->preset = ARENA_ARRAY(
+		build->arena, struct procedural_preset, PRESETS_MAX);
+	if (!shake->preset) {
+		return character_fail_memory(build);
+	}
+	error = model_file_read(path, NULL, build->log, &file);
+	if (error) {
+		return error;
+	}
+	shake->preset_count = procedural_presets_parse((const char *)file.data,
+		path, build->log, shake->preset, PRESETS_MAX);
+	model_file_release(&file);
+	if (shake->preset_count <= 0) {
+		return shake->preset_count < 0
+			? shake->preset_count
+			: character_fail(words, "%s has no preset", path);
+	}
+	shake->swing.preset = shake->preset[0];
+	return 0;
+}
 
 static const struct character_key shake_keys[] = {
 	CHARACTER_SWITCH_KEYS(struct character_shake, is),
@@ -28,6 +72,8 @@ static const struct character_key shake_keys[] = {
 		"metres, such as 0.01"},
 	{"delay", character_read_number, SHAKE(delay_s), 0, 10, NULL,
 		"seconds from 0 to 10"},
+	{"presets", read_presets, 0, 0, 0, NULL,
+		"the name of a file in the same folder, such as presets.ini"},
 	{0},
 };
 
@@ -38,6 +84,7 @@ static int build_shake(struct character_build *build,
 	struct procedural_preset preset = procedural_preset_default();
 	int error;
 
+	build->character->shake[build->character->shake_count++] = shake;
 	preset.unit = 0.01f;
 	shake->swing = procedural_begin(&preset, -1);
 	error = character_read_section(build, section, shake_keys, shake);
@@ -68,11 +115,15 @@ static int read_turn_bones(struct character_words *words,
 	return 0;
 }
 
+static const char *const turn_from[] = {"clip", "rest", NULL};
+
 static const struct character_key turn_keys[] = {
 	CHARACTER_SWITCH_KEYS(struct character_turn, is),
 	{"bone", read_turn_bones, 0, 0, 0, NULL, "nodes, with commas between"},
 	{"axis", character_read_direction, offsetof(struct character_turn, axis),
 		0, 0, NULL, "x y z of the model at rest, such as 1 0 0"},
+	{"from", character_read_choice, offsetof(struct character_turn, from),
+		0, 0, turn_from, "clip or rest"},
 	{"angle", character_read_angle,
 		offsetof(struct character_turn, angle_rad), -360, 360, NULL,
 		"degrees from -360 to 360"},
@@ -287,7 +338,14 @@ static int build_effect(struct character_build *build,
 
 int character_build_effects(struct character_build *build)
 {
+	struct character *character = build->character;
 	int error = 0;
+
+	character->shake = ARENA_ARRAY(build->arena, struct character_shake *,
+		(size_t)character_text_count(build->text, "shake"));
+	if (!character->shake) {
+		return character_fail_memory(build);
+	}
 
 	for (size_t kind = 0; kind < ARRAY_COUNT(effects) && !error; kind++) {
 		const struct character_section *section = character_text_find(

@@ -170,6 +170,8 @@ static int build_layer(struct character_build *build,
 		error = character_read_section(build, section, keys, &draft);
 	}
 	*layer = draft.layer;
+	/* It is switched by the action "play" alone. */
+	layer->is.on = layer->is.on && !layer->once;
 	if (!error && draft.clip == -1) {
 		return character_fail_section(build, section,
 			"a layer plays a clip: add clip = NAME");

@@ -86,6 +86,26 @@ static int read_choices(struct character_words *words,
 	return 0;
 }
 
+static int read_stops(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	struct character_parameter *parameter = member;
+
+	while (!character_at_end(words)) {
+		float *stop = &parameter->stop[parameter->stop_count];
+
+		if (parameter->stop_count == CHARACTER_STOPS_MAX ||
+			!character_take_number(words, stop) ||
+			(parameter->stop_count > 0 && *stop <= stop[-1])) {
+			return character_fail(words,
+				"give at most %d increasing numbers, such as %s",
+				CHARACTER_STOPS_MAX, key->right);
+		}
+		parameter->stop_count++;
+	}
+	return 0;
+}
+
 static const struct character_key keys[] = {
 	{"choices", read_choices, 0, 0, 0, NULL,
 		"two or more names, such as arm forearm hand"},
@@ -98,6 +118,10 @@ static const struct character_key keys[] = {
 	{"ease", character_read_number,
 		offsetof(struct character_parameter, ease_s), 0, 60, NULL,
 		"seconds from 0 to 60"},
+	{"stops", read_stops, 0, 0, 0, NULL, "0 1.03 2.6"},
+	{"label", character_read_unlabelled,
+		offsetof(struct character_parameter, unlabelled), 0, 0, NULL,
+		"yes or no"},
 	{"source", read_source, 0, 0, 0, NULL,
 		"buttons, motion, time [SCALE [OFFSET]], sine PERIOD [PHASE], PARAMETER [SCALE [OFFSET]] or part PART FREEDOM [SCALE [OFFSET]]"},
 	{0},

@@ -289,6 +289,17 @@ int character_read_switch(struct character_words *words,
 		: character_fail_value(words, key);
 }
 
+/* label = yes or no: the member is set by no. */
+int character_read_unlabelled(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	bool labelled = true;
+	int error = character_read_switch(words, key, &labelled);
+
+	*(bool *)member = !labelled;
+	return error;
+}
+
 int character_read_choice(struct character_words *words,
 	const struct character_key *key, void *member)
 {

@@ -220,6 +220,23 @@ static int read_period(struct character_words *words,
 	return error;
 }
 
+/* yes, no or a value that shows something while it is above 0. */
+static int read_shown(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	static const float yes = 1, no = 0;
+
+	if (character_take(words, "yes")) {
+		*(const float **)member = &yes;
+		return 0;
+	}
+	if (character_take(words, "no")) {
+		*(const float **)member = &no;
+		return 0;
+	}
+	return character_read_value(words, key, member);
+}
+
 static const char *const labels[] = {"left", "right", "none", NULL};
 
 #define SCENE(name) offsetof(struct character_scene, name)
@@ -233,7 +250,10 @@ static const struct character_key scene_keys[] = {
 		"degrees from 0 to 89"},
 	{"margin", character_read_number, SCENE(margin), 0.2f, 10, NULL,
 		"a factor from 0.2 to 10; 1.1 leaves a tenth free"},
-	{"shadow", character_read_switch, SCENE(shadow), 0, 0, NULL, "yes or no"},
+	{"shadow", read_shown, SCENE(shadow), 0, 1, NULL,
+		"yes, no or a parameter"},
+	{"relief", read_shown, SCENE(relief), 0, 1, NULL,
+		"yes, no or a parameter"},
 	{"labels", character_read_choice, SCENE(labels), 0, 0, labels,
 		"left, right or none"},
 	{"period", read_period, SCENE(tour_s), 0.1f, 3600, NULL,
@@ -257,7 +277,7 @@ static double tour_end_s(const struct character_tour *tour)
 
 int character_build_scene(struct character_build *build)
 {
-	static const float level = 0;
+	static const float level = 0, shown = 1;
 	struct character_scene *scene = &build->character->scene;
 	const struct character_section *section = only_section(build, "scene");
 	int error;
@@ -267,7 +287,8 @@ int character_build_scene(struct character_build *build)
 		.yaw_rad = 0.45f,
 		.pitch_rad = 0.16f,
 		.margin = 1.15f,
-		.shadow = true,
+		.shadow = &shown,
+		.relief = &shown,
 	};
 	error = section
 		? character_read_section(build, section, scene_keys, scene)

@@ -1,6 +1,7 @@
 #include "app/character/build/build.h"
 
 #include <errno.h>
+#include <string.h>
 
 int character_read_value(struct character_words *words,
 	const struct character_key *key, void *member)
@@ -88,8 +89,14 @@ int character_read_state(struct character_words *words,
 bool character_take_choice(struct character_words *words,
 	const struct character_parameter *parameter, float *out)
 {
+	const char *word = character_at_end(words)
+		? ""
+		: words->line->word[words->next].text;
+
+	/* In quotes too. */
 	for (int i = 0; i < parameter->choice_count; i++) {
-		if (character_take(words, parameter->choice[i])) {
+		if (strcmp(word, parameter->choice[i]) == 0) {
+			words->next++;
 			*out = (float)i;
 			return true;
 		}
@@ -105,11 +112,18 @@ int character_read_capsule(struct character_words *words,
 	if (!error) {
 		error = character_read_node(words, key, &capsule->node_b);
 	}
-	if (!error &&
-		(!character_take_number(words, &capsule->radius) ||
-			capsule->radius <= 0)) {
+	if (error) {
+		return error;
+	}
+	if (!character_take_number(words, &capsule->radius) ||
+		capsule->radius <= 0) {
 		return character_fail(words,
 			"the radius is a number above 0: give %s", key->right);
 	}
+	if (character_at_end(words)) {
+		return 0;
+	}
+	error = character_read_numbers3(words, key, capsule->offset_a);
+	memcpy(capsule->offset_b, capsule->offset_a, sizeof(capsule->offset_b));
 	return error;
 }

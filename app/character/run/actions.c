@@ -1,9 +1,10 @@
 #include "app/character/run/actions.h"
 
 #include "app/character/parts/held.h"
+#include "app/character/parts/parts.h"
+#include "app/character/run/effects.h"
 #include "app/character/run/layers.h"
 #include "app/character/run/parameters.h"
-#include "app/character/parts/parts.h"
 
 #include <stdio.h>
 
@@ -140,6 +141,8 @@ static void run_parameter(struct character_parameter *parameter,
 		toggle(parameter);
 	} else if (parameter->choice && action->verb == CHARACTER_ADD) {
 		step_choice(parameter, amount);
+	} else if (action->verb == CHARACTER_STEP) {
+		character_parameter_step(parameter, (int)action->amount);
 	} else {
 		character_parameter_set(parameter,
 			action->verb == CHARACTER_ADD ? parameter->goal + amount
@@ -156,6 +159,7 @@ static void run(struct character *character,
 	switch (action->verb) {
 	case CHARACTER_SET:
 	case CHARACTER_ADD:
+	case CHARACTER_STEP:
 	case CHARACTER_TOGGLE:
 		run_parameter(&character->parameter[index], action, amount);
 		break;
@@ -191,6 +195,9 @@ static void run(struct character *character,
 	case CHARACTER_TIMING:
 		character->morph[index].by_frames =
 			!character->morph[index].by_frames;
+		break;
+	case CHARACTER_PRESET:
+		character_shake_use(character, action);
 		break;
 	case CHARACTER_MOVE:
 	case CHARACTER_ATTACH:

@@ -1,9 +1,14 @@
 #include "app/character/run/effects.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
 
 #include <string.h>
+
+enum {
+	GRIP_ROUNDS = 4
+};
 
 static void update_world_from(struct instance *instance, int node)
 {
@@ -21,11 +26,25 @@ void character_shake_run(struct character *character, void *what)
 		&character->instance->pose);
 }
 
+void character_shake_use(
+	struct character *character, const struct character_action *action)
+{
+	struct character_shake *shake = character->shake[action->index];
+	int count = shake->preset_count;
+	int chosen = action->detail >= 0 ? action->detail
+					 : shake->chosen + (int)action->amount;
+
+	shake->chosen = (chosen % count + count) % count;
+	shake->swing.preset = shake->preset[shake->chosen];
+}
+
 void character_look_run(struct character *character, void *what)
 {
 	struct character_look *look = what;
 	struct instance *instance = character->instance;
 	const float *target = look->is.is_on ? look->target->point : NULL;
+
+	look->target->used = look->target->used || look->is.is_on;
 
 	if (look->is.now == 0) {
 		return;
@@ -53,13 +72,61 @@ static void shorten(const struct character_reach *reach,
 		reach->short_m < distance ? reach->short_m : distance, goal);
 }
 
+/* The elbow points down and outwards, or as it is. */
+static void solve_limb(const struct character_reach *reach,
+	struct instance *instance, const float goal[3], float weight)
+{
+	struct ik_limb limb = reach->limb;
+	float pole[3];
+
+	vec_add_scaled(goal, reach->pole, 1, pole);
+	limb.weight = weight;
+	ik_limb_solve(&limb, goal, reach->has_pole ? pole : NULL,
+		(const mat4 *)instance->world, &instance->pose);
+	update_world_from(instance, limb.upper);
+}
+
+/*
+ * Brings a place of the tip's frame to the target, such as the palm of a hand.
+ * Where it is follows from the tip's rotation, and that from the limb's: a few
+ * rounds make them agree.
+ */
+static void grip(const struct character_reach *reach, struct instance *instance)
+{
+	const int node[3] = {
+		reach->limb.upper, reach->limb.lower, reach->limb.tip};
+	struct transform animated[3];
+
+	for (int i = 0; i < 3; i++) {
+		animated[i] = instance->pose.local[node[i]];
+	}
+	for (int round = 0; round < GRIP_ROUNDS; round++) {
+		float goal[3], place[3];
+
+		matrix_apply_direction(
+			instance->world[reach->limb.tip], reach->grip, place);
+		vec_subtract(reach->target->point, place, goal);
+		for (int i = 0; i < 3; i++) {
+			instance->pose.local[node[i]] = animated[i];
+		}
+		update_world_from(instance, node[0]);
+		solve_limb(reach, instance, goal,
+			round + 1 < GRIP_ROUNDS ? 1 : reach->is.now);
+	}
+}
+
 void character_reach_run(struct character *character, void *what)
 {
 	struct character_reach *reach = what;
 	struct instance *instance = character->instance;
-	float goal[3], pole[3];
+	float goal[3];
 
+	reach->target->used = reach->target->used || reach->is.is_on;
 	if (reach->is.now == 0) {
+		return;
+	}
+	if (reach->has_grip) {
+		grip(reach, instance);
 		return;
 	}
 	shorten(reach, instance, goal);
@@ -70,29 +137,41 @@ void character_reach_run(struct character *character, void *what)
 		update_world_from(instance, reach->chain.node[0]);
 		return;
 	}
-	vec_add_scaled(goal, reach->pole, 1, pole);
-	reach->limb.weight = reach->is.now;
-	ik_limb_solve(&reach->limb, goal, reach->has_pole ? pole : NULL,
-		(const mat4 *)instance->world, &instance->pose);
-	update_world_from(instance, reach->limb.upper);
+	solve_limb(reach, instance, goal, reach->is.now);
+}
+
+/* Turns a bone from its animated rotation, or towards one turned from rest. */
+static void turn_bone(
+	const struct character_turn *turn, struct pose *pose, int which)
+{
+	int bone = turn->bone[which];
+	float *local = pose->local[bone].rotation;
+	float rotation[4];
+
+	quat_from_axis_angle(turn->bone_axis[which],
+		turn->angle_rad *
+			(turn->from == CHARACTER_FROM_REST ? 1 : turn->is.now),
+		rotation);
+	if (turn->from == CHARACTER_FROM_REST) {
+		quat_multiply(pose->model->node[bone].rest.rotation, rotation,
+			rotation);
+		quat_slerp(local, rotation, turn->is.now, local);
+	} else {
+		quat_multiply(local, rotation, local);
+	}
+	pose->animated[bone] = true;
 }
 
 void character_turn_run(struct character *character, void *what)
 {
 	struct character_turn *turn = what;
 	struct pose *pose = &character->instance->pose;
-	float rotation[4];
 
 	if (turn->is.now == 0) {
 		return;
 	}
 	for (int i = 0; i < turn->bone_count; i++) {
-		float *local = pose->local[turn->bone[i]].rotation;
-
-		quat_from_axis_angle(turn->bone_axis[i],
-			turn->angle_rad * turn->is.now, rotation);
-		quat_multiply(local, rotation, local);
-		pose->animated[turn->bone[i]] = true;
+		turn_bone(turn, pose, i);
 	}
 }
 
@@ -143,6 +222,8 @@ void character_targets_update(struct character *character)
 {
 	for (int i = 0; i < character->target_count; i++) {
 		struct character_target *target = &character->target[i];
+
+		target->used = !target->has_users;
 
 		if (target->is_camera) {
 			memcpy(target->point, character->eye,

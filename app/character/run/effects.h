@@ -22,12 +22,17 @@ struct character_shake {
 	struct character_switch is;
 	struct procedural swing;
 	float delay_s;
+	int preset_count; /* of the file of presets; 0: there is none */
+	struct procedural_preset *preset;
+
+	/* Changes: */
+	int chosen; /* of the presets */
 };
 
 /* Bones that share a look: the first ones turn by their share of it. */
 struct character_look {
 	struct character_switch is;
-	const struct character_target *target;
+	struct character_target *target;
 	int bone_count;
 	struct lookat bone[CHARACTER_BONES_MAX];
 	float share[CHARACTER_BONES_MAX];
@@ -35,13 +40,15 @@ struct character_look {
 
 struct character_reach {
 	struct character_switch is;
-	const struct character_target *target;
+	struct character_target *target;
 	bool is_chain;
 	struct ik_limb limb;
 	struct ik_chain chain;
 	float short_m; /* the tip stops this far before the target */
 	bool has_pole;
 	float pole[3]; /* from the target */
+	bool has_grip;
+	float grip[3]; /* the target's place in the tip's frame */
 };
 
 /* Bones that turn about an axis, such as fingers that close. */
@@ -52,6 +59,10 @@ struct character_turn {
 	float axis[3]; /* unit, of the model at rest */
 	float bone_axis[CHARACTER_BONES_MAX][3]; /* the same for each bone */
 	float angle_rad;
+	enum {
+		CHARACTER_FROM_CLIP,
+		CHARACTER_FROM_REST
+	} from; /* the rotation from which they turn */
 };
 
 struct character_spring {
@@ -84,8 +95,10 @@ struct character_cape {
 	int bone;
 	float place[3]; /* the middle of its upper edge, of the model at rest */
 	float width, length;
-	float flare;  /* width of the hem / width of the upper edge */
-	float pleat;  /* depth of its pleats at the hem */
+	float flare; /* width of the hem / width of the upper edge */
+	float pleat; /* depth of its pleats at the hem */
+	/* How far the ends of the upper edge are below and before its middle. */
+	float shoulders[2];
 	float radius; /* kept from bodies */
 	float color[3];
 	struct cloth cloth;
@@ -106,6 +119,10 @@ void character_spring_run(struct character *character, void *spring);
 void character_breath_run(struct character *character, void *breath);
 void character_muscle_run(struct character *character, void *muscle);
 void character_cape_run(struct character *character, void *cape);
+
+/* Makes a shake use another one of its presets. */
+void character_shake_use(
+	struct character *character, const struct character_action *action);
 
 /* Computes where the targets are; the world matrices are up to date. */
 void character_targets_update(struct character *character);

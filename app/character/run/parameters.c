@@ -12,6 +12,26 @@ void character_parameter_set(struct character_parameter *parameter, float goal)
 	}
 }
 
+void character_parameter_step(struct character_parameter *parameter, int steps)
+{
+	int count = parameter->stop_count, at = 0;
+
+	/* A goal between two stops counts as the one behind it. */
+	if (steps > 0) {
+		while (at + 1 < count &&
+			parameter->stop[at + 1] <= parameter->goal) {
+			at++;
+		}
+	} else {
+		while (at + 1 < count && parameter->stop[at] < parameter->goal) {
+			at++;
+		}
+	}
+	at += steps;
+	at = at < 0 ? 0 : at < count ? at : count - 1;
+	character_parameter_set(parameter, parameter->stop[at]);
+}
+
 static float source_value(const struct character *character,
 	const struct character_parameter *parameter)
 {

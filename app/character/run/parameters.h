@@ -15,4 +15,7 @@ void character_parameters_update(struct character *character);
 /* Moves all switches on by the frame's step and sets their .now. */
 void character_switches_update(struct character *character);
 
+/* Goes to the stop so many on from the goal, at most to the last one. */
+void character_parameter_step(struct character_parameter *parameter, int steps);
+
 #endif

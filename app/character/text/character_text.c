@@ -113,23 +113,15 @@ static int begin_section(struct reader *reader, const char *line)
 /* Includes a file that lies in the folder of the one that names it. */
 static int include(struct reader *reader, const char *name)
 {
-	const char *slash = strrchr(reader->path, '/');
-	int folder = slash ? (int)(slash - reader->path) + 1 : 0;
 	char path[CHARACTER_PATH_BYTES];
-	int length;
 
 	if (!reader->may_include) {
 		return fail(
 			reader, "include: a file is needed to include another");
 	}
-	if (!*name || strpbrk(name, "/\\") || name[0] == '.') {
+	if (!character_text_path_near(reader->path, name, path, sizeof(path))) {
 		return fail(reader,
 			"include: give the name of a file in the same folder, without a path, such as biped.character");
-	}
-	length = snprintf(
-		path, sizeof(path), "%.*s%s", folder, reader->path, name);
-	if (length < 0 || (size_t)length >= sizeof(path)) {
-		return fail(reader, "include: the path is too long");
 	}
 	return load_file(reader->text, path, reader->log);
 }
@@ -305,7 +297,7 @@ int character_text_read(struct character_text *text, struct arena *arena,
 int character_text_load(struct character_text *text, struct arena *arena,
 	const char *path, const struct log *log)
 {
-	*text = (struct character_text){.arena = arena};
+	*text = (struct character_text){.arena = arena, .is_file = true};
 	return load_file(text, path, log);
 }
 
@@ -328,6 +320,17 @@ int character_text_count(const struct character_text *text, const char *kind)
 		count++;
 	}
 	return count;
+}
+
+bool character_text_path_near(
+	const char *file, const char *name, char *path, size_t size)
+{
+	const char *slash = strrchr(file, '/');
+	int folder = slash ? (int)(slash - file) + 1 : 0;
+	int length = snprintf(path, size, "%.*s%s", folder, file, name);
+
+	return *name && !strpbrk(name, "/\\") && name[0] != '.' &&
+		length >= 0 && (size_t)length < size;
 }
 
 bool character_text_path_beside(const char *model_path, char *path, size_t size)

@@ -54,6 +54,7 @@ struct character_text {
 	struct arena *arena; /* not owned; has all strings and lines */
 	struct character_section *first, *last;
 	int line_count;
+	bool is_file; /* not a stream, so it may name others */
 	int file_count;
 	const char *file[CHARACTER_FILES_MAX]; /* paths, the first one given */
 };
@@ -76,6 +77,13 @@ const struct character_section *character_text_find(
 
 /* The number of sections of that kind. */
 int character_text_count(const struct character_text *text, const char *kind);
+
+/*
+ * Writes the path of a file in the folder of another one. False if the name is
+ * none of a file there, or the path is too long.
+ */
+bool character_text_path_near(
+	const char *file, const char *name, char *path, size_t size);
 
 /*
  * Writes the path of the character file that lies beside a model,

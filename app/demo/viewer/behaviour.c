@@ -1,15 +1,13 @@
 #include "app/demo/viewer/behaviour.h"
 
 #include "app/character/character.h"
-#include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
 #include "app/character/run/layers.h"
 #include "app/character/sketch/character_sketch.h"
 #include "app/character/state/machine.h"
 #include "app/demo/viewer/behaviour_bounds.h"
 #include "app/demo/viewer/behaviour_label.h"
-#include "app/scene/draw/draw.h"
-#include "app/scene/stage/ball.h"
+#include "app/demo/viewer/behaviour_scene.h"
 #include "platform/base/file.h"
 #include "platform/buttons/gpio_output.h"
 
@@ -24,7 +22,7 @@ struct behaviour {
 	struct character *character;
 	const char *title;               /* the model's technique */
 	char path[CHARACTER_PATH_BYTES]; /* "" for the default behaviour */
-	struct ball ball;
+	struct behaviour_scene scene;
 	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
 	const struct floor *floor; /* of the stage, once it was updated */
 };
@@ -138,6 +136,15 @@ void behaviour_resume(struct behaviour *behaviour, const struct log *log)
 	}
 }
 
+/* Whether the ground can be uneven. */
+static bool has_waves(const struct character *character)
+{
+	float low, high;
+
+	behaviour_range(character, character->scene.wave_m, &low, &high);
+	return low != 0.0f || high != 0.0f;
+}
+
 int behaviour_create(
 	const struct demo_env *env, struct actor *actor, struct behaviour **out)
 {
@@ -163,12 +170,16 @@ int behaviour_create(
 	} else {
 		error = read_default(actor, env, &behaviour->character);
 	}
+	if (!error) {
+		error = behaviour_scene_init(&behaviour->scene, actor->instance,
+			has_waves(behaviour->character), env->log);
+	}
 	if (error) {
+		character_destroy(behaviour->character);
 		free(behaviour);
 		return error;
 	}
 	open_outputs(behaviour, env->log);
-	ball_init(&behaviour->ball);
 	behaviour->title = actor_technique(actor->instance);
 	behaviour->character->touring = env->unattended;
 	behaviour->character->tour_next = behaviour->character->scene.tour;
@@ -252,108 +263,17 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	camera_zoom(camera, 1.0f + character->camera_zoom);
 	floor_scroll(&base->stage.floor, character->motion.scroll[0] * scale,
 		character->motion.scroll[1] * scale);
+	base->actor.instance->normal_mapping = *character->scene.relief > 0.0f;
 	actor_update(&base->actor, camera, height);
 	character_bend(character);
-}
-
-static void draw_balls(
-	const struct behaviour *behaviour, const struct demo_base *base)
-{
-	const struct character *character = behaviour->character;
-	float scale = base->actor.instance->unit_scale;
-
-	for (int i = 0; i < character->target_count; i++) {
-		const struct character_target *target = &character->target[i];
-		float center[3];
-
-		if (target->radius_m <= 0.0f) {
-			continue;
-		}
-		for (int axis = 0; axis < 3; axis++) {
-			center[axis] = target->point[axis] * scale;
-		}
-		ball_draw(&behaviour->ball, base->gl, center,
-			target->radius_m * scale, target->color);
-	}
-}
-
-static void set_cape_material(
-	const struct gl *gl, const struct character_cape *cape)
-{
-	static const GLfixed dull[4] = {0, 0, 0, FX16_ONE};
-
-	gl->Enable(GL_LIGHTING);
-	gl->Enable(GL_COLOR_MATERIAL);
-	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
-	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, dull);
-	if (cape->is.now < 1.0f) {
-		gl->Enable(GL_BLEND);
-		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-	} else {
-		gl->Disable(GL_BLEND);
-	}
-	gl->Disable(GL_TEXTURE_2D);
-	gl->Color4x(fx16_from_float(cape->color[0]),
-		fx16_from_float(cape->color[1]),
-		fx16_from_float(cape->color[2]), fx16_from_float(cape->is.now));
-	gl->EnableClientState(GL_NORMAL_ARRAY);
-	gl->NormalPointer(GL_FLOAT, 0, cape->cloth.normal);
-}
-
-/* Cloth is in metres; the stage is in scene units. */
-static void draw_capes(const struct behaviour *behaviour,
-	const struct demo_base *base, enum draw_pass pass)
-{
-	const struct gl *gl = base->gl;
-	GLfixed scale = fx16_from_float(base->actor.instance->unit_scale);
-
-	for (int i = 0; i < behaviour->character->cape_count; i++) {
-		const struct character_cape *cape =
-			&behaviour->character->cape[i];
-
-		if (!cape->worn) {
-			continue;
-		}
-		if (pass == DRAW_SHADED) {
-			set_cape_material(gl, cape);
-		} else {
-			gl->DisableClientState(GL_NORMAL_ARRAY);
-		}
-		gl->Disable(GL_CULL_FACE);
-		gl->EnableClientState(GL_VERTEX_ARRAY);
-		gl->DisableClientState(GL_COLOR_ARRAY);
-		gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->VertexPointer(3, GL_FLOAT, 0, cape->cloth.position);
-		gl->PushMatrix();
-		gl->Scalex(scale, scale, scale);
-		gl->DrawElements(GL_TRIANGLES, cape->index_count,
-			GL_UNSIGNED_SHORT, cape->index);
-		gl->PopMatrix();
-		gl->Disable(GL_BLEND);
-	}
+	behaviour_scene_update(&behaviour->scene, base);
 }
 
 void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
 	int width, int height)
 {
-	const struct gl *gl = base->gl;
-	const struct actor *actor = &base->actor;
-
-	stage_begin(&base->stage, gl, width, height);
-	/* A flat shadow does not fit uneven ground. */
-	if (behaviour->character->scene.shadow &&
-		base->stage.floor.wave_height == 0.0f) {
-		stage_shadow_begin(&base->stage, gl);
-		draw_instance(
-			gl, actor->instance, &actor->textures, DRAW_SHADOW);
-		draw_capes(behaviour, base, DRAW_SHADOW);
-		stage_shadow_end(&base->stage, gl);
-	} else {
-		stage_draw_monitor(&base->stage, gl);
-	}
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
-	draw_capes(behaviour, base, DRAW_SHADED);
-	draw_balls(behaviour, base);
+	behaviour_scene_draw(
+		&behaviour->scene, behaviour->character, base, width, height);
 }
 
 void behaviour_label(const struct behaviour *behaviour,
@@ -380,6 +300,33 @@ void behaviour_print_buttons(const struct behaviour *behaviour, FILE *out)
 	character_print_buttons(behaviour->character, out);
 }
 
+static void add_layer(struct overlay_motion *motion, const char *name,
+	float weight, const float *mask)
+{
+	if (motion->layer_count < OVERLAY_LAYERS_MAX) {
+		motion->layer[motion->layer_count++] =
+			(struct overlay_layer){name, weight, mask};
+	}
+}
+
+/* The clips that a state blends. */
+static void add_clips(
+	const struct character *character, struct overlay_motion *out)
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+
+	for (int i = 0; i < state->entry_count && state->entry_count > 1; i++) {
+		const struct character_entry *entry = &state->entry[i];
+
+		if (entry->weight > 0) {
+			add_layer(out,
+				entry->of->clip ? entry->of->clip->name : "rest",
+				entry->weight, NULL);
+		}
+	}
+}
+
 void behaviour_get_motion(const struct behaviour *behaviour,
 	const struct model *model, struct overlay_motion *out)
 {
@@ -403,20 +350,25 @@ void behaviour_get_motion(const struct behaviour *behaviour,
 		out->shape = character_morph_curve;
 		out->shape_user = &morph->curve[morph->chosen];
 	}
-	for (int i = 0; i < character->layer_count &&
-		out->layer_count < (int)ARRAY_COUNT(out->layer);
-		i++) {
+	add_clips(character, out);
+	for (int i = 0; i < character->layer_count; i++) {
 		const struct character_layer *layer = &character->layer[i];
 
 		if (layer->is.now > 0) {
-			out->layer[out->layer_count].name = layer->is.name;
-			out->layer[out->layer_count].weight = layer->is.now;
-			out->layer[out->layer_count++].mask = layer->mask;
+			add_layer(out, layer->is.name, layer->is.now,
+				layer->mask);
 		}
 	}
-	if (inertia->running && out->layer_count < (int)ARRAY_COUNT(out->layer)) {
-		out->layer[out->layer_count].name = "fade";
-		out->layer[out->layer_count++].weight =
-			inertia->elapsed_s / inertia->duration_s;
+	for (int i = 0; i < character->switch_count; i++) {
+		const struct character_switch *is = character->switches[i];
+
+		if (is->now > 0 && !is->unlabelled &&
+			strcmp(is->kind, "layer") != 0) {
+			add_layer(out, is->name, is->now, NULL);
+		}
+	}
+	if (inertia->running) {
+		add_layer(out, "fade", inertia->elapsed_s / inertia->duration_s,
+			NULL);
 	}
 }

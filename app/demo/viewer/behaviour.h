@@ -20,8 +20,7 @@ struct behaviour;
  * Writes the path of env's character file: --character, or the one beside the
  * model. False if there is none; with --clip a model plays without one.
  */
-bool behaviour_find_file(
-	const struct demo_env *env, char *path, size_t size);
+bool behaviour_find_file(const struct demo_env *env, char *path, size_t size);
 
 /*
  * Makes the behaviour of a loaded actor. Returns 0, or -errno after logging an

@@ -1,7 +1,6 @@
 #include "app/demo/viewer/behaviour_bounds.h"
 
-/* What a number of the file can be: a parameter's range, or what it is. */
-static void find_range(const struct character *character, const float *value,
+void behaviour_range(const struct character *character, const float *value,
 	float *low, float *high)
 {
 	*low = *high = *value;
@@ -46,7 +45,8 @@ static void add_balls(struct bounds *all, const struct character *character,
 		for (int axis = 0; axis < 3; axis++) {
 			float low, high;
 
-			find_range(character, target->place[axis], &low, &high);
+			behaviour_range(
+				character, target->place[axis], &low, &high);
 			ball.low[axis] = (low - radius) * unit_scale;
 			ball.high[axis] = (high + radius) * unit_scale;
 		}
@@ -84,8 +84,7 @@ static void add_shifts(struct bounds *all, const struct character *character,
 			if (!freedom->given) {
 				continue;
 			}
-			low = shifted(
-				instance, part->node, axis, freedom->low);
+			low = shifted(instance, part->node, axis, freedom->low);
 			high = shifted(
 				instance, part->node, axis, freedom->high);
 			add_box(all, &low, model_extent);

@@ -15,4 +15,8 @@
  */
 struct bounds behaviour_bounds(const struct character *character);
 
+/* What a number of the file can be: a parameter's range, or what it is. */
+void behaviour_range(const struct character *character, const float *value,
+	float *low, float *high);
+
 #endif

@@ -1,12 +1,14 @@
 #include "app/demo/viewer/behaviour_label.h"
 
+#include "app/character/run/effects.h"
 #include "app/character/run/layers.h"
 #include "app/character/state/machine.h"
 
 #include <stdio.h>
 
 enum {
-	VALUES_MAX = 4 /* of parts, that have a row */
+	VALUES_MAX = 4, /* of parts, that have a row */
+	SWITCHES_TOGETHER = 6
 };
 
 /* Whether labels name the state: not if there is nothing but one rest pose. */
@@ -15,6 +17,34 @@ static bool names_state(const struct character *character)
 	return character_machine_entry(character)->of->clip ||
 		character->machine.state_count > 1 ||
 		character->morph_count + character->part_count == 0;
+}
+
+static bool shows_parameter(const struct character_parameter *parameter)
+{
+	return parameter->source == CHARACTER_SOURCE_ACTIONS &&
+		!parameter->unlabelled;
+}
+
+/* How many of the switches that begin off are likely to be on together. */
+static int count_switches(const struct character *character)
+{
+	int count = 0;
+
+	for (int i = 0; i < character->switch_count; i++) {
+		count += !character->switches[i]->on &&
+			!character->switches[i]->unlabelled;
+	}
+	return count < SWITCHES_TOGETHER ? count : SWITCHES_TOGETHER;
+}
+
+static int has_presets(const struct character *character)
+{
+	for (int i = 0; i < character->shake_count; i++) {
+		if (character->shake[i]->preset_count > 0) {
+			return 1;
+		}
+	}
+	return 0;
 }
 
 void behaviour_count_labels(
@@ -28,7 +58,7 @@ void behaviour_count_labels(
 	framing->label_rows = rows ? 1 : 3 * character->morph_count;
 	for (int i = 0; i < character->parameter_count; i++) {
 		const struct character_parameter *one = &character->parameter[i];
-		bool shown = one->source == CHARACTER_SOURCE_ACTIONS;
+		bool shown = shows_parameter(one);
 
 		choices += shown && one->choice;
 		framing->label_rows += shown && !one->choice;
@@ -39,6 +69,9 @@ void behaviour_count_labels(
 	if (character->part_count > 0) {
 		framing->label_rows += VALUES_MAX;
 	}
+	rows = count_switches(character) + (character->machine.state_count > 1);
+	framing->label_rows += rows + has_presets(character);
+	framing->label_bars += rows;
 	if (character->scene.labels == CHARACTER_LABELS_NONE) {
 		framing->label_rows = 0;
 	}
@@ -71,6 +104,15 @@ static void label_pace(
 	hud_group_text(group, morph->curve[morph->chosen].name, pace);
 }
 
+/* The state's name, or that of the clip with the most weight in it. */
+static const char *motion_name(
+	const struct character_machine *machine, const struct model_clip *clip)
+{
+	const struct character_state *state = &machine->state[machine->current];
+
+	return state->entry_count > 1 ? clip->name : state->name;
+}
+
 static void label_motion(
 	const struct character *character, struct hud_group *group)
 {
@@ -79,10 +121,15 @@ static void label_motion(
 	const struct model_clip *clip = entry->of->clip;
 
 	if (clip) {
-		hud_group_time(group, machine->state[machine->current].name,
+		hud_group_time(group, motion_name(machine, clip),
 			entry->shown_s, clip->duration_s, hud_color_blue);
 	} else if (names_state(character)) {
 		hud_group_text(group, machine->state[machine->current].name, "");
+	}
+	if (machine->inertia.running) {
+		hud_group_weight(group, "fade",
+			machine->inertia.elapsed_s / machine->inertia.duration_s,
+			hud_color_blue);
 	}
 	for (int i = 0; i < character->morph_count; i++) {
 		const struct character_morph *morph = &character->morph[i];
@@ -121,12 +168,15 @@ static void label_values(
 		const struct character_parameter *one = &character->parameter[i];
 		char value[32];
 
+		if (!shows_parameter(one)) {
+			continue;
+		}
 		if (one->choice) {
 			if (!runs_sequence(character)) {
 				hud_group_text(group, one->name,
 					one->choice[(int)(one->value + 0.5f)]);
 			}
-		} else if (one->source == CHARACTER_SOURCE_ACTIONS) {
+		} else {
 			snprintf(value, sizeof(value), "%.2f",
 				(double)one->value);
 			hud_group_bar(group, one->name, value,
@@ -138,7 +188,7 @@ static void label_values(
 	for (int i = 0; i < character->switch_count; i++) {
 		const struct character_switch *is = character->switches[i];
 
-		if (is->now > 0 && !(is->on && is->now >= 1)) {
+		if (is->now > 0 && !is->unlabelled && !(is->on && is->now >= 1)) {
 			hud_group_weight(
 				group, is->name, is->now, *color_of(i + 1));
 		}
@@ -241,6 +291,72 @@ static void label_parts(
 	}
 }
 
+/* The presets of shakes that are switched on. */
+static void label_presets(
+	const struct character *character, struct hud_group *group)
+{
+	for (int i = 0; i < character->shake_count; i++) {
+		const struct character_shake *shake = character->shake[i];
+
+		if (shake->is.is_on && !shake->is.unlabelled &&
+			shake->preset_count > 0) {
+			hud_group_text(group, "preset",
+				shake->preset[shake->chosen].name);
+		}
+	}
+}
+
+/* Whether an action switches something, and whether that is on. */
+static bool find_switched(const struct character *character,
+	const struct character_action *action, bool *on)
+{
+	const struct character_parameter *parameter;
+
+	if (action->verb == CHARACTER_SWITCH && action->amount < 0) {
+		*on = character->switches[action->index]->is_on;
+		return true;
+	}
+	if (action->verb != CHARACTER_TOGGLE) {
+		return false;
+	}
+	parameter = &character->parameter[action->index];
+	*on = parameter->goal >
+		0.5f * (parameter->range[0] + parameter->range[1]);
+	return true;
+}
+
+/* What the buttons do now that do not always do the same. */
+static void label_changing(const struct character *character, struct hud *hud)
+{
+	struct hud_group group;
+	bool begun = false;
+
+	for (const struct character_binding *one = character->binding; one;
+		one = one->next) {
+		char name[48];
+		bool on;
+
+		if (!one->when || !character_button_acts(one) ||
+			one->gesture != CHARACTER_PRESS) {
+			continue;
+		}
+		if (!begun) {
+			group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+			begun = true;
+		}
+		character_button_text(one, name, sizeof(name));
+		if (find_switched(character, one->action, &on)) {
+			hud_group_switch(
+				&group, name, one->label, on, hud_color_green);
+		} else {
+			hud_group_key(&group, name, one->label);
+		}
+	}
+	if (begun) {
+		hud_group_end(&group);
+	}
+}
+
 /* What the buttons do now. */
 static void label_keys(const struct character *character, struct hud *hud)
 {
@@ -275,6 +391,7 @@ void behaviour_label_all(const struct character *character, const char *title,
 	label_motion(character, &group);
 	label_values(character, &group);
 	label_parts(character, &group);
+	label_presets(character, &group);
 	actor_label_lod(actor, &group);
 	if (character->paused) {
 		hud_group_text(&group, "paused", "");
@@ -282,5 +399,7 @@ void behaviour_label_all(const struct character *character, const char *title,
 	hud_group_end(&group);
 	if (character->keys_shown) {
 		label_keys(character, hud);
+	} else if (!character->touring) {
+		label_changing(character, hud);
 	}
 }

@@ -447,6 +447,14 @@ const struct demo_driver demo_driver_viewer = {
 	VIEWER_FUNCTIONS,
 };
 
+/* assets/walker.character says what it does. */
+const struct demo_driver demo_driver_walker = {
+	.name = "walker",
+	.summary = "skeletal: a figure that idles, walks, runs, waves, jumps",
+	.asset = "walker.glb",
+	VIEWER_FUNCTIONS,
+};
+
 /* assets/face.character says what it does. */
 const struct demo_driver demo_driver_face = {
 	.name = "face",

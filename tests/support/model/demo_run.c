@@ -36,6 +36,7 @@ void demo_run_begin_by(
 		.width = 480,
 		.height = 640,
 		.model_path = path,
+		.character = demo_find(name) ? NULL : "none",
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
 	};

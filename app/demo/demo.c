@@ -100,30 +100,18 @@ void demo_update_live(struct demo *demo, double time_s, int width, int height)
 	live_update(&base->live, base->gl, &base->stage, time_s, width, height);
 }
 
-/* Whether the groups of a side take more than the picture's height. */
-static bool labels_overlap(const struct hud *hud)
-{
-	return hud->stacked_px[HUD_TOP_LEFT] + hud->stacked_px[HUD_BOTTOM_LEFT] >
-			hud->height ||
-		hud->stacked_px[HUD_TOP_RIGHT] +
-				hud->stacked_px[HUD_BOTTOM_RIGHT] >
-			hud->height;
-}
-
 /* In a small picture the overlays' labels take the place of the demo's. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud)
 {
 	const struct demo_base *base = (const struct demo_base *)demo;
-	int quads = hud->quad_count, stacked[HUD_CORNERS];
+	struct hud_mark before = hud_mark(hud);
 
-	memcpy(stacked, hud->stacked_px, sizeof(stacked));
 	driver->label(demo, hud);
 	live_label(&base->live, hud);
 	demo_overlay_label(driver, demo, base->overlay, hud);
-	if (base->overlay && base->overlay->kinds && labels_overlap(hud)) {
-		hud->quad_count = quads;
-		memcpy(hud->stacked_px, stacked, sizeof(stacked));
+	if (base->overlay && base->overlay->kinds && hud_groups_overlap(hud)) {
+		hud_go_back(hud, &before);
 		demo_overlay_label(driver, demo, base->overlay, hud);
 	}
 }

@@ -375,19 +375,14 @@ static void label_keys(const struct character *character, struct hud *hud)
 	hud_group_end(&group);
 }
 
-void behaviour_label_all(const struct character *character, const char *title,
+static void label_state(const struct character *character, const char *title,
 	const struct actor *actor, struct hud *hud)
 {
-	struct hud_group group;
-
-	if (character->labels_hidden ||
-		character->scene.labels == CHARACTER_LABELS_NONE) {
-		return;
-	}
-	group = hud_group_begin(hud,
+	struct hud_group group = hud_group_begin(hud,
 		character->scene.labels == CHARACTER_LABELS_RIGHT ? HUD_TOP_RIGHT
 								  : HUD_TOP_LEFT,
 		title);
+
 	label_motion(character, &group);
 	label_values(character, &group);
 	label_parts(character, &group);
@@ -397,7 +392,25 @@ void behaviour_label_all(const struct character *character, const char *title,
 		hud_group_text(&group, "paused", "");
 	}
 	hud_group_end(&group);
-	if (character->keys_shown) {
+}
+
+void behaviour_label_all(const struct character *character, const char *title,
+	const struct actor *actor, struct hud *hud)
+{
+	struct hud_mark before = hud_mark(hud);
+
+	if (character->labels_hidden ||
+		character->scene.labels == CHARACTER_LABELS_NONE) {
+		return;
+	}
+	label_state(character, title, actor, hud);
+	if (!character->keys_shown) {
+		return;
+	}
+	label_keys(character, hud);
+	if (hud_groups_overlap(hud)) {
+		/* In a small picture the keys take the place of the labels. */
+		hud_go_back(hud, &before);
 		label_keys(character, hud);
 	} else if (!character->touring) {
 		label_changing(character, hud);

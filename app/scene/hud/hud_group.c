@@ -4,6 +4,7 @@
 
 #include <limits.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Lengths in eighths of an em; TEXT_SIZE counts bytes. */
 enum {
@@ -330,4 +331,26 @@ void hud_group_end(struct hud_group *group)
 	hud->quad_count = end;
 	hud_move(hud, group->first_quad, 0, y);
 	*stacked += height + margin;
+}
+
+struct hud_mark hud_mark(const struct hud *hud)
+{
+	struct hud_mark mark = {.quad_count = hud->quad_count};
+
+	memcpy(mark.stacked_px, hud->stacked_px, sizeof(mark.stacked_px));
+	return mark;
+}
+
+void hud_go_back(struct hud *hud, const struct hud_mark *mark)
+{
+	hud->quad_count = mark->quad_count;
+	memcpy(hud->stacked_px, mark->stacked_px, sizeof(hud->stacked_px));
+}
+
+bool hud_groups_overlap(const struct hud *hud)
+{
+	const int *stacked = hud->stacked_px;
+
+	return stacked[HUD_TOP_LEFT] + stacked[HUD_BOTTOM_LEFT] > hud->height ||
+		stacked[HUD_TOP_RIGHT] + stacked[HUD_BOTTOM_RIGHT] > hud->height;
 }

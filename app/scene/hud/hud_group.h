@@ -110,4 +110,18 @@ void hud_group_switch(struct hud_group *group, const char *key,
 /* Moves the group with its panel to its place in the corner. */
 void hud_group_end(struct hud_group *group);
 
+/* What is on the display at a moment, to go back to. */
+struct hud_mark {
+	int quad_count;
+	int stacked_px[HUD_CORNERS];
+};
+
+struct hud_mark hud_mark(const struct hud *hud);
+
+/* Takes away all that was added since the mark. */
+void hud_go_back(struct hud *hud, const struct hud_mark *mark);
+
+/* Whether groups in an upper corner reach those in the corner below it. */
+bool hud_groups_overlap(const struct hud *hud);
+
 #endif

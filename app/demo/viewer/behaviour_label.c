@@ -404,15 +404,14 @@ void behaviour_label_all(const struct character *character, const char *title,
 		return;
 	}
 	label_state(character, title, actor, hud);
-	if (!character->keys_shown) {
-		return;
-	}
-	label_keys(character, hud);
-	if (hud_groups_overlap(hud)) {
-		/* In a small picture the keys take the place of the labels. */
-		hud_go_back(hud, &before);
+	if (character->keys_shown) {
 		label_keys(character, hud);
 	} else if (!character->touring) {
 		label_changing(character, hud);
+	}
+	if (character->keys_shown && hud_groups_overlap(hud)) {
+		/* In a small picture the keys take the place of the labels. */
+		hud_go_back(hud, &before);
+		label_keys(character, hud);
 	}
 }

@@ -40,16 +40,27 @@ build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stam
 	$(call say,CC,$@)
 	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -fPIC -shared -o $@ $<
 
+# Models as users have them.
+BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
+	colors cards layers)
+$(BENCH_MODELS) &: tests/bench/user_models.py
+	$(call say,GEN,build/bench-models)
+	$(Q)python3 -B $< build/bench-models
+
+.PHONY: bench-gl
+bench-gl: build/host/bench/gl_states build/host/bench/demo_frames $(BENCH_MODELS)
+	$(Q)tests/bench/gl_host.py build/host/bench build/bench-models
+
 .PHONY: bench bench-arm11 bench-arm11-record bench-arm11-table
 bench: build/host/limber
 	$(Q)$< bench
 # OSMESA=0 leaves out Debian's OSMesa, which takes longest.
 OSMESA ?= 1
-bench-arm11: $(BENCH_ARM) build/arm1136/model.so build/arm1136/insn_count.so
+bench-arm11: $(BENCH_ARM) $(BENCH_MODELS) build/arm1136/model.so build/arm1136/insn_count.so
 	$(Q)$(BENCH) --json build/bench-arm11.json $(if $(filter 1,$(OSMESA)),--osmesa)
 	@echo "The same for programs: build/bench-arm11.json"
 # To be run after a loop got better, or worse for a good reason.
-bench-arm11-record: $(BENCH_ARM) build/arm1136/model.so
+bench-arm11-record: $(BENCH_ARM) $(BENCH_MODELS) build/arm1136/model.so
 	$(Q)$(BENCH) --short --record $(BENCH_FIGURES)
 	$(Q)$(MAKE) --no-print-directory bench-arm11-table
 # Copies figures into the table that limber compare predicts with.

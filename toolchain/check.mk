@@ -157,7 +157,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		$(foreach target,$(TARGETS),$(patsubst \
 		%,build/$(target)/unit/%,$(TESTS))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
-		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) \
+		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) $(BENCH_MODELS) \
 		image emulator build/board/guest \
 		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \

@@ -39,7 +39,7 @@ class Row:
         return model and not os.path.exists(self.path(options, model))
 
     def path(self, options, model):
-        here = model.startswith("assets/")
+        here = model.startswith(("assets/", "build/"))
         return model if here else os.path.join(options.samples, "models", model)
 
     def command(self, options, kernel):
@@ -93,6 +93,11 @@ def picture(name, title, aim, program, *arguments, **more):
     )
 
 
+def user_model(name, title, aim):
+    """A model of user_models.py in the viewer."""
+    return picture(f"gl-{name}", title, aim, "demo_frames", f"build/bench-models/{name}.glb")
+
+
 # fmt: off
 ROWS = (
     loop("skin-1", "skin positions, 1 influence", bound=14, limit={"warm": 15}, times={"warm": 3.5}),
@@ -138,6 +143,16 @@ ROWS = (
     picture("gl-arm", "the arm demo", 8.3, "demo_frames", "arm"),
     picture("gl-face", "the face demo", 8.3, "demo_frames", "face"),
     picture("gl-crowd", "a crowd of 12", 8.3, "demo_frames", "crowd"),
+    picture("gl-two-a", "S1 with two textures, nearest", 46, "gl_states", "two-a"),
+    picture("gl-two-b", "S1 with two textures, bilinear", 66, "gl_states", "two-b"),
+    picture("gl-add", "S1 by GL_ADD, bilinear", 46, "gl_states", "add-b"),
+    picture("gl-mip2", "mipmaps, two mixed", 70, "gl_states", "mip2"),
+    user_model("box", "12 triangles, textured", 14),
+    user_model("duck", "4,000 triangles, textured", 13),
+    user_model("duck-two-sided", "the same on both sides", 23),
+    user_model("colors", "colours and a texture", 10.5),
+    user_model("cards", "quads in all alpha modes", 10.5),
+    user_model("layers", "six blended quads", 73),
     # 100 ms at 250 million instructions a second
     picture("gl-walker-ground", "the walker on uneven ground", 25, "demo_frames", "walker@13"),
 )

@@ -15,7 +15,8 @@ enum {
 /* The limits of collapses, in fractions of the longest side. */
 static const float shaded_limits[] = {
 	0.0004f, 0.0008f, 0.0016f, 0.003f, 0.0055f, 0.01f, 0.018f, 0.03f};
-static const float shadow_limits[] = {0.0016f, 0.003f, 0.006f, 0.012f, 0.025f};
+static const float shadow_limits[] = {
+	0.0016f, 0.003f, 0.006f, 0.012f, 0.025f, 0.04f};
 /*
  * 99 of 100 points of the surface are at most so many limits away, as measured
  * with assets/lod/distance.mjs.

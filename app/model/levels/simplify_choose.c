@@ -9,6 +9,12 @@ enum {
 	TRIES = 3 /* neighbours that a vertex may collapse to */
 };
 
+/*
+ * The planes of a border's triangles outweigh its own, so that its error is
+ * stated too small; and a gap shows what is behind both parts.
+ */
+static const float border_factor = 3.0f;
+
 /* A triangle may turn by so much: the cosine. */
 static const float least_cosine = 0.25f;
 
@@ -193,7 +199,8 @@ static int list_nearest(const struct simplify *simplify,
 		if (ring->border_count > 0 && !ring->border[i]) {
 			continue;
 		}
-		own.error = simplify_error_of_shape(simplify, from, own.to);
+		own.error = simplify_error_of_shape(simplify, from, own.to) *
+			(ring->border_count > 0 ? border_factor : 1.0f);
 		at = count < TRIES ? count++ : TRIES;
 		for (; at > 0 && own.error < nearest[at - 1].error; at--) {
 			if (at < TRIES) {

@@ -7,6 +7,7 @@
 #include <string.h>
 
 static const float gravity_m_s2 = 9.81f;
+static const float lies_m = 1e-4f;
 static const float pull_s = 0.2f; /* to the place where a part is held */
 
 /* A point and a rotation of the world in the frame of a node, or of none. */
@@ -121,6 +122,9 @@ void character_part_drop(
 
 	instance_update_nodes(instance);
 	memcpy(point, instance->world[part->node][3], sizeof(point));
+	if (part->holder < 0 && scalar_abs(point[1] - part->rest_m) < lies_m) {
+		return; /* it lies on the ground already */
+	}
 	/* It stands upright, turned as it was. */
 	matrix_rotation(instance->world[part->node], rotation);
 	rotation[0] = rotation[2] = 0;

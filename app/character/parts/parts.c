@@ -20,6 +20,9 @@ static void place(const struct character *character,
 	for (int i = 0; i < 3; i++) {
 		int which = part->order[i];
 
+		if (part->freedom[which].value == 0) {
+			continue;
+		}
 		quat_from_axis_angle(axes[which],
 			part->freedom[which].value * (SCALAR_PI / 180), turn);
 		quat_multiply(all, turn, all);

@@ -3,6 +3,7 @@
 #include "platform/base/scalar.h"
 
 #include <math.h>
+#include <string.h>
 
 float color_encode_srgb(float linear)
 {
@@ -22,4 +23,19 @@ float color_decode_srgb(float encoded)
 uint8_t color_to_byte(float value)
 {
 	return (uint8_t)(scalar_clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+uint8_t color_encode_byte(struct color_bytes *known, float linear)
+{
+	uint32_t bits;
+	int at;
+
+	memcpy(&bits, &linear, sizeof(bits));
+	at = (int)(bits * 2654435761u >> 24);
+	/* The entry of 0 is right from the start. */
+	if (known->linear[at] != linear) {
+		known->linear[at] = linear;
+		known->byte[at] = color_to_byte(color_encode_srgb(linear));
+	}
+	return known->byte[at];
 }

@@ -14,6 +14,18 @@
 float color_encode_srgb(float linear);
 float color_decode_srgb(float encoded);
 
+/* Bytes that color_encode_byte() has computed; zeroed at first. */
+struct color_bytes {
+	float linear[256];
+	uint8_t byte[256];
+};
+
+/*
+ * color_to_byte() of color_encode_srgb(), which takes 1,600 instructions without
+ * hardware for double precision. Vertices share most of their colours.
+ */
+uint8_t color_encode_byte(struct color_bytes *known, float linear);
+
 /* 0..1 to 0..255, rounded. It clamps; NaN becomes 0. */
 uint8_t color_to_byte(float value);
 

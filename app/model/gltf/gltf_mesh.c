@@ -92,6 +92,7 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 	struct gltf_at member = gltf_member(at, "COLOR_0");
 	const struct gltf_accessor *accessor;
 	struct gltf_accessor normalized;
+	struct color_bytes known = {0};
 	float *value;
 	int i, c;
 	int error = gltf_maybe_accessor(at, "COLOR_0", "VEC3 VEC4", &accessor);
@@ -117,8 +118,7 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 		const float *from = value + (size_t)i * normalized.width;
 
 		for (c = 0; c < 3; c++) {
-			out->color[i][c] =
-				color_to_byte(color_encode_srgb(from[c]));
+			out->color[i][c] = color_encode_byte(&known, from[c]);
 		}
 		out->color[i][3] =
 			normalized.width == 4 ? color_to_byte(from[3]) : 255;

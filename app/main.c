@@ -15,6 +15,7 @@ static const struct command *const commands[] = {
 	&command_export,
 	&command_optimize,
 	&command_character,
+	&command_levels,
 	NULL,
 };
 

@@ -37,6 +37,7 @@ extern const struct command command_doctor;
 extern const struct command command_export;
 extern const struct command command_character;
 extern const struct command command_optimize;
+extern const struct command command_levels;
 
 /*
  * Runs the command that argv[1] names; when it names none, the first of

@@ -1,6 +1,6 @@
 #include "app/demo/actor.h"
 
-#include "app/model/levels/levels.h"
+#include "app/model/levels/levels_file.h"
 #include "app/scene/draw/draw.h"
 
 #include <stdio.h>
@@ -20,7 +20,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
-	levels_make(actor->model);
+	levels_prepare(actor->model, env->log);
 	error = instance_create(
 		actor->model, env->kernel, env->log, &actor->instance);
 	if (error) {

@@ -25,7 +25,7 @@ helped() {
 limber --help
 expect_status 0
 expect_no_err
-for command in play render pose info bench compare doctor export character; do
+for command in play render pose info bench compare doctor export character levels; do
     expect_out "^ *limber $command "
 done
 check 'limber --help: the descriptions stand in one column' awk '
@@ -47,6 +47,7 @@ helped render --output --demo --clip --time --frames --size --format --gl --butt
     --script --clock --math --kernel --verbose --help --version
 helped pose --output --clip --time --math --kernel --verbose --help --version
 helped character --output --verbose --help --version
+helped levels --output --memory --verbose --help --version
 helped info --json --verbose --help --version
 helped bench --kernel --runs --json --verbose --help --version
 helped doctor --config --egl-library --gles-library --json --verbose --help --version

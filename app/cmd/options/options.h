@@ -33,7 +33,8 @@ enum command_bit {
 	FOR_EXPORT = 128,
 	FOR_CHARACTER = 256,
 	FOR_OPTIMIZE = 512,
-	FOR_ALL = 1023,
+	FOR_LEVELS = 1024,
+	FOR_ALL = 2047,
 };
 
 /* The value of --math: which arithmetic computes the vertices. */

@@ -191,7 +191,7 @@ enum {
 /* clang-format off */
 const struct option_entry option_entries[] = {
 	{'o', "output", "FILE", FOR_RENDER | FOR_POSE | FOR_PLAY | FOR_CHARACTER |
-		FOR_OPTIMIZE,
+		FOR_OPTIMIZE | FOR_LEVELS,
 		"write to this file",
 		"the name of a file", TEXT(screen.output)},
 	{0, "demo", "NAME", FOR_SHOW,

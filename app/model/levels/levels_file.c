@@ -1,0 +1,311 @@
+#include "app/model/levels/levels_file.h"
+
+#include "app/model/levels/levels.h"
+#include "app/model/little_endian.h"
+#include "app/model/model_file.h"
+#include "platform/base/file.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+	PATH_BYTES = 4096,
+	/* "LLV" and the version of the format and of levels_make()'s lists. */
+	FORMAT = 0x01564c4c,
+	SHORT_VERTICES_MAX = 65536,
+};
+
+/* FNV-1a, of whole words. */
+static uint32_t hash_words(uint32_t hash, const void *words, size_t count)
+{
+	const uint8_t *byte = words;
+
+	for (size_t i = 0; i < count; i++) {
+		uint32_t word;
+
+		memcpy(&word, byte + 4 * i, sizeof(word));
+		hash = (hash ^ word) * 16777619u;
+	}
+	return hash;
+}
+
+static uint32_t hash_primitive(
+	uint32_t hash, const struct model_primitive *primitive)
+{
+	size_t vertices = (size_t)primitive->vertex_count;
+	const uint32_t counts[] = {(uint32_t)primitive->vertex_count,
+		(uint32_t)primitive->index_count, (uint32_t)primitive->influences,
+		primitive->normal != NULL};
+
+	hash = hash_words(hash, counts, sizeof(counts) / sizeof(counts[0]));
+	hash = hash_words(hash, primitive->position, 3 * vertices);
+	if (primitive->normal) {
+		hash = hash_words(hash, primitive->normal, 3 * vertices);
+	}
+	return hash_words(
+		hash, primitive->index, (size_t)primitive->index_count);
+}
+
+static uint32_t hash_model(const struct model *model)
+{
+	uint32_t hash = 2166136261u;
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+			hash = hash_primitive(
+				hash, &model->mesh[m].primitive[p]);
+		}
+	}
+	return hash;
+}
+
+static uint32_t count_primitives(const struct model *model)
+{
+	uint32_t count = 0;
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		count += (uint32_t)model->mesh[m].primitive_count;
+	}
+	return count;
+}
+
+static bool is_short(const struct model_primitive *primitive)
+{
+	return primitive->vertex_count <= SHORT_VERTICES_MAX;
+}
+
+/* The bytes of a list's indices in the file. */
+static size_t index_bytes(
+	const struct model_primitive *primitive, uint32_t index_count)
+{
+	size_t count = index_count;
+
+	return is_short(primitive) ? (count + 1) / 2 * 4 : count * 4;
+}
+
+static void write_number(FILE *out, uint32_t value, int bytes)
+{
+	for (int i = 0; i < bytes; i++) {
+		putc((int)(value >> 8 * i & 0xff), out);
+	}
+}
+
+static void write_list(FILE *out, const struct model_primitive *primitive,
+	const struct model_lod *lod)
+{
+	int width = is_short(primitive) ? 2 : 4;
+	uint32_t error_bits;
+
+	memcpy(&error_bits, &lod->error_m, sizeof(error_bits));
+	write_number(out, error_bits, 4);
+	write_number(out, lod->shadow_only, 4);
+	write_number(out, (uint32_t)lod->index_count, 4);
+	for (int i = 0; i < lod->index_count; i++) {
+		write_number(out, lod->index[i], width);
+	}
+	if (width == 2 && lod->index_count % 2) {
+		write_number(out, 0, 2);
+	}
+}
+
+void levels_write(struct model *model, FILE *out)
+{
+	levels_make(model);
+	write_number(out, FORMAT, 4);
+	write_number(out, hash_model(model), 4);
+	write_number(out, count_primitives(model), 4);
+	for (int m = 0; m < model->mesh_count; m++) {
+		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+			const struct model_primitive *primitive =
+				&model->mesh[m].primitive[p];
+
+			write_number(out, (uint32_t)primitive->lod_count, 4);
+			for (int i = 0; i < primitive->lod_count; i++) {
+				write_list(out, primitive, &primitive->lod[i]);
+			}
+		}
+	}
+}
+
+/* What is left to read. */
+struct reader {
+	const uint8_t *data;
+	size_t size;
+	bool failed; /* the file has ended too early, or memory has */
+};
+
+static uint32_t read_number(struct reader *reader)
+{
+	uint32_t value;
+
+	if (reader->size < 4) {
+		reader->failed = true;
+		return 0;
+	}
+	value = little_endian_u32(reader->data);
+	reader->data += 4;
+	reader->size -= 4;
+	return value;
+}
+
+static bool read_indices(const uint8_t *data,
+	const struct model_primitive *primitive, struct model_lod *lod)
+{
+	bool is_two_bytes = is_short(primitive);
+
+	for (int i = 0; i < lod->index_count; i++) {
+		lod->index[i] = is_two_bytes
+			? little_endian_u16(data + 2 * (size_t)i)
+			: little_endian_u32(data + 4 * (size_t)i);
+		if (lod->index[i] >= (uint32_t)primitive->vertex_count) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static bool read_list(struct reader *reader,
+	const struct model_primitive *primitive, struct arena *arena,
+	struct model_lod *lod)
+{
+	uint32_t error_bits = read_number(reader);
+	uint32_t shadow_only = read_number(reader);
+	uint32_t count = read_number(reader);
+	size_t bytes = index_bytes(primitive, count);
+
+	memcpy(&lod->error_m, &error_bits, sizeof(error_bits));
+	if (reader->failed || !isfinite(lod->error_m) || lod->error_m < 0.0f ||
+		shadow_only > 1 || count == 0 || count % 3 ||
+		count > (uint32_t)primitive->index_count ||
+		bytes > reader->size) {
+		return false;
+	}
+	lod->shadow_only = shadow_only;
+	lod->index_count = (int)count;
+	lod->index = ARENA_ARRAY(arena, uint32_t, count);
+	if (!lod->index || !read_indices(reader->data, primitive, lod)) {
+		return false;
+	}
+	reader->data += bytes;
+	reader->size -= bytes;
+	return true;
+}
+
+static bool are_shadows_last(const struct model_lod *lod, int count)
+{
+	for (int i = 1; i < count; i++) {
+		if (lod[i - 1].shadow_only && !lod[i].shadow_only) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static bool read_lists(struct reader *reader,
+	const struct model_primitive *primitive, struct arena *arena,
+	struct model_primitive *out)
+{
+	uint32_t count = read_number(reader);
+
+	*out = (struct model_primitive){0};
+	/* A list has at least its three numbers. */
+	if (reader->failed || count > reader->size / 12) {
+		return false;
+	}
+	out->lod = count ? ARENA_ARRAY(arena, struct model_lod, count) : NULL;
+	for (uint32_t i = 0; i < count; i++) {
+		if (!out->lod ||
+			!read_list(reader, primitive, arena, &out->lod[i])) {
+			return false;
+		}
+	}
+	out->lod_count = (int)count;
+	return are_shadows_last(out->lod, out->lod_count);
+}
+
+static bool read_all(struct model *model, struct reader *reader,
+	struct model_primitive *read)
+{
+	for (int m = 0; m < model->mesh_count; m++) {
+		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+			if (!read_lists(reader, &model->mesh[m].primitive[p],
+				    &model->arena, read++)) {
+				return false;
+			}
+		}
+	}
+	return reader->size == 0;
+}
+
+static void take_all(struct model *model, const struct model_primitive *read)
+{
+	for (int m = 0; m < model->mesh_count; m++) {
+		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+			struct model_primitive *primitive =
+				&model->mesh[m].primitive[p];
+
+			primitive->lod = read->lod;
+			primitive->lod_count = read++->lod_count;
+		}
+	}
+}
+
+bool levels_read(struct model *model, const uint8_t *data, size_t size)
+{
+	struct reader reader = {data, size, false};
+	struct arena scratch = arena_within(model->budget);
+	uint32_t format = read_number(&reader);
+	uint32_t hash = read_number(&reader);
+	uint32_t count = read_number(&reader);
+	struct model_primitive *read = NULL;
+	bool good = false;
+
+	if (!reader.failed && format == FORMAT &&
+		count == count_primitives(model) && hash == hash_model(model)) {
+		read = ARENA_ARRAY(&scratch, struct model_primitive, count);
+	}
+	if (read && read_all(model, &reader, read)) {
+		take_all(model, read);
+		good = true;
+	}
+	arena_release(&scratch);
+	return good;
+}
+
+/* "robot.levels" for "robot.glb". */
+static bool path_beside(const char *model_path, char *path, size_t size)
+{
+	const char *slash = strrchr(model_path, '/');
+	const char *dot = strrchr(slash ? slash : model_path, '.');
+	size_t stem = dot ? (size_t)(dot - model_path) : strlen(model_path);
+	int length = snprintf(path, size, "%.*s.levels", (int)stem, model_path);
+
+	return length > 0 && (size_t)length < size;
+}
+
+void levels_prepare(struct model *model, const struct log *log)
+{
+	bool exceeded = model->budget && model->budget->exceeded;
+	char path[PATH_BYTES];
+	struct model_file file;
+	bool good;
+
+	if (!path_beside(model->path, path, sizeof(path)) ||
+		!file_exists(path) ||
+		model_file_read(path, model->budget, log, &file) != 0) {
+		levels_make(model);
+		return;
+	}
+	good = levels_read(model, file.data, file.size);
+	model_file_release(&file);
+	if (model->budget) {
+		/* Levels are a luxury: that they do not fit is no failure. */
+		model->budget->exceeded = exceeded;
+	}
+	if (!good) {
+		log_warning(log,
+			"%s: these are not the levels of %s: limber makes them anew, and limber levels writes them",
+			path, model->path);
+		levels_make(model);
+	}
+}

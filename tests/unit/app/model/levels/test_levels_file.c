@@ -1,0 +1,154 @@
+/* Levels of detail that were written to a file and are read again. */
+#include "app/model/levels/levels_file.h"
+#include "app/model/levels/levels.h"
+#include "app/model/model.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static struct model *load(void)
+{
+	struct log log = log_to_nowhere();
+	struct model *model;
+
+	assert_int_equal(model_load("assets/walker.glb", &log, &model), 0);
+	return model;
+}
+
+struct bytes {
+	char *data;
+	size_t size;
+};
+
+static struct bytes write_levels(void)
+{
+	struct model *model = load();
+	struct bytes bytes;
+	FILE *out = open_memstream(&bytes.data, &bytes.size);
+
+	assert_non_null(out);
+	levels_write(model, out);
+	assert_int_equal(fclose(out), 0);
+	model_destroy(model);
+	return bytes;
+}
+
+static void assert_same_lists(
+	const struct model_primitive *a, const struct model_primitive *b)
+{
+	assert_int_equal(a->lod_count, b->lod_count);
+	for (int i = 0; i < a->lod_count; i++) {
+		const struct model_lod *one = &a->lod[i], *other = &b->lod[i];
+
+		assert_true(one->error_m == other->error_m);
+		assert_int_equal(one->shadow_only, other->shadow_only);
+		assert_int_equal(one->index_count, other->index_count);
+		assert_memory_equal(one->index, other->index,
+			(size_t)one->index_count * sizeof(*one->index));
+	}
+}
+
+static void test_read_levels_are_the_made_ones(void **state)
+{
+	struct bytes bytes = write_levels();
+	struct model *made = load(), *read = load();
+	int lists = 0;
+
+	(void)state;
+	levels_make(made);
+	assert_true(
+		levels_read(read, (const uint8_t *)bytes.data, bytes.size));
+	for (int m = 0; m < made->mesh_count; m++) {
+		for (int p = 0; p < made->mesh[m].primitive_count; p++) {
+			assert_same_lists(&made->mesh[m].primitive[p],
+				&read->mesh[m].primitive[p]);
+			lists += made->mesh[m].primitive[p].lod_count;
+		}
+	}
+	assert_true(lists > 4);
+	model_destroy(made);
+	model_destroy(read);
+	free(bytes.data);
+}
+
+static void test_other_vertices_refuse_the_levels(void **state)
+{
+	struct bytes bytes = write_levels();
+	struct model *model = load();
+	int lists = model->mesh[0].primitive[0].lod_count;
+
+	(void)state;
+	model->mesh[0].primitive[0].position[7][1] += 0.001f;
+	assert_false(
+		levels_read(model, (const uint8_t *)bytes.data, bytes.size));
+	assert_int_equal(model->mesh[0].primitive[0].lod_count, lists);
+	model_destroy(model);
+	free(bytes.data);
+}
+
+static void test_a_file_that_ends_early_is_refused(void **state)
+{
+	struct bytes bytes = write_levels();
+	struct model *model = load();
+
+	(void)state;
+	for (size_t size = 0; size < bytes.size;
+		size += size < 64 ? 1 : bytes.size / 61) {
+		uint8_t *cut = malloc(size + 1);
+
+		assert_non_null(cut);
+		memcpy(cut, bytes.data, size);
+		assert_false(levels_read(model, cut, size));
+		free(cut);
+	}
+	model_destroy(model);
+	free(bytes.data);
+}
+
+/* Whatever is read fits the model: the sanitizers watch the rest. */
+static void test_wrong_numbers_never_lead_outside_the_model(void **state)
+{
+	static const uint32_t wrong[] = {
+		0, 1, 2, 3, 0xffff, 0x10000, 0x7fffffff, 0x80000000, 0xffffffff};
+	struct bytes bytes = write_levels();
+	struct model *model = load();
+
+	(void)state;
+	for (size_t at = 0; at + 4 <= bytes.size;
+		at += at < 40 ? 4 : (bytes.size / 197) & ~(size_t)3) {
+		for (size_t i = 0; i < sizeof(wrong) / sizeof(*wrong); i++) {
+			char good[4];
+
+			memcpy(good, bytes.data + at, 4);
+			memcpy(bytes.data + at, &wrong[i], 4);
+			if (levels_read(model, (const uint8_t *)bytes.data,
+				    bytes.size)) {
+				const struct model_primitive *primitive =
+					&model->mesh[0].primitive[0];
+
+				for (int k = 0; k < primitive->lod[0].index_count;
+					k++) {
+					assert_true(primitive->lod[0].index[k] <
+						(uint32_t)primitive->vertex_count);
+				}
+			}
+			memcpy(bytes.data + at, good, 4);
+		}
+	}
+	model_destroy(model);
+	free(bytes.data);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_read_levels_are_the_made_ones),
+		cmocka_unit_test(test_other_vertices_refuse_the_levels),
+		cmocka_unit_test(test_a_file_that_ends_early_is_refused),
+		cmocka_unit_test(
+			test_wrong_numbers_never_lead_outside_the_model),
+	};
+
+	return cmocka_run_group_tests_name("levels_file", tests, NULL, NULL);
+}

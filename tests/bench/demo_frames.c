@@ -50,6 +50,10 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 	if (hud_init(&hud, &context->gl, &log) != 0) {
 		exit(EXIT_FAILURE);
 	}
+	/* A second at a time, since a character takes no longer steps than ten. */
+	for (double time_s = 1.0; time_s < from_s; time_s += 1.0) {
+		driver->update(demo, time_s);
+	}
 	for (int frame = 0; frame < frames; frame++) {
 		if (frame == frames - 1) {
 			MARKER_BEGIN(1);

@@ -1,5 +1,6 @@
 /* The walker's procedural effects, as assets/walker.character has them. */
 #include "app/anim/clip.h"
+#include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
 #include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
@@ -257,6 +258,44 @@ static void test_the_head_turns_towards_the_ball(void **state)
 	acting_end(&acting);
 }
 
+/* How far a bone has turned from rest, radians. */
+static float turn_of(const struct acting *acting, const char *name)
+{
+	const struct pose *pose = &acting->instance->pose;
+	int node = model_find_node(acting->model, name);
+	float back[4], turn[4];
+
+	quat_conjugate(acting->model->node[node].rest.rotation, back);
+	quat_multiply(back, pose->local[node].rotation, turn);
+	return quat_angle(turn);
+}
+
+/* The head stands for eyes here: what has the larger rate leads. */
+static void test_a_bone_with_a_larger_rate_looks_first(void **state)
+{
+	struct acting acting;
+	float early[2], late[2];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state stand]\nclip = rest\n"
+		"[target ball]\nplace = 1 1.5 1\n"
+		"[look watch]\nbone = neck 0.5 2\nbone = head 1 20\n"
+		"target = ball\nfade = 0\n");
+	acting_run_to(&acting, 0.15, rate_hz);
+	early[0] = turn_of(&acting, "neck");
+	early[1] = turn_of(&acting, "head");
+	acting_run_to(&acting, 4.0, rate_hz);
+	late[0] = turn_of(&acting, "neck");
+	late[1] = turn_of(&acting, "head");
+	assert_true(late[0] > 0.2f);
+	assert_true(early[0] < 0.4f * late[0]);
+	/* While the neck follows, the head gives back what it was ahead. */
+	assert_true(early[1] > late[1]);
+	acting_end(&acting);
+}
+
 static void test_the_cape_stays_on_and_moves(void **state)
 {
 	struct acting acting;
@@ -294,6 +333,7 @@ int main(void)
 		cmocka_unit_test(test_the_hand_goes_to_a_ball_in_reach),
 		cmocka_unit_test(test_the_fingers_close_around_the_ball),
 		cmocka_unit_test(test_the_head_turns_towards_the_ball),
+		cmocka_unit_test(test_a_bone_with_a_larger_rate_looks_first),
 		cmocka_unit_test(test_the_cape_stays_on_and_moves),
 	};
 

@@ -205,6 +205,25 @@ static int read_move(struct character_words *words,
 	return error ? error : fail_action(words, verb);
 }
 
+/* The node that is to hold a part, which must not move with the part itself. */
+static int read_holder(
+	struct character_words *words, struct character_action *action)
+{
+	const struct character_build *build = words->build;
+	const struct character_part *part =
+		&build->character->part[action->index];
+
+	action->detail = character_name_node(words);
+	if (action->detail < 0) {
+		return -EINVAL;
+	}
+	return character_is_below(build->model, action->detail, part->node)
+		? character_fail(words,
+			  "%s moves with the part %s: name another node",
+			  build->model->node[action->detail].name, part->name)
+		: 0;
+}
+
 static int read_attach(struct character_words *words,
 	struct character_action *action, const struct verb *verb)
 {
@@ -215,9 +234,9 @@ static int read_attach(struct character_words *words,
 	}
 	action->detail = -1;
 	if (verb->name[0] == 'a') {
-		action->detail = character_name_node(words);
-		if (action->detail < 0) {
-			return -EINVAL;
+		error = read_holder(words, action);
+		if (error) {
+			return error;
 		}
 		if (character_take_number(words, &action->amount) &&
 			character_take_number(words, &action->place[0])) {
@@ -242,8 +261,7 @@ static int read_drop(struct character_words *words,
 	if (!error && !character_at_end(words) &&
 		!character_next_is(words, ",") &&
 		!words->line->word[words->next].quoted) {
-		action->detail = character_name_node(words);
-		error = action->detail < 0 ? -EINVAL : 0;
+		error = read_holder(words, action);
 	}
 	return error;
 }

@@ -2,11 +2,6 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 
-enum {
-	/* In 1/256 of texels: where mild perspective is off by less than 1/8. */
-	MILD_TEXELS = 1 << 17,
-};
-
 /* num / area, times 2^scale; see struct setup. */
 static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 {
@@ -22,17 +17,6 @@ static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 					     : num * ((int64_t)1 << spare)),
 			setup->inverse_area),
 		setup->area_zeros - spare - 62 + scale);
-}
-
-/* Moves a plane from a vertex to the centre of column 0 of the first row. */
-static ALWAYS_INLINE void start_plane(
-	const struct basis *basis, int32_t value, struct plane *plane)
-{
-	/* Both within 16: less than a pixel. */
-	plane->start = (uint32_t)value +
-		(uint32_t)(plane->dx >> 4) * (uint32_t)basis->off_x +
-		(uint32_t)(plane->dy >> 4) * (uint32_t)basis->off_y -
-		(uint32_t)plane->dx * (uint32_t)basis->column;
 }
 
 /* What the functions above need of the triangle. */
@@ -61,22 +45,8 @@ static void set_plane(const struct basis *basis, const struct setup *setup,
 		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
 	plane->dy =
 		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
-	start_plane(basis, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
-}
-
-/* The same for values that differ little, across little: see SMALL_EXTENT. */
-static ALWAYS_INLINE void set_small_plane(const struct basis *basis,
-	const struct setup *setup, const int32_t value[3], struct plane *plane)
-{
-	int32_t d1 = value[1] - value[0], d2 = value[2] - value[0];
-	int32_t across = d1 * setup->y2 - d2 * setup->y1;
-	int32_t down = d2 * setup->x1 - d1 * setup->x2;
-	int32_t inverse = basis->inverse;
-	int shift = basis->shift;
-
-	plane->dx = (int32_t)((uint32_t)mul_high(across, inverse) << shift);
-	plane->dy = (int32_t)((uint32_t)mul_high(down, inverse) << shift);
-	start_plane(basis, (int32_t)((uint32_t)value[0] << 8), plane);
+	raster_start_plane(
+		basis, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
 }
 
 static bool is_small_delta(int32_t from, int32_t to)
@@ -93,7 +63,11 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 
 	if (!setup->wide && is_small_delta(value[0], value[1]) &&
 		is_small_delta(value[0], value[2])) {
-		set_small_plane(&draw->raster.basis, setup, value, plane);
+		const struct delta delta = {
+			value[0], value[1] - value[0], value[2] - value[0]};
+
+		raster_set_small_plane(
+			&draw->raster.basis, setup, &delta, plane);
 	} else {
 		set_plane(&draw->raster.basis, setup, value, 12, plane);
 	}
@@ -173,142 +147,31 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 	}
 }
 
-/*
- * Whether w varies by at most a quarter, and texels by no more than what such
- * perspective leaves exact; see struct mild_point. Rows of a large triangle
- * have a level of detail each, which wants more.
- */
-static bool is_mild(const struct draw *draw, const struct setup *setup,
-	int count, int32_t (*value)[3], int32_t q_spread, int32_t q_least)
-{
-	const struct raster *raster = &draw->raster;
-
-	if (q_spread > q_least >> 2 || draw->divides_together ||
-		(setup->wide && draw->spans.lod_wanted)) {
-		return false;
-	}
-	for (int i = 0; i < count; i++) {
-		for (int k = 0; k < 3 && raster->moving[i] >= TEX_S; k++) {
-			if ((uint32_t)value[i][k] + MILD_TEXELS >
-				2 * MILD_TEXELS) {
-				return false;
-			}
-		}
-	}
-	return true;
-}
-
-/*
- * Whether running linearly is off by more than what nobody sees, see
- * rows_color_tolerance(), or a quarter of a texel: by up to
- * spread (qmax - qmin) / 4 qmin.
- */
-static ALWAYS_INLINE bool bends(
-	uint32_t most, int tolerance, uint32_t q_spread, uint32_t q_least)
-{
-	return (uint64_t)most * q_spread > (uint64_t)q_least << (8 + tolerance);
-}
-
 /* What has to be divided: everything, or texels alone, or nothing. */
 static void find_divided(struct draw *draw, const struct setup *setup,
-	int count, int32_t (*value)[3], const int32_t q[3])
+	int count, int32_t (*value)[3])
 {
 	struct raster *raster = &draw->raster;
-	int32_t least = q[0] < q[1] ? q[0] : q[1], q_spread = spread(q);
-	int32_t color = 0, texel = 0;
+	const int32_t w[3] = {setup->v[0]->clip[3], setup->v[1]->clip[3],
+		setup->v[2]->clip[3]};
+	int32_t least = w[0] < w[1] ? w[0] : w[1];
+	struct perspective perspective = {.w_spread = (uint32_t)spread(w)};
 
-	if (q_spread == 0) {
-		return;
-	}
-	least = least < q[2] ? least : q[2];
+	perspective.w_least = (uint32_t)(least < w[2] ? least : w[2]);
 	for (int i = 0; i < count; i++) {
-		int32_t own = spread(value[i]);
-		int32_t *most = raster->moving[i] < TEX_S ? &color : &texel;
+		uint32_t own = (uint32_t)spread(value[i]);
+		uint32_t *most = raster->moving[i] < TEX_S ? &perspective.color
+							   : &perspective.texel;
 
 		*most = own > *most ? own : *most;
 	}
-	raster->colors_divided = bends((uint32_t)color,
-		rows_color_tolerance(draw), (uint32_t)q_spread, (uint32_t)least);
+	raster->colors_divided = raster_bends(
+		&perspective, perspective.color, rows_color_tolerance(draw));
 	raster->perspective = raster->colors_divided ||
-		bends((uint32_t)texel, 0, (uint32_t)q_spread, (uint32_t)least);
+		raster_bends(&perspective, perspective.texel, 0);
 	/* Their rows are made for one or the other. */
 	if (draw->divides_together) {
 		raster->colors_divided = raster->perspective;
-	}
-	raster->mild = raster->perspective &&
-		is_mild(draw, setup, count, value, q_spread, least);
-}
-
-static void set_any_plane(const struct basis *basis, const struct setup *setup,
-	const int32_t value[3], struct plane *plane)
-{
-	if (setup->wide) {
-		set_plane(basis, setup, value, 12, plane);
-	} else {
-		set_small_plane(basis, setup, value, plane);
-	}
-}
-
-static int32_t find_mean(const int32_t value[3])
-{
-	return mul_high(value[0] + value[1] + value[2], 0x55555556);
-}
-
-/* q, and w, which is 2^29 over q, as mild_find_point() takes them. */
-static void set_mild_divisor(
-	struct draw *draw, const struct setup *setup, const int32_t q[3])
-{
-	struct plane *plane = draw->raster.plane;
-	int32_t small_q[3], w[3];
-	int zeros = 0;
-
-	for (int i = 0; i < 3; i++) {
-		int own = setup->v[i]->w_zeros;
-
-		zeros = own > zeros ? own : zeros;
-	}
-	for (int i = 0; i < 3; i++) {
-		small_q[i] = q[i] >> 12;
-		w[i] = shift_by(setup->v[i]->clip[3], zeros - 16);
-	}
-	set_any_plane(&draw->raster.basis, setup, small_q, &plane[INVERSE_W]);
-	set_any_plane(&draw->raster.basis, setup, w, &plane[LINEAR_W]);
-	draw->raster.middle_w = find_mean(w) * (1 << 14);
-	draw->raster.mild_pixels =
-		draw->raster.colors_divided ? PERSPECTIVE_STEP : SOFT_RUN_PIXELS;
-}
-
-/*
- * Running linearly across n pixels is off by n^2 ds dq / 4 q at most, where ds
- * is the change in the middle and a quarter more; half a texel is too much.
- */
-static void limit_mild_pixels(struct raster *raster, int name)
-{
-	const struct plane *p = &raster->plane[name];
-	int32_t q_step = raster->plane[INVERSE_W].dx;
-	uint32_t change = raster_size(rows_find_mild_change(
-		p->dx, raster->middle[name - TEX_S], q_step));
-
-	if ((uint64_t)change * raster_size(q_step) > 1u << 31) {
-		raster->mild_pixels = PERSPECTIVE_STEP;
-	}
-}
-
-/* A value times q, to the nearest. */
-static void set_mild_plane(struct draw *draw, const struct setup *setup,
-	const int32_t value[3], const int32_t q[3], int name)
-{
-	struct raster *raster = &draw->raster;
-	int32_t product[3];
-
-	for (int i = 0; i < 3; i++) {
-		product[i] =
-			(mul_high(value[i] * (1 << 9), q[i] << 2) + 128) >> 8;
-	}
-	set_any_plane(&raster->basis, setup, product, &raster->plane[name]);
-	if (name >= TEX_S) {
-		raster->middle[name - TEX_S] = find_mean(value) * (1 << 8);
-		limit_mild_pixels(raster, name);
 	}
 }
 
@@ -336,14 +199,6 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 	set_plane(&raster->basis, setup, product, 4, &raster->plane[name]);
 }
 
-/* Whether a texture takes the place of the vertices' colour, or alpha. */
-static bool is_white(const struct draw *draw, int name)
-{
-	const struct soft_spans *spans = &draw->spans;
-
-	return !(name == ALPHA ? spans->alpha : spans->colored);
-}
-
 /* Of what differs; what does not goes into the span once and for all. */
 static int gather_attributes(
 	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
@@ -363,8 +218,9 @@ static int gather_attributes(
 		}
 		for (int k = 0; k < 3; k++) {
 			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
-				: is_white(draw, name) ? 0xFF80
-						       : colored.corner[k][name];
+				: draw->spans.white_bits >> name & 1
+				? 0xFF80
+				: colored.corner[k][name];
 		}
 		if (out[0] != out[1] || out[0] != out[2]) {
 			raster->moving[count++] = name;
@@ -383,31 +239,31 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	int count = gather_attributes(draw, setup, value);
 
 	raster->moving_count = count;
+	raster->moving_bits = 0;
+	for (int i = 0; i < count; i++) {
+		raster->moving_bits |= 1u << raster->moving[i];
+	}
 	raster->perspective = false;
 	raster->colors_divided = false;
-	raster->mild = false;
+	raster->bent = false;
+	raster->colors_bent = false;
 	if (draw->perspective && count > 0) {
-		gather_inverse_w(setup, q);
-		find_divided(draw, setup, count, value, q);
+		find_divided(draw, setup, count, value);
 	}
-	if (raster->mild) {
-		set_mild_divisor(draw, setup, q);
-	} else if (raster->perspective) {
+	if (raster->perspective) {
+		gather_inverse_w(setup, q);
 		set_plane(
 			&raster->basis, setup, q, 4, &raster->plane[INVERSE_W]);
 	}
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
 
-		if (!rows_is_divided(raster, name)) {
-			set_affine(draw, setup, value[i], name);
-			raster->plane[name].start +=
-				name >= TEX_S ? TEXEL_NUDGE : 0;
-		} else if (raster->mild) {
-			set_mild_plane(draw, setup, value[i], q, name);
-		} else {
+		if (rows_is_divided(raster, name)) {
 			set_perspective(draw, setup, value[i], q, name);
+			continue;
 		}
+		set_affine(draw, setup, value[i], name);
+		raster->plane[name].start += name >= TEX_S ? TEXEL_NUDGE : 0;
 	}
 }
 
@@ -453,7 +309,9 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	if (draw->soft->fragment.offset_fill) {
 		offset_depth(draw, setup, &raster->plane[DEPTH]);
 	}
-	set_attributes(draw, setup);
+	if (setup->wide || !soft_set_small_attributes(draw, setup)) {
+		set_attributes(draw, setup);
+	}
 }
 
 int32_t soft_raster_long_slope(int32_t dx, int32_t dy)

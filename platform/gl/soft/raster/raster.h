@@ -92,6 +92,75 @@ static ALWAYS_INLINE void raster_find_area(struct setup *setup)
 						: inverse;
 }
 
+/* A value at the first corner, and how much more it is at the others. */
+struct delta {
+	int32_t first, d1, d2;
+};
+
+/* Moves a plane from a vertex to the centre of column 0 of the first row. */
+static ALWAYS_INLINE void raster_start_plane(
+	const struct basis *basis, int32_t value, struct plane *plane)
+{
+	/* Both within 16: less than a pixel. */
+	plane->start = (uint32_t)value +
+		(uint32_t)(plane->dx >> 4) * (uint32_t)basis->off_x +
+		(uint32_t)(plane->dy >> 4) * (uint32_t)basis->off_y -
+		(uint32_t)plane->dx * (uint32_t)basis->column;
+}
+
+/*
+ * A plane through three values that differ little, across little: see
+ * SMALL_EXTENT.
+ */
+static ALWAYS_INLINE void raster_set_small_plane(const struct basis *basis,
+	const struct setup *setup, const struct delta *delta,
+	struct plane *plane)
+{
+	int32_t across = delta->d1 * setup->y2 - delta->d2 * setup->y1;
+	int32_t down = delta->d2 * setup->x1 - delta->d1 * setup->x2;
+	int32_t inverse = basis->inverse;
+	int shift = basis->shift;
+
+	plane->dx = (int32_t)((uint32_t)mul_high(across, inverse) << shift);
+	plane->dy = (int32_t)((uint32_t)mul_high(down, inverse) << shift);
+	raster_start_plane(basis, (int32_t)((uint32_t)delta->first << 8), plane);
+}
+
+/* How far a triangle is in perspective. */
+struct perspective {
+	uint32_t w_spread, w_least;
+	/* the largest spread of texels in 256ths, and of colours so that 256 of
+	 * it are as bad as 256 of those */
+	uint32_t texel, color;
+};
+
+/*
+ * Whether running linearly is off by more than what nobody sees, see
+ * rows_color_tolerance(), or a quarter of a texel: by up to
+ * spread (wmax - wmin) / 4 wmin.
+ */
+static ALWAYS_INLINE bool raster_bends(
+	const struct perspective *perspective, uint32_t most, int tolerance)
+{
+	return (uint64_t)most * perspective->w_spread >
+		(uint64_t)perspective->w_least << (8 + tolerance);
+}
+
+/*
+ * small.c: all attributes of a triangle that is not wide. False where it has
+ * to be divided, or its numbers are too large.
+ */
+bool soft_set_small_attributes(struct draw *draw, const struct setup *setup);
+
+/*
+ * bend.c: of a small triangle whose w is at most twice as large in one corner
+ * as in another, bends the values of raster->moving instead of dividing them.
+ * False where that is not exact enough: by a quarter of a texel and a step of
+ * 255.
+ */
+bool soft_bend(struct draw *draw, const struct setup *setup,
+	const struct delta delta[], const struct perspective *perspective);
+
 /* raster.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 

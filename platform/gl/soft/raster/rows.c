@@ -17,23 +17,21 @@ static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
 	return right > below ? right : below;
 }
 
-/* How coordinates change; in mild perspective in the triangle's middle. */
-static void find_changes(
-	const struct raster *raster, int name, int64_t *across, int64_t *down)
+/* How a coordinate changes across, or down: in the middle where it bends. */
+static uint32_t find_change(const struct raster *raster, int name, bool down)
 {
 	const struct plane *p = &raster->plane[name];
+	const struct bend *bend = &raster->bend[name];
+	uint32_t x = (uint32_t)raster->middle_column;
+	uint32_t y = (uint32_t)raster->middle_row;
+	uint32_t change = (uint32_t)(down ? p->dy : p->dx);
 
-	*across = p->dx;
-	*down = p->dy;
-	if (raster->mild) {
-		int32_t w = raster->middle_w, at = raster->middle[name - TEX_S];
-		const struct plane *q = &raster->plane[INVERSE_W];
-
-		*across = rows_divide_mild(
-			rows_find_mild_change(p->dx, at, q->dx), w);
-		*down = rows_divide_mild(
-			rows_find_mild_change(p->dy, at, q->dy), w);
+	if (raster->bent) {
+		change += (uint32_t)bend->xy * (down ? x : y) +
+			(uint32_t)(down ? bend->yy : bend->xx) * 2 *
+				(down ? y : x);
 	}
+	return raster_size((int32_t)change);
 }
 
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
@@ -41,15 +39,18 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 	const struct raster *raster = &draw->raster;
 
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
-		int64_t across[2], down[2];
+		const int s = TEX_S + 2 * unit;
 
 		if (draw->texture[unit].used) {
-			for (int i = 0; i < 2; i++) {
-				find_changes(raster, TEX_S + 2 * unit + i,
-					&across[i], &down[i]);
-			}
+			uint32_t right =
+				raster_length(find_change(raster, s, false),
+					find_change(raster, s + 1, false));
+			uint32_t down =
+				raster_length(find_change(raster, s, true),
+					find_change(raster, s + 1, true));
+
 			span->lod[unit] =
-				raster_log2_q8(longer_way(across, down));
+				raster_log2_q8(right > down ? right : down);
 		}
 	}
 }
@@ -87,24 +88,13 @@ void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 		return;
 	}
 	q = (int32_t)plane_at(raster, INVERSE_W, x);
-	if (raster->mild) {
-		out->inverse = rows_find_mild_w(
-			q, (int32_t)plane_at(raster, LINEAR_W, x));
-	} else {
-		rows_find_divisor(q, out);
-	}
+	rows_find_divisor(q, out);
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 		int32_t at = (int32_t)plane_at(raster, i, x);
 
 		if (!rows_is_divided(raster, i)) {
 			out->value[i] = at;
-		} else if (raster->mild) {
-			at = rows_divide_mild(at, out->inverse);
-			out->value[i] = i >= TEX_S
-				? at
-				: clamp_int(at, ROWS_LEAST_COLOR,
-					  ROWS_MOST_COLOR);
 		} else if (i >= TEX_S) {
 			out->value[i] = rows_divide(
 				out, at, raster->tex_shift[i - TEX_S] + 8);
@@ -157,21 +147,20 @@ static void find_second_point(
 	const struct raster *raster, int row, int x, struct point *out)
 {
 	if (raster->perspective) {
-		int32_t q = value_at(raster, INVERSE_W, row, x);
-
-		rows_find_divisor(q, out);
-		if (raster->mild) {
-			out->inverse = rows_find_mild_w(
-				q, value_at(raster, LINEAR_W, row, x));
-		}
+		rows_find_divisor(value_at(raster, INVERSE_W, row, x), out);
 	}
 	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
 		int32_t at = value_at(raster, i, row, x);
 
-		out->value[i] = !raster->perspective ? at
-			: raster->mild
-			? rows_divide_mild(at, out->inverse)
-			: rows_divide(out, at, raster->tex_shift[i - TEX_S] + 8);
+		if (raster->perspective) {
+			at = rows_divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
+		} else if (raster->bent) {
+			uint32_t start = (uint32_t)value_at(raster, i, row, 0);
+
+			at = rows_find_bent(raster, i, start, row, x, 0).value;
+		}
+		out->value[i] = at;
 	}
 }
 
@@ -184,13 +173,19 @@ void soft_rows_find_second(const struct draw *draw, int row, struct span *span)
 	find_second_point(raster, row, span->x, &from);
 	find_second_point(raster, row, span->x + steps, &to);
 	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
+		uint32_t start = (uint32_t)value_at(raster, i, row, 0);
+
 		span->value[i] = (uint32_t)from.value[i];
-		span->step[i] = rows_find_step(
-			from.value[i], to.value[i], draw->inverse_q31[steps]);
+		span->step[i] = raster->bent
+			? rows_find_bent(
+				  raster, i, start, row, span->x, span->count)
+				  .step
+			: rows_find_step(from.value[i], to.value[i],
+				  draw->inverse_q31[steps]);
 	}
 	if (!soft_rows_want_lod(&draw->texture[1])) {
 		span->lod[1] = 0;
-	} else if (raster->perspective && !raster->mild) {
+	} else if (raster->perspective) {
 		span->lod[1] = find_lod(raster, &from, 1);
 	} else {
 		soft_rows_find_affine_lod(draw, span);
@@ -253,7 +248,6 @@ void soft_raster_skip_rows(struct draw *draw, int rows)
 	skip(&raster->plane[DEPTH], rows);
 	if (raster->perspective) {
 		skip(&raster->plane[INVERSE_W], rows);
-		skip(&raster->plane[LINEAR_W], rows);
 	}
 }
 
@@ -274,6 +268,5 @@ void soft_raster_next_row(struct draw *draw)
 	next(&raster->plane[DEPTH]);
 	if (raster->perspective) {
 		next(&raster->plane[INVERSE_W]);
-		next(&raster->plane[LINEAR_W]);
 	}
 }

@@ -20,6 +20,34 @@ static ALWAYS_INLINE bool rows_is_divided(const struct raster *raster, int name)
 	return name >= TEX_S ? raster->perspective : raster->colors_divided;
 }
 
+/* Whether it has a bend besides. */
+static ALWAYS_INLINE bool rows_is_bent(const struct raster *raster, int name)
+{
+	return name >= TEX_S ? raster->bent : raster->colors_bent;
+}
+
+/* A value, and its step to where it leads count pixels from there. */
+struct bent {
+	int32_t value, step;
+};
+
+/*
+ * Of a row that counts from the triangle's first one, at whose column 0 the
+ * plane is what start says.
+ */
+static ALWAYS_INLINE struct bent rows_find_bent(const struct raster *raster,
+	int name, uint32_t start, int row, int x, int count)
+{
+	const struct bend *bend = &raster->bend[name];
+	const uint32_t y = (uint32_t)row, xx = (uint32_t)bend->xx;
+	uint32_t slope = (uint32_t)raster->plane[name].dx +
+		(uint32_t)bend->xy * y + xx * (uint32_t)x;
+
+	start += (uint32_t)bend->yy * y * y;
+	return (struct bent){(int32_t)(start + slope * (uint32_t)x),
+		(int32_t)(slope + xx * (uint32_t)(x + count))};
+}
+
 /*
  * How far a colour may be off where it runs linearly though it should bend: a
  * step of 255, or four of them where the picture has five bits; as the
@@ -43,34 +71,6 @@ static ALWAYS_INLINE void rows_find_divisor(int32_t q, struct point *out)
 	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
 }
 
-/*
- * Mild perspective: w varies by at most a quarter, so that w as a plane is off
- * by at most 1/64, and one step of Newton's method leaves 1/4096 of that. q is
- * 7.25 and below 1, w its reciprocal as 9.23; the result is 3.29. Outside of the
- * triangle it may wrap, where a run of one pixel asks for it without reading it.
- */
-static ALWAYS_INLINE int32_t rows_find_mild_w(int32_t q, int32_t w)
-{
-	int32_t high = (int32_t)((uint32_t)w << 6);
-	int32_t error = (1 << 27) - mul_high((int32_t)((uint32_t)q << 5), high);
-
-	return mul_high_add(high, high, (int32_t)((uint32_t)error * 32));
-}
-
-/* A value times q, by that. */
-static ALWAYS_INLINE int32_t rows_divide_mild(int32_t value, int32_t w)
-{
-	return (int32_t)((uint32_t)mul_high(value, w) * 8);
-}
-
-/* How much the numerator of d(S / q) = (dS - S / q dq) / q is. */
-static ALWAYS_INLINE int32_t rows_find_mild_change(
-	int32_t product_step, int32_t value, int32_t q_step)
-{
-	return (int32_t)((uint32_t)product_step -
-		(uint32_t)mul_high(value, (int32_t)((uint32_t)q_step << 7)));
-}
-
 /* numerator / q times 2^up. */
 static ALWAYS_INLINE int32_t rows_divide(
 	const struct point *point, int32_t numerator, int up)
@@ -90,6 +90,19 @@ static ALWAYS_INLINE int32_t rows_find_step(
 	int32_t from, int32_t to, int32_t inverse)
 {
 	return mul_high((int32_t)((uint32_t)to - (uint32_t)from), inverse) * 2;
+}
+
+/* A colour so that it is in range at both ends; inverse as above. */
+static ALWAYS_INLINE struct bent rows_limit_bent(
+	struct bent at, int count, int32_t inverse)
+{
+	int32_t to = (int32_t)((uint32_t)at.value +
+		(uint32_t)at.step * (uint32_t)count);
+
+	at.value = clamp_int(at.value, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+	to = clamp_int(to, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+	at.step = rows_find_step(at.value, to, inverse);
+	return at;
 }
 
 void soft_rows_find_point(const struct draw *draw, int x, struct point *out);

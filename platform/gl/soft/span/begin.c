@@ -18,18 +18,39 @@ static void set_still(struct draw *draw)
 		spans->green_start += (int32_t)(value[ALPHA] >> 9 << 16);
 	}
 	if (!spans->fog_moves) {
-		spans->run.fog =
+		spans->run.row.fog =
 			(uint32_t)mul_high((int32_t)value[FOG], SOFT_FOG_SCALE);
 		spans->run.fog_right = 0;
 	}
 }
 
-/* The steps of a triangle whose colours are linear all over. */
-static struct colors find_plane_steps(const struct raster *raster)
+/* Whether a colour that moves is steep. */
+static bool is_steep(const struct plane *plane, uint32_t moving)
 {
-	return (struct colors){raster->plane[RED].dx, raster->plane[GREEN].dx,
-		raster->plane[BLUE].dx, raster->plane[ALPHA].dx,
-		raster->plane[FOG].dx};
+	for (int i = RED; moving >> i; i++) {
+		if ((moving >> i & 1) &&
+			(uint32_t)plane[i].dx + STEEP > 2 * STEEP) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void set_level_and_window(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	struct soft_spans *spans = &draw->spans;
+
+	spans->level_by_row = spans->lod_wanted && raster->perspective;
+	if (!spans->lod_wanted) {
+		soft_set_level(draw, 0);
+	} else if (!spans->level_by_row) {
+		soft_rows_find_affine_lod(draw, &raster->span);
+		soft_set_level(draw, raster->span.lod[0]);
+	}
+	if (!spans->level_by_row && !spans->made) {
+		soft_set_window(draw);
+	}
 }
 
 /* What stays the same in all of the triangle. */
@@ -37,9 +58,8 @@ static void set_constants(struct draw *draw, uint32_t moving)
 {
 	const struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
-	const struct plane *plane = raster->plane;
 
-	spans->run.z_right = (uint32_t)plane[DEPTH].dx << 6;
+	spans->run.z_right = (uint32_t)raster->plane[DEPTH].dx << 6;
 	set_still(draw);
 	spans->steep = false;
 	if (!moving) {
@@ -48,55 +68,48 @@ static void set_constants(struct draw *draw, uint32_t moving)
 		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
 			(int32_t)value[BLUE]);
 		set_color_steps(spans, &(struct colors){0});
-	} else if (!raster->colors_divided) {
-		const struct colors step = find_plane_steps(raster);
-		const int32_t all[] = {
-			step.red, step.green, step.blue, step.alpha, step.fog};
-
-		set_color_steps(spans, &step);
-		for (int i = RED; i <= FOG; i++) {
-			spans->steep |= (moving >> i & 1) &&
-				(uint32_t)all[i] + STEEP > 2 * STEEP;
-		}
+	} else if (!raster->colors_divided && !raster->colors_bent) {
+		spans->steep = is_steep(raster->plane, moving);
 		spans->rare =
 			spans->steep || spans->alpha_moves || spans->fog_moves;
 	}
-	if (!spans->textured) {
-		return;
+	if (spans->textured) {
+		set_level_and_window(draw);
 	}
-	spans->level_by_row =
-		spans->lod_wanted && raster->perspective && !raster->mild;
-	if (!spans->lod_wanted) {
-		soft_set_level(draw, 0);
-	} else if (!spans->level_by_row) {
-		soft_rows_find_affine_lod(draw, &draw->raster.span);
-		soft_set_level(draw, raster->span.lod[0]);
+}
+
+void soft_begin_steps(struct draw *draw, uint32_t moving)
+{
+	const struct raster *raster = &draw->raster;
+	const struct plane *plane = raster->plane;
+
+	if (moving && !raster->colors_divided && !raster->colors_bent) {
+		set_color_steps(&draw->spans,
+			&(struct colors){plane[RED].dx, plane[GREEN].dx,
+				plane[BLUE].dx, plane[ALPHA].dx, plane[FOG].dx});
 	}
-	if (!spans->level_by_row && !spans->made) {
-		soft_set_window(draw);
-	}
-	if (!raster->perspective) {
-		soft_set_texel_steps(spans,
+	if (draw->spans.textured && !raster->perspective && !raster->bent) {
+		soft_set_texel_steps(&draw->spans,
 			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
 	}
 }
 
-/* A share of 1 / w's plane; mild planes and others are scaled by down. */
-static struct plane share_plane(const struct basis *basis,
-	const struct plane *q, int64_t part, int down)
+/* A part of 1 / w's plane, as set_perspective() scales products. */
+static struct plane share_plane(
+	const struct basis *basis, const struct plane *q, int64_t part)
 {
 	const uint32_t off_x = (uint32_t)basis->off_x;
 	const uint32_t off_y = (uint32_t)basis->off_y;
 	const uint32_t column = (uint32_t)basis->column;
 	struct plane out = {
-		.dx = (int32_t)(q->dx * part >> down),
-		.dy = (int32_t)(q->dy * part >> down),
+		.dx = (int32_t)(q->dx * part >> 16),
+		.dy = (int32_t)(q->dy * part >> 16),
 	};
 	/* Far from the triangle 1 / w wraps: it is scaled at a vertex. */
 	int32_t at = (int32_t)(q->start - (uint32_t)(q->dx >> 4) * off_x -
 		(uint32_t)(q->dy >> 4) * off_y + (uint32_t)q->dx * column);
 
-	out.start = (uint32_t)(at * part >> down) +
+	out.start = (uint32_t)(at * part >> 16) +
 		(uint32_t)(out.dx >> 4) * off_x +
 		(uint32_t)(out.dy >> 4) * off_y - (uint32_t)out.dx * column;
 	return out;
@@ -111,10 +124,10 @@ static void add_plane(struct draw *draw, int name)
 
 	*plane = (struct plane){.start = value};
 	if (raster->colors_divided) {
-		/* as set_mild_plane() and set_perspective() scale products */
 		*plane = share_plane(&raster->basis, &raster->plane[INVERSE_W],
-			(int64_t)(value >> 8), raster->mild ? 17 : 16);
+			(int64_t)(value >> 8));
 	}
+	raster->bend[name] = (struct bend){0};
 	raster->moving[raster->moving_count++] = name;
 }
 
@@ -123,15 +136,15 @@ static uint32_t find_moving(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
-	uint32_t moving = 0;
+	const uint32_t colors = 1u << RED | 1u << GREEN | 1u << BLUE;
+	uint32_t moving = raster->moving_bits & ((2u << FOG) - 1);
 
-	for (int n = 0; n < raster->moving_count; n++) {
-		moving |= 1u << raster->moving[n];
-	}
-	moving &= (2u << FOG) - 1;
 	spans->alpha_moves = moving >> ALPHA & 1;
 	spans->fog_moves = moving >> FOG & 1;
-	for (int i = RED; i <= BLUE && moving; i++) {
+	if (!moving || (moving & colors) == colors) {
+		return moving;
+	}
+	for (int i = RED; i <= BLUE; i++) {
 		if (!(moving >> i & 1)) {
 			add_plane(draw, i);
 		}

@@ -53,9 +53,9 @@ static ALWAYS_INLINE void set_colors(
 	int32_t scale = spans->scales.red_blue,
 		half = spans->scales.red_blue_half;
 
-	run->red_blue = ((uint32_t)mul_high_add(half, blue, scale) << 16) +
+	run->row.red_blue = ((uint32_t)mul_high_add(half, blue, scale) << 16) +
 		(uint32_t)mul_high_add(half, red, scale);
-	run->green_alpha = (uint32_t)mul_high_add(
+	run->row.green_alpha = (uint32_t)mul_high_add(
 		spans->green_start, green, spans->scales.green);
 }
 
@@ -65,10 +65,10 @@ static ALWAYS_INLINE void set_more_colors(
 	struct soft_run *run = &spans->run;
 
 	if (spans->alpha_moves) {
-		run->green_alpha += (uint32_t)at->alpha >> 9 << 16;
+		run->row.green_alpha += (uint32_t)at->alpha >> 9 << 16;
 	}
 	if (spans->fog_moves) {
-		run->fog = (uint32_t)mul_high(at->fog, SOFT_FOG_SCALE);
+		run->row.fog = (uint32_t)mul_high(at->fog, SOFT_FOG_SCALE);
 	}
 }
 

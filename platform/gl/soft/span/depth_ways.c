@@ -1,8 +1,5 @@
-#include "platform/gl/soft/span/depth_ways.h"
-
-#include <string.h>
-
 #include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 /* GL's comparisons: the low bits say which of less, equal, greater pass. */
@@ -20,15 +17,15 @@ static void test_aside(struct draw *draw)
 	struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
 	const struct fragment_state *state = &draw->soft->fragment;
-	uint32_t z = run->z;
+	uint32_t z = run->row.z;
 
 	if (spans->depth_way == SOFT_DEPTH_FREE) {
-		memset(spans->aside, 0xFF, run->count * 2);
+		memset(spans->aside, 0xFF, run->row.count * 2);
 	} else if (spans->depth_way == SOFT_DEPTH_LAST) {
 		const GLenum function = state->depth_function;
-		const uint16_t *depth = run->depth;
+		const uint16_t *depth = run->row.depth;
 
-		for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
+		for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
 			bool through = passes(function, z >> 16, depth[i]);
 
 			spans->aside[i] = (uint16_t)-through;
@@ -37,14 +34,14 @@ static void test_aside(struct draw *draw)
 		bool through[SPAN_PIXELS];
 		/* The buffers are as wide: x counts through all of their rows. */
 		const struct span span = {
-			.x = (int)(run->depth - draw->soft->buffers.depth),
-			.count = (int)run->count,
+			.x = (int)(run->row.depth - draw->soft->buffers.depth),
+			.count = (int)run->row.count,
 			.value[DEPTH] = z >> 6,
 			.step[DEPTH] = (int32_t)run->z_right >> 6,
 		};
 
 		soft_test_span(draw, &span, through);
-		for (uint32_t i = 0; i < run->count; i++) {
+		for (uint32_t i = 0; i < run->row.count; i++) {
 			spans->aside[i] = through[i] ? UINT16_MAX : 0;
 		}
 	}
@@ -57,14 +54,14 @@ static void draw_aside(
 	struct soft_run *run = &spans->run;
 	const struct soft_run whole = *run;
 
-	run->depth = spans->aside;
-	run->pixel = pixel;
-	run->z = 1 << 16;
+	run->row.depth = spans->aside;
+	run->row.pixel = pixel;
+	run->row.z = 1 << 16;
 	run->z_right = 0;
 	function(run);
-	run->depth = whole.depth;
-	run->pixel = whole.pixel;
-	run->z = whole.z;
+	run->row.depth = whole.row.depth;
+	run->row.pixel = whole.row.pixel;
+	run->row.z = whole.row.z;
 	run->z_right = whole.z_right;
 }
 
@@ -72,23 +69,23 @@ static void draw_tested(struct draw *draw, soft_span_function function)
 {
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
-	uint16_t *depth = run->depth;
-	uint32_t z = run->z, z_right = run->z_right;
+	uint16_t *depth = run->row.depth;
+	uint32_t z = run->row.z, z_right = run->z_right;
 
 	if (spans->depth_way == SOFT_DEPTH_KEPT) {
-		memcpy(spans->aside, depth, run->count * 2);
-		run->depth = spans->aside;
+		memcpy(spans->aside, depth, run->row.count * 2);
+		run->row.depth = spans->aside;
 		function(run);
-		run->depth = depth;
+		run->row.depth = depth;
 		return;
 	}
 	test_aside(draw);
-	draw_aside(spans, function, run->pixel);
+	draw_aside(spans, function, run->row.pixel);
 	if (spans->depth_way != SOFT_DEPTH_LAST ||
 		!draw->soft->fragment.depth_mask) {
 		return;
 	}
-	for (uint32_t i = 0; i < run->count; i++, z += z_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, z += z_right) {
 		if (spans->aside[i] == 1) {
 			depth[i] = (uint16_t)(z >> 16);
 		}
@@ -104,18 +101,18 @@ static void draw_then_test(struct draw *draw, soft_span_function function)
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
 	const int pixel_log2 = spans->pixel_log2;
-	uint8_t own[SOFT_RUN_PIXELS * 4], *pixel = run->pixel;
+	uint8_t own[SOFT_RUN_PIXELS * 4], *pixel = run->row.pixel;
 	struct span span = {
-		.x = (int)(run->depth - draw->soft->buffers.depth),
+		.x = (int)(run->row.depth - draw->soft->buffers.depth),
 		.count = 1,
-		.value[DEPTH] = run->z >> 6,
+		.value[DEPTH] = run->row.z >> 6,
 	};
 	bool through;
 
-	memcpy(own, pixel, (size_t)run->count << pixel_log2);
-	memset(spans->aside, 0xFF, run->count * 2);
+	memcpy(own, pixel, (size_t)run->row.count << pixel_log2);
+	memset(spans->aside, 0xFF, run->row.count * 2);
 	draw_aside(spans, function, own);
-	for (uint32_t i = 0; i < run->count; i++, span.x++) {
+	for (uint32_t i = 0; i < run->row.count; i++, span.x++) {
 		if (spans->aside[i] == 1) {
 			soft_test_span(draw, &span, &through);
 			if (through) {
@@ -124,7 +121,7 @@ static void draw_then_test(struct draw *draw, soft_span_function function)
 					(size_t)1 << pixel_log2);
 			}
 		}
-		span.value[DEPTH] = (run->z + run->z_right * (i + 1)) >> 6;
+		span.value[DEPTH] = (run->row.z + run->z_right * (i + 1)) >> 6;
 	}
 }
 
@@ -137,32 +134,30 @@ static void draw_at_most(struct draw *draw, soft_span_function function)
 {
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
-	uint8_t *depth = (uint8_t *)run->depth;
-	uint32_t pairs = run->count / 2, odd = run->count % 2;
+	uint8_t *depth = (uint8_t *)run->row.depth;
+	uint32_t pairs = run->row.count / 2, odd = run->row.count % 2;
 	uint32_t aside[SOFT_RUN_PIXELS / 2 + 1];
 
 	for (uint32_t i = 0; i < pairs; i++) {
-		aside[i] = HALVES_ADD_LIMITED(
-			load_32(depth + 4 * i), 0x00010001);
+		aside[i] =
+			HALVES_ADD_LIMITED(load_32(depth + 4 * i), 0x00010001);
 	}
 	if (odd) {
-		aside[pairs] =
-			HALVES_ADD_LIMITED(load_16(depth + 4 * pairs), 1);
+		aside[pairs] = HALVES_ADD_LIMITED(load_16(depth + 4 * pairs), 1);
 	}
-	run->depth = (uint16_t *)aside;
+	run->row.depth = (uint16_t *)aside;
 	function(run);
-	run->depth = (uint16_t *)(void *)depth;
+	run->row.depth = (uint16_t *)(void *)depth;
 	if (!draw->soft->fragment.depth_mask) {
 		return;
 	}
 	for (uint32_t i = 0; i < pairs; i++) {
-		uint32_t least =
-			least_halves(load_32(depth + 4 * i), aside[i]);
+		uint32_t least = least_halves(load_32(depth + 4 * i), aside[i]);
 
 		memcpy(depth + 4 * i, &least, 4);
 	}
 	if (odd) {
-		uint16_t *last = run->depth + run->count - 1;
+		uint16_t *last = run->row.depth + run->row.count - 1;
 		uint16_t own = (uint16_t)aside[pairs];
 
 		*last = own < *last ? own : *last;
@@ -196,15 +191,15 @@ static void draw_masked(struct draw *draw, int inside)
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
 	const uint32_t mask = spans->color_mask;
-	const uint32_t bytes = run->count << spans->pixel_log2;
-	uint8_t *pixel = run->pixel;
+	const uint32_t bytes = run->row.count << spans->pixel_log2;
+	uint8_t *pixel = run->row.pixel;
 	uint32_t own[SOFT_RUN_PIXELS];
 	uint8_t *at = (uint8_t *)own;
 
 	memcpy(own, pixel, bytes);
-	run->pixel = at;
+	run->row.pixel = at;
 	draw_by_way(draw, inside);
-	run->pixel = pixel;
+	run->row.pixel = pixel;
 	for (uint32_t i = 0; i < bytes; i++) {
 		uint8_t own_bits = (uint8_t)(mask >> i % 4 * 8);
 

@@ -1,6 +1,5 @@
 /* The level of detail that runs are drawn from, and runs across its edges. */
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/stages/made.h"
@@ -138,12 +137,12 @@ static uint32_t count_alike(
 
 static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 {
-	run->depth += count;
-	run->pixel += count << pixel_log2;
-	run->z += run->z_right * count;
-	run->red_blue += run->red_blue_right * count;
-	run->green_alpha += run->green_alpha_right * count;
-	run->fog += run->fog_right * count;
+	run->row.depth += count;
+	run->row.pixel += count << pixel_log2;
+	run->row.z += run->z_right * count;
+	run->row.red_blue += run->red_blue_right * count;
+	run->row.green_alpha += run->green_alpha_right * count;
+	run->row.fog += run->fog_right * count;
 	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
 	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
 }
@@ -163,11 +162,11 @@ void soft_draw_across(struct soft_spans *spans)
 	const struct soft_window *window = &spans->window;
 	struct soft_run *run = &spans->run;
 
-	if (run->count == 1 || !is_cut(spans)) {
+	if (run->row.count == 1 || !is_cut(spans)) {
 		spans->draw_anywhere(run);
 		return;
 	}
-	for (uint32_t left = run->count; left > 0; left -= run->count) {
+	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
 		bool inside = true;
 		uint32_t s = count_alike(
 			((uint32_t)run->s - window->s_first) & window->s_mask,
@@ -176,11 +175,11 @@ void soft_draw_across(struct soft_spans *spans)
 			((uint32_t)run->t - window->t_first) & window->t_mask,
 			run->t_right, window->t_room, window->t_mask, &inside);
 
-		run->count = s < t ? s : t;
-		run->count = run->count < left ? run->count : left;
+		run->row.count = s < t ? s : t;
+		run->row.count = run->row.count < left ? run->row.count : left;
 		(inside && soft_find_window(window, spans->view.texel_log2, run)
 				? spans->draw
 				: spans->draw_anywhere)(run);
-		advance(run, run->count, spans->pixel_log2);
+		advance(run, run->row.count, spans->pixel_log2);
 	}
 }

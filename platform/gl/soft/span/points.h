@@ -12,7 +12,7 @@
 struct walk_kind {
 	bool textured, colored;
 	bool texels_divided, colors_divided;
-	bool mild; /* as rows_find_mild_w() has it */
+	bool texels_bent, colors_bent;
 };
 
 struct row_point {
@@ -22,20 +22,13 @@ struct row_point {
 };
 
 /* plane is the attribute's; of textures it tells the scale, too. */
-static ALWAYS_INLINE int32_t divide(const struct line *line,
-	const struct walk_kind kind, const struct point *divisor, int plane,
-	int x)
+static ALWAYS_INLINE int32_t divide(
+	const struct line *line, const struct point *divisor, int plane, int x)
 {
 	const struct raster *raster = &line->draw->raster;
-	int32_t value = find_value(line, plane, x);
+	int32_t value = rows_divide(divisor, find_value(line, plane, x),
+		plane >= TEX_S ? raster->tex_shift[plane - TEX_S] + 8 : 24);
 
-	if (kind.mild) {
-		value = rows_divide_mild(value, divisor->inverse);
-	} else {
-		value = rows_divide(divisor, value,
-			plane >= TEX_S ? raster->tex_shift[plane - TEX_S] + 8
-				       : 24);
-	}
 	return plane >= TEX_S ? value : limit_color(value);
 }
 
@@ -43,28 +36,23 @@ static ALWAYS_INLINE struct row_point find_point(
 	const struct line *line, const struct walk_kind kind, int x)
 {
 	const struct soft_spans *spans = &line->draw->spans;
-	int32_t q = find_value(line, INVERSE_W, x);
 	struct row_point out;
 	struct point *by = &out.divisor;
 
-	if (kind.mild) {
-		by->inverse = rows_find_mild_w(q, find_value(line, LINEAR_W, x));
-	} else {
-		rows_find_divisor(q, by);
-	}
+	rows_find_divisor(find_value(line, INVERSE_W, x), by);
 	if (kind.textured) {
-		out.texels.s = divide(line, kind, by, TEX_S, x);
-		out.texels.t = divide(line, kind, by, TEX_S + 1, x);
+		out.texels.s = divide(line, by, TEX_S, x);
+		out.texels.t = divide(line, by, TEX_S + 1, x);
 	}
 	if (kind.colors_divided) {
-		out.colors.red = divide(line, kind, by, RED, x);
-		out.colors.green = divide(line, kind, by, GREEN, x);
-		out.colors.blue = divide(line, kind, by, BLUE, x);
+		out.colors.red = divide(line, by, RED, x);
+		out.colors.green = divide(line, by, GREEN, x);
+		out.colors.blue = divide(line, by, BLUE, x);
 		if (spans->alpha_moves) {
-			out.colors.alpha = divide(line, kind, by, ALPHA, x);
+			out.colors.alpha = divide(line, by, ALPHA, x);
 		}
 		if (spans->fog_moves) {
-			out.colors.fog = divide(line, kind, by, FOG, x);
+			out.colors.fog = divide(line, by, FOG, x);
 		}
 	}
 	return out;

@@ -1,6 +1,5 @@
 /* Which span function draws a state, and the constants that it looks up. */
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/stages/made.h"
@@ -267,6 +266,23 @@ static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
 		draw->texture[1].base->format != TEXEL_A8;
 }
 
+/* Attributes that are not wanted are white's. */
+static void set_white(struct span *span, struct soft_spans *spans)
+{
+	if (!spans->colored) {
+		spans->white_bits |= 1u << RED | 1u << GREEN | 1u << BLUE;
+	}
+	if (!spans->alpha) {
+		spans->white_bits |= 1u << ALPHA;
+	}
+	for (int i = RED; i <= ALPHA; i++) {
+		if (spans->white_bits >> i & 1) {
+			span->value[i] = 0xFF80 << 8;
+			span->step[i] = 0;
+		}
+	}
+}
+
 bool soft_prepare_spans(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -281,6 +297,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->fogged = draw->fogged;
 	spans->lod_wanted = input->used && soft_rows_want_lod(input);
 	spans->level = -1;
+	spans->white_bits = 0;
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	spans->finish =
 		draw->attributes == 0 ? SOFT_OPAQUE : choose_finish(draw);
@@ -302,8 +319,13 @@ bool soft_prepare_spans(struct draw *draw)
 		: SOFT_RUN_PIXELS;
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;
+	spans->lists_runs = spans->depth_way == SOFT_DEPTH_DIRECT &&
+		spans->color_mask == UINT32_MAX && !spans->made;
+	spans->run.rows = &spans->run.row;
+	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
 	find_wanted(draw, spans);
+	set_white(&draw->raster.span, spans);
 	find_scales(draw, spans);
 	find_stages(draw, spans);
 	if (spans->made) {

@@ -52,21 +52,30 @@ struct soft_fragment_stages {
 
 struct draw;
 
-struct soft_run {
+/* What of a run is its own where others of its triangle follow. */
+struct soft_row {
 	uint16_t *depth;
 	uint8_t *pixel;
-	uint32_t count; /* 1 to SOFT_RUN_PIXELS */
-	uint32_t z, z_right;
-	uint32_t red_blue, red_blue_right; /* blue in the upper half */
-	uint32_t green_alpha, green_alpha_right;
-	uint32_t fog, fog_right;
+	uint32_t count; /* up to SOFT_RUN_PIXELS; of several runs 0 draws none */
+	uint32_t z;
+	uint32_t red_blue; /* blue in the upper half */
+	uint32_t green_alpha;
+	uint32_t fog;
+	/* t in the upper half and s in the lower one, from first_texel on */
+	uint32_t texel, texel_right;
+};
+
+struct soft_run {
+	/* The runs that are drawn: row alone, but where first_texel is used. */
+	const struct soft_row *rows;
+	uint32_t row_count;
+	struct soft_row row;
+	uint32_t z_right, red_blue_right, green_alpha_right, fog_right;
 	/*
-	 * Where all texels that are wanted lie in the level: the first one of
-	 * them, and from there t in the upper half and s in the lower one, both
-	 * below SOFT_RUN_TEXELS.
+	 * Where all texels that are wanted lie in the level, both coordinates
+	 * below SOFT_RUN_TEXELS from here.
 	 */
 	const uint8_t *first_texel;
-	uint32_t texel, texel_right;
 	/* Elsewhere */
 	const uint8_t *texels;
 	int32_t s, t, s_right, t_right;

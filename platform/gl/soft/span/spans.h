@@ -68,14 +68,16 @@ struct soft_made_levels {
 
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
-	bool used;       /* else fragment.c draws, for tests */
-	bool colored;    /* the vertices' colours are wanted */
-	bool alpha;      /* and their alpha */
-	bool alpha_read; /* by the span function, if only as white's */
+	bool used;           /* else fragment.c draws, for tests */
+	bool colored;        /* the vertices' colours are wanted */
+	bool alpha;          /* and their alpha */
+	bool alpha_read;     /* by the span function, if only as white's */
+	uint32_t white_bits; /* colours that a texture takes the place of */
 	bool textured, fogged;
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
+	bool lists_runs;   /* of small triangles, see walk_small.c */
 	bool level_by_row; /* of the triangle under way */
 	bool alpha_moves, fog_moves;
 	bool rare;           /* either of them, or steep colours */
@@ -116,6 +118,13 @@ struct soft_spans {
  * test lets nothing through.
  */
 bool soft_prepare_spans(struct draw *draw);
+
+/*
+ * depth_ways.c: sets the functions that draw runs anywhere in the texture, and
+ * inside of the window, with the depth test that they do not do by themselves.
+ */
+void soft_set_functions(
+	struct soft_spans *spans, const soft_span_function function[2]);
 
 /* All rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);

@@ -257,7 +257,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 }
 
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
-	struct soft_kind kind, struct soft_pixel *at)
+	struct soft_kind kind, uint32_t texel_right, struct soft_pixel *at)
 {
 	at->z += run->z_right;
 	at->red_blue += run->red_blue_right;
@@ -268,11 +268,51 @@ static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 		at->fog += run->fog_right;
 	}
 	if (kind.textured && kind.inside) {
-		at->texel += run->texel_right;
+		at->texel += texel_right;
 	} else if (kind.textured) {
 		at->s += run->s_right;
 		at->t += run->t_right;
 	}
+}
+
+static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
+	const struct soft_row *row, const struct soft_kind kind,
+	const struct soft_constants *constants)
+{
+	uint16_t *depth = row->depth;
+	uint8_t *pixel = row->pixel;
+	/* Depths are as far apart as pixels of RGB565. */
+	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
+	struct soft_pixel at = {row->z, row->red_blue, row->green_alpha,
+		row->fog, row->texel, run->s, run->t};
+	const uint32_t count = row->count, texel_right = row->texel_right;
+	const uint16_t *end = depth + count;
+	/*
+	 * The count is above green, which stays below 2^15, and leaves 2^15 for
+	 * the step behind the last pixel; across one pixel alone values may
+	 * change by more than they have.
+	 */
+	uint32_t green_right =
+		(count > 1 ? run->green_alpha_right : 0) - 0x10000;
+
+	if (soft_counts_by_green(kind)) {
+		at.green_alpha += (count - 1) << 16;
+	}
+	do {
+		if (at.z >> 16 < *depth) {
+			soft_shade_pixel(run, kind, constants, &at, depth,
+				kind.wide ? pixel
+					  : (uint8_t *)((uintptr_t)depth +
+						    distance));
+		}
+		depth++;
+		pixel += kind.wide ? 4 : 0;
+		soft_step_pixel(run, kind, texel_right, &at);
+		if (soft_counts_by_green(kind)) {
+			at.green_alpha += green_right;
+		}
+	} while (soft_counts_by_green(kind) ? (int32_t)at.green_alpha >= 0
+					    : depth != end);
 }
 
 static ALWAYS_INLINE void soft_draw_run(
@@ -281,39 +321,20 @@ static ALWAYS_INLINE void soft_draw_run(
 	/* Pixels do not lie in it, which the compiler cannot know. */
 	const struct soft_run own = *given, *run = &own;
 	const struct soft_constants constants = soft_find_constants(run, kind);
-	uint16_t *depth = run->depth;
-	uint8_t *pixel = run->pixel;
-	/* Depths are as far apart as pixels of RGB565. */
-	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
-	struct soft_pixel at = {run->z, run->red_blue, run->green_alpha,
-		run->fog, run->texel, run->s, run->t};
-	const uint16_t *end = depth + run->count;
-	/*
-	 * The count is above green, which stays below 2^15, and leaves 2^15 for
-	 * the step behind the last pixel; across one pixel alone values may
-	 * change by more than they have.
-	 */
-	uint32_t green_right =
-		(run->count > 1 ? run->green_alpha_right : 0) - 0x10000;
+	const struct soft_row *row = run->rows;
 
-	if (soft_counts_by_green(kind)) {
-		at.green_alpha += (run->count - 1) << 16;
+	if (kind.textured && !kind.inside) {
+		soft_draw_row(run, row, kind, &constants);
+		return;
 	}
-	do {
-		if (at.z >> 16 < *depth) {
-			soft_shade_pixel(run, kind, &constants, &at, depth,
-				kind.wide ? pixel
-					  : (uint8_t *)((uintptr_t)depth +
-						    distance));
+	for (const struct soft_row *end = row + run->row_count; row < end;
+		row++) {
+		const struct soft_row its = *row;
+
+		if (its.count > 0) {
+			soft_draw_row(run, &its, kind, &constants);
 		}
-		depth++;
-		pixel += kind.wide ? 4 : 0;
-		soft_step_pixel(run, kind, &at);
-		if (soft_counts_by_green(kind)) {
-			at.green_alpha += green_right;
-		}
-	} while (soft_counts_by_green(kind) ? (int32_t)at.green_alpha >= 0
-					    : depth != end);
+	}
 }
 
 #endif

@@ -30,7 +30,7 @@ static ALWAYS_INLINE void soft_set_texel_steps(
 	}
 	run->s_right = soft_texel_step(step.s, spans->view.s_shift);
 	run->t_right = soft_texel_step(step.t, spans->view.t_shift);
-	run->texel_right =
+	run->row.texel_right =
 		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
 }
 
@@ -71,7 +71,7 @@ static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
 static ALWAYS_INLINE bool soft_find_window(
 	const struct soft_window *window, int texel_log2, struct soft_run *run)
 {
-	uint32_t last = run->count - 1;
+	uint32_t last = run->row.count - 1;
 	uint32_t s = ((uint32_t)run->s - window->s_first) & window->s_mask;
 	uint32_t t = ((uint32_t)run->t - window->t_first) & window->t_mask;
 	uint32_t s_end = s + (uint32_t)run->s_right * last;
@@ -95,7 +95,7 @@ static ALWAYS_INLINE bool soft_find_window(
 			return false;
 		}
 	}
-	run->texel = (t << 16) + s;
+	run->row.texel = (t << 16) + s;
 	return true;
 }
 

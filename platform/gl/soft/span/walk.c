@@ -14,10 +14,10 @@ static ALWAYS_INLINE void draw_run(
 	struct soft_spans *spans = &line->draw->spans;
 	struct soft_run *run = &spans->run;
 
-	run->count = (uint32_t)count;
-	run->depth = line->depth + x;
-	run->pixel = line->pixel + (x << spans->pixel_log2);
-	run->z = (uint32_t)find_value(line, DEPTH, x) << 6;
+	run->row.count = (uint32_t)count;
+	run->row.depth = line->depth + x;
+	run->row.pixel = line->pixel + (x << spans->pixel_log2);
+	run->row.z = (uint32_t)find_value(line, DEPTH, x) << 6;
 	if (!kind.textured ||
 		soft_find_window(&spans->window, spans->view.texel_log2, run)) {
 		spans->draw(run);
@@ -141,20 +141,72 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-/* In mild perspective each run leads to the pixel behind it. */
-static ALWAYS_INLINE void row_mild(const struct line *line,
-	const struct walk_kind kind, int left, int right)
+/* What bends runs straight to the pixel behind the run. */
+static ALWAYS_INLINE struct bent find_bent(
+	const struct line *line, int name, int x, int count)
 {
-	const int most = line->draw->raster.mild_pixels;
-	struct row_point from = find_point(line, kind, left);
+	const struct raster *raster = &line->draw->raster;
+	const struct plane *p = &raster->plane[name];
 
-	for (int x = left; x < right; x += most) {
+	return rows_find_bent(raster, name,
+		p->start + (uint32_t)p->dy * (uint32_t)line->row, line->row, x,
+		count);
+}
+
+static struct bent find_bent_color(
+	const struct line *line, int name, int x, int count)
+{
+	return rows_limit_bent(find_bent(line, name, x, count), count,
+		line->draw->inverse_q31[count]);
+}
+
+static NEVER_INLINE void place_bent_colors(
+	const struct line *line, int x, int count)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	struct bent red = find_bent_color(line, RED, x, count);
+	struct bent green = find_bent_color(line, GREEN, x, count);
+	struct bent blue = find_bent_color(line, BLUE, x, count);
+	struct bent alpha = {0, 0}, fog = {0, 0};
+
+	if (spans->alpha_moves) {
+		alpha = find_bent_color(line, ALPHA, x, count);
+	}
+	if (spans->fog_moves) {
+		fog = find_bent_color(line, FOG, x, count);
+	}
+	set_color_steps(spans,
+		&(struct colors){
+			red.step, green.step, blue.step, alpha.step, fog.step});
+	set_colors(spans, red.value, green.value, blue.value);
+	set_more_colors(spans,
+		&(struct colors){.alpha = alpha.value, .fog = fog.value});
+}
+
+static ALWAYS_INLINE void row_bent(
+	const struct line *line, const struct walk_kind kind, int x, int right)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	const int most = line->draw->raster.bent_pixels;
+
+	for (; x < right; x += most) {
 		int count = right - x < most ? right - x : most;
-		struct row_point to = find_point(line, kind, x + count);
-		struct change change = set_steps(line, kind, &from, &to, count);
 
-		draw_behind(line, kind, x, count, &from, &change, 0);
-		from = to;
+		if (kind.textured) {
+			struct bent s = find_bent(line, TEX_S, x, count);
+			struct bent t = find_bent(line, TEX_S + 1, x, count);
+			const struct texels at = {s.value, t.value};
+			const struct texels step = {s.step, t.step};
+
+			soft_set_texel_steps(spans, step);
+			soft_set_texels(spans, at, step, (uint32_t)count);
+		}
+		if (kind.colors_bent) {
+			place_bent_colors(line, x, count);
+		} else if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
 	}
 }
 
@@ -176,8 +228,8 @@ static ALWAYS_INLINE void walk_part(struct line *line,
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
-			if (kind.mild) {
-				row_mild(line, kind, left, right);
+			if (kind.texels_bent || kind.colors_bent) {
+				row_bent(line, kind, left, right);
 			} else if (kind.texels_divided || kind.colors_divided) {
 				row_divided(line, kind, left, right);
 			} else {
@@ -242,17 +294,17 @@ WALK(colored_by_texels, .textured = true, .colored = true,
 	.texels_divided = true)
 WALK(colored_divided, .textured = true, .colored = true, .texels_divided = true,
 	.colors_divided = true)
-WALK(plain_mild, .colored = true, .colors_divided = true, .mild = true)
-WALK(still_mild, .textured = true, .texels_divided = true, .mild = true)
-WALK(colored_by_texels_mild, .textured = true, .colored = true,
-	.texels_divided = true, .mild = true)
-WALK(colored_mild, .textured = true, .colored = true, .texels_divided = true,
-	.colors_divided = true, .mild = true)
+WALK(plain_bent, .colored = true, .colors_bent = true)
+WALK(still_bent, .textured = true, .texels_bent = true)
+WALK(colored_by_texels_bent, .textured = true, .colored = true,
+	.texels_bent = true)
+WALK(colored_bent, .textured = true, .colored = true, .texels_bent = true,
+	.colors_bent = true)
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	bool bent = raster->perspective, mild = raster->mild;
+	bool divided = raster->perspective, bent = raster->bent;
 	uint32_t moving;
 
 	if (!draw->spans.used) {
@@ -260,20 +312,25 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 		return;
 	}
 	moving = soft_begin_walk(draw);
+	if (soft_is_small(draw, setup)) {
+		soft_walk_small(draw, setup, moving);
+		return;
+	}
+	soft_begin_steps(draw, moving);
 	if (!draw->spans.textured) {
-		(!moving               ? walk_plain_still
-				: mild ? walk_plain_mild
-				: bent ? walk_plain_divided
-				       : walk_plain)(draw, setup);
+		(!moving                              ? walk_plain_still
+				: raster->colors_bent ? walk_plain_bent
+				: divided             ? walk_plain_divided
+					  : walk_plain)(draw, setup);
 	} else if (!moving) {
-		(mild                  ? walk_still_mild
-				: bent ? walk_still_divided
-				       : walk_still)(draw, setup);
-	} else if (raster->colors_divided) {
-		(mild ? walk_colored_mild : walk_colored_divided)(draw, setup);
+		(bent                     ? walk_still_bent
+				: divided ? walk_still_divided
+					  : walk_still)(draw, setup);
+	} else if (raster->colors_bent || raster->colors_divided) {
+		(bent ? walk_colored_bent : walk_colored_divided)(draw, setup);
 	} else {
-		(mild                  ? walk_colored_by_texels_mild
-				: bent ? walk_colored_by_texels
-				       : walk_colored)(draw, setup);
+		(bent                     ? walk_colored_by_texels_bent
+				: divided ? walk_colored_by_texels
+					  : walk_colored)(draw, setup);
 	}
 }

@@ -21,7 +21,7 @@ static void draw_run(
 	span->y = y;
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
-	if (draw->texture[1].used) {
+	if (draw->texture[1].used && !raster->bent) {
 		soft_rows_find_second(draw, 0, span);
 	}
 	soft_draw_span(draw, span);
@@ -126,20 +126,43 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	draw_run(draw, y, x, right - x, from.value);
 }
 
-/* As row_mild() in walk.c. */
-static void row_mild(struct draw *draw, int y, int left, int right)
+/* A colour runs from one end to the other, both in range. */
+static void place_bent(
+	struct draw *draw, int name, int row, int x, int count, int32_t *value)
 {
-	int most = draw->raster.mild_pixels;
-	struct point from, to;
+	struct raster *raster = &draw->raster;
+	struct bent at = rows_find_bent(
+		raster, name, raster->plane[name].start, row, x, count);
 
-	soft_rows_find_point(draw, left, &from);
+	if (name < TEX_S) {
+		at = rows_limit_bent(at, count, draw->inverse_q31[count]);
+	}
+	*value = at.value;
+	raster->span.step[name] = at.step;
+}
+
+/* As row_bent() in walk.c. */
+static void row_bent(struct draw *draw, int y, int left, int right)
+{
+	struct raster *raster = &draw->raster;
+	int most = raster->bent_pixels;
+	int row = y - raster->top;
+
 	for (int x = left; x < right; x += most) {
 		int count = right - x < most ? right - x : most;
+		int32_t value[ATTRIBUTES];
 
-		soft_rows_find_point(draw, x + count, &to);
-		set_steps(draw, &from, &to, count);
-		draw_run(draw, y, x, count, from.value);
-		from = to;
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			if (rows_is_bent(raster, i)) {
+				place_bent(draw, i, row, x, count, &value[i]);
+			} else {
+				value[i] = (int32_t)plane_at(raster, i, x);
+				raster->span.step[i] = raster->plane[i].dx;
+			}
+		}
+		draw_run(draw, y, x, count, value);
 	}
 }
 
@@ -161,9 +184,9 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 	struct raster *raster = &draw->raster;
 
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
-	if (raster->mild) {
+	if (raster->bent) {
 		soft_rows_find_affine_lod(draw, &raster->span);
-		raster_walk(draw, setup, row_mild, soft_raster_next_row);
+		raster_walk(draw, setup, row_bent, soft_raster_next_row);
 		return;
 	}
 	if (raster->perspective) {

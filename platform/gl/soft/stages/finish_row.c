@@ -12,12 +12,12 @@ enum {
 static uint32_t find_passing(const struct soft_run *run, const uint32_t *color)
 {
 	const struct soft_fragment_stages *stages = run->stages;
-	uint32_t z = run->z, passing = 0;
+	uint32_t z = run->row.z, passing = 0;
 
-	for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
 		uint32_t above = (color[i] >> 24) - stages->alpha_low;
 
-		if (z >> 16 < run->depth[i] &&
+		if (z >> 16 < run->row.depth[i] &&
 			(above & 255) <= stages->alpha_range) {
 			passing |= 1u << i;
 		}
@@ -28,9 +28,9 @@ static uint32_t find_passing(const struct soft_run *run, const uint32_t *color)
 static void add_fog(const struct soft_run *run, uint32_t *color)
 {
 	const uint8_t *to = run->stages->fog_color;
-	uint32_t fog = run->fog;
+	uint32_t fog = run->row.fog;
 
-	for (uint32_t i = 0; i < run->count; i++, fog += run->fog_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, fog += run->fog_right) {
 		uint32_t out = color[i] & 0xFF000000;
 
 		for (int k = 0; k < 3; k++) {
@@ -47,11 +47,11 @@ static void add_fog(const struct soft_run *run, uint32_t *color)
 static void load_picture(const struct soft_run *run, uint32_t *out)
 {
 	if (run->draw->soft->format == PIXELS_RGBA8888) {
-		memcpy(out, run->pixel, run->count * 4);
+		memcpy(out, run->row.pixel, run->row.count * 4);
 		return;
 	}
-	for (uint32_t i = 0; i < run->count; i++) {
-		uint32_t p = load_16(run->pixel + 2 * i);
+	for (uint32_t i = 0; i < run->row.count; i++) {
+		uint32_t p = load_16(run->row.pixel + 2 * i);
 		uint32_t r = p >> 11, g = p >> 5 & 63, b = p & 31;
 
 		out[i] = r << 3 | r >> 2 | (g << 2 | g >> 4) << 8 |
@@ -130,7 +130,7 @@ static void blend(const struct soft_run *run, uint32_t *color)
 	const struct soft_fragment_stages *stages = run->stages;
 	uint32_t to[SOFT_RUN_PIXELS], source[SOFT_RUN_PIXELS];
 	uint32_t destination[SOFT_RUN_PIXELS];
-	const uint32_t count = run->count;
+	const uint32_t count = run->row.count;
 
 	load_picture(run, to);
 	fill_factors(stages->blend_source, color, to, source, count);
@@ -152,19 +152,19 @@ static void store(
 	const struct soft_run *run, const uint32_t *color, uint32_t passing)
 {
 	bool wide = run->draw->soft->format == PIXELS_RGBA8888;
-	uint32_t z = run->z;
+	uint32_t z = run->row.z;
 
-	for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
 		uint32_t c = color[i];
 
 		if (!(passing >> i & 1)) {
 			continue;
 		}
-		run->depth[i] = (uint16_t)(z >> 16);
+		run->row.depth[i] = (uint16_t)(z >> 16);
 		if (wide) {
-			memcpy(run->pixel + 4 * i, &c, 4);
+			memcpy(run->row.pixel + 4 * i, &c, 4);
 		} else {
-			store_16(run->pixel + 2 * i,
+			store_16(run->row.pixel + 2 * i,
 				pack_565((int)(c & 255), (int)(c >> 8 & 255),
 					(int)(c >> 16 & 255)));
 		}
@@ -175,7 +175,7 @@ void soft_finish_row(const struct soft_run *run)
 {
 	uint32_t color[SOFT_RUN_PIXELS], passing;
 
-	memcpy(color, run->first_texel, run->count * sizeof(*color));
+	memcpy(color, run->first_texel, run->row.count * sizeof(*color));
 	passing = find_passing(run, color);
 	if (passing == 0) {
 		return;

@@ -1,7 +1,6 @@
 #include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/depth_ways.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
@@ -72,12 +71,13 @@ static void sample_level(const struct soft_made_levels *levels,
 	uint32_t count, uint32_t *out)
 {
 	struct soft_window window;
-	struct soft_run run = {.pixel = (uint8_t *)out, .count = count};
+	struct soft_run run = {.row = {.pixel = (uint8_t *)out, .count = count}};
 
 	soft_use_view(view, levels->sampler, &run, &window);
 	run.s_right = soft_texel_step(at->s_step, view->s_shift);
 	run.t_right = soft_texel_step(at->t_step, view->t_shift);
-	run.texel_right = ((uint32_t)run.t_right << 16) + (uint32_t)run.s_right;
+	run.row.texel_right =
+		((uint32_t)run.t_right << 16) + (uint32_t)run.s_right;
 	run.s = soft_find_start(at->s, at->s_step, count >> 1, run.s_right,
 		view->s_shift, view->s_half);
 	run.t = soft_find_start(at->t, at->t_step, count >> 1, run.t_right,
@@ -115,7 +115,7 @@ static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	struct soft_made_levels *levels = &draw->spans.made_levels[1];
-	uint32_t place = (uint32_t)(draw->spans.run.depth - buffers->depth);
+	uint32_t place = (uint32_t)(draw->spans.run.row.depth - buffers->depth);
 	uint32_t y = place / (uint32_t)buffers->width;
 	struct span span;
 
@@ -133,9 +133,9 @@ static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
 /* The vertices' colours. */
 static void fill_primary(const struct soft_run *run, uint32_t *out)
 {
-	uint32_t rb = run->red_blue, rb_right = run->red_blue_right;
-	uint32_t ga = run->green_alpha, ga_right = run->green_alpha_right;
-	const uint32_t *end = out + run->count;
+	uint32_t rb = run->row.red_blue, rb_right = run->red_blue_right;
+	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
+	const uint32_t *end = out + run->row.count;
 
 	for (; out != end; out++) {
 		*out = ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) | ga >> 23 << 24;
@@ -148,8 +148,8 @@ static void fill_primary(const struct soft_run *run, uint32_t *out)
 static void scale_alphas(
 	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
 {
-	uint32_t ga = run->green_alpha, ga_right = run->green_alpha_right;
-	const uint32_t *end = color + run->count;
+	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
+	const uint32_t *end = color + run->row.count;
 
 	for (; color != end; color++, texel++, ga += ga_right) {
 		uint32_t alpha = soft_scale_alpha(ga >> 16, *texel >> 24);
@@ -169,16 +169,16 @@ static void combine(struct draw *draw, uint32_t *texel, uint32_t *color)
 	if (!draw->texture[0].used) {
 		return;
 	}
-	memcpy(primary, color, run->count * sizeof(*primary));
+	memcpy(primary, color, run->row.count * sizeof(*primary));
 	soft_combine_row(
-		&spans->environment[0], texel, primary, color, run->count);
+		&spans->environment[0], texel, primary, color, run->row.count);
 	if (spans->stages.alpha_scaled) {
 		scale_alphas(run, texel, color);
 	}
 	if (draw->texture[1].used) {
-		sample_second(draw, run->count, texel);
+		sample_second(draw, run->row.count, texel);
 		soft_combine_row(&spans->environment[1], texel, primary, color,
-			run->count);
+			run->row.count);
 	}
 }
 
@@ -186,13 +186,13 @@ static void combine(struct draw *draw, uint32_t *texel, uint32_t *color)
 static bool is_hidden(const struct soft_spans *spans)
 {
 	const struct soft_run *run = &spans->run;
-	uint32_t z = run->z;
+	uint32_t z = run->row.z;
 
 	if (!spans->depth_by_less) {
 		return false;
 	}
-	for (uint32_t i = 0; i < run->count; i++, z += run->z_right) {
-		if (z >> 16 <= run->depth[i]) {
+	for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
+		if (z >> 16 <= run->row.depth[i]) {
 			return false;
 		}
 	}
@@ -211,27 +211,27 @@ static void draw_made(const struct soft_run *given)
 		return;
 	}
 	if (spans->textured) {
-		sample(&spans->made_levels[0], &spans->made_at, run->count,
+		sample(&spans->made_levels[0], &spans->made_at, run->row.count,
 			texel);
 	}
 	if (spans->multiplied) {
-		sample_second(draw, run->count, color);
-		for (uint32_t i = 0; i < run->count; i++) {
+		sample_second(draw, run->row.count, color);
+		for (uint32_t i = 0; i < run->row.count; i++) {
 			texel[i] = soft_multiply_bytes(texel[i], color[i]);
 		}
 	} else if (spans->combined) {
 		combine(draw, texel, color);
 		row = color;
-		run->red_blue = spans->white[0];
-		run->green_alpha = spans->white[1];
+		run->row.red_blue = spans->white[0];
+		run->row.green_alpha = spans->white[1];
 		run->red_blue_right = 0;
 		run->green_alpha_right = 0;
 	}
 	run->first_texel = (const uint8_t *)row;
-	run->texel = 0;
+	run->row.texel = 0;
 	spans->draw_row(run);
-	run->red_blue = whole.red_blue;
-	run->green_alpha = whole.green_alpha;
+	run->row.red_blue = whole.row.red_blue;
+	run->row.green_alpha = whole.row.green_alpha;
 	run->red_blue_right = whole.red_blue_right;
 	run->green_alpha_right = whole.green_alpha_right;
 }
@@ -276,6 +276,6 @@ void soft_prepare_made(struct draw *draw)
 	spans->window.s_room = 0;
 	spans->draw = draw_made;
 	spans->draw_anywhere = draw_made;
-	spans->run.texel_right = 1 << SOFT_TEXEL_FRACTION;
+	spans->run.row.texel_right = 1 << SOFT_TEXEL_FRACTION;
 	spans->run.stride_log2 = 0;
 }

@@ -27,9 +27,9 @@ static ALWAYS_INLINE void read_texels(
 	const struct soft_run *given, const struct soft_kind kind)
 {
 	const struct soft_run own = *given, *run = &own;
-	uint32_t at = run->texel;
+	uint32_t at = run->row.texel;
 	int32_t s = run->s, t = run->t;
-	uint8_t *out = run->pixel, *end = out + run->count * 4;
+	uint8_t *out = run->row.pixel, *end = out + run->row.count * 4;
 
 	for (; out != end; out += 4) {
 		struct soft_texel texel = {.alpha = 255};
@@ -37,7 +37,7 @@ static ALWAYS_INLINE void read_texels(
 
 		if (kind.inside) {
 			soft_sample_inside(run, kind, at, &texel);
-			at += run->texel_right;
+			at += run->row.texel_right;
 		} else {
 			soft_sample_anywhere(run, kind, s, t, &texel);
 			s += run->s_right;

@@ -48,10 +48,9 @@ enum attribute {
 	FOG,
 	TEX_S, /* and T; then the next unit's */
 	ATTRIBUTES = TEX_S + 2 * SOFT_UNITS,
-	/* planes have three more */
+	/* planes have two more */
 	DEPTH = ATTRIBUTES,
 	INVERSE_W,
-	LINEAR_W, /* w as if it ran linearly; see rows_find_mild_w() */
 	PLANES,
 };
 
@@ -120,6 +119,14 @@ struct plane {
 	int32_t dx, dy;
 };
 
+/*
+ * What a plane is less than a value that bends: xx x^2 + xy x y + yy y^2, of
+ * columns x and rows y from where the plane starts. It wraps as the plane does.
+ */
+struct bend {
+	int32_t xx, xy, yy;
+};
+
 /* Fragments of a row, and how their values run. */
 struct span {
 	int x, y, count;
@@ -144,16 +151,18 @@ struct raster {
 	struct plane plane[PLANES];
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */
-	bool mild;           /* see rows_find_mild_w() */
-	int mild_pixels;     /* from one division to the next then */
-	int32_t middle_w;    /* in the triangle's middle then: 3.29 */
-	int32_t middle[2 * SOFT_UNITS]; /* and 16.16 */
+	/* texture coordinates bend instead, and colours too; see bend.c */
+	bool bent, colors_bent;
+	int bent_pixels; /* that run linearly then, at most */
+	struct bend bend[ATTRIBUTES];
+	int middle_column, middle_row; /* of the triangle then */
 	/* the least and the largest, in 1/256 of texels */
 	int32_t texel_range[2 * SOFT_UNITS][2];
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
 	int top;          /* the row that planes begin in */
+	uint32_t moving_bits;
 	bool first_row;   /* luminance.c's */
 	struct span span; /* of the row under way, and what is the same in all */
 };

@@ -1,0 +1,179 @@
+/*
+ * Perspective without a division: in a small triangle a value v that is linear
+ * before the division by w is close to a polynomial of degree two. The one taken
+ * here is exact at the corners and in the middle of the edges, so triangles at
+ * an edge agree about it. With barycentric coordinates l0, l1, l2 it is
+ *
+ *	l0 v0 + l1 v1 + l2 v2 + l0 l1 f01 + l0 l2 f02 + l1 l2 f12
+ *
+ * where fab = 2 (va - vb) (wb - wa) / (wa + wb).
+ */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
+
+/* Products of the steps of l1 and l2 from pixel to pixel, Q26. */
+struct products {
+	int32_t xx[3], xy[3], yy[3]; /* of l1 l1, l2 l2, l1 l2 */
+};
+
+/* (wb - wa) / (wa + wb), Q16: no more than a third. */
+static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
+{
+	uint32_t sum = (uint32_t)a->clip[3] + (uint32_t)b->clip[3];
+	int32_t difference = b->clip[3] - a->clip[3];
+	int zeros = LEADING_ZEROS_32(sum | 1);
+
+	return mul_high(difference * (1 << zeros), reciprocal(sum << zeros)) >>
+		14;
+}
+
+static int32_t size_of(int32_t value)
+{
+	return value < 0 ? -value : value;
+}
+
+/*
+ * What is left out of a value that changes by spread along an edge: spread
+ * ratio^2 / 5 at most. A quarter of a texel and a step of 255 are 256 / 4 and
+ * 256.
+ */
+static bool is_exact(
+	const int32_t ratio[3], const struct perspective *perspective)
+{
+	uint32_t a = (uint32_t)size_of(ratio[0]);
+	uint32_t b = (uint32_t)size_of(ratio[1]);
+	uint32_t c = (uint32_t)size_of(ratio[2]), most = a > b ? a : b;
+
+	most = c > most ? c : most;
+	most = most * most >> 16;
+	return (uint64_t)perspective->texel * most <= 5u << 22 &&
+		(uint64_t)perspective->color * most <= 5u << 24;
+}
+
+/* One step by another: Q29 by Q29. */
+static int32_t multiply(int32_t a, int32_t b)
+{
+	return mul_high(a * 8, b * 8);
+}
+
+/* False where the triangle is so thin that a step is four or more. */
+static bool find_products(const struct basis *basis, const struct setup *setup,
+	struct products *out)
+{
+	const int32_t corner[4] = {setup->y2, -setup->y1, -setup->x2, setup->x1};
+	int32_t step[4]; /* of l1 and l2 across, then down */
+
+	for (int i = 0; i < 4; i++) {
+		/* 2^18 more than sixteenths, as set_small_plane() scales */
+		int32_t high = mul_high(corner[i] * (1 << 18), basis->inverse);
+
+		if (size_of(high) >> (28 - basis->shift) != 0) {
+			return false;
+		}
+		step[i] = high * (1 << basis->shift);
+	}
+	out->xx[0] = multiply(step[0], step[0]);
+	out->xx[1] = multiply(step[1], step[1]);
+	out->xx[2] = multiply(step[0], step[1]);
+	out->yy[0] = multiply(step[2], step[2]);
+	out->yy[1] = multiply(step[3], step[3]);
+	out->yy[2] = multiply(step[2], step[3]);
+	out->xy[0] = 2 * multiply(step[0], step[2]);
+	out->xy[1] = 2 * multiply(step[1], step[3]);
+	out->xy[2] = multiply(step[0], step[3]) + multiply(step[1], step[2]);
+	return true;
+}
+
+/* The polynomial's part of degree two, by products of the steps. */
+static int32_t add_up(
+	const int32_t product[3], int32_t f01, int32_t f02, int32_t g)
+{
+	int64_t sum = (int64_t)product[2] * g - (int64_t)product[0] * f01 -
+		(int64_t)product[1] * f02 + (1 << 25);
+
+	return (int32_t)(sum >> 26);
+}
+
+/* From where the first vertex is to column 0, whose pixels' centres count. */
+static void move_bend(
+	const struct basis *basis, struct plane *plane, const struct bend *bend)
+{
+	/* Of thin triangles these wrap, as planes do. */
+	uint32_t x = (uint32_t)basis->off_x, y = (uint32_t)basis->off_y;
+	uint32_t xx = (uint32_t)bend->xx, xy = (uint32_t)bend->xy;
+	uint32_t yy = (uint32_t)bend->yy, column = (uint32_t)basis->column;
+	uint32_t right = (uint32_t)((int32_t)(2 * xx * x + xy * y) >> 4);
+	uint32_t down = (uint32_t)((int32_t)(2 * yy * y + xy * x) >> 4);
+
+	plane->start += (uint32_t)((int32_t)(right * x + down * y) >> 5) -
+		right * column + xx * column * column;
+	plane->dx = (int32_t)((uint32_t)plane->dx + right - 2 * xx * column);
+	plane->dy = (int32_t)((uint32_t)plane->dy + down - xy * column);
+}
+
+static void bend_plane(struct raster *raster, const struct setup *setup,
+	const struct products *products, const int32_t ratio[3],
+	const struct delta *delta, int name)
+{
+	struct plane *plane = &raster->plane[name];
+	struct bend *bend = &raster->bend[name];
+	int32_t d1 = delta->d1, d2 = delta->d2;
+	int32_t f01 = (-d1 * ratio[0]) >> 7, f02 = (-d2 * ratio[1]) >> 7;
+	int32_t f12 = ((d1 - d2) * ratio[2]) >> 7;
+	int32_t g = f12 - f01 - f02;
+	const struct delta bent = {
+		delta->first, d1 + ((f01 + 128) >> 8), d2 + ((f02 + 128) >> 8)};
+
+	*bend = (struct bend){add_up(products->xx, f01, f02, g),
+		add_up(products->xy, f01, f02, g),
+		add_up(products->yy, f01, f02, g)};
+	raster_set_small_plane(&raster->basis, setup, &bent, plane);
+	plane->start += name >= TEX_S ? TEXEL_NUDGE : 0;
+	move_bend(&raster->basis, plane, bend);
+}
+
+/* Across n pixels what bends is off a straight line by n^2 xx / 4. */
+static bool is_straight(
+	const struct raster *raster, int name, int columns, int log2_allowed)
+{
+	uint32_t n = (uint32_t)(columns < SOFT_RUN_PIXELS ? columns
+							  : SOFT_RUN_PIXELS);
+
+	return (uint64_t)raster_size(raster->bend[name].xx) * n * n <= 4u
+		<< log2_allowed;
+}
+
+bool soft_bend(struct draw *draw, const struct setup *setup,
+	const struct delta delta[], const struct perspective *perspective)
+{
+	struct raster *raster = &draw->raster;
+	const struct vertex *const *v = setup->v;
+	const int32_t ratio[3] = {find_ratio(v[0], v[1]),
+		find_ratio(v[0], v[2]), find_ratio(v[1], v[2])};
+	struct products products;
+
+	if (!is_exact(ratio, perspective) ||
+		!find_products(&raster->basis, setup, &products)) {
+		return false;
+	}
+	raster->bent = true;
+	raster->middle_column = (v[0]->x + v[1]->x + v[2]->x) / 48;
+	raster->middle_row = (v[0]->y + v[1]->y + v[2]->y) / 48 - setup->top;
+	raster->bent_pixels = SOFT_RUN_PIXELS;
+	for (int i = 0; i < raster->moving_count; i++) {
+		int name = raster->moving[i];
+
+		if (rows_is_bent(raster, name)) {
+			int allowed = name >= TEX_S
+				? 15 /* half a texel */
+				: 12 + rows_color_tolerance(draw);
+
+			bend_plane(raster, setup, &products, ratio, &delta[i],
+				name);
+			if (!is_straight(raster, name, setup->columns, allowed)) {
+				raster->bent_pixels = PERSPECTIVE_STEP;
+			}
+		}
+	}
+	return true;
+}

@@ -26,6 +26,7 @@ include toolchain/check.mk
 include toolchain/trust.mk
 include toolchain/test.mk
 include toolchain/gpiod.mk
+include toolchain/coverage.mk
 include toolchain/demo.mk
 include toolchain/package.mk
 

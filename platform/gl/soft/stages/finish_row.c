@@ -128,7 +128,7 @@ static ALWAYS_INLINE uint32_t blend_lanes(
 static void blend(const struct soft_run *run, uint32_t *color)
 {
 	const struct soft_fragment_stages *stages = run->stages;
-	uint32_t to[SOFT_RUN_PIXELS], source[SOFT_RUN_PIXELS];
+	uint32_t to[SOFT_RUN_PIXELS] = {0}, source[SOFT_RUN_PIXELS];
 	uint32_t destination[SOFT_RUN_PIXELS];
 	const uint32_t count = run->row.count;
 

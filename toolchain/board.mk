@@ -15,9 +15,10 @@ kernel: build/board/packages.stamp build/arm/packages.stamp
 	$(call say,KERNEL,build/linux/zImage)
 	$(Q)$(BOARD)/kernel/build.sh $(KERNEL_SOURCE) build/linux
 
-image: kernel build/arm/limber
+image: kernel build/arm/limber build/host/limber
 	$(call say,IMAGE,$(IMAGE))
-	$(Q)$(BOARD)/image.sh build/linux build/sysroot build/arm/limber $(IMAGE)
+	$(Q)$(BOARD)/image.sh build/linux build/sysroot build/arm/limber \
+		build/host/limber $(IMAGE)
 
 # QEMU with the machine imx31-pdk; where it cannot be built, the emulation uses
 # the installed one. EMULATOR=kzm does not need it.

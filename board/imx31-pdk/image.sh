@@ -1,14 +1,16 @@
 #!/bin/sh
-# image.sh LINUX SYSROOT LIMBER DIR: builds the board's image in DIR.
+# image.sh LINUX SYSROOT LIMBER HOST-LIMBER DIR: builds the board's image in DIR.
 #
-# LINUX is the folder that kernel/build.sh made. The same input gives the same
+# LINUX is the folder that kernel/build.sh made, HOST-LIMBER the program for this
+# machine. The same input gives the same
 # bytes, except for the UBI image: mkfs.ubifs writes a new UUID each time.
 set -eu
 
 linux=$1
 sysroot=$2
 limber=$3
-out=$4
+host_limber=$4
+out=$5
 here=$(dirname "$0")
 top=$here/../..
 
@@ -19,7 +21,7 @@ block=131072
 # as its sub-page size, and places its second header accordingly.
 part=512
 logical=$((block - page))
-rootfs_blocks=1440
+rootfs_blocks=160
 kernel_bytes=5242880
 total_bytes=$((12 * 1024 * 1024))
 
@@ -44,7 +46,7 @@ cp "$linux/zImage" "$out/zImage"
 # The boot loaders know no device trees; the kernel finds one appended to itself.
 cat "$linux/zImage" "$out/imx31-pdk-limber.dtb" >"$out/zImage-dtb"
 
-"$here/rootfs/make.py" "$sysroot" "$limber" "$top/assets" "$work"
+"$here/rootfs/make.py" "$sysroot" "$limber" "$host_limber" "$top/assets" "$work"
 archive "$work/list" "$out/initramfs.cpio.lz4"
 
 # Modules that replace hardware, for emulation and tests only.

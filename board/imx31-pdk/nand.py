@@ -172,7 +172,7 @@ class Nand:
 
 # The partitions of flash.sh, and the command line that it prints.
 KERNEL_AT, KERNEL_BYTES = 0x100000, 0x500000
-ROOTFS_AT, ROOTFS_BYTES = 0x600000, 0xB400000
+ROOTFS_AT, ROOTFS_BYTES = 0x600000, 0x1400000
 
 
 def flashed(path, image):

@@ -6,7 +6,7 @@ from harness import BY_HAND, IMAGE, booted, check, done, guest_tool
 
 # 256 MiB, 2 KiB pages, 128 KiB blocks; only what the image fills uses memory.
 NAND = ("modprobe nandsim first_id_byte=0x2c second_id_byte=0xda "
-        "third_id_byte=0x00 fourth_id_byte=0x15 parts=8,40,1440")
+        "third_id_byte=0x00 fourth_id_byte=0x15 parts=8,40,160")
 MTD = 2
 image = IMAGE / "rootfs.ubi"
 check("the image consists of whole blocks",

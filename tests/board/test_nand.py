@@ -14,11 +14,11 @@ CONSOLE = TOP / "tests/flash/boot_console.py"
 FLASH = TOP / "board/imx31-pdk/flash.sh"
 # The first start writes the table of bad blocks; what later ones take, and the
 # goal of these.
-FIRST_S, LATER_S, GOAL_S = 6.0, 4.0, 1.5
+FIRST_S, LATER_S, GOAL_S = 5.0, 3.0, 1.5
 FIRST_ROOTFS_BLOCK = nand.ROOTFS_AT // nand.BLOCK
 BAD_BLOCKS = [8, 9, *range(FIRST_ROOTFS_BLOCK + 1, FIRST_ROOTFS_BLOCK + 40, 5)]
 # Free blocks, which UBI erases at the first start.
-WORN_BLOCKS = [300, 301]
+WORN_BLOCKS = [180, 181]
 
 needs_pdk()
 

@@ -26,7 +26,7 @@ import nand  # noqa: E402
 
 PAGE = nand.PAGE
 # Neither boot loader writes more than a partition at once.
-LIMIT = 0xB400000
+LIMIT = nand.ROOTFS_BYTES
 
 
 def cksum(data):

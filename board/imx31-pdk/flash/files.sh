@@ -9,7 +9,7 @@ rootfs=rootfs.ubi
 partition_range() {
     case $1 in
     kernel) echo $((0x100000)) $((0x500000)) ;;
-    rootfs) echo $((0x600000)) $((0xb400000)) ;;
+    rootfs) echo $((0x600000)) $((0x1400000)) ;;
     esac
 }
 

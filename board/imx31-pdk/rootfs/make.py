@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""make.py SYSROOT LIMBER ASSETS DIR: collects the board's root file system.
+"""make.py SYSROOT LIMBER HOST-LIMBER ASSETS DIR: collects the board's root file system.
 
 It writes the tree to DIR/root, for the flash image, and to DIR/list a list of
 it for the kernel's gen_init_cpio, which can make device nodes and owners
 without being root. The libraries that a program needs (DT_NEEDED) are copied
 from the sysroot, and those that they need; OPENED names the libraries that
-limber opens at run time. The environment's CONSOLE_PASSWORD lets root log in on
-the console.
+limber opens at run time. The limber of this machine makes the levels of detail of
+the models, which would take the board half a second at every start. The
+environment's CONSOLE_PASSWORD lets root log in on the console.
 """
 import os
 import pathlib
@@ -85,7 +86,7 @@ class Tree:
             "root:!:", f"root:{secret}:", 1))
 
 
-def collect(sysroot, limber, assets, root):
+def collect(sysroot, limber, host_limber, assets, root):
     tree = Tree(sysroot, root)
     tree.busybox()
     tree.program(limber, "usr/bin/limber")
@@ -94,6 +95,10 @@ def collect(sysroot, limber, assets, root):
     kinds = ("*.glb", "*.ini", "*.character")
     for asset in sorted(a for kind in kinds for a in assets.glob(kind)):
         tree.file(asset, "usr/share/limber/" + asset.name, 0o644)
+        if asset.suffix == ".glb":
+            levels = root / "usr/share/limber" / (asset.stem + ".levels")
+            run(host_limber, "levels", asset, "-o", levels)
+            levels.chmod(0o644)
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644
         if path.name == "shadow":
@@ -131,11 +136,11 @@ def listed(root):
 
 
 def main():
-    if len(sys.argv) != 5:
+    if len(sys.argv) != 6:
         sys.exit(__doc__.splitlines()[0])
-    sysroot, limber, assets, out = map(pathlib.Path, sys.argv[1:])
+    sysroot, limber, host_limber, assets, out = map(pathlib.Path, sys.argv[1:])
     shutil.rmtree(out, ignore_errors=True)
-    collect(sysroot, limber, assets, out / "root")
+    collect(sysroot, limber, host_limber, assets, out / "root")
     (out / "list").write_text("\n".join(listed(out / "root")) + "\n")
 
 

@@ -7,7 +7,7 @@ CFLAGS_coverage := -O0 -g --coverage -fprofile-update=atomic \
 	-Wno-maybe-uninitialized
 SETS_coverage := host font coverage
 PACKAGES_coverage := $(PACKAGES_host)
-LIBS_coverage := -lgif -lm -ldl --coverage
+LIBS_coverage := -lgif -lm -ldl --coverage -Wl,-u,__gcov_dump
 RUN_coverage :=
 GL_DRIVERS_coverage := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_coverage := $(DISPLAY_DRIVERS_host)

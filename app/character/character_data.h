@@ -11,7 +11,6 @@
 
 #include "app/anim/clip.h"
 #include "app/anim/ease.h"
-#include "app/anim/hierarchy.h"
 #include "app/character/character_morph.h"
 #include "app/character/character_part.h"
 #include "app/character/state/inertia.h"

@@ -8,7 +8,6 @@
 #ifndef APP_SCENE_DRAW_DRAW_H
 #define APP_SCENE_DRAW_DRAW_H
 
-#include "app/anim/hierarchy.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/instance.h"
 
@@ -27,21 +26,5 @@ enum draw_pass {
  */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);
-
-/*
- * Draws the drawables of one node. The current model-view matrix takes the
- * place of the node's world matrix. Neither this function nor draw_hierarchy()
- * draws normal maps.
- */
-void draw_node(const struct gl *gl, const struct instance *instance,
-	const struct texture_set *textures, int node, enum draw_pass pass);
-
-/*
- * Walks the pivots with matrix-stack calls as AN4044 section 2 does. Each
- * pivot's part is the index of a node, which draw_node() draws.
- */
-void draw_hierarchy(const struct gl *gl, const struct hierarchy *hierarchy,
-	const struct instance *instance, const struct texture_set *textures,
-	enum draw_pass pass);
 
 #endif

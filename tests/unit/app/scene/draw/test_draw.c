@@ -3,59 +3,6 @@
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
-static void assert_matrix_near(
-	const struct gl_recorded_draw *draw, mat4 expected)
-{
-	for (int i = 0; i < 16; i++) {
-		assert_near(draw->matrix[i], expected[i / 4][i % 4], 1e-3);
-	}
-}
-
-/* AN4044's arm: each part has its own order of rotations. */
-static void make_arm(struct hierarchy_pivot pivot[4])
-{
-	static const enum hierarchy_order orders[4] = {
-		HIERARCHY_HEADING_PITCH_BANK, HIERARCHY_PITCH_HEADING_BANK,
-		HIERARCHY_PITCH_BANK_HEADING, HIERARCHY_HEADING_PITCH_BANK};
-
-	for (int i = 0; i < 4; i++) {
-		pivot[i] = hierarchy_pivot_default();
-		pivot[i].parent = i - 1;
-		pivot[i].part = 0;
-		pivot[i].order = orders[i];
-		pivot[i].position[0] = 0.25f;
-		pivot[i].position[1] = 0.5f;
-		pivot[i].heading_rad = 0.3f + 0.1f * (float)i;
-		pivot[i].pitch_rad = -0.7f;
-		pivot[i].bank_rad = 0.2f * (float)i;
-	}
-	pivot[3].scale[1] = 2.0f;
-}
-
-static void test_matrix_stack_agrees_with_the_pivots_world(void **state)
-{
-	struct model *model = small_model_grid(1, 1, 1.0f, true);
-	struct instance *instance = small_model_instance(model);
-	struct gl gl = gl_recorder_begin();
-	struct texture_set no_textures = {0};
-	const struct gl_recording *recording = gl_recorder_result();
-	struct hierarchy_pivot pivot[4];
-	struct hierarchy arm = {4, pivot};
-	mat4 world[4];
-
-	(void)state;
-	make_arm(pivot);
-	hierarchy_world(&arm, world);
-	draw_hierarchy(&gl, &arm, instance, &no_textures, DRAW_SHADED);
-	assert_int_equal(recording->draw_count, 4);
-	for (int i = 0; i < 4; i++) {
-		assert_matrix_near(&recording->draw[i], world[i]);
-	}
-	assert_int_equal(recording->depth, 0);
-	instance_destroy(instance);
-	model_destroy(model);
-}
-
 static void test_a_rigid_mesh_is_placed_by_its_node(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1000.0f, true);
@@ -138,7 +85,6 @@ static void test_blended_surfaces_come_after_opaque_ones(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_matrix_stack_agrees_with_the_pivots_world),
 		cmocka_unit_test(test_a_rigid_mesh_is_placed_by_its_node),
 		cmocka_unit_test(test_a_mirrored_node_turns_the_front_face),
 		cmocka_unit_test(test_hidden_drawables_cost_no_call),

@@ -17,11 +17,11 @@ STAGES = {
     " largest_float light light_state matrix number paths prepare"
     " prepare_dir_lights prepare_light prepare_spans query soft state texenv_state"
     " unindexed vertex vertices",
-    "set-up": "begin bend clip fill_constant fill_count fill_flat fill_glyph fill_narrow"
+    "set-up": "begin bend clip fill_constant fill_flat fill_glyph fill_narrow"
     " fill_texture layout list masked narrow raster small triangle view walk"
     " walk_general walk_small",
-    "pixels": "any band combine depth_ways fill fragment gray level line luminance made mix"
-    " narrow_rows picture read rows spans_565 spans_8888 texel texture tile_row"
+    "pixels": "band combine combine_rows depth_ways fill finish_row fragment gray level line luminance made mix"
+    " narrow_rows picture read rows samplers spans_565 spans_8888 texel texture tile_row"
     " tiles tint",
     "clear": "clear",
 }

@@ -11,7 +11,6 @@ enum {
 		KEY_DEPTH_TEST | KEY_STENCIL,
 	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
 		KEY_BLENDED,
-	COUNTS = KEY_NO_COLOR | KEY_DEPTH_KEPT | KEY_STENCIL_COUNT,
 	/* Opaque, tested LESS; and opaque without a test. */
 	SMALL = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_BY_TRIANGLE |
 		KEY_DEPTH_LESS,
@@ -44,11 +43,6 @@ static const struct soft_path path[] = {
 		.fill = soft_fill_flat,
 		.begin = soft_fill_flat_begin,
 		.one_color = true,
-	},
-	{
-		.mask = COUNTS | KEY_ALPHA_TEST,
-		.bits = COUNTS,
-		.fill = soft_fill_count,
 	},
 	{
 		.mask = OTHERS | GLYPHS | KEY_LIT | KEY_PERSPECTIVE |

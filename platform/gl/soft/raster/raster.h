@@ -325,9 +325,6 @@ void soft_fill_masked(struct draw *draw, struct setup *setup);
 /* What soft_fill_flat() goes on to draw in: alpha is 0 to 32. */
 void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 
-/* fill_count.c: see there */
-void soft_fill_count(struct draw *draw, struct setup *setup);
-
 /* fill_glyph.c, on top of soft_fill_flat_begin() */
 void soft_fill_glyph(struct draw *draw, struct setup *setup);
 /*

@@ -12,8 +12,7 @@ static uint32_t find_target(const struct draw *draw)
 	const GLboolean *mask = draw->soft->fragment.color_mask;
 
 	return bit_if(draw->soft->format == PIXELS_RGB565, KEY_565) |
-		bit_if(!mask[0] || !mask[1] || !mask[2], KEY_COLOR_MASKED) |
-		bit_if(!draw->color_written, KEY_NO_COLOR);
+		bit_if(!mask[0] || !mask[1] || !mask[2], KEY_COLOR_MASKED);
 }
 
 static uint32_t find_vertices(const struct draw *draw)
@@ -48,25 +47,18 @@ static uint32_t find_depth(const struct draw *draw)
 	if (!state->depth_test) {
 		return KEY_DEPTH_ALWAYS;
 	}
-	if (state->depth_function == GL_LESS) {
-		return KEY_DEPTH_TEST |
-			(state->depth_mask ? KEY_DEPTH_LESS : KEY_DEPTH_KEPT);
-	}
 	return KEY_DEPTH_TEST |
+		bit_if(state->depth_function == GL_LESS && state->depth_mask,
+			KEY_DEPTH_LESS) |
 		bit_if(state->depth_function == GL_ALWAYS, KEY_DEPTH_ALWAYS);
 }
 
-static bool counts(GLenum operation)
-{
-	return operation == GL_INCR || operation == GL_DECR;
-}
-
-/* Of the stencils that fill_flat.c and fill_count.c have rows for. */
+/* Of the stencils that fill_flat.c has rows for. */
 static uint32_t find_stencil(const struct draw *draw)
 {
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
-	GLenum pass = stencil->pass, depth_fail = stencil->depth_fail;
-	bool kept = stencil->fail == GL_KEEP, buffer, once, unlike, count;
+	GLenum pass = stencil->pass;
+	bool kept = stencil->fail == GL_KEEP, buffer, once, unlike;
 
 	if (!stencil->enabled) {
 		return 0;
@@ -77,12 +69,8 @@ static uint32_t find_stencil(const struct draw *draw)
 		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO);
 	unlike = stencil->function == GL_NOTEQUAL && stencil->mask == 255 &&
 		kept && pass == GL_KEEP;
-	count = stencil->function == GL_ALWAYS && stencil->write_mask == 255 &&
-		((counts(depth_fail) && pass == GL_KEEP) ||
-			(counts(pass) && depth_fail == GL_KEEP));
 	return KEY_STENCIL | bit_if(once && buffer, KEY_STENCIL_ONCE) |
-		bit_if(unlike && buffer, KEY_STENCIL_UNLIKE) |
-		bit_if(count && buffer, KEY_STENCIL_COUNT);
+		bit_if(unlike && buffer, KEY_STENCIL_UNLIKE);
 }
 
 static uint32_t find_filter(const struct texture *texture)

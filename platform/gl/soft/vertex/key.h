@@ -13,39 +13,36 @@ enum {
 	/* the picture and what is written */
 	KEY_565 = 1 << 0,
 	KEY_COLOR_MASKED = 1 << 1, /* red, green or blue is not written */
-	KEY_NO_COLOR = 1 << 2,     /* nothing of the colour is */
 	/* vertices */
-	KEY_LIT = 1 << 3,
-	KEY_COLOR_ARRAY = 1 << 4,
-	KEY_PERSPECTIVE = 1 << 5,
+	KEY_LIT = 1 << 2,
+	KEY_COLOR_ARRAY = 1 << 3,
+	KEY_PERSPECTIVE = 1 << 4,
 	/* flat shading, two sides or a depth offset: planes differ by triangle */
-	KEY_BY_TRIANGLE = 1 << 6,
+	KEY_BY_TRIANGLE = 1 << 5,
 	/* fragments */
-	KEY_ALPHA_TEST = 1 << 7,
-	KEY_FOG = 1 << 8,
-	KEY_BLENDED = 1 << 9,
-	KEY_BLENDED_OTHER = 1 << 10, /* not from alpha to 1 - alpha */
-	KEY_DEPTH_TEST = 1 << 11,
-	KEY_DEPTH_LESS = 1 << 12,   /* tested LESS, and written */
-	KEY_DEPTH_KEPT = 1 << 13,   /* tested LESS, and not written */
-	KEY_DEPTH_ALWAYS = 1 << 14, /* not tested, or ALWAYS */
-	KEY_STENCIL = 1 << 15,
-	KEY_STENCIL_ONCE = 1 << 16, /* where it is EQUAL; gets another value */
-	KEY_STENCIL_UNLIKE = 1 << 17, /* where it is NOTEQUAL; is kept */
-	KEY_STENCIL_COUNT = 1 << 18,  /* ALWAYS; counts up or down by depth */
+	KEY_ALPHA_TEST = 1 << 6,
+	KEY_FOG = 1 << 7,
+	KEY_BLENDED = 1 << 8,
+	KEY_BLENDED_OTHER = 1 << 9, /* not from alpha to 1 - alpha */
+	KEY_DEPTH_TEST = 1 << 10,
+	KEY_DEPTH_LESS = 1 << 11,   /* tested LESS, and written */
+	KEY_DEPTH_ALWAYS = 1 << 12, /* not tested, or ALWAYS */
+	KEY_STENCIL = 1 << 13,
+	KEY_STENCIL_ONCE = 1 << 14, /* where it is EQUAL; gets another value */
+	KEY_STENCIL_UNLIKE = 1 << 15, /* where it is NOTEQUAL; is kept */
 	/* the first texture */
-	KEY_TEXTURE = 1 << 19,
-	KEY_TEXTURE_565 = 1 << 20,
-	KEY_TEXTURE_ALPHA = 1 << 21,
-	KEY_TEXTURE_TILES = 1 << 22,  /* luminance; see tiles.h */
-	KEY_TEXTURE_SQUARE = 1 << 23, /* as wide as high */
-	KEY_MODULATE = 1 << 24,
-	KEY_REPLACE = 1 << 25,
-	KEY_REPEAT = 1 << 26,
-	KEY_NEAREST = 1 << 27,
-	KEY_LINEAR = 1 << 28,   /* and of one level */
-	KEY_MIPMAPS = 1 << 29,  /* KEY_LINEAR of the nearest level */
-	KEY_TEXTURES = 1 << 30, /* the second texture is used */
+	KEY_TEXTURE = 1 << 16,
+	KEY_TEXTURE_565 = 1 << 17,
+	KEY_TEXTURE_ALPHA = 1 << 18,
+	KEY_TEXTURE_TILES = 1 << 19,  /* luminance; see tiles.h */
+	KEY_TEXTURE_SQUARE = 1 << 20, /* as wide as high */
+	KEY_MODULATE = 1 << 21,
+	KEY_REPLACE = 1 << 22,
+	KEY_REPEAT = 1 << 23,
+	KEY_NEAREST = 1 << 24,
+	KEY_LINEAR = 1 << 25,   /* and of one level */
+	KEY_MIPMAPS = 1 << 26,  /* KEY_LINEAR of the nearest level */
+	KEY_TEXTURES = 1 << 27, /* the second texture is used */
 };
 
 struct soft_pipeline_key {

@@ -4,7 +4,6 @@
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/count.h"
 #include "platform/gl/soft/fast/gray.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -263,32 +262,6 @@ static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
 	twins_edges(seed, -9, TWINS_SIDE + 9, edge, step);
 }
 
-/* Counts stop at their ends. */
-static void test_counts_neither_wrap_up_nor_down(void **state)
-{
-	for (int down = 0; down < 2; down++) {
-		uint16_t depth[4] = {0, 0, 0, 65535};
-		uint8_t stencil[4] = {0, 255, 7, 7};
-		struct count_band band = {
-			.depth = depth,
-			.stencil = stencil,
-			.edge = {0x7FFF, 4 * 65536 + 0x7FFF},
-			.z = 5 << 10,
-			.rows = 1,
-			.width = 4,
-			.to = 4,
-			.kind = down ? COUNT_DOWN : 0,
-		};
-
-		soft_count_band(&band);
-		assert_int_equal(stencil[0], down ? 0 : 1);
-		assert_int_equal(stencil[1], down ? 254 : 255);
-		assert_int_equal(stencil[2], down ? 6 : 8);
-		assert_int_equal(stencil[3], 7);
-	}
-	(void)state;
-}
-
 /* A pixel at a time. */
 static void shade_counted(const struct flat_band *band)
 {
@@ -396,7 +369,6 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_volumes_shade_what_the_long_way_does),
-		cmocka_unit_test(test_counts_neither_wrap_up_nor_down),
 		cmocka_unit_test(
 			test_the_sheet_shades_where_anything_was_counted),
 		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),

@@ -18,8 +18,8 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 /*
  * The same for an instance that is only drawn: updates leave out skinned
  * vertices that the drawables' lods do not draw. So nothing but the chosen
- * lists may be read: no shadow volumes, no bounds, no single vertices. After
- * lod_choose() see instance_is_stale().
+ * lists may be read: no bounds, no single vertices. After lod_choose() see
+ * instance_is_stale().
  */
 int instance_create_for_drawing(const struct model *model,
 	const struct kernel *kernel, const struct log *log,

@@ -3,7 +3,7 @@
  *
  * A frame calls stage_begin(), then draws the shadows, then the models. Flat
  * shadows are drawn with DRAW_SHADOW between stage_shadow_begin() and
- * stage_shadow_end(); shadow volumes are drawn right after stage_begin().
+ * stage_shadow_end(); shadows on uneven ground are drawn right after stage_begin().
  */
 #ifndef APP_SCENE_STAGE_STAGE_H
 #define APP_SCENE_STAGE_STAGE_H

@@ -1,6 +1,6 @@
 /*
- * The soft driver's short cuts for uneven ground and the shadow volumes on it:
- * against the long way, and those in assembly against the same in C.
+ * The soft driver's short cuts for uneven ground and what is drawn through a
+ * stencil on it: against the long way, and those in assembly against the same in C.
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/fast/band.h"
@@ -95,7 +95,7 @@ static void compare(const struct soft_scene *a, const struct soft_scene *b)
 	}
 }
 
-static void test_volumes_shade_what_the_long_way_does(void **state)
+static void test_stencils_shade_what_the_long_way_does(void **state)
 {
 	static const int sizes[] = {40, 200, 700, 3000};
 	struct soft_corner ground[CORNERS], hull[HULLS * CORNERS];
@@ -368,7 +368,7 @@ static void test_depth_is_tested_up_to_the_first_that_fails(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_volumes_shade_what_the_long_way_does),
+		cmocka_unit_test(test_stencils_shade_what_the_long_way_does),
 		cmocka_unit_test(
 			test_the_sheet_shades_where_anything_was_counted),
 		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),

@@ -93,11 +93,6 @@ struct clip_join clip_join_frames(
 	};
 }
 
-float clip_join_duration(const struct clip_join *join)
-{
-	return join->from->duration_s + join->to->duration_s - join->overlap_s;
-}
-
 void clip_join_sample(const struct clip_join *join, float time_s,
 	struct clip_cursor *from_cursor, struct clip_cursor *to_cursor,
 	struct pose *scratch, struct pose *pose)

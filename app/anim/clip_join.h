@@ -38,13 +38,10 @@ float clip_join_frame_s(const struct model_clip *clip);
 struct clip_join clip_join_frames(
 	const struct model_clip *from, const struct model_clip *to, int frames);
 
-/* The durations of both clips less the overlap. */
-float clip_join_duration(const struct clip_join *join);
-
 /*
- * Writes the joined clips at time_s, 0..clip_join_duration(), into pose; nodes
- * without a channel get their rest transform. scratch is another pose of the
- * model, whose content is lost.
+ * Writes the joined clips at time_s into pose: 0 to both durations less the
+ * overlap. Nodes without a channel get their rest transform. scratch is another
+ * pose of the model, whose content is lost.
  */
 void clip_join_sample(const struct clip_join *join, float time_s,
 	struct clip_cursor *from_cursor, struct clip_cursor *to_cursor,

@@ -133,15 +133,6 @@ static void interpolate_to_destiny(struct morph *morph, float omega)
 	interpolate(morph, source, morph->destiny, omega, offset);
 }
 
-void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
-	float omega)
-{
-	static const float none[3] = {0, 0, 0};
-
-	morph->running = false;
-	interpolate(morph, from, to, omega, none);
-}
-
 bool morph_update(struct morph *morph, double now_ms)
 {
 	float omega;

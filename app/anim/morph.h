@@ -94,13 +94,6 @@ void morph_trigger(struct morph *morph, struct morph_key destiny,
  */
 bool morph_update(struct morph *morph, double now_ms);
 
-/*
- * Shows the shape between two key frames at omega, 0..1, and stops there. Both
- * must have normals if the rest key had.
- */
-void morph_hold(struct morph *morph, struct morph_key from, struct morph_key to,
-	float omega);
-
 /* Omega, 0..1; 1 once Destiny is reached. */
 float morph_omega(const struct morph *morph, double now_ms);
 

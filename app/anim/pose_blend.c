@@ -3,29 +3,6 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 
-void pose_mask_fill(float *mask, int node_count, float weight)
-{
-	for (int i = 0; i < node_count; i++) {
-		mask[i] = weight;
-	}
-}
-
-void pose_mask_subtree(
-	float *mask, const struct model *model, int node, float weight)
-{
-	/* Parents come first, so the descendants follow the node. */
-	for (int i = node; i < model->node_count; i++) {
-		int ancestor = i;
-
-		while (ancestor > node) {
-			ancestor = model->node[ancestor].parent;
-		}
-		if (ancestor == node) {
-			mask[i] = weight;
-		}
-	}
-}
-
 /* The index of a node's first morph weight in a pose, and their number. */
 static int weight_range(const struct pose *pose, int node, int *first)
 {

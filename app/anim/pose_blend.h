@@ -10,13 +10,6 @@
 
 #include "app/anim/pose.h"
 
-/* Sets the weight of every node of the mask. */
-void pose_mask_fill(float *mask, int node_count, float weight);
-
-/* Sets the weight of a node and of all its descendants. */
-void pose_mask_subtree(
-	float *mask, const struct model *model, int node, float weight);
-
 /*
  * out = a + (b - a) * t: translation, scale and morph weights linearly,
  * rotation along the shorter arc. t is multiplied by the node's mask weight.

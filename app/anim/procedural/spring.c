@@ -44,11 +44,6 @@ int spring_init(
 	return 0;
 }
 
-void spring_reset(struct spring *spring)
-{
-	spring->begun = false;
-}
-
 /* The bones as vectors to the next node, or of the last one to its end. */
 static void measure(
 	struct swing *swing, const mat4 *world, const struct pose *pose)

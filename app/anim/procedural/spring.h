@@ -46,9 +46,6 @@ struct spring {
 int spring_init(
 	struct spring *spring, const struct model *model, int last, int count);
 
-/* Stops the motion; the next update begins at the animated pose. */
-void spring_reset(struct spring *spring);
-
 /*
  * Advances by step_s, at most 0.2 s, and rotates the bones. world has the
  * pose's matrices from before the call; those of the first bone and its

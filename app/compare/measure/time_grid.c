@@ -137,19 +137,3 @@ void time_grid_release(struct time_grid *grid)
 	free(grid->time_s);
 	*grid = (struct time_grid){0};
 }
-
-int time_grid_at(const struct time_grid *grid, float time_s)
-{
-	int low = 0, high = grid->count - 1;
-
-	while (low < high) {
-		int middle = (low + high + 1) / 2;
-
-		if (grid->time_s[middle] <= time_s) {
-			low = middle;
-		} else {
-			high = middle - 1;
-		}
-	}
-	return low;
-}

@@ -26,7 +26,4 @@ int time_grid_make(const struct model_clip *clip, struct time_grid *out);
 
 void time_grid_release(struct time_grid *grid);
 
-/* The index of the last moment at or before time_s. */
-int time_grid_at(const struct time_grid *grid, float time_s);
-
 #endif

@@ -109,25 +109,18 @@ static void test_a_mix_goes_part_of_the_way(void **state)
 	tear_down(&f);
 }
 
-static void test_a_mask_covers_a_subtree_and_its_weights(void **state)
+static void test_a_mask_weighs_nodes_and_their_morph_weights(void **state)
 {
 	struct fixture f;
-	float mask[4];
+	static const float mask[4] = {0, 0.5f, 0.5f, 0};
 
 	(void)state;
 	set_up(&f);
-	pose_mask_fill(mask, 4, 0);
-	pose_mask_subtree(mask, &f.bones.model, 1, 0.5f);
-	assert_true(mask[0] == 0 && mask[3] == 0);
-	assert_true(mask[1] == 0.5f && mask[2] == 0.5f);
 	f.b.local[3].translation[1] = 9;
 	pose_mix(&f.a, &f.b, 1, mask, &f.out);
 	assert_near(f.out.local[2].translation[1], 2, 1e-6);
 	assert_near(f.out.weight[1], 0.25, 1e-6);
 	assert_true(f.out.local[3].translation[1] == 1);
-	pose_mask_subtree(mask, &f.bones.model, 0, 1);
-	assert_true(mask[0] == 1 && mask[1] == 1 && mask[2] == 1);
-	assert_true(mask[3] == 1);
 	tear_down(&f);
 }
 
@@ -342,7 +335,6 @@ static void test_joined_clips_lose_the_overlap(void **state)
 	assert_near(clip_join_frame_s(&clip[0]), 0.1, 1e-6);
 	join = clip_join_frames(&clip[0], &clip[1], CLIP_JOIN_FRAMES);
 	assert_near(join.overlap_s, 0.4, 1e-6);
-	assert_near(clip_join_duration(&join), 2.6, 1e-6);
 	assert_near(joined(&f, &join, 0), 0, 1e-6);
 	assert_near(joined(&f, &join, 0.5f), 0.5, 1e-6);
 	/* At both ends of the overlap only one clip counts. */
@@ -430,7 +422,7 @@ int main(void)
 		cmocka_unit_test(test_easing_begins_and_ends_exactly),
 		cmocka_unit_test(test_a_mix_is_exact_at_both_ends),
 		cmocka_unit_test(test_a_mix_goes_part_of_the_way),
-		cmocka_unit_test(test_a_mask_covers_a_subtree_and_its_weights),
+		cmocka_unit_test(test_a_mask_weighs_nodes_and_their_morph_weights),
 		cmocka_unit_test(test_a_layer_adds_its_difference),
 		cmocka_unit_test(test_a_layer_like_its_reference_changes_nothing),
 		cmocka_unit_test(test_a_layer_weighs_half),

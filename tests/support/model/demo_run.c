@@ -8,13 +8,8 @@
 
 static const double press_s = 0.1;
 
-void demo_run_begin(struct demo_run *run, const char *name)
-{
-	demo_run_begin_by(run, name, "float");
-}
-
-void demo_run_begin_by(
-	struct demo_run *run, const char *name, const char *kernel)
+static void begin(struct demo_run *run, const char *name, const char *kernel,
+	bool may_save)
 {
 	const char *asset;
 	char path[256];
@@ -39,8 +34,25 @@ void demo_run_begin_by(
 		.character = demo_find(name) ? NULL : "none",
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
+		.may_save = may_save,
 	};
 	assert_int_equal(demo_create(run->driver, &env, &run->demo), 0);
+}
+
+void demo_run_begin(struct demo_run *run, const char *name)
+{
+	begin(run, name, "float", false);
+}
+
+void demo_run_begin_by(
+	struct demo_run *run, const char *name, const char *kernel)
+{
+	begin(run, name, kernel, false);
+}
+
+void demo_run_begin_saving(struct demo_run *run, const char *name)
+{
+	begin(run, name, "float", true);
 }
 
 static bool is_due(double at_s, double from_s, double to_s)

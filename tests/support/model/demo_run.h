@@ -23,13 +23,16 @@ struct demo_run {
 /*
  * Begins the demo of that name or, where there is none, the viewer with the
  * model assets/NAME. The demo takes somebody to be at the buttons, so that it
- * does nothing by itself. Fails the test if the demo cannot begin.
+ * does nothing by itself; it writes no file. Fails the test if the demo cannot begin.
  */
 void demo_run_begin(struct demo_run *run, const char *name);
 
 /* The same with the vertex kernel of that name; demo_run_begin() has float. */
 void demo_run_begin_by(
 	struct demo_run *run, const char *name, const char *kernel);
+
+/* The same with a demo whose buttons may write files, as those of play may. */
+void demo_run_begin_saving(struct demo_run *run, const char *name);
 
 /* Updates the demo rate_hz times a second until time_s, pressing what is due. */
 void demo_run_to(struct demo_run *run, double time_s, double rate_hz,

@@ -147,20 +147,20 @@ static void test_a_missing_file_is_reported(void **state)
 	assert_true(preset_file_save(bench->path.text, &preset, &quiet) < 0);
 }
 
-static void test_the_tuner_changes_and_saves(void **state)
+static void run_tuner(struct bench *bench,
+	void (*begin_run)(struct demo_run *run, const char *name),
+	struct procedural_preset read[4])
 {
 	static const struct demo_press presses[] = {
 		{0.2, BUTTON_RIGHT},                   /* attenuation, 0.3 */
 		{0.6, BUTTON_RIGHT}, {1.0, BUTTON_UP}, /* amplitude, 0.3 */
 		{1.4, BUTTON_LEFT}, {1.8, BUTTON_ENTER}};
-	struct bench *bench = *state;
-	struct procedural_preset read[4];
 	struct demo_run run;
 	char text[1024];
 
 	write_file(bench, "[mine]\nspeed = 7\n");
 	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder.text, 1), 0);
-	demo_run_begin(&run, "tuner");
+	begin_run(&run, "tuner");
 	demo_run_to(&run, 3.0, 20, presses, (int)ARRAY_COUNT(presses));
 	demo_run_draw(&run);
 	assert_true(gl_recorder_result()->vertex_count > 1000);
@@ -169,9 +169,25 @@ static void test_the_tuner_changes_and_saves(void **state)
 	assert_int_equal(procedural_presets_parse(
 				 text, bench->path.text, &bench->log, read, 4),
 		1);
+	assert_near(read[0].speed, 7.0, 0.0);
+}
+
+static void test_the_tuner_changes_and_saves(void **state)
+{
+	struct procedural_preset read[4];
+
+	run_tuner(*state, demo_run_begin_saving, read);
 	assert_near(read[0].attenuation, 0.4, 1e-6);
 	assert_near(read[0].amplitude, 0.28, 1e-6);
-	assert_near(read[0].speed, 7.0, 0.0);
+}
+
+static void test_a_tuner_that_may_not_save_writes_nothing(void **state)
+{
+	struct procedural_preset read[4];
+
+	run_tuner(*state, demo_run_begin, read);
+	assert_near(read[0].attenuation, 0.3, 1e-6);
+	assert_near(read[0].amplitude, 0.3, 1e-6);
 }
 
 int main(void)
@@ -187,6 +203,9 @@ int main(void)
 			test_a_missing_file_is_reported, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_the_tuner_changes_and_saves, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_a_tuner_that_may_not_save_writes_nothing, begin,
+			end),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

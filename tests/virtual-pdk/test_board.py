@@ -76,7 +76,7 @@ def prepare():
     os.environ["EMULATOR"] = "kzm"
     for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
                  "test-drivers.cpio.lz4"):
-        (IMAGE / name).write_bytes(b"none")
+        (IMAGE / name).write_bytes(b"console=none")
     board.overlay.make_tree = lambda image, folder: image / "zImage"
     board.overlay.make_archive = lambda folder: IMAGE / "zImage"
 

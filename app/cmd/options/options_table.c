@@ -195,7 +195,7 @@ const struct option_entry option_entries[] = {
 		"write to this file",
 		"the name of a file", TEXT(screen.output)},
 	{0, "demo", "NAME", FOR_SHOW,
-		"show a demo: walker, arm, face; of a MODEL too: crowd, duel, tuner",
+		"show a built-in demo: walker, arm, face, crowd, duel or tuner",
 		"the name of a demo", TEXT(show.demo)},
 	{0, "character", "FILE", FOR_SHOW,
 		"let the model behave as this file says; the default is MODEL's .character",

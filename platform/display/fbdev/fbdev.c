@@ -1,8 +1,8 @@
 /*
  * Linux framebuffers.
  *
- * With two pages and pictures of the screen's own layout, pictures are drawn
- * directly into the page that is not shown. Otherwise they are drawn in memory
+ * With two pages or three and pictures of the screen's own layout, pictures are
+ * drawn directly into a page that is not shown. Otherwise they are drawn in memory
  * and copied, because a half-drawn picture must not be visible, and because
  * reading a framebuffer, which blending does, is slow.
  */
@@ -56,7 +56,7 @@ static bool can_draw_directly(const struct display *display)
 	const struct fbdev_screen *screen = &display->screen;
 	uintptr_t pixel = (uintptr_t)display->packing.bytes;
 
-	return display->packing.same && screen->page_count == 2 &&
+	return display->packing.same && screen->page_count > 1 &&
 		(uintptr_t)screen->stride_bytes % pixel == 0 &&
 		(uintptr_t)screen->memory % pixel == 0;
 }
@@ -86,8 +86,9 @@ static void clear_screen(const struct fbdev_screen *screen)
 	size_t page_bytes =
 		(size_t)screen->height * (size_t)screen->stride_bytes;
 
-	if (screen->page_count == 2) {
-		memset(screen->memory, 0, 2 * page_bytes);
+	if (screen->page_count > 1) {
+		memset(screen->memory, 0,
+			(size_t)screen->page_count * page_bytes);
 		return;
 	}
 	for (int y = 0; y < screen->height; y++) {
@@ -179,7 +180,7 @@ static int fbdev_end_frame(struct display *display)
 		packing_copy(&display->packing, &display->picture,
 			picture_start(display), screen->stride_bytes);
 	}
-	return screen->page_count == 2 ? fbdev_screen_flip(screen) : 0;
+	return screen->page_count > 1 ? fbdev_screen_flip(screen) : 0;
 }
 
 static void fbdev_destroy(struct display *display)

@@ -148,12 +148,12 @@ static bool pan(struct fbdev_screen *screen, int page)
 	return control(screen, FBIOPAN_DISPLAY, &var) == 0;
 }
 
-static bool has_two_pages(const struct fbdev_screen *screen)
+static bool has_pages(const struct fbdev_screen *screen, int count)
 {
-	uint64_t both = 2 * (uint64_t)screen->height;
+	uint64_t rows = (uint64_t)count * (uint64_t)screen->height;
 
-	return screen->var.yres_virtual >= both &&
-		screen->fix.smem_len >= both * (uint64_t)screen->stride_bytes;
+	return screen->var.yres_virtual >= rows &&
+		screen->fix.smem_len >= rows * (uint64_t)screen->stride_bytes;
 }
 
 /* Drivers may change a requested mode; only the virtual height may differ. */
@@ -165,27 +165,36 @@ static bool is_still_good(
 		0;
 }
 
-static void request_two_pages(struct fbdev_screen *screen)
+/*
+ * Drivers may take more memory for it, so that all is read anew. False where the
+ * driver has changed more than the virtual height, which is undone.
+ */
+static bool request_pages(struct fbdev_screen *screen, int count)
 {
 	struct fbdev_screen was = *screen;
 	struct fb_var_screeninfo var = screen->var;
+	bool good;
 
-	var.yres_virtual = 2 * var.yres;
+	var.yres_virtual = (uint32_t)count * var.yres;
 	var.activate = FB_ACTIVATE_NOW;
-	if (2 * (uint64_t)screen->height * (uint64_t)screen->stride_bytes >
-			screen->fix.smem_len ||
-		control(screen, FBIOPUT_VSCREENINFO, &var) < 0) {
-		return;
+	if (control(screen, FBIOPUT_VSCREENINFO, &var) < 0) {
+		return true;
 	}
 	screen->changed = true;
-	if (read_info(screen) != 0 || read_layout(screen) != 0 ||
-		read_size(screen) != 0 || !is_still_good(screen, &was)) {
+	good = read_info(screen) == 0 && read_layout(screen) == 0 &&
+		read_size(screen) == 0 && is_still_good(screen, &was);
+	if (!good || !has_pages(screen, count)) {
 		control(screen, FBIOPUT_VSCREENINFO, &was.before);
 		*screen = was;
 	}
+	return good;
 }
 
-/* Uses one page when there is no memory for two, or panning fails. */
+/*
+ * Where the device cannot wait, the page before may still be shown for a frame
+ * after panning, so that a third one is needed to draw into. Uses one page when
+ * there is no memory for two, or panning fails.
+ */
 static void find_pages(struct fbdev_screen *screen)
 {
 	uint32_t step = screen->fix.ypanstep;
@@ -194,12 +203,16 @@ static void find_pages(struct fbdev_screen *screen)
 	if (step == 0 || screen->var.yres % step != 0) {
 		return;
 	}
-	if (!has_two_pages(screen)) {
-		request_two_pages(screen);
-	}
-	if (has_two_pages(screen) && pan(screen, 0)) {
-		screen->page_count = 2;
-		screen->changed = true;
+	for (int count = screen->waits ? 2 : FBDEV_PAGES_MAX;
+		screen->page_count == 1 && count > 1; count--) {
+		if (!has_pages(screen, count) &&
+			!request_pages(screen, count)) {
+			return;
+		}
+		if (has_pages(screen, count) && pan(screen, 0)) {
+			screen->page_count = count;
+			screen->changed = true;
+		}
 	}
 }
 
@@ -293,8 +306,8 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 	screen->before = screen->var;
 	/* Wakes the screen up; many devices do not support that. */
 	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
-	find_pages(screen);
 	screen->waits = can_wait(screen);
+	find_pages(screen);
 	error = set_colors(screen);
 	error = error ? error : map_memory(screen);
 	if (!error) {
@@ -305,12 +318,17 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 	return error;
 }
 
+static int next_page(const struct fbdev_screen *screen)
+{
+	return (screen->page + 1) % screen->page_count;
+}
+
 uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen)
 {
 	size_t stride = (size_t)screen->stride_bytes;
 
-	if (screen->page_count == 2) {
-		size_t row = screen->page ? 0 : (size_t)screen->height;
+	if (screen->page_count > 1) {
+		size_t row = (size_t)next_page(screen) * (size_t)screen->height;
 
 		return screen->memory + row * stride;
 	}
@@ -331,10 +349,10 @@ void fbdev_screen_wait(const struct fbdev_screen *screen)
 
 int fbdev_screen_flip(struct fbdev_screen *screen)
 {
-	if (!pan(screen, !screen->page)) {
+	if (!pan(screen, next_page(screen))) {
 		return failed(screen, "it cannot show the next picture");
 	}
-	screen->page = !screen->page;
+	screen->page = next_page(screen);
 	fbdev_screen_wait(screen);
 	return 0;
 }

@@ -16,6 +16,10 @@ enum {
 	FBDEV_PATH_BYTES = 64
 };
 
+enum {
+	FBDEV_PAGES_MAX = 3
+};
+
 struct fbdev_screen {
 	const struct device_calls *calls;
 	struct log log;
@@ -29,7 +33,7 @@ struct fbdev_screen {
 	struct colormap colors;
 	int width, height;
 	int stride_bytes;
-	int page_count; /* 1, or 2 to flip pages by panning */
+	int page_count; /* 1, or up to FBDEV_PAGES_MAX to flip by panning */
 	int page;       /* the page that is shown */
 	bool waits;     /* the device can wait for vertical blanking */
 	void *map;
@@ -38,8 +42,9 @@ struct fbdev_screen {
 };
 
 /*
- * Opens and maps the device, with two pages if possible. Returns 0, or -errno
- * after logging an error, with everything restored and closed.
+ * Opens and maps the device, with two pages if possible; with three where it
+ * cannot wait for vertical blanking. Returns 0, or -errno after logging an
+ * error, with everything restored and closed.
  */
 int fbdev_screen_open(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
@@ -53,11 +58,12 @@ int fbdev_screen_inspect(struct fbdev_screen *screen,
 	const struct device_calls *calls, const char *path,
 	const struct log *log);
 
-/* The first pixel of the page that is not shown, or of the only page. */
+/* The first pixel of the page that is shown next, or of the only page. */
 uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen);
 
 /*
- * Shows the back page, and waits until the other one is not shown any more.
+ * Shows the back page, and waits, if the device supports that, until the page
+ * before is not shown any more.
  * Returns 0, or -errno after logging an error.
  */
 int fbdev_screen_flip(struct fbdev_screen *screen);

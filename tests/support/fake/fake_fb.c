@@ -54,8 +54,9 @@ static int put_var(const struct fb_var_screeninfo *var)
 		return fail_with(EINVAL);
 	}
 	fake_fb.var = *var;
-	if (fake_fb.rounds_width && fake_fb.put_count == 1) {
+	if (fake_fb.rounds_width) {
 		fake_fb.var.xres -= 2;
+		fake_fb.rounds_width = false;
 	}
 	return 0;
 }

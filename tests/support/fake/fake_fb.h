@@ -31,7 +31,7 @@ struct fake_fb {
 	int fail_from;              /* its first call that fails, from 0 */
 	int fail_error;
 	bool fail_map;
-	bool rounds_width; /* the driver narrows a mode that is set */
+	bool rounds_width; /* the driver narrows the next mode that is set */
 	bool has_wait;
 	bool has_console;
 	int console_mode;

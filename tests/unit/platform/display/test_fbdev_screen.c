@@ -46,6 +46,42 @@ static void test_two_pages_are_drawn_into_in_turn(void **state)
 	assert_int_equal(fake_fb.var.yoffset, 0);
 }
 
+/* Panning may end a frame before the page before has left the screen. */
+static void test_a_device_that_cannot_wait_gets_a_third_page(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 3, HEIGHT * 2, WIDTH * 4,
+		fbdev_scene_layout_8888);
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(fake_fb.var.yres_virtual, HEIGHT * 3);
+	for (int i = 1; i < 8; i++) {
+		uint32_t before = fake_fb.var.yoffset;
+
+		fbdev_scene_draw(&scene);
+		assert_int_equal(fake_fb.var.yoffset, i % 3 * HEIGHT);
+		assert_int_not_equal(fake_fb.var.yoffset, before);
+		fbdev_scene_expect_corners(
+			0xFF0000, 0x00FF00, 0x0000FF, 0xFFFFFF);
+	}
+	fbdev_scene_close(&scene);
+	assert_int_equal(fake_fb.var.yres_virtual, HEIGHT * 2);
+}
+
+static void test_a_device_that_waits_keeps_two_pages(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 3, HEIGHT, WIDTH * 4,
+		fbdev_scene_layout_8888);
+	fake_fb.has_wait = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(fake_fb.var.yres_virtual, HEIGHT * 2);
+	fbdev_scene_close(&scene);
+}
+
 static void test_a_second_page_is_requested_and_given_back(void **state)
 {
 	struct fbdev_scene scene = {0};
@@ -230,6 +266,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_two_pages_are_drawn_into_in_turn),
+		cmocka_unit_test(
+			test_a_device_that_cannot_wait_gets_a_third_page),
+		cmocka_unit_test(test_a_device_that_waits_keeps_two_pages),
 		cmocka_unit_test(test_a_second_page_is_requested_and_given_back),
 		cmocka_unit_test(test_a_mode_that_the_driver_changed_is_restored),
 		cmocka_unit_test(

@@ -59,9 +59,21 @@ static void follow_feet(struct character *character)
 	motion->begun = true;
 }
 
+/*
+ * Whether feet only sway, as they do in a clip that stands: slower than the
+ * height up to which a foot counts as planted, a second.
+ */
+static bool is_standing(const struct character_motion *motion)
+{
+	float x = motion->velocity[0], z = motion->velocity[1];
+
+	return x * x + z * z < motion->near_m * motion->near_m;
+}
+
 void character_ground_update(struct character *character)
 {
 	struct character_motion *motion = &character->motion;
+	bool stands = false;
 
 	if (character->feet) {
 		character_feet_follow(character);
@@ -70,6 +82,7 @@ void character_ground_update(struct character *character)
 		if (!character->feet || character->feet->is.now == 0) {
 			follow_feet(character);
 		}
+		stands = is_standing(motion);
 	} else if (motion->speed) {
 		motion->velocity[0] = 0;
 		motion->velocity[1] = *motion->speed;
@@ -77,7 +90,8 @@ void character_ground_update(struct character *character)
 		blend_speeds(character, motion->velocity);
 	}
 	for (int axis = 0; axis < 2; axis++) {
-		motion->scroll[axis] =
-			motion->velocity[axis] * character->step_s;
+		motion->scroll[axis] = stands
+			? 0
+			: motion->velocity[axis] * character->step_s;
 	}
 }

@@ -325,6 +325,27 @@ static void test_the_cape_stays_on_and_moves(void **state)
 	acting_end(&acting);
 }
 
+static void test_the_floor_stands_while_the_walker_does(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	for (int steps = 0; steps <= 1; steps++) {
+		begin(&acting);
+		set_on(&acting, "steps", steps);
+		go_on(&acting, 2);
+		for (int frame = 0; frame < 120; frame++) {
+			go_on(&acting, 1);
+			assert_true(acting.character->motion.scroll[0] == 0 &&
+				acting.character->motion.scroll[1] == 0);
+		}
+		set_parameter(&acting, "speed", 1.03f);
+		go_on(&acting, 30);
+		assert_true(acting.character->motion.scroll[1] > 0.02f);
+		acting_end(&acting);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -335,6 +356,7 @@ int main(void)
 		cmocka_unit_test(test_the_head_turns_towards_the_ball),
 		cmocka_unit_test(test_a_bone_with_a_larger_rate_looks_first),
 		cmocka_unit_test(test_the_cape_stays_on_and_moves),
+		cmocka_unit_test(test_the_floor_stands_while_the_walker_does),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,184 @@
+/* Gestures of buttons, events of clips, output lines, tours and pauses. */
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+static const double rate_hz = 50.0;
+
+static void press_once(struct acting *acting, enum button button)
+{
+	acting_press(acting, button);
+	acting_run_to(acting, acting->now_s + 1.0 / rate_hz, rate_hz);
+	acting_release(acting, button);
+}
+
+static void test_gestures_of_buttons(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter short]\nrange = 0 9\n[parameter long]\nrange = 0 9\n"
+		"[parameter both]\nrange = 0 9\n[parameter held]\nrange = 0 9\n"
+		"[parameter up]\nrange = 0 9\n"
+		"[buttons]\nUP = add short 1\nUP long = add long 1\n"
+		"LEFT = add short 1\nLEFT+RIGHT = add both 1\n"
+		"F6 hold = set held 5\nF8 hold = add held 1\nF6 release = add up 1\n");
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 0.2, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 1.2, rate_hz);
+	acting_release(&acting, BUTTON_UP);
+	acting_run_to(&acting, 1.3, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "long"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_LEFT);
+	acting_run_to(&acting, 1.35, rate_hz);
+	acting_press(&acting, BUTTON_RIGHT);
+	acting_run_to(&acting, 1.6, rate_hz);
+	acting_release(&acting, BUTTON_LEFT);
+	acting_release(&acting, BUTTON_RIGHT);
+	acting_run_to(&acting, 1.7, rate_hz);
+	assert_near(acting_value(&acting, "short"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "both"), 1.0, 0.0);
+	press_once(&acting, BUTTON_LEFT);
+	acting_run_to(&acting, 2.0, rate_hz);
+	assert_near(acting_value(&acting, "short"), 2.0, 0.0);
+	acting_press(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.5, rate_hz);
+	assert_near(acting_value(&acting, "held"), 5.0, 0.0);
+	acting_release(&acting, BUTTON_F6);
+	acting_run_to(&acting, 2.6, rate_hz);
+	assert_near(acting_value(&acting, "held"), 0.0, 0.0);
+	assert_near(acting_value(&acting, "up"), 1.0, 0.0);
+	acting_press(&acting, BUTTON_F8);
+	acting_run_to(&acting, 4.6, rate_hz);
+	assert_near(acting_value(&acting, "held"), 2.0, 0.05);
+	acting_end(&acting);
+}
+
+static void test_events_run_actions_once_a_round(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter steps]\nrange = 0 99\n[parameter begun]\nrange = 0 99\n"
+		"[state a]\nclip = walk\nenter = add begun 1\n"
+		"[state b]\nclip = idle\n"
+		"[clip walk]\nevent = 0 add steps 1\nevent = 0.6 add steps 1\n"
+		"[buttons]\nUP = go b\nDOWN = go a\n");
+	acting_run_to(&acting, 5.49, 37.0); /* five rounds of 1.1 s */
+	assert_near(acting_value(&acting, "steps"), 10.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 7.0, 37.0);
+	assert_near(acting_value(&acting, "steps"), 10.0, 0.0);
+	press_once(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 7.2, 37.0);
+	assert_near(acting_value(&acting, "steps"), 11.0, 0.0);
+	assert_near(acting_value(&acting, "begun"), 2.0, 0.0);
+	acting_end(&acting);
+}
+
+/* What a board's output line would do. */
+struct line {
+	bool on;
+	int changes;
+};
+
+static void drive(void *user, int output, bool on)
+{
+	struct line *line = user;
+
+	assert_int_equal(output, 0);
+	line->changes += line->on != on;
+	line->on = on;
+}
+
+static void test_events_give_pulses_to_output_lines(void **state)
+{
+	struct acting acting;
+	struct line line = {0};
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[output led]\nline = gpiochip0/18\n"
+		"[clip walk]\nevent = 0.3 output led 100\n"
+		"event = 0.8 output led 100\n"
+		"[buttons]\nUP = output led on\nDOWN = output led off\n");
+	acting.character->drive = drive;
+	acting.character->drive_user = &line;
+	acting_run_to(&acting, 0.36, rate_hz);
+	assert_true(line.on);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_false(line.on);
+	acting_run_to(&acting, 5.5, rate_hz); /* five rounds of 1.1 s */
+	assert_int_equal(line.changes, 20);
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 5.6, rate_hz);
+	assert_true(line.on);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 5.7, rate_hz);
+	assert_false(line.on);
+	acting_end(&acting);
+}
+
+static void test_a_tour_presses_buttons_until_somebody_does(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 99\n[scene]\nperiod = 2\ntour = 0.5 UP\n"
+		"tour = 1 add v 10\n[buttons]\nUP = add v 1\nDOWN = pause\n");
+	acting.character->touring = true;
+	acting.character->tour_next = acting.character->scene.tour;
+	acting_run_to(&acting, 4.1, rate_hz);
+	assert_near(acting_value(&acting, "v"), 22.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 7.0, rate_hz);
+	assert_near(acting_value(&acting, "v"), 23.0, 0.0);
+	acting_end(&acting);
+}
+
+static void test_a_pause_holds_the_pose(void **state)
+{
+	struct acting acting;
+	float before[3], after[3];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(
+		&acting, "[state a]\nclip = run\n[buttons]\nENTER = pause\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	press_once(&acting, BUTTON_ENTER);
+	acting_place(&acting, "foot.L", before);
+	acting_run_to(&acting, 3.3, rate_hz);
+	acting_place(&acting, "foot.L", after);
+	assert_all_near(after, before, 3, 0.0);
+	press_once(&acting, BUTTON_ENTER);
+	acting_run_to(&acting, 3.5, rate_hz);
+	acting_place(&acting, "foot.L", after);
+	assert_true(fabsf(after[2] - before[2]) > 0.01f);
+	acting_end(&acting);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_gestures_of_buttons),
+		cmocka_unit_test(test_events_run_actions_once_a_round),
+		cmocka_unit_test(test_events_give_pulses_to_output_lines),
+		cmocka_unit_test(
+			test_a_tour_presses_buttons_until_somebody_does),
+		cmocka_unit_test(test_a_pause_holds_the_pose),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

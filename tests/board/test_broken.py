@@ -55,8 +55,9 @@ seen("the panel's data line is another GPIO",
 seen("the power chip has another select line",
      "the panel's supply VGEN does not give 1.8 V",
      ("-tx", PMIC, "reg", "0"))
+# Linux switches the clock off before mx3fb uses the IPU.
 seen("the IPU has another device's clock",
-     "the IPU's clock is off (bits 22 and 23 of CGR1)",
+     "IPU: access to 0x03c while its clock is off (bits 22 and 23 of CGR1)",
      ("-tx", IPU, "clocks", cells(IPU, "clocks")[0], "30"))
 
 machine = booted()

@@ -7,6 +7,8 @@
 #include <errno.h>
 #include <stdlib.h>
 
+static const float rest_extent_most = 2.0f; /* of the clips' */
+
 struct run {
 	struct comparison *comparison;
 	const struct log *log;
@@ -86,11 +88,25 @@ static int choose_clips(struct comparison *comparison, const struct log *log)
 	return 0;
 }
 
+/*
+ * All clips are seen in one view. A rest pose far from them does not count: it
+ * would leave few of a key frame's bits to the clips.
+ */
 static void find_box(struct comparison *comparison)
 {
-	comparison->box = bounds_empty();
+	struct bounds box = bounds_empty(), with;
+
 	for (int i = 0; i < comparison->clip_count; i++) {
-		bounds_join(&comparison->box, &comparison->clip[i].screen.box);
+		bounds_join(&box, &comparison->clip[i].screen.box);
+	}
+	with = box;
+	bounds_join(&with, &comparison->clip[0].rest);
+	if (bounds_extent(&with) <= rest_extent_most * bounds_extent(&box)) {
+		box = with;
+	}
+	comparison->box = box;
+	for (int i = 0; i < comparison->clip_count; i++) {
+		screen_view_frame(&comparison->clip[i].screen, &box);
 	}
 }
 

@@ -83,7 +83,8 @@ struct comparison_row {
 };
 
 struct comparison_clip {
-	int clip; /* of the model */
+	int clip;           /* of the model */
+	struct bounds rest; /* of the model's rest pose */
 	struct time_grid grid;
 	struct screen_view screen;
 	int row; /* in the mixed plan */
@@ -92,7 +93,8 @@ struct comparison_clip {
 struct comparison {
 	struct comparison_request request;
 	const struct model *model;
-	struct bounds box; /* around all clips, in the model's units */
+	/* Around all clips, and the rest pose if it is near, in model units. */
+	struct bounds box;
 	int vertex_count;
 	int clip_count;
 	struct comparison_clip *clip;

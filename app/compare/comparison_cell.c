@@ -10,7 +10,7 @@
 enum {
 	/* AN4044, section 4: "20 key frames are required". */
 	AN4044_KEYS = 20,
-	FITS_MAX = 4,
+	FITS_MAX = 12,
 	/* What all threads together keep of poses and key frames. */
 	KEPT_BYTES = 40 * 1024 * 1024
 };
@@ -47,6 +47,11 @@ int comparison_clip_prepare(struct comparison *comparison, int clip,
 
 	if (error) {
 		return error;
+	}
+	reference_rest(reference);
+	to->rest = bounds_empty();
+	for (int v = 0; v < reference->vertex_count; v++) {
+		bounds_add(&to->rest, reference->position[v]);
 	}
 	error = time_grid_make(reference->clip, &to->grid);
 	if (!error) {
@@ -117,7 +122,7 @@ static int fail(const struct task *task)
 	return -ENOMEM;
 }
 
-static int measure(struct task *task)
+static int measure(struct task *task, struct candidate_excess *excess)
 {
 	struct comparison_cell *cell = task->cell;
 	struct candidate candidate = {0};
@@ -125,7 +130,7 @@ static int measure(struct task *task)
 
 	if (!error &&
 		candidate_error_measure(&candidate, &task->clip->screen,
-			&task->clip->grid, &cell->error) != 0) {
+			&task->clip->grid, excess, &cell->error) != 0) {
 		error = fail(task);
 	}
 	if (!error) {
@@ -140,25 +145,56 @@ static int measure(struct task *task)
 	return error;
 }
 
-/* Fits more keys until the error is within the bound between moments, too. */
-static int fit_and_measure(struct task *task)
+static bool has_moment(const struct time_grid *grid, float time_s)
+{
+	for (int i = 0; i < grid->count; i++) {
+		if (grid->time_s[i] == time_s) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * Fits keys until the error is within the bound between moments, too: the
+ * moments that exceed it become moments of the grid, or the bound of the fit
+ * shrinks where they are moments already.
+ */
+static int fit_on(struct task *task, struct time_grid *grid)
 {
 	float bound_px = task->row->bound_px, fit_px = bound_px * first_fit;
 	struct comparison_cell *cell = task->cell;
 	int error = 0;
 
 	for (int i = 0; i < FITS_MAX && !error; i++) {
+		struct candidate_excess excess = {.bound_px = bound_px};
+
 		fit_keys_release(&cell->keys);
 		error = fit_keys_within(task->reference, &task->clip->screen,
-			&task->clip->grid, fit_px, kept_bytes(task),
-			&cell->keys);
-		error = error ? fail(task) : measure(task);
-		if (cell->error.peak_px <= bound_px || !task->row->listed ||
-			cell->keys.count == task->clip->grid.count) {
+			grid, fit_px, kept_bytes(task), &cell->keys);
+		error = error ? fail(task) : measure(task, &excess);
+		if (error || cell->error.peak_px <= bound_px ||
+			!task->row->listed) {
 			break;
 		}
-		fit_px *= first_fit * bound_px / cell->error.peak_px;
+		if (has_moment(grid, cell->error.peak_s)) {
+			fit_px *= first_fit * bound_px / cell->error.peak_px;
+		}
+		if (time_grid_add(grid, excess.time_s, excess.count) != 0) {
+			error = fail(task);
+		}
 	}
+	return error;
+}
+
+static int fit_and_measure(struct task *task)
+{
+	const struct time_grid *own = &task->clip->grid;
+	struct time_grid grid = {0};
+	int error = time_grid_add(&grid, own->time_s, own->count);
+
+	error = error ? fail(task) : fit_on(task, &grid);
+	time_grid_release(&grid);
 	return error;
 }
 
@@ -172,9 +208,9 @@ static int fill(struct task *task)
 	case COMPARISON_MORPH_EVEN:
 		error = fit_keys_evenly(task->reference->clip->duration_s,
 			AN4044_KEYS, &task->cell->keys);
-		return error ? fail(task) : measure(task);
+		return error ? fail(task) : measure(task, NULL);
 	default:
-		return measure(task);
+		return measure(task, NULL);
 	}
 }
 

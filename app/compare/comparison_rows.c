@@ -20,6 +20,33 @@ static bool has_targets(const struct model *model)
 	return false;
 }
 
+static bool moves_nodes(const struct model_clip *clip)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].path != MODEL_WEIGHTS &&
+			!clip->channel[i].constant) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Parts move with nodes, and a model of nodes alone consists of them already. */
+static bool has_rigid_parts(const struct comparison *comparison)
+{
+	const struct model *model = comparison->model;
+
+	if (model->skin_count == 0 && !has_targets(model)) {
+		return false;
+	}
+	for (int c = 0; c < comparison->clip_count; c++) {
+		if (moves_nodes(&model->clip[comparison->clip[c].clip])) {
+			return true;
+		}
+	}
+	return false;
+}
+
 static struct comparison_row *add_row(
 	struct comparison *comparison, enum comparison_kind kind, bool listed)
 {
@@ -89,7 +116,9 @@ static void add_rows(struct comparison *comparison)
 	}
 	add_row(comparison, COMPARISON_MORPH, true)->bound_px = bound_px;
 	add_row(comparison, COMPARISON_MORPH_EVEN, true);
-	add_row(comparison, COMPARISON_RIGID, true);
+	if (has_rigid_parts(comparison)) {
+		add_row(comparison, COMPARISON_RIGID, true);
+	}
 	for (size_t i = 0; i < ARRAY_COUNT(other_bounds); i++) {
 		add_row(comparison, COMPARISON_MORPH, false)->bound_px =
 			bound_px * other_bounds[i];
@@ -171,8 +200,10 @@ static void sum_up(
 		add_weights(comparison, row);
 		snprintf(row->name, sizeof(row->name), "morph, %d keys%s",
 			total->key_count,
-			row->kind == COMPARISON_MORPH && row->listed ? " fitted"
-								     : "");
+			row->kind == COMPARISON_MORPH && row->listed &&
+					total->peak_px <= row->bound_px
+				? " fitted"
+				: "");
 	}
 }
 

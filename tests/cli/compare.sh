@@ -128,6 +128,25 @@ check 'the table of clips lines up' awk '
     end { rows++; bad = bad || substr($0, end - 3, 4) !~ /\.[0-9][0-9] $/ }
     END { exit bad || rows != 2 }' "$out_file"
 
+# Values that jump, and a normal of a node that is scaled unevenly.
+sed 's/"output": [0-9]*/&, "interpolation": "STEP"/' "$slider" >"$scratch/step.gltf"
+limber compare "$scratch/step.gltf" --export "$scratch/step"
+expect_status 0
+expect_out '^ [ *]morph, [0-9]+ keys fitted +[0-9.]+ +[0-9.]+ +[-0-9]+ +[0-9.]+ +[0-9.]+ +0\.0'
+check 'a model of nodes alone has no rigid parts beside them' \
+    test ! -e "$scratch/step/rigid.glb"
+sed 's/"name": "slider",/& "scale": [1, 3, 0.5],/
+    s/"POSITION": 0/&, "NORMAL": 0/
+    s/"indices": 1/&, "targets": [{"POSITION": 0}]/' "$slider" >"$scratch/uneven.gltf"
+limber compare "$scratch/uneven.gltf" --format csv --export "$scratch/uneven"
+expect_status 0
+check 'rigid parts have the normals of their nodes' python3 -c '
+import csv, sys
+rows = list(csv.DictReader(open(sys.argv[1], newline="")))
+rigid, = [row for row in rows if row["technique"] == "rigid parts"]
+assert float(rigid["normal_deg"]) < 0.5 and float(rigid["peak_px"]) < 0.1, rigid
+' "$out_file"
+
 # A mirrored node turns its triangles round, and so do key frames in the world.
 sed 's/"name": "slider",/& "scale": [-1, 1, 1],/' "$slider" >"$scratch/mirror.gltf"
 sed -i 's/"POSITION": 0/&, "NORMAL": 0/' "$scratch/mirror.gltf"

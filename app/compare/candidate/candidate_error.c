@@ -26,6 +26,7 @@ struct comparer {
 	float (*position)[3]; /* [candidate->vertex_count] */
 	float (*normal)[3];
 	struct candidate_error error;
+	struct candidate_excess *excess;
 	float chord; /* the largest distance of two unit normals */
 	double sum_px;
 	double sum_count;
@@ -102,6 +103,15 @@ static void compare_normals(struct comparer *comparer, const float position[3],
 	}
 }
 
+static void note_excess(
+	struct candidate_excess *excess, const struct sample *sample)
+{
+	if (excess && sample->px > excess->bound_px &&
+		excess->count < (int)ARRAY_COUNT(excess->time_s)) {
+		excess->time_s[excess->count++] = sample->time_s;
+	}
+}
+
 /* Poses both at time_s and compares all vertices; with normals if wanted. */
 static struct sample compare_at(
 	struct comparer *comparer, float time_s, bool normals)
@@ -135,6 +145,7 @@ static struct sample compare_at(
 		}
 	}
 	comparer->error.samples++;
+	note_excess(comparer->excess, &sample);
 	if (sample.px > comparer->error.peak_px) {
 		comparer->error.peak_px = sample.px;
 		comparer->error.peak_s = time_s;
@@ -164,7 +175,8 @@ static void refine(
 	struct sample half[3];
 
 	spare_px = spare_px > tolerance_px ? spare_px : tolerance_px;
-	if (divisions == 0 || most_between(s) <= peak_px + spare_px) {
+	if (divisions == 0 || most_between(s) <= peak_px + spare_px ||
+		!(s[0].time_s < s[1].time_s && s[1].time_s < s[2].time_s)) {
 		return;
 	}
 	for (int i = 0; i < 2; i++) {
@@ -195,7 +207,7 @@ static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
 
 int candidate_error_measure(struct candidate *candidate,
 	const struct screen_view *screen, const struct time_grid *grid,
-	struct candidate_error *out)
+	struct candidate_excess *excess, struct candidate_error *out)
 {
 	size_t count = (size_t)candidate->vertex_count;
 	struct sample *sample =
@@ -204,6 +216,7 @@ int candidate_error_measure(struct candidate *candidate,
 		.candidate = candidate,
 		.reference = candidate->reference,
 		.screen = screen,
+		.excess = excess,
 		.position = malloc((count + 1) * sizeof(float[3])),
 		.normal = malloc((count + 1) * sizeof(float[3])),
 	};

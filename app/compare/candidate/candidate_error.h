@@ -33,12 +33,19 @@ struct candidate_error {
 	int samples; /* moments that were compared */
 };
 
+/* The first moments at which an error exceeds a bound. */
+struct candidate_excess {
+	float bound_px;
+	int count;
+	float time_s[512];
+};
+
 /*
  * Compares over the whole clip. The grid is that of the reference's clip.
- * Returns 0 or -ENOMEM.
+ * excess->bound_px is given; NULL is fine. Returns 0 or -ENOMEM.
  */
 int candidate_error_measure(struct candidate *candidate,
 	const struct screen_view *screen, const struct time_grid *grid,
-	struct candidate_error *out);
+	struct candidate_excess *excess, struct candidate_error *out);
 
 #endif

@@ -1,6 +1,7 @@
 #include "app/compare/candidate/candidate_rigid.h"
 
 #include "app/anim/math/matrix.h"
+#include "app/compare/measure/posed_vertices.h"
 #include "app/model/model_stats.h"
 #include "platform/base/count.h"
 
@@ -35,19 +36,22 @@ static void pose_rigid(struct candidate *candidate, float time_s)
 	pose_world(&rigid->pose, rigid->reference->model, NULL, rigid->world);
 }
 
-/* Joints turn and scale evenly, or normals are bent as on the screen. */
 static void take_rigid(const struct candidate *candidate, float (*position)[3],
 	float (*normal)[3])
 {
 	const struct rigid_bake *rigid = candidate->state;
+	mat3 turn = GLM_MAT3_IDENTITY_INIT;
 
 	for (int v = 0; v < candidate->vertex_count; v++) {
-		vec4 *world = rigid->world[rigid->node[v]];
+		int node = rigid->node[v];
+		vec4 *world = rigid->world[node];
 
 		matrix_apply(world, rigid->position[v], position[v]);
+		if (normal && (v == 0 || node != rigid->node[v - 1])) {
+			posed_vertices_normal_matrix((const vec4 *)world, turn);
+		}
 		if (normal) {
-			matrix_apply_direction(
-				world, rigid->normal[v], normal[v]);
+			glm_mat3_mulv(turn, rigid->normal[v], normal[v]);
 			glm_vec3_normalize(normal[v]);
 		}
 	}
@@ -103,6 +107,27 @@ static void choose_joints(struct splitter *splitter)
 	}
 }
 
+/*
+ * A skin's normal is bind * normal in the joint's space, and the player draws
+ * it transformed by the world matrix W. A node's normals are transformed by the
+ * cofactors of W. Both agree at rest, and wherever joints only turn from there,
+ * for transpose(W) * W * bind * normal.
+ */
+static void transform_normal(vec4 *bind, vec4 *world, float normal[3])
+{
+	mat3 side;
+	vec3 bound, shown;
+
+	matrix_apply_direction(bind, normal, bound);
+	matrix_apply_direction(world, bound, shown);
+	glm_mat4_pick3t(world, side);
+	glm_mat3_mulv(side, shown, normal);
+	if (glm_vec3_norm2(normal) == 0.0f) {
+		glm_vec3_copy(bound, normal); /* the node is flat at rest */
+	}
+	glm_vec3_normalize(normal);
+}
+
 /* Stores a vertex in the space of the node that moves it. */
 static void transform_vertex(
 	const struct splitter *splitter, int joint, int vertex, int to)
@@ -119,9 +144,9 @@ static void transform_vertex(
 		vec4 *bind = splitter->skin->inverse_bind[joint];
 
 		matrix_apply(bind, position, position);
-		matrix_apply_direction(
-			bind, rigid->normal[to], rigid->normal[to]);
-		glm_vec3_normalize(rigid->normal[to]);
+		transform_normal(bind,
+			rigid->world[splitter->skin->joint[joint]],
+			rigid->normal[to]);
 	}
 }
 
@@ -249,6 +274,7 @@ static int prepare(struct rigid_bake *rigid)
 		error = pose_init(&rigid->pose, reference->model, &rigid->arena);
 	}
 	if (!error) {
+		pose_world(&rigid->pose, reference->model, NULL, rigid->world);
 		error = clip_cursor_init(
 			&rigid->cursor, reference->model, &rigid->arena);
 	}

@@ -36,7 +36,10 @@ static int allocate(struct exporter *exporter)
 		: -ENOMEM;
 }
 
-/* The mesh itself is the first pose, with normals on the diagonals. */
+/*
+ * The mesh itself is the rest pose, which the player frames together with the
+ * clips, as it does with the model. Its normals are on the diagonals.
+ */
 static void take_base(struct exporter *exporter)
 {
 	const struct reference *reference = exporter->reference;
@@ -183,11 +186,12 @@ static int export_keys(struct exporter *exporter, int clip)
 	}
 	error = exporter->base ? 0 : allocate(exporter);
 	for (int k = 0; !error && k < keys->count; k++) {
-		reference_pose(exporter->reference, keys->time_s[k], true);
 		if (json_array_size(exporter->primitives) == 0) {
+			reference_rest(exporter->reference);
 			take_base(exporter);
 			add_primitives(exporter);
 		}
+		reference_pose(exporter->reference, keys->time_s[k], true);
 		take_deltas(exporter);
 		add_targets(exporter);
 	}

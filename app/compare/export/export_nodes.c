@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 static json_t *node_json(const struct model_node *node, int mesh, bool skins)
 {
@@ -106,11 +107,63 @@ static json_t *sampler_json(struct glb *glb,
 		"interpolation", interpolation[channel->interpolation]);
 }
 
-static json_t *clip_json(
-	struct glb *glb, const struct model_clip *clip, bool targets)
+/* A node whose translation the clip leaves alone, or -1. */
+static int find_still_node(
+	const struct model *model, const struct model_clip *clip)
+{
+	for (int node = 0; node < model->node_count; node++) {
+		bool still = !model->node[node].matrix;
+
+		for (int i = 0; still && i < clip->channel_count; i++) {
+			still = clip->channel[i].node != node ||
+				clip->channel[i].path != MODEL_TRANSLATION;
+		}
+		if (still) {
+			return node;
+		}
+	}
+	return -1;
+}
+
+/*
+ * Without weights of targets a clip would end early or be missing: a node that
+ * stays where it is keeps its duration.
+ */
+static void keep_duration(struct glb *glb, const struct model *model,
+	const struct model_clip *clip, json_t *samplers, json_t *channels)
+{
+	int node = find_still_node(model, clip);
+	float time_s[2] = {0.0f, clip->duration_s}, still[2][3];
+
+	if (node < 0 || !(clip->duration_s > 0.0f)) {
+		return;
+	}
+	memcpy(still[0], model->node[node].rest.translation, sizeof(still[0]));
+	memcpy(still[1], still[0], sizeof(still[1]));
+	json_array_append_new(channels,
+		json_pack("{s:i, s:{s:i, s:s}}", "sampler",
+			(int)json_array_size(samplers), "target", "node", node,
+			"path", "translation"));
+	json_array_append_new(samplers,
+		json_pack("{s:i, s:i, s:s}", "input",
+			glb_add_array(glb, time_s, 2, 1, GLB_FLOAT), "output",
+			glb_add_array(glb, still, 2, 3, GLB_FLOAT),
+			"interpolation", "STEP"));
+}
+
+static float later(float end_s, const struct model_channel *channel)
+{
+	float last_s = channel->time_s[channel->key_count - 1];
+
+	return last_s > end_s ? last_s : end_s;
+}
+
+static json_t *clip_json(struct glb *glb, const struct model *model,
+	const struct model_clip *clip, bool targets)
 {
 	json_t *samplers = json_array(), *channels = json_array();
 	struct last_times last = {NULL, 0, -1};
+	float end_s = 0.0f;
 	int count = 0;
 
 	for (int i = 0; i < clip->channel_count; i++) {
@@ -121,9 +174,13 @@ static json_t *clip_json(
 				samplers, sampler_json(glb, channel, &last));
 			json_array_append_new(
 				channels, channel_json(channel, count++));
+			end_s = later(end_s, channel);
 		}
 	}
-	if (count == 0) {
+	if (end_s < clip->duration_s) {
+		keep_duration(glb, model, clip, samplers, channels);
+	}
+	if (json_array_size(channels) == 0) {
 		json_decref(samplers);
 		json_decref(channels);
 		return NULL;
@@ -139,8 +196,8 @@ void export_clips(
 
 	for (int c = 0; c < comparison->clip_count; c++) {
 		int clip = comparison->clip[c].clip;
-		json_t *json =
-			clip_json(glb, &comparison->model->clip[clip], targets);
+		json_t *json = clip_json(glb, comparison->model,
+			&comparison->model->clip[clip], targets);
 
 		if (json) {
 			json_array_append_new(animations, json);

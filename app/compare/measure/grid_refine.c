@@ -7,13 +7,15 @@
 #include <string.h>
 
 enum {
-	PIECES_MAX = 16
+	PIECES_MAX = 64
 };
 
-/* How far the pose in reference is from the middle of two others. */
+/*
+ * How far the pose in reference is from the middle of two others. The box
+ * contains it from now on.
+ */
 static float bend_px(const struct reference *reference,
-	const struct screen_view *screen, const float (*from)[3],
-	const float (*to)[3])
+	struct screen_view *screen, const float (*from)[3], const float (*to)[3])
 {
 	float most = 0.0f;
 
@@ -25,6 +27,7 @@ static float bend_px(const struct reference *reference,
 		}
 		px = screen_view_distance_px(
 			screen, middle, reference->position[v]);
+		bounds_add(&screen->box, reference->position[v]);
 		most = px > most ? px : most;
 	}
 	return most;
@@ -36,16 +39,21 @@ static void copy_pose(const struct reference *reference, float (*out)[3])
 		(size_t)reference->vertex_count * sizeof(*out));
 }
 
+/* A value jumps between two moments that are closer than this. */
+static const float jump_s = 1e-5f;
+
 /* A piece of an nth of the time is off by an n^2th of the distance. */
-static int pieces_for(float bend, float bound_px)
+static int pieces_for(float gap_s, float bend, float bound_px)
 {
+	if (gap_s < jump_s) {
+		return 1;
+	}
 	return scalar_to_int(
 		(double)scalar_sqrt(bend / bound_px) + 0.999, 1, PIECES_MAX);
 }
 
-static int count_pieces(struct reference *reference,
-	const struct screen_view *screen, float bound_px,
-	const struct time_grid *grid, int *pieces)
+static int count_pieces(struct reference *reference, struct screen_view *screen,
+	float bound_px, const struct time_grid *grid, int *pieces)
 {
 	size_t bytes = (size_t)reference->vertex_count * sizeof(float[3]) + 1;
 	float(*from)[3] = malloc(bytes);
@@ -64,7 +72,7 @@ static int count_pieces(struct reference *reference,
 		reference_pose(reference, at[1], false);
 		copy_pose(reference, to);
 		reference_pose(reference, 0.5f * (at[0] + at[1]), false);
-		pieces[i] = pieces_for(
+		pieces[i] = pieces_for(at[1] - at[0],
 			bend_px(reference, screen, (const float(*)[3])from,
 				(const float(*)[3])to),
 			bound_px);
@@ -100,7 +108,7 @@ static int divide(struct time_grid *grid, const int *pieces)
 	return 0;
 }
 
-int grid_refine(struct reference *reference, const struct screen_view *screen,
+int grid_refine(struct reference *reference, struct screen_view *screen,
 	float bound_px, struct time_grid *grid)
 {
 	int *pieces = malloc((size_t)grid->count * sizeof(*pieces));

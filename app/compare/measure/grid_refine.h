@@ -9,9 +9,10 @@
 /*
  * Adds moments, so that the straight line between two moments next to each
  * other is off by at most about bound_px, as far as the middle between them
- * tells; at most 15 moments between two. Returns 0 or -ENOMEM.
+ * tells; at most 63 moments between two, and none where a value jumps. The
+ * view's box grows to contain the middles. Returns 0 or -ENOMEM.
  */
-int grid_refine(struct reference *reference, const struct screen_view *screen,
+int grid_refine(struct reference *reference, struct screen_view *screen,
 	float bound_px, struct time_grid *grid);
 
 #endif

@@ -123,11 +123,7 @@ static bool posed_normal(
 	return true;
 }
 
-/*
- * Normals are transformed by the cofactors of the node's matrix, which have the
- * sign of its determinant: a mirrored surface still faces outwards.
- */
-static void normal_matrix(const vec4 *world, mat3 out)
+void posed_vertices_normal_matrix(const vec4 *world, mat3 out)
 {
 	glm_vec3_cross((float *)world[1], (float *)world[2], out[0]);
 	glm_vec3_cross((float *)world[2], (float *)world[0], out[1]);
@@ -143,7 +139,7 @@ static void write_normals(const struct instance *instance,
 	int count = drawable->primitive->vertex_count;
 	mat3 turn;
 
-	normal_matrix(instance->world[drawable->node], turn);
+	posed_vertices_normal_matrix(instance->world[drawable->node], turn);
 	for (int v = 0; v < count; v++) {
 		float from[3];
 

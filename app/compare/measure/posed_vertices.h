@@ -17,4 +17,11 @@ void posed_vertices_positions(
 /* Writes unit normals; zeros where a primitive has none. */
 void posed_vertices_normals(const struct instance *instance, float (*normal)[3]);
 
+/*
+ * The matrix that transforms normals of a node: the cofactors of its world
+ * matrix, times the sign of its determinant, so that a mirrored surface still
+ * faces outwards.
+ */
+void posed_vertices_normal_matrix(const vec4 *world, mat3 out);
+
 #endif

@@ -100,16 +100,27 @@ void reference_destroy(struct reference *reference)
 	}
 }
 
-void reference_pose(struct reference *reference, float time_s, bool normals)
+static void take_pose(struct reference *reference, bool normals)
 {
 	struct instance *instance = reference->instance;
 
-	clip_pose(reference->clip, time_s, CLIP_AUTO, &reference->cursor,
-		&instance->pose);
 	instance->hold_normals = !normals;
 	instance_update(instance);
 	posed_vertices_positions(instance, reference->position);
 	if (normals) {
 		posed_vertices_normals(instance, reference->normal);
 	}
+}
+
+void reference_pose(struct reference *reference, float time_s, bool normals)
+{
+	clip_pose(reference->clip, time_s, CLIP_AUTO, &reference->cursor,
+		&reference->instance->pose);
+	take_pose(reference, normals);
+}
+
+void reference_rest(struct reference *reference)
+{
+	pose_rest(&reference->instance->pose, reference->model);
+	take_pose(reference, true);
 }

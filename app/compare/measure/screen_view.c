@@ -29,26 +29,36 @@ static struct bounds box_of(
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height)
 {
-	struct screen_view screen = {.width = width, .height = height};
+	struct screen_view screen = {
+		.width = width,
+		.height = height,
+		.unit = reference->instance->unit_scale,
+	};
+	struct bounds box = box_of(reference, grid);
+
+	screen_view_frame(&screen, &box);
+	return screen;
+}
+
+void screen_view_frame(struct screen_view *screen, const struct bounds *box)
+{
 	struct camera camera = camera_default();
 	struct camera_framing wanted = framing;
-	struct bounds scene_box;
-	float unit = reference->instance->unit_scale;
+	struct bounds scene_box = *box;
 	float half_rad = 0.5f * camera.yfov_rad;
 
-	screen.box = box_of(reference, grid);
-	scene_box = screen.box;
-	glm_vec3_scale(scene_box.low, unit, scene_box.low);
-	glm_vec3_scale(scene_box.high, unit, scene_box.high);
-	wanted.aspect = (float)width / (float)height;
+	screen->box = *box;
+	glm_vec3_scale(scene_box.low, screen->unit, scene_box.low);
+	glm_vec3_scale(scene_box.high, screen->unit, scene_box.high);
+	wanted.aspect = (float)screen->width / (float)screen->height;
 	camera_frame(&camera, &scene_box, &wanted);
-	camera_view(&camera, screen.view);
+	camera_view(&camera, screen->view);
 	for (int column = 0; column < 3; column++) {
-		glm_vec3_scale(screen.view[column], unit, screen.view[column]);
+		glm_vec3_scale(screen->view[column], screen->unit,
+			screen->view[column]);
 	}
-	screen.focal_px = 0.5f * (float)height * scalar_cos(half_rad) /
+	screen->focal_px = 0.5f * (float)screen->height * scalar_cos(half_rad) /
 		scalar_sin(half_rad);
-	return screen;
 }
 
 void screen_view_project(

@@ -13,15 +13,22 @@ struct screen_view {
 	int width, height; /* pixels */
 	mat4 view;      /* model units to eye space; the eye looks along -Z */
 	float focal_px; /* pixels that one unit at distance 1 covers */
-	struct bounds box; /* around the clip, in the model's units */
+	float unit;     /* scene units per unit of the model */
+	struct bounds box; /* that is framed, in the model's units */
 };
 
 /*
- * The view in which `limber play` frames the whole clip at its start. It poses
- * the reference at every moment of the grid.
+ * The view that frames the whole clip. It poses the reference at every moment
+ * of the grid.
  */
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height);
+
+/*
+ * Moves the view so that it frames a box in the model's units, as `limber play`
+ * without labels frames all clips and the rest pose.
+ */
+void screen_view_frame(struct screen_view *screen, const struct bounds *box);
 
 /* Projects a point of world space: pixels right of and above the middle. */
 void screen_view_project(

@@ -1,18 +1,26 @@
 #include "app/compare/measure/time_grid.h"
 
 #include <errno.h>
+#include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const float gap_most_s = 1.0f / 60.0f;
 static const float gap_least_s = 1.0f / 80.0f;
-static const float before_step_s = 1e-4f;
 static const float longest_s = 18000.0f;
 
-static int compare_times(const void *a, const void *b)
-{
-	float x = *(const float *)a, y = *(const float *)b;
+struct moment {
+	float time_s;
+	bool jump; /* a value changes at once here */
+};
 
-	return (x > y) - (x < y);
+static int compare_moments(const void *a, const void *b)
+{
+	const struct moment *x = a, *y = b;
+	int order = (x->time_s > y->time_s) - (x->time_s < y->time_s);
+
+	return order ? order : (int)y->jump - (int)x->jump;
 }
 
 static size_t count_keys(const struct model_clip *clip)
@@ -30,54 +38,58 @@ static size_t count_keys(const struct model_clip *clip)
 	return count;
 }
 
-/* Returns the number of times: those within the clip, and its two ends. */
-static size_t collect(const struct model_clip *clip, float *time_s)
+/* A jump is two moments: before the key there is the last float below it. */
+static size_t collect_channel(const struct model_channel *channel,
+	float duration_s, struct moment *moment)
 {
+	bool jump = channel->interpolation == MODEL_STEP;
 	size_t count = 0;
 
-	time_s[count++] = 0.0f;
-	time_s[count++] = clip->duration_s;
-	for (int i = 0; i < clip->channel_count; i++) {
-		const struct model_channel *channel = &clip->channel[i];
+	for (int k = 0; k < channel->key_count; k++) {
+		float at = channel->time_s[k];
 
-		for (int k = 0; !channel->constant && k < channel->key_count;
-			k++) {
-			float at = channel->time_s[k];
-
-			if (at > 0.0f && at < clip->duration_s) {
-				time_s[count++] = at;
-			}
-			at -= before_step_s;
-			if (channel->interpolation == MODEL_STEP && at > 0.0f &&
-				at < clip->duration_s) {
-				time_s[count++] = at;
+		if (at > 0.0f &&
+			(at < duration_s || (jump && at == duration_s))) {
+			moment[count++] = (struct moment){at, jump};
+			if (jump) {
+				moment[count++] = (struct moment){
+					nextafterf(at, 0.0f), true};
 			}
 		}
 	}
-	qsort(time_s, count, sizeof(*time_s), compare_times);
 	return count;
 }
 
-/*
- * Leaves out keys too close to the one before, but not the moment before a
- * jump, which is closer to the jump than to anything else.
- */
-static size_t thin_out(float *time_s, size_t count)
+/* Returns the number of times: those within the clip, and its two ends. */
+static size_t collect(const struct model_clip *clip, struct moment *moment)
 {
-	float end_s = time_s[count - 1];
-	size_t kept = 1;
+	size_t count = 0;
 
-	for (size_t i = 1; i + 1 < count; i++) {
-		float gap_s = time_s[i] - time_s[kept - 1];
-		bool jump = gap_s > 0.5f * before_step_s &&
-			gap_s < 2.0f * before_step_s;
-
-		if ((gap_s >= gap_least_s || jump) &&
-			end_s - time_s[i] > 0.5f * before_step_s) {
-			time_s[kept++] = time_s[i];
+	moment[count++] = (struct moment){0.0f, true};
+	moment[count++] = (struct moment){clip->duration_s, true};
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (!clip->channel[i].constant) {
+			count += collect_channel(&clip->channel[i],
+				clip->duration_s, moment + count);
 		}
 	}
-	time_s[kept++] = end_s;
+	qsort(moment, count, sizeof(*moment), compare_moments);
+	return count;
+}
+
+/* Leaves out keys too close to the one before, unless a value jumps there. */
+static size_t thin_out(const struct moment *moment, size_t count, float *time_s)
+{
+	size_t kept = 1;
+
+	time_s[0] = moment[0].time_s;
+	for (size_t i = 1; i < count; i++) {
+		float gap_s = moment[i].time_s - time_s[kept - 1];
+
+		if (gap_s >= gap_least_s || (moment[i].jump && gap_s > 0.0f)) {
+			time_s[kept++] = moment[i].time_s;
+		}
+	}
 	return kept;
 }
 
@@ -114,22 +126,53 @@ static int fill(const float *time_s, size_t count, struct time_grid *out)
 
 int time_grid_make(const struct model_clip *clip, struct time_grid *out)
 {
+	struct moment *moment;
 	float *time_s;
 	size_t count;
-	int error;
+	int error = -ENOMEM;
 
 	*out = (struct time_grid){0};
 	if (clip->duration_s > longest_s) {
 		return -E2BIG;
 	}
-	time_s = malloc(count_keys(clip) * sizeof(*time_s));
-	if (!time_s) {
-		return -ENOMEM;
+	count = count_keys(clip);
+	moment = malloc(count * sizeof(*moment));
+	time_s = malloc(count * sizeof(*time_s));
+	if (moment && time_s) {
+		count = collect(clip, moment);
+		error = fill(time_s, thin_out(moment, count, time_s), out);
 	}
-	count = thin_out(time_s, collect(clip, time_s));
-	error = fill(time_s, count, out);
+	free(moment);
 	free(time_s);
 	return error;
+}
+
+static int compare_times(const void *a, const void *b)
+{
+	float x = *(const float *)a, y = *(const float *)b;
+
+	return (x > y) - (x < y);
+}
+
+int time_grid_add(struct time_grid *grid, const float *time_s, int count)
+{
+	size_t total = (size_t)grid->count + (size_t)count;
+	float *all = realloc(grid->time_s, total * sizeof(*all));
+	int kept = 0;
+
+	if (!all) {
+		return -ENOMEM;
+	}
+	grid->time_s = all;
+	memcpy(all + grid->count, time_s, (size_t)count * sizeof(*all));
+	qsort(all, total, sizeof(*all), compare_times);
+	for (size_t i = 0; i < total; i++) {
+		if (kept == 0 || all[i] > all[kept - 1]) {
+			all[kept++] = all[i];
+		}
+	}
+	grid->count = kept;
+	return 0;
 }
 
 void time_grid_release(struct time_grid *grid)

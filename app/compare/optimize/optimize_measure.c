@@ -62,7 +62,8 @@ static int measure(struct reference *wanted, struct reference *found,
 		return error;
 	}
 	screen = screen_view_create(wanted, &grid, size.width, size.height);
-	error = candidate_error_measure(&candidate, &screen, &grid, &measured);
+	error = candidate_error_measure(
+		&candidate, &screen, &grid, NULL, &measured);
 	time_grid_release(&grid);
 	*peak_px = measured.peak_px;
 	return error;

@@ -96,7 +96,7 @@ static void agrees(struct bench *bench, struct candidate *candidate)
 	float allowed_px = 0.05f * dense_px;
 
 	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
-				 &bench->grid, &error),
+				 &bench->grid, NULL, &error),
 		0);
 	allowed_px = allowed_px > 0.05f ? allowed_px : 0.05f;
 	if (error.peak_px < dense_px - allowed_px) {
@@ -191,8 +191,9 @@ static void test_keys_that_are_baked_again_are_the_same(void **state)
 					 kernel_find(NULL), &placement, &keys,
 					 i * KEPT_BYTES, &bench.log),
 			0);
-		assert_int_equal(candidate_error_measure(&candidate,
-					 &bench.screen, &bench.grid, &error[i]),
+		assert_int_equal(
+			candidate_error_measure(&candidate, &bench.screen,
+				&bench.grid, NULL, &error[i]),
 			0);
 		candidate_destroy(&candidate);
 		fit_keys_release(&keys);

@@ -77,7 +77,7 @@ static void agrees(enum contender_kind kind)
 	begin(&bench, kind);
 	shown_px = largest_error(&bench, 4.0f);
 	assert_int_equal(candidate_error_measure(&bench.contender.candidate,
-				 &bench.screen, &bench.grid, &error),
+				 &bench.screen, &bench.grid, NULL, &error),
 		0);
 	/* The figure shown is posed at the grid's moments alone. */
 	assert_true(shown_px <= error.peak_px + 2e-3f);

@@ -1,7 +1,5 @@
 #include "app/anim/playback.h"
 
-#include "platform/base/scalar.h"
-
 struct playback playback_begin(
 	float duration_s, enum clip_repeat repeat, float speed)
 {
@@ -15,9 +13,16 @@ struct playback playback_begin(
 	};
 }
 
-void playback_seek(struct playback *playback, float time_s)
+static double within(const struct playback *playback, double time_s)
 {
-	playback->time_s = scalar_clamp(time_s, 0, playback->duration_s);
+	double end_s = playback->duration_s;
+
+	return time_s > 0 ? time_s < end_s ? time_s : end_s : 0;
+}
+
+void playback_seek(struct playback *playback, double time_s)
+{
+	playback->time_s = within(playback, time_s);
 	playback->returning = false;
 	playback->finished = false;
 	playback->begun = false;
@@ -41,24 +46,24 @@ static void pass(struct crossing *crossing, int index)
 }
 
 /* The events exactly at a time, where a pass through the clip begins. */
-static void pass_at(struct crossing *crossing, float time_s)
+static void pass_at(struct crossing *crossing, double time_s)
 {
 	for (int i = 0; i < crossing->event_count; i++) {
-		if (crossing->event[i].time_s == time_s) {
+		if ((double)crossing->event[i].time_s == time_s) {
 			pass(crossing, i);
 		}
 	}
 }
 
 /* The events between two times, including those at the second one. */
-static void pass_between(struct crossing *crossing, float from_s, float to_s)
+static void pass_between(struct crossing *crossing, double from_s, double to_s)
 {
 	int last = crossing->event_count - 1;
 
 	for (int i = 0; i <= last; i++) {
 		int forward = to_s >= from_s;
 		int index = forward ? i : last - i;
-		float at_s = crossing->event[index].time_s;
+		double at_s = crossing->event[index].time_s;
 
 		if (forward ? at_s > from_s && at_s <= to_s
 			    : at_s < from_s && at_s >= to_s) {
@@ -108,15 +113,12 @@ static void run(struct playback *playback, double left_s, bool backwards,
 	left_s = drop_rounds(playback, left_s);
 	while (left_s > 0 && !playback->finished) {
 		bool forward = playback->returning == backwards;
-		float from_s = playback->time_s;
-		double end_s = forward ? playback->duration_s - (double)from_s
-				       : from_s;
+		double from_s = playback->time_s;
+		double end_s = forward ? playback->duration_s - from_s : from_s;
 
 		if (left_s < end_s) {
-			double to_s = from_s + (forward ? left_s : -left_s);
-
-			playback->time_s = scalar_clamp(
-				(float)to_s, 0, playback->duration_s);
+			playback->time_s = within(playback,
+				from_s + (forward ? left_s : -left_s));
 			pass_between(crossing, from_s, playback->time_s);
 			return;
 		}

@@ -20,7 +20,8 @@ struct playback {
 	float speed; /* clip seconds a second; negative plays backwards */
 	enum clip_repeat repeat;
 
-	float time_s;   /* position in the clip, 0..duration_s */
+	double time_s;  /* position in the clip, 0..duration_s: a sum of steps,
+			 * which double keeps exact for months */
 	bool returning; /* CLIP_PING_PONG: in the second half */
 	bool finished;  /* CLIP_ONCE: at the end */
 
@@ -35,7 +36,7 @@ struct playback playback_begin(
 	float duration_s, enum clip_repeat repeat, float speed);
 
 /* Moves the playback to a time of the clip, as if it began there. */
-void playback_seek(struct playback *playback, float time_s);
+void playback_seek(struct playback *playback, double time_s);
 
 /*
  * Advances by step_s of real time and returns the number of events passed. The

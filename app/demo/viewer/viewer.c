@@ -179,9 +179,7 @@ static int reload(struct demo *demo)
 	demo->tilting = demo->tilting || fresh.model->clip_count < 2;
 	demo->join.running = false;
 	begin_clip(demo);
-	playback_seek(&demo->playback,
-		scalar_clamp(
-			before.playback.time_s, 0.0f, viewer_duration_s(demo)));
+	playback_seek(&demo->playback, before.playback.time_s);
 	reframe(demo, old.extent);
 	demo_overlay_release(&demo->base);
 	behaviour_destroy(before.behaviour);
@@ -211,7 +209,8 @@ static void check_file(struct demo *demo)
 
 static void viewer_update(struct demo *demo, double time_s)
 {
-	float step_s = (float)(time_s - demo->now_s);
+	double exact_s = time_s - demo->now_s;
+	float step_s = (float)exact_s;
 
 	demo->now_s = time_s;
 	check_file(demo);
@@ -221,7 +220,7 @@ static void viewer_update(struct demo *demo, double time_s)
 		return;
 	}
 	if (!demo->paused) {
-		playback_advance(&demo->playback, step_s, NULL, 0, NULL, 0);
+		playback_advance(&demo->playback, exact_s, NULL, 0, NULL, 0);
 	}
 	camera_orbit(&demo->base.stage.camera,
 		demo->turn * orbit_rad_per_s * step_s,
@@ -232,7 +231,8 @@ static void viewer_update(struct demo *demo, double time_s)
 		viewer_join_run(&demo->join, &demo->base.actor, &demo->clip,
 			demo->paused ? 0.0f : step_s);
 	} else {
-		actor_pose(&demo->base.actor, demo->clip, demo->playback.time_s);
+		actor_pose(&demo->base.actor, demo->clip,
+			(float)demo->playback.time_s);
 		fade_update(&demo->base.actor.fade, step_s,
 			&demo->base.actor.instance->pose);
 	}
@@ -291,8 +291,8 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 
 		snprintf(number, sizeof(number), "clip %d", demo->clip);
 		hud_group_time(&group, name[0] ? name : number,
-			demo->join.running ? (float)demo->join.time_s
-					   : demo->playback.time_s,
+			(float)(demo->join.running ? demo->join.time_s
+						   : demo->playback.time_s),
 			duration_s, hud_color_blue);
 	}
 	if (demo->join.running) {
@@ -317,8 +317,8 @@ static void viewer_get_motion(
 		return;
 	}
 	out->clip = demo->clip;
-	out->time_s = demo->join.running ? (float)demo->join.time_s
-					 : demo->playback.time_s;
+	out->time_s = (float)(demo->join.running ? demo->join.time_s
+						 : demo->playback.time_s);
 	if (demo->base.actor.fade.running) {
 		out->layer[0].name = "fade";
 		out->layer[0].weight = demo->base.actor.fade.elapsed_s /

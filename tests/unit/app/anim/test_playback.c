@@ -230,6 +230,32 @@ static void test_a_clip_without_length_is_finished_at_once(void **state)
 	assert_true(loop.time_s == 0);
 }
 
+/*
+ * The times of frames at 60 a second, as the clock gives them, in the first 20
+ * seconds of each hour; a position in float ends up anywhere in the clip.
+ */
+static void test_a_month_of_frames_keeps_the_time(void **state)
+{
+	const double month_s = 30 * 86400.0, burst_s = 20;
+	struct playback playback = playback_begin(0.7f, CLIP_LOOP, 1);
+	double now_s = 0, far_s = 0, off_s;
+
+	(void)state;
+	for (double begin_s = 0; begin_s < month_s; begin_s += 3600) {
+		for (double at_s = 0; at_s < burst_s; at_s += 1 / 60.0) {
+			playback_advance(&playback, begin_s + at_s - now_s,
+				NULL, 0, NULL, 0);
+			now_s = begin_s + at_s;
+			off_s = fabs(playback.time_s -
+				fmod(now_s, (double)0.7f));
+			/* Either side of the end is the same place. */
+			off_s = fmin(off_s, (double)0.7f - off_s);
+			far_s = fmax(far_s, off_s);
+		}
+	}
+	assert_near(far_s, 0, 1e-6);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -248,6 +274,7 @@ int main(void)
 		cmocka_unit_test(test_the_ids_that_do_not_fit_are_counted),
 		cmocka_unit_test(test_a_seek_begins_anew),
 		cmocka_unit_test(test_a_clip_without_length_is_finished_at_once),
+		cmocka_unit_test(test_a_month_of_frames_keeps_the_time),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

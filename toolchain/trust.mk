@@ -28,6 +28,16 @@ fuzz: $(FUZZERS:%=build/fuzz/%)
 	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $(JOBS) -I '{}' \
 		sh -c '$(call fuzz_run,{})'
 
+# make mutants N=100 SEED=s puts one small fault after another into a copy of the
+# sources, and names those that no suite of this machine finds.
+N ?= 100
+SEED ?= $(shell date +%s)
+.PHONY: mutants
+mutants: build/host/limber build/test-packages.stamp
+	$(Q)$(CHECK_ENVIRONMENT) SAMPLES=$(abspath $(SAMPLES)) \
+		python3 -B tests/mutants/mutants.py --number $(N) --seed $(SEED) \
+		$(FOLDER:%=--folder %)
+
 # Builds host, ARM and the package from two folders, and compares their bytes.
 .PHONY: reproduce trust
 reproduce: build/sysroot.stamp
@@ -40,6 +50,7 @@ trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
 		$(FUZZERS:%=build/fuzz/%)
 
 check-build: $(FAULTS)
-trust_suites = $(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
+trust_suites = $(call suite,mutants/checker,tests/mutants/checker.sh) \
+	$(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
 	--most 3 --jobs 1) \
 	$(call suite,faults/host,$(FAULTS_RUN) build/host/limber --most 2 --jobs 1)

@@ -2,34 +2,59 @@
 
 static const float tolerance = 1e-5f;
 
-static bool is_near(float value, float wanted)
-{
-	return value > wanted - tolerance && value < wanted + tolerance;
-}
+/*
+ * The shapes that a mix of weights shows: the mesh without targets is one too
+ * while the weights sum to less than 1.
+ */
+struct shown {
+	int target[2]; /* of the first two targets */
+	int target_count;
+	bool base;
+};
 
-static bool shows_one_target(const float *weight, int count)
+/* Adds what one key shows. False if it shows more than a mix of shapes. */
+static bool add_key(struct shown *shown, const float *weight, int count)
 {
-	int shown = 0;
+	float sum = 0.0f;
 
 	for (int t = 0; t < count; t++) {
-		if (is_near(weight[t], 1.0f)) {
-			shown++;
-		} else if (!is_near(weight[t], 0.0f)) {
+		sum += weight[t];
+		if (weight[t] < -tolerance) {
 			return false;
 		}
+		if (weight[t] <= tolerance ||
+			(shown->target_count > 0 && shown->target[0] == t) ||
+			(shown->target_count > 1 && shown->target[1] == t)) {
+			continue;
+		}
+		if (shown->target_count == 2) {
+			return false;
+		}
+		shown->target[shown->target_count++] = t;
 	}
-	return shown <= 1;
+	shown->base = shown->base || sum < 1.0f - tolerance;
+	return sum <= 1.0f + tolerance;
 }
 
+/* Whether a mix of two shapes at most is shown at each moment. */
 static bool has_key_weights(const struct model_channel *channel)
 {
+	int width = channel->width;
+	bool steps = channel->interpolation == MODEL_STEP;
+
 	if (channel->interpolation == MODEL_CUBICSPLINE) {
 		return false;
 	}
 	for (int k = 0; k < channel->key_count; k++) {
-		if (!shows_one_target(
-			    channel->value + (size_t)k * (size_t)channel->width,
-			    channel->width)) {
+		const float *weight =
+			channel->value + (size_t)k * (size_t)width;
+		struct shown shown = {.target_count = 0};
+		bool last = k + 1 == channel->key_count;
+
+		if (!add_key(&shown, weight, width) ||
+			(!steps && !last &&
+				!add_key(&shown, weight + width, width)) ||
+			shown.target_count + shown.base > 2) {
 			return false;
 		}
 	}

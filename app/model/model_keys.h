@@ -7,12 +7,14 @@
 #include "app/model/model.h"
 
 /*
- * Whether the targets of the node's mesh are key frames: each key of each clip
- * that has weights for the node shows one target at weight 1 and no other, or
- * none at all, and values change linearly or in steps. At least one clip must
- * have such weights, there must be two targets or more, and on average a target
- * must move half of the vertices: targets that each move a small part, as those
- * of a face do, take less memory as weighted targets.
+ * Whether the targets of the node's mesh are key frames: in each clip that has
+ * weights for the node, each moment shows a mix of at most two shapes, which are
+ * the targets and the mesh without them, and values change linearly or in steps.
+ * So it is where each key shows one target, and where a tool has sampled the way
+ * from one target to the next, eased or not. At least one clip must have such
+ * weights, there must be two targets or more, and on average a target must move
+ * half of the vertices: targets that each move a small part, as those of a face
+ * do, take less memory as weighted targets.
  */
 bool model_has_key_frames(const struct model *model, int node);
 

@@ -2,6 +2,8 @@
 #include "app/model/model_keys.h"
 #include "tests/support/test.h"
 
+#include <string.h>
+
 enum {
 	TARGETS = 3,
 	VERTICES = 4,
@@ -64,6 +66,29 @@ static void test_targets_shown_one_by_one_are_key_frames(void **state)
 	assert_true(model_has_key_frames(&b.model, 0));
 }
 
+/* As exporters write an eased change that they sampled at each frame. */
+static void test_sampled_changes_between_two_targets_are_key_frames(
+	void **state)
+{
+	static const float changes[KEYS][TARGETS] = {
+		{0.3f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.84f, 0.16f, 0.0f},
+		{0.16f, 0.84f, 0.0f}};
+	struct bench b;
+
+	(void)state;
+	set_up(&b);
+	memcpy(b.weight, changes, sizeof(changes));
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[0][2] = 0.7f; /* from two targets to a third one */
+	b.weight[1][0] = 0.0f;
+	b.weight[1][1] = 1.0f;
+	assert_false(model_has_key_frames(&b.model, 0));
+	b.channel.interpolation = MODEL_STEP; /* nothing is between two keys */
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[3][1] = 0.8f; /* 0.04 of the mesh, besides two targets */
+	assert_false(model_has_key_frames(&b.model, 0));
+}
+
 static void test_mixed_targets_are_no_key_frames(void **state)
 {
 	struct bench b;
@@ -117,6 +142,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_targets_shown_one_by_one_are_key_frames),
+		cmocka_unit_test(
+			test_sampled_changes_between_two_targets_are_key_frames),
 		cmocka_unit_test(test_mixed_targets_are_no_key_frames),
 		cmocka_unit_test(test_targets_without_a_clip_are_no_key_frames),
 		cmocka_unit_test(test_targets_that_move_little_stay_weighted),

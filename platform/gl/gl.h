@@ -91,6 +91,8 @@ typedef int32_t GLfixed;
 #define GL_RESCALE_NORMAL      0x803A
 #define GL_SCISSOR_TEST        0x0C11
 #define GL_POLYGON_OFFSET_FILL 0x8037
+#define GL_POINT_SMOOTH        0x0B10
+#define GL_LINE_SMOOTH         0x0B20
 #define GL_DITHER              0x0BD0
 
 /* Arrays */

@@ -159,7 +159,7 @@ struct rectangle {
 /* What happens to fragments, and to triangles before they are some. */
 struct fragment_state {
 	bool alpha_test, blend, depth_test, scissor_test, cull, offset_fill;
-	bool flat, dither;
+	bool flat, dither, point_smooth, line_smooth;
 	GLenum alpha_function, depth_function;
 	GLfixed alpha_reference;
 	GLenum blend_source, blend_destination;
@@ -183,6 +183,7 @@ struct buffers {
 };
 
 struct draw;
+struct setup;
 
 struct soft {
 	struct gl_context base; /* first: the two share their address */
@@ -196,8 +197,8 @@ struct soft {
 	struct arrays arrays;
 	struct textures textures;
 	struct fragment_state fragment;
-	/* All fragments go through fragment.c, for tests to compare with. */
-	bool reference;
+	/* Draws triangles in place of the driver: a test's reference, or NULL. */
+	void (*fill)(struct draw *draw, struct setup *setup);
 	struct draw *draw; /* scratch of the draw call, owned */
 };
 

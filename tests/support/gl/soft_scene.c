@@ -1,6 +1,7 @@
 #include "tests/support/gl/soft_scene.h"
 
 #include "tests/support/random.h"
+#include "tests/support/soft/reference.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -34,7 +35,7 @@ void soft_scene_use(struct soft_scene *scene, bool long_way)
 	assert_int_equal(scene->context->driver->begin_frame(
 				 scene->context, &scene->picture),
 		0);
-	scene->soft->reference = long_way;
+	reference_use(scene->soft, long_way);
 }
 
 void soft_scene_close(struct soft_scene *scene)

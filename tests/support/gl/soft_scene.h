@@ -26,7 +26,7 @@ struct soft_scene *soft_scene_open(void);
 
 /*
  * Calls of GL go to the context whose frame began last: this one's then. The
- * long way is that of fragment.c, for all fragments.
+ * long way is that of soft/reference.h, for all fragments.
  */
 void soft_scene_use(struct soft_scene *scene, bool long_way);
 

@@ -15,6 +15,7 @@ static bool is_upright(const struct draw *draw)
 	const uint32_t white = 252 << 16;
 
 	return !raster->perspective && raster->moving_count == 2 &&
+		raster->plane[TEX_S].dy == 0 &&
 		raster->plane[TEX_S + 1].dx == 0 &&
 		(draw->texture[0].env->mode == GL_REPLACE ||
 			(color[RED] >= white && color[GREEN] >= white &&
@@ -49,25 +50,39 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 	}
 }
 
-/* Texels outside of the texture are left to those who know where they are. */
-static void draw_row(struct draw *draw, int y, int left, int right)
+/* Copies a row of a triangle; false where texels lie outside of the texture. */
+static bool draw_row(const struct draw *draw, int y, int left, int right)
 {
 	const struct texture_input *input = &draw->texture[0];
 	const struct raster *raster = &draw->raster;
+	const struct plane *down = &raster->plane[TEX_S + 1];
 	uint32_t s = plane_at(raster, TEX_S, left);
 	uint32_t end = plane_at(raster, TEX_S, right - 1);
-	uint32_t t = raster->plane[TEX_S + 1].start >> 16;
+	uint32_t t = (down->start +
+			     (uint32_t)down->dy * (uint32_t)(y - raster->top)) >>
+		16;
 	uint32_t last = last_of(input->width_log2);
 
 	/* A run's first texel is off by less than a 16th of one. */
 	if ((s - 4096) >> 16 > last || (end + 4096) >> 16 > last ||
 		t > last_of(input->height_log2)) {
-		soft_rows_affine(draw, y, left, right);
-		return;
+		return false;
 	}
 	copy_runs(draw, y, left, right,
 		(const uint16_t *)(const void *)input->base->texels +
 			(t << input->width_log2));
+	return true;
+}
+
+/* The row by a span function, which knows what lies outside of a texture. */
+static void walk_row(struct draw *draw, const struct setup *setup, int y)
+{
+	const struct clip_box box = draw->box;
+
+	draw->box.top = y;
+	draw->box.bottom = y + 1;
+	soft_walk_rows(draw, setup);
+	draw->box = box;
 }
 
 void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
@@ -94,18 +109,28 @@ void soft_picture_copy(uint16_t *pixel, const uint16_t *texels, int count,
 
 void soft_fill_picture(struct draw *draw, struct setup *setup)
 {
-	struct raster *raster = &draw->raster;
+	const struct clip_box box = draw->box;
 
 	rows_set_up(draw, setup);
 	if (!is_upright(draw)) {
 		soft_walk_rows(draw, setup);
 		return;
 	}
-	for (int i = 0; i < raster->moving_count; i++) {
-		int name = raster->moving[i];
+	for (int y = raster_first_row(draw, setup);
+		y < setup->bottom && y < box.bottom; y++) {
+		int lower = y >= setup->middle;
+		int part = raster_column(raster_side(
+			draw, setup->v[lower], setup->v[lower + 1], y)
+						 .x);
+		int whole = raster_column(
+			raster_side(draw, setup->v[0], setup->v[2], y).x);
+		int left = setup->middle_left ? part : whole;
+		int right = setup->middle_left ? whole : part;
 
-		raster->span.step[name] = raster->plane[name].dx;
+		left = left > box.left ? left : box.left;
+		right = right < box.right ? right : box.right;
+		if (left < right && !draw_row(draw, y, left, right)) {
+			walk_row(draw, setup, y);
+		}
 	}
-	soft_rows_find_affine_lod(draw, &raster->span);
-	raster_walk(draw, setup, draw_row, soft_raster_next_row);
 }

@@ -306,7 +306,7 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	if (draw->soft->fragment.depth_test) {
 		set_affine(draw, setup, z, DEPTH);
 	}
-	if (draw->soft->fragment.offset_fill) {
+	if (draw->offset) {
 		offset_depth(draw, setup, &raster->plane[DEPTH]);
 	}
 	if (setup->wide || !soft_set_small_attributes(draw, setup)) {

@@ -301,10 +301,6 @@ void soft_fill_luminance(struct draw *draw, struct setup *setup);
 void soft_fill_gray(struct draw *draw, struct setup *setup);
 void soft_fill_picture(struct draw *draw, struct setup *setup);
 void soft_fill_constant(struct draw *draw, struct setup *setup);
-/* rows.c: one of its rows for fragment.c, whose values run linearly, their
- * steps in the span. */
-void soft_rows_affine(struct draw *draw, int y, int left, int right);
-
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /* fill_texture.c: its begin is called once a draw call. */

@@ -1,4 +1,4 @@
-/* From row to row, single columns of a row, and rows for fragment.c. */
+/* From row to row, and single columns of a row. */
 #include "platform/gl/soft/raster/rows.h"
 
 static uint32_t size_of(int64_t value)
@@ -52,25 +52,6 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 			span->lod[unit] =
 				raster_log2_q8(right > down ? right : down);
 		}
-	}
-}
-
-void soft_rows_affine(struct draw *draw, int y, int left, int right)
-{
-	const struct raster *raster = &draw->raster;
-	struct span *span = &draw->raster.span;
-
-	span->y = y;
-	for (int x = left; x < right; x += SPAN_PIXELS) {
-		span->x = x;
-		span->count = right - x < SPAN_PIXELS ? right - x : SPAN_PIXELS;
-		for (int i = 0; i < raster->moving_count; i++) {
-			int name = raster->moving[i];
-
-			span->value[name] = plane_at(raster, name, x);
-		}
-		span->value[DEPTH] = plane_at(raster, DEPTH, x);
-		soft_draw_span(draw, span);
 	}
 }
 

@@ -1,11 +1,19 @@
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/vertex/draw.h"
 
-/* GL's comparisons: the low bits say which of less, equal, greater pass. */
-static bool passes(GLenum function, uint32_t a, uint32_t b)
+/* The run's fragments for soft_test(). */
+static struct soft_tested find_tested(const struct draw *draw)
 {
-	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
+	const struct soft_run *run = &draw->spans.run;
+
+	return (struct soft_tested){
+		.place = (size_t)(run->row.depth - draw->soft->buffers.depth),
+		.count = run->row.count,
+		.z = run->row.z,
+		.z_right = run->z_right,
+	};
 }
 
 /*
@@ -26,21 +34,16 @@ static void test_aside(struct draw *draw)
 		const uint16_t *depth = run->row.depth;
 
 		for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
-			bool through = passes(function, z >> 16, depth[i]);
+			bool through =
+				soft_compares(function, z >> 16, depth[i]);
 
 			spans->aside[i] = (uint16_t)-through;
 		}
 	} else {
-		bool through[SPAN_PIXELS];
-		/* The buffers are as wide: x counts through all of their rows. */
-		const struct span span = {
-			.x = (int)(run->row.depth - draw->soft->buffers.depth),
-			.count = (int)run->row.count,
-			.value[DEPTH] = z >> 6,
-			.step[DEPTH] = (int32_t)run->z_right >> 6,
-		};
+		bool through[SOFT_RUN_PIXELS];
+		const struct soft_tested tested = find_tested(draw);
 
-		soft_test_span(draw, &span, through);
+		soft_test(draw->soft, &tested, through);
 		for (uint32_t i = 0; i < run->row.count; i++) {
 			spans->aside[i] = through[i] ? UINT16_MAX : 0;
 		}
@@ -102,26 +105,23 @@ static void draw_then_test(struct draw *draw, soft_span_function function)
 	struct soft_run *run = &spans->run;
 	const int pixel_log2 = spans->pixel_log2;
 	uint8_t own[SOFT_RUN_PIXELS * 4], *pixel = run->row.pixel;
-	struct span span = {
-		.x = (int)(run->row.depth - draw->soft->buffers.depth),
-		.count = 1,
-		.value[DEPTH] = run->row.z >> 6,
-	};
+	struct soft_tested one = find_tested(draw);
 	bool through;
 
 	memcpy(own, pixel, (size_t)run->row.count << pixel_log2);
 	memset(spans->aside, 0xFF, run->row.count * 2);
 	draw_aside(spans, function, own);
-	for (uint32_t i = 0; i < run->row.count; i++, span.x++) {
+	one.count = 1;
+	for (uint32_t i = 0; i < run->row.count; i++, one.place++) {
 		if (spans->aside[i] == 1) {
-			soft_test_span(draw, &span, &through);
+			soft_test(draw->soft, &one, &through);
 			if (through) {
 				memcpy(pixel + (i << pixel_log2),
 					own + (i << pixel_log2),
 					(size_t)1 << pixel_log2);
 			}
 		}
-		span.value[DEPTH] = (run->row.z + run->z_right * (i + 1)) >> 6;
+		one.z += one.z_right;
 	}
 }
 

@@ -246,7 +246,7 @@ static bool is_combined(const struct draw *draw, enum soft_finish finish)
 {
 	const struct texture_input *input = &draw->texture[0];
 
-	return finish == SOFT_ANY || draw->texture[1].used ||
+	return finish == SOFT_ANY || draw->texture[1].used || draw->smooth ||
 		(input->used &&
 			(!soft_is_simple_environment(input) ||
 				(soft_mixes_levels(input) &&
@@ -260,6 +260,7 @@ static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
 
 	/* An alpha test knows alpha as stages round it. */
 	return draw->texture[1].used && finish != SOFT_ANY && !tested &&
+		!draw->smooth &&
 		draw->texture[1].env->mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8 &&
@@ -292,7 +293,6 @@ bool soft_prepare_spans(struct draw *draw)
 	if (!find_alpha_range(state, &spans->stages)) {
 		return false;
 	}
-	spans->used = !draw->soft->reference;
 	spans->textured = input->used && draw->attributes != 0;
 	spans->fogged = draw->fogged;
 	spans->lod_wanted = input->used && soft_rows_want_lod(input);
@@ -307,6 +307,7 @@ bool soft_prepare_spans(struct draw *draw)
 		is_combined(draw, spans->finish);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_mixes_levels(input));
+	spans->coverage.used = false;
 	spans->depth_way = choose_depth_way(state);
 	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&
 		(state->depth_function == GL_LESS ||

@@ -1,5 +1,5 @@
 /*
- * Texels as all who read them see them: the span functions and fragment.c.
+ * Texels as all who read them see them: the span functions and tests.
  *
  * Bilinear weights are 1/32 across and 1/256 down; of four bytes a texel 1/256
  * both ways. So alpha has the same 8 bits everywhere,

@@ -6,6 +6,7 @@
 #define PLATFORM_GL_SOFT_SPAN_SPANS_H
 
 #include "platform/gl/soft/stages/combine_rows.h"
+#include "platform/gl/soft/stages/coverage.h"
 
 struct draw;
 struct setup;
@@ -68,7 +69,6 @@ struct soft_made_levels {
 
 /* What of a draw call is the same for all of its runs. */
 struct soft_spans {
-	bool used;           /* else fragment.c draws, for tests */
 	bool colored;        /* the vertices' colours are wanted */
 	bool alpha;          /* and their alpha */
 	bool alpha_read;     /* by the span function, if only as white's */
@@ -106,6 +106,7 @@ struct soft_spans {
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
 	struct soft_made_at made_at;
+	struct soft_coverage coverage; /* of the point or line under way */
 	soft_span_function draw_row; /* what is made */
 	int pixel_log2;              /* bytes */
 	struct soft_fragment_stages stages;

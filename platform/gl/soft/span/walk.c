@@ -307,10 +307,6 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	bool divided = raster->perspective, bent = raster->bent;
 	uint32_t moving;
 
-	if (!draw->spans.used) {
-		soft_walk_general(draw, setup);
-		return;
-	}
 	moving = soft_begin_walk(draw);
 	if (soft_is_small(draw, setup)) {
 		soft_walk_small(draw, setup, moving);

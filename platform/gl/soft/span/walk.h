@@ -14,9 +14,6 @@ uint32_t soft_begin_walk(struct draw *draw);
 /* And the steps of what runs linearly, of which soft_begin_walk() told. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
 
-/* By fragment.c, for states that no span function takes. */
-void soft_walk_general(struct draw *draw, const struct setup *setup);
-
 /*
  * walk_small.c: whether it draws a triangle whose planes are set up; lists_runs
  * tells that it takes the state.

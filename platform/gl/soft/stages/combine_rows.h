@@ -1,7 +1,7 @@
 /*
  * Texture environments on rows of fragments, stage by stage: GL ES 1.1 section
  * 3.7.12. Colours are RGBA8888 words. What the results are is defined by
- * raster/combine.c, a fragment at a time.
+ * tests/support/soft/combine.c, a fragment at a time.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_COMBINE_ROWS_H
 #define PLATFORM_GL_SOFT_STAGES_COMBINE_ROWS_H

@@ -110,18 +110,24 @@ static void sample(const struct soft_made_levels *levels,
 	}
 }
 
-/* The second texture's texels; the depth's place says where the run is. */
-static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
+/* Where the run is in the picture, which the depth's place says. */
+static int find_place(const struct draw *draw, int *row)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
-	struct soft_made_levels *levels = &draw->spans.made_levels[1];
 	uint32_t place = (uint32_t)(draw->spans.run.row.depth - buffers->depth);
-	uint32_t y = place / (uint32_t)buffers->width;
-	struct span span;
 
-	span.x = (int)(place - y * (uint32_t)buffers->width);
-	span.count = (int)count;
-	soft_rows_find_second(draw, (int)y - draw->raster.top, &span);
+	*row = (int)(place / (uint32_t)buffers->width);
+	return (int)place - *row * buffers->width;
+}
+
+/* The second texture's texels. */
+static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
+{
+	struct soft_made_levels *levels = &draw->spans.made_levels[1];
+	int y;
+	struct span span = {.x = find_place(draw, &y), .count = (int)count};
+
+	soft_rows_find_second(draw, y - draw->raster.top, &span);
 	choose_levels(&draw->texture[1], span.lod[1], levels);
 	sample(levels,
 		&(struct soft_made_at){(int32_t)span.value[TEX_S + 2],
@@ -199,6 +205,21 @@ static bool is_hidden(const struct soft_spans *spans)
 	return true;
 }
 
+/* Draws a row of colours as far as a smooth point or line covers it. */
+static NEVER_INLINE void draw_covered(struct draw *draw, uint32_t *color)
+{
+	struct soft_run *run = &draw->spans.run;
+	const struct soft_row whole = run->row;
+	int row, column = find_place(draw, &row);
+
+	run->first_texel = (const uint8_t *)(color +
+		soft_cover(&draw->spans, column, row, color));
+	if (run->row.count > 0) {
+		draw->spans.draw_row(run);
+	}
+	run->row = whole;
+}
+
 static void draw_made(const struct soft_run *given)
 {
 	struct draw *draw = given->draw;
@@ -229,7 +250,11 @@ static void draw_made(const struct soft_run *given)
 	}
 	run->first_texel = (const uint8_t *)row;
 	run->row.texel = 0;
-	spans->draw_row(run);
+	if (spans->coverage.used) {
+		draw_covered(draw, color);
+	} else {
+		spans->draw_row(run);
+	}
 	run->row.red_blue = whole.row.red_blue;
 	run->row.green_alpha = whole.row.green_alpha;
 	run->red_blue_right = whole.red_blue_right;

@@ -31,6 +31,10 @@ static bool *find_flag(struct soft *soft, GLenum capability)
 		return &fragment->scissor_test;
 	case GL_POLYGON_OFFSET_FILL:
 		return &fragment->offset_fill;
+	case GL_POINT_SMOOTH:
+		return &fragment->point_smooth;
+	case GL_LINE_SMOOTH:
+		return &fragment->line_smooth;
 	case GL_DITHER:
 		return &fragment->dither;
 	default:

@@ -1,4 +1,4 @@
-/* The texture environment, as the program tells it; combine.c carries it out. */
+/* The texture environment, as the program tells it; stages/ carries it out. */
 #include <string.h>
 
 #include "platform/base/fixed.h"

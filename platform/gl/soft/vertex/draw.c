@@ -165,7 +165,7 @@ static void draw_arrays(GLenum mode, GLint first, GLsizei count)
 		return;
 	}
 	source.count = (uint32_t)count;
-	if (soft_prepare(soft, soft->draw, source.first, source.count)) {
+	if (soft_prepare(soft, soft->draw, mode, source.first, source.count)) {
 		draw_primitives(soft->draw, &source, mode);
 	}
 }
@@ -218,7 +218,7 @@ static void draw_elements(
 	if (soft->arrays.vertex.type == GL_FLOAT) {
 		find_range(&source, &low, &high);
 	}
-	if (soft_prepare(soft, soft->draw, low, high - low + 1)) {
+	if (soft_prepare(soft, soft->draw, mode, low, high - low + 1)) {
 		draw_primitives(soft->draw, &source, mode);
 	}
 }

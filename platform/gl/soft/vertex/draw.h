@@ -35,7 +35,6 @@ enum {
 	/* Viewports that end there have their x and y as one number. */
 	PACKED_PIXELS = 2047,
 	CLIP_VERTICES = 9, /* a triangle cut by six planes */
-	SPAN_PIXELS = 64,  /* fragments that go through the stages at a time */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
 	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
 };
@@ -278,8 +277,10 @@ struct draw {
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
+	bool offset; /* depths of triangles are moved */
+	bool smooth; /* points or lines with soft edges */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
-		tests, blended;
+		blended;
 	fill_function fill;
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
@@ -336,9 +337,12 @@ bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 /* prepare.c: what stays the same for good. */
 void soft_init_scratch(struct draw *draw);
 
-/* prepare.c: derives all of this. False when there is nothing to draw. */
-bool soft_prepare(
-	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count);
+/*
+ * prepare.c: derives all of this for a mode of DrawArrays(). False when there is
+ * nothing to draw.
+ */
+bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
+	uint32_t first, uint32_t count);
 
 /* prepare_light.c */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
@@ -404,24 +408,15 @@ void soft_prepare_fast_setup(struct draw *draw);
  */
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
 
+/*
+ * triangle.c: two triangles v[0] v[1] v[2] and v[2] v[1] v[3], which are shaded
+ * and have no other side: points and lines.
+ */
+void soft_fill_quad(struct draw *draw, struct vertex v[4]);
+
 /* line.c */
 void soft_draw_point(struct draw *draw, struct vertex *v);
 void soft_draw_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);
-
-/* fragment.c: up to SPAN_PIXELS fragments of a row, all inside of draw->box. */
-void soft_draw_span(struct draw *draw, const struct span *span);
-
-/* Runs the tests on a span's fragments; how many pass, and which. */
-int soft_test_span(struct draw *draw, const struct span *span, bool *passes);
-
-/* texel.c: colours of texels for a span's fragments, for a picture of bytes. */
-void soft_sample(const struct texture_input *input, const struct span *span,
-	int unit, bool wide, uint8_t (*out)[4]);
-
-/* combine.c: what the environment makes of the fragments' colours. */
-void soft_combine(const struct texture_input *input, int count,
-	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
-	uint8_t (*color)[4]);
 
 #endif

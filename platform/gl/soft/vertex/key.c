@@ -22,7 +22,7 @@ static uint32_t find_vertices(const struct draw *draw)
 	return bit_if(draw->shading.lit, KEY_LIT) |
 		bit_if(draw->shading.color_array, KEY_COLOR_ARRAY) |
 		bit_if(draw->perspective, KEY_PERSPECTIVE) |
-		bit_if(state->flat || state->offset_fill ||
+		bit_if(state->flat || draw->offset ||
 				draw->shading.two_side,
 			KEY_BY_TRIANGLE);
 }

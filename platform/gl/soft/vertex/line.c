@@ -1,107 +1,131 @@
-/* Points and lines: squares and steps of one fragment each. */
+/* Points and lines: rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4. */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-static int texel_value(const struct draw *draw, const struct vertex *v, int name)
+/* In sixteenths, 1 to 64 pixels; whole ones unless the edges are smooth. */
+static int32_t find_size(GLfixed size, bool smooth)
 {
-	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
-	int log2 = (name - TEX_S) % 2 ? input->height_log2 : input->width_log2;
+	int32_t size_q4 = smooth
+		? size >> 12
+		: (int32_t)(((uint32_t)size + 0x8000) >> 16) * 16;
 
-	return shift_by(v->attribute[name], log2);
+	return clamp_int(size_q4, 16, 64 * 16);
 }
 
-static void set_values(
-	const struct draw *draw, const struct vertex *v, uint32_t *out)
+static struct vertex *move(
+	struct vertex *out, const struct vertex *from, int32_t x, int32_t y)
 {
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (draw->attributes >> i & 1) {
-			out[i] = i < TEX_S ? (uint32_t)v->attribute[i] << 8
-					   : (uint32_t)texel_value(draw, v, i);
-		}
-	}
-	out[DEPTH] = (uint32_t)v->z << 8;
+	*out = *from;
+	out->x = x;
+	out->y = y;
+	return out;
 }
 
-/* A square of fragments with one colour, around a pixel's place. */
-static void draw_square(struct draw *draw, struct span *span, int32_t x_q4,
-	int32_t y_q4, int size)
+static void fill_square(struct draw *draw, const struct vertex *v, int32_t left,
+	int32_t top, int size)
 {
-	int left = (x_q4 >> 4) - (size - 1) / 2;
-	int top = (y_q4 >> 4) - (size - 1) / 2;
-	const struct clip_box *box = &draw->box;
-	int right = left + size < box->right ? left + size : box->right;
-	int bottom = top + size < box->bottom ? top + size : box->bottom;
+	struct vertex corner[4];
 
-	left = left > box->left ? left : box->left;
-	top = top > box->top ? top : box->top;
-	for (span->y = top; span->y < bottom; span->y++) {
-		for (span->x = left; span->x < right; span->x += SPAN_PIXELS) {
-			int count = right - span->x;
-
-			span->count = count < SPAN_PIXELS ? count : SPAN_PIXELS;
-			soft_draw_span(draw, span);
-		}
-	}
-}
-
-static int whole_size(GLfixed size)
-{
-	return clamp_int((size >> 16) + (size >> 15 & 1), 1, 64);
+	move(&corner[0], v, left, top);
+	move(&corner[1], v, left + size, top);
+	move(&corner[2], v, left, top + size);
+	move(&corner[3], v, left + size, top + size);
+	soft_fill_quad(draw, corner);
 }
 
 void soft_draw_point(struct draw *draw, struct vertex *v)
 {
-	struct span span = {0};
+	int32_t size = find_size(draw->soft->fragment.point_size, draw->smooth);
+	int32_t half = (size - 16) / 2;
 
 	if (v->outcode) {
 		return;
 	}
 	soft_shade(draw, v);
-	set_values(draw, v, span.value);
-	draw_square(draw, &span, v->x, v->y,
-		whole_size(draw->soft->fragment.point_size));
+	draw->provoking = v;
+	if (draw->smooth) {
+		draw->spans.coverage = (struct soft_coverage){
+			.used = true,
+			.x = v->x,
+			.y = v->y,
+			.radius_q8 = size * 8,
+		};
+		fill_square(draw, v, v->x - size / 2 - 16, v->y - size / 2 - 16,
+			size + 32);
+		return;
+	}
+	/* GL's y runs upwards: a centre on a border is that of the pixel below. */
+	fill_square(draw, v, (v->x - half) & ~15,
+		((v->y + half + 15) & ~15) - size, size);
 }
 
-/* (b - a) / steps, by a reciprocal: a share of 2^-25 off at most. */
-static int32_t step_between(int32_t a, int32_t b, int steps)
+/*
+ * A parallelogram whose ends are upright or level, whichever is more across:
+ * each column of pixels, or each row, has as many as the line is wide. Points
+ * on borders of pixels are moved as GL's are: to the left and down, and so that
+ * the first pixel belongs to the line and the last does not.
+ */
+static void draw_sharp(struct draw *draw, const struct vertex *a,
+	const struct vertex *b, int32_t width)
 {
-	int zeros = LEADING_ZEROS_32((uint32_t)steps);
-	int32_t inverse = reciprocal((uint32_t)steps << zeros);
+	int32_t dx = b->x - a->x, dy = b->y - a->y, half = width / 2;
+	bool flat = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
+	int32_t x = flat ? dx < 0 : -half, y = flat ? 1 - half : dy < 0;
+	struct vertex corner[4];
 
-	return (int32_t)(((int64_t)b - a) * inverse >> (62 - zeros));
+	move(&corner[0], a, a->x + x, a->y + y);
+	move(&corner[1], b, b->x + x, b->y + y);
+	x += flat ? 0 : width;
+	y += flat ? width : 0;
+	move(&corner[2], a, a->x + x, a->y + y);
+	move(&corner[3], b, b->x + x, b->y + y);
+	soft_fill_quad(draw, corner);
 }
 
-/* Along the longer axis, the last pixel left out for the next line. */
+/* A rectangle that reaches a pixel further than what coverage leaves of it. */
+static void draw_smooth(struct draw *draw, const struct vertex *a,
+	const struct vertex *b, int32_t width)
+{
+	int32_t dx = b->x - a->x, dy = b->y - a->y;
+	uint64_t length2 = (uint64_t)((int64_t)dx * dx + (int64_t)dy * dy);
+	struct root root = soft_reciprocal_root(length2);
+	int shift = root.shift + 16;
+	/* along the line, 1.14 */
+	int32_t u = (int32_t)((int64_t)dx * root.mantissa_q30 >> shift);
+	int32_t v = (int32_t)((int64_t)dy * root.mantissa_q30 >> shift);
+	int32_t out = width / 2 + 16, x = u * 16 >> 14, y = v * 16 >> 14;
+	int32_t across_x = -v * out >> 14, across_y = u * out >> 14;
+	struct vertex corner[4];
+
+	draw->spans.coverage = (struct soft_coverage){
+		.used = true,
+		.x = (a->x + b->x) / 2,
+		.y = (a->y + b->y) / 2,
+		.u_q14 = u,
+		.v_q14 = v,
+		/* half of the length, u dx + v dy */
+		.half_length_q8 =
+			(int32_t)(((int64_t)u * dx + (int64_t)v * dy) >> 11),
+		.half_width_q8 = width * 8,
+	};
+	move(&corner[0], a, a->x - x + across_x, a->y - y + across_y);
+	move(&corner[1], b, b->x + x + across_x, b->y + y + across_y);
+	move(&corner[2], a, a->x - x - across_x, a->y - y - across_y);
+	move(&corner[3], b, b->x + x - across_x, b->y + y - across_y);
+	soft_fill_quad(draw, corner);
+}
+
 void soft_draw_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
-	int32_t dx = b->x - a->x, dy = b->y - a->y;
-	int32_t wide = dx < 0 ? -dx : dx, high = dy < 0 ? -dy : dy;
-	int steps = ((wide > high ? wide : high) + 8) >> 4;
-	int width = whole_size(draw->soft->fragment.line_width);
-	bool flat = draw->soft->fragment.flat;
-	uint32_t to[PLANES] = {0};
-	int32_t step[PLANES], step_x, step_y;
-	struct span span = {0};
+	int32_t width = find_size(draw->soft->fragment.line_width, draw->smooth);
 
-	if (steps == 0) {
+	if (a->x == b->x && a->y == b->y) {
 		return;
 	}
-	set_values(draw, flat ? draw->provoking : a, span.value);
-	set_values(draw, flat ? draw->provoking : b, to);
-	span.value[DEPTH] = (uint32_t)a->z << 8;
-	to[DEPTH] = (uint32_t)b->z << 8;
-	for (int i = 0; i < PLANES; i++) {
-		step[i] = step_between(
-			(int32_t)span.value[i], (int32_t)to[i], steps);
-	}
-	step_x = step_between(0, dx * 4096, steps);
-	step_y = step_between(0, dy * 4096, steps);
-	for (int i = 0; i < steps; i++) {
-		draw_square(draw, &span, a->x + (step_x * i >> 12),
-			a->y + (step_y * i >> 12), width);
-		for (int j = 0; j < PLANES; j++) {
-			span.value[j] += (uint32_t)step[j];
-		}
+	if (draw->smooth) {
+		draw_smooth(draw, a, b, width);
+	} else {
+		draw_sharp(draw, a, b, width);
 	}
 }

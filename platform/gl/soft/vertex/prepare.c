@@ -273,17 +273,21 @@ static bool reads_destination(const struct fragment_state *state)
 			state->blend_destination != GL_ZERO);
 }
 
-static void prepare_fragments(const struct soft *soft, struct draw *draw)
+static void prepare_fragments(
+	const struct soft *soft, struct draw *draw, GLenum mode)
 {
 	const struct fragment_state *state = &soft->fragment;
 	const GLboolean *mask = state->color_mask;
 	bool both = state->cull_face == GL_FRONT_AND_BACK;
 
+	draw->offset = mode > GL_LINE_STRIP && state->offset_fill;
+	draw->smooth = mode == GL_POINTS
+		? state->point_smooth
+		: mode <= GL_LINE_STRIP && state->line_smooth;
 	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);
 	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
-	draw->tests = state->depth_test || state->stencil.enabled;
 	draw->early_tests = !state->alpha_test;
 	draw->blended = reads_destination(state);
 }
@@ -354,8 +358,8 @@ static void prepare_shade(struct draw *draw)
 	}
 }
 
-bool soft_prepare(
-	struct soft *soft, struct draw *draw, uint32_t first, uint32_t count)
+bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
+	uint32_t first, uint32_t count)
 {
 	const struct soft_path *path;
 
@@ -368,7 +372,7 @@ bool soft_prepare(
 		draw->box.top >= draw->box.bottom) {
 		return false;
 	}
-	prepare_fragments(soft, draw);
+	prepare_fragments(soft, draw, mode);
 	prepare_fog(soft, draw);
 	prepare_textures(soft, draw);
 	draw->attributes = choose_attributes(draw);
@@ -387,7 +391,7 @@ bool soft_prepare(
 	}
 	list_attributes(draw);
 	path = soft_choose_path(draw);
-	draw->fill = path->fill;
+	draw->fill = soft->fill ? soft->fill : path->fill;
 	draw->divides_together = path->divides_together;
 	if (path->one_color) {
 		draw->attributes = 0;

@@ -9,6 +9,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "tests/support/gl/soft_scene.h"
 #include "tests/support/random.h"
+#include "tests/support/soft/reference.h"
 #include "tests/support/test.h"
 
 #include <malloc.h>
@@ -142,7 +143,7 @@ static void make_triangles(
 	}
 }
 
-/* The long way is that of fragment.c, for all fragments. */
+/* The long way is that of soft/reference.h, for all fragments. */
 static void set_state(struct scene *scene, const struct soft_corner *corner,
 	enum kind kind, bool long_way)
 {
@@ -150,7 +151,7 @@ static void set_state(struct scene *scene, const struct soft_corner *corner,
 	const GLsizei stride = sizeof(*corner);
 
 	use(scene);
-	scene->soft->reference = long_way;
+	reference_use(scene->soft, long_way);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);

@@ -2,6 +2,7 @@
 #include "platform/gl/soft/fast/picture.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"
+#include "tests/support/soft/reference.h"
 
 #include <string.h>
 
@@ -100,14 +101,14 @@ static void make_strip(uint32_t *seed, struct corner corner[4])
 	}
 }
 
-/* The long way is that of fragment.c, for all fragments. */
+/* The long way is that of soft/reference.h, for all fragments. */
 static void draw(const struct gl_canvas *canvas, const struct corner *corner,
 	bool long_way, uint16_t out[PIXELS])
 {
 	const struct gl *gl = canvas->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	((struct soft *)canvas->context)->reference = long_way;
+	reference_use((struct soft *)canvas->context, long_way);
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 	gl->VertexPointer(2, GL_FLOAT, stride, corner->position);
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);

@@ -2,8 +2,8 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/run.h"
 #include "platform/gl/soft/span/sample.h"
-#include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
+#include "tests/support/soft/reference.h"
 
 /* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
 struct along {
@@ -133,8 +133,8 @@ static bool is_linear(GLenum filter)
 }
 
 /* GL ES 1.1 section 3.7.7: between two levels when both filters ask for it. */
-void soft_sample(const struct texture_input *input, const struct span *span,
-	int unit, bool wide, uint8_t (*out)[4])
+void reference_sample(const struct texture_input *input,
+	const struct span *span, int unit, bool wide, uint8_t (*out)[4])
 {
 	const struct texture *texture = input->texture;
 	GLenum min = texture->min_filter;
@@ -142,7 +142,7 @@ void soft_sample(const struct texture_input *input, const struct span *span,
 		(min == GL_NEAREST_MIPMAP_NEAREST ||
 			min == GL_NEAREST_MIPMAP_LINEAR);
 	int lod = span->lod[unit], last = input->levels - 1;
-	uint8_t next[SPAN_PIXELS][4];
+	uint8_t next[REFERENCE_PIXELS][4];
 	int level;
 
 	if (lod <= (sharp ? 128 : 0)) {

@@ -1,7 +1,9 @@
 /*
- * The rows of a triangle for fragment.c, of any number of attributes: cut, and
- * divided, where walk.c does it.
+ * The rows of a triangle, of any number of attributes: cut, and divided, where
+ * platform/gl/soft/span/walk.c does it.
  */
+#include "tests/support/soft/reference.h"
+
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -24,7 +26,7 @@ static void draw_run(
 	if (draw->texture[1].used && !raster->bent) {
 		soft_rows_find_second(draw, 0, span);
 	}
-	soft_draw_span(draw, span);
+	reference_draw_span(draw, span);
 }
 
 static void draw_linear(
@@ -179,11 +181,11 @@ static void row_linear(struct draw *draw, int y, int left, int right)
 	draw_linear(draw, y, left, right, value);
 }
 
-void soft_walk_general(struct draw *draw, const struct setup *setup)
+void reference_fill(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 
-	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
+	rows_set_up(draw, setup);
 	if (raster->bent) {
 		soft_rows_find_affine_lod(draw, &raster->span);
 		raster_walk(draw, setup, row_bent, soft_raster_next_row);
@@ -200,4 +202,9 @@ void soft_walk_general(struct draw *draw, const struct setup *setup)
 	}
 	soft_rows_find_affine_lod(draw, &raster->span);
 	raster_walk(draw, setup, row_linear, soft_raster_next_row);
+}
+
+void reference_use(struct soft *soft, bool on)
+{
+	soft->fill = on ? reference_fill : NULL;
 }

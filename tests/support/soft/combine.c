@@ -1,6 +1,6 @@
 /* The texture environment: GL ES 1.1 section 3.7.12. */
-#include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
+#include "tests/support/soft/reference.h"
 
 #include <string.h>
 
@@ -157,7 +157,7 @@ static void apply_combiner(
 	}
 }
 
-void soft_combine(const struct texture_input *input, int count,
+void reference_combine(const struct texture_input *input, int count,
 	const uint8_t (*texel)[4], const uint8_t (*primary)[4],
 	uint8_t (*color)[4])
 {

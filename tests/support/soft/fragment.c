@@ -2,134 +2,40 @@
  * Fragments in any state, a span at a time through stages: tests, colour,
  * textures, fog, blending, writing (GL ES 1.1 chapters 3 and 4).
  */
+#include "tests/support/soft/reference.h"
+
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/sample.h"
-#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/vertex/number.h"
 
 /* The fragments of a span on their way. */
 struct fragments {
-	uint8_t color[SPAN_PIXELS][4];
-	uint16_t alpha_q7[SPAN_PIXELS]; /* the vertices' */
-	bool passes[SPAN_PIXELS];
+	uint8_t color[REFERENCE_PIXELS][4];
+	uint16_t alpha_q7[REFERENCE_PIXELS]; /* the vertices' */
+	bool passes[REFERENCE_PIXELS];
 	int left; /* how many still pass */
 };
-
-/* The comparisons' low bits say which of less, equal, greater pass. */
-static bool compares(GLenum function, int a, int b)
-{
-	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
-}
-
-static uint8_t apply_stencil(
-	const struct stencil *stencil, GLenum action, uint8_t old)
-{
-	uint8_t value = old;
-
-	switch (action) {
-	case GL_ZERO:
-		value = 0;
-		break;
-	case GL_REPLACE:
-		value = stencil->reference;
-		break;
-	case GL_INCR:
-		value = old < 255 ? (uint8_t)(old + 1) : old;
-		break;
-	case GL_DECR:
-		value = old > 0 ? (uint8_t)(old - 1) : old;
-		break;
-	case GL_INVERT:
-		value = (uint8_t)~old;
-		break;
-	default:
-		break;
-	}
-	return (uint8_t)((old & ~stencil->write_mask) |
-		(value & stencil->write_mask));
-}
-
-/* Depth and stencil tests of one fragment, and what they write. */
-static bool test_one(const struct fragment_state *state, int z, uint16_t *depth,
-	uint8_t *stencil)
-{
-	const struct stencil *s = &state->stencil;
-	bool passes = !state->depth_test ||
-		compares(state->depth_function, z, *depth);
-
-	if (s->enabled && stencil) {
-		bool through = compares(s->function, s->reference & s->mask,
-			*stencil & s->mask);
-
-		*stencil = apply_stencil(s,
-			!through         ? s->fail
-				: passes ? s->pass
-					 : s->depth_fail,
-			*stencil);
-		passes = passes && through;
-	}
-	if (passes && state->depth_test && state->depth_mask) {
-		*depth = (uint16_t)z;
-	}
-	return passes;
-}
 
 static void run_tests(const struct draw *draw, const struct span *span,
 	struct fragments *fragments)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
-	size_t at = (size_t)span->y * (size_t)buffers->width + (size_t)span->x;
-	uint32_t z = span->value[DEPTH];
-
-	for (int i = 0; i < span->count; i++, z += (uint32_t)span->step[DEPTH]) {
-		if (fragments->passes[i] &&
-			!test_one(&draw->soft->fragment,
-				(int)(z >> 10 & 0xFFFF), buffers->depth + at + i,
-				buffers->stencil ? buffers->stencil + at + i
-						 : NULL)) {
-			fragments->passes[i] = false;
-			fragments->left--;
-		}
-	}
-}
-
-/* The stencil without a depth test: pixels that are drawn once, or where
- * something was counted. */
-static int test_stencil(
-	const struct draw *draw, const struct span *span, bool *passes)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-	const struct stencil *s = &draw->soft->fragment.stencil;
-	uint8_t *stencil = buffers->stencil +
-		(size_t)span->y * (size_t)buffers->width + span->x;
-	int reference = s->reference & s->mask, left = 0;
+	const size_t row = (size_t)span->y * (size_t)draw->soft->buffers.width;
 
 	for (int i = 0; i < span->count; i++) {
-		int old = stencil[i] & s->mask;
-		bool through = compares(s->function, reference, old);
-		GLenum action = through ? s->pass : s->fail;
+		const struct soft_tested one = {
+			.place = row + (size_t)(span->x + i),
+			.count = 1,
+			.z = (span->value[DEPTH] +
+				     (uint32_t)span->step[DEPTH] * (uint32_t)i)
+				<< 6,
+		};
 
-		passes[i] = through;
-		left += through;
-		if (action != GL_KEEP) {
-			stencil[i] = apply_stencil(s, action, stencil[i]);
+		if (fragments->passes[i]) {
+			soft_test(draw->soft, &one, &fragments->passes[i]);
+			fragments->left -= !fragments->passes[i];
 		}
 	}
-	return left;
-}
-
-int soft_test_span(struct draw *draw, const struct span *span, bool *passes)
-{
-	struct fragments fragments;
-
-	if (!draw->soft->fragment.depth_test && draw->soft->buffers.stencil) {
-		return test_stencil(draw, span, passes);
-	}
-	fragments.left = span->count;
-	memset(fragments.passes, true, (size_t)span->count);
-	run_tests(draw, span, &fragments);
-	memcpy(passes, fragments.passes, (size_t)span->count);
-	return fragments.left;
 }
 
 static void fill_colors(const struct span *span, struct fragments *fragments)
@@ -172,17 +78,17 @@ static void scale_alphas(const struct draw *draw, int count,
 static void add_textures(const struct draw *draw, const struct span *span,
 	struct fragments *fragments)
 {
-	uint8_t primary[SPAN_PIXELS][4], texel[SPAN_PIXELS][4];
+	uint8_t primary[REFERENCE_PIXELS][4], texel[REFERENCE_PIXELS][4];
 	size_t size = (size_t)span->count * 4;
 
 	memcpy(primary, fragments->color, size);
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
 		if (draw->texture[unit].used) {
-			soft_sample(&draw->texture[unit], span, unit,
+			reference_sample(&draw->texture[unit], span, unit,
 				draw->soft->format == PIXELS_RGBA8888 ||
 					draw->spans.made,
 				texel);
-			soft_combine(&draw->texture[unit], span->count,
+			reference_combine(&draw->texture[unit], span->count,
 				(const uint8_t(*)[4])texel,
 				(const uint8_t(*)[4])primary, fragments->color);
 			if (unit == 0) {
@@ -219,8 +125,8 @@ static void test_alpha(const struct draw *draw, const struct span *span,
 	int reference = soft_byte(state->alpha_reference);
 
 	for (int i = 0; i < span->count; i++) {
-		if (!compares(state->alpha_function, fragments->color[i][3],
-			    reference)) {
+		if (!soft_compares(state->alpha_function,
+			    fragments->color[i][3], (uint32_t)reference)) {
 			fragments->passes[i] = false;
 			fragments->left--;
 		}
@@ -306,13 +212,13 @@ static void write_colors(const struct draw *draw, const struct span *span,
 	}
 }
 
-void soft_draw_span(struct draw *draw, const struct span *span)
+void reference_draw_span(struct draw *draw, const struct span *span)
 {
 	struct fragments fragments;
 
 	fragments.left = span->count;
 	memset(fragments.passes, true, (size_t)span->count);
-	if (draw->tests && draw->early_tests) {
+	if (draw->early_tests) {
 		run_tests(draw, span, &fragments);
 	}
 	if (fragments.left == 0 || (!draw->color_written && draw->early_tests)) {
@@ -325,9 +231,7 @@ void soft_draw_span(struct draw *draw, const struct span *span)
 	}
 	if (!draw->early_tests) {
 		test_alpha(draw, span, &fragments);
-		if (draw->tests) {
-			run_tests(draw, span, &fragments);
-		}
+		run_tests(draw, span, &fragments);
 	}
 	if (fragments.left > 0 && draw->color_written) {
 		write_colors(draw, span, &fragments);

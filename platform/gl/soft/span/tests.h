@@ -1,0 +1,24 @@
+/* Depth and stencil tests of pixels one by one, for what no span function does. */
+#ifndef PLATFORM_GL_SOFT_SPAN_TESTS_H
+#define PLATFORM_GL_SOFT_SPAN_TESTS_H
+
+#include "platform/gl/soft/soft.h"
+
+/* GL's comparisons: the low bits say which of less, equal, greater pass. */
+static inline bool soft_compares(GLenum function, uint32_t a, uint32_t b)
+{
+	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
+}
+
+/* Fragments side by side. */
+struct soft_tested {
+	size_t place; /* of the first one, in the depth and stencil buffers */
+	uint32_t count;
+	uint32_t z, z_right; /* 16.16 */
+};
+
+/* Tests fragments, and writes what the tests write; which of them pass. */
+void soft_test(
+	struct soft *soft, const struct soft_tested *tested, bool *passes);
+
+#endif

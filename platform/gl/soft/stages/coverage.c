@@ -1,0 +1,65 @@
+#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/number.h"
+
+/* Of 256: how far inside of an edge this is; less between two close edges. */
+static int32_t find_share(int32_t half_q8, int32_t from_middle_q8)
+{
+	return clamp_int(half_q8 + 128 - from_middle_q8, 0,
+		half_q8 < 128 ? 2 * half_q8 : 256);
+}
+
+static int32_t size_of(int32_t value)
+{
+	return value < 0 ? -value : value;
+}
+
+/* Of 256, of the pixel whose centre is so many sixteenths from the middle. */
+static int32_t find_coverage(
+	const struct soft_coverage *coverage, int32_t x, int32_t y)
+{
+	int32_t along, across;
+
+	if (coverage->radius_q8 > 0) {
+		uint64_t squared = (uint64_t)((int64_t)x * x + (int64_t)y * y);
+		struct root root = soft_reciprocal_root(squared | 1);
+
+		along = (int32_t)(squared * (uint64_t)root.mantissa_q30 >>
+			(26 + root.shift));
+		return find_share(coverage->radius_q8, along);
+	}
+	along = (int32_t)(((int64_t)x * coverage->u_q14 +
+				  (int64_t)y * coverage->v_q14) >>
+		10);
+	across = (int32_t)(((int64_t)x * coverage->v_q14 -
+				   (int64_t)y * coverage->u_q14) >>
+		10);
+	return find_share(coverage->half_length_q8, size_of(along)) *
+		find_share(coverage->half_width_q8, size_of(across)) >>
+		8;
+}
+
+uint32_t soft_cover(
+	struct soft_spans *spans, int column, int row, uint32_t *color)
+{
+	const struct soft_coverage *coverage = &spans->coverage;
+	struct soft_row *run = &spans->run.row;
+	int32_t x = column * 16 + 8 - coverage->x;
+	uint32_t first = run->count, end = 0;
+
+	for (uint32_t i = 0; i < run->count; i++, x += 16) {
+		uint32_t share = (uint32_t)find_coverage(
+			coverage, x, row * 16 + 8 - coverage->y);
+
+		if (share > 0) {
+			first = i < first ? i : first;
+			end = i + 1;
+		}
+		color[i] = (color[i] & 0x00FFFFFF) |
+			((color[i] >> 24) * share + 128) >> 8 << 24;
+	}
+	run->depth += first;
+	run->pixel += first << spans->pixel_log2;
+	run->z += spans->run.z_right * first;
+	run->count = end > first ? end - first : 0;
+	return first;
+}

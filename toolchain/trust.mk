@@ -38,6 +38,22 @@ mutants: build/host/limber build/test-packages.stamp
 		python3 -B tests/mutants/mutants.py --number $(N) --seed $(SEED) \
 		$(FOLDER:%=--folder %)
 
+# make months DAYS=30 plays for a month whose hours last a second each.
+DAYS ?= 30
+MONTHS := build/months/host.so build/months/arm.so
+build/months/%.so: tests/months/months.c | build/%/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_$*) -std=c11 -D_GNU_SOURCE $(WARNINGS) $(CFLAGS_$*) -fPIC \
+		-shared -o $@ $<
+months_host = tests/months/months.py build/months/host.so build/host/limber
+months_arm = PRELOAD="-E LD_PRELOAD=build/months/arm.so" \
+	tests/months/months.py build/months/arm.so $(RUN_arm) build/arm/limber
+.PHONY: months
+months: $(MONTHS) build/host/limber build/arm/limber
+	$(Q)DAYS=$(DAYS) $(months_host)
+	$(Q)DAYS=$(DAYS) $(months_arm)
+
 # Builds host, ARM and the package from two folders, and compares their bytes.
 .PHONY: reproduce trust
 reproduce: build/sysroot.stamp
@@ -49,8 +65,10 @@ trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
 	$(Q)MOST=$(MOST) SECONDS=$(SECONDS) toolchain/trust.sh \
 		$(FUZZERS:%=build/fuzz/%)
 
-check-build: $(FAULTS)
+check-build: $(FAULTS) $(MONTHS)
 trust_suites = $(call suite,mutants/checker,tests/mutants/checker.sh) \
+	$(call suite,months/host,DAYS=4 $(months_host)) \
+	$(call suite,months/arm,DAYS=1 $(months_arm)) \
 	$(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
 	--most 3 --jobs 1) \
 	$(call suite,faults/host,$(FAULTS_RUN) build/host/limber --most 2 --jobs 1)

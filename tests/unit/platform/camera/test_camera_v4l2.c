@@ -244,6 +244,38 @@ static void test_an_unplugged_device_is_opened_again(void **state)
 	end(fake, &session);
 }
 
+/* Once an hour; each time it fails in another call than the last time. */
+static void test_a_camera_may_come_and_go_for_a_month(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+	const int64_t hour_ms = 3600000;
+	int refused = 0;
+
+	(void)state;
+	for (int hour = 1; hour <= 30 * 24; hour++) {
+		fake->unplugged = false;
+		fake->open_error = hour % 3 == 1 ? -ENODEV : 0;
+		fake->format_error = hour % 3 == 2 ? -EIO : 0;
+		refused += fake->open_error != 0;
+		assert_int_equal(v4l2_session_open(&session), hour % 3 == 0);
+		fake->now_ms = hour * hour_ms;
+		fake->open_error = fake->format_error = 0;
+		assert_true(v4l2_session_open(&session));
+		assert_int_equal(session.state, V4L2_OPEN);
+		fake->ready = 1;
+		assert_true(v4l2_session_dequeue(&session, 20) >= 0);
+		fake->unplugged = true;
+		assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
+		v4l2_session_close(&session);
+		assert_int_equal(fake->closes, fake->opens - refused);
+		assert_int_equal(fake->unmaps, fake->maps);
+		fake->now_ms += hour_ms / 2;
+	}
+	fake->unplugged = false;
+	end(fake, &session);
+}
+
 static void test_each_failure_doubles_the_wait(void **state)
 {
 	static const int waits_ms[] = {250, 500, 1000, 2000, 2000, 2000};
@@ -373,6 +405,7 @@ int main(void)
 		cmocka_unit_test(
 			test_damaged_and_short_pictures_are_queued_again),
 		cmocka_unit_test(test_an_unplugged_device_is_opened_again),
+		cmocka_unit_test(test_a_camera_may_come_and_go_for_a_month),
 		cmocka_unit_test(test_each_failure_doubles_the_wait),
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
 		cmocka_unit_test(test_temporary_errors_are_no_failure),

@@ -46,8 +46,7 @@ static bool has_key_weights(const struct model_channel *channel)
 		return false;
 	}
 	for (int k = 0; k < channel->key_count; k++) {
-		const float *weight =
-			channel->value + (size_t)k * (size_t)width;
+		const float *weight = channel->value + (size_t)k * (size_t)width;
 		struct shown shown = {.target_count = 0};
 		bool last = k + 1 == channel->key_count;
 

@@ -185,6 +185,41 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 		});
 }
 
+/* Draws all triangles, or those of a shadow or of edges, in one colour. */
+static void draw_flat(const struct gl *gl, const struct drawable *drawable,
+	const struct batch *batch, bool edges, bool textured)
+{
+	draw_batch(gl, batch,
+		&(struct arrays){
+			.texcoord = textured ? batch->texcoord : NULL,
+			.edges = edges,
+			.list = edges ? shaded_list(drawable, batch)
+				      : drawable_shadow(drawable, batch),
+		});
+}
+
+/*
+ * Draws shadows of masked materials with the holes that their texture has. The
+ * alpha that is tested is the texel's times the shadow's.
+ */
+static void draw_masked_shadow(const struct gl *gl,
+	const struct instance *instance, const struct drawable *drawable,
+	const struct texture_set *textures)
+{
+	const struct model_material *material = material_of(instance, drawable);
+
+	texture_bind(textures, gl, material->texture);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	gl->Enable(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_GEQUAL,
+		fx16_from_float(material->alpha_cutoff * DRAW_SHADOW_ALPHA));
+	for (int i = 0; i < drawable->batch_count; i++) {
+		draw_flat(gl, drawable, &drawable->batch[i], false, true);
+	}
+	gl->Disable(GL_ALPHA_TEST);
+	gl->Disable(GL_TEXTURE_2D);
+}
+
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
@@ -204,18 +239,18 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	} else {
 		gl->Enable(GL_CULL_FACE);
 	}
+	if (pass == DRAW_SHADOW && is_textured(instance, drawable) &&
+		material_of(instance, drawable)->alpha == MODEL_MASK) {
+		draw_masked_shadow(gl, instance, drawable, textures);
+		return;
+	}
 	for (int i = 0; i < drawable->batch_count; i++) {
 		const struct batch *batch = &drawable->batch[i];
 
 		if (shaded) {
 			draw_shaded(gl, instance, drawable, batch);
 		} else {
-			draw_batch(gl, batch,
-				&(struct arrays){.edges = edges,
-					.list = edges
-						? shaded_list(drawable, batch)
-						: drawable_shadow(
-							  drawable, batch)});
+			draw_flat(gl, drawable, batch, edges, false);
 		}
 	}
 }

@@ -11,9 +11,13 @@
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/instance.h"
 
+/* The alpha of shadows, 0..1: how much of what lies below they hide. */
+#define DRAW_SHADOW_ALPHA 0.375f
+
 enum draw_pass {
 	DRAW_SHADED, /* with materials, textures and light */
-	DRAW_SHADOW, /* the list for shadows in the current colour */
+	DRAW_SHADOW, /* the list for shadows in the current colour, whose alpha
+			is DRAW_SHADOW_ALPHA */
 	DRAW_EDGES,  /* the shaded triangles' edges in the current colour */
 };
 

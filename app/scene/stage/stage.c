@@ -1,5 +1,6 @@
 #include "app/scene/stage/stage.h"
 
+#include "app/scene/draw/draw.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
@@ -156,8 +157,8 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 	use_plain_state(gl);
 	gl->DisableClientState(GL_COLOR_ARRAY);
 	gl->Disable(GL_DEPTH_TEST); /* the shadow lies in the floor's plane */
-	gl->Color4x(
-		FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12, FX16_ONE * 3 / 8);
+	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
+		fx16_from_float(DRAW_SHADOW_ALPHA));
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->DepthMask(GL_FALSE);

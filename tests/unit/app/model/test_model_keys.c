@@ -67,12 +67,10 @@ static void test_targets_shown_one_by_one_are_key_frames(void **state)
 }
 
 /* As exporters write an eased change that they sampled at each frame. */
-static void test_sampled_changes_between_two_targets_are_key_frames(
-	void **state)
+static void test_sampled_changes_between_two_targets_are_key_frames(void **state)
 {
-	static const float changes[KEYS][TARGETS] = {
-		{0.3f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.84f, 0.16f, 0.0f},
-		{0.16f, 0.84f, 0.0f}};
+	static const float changes[KEYS][TARGETS] = {{0.3f, 0.0f, 0.0f},
+		{1.0f, 0.0f, 0.0f}, {0.84f, 0.16f, 0.0f}, {0.16f, 0.84f, 0.0f}};
 	struct bench b;
 
 	(void)state;

@@ -1,4 +1,5 @@
 #include "app/scene/draw/draw.h"
+#include "tests/support/gl/gl_checks.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
@@ -82,6 +83,59 @@ static void test_blended_surfaces_come_after_opaque_ones(void **state)
 	model_destroy(model);
 }
 
+/* Draws a quad over the whole picture as a black shadow on white. */
+static void draw_shadow(struct gl_canvas *canvas, const struct model *model)
+{
+	struct instance *instance = small_model_instance(model);
+	struct log nowhere = log_to_nowhere();
+	struct texture_set textures;
+	struct gl *gl = canvas->gl;
+
+	for (int axis = 0; axis < 2; axis++) {
+		instance->pose.local[0].translation[axis] = -1;
+		instance->pose.local[0].scale[axis] = 2;
+	}
+	instance_update(instance);
+	assert_int_equal(texture_set_create(&textures, model, gl,
+				 PIXELS_RGBA8888, &nowhere),
+		0);
+	gl->ClearColorx(65536, 65536, 65536, 65536);
+	gl->Clear(GL_COLOR_BUFFER_BIT);
+	gl->Color4x(0, 0, 0, (GLfixed)(DRAW_SHADOW_ALPHA * 65536));
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	draw_instance(gl, instance, &textures, DRAW_SHADOW);
+	gl_canvas_end_frame(canvas);
+	texture_set_destroy(&textures, gl);
+	instance_destroy(instance);
+}
+
+static void check_masked_shadow(const char *driver)
+{
+	static const uint8_t holed[2][4] = {{255, 255, 255, 255}, {0}};
+	struct gl_canvas canvas = gl_canvas_open(driver, PIXELS_RGBA8888);
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+
+	small_model_add_normal_map(model, 2, holed);
+	model->image[0].opaque = false;
+	model->material[0].normal_texture = -1;
+	model->material[0].texture = 0;
+	model->material[0].alpha = MODEL_MASK;
+	model->material[0].alpha_cutoff = 0.9f;
+	draw_shadow(&canvas, model);
+	gl_canvas_expect(&canvas, 2, 2, 159, 159, 159, 2); /* 255 * 0.625 */
+	gl_canvas_expect(&canvas, GL_CANVAS_WIDTH - 3, 2, 255, 255, 255, 0);
+	model_destroy(model);
+	gl_canvas_close(&canvas);
+}
+
+static void test_a_masked_surface_casts_a_shadow_with_its_holes(void **state)
+{
+	(void)state;
+	check_masked_shadow("soft");
+	check_masked_shadow("osmesa");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -89,6 +143,8 @@ int main(void)
 		cmocka_unit_test(test_a_mirrored_node_turns_the_front_face),
 		cmocka_unit_test(test_hidden_drawables_cost_no_call),
 		cmocka_unit_test(test_blended_surfaces_come_after_opaque_ones),
+		cmocka_unit_test(
+			test_a_masked_surface_casts_a_shadow_with_its_holes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

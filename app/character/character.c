@@ -7,6 +7,7 @@
 #include "app/character/run/ground.h"
 #include "app/character/run/layers.h"
 #include "app/character/run/parameters.h"
+#include "app/character/run/pending.h"
 #include "app/character/run/triggers.h"
 #include "app/character/state/machine.h"
 
@@ -31,6 +32,41 @@ uint64_t character_stamp(const struct character *character)
 		stamp = stamp * 31 + file_stamp(character->text.file[i]);
 	}
 	return stamp;
+}
+
+static void take_times(
+	struct character_state *state, const struct character_state *from)
+{
+	for (int i = 0; i < state->entry_count && i < from->entry_count; i++) {
+		state->entry[i].time_s = from->entry[i].time_s;
+		state->entry[i].shown_s = from->entry[i].shown_s;
+	}
+}
+
+void character_go_on(
+	struct character *character, const struct character *before)
+{
+	struct character_machine *machine = &character->machine;
+	const struct character_machine *old = &before->machine;
+	const struct character_state *shown = &old->state[old->current];
+
+	character->seen_s = before->seen_s;
+	character->now_s = character->tour_from_s = before->now_s;
+	character->paused = before->paused;
+	for (int i = 0; i < machine->state_count; i++) {
+		struct character_state *state = &machine->state[i];
+
+		if (strcmp(state->name, shown->name) == 0) {
+			machine->current = i;
+			machine->phase = old->phase;
+			machine->in_row = old->in_row;
+			machine->fresh = old->fresh;
+			take_times(state, shown);
+			character->pending_count = 0;
+			character_pending_add(character, state->enter, 1);
+			return;
+		}
+	}
 }
 
 void character_press(

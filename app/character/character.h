@@ -32,6 +32,14 @@ uint64_t character_stamp(const struct character *character);
 /* Frees the character; NULL is allowed. */
 void character_destroy(struct character *character);
 
+/*
+ * Goes on where another character was, such as the one that an older text
+ * described: at the same time, and in the state of the same name if there is
+ * one.
+ */
+void character_go_on(
+	struct character *character, const struct character *before);
+
 /* Takes a button event; the next update acts on it. */
 void character_press(
 	struct character *character, const struct button_event *event);

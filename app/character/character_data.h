@@ -59,6 +59,7 @@ enum character_verb {
 	CHARACTER_SWITCH, /* effect index: amount 1 on, 0 off, -1 the other */
 	CHARACTER_GO,     /* to state index */
 	CHARACTER_NEXT,   /* amount states on, in the order of the file */
+	CHARACTER_ROW,    /* plays all states in a row, or stops */
 	CHARACTER_PLAY,   /* layer index, from its start */
 	CHARACTER_MORPH,  /* morph index to key detail, or amount keys on */
 	CHARACTER_PACE,   /* morph index: amount times as fast */
@@ -202,6 +203,7 @@ struct character_machine {
 	float done;       /* fraction of the clip, 0..1 */
 	int loops;        /* ends of the clip that have passed */
 	bool fresh;       /* the state began in this frame */
+	bool in_row;      /* at its end the next state of the file follows */
 };
 
 /* See run/feet.h and run/effects.h. */
@@ -293,6 +295,7 @@ enum character_gesture {
 
 struct character_binding {
 	const struct character_condition *when; /* NULL: always */
+	bool unlabelled; /* shown only in the list of all buttons */
 	enum button button, second; /* second: of CHARACTER_TOGETHER */
 	enum character_gesture gesture;
 	const char *label; /* what it does, for people */
@@ -412,6 +415,7 @@ struct character {
 	struct character_button button[BUTTON_COUNT];
 	struct character_scene scene;
 	struct character_motion motion;
+	enum clip_interpolation interpolation; /* of all clips */
 	struct pose scratch, still;
 	float ground_m; /* the height of level ground */
 	/* The height of the ground above that; NULL: it is level. */

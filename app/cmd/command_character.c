@@ -11,7 +11,7 @@ static int write_sketch(
 	if (error) {
 		return error;
 	}
-	character_sketch(model, output_file_stream(file));
+	character_sketch(model, NULL, output_file_stream(file));
 	return output_file_commit(file);
 }
 
@@ -21,7 +21,7 @@ static int run_with_model(const struct model *model,
 	if (options->screen.output) {
 		return write_sketch(model, options->screen.output, log);
 	}
-	character_sketch(model, stdout);
+	character_sketch(model, NULL, stdout);
 	return 0;
 }
 

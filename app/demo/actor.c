@@ -33,10 +33,6 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->interpolation = env->interpolation;
 	error = clip_cursor_init(
 		&actor->cursor, actor->model, &actor->instance->arena);
-	if (!error) {
-		error = fade_init(
-			&actor->fade, actor->model, &actor->instance->arena);
-	}
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory to play the model",

@@ -6,7 +6,6 @@
 #define APP_DEMO_ACTOR_H
 
 #include "app/anim/clip.h"
-#include "app/anim/fade.h"
 #include "app/demo/demo_env.h"
 #include "app/demo/live.h"
 #include "app/scene/draw/texture.h"
@@ -21,7 +20,6 @@ struct actor {
 	struct texture_set textures;
 	struct clip_cursor cursor;
 	enum clip_interpolation interpolation;
-	struct fade fade; /* for demos that change clips */
 	struct influence_cap influence_cap;
 	int influence_limit; /* overrides a higher cap; 0: no limit */
 	struct lod lod;

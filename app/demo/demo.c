@@ -151,7 +151,8 @@ struct demo_facts demo_get_facts(
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
-	if (driver->press && driver->press(demo, event)) {
+	if (driver->press) {
+		driver->press(demo, event);
 		return;
 	}
 	for (const struct demo_action *action = driver->action; action->run;

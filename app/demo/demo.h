@@ -37,7 +37,7 @@ struct demo_driver {
 	const char *summary;
 	const char *asset; /* a file in assets/; NULL: the user's model */
 	bool any_model;    /* shows the user's model in place of the asset */
-	const struct demo_action *action; /* ends with a NULL run */
+	const struct demo_action *action; /* ends with a NULL run, or NULL */
 
 	/* Size of the demo's struct, which begins with a struct demo_base. */
 	size_t size;
@@ -52,16 +52,11 @@ struct demo_driver {
 	void (*finish)(struct demo *demo);
 
 	/*
-	 * Takes a button event. Returns false to leave it to the table of
-	 * actions. Optional.
+	 * Takes a button event, and prints what each button does. A demo has
+	 * these two or a table of actions.
 	 */
-	bool (*press)(struct demo *demo, const struct button_event *event);
-
-	/*
-	 * Prints what each button does. Returns false to leave it to the table
-	 * of actions. Optional.
-	 */
-	bool (*print_buttons)(const struct demo *demo, FILE *out);
+	void (*press)(struct demo *demo, const struct button_event *event);
+	void (*print_buttons)(const struct demo *demo, FILE *out);
 
 	/* Moves on to time_s, which never decreases. Allocates nothing. */
 	void (*update)(struct demo *demo, double time_s);

@@ -51,6 +51,23 @@ int character_read_section(struct character_build *build,
 	const struct character_section *section,
 	const struct character_key *keys, void *out);
 
+/* A kind of section of which each one has a struct of this size. */
+struct character_kind {
+	const char *name;
+	size_t size;
+	/* Reads one section; the struct is all zero. 0, or -errno. */
+	int (*read)(struct character_build *build,
+		const struct character_section *section, void *one);
+};
+
+/*
+ * Makes an array of all sections of a kind. *count becomes their number and
+ * *(TYPE **)array their structs, both before the first one is read, so that a
+ * section may name any other one. 0, or -errno after logging an error.
+ */
+int character_read_kind(struct character_build *build,
+	const struct character_kind *kind, int *count, void *array);
+
 /* Logs "FILE:LINE: [section] key: SENTENCE" and returns -EINVAL. */
 int character_fail(const struct character_words *words, const char *format, ...)
 	PRINTF_LIKE(2, 3);
@@ -151,6 +168,12 @@ int character_name_node(struct character_words *words);
 int character_name_clip(struct character_words *words); /* -2: rest pose */
 int character_name_target(struct character_words *words, int node);
 int character_name_section(struct character_words *words, const char *kind);
+int character_name_state(struct character_words *words);
+
+/* Finds a name of a section's heading by one of these; key is for errors. */
+int character_name_in_heading(struct character_build *build,
+	const struct character_section *section, const char *key,
+	const char *name, int (*find)(struct character_words *words));
 
 /*
  * Reads a part and one of its degrees of freedom. Returns the latter, or

@@ -331,6 +331,7 @@ static const struct verb verbs[] = {
 	{"go", CHARACTER_GO, read_name, "state", false, "go STATE"},
 	{"next", CHARACTER_NEXT, read_step, NULL, false, "next"},
 	{"previous", CHARACTER_NEXT, read_step, NULL, false, "previous"},
+	{"row", CHARACTER_ROW, read_plain, NULL, false, "row"},
 	{"play", CHARACTER_PLAY, read_name, "layer", false, "play LAYER"},
 	{"morph", CHARACTER_MORPH, read_morph, "morph", false,
 		"morph NAME KEY, morph NAME next or morph NAME previous"},
@@ -396,7 +397,7 @@ int character_read_action(struct character_words *words,
 
 	if (!verb) {
 		return character_fail(words,
-			"%s is no action: use set, add, step, toggle, on, off, go, next, previous, play, morph, pace, curve, timing, preset, move, run, repeat, stop, attach, detach, drop, line, output, camera, pause, tour, keys or labels",
+			"%s is no action: use set, add, step, toggle, on, off, go, next, previous, row, play, morph, pace, curve, timing, preset, move, run, repeat, stop, attach, detach, drop, line, output, camera, pause, tour, keys or labels",
 			name ? name : "\"\"");
 	}
 	action.verb = verb->verb;

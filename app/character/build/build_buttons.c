@@ -185,23 +185,45 @@ static void note(
 	}
 }
 
-/* The comparisons under which a section's buttons act. */
-static int read_conditions(struct character_build *build,
-	const struct character_section *section,
-	struct character_condition **when)
+/* What a section says about all of its buttons. */
+struct common {
+	struct character_condition *when;
+	bool unlabelled;
+};
+
+static const struct character_key common_keys[] = {
+	{"when", character_read_condition, offsetof(struct common, when), 0, 0,
+		NULL, "a comparison: chosen is 1, speed > 2 or speed < 1"},
+	{"label", character_read_unlabelled, offsetof(struct common, unlabelled),
+		0, 0, NULL, "yes or no"},
+	{0},
+};
+
+static const struct character_key *find_common(const struct character_line *line)
 {
-	static const struct character_key key = {.name = "when",
-		.right = "a comparison: chosen is 1, speed > 2 or speed < 1"};
+	const struct character_key *key = common_keys;
+
+	while (key->name && strcmp(line->key, key->name) != 0) {
+		key++;
+	}
+	return key->name ? key : NULL;
+}
+
+static int read_common(struct character_build *build,
+	const struct character_section *section, struct common *common)
+{
 	int error = 0;
 
 	for (const struct character_line *line = section->first; line && !error;
 		line = line->next) {
 		struct character_words words = {build, line, 0};
+		const struct character_key *key = find_common(line);
 
-		if (strcmp(line->key, "when") == 0) {
-			error = character_read_condition(&words, &key, when);
+		if (key) {
+			error = key->read(
+				&words, key, (char *)common + key->member);
 			if (!error && !character_at_end(&words)) {
-				error = character_fail_value(&words, &key);
+				error = character_fail_value(&words, key);
 			}
 		}
 	}
@@ -212,15 +234,15 @@ static int build_section(struct character_build *build,
 	const struct character_section *section,
 	struct character_binding ***last)
 {
-	struct character_condition *when = NULL;
-	int error = read_conditions(build, section, &when);
+	struct common common = {0};
+	int error = read_common(build, section, &common);
 
 	for (const struct character_line *line = section->first; line && !error;
 		line = line->next) {
 		struct character_words words = {build, line, 0};
 		struct character_binding *binding;
 
-		if (strcmp(line->key, "when") == 0) {
+		if (find_common(line)) {
 			continue;
 		}
 		binding = ARENA_NEW(build->arena, struct character_binding);
@@ -229,7 +251,8 @@ static int build_section(struct character_build *build,
 		}
 		error = read_binding(&words, binding);
 		if (!error) {
-			binding->when = when;
+			binding->when = common.when;
+			binding->unlabelled = common.unlabelled;
 			note(build->character, binding);
 			**last = binding;
 			*last = &binding->next;

@@ -97,9 +97,10 @@ static int make_cloth(struct character_build *build, struct character_cape *cape
 	return 0;
 }
 
-static int build_cape(struct character_build *build,
-	const struct character_section *section, struct character_cape *cape)
+static int read_cape(struct character_build *build,
+	const struct character_section *section, void *one)
 {
+	struct character_cape *cape = one;
 	int error = character_add_switch(build, section, &cape->is);
 
 	cape->bone = -1;
@@ -127,24 +128,15 @@ static int build_cape(struct character_build *build,
 
 int character_build_capes(struct character_build *build)
 {
+	static const struct character_kind kind = {
+		"cape", sizeof(struct character_cape), read_cape};
 	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "cape");
-	int error = 0;
 
-	character->cape_count = character_text_count(build->text, "cape");
-	if (character->cape_count > CHARACTER_CAPES_MAX) {
-		return character_fail_section(build, section,
+	if (character_text_count(build->text, "cape") > CHARACTER_CAPES_MAX) {
+		return character_fail_section(build,
+			character_text_find(build->text->first, "cape"),
 			"a character has at most %d capes", CHARACTER_CAPES_MAX);
 	}
-	character->cape = ARENA_ARRAY(build->arena, struct character_cape,
-		(size_t)character->cape_count);
-	if (!character->cape) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		error = build_cape(build, section, &character->cape[i]);
-		section = character_text_find(section->next, "cape");
-	}
-	return error;
+	return character_read_kind(
+		build, &kind, &character->cape_count, &character->cape);
 }

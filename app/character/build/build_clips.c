@@ -214,21 +214,6 @@ int character_build_clip_list(struct character_build *build)
 	return 0;
 }
 
-static int find_named(
-	struct character_build *build, const struct character_section *section)
-{
-	struct character_word word = {section->name, true};
-	struct character_line line = {.file = section->file,
-		.number = section->number,
-		.section = section->heading,
-		.key = "name",
-		.word_count = 1,
-		.word = &word};
-	struct character_words words = {build, &line, 0};
-
-	return character_name_clip(&words);
-}
-
 int character_build_clips(struct character_build *build)
 {
 	struct character *character = build->character;
@@ -238,7 +223,8 @@ int character_build_clips(struct character_build *build)
 			character_text_find(build->text->first, "clip");
 		section && !error;
 		section = character_text_find(section->next, "clip")) {
-		int clip = find_named(build, section);
+		int clip = character_name_in_heading(build, section, "name",
+			section->name, character_name_clip);
 
 		error = clip == -1
 			? -EINVAL

@@ -157,14 +157,15 @@ static int make_reference(
 	return 0;
 }
 
-static int build_layer(struct character_build *build,
-	const struct character_section *section, struct character_layer *layer)
+static int read_layer(struct character_build *build,
+	const struct character_section *section, void *one)
 {
-	static const float one = 1;
+	static const float as_it_is = 1;
+	struct character_layer *layer = one;
 	struct draft draft = {.clip = -1};
 	int error = character_add_switch(build, section, &layer->is);
 
-	layer->rate = &one;
+	layer->rate = &as_it_is;
 	draft.layer = *layer;
 	if (!error) {
 		error = character_read_section(build, section, keys, &draft);
@@ -193,20 +194,9 @@ static int build_layer(struct character_build *build,
 
 int character_build_layers(struct character_build *build)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "layer");
-	int error = 0;
+	static const struct character_kind kind = {
+		"layer", sizeof(struct character_layer), read_layer};
 
-	character->layer_count = character_text_count(build->text, "layer");
-	character->layer = ARENA_ARRAY(build->arena, struct character_layer,
-		(size_t)character->layer_count);
-	if (!character->layer) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		error = build_layer(build, section, &character->layer[i]);
-		section = character_text_find(section->next, "layer");
-	}
-	return error;
+	return character_read_kind(build, &kind, &build->character->layer_count,
+		&build->character->layer);
 }

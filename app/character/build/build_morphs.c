@@ -101,10 +101,10 @@ static const struct character_key expression_keys[] = {
 	{0},
 };
 
-static int build_expression(struct character_build *build,
-	const struct character_section *section,
-	struct character_expression *expression)
+static int read_expression(struct character_build *build,
+	const struct character_section *section, void *one)
 {
+	struct character_expression *expression = one;
 	struct expression_draft draft = {.mix = {0}};
 	int error = character_add_switch(build, section, &expression->is);
 	int first;
@@ -145,25 +145,12 @@ static int build_expression(struct character_build *build,
 
 int character_build_expressions(struct character_build *build)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "expression");
-	int error = 0;
+	static const struct character_kind kind = {"expression",
+		sizeof(struct character_expression), read_expression};
 
-	character->expression_count =
-		character_text_count(build->text, "expression");
-	character->expression =
-		ARENA_ARRAY(build->arena, struct character_expression,
-			(size_t)character->expression_count);
-	if (!character->expression) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		error = build_expression(
-			build, section, &character->expression[i]);
-		section = character_text_find(section->next, "expression");
-	}
-	return error;
+	return character_read_kind(build, &kind,
+		&build->character->expression_count,
+		&build->character->expression);
 }
 
 /* The morph's loops take weights in groups of three. */
@@ -335,9 +322,10 @@ static int init_bend(
 	return 0;
 }
 
-static int build_morph(struct character_build *build,
-	const struct character_section *section, struct character_morph *morph)
+static int read_morph(struct character_build *build,
+	const struct character_section *section, void *one)
 {
+	struct character_morph *morph = one;
 	static const float whole = 1;
 	int node;
 	int error = find_node(build, section, &node);
@@ -382,20 +370,9 @@ static int build_morph(struct character_build *build,
 
 int character_build_morphs(struct character_build *build)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "morph");
-	int error = 0;
+	static const struct character_kind kind = {
+		"morph", sizeof(struct character_morph), read_morph};
 
-	character->morph_count = character_text_count(build->text, "morph");
-	character->morph = ARENA_ARRAY(build->arena, struct character_morph,
-		(size_t)character->morph_count);
-	if (!character->morph) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		error = build_morph(build, section, &character->morph[i]);
-		section = character_text_find(section->next, "morph");
-	}
-	return error;
+	return character_read_kind(build, &kind, &build->character->morph_count,
+		&build->character->morph);
 }

@@ -127,6 +127,27 @@ int character_name_section(struct character_words *words, const char *kind)
 	return fail_name(words, name ? name : "", kind, &list);
 }
 
+int character_name_state(struct character_words *words)
+{
+	return character_name_section(words, "state");
+}
+
+int character_name_in_heading(struct character_build *build,
+	const struct character_section *section, const char *key,
+	const char *name, int (*find)(struct character_words *words))
+{
+	struct character_word word = {name, true};
+	struct character_line line = {.file = section->file,
+		.number = section->number,
+		.section = section->heading,
+		.key = key,
+		.word_count = 1,
+		.word = &word};
+	struct character_words words = {build, &line, 0};
+
+	return find(&words);
+}
+
 static bool is_switch(const char *kind)
 {
 	static const char *const switches[] = {"layer", "expression", "shake",

@@ -163,16 +163,8 @@ static int build_part(struct character_build *build,
 	};
 	error = character_read_section(build, section, keys, part);
 	if (!error && part->node < 0) {
-		struct character_word word = {section->name, true};
-		struct character_line line = {.file = section->file,
-			.number = section->number,
-			.section = section->heading,
-			.key = "node",
-			.word_count = 1,
-			.word = &word};
-		struct character_words words = {build, &line, 0};
-
-		part->node = character_name_node(&words);
+		part->node = character_name_in_heading(build, section, "node",
+			section->name, character_name_node);
 		error = part->node < 0 ? -EINVAL : 0;
 	}
 	if (!error) {
@@ -341,32 +333,27 @@ static const struct character_key sequence_keys[] = {
 	{0},
 };
 
+static int read_sequence(struct character_build *build,
+	const struct character_section *section, void *one)
+{
+	struct character_sequence *sequence = one;
+	int error = character_read_section(
+		build, section, sequence_keys, sequence);
+
+	sequence->name = section->name;
+	if (!error && sequence->start) {
+		character_sequence_start(build->character, sequence, false);
+	}
+	character_add_op(build, CHARACTER_STAGE_SEQUENCE,
+		character_sequence_run, sequence);
+	return error;
+}
+
 int character_build_sequences(struct character_build *build)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "sequence");
-	int error = 0;
+	static const struct character_kind kind = {
+		"sequence", sizeof(struct character_sequence), read_sequence};
 
-	character->sequence_count =
-		character_text_count(build->text, "sequence");
-	character->sequence = ARENA_ARRAY(build->arena,
-		struct character_sequence, (size_t)character->sequence_count);
-	if (!character->sequence) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		struct character_sequence *sequence = &character->sequence[i];
-
-		sequence->name = section->name;
-		error = character_read_section(
-			build, section, sequence_keys, sequence);
-		if (!error && sequence->start) {
-			character_sequence_start(character, sequence, false);
-		}
-		character_add_op(build, CHARACTER_STAGE_SEQUENCE,
-			character_sequence_run, sequence);
-		section = character_text_find(section->next, "sequence");
-	}
-	return error;
+	return character_read_kind(build, &kind,
+		&build->character->sequence_count, &build->character->sequence);
 }

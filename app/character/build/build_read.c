@@ -311,3 +311,24 @@ int character_read_choice(struct character_words *words,
 	}
 	return character_fail_value(words, key);
 }
+
+int character_read_kind(struct character_build *build,
+	const struct character_kind *kind, int *count, void *array)
+{
+	const struct character_section *section =
+		character_text_find(build->text->first, kind->name);
+	int sections = character_text_count(build->text, kind->name);
+	char *one = arena_alloc(build->arena, (size_t)sections, kind->size);
+	int error = 0;
+
+	if (!one) {
+		return character_fail_memory(build);
+	}
+	*count = sections;
+	memcpy(array, &one, sizeof(one));
+	for (; section && !error; one += kind->size) {
+		error = kind->read(build, section, one);
+		section = character_text_find(section->next, kind->name);
+	}
+	return error;
+}

@@ -94,31 +94,28 @@ static const struct character_key target_keys[] = {
 	{0},
 };
 
-int character_build_targets(struct character_build *build)
+static int read_target(struct character_build *build,
+	const struct character_section *section, void *one)
 {
 	static const float zero = 0;
-	struct character *character = build->character;
-	const struct character_section *section = only_section(build, "target");
-	int error = 0;
+	struct character_target *target = one;
 
-	character->target_count = character_text_count(build->text, "target");
-	character->target = ARENA_ARRAY(build->arena, struct character_target,
-		(size_t)character->target_count);
-	if (!character->target) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		character->target[i] = (struct character_target){
-			.name = section->name,
-			.place = {&zero, &zero, &zero},
-			.node = -1,
-			.color = {0.95f, 0.35f, 0.2f},
-		};
-		error = character_read_section(
-			build, section, target_keys, &character->target[i]);
-		section = character_text_find(section->next, "target");
-	}
-	return error;
+	*target = (struct character_target){
+		.name = section->name,
+		.place = {&zero, &zero, &zero},
+		.node = -1,
+		.color = {0.95f, 0.35f, 0.2f},
+	};
+	return character_read_section(build, section, target_keys, target);
+}
+
+int character_build_targets(struct character_build *build)
+{
+	static const struct character_kind kind = {
+		"target", sizeof(struct character_target), read_target};
+
+	return character_read_kind(build, &kind, &build->character->target_count,
+		&build->character->target);
 }
 
 /* Says what is wrong with a line in the words of the buttons' driver. */

@@ -201,16 +201,8 @@ static const struct character_key transition_keys[] = {
 static int find_state(struct character_build *build,
 	const struct character_section *section, const char *name, int *out)
 {
-	struct character_word word = {name, true};
-	struct character_line line = {.file = section->file,
-		.number = section->number,
-		.section = section->heading,
-		.key = "transition",
-		.word_count = 1,
-		.word = &word};
-	struct character_words words = {build, &line, 0};
-
-	*out = character_name_section(&words, "state");
+	*out = character_name_in_heading(
+		build, section, "transition", name, character_name_state);
 	return *out < 0 ? -EINVAL : 0;
 }
 

@@ -12,29 +12,23 @@ static const struct character_key keys[] = {
 	{0},
 };
 
+static int read_trigger(struct character_build *build,
+	const struct character_section *section, void *one)
+{
+	struct character_trigger *trigger = one;
+	int error = character_read_section(build, section, keys, trigger);
+
+	trigger->name = section->name;
+	return error || trigger->when ? error
+				      : character_fail_missing(build, section,
+						"when = VALUE > VALUE");
+}
+
 int character_build_triggers(struct character_build *build)
 {
-	struct character *character = build->character;
-	const struct character_section *section =
-		character_text_find(build->text->first, "trigger");
-	int error = 0;
+	static const struct character_kind kind = {
+		"trigger", sizeof(struct character_trigger), read_trigger};
 
-	character->trigger_count = character_text_count(build->text, "trigger");
-	character->trigger = ARENA_ARRAY(build->arena, struct character_trigger,
-		(size_t)character->trigger_count);
-	if (!character->trigger) {
-		return character_fail_memory(build);
-	}
-	for (int i = 0; section && !error; i++) {
-		struct character_trigger *trigger = &character->trigger[i];
-
-		trigger->name = section->name;
-		error = character_read_section(build, section, keys, trigger);
-		if (!error && !trigger->when) {
-			return character_fail_missing(
-				build, section, "when = VALUE > VALUE");
-		}
-		section = character_text_find(section->next, "trigger");
-	}
-	return error;
+	return character_read_kind(build, &kind,
+		&build->character->trigger_count, &build->character->trigger);
 }

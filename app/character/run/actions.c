@@ -23,7 +23,14 @@ static void go_on(struct character_machine *machine, int step)
 	machine->wanted = ((machine->current + step) % count + count) % count;
 }
 
-static void morph(struct character_morph *morph,
+/* A row begins with the present state, from its start. */
+static void toggle_row(struct character_machine *machine)
+{
+	machine->in_row = !machine->in_row;
+	machine->wanted = machine->in_row ? machine->current : -1;
+}
+
+static void go_morph(struct character_morph *morph,
 	const struct character_action *action, double now_s)
 {
 	int count = morph->key_count;
@@ -31,6 +38,63 @@ static void morph(struct character_morph *morph,
 				      : morph->destiny + (int)action->amount;
 
 	character_morph_go(morph, (key % count + count) % count, now_s);
+}
+
+static void run_morph(
+	struct character *character, const struct character_action *action)
+{
+	struct character_morph *morph = &character->morph[action->index];
+
+	switch (action->verb) {
+	case CHARACTER_PACE:
+		morph->pace =
+			scalar_clamp(morph->pace * action->amount, 0.125f, 8);
+		break;
+	case CHARACTER_CURVE:
+		character_morph_use_curve(
+			morph, (morph->chosen + 1) % morph->curve_count);
+		break;
+	case CHARACTER_TIMING:
+		morph->by_frames = !morph->by_frames;
+		break;
+	default:
+		/* What happened since the last frame began with it. */
+		go_morph(morph, action,
+			character->now_s - (double)character->step_s);
+	}
+}
+
+static void run_state(
+	struct character *character, const struct character_action *action)
+{
+	struct character_machine *machine = &character->machine;
+
+	if (action->verb == CHARACTER_GO) {
+		machine->wanted = action->index;
+	} else if (action->verb == CHARACTER_NEXT) {
+		go_on(machine, (int)action->amount);
+	} else {
+		toggle_row(machine);
+	}
+}
+
+static void run_sequence(
+	struct character *character, const struct character_action *action)
+{
+	struct character_sequence *sequence =
+		&character->sequence[action->index];
+
+	if (action->verb == CHARACTER_STOP) {
+		character_sequence_stop(sequence);
+	} else {
+		character_sequence_start(
+			character, sequence, action->verb == CHARACTER_REPEAT);
+	}
+}
+
+static void run_switch(struct character_switch *is, float amount)
+{
+	is->is_on = amount < 0 ? !is->is_on : amount > 0;
 }
 
 static void drive(struct character *character, int index, float amount)
@@ -154,47 +218,31 @@ static void run(struct character *character,
 	const struct character_action *action, float times)
 {
 	float amount = action->amount * times;
-	int index = action->index;
 
 	switch (action->verb) {
 	case CHARACTER_SET:
 	case CHARACTER_ADD:
 	case CHARACTER_STEP:
 	case CHARACTER_TOGGLE:
-		run_parameter(&character->parameter[index], action, amount);
+		run_parameter(
+			&character->parameter[action->index], action, amount);
 		break;
 	case CHARACTER_SWITCH:
-		character->switches[index]->is_on = action->amount < 0
-			? !character->switches[index]->is_on
-			: action->amount > 0;
+		run_switch(character->switches[action->index], action->amount);
 		break;
 	case CHARACTER_GO:
-		character->machine.wanted = index;
-		break;
 	case CHARACTER_NEXT:
-		go_on(&character->machine, (int)action->amount);
+	case CHARACTER_ROW:
+		run_state(character, action);
 		break;
 	case CHARACTER_PLAY:
-		character_layer_play(&character->layer[index]);
+		character_layer_play(&character->layer[action->index]);
 		break;
 	case CHARACTER_MORPH:
-		/* What happened since the last frame began with it. */
-		morph(&character->morph[index], action,
-			character->now_s - (double)character->step_s);
-		break;
 	case CHARACTER_PACE:
-		character->morph[index].pace = scalar_clamp(
-			character->morph[index].pace * action->amount, 0.125f,
-			8);
-		break;
 	case CHARACTER_CURVE:
-		character_morph_use_curve(&character->morph[index],
-			(character->morph[index].chosen + 1) %
-				character->morph[index].curve_count);
-		break;
 	case CHARACTER_TIMING:
-		character->morph[index].by_frames =
-			!character->morph[index].by_frames;
+		run_morph(character, action);
 		break;
 	case CHARACTER_PRESET:
 		character_shake_use(character, action);
@@ -206,11 +254,8 @@ static void run(struct character *character,
 		break;
 	case CHARACTER_RUN:
 	case CHARACTER_REPEAT:
-		character_sequence_start(character, &character->sequence[index],
-			action->verb == CHARACTER_REPEAT);
-		break;
 	case CHARACTER_STOP:
-		character_sequence_stop(&character->sequence[index]);
+		run_sequence(character, action);
 		break;
 	default:
 		run_scene(character, action, amount);

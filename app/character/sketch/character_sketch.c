@@ -9,7 +9,7 @@ enum {
 	EXPRESSIONS_MAX = 12,
 	PARTS_MAX = 12,
 	CHAINS_MAX = 6,
-	NAME_BYTES = 40
+	NAME_BYTES = 64
 };
 
 /* Writes a name, in quotes if it has blanks or commas. */
@@ -34,42 +34,64 @@ static bool is_usable(const char *name)
 	return strcmp(shown, name) == 0;
 }
 
-/* Whether a name is usable and no earlier clip has it. */
-static bool is_clip_name(const struct model *model, int clip)
+/* A number stands for a clip that has no name which a file can hold. */
+static void write_clip_name(const struct model *model, int clip, FILE *out)
 {
 	const char *name = model->clip[clip].name;
 
-	return is_usable(name) && model_find_clip(model, name) == clip;
-}
-
-static void write_clip_name(const struct model *model, int clip, FILE *out)
-{
-	if (is_clip_name(model, clip)) {
-		write_name(out, model->clip[clip].name);
+	if (is_usable(name) && model_find_clip(model, name) == clip) {
+		write_name(out, name);
 	} else {
 		fprintf(out, "%d", clip);
 	}
 }
 
-static void write_states(const struct model *model, FILE *out)
+static void write_state(const struct model *model, int clip,
+	const struct character_sketch_play *play, FILE *out)
 {
+	static const char *const repeats[] = {
+		[CLIP_ONCE] = "repeat = once\n",
+		[CLIP_LOOP] = "",
+		[CLIP_PING_PONG] = "repeat = ping-pong\n",
+	};
+
+	fputs("[state ", out);
+	write_clip_name(model, clip, out);
+	fputs("]\nclip = ", out);
+	write_clip_name(model, clip, out);
+	fprintf(out, "\n%s", repeats[play->repeat]);
+	if (model->clip_count == 1) {
+		fputs("rate = rate\n", out);
+	} else if (play->rate != 1) {
+		fprintf(out, "rate = %g\n", (double)play->rate);
+	}
+	fprintf(out, "fade = 0.3 ; of %.2f s\n\n",
+		(double)model->clip[clip].duration_s);
+}
+
+static void write_states(const struct model *model,
+	const struct character_sketch_play *play, FILE *out)
+{
+	float low = play->rate < 0 ? play->rate : 0;
+	float high = play->rate > 3 ? play->rate : 3;
+
 	if (model->clip_count == 0) {
 		fputs("; The model has no clips: it stands still until buttons or effects move it.\n\n",
 			out);
 		return;
 	}
-	fputs("; How fast clips play.\n"
-	      "[parameter rate]\nrange = 0 3\nstart = 1\nease = 0.3\n\n"
-	      "; Each clip is a state. The first one plays at the start. A state that\n"
+	if (model->clip_count == 1) {
+		fprintf(out,
+			"; How fast the clip plays.\n"
+			"[parameter rate]\nrange = %g %g\nstart = %g\nease = 0.3\n\n",
+			(double)low, (double)high, (double)play->rate);
+	}
+	fputs("; Each clip is a state. The first one plays at the start. A state that\n"
 	      "; plays once goes on with another: repeat = once and next = STATE.\n",
 		out);
 	for (int i = 0; i < model->clip_count; i++) {
-		fputs("[state ", out);
-		write_clip_name(model, i, out);
-		fputs("]\nclip = ", out);
-		write_clip_name(model, i, out);
-		fprintf(out, "\nrate = rate\nfade = 0.3 ; of %.2f s\n\n",
-			(double)model->clip[i].duration_s);
+		write_state(model, (play->clip + i) % model->clip_count, play,
+			out);
 	}
 }
 
@@ -95,7 +117,8 @@ static void write_morph(const struct model *model, FILE *out)
 	      "; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
 	      "[morph shape]\n",
 		out);
-	if (is_usable(model->node[node].name)) {
+	if (is_usable(model->node[node].name) &&
+		model_find_node(model, model->node[node].name) == node) {
 		fputs("node = ", out);
 		write_name(out, model->node[node].name);
 		fputc('\n', out);
@@ -240,30 +263,61 @@ static void write_chains(const struct model *model, FILE *out)
 	}
 }
 
+/* What UP and DOWN do, each of which is a section of buttons. */
+static const struct mode {
+	const char *name, *up, *down;
+} mode_clips = {"clips", "previous \"play the previous clip\"",
+	"next \"play the next clip\""},
+  mode_rate = {"rate", "add rate 0.25 \"play faster\"",
+	  "add rate -0.25 \"play slower\""},
+  mode_shapes = {"shapes", "morph shape previous \"show the previous shape\"",
+	  "morph shape next \"show the next shape\""},
+  mode_camera = {"camera", "camera tilt 80 \"tilt the camera up\"",
+	  "camera tilt -80 \"tilt the camera down\""};
+
+static void write_mode(const struct mode *mode, FILE *out)
+{
+	fprintf(out,
+		"[buttons %s]\nwhen = arrows is %s\nlabel = no\nUP = %s\nDOWN = %s\n\n",
+		mode->name, mode->name, mode->up, mode->down);
+}
+
+/* F9 chooses what UP and DOWN do with a model that has clips. */
+static void write_modes(const struct model *model, bool has_shapes, FILE *out)
+{
+	const struct mode *first =
+		model->clip_count > 1 ? &mode_clips : &mode_rate;
+
+	fprintf(out, "[parameter arrows]\nchoices = %s%s camera\nlabel = no\n\n",
+		first->name, has_shapes ? " shapes" : "");
+	write_mode(first, out);
+	if (has_shapes) {
+		write_mode(&mode_shapes, out);
+	}
+	write_mode(&mode_camera, out);
+}
+
 static void write_buttons(const struct model *model, FILE *out)
 {
+	bool has_clips = model->clip_count > 0;
+	bool has_shapes = model_find_morphed(model) >= 0;
+
 	fputs("; BUTTON = ACTION, ACTION \"what it does\". Also BUTTON hold, long and\n"
-	      "; release, and two buttons: UP+DOWN.\n"
-	      "[buttons]\n",
+	      "; release, and two buttons: UP+DOWN.\n",
 		out);
-	if (model->clip_count > 1) {
-		fputs("UP = previous \"play the previous clip\"\n"
-		      "DOWN = next \"play the next clip\"\n",
-			out);
-	} else if (model->clip_count == 1) {
-		fputs("UP = add rate 0.25 \"play faster\"\n"
-		      "DOWN = add rate -0.25 \"play slower\"\n",
+	if (has_clips) {
+		write_modes(model, has_shapes, out);
+		fputs("[buttons]\nF9 = add arrows 1 \"choose what UP and DOWN do\"\n",
 			out);
 	} else {
-		fputs("UP = camera tilt 80 \"tilt the camera up\"\n"
-		      "DOWN = camera tilt -80 \"tilt the camera down\"\n",
-			out);
+		fprintf(out, "[buttons]\nUP = %s\nDOWN = %s\n",
+			mode_camera.up, mode_camera.down);
 	}
-	if (model_find_morphed(model) >= 0) {
-		fputs("LEFT = morph shape previous \"show the previous shape\"\n"
-		      "RIGHT = morph shape next \"show the next shape\"\n"
-		      "F9 = morph shape neutral \"show the neutral shape\"\n",
-			out);
+	if (has_shapes && !has_clips) {
+		fprintf(out,
+			"LEFT = %s\nRIGHT = %s\n"
+			"F9 = morph shape neutral \"show the neutral shape\"\n",
+			mode_shapes.up, mode_shapes.down);
 	} else {
 		fputs("LEFT = camera turn -80 \"turn the camera left\"\n"
 		      "RIGHT = camera turn 80 \"turn the camera right\"\n",
@@ -271,8 +325,11 @@ static void write_buttons(const struct model *model, FILE *out)
 	}
 	fputs("ENTER = pause \"pause or continue\"\n"
 	      "F6 = camera zoom -120 \"move the camera closer\"\n"
-	      "F8 = camera zoom 120 \"move the camera away\"\n"
-	      "F10 = labels \"show or hide the labels\"\n",
+	      "F8 = camera zoom 120 \"move the camera away\"\n",
+		out);
+	fputs(model->clip_count > 1
+			? "F10 = row \"play all clips in a row, or stop\"\n"
+			: "F10 = labels \"show or hide the labels\"\n",
 		out);
 }
 
@@ -281,24 +338,28 @@ static void write_scene(const struct model *model, FILE *out)
 {
 	int node = model_find_morphed(model), count;
 
-	if (node < 0 || model->clip_count > 0) {
-		fputs("[scene]\nyaw = 26\npitch = 9\nlabels = left\n\n", out);
-		return;
-	}
-	count = model->mesh[model->node[node].mesh].target_count;
-	count = count < EXPRESSIONS_MAX ? count : EXPRESSIONS_MAX;
-	fprintf(out,
-		"; What happens while nobody presses buttons, from time to time.\n"
-		"[scene]\nyaw = 26\npitch = 9\nlabels = left\nperiod = %d\n",
-		count + 1);
-	for (int i = 0; i <= count; i++) {
-		fprintf(out, "tour = %d morph shape next\n", i);
+	fputs("; The camera; yaw = 26 and pitch = 9 would be its angles.\n"
+	      "[scene]\nmargin = 1.1\nlabels = left\n",
+		out);
+	if (node >= 0 && model->clip_count == 0) {
+		count = model->mesh[model->node[node].mesh].target_count;
+		count = count < EXPRESSIONS_MAX ? count : EXPRESSIONS_MAX;
+		fprintf(out,
+			"; What happens while nobody presses buttons, from time to time.\n"
+			"period = %d\n",
+			count + 1);
+		for (int i = 0; i <= count; i++) {
+			fprintf(out, "tour = %d morph shape next\n", i);
+		}
 	}
 	fputc('\n', out);
 }
 
-void character_sketch(const struct model *model, FILE *out)
+void character_sketch(const struct model *model,
+	const struct character_sketch_play *play, FILE *out)
 {
+	const struct character_sketch_play plain = {
+		.rate = 1, .repeat = CLIP_LOOP};
 	const char *slash = strrchr(model->path, '/');
 
 	fputs("; How ", out);
@@ -308,7 +369,7 @@ void character_sketch(const struct model *model, FILE *out)
 	      "; checks it, and man limber describes it. Lines that begin with ; are\n"
 	      "; suggestions.\n\n",
 		out);
-	write_states(model, out);
+	write_states(model, play ? play : &plain, out);
 	write_morph(model, out);
 	write_parts(model, out);
 	write_chains(model, out);

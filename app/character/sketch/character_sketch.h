@@ -4,15 +4,24 @@
 #ifndef APP_CHARACTER_SKETCH_CHARACTER_SKETCH_H
 #define APP_CHARACTER_SKETCH_CHARACTER_SKETCH_H
 
-#include "app/model/model.h"
+#include "app/anim/clip.h"
 
 #include <stdio.h>
+
+/* How the clips of a sketch play. */
+struct character_sketch_play {
+	int clip; /* the first one; others follow in the model's order */
+	float rate;
+	enum clip_repeat repeat;
+};
 
 /*
  * Writes the text: clips become states, morph targets expressions and a morph;
  * pivots and chains of bones become suggestions in comments. Buttons use what
- * there is. character_read() accepts the text for this model.
+ * there is. character_read() accepts the text for this model. play NULL: the
+ * first clip begins, at its own rate, and all repeat.
  */
-void character_sketch(const struct model *model, FILE *out);
+void character_sketch(const struct model *model,
+	const struct character_sketch_play *play, FILE *out);
 
 #endif

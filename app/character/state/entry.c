@@ -106,7 +106,8 @@ void character_entry_sample(struct character *character,
 	}
 	entry->shown_s = clip_time(
 		entry->time_s, duration_s, in_phase ? CLIP_LOOP : repeat);
-	clip_pose(of->clip, entry->shown_s, CLIP_AUTO, &entry->cursor, pose);
+	clip_pose(of->clip, entry->shown_s, character->interpolation,
+		&entry->cursor, pose);
 	if (root >= 0 && duration_s > 0) {
 		vec_add_scaled(pose->local[root].translation, of->travel,
 			-entry->shown_s / duration_s,

@@ -75,32 +75,45 @@ static float fade_s(
 				 : 1.0f / 30);
 }
 
-/* The fade to a state, by a transition or by the state itself. */
+/* The fade to a state, by a transition, in a row, or by the state itself. */
 static const struct character_fade *fade_to(
 	const struct character_machine *machine, int to, int transition)
 {
-	return transition >= 0 ? &machine->transition[transition].fade
-			       : &machine->state[to].fade;
+	static const struct character_fade in_row = {
+		.frames = CLIP_JOIN_FRAMES, .curve = INERTIA_CUBIC};
+
+	return transition >= 0   ? &machine->transition[transition].fade
+		: machine->in_row ? &in_row
+				  : &machine->state[to].fade;
+}
+
+/* The state after the end of the present one, or -1. */
+static int state_after(const struct character_machine *machine)
+{
+	int next = machine->state[machine->current].next;
+
+	return next < 0 && machine->in_row && machine->state_count > 1
+		? (machine->current + 1) % machine->state_count
+		: next;
 }
 
 /* Whether the end of the clip has come, less the fade to the next state. */
 static bool is_at_end(const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
-	const struct character_state *state = &machine->state[machine->current];
 	const struct character_entry *entry = character_machine_entry(character);
 	float duration_s = character_entry_duration_s(entry);
+	int next = state_after(machine);
 	float overlap_s;
 
-	if (state->next < 0 || machine->fresh) {
+	if (next < 0 || machine->fresh) {
 		return false;
 	}
 	if (machine->loops > 0) {
 		return true;
 	}
-	overlap_s = fade_s(fade_to(machine, state->next,
-				   find_transition(machine, state->next)),
-		entry);
+	overlap_s = fade_s(
+		fade_to(machine, next, find_transition(machine, next)), entry);
 	return duration_s * (1 - machine->done) <=
 		(overlap_s < 0.5f * duration_s ? overlap_s : 0.5f * duration_s);
 }
@@ -260,7 +273,7 @@ static const struct character_fade *change(
 		}
 	}
 	if (to < 0 && is_at_end(character)) {
-		to = machine->state[machine->current].next;
+		to = state_after(machine);
 		transition = find_transition(machine, to);
 	}
 	if (to < 0) {

@@ -97,7 +97,9 @@ void program_keys_print(FILE *out, const struct demo_driver *driver,
 	const struct demo *demo, bool has_camera)
 {
 	fprintf(out, "%s: %s\n", driver->name, driver->summary);
-	if (!driver->print_buttons || !driver->print_buttons(demo, out)) {
+	if (driver->print_buttons) {
+		driver->print_buttons(demo, out);
+	} else {
 		print_actions(out, driver, has_camera);
 	}
 	if (has_camera) {

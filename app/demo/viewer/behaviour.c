@@ -18,15 +18,6 @@
 /* Height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
 
-struct behaviour {
-	struct character *character;
-	const char *title;               /* the model's technique */
-	char path[CHARACTER_PATH_BYTES]; /* "" for the default behaviour */
-	struct behaviour_scene scene;
-	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
-	const struct floor *floor; /* of the stage, once it was updated */
-};
-
 bool behaviour_find_file(const struct demo_env *env, char *path, size_t size)
 {
 	const char *given = env->character;
@@ -43,23 +34,25 @@ bool behaviour_find_file(const struct demo_env *env, char *path, size_t size)
 		file_exists(path);
 }
 
-static bool needs_default(const struct demo_env *env, const struct model *model)
-{
-	return !env->clip && model->clip_count == 0 && model->weight_count > 0 &&
-		!(env->character && strcmp(env->character, "none") == 0);
-}
-
 /* Reads what `limber character` would write for the model. */
-static int read_default(
-	struct actor *actor, const struct demo_env *env, struct character **out)
+static int read_sketch(const struct demo_env *env, struct actor *actor,
+	struct character **out)
 {
+	struct character_sketch_play play = {
+		.rate = env->speed, .repeat = env->repeat};
 	char *text = NULL;
 	size_t size = 0;
-	FILE *file = open_memstream(&text, &size);
-	int error = -ENOMEM;
+	FILE *file;
+	int error = model_choose_clip(
+		actor->model, env->clip, 0, env->log, &play.clip);
 
+	if (error) {
+		return error;
+	}
+	error = -ENOMEM;
+	file = open_memstream(&text, &size);
 	if (file) {
-		character_sketch(actor->model, file);
+		character_sketch(actor->model, &play, file);
 		fclose(file);
 	}
 	file = text && size > 0 ? fmemopen(text, size, "r") : NULL;
@@ -94,7 +87,15 @@ static float ground_height(void *user, float x, float z)
 		: 0.0f;
 }
 
-static void open_outputs(struct behaviour *behaviour, const struct log *log)
+void behaviour_suspend(struct behaviour *behaviour)
+{
+	for (int i = 0; i < CHARACTER_OUTPUTS_MAX; i++) {
+		gpio_output_close(behaviour->output[i]);
+		behaviour->output[i] = NULL;
+	}
+}
+
+void behaviour_resume(struct behaviour *behaviour, const struct log *log)
 {
 	struct character *character = behaviour->character;
 
@@ -114,28 +115,6 @@ static void open_outputs(struct behaviour *behaviour, const struct log *log)
 	character->drive_user = behaviour;
 }
 
-static void close_outputs(struct behaviour *behaviour)
-{
-	for (int i = 0; i < CHARACTER_OUTPUTS_MAX; i++) {
-		gpio_output_close(behaviour->output[i]);
-		behaviour->output[i] = NULL;
-	}
-}
-
-void behaviour_suspend(struct behaviour *behaviour)
-{
-	if (behaviour) {
-		close_outputs(behaviour);
-	}
-}
-
-void behaviour_resume(struct behaviour *behaviour, const struct log *log)
-{
-	if (behaviour) {
-		open_outputs(behaviour, log);
-	}
-}
-
 /* Whether the ground can be uneven. */
 static bool has_waves(const struct character *character)
 {
@@ -148,41 +127,38 @@ static bool has_waves(const struct character *character)
 int behaviour_create(
 	const struct demo_env *env, struct actor *actor, struct behaviour **out)
 {
-	char path[CHARACTER_PATH_BYTES];
-	bool has_file = behaviour_find_file(env, path, sizeof(path));
-	struct behaviour *behaviour;
+	struct behaviour *behaviour = calloc(1, sizeof(*behaviour));
+	struct character *character;
 	int error;
 
 	*out = NULL;
-	if (!has_file && !needs_default(env, actor->model)) {
-		return 0;
-	}
-	behaviour = calloc(1, sizeof(*behaviour));
 	if (!behaviour) {
 		log_error(env->log, "%s: there is not enough memory",
 			env->model_path);
 		return -ENOMEM;
 	}
-	if (has_file) {
-		memcpy(behaviour->path, path, sizeof(path));
-		error = character_load(
-			path, actor->instance, env->log, &behaviour->character);
+	if (behaviour_find_file(
+		    env, behaviour->path, sizeof(behaviour->path))) {
+		error = character_load(behaviour->path, actor->instance,
+			env->log, &behaviour->character);
 	} else {
-		error = read_default(actor, env, &behaviour->character);
+		behaviour->path[0] = '\0';
+		error = read_sketch(env, actor, &behaviour->character);
 	}
+	character = behaviour->character;
 	if (!error) {
 		error = behaviour_scene_init(&behaviour->scene, actor->instance,
-			has_waves(behaviour->character), env->log);
+			has_waves(character), env->log);
 	}
 	if (error) {
-		character_destroy(behaviour->character);
-		free(behaviour);
+		behaviour_destroy(behaviour);
 		return error;
 	}
-	open_outputs(behaviour, env->log);
+	behaviour_resume(behaviour, env->log);
 	behaviour->title = actor_technique(actor->instance);
-	behaviour->character->touring = env->unattended;
-	behaviour->character->tour_next = behaviour->character->scene.tour;
+	character->interpolation = env->interpolation;
+	character->touring = env->unattended;
+	character->tour_next = character->scene.tour;
 	*out = behaviour;
 	return 0;
 }
@@ -190,7 +166,7 @@ int behaviour_create(
 void behaviour_destroy(struct behaviour *behaviour)
 {
 	if (behaviour) {
-		close_outputs(behaviour);
+		behaviour_suspend(behaviour);
 		character_destroy(behaviour->character);
 		free(behaviour);
 	}
@@ -201,7 +177,7 @@ uint64_t behaviour_stamp(
 {
 	char path[CHARACTER_PATH_BYTES];
 
-	if (behaviour && behaviour->path[0]) {
+	if (behaviour->path[0]) {
 		return character_stamp(behaviour->character);
 	}
 	return behaviour_find_file(env, path, sizeof(path)) ? file_stamp(path)
@@ -230,12 +206,6 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 			1.0f, (float)env->width / (float)env->height);
 	}
 	return error;
-}
-
-void behaviour_press(
-	struct behaviour *behaviour, const struct button_event *event)
-{
-	character_press(behaviour->character, event);
 }
 
 void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
@@ -269,20 +239,6 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	behaviour_scene_update(&behaviour->scene, base);
 }
 
-void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
-	int width, int height)
-{
-	behaviour_scene_draw(
-		&behaviour->scene, behaviour->character, base, width, height);
-}
-
-void behaviour_label(const struct behaviour *behaviour,
-	const struct demo_base *base, struct hud *hud)
-{
-	behaviour_label_all(
-		behaviour->character, behaviour->title, &base->actor, hud);
-}
-
 double behaviour_period_s(const struct behaviour *behaviour)
 {
 	const struct character *character = behaviour->character;
@@ -293,11 +249,6 @@ double behaviour_period_s(const struct behaviour *behaviour)
 		return character->scene.tour_s;
 	}
 	return clip && clip->duration_s > 0.0f ? clip->duration_s : 1.0;
-}
-
-void behaviour_print_buttons(const struct behaviour *behaviour, FILE *out)
-{
-	character_print_buttons(behaviour->character, out);
 }
 
 static void add_layer(struct overlay_motion *motion, const char *name,

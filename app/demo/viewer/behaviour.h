@@ -2,19 +2,27 @@
  * A model that behaves as its character file says, in the viewer.
  *
  * The file lies beside the model (robot.character for robot.glb) or is named by
- * --character. Without one, a model that has morph targets and no clip gets the
- * behaviour that `limber character` would write; any other one gets none.
+ * --character. Without one, the model has the behaviour that `limber character`
+ * would write for it.
  */
 #ifndef APP_DEMO_VIEWER_BEHAVIOUR_H
 #define APP_DEMO_VIEWER_BEHAVIOUR_H
 
+#include "app/character/character.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo_env.h"
-#include "platform/buttons/buttons.h"
+#include "app/demo/viewer/behaviour_scene.h"
 
-#include <stdio.h>
+struct gpio_output;
 
-struct behaviour;
+struct behaviour {
+	struct character *character;
+	const char *title;               /* the model's technique */
+	char path[CHARACTER_PATH_BYTES]; /* "" without a file */
+	struct behaviour_scene scene;
+	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
+	const struct floor *floor; /* of the stage, once it was updated */
+};
 
 /*
  * Writes the path of env's character file: --character, or the one beside the
@@ -24,8 +32,7 @@ bool behaviour_find_file(const struct demo_env *env, char *path, size_t size);
 
 /*
  * Makes the behaviour of a loaded actor. Returns 0, or -errno after logging an
- * error. *out is NULL if the model has none. Release it with
- * behaviour_destroy() before the actor.
+ * error. Release it with behaviour_destroy() before the actor.
  */
 int behaviour_create(const struct demo_env *env, struct actor *actor,
 	struct behaviour **out);
@@ -34,12 +41,12 @@ void behaviour_destroy(struct behaviour *behaviour);
 
 /*
  * Gives the GPIO lines back before the same file is loaded again, and takes
- * them again if that failed. NULL is fine.
+ * them again if that failed.
  */
 void behaviour_suspend(struct behaviour *behaviour);
 void behaviour_resume(struct behaviour *behaviour, const struct log *log);
 
-/* A number that changes with the character's files; 0 for no behaviour. */
+/* A number that changes with the character's files; 0 without a file. */
 uint64_t behaviour_stamp(
 	const struct demo_env *env, const struct behaviour *behaviour);
 
@@ -47,25 +54,12 @@ uint64_t behaviour_stamp(
 int behaviour_init_stage(const struct behaviour *behaviour,
 	const struct demo_env *env, struct stage *stage);
 
-void behaviour_press(
-	struct behaviour *behaviour, const struct button_event *event);
-
 /* Moves on, moves the camera, and updates the actor for a picture's height. */
 void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	double time_s, int height);
 
-/* Draws a frame: stage, shadows, the actor and what the character looks at. */
-void behaviour_draw(struct behaviour *behaviour, struct demo_base *base,
-	int width, int height);
-
-void behaviour_label(const struct behaviour *behaviour,
-	const struct demo_base *base, struct hud *hud);
-
 /* The period of the tour, or of the clip that plays. */
 double behaviour_period_s(const struct behaviour *behaviour);
-
-/* Prints what each button does. */
-void behaviour_print_buttons(const struct behaviour *behaviour, FILE *out);
 
 /* Describes what moves the figure, for overlays. */
 void behaviour_get_motion(const struct behaviour *behaviour,

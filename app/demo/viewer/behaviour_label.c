@@ -72,6 +72,8 @@ void behaviour_count_labels(
 	rows = count_switches(character) + (character->machine.state_count > 1);
 	framing->label_rows += rows + has_presets(character);
 	framing->label_bars += rows;
+	/* A model that only plays has a row for "paused" as well. */
+	framing->label_rows += framing->label_rows == 1;
 	if (character->scene.labels == CHARACTER_LABELS_NONE) {
 		framing->label_rows = 0;
 	}
@@ -336,7 +338,7 @@ static void label_changing(const struct character *character, struct hud *hud)
 		char name[48];
 		bool on;
 
-		if (!one->when || !character_button_acts(one) ||
+		if (!one->when || one->unlabelled || !character_button_acts(one) ||
 			one->gesture != CHARACTER_PRESS) {
 			continue;
 		}

@@ -1,4 +1,5 @@
 /* What a character does from frame to frame. */
+#include "app/anim/clip_join.h"
 #include "app/anim/math/quat.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
@@ -258,6 +259,39 @@ static void test_a_state_that_ends_goes_on_with_the_next(void **state)
 	acting_end(&acting);
 }
 
+/* Each clip ends four frames before its end, in those of its own rate. */
+static void test_a_row_plays_the_states_in_the_order_of_the_file(void **state)
+{
+	struct acting acting;
+	float walk_s, overlap_s;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[state b]\nclip = jump\n[state c]\nclip = run\n"
+		"[buttons]\nUP = row\n");
+	walk_s = acting.character->machine.state[0].entry[0].of->clip->duration_s;
+	overlap_s = 4 *
+		clip_join_frame_s(
+			acting.character->machine.state[0].entry[0].of->clip);
+	acting_run_to(&acting, 1.5 * (double)walk_s, rate_hz);
+	assert_string_equal(acting_state(&acting), "a");
+	/* The row begins with the present clip from its start. */
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 2.5 * (double)walk_s - (double)overlap_s - 0.1,
+		rate_hz);
+	assert_string_equal(acting_state(&acting), "a");
+	acting_run_to(&acting, 2.5 * (double)walk_s - (double)overlap_s + 0.1,
+		rate_hz);
+	assert_string_equal(acting_state(&acting), "b");
+	assert_true(acting.character->machine.inertia.running);
+	acting_run_to(&acting, 3.2 * (double)walk_s + 1.5, rate_hz);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, 30.0, rate_hz);
+	assert_false(acting.character->machine.in_row);
+	acting_end(&acting);
+}
+
 static void test_conditions_exit_times_and_priorities(void **state)
 {
 	struct acting acting;
@@ -425,6 +459,8 @@ int main(void)
 		cmocka_unit_test(test_the_ground_runs_as_fast_as_the_clips),
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
 		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),
+		cmocka_unit_test(
+			test_a_row_plays_the_states_in_the_order_of_the_file),
 		cmocka_unit_test(test_conditions_exit_times_and_priorities),
 		cmocka_unit_test(test_a_transition_may_refuse_interruption),
 		cmocka_unit_test(test_a_layer_moves_its_mask_alone_and_fades),

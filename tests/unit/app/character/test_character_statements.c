@@ -230,6 +230,10 @@ static const struct statement buttons[] = {
 	{"UP = next \"the next one\"", "UPP = next", "this is no button"},
 	{"UP long = previous", "UP twice = previous",
 		"twice is not one of hold, long and release"},
+	{"UP = row", "UP = raw", "raw is no action"},
+	{"DOWN = next\n[buttons b]\nlabel = no\nwhen = v > 0.5\nUP = row",
+		"DOWN = next\n[buttons b]\nlabel = never\nUP = row",
+		"give yes or no"},
 	{"UP release = pause", "F9 release = pause", "limber uses F9"},
 	{"UP+DOWN = tour", "UP+UP = tour", "this is no button"},
 	{"LEFT+RIGHT = labels", "F9+UP = labels", "limber uses F9"},
@@ -438,27 +442,76 @@ static void test_texts_of_all_editors_are_read(void **state)
 	acting_end(&acting);
 }
 
+static void expect_sketch(
+	struct acting *acting, const struct character_sketch_play *play)
+{
+	char *text = NULL;
+	size_t size;
+	FILE *file = open_memstream(&text, &size);
+
+	assert_non_null(file);
+	character_sketch(acting->model, play, file);
+	fclose(file);
+	acting_expect(acting, text);
+	free(text);
+}
+
 static void test_a_sketch_of_each_model_is_right(void **state)
 {
-	static const char *const models[] = {
-		"assets/walker.glb", "assets/face.glb", "assets/arm.glb"};
+	static const char *const models[] = {"assets/walker.glb",
+		"assets/face.glb", "assets/arm.glb",
+		"tests/fixtures/gltf/mesh/weights.gltf"};
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
 		struct acting acting;
-		char *text = NULL;
-		size_t size;
-		FILE *file = open_memstream(&text, &size);
 
-		assert_non_null(file);
 		acting_begin(&acting, models[i]);
-		character_sketch(acting.model, file);
-		fclose(file);
-		acting_expect(&acting, text);
+		expect_sketch(&acting, NULL);
 		acting_run_to(&acting, 1.0, 20.0);
 		acting_end(&acting);
-		free(text);
 	}
+}
+
+/* Clips in which a sketch has to write numbers in place of names. */
+static void test_a_sketch_holds_any_names(void **state)
+{
+	static const char *const names[] = {"", "rest", "a ;b] \"c\"", "rest",
+		"Armature|walk, \xc3\xa9 # = [1] and a name that is longer than a line"};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (int i = 0; i < 5; i++) {
+		acting.model->clip[i].name = names[i];
+	}
+	expect_sketch(&acting, NULL);
+	assert_int_equal(acting.character->machine.state_count, 5);
+	for (int i = 0; i < 5; i++) {
+		const struct character_state *one =
+			&acting.character->machine.state[i];
+
+		assert_ptr_equal(
+			one->entry[0].of->clip, &acting.model->clip[i]);
+	}
+	acting_end(&acting);
+}
+
+static void test_a_sketch_begins_as_it_is_told(void **state)
+{
+	const struct character_sketch_play play = {
+		.clip = 3, .rate = -2, .repeat = CLIP_PING_PONG};
+	const struct character_state *first;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	expect_sketch(&acting, &play);
+	first = &acting.character->machine.state[0];
+	assert_string_equal(first->name, acting.model->clip[3].name);
+	assert_near(*first->rate, -2, 0);
+	assert_int_equal(first->repeat, CLIP_PING_PONG);
+	acting_end(&acting);
 }
 
 int main(void)
@@ -471,6 +524,8 @@ int main(void)
 		cmocka_unit_test(test_an_error_names_file_line_section_and_key),
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
+		cmocka_unit_test(test_a_sketch_holds_any_names),
+		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

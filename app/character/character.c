@@ -104,12 +104,14 @@ static void run_ops(struct character *character)
 void character_update(
 	struct character *character, const struct character_frame *frame)
 {
-	double step_s = frame->time_s - character->seen_s;
+	double most_s = 10, step_s = frame->time_s - character->seen_s;
 
 	character->seen_s = frame->time_s;
-	character->real_s = scalar_clamp((float)step_s, 0, 10);
-	character->step_s = character->paused ? 0 : character->real_s;
-	character->now_s += (double)character->step_s;
+	step_s = step_s < 0 ? 0 : step_s > most_s ? most_s : step_s;
+	character->real_s = (float)step_s;
+	character->exact_s = character->paused ? 0 : step_s;
+	character->step_s = (float)character->exact_s;
+	character->now_s += character->exact_s;
 	character->motion_level = frame->motion_level;
 	memcpy(character->eye, frame->eye, sizeof(character->eye));
 	character->camera_turn = character->camera_tilt = 0;

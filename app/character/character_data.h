@@ -426,6 +426,7 @@ struct character {
 	double now_s;  /* without pauses */
 	float real_s;  /* since the last frame */
 	float step_s;  /* the same, or 0 while paused */
+	double exact_s; /* the same, for sums over months */
 	float motion_level;
 	float eye[3];
 	float camera_turn, camera_tilt, camera_zoom; /* in this frame */

@@ -45,7 +45,7 @@ void character_layer_run(struct character *character, void *what)
 
 	if (layer->playing || !layer->once) {
 		layer->entry.time_s +=
-			(double)(character->step_s * *layer->rate);
+			character->exact_s * (double)*layer->rate;
 	}
 	weight = weight_of(layer);
 	layer->is.now = weight;

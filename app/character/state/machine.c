@@ -174,7 +174,7 @@ static void move_on(struct character *character)
 {
 	struct character_machine *machine = &character->machine;
 	struct character_state *state = &machine->state[machine->current];
-	double step_s = (double)(character->step_s * *state->rate);
+	double step_s = character->exact_s * (double)*state->rate;
 	float speed = 0, weight = 0;
 
 	if (machine->fresh) {

@@ -1,6 +1,5 @@
 #include "app/anim/clip_join.h"
 #include "app/anim/ease.h"
-#include "app/anim/fade.h"
 #include "app/anim/pose_blend.h"
 #include "tests/support/model/bones.h"
 #include "tests/support/test.h"
@@ -192,91 +191,6 @@ static void test_a_zero_scale_in_the_reference_is_survived(void **state)
 	tear_down(&f);
 }
 
-static void test_a_fade_starts_at_what_was_shown(void **state)
-{
-	struct fixture f;
-	struct fade fade;
-
-	(void)state;
-	set_up(&f);
-	assert_int_equal(
-		fade_init(&fade, &f.bones.model, &f.bones.model.arena), 0);
-	pose_copy(&f.out, &f.b);
-	assert_false(fade_update(&fade, 0.1f, &f.out));
-	fade_begin(&fade, &f.a, 0.5f, EASE_CUBIC);
-	assert_true(fade_update(&fade, 0, &f.out));
-	assert_same_pose(&f.out, &f.a);
-	pose_copy(&f.out, &f.b);
-	assert_true(fade_update(&fade, 0.25f, &f.out));
-	assert_near(f.out.local[2].translation[1], 2, 1e-6);
-	pose_copy(&f.out, &f.b);
-	assert_true(fade_update(&fade, 0.125f, &f.out));
-	/* u = 0.75: 3 u^2 - 2 u^3 = 0.84375 */
-	assert_near(f.out.local[2].translation[1], 4 * 0.84375, 1e-5);
-	pose_copy(&f.out, &f.b);
-	assert_false(fade_update(&fade, 0.125f, &f.out));
-	assert_same_pose(&f.out, &f.b);
-	tear_down(&f);
-}
-
-static void test_a_fade_may_begin_during_another(void **state)
-{
-	struct fixture f;
-	struct fade fade;
-	struct pose shown;
-
-	(void)state;
-	set_up(&f);
-	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
-	pose_init(&shown, &f.bones.model, &f.bones.model.arena);
-	fade_begin(&fade, &f.a, 1, EASE_LINEAR);
-	pose_copy(&shown, &f.b);
-	fade_update(&fade, 0.5f, &shown);
-	/* A second fade, from halfway back to a. */
-	fade_begin(&fade, &shown, 1, EASE_LINEAR);
-	pose_copy(&f.out, &f.a);
-	fade_update(&fade, 0, &f.out);
-	assert_same_pose(&f.out, &shown);
-	pose_copy(&f.out, &f.a);
-	fade_update(&fade, 0.5f, &f.out);
-	assert_near(f.out.local[2].translation[1], 1, 1e-6);
-	tear_down(&f);
-}
-
-/* The clip plays on during the fade onto itself. */
-static void test_pitfall_8_a_clip_may_fade_onto_itself(void **state)
-{
-	struct fixture f;
-	struct fade fade;
-
-	(void)state;
-	set_up(&f);
-	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
-	fade_begin(&fade, &f.b, 0.2f, EASE_CUBIC);
-	for (int i = 0; i < 5; i++) {
-		pose_copy(&f.out, &f.b);
-		fade_update(&fade, 0.05f, &f.out);
-		assert_all_near(f.out.local, f.b.local, 40, 1e-6);
-	}
-	assert_false(fade.running);
-	tear_down(&f);
-}
-
-static void test_a_fade_without_duration_is_over_at_once(void **state)
-{
-	struct fixture f;
-	struct fade fade;
-
-	(void)state;
-	set_up(&f);
-	fade_init(&fade, &f.bones.model, &f.bones.model.arena);
-	pose_copy(&f.out, &f.b);
-	fade_begin(&fade, &f.a, 0, EASE_LINEAR);
-	assert_false(fade_update(&fade, 0, &f.out));
-	assert_same_pose(&f.out, &f.b);
-	tear_down(&f);
-}
-
 /* Two clips with one channel each: x from 0 to 1 in 1 s, from 5 to 7 in 2 s. */
 static const float FRAMES[11] = {
 	0, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
@@ -427,10 +341,6 @@ int main(void)
 		cmocka_unit_test(test_a_layer_like_its_reference_changes_nothing),
 		cmocka_unit_test(test_a_layer_weighs_half),
 		cmocka_unit_test(test_a_zero_scale_in_the_reference_is_survived),
-		cmocka_unit_test(test_a_fade_starts_at_what_was_shown),
-		cmocka_unit_test(test_a_fade_may_begin_during_another),
-		cmocka_unit_test(test_pitfall_8_a_clip_may_fade_onto_itself),
-		cmocka_unit_test(test_a_fade_without_duration_is_over_at_once),
 		cmocka_unit_test(test_joined_clips_lose_the_overlap),
 		cmocka_unit_test(test_joined_clips_mix_in_the_overlap),
 		cmocka_unit_test(test_an_overlap_is_no_longer_than_a_clip),

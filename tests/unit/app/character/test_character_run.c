@@ -259,6 +259,21 @@ static void test_a_state_that_ends_goes_on_with_the_next(void **state)
 	acting_end(&acting);
 }
 
+static void test_steps_add_up_to_the_time(void **state)
+{
+	const struct character_entry *entry;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "tests/cli/slider.gltf");
+	acting_expect(&acting, "[state a]\nclip = 0\n");
+	entry = &acting.character->machine.state[0].entry[0];
+	acting_run_to(&acting, 1000.0, 60.0);
+	/* The first frame is the clip's start. */
+	assert_near(entry->time_s, acting.now_s - 1.0 / 60.0, 1e-8);
+	acting_end(&acting);
+}
+
 /* Each clip ends four frames before its end, in those of its own rate. */
 static void test_a_row_plays_the_states_in_the_order_of_the_file(void **state)
 {
@@ -459,6 +474,7 @@ int main(void)
 		cmocka_unit_test(test_the_ground_runs_as_fast_as_the_clips),
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
 		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),
+		cmocka_unit_test(test_steps_add_up_to_the_time),
 		cmocka_unit_test(
 			test_a_row_plays_the_states_in_the_order_of_the_file),
 		cmocka_unit_test(test_conditions_exit_times_and_priorities),

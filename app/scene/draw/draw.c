@@ -220,38 +220,62 @@ static void draw_masked_shadow(const struct gl *gl,
 	gl->Disable(GL_TEXTURE_2D);
 }
 
+static void draw_all_shaded(const struct gl *gl,
+	const struct instance *instance, const struct drawable *drawable)
+{
+	for (int i = 0; i < drawable->batch_count; i++) {
+		draw_shaded(gl, instance, drawable, &drawable->batch[i]);
+	}
+}
+
+/*
+ * Draws front faces before back faces, which they hide most of. Light of two
+ * sides is for back faces alone.
+ */
+static void draw_two_sided(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable)
+{
+	gl->Enable(GL_CULL_FACE);
+	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);
+	draw_all_shaded(gl, instance, drawable);
+	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+	gl->CullFace(GL_FRONT);
+	draw_all_shaded(gl, instance, drawable);
+	gl->CullFace(GL_BACK);
+}
+
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
+	const struct model_material *material = material_of(instance, drawable);
 	bool edges = pass == DRAW_EDGES;
-	bool shaded = pass == DRAW_SHADED;
 
-	if (shaded) {
-		set_surface(gl, instance, drawable, textures);
-	}
 	/*
 	 * Shadows are culled too: the triangles that face the light cover the
 	 * whole silhouette.
 	 */
-	if (material_of(instance, drawable)->double_sided) {
+	if (material->double_sided) {
 		gl->Disable(GL_CULL_FACE);
 	} else {
 		gl->Enable(GL_CULL_FACE);
 	}
+	if (pass == DRAW_SHADED) {
+		set_surface(gl, instance, drawable, textures);
+		if (material->double_sided && material->alpha != MODEL_BLEND) {
+			draw_two_sided(gl, instance, drawable);
+		} else {
+			draw_all_shaded(gl, instance, drawable);
+		}
+		return;
+	}
 	if (pass == DRAW_SHADOW && is_textured(instance, drawable) &&
-		material_of(instance, drawable)->alpha == MODEL_MASK) {
+		material->alpha == MODEL_MASK) {
 		draw_masked_shadow(gl, instance, drawable, textures);
 		return;
 	}
 	for (int i = 0; i < drawable->batch_count; i++) {
-		const struct batch *batch = &drawable->batch[i];
-
-		if (shaded) {
-			draw_shaded(gl, instance, drawable, batch);
-		} else {
-			draw_flat(gl, drawable, batch, edges, false);
-		}
+		draw_flat(gl, drawable, &drawable->batch[i], edges, false);
 	}
 }
 

@@ -375,15 +375,11 @@ static bool is_gray(const struct setup *setup)
 
 void soft_fill_textured(struct draw *draw, struct setup *setup)
 {
-	if (draw->texture[0].texture->mag_filter == GL_LINEAR) {
-		if (!fill_tinted(draw, setup)) {
-			soft_rows_fill(draw, setup);
-		}
-	} else if (is_gray(setup)) {
-		if (!fill_gray(draw, setup)) {
-			soft_rows_fill(draw, setup);
-		}
-	} else if (!fill_tinted(draw, setup)) {
+	bool gray = draw->texture[0].texture->mag_filter != GL_LINEAR &&
+		is_gray(setup);
+
+	if (!soft_is_hidden(draw, setup) &&
+		!(gray ? fill_gray : fill_tinted)(draw, setup)) {
 		soft_rows_fill(draw, setup);
 	}
 }

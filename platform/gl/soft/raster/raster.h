@@ -294,6 +294,12 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 	return p->start + (uint32_t)p->dx * (uint32_t)x;
 }
 
+/*
+ * hidden.c: whether a small triangle lies behind all of the depths around it, so
+ * that no depth or pixel changes.
+ */
+bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
+
 /* fill.c: any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* The paths of fast/, each in a file of its name; fast/paths.c chooses. */

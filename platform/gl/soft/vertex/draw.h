@@ -278,6 +278,7 @@ struct draw {
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
 	bool offset; /* depths of triangles are moved */
+	bool hides;  /* nothing behind what is there changes anything */
 	bool smooth; /* points or lines with soft edges */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;

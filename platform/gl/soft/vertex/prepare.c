@@ -284,6 +284,10 @@ static void prepare_fragments(
 	draw->smooth = mode == GL_POINTS
 		? state->point_smooth
 		: mode <= GL_LINE_STRIP && state->line_smooth;
+	draw->hides = state->depth_test && !state->stencil.enabled &&
+		!draw->offset &&
+		(state->depth_function == GL_LESS ||
+			state->depth_function == GL_LEQUAL);
 	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);

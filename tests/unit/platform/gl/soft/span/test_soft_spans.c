@@ -414,6 +414,40 @@ static void test_spans_of_8888_are_those_of_fragments(void **state)
 	check(PIXELS_RGBA8888);
 }
 
+static struct scene *draw_heap(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct scene *scene = begin(format, reference);
+	const struct gl *gl = scene->gl;
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
+	give_texture(gl, &seed);
+	for (int i = 0; i < 60; i++) {
+		give_triangles(gl, &seed);
+	}
+	return scene;
+}
+
+/* Triangles behind others, which the driver does not set up, and before them. */
+static void test_heaps_of_triangles_are_those_of_fragments(void **state)
+{
+	(void)state;
+	for (uint32_t seed = 1; seed <= 120; seed++) {
+		enum pixel_format format =
+			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct scene *fast = draw_heap(format, seed * 7919, false);
+		struct scene *slow = draw_heap(format, seed * 7919, true);
+
+		assert_true(compare(fast, slow, seed) > 1000);
+		close_scene(fast);
+		close_scene(slow);
+	}
+}
+
 /* A state, and a triangle that is drawn in it, at depths of 1 to 200. */
 struct single {
 	void (*give)(const struct gl *gl);
@@ -539,6 +573,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
+		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 		cmocka_unit_test(test_fog_on_a_steep_sliver_of_one_color),
 		cmocka_unit_test(test_dot3_of_mixed_levels_of_alpha),
 		cmocka_unit_test(

@@ -10,7 +10,7 @@ build/board/packages.stamp: toolchain/packages/board.txt
 	$(Q)touch $@
 
 # Phony, because the scripts themselves find out what has changed.
-.PHONY: kernel image emulate emulator bench-board soak
+.PHONY: kernel image emulate emulator bench-board soak power-cuts
 kernel: build/board/packages.stamp build/arm/packages.stamp
 	$(call say,KERNEL,build/linux/zImage)
 	$(Q)$(BOARD)/kernel/build.sh $(KERNEL_SOURCE) build/linux
@@ -84,6 +84,11 @@ build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.st
 soak: image emulator build/board/guest
 	$(Q)SOAK_S=$(or $(SOAK_S),1800) PATIENCE_S=1000000 \
 		python3 -B tests/board/test_soak.py
+
+# More moments of a power cut during flash.sh write than make check has time for.
+power-cuts: image emulator
+	$(Q)CUTS=$(or $(CUTS),50) PATIENCE_S=10000 \
+		python3 -B tests/board/test_power_cut.py
 
 board_suites = $(foreach test,$(sort $(wildcard tests/board/test_*.py)),\
 	$(call suite,board/$(patsubst test_%.py,%,$(notdir $(test))),\

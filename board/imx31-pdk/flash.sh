@@ -137,8 +137,13 @@ load() {
     attempt "$1" load_once "$1" "$2"
 }
 
+# fetch NAME ADDRESS: loads it; the board forgets its network when it is reset.
+fetch() {
+    loader_network && loader_load "$@"
+}
+
 load_once() {
-    loader_load "$1" "$2" && { $dry_run || loader_verify "$1" "$2"; }
+    fetch "$1" "$2" && { $dry_run || loader_verify "$1" "$2"; }
 }
 
 # write_part NAME PARTITION: loads the file and writes it to the NAND.
@@ -158,7 +163,7 @@ write_part() {
 write_once() {
     # A failed try may have changed the memory.
     $dry_run || loader_verify "$1" "$load_address" ||
-        loader_load "$1" "$load_address" || return 1
+        fetch "$1" "$load_address" || return 1
     loader_write "$@" && { $dry_run || loader_verify_nand "$1" "$2" "$3"; }
 }
 
@@ -180,7 +185,6 @@ $dry_run || console_open "$port"
 # shellcheck source=/dev/null
 . "$here/flash/$loader.sh"
 $dry_run || console_want_prompt
-loader_network
 case $action in
 run)
     load "$kernel" "$load_address"

@@ -7,6 +7,7 @@ the raw pages, 512 bytes and 16 spare bytes for each part, as the complement of
 the chip's bits: an empty sparse file is an erased chip.
 """
 import os
+import random
 
 PAGE, BLOCK, SIZE = 2048, 128 * 1024, 256 * 1024 * 1024
 PART, SPARE, CODE_AT = 512, 16, 6
@@ -62,10 +63,17 @@ def raw_of(data):
     return bytes(raw)
 
 
+def undone(page):
+    """The bits of a raw page that an erase or a program has not reached when the
+    power goes in the middle of it: a random half of them."""
+    return random.Random(page).getrandbits(RAW_PAGE * 8)
+
+
 class Nand:
     """The chip in a file, which is made when it does not exist. cut_after is
     the number of programs and erases until its power goes, in the middle of the
-    last of them: then it raises InterruptedError."""
+    last of them: then it raises InterruptedError, and the page or the block has
+    a random half of its bits as they were (undone)."""
 
     def __init__(self, path, cut_after=None):
         self.file = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
@@ -90,24 +98,24 @@ class Nand:
 
     def program(self, page, data):
         """Programs a page: only ones can become zeros."""
-        raw = raw_of(data)
+        bits = int.from_bytes(raw_of(data), "big")
         cut = self.is_cut()
         if cut:
-            raw = raw[:RAW_PAGE // 2] + b"\xff" * (RAW_PAGE - RAW_PAGE // 2)
-        old = self.read_raw(page)
-        if old.count(0xFF) != RAW_PAGE:
-            raw = (int.from_bytes(raw, "big") & int.from_bytes(old, "big")
-                   ).to_bytes(RAW_PAGE, "big")
-        self.write_raw(page, raw)
+            bits |= undone(page)
+        bits &= int.from_bytes(self.read_raw(page), "big")
+        self.write_raw(page, bits.to_bytes(RAW_PAGE, "big"))
         if cut:
             raise InterruptedError("the power is gone")
 
     def erase_block(self, block):
-        cut = self.is_cut()
-        os.pwrite(self.file, bytes(RAW_BLOCK // 2 if cut else RAW_BLOCK),
-                  block * RAW_BLOCK)
-        if cut:
-            raise InterruptedError("the power is gone")
+        if not self.is_cut():
+            os.pwrite(self.file, bytes(RAW_BLOCK), block * RAW_BLOCK)
+            return
+        first = block * BLOCK // PAGE
+        for page in range(first, first + BLOCK // PAGE):
+            bits = int.from_bytes(self.read_raw(page), "big") | undone(page)
+            self.write_raw(page, bits.to_bytes(RAW_PAGE, "big"))
+        raise InterruptedError("the power is gone")
 
     def is_bad(self, block):
         """The mark is the first spare byte of the block's first page."""

@@ -165,6 +165,24 @@ def flashed():
     return nand.flashed(FOLDER / "nand.bin", IMAGE)
 
 
+def flash_write(loader, path, *faults):
+    """flash.sh write at the console of that boot loader, into the NAND's file;
+    faults are those of tests/flash/boot_console.py. Returns the exit status and
+    the output of flash.sh."""
+    command = [sys.executable, "-B", TOP / "tests/flash/boot_console.py", loader,
+               IMAGE, f"{path}.console", *faults]
+    with subprocess.Popen(command, env=os.environ | {"NAND": str(path)},
+                          stdout=subprocess.PIPE, text=True) as console:
+        line = console.stdout.readline().strip()
+        run = subprocess.run(
+            [TOP / "board/imx31-pdk/flash.sh", "write", "--yes", "--port", line,
+             "--images", IMAGE, "--tries", "1"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True)
+        console.terminate()
+    return run.returncode, run.stdout
+
+
 def booted(files=None, drivers=False, tree=None, shell=True, kind=None, **how):
     """A machine that runs the image; files lie over its root file system. Its
     time is a count of instructions, so a busy host changes nothing. kind names

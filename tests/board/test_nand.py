@@ -1,17 +1,12 @@
 """The image in the NAND: `flash.sh write` through both boot loaders' dialogues,
 and the start from the flash through mxc_nand, UBI and UBIFS to the picture, with
 bad blocks, wrong bits and blocks that wear out."""
-import os
 import re
-import subprocess
-import sys
 
-from harness import (FOLDER, IMAGE, PROMPT, TOP, Error, aim, booted, check,
-                     done, first_picture_s, flashed, nand, needs_pdk, note,
-                     save)
+from harness import (FOLDER, PROMPT, Error, aim, booted, check, done,
+                     first_picture_s, flash_write, flashed, nand, needs_pdk,
+                     note, save)
 
-CONSOLE = TOP / "tests/flash/boot_console.py"
-FLASH = TOP / "board/imx31-pdk/flash.sh"
 # Linux's first start from a chip looks for bad blocks in all of it and writes a
 # table of them; what later starts take, and the goal of these.
 FIRST_S, LATER_S, GOAL_S = 4.0, 2.2, 1.5
@@ -21,21 +16,6 @@ BAD_BLOCKS = [8, 9, *range(FIRST_ROOTFS_BLOCK + 1, FIRST_ROOTFS_BLOCK + 40, 5)]
 WORN_BLOCKS = [180, 181]
 
 needs_pdk()
-
-
-def write_by(loader, path, *faults):
-    """flash.sh write at that boot loader's console, into the NAND's file."""
-    command = [sys.executable, "-B", CONSOLE, loader, IMAGE, FOLDER / "console",
-               *faults]
-    with subprocess.Popen(command, env=os.environ | {"NAND": str(path)},
-                          stdout=subprocess.PIPE, text=True) as console:
-        line = console.stdout.readline().strip()
-        run = subprocess.run(
-            [FLASH, "write", "--yes", "--port", line, "--images", IMAGE,
-             "--tries", "1"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True)
-        console.terminate()
-    return run.returncode, run.stdout
 
 
 def start(path):
@@ -55,7 +35,7 @@ FOLDER.mkdir(parents=True, exist_ok=True)
 path = FOLDER / "nand.bin"
 for loader in ("uboot", "redboot"):
     path.unlink(missing_ok=True)
-    status, said = write_by(loader, path)
+    status, said = flash_write(loader, path)
     check(f"flash.sh writes the image by {loader}", status == 0, said)
     machine, shown_s = start(path)
     check(f"and it starts from the flash, with a picture on the panel within "
@@ -85,7 +65,7 @@ chip = nand.Nand(chip_path)
 for block in BAD_BLOCKS:
     chip.mark_bad(block)
 chip.close()
-status, said = write_by("uboot", chip_path)
+status, said = flash_write("uboot", chip_path)
 machine, shown_s = start(chip_path)
 check(f"with {len(BAD_BLOCKS)} bad blocks it is written and starts",
       status == 0 and shown_s is not None, said + machine.log()[-3000:])

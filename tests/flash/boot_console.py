@@ -3,14 +3,18 @@
 
 Prints the line's path, then answers on it as U-Boot or RedBoot would, with
 memory and a NAND of its own, until it is ended. NAND names the chip's file, which
-the emulated board boots from; without it the chip is gone at the end. LOG gets each command as it
-was received. FILES is the TFTP server's folder. A FAULT is NAME or NAME=COUNT:
-the first COUNT (1) times something goes wrong.
+the emulated board boots from, and beside which NAND.fis has RedBoot's directory;
+without it the chip is gone at the end. LOG gets each command as it was received.
+FILES is the TFTP server's folder. A FAULT is NAME or NAME=COUNT: the first COUNT
+(1) times something goes wrong.
 
 lose=N loses every Nth character of those that come hurriedly, drop=N just the
 Nth one. cut=N cuts the power in the middle of the Nth erase or program of the
-NAND. The messages' wording is that of the two programs' sources and manuals.
+NAND, and the line ends; with "returns" the power comes back instead, and the boot
+loader starts again. The messages' wording is that of the two programs' sources
+and manuals.
 """
+import json
 import os
 import pathlib
 import re
@@ -29,23 +33,17 @@ PAGE = nand.PAGE
 LIMIT = nand.ROOTFS_BYTES
 
 
+# The bits of each byte, from the lowest to the highest.
+MIRRORED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+
+
 def cksum(data):
-    """POSIX cksum, from its definition: CRC of the bytes, then the length."""
-    table = []
-    for byte in range(256):
-        crc = byte << 24
-        for _ in range(8):
-            crc = (crc << 1) ^ (0x104C11DB7 if crc & 0x80000000 else 0)
-        table.append(crc)
-    crc = 0
+    """POSIX cksum: the CRC of the bytes and of their length, from the highest bit
+    on, where zlib's begins at the lowest."""
     length = len(data)
-    tail = b""
-    while length:
-        tail += bytes([length & 255])
-        length >>= 8
-    for byte in data + tail:
-        crc = (crc << 8 & 0xFFFFFF00) ^ table[crc >> 24 ^ byte]
-    return crc ^ 0xFFFFFFFF
+    tail = length.to_bytes((length.bit_length() + 7) // 8, "little")
+    mirrored = zlib.crc32((data + tail).translate(MIRRORED), 0xFFFFFFFF)
+    return int(f"{mirrored:032b}"[::-1], 2)
 
 
 def spoil(data):
@@ -58,10 +56,14 @@ class Board:
         self.files = files
         self.log = log
         self.faults = faults
+        self.path = os.environ.get("NAND") or self.own_file()
+        self.chip = nand.Nand(self.path)
+        self.power_on()
+
+    def power_on(self):
+        """The power comes, or comes back after a cut."""
+        self.chip.cut_after = self.faults.pop("cut", None)
         self.memory = {}
-        self.chip = nand.Nand(
-            os.environ.get("NAND") or self.own_file(), faults.get("cut"))
-        self.fis = {}
         self.environment = {}
 
     def own_file(self):
@@ -86,6 +88,14 @@ class Board:
 
     def store(self, address, data):
         self.memory[address] = bytes(data)
+
+    def read(self, address, offset, size):
+        """Reads the chip into memory, which stays as it was after an error."""
+        try:
+            self.store(address, self.chip.read(offset, size, LIMIT))
+        except nand.Error:
+            return False
+        return True
 
     def range(self, address, length):
         return self.memory.get(address, b"")[:length].ljust(length, b"\0")
@@ -143,8 +153,11 @@ class UBoot(Board):
         if size % PAGE:
             return "Attempt to write non page-aligned data\n"
         if words[0] == "read":
-            self.store(address, self.chip.read(offset, size, LIMIT))
-            return f"\nNAND read: device 0 offset 0x{offset:x}, size 0x{size:x}\n {size} bytes read: OK\n"
+            head = f"\nNAND read: device 0 offset 0x{offset:x}, size 0x{size:x}\n"
+            if not self.read(address, offset, size):
+                return (head + f"NAND read from offset {offset:x} failed -74\n"
+                        " 0 bytes read: ERROR\n")
+            return head + f" {size} bytes read: OK\n"
         if self.chip.read(offset, size, LIMIT).count(0xFF) != size:
             return "NAND write to offset failed -5\n 0 bytes written: ERROR\n"
         data = self.range(address, size)
@@ -161,7 +174,13 @@ class UBoot(Board):
 class RedBoot(Board):
     prompt = "RedBoot> "
     autoboot = "== Executing boot script in 1.000 seconds - enter ^C to abort\n"
-    pending = None
+
+    def power_on(self):
+        super().power_on()
+        self.pending = None
+        self.directory = pathlib.Path(f"{self.path}.fis")
+        self.fis = (json.loads(self.directory.read_text())
+                    if self.directory.exists() else {})
 
     def run(self, line):
         if self.pending:
@@ -211,7 +230,8 @@ class RedBoot(Board):
             if name not in self.fis:
                 return f"No image '{name}' found\n"
             offset, size = self.fis[name]
-            self.store(flags["-b"], self.chip.read(offset, size, LIMIT))
+            if not self.read(flags["-b"], offset, size):
+                return f"Error: '{name}' cannot be read\n"
             return ""
         if words[0] != "create":
             return "** Error: unrecognized FIS command\n"
@@ -231,6 +251,7 @@ class RedBoot(Board):
         self.chip.erase(offset, flags["-l"])
         self.chip.write(offset, bytes(data), LIMIT)
         self.fis[name] = (offset, len(data))
+        self.directory.write_text(json.dumps(self.fis))
         return "\n... Erase from 0xe0100000: ....\n... Program from 0x00100000: ....\n"
 
     def do_exec(self, words):
@@ -249,13 +270,13 @@ class Console:
         os.write(self.line, text.replace("\n", "\r\n").encode())
 
     def begin(self):
-        if self.board.fault("autoboot"):
-            # Waits for a key, then shows the prompt.
-            while True:
-                self.say("Boot loader 1.0\n" + self.board.autoboot)
-                if os.read(self.line, 1) == b"\x03":
-                    break
-            self.prompt()
+        """Waits for the key that stops the boot loader, and shows the prompt."""
+        self.text = b""
+        while True:
+            self.say("Boot loader 1.0\n" + self.board.autoboot)
+            if os.read(self.line, 1) == b"\x03":
+                break
+        self.prompt()
 
     def prompt(self):
         if not getattr(self.board, "pending", None):
@@ -303,12 +324,16 @@ def main():
     kind = {"uboot": UBoot, "redboot": RedBoot}[loader]
     with open(log, "w", encoding="ascii") as log_file:
         console = Console(kind(files, log_file, faults), line)
-        console.begin()
-        try:
-            while True:
+        if console.board.fault("autoboot"):
+            console.begin()
+        while True:
+            try:
                 console.take(os.read(line, 1))
-        except InterruptedError as cut:
-            console.say(f"\n{cut}\n")
+            except InterruptedError:
+                if not console.board.fault("returns"):
+                    break
+                console.board.power_on()
+                console.begin()
 
 
 if __name__ == "__main__":

@@ -169,6 +169,18 @@ for loader in uboot redboot; do
     expect_status 0
     expect_err 'the content of the NAND differs from zImage-dtb'
 
+    # The 40 blocks of the kernel are erased first.
+    board $loader cut=30 returns address
+    on_board "$loader: the power goes in an erase and comes back" write --yes \
+        --address 192.168.1.9 --server 192.168.1.2
+    expect_status 0
+    expect_err 'kernel: the board was reset during .* \(try 1 of 3\)'
+
+    board $loader cut=60
+    on_board "$loader: the line goes in a program" write --yes
+    expect_status 1
+    expect_err 'the serial line has gone: .*start the same command again'
+
     board $loader autoboot=1
     on_board "$loader: stopped in its autoboot" run
     expect_status 0

@@ -7,6 +7,7 @@
 
 received=  # the board's output since the last command
 reason= # of the last failure
+autoboot_pattern='stop autoboot|\^C to abort'
 prompt_pattern='(RedBoot>|U-Boot ?>|[uU][bB]oot ?>|=>) ?$'
 linux_pattern='(login:|[#$]) ?$'
 
@@ -27,8 +28,12 @@ console_open() {
 
 # Adds what arrives within 0.05 s, without CR, to $received; false for nothing.
 console_hear() {
-    local part=
-    IFS= read -r -u "$console" -t 0.05 -N 512 part || true
+    local part='' status=0
+    IFS= read -r -u "$console" -t 0.05 -N 512 part 2>/dev/null || status=$?
+    # A time-out has a status above 128.
+    if [ $status -gt 0 ] && [ $status -le 128 ]; then
+        fail "$port: the serial line has gone: plug its adapter in and start the same command again, which skips the finished steps"
+    fi
     part=${part//$'\r'/}
     received+=$part
     [ -n "$part" ]
@@ -100,8 +105,12 @@ console_run() {
     echo "  > $1"
     $dry_run && return 0
     console_type "$1" || return 1
-    if ! console_wait "${2:-$seconds}" "$prompt_pattern"; then
+    if ! console_wait "${2:-$seconds}" "$prompt_pattern|$autoboot_pattern"; then
         reason="no answer to \"$1\" within ${2:-$seconds} s"
+        return 1
+    fi
+    if [[ $received =~ $autoboot_pattern ]]; then
+        reason="the board was reset during \"$1\""
         return 1
     fi
 }
@@ -126,7 +135,7 @@ console_find_loader() {
 
 # Both boot loaders announce that they will boot; Ctrl-C stops that.
 console_stop_autoboot() {
-    console_wait "$seconds" 'stop autoboot|\^C to abort' ||
+    console_wait "$seconds" "$autoboot_pattern" ||
         fail "$port: the board sends nothing: check its power and the cable, and that no other program uses the line"
     received=
     console_put $'\x03'

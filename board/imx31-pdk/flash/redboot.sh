@@ -6,7 +6,7 @@ initramfs_address=0x2000000
 check_address=0x4000000
 
 loader_network() {
-    [ -z "$address$server" ] || attempt network console_run \
+    [ -z "$address$server" ] || console_run \
         "ip_address${address:+ -l $address}${server:+ -h $server}"
 }
 
@@ -33,8 +33,9 @@ loader_verify() {
 }
 
 loader_verify_nand() {
+    # After an error the memory may hold an older copy of the file.
     console_run "fis load -b $check_address $2" &&
-        loader_verify "$1" $check_address && return 0
+        ! [[ $received =~ [Ee]rror ]] && loader_verify "$1" $check_address && return 0
     reason="the content of the NAND differs from $1"
     return 1
 }
@@ -59,10 +60,12 @@ loader_write() {
     echo "  > $line"
     $dry_run && return 0
     console_type "$line" || return 1
-    until console_wait 120 "$prompt_pattern|\(y/n\)\? ?$" &&
+    until console_wait 120 "$prompt_pattern|$autoboot_pattern|\(y/n\)\? ?$" &&
         [[ $received =~ $prompt_pattern ]]; do
         if ! [[ $received =~ \(y/n\)\?\ ?$ ]]; then
             reason='fis create did not finish within 120 s'
+            [[ ! $received =~ $autoboot_pattern ]] ||
+                reason='the board was reset during fis create'
             return 1
         fi
         received=

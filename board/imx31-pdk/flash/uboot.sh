@@ -6,8 +6,8 @@ initramfs_address=0x82000000
 check_address=0x84000000
 
 loader_network() {
-    [ -z "$address" ] || attempt network console_run "setenv ipaddr $address"
-    [ -z "$server" ] || attempt network console_run "setenv serverip $server"
+    [ -z "$address" ] || console_run "setenv ipaddr $address" || return 1
+    [ -z "$server" ] || console_run "setenv serverip $server"
 }
 
 # netretry makes U-Boot give up instead of trying for ever.
@@ -46,8 +46,9 @@ loader_verify() {
 }
 
 loader_verify_nand() {
+    # After an error the memory may hold an older copy of the file.
     console_run "nand read $check_address $(hex "$3") $(hex "$(paged_size "$1")")" &&
-        loader_verify "$1" $check_address && return 0
+        [[ $received == *"read: OK"* ]] && loader_verify "$1" $check_address && return 0
     reason="the content of the NAND differs from $1"
     return 1
 }

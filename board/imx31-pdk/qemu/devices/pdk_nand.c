@@ -7,7 +7,8 @@
  * 131072 * 2112 bytes is an erased chip. QEMU's own NAND model is not used,
  * because it never fails: here an erase or a program of a block in the property
  * "worn-blocks" does, and "power-cut" ends the machine in the middle of the
- * N-th erase or program from then on, with half of it done.
+ * N-th erase or program from then on, with a random half of its bits as they
+ * were.
  *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
@@ -115,16 +116,27 @@ static bool power_goes(PDKNandState *s)
     return true;
 }
 
+/* Sets the bits of a page that an operation changes: all, or a random half. */
+static void choose_bits(unsigned page, bool half, uint8_t *mask)
+{
+    GRand *chance = g_rand_new_with_seed(page);
+
+    for (unsigned i = 0; i < PDK_NAND_RAW; i++) {
+        mask[i] = half ? g_rand_int(chance) : 0xff;
+    }
+    g_rand_free(chance);
+}
+
 static void program(PDKNandState *s)
 {
     unsigned page = row_of(s);
     bool failed = test_bit(page / PDK_NAND_BLOCK_PAGES, s->worn);
-    uint8_t raw[PDK_NAND_RAW];
-    unsigned count = power_goes(s) || failed ? PDK_NAND_RAW / 2 : PDK_NAND_RAW;
+    uint8_t raw[PDK_NAND_RAW], mask[PDK_NAND_RAW];
 
+    choose_bits(page, power_goes(s) || failed, mask);
     pdk_nand_load_page(s, page, raw);
-    for (unsigned i = 0; i < count; i++) {
-        raw[i] &= s->page[i];
+    for (unsigned i = 0; i < PDK_NAND_RAW; i++) {
+        raw[i] &= s->page[i] | ~mask[i];
     }
     failed |= !store(s, page, raw);
     s->status = failed ? STATUS_FAILED : 0;
@@ -132,18 +144,32 @@ static void program(PDKNandState *s)
     trace_pdk_nand_program(page, failed);
 }
 
+/* A random half of the bits of a block's pages become ones. */
+static void erase_half(PDKNandState *s, unsigned first)
+{
+    uint8_t raw[PDK_NAND_RAW], mask[PDK_NAND_RAW];
+
+    for (unsigned page = first; page < first + PDK_NAND_BLOCK_PAGES; page++) {
+        choose_bits(page, true, mask);
+        pdk_nand_load_page(s, page, raw);
+        for (unsigned i = 0; i < PDK_NAND_RAW; i++) {
+            raw[i] |= mask[i];
+        }
+        store(s, page, raw);
+    }
+}
+
 static void erase(PDKNandState *s)
 {
     unsigned block = row_of(s) / PDK_NAND_BLOCK_PAGES;
     bool failed = test_bit(block, s->worn);
-    unsigned count = power_goes(s) ? PDK_NAND_BLOCK_PAGES / 2
-                                   : PDK_NAND_BLOCK_PAGES;
-    uint64_t bytes = (uint64_t)count * PDK_NAND_RAW;
 
-    if (!failed && s->blk) {
+    if (power_goes(s)) {
+        erase_half(s, block * PDK_NAND_BLOCK_PAGES);
+    } else if (!failed && s->blk) {
         failed = blk_pwrite_zeroes(
             s->blk, (int64_t)block * PDK_NAND_BLOCK_PAGES * PDK_NAND_RAW,
-            bytes, BDRV_REQ_MAY_UNMAP) < 0;
+            PDK_NAND_BLOCK_PAGES * PDK_NAND_RAW, BDRV_REQ_MAY_UNMAP) < 0;
     }
     s->status = failed ? STATUS_FAILED : 0;
     s->busy_ns = ERASE_NS;

@@ -159,9 +159,14 @@ class Wires:
 
     def __init__(self, folder):
         self.lines = Lines(folder, "qtest.sock")
+        # Changes of GPIO2's outputs since watch(): line and level.
+        self.changes = []
 
     def run(self, command):
         answer = self.lines.ask(command)
+        while change := re.fullmatch(r"IRQ (raise|lower) (\d+)", answer):
+            self.changes.append((int(change[2]), change[1] == "raise"))
+            answer = self.lines.read()
         if not answer.startswith("OK"):
             raise Error(f"QEMU refuses {command}: {answer}")
         return answer[2:].strip()
@@ -171,6 +176,10 @@ class Wires:
             raise Error(f"{button}: no such button: {' '.join(BUTTONS)}")
         self.run(f"set_irq_in {GPIO2} unnamed-gpio-in {BUTTONS[button]} "
                  f"{int(high)}")
+
+    def watch(self):
+        """Lets every later command note what GPIO2's outputs have done."""
+        self.run(f"irq_intercept_out {GPIO2}")
 
     def start_timer(self):
         # After a reset the timer is enabled, but does not run.

@@ -61,12 +61,15 @@ static void visit_vertex(struct visit *visit, const struct character_sole *sole)
 {
 	float place[3];
 
-	if (character_is_below(
-		    visit->build->model, sole->node[0], visit->foot->leg.tip)) {
-		character_sole_place(
-			sole, visit->build->character->instance, place);
-		visit->take(visit, sole, place);
-	}
+	character_sole_place(sole, visit->build->character->instance, place);
+	visit->take(visit, sole, place);
+}
+
+/* Whether a node moves with the foot that is visited. */
+static bool is_of_foot(const struct visit *visit, int node)
+{
+	return character_is_below(
+		visit->build->model, node, visit->foot->leg.tip);
 }
 
 /* The joint with the largest weight, other than one. */
@@ -80,6 +83,16 @@ static int main_influence(
 		best = i != other && weight[i] > weight[best] ? i : best;
 	}
 	return best;
+}
+
+/* The node of the strongest influence. */
+static int main_node(const struct model_skin *skin,
+	const struct model_primitive *primitive, int vertex)
+{
+	int influence = main_influence(primitive, vertex, -1);
+
+	return skin->joint[primitive->joint[vertex * primitive->influences +
+		influence]];
 }
 
 /* The two strongest influences move the point. */
@@ -125,11 +138,19 @@ static void visit_primitive(
 		? &model->skin[model->node[node].skin]
 		: NULL;
 
+	if (!skin && !is_of_foot(visit, node)) {
+		return;
+	}
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		struct character_sole sole = skin
-			? bind_vertex(skin, primitive, v)
-			: on_node(node, primitive->position[v]);
+		struct character_sole sole;
 
+		if (!skin) {
+			sole = on_node(node, primitive->position[v]);
+		} else if (is_of_foot(visit, main_node(skin, primitive, v))) {
+			sole = bind_vertex(skin, primitive, v);
+		} else {
+			continue;
+		}
 		visit_vertex(visit, &sole);
 	}
 }

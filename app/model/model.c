@@ -156,14 +156,15 @@ void model_normalize_influences(struct model_primitive *primitive)
 	int i;
 
 	for (i = 0; count && i < primitive->vertex_count; i++) {
-		normalize_vertex(primitive->joint + (size_t)i * count,
-			primitive->weight + (size_t)i * count, count);
+		normalize_vertex(primitive->joint + (size_t)i * (size_t)count,
+			primitive->weight + (size_t)i * (size_t)count, count);
 	}
 }
 
 int model_max_joint(const struct model_primitive *primitive)
 {
-	size_t total = (size_t)primitive->vertex_count * primitive->influences;
+	size_t total = (size_t)primitive->vertex_count *
+		(size_t)primitive->influences;
 	int max = -1;
 	size_t i;
 

@@ -10,7 +10,7 @@ static void add_influences(
 	}
 	for (v = 0; v < primitive->vertex_count; v++) {
 		const float *weight =
-			primitive->weight + (size_t)v * primitive->influences;
+			primitive->weight + (size_t)v * (size_t)primitive->influences;
 		int count = 0;
 
 		for (k = 0; k < primitive->influences; k++) {

@@ -218,7 +218,7 @@ static void count_costs(
 		key_bytes += (count + count % 2) * streams *
 			sizeof(struct fixed_key);
 		file_bytes += count *
-			(MORPH_POSITION_FILE_BYTES +
+			(size_t)(MORPH_POSITION_FILE_BYTES +
 				(part->normals ? MORPH_NORMAL_FILE_BYTES : 0));
 		candidate->bytes.shared +=
 			count * streams * sizeof(struct fixed_vector);

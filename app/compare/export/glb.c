@@ -353,7 +353,7 @@ static int put_file(const struct glb *glb, const char *text, FILE *file)
 	put_u32(header, MAGIC);
 	put_u32(header + 4, 2);
 	put_u32(header + 8,
-		HEADER_BYTES + (glb->size > 0 ? 2 : 1) * CHUNK_HEADER_BYTES +
+		HEADER_BYTES + (glb->size > 0 ? 2u : 1u) * CHUNK_HEADER_BYTES +
 			((length + 3) & ~(size_t)3) + glb->size);
 	fwrite(header, sizeof(header), 1, file);
 	put_json(file, text, length);

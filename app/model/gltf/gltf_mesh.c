@@ -115,7 +115,7 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 	}
 	error = gltf_unpack_floats(&member, &normalized, value);
 	for (i = 0; i < out->vertex_count && !error; i++) {
-		const float *from = value + (size_t)i * normalized.width;
+		const float *from = value + (size_t)i * (size_t)normalized.width;
 
 		for (c = 0; c < 3; c++) {
 			out->color[i][c] = color_encode_byte(&known, from[c]);

@@ -33,11 +33,11 @@ static int read_joint_numbers(const struct gltf_at *at,
 	}
 	gltf_unpack_uints(accessor, joint);
 	for (v = 0; v < out->vertex_count; v++) {
-		uint16_t *to = out->joint + (size_t)v * out->influences +
+		uint16_t *to = out->joint + (size_t)v * (size_t)out->influences +
 			set * SET_WIDTH;
 
 		for (k = 0; k < SET_WIDTH; k++) {
-			to[k] = (uint16_t)joint[(size_t)v * SET_WIDTH + k];
+			to[k] = (uint16_t)joint[(size_t)v * SET_WIDTH + (size_t)k];
 		}
 	}
 	return 0;
@@ -65,11 +65,11 @@ static int read_set(
 		error = read_joint_numbers(&member, joints, set, out);
 	}
 	for (v = 0; v < out->vertex_count && !error; v++) {
-		float *to = out->weight + (size_t)v * out->influences +
+		float *to = out->weight + (size_t)v * (size_t)out->influences +
 			set * SET_WIDTH;
 
 		for (k = 0; k < SET_WIDTH; k++) {
-			to[k] = weights.value[(size_t)v * SET_WIDTH + k];
+			to[k] = weights.value[(size_t)v * SET_WIDTH + (size_t)k];
 		}
 	}
 	return error;

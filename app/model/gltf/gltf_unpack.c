@@ -23,7 +23,7 @@ size_t gltf_component_bytes(enum gltf_component component)
 
 static const uint8_t *element_at(const struct gltf_elements *elements, int index)
 {
-	return elements->data + index * elements->stride;
+	return elements->data + (size_t)index * elements->stride;
 }
 
 static uint32_t get_uint(const uint8_t *bytes, enum gltf_component component)
@@ -94,7 +94,7 @@ static void unpack_floats(const struct gltf_elements *elements, int index,
 	int i;
 
 	for (i = 0; i < accessor->width; i++) {
-		out[i] = get_float(bytes + i * size, elements->component,
+		out[i] = get_float(bytes + (size_t)i * size, elements->component,
 			accessor->normalized);
 	}
 }
@@ -126,7 +126,7 @@ int gltf_unpack_floats(const struct gltf_at *at,
 
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
 	for (i = 0; accessor->base.data && i < accessor->count; i++) {
-		unpack_floats(&accessor->base, i, accessor, out + i * width);
+		unpack_floats(&accessor->base, i, accessor, out + (size_t)i * width);
 	}
 	for (i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
@@ -147,7 +147,7 @@ static void unpack_uints(const struct gltf_elements *elements, int index,
 	int i;
 
 	for (i = 0; i < width; i++) {
-		out[i] = get_uint(bytes + i * size, elements->component);
+		out[i] = get_uint(bytes + (size_t)i * size, elements->component);
 	}
 }
 
@@ -159,7 +159,7 @@ void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out)
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
 	for (i = 0; accessor->base.data && i < accessor->count; i++) {
 		unpack_uints(
-			&accessor->base, i, accessor->width, out + i * width);
+			&accessor->base, i, accessor->width, out + (size_t)i * width);
 	}
 	for (i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);

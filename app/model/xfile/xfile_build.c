@@ -19,10 +19,12 @@ static int index_names(struct xfile_build *build)
 		scratch, const struct xfile_mesh *, scene->mesh_count);
 	if (!build->mesh ||
 		xfile_names_init(
-			&build->frame_names, scratch, scene->frame_count) ||
-		xfile_names_init(&build->mesh_names, scratch, scene->mesh_count) ||
+			&build->frame_names, scratch,
+			(size_t)scene->frame_count) ||
+		xfile_names_init(&build->mesh_names, scratch,
+			(size_t)scene->mesh_count) ||
 		xfile_names_init(&build->material_names, scratch,
-			scene->material_count)) {
+			(size_t)scene->material_count)) {
 		return xfile_no_memory(build->context);
 	}
 	for (int i = 0; frame; frame = frame->next, i++) {

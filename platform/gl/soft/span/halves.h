@@ -46,9 +46,10 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 #define HALVES_ADD_LIMITED(a, b)        soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)                soft_halves_sum(a, b)
 #define HALVES_SUM_ADD(a, b, sum)       (soft_halves_sum(a, b) + (sum))
-#define WORD_BY_BOTTOM(word, half, sum) (soft_word_by_half(word, half) + (sum))
+#define WORD_BY_BOTTOM(word, half, sum) \
+	(soft_word_by_half((uint32_t)(word), half) + (sum))
 #define WORD_BY_TOP(word, half, sum) \
-	(soft_word_by_half(word, (half) >> 16) + (sum))
+	(soft_word_by_half((uint32_t)(word), (half) >> 16) + (sum))
 #endif
 
 #endif

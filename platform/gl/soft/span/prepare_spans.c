@@ -203,7 +203,7 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 		? &soft_spans_565
 		: &soft_spans_8888;
 	const struct texture_input *input = &draw->texture[0];
-	int format = spans->textured ? input->base->format - 1 : 0;
+	int format = spans->textured ? (int)input->base->format - 1 : 0;
 	const struct texture *texture = input->texture;
 
 	for (int i = 0; i < 2; i++) {

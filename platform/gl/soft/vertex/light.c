@@ -127,7 +127,7 @@ static int32_t invert_q16(int64_t value)
 	if (value < 4) {
 		return INT32_MAX;
 	}
-	zeros = LEADING_ZEROS_64(value);
+	zeros = LEADING_ZEROS_64((uint64_t)value);
 	return reciprocal((uint32_t)((uint64_t)value << zeros >> 32)) >>
 		(62 - zeros > 31 ? 31 : 62 - zeros);
 }

@@ -9,10 +9,9 @@ here=$(pwd -P)
 rm -rf "$folder"
 mkdir -p "$folder"
 
-# build NAME ENVIRONMENT...: builds a copy, with this folder's sysroot.
-build() {
+# copy NAME: copies the sources and this folder's sysroot.
+copy() {
     copy=$folder/$1
-    shift
     mkdir -p "$copy/build"
     tar -C "$here" --exclude=./build --exclude=./.git --exclude='*.pyc' -cf - . |
         tar -C "$copy" -xf -
@@ -22,6 +21,12 @@ build() {
     cp -al "$here/build/sysroot" "$copy/build/sysroot"
     find "$copy" -path "$copy/build" -prune -o -type f -exec touch {} +
     touch "$copy/build/sysroot.stamp"
+}
+
+# build NAME ENVIRONMENT...: builds a copy.
+build() {
+    copy=$folder/$1
+    shift
     env -C "$copy" "$@" make --no-print-directory -j"$(nproc)" $targets \
         >"$folder/log" 2>&1 || {
         cat "$folder/log" >&2
@@ -32,12 +37,14 @@ build() {
 # sums NAME: the sums of what was built there.
 sums() {
     (cd "$folder/$1" && find build/host/limber build/arm/limber \
-        build/package build/board -maxdepth 1 -type f \
+        build/package build/board/imx31-pdk -maxdepth 1 -type f \
         \( -name limber -o -name '*.deb' -o -name '*.ubi' -o -name '*.lz4' \
-        -o -name 'zImage*' \) -exec sha256sum {} + 2>/dev/null | sort -k 2)
+        -o -name '*.dtb' -o -name 'zImage*' \) -exec sha256sum {} + 2>/dev/null | sort -k 2)
 }
 
 targets=$*
+copy a
+copy a-folder-with-a-longer-name
 build a TZ=UTC LC_ALL=C
 sleep 1
 build a-folder-with-a-longer-name TZ=Pacific/Kiritimati LC_ALL=C.UTF-8 \

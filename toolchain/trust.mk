@@ -54,10 +54,12 @@ months: $(MONTHS) build/host/limber build/arm/limber
 	$(Q)DAYS=$(DAYS) $(months_host)
 	$(Q)DAYS=$(DAYS) $(months_arm)
 
-# Builds host, ARM and the package from two folders, and compares their bytes.
+# Builds host, ARM, the packages and the image from two folders, and compares
+# their bytes.
+REPRODUCED ?= host arm deb image
 .PHONY: reproduce trust
 reproduce: build/sysroot.stamp
-	$(Q)toolchain/reproduce.sh build/reproduce host arm deb
+	$(Q)toolchain/reproduce.sh build/reproduce $(REPRODUCED)
 
 # The table of SECURITY.md.
 trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \

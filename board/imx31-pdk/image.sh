@@ -2,9 +2,9 @@
 # image.sh LINUX SYSROOT LIMBER HOST-LIMBER DIR: builds the board's image in DIR.
 #
 # LINUX is the folder that kernel/build.sh made, HOST-LIMBER the program for this
-# machine. The same input gives the same
-# bytes, except for the UBI image: mkfs.ubifs writes a new UUID each time.
+# machine. The same input gives the same bytes, in any folder and at any time.
 set -eu
+export LC_ALL=C
 
 linux=$1
 sysroot=$2
@@ -61,6 +61,7 @@ mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x lzo -U \
     cat "$work/log" >&2
     exit 1
 }
+"$here/settle_ubifs.py" "$work/rootfs.ubifs"
 cat >"$work/ubi.ini" <<END
 [rootfs]
 mode=ubi

@@ -20,6 +20,8 @@ Description: 3D character animation for ARM11 boards and desktops
  limber plays glTF and DirectX .x models with skeletal, hierarchical and morph
  animation, on boards without a GPU driver and on desktops.
 END
+# Whatever the umask of who builds.
+chmod -R u=rwX,go=rX "$stage"
 find "$stage" -exec touch -h -d @0 {} +
 SOURCE_DATE_EPOCH=0 dpkg-deb --root-owner-group -Zgzip --build "$stage" \
     "$package" >/dev/null

@@ -112,7 +112,9 @@ def collect(sysroot, limber, host_limber, assets, root):
     os.symlink("/proc/mounts", root / "etc/mtab")
     if password := os.environ.get("CONSOLE_PASSWORD"):
         tree.password(password)
-    for path in root.rglob("*"):
+    for path in (root, *root.rglob("*")):
+        if path.is_dir() and not path.is_symlink():
+            path.chmod(0o755)  # whatever the umask
         os.utime(path, (0, 0), follow_symlinks=False)
 
 

@@ -148,6 +148,18 @@ struct demo_facts demo_get_facts(
 	return facts;
 }
 
+static void run_action(
+	struct demo *demo, const struct demo_action *action, bool down)
+{
+	if (action->run) {
+		action->run(demo, down ? action->amount : 0);
+	} else {
+		bool *inverted = (bool *)((char *)demo + action->inverts);
+
+		*inverted = !*inverted;
+	}
+}
+
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
@@ -155,10 +167,11 @@ void demo_press(const struct demo_driver *driver, struct demo *demo,
 		driver->press(demo, event);
 		return;
 	}
-	for (const struct demo_action *action = driver->action; action->run;
+	for (const struct demo_action *action = driver->action; action->summary;
 		action++) {
-		if (action->button == event->button) {
-			action->run(demo, event->down);
+		if (action->button == event->button &&
+			(event->down || action->held)) {
+			run_action(demo, action, event->down);
 		}
 	}
 }

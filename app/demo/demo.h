@@ -14,6 +14,7 @@
 #include "app/scene/overlay/overlay.h"
 #include "platform/buttons/buttons.h"
 
+#include <stddef.h>
 #include <stdio.h>
 
 struct demo;
@@ -28,8 +29,33 @@ struct demo_facts {
 struct demo_action {
 	enum button button;
 	const char *summary;
-	void (*run)(struct demo *demo, bool down);
+	/*
+	 * Called with the amount when the button is pressed and, if it is held,
+	 * with 0 when it is released. NULL: a press inverts a bool that lies
+	 * this many bytes behind the demo's start.
+	 */
+	void (*run)(struct demo *demo, int amount);
+	int amount;
+	bool held;
+	size_t inverts;
 };
+
+/* Actions of a press, of a button that is held, and of one that inverts. */
+#define DEMO_PRESS(name, text, function, with)                             \
+	{                                                                  \
+		.button = BUTTON_##name, .summary = text, .run = function, \
+		.amount = with                                             \
+	}
+#define DEMO_HOLD(name, text, function, with)                              \
+	{                                                                  \
+		.button = BUTTON_##name, .summary = text, .run = function, \
+		.amount = with, .held = true                               \
+	}
+#define DEMO_INVERT(name, text, member)                   \
+	{                                                 \
+		.button = BUTTON_##name, .summary = text, \
+		.inverts = offsetof(struct demo, member)  \
+	}
 
 /* The interface of one demo. */
 struct demo_driver {
@@ -37,7 +63,7 @@ struct demo_driver {
 	const char *summary;
 	const char *asset; /* a file in assets/; NULL: the user's model */
 	bool any_model;    /* shows the user's model in place of the asset */
-	const struct demo_action *action; /* ends with a NULL run, or NULL */
+	const struct demo_action *action; /* ends with a NULL summary, or NULL */
 
 	/* Size of the demo's struct, which begins with a struct demo_base. */
 	size_t size;

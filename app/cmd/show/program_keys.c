@@ -84,7 +84,7 @@ enum program_action program_keys_update(
 static void print_actions(
 	FILE *out, const struct demo_driver *driver, bool has_camera)
 {
-	for (const struct demo_action *action = driver->action; action->run;
+	for (const struct demo_action *action = driver->action; action->summary;
 		action++) {
 		if (!has_camera || action->button != BUTTON_F10) {
 			fprintf(out, "  %-6s %s\n", button_name(action->button),

@@ -419,61 +419,20 @@ static void crowd_get_facts(const struct demo *demo, struct demo_facts *out)
 	}
 }
 
-static void press_more(struct demo *demo, bool down)
+static void turn(struct demo *demo, int direction)
 {
-	change_count(demo, down ? 1 : 0);
-}
-
-static void press_fewer(struct demo *demo, bool down)
-{
-	change_count(demo, down ? -1 : 0);
-}
-
-static void press_many_more(struct demo *demo, bool down)
-{
-	change_count(demo, down ? STRIDE : 0);
-}
-
-static void press_many_fewer(struct demo *demo, bool down)
-{
-	change_count(demo, down ? -STRIDE : 0);
-}
-
-static void press_turn(struct demo *demo, bool down)
-{
-	demo->turn = down ? 1.0f : 0.0f;
-}
-
-static void press_shadows(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->plain_shadows = !demo->plain_shadows;
-	}
-}
-
-static void press_reducing(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->reducing = !demo->reducing;
-	}
-}
-
-static void press_drift(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->drifting = !demo->drifting;
-	}
+	demo->turn = (float)direction;
 }
 
 static const struct demo_action crowd_actions[] = {
-	{BUTTON_UP, "add a walker", press_more},
-	{BUTTON_DOWN, "remove a walker", press_fewer},
-	{BUTTON_RIGHT, "add five walkers", press_many_more},
-	{BUTTON_LEFT, "remove five walkers", press_many_fewer},
-	{BUTTON_ENTER, "turn the camera (hold)", press_turn},
-	{BUTTON_F6, "draw plain shadows for all, or not", press_shadows},
-	{BUTTON_F8, "draw small figures in less detail, or not", press_reducing},
-	{BUTTON_F9, "turn the camera slowly, or not", press_drift},
+	DEMO_PRESS(UP, "add a walker", change_count, 1),
+	DEMO_PRESS(DOWN, "remove a walker", change_count, -1),
+	DEMO_PRESS(RIGHT, "add five walkers", change_count, STRIDE),
+	DEMO_PRESS(LEFT, "remove five walkers", change_count, -STRIDE),
+	DEMO_HOLD(ENTER, "turn the camera (hold)", turn, 1),
+	DEMO_INVERT(F6, "draw plain shadows for all, or not", plain_shadows),
+	DEMO_INVERT(F8, "draw small figures in less detail, or not", reducing),
+	DEMO_INVERT(F9, "turn the camera slowly, or not", drifting),
 	{0},
 };
 

@@ -273,12 +273,11 @@ static void duel_get_facts(const struct demo *demo, struct demo_facts *out)
 	}
 }
 
-static void press_heat(struct demo *demo, bool down)
+static void toggle_heat(struct demo *demo, int amount)
 {
-	if (down) {
-		demo->autoplay = false;
-		show_heat(demo, !demo->heat_shown);
-	}
+	(void)amount;
+	demo->autoplay = false;
+	show_heat(demo, !demo->heat_shown);
 }
 
 static void change_scale(struct demo *demo, int step)
@@ -290,56 +289,26 @@ static void change_scale(struct demo *demo, int step)
 	}
 }
 
-static void press_coarser(struct demo *demo, bool down)
+static void turn(struct demo *demo, int direction)
 {
-	change_scale(demo, down ? 1 : 0);
+	demo->turn = (float)direction;
 }
 
-static void press_finer(struct demo *demo, bool down)
+static void slow_down(struct demo *demo, int times)
 {
-	change_scale(demo, down ? -1 : 0);
-}
-
-static void press_left(struct demo *demo, bool down)
-{
-	demo->turn = down ? -1.0f : 0.0f;
-}
-
-static void press_right(struct demo *demo, bool down)
-{
-	demo->turn = down ? 1.0f : 0.0f;
-}
-
-static void press_pause(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->paused = !demo->paused;
-	}
-}
-
-static void press_slower(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->speed_halvings = (demo->speed_halvings + 1) % 4;
-	}
-}
-
-static void press_autoplay(struct demo *demo, bool down)
-{
-	if (down) {
-		demo->autoplay = !demo->autoplay;
-	}
+	demo->speed_halvings = (demo->speed_halvings + times) % 4;
 }
 
 static const struct demo_action duel_actions[] = {
-	{BUTTON_UP, "paint errors red from more pixels on", press_coarser},
-	{BUTTON_DOWN, "paint errors red from fewer pixels on", press_finer},
-	{BUTTON_LEFT, "turn the camera left", press_left},
-	{BUTTON_RIGHT, "turn the camera right", press_right},
-	{BUTTON_ENTER, "pause or continue", press_pause},
-	{BUTTON_F6, "play at half the speed, down to an eighth", press_slower},
-	{BUTTON_F8, "paint the errors, or not", press_heat},
-	{BUTTON_F9, "paint the errors from time to time, or not", press_autoplay},
+	DEMO_PRESS(UP, "paint errors red from more pixels on", change_scale, 1),
+	DEMO_PRESS(DOWN, "paint errors red from fewer pixels on", change_scale,
+		-1),
+	DEMO_HOLD(LEFT, "turn the camera left", turn, -1),
+	DEMO_HOLD(RIGHT, "turn the camera right", turn, 1),
+	DEMO_INVERT(ENTER, "pause or continue", paused),
+	DEMO_PRESS(F6, "play at half the speed, down to an eighth", slow_down, 1),
+	DEMO_PRESS(F8, "paint the errors, or not", toggle_heat, 1),
+	DEMO_INVERT(F9, "paint the errors from time to time, or not", autoplay),
 	{0},
 };
 

@@ -314,41 +314,19 @@ static void step_row(struct demo *demo, int step)
 	demo->row = (demo->row + step + ROWS) % ROWS;
 }
 
-static void press_up(struct demo *demo, bool down)
+static void change_value(struct demo *demo, int direction)
 {
-	step_row(demo, down ? -1 : 0);
-}
-
-static void press_down(struct demo *demo, bool down)
-{
-	step_row(demo, down ? 1 : 0);
-}
-
-static void change_value(struct demo *demo, int direction, bool down)
-{
-	demo->changing = down ? direction : 0;
-	if (down) {
+	demo->changing = direction;
+	if (direction != 0) {
 		demo->autoplay = false;
 		change(demo, direction);
 		demo->next_change_s = demo->now_s + repeat_after_s;
 	}
 }
 
-static void press_left(struct demo *demo, bool down)
+static void save(struct demo *demo, int amount)
 {
-	change_value(demo, -1, down);
-}
-
-static void press_right(struct demo *demo, bool down)
-{
-	change_value(demo, 1, down);
-}
-
-static void press_save(struct demo *demo, bool down)
-{
-	if (!down) {
-		return;
-	}
+	(void)amount;
 	if (!demo->may_save) {
 		show_message(demo, "render saves nothing");
 		return;
@@ -363,28 +341,26 @@ static void press_save(struct demo *demo, bool down)
 			: "saved");
 }
 
-static void press_next(struct demo *demo, bool down)
+static void step_preset(struct demo *demo, int step)
 {
-	if (down) {
-		demo->autoplay = false;
-		demo->chosen = (demo->chosen + 1) % demo->file.count;
-		use_preset(demo);
-	}
+	demo->autoplay = false;
+	demo->chosen = (demo->chosen + step) % demo->file.count;
+	use_preset(demo);
 }
 
-static void press_paint(struct demo *demo, bool down)
+static void toggle_paint(struct demo *demo, int amount)
 {
-	if (down) {
-		demo->painted = !demo->painted;
-		vertex_tint_switch(&demo->tint, demo->painted);
-	}
+	(void)amount;
+	demo->painted = !demo->painted;
+	vertex_tint_switch(&demo->tint, demo->painted);
 }
 
-static void press_reload(struct demo *demo, bool down)
+static void read_again(struct demo *demo, int amount)
 {
 	struct preset_file file;
 
-	if (down && preset_file_read(&file, demo->log) == 0 &&
+	(void)amount;
+	if (preset_file_read(&file, demo->log) == 0 &&
 		demo->chosen < file.count) {
 		demo->autoplay = false;
 		*preset_of(demo) = file.preset[demo->chosen];
@@ -393,29 +369,30 @@ static void press_reload(struct demo *demo, bool down)
 	}
 }
 
-static void press_shake(struct demo *demo, bool down)
+static void toggle_shake(struct demo *demo, int amount)
 {
-	if (down) {
-		demo->shaking = !demo->shaking;
-		for (int i = 0; i < demo->bones.count; i++) {
-			procedural_fade(&demo->swing[i],
-				demo->shaking ? 0.0f : 1.0f, fade_s);
-		}
+	(void)amount;
+	demo->shaking = !demo->shaking;
+	for (int i = 0; i < demo->bones.count; i++) {
+		procedural_fade(
+			&demo->swing[i], demo->shaking ? 0.0f : 1.0f, fade_s);
 	}
 }
 
 static const struct demo_action tuner_actions[] = {
-	{BUTTON_UP, "choose the previous row: the bone or a parameter", press_up},
-	{BUTTON_DOWN, "choose the next row", press_down},
-	{BUTTON_LEFT, "decrease the parameter, or take the previous bone (hold)",
-		press_left},
-	{BUTTON_RIGHT, "increase the parameter, or take the next bone (hold)",
-		press_right},
-	{BUTTON_ENTER, "save the preset to its file", press_save},
-	{BUTTON_F6, "choose the next preset", press_next},
-	{BUTTON_F8, "paint the shaken bones, or not", press_paint},
-	{BUTTON_F9, "reload the preset from its file", press_reload},
-	{BUTTON_F10, "shake the bones, or hold them still", press_shake},
+	DEMO_PRESS(UP, "choose the previous row: the bone or a parameter",
+		step_row, -1),
+	DEMO_PRESS(DOWN, "choose the next row", step_row, 1),
+	DEMO_HOLD(LEFT,
+		"decrease the parameter, or take the previous bone (hold)",
+		change_value, -1),
+	DEMO_HOLD(RIGHT, "increase the parameter, or take the next bone (hold)",
+		change_value, 1),
+	DEMO_PRESS(ENTER, "save the preset to its file", save, 1),
+	DEMO_PRESS(F6, "choose the next preset", step_preset, 1),
+	DEMO_PRESS(F8, "paint the shaken bones, or not", toggle_paint, 1),
+	DEMO_PRESS(F9, "reload the preset from its file", read_again, 1),
+	DEMO_PRESS(F10, "shake the bones, or hold them still", toggle_shake, 1),
 	{0},
 };
 

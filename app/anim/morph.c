@@ -1,5 +1,6 @@
 #include "app/anim/morph.h"
 
+#include "app/anim/kernel/an4044.h"
 #include "app/anim/kernel/kernel.h"
 #include "platform/base/scalar.h"
 
@@ -114,6 +115,21 @@ static void interpolate(struct morph *morph, struct morph_key from,
 	}
 }
 
+/* A frame of 1.2.2: every frame but the last one adds the same step. */
+static void add_step(struct morph *morph)
+{
+	const float(*source)[3] = (const float(*)[3])morph->source;
+
+	an4044_by_frames(morph->vertex_count, source, morph->destiny.position,
+		morph->motion.frame_count, morph->temporal);
+}
+
+static bool adds_steps(const struct morph *morph)
+{
+	return morph->motion.timing == MORPH_BY_FRAMES &&
+		morph->motion.curve == MORPH_LINEAR && !morph->temporal_normal;
+}
+
 static void interpolate_to_destiny(struct morph *morph, float omega)
 {
 	const struct morph_motion *motion = &morph->motion;
@@ -142,7 +158,9 @@ bool morph_update(struct morph *morph, double now_ms)
 	}
 	morph->count++;
 	omega = morph_omega(morph, now_ms);
-	if (omega < 1) {
+	if (omega < 1 && adds_steps(morph)) {
+		add_step(morph);
+	} else if (omega < 1) {
 		interpolate_to_destiny(morph, omega);
 	} else {
 		copy_key(morph, morph->destiny);

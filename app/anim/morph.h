@@ -28,7 +28,8 @@ struct morph_key {
 enum morph_timing {
 	MORPH_OVER_TIME, /* 1.2.1: ends after duration_ms */
 	MORPH_BY_FRAMES, /* 1.2.2: ends after frame_count updates, each of which
-			    adds (Destiny - Source) / frame_count */
+			    adds (Destiny - Source) / frame_count: linear ones
+			    without normals by the document's own arithmetic */
 };
 
 enum morph_curve {

@@ -113,6 +113,37 @@ static void test_by_frames_goes_on_by_equal_parts(void **state)
 	tear_down(&f);
 }
 
+/* Temporal += (Destiny - Source) / nFrames, bit for bit, and exact at the end. */
+static void test_frames_add_as_in_the_document(void **state)
+{
+	const int frames = 7;
+	struct fixture f;
+	float expected[ARRAY_COUNT(A)][3];
+	struct morph plain;
+
+	(void)state;
+	set_up(&f, MORPH_BY_FRAMES, MORPH_LINEAR);
+	f.motion.frame_count = frames;
+	memcpy(expected, A, sizeof(expected));
+	assert_int_equal(morph_init(&plain, (int)ARRAY_COUNT(A),
+				 (struct morph_key){A, NULL}, &f.arena),
+		0);
+	morph_trigger(&plain, (struct morph_key){B, NULL}, &f.motion, 0);
+	for (int frame = 1; frame < frames; frame++) {
+		for (size_t i = 0; i < ARRAY_COUNT(A); i++) {
+			for (int k = 0; k < 3; k++) {
+				expected[i][k] +=
+					(B[i][k] - A[i][k]) / (float)frames;
+			}
+		}
+		assert_true(morph_update(&plain, 0));
+		assert_memory_equal(plain.temporal, expected, sizeof(expected));
+	}
+	assert_true(morph_update(&plain, 0));
+	assert_memory_equal(plain.temporal, B, sizeof(B));
+	tear_down(&f);
+}
+
 static float overshoot(const void *user, float omega)
 {
 	return omega < 0.5f ? *(const float *)user * omega : 1.2f;
@@ -287,6 +318,7 @@ int main(void)
 		cmocka_unit_test(
 			test_over_time_omega_is_the_part_that_has_passed),
 		cmocka_unit_test(test_by_frames_goes_on_by_equal_parts),
+		cmocka_unit_test(test_frames_add_as_in_the_document),
 		cmocka_unit_test(test_a_shape_is_any_function_of_omega),
 		cmocka_unit_test(test_every_mode_ends_exactly_at_destiny),
 		cmocka_unit_test(

@@ -464,6 +464,28 @@ static void test_a_morph_by_frames_takes_so_many_frames(void **state)
 	acting_end(&acting);
 }
 
+/* The document's sum of float steps, and its end. */
+static void test_a_linear_morph_by_frames_adds_equal_steps(void **state)
+{
+	struct acting acting;
+	float expected = 0;
+
+	(void)state;
+	acting_begin(&acting, "assets/face.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = rest\n[morph face]\nframes = 7\n"
+		"[buttons]\nUP = morph face smile\n");
+	acting_run_to(&acting, 0.1, rate_hz);
+	acting_press(&acting, BUTTON_UP);
+	for (int frame = 1; frame <= 7; frame++) {
+		acting_run_to(&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
+		expected += 1.0f / 7.0f;
+		assert_near(weight_of(&acting, 0),
+			frame < 7 ? (double)expected : 1.0, 0.0);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -483,6 +505,8 @@ int main(void)
 		cmocka_unit_test(test_an_additive_layer_adds_to_the_state),
 		cmocka_unit_test(test_a_morph_goes_from_key_frame_to_key_frame),
 		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
+		cmocka_unit_test(
+			test_a_linear_morph_by_frames_adds_equal_steps),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

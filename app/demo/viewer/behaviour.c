@@ -17,6 +17,7 @@
 
 /* Height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
+static const float ease_per_s = 5.0f; /* of the camera to other clips' box */
 
 bool behaviour_find_file(const struct demo_env *env, char *path, size_t size)
 {
@@ -35,8 +36,8 @@ bool behaviour_find_file(const struct demo_env *env, char *path, size_t size)
 }
 
 /* Reads what `limber character` would write for the model. */
-static int read_sketch(const struct demo_env *env, struct actor *actor,
-	struct character **out)
+static int read_sketch(
+	const struct demo_env *env, struct actor *actor, struct character **out)
 {
 	struct character_sketch_play play = {
 		.rate = env->speed, .repeat = env->repeat};
@@ -137,8 +138,7 @@ int behaviour_create(
 			env->model_path);
 		return -ENOMEM;
 	}
-	if (behaviour_find_file(
-		    env, behaviour->path, sizeof(behaviour->path))) {
+	if (behaviour_find_file(env, behaviour->path, sizeof(behaviour->path))) {
 		error = character_load(behaviour->path, actor->instance,
 			env->log, &behaviour->character);
 	} else {
@@ -146,6 +146,13 @@ int behaviour_create(
 		error = read_sketch(env, actor, &behaviour->character);
 	}
 	character = behaviour->character;
+	if (!error) {
+		error = behaviour_bounds_init(&behaviour->bounds, character);
+		if (error) {
+			log_error(env->log, "%s: there is not enough memory",
+				env->model_path);
+		}
+	}
 	if (!error) {
 		error = behaviour_scene_init(&behaviour->scene, actor->instance,
 			has_waves(character), env->log);
@@ -192,11 +199,10 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 						.pitch_rad = scene->pitch_rad,
 						.margin = scene->margin,
 						.follow = true}};
-	struct bounds bounds = behaviour_bounds(behaviour->character);
 	int error;
 
 	behaviour_count_labels(behaviour->character, &framing);
-	error = actor_init_stage(env, &bounds, &framing, stage);
+	error = actor_init_stage(env, &behaviour->bounds.all, &framing, stage);
 	if (!error && scene->labels == CHARACTER_LABELS_RIGHT) {
 		struct camera_region left = stage->camera.fit.region;
 
@@ -219,6 +225,8 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 			? base->live.smooth_level
 			: 0.0f};
 
+	struct bounds now;
+
 	character->ground_m = base->stage.floor.y / scale;
 	behaviour->floor = &base->stage.floor;
 	floor_set_wave_height(&base->stage.floor,
@@ -231,6 +239,12 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	character_update(character, &frame);
 	camera_orbit(camera, character->camera_turn, character->camera_tilt);
 	camera_zoom(camera, 1.0f + character->camera_zoom);
+	now = behaviour_bounds_now(&behaviour->bounds, character);
+	camera_ease_to(camera, &now,
+		behaviour->framed
+			? 1.0f - scalar_exp(-ease_per_s * character->real_s)
+			: 1.0f);
+	behaviour->framed = true;
 	floor_scroll(&base->stage.floor, character->motion.scroll[0] * scale,
 		character->motion.scroll[1] * scale);
 	base->actor.instance->normal_mapping = *character->scene.relief > 0.0f;

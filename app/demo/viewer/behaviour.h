@@ -11,6 +11,7 @@
 #include "app/character/character.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo_env.h"
+#include "app/demo/viewer/behaviour_bounds.h"
 #include "app/demo/viewer/behaviour_scene.h"
 
 struct gpio_output;
@@ -20,6 +21,8 @@ struct behaviour {
 	const char *title;               /* the model's technique */
 	char path[CHARACTER_PATH_BYTES]; /* "" without a file */
 	struct behaviour_scene scene;
+	struct behaviour_bounds bounds;
+	bool framed; /* the camera shows what the first update played */
 	struct gpio_output *output[CHARACTER_OUTPUTS_MAX]; /* or NULL */
 	const struct floor *floor; /* of the stage, once it was updated */
 };

@@ -7,13 +7,25 @@
 #include "app/character/character_data.h"
 #include "app/scene/instance/bounds.h"
 
+/* All in scene units. */
+struct behaviour_bounds {
+	struct bounds all;
+	/* In the instance's arena; where a ball may be, or empty: */
+	struct bounds rest, *clip, *ball;
+	/* What morphs reach beyond the rest pose, and the parts' shifts. */
+	struct bounds extra;
+};
+
 /*
- * Returns the box, in scene units, of all that the model's clips, the morphs,
- * the parts' shifts and the targets' balls reach. What goes so far that the
- * model would be less than half as large in the picture is left out. Leaves the
- * instance in the rest pose.
+ * Leaves out what goes so far that the model would be less than half as large in
+ * the picture. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
  */
-struct bounds behaviour_bounds(const struct character *character);
+int behaviour_bounds_init(
+	struct behaviour_bounds *bounds, const struct character *character);
+
+/* The box of what the state and layers play, of used balls and the extras. */
+struct bounds behaviour_bounds_now(const struct behaviour_bounds *bounds,
+	const struct character *character);
 
 /* What a number of the file can be: a parameter's range, or what it is. */
 void behaviour_range(const struct character *character, const float *value,

@@ -185,29 +185,19 @@ struct bounds bounds_of_clip(struct instance *instance, int clip)
 	return sample_clip(instance, clip, CLIP_STEPS);
 }
 
-struct bounds bounds_of_model(struct instance *instance, int clip)
+struct bounds bounds_of_model(struct instance *instance, struct bounds *clip)
 {
 	int count = instance->model->clip_count;
 	int steps = count > 0 ? POSES_MAX / count - 1 : 0;
-	struct bounds all;
+	struct bounds rest = sample_clip(instance, -1, 0);
 
 	steps = steps > CLIP_STEPS         ? CLIP_STEPS
 		: steps < CLIP_STEPS_LEAST ? CLIP_STEPS_LEAST
 					   : steps;
-	all = sample_clip(instance, -1, steps);
 	for (int i = 0; i < count; i++) {
-		if (i != clip) {
-			struct bounds bounds = sample_clip(instance, i, steps);
-
-			bounds_join(&all, &bounds);
-		}
+		clip[i] = sample_clip(instance, i, steps);
 	}
-	if (clip >= 0) {
-		struct bounds bounds = sample_clip(instance, clip, CLIP_STEPS);
-
-		bounds_join(&all, &bounds);
-	}
-	return all;
+	return rest;
 }
 
 struct bounds bounds_of_targets(struct instance *instance, int node)

@@ -36,12 +36,12 @@ void bounds_center(const struct bounds *bounds, float out[3]);
 struct bounds bounds_of_instance(const struct instance *instance);
 
 /*
- * Returns the box of all clips, which are sampled the more coarsely the more
- * there are, in scene units. Leaves the instance posed at the start of this
- * clip, -1: at rest. It poses the whole instance about a hundred times at most,
- * unless there are more clips than that.
+ * Finds the box of each clip, [clip_count], and returns that of the rest pose, in
+ * scene units. The more clips there are, the more coarsely they are sampled: it
+ * poses the whole instance about a hundred times at most, unless there are more
+ * clips than that. Leaves the instance posed at the last clip's start.
  */
-struct bounds bounds_of_model(struct instance *instance, int clip);
+struct bounds bounds_of_model(struct instance *instance, struct bounds *clip);
 
 /*
  * Returns the box of a clip, sampled at 13 evenly spaced times, in scene units;

@@ -6,6 +6,9 @@
 
 #include <cglm/cglm.h>
 
+/* Of the radius: a box that moves less is shown already. */
+static const float least_move = 1e-4f;
+
 enum {
 	YAW_STEPS = 9,
 	FIT_STEPS = 18
@@ -209,6 +212,26 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 			distance_for_every_yaw(camera, half, tan_x, tan_y);
 		camera->shift_x = 0.5f * (region.left + region.right);
 		camera->shift_y = 0.5f * (region.bottom + region.top);
+	}
+}
+
+void camera_ease_to(
+	struct camera *camera, const struct bounds *bounds, float fraction)
+{
+	float center[3], moved = 0.0f;
+
+	bounds_center(bounds, center);
+	for (int axis = 0; axis < 3; axis++) {
+		float half = 0.5f * (bounds->high[axis] - bounds->low[axis]);
+		float move = (center[axis] - camera->target[axis]) * fraction;
+		float grow = (half - camera->fit.half[axis]) * fraction;
+
+		camera->target[axis] += move;
+		camera->fit.half[axis] += grow;
+		moved += scalar_abs(move) + scalar_abs(grow);
+	}
+	if (camera->fit.on && moved > least_move * camera->radius) {
+		fit_box(camera);
 	}
 }
 

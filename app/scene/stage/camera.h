@@ -69,6 +69,14 @@ struct camera_framing {
 void camera_frame(struct camera *camera, const struct bounds *bounds,
 	const struct camera_framing *framing);
 
+/*
+ * Shows another box in the same region: its centre and sides go this fraction
+ * of the way, 0 to 1. The radius in which nothing is clipped stays. Only for a
+ * camera that follows.
+ */
+void camera_ease_to(
+	struct camera *camera, const struct bounds *bounds, float fraction);
+
 /* The same box in another region of a picture of another aspect. */
 void camera_set_region(struct camera *camera,
 	const struct camera_region *region, float margin, float aspect);

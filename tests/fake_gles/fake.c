@@ -96,9 +96,13 @@ EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint *attributes,
 	EGLConfig *configs, EGLint room, EGLint *count)
 {
 	(void)display;
-	log_call("ChooseConfig surface %d renderable %d",
+	log_call("ChooseConfig surface %d renderable %d bits %d %d %d depth %d",
 		find(attributes, EGL_SURFACE_TYPE),
-		find(attributes, EGL_RENDERABLE_TYPE));
+		find(attributes, EGL_RENDERABLE_TYPE),
+		find(attributes, EGL_RED_SIZE),
+		find(attributes, EGL_GREEN_SIZE),
+		find(attributes, EGL_BLUE_SIZE),
+		find(attributes, EGL_DEPTH_SIZE));
 	*count = room < CONFIG_COUNT ? room : CONFIG_COUNT;
 	for (int i = 0; i < *count; i++) {
 		configs[i] = (EGLConfig)(intptr_t)(i + 1);

@@ -9,7 +9,7 @@ cat >"$scratch/small.c" <<'SOURCE'
 static const char *const text = "6 + 7";
 int small(int *a, int count)
 {
-	int sum = 0;
+	int last[5], sum = 0;
 
 	for (int i = 0; i < count; i++) {
 		if (a[i] != '8') {
@@ -48,7 +48,8 @@ expect_out '^10: sum -= a\[i\] << 1;$'
 expect_out '^10: sum \+= a\[i\] >> 1;$'
 expect_out '^10: ;$'
 expect_out '^13: ;$'
-expect_out '^of 13$'
+expect_out '^6: int last\[4\], sum = 0;$'
+expect_out '^of 14$'
 check 'comments, texts, directives and returns stay' \
     test -z "$(grep -E '^(1|2|3|14):' "$out_file")"
 tap_done

@@ -25,6 +25,9 @@ STATEMENT = re.compile(r"^\t+[A-Za-z_(*][^;{}]*;$", re.M)
 # Statements whose absence the compiler or the next line decides.
 KEPT = re.compile(r"\s*(return|break|continue|goto|case|default|static|const|"
                   r"extern|typedef|struct \w+ \w+;|enum|\(void\)[a-z_]+;)")
+# The size of an array in a declaration, of which one more changes nothing.
+ARRAY = re.compile(r"^\t+(?:(?:unsigned|signed|struct|enum|const|static) )*"
+                   r"[a-z_]\w* \**\w+\[[^=;]*", re.M)
 DECLARATION = re.compile(r"\s*(?:(?:unsigned|signed|struct|enum|const|static) )*"
                          r"[a-z_]\w* \**\w+(\[[^\]]*\])*( = .*|, .*)?;", re.S)
 
@@ -67,12 +70,13 @@ def closing(text, start):
     return None
 
 
-def number_mutants(found):
+def number_mutants(found, is_size):
     digits, fraction, suffix = found.groups()
     if fraction or suffix:
         yield f"{float(digits + (fraction or '')) + 1.0}{suffix}"
     else:
-        yield str(int(digits) + 1)
+        if not is_size:
+            yield str(int(digits) + 1)
         if int(digits) > 0:
             yield str(int(digits) - 1)
 
@@ -89,8 +93,9 @@ def mutants_of(path, text):
     for match in (*BINARY.finditer(code), *STEP.finditer(code)):
         for new in OPERATORS.get(match[0], ()):
             add(match.start(), match.end(), new)
+    sizes = {at for array in ARRAY.finditer(code) for at in range(*array.span())}
     for match in NUMBER.finditer(code):
-        for new in number_mutants(match):
+        for new in number_mutants(match, match.start() in sizes):
             add(match.start(), match.end(), new)
     for match in CONDITION.finditer(code):
         end = closing(code, match.end() - 1)

@@ -65,6 +65,27 @@ static void test_the_walkers_feet_tell_its_speeds(void **state)
 	release(&found);
 }
 
+/* The floor carries the drift away, so the box is that of a clip in place. */
+static void test_bounds_leave_the_drift_out(void **state)
+{
+	struct found found;
+	struct bounds whole, placed;
+	struct motion motion;
+
+	(void)state;
+	find(&found, "assets/walker.glb", NULL, "none");
+	motion = found.motions.role[MOTION_WALK];
+	whole = bounds_of_clip(found.actor.instance, motion.clip);
+	motion.drift[0] = 0.5f;
+	motion.drift[1] = -0.25f;
+	placed = motion_bounds(&found.actor, &motion);
+	assert_near(placed.high[0], whole.high[0] - 0.5f, 1e-6);
+	assert_near(placed.low[0], whole.low[0], 1e-6);
+	assert_near(placed.high[2], whole.high[2], 1e-6);
+	assert_near(placed.low[2], whole.low[2] + 0.25f, 1e-6);
+	release(&found);
+}
+
 static void test_the_character_file_tells_speeds_and_bones(void **state)
 {
 	struct found found;
@@ -173,6 +194,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
+		cmocka_unit_test(test_bounds_leave_the_drift_out),
 		cmocka_unit_test(test_the_character_file_tells_speeds_and_bones),
 		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),
 		cmocka_unit_test(test_a_model_without_clips_stands),

@@ -22,10 +22,10 @@ struct scene {
 /* The calls that open EGL 1.4 and 1.0. */
 #define BEGUN                                          \
 	"GetDisplay 0\nInitialize 1\nBindAPI 0x30a0\n" \
-	"ChooseConfig surface 4 renderable 1\n"
+	"ChooseConfig surface 4 renderable 1 bits 5 5 5 depth 16\n"
 #define BEGUN_OLD                      \
 	"GetDisplay 0\nInitialize 1\n" \
-	"ChooseConfig surface 4 renderable -1\n"
+	"ChooseConfig surface 4 renderable -1 bits 5 5 5 depth 16\n"
 
 /* The path of a library in this program's folder. */
 static struct test_path beside(const char *name)

@@ -157,7 +157,8 @@ class Monitor:
 class Wires:
     """qtest: the chip's pins and registers."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, kind):
+        self.kind = kind
         self.lines = Lines(folder, "qtest.sock")
         # Changes of GPIO2's outputs since watch(): line and level.
         self.changes = []
@@ -174,8 +175,8 @@ class Wires:
     def level(self, button, high):
         if button not in BUTTONS:
             raise Error(f"{button}: no such button: {' '.join(BUTTONS)}")
-        self.run(f"set_irq_in {GPIO2} unnamed-gpio-in {BUTTONS[button]} "
-                 f"{int(high)}")
+        pin = self.kind.button_pin(BUTTONS[button])
+        self.run(f"set_irq_in {pin} {int(high)}")
 
     def watch(self):
         """Lets every later command note what GPIO2's outputs have done."""
@@ -337,7 +338,7 @@ class Machine:
 
     @property
     def wires(self):
-        return self.link("wires", Wires)
+        return self.link("wires", lambda folder: Wires(folder, self.kind))
 
     @property
     def console(self):

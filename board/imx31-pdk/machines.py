@@ -28,6 +28,11 @@ class Kzm:
     arguments = ("-M", "kzm")
 
     @staticmethod
+    def button_pin(line):
+        """The input for a button at this line of GPIO2, as words of qtest."""
+        return f"/machine/soc/gpio[1] unnamed-gpio-in {line}"
+
+    @staticmethod
     def pictures(_):
         return [Kzm.picture_at]
 
@@ -39,7 +44,14 @@ class Pdk:
     # What the panel shows; the processor has no such address.
     picture_at = 0x100000000
 
-    arguments = ("-M", "imx31-pdk", "-d", "guest_errors", "-D", "devices.log")
+    # VNC reads its keymaps from this folder.
+    arguments = ("-M", "imx31-pdk", "-d", "guest_errors", "-D", "devices.log",
+                 "-L", str(TOP / "build/qemu/source/pc-bios"))
+
+    @staticmethod
+    def button_pin(line):
+        """The multiplexer's input for a button at this line of GPIO2."""
+        return f"/machine/iomux button {line - 18}"
 
     @staticmethod
     def from_nand(path, command_line):

@@ -2,12 +2,15 @@
 emulated devices name the reason. It shows that they check what Linux does."""
 import subprocess
 
-from harness import (FOLDER, IMAGE, booted, check, difference, done, emulation,
-                     is_drawn, needs_pdk, pause, wait_until)
+from harness import (BY_HAND, FOLDER, IMAGE, booted, check, difference, done,
+                     emulation, is_drawn, needs_pdk, pause, start_limber,
+                     stop_limber, wait_until)
 
 IOMUX = 0x43FAC000
 # The byte of LD0 (pin 54) among the multiplexer's pins.
 LD0 = IOMUX + 0x0C + (54 & ~3)
+# The bytes of KEY_ROW4 to KEY_ROW7 (pins 95 to 92); KEY_ROW4 is UP's.
+BUTTON_ROWS = IOMUX + 0x0C + 92
 PMIC = "/soc/spba-bus@50000000/spi@50010000/pmic@2"
 PANEL = "/soc/bus@43f00000/spi@43fa4000/panel@2"
 IPU = "/display-controller@53fc0000"
@@ -72,4 +75,32 @@ check("and the devices say so", "not routed to the IPU" in
 machine.wires.run(f"writel {LD0:#x} {value:#x}")
 pause(machine, 0.1)
 check("routed again, the picture is back", is_drawn(machine.frame()))
+machine.stop()
+
+
+def pressed():
+    """What limber hears of a press of UP on its GPIO line."""
+    start_limber(machine, "--demo arm --record-buttons /run/record")
+    pause(machine, 0.3)
+    for high in (True, False):
+        machine.wires.level("UP", high)
+        pause(machine, 0.2)
+    stop_limber(machine)
+    return machine.shell("cat /run/record; rm /run/record")[1]
+
+
+machine = booted(BY_HAND)
+value = int(machine.wires.run(f"readl {BUTTON_ROWS:#x}"), 16)
+check("the kernel routes the buttons' rows to the GPIO controller",
+      value == 0x01010101, hex(value))
+machine.wires.run(f"writel {BUTTON_ROWS:#x} {value & 0xFFFFFF | 0x12 << 24:#x}")
+said = pressed()
+check("a button whose pin is routed to the keypad is not heard",
+      "UP down" not in said, said)
+check("and the devices say so", any(
+    "the button at the pin KEY_ROW4 is not heard" in line
+    for line in machine.reports()), machine.reports())
+machine.wires.run(f"writel {BUTTON_ROWS:#x} {value:#x}")
+said = pressed()
+check("routed again, it is heard", "UP down" in said, said)
 done()

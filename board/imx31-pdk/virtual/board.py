@@ -304,10 +304,9 @@ class Board:
                 if self.machine.kind.keys:
                     await self.ask(self.machine.key, name, high)
                 else:
-                    await self.ask(
-                        self.machine.wires.run,
-                        f"set_irq_in {emulation.GPIO2} unnamed-gpio-in "
-                        f"{LINES[name]} {int(high)}")
+                    pin = self.machine.kind.button_pin(LINES[name])
+                    await self.ask(self.machine.wires.run,
+                                   f"set_irq_in {pin} {int(high)}")
             self.hurry.set()
 
     # Serial lines. QEMU stops the board while nobody reads them.

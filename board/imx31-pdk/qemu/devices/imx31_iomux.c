@@ -5,10 +5,14 @@
  * (SW_PAD_CTL), which only keep what is written. After a reset every pin has its
  * function. Offsets are those of Freescale's iomux-imx31.c (Linux up to 5.9).
  *
+ * The inputs "button" are the board's pins KEY_ROW4 to 7 and KEY_COL4 to 7. A
+ * level there reaches the GPIO controller only while its pin is routed to it.
+ *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
 #include "qemu/osdep.h"
 #include "imx31_pdk.h"
+#include "hw/irq.h"
 #include "migration/vmstate.h"
 #include "qemu/log.h"
 #include "qemu/module.h"
@@ -23,6 +27,18 @@ struct IMX31IomuxState {
 
     MemoryRegion iomem;
     uint8_t bytes[IOMUX_USED];
+    qemu_irq button[IMX31_BUTTONS]; /* to the GPIO controller */
+    uint8_t pressed; /* a bit for each button */
+};
+
+/* The pins of the buttons in the multiplexer. */
+static const struct {
+    unsigned pin;
+    const char *name;
+} buttons[IMX31_BUTTONS] = {
+    { 95, "KEY_ROW4" }, { 94, "KEY_ROW5" }, { 93, "KEY_ROW6" },
+    { 92, "KEY_ROW7" }, { 87, "KEY_COL4" }, { 86, "KEY_COL5" },
+    { 85, "KEY_COL6" }, { 84, "KEY_COL7" },
 };
 
 void imx31_report(const char *format, ...)
@@ -86,6 +102,31 @@ int imx31_iomux_missing(const IMX31IomuxState *iomux,
     return -1;
 }
 
+static bool is_heard(const IMX31IomuxState *s, unsigned number)
+{
+    return imx31_iomux_routes(s, buttons[number].pin, IMX31_PIN_GPIO);
+}
+
+static void update_buttons(IMX31IomuxState *s)
+{
+    for (unsigned i = 0; i < IMX31_BUTTONS; i++) {
+        qemu_set_irq(s->button[i], s->pressed >> i & 1 && is_heard(s, i));
+    }
+}
+
+static void set_button(void *opaque, int number, int level)
+{
+    IMX31IomuxState *s = opaque;
+
+    s->pressed = deposit32(s->pressed, number, 1, level != 0);
+    if (level && !is_heard(s, number)) {
+        imx31_report("IOMUX: the button at the pin %s is not heard: the pin "
+                     "is not routed to the GPIO controller",
+                     buttons[number].name);
+    }
+    update_buttons(s);
+}
+
 static uint64_t imx31_iomux_read(void *opaque, hwaddr offset, unsigned size)
 {
     IMX31IomuxState *s = opaque;
@@ -103,6 +144,7 @@ static void imx31_iomux_write(void *opaque, hwaddr offset, uint64_t value,
         return;
     }
     stl_le_p(s->bytes + offset, value);
+    update_buttons(s);
 }
 
 static const MemoryRegionOps imx31_iomux_ops = {
@@ -118,6 +160,7 @@ static void imx31_iomux_reset(DeviceState *dev)
 
     memset(s->bytes, 0, sizeof(s->bytes));
     memset(s->bytes + IOMUX_MUX, IMX31_PIN_FUNCTION, IOMUX_PAD - IOMUX_MUX);
+    update_buttons(s);
 }
 
 static void imx31_iomux_init(Object *obj)
@@ -127,14 +170,17 @@ static void imx31_iomux_init(Object *obj)
     memory_region_init_io(&s->iomem, obj, &imx31_iomux_ops, s,
                           TYPE_IMX31_IOMUX, IOMUX_SIZE);
     sysbus_init_mmio(SYS_BUS_DEVICE(obj), &s->iomem);
+    qdev_init_gpio_in_named(DEVICE(obj), set_button, "button", IMX31_BUTTONS);
+    qdev_init_gpio_out(DEVICE(obj), s->button, IMX31_BUTTONS);
 }
 
 static const VMStateDescription vmstate_imx31_iomux = {
     .name = TYPE_IMX31_IOMUX,
-    .version_id = 1,
-    .minimum_version_id = 1,
+    .version_id = 2,
+    .minimum_version_id = 2,
     .fields = (VMStateField[]) {
         VMSTATE_UINT8_ARRAY(bytes, IMX31IomuxState, IOMUX_USED),
+        VMSTATE_UINT8(pressed, IMX31IomuxState),
         VMSTATE_END_OF_LIST()
     },
 };

@@ -190,6 +190,10 @@ static void imx31_pdk_init(MachineState *machine)
     }
     iomux = new_device(s, TYPE_IMX31_IOMUX, "iomux");
     place(iomux, 0x43fac000);
+    for (int i = 0; i < IMX31_BUTTONS; i++) {
+        qdev_connect_gpio_out(iomux, i, qdev_get_gpio_in(
+            DEVICE(&s->soc.gpio[1]), IMX31_BUTTON_LINE + i));
+    }
     add_keypad(s, iomux);
     add_flash(s);
     add_picture(s, iomux);

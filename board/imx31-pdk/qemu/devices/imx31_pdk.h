@@ -66,6 +66,15 @@ enum {
     IMX31_PIN_ALTERNATE_1 = 0x24,
 };
 
+/*
+ * Buttons at the pins KEY_ROW4 to 7 and KEY_COL4 to 7. The multiplexer's inputs
+ * "button" are these pins, its outputs lines 18 to 25 of GPIO2.
+ */
+enum {
+    IMX31_BUTTONS = 8,
+    IMX31_BUTTON_LINE = 18,
+};
+
 /* A range of pins that a device needs in one mode. */
 struct imx31_pins {
     uint16_t first;

@@ -109,10 +109,10 @@ void demo_label(const struct demo_driver *driver, const struct demo *demo,
 
 	driver->label(demo, hud);
 	live_label(&base->live, hud);
-	demo_overlay_label(driver, demo, base->overlay, hud);
-	if (base->overlay && base->overlay->kinds && hud_groups_overlap(hud)) {
+	if (base->overlay && base->overlay->kinds &&
+		!demo_overlay_label(driver, demo, base->overlay, hud)) {
 		hud_go_back(hud, &before);
-		demo_overlay_label(driver, demo, base->overlay, hud);
+		(void)demo_overlay_label(driver, demo, base->overlay, hud);
 	}
 }
 

@@ -4,9 +4,6 @@
 
 #include <cglm/cglm.h>
 
-/* A region that ends below this is below the labels. */
-static const float region_top = 0.85f;
-
 enum {
 	FIGURES_MAX = 64
 };
@@ -167,27 +164,50 @@ void demo_choose_joint(struct demo *demo, int step)
 }
 
 /*
- * Where the figures are beside the labels, these are in a column at the left;
- * where the figures are below them, there is room at the right of the others.
+ * The free side of the figures: the column at their left, which other labels
+ * share, that at their right, or the room above or below them.
  */
-static enum hud_corner corner_of(const struct demo *demo, const struct hud *hud)
+static struct overlay_place place_of(
+	const struct demo *demo, const struct hud *hud)
 {
-	const struct camera_region *region =
-		&((const struct demo_base *)demo)->stage.camera.fit.region;
-	struct hud_group_extent labels =
-		hud_group_extent_of(hud->width, hud->height, 0, 0);
+	const struct camera_region taken =
+		camera_covered(&((const struct demo_base *)demo)->stage.camera);
+	const int *stacked = hud->stacked_px;
+	int column = hud_group_extent_of(hud->width, hud->height, 0, 0).column;
+	float half_width = 0.5f * (float)hud->width;
+	float half_height = 0.5f * (float)hud->height;
+	struct overlay_place place = {HUD_BOTTOM_LEFT, hud->height};
+	int above = (int)((1.0f - taken.top) * half_height);
+	int below = (int)((taken.bottom + 1.0f) * half_height) -
+		stacked[HUD_BOTTOM_LEFT];
 
-	return region->top < region_top && 2 * labels.column <= hud->width
-		? HUD_TOP_RIGHT
-		: HUD_BOTTOM_LEFT;
+	if ((int)((taken.left + 1.0f) * half_width) + 1 >= column) {
+		return place;
+	}
+	if ((int)((1.0f - taken.right) * half_width) + 1 >= column) {
+		place.corner = HUD_BOTTOM_RIGHT;
+		return place;
+	}
+	place.room = below;
+	if (2 * column <= hud->width && above > below) {
+		place = (struct overlay_place){HUD_TOP_RIGHT, above};
+	} else if (above - stacked[HUD_TOP_LEFT] > below) {
+		place = (struct overlay_place){
+			HUD_TOP_LEFT, above - stacked[HUD_TOP_LEFT]};
+	}
+	return place;
 }
 
-void demo_overlay_label(const struct demo_driver *driver,
+bool demo_overlay_label(const struct demo_driver *driver,
 	const struct demo *demo, struct overlay *overlay, struct hud *hud)
 {
-	if (overlay && overlay->kinds) {
-		struct overlay_motion motion = motion_of(driver, demo);
+	struct overlay_motion motion = motion_of(driver, demo);
+	struct overlay_place place = place_of(demo, hud);
+	int least = hud_group_extent_of(hud->width, hud->height, 1, 1).top;
 
-		overlay_label(overlay, &motion, corner_of(demo, hud), hud);
+	if (place.room < least) {
+		return false;
 	}
+	overlay_label(overlay, &motion, &place, hud);
+	return !hud_groups_overlap(hud);
 }

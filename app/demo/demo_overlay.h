@@ -21,8 +21,11 @@ int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
  */
 void demo_overlay_release(struct demo_base *base);
 
-/* Adds labels of the overlays; overlay may be NULL. */
-void demo_overlay_label(const struct demo_driver *driver,
+/*
+ * Adds labels of the overlays where no figure is. Returns false if other labels
+ * leave them no room.
+ */
+bool demo_overlay_label(const struct demo_driver *driver,
 	const struct demo *demo, struct overlay *overlay, struct hud *hud);
 
 #endif

@@ -112,6 +112,7 @@ static struct hud_group begin(
 		.corner = corner,
 		.y = eighths(hud, PADDING_Y),
 		.rows_left = hud_group_rows_max(hud->width, hud->height),
+		.room = hud->height - 2 * margin - hud->stacked_px[corner],
 		.first_quad = hud->quad_count};
 
 	group.width = width - 2 * padding;
@@ -145,6 +146,15 @@ struct hud_group hud_group_begin_wide(
 	return begin(hud, corner, title, width < whole ? width : whole);
 }
 
+void hud_group_limit(struct hud_group *group, int height)
+{
+	int room = height - 2 * eighths(group->hud, MARGIN);
+
+	if (room < group->room) {
+		group->room = room;
+	}
+}
+
 /* Adds right-aligned text and returns its left edge. */
 static int add_value(const struct hud_group *group, const char *value)
 {
@@ -174,17 +184,20 @@ static void add_line(
 	add_line_from(group, group->left, label, value);
 }
 
-/* Whether another row may be added and is in the picture; it takes it. */
-static bool take_row(struct hud_group *group)
+bool hud_group_fits(const struct hud_group *group, int rows, int space)
 {
 	const struct hud *hud = group->hud;
 	int row = hud_line_height(hud) +
 		eighths(hud, BAR_GAP + BAR_HEIGHT + PADDING_Y);
-	int room = hud->height - 2 * eighths(hud, MARGIN) -
-		hud->stacked_px[group->corner];
 
-	return group->y + row <= room && group->rows_left > 0 &&
-		group->rows_left-- > 0;
+	return group->y + rows * row + space <= group->room &&
+		group->rows_left >= rows;
+}
+
+/* Whether another row may be added; it takes it. */
+static bool take_row(struct hud_group *group)
+{
+	return hud_group_fits(group, 1, 0) && group->rows_left-- > 0;
 }
 
 static void next_row(struct hud_group *group, int height)

@@ -34,6 +34,7 @@ struct hud_group {
 	int left, width; /* of the rows, pixels */
 	int y;           /* top of the next row */
 	int rows_left;   /* that may be added */
+	int room;        /* height that rows may take, pixels */
 	int first_quad;
 };
 
@@ -69,6 +70,12 @@ struct hud_group hud_group_begin(
 /* The same, twice as wide if the picture is wide enough: for sentences. */
 struct hud_group hud_group_begin_wide(
 	struct hud *hud, enum hud_corner corner, const char *title);
+
+/* Leaves out rows with which the group and its margins would be higher. */
+void hud_group_limit(struct hud_group *group, int height);
+
+/* Whether so many rows, and a space of this height, are not left out. */
+bool hud_group_fits(const struct hud_group *group, int rows, int space);
 
 /*
  * Adds a label and a value; either may be "". A long label is cut. A row that

@@ -168,8 +168,18 @@ void overlay_clear_depth(struct overlay *overlay);
 void overlay_draw_bones(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
-/* Adds labels, curves and weights in a corner of the display. */
+/* Where labels go: a corner, and the height there that figures leave free. */
+struct overlay_place {
+	enum hud_corner corner;
+	int room; /* pixels */
+};
+
+/*
+ * Adds labels, curves and weights in this order: the chosen joint or target,
+ * the marks of the keys, the pivots' axes, the curve, the layers. What has no
+ * room is left out.
+ */
 void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	enum hud_corner corner, struct hud *hud);
+	const struct overlay_place *place, struct hud *hud);
 
 #endif

@@ -122,7 +122,8 @@ void overlay_curve_show(
 {
 	struct hud *hud = group->hud;
 	int em = hud_em(hud), dot = em / 2 < 4 ? 4 : em / 2;
-	int height = em * 4, top = hud_group_space(group, height);
+	int height = em * OVERLAY_CURVE_EMS;
+	int top = hud_group_space(group, height);
 	int now = group->left +
 		(int)(scalar_clamp(curve->at, 0.0f, 1.0f) *
 			(float)(group->width - 1));

@@ -10,6 +10,7 @@
 #include "app/scene/hud/hud_group.h"
 
 enum {
+	OVERLAY_CURVE_EMS = 4, /* height of the graph */
 	OVERLAY_CURVE_POINTS = 40,
 	OVERLAY_CURVES_MAX = 4
 };

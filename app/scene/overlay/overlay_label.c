@@ -193,7 +193,7 @@ static bool has_rows(const struct overlay *overlay)
 }
 
 void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	enum hud_corner corner, struct hud *hud)
+	const struct overlay_place *place, struct hud *hud)
 {
 	struct hud_group group;
 	char title[64];
@@ -205,25 +205,31 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	if (overlay_shows(overlay, OVERLAY_KEYS) && overlay->chooses_target) {
 		mark_row(overlay, motion, hud);
 	}
-	group = hud_group_begin(hud, corner, has_rows(overlay) ? title : NULL);
+	group = hud_group_begin(
+		hud, place->corner, has_rows(overlay) ? title : NULL);
+	hud_group_limit(&group, place->room);
 	if (!has_rows(overlay)) {
 		hud_group_text(&group, title, "");
 	}
-	if (overlay_shows(overlay, OVERLAY_WEIGHTS)) {
+	if (overlay_shows(overlay, OVERLAY_WEIGHTS) &&
+		hud_group_fits(&group, 1, hud_em(hud) / 2)) {
 		hud_group_text(&group,
 			overlay->chooses_target ? "target" : "joint",
 			overlay_chosen_name(overlay));
 		show_ramp(&group);
 	}
-	if (overlay_shows(overlay, OVERLAY_KEYS)) {
+	if (overlay_shows(overlay, OVERLAY_KEYS) &&
+		hud_group_fits(&group, 2, 0)) {
 		show_keys(overlay, motion, &group);
 	}
-	if (overlay_shows(overlay, OVERLAY_PIVOTS)) {
+	if (overlay_shows(overlay, OVERLAY_PIVOTS) &&
+		hud_group_fits(&group, 3, 0)) {
 		hud_group_mark(&group, "x", "", hud_color_rose);
 		hud_group_mark(&group, "y", "", hud_color_green);
 		hud_group_mark(&group, "z", "", hud_color_blue);
 	}
-	if (overlay_shows(overlay, OVERLAY_CURVE)) {
+	if (overlay_shows(overlay, OVERLAY_CURVE) &&
+		hud_group_fits(&group, 1, OVERLAY_CURVE_EMS * hud_em(hud))) {
 		show_curve(overlay, motion, &group);
 	}
 	if (overlay_shows(overlay, OVERLAY_LAYERS)) {

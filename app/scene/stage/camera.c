@@ -245,6 +245,24 @@ void camera_set_region(struct camera *camera,
 	}
 }
 
+struct camera_region camera_covered(const struct camera *camera)
+{
+	float tan_y = camera_tan_half(camera->yfov_rad);
+	float tan_x = tan_y * camera->fit.aspect;
+	struct seen_box box;
+	float x[2], y[2];
+
+	if (!camera->fit.on) {
+		return camera->fit.region;
+	}
+	box = see_box(camera, tan_x, tan_y);
+	slopes(&box, 0, camera->distance, &x[0], &x[1]);
+	slopes(&box, 1, camera->distance, &y[0], &y[1]);
+	return (struct camera_region){x[0] / tan_x + camera->shift_x,
+		x[1] / tan_x + camera->shift_x, y[0] / tan_y + camera->shift_y,
+		y[1] / tan_y + camera->shift_y};
+}
+
 void camera_zoom(struct camera *camera, float factor)
 {
 	camera->fit.zoom *= factor;

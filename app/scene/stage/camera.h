@@ -81,6 +81,12 @@ void camera_ease_to(
 void camera_set_region(struct camera *camera,
 	const struct camera_region *region, float margin, float aspect);
 
+/*
+ * The rectangle around the box as the camera sees it now, which may reach
+ * beyond the picture; for a box that must fit at every yaw the region.
+ */
+struct camera_region camera_covered(const struct camera *camera);
+
 /* Multiplies the distance, which stays in proportion when the camera orbits. */
 void camera_zoom(struct camera *camera, float factor);
 

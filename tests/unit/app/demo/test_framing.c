@@ -1,6 +1,7 @@
 /* Demos frame their figures beside or below their labels, at every size. */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/demo_overlay.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
@@ -150,6 +151,66 @@ static void test_labels_do_not_cover_the_figure(void **state)
 	}
 }
 
+/* Whether a rectangle of pixels is over the figure, but for its outermost parts. */
+static bool hides(const struct hud *hud, const struct camera_region *figure)
+{
+	float half[2] = {0.5f * (float)hud->width, 0.5f * (float)hud->height};
+	float left = (figure->left + 1.0f) * half[0] + 2.0f;
+	float right = (figure->right + 1.0f) * half[0] - 2.0f;
+	float top = (1.0f - figure->top) * half[1] + 2.0f;
+	float bottom = (1.0f - figure->bottom) * half[1] - 2.0f;
+
+	for (int i = 0; i < hud->quad_count; i++) {
+		const struct hud_vertex *a = &hud->vertex[4 * i];
+		const struct hud_vertex *b = a + 2;
+		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
+		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
+
+		/* A group that got shorter leaves empty rectangles. */
+		if (x[0] < x[1] && y[0] < y[1] && x[0] < right && x[1] > left &&
+			y[0] < bottom && y[1] > top) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
+{
+	static const char *const names[] = {
+		"walker", "arm", "face", "crowd", "duel", "tuner"};
+
+	(void)state;
+	for (size_t d = 0; d < sizeof(names) / sizeof(names[0]); d++) {
+		for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+			const struct overlay_choice all = {
+				.kinds = (1U << OVERLAY_KINDS) - 1};
+			struct camera_region figure;
+			struct shown shown;
+			struct hud hud;
+
+			begin(&shown, names[d], sizes[s], false);
+			assert_int_equal(demo_overlay_make(shown.driver,
+						 shown.demo, &all),
+				0);
+			demo_draw(shown.driver, shown.demo, sizes[s][0],
+				sizes[s][1]);
+			assert_int_equal(
+				hud_init(&hud, &shown.gl, &shown.log), 0);
+			hud_begin(&hud, sizes[s][0], sizes[s][1]);
+			demo_label(shown.driver, shown.demo, &hud);
+			assert_true(hud.quad_count > 20);
+			figure = seen(&shown, sizes[s]);
+			if (hides(&hud, &figure)) {
+				fail_msg("%s %dx%d", names[d], sizes[s][0],
+					sizes[s][1]);
+			}
+			hud_finish(&hud, &shown.gl);
+			end(&shown);
+		}
+	}
+}
+
 static void test_without_labels_the_figure_is_in_the_middle(void **state)
 {
 	(void)state;
@@ -248,6 +309,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
+		cmocka_unit_test(
+			test_labels_of_overlays_do_not_cover_the_figures),
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
 		cmocka_unit_test(

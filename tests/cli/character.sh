@@ -81,7 +81,7 @@ expect_refusal 1 'memory'
 sed 's/"slide"/"\\u001b[2Jslide"/' "$slider" >"$scratch/escape.gltf"
 limber character "$scratch/escape.gltf"
 expect_status 0
-expect_out '^\[state 0\]$'
+expect_out '^\[state "clip 0"\]$'
 check 'limber character: prints no escape sequence' \
     sh -c '! grep -q "$(printf "\033")" "$1"' sh "$out_file"
 

@@ -34,15 +34,34 @@ static bool is_usable(const char *name)
 	return strcmp(shown, name) == 0;
 }
 
-/* A number stands for a clip that has no name which a file can hold. */
-static void write_clip_name(const struct model *model, int clip, FILE *out)
+/* Whether a file can hold the clip's name, and no earlier clip has it. */
+static bool has_usable_name(const struct model *model, int clip)
 {
 	const char *name = model->clip[clip].name;
 
-	if (is_usable(name) && model_find_clip(model, name) == clip) {
-		write_name(out, name);
+	return is_usable(name) && model_find_clip(model, name) == clip;
+}
+
+/* A number stands for a clip without a usable name. */
+static void write_clip_name(const struct model *model, int clip, FILE *out)
+{
+	if (has_usable_name(model, clip)) {
+		write_name(out, model->clip[clip].name);
 	} else {
 		fprintf(out, "%d", clip);
+	}
+}
+
+/* Its state is called "clip 3", unless a clip has that name. */
+static void write_state_name(const struct model *model, int clip, FILE *out)
+{
+	char number[24];
+
+	snprintf(number, sizeof(number), "clip %d", clip);
+	if (has_usable_name(model, clip) || model_find_clip(model, number) >= 0) {
+		write_clip_name(model, clip, out);
+	} else {
+		write_name(out, number);
 	}
 }
 
@@ -56,7 +75,7 @@ static void write_state(const struct model *model, int clip,
 	};
 
 	fputs("[state ", out);
-	write_clip_name(model, clip, out);
+	write_state_name(model, clip, out);
 	fputs("]\nclip = ", out);
 	write_clip_name(model, clip, out);
 	fprintf(out, "\n%s", repeats[play->repeat]);
@@ -90,9 +109,33 @@ static void write_states(const struct model *model,
 	      "; plays once goes on with another: repeat = once and next = STATE.\n",
 		out);
 	for (int i = 0; i < model->clip_count; i++) {
-		write_state(model, (play->clip + i) % model->clip_count, play,
-			out);
+		write_state(
+			model, (play->clip + i) % model->clip_count, play, out);
 	}
+}
+
+/* Whether a clip moves the node's morph targets by itself. */
+static bool is_animated(const struct model *model, int node)
+{
+	for (int c = 0; c < model->clip_count; c++) {
+		const struct model_clip *clip = &model->clip[c];
+
+		for (int i = 0; i < clip->channel_count; i++) {
+			if (clip->channel[i].path == MODEL_WEIGHTS &&
+				clip->channel[i].node == node) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+/* The node whose shapes buttons choose, or -1. */
+static int find_shapes(const struct model *model)
+{
+	int node = model_find_morphed(model);
+
+	return node >= 0 && is_animated(model, node) ? -1 : node;
 }
 
 static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
@@ -300,7 +343,7 @@ static void write_modes(const struct model *model, bool has_shapes, FILE *out)
 static void write_buttons(const struct model *model, FILE *out)
 {
 	bool has_clips = model->clip_count > 0;
-	bool has_shapes = model_find_morphed(model) >= 0;
+	bool has_shapes = find_shapes(model) >= 0;
 
 	fputs("; BUTTON = ACTION, ACTION \"what it does\". Also BUTTON hold, long and\n"
 	      "; release, and two buttons: UP+DOWN.\n",
@@ -310,8 +353,8 @@ static void write_buttons(const struct model *model, FILE *out)
 		fputs("[buttons]\nF9 = add arrows 1 \"choose what UP and DOWN do\"\n",
 			out);
 	} else {
-		fprintf(out, "[buttons]\nUP = %s\nDOWN = %s\n",
-			mode_camera.up, mode_camera.down);
+		fprintf(out, "[buttons]\nUP = %s\nDOWN = %s\n", mode_camera.up,
+			mode_camera.down);
 	}
 	if (has_shapes && !has_clips) {
 		fprintf(out,
@@ -336,7 +379,7 @@ static void write_buttons(const struct model *model, FILE *out)
 /* An unattended picture of a model with shapes shows them all. */
 static void write_scene(const struct model *model, FILE *out)
 {
-	int node = model_find_morphed(model), count;
+	int node = find_shapes(model), count;
 
 	fputs("; The camera; yaw = 26 and pitch = 9 would be its angles.\n"
 	      "[scene]\nmargin = 1.1\nlabels = left\n",

@@ -497,6 +497,32 @@ static void test_a_sketch_holds_any_names(void **state)
 	acting_end(&acting);
 }
 
+static bool has_morph_button(const struct acting *acting)
+{
+	const struct character_binding *one = acting->character->binding;
+
+	while (one && one->action->verb != CHARACTER_MORPH) {
+		one = one->next;
+	}
+	return one;
+}
+
+/* Shapes that a clip moves are left to the clip. */
+static void test_a_sketch_leaves_animated_shapes_alone(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/cubic.gltf");
+	expect_sketch(&acting, NULL);
+	assert_false(has_morph_button(&acting));
+	acting_end(&acting);
+	acting_begin(&acting, "tests/fixtures/gltf/mesh/weights.gltf");
+	expect_sketch(&acting, NULL);
+	assert_true(has_morph_button(&acting));
+	acting_end(&acting);
+}
+
 static void test_a_sketch_begins_as_it_is_told(void **state)
 {
 	const struct character_sketch_play play = {
@@ -525,6 +551,7 @@ int main(void)
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
 		cmocka_unit_test(test_a_sketch_holds_any_names),
+		cmocka_unit_test(test_a_sketch_leaves_animated_shapes_alone),
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 	};
 

@@ -63,8 +63,11 @@ reproduce: build/sysroot.stamp
 
 # The table of SECURITY.md.
 trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
+		build/months/host.so build/test-packages.stamp build/sysroot.stamp \
 		$(FUZZERS:%=build/fuzz/%)
-	$(Q)MOST=$(MOST) SECONDS=$(SECONDS) toolchain/trust.sh \
+	$(Q)$(CHECK_ENVIRONMENT) SAMPLES=$(abspath $(SAMPLES)) MOST=$(MOST) \
+		SECONDS=$(SECONDS) DAYS=$(DAYS) N=$(N) SEED=$(SEED) \
+		REPRODUCED='$(REPRODUCED)' toolchain/trust.sh \
 		$(FUZZERS:%=build/fuzz/%)
 
 check-build: $(FAULTS) $(MONTHS)

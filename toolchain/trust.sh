@@ -2,8 +2,10 @@
 # trust.sh FUZZER...: prints how well limber stands faults and hostile input, as
 # a table: how much was tried and how much of it failed. The environment sets
 # MOST, the number of faults of each kind and case (0: all), SECONDS for each
-# fuzz target, and REPRODUCE=0 to leave out the two builds that are compared.
-# It fails when anything failed. Logs stay in build/trust.
+# fuzz target, DAYS to play, N and SEED of the mutants (N=0: none), and
+# REPRODUCED, the targets of make that are built twice (empty: none). It fails
+# when anything failed; a mutant that survives is no failure. Logs stay in
+# build/trust.
 set -u
 logs=build/trust
 mkdir -p "$logs"
@@ -35,6 +37,11 @@ for fuzzer; do
     row "random inputs of $name" "${tried:-0}" "$failed" 'make fuzz'
 done
 
+months=0
+SEED=1 tests/months/months.py build/months/host.so build/host/limber \
+    >"$logs/months.log" 2>&1 || months=1
+row 'days of playing' "${DAYS:-30}" "$months" 'make months'
+
 hardened() {
     failed=0
     toolchain/check-hardened.sh "$1" "$2" >"$logs/hardened.log" 2>&1 ||
@@ -44,11 +51,21 @@ hardened() {
 hardened readelf build/host/limber
 hardened arm-linux-gnueabi-readelf build/arm/limber
 
-if [ "${REPRODUCE:-1}" = 1 ]; then
+REPRODUCED=${REPRODUCED-host arm deb image}
+if [ -n "$REPRODUCED" ]; then
     failed=0
-    toolchain/reproduce.sh build/reproduce host arm deb \
+    # shellcheck disable=SC2086 # these are words
+    toolchain/reproduce.sh build/reproduce $REPRODUCED \
         >"$logs/reproduce.log" 2>&1 || failed=1
     row 'files built twice, in two folders' \
         "$(grep -c 'build/' "$logs/reproduce.log")" "$failed" 'make reproduce'
 fi
-exit $result
+failures=$result
+
+if [ "${N:-0}" -gt 0 ]; then
+    python3 -B tests/mutants/mutants.py --number "$N" --seed "${SEED:-1}" \
+        >"$logs/mutants.log" 2>&1
+    row 'mutants, of which survive' "$N" \
+        "$(grep -c ' SURVIVES ' "$logs/mutants.log")" 'make mutants'
+fi
+exit $failures

@@ -13,7 +13,7 @@ from harness import (BY_HAND, FOLDER, HOST, TOP, booted, check, difference,
 MODELS = pathlib.Path(os.environ.get("SAMPLES", TOP.parent / "shared")) / "models"
 CHARACTERS = TOP / "assets/characters"
 RUNS = (("CesiumMan", "UP ENTER RIGHT F6"),
-        ("RiggedFigure", "UP ENTER LEFT RIGHT"),
+        ("RiggedFigure", "DOWN ENTER LEFT RIGHT"),
         ("AnimatedMorphCube", "UP DOWN F6 RIGHT"))
 HOLD_S, APART_S = 0.12, 0.25
 CLOCK_HZ = 25
@@ -114,6 +114,7 @@ for model, buttons in RUNS:
     pages, said, record, frames = on_board(machine, model, buttons)
     lines = re.findall(r"^\d+ \w+ (?:down|up)$", record, re.M)
     script = "\n".join(lines) + "\n"
+    (FOLDER / f"{model}.buttons").write_text(script)
     pressed = [line.split()[1] for line in lines if line.endswith("down")]
     check(f"{model}: limber hears each button", pressed == buttons.split(),
           f"{script}{said}")

@@ -17,10 +17,10 @@ SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE) 
 	$(PLAYER_SOURCE)
 
 # The loops over joints: C, or assembly for the board's core.
-JOINT_SOURCES_host := app/anim/portable/joints.c
+JOINT_SOURCES_host := app/anim/portable/joints.c app/anim/portable/turns.c
 JOINT_SOURCES_asan := $(JOINT_SOURCES_host)
 JOINT_SOURCES_fuzz := $(JOINT_SOURCES_host)
-JOINT_SOURCES_arm := app/anim/arm/joints.S
+JOINT_SOURCES_arm := app/anim/arm/joints.S app/anim/arm/turns.S
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.

@@ -7,26 +7,37 @@
 #include "app/anim/pose.h"
 
 struct clip_moving; /* a channel whose value changes */
+struct clip_part;   /* of a node, that clip_mix() mixes */
+struct turn;
 
 /*
  * What a playback keeps from frame to frame, to avoid searching for keys: the
- * key of the last sample in each channel and, for clip_pose(), which of the
- * clip's channels change at all. A cursor belongs to one model. One that is all
- * zero is valid but slower.
+ * key of the last sample in each channel and, for clip_pose() and clip_mix(),
+ * which of the clip's channels change at all. A cursor belongs to one model.
+ * One that is all zero is valid but slower, except for clip_mix().
  */
 struct clip_cursor {
 	int channel_count;
 	int *key; /* [channel_count]; any values are valid */
 	/*
-	 * [node_count] or NULL, set before the first use: clip_pose() lets
-	 * channels of nodes where it is 0 rest at their first key.
+	 * [node_count] or NULL, set before the first use: weights from 0 to 1
+	 * for clip_mix(). clip_pose() lets channels of nodes where it is 0 rest
+	 * at their first key.
 	 */
 	const float *only;
+	/*
+	 * [node_count] or NULL, set before the first use: bits 1 << enum
+	 * model_path for what clip_mix() mixes; NULL for everything.
+	 */
+	const uint8_t *paths;
 
-	const struct model_clip *clip; /* of the members below, or NULL */
+	bool begun;                    /* the members below are valid */
+	const struct model_clip *clip; /* theirs; NULL: none, the rest pose */
 	struct pose still;             /* rest pose and constant channels */
-	int moving_count;
-	struct clip_moving *moving; /* [channel_count] */
+	int turn_count, moving_count, part_count;
+	struct turn *turn;   /* [channel_count], rotations by slerp */
+	struct clip_moving *moving; /* [channel_count], all others */
+	struct clip_part *part;     /* [node_count], without these rotations */
 };
 
 /* How values between two keys are computed. */
@@ -69,6 +80,24 @@ void clip_sample_as(const struct model_clip *clip, float time_s,
 void clip_pose(const struct model_clip *clip, float time_s,
 	enum clip_interpolation interpolation, struct clip_cursor *cursor,
 	struct pose *pose);
+
+/*
+ * Mixes the clip into a pose of the model: pose = pose + (clip - pose) *
+ * amount, for what cursor->paths has, and with amount multiplied by
+ * cursor->only. Rotations are mixed linearly, with the sign that lies in the
+ * pose's half of the sphere, and normalised. clip may be NULL for the rest
+ * pose. cursor is one of clip_cursor_init().
+ */
+void clip_mix(const struct model_clip *clip, float time_s,
+	enum clip_interpolation interpolation, float amount,
+	struct clip_cursor *cursor, struct pose *pose);
+
+/*
+ * Adds to paths, as in struct clip_cursor, what the clip may change from rest.
+ * clip may be NULL.
+ */
+void clip_add_paths(const struct model_clip *clip, const struct model *model,
+	uint8_t *paths);
 
 /*
  * Writes one channel's value, channel->width floats. key caches the last key,

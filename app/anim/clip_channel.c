@@ -5,6 +5,17 @@
 
 #include <string.h>
 
+float *clip_channel_target(
+	const struct model_channel *channel, struct pose *pose)
+{
+	if (channel->path == MODEL_WEIGHTS) {
+		return pose->weight +
+			pose->model->node[channel->node].weight_offset;
+	}
+	pose->animated[channel->node] = true;
+	return (float *)((char *)pose->local + clip_channel_offset(channel));
+}
+
 static bool holds(const struct model_channel *channel, int key, float time_s)
 {
 	return key >= 0 && key < channel->key_count - 1 &&

@@ -9,7 +9,9 @@
 #define APP_ANIM_CLIP_CHANNEL_H
 
 #include "app/anim/clip.h"
-#include "app/anim/math/transform_inline.h"
+#include "platform/base/compiler.h"
+
+#include <stddef.h>
 
 /* u of a time at or beyond the first or last key, which gives that key. */
 #define CLIP_AT_KEY (-1.0f)
@@ -21,6 +23,24 @@ struct clip_moment {
 	int key;
 	float u; /* 0..1 from this key to the next one, or CLIP_AT_KEY */
 };
+
+/* Of a node's channel: its value's offset in bytes in the pose's transforms. */
+static ALWAYS_INLINE size_t clip_channel_offset(
+	const struct model_channel *channel)
+{
+	static const uint8_t part[] = {
+		[MODEL_TRANSLATION] = offsetof(struct transform, translation),
+		[MODEL_ROTATION] = offsetof(struct transform, rotation),
+		[MODEL_SCALE] = offsetof(struct transform, scale),
+	};
+
+	return (size_t)channel->node * sizeof(struct transform) +
+		part[channel->path];
+}
+
+/* Where the channel's value is written; the loader has checked the bounds. */
+float *clip_channel_target(
+	const struct model_channel *channel, struct pose *pose);
 
 /* Finds time_s among the keys. cached may have any value; a NaN gives key 0. */
 struct clip_moment clip_moment_search(
@@ -72,26 +92,6 @@ static ALWAYS_INLINE bool clip_moment_fits(
 {
 	return channel->time_s == moment->time_s &&
 		channel->key_count == moment->key_count;
-}
-
-/* Whether the channel is interpolated by slerp between unit rotations. */
-static ALWAYS_INLINE bool clip_channel_is_slerp(
-	const struct model_channel *channel)
-{
-	return channel->unit && channel->interpolation == MODEL_LINEAR;
-}
-
-/* The value of such a channel. */
-static ALWAYS_INLINE void clip_channel_slerp(
-	const struct model_channel *channel, int key, float u, float *out)
-{
-	const float *from = channel->value + key * 4;
-
-	if (u >= 0) {
-		inline_quat_slerp(from, from + 4, u, out);
-	} else {
-		set_column(out, from[0], from[1], from[2], from[3]);
-	}
 }
 
 #endif

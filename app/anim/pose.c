@@ -9,17 +9,32 @@
 
 int pose_init(struct pose *pose, const struct model *model, struct arena *arena)
 {
+	size_t nodes = (size_t)model->node_count;
+	size_t weights = (size_t)model->weight_count;
+	size_t size_bytes = nodes * sizeof(*pose->local) +
+		weights * sizeof(*pose->weight) +
+		nodes * sizeof(*pose->animated);
+	struct transform *local = arena_alloc(arena, size_bytes, 1);
+
+	if (!local) {
+		return -ENOMEM;
+	}
 	*pose = (struct pose){
 		.model = model,
 		.node_count = model->node_count,
+		.local = local,
 		.weight_count = model->weight_count,
+		.weight = (float *)(local + nodes),
+		.animated = (bool *)((float *)(local + nodes) + weights),
+		.size_bytes = size_bytes,
 	};
-	pose->local =
-		ARENA_ARRAY(arena, struct transform, (size_t)model->node_count);
-	pose->animated = ARENA_ARRAY(arena, bool, (size_t)model->node_count);
-	pose->weight = ARENA_ARRAY(arena, float, (size_t)model->weight_count);
-	if (!pose->local || !pose->animated || !pose->weight) {
-		return -ENOMEM;
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].parent < 0) {
+			pose->root_end = i + 1;
+		}
+		if (model->node[i].matrix) {
+			pose->matrix_end = i + 1;
+		}
 	}
 	pose_rest(pose, model);
 	return 0;
@@ -52,12 +67,12 @@ void pose_world_from(const struct pose *pose, const struct model *model,
 		return;
 	}
 	joints_to_matrices(pose->local + first, count, world + first);
-	for (int i = first; i < pose->node_count; i++) {
+	for (int i = first; i < pose->matrix_end; i++) {
 		if (model->node[i].matrix && !pose->animated[i]) {
 			memcpy(world[i], model->node[i].matrix, sizeof(mat4));
 		}
 	}
-	for (int i = first; root && i < pose->node_count; i++) {
+	for (int i = first; root && i < pose->root_end; i++) {
 		if (model->node[i].parent < 0) {
 			matrix_multiply(root, world[i], world[i]);
 		}

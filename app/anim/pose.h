@@ -15,11 +15,14 @@
 struct pose {
 	const struct model *model; /* not owned */
 	int node_count;
+	int root_end;   /* nodes from here on have a parent */
+	int matrix_end; /* nodes from here on have no matrix in the file */
 	struct transform *local; /* [node_count], the model's node order */
 	bool *animated;          /* [node_count]: local[] was changed, so the
 				    node's matrix in the file is ignored */
 	int weight_count;
-	float *weight; /* [weight_count], see model_node.weight_offset */
+	float *weight;     /* [weight_count], see model_node.weight_offset */
+	size_t size_bytes; /* of the arrays, which lie behind local */
 };
 
 /* Makes a pose of this model, at rest. 0 or -ENOMEM. */
@@ -31,12 +34,7 @@ void pose_rest(struct pose *pose, const struct model *model);
 /* Copies the contents of a pose to another one of the same model. */
 static inline void pose_copy(struct pose *to, const struct pose *from)
 {
-	size_t nodes = (size_t)from->node_count;
-
-	memcpy(to->local, from->local, nodes * sizeof(*to->local));
-	memcpy(to->animated, from->animated, nodes * sizeof(*to->animated));
-	memcpy(to->weight, from->weight,
-		(size_t)from->weight_count * sizeof(*to->weight));
+	memcpy(to->local, from->local, from->size_bytes);
 }
 
 /*

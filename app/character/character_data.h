@@ -42,7 +42,7 @@ struct character_parameter {
 	float scale, offset;
 	int choice_count;          /* 0: it is no choice */
 	const char *const *choice; /* names of its values 0, 1 ... */
-	int stop_count; /* of values for CHARACTER_STEP */
+	int stop_count;            /* of values for CHARACTER_STEP */
 	float stop[CHARACTER_STOPS_MAX];
 	bool unlabelled; /* labels do not show it */
 
@@ -141,8 +141,8 @@ struct character_state {
 	const char *name;
 	int entry_count;
 	struct character_entry *entry; /* sorted by .at */
-	uint8_t *differs;              /* [node_count], see run/blend.h */
-	const float *position;         /* in the blend space */
+	uint8_t *paths; /* [node_count], which differ between the entries */
+	const float *position; /* in the blend space */
 	const float *rate;
 	enum clip_repeat repeat;
 	int next; /* the state after the end, or -1 */
@@ -295,7 +295,7 @@ enum character_gesture {
 
 struct character_binding {
 	const struct character_condition *when; /* NULL: always */
-	bool unlabelled; /* shown only in the list of all buttons */
+	bool unlabelled;            /* shown only in the list of all buttons */
 	enum button button, second; /* second: of CHARACTER_TOGETHER */
 	enum character_gesture gesture;
 	const char *label; /* what it does, for people */
@@ -422,10 +422,10 @@ struct character {
 	float (*ground_height)(void *user, float x, float z);
 
 	/* Changes: */
-	double seen_s; /* of the last frame */
-	double now_s;  /* without pauses */
-	float real_s;  /* since the last frame */
-	float step_s;  /* the same, or 0 while paused */
+	double seen_s;  /* of the last frame */
+	double now_s;   /* without pauses */
+	float real_s;   /* since the last frame */
+	float step_s;   /* the same, or 0 while paused */
 	double exact_s; /* the same, for sums over months */
 	float motion_level;
 	float eye[3];

@@ -94,14 +94,19 @@ static void find_unit(struct model_clip *clip)
 static void share_times(struct model_clip *clip)
 {
 	for (int c = 1; c < clip->channel_count; c++) {
-		const struct model_channel *last = &clip->channel[c - 1];
 		struct model_channel *channel = &clip->channel[c];
+		size_t size =
+			(size_t)channel->key_count * sizeof(*channel->time_s);
+		const struct model_channel *other = channel;
 
-		if (channel->key_count == last->key_count &&
-			memcmp(channel->time_s, last->time_s,
-				(size_t)last->key_count *
-					sizeof(*last->time_s)) == 0) {
-			channel->time_s = last->time_s;
+		while (other > clip->channel) {
+			other--;
+			if (channel->key_count == other->key_count &&
+				memcmp(channel->time_s, other->time_s, size) ==
+					0) {
+				channel->time_s = other->time_s;
+				break;
+			}
 		}
 	}
 }

@@ -1,6 +1,6 @@
 /*
  * Functions of this folder as inline bodies, for the loops that run once a
- * joint and frame: those of portable/joints.c and clip.c.
+ * joint and frame.
  *
  * Inlined, they keep in registers what one loop pass hands to the next. Their
  * sums are interleaved, since VFP11 needs 8 cycles before it can add to the
@@ -98,6 +98,25 @@ static ALWAYS_INLINE void inline_quat_slerp(
 	set_column(out, ax * weight[0] + bx * weight[1],
 		ay * weight[0] + by * weight[1], az * weight[0] + bz * weight[1],
 		aw * weight[0] + bw * weight[1]);
+}
+
+/*
+ * q = normalize(q * (1 - t) + to * t), with the sign of to that lies in q's
+ * half of the sphere. Zero quaternions stay zero.
+ */
+static ALWAYS_INLINE void inline_quat_mix(float q[4], const float to[4], float t)
+{
+	float x = q[0], y = q[1], z = q[2], w = q[3];
+	float cosine = to[0] * x + to[1] * y + to[2] * z + to[3] * w;
+	float rest = 1 - t, scale;
+
+	t = cosine < 0 ? -t : t;
+	x = x * rest + to[0] * t;
+	y = y * rest + to[1] * t;
+	z = z * rest + to[2] * t;
+	w = w * rest + to[3] * t;
+	scale = 1 / sqrtf(x * x + y * y + z * z + w * w + 1e-30f);
+	set_column(q, x * scale, y * scale, z * scale, w * scale);
 }
 
 #endif

@@ -192,11 +192,36 @@ static int read_layer(struct character_build *build,
 	return error;
 }
 
+/*
+ * What a layer mixes: whatever some clip changes. The rest is at rest, in the
+ * pose and in the layer's clip.
+ */
+static int find_paths(struct character_build *build)
+{
+	struct character *character = build->character;
+	const struct model *model = build->model;
+	uint8_t *paths =
+		ARENA_ARRAY(build->arena, uint8_t, (size_t)model->node_count);
+
+	if (!paths) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; i < character->clip_count; i++) {
+		clip_add_paths(character->clip[i].clip, model, paths);
+	}
+	for (int i = 0; i < character->layer_count; i++) {
+		character->layer[i].entry.cursor.paths = paths;
+	}
+	return 0;
+}
+
 int character_build_layers(struct character_build *build)
 {
 	static const struct character_kind kind = {
 		"layer", sizeof(struct character_layer), read_layer};
 
-	return character_read_kind(build, &kind, &build->character->layer_count,
-		&build->character->layer);
+	int error = character_read_kind(build, &kind,
+		&build->character->layer_count, &build->character->layer);
+
+	return error ? error : find_paths(build);
 }

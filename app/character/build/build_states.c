@@ -1,5 +1,4 @@
 #include "app/character/build/build.h"
-#include "app/character/state/blend.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -283,20 +282,19 @@ static int build_state(struct character_build *build,
 	return error;
 }
 
-/* Marks what the clips of each state have in common, for blends. */
-static int find_differences(struct character_build *build)
+/* What may differ between the clips of a state, which alone is mixed. */
+static int find_paths(
+	struct character_build *build, struct character_state *state)
 {
-	struct character_machine *machine = &build->character->machine;
-
-	for (int i = 0; i < machine->state_count; i++) {
-		struct character_state *state = &machine->state[i];
-
-		state->differs = ARENA_ARRAY(build->arena, uint8_t,
-			(size_t)build->model->node_count);
-		if (!state->differs) {
-			return character_fail_memory(build);
-		}
-		character_blend_find(state, build->model, state->differs);
+	state->paths = ARENA_ARRAY(
+		build->arena, uint8_t, (size_t)build->model->node_count);
+	if (!state->paths) {
+		return character_fail_memory(build);
+	}
+	for (int i = 0; i < state->entry_count; i++) {
+		clip_add_paths(
+			state->entry[i].of->clip, build->model, state->paths);
+		state->entry[i].cursor.paths = state->paths;
 	}
 	return 0;
 }
@@ -331,8 +329,8 @@ int character_build_states(struct character_build *build)
 		error = build_state(build, section, &machine->state[i]);
 		section = character_text_find(section->next, "state");
 	}
-	if (!error) {
-		error = find_differences(build);
+	for (int i = 0; i < machine->state_count && !error; i++) {
+		error = find_paths(build, &machine->state[i]);
 	}
 	if (!error) {
 		error = build_transitions(build);

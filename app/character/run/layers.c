@@ -41,11 +41,11 @@ void character_layer_run(struct character *character, void *what)
 {
 	struct character_layer *layer = what;
 	struct pose *pose = &character->instance->pose;
+	enum clip_repeat repeat = layer->once ? CLIP_ONCE : CLIP_LOOP;
 	float weight;
 
 	if (layer->playing || !layer->once) {
-		layer->entry.time_s +=
-			character->exact_s * (double)*layer->rate;
+		layer->entry.time_s += character->exact_s * (double)*layer->rate;
 	}
 	weight = weight_of(layer);
 	layer->is.now = weight;
@@ -53,13 +53,14 @@ void character_layer_run(struct character *character, void *what)
 		return;
 	}
 	layer->entry.weight = 1;
-	character_entry_sample(character, &layer->entry,
-		layer->once ? CLIP_ONCE : CLIP_LOOP, -1, &character->scratch);
 	if (layer->additive) {
+		character_entry_sample(character, &layer->entry, repeat, -1,
+			&character->scratch);
 		pose_add(pose, &character->scratch, &layer->reference, weight,
 			layer->mask);
 	} else {
-		pose_mix(pose, &character->scratch, weight, layer->mask, pose);
+		character_entry_mix(
+			character, &layer->entry, repeat, -1, weight, pose);
 	}
 }
 

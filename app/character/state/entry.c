@@ -3,6 +3,10 @@
 #include "app/anim/math/vec.h"
 #include "app/character/run/pending.h"
 
+enum {
+	ROUNDS_MAX = 1 << 30
+};
+
 float character_entry_duration_s(const struct character_entry *entry)
 {
 	return entry->of->clip ? entry->of->clip->duration_s : 0;
@@ -33,30 +37,29 @@ static float interval_s(const struct character_clip *clip, int mark)
 	return clip->clip->duration_s - clip->mark[mark] + clip->mark[0];
 }
 
-/* The phase in one round, 0..mark_count, as a mark and what is beyond it. */
-static int split_phase(
-	const struct character_clip *clip, double phase, float *beyond)
+/*
+ * Divides a phase of at least 0 into whole rounds of the clip, which it
+ * returns, a mark of the clip and the way from there to the next mark, 0..1.
+ */
+static int split_phase(const struct character_clip *clip, double phase,
+	int *mark, float *beyond)
 {
-	double rounds = phase / (double)clip->mark_count;
-	double within =
-		(rounds - (double)(int64_t)rounds) * (double)clip->mark_count;
-	int mark;
+	int count = clip->mark_count;
+	int rounds = scalar_to_int(phase / (double)count, 0, ROUNDS_MAX);
+	double within = phase - (double)rounds * (double)count;
 
-	if (within < 0) {
-		within += (double)clip->mark_count;
-	}
-	mark = (int)within;
-	mark = mark < clip->mark_count ? mark : clip->mark_count - 1;
-	*beyond = (float)(within - (double)mark);
-	return mark;
+	*mark = scalar_to_int(within, 0, count - 1);
+	*beyond = (float)(within - (double)*mark);
+	return rounds;
 }
 
 float character_entry_marks_per_s(
 	const struct character_entry *entry, double phase)
 {
 	float beyond;
-	int mark = split_phase(entry->of, phase, &beyond);
+	int mark;
 
+	split_phase(entry->of, phase, &mark, &beyond);
 	return 1 / interval_s(entry->of, mark);
 }
 
@@ -65,15 +68,14 @@ void character_entry_move(
 {
 	const struct character_clip *clip = entry->of;
 	float beyond;
-	int mark;
+	int mark, rounds;
 
 	if (phase < 0 || clip->mark_count == 0) {
 		entry->time_s += step_s;
 		return;
 	}
-	mark = split_phase(clip, phase, &beyond);
-	entry->time_s = (double)(int64_t)(phase / (double)clip->mark_count) *
-			(double)clip->clip->duration_s +
+	rounds = split_phase(clip, phase, &mark, &beyond);
+	entry->time_s = (double)rounds * (double)clip->clip->duration_s +
 		(double)(clip->mark[mark] + beyond * interval_s(clip, mark));
 }
 
@@ -90,37 +92,75 @@ static bool is_passed(
 	return time_s >= to_s && time_s < from_s;
 }
 
-void character_entry_sample(struct character *character,
-	struct character_entry *entry, enum clip_repeat repeat, double phase,
-	struct pose *pose)
+/* Adds the actions of the events between before_s and the time shown. */
+static void add_events(struct character *character,
+	const struct character_entry *entry, enum clip_repeat repeat,
+	float before_s)
 {
-	const struct character_clip *of = entry->of;
-	bool in_phase = phase >= 0 && of->mark_count > 0;
-	float before_s = entry->shown_s;
-	float duration_s = character_entry_duration_s(entry);
-	int root = character->motion.root;
-
-	if (!of->clip) {
-		pose_copy(pose, &character->still);
-		return;
-	}
-	entry->shown_s = clip_time(
-		entry->time_s, duration_s, in_phase ? CLIP_LOOP : repeat);
-	clip_pose(of->clip, entry->shown_s, character->interpolation,
-		&entry->cursor, pose);
-	if (root >= 0 && duration_s > 0) {
-		vec_add_scaled(pose->local[root].translation, of->travel,
-			-entry->shown_s / duration_s,
-			pose->local[root].translation);
-	}
-	/* Of two clips in a blend, the one with more weight is heard. */
-	if (entry->weight <= 0.5f || (in_phase && before_s < 0)) {
-		return;
-	}
-	for (const struct character_event *event = of->event; event;
+	for (const struct character_event *event = entry->of->event; event;
 		event = event->next) {
 		if (is_passed(event->time_s, before_s, entry->shown_s, repeat)) {
 			character_pending_add(character, event->action, 1);
 		}
 	}
+}
+
+/* Moves the time that is shown on to that of the entry. */
+static void show(struct character *character, struct character_entry *entry,
+	enum clip_repeat repeat, double phase)
+{
+	bool in_phase = phase >= 0 && entry->of->mark_count > 0;
+	float before_s = entry->shown_s;
+
+	entry->shown_s =
+		clip_time(entry->time_s, character_entry_duration_s(entry),
+			in_phase ? CLIP_LOOP : repeat);
+	/* Of two clips in a blend, the one with more weight is heard. */
+	if (entry->weight > 0.5f && !(in_phase && before_s < 0)) {
+		add_events(character, entry, repeat, before_s);
+	}
+}
+
+/* Takes the travel of the motion's root out of the pose. */
+static void stay(const struct character *character,
+	const struct character_entry *entry, float amount, struct pose *pose)
+{
+	int root = character->motion.root;
+	float duration_s = character_entry_duration_s(entry);
+
+	if (root >= 0 && duration_s > 0) {
+		vec_add_scaled(pose->local[root].translation, entry->of->travel,
+			-entry->shown_s / duration_s * amount,
+			pose->local[root].translation);
+	}
+}
+
+void character_entry_sample(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	struct pose *pose)
+{
+	if (!entry->of->clip) {
+		pose_copy(pose, &character->still);
+		return;
+	}
+	show(character, entry, repeat, phase);
+	clip_pose(entry->of->clip, entry->shown_s, character->interpolation,
+		&entry->cursor, pose);
+	stay(character, entry, 1, pose);
+}
+
+void character_entry_mix(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	float amount, struct pose *pose)
+{
+	const float *only = entry->cursor.only;
+	int root = character->motion.root;
+
+	if (entry->of->clip) {
+		show(character, entry, repeat, phase);
+	}
+	clip_mix(entry->of->clip, entry->shown_s, character->interpolation,
+		amount, &entry->cursor, pose);
+	stay(character, entry, only && root >= 0 ? amount * only[root] : amount,
+		pose);
 }

@@ -37,4 +37,9 @@ void character_entry_sample(struct character *character,
 	struct character_entry *entry, enum clip_repeat repeat, double phase,
 	struct pose *pose);
 
+/* The same, but mixes the clip into the pose by clip_mix(). */
+void character_entry_mix(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	float amount, struct pose *pose);
+
 #endif

@@ -3,7 +3,6 @@
 #include "app/anim/clip_join.h"
 #include "app/character/run/condition.h"
 #include "app/character/run/pending.h"
-#include "app/character/state/blend.h"
 #include "app/character/state/entry.h"
 #include "platform/base/scalar.h"
 
@@ -82,7 +81,7 @@ static const struct character_fade *fade_to(
 	static const struct character_fade in_row = {
 		.frames = CLIP_JOIN_FRAMES, .curve = INERTIA_CUBIC};
 
-	return transition >= 0   ? &machine->transition[transition].fade
+	return transition >= 0    ? &machine->transition[transition].fade
 		: machine->in_row ? &in_row
 				  : &machine->state[to].fade;
 }
@@ -220,7 +219,6 @@ static void sample(struct character *character, struct pose *pose)
 {
 	struct character_machine *machine = &character->machine;
 	struct character_state *state = &machine->state[machine->current];
-	bool first = true;
 	float before = 0;
 
 	for (int i = 0; i < state->entry_count; i++) {
@@ -229,15 +227,15 @@ static void sample(struct character *character, struct pose *pose)
 		if (entry->weight <= 0) {
 			continue;
 		}
-		character_entry_sample(character, entry, state->repeat,
-			phase_of(machine), first ? pose : &character->scratch);
-		if (!first) {
-			character_blend(pose, &character->scratch,
-				entry->weight / (before + entry->weight),
-				state->differs);
+		if (before > 0) {
+			character_entry_mix(character, entry, state->repeat,
+				phase_of(machine),
+				entry->weight / (before + entry->weight), pose);
+		} else {
+			character_entry_sample(character, entry, state->repeat,
+				phase_of(machine), pose);
 		}
 		before += entry->weight;
-		first = false;
 	}
 }
 

@@ -17,11 +17,13 @@ static const struct board_cost palette_joint = {270.0, 250.0};
  * they have by least squares (figures.md).
  */
 static const struct board_cost sample_frame = {970.0, 124.0};
-static const struct board_cost sample_node = {190.0, 28.0};
+static const struct board_cost sample_node = {190.0, 10.0};
+static const struct board_cost sample_turn = {180.0, 29.0};    /* struct turn */
+static const struct board_cost turn_times = {90.0, 18.0};      /* of its own */
 static const struct board_cost sample_channel = {278.0, 53.0}; /* that moves */
 static const struct board_cost sample_times = {133.0, 14.0};   /* of its own */
 static const struct board_cost sample_weight = {55.0, 7.8};
-static const struct board_cost matrix_node = {880.0, 140.0};
+static const struct board_cost matrix_node = {870.0, 131.0};
 static const struct board_cost palette_row = {330.0, 12.0}; /* of a joint */
 static const struct board_cost keys_drawable = {1700.0, 245.0};
 static const struct board_cost keys_vertex = {20.0, 11.1};
@@ -76,41 +78,67 @@ static void add_times(
 	sum->instructions += each->instructions * count;
 }
 
-static struct board_cost sample_of(
-	double nodes, double channels, double times, double weights)
+/* What of a clip costs time. */
+struct sampled {
+	int nodes, turns, turn_times, channels, times, weights;
+};
+
+static struct board_cost sample_of(const struct sampled *of)
 {
 	struct board_cost sum = sample_frame;
 
-	add_times(&sum, &sample_node, nodes);
-	add_times(&sum, &sample_channel, channels);
-	add_times(&sum, &sample_times, times);
-	add_times(&sum, &sample_weight, weights);
+	add_times(&sum, &sample_node, of->nodes);
+	add_times(&sum, &sample_turn, of->turns);
+	add_times(&sum, &turn_times, of->turn_times);
+	add_times(&sum, &sample_channel, of->channels);
+	add_times(&sum, &sample_times, of->times);
+	add_times(&sum, &sample_weight, of->weights);
 	return sum;
+}
+
+/* Whether no channel before has the same key times. */
+static bool has_own_times(
+	const struct model_clip *clip, const struct model_channel *channel)
+{
+	for (const struct model_channel *other = clip->channel; other < channel;
+		other++) {
+		if (other->time_s == channel->time_s && !other->constant) {
+			return false;
+		}
+	}
+	return true;
 }
 
 struct board_cost board_cost_sample(
 	const struct model_clip *clip, int node_count)
 {
-	const float *last_s = NULL;
-	int channels = 0, times = 0, weights = 0;
+	struct sampled sum = {.nodes = node_count};
 
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
+		int own = has_own_times(clip, channel);
 
 		if (channel->constant) {
 			continue;
 		}
-		channels++;
-		times += channel->time_s != last_s;
-		last_s = channel->time_s;
-		weights += channel->path == MODEL_WEIGHTS ? channel->width : 0;
+		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
+			sum.turns++;
+			sum.turn_times += own;
+		} else {
+			sum.channels++;
+			sum.times += own;
+			sum.weights += channel->path == MODEL_WEIGHTS
+				? channel->width
+				: 0;
+		}
 	}
-	return sample_of(node_count, channels, times, weights);
+	return sample_of(&sum);
 }
 
 struct board_cost board_cost_sample_keys(int key_count)
 {
-	return sample_of(1, 1, 1, key_count);
+	return sample_of(&(struct sampled){
+		.nodes = 1, .channels = 1, .times = 1, .weights = key_count});
 }
 
 struct board_cost board_cost_matrices(int node_count, int joint_count)

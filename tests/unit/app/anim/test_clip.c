@@ -1,5 +1,6 @@
 #include "app/anim/clip.h"
 #include "app/anim/math/transform.h"
+#include "app/anim/pose_blend.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -197,6 +198,80 @@ static void test_a_whole_pose_follows_a_change_of_clips(void **state)
 	arena_release(&f.arena);
 }
 
+/* Half of the way by clip_mix() and, through another pose, by pose_mix(). */
+static void check_mix(struct fixture *f, enum clip_interpolation as,
+	const float *only, float time_s)
+{
+	static const float around_x[4] = {0.6f, 0, 0, 0.8f};
+	struct pose clip, want;
+
+	assert_int_equal(pose_init(&clip, &f->model, &f->arena), 0);
+	assert_int_equal(pose_init(&want, &f->model, &f->arena), 0);
+	assert_int_equal(clip_cursor_init(&f->cursor, &f->model, &f->arena), 0);
+	pose_rest(&f->pose, &f->model);
+	memcpy(f->pose.local[0].rotation, around_x, sizeof(around_x));
+	f->pose.local[1].translation[0] = 4;
+	pose_copy(&want, &f->pose);
+	clip_pose(&f->clip, time_s, as, &f->cursor, &clip);
+	pose_mix(&want, &clip, 0.5f, only, &want);
+	assert_int_equal(clip_cursor_init(&f->cursor, &f->model, &f->arena), 0);
+	f->cursor.only = only;
+	clip_mix(&f->clip, time_s, as, 0.5f, &f->cursor, &f->pose);
+	for (int n = 0; n < 2; n++) {
+		const float *a = (const float *)&f->pose.local[n];
+
+		assert_all_near(a, (const float *)&want.local[n], 10, 1e-6);
+	}
+	assert_all_near(f->pose.weight, want.weight, 3, 1e-6);
+}
+
+static void test_mixing_a_clip_is_mixing_its_pose(void **state)
+{
+	static const float first[2] = {1, 0}, second[2] = {0, 1};
+	struct model_mesh mesh = {.target_count = 2};
+	struct fixture f;
+
+	(void)state;
+	set_up_whole(&f);
+	f.model.mesh_count = 1;
+	f.model.mesh = &mesh;
+	f.node[1].mesh = 0;
+	for (int i = 0; i <= 2 * CLIP_CUBIC + 1; i++) {
+		enum clip_interpolation as = (enum clip_interpolation)(i / 2);
+
+		f.channel[1].unit = i % 2;
+		check_mix(&f, as, NULL, 0.5f);
+		check_mix(&f, as, first, 0.25f);
+		check_mix(&f, as, second, 7);
+		check_mix(&f, as, NULL, -1);
+	}
+	arena_release(&f.arena);
+}
+
+static void test_mixing_touches_only_the_paths_asked_for(void **state)
+{
+	uint8_t paths[2] = {0, 0};
+	struct fixture f;
+	struct pose before;
+
+	(void)state;
+	set_up_whole(&f);
+	assert_int_equal(pose_init(&before, &f.model, &f.arena), 0);
+	clip_add_paths(&f.clip, &f.model, paths);
+	assert_int_equal(paths[0], 1 << MODEL_TRANSLATION | 1 << MODEL_ROTATION);
+	assert_int_equal(paths[1], 1 << MODEL_WEIGHTS);
+	f.pose.local[0].scale[1] = before.local[0].scale[1] = 9;
+	f.cursor.paths = paths;
+	clip_mix(&f.clip, 1, CLIP_AUTO, 1, &f.cursor, &f.pose);
+	assert_true(f.pose.local[0].scale[1] == 9);
+	assert_true(f.pose.local[0].translation[2] == 3);
+	/* Without a clip the rest pose is mixed in. */
+	before.animated[0] = true;
+	clip_mix(NULL, 0, CLIP_AUTO, 1, &f.cursor, &f.pose);
+	assert_same_pose(&f.pose, &before);
+	arena_release(&f.arena);
+}
+
 static void test_a_cursor_with_less_room_still_works(void **state)
 {
 	struct fixture f;
@@ -275,6 +350,8 @@ int main(void)
 		cmocka_unit_test(test_pitfall_8_another_clip_starts_from_rest),
 		cmocka_unit_test(test_a_whole_pose_is_the_rest_and_the_samples),
 		cmocka_unit_test(test_a_whole_pose_follows_a_change_of_clips),
+		cmocka_unit_test(test_mixing_a_clip_is_mixing_its_pose),
+		cmocka_unit_test(test_mixing_touches_only_the_paths_asked_for),
 		cmocka_unit_test(test_a_cursor_with_less_room_still_works),
 		cmocka_unit_test(test_once_stays_at_the_end),
 		cmocka_unit_test(test_loops_wrap_at_both_ends),

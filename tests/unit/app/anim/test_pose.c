@@ -187,6 +187,7 @@ static void test_a_sheared_matrix_counts_until_a_clip_moves_it(void **state)
 	(void)state;
 	set_up(&f);
 	f.node[3].matrix = shear;
+	assert_int_equal(pose_init(&f.pose, &f.model, &f.arena), 0);
 	pose_world(&f.pose, &f.model, NULL, f.world);
 	matrix_apply(f.world[3], up, out);
 	assert_all_near(out, sheared, 3, 1e-6);

@@ -35,7 +35,7 @@ struct clip_cursor {
 	const struct model_clip *clip; /* theirs; NULL: none, the rest pose */
 	struct pose still;             /* rest pose and constant channels */
 	int turn_count, moving_count, part_count;
-	struct turn *turn;   /* [channel_count], rotations by slerp */
+	struct turn *turn;          /* [channel_count], rotations by slerp */
 	struct clip_moving *moving; /* [channel_count], all others */
 	struct clip_part *part;     /* [node_count], without these rotations */
 };

@@ -111,6 +111,7 @@ ROWS = (
     loop("skin-tangents-2", "skin with tangents too, 2"),
     loop("lerp", "morph lerp, positions"),
     loop("lerp-normals", "morph lerp, positions, normals", bound=15, limit={"warm": 17}, times={"warm": 8}),
+    loop("lerp-keys", "morph lerp of targets, positions"),
     loop("targets-2", "morph two targets, positions", bound=9, limit={"warm": 10}, times={"warm": 8}),
     loop("by-frames", "morph by frames, positions"),
     loop("cesium", "CesiumMan, positions", "CesiumMan.glb", "skin-1", limit={"warm": 36}, times={"warm": 3, "cold": 2.8}),

@@ -12,6 +12,6 @@ const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_LERP] = {"lerp", 20.62f, 7.03f},
 	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.39f, 14.05f},
 	[ARM11_TARGETS_2] = {"targets-2", 30.76f, 9.97f},
-	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 547.04f, 233.95f},
-	[ARM11_POSE_WALKER] = {"pose-walker-walk", 584.86f, 247.85f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 499.01f, 185.41f},
+	[ARM11_POSE_WALKER] = {"pose-walker-walk", 495.92f, 180.28f},
 };

@@ -1,4 +1,5 @@
 #include "app/anim/kernel/layout/fixed_key.h"
+#include "app/anim/kernel/layout/fixed_keys.h"
 #include "app/anim/kernel/layout/fixed_morph.h"
 #include "app/anim/kernel/layout/fixed_skin.h"
 #include "app/anim/kernel/run/fixed_lerp.h"
@@ -17,6 +18,7 @@ struct fixed_state {
 	struct fixed_vector *posed[FIXED_ATTRIBUTES];
 
 	struct fixed_pair (*pair[2])[3]; /* positions, normals */
+	struct fixed_key *key[2];
 	struct fixed_vector *step;
 	struct model_primitive morphed; /* the primitive with its targets */
 	struct fixed_morph morph;
@@ -73,6 +75,14 @@ static void lerp_normals(void *user)
 	s->loops->lerp(s->mesh->primitive.vertex_count,
 		(const struct fixed_pair(*)[3])s->pair[1],
 		fixed_lerp_weights(0.3f), s->posed[FIXED_NORMAL]);
+}
+
+static void lerp_keys(void *user)
+{
+	struct fixed_state *s = user;
+
+	s->loops->lerp_keys(s->mesh->primitive.vertex_count, s->key[0],
+		s->key[1], fixed_lerp_weights(0.3f), s->posed[FIXED_POSITION]);
 }
 
 static void targets(void *user)
@@ -151,6 +161,34 @@ static int prepare_keys(struct fixed_state *state, struct arena *arena)
 	return 0;
 }
 
+static int prepare_lerp_keys(struct fixed_state *state, struct arena *arena)
+{
+	const struct bench_mesh *mesh = state->mesh;
+	int count = mesh->primitive.vertex_count;
+	const float(*position[2])[3] = {
+		(const float(*)[3])mesh->primitive.position,
+		(const float(*)[3])mesh->destiny,
+	};
+	struct fixed_range range = fixed_range_empty();
+
+	fixed_range_add(&range, count, position[0]);
+	fixed_range_add(&range, count, position[1]);
+	if (fixed_range_placement(&range, &state->placement) != 0) {
+		return -ENOTSUP;
+	}
+	for (int i = 0; i < 2; i++) {
+		/* The loop may load one more. */
+		state->key[i] =
+			ARENA_ARRAY(arena, struct fixed_key, (size_t)count + 1);
+		if (!state->key[i]) {
+			return -ENOMEM;
+		}
+		fixed_keys_convert(
+			count, position[i], &state->placement, state->key[i]);
+	}
+	return 0;
+}
+
 static int prepare_targets(struct fixed_state *state, struct arena *arena)
 {
 	static const float weight[2] = {0.25f, 0.5f};
@@ -208,6 +246,8 @@ static int prepare(void *user, const struct kernel *kernel,
 	case BENCH_LERP_NORMALS:
 	case BENCH_BY_FRAMES:
 		return prepare_keys(state, arena);
+	case BENCH_LERP_KEYS:
+		return prepare_lerp_keys(state, arena);
 	case BENCH_TARGETS:
 		return prepare_targets(state, arena);
 	default:
@@ -218,6 +258,6 @@ static int prepare(void *user, const struct kernel *kernel,
 const struct bench_loops bench_fixed_loops = {
 	sizeof(struct fixed_state),
 	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets,
-		by_frames},
+		by_frames, lerp_keys},
 	prepare,
 };

@@ -17,6 +17,7 @@ enum bench_work {
 	BENCH_LERP_NORMALS,  /* and normals */
 	BENCH_TARGETS,       /* two weighted targets, positions */
 	BENCH_BY_FRAMES,     /* AN4044's increment by frames, positions */
+	BENCH_LERP_KEYS,     /* BENCH_LERP between keys as models have them */
 	BENCH_WORKS
 };
 

@@ -18,6 +18,7 @@ const struct bench_row bench_rows[] = {
 	{"skin-tangents-2", "skin with tangents too, 2 influences", BENCH_SKIN_TANGENTS, 2, 24},
 	{"lerp", "morph lerp, positions", BENCH_LERP, 1, 24},
 	{"lerp-normals", "morph lerp, positions and normals", BENCH_LERP_NORMALS, 1, 24},
+	{"lerp-keys", "morph lerp of targets, positions", BENCH_LERP_KEYS, 1, 24},
 	{"targets-2", "morph two targets, positions", BENCH_TARGETS, 1, 24},
 	{"by-frames", "morph by frames, positions", BENCH_BY_FRAMES, 1, 24},
 	{0},

@@ -5,9 +5,10 @@ import concurrent.futures
 import os
 import random
 import shutil
+import time
 
-from harness import (FOLDER, IMAGE, Error, booted, check, done, flash_write,
-                     flashed, is_drawn, nand, needs_pdk, wait_until)
+from harness import (FOLDER, IMAGE, Error, booted, check, done,
+                     first_picture_s, flash_write, flashed, nand, needs_pdk)
 
 CUTS = int(os.environ.get("CUTS", 8))
 SEED = 31
@@ -105,7 +106,7 @@ def cut_and_finish(number, loader, cut, before, after):
 
 def start(path):
     machine = booted(nand=path, shell=False)
-    shown_s = wait_until(machine, lambda: is_drawn(machine.frame()), 15)
+    shown_s = first_picture_s(machine, 15)
     said = machine.log()[-3000:]
     machine.stop()
     return shown_s, said
@@ -115,8 +116,9 @@ def ends(machine):
     """Waits until QEMU ends or the picture is there; whether it has ended."""
     while machine.process.poll() is None:
         try:
-            if is_drawn(machine.frame()):
+            if machine.first_picture_s():
                 return False
+            time.sleep(0.02)
         except (Error, OSError):
             machine.process.wait(10)
     return True

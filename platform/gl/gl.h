@@ -208,6 +208,11 @@ typedef int32_t GLfixed;
 #define GL_MAX_MODELVIEW_STACK_DEPTH 0x0D36
 #define GL_STENCIL_BITS              0x0D57
 #define GL_DEPTH_BITS                0x0D56
+#define GL_SUBPIXEL_BITS             0x0D50
+#define GL_SMOOTH_POINT_SIZE_RANGE   0x0B12
+#define GL_SMOOTH_LINE_WIDTH_RANGE   0x0B22
+#define GL_ALIASED_POINT_SIZE_RANGE  0x846D
+#define GL_ALIASED_LINE_WIDTH_RANGE  0x846E
 
 /* Errors */
 #define GL_NO_ERROR          0

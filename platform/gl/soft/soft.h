@@ -22,6 +22,7 @@ enum {
 	SOFT_LEVELS = 11, /* 1024 down to 1 */
 	SOFT_TEXTURE_SIZE_MAX = 1024,
 	SOFT_QUAD_SIDE_MAX = 128,
+	SOFT_WIDTH_MAX = 64, /* of points and lines, in pixels */
 	SOFT_MODELVIEW_DEPTH = 32,
 	SOFT_PROJECTION_DEPTH = 4,
 	SOFT_TEXTURE_DEPTH = 4,

@@ -19,7 +19,7 @@ static ALWAYS_INLINE uint32_t load_two(const uint16_t *at)
 }
 
 /* The largest of so many depths, of at least two. */
-static ALWAYS_INLINE uint32_t find_farthest(const uint16_t *depth, int count)
+static ALWAYS_INLINE int32_t find_farthest(const uint16_t *depth, int count)
 {
 	const uint16_t *last = depth + count - 2;
 	uint32_t most = load_two(last);
@@ -27,7 +27,8 @@ static ALWAYS_INLINE uint32_t find_farthest(const uint16_t *depth, int count)
 	for (; depth < last; depth += 2) {
 		most = most_halves(most, load_two(depth));
 	}
-	return most >> 16 > (most & 0xFFFF) ? most >> 16 : most & 0xFFFF;
+	return (int32_t)(most >> 16 > (most & 0xFFFF) ? most >> 16
+						      : most & 0xFFFF);
 }
 
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
@@ -38,7 +39,7 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 	int left = raster_centre(least(v[0]->x, v[1]->x, v[2]->x));
 	const uint16_t *depth = draw->soft->buffers.depth + left;
 	int middle = (setup->top + setup->bottom) / 2, columns = setup->columns;
-	uint32_t z;
+	int32_t z;
 
 	if (!draw->hides || columns > COLUMNS_MOST || columns < 2 ||
 		left < box->left || left + columns > box->right ||
@@ -46,7 +47,7 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 		return false;
 	}
 	/* Planes lose less than a unit to rounding. */
-	z = (uint32_t)least(v[0]->z, v[1]->z, v[2]->z) / 4 - 1;
+	z = least(v[0]->z, v[1]->z, v[2]->z) / 4 - 1;
 	/* Most that are seen are seen in the middle. */
 	if (depth[middle * width + columns / 2] >= z) {
 		return false;

@@ -32,6 +32,16 @@ static void get_integer(GLenum name, GLint *values)
 	case GL_STENCIL_BITS:
 		*values = 8;
 		return;
+	case GL_SUBPIXEL_BITS:
+		*values = 4;
+		return;
+	case GL_SMOOTH_POINT_SIZE_RANGE:
+	case GL_SMOOTH_LINE_WIDTH_RANGE:
+	case GL_ALIASED_POINT_SIZE_RANGE:
+	case GL_ALIASED_LINE_WIDTH_RANGE:
+		values[0] = 1;
+		values[1] = SOFT_WIDTH_MAX;
+		return;
 	case GL_DEPTH_BITS:
 		*values = 16;
 		return;

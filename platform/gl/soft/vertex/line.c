@@ -9,7 +9,7 @@ static int32_t find_size(GLfixed size, bool smooth)
 		? size >> 12
 		: (int32_t)(((uint32_t)size + 0x8000) >> 16) * 16;
 
-	return clamp_int(size_q4, 16, 64 * 16);
+	return clamp_int(size_q4, 16, SOFT_WIDTH_MAX * 16);
 }
 
 static struct vertex *move(

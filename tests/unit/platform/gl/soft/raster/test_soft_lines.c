@@ -200,6 +200,26 @@ static void test_smooth_edges_cover_the_shape(void **state)
 	gl_canvas_close(&canvas);
 }
 
+static void test_sizes_are_told(void **state)
+{
+	static const GLenum names[] = {GL_SMOOTH_POINT_SIZE_RANGE,
+		GL_SMOOTH_LINE_WIDTH_RANGE, GL_ALIASED_POINT_SIZE_RANGE,
+		GL_ALIASED_LINE_WIDTH_RANGE};
+	struct gl_canvas canvas = open_flat(PIXELS_RGB565);
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		GLint range[2] = {0, 0};
+
+		canvas.gl->GetIntegerv(names[i], range);
+		assert_int_equal(range[0], 1);
+		assert_int_equal(range[1], 64);
+	}
+	assert_int_equal(canvas.gl->GetError(), GL_NO_ERROR);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
+}
+
 /* Of a texture and colours that run along the line. */
 static void test_values_run_from_end_to_end(void **state)
 {
@@ -232,6 +252,7 @@ int main(void)
 		cmocka_unit_test(test_strips_share_no_pixel),
 		cmocka_unit_test(test_points_are_squares_around_their_place),
 		cmocka_unit_test(test_smooth_edges_cover_the_shape),
+		cmocka_unit_test(test_sizes_are_told),
 		cmocka_unit_test(test_values_run_from_end_to_end),
 	};
 

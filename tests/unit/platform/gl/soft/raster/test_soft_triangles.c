@@ -151,7 +151,8 @@ static void set_wild_state(struct gl *gl, uint32_t bits)
 {
 	static const GLenum name[] = {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE,
 		GL_TEXTURE_2D, GL_FOG, GL_ALPHA_TEST, GL_STENCIL_TEST,
-		GL_LIGHTING, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST};
+		GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_LIGHTING,
+		GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST};
 
 	for (size_t i = 0; i < sizeof(name) / sizeof(name[0]); i++) {
 		(bits >> i & 1 ? gl->Enable : gl->Disable)(name[i]);

@@ -1,5 +1,6 @@
 /* Colours of texels: formats, wrapping, filters and levels. */
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/run.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -126,12 +127,6 @@ static void sample_level(const struct texture_input *input, int number,
 	}
 }
 
-static bool is_linear(GLenum filter)
-{
-	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
-		filter == GL_LINEAR_MIPMAP_LINEAR;
-}
-
 /* GL ES 1.1 section 3.7.7: between two levels when both filters ask for it. */
 void reference_sample(const struct texture_input *input,
 	const struct span *span, int unit, bool wide, uint8_t (*out)[4])
@@ -152,19 +147,20 @@ void reference_sample(const struct texture_input *input,
 	}
 	if (min != GL_NEAREST_MIPMAP_LINEAR && min != GL_LINEAR_MIPMAP_LINEAR) {
 		level = clamp_int((lod + 127) >> 8, 0, last);
-		sample_level(
-			input, level, is_linear(min), span, unit, wide, out);
+		sample_level(input, level, soft_rows_is_linear(min), span, unit,
+			wide, out);
 		return;
 	}
 	level = clamp_int(lod >> 8, 0, last);
-	sample_level(input, level, is_linear(min), span, unit, wide, out);
+	sample_level(
+		input, level, soft_rows_is_linear(min), span, unit, wide, out);
 	if (level < last) {
 		/* lod runs straight between powers of two, a logarithm above. */
 		int line = lod & 255;
 		int share = line + (line * (256 - line) * 92 >> 16);
 
-		sample_level(input, level + 1, is_linear(min), span, unit, wide,
-			next);
+		sample_level(input, level + 1, soft_rows_is_linear(min), span,
+			unit, wide, next);
 		for (int i = 0; i < span->count; i++) {
 			mix_texels(out[i], next[i], share, out[i]);
 		}

@@ -1,31 +1,19 @@
 /* Triangles that lie behind what is there, before anything is set up for them. */
-#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/raster.h"
 
 enum {
 	COLUMNS_MOST = 32, /* of triangles that are looked at */
 };
 
-static int32_t least(int32_t a, int32_t b, int32_t c)
-{
-	int32_t ab = a < b ? a : b;
-
-	return ab < c ? ab : c;
-}
-
-static ALWAYS_INLINE uint32_t load_two(const uint16_t *at)
-{
-	return load_32((const uint8_t *)at);
-}
-
 /* The largest of so many depths, of at least two. */
 static ALWAYS_INLINE int32_t find_farthest(const uint16_t *depth, int count)
 {
 	const uint16_t *last = depth + count - 2;
-	uint32_t most = load_two(last);
+	uint32_t most = soft_load_two(last);
 
 	for (; depth < last; depth += 2) {
-		most = most_halves(most, load_two(depth));
+		most = most_halves(most, soft_load_two(depth));
 	}
 	return (int32_t)(most >> 16 > (most & 0xFFFF) ? most >> 16
 						      : most & 0xFFFF);
@@ -36,7 +24,7 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 	const struct vertex *const *v = setup->v;
 	const struct clip_box *box = &draw->box;
 	const int width = draw->soft->buffers.width;
-	int left = raster_centre(least(v[0]->x, v[1]->x, v[2]->x));
+	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
 	const uint16_t *depth = draw->soft->buffers.depth + left;
 	int middle = (setup->top + setup->bottom) / 2, columns = setup->columns;
 	int32_t z;
@@ -47,7 +35,7 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 		return false;
 	}
 	/* Planes lose less than a unit to rounding. */
-	z = least(v[0]->z, v[1]->z, v[2]->z) / 4 - 1;
+	z = raster_least(v[0]->z, v[1]->z, v[2]->z) / 4 - 1;
 	/* Most that are seen are seen in the middle. */
 	if (depth[middle * width + columns / 2] >= z) {
 		return false;

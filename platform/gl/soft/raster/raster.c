@@ -90,10 +90,8 @@ static void gather_texels(
 			(int32_t)((uint32_t)setup->v[i]->attribute[name] - base),
 			log2 - 8);
 	}
-	range[0] = out[0] < out[1] ? out[0] : out[1];
-	range[0] = out[2] < range[0] ? out[2] : range[0];
-	range[1] = out[0] > out[1] ? out[0] : out[1];
-	range[1] = out[2] > range[1] ? out[2] : range[1];
+	range[0] = raster_least(out[0], out[1], out[2]);
+	range[1] = raster_most(out[0], out[1], out[2]);
 }
 
 /* Whose colours a triangle has: its corners', or one's. */
@@ -119,13 +117,9 @@ static struct colored find_colored(
 
 static ALWAYS_INLINE int32_t spread(const int32_t value[3])
 {
-	int32_t a = value[0], b = value[1], c = value[2];
-	int32_t high = a > b ? a : b, low = a > b ? b : a;
-	uint32_t most;
+	uint32_t most = (uint32_t)raster_most(value[0], value[1], value[2]) -
+		(uint32_t)raster_least(value[0], value[1], value[2]);
 
-	high = c > high ? c : high;
-	low = c < low ? c : low;
-	most = (uint32_t)high - (uint32_t)low;
 	return most > INT32_MAX ? INT32_MAX : (int32_t)most;
 }
 
@@ -281,14 +275,10 @@ static void offset_depth(
 	int64_t offset =
 		((int64_t)state->offset_factor * (dx > dy ? dx : dy) >> 16) +
 		(state->offset_units >> 6);
-	int64_t low = setup->v[0]->z, high = low;
+	const struct vertex *const *v = setup->v;
+	int64_t low = raster_least(v[0]->z, v[1]->z, v[2]->z);
+	int64_t high = raster_most(v[0]->z, v[1]->z, v[2]->z);
 
-	for (int i = 1; i < 3; i++) {
-		int32_t z = setup->v[i]->z;
-
-		low = z < low ? z : low;
-		high = z > high ? z : high;
-	}
 	low = -(low - 4) * 256;
 	high = (262138 - high) * 256;
 	offset = offset < low ? low : offset > high ? high : offset;

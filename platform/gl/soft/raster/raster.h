@@ -46,6 +46,20 @@ struct side {
 	int32_t x, step;
 };
 
+static inline int32_t raster_least(int32_t a, int32_t b, int32_t c)
+{
+	int32_t ab = a < b ? a : b;
+
+	return ab < c ? ab : c;
+}
+
+static inline int32_t raster_most(int32_t a, int32_t b, int32_t c)
+{
+	int32_t ab = a > b ? a : b;
+
+	return ab > c ? ab : c;
+}
+
 /* The first pixel whose centre is at or beyond this. */
 static inline int raster_centre(int32_t sixteenths)
 {
@@ -295,8 +309,8 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 }
 
 /*
- * hidden.c: whether a small triangle lies behind all of the depths around it, so
- * that no depth or pixel changes.
+ * hidden.c: whether a small triangle lies behind all of the depths around it,
+ * so that no depth or pixel changes.
  */
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 

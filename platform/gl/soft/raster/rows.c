@@ -191,7 +191,7 @@ uint32_t soft_rows_find_second_change(
 	return most;
 }
 
-static bool is_linear(GLenum filter)
+bool soft_rows_is_linear(GLenum filter)
 {
 	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
 		filter == GL_LINEAR_MIPMAP_LINEAR;
@@ -200,7 +200,7 @@ static bool is_linear(GLenum filter)
 bool soft_rows_want_lod(const struct texture_input *input)
 {
 	return input->levels > 1 ||
-		is_linear(input->texture->min_filter) !=
+		soft_rows_is_linear(input->texture->min_filter) !=
 		(input->texture->mag_filter == GL_LINEAR);
 }
 

@@ -127,6 +127,9 @@ void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
 uint32_t soft_rows_find_second_change(
 	const struct draw *draw, int row, int left, int right);
 
+/* Whether a filter mixes the texels of a level. */
+bool soft_rows_is_linear(GLenum filter);
+
 /* Whether levels, or the minifying filter, make a texture look different. */
 bool soft_rows_want_lod(const struct texture_input *input);
 

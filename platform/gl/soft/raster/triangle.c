@@ -36,27 +36,13 @@ static void order_all(const struct vertex *v[3])
 	order(&v[0], &v[1]);
 }
 
-static int32_t least(int32_t a, int32_t b, int32_t c)
-{
-	int32_t ab = a < b ? a : b;
-
-	return ab < c ? ab : c;
-}
-
-static int32_t most(int32_t a, int32_t b, int32_t c)
-{
-	int32_t ab = a > b ? a : b;
-
-	return ab > c ? ab : c;
-}
-
 /* The rows and columns whose centres can be covered; false if none. */
 static bool find_extent(const struct draw *draw, struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;
 	const struct clip_box *box = &draw->box;
-	int32_t left = least(v[0]->x, v[1]->x, v[2]->x);
-	int32_t right = most(v[0]->x, v[1]->x, v[2]->x);
+	int32_t left = raster_least(v[0]->x, v[1]->x, v[2]->x);
+	int32_t right = raster_most(v[0]->x, v[1]->x, v[2]->x);
 	int32_t width = right - left, height = v[2]->y - v[0]->y;
 
 	setup->top = raster_centre(v[0]->y);

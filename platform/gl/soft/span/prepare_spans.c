@@ -117,12 +117,6 @@ static uint32_t find_color_mask(const struct soft *soft)
 		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
 }
 
-static bool is_linear(GLenum filter)
-{
-	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
-		filter == GL_LINEAR_MIPMAP_LINEAR;
-}
-
 /* The largest value of so many bits, as template.h's shifts have it. */
 #define MOST(bits)      ((int64_t)((1 << (bits)) - 1) << (16 - (bits)))
 #define RATIO(from, to) ((int32_t)(FACTOR_SCALE * MOST(to) / MOST(from)))
@@ -172,11 +166,6 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	spans->scales = find_format_scales(format, wide, spans->combined);
 }
 
-static bool has_alpha(GLenum format)
-{
-	return format != GL_RGB && format != GL_LUMINANCE;
-}
-
 static void find_stages(const struct draw *draw, struct soft_spans *spans)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
@@ -191,7 +180,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
 	}
 	stages->alpha_scaled = input->used && input->env->mode == GL_MODULATE &&
-		has_alpha(input->base->base_format);
+		soft_base_has_alpha(input->base->base_format);
 	stages->fogged = draw->fogged;
 	stages->blend_source = state->blend_source;
 	stages->blend_destination = state->blend_destination;
@@ -214,8 +203,9 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 			continue;
 		}
 		spans->min[i] =
-			(*table)[(is_linear(texture->min_filter) ? SOFT_LINEAR
-								 : SOFT_NEAREST) +
+			(*table)[(soft_rows_is_linear(texture->min_filter)
+						 ? SOFT_LINEAR
+						 : SOFT_NEAREST) +
 				format][finish][i];
 		spans->mag[i] =
 			(*table)[(texture->mag_filter == GL_LINEAR ? SOFT_LINEAR
@@ -238,7 +228,8 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	spans->alpha_read = wide || combined ||
 		(spans->finish != SOFT_OPAQUE &&
 			spans->finish != SOFT_OPAQUE_FOG);
-	spans->alpha = spans->alpha_read && !(replaced && has_alpha(format));
+	spans->alpha =
+		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
 }
 
 /* Fragments that no span function has a stage for: see made.h. */
@@ -260,8 +251,7 @@ static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
 
 	/* An alpha test knows alpha as stages round it. */
 	return draw->texture[1].used && finish != SOFT_ANY && !tested &&
-		!draw->smooth &&
-		draw->texture[1].env->mode == GL_MODULATE &&
+		!draw->smooth && draw->texture[1].env->mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8 &&
 		draw->texture[1].base->format != TEXEL_A8;

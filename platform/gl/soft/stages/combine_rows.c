@@ -24,7 +24,7 @@ static bool has_color(GLenum format)
 	return format != GL_ALPHA;
 }
 
-static bool has_alpha(GLenum format)
+bool soft_base_has_alpha(GLenum format)
 {
 	return format != GL_RGB && format != GL_LUMINANCE;
 }
@@ -67,7 +67,7 @@ static void find_mode(GLenum mode, GLenum format, struct soft_environment *out)
 	out->alpha.function = mode == GL_REPLACE ? GL_REPLACE : GL_MODULATE;
 	set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
 	set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
-	if (!has_alpha(format) || mode == GL_DECAL) {
+	if (!soft_base_has_alpha(format) || mode == GL_DECAL) {
 		out->alpha.function = GL_REPLACE;
 		set(&out->alpha, 0, GL_PREVIOUS, GL_SRC_ALPHA);
 	}

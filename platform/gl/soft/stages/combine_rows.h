@@ -10,6 +10,9 @@
 
 struct texture_input;
 
+/* Whether texels of a base format have an alpha of their own. */
+bool soft_base_has_alpha(GLenum format);
+
 /* A function of GL_COMBINE and its arguments. */
 struct soft_combiner {
 	GLenum function;

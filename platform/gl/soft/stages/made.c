@@ -13,12 +13,6 @@ enum {
 	WHITE_ALPHA = 0x7FC0,
 };
 
-static bool is_linear(GLenum filter)
-{
-	return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST ||
-		filter == GL_LINEAR_MIPMAP_LINEAR;
-}
-
 bool soft_mixes_levels(const struct texture_input *input)
 {
 	GLenum min;
@@ -38,7 +32,7 @@ static void choose_levels(const struct texture_input *input, int lod,
 	bool small = soft_rows_is_small(input, lod),
 	     mixed = soft_mixes_levels(input);
 	GLenum filter = small ? texture->min_filter : texture->mag_filter;
-	bool linear = is_linear(filter);
+	bool linear = soft_rows_is_linear(filter);
 	int last = input->levels - 1, line = lod & 255;
 	int level = small
 		? clamp_int(mixed ? lod >> 8 : (lod + 127) >> 8, 0, last)

@@ -45,25 +45,15 @@ static ALWAYS_INLINE bool take_floats(
 		}
 		n[i] = f[i] == f[i] ? (int32_t)(f[i] * 268435456.0f) : 0;
 	}
-	square = (uint32_t)mul_high_add(
-		mul_high_add(mul_high(n[0], n[0]), n[1], n[1]), n[2], n[2]);
+	square = (uint32_t)dot_high(n, n);
 	return square - light->square_least < light->square_range;
-}
-
-static ALWAYS_INLINE int32_t dot_q26(
-	const int32_t n_q28[3], const int32_t v_q30[3])
-{
-	int32_t sum = mul_high(n_q28[0], v_q30[0]);
-
-	sum = mul_high_add(sum, n_q28[1], v_q30[1]);
-	return mul_high_add(sum, n_q28[2], v_q30[2]);
 }
 
 static void add_spec_table(const struct dir_light *light_source,
 	const int32_t n[3], int32_t shine[3])
 {
 	int32_t above_q26 =
-		dot_q26(n, light_source->half_q30) - light_source->least_q26;
+		dot_high(n, light_source->half_q30) - light_source->least_q26;
 	const struct spec_table_step *step;
 	int32_t place, spec_table_q28;
 
@@ -80,13 +70,6 @@ static void add_spec_table(const struct dir_light *light_source,
 	}
 }
 
-/* 16.16 to 8.8, a bit inside of its range. */
-static int32_t to_attribute(int32_t value_q16)
-{
-	value_q16 = clamp_int(value_q16, 0, 65535);
-	return 128 + value_q16 - (value_q16 >> 8);
-}
-
 static void light_side(const struct dir_lights *light, const int32_t n[3],
 	const uint8_t color[4], int32_t out[4])
 {
@@ -96,7 +79,7 @@ static void light_side(const struct dir_lights *light, const int32_t n[3],
 	memcpy(shine, light->emission_q16, sizeof(shine));
 	for (const struct dir_light *light_source = light->dir_light;
 		light_source != light->end; light_source++) {
-		int32_t towards_q26 = dot_q26(n, light_source->towards_q30);
+		int32_t towards_q26 = dot_high(n, light_source->towards_q30);
 
 		if (towards_q26 <= 0) {
 			continue;

@@ -10,13 +10,6 @@ struct lit {
 	int32_t specular[3];
 };
 
-static ALWAYS_INLINE int32_t dot_q26(
-	const int32_t n_q30[3], const int32_t v_q28[3])
-{
-	return mul_high(n_q30[0], v_q28[0]) + mul_high(n_q30[1], v_q28[1]) +
-		mul_high(n_q30[2], v_q28[2]);
-}
-
 /* To unit length, from any but 0. */
 static void normalize_q30(int32_t n[3])
 {
@@ -59,7 +52,7 @@ static void add_spec_table(const struct shading *shading,
 	const struct light_source *light_source, const int32_t n[3],
 	struct lit *lit)
 {
-	int32_t glance_q26 = dot_q26(n, light_source->half_q28);
+	int32_t glance_q26 = dot_high(n, light_source->half_q28);
 	int32_t spec_table_q28;
 
 	if (glance_q26 <= 0) {
@@ -78,7 +71,7 @@ static ALWAYS_INLINE void add_directional(const struct shading *shading,
 	const struct light_source *light_source, const int32_t n[3],
 	struct lit *lit)
 {
-	int32_t towards_q26 = dot_q26(n, light_source->towards_q28);
+	int32_t towards_q26 = dot_high(n, light_source->towards_q28);
 
 	if (towards_q26 <= 0) {
 		return;
@@ -196,13 +189,6 @@ static void add_positional(const struct shading *shading,
 		lit->specular[i] +=
 			bounded((int64_t)added.specular[i] * share >> 16);
 	}
-}
-
-/* 16.16 to 8.8, a bit inside of its range. */
-static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
-{
-	value_q16 = clamp_int(value_q16, 0, 65536);
-	return 128 + value_q16 - (value_q16 >> 8);
 }
 
 static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3],

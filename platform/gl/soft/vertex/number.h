@@ -24,6 +24,14 @@ static inline int32_t mul_high_add(int32_t sum, int32_t a, int32_t b)
 	return multiply_add_high(sum, a, b);
 }
 
+/* The sum of three products' upper halves; wraps. */
+static ALWAYS_INLINE int32_t dot_high(const int32_t a[3], const int32_t b[3])
+{
+	int32_t sum = mul_high_add(mul_high(a[0], b[0]), a[1], b[1]);
+
+	return mul_high_add(sum, a[2], b[2]);
+}
+
 static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)
 {
 	return (uint32_t)(((uint64_t)a * b) >> 32);
@@ -63,6 +71,13 @@ static inline int scale_byte(int a, int b)
 static inline int32_t clamp_int(int32_t value, int32_t low, int32_t high)
 {
 	return value < low ? low : value > high ? high : value;
+}
+
+/* A colour or fog, 16.16, as vertices have it: 8.8, a bit inside of its range. */
+static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
+{
+	value_q16 = clamp_int(value_q16, 0, 65535);
+	return 128 + value_q16 - (value_q16 >> 8);
 }
 
 static inline int32_t saturate_64(int64_t value)

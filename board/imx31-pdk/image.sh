@@ -55,7 +55,8 @@ find "$linux/modules" ! -type l -exec touch -d @0 {} +
     -o -type f -printf "file /%P $PWD/%P 0644 0 0\\n") | sort -k 2 >"$work/modules"
 archive "$work/modules" "$out/test-drivers.cpio.lz4"
 
-mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x lzo -U \
+# Large nodes in the index, which the start reads from the flash one by one.
+mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x lzo -f 128 -U \
     -D "$here/rootfs/devices.txt" -r "$work/root" -o "$work/rootfs.ubifs" \
     >"$work/log" || {
     cat "$work/log" >&2

@@ -9,7 +9,7 @@ from harness import (FOLDER, PROMPT, Error, aim, booted, check, done,
 
 # Linux's first start from a chip looks for bad blocks in all of it and writes a
 # table of them; what later starts take, and the goal of these.
-FIRST_S, LATER_S, GOAL_S = 4.0, 2.2, 1.5
+FIRST_S, LATER_S, GOAL_S = 3.0, 1.6, 1.5
 FIRST_ROOTFS_BLOCK = nand.ROOTFS_AT // nand.BLOCK
 BAD_BLOCKS = [8, 9, *range(FIRST_ROOTFS_BLOCK + 1, FIRST_ROOTFS_BLOCK + 40, 5)]
 # Free blocks, which UBI erases ten seconds after the first start.

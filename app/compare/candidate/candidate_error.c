@@ -129,6 +129,12 @@ static struct sample compare_at(
 		int source = candidate->source ? candidate->source[v] : v;
 		float wanted[2], moved[2], px;
 
+		if (!normals &&
+			screen_view_within(comparer->screen,
+				reference->position[source],
+				comparer->position[v], sample.px)) {
+			continue; /* another vertex is the farthest */
+		}
 		screen_view_project(
 			comparer->screen, reference->position[source], wanted);
 		screen_view_project(

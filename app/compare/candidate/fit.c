@@ -69,8 +69,8 @@ static bool vertex_fits(
 		straight[axis] =
 			from[axis] + (to[axis] - from[axis]) * between->omega;
 	}
-	return screen_view_distance_px(window->screen, straight,
-		       between->wanted[vertex]) <= window->bound_px;
+	return screen_view_within(window->screen, between->wanted[vertex],
+		straight, window->bound_px);
 }
 
 static bool moment_fits(struct window *window, int from, int to, int moment)

@@ -1,12 +1,11 @@
 #include "app/compare/measure/screen_view.h"
 
-#include "app/scene/stage/camera.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
 
 /* The same as in app/demo/viewer/viewer.c. */
-static const struct camera_framing framing = {
+const struct camera_framing screen_view_framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.margin = 1.15f,
@@ -26,6 +25,17 @@ static struct bounds box_of(
 	return box;
 }
 
+static void to_eye(
+	const struct screen_view *screen, const float point[3], float eye[3])
+{
+	const vec4 *view = screen->view;
+
+	for (int row = 0; row < 3; row++) {
+		eye[row] = view[0][row] * point[0] + view[1][row] * point[1] +
+			view[2][row] * point[2] + view[3][row];
+	}
+}
+
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height)
 {
@@ -40,10 +50,43 @@ struct screen_view screen_view_create(struct reference *reference,
 	return screen;
 }
 
+/*
+ * An upper limit of the pixels that a unit covers: half as far from the eye as
+ * the box's nearest corner, and as far aside as its farthest one, where |dp| is
+ * at most focal / z * sqrt(1 + (|p| / z)^2) * |dv|.
+ */
+static void find_scale(struct screen_view *screen)
+{
+	const struct bounds *box = &screen->box;
+	float nearest = 1e30f, aside = 0.0f, tangent;
+
+	for (int i = 0; i < 8; i++) {
+		const float corner[3] = {i & 1 ? box->high[0] : box->low[0],
+			i & 2 ? box->high[1] : box->low[1],
+			i & 4 ? box->high[2] : box->low[2]};
+		float eye[3], square;
+
+		to_eye(screen, corner, eye);
+		square = eye[0] * eye[0] + eye[1] * eye[1];
+		nearest = -eye[2] < nearest ? -eye[2] : nearest;
+		aside = square > aside ? square : aside;
+	}
+	nearest *= 0.5f;
+	screen->px_per_unit = 0.0f;
+	screen->near_square = -1.0f; /* none is near enough */
+	if (nearest > 0.0f) {
+		tangent = (scalar_sqrt(aside) + nearest) / nearest;
+		screen->px_per_unit = screen->unit * screen->focal_px /
+			nearest * scalar_sqrt(1.0f + tangent * tangent);
+		screen->near_square =
+			nearest * nearest / (screen->unit * screen->unit);
+	}
+}
+
 void screen_view_frame(struct screen_view *screen, const struct bounds *box)
 {
 	struct camera camera = camera_default();
-	struct camera_framing wanted = framing;
+	struct camera_framing wanted = screen_view_framing;
 	struct bounds scene_box = *box;
 	float half_rad = 0.5f * camera.yfov_rad;
 
@@ -59,18 +102,15 @@ void screen_view_frame(struct screen_view *screen, const struct bounds *box)
 	}
 	screen->focal_px = 0.5f * (float)screen->height * scalar_cos(half_rad) /
 		scalar_sin(half_rad);
+	find_scale(screen);
 }
 
 void screen_view_project(
 	const struct screen_view *screen, const float point[3], float out[2])
 {
-	const vec4 *view = screen->view;
 	float eye[3];
 
-	for (int row = 0; row < 3; row++) {
-		eye[row] = view[0][row] * point[0] + view[1][row] * point[1] +
-			view[2][row] * point[2] + view[3][row];
-	}
+	to_eye(screen, point, eye);
 	/* The clip is in front of the eye, but a bad bake may leave it. */
 	eye[2] = eye[2] < -1e-3f ? eye[2] : -1e-3f;
 	out[0] = eye[0] * screen->focal_px / -eye[2];

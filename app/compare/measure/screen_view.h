@@ -7,6 +7,10 @@
 #include "app/compare/measure/reference.h"
 #include "app/compare/measure/time_grid.h"
 #include "app/scene/instance/bounds.h"
+#include "app/scene/stage/camera.h"
+
+/* How `limber play` frames a model: aspect and region are left to the caller. */
+extern const struct camera_framing screen_view_framing;
 
 /* The view of a camera as plain numbers. */
 struct screen_view {
@@ -14,6 +18,11 @@ struct screen_view {
 	mat4 view;      /* model units to eye space; the eye looks along -Z */
 	float focal_px; /* pixels that one unit at distance 1 covers */
 	float unit;     /* scene units per unit of the model */
+	/*
+	 * A point of the box and another one at a distance of at most
+	 * near_square, squared, are at most so many pixels a unit apart.
+	 */
+	float px_per_unit, near_square;
 	struct bounds box; /* that is framed, in the model's units */
 };
 
@@ -37,5 +46,21 @@ void screen_view_project(
 /* The distance in pixels between two points of world space. */
 float screen_view_distance_px(
 	const struct screen_view *screen, const float a[3], const float b[3]);
+
+/*
+ * Whether two points are at most px pixels apart, of which a is in the box.
+ * Points that are near each other in space need no projection.
+ */
+static inline bool screen_view_within(const struct screen_view *screen,
+	const float a[3], const float b[3], float px)
+{
+	float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+	float square = x * x + y * y + z * z;
+	float scale = screen->px_per_unit;
+
+	return (square <= screen->near_square &&
+		       square * scale * scale <= px * px) ||
+		screen_view_distance_px(screen, a, b) <= px;
+}
 
 #endif

@@ -78,10 +78,12 @@ static bool draw_row(const struct draw *draw, int y, int left, int right)
 static void walk_row(struct draw *draw, const struct setup *setup, int y)
 {
 	const struct clip_box box = draw->box;
+	struct setup clipped = *setup;
 
+	clipped.inside = false;
 	draw->box.top = y;
 	draw->box.bottom = y + 1;
-	soft_walk_rows(draw, setup);
+	soft_walk_rows(draw, &clipped);
 	draw->box = box;
 }
 

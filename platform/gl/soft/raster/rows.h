@@ -114,13 +114,12 @@ static ALWAYS_INLINE int rows_find_spacing(
 	int32_t a = (int32_t)left_q, b = (int32_t)right_q, q = a < b ? a : b;
 	int q_log2 = raster_log2_q8((uint32_t)(q > 0 ? q : 1)) + 16 * 256;
 	int log2 = (3 * q_log2 + 8 * 256 - raster->curve_log2_q8) >> 1;
-	int n;
 
 	if (log2 >= 5 * 256) {
 		return log2 < 9 * 256 ? 1 << (log2 >> 8) : SOFT_PLAIN_PIXELS;
 	}
-	n = (256 + (log2 & 255)) >> (8 - (log2 >> 8)); /* about 2^log2 */
-	return log2 > 4 * 256 ? n : PERSPECTIVE_STEP;
+	return log2 > 4 * 256 ? (256 + (log2 & 255)) >> 4 /* about 2^log2 */
+			      : PERSPECTIVE_STEP;
 }
 
 /* A step between two values, where inverse is 2^31 over the number of steps. */

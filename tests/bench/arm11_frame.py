@@ -18,8 +18,8 @@ STAGES = {
     " prepare_dir_lights prepare_light prepare_spans query soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin bend clip fill_constant fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list list_colors list_texels masked narrow raster small"
-    " triangle view walk",
+    " fill_texture hidden layout line list masked narrow raster small triangle view walk"
+    " walk_small",
     "pixels": "band combine_rows coverage depth_ways fill finish_row gray level luminance made mix"
     " narrow_rows picture read rows samplers spans_565 spans_8888 tests texture tile_row"
     " tiles tint",

@@ -152,7 +152,7 @@ ROWS = (
     user_model("duck", "4,000 triangles, textured", 13),
     user_model("duck-two-sided", "the same on both sides", 23),
     user_model("colors", "colours and a texture", 10.5),
-    user_model("cards", "quads in all alpha modes", 10.5),
+    user_model("cards", "quads in all alpha modes", 12.2),
     user_model("layers", "six blended quads", 73),
     # 100 ms at 250 million instructions a second
     picture("gl-walker-ground", "the walker on uneven ground", 25, "demo_frames", "walker@13"),

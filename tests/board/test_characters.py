@@ -15,7 +15,7 @@ CHARACTERS = TOP / "assets/characters"
 RUNS = (("CesiumMan", "UP ENTER RIGHT F6"),
         ("RiggedFigure", "DOWN ENTER LEFT RIGHT"),
         ("AnimatedMorphCube", "UP DOWN F6 RIGHT"))
-HOLD_S, APART_S = 0.12, 0.25
+HOLD_S, APART_S, LAST_S = 0.12, 0.25, 0.8
 CLOCK_HZ = 25
 
 # Two lights, one for each foot, on the lines of buttons that are not used here.
@@ -64,6 +64,7 @@ def on_board(machine, model, buttons):
         for down in (True, False):
             machine.wires.level(button, down)
             pause(machine, HOLD_S if down else APART_S)
+    pause(machine, LAST_S)
     machine.shell("kill $limber; wait $limber; cat /run/said")
     pages, said = machine.pages(), machine.log()[begun:]
     stats = machine.shell("cat /run/stats")[1]

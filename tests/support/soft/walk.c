@@ -64,25 +64,68 @@ static void set_steps(struct draw *draw, const struct point *from,
 	}
 }
 
-static void row_divided(struct draw *draw, int y, int left, int right)
+static uint32_t distance(int32_t a, int32_t b)
+{
+	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+}
+
+/* As find_spacing() in walk.c. */
+static int find_spacing(const struct draw *draw, const struct point *from,
+	const struct point *to, int steps)
 {
 	const struct raster *raster = &draw->raster;
-	int spacing =
-		rows_find_spacing(raster, plane_at(raster, INVERSE_W, left),
-			plane_at(raster, INVERSE_W, right - 1));
-	struct point from, to;
+	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
+	uint32_t dq =
+		(uint32_t)(from->q < to->q ? to->q - from->q : from->q - to->q);
+	uint64_t error, allowed = (uint64_t)q << 16;
+	uint32_t most = 0;
+
+	if (steps < PERSPECTIVE_STEP || dq == 0) {
+		return steps <= SMALL_EXTENT ? steps + 1 : SOFT_RUN_PIXELS;
+	}
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		uint32_t d = distance(to->value[i], from->value[i]);
+
+		if (rows_is_divided(raster, i)) {
+			d = i < TEX_S ? d >> rows_color_tolerance(draw) : d;
+			most = d > most ? d : most;
+		}
+	}
+	error = (uint64_t)most * dq;
+	if (error <= allowed && steps <= SMALL_EXTENT) {
+		return steps + 1;
+	}
+	return error >> 2 <= (allowed >> 12) * (uint32_t)(steps * steps)
+		? SOFT_RUN_PIXELS
+		: PERSPECTIVE_STEP;
+}
+
+static void row_divided(struct draw *draw, int y, int left, int right)
+{
+	int steps = right - left - 1, spacing, x = left;
+	struct point from, to, end;
 
 	soft_rows_find_point(draw, left, &from);
+	end = from;
+	if (steps > 0) {
+		soft_rows_find_point(draw, right - 1, &end);
+	}
 	soft_rows_find_lod(draw, &from, &draw->raster.span);
-	for (int x = left; x < right; x += spacing) {
-		int next = right - x > spacing ? x + spacing : right;
-		int end = next < right ? next : right - 1;
-
-		soft_rows_find_point(draw, end, &to);
-		set_steps(draw, &from, &to, end - x);
-		draw_linear(draw, y, x, next, from.value);
+	spacing = find_spacing(draw, &from, &end, steps);
+	if (spacing > steps) {
+		set_steps(draw, &from, &end, steps);
+		draw_linear(draw, y, left, right, from.value);
+		return;
+	}
+	for (; right - x > spacing; x += spacing) {
+		soft_rows_find_point(draw, x + spacing, &to);
+		set_steps(draw, &from, &to, spacing);
+		draw_run(draw, y, x, spacing, from.value);
 		from = to;
 	}
+	set_steps(draw, &from, &end, right - x - 1);
+	draw_run(draw, y, x, right - x, from.value);
 }
 
 /* A colour runs from one end to the other, both in range. */

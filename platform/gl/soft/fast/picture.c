@@ -78,12 +78,10 @@ static bool draw_row(const struct draw *draw, int y, int left, int right)
 static void walk_row(struct draw *draw, const struct setup *setup, int y)
 {
 	const struct clip_box box = draw->box;
-	struct setup clipped = *setup;
 
-	clipped.inside = false;
 	draw->box.top = y;
 	draw->box.bottom = y + 1;
-	soft_walk_rows(draw, &clipped);
+	soft_walk_rows(draw, setup);
 	draw->box = box;
 }
 

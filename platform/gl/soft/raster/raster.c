@@ -169,44 +169,13 @@ static void find_divided(struct draw *draw, const struct setup *setup,
 	}
 }
 
-/* log2 in 1/256 */
-static int find_log2_q8(uint64_t value)
-{
-	int up = 32 - LEADING_ZEROS_64(value | 1);
-
-	up = up > 0 ? up : 0;
-	return raster_log2_q8((uint32_t)(value >> up)) + (16 + up) * 256;
-}
-
-/*
- * A value v = S / q has the slope (S' q - S q') / q^2, whose numerator is the
- * same in all of a row, and runs linearly from row to row: it is the largest in
- * a corner, where it is q (S' - v q').
- */
-static void add_curve(struct raster *raster, const int32_t value[3],
-	const int32_t q[3], int shift, int name, int tolerance)
-{
-	int64_t across = (int64_t)raster->plane[name].dx * ((int64_t)1 << shift);
-
-	for (int i = 0; i < 3; i++) {
-		int64_t own = across -
-			(int64_t)value[i] * raster->plane[INVERSE_W].dx;
-		int log2 = find_log2_q8((uint64_t)(own < 0 ? -own : own)) +
-			find_log2_q8((uint32_t)q[i]) - tolerance * 256;
-
-		raster->curve_log2_q8 = log2 > raster->curve_log2_q8
-			? log2
-			: raster->curve_log2_q8;
-	}
-}
-
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
 static void set_perspective(struct draw *draw, const struct setup *setup,
 	const int32_t value[3], const int32_t q[3], int name)
 {
 	struct raster *raster = &draw->raster;
 	int32_t product[3];
-	int shift = ROWS_COLOR_SCALE;
+	int shift = 16;
 
 	if (name >= TEX_S) {
 		uint32_t all = 1;
@@ -222,8 +191,6 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
 	set_plane(&raster->basis, setup, product, 4, &raster->plane[name]);
-	add_curve(raster, value, q, shift, name,
-		name >= TEX_S ? 0 : rows_color_tolerance(draw));
 }
 
 /* Of what differs; what does not goes into the span once and for all. */
@@ -281,7 +248,6 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 		gather_inverse_w(setup, q);
 		set_plane(
 			&raster->basis, setup, q, 4, &raster->plane[INVERSE_W]);
-		raster->curve_log2_q8 = 0;
 	}
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
@@ -292,10 +258,6 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 		}
 		set_affine(draw, setup, value[i], name);
 		raster->plane[name].start += name >= TEX_S ? TEXEL_NUDGE : 0;
-	}
-	if (raster->perspective) {
-		raster->curve_log2_q8 +=
-			find_log2_q8(raster_size(raster->plane[INVERSE_W].dx));
 	}
 }
 

@@ -77,14 +77,10 @@ void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
 		if (!rows_is_divided(raster, i)) {
 			out->value[i] = at;
 		} else if (i >= TEX_S) {
-			out->value[i] = rows_find_quotient(at, out->inverse,
-				(uint32_t)out->zeros - 2,
-				raster->tex_shift[i - TEX_S]);
+			out->value[i] = rows_divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
 		} else {
-			out->value[i] = clamp_int(
-				rows_find_quotient(at, out->inverse,
-					(uint32_t)out->zeros - 2,
-					ROWS_COLOR_SCALE),
+			out->value[i] = clamp_int(rows_divide(out, at, 24),
 				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 		}
 	}
@@ -138,9 +134,8 @@ static void find_second_point(
 		int32_t at = value_at(raster, i, row, x);
 
 		if (raster->perspective) {
-			at = rows_find_quotient(at, out->inverse,
-				(uint32_t)out->zeros - 2,
-				raster->tex_shift[i - TEX_S]);
+			at = rows_divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
 		} else if (raster->bent) {
 			uint32_t start = (uint32_t)value_at(raster, i, row, 0);
 
@@ -176,6 +171,24 @@ void soft_rows_find_second(const struct draw *draw, int row, struct span *span)
 	} else {
 		soft_rows_find_affine_lod(draw, span);
 	}
+}
+
+uint32_t soft_rows_find_second_change(
+	const struct draw *draw, int row, int left, int right)
+{
+	struct point from, to;
+	uint32_t most = 0;
+
+	find_second_point(&draw->raster, row, left, &from);
+	find_second_point(&draw->raster, row, right, &to);
+	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
+		int32_t a = from.value[i], b = to.value[i];
+		uint32_t own = a < b ? (uint32_t)b - (uint32_t)a
+				     : (uint32_t)a - (uint32_t)b;
+
+		most = own > most ? own : most;
+	}
+	return most;
 }
 
 bool soft_rows_is_linear(GLenum filter)

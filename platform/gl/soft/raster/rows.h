@@ -85,43 +85,6 @@ static ALWAYS_INLINE int32_t rows_divide(
 	return (int32_t)((uint64_t)product << (-down > 31 ? 31 : -down) >> 32);
 }
 
-/*
- * A product of a value and q, scaled down by 2^scale, over q: with 8 bits of
- * fraction more. Inside of the triangle the product is less than q. Products of
- * large values lose bits that they do not have.
- */
-static ALWAYS_INLINE int32_t rows_find_quotient(
-	int32_t product, int32_t inverse, uint32_t shift, int scale)
-{
-	int32_t value = mul_high((int32_t)((uint32_t)product << shift), inverse);
-	uint32_t up = scale > 20 ? (uint32_t)scale - 20 : 0;
-
-	return (int32_t)((uint32_t)value << up) >> (20 + (int)up - scale);
-}
-
-enum {
-	ROWS_COLOR_SCALE = 16
-};
-
-/*
- * How many pixels apart a row's divisions may be: across n pixels what runs
- * linearly is off by n^2 |dv dq| / 4 q, which is to be less than a quarter of a
- * texel.
- */
-static ALWAYS_INLINE int rows_find_spacing(
-	const struct raster *raster, uint32_t left_q, uint32_t right_q)
-{
-	int32_t a = (int32_t)left_q, b = (int32_t)right_q, q = a < b ? a : b;
-	int q_log2 = raster_log2_q8((uint32_t)(q > 0 ? q : 1)) + 16 * 256;
-	int log2 = (3 * q_log2 + 8 * 256 - raster->curve_log2_q8) >> 1;
-
-	if (log2 >= 5 * 256) {
-		return log2 < 9 * 256 ? 1 << (log2 >> 8) : SOFT_PLAIN_PIXELS;
-	}
-	return log2 > 4 * 256 ? (256 + (log2 & 255)) >> 4 /* about 2^log2 */
-			      : PERSPECTIVE_STEP;
-}
-
 /* A step between two values, where inverse is 2^31 over the number of steps. */
 static ALWAYS_INLINE int32_t rows_find_step(
 	int32_t from, int32_t to, int32_t inverse)
@@ -159,6 +122,10 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
  * detail, of a row so many below the one that planes are at.
  */
 void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
+
+/* The most that one of them changes between two columns. */
+uint32_t soft_rows_find_second_change(
+	const struct draw *draw, int row, int left, int right);
 
 /* Whether a filter mixes the texels of a level. */
 bool soft_rows_is_linear(GLenum filter);

@@ -20,6 +20,7 @@ static void set_still(struct draw *draw)
 	if (!spans->fog_moves) {
 		spans->run.row.fog =
 			(uint32_t)mul_high((int32_t)value[FOG], SOFT_FOG_SCALE);
+		spans->run.fog_right = 0;
 	}
 }
 
@@ -66,11 +67,30 @@ static void set_constants(struct draw *draw, uint32_t moving)
 
 		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
 			(int32_t)value[BLUE]);
+		set_color_steps(spans, &(struct colors){0});
 	} else if (!raster->colors_divided && !raster->colors_bent) {
 		spans->steep = is_steep(raster->plane, moving);
+		spans->rare =
+			spans->steep || spans->alpha_moves || spans->fog_moves;
 	}
 	if (spans->textured) {
 		set_level_and_window(draw);
+	}
+}
+
+void soft_begin_steps(struct draw *draw, uint32_t moving)
+{
+	const struct raster *raster = &draw->raster;
+	const struct plane *plane = raster->plane;
+
+	if (moving && !raster->colors_divided && !raster->colors_bent) {
+		set_color_steps(&draw->spans,
+			&(struct colors){plane[RED].dx, plane[GREEN].dx,
+				plane[BLUE].dx, plane[ALPHA].dx, plane[FOG].dx});
+	}
+	if (draw->spans.textured && !raster->perspective && !raster->bent) {
+		soft_set_texel_steps(&draw->spans,
+			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
 	}
 }
 

@@ -1,4 +1,7 @@
-/* Colours as runs have them. */
+/*
+ * The row under way, and its colours as runs have them. Included by walk.c
+ * alone, into the functions that it makes.
+ */
 #ifndef PLATFORM_GL_SOFT_SPAN_COLORS_H
 #define PLATFORM_GL_SOFT_SPAN_COLORS_H
 
@@ -6,6 +9,35 @@
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
+
+/* A row under way; row counts from the triangle's first one. */
+struct line {
+	struct draw *draw;
+	int row;
+	uint16_t *depth; /* of column 0 */
+	uint8_t *pixel;
+};
+
+/* Colours and fog, 8.16; their values at a pixel, or their steps. */
+struct colors {
+	int32_t red, green, blue, alpha, fog;
+};
+
+/* A plane's value at column x of the row. */
+static ALWAYS_INLINE int32_t find_value(
+	const struct line *line, int plane, int x)
+{
+	const struct plane *p = &line->draw->raster.plane[plane];
+
+	return (int32_t)(p->start + (uint32_t)p->dy * (uint32_t)line->row +
+		(uint32_t)p->dx * (uint32_t)x);
+}
+
+/* Coordinates far outside of the texture wrap around. */
+static ALWAYS_INLINE int32_t step_by(int32_t at, int32_t step, int count)
+{
+	return (int32_t)((uint32_t)at + (uint32_t)step * (uint32_t)count);
+}
 
 /* Cut towards zero, so that what moves stays between its ends. */
 static ALWAYS_INLINE uint32_t scale_step(int32_t step, int32_t scale)
@@ -27,9 +59,117 @@ static ALWAYS_INLINE void set_colors(
 		spans->green_start, green, spans->scales.green);
 }
 
+static ALWAYS_INLINE void set_more_colors(
+	struct soft_spans *spans, const struct colors *at)
+{
+	struct soft_run *run = &spans->run;
+
+	if (spans->alpha_moves) {
+		run->row.green_alpha += (uint32_t)at->alpha >> 9 << 16;
+	}
+	if (spans->fog_moves) {
+		run->row.fog = (uint32_t)mul_high(at->fog, SOFT_FOG_SCALE);
+	}
+}
+
+static ALWAYS_INLINE void set_color_steps(
+	struct soft_spans *spans, const struct colors *step)
+{
+	struct soft_run *run = &spans->run;
+	int32_t scale = spans->scales.red_blue;
+
+	run->red_blue_right = (scale_step(step->blue, scale) << 16) +
+		scale_step(step->red, scale);
+	run->green_alpha_right = scale_step(step->green, spans->scales.green);
+	if (spans->alpha_moves) {
+		run->green_alpha_right += (uint32_t)soft_alpha_step(step->alpha)
+			<< 16;
+	}
+	if (spans->fog_moves) {
+		run->fog_right = scale_step(step->fog, SOFT_FOG_SCALE);
+	}
+}
+
+static ALWAYS_INLINE struct colors find_colors(const struct line *line, int x)
+{
+	const struct soft_spans *spans = &line->draw->spans;
+	struct colors at = {
+		.red = find_value(line, RED, x),
+		.green = find_value(line, GREEN, x),
+		.blue = find_value(line, BLUE, x),
+	};
+
+	if (spans->alpha_moves) {
+		at.alpha = find_value(line, ALPHA, x);
+	}
+	if (spans->fog_moves) {
+		at.fog = find_value(line, FOG, x);
+	}
+	return at;
+}
+
 static ALWAYS_INLINE int32_t limit_color(int32_t color)
 {
 	return clamp_int(color, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+}
+
+static ALWAYS_INLINE struct colors limit_colors(struct colors colors)
+{
+	return (struct colors){limit_color(colors.red),
+		limit_color(colors.green), limit_color(colors.blue),
+		limit_color(colors.alpha), limit_color(colors.fog)};
+}
+
+static ALWAYS_INLINE struct colors find_color_steps(
+	const struct soft_spans *spans, const struct colors *from,
+	const struct colors *to, int32_t inverse)
+{
+	struct colors step = {
+		.red = rows_find_step(from->red, to->red, inverse),
+		.green = rows_find_step(from->green, to->green, inverse),
+		.blue = rows_find_step(from->blue, to->blue, inverse),
+	};
+
+	if (spans->alpha_moves) {
+		step.alpha = rows_find_step(from->alpha, to->alpha, inverse);
+	}
+	if (spans->fog_moves) {
+		step.fog = rows_find_step(from->fog, to->fog, inverse);
+	}
+	return step;
+}
+
+/*
+ * Alpha and fog that move, and colours that are steep: these run from one end
+ * of the run to the other, both in range.
+ */
+static NEVER_INLINE void place_rare_colors(
+	const struct line *line, int x, int count)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	struct colors from = find_colors(line, x), to, step;
+
+	if (spans->steep) {
+		from = limit_colors(from);
+		to = limit_colors(find_colors(line, x + count - 1));
+		step = find_color_steps(
+			spans, &from, &to, line->draw->inverse_q31[count - 1]);
+		set_color_steps(spans, &step);
+		set_colors(spans, from.red, from.green, from.blue);
+	}
+	set_more_colors(spans, &from);
+}
+
+/* Colours that run linearly in all of the triangle. */
+static ALWAYS_INLINE void place_colors(const struct line *line, int x, int count)
+{
+	struct soft_spans *spans = &line->draw->spans;
+
+	set_colors(spans, find_value(line, RED, x), find_value(line, GREEN, x),
+		find_value(line, BLUE, x));
+	if (spans->rare) {
+		place_rare_colors(line, x, count);
+	}
 }
 
 #endif

@@ -74,7 +74,7 @@ void soft_set_window(struct draw *draw)
 	struct part s, t;
 
 	spans->window = *whole;
-	run->row.first_texel = run->texels;
+	run->first_texel = run->texels;
 	if (!whole->large) {
 		return;
 	}
@@ -92,7 +92,7 @@ void soft_set_window(struct draw *draw)
 	spans->window.s_room = s.room;
 	spans->window.t_room = t.room;
 	spans->window.large = false;
-	run->row.first_texel = run->texels +
+	run->first_texel = run->texels +
 		(t.first >> SOFT_TEXEL_FRACTION << run->stride_log2) +
 		(s.first >> SOFT_TEXEL_FRACTION << spans->view.texel_log2);
 }
@@ -140,13 +140,11 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->row.depth += count;
 	run->row.pixel += count << pixel_log2;
 	run->row.z += run->z_right * count;
-	run->row.red_blue += run->row.red_blue_right * count;
-	run->row.green_alpha += run->row.green_alpha_right * count;
-	run->row.fog += run->row.fog_right * count;
-	run->row.s = (int32_t)((uint32_t)run->row.s +
-		(uint32_t)run->row.s_right * count);
-	run->row.t = (int32_t)((uint32_t)run->row.t +
-		(uint32_t)run->row.t_right * count);
+	run->row.red_blue += run->red_blue_right * count;
+	run->row.green_alpha += run->green_alpha_right * count;
+	run->row.fog += run->fog_right * count;
+	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
+	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
 }
 
 /* Whether the pieces that edges cut a run into are long enough to pay. */
@@ -155,8 +153,8 @@ static bool is_cut(const struct soft_spans *spans)
 	const struct soft_run *run = &spans->run;
 	const struct soft_window *window = &spans->window;
 
-	return raster_size(run->row.s_right) * 8 < window->s_room &&
-		raster_size(run->row.t_right) * 8 < window->t_room;
+	return raster_size(run->s_right) * 8 < window->s_room &&
+		raster_size(run->t_right) * 8 < window->t_room;
 }
 
 void soft_draw_across(struct soft_spans *spans)
@@ -170,23 +168,16 @@ void soft_draw_across(struct soft_spans *spans)
 	}
 	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
 		bool inside = true;
-		uint32_t s =
-			count_alike(((uint32_t)run->row.s - window->s_first) &
-					window->s_mask,
-				run->row.s_right, window->s_room,
-				window->s_mask, &inside);
-		uint32_t t =
-			count_alike(((uint32_t)run->row.t - window->t_first) &
-					window->t_mask,
-				run->row.t_right, window->t_room,
-				window->t_mask, &inside);
+		uint32_t s = count_alike(
+			((uint32_t)run->s - window->s_first) & window->s_mask,
+			run->s_right, window->s_room, window->s_mask, &inside);
+		uint32_t t = count_alike(
+			((uint32_t)run->t - window->t_first) & window->t_mask,
+			run->t_right, window->t_room, window->t_mask, &inside);
 
 		run->row.count = s < t ? s : t;
 		run->row.count = run->row.count < left ? run->row.count : left;
-		(inside &&
-					soft_find_window(window, run->texels,
-						run->stride_log2,
-						spans->view.texel_log2, &run->row)
+		(inside && soft_find_window(window, spans->view.texel_log2, run)
 				? spans->draw
 				: spans->draw_anywhere)(run);
 		advance(run, run->row.count, spans->pixel_log2);

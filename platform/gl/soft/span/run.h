@@ -54,32 +54,15 @@ struct draw;
 
 /* What of a run is its own where others of its triangle follow. */
 struct soft_row {
-	/* 0 draws none: of what is divided, that is where a line ends */
-	uint32_t count;
-	uint32_t x, y; /* y from the triangle's first row */
 	uint16_t *depth;
 	uint8_t *pixel;
+	uint32_t count; /* up to SOFT_RUN_PIXELS; of several runs 0 draws none */
 	uint32_t z;
 	uint32_t red_blue; /* blue in the upper half */
 	uint32_t green_alpha;
 	uint32_t fog;
-	uint32_t red_blue_right, green_alpha_right, fog_right;
-	/*
-	 * Where all texels that are wanted lie in the level, both coordinates
-	 * below SOFT_RUN_TEXELS from here.
-	 */
-	const uint8_t *first_texel;
 	/* t in the upper half and s in the lower one, from first_texel on */
 	uint32_t texel, texel_right;
-	/* Elsewhere */
-	int32_t s, t, s_right, t_right;
-	/*
-	 * Of a run where something is divided: the next one; and 2^62 over 1 / w
-	 * there, shifted up by two more than shift.
-	 */
-	struct soft_row *next;
-	int32_t inverse;
-	uint32_t shift;
 };
 
 struct soft_run {
@@ -87,8 +70,15 @@ struct soft_run {
 	const struct soft_row *rows;
 	uint32_t row_count;
 	struct soft_row row;
-	uint32_t z_right;
-	const uint8_t *texels; /* of the level */
+	uint32_t z_right, red_blue_right, green_alpha_right, fog_right;
+	/*
+	 * Where all texels that are wanted lie in the level, both coordinates
+	 * below SOFT_RUN_TEXELS from here.
+	 */
+	const uint8_t *first_texel;
+	/* Elsewhere */
+	const uint8_t *texels;
+	int32_t s, t, s_right, t_right;
 	struct soft_wrap wrap_s, wrap_t;
 	uint32_t stride_log2; /* of the level, in bytes */
 	const struct soft_fragment_stages *stages;

@@ -77,9 +77,10 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	bool lists_runs;   /* the span function draws a list; see walk.c */
+	bool lists_runs;   /* of small triangles, see walk_small.c */
 	bool level_by_row; /* of the triangle under way */
 	bool alpha_moves, fog_moves;
+	bool rare;           /* either of them, or steep colours */
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way;

@@ -148,14 +148,13 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 }
 
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
-	const struct soft_row *row, struct soft_kind kind, uint32_t texel,
-	struct soft_texel *out)
+	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
 {
 	int bytes_log2 = soft_texel_bytes_log2(kind.format);
 	uint32_t at = (texel >> (16 + SOFT_TEXEL_FRACTION) << run->stride_log2) +
 		(texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 			((SOFT_RUN_TEXELS - 1u) << bytes_log2));
-	const uint8_t *above = row->first_texel + at;
+	const uint8_t *above = run->first_texel + at;
 	const uint8_t *below = above + (1u << run->stride_log2);
 
 	if (!kind.linear) {

@@ -211,16 +211,15 @@ static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 
 /* Tests and draws one pixel whose depth passes. */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
-	const struct soft_row *row, struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_pixel *at,
-	uint16_t *depth, uint8_t *pixel)
+	struct soft_kind kind, const struct soft_constants *constants,
+	const struct soft_pixel *at, uint16_t *depth, uint8_t *pixel)
 {
 	struct soft_texel texel = {.alpha = 255};
 	struct soft_color color;
 	uint32_t alpha = 255, z = at->z;
 
 	if (kind.textured && kind.inside) {
-		soft_sample_inside(run, row, kind, at->texel, &texel);
+		soft_sample_inside(run, kind, at->texel, &texel);
 	} else if (kind.textured) {
 		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
 	}
@@ -258,21 +257,21 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 }
 
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
-	const struct soft_row *row, struct soft_kind kind, struct soft_pixel *at)
+	struct soft_kind kind, uint32_t texel_right, struct soft_pixel *at)
 {
 	at->z += run->z_right;
-	at->red_blue += row->red_blue_right;
+	at->red_blue += run->red_blue_right;
 	if (!soft_counts_by_green(kind)) {
-		at->green_alpha += row->green_alpha_right;
+		at->green_alpha += run->green_alpha_right;
 	}
 	if (soft_is_fogged(kind)) {
-		at->fog += row->fog_right;
+		at->fog += run->fog_right;
 	}
 	if (kind.textured && kind.inside) {
-		at->texel += row->texel_right;
+		at->texel += texel_right;
 	} else if (kind.textured) {
-		at->s += row->s_right;
-		at->t += row->t_right;
+		at->s += run->s_right;
+		at->t += run->t_right;
 	}
 }
 
@@ -285,8 +284,8 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	/* Depths are as far apart as pixels of RGB565. */
 	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
 	struct soft_pixel at = {row->z, row->red_blue, row->green_alpha,
-		row->fog, row->texel, row->s, row->t};
-	const uint32_t count = row->count;
+		row->fog, row->texel, run->s, run->t};
+	const uint32_t count = row->count, texel_right = row->texel_right;
 	const uint16_t *end = depth + count;
 	/*
 	 * The count is above green, which stays below 2^15, and leaves 2^15 for
@@ -294,21 +293,21 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	 * change by more than they have.
 	 */
 	uint32_t green_right =
-		(count > 1 ? row->green_alpha_right : 0) - 0x10000;
+		(count > 1 ? run->green_alpha_right : 0) - 0x10000;
 
 	if (soft_counts_by_green(kind)) {
 		at.green_alpha += (count - 1) << 16;
 	}
 	do {
 		if (at.z >> 16 < *depth) {
-			soft_shade_pixel(run, row, kind, constants, &at, depth,
+			soft_shade_pixel(run, kind, constants, &at, depth,
 				kind.wide ? pixel
 					  : (uint8_t *)((uintptr_t)depth +
 						    distance));
 		}
 		depth++;
 		pixel += kind.wide ? 4 : 0;
-		soft_step_pixel(run, row, kind, &at);
+		soft_step_pixel(run, kind, texel_right, &at);
 		if (soft_counts_by_green(kind)) {
 			at.green_alpha += green_right;
 		}
@@ -325,14 +324,14 @@ static ALWAYS_INLINE void soft_draw_run(
 	const struct soft_row *row = run->rows;
 
 	if (kind.textured && !kind.inside) {
-		soft_draw_row(run, &run->row, kind, &constants);
+		soft_draw_row(run, row, kind, &constants);
 		return;
 	}
 	for (const struct soft_row *end = row + run->row_count; row < end;
 		row++) {
-		if (row->count > 0) {
-			const struct soft_row its = *row;
+		const struct soft_row its = *row;
 
+		if (its.count > 0) {
 			soft_draw_row(run, &its, kind, &constants);
 		}
 	}

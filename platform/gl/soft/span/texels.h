@@ -8,11 +8,31 @@
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 
+/* Coordinates in the base's texels, 16.16. */
+struct texels {
+	int32_t s, t;
+};
+
 /*
  * What a row does for texels besides, out of line: draws the run that is set up
  * where some of its texels lie outside of the window.
  */
 void soft_draw_across(struct soft_spans *spans);
+
+/* Sets a run's steps in the level, each the nearest. */
+static ALWAYS_INLINE void soft_set_texel_steps(
+	struct soft_spans *spans, struct texels step)
+{
+	struct soft_run *run = &spans->run;
+
+	if (spans->made) {
+		return;
+	}
+	run->s_right = soft_texel_step(step.s, spans->view.s_shift);
+	run->t_right = soft_texel_step(step.t, spans->view.t_shift);
+	run->row.texel_right =
+		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
+}
 
 /*
  * Where a run of so many pixels begins, so that its middle is where it should
@@ -27,20 +47,35 @@ static ALWAYS_INLINE int32_t soft_find_start(int32_t at, int32_t step,
 		(uint32_t)right * half_count - (uint32_t)half_texel);
 }
 
+static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
+	struct texels at, struct texels step, uint32_t count)
+{
+	struct soft_run *run = &spans->run;
+
+	if (spans->made) {
+		spans->made_at =
+			(struct soft_made_at){at.s, at.t, step.s, step.t};
+		return;
+	}
+	run->s = soft_find_start(at.s, step.s, count >> 1, run->s_right,
+		spans->view.s_shift, spans->view.s_half);
+	run->t = soft_find_start(at.t, step.t, count >> 1, run->t_right,
+		spans->view.t_shift, spans->view.t_half);
+}
+
 /*
  * Whether all texels of the run lie in the window; sets first_texel and texel
  * then. A window of more texels than the halves of a word can count is entered
  * anew by each run.
  */
-static ALWAYS_INLINE bool soft_find_window(const struct soft_window *window,
-	const uint8_t *texels, uint32_t stride_log2, int texel_log2,
-	struct soft_row *row)
+static ALWAYS_INLINE bool soft_find_window(
+	const struct soft_window *window, int texel_log2, struct soft_run *run)
 {
-	uint32_t last = row->count - 1;
-	uint32_t s = ((uint32_t)row->s - window->s_first) & window->s_mask;
-	uint32_t t = ((uint32_t)row->t - window->t_first) & window->t_mask;
-	uint32_t s_end = s + (uint32_t)row->s_right * last;
-	uint32_t t_end = t + (uint32_t)row->t_right * last;
+	uint32_t last = run->row.count - 1;
+	uint32_t s = ((uint32_t)run->s - window->s_first) & window->s_mask;
+	uint32_t t = ((uint32_t)run->t - window->t_first) & window->t_mask;
+	uint32_t s_end = s + (uint32_t)run->s_right * last;
+	uint32_t t_end = t + (uint32_t)run->t_right * last;
 
 	if (s >= window->s_room || s_end >= window->s_room ||
 		t >= window->t_room || t_end >= window->t_room) {
@@ -50,8 +85,8 @@ static ALWAYS_INLINE bool soft_find_window(const struct soft_window *window,
 		uint32_t x = (s < s_end ? s : s_end) >> SOFT_TEXEL_FRACTION;
 		uint32_t y = (t < t_end ? t : t_end) >> SOFT_TEXEL_FRACTION;
 
-		row->first_texel =
-			texels + (y << stride_log2) + (x << texel_log2);
+		run->first_texel = run->texels + (y << run->stride_log2) +
+			(x << texel_log2);
 		x <<= SOFT_TEXEL_FRACTION;
 		y <<= SOFT_TEXEL_FRACTION;
 		s -= x;
@@ -60,7 +95,7 @@ static ALWAYS_INLINE bool soft_find_window(const struct soft_window *window,
 			return false;
 		}
 	}
-	row->texel = (t << 16) + s;
+	run->row.texel = (t << 16) + s;
 	return true;
 }
 

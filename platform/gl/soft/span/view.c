@@ -66,7 +66,7 @@ void soft_use_view(const struct soft_view *view,
 {
 	run->stride_log2 = view->stride_log2;
 	run->texels = view->texels;
-	run->row.first_texel = view->texels;
+	run->first_texel = view->texels;
 	run->wrap_s = view->wrap_s;
 	run->wrap_t = view->wrap_t;
 	*window = view->window;

@@ -1,352 +1,332 @@
 /*
- * The rows of a triangle, cut into runs. Values run linearly along a row where
- * perspective bends them too little to be seen, see raster.c; else they bend or
- * are divided every few pixels.
+ * The rows of a triangle, cut into runs for the span functions. Values run
+ * linearly along a row where perspective bends them too little to be seen, see
+ * raster.c; else they are divided exactly every 16 or 32 pixels.
  */
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/span/colors.h"
-#include "platform/gl/soft/span/list.h"
+#include "platform/gl/soft/span/points.h"
 
-/* What is the same for all of a triangle's lists. */
-struct walk {
-	struct draw *draw;
-	const struct setup *setup;
-	uint32_t moving;
-	int most; /* pixels of a run */
-	int pixel_log2;
-	/* that may be listed; of what is divided, that may begin a distance */
-	const struct soft_row *last;
-	struct soft_list list;
-};
-
-/* How runs are listed, by constants. */
-struct listing {
-	bool inside; /* all of the triangle is, and it is not wide */
-	bool divided;
-};
-
-static NEVER_INLINE void find_inverses(
-	const struct draw *draw, struct soft_list *list)
+/* Draws a run of so many pixels from x on, whose values and steps are set. */
+static ALWAYS_INLINE void draw_run(
+	const struct line *line, const struct walk_kind kind, int x, int count)
 {
-	const struct soft_list_value value =
-		soft_list_begin(&draw->raster, INVERSE_W);
-
-	for (struct soft_row *row = list->row; row < list->end; row = row->next) {
-		int32_t q = (int32_t)soft_list_find(&value, row);
-		uint32_t size = (uint32_t)(q > 0 ? q : 1), zeros;
-
-		OPAQUE(size); /* else all that follows is conditional */
-		zeros = (uint32_t)LEADING_ZEROS_32(size);
-		row->inverse = reciprocal(size << zeros);
-		row->shift = zeros - 2;
-	}
-}
-
-/* What the triangle has one of. */
-static NEVER_INLINE void set_still(
-	const struct draw *draw, struct soft_list *list)
-{
-	const struct soft_row still = draw->spans.run.row;
-	const struct soft_list_value z = soft_list_begin_z(&draw->raster);
-
-	for (struct soft_row *row = list->row; row < list->end; row++) {
-		row->z = soft_list_find(&z, row);
-		row->red_blue = still.red_blue;
-		row->green_alpha = still.green_alpha;
-		row->red_blue_right = 0;
-		row->green_alpha_right = 0;
-	}
-}
-
-static NEVER_INLINE void set_fog(const struct draw *draw, struct soft_list *list)
-{
-	const struct soft_spans *spans = &draw->spans;
-	const uint32_t fog = spans->fog_moves ? 0 : spans->run.row.fog;
-
-	for (struct soft_row *row = list->row; row < list->end; row++) {
-		row->fog = fog;
-		row->fog_right = 0;
-	}
-}
-
-/* One by one, where the span function takes no list. */
-static void draw_singly(struct soft_spans *spans, const struct soft_list *list)
-{
-	const struct soft_row still = spans->run.row;
-
-	for (const struct soft_row *row = list->row; row < list->end; row++) {
-		if (row->count == 0) {
-			continue;
-		}
-		spans->run.row = *row;
-		if (spans->made && spans->textured) {
-			spans->made_at = (struct soft_made_at){
-				row->s, row->t, row->s_right, row->t_right};
-		}
-		spans->draw(&spans->run);
-	}
-	spans->run.row = still;
-}
-
-static void draw_all(struct soft_spans *spans, const struct soft_list *list)
-{
+	struct soft_spans *spans = &line->draw->spans;
 	struct soft_run *run = &spans->run;
 
-	if (!spans->lists_runs) {
-		draw_singly(spans, list);
-		return;
-	}
-	run->rows = list->row;
-	run->row_count = (uint32_t)(list->end - list->row);
-	spans->draw(run);
-	run->rows = &run->row;
-	run->row_count = 1;
-}
-
-static NEVER_INLINE void draw_list(struct walk *walk)
-{
-	struct draw *draw = walk->draw;
-	struct soft_spans *spans = &draw->spans;
-	struct soft_list *list = &walk->list;
-
-	if (draw->raster.perspective) {
-		find_inverses(draw, list);
-	}
-	if (spans->fogged) {
-		set_fog(draw, list);
-	}
-	if (walk->moving) {
-		soft_list_colors(draw, walk->setup, list);
+	run->row.count = (uint32_t)count;
+	run->row.depth = line->depth + x;
+	run->row.pixel = line->pixel + (x << spans->pixel_log2);
+	run->row.z = (uint32_t)find_value(line, DEPTH, x) << 6;
+	if (!kind.textured ||
+		soft_find_window(&spans->window, spans->view.texel_log2, run)) {
+		spans->draw(run);
 	} else {
-		set_still(draw, list);
+		soft_draw_across(spans);
 	}
-	if (spans->textured) {
-		soft_list_texels(draw, list);
+}
+
+static ALWAYS_INLINE void row_linear(
+	const struct line *line, const struct walk_kind kind, int x, int right)
+{
+	struct draw *draw = line->draw;
+	const struct plane *plane = draw->raster.plane;
+	const int most =
+		kind.textured ? SOFT_RUN_PIXELS : draw->spans.plain_pixels;
+
+	for (; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
+
+		if (kind.textured) {
+			soft_set_texels(&draw->spans,
+				(struct texels){find_value(line, TEX_S, x),
+					find_value(line, TEX_S + 1, x)},
+				(struct texels){
+					plane[TEX_S].dx, plane[TEX_S + 1].dx},
+				(uint32_t)count);
+		}
+		if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
 	}
-	draw_all(spans, list);
-	list->end = list->row;
 }
 
-/* raster_side() of a triangle that is inside. */
-static ALWAYS_INLINE struct side find_side(
-	const struct draw *draw, const struct vertex *a, const struct vertex *b)
+/* Draws a run that begins so many pixels behind a point. */
+static ALWAYS_INLINE void draw_behind(const struct line *line,
+	const struct walk_kind kind, int x, int count,
+	const struct row_point *from, const struct change *change, int past)
 {
-	int32_t dy = b->y - a->y;
-	int32_t step =
-		mul_high((b->x - a->x) * (1 << 17), draw->inverse_q31[dy]);
+	struct soft_spans *spans = &line->draw->spans;
+	const struct colors *c = &from->colors, *step = &change->colors;
 
-	return (struct side){
-		(a->x << 12) + (step >> 4) * ((8 - a->y) & 15), step};
+	if (kind.textured) {
+		const struct texels at = {
+			step_by(from->texels.s, change->texels.s, past),
+			step_by(from->texels.t, change->texels.t, past)};
+
+		soft_set_texels(spans, at, change->texels, (uint32_t)count);
+	}
+	if (kind.colors_divided) {
+		const struct colors more = {
+			.alpha = step_by(c->alpha, step->alpha, past),
+			.fog = step_by(c->fog, step->fog, past)};
+
+		set_colors(spans, step_by(c->red, step->red, past),
+			step_by(c->green, step->green, past),
+			step_by(c->blue, step->blue, past));
+		set_more_colors(spans, &more);
+	} else if (kind.colored) {
+		place_colors(line, x, count);
+	}
+	draw_run(line, kind, x, count);
 }
 
-static ALWAYS_INLINE struct side begin_side(const struct walk *walk,
-	const struct listing how, int from, int to, int y)
+/*
+ * Draws from left to right what runs linearly between two points, so many
+ * steps apart.
+ */
+static ALWAYS_INLINE void draw_between(const struct line *line,
+	const struct walk_kind kind, int left, int right,
+	const struct row_point *from, const struct row_point *to, int steps)
 {
-	const struct vertex *const *v = walk->setup->v;
+	const int most = kind.textured ? SOFT_RUN_PIXELS
+				       : line->draw->spans.plain_pixels;
+	const struct change change = set_steps(line, kind, from, to, steps);
 
-	return how.inside ? find_side(walk->draw, v[from], v[to])
-			  : raster_side(walk->draw, v[from], v[to], y);
+	for (int x = left; x < right; x += most) {
+		draw_behind(line, kind, x, right - x < most ? right - x : most,
+			from, &change, x - left);
+	}
 }
 
-/* How many pixels apart divisions are. */
-static ALWAYS_INLINE int find_spacing(
-	const struct raster *raster, int y, int x, int right)
+static NEVER_INLINE void set_row_level(
+	struct draw *draw, struct point point, struct texels texels)
 {
-	const struct plane *q = &raster->plane[INVERSE_W];
-	uint32_t left_q = q->start + (uint32_t)q->dy * (uint32_t)y +
-		(uint32_t)q->dx * (uint32_t)x;
+	struct raster *raster = &draw->raster;
 
-	return rows_find_spacing(raster, left_q,
-		left_q + (uint32_t)q->dx * (uint32_t)(right - 1 - x));
+	point.value[TEX_S] = texels.s;
+	point.value[TEX_S + 1] = texels.t;
+	soft_rows_find_lod(draw, &point, &raster->span);
+	soft_set_level(draw, raster->span.lod[0]);
 }
 
-static ALWAYS_INLINE struct soft_row *draw_listed(
-	struct walk *walk, struct soft_row *end)
+static ALWAYS_INLINE void row_divided(const struct line *line,
+	const struct walk_kind kind, int left, int right)
 {
-	walk->list.end = end;
-	draw_list(walk);
-	return walk->list.row;
+	int steps = right - left - 1, x = left;
+	struct row_point from = find_point(line, kind, left), to, end = from;
+
+	if (steps > 0) {
+		end = find_point(line, kind, right - 1);
+	}
+	if (kind.textured && line->draw->spans.level_by_row) {
+		set_row_level(line->draw, from.divisor, from.texels);
+	}
+	if (steps >= PERSPECTIVE_STEP) {
+		uint32_t most = line->draw->texture[1].used
+			? soft_rows_find_second_change(
+				  line->draw, line->row, left, right - 1)
+			: 0;
+		int spacing = find_spacing(
+			line->draw, kind, &from, &end, steps, most);
+
+		for (; right - x > spacing; x += spacing) {
+			to = find_point(line, kind, x + spacing);
+			draw_between(line, kind, x, x + spacing, &from, &to,
+				spacing);
+			from = to;
+		}
+	}
+	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-/* A row under way. */
-struct line {
-	uint16_t *depth; /* of column 0 */
-	uint8_t *pixel;
-	int y; /* from the triangle's first one */
-};
+/* What bends runs straight to the pixel behind the run. */
+static ALWAYS_INLINE struct bent find_bent(
+	const struct line *line, int name, int x, int count)
+{
+	const struct raster *raster = &line->draw->raster;
+	const struct plane *p = &raster->plane[name];
 
-static ALWAYS_INLINE void set_run(struct soft_row *row, const struct walk *walk,
+	return rows_find_bent(raster, name,
+		p->start + (uint32_t)p->dy * (uint32_t)line->row, line->row, x,
+		count);
+}
+
+static struct bent find_bent_color(
+	const struct line *line, int name, int x, int count)
+{
+	return rows_limit_bent(find_bent(line, name, x, count), count,
+		line->draw->inverse_q31[count]);
+}
+
+static NEVER_INLINE void place_bent_colors(
 	const struct line *line, int x, int count)
 {
-	row->count = (uint32_t)count;
-	row->x = (uint32_t)x;
-	row->y = (uint32_t)line->y;
-	row->depth = line->depth + x;
-	row->pixel = line->pixel + (x << walk->pixel_log2);
-}
+	struct soft_spans *spans = &line->draw->spans;
+	struct bent red = find_bent_color(line, RED, x, count);
+	struct bent green = find_bent_color(line, GREEN, x, count);
+	struct bent blue = find_bent_color(line, BLUE, x, count);
+	struct bent alpha = {0, 0}, fog = {0, 0};
 
-/* Where a line, or a list within it, ends. */
-static ALWAYS_INLINE void set_end(
-	struct soft_row *row, const struct line *line, int x)
-{
-	row->count = 0;
-	row->x = (uint32_t)x;
-	row->y = (uint32_t)line->y;
-	row->next = row + 1;
-}
-
-static ALWAYS_INLINE struct soft_row *list_row(struct walk *walk,
-	struct soft_row *row, const struct line *line, int x, int right)
-{
-	const int most = walk->most;
-
-	for (; right - x > most; x += most) {
-		set_run(row, walk, line, x, most);
-		row++;
-		if (row == walk->last) {
-			row = draw_listed(walk, row);
-		}
+	if (spans->alpha_moves) {
+		alpha = find_bent_color(line, ALPHA, x, count);
 	}
-	set_run(row, walk, line, x, right - x);
-	row++;
-	return row == walk->last ? draw_listed(walk, row) : row;
-}
-
-/* The same where something is divided. */
-static ALWAYS_INLINE struct soft_row *list_divided_row(struct walk *walk,
-	struct soft_row *row, const struct line *line, int x, int right)
-{
-	const int spacing = find_spacing(&walk->draw->raster, line->y, x, right);
-	const int most = walk->most;
-
-	while (x < right) {
-		int next = right - x > spacing ? x + spacing : right;
-		struct soft_row *first;
-
-		if (row > walk->last) {
-			set_end(row, line, x);
-			row = draw_listed(walk, row + 1);
-		}
-		first = row;
-		do {
-			int count = next - x < most ? next - x : most;
-
-			set_run(row, walk, line, x, count);
-			row++;
-			x += count;
-		} while (x < next);
-		first->next = row;
+	if (spans->fog_moves) {
+		fog = find_bent_color(line, FOG, x, count);
 	}
-	set_end(row, line, right - 1);
-	row++;
-	return walk->draw->spans.level_by_row ? draw_listed(walk, row) : row;
+	set_color_steps(spans,
+		&(struct colors){
+			red.step, green.step, blue.step, alpha.step, fog.step});
+	set_colors(spans, red.value, green.value, blue.value);
+	set_more_colors(spans,
+		&(struct colors){.alpha = alpha.value, .fog = fog.value});
 }
 
-/* Rows between two edges; y counts from the triangle's first one. */
-static ALWAYS_INLINE void list_part(struct walk *walk, const struct listing how,
-	int y, int end, struct side *left_side, struct side *right_side)
+static ALWAYS_INLINE void row_bent(
+	const struct line *line, const struct walk_kind kind, int x, int right)
 {
-	const struct buffers *buffers = &walk->draw->soft->buffers;
-	const struct clip_box *box = &walk->draw->box;
-	const int width = buffers->width, top = walk->setup->top;
+	struct soft_spans *spans = &line->draw->spans;
+	const int most = line->draw->raster.bent_pixels;
+
+	for (; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
+
+		if (kind.textured) {
+			struct bent s = find_bent(line, TEX_S, x, count);
+			struct bent t = find_bent(line, TEX_S + 1, x, count);
+			const struct texels at = {s.value, t.value};
+			const struct texels step = {s.step, t.step};
+
+			soft_set_texel_steps(spans, step);
+			soft_set_texels(spans, at, step, (uint32_t)count);
+		}
+		if (kind.colors_bent) {
+			place_bent_colors(line, x, count);
+		} else if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
+	}
+}
+
+/* Rows between two edges. */
+static ALWAYS_INLINE void walk_part(struct line *line,
+	const struct walk_kind kind, struct side *left_side,
+	struct side *right_side, int rows)
+{
+	const struct buffers *buffers = &line->draw->soft->buffers;
+	const int width = buffers->width;
 	const int stride_bytes = buffers->target.stride_bytes;
-	struct line line = {
-		.depth = buffers->depth + (ptrdiff_t)(top + y) * width,
-		.pixel = buffers->target.data +
-			(ptrdiff_t)(top + y) * stride_bytes,
-		.y = y,
-	};
-	const int box_left = box->left, box_right = box->right;
+	const struct clip_box box = line->draw->box;
 	struct side first = *left_side, last = *right_side;
-	struct soft_row *row = walk->list.end;
 
-	for (; line.y < end; line.y++) {
+	for (int end = line->row + rows; line->row < end; line->row++) {
 		int left = raster_column(first.x);
 		int right = raster_column(last.x);
 
-		if (!how.inside) {
-			left = left > box_left ? left : box_left;
-			right = right < box_right ? right : box_right;
-		}
+		left = left > box.left ? left : box.left;
+		right = right < box.right ? right : box.right;
 		if (left < right) {
-			row = how.divided
-				? list_divided_row(walk, row, &line, left, right)
-				: list_row(walk, row, &line, left, right);
+			if (kind.texels_bent || kind.colors_bent) {
+				row_bent(line, kind, left, right);
+			} else if (kind.texels_divided || kind.colors_divided) {
+				row_divided(line, kind, left, right);
+			} else {
+				row_linear(line, kind, left, right);
+			}
 		}
 		raster_next_side(&first);
 		raster_next_side(&last);
-		line.depth += width;
-		line.pixel += stride_bytes;
+		line->depth += width;
+		line->pixel += stride_bytes;
 	}
-	walk->list.end = row;
 	*left_side = first;
 	*right_side = last;
 }
 
 /* All rows, above and below the middle vertex. */
-static ALWAYS_INLINE void list_rows(struct walk *walk, const struct listing how)
+static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
+	const struct walk_kind kind)
 {
-	const struct setup *setup = walk->setup;
-	const struct draw *draw = walk->draw;
-	int y = raster_first_row(draw, setup), top = setup->top;
+	const struct buffers *buffers = &draw->soft->buffers;
+	int y = raster_first_row(draw, setup);
 	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
 						      : draw->box.bottom;
+	struct line line = {
+		.draw = draw,
+		.row = y - setup->top,
+		.depth = buffers->depth + (ptrdiff_t)y * buffers->width,
+		.pixel = buffers->target.data +
+			(ptrdiff_t)y * buffers->target.stride_bytes,
+	};
 	struct side side[2]; /* left and right */
 	int part = setup->middle_left ? 0 : 1;
 
-	walk->list.end = walk->list.row;
-	side[!part] = begin_side(walk, how, 0, 2, y);
+	side[!part] = raster_side(draw, setup->v[0], setup->v[2], y);
 	for (int i = 0; i < 2; i++) {
 		int end = i == 0 && setup->middle < bottom ? setup->middle
 							   : bottom;
 
 		if (y < end) {
-			side[part] = begin_side(walk, how, i, i + 1, y);
-			list_part(walk, how, y - top, end - top, &side[0],
-				&side[1]);
+			side[part] = raster_side(
+				draw, setup->v[i], setup->v[i + 1], y);
+			walk_part(&line, kind, &side[0], &side[1], end - y);
 			y = end;
 		}
 	}
-	if (walk->list.end != walk->list.row) {
-		draw_list(walk);
+}
+
+#define WALK(name, ...)                                             \
+	static NEVER_INLINE void walk_##name(                       \
+		struct draw *draw, const struct setup *setup)       \
+	{                                                           \
+		walk(draw, setup, (struct walk_kind){__VA_ARGS__}); \
 	}
-}
 
-static NEVER_INLINE void list_inside(struct walk *walk)
-{
-	list_rows(walk, (struct listing){.inside = true});
-}
-
-static NEVER_INLINE void list_clipped(struct walk *walk)
-{
-	list_rows(walk, (struct listing){.inside = false});
-}
-
-static NEVER_INLINE void list_divided(struct walk *walk)
-{
-	list_rows(walk, (struct listing){.divided = true});
-}
+WALK(plain_still, .textured = false)
+WALK(plain, .colored = true)
+WALK(plain_divided, .colored = true, .colors_divided = true)
+WALK(still, .textured = true)
+WALK(still_divided, .textured = true, .texels_divided = true)
+WALK(colored, .textured = true, .colored = true)
+WALK(colored_by_texels, .textured = true, .colored = true,
+	.texels_divided = true)
+WALK(colored_divided, .textured = true, .colored = true, .texels_divided = true,
+	.colors_divided = true)
+WALK(plain_bent, .colored = true, .colors_bent = true)
+WALK(still_bent, .textured = true, .texels_bent = true)
+WALK(colored_by_texels_bent, .textured = true, .colored = true,
+	.texels_bent = true)
+WALK(colored_bent, .textured = true, .colored = true, .texels_bent = true,
+	.colors_bent = true)
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	struct walk walk;
+	bool divided = raster->perspective, bent = raster->bent;
+	uint32_t moving;
 
-	walk.draw = draw;
-	walk.setup = setup;
-	walk.moving = soft_begin_walk(draw);
-	walk.most = raster->bent       ? raster->bent_pixels
-		: draw->spans.textured ? SOFT_RUN_PIXELS
-				       : draw->spans.plain_pixels;
-	walk.pixel_log2 = draw->spans.pixel_log2;
-	walk.last = &walk.list.row[SOFT_LIST_RUNS];
-	if (raster->perspective) {
-		walk.last -= SOFT_PLAIN_PIXELS / SOFT_RUN_PIXELS + 1;
-		list_divided(&walk);
-	} else if (setup->inside && !setup->wide) {
-		list_inside(&walk);
+	moving = soft_begin_walk(draw);
+	if (soft_is_small(draw, setup)) {
+		soft_walk_small(draw, setup, moving);
+		return;
+	}
+	soft_begin_steps(draw, moving);
+	if (!draw->spans.textured) {
+		(!moving                              ? walk_plain_still
+				: raster->colors_bent ? walk_plain_bent
+				: divided             ? walk_plain_divided
+					  : walk_plain)(draw, setup);
+	} else if (!moving) {
+		(bent                     ? walk_still_bent
+				: divided ? walk_still_divided
+					  : walk_still)(draw, setup);
+	} else if (raster->colors_bent || raster->colors_divided) {
+		(bent ? walk_colored_bent : walk_colored_divided)(draw, setup);
 	} else {
-		list_clipped(&walk);
+		(bent                     ? walk_colored_by_texels_bent
+				: divided ? walk_colored_by_texels
+					  : walk_colored)(draw, setup);
 	}
 }

@@ -30,7 +30,7 @@ static void add_fog(const struct soft_run *run, uint32_t *color)
 	const uint8_t *to = run->stages->fog_color;
 	uint32_t fog = run->row.fog;
 
-	for (uint32_t i = 0; i < run->row.count; i++, fog += run->row.fog_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, fog += run->fog_right) {
 		uint32_t out = color[i] & 0xFF000000;
 
 		for (int k = 0; k < 3; k++) {
@@ -175,7 +175,7 @@ void soft_finish_row(const struct soft_run *run)
 {
 	uint32_t color[SOFT_RUN_PIXELS], passing;
 
-	memcpy(color, run->row.first_texel, run->row.count * sizeof(*color));
+	memcpy(color, run->first_texel, run->row.count * sizeof(*color));
 	passing = find_passing(run, color);
 	if (passing == 0) {
 		return;

@@ -68,16 +68,15 @@ static void sample_level(const struct soft_made_levels *levels,
 	struct soft_run run = {.row = {.pixel = (uint8_t *)out, .count = count}};
 
 	soft_use_view(view, levels->sampler, &run, &window);
-	run.row.s_right = soft_texel_step(at->s_step, view->s_shift);
-	run.row.t_right = soft_texel_step(at->t_step, view->t_shift);
+	run.s_right = soft_texel_step(at->s_step, view->s_shift);
+	run.t_right = soft_texel_step(at->t_step, view->t_shift);
 	run.row.texel_right =
-		((uint32_t)run.row.t_right << 16) + (uint32_t)run.row.s_right;
-	run.row.s = soft_find_start(at->s, at->s_step, count >> 1,
-		run.row.s_right, view->s_shift, view->s_half);
-	run.row.t = soft_find_start(at->t, at->t_step, count >> 1,
-		run.row.t_right, view->t_shift, view->t_half);
-	levels->sampler[soft_find_window(&window, run.texels, run.stride_log2,
-		view->texel_log2, &run.row)](&run);
+		((uint32_t)run.t_right << 16) + (uint32_t)run.s_right;
+	run.s = soft_find_start(at->s, at->s_step, count >> 1, run.s_right,
+		view->s_shift, view->s_half);
+	run.t = soft_find_start(at->t, at->t_step, count >> 1, run.t_right,
+		view->t_shift, view->t_half);
+	levels->sampler[soft_find_window(&window, view->texel_log2, &run)](&run);
 }
 
 /* From one to the other of four bytes by 0..255 of 256. */
@@ -134,9 +133,8 @@ static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
 /* The vertices' colours. */
 static void fill_primary(const struct soft_run *run, uint32_t *out)
 {
-	uint32_t rb = run->row.red_blue, rb_right = run->row.red_blue_right;
-	uint32_t ga = run->row.green_alpha,
-		 ga_right = run->row.green_alpha_right;
+	uint32_t rb = run->row.red_blue, rb_right = run->red_blue_right;
+	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
 	const uint32_t *end = out + run->row.count;
 
 	for (; out != end; out++) {
@@ -150,8 +148,7 @@ static void fill_primary(const struct soft_run *run, uint32_t *out)
 static void scale_alphas(
 	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
 {
-	uint32_t ga = run->row.green_alpha,
-		 ga_right = run->row.green_alpha_right;
+	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
 	const uint32_t *end = color + run->row.count;
 
 	for (; color != end; color++, texel++, ga += ga_right) {
@@ -209,7 +206,7 @@ static NEVER_INLINE void draw_covered(struct draw *draw, uint32_t *color)
 	const struct soft_row whole = run->row;
 	int row, column = find_place(draw, &row);
 
-	run->row.first_texel = (const uint8_t *)(color +
+	run->first_texel = (const uint8_t *)(color +
 		soft_cover(&draw->spans, column, row, color));
 	if (run->row.count > 0) {
 		draw->spans.draw_row(run);
@@ -242,12 +239,11 @@ static void draw_made(const struct soft_run *given)
 		row = color;
 		run->row.red_blue = spans->white[0];
 		run->row.green_alpha = spans->white[1];
-		run->row.red_blue_right = 0;
-		run->row.green_alpha_right = 0;
+		run->red_blue_right = 0;
+		run->green_alpha_right = 0;
 	}
-	run->row.first_texel = (const uint8_t *)row;
+	run->first_texel = (const uint8_t *)row;
 	run->row.texel = 0;
-	run->row.texel_right = 1 << SOFT_TEXEL_FRACTION;
 	if (spans->coverage.used) {
 		draw_covered(draw, color);
 	} else {
@@ -255,8 +251,8 @@ static void draw_made(const struct soft_run *given)
 	}
 	run->row.red_blue = whole.row.red_blue;
 	run->row.green_alpha = whole.row.green_alpha;
-	run->row.red_blue_right = whole.row.red_blue_right;
-	run->row.green_alpha_right = whole.row.green_alpha_right;
+	run->red_blue_right = whole.red_blue_right;
+	run->green_alpha_right = whole.green_alpha_right;
 }
 
 static void prepare_combined(struct draw *draw)
@@ -299,5 +295,6 @@ void soft_prepare_made(struct draw *draw)
 	spans->window.s_room = 0;
 	spans->draw = draw_made;
 	spans->draw_anywhere = draw_made;
+	spans->run.row.texel_right = 1 << SOFT_TEXEL_FRACTION;
 	spans->run.stride_log2 = 0;
 }

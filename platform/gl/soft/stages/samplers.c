@@ -28,7 +28,7 @@ static ALWAYS_INLINE void read_texels(
 {
 	const struct soft_run own = *given, *run = &own;
 	uint32_t at = run->row.texel;
-	int32_t s = run->row.s, t = run->row.t;
+	int32_t s = run->s, t = run->t;
 	uint8_t *out = run->row.pixel, *end = out + run->row.count * 4;
 
 	for (; out != end; out += 4) {
@@ -36,12 +36,12 @@ static ALWAYS_INLINE void read_texels(
 		uint32_t bytes;
 
 		if (kind.inside) {
-			soft_sample_inside(run, &run->row, kind, at, &texel);
+			soft_sample_inside(run, kind, at, &texel);
 			at += run->row.texel_right;
 		} else {
 			soft_sample_anywhere(run, kind, s, t, &texel);
-			s += run->row.s_right;
-			t += run->row.t_right;
+			s += run->s_right;
+			t += run->t_right;
 		}
 		soft_finish_texel(kind, &texel);
 		bytes = widen_texel(kind, &texel);

@@ -158,8 +158,6 @@ struct raster {
 	/* the least and the largest, in 1/256 of texels */
 	int32_t texel_range[2 * SOFT_UNITS][2];
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
-	/* of what is divided, the largest (S' q - S q') q', see add_curve() */
-	int curve_log2_q8;
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
 	int top;          /* the row that planes begin in */

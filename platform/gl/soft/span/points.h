@@ -1,0 +1,150 @@
+/*
+ * What is divided by 1 / w at single pixels of a row, and how it changes from
+ * one to the next. Included by walk.c alone, into the functions that it makes.
+ */
+#ifndef PLATFORM_GL_SOFT_SPAN_POINTS_H
+#define PLATFORM_GL_SOFT_SPAN_POINTS_H
+
+#include "platform/gl/soft/span/colors.h"
+#include "platform/gl/soft/span/texels.h"
+
+/* What moves in a triangle, and is divided by 1 / w; constants of the walk. */
+struct walk_kind {
+	bool textured, colored;
+	bool texels_divided, colors_divided;
+	bool texels_bent, colors_bent;
+};
+
+struct row_point {
+	struct point divisor; /* q and its reciprocal alone */
+	struct texels texels;
+	struct colors colors;
+};
+
+/* plane is the attribute's; of textures it tells the scale, too. */
+static ALWAYS_INLINE int32_t divide(
+	const struct line *line, const struct point *divisor, int plane, int x)
+{
+	const struct raster *raster = &line->draw->raster;
+	int32_t value = rows_divide(divisor, find_value(line, plane, x),
+		plane >= TEX_S ? raster->tex_shift[plane - TEX_S] + 8 : 24);
+
+	return plane >= TEX_S ? value : limit_color(value);
+}
+
+static ALWAYS_INLINE struct row_point find_point(
+	const struct line *line, const struct walk_kind kind, int x)
+{
+	const struct soft_spans *spans = &line->draw->spans;
+	struct row_point out;
+	struct point *by = &out.divisor;
+
+	rows_find_divisor(find_value(line, INVERSE_W, x), by);
+	if (kind.textured) {
+		out.texels.s = divide(line, by, TEX_S, x);
+		out.texels.t = divide(line, by, TEX_S + 1, x);
+	}
+	if (kind.colors_divided) {
+		out.colors.red = divide(line, by, RED, x);
+		out.colors.green = divide(line, by, GREEN, x);
+		out.colors.blue = divide(line, by, BLUE, x);
+		if (spans->alpha_moves) {
+			out.colors.alpha = divide(line, by, ALPHA, x);
+		}
+		if (spans->fog_moves) {
+			out.colors.fog = divide(line, by, FOG, x);
+		}
+	}
+	return out;
+}
+
+static ALWAYS_INLINE uint32_t distance(int32_t a, int32_t b)
+{
+	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
+}
+
+static ALWAYS_INLINE uint32_t larger(uint32_t a, uint32_t b)
+{
+	return a > b ? a : b;
+}
+
+/* The most that a colour changes, in what counts as much of a texel. */
+static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
+	const struct colors *from, const struct colors *to)
+{
+	uint32_t most = larger(distance(from->red, to->red),
+		larger(distance(from->green, to->green),
+			distance(from->blue, to->blue)));
+
+	if (spans->alpha_moves) {
+		most = larger(most, distance(from->alpha, to->alpha));
+	}
+	if (spans->fog_moves) {
+		most = larger(most, distance(from->fog, to->fog));
+	}
+	return most >> spans->color_tolerance;
+}
+
+/*
+ * How many pixels apart the exact divisions of a row may be, where other
+ * coordinates change by most: what runs
+ * linearly is off by |dv dq| / 4 q at most, a quarter of that in halves of it.
+ */
+static ALWAYS_INLINE int find_spacing(const struct draw *draw,
+	const struct walk_kind kind, const struct row_point *from,
+	const struct row_point *to, int steps, uint32_t most)
+{
+	uint32_t q =
+		(uint32_t)(from->divisor.q < to->divisor.q ? from->divisor.q
+							   : to->divisor.q);
+	uint64_t error, allowed = (uint64_t)q << 16;
+
+	if (kind.textured) {
+		most = larger(most,
+			larger(distance(from->texels.s, to->texels.s),
+				distance(from->texels.t, to->texels.t)));
+	}
+	if (kind.colors_divided) {
+		most = larger(most,
+			find_change(&draw->spans, &from->colors, &to->colors));
+	}
+	error = (uint64_t)most * distance(from->divisor.q, to->divisor.q);
+	if (error <= allowed && steps <= SMALL_EXTENT) {
+		return steps + 1;
+	}
+	/* A 2,048th of a row is less than 32 pixels apart */
+	return error >> 2 <= (allowed >> 12) * (uint32_t)(steps * steps)
+		? SOFT_RUN_PIXELS
+		: PERSPECTIVE_STEP;
+}
+
+/* How values change between two points. */
+struct change {
+	struct texels texels;
+	struct colors colors;
+};
+
+static ALWAYS_INLINE struct change set_steps(const struct line *line,
+	const struct walk_kind kind, const struct row_point *from,
+	const struct row_point *to, int steps)
+{
+	struct soft_spans *spans = &line->draw->spans;
+	int32_t inverse = line->draw->inverse_q31[steps];
+	struct change out;
+
+	if (kind.textured) {
+		out.texels.s =
+			rows_find_step(from->texels.s, to->texels.s, inverse);
+		out.texels.t =
+			rows_find_step(from->texels.t, to->texels.t, inverse);
+		soft_set_texel_steps(spans, out.texels);
+	}
+	if (kind.colors_divided) {
+		out.colors = find_color_steps(
+			spans, &from->colors, &to->colors, inverse);
+		set_color_steps(spans, &out.colors);
+	}
+	return out;
+}
+
+#endif

@@ -42,7 +42,22 @@ int live_init(struct live *live, const struct camera_feed *feed,
 
 void live_set_stage(struct live *live, const struct stage *stage, float aspect)
 {
-	monitor_init(&live->monitor, &stage->camera, aspect, stage->floor.y);
+	live->yaw_rad = stage->camera.yaw_rad;
+	live->pitch_rad = stage->camera.pitch_rad;
+	monitor_init(&live->monitor);
+	monitor_place(&live->monitor, &stage->camera, aspect, stage->floor.y);
+}
+
+/* What the camera frames may have changed; orbits and zooms do not count. */
+static void place_monitor(
+	struct live *live, const struct stage *stage, float aspect)
+{
+	struct camera home = stage->camera;
+
+	camera_orbit(&home, live->yaw_rad - home.yaw_rad,
+		live->pitch_rad - home.pitch_rad);
+	camera_zoom(&home, 1.0f / home.fit.zoom);
+	monitor_place(&live->monitor, &home, aspect, stage->floor.y);
 }
 
 void live_finish(struct live *live, const struct gl *gl)
@@ -109,6 +124,9 @@ void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 	}
 	smooth_motion(live, (float)(time_s - live->now_s));
 	live->now_s = time_s;
+	if (live->use == LIVE_SCREEN) {
+		place_monitor(live, stage, (float)width / (float)height);
+	}
 	show_on_stage(live, stage);
 }
 

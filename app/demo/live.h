@@ -29,6 +29,7 @@ struct live {
 	bool showing; /* the camera has an image */
 	struct live_texture texture;
 	struct monitor monitor;
+	float yaw_rad, pitch_rad; /* of the camera that the monitor faces */
 	struct camera_motion seen;
 	float level;        /* of motion in the last image, 0..1 */
 	float smooth_level; /* rises quickly and falls slowly */
@@ -46,7 +47,10 @@ int live_init(struct live *live, const struct camera_feed *feed,
 	enum live_use use, bool smooth, const struct gl *gl,
 	const struct log *log);
 
-/* Places the monitor on the stage for pictures of this aspect. */
+/*
+ * Places the monitor on the stage for pictures of this aspect. live_update()
+ * keeps it beside what the camera frames, wherever the camera orbits to.
+ */
 void live_set_stage(struct live *live, const struct stage *stage, float aspect);
 
 /* Releases the texture; may be called again. */
@@ -54,7 +58,7 @@ void live_finish(struct live *live, const struct gl *gl);
 
 /*
  * Takes the camera's newest image for the frame at time_s with this size, and
- * sets the stage's backdrop and monitor. Neither allocates nor waits.
+ * sets the stage's backdrop and monitor. It neither allocates nor waits.
  */
 void live_update(struct live *live, const struct gl *gl, struct stage *stage,
 	double time_s, int width, int height);

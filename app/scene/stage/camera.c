@@ -22,6 +22,7 @@ struct camera camera_default(void)
 		.pitch_rad = 0.16f,
 		.yfov_rad = 0.52f,
 		.radius = 2.0f,
+		.fit = {.zoom = 1.0f},
 	};
 }
 

@@ -66,7 +66,12 @@ static void make_boxes(struct monitor *monitor)
 	}
 }
 
-void monitor_init(struct monitor *monitor, const struct camera *camera,
+void monitor_init(struct monitor *monitor)
+{
+	make_boxes(monitor);
+}
+
+void monitor_place(struct monitor *monitor, const struct camera *camera,
 	float aspect, float floor_y)
 {
 	float yaw = camera->yaw_rad;
@@ -82,7 +87,6 @@ void monitor_init(struct monitor *monitor, const struct camera *camera,
 	float offset = (1.0f + camera->shift_x - 2.0f * margin_fraction) * half -
 		0.5f * width;
 
-	make_boxes(monitor);
 	monitor->scale = width / (2.0f * (half_width + bezel));
 	monitor->origin[0] =
 		camera->target[0] - offset * right[0] - behind * back[0];

@@ -24,12 +24,15 @@ struct monitor {
 	uint16_t index[MONITOR_INDICES];
 };
 
+/* Makes the mesh, which monitor_place() gives its place. */
+void monitor_init(struct monitor *monitor);
+
 /*
- * Makes the mesh and places the monitor behind the camera's target, on the side
- * that the framing leaves free, turned to the eye. aspect is the frame's width
- * / height, floor_y the height that the monitor stands on.
+ * Places the monitor behind the camera's target, on the side that the framing
+ * leaves free, turned to the eye. aspect is the frame's width / height, floor_y
+ * the height that the monitor stands on.
  */
-void monitor_init(struct monitor *monitor, const struct camera *camera,
+void monitor_place(struct monitor *monitor, const struct camera *camera,
 	float aspect, float floor_y);
 
 /*

@@ -129,6 +129,25 @@ static void test_the_screen_stays_and_goes_dark(void **state)
 	live_finish(&rig.live, &rig.gl);
 }
 
+static void test_the_screen_stays_beside_what_the_camera_frames(void **state)
+{
+	static struct rig rig;
+	float origin[3];
+
+	(void)state;
+	rig_begin(&rig, LIVE_SCREEN);
+	rig_frame(&rig, CAMERA_NEW, 100);
+	memcpy(origin, rig.live.monitor.origin, sizeof(origin));
+	camera_orbit(&rig.stage.camera, 1.0f, 0.2f);
+	camera_zoom(&rig.stage.camera, 1.5f);
+	rig_frame(&rig, CAMERA_SAME, 0);
+	assert_all_near(rig.live.monitor.origin, origin, 3, 1e-4);
+	rig.stage.camera.target[0] += 0.5f;
+	rig_frame(&rig, CAMERA_SAME, 0);
+	assert_near(rig.live.monitor.origin[0], origin[0] + 0.5f, 1e-4);
+	live_finish(&rig.live, &rig.gl);
+}
+
 static void test_motion_rises_quickly_and_falls_slowly(void **state)
 {
 	static struct rig rig;
@@ -225,7 +244,8 @@ static void test_the_screen_stands_where_it_is_seen(void **state)
 		mat4 view;
 
 		camera.target[1] = 0.8f;
-		monitor_init(&monitor, &camera, aspects[a], 0.0f);
+		monitor_init(&monitor);
+		monitor_place(&monitor, &camera, aspects[a], 0.0f);
 		camera_view(&camera, view);
 		tan_y = camera_tan_half(camera.yfov_rad);
 		sine = sinf(monitor.yaw_rad);
@@ -256,6 +276,8 @@ int main(void)
 		cmocka_unit_test(
 			test_the_background_comes_and_goes_with_the_picture),
 		cmocka_unit_test(test_the_screen_stays_and_goes_dark),
+		cmocka_unit_test(
+			test_the_screen_stays_beside_what_the_camera_frames),
 		cmocka_unit_test(test_motion_rises_quickly_and_falls_slowly),
 		cmocka_unit_test(test_another_use_waits_for_its_own_picture),
 		cmocka_unit_test(test_without_a_camera_nothing_changes),

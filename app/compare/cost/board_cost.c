@@ -16,14 +16,14 @@ static const struct board_cost palette_joint = {270.0, 250.0};
  * play_cost.c counts for models and exports of many kinds, divided among what
  * they have by least squares (figures.md).
  */
-static const struct board_cost sample_frame = {970.0, 124.0};
+static const struct board_cost sample_frame = {1570.0, 294.0};
 static const struct board_cost sample_node = {190.0, 10.0};
 static const struct board_cost sample_turn = {180.0, 29.0};    /* struct turn */
 static const struct board_cost turn_times = {90.0, 18.0};      /* of its own */
 static const struct board_cost sample_channel = {278.0, 53.0}; /* that moves */
 static const struct board_cost sample_times = {133.0, 14.0};   /* of its own */
 static const struct board_cost sample_weight = {55.0, 7.8};
-static const struct board_cost matrix_node = {870.0, 131.0};
+static const struct board_cost matrix_node = {850.0, 131.0};
 static const struct board_cost palette_row = {330.0, 12.0}; /* of a joint */
 static const struct board_cost keys_drawable = {1700.0, 245.0};
 static const struct board_cost keys_vertex = {20.0, 11.1};

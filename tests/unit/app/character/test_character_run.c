@@ -285,7 +285,8 @@ static void test_a_row_plays_the_states_in_the_order_of_the_file(void **state)
 	acting_expect(&acting,
 		"[state a]\nclip = walk\n[state b]\nclip = jump\n[state c]\nclip = run\n"
 		"[buttons]\nUP = row\n");
-	walk_s = acting.character->machine.state[0].entry[0].of->clip->duration_s;
+	walk_s =
+		acting.character->machine.state[0].entry[0].of->clip->duration_s;
 	overlap_s = 4 *
 		clip_join_frame_s(
 			acting.character->machine.state[0].entry[0].of->clip);
@@ -411,81 +412,6 @@ static void test_an_additive_layer_adds_to_the_state(void **state)
 	acting_end(&acting);
 }
 
-/* The weight of a morph target now. */
-static float weight_of(const struct acting *acting, int target)
-{
-	const struct model *model = acting->model;
-	int node = model_find_node(model, "Face");
-
-	return acting->instance->pose
-		.weight[model->node[node].weight_offset + target];
-}
-
-static void test_a_morph_goes_from_key_frame_to_key_frame(void **state)
-{
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/face.glb");
-	acting_expect(&acting,
-		"[state a]\nclip = rest\n[morph face]\ntime = 1\n"
-		"[buttons]\nUP = morph face smile\nDOWN = morph face frown\n");
-	acting_press(&acting, BUTTON_UP);
-	acting_run_to(&acting, 0.5, rate_hz);
-	assert_near(weight_of(&acting, 0), 0.5, 1e-3);
-	acting_press(&acting, BUTTON_DOWN); /* from the shape of this moment */
-	acting_run_to(&acting, 1.0, rate_hz);
-	assert_near(weight_of(&acting, 0), 0.25, 1e-3);
-	assert_near(weight_of(&acting, 1), 0.5, 1e-3);
-	acting_run_to(&acting, 2.0, rate_hz);
-	assert_near(weight_of(&acting, 0), 0.0, 0.0);
-	assert_near(weight_of(&acting, 1), 1.0, 0.0);
-	acting_end(&acting);
-}
-
-static void test_a_morph_by_frames_takes_so_many_frames(void **state)
-{
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/face.glb");
-	acting_expect(&acting,
-		"[state a]\nclip = rest\n[morph face]\nframes = 8\n"
-		"curve = table 0 0 1 1\n[buttons]\nUP = morph face smile\n");
-	acting_run_to(&acting, 0.1, rate_hz);
-	acting_press(&acting, BUTTON_UP);
-	for (int frame = 1; frame <= 8; frame++) {
-		double u = frame / 8.0;
-
-		acting_run_to(&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
-		assert_near(weight_of(&acting, 0),
-			fmax(0.0, fmin(1.0, 3.0 * u - 1.0)), 1e-5);
-	}
-	acting_end(&acting);
-}
-
-/* The document's sum of float steps, and its end. */
-static void test_a_linear_morph_by_frames_adds_equal_steps(void **state)
-{
-	struct acting acting;
-	float expected = 0;
-
-	(void)state;
-	acting_begin(&acting, "assets/face.glb");
-	acting_expect(&acting,
-		"[state a]\nclip = rest\n[morph face]\nframes = 7\n"
-		"[buttons]\nUP = morph face smile\n");
-	acting_run_to(&acting, 0.1, rate_hz);
-	acting_press(&acting, BUTTON_UP);
-	for (int frame = 1; frame <= 7; frame++) {
-		acting_run_to(&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
-		expected += 1.0f / 7.0f;
-		assert_near(weight_of(&acting, 0),
-			frame < 7 ? (double)expected : 1.0, 0.0);
-	}
-	acting_end(&acting);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -503,10 +429,6 @@ int main(void)
 		cmocka_unit_test(test_a_transition_may_refuse_interruption),
 		cmocka_unit_test(test_a_layer_moves_its_mask_alone_and_fades),
 		cmocka_unit_test(test_an_additive_layer_adds_to_the_state),
-		cmocka_unit_test(test_a_morph_goes_from_key_frame_to_key_frame),
-		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
-		cmocka_unit_test(
-			test_a_linear_morph_by_frames_adds_equal_steps),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

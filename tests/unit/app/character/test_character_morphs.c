@@ -1,0 +1,93 @@
+/* Morphs of a character: over time and by frames. */
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+static const double rate_hz = 50.0;
+
+/* The weight of a morph target now. */
+static float weight_of(const struct acting *acting, int target)
+{
+	const struct model *model = acting->model;
+	int node = model_find_node(model, "Face");
+
+	return acting->instance->pose
+		.weight[model->node[node].weight_offset + target];
+}
+
+static void test_a_morph_goes_from_key_frame_to_key_frame(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/face.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = rest\n[morph face]\ntime = 1\n"
+		"[buttons]\nUP = morph face smile\nDOWN = morph face frown\n");
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(weight_of(&acting, 0), 0.5, 1e-3);
+	acting_press(&acting, BUTTON_DOWN); /* from the shape of this moment */
+	acting_run_to(&acting, 1.0, rate_hz);
+	assert_near(weight_of(&acting, 0), 0.25, 1e-3);
+	assert_near(weight_of(&acting, 1), 0.5, 1e-3);
+	acting_run_to(&acting, 2.0, rate_hz);
+	assert_near(weight_of(&acting, 0), 0.0, 0.0);
+	assert_near(weight_of(&acting, 1), 1.0, 0.0);
+	acting_end(&acting);
+}
+
+static void test_a_morph_by_frames_takes_so_many_frames(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/face.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = rest\n[morph face]\nframes = 8\n"
+		"curve = table 0 0 1 1\n[buttons]\nUP = morph face smile\n");
+	acting_run_to(&acting, 0.1, rate_hz);
+	acting_press(&acting, BUTTON_UP);
+	for (int frame = 1; frame <= 8; frame++) {
+		double u = frame / 8.0;
+
+		acting_run_to(&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
+		assert_near(weight_of(&acting, 0),
+			fmax(0.0, fmin(1.0, 3.0 * u - 1.0)), 1e-5);
+	}
+	acting_end(&acting);
+}
+
+/* The document's sum of float steps, and its end. */
+static void test_a_linear_morph_by_frames_adds_equal_steps(void **state)
+{
+	struct acting acting;
+	float expected = 0;
+
+	(void)state;
+	acting_begin(&acting, "assets/face.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = rest\n[morph face]\nframes = 7\n"
+		"[buttons]\nUP = morph face smile\n");
+	acting_run_to(&acting, 0.1, rate_hz);
+	acting_press(&acting, BUTTON_UP);
+	for (int frame = 1; frame <= 7; frame++) {
+		acting_run_to(&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
+		expected += 1.0f / 7.0f;
+		assert_near(weight_of(&acting, 0),
+			frame < 7 ? (double)expected : 1.0, 0.0);
+	}
+	acting_end(&acting);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_morph_goes_from_key_frame_to_key_frame),
+		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
+		cmocka_unit_test(test_a_linear_morph_by_frames_adds_equal_steps),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -5,63 +5,16 @@
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "tests/support/random.h"
-#include "tests/support/soft/reference.h"
+#include "tests/support/soft/span_scene.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-	WIDTH = 112,
-	HEIGHT = 90,
-	PIXELS = WIDTH * HEIGHT,
 	TRIANGLES = 1, /* others on top would add to the difference */
 	SIDE_MOST = 256,
 };
-
-struct corner {
-	float position[3];
-	uint8_t color[4];
-	float texcoord[2][2]; /* of the texture units */
-};
-
-struct scene {
-	struct gl_context *context;
-	const struct gl *gl;
-	struct soft *soft;
-	uint8_t bytes[PIXELS * 4];
-	struct pixels picture;
-};
-
-static struct scene *open_scene(enum pixel_format format)
-{
-	const struct log log = {0};
-	struct scene *scene = calloc(1, sizeof(*scene));
-
-	assert_non_null(scene);
-	scene->picture = (struct pixels){
-		.width = WIDTH,
-		.height = HEIGHT,
-		.stride_bytes = WIDTH * pixel_bytes(format),
-		.format = format,
-		.data = scene->bytes,
-	};
-	assert_int_equal(
-		gl_open("soft",
-			&(struct gl_request){.format = format, .log = &log},
-			&scene->context),
-		0);
-	scene->gl = &scene->context->gl;
-	scene->soft = (struct soft *)scene->context;
-	return scene;
-}
-
-static void close_scene(struct scene *scene)
-{
-	scene->context->driver->end_frame(scene->context);
-	scene->context->driver->destroy(scene->context);
-	free(scene);
-}
 
 /* A format, and how many bytes of it a texel takes. */
 static const struct texel_case {
@@ -238,25 +191,10 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 	}
 }
 
-static void draw_corners(const struct gl *gl, const struct corner *corner)
-{
-	gl->EnableClientState(GL_VERTEX_ARRAY);
-	gl->EnableClientState(GL_COLOR_ARRAY);
-	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
-	gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
-	for (GLenum unit = 0; unit < 2; unit++) {
-		gl->ClientActiveTexture(GL_TEXTURE0 + unit);
-		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->TexCoordPointer(
-			2, GL_FLOAT, sizeof(*corner), corner->texcoord[unit]);
-	}
-	gl->DrawArrays(GL_TRIANGLES, 0, TRIANGLES * 3);
-}
-
 /* At depths around 4: w differs by up to half, hardly, or not at all. */
 static void give_triangles(const struct gl *gl, uint32_t *seed)
 {
-	static struct corner corner[TRIANGLES * 3];
+	static struct span_corner corner[TRIANGLES * 3];
 	static const int sizes[] = {3, 8, 30, 120, 400};
 	int size = sizes[random_between(seed, 0, 4)];
 	int bend = random_between(seed, 0, 2) * 40;
@@ -264,7 +202,7 @@ static void give_triangles(const struct gl *gl, uint32_t *seed)
 	bool one_color = by_chance(seed, 4);
 
 	for (int i = 0; i < TRIANGLES * 3; i++) {
-		struct corner *c = &corner[i];
+		struct span_corner *c = &corner[i];
 		float depth = 4.0f +
 			(float)random_between(seed, -bend, bend) / 100.0f;
 		float x = (float)random_between(seed, -80, 80);
@@ -292,33 +230,13 @@ static void give_triangles(const struct gl *gl, uint32_t *seed)
 				100.0f * (float)texels_wide / 8.0f;
 		}
 	}
-	draw_corners(gl, corner);
+	span_scene_draw(gl, corner, TRIANGLES * 3);
 }
 
-/* A picture of noise, for one way of drawing or the other. */
-static struct scene *begin(enum pixel_format format, bool reference)
-{
-	struct scene *scene = open_scene(format);
-	const struct gl *gl = scene->gl;
-
-	assert_int_equal(scene->context->driver->begin_frame(
-				 scene->context, &scene->picture),
-		0);
-	reference_use(scene->soft, reference);
-	gl->ClearDepthx(60000);
-	gl->Enable(GL_STENCIL_TEST);
-	gl->Clear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-	gl->Disable(GL_STENCIL_TEST);
-	for (size_t i = 0; i < sizeof(scene->bytes); i++) {
-		scene->bytes[i] = (uint8_t)(i * 37 ^ i >> 5);
-	}
-	return scene;
-}
-
-static struct scene *draw(
+static struct span_scene *draw(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct scene *scene = begin(format, reference);
+	struct span_scene *scene = span_scene_begin(format, reference);
 	const struct gl *gl = scene->gl;
 
 	gl->MatrixMode(GL_PROJECTION);
@@ -328,55 +246,6 @@ static struct scene *draw(
 	give_fragments(gl, &seed);
 	give_triangles(gl, &seed);
 	return scene;
-}
-
-static int distance(int a, int b)
-{
-	return abs(a - b);
-}
-
-/* In steps of what the picture has five bits of. */
-static bool is_near(const struct scene *a, const struct scene *b, int i)
-{
-	if (a->soft->format == PIXELS_RGBA8888) {
-		for (int k = 0; k < 4; k++) {
-			if (distance(a->bytes[4 * i + k], b->bytes[4 * i + k]) >
-				8) {
-				return false;
-			}
-		}
-		return true;
-	}
-	int p = a->bytes[2 * i] | a->bytes[2 * i + 1] << 8;
-	int q = b->bytes[2 * i] | b->bytes[2 * i + 1] << 8;
-
-	return distance(p >> 11, q >> 11) <= 1 &&
-		distance(p >> 5 & 63, q >> 5 & 63) <= 2 &&
-		distance(p & 31, q & 31) <= 1;
-}
-
-static int compare(const struct scene *a, const struct scene *b, uint32_t seed)
-{
-	const struct buffers *x = &a->soft->buffers, *y = &b->soft->buffers;
-	int drawn = 0;
-
-	assert_memory_equal(x->depth, y->depth, PIXELS * 2);
-	assert_memory_equal(x->stencil, y->stencil, PIXELS);
-	for (int i = 0; i < PIXELS; i++) {
-		if (!is_near(a, b, i)) {
-			const uint8_t *p = a->bytes, *q = b->bytes;
-			int at = i * pixel_bytes(a->soft->format);
-
-			fail_msg("seed %u: pixel %d,%d: %02x%02x%02x%02x, by "
-				 "fragments %02x%02x%02x%02x, finish %d",
-				seed, i % WIDTH, i / WIDTH, p[at], p[at + 1],
-				p[at + 2], p[at + 3], q[at], q[at + 1],
-				q[at + 2], q[at + 3],
-				(int)a->soft->draw->spans.finish);
-		}
-		drawn += x->depth[i] != x->depth[0];
-	}
-	return drawn;
 }
 
 static void check(enum pixel_format format)
@@ -389,13 +258,13 @@ static void check(enum pixel_format format)
 
 	for (uint32_t i = 1; i <= (uint32_t)seeds; i++) {
 		uint32_t seed = first + i;
-		struct scene *fast = draw(format, seed * 7919, false);
-		struct scene *slow = draw(format, seed * 7919, true);
+		struct span_scene *fast = draw(format, seed * 7919, false);
+		struct span_scene *slow = draw(format, seed * 7919, true);
 
 		used += fast->soft->draw->fill == soft_rows_fill;
-		drawn += compare(fast, slow, seed);
-		close_scene(fast);
-		close_scene(slow);
+		drawn += span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
 	}
 	/* others have an alpha test that nothing passes */
 	assert_true(used > seeds / 10 * 9);
@@ -414,10 +283,10 @@ static void test_spans_of_8888_are_those_of_fragments(void **state)
 	check(PIXELS_RGBA8888);
 }
 
-static struct scene *draw_heap(
+static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct scene *scene = begin(format, reference);
+	struct span_scene *scene = span_scene_begin(format, reference);
 	const struct gl *gl = scene->gl;
 
 	gl->MatrixMode(GL_PROJECTION);
@@ -439,133 +308,13 @@ static void test_heaps_of_triangles_are_those_of_fragments(void **state)
 	for (uint32_t seed = 1; seed <= 120; seed++) {
 		enum pixel_format format =
 			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
-		struct scene *fast = draw_heap(format, seed * 7919, false);
-		struct scene *slow = draw_heap(format, seed * 7919, true);
+		struct span_scene *fast = draw_heap(format, seed * 7919, false);
+		struct span_scene *slow = draw_heap(format, seed * 7919, true);
 
-		assert_true(compare(fast, slow, seed) > 1000);
-		close_scene(fast);
-		close_scene(slow);
+		assert_true(span_scene_compare(fast, slow, seed) > 1000);
+		span_scene_close(fast);
+		span_scene_close(slow);
 	}
-}
-
-/* A state, and a triangle that is drawn in it, at depths of 1 to 200. */
-struct single {
-	void (*give)(const struct gl *gl);
-	struct corner corner[3];
-};
-
-static struct scene *draw_single(
-	const struct single *single, enum pixel_format format, bool reference)
-{
-	struct scene *scene = begin(format, reference);
-	const struct gl *gl = scene->gl;
-
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Frustumx(-65536, 65536, -65536, 65536, 65536, 200 * 65536);
-	gl->MatrixMode(GL_MODELVIEW);
-	single->give(gl);
-	draw_corners(gl, single->corner);
-	return scene;
-}
-
-static void check_single(const struct single *single)
-{
-	for (int i = 0; i < 2; i++) {
-		enum pixel_format format = i ? PIXELS_RGBA8888 : PIXELS_RGB565;
-		struct scene *fast = draw_single(single, format, false);
-		struct scene *slow = draw_single(single, format, true);
-
-		assert_ptr_equal(fast->soft->draw->fill, soft_rows_fill);
-		compare(fast, slow, 0);
-		close_scene(fast);
-		close_scene(slow);
-	}
-}
-
-static void give_fog(const struct gl *gl)
-{
-	static const GLfixed color[] = {65536, 0, 30000, 65536};
-
-	gl->Enable(GL_FOG);
-	gl->Fogx(GL_FOG_MODE, GL_LINEAR);
-	gl->Fogx(GL_FOG_START, 2 * 65536);
-	gl->Fogx(GL_FOG_END, 10 * 65536);
-	gl->Fogxv(GL_FOG_COLOR, color);
-}
-
-/* 1 / w changes so much from column to column that column 0's wraps. */
-static void test_fog_on_a_steep_sliver_of_one_color(void **state)
-{
-	static const struct single single = {give_fog,
-		{{{-0.7f, 2.08889f, -2.0f}, {52, 42, 93, 17}, {{0}}},
-			{{-10.0349f, 24.8106f, -28.31f}, {52, 42, 93, 17}, {{0}}},
-			{{-0.682143f, 1.80556f, -2.0f}, {52, 42, 93, 17},
-				{{0}}}}};
-
-	(void)state;
-	check_single(&single);
-}
-
-static void give_levels(const struct gl *gl, GLenum format, int side)
-{
-	static uint8_t bytes[128 * 128];
-	GLuint name;
-
-	for (size_t i = 0; i < sizeof(bytes); i++) {
-		bytes[i] = (uint8_t)(i * 29 ^ i >> 3);
-	}
-	gl->GenTextures(1, &name);
-	gl->BindTexture(GL_TEXTURE_2D, name);
-	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-	gl->TexParameterx(
-		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-	for (int level = 0; side >> level > 0; level++) {
-		gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)format,
-			side >> level, side >> level, 0, format,
-			GL_UNSIGNED_BYTE, bytes);
-	}
-	gl->Enable(GL_TEXTURE_2D);
-}
-
-static void give_dot_of_alpha(const struct gl *gl)
-{
-	give_levels(gl, GL_ALPHA, 32);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_DOT3_RGB);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC1_RGB, GL_PRIMARY_COLOR);
-}
-
-static void test_dot3_of_mixed_levels_of_alpha(void **state)
-{
-	static const struct single single = {give_dot_of_alpha,
-		{{{-1.5f, -1.5f, -2.0f}, {200, 180, 220, 255}, {{0.0f, 0.0f}}},
-			{{1.5f, -1.5f, -2.0f}, {20, 30, 10, 255}, {{5.0f, 0.0f}}},
-			{{0.0f, 1.5f, -2.0f}, {90, 70, 60, 255},
-				{{0.0f, 5.0f}}}}};
-
-	(void)state;
-	check_single(&single);
-}
-
-static void give_luminance(const struct gl *gl)
-{
-	give_levels(gl, GL_LUMINANCE, 128);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-}
-
-/* Coordinates beyond 2^15 of a texture's texels wrap without overflowing. */
-static void test_coordinates_far_outside_of_a_clamped_texture(void **state)
-{
-	static const struct single single = {give_luminance,
-		{{{-0.5f, -0.5f, -2.0f}, {9, 80, 20, 255}, {{-600.0f, 0.0f}}},
-			{{0.0f, -0.5f, -2.0f}, {9, 80, 20, 255},
-				{{-600.5f, 0.0f}}},
-			{{0.0f, 0.0f, -2.0f}, {9, 80, 20, 255},
-				{{-601.0f, 0.5f}}}}};
-
-	(void)state;
-	check_single(&single);
 }
 
 int main(void)
@@ -574,10 +323,6 @@ int main(void)
 		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
-		cmocka_unit_test(test_fog_on_a_steep_sliver_of_one_color),
-		cmocka_unit_test(test_dot3_of_mixed_levels_of_alpha),
-		cmocka_unit_test(
-			test_coordinates_far_outside_of_a_clamped_texture),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,14 +22,16 @@ BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
 build/arm/bench/%: build/arm/obj/tests/bench/%.o \
-		build/arm/obj/tests/bench/bench_picture.o build/arm/liblimber.a \
+		build/arm/obj/tests/bench/bench_picture.o \
+		build/arm/obj/tests/bench/bench_mesh.o build/arm/liblimber.a \
 		| build/test-packages.stamp
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
 	$(Q)$(CC_arm) $(CFLAGS_arm) -o $@ $^ @build/arm/libs $(LIBS_arm)
 
 build/host/bench/%: build/host/obj/tests/bench/%.o \
-		build/host/obj/tests/bench/bench_picture.o build/host/liblimber.a
+		build/host/obj/tests/bench/bench_picture.o \
+		build/host/obj/tests/bench/bench_mesh.o build/host/liblimber.a
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
 	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host)

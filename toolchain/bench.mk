@@ -23,7 +23,7 @@ BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
 build/arm/bench/%: build/arm/obj/tests/bench/%.o \
 		build/arm/obj/tests/bench/bench_picture.o \
-		build/arm/obj/tests/bench/bench_mesh.o build/arm/liblimber.a \
+		build/arm/obj/tests/bench/states_mesh.o build/arm/liblimber.a \
 		| build/test-packages.stamp
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
@@ -31,7 +31,7 @@ build/arm/bench/%: build/arm/obj/tests/bench/%.o \
 
 build/host/bench/%: build/host/obj/tests/bench/%.o \
 		build/host/obj/tests/bench/bench_picture.o \
-		build/host/obj/tests/bench/bench_mesh.o build/host/liblimber.a
+		build/host/obj/tests/bench/states_mesh.o build/host/liblimber.a
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)
 	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host)

@@ -18,8 +18,8 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/gl_context.h"
 #include "tests/arm1136/marker.h"
-#include "tests/bench/bench_mesh.h"
 #include "tests/bench/bench_picture.h"
+#include "tests/bench/states_mesh.h"
 #include "tests/support/random.h"
 
 enum {
@@ -51,44 +51,44 @@ enum {
 
 struct scene {
 	const char *name;
-	enum bench_shape shape;
+	enum states_shape shape;
 	unsigned state;
 	int side;
 };
 
 static const struct scene scenes[] = {
-	{"S1a", BENCH_QUAD, TEXTURED, 256},
-	{"S1b", BENCH_QUAD, TEXTURED | LINEAR, 256},
-	{"S1ya", BENCH_TURNED, TEXTURED, 256},
-	{"S1yb", BENCH_TURNED, TEXTURED | LINEAR, 256},
-	{"S1c", BENCH_QUAD, TEXTURED | LINEAR | CLAMPED, 256},
-	{"S1r", BENCH_QUAD, TEXTURED | LINEAR | REPLACED | PLAIN, 256},
-	{"S1e", BENCH_QUAD, TEXTURED | LINEAR | LEQUAL, 256},
-	{"S2", BENCH_QUAD, 0, 256},
-	{"S2y", BENCH_TURNED, 0, 256},
-	{"blend-a", BENCH_QUAD, TEXTURED | BLENDED | RGBA, 256},
-	{"blend-b", BENCH_QUAD, TEXTURED | LINEAR | BLENDED | RGBA, 256},
-	{"blend4-a", BENCH_QUAD, TEXTURED | BLENDED | RGBA_4444, 256},
-	{"blend4-b", BENCH_QUAD, TEXTURED | LINEAR | BLENDED | RGBA_4444, 256},
-	{"S4a", BENCH_CUBE, TEXTURED, 256},
-	{"S4b", BENCH_CUBE, TEXTURED | LINEAR, 256},
-	{"S5a", BENCH_SMALL, TEXTURED, 256},
-	{"S5b", BENCH_SMALL, TEXTURED | LINEAR, 256},
-	{"S5s", BENCH_SMALL_W, TEXTURED | LINEAR, 256},
-	{"test-a", BENCH_SMALL, TEXTURED | TESTED | RGBA, 256},
-	{"test-b", BENCH_SMALL, TEXTURED | LINEAR | TESTED | RGBA, 256},
-	{"fog-a", BENCH_SMALL, TEXTURED | FOGGED, 256},
-	{"fog-b", BENCH_SMALL, TEXTURED | LINEAR | FOGGED, 256},
-	{"mip", BENCH_LAYERS, TEXTURED | LINEAR | MIPMAPS, 256},
-	{"mip2", BENCH_LAYERS, TEXTURED | LINEAR | MIPMAPS | TRILINEAR, 256},
-	{"two-a", BENCH_QUAD, TEXTURED | SECOND, 256},
-	{"two-b", BENCH_QUAD, TEXTURED | LINEAR | SECOND, 256},
-	{"inter-a", BENCH_QUAD, TEXTURED | SECOND | INTERPOLATED, 256},
-	{"inter-b", BENCH_QUAD, TEXTURED | LINEAR | SECOND | INTERPOLATED, 256},
-	{"add-b", BENCH_QUAD, TEXTURED | LINEAR | ADDED, 256},
-	{"decal-b", BENCH_QUAD, TEXTURED | LINEAR | DECALED | RGBA, 256},
-	{"glow-b", BENCH_QUAD, TEXTURED | LINEAR | BLENDED | ADDITIVE, 256},
-	{"still", BENCH_BACKDROP, TEXTURED | LINEAR | PLAIN, 256},
+	{"S1a", STATES_QUAD, TEXTURED, 256},
+	{"S1b", STATES_QUAD, TEXTURED | LINEAR, 256},
+	{"S1ya", STATES_TURNED, TEXTURED, 256},
+	{"S1yb", STATES_TURNED, TEXTURED | LINEAR, 256},
+	{"S1c", STATES_QUAD, TEXTURED | LINEAR | CLAMPED, 256},
+	{"S1r", STATES_QUAD, TEXTURED | LINEAR | REPLACED | PLAIN, 256},
+	{"S1e", STATES_QUAD, TEXTURED | LINEAR | LEQUAL, 256},
+	{"S2", STATES_QUAD, 0, 256},
+	{"S2y", STATES_TURNED, 0, 256},
+	{"blend-a", STATES_QUAD, TEXTURED | BLENDED | RGBA, 256},
+	{"blend-b", STATES_QUAD, TEXTURED | LINEAR | BLENDED | RGBA, 256},
+	{"blend4-a", STATES_QUAD, TEXTURED | BLENDED | RGBA_4444, 256},
+	{"blend4-b", STATES_QUAD, TEXTURED | LINEAR | BLENDED | RGBA_4444, 256},
+	{"S4a", STATES_CUBE, TEXTURED, 256},
+	{"S4b", STATES_CUBE, TEXTURED | LINEAR, 256},
+	{"S5a", STATES_SMALL, TEXTURED, 256},
+	{"S5b", STATES_SMALL, TEXTURED | LINEAR, 256},
+	{"S5s", STATES_SMALL_W, TEXTURED | LINEAR, 256},
+	{"test-a", STATES_SMALL, TEXTURED | TESTED | RGBA, 256},
+	{"test-b", STATES_SMALL, TEXTURED | LINEAR | TESTED | RGBA, 256},
+	{"fog-a", STATES_SMALL, TEXTURED | FOGGED, 256},
+	{"fog-b", STATES_SMALL, TEXTURED | LINEAR | FOGGED, 256},
+	{"mip", STATES_LAYERS, TEXTURED | LINEAR | MIPMAPS, 256},
+	{"mip2", STATES_LAYERS, TEXTURED | LINEAR | MIPMAPS | TRILINEAR, 256},
+	{"two-a", STATES_QUAD, TEXTURED | SECOND, 256},
+	{"two-b", STATES_QUAD, TEXTURED | LINEAR | SECOND, 256},
+	{"inter-a", STATES_QUAD, TEXTURED | SECOND | INTERPOLATED, 256},
+	{"inter-b", STATES_QUAD, TEXTURED | LINEAR | SECOND | INTERPOLATED, 256},
+	{"add-b", STATES_QUAD, TEXTURED | LINEAR | ADDED, 256},
+	{"decal-b", STATES_QUAD, TEXTURED | LINEAR | DECALED | RGBA, 256},
+	{"glow-b", STATES_QUAD, TEXTURED | LINEAR | BLENDED | ADDITIVE, 256},
+	{"still", STATES_BACKDROP, TEXTURED | LINEAR | PLAIN, 256},
 };
 
 static void set_texel(uint8_t *t, int x, int y, int side)
@@ -174,9 +174,9 @@ static void make_second(const struct gl *gl, unsigned state, int side)
 }
 
 static void set_arrays(const struct gl *gl, const struct scene *scene,
-	const struct bench_mesh *mesh)
+	const struct states_mesh *mesh)
 {
-	const struct bench_vertex *v = mesh->vertex;
+	const struct states_vertex *v = mesh->vertex;
 
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*v), v->position);
@@ -189,7 +189,7 @@ static void set_arrays(const struct gl *gl, const struct scene *scene,
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 		gl->TexCoordPointer(2, GL_FLOAT, sizeof(*v), v->texcoord);
 	}
-	if (scene->shape == BENCH_CUBE) {
+	if (scene->shape == STATES_CUBE) {
 		gl->EnableClientState(GL_NORMAL_ARRAY);
 		gl->NormalPointer(GL_FLOAT, sizeof(*v), v->normal);
 	} else if (!(scene->state & PLAIN)) {
@@ -225,7 +225,7 @@ static void set_fragments(const struct gl *gl, unsigned state)
 }
 
 static void set_up(const struct gl *gl, const struct scene *scene,
-	const struct bench_mesh *mesh)
+	const struct states_mesh *mesh)
 {
 	/* (1, 1, 2) / sqrt 6 */
 	static const GLfixed towards[4] = {26755, 26755, 53510, 0};
@@ -244,7 +244,7 @@ static void set_up(const struct gl *gl, const struct scene *scene,
 	}
 	set_arrays(gl, scene, mesh);
 	set_fragments(gl, scene->state);
-	if (scene->shape == BENCH_CUBE) {
+	if (scene->shape == STATES_CUBE) {
 		gl->Enable(GL_CULL_FACE);
 		gl->Enable(GL_LIGHTING);
 		gl->Enable(GL_LIGHT0);
@@ -255,10 +255,10 @@ static void set_up(const struct gl *gl, const struct scene *scene,
 }
 
 static void draw_frame(const struct gl *gl, const struct scene *scene,
-	const struct bench_mesh *mesh, int frame)
+	const struct states_mesh *mesh, int frame)
 {
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-	if (scene->shape == BENCH_CUBE) {
+	if (scene->shape == STATES_CUBE) {
 		gl->LoadIdentity();
 		gl->Translatex(0, 0, fx16_from_float(-4.3f));
 		gl->Rotatex(25 * FX16_ONE, FX16_ONE, 0, 0);
@@ -292,9 +292,9 @@ static bool find_scene(const char *name, struct scene *out)
 static void draw_frames(struct gl_context *context, struct pixels *pixels,
 	const struct scene *scene, int frames)
 {
-	static struct bench_mesh mesh;
+	static struct states_mesh mesh;
 
-	bench_mesh_make(&mesh, scene->shape);
+	states_mesh_make(&mesh, scene->shape);
 	for (int frame = 0; frame < frames; frame++) {
 		if (context->driver->begin_frame(context, pixels) != 0) {
 			exit(EXIT_FAILURE);
@@ -328,7 +328,8 @@ int main(int argc, char **argv)
 			argv[0]);
 		return 2;
 	}
-	if (pixels_alloc(&pixels, BENCH_WIDTH, BENCH_HEIGHT, format, &log) != 0 ||
+	if (pixels_alloc(&pixels, STATES_WIDTH, STATES_HEIGHT, format, &log) !=
+			0 ||
 		gl_open(argc > 3 ? argv[3] : "soft",
 			&(struct gl_request){.format = format, .log = &log},
 			&context) != 0) {

@@ -1,4 +1,4 @@
-#include "tests/bench/bench_mesh.h"
+#include "tests/bench/states_mesh.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -10,7 +10,7 @@ static uint8_t to_byte(double value)
 	return (uint8_t)(value * 255.0 + 0.5);
 }
 
-static void set_color(struct bench_vertex *v, const double color[3])
+static void set_color(struct states_vertex *v, const double color[3])
 {
 	for (int i = 0; i < 3; i++) {
 		v->color[i] = to_byte(color[i]);
@@ -22,7 +22,7 @@ static const double turn_x = 40.0 * 3.14159265358979 / 180.0;
 static const double turn_y = 20.0 * 3.14159265358979 / 180.0;
 
 /* Where the ray through a corner of the screen meets the plane. */
-static void cut_plane(struct bench_vertex *v, double x, double y, bool turned)
+static void cut_plane(struct states_vertex *v, double x, double y, bool turned)
 {
 	double normal[3] = {0.0, -sin(turn_x), cos(turn_x)};
 	double right[3] = {1.0, 0.0, 0.0},
@@ -54,7 +54,7 @@ static void cut_plane(struct bench_vertex *v, double x, double y, bool turned)
  * The quad that the corners of the screen, times 0.9995, cut from the plane
  * through (0, 0, -3) turned 40 degrees about X.
  */
-static void make_quad(struct bench_mesh *mesh, bool turned)
+static void make_quad(struct states_mesh *mesh, bool turned)
 {
 	static const double at[6][2] = {
 		{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
@@ -70,14 +70,14 @@ static void make_quad(struct bench_mesh *mesh, bool turned)
 	}
 }
 
-static void make_backdrop(struct bench_mesh *mesh)
+static void make_backdrop(struct states_mesh *mesh)
 {
 	static const float at[6][2] = {
 		{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
 
 	mesh->count = 6;
 	for (int i = 0; i < 6; i++) {
-		struct bench_vertex *v = &mesh->vertex[i];
+		struct states_vertex *v = &mesh->vertex[i];
 
 		v->position[0] = at[i][0] * 3.0f * 0.375f;
 		v->position[1] = at[i][1] * 3.0f * 0.5f;
@@ -88,14 +88,14 @@ static void make_backdrop(struct bench_mesh *mesh)
 }
 
 /* From -1 to 1, each face all of the texture. */
-static void make_cube(struct bench_mesh *mesh)
+static void make_cube(struct states_mesh *mesh)
 {
 	static const float corner[6][2] = {
 		{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
 
 	mesh->count = 36;
 	for (int i = 0; i < 36; i++) {
-		struct bench_vertex *v = &mesh->vertex[i];
+		struct states_vertex *v = &mesh->vertex[i];
 		int axis = i / 12, side = i / 6 % 2 ? 1 : -1;
 		float s = corner[i % 6][0], t = corner[i % 6][1];
 
@@ -114,14 +114,14 @@ static double between(uint32_t *seed, double low, double high)
 }
 
 /* From pixels at a depth to eye coordinates. */
-static void place(struct bench_vertex *v, double x, double y, double depth)
+static void place(struct states_vertex *v, double x, double y, double depth)
 {
-	v->position[0] = (float)((x / (BENCH_WIDTH / 2) - 1.0) * 0.375 * depth);
-	v->position[1] = (float)((1.0 - y / (BENCH_HEIGHT / 2)) * 0.5 * depth);
+	v->position[0] = (float)((x / (STATES_WIDTH / 2) - 1.0) * 0.375 * depth);
+	v->position[1] = (float)((1.0 - y / (STATES_HEIGHT / 2)) * 0.5 * depth);
 	v->position[2] = (float)-depth;
 }
 
-static void make_triangle(struct bench_vertex *v, const double cell[4],
+static void make_triangle(struct states_vertex *v, const double cell[4],
 	const bool mirror[2], double depth, double spread, double texels,
 	uint32_t *seed)
 {
@@ -145,12 +145,12 @@ static void make_triangle(struct bench_vertex *v, const double cell[4],
 }
 
 /* A grid of 20 x 25 cells. */
-static void make_small(struct bench_mesh *mesh, double spread)
+static void make_small(struct states_mesh *mesh, double spread)
 {
 	uint32_t seed = 5;
 
-	mesh->count = BENCH_CELLS * 3;
-	for (int i = 0; i < BENCH_CELLS; i++) {
+	mesh->count = STATES_CELLS * 3;
+	for (int i = 0; i < STATES_CELLS; i++) {
 		double depth = between(&seed, 4, 4.3);
 		const double cell[4] = {i % 20 * 24.0, i / 20 * 25.6, 24, 25.6};
 		const bool mirror[2] = {i % 2, i / 20 % 2};
@@ -161,7 +161,7 @@ static void make_small(struct bench_mesh *mesh, double spread)
 }
 
 /* Three layers of 4 x 5 cells, the nearest last; two texels a pixel. */
-static void make_layers(struct bench_mesh *mesh)
+static void make_layers(struct states_mesh *mesh)
 {
 	uint32_t seed = 7;
 
@@ -177,21 +177,21 @@ static void make_layers(struct bench_mesh *mesh)
 	}
 }
 
-void bench_mesh_make(struct bench_mesh *mesh, enum bench_shape shape)
+void states_mesh_make(struct states_mesh *mesh, enum states_shape shape)
 {
 	switch (shape) {
-	case BENCH_QUAD:
-	case BENCH_TURNED:
-		make_quad(mesh, shape == BENCH_TURNED);
+	case STATES_QUAD:
+	case STATES_TURNED:
+		make_quad(mesh, shape == STATES_TURNED);
 		break;
-	case BENCH_CUBE:
+	case STATES_CUBE:
 		make_cube(mesh);
 		break;
-	case BENCH_SMALL:
-	case BENCH_SMALL_W:
-		make_small(mesh, shape == BENCH_SMALL_W ? 0.15 : 0.0);
+	case STATES_SMALL:
+	case STATES_SMALL_W:
+		make_small(mesh, shape == STATES_SMALL_W ? 0.15 : 0.0);
 		break;
-	case BENCH_LAYERS:
+	case STATES_LAYERS:
 		make_layers(mesh);
 		break;
 	default:

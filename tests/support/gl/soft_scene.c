@@ -5,6 +5,7 @@
 #include "tests/support/test.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 struct soft_scene *soft_scene_open(void)
 {
@@ -12,6 +13,8 @@ struct soft_scene *soft_scene_open(void)
 	struct soft_scene *scene = calloc(1, sizeof(*scene));
 
 	assert_non_null(scene);
+	memset(scene->above, 0xA5, sizeof(scene->above));
+	memset(scene->below, 0xA5, sizeof(scene->below));
 	scene->picture = (struct pixels){
 		.width = SOFT_SCENE_WIDTH,
 		.height = SOFT_SCENE_HEIGHT,
@@ -42,6 +45,10 @@ void soft_scene_close(struct soft_scene *scene)
 {
 	scene->context->driver->end_frame(scene->context);
 	scene->context->driver->destroy(scene->context);
+	for (int i = 0; i < SOFT_SCENE_GUARD; i++) {
+		assert_int_equal(scene->above[i], 0xA5A5);
+		assert_int_equal(scene->below[i], 0xA5A5);
+	}
 	free(scene);
 }
 

@@ -11,13 +11,16 @@ enum {
 	SOFT_SCENE_WIDTH = 96,
 	SOFT_SCENE_HEIGHT = 80,
 	SOFT_SCENE_PIXELS = SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT,
+	SOFT_SCENE_GUARD = SOFT_SCENE_WIDTH * 8, /* pixels above, and below */
 };
 
 struct soft_scene {
 	struct gl_context *context;
 	const struct gl *gl;
 	struct soft *soft;
+	uint16_t above[SOFT_SCENE_GUARD];
 	uint16_t pixel[SOFT_SCENE_PIXELS];
+	uint16_t below[SOFT_SCENE_GUARD];
 	struct pixels picture;
 };
 
@@ -30,6 +33,7 @@ struct soft_scene *soft_scene_open(void);
  */
 void soft_scene_use(struct soft_scene *scene, bool long_way);
 
+/* Fails the test if something was drawn above or below the picture. */
 void soft_scene_close(struct soft_scene *scene);
 
 /* A vertex of triangles that chance makes. */

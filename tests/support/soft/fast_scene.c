@@ -2,18 +2,7 @@
 
 #include "platform/base/fixed.h"
 #include "tests/support/random.h"
-#include "tests/support/soft/reference.h"
 #include "tests/support/test.h"
-
-#include <stdlib.h>
-#include <string.h>
-
-void fast_scene_use(struct fast_scene *scene)
-{
-	assert_int_equal(scene->context->driver->begin_frame(
-				 scene->context, &scene->picture),
-		0);
-}
 
 static void make_texture(const struct gl *gl, uint32_t seed)
 {
@@ -32,42 +21,13 @@ static void make_texture(const struct gl *gl, uint32_t seed)
 		GL_RGB, GL_UNSIGNED_BYTE, texels);
 }
 
-struct fast_scene *fast_scene_open(uint32_t seed)
+struct soft_scene *fast_scene_open(uint32_t seed)
 {
-	const struct log log = {0};
-	struct fast_scene *scene = calloc(1, sizeof(*scene));
+	struct soft_scene *scene = soft_scene_open();
 
-	assert_non_null(scene);
-	memset(scene->all, 0xA5, sizeof(scene->all));
-	scene->picture = (struct pixels){
-		.width = FAST_WIDTH,
-		.height = FAST_HEIGHT,
-		.stride_bytes = FAST_WIDTH * 2,
-		.format = PIXELS_RGB565,
-		.data = (uint8_t *)(scene->all + FAST_GUARD * FAST_WIDTH),
-	};
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){
-					 .format = PIXELS_RGB565, .log = &log},
-				 &scene->context),
-		0);
-	scene->gl = &scene->context->gl;
-	scene->soft = (struct soft *)scene->context;
-	fast_scene_use(scene);
 	scene->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	make_texture(scene->gl, seed);
 	return scene;
-}
-
-void fast_scene_close(struct fast_scene *scene)
-{
-	scene->context->driver->end_frame(scene->context);
-	scene->context->driver->destroy(scene->context);
-	for (int i = 0; i < FAST_GUARD * FAST_WIDTH; i++) {
-		assert_int_equal(scene->all[i], 0xA5A5);
-		assert_int_equal(scene->all[FAST_PIXELS - 1 - i], 0xA5A5);
-	}
-	free(scene);
 }
 
 void fast_scene_make_triangles(struct soft_corner *corner, uint32_t seed,
@@ -104,14 +64,13 @@ void fast_scene_make_triangles(struct soft_corner *corner, uint32_t seed,
 	}
 }
 
-void fast_scene_set_state(struct fast_scene *scene,
+void fast_scene_set_state(struct soft_scene *scene,
 	const struct soft_corner *corner, enum fast_kind kind, bool long_way)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
 
-	fast_scene_use(scene);
-	reference_use(scene->soft, long_way);
+	soft_scene_use(scene, long_way);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, stride, corner->position);
@@ -136,30 +95,30 @@ void fast_scene_set_state(struct fast_scene *scene,
 	}
 }
 
-void fast_scene_draw(struct fast_scene *scene, const struct soft_corner *corner,
+void fast_scene_draw(struct soft_scene *scene, const struct soft_corner *corner,
 	enum fast_kind kind, bool long_way)
 {
 	fast_scene_set_state(scene, corner, kind, long_way);
 	scene->gl->DrawArrays(GL_TRIANGLES, 0, FAST_CORNERS);
 }
 
-void fast_scene_compare(const struct fast_scene *a, const struct fast_scene *b)
+void fast_scene_compare(const struct soft_scene *a, const struct soft_scene *b)
 {
 	const struct buffers *left = &a->soft->buffers;
 	const struct buffers *right = &b->soft->buffers;
-	const uint16_t *p = a->all + FAST_GUARD * FAST_WIDTH,
-		       *q = b->all + FAST_GUARD * FAST_WIDTH;
+	const uint16_t *p = a->pixel, *q = b->pixel;
 
-	assert_memory_equal(
-		left->depth, right->depth, FAST_WIDTH * FAST_HEIGHT * 2);
+	assert_memory_equal(left->depth, right->depth,
+		SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT * 2);
 	if (left->stencil) {
 		assert_memory_equal(left->stencil, right->stencil,
-			FAST_WIDTH * FAST_HEIGHT);
+			SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT);
 	}
-	for (int i = 0; i < FAST_WIDTH * FAST_HEIGHT; i++) {
+	for (int i = 0; i < SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT; i++) {
 		if (soft_scene_steps(p[i], q[i]) > 1) {
 			fail_msg("pixel %d,%d is %04x, the long way %04x",
-				i % FAST_WIDTH, i / FAST_WIDTH, p[i], q[i]);
+				i % SOFT_SCENE_WIDTH, i / SOFT_SCENE_WIDTH,
+				p[i], q[i]);
 		}
 	}
 }

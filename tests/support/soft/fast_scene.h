@@ -1,6 +1,6 @@
 /*
  * Random triangles of some kinds, drawn by the soft driver's fast paths and by
- * the reference, in pictures with guards around them.
+ * the reference, in pictures of soft_scene.h.
  */
 #ifndef TESTS_SUPPORT_SOFT_FAST_SCENE_H
 #define TESTS_SUPPORT_SOFT_FAST_SCENE_H
@@ -9,10 +9,6 @@
 #include "tests/support/gl/soft_scene.h"
 
 enum {
-	FAST_WIDTH = 96,
-	FAST_HEIGHT = 80,
-	FAST_GUARD = 8, /* rows above and below */
-	FAST_PIXELS = FAST_WIDTH * (FAST_HEIGHT + 2 * FAST_GUARD),
 	FAST_SIDE = 32, /* of the texture */
 };
 
@@ -28,23 +24,8 @@ enum {
 	FAST_CORNERS = FAST_TRIANGLES * 3,
 };
 
-/* A picture whose rows lie as close as those of its depth. */
-struct fast_scene {
-	struct gl_context *context;
-	const struct gl *gl;
-	struct soft *soft;
-	uint16_t all[FAST_PIXELS];
-	struct pixels picture;
-};
-
-/* Begins a frame: calls of GL go to the context whose frame began last. */
-void fast_scene_use(struct fast_scene *scene);
-
 /* Opens a context with a cleared picture and a texture of noise. */
-struct fast_scene *fast_scene_open(uint32_t seed);
-
-/* Fails the test if something was written above or below the picture. */
-void fast_scene_close(struct fast_scene *scene);
+struct soft_scene *fast_scene_open(uint32_t seed);
 
 /*
  * Makes FAST_TRIANGLES in random places inside of the picture and across its
@@ -54,14 +35,14 @@ void fast_scene_make_triangles(struct soft_corner *corner, uint32_t seed,
 	enum fast_kind kind, int size);
 
 /* Begins a frame in the state of a kind; the long way is the reference. */
-void fast_scene_set_state(struct fast_scene *scene,
+void fast_scene_set_state(struct soft_scene *scene,
 	const struct soft_corner *corner, enum fast_kind kind, bool long_way);
 
 /* Draws the corners in the state of a kind. */
-void fast_scene_draw(struct fast_scene *scene, const struct soft_corner *corner,
+void fast_scene_draw(struct soft_scene *scene, const struct soft_corner *corner,
 	enum fast_kind kind, bool long_way);
 
 /* Fails unless coverage, depth and stencil agree, and colours within a step. */
-void fast_scene_compare(const struct fast_scene *a, const struct fast_scene *b);
+void fast_scene_compare(const struct soft_scene *a, const struct soft_scene *b);
 
 #endif

@@ -20,7 +20,7 @@ static void check_kind(enum fast_kind kind)
 	static const int sizes[] = {30, 100, 300, 900, 3000};
 
 	for (uint32_t seed = 1; seed <= 60; seed++) {
-		struct fast_scene *fast_setup = fast_scene_open(7),
+		struct soft_scene *fast_setup = fast_scene_open(7),
 				  *slow = fast_scene_open(7);
 		struct soft_corner corner[FAST_CORNERS];
 
@@ -28,8 +28,8 @@ static void check_kind(enum fast_kind kind)
 		fast_scene_draw(fast_setup, corner, kind, false);
 		fast_scene_draw(slow, corner, kind, true);
 		fast_scene_compare(fast_setup, slow);
-		fast_scene_close(fast_setup);
-		fast_scene_close(slow);
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
 	}
 }
 
@@ -56,7 +56,7 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 
 	(void)state;
 	for (uint32_t seed = 1; seed <= 60; seed++) {
-		struct fast_scene *fast_setup = fast_scene_open(7),
+		struct soft_scene *fast_setup = fast_scene_open(7),
 				  *slow = fast_scene_open(7);
 		struct soft_corner corner[FAST_CORNERS];
 
@@ -65,14 +65,15 @@ static void test_textured_triangles_are_nearly_those_of_the_long_way(
 		fast_scene_draw(fast_setup, corner, FAST_TEXTURED, false);
 		fast_scene_draw(slow, corner, FAST_TEXTURED, true);
 		assert_memory_equal(fast_setup->soft->buffers.depth,
-			slow->soft->buffers.depth, FAST_WIDTH * FAST_HEIGHT * 2);
-		for (int i = 0; i < FAST_PIXELS; i++) {
-			seen += slow->all[i] != 0 && slow->all[i] != 0xA5A5;
-			other += soft_scene_steps(
-					 fast_setup->all[i], slow->all[i]) > 1;
+			slow->soft->buffers.depth,
+			SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT * 2);
+		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+			seen += slow->pixel[i] != 0;
+			other += soft_scene_steps(fast_setup->pixel[i],
+					 slow->pixel[i]) > 1;
 		}
-		fast_scene_close(fast_setup);
-		fast_scene_close(slow);
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
 	}
 	assert_true(seen > 10000);
 	assert_true(other * 30 < seen);
@@ -101,7 +102,7 @@ static void make_list(uint32_t seed, uint16_t index[LISTED * 3])
 	}
 }
 
-static void draw_list(struct fast_scene *scene, enum fast_kind kind, int cull,
+static void draw_list(struct soft_scene *scene, enum fast_kind kind, int cull,
 	const void *indices)
 {
 	const struct gl *gl = scene->gl;
@@ -124,7 +125,7 @@ static void test_lists_are_drawn_the_same_in_assembly(void **state)
 
 	(void)state;
 	for (uint32_t seed = 1; seed <= 120; seed++) {
-		struct fast_scene *fast_setup = fast_scene_open(7),
+		struct soft_scene *fast_setup = fast_scene_open(7),
 				  *slow = fast_scene_open(7);
 		enum fast_kind kind = (enum fast_kind)(seed % FAST_KINDS);
 		int cull = (int)(seed / FAST_KINDS % 4);
@@ -140,17 +141,17 @@ static void test_lists_are_drawn_the_same_in_assembly(void **state)
 		fast_scene_set_state(slow, corner, kind, false);
 		draw_list(slow, kind, cull, odd + 1);
 		fast_scene_compare(fast_setup, slow);
-		assert_memory_equal(
-			fast_setup->all, slow->all, sizeof(fast_setup->all));
-		fast_scene_close(fast_setup);
-		fast_scene_close(slow);
+		assert_memory_equal(fast_setup->pixel, slow->pixel,
+			sizeof(fast_setup->pixel));
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
 	}
 }
 
 /* Positions and normals in 16 bits show what floats show. */
 static void test_shorts_are_drawn_like_floats(void **state)
 {
-	struct fast_scene *a = fast_scene_open(7), *b = fast_scene_open(7);
+	struct soft_scene *a = fast_scene_open(7), *b = fast_scene_open(7);
 	struct soft_corner corner[FAST_CORNERS];
 	int16_t shorts[FAST_CORNERS][4];
 
@@ -166,11 +167,11 @@ static void test_shorts_are_drawn_like_floats(void **state)
 	for (int i = 0; i < 2; i++) {
 		const struct gl *gl = i ? a->gl : b->gl;
 
-		fast_scene_use(i ? a : b);
+		soft_scene_use(i ? a : b, false);
 		gl->Scalex(FX16_ONE / 8192, FX16_ONE / 8192, FX16_ONE / 8192);
 	}
 	fast_scene_draw(a, corner, FAST_PLAIN, false);
-	fast_scene_use(b);
+	soft_scene_use(b, false);
 	b->gl->Enable(GL_DEPTH_TEST);
 	b->gl->EnableClientState(GL_VERTEX_ARRAY);
 	b->gl->EnableClientState(GL_COLOR_ARRAY);
@@ -178,8 +179,8 @@ static void test_shorts_are_drawn_like_floats(void **state)
 	b->gl->VertexPointer(3, GL_SHORT, sizeof(shorts[0]), shorts);
 	b->gl->DrawArrays(GL_TRIANGLES, 0, FAST_CORNERS);
 	fast_scene_compare(a, b);
-	fast_scene_close(a);
-	fast_scene_close(b);
+	soft_scene_close(a);
+	soft_scene_close(b);
 }
 
 static void test_a_context_needs_less_than_256_kib(void **state)
@@ -190,7 +191,7 @@ static void test_a_context_needs_less_than_256_kib(void **state)
 
 static void test_drawing_takes_no_memory(void **state)
 {
-	struct fast_scene *scene = fast_scene_open(7);
+	struct soft_scene *scene = fast_scene_open(7);
 	struct soft_corner corner[FAST_CORNERS];
 	struct mallinfo2 before, after;
 
@@ -210,7 +211,7 @@ static void test_drawing_takes_no_memory(void **state)
 	/* In the first round the stencil was made. */
 	assert_int_equal(before.uordblks, after.uordblks);
 	assert_int_equal(before.arena, after.arena);
-	fast_scene_close(scene);
+	soft_scene_close(scene);
 }
 
 int main(void)

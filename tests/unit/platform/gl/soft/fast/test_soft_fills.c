@@ -12,8 +12,8 @@ static void make_projected(uint32_t *seed, struct vertex v[3])
 	static const int sizes[] = {6, 20, 100, 360, 1600};
 	int width = sizes[random_between(seed, 0, 4)];
 	int height = sizes[random_between(seed, 0, 4)];
-	int x = random_between(seed, 0, FAST_WIDTH * 16);
-	int y = random_between(seed, 0, FAST_HEIGHT * 16);
+	int x = random_between(seed, 0, SOFT_SCENE_WIDTH * 16);
+	int y = random_between(seed, 0, SOFT_SCENE_HEIGHT * 16);
 	bool near = random_between(seed, 0, 3) == 0;
 	int most = random_between(seed, 0, 2);
 
@@ -23,12 +23,14 @@ static void make_projected(uint32_t *seed, struct vertex v[3])
 
 		v[i] = (struct vertex){
 			.shaded = true,
-			.x = to_x < 0                    ? 0
-				: to_x > FAST_WIDTH * 16 ? FAST_WIDTH * 16
-							 : to_x,
-			.y = to_y < 0                     ? 0
-				: to_y > FAST_HEIGHT * 16 ? FAST_HEIGHT * 16
-							  : to_y,
+			.x = to_x < 0 ? 0
+				: to_x > SOFT_SCENE_WIDTH * 16
+				? SOFT_SCENE_WIDTH * 16
+				: to_x,
+			.y = to_y < 0 ? 0
+				: to_y > SOFT_SCENE_HEIGHT * 16
+				? SOFT_SCENE_HEIGHT * 16
+				: to_y,
 			.z = random_between(seed, 5000, 257000),
 			.clip[3] = (1 << 27) +
 				random_between(seed, 0, near ? 4000000 : 900000),
@@ -42,7 +44,7 @@ static void make_projected(uint32_t *seed, struct vertex v[3])
 	}
 }
 
-static void fill_projected(struct fast_scene *scene, fill_function fill,
+static void fill_projected(struct soft_scene *scene, fill_function fill,
 	uint32_t seed, bool perspective)
 {
 	struct draw *draw = scene->soft->draw;
@@ -74,7 +76,7 @@ static void check_fills(const struct fills *fills)
 
 	fast_scene_make_triangles(corner, 1, fills->kind, 10);
 	for (uint32_t seed = 1; seed <= fills->rounds; seed++) {
-		struct fast_scene *fast_setup = fast_scene_open(7),
+		struct soft_scene *fast_setup = fast_scene_open(7),
 				  *slow = fast_scene_open(7);
 		bool perspective = fills->perspective && seed % 2;
 
@@ -88,11 +90,11 @@ static void check_fills(const struct fills *fills)
 		fill_projected(fast_setup, fills->fast_setup, seed, perspective);
 		fast_scene_compare(fast_setup, slow);
 		if (fills->exact) {
-			assert_memory_equal(fast_setup->all, slow->all,
-				sizeof(fast_setup->all));
+			assert_memory_equal(fast_setup->pixel, slow->pixel,
+				sizeof(fast_setup->pixel));
 		}
-		fast_scene_close(fast_setup);
-		fast_scene_close(slow);
+		soft_scene_close(fast_setup);
+		soft_scene_close(slow);
 	}
 }
 

@@ -86,6 +86,14 @@ void acting_release(struct acting *acting, enum button button)
 	send(acting, button, false);
 }
 
+void acting_tap(struct acting *acting, enum button button, double held_s,
+	double rate_hz)
+{
+	acting_press(acting, button);
+	acting_run_to(acting, acting->now_s + held_s, rate_hz);
+	acting_release(acting, button);
+}
+
 float acting_value(const struct acting *acting, const char *parameter)
 {
 	const struct character *character = acting->character;

@@ -34,6 +34,10 @@ void acting_run_to(struct acting *acting, double time_s, double rate_hz);
 void acting_press(struct acting *acting, enum button button);
 void acting_release(struct acting *acting, enum button button);
 
+/* Presses a button, updates for held_s seconds, and releases it. */
+void acting_tap(struct acting *acting, enum button button, double held_s,
+	double rate_hz);
+
 /* The value of a parameter, by its name. */
 float acting_value(const struct acting *acting, const char *parameter);
 

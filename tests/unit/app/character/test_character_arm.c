@@ -12,9 +12,7 @@ static const double rate_hz = 30.0;
 
 static void press(struct acting *acting, enum button button, double until_s)
 {
-	acting_press(acting, button);
-	acting_run_to(acting, acting->now_s + 0.1, rate_hz);
-	acting_release(acting, button);
+	acting_tap(acting, button, 0.1, rate_hz);
 	acting_run_to(acting, until_s, rate_hz);
 }
 
@@ -199,9 +197,7 @@ static void test_parts_do_not_pass_through_each_other(void **state)
 	for (int i = 0; i < 4; i++) {
 		press(&acting, BUTTON_ENTER, acting.now_s + 0.3);
 	}
-	acting_press(&acting, BUTTON_DOWN);
-	acting_run_to(&acting, acting.now_s + 3.0, rate_hz);
-	acting_release(&acting, BUTTON_DOWN);
+	acting_tap(&acting, BUTTON_DOWN, 3.0, rate_hz);
 	acting_place(&acting, "Hand", hand);
 	acting_place(&acting, "Car", truck);
 	/* Its cab would be below the hand at -0.118 - 0.1. */
@@ -217,9 +213,7 @@ static void move_fingers(
 	while (acting_value(acting, "moving") != 3.0) {
 		press(acting, BUTTON_ENTER, acting->now_s + 0.3);
 	}
-	acting_press(acting, button);
-	acting_run_to(acting, acting->now_s + seconds, rate_hz);
-	acting_release(acting, button);
+	acting_tap(acting, button, seconds, rate_hz);
 	acting_run_to(acting, acting->now_s + 1.0, rate_hz);
 }
 
@@ -242,9 +236,7 @@ static void test_the_crate_is_gripped_and_dropped_by_hand(void **state)
 	assert_int_equal(crate->holder, part_of(&acting, "hand")->node);
 	press(&acting, BUTTON_ENTER, acting.now_s + 0.3);
 	press(&acting, BUTTON_ENTER, acting.now_s + 0.3);
-	acting_press(&acting, BUTTON_UP);
-	acting_run_to(&acting, acting.now_s + 1.0, rate_hz);
-	acting_release(&acting, BUTTON_UP);
+	acting_tap(&acting, BUTTON_UP, 1.0, rate_hz);
 	acting_place(&acting, "Crate", place);
 	assert_true(place[1] > 0.3f);
 	move_fingers(&acting, BUTTON_UP, 0.3);

@@ -22,9 +22,7 @@ static void begin(struct acting *acting, const char *model, const char *file)
 
 static void press(struct acting *acting, enum button button, double until_s)
 {
-	acting_press(acting, button);
-	acting_run_to(acting, acting->now_s + 0.1, rate_hz);
-	acting_release(acting, button);
+	acting_tap(acting, button, 0.1, rate_hz);
 	acting_run_to(acting, until_s, rate_hz);
 }
 

@@ -20,9 +20,7 @@ static const char gaits[] =
 
 static void press_once(struct acting *acting, enum button button)
 {
-	acting_press(acting, button);
-	acting_run_to(acting, acting->now_s + 1.0 / rate_hz, rate_hz);
-	acting_release(acting, button);
+	acting_tap(acting, button, 1.0 / rate_hz, rate_hz);
 }
 
 static void test_a_parameter_eases_to_its_goal(void **state)

@@ -32,7 +32,7 @@ struct actor_framing {
 	struct camera_framing camera;
 	/* In the top left corner, beside a title, and how many have bars. */
 	int label_rows, label_bars; /* 0: there are no labels */
-	int lines_below;            /* of text along the lower edge */
+	int lines_above, lines_below; /* of text along an edge */
 };
 
 /* Every demo's struct begins with this one. */

@@ -134,8 +134,7 @@ static void change_count(struct demo *demo, int by)
 static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 {
 	/* camera_frame() turns the box: inscribed in the circle it fits. */
-	float r = 0.7f * crowd_radius_m(count > 1 ? count : 2) +
-		demo->figure.beyond_m;
+	float r = 0.7f * crowd_radius_m(count) + demo->figure.beyond_m;
 
 	return (struct bounds){
 		.low = {-r, 0.0f, -r},

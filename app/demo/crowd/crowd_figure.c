@@ -47,8 +47,9 @@ static void find_center(const struct bounds *bounds, float center[3])
 			? 0.5f * (bounds->low[axis] + bounds->high[axis])
 			: 0.0f;
 	}
-	if (scalar_abs(bounds->low[1]) > 0.03f * height) {
-		center[1] = bounds->low[1];
+	center[1] = bounds_ground(bounds);
+	if (scalar_abs(bounds->low[1]) <= 0.03f * height) {
+		center[1] -= bounds->low[1];
 	}
 }
 

@@ -19,6 +19,7 @@
 
 static const float bound_px = 0.5f; /* the morph's greatest error */
 static const float spacing = 1.2f;  /* of a figure's width */
+static const float slant = 0.25f;   /* tan(framing.camera.yaw_rad) */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time with and without errors */
@@ -27,7 +28,12 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
 						     .pitch_rad = 0.14f,
 						     .margin = 1.04f,
 						     .follow = true},
+	.lines_above = 2,
 	.lines_below = 6};
+
+enum {
+	RIGID_TIMES = 8
+};
 
 struct demo {
 	struct demo_base base;
@@ -57,14 +63,37 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/* The box of three figures in a row; most models stand at height 0. */
+/* Joins the box of rigid parts, which may lie below the figure itself. */
+static void add_rigid(struct demo *demo, struct bounds *bounds)
+{
+	struct contender *rigid = &demo->contender[CONTENDER_RIGID];
+
+	for (int i = 0; i < RIGID_TIMES; i++) {
+		struct bounds now;
+
+		contender_pose(rigid,
+			demo->reference->clip->duration_s * (float)i /
+				RIGID_TIMES);
+		now = bounds_of_instance(rigid->shown);
+		bounds_join(bounds, &now);
+	}
+}
+
+/*
+ * The box of three figures in a row; most models stand at height 0. Long
+ * figures are seen a little from the side, where they need more room.
+ */
 static struct bounds bounds_of_row(struct demo *demo)
 {
 	struct bounds bounds =
 		bounds_of_clip(demo->base.actor.instance, demo->motion.clip);
-	float height = bounds.high[1] - bounds.low[1];
+	float height, width, slanted;
 
-	demo->spacing = spacing * (bounds.high[0] - bounds.low[0]);
+	add_rigid(demo, &bounds);
+	height = bounds.high[1] - bounds.low[1];
+	width = bounds.high[0] - bounds.low[0];
+	slanted = width + slant * (bounds.high[2] - bounds.low[2]);
+	demo->spacing = spacing * width > slanted ? spacing * width : slanted;
 	bounds.low[0] -= demo->spacing;
 	bounds.high[0] += demo->spacing;
 	if (scalar_abs(bounds.low[1]) < 0.05f * height) {

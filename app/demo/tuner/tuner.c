@@ -54,7 +54,7 @@ struct demo {
 	double now_s;
 	int changing; /* while LEFT or RIGHT is held: -1 or 1, else 0 */
 	double next_change_s;
-	const char *message;
+	const char *message; /* in place of the preset's name until then */
 	double message_end_s;
 };
 
@@ -270,8 +270,10 @@ static const char *write_row(
 
 static void tuner_label(const struct demo *demo, struct hud *hud)
 {
-	struct hud_group group = hud_group_begin(
-		hud, HUD_TOP_LEFT, demo->file.preset[demo->chosen].name);
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT,
+		demo->now_s < demo->message_end_s
+			? demo->message
+			: demo->file.preset[demo->chosen].name);
 
 	for (int i = first_row(demo, hud); i < ROWS; i++) {
 		char value[64];
@@ -284,11 +286,6 @@ static void tuner_label(const struct demo *demo, struct hud *hud)
 		}
 	}
 	hud_group_end(&group);
-	if (demo->message && demo->now_s < demo->message_end_s) {
-		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
-		hud_group_text(&group, demo->message, "");
-		hud_group_end(&group);
-	}
 }
 
 static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out)
@@ -328,7 +325,7 @@ static void save(struct demo *demo, int amount)
 {
 	(void)amount;
 	if (!demo->may_save) {
-		show_message(demo, "render saves nothing");
+		show_message(demo, "render cannot save");
 		return;
 	}
 	if (!demo->file.path[0]) {

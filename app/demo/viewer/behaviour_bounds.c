@@ -18,12 +18,12 @@ void behaviour_range(const struct character *character, const float *value,
 
 /* Adds a box unless the model would be too small. */
 static void add_box(struct behaviour_bounds *bounds, const struct bounds *box,
-	float model_extent, struct bounds *to)
+	struct bounds *to)
 {
 	struct bounds with = bounds->all;
 
 	bounds_join(&with, box);
-	if (bounds_extent(&with) <= 2.0f * model_extent) {
+	if (bounds_extent(&with) <= 2.0f * bounds->extent) {
 		bounds->all = with;
 		bounds_join(to, box);
 	}
@@ -44,8 +44,8 @@ static void add_shapes(
 }
 
 /* Adds all places of the targets' balls. */
-static void add_balls(struct behaviour_bounds *bounds,
-	const struct character *character, float model_extent)
+static void add_balls(
+	struct behaviour_bounds *bounds, const struct character *character)
 {
 	float unit_scale = character->instance->unit_scale;
 
@@ -66,7 +66,7 @@ static void add_balls(struct behaviour_bounds *bounds,
 			ball.low[axis] = (low - radius) * unit_scale;
 			ball.high[axis] = (high + radius) * unit_scale;
 		}
-		add_box(bounds, &ball, model_extent, &bounds->ball[i]);
+		add_box(bounds, &ball, &bounds->ball[i]);
 	}
 }
 
@@ -84,8 +84,8 @@ static struct bounds shifted(
 }
 
 /* Adds where parts go that are shifted, such as a truck on its way. */
-static void add_shifts(struct behaviour_bounds *bounds,
-	const struct character *character, float model_extent)
+static void add_shifts(
+	struct behaviour_bounds *bounds, const struct character *character)
 {
 	struct instance *instance = character->instance;
 
@@ -103,11 +103,77 @@ static void add_shifts(struct behaviour_bounds *bounds,
 			low = shifted(instance, part->node, axis, freedom->low);
 			high = shifted(
 				instance, part->node, axis, freedom->high);
-			add_box(bounds, &low, model_extent, &bounds->extra);
-			add_box(bounds, &high, model_extent, &bounds->extra);
+			add_box(bounds, &low, &bounds->extra);
+			add_box(bounds, &high, &bounds->extra);
 		}
 	}
 	instance_update(instance);
+}
+
+/* The length of a point along a direction: the axes, then the diagonals. */
+static float along(const float point[3], int direction)
+{
+	float sum = 0.0f;
+
+	if (direction < 6) {
+		return direction & 1 ? point[direction / 2]
+				     : -point[direction / 2];
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		sum += (direction - 6) >> axis & 1 ? point[axis] : -point[axis];
+	}
+	return sum;
+}
+
+static int find_outermost(
+	struct behaviour_bounds *bounds, struct instance *instance)
+{
+	bounds->outermost = arena_alloc(&instance->arena,
+		(size_t)instance->drawable_count, sizeof(*bounds->outermost));
+	if (!bounds->outermost) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < instance->drawable_count * BEHAVIOUR_DIRECTIONS;
+		i++) {
+		int direction = i % BEHAVIOUR_DIRECTIONS, best = 0;
+		const struct drawable *drawable =
+			&instance->drawable[i / BEHAVIOUR_DIRECTIONS];
+		float(*position)[3] = drawable->primitive->position;
+
+		for (int v = 1; v < drawable->primitive->vertex_count; v++) {
+			if (along(position[v], direction) >
+				along(position[best], direction)) {
+				best = v;
+			}
+		}
+		bounds->outermost[i / BEHAVIOUR_DIRECTIONS][direction] = best;
+	}
+	return 0;
+}
+
+/* Joins where the outermost vertices are now. */
+static void add_reached(
+	struct behaviour_bounds *bounds, const struct instance *instance)
+{
+	struct bounds now = bounds_empty();
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		for (int k = 0; k < BEHAVIOUR_DIRECTIONS &&
+			drawable->primitive->vertex_count > 0;
+			k++) {
+			float point[3];
+
+			instance_world_vertex(instance, drawable,
+				bounds->outermost[i][k], point);
+			for (int axis = 0; axis < 3; axis++) {
+				point[axis] *= instance->unit_scale;
+			}
+			bounds_add(&now, point);
+		}
+	}
+	add_box(bounds, &now, &bounds->extra);
 }
 
 int behaviour_bounds_init(
@@ -115,7 +181,6 @@ int behaviour_bounds_init(
 {
 	struct instance *instance = character->instance;
 	int count = instance->model->clip_count;
-	float extent;
 
 	bounds->clip =
 		ARENA_ARRAY(&instance->arena, struct bounds, (size_t)count);
@@ -137,11 +202,11 @@ int behaviour_bounds_init(
 		bounds_join(&bounds->all, &bounds->clip[i]);
 	}
 	bounds_join(&bounds->all, &bounds->extra);
-	extent = bounds_extent(&bounds->all);
+	bounds->extent = bounds_extent(&bounds->all);
 	pose_rest(&instance->pose, instance->model);
-	add_shifts(bounds, character, extent);
-	add_balls(bounds, character, extent);
-	return 0;
+	add_shifts(bounds, character);
+	add_balls(bounds, character);
+	return character->part_count > 0 ? find_outermost(bounds, instance) : 0;
 }
 
 static void add_entry(const struct behaviour_bounds *bounds,
@@ -155,13 +220,17 @@ static void add_entry(const struct behaviour_bounds *bounds,
 				: &bounds->rest);
 }
 
-struct bounds behaviour_bounds_now(const struct behaviour_bounds *bounds,
-	const struct character *character)
+struct bounds behaviour_bounds_now(
+	struct behaviour_bounds *bounds, const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_state *state = &machine->state[machine->current];
-	struct bounds all = bounds->extra;
+	struct bounds all;
 
+	if (bounds->outermost) {
+		add_reached(bounds, character->instance);
+	}
+	all = bounds->extra;
 	for (int i = 0; i < state->entry_count; i++) {
 		add_entry(bounds, character, &state->entry[i], &all);
 	}

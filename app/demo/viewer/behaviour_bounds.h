@@ -7,13 +7,23 @@
 #include "app/character/character_data.h"
 #include "app/scene/instance/bounds.h"
 
+enum {
+	BEHAVIOUR_DIRECTIONS = 14
+};
+
 /* All in scene units. */
 struct behaviour_bounds {
 	struct bounds all;
 	/* In the instance's arena; where a ball may be, or empty: */
 	struct bounds rest, *clip, *ball;
-	/* What morphs reach beyond the rest pose, and the parts' shifts. */
+	/*
+	 * What morphs reach beyond the rest pose, the parts' shifts, and what
+	 * turned parts have reached until now.
+	 */
 	struct bounds extra;
+	float extent; /* of the model */
+	/* [drawable_count]: its outermost vertices; NULL if no part turns. */
+	int (*outermost)[BEHAVIOUR_DIRECTIONS];
 };
 
 /*
@@ -23,9 +33,12 @@ struct behaviour_bounds {
 int behaviour_bounds_init(
 	struct behaviour_bounds *bounds, const struct character *character);
 
-/* The box of what the state and layers play, of used balls and the extras. */
-struct bounds behaviour_bounds_now(const struct behaviour_bounds *bounds,
-	const struct character *character);
+/*
+ * The box of what the state and layers play, of used balls and the extras, to
+ * which it adds where the parts are now.
+ */
+struct bounds behaviour_bounds_now(
+	struct behaviour_bounds *bounds, const struct character *character);
 
 /* What a number of the file can be: a parameter's range, or what it is. */
 void behaviour_range(const struct character *character, const float *value,

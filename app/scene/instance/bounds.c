@@ -12,6 +12,10 @@ enum {
 	POSES_MAX = 104 /* of all clips together */
 };
 
+/* A box is flat whose height is less than this part of its extent. */
+static const float flat_part = 0.1f;
+static const float hairline_part = 0.001f;
+
 struct bounds bounds_empty(void)
 {
 	return (struct bounds){
@@ -63,6 +67,18 @@ void bounds_center(const struct bounds *bounds, float out[3])
 			? 0.0f
 			: 0.5f * (bounds->low[axis] + bounds->high[axis]);
 	}
+}
+
+float bounds_ground(const struct bounds *bounds)
+{
+	float extent = bounds_extent(bounds);
+
+	if (bounds_is_empty(bounds)) {
+		return 0.0f;
+	}
+	return bounds->high[1] - bounds->low[1] < flat_part * extent
+		? bounds->low[1] - hairline_part * extent
+		: bounds->low[1];
 }
 
 static int16_t lesser(int16_t a, int16_t b)

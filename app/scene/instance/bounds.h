@@ -32,6 +32,13 @@ float bounds_extent(const struct bounds *bounds);
 /* Returns the box's centre, the origin for an empty box. */
 void bounds_center(const struct bounds *bounds, float out[3]);
 
+/*
+ * Returns the height of level ground below the box, 0 below an empty one: that
+ * of its lower side, or a thousandth of the extent less below a box so flat
+ * that what it contains may lie in the ground's plane.
+ */
+float bounds_ground(const struct bounds *bounds);
+
 /* Returns the box of the last update's vertices, in scene units. */
 struct bounds bounds_of_instance(const struct instance *instance);
 

@@ -347,12 +347,29 @@ static fx16_t edge(float value)
 	return fx16_from_float(scalar_clamp(value, -16000.0f, 16000.0f));
 }
 
+/*
+ * The depth of the ground that the box stands on at the picture's lower edge,
+ * where it is nearest.
+ */
+static float ground_depth(const struct camera *camera)
+{
+	float sine = scalar_sin(camera->pitch_rad);
+	float slope = camera_tan_half(camera->yfov_rad) * (1.0f + camera->shift_y);
+	float fall = sine + scalar_cos(camera->pitch_rad) * slope;
+	float height = camera->distance * sine + camera->fit.half[1];
+
+	return fall > 0.0f ? height / fall : camera->distance;
+}
+
 struct camera_frustum camera_frustum(
 	const struct camera *camera, int width, int height)
 {
-	/* The ground at the picture's lower edge is nearer than the model. */
-	float near = scalar_clamp(camera->distance - camera->radius,
+	float ground = 0.95f * ground_depth(camera);
+	float model = scalar_clamp(camera->distance - camera->radius,
 		0.05f * camera->distance, 0.35f * camera->distance);
+	float near = ground < model
+		? scalar_clamp(ground, 0.02f * camera->distance, model)
+		: model;
 	float far = 2.2f * camera->distance + 3.0f * camera->radius;
 	float top = near * camera_tan_half(camera->yfov_rad);
 	float half_width = top * (float)width / (float)height;

@@ -127,7 +127,7 @@ int floor_init(struct floor *floor, const struct gl *gl,
 	extent = extent > 1e-9f ? extent : 1.0f;
 	bounds_center(bounds, middle);
 	*floor = (struct floor){
-		.y = bounds_is_empty(bounds) ? 0.0f : bounds->low[1],
+		.y = bounds_ground(bounds),
 		.center = {middle[0], middle[2]},
 		.radius =
 			2.2f * extent > min_radius ? 2.2f * extent : min_radius,
@@ -201,6 +201,9 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	/* The floor extends at least to below a distant camera. */
 	float min_radius = 1.1f * camera->distance;
 	float radius = floor->radius > min_radius ? floor->radius : min_radius;
+	/* Beyond the far plane it would end at once. */
+	float far = 0.95f *
+		fx16_to_float(camera_frustum(camera, width, height).far);
 	float eye[3], ahead;
 	struct floor_mesh_ground ground = {
 		.y = floor->y, .wave_height = floor->wave_height};
@@ -210,6 +213,12 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 		(eye[2] - floor->center[1]) * cosine;
 	ground.opaque_end = ahead + opaque_part * radius;
 	ground.end = ahead + radius;
+	if (ground.end > far) {
+		ground.end = far;
+		ground.opaque_end = ground.opaque_end < opaque_part * far
+			? ground.opaque_end
+			: opaque_part * far;
+	}
 	if (floor->wave_height != 0.0f) {
 		out->strips = (struct floor_strips){.horizon_px = height};
 		find_mesh(floor, camera, width, height, &ground, out);

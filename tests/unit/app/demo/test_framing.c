@@ -211,6 +211,90 @@ static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
 	}
 }
 
+/* The colour scale of the errors is above the heads. */
+static void test_the_duels_scale_does_not_cover_the_figures(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+		const struct button_event paint = {
+			.button = BUTTON_F8, .down = true};
+		struct camera_region figure;
+		struct shown shown;
+		struct hud hud;
+
+		begin(&shown, "duel", sizes[s], false);
+		demo_press(shown.driver, shown.demo, &paint);
+		assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
+		hud_begin(&hud, sizes[s][0], sizes[s][1]);
+		demo_label(shown.driver, shown.demo, &hud);
+		figure = seen(&shown, sizes[s]);
+		assert_false(hides(&hud, &figure));
+		hud_finish(&hud, &shown.gl);
+		end(&shown);
+	}
+}
+
+/* But for what rigid parts are off at a sole. */
+static void test_figures_of_the_duel_are_not_below_the_ground(void **state)
+{
+	(void)state;
+	for (int step = 0; step < 12; step++) {
+		struct overlay_figure figure;
+		struct shown shown;
+
+		begin(&shown, "duel", sizes[0], false);
+		shown.driver->update(shown.demo, 0.1 * step + 0.1);
+		for (int i = 0; i < 3; i++) {
+			struct bounds bounds;
+			float ground = ((const struct demo_base *)shown.demo)
+					       ->stage.floor.y;
+
+			assert_true(shown.driver->get_figure(
+				shown.demo, i, &figure));
+			bounds = bounds_of_instance(figure.instance);
+			assert_true(bounds.low[1] > ground - 0.05f);
+		}
+		end(&shown);
+	}
+}
+
+/* The box of what is shown now. */
+static struct camera_region shown_now(
+	const struct shown *shown, const int size[2])
+{
+	const struct demo_base *base = (const struct demo_base *)shown->demo;
+	struct bounds bounds = bounds_of_instance(base->actor.instance);
+	float center[3], half[3];
+
+	bounds_center(&bounds, center);
+	for (int axis = 0; axis < 3; axis++) {
+		half[axis] = bounds.high[axis] - center[axis];
+	}
+	return project(&base->stage.camera, size, center, half);
+}
+
+/* Pitched back and turned aside as far as it goes. */
+static void test_parts_that_buttons_turn_stay_in_the_picture(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+		struct button_event held = {.button = BUTTON_UP, .down = true};
+		struct camera_region region;
+		struct shown shown;
+
+		begin(&shown, "arm", sizes[s], false);
+		demo_press(shown.driver, shown.demo, &held);
+		held.button = BUTTON_LEFT;
+		demo_press(shown.driver, shown.demo, &held);
+		for (int frame = 0; frame < 200; frame++) {
+			shown.driver->update(shown.demo, 0.05 + 0.04 * frame);
+		}
+		region = shown_now(&shown, sizes[s]);
+		check_whole(&region);
+		end(&shown);
+	}
+}
+
 static void test_without_labels_the_figure_is_in_the_middle(void **state)
 {
 	(void)state;
@@ -311,6 +395,11 @@ int main(void)
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
 		cmocka_unit_test(
 			test_labels_of_overlays_do_not_cover_the_figures),
+		cmocka_unit_test(test_the_duels_scale_does_not_cover_the_figures),
+		cmocka_unit_test(
+			test_figures_of_the_duel_are_not_below_the_ground),
+		cmocka_unit_test(
+			test_parts_that_buttons_turn_stay_in_the_picture),
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
 		cmocka_unit_test(

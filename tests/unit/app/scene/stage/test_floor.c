@@ -1,4 +1,5 @@
 #include "app/scene/stage/floor.h"
+#include "platform/base/compiler.h"
 #include "platform/gl/gl_context.h"
 #include "tests/support/test.h"
 
@@ -202,12 +203,70 @@ static void test_ground_above_the_eye_is_not_drawn(void **state)
 	end(&scene);
 }
 
+/* Wide, deep, flat, tall and even ones, in metres and in millimetres. */
+static const float half_sides[][3] = {{7.7f, 0.6f, 0.5f}, {1.0f, 0.06f, 1.5f},
+	{0.5f, 0.06f, 8.0f}, {0.3f, 4.0f, 0.3f}, {0.02f, 0.02f, 0.02f}};
+
+static const struct camera_region regions[] = {{-1.0f, 1.0f, -1.0f, 1.0f},
+	{-1.0f, 1.0f, -0.2f, 0.9f}, {-0.1f, 1.0f, -1.0f, 1.0f}};
+
+static void check_level_ground(const float half[3],
+	const struct camera_region *region, int width, int height)
+{
+	const struct bounds bounds = {.low = {-half[0], 0.0f, -half[2]},
+		.high = {half[0], 2.0f * half[1], half[2]}};
+	struct camera_framing framing = {.aspect = (float)width / (float)height,
+		.yaw_rad = 0.25f,
+		.pitch_rad = 0.1f,
+		.margin = 1.04f,
+		.follow = true,
+		.region = *region};
+	struct camera camera = camera_default();
+	struct floor floor = {.radius = 200.0f * bounds_extent(&bounds)};
+	struct floor_sight sight;
+
+	camera_frame(&camera, &bounds, &framing);
+	floor.y = bounds_ground(&bounds);
+	floor_find_sight(&floor, &camera, width, height, &sight);
+	assert_true(sight.strips.covered_px > 0);
+	if (sight.strips.horizon_px < height) {
+		assert_int_equal(sight.strips.alpha[4], 0);
+		assert_int_equal(sight.strips.alpha[5], 0);
+	}
+}
+
+static void test_level_ground_begins_below_the_picture_and_fades(void **state)
+{
+	static const int sizes[][2] = {{480, 640}, {320, 240}, {800, 480}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(half_sides) * 9; i++) {
+		check_level_ground(half_sides[i / 9], &regions[i % 3],
+			sizes[i / 3 % 3][0], sizes[i / 3 % 3][1]);
+	}
+}
+
+static void test_ground_is_not_in_the_plane_of_a_flat_box(void **state)
+{
+	const struct bounds flat = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 2.0f}};
+	const struct bounds tall = {{0.0f, 0.5f, 0.0f}, {1.0f, 1.0f, 2.0f}};
+	const struct bounds empty = bounds_empty();
+
+	(void)state;
+	assert_near(bounds_ground(&flat), -0.002, 1e-6);
+	assert_near(bounds_ground(&tall), 0.5, 1e-6);
+	assert_near(bounds_ground(&empty), 0.0, 1e-6);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ground_is_drawn_where_it_is),
 		cmocka_unit_test(test_the_mesh_covers_what_is_seen),
 		cmocka_unit_test(test_ground_above_the_eye_is_not_drawn),
+		cmocka_unit_test(
+			test_level_ground_begins_below_the_picture_and_fades),
+		cmocka_unit_test(test_ground_is_not_in_the_plane_of_a_flat_box),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -39,6 +39,12 @@ awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.07 } { print }'
 check_against "$scratch/faster" --rows lerp
 expect_failures 'a loop that got 7% slower is noticed' 'lerp fixed warm'
 
+awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 * 1.3 } { print }' \
+    "$figures" >"$scratch/slower"
+check_against "$scratch/slower" --rows lerp
+expect_failures 'a loop that takes far less than before is noticed' \
+    'lerp fixed warm'
+
 awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.03 } { print }' \
     "$figures" >"$scratch/near"
 check_against "$scratch/near" --rows lerp

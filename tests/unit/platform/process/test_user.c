@@ -58,8 +58,7 @@ static void test_root_becomes_another_user_for_good(void **state)
 {
 	(void)state;
 	if (getuid() != 0 || !getpwnam(other)) {
-		print_message("# only root can become another user\n");
-		skip();
+		skip_because("only root can become another user");
 	}
 	assert_int_equal(in_child(become_other), 0);
 }
@@ -71,8 +70,7 @@ static void test_the_user_of_the_process_stays(void **state)
 
 	(void)state;
 	if (!user) {
-		print_message("# this user has no name\n");
-		skip();
+		skip_because("this user has no name");
 	}
 	assert_int_equal(user_become(user->pw_name, &log), 0);
 	assert_int_equal(getuid(), geteuid());

@@ -20,6 +20,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 	uint32_t seed = 2;
 
 	(void)state;
+	twins_need_assembly();
 	for (size_t i = 0; i < sizeof(texels); i++) {
 		texels[i] = (uint8_t)next_random(&seed);
 	}

@@ -1,5 +1,6 @@
 /* Fills of triangles in assembly against the same in C, and against spans. */
 #include "platform/gl/soft/raster/raster.h"
+#include "tests/support/gl/twins.h"
 #include "tests/support/random.h"
 #include "tests/support/soft/fast_scene.h"
 #include "tests/support/test.h"
@@ -101,6 +102,7 @@ static void check_fills(const struct fills *fills)
 static void test_narrow_triangles_are_as_in_c(void **state)
 {
 	(void)state;
+	twins_need_assembly();
 	check_fills(&(struct fills){
 		.slow = soft_fill_narrow_c,
 		.fast_setup = soft_fill_narrow,
@@ -114,6 +116,7 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 static void test_shadows_are_as_in_c(void **state)
 {
 	(void)state;
+	twins_need_assembly();
 	check_fills(&(struct fills){
 		.slow = soft_fill_flat,
 		.fast_setup = soft_fill_masked,

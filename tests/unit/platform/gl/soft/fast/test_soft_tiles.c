@@ -4,6 +4,7 @@
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
+#include "tests/support/gl/twins.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
@@ -304,6 +305,7 @@ static void test_rows_are_as_in_c(void **state)
 	uint32_t seed = 4, shade[255];
 
 	(void)state;
+	twins_need_assembly();
 	make_shades(&seed, shade);
 	for (int round = 0; round < 3000; round++) {
 		int log2 = random_between(&seed, 1, 7);

@@ -78,6 +78,39 @@ expect_out '^not ok 1 - one'
 expect_out '^ok 2 - two'
 expect_file "$scratch/out/one-difference.png"
 
+# Defects that are small in a large picture. painted FILE X Y WIDTH HEIGHT: a
+# grey picture of 200 x 200 with a rectangle that is 40 lighter.
+painted() {
+    python3 -c '
+import struct, sys, zlib
+x, y, width, height = map(int, sys.argv[2:])
+rows = [[90 + 40 * (x <= i < x + width and y <= j < y + height)
+         for i in range(200) for _ in range(3)] for j in range(200)]
+def chunk(kind, data):
+    body = kind + data
+    return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(
+    b"IHDR", struct.pack(">2I5B", 200, 200, 8, 2, 0, 0, 0)) + chunk(
+    b"IDAT", zlib.compress(b"".join(b"\0" + bytes(r) for r in rows))) +
+    chunk(b"IEND", b""))' "$@"
+}
+
+painted "$GOLDEN/osmesa/one.png" 0 0 100 200
+painted "$scratch/given/one.png" 0 0 101 200
+checks
+about 'an edge that is off by a pixel'
+expect_status 0
+painted "$GOLDEN/osmesa/one.png" 0 0 0 0
+for defect in '70 30 1 40' '30 70 40 1' '61 77 8 8'; do
+    # shellcheck disable=SC2086 # four words
+    painted "$scratch/given/one.png" $defect
+    checks
+    about "a defect of $defect"
+    expect_status 1
+    expect_out '^not ok 1 - one'
+done
+cp "$fixtures/circle.png" "$GOLDEN/osmesa/one.png"
+
 cp "$fixtures/square.png" "$scratch/given/one.png"
 checks
 about 'another size'

@@ -1,8 +1,9 @@
 /*
- * compare_png STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE PICTURE DIFFERENCE
+ * compare_png STEP FAR_PERCENT MEAN BLOCK_MEAN BLOCK_STRAYS
+ *     REFERENCE PICTURE DIFFERENCE
  *
  * Prints how PICTURE differs from REFERENCE. The exit status is 0 within the
- * four tolerances (struct picture_tolerance), 1 beyond them, 2 for wrong usage.
+ * five tolerances (struct picture_tolerance), 1 beyond them, 2 for wrong usage.
  * Beyond them the program writes the PNG file DIFFERENCE, which shows both
  * pictures and their difference.
  */
@@ -36,10 +37,12 @@ static int compare(const struct picture *reference,
 	}
 	printf("%.3f %% of the pixels differ by more than %d (limit %g), ",
 		difference.far_percent, limit->step, limit->far_percent);
-	printf("mean %.3f (limit %g), worst block %.2f at %d,%d (limit %g), largest %d\n",
+	printf("mean %.3f (limit %g), worst block %.2f at %d,%d (limit %g), ",
 		difference.mean, limit->mean, difference.block_mean,
-		difference.block_x, difference.block_y, limit->block_mean,
-		difference.worst);
+		difference.block_x, difference.block_y, limit->block_mean);
+	printf("strays of a block %d at %d,%d (limit %d), largest %d\n",
+		difference.block_strays, difference.stray_x, difference.stray_y,
+		limit->block_strays, difference.worst);
 	if (picture_is_near(&difference, limit)) {
 		return 0;
 	}
@@ -54,9 +57,10 @@ int main(int argc, char **argv)
 	struct picture picture = {0};
 	int status = 1;
 
-	if (argc != 8) {
+	if (argc != 9) {
 		fprintf(stderr,
-			"usage: %s STEP FAR_PERCENT MEAN BLOCK_MEAN REFERENCE PICTURE DIFFERENCE\n",
+			"usage: %s STEP FAR_PERCENT MEAN BLOCK_MEAN BLOCK_STRAYS"
+			" REFERENCE PICTURE DIFFERENCE\n",
 			argv[0]);
 		return 2;
 	}
@@ -65,13 +69,14 @@ int main(int argc, char **argv)
 		.far_percent = atof(argv[2]),
 		.mean = atof(argv[3]),
 		.block_mean = atof(argv[4]),
+		.block_strays = atoi(argv[5]),
 	};
-	if (picture_read(argv[5], &reference)) {
-		printf("%s: cannot be read as a PNG\n", argv[5]);
-	} else if (picture_read(argv[6], &picture)) {
+	if (picture_read(argv[6], &reference)) {
 		printf("%s: cannot be read as a PNG\n", argv[6]);
+	} else if (picture_read(argv[7], &picture)) {
+		printf("%s: cannot be read as a PNG\n", argv[7]);
 	} else {
-		status = compare(&reference, &picture, &limit, argv[7]);
+		status = compare(&reference, &picture, &limit, argv[8]);
 	}
 	picture_release(&reference);
 	picture_release(&picture);

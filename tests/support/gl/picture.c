@@ -93,6 +93,69 @@ static struct block_sum sum_block(const struct picture *a,
 	return sum;
 }
 
+/* Whether b has no colour like a's pixel within a pixel of its place. */
+static bool is_alone(const struct picture *a, const struct picture *b, int x,
+	int y, int step)
+{
+	for (int k = 0; k < 3; k++) {
+		int low = 255, high = 0, value = pixel(a, x, y)[k];
+
+		for (int i = 0; i < 9; i++) {
+			int left = x + i % 3 - 1, top = y + i / 3 - 1;
+
+			if (left >= 0 && left < b->width && top >= 0 &&
+				top < b->height) {
+				int other = pixel(b, left, top)[k];
+
+				low = other < low ? other : low;
+				high = other > high ? other : high;
+			}
+		}
+		if (value < low - step || value > high + step) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static bool is_far(const uint8_t *a, const uint8_t *b, int step)
+{
+	return abs(a[0] - b[0]) > step || abs(a[1] - b[1]) > step ||
+		abs(a[2] - b[2]) > step;
+}
+
+static int count_strays(const struct picture *a, const struct picture *b,
+	int left, int top, int step)
+{
+	int count = 0;
+
+	for (int y = top; y < top + BLOCK && y < a->height; y++) {
+		for (int x = left; x < left + BLOCK && x < a->width; x++) {
+			count += is_far(pixel(a, x, y), pixel(b, x, y), step) &&
+				(is_alone(a, b, x, y, step) ||
+					is_alone(b, a, x, y, step));
+		}
+	}
+	return count;
+}
+
+/* Blocks overlap by half, so that one of them holds all of a patch of 8 x 8. */
+static void find_strays(const struct picture *a, const struct picture *b,
+	int step, struct picture_difference *out)
+{
+	for (int top = 0; top < a->height; top += BLOCK / 2) {
+		for (int left = 0; left < a->width; left += BLOCK / 2) {
+			int count = count_strays(a, b, left, top, step);
+
+			if (count > out->block_strays) {
+				out->block_strays = count;
+				out->stray_x = left;
+				out->stray_y = top;
+			}
+		}
+	}
+}
+
 struct picture_difference picture_compare(
 	const struct picture *a, const struct picture *b, int step)
 {
@@ -125,6 +188,7 @@ struct picture_difference picture_compare(
 	}
 	out.mean = sum / (3 * pixels);
 	out.far_percent = 100 * far / pixels;
+	find_strays(a, b, step, &out);
 	return out;
 }
 
@@ -134,7 +198,8 @@ bool picture_is_near(const struct picture_difference *difference,
 	return difference->same_size &&
 		difference->far_percent <= tolerance->far_percent &&
 		difference->mean <= tolerance->mean &&
-		difference->block_mean <= tolerance->block_mean;
+		difference->block_mean <= tolerance->block_mean &&
+		difference->block_strays <= tolerance->block_strays;
 }
 
 struct picture picture_show_difference(

@@ -31,13 +31,22 @@ struct picture_tolerance {
 	double mean;        /* limit of the mean difference of all channels */
 	double block_mean;  /* the same for each block of 16 x 16 pixels, which
 			       catches a small part that is missing */
+	int block_strays;   /* stray pixels of any block of 16 x 16 pixels,
+			       which catch a thin seam or a small patch */
 };
 
+/*
+ * A stray is a far pixel with a colour that the other picture does not have
+ * there: a channel is more than the step outside what the 3 x 3 pixels around
+ * that place span. An edge that is off by less than a pixel makes none.
+ */
 struct picture_difference {
 	bool same_size; /* if not, the members below are 0 */
 	double far_percent, mean, block_mean;
 	int worst;            /* the largest difference of any channel */
 	int block_x, block_y; /* upper left corner of the worst block */
+	int block_strays;     /* of the block with most */
+	int stray_x, stray_y; /* upper left corner of that block */
 };
 
 struct picture_difference picture_compare(

@@ -14,6 +14,7 @@ static const struct picture_tolerance TOLERANCE = {
 	.far_percent = 0.5,
 	.mean = 0.5,
 	.block_mean = 12,
+	.block_strays = 8,
 };
 
 static struct picture gray(int width, int height, int value)
@@ -25,12 +26,18 @@ static struct picture gray(int width, int height, int value)
 	return picture;
 }
 
+static void fill_area(struct picture *picture, int left, int top, int width,
+	int height, int value)
+{
+	for (int y = top; y < top + height; y++) {
+		memset(picture->rgb + 3 * (y * picture->width + left), value,
+			3 * (size_t)width);
+	}
+}
+
 static void fill(struct picture *picture, int left, int top, int size, int value)
 {
-	for (int y = top; y < top + size; y++) {
-		memset(picture->rgb + 3 * (y * picture->width + left), value,
-			3 * (size_t)size);
-	}
+	fill_area(picture, left, top, size, size, value);
 }
 
 /* Releases both. */
@@ -95,6 +102,40 @@ static void test_a_missing_small_part_is_too_far(void **state)
 	assert_false(is_near(gray(480, 640, 90), large));
 }
 
+static void test_a_seam_one_pixel_wide_is_too_far(void **state)
+{
+	struct picture upright = gray(480, 640, 90);
+	struct picture flat = gray(480, 640, 90);
+
+	(void)state;
+	fill_area(&upright, 100, 200, 1, 30, 110);
+	assert_false(is_near(gray(480, 640, 90), upright));
+	fill_area(&flat, 100, 200, 30, 1, 110);
+	assert_false(is_near(flat, gray(480, 640, 90)));
+}
+
+static void test_a_wrong_patch_is_too_far(void **state)
+{
+	(void)state;
+	for (int at = 0; at < 16; at++) {
+		struct picture picture = gray(480, 640, 90);
+
+		fill(&picture, 100 + at, 200 + at, 8, 110);
+		assert_false(is_near(gray(480, 640, 90), picture));
+	}
+}
+
+static void test_an_edge_may_be_off_by_a_pixel(void **state)
+{
+	struct picture a = gray(480, 640, 90);
+	struct picture b = gray(480, 640, 90);
+
+	(void)state;
+	fill_area(&a, 0, 0, 300, 100, 130);
+	fill_area(&b, 0, 0, 301, 100, 130);
+	assert_true(is_near(a, b));
+}
+
 static void test_the_measures_are_exact(void **state)
 {
 	struct picture a = gray(32, 32, 100);
@@ -111,6 +152,9 @@ static void test_the_measures_are_exact(void **state)
 	assert_near(difference.block_mean, 8, 1e-9);
 	assert_int_equal(difference.block_x, 16);
 	assert_int_equal(difference.block_y, 0);
+	assert_int_equal(difference.block_strays, 64);
+	assert_int_equal(difference.stray_x, 8);
+	assert_int_equal(difference.stray_y, 0);
 	picture_release(&a);
 	picture_release(&b);
 }
@@ -165,6 +209,9 @@ int main(void)
 		cmocka_unit_test(test_single_pixels_are_forgiven),
 		cmocka_unit_test(test_too_many_far_pixels_are_too_far),
 		cmocka_unit_test(test_a_missing_small_part_is_too_far),
+		cmocka_unit_test(test_a_seam_one_pixel_wide_is_too_far),
+		cmocka_unit_test(test_a_wrong_patch_is_too_far),
+		cmocka_unit_test(test_an_edge_may_be_off_by_a_pixel),
 		cmocka_unit_test(test_the_measures_are_exact),
 		cmocka_unit_test(test_the_difference_is_shown_beside_both),
 		cmocka_unit_test(test_png_files_keep_every_pixel),

@@ -8,7 +8,8 @@ CHECK := build/check
 # The fuzz targets are built by clang, which has libFuzzer.
 CC_fuzz := clang-14
 CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
-	-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+	-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
+	-fno-sanitize-recover=all
 SETS_fuzz := host font fuzz
 PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod libdrm inih
 LIBS_fuzz := -lgif -lm -ldl
@@ -19,12 +20,12 @@ build/fuzz/fuzz_gltf build/fuzz/fuzz_command: \
 	build/fuzz/obj/tests/fuzz/gltf_mutator.o
 build/fuzz/fuzz_gl: build/fuzz/obj/tests/fuzz/fuzz_gl_calls.o
 build/fuzz/fuzz_device: $(patsubst %,build/fuzz/obj/tests/fuzz/%_calls.o,\
-	fuzz_device fuzz_device_kms)
+	fuzz_device fuzz_device_kms fuzz_device_gpio)
 
 build/fuzz/fuzz_%: build/fuzz/obj/tests/fuzz/fuzz_%.o build/fuzz/liblimber.a
 	$(call say,LINK,$@)
-	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ $^ \
-		@build/fuzz/libs $(LIBS_fuzz)
+	$(Q)$(CC_fuzz) $(CFLAGS_fuzz) -fsanitize=fuzzer -o $@ \
+		$(filter %.o,$^) $(filter %.a,$^) @build/fuzz/libs $(LIBS_fuzz)
 
 # Building a test installs the packages that tests need.
 build/test-packages.stamp: toolchain/packages/test.txt | build

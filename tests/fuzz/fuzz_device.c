@@ -6,6 +6,8 @@
 #define _DEFAULT_SOURCE /* mkdtemp() */
 
 #include "platform/buttons/evdev/system.h"
+#include "platform/buttons/gpio_output.h"
+#include "platform/buttons/gpiod/gpiod_survey.h"
 #include "platform/camera/convert.h"
 #include "platform/camera/motion.h"
 #include "platform/camera/v4l2/session.h"
@@ -29,7 +31,7 @@ enum {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 extern const struct display_driver display_driver_fbdev, display_driver_kms;
-extern const struct button_driver button_driver_evdev;
+extern const struct button_driver button_driver_evdev, button_driver_gpiod;
 
 static void drop_finding(void *user, const struct survey_finding *finding)
 {
@@ -223,19 +225,15 @@ static const struct evdev_system *keys_system(void)
 	return system.directory ? &system : NULL;
 }
 
-static void press_keys(void)
+/* Polls for some seconds, then destroys the source. */
+static void press_buttons(
+	const struct button_driver *driver, struct button_source *source)
 {
-	const struct evdev_system *system = keys_system();
-	struct log log = log_to_nowhere();
-	struct button_source *source;
 	struct button_queue queue = {0};
 	struct button_event event;
 
-	if (!system || evdev_create_on(system, NULL, &log, &source) != 0) {
-		return;
-	}
 	for (int64_t now_ms = 0; now_ms < 4000; now_ms += 500) {
-		button_driver_evdev.poll(source, now_ms, &queue);
+		driver->poll(source, now_ms, &queue);
 		while (button_queue_pop(&queue, &event)) {
 			if (event.button >= BUTTON_COUNT ||
 				event.time_ms > now_ms) {
@@ -243,8 +241,36 @@ static void press_keys(void)
 			}
 		}
 	}
-	button_driver_evdev.destroy(source);
-	evdev_survey_on(system, &nobody);
+	driver->destroy(source);
+}
+
+static void press_keys(void)
+{
+	const struct evdev_system *system = keys_system();
+	struct log log = log_to_nowhere();
+	struct button_source *source;
+
+	if (system && evdev_create_on(system, NULL, &log, &source) == 0) {
+		press_buttons(&button_driver_evdev, source);
+		evdev_survey_on(system, &nobody);
+	}
+}
+
+static void use_gpio_lines(void)
+{
+	static const char lines[] =
+		"UP=chip0/3,DOWN=chip1/31/active-low,LEFT=row,F6=gpiochip2/row";
+	struct log log = log_to_nowhere();
+	struct button_source *source;
+	struct gpio_output *output =
+		gpio_output_open("output led", "led", "chip1/4", &log);
+
+	gpio_output_set(output, true);
+	if (button_driver_gpiod.create(lines, &log, &source) == 0) {
+		press_buttons(&button_driver_gpiod, source);
+	}
+	gpio_output_close(output);
+	gpiod_survey(&nobody);
 }
 
 static void feed_watchdog(void)
@@ -264,7 +290,7 @@ static void feed_watchdog(void)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	fuzz_device_begin(data, size);
-	switch (fuzz_device_byte() % 8) {
+	switch (fuzz_device_byte() % 9) {
 	case 0:
 	case 1:
 		play_camera();
@@ -281,6 +307,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		break;
 	case 6:
 		feed_watchdog();
+		break;
+	case 8:
+		use_gpio_lines();
 		break;
 	default:
 		fbdev_survey_on(&fuzz_device_file, &nobody);

@@ -7,7 +7,8 @@
 #include "platform/buttons/gpiod/gpio.h"
 
 enum {
-	DEVICES_MAX = 128
+	DEVICES_MAX = 128,
+	LINES_MAX = UINT16_MAX /* Linux keeps their number in 16 bits */
 };
 
 static void report_line(const struct gpio_chip *chip, unsigned int offset,
@@ -30,7 +31,8 @@ static void report_line(const struct gpio_chip *chip, unsigned int offset,
 
 static void report_chip(struct gpio_chip *chip, const struct survey *survey)
 {
-	unsigned int count = gpio_chip_line_count(chip), used = 0;
+	unsigned int lines = gpio_chip_line_count(chip), used = 0;
+	unsigned int count = lines < LINES_MAX ? lines : LINES_MAX;
 	struct gpio_line_info line;
 	char path[64];
 

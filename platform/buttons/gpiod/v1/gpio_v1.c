@@ -21,6 +21,13 @@ static struct gpiod_line *to_line(const struct gpio_line *line)
 	return (struct gpiod_line *)line;
 }
 
+/* The library splits the kernel's unsigned 64 bits: the product may wrap. */
+static int64_t stamp_of(const struct timespec *time)
+{
+	return (int64_t)((uint64_t)time->tv_sec * 1000000000 +
+		(uint64_t)time->tv_nsec);
+}
+
 static int last_error(void)
 {
 	return errno ? -errno : -EIO;
@@ -154,8 +161,7 @@ int gpio_line_read(
 	}
 	for (int i = 0; i < count; i++) {
 		edges[i] = (struct gpio_edge){
-			.stamp_ns = (int64_t)events[i].ts.tv_sec * 1000000000 +
-				events[i].ts.tv_nsec,
+			.stamp_ns = stamp_of(&events[i].ts),
 			.active = events[i].event_type ==
 				GPIOD_LINE_EVENT_RISING_EDGE,
 		};

@@ -366,6 +366,7 @@ struct character_motion {
 	int root;           /* its translation moves the ground, or -1 */
 	int foot[2];        /* they keep to the ground, or -1 */
 	const float *speed; /* or NULL */
+	bool by_clips;      /* what their lowest vertices do moves it */
 	float low_m[2];     /* the feet's lowest heights in the clips */
 	float near_m;       /* a foot below low_m + near_m is planted */
 	float height_m;     /* of the skeleton at rest */

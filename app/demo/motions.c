@@ -1,8 +1,8 @@
 #include "app/demo/motions.h"
 
+#include "app/character/build/gait.h"
 #include "app/character/character.h"
 #include "app/character/run/effects.h"
-#include "app/demo/gait.h"
 #include "app/demo/viewer/behaviour.h"
 #include "platform/base/scalar.h"
 
@@ -10,18 +10,11 @@
 #include <string.h>
 
 enum {
-	CLIPS_MAX = 16, /* that are measured */
-	POSES_MAX = 200,
-	STEPS_LEAST = 6,
-	STEPS_MOST = 20
+	CLIPS_MAX = 16 /* that are measured */
 };
 
-/* Slower figures, in their own lengths a second, stand. */
-static const float standing = 0.12f;
 /* A speed that the file gives counts if the clip's own one is near it. */
 static const float near_factor = 1.5f;
-/* A clip that goes this near to an axis goes along it. */
-static const float straight_rad = 0.2f;
 
 static const char *const role_names[MOTION_ROLES][4] = {
 	[MOTION_STAND] = {"idle", "stand"},
@@ -29,28 +22,20 @@ static const char *const role_names[MOTION_ROLES][4] = {
 	[MOTION_RUN] = {"run", "gallop", "trot"},
 };
 
-static struct motion measure(struct actor *actor, int clip, int steps)
+static struct motion measure(
+	struct actor *actor, const struct gait_body *body, int clip, int steps)
 {
-	const float right_rad = 0.5f * SCALAR_PI;
-	struct motion motion = {.clip = clip};
-	struct gait gait;
-	float turns;
+	float unit = actor->instance->unit_scale;
+	struct gait gait = gait_measure(body, actor->instance, clip, steps);
+	struct motion motion = {
+		.clip = clip,
+		.speed = unit *
+			scalar_sqrt(gait.velocity[0] * gait.velocity[0] +
+				gait.velocity[1] * gait.velocity[1]),
+		.facing_rad = scalar_atan2(gait.velocity[0], gait.velocity[1]),
+		.drift = {gait.drift[0] * unit, gait.drift[1] * unit},
+	};
 
-	if (clip < 0 || actor->model->clip[clip].duration_s <= 0.0f) {
-		return motion;
-	}
-	gait = gait_measure(actor->instance, clip, steps);
-	motion.speed = gait_speed(&gait);
-	memcpy(motion.drift, gait.drift, sizeof(motion.drift));
-	if (motion.speed < standing * actor->extent) {
-		motion.speed = 0.0f;
-		return motion;
-	}
-	motion.facing_rad = scalar_atan2(gait.velocity[0], gait.velocity[1]);
-	turns = scalar_floor(motion.facing_rad / right_rad + 0.5f);
-	if (scalar_abs(motion.facing_rad - turns * right_rad) < straight_rad) {
-		motion.facing_rad = turns * right_rad;
-	}
 	return motion;
 }
 
@@ -159,13 +144,14 @@ static int read_character(const struct demo_env *env, struct actor *actor,
 }
 
 /* Roles for which neither the file nor a name has a clip. */
-static void choose_by_speed(struct actor *actor, int steps, struct motions *out)
+static void choose_by_speed(struct actor *actor, const struct gait_body *body,
+	int steps, struct motions *out)
 {
 	struct motion *role = out->role;
 	bool walks = role[MOTION_WALK].clip >= 0 || role[MOTION_RUN].clip >= 0;
 
 	for (int i = 0; i < actor->model->clip_count && i < CLIPS_MAX; i++) {
-		struct motion one = measure(actor, i, steps);
+		struct motion one = measure(actor, body, i, steps);
 
 		if (one.speed <= 0.0f) {
 			if (role[MOTION_STAND].clip < 0) {
@@ -207,29 +193,24 @@ static void use_speed(struct motion *motion, float said)
 	}
 }
 
-static void choose_all(struct actor *actor,
+static void choose_all(struct actor *actor, const struct gait_body *body,
 	const struct saying say[MOTION_ROLES], struct motions *out)
 {
-	int count = actor->model->clip_count;
-	int steps =
-		POSES_MAX / (2 * (count < CLIPS_MAX ? count + 1 : CLIPS_MAX));
+	int steps = gait_steps_for(actor->model->clip_count);
 	bool missing = false;
 
-	steps = steps < STEPS_LEAST  ? STEPS_LEAST
-		: steps > STEPS_MOST ? STEPS_MOST
-				     : steps;
 	for (int i = 0; i < MOTION_ROLES; i++) {
 		enum motion_role role = (enum motion_role)i;
 		int clip = say[i].clip >= 0 ? say[i].clip
 					    : find_named(actor->model, role);
 
-		out->role[i] = measure(actor, clip, steps);
+		out->role[i] = measure(actor, body, clip, steps);
 		use_speed(&out->role[i],
 			say[i].speed * actor->instance->unit_scale);
 		missing = missing || clip < 0;
 	}
 	if (missing) {
-		choose_by_speed(actor, steps, out);
+		choose_by_speed(actor, body, steps, out);
 	}
 	replace_missing(out->role);
 }
@@ -238,7 +219,7 @@ int motions_find(
 	const struct demo_env *env, struct actor *actor, struct motions *out)
 {
 	struct saying say[MOTION_ROLES] = {{-1, 0}, {-1, 0}, {-1, 0}};
-	bool normals = actor->instance->hold_normals;
+	struct gait_body body;
 	int clip, error;
 
 	*out = (struct motions){0};
@@ -249,15 +230,15 @@ int motions_find(
 	if (error) {
 		return error;
 	}
-	actor->instance->hold_normals = true;
+	gait_body_make(&body, actor->model);
 	if (clip >= 0) {
 		for (int i = 0; i < MOTION_ROLES; i++) {
-			out->role[i] = measure(actor, clip, STEPS_MOST);
+			out->role[i] =
+				measure(actor, &body, clip, GAIT_STEPS_MOST);
 		}
 	} else {
-		choose_all(actor, say, out);
+		choose_all(actor, &body, say, out);
 	}
-	actor->instance->hold_normals = normals;
 	pose_rest(&actor->instance->pose, actor->model);
 	instance_update(actor->instance);
 	return 0;

@@ -1,4 +1,5 @@
 #include "app/character/build/build.h"
+#include "app/character/build/gait.h"
 
 #include "app/anim/math/vec.h"
 #include "app/character/run/feet.h"
@@ -108,6 +109,28 @@ static void find_travel(
 	vec_subtract(pose->local[root].translation, local, clip->travel);
 	clip->ground_m_per_s[0] = (end[0] - start[0]) / clip->clip->duration_s;
 	clip->ground_m_per_s[1] = (end[2] - start[2]) / clip->clip->duration_s;
+}
+
+/* How fast the ground goes under each clip, by the vertices that touch it. */
+static void find_gaits(const struct character_build *build)
+{
+	struct character *character = build->character;
+	struct gait_body body;
+
+	gait_body_make(&body, build->model);
+	for (int i = 0; i < build->model->clip_count; i++) {
+		struct character_clip *clip = &character->clip[i];
+		struct gait gait = gait_measure(&body, character->instance, i,
+			gait_steps_for(build->model->clip_count));
+
+		for (int axis = 0; axis < 2; axis++) {
+			clip->ground_m_per_s[axis] = gait.velocity[axis];
+			if (gait.drift[axis] != 0) {
+				clip->ground_m_per_s[axis] -= gait.drift[axis] /
+					clip->clip->duration_s;
+			}
+		}
+	}
 }
 
 /* How far the first foot is ahead of the second one, along x and z. */
@@ -237,6 +260,9 @@ int character_build_clips(struct character_build *build)
 		find_travel(build, &character->clip[i]);
 		find_steps(build, &character->clip[i]);
 		error = find_soles(build, &character->clip[i]);
+	}
+	if (!error && character->motion.by_clips) {
+		find_gaits(build);
 	}
 	pose_rest(&character->instance->pose, build->model);
 	instance_update_nodes(character->instance);

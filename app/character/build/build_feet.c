@@ -1,6 +1,5 @@
 #include "app/character/build/build.h"
 
-#include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 #include "app/character/run/feet.h"
 
@@ -72,86 +71,19 @@ static bool is_of_foot(const struct visit *visit, int node)
 		visit->build->model, node, visit->foot->leg.tip);
 }
 
-/* The joint with the largest weight, other than one. */
-static int main_influence(
-	const struct model_primitive *primitive, int vertex, int other)
-{
-	const float *weight = &primitive->weight[vertex * primitive->influences];
-	int best = other == 0 ? 1 : 0;
-
-	for (int i = 0; i < primitive->influences; i++) {
-		best = i != other && weight[i] > weight[best] ? i : best;
-	}
-	return best;
-}
-
-/* The node of the strongest influence. */
-static int main_node(const struct model_skin *skin,
-	const struct model_primitive *primitive, int vertex)
-{
-	int influence = main_influence(primitive, vertex, -1);
-
-	return skin->joint[primitive->joint[vertex * primitive->influences +
-		influence]];
-}
-
-/* The two strongest influences move the point. */
-static struct character_sole bind_vertex(const struct model_skin *skin,
-	const struct model_primitive *primitive, int vertex)
-{
-	int first = vertex * primitive->influences, influence = -1;
-	struct character_sole sole;
-	float sum = 0;
-
-	for (int i = 0; i < 2; i++) {
-		int joint;
-
-		influence = main_influence(primitive, vertex, influence);
-		joint = primitive->joint[first + influence];
-		sole.node[i] = skin->joint[joint];
-		sole.weight[i] = primitive->weight[first + influence];
-		sum += sole.weight[i];
-		matrix_apply(skin->inverse_bind[joint],
-			primitive->position[vertex], sole.at[i]);
-	}
-	for (int i = 0; i < 2; i++) {
-		sole.weight[i] /= sum;
-	}
-	return sole;
-}
-
-/* A point that moves with a node alone. */
-static struct character_sole on_node(int node, const float at[3])
-{
-	struct character_sole sole = {.node = {node, node}, .weight = {1, 0}};
-
-	memcpy(sole.at[0], at, sizeof(sole.at[0]));
-	return sole;
-}
-
 static void visit_primitive(
 	struct visit *visit, int node, const struct model_primitive *primitive)
 {
 	const struct model *model = visit->build->model;
-	const struct model_skin *skin =
-		model->node[node].skin >= 0 && primitive->influences > 0
-		? &model->skin[model->node[node].skin]
-		: NULL;
 
-	if (!skin && !is_of_foot(visit, node)) {
-		return;
-	}
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		struct character_sole sole;
+		if (is_of_foot(visit,
+			    character_sole_mover(model, node, primitive, v))) {
+			struct character_sole sole = character_sole_of_vertex(
+				model, node, primitive, v);
 
-		if (!skin) {
-			sole = on_node(node, primitive->position[v]);
-		} else if (is_of_foot(visit, main_node(skin, primitive, v))) {
-			sole = bind_vertex(skin, primitive, v);
-		} else {
-			continue;
+			visit_vertex(visit, &sole);
 		}
-		visit_vertex(visit, &sole);
 	}
 }
 
@@ -266,7 +198,7 @@ static void find_sole(const struct character_build *build,
 	find_ends(foot);
 	if (foot->sole_count == 0) {
 		foot->sole_count = 1;
-		foot->sole[0] = on_node(foot->leg.tip, origin);
+		foot->sole[0] = character_sole_on_node(foot->leg.tip, origin);
 	}
 }
 

@@ -27,6 +27,9 @@ static const struct character_key motion_keys[] = {
 		"the nodes of both feet, such as foot.L foot.R"},
 	{"speed", character_read_value, offsetof(struct character_motion, speed),
 		0, 0, NULL, "m/s, or a parameter"},
+	{"clips", character_read_switch,
+		offsetof(struct character_motion, by_clips), 0, 0, NULL,
+		"yes or no"},
 	{0},
 };
 

@@ -44,19 +44,6 @@ static int find_lowest(const struct character_foot *foot)
 	return lowest;
 }
 
-void character_sole_place(const struct character_sole *sole,
-	const struct instance *instance, float out[3])
-{
-	float second[3];
-
-	matrix_apply(instance->world[sole->node[0]], sole->at[0], out);
-	if (sole->weight[1] > 0) {
-		matrix_apply(
-			instance->world[sole->node[1]], sole->at[1], second);
-		vec_mix(out, second, sole->weight[1], out);
-	}
-}
-
 float character_feet_place(
 	struct character_feet *feet, const struct instance *instance)
 {

@@ -12,16 +12,10 @@
 
 #include "app/anim/procedural/ik.h"
 #include "app/character/character_data.h"
+#include "app/character/run/sole.h"
 
 enum {
 	CHARACTER_SOLE_MAX = 32 /* flat parts of four bones, and the edge */
-};
-
-/* A point of the sole, moved by two nodes as a vertex of a skin is. */
-struct character_sole {
-	int node[2];
-	float at[2][3]; /* in the nodes' frames */
-	float weight[2];
 };
 
 struct character_foot {
@@ -61,10 +55,6 @@ struct character_feet {
 	float shown_m; /* height of the lower sole in the last frame */
 	float from_m;  /* the same, above the clips', when a fade began */
 };
-
-/* The point's place in the world. */
-void character_sole_place(const struct character_sole *sole,
-	const struct instance *instance, float out[3]);
 
 /* Places the points of both soles; returns the height of the lowest one. */
 float character_feet_place(

@@ -86,7 +86,7 @@ void character_ground_update(struct character *character)
 	} else if (motion->speed) {
 		motion->velocity[0] = 0;
 		motion->velocity[1] = *motion->speed;
-	} else if (motion->root >= 0) {
+	} else {
 		blend_speeds(character, motion->velocity);
 	}
 	for (int axis = 0; axis < 2; axis++) {

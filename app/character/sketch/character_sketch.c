@@ -413,6 +413,12 @@ void character_sketch(const struct model *model,
 	      "; suggestions.\n\n",
 		out);
 	write_states(model, play ? play : &plain, out);
+	if (model->clip_count > 0) {
+		fputs("; The ground moves as the lowest vertices of each clip do. With the names\n"
+		      "; of two feet, feet = LEFT RIGHT, it goes with the foot on it.\n"
+		      "[motion]\nclips = yes\n\n",
+			out);
+	}
 	write_morph(model, out);
 	write_parts(model, out);
 	write_chains(model, out);

@@ -1,21 +1,10 @@
 #include "app/demo/tuner/tuner_bones.h"
 
+#include "app/character/run/sole.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-
-/* The joint with the greatest weight, or a rigid drawable's node. */
-static int main_joint(
-	const struct model *model, const struct drawable *drawable, int vertex)
-{
-	struct skin_influence influence[SKIN_INFLUENCES_MAX];
-
-	if (drawable->skin < 0) {
-		return drawable->node;
-	}
-	skin_gather_influences(drawable->primitive, (uint32_t)vertex, influence);
-	return model->skin[drawable->skin].joint[influence[0].joint];
-}
 
 static int find_joints(struct tuner_bones *bones, struct arena *arena)
 {
@@ -31,7 +20,8 @@ static int find_joints(struct tuner_bones *bones, struct arena *arena)
 			return -ENOMEM;
 		}
 		for (int v = 0; v < count; v++) {
-			int node = main_joint(model, drawable, v);
+			int node = character_sole_mover(
+				model, drawable->node, drawable->primitive, v);
 
 			bones->joint[d][v] = node;
 			for (; node >= 0 && !bones->moves[node];

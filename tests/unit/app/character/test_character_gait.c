@@ -1,10 +1,12 @@
 /* Feet while the gait changes: they neither slide nor sink nor hover. */
 #include "app/character/run/parameters.h"
 #include "app/character/state/entry.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -193,12 +195,42 @@ static void test_feet_return_to_the_clips_places(void **state)
 	acting_end(&acting);
 }
 
+/* Without the feet's names the ground goes as clips walk, and stands else. */
+static void test_the_lowest_vertices_tell_how_the_ground_moves(void **state)
+{
+	static const struct {
+		const char *clip, *rate;
+		float speed, near_speed;
+	} walks[] = {{"idle", "1", 0.0f, 1e-6f}, {"walk", "1", 1.03f, 0.06f},
+		{"walk", "0.5", 0.515f, 0.03f}, {"run", "1", 2.6f, 0.3f},
+		{"wave", "1", 0.0f, 1e-6f}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(walks); i++) {
+		struct acting acting;
+		char text[128];
+
+		snprintf(text, sizeof(text),
+			"[state a]\nclip = %s\nrate = %s\n[motion]\nclips = yes\n",
+			walks[i].clip, walks[i].rate);
+		acting_begin(&acting, "assets/walker.glb");
+		acting_expect(&acting, text);
+		acting_run_to(&acting, 0.5, rate_hz);
+		assert_near(acting.character->motion.scroll[1] * (float)rate_hz,
+			walks[i].speed, walks[i].near_speed);
+		assert_near(acting.character->motion.scroll[0], 0.0, 1e-6);
+		acting_end(&acting);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_no_gait_change_slides_or_lifts_planted_feet),
 		cmocka_unit_test(test_feet_return_to_the_clips_places),
+		cmocka_unit_test(
+			test_the_lowest_vertices_tell_how_the_ground_moves),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

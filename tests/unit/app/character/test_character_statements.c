@@ -208,6 +208,7 @@ static const struct statement walker[] = {
 		"a word is missing"},
 	{"[motion]\nroot = hips\n", "[motion]\nroot = hip\n",
 		"no node named hip"},
+	{"[motion]\nclips = yes\n", "[motion]\nclips = walk\n", "yes or no"},
 	{"[parameter v]\n[motion]\nspeed = v\n", "[motion]\nspeed = v\n",
 		"no parameter named v"},
 	{"[scene]\nyaw = 20\npitch = 10\nmargin = 1.1\n",

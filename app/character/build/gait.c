@@ -1,0 +1,200 @@
+#include "app/character/build/gait.h"
+
+#include "app/anim/clip.h"
+#include "platform/base/scalar.h"
+
+#include <string.h>
+
+enum {
+	POSES_MAX = 200, /* of all clips together, if there are few */
+	STEPS_LEAST = 6
+};
+
+/* Of the figure's height: what is lower touches the ground. */
+static const float touching = 0.03f;
+/* A figure that its clip carries less far, in heights, moves on the spot. */
+static const float on_the_spot = 0.15f;
+/* Slower figures, in their own lengths a second, stand. */
+static const float standing = 0.12f;
+/* tan() of the angle to an axis up to which a clip goes along it. */
+static const float straight = 0.2f;
+
+/* The body at a time of a clip. */
+struct sample {
+	float at[GAIT_POINTS_MAX][3];
+	float low[3], high[3], mean[3];
+};
+
+static int count_vertices(const struct model *model)
+{
+	int count = 0;
+
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_mesh *mesh = model->node[n].mesh >= 0
+			? &model->mesh[model->node[n].mesh]
+			: NULL;
+
+		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
+			count += mesh->primitive[i].vertex_count;
+		}
+	}
+	return count;
+}
+
+void gait_body_make(struct gait_body *body, const struct model *model)
+{
+	int stride = count_vertices(model) / GAIT_POINTS_MAX + 1, skip = 0;
+
+	body->count = 0;
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_mesh *mesh = model->node[n].mesh >= 0
+			? &model->mesh[model->node[n].mesh]
+			: NULL;
+
+		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
+			const struct model_primitive *primitive =
+				&mesh->primitive[i];
+			int v = skip;
+
+			for (; v < primitive->vertex_count; v += stride) {
+				body->point[body->count++] =
+					character_sole_of_vertex(
+						model, n, primitive, v);
+			}
+			skip = v - primitive->vertex_count;
+		}
+	}
+}
+
+int gait_steps_for(int clip_count)
+{
+	int steps = POSES_MAX / (2 * (clip_count + 1));
+
+	return steps < STEPS_LEAST        ? STEPS_LEAST
+		: steps > GAIT_STEPS_MOST ? GAIT_STEPS_MOST
+					  : steps;
+}
+
+static void take(const struct gait_body *body, struct instance *instance,
+	int clip, float time_s, struct sample *sample)
+{
+	struct clip_cursor none = {0};
+
+	pose_rest(&instance->pose, instance->model);
+	clip_sample(
+		&instance->model->clip[clip], time_s, &none, &instance->pose);
+	instance_update_nodes(instance);
+	memset(sample->mean, 0, sizeof(sample->mean));
+	for (int i = 0; i < body->count; i++) {
+		float *at = sample->at[i];
+
+		character_sole_place(&body->point[i], instance, at);
+		for (int axis = 0; axis < 3; axis++) {
+			float *low = &sample->low[axis],
+			      *high = &sample->high[axis];
+
+			*low = i == 0 || at[axis] < *low ? at[axis] : *low;
+			*high = i == 0 || at[axis] > *high ? at[axis] : *high;
+			sample->mean[axis] += at[axis] / (float)body->count;
+		}
+	}
+}
+
+/* The point that is lowest at both times, and its higher height of the two. */
+static int lowest(int count, const struct sample *a, const struct sample *b,
+	float *height)
+{
+	int found = 0;
+
+	for (int i = 0; i < count; i++) {
+		float y = a->at[i][1] > b->at[i][1] ? a->at[i][1] : b->at[i][1];
+
+		if (i == 0 || y < *height) {
+			*height = y;
+			found = i;
+		}
+	}
+	return found;
+}
+
+/* The steps of the points that touch the ground; sum[2] counts them. */
+static void add_step(int count, const struct sample *a, const struct sample *b,
+	float ground, float sum[3])
+{
+	float height = 0.0f;
+	int point = lowest(count, a, b, &height);
+
+	if (height <= ground + touching * (a->high[1] - a->low[1])) {
+		sum[0] += b->at[point][0] - a->at[point][0];
+		sum[1] += b->at[point][2] - a->at[point][2];
+		sum[2] += 1.0f;
+	}
+}
+
+static float extent_of(const struct sample *sample)
+{
+	float extent = 0.0f;
+
+	for (int axis = 0; axis < 3; axis++) {
+		float side = sample->high[axis] - sample->low[axis];
+
+		extent = side > extent ? side : extent;
+	}
+	return extent;
+}
+
+/* Leaves out what is too slow, or too little aside. */
+static void straighten(float velocity[2], float least)
+{
+	float x = scalar_abs(velocity[0]), z = scalar_abs(velocity[1]);
+
+	if (x * x + z * z < least * least) {
+		velocity[0] = velocity[1] = 0.0f;
+	} else if (x < straight * z) {
+		velocity[0] = 0.0f;
+	} else if (z < straight * x) {
+		velocity[1] = 0.0f;
+	}
+}
+
+struct gait gait_measure(const struct gait_body *body,
+	struct instance *instance, int clip, int steps)
+{
+	float duration_s =
+		clip >= 0 ? instance->model->clip[clip].duration_s : 0.0f;
+	float ground = 0.0f, sum[3] = {0.0f, 0.0f, 0.0f};
+	struct gait gait = {{0.0f, 0.0f}, {0.0f, 0.0f}};
+	struct sample sample[2], first;
+
+	if (duration_s <= 0.0f || body->count == 0) {
+		return gait;
+	}
+	for (int i = 0; i <= steps; i++) {
+		take(body, instance, clip, duration_s * (float)i / (float)steps,
+			&first);
+		ground = i == 0 || first.low[1] < ground ? first.low[1] : ground;
+	}
+	take(body, instance, clip, 0.0f, &first);
+	sample[0] = first;
+	for (int i = 1; i <= steps; i++) {
+		struct sample *now = &sample[i % 2];
+
+		take(body, instance, clip, duration_s * (float)i / (float)steps,
+			now);
+		add_step(body->count, &sample[(i + 1) % 2], now, ground, sum);
+	}
+	for (int i = 0; i < 2; i++) {
+		float drift = sample[steps % 2].mean[2 * i] - first.mean[2 * i];
+		float height = first.high[1] - first.low[1];
+
+		gait.drift[i] =
+			scalar_abs(drift) > on_the_spot * height ? drift : 0.0f;
+		gait.velocity[i] = gait.drift[i] / duration_s;
+		if (sum[2] > 0.0f) {
+			gait.velocity[i] -=
+				sum[i] * (float)steps / (sum[2] * duration_s);
+		}
+	}
+	straighten(gait.velocity, standing * extent_of(&first));
+	return gait;
+}

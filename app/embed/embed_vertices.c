@@ -1,6 +1,6 @@
 #include "app/embed/embed_internal.h"
 
-#include <string.h>
+#include "app/model/model_deltas.h"
 
 static void put_vectors(struct embed *embed, const float (*vector)[3], int count)
 {
@@ -79,7 +79,6 @@ static void put_indices(struct embed *embed, const struct embed_part *part)
 static void put_targets(struct embed *embed, const struct embed_part *part)
 {
 	const struct model_primitive *primitive = part->primitive;
-	static const float none[3];
 
 	for (int t = 0; t < part->mesh->target_count; t++) {
 		const struct model_target *target = &primitive->target[t];
@@ -87,12 +86,8 @@ static void put_targets(struct embed *embed, const struct embed_part *part)
 		for (int v = 0; v < primitive->vertex_count; v++) {
 			float delta[6];
 
-			memcpy(delta,
-				target->position ? target->position[v] : none,
-				sizeof(none));
-			memcpy(delta + 3,
-				target->normal ? target->normal[v] : none,
-				sizeof(none));
+			model_deltas_get(&target->position, v, delta);
+			model_deltas_get(&target->normal, v, delta + 3);
 			embed_put_floats(embed, delta, 6);
 		}
 	}

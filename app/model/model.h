@@ -28,11 +28,51 @@ struct transform {
 	float scale[3];
 };
 
-/* Displacements of a primitive's vertices at weight 1; NULL means none. */
+enum model_number {
+	MODEL_FLOAT,
+	MODEL_INT16,
+	MODEL_INT8,
+};
+
+/* Consecutive vertices; the values of their displacements begin at `at`. */
+struct model_span {
+	int first, count;
+	int at;
+};
+
+/*
+ * Displacements of one attribute of a primitive's vertices, as small as they
+ * are without loss: in the file's numbers, and only of vertices that move where
+ * these are few. Read with model_deltas.h.
+ */
+struct model_deltas {
+	int vertex_count; /* of the primitive; 0: no displacements */
+	enum model_number number;
+	float unit; /* the number that stands for 1 */
+	int span_count;
+	const struct model_span *span; /* in order, or NULL: all vertices */
+	const void *value;             /* of each listed vertex: x, y, z */
+	const int16_t (*base)[3];      /* NULL, or what to subtract from value,
+					  for MODEL_INT16 of all vertices */
+};
+
+/* Displacements of a primitive's vertices at weight 1. */
 struct model_target {
-	float (*position)[3];
-	float (*normal)[3];
-	float (*tangent)[3];
+	struct model_deltas position, normal, tangent;
+};
+
+/*
+ * Targets that are key frames (model_keys.h), as the vertices that they show.
+ * Key 0 is the primitive without targets, key 1 + t is target t. Numbers are
+ * those of AN4044's interpolation in 16 bits (struct fixed_key in
+ * app/anim/kernel/fixed.h): -2 * number * scale + offset is a position, and a
+ * direction of length 1 is 16383 long.
+ */
+struct model_keys {
+	int stride; /* vertices of a key in memory: an even number */
+	float scale, offset[3];
+	/* Positions, normals, tangents: [(1 + targets) * stride] or NULL. */
+	const int16_t (*key[3])[3];
 };
 
 /* A level of detail: a coarser triangle list over a primitive's vertices. */
@@ -66,6 +106,8 @@ struct model_primitive {
 	float *weight;   /* [vertex_count][influences] */
 
 	struct model_target *target; /* [mesh.target_count] */
+	/* NULL, or memory that the targets' deltas read too. */
+	const struct model_keys *keys;
 
 	int index_count; /* a multiple of 3 */
 	uint32_t *index; /* each below vertex_count */

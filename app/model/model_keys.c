@@ -1,5 +1,7 @@
 #include "app/model/model_keys.h"
 
+#include "app/model/model_deltas.h"
+
 static const float tolerance = 1e-5f;
 
 /*
@@ -84,19 +86,14 @@ static bool clips_have_key_weights(const struct model *model, int node)
 	return found;
 }
 
-static bool is_zero(const float delta[3])
-{
-	return delta[0] == 0.0f && delta[1] == 0.0f && delta[2] == 0.0f;
-}
-
 static long count_moved(const struct model_primitive *primitive, int target)
 {
 	const struct model_target *deltas = &primitive->target[target];
 	long moved = 0;
 
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		moved += (deltas->position && !is_zero(deltas->position[v])) ||
-			(deltas->normal && !is_zero(deltas->normal[v]));
+		moved += model_deltas_moves(&deltas->position, v) ||
+			model_deltas_moves(&deltas->normal, v);
 	}
 	return moved;
 }

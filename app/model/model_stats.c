@@ -1,5 +1,8 @@
 #include "app/model/model_stats.h"
 
+#include "app/model/model_deltas.h"
+#include "app/model/model_keys.h"
+
 static void add_influences(
 	struct model_stats *stats, const struct model_primitive *primitive)
 {
@@ -9,8 +12,8 @@ static void add_influences(
 		return;
 	}
 	for (v = 0; v < primitive->vertex_count; v++) {
-		const float *weight =
-			primitive->weight + (size_t)v * (size_t)primitive->influences;
+		const float *weight = primitive->weight +
+			(size_t)v * (size_t)primitive->influences;
 		int count = 0;
 
 		for (k = 0; k < primitive->influences; k++) {
@@ -37,13 +40,21 @@ static size_t vertex_bytes(const struct model_primitive *primitive)
 	return bytes;
 }
 
-static size_t target_vertex_bytes(const struct model_target *target)
+static size_t target_bytes(
+	const struct model_primitive *primitive, int target_count)
 {
 	size_t bytes = 0;
 
-	bytes += target->position ? sizeof(*target->position) : 0;
-	bytes += target->normal ? sizeof(*target->normal) : 0;
-	bytes += target->tangent ? sizeof(*target->tangent) : 0;
+	if (primitive->keys) {
+		return model_keys_bytes(primitive->keys, target_count);
+	}
+	for (int t = 0; t < target_count; t++) {
+		const struct model_target *target = &primitive->target[t];
+
+		bytes += model_deltas_bytes(&target->position) +
+			model_deltas_bytes(&target->normal) +
+			model_deltas_bytes(&target->tangent);
+	}
 	return bytes;
 }
 
@@ -97,7 +108,7 @@ struct model_level model_level(const struct model_mesh *mesh, int level)
 void model_stats_add_mesh(
 	struct model_stats *stats, const struct model_mesh *mesh)
 {
-	int i, k;
+	int i;
 
 	stats->target_count += mesh->target_count;
 	for (i = 0; i < mesh->primitive_count; i++) {
@@ -112,10 +123,8 @@ void model_stats_add_mesh(
 				sizeof(*primitive->index) +
 			lod_bytes(primitive);
 		add_influences(stats, primitive);
-		for (k = 0; k < mesh->target_count; k++) {
-			stats->target_bytes += vertices *
-				target_vertex_bytes(&primitive->target[k]);
-		}
+		stats->target_bytes +=
+			target_bytes(primitive, mesh->target_count);
 		if (mesh->target_count > 0) {
 			stats->morph_vertex_count += primitive->vertex_count;
 		}

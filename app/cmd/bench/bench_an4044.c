@@ -128,11 +128,11 @@ static int prepare_morph(struct an4044_state *state,
 
 	state->from[0] = (const an4044_vec3 *)primitive->position;
 	state->from[1] = (const an4044_vec3 *)primitive->normal;
-	state->to[0] = (const an4044_vec3 *)(work == BENCH_TARGETS
-			? mesh->target[0].position
-			: mesh->destiny);
+	state->to[0] =
+		(const an4044_vec3 *)(work == BENCH_TARGETS ? mesh->delta[0]
+							    : mesh->destiny);
 	state->to[1] = (const an4044_vec3 *)(is_lerp ? mesh->destiny_normal
-						     : mesh->target[1].position);
+						     : mesh->delta[1]);
 	for (int i = 0; i < 2; i++) {
 		state->temporal[i] = arena_alloc(arena,
 			(size_t)state->vertex_count, sizeof(an4044_vec3));

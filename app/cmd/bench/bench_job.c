@@ -64,10 +64,8 @@ static void targets(void *user)
 	struct kernel_state *s = user;
 	const struct bench_mesh *mesh = s->mesh;
 	const struct morph_term term[2] = {
-		{.weight = 0.25f,
-			.position = (const float(*)[3])mesh->target[0].position},
-		{.weight = 0.5f,
-			.position = (const float(*)[3])mesh->target[1].position},
+		{.weight = 0.25f, .position = (const float(*)[3])mesh->delta[0]},
+		{.weight = 0.5f, .position = (const float(*)[3])mesh->delta[1]},
 	};
 
 	s->kernel->morph_targets(mesh->primitive.vertex_count,

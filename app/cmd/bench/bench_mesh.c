@@ -1,6 +1,7 @@
 #include "app/cmd/bench/bench_mesh.h"
 
 #include "app/anim/clip.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
@@ -140,13 +141,18 @@ static int add_keys(struct bench_mesh *mesh, uint32_t *state)
 	draw_vectors(state, count, 0.9f, mesh->destiny);
 	draw_vectors(state, count, 1.0f, mesh->destiny_normal);
 	for (int t = 0; t < 2; t++) {
-		mesh->target[t].position = vectors(&mesh->arena, count);
-		mesh->target[t].normal = vectors(&mesh->arena, count);
-		if (!mesh->target[t].position || !mesh->target[t].normal) {
+		float(*normal)[3] = vectors(&mesh->arena, count);
+
+		mesh->delta[t] = vectors(&mesh->arena, count);
+		if (!mesh->delta[t] || !normal) {
 			return -ENOMEM;
 		}
-		draw_vectors(state, count, 0.2f, mesh->target[t].position);
-		draw_vectors(state, count, 0.2f, mesh->target[t].normal);
+		draw_vectors(state, count, 0.2f, mesh->delta[t]);
+		draw_vectors(state, count, 0.2f, normal);
+		mesh->target[t].position = model_deltas_view(
+			(const float(*)[3])mesh->delta[t], count);
+		mesh->target[t].normal =
+			model_deltas_view((const float(*)[3])normal, count);
 	}
 	return 0;
 }

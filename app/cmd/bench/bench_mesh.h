@@ -17,7 +17,8 @@ struct bench_mesh {
 	/* A second key frame, and two morph targets. */
 	float (*destiny)[3];
 	float (*destiny_normal)[3];
-	struct model_target target[2];
+	float (*delta[2])[3];          /* of the targets' positions */
+	struct model_target target[2]; /* with normals too */
 
 	bool is_model; /* jobs include what a model needs once a frame */
 };

@@ -65,8 +65,8 @@ static size_t target_bytes(const struct model *model, const struct drawable *d)
 
 	for (int t = 0; t < mesh->target_count; t++) {
 		const struct model_target *target = &d->primitive->target[t];
-		int arrays =
-			(target->position != NULL) + (target->normal != NULL);
+		int arrays = (target->position.vertex_count > 0) +
+			(target->normal.vertex_count > 0);
 
 		bytes += (size_t)(d->primitive->vertex_count * arrays) *
 			sizeof(float[3]);

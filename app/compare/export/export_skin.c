@@ -1,6 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
 #include "app/compare/candidate/capped_influences.h"
+#include "app/model/model_deltas.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -56,6 +57,22 @@ static void add_influences(struct glb *glb, json_t *attributes,
 	}
 }
 
+static void add_deltas(struct glb *glb, json_t *target, const char *name,
+	const struct model_deltas *deltas)
+{
+	struct arena arena = arena_empty();
+	const float(*value)[3];
+
+	if (model_deltas_floats(deltas, &arena, &value) != 0) {
+		glb->error = -ENOMEM;
+	} else if (value) {
+		export_attribute(target, name,
+			glb_add_array(glb, value, deltas->vertex_count, 3,
+				GLB_FLOAT));
+	}
+	arena_release(&arena);
+}
+
 static json_t *targets_json(struct glb *glb,
 	const struct model_primitive *primitive, int target_count)
 {
@@ -65,16 +82,8 @@ static json_t *targets_json(struct glb *glb,
 		const struct model_target *target = &primitive->target[t];
 		json_t *json = json_object();
 
-		if (target->position) {
-			export_attribute(json, "POSITION",
-				glb_add_array(glb, target->position,
-					primitive->vertex_count, 3, GLB_FLOAT));
-		}
-		if (target->normal) {
-			export_attribute(json, "NORMAL",
-				glb_add_array(glb, target->normal,
-					primitive->vertex_count, 3, GLB_FLOAT));
-		}
+		add_deltas(glb, json, "POSITION", &target->position);
+		add_deltas(glb, json, "NORMAL", &target->normal);
 		json_array_append_new(targets, json);
 	}
 	return targets;

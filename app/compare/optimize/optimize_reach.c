@@ -1,6 +1,7 @@
 #include "app/compare/optimize/optimize_reach.h"
 
 #include "app/anim/pose.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -118,14 +119,12 @@ static int measure_targets(struct optimize_reach *reach,
 		const struct model_primitive *primitive = &mesh->primitive[p];
 
 		for (int t = 0; t < mesh->target_count; t++) {
-			const float(*moved)[3] =
-				(const float(*)[3])primitive->target[t].position;
+			for (int v = 0; v < primitive->vertex_count; v++) {
+				float moved[3], length;
 
-			for (int v = 0; moved && v < primitive->vertex_count;
-				v++) {
-				float length =
-					px * glm_vec3_norm((float *)moved[v]);
-
+				model_deltas_get(&primitive->target[t].position,
+					v, moved);
+				length = px * glm_vec3_norm(moved);
 				out[t] = length > out[t] ? length : out[t];
 			}
 		}

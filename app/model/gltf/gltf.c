@@ -108,6 +108,7 @@ static const gltf_step model_steps[] = {
 	gltf_read_nodes,
 	gltf_read_skins,
 	gltf_read_animations,
+	gltf_keep_targets,
 };
 
 static int run_steps(struct gltf *gltf, const gltf_step *step, size_t count)

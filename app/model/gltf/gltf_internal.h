@@ -368,6 +368,9 @@ int gltf_read_target_names(const struct gltf_at *mesh,
 int gltf_read_targets(const struct gltf_at *primitive,
 	const struct model_mesh *mesh, struct model_primitive *out);
 
+/* Moves all targets from scratch memory, once the clips have been read. */
+int gltf_keep_targets(struct gltf *gltf);
+
 /* The "weights" of a mesh or node, in scratch memory; NULL without them. */
 int gltf_read_weights(const struct gltf_at *at, int target_count, float **out);
 

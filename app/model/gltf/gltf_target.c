@@ -1,15 +1,46 @@
 #include "app/model/gltf/gltf_internal.h"
+#include "app/model/model_deltas.h"
+#include "app/model/model_keys.h"
 
 #include <errno.h>
 
-static int read_delta(const struct gltf_at *at, const char *key,
-	int vertex_count, float (**out)[3])
+/* Integers stay integers, until all clips are read in scratch memory. */
+static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
+	const struct gltf_values *values, struct model_deltas *out)
 {
-	struct gltf_values values;
-	int error = gltf_read_attribute(at, key, "VEC3", vertex_count,
-		&at->gltf->model->arena, &values);
+	enum gltf_component component = accessor->base.component;
+	bool is_short = component == GLTF_I16, is_byte = component == GLTF_I8;
+	bool is_integer = is_short || is_byte;
+	float one = !accessor->normalized || !is_integer ? 1.0f
+		: is_short                               ? 32767.0f
+							 : 127.0f;
+	int error = model_deltas_pack(out, (const float(*)[3])values->value,
+		accessor->count,
+		is_short          ? MODEL_INT16
+			: is_byte ? MODEL_INT8
+				  : MODEL_FLOAT,
+		one, is_integer ? &at->gltf->scratch : &at->gltf->model->arena);
 
-	*out = (float(*)[3])values.value;
+	return error ? gltf_no_memory(at) : 0;
+}
+
+static int read_delta(const struct gltf_at *at, const char *key,
+	int vertex_count, struct model_deltas *out)
+{
+	struct arena arena = arena_within(at->gltf->model->budget);
+	struct gltf_at member = gltf_member(at, key);
+	const struct gltf_accessor *accessor;
+	struct gltf_values values;
+	int error = gltf_read_attribute(
+		at, key, "VEC3", vertex_count, &arena, &values);
+
+	if (!error && values.value) {
+		error = gltf_maybe_accessor(at, key, "VEC3", &accessor);
+	}
+	if (!error && values.value) {
+		error = pack(&member, accessor, &values, out);
+	}
+	arena_release(&arena);
 	return error;
 }
 
@@ -55,6 +86,66 @@ int gltf_read_targets(const struct gltf_at *primitive,
 		}
 	}
 	return error;
+}
+
+/* Whether any node shows the mesh's targets as key frames, without a skin. */
+static bool is_shown_as_keys(const struct model *model, int mesh)
+{
+	for (int n = 0; n < model->node_count; n++) {
+		if (model->node[n].mesh == mesh && model->node[n].skin < 0 &&
+			model_has_key_frames(model, n)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static int keep_deltas(struct model_deltas *deltas, struct arena *arena)
+{
+	return deltas->vertex_count == 0 || deltas->number == MODEL_FLOAT ||
+			deltas->base
+		? 0
+		: model_deltas_copy(deltas, deltas, arena);
+}
+
+/* Moves integers from scratch memory to the model. */
+static int keep_targets(struct model *model, struct model_primitive *primitive,
+	int target_count, bool as_keys)
+{
+	struct arena *arena = &model->arena;
+	bool tangents = model->material[primitive->material].normal_texture >= 0;
+	int error = as_keys
+		? model_keys_store(primitive, target_count, tangents, arena)
+		: 0;
+
+	for (int t = 0; t < target_count && !error; t++) {
+		struct model_target *target = &primitive->target[t];
+
+		error = keep_deltas(&target->position, arena);
+		error = error ? error : keep_deltas(&target->normal, arena);
+		error = error ? error : keep_deltas(&target->tangent, arena);
+	}
+	return error;
+}
+
+int gltf_keep_targets(struct gltf *gltf)
+{
+	struct model *model = gltf->model;
+	struct gltf_at meshes = gltf_member(&gltf->root, "meshes");
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		const struct model_mesh *mesh = &model->mesh[m];
+		bool as_keys =
+			mesh->target_count > 0 && is_shown_as_keys(model, m);
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			if (keep_targets(model, &mesh->primitive[p],
+				    mesh->target_count, as_keys) != 0) {
+				return gltf_no_memory(&meshes);
+			}
+		}
+	}
+	return 0;
 }
 
 /* extras.targetNames is a convention, so a malformed one is no error. */

@@ -2,6 +2,7 @@
 
 #include "app/model/levels/simplify_choose.h"
 #include "app/model/levels/simplify_error.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -114,6 +115,29 @@ static void copy_index(
 	}
 }
 
+static int read_targets(struct simplify *simplify)
+{
+	const struct model_target *from = simplify->primitive->target;
+	int error = 0;
+
+	simplify->target = ARENA_ARRAY(&simplify->arena, struct simplify_target,
+		(size_t)simplify->target_count);
+	if (!simplify->target) {
+		return -ENOMEM;
+	}
+	for (int t = 0; t < simplify->target_count && !error; t++) {
+		struct simplify_target *to = &simplify->target[t];
+
+		error = model_deltas_floats(
+			&from[t].position, &simplify->arena, &to->position);
+		if (!error && !simplify->shape_only) {
+			error = model_deltas_floats(
+				&from[t].normal, &simplify->arena, &to->normal);
+		}
+	}
+	return error;
+}
+
 int simplify_begin(struct simplify *simplify,
 	const struct simplify_input *input, struct memory_budget *budget)
 {
@@ -124,7 +148,8 @@ int simplify_begin(struct simplify *simplify,
 		.shape_only = input->shape_only,
 		.extent = input->extent,
 	};
-	if (allocate(simplify, input->index_count) != 0) {
+	if (allocate(simplify, input->index_count) != 0 ||
+		read_targets(simplify) != 0) {
 		return -ENOMEM;
 	}
 	scale_positions(simplify);

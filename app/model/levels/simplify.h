@@ -37,10 +37,16 @@ enum simplify_known {
 	SIMPLIFY_BEST,
 };
 
+/* A target's displacements as floats, or NULL. */
+struct simplify_target {
+	const float (*position)[3], (*normal)[3];
+};
+
 struct simplify {
 	struct arena arena; /* of all that follows */
 	const struct model_primitive *primitive;
 	int target_count;
+	struct simplify_target *target; /* [target_count] */
 	bool shape_only;
 
 	float (*position)[3]; /* in fractions of the extent */

@@ -368,7 +368,7 @@ static float bend_square(
 	return sum * sum;
 }
 
-static float delta_square(float (*delta)[3], uint32_t vertex,
+static float delta_square(const float (*delta)[3], uint32_t vertex,
 	const struct place *place, float scale)
 {
 	float corner[3][3];
@@ -390,8 +390,7 @@ static float target_square(const struct simplify *simplify, uint32_t vertex,
 	float most = 0.0f;
 
 	for (int t = 0; t < simplify->target_count; t++) {
-		const struct model_target *target =
-			&simplify->primitive->target[t];
+		const struct simplify_target *target = &simplify->target[t];
 		float square = delta_square(target->position, vertex, place,
 			1.0f / simplify->extent);
 

@@ -2,6 +2,7 @@
 
 #include "app/anim/ease.h"
 #include "app/anim/math/vec.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -71,7 +72,10 @@ static int init_part(
 
 static float displacement(const struct model_target *target, int vertex)
 {
-	return target->position ? vec_length(target->position[vertex]) : 0.0f;
+	float moved[3];
+
+	model_deltas_get(&target->position, vertex, moved);
+	return vec_length(moved);
 }
 
 static float farthest_of(const struct bend *bend, int target_count)

@@ -1,6 +1,7 @@
 #include "app/scene/instance/instance.h"
 
 #include "app/model/color.h"
+#include "app/model/model_deltas.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
@@ -84,13 +85,17 @@ static int init_morph(
 		return -ENOMEM;
 	}
 	for (int i = 0; i < target_count; i++) {
-		drawable->term[i] = (struct morph_term){
-			.position =
-				(const float(*)[3])primitive->target[i].position,
-			.normal = (const float(*)[3])primitive->target[i].normal,
-			.tangent =
-				(const float(*)[3])primitive->target[i].tangent,
-		};
+		const struct model_target *target = &primitive->target[i];
+		struct morph_term *term = &drawable->term[i];
+
+		if (model_deltas_floats(
+			    &target->position, arena, &term->position) != 0 ||
+			model_deltas_floats(
+				&target->normal, arena, &term->normal) != 0 ||
+			model_deltas_floats(
+				&target->tangent, arena, &term->tangent) != 0) {
+			return -ENOMEM;
+		}
 	}
 	return 0;
 }

@@ -1,6 +1,7 @@
 #include "app/scene/overlay/overlay_heat.h"
 
 #include "app/anim/math/vec.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -88,10 +89,12 @@ struct subject {
 static float distance_of(const struct drawable *drawable, int target, int vertex)
 {
 	const struct model_target *targets = drawable->primitive->target;
+	float moved[3] = {0.0f, 0.0f, 0.0f};
 
-	return targets && targets[target].position
-		? vec_length(targets[target].position[vertex])
-		: 0.0f;
+	if (targets) {
+		model_deltas_get(&targets[target].position, vertex, moved);
+	}
+	return vec_length(moved);
 }
 
 static float value_of(const struct overlay_heat *heat,

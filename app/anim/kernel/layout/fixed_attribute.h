@@ -17,13 +17,13 @@ static inline const float *fixed_attribute_of(
 					    : primitive->tangent[vertex];
 }
 
-/* A target's deltas of an attribute, or NULL. */
-static inline const float (*fixed_attribute_deltas(
-	const struct model_target *target, enum fixed_attribute attribute))[3]
+/* A target's deltas of an attribute. */
+static inline const struct model_deltas *fixed_attribute_deltas(
+	const struct model_target *target, enum fixed_attribute attribute)
 {
-	return (const float(*)[3])(attribute == FIXED_POSITION ? target->position
-			: attribute == FIXED_NORMAL            ? target->normal
-						    : target->tangent);
+	return attribute == FIXED_POSITION  ? &target->position
+		: attribute == FIXED_NORMAL ? &target->normal
+					    : &target->tangent;
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "app/anim/kernel/fixed_number.h"
 #include "app/anim/kernel/layout/fixed_attribute.h"
 #include "app/anim/kernel/layout/fixed_key.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/count.h"
 #include "platform/base/scalar.h"
 
@@ -21,12 +22,15 @@ static void vertex_of(const struct model_primitive *primitive,
 {
 	const float *base =
 		fixed_attribute_of(primitive, attribute, (uint32_t)vertex);
-	const float(*delta)[3] = key > 0
-		? fixed_attribute_deltas(&primitive->target[key - 1], attribute)
-		: NULL;
+	float delta[3] = {0.0f, 0.0f, 0.0f};
 
+	if (key > 0) {
+		model_deltas_get(fixed_attribute_deltas(
+					 &primitive->target[key - 1], attribute),
+			vertex, delta);
+	}
 	for (int k = 0; k < 3; k++) {
-		out[k] = base[k] + (delta ? delta[vertex][k] : 0.0f);
+		out[k] = base[k] + delta[k];
 	}
 }
 
@@ -89,19 +93,21 @@ static int write_keys(struct fixed_keys *keys,
 	const struct fixed_placement *placement = attribute == FIXED_POSITION
 		? &keys->placement
 		: &fixed_keys_directions;
+	struct fixed_key *first;
 	size_t count;
 
 	if (!size_multiply((size_t)keys->stride, 1 + (size_t)keys->target_count,
 		    &count)) {
 		return -ENOMEM;
 	}
-	keys->key[attribute] = ARENA_ARRAY(arena, struct fixed_key, count);
-	if (!keys->key[attribute]) {
+	first = ARENA_ARRAY(arena, struct fixed_key, count);
+	keys->key[attribute] = first;
+	if (!first) {
 		return -ENOMEM;
 	}
 	for (int key = 0; key <= keys->target_count; key++) {
-		struct fixed_key *out = keys->key[attribute] +
-			(size_t)key * (size_t)keys->stride;
+		struct fixed_key *out =
+			first + (size_t)key * (size_t)keys->stride;
 
 		for (int v = 0; v < keys->vertex_count; v++) {
 			float at[1][3];
@@ -117,6 +123,28 @@ static int write_keys(struct fixed_keys *keys,
 	return 0;
 }
 
+/* Uses those of the model, if it has key frames in the loop's format. */
+static bool take_keys(struct fixed_keys *keys, const struct model_keys *from,
+	unsigned streams)
+{
+	const unsigned wanted[FIXED_ATTRIBUTES] = {
+		[FIXED_NORMAL] = FIXED_NORMALS,
+		[FIXED_TANGENT] = FIXED_TANGENTS,
+	};
+
+	keys->placement = (struct fixed_placement){from->scale,
+		{from->offset[0], from->offset[1], from->offset[2]}};
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		if (a == FIXED_POSITION || (streams & wanted[a])) {
+			keys->key[a] = (const struct fixed_key *)from->key[a];
+			if (!keys->key[a]) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
 int fixed_keys_init(struct fixed_keys *keys,
 	const struct model_primitive *primitive, int target_count,
 	unsigned streams, struct arena *arena)
@@ -128,6 +156,9 @@ int fixed_keys_init(struct fixed_keys *keys,
 		.stride = primitive->vertex_count + primitive->vertex_count % 2,
 		.target_count = target_count,
 	};
+	if (primitive->keys && take_keys(keys, primitive->keys, streams)) {
+		return 0;
+	}
 	error = choose_placement(keys, primitive);
 	if (!error) {
 		error = write_keys(keys, primitive, FIXED_POSITION, arena);

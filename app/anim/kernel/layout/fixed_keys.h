@@ -8,7 +8,9 @@
  * This is for targets that a clip shows one after the other, each at its full
  * weight (model_keys.h). Each is stored as the vertices that it shows, 6 bytes
  * a vertex and attribute, so a frame touches two of them however many there
- * are. fixed_morph.h is for targets that are mixed.
+ * are. fixed_morph.h is for targets that are mixed. A model whose file has
+ * integers may hold them in this form (struct model_keys); then nothing is
+ * copied, and all instances share them.
  */
 #ifndef APP_ANIM_KERNEL_LAYOUT_FIXED_KEYS_H
 #define APP_ANIM_KERNEL_LAYOUT_FIXED_KEYS_H
@@ -25,7 +27,7 @@ struct fixed_keys {
 	 * Key 0 is the primitive without targets, key 1 + t is target t.
 	 * [1 + target_count][stride], NULL: not wanted.
 	 */
-	struct fixed_key *key[FIXED_ATTRIBUTES];
+	const struct fixed_key *key[FIXED_ATTRIBUTES];
 };
 
 /*

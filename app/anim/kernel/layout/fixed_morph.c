@@ -2,6 +2,7 @@
 
 #include "app/anim/kernel/fixed_number.h"
 #include "app/anim/kernel/layout/fixed_attribute.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -24,21 +25,24 @@ static void base_of(const struct fixed_morph *morph,
 	}
 }
 
-/* A target's deltas, or NULL, also for the missing half of the last pair. */
-static const float (*deltas_of(const struct fixed_morph *morph,
-	enum fixed_attribute attribute, int target))[3]
+/* A target's deltas, which are 0 for the missing half of the last pair. */
+static void read_deltas(const struct fixed_morph *morph,
+	enum fixed_attribute attribute, int target, float (*out)[3])
 {
-	return target < morph->target_count
-		? fixed_attribute_deltas(
-			  &morph->primitive->target[target], attribute)
-		: NULL;
+	static const struct model_deltas none;
+
+	model_deltas_unpack(target < morph->target_count
+			? fixed_attribute_deltas(
+				  &morph->primitive->target[target], attribute)
+			: &none,
+		morph->vertex_count, out);
 }
 
 static float largest_delta(const float (*delta)[3], int count)
 {
 	float most = 0.0f;
 
-	for (int i = 0; delta && i < count * 3; i++) {
+	for (int i = 0; i < count * 3; i++) {
 		float size = scalar_abs(delta[i / 3][i % 3]);
 
 		most = size > most ? size : most;
@@ -67,40 +71,47 @@ static int find_middle(struct fixed_morph *morph)
 	return 0;
 }
 
+/* Two targets' deltas as floats, while they are converted. */
+struct buffers {
+	float (*vector[2])[3];
+};
+
 /*
  * Chooses the unit so that a vertex fits with all targets at weight 1, and so
  * does the weight of a single target (see weight_number() in
  * fixed_morph_run.c).
  */
-static int choose_unit(struct fixed_morph *morph, enum fixed_attribute attribute)
+static int choose_unit(struct fixed_morph *morph,
+	enum fixed_attribute attribute, const struct buffers *buffers)
 {
 	struct fixed_morph_stream *stream = &morph->stream[attribute];
+	int count = morph->vertex_count;
 	float total = 1e-12f, single = 1e-12f;
+	float(*sum)[3] = buffers->vector[0], (*delta)[3] = buffers->vector[1];
 
-	for (int v = 0; v < morph->vertex_count; v++) {
-		float base[3];
-
-		base_of(morph, attribute, v, base);
+	for (int v = 0; v < count; v++) {
+		base_of(morph, attribute, v, sum[v]);
 		for (int k = 0; k < 3; k++) {
-			float sum = scalar_abs(base[k]);
-
-			for (int t = 0; t < morph->target_count; t++) {
-				const float(*delta)[3] =
-					deltas_of(morph, attribute, t);
-
-				sum += delta ? scalar_abs(delta[v][k]) : 0.0f;
-			}
-			if (!fixed_can_use(sum)) {
-				return -ERANGE;
-			}
-			total = sum > total ? sum : total;
+			sum[v][k] = scalar_abs(sum[v][k]);
 		}
 	}
 	for (int t = 0; t < morph->target_count; t++) {
-		float size = largest_delta(
-			deltas_of(morph, attribute, t), morph->vertex_count);
+		float size;
 
+		read_deltas(morph, attribute, t, delta);
+		for (int i = 0; i < count * 3; i++) {
+			sum[i / 3][i % 3] += scalar_abs(delta[i / 3][i % 3]);
+		}
+		size = largest_delta((const float(*)[3])delta, count);
 		single = size > single ? size : single;
+	}
+	for (int i = 0; i < count * 3; i++) {
+		float size = sum[i / 3][i % 3];
+
+		if (!fixed_can_use(size)) {
+			return -ERANGE;
+		}
+		total = size > total ? size : total;
 	}
 	stream->unit_at_1 = 32600.0f / total;
 	if (stream->unit_at_1 > 16383.0f / single) {
@@ -113,7 +124,7 @@ static int choose_unit(struct fixed_morph *morph, enum fixed_attribute attribute
 static int16_t delta_number(
 	const float (*delta)[3], int vertex, int axis, float scale)
 {
-	return delta ? fixed_round(delta[vertex][axis] * scale) : 0;
+	return fixed_round(delta[vertex][axis] * scale);
 }
 
 /* The two targets of a pair. */
@@ -188,7 +199,8 @@ static int lay_out_pair(struct fixed_deltas *deltas,
 }
 
 static int lay_out_pairs(struct fixed_morph *morph,
-	enum fixed_attribute attribute, struct arena *arena)
+	enum fixed_attribute attribute, const struct buffers *buffers,
+	struct arena *arena)
 {
 	struct fixed_morph_stream *stream = &morph->stream[attribute];
 
@@ -199,8 +211,10 @@ static int lay_out_pairs(struct fixed_morph *morph,
 		for (int half = 0; half < 2; half++) {
 			float size;
 
+			read_deltas(morph, attribute, p * 2 + half,
+				buffers->vector[half]);
 			source.delta[half] =
-				deltas_of(morph, attribute, p * 2 + half);
+				(const float(*)[3])buffers->vector[half];
 			size = largest_delta(
 				source.delta[half], morph->vertex_count);
 			source.scale[half] =
@@ -237,11 +251,11 @@ static void write_base(struct fixed_morph *morph, enum fixed_attribute attribute
 	}
 }
 
-static int init_stream(struct fixed_morph *morph,
-	enum fixed_attribute attribute, struct arena *arena)
+static int init_stream(struct fixed_morph *morph, enum fixed_attribute attribute,
+	const struct buffers *buffers, struct arena *arena)
 {
 	struct fixed_morph_stream *stream = &morph->stream[attribute];
-	int error = choose_unit(morph, attribute);
+	int error = choose_unit(morph, attribute, buffers);
 
 	if (error) {
 		return error;
@@ -254,7 +268,32 @@ static int init_stream(struct fixed_morph *morph,
 		return -ENOMEM;
 	}
 	write_base(morph, attribute);
-	return lay_out_pairs(morph, attribute, arena);
+	return lay_out_pairs(morph, attribute, buffers, arena);
+}
+
+static int init_streams(
+	struct fixed_morph *morph, unsigned streams, struct arena *arena)
+{
+	struct arena scratch = arena_within(arena->budget);
+	struct buffers buffers;
+	int error = 0;
+
+	for (int i = 0; i < 2; i++) {
+		buffers.vector[i] = arena_alloc(&scratch,
+			(size_t)morph->vertex_count, sizeof(float[3]));
+		error = buffers.vector[i] ? error : -ENOMEM;
+	}
+	if (!error) {
+		error = init_stream(morph, FIXED_POSITION, &buffers, arena);
+	}
+	if (!error && (streams & FIXED_NORMALS)) {
+		error = init_stream(morph, FIXED_NORMAL, &buffers, arena);
+	}
+	if (!error && (streams & FIXED_TANGENTS)) {
+		error = init_stream(morph, FIXED_TANGENT, &buffers, arena);
+	}
+	arena_release(&scratch);
+	return error;
 }
 
 int fixed_morph_init(struct fixed_morph *morph,
@@ -271,16 +310,7 @@ int fixed_morph_init(struct fixed_morph *morph,
 		.weight_limit = 1.0f,
 	};
 	error = find_middle(morph);
-	if (!error) {
-		error = init_stream(morph, FIXED_POSITION, arena);
-	}
-	if (!error && (streams & FIXED_NORMALS)) {
-		error = init_stream(morph, FIXED_NORMAL, arena);
-	}
-	if (!error && (streams & FIXED_TANGENTS)) {
-		error = init_stream(morph, FIXED_TANGENT, arena);
-	}
-	return error;
+	return error ? error : init_streams(morph, streams, arena);
 }
 
 void fixed_morph_set_limit(struct fixed_morph *morph, float weight_limit)

@@ -1,6 +1,7 @@
 #include "app/anim/kernel/fixed_number.h"
 #include "app/anim/kernel/layout/fixed_attribute.h"
 #include "app/anim/kernel/layout/fixed_skin_parts.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -37,13 +38,11 @@ static bool is_moved(
 	const struct model_primitive *primitive, int target_count, int vertex)
 {
 	for (int i = 0; i < target_count * FIXED_ATTRIBUTES; i++) {
-		const float(*delta)[3] = fixed_attribute_deltas(
-			&primitive->target[i / FIXED_ATTRIBUTES],
-			(enum fixed_attribute)(i % FIXED_ATTRIBUTES));
-
-		if (delta &&
-			(delta[vertex][0] != 0.0f || delta[vertex][1] != 0.0f ||
-				delta[vertex][2] != 0.0f)) {
+		if (model_deltas_moves(
+			    fixed_attribute_deltas(
+				    &primitive->target[i / FIXED_ATTRIBUTES],
+				    (enum fixed_attribute)(i % FIXED_ATTRIBUTES)),
+			    vertex)) {
 			return true;
 		}
 	}
@@ -72,26 +71,27 @@ static int list_moved(
 	return 0;
 }
 
-/* The moved vertices' deltas one after the other; NULL stays NULL. */
-static int gather_deltas(const struct fixed_skin *skin, const float (*from)[3],
-	float (**out)[3], struct arena *arena)
+/* The moved vertices' deltas one after the other, as floats. */
+static int gather_deltas(const struct fixed_skin *skin,
+	const struct model_deltas *from, struct model_deltas *out,
+	struct arena *arena)
 {
 	const struct fixed_skin_targets *targets = &skin->targets;
+	float(*value)[3];
 
-	*out = NULL;
-	if (!from) {
+	if (from->vertex_count == 0) {
 		return 0;
 	}
-	*out = arena_alloc(arena, (size_t)targets->moved_count, sizeof(**out));
-	if (!*out) {
+	value = arena_alloc(arena, (size_t)targets->moved_count, sizeof(*value));
+	if (!value) {
 		return -ENOMEM;
 	}
 	for (int v = 0; v < skin->vertex_count; v++) {
 		if (targets->moved[v]) {
-			memcpy((*out)[targets->moved[v] - 1], from[v],
-				sizeof(**out));
+			model_deltas_get(from, v, value[targets->moved[v] - 1]);
 		}
 	}
+	*out = model_deltas_view((const float(*)[3])value, targets->moved_count);
 	return 0;
 }
 
@@ -104,11 +104,13 @@ static void measure_deltas(struct fixed_skin_targets *targets, int target_count)
 		float sum = 0.0f;
 
 		for (int t = 0; t < target_count; t++) {
-			const float(*delta)[3] =
-				fixed_attribute_deltas(&targets->zero.target[t],
-					(enum fixed_attribute)a);
+			float delta[3];
 
-			sum += delta ? scalar_abs(delta[m][i % 3]) : 0.0f;
+			model_deltas_get(
+				fixed_attribute_deltas(&targets->zero.target[t],
+					(enum fixed_attribute)a),
+				m, delta);
+			sum += scalar_abs(delta[i % 3]);
 		}
 		if (a == FIXED_POSITION) {
 			targets->extent[m][i % 3] = sum;
@@ -128,17 +130,15 @@ static int gather_targets(const struct fixed_skin *skin, int target_count,
 	for (int t = 0; t < target_count && !error; t++) {
 		const struct model_target *from = &skin->primitive->target[t];
 
-		error = gather_deltas(skin, (const float(*)[3])from->position,
-			&out[t].position, arena);
+		error = gather_deltas(
+			skin, &from->position, &out[t].position, arena);
 		if (!error) {
-			error = gather_deltas(skin,
-				(const float(*)[3])from->normal, &out[t].normal,
-				arena);
+			error = gather_deltas(
+				skin, &from->normal, &out[t].normal, arena);
 		}
 		if (!error) {
-			error = gather_deltas(skin,
-				(const float(*)[3])from->tangent,
-				&out[t].tangent, arena);
+			error = gather_deltas(
+				skin, &from->tangent, &out[t].tangent, arena);
 		}
 	}
 	return error;

@@ -1,4 +1,5 @@
 /* Recognising morph targets that are key frames. */
+#include "app/model/model_deltas.h"
 #include "app/model/model_keys.h"
 #include "tests/support/test.h"
 
@@ -46,7 +47,8 @@ static void set_up(struct bench *b)
 	b->channel.time_s = b->time_s;
 	b->channel.value = &b->weight[0][0];
 	for (int t = 0; t < TARGETS; t++) {
-		b->target[t].position = b->delta[t];
+		b->target[t].position = model_deltas_view(
+			(const float(*)[3])b->delta[t], VERTICES);
 		for (int v = 0; v < VERTICES; v++) {
 			b->delta[t][v][1] = 0.5f;
 		}

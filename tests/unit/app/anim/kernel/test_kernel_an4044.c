@@ -105,9 +105,8 @@ static void test_mixes_targets_as_float_does(void **state)
 	for (int count = 0; count <= 4; count++) {
 		const float(*base)[3] =
 			(const float(*)[3])f.mesh.primitive.position;
-		const float(*delta[2])[3] = {
-			(const float(*)[3])f.mesh.target[0].position,
-			(const float(*)[3])f.mesh.target[1].position};
+		const float(*delta[2])[3] = {(const float(*)[3])f.mesh.delta[0],
+			(const float(*)[3])f.mesh.delta[1]};
 		const struct morph_term term[4] = {
 			{.weight = 0.5f, .position = delta[0]},
 			{.weight = 0.0f, .position = delta[1]},

@@ -9,6 +9,7 @@
 #include "app/anim/kernel/run/fixed_morph_run.h"
 #include "app/anim/kernel/run/fixed_palette.h"
 #include "app/anim/kernel/run/fixed_skin_run.h"
+#include "app/model/model_deltas.h"
 #include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
 
@@ -185,7 +186,8 @@ static void set_up_morphed(struct morphed *m)
 		}
 	}
 	for (int t = 0; t < TARGETS; t++) {
-		m->target[t].position = m->delta[t];
+		m->target[t].position = model_deltas_view(
+			(const float(*)[3])m->delta[t], VERTICES);
 	}
 	m->primitive = (struct model_primitive){.vertex_count = VERTICES,
 		.position = m->position,

@@ -1,6 +1,7 @@
 /* Key frames played by the loop lerp_keys(), against float. */
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/kernel/run/fixed_keys_run.h"
+#include "app/model/model_deltas.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -54,8 +55,10 @@ static void set_up(struct bench *b)
 		}
 	}
 	for (int t = 0; t < TARGETS; t++) {
-		b->target[t].position = b->delta[t][0];
-		b->target[t].normal = b->delta[t][1];
+		b->target[t].position = model_deltas_view(
+			(const float(*)[3])b->delta[t][0], VERTICES);
+		b->target[t].normal = model_deltas_view(
+			(const float(*)[3])b->delta[t][1], VERTICES);
 	}
 	b->primitive = (struct model_primitive){.vertex_count = VERTICES,
 		.position = b->position,

@@ -10,6 +10,7 @@
 #include "app/anim/kernel/run/fixed_palette.h"
 #include "app/anim/kernel/run/fixed_skin_run.h"
 #include "app/anim/pose.h"
+#include "app/model/model_deltas.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
@@ -103,12 +104,19 @@ static double angle_rad(const float unit[3], const struct fixed_vector *v)
 
 /* The float kernel's terms for the given weights. */
 static void set_terms(const struct model_primitive *primitive,
-	const float *weight, int count, struct morph_term *term)
+	const float *weight, int count, struct arena *arena,
+	struct morph_term *term)
 {
 	for (int t = 0; t < count; t++) {
-		term[t] = (struct morph_term){weight[t],
-			(const float(*)[3])primitive->target[t].position,
-			(const float(*)[3])primitive->target[t].normal, NULL};
+		const struct model_target *target = &primitive->target[t];
+
+		term[t] = (struct morph_term){.weight = weight[t]};
+		assert_int_equal(model_deltas_floats(&target->position, arena,
+					 &term[t].position),
+			0);
+		assert_int_equal(model_deltas_floats(&target->normal, arena,
+					 &term[t].normal),
+			0);
 	}
 }
 
@@ -133,6 +141,7 @@ static void skin_float(const struct scene *scene, const struct skinned *it,
 		.position_scale = 1,
 	};
 	const struct skin_output output = {position, normal, NULL};
+	struct arena arena = arena_empty();
 
 	if (it->target_count == 0) {
 		kernel_float.skin(&it->stream, (const mat4 *)scene->palette,
@@ -140,9 +149,10 @@ static void skin_float(const struct scene *scene, const struct skinned *it,
 		return;
 	}
 	assert_true(it->target_count <= 64);
-	set_terms(primitive, it->weight, it->target_count, term);
+	set_terms(primitive, it->weight, it->target_count, &arena, term);
 	kernel_float.skin_morphed(&it->stream, &input,
 		(const mat4 *)scene->palette, cap, &output);
+	arena_release(&arena);
 }
 
 static void compare_at(const struct scene *scene, struct skinned *it, int cap,
@@ -260,7 +270,7 @@ static void compare_morphed_at(const struct model_primitive *primitive,
 	struct morph_term *term = allocate(&arena, target_count, sizeof(*term));
 	double size;
 
-	set_terms(primitive, weight, target_count, term);
+	set_terms(primitive, weight, target_count, &arena, term);
 	kernel_float.morph_targets(count, (const float(*)[3])primitive->position,
 		term, target_count, false, position);
 	assert_int_equal(fixed_morph_set_weights(morph, weight), 0);

@@ -1,3 +1,4 @@
+#include "app/model/model_deltas.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
@@ -181,6 +182,19 @@ static void add_skin(struct model *model)
 	}
 }
 
+/* The same displacement along an axis for all vertices. */
+static struct model_deltas same_deltas(
+	struct arena *arena, size_t count, int axis, float distance)
+{
+	float(*value)[3] = arena_alloc(arena, count, sizeof(*value));
+
+	assert_non_null(value);
+	for (size_t v = 0; v < count; v++) {
+		value[v][axis] = distance;
+	}
+	return model_deltas_view((const float(*)[3])value, (int)count);
+}
+
 /* One target: +0.5 Z, normals towards +X, tangents towards -Z. */
 static void add_target(struct model *model)
 {
@@ -189,14 +203,9 @@ static void add_target(struct model *model)
 	struct arena *arena = &model->arena;
 
 	primitive->target = ARENA_NEW(arena, struct model_target);
-	primitive->target->position = arena_alloc(arena, count, 12);
-	primitive->target->normal = arena_alloc(arena, count, 12);
-	primitive->target->tangent = arena_alloc(arena, count, 12);
-	for (size_t v = 0; v < count; v++) {
-		primitive->target->position[v][2] = 0.5f;
-		primitive->target->normal[v][0] = 1.0f;
-		primitive->target->tangent[v][2] = -1.0f;
-	}
+	primitive->target->position = same_deltas(arena, count, 2, 0.5f);
+	primitive->target->normal = same_deltas(arena, count, 0, 1.0f);
+	primitive->target->tangent = same_deltas(arena, count, 2, -1.0f);
 	model->mesh[0].target_count = 1;
 	model->weight_count = 1;
 	model->rest_weights = ARENA_ARRAY(arena, float, 1);

@@ -39,7 +39,7 @@ void soft_set_level(struct draw *draw, int lod)
 
 /* The part of a window along one coordinate that a triangle needs. */
 struct part {
-	uint32_t first, room;
+	uint32_t low, room;
 };
 
 static ALWAYS_INLINE int32_t to_level(int32_t base_q8, int shift)
@@ -50,51 +50,87 @@ static ALWAYS_INLINE int32_t to_level(int32_t base_q8, int shift)
 
 /*
  * From the triangle's least and largest coordinate, in 1/256 of the base's
- * texels, and an eighth of a texel to spare.
+ * texels, and so much to spare.
  */
 static ALWAYS_INLINE struct part find_part(
-	const int32_t range[2], int shift, int32_t half, uint32_t mask)
+	const int32_t range[2], int shift, int32_t half, int32_t spare)
 {
-	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
 	int32_t low = to_level(range[0], shift) - half - spare;
 	int32_t high = to_level(range[1], shift) - half + spare;
 
 	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
-	return (struct part){
-		(uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
+	return (struct part){(uint32_t)low, (uint32_t)high - (uint32_t)low};
 }
 
+/*
+ * What of the window the triangle needs, with so much to spare, up to the
+ * level's edges. False where no run can lie in it.
+ */
+static bool find_window_part(
+	struct soft_spans *spans, const struct raster *raster, int32_t spare)
+{
+	const struct soft_view *view = &spans->view;
+	const struct soft_window *whole = &view->window;
+	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
+	const struct part s = find_part(raster->texel_range[0], view->s_shift,
+		view->s_half, spare);
+	const struct part t = find_part(raster->texel_range[1], view->t_shift,
+		view->t_half, spare);
+	const uint32_t s_first = s.low & whole->s_mask;
+	const uint32_t t_first = t.low & whole->t_mask;
+
+	if (s.room >= most || t.room >= most || s_first >= whole->s_room ||
+		t_first >= whole->t_room) {
+		return false;
+	}
+	spans->part = (struct soft_window){s_first, t_first, whole->s_mask,
+		whole->t_mask, s.room, t.room, false};
+	spans->part_s = s.low;
+	spans->part_t = t.low;
+	spans->part_texel = view->texels +
+		(t_first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
+		(s_first >> SOFT_TEXEL_FRACTION << view->texel_log2);
+	return true;
+}
+
+/* Cuts it off at the level's edges. False where nothing is cut off. */
+static bool cut_part(struct soft_spans *spans)
+{
+	struct soft_window *part = &spans->part;
+	uint32_t s_room = spans->view.window.s_room - part->s_first;
+	uint32_t t_room = spans->view.window.t_room - part->t_first;
+
+	if (part->s_room <= s_room && part->t_room <= t_room) {
+		return false;
+	}
+	part->s_room = part->s_room < s_room ? part->s_room : s_room;
+	part->t_room = part->t_room < t_room ? part->t_room : t_room;
+	return true;
+}
+
+/* An eighth of a texel; a texel where values bend, see bend.c. */
 void soft_set_window(struct draw *draw)
 {
-	struct soft_spans *spans = &draw->spans;
-	const struct soft_window *whole = &spans->view.window;
 	const struct raster *raster = &draw->raster;
-	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
-	struct soft_run *run = &spans->run;
-	struct part s, t;
+	struct soft_spans *spans = &draw->spans;
+	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
 
-	spans->window = *whole;
-	run->first_texel = run->texels;
-	if (!whole->large) {
+	spans->certain = false;
+	spans->window = spans->view.window;
+	spans->run.first_texel = spans->run.texels;
+	if (find_window_part(spans, raster, raster->bent ? 8 * spare : spare) &&
+		!cut_part(spans)) {
+		spans->certain = true;
+	} else if (!find_window_part(spans, raster, spare)) {
+		spans->part = spans->window;
+		spans->part_texel = spans->run.texels;
+		spans->part_s = spans->part_t = 0;
+		return;
+	} else if (cut_part(spans)) {
 		return;
 	}
-	s = find_part(raster->texel_range[0], spans->view.s_shift,
-		spans->view.s_half, whole->s_mask);
-	t = find_part(raster->texel_range[1], spans->view.t_shift,
-		spans->view.t_half, whole->t_mask);
-	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
-		t.first >= whole->t_room || s.first + s.room > whole->s_room ||
-		t.first + t.room > whole->t_room) {
-		return;
-	}
-	spans->window.s_first = s.first;
-	spans->window.t_first = t.first;
-	spans->window.s_room = s.room;
-	spans->window.t_room = t.room;
-	spans->window.large = false;
-	run->first_texel = run->texels +
-		(t.first >> SOFT_TEXEL_FRACTION << run->stride_log2) +
-		(s.first >> SOFT_TEXEL_FRACTION << spans->view.texel_log2);
+	spans->window = spans->part;
+	spans->run.first_texel = spans->part_texel;
 }
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */

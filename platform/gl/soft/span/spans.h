@@ -98,6 +98,15 @@ struct soft_spans {
 	soft_span_function draw_anywhere, draw;
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
+	/*
+	 * Where the texels of a small triangle's listed runs lie: all of the
+	 * window, or what of it the triangle needs, up to the level's edge.
+	 * Certain: all that the triangle needs lies there.
+	 */
+	struct soft_window part;
+	const uint8_t *part_texel; /* its first one */
+	uint32_t part_s, part_t;   /* its first coordinates, unless masked */
+	bool certain;
 	/* Texels are made beforehand, see made.h, or whole colours */
 	bool made, combined;
 	bool multiplied;    /* made: the product of both textures */

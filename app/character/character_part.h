@@ -55,6 +55,11 @@ struct character_part {
 	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
 	int guard_count;
 	struct character_guard guard[CHARACTER_GUARDS_MAX];
+	/*
+	 * A level surface that other parts' shadows fall on, in the part's
+	 * frame: y, then x and z of two corners. Without one all are 0.
+	 */
+	float top[5];
 
 	/* Changes: */
 	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */

@@ -122,6 +122,23 @@ static int read_guard(struct character_words *words,
 	return error;
 }
 
+/* top = Y X Z X Z */
+static int read_top(struct character_words *words,
+	const struct character_key *key, void *member)
+{
+	float *top = ((struct character_part *)member)->top;
+
+	for (int i = 0; i < 5; i++) {
+		if (!character_take_number(words, &top[i])) {
+			return character_fail_value(words, key);
+		}
+	}
+	return top[1] < top[3] && top[2] < top[4]
+		? 0
+		: character_fail(words,
+			  "the second corner has the larger x and z");
+}
+
 static const char *const firsts[] = {"translate", "rotate", NULL};
 
 #define ANGLE \
@@ -147,6 +164,8 @@ static const struct character_key keys[] = {
 	{"tip", read_tip, 0, 0, 0, NULL, "x y z in metres from the pivot"},
 	{"guard", read_guard, 0, 0, 0, NULL,
 		"metres that others keep away, and one or two ends x y z, such as 0.05 0 0.5 0"},
+	{"top", read_top, 0, 0, 0, NULL,
+		"the height of a level surface, and x z of two of its corners, such as 0.1 -0.2 -0.3 0.2 0.3"},
 	{0},
 };
 

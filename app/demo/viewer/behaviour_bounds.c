@@ -151,27 +151,38 @@ static int find_outermost(
 	return 0;
 }
 
+void behaviour_bounds_add(const struct behaviour_bounds *bounds,
+	const struct instance *instance, int drawable, float y,
+	const float slope[2], struct bounds *out)
+{
+	const struct drawable *shown = &instance->drawable[drawable];
+
+	for (int i = 0; i < BEHAVIOUR_DIRECTIONS; i++) {
+		float point[3];
+
+		if (shown->primitive->vertex_count == 0) {
+			return;
+		}
+		instance_world_vertex(
+			instance, shown, bounds->outermost[drawable][i], point);
+		for (int axis = 0; axis < 3; axis++) {
+			point[axis] *= instance->unit_scale;
+		}
+		point[0] += slope[0] * (point[1] - y);
+		point[2] += slope[1] * (point[1] - y);
+		bounds_add(out, point);
+	}
+}
+
 /* Joins where the outermost vertices are now. */
 static void add_reached(
 	struct behaviour_bounds *bounds, const struct instance *instance)
 {
+	static const float straight[2] = {0.0f, 0.0f};
 	struct bounds now = bounds_empty();
 
 	for (int i = 0; i < instance->drawable_count; i++) {
-		const struct drawable *drawable = &instance->drawable[i];
-
-		for (int k = 0; k < BEHAVIOUR_DIRECTIONS &&
-			drawable->primitive->vertex_count > 0;
-			k++) {
-			float point[3];
-
-			instance_world_vertex(instance, drawable,
-				bounds->outermost[i][k], point);
-			for (int axis = 0; axis < 3; axis++) {
-				point[axis] *= instance->unit_scale;
-			}
-			bounds_add(&now, point);
-		}
+		behaviour_bounds_add(bounds, instance, i, 0.0f, straight, &now);
 	}
 	add_box(bounds, &now, &bounds->extra);
 }

@@ -40,6 +40,15 @@ int behaviour_bounds_init(
 struct bounds behaviour_bounds_now(
 	struct behaviour_bounds *bounds, const struct character *character);
 
+/*
+ * Adds where a drawable's outermost vertices are now, after y has moved them by
+ * so much along x and z for each unit of height above it. slope may be 0 0. Only
+ * for a character with parts.
+ */
+void behaviour_bounds_add(const struct behaviour_bounds *bounds,
+	const struct instance *instance, int drawable, float y,
+	const float slope[2], struct bounds *out);
+
 /* What a number of the file can be: a parameter's range, or what it is. */
 void behaviour_range(const struct character *character, const float *value,
 	float *low, float *high);

@@ -1,5 +1,6 @@
 #include "app/demo/viewer/behaviour_scene.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/character/run/effects.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/light.h"
@@ -157,9 +158,90 @@ static void draw_shadows(const struct behaviour_scene *scene,
 	draw_ball_shadows(character, base);
 }
 
+/* The corners of a part's top and their box; false if it is not level. */
+static bool find_top(const struct character_part *part,
+	const struct instance *instance, float corner[4][3], struct bounds *box)
+{
+	const float *top = part->top;
+	const float local[4][3] = {{top[1], top[0], top[2]},
+		{top[3], top[0], top[2]}, {top[3], top[0], top[4]},
+		{top[1], top[0], top[4]}};
+	float extent;
+
+	*box = bounds_empty();
+	for (int i = 0; i < 4; i++) {
+		matrix_apply(instance->world[part->node], local[i], corner[i]);
+		for (int axis = 0; axis < 3; axis++) {
+			corner[i][axis] *= instance->unit_scale;
+		}
+		bounds_add(box, corner[i]);
+	}
+	extent = bounds_extent(box);
+	return extent > 0.0f && box->high[1] - box->low[1] < 0.02f * extent;
+}
+
+/* Whether the shadow of a drawable above a top may reach it. */
+static bool casts_on(const struct behaviour_bounds *bounds,
+	const struct instance *instance, int drawable, const struct bounds *top)
+{
+	struct bounds shadow = bounds_empty();
+	float light[3];
+
+	light_direction(light);
+	behaviour_bounds_add(bounds, instance, drawable, top->low[1],
+		(float[2]){-light[0] / light[1], -light[2] / light[1]}, &shadow);
+	return shadow.low[1] > top->low[1] - 0.02f * bounds_extent(top) &&
+		shadow.low[0] < top->high[0] && shadow.high[0] > top->low[0] &&
+		shadow.low[2] < top->high[2] && shadow.high[2] > top->low[2];
+}
+
+/* Draws the shadows of other parts on a part's top. */
+static void draw_top_shadow(const struct character_part *part,
+	const struct behaviour_bounds *bounds, const struct demo_base *base)
+{
+	struct instance *instance = base->actor.instance;
+	float corner[4][3];
+	struct bounds top;
+	bool begun = false;
+
+	if (!find_top(part, instance, corner, &top)) {
+		return;
+	}
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		if (drawable->hidden || drawable->node == part->node ||
+			!casts_on(bounds, instance, i, &top)) {
+			continue;
+		}
+		if (!begun) {
+			stage_top_begin(&base->stage, base->gl, corner);
+			begun = true;
+		}
+		draw_instance_part(base->gl, instance, drawable,
+			&base->actor.textures, DRAW_SHADOW);
+	}
+	if (begun) {
+		stage_top_end(base->gl);
+	}
+}
+
+static void draw_top_shadows(const struct character *character,
+	const struct behaviour_bounds *bounds, const struct demo_base *base)
+{
+	for (int i = 0; i < character->part_count; i++) {
+		const struct character_part *part = &character->part[i];
+
+		if (part->top[1] < part->top[3] && base->stage.has_stencil &&
+			*character->scene.shadow > 0.0f) {
+			draw_top_shadow(part, bounds, base);
+		}
+	}
+}
+
 void behaviour_scene_draw(const struct behaviour_scene *scene,
-	const struct character *character, const struct demo_base *base,
-	int width, int height)
+	const struct character *character, const struct behaviour_bounds *bounds,
+	const struct demo_base *base, int width, int height)
 {
 	const struct gl *gl = base->gl;
 	const struct actor *actor = &base->actor;
@@ -167,6 +249,7 @@ void behaviour_scene_draw(const struct behaviour_scene *scene,
 	stage_begin(&base->stage, gl, width, height);
 	draw_shadows(scene, character, base);
 	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
+	draw_top_shadows(character, bounds, base);
 	draw_capes(character, base, DRAW_SHADED);
 	draw_balls(scene, character, base);
 }

@@ -7,6 +7,7 @@
 
 #include "app/character/character.h"
 #include "app/demo/actor.h"
+#include "app/demo/viewer/behaviour_bounds.h"
 #include "app/scene/shadow/shadow_drape.h"
 #include "app/scene/stage/ball.h"
 
@@ -27,7 +28,8 @@ void behaviour_scene_update(
 	struct behaviour_scene *scene, const struct demo_base *base);
 
 void behaviour_scene_draw(const struct behaviour_scene *scene,
-	const struct character *character, const struct demo_base *base,
+	const struct character *character,
+	const struct behaviour_bounds *bounds, const struct demo_base *base,
 	int width, int height);
 
 #endif

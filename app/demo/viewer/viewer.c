@@ -138,7 +138,8 @@ static void viewer_draw(struct demo *demo, int width, int height)
 {
 	demo->height = height;
 	behaviour_scene_draw(&demo->behaviour->scene,
-		demo->behaviour->character, &demo->base, width, height);
+		demo->behaviour->character, &demo->behaviour->bounds,
+		&demo->base, width, height);
 }
 
 static double viewer_period_s(const struct demo *demo)

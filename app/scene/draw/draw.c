@@ -357,9 +357,9 @@ static void multiply_matrix(
 }
 
 /* Skinned vertices are in scene units; others need their node's matrix. */
-static void draw_transformed(const struct gl *gl,
-	const struct instance *instance, const struct drawable *drawable,
-	const struct texture_set *textures, enum draw_pass pass)
+void draw_instance_part(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass)
 {
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
@@ -393,7 +393,7 @@ void draw_instance(const struct gl *gl, const struct instance *instance,
 
 			if (!drawable->hidden &&
 				is_blended(instance, drawable) == blended) {
-				draw_transformed(
+				draw_instance_part(
 					gl, instance, drawable, textures, pass);
 			}
 		}

@@ -31,4 +31,9 @@ enum draw_pass {
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);
 
+/* Draws one drawable of an instance, hidden or not. */
+void draw_instance_part(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum draw_pass pass);
+
 #endif

@@ -9,6 +9,10 @@
 
 #include <cglm/cglm.h>
 
+enum {
+	TOP_MARK = 128 /* in the stencil, where counts are at most 1 */
+};
+
 /* The background's gradient, sRGB. The floor fades into its lower part. */
 static const uint8_t sky_color[3] = {58, 68, 84};
 static const uint8_t middle_color[3] = {146, 158, 172};
@@ -135,10 +139,10 @@ void stage_begin(
 	}
 }
 
-/* Projects along the light: p - light * (p.y - floor.y) / light.y. */
-static void shadow_matrix(const struct stage *stage, mat4 out)
+/* Projects along the light: p - light * (p.y - y) / light.y. */
+static void shadow_matrix(float y, mat4 out)
 {
-	float light[3], y = stage->floor.y;
+	float light[3];
 
 	light_direction(light);
 	glm_mat4_identity(out);
@@ -150,27 +154,42 @@ static void shadow_matrix(const struct stage *stage, mat4 out)
 	out[3][2] = y * light[2] / light[1];
 }
 
-void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
+/* Darkens each pixel whose stencil is ref once, even where triangles overlap. */
+static void begin_shadow(
+	const struct gl *gl, float y, bool has_stencil, GLint ref)
 {
 	mat4 flatten;
 
 	use_plain_state(gl);
 	gl->DisableClientState(GL_COLOR_ARRAY);
-	gl->Disable(GL_DEPTH_TEST); /* the shadow lies in the floor's plane */
+	gl->Disable(GL_DEPTH_TEST); /* the shadow lies in the surface's plane */
 	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
 		fx16_from_float(DRAW_SHADOW_ALPHA));
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->DepthMask(GL_FALSE);
-	if (stage->has_stencil) {
-		/* Darkens each pixel once, even where triangles overlap. */
+	if (has_stencil) {
 		gl->Enable(GL_STENCIL_TEST);
-		gl->StencilFunc(GL_EQUAL, 0, 255);
+		gl->StencilFunc(GL_EQUAL, ref, 255);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 	}
-	shadow_matrix(stage, flatten);
+	shadow_matrix(y, flatten);
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)flatten);
+}
+
+void stage_top_end(const struct gl *gl)
+{
+	gl->PopMatrix();
+	gl->Disable(GL_STENCIL_TEST);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_BLEND);
+}
+
+void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
+{
+	begin_shadow(gl, stage->floor.y, stage->has_stencil, 0);
 	if (stage->monitor) {
 		monitor_draw_geometry(stage->monitor, gl);
 	}
@@ -178,14 +197,31 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 
 void stage_shadow_end(const struct stage *stage, const struct gl *gl)
 {
-	gl->PopMatrix();
-	if (stage->has_stencil) {
-		gl->Disable(GL_STENCIL_TEST);
-	}
-	gl->Enable(GL_DEPTH_TEST);
-	gl->DepthMask(GL_TRUE);
-	gl->Disable(GL_BLEND);
+	stage_top_end(gl);
 	stage_draw_monitor(stage, gl);
+}
+
+/* Marks where the rectangle is seen: a little above it, so that it is. */
+void stage_top_begin(
+	const struct stage *stage, const struct gl *gl, float corner[4][3])
+{
+	float lifted[4][3], lift = 0.001f * stage->camera.distance;
+
+	for (int i = 0; i < 4; i++) {
+		memcpy(lifted[i], corner[i], sizeof(lifted[i]));
+		lifted[i][1] += lift;
+	}
+	use_plain_state(gl);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	gl->DepthMask(GL_FALSE);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, TOP_MARK, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+	gl->VertexPointer(3, GL_FLOAT, 0, lifted);
+	gl->DrawArrays(GL_TRIANGLE_FAN, 0, 4);
+	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+	begin_shadow(gl, corner[0][1], true, TOP_MARK);
 }
 
 void stage_draw_monitor(const struct stage *stage, const struct gl *gl)

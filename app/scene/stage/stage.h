@@ -50,6 +50,15 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);
 
 /*
+ * The same for a level rectangle above the ground, given by its corners in
+ * order, after all that hides it was drawn. It needs a stencil buffer. End it
+ * with stage_top_end().
+ */
+void stage_top_begin(
+	const struct stage *stage, const struct gl *gl, float corner[4][3]);
+void stage_top_end(const struct gl *gl);
+
+/*
  * Draws the monitor on level ground, where it has to follow the flat shadows.
  * stage_shadow_end() calls this; a frame without flat shadows calls it itself.
  */

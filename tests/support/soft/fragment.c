@@ -17,22 +17,76 @@ struct fragments {
 	int left; /* how many still pass */
 };
 
+static uint8_t apply_stencil(
+	const struct stencil *stencil, GLenum action, uint8_t old)
+{
+	uint8_t value = old;
+
+	switch (action) {
+	case GL_ZERO:
+		value = 0;
+		break;
+	case GL_REPLACE:
+		value = stencil->reference;
+		break;
+	case GL_INCR:
+		value = old < 255 ? (uint8_t)(old + 1) : old;
+		break;
+	case GL_DECR:
+		value = old > 0 ? (uint8_t)(old - 1) : old;
+		break;
+	case GL_INVERT:
+		value = (uint8_t)~old;
+		break;
+	default:
+		break;
+	}
+	return (uint8_t)((old & ~stencil->write_mask) |
+		(value & stencil->write_mask));
+}
+
+/* Whether the stencil lets a fragment through that passes the depth test or not. */
+static bool test_stencil(const struct stencil *s, bool near, uint8_t *stencil)
+{
+	bool through = soft_compares(
+		s->function, s->reference & s->mask, *stencil & s->mask);
+	GLenum action = !through ? s->fail : near ? s->pass : s->depth_fail;
+
+	*stencil = apply_stencil(s, action, *stencil);
+	return through;
+}
+
+/* The stencil and depth tests of one fragment, and what they write. */
+static bool test_fragment(const struct draw *draw, size_t place, uint16_t z)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	uint8_t *stencil = draw->soft->buffers.stencil;
+	uint16_t *depth = draw->soft->buffers.depth + place;
+	bool near = !state->depth_test ||
+		soft_compares(state->depth_function, z, *depth);
+
+	if (state->stencil.enabled && stencil) {
+		near &= test_stencil(&state->stencil, near, stencil + place);
+	}
+	if (near && state->depth_test && state->depth_mask) {
+		*depth = z;
+	}
+	return near;
+}
+
 static void run_tests(const struct draw *draw, const struct span *span,
 	struct fragments *fragments)
 {
 	const size_t row = (size_t)span->y * (size_t)draw->soft->buffers.width;
 
 	for (int i = 0; i < span->count; i++) {
-		const struct soft_tested one = {
-			.place = row + (size_t)(span->x + i),
-			.count = 1,
-			.z = (span->value[DEPTH] +
-				     (uint32_t)span->step[DEPTH] * (uint32_t)i)
-				<< 6,
-		};
+		uint32_t z = span->value[DEPTH] +
+			(uint32_t)span->step[DEPTH] * (uint32_t)i;
 
 		if (fragments->passes[i]) {
-			soft_test(draw->soft, &one, &fragments->passes[i]);
+			fragments->passes[i] =
+				test_fragment(draw, row + (size_t)(span->x + i),
+					(uint16_t)(z << 6 >> 16));
 			fragments->left -= !fragments->passes[i];
 		}
 	}
@@ -86,7 +140,8 @@ static void add_textures(const struct draw *draw, const struct span *span,
 		if (draw->texture[unit].used) {
 			reference_sample(&draw->texture[unit], span, unit,
 				draw->soft->format == PIXELS_RGBA8888 ||
-					draw->spans.made,
+					draw->spans.made ||
+					draw->spans.blended_last,
 				texel);
 			reference_combine(&draw->texture[unit], span->count,
 				(const uint8_t(*)[4])texel,

@@ -1,6 +1,7 @@
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/span/tests.h"
+#include "platform/gl/soft/stages/blend_row.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 /* The run's fragments for soft_test(). */
@@ -18,36 +19,19 @@ static struct soft_tested find_tested(const struct draw *draw)
 
 /*
  * Depths beside the buffer, which every fragment of a run passes that passes
- * its tests: z is 1 for all of them then.
+ * its tests: z is 1 for all of them then. False where none does.
  */
-static void test_aside(struct draw *draw)
+static bool test_aside(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	const struct soft_run *run = &spans->run;
-	const struct fragment_state *state = &draw->soft->fragment;
-	uint32_t z = run->row.z;
 
-	if (spans->depth_way == SOFT_DEPTH_FREE) {
-		memset(spans->aside, 0xFF, run->row.count * 2);
-	} else if (spans->depth_way == SOFT_DEPTH_LAST) {
-		const GLenum function = state->depth_function;
-		const uint16_t *depth = run->row.depth;
-
-		for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
-			bool through =
-				soft_compares(function, z >> 16, depth[i]);
-
-			spans->aside[i] = (uint16_t)-through;
-		}
-	} else {
-		bool through[SOFT_RUN_PIXELS];
-		const struct soft_tested tested = find_tested(draw);
-
-		soft_test(draw->soft, &tested, through);
-		for (uint32_t i = 0; i < run->row.count; i++) {
-			spans->aside[i] = through[i] ? UINT16_MAX : 0;
-		}
+	if (spans->depth_way == SOFT_DEPTH_FREE && !spans->stenciled) {
+		memset(spans->aside, 0xFF, spans->run.row.count * 2);
+		return true;
 	}
+	const struct soft_tested tested = find_tested(draw);
+
+	return soft_test(draw->soft, &tested, spans->aside);
 }
 
 /* Draws where depths aside pass, which become 1. */
@@ -68,61 +52,114 @@ static void draw_aside(
 	run->z_right = whole.z_right;
 }
 
-static void draw_tested(struct draw *draw, soft_span_function function)
+/* Writes depths of the fragments that are drawn. */
+static void write_depths(const struct draw *draw)
 {
-	struct soft_spans *spans = &draw->spans;
-	struct soft_run *run = &spans->run;
-	uint16_t *depth = run->row.depth;
-	uint32_t z = run->row.z, z_right = run->z_right;
+	const struct soft_spans *spans = &draw->spans;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct soft_run *run = &spans->run;
+	uint32_t z = run->row.z;
 
-	if (spans->depth_way == SOFT_DEPTH_KEPT) {
-		memcpy(spans->aside, depth, run->row.count * 2);
-		run->row.depth = spans->aside;
-		function(run);
-		run->row.depth = depth;
+	if (!state->depth_test || !state->depth_mask) {
 		return;
 	}
-	test_aside(draw);
-	draw_aside(spans, function, run->row.pixel);
-	if (spans->depth_way != SOFT_DEPTH_LAST ||
-		!draw->soft->fragment.depth_mask) {
-		return;
-	}
-	for (uint32_t i = 0; i < run->row.count; i++, z += z_right) {
+	for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
 		if (spans->aside[i] == 1) {
-			depth[i] = (uint16_t)(z >> 16);
+			run->row.depth[i] = (uint16_t)(z >> 16);
 		}
 	}
 }
 
+/* LESS, but not written, or with colours that are blended last. */
+static void draw_less(
+	struct soft_spans *spans, soft_span_function function, bool writes)
+{
+	struct soft_run *run = &spans->run;
+	uint16_t *depth = run->row.depth, *aside = spans->aside;
+	uint8_t *pixel = run->row.pixel;
+	uint32_t own[SOFT_RUN_PIXELS];
+
+	memcpy(aside, depth, run->row.count * 2);
+	run->row.depth = aside;
+	if (!spans->blended_last) {
+		function(run);
+		run->row.depth = depth;
+		return;
+	}
+	run->row.pixel = (uint8_t *)own;
+	function(run);
+	run->row.depth = depth;
+	run->row.pixel = pixel;
+	for (uint32_t i = 0; i < run->row.count; i++) {
+		uint16_t old = depth[i], z = aside[i];
+
+		depth[i] = writes ? z : old;
+		aside[i] = z != old;
+	}
+	soft_blend_row(run, own, aside);
+}
+
 /*
- * With an alpha test and a stencil, which fragments that fail the former must
- * not touch: drawn beside the picture first, then the others tested.
+ * With an alpha test a stencil is tested last: fragments that fail the former
+ * must not touch it.
  */
-static void draw_then_test(struct draw *draw, soft_span_function function)
+static void test_drawn(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	struct soft_run *run = &spans->run;
-	const int pixel_log2 = spans->pixel_log2;
-	uint8_t own[SOFT_RUN_PIXELS * 4], *pixel = run->row.pixel;
 	struct soft_tested one = find_tested(draw);
-	bool through;
 
-	memcpy(own, pixel, (size_t)run->row.count << pixel_log2);
-	memset(spans->aside, 0xFF, run->row.count * 2);
-	draw_aside(spans, function, own);
 	one.count = 1;
-	for (uint32_t i = 0; i < run->row.count; i++, one.place++) {
+	for (uint32_t i = 0; i < spans->run.row.count; i++, one.place++) {
 		if (spans->aside[i] == 1) {
-			soft_test(draw->soft, &one, &through);
-			if (through) {
-				memcpy(pixel + (i << pixel_log2),
-					own + (i << pixel_log2),
-					(size_t)1 << pixel_log2);
-			}
+			spans->aside[i] =
+				soft_test(draw->soft, &one, &spans->aside[i]);
 		}
 		one.z += one.z_right;
 	}
+}
+
+/* Takes the pixels beside the picture that are drawn. */
+static void copy_drawn(struct soft_spans *spans, const uint8_t *own)
+{
+	const int pixel_log2 = spans->pixel_log2;
+	const struct soft_row *row = &spans->run.row;
+
+	for (uint32_t i = 0; i < row->count; i++) {
+		if (spans->aside[i] == 1) {
+			memcpy(row->pixel + (i << pixel_log2),
+				own + (i << pixel_log2),
+				(size_t)1 << pixel_log2);
+		}
+	}
+}
+
+/* Tests, then draws beside the picture what passes, where it is to be blended. */
+static void draw_tested(
+	struct draw *draw, soft_span_function function, bool tests_last)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	uint32_t own[SOFT_RUN_PIXELS];
+	uint8_t *at = (uint8_t *)own;
+
+	if (tests_last) {
+		memset(spans->aside, 0xFF, run->row.count * 2);
+		memcpy(own, run->row.pixel,
+			(size_t)run->row.count << spans->pixel_log2);
+	} else if (!test_aside(draw)) {
+		return;
+	}
+	draw_aside(spans, function,
+		tests_last || spans->blended_last ? at : run->row.pixel);
+	if (tests_last) {
+		test_drawn(draw);
+	}
+	if (spans->blended_last) {
+		soft_blend_row(run, own, spans->aside);
+	} else if (tests_last) {
+		copy_drawn(spans, at);
+	}
+	write_depths(draw);
 }
 
 /*
@@ -164,23 +201,39 @@ static void draw_at_most(struct draw *draw, soft_span_function function)
 	}
 }
 
+/* Whether a stencil changes, or hides, what the run draws. */
+static bool is_stenciled(const struct draw *draw)
+{
+	const struct soft_row *row = &draw->spans.run.row;
+
+	return draw->spans.stenciled &&
+		!soft_stencil_keeps(draw->soft,
+			(size_t)(row->depth - draw->soft->buffers.depth),
+			row->count);
+}
+
 /* Every depth test but that of the functions themselves. */
 static void draw_by_way(struct draw *draw, int inside)
 {
-	soft_span_function function = draw->spans.function[inside];
+	struct soft_spans *spans = &draw->spans;
+	soft_span_function function = spans->function[inside];
 
-	switch (draw->spans.depth_way) {
+	if (is_stenciled(draw)) {
+		draw_tested(draw, function, spans->alpha_tested);
+		return;
+	}
+	switch (spans->depth_way) {
 	case SOFT_DEPTH_DIRECT:
-		function(&draw->spans.run);
+		function(&spans->run);
+		break;
+	case SOFT_DEPTH_LESS:
+		draw_less(spans, function, draw->soft->fragment.depth_mask);
 		break;
 	case SOFT_DEPTH_LEQUAL:
 		draw_at_most(draw, function);
 		break;
-	case SOFT_DEPTH_AFTER:
-		draw_then_test(draw, function);
-		break;
 	default:
-		draw_tested(draw, function);
+		draw_tested(draw, function, false);
 		break;
 	}
 }
@@ -231,7 +284,7 @@ static void mask_inside(const struct soft_run *run)
 void soft_set_functions(
 	struct soft_spans *spans, const soft_span_function function[2])
 {
-	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT;
+	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT && !spans->stenciled;
 
 	spans->function = function;
 	spans->draw_anywhere = direct ? function[0] : test_anywhere;

@@ -72,32 +72,38 @@ static bool is_replaced(const struct texture_input *input)
 static enum soft_finish choose_finish(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
-	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
-		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 	int fog = draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0;
 
-	if (draw->blended && (!by_alpha || is_tested(state))) {
-		return SOFT_ANY;
-	}
 	return (enum soft_finish)(
-		(draw->blended                     ? SOFT_BLENDED
-				: is_tested(state) ? SOFT_TESTED
-						   : SOFT_OPAQUE) +
+		(is_tested(state) ? SOFT_TESTED
+				: draw->blended && !draw->spans.blended_last
+				? SOFT_BLENDED
+				: SOFT_OPAQUE) +
 		fog);
 }
 
-static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
+/* Whether the span functions do not blend as the state wants it. */
+static bool is_blended_last(const struct draw *draw)
 {
-	if (state->stencil.enabled) {
-		return is_tested(state) ? SOFT_DEPTH_AFTER : SOFT_DEPTH_FIRST;
-	}
-	if (!state->depth_test) {
+	const struct fragment_state *state = &draw->soft->fragment;
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
+
+	return draw->attributes != 0 && draw->blended &&
+		(!by_alpha || is_tested(state));
+}
+
+static enum soft_depth_way choose_depth_way(
+	const struct fragment_state *state, bool blended_last)
+{
+	if (!state->depth_test || state->depth_function == GL_ALWAYS) {
 		return SOFT_DEPTH_FREE;
 	}
 	if (state->depth_function == GL_LESS) {
-		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_KEPT;
+		return state->depth_mask && !blended_last ? SOFT_DEPTH_DIRECT
+							  : SOFT_DEPTH_LESS;
 	}
-	if (state->depth_function == GL_LEQUAL) {
+	if (state->depth_function == GL_LEQUAL && !blended_last) {
 		return SOFT_DEPTH_LEQUAL;
 	}
 	return SOFT_DEPTH_LAST;
@@ -154,7 +160,7 @@ static struct soft_scales find_format_scales(
 
 static void find_scales(const struct draw *draw, struct soft_spans *spans)
 {
-	bool wide = draw->soft->format == PIXELS_RGBA8888;
+	bool wide = spans->table == &soft_spans_8888;
 	enum texel_format format = !spans->textured ? TEXEL_NONE
 		: spans->made                       ? TEXEL_8888
 			      : draw->texture[0].base->format;
@@ -181,16 +187,13 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	}
 	stages->alpha_scaled = input->used && input->env->mode == GL_MODULATE &&
 		soft_base_has_alpha(input->base->base_format);
-	stages->fogged = draw->fogged;
 	stages->blend_source = state->blend_source;
 	stages->blend_destination = state->blend_destination;
 }
 
 static void find_functions(const struct draw *draw, struct soft_spans *spans)
 {
-	const soft_span_table *table = draw->soft->format == PIXELS_RGB565
-		? &soft_spans_565
-		: &soft_spans_8888;
+	const soft_span_table *table = spans->table;
 	const struct texture_input *input = &draw->texture[0];
 	int format = spans->textured ? (int)input->base->format - 1 : 0;
 	const struct texture *texture = input->texture;
@@ -220,7 +223,7 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 {
 	const struct texture_input *input = &draw->texture[0];
 	bool combined = spans->combined;
-	bool wide = draw->soft->format == PIXELS_RGBA8888;
+	bool wide = spans->table == &soft_spans_8888;
 	GLenum format = input->used ? input->base->base_format : GL_RGB;
 	bool replaced = !combined && is_replaced(input);
 
@@ -233,11 +236,11 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 }
 
 /* Fragments that no span function has a stage for: see made.h. */
-static bool is_combined(const struct draw *draw, enum soft_finish finish)
+static bool is_combined(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 
-	return finish == SOFT_ANY || draw->texture[1].used || draw->smooth ||
+	return draw->texture[1].used || draw->smooth ||
 		(input->used &&
 			(!soft_is_simple_environment(input) ||
 				(soft_mixes_levels(input) &&
@@ -250,8 +253,8 @@ static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
 	bool tested = finish == SOFT_TESTED || finish == SOFT_TESTED_FOG;
 
 	/* An alpha test knows alpha as stages round it. */
-	return draw->texture[1].used && finish != SOFT_ANY && !tested &&
-		!draw->smooth && draw->texture[1].env->mode == GL_MODULATE &&
+	return draw->texture[1].used && !tested && !draw->smooth &&
+		draw->texture[1].env->mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8 &&
 		draw->texture[1].base->format != TEXEL_A8;
@@ -288,30 +291,38 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->lod_wanted = input->used && soft_rows_want_lod(input);
 	spans->level = -1;
 	spans->white_bits = 0;
+	spans->blended_last = is_blended_last(draw);
+	spans->table =
+		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last
+		? &soft_spans_8888
+		: &soft_spans_565;
+	spans->stenciled = state->stencil.enabled;
+	spans->alpha_tested = is_tested(state);
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	spans->finish =
 		draw->attributes == 0 ? SOFT_OPAQUE : choose_finish(draw);
 	spans->multiplied =
 		draw->attributes != 0 && is_multiplied(draw, spans->finish);
 	spans->combined = draw->attributes != 0 && !spans->multiplied &&
-		is_combined(draw, spans->finish);
+		is_combined(draw);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_mixes_levels(input));
 	spans->coverage.used = false;
-	spans->depth_way = choose_depth_way(state);
+	spans->depth_way = choose_depth_way(state, spans->blended_last);
 	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
 	spans->plain_pixels = spans->finish == SOFT_OPAQUE && !spans->combined &&
 			spans->depth_way == SOFT_DEPTH_DIRECT &&
-			spans->color_mask == UINT32_MAX
+			!spans->stenciled && spans->color_mask == UINT32_MAX
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;
 	spans->lists_runs = spans->depth_way == SOFT_DEPTH_DIRECT &&
-		spans->color_mask == UINT32_MAX && !spans->made;
+		!spans->stenciled && spans->color_mask == UINT32_MAX &&
+		!spans->made;
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;

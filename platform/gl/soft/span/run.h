@@ -45,7 +45,6 @@ struct soft_fragment_stages {
 	int32_t fog_565[3]; /* red, green, blue of 5, 6, 5 bits, times 2^14 */
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
-	bool fogged;
 	bool alpha_scaled; /* the first texture's alpha times the fragment's */
 	GLenum blend_source, blend_destination;
 };
@@ -103,7 +102,7 @@ enum soft_finish {
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
-	SOFT_ANY, /* any blend function: soft_finish_row() */
+	SOFT_FINISHES,
 };
 
 /*
@@ -111,7 +110,7 @@ enum soft_finish {
  * take runs anywhere in their texture, those of the second only runs with
  * first_texel, and are the same where that makes no difference.
  */
-typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_ANY][2];
+typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES][2];
 
 extern const soft_span_table soft_spans_565, soft_spans_8888;
 

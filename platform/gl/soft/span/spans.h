@@ -18,13 +18,11 @@ enum {
 
 /* How runs are tested for depth, which span functions only do by LESS. */
 enum soft_depth_way {
-	SOFT_DEPTH_DIRECT, /* LESS, written */
-	SOFT_DEPTH_FREE,   /* no test */
-	SOFT_DEPTH_KEPT,   /* LESS, not written */
+	SOFT_DEPTH_DIRECT, /* LESS, written by the functions themselves */
+	SOFT_DEPTH_FREE,   /* no test, written or not */
+	SOFT_DEPTH_LESS,   /* not written, or blended last */
 	SOFT_DEPTH_LEQUAL, /* written or not */
-	SOFT_DEPTH_FIRST,  /* with a stencil: tested and written before */
 	SOFT_DEPTH_LAST,   /* tested before, written after the span */
-	SOFT_DEPTH_AFTER, /* with a stencil and an alpha test, which is first */
 };
 
 /*
@@ -83,9 +81,16 @@ struct soft_spans {
 	bool rare;           /* either of them, or steep colours */
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
-	enum soft_depth_way depth_way;
+	enum soft_depth_way depth_way; /* where no stencil matters */
+	bool stenciled, alpha_tested;
+	/*
+	 * The functions draw RGBA8888 beside the picture, which stages/blend_row.c
+	 * blends: after an alpha test, or by another function than by alpha.
+	 */
+	bool blended_last;
 	uint32_t color_mask; /* bits of pixels that are written, twice of 565 */
 	enum soft_finish finish;
+	const soft_span_table *table; /* of all of the state's functions */
 	int plain_pixels; /* of a run without a texture, at most */
 	struct soft_scales scales;
 	/* of minified and magnified textures: anywhere and inside */

@@ -1,5 +1,9 @@
 #include "platform/gl/soft/span/tests.h"
 
+#include <string.h>
+
+#include "platform/base/compiler.h"
+
 static uint8_t apply_stencil(
 	const struct stencil *stencil, GLenum action, uint8_t old)
 {
@@ -28,37 +32,91 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-/* Whether the stencil lets a fragment through that passes the depth test or not. */
-static bool test_stencil(const struct stencil *s, bool near, uint8_t *stencil)
+static uint32_t count_equal(const uint8_t *value, uint32_t count)
 {
-	bool through = soft_compares(
-		s->function, s->reference & s->mask, *stencil & s->mask);
-	GLenum action = !through ? s->fail : near ? s->pass : s->depth_fail;
+	uint32_t equal = 1;
 
-	if (action != GL_KEEP) {
-		*stencil = apply_stencil(s, action, *stencil);
+	while (equal < count && value[equal] == value[0]) {
+		equal++;
 	}
-	return through;
+	return equal;
 }
 
-void soft_test(struct soft *soft, const struct soft_tested *tested, bool *passes)
+/* The depth test of fragments that the stencil lets through. */
+static ALWAYS_INLINE uint32_t test_depths(const struct fragment_state *state,
+	const struct soft_tested *tested, uint16_t *depth, uint16_t *passes)
+{
+	const GLenum function =
+		state->depth_test ? state->depth_function : GL_ALWAYS;
+	uint32_t z = tested->z, any = 0;
+
+	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
+		bool near = soft_compares(function, z >> 16, depth[i]);
+
+		passes[i] = (uint16_t)-near;
+		any |= passes[i];
+	}
+	return any;
+}
+
+/* Of fragments whose stencil values are equal. */
+static void test_stencil(struct soft *soft, const struct soft_tested *tested,
+	uint8_t *stencil, uint16_t *passes)
 {
 	const struct fragment_state *state = &soft->fragment;
 	const struct stencil *s = &state->stencil;
-	uint16_t *depth = soft->buffers.depth + tested->place;
-	uint8_t *stencil = s->enabled && soft->buffers.stencil
-		? soft->buffers.stencil + tested->place
-		: NULL;
-	uint32_t z = tested->z;
+	const uint8_t old = *stencil;
 
-	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
-		bool near = !state->depth_test ||
-			soft_compares(state->depth_function, z >> 16, depth[i]);
+	if (!soft_stencil_passes(s, old)) {
+		memset(stencil, apply_stencil(s, s->fail, old), tested->count);
+		memset(passes, 0, tested->count * sizeof(*passes));
+		return;
+	}
+	test_depths(state, tested, soft->buffers.depth + tested->place, passes);
+	if (s->pass != GL_KEEP || s->depth_fail != GL_KEEP) {
+		const uint8_t near = apply_stencil(s, s->pass, old);
+		const uint8_t far = apply_stencil(s, s->depth_fail, old);
 
-		passes[i] = stencil ? test_stencil(s, near, stencil + i) && near
-				    : near;
-		if (passes[i] && state->depth_test && state->depth_mask) {
-			depth[i] = (uint16_t)(z >> 16);
+		for (uint32_t i = 0; i < tested->count; i++) {
+			stencil[i] = passes[i] ? near : far;
 		}
 	}
+}
+
+bool soft_stencil_keeps(const struct soft *soft, size_t place, uint32_t count)
+{
+	const struct stencil *s = &soft->fragment.stencil;
+	const uint8_t *stencil = soft->buffers.stencil;
+
+	return !stencil ||
+		(s->pass == GL_KEEP && s->depth_fail == GL_KEEP &&
+			soft_stencil_passes(s, stencil[place]) &&
+			count_equal(stencil + place, count) == count);
+}
+
+bool soft_test(
+	struct soft *soft, const struct soft_tested *tested, uint16_t *passes)
+{
+	const struct fragment_state *state = &soft->fragment;
+	uint8_t *stencil = soft->buffers.stencil;
+	struct soft_tested piece = *tested;
+	uint32_t any = 0;
+
+	if (!state->stencil.enabled || !stencil) {
+		return test_depths(state, tested,
+			       soft->buffers.depth + tested->place, passes) != 0;
+	}
+	for (uint32_t left = tested->count; left > 0; left -= piece.count) {
+		uint8_t *at = stencil + piece.place;
+
+		piece.count = count_equal(at, left);
+		test_stencil(soft, &piece, at, passes);
+		for (uint32_t i = 0; i < piece.count; i++) {
+			any |= passes[i];
+		}
+		passes += piece.count;
+		piece.place += piece.count;
+		piece.z += piece.z_right * piece.count;
+	}
+	return any != 0;
 }

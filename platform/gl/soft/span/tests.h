@@ -1,4 +1,4 @@
-/* Depth and stencil tests of pixels one by one, for what no span function does. */
+/* Depth and stencil tests of fragments, for what no span function does. */
 #ifndef PLATFORM_GL_SOFT_SPAN_TESTS_H
 #define PLATFORM_GL_SOFT_SPAN_TESTS_H
 
@@ -17,8 +17,21 @@ struct soft_tested {
 	uint32_t z, z_right; /* 16.16 */
 };
 
-/* Tests fragments, and writes what the tests write; which of them pass. */
-void soft_test(
-	struct soft *soft, const struct soft_tested *tested, bool *passes);
+/* Whether the stencil test lets a fragment through where this value is. */
+static inline bool soft_stencil_passes(const struct stencil *s, uint8_t value)
+{
+	return soft_compares(
+		s->function, s->reference & s->mask, value & s->mask);
+}
+
+/* Whether the stencil test passes all of these pixels, and changes none. */
+bool soft_stencil_keeps(const struct soft *soft, size_t place, uint32_t count);
+
+/*
+ * Tests fragments, and writes the stencil, but no depths. Those that pass get
+ * 65535, the others 0. False where none passes.
+ */
+bool soft_test(
+	struct soft *soft, const struct soft_tested *tested, uint16_t *passes);
 
 #endif

@@ -261,7 +261,7 @@ static void prepare_combined(struct draw *draw)
 	bool alpha = spans->finish != SOFT_OPAQUE &&
 		spans->finish != SOFT_OPAQUE_FOG;
 
-	alpha |= draw->soft->format == PIXELS_RGBA8888;
+	alpha |= spans->table == &soft_spans_8888;
 	for (int i = 0; i < SOFT_UNITS; i++) {
 		if (draw->texture[i].used) {
 			soft_find_environment(
@@ -274,12 +274,7 @@ static void prepare_combined(struct draw *draw)
 
 void soft_prepare_made(struct draw *draw)
 {
-	static const soft_span_function any[2] = {
-		soft_finish_row, soft_finish_row};
 	struct soft_spans *spans = &draw->spans;
-	const soft_span_table *table = draw->soft->format == PIXELS_RGB565
-		? &soft_spans_565
-		: &soft_spans_8888;
 
 	if (spans->combined) {
 		prepare_combined(draw);
@@ -287,9 +282,7 @@ void soft_prepare_made(struct draw *draw)
 	spans->made_levels[0].level = -1;
 	spans->made_levels[1].level = -1;
 	soft_set_functions(spans,
-		spans->finish == SOFT_ANY
-			? any
-			: (*table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
+		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;
 	/* All runs come here: none lies in the window. */
 	spans->window.s_room = 0;

@@ -1,8 +1,8 @@
 /*
  * Runs whose colours are made beforehand, as a row of RGBA8888: mixtures of two
- * levels of a texture; what any texture environments make of up to two textures;
- * and fragments for any blend function. The row is then drawn as a texture by a
- * span function for the rest of the state, or by soft_finish_row().
+ * levels of a texture; and what any texture environments make of up to two
+ * textures. The row is then drawn as a texture by a span function for the rest of
+ * the state.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_MADE_H
 #define PLATFORM_GL_SOFT_STAGES_MADE_H
@@ -19,8 +19,5 @@ void soft_prepare_made(struct draw *draw);
 
 /* The first texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int lod);
-
-/* finish_row.c: blends the row by any function, after an alpha test. */
-void soft_finish_row(const struct soft_run *run);
 
 #endif

@@ -15,6 +15,8 @@
 #include "platform/display/surface.h"
 #include "platform/gl/gl.h"
 
+struct gl_counts;
+
 /* The first member of every driver's own context. */
 struct gl_context {
 	const struct gl_driver *driver;
@@ -76,6 +78,12 @@ struct gl_driver {
 	 * Mandatory.
 	 */
 	int (*end_frame)(struct gl_context *context);
+
+	/*
+	 * Adds what is drawn from now on to *counts (gl_counts.h); NULL stops.
+	 * Optional.
+	 */
+	void (*count)(struct gl_context *context, struct gl_counts *counts);
 
 	/* Destroys the context. NULL is fine. Mandatory. */
 	void (*destroy)(struct gl_context *context);

@@ -17,7 +17,7 @@ STAGES = {
     " largest_float light light_state matrix number paths prepare"
     " prepare_dir_lights prepare_light prepare_spans query soft state texenv_state"
     " unindexed vertex vertices",
-    "set-up": "begin bend clip fill_constant fill_flat fill_glyph fill_narrow"
+    "set-up": "begin bend clip counts fill_constant fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list masked narrow raster small triangle view walk"
     " walk_small",
     "pixels": "band blend_row combine_rows coverage depth_ways fill gray level luminance made mix"

@@ -112,11 +112,17 @@ static int soft_end_frame(struct gl_context *context)
 	return 0;
 }
 
+static void soft_count(struct gl_context *context, struct gl_counts *counts)
+{
+	((struct soft *)context)->counts = counts;
+}
+
 const struct gl_driver gl_driver_soft = {
 	.name = "soft",
 	.summary = "limber's own fixed-point OpenGL, for boards without a GPU",
 	.create = soft_create,
 	.begin_frame = soft_begin_frame,
 	.end_frame = soft_end_frame,
+	.count = soft_count,
 	.destroy = soft_destroy,
 };

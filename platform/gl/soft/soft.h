@@ -201,6 +201,7 @@ struct soft {
 	/* Draws triangles in place of the driver: a test's reference, or NULL. */
 	void (*fill)(struct draw *draw, struct setup *setup);
 	struct draw *draw; /* scratch of the draw call, owned */
+	struct gl_counts *counts; /* or NULL */
 };
 
 struct soft *soft_current(void);

@@ -123,6 +123,10 @@ static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
 	memset(draw->place, 0xFF, sizeof(draw->place));
+	if (draw->soft->counts) {
+		soft_count_call(draw, source, mode);
+		soft_prepare_fast_setup(draw);
+	}
 	if (mode == GL_POINTS) {
 		for (uint32_t i = 0; i < source->count; i++) {
 			soft_draw_point(draw, find_vertex(draw, source, i));

@@ -303,6 +303,9 @@ struct draw {
 	struct dedup dedup;
 	struct vertex apart[3]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
+	/* counts.c's, while a program counts */
+	fill_function counted_fill;
+	uint32_t counted[VERTEX_CACHE]; /* tags */
 };
 
 /* Of a vertex inside of the clip volume, while draw->packed. */
@@ -399,6 +402,14 @@ bool soft_light_by_dir_lights(
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
+
+/*
+ * counts.c: counts a prepared call and lets draw->fill count its triangles;
+ * soft->counts is set.
+ */
+struct source;
+void soft_count_call(
+	struct draw *draw, const struct source *source, GLenum mode);
 
 /* triangle.c: draw->fast_setup, once a call, after all else. */
 void soft_prepare_fast_setup(struct draw *draw);

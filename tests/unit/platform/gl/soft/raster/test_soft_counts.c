@@ -1,0 +1,156 @@
+/* Counts of what is drawn (platform/gl/gl_counts.h). */
+#include "platform/gl/gl_counts.h"
+#include "tests/support/gl/gl_expect.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	FIRST = 4,
+	SIZE = 16, /* pixels; the canvas is larger */
+	TRIANGLES = 2
+};
+
+/* Pixels as clip coordinates. */
+static float place(int pixel, int pixels)
+{
+	return 2.0f * (float)pixel / (float)pixels - 1.0f;
+}
+
+/* A square inside of the window, of two triangles. */
+static void draw_square(const struct gl_canvas *canvas)
+{
+	static const uint16_t index[] = {0, 1, 2, 2, 1, 3};
+	int width = canvas->pixels.width, height = canvas->pixels.height;
+	float corner[4][3];
+
+	for (int i = 0; i < 4; i++) {
+		corner[i][0] = place(FIRST + i % 2 * SIZE, width);
+		corner[i][1] = place(FIRST + i / 2 * SIZE, height);
+		corner[i][2] = 0.0f;
+	}
+	canvas->gl->EnableClientState(GL_VERTEX_ARRAY);
+	canvas->gl->VertexPointer(3, GL_FLOAT, 0, corner);
+	canvas->gl->DrawElements(
+		GL_TRIANGLES, 3 * TRIANGLES, GL_UNSIGNED_SHORT, index);
+}
+
+static void count(struct gl_canvas *canvas, struct gl_counts *counts)
+{
+	canvas->context->driver->count(canvas->context, counts);
+}
+
+static void expect_square(const struct gl_counts *counts, enum gl_work_kind kind)
+{
+	const struct gl_work *work = &counts->work[kind];
+
+	assert_true(counts->calls == 1.0);
+	assert_true(counts->listed == TRIANGLES);
+	assert_true(counts->vertices == 4.0);
+	assert_true(work->triangles == TRIANGLES);
+	assert_true(work->rows == TRIANGLES * SIZE);
+	assert_true(work->pixels == SIZE * SIZE);
+}
+
+static void test_a_square_counts_as_what_it_is(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts flat = {0}, plain = {0}, other = {0}, blended = {0};
+	struct gl_counts hidden = {0};
+
+	(void)state;
+	count(&canvas, &flat);
+	draw_square(&canvas);
+	expect_square(&flat, GL_WORK_FLAT);
+
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	count(&canvas, &plain);
+	draw_square(&canvas);
+	expect_square(&plain, GL_WORK_PLAIN);
+
+	/* The same again lies behind itself. */
+	count(&canvas, &hidden);
+	draw_square(&canvas);
+	assert_true(hidden.work[GL_WORK_PLAIN].pixels == 0.0);
+	assert_true(hidden.hidden == SIZE * SIZE);
+
+	canvas.gl->DepthFunc(GL_LEQUAL);
+	count(&canvas, &other);
+	draw_square(&canvas);
+	expect_square(&other, GL_WORK_SPANS);
+
+	canvas.gl->Enable(GL_BLEND);
+	canvas.gl->BlendFunc(GL_ONE, GL_ONE);
+	count(&canvas, &blended);
+	draw_square(&canvas);
+	expect_square(&blended, GL_WORK_MIXED);
+	gl_canvas_close(&canvas);
+}
+
+static void test_nothing_is_counted_after_null(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+
+	(void)state;
+	count(&canvas, &counts);
+	count(&canvas, NULL);
+	draw_square(&canvas);
+	assert_true(counts.calls == 0.0);
+	gl_canvas_close(&canvas);
+}
+
+static void test_counting_changes_no_pixel(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	size_t size = (size_t)canvas.pixels.stride_bytes *
+		(size_t)canvas.pixels.height;
+	struct gl_counts counts = {0};
+	void *without = malloc(size);
+
+	(void)state;
+	assert_non_null(without);
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	draw_square(&canvas);
+	gl_canvas_end_frame(&canvas);
+	memcpy(without, canvas.pixels.data, size);
+	gl_clear_to(canvas.gl, (double[]){0, 0, 0, 1});
+	canvas.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	count(&canvas, &counts);
+	draw_square(&canvas);
+	gl_canvas_end_frame(&canvas);
+	assert_memory_equal(without, canvas.pixels.data, size);
+	free(without);
+	gl_canvas_close(&canvas);
+}
+
+static void test_scaled_counts_are_all_scaled(void **state)
+{
+	struct gl_counts counts = {.calls = 2,
+		.listed = 4,
+		.vertices = 6,
+		.shaded = 8,
+		.hidden = 16,
+		.work[GL_WORK_GROUND] = {10, 12, 14}};
+
+	(void)state;
+	gl_counts_scale(&counts, 0.5);
+	assert_true(counts.calls == 1 && counts.listed == 2 &&
+		counts.vertices == 3 && counts.shaded == 4 &&
+		counts.hidden == 8);
+	assert_true(counts.work[GL_WORK_GROUND].triangles == 5 &&
+		counts.work[GL_WORK_GROUND].rows == 6 &&
+		counts.work[GL_WORK_GROUND].pixels == 7);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_square_counts_as_what_it_is),
+		cmocka_unit_test(test_nothing_is_counted_after_null),
+		cmocka_unit_test(test_counting_changes_no_pixel),
+		cmocka_unit_test(test_scaled_counts_are_all_scaled),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
